@@ -1,0 +1,156 @@
+//! Why something is not a body.
+
+use core::fmt;
+
+/// Why something is not a body: each variant carries the value and the rule that it breaks.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum BodyError {
+    /// A number outside its range: a mass that is not positive, a radius that is not finite.
+    Parameter {
+        /// What the number is.
+        what: &'static str,
+        /// The number.
+        value: f64,
+        /// What it has to be.
+        rule: &'static str,
+    },
+    /// A matrix that is not symmetric, so not an inertia tensor.
+    NotSymmetric {
+        /// Row and column, 1 to 3, of the first element that differs from its mirror image.
+        element: [usize; 2],
+        /// The element.
+        value: f64,
+        /// Its mirror image.
+        mirrored: f64,
+    },
+    /// A tensor with a negative principal moment.
+    NegativeMoment {
+        /// Principal moments, ascending, kg·m².
+        moments: [f64; 3],
+    },
+    /// A tensor whose principal moments break i1 + i2 ≥ i3, which no distribution of mass can.
+    TriangleInequality {
+        /// Principal moments, ascending, kg·m².
+        moments: [f64; 3],
+    },
+    /// No particles, no parts, or no triangles.
+    Empty {
+        /// What is missing.
+        what: &'static str,
+    },
+    /// A triangle names a vertex that is not there, or a vertex is not finite.
+    Vertex {
+        /// Triangle, from 1.
+        triangle: usize,
+        /// The vertex, m.
+        vertex: [f64; 3],
+    },
+    /// A mesh with a boundary: it encloses no volume.
+    OpenMesh {
+        /// Edges that belong to one triangle only.
+        edges: usize,
+        /// The ends of one of them, in the mesh's own units.
+        example: [[f64; 3]; 2],
+        /// The triangle, from 1, that the example belongs to.
+        triangle: usize,
+    },
+    /// A mesh whose triangles do not all turn the same way: inside and outside are not defined.
+    InconsistentWinding {
+        /// Edges whose triangles run along them in the same direction.
+        edges: usize,
+        /// The ends of one of them, in the mesh's own units.
+        example: [[f64; 3]; 2],
+        /// The triangle, from 1, that the example belongs to.
+        triangle: usize,
+    },
+    /// A closed mesh that encloses nothing.
+    FlatMesh {
+        /// Enclosed volume, in the mesh's own units cubed.
+        volume: f64,
+    },
+}
+
+impl fmt::Display for BodyError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Parameter { what, value, rule } => write!(f, "{what} = {value} must be {rule}"),
+            Self::NotSymmetric { element: [i, j], value, mirrored } => write!(
+                f,
+                "the inertia tensor is not symmetric: I{i}{j} = {value}, but I{j}{i} = {mirrored}"
+            ),
+            Self::NegativeMoment { moments: [a, b, c] } => write!(
+                f,
+                "the inertia tensor is impossible: its principal moments are {a}, {b}, {c} kg·m², and none may be negative"
+            ),
+            Self::TriangleInequality { moments: [a, b, c] } => write!(
+                f,
+                "the inertia tensor is impossible: i1 + i2 = {} kg·m² is less than i3 = {c} kg·m² (principal moments {a}, {b}, {c})",
+                a + b
+            ),
+            Self::Empty { what } => write!(f, "there are no {what}"),
+            Self::Vertex { triangle, vertex: [x, y, z] } => {
+                write!(f, "triangle {triangle} has the vertex ({x}, {y}, {z}), which is not finite")
+            }
+            Self::OpenMesh { edges, example: [a, b], triangle } => write!(
+                f,
+                "the mesh is open, so it has no volume: {edges} edges belong to one triangle only, \
+                 the first from {a:?} to {b:?} in triangle {triangle}"
+            ),
+            Self::InconsistentWinding { edges, example: [a, b], triangle } => write!(
+                f,
+                "the mesh is not consistently wound: along {edges} edges the triangles do not turn the same way, \
+                 the first from {a:?} to {b:?} in triangle {triangle}"
+            ),
+            Self::FlatMesh { volume } => write!(f, "the mesh is closed, but encloses no volume ({volume:e})"),
+        }
+    }
+}
+
+impl BodyError {
+    /// What to try next, where there is something to try.
+    pub fn hint(&self) -> Option<&'static str> {
+        match self {
+            Self::NotSymmetric { .. } => {
+                Some("give each product of inertia once on either side of the diagonal, with the same sign")
+            }
+            Self::NegativeMoment { .. } | Self::TriangleInequality { .. } => Some(
+                "check the sign convention of the products (here: minus the integral ∫xy dm), the point it is about, \
+                 and the units",
+            ),
+            Self::OpenMesh { .. } => Some(
+                "close the mesh in the tool that made it; vertices that only nearly coincide count as different",
+            ),
+            Self::InconsistentWinding { .. } => Some("make the normals consistent in the tool that made the mesh"),
+            _ => None,
+        }
+    }
+}
+
+impl core::error::Error for BodyError {}
+
+/// The value, if it is positive and finite.
+pub(crate) fn positive(what: &'static str, value: f64) -> Result<f64, BodyError> {
+    if value > 0.0 && value.is_finite() {
+        Ok(value)
+    } else {
+        Err(BodyError::Parameter { what, value, rule: "positive and finite" })
+    }
+}
+
+/// The value, if it is zero or positive, and finite.
+pub(crate) fn not_negative(what: &'static str, value: f64) -> Result<f64, BodyError> {
+    if value >= 0.0 && value.is_finite() {
+        Ok(value)
+    } else {
+        Err(BodyError::Parameter { what, value, rule: "zero or positive, and finite" })
+    }
+}
+
+/// The vector, if all of it is finite.
+pub(crate) fn finite(what: &'static str, v: [f64; 3]) -> Result<[f64; 3], BodyError> {
+    match v.iter().find(|c| !c.is_finite()) {
+        None => Ok(v),
+        Some(&value) => Err(BodyError::Parameter { what, value, rule: "finite" }),
+    }
+}

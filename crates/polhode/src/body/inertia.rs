@@ -1,0 +1,266 @@
+//! Inertia tensors: about the centre of mass, and about any other point.
+
+use core::fmt;
+use core::marker::PhantomData;
+use core::ops::Mul;
+
+use super::error::BodyError;
+use crate::math::frame::Frame;
+use crate::math::rotation::Rotation;
+use crate::math::symmetric3::Symmetric3;
+use crate::math::vector::{
+    AngularAcceleration, AngularMomentum, AngularVelocity, Direction, Position, Torque, Vector,
+};
+
+/// A body's inertia tensor about its centre of mass, along the axes of `F`, in kg·m².
+///
+/// I_ij = ∫ (δ_ij r² − x_i x_j) dm: the off-diagonal elements are *minus* the integrals ∫xy dm, so that L = I ω.
+///
+/// One that exists is *possible*: finite, symmetric, no principal moment negative, and i1 + i2 ≥ i3 (all to within
+/// 64 ε of the trace, the rounding of a sum of many parts). Elements cannot be changed.
+///
+/// ```
+/// use polhode::{AngularVelocity, Body, InertiaTensor};
+/// // Thornton & Marion, problem 11-13, in units of m b²
+/// let tensor = InertiaTensor::<Body>::with_negative_products([13.0, 16.0, 15.0], [-2.0, 1.0, 4.0])?;
+/// let l = tensor * AngularVelocity::new(1.0, 2.0, 3.0);
+/// assert_eq!(l.to_array(), [12.0, 42.0, 54.0]);
+/// assert!(InertiaTensor::<Body>::diagonal([1.0, 1.0, 3.0]).is_err()); // i1 + i2 < i3
+/// # Ok::<(), polhode::BodyError>(())
+/// ```
+///
+/// Source: Thornton & Marion, Classical Dynamics, eq. (11.13).
+pub struct InertiaTensor<F> {
+    elements: Symmetric3,
+    frame: PhantomData<F>,
+}
+
+/// A body's inertia tensor about a point other than its centre of mass, along the axes of `F`, in kg·m².
+///
+/// Made by [`MassProperties::inertia_about`](crate::MassProperties::inertia_about), or from numbers to be moved
+/// to the centre of mass. Possible in the same sense as [`InertiaTensor`].
+pub struct InertiaAbout<F> {
+    point: Position<F>,
+    elements: Symmetric3,
+}
+
+/// Principal moments may break a rule by this much of the trace: the rounding of a sum of many parts.
+const POSSIBLE_TOLERANCE: f64 = 64.0 * f64::EPSILON;
+
+/// A matrix from a file may differ from its transpose by this much of the trace: its rounding.
+const SYMMETRY_TOLERANCE: f64 = 1e-12;
+
+impl<F: Frame> InertiaTensor<F> {
+    /// The tensor with diagonal (xx, yy, zz) and off-diagonals (xy, xz, yz) = −∫xy dm, −∫xz dm, −∫yz dm.
+    ///
+    /// # Errors
+    /// [`BodyError`] if it is impossible.
+    pub fn with_negative_products(moments: [f64; 3], products: [f64; 3]) -> Result<Self, BodyError> {
+        Self::from_symmetric(assemble(moments, products))
+    }
+
+    /// The tensor whose products are given with the other sign, as +∫xy dm, +∫xz dm, +∫yz dm: the convention of
+    /// most CAD reports.
+    ///
+    /// # Errors
+    /// [`BodyError`] if it is impossible.
+    pub fn with_positive_products(moments: [f64; 3], products: [f64; 3]) -> Result<Self, BodyError> {
+        Self::from_symmetric(assemble(moments, products.map(|p| 0.0 - p)))
+    }
+
+    /// The tensor of a full matrix (off-diagonals −∫xy dm).
+    ///
+    /// # Errors
+    /// [`BodyError::NotSymmetric`] if it differs from its transpose by more than 1e-12 of its trace;
+    /// any other [`BodyError`] if it is impossible.
+    pub fn from_matrix(rows: [[f64; 3]; 3]) -> Result<Self, BodyError> {
+        Self::from_symmetric(symmetric(rows)?)
+    }
+
+    /// The tensor of a body whose principal axes are the axes of `F`.
+    ///
+    /// # Errors
+    /// [`BodyError`] if it is impossible.
+    pub fn diagonal(moments: [f64; 3]) -> Result<Self, BodyError> {
+        Self::from_symmetric(Symmetric3::diagonal(moments))
+    }
+
+    pub(crate) fn from_symmetric(elements: Symmetric3) -> Result<Self, BodyError> {
+        require_possible(&elements)?;
+        Ok(Self { elements, frame: PhantomData })
+    }
+
+    /// The same tensor along the axes of `A`: R I Rᵀ.
+    pub fn in_frame<A: Frame>(&self, r: Rotation<A, F>) -> InertiaTensor<A> {
+        InertiaTensor { elements: self.elements.rotated(&r.matrix()), frame: PhantomData }
+    }
+
+    /// The same tensor along the axes of `A`, which happen to have this frame's directions.
+    pub(crate) const fn as_frame<A: Frame>(&self) -> InertiaTensor<A> {
+        InertiaTensor { elements: self.elements, frame: PhantomData }
+    }
+}
+
+impl<F: Frame> InertiaAbout<F> {
+    /// The tensor about `point` of a full matrix (off-diagonals −∫xy dm, r measured from `point`).
+    ///
+    /// # Errors
+    /// As [`InertiaTensor::from_matrix`]: the same inequalities hold about any point.
+    pub fn from_matrix(point: Position<F>, rows: [[f64; 3]; 3]) -> Result<Self, BodyError> {
+        Self::from_symmetric(point, symmetric(rows)?)
+    }
+
+    pub(crate) fn from_symmetric(point: Position<F>, elements: Symmetric3) -> Result<Self, BodyError> {
+        super::error::finite("the point of the inertia tensor", point.to_array())?;
+        require_possible(&elements)?;
+        Ok(Self { point, elements })
+    }
+
+    /// A tensor that parallel axes made from a possible one, which keeps it possible.
+    pub(crate) const fn moved(point: Position<F>, elements: Symmetric3) -> Self {
+        Self { point, elements }
+    }
+
+    /// The point that the tensor is about.
+    pub const fn point(&self) -> Position<F> {
+        self.point
+    }
+}
+
+macro_rules! tensor {
+    ($name:ident) => {
+        impl<F: Frame> $name<F> {
+            /// The full matrix; off-diagonals are −∫xy dm.
+            pub fn matrix(&self) -> [[f64; 3]; 3] {
+                self.elements.rows()
+            }
+
+            /// Moment of inertia about the axis `n` through the point that the tensor is about: nᵀ I n.
+            pub fn about_axis(&self, n: Direction<F>) -> f64 {
+                n.direction().map_or(0.0, |n| n.dot(Direction::<F>::from_array(self.elements.apply(n.to_array()))))
+            }
+
+            pub(crate) const fn symmetric(&self) -> &Symmetric3 {
+                &self.elements
+            }
+
+            fn times<P, Q>(&self, v: Vector<P, F>) -> Vector<Q, F> {
+                Vector::from_array(self.elements.apply(v.to_array()))
+            }
+        }
+
+        impl<F: Frame> Mul<AngularVelocity<F>> for $name<F> {
+            type Output = AngularMomentum<F>;
+            /// L = I ω
+            fn mul(self, omega: AngularVelocity<F>) -> AngularMomentum<F> {
+                self.times(omega)
+            }
+        }
+
+        impl<F: Frame> Mul<AngularAcceleration<F>> for $name<F> {
+            type Output = Torque<F>;
+            /// I ω̇: the torque that changes ω, without the ω × L of turning axes.
+            fn mul(self, alpha: AngularAcceleration<F>) -> Torque<F> {
+                self.times(alpha)
+            }
+        }
+
+        impl<F: Frame> Clone for $name<F> {
+            fn clone(&self) -> Self {
+                *self
+            }
+        }
+
+        impl<F: Frame> Copy for $name<F> {}
+
+        impl<F: Frame> PartialEq for $name<F> {
+            /// Equal elements; the point of an [`InertiaAbout`] is not compared.
+            fn eq(&self, other: &Self) -> bool {
+                self.elements == other.elements
+            }
+        }
+
+        impl<F: Frame> fmt::Debug for $name<F> {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                write!(f, concat!(stringify!($name), "<{}>{:?}"), F::NAME, self.matrix())
+            }
+        }
+    };
+}
+
+tensor!(InertiaTensor);
+tensor!(InertiaAbout);
+
+fn assemble([xx, yy, zz]: [f64; 3], [xy, xz, yz]: [f64; 3]) -> Symmetric3 {
+    Symmetric3 { xx, yy, zz, xy, xz, yz }
+}
+
+fn symmetric(rows: [[f64; 3]; 3]) -> Result<Symmetric3, BodyError> {
+    let [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]] = rows;
+    let scale = xx.abs() + yy.abs() + zz.abs();
+    for (i, j, value, mirrored) in [(1, 2, xy, yx), (1, 3, xz, zx), (2, 3, yz, zy)] {
+        // Not finite on both sides is reported by `require_possible`, which names the element.
+        if value.is_finite() && mirrored.is_finite() && (value - mirrored).abs() > SYMMETRY_TOLERANCE * scale {
+            return Err(BodyError::NotSymmetric { element: [i, j], value, mirrored });
+        }
+    }
+    let mean = |a: f64, b: f64| 0.5 * a + 0.5 * b;
+    Ok(Symmetric3 { xx, yy, zz, xy: mean(xy, yx), xz: mean(xz, zx), yz: mean(yz, zy) })
+}
+
+fn require_possible(elements: &Symmetric3) -> Result<(), BodyError> {
+    const NAMES: [&str; 6] = ["Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz"];
+    for (what, value) in NAMES.into_iter().zip(elements.elements()) {
+        if !value.is_finite() {
+            return Err(BodyError::Parameter { what, value, rule: "finite" });
+        }
+    }
+    let moments = elements.eigen().values;
+    let [i1, i2, i3] = moments;
+    let tolerance = POSSIBLE_TOLERANCE * i3;
+    if i3 < 0.0 || i1 < -tolerance {
+        return Err(BodyError::NegativeMoment { moments });
+    }
+    if i3 - i2 - i1 > tolerance {
+        return Err(BodyError::TriangleInequality { moments });
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::frame::Body;
+
+    type Tensor = InertiaTensor<Body>;
+
+    #[test]
+    fn the_two_sign_conventions_are_two_constructors() {
+        let moments = [3.1, 4.2, 5.3];
+        let a = Tensor::with_negative_products(moments, [0.4, -0.3, 0.2]).unwrap();
+        let b = Tensor::with_positive_products(moments, [-0.4, 0.3, -0.2]).unwrap();
+        assert_eq!(a, b);
+        assert_eq!(a.matrix()[0][1], 0.4);
+    }
+
+    #[test]
+    fn impossible_tensors_do_not_exist() {
+        use BodyError::{NegativeMoment, NotSymmetric, Parameter, TriangleInequality};
+        assert!(matches!(Tensor::diagonal([1.0, 1.0, 3.0]), Err(TriangleInequality { .. })));
+        assert!(matches!(Tensor::diagonal([-1.0, 1.0, 1.0]), Err(NegativeMoment { .. })));
+        assert!(matches!(Tensor::diagonal([-1.0, -1.0, -1.0]), Err(NegativeMoment { .. })));
+        assert!(matches!(Tensor::diagonal([f64::NAN, 1.0, 1.0]), Err(Parameter { what: "Ixx", .. })));
+        assert!(matches!(
+            Tensor::with_negative_products([1.0; 3], [0.0, f64::INFINITY, 0.0]),
+            Err(Parameter { what: "Ixz", .. })
+        ));
+        let skew = [[3.0, 0.1, 0.2], [0.1, 4.0, 0.3], [-0.2, 0.3, 5.0]];
+        assert!(matches!(Tensor::from_matrix(skew), Err(NotSymmetric { element: [1, 3], .. })));
+        // a flat plate and a rod lie on the edge, at any scale
+        for scale in [1e-300, 1e-30, 1.0, 1e300] {
+            assert!(Tensor::diagonal([0.1 * scale, 0.2 * scale, 0.3 * scale]).is_ok());
+            assert!(Tensor::diagonal([0.0, 0.7 * scale, 0.7 * scale]).is_ok());
+            assert!(Tensor::diagonal([0.1 * scale, 0.2 * scale, 0.300001 * scale]).is_err());
+        }
+    }
+}

@@ -1,0 +1,214 @@
+//! Mass, centre of mass and inertia: all that a body's motion knows of its mass.
+
+use super::error::{BodyError, finite, positive};
+use super::inertia::{InertiaAbout, InertiaTensor};
+use super::principal::PrincipalFrame;
+use crate::math::frame::Frame;
+use crate::math::rotation::Rotation;
+use crate::math::sum::Sum;
+use crate::math::symmetric3::Symmetric3;
+use crate::math::vector::Position;
+
+/// A body's mass, centre of mass and inertia tensor about it, along the axes of `F`.
+///
+/// ```
+/// use polhode::{Body, InertiaTensor, MassProperties, Position};
+/// // Schaub & Junkins: a tensor about the centre of mass, moved to another point by parallel axes
+/// let inertia = InertiaTensor::<Body>::with_negative_products([10.0, 5.0, 8.0], [1.0, -1.0, 1.0])?;
+/// let body = MassProperties::new(12.5, Position::new(-0.5, 0.5, 0.25), inertia)?;
+/// let about_origin = body.inertia_about(Position::ZERO).matrix();
+/// assert!((about_origin[0][0] - (10.0 + 12.5 * (0.25 + 0.0625))).abs() < 1e-14);
+/// assert!((about_origin[0][1] - (1.0 + 12.5 * 0.25)).abs() < 1e-14);
+/// # Ok::<(), polhode::BodyError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MassProperties<F: Frame> {
+    mass: f64,
+    center_of_mass: Position<F>,
+    inertia: InertiaTensor<F>,
+}
+
+impl<F: Frame> MassProperties<F> {
+    /// A body of the given mass (kg) and inertia tensor about its centre of mass.
+    ///
+    /// # Errors
+    /// [`BodyError::Parameter`] if the mass is not positive or a number is not finite.
+    pub fn new(mass: f64, center_of_mass: Position<F>, inertia: InertiaTensor<F>) -> Result<Self, BodyError> {
+        positive("the mass", mass)?;
+        finite("the centre of mass", center_of_mass.to_array())?;
+        Ok(Self { mass, center_of_mass, inertia })
+    }
+
+    /// A body whose tensor is known about another point: parallel axes, read backwards.
+    ///
+    /// I_ij = J_ij − M (a² δ_ij − a_i a_j), a from the point to the centre of mass
+    ///
+    /// # Errors
+    /// [`BodyError`] if the mass is not positive, or if no body has this tensor about that point.
+    pub fn from_inertia_about(
+        mass: f64,
+        center_of_mass: Position<F>,
+        about: &InertiaAbout<F>,
+    ) -> Result<Self, BodyError> {
+        let steiner = steiner(mass, center_of_mass - about.point());
+        Self::new(mass, center_of_mass, InertiaTensor::from_symmetric(*about.symmetric() - steiner)?)
+    }
+
+    /// A body from its mass, centre of mass and second moments per unit mass about it, ∫ x xᵀ dm / M.
+    pub(crate) fn from_covariance(
+        mass: f64,
+        center_of_mass: Position<F>,
+        covariance: &Symmetric3,
+    ) -> Result<Self, BodyError> {
+        let inertia = (*covariance * mass).inertia_of_second_moments();
+        Self::new(mass, center_of_mass, InertiaTensor::from_symmetric(inertia)?)
+    }
+
+    /// Several bodies rigidly joined.
+    ///
+    /// M = Σ m_k,  M c = Σ m_k c_k,  I = Σ [I_k + m_k (d_k² 1 − d_k d_kᵀ)],  d_k = c_k − c.
+    /// Summed about the first part's centre of mass, so that a place far from the origin costs no digits.
+    ///
+    /// # Errors
+    /// [`BodyError::Empty`] without parts; [`BodyError::Parameter`] if a sum is not finite.
+    pub fn combined(parts: &[Self]) -> Result<Self, BodyError> {
+        let Some(first) = parts.first() else {
+            return Err(BodyError::Empty { what: "parts" });
+        };
+        let reference = first.center_of_mass;
+        let mut mass = Sum::default();
+        let mut moment = [Sum::default(); 3];
+        for part in parts {
+            mass.add(part.mass);
+            let d = (part.center_of_mass - reference).to_array();
+            for (sum, d) in moment.iter_mut().zip(d) {
+                sum.add(part.mass * d);
+            }
+        }
+        let mass = mass.value();
+        let offset = Position::from_array(moment.map(|s| s.value() / mass));
+        let mut inertia = [Sum::default(); 6];
+        for part in parts {
+            let d = (part.center_of_mass - reference) - offset;
+            let about_center = *part.inertia.symmetric() + steiner(part.mass, d);
+            for (sum, element) in inertia.iter_mut().zip(about_center.elements()) {
+                sum.add(element);
+            }
+        }
+        let [xx, yy, zz, xy, xz, yz] = inertia.map(Sum::value);
+        let inertia = InertiaTensor::from_symmetric(Symmetric3 { xx, yy, zz, xy, xz, yz })?;
+        Self::new(mass, reference + offset, inertia)
+    }
+
+    /// Mass, kg.
+    pub const fn mass(&self) -> f64 {
+        self.mass
+    }
+
+    /// Centre of mass from the frame's origin, m.
+    pub const fn center_of_mass(&self) -> Position<F> {
+        self.center_of_mass
+    }
+
+    /// Inertia tensor about the centre of mass, kg·m².
+    pub const fn inertia(&self) -> &InertiaTensor<F> {
+        &self.inertia
+    }
+
+    /// Inertia tensor about any point: Steiner's parallel-axis theorem.
+    ///
+    /// J_ij = I_ij + M (a² δ_ij − a_i a_j), a from the point to the centre of mass
+    ///
+    /// Source: Thornton & Marion, eq. (11.49).
+    pub fn inertia_about(&self, point: Position<F>) -> InertiaAbout<F> {
+        let steiner = steiner(self.mass, self.center_of_mass - point);
+        InertiaAbout::moved(point, *self.inertia.symmetric() + steiner)
+    }
+
+    /// The same body described along the axes of `A`, about the same origin.
+    pub fn in_frame<A: Frame>(&self, r: Rotation<A, F>) -> MassProperties<A> {
+        self.placed(Position::ZERO, r)
+    }
+
+    /// The body described in a frame `A` in which this frame's origin is at `position` and its axes are turned by `r`.
+    pub fn placed<A: Frame>(&self, position: Position<A>, r: Rotation<A, F>) -> MassProperties<A> {
+        // No turn is the usual case, and then costs no rounding.
+        let inertia = if r == Rotation::identity() { self.inertia.as_frame() } else { self.inertia.in_frame(r) };
+        MassProperties { mass: self.mass, center_of_mass: position + r * self.center_of_mass, inertia }
+    }
+
+    /// Principal moments and axes about the centre of mass.
+    pub fn principal(&self) -> PrincipalFrame<F> {
+        PrincipalFrame::of(&self.inertia)
+    }
+
+    /// Radii of gyration about the three principal axes, √(i_k / M), m.
+    pub fn gyration_radii(&self) -> [f64; 3] {
+        self.principal().moments().map(|i| (i / self.mass).sqrt())
+    }
+}
+
+/// M (a² 1 − a aᵀ), written without cancellation.
+fn steiner<F: Frame>(mass: f64, a: Position<F>) -> Symmetric3 {
+    (Symmetric3::outer(a.to_array()) * mass).inertia_of_second_moments()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::frame::{Body, Part};
+
+    /// Distinct moments, all products non-zero, mass not 1, centre of mass off the origin, mixed signs.
+    fn generic() -> MassProperties<Body> {
+        let inertia = InertiaTensor::with_negative_products([3.1, 4.2, 5.3], [0.4, -0.3, 0.2]).unwrap();
+        MassProperties::new(2.3, Position::new(0.11, -0.07, 0.23), inertia).unwrap()
+    }
+
+    #[test]
+    fn parallel_axes_there_and_back() {
+        let body = generic();
+        let about = body.inertia_about(Position::new(-1.0, 0.4, 0.7));
+        let again = MassProperties::from_inertia_about(body.mass(), body.center_of_mass(), &about).unwrap();
+        let difference = *again.inertia().symmetric() - *body.inertia().symmetric();
+        assert!(difference.max_abs() < 5e-15);
+    }
+
+    #[test]
+    fn a_tensor_too_small_for_its_point_is_refused() {
+        let about = InertiaAbout::<Body>::from_matrix(
+            Position::ZERO,
+            [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        )
+        .unwrap();
+        // 2 kg at 1 m from the point needs at least 2 kg·m² there
+        let far = MassProperties::from_inertia_about(2.0, Position::new(1.0, 0.0, 0.0), &about);
+        assert!(matches!(far, Err(BodyError::NegativeMoment { .. })));
+    }
+
+    #[test]
+    fn the_principal_frame_turns_with_the_body() {
+        let body = generic();
+        let r = Rotation::<Part, Body>::from_quaternion([0.4, -0.7, 1.1, 0.3]).unwrap();
+        let turned = body.in_frame(r);
+        for (a, b) in body.principal().moments().iter().zip(turned.principal().moments()) {
+            assert!((a / b - 1.0).abs() < 2e-15);
+        }
+        let axis = r * body.principal().axis(2);
+        assert!(axis.dot(turned.principal().axis(2)).abs() > 1.0 - 1e-15);
+        assert!((turned.center_of_mass() - r * body.center_of_mass()).norm() < 1e-16);
+    }
+
+    #[test]
+    fn joining_parts_far_from_the_origin_loses_nothing() {
+        let far = Position::<Body>::new(1e6, -2e6, 4e6);
+        let pair = |origin: Position<Body>| {
+            let at = |d: [f64; 3]| generic().placed(origin + Position::from_array(d), Rotation::identity());
+            // offsets that the far coordinates still hold exactly
+            MassProperties::combined(&[at([0.0; 3]), at([0.5, -0.25, 1.0]), at([2.0, 0.125, -0.5])]).unwrap()
+        };
+        let near = MassProperties::combined(&[pair(Position::ZERO)]).unwrap();
+        let difference = *pair(far).inertia().symmetric() - *near.inertia().symmetric();
+        // the parts' own centres 0.11, −0.07, 0.23 are rounded at 4e6: 5e-10 m
+        assert!(difference.max_abs() < 5e-9);
+    }
+}

@@ -1,0 +1,47 @@
+//! Rectangular box.
+
+use super::{Extent, Shape, Spread};
+use crate::body::error::{BodyError, positive};
+use crate::math::symmetric3::Symmetric3;
+use crate::math::vector::Position;
+
+/// A solid box with its centre at the origin and its edges along the axes.
+///
+/// I = M/12 diag(b² + c², a² + c², a² + b²) for edges a, b, c
+///
+/// ```
+/// use polhode::{BoxShape, Shape, Substance};
+/// let brick = BoxShape::new([0.2, 0.1, 0.06])?.mass_properties(Substance::Density(1800.0))?;
+/// assert!((brick.mass() - 2.16).abs() < 1e-15);
+/// assert!((brick.inertia().matrix()[2][2] - 2.16 / 12.0 * (0.04 + 0.01)).abs() < 1e-17);
+/// # Ok::<(), polhode::BodyError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BoxShape {
+    size: [f64; 3],
+}
+
+impl BoxShape {
+    /// A box with the given edges along x, y and z, m.
+    ///
+    /// # Errors
+    /// [`BodyError::Parameter`] if an edge is not positive and finite.
+    pub fn new(size: [f64; 3]) -> Result<Self, BodyError> {
+        for edge in size {
+            positive("the box's size", edge)?;
+        }
+        Ok(Self { size })
+    }
+}
+
+impl Shape for BoxShape {
+    fn spread(&self) -> Spread {
+        let [a, b, c] = self.size;
+        Spread {
+            extent: Extent::Volume(a * b * c),
+            centroid: Position::ZERO,
+            // ∫ x² dx / a over ±a/2
+            covariance: Symmetric3::diagonal([a * a / 12.0, b * b / 12.0, c * c / 12.0]),
+        }
+    }
+}

@@ -1,0 +1,137 @@
+//! Shapes of uniform density with closed-form mass integrals, each in its own file.
+//!
+//! A shape says how its mass is spread over it per unit mass; how heavy it is comes from a [`Substance`].
+
+pub(crate) mod r#box;
+
+use core::fmt;
+
+use super::error::{BodyError, positive};
+use super::mass_properties::MassProperties;
+use crate::math::frame::Part;
+use crate::math::symmetric3::Symmetric3;
+use crate::math::vector::Position;
+
+/// A body of uniform density, described in its own [`Part`] axes.
+pub trait Shape: fmt::Debug + Send + Sync {
+    /// Over what the mass is spread, how much of it there is, and how it lies about its centre.
+    fn spread(&self) -> Spread;
+
+    /// Mass properties of the shape made of a substance.
+    ///
+    /// # Errors
+    /// [`BodyError`] if the substance does not fit the shape (kg/m³ for a thin plate), or a number is not
+    /// positive and finite.
+    fn mass_properties(&self, substance: Substance) -> Result<MassProperties<Part>, BodyError> {
+        let spread = self.spread();
+        let mass = substance.mass_of(spread.extent)?;
+        MassProperties::from_covariance(mass, spread.centroid, &spread.covariance)
+    }
+}
+
+/// How a uniform mass is spread over a shape.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spread {
+    pub(crate) extent: Extent,
+    pub(crate) centroid: Position<Part>,
+    /// Second moments about the centroid per unit mass, ∫ x xᵀ dm / M: positive semi-definite, so every tensor
+    /// made of it is possible.
+    pub(crate) covariance: Symmetric3,
+}
+
+impl Spread {
+    /// Volume, area or length.
+    pub const fn extent(&self) -> Extent {
+        self.extent
+    }
+
+    /// Where the centre of mass is.
+    pub const fn centroid(&self) -> Position<Part> {
+        self.centroid
+    }
+
+    /// Several spreads as one, each weighted by its own volume, area or length: the faces of a hollow box.
+    ///
+    /// All must be of the first one's kind; `None` without any.
+    pub(crate) fn joined(parts: &[Self]) -> Option<Self> {
+        let first = parts.first()?;
+        let total: f64 = parts.iter().map(|p| p.extent.measure()).sum();
+        let weighted = |p: &Self| p.centroid * (p.extent.measure() / total);
+        let centroid = parts.iter().map(weighted).fold(Position::ZERO, |a, b| a + b);
+        let mut covariance = Symmetric3::default();
+        for p in parts {
+            let d = (p.centroid - centroid).to_array();
+            covariance = covariance + (p.covariance + Symmetric3::outer(d)) * (p.extent.measure() / total);
+        }
+        Some(Self { extent: first.extent.with_measure(total), centroid, covariance })
+    }
+}
+
+/// Over what a shape's mass is spread, and how much of it there is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Extent {
+    /// A solid, m³.
+    Volume(f64),
+    /// A thin shell or plate, m².
+    Area(f64),
+    /// A thin rod, m.
+    Length(f64),
+}
+
+impl Extent {
+    /// The number of m³, m² or m.
+    pub const fn measure(self) -> f64 {
+        match self {
+            Self::Volume(m) | Self::Area(m) | Self::Length(m) => m,
+        }
+    }
+
+    /// The volume of a solid; `None` for what is thin.
+    pub const fn volume(self) -> Option<f64> {
+        match self {
+            Self::Volume(v) => Some(v),
+            _ => None,
+        }
+    }
+
+    const fn with_measure(self, measure: f64) -> Self {
+        match self {
+            Self::Volume(_) => Self::Volume(measure),
+            Self::Area(_) => Self::Area(measure),
+            Self::Length(_) => Self::Length(measure),
+        }
+    }
+}
+
+/// What a shape is made of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Substance {
+    /// The whole mass, kg: fits every shape.
+    Mass(f64),
+    /// Density, kg/m³: for solids.
+    Density(f64),
+    /// Mass per area, kg/m²: for thin shells and plates.
+    AreaDensity(f64),
+    /// Mass per length, kg/m: for thin rods.
+    LineDensity(f64),
+}
+
+impl Substance {
+    fn mass_of(self, extent: Extent) -> Result<f64, BodyError> {
+        let mass = match (self, extent) {
+            (Self::Mass(mass), _) => positive("the mass", mass)?,
+            (Self::Density(rho), Extent::Volume(v)) => positive("the density", rho)? * v,
+            (Self::AreaDensity(sigma), Extent::Area(a)) => positive("the area density", sigma)? * a,
+            (Self::LineDensity(lambda), Extent::Length(l)) => positive("the line density", lambda)? * l,
+            (Self::Density(value) | Self::AreaDensity(value) | Self::LineDensity(value), extent) => {
+                let rule = match extent {
+                    Extent::Volume(_) => "in kg/m³, since the shape is solid",
+                    Extent::Area(_) => "in kg/m², since the shape is thin",
+                    Extent::Length(_) => "in kg/m, since the shape is a thin rod",
+                };
+                return Err(BodyError::Parameter { what: "the density", value, rule });
+            }
+        };
+        positive("the mass", mass)
+    }
+}

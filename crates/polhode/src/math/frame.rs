@@ -1,0 +1,38 @@
+//! Frames: the axes in which components are written, as types.
+//!
+//! A frame has no value at run time. It exists so that `v_space + v_body` does not compile.
+
+/// A set of axes. Implemented by [`Space`], [`Body`], [`Principal`] and [`Part`], and by nothing else.
+pub trait Frame: sealed::Sealed + Copy + Clone + PartialEq + core::fmt::Debug + Send + Sync + 'static {
+    /// The frame's name as tables and messages print it.
+    const NAME: &'static str;
+}
+
+mod sealed {
+    pub trait Sealed {}
+}
+
+macro_rules! frames {
+    ($($(#[$doc:meta])* $name:ident = $text:literal;)*) => {$(
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        pub struct $name;
+        impl sealed::Sealed for $name {}
+        impl Frame for $name {
+            const NAME: &'static str = $text;
+        }
+    )*};
+}
+
+frames! {
+    /// Inertial axes.
+    Space = "space";
+    /// Axes fixed in the body, as the user gave them.
+    Body = "body";
+    /// Axes fixed in the body along its principal axes, i1 ≤ i2 ≤ i3, right-handed.
+    ///
+    /// At the centre of mass; for a motion about a fixed pivot, at the pivot.
+    Principal = "principal";
+    /// Axes in which one part of an assembly is described, before it is placed in the body.
+    Part = "part";
+}

@@ -1,0 +1,9 @@
+//! Numbers, vectors and rotations. This room knows no physics: nothing here has a mass.
+
+pub(crate) mod elliptic;
+pub(crate) mod frame;
+pub(crate) mod real;
+pub(crate) mod rotation;
+pub(crate) mod sum;
+pub(crate) mod symmetric3;
+pub(crate) mod vector;

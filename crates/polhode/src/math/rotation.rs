@@ -1,0 +1,416 @@
+//! Rotations between frames, as unit quaternions.
+
+use core::fmt;
+use core::marker::PhantomData;
+use core::ops::Mul;
+
+use super::frame::{Body, Frame, Space};
+use super::real::{PI, sin_cos, sinc};
+use super::vector::{Direction, Vector, quantity};
+
+/// R_AB: takes B-components to A-components, `v_A = R_AB v_B`.
+///
+/// Products read as the matrices do, inner letters cancel: `Rotation<A, B> * Rotation<B, C>` is a
+/// `Rotation<A, C>`, and `Rotation<A, B> * Vector<_, B>` a `Vector<_, A>`.
+/// Inside is a unit quaternion (Hamilton, scalar first); q and −q are the same rotation.
+///
+/// ```
+/// use polhode::{Attitude, Body, Direction, Rotation, Space};
+/// let attitude: Attitude = Rotation::about(Direction::new(0.0, 0.0, 2.0), 0.5)?;
+/// let x_body = Direction::<Body>::new(1.0, 0.0, 0.0);
+/// let x_space: Direction<Space> = attitude * x_body;
+/// assert!((x_space.x - 0.5_f64.cos()).abs() < 1e-15);
+/// # Ok::<(), polhode::RotationError>(())
+/// ```
+///
+/// ```compile_fail
+/// use polhode::{Attitude, Direction, Space};
+/// let wrong = Attitude::identity() * Direction::<Space>::new(1.0, 0.0, 0.0); // wants a body vector
+/// ```
+pub struct Rotation<A, B> {
+    w: f64,
+    x: f64,
+    y: f64,
+    z: f64,
+    frames: PhantomData<(A, B)>,
+}
+
+/// How the body stands in space: `R_space_body`.
+pub type Attitude = Rotation<Space, Body>;
+
+/// Why numbers are not a rotation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum RotationError {
+    /// The quaternion is zero or not finite.
+    Quaternion {
+        /// The offending w, x, y, z.
+        wxyz: [f64; 4],
+    },
+    /// The axis has no direction.
+    Axis {
+        /// The offending axis.
+        axis: [f64; 3],
+    },
+    /// The angle is not finite.
+    Angle {
+        /// The offending angle, rad.
+        angle: f64,
+    },
+    /// The matrix is not orthogonal with determinant +1.
+    Matrix {
+        /// Largest element of |RᵀR − 1|, or of |det R − 1|.
+        departure: f64,
+        /// The largest departure accepted.
+        tolerance: f64,
+    },
+}
+
+impl fmt::Display for RotationError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Quaternion { wxyz: [w, x, y, z] } => {
+                write!(f, "the quaternion ({w}, {x}, {y}, {z}) has no direction: it must be finite and not zero")
+            }
+            Self::Axis { axis: [x, y, z] } => {
+                write!(f, "the axis ({x}, {y}, {z}) has no direction: it must be finite and not zero")
+            }
+            Self::Angle { angle } => write!(f, "the angle {angle} is not finite"),
+            Self::Matrix { departure, tolerance } => write!(
+                f,
+                "the matrix is not a rotation: it departs from orthogonality and determinant +1 by {departure:e}, \
+                 more than {tolerance:e}"
+            ),
+        }
+    }
+}
+
+impl core::error::Error for RotationError {}
+
+/// A direction-cosine matrix may be this far from orthogonal: eight printed digits.
+const MATRIX_TOLERANCE: f64 = 1e-7;
+
+impl<A, B> Rotation<A, B> {
+    /// The rotation that changes nothing: both frames coincide.
+    pub const fn identity() -> Self {
+        Self::unit(1.0, 0.0, 0.0, 0.0)
+    }
+
+    /// The rotation of a quaternion (w, x, y, z), Hamilton, scalar first; normalised here.
+    ///
+    /// # Errors
+    /// [`RotationError::Quaternion`] if it is zero or not finite.
+    pub fn from_quaternion([w, x, y, z]: [f64; 4]) -> Result<Self, RotationError> {
+        let scale = w.abs().max(x.abs()).max(y.abs()).max(z.abs());
+        let finite = [w, x, y, z].iter().all(|c| c.is_finite());
+        if !finite || scale == 0.0 {
+            return Err(RotationError::Quaternion { wxyz: [w, x, y, z] });
+        }
+        Ok(Self::normalised([w / scale, x / scale, y / scale, z / scale]))
+    }
+
+    /// The frame B stands in A turned by `angle` (rad) about `axis`, right-handed; the axis has the same
+    /// components in both.
+    ///
+    /// # Errors
+    /// [`RotationError::Axis`] for an axis without direction, [`RotationError::Angle`] for an angle that is not finite.
+    pub fn about(axis: Direction<A>, angle: f64) -> Result<Self, RotationError> {
+        if !angle.is_finite() {
+            return Err(RotationError::Angle { angle });
+        }
+        let Some(n) = axis.direction() else {
+            return Err(RotationError::Axis { axis: axis.to_array() });
+        };
+        Ok(Self::turn(n, angle))
+    }
+
+    /// The rotation of a direction-cosine matrix: rows are A's axes, columns B's.
+    ///
+    /// # Errors
+    /// [`RotationError::Matrix`] if RᵀR departs from 1, or det R from +1, by more than 1e-7.
+    pub fn from_matrix(r: [[f64; 3]; 3]) -> Result<Self, RotationError> {
+        let departure = departure_from_rotation(&r);
+        // Negated so that NaN is refused too.
+        if !(departure <= MATRIX_TOLERANCE) {
+            return Err(RotationError::Matrix { departure, tolerance: MATRIX_TOLERANCE });
+        }
+        Ok(Self::nearest(&r))
+    }
+
+    /// The rotation with B's axes 1 and 2 along two perpendicular unit vectors of A.
+    pub(crate) fn from_axes(axes: [Direction<A>; 3]) -> Self {
+        let [a, b, c] = axes;
+        Self::nearest(&[[a.x, b.x, c.x], [a.y, b.y, c.y], [a.z, b.z, c.z]])
+    }
+
+    /// Shepperd's method: divide by the largest of the four candidates.
+    fn nearest(r: &[[f64; 3]; 3]) -> Self {
+        let [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]] = *r;
+        let candidates = [xx + yy + zz, xx - yy - zz, yy - xx - zz, zz - xx - yy];
+        let best = (1..4).fold(0, |best, k| if candidates[k] > candidates[best] { k } else { best });
+        Self::normalised(match best {
+            0 => [1.0 + candidates[0], zy - yz, xz - zx, yx - xy],
+            1 => [zy - yz, 1.0 + candidates[1], xy + yx, xz + zx],
+            2 => [xz - zx, xy + yx, 1.0 + candidates[2], yz + zy],
+            _ => [yx - xy, xz + zx, yz + zy, 1.0 + candidates[3]],
+        })
+    }
+
+    /// 3-1-3 Euler angles in rad: precession φ about axis 3, nutation θ about the new axis 1, spin ψ about the
+    /// new axis 3; R_AB = R₃(φ) R₁(θ) R₃(ψ).
+    ///
+    /// # Errors
+    /// [`RotationError::Angle`] for an angle that is not finite.
+    ///
+    /// Source: Goldstein, Classical Mechanics, §4.4 (there with the inverse matrix).
+    pub fn from_euler313([phi, theta, psi]: [f64; 3]) -> Result<Self, RotationError> {
+        if let Some(&angle) = [phi, theta, psi].iter().find(|a| !a.is_finite()) {
+            return Err(RotationError::Angle { angle });
+        }
+        let (st, ct) = sin_cos(0.5 * theta);
+        let (sp, cp) = sin_cos(0.5 * (phi + psi));
+        let (sm, cm) = sin_cos(0.5 * (phi - psi));
+        Ok(Self::normalised([ct * cp, st * cm, st * sm, ct * sp]))
+    }
+
+    /// 3-1-3 Euler angles (φ, θ, ψ) in rad: φ and ψ in (−π, π], θ in [0, π].
+    ///
+    /// At θ = 0 and θ = π only φ ± ψ is determined; then ψ = 0 is returned.
+    pub fn euler313(self) -> [f64; 3] {
+        let [w, x, y, z] = self.quaternion();
+        let theta = 2.0 * libm::atan2(libm::hypot(x, y), libm::hypot(w, z));
+        let half_sum = libm::atan2(z, w); // (φ + ψ)/2
+        let half_difference = libm::atan2(y, x); // (φ − ψ)/2
+        if x == 0.0 && y == 0.0 {
+            return [wrap(2.0 * half_sum), theta, 0.0];
+        }
+        if w == 0.0 && z == 0.0 {
+            return [wrap(2.0 * half_difference), theta, 0.0];
+        }
+        [wrap(half_sum + half_difference), theta, wrap(half_sum - half_difference)]
+    }
+
+    /// The unit quaternion (w, x, y, z) as it is held: continuous along a trajectory, either sign.
+    pub const fn quaternion(self) -> [f64; 4] {
+        [self.w, self.x, self.y, self.z]
+    }
+
+    /// The unit quaternion (w, x, y, z) with w ≥ 0: the way it is printed when it stands alone.
+    pub fn canonical_quaternion(self) -> [f64; 4] {
+        let q = self.quaternion();
+        // The first component that is not zero decides.
+        match q.iter().find(|c| **c != 0.0) {
+            Some(first) if *first < 0.0 => q.map(|c| 0.0 - c),
+            _ => q,
+        }
+    }
+
+    /// The direction-cosine matrix R with `v_A = R v_B`; rows are A's axes.
+    pub fn matrix(self) -> [[f64; 3]; 3] {
+        let Self { w, x, y, z, .. } = self;
+        [
+            [w * w + x * x - y * y - z * z, 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)],
+            [2.0 * (x * y + w * z), w * w - x * x + y * y - z * z, 2.0 * (y * z - w * x)],
+            [2.0 * (x * z - w * y), 2.0 * (y * z + w * x), w * w - x * x - y * y + z * z],
+        ]
+    }
+
+    /// R_BA.
+    pub const fn inverse(self) -> Rotation<B, A> {
+        Rotation::unit(self.w, -self.x, -self.y, -self.z)
+    }
+
+    /// The angle of this rotation, 0 … π rad, accurate for tiny ones.
+    pub fn angle(self) -> f64 {
+        let sine = libm::sqrt(self.x * self.x + self.y * self.y + self.z * self.z);
+        2.0 * libm::atan2(sine, self.w.abs())
+    }
+
+    /// The angle between two attitudes, 0 … π rad.
+    pub fn angle_to(self, other: Self) -> f64 {
+        (self.inverse() * other).angle()
+    }
+
+    /// The same rotation, with the sign of its quaternion nearest to that of `previous`.
+    #[must_use]
+    pub fn continuous_with(self, previous: Self) -> Self {
+        let cosine = self.w * previous.w + self.x * previous.x + self.y * previous.y + self.z * previous.z;
+        if cosine < 0.0 { Self::unit(-self.w, -self.x, -self.y, -self.z) } else { self }
+    }
+
+    /// A turn by `angle` about the unit vector `n`.
+    pub(crate) fn turn(n: Direction<A>, angle: f64) -> Self {
+        let (s, c) = sin_cos(0.5 * angle);
+        Self::normalised([c, s * n.x, s * n.y, s * n.z])
+    }
+
+    /// A turn by the rotation vector v: |v| rad about v.
+    pub(crate) fn from_rotation_vector(v: Direction<A>) -> Self {
+        let half = 0.5 * v.norm();
+        let s = 0.5 * sinc(half);
+        Self::normalised([libm::cos(half), s * v.x, s * v.y, s * v.z])
+    }
+
+    /// The rotation whose quaternion is along (1, p): p = n tan(angle/2), the Gibbs vector.
+    pub(crate) fn from_gibbs([x, y, z]: [f64; 3]) -> Self {
+        Self::normalised([1.0, x, y, z])
+    }
+
+    /// The same numbers between other frames.
+    pub(crate) const fn as_frames<C, D>(self) -> Rotation<C, D> {
+        Rotation::unit(self.w, self.x, self.y, self.z)
+    }
+
+    fn normalised([w, x, y, z]: [f64; 4]) -> Self {
+        let norm = libm::sqrt(w * w + x * x + y * y + z * z);
+        Self::unit(w / norm, x / norm, y / norm, z / norm)
+    }
+
+    const fn unit(w: f64, x: f64, y: f64, z: f64) -> Self {
+        Self { w, x, y, z, frames: PhantomData }
+    }
+}
+
+impl<A, B, C> Mul<Rotation<B, C>> for Rotation<A, B> {
+    type Output = Rotation<A, C>;
+    fn mul(self, b: Rotation<B, C>) -> Rotation<A, C> {
+        let a = self;
+        Rotation::normalised([
+            a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z,
+            a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y,
+            a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x,
+            a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w,
+        ])
+    }
+}
+
+impl<A, B, Q> Mul<Vector<Q, B>> for Rotation<A, B> {
+    type Output = Vector<Q, A>;
+    fn mul(self, v: Vector<Q, B>) -> Vector<Q, A> {
+        // v + 2w (u × v) + 2 u × (u × v), u the vector part
+        let u = Vector::<quantity::Number, B>::new(self.x, self.y, self.z);
+        let v: Vector<quantity::Number, B> = v.as_quantity();
+        let t = u.cross(v) * 2.0;
+        (v + t * self.w + u.cross(t)).as_quantity().as_frame()
+    }
+}
+
+impl<A, B> Clone for Rotation<A, B> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<A, B> Copy for Rotation<A, B> {}
+
+impl<A, B> PartialEq for Rotation<A, B> {
+    /// Equal quaternions, component by component.
+    fn eq(&self, other: &Self) -> bool {
+        self.quaternion() == other.quaternion()
+    }
+}
+
+impl<A: Frame, B: Frame> fmt::Debug for Rotation<A, B> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { w, x, y, z, .. } = self;
+        write!(f, "R_{}_{}({w:?}, {x:?}, {y:?}, {z:?})", A::NAME, B::NAME)
+    }
+}
+
+/// An angle moved into (−π, π].
+fn wrap(angle: f64) -> f64 {
+    if angle > PI {
+        angle - 2.0 * PI
+    } else if angle <= -PI {
+        angle + 2.0 * PI
+    } else {
+        angle
+    }
+}
+
+fn departure_from_rotation(r: &[[f64; 3]; 3]) -> f64 {
+    let column = |k: usize| Direction::<Body>::new(r[0][k], r[1][k], r[2][k]);
+    let mut departure = (column(0).dot(column(1).cross(column(2))) - 1.0).abs();
+    for i in 0..3 {
+        for j in 0..=i {
+            let delta = if i == j { 1.0 } else { 0.0 };
+            let d = (column(i).dot(column(j)) - delta).abs();
+            // Keeps a NaN once it is there.
+            departure = if d > departure || d.is_nan() { d } else { departure };
+        }
+    }
+    departure
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn generic() -> Attitude {
+        Rotation::from_quaternion([0.4, -0.7, 1.1, 0.3]).unwrap()
+    }
+
+    #[test]
+    fn the_matrix_and_the_quaternion_turn_alike() {
+        let r = generic();
+        let v = Direction::<Body>::new(0.3, -2.0, 0.9);
+        let m = r.matrix();
+        let by_matrix = m.map(|row| row[0] * v.x + row[1] * v.y + row[2] * v.z);
+        assert!((r * v - Direction::from_array(by_matrix)).norm() < 1e-15);
+        assert!(Attitude::from_matrix(m).unwrap().angle_to(r) < 1e-15);
+    }
+
+    #[test]
+    fn a_quarter_turn_about_z_takes_body_x_to_space_y() {
+        let r: Attitude = Rotation::about(Direction::new(0.0, 0.0, 3.0), PI / 2.0).unwrap();
+        assert!((r * Direction::new(1.0, 0.0, 0.0) - Direction::new(0.0, 1.0, 0.0)).norm() < 1e-15);
+    }
+
+    #[test]
+    fn matrices_of_every_branch_come_back() {
+        for q in [[0.9, 0.1, -0.2, 0.3], [0.1, 0.9, -0.2, 0.3], [0.1, 0.2, -0.9, 0.3], [0.1, 0.2, 0.3, -0.9]] {
+            let r = Attitude::from_quaternion(q).unwrap();
+            assert!(Attitude::from_matrix(r.matrix()).unwrap().angle_to(r) < 1e-15);
+        }
+    }
+
+    #[test]
+    fn euler_angles_are_three_turns() {
+        let (phi, theta, psi) = (2.1, 0.7, -1.4);
+        let z = Direction::new(0.0, 0.0, 1.0);
+        let x = Direction::new(1.0, 0.0, 0.0);
+        let turns: Rotation<Body, Body> = Rotation::turn(z, phi);
+        let turns = turns * Rotation::turn(x, theta) * Rotation::turn(z, psi);
+        let r = Rotation::<Body, Body>::from_euler313([phi, theta, psi]).unwrap();
+        assert!(r.angle_to(turns) < 1e-15);
+        for (got, want) in r.euler313().iter().zip([phi, theta, psi]) {
+            assert!((got - want).abs() < 1e-15, "{got} {want}");
+        }
+        // Where only φ ± ψ is determined, the rotation still comes back.
+        for theta in [0.0, PI] {
+            let r = Rotation::<Body, Body>::from_euler313([0.8, theta, 0.5]).unwrap();
+            assert!(Rotation::from_euler313(r.euler313()).unwrap().angle_to(r) < 1e-15);
+        }
+    }
+
+    #[test]
+    fn what_is_not_a_rotation_is_refused() {
+        assert!(matches!(Attitude::from_quaternion([0.0; 4]), Err(RotationError::Quaternion { .. })));
+        assert!(Attitude::from_quaternion([f64::NAN, 1.0, 0.0, 0.0]).is_err());
+        assert!(Attitude::from_quaternion([f64::INFINITY, 1.0, 0.0, 0.0]).is_err());
+        assert!(Attitude::about(Direction::ZERO, 1.0).is_err());
+        assert!(Attitude::about(Direction::new(1.0, 0.0, 0.0), f64::NAN).is_err());
+        let mirror = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, -1.0]];
+        assert!(matches!(Attitude::from_matrix(mirror), Err(RotationError::Matrix { .. })));
+        assert!(Attitude::from_matrix([[f64::NAN; 3]; 3]).is_err());
+        assert!(Attitude::from_quaternion([1e-200, 0.0, 2e-200, 0.0]).is_ok());
+    }
+
+    #[test]
+    fn tiny_angles_keep_their_digits() {
+        let r: Attitude = Rotation::from_rotation_vector(Direction::new(1e-12, -2e-12, 2e-12));
+        assert!((r.angle() / 3e-12 - 1.0).abs() < 1e-15);
+        let g: Attitude = Rotation::from_gibbs([0.5e-12, -1e-12, 1e-12]);
+        assert!((g.angle() / 3e-12 - 1.0).abs() < 1e-15);
+    }
+}

@@ -2,6 +2,8 @@
 
 use super::error::{BodyError, finite};
 use super::mass_properties::MassProperties;
+use super::particles::Particle;
+use super::shape::Extent;
 use crate::math::frame::{Body, Part};
 use crate::math::rotation::Rotation;
 use crate::math::vector::Position;
@@ -32,6 +34,23 @@ impl PlacedPart {
     pub fn in_body(&self) -> MassProperties<Body> {
         self.properties.placed(self.position, self.rotation)
     }
+}
+
+/// One part of a body as reports name it: what it is, and its mass properties in body axes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BodyPart {
+    /// What the user calls it.
+    pub name: String,
+    /// What it is: `box`, `mesh`, `particles`, `tensor`, …
+    pub kind: &'static str,
+    /// Mass properties, body axes.
+    pub properties: MassProperties<Body>,
+    /// Volume, area or length, where it has one.
+    pub extent: Option<Extent>,
+    /// Bounding area of a solid, or area of a shell, m².
+    pub surface_area: Option<f64>,
+    /// The particles that it is made of, body axes; empty for anything else.
+    pub particles: Vec<Particle<Body>>,
 }
 
 /// Mass properties of parts rigidly joined; parts that overlap count twice where they do.

@@ -64,6 +64,13 @@ pub enum BodyError {
         /// The triangle, from 1, that the example belongs to.
         triangle: usize,
     },
+    /// A mesh that contains a triangle twice, the same way round: a part of it would count double.
+    DuplicateTriangle {
+        /// The triangle, from 1.
+        first: usize,
+        /// The same triangle again, from 1.
+        second: usize,
+    },
     /// A closed mesh that encloses nothing.
     FlatMesh {
         /// Enclosed volume, in the mesh's own units cubed.
@@ -102,6 +109,9 @@ impl fmt::Display for BodyError {
                 "the mesh is not consistently wound: along {edges} edges the triangles do not turn the same way, \
                  the first from {a:?} to {b:?} in triangle {triangle}"
             ),
+            Self::DuplicateTriangle { first, second } => {
+                write!(f, "triangle {second} is triangle {first} again: a part of the mesh would count double")
+            }
             Self::FlatMesh { volume } => write!(f, "the mesh is closed, but encloses no volume ({volume:e})"),
         }
     }
@@ -121,6 +131,7 @@ impl BodyError {
             Self::OpenMesh { .. } => Some(
                 "close the mesh in the tool that made it; vertices that only nearly coincide count as different",
             ),
+            Self::DuplicateTriangle { .. } => Some("remove duplicate faces in the tool that made the mesh"),
             Self::InconsistentWinding { .. } => Some("make the normals consistent in the tool that made the mesh"),
             _ => None,
         }

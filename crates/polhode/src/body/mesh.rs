@@ -2,9 +2,10 @@
 
 use super::error::BodyError;
 use super::shape::{Extent, Shape, Spread};
+use crate::math::frame::Part;
 use crate::math::sum::Sum;
 use crate::math::symmetric3::Symmetric3;
-use crate::math::vector::Position;
+use crate::math::vector::{Direction, Position};
 
 /// A triangle by its three corners, m, seen from outside counter-clockwise.
 pub type Triangle = [[f64; 3]; 3];
@@ -39,8 +40,8 @@ impl ClosedMesh {
     /// corners bound nothing and are left out ([`ClosedMesh::degenerate`]).
     ///
     /// # Errors
-    /// [`BodyError::Empty`], [`BodyError::Vertex`], [`BodyError::OpenMesh`], [`BodyError::InconsistentWinding`] or
-    /// [`BodyError::FlatMesh`].
+    /// [`BodyError::Empty`], [`BodyError::Vertex`], [`BodyError::DuplicateTriangle`], [`BodyError::OpenMesh`],
+    /// [`BodyError::InconsistentWinding`] or [`BodyError::FlatMesh`].
     pub fn from_triangles(triangles: Vec<Triangle>) -> Result<Self, BodyError> {
         let given = triangles.len();
         for (k, triangle) in triangles.iter().enumerate() {
@@ -49,11 +50,12 @@ impl ClosedMesh {
             }
         }
         let (corners, vertices) = weld(&triangles);
+        require_different(&corners)?;
         require_closed(&triangles, &corners)?;
         let mut triangles: Vec<Triangle> = triangles
             .into_iter()
             .zip(&corners)
-            .filter_map(|(triangle, &[a, b, c])| (a != b && b != c && c != a).then_some(triangle))
+            .filter_map(|(triangle, corners)| is_proper(corners).then_some(triangle))
             .collect();
         if triangles.is_empty() {
             return Err(BodyError::Empty { what: "triangles" });
@@ -92,22 +94,21 @@ impl ClosedMesh {
     pub const fn volume(&self) -> f64 {
         self.spread.extent.measure()
     }
-
-    /// Area of all triangles, m².
-    pub fn surface_area(&self) -> f64 {
-        let mut area = Sum::default();
-        for &[a, b, c] in &self.triangles {
-            let [a, b, c] = [a, b, c].map(Position::<()>::from_array);
-            let (u, v) = (b - a, c - a);
-            area.add(0.5 * cross(u.to_array(), v.to_array()).iter().map(|c| c * c).sum::<f64>().sqrt());
-        }
-        area.value()
-    }
 }
 
 impl Shape for ClosedMesh {
     fn spread(&self) -> Spread {
         self.spread
+    }
+
+    /// Area of all triangles, m².
+    fn surface_area(&self) -> f64 {
+        let mut area = Sum::default();
+        for &[a, b, c] in &self.triangles {
+            let edge = |p: [f64; 3]| [p[0] - a[0], p[1] - a[1], p[2] - a[2]];
+            area.add(0.5 * Direction::<Part>::from_array(cross(edge(b), edge(c))).norm());
+        }
+        area.value()
     }
 }
 
@@ -127,6 +128,27 @@ fn weld(triangles: &[Triangle]) -> (Vec<[u32; 3]>, usize) {
     }
     let corners = number.chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect();
     (corners, if points.is_empty() { 0 } else { vertices as usize + 1 })
+}
+
+/// Three different corners.
+fn is_proper(&[a, b, c]: &[u32; 3]) -> bool {
+    a != b && b != c && c != a
+}
+
+/// No triangle may be there twice, the same way round. Back to back it may: two bodies touch, or a wall has no
+/// thickness.
+fn require_different(corners: &[[u32; 3]]) -> Result<(), BodyError> {
+    // From the lowest corner on, equal triangles are equal arrays.
+    let from_lowest = |&[a, b, c]: &[u32; 3]| [[a, b, c], [b, c, a], [c, a, b]].into_iter().min();
+    let proper = corners.iter().enumerate().filter(|(_, c)| is_proper(c));
+    let mut order: Vec<_> = proper.map(|(t, c)| (from_lowest(c), t)).collect();
+    order.sort_unstable();
+    let twice = order.windows(2).filter(|pair| pair[0].0 == pair[1].0).map(|pair| (pair[0].1, pair[1].1));
+    // The first in the file's order.
+    match twice.min() {
+        None => Ok(()),
+        Some((first, second)) => Err(BodyError::DuplicateTriangle { first: first + 1, second: second + 1 }),
+    }
 }
 
 /// Every edge must be run along as often one way as the other.
@@ -153,7 +175,11 @@ fn require_closed(triangles: &[Triangle], corners: &[[u32; 3]]) -> Result<(), Bo
     let example = |&(t, k): &(usize, usize)| [triangles[t][k], triangles[t][(k + 1) % 3]];
     // The first in the file's order.
     if let Some(first) = open.iter().min() {
-        return Err(BodyError::OpenMesh { edges: open.len(), example: example(first), triangle: first.0 + 1 });
+        return Err(BodyError::OpenMesh {
+            edges: open.len(),
+            example: example(first),
+            triangle: first.0 + 1,
+        });
     }
     if let Some(first) = wound.iter().min() {
         let (edges, example, triangle) = (wound.len(), example(first), first.0 + 1);

@@ -2,8 +2,6 @@
 
 use super::{Extent, Shape, Spread};
 use crate::body::error::{BodyError, positive};
-use crate::math::symmetric3::Symmetric3;
-use crate::math::vector::Position;
 
 /// A solid box with its centre at the origin and its edges along the axes.
 ///
@@ -37,11 +35,12 @@ impl BoxShape {
 impl Shape for BoxShape {
     fn spread(&self) -> Spread {
         let [a, b, c] = self.size;
-        Spread {
-            extent: Extent::Volume(a * b * c),
-            centroid: Position::ZERO,
-            // ∫ x² dx / a over ±a/2
-            covariance: Symmetric3::diagonal([a * a / 12.0, b * b / 12.0, c * c / 12.0]),
-        }
+        // ∫ x² dx / a over ±a/2
+        Spread::centered(Extent::Volume(a * b * c), self.size.map(|edge| edge * edge / 12.0))
+    }
+
+    fn surface_area(&self) -> f64 {
+        let [a, b, c] = self.size;
+        2.0 * (a * b + b * c + c * a)
     }
 }

@@ -3,6 +3,19 @@
 //! A shape says how its mass is spread over it per unit mass; how heavy it is comes from a [`Substance`].
 
 pub(crate) mod r#box;
+pub(crate) mod box_shell;
+pub(crate) mod capsule;
+pub(crate) mod cone;
+pub(crate) mod cylinder;
+pub(crate) mod cylinder_shell;
+pub(crate) mod disk;
+pub(crate) mod ellipsoid;
+pub(crate) mod plate;
+pub(crate) mod rod;
+pub(crate) mod sphere;
+pub(crate) mod sphere_shell;
+pub(crate) mod tetrahedron;
+pub(crate) mod torus;
 
 use core::fmt;
 
@@ -16,6 +29,9 @@ use crate::math::vector::Position;
 pub trait Shape: fmt::Debug + Send + Sync {
     /// Over what the mass is spread, how much of it there is, and how it lies about its centre.
     fn spread(&self) -> Spread;
+
+    /// Area that bounds a solid, or of one side of a thin shell or plate, m²; a thin rod has none.
+    fn surface_area(&self) -> f64;
 
     /// Mass properties of the shape made of a substance.
     ///
@@ -50,20 +66,29 @@ impl Spread {
         self.centroid
     }
 
-    /// Several spreads as one, each weighted by its own volume, area or length: the faces of a hollow box.
+    /// A spread about the origin, with second moments (⟨x²⟩, ⟨y²⟩, ⟨z²⟩) and no products.
+    pub(crate) fn centered(extent: Extent, second_moments: [f64; 3]) -> Self {
+        Self { extent, centroid: Position::ZERO, covariance: Symmetric3::diagonal(second_moments) }
+    }
+
+    /// The same spread elsewhere.
+    pub(crate) fn moved(self, by: Position<Part>) -> Self {
+        Self { centroid: self.centroid + by, ..self }
+    }
+
+    /// This spread and others as one, each weighted by its own volume, area or length: the faces of a hollow box.
     ///
-    /// All must be of the first one's kind; `None` without any.
-    pub(crate) fn joined(parts: &[Self]) -> Option<Self> {
-        let first = parts.first()?;
-        let total: f64 = parts.iter().map(|p| p.extent.measure()).sum();
-        let weighted = |p: &Self| p.centroid * (p.extent.measure() / total);
-        let centroid = parts.iter().map(weighted).fold(Position::ZERO, |a, b| a + b);
-        let mut covariance = Symmetric3::default();
-        for p in parts {
+    /// c = Σ w_k c_k,  S = Σ w_k (S_k + d_k d_kᵀ),  d_k = c_k − c.  All must be of this one's kind.
+    pub(crate) fn joined(self, others: &[Self]) -> Self {
+        let parts = || core::iter::once(&self).chain(others);
+        let total: f64 = parts().map(|p| p.extent.measure()).sum();
+        let weight = |p: &Self| p.extent.measure() / total;
+        let centroid = parts().fold(Position::ZERO, |sum, p| sum + p.centroid * weight(p));
+        let covariance = parts().fold(Symmetric3::default(), |sum, p| {
             let d = (p.centroid - centroid).to_array();
-            covariance = covariance + (p.covariance + Symmetric3::outer(d)) * (p.extent.measure() / total);
-        }
-        Some(Self { extent: first.extent.with_measure(total), centroid, covariance })
+            sum + (p.covariance + Symmetric3::outer(d)) * weight(p)
+        });
+        Self { extent: self.extent.with_measure(total), centroid, covariance }
     }
 }
 

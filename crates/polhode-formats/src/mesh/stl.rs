@@ -1,0 +1,359 @@
+//! STL: triangles and nothing else, in one of two encodings.
+//!
+//! A binary file is an 80-byte header, a count, and 50 bytes a triangle; an ASCII file is a sequence
+//! of `solid … endsolid`. Some binary files start with `solid` too, so the length decides first: a
+//! file exactly as long as its count says is binary. A count is never believed before the bytes have
+//! been seen.
+//!
+//! What is read is the vertices, in the file's own unit, in double precision: ASCII coordinates go
+//! straight to `f64`. The winding of a triangle gives its outside; the stored normals are redundant,
+//! often wrong, and ignored.
+
+use std::error::Error;
+use std::fmt;
+
+const HEADER: usize = 80;
+const PREAMBLE: usize = HEADER + 4;
+const RECORD: usize = 50;
+
+/// The contents of an STL file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Stl {
+    /// How the file was encoded.
+    pub kind: StlKind,
+    /// The name of the (first) solid, or the text of the binary header; often empty.
+    pub name: String,
+    /// How many solids the file had; their triangles are joined into one list.
+    pub solids: usize,
+    /// Vertices, counter-clockwise seen from outside, in the file's unit of length.
+    pub triangles: Vec<[[f64; 3]; 3]>,
+}
+
+/// The encoding of an STL file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StlKind {
+    /// Little-endian records of single precision.
+    Binary,
+    /// Text.
+    Ascii,
+}
+
+/// Reads the bytes of an STL file, binary or ASCII.
+///
+/// ```
+/// use polhode_formats::mesh::stl::{StlKind, read};
+///
+/// let text = b"solid flake
+///   facet normal 0 0 1
+///     outer loop
+///       vertex 0.1 0 2.5e-3
+///       vertex 1.2 0.3 0
+///       vertex 0.4 1.7 -1
+///     endloop
+///   endfacet
+/// endsolid flake";
+/// let stl = read(text).unwrap();
+/// assert_eq!((stl.kind, stl.name.as_str()), (StlKind::Ascii, "flake"));
+/// assert_eq!(stl.triangles, [[[0.1, 0.0, 2.5e-3], [1.2, 0.3, 0.0], [0.4, 1.7, -1.0]]]);
+///
+/// let error = read(b"solid\nfacet normal 0 0 1\nouter loop\nvertex 0,5 2 1").unwrap_err();
+/// assert_eq!(error.to_string(), "line 4, column 8: expected a number, found \"0,5\"");
+/// assert_eq!(error.hint(), Some("the decimal sign is a point"));
+/// ```
+///
+/// # Errors
+///
+/// Bytes that are no STL file, a file that is cut short or does not follow the grammar, a coordinate
+/// that is not finite, and a file without a triangle.
+pub fn read(bytes: &[u8]) -> Result<Stl, StlError> {
+    let declared = bytes.get(HEADER..).and_then(<[u8]>::first_chunk).map(|&count| u32::from_le_bytes(count));
+    let stl = match declared {
+        Some(n) if bytes.len() as u64 == PREAMBLE as u64 + RECORD as u64 * u64::from(n) => binary(bytes)?,
+        _ if is_text(bytes) => Ascii::new(bytes).file()?,
+        Some(declared) => return Err(StlError::WrongCount { declared, length: bytes.len() }),
+        None => return Err(StlError::Unrecognized { length: bytes.len() }),
+    };
+    match stl.triangles.is_empty() {
+        true => Err(StlError::NoTriangles),
+        false => Ok(stl),
+    }
+}
+
+/// Why bytes are not an STL file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum StlError {
+    /// Too short for a binary file, and an ASCII file starts with `solid`.
+    Unrecognized {
+        /// Bytes in the file.
+        length: usize,
+    },
+    /// A binary file whose length does not fit its count.
+    WrongCount {
+        /// Triangles according to the header.
+        declared: u32,
+        /// Bytes in the file.
+        length: usize,
+    },
+    /// ASCII that does not follow the grammar.
+    Syntax {
+        /// Where the token starts.
+        at: StlPlace,
+        /// What belongs there.
+        expected: &'static str,
+        /// What stands there; empty at the end of the file.
+        found: String,
+    },
+    /// A coordinate that is infinite or not a number.
+    NotFinite {
+        /// Where the coordinate starts.
+        at: StlPlace,
+        /// The coordinate.
+        found: String,
+    },
+    /// A well-formed file with nothing in it.
+    NoTriangles,
+}
+
+/// A place in an STL file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StlPlace {
+    /// In ASCII.
+    Text {
+        /// Line, from 1.
+        line: usize,
+        /// Byte in the line, from 1.
+        column: usize,
+    },
+    /// In binary.
+    Record {
+        /// Triangle, from 0.
+        index: usize,
+        /// Byte in the file, from 0.
+        offset: usize,
+    },
+}
+
+impl StlError {
+    /// What to do about it, when there is something to say.
+    pub fn hint(&self) -> Option<&'static str> {
+        match self {
+            Self::Unrecognized { .. } => {
+                Some("an STL file starts with \"solid\" (ASCII) or has at least 84 bytes (binary)")
+            }
+            Self::WrongCount { declared, length } if whole_records(*length) < *declared as usize => {
+                Some("the file is cut short, or it is not an STL file")
+            }
+            Self::WrongCount { .. } => Some("the file has bytes that belong to no triangle; export it again"),
+            Self::Syntax { expected: "a number", found, .. } if found.contains(',') => {
+                Some("the decimal sign is a point")
+            }
+            Self::Syntax { expected: "endloop", found, .. } if found.eq_ignore_ascii_case("vertex") => {
+                Some("a facet has three vertices; triangulate the faces before exporting")
+            }
+            Self::Syntax { found, .. } if found.is_empty() => Some("the file is cut short"),
+            Self::NoTriangles => Some("export the solid body, not the empty document"),
+            Self::Syntax { .. } | Self::NotFinite { .. } => None,
+        }
+    }
+}
+
+impl fmt::Display for StlError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Unrecognized { length } => write!(f, "{length} bytes that are no STL file"),
+            Self::WrongCount { declared, length } => write!(
+                f,
+                "the header of the binary STL file declares {declared} triangles, but {} whole ones and {} \
+                 bytes follow ({length} bytes in the file)",
+                whole_records(*length),
+                length.saturating_sub(PREAMBLE) % RECORD,
+            ),
+            Self::Syntax { at, expected, found } if found.is_empty() => {
+                write!(f, "{at}: expected {expected}, found the end of the file")
+            }
+            Self::Syntax { at, expected, found } => write!(f, "{at}: expected {expected}, found {found:?}"),
+            Self::NotFinite { at, found } => write!(f, "{at}: the coordinate {found} is not finite"),
+            Self::NoTriangles => f.write_str("the STL file has no triangles"),
+        }
+    }
+}
+
+impl Error for StlError {}
+
+impl fmt::Display for StlPlace {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Text { line, column } => write!(f, "line {line}, column {column}"),
+            Self::Record { index, offset } => write!(f, "triangle {index} (counted from 0), byte {offset}"),
+        }
+    }
+}
+
+fn whole_records(length: usize) -> usize {
+    length.saturating_sub(PREAMBLE) / RECORD
+}
+
+/// Whether the bytes start with `solid` and look like text. The count of a binary file, at byte 80,
+/// has a zero in it up to 16 million triangles.
+fn is_text(bytes: &[u8]) -> bool {
+    Ascii::new(bytes).token().eq_ignore_ascii_case(b"solid") && !bytes.iter().take(512).any(|&b| b == 0)
+}
+
+/// A binary file whose length fits its count.
+fn binary(bytes: &[u8]) -> Result<Stl, StlError> {
+    const NORMAL: usize = 12;
+    let (header, records) = (&bytes[..HEADER], bytes[PREAMBLE..].as_chunks::<RECORD>().0);
+    let mut triangles = Vec::with_capacity(records.len());
+    for (index, record) in records.iter().enumerate() {
+        let mut triangle = [[0.0; 3]; 3];
+        let words = record[NORMAL..].as_chunks::<4>().0;
+        for (k, (coordinate, &word)) in triangle.as_flattened_mut().iter_mut().zip(words).enumerate() {
+            let value = f32::from_le_bytes(word);
+            if !value.is_finite() {
+                let offset = PREAMBLE + RECORD * index + NORMAL + 4 * k;
+                let at = StlPlace::Record { index, offset };
+                return Err(StlError::NotFinite { at, found: value.to_string() });
+            }
+            *coordinate = f64::from(value);
+        }
+        triangles.push(triangle);
+    }
+    let name = lossy(header.split(|&b| b == 0).next().unwrap_or_default());
+    Ok(Stl { kind: StlKind::Binary, name, solids: 1, triangles })
+}
+
+/// The parser of an ASCII file: `at` is the offset of the next byte.
+#[derive(Clone, Copy)]
+struct Ascii<'a> {
+    bytes: &'a [u8],
+    at: usize,
+}
+
+impl<'a> Ascii<'a> {
+    /// At the first byte, or behind a byte order mark.
+    fn new(bytes: &'a [u8]) -> Self {
+        Self { bytes, at: if bytes.starts_with("\u{feff}".as_bytes()) { 3 } else { 0 } }
+    }
+
+    fn file(mut self) -> Result<Stl, StlError> {
+        let mut stl = Stl { kind: StlKind::Ascii, name: String::new(), solids: 0, triangles: Vec::new() };
+        loop {
+            self.keyword("solid")?;
+            let name = self.line();
+            if stl.solids == 0 {
+                stl.name = lossy(name);
+            }
+            stl.solids += 1;
+            while !self.next_is("endsolid") {
+                stl.triangles.push(self.facet()?);
+            }
+            self.keyword("endsolid")?;
+            self.line();
+            if self.peek().is_empty() {
+                return Ok(stl);
+            }
+        }
+    }
+
+    fn facet(&mut self) -> Result<[[f64; 3]; 3], StlError> {
+        self.expect("facet", "facet or endsolid")?;
+        self.keyword("normal")?;
+        for _ in 0..3 {
+            self.token();
+        }
+        self.keyword("outer")?;
+        self.keyword("loop")?;
+        let triangle = [self.vertex()?, self.vertex()?, self.vertex()?];
+        self.keyword("endloop")?;
+        self.keyword("endfacet")?;
+        Ok(triangle)
+    }
+
+    fn vertex(&mut self) -> Result<[f64; 3], StlError> {
+        self.keyword("vertex")?;
+        Ok([self.coordinate()?, self.coordinate()?, self.coordinate()?])
+    }
+
+    fn coordinate(&mut self) -> Result<f64, StlError> {
+        let before = *self;
+        match str::from_utf8(self.token()).ok().and_then(|token| token.parse::<f64>().ok()) {
+            Some(value) if value.is_finite() => Ok(value),
+            Some(_) => Err(StlError::NotFinite { at: before.place(), found: before.found() }),
+            None => Err(before.unexpected("a number")),
+        }
+    }
+
+    fn keyword(&mut self, word: &'static str) -> Result<(), StlError> {
+        self.expect(word, word)
+    }
+
+    fn expect(&mut self, word: &str, expected: &'static str) -> Result<(), StlError> {
+        match self.skip(word) {
+            Some(after) => {
+                *self = after;
+                Ok(())
+            }
+            None => Err(self.unexpected(expected)),
+        }
+    }
+
+    fn next_is(&self, word: &str) -> bool {
+        self.skip(word).is_some()
+    }
+
+    /// The parser after the word, which may be cut in two behind its `end`.
+    fn skip(mut self, word: &str) -> Option<Self> {
+        let word = word.as_bytes();
+        let token = self.token();
+        let token_is = token.eq_ignore_ascii_case(word);
+        let halves = token.eq_ignore_ascii_case(b"end")
+            && word.strip_prefix(b"end").is_some_and(|half| self.token().eq_ignore_ascii_case(half));
+        (token_is || halves).then_some(self)
+    }
+
+    /// The next run of bytes that are not white space; empty at the end of the file.
+    fn token(&mut self) -> &'a [u8] {
+        let rest = self.bytes[self.at..].trim_ascii_start();
+        let length = rest.iter().position(u8::is_ascii_whitespace).unwrap_or(rest.len());
+        let (token, rest) = rest.split_at(length);
+        self.at = self.bytes.len() - rest.len();
+        token
+    }
+
+    fn peek(mut self) -> &'a [u8] {
+        self.token()
+    }
+
+    /// What is left of the line.
+    fn line(&mut self) -> &'a [u8] {
+        let rest = &self.bytes[self.at..];
+        let length = rest.iter().position(|b| b"\r\n".contains(b)).unwrap_or(rest.len());
+        self.at += length;
+        &rest[..length]
+    }
+
+    fn unexpected(&self, expected: &'static str) -> StlError {
+        StlError::Syntax { at: self.place(), expected, found: self.found() }
+    }
+
+    /// The next token, cut where it is too long for a message.
+    fn found(&self) -> String {
+        lossy(self.peek()).chars().take(40).collect()
+    }
+
+    /// Where the next token starts; at the end of the file, where the last one ended.
+    fn place(&self) -> StlPlace {
+        let blank = self.bytes[self.at..].len() - self.bytes[self.at..].trim_ascii_start().len();
+        let start = if self.peek().is_empty() { self.at } else { self.at + blank };
+        let before = &self.bytes[..start];
+        let ends_line =
+            |i: &usize| before[*i] == b'\n' || before[*i] == b'\r' && self.bytes.get(i + 1) != Some(&b'\n');
+        let line_start = (0..start).rev().find(ends_line).map_or(0, |i| i + 1);
+        StlPlace::Text { line: 1 + (0..start).filter(ends_line).count(), column: 1 + start - line_start }
+    }
+}
+
+fn lossy(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes).trim().to_owned()
+}

@@ -1,0 +1,312 @@
+//! Quantities in text: a number, a unit, and nothing left to guess.
+//!
+//! Every quantity a user writes comes through [`parse`], with the [`Dimension`] that its place
+//! demands: `"982 slug ft^2"` where a moment of inertia belongs, `"30 deg/s"` where an angular
+//! velocity does. A length in a mass's place is an error, not a number. A bare number is SI.
+//!
+//! A unit is a product: names joined by a space, `*`, `·` or nothing, divided by `/`, raised by
+//! `^2`, `^-1`, `²` or `⁻¹`, grouped by parentheses. A slash divides by the one factor after it,
+//! left to right: `kg/m/s` and `kg/(m s)` are the same, `kg/m s` is kg s/m.
+//!
+//! Conversion does not add a rounding error: the result is the double nearest to the exact product
+//! of the decimal number and the unit's definition, so `"25.4 mm"` and `"1 in"` are both `0.0254`.
+
+mod dimension;
+mod exact;
+mod table;
+
+use std::error::Error;
+use std::fmt;
+
+pub use dimension::Dimension;
+use exact::Exact;
+use table::Unit;
+
+/// Reads a number with an optional unit as a value in SI units: m, kg, s, rad and their products.
+///
+/// ```
+/// use polhode_formats::unit::{Dimension, UnitError, parse};
+///
+/// assert_eq!(parse("3 in", Dimension::LENGTH), Ok(0.0762)); // m
+/// assert_eq!(parse("2.7 g/cm³", Dimension::DENSITY), Ok(2700.0)); // kg/m³
+/// assert_eq!(parse("-6 rpm", Dimension::ANGULAR_VELOCITY), Ok(-std::f64::consts::PI / 5.0)); // rad/s
+/// assert_eq!(parse("0.25", Dimension::MASS), Ok(0.25)); // a bare number is SI
+///
+/// let error = parse("30 deg", Dimension::LENGTH).unwrap_err();
+/// assert_eq!(error.to_string(), "\"deg\" is an angle where a length belongs");
+/// assert_eq!(error.hint().unwrap(), "write a length, such as \"25 mm\"");
+/// ```
+///
+/// # Errors
+///
+/// Text that does not start with a decimal number, a number beyond the range of a double (to either
+/// side), a unit that is unknown or misspelt, and a unit of another dimension than `expected`.
+pub fn parse(text: &str, expected: Dimension) -> Result<f64, UnitError> {
+    let text = text.trim();
+    let (number, unit) = split(text).ok_or_else(|| UnitError::NotANumber { text: text.to_owned() })?;
+    let mut exact = Exact::new(number.trim_start_matches(['+', '-']));
+    let nonzero = !exact.is_zero();
+    if !unit.is_empty() {
+        let factors = Product::read(unit)?;
+        let found = factors.iter().fold(Dimension::NONE, |found, f| found.times(f.unit.dimension, f.power));
+        if !expected.accepts(found) {
+            return Err(UnitError::WrongDimension { unit: unit.to_owned(), found, expected });
+        }
+        factors.iter().for_each(|f| exact.scale(f.unit.factor, f.power));
+    }
+    match exact.nearest() {
+        magnitude if !magnitude.is_finite() => Err(UnitError::NotFinite { text: text.to_owned() }),
+        magnitude if magnitude == 0.0 && nonzero => Err(UnitError::Underflow { text: text.to_owned() }),
+        magnitude if number.starts_with('-') => Ok(-magnitude),
+        magnitude => Ok(magnitude),
+    }
+}
+
+/// Why a text is not the quantity that was expected.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum UnitError {
+    /// The text does not start with a decimal number, or the number runs into something else.
+    NotANumber {
+        /// The whole text.
+        text: String,
+    },
+    /// The value is larger than any double.
+    NotFinite {
+        /// The whole text.
+        text: String,
+    },
+    /// The value is not zero, but smaller than any double.
+    Underflow {
+        /// The whole text.
+        text: String,
+    },
+    /// A name that is no unit.
+    UnknownUnit {
+        /// The name.
+        unit: String,
+        /// What was probably meant.
+        suggestion: Option<String>,
+    },
+    /// Names that do not make a product.
+    Malformed {
+        /// The whole unit.
+        unit: String,
+        /// The rule that it breaks.
+        rule: &'static str,
+    },
+    /// A unit of another dimension.
+    WrongDimension {
+        /// The whole unit.
+        unit: String,
+        /// What the unit measures.
+        found: Dimension,
+        /// What was asked for.
+        expected: Dimension,
+    },
+}
+
+impl UnitError {
+    /// What to write instead, when there is something to say.
+    pub fn hint(&self) -> Option<String> {
+        match self {
+            Self::NotANumber { text } => Some(number_hint(text)),
+            Self::UnknownUnit { unit, .. } if unit == "Hz" => Some("write rev/s or rad/s".to_owned()),
+            Self::UnknownUnit { suggestion, .. } => suggestion.as_ref().map(|s| format!("did you mean {s}?")),
+            Self::WrongDimension { unit, expected: Dimension::ACCELERATION, .. } if unit == "g" => {
+                Some("g is the gram; for standard gravity write g0".to_owned())
+            }
+            Self::WrongDimension { found, expected, .. } if expected.is_weight_of(*found) => {
+                Some("lb, oz and kg are masses; the forces are lbf, ozf, kgf and N".to_owned())
+            }
+            Self::WrongDimension { expected, .. } => {
+                expected.example().map(|example| format!("write {expected}, such as \"{example}\""))
+            }
+            Self::NotFinite { .. } | Self::Underflow { .. } | Self::Malformed { .. } => None,
+        }
+    }
+}
+
+impl fmt::Display for UnitError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NotANumber { text } => write!(f, "{} is not a number", quoted(text)),
+            Self::NotFinite { text } => write!(f, "{} is larger than any double", quoted(text)),
+            Self::Underflow { text } => {
+                write!(f, "{} is smaller than any double and would become zero", quoted(text))
+            }
+            Self::UnknownUnit { unit, .. } => write!(f, "there is no unit {}", quoted(unit)),
+            Self::Malformed { unit, rule } => write!(f, "{} is not a unit: {rule}", quoted(unit)),
+            Self::WrongDimension { unit, found, expected } => {
+                write!(f, "{} is {found} where {expected} belongs", quoted(unit))
+            }
+        }
+    }
+}
+
+impl Error for UnitError {}
+
+/// The text in quotes, escaped, and cut where it is too long for a message.
+fn quoted(text: &str) -> String {
+    format!("{:?}", text.chars().take(60).collect::<String>())
+}
+
+fn number_hint(text: &str) -> String {
+    let point = text.replacen(',', ".", 1);
+    match split(&point) {
+        Some((number, _)) => {
+            format!("write {number:.60}: the decimal sign is a point, and thousands are not separated")
+        }
+        None if text.contains('\u{2212}') => "write the minus sign as \"-\"".to_owned(),
+        None => "write a decimal number and a unit, such as \"25.4 mm\" or \"-3.5e-2 rad/s\"".to_owned(),
+    }
+}
+
+/// The number at the start of a text and the unit after it; `None` if the number does not end cleanly.
+fn split(text: &str) -> Option<(&str, &str)> {
+    let digits = |from: usize| text[from..].bytes().take_while(u8::is_ascii_digit).count();
+    let start = usize::from(text.starts_with(['+', '-']));
+    let mut end = start + digits(start);
+    let mut count = end - start;
+    if text[end..].starts_with('.') {
+        count += digits(end + 1);
+        end += 1 + digits(end + 1);
+    }
+    if text[end..].starts_with(['e', 'E']) {
+        let sign = usize::from(text[end + 1..].starts_with(['+', '-']));
+        match digits(end + 1 + sign) {
+            0 => return None,
+            exponent => end += 1 + sign + exponent,
+        }
+    }
+    let unit = text[end..].trim_start();
+    let glued = text[end..].starts_with(['.', ',', '_', 'x', 'X', 'e', 'E']);
+    let second_number = unit.starts_with(char::is_numeric) && inverse(unit).is_none();
+    (count > 0 && !glued && !second_number).then_some((&text[..end], unit))
+}
+
+/// The `/s` of `1/s`.
+fn inverse(unit: &str) -> Option<&str> {
+    unit.strip_prefix('1').map(str::trim_start).filter(|rest| rest.starts_with('/'))
+}
+
+/// A unit raised to a power.
+struct Factor {
+    unit: Unit,
+    power: i8,
+}
+
+/// The parser of a unit: `rest` is what is still to read, `factors` what has been read.
+struct Product<'a> {
+    unit: &'a str,
+    rest: &'a str,
+    factors: Vec<Factor>,
+}
+
+impl<'a> Product<'a> {
+    /// Together these keep every power of every dimension within an `i8`: 7 × 9 × 2 (J is m²) = 126.
+    const MAX_FACTORS: usize = 7;
+    const MAX_POWER: i8 = 9;
+
+    fn read(unit: &'a str) -> Result<Vec<Factor>, UnitError> {
+        let mut product = Self { unit, rest: inverse(unit).unwrap_or(unit), factors: Vec::new() };
+        product.product(false)?;
+        match product.rest {
+            "" => Ok(product.factors),
+            _ => Err(product.malformed("a parenthesis closes that was not opened")),
+        }
+    }
+
+    fn product(&mut self, inside: bool) -> Result<(), UnitError> {
+        let mut sign = self.operator().unwrap_or(1);
+        loop {
+            let first = self.factors.len();
+            self.factor(inside)?;
+            let power = self.exponent()?.saturating_mul(sign);
+            for factor in &mut self.factors[first..] {
+                factor.power = factor.power.saturating_mul(power);
+            }
+            if self.factors.iter().any(|f| f.power.saturating_abs() > Self::MAX_POWER) {
+                return Err(self.malformed("a power goes from -9 to 9"));
+            }
+            if self.factors.len() > Self::MAX_FACTORS {
+                return Err(self.malformed("a product has at most seven factors"));
+            }
+            let operator = self.operator();
+            if self.rest.is_empty() || self.rest.starts_with(')') {
+                return match operator {
+                    Some(_) => Err(self.malformed("a factor is missing at its end")),
+                    None => Ok(()),
+                };
+            }
+            sign = operator.unwrap_or(1);
+        }
+    }
+
+    /// Takes the sign between two factors, if there is one: −1 for a slash, 1 for a multiplication.
+    fn operator(&mut self) -> Option<i8> {
+        self.rest = self.rest.trim_start();
+        let rest = self.rest.strip_prefix(['/', '*', '·', '⋅'])?;
+        let sign = if self.rest.starts_with('/') { -1 } else { 1 };
+        self.rest = rest.trim_start();
+        Some(sign)
+    }
+
+    fn factor(&mut self, inside: bool) -> Result<(), UnitError> {
+        if let Some(rest) = self.rest.strip_prefix('(') {
+            if inside {
+                return Err(self.malformed("parentheses do not nest"));
+            }
+            self.rest = rest;
+            self.product(true)?;
+            let Some(rest) = self.rest.strip_prefix(')') else {
+                return Err(self.malformed("a parenthesis is not closed"));
+            };
+            self.rest = rest;
+            return Ok(());
+        }
+        match self.take(|c| c.is_alphabetic() || c.is_ascii_digit() || c == '°') {
+            "" => Err(self.malformed("it is names joined by a space, \"*\", \"·\" or \"/\"")),
+            name => {
+                let unit = Unit::named(name).ok_or_else(|| UnitError::UnknownUnit {
+                    unit: name.to_owned(),
+                    suggestion: table::suggestion(name),
+                })?;
+                self.factors.push(Factor { unit, power: 1 });
+                Ok(())
+            }
+        }
+    }
+
+    /// Takes `^2`, `^-1`, `²` or `⁻¹`; 1 if there is none.
+    fn exponent(&mut self) -> Result<i8, UnitError> {
+        const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+        let lowered = |c: char| match RAISED.iter().position(|&r| r == c) {
+            Some(digit) => char::from(b'0' + digit as u8),
+            None => '-', // ⁻
+        };
+        let digits = match self.rest.strip_prefix('^') {
+            Some(rest) => {
+                self.rest = rest;
+                self.take(|c| c.is_ascii_digit() || c == '-').to_owned()
+            }
+            None => match self.take(|c| RAISED.contains(&c) || c == '⁻') {
+                "" => return Ok(1),
+                raised => raised.chars().map(lowered).collect(),
+            },
+        };
+        digits.parse().map_err(|_| self.malformed("a power is a whole number, such as ^2 or ^-1"))
+    }
+
+    /// Takes the characters that satisfy a condition.
+    fn take(&mut self, condition: impl Fn(char) -> bool) -> &'a str {
+        let end = self.rest.find(|c| !condition(c)).unwrap_or(self.rest.len());
+        let (taken, rest) = self.rest.split_at(end);
+        self.rest = rest;
+        taken
+    }
+
+    fn malformed(&self, rule: &'static str) -> UnitError {
+        UnitError::Malformed { unit: self.unit.to_owned(), rule }
+    }
+}

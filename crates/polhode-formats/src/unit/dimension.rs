@@ -1,0 +1,118 @@
+//! What a unit measures.
+
+use std::fmt;
+
+/// The powers of mass, length, time and angle in a quantity.
+///
+/// The angle is counted although SI calls the radian a one, so that `"30 deg"` is no length and
+/// `"3 N"` no angle. Energy and torque are the same here, as they are in SI.
+///
+/// ```
+/// use polhode_formats::unit::Dimension;
+/// assert_eq!(Dimension::INERTIA.to_string(), "a moment of inertia");
+/// assert_eq!(Dimension::new(1, 0, -1, 0).to_string(), "a quantity in kg s^-1");
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Dimension {
+    mass: i8,
+    length: i8,
+    time: i8,
+    angle: i8,
+}
+
+#[allow(missing_docs, reason = "the names are the documentation")]
+impl Dimension {
+    pub const NONE: Self = Self::new(0, 0, 0, 0);
+    pub const MASS: Self = Self::new(1, 0, 0, 0);
+    pub const LENGTH: Self = Self::new(0, 1, 0, 0);
+    pub const TIME: Self = Self::new(0, 0, 1, 0);
+    pub const ANGLE: Self = Self::new(0, 0, 0, 1);
+    pub const VELOCITY: Self = Self::new(0, 1, -1, 0);
+    pub const ACCELERATION: Self = Self::new(0, 1, -2, 0);
+    pub const ANGULAR_VELOCITY: Self = Self::new(0, 0, -1, 1);
+    pub const ANGULAR_ACCELERATION: Self = Self::new(0, 0, -2, 1);
+    pub const DENSITY: Self = Self::new(1, -3, 0, 0);
+    pub const AREA_DENSITY: Self = Self::new(1, -2, 0, 0);
+    pub const LINE_DENSITY: Self = Self::new(1, -1, 0, 0);
+    pub const INERTIA: Self = Self::new(1, 2, 0, 0);
+    pub const ANGULAR_MOMENTUM: Self = Self::new(1, 2, -1, 0);
+    pub const TORQUE: Self = Self::new(1, 2, -2, 0);
+    pub const FORCE: Self = Self::new(1, 1, -2, 0);
+}
+
+impl Dimension {
+    /// The dimension kg^mass m^length s^time rad^angle.
+    pub const fn new(mass: i8, length: i8, time: i8, angle: i8) -> Self {
+        Self { mass, length, time, angle }
+    }
+
+    /// `self` × `other`^power.
+    pub(super) fn times(self, other: Self, power: i8) -> Self {
+        let sum = |a: i8, b: i8| a.saturating_add(b.saturating_mul(power));
+        Self {
+            mass: sum(self.mass, other.mass),
+            length: sum(self.length, other.length),
+            time: sum(self.time, other.time),
+            angle: sum(self.angle, other.angle),
+        }
+    }
+
+    /// Whether a unit that measures `found` may stand where `self` is expected.
+    ///
+    /// Angles come and go where the physics lets them: ω in 1/s, and, because L = I ω and
+    /// τ = I α + ω × L, up to two of them in anything that has both a mass and a rate.
+    pub(super) fn accepts(self, found: Self) -> bool {
+        let rate = self.mass == 0 && self.length == 0 && self.time < 0 && self.angle == 1;
+        let dynamic = self.mass != 0 && self.time < 0 && self.angle == 0;
+        self == Self { angle: self.angle, ..found }
+            && (self.angle == found.angle
+                || rate && found.angle == 0
+                || dynamic && (0..=2).contains(&found.angle))
+    }
+
+    /// Whether gravity makes `found` into `self`: a pound into a force, a pound foot into a torque.
+    pub(super) fn is_weight_of(self, found: Self) -> bool {
+        found.mass == 1 && found.times(Self::ACCELERATION, 1) == self
+    }
+
+    /// A text of this dimension.
+    pub(super) fn example(self) -> Option<&'static str> {
+        NAMES.iter().find(|(dimension, ..)| *dimension == self).map(|&(.., example)| example)
+    }
+}
+
+impl fmt::Display for Dimension {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some((_, name, _)) = NAMES.iter().find(|(dimension, ..)| dimension == self) {
+            return f.write_str(name);
+        }
+        f.write_str("a quantity in")?;
+        [("kg", self.mass), ("m", self.length), ("s", self.time), ("rad", self.angle)]
+            .into_iter()
+            .filter(|&(_, power)| power != 0)
+            .try_for_each(|(unit, power)| match power {
+                1 => write!(f, " {unit}"),
+                _ => write!(f, " {unit}^{power}"),
+            })
+    }
+}
+
+/// Dimension, name with its article, example.
+const NAMES: [(Dimension, &str, &str); 16] = [
+    (Dimension::NONE, "a plain number", "0.5"),
+    (Dimension::MASS, "a mass", "12 kg"),
+    (Dimension::LENGTH, "a length", "25 mm"),
+    (Dimension::TIME, "a time", "90 s"),
+    (Dimension::ANGLE, "an angle", "30 deg"),
+    (Dimension::VELOCITY, "a velocity", "3.5 m/s"),
+    (Dimension::ACCELERATION, "an acceleration", "9.8 m/s^2"),
+    (Dimension::ANGULAR_VELOCITY, "an angular velocity", "30 deg/s"),
+    (Dimension::ANGULAR_ACCELERATION, "an angular acceleration", "0.2 rad/s^2"),
+    (Dimension::DENSITY, "a density", "2700 kg/m^3"),
+    (Dimension::AREA_DENSITY, "a mass per area", "5.4 kg/m^2"),
+    (Dimension::LINE_DENSITY, "a mass per length", "0.3 kg/m"),
+    (Dimension::INERTIA, "a moment of inertia", "4 kg m^2"),
+    (Dimension::ANGULAR_MOMENTUM, "an angular momentum", "12 N m s"),
+    (Dimension::TORQUE, "a torque", "0.1 N m"),
+    (Dimension::FORCE, "a force", "20 N"),
+];

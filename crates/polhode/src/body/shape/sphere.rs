@@ -1,0 +1,41 @@
+//! Sphere.
+
+use super::{Extent, Shape, Spread};
+use crate::body::error::{BodyError, positive};
+use crate::math::real::PI;
+
+/// A solid sphere with its centre at the origin.
+///
+/// I = 2/5 M r²
+///
+/// ```
+/// use polhode::{Shape, Sphere, Substance};
+/// let ball = Sphere::new(0.5)?.mass_properties(Substance::Mass(4.0))?;
+/// assert!((ball.inertia().matrix()[0][0] - 0.4).abs() < 1e-16);
+/// # Ok::<(), polhode::BodyError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sphere {
+    radius: f64,
+}
+
+impl Sphere {
+    /// A sphere of the given radius, m.
+    ///
+    /// # Errors
+    /// [`BodyError::Parameter`] if the radius is not positive and finite.
+    pub fn new(radius: f64) -> Result<Self, BodyError> {
+        Ok(Self { radius: positive("the sphere's radius", radius)? })
+    }
+}
+
+impl Shape for Sphere {
+    fn spread(&self) -> Spread {
+        let r = self.radius;
+        Spread::centered(Extent::Volume(4.0 / 3.0 * PI * r * r * r), [r * r / 5.0; 3])
+    }
+
+    fn surface_area(&self) -> f64 {
+        4.0 * PI * self.radius * self.radius
+    }
+}

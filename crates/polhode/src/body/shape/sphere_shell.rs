@@ -1,0 +1,41 @@
+//! Thin spherical shell.
+
+use super::{Extent, Shape, Spread};
+use crate::body::error::{BodyError, positive};
+use crate::math::real::PI;
+
+/// A thin hollow sphere with its centre at the origin.
+///
+/// I = 2/3 M r²
+///
+/// ```
+/// use polhode::{Shape, SphereShell, Substance};
+/// let balloon = SphereShell::new(0.5)?.mass_properties(Substance::Mass(6.0))?;
+/// assert!((balloon.inertia().matrix()[0][0] - 1.0).abs() < 1e-15);
+/// # Ok::<(), polhode::BodyError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SphereShell {
+    radius: f64,
+}
+
+impl SphereShell {
+    /// A shell of the given radius, m.
+    ///
+    /// # Errors
+    /// [`BodyError::Parameter`] if the radius is not positive and finite.
+    pub fn new(radius: f64) -> Result<Self, BodyError> {
+        Ok(Self { radius: positive("the spherical shell's radius", radius)? })
+    }
+}
+
+impl Shape for SphereShell {
+    fn spread(&self) -> Spread {
+        let r = self.radius;
+        Spread::centered(Extent::Area(self.surface_area()), [r * r / 3.0; 3])
+    }
+
+    fn surface_area(&self) -> f64 {
+        4.0 * PI * self.radius * self.radius
+    }
+}

@@ -1,0 +1,81 @@
+//! Tetrahedron.
+
+use super::{Extent, Shape, Spread};
+use crate::body::error::{BodyError, finite};
+use crate::math::frame::Part;
+use crate::math::symmetric3::Symmetric3;
+use crate::math::vector::{Direction, Position};
+
+/// A solid tetrahedron, its corners where they are given.
+///
+/// ⟨x xᵀ⟩ = 1/20 Σ (p_k − p̄)(p_k − p̄)ᵀ: as of its corners, each with a twentieth of the mass
+///
+/// ```
+/// use polhode::{Shape, Substance, Tetrahedron};
+/// let corner = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 3.0, 0.0], [0.0, 0.0, 1.0]];
+/// let body = Tetrahedron::new(corner)?.mass_properties(Substance::Density(4.0))?;
+/// assert!((body.mass() - 4.0).abs() < 1e-15);
+/// assert!((body.inertia().matrix()[2][2] - 3.0 / 80.0 * 4.0 * (4.0 + 9.0)).abs() < 1e-15);
+/// # Ok::<(), polhode::BodyError>(())
+/// ```
+///
+/// Source: Tonon, J. Math. Stat. 1 (2005) 8.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tetrahedron {
+    vertices: [[f64; 3]; 4],
+}
+
+/// A volume below this part of the edges' product may be all rounding.
+const FLAT: f64 = 4.0 * f64::EPSILON;
+
+impl Tetrahedron {
+    /// The tetrahedron with the given corners, m, in either order.
+    ///
+    /// # Errors
+    /// [`BodyError::Parameter`] if a coordinate is not finite, or if the corners lie in one plane.
+    pub fn new(vertices: [[f64; 3]; 4]) -> Result<Self, BodyError> {
+        for vertex in vertices {
+            finite("the tetrahedron's vertex", vertex)?;
+        }
+        let tetrahedron = Self { vertices };
+        let [u, v, w] = tetrahedron.edges();
+        let value = tetrahedron.volume();
+        // Negated so that NaN is refused too.
+        if !(value > FLAT * u.norm() * v.norm() * w.norm()) {
+            let rule = "positive: its corners may not lie in one plane";
+            return Err(BodyError::Parameter { what: "the tetrahedron's volume", value, rule });
+        }
+        Ok(tetrahedron)
+    }
+
+    /// From the first corner to the others.
+    fn edges(&self) -> [Direction<Part>; 3] {
+        let [o, a, b, c] = self.vertices.map(Direction::from_array);
+        [a - o, b - o, c - o]
+    }
+
+    fn volume(&self) -> f64 {
+        let [u, v, w] = self.edges();
+        u.dot(v.cross(w)).abs() / 6.0
+    }
+}
+
+impl Shape for Tetrahedron {
+    fn spread(&self) -> Spread {
+        let [u, v, w] = self.edges();
+        // From the first corner, so that a place far from the origin costs no digits.
+        let center = (u + v + w) * 0.25;
+        let corners = [-center, u - center, v - center, w - center];
+        let sum = corners.iter().fold(Symmetric3::default(), |sum, d| sum + Symmetric3::outer(d.to_array()));
+        Spread {
+            extent: Extent::Volume(self.volume()),
+            centroid: Position::from_array(self.vertices[0]) + center.as_quantity(),
+            covariance: sum * 0.05,
+        }
+    }
+
+    fn surface_area(&self) -> f64 {
+        let [u, v, w] = self.edges();
+        0.5 * (u.cross(v).norm() + v.cross(w).norm() + w.cross(u).norm() + (v - u).cross(w - u).norm())
+    }
+}

@@ -1,0 +1,50 @@
+//! Torus.
+
+use super::{Extent, Shape, Spread};
+use crate::body::error::{BodyError, positive};
+use crate::math::real::PI;
+
+/// A solid ring of circular section, with its centre at the origin and its axis along z.
+///
+/// I_zz = M (R² + 3/4 r²),  I_xx = I_yy = M (R²/2 + 5/8 r²)
+///
+/// ```
+/// use polhode::{Shape, Substance, Torus};
+/// let tyre = Torus::new(2.0, 1.0)?.mass_properties(Substance::Mass(4.0))?;
+/// assert!((tyre.inertia().matrix()[2][2] - 19.0).abs() < 1e-14);
+/// assert!((tyre.inertia().matrix()[0][0] - 10.5).abs() < 1e-14);
+/// # Ok::<(), polhode::BodyError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Torus {
+    ring_radius: f64,
+    tube_radius: f64,
+}
+
+impl Torus {
+    /// A torus with the radius R of the circle along which its tube is centred, and the radius r ≤ R of the tube, m.
+    ///
+    /// # Errors
+    /// [`BodyError::Parameter`] if one is not positive and finite, or if the tube is wider than the ring.
+    pub fn new(ring_radius: f64, tube_radius: f64) -> Result<Self, BodyError> {
+        positive("the torus's ring radius", ring_radius)?;
+        let what = "the torus's tube radius";
+        if positive(what, tube_radius)? > ring_radius {
+            return Err(BodyError::Parameter { what, value: tube_radius, rule: "at most its ring radius" });
+        }
+        Ok(Self { ring_radius, tube_radius })
+    }
+}
+
+impl Shape for Torus {
+    fn spread(&self) -> Spread {
+        let Self { ring_radius: ring, tube_radius: tube } = *self;
+        let (ring2, tube2) = (ring * ring, tube * tube);
+        let across = 0.5 * ring2 + 0.375 * tube2;
+        Spread::centered(Extent::Volume(2.0 * PI * PI * ring * tube2), [across, across, 0.25 * tube2])
+    }
+
+    fn surface_area(&self) -> f64 {
+        4.0 * PI * PI * self.ring_radius * self.tube_radius
+    }
+}

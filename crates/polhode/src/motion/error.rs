@@ -1,0 +1,100 @@
+//! Why a motion cannot be computed.
+
+use core::fmt;
+
+/// Why a motion cannot be computed: each variant carries the value and the time.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum MotionError {
+    /// A number outside its range.
+    Parameter {
+        /// What the number is.
+        what: &'static str,
+        /// The number.
+        value: f64,
+        /// What it has to be.
+        rule: &'static str,
+    },
+    /// All the mass is in the point that the body turns about: it has no inertia at all.
+    NotSpinnable,
+    /// A torque along an axis about which the body has no inertia.
+    TorqueWithoutInertia {
+        /// The torque along that axis, N·m.
+        torque: f64,
+        /// When, s.
+        time: f64,
+    },
+    /// No closed form is known here for this body and start.
+    NoClosedForm {
+        /// Why.
+        why: &'static str,
+    },
+    /// The step needed for the tolerance is lost in the rounding of the time.
+    StepTooSmall {
+        /// The last good time, s.
+        time: f64,
+        /// The step that was tried, s.
+        step: f64,
+    },
+    /// More steps than allowed.
+    TooManySteps {
+        /// The last good time, s.
+        time: f64,
+        /// Steps done.
+        steps: u64,
+    },
+    /// The state became infinite or undefined.
+    NotFinite {
+        /// The last good time, s.
+        time: f64,
+    },
+}
+
+impl MotionError {
+    /// True if the input was fine but the computation could not reach its tolerance.
+    pub const fn is_numerical(&self) -> bool {
+        matches!(self, Self::StepTooSmall { .. } | Self::TooManySteps { .. } | Self::NotFinite { .. })
+    }
+
+    /// What to try next, where there is something to try.
+    pub fn hint(&self) -> Option<&'static str> {
+        match self {
+            Self::NotSpinnable => Some("give the mass an extent: a point has no attitude"),
+            Self::TorqueWithoutInertia { .. } => {
+                Some("all the mass is on one line: give it a thickness, or a torque across the line")
+            }
+            Self::NoClosedForm { .. } => Some("use method = \"auto\" or \"dop853\""),
+            Self::StepTooSmall { .. } | Self::TooManySteps { .. } => {
+                Some("loosen the tolerance, or shorten the duration")
+            }
+            Self::NotFinite { .. } => Some("check the units of the torque, the spin and the inertia"),
+            Self::Parameter { .. } => None,
+        }
+    }
+}
+
+impl fmt::Display for MotionError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Parameter { what, value, rule } => write!(f, "{what} = {value} must be {rule}"),
+            Self::NotSpinnable => {
+                write!(f, "the body has no inertia about the point that it turns about, so its motion is undetermined")
+            }
+            Self::TorqueWithoutInertia { torque, time } => write!(
+                f,
+                "at t = {time} s a torque of {torque} N·m acts about an axis along which the body has no inertia"
+            ),
+            Self::NoClosedForm { why } => write!(f, "there is no closed form of this motion: {why}"),
+            Self::StepTooSmall { time, step } => write!(
+                f,
+                "at t = {time} s the step that the tolerance needs ({step:e} s) is too small to advance the time"
+            ),
+            Self::TooManySteps { time, steps } => {
+                write!(f, "{steps} steps were not enough; they reached t = {time} s")
+            }
+            Self::NotFinite { time } => write!(f, "the motion is not finite after t = {time} s"),
+        }
+    }
+}
+
+impl core::error::Error for MotionError {}

@@ -1,0 +1,79 @@
+//! Euler's equations.
+
+use super::rotor::Rotor;
+use crate::math::frame::{Body, Principal};
+use crate::math::vector::{AngularAcceleration, AngularVelocity, Torque, Vector};
+
+impl Rotor {
+    /// Euler's equations read from motion to torque, in body axes of any direction: N = I ω̇ + ω × I ω.
+    ///
+    /// # Source
+    /// Thornton & Marion, eq. (11.114). The lecture notes' N = I ω̇ lacks the second term: it holds in axes that do
+    /// not turn, or where ω lies along a principal axis.
+    pub fn torque_for(&self, omega: AngularVelocity<Body>, acceleration: AngularAcceleration<Body>) -> Torque<Body> {
+        *self.inertia() * acceleration + omega.cross(self.angular_momentum(omega))
+    }
+
+    /// Euler's equations read from torque to motion: ω̇ = I⁻¹ (N − ω × I ω).
+    ///
+    /// About an axis without inertia (a rod's own) ω̇ = 0: the motion is undetermined there, and this is the choice.
+    pub fn acceleration(&self, omega: AngularVelocity<Body>, torque: Torque<Body>) -> AngularAcceleration<Body> {
+        let r = self.principal().rotation();
+        r * euler(self.principal().moments(), r.inverse() * omega, r.inverse() * torque)
+    }
+}
+
+/// In principal axes:
+///
+/// i1 ω̇1 = (i2 − i3) ω2 ω3 + N1,  i2 ω̇2 = (i3 − i1) ω3 ω1 + N2,  i3 ω̇3 = (i1 − i2) ω1 ω2 + N3
+pub(super) fn euler(
+    [i1, i2, i3]: [f64; 3],
+    w: AngularVelocity<Principal>,
+    n: Torque<Principal>,
+) -> AngularAcceleration<Principal> {
+    let over = |numerator: f64, i: f64| if i == 0.0 { 0.0 } else { numerator / i };
+    Vector::new(
+        over((i2 - i3) * w.y * w.z + n.x, i1),
+        over((i3 - i1) * w.z * w.x + n.y, i2),
+        over((i1 - i2) * w.x * w.y + n.z, i3),
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{InertiaTensor, MassProperties, Position};
+
+    fn generic() -> Rotor {
+        let inertia = InertiaTensor::with_negative_products([3.1, 4.2, 5.3], [0.4, -0.3, 0.2]).unwrap();
+        let body = MassProperties::new(2.3, Position::new(0.11, -0.07, 0.23), inertia).unwrap();
+        Rotor::pivoted(&body, Position::new(-0.4, 0.9, 0.2))
+    }
+
+    #[test]
+    fn torque_and_acceleration_are_inverse_to_each_other() {
+        let rotor = generic();
+        let omega = Vector::new(0.7, -1.1, 0.4);
+        let alpha = Vector::new(-0.3, 0.2, 0.9);
+        let again = rotor.acceleration(omega, rotor.torque_for(omega, alpha));
+        assert!((again - alpha).norm() < 2e-15);
+    }
+
+    #[test]
+    fn the_torque_is_the_rate_of_angular_momentum_in_space() {
+        // N = dL/dt with L = R I ω differenced along a motion that turns at ω(t) = ω0 + α t
+        let rotor = generic();
+        let omega = AngularVelocity::new(0.7, -1.1, 0.4);
+        let alpha = AngularAcceleration::new(-0.3, 0.2, 0.9);
+        let h = 1e-4;
+        // R(±h) to order h²: rotation vector ±ω0 h + α h²/2
+        let l = |h: f64| {
+            let v = (omega * h).as_quantity() + (alpha * (0.5 * h * h)).as_quantity();
+            let r = crate::Rotation::<crate::Space, Body>::from_rotation_vector(v.as_frame());
+            r * rotor.angular_momentum(omega + (alpha * h).as_quantity())
+        };
+        let rate = (l(h) - l(-h)) / (2.0 * h);
+        let n = rotor.torque_for(omega, alpha);
+        assert!((rate.as_quantity().as_frame() - n).norm() < 1e-7, "{rate:?} {n:?}");
+    }
+}

@@ -1,0 +1,123 @@
+//! From motion to torque, and to the forces that make it.
+
+use super::kinematics::rigid_acceleration;
+use super::prescribed::Prescribed;
+use super::rotor::Rotor;
+use super::state::State;
+use crate::body::particles::Particle;
+use crate::math::frame::Body;
+use crate::math::vector::{AngularAcceleration, AngularVelocity, Direction, Force, Position, Torque};
+
+/// What a motion needs at one time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Required {
+    /// Attitude and ω.
+    pub state: State,
+    /// dω/dt, body axes.
+    pub acceleration: AngularAcceleration<Body>,
+    /// N = I ω̇ + ω × I ω about the point that the body turns about, body axes, N·m.
+    pub torque: Torque<Body>,
+    /// N · ω, W.
+    pub power: f64,
+}
+
+/// The force that one particle needs to follow a motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ParticleForce {
+    /// F = m a, body axes, N.
+    pub force: Force<Body>,
+    /// The part of F along r, which makes no torque: tension (negative) or thrust of the rod that holds it.
+    pub along: Force<Body>,
+    /// The part of F across r, which makes all the torque.
+    pub across: Force<Body>,
+    /// r × F about the point that the body turns about, N·m.
+    pub torque: Torque<Body>,
+}
+
+impl Required {
+    /// The torque that a prescribed motion needs at a time.
+    ///
+    /// ```
+    /// use polhode::*;
+    /// // Thornton & Marion, example 11.10: a dumbbell turned about an axis tilted by α from its rod
+    /// let (m1, m2, b, omega, alpha) = (1.2, 0.7, 0.5, 3.0, 0.6_f64);
+    /// let masses = [
+    ///     Particle::new(m1, Position::new(0.0, 0.0, b))?,
+    ///     Particle::new(m2, Position::new(0.0, 0.0, -b))?,
+    /// ];
+    /// let dumbbell = Rotor::pivoted(&mass_properties_of_particles(&masses)?, Position::ZERO);
+    /// let axis = Direction::new(0.0, alpha.sin(), alpha.cos());
+    /// let motion = Prescribed::fixed_axis(Attitude::identity(), axis, omega, 0.0)?;
+    /// let needed = Required::by(&dumbbell, &motion, 0.0);
+    /// let expected = -(m1 + m2) * b * b * omega * omega * alpha.sin() * alpha.cos();
+    /// assert!((needed.torque - Torque::new(expected, 0.0, 0.0)).norm() < 1e-15);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn by(rotor: &Rotor, motion: &Prescribed, time: f64) -> Self {
+        let (state, acceleration) = motion.at(time);
+        let torque = rotor.torque_for(state.omega, acceleration);
+        Self { state, acceleration, torque, power: torque.dot(state.omega) }
+    }
+}
+
+impl ParticleForce {
+    /// The force on one particle of a body that turns about `point`: F = m [ω̇ × r + ω × (ω × r)], r from the point.
+    ///
+    /// Summed over all particles, r × F is the torque that the motion needs. No other set of *external* forces is
+    /// determined: a rigid body passes forces on, so any set with the same sum and the same torque does.
+    pub fn on(
+        particle: &Particle<Body>,
+        point: Position<Body>,
+        omega: AngularVelocity<Body>,
+        acceleration: AngularAcceleration<Body>,
+    ) -> Self {
+        let r = particle.position() - point;
+        let force: Force<Body> = (rigid_acceleration(omega, acceleration, r) * particle.mass()).as_quantity();
+        let unit = r.direction().unwrap_or(Direction::ZERO);
+        let along: Force<Body> = unit.as_quantity() * unit.dot(force);
+        Self { force, along, across: force - along, torque: r.cross(force) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::rotation::Attitude;
+    use crate::mass_properties_of_particles;
+
+    #[test]
+    fn the_forces_on_the_particles_make_the_torque_that_euler_asks_for() {
+        let particles =
+            [(1.5, [0.5, -1.0, 0.25]), (2.0, [-0.75, 0.5, 2.0]), (0.5, [1.0, 1.5, -0.5]), (0.9, [0.1, 0.2, 0.3])]
+                .map(|(m, p)| Particle::new(m, Position::from_array(p)).unwrap());
+        let pivot = Position::new(0.2, -0.4, 0.6);
+        let rotor = Rotor::pivoted(&mass_properties_of_particles(&particles).unwrap(), pivot);
+        let motion = Prescribed::euler_rates([0.4, 0.9, -1.2], [0.7, -0.3, 2.1]).unwrap();
+        let needed = Required::by(&rotor, &motion, 0.8);
+        let forces = particles.map(|p| ParticleForce::on(&p, pivot, needed.state.omega, needed.acceleration));
+        let sum = forces.iter().fold(Torque::ZERO, |sum, f| sum + f.torque);
+        assert!((sum - needed.torque).norm() < 1e-13 * needed.torque.norm());
+        for (f, p) in forces.iter().zip(particles) {
+            assert!((f.along + f.across - f.force).norm() < 1e-14);
+            assert!((p.position() - pivot).cross(f.along).norm() < 1e-13);
+        }
+        // The power is the rate of the kinetic energy.
+        let h = 1e-5;
+        let energy = |t: f64| rotor.kinetic_energy(motion.at(t).0.omega);
+        assert!(((energy(0.8 + h) - energy(0.8 - h)) / (2.0 * h) - needed.power).abs() < 1e-8);
+    }
+
+    #[test]
+    fn no_torque_is_needed_about_a_principal_axis() {
+        let particles = [(1.0, [1.0, 0.0, 0.0]), (2.0, [0.0, 1.5, 0.0]), (1.5, [-0.5, -2.0, 0.0])]
+            .map(|(m, p)| Particle::new(m, Position::from_array(p)).unwrap());
+        let rotor = Rotor::free(&mass_properties_of_particles(&particles).unwrap());
+        let axis: Direction<Body> = rotor.principal().axis(2);
+        let motion = Prescribed::fixed_axis(Attitude::identity(), axis, 5.0, 0.0).unwrap();
+        assert!(Required::by(&rotor, &motion, 1.0).torque.norm() < 1e-14);
+        let spin_up = Prescribed::fixed_axis(Attitude::identity(), axis, 5.0, 0.3).unwrap();
+        let i3 = rotor.principal().moments()[2];
+        let expected: Torque<Body> = axis.as_quantity() * (0.3 * i3);
+        assert!((Required::by(&rotor, &spin_up, 1.0).torque - expected).norm() < 1e-13);
+    }
+}

@@ -1,0 +1,10 @@
+//! Numerical integration of the equations of motion, for everything that has no closed form.
+//!
+//! `dop853` is the rule for one step and knows no physics; `chart` writes the motion as an ordinary differential
+//! equation that it can step; `stepper` puts steps together and controls their error. The Taylor and splitting
+//! integrators have their places beside `dop853`.
+
+mod chart;
+mod dop853;
+pub(crate) mod stepper;
+mod tableau;

@@ -1,0 +1,226 @@
+//! Steps put together: error control, the carried rounding, and samples between steps.
+
+use super::chart::{self, Chart, N, Y};
+use super::dop853::{Dense, Trial};
+use crate::math::frame::{Principal, Space};
+use crate::math::sum::two_sum;
+use crate::math::vector::{AngularMomentum, AngularVelocity, Direction, Vector};
+use crate::motion::error::MotionError;
+use crate::motion::rotor::Rotor;
+use crate::motion::state::State;
+use crate::motion::torque::TorqueModel;
+
+/// The tightest tolerance that rounding leaves room for.
+pub const TIGHTEST_TOLERANCE: f64 = 1e-15;
+/// The loosest tolerance that still means a solution.
+pub const LOOSEST_TOLERANCE: f64 = 1e-2;
+
+/// What a run cost.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct StepStatistics {
+    /// Steps kept.
+    pub accepted: u64,
+    /// Steps whose error was too large.
+    pub rejected: u64,
+    /// Evaluations of the equations of motion.
+    pub evaluations: u64,
+}
+
+/// A state with the work and the angular impulse that torque has given the body since the start.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Balanced {
+    pub(crate) state: State,
+    /// ∫ N · ω dt, J.
+    pub(crate) work: f64,
+    /// ∫ N dt in space axes, N·m·s.
+    pub(crate) impulse: AngularMomentum<Space>,
+}
+
+/// Adaptive DOP853 over the motion of one body.
+///
+/// The error of a step is the larger root mean square of the attitude's error (rad) and of ω's (relative to the
+/// largest |ω| so far), both held below `tolerance`.
+pub(crate) struct Stepper<'a> {
+    chart: Chart<'a>,
+    time: f64,
+    y: Y,
+    /// What rounding took from each sum, to be given back at the next step.
+    carry: Y,
+    k0: Y,
+    h: f64,
+    tolerance: f64,
+    omega_scale: f64,
+    statistics: StepStatistics,
+}
+
+/// One accepted step.
+pub(crate) struct Step<'a> {
+    chart: Chart<'a>,
+    start: f64,
+    end: f64,
+    dense: Dense<N>,
+}
+
+impl<'a> Stepper<'a> {
+    /// # Errors
+    /// [`MotionError::Parameter`] if the tolerance is outside 1e-15 … 1e-2; [`MotionError::NotSpinnable`];
+    /// [`MotionError::TorqueWithoutInertia`] if the torque cannot be balanced.
+    pub(crate) fn new(
+        rotor: &'a Rotor,
+        torques: &'a [TorqueModel],
+        start: State,
+        tolerance: f64,
+    ) -> Result<Self, MotionError> {
+        if !(TIGHTEST_TOLERANCE..=LOOSEST_TOLERANCE).contains(&tolerance) {
+            let rule = "between 1e-15 and 1e-2";
+            return Err(MotionError::Parameter { what: "the tolerance", value: tolerance, rule });
+        }
+        if !rotor.is_spinnable() {
+            return Err(MotionError::NotSpinnable);
+        }
+        let r = rotor.principal().rotation();
+        let chart = Chart { rotor, torques, center: start.attitude * r };
+        let y = chart::at_center(r.inverse() * start.omega, 0.0, Vector::ZERO);
+        chart.require_determined(start.time, &y)?;
+        let k0 = chart.derivative(start.time, &y);
+        let omega_scale = chart::omega(&y).norm();
+        let rate = omega_scale + omega_rate(&k0).norm().sqrt();
+        Ok(Self {
+            chart,
+            time: start.time,
+            y,
+            carry: [0.0; N],
+            k0,
+            // A fiftieth of a radian: the first step is never far too long, and grows at once.
+            h: if rate > 0.0 { 0.02 / rate } else { f64::INFINITY },
+            tolerance,
+            omega_scale,
+            statistics: StepStatistics { evaluations: 1, ..StepStatistics::default() },
+        })
+    }
+
+    pub(crate) fn time(&self) -> f64 {
+        self.time
+    }
+
+    pub(crate) fn statistics(&self) -> StepStatistics {
+        self.statistics
+    }
+
+    /// The state now.
+    pub(crate) fn now(&self) -> Balanced {
+        balanced(&self.chart, self.time, &self.y)
+    }
+
+    /// One step forward, not beyond `until`.
+    ///
+    /// # Errors
+    /// [`MotionError::StepTooSmall`], [`MotionError::NotFinite`] or [`MotionError::TorqueWithoutInertia`]; the stepper
+    /// stays at the last good state.
+    pub(crate) fn step(&mut self, until: f64) -> Result<Step<'a>, MotionError> {
+        let mut was_rejected = false;
+        loop {
+            let speed = chart::omega(&self.y).norm();
+            let longest = if speed > 0.0 { chart::LARGEST_TURN / speed } else { f64::INFINITY };
+            let wanted = self.h.min(longest);
+            let rest = until - self.time;
+            let h = if wanted >= rest { rest } else { wanted };
+            if !(self.time + h > self.time) {
+                return Err(MotionError::StepTooSmall { time: self.time, step: h });
+            }
+            let chart = self.chart;
+            let f = |t: f64, y: &Y| chart.derivative(t, y);
+            let mut trial = Trial::new(&f, self.time, self.y, self.k0, h);
+            self.statistics.evaluations += 11;
+            let end = trial.end();
+            let error = self.error(&trial, &end);
+            if error.is_nan() || end.iter().any(|c| !c.is_finite()) {
+                if h <= 1e-12 * self.time.abs().max(1e-300) {
+                    return Err(MotionError::NotFinite { time: self.time });
+                }
+                self.h = 0.1 * h;
+                self.statistics.rejected += 1;
+                was_rejected = true;
+                continue;
+            }
+            // Hairer's constants: safety 0.9, change between 1/3 and 6, exponent 1/8.
+            let factor = (0.9 * error.powf(-0.125)).clamp(1.0 / 3.0, 6.0);
+            if error > 1.0 {
+                self.h = h * factor.min(1.0);
+                self.statistics.rejected += 1;
+                was_rejected = true;
+                continue;
+            }
+            let k_end = trial.finish(&f);
+            let dense = trial.dense(&f);
+            self.statistics.evaluations += 4;
+            self.statistics.accepted += 1;
+            let start = self.time;
+            let step_time = if wanted >= rest { until } else { start + h };
+            chart.require_determined(step_time, &end)?;
+            self.accept(&trial, step_time, &k_end);
+            // A step shortened by `until` says nothing about the next one.
+            let grown = h * if was_rejected { factor.min(1.0) } else { factor };
+            self.h = if wanted >= rest { grown.max(wanted) } else { grown };
+            return Ok(Step { chart, start, end: step_time, dense });
+        }
+    }
+
+    /// Moves to the end of the trial, and the chart with it.
+    fn accept(&mut self, trial: &Trial<N>, time: f64, k_end: &Y) {
+        let mut y = self.y;
+        for (i, dy) in trial.increment().into_iter().enumerate() {
+            (y[i], self.carry[i]) = two_sum(self.y[i], dy + self.carry[i]);
+        }
+        self.chart.center = self.chart.attitude(&y);
+        self.time = time;
+        self.y = chart::at_center(chart::omega(&y), chart::work(&y), chart::impulse(&y));
+        self.carry[..3].fill(0.0);
+        self.omega_scale = self.omega_scale.max(chart::omega(&y).norm());
+        // In the new chart p = 0 and ṗ = ω; the other rates do not depend on the chart.
+        self.k0 = *k_end;
+        self.k0[..3].copy_from_slice(&chart::omega(&y).to_array());
+    }
+
+    /// Error over tolerance: the step is good if it is at most 1.
+    fn error(&self, trial: &Trial<N>, end: &Y) -> f64 {
+        let scale = self.omega_scale.max(chart::omega(end).norm());
+        let squared = |e: &Y| {
+            let attitude = chart::angle_of_error(Direction::new(e[0], e[1], e[2]), end) / self.tolerance;
+            let omega = omega_rate(e).norm();
+            let omega = if omega == 0.0 { 0.0 } else { omega / (scale * self.tolerance) };
+            0.5 * (attitude * attitude + omega * omega)
+        };
+        let (e5, e3) = trial.errors();
+        let (e5, e3) = (squared(&e5), squared(&e3));
+        if e5 == 0.0 { 0.0 } else { e5 / (e5 + 0.01 * e3).sqrt() }
+    }
+}
+
+impl Step<'_> {
+    /// The time at the end, s.
+    pub(crate) fn end(&self) -> f64 {
+        self.end
+    }
+
+    /// The state within the step.
+    pub(crate) fn at(&self, time: f64) -> Balanced {
+        let theta = ((time - self.start) / self.dense.h()).clamp(0.0, 1.0);
+        balanced(&self.chart, time, &self.dense.at(theta))
+    }
+}
+
+fn balanced(chart: &Chart<'_>, time: f64, y: &Y) -> Balanced {
+    Balanced { state: chart.state(time, y), work: chart::work(y), impulse: chart::impulse(y) }
+}
+
+/// The ω part of a derivative or of an error.
+fn omega_rate(dy: &Y) -> AngularVelocity<Principal> {
+    chart::omega(dy)
+}
+
+impl core::fmt::Debug for Stepper<'_> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_struct("Stepper").field("time", &self.time).field("h", &self.h).finish_non_exhaustive()
+    }
+}

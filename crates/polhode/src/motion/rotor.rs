@@ -1,0 +1,94 @@
+//! A body and the point that it turns about.
+
+use crate::body::inertia::InertiaAbout;
+use crate::body::mass_properties::MassProperties;
+use crate::body::principal::{PrincipalFrame, Symmetry};
+use crate::math::frame::{Body, Space};
+use crate::math::vector::{AngularMomentum, AngularVelocity, Position};
+
+use super::state::State;
+
+/// A body turning about a point of its own: its centre of mass when it is free, the pivot when it is held.
+///
+/// Inertia, angular momentum, kinetic energy and torque are all about that point.
+///
+/// ```
+/// use polhode::{AngularVelocity, InertiaTensor, MassProperties, Position, Rotor};
+/// let inertia = InertiaTensor::with_negative_products([3.1, 4.2, 5.3], [0.4, -0.3, 0.2])?;
+/// let body = MassProperties::new(2.0, Position::new(0.0, 0.0, 0.5), inertia)?;
+/// let omega = AngularVelocity::new(1.0, 0.0, 0.0);
+/// assert_eq!(Rotor::free(&body).kinetic_energy(omega), 0.5 * 3.1);
+/// assert_eq!(Rotor::pivoted(&body, Position::ZERO).kinetic_energy(omega), 0.5 * (3.1 + 2.0 * 0.25));
+/// # Ok::<(), polhode::BodyError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rotor {
+    mass: f64,
+    inertia: InertiaAbout<Body>,
+    lever: Position<Body>,
+    principal: PrincipalFrame<Body>,
+    pivoted: bool,
+}
+
+impl Rotor {
+    /// A free body, which turns about its centre of mass.
+    pub fn free(body: &MassProperties<Body>) -> Self {
+        Self::about(body, body.center_of_mass(), false)
+    }
+
+    /// A body with the point `pivot` held fixed in space.
+    pub fn pivoted(body: &MassProperties<Body>, pivot: Position<Body>) -> Self {
+        Self::about(body, pivot, true)
+    }
+
+    fn about(body: &MassProperties<Body>, point: Position<Body>, pivoted: bool) -> Self {
+        let inertia = body.inertia_about(point);
+        let principal = PrincipalFrame::about(&inertia);
+        Self { mass: body.mass(), inertia, lever: body.center_of_mass() - point, principal, pivoted }
+    }
+
+    /// Mass, kg.
+    pub const fn mass(&self) -> f64 {
+        self.mass
+    }
+
+    /// Inertia tensor about the point that the body turns about, kg·m².
+    pub const fn inertia(&self) -> &InertiaAbout<Body> {
+        &self.inertia
+    }
+
+    /// From the point that the body turns about to its centre of mass, m; zero for a free body.
+    pub const fn lever(&self) -> Position<Body> {
+        self.lever
+    }
+
+    /// Principal moments and axes about the point that the body turns about.
+    pub const fn principal(&self) -> &PrincipalFrame<Body> {
+        &self.principal
+    }
+
+    /// True if the body is held at a pivot.
+    pub const fn is_pivoted(&self) -> bool {
+        self.pivoted
+    }
+
+    /// True if the body has inertia about some axis.
+    pub fn is_spinnable(&self) -> bool {
+        self.principal.symmetry() != Symmetry::Point
+    }
+
+    /// L = I ω, kg·m²/s.
+    pub fn angular_momentum(&self, omega: AngularVelocity<Body>) -> AngularMomentum<Body> {
+        self.inertia * omega
+    }
+
+    /// L in space axes, kg·m²/s.
+    pub fn angular_momentum_space(&self, state: &State) -> AngularMomentum<Space> {
+        state.attitude * self.angular_momentum(state.omega)
+    }
+
+    /// T_rot = ½ ω · I ω, J.
+    pub fn kinetic_energy(&self, omega: AngularVelocity<Body>) -> f64 {
+        0.5 * omega.dot(self.angular_momentum(omega))
+    }
+}

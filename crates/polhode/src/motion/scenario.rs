@@ -1,0 +1,120 @@
+//! A scenario: one body, one motion.
+
+use super::error::MotionError;
+use super::pendulum::Pendulum;
+use super::prescribed::Prescribed;
+use super::rotor::Rotor;
+use super::state::State;
+use super::torque::TorqueModel;
+use super::trajectory::{Method, Trajectory};
+use crate::body::assembly::BodyPart;
+use crate::body::finding::Finding;
+use crate::body::mass_properties::MassProperties;
+use crate::body::particles::Particle;
+use crate::math::frame::{Body, Space};
+use crate::math::vector::{Direction, Position, Velocity};
+
+/// One body and one motion, as a scenario file describes them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scenario {
+    /// What it is about.
+    pub title: Option<String>,
+    /// The parts of the body.
+    pub parts: Vec<BodyPart>,
+    /// All parts together.
+    pub body: MassProperties<Body>,
+    /// Attitude and ω at t = 0.
+    pub start: State,
+    /// Velocity of the centre of mass; of the pivot, which does not move, it is zero.
+    pub velocity: Velocity<Space>,
+    /// The point of the body that is held fixed; `None` for a free body.
+    pub pivot: Option<Position<Body>>,
+    /// What turns it.
+    pub torques: Vec<TorqueModel>,
+    /// A motion that is given instead of computed.
+    pub prescribed: Option<Prescribed>,
+    /// The axis from which it hangs.
+    pub hanging: Option<Hanging>,
+    /// For how long and how to compute.
+    pub run: Option<Run>,
+    /// What was noticed on the way.
+    pub findings: Vec<Finding>,
+}
+
+/// The fixed axis of a pendulum.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hanging {
+    /// The axis through the pivot.
+    pub axis: Direction<Body>,
+    /// The amplitude of its swing, rad; that of the start if `None`.
+    pub amplitude: Option<f64>,
+}
+
+/// When to sample a motion, and how to compute it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Run {
+    /// Sample times, s, ascending.
+    pub times: Vec<f64>,
+    /// How to compute it.
+    pub method: Method,
+    /// Bound on the error of each step: attitude in rad, ω relative.
+    pub tolerance: f64,
+}
+
+impl Run {
+    /// `samples` evenly spaced times from 0 to `duration`, both included.
+    pub fn evenly(duration: f64, samples: usize, method: Method, tolerance: f64) -> Self {
+        let last = samples.saturating_sub(1).max(1) as f64;
+        let times = (0..samples).map(|k| duration * (k as f64 / last)).collect();
+        Self { times, method, tolerance }
+    }
+}
+
+impl Scenario {
+    /// The body and the point that it turns about: its centre of mass, or the pivot.
+    pub fn rotor(&self) -> Rotor {
+        match self.pivot {
+            None => Rotor::free(&self.body),
+            Some(pivot) => Rotor::pivoted(&self.body, pivot),
+        }
+    }
+
+    /// All particles of the body.
+    pub fn particles(&self) -> Vec<Particle<Body>> {
+        self.parts.iter().flat_map(|part| part.particles.iter().copied()).collect()
+    }
+
+    /// True if particles are all that the body is made of.
+    pub fn is_all_particles(&self) -> bool {
+        self.parts.iter().all(|part| !part.particles.is_empty())
+    }
+
+    /// The motion at the times of the run; `None` without a run.
+    ///
+    /// # Errors
+    /// [`MotionError`] as [`Trajectory::compute`].
+    pub fn simulate(&self) -> Option<Result<Trajectory, MotionError>> {
+        let run = self.run.as_ref()?;
+        let rotor = self.rotor();
+        Some(match &self.prescribed {
+            Some(motion) => Trajectory::prescribed(&rotor, motion, &run.times),
+            None => {
+                Trajectory::compute(&rotor, &self.torques, self.start, &run.times, run.method, run.tolerance)
+            }
+        })
+    }
+
+    /// The pendulum that hangs from the scenario's axis under its gravity; `None` without an axis or without gravity.
+    ///
+    /// # Errors
+    /// [`MotionError`] as [`Pendulum::hung`].
+    pub fn pendulum(&self) -> Option<Result<Pendulum, MotionError>> {
+        let hanging = self.hanging?;
+        let gravity = self.torques.iter().find_map(|torque| match torque {
+            TorqueModel::Gravity(gravity) => Some(gravity.acceleration),
+            TorqueModel::Constant(_) => None,
+        })?;
+        let g = self.start.attitude.inverse() * gravity;
+        Some(Pendulum::hung(&self.rotor(), hanging.axis, g))
+    }
+}

@@ -1,0 +1,62 @@
+//! The two cones of a free symmetric top.
+
+use crate::math::frame::{Body, Space};
+use crate::math::vector::AngularVelocity;
+use crate::motion::free::SymmetricTop;
+use crate::motion::state::State;
+
+/// The cones that ω sweeps: about the symmetry axis e in the body, about L in space.
+///
+/// The body cone rolls on the space cone without slipping; they touch along ω.
+///
+/// Source: the lecture notes, "Force-free motion of a symmetric top"; Thornton & Marion, §11.10.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cones {
+    /// Half-angle of the body cone, between ω and ±e, 0 … π/2 rad: tan = ω_t / |ω_e|.
+    pub body_half_angle: f64,
+    /// Half-angle of the space cone, between ω and L, rad.
+    pub space_half_angle: f64,
+    /// Between L and ±e, 0 … π/2 rad: the nutation angle, which is constant.
+    pub nutation: f64,
+    /// Ω: the rate at which ω circles e in the body, rad/s; negative if against the right hand about e.
+    pub body_rate: f64,
+    /// φ̇ = |L|/I_t: the rate at which ω and e circle L in space, rad/s.
+    pub space_rate: f64,
+}
+
+impl Cones {
+    /// The cones of a motion; they do not depend on the time.
+    pub fn of(top: &SymmetricTop) -> Self {
+        let [axial, transverse] = top.moments();
+        let start = top.at(0.0);
+        let across = (start.omega - along_axis(top, start.omega)).norm();
+        let spin = top.spin().abs();
+        // L has the components I_t ω_t across e and I_e ω_e along it.
+        let body_half_angle = libm::atan2(across, spin);
+        let nutation = libm::atan2(transverse * across, axial * spin);
+        Self {
+            body_half_angle,
+            // ω and L lie in one plane with e, on the same side of it.
+            space_half_angle: libm::atan2(
+                (transverse - axial).abs() * across * spin,
+                transverse * across * across + axial * spin * spin,
+            ),
+            nutation,
+            body_rate: top.body_rate(),
+            space_rate: top.space_rate(),
+        }
+    }
+
+    /// How far L, ω and e are from lying in one plane at a state: |ê · (ω̂ × L̂)|, zero but for rounding.
+    ///
+    /// Zero also where two of them coincide.
+    pub fn coplanarity(top: &SymmetricTop, state: &State) -> f64 {
+        let e = state.attitude * top.axis();
+        let omega: Option<crate::Direction<Space>> = state.omega_space().direction();
+        omega.map_or(0.0, |omega| e.dot(omega.cross(top.momentum_direction())).abs())
+    }
+}
+
+fn along_axis(top: &SymmetricTop, omega: AngularVelocity<Body>) -> AngularVelocity<Body> {
+    top.axis().as_quantity() * top.axis().dot(omega)
+}

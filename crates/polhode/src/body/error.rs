@@ -110,7 +110,7 @@ impl fmt::Display for BodyError {
                  the first from {a:?} to {b:?} in triangle {triangle}"
             ),
             Self::DuplicateTriangle { first, second } => {
-                write!(f, "triangle {second} is triangle {first} again: a part of the mesh would count double")
+                write!(f, "triangle {second} is triangle {first} again, so part of the mesh counts double")
             }
             Self::FlatMesh { volume } => write!(f, "the mesh is closed, but encloses no volume ({volume:e})"),
         }

@@ -9,6 +9,7 @@ pub trait Frame: sealed::Sealed + Copy + Clone + PartialEq + core::fmt::Debug + 
 }
 
 mod sealed {
+    #[expect(unnameable_types, reason = "that is what closes the set of frames")]
     pub trait Sealed {}
 }
 

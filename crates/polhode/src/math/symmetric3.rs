@@ -30,10 +30,6 @@ impl Symmetric3 {
         Self { xx: x * x, yy: y * y, zz: z * z, xy: x * y, xz: x * z, yz: y * z }
     }
 
-    pub(crate) fn trace(&self) -> f64 {
-        self.xx + self.yy + self.zz
-    }
-
     /// tr(S) 1 − S: the second moments ∫ x xᵀ dm become the inertia tensor, written without cancellation.
     pub(crate) fn inertia_of_second_moments(&self) -> Self {
         Self {
@@ -73,10 +69,6 @@ impl Symmetric3 {
 
     pub(crate) fn elements(&self) -> [f64; 6] {
         [self.xx, self.yy, self.zz, self.xy, self.xz, self.yz]
-    }
-
-    pub(crate) fn is_finite(&self) -> bool {
-        self.elements().iter().all(|e| e.is_finite())
     }
 
     pub(crate) fn max_abs(&self) -> f64 {

@@ -83,13 +83,14 @@ fn inertia_error(solid: &Solid, unit: f64, offset: Point) -> f64 {
     let got = body.inertia().matrix();
     let half_trace = 0.5 * (0..3).map(|k| got[k][k]).sum::<f64>();
     let mut worst = 0.0_f64;
-    for i in 0..3 {
-        for j in 0..3 {
-            worst = worst.max(error(got[i][j] / (unit * unit), exact.inertia(i, j)).abs());
-        }
+    for (i, j) in ELEMENTS {
+        worst = worst.max(error(got[i][j] / (unit * unit), exact.inertia(i, j)).abs());
     }
     worst * unit * unit / half_trace
 }
+
+/// Rows and columns of a symmetric matrix.
+const ELEMENTS: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
 
 /// Corners lie within ±SIZE: large enough to be generic, small enough for `i128`.
 const SIZE: i64 = 4096;
@@ -190,7 +191,7 @@ fn needles_and_flakes_keep_the_digits_of_every_element() {
         let exact = Exact::of(&solid);
         let mesh = ClosedMesh::from_triangles(triangles(&solid, 1.0, [0; 3])).unwrap();
         let got = mesh.mass_properties(Substance::Mass(1.0)).unwrap().inertia().matrix();
-        for (i, j) in [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)] {
+        for (i, j) in ELEMENTS {
             let e = error(got[i][j], exact.inertia(i, j)) / (got[i][i] * got[j][j]).sqrt();
             assert!(e.abs() < 4e-16, "{squeeze:?} element {i}{j}: {e:e}");
         }

@@ -1,4 +1,4 @@
-//! Every shape against its own definition, integrated numerically; against its own triangle mesh; and against print.
+//! Every shape against its own definition, integrated numerically, against its own mesh, and against print.
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on should stop")]
 
 use std::f64::consts::{PI, TAU};
@@ -24,7 +24,8 @@ const POINT: [f64; 3] = [0.3, -0.7, 1.1];
 const NONE: [f64; 2] = [0.0, 1.0];
 
 impl Integrals {
-    /// Over one piece of a shape: a map from a box of parameters to a point and its volume, area or line element.
+    /// Over a piece of a shape: a map from a box of parameters to a point and its volume, area or line
+    /// element.
     fn over([u, v, w]: [[f64; 2]; 3], map: impl Fn(f64, f64, f64) -> ([f64; 3], f64)) -> Self {
         let mut sum = Self { measure: 0.0, first: [0.0; 3], inertia: [[0.0; 3]; 3] };
         for (u, du) in gauss_legendre(u) {
@@ -90,11 +91,11 @@ fn assert_integrals(shape: &dyn Shape, want: Integrals) {
     let (mass, trace) = (2.3, want.inertia[0][0] + want.inertia[1][1] + want.inertia[2][2]);
     let body = shape.mass_properties(Substance::Mass(mass)).unwrap();
     let about = body.inertia_about(Position::from_array(POINT)).matrix();
-    for i in 0..3 {
-        close(body.center_of_mass().to_array()[i], want.first[i] / want.measure, 1.0);
-        for j in 0..3 {
-            close(about[i][j] * want.measure / mass, want.inertia[i][j], 0.5 * trace);
-        }
+    for (got, first) in body.center_of_mass().to_array().into_iter().zip(want.first) {
+        close(got, first / want.measure, 1.0);
+    }
+    for (got, want_element) in about.as_flattened().iter().zip(want.inertia.as_flattened()) {
+        close(got * want.measure / mass, *want_element, 0.5 * trace);
     }
     match spread.extent() {
         Extent::Area(area) => assert_eq!(shape.surface_area(), area),
@@ -203,7 +204,8 @@ fn thin_shapes_are_the_integrals_of_their_definitions() {
     assert_integrals(&BoxShell::new([a, b, c]).unwrap(), faces[0] + faces[1]);
 }
 
-/// The surface of a profile (distance from the axis, z), going up on the outside, turned about z in `n` steps.
+/// The surface of a profile (distance from the axis, z) that goes up on the outside, turned about z in `n`
+/// steps.
 fn revolved(profile: &[[f64; 2]], n: u32) -> Vec<Triangle> {
     let point = |[r, z]: [f64; 2], j: u32| {
         let (sin, cos) = (TAU * f64::from(j % n) / f64::from(n)).sin_cos();
@@ -218,7 +220,8 @@ fn revolved(profile: &[[f64; 2]], n: u32) -> Vec<Triangle> {
     profile.windows(2).flat_map(|p| strip(p[0], p[1])).collect()
 }
 
-/// `n` steps along a circle about (r, z), between two angles from the outward direction; on the axis, exactly there.
+/// `n` steps along a circle about (r, z), between two angles from the outward direction; on the axis,
+/// exactly.
 fn arc([r, z]: [f64; 2], radius: f64, [from, to]: [f64; 2], n: u32) -> Vec<[f64; 2]> {
     let on_axis = |r: f64| if r.abs() < 1e-15 { 0.0 } else { r };
     let angle = |k: u32| from + (to - from) * f64::from(k) / f64::from(n);
@@ -232,8 +235,8 @@ fn numbers(shape: &dyn Shape) -> [f64; 6] {
     [shape.spread().extent().measure(), shape.surface_area(), body.center_of_mass().z, xx, yy, zz]
 }
 
-/// The error of a mesh falls by four as it is refined by two, and what Richardson extrapolates from two meshes is the
-/// shape.
+/// The error of a mesh falls by four as it is refined by two, and what Richardson extrapolates from two
+/// meshes is the shape.
 #[track_caller]
 fn assert_meshed(shape: &dyn Shape, triangles: impl Fn(u32) -> Vec<Triangle>) {
     let mesh = |n: u32| {

@@ -12,8 +12,9 @@ pub type Triangle = [[f64; 3]; 3];
 
 /// A solid bounded by triangles: closed, consistently wound, its normals outward.
 ///
-/// Made by [`ClosedMesh::from_triangles`], which refuses anything else. Corners are the same vertex when their
-/// coordinates are equal, exactly.
+/// Made by [`ClosedMesh::from_triangles`], which refuses anything else. Corners are the same vertex when
+/// their coordinates are equal, exactly. Where parts overlap they count as often as they overlap, and a part
+/// wound inward counts as a cavity, wherever it is.
 ///
 /// ```
 /// use polhode::{ClosedMesh, Shape, Substance};
@@ -36,12 +37,12 @@ pub struct ClosedMesh {
 impl ClosedMesh {
     /// The solid that the triangles bound.
     ///
-    /// A mesh whose normals point inward is turned, and says so ([`ClosedMesh::inverted`]). Triangles with two equal
-    /// corners bound nothing and are left out ([`ClosedMesh::degenerate`]).
+    /// A mesh whose normals point inward is turned, and says so ([`ClosedMesh::inverted`]). Triangles with
+    /// two equal corners bound nothing and are left out ([`ClosedMesh::degenerate`]).
     ///
     /// # Errors
-    /// [`BodyError::Empty`], [`BodyError::Vertex`], [`BodyError::DuplicateTriangle`], [`BodyError::OpenMesh`],
-    /// [`BodyError::InconsistentWinding`] or [`BodyError::FlatMesh`].
+    /// [`BodyError::Empty`], [`BodyError::Vertex`], [`BodyError::DuplicateTriangle`],
+    /// [`BodyError::OpenMesh`], [`BodyError::InconsistentWinding`] or [`BodyError::FlatMesh`].
     pub fn from_triangles(triangles: Vec<Triangle>) -> Result<Self, BodyError> {
         let given = triangles.len();
         for (k, triangle) in triangles.iter().enumerate() {
@@ -112,7 +113,8 @@ impl Shape for ClosedMesh {
     }
 }
 
-/// Each triangle's corners as vertex numbers, equal where the coordinates are; and how many vertices there are.
+/// Each triangle's corners as vertex numbers, equal where the coordinates are; and how many vertices there
+/// are.
 fn weld(triangles: &[Triangle]) -> (Vec<[u32; 3]>, usize) {
     let points: Vec<[f64; 3]> = triangles.iter().flatten().map(|p| p.map(|c| c + 0.0)).collect(); // −0 is 0
     let mut order: Vec<u32> = (0..).take(points.len()).collect();
@@ -135,8 +137,7 @@ fn is_proper(&[a, b, c]: &[u32; 3]) -> bool {
     a != b && b != c && c != a
 }
 
-/// No triangle may be there twice, the same way round. Back to back it may: two bodies touch, or a wall has no
-/// thickness.
+/// No triangle may be there twice, the same way round. Back to back it may: where two bodies touch.
 fn require_different(corners: &[[u32; 3]]) -> Result<(), BodyError> {
     // From the lowest corner on, equal triangles are equal arrays.
     let from_lowest = |&[a, b, c]: &[u32; 3]| [[a, b, c], [b, c, a], [c, a, b]].into_iter().min();
@@ -194,8 +195,9 @@ fn require_closed(triangles: &[Triangle], corners: &[[u32; 3]]) -> Result<(), Bo
 ///
 /// 6 V = Σ d,  24 V c = Σ d s,  120 V ⟨x xᵀ⟩ = Σ d (a aᵀ + b bᵀ + c cᵀ + s sᵀ),  s = a + b + c
 ///
-/// Exact for the polyhedron. The reference is first the middle of the bounding box, then the centroid: a body far
-/// from the origin, or far from the middle of its box, loses nothing.
+/// Exact for the polyhedron but for rounding, 4e-16 of half the tensor's trace; for a thin-walled body, ε
+/// times its size over the thickness. The reference is first the middle of the bounding box, then the
+/// centroid: a body far from the origin, or far from the middle of its box, loses nothing.
 ///
 /// Source: Tonon, J. Math. Stat. 1 (2005) 8, summed over the boundary.
 fn integrate(triangles: &[Triangle]) -> Result<(Spread, bool), BodyError> {
@@ -203,9 +205,8 @@ fn integrate(triangles: &[Triangle]) -> Result<(Spread, bool), BodyError> {
     let middle: [f64; 3] = core::array::from_fn(|k| 0.5 * low[k] + 0.5 * high[k]);
     let first = sum_tetrahedra(triangles, middle);
     let size: [f64; 3] = core::array::from_fn(|k| high[k] - low[k]);
-    let flat = 1e-14 * size[0] * size[1] * size[2];
-    // Negated so that NaN is refused too.
-    if !(first.six_volume.abs() > flat) {
+    let solid = first.six_volume.abs() > 1e-14 * size[0] * size[1] * size[2];
+    if !solid {
         return Err(BodyError::FlatMesh { volume: first.six_volume / 6.0 });
     }
     let centroid = first.centroid();

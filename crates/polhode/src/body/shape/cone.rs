@@ -6,8 +6,8 @@ use crate::math::real::PI;
 use crate::math::symmetric3::Symmetric3;
 use crate::math::vector::Position;
 
-/// A solid frustum of a cone, with the centre of its base disk at the origin and its axis along +z; a cone where one
-/// of its radii is zero.
+/// A solid frustum of a cone, with the centre of its base disk at the origin and its axis along +z; a cone
+/// where one of its radii is zero.
 ///
 /// a cone about its apex: I = 3/5 M diag(r²/4 + h², r²/4 + h², r²/2)
 ///
@@ -30,8 +30,8 @@ impl Cone {
     /// A frustum of the given radii at z = 0 and at z = `height`, m.
     ///
     /// # Errors
-    /// [`BodyError::Parameter`] if the height is not positive and finite, if a radius is negative or not finite, or
-    /// if both are zero.
+    /// [`BodyError::Parameter`] if the height is not positive and finite, if a radius is negative or not
+    /// finite, or if both are zero.
     pub fn new(base_radius: f64, top_radius: f64, height: f64) -> Result<Self, BodyError> {
         not_negative("the cone's base radius", base_radius)?;
         not_negative("the cone's top radius", top_radius)?;

@@ -40,13 +40,13 @@ impl Shape for Ellipsoid {
 
     /// A = 4π abc R_G(a⁻², b⁻², c⁻²) = π (abc)² ∫₀^∞ Σ 1/(1 + a²t) t dt / √Π(1 + a²t)
     ///
-    /// An integral along ln t over the whole line, analytic in |Im ln t| < π: the trapezoidal rule with step ½ has
-    /// the relative error e^(−4π²), less than the rounding.
+    /// An integral over the whole line of ln t, analytic in |Im ln t| < π: the trapezoidal rule with step ½
+    /// has the relative error e^(−4π²), less than the rounding.
     ///
-    /// Source: DLMF 19.33.1 and 19.16.2_5, with 1/t for t.
+    /// Source: DLMF §19.33(i), and R_G as the integral of §19.16(i), with 1/t for t.
     fn surface_area(&self) -> f64 {
         const STEP: f64 = 0.5;
-        // Below, the integrand falls as t²; above, it falls as (c²t)^(−1/2): both ends are past the rounding.
+        // Below, the integrand falls as t²; above, as (c²t)^(−1/2): both ends are past the rounding.
         const BELOW: f64 = -20.0;
         const ABOVE: f64 = 80.0;
         let longest = self.semi_axes.into_iter().fold(0.0, f64::max);

@@ -50,8 +50,8 @@ pub trait Shape: fmt::Debug + Send + Sync {
 pub struct Spread {
     pub(crate) extent: Extent,
     pub(crate) centroid: Position<Part>,
-    /// Second moments about the centroid per unit mass, ∫ x xᵀ dm / M: positive semi-definite, so every tensor
-    /// made of it is possible.
+    /// Second moments about the centroid per unit mass, ∫ x xᵀ dm / M: positive semi-definite, so that every
+    /// tensor made of it is possible.
     pub(crate) covariance: Symmetric3,
 }
 
@@ -76,7 +76,7 @@ impl Spread {
         Self { centroid: self.centroid + by, ..self }
     }
 
-    /// This spread and others as one, each weighted by its own volume, area or length: the faces of a hollow box.
+    /// This spread and others as one, each weighted by its own volume, area or length: the faces of a can.
     ///
     /// c = Σ w_k c_k,  S = Σ w_k (S_k + d_k d_kᵀ),  d_k = c_k − c.  All must be of this one's kind.
     pub(crate) fn joined(self, others: &[Self]) -> Self {

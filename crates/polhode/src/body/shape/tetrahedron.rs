@@ -40,8 +40,8 @@ impl Tetrahedron {
         let tetrahedron = Self { vertices };
         let [u, v, w] = tetrahedron.edges();
         let value = tetrahedron.volume();
-        // Negated so that NaN is refused too.
-        if !(value > FLAT * u.norm() * v.norm() * w.norm()) {
+        let solid = value > FLAT * u.norm() * v.norm() * w.norm();
+        if !solid {
             let rule = "positive: its corners may not lie in one plane";
             return Err(BodyError::Parameter { what: "the tetrahedron's volume", value, rule });
         }

@@ -22,7 +22,7 @@ pub struct Torus {
 }
 
 impl Torus {
-    /// A torus with the radius R of the circle along which its tube is centred, and the radius r ≤ R of the tube, m.
+    /// A torus of radius R to the middle of its tube, and a tube of radius r ≤ R, m.
     ///
     /// # Errors
     /// [`BodyError::Parameter`] if one is not positive and finite, or if the tube is wider than the ring.

@@ -55,11 +55,20 @@ impl SymmetricTop {
             }
             _ => return None,
         };
+        Some(Self::with_moments(start, kind, axis, [axial, transverse]))
+    }
+
+    fn with_moments(
+        start: State,
+        kind: SymmetricTopKind,
+        axis: Direction<Body>,
+        [axial, transverse]: [f64; 2],
+    ) -> Self {
         let spin = axis.dot(start.omega);
         // L = I_t ω + (I_e − I_t) ω_e e, without reading the tensor again
         let along: AngularVelocity<Body> = axis.as_quantity() * ((axial - transverse) / transverse * spin);
         let l_over_it = start.omega + along;
-        Some(Self {
+        Self {
             start,
             kind,
             axis,
@@ -69,7 +78,7 @@ impl SymmetricTop {
             momentum: (start.attitude * l_over_it).direction().unwrap_or(Direction::ZERO),
             body_rate: (axial - transverse) / transverse * spin,
             space_rate: l_over_it.norm(),
-        })
+        }
     }
 
     /// The state at a time, s.
@@ -114,5 +123,28 @@ impl SymmetricTop {
     /// The direction of L, fixed in space.
     pub const fn momentum_direction(&self) -> Direction<Space> {
         self.momentum
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_law_holds_beyond_possible_bodies() {
+        // Principia's "short fat" top, I = (3, 3, 9): no body has it (3 + 3 < 9), so no `Rotor` does. Its published
+        // solution: L = (5 sin Wt, 5 cos Wt, 7) with W = L3 (I1 − I3)/(I1 I3).
+        let omega = AngularVelocity::new(0.0, 5.0 / 3.0, 7.0 / 9.0);
+        let start = State { time: 0.0, attitude: Attitude::identity(), omega };
+        let axis = Direction::new(0.0, 0.0, 1.0);
+        let top = SymmetricTop::with_moments(start, SymmetricTopKind::Oblate, axis, [9.0, 3.0]);
+        let rate = 7.0 * (3.0 - 9.0) / (3.0 * 9.0);
+        for t in [-12.5, -0.7, 0.0, 0.3, 4.0, 100.0_f64] {
+            let w = top.at(t).omega;
+            let l = [3.0 * w.x, 3.0 * w.y, 9.0 * w.z];
+            for (got, want) in l.into_iter().zip([5.0 * (rate * t).sin(), 5.0 * (rate * t).cos(), 7.0]) {
+                assert!((got - want).abs() < 1e-13, "t = {t}: {got} {want}");
+            }
+        }
     }
 }

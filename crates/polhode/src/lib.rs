@@ -1,4 +1,50 @@
 //! Rigid-body dynamics: from mass to motion.
+//!
+//! A body in (particles, solids, meshes, assemblies, a tensor) → mass, centre of mass, inertia tensor, principal moments
+//! and axes → Euler's equations: torque → motion, motion → torque. Exact wherever an exact answer is implemented, and
+//! with the evidence of its own error everywhere else.
+//!
+//! ```
+//! use polhode::*;
+//!
+//! // A body of two parts: a brick, and a short rod across its top.
+//! let brick = BoxShape::new([0.20, 0.10, 0.06])?.mass_properties(Substance::Density(1800.0))?;
+//! let rod = Rod::new(0.30)?.mass_properties(Substance::Mass(0.4))?;
+//! let across = Rotation::about(Direction::new(0.0, 1.0, 0.0), std::f64::consts::FRAC_PI_2)?;
+//! let body = assemble(&[
+//!     PlacedPart::new(brick, Position::ZERO, Rotation::identity())?,
+//!     PlacedPart::new(rod, Position::new(0.02, 0.01, 0.05), across)?,
+//! ])?;
+//! let principal = body.principal();
+//! let [i1, i2, i3] = principal.moments();
+//! assert!(i1 < i2 && i2 < i3 && i1 + i2 > i3);
+//!
+//! // Thrown with a spin close to the intermediate axis, it flips.
+//! let omega = principal.axis(1) * 5.0 + principal.axis(0) * 0.01;
+//! let omega = AngularVelocity::from_array(omega.to_array());
+//! let start = State { time: 0.0, attitude: Attitude::identity(), omega };
+//! let rotor = Rotor::free(&body);
+//! let flip = FreeRegime::of(&rotor, &start).flip_interval.ok_or("no flip")?;
+//! let motion = Trajectory::compute(&rotor, &[], start, &[0.0, flip], Method::Auto, 1e-13)?;
+//! let flipped = motion.samples()[1].state.omega.dot(principal.axis(1));
+//! assert!((flipped + 5.0).abs() < 1e-3);
+//! assert!(Drift::of(&motion).ok_or("no samples")?.momentum < 1e-13);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # Conventions
+//!
+//! - SI units: m, kg, s, rad, N·m, J.
+//! - Off-diagonal elements of an inertia tensor are *minus* the integrals, I_xy = −∫xy dm, so that L = I ω. It is about the
+//!   centre of mass, along body axes, unless its type ([`InertiaAbout`]) says otherwise.
+//! - [`Rotation<A, B>`] is R_AB, v_A = R_AB v_B. The [`Attitude`] is R_space_body; its quaternion is unit, Hamilton, scalar first.
+//! - ω is the body's angular velocity relative to [`Space`], along [`Body`] axes unless its type says otherwise.
+//! - Principal moments ascend, i1 ≤ i2 ≤ i3; their axes are right-handed.
+//!
+//! # The rooms
+//!
+//! `math` (no mass) ← `body` (no time) ← `motion` (no files) ← `observe` (never integrates). Everything public is listed here.
+
 #![forbid(unsafe_code)]
 
 mod body;
@@ -6,6 +52,7 @@ mod math;
 mod motion;
 mod observe;
 
+// body: how much mass, where, and how it resists being turned
 pub use body::assembly::{BodyPart, PlacedPart, assemble};
 pub use body::error::BodyError;
 pub use body::finding::{Finding, Severity};
@@ -30,12 +77,16 @@ pub use body::shape::sphere_shell::SphereShell;
 pub use body::shape::tetrahedron::Tetrahedron;
 pub use body::shape::torus::Torus;
 pub use body::shape::{Extent, Shape, Spread, Substance};
+
+// math: frames, vectors, rotations
 pub use math::frame::{Body, Frame, Part, Principal, Space};
 pub use math::rotation::{Attitude, Rotation, RotationError};
 pub use math::vector::{
-    Acceleration, AngularAcceleration, AngularMomentum, AngularVelocity, CrossProduct, Direction, Force, Momentum,
-    Position, Torque, Vector, Velocity, quantity,
+    Acceleration, AngularAcceleration, AngularMomentum, AngularVelocity, CrossProduct, Direction, Force,
+    Momentum, Position, Torque, Vector, Velocity, quantity,
 };
+
+// motion: states in time, and what moves them
 pub use motion::error::MotionError;
 pub use motion::free::{FreeMotion, PermanentRotation, SymmetricTop, SymmetricTopKind};
 pub use motion::inverse::{ParticleForce, Required};
@@ -50,6 +101,8 @@ pub use motion::scenario::{Hanging, Run, Scenario};
 pub use motion::state::State;
 pub use motion::torque::{ConstantTorque, TorqueModel, UniformGravity};
 pub use motion::trajectory::{Method, Sample, Solution, Trajectory};
+
+// observe: what can be read off a motion
 pub use observe::cone::Cones;
 pub use observe::drift::Drift;
 pub use observe::regime::{FreeRegime, Regime};

@@ -69,7 +69,10 @@ fn torques_follow_the_reference() {
             torques.push(TorqueModel::Gravity(UniformGravity { acceleration }));
         }
         for (key, make) in [
-            ("torque_body", (|n| ConstantTorque::Body(Torque::from_array(n))) as fn([f64; 3]) -> ConstantTorque),
+            (
+                "torque_body",
+                (|n| ConstantTorque::Body(Torque::from_array(n))) as fn([f64; 3]) -> ConstantTorque,
+            ),
             ("torque_space", |n| ConstantTorque::Space(Torque::from_array(n))),
         ] {
             let n = numbers(&case[key]);
@@ -83,7 +86,8 @@ fn torques_follow_the_reference() {
             if t < 0.0 {
                 continue;
             }
-            let motion = Trajectory::compute(&rotor, &torques, start(case), &[0.0, t], Method::Auto, 1e-15).unwrap();
+            let motion =
+                Trajectory::compute(&rotor, &torques, start(case), &[0.0, t], Method::Auto, 1e-15).unwrap();
             let sample = motion.samples()[1];
             let (omega, attitude) = errors(row, &sample.state);
             let turned = 1.0 + start(case).omega.norm() * t;
@@ -106,14 +110,17 @@ fn torques_follow_the_reference() {
 
 #[test]
 fn a_thousand_seconds_drift_by_less_than_1e_12() {
-    let start = State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.3, 0.5, 0.9) };
+    let start =
+        State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.3, 0.5, 0.9) };
     let times: Vec<f64> = (0..=1000).map(f64::from).collect();
     let rotor = free_body([1.0, 2.0, 3.0]);
-    let motion =
-        Trajectory::compute(&rotor, &[], start, &times, Method::Dop853, TIGHTEST_TOLERANCE).unwrap();
+    let motion = Trajectory::compute(&rotor, &[], start, &times, Method::Dop853, TIGHTEST_TOLERANCE).unwrap();
     let drift = Drift::of(&motion).unwrap();
     println!("{drift:?} {:?}", motion.solution());
-    assert!(drift.kinetic_energy < 1e-12 && drift.momentum_magnitude < 1e-12 && drift.momentum < 1e-12, "{drift:?}");
+    assert!(
+        drift.kinetic_energy < 1e-12 && drift.momentum_magnitude < 1e-12 && drift.momentum < 1e-12,
+        "{drift:?}"
+    );
 }
 
 #[test]
@@ -135,8 +142,10 @@ fn the_tolerance_controls_the_error() {
 #[test]
 fn times_and_tolerances_out_of_range_are_refused() {
     let rotor = free_body([1.0, 2.0, 3.0]);
-    let start = State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.3, 0.5, 0.9) };
-    let run = |times: &[f64], method, tolerance| Trajectory::compute(&rotor, &[], start, times, method, tolerance);
+    let start =
+        State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.3, 0.5, 0.9) };
+    let run =
+        |times: &[f64], method, tolerance| Trajectory::compute(&rotor, &[], start, times, method, tolerance);
     assert!(matches!(run(&[1.0], Method::Dop853, 1e-16), Err(MotionError::Parameter { .. })));
     assert!(matches!(run(&[1.0], Method::Dop853, f64::NAN), Err(MotionError::Parameter { .. })));
     assert!(matches!(run(&[2.0, 1.0], Method::Auto, 1e-9), Err(MotionError::Parameter { .. })));
@@ -151,14 +160,20 @@ fn times_and_tolerances_out_of_range_are_refused() {
 fn a_rod_swings_but_takes_no_torque_along_itself() {
     // Thornton & Marion, example 11.4: m1 at the end of a rod of length b, m2 in the middle; swung by 40°.
     let (m1, m2, b, g) = (1.3, 0.8, 0.9, 9.81);
-    let particles = [(m1, b), (m2, b / 2.0)].map(|(m, x)| Particle::new(m, Position::new(x, 0.0, 0.0)).unwrap());
+    let particles =
+        [(m1, b), (m2, b / 2.0)].map(|(m, x)| Particle::new(m, Position::new(x, 0.0, 0.0)).unwrap());
     let rotor = Rotor::pivoted(&mass_properties_of_particles(&particles).unwrap(), Position::ZERO);
     let gravity = [TorqueModel::Gravity(UniformGravity { acceleration: Acceleration::new(g, 0.0, 0.0) })];
     let amplitude = 40_f64.to_radians();
     let z = Direction::new(0.0, 0.0, 1.0);
     let start =
         State { time: 0.0, attitude: Rotation::about(z, amplitude).unwrap(), omega: AngularVelocity::ZERO };
-    let pendulum = Pendulum::hung(&rotor, Direction::new(0.0, 0.0, 1.0), start.attitude.inverse() * Acceleration::new(g, 0.0, 0.0)).unwrap();
+    let pendulum = Pendulum::hung(
+        &rotor,
+        Direction::new(0.0, 0.0, 1.0),
+        start.attitude.inverse() * Acceleration::new(g, 0.0, 0.0),
+    )
+    .unwrap();
     let by_the_notes = ((m1 + m2 / 2.0) / (m1 + m2 / 4.0) * g / b).sqrt();
     assert!((pendulum.small_frequency() / by_the_notes - 1.0).abs() < 1e-15);
     assert!((pendulum.angle() - amplitude).abs() < 1e-15);
@@ -179,7 +194,11 @@ fn a_rod_swings_but_takes_no_torque_along_itself() {
 
 #[test]
 fn pendulums_of_any_amplitude_have_their_period() {
-    let rod = MassProperties::new(0.8, Position::new(0.6, 0.1, 0.2), InertiaTensor::diagonal([0.01, 0.096, 0.1]).unwrap());
+    let rod = MassProperties::new(
+        0.8,
+        Position::new(0.6, 0.1, 0.2),
+        InertiaTensor::diagonal([0.01, 0.096, 0.1]).unwrap(),
+    );
     let rotor = Rotor::pivoted(&rod.unwrap(), Position::new(-0.1, 0.2, 0.3));
     let axis = Direction::new(0.2, -0.3, 1.0);
     let pendulum = Pendulum::hung(&rotor, axis, Acceleration::new(9.0, 1.0, -3.0)).unwrap();
@@ -189,7 +208,9 @@ fn pendulums_of_any_amplitude_have_their_period() {
     let l = Direction::<Body>::from_array(l);
     let g = Direction::<Body>::new(9.0, 1.0, -3.0);
     let (arm, down) = (n.cross(l).norm(), n.cross(g).norm());
-    let i = n.dot(Direction::from_array((*rotor.inertia() * AngularVelocity::from_array(n.to_array())).to_array()));
+    let i = n.dot(Direction::from_array(
+        (*rotor.inertia() * AngularVelocity::from_array(n.to_array())).to_array(),
+    ));
     let small = (0.8 * down * arm / i).sqrt();
     assert!((pendulum.small_frequency() / small - 1.0).abs() < 1e-15);
     for case in cases(&table("pendulum"), "case") {
@@ -200,7 +221,10 @@ fn pendulums_of_any_amplitude_have_their_period() {
         let bound = 1e-15 + 3e-16 / (0.5 * amplitude).cos().powi(2).sqrt();
         assert!((ratio / expected - 1.0).abs() < bound, "{:?} {:e}", case["label"], ratio / expected - 1.0);
         if let Swing::Oscillation { amplitude: a, period } = pendulum.swing(amplitude, 0.0) {
-            assert!((a / amplitude - 1.0).abs() < 1e-9 && (period / pendulum.period(amplitude) - 1.0).abs() < 1e-12);
+            assert!(
+                (a / amplitude - 1.0).abs() < 1e-9
+                    && (period / pendulum.period(amplitude) - 1.0).abs() < 1e-12
+            );
         } else {
             assert!(amplitude == 0.0);
         }

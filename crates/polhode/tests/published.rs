@@ -70,13 +70,16 @@ fn thornton_and_marion_particles_and_cube() {
     let about = body.inertia_about(Position::ZERO);
     let tolerance = number(&case["tolerance"]);
     assert_matrix(about.matrix(), matrix(&case["inertia_about_origin"]), tolerance, "11-13");
-    for (got, want) in PrincipalFrame::about(&about).moments().iter().zip(numbers::<3>(&case["principal_moments"])) {
+    for (got, want) in
+        PrincipalFrame::about(&about).moments().iter().zip(numbers::<3>(&case["principal_moments"]))
+    {
         assert!((got / want - 1.0).abs() < tolerance);
     }
 
     let case = &textbook["tm_cube_corner"];
     let side = number(&case["side"]);
-    let cube = BoxShape::new([side; 3]).unwrap().mass_properties(Substance::Mass(number(&case["mass"]))).unwrap();
+    let cube =
+        BoxShape::new([side; 3]).unwrap().mass_properties(Substance::Mass(number(&case["mass"]))).unwrap();
     let corner = cube.inertia_about(Position::new(-side / 2.0, -side / 2.0, -side / 2.0));
     assert_matrix(corner.matrix(), matrix(&case["inertia_about_corner"]), 1e-15, "cube");
     let principal = PrincipalFrame::about(&corner);
@@ -109,7 +112,10 @@ fn curtis_precessing_tube() {
     assert!((cones.space_rate - value("precession_rad_per_min")).abs() < value("tolerance_precession"));
     assert!((cones.body_rate + spin).abs() < 1e-12);
     assert!((cones.nutation - theta).abs() < 1e-14);
-    assert!((std::f64::consts::PI / cones.space_rate * 60.0 - value("half_turn_s")).abs() < value("tolerance_half_turn"));
+    assert!(
+        (std::f64::consts::PI / cones.space_rate * 60.0 - value("half_turn_s")).abs()
+            < value("tolerance_half_turn")
+    );
 }
 
 #[test]
@@ -118,7 +124,8 @@ fn schaub_momentum_axes_and_energy() {
     let case = &textbook["schaub"];
     let inertia = InertiaTensor::<Body>::from_matrix(matrix(&case["inertia"])).unwrap();
     let [yaw, pitch, roll] = numbers::<3>(&case["yaw_pitch_roll_deg"]).map(|a| a * DEG);
-    let turn = |axis: [f64; 3], angle| Rotation::<Space, Space>::about(Direction::from_array(axis), angle).unwrap();
+    let turn =
+        |axis: [f64; 3], angle| Rotation::<Space, Space>::about(Direction::from_array(axis), angle).unwrap();
     let attitude: Attitude = turn([0.0, 0.0, 1.0], yaw)
         * turn([0.0, 1.0, 0.0], pitch)
         * Rotation::about(Direction::new(1.0, 0.0, 0.0), roll).unwrap();
@@ -132,7 +139,12 @@ fn schaub_momentum_axes_and_energy() {
     let center = attitude.inverse() * Position::from_array(numbers(&part["center_of_mass_from_p_space"]));
     let body = MassProperties::new(number(&case["mass"]), center, inertia).unwrap();
     let about = body.inertia_about(Position::ZERO);
-    assert_matrix(about.matrix(), matrix(&part["inertia_about_p_body"]), number(&part["tolerance"]), "parallel axis");
+    assert_matrix(
+        about.matrix(),
+        matrix(&part["inertia_about_p_body"]),
+        number(&part["tolerance"]),
+        "parallel axis",
+    );
     let again = MassProperties::from_inertia_about(body.mass(), center, &about).unwrap();
     assert_matrix(again.inertia().matrix(), inertia.matrix(), 1e-14, "and back");
 
@@ -223,7 +235,8 @@ fn basilisk_free_rotation() {
     for case in cases(&table("free_top"), "basilisk") {
         let rotor = free_body(numbers(&case["moments"]));
         let motion =
-            Trajectory::compute(&rotor, &[], start(case), &[number(&case["t"])], Method::Auto, 1e-14).unwrap();
+            Trajectory::compute(&rotor, &[], start(case), &[number(&case["t"])], Method::Auto, 1e-14)
+                .unwrap();
         let got = mrp(motion.samples()[0].state.attitude);
         let want = numbers::<3>(&case["mrp"]);
         let norm = want.iter().map(|c| c * c).sum::<f64>().sqrt();
@@ -242,8 +255,9 @@ fn orekit_torque_free() {
     for row in cases(case, "linear") {
         let window = number(&row["window_s"]);
         let motion = Trajectory::compute(&rotor, &[], start, &[window], Method::Auto, 1e-14).unwrap();
-        let linear =
-            start.attitude * Rotation::about(Direction::from_array(start.omega.to_array()), start.omega.norm() * window).unwrap();
+        let linear = start.attitude
+            * Rotation::about(Direction::from_array(start.omega.to_array()), start.omega.norm() * window)
+                .unwrap();
         let angle = motion.samples()[0].state.attitude.angle_to(linear);
         assert!((angle - number(&row["angle_rad"])).abs() < number(&row["tolerance"]));
         assert!((angle / number(&row["angle_computed_rad"]) - 1.0).abs() < 1e-6);
@@ -258,7 +272,8 @@ fn orekit_torque_free() {
             let omega = AngularVelocity::new(sign(0) * w[0], sign(1) * w[1], sign(2) * w[2]);
             let rotor = free_body([i[a], i[b], i[c]]);
             let motion =
-                Trajectory::compute(&rotor, &[], State { omega, ..start }, &times, Method::Auto, 1e-15).unwrap();
+                Trajectory::compute(&rotor, &[], State { omega, ..start }, &times, Method::Auto, 1e-15)
+                    .unwrap();
             let l0 = motion.samples()[0].momentum;
             for sample in motion.samples() {
                 assert!(sample.momentum.angle_to(l0) < tolerance, "{:e}", sample.momentum.angle_to(l0));
@@ -276,7 +291,10 @@ fn principia_symmetric_tops() {
         let start = State { time: 0.0, attitude: Attitude::identity(), omega };
         if moments == [3.0, 3.0, 9.0] {
             // No body has these; a test beside the closed form takes them.
-            assert!(matches!(InertiaTensor::<Body>::diagonal(moments), Err(BodyError::TriangleInequality { .. })));
+            assert!(matches!(
+                InertiaTensor::<Body>::diagonal(moments),
+                Err(BodyError::TriangleInequality { .. })
+            ));
             continue;
         }
         let rotor = free_body(moments);
@@ -300,7 +318,8 @@ fn geradin_and_cardona_fast_heavy_top() {
     let case = table("heavy_top");
     let inertia = InertiaTensor::from_matrix(matrix(&case["inertia"])).unwrap();
     let arm = Position::from_array(numbers(&case["arm"]));
-    let rotor = Rotor::pivoted(&MassProperties::new(number(&case["mass"]), arm, inertia).unwrap(), Position::ZERO);
+    let rotor =
+        Rotor::pivoted(&MassProperties::new(number(&case["mass"]), arm, inertia).unwrap(), Position::ZERO);
     let acceleration = Acceleration::from_array(numbers(&case["gravity"]));
     let gravity = [TorqueModel::Gravity(UniformGravity { acceleration })];
     for row in cases(&case, "row") {
@@ -316,7 +335,8 @@ fn geradin_and_cardona_fast_heavy_top() {
 #[test]
 fn nesc_tumbling_brick() {
     let case = table("nesc_tumbling_brick");
-    let rotor = free_body(numbers::<3>(&case["moments_slug_ft2"]).map(|i| i * number(&case["slug_ft2_in_kg_m2"])));
+    let rotor =
+        free_body(numbers::<3>(&case["moments_slug_ft2"]).map(|i| i * number(&case["slug_ft2_in_kg_m2"])));
     let omega = AngularVelocity::from_array(numbers::<3>(&case["omega0_deg_s"]).map(|w| w * DEG));
     let start = State { time: 0.0, attitude: Attitude::identity(), omega };
     for row in cases(&case, "row") {
@@ -333,7 +353,11 @@ fn nesc_tumbling_brick() {
         let r = (local * state.attitude).matrix();
         let got = [r[1][0].atan2(r[0][0]), (-r[2][0]).asin(), r[2][1].atan2(r[2][2])];
         for (got, want) in got.iter().zip(numbers::<3>(&row["euler_ypr_deg"])) {
-            assert!((got / DEG - want).abs() < number(&case["tolerance_euler_deg"]), "t = {t}: {} {want}", got / DEG);
+            assert!(
+                (got / DEG - want).abs() < number(&case["tolerance_euler_deg"]),
+                "t = {t}: {} {want}",
+                got / DEG
+            );
         }
     }
 }
@@ -347,7 +371,9 @@ fn the_earth_wobbles_in_305_days() {
         let omega = AngularVelocity::new(1e-6, 0.0, 2.0 * std::f64::consts::PI);
         let start = State { time: 0.0, attitude: Attitude::identity(), omega };
         let rotor = free_body([a, a, c]);
-        let FreeMotion::Symmetric(earth) = FreeMotion::of(&rotor, start).unwrap() else { panic!("is symmetric") };
+        let FreeMotion::Symmetric(earth) = FreeMotion::of(&rotor, start).unwrap() else {
+            panic!("is symmetric")
+        };
         let cones = Cones::of(&earth);
         let period = 2.0 * std::f64::consts::PI / cones.body_rate;
         assert!((period / turns - 1.0).abs() < 1e-12, "{period}");
@@ -359,9 +385,17 @@ fn the_earth_wobbles_in_305_days() {
         period
     };
     let ratio = |key: &str| number(&case["space_period"][key]);
-    let period = check(number(&case["c_minus_a_over_a"]), number(&case["euler_period_turns"]), ratio("a_over_c_from_0_00327"));
+    let period = check(
+        number(&case["c_minus_a_over_a"]),
+        number(&case["euler_period_turns"]),
+        ratio("a_over_c_from_0_00327"),
+    );
     assert!((period - number(&case["euler_period_days_printed"])).abs() < number(&case["tolerance_days"]));
     let h = number(&case["from_dynamical_ellipticity"]["h"]);
     // H = (C − A)/C, so (C − A)/A = H/(1 − H)
-    check(h / (1.0 - h), number(&case["from_dynamical_ellipticity"]["euler_period_turns"]), ratio("a_over_c_from_h"));
+    check(
+        h / (1.0 - h),
+        number(&case["from_dynamical_ellipticity"]["euler_period_turns"]),
+        ratio("a_over_c_from_h"),
+    );
 }

@@ -82,10 +82,9 @@ impl fmt::Display for BodyError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Parameter { what, value, rule } => write!(f, "{what} = {value} must be {rule}"),
-            Self::NotSymmetric { element: [i, j], value, mirrored } => write!(
-                f,
-                "the inertia tensor is not symmetric: I{i}{j} = {value}, but I{j}{i} = {mirrored}"
-            ),
+            Self::NotSymmetric { element: [i, j], value, mirrored } => {
+                write!(f, "the inertia tensor is not symmetric: I{i}{j} = {value}, but I{j}{i} = {mirrored}")
+            }
             Self::NegativeMoment { moments: [a, b, c] } => write!(
                 f,
                 "the inertia tensor is impossible: its principal moments are {a}, {b}, {c} kg·m², and none may be negative"
@@ -132,7 +131,9 @@ impl BodyError {
                 "close the mesh in the tool that made it; vertices that only nearly coincide count as different",
             ),
             Self::DuplicateTriangle { .. } => Some("remove duplicate faces in the tool that made the mesh"),
-            Self::InconsistentWinding { .. } => Some("make the normals consistent in the tool that made the mesh"),
+            Self::InconsistentWinding { .. } => {
+                Some("make the normals consistent in the tool that made the mesh")
+            }
             _ => None,
         }
     }

@@ -7,7 +7,7 @@ use core::ops::Mul;
 use super::error::BodyError;
 use crate::math::frame::Frame;
 use crate::math::rotation::Rotation;
-use crate::math::symmetric3::Symmetric3;
+use crate::math::symmetric3::{Eigen, Symmetric3};
 use crate::math::vector::{
     AngularAcceleration, AngularMomentum, AngularVelocity, Direction, Position, Torque, Vector,
 };
@@ -17,7 +17,7 @@ use crate::math::vector::{
 /// I_ij = ∫ (δ_ij r² − x_i x_j) dm: the off-diagonal elements are *minus* the integrals ∫xy dm, so that L = I ω.
 ///
 /// One that exists is *possible*: finite, symmetric, no principal moment negative, and i1 + i2 ≥ i3 (all to within
-/// 64 ε of the trace, the rounding of a sum of many parts). Elements cannot be changed.
+/// 64 ε of i3, the rounding of a sum of many parts). Elements cannot be changed.
 ///
 /// ```
 /// use polhode::{AngularVelocity, Body, InertiaTensor};
@@ -44,10 +44,10 @@ pub struct InertiaAbout<F> {
     elements: Symmetric3,
 }
 
-/// Principal moments may break a rule by this much of the trace: the rounding of a sum of many parts.
+/// Principal moments may break a rule by this much of the greatest: the rounding of a sum of many parts.
 const POSSIBLE_TOLERANCE: f64 = 64.0 * f64::EPSILON;
 
-/// A matrix from a file may differ from its transpose by this much of the trace: its rounding.
+/// A matrix from a file may differ from its transpose by this much of its largest moment: its rounding.
 const SYMMETRY_TOLERANCE: f64 = 1e-12;
 
 impl<F: Frame> InertiaTensor<F> {
@@ -71,7 +71,7 @@ impl<F: Frame> InertiaTensor<F> {
     /// The tensor of a full matrix (off-diagonals −∫xy dm).
     ///
     /// # Errors
-    /// [`BodyError::NotSymmetric`] if it differs from its transpose by more than 1e-12 of its trace;
+    /// [`BodyError::NotSymmetric`] if it differs from its transpose by more than 1e-12 of its largest moment;
     /// any other [`BodyError`] if it is impossible.
     pub fn from_matrix(rows: [[f64; 3]; 3]) -> Result<Self, BodyError> {
         Self::from_symmetric(symmetric(rows)?)
@@ -88,6 +88,22 @@ impl<F: Frame> InertiaTensor<F> {
     pub(crate) fn from_symmetric(elements: Symmetric3) -> Result<Self, BodyError> {
         require_possible(&elements)?;
         Ok(Self { elements, frame: PhantomData })
+    }
+
+    /// The tensor of a difference of tensors as large as `whole` (its greatest moment), whose rounding may have
+    /// carried a rod or a plate over the edge of what is possible: then it is the nearest tensor on the edge.
+    pub(crate) fn from_difference(elements: Symmetric3, whole: f64) -> Result<Self, BodyError> {
+        let Eigen { values: [i1, i2, i3], vectors } = elements.eigen();
+        let rounding = POSSIBLE_TOLERANCE * whole;
+        let (negative, excess) = (f64::max(-i1, 0.0), f64::max(i3 - i2 - f64::max(i1, 0.0), 0.0));
+        if (negative == 0.0 && excess == 0.0) || negative > rounding || excess > rounding {
+            return Self::from_symmetric(elements);
+        }
+        let [a, b, c] = vectors;
+        let columns = [[a[0], b[0], c[0]], [a[1], b[1], c[1]], [a[2], b[2], c[2]]];
+        let third = excess / 3.0; // the least change: a third to each moment
+        let on_edge = Symmetric3::diagonal([i1.max(0.0) + third, i2 + third, i3 - third]);
+        Self::from_symmetric(on_edge.rotated(&columns))
     }
 
     /// The same tensor along the axes of `A`: R I Rᵀ.
@@ -137,7 +153,8 @@ macro_rules! tensor {
 
             /// Moment of inertia about the axis `n` through the point that the tensor is about: nᵀ I n.
             pub fn about_axis(&self, n: Direction<F>) -> f64 {
-                n.direction().map_or(0.0, |n| n.dot(Direction::<F>::from_array(self.elements.apply(n.to_array()))))
+                n.direction()
+                    .map_or(0.0, |n| n.dot(Direction::<F>::from_array(self.elements.apply(n.to_array()))))
             }
 
             pub(crate) const fn symmetric(&self) -> &Symmetric3 {
@@ -173,13 +190,6 @@ macro_rules! tensor {
 
         impl<F: Frame> Copy for $name<F> {}
 
-        impl<F: Frame> PartialEq for $name<F> {
-            /// Equal elements; the point of an [`InertiaAbout`] is not compared.
-            fn eq(&self, other: &Self) -> bool {
-                self.elements == other.elements
-            }
-        }
-
         impl<F: Frame> fmt::Debug for $name<F> {
             fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
                 write!(f, concat!(stringify!($name), "<{}>{:?}"), F::NAME, self.matrix())
@@ -191,16 +201,29 @@ macro_rules! tensor {
 tensor!(InertiaTensor);
 tensor!(InertiaAbout);
 
+impl<F: Frame> PartialEq for InertiaTensor<F> {
+    fn eq(&self, other: &Self) -> bool {
+        self.elements == other.elements
+    }
+}
+
+impl<F: Frame> PartialEq for InertiaAbout<F> {
+    fn eq(&self, other: &Self) -> bool {
+        self.point == other.point && self.elements == other.elements
+    }
+}
+
 fn assemble([xx, yy, zz]: [f64; 3], [xy, xz, yz]: [f64; 3]) -> Symmetric3 {
     Symmetric3 { xx, yy, zz, xy, xz, yz }
 }
 
 fn symmetric(rows: [[f64; 3]; 3]) -> Result<Symmetric3, BodyError> {
     let [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]] = rows;
-    let scale = xx.abs() + yy.abs() + zz.abs();
+    let scale = xx.abs().max(yy.abs()).max(zz.abs());
     for (i, j, value, mirrored) in [(1, 2, xy, yx), (1, 3, xz, zx), (2, 3, yz, zy)] {
         // Not finite on both sides is reported by `require_possible`, which names the element.
-        if value.is_finite() && mirrored.is_finite() && (value - mirrored).abs() > SYMMETRY_TOLERANCE * scale {
+        if value.is_finite() && mirrored.is_finite() && (value - mirrored).abs() > SYMMETRY_TOLERANCE * scale
+        {
             return Err(BodyError::NotSymmetric { element: [i, j], value, mirrored });
         }
     }

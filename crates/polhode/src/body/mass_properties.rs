@@ -43,6 +43,9 @@ impl<F: Frame> MassProperties<F> {
     ///
     /// I_ij = J_ij − M (a² δ_ij − a_i a_j), a from the point to the centre of mass
     ///
+    /// Where the difference leaves the possible by no more than its rounding (a plate far from the point), it is
+    /// brought back to the edge.
+    ///
     /// # Errors
     /// [`BodyError`] if the mass is not positive, or if no body has this tensor about that point.
     pub fn from_inertia_about(
@@ -50,8 +53,10 @@ impl<F: Frame> MassProperties<F> {
         center_of_mass: Position<F>,
         about: &InertiaAbout<F>,
     ) -> Result<Self, BodyError> {
+        positive("the mass", mass)?;
         let steiner = steiner(mass, center_of_mass - about.point());
-        Self::new(mass, center_of_mass, InertiaTensor::from_symmetric(*about.symmetric() - steiner)?)
+        let whole = about.symmetric().max_abs();
+        Self::new(mass, center_of_mass, InertiaTensor::from_difference(*about.symmetric() - steiner, whole)?)
     }
 
     /// A body from its mass, centre of mass and second moments per unit mass about it, ∫ x xᵀ dm / M.
@@ -67,29 +72,17 @@ impl<F: Frame> MassProperties<F> {
     /// Several bodies rigidly joined.
     ///
     /// M = Σ m_k,  M c = Σ m_k c_k,  I = Σ [I_k + m_k (d_k² 1 − d_k d_kᵀ)],  d_k = c_k − c.
-    /// Summed about the first part's centre of mass, so that a place far from the origin costs no digits.
+    /// Summed about a local reference, so that a place far from the origin costs no digits.
     ///
     /// # Errors
     /// [`BodyError::Empty`] without parts; [`BodyError::Parameter`] if a sum is not finite.
     pub fn combined(parts: &[Self]) -> Result<Self, BodyError> {
-        let Some(first) = parts.first() else {
-            return Err(BodyError::Empty { what: "parts" });
-        };
-        let reference = first.center_of_mass;
-        let mut mass = Sum::default();
-        let mut moment = [Sum::default(); 3];
-        for part in parts {
-            mass.add(part.mass);
-            let d = (part.center_of_mass - reference).to_array();
-            for (sum, d) in moment.iter_mut().zip(d) {
-                sum.add(part.mass * d);
-            }
-        }
-        let mass = mass.value();
-        let offset = Position::from_array(moment.map(|s| s.value() / mass));
+        let centers: Vec<_> = parts.iter().map(|part| (part.mass, part.center_of_mass)).collect();
+        let Center { mass, reference, rest } =
+            Center::of(&centers).ok_or(BodyError::Empty { what: "parts" })?;
         let mut inertia = [Sum::default(); 6];
         for part in parts {
-            let d = (part.center_of_mass - reference) - offset;
+            let d = (part.center_of_mass - reference) - rest;
             let about_center = *part.inertia.symmetric() + steiner(part.mass, d);
             for (sum, element) in inertia.iter_mut().zip(about_center.elements()) {
                 sum.add(element);
@@ -97,7 +90,7 @@ impl<F: Frame> MassProperties<F> {
         }
         let [xx, yy, zz, xy, xz, yz] = inertia.map(Sum::value);
         let inertia = InertiaTensor::from_symmetric(Symmetric3 { xx, yy, zz, xy, xz, yz })?;
-        Self::new(mass, reference + offset, inertia)
+        Self::new(mass, reference + rest, inertia)
     }
 
     /// Mass, kg.
@@ -133,7 +126,8 @@ impl<F: Frame> MassProperties<F> {
     /// The body described in a frame `A` in which this frame's origin is at `position` and its axes are turned by `r`.
     pub fn placed<A: Frame>(&self, position: Position<A>, r: Rotation<A, F>) -> MassProperties<A> {
         // No turn is the usual case, and then costs no rounding.
-        let inertia = if r == Rotation::identity() { self.inertia.as_frame() } else { self.inertia.in_frame(r) };
+        let inertia =
+            if r == Rotation::identity() { self.inertia.as_frame() } else { self.inertia.in_frame(r) };
         MassProperties { mass: self.mass, center_of_mass: position + r * self.center_of_mass, inertia }
     }
 
@@ -145,6 +139,39 @@ impl<F: Frame> MassProperties<F> {
     /// Radii of gyration about the three principal axes, √(i_k / M), m.
     pub fn gyration_radii(&self) -> [f64; 3] {
         self.principal().moments().map(|i| (i / self.mass).sqrt())
+    }
+}
+
+/// The mass and the centre of mass of points, found about a local reference so that no place costs digits.
+pub(super) struct Center<F> {
+    pub(super) mass: f64,
+    /// Near the centre of mass.
+    pub(super) reference: Position<F>,
+    /// From the reference to the centre of mass: what the rounding of the reference left.
+    pub(super) rest: Position<F>,
+}
+
+impl<F: Frame> Center<F> {
+    /// Of masses at points; `None` if there are none.
+    pub(super) fn of(points: &[(f64, Position<F>)]) -> Option<Self> {
+        let (_, first) = *points.first()?;
+        let mut mass = Sum::default();
+        for (m, _) in points {
+            mass.add(*m);
+        }
+        let mass = mass.value();
+        let from = |reference: Position<F>| {
+            let mut moment = [Sum::default(); 3];
+            for (m, p) in points {
+                for (sum, d) in moment.iter_mut().zip((*p - reference).to_array()) {
+                    sum.add(m * d);
+                }
+            }
+            Position::from_array(moment.map(|s| s.value() / mass))
+        };
+        // The first point may be a light one far away: the second sum is about the centre that the first one found.
+        let reference = first + from(first);
+        Some(Self { mass, reference, rest: from(reference) })
     }
 }
 
@@ -171,6 +198,38 @@ mod tests {
         let again = MassProperties::from_inertia_about(body.mass(), body.center_of_mass(), &about).unwrap();
         let difference = *again.inertia().symmetric() - *body.inertia().symmetric();
         assert!(difference.max_abs() < 5e-15);
+    }
+
+    #[test]
+    fn plates_and_rods_come_back_from_far_points() {
+        use crate::{Plate, Rod, Shape, Substance};
+        let plate = Plate::new([0.7, 1.3]).unwrap().mass_properties(Substance::Mass(2.3)).unwrap();
+        let rod = Rod::new(1.0).unwrap().mass_properties(Substance::Mass(0.6)).unwrap();
+        for body in [plate, rod] {
+            for distance in [1.0, 30.0, 100.0, 1e3, 1e4] {
+                let point = Position::new(distance, -0.7 * distance, 0.3 * distance);
+                let about = body.inertia_about(point);
+                let again =
+                    MassProperties::from_inertia_about(body.mass(), body.center_of_mass(), &about).unwrap();
+                let difference = *again.inertia().symmetric() - *body.inertia().symmetric();
+                assert!(difference.max_abs() < 4e-16 * about.symmetric().max_abs());
+                // and the result is a part like any other
+                assert!(MassProperties::combined(&[again, body]).is_ok());
+            }
+        }
+    }
+
+    #[test]
+    fn the_order_of_parts_does_not_matter() {
+        let light = generic().placed(Position::new(1e9, 0.0, 0.0), Rotation::identity());
+        let light =
+            MassProperties::new(1e-30, light.center_of_mass(), InertiaTensor::diagonal([0.0; 3]).unwrap())
+                .unwrap();
+        let other = generic().placed(Position::new(0.5, -0.25, 1.0), Rotation::identity());
+        let forward = MassProperties::combined(&[light, generic(), other]).unwrap();
+        let backward = MassProperties::combined(&[other, generic(), light]).unwrap();
+        let difference = *forward.inertia().symmetric() - *backward.inertia().symmetric();
+        assert!(difference.max_abs() < 1e-15);
     }
 
     #[test]

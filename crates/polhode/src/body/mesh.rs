@@ -4,7 +4,7 @@ use super::error::BodyError;
 use super::shape::{Extent, Shape, Spread};
 use crate::math::frame::Part;
 use crate::math::sum::Sum;
-use crate::math::symmetric3::Symmetric3;
+use crate::math::symmetric3::{Symmetric3, power_of_two_near};
 use crate::math::vector::{Direction, Position};
 
 /// A triangle by its three corners, m, seen from outside counter-clockwise.
@@ -32,6 +32,7 @@ pub struct ClosedMesh {
     degenerate: usize,
     inverted: bool,
     spread: Spread,
+    area: f64,
 }
 
 impl ClosedMesh {
@@ -61,14 +62,14 @@ impl ClosedMesh {
         if triangles.is_empty() {
             return Err(BodyError::Empty { what: "triangles" });
         }
-        let (mut spread, inverted) = integrate(&triangles)?;
+        let (mut spread, area, inverted) = integrate(&triangles)?;
         if inverted {
             for [_, b, c] in &mut triangles {
                 core::mem::swap(b, c);
             }
             spread.extent = Extent::Volume(spread.extent.measure().abs());
         }
-        Ok(Self { degenerate: given - triangles.len(), triangles, vertices, inverted, spread })
+        Ok(Self { degenerate: given - triangles.len(), triangles, vertices, inverted, spread, area })
     }
 
     /// The triangles, normals outward, without degenerate ones.
@@ -104,12 +105,7 @@ impl Shape for ClosedMesh {
 
     /// Area of all triangles, m².
     fn surface_area(&self) -> f64 {
-        let mut area = Sum::default();
-        for &[a, b, c] in &self.triangles {
-            let edge = |p: [f64; 3]| [p[0] - a[0], p[1] - a[1], p[2] - a[2]];
-            area.add(0.5 * Direction::<Part>::from_array(cross(edge(b), edge(c))).norm());
-        }
-        area.value()
+        self.area
     }
 }
 
@@ -189,7 +185,7 @@ fn require_closed(triangles: &[Triangle], corners: &[[u32; 3]]) -> Result<(), Bo
     Ok(())
 }
 
-/// Volume (negative if inverted, and then true), centroid and covariance of the polyhedron.
+/// Volume (negative if inverted, and then true), centroid and covariance of the polyhedron, and its area.
 ///
 /// A sum over the signed tetrahedra from a local reference point to each triangle (a, b, c), d = a · (b × c):
 ///
@@ -200,30 +196,36 @@ fn require_closed(triangles: &[Triangle], corners: &[[u32; 3]]) -> Result<(), Bo
 /// centroid: a body far from the origin, or far from the middle of its box, loses nothing.
 ///
 /// Source: Tonon, J. Math. Stat. 1 (2005) 8, summed over the boundary.
-fn integrate(triangles: &[Triangle]) -> Result<(Spread, bool), BodyError> {
+fn integrate(triangles: &[Triangle]) -> Result<(Spread, f64, bool), BodyError> {
     let (low, high) = bounds(triangles);
     let middle: [f64; 3] = core::array::from_fn(|k| 0.5 * low[k] + 0.5 * high[k]);
-    let first = sum_tetrahedra(triangles, middle);
-    let size: [f64; 3] = core::array::from_fn(|k| high[k] - low[k]);
-    let solid = first.six_volume.abs() > 1e-14 * size[0] * size[1] * size[2];
+    let size = (0..3).map(|k| high[k] - low[k]).fold(0.0, f64::max);
+    // In units of a power of two near the size: exact, and no fifth power leaves the range of f64.
+    let unit = power_of_two_near(size);
+    let first = sum_tetrahedra(triangles, middle, unit);
+    let volume = unit * unit * unit;
+    // No noise of flat triangles is larger: each one's area times its distance, rounded.
+    let solid = first.six_volume.abs() > 16.0 * f64::EPSILON * first.area;
     if !solid {
-        return Err(BodyError::FlatMesh { volume: first.six_volume / 6.0 });
+        return Err(BodyError::FlatMesh { volume: first.six_volume / 6.0 * volume });
     }
     let centroid = first.centroid();
-    let reference: [f64; 3] = core::array::from_fn(|k| middle[k] + centroid[k]);
-    let sums = sum_tetrahedra(triangles, reference);
+    let reference: [f64; 3] = core::array::from_fn(|k| middle[k] + centroid[k] * unit);
+    let sums = sum_tetrahedra(triangles, reference, unit);
     let rest = sums.centroid();
     let covariance = sums.second * (1.0 / (20.0 * sums.six_volume)) - Symmetric3::outer(rest);
     let spread = Spread {
-        extent: Extent::Volume(sums.six_volume / 6.0),
-        centroid: Position::from_array(core::array::from_fn(|k| reference[k] + rest[k])),
-        covariance,
+        extent: Extent::Volume(sums.six_volume / 6.0 * volume),
+        centroid: Position::from_array(core::array::from_fn(|k| reference[k] + rest[k] * unit)),
+        covariance: covariance * unit * unit,
     };
-    Ok((spread, sums.six_volume < 0.0))
+    Ok((spread, sums.area * unit * unit, sums.six_volume < 0.0))
 }
 
+/// In powers of the unit of length that they were summed in.
 struct TetrahedronSums {
     six_volume: f64,
+    area: f64,
     first: [f64; 3],
     second: Symmetric3,
 }
@@ -235,16 +237,21 @@ impl TetrahedronSums {
     }
 }
 
-fn sum_tetrahedra(triangles: &[Triangle], reference: [f64; 3]) -> TetrahedronSums {
+fn sum_tetrahedra(triangles: &[Triangle], reference: [f64; 3], unit: f64) -> TetrahedronSums {
+    let per_unit = 1.0 / unit;
+    let mut area = Sum::default();
     let mut volume = Sum::default();
     let mut first = [Sum::default(); 3];
     let mut second = [Sum::default(); 6];
     for triangle in triangles {
-        let [a, b, c] = triangle.map(|p| [p[0] - reference[0], p[1] - reference[1], p[2] - reference[2]]);
+        let [a, b, c] =
+            triangle.map(|p| core::array::from_fn::<_, 3, _>(|k| (p[k] - reference[k]) * per_unit));
         let n = cross(b, c);
         let d = a[0] * n[0] + a[1] * n[1] + a[2] * n[2];
         let s: [f64; 3] = core::array::from_fn(|k| a[k] + b[k] + c[k]);
         volume.add(d);
+        let edge = |p: [f64; 3]| [p[0] - a[0], p[1] - a[1], p[2] - a[2]];
+        area.add(0.5 * Direction::<Part>::from_array(cross(edge(b), edge(c))).norm());
         for (sum, s) in first.iter_mut().zip(s) {
             sum.add(d * s);
         }
@@ -256,6 +263,7 @@ fn sum_tetrahedra(triangles: &[Triangle], reference: [f64; 3]) -> TetrahedronSum
     let [xx, yy, zz, xy, xz, yz] = second.map(Sum::value);
     TetrahedronSums {
         six_volume: volume.value(),
+        area: area.value(),
         first: first.map(Sum::value),
         second: Symmetric3 { xx, yy, zz, xy, xz, yz },
     }

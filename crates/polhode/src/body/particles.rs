@@ -1,7 +1,7 @@
 //! Point particles.
 
 use super::error::{BodyError, finite, positive};
-use super::mass_properties::MassProperties;
+use super::mass_properties::{Center, MassProperties};
 use crate::math::frame::Frame;
 use crate::math::sum::Sum;
 use crate::math::symmetric3::Symmetric3;
@@ -61,31 +61,22 @@ impl<F: Frame> Particle<F> {
 /// [`BodyError::Empty`] without particles; [`BodyError::Parameter`] if a sum is not finite.
 ///
 /// Source: Thornton & Marion, eq. (11.13).
-pub fn mass_properties_of_particles<F: Frame>(particles: &[Particle<F>]) -> Result<MassProperties<F>, BodyError> {
-    let Some(first) = particles.first() else {
-        return Err(BodyError::Empty { what: "particles" });
-    };
-    // Two passes about a local reference: a place far from the origin costs no digits.
-    let mut mass = Sum::default();
-    let mut moment = [Sum::default(); 3];
-    for p in particles {
-        mass.add(p.mass);
-        for (sum, d) in moment.iter_mut().zip((p.position - first.position).to_array()) {
-            sum.add(p.mass * d);
-        }
-    }
-    let mass = mass.value();
-    let offset = Position::from_array(moment.map(|s| s.value() / mass));
+pub fn mass_properties_of_particles<F: Frame>(
+    particles: &[Particle<F>],
+) -> Result<MassProperties<F>, BodyError> {
+    let points: Vec<_> = particles.iter().map(|p| (p.mass, p.position)).collect();
+    let Center { mass, reference, rest } =
+        Center::of(&points).ok_or(BodyError::Empty { what: "particles" })?;
     let mut second = [Sum::default(); 6];
     for p in particles {
-        let x = (p.position - first.position) - offset;
+        let x = (p.position - reference) - rest;
         for (sum, element) in second.iter_mut().zip(Symmetric3::outer(x.to_array()).elements()) {
             sum.add(p.mass * element);
         }
     }
     let [xx, yy, zz, xy, xz, yz] = second.map(|s| s.value() / mass);
     let covariance = Symmetric3 { xx, yy, zz, xy, xz, yz };
-    MassProperties::from_covariance(mass, first.position + offset, &covariance)
+    MassProperties::from_covariance(mass, reference + rest, &covariance)
 }
 
 #[cfg(test)]

@@ -95,9 +95,9 @@ impl<F: Frame> PrincipalFrame<F> {
         // Rounding may leave −1e-17 where a rod has 0.
         let [mut i1, i2, i3] = eigen.values.map(|i| i.max(0.0));
         let equal = |a: f64, b: f64| (a - b).abs() <= EQUAL_TOLERANCE * i3;
-        let diagonal = tensor.xy == 0.0 && tensor.xz == 0.0 && tensor.yz == 0.0;
-        // A diagonal tensor's least moment is exactly what was given; of any other a residue is rounding.
-        let massless = i1 == 0.0 || (!diagonal && equal(i1, 0.0));
+        // A moment along one of the frame's own axes is exactly what was given; of any other a residue is rounding.
+        let given = eigen.vectors[0].iter().filter(|c| **c != 0.0).count() == 1;
+        let massless = i1 == 0.0 || (!given && equal(i1, 0.0));
         let symmetry = if i3 == 0.0 {
             Symmetry::Point
         } else if massless && equal(i2, i3) {
@@ -227,7 +227,8 @@ mod tests {
             let p = PrincipalFrame::of(&t);
             assert!(p.axis(0).dot(p.axis(1).cross(p.axis(2))) > 0.999_999);
             for axis in [p.axis(0), p.axis(1)] {
-                let largest = axis.to_array().into_iter().fold(0.0_f64, |m, c| if c.abs() > m.abs() { c } else { m });
+                let largest =
+                    axis.to_array().into_iter().fold(0.0_f64, |m, c| if c.abs() > m.abs() { c } else { m });
                 assert!(largest > 0.0);
             }
             assert!(rebuild_error(&t) < 4e-15);

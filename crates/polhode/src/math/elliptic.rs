@@ -22,3 +22,32 @@ pub(crate) fn complete_k(m1: f64) -> f64 {
     }
     PI / (a + g)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::complete_k;
+
+    #[test]
+    fn k_is_right_from_one_to_the_smallest_complement() {
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../fixtures/elliptic_k.toml");
+        let table: toml::Table = std::fs::read_to_string(path).unwrap().parse().unwrap();
+        let rows = table["complementary"].as_array().unwrap();
+        assert!(rows.len() > 20);
+        for row in rows {
+            let [m1, k] = ["m1", "k"].map(|key| row[key].as_str().unwrap().parse::<f64>().unwrap());
+            assert!(
+                (complete_k(m1) / k - 1.0).abs() <= 2.0 * f64::EPSILON,
+                "{m1:e}: {:e}",
+                complete_k(m1) / k - 1.0
+            );
+        }
+        for row in table["parameter"].as_array().unwrap() {
+            let [m, k] = ["m", "k"].map(|key| row[key].as_str().unwrap().parse::<f64>().unwrap());
+            let m1 = 1.0 - m;
+            if 1.0 - m1 == m {
+                assert!((complete_k(m1) / k - 1.0).abs() <= 2.0 * f64::EPSILON, "{m:e}");
+            }
+        }
+        assert!(complete_k(0.0).is_infinite() && complete_k(-0.1).is_nan() && complete_k(f64::NAN).is_nan());
+    }
+}

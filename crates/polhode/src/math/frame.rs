@@ -3,7 +3,9 @@
 //! A frame has no value at run time. It exists so that `v_space + v_body` does not compile.
 
 /// A set of axes. Implemented by [`Space`], [`Body`], [`Principal`] and [`Part`], and by nothing else.
-pub trait Frame: sealed::Sealed + Copy + Clone + PartialEq + core::fmt::Debug + Send + Sync + 'static {
+pub trait Frame:
+    sealed::Sealed + Copy + Clone + PartialEq + core::fmt::Debug + Send + Sync + 'static
+{
     /// The frame's name as tables and messages print it.
     const NAME: &'static str;
 }

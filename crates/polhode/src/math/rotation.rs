@@ -70,7 +70,10 @@ impl fmt::Display for RotationError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Quaternion { wxyz: [w, x, y, z] } => {
-                write!(f, "the quaternion ({w}, {x}, {y}, {z}) has no direction: it must be finite and not zero")
+                write!(
+                    f,
+                    "the quaternion ({w}, {x}, {y}, {z}) has no direction: it must be finite and not zero"
+                )
             }
             Self::Axis { axis: [x, y, z] } => {
                 write!(f, "the axis ({x}, {y}, {z}) has no direction: it must be finite and not zero")
@@ -362,7 +365,8 @@ mod tests {
 
     #[test]
     fn matrices_of_every_branch_come_back() {
-        for q in [[0.9, 0.1, -0.2, 0.3], [0.1, 0.9, -0.2, 0.3], [0.1, 0.2, -0.9, 0.3], [0.1, 0.2, 0.3, -0.9]] {
+        for q in [[0.9, 0.1, -0.2, 0.3], [0.1, 0.9, -0.2, 0.3], [0.1, 0.2, -0.9, 0.3], [0.1, 0.2, 0.3, -0.9]]
+        {
             let r = Attitude::from_quaternion(q).unwrap();
             assert!(Attitude::from_matrix(r.matrix()).unwrap().angle_to(r) < 1e-15);
         }

@@ -54,9 +54,8 @@ impl Symmetric3 {
     /// R S Rᵀ, rows of `r` given.
     pub(crate) fn rotated(&self, r: &[[f64; 3]; 3]) -> Self {
         let columns = r.map(|row| self.apply(row)); // S Rᵀ, column by column
-        let element = |i: usize, j: usize| {
-            r[i][0] * columns[j][0] + r[i][1] * columns[j][1] + r[i][2] * columns[j][2]
-        };
+        let element =
+            |i: usize, j: usize| r[i][0] * columns[j][0] + r[i][1] * columns[j][1] + r[i][2] * columns[j][2];
         Self {
             xx: element(0, 0),
             yy: element(1, 1),
@@ -97,10 +96,7 @@ impl Symmetric3 {
         }
         let mut order = [0, 1, 2];
         order.sort_by(|&i, &j| a[i][i].total_cmp(&a[j][j]));
-        Eigen {
-            values: order.map(|k| a[k][k] * scale),
-            vectors: order.map(|k| [v[0][k], v[1][k], v[2][k]]),
-        }
+        Eigen { values: order.map(|k| a[k][k] * scale), vectors: order.map(|k| [v[0][k], v[1][k], v[2][k]]) }
     }
 }
 
@@ -119,7 +115,8 @@ fn annihilate(a: &mut [[f64; 3]; 3], v: &mut [[f64; 3]; 3], p: usize, q: usize) 
     }
     // t = tan of the angle: the smaller root of t² + 2ζt − 1 = 0
     let zeta = (a[q][q] - a[p][p]) / (2.0 * apq);
-    let t = if zeta.is_infinite() { 0.0 } else { 1.0_f64.copysign(zeta) / (zeta.abs() + libm::hypot(1.0, zeta)) };
+    let t =
+        if zeta.is_infinite() { 0.0 } else { 1.0_f64.copysign(zeta) / (zeta.abs() + libm::hypot(1.0, zeta)) };
     let c = 1.0 / (1.0 + t * t).sqrt();
     let s = t * c;
     a[p][p] -= t * apq;

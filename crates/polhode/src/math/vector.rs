@@ -68,11 +68,7 @@ impl<Q, F> Vector<Q, F> {
     where
         Q: CrossProduct<P>,
     {
-        Vector::new(
-            self.y * b.z - self.z * b.y,
-            self.z * b.x - self.x * b.z,
-            self.x * b.y - self.y * b.x,
-        )
+        Vector::new(self.y * b.z - self.z * b.y, self.z * b.x - self.x * b.z, self.x * b.y - self.y * b.x)
     }
 
     /// Magnitude, without overflow or underflow on the way.

@@ -78,7 +78,10 @@ impl fmt::Display for MotionError {
         match self {
             Self::Parameter { what, value, rule } => write!(f, "{what} = {value} must be {rule}"),
             Self::NotSpinnable => {
-                write!(f, "the body has no inertia about the point that it turns about, so its motion is undetermined")
+                write!(
+                    f,
+                    "the body has no inertia about the point that it turns about, so its motion is undetermined"
+                )
             }
             Self::TorqueWithoutInertia { torque, time } => write!(
                 f,

@@ -10,14 +10,22 @@ impl Rotor {
     /// # Source
     /// Thornton & Marion, eq. (11.114). The lecture notes' N = I ω̇ lacks the second term: it holds in axes that do
     /// not turn, or where ω lies along a principal axis.
-    pub fn torque_for(&self, omega: AngularVelocity<Body>, acceleration: AngularAcceleration<Body>) -> Torque<Body> {
+    pub fn torque_for(
+        &self,
+        omega: AngularVelocity<Body>,
+        acceleration: AngularAcceleration<Body>,
+    ) -> Torque<Body> {
         *self.inertia() * acceleration + omega.cross(self.angular_momentum(omega))
     }
 
     /// Euler's equations read from torque to motion: ω̇ = I⁻¹ (N − ω × I ω).
     ///
     /// About an axis without inertia (a rod's own) ω̇ = 0: the motion is undetermined there, and this is the choice.
-    pub fn acceleration(&self, omega: AngularVelocity<Body>, torque: Torque<Body>) -> AngularAcceleration<Body> {
+    pub fn acceleration(
+        &self,
+        omega: AngularVelocity<Body>,
+        torque: Torque<Body>,
+    ) -> AngularAcceleration<Body> {
         let r = self.principal().rotation();
         r * euler(self.principal().moments(), r.inverse() * omega, r.inverse() * torque)
     }

@@ -82,14 +82,18 @@ impl ParticleForce {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math::rotation::Attitude;
     use crate::mass_properties_of_particles;
+    use crate::math::rotation::Attitude;
 
     #[test]
     fn the_forces_on_the_particles_make_the_torque_that_euler_asks_for() {
-        let particles =
-            [(1.5, [0.5, -1.0, 0.25]), (2.0, [-0.75, 0.5, 2.0]), (0.5, [1.0, 1.5, -0.5]), (0.9, [0.1, 0.2, 0.3])]
-                .map(|(m, p)| Particle::new(m, Position::from_array(p)).unwrap());
+        let particles = [
+            (1.5, [0.5, -1.0, 0.25]),
+            (2.0, [-0.75, 0.5, 2.0]),
+            (0.5, [1.0, 1.5, -0.5]),
+            (0.9, [0.1, 0.2, 0.3]),
+        ]
+        .map(|(m, p)| Particle::new(m, Position::from_array(p)).unwrap());
         let pivot = Position::new(0.2, -0.4, 0.6);
         let rotor = Rotor::pivoted(&mass_properties_of_particles(&particles).unwrap(), pivot);
         let motion = Prescribed::euler_rates([0.4, 0.9, -1.2], [0.7, -0.3, 2.1]).unwrap();

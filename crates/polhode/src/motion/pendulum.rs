@@ -72,7 +72,11 @@ impl Pendulum {
         let (arm, down) = (across(l), across(g));
         // What rounding leaves of a vector along the axis is not an arm.
         if !(arm.norm() > 1e-12 * l.norm()) {
-            return Err(parameter("the arm of the centre of mass", arm.norm(), "positive: it lies on the axis"));
+            return Err(parameter(
+                "the arm of the centre of mass",
+                arm.norm(),
+                "positive: it lies on the axis",
+            ));
         }
         if !(down.norm() > 1e-12 * g.norm()) {
             return Err(parameter("gravity across the axis", down.norm(), "positive: it is along the axis"));

@@ -61,7 +61,9 @@ impl Regime {
         match self {
             Self::AtRest => "at rest",
             Self::Permanent { axis: 1 } => "permanent rotation about the axis of least moment",
-            Self::Permanent { axis: 2 } => "permanent rotation about the axis of intermediate moment (unstable)",
+            Self::Permanent { axis: 2 } => {
+                "permanent rotation about the axis of intermediate moment (unstable)"
+            }
             Self::Permanent { .. } => "permanent rotation about the axis of greatest moment",
             Self::Spherical => "permanent rotation (the three moments are equal)",
             Self::Symmetric => "a symmetric top: ω circles the symmetry axis, both circle L",
@@ -106,7 +108,8 @@ impl FreeRegime {
             (_, Symmetry::Asymmetric) => asymmetric(principal.moments(), w),
             (_, symmetry) => {
                 let [i1, i2, i3] = principal.moments();
-                let rate = if symmetry == Symmetry::Oblate { (i3 - i2) / i2 * w.z } else { (i1 - i2) / i2 * w.x };
+                let rate =
+                    if symmetry == Symmetry::Oblate { (i3 - i2) / i2 * w.z } else { (i1 - i2) / i2 * w.x };
                 let period = (rate != 0.0).then(|| 2.0 * core::f64::consts::PI / rate.abs());
                 // Without spin about the symmetry axis the axis across it is principal, too.
                 Self { period, ..still(Regime::Symmetric) }

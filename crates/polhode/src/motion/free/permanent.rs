@@ -25,7 +25,8 @@ impl PermanentRotation {
     /// The state at a time, s.
     pub fn at(&self, time: f64) -> State {
         let State { attitude, omega, time: t0 } = self.start;
-        let turn = omega.direction().map_or(Rotation::identity(), |n| Rotation::turn(n, omega.norm() * (time - t0)));
+        let turn =
+            omega.direction().map_or(Rotation::identity(), |n| Rotation::turn(n, omega.norm() * (time - t0)));
         State { time, attitude: attitude * turn, omega }
     }
 }

@@ -24,7 +24,13 @@ pub(super) struct Dense<const N: usize> {
 
 impl<const N: usize> Trial<N> {
     /// Steps from y at t, where the derivative is `k0`, by h.
-    pub(super) fn new(f: &impl Fn(f64, &[f64; N]) -> [f64; N], t: f64, y: [f64; N], k0: [f64; N], h: f64) -> Self {
+    pub(super) fn new(
+        f: &impl Fn(f64, &[f64; N]) -> [f64; N],
+        t: f64,
+        y: [f64; N],
+        k0: [f64; N],
+        h: f64,
+    ) -> Self {
         let mut trial = Self { t, h, y, k: [[0.0; N]; ALL_STAGES], increment: [0.0; N] };
         trial.k[0] = k0;
         for s in 1..STAGES {
@@ -121,7 +127,10 @@ mod tests {
     fn the_rows_of_the_tableau_are_consistent() {
         for s in 0..ALL_STAGES {
             let sum: f64 = A[s].iter().sum();
-            assert!((sum - C[s]).abs() < 2e-15 * A[s].iter().map(|a| a.abs()).sum::<f64>().max(1.0), "row {s}");
+            assert!(
+                (sum - C[s]).abs() < 2e-15 * A[s].iter().map(|a| a.abs()).sum::<f64>().max(1.0),
+                "row {s}"
+            );
         }
         // Σ b_j c_j^(q−1) = 1/q up to order 8; the error estimates vanish on low orders
         for q in 1..=8 {

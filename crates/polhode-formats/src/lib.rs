@@ -1,1 +1,20 @@
-//! formats
+//! Files in, [`polhode`] values out: the one place that knows units other than SI, file formats, and where in a file
+//! something stands.
+//!
+//! - [`scenario`]: one body and one motion, as TOML
+//! - [`mesh`]: triangle meshes, as STL
+//! - [`table`]: tables of samples, as CSV and Parquet
+//! - [`unit`]: quantities in text
+//! - [`table`]: the other way, trajectories as CSV and Parquet
+//!
+//! Whatever cannot be read is a [`FormatError`]: path, line, column, what stands there, the rule, a hint.
+
+mod error;
+mod file;
+pub mod mesh;
+pub mod scenario;
+pub mod table;
+pub mod table;
+pub mod unit;
+
+pub use error::{FormatError, FormatErrorKind, Place};

@@ -1,1 +1,33 @@
-//! report
+//! Results of polhode, for people and for programs.
+//!
+//! Three reports, each with a face for either reader:
+//!
+//! - [`InertiaReport`]: how much mass, where, and how it resists being turned;
+//! - [`MotionReport`]: how the body moves, and the evidence that the numbers are good;
+//! - [`explain()`]: the worked solution, step by step, as a [`Document`].
+//!
+//! Text is plain Unicode for a terminal of 100 columns: the answer first, the convention in the heading, every number
+//! with its unit. JSON is SI, its keys are stable, and its numbers read back bit for bit; what is not finite or does not
+//! exist is `null`. This crate formats: it reads no files, and what it knows of physics it asks the core.
+#![forbid(unsafe_code)]
+
+mod block;
+mod explain;
+mod finding;
+mod inertia;
+mod json;
+mod layout;
+mod motion;
+mod number;
+mod source;
+mod unit;
+
+pub use explain::document::{Block, Document, Section};
+pub use explain::explain;
+pub use inertia::InertiaReport;
+pub use json::pretty;
+pub use motion::MotionReport;
+pub use source::SourceInfo;
+
+/// The version that reports carry.
+pub const VERSION: &str = env!("CARGO_PKG_VERSION");

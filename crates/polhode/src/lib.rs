@@ -28,7 +28,7 @@
 //! let motion = Trajectory::compute(&rotor, &[], start, &[0.0, flip], Method::Auto, 1e-13)?;
 //! let flipped = motion.samples()[1].state.omega.dot(principal.axis(1));
 //! assert!((flipped + 5.0).abs() < 1e-3);
-//! assert!(Drift::of(&motion).ok_or("no samples")?.momentum < 1e-13);
+//! assert!(Drift::of(&motion).ok_or("no samples")?.momentum < 1e-12);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!

@@ -1,4 +1,5 @@
 //! Motions against 40-digit references (fixtures/, which says how they were made).
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may")]
 
 mod common;
 

@@ -135,6 +135,33 @@ pub enum StlPlace {
 }
 
 impl StlError {
+    /// Where in the file; `None` if it is about the file as a whole.
+    pub fn place(&self) -> Option<StlPlace> {
+        match self {
+            Self::Syntax { at, .. } | Self::NotFinite { at, .. } => Some(*at),
+            Self::Unrecognized { .. } | Self::WrongCount { .. } | Self::NoTriangles => None,
+        }
+    }
+
+    /// What is wrong, without the place.
+    pub fn message(&self) -> String {
+        match self {
+            Self::Unrecognized { length } => format!("{length} bytes that are no STL file"),
+            Self::WrongCount { declared, length } => format!(
+                "the header of the binary STL file declares {declared} triangles, but {} whole ones and {} \
+                 bytes follow ({length} bytes in the file)",
+                whole_records(*length),
+                length.saturating_sub(PREAMBLE) % RECORD,
+            ),
+            Self::Syntax { expected, found, .. } if found.is_empty() => {
+                format!("expected {expected}, found the end of the file")
+            }
+            Self::Syntax { expected, found, .. } => format!("expected {expected}, found {found:?}"),
+            Self::NotFinite { found, .. } => format!("the coordinate {found} is not finite"),
+            Self::NoTriangles => "the STL file has no triangles".to_owned(),
+        }
+    }
+
     /// What to do about it, when there is something to say.
     pub fn hint(&self) -> Option<&'static str> {
         match self {
@@ -160,21 +187,9 @@ impl StlError {
 
 impl fmt::Display for StlError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Unrecognized { length } => write!(f, "{length} bytes that are no STL file"),
-            Self::WrongCount { declared, length } => write!(
-                f,
-                "the header of the binary STL file declares {declared} triangles, but {} whole ones and {} \
-                 bytes follow ({length} bytes in the file)",
-                whole_records(*length),
-                length.saturating_sub(PREAMBLE) % RECORD,
-            ),
-            Self::Syntax { at, expected, found } if found.is_empty() => {
-                write!(f, "{at}: expected {expected}, found the end of the file")
-            }
-            Self::Syntax { at, expected, found } => write!(f, "{at}: expected {expected}, found {found:?}"),
-            Self::NotFinite { at, found } => write!(f, "{at}: the coordinate {found} is not finite"),
-            Self::NoTriangles => f.write_str("the STL file has no triangles"),
+        match self.place() {
+            Some(at) => write!(f, "{at}: {}", self.message()),
+            None => f.write_str(&self.message()),
         }
     }
 }

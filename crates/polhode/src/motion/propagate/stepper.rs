@@ -144,7 +144,7 @@ impl<'a> Stepper<'a> {
                 continue;
             }
             // Hairer's constants: safety 0.9, change between 1/3 and 6, exponent 1/8.
-            let factor = (0.9 * error.powf(-0.125)).clamp(1.0 / 3.0, 6.0);
+            let factor = (0.9 / error.sqrt().sqrt().sqrt()).clamp(1.0 / 3.0, 6.0);
             if error > 1.0 {
                 self.h = h * factor.min(1.0);
                 self.statistics.rejected += 1;

@@ -33,7 +33,7 @@ pub struct PrincipalFrame<F: Frame> {
 
 /// Which principal moments are equal, and so which axes are free.
 ///
-/// Moments count as equal when they differ by less than 64 ε of the greatest: the rounding of a sum of many parts.
+/// Moments count as equal when they differ by less than 8 ε of the greatest: the rounding of a sum or of a turn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Symmetry {
     /// i1 = i2 = i3 = 0: all the mass in one point.
@@ -76,8 +76,9 @@ impl Symmetry {
     }
 }
 
-/// Moments nearer than this part of the greatest count as equal.
-const EQUAL_TOLERANCE: f64 = 64.0 * f64::EPSILON;
+/// Moments nearer than this part of the greatest count as equal: sums of parts and turned tensors come nearer than
+/// that, and the tensor rebuilt from the chosen axes is no farther off.
+const EQUAL_TOLERANCE: f64 = 8.0 * f64::EPSILON;
 
 impl<F: Frame> PrincipalFrame<F> {
     /// Principal moments and axes of a tensor about the centre of mass.
@@ -114,7 +115,10 @@ impl<F: Frame> PrincipalFrame<F> {
         if symmetry == Symmetry::Rod {
             i1 = 0.0;
         }
-        let axes = choose_axes(symmetry, eigen.vectors.map(Direction::from_array));
+        let axes = choose_axes(
+            symmetry,
+            eigen.vectors.map(|v| Direction::from_array(v).direction().unwrap_or(Direction::ZERO)),
+        );
         Self { moments: [i1, i2, i3], axes, rotation: Rotation::from_axes(axes), symmetry }
     }
 
@@ -150,11 +154,16 @@ impl<F: Frame> PrincipalFrame<F> {
 fn choose_axes<F: Frame>(symmetry: Symmetry, v: [Direction<F>; 3]) -> [Direction<F>; 3] {
     let (axis1, axis2) = match symmetry {
         Symmetry::Point | Symmetry::Spherical => return unit_axes(),
-        Symmetry::Asymmetric => (positive(v[0]), positive(v[1])),
+        Symmetry::Asymmetric => (positive(v[0]), positive(across(v[1], v[0]))),
         Symmetry::Oblate => nearest_pair(v[2]),
         Symmetry::Rod | Symmetry::Prolate => (positive(v[0]), nearest_pair(v[0]).0),
     };
     [axis1, axis2, axis1.cross(axis2)]
+}
+
+/// The direction of the part of `v` across `n`: takes the rounding of many rotations off perpendicular vectors.
+fn across<F: Frame>(v: Direction<F>, n: Direction<F>) -> Direction<F> {
+    (v - n * n.dot(v)).direction().unwrap_or(v)
 }
 
 fn unit_axes<F: Frame>() -> [Direction<F>; 3] {
@@ -182,8 +191,8 @@ fn nearest_pair<F: Frame>(n: Direction<F>) -> (Direction<F>, Direction<F>) {
         1 => [0, 2],
         _ => [0, 1],
     };
-    let across = |k: usize| unit_axes::<F>()[k] - n * n.dot(unit_axes::<F>()[k]);
-    let (p, q) = (across(a), across(b));
+    let in_plane = |k: usize| unit_axes::<F>()[k] - n * n.dot(unit_axes::<F>()[k]);
+    let (p, q) = (in_plane(a), in_plane(b));
     // v = s n × u, so u·p + v·q = u·(p + s q × n), largest for u along that vector; s makes v point along q.
     let s = if n.dot(p.cross(q)) < 0.0 { -1.0 } else { 1.0 };
     let u = p + q.cross(n) * s;

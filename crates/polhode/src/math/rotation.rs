@@ -248,14 +248,11 @@ impl<A, B> Rotation<A, B> {
     }
 
     /// A turn by the rotation vector v: |v| rad about v.
-    #[cfg(test)]
     pub(crate) fn from_rotation_vector(v: Direction<A>) -> Self {
-        v.direction().map_or(Self::identity(), |n| Self::turn(n, v.norm()))
-    }
-
-    /// The rotation whose quaternion is along (w, x, y, z), which is not zero.
-    pub(crate) fn from_parts(wxyz: [f64; 4]) -> Self {
-        Self::normalised(wxyz)
+        let angle = v.norm();
+        let (s, c) = sin_cos(0.5 * angle);
+        let ratio = if angle == 0.0 { 0.5 } else { s / angle };
+        Self::normalised([c, ratio * v.x, ratio * v.y, ratio * v.z])
     }
 
     fn normalised([w, x, y, z]: [f64; 4]) -> Self {

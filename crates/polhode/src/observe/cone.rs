@@ -1,7 +1,7 @@
 //! The two cones of a free symmetric top.
 
 use crate::math::frame::{Body, Space};
-use crate::math::vector::AngularVelocity;
+use crate::math::vector::{AngularVelocity, Direction};
 use crate::motion::free::SymmetricTop;
 use crate::motion::state::State;
 
@@ -52,7 +52,7 @@ impl Cones {
     /// Zero also where two of them coincide.
     pub fn coplanarity(top: &SymmetricTop, state: &State) -> f64 {
         let e = state.attitude * top.axis();
-        let omega: Option<crate::Direction<Space>> = state.omega_space().direction();
+        let omega: Option<Direction<Space>> = state.omega_space().direction();
         omega.map_or(0.0, |omega| e.dot(omega.cross(top.momentum_direction())).abs())
     }
 }

@@ -1,17 +1,19 @@
 //! The motion as an ordinary differential equation, in a chart around the attitude at the start of each step.
 //!
-//! Within a step the attitude is attitude(t₀) · turn(p), p = 4 n tan(θ/4) (four times the modified Rodrigues
-//! parameters: nearly the rotation vector n θ). Then
+//! Within a step the attitude is attitude(t₀) · turn(θ), θ the rotation vector (|θ| rad about θ), and
 //!
-//! ṗ = (1 − p²/16) ω + ½ p × ω + ⅛ (p · ω) p
+//! θ̇ = ω + ½ θ × ω + c θ × (θ × ω),  c = (1 − (θ/2) cot(θ/2)) / θ²
 //!
-//! is polynomial, three numbers instead of a quaternion's four hold the attitude, the quaternion is unit because it
-//! is made from p, and an error δp *is* an angle: |δp| / (1 + p²/16) rad. Beside p and ω (principal axes) the state
-//! carries the work W and the angular impulse J of the torque, as evidence: Ẇ = N · ω, J̇ = N in space.
+//! Three numbers instead of a quaternion's four hold the attitude, the quaternion is unit because it is made from θ, an
+//! error δθ *is* an angle, and a steady rotation is linear in time: a step resolves what the body does beyond turning.
+//! Beside θ and ω (principal axes) the state carries the work W and the angular impulse J of the torque, as evidence:
+//! Ẇ = N · ω, J̇ = N in space.
 //!
-//! Source: Schaub & Junkins, Analytical Mechanics of Space Systems, eq. (3.159), with p = 4σ.
+//! Source: Bortz, IEEE Trans. Aerosp. Electron. Syst. 7 (1971) 61; in the language of Lie groups, θ̇ = dexp⁻¹ ω
+//! (Munthe-Kaas, BIT 38 (1998) 92).
 
 use crate::math::frame::{Body, Principal, Space};
+use crate::math::real::sin_cos;
 use crate::math::rotation::Rotation;
 use crate::math::vector::{AngularMomentum, AngularVelocity, Direction, Torque, Vector};
 use crate::motion::error::MotionError;
@@ -20,7 +22,7 @@ use crate::motion::rotor::Rotor;
 use crate::motion::state::State;
 use crate::motion::torque::{TorqueModel, total_torque};
 
-/// p (3), ω (3), W, J (3).
+/// θ (3), ω (3), W, J (3).
 pub(super) const N: usize = 10;
 pub(super) type Y = [f64; N];
 
@@ -29,21 +31,21 @@ pub(super) type Y = [f64; N];
 pub(super) struct Chart<'a> {
     pub(super) rotor: &'a Rotor,
     pub(super) torques: &'a [TorqueModel],
-    /// The attitude of the principal axes at p = 0.
+    /// The attitude of the principal axes at θ = 0.
     pub(super) center: Rotation<Space, Principal>,
 }
 
 impl Chart<'_> {
     /// dy/dt.
     pub(super) fn derivative(&self, t: f64, y: &Y) -> Y {
-        let (p, omega) = (p(y), omega(y));
+        let omega = omega(y);
         let (torque, attitude) = self.torque(t, y);
-        let p_dot = p_dot(p, omega);
+        let theta_dot = theta_dot(theta(y), omega);
         let omega_dot = euler(self.rotor.principal().moments(), omega, torque);
         let impulse = if self.torques.is_empty() { Torque::ZERO } else { attitude * torque };
         let work = torque.dot(omega);
         let mut dy = [0.0; N];
-        dy[0..3].copy_from_slice(&p_dot.to_array());
+        dy[0..3].copy_from_slice(&theta_dot.to_array());
         dy[3..6].copy_from_slice(&omega_dot.to_array());
         dy[6] = work;
         dy[7..10].copy_from_slice(&impulse.to_array());
@@ -52,7 +54,7 @@ impl Chart<'_> {
 
     /// The attitude of the principal axes.
     pub(super) fn attitude(&self, y: &Y) -> Rotation<Space, Principal> {
-        self.center * from_chart(p(y))
+        self.center * Rotation::from_rotation_vector(theta(y))
     }
 
     /// The state in body axes.
@@ -104,29 +106,32 @@ pub(super) fn impulse(y: &Y) -> AngularMomentum<Space> {
     Vector::new(y[7], y[8], y[9])
 }
 
-/// The angle, in rad, that an error of p at p is.
-pub(super) fn angle_of_error(error: Direction<Principal>, y: &Y) -> f64 {
-    let p = p(y);
-    error.norm() / (1.0 + p.dot(p) / 16.0)
+/// The angle, in rad, that an error of y is: |δθ|, of which the turn is never more.
+pub(super) fn angle(error: &Y) -> f64 {
+    theta(error).norm()
 }
 
-/// |p| of a turn by 2 rad: a step should stay on this side of it.
+/// A step should turn the body by less than this, rad; the chart ends at 2π.
 pub(super) const LARGEST_TURN: f64 = 2.0;
 
-fn p(y: &Y) -> Direction<Principal> {
+fn theta(y: &Y) -> Direction<Principal> {
     Vector::new(y[0], y[1], y[2])
 }
 
-fn p_dot(p: Direction<Principal>, omega: AngularVelocity<Principal>) -> Direction<Principal> {
+fn theta_dot(theta: Direction<Principal>, omega: AngularVelocity<Principal>) -> Direction<Principal> {
     let w: Direction<Principal> = omega.as_quantity();
-    w * (1.0 - p.dot(p) / 16.0) + p.cross(w) * 0.5 + p * (p.dot(w) / 8.0)
+    let twist = theta.cross(w);
+    w + twist * 0.5 + theta.cross(twist) * c(theta.dot(theta))
 }
 
-/// q = ((1 − σ²), 2σ) / (1 + σ²), σ = p/4
-fn from_chart(p: Direction<Principal>) -> Rotation<Principal, Principal> {
-    let s = p * 0.25;
-    let s2 = s.dot(s);
-    Rotation::from_parts([1.0 - s2, 2.0 * s.x, 2.0 * s.y, 2.0 * s.z])
+/// c = (1 − (θ/2) cot(θ/2)) / θ² = 1/12 + θ²/720 + …; it multiplies θ², so its rounding at small θ does not matter.
+fn c(theta2: f64) -> f64 {
+    if theta2 < 1e-4 {
+        return 1.0 / 12.0 + theta2 / 720.0;
+    }
+    let half = 0.5 * theta2.sqrt();
+    let (sin, cos) = sin_cos(half);
+    (1.0 - half * cos / sin) / theta2
 }
 
 #[cfg(test)]
@@ -135,24 +140,28 @@ mod tests {
 
     #[test]
     fn the_chart_turns_as_omega_says() {
-        // Differentiate the rotation itself: R(p(t)) must turn at ω, at a generic p.
-        let p0 = Direction::new(0.9, -0.6, 1.3);
+        // Differentiate the rotation itself: R(θ(t)) must turn at ω, at generic points on both sides of the series.
         let w = AngularVelocity::<Principal>::new(0.7, -1.1, 0.4);
-        let h = 1e-5;
-        let rate = p_dot(p0, w);
-        let step = from_chart(p0 - rate * h).inverse() * from_chart(p0 + rate * h);
-        let [_, x, y, z] = step.canonical_quaternion();
-        let turned = Vector::<crate::quantity::AngularVelocity, Principal>::new(x, y, z) / h; // half the angle over h
-        assert!((turned - w).norm() < 1e-9, "{turned:?}");
+        for scale in [1.0, 1e-2, 4e-3, 1e-3] {
+            let theta = Direction::new(0.9, -0.6, 1.3) * scale;
+            let rate = theta_dot(theta, w);
+            let h = 1e-5;
+            let at = |h: f64| Rotation::<Principal, Principal>::from_rotation_vector(theta + rate * h);
+            let [_, x, y, z] = (at(-h).inverse() * at(h)).canonical_quaternion();
+            let turned = AngularVelocity::<Principal>::new(x, y, z) / h; // half the angle over h
+            assert!((turned - w).norm() < 1e-9, "{turned:?}");
+        }
+        // and the two forms of c meet
+        assert!((c(1e-4 * (1.0 + 1e-12)) - c(1e-4 * (1.0 - 1e-12))).abs() < 2e-12);
     }
 
     #[test]
-    fn an_error_of_p_is_an_angle() {
-        let p0 = Direction::new(0.9, -0.6, 1.3);
-        let e = Direction::new(1e-7, 2e-7, -2e-7);
-        let mut y = [0.0; N];
-        y[0..3].copy_from_slice(&p0.to_array());
-        let angle = from_chart(p0).angle_to(from_chart(p0 + e));
-        assert!((angle / angle_of_error(e, &y) - 1.0).abs() < 1e-6);
+    fn an_error_of_theta_is_at_least_its_angle() {
+        let theta = Direction::<Principal>::new(0.9, -0.6, 1.3);
+        for e in [[1e-7, 2e-7, -2e-7], [0.9e-7, -0.6e-7, 1.3e-7]].map(Direction::from_array) {
+            let at = |v| Rotation::<Principal, Principal>::from_rotation_vector(v);
+            let angle = at(theta).angle_to(at(theta + e));
+            assert!(angle <= e.norm() * (1.0 + 1e-6) && angle > 0.5 * e.norm());
+        }
     }
 }

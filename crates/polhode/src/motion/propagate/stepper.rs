@@ -4,7 +4,7 @@ use super::chart::{self, Chart, N, Y};
 use super::dop853::{Dense, Trial};
 use crate::math::frame::{Principal, Space};
 use crate::math::sum::two_sum;
-use crate::math::vector::{AngularMomentum, AngularVelocity, Direction, Vector};
+use crate::math::vector::{AngularMomentum, AngularVelocity, Vector};
 use crate::motion::error::MotionError;
 use crate::motion::rotor::Rotor;
 use crate::motion::state::State;
@@ -177,7 +177,7 @@ impl<'a> Stepper<'a> {
         self.y = chart::at_center(chart::omega(&y), chart::work(&y), chart::impulse(&y));
         self.carry[..3].fill(0.0);
         self.omega_scale = self.omega_scale.max(chart::omega(&y).norm());
-        // In the new chart p = 0 and ṗ = ω; the other rates do not depend on the chart.
+        // In the new chart θ = 0 and θ̇ = ω; the other rates do not depend on the chart.
         self.k0 = *k_end;
         self.k0[..3].copy_from_slice(&chart::omega(&y).to_array());
     }
@@ -186,7 +186,7 @@ impl<'a> Stepper<'a> {
     fn error(&self, trial: &Trial<N>, end: &Y) -> f64 {
         let scale = self.omega_scale.max(chart::omega(end).norm());
         let squared = |e: &Y| {
-            let attitude = chart::angle_of_error(Direction::new(e[0], e[1], e[2]), end) / self.tolerance;
+            let attitude = chart::angle(e) / self.tolerance;
             let omega = omega_rate(e).norm();
             let omega = if omega == 0.0 { 0.0 } else { omega / (scale * self.tolerance) };
             0.5 * (attitude * attitude + omega * omega)

@@ -255,6 +255,11 @@ impl<A, B> Rotation<A, B> {
         Self::normalised([c, ratio * v.x, ratio * v.y, ratio * v.z])
     }
 
+    /// The rotation of a quaternion that is unit but for rounding.
+    pub(crate) fn near_unit(wxyz: [f64; 4]) -> Self {
+        Self::normalised(wxyz)
+    }
+
     fn normalised([w, x, y, z]: [f64; 4]) -> Self {
         let norm = libm::sqrt(w * w + x * x + y * y + z * z);
         Self::unit(w / norm, x / norm, y / norm, z / norm)

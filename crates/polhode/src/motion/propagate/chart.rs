@@ -114,7 +114,8 @@ pub(super) fn angle(error: &Y) -> f64 {
 /// A step should turn the body by less than this, rad; the chart ends at 2π.
 pub(super) const LARGEST_TURN: f64 = 2.0;
 
-fn theta(y: &Y) -> Direction<Principal> {
+/// The turn since the centre of the chart.
+pub(super) fn theta(y: &Y) -> Direction<Principal> {
     Vector::new(y[0], y[1], y[2])
 }
 

@@ -1,10 +1,11 @@
 //! Numerical integration of the equations of motion, for everything that has no closed form.
 //!
 //! `dop853` is the rule for one step and knows no physics; `chart` writes the motion as an ordinary differential
-//! equation that it can step; `stepper` puts steps together and controls their error. The Taylor and splitting
-//! integrators have their places beside `dop853`.
+//! equation that it can step; `orientation` adds up its turns; `stepper` puts steps together and controls their error.
+//! The Taylor and splitting integrators have their places beside `dop853`.
 
 mod chart;
 mod dop853;
+mod orientation;
 pub(crate) mod stepper;
 mod tableau;

@@ -2,6 +2,7 @@
 
 use super::chart::{self, Chart, N, Y};
 use super::dop853::{Dense, Trial};
+use super::orientation::Orientation;
 use crate::math::frame::{Principal, Space};
 use crate::math::sum::two_sum;
 use crate::math::vector::{AngularMomentum, AngularVelocity, Vector};
@@ -42,6 +43,7 @@ pub(crate) struct Balanced {
 /// largest |ω| so far), both held below `tolerance`.
 pub(crate) struct Stepper<'a> {
     chart: Chart<'a>,
+    orientation: Orientation,
     time: f64,
     y: Y,
     /// What rounding took from each sum, to be given back at the next step.
@@ -87,6 +89,7 @@ impl<'a> Stepper<'a> {
         let rate = omega_scale + omega_rate(&k0).norm().sqrt();
         Ok(Self {
             chart,
+            orientation: Orientation::new(chart.center),
             time: start.time,
             y,
             carry: [0.0; N],
@@ -172,7 +175,8 @@ impl<'a> Stepper<'a> {
         for (i, dy) in trial.increment().into_iter().enumerate() {
             (y[i], self.carry[i]) = two_sum(self.y[i], dy + self.carry[i]);
         }
-        self.chart.center = self.chart.attitude(&y);
+        self.orientation.turn(chart::theta(&y));
+        self.chart.center = self.orientation.rotation();
         self.time = time;
         self.y = chart::at_center(chart::omega(&y), chart::work(&y), chart::impulse(&y));
         self.carry[..3].fill(0.0);

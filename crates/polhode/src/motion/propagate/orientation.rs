@@ -39,8 +39,8 @@ impl Orientation {
             w * dy - x * dz + y * dw + z * dx,
             w * dz + x * dy - y * dx + z * dw,
         ];
-        for k in 0..4 {
-            (self.q[k], self.carry[k]) = two_sum(self.q[k], increment[k] + self.carry[k]);
+        for ((q, carry), increment) in self.q.iter_mut().zip(&mut self.carry).zip(increment) {
+            (*q, *carry) = two_sum(*q, increment + *carry);
         }
     }
 }

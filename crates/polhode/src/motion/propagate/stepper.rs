@@ -40,7 +40,7 @@ pub(crate) struct Balanced {
 /// Adaptive DOP853 over the motion of one body.
 ///
 /// The error of a step is the larger root mean square of the attitude's error (rad) and of ω's (relative to the
-/// largest |ω| so far), both held below `tolerance`. Between steps the polynomial of order 7 has up to ten times that.
+/// largest |ω| so far), both held below `tolerance`. Between steps the polynomial of order 7 has up to some twenty times that.
 pub(crate) struct Stepper<'a> {
     chart: Chart<'a>,
     orientation: Orientation,

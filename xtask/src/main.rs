@@ -1,2 +1,82 @@
-//! Chores.
-fn main() {}
+//! The chores of this workspace: `cargo xtask test` is everything that has to pass before a change lands.
+
+mod dependencies;
+mod examples;
+mod gate;
+mod layers;
+mod licence;
+mod process;
+mod readme;
+
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+/// What a chore comes to: nothing, or why it failed.
+type Outcome = Result<(), String>;
+
+const USAGE: &str = "\
+usage: cargo xtask CHORE
+
+  test       everything, in order, up to the first failure
+  layers     the rooms of the house: who may import whom, who may do what, how long files are
+  licences   how many crates are linked, and under which licences
+  examples   the built command on every scenario in examples/
+  readme     the README's commands";
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let outcome = match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
+        ["test"] => gate::run(),
+        ["layers"] => layers::check(),
+        ["licences"] => dependencies::check(),
+        ["examples"] => examples::check(),
+        ["readme"] => readme::check(),
+        ["help" | "--help" | "-h"] => {
+            println!("{USAGE}");
+            Ok(())
+        }
+        _ => {
+            eprintln!("{USAGE}");
+            return ExitCode::from(2);
+        }
+    };
+    match outcome {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(why) => {
+            eprintln!("xtask: FAILED: {why}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// The root of the workspace: as cargo says now, since folders of built programs can be shared.
+fn root() -> PathBuf {
+    let xtask = std::env::var_os("CARGO_MANIFEST_DIR").unwrap_or_else(|| env!("CARGO_MANIFEST_DIR").into());
+    Path::new(&xtask).parent().unwrap_or(Path::new(".")).to_owned()
+}
+
+/// All files below `directory` whose names end in `.extension`, in order.
+fn files(directory: &Path, extension: &str) -> Result<Vec<PathBuf>, String> {
+    let unreadable = |error| format!("{}: {error}", short(directory));
+    let mut found = Vec::new();
+    for entry in std::fs::read_dir(directory).map_err(unreadable)? {
+        let path = entry.map_err(unreadable)?.path();
+        if path.is_dir() {
+            found.extend(files(&path, extension)?);
+        } else if path.extension().is_some_and(|e| e == extension) {
+            found.push(path);
+        }
+    }
+    found.sort();
+    Ok(found)
+}
+
+/// The text of a file.
+fn read(path: &Path) -> Result<String, String> {
+    std::fs::read_to_string(path).map_err(|error| format!("{}: {error}", short(path)))
+}
+
+/// A path as messages have it: from the root, with slashes.
+fn short(path: &Path) -> String {
+    path.strip_prefix(root()).unwrap_or(path).display().to_string().replace('\\', "/")
+}

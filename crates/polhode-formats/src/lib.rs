@@ -3,8 +3,7 @@
 //!
 //! - [`scenario`]: one body and one motion, as TOML
 //! - [`mesh`]: triangle meshes, as STL
-//! - [`table`]: tables of samples, as CSV and Parquet
-//! - [`unit`]: quantities in text
+//! - [`mod@unit`]: quantities in text
 //! - [`table`]: the other way, trajectories as CSV and Parquet
 //!
 //! Whatever cannot be read is a [`FormatError`]: path, line, column, what stands there, the rule, a hint.
@@ -13,7 +12,6 @@ mod error;
 mod file;
 pub mod mesh;
 pub mod scenario;
-pub mod table;
 pub mod table;
 pub mod unit;
 

@@ -14,6 +14,7 @@
 mod block;
 mod explain;
 mod finding;
+mod forces;
 mod inertia;
 mod json;
 mod layout;

@@ -76,7 +76,7 @@ impl Dimension {
     }
 
     /// A text of this dimension.
-    pub(super) fn example(self) -> Option<&'static str> {
+    pub(crate) fn example(self) -> Option<&'static str> {
         NAMES.iter().find(|(dimension, ..)| *dimension == self).map(|&(.., example)| example)
     }
 }

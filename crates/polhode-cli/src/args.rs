@@ -1,0 +1,56 @@
+//! What the command line can say. Help, completions and the man page come from here.
+
+use clap::{Parser, Subcommand};
+
+use crate::explain::Explain;
+use crate::failure::Failure;
+use crate::inertia::Inertia;
+use crate::shell::{Completions, Man};
+use crate::simulate::Simulate;
+
+/// Rigid-body dynamics: from mass to motion.
+///
+/// Exit status: 0 fine, 2 bad input or usage, 3 the computation could not reach its tolerance. Data goes to standard
+/// output, everything else to standard error.
+#[derive(Debug, Parser)]
+#[command(name = "polhode", version, after_help = EXAMPLES, max_term_width = 100)]
+pub(crate) struct Polhode {
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  polhode inertia part.stl --unit mm --density \"2700 kg/m^3\"
+  polhode simulate examples/t-handle.toml
+  polhode explain examples/notes/11-10-dumbbell.toml";
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    Inertia(Inertia),
+    Simulate(Simulate),
+    Explain(Explain),
+    Completions(Completions),
+    Man(Man),
+}
+
+impl Command {
+    pub(crate) fn run(self) -> Result<(), Failure> {
+        match self {
+            Self::Inertia(command) => command.run(),
+            Self::Simulate(command) => command.run(),
+            Self::Explain(command) => command.run(),
+            Self::Completions(command) => command.run(),
+            Self::Man(command) => command.run(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn the_definitions_are_consistent() {
+        use clap::CommandFactory as _;
+        super::Polhode::command().debug_assert();
+    }
+}

@@ -1,0 +1,50 @@
+//! `polhode explain`
+
+use std::path::PathBuf;
+
+use clap::Args;
+use polhode_formats::scenario;
+use polhode_report::{explain, pretty};
+
+use crate::failure::Failure;
+use crate::shell::print;
+
+/// Work a scenario through, step by step, with every formula and number.
+///
+/// In the order of the lecture notes: the body; 1 the axes; 2 ω and N at the start; 3 the inertia tensor and its principal
+/// axes; 4 Euler's equations; 5 ω(t); 6 the attitude. A prescribed motion gives the torque that it needs and the forces on
+/// the particles; a pendulum its frequency and exact period.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  polhode explain examples/notes/11-10-dumbbell.toml
+  polhode explain examples/t-handle.toml --markdown > t-handle.md")]
+pub(crate) struct Explain {
+    /// The scenario, a TOML file.
+    file: PathBuf,
+    /// Print Markdown with typeset formulas.
+    #[arg(long, conflicts_with = "json")]
+    markdown: bool,
+    /// Print JSON: sections, formulas and tables as data.
+    #[arg(long)]
+    json: bool,
+    /// Characters in a line of the text.
+    #[arg(long, value_name = "N", default_value_t = 100, value_parser = clap::value_parser!(u16).range(40..=400))]
+    width: u16,
+}
+
+impl Explain {
+    pub(crate) fn run(self) -> Result<(), Failure> {
+        let scenario = scenario::read(&self.file)?;
+        let failed = |error| Failure::Motion { path: self.file.display().to_string(), error };
+        let document = explain(&scenario).map_err(failed)?;
+        let text = if self.json {
+            pretty(&document.to_json()) + "\n"
+        } else if self.markdown {
+            document.to_markdown()
+        } else {
+            document.to_text(usize::from(self.width))
+        };
+        print(text.as_bytes())
+    }
+}

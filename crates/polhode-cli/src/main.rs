@@ -1,0 +1,20 @@
+//! The command `polhode`: a rigid body in, its mass properties and its motion out.
+#![forbid(unsafe_code)]
+
+mod args;
+mod explain;
+mod failure;
+mod folder;
+mod inertia;
+mod shell;
+mod simulate;
+
+use clap::Parser as _;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    match args::Polhode::parse().command.run() {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => failure.report(),
+    }
+}

@@ -1,0 +1,123 @@
+//! `polhode simulate`
+
+use std::io::Write as _;
+use std::path::{Path, PathBuf};
+
+use clap::{Args, ValueEnum};
+use polhode::{Scenario, Trajectory};
+use polhode_formats::{scenario, table};
+use polhode_report::{MotionReport, SourceInfo, pretty};
+
+use crate::failure::Failure;
+use crate::folder::Folder;
+use crate::shell::print;
+
+/// Compute the motion of a scenario and write it to a folder.
+///
+/// The folder holds summary.json (mass properties, the kind of motion, the error of the numbers, the final state) and
+/// trajectory.parquet (one row per sample). It appears complete or not at all.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  polhode simulate examples/t-handle.toml
+  polhode simulate examples/heavy-top.toml -o results/top --table csv --table parquet
+  polhode simulate examples/curtis-tube.toml --json | jq .motion")]
+pub(crate) struct Simulate {
+    /// The scenario, a TOML file with a [run] section.
+    file: PathBuf,
+    /// The folder to write [default: the scenario's name, here].
+    #[arg(short, long, value_name = "DIR")]
+    output: Option<PathBuf>,
+    /// Replace the results of an earlier run.
+    #[arg(long)]
+    force: bool,
+    /// The format of the table; may be given more than once.
+    #[arg(long, value_enum, value_name = "FORMAT", default_values_t = [Format::Parquet])]
+    table: Vec<Format>,
+    /// Print the summary as JSON.
+    #[arg(long)]
+    json: bool,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Format {
+    /// Apache Parquet, units and conventions in its metadata.
+    Parquet,
+    /// Comma-separated text; numbers read back bit for bit.
+    Csv,
+}
+
+impl Format {
+    const fn file_name(self) -> &'static str {
+        match self {
+            Self::Parquet => "trajectory.parquet",
+            Self::Csv => "trajectory.csv",
+        }
+    }
+}
+
+impl Simulate {
+    pub(crate) fn run(self) -> Result<(), Failure> {
+        let scenario = scenario::read(&self.file)?;
+        let target = self.output.clone().unwrap_or_else(|| default_folder(&self.file));
+        Folder::check(&target, self.force)?;
+        let trajectory = self.trajectory(&scenario)?;
+
+        let title = scenario.title.as_deref().unwrap_or("scenario");
+        let source = SourceInfo::new(self.file.display().to_string(), "scenario").described(title);
+        let report = MotionReport::new(source, &scenario, &trajectory);
+        let summary = pretty(&report.summary_json()) + "\n";
+        let written = self.write(&target, &summary, &scenario, &trajectory)?;
+        if self.json {
+            return print(summary.as_bytes());
+        }
+        print(format!("{}{written}\n", report.to_text()).as_bytes())
+    }
+
+    fn trajectory(&self, scenario: &Scenario) -> Result<Trajectory, Failure> {
+        let path = self.file.display().to_string();
+        match scenario.simulate() {
+            Some(motion) => motion.map_err(|error| Failure::Motion { path, error }),
+            None => Err(Failure::usage(
+                format!("{path} has no [run] section, so there is no time to simulate"),
+                "write [run] with duration = \"10 s\" and samples = 1001; or ask `polhode explain` or `polhode inertia`",
+            )),
+        }
+    }
+
+    /// Writes the folder; says what was written.
+    fn write(
+        &self,
+        target: &Path,
+        summary: &str,
+        scenario: &Scenario,
+        trajectory: &Trajectory,
+    ) -> Result<String, Failure> {
+        let folder = Folder::create(target)?;
+        folder.file("summary.json", |out| out.write_all(summary.as_bytes()))?;
+        let mut written = format!("wrote {}", target.join("summary.json").display());
+        let mut formats = self.table.clone();
+        formats.dedup();
+        for format in formats {
+            folder.file(format.file_name(), |out| match format {
+                Format::Parquet => table::parquet::write(trajectory, &metadata(scenario, &self.file), out),
+                Format::Csv => table::csv::write(trajectory, out),
+            })?;
+            written.push_str("  ");
+            written.push_str(format.file_name());
+        }
+        folder.publish()?;
+        Ok(written)
+    }
+}
+
+fn metadata(scenario: &Scenario, file: &Path) -> Vec<(String, String)> {
+    let title = scenario.title.clone().map(|title| ("polhode.title".to_owned(), title));
+    let source = ("polhode.source".to_owned(), file.display().to_string());
+    title.into_iter().chain([source]).collect()
+}
+
+/// The scenario's name, in the current folder.
+fn default_folder(file: &Path) -> PathBuf {
+    PathBuf::from(file.file_stem().unwrap_or_default())
+}

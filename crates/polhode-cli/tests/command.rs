@@ -1,0 +1,291 @@
+//! The command as its users meet it: what it prints, what it writes, and how it fails.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may")]
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use serde_json::Value;
+
+/// A folder of a test's own, removed when it is done.
+struct Scratch(PathBuf);
+
+impl Scratch {
+    fn new(name: &str) -> Self {
+        let folder = std::env::temp_dir().join(format!("polhode-{name}-{}", std::process::id()));
+        let _ = fs::remove_dir_all(&folder);
+        fs::create_dir(&folder).unwrap();
+        Self(folder)
+    }
+
+    fn write(&self, name: &str, text: &str) {
+        fs::write(self.0.join(name), text).unwrap();
+    }
+
+    fn entries(&self) -> Vec<String> {
+        let mut names: Vec<_> =
+            fs::read_dir(&self.0).unwrap().map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
+        names.sort();
+        names
+    }
+
+    fn run(&self, arguments: &[&str]) -> Output {
+        Command::new(env!("CARGO_BIN_EXE_polhode")).current_dir(&self.0).args(arguments).output().unwrap()
+    }
+}
+
+impl Drop for Scratch {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+fn example(name: &str) -> String {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples").join(name);
+    path.canonicalize().unwrap().to_str().unwrap().to_owned()
+}
+
+fn stdout(output: &Output) -> String {
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8(output.stdout.clone()).unwrap()
+}
+
+fn json(output: &Output) -> Value {
+    serde_json::from_str(&stdout(output)).unwrap()
+}
+
+/// What stands on standard error of a run that must fail with `code` and print no data.
+fn refused(output: &Output, code: i32) -> String {
+    let text = String::from_utf8(output.stderr.clone()).unwrap();
+    assert_eq!(output.status.code(), Some(code), "{text}");
+    assert!(output.stdout.is_empty());
+    assert!(!text.contains("panicked"), "{text}");
+    text
+}
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap_or_else(|| panic!("{value} is not a number"))
+}
+
+const BRICK: &str = r#"
+title = "A brick"
+[[body.part]]
+shape = "box"
+size = ["200 mm", "100 mm", "60 mm"]
+density = "1800 kg/m^3"
+[start]
+spin = { body = [0.3, 2.0, 0.1] }
+[run]
+duration = "3 s"
+samples = 31
+"#;
+
+#[test]
+fn simulate_writes_a_folder_whose_table_is_the_motion() {
+    let scratch = Scratch::new("simulate");
+    scratch.write("brick.toml", BRICK);
+    let text = stdout(&scratch.run(&["simulate", "brick.toml", "--table", "csv", "--table", "parquet"]));
+    assert!(text.contains("A brick") && text.contains("wrote brick/summary.json"), "{text}");
+    assert_eq!(scratch.entries(), ["brick", "brick.toml"]);
+
+    let summary: Value =
+        serde_json::from_str(&fs::read_to_string(scratch.0.join("brick/summary.json")).unwrap()).unwrap();
+    assert!((number(&summary["mass"]) - 2.16).abs() < 1e-15);
+    let table = fs::read_to_string(scratch.0.join("brick/trajectory.csv")).unwrap();
+    let mut lines = table.lines();
+    let header: Vec<_> = lines.next().unwrap().split(',').collect();
+    assert_eq!(&header[..5], ["time_s", "attitude_w", "attitude_x", "attitude_y", "attitude_z"]);
+    let rows: Vec<Vec<f64>> =
+        lines.map(|line| line.split(',').map(|c| c.parse().unwrap()).collect()).collect();
+    assert_eq!(rows.len(), 31);
+    // The attitude and ω of the last row give the L of the first.
+    let column = |name: &str| header.iter().position(|h| *h == name).unwrap();
+    let (first, last) = (&rows[0], &rows[30]);
+    assert_eq!(last[column("time_s")], 3.0);
+    for axis in ["x", "y", "z"] {
+        let k = column(&format!("momentum_space_{axis}_kg_m2_s"));
+        assert!((first[k] - last[k]).abs() < 1e-14);
+    }
+    let moved = (first[column("omega_body_x_rad_s")] - last[column("omega_body_x_rad_s")]).abs();
+    assert!(moved > 0.1, "the brick does not tumble");
+    assert!(number(&summary["drift"]["momentum"]) < 1e-11);
+    assert!(fs::metadata(scratch.0.join("brick/trajectory.parquet")).unwrap().len() > 1000);
+}
+
+#[test]
+fn an_old_folder_is_kept_unless_forced() {
+    let scratch = Scratch::new("force");
+    scratch.write("brick.toml", BRICK);
+    stdout(&scratch.run(&["simulate", "brick.toml"]));
+    let before = fs::read(scratch.0.join("brick/summary.json")).unwrap();
+    let text = refused(&scratch.run(&["simulate", "brick.toml"]), 2);
+    assert!(text.contains("brick is there already") && text.contains("--force"), "{text}");
+    assert_eq!(fs::read(scratch.0.join("brick/summary.json")).unwrap(), before);
+
+    scratch.write("brick.toml", &BRICK.replace("1800", "900"));
+    stdout(&scratch.run(&["simulate", "brick.toml", "--force"]));
+    assert_ne!(fs::read(scratch.0.join("brick/summary.json")).unwrap(), before);
+    assert_eq!(scratch.entries(), ["brick", "brick.toml"]);
+
+    // --force does not remove what is not ours
+    fs::create_dir(scratch.0.join("photos")).unwrap();
+    fs::write(scratch.0.join("photos/cat.jpg"), "a cat").unwrap();
+    let text = refused(&scratch.run(&["simulate", "brick.toml", "-o", "photos", "--force"]), 2);
+    assert!(text.contains("not a folder of results"), "{text}");
+    assert!(scratch.0.join("photos/cat.jpg").exists());
+    for target in ["brick.toml", ".", ".."] {
+        refused(&scratch.run(&["simulate", "brick.toml", "-o", target, "--force"]), 2);
+    }
+    assert!(scratch.0.join("brick.toml").exists());
+    stdout(&scratch.run(&["simulate", "brick.toml", "-o", "deep/er/run"]));
+    assert!(scratch.0.join("deep/er/run/trajectory.parquet").exists());
+}
+
+#[test]
+fn bad_input_names_its_place_and_writes_nothing() {
+    let scratch = Scratch::new("bad");
+    for (change, with, place, says) in [
+        ("shape = \"box\"", "shape = \"bx\"", "bad.toml:4:9", "box"),
+        ("200 mm", "200 kg", "bad.toml:5:9", "a length"),
+        ("1800 kg", "-1800 kg", "bad.toml:6:11", "positive"),
+        ("samples = 31", "sampels = 31", "bad.toml:11:1", "samples"),
+        ("[0.3, 2.0, 0.1]", "[0.3, nan, 0.1]", "bad.toml:8:", "finite"),
+        ("duration = \"3 s\"", "duration = \"-3 s\"", "bad.toml:10:", "positive"),
+        ("[start]", "[start]\nattitude = { quaternion = [0, 0, 0, 0] }", "bad.toml:8:", "zero"),
+    ] {
+        assert!(BRICK.contains(change));
+        scratch.write("bad.toml", &BRICK.replace(change, with));
+        for command in ["simulate", "inertia", "explain"] {
+            let text = refused(&scratch.run(&[command, "bad.toml"]), 2);
+            assert!(text.contains(place) && text.contains(says) && text.contains("hint: "), "{text}");
+        }
+        assert_eq!(scratch.entries(), ["bad.toml"]);
+    }
+    refused(&scratch.run(&["inertia", "nowhere.toml"]), 2);
+    refused(&scratch.run(&["inertia", "."]), 2);
+    let text = refused(&scratch.run(&["inertia", "bad.step"]), 2);
+    assert!(text.contains(".stl"), "{text}");
+    refused(&scratch.run(&["inertia"]), 2);
+    refused(&scratch.run(&["wobble"]), 2);
+}
+
+#[test]
+fn a_scenario_without_a_run_is_not_simulated() {
+    let scratch = Scratch::new("norun");
+    scratch.write("still.toml", BRICK.split("[run]").next().unwrap());
+    let text = refused(&scratch.run(&["simulate", "still.toml"]), 2);
+    assert!(text.contains("[run]"), "{text}");
+    stdout(&scratch.run(&["explain", "still.toml"]));
+}
+
+#[test]
+fn a_tolerance_out_of_reach_is_a_failure_of_the_computation() {
+    // 1e300 N·m on a brick: ω leaves the range of f64
+    let scratch = Scratch::new("reach");
+    let torque = "[[torque]]\nmodel = \"constant\"\naxes = \"body\"\ntorque = [1e300, 2e300, -1e300]\n[run]";
+    scratch.write("burst.toml", &BRICK.replace("[run]", torque));
+    let text = refused(&scratch.run(&["simulate", "burst.toml"]), 3);
+    assert!(text.contains("t = ") && text.contains("hint: "), "{text}");
+    assert_eq!(scratch.entries(), ["burst.toml"]);
+}
+
+#[test]
+fn inertia_of_a_mesh_follows_its_substance_and_unit() {
+    let scratch = Scratch::new("mesh");
+    let stl = example("bracket.stl");
+    let of = |flags: &[&str]| {
+        let mut arguments = vec!["inertia", stl.as_str(), "--json", "--unit", "mm"];
+        arguments.extend_from_slice(flags);
+        json(&scratch.run(&arguments))
+    };
+    let dense = of(&["--density", "2.7 g/cm^3", "--about", "10 mm, 0, -5 mm"]);
+    let named = of(&["--material", "Aluminium"]);
+    assert_eq!(dense["mass"], named["mass"]);
+    assert_eq!(dense["inertia"], named["inertia"]);
+    let mass = number(&dense["mass"]);
+    assert!((number(&dense["volume"]) * 2700.0 / mass - 1.0).abs() < 1e-15);
+    let weighed = of(&["--mass", "1 kg"]);
+    let ratio = number(&weighed["inertia"]["tensor"][0][0]) / number(&dense["inertia"]["tensor"][0][0]);
+    assert!((ratio * mass - 1.0).abs() < 1e-14);
+    // parallel axes by hand, at a generic point
+    let c: Vec<f64> = (0..3).map(|k| number(&dense["center_of_mass"][k])).collect();
+    let a = [c[0] - 0.01, c[1], c[2] + 0.005];
+    for i in 0..3 {
+        for j in 0..3 {
+            let square: f64 = a.iter().map(|x| x * x).sum();
+            let steiner = mass * (if i == j { square } else { 0.0 } - a[i] * a[j]);
+            let want = number(&dense["inertia"]["tensor"][i][j]) + steiner;
+            let got = number(&dense["inertia_about"]["tensor"][i][j]);
+            assert!((got - want).abs() < 1e-14 * mass, "{i}{j}");
+        }
+    }
+    assert_eq!(dense["findings"].as_array().unwrap().len(), 0);
+    let assumed = of(&[]);
+    assert_eq!(assumed["findings"][0]["code"], "mass.assumed");
+    // usage errors
+    refused(&scratch.run(&["inertia", &stl, "--density", "2700 kg"]), 2);
+    refused(&scratch.run(&["inertia", &stl, "--mass", "-1 kg"]), 2);
+    refused(&scratch.run(&["inertia", &stl, "--mass", "1 kg", "--material", "steel"]), 2);
+    refused(&scratch.run(&["inertia", &stl, "--unit", "kg"]), 2);
+    refused(&scratch.run(&["inertia", &stl, "--about", "1,2"]), 2);
+    refused(&scratch.run(&["inertia", &stl, "--material", "unobtainium"]), 2);
+    let both = json(&scratch.run(&["inertia", &stl, &stl, "--json", "--mass", "1 kg"]));
+    assert_eq!(both.as_array().unwrap().len(), 2);
+}
+
+#[test]
+fn an_open_mesh_is_refused_with_its_place() {
+    let scratch = Scratch::new("open");
+    let facet = |a: &str, b: &str, c: &str| {
+        format!("facet normal 0 0 0\nouter loop\nvertex {a}\nvertex {b}\nvertex {c}\nendloop\nendfacet\n")
+    };
+    let (o, x, y, z) = ("0 0 0", "2 0 0", "0 3 0", "0 0 1");
+    let closed = [facet(o, y, x), facet(o, x, z), facet(o, z, y), facet(x, y, z)];
+    scratch.write("closed.stl", &format!("solid t\n{}endsolid t\n", closed.concat()));
+    let whole = json(&scratch.run(&["inertia", "closed.stl", "--mass", "6 kg", "--json"]));
+    assert_eq!(number(&whole["volume"]), 1.0);
+    scratch.write("open.stl", &format!("solid t\n{}endsolid t\n", closed[..3].concat()));
+    let text = refused(&scratch.run(&["inertia", "open.stl"]), 2);
+    assert!(text.contains("open.stl") && text.contains("3 edges") && text.contains("hint: "), "{text}");
+}
+
+#[test]
+fn numbers_in_json_are_those_of_the_library() {
+    let scratch = Scratch::new("bits");
+    scratch.write("brick.toml", BRICK);
+    let inertia = json(&scratch.run(&["inertia", "brick.toml", "--json"]));
+    let shape = polhode::BoxShape::new([0.2, 0.1, 0.06]).unwrap();
+    let part = polhode::Shape::mass_properties(&shape, polhode::Substance::Density(1800.0)).unwrap();
+    assert_eq!(number(&inertia["mass"]).to_bits(), part.mass().to_bits());
+    for (i, row) in part.inertia().matrix().iter().enumerate() {
+        for (j, element) in row.iter().enumerate() {
+            assert_eq!(number(&inertia["inertia"]["tensor"][i][j]), *element);
+        }
+    }
+    assert_eq!(inertia["principal"]["symmetry"], "asymmetric");
+}
+
+#[test]
+fn every_command_explains_itself() {
+    let scratch = Scratch::new("help");
+    for command in ["inertia", "simulate", "explain"] {
+        let help = stdout(&scratch.run(&[command, "--help"]));
+        assert!(help.contains("Examples:") && help.contains("--json"), "{help}");
+    }
+    assert!(stdout(&scratch.run(&["completions", "bash"])).contains("simulate"));
+    assert!(stdout(&scratch.run(&["man"])).contains(".TH polhode"));
+    assert!(stdout(&scratch.run(&["--version"])).starts_with("polhode 0."));
+}
+
+#[test]
+fn explain_speaks_text_markdown_and_json() {
+    let scratch = Scratch::new("explain");
+    let dumbbell = example("notes/11-10-dumbbell.toml");
+    let text = stdout(&scratch.run(&["explain", &dumbbell]));
+    assert!(text.contains("Euler"), "{text}");
+    let markdown = stdout(&scratch.run(&["explain", &dumbbell, "--markdown"]));
+    assert!(markdown.starts_with("# ") && markdown.contains("$$"), "{markdown}");
+    let document = json(&scratch.run(&["explain", &dumbbell, "--json"]));
+    assert!(document["sections"].as_array().unwrap().len() >= 6);
+    refused(&scratch.run(&["explain", &dumbbell, "--json", "--markdown"]), 2);
+}

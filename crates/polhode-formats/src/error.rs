@@ -1,0 +1,295 @@
+//! Why a file could not be read, and exactly where.
+
+use std::error::Error;
+use std::fmt;
+use std::io;
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+
+use polhode::{BodyError, MotionError, RotationError};
+
+use crate::mesh::stl::{StlError, StlPlace};
+use crate::unit::UnitError;
+
+/// Why a file could not be read: which file, where in it, what stands there, the rule that it breaks, and what to
+/// write instead.
+///
+/// Prints as `path:line:column: message`; [`FormatError::place`] has the line itself for whoever draws a snippet.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FormatError(Box<Report>);
+
+#[derive(Clone, Debug, PartialEq)]
+struct Report {
+    path: PathBuf,
+    place: Option<Place>,
+    kind: FormatErrorKind,
+    hint: Option<String>,
+    named_in: Option<(PathBuf, Place)>,
+}
+
+/// What is wrong with a file.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum FormatErrorKind {
+    /// The file cannot be opened or read.
+    Io {
+        /// The file, as its user wrote it.
+        file: String,
+        /// What kind of failure it was.
+        kind: io::ErrorKind,
+        /// In words.
+        why: String,
+    },
+    /// A text file that is not UTF-8.
+    NotUtf8 {
+        /// The first byte that does not belong.
+        byte: u8,
+    },
+    /// The text does not follow TOML's grammar.
+    Toml {
+        /// What the parser says.
+        message: String,
+    },
+    /// A key that means nothing in its place.
+    UnknownKey {
+        /// The key.
+        key: String,
+        /// The table that it stands in.
+        table: String,
+        /// The key that was probably meant.
+        suggestion: Option<&'static str>,
+        /// All keys that mean something there.
+        known: Vec<&'static str>,
+    },
+    /// A key that has to be there and is not.
+    MissingKey {
+        /// The key.
+        key: &'static str,
+        /// The table that lacks it.
+        table: String,
+        /// A line that would do.
+        example: &'static str,
+    },
+    /// Two keys that exclude each other.
+    Conflict {
+        /// The keys, in the order of the file.
+        keys: [&'static str; 2],
+        /// Why they do.
+        rule: &'static str,
+    },
+    /// A value of the wrong type, or an array of the wrong length.
+    WrongType {
+        /// The key whose value it is.
+        key: String,
+        /// What belongs there.
+        expected: String,
+        /// What stands there.
+        found: String,
+    },
+    /// A value that breaks a rule.
+    Value {
+        /// The key whose value it is.
+        key: String,
+        /// The value, as it is written.
+        value: String,
+        /// What it has to be.
+        rule: String,
+    },
+    /// A text that is not the quantity that belongs there.
+    Unit(UnitError),
+    /// Numbers that are not a body.
+    Body(BodyError),
+    /// Numbers that are not a motion.
+    Motion(MotionError),
+    /// Numbers that are not a rotation.
+    Rotation(RotationError),
+    /// Bytes that are not an STL file.
+    Stl(StlError),
+}
+
+/// A place in a text file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Place {
+    /// Line, from 1.
+    pub line: usize,
+    /// Character in the line, from 1.
+    pub column: usize,
+    /// Bytes in the file.
+    pub span: Range<usize>,
+    /// The line, without control characters; of a very long one, the part around the place.
+    pub excerpt: String,
+    /// Characters of the excerpt that the place covers.
+    pub marked: Range<usize>,
+}
+
+impl FormatError {
+    pub(crate) fn new(path: &Path, place: Option<Place>, kind: FormatErrorKind) -> Self {
+        Self(Box::new(Report { path: path.to_owned(), place, kind, hint: None, named_in: None }))
+    }
+
+    /// The same with a hint that knows more than its kind does.
+    pub(crate) fn with_hint(mut self, hint: impl Into<String>) -> Self {
+        self.0.hint = Some(hint.into());
+        self
+    }
+
+    /// The same about a file that another file names.
+    pub(crate) fn named_in(mut self, path: &Path, place: Place) -> Self {
+        self.0.named_in = Some((path.to_owned(), place));
+        self
+    }
+
+    /// The file that it is about.
+    pub fn path(&self) -> &Path {
+        &self.0.path
+    }
+
+    /// Where in the file; `None` if it is about the file as a whole, or the file is binary.
+    pub fn place(&self) -> Option<&Place> {
+        self.0.place.as_ref()
+    }
+
+    /// What is wrong.
+    pub fn kind(&self) -> &FormatErrorKind {
+        &self.0.kind
+    }
+
+    /// What is wrong, as a sentence without the place.
+    pub fn message(&self) -> String {
+        self.0.kind.to_string()
+    }
+
+    /// What to do about it, where there is something to say.
+    pub fn hint(&self) -> Option<String> {
+        self.0.hint.clone().or_else(|| self.0.kind.hint())
+    }
+
+    /// The file and the place that name the file that it is about: the `file = "part.stl"` of a scenario.
+    pub fn origin(&self) -> Option<(&Path, &Place)> {
+        self.0.named_in.as_ref().map(|(path, place)| (path.as_path(), place))
+    }
+}
+
+impl fmt::Display for FormatError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let place = |f: &mut fmt::Formatter<'_>, path: &Path, place: Option<&Place>| match place {
+            Some(place) => write!(f, "{}:{}:{}", shown(path), place.line, place.column),
+            None => f.write_str(&shown(path)),
+        };
+        place(f, self.path(), self.place())?;
+        write!(f, ": {}", self.0.kind)?;
+        if let Some((path, at)) = self.origin() {
+            f.write_str(" (named in ")?;
+            place(f, path, Some(at))?;
+            f.write_str(")")?;
+        }
+        Ok(())
+    }
+}
+
+impl Error for FormatError {}
+
+impl fmt::Display for FormatErrorKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Io { file, why, .. } => write!(f, "cannot read {file:?}: {why}"),
+            Self::NotUtf8 { byte } => {
+                write!(f, "the file is not UTF-8 text: the byte 0x{byte:02X} does not belong")
+            }
+            Self::Toml { message } => f.write_str(message),
+            Self::UnknownKey { key, table, .. } => write!(f, "unknown key {key:?} in {table}"),
+            Self::MissingKey { key, table, .. } => write!(f, "the key {key} is missing in {table}"),
+            Self::Conflict { keys: [a, b], rule } => write!(f, "{a} and {b} are both given: {rule}"),
+            Self::WrongType { key, expected, found } => write!(f, "{key} must be {expected}, not {found}"),
+            Self::Value { key, value, rule } => write!(f, "{key} = {value} must be {rule}"),
+            Self::Unit(e) => e.fmt(f),
+            Self::Body(e) => e.fmt(f),
+            Self::Motion(e) => e.fmt(f),
+            Self::Rotation(e) => e.fmt(f),
+            // A line and a column are the error's own; a record has to be said.
+            Self::Stl(e) if matches!(e.place(), Some(StlPlace::Text { .. })) => f.write_str(&e.message()),
+            Self::Stl(e) => e.fmt(f),
+        }
+    }
+}
+
+impl FormatErrorKind {
+    fn hint(&self) -> Option<String> {
+        match self {
+            Self::Io { kind: io::ErrorKind::NotFound, .. } => {
+                Some("check the spelling; a relative path starts at the current folder".to_owned())
+            }
+            Self::Io { kind: io::ErrorKind::IsADirectory, .. } => Some("name a file in it".to_owned()),
+            Self::Toml { .. } => {
+                Some("a line is key = value, [table] or [[table]]; text is in quotes".to_owned())
+            }
+            Self::Io { .. } | Self::WrongType { .. } | Self::Value { .. } => None,
+            Self::NotUtf8 { .. } => Some("save the file as UTF-8".to_owned()),
+            Self::UnknownKey { suggestion, known, .. } => {
+                let meant = suggestion.map_or(String::new(), |key| format!("did you mean {key}? "));
+                Some(format!("{meant}the keys here are {}", known.join(", ")))
+            }
+            Self::MissingKey { example, .. } => Some(format!("write {example}")),
+            Self::Conflict { .. } => Some("leave one of them out".to_owned()),
+            Self::Unit(e) => e.hint(),
+            Self::Body(e) => e.hint().map(str::to_owned),
+            Self::Motion(e) => e.hint().map(str::to_owned),
+            Self::Rotation(e) => Some(rotation_hint(e).to_owned()),
+            Self::Stl(e) => e.hint().map(str::to_owned),
+        }
+    }
+}
+
+fn rotation_hint(error: &RotationError) -> &'static str {
+    match error {
+        RotationError::Quaternion { .. } => {
+            "no turn at all is quaternion = [1, 0, 0, 0]: the scalar comes first"
+        }
+        RotationError::Axis { .. } => "the z axis is [0, 0, 1]; any length will do",
+        RotationError::Matrix { .. } => {
+            "its columns are the turned axes: of length 1, perpendicular, right-handed, with eight digits or more"
+        }
+        _ => "an angle is finite",
+    }
+}
+
+impl Place {
+    /// The bytes `span` of a text.
+    pub(crate) fn in_text(text: &str, span: Range<usize>) -> Self {
+        /// Characters that are shown of a line.
+        const SHOWN: usize = 160;
+        let start = text.floor_char_boundary(span.start.min(text.len()));
+        let end = text.floor_char_boundary(span.end.clamp(start, text.len()));
+        let line_start = text[..start].rfind('\n').map_or(0, |newline| newline + 1);
+        let line_end = text[start..].find('\n').map_or(text.len(), |newline| start + newline);
+        // A byte order mark is no character of the first line.
+        let visible = if line_start == 0 && text.starts_with('\u{feff}') { 3.min(start) } else { line_start };
+        let before = text[visible..start].chars().count();
+        let width = text[start..end.min(line_end).max(start)].trim_end().chars().count().max(1);
+        let skipped = before.saturating_sub(SHOWN / 2);
+        let excerpt: String = text[visible..line_end]
+            .trim_end_matches('\r')
+            .chars()
+            .skip(skipped)
+            .take(SHOWN)
+            .map(|c| if c.is_control() { ' ' } else { c })
+            .collect();
+        let from = before - skipped;
+        Self {
+            line: 1 + text[..start].matches('\n').count(),
+            column: 1 + before,
+            span: start..end,
+            excerpt,
+            marked: from..(from + width).min(SHOWN.max(from + 1)),
+        }
+    }
+}
+
+/// A path as messages print it: control characters escaped, so that it stays on its line.
+fn shown(path: &Path) -> String {
+    let mut text = String::new();
+    for c in path.to_string_lossy().chars() {
+        if c.is_control() { text.extend(c.escape_default()) } else { text.push(c) }
+    }
+    text
+}

@@ -1,0 +1,151 @@
+//! Scenario files: one body and one motion, as TOML.
+//!
+//! ```toml
+//! title = "T-handle in free fall"
+//!
+//! [[body.part]]                       # box, sphere, cylinder, …, mesh, particles, tensor
+//! shape = "cylinder"
+//! radius = "4 mm"
+//! length = "40 mm"
+//! material = "aluminium"              # or density = "2700 kg/m^3", or mass = "12 g"
+//! position = ["0 mm", "0 mm", "20 mm"]
+//! rotate = { axis = [0, 1, 0], angle = "90 deg" }
+//!
+//! [start]
+//! spin = { body = ["0.01 rad/s", "0 rad/s", "12 rad/s"] }     # or space = …, or momentum = …
+//!
+//! [run]
+//! duration = "20 s"
+//! samples = 2001                      # or every = "10 ms"
+//! ```
+//!
+//! A quantity is a string with its unit, or a number in SI. Whatever is unknown, impossible or ambiguous is an
+//! error that points at its place; nothing is ignored.
+
+mod body;
+mod part;
+mod pendulum;
+mod prescribed;
+mod reader;
+mod rotation;
+mod run;
+mod shape;
+mod start;
+mod substance;
+mod suggestion;
+mod tensor;
+mod torque;
+
+use std::path::Path;
+
+use polhode::{Finding, Rotor, Scenario, Severity, TorqueModel, Velocity};
+use toml::de::DeTable;
+
+use crate::error::{FormatError, FormatErrorKind, Place};
+use crate::file;
+use reader::{Source, Table};
+
+/// A scenario larger than this is something else: a mesh or a table goes into a file of its own.
+const LARGEST_FILE: u64 = 64 << 20;
+
+/// Reads a scenario file; the files that it names are found relative to it.
+///
+/// # Errors
+/// [`FormatError`] if it, or a file that it names, cannot be read or describes no body or no motion.
+pub fn read(path: &Path) -> Result<Scenario, FormatError> {
+    let fail = |kind| FormatError::new(path, None, kind);
+    let bytes = file::bytes(path, &path.to_string_lossy(), LARGEST_FILE).map_err(fail)?;
+    match str::from_utf8(&bytes) {
+        Ok(text) => parse(text, path),
+        Err(error) => {
+            let valid = error.valid_up_to();
+            let byte = bytes.get(valid).copied().unwrap_or_default();
+            // What stands before it is text, and shows the place.
+            let text = String::from_utf8_lossy(&bytes);
+            let place = Place::in_text(&text, valid..valid);
+            Err(FormatError::new(path, Some(place), FormatErrorKind::NotUtf8 { byte }))
+        }
+    }
+}
+
+/// Reads a scenario from its text; `path` is for messages, and for the files that the scenario names.
+///
+/// ```
+/// use polhode_formats::scenario;
+/// let text = r#"
+/// [[body.part]]
+/// shape = "sphere"
+/// radius = "20 mm"
+/// mass = "0.5 kg"
+/// "#;
+/// let scenario = scenario::parse(text, "ball.toml".as_ref())?;
+/// assert!((scenario.body.inertia().matrix()[0][0] - 0.4 * 0.5 * 0.02 * 0.02).abs() < 1e-19);
+///
+/// let error = scenario::parse(&text.replace("20 mm", "20 kg"), "ball.toml".as_ref()).unwrap_err();
+/// assert_eq!(error.to_string(), "ball.toml:4:10: \"kg\" is a mass where a length belongs");
+/// # Ok::<(), polhode_formats::FormatError>(())
+/// ```
+///
+/// # Errors
+/// As [`read`].
+pub fn parse(text: &str, path: &Path) -> Result<Scenario, FormatError> {
+    let source = Source { path, text };
+    let document = DeTable::parse(text).map_err(|error| source.syntax(&error))?;
+    let root = Table::root(source, document.get_ref());
+    root.allow(&["title", "body", "start", "torque", "prescribed", "pendulum", "run"])?;
+    let exclusive = "a prescribed motion is given, and the torque that it needs is the answer";
+    root.at_most_one(&["prescribed", "torque"], exclusive)?;
+
+    let mut findings = Vec::new();
+    let title = root.get("title").map(|title| title.string().map(str::to_owned)).transpose()?;
+    let body::Assembly { parts, body, mut pivot } = body::body(&root, &mut findings)?;
+    let torques = torque::torques(&root, &mut pivot)?;
+    let point = pivot.map(|pivot| pivot.point);
+    let rotor = point.map_or_else(|| Rotor::free(&body), |point| Rotor::pivoted(&body, point));
+    let start = start::start(&root, &rotor)?;
+    let prescribed = prescribed::prescribed(&root, &start)?;
+    let state = prescribed.map_or(start.state, |motion| motion.at(0.0).0);
+    let mut scenario = Scenario {
+        title,
+        parts,
+        body,
+        start: state,
+        velocity: start.velocity.unwrap_or(Velocity::ZERO),
+        pivot: point,
+        torques,
+        prescribed,
+        hanging: None,
+        run: run::run(&root)?,
+        findings,
+    };
+    pendulum::pendulum(&root, &mut scenario)?;
+    scenario.findings.extend(idle_gravity(&scenario));
+    scenario.findings.extend(idle_motion(&scenario));
+    Ok(scenario)
+}
+
+/// Gravity does not turn a body held at its centre of mass.
+fn idle_gravity(scenario: &Scenario) -> Option<Finding> {
+    let has_gravity = scenario.torques.iter().any(|torque| matches!(torque, TorqueModel::Gravity(_)));
+    let (rotor, center) = (scenario.rotor(), scenario.body.center_of_mass());
+    // Rounding of the centre of mass is no lever.
+    let balanced = rotor.lever().norm() <= 1e-14 * (center.norm() + (center - rotor.lever()).norm());
+    (has_gravity && balanced).then(|| Finding {
+        code: "gravity.balanced",
+        severity: Severity::Info,
+        message: "the centre of mass is at the pivot: gravity does not turn the body".to_owned(),
+        place: None,
+    })
+}
+
+/// A free body at rest stays so.
+fn idle_motion(scenario: &Scenario) -> Option<Finding> {
+    let still =
+        scenario.start.omega.norm() == 0.0 && scenario.torques.is_empty() && scenario.prescribed.is_none();
+    (still && scenario.run.is_some()).then(|| Finding {
+        code: "start.rest",
+        severity: Severity::Warning,
+        message: "the body starts without spin and nothing turns it".to_owned(),
+        place: None,
+    })
+}

@@ -1,0 +1,168 @@
+//! One `[[body.part]]`: a shape, a mesh, particles or a tensor, made of something, placed somewhere.
+
+use std::path::Path;
+
+use polhode::{
+    Body, BodyPart, Extent, Finding, MassProperties, Part, Particle, PlacedPart, Position, Rotation,
+    Severity, Shape, mass_properties_of_particles,
+};
+
+use super::reader::{Table, Value};
+use super::rotation::rotation;
+use super::shape::{SHAPES, shape};
+use super::substance::{self, substance};
+use super::tensor;
+use crate::error::FormatError;
+use crate::mesh::{self, MeshFile};
+use crate::unit::{self, Dimension};
+
+/// Keys that every part may have.
+const COMMON: [&str; 4] = ["name", "shape", "position", "rotate"];
+
+/// Reads part number `number`, counted from 1; what is worth a remark goes to `findings`.
+pub(crate) fn part(
+    table: Table<'_>,
+    number: usize,
+    findings: &mut Vec<Finding>,
+) -> Result<BodyPart, FormatError> {
+    let kind = kind(&table)?;
+    let table = table.called(format!("[[body.part]] of shape \"{kind}\""));
+    table.allow(&keys(kind))?;
+    let name = match table.get("name") {
+        Some(name) => name.string()?.to_owned(),
+        None => format!("{kind} {number}"),
+    };
+    let placement = Placement::read(&table)?;
+    let solid = match kind {
+        "particles" => return particles(&table, name, &placement),
+        "tensor" => {
+            let properties = placement.place(&table, tensor::mass_properties(&table)?)?;
+            return Ok(BodyPart {
+                name,
+                kind,
+                properties,
+                extent: None,
+                surface_area: None,
+                particles: Vec::new(),
+            });
+        }
+        "mesh" => Box::new(read_mesh(&table, &name, findings)?.mesh) as Box<dyn Shape>,
+        _ => shape(kind, &table)?,
+    };
+    let extent = solid.spread().extent();
+    let (substance, given) = substance(&table, extent)?;
+    let properties = solid.mass_properties(substance).map_err(|e| given.body(e))?;
+    let surface_area = (!matches!(extent, Extent::Length(_))).then(|| solid.surface_area());
+    let properties = placement.place(&table, properties)?;
+    Ok(BodyPart { name, kind, properties, extent: Some(extent), surface_area, particles: Vec::new() })
+}
+
+/// The name of the part's shape.
+fn kind(table: &Table<'_>) -> Result<&'static str, FormatError> {
+    let names: Vec<_> = SHAPES.iter().map(|(name, _)| *name).chain(["mesh", "particles", "tensor"]).collect();
+    table.require("shape", "shape = \"box\"")?.choice(&names)
+}
+
+fn keys(kind: &str) -> Vec<&'static str> {
+    let own: &[&[&'static str]] = match kind {
+        "particles" => &[&["particles"]],
+        "tensor" => &[&tensor::KEYS],
+        "mesh" => &[&["file", "unit"], &substance::KEYS],
+        _ => &[SHAPES.iter().find(|(name, _)| *name == kind).map_or(&[], |(_, keys)| keys), &substance::KEYS],
+    };
+    COMMON.iter().chain(own.iter().copied().flatten()).copied().collect()
+}
+
+/// Where a part is and how it is turned.
+struct Placement {
+    position: Position<Body>,
+    rotation: Rotation<Body, Part>,
+}
+
+impl Placement {
+    fn read(table: &Table<'_>) -> Result<Self, FormatError> {
+        let position = match table.get("position") {
+            Some(position) => Position::from_array(position.quantities(Dimension::LENGTH)?),
+            None => Position::ZERO,
+        };
+        let rotation = table.get("rotate").map_or(Ok(Rotation::identity()), |value| rotation(&value))?;
+        Ok(Self { position, rotation })
+    }
+
+    fn place(
+        &self,
+        table: &Table<'_>,
+        part: MassProperties<Part>,
+    ) -> Result<MassProperties<Body>, FormatError> {
+        let placed = PlacedPart::new(part, self.position, self.rotation);
+        placed.map(|part| part.in_body()).map_err(|e| table.error(crate::FormatErrorKind::Body(e)))
+    }
+}
+
+/// `particles = [{ mass = "1 kg", position = [3] }, …]`
+fn particles(table: &Table<'_>, name: String, placement: &Placement) -> Result<BodyPart, FormatError> {
+    let list =
+        table.require("particles", "particles = [{ mass = \"1 kg\", position = [0, 0, \"0.5 m\"] }]")?;
+    let mut particles = Vec::new();
+    for element in list.elements("an array of tables")? {
+        let particle = element.table()?.called("a particle".to_owned());
+        particle.allow(&["mass", "position"])?;
+        let mass = particle.require("mass", "mass = \"1 kg\"")?;
+        let position = particle.require("position", "position = [0, 0, \"0.5 m\"]")?;
+        let in_part = Position::<Part>::from_array(position.quantities(Dimension::LENGTH)?);
+        let in_body = placement.position + placement.rotation * in_part;
+        let particle = Particle::new(mass.positive(Dimension::MASS)?, in_body);
+        particles.push(particle.map_err(|e| position.body(e))?);
+    }
+    let properties = mass_properties_of_particles(&particles).map_err(|e| list.body(e))?;
+    Ok(BodyPart { name, kind: "particles", properties, extent: None, surface_area: None, particles })
+}
+
+/// The mesh of `file`, a path relative to the scenario, in `unit`s.
+fn read_mesh(table: &Table<'_>, name: &str, findings: &mut Vec<Finding>) -> Result<MeshFile, FormatError> {
+    let file = table.require("file", "file = \"part.stl\"")?;
+    let written = file.string()?;
+    if written.is_empty() {
+        return Err(file.invalid("a path").with_hint("write file = \"part.stl\", relative to the scenario"));
+    }
+    let unit = table.get("unit").map_or(Ok(1.0), |value| length_unit(&value))?;
+    let scenario = file.source().path;
+    let path = scenario.parent().unwrap_or(Path::new("")).join(written);
+    let mesh = mesh::read_as(&path, written, unit).map_err(|error| match error.kind() {
+        // A file that is not there has no lines: the scenario's line is to blame.
+        kind @ crate::FormatErrorKind::Io { .. } => file
+            .error(kind.clone())
+            .with_hint(format!("paths are relative to the scenario: this one is {path:?}")),
+        _ => error.named_in(scenario, file.place()),
+    })?;
+    let place = || Some(format!("part \"{name}\", {written}"));
+    if mesh.mesh.inverted() {
+        let message = "the normals of the mesh pointed inward and were turned".to_owned();
+        findings.push(Finding {
+            code: "mesh.inverted",
+            severity: Severity::Warning,
+            message,
+            place: place(),
+        });
+    }
+    if let count @ 1.. = mesh.mesh.degenerate() {
+        let message =
+            format!("{count} of {} triangles have two equal corners and were left out", mesh.triangles);
+        findings.push(Finding { code: "mesh.degenerate", severity: Severity::Info, message, place: place() });
+    }
+    Ok(mesh)
+}
+
+/// `unit = "mm"`: what one is, in metres.
+fn length_unit(value: &Value<'_>) -> Result<f64, FormatError> {
+    let name = value.string()?;
+    let hint = "a mesh file has no unit of its own: write unit = \"mm\", \"in\" or \"m\"";
+    if !name.trim().starts_with(char::is_alphabetic) {
+        return Err(value.invalid("the name of a unit of length").with_hint(hint));
+    }
+    unit::parse(&format!("1 {name}"), Dimension::LENGTH).map_err(|error| {
+        let known = error.hint();
+        let error = value.error(crate::FormatErrorKind::Unit(error));
+        if known.is_some() { error } else { error.with_hint(hint) }
+    })
+}

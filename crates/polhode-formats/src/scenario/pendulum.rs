@@ -1,0 +1,68 @@
+//! The `[pendulum]`: the fixed axis from which the body hangs.
+
+use std::f64::consts::PI;
+
+use polhode::{Direction, Finding, Hanging, Scenario, Severity, TorqueModel};
+
+use super::reader::Table;
+use crate::error::FormatError;
+use crate::unit::Dimension;
+
+/// Reads `[pendulum]` into a scenario that is complete but for it.
+pub(crate) fn pendulum(root: &Table<'_>, scenario: &mut Scenario) -> Result<(), FormatError> {
+    let Some(value) = root.get("pendulum") else { return Ok(()) };
+    let table = value.table()?;
+    table.allow(&["axis", "amplitude"])?;
+    if !scenario.torques.iter().any(|torque| matches!(torque, TorqueModel::Gravity(_))) {
+        let hint = "a pendulum needs weight: add [[torque]] with model = \"gravity\" and pivot = [0, 0, 0]";
+        return Err(root.get("torque").map_or_else(
+            || table.missing("torque", "").with_hint(hint),
+            |torque| torque.invalid("gravity, among others").with_hint(hint),
+        ));
+    }
+    let axis = table.require("axis", "axis = [0, 0, 1]")?;
+    let amplitude = match table.get("amplitude") {
+        None => None,
+        Some(value) => match value.positive(Dimension::ANGLE)? {
+            angle if angle < PI => Some(angle),
+            _ => {
+                return Err(value.invalid("below 180 deg").with_hint("beyond it the body goes over the top"));
+            }
+        },
+    };
+    let direction = Direction::from_array(axis.numbers()?);
+    scenario.hanging = Some(Hanging { axis: direction, amplitude });
+    if let Some(Err(e)) = scenario.pendulum() {
+        return Err(axis.motion(e).with_hint("gravity and the centre of mass have to be off the axis"));
+    }
+    scenario.findings.extend(leaves_its_axis(scenario, direction));
+    Ok(())
+}
+
+/// A run holds the body at a point, not at an axis: it stays on the axis only if nothing pulls it off.
+fn leaves_its_axis(scenario: &Scenario, axis: Direction<polhode::Body>) -> Option<Finding> {
+    /// Angles below this are rounding, rad.
+    const ROUNDING: f64 = 1e-9;
+    scenario.run.as_ref()?;
+    let n = axis.direction()?;
+    let rotor = scenario.rotor();
+    let omega = polhode::AngularVelocity::from_array(n.to_array());
+    let along = |v: [f64; 3]| {
+        let v = Direction::from_array(v);
+        let across = v - n * n.dot(v);
+        across.norm() <= ROUNDING * v.norm()
+    };
+    let start = scenario.start;
+    let weightless = |torque: &TorqueModel| along(torque.torque(&rotor, &start).to_array());
+    let stays = along(rotor.angular_momentum(omega).to_array())
+        && along(start.omega.to_array())
+        && n.dot(rotor.lever()).abs() <= ROUNDING * rotor.lever().norm()
+        && scenario.torques.iter().all(weightless);
+    (!stays).then(|| Finding {
+        code: "pendulum.axis",
+        severity: Severity::Warning,
+        message: "the run holds the body at its pivot only, and it will not stay on the pendulum's axis"
+            .to_owned(),
+        place: None,
+    })
+}

@@ -1,0 +1,337 @@
+//! TOML with places: tables and values that know where in the file they stand, so that every error can say it.
+
+use std::ops::Range;
+use std::path::Path;
+
+use polhode::{BodyError, MotionError, RotationError};
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use super::suggestion::nearest;
+use crate::error::{FormatError, FormatErrorKind, Place};
+use crate::unit::{self, Dimension};
+
+/// The text of a file, and the path for messages and for the files that it names.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Source<'a> {
+    pub(crate) path: &'a Path,
+    pub(crate) text: &'a str,
+}
+
+impl Source<'_> {
+    pub(crate) fn place(&self, span: Range<usize>) -> Place {
+        Place::in_text(self.text, span)
+    }
+
+    pub(crate) fn error(&self, span: Range<usize>, kind: FormatErrorKind) -> FormatError {
+        FormatError::new(self.path, Some(self.place(span)), kind)
+    }
+
+    /// What the TOML parser refuses.
+    pub(crate) fn syntax(&self, error: &toml::de::Error) -> FormatError {
+        let message = error.message().to_owned();
+        let hint = match message.as_str() {
+            "duplicate key" => {
+                Some("a key stands once in its table; for one more part write another [[body.part]]")
+            }
+            m if m.starts_with("string values must be quoted") => {
+                Some("a quantity with a unit is a string in quotes, such as \"25 mm\"")
+            }
+            _ => None,
+        };
+        let fail = self.error(error.span().unwrap_or_default(), FormatErrorKind::Toml { message });
+        match hint {
+            Some(hint) => fail.with_hint(hint),
+            None => fail,
+        }
+    }
+}
+
+/// A table, its place, and what to call it.
+#[derive(Clone, Debug)]
+pub(crate) struct Table<'a> {
+    source: Source<'a>,
+    entries: &'a DeTable<'a>,
+    span: Range<usize>,
+    name: String,
+}
+
+impl<'a> Table<'a> {
+    /// The table that is the whole file.
+    pub(crate) fn root(source: Source<'a>, entries: &'a DeTable<'a>) -> Self {
+        Self { source, entries, span: 0..0, name: "the file".to_owned() }
+    }
+
+    /// Says what the table is where its header alone does not.
+    pub(crate) fn called(self, name: String) -> Self {
+        Self { name, ..self }
+    }
+
+    /// Refuses the first key that is none of `known`.
+    pub(crate) fn allow(&self, known: &[&'static str]) -> Result<(), FormatError> {
+        let unknown = self.entries.keys().filter(|key| !known.contains(&key.get_ref().as_ref()));
+        let Some(first) = unknown.min_by_key(|key| key.span().start) else { return Ok(()) };
+        let key = first.get_ref().to_string();
+        let suggestion = nearest(&key, known.iter().copied());
+        let kind =
+            FormatErrorKind::UnknownKey { key, table: self.name.clone(), suggestion, known: known.to_vec() };
+        Err(self.source.error(first.span(), kind))
+    }
+
+    /// The value of a key, if it is there.
+    pub(crate) fn get(&self, key: &'static str) -> Option<Value<'a>> {
+        self.entries.get(key).map(|value| Value { source: self.source, key, value })
+    }
+
+    /// The value of a key that has to be there.
+    pub(crate) fn require(&self, key: &'static str, example: &'static str) -> Result<Value<'a>, FormatError> {
+        self.get(key).ok_or_else(|| self.missing(key, example))
+    }
+
+    /// The value of the one key of several that is there; none or one may be.
+    pub(crate) fn at_most_one(
+        &self,
+        keys: &[&'static str],
+        rule: &'static str,
+    ) -> Result<Option<Value<'a>>, FormatError> {
+        let mut given: Vec<Value<'a>> = keys.iter().filter_map(|key| self.get(key)).collect();
+        given.sort_by_key(|value| value.span().start);
+        match given[..] {
+            [first, second, ..] => {
+                Err(second.error(FormatErrorKind::Conflict { keys: [first.key, second.key], rule }))
+            }
+            _ => Ok(given.pop()),
+        }
+    }
+
+    pub(crate) fn missing(&self, key: &'static str, example: &'static str) -> FormatError {
+        self.error(FormatErrorKind::MissingKey { key, table: self.name.clone(), example })
+    }
+
+    /// An error at the table's header.
+    pub(crate) fn error(&self, kind: FormatErrorKind) -> FormatError {
+        self.source.error(self.span.clone(), kind)
+    }
+}
+
+/// A value, its place, and the key that it belongs to.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Value<'a> {
+    source: Source<'a>,
+    key: &'static str,
+    value: &'a Spanned<DeValue<'a>>,
+}
+
+impl<'a> Value<'a> {
+    pub(crate) fn key(&self) -> &'static str {
+        self.key
+    }
+
+    pub(crate) fn span(&self) -> Range<usize> {
+        self.value.span()
+    }
+
+    pub(crate) fn place(&self) -> Place {
+        self.source.place(self.span())
+    }
+
+    pub(crate) fn source(&self) -> Source<'a> {
+        self.source
+    }
+
+    pub(crate) fn is_array(&self) -> bool {
+        self.value.get_ref().is_array()
+    }
+
+    pub(crate) fn table(&self) -> Result<Table<'a>, FormatError> {
+        match self.value.get_ref() {
+            DeValue::Table(entries) => {
+                // `[start]` is called so; `{ body = … }` by its key.
+                let text = self.source.text.get(self.span()).unwrap_or_default();
+                let name = if text.starts_with('[') { text.to_owned() } else { self.key.to_owned() };
+                Ok(Table { source: self.source, entries, span: self.span(), name })
+            }
+            _ => Err(self.wrong_type(
+                "a table",
+                &format!("write {} = {{ ... }}, or [{}] on a line", self.key, self.key),
+            )),
+        }
+    }
+
+    /// All elements of an array.
+    pub(crate) fn elements(&self, expected: &str) -> Result<Vec<Self>, FormatError> {
+        match self.value.get_ref() {
+            DeValue::Array(elements) => Ok(elements.iter().map(|value| Self { value, ..*self }).collect()),
+            _ => Err(self.wrong_type(expected, &format!("write {} = [...]", self.key))),
+        }
+    }
+
+    /// The elements of an array of N.
+    pub(crate) fn fixed<const N: usize>(&self, of: &str) -> Result<[Self; N], FormatError> {
+        let expected = format!("an array of {N} {of}");
+        let elements = self.elements(&expected)?;
+        let found = elements.len();
+        let hint = || format!("write {} = [{}]", self.key, ["..."; N].join(", "));
+        elements
+            .try_into()
+            .map_err(|_| self.mismatch(expected, format!("an array of {found}")).with_hint(hint()))
+    }
+
+    pub(crate) fn string(&self) -> Result<&'a str, FormatError> {
+        match self.value.get_ref() {
+            DeValue::String(text) => Ok(text),
+            _ => Err(self.wrong_type("a string", "put it in quotes")),
+        }
+    }
+
+    pub(crate) fn boolean(&self) -> Result<bool, FormatError> {
+        match self.value.get_ref() {
+            DeValue::Boolean(value) => Ok(*value),
+            _ => Err(self.wrong_type("true or false", &format!("write {} = true", self.key))),
+        }
+    }
+
+    /// One of several names.
+    pub(crate) fn choice(&self, names: &[&'static str]) -> Result<&'static str, FormatError> {
+        let text = self.string()?;
+        match names.iter().find(|name| **name == text) {
+            Some(name) => Ok(name),
+            None => Err(self.invalid(format!("one of {}", names.join(", "))).with_hint(
+                match nearest(text, names.iter().copied()) {
+                    Some(name) => format!("did you mean \"{name}\"?"),
+                    None => format!("write {} = \"{}\"", self.key, names.first().unwrap_or(&"")),
+                },
+            )),
+        }
+    }
+
+    /// A whole number.
+    pub(crate) fn count(&self) -> Result<u64, FormatError> {
+        match self.value.get_ref() {
+            DeValue::Integer(integer) => u64::from_str_radix(integer.as_str(), integer.radix())
+                .map_err(|_| self.invalid("a whole number, not negative, below 2^64")),
+            _ => Err(self.wrong_type("a whole number", &format!("write {} = 1000", self.key))),
+        }
+    }
+
+    /// A plain number, finite.
+    pub(crate) fn number(&self) -> Result<f64, FormatError> {
+        let digits = match self.value.get_ref() {
+            DeValue::Float(float) => float.as_str().to_owned(),
+            DeValue::Integer(integer) if integer.radix() == 10 => integer.as_str().to_owned(),
+            DeValue::Integer(integer) => u128::from_str_radix(integer.as_str(), integer.radix())
+                .map_err(|_| self.invalid("below 2^128"))?
+                .to_string(),
+            _ => return Err(self.wrong_type("a number", "it has no unit and no quotes")),
+        };
+        if digits.ends_with(['n', 'f']) {
+            return Err(self.invalid("finite").with_hint("nan and inf are no quantities: write a number"));
+        }
+        unit::parse(&digits, Dimension::NONE).map_err(|e| self.error(FormatErrorKind::Unit(e)))
+    }
+
+    /// A number in SI, or a string with a unit.
+    pub(crate) fn quantity(&self, dimension: Dimension) -> Result<f64, FormatError> {
+        match self.value.get_ref() {
+            DeValue::String(text) => {
+                unit::parse(text, dimension).map_err(|e| self.error(FormatErrorKind::Unit(e)))
+            }
+            DeValue::Float(_) | DeValue::Integer(_) => self.number(),
+            _ => {
+                let example = dimension.example().unwrap_or("1");
+                Err(self.wrong_type(&dimension.to_string(), &format!("write {} = \"{example}\"", self.key)))
+            }
+        }
+    }
+
+    /// A quantity above zero.
+    pub(crate) fn positive(&self, dimension: Dimension) -> Result<f64, FormatError> {
+        let value = self.quantity(dimension)?;
+        if value > 0.0 {
+            return Ok(value);
+        }
+        Err(self.invalid("positive").with_hint(match dimension {
+            Dimension::LENGTH => "a size has no sign; position and rotate say where it is",
+            Dimension::TIME => "time runs forward from 0",
+            Dimension::ANGLE => "it is measured to either side",
+            _ => {
+                "a hole is not a part of negative mass: leave it out of the shape, or give the body as a mesh"
+            }
+        }))
+    }
+
+    /// N quantities.
+    pub(crate) fn quantities<const N: usize>(&self, dimension: Dimension) -> Result<[f64; N], FormatError> {
+        each(self.fixed("numbers or strings with units")?, |value| value.quantity(dimension))
+    }
+
+    /// N quantities above zero.
+    pub(crate) fn positives<const N: usize>(&self, dimension: Dimension) -> Result<[f64; N], FormatError> {
+        each(self.fixed("numbers or strings with units")?, |value| value.positive(dimension))
+    }
+
+    /// N plain numbers.
+    pub(crate) fn numbers<const N: usize>(&self) -> Result<[f64; N], FormatError> {
+        each(self.fixed("numbers")?, Value::number)
+    }
+
+    /// The elements of N rows of three.
+    pub(crate) fn rows<const N: usize>(&self) -> Result<[[Self; 3]; N], FormatError> {
+        let mut rows = [[*self; 3]; N];
+        for (slot, row) in rows.iter_mut().zip(self.fixed::<N>("rows of three")?) {
+            *slot = row.fixed("values")?;
+        }
+        Ok(rows)
+    }
+
+    pub(crate) fn error(&self, kind: FormatErrorKind) -> FormatError {
+        self.source.error(self.span(), kind)
+    }
+
+    pub(crate) fn body(&self, error: BodyError) -> FormatError {
+        self.error(FormatErrorKind::Body(error))
+    }
+
+    pub(crate) fn motion(&self, error: MotionError) -> FormatError {
+        self.error(FormatErrorKind::Motion(error))
+    }
+
+    pub(crate) fn rotation(&self, error: RotationError) -> FormatError {
+        self.error(FormatErrorKind::Rotation(error))
+    }
+
+    /// An error about a value that breaks a rule; the message cites it as it stands in the file.
+    pub(crate) fn invalid(&self, rule: impl Into<String>) -> FormatError {
+        let text = self.source.text.get(self.span()).unwrap_or_default();
+        let value = text.chars().take(60).map(|c| if c.is_control() { ' ' } else { c }).collect();
+        self.error(FormatErrorKind::Value { key: self.key.to_owned(), value, rule: rule.into() })
+    }
+
+    fn wrong_type(&self, expected: &str, hint: &str) -> FormatError {
+        let found = match self.value.get_ref() {
+            DeValue::String(_) => "a string",
+            DeValue::Integer(_) | DeValue::Float(_) => "a number",
+            DeValue::Boolean(_) => "true or false",
+            DeValue::Datetime(_) => "a date",
+            DeValue::Array(_) => "an array",
+            DeValue::Table(_) => "a table",
+        };
+        self.mismatch(expected.to_owned(), found.to_owned()).with_hint(hint)
+    }
+
+    fn mismatch(&self, expected: String, found: String) -> FormatError {
+        self.error(FormatErrorKind::WrongType { key: self.key.to_owned(), expected, found })
+    }
+}
+
+/// One number for each of N values; the first error ends it.
+pub(crate) fn each<'a, const N: usize>(
+    values: [Value<'a>; N],
+    read: impl Fn(&Value<'a>) -> Result<f64, FormatError>,
+) -> Result<[f64; N], FormatError> {
+    let mut numbers = [0.0; N];
+    for (number, value) in numbers.iter_mut().zip(&values) {
+        *number = read(value)?;
+    }
+    Ok(numbers)
+}

@@ -1,0 +1,96 @@
+//! The `[start]`: attitude, spin and velocity at t = 0.
+
+use polhode::{AngularMomentum, AngularVelocity, Attitude, Body, Rotor, Space, State, Velocity};
+
+use super::reader::{Table, Value};
+use super::rotation::rotation;
+use crate::error::{FormatError, FormatErrorKind};
+use crate::unit::Dimension;
+
+/// The start of a motion.
+pub(crate) struct Start<'a> {
+    pub(crate) state: State,
+    pub(crate) velocity: Option<Velocity<Space>>,
+    /// The values that a prescribed motion has no room for.
+    pub(crate) spin: Option<Value<'a>>,
+    pub(crate) attitude: Option<Value<'a>>,
+}
+
+/// Reads `[start]`; without it the body is at rest with its axes along those of space.
+pub(crate) fn start<'a>(root: &Table<'a>, rotor: &Rotor) -> Result<Start<'a>, FormatError> {
+    let mut start = Start {
+        state: State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::ZERO },
+        velocity: None,
+        spin: None,
+        attitude: None,
+    };
+    let Some(table) = root.get("start") else { return Ok(start) };
+    let table = table.table()?;
+    table.allow(&["spin", "attitude", "velocity"])?;
+    (start.spin, start.attitude) = (table.get("spin"), table.get("attitude"));
+    if let Some(value) = &start.attitude {
+        start.state.attitude = rotation(value)?;
+    }
+    if let Some(value) = &start.spin {
+        start.state.omega = spin(value, start.state.attitude, rotor)?;
+    }
+    if let Some(value) = table.get("velocity") {
+        start.velocity = Some(Velocity::from_array(value.quantities(Dimension::VELOCITY)?));
+        if rotor.is_pivoted() {
+            let rule = "left out, since a point of the body is held at a pivot";
+            return Err(value.invalid(rule).with_hint("a held body only turns: give its spin"));
+        }
+    }
+    Ok(start)
+}
+
+/// `{ body = [3] }`, `{ space = [3] }` or `{ momentum = [3] }`: ω along either axes, or L along space axes.
+fn spin(value: &Value<'_>, attitude: Attitude, rotor: &Rotor) -> Result<AngularVelocity<Body>, FormatError> {
+    let table = value.table()?;
+    table.allow(&["body", "space", "momentum"])?;
+    let Some(given) = table.at_most_one(&["body", "space", "momentum"], "the spin is given once")? else {
+        return Err(table.missing("body", "{ body = [\"0 rad/s\", \"0 rad/s\", \"12 rad/s\"] }"));
+    };
+    Ok(match given.key() {
+        "body" => AngularVelocity::from_array(given.quantities(Dimension::ANGULAR_VELOCITY)?),
+        "space" => {
+            let omega = AngularVelocity::<Space>::from_array(given.quantities(Dimension::ANGULAR_VELOCITY)?);
+            attitude.inverse() * omega
+        }
+        _ => {
+            let momentum =
+                AngularMomentum::<Space>::from_array(given.quantities(Dimension::ANGULAR_MOMENTUM)?);
+            of_momentum(&given, attitude.inverse() * momentum, rotor)?
+        }
+    })
+}
+
+/// ω = Σ n_k (n_k · L) / i_k over the principal axes about the point that the body turns about.
+///
+/// Along an axis without inertia there can be no L, and ω is taken to be zero.
+fn of_momentum(
+    given: &Value<'_>,
+    momentum: AngularMomentum<Body>,
+    rotor: &Rotor,
+) -> Result<AngularVelocity<Body>, FormatError> {
+    /// What rounding leaves of a component, relative to the whole.
+    const ROUNDING: f64 = 1e-12;
+    let mut omega = AngularVelocity::ZERO;
+    let moments = rotor.principal().moments();
+    for (k, &moment) in moments.iter().enumerate() {
+        let axis = rotor.principal().axis(k);
+        let component = axis.dot(momentum);
+        if moment > ROUNDING * moments[2] {
+            omega += AngularVelocity::from_array((axis * (component / moment)).to_array());
+        } else if component.abs() > ROUNDING * momentum.norm() {
+            let [x, y, z] = axis.to_array();
+            let rule = format!("across the axis ({x}, {y}, {z}) of the body, about which it has no inertia");
+            return Err(given.invalid(rule).with_hint("give the spin instead: { body = [...] }"));
+        }
+    }
+    if omega.is_finite() {
+        return Ok(omega);
+    }
+    let error = polhode::BodyError::Parameter { what: "the spin", value: omega.max_abs(), rule: "finite" };
+    Err(given.error(FormatErrorKind::Body(error)))
+}

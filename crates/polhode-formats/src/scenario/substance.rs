@@ -1,0 +1,72 @@
+//! What a part is made of: a density, a mass, or a material by name.
+
+use polhode::{Extent, Material, Substance};
+
+use super::reader::{Table, Value};
+use super::suggestion::nearest;
+use crate::error::FormatError;
+use crate::unit::Dimension;
+
+/// Keys of every part that has a shape; a thin surface has its `thickness` too.
+pub(crate) const KEYS: [&str; 3] = ["density", "mass", "material"];
+
+/// The substance of a part of that extent, and the value that says it.
+///
+/// Of a thin part, density is per area, or per volume if a `thickness` goes with it; a material needs one.
+pub(crate) fn substance<'a>(
+    table: &Table<'a>,
+    extent: Extent,
+) -> Result<(Substance, Value<'a>), FormatError> {
+    let given = table
+        .at_most_one(&["density", "mass", "material"], "each of them alone says how heavy the part is")?;
+    let Some(given) = given else {
+        return Err(table.missing(
+            "density",
+            "density = \"2700 kg/m^3\", or mass = \"12 g\", or material = \"aluminium\"",
+        ));
+    };
+    let thickness = table.get("thickness");
+    if given.key() == "mass" {
+        table.at_most_one(&["mass", "thickness"], "the mass alone says how heavy the part is")?;
+    }
+    let thickness = thickness.map(|t| t.positive(Dimension::LENGTH)).transpose()?;
+    let substance = match (given.key(), extent, thickness) {
+        ("mass", ..) => Substance::Mass(given.positive(Dimension::MASS)?),
+        ("density", Extent::Volume(_), _) => Substance::Density(given.positive(Dimension::DENSITY)?),
+        ("density", Extent::Length(_), _) => Substance::LineDensity(given.positive(Dimension::LINE_DENSITY)?),
+        ("density", Extent::Area(_), None) => {
+            Substance::AreaDensity(given.positive(Dimension::AREA_DENSITY)?)
+        }
+        ("density", Extent::Area(_), Some(t)) => {
+            Substance::AreaDensity(given.positive(Dimension::DENSITY)? * t)
+        }
+        (_, Extent::Volume(_), _) => Substance::Density(material(&given)?.density),
+        (_, Extent::Area(_), Some(t)) => Substance::AreaDensity(material(&given)?.density * t),
+        (_, Extent::Area(_), None) => {
+            material(&given)?;
+            return Err(
+                table.missing("thickness", "thickness = \"2 mm\": a material has a density per volume")
+            );
+        }
+        (_, Extent::Length(_), _) => {
+            material(&given)?;
+            return Err(given
+                .invalid("left out for a rod, which has no cross-section")
+                .with_hint("give density = \"0.3 kg/m\" or mass = \"12 g\", or make it a cylinder"));
+        }
+    };
+    Ok((substance, given))
+}
+
+fn material(value: &Value<'_>) -> Result<Material, FormatError> {
+    let name = value.string()?;
+    Material::named(name).ok_or_else(|| {
+        let names = Material::ALL.iter().map(|m| m.name);
+        let hint = match nearest(name, names.clone()) {
+            Some(meant) => format!("did you mean \"{meant}\"?"),
+            None => "give density = \"2700 kg/m^3\" for a material without a name".to_owned(),
+        };
+        let known: Vec<_> = names.collect();
+        value.invalid(format!("a known material: {}", known.join(", "))).with_hint(hint)
+    })
+}

@@ -1,0 +1,79 @@
+//! The trajectory table: one row per sample, one column per number.
+//!
+//! The columns are defined here, once; each format has a file of its own. SI units, named in the column's name
+//! where it has one; attitudes are R_space_body as unit quaternions (w, x, y, z).
+
+pub mod csv;
+pub mod parquet;
+
+use polhode::{Sample, Trajectory};
+
+/// One column of the trajectory table.
+#[derive(Clone, Copy, Debug)]
+pub struct Column {
+    /// The name, with its unit as suffix.
+    pub name: &'static str,
+    /// The unit in SI symbols; `1` for a pure number.
+    pub unit: &'static str,
+    /// What it is.
+    pub description: &'static str,
+    value: fn(&Sample) -> f64,
+}
+
+impl Column {
+    /// The number of this column in the row of `sample`.
+    pub fn value(&self, sample: &Sample) -> f64 {
+        (self.value)(sample)
+    }
+}
+
+/// The columns of a trajectory, in order: potential energy stands at the end where every torque has a potential.
+pub fn columns(trajectory: &Trajectory) -> &'static [Column] {
+    let has_potential = trajectory.samples().first().is_some_and(|s| s.potential_energy.is_some());
+    if has_potential { &COLUMNS } else { &COLUMNS[..COLUMNS.len() - 1] }
+}
+
+/// How signs, orders and frames are to be read: for the metadata of formats that have any.
+pub const CONVENTIONS: &str = "SI units; attitude = R_space_body (v_space = R v_body), unit quaternion, Hamilton, \
+    scalar first (w, x, y, z), continuous in time; omega is the body's angular velocity relative to space; inertia, \
+    momentum, torque and rotational kinetic energy are about the centre of mass of a free body, about the pivot of a \
+    held one";
+
+const COLUMNS: [Column; 19] = [
+    column("time_s", "s", "time", |s| s.state.time),
+    column("attitude_w", "1", ATTITUDE, |s| s.state.attitude.quaternion()[0]),
+    column("attitude_x", "1", ATTITUDE, |s| s.state.attitude.quaternion()[1]),
+    column("attitude_y", "1", ATTITUDE, |s| s.state.attitude.quaternion()[2]),
+    column("attitude_z", "1", ATTITUDE, |s| s.state.attitude.quaternion()[3]),
+    column("omega_body_x_rad_s", "rad/s", OMEGA_BODY, |s| s.state.omega.x),
+    column("omega_body_y_rad_s", "rad/s", OMEGA_BODY, |s| s.state.omega.y),
+    column("omega_body_z_rad_s", "rad/s", OMEGA_BODY, |s| s.state.omega.z),
+    column("omega_space_x_rad_s", "rad/s", OMEGA_SPACE, |s| s.state.omega_space().x),
+    column("omega_space_y_rad_s", "rad/s", OMEGA_SPACE, |s| s.state.omega_space().y),
+    column("omega_space_z_rad_s", "rad/s", OMEGA_SPACE, |s| s.state.omega_space().z),
+    column("momentum_space_x_kg_m2_s", "kg·m²/s", MOMENTUM, |s| s.momentum.x),
+    column("momentum_space_y_kg_m2_s", "kg·m²/s", MOMENTUM, |s| s.momentum.y),
+    column("momentum_space_z_kg_m2_s", "kg·m²/s", MOMENTUM, |s| s.momentum.z),
+    column("torque_body_x_n_m", "N·m", TORQUE, |s| s.torque.x),
+    column("torque_body_y_n_m", "N·m", TORQUE, |s| s.torque.y),
+    column("torque_body_z_n_m", "N·m", TORQUE, |s| s.torque.z),
+    column("kinetic_energy_j", "J", "rotational kinetic energy", |s| s.kinetic_energy),
+    column("potential_energy_j", "J", "potential energy of the torques", |s| {
+        s.potential_energy.unwrap_or(f64::NAN)
+    }),
+];
+
+const ATTITUDE: &str = "R_space_body as a unit quaternion, Hamilton, scalar first";
+const OMEGA_BODY: &str = "angular velocity relative to space, along body axes";
+const OMEGA_SPACE: &str = "angular velocity relative to space, along space axes";
+const MOMENTUM: &str = "angular momentum, along space axes";
+const TORQUE: &str = "torque, along body axes";
+
+const fn column(
+    name: &'static str,
+    unit: &'static str,
+    description: &'static str,
+    value: fn(&Sample) -> f64,
+) -> Column {
+    Column { name, unit, description, value }
+}

@@ -1,0 +1,101 @@
+//! The trajectory table as Apache Parquet: columns of required doubles, each with its unit in the file's metadata.
+//!
+//! Bytes of equal weight stand together (`BYTE_STREAM_SPLIT`) before LZ4 packs them, because neighbouring samples
+//! share their signs, exponents and first digits and little else.
+
+use std::io::{self, Write};
+use std::sync::Arc;
+
+use ::parquet::basic::{Compression, Encoding, Repetition, Type as Physical};
+use ::parquet::data_type::DoubleType;
+use ::parquet::errors::ParquetError;
+use ::parquet::file::metadata::KeyValue;
+use ::parquet::file::properties::{EnabledStatistics, WriterProperties};
+use ::parquet::file::writer::SerializedFileWriter;
+use ::parquet::schema::types::{Type, TypePtr};
+
+use super::{CONVENTIONS, Column, columns};
+use polhode::Trajectory;
+
+/// Writes a trajectory: one row per sample.
+///
+/// The file's metadata holds `polhode.version`, `polhode.conventions` ([`CONVENTIONS`]), `polhode.units` and
+/// `polhode.descriptions` (JSON objects, column → text), and the pairs of `metadata` after them.
+///
+/// # Errors
+/// Those of `out`.
+pub fn write(
+    trajectory: &Trajectory,
+    metadata: &[(String, String)],
+    out: impl Write + Send,
+) -> io::Result<()> {
+    encode(trajectory, metadata, out).map_err(io_error)
+}
+
+/// Rows that are held in memory, and packed, at a time.
+const ROW_GROUP: usize = 1 << 20;
+
+fn encode(
+    trajectory: &Trajectory,
+    metadata: &[(String, String)],
+    out: impl Write + Send,
+) -> Result<(), ParquetError> {
+    let columns = columns(trajectory);
+    let mut file = SerializedFileWriter::new(out, schema(columns)?, Arc::new(properties(columns, metadata)))?;
+    for rows in trajectory.samples().chunks(ROW_GROUP) {
+        let mut group = file.next_row_group()?;
+        for column in columns {
+            let Some(mut writer) = group.next_column()? else { break };
+            let values: Vec<f64> = rows.iter().map(|sample| column.value(sample)).collect();
+            writer.typed::<DoubleType>().write_batch(&values, None, None)?;
+            writer.close()?;
+        }
+        group.close()?;
+    }
+    file.close().map(drop)
+}
+
+fn schema(columns: &[Column]) -> Result<TypePtr, ParquetError> {
+    let field = |column: &Column| {
+        let field = Type::primitive_type_builder(column.name, Physical::DOUBLE);
+        Ok(Arc::new(field.with_repetition(Repetition::REQUIRED).build()?))
+    };
+    let fields = columns.iter().map(field).collect::<Result<_, ParquetError>>()?;
+    Ok(Arc::new(Type::group_type_builder("trajectory").with_fields(fields).build()?))
+}
+
+fn properties(columns: &[Column], metadata: &[(String, String)]) -> WriterProperties {
+    let pair = |key: &str, value: String| KeyValue::new(key.to_owned(), value);
+    let mut pairs = vec![
+        pair("polhode.version", env!("CARGO_PKG_VERSION").to_owned()),
+        pair("polhode.conventions", CONVENTIONS.to_owned()),
+        pair("polhode.units", json_object(columns, |c| c.unit)),
+        pair("polhode.descriptions", json_object(columns, |c| c.description)),
+    ];
+    pairs.extend(metadata.iter().map(|(key, value)| pair(key, value.clone())));
+    WriterProperties::builder()
+        .set_created_by(concat!("polhode version ", env!("CARGO_PKG_VERSION")).to_owned())
+        .set_key_value_metadata(Some(pairs))
+        .set_dictionary_enabled(false) // hardly a number of a motion comes twice
+        .set_encoding(Encoding::BYTE_STREAM_SPLIT)
+        .set_compression(Compression::LZ4_RAW)
+        .set_statistics_enabled(EnabledStatistics::None) // nobody searches a motion by value
+        .build()
+}
+
+/// `{"name": "text", …}` of texts without quotes, backslashes or control characters: ours are (a test says so).
+fn json_object(columns: &[Column], text: impl Fn(&Column) -> &str) -> String {
+    let members: Vec<_> = columns.iter().map(|c| format!("\"{}\": \"{}\"", c.name, text(c))).collect();
+    format!("{{{}}}", members.join(", "))
+}
+
+/// The error of the writer below, where that is what it was.
+fn io_error(error: ParquetError) -> io::Error {
+    match error {
+        ParquetError::External(inner) => match inner.downcast::<io::Error>() {
+            Ok(io) => *io,
+            Err(other) => io::Error::other(other),
+        },
+        other => io::Error::other(other),
+    }
+}

@@ -1,0 +1,153 @@
+//! A worked solution as a document: sections of paragraphs, formulas, numbers and tables, to be rendered.
+
+use serde_json::{Value, json};
+
+use super::{markdown, text};
+use crate::VERSION;
+use crate::json::matrix;
+
+/// A worked solution.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Document {
+    /// What it is about.
+    pub title: String,
+    /// The answer, before the working.
+    pub answer: Vec<String>,
+    /// The steps, in order.
+    pub sections: Vec<Section>,
+}
+
+/// One step of the solution.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Section {
+    /// The step's number; 0 is the body itself.
+    pub number: u8,
+    /// What the step does.
+    pub title: String,
+    /// The step.
+    pub blocks: Vec<Block>,
+}
+
+/// A piece of a section.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Block {
+    /// Words.
+    Paragraph(String),
+    /// A formula in symbols.
+    Formula {
+        /// In Unicode.
+        text: String,
+        /// In LaTeX.
+        latex: String,
+    },
+    /// Lines of working: formulas with their numbers and units.
+    Lines(Vec<String>),
+    /// A matrix of numbers.
+    Matrix {
+        /// Its symbol.
+        name: String,
+        /// Its rows.
+        rows: [[f64; 3]; 3],
+        /// The unit of its elements; empty for ratios.
+        unit: &'static str,
+    },
+    /// A table.
+    Table {
+        /// What stands above each column, with its unit.
+        headers: Vec<String>,
+        /// The cells.
+        rows: Vec<Vec<String>>,
+    },
+}
+
+impl Document {
+    /// Plain text of at most `width` columns (tables and formulas as wide as they need).
+    pub fn to_text(&self, width: usize) -> String {
+        text::render(self, width)
+    }
+
+    /// Markdown with LaTeX between `$$`, as GitHub renders it.
+    pub fn to_markdown(&self) -> String {
+        markdown::render(self)
+    }
+
+    /// `{"polhode": …, "title": …, "answer": […], "sections": [{"number": …, "title": …, "blocks": […]}]}`
+    pub fn to_json(&self) -> Value {
+        let sections: Value = self.sections.iter().map(Section::to_json).collect();
+        let plain = |s: &String| crate::layout::plain_spaces(s);
+        json!({
+            "polhode": VERSION,
+            "title": self.title,
+            "answer": self.answer.iter().map(plain).collect::<Vec<_>>(),
+            "sections": sections,
+        })
+    }
+}
+
+impl Section {
+    pub(super) fn new(number: u8, title: &str) -> Self {
+        Self { number, title: title.to_owned(), blocks: Vec::new() }
+    }
+
+    pub(super) fn say(&mut self, text: impl Into<String>) {
+        self.blocks.push(Block::Paragraph(text.into()));
+    }
+
+    pub(super) fn formula(&mut self, text: &str, latex: &str) {
+        self.blocks.push(Block::Formula { text: text.to_owned(), latex: latex.to_owned() });
+    }
+
+    /// One line of numbers; consecutive ones stand together.
+    pub(super) fn line(&mut self, line: impl Into<String>) {
+        if let Some(Block::Lines(lines)) = self.blocks.last_mut() {
+            lines.push(line.into());
+        } else {
+            self.blocks.push(Block::Lines(vec![line.into()]));
+        }
+    }
+
+    /// Lines of `lhs = term + term + … = result`.
+    pub(super) fn sum(&mut self, lhs: &str, terms: &[String], result: &str) {
+        for line in super::working::sum(lhs, terms, result) {
+            self.line(line);
+        }
+    }
+
+    pub(super) fn matrix(&mut self, name: impl Into<String>, rows: [[f64; 3]; 3], unit: &'static str) {
+        self.blocks.push(Block::Matrix { name: name.into(), rows, unit });
+    }
+
+    pub(super) fn table(&mut self, headers: &[&str], rows: Vec<Vec<String>>) {
+        let headers = headers.iter().map(|h| (*h).to_owned()).collect();
+        self.blocks.push(Block::Table { headers, rows });
+    }
+
+    fn to_json(&self) -> Value {
+        json!({
+            "number": self.number,
+            "title": self.title,
+            "blocks": self.blocks.iter().map(Block::to_json).collect::<Value>(),
+        })
+    }
+}
+
+impl Block {
+    fn to_json(&self) -> Value {
+        let plain = |s: &String| crate::layout::plain_spaces(s);
+        match self {
+            Self::Paragraph(text) => json!({ "kind": "paragraph", "text": plain(text) }),
+            Self::Formula { text, latex } => json!({ "kind": "formula", "text": text, "latex": latex }),
+            Self::Lines(lines) => {
+                json!({ "kind": "lines", "lines": lines.iter().map(plain).collect::<Vec<_>>() })
+            }
+            Self::Matrix { name, rows, unit } => {
+                json!({ "kind": "matrix", "name": name, "rows": matrix(*rows), "unit": unit })
+            }
+            Self::Table { headers, rows } => {
+                let rows: Vec<Vec<String>> = rows.iter().map(|row| row.iter().map(plain).collect()).collect();
+                json!({ "kind": "table", "headers": headers, "rows": rows })
+            }
+        }
+    }
+}

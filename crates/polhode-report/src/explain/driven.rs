@@ -1,0 +1,87 @@
+//! Step 5 with torque, or with the motion given.
+
+use polhode::{Sample, Solution, Symmetry};
+
+use super::document::Section;
+use super::working::{Working, cells, n, v};
+use crate::number::{count, tidy_beside, ungrouped};
+
+/// The motion is given: there is nothing to solve, but the torque may change along it.
+pub(super) fn given(w: &Working<'_>, s: &mut Section) {
+    s.say("The motion is given, so ω(t) is known (step 2); the equations gave the torque instead.");
+    let samples = w.few_samples();
+    if !samples.is_empty() {
+        s.say("The torque along the motion, in body axes:");
+        table(&samples, true, s);
+    }
+}
+
+/// Numerical integration.
+pub(super) fn integrate(w: &Working<'_>, s: &mut Section) {
+    if w.rotor.principal().symmetry() == Symmetry::Point {
+        s.say("There is nothing to solve: all the mass is in the point that it would turn about.");
+        return;
+    }
+    s.formula(
+        "dω/dt = {I}⁻¹ (N − ω × {I} ω)",
+        r"\dot{\boldsymbol\omega} = \lbrace \mathbf I \rbrace^{-1} \bigl( \mathbf N - \boldsymbol\omega \times \lbrace \mathbf I \rbrace \boldsymbol\omega \bigr)",
+    );
+    let samples = w.few_samples();
+    match how(w) {
+        Some(how) => {
+            s.say(format!("With this torque there is no closed form here; ω(t) {how}:"));
+            table(&samples, true, s);
+            work(&samples, s);
+        }
+        None => {
+            s.say(format!(
+                "ω changes at {} rad/s² at first (step 4). Give the scenario a [run] to have it integrated.",
+                v(w.acceleration.to_array())
+            ));
+        }
+    }
+}
+
+/// How the numbers were found, in words that follow `ω(t)`.
+pub(super) fn how(w: &Working<'_>) -> Option<String> {
+    Some(match w.trajectory.as_ref()?.solution() {
+        Solution::Exact(_) => "in closed form".to_owned(),
+        Solution::Prescribed(_) => "as given".to_owned(),
+        Solution::Integrated { tolerance, statistics } => format!(
+            "by numerical integration (DOP853, {} steps, error of each below {})",
+            count(statistics.accepted),
+            ungrouped(*tolerance, 3)
+        ),
+    })
+}
+
+/// ω, and N where there is one, at a few times.
+pub(super) fn table(samples: &[Sample], torque: bool, s: &mut Section) {
+    let largest = |f: &dyn Fn(&Sample) -> f64| samples.iter().map(f).fold(0.0, f64::max);
+    let (most_omega, most_torque) = (largest(&|x| x.state.omega.norm()), largest(&|x| x.torque.norm()));
+    let row = |x: &Sample| {
+        let mut row = vec![x.state.time];
+        row.extend(tidy_beside(x.state.omega.to_array(), most_omega));
+        if torque {
+            row.extend(tidy_beside(x.torque.to_array(), most_torque));
+        }
+        row.push(x.kinetic_energy);
+        row
+    };
+    let rows: Vec<Vec<f64>> = samples.iter().map(row).collect();
+    let headers: &[&str] = if torque {
+        &["t (s)", "ωx (rad/s)", "ωy", "ωz", "Nx (N·m)", "Ny", "Nz", "T (J)"]
+    } else {
+        &["t (s)", "ωx (rad/s)", "ωy (rad/s)", "ωz (rad/s)", "T (J)"]
+    };
+    s.table(headers, cells(&rows));
+}
+
+/// The work of the torque is the gain in kinetic energy.
+fn work(samples: &[Sample], s: &mut Section) {
+    let (Some(first), Some(last)) = (samples.first(), samples.last()) else { return };
+    let gain = last.kinetic_energy - first.kinetic_energy;
+    let scale = last.kinetic_energy.max(first.kinetic_energy);
+    let [work, gain] = [last.work, gain].map(|x| tidy_beside([x, 0.0, 0.0], scale)[0]);
+    s.line(format!("work of the torque ∫ N · ω dt = {} J;  T(end) - T(start) = {} J", n(work), n(gain)));
+}

@@ -1,0 +1,179 @@
+//! Step 5 without torque: permanent rotation, the symmetric top, the asymmetric body.
+
+use std::f64::consts::TAU;
+
+use polhode::{Cones, FreeMotion, FreeRegime, Regime, Sample, SymmetricTop, Symmetry};
+
+use super::document::Section;
+use super::driven;
+use super::working::{Working, n, v};
+use crate::unit::{angle, rate};
+
+pub(super) fn solve(w: &Working<'_>, s: &mut Section) {
+    if w.rotor.principal().symmetry() == Symmetry::Point {
+        s.say("There is nothing to solve: all the mass is in one point, which has no rotation.");
+        return;
+    }
+    match FreeMotion::of(&w.rotor, w.start) {
+        Ok(FreeMotion::Permanent(_)) => permanent(w, s),
+        Ok(FreeMotion::Symmetric(top)) => symmetric(w, &top, s),
+        _ => asymmetric(w, s),
+    }
+}
+
+fn permanent(w: &Working<'_>, s: &mut Section) {
+    if !w.is_turning() {
+        s.say("At rest and without torque the body stays at rest: ω(t) = 0.");
+        return;
+    }
+    let free = FreeRegime::of(&w.rotor, &w.start);
+    s.say(format!(
+        "ω lies along a principal axis, so ω × L = 0 and ω\u{307} = 0: {}. It keeps its axis and its rate, in the body \
+         and in space.",
+        free.regime.description()
+    ));
+    s.formula("ω(t) = ω(t0)", r"\boldsymbol\omega(t) = \boldsymbol\omega(t_0)");
+    let speed = w.start.omega.norm();
+    s.line(format!("ω = {} rad/s, one turn in {} s", v(w.start.omega.to_array()), n(TAU / speed)));
+    if let Some(growth) = free.growth_rate {
+        s.say(
+            "But the intermediate axis is unstable: a departure from it grows as exp(σ t), and the body flips over, again \
+             and again.",
+        );
+        growth_rate(growth, s);
+    }
+}
+
+/// The notes' η(t) = A exp(iΩt), about the symmetry axis e.
+fn symmetric(w: &Working<'_>, top: &SymmetricTop, s: &mut Section) {
+    let [axial, transverse] = top.moments();
+    let e = top.axis();
+    let along = e * top.spin();
+    let omega = polhode::Direction::from_array(w.start.omega.to_array());
+    let across = omega - along;
+    s.say(
+        "Two moments are equal: a symmetric top. Take ẑ = e, the symmetry axis, with I_e about it and I_t across it \
+         (the notes' I3 and I1 = I2), x̂ along the part of ω across e at t0, and ŷ = e × x̂. The third equation says \
+         ω3 = constant, and the others become",
+    );
+    s.formula(
+        "ω\u{307}1 = −Ω ω2,   ω\u{307}2 = +Ω ω1,   Ω = (I_e − I_t) ω3 / I_t",
+        r"\dot\omega_1 = -\Omega \omega_2, \qquad \dot\omega_2 = +\Omega \omega_1, \qquad \Omega = \frac{I_e - I_t}{I_t} \omega_3",
+    );
+    s.formula(
+        "η = ω1 + i ω2:   η\u{307} = iΩ η,   η = A exp(iΩt)   →   ω1 = A cos Ωt,  ω2 = A sin Ωt,  ω3 = constant",
+        r"\eta = \omega_1 + i\omega_2, \quad \dot\eta = i\Omega\eta, \quad \eta = A e^{i\Omega t} \quad\Rightarrow\quad \omega_1 = A\cos\Omega t, \quad \omega_2 = A\sin\Omega t, \quad \omega_3 = \text{constant}",
+    );
+    s.line(format!("e   = {},  I_e = {},  I_t = {} kg·m²", v(e.to_array()), n(axial), n(transverse)));
+    s.line(format!("ω3  = ω · e = {} rad/s", n(top.spin())));
+    s.line(format!("A   = |ω - ω3 e| = {} rad/s", n(across.norm())));
+    if let Some(x) = across.direction() {
+        s.line(format!("x̂   = {},  ŷ = {}", v(x.to_array()), v(e.cross(x).to_array())));
+    }
+    s.line(format!(
+        "Ω   = ({} - {})·{} / {} = {} rad/s{}",
+        n(axial),
+        n(transverse),
+        super::working::factor(top.spin()),
+        n(transverse),
+        n(top.body_rate()),
+        once_in(top.body_rate())
+    ));
+    cones(w, top, s);
+}
+
+fn cones(w: &Working<'_>, top: &SymmetricTop, s: &mut Section) {
+    let cones = Cones::of(top);
+    let sense = if cones.body_rate < 0.0 { ", against the right hand about e" } else { "" };
+    s.say(format!(
+        "In the body ω circles e at Ω{sense} and sweeps the body cone. In space L is fixed, and T = ½ ω L cos φ is \
+         constant, so ω keeps its angle φ to L and sweeps the space cone; ω and e both circle L, at the same rate φ\u{307}. \
+         The cones touch along ω, and one rolls on the other."
+    ));
+    s.formula(
+        "tan (ω,e) = A / |ω3|,   φ\u{307} = |L| / I_t,   ω = L/I_t − Ω e   (so L, ω and e lie in one plane)",
+        r"\tan\angle(\boldsymbol\omega, \mathbf e) = \frac{A}{|\omega_3|}, \qquad \dot\varphi = \frac{|\mathbf L|}{I_t}, \qquad \boldsymbol\omega = \frac{\mathbf L}{I_t} - \Omega \mathbf e",
+    );
+    s.line(format!("body cone   half-angle {}", angle(cones.body_half_angle)));
+    s.line(format!("space cone  half-angle {}", angle(cones.space_half_angle)));
+    s.line(format!("nutation    {} between L and ±e, constant", angle(cones.nutation)));
+    s.line(format!("φ\u{307} = |L| / I_t = {}{}", rate(cones.space_rate), once_in(cones.space_rate)));
+    let samples = w.few_samples();
+    let departure = samples
+        .iter()
+        .map(|x| Cones::coplanarity(top, &x.state))
+        .fold(Cones::coplanarity(top, &top.at(w.start.time + 1.0)), f64::max);
+    s.line(format!("e · (ω × L) / |ω||L| = {} at worst: one plane", crate::number::error(departure)));
+    if !samples.is_empty() {
+        driven::table(&samples, false, s);
+    }
+}
+
+fn asymmetric(w: &Working<'_>, s: &mut Section) {
+    let free = FreeRegime::of(&w.rotor, &w.start);
+    let [i1, i2, i3] = w.rotor.principal().moments();
+    let l = w.rotor.angular_momentum(w.start.omega);
+    let (l2, t) = (l.dot(l), w.rotor.kinetic_energy(w.start.omega));
+    s.say(
+        "Three different moments: Euler's equations stay coupled, but two quantities stay constant, so ω runs along a \
+         closed curve, the polhode, where the two ellipsoids meet:",
+    );
+    s.formula(
+        "2T = i1 ω1² + i2 ω2² + i3 ω3²,   L² = (i1 ω1)² + (i2 ω2)² + (i3 ω3)²,   D = L² / 2T",
+        r"2T = i_1\omega_1^2 + i_2\omega_2^2 + i_3\omega_3^2, \qquad L^2 = i_1^2\omega_1^2 + i_2^2\omega_2^2 + i_3^2\omega_3^2, \qquad D = \frac{L^2}{2T}",
+    );
+    s.line(format!("2T = {} J,  L² = {} (kg·m²/s)²", n(2.0 * t), n(l2)));
+    s.line(format!(
+        "D = {} kg·m²,  beside i1, i2, i3 = {}, {}, {} kg·m²",
+        n(l2 / (2.0 * t)),
+        n(i1),
+        n(i2),
+        n(i3)
+    ));
+    let why = match free.regime {
+        Regime::LongAxis => "D < i2: ",
+        Regime::ShortAxis => "D > i2: ",
+        Regime::Separatrix => "D = i2: ",
+        _ => "",
+    };
+    s.say(format!("{why}{}.", free.regime.description()));
+    if let Some(period) = free.period {
+        s.formula(
+            "period of ω in the body = 4 K(m) / λ",
+            r"\text{period of }\boldsymbol\omega\text{ in the body} = \frac{4 K(m)}{\lambda}",
+        );
+        s.line(format!("period of ω = {} s (K: complete elliptic integral, exact)", n(period)));
+    }
+    if let Some(flip) = free.flip_interval {
+        s.line(format!("ω along axis 2 reverses every {} s: the body flips", n(flip)));
+    }
+    if let Some(growth) = free.growth_rate.filter(|g| *g > 0.0) {
+        s.say("Near the intermediate axis a departure grows as exp(σ t):");
+        growth_rate(growth, s);
+    }
+    let samples = w.few_samples();
+    if samples.is_empty() {
+        s.say("Give the scenario a [run] to have ω(t) in numbers.");
+    } else {
+        numbers(w, &samples, s);
+    }
+}
+
+fn numbers(w: &Working<'_>, samples: &[Sample], s: &mut Section) {
+    if let Some(how) = driven::how(w) {
+        s.say(format!("ω(t) {how}:"));
+    }
+    driven::table(samples, false, s);
+}
+
+fn growth_rate(growth: f64, s: &mut Section) {
+    s.formula(
+        "σ = |ω2| √[ (i3 − i2)(i2 − i1) / (i1 i3) ]",
+        r"\sigma = |\omega_2| \sqrt{\frac{(i_3 - i_2)(i_2 - i_1)}{i_1 i_3}}",
+    );
+    s.line(format!("σ = {} /s", n(growth)));
+}
+
+fn once_in(rate: f64) -> String {
+    if rate == 0.0 { String::new() } else { format!(", once in {} s", n(TAU / rate.abs())) }
+}

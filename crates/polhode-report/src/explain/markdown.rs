@@ -1,0 +1,76 @@
+//! A document as Markdown.
+
+use super::document::{Block, Document};
+use super::text::DIGITS;
+use crate::number::{alike, tidy_matrix};
+
+pub(super) fn render(document: &Document) -> String {
+    let mut text = format!("# {}\n", escaped(&document.title));
+    if !document.answer.is_empty() {
+        text.push('\n');
+    }
+    for answer in &document.answer {
+        text.push_str(&format!("- **{}**\n", escaped(answer)));
+    }
+    for section in &document.sections {
+        text.push_str(&format!("\n## {}. {}\n", section.number, escaped(&section.title)));
+        for block in &section.blocks {
+            text.push('\n');
+            text.push_str(&render_block(block));
+            text.push('\n');
+        }
+    }
+    text
+}
+
+fn render_block(block: &Block) -> String {
+    match block {
+        Block::Paragraph(text) => escaped(text),
+        Block::Formula { latex, .. } => format!("$$\n{latex}\n$$"),
+        Block::Lines(lines) => format!("```text\n{}\n```", crate::layout::plain_spaces(&lines.join("\n"))),
+        Block::Matrix { name, rows, unit } => matrix(name, rows, unit),
+        Block::Table { headers, rows } => {
+            let row = |cells: &[String]| {
+                let cells: Vec<String> = cells.iter().map(|c| escaped(c).replace('|', "\\|")).collect();
+                format!("| {} |", cells.join(" | "))
+            };
+            let mut lines = vec![row(headers), format!("|{}", " --- |".repeat(headers.len()))];
+            lines.extend(rows.iter().map(|cells| row(cells)));
+            lines.join("\n")
+        }
+    }
+}
+
+fn matrix(name: &str, rows: &[[f64; 3]; 3], unit: &str) -> String {
+    let cells = alike(tidy_matrix(*rows).as_flattened(), DIGITS);
+    let rows: Vec<String> =
+        cells.chunks(3).map(|row| row.iter().map(|x| power(x)).collect::<Vec<_>>().join(" & ")).collect();
+    let name = match name {
+        "{I}" => r"\lbrace \mathbf I \rbrace",
+        other => &format!(r"\text{{{other}}}"),
+    };
+    let unit = if unit.is_empty() { String::new() } else { format!(r"\ \text{{{unit}}}") };
+    // Row ends as \cr: Markdown would eat one of the two backslashes.
+    format!("$$\n{name} = \\begin{{pmatrix}}\n{}\n\\end{{pmatrix}}{unit}\n$$", rows.join(" \\cr\n"))
+}
+
+/// `3.3248e-5` as LaTeX has it.
+fn power(x: &str) -> String {
+    match x.split_once('e') {
+        Some((mantissa, power)) => format!(r"{mantissa}\times 10^{{{power}}}"),
+        None => x.to_owned(),
+    }
+}
+
+/// Characters that Markdown would take for markup.
+fn escaped(text: &str) -> String {
+    let mut out = String::new();
+    for c in text.chars() {
+        if matches!(c, '*' | '_' | '`' | '<' | '>' | '[' | ']' | '\\' | '$' | '#' | '~') {
+            out.push('\\');
+        }
+        out.push(c);
+    }
+    // |ω| is a magnitude, not a column.
+    out.replace('\n', " ")
+}

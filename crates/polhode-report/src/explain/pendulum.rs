@@ -1,0 +1,108 @@
+//! Step 5 of a body hung from a fixed axis.
+
+use polhode::{AngularVelocity, Body, Direction, Particle, Pendulum, Swing};
+
+use super::document::Section;
+use super::working::{Working, factor, n, v};
+use crate::unit::angle;
+
+/// Sums of more particles than this are not written out.
+const MOST_TERMS: usize = 6;
+
+pub(super) fn solve(w: &Working<'_>, pendulum: &Pendulum, s: &mut Section) {
+    let Some(axis) = w.scenario.hanging.and_then(|hanging| hanging.axis.direction()) else { return };
+    let mass = w.rotor.mass();
+    s.say(
+        "The body hangs from a fixed axis n̂: only the angle θ from hanging straight down is left, and of Euler's equations \
+         the component along n̂. Gravity pulls the centre of mass, at the distance d, back to θ = 0 (the notes lose this \
+         minus sign):",
+    );
+    s.formula(
+        "I θ\u{308} = N · n̂ = −M g d sin θ   →   θ\u{308} ≃ −ω0² θ,   ω0 = √(M g d / I)",
+        r"I \ddot\theta = \mathbf N \cdot \hat{\mathbf n} = -M g d \sin\theta \quad\Rightarrow\quad \ddot\theta \simeq -\omega_0^2 \theta, \qquad \omega_0 = \sqrt{\frac{M g d}{I}}",
+    );
+    s.line(format!("n̂ = {} in body axes", v(axis.to_array())));
+    moment(w, pendulum, axis, s);
+    s.line(format!(
+        "M = {} kg,  d = {} m,  g = {} m/s² across the axis",
+        n(mass),
+        n(pendulum.arm()),
+        n(pendulum.gravity())
+    ));
+    let small = pendulum.small_frequency();
+    s.line(format!(
+        "ω0² = {}·{}·{} / {} = {} /s²",
+        n(mass),
+        n(pendulum.gravity()),
+        n(pendulum.arm()),
+        n(pendulum.moment()),
+        n(small * small)
+    ));
+    s.line(format!("ω0 = {} rad/s,  period of small swings 2π/ω0 = {} s", n(small), n(pendulum.period(0.0))));
+    at_start(pendulum, s);
+    amplitude(w, pendulum, axis, s);
+    // A bearing holds n̂; the run's pivot would let the body leave it unless n̂ is a principal axis.
+    let axial = w.rotor.angular_momentum(AngularVelocity::from_array(axis.to_array()));
+    let leaves =
+        axial.angle_to(axis) > 1e-9 || w.start.omega.cross(axis).norm() > 1e-9 * w.start.omega.norm();
+    if leaves && w.trajectory.is_some() {
+        s.say("The run below holds only the pivot and not the axis, so its motion is another than this pendulum's.");
+    }
+}
+
+/// I about the axis, as the sum that the notes write where there are particles.
+fn moment(w: &Working<'_>, pendulum: &Pendulum, axis: Direction<Body>, s: &mut Section) {
+    let particles = w.scenario.particles();
+    if !w.scenario.is_all_particles() || !(1..=MOST_TERMS).contains(&particles.len()) {
+        s.line(format!("I = {} kg·m² about the axis", n(pendulum.moment())));
+        return;
+    }
+    // The distance of each particle from the axis.
+    let arm = |p: &Particle<Body>| axis.cross(p.position() - w.point()).norm();
+    let terms: Vec<String> =
+        particles.iter().map(|p| format!("{}·{}²", n(p.mass()), factor(arm(p)))).collect();
+    s.sum("I = Σ m ρ²", &terms, &format!("{} kg·m², ρ from the axis", n(pendulum.moment())));
+}
+
+fn at_start(pendulum: &Pendulum, s: &mut Section) {
+    let theta = pendulum.angle();
+    if theta.abs() < 1e-12 {
+        s.line("at t0 it hangs straight down: θ = 0");
+        return;
+    }
+    let small = pendulum.small_frequency();
+    s.line(format!(
+        "at t0 θ = {},  θ\u{308} = -ω0² sin θ = {} rad/s²",
+        angle(theta),
+        n(-small * small * theta.sin())
+    ));
+}
+
+fn amplitude(w: &Working<'_>, pendulum: &Pendulum, axis: Direction<Body>, s: &mut Section) {
+    let swing = match w.scenario.hanging.and_then(|hanging| hanging.amplitude) {
+        Some(amplitude) => pendulum.swing(amplitude, 0.0),
+        None => pendulum.swing(pendulum.angle(), axis.dot(w.start.omega)),
+    };
+    match swing {
+        Swing::Rest => {
+            s.say("At rest there it stays; give it an amplitude or a start to have its exact period.");
+        }
+        Swing::Oscillation { amplitude, period } => {
+            s.say("At a finite amplitude the period is longer, by an elliptic integral:");
+            s.formula(
+                "P = 4 K(sin² ½θmax) / ω0",
+                r"P = \frac{4}{\omega_0} K\bigl(\sin^2 \tfrac12 \theta_{\max}\bigr)",
+            );
+            let longer = period / pendulum.period(0.0) - 1.0;
+            s.line(format!("θmax = {}", angle(amplitude)));
+            s.line(format!("P = {} s, {} % longer than a small swing", n(period), n(100.0 * longer)));
+        }
+        Swing::Separatrix => {
+            s.say("It has just enough energy to come to rest upside down, which takes forever.");
+        }
+        Swing::Revolution { period } => {
+            s.say("It has enough energy to go over the top, round and round.");
+            s.line(format!("one turn in {} s", n(period)));
+        }
+    }
+}

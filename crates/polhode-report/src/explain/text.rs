@@ -1,0 +1,66 @@
+//! A document as plain text.
+
+use super::document::{Block, Document};
+use crate::layout::{columns, matrix_rows, plain_spaces, width, wrap};
+use crate::number::tidy_matrix;
+
+const INDENT: &str = "    ";
+
+/// Digits of a matrix element.
+pub(super) const DIGITS: usize = 6;
+
+pub(super) fn render(document: &Document, columns: usize) -> String {
+    let mut text = format!("{}\n{}\n", document.title, "═".repeat(width(&document.title)));
+    for answer in &document.answer {
+        let lines = wrap(answer, "  ", columns);
+        text.push_str(
+            &lines.iter().map(|line| format!("{line}\n")).collect::<String>().replacen("  ", "→ ", 1),
+        );
+    }
+    for section in &document.sections {
+        let heading = format!("{}. {}", section.number, section.title);
+        text.push_str(&format!("\n{heading}\n{}\n", "─".repeat(width(&heading))));
+        for (k, block) in section.blocks.iter().enumerate() {
+            if k > 0 {
+                text.push('\n');
+            }
+            for line in lines(block, columns) {
+                text.push_str(line.trim_end_matches(' '));
+                text.push('\n');
+            }
+        }
+    }
+    plain_spaces(&text)
+}
+
+fn lines(block: &Block, columns: usize) -> Vec<String> {
+    match block {
+        Block::Paragraph(text) => wrap(text, "", columns),
+        Block::Formula { text, .. } => text.lines().map(|line| format!("{INDENT}{line}")).collect(),
+        Block::Lines(lines) => lines.iter().map(|line| format!("{INDENT}{line}")).collect(),
+        Block::Matrix { name, rows, unit } => matrix(name, rows, unit),
+        Block::Table { headers, rows } => table(headers, rows),
+    }
+}
+
+fn matrix(name: &str, rows: &[[f64; 3]; 3], unit: &str) -> Vec<String> {
+    let brackets = [["⎡", "⎤"], ["⎢", "⎥"], ["⎣", "⎦"]];
+    let rows = matrix_rows(&tidy_matrix(*rows), DIGITS);
+    let blank = " ".repeat(width(name) + 3);
+    let line = |k: usize, row: &String| {
+        let [left, right] = brackets[k.min(2)];
+        let (head, tail) =
+            if k == 1 { (format!("{name} = "), format!("  {unit}")) } else { (blank.clone(), String::new()) };
+        format!("{INDENT}{head}{left} {row} {right}{tail}")
+    };
+    rows.iter().enumerate().map(|(k, row)| line(k, row)).collect()
+}
+
+fn table(headers: &[String], rows: &[Vec<String>]) -> Vec<String> {
+    let mut all = vec![headers.to_vec()];
+    all.extend(rows.iter().cloned());
+    let mut lines: Vec<String> = columns(&all).into_iter().map(|line| format!("{INDENT}{line}")).collect();
+    let longest = lines.iter().map(|line| width(line)).max().unwrap_or(0);
+    lines.insert(1, format!("{INDENT}{}", "─".repeat(longest.saturating_sub(INDENT.len()))));
+    lines
+}

@@ -1,0 +1,159 @@
+//! What the steps of a solution share: asked of the core once.
+
+use polhode::{
+    AngularAcceleration, Body, MassProperties, MotionError, MovingParticle, Particle, Pendulum, Position,
+    Required, Rotor, Sample, Scenario, Space, State, Torque, Trajectory, Velocity, rigid_velocity,
+};
+
+use crate::number::{alike, number, tidy_beside};
+
+/// The state of the solution at t0, and the motion after it where there is one.
+pub(super) struct Working<'a> {
+    pub(super) scenario: &'a Scenario,
+    pub(super) rotor: Rotor,
+    pub(super) start: State,
+    /// At t0, body axes: given, or for a prescribed motion needed.
+    pub(super) torque: Torque<Body>,
+    /// dω/dt at t0, body axes.
+    pub(super) acceleration: AngularAcceleration<Body>,
+    /// For a prescribed motion.
+    pub(super) needed: Option<Required>,
+    pub(super) pendulum: Option<Pendulum>,
+    /// `None` without a run.
+    pub(super) trajectory: Option<Trajectory>,
+}
+
+impl<'a> Working<'a> {
+    pub(super) fn of(scenario: &'a Scenario) -> Result<Self, MotionError> {
+        let rotor = scenario.rotor();
+        let trajectory = scenario.simulate().transpose()?;
+        let pendulum = scenario.pendulum().transpose()?;
+        let needed =
+            scenario.prescribed.as_ref().map(|motion| Required::by(&rotor, motion, scenario.start.time));
+        let start = needed.map_or(scenario.start, |needed| needed.state);
+        let given =
+            || scenario.torques.iter().fold(Torque::ZERO, |sum, model| sum + model.torque(&rotor, &start));
+        let torque = needed.map_or_else(given, |needed| needed.torque);
+        let acceleration =
+            needed.map_or_else(|| rotor.acceleration(start.omega, torque), |needed| needed.acceleration);
+        Ok(Self { scenario, rotor, start, torque, acceleration, needed, pendulum, trajectory })
+    }
+
+    pub(super) const fn body(&self) -> &MassProperties<Body> {
+        &self.scenario.body
+    }
+
+    /// The point that the body turns about.
+    pub(super) fn point(&self) -> Position<Body> {
+        self.scenario.pivot.unwrap_or(self.body().center_of_mass())
+    }
+
+    pub(super) const fn point_name(&self) -> &'static str {
+        if self.scenario.pivot.is_some() { "the pivot" } else { "the centre of mass" }
+    }
+
+    /// True if no torque acts and the motion is not given.
+    pub(super) const fn is_free(&self) -> bool {
+        self.needed.is_none() && self.scenario.torques.is_empty()
+    }
+
+    pub(super) fn is_turning(&self) -> bool {
+        self.start.omega.norm() > 0.0
+    }
+
+    /// The velocity of the centre of mass at t0.
+    pub(super) fn center_velocity(&self) -> Velocity<Space> {
+        if self.scenario.pivot.is_some() {
+            self.start.attitude * self.start.omega.cross(self.rotor.lever())
+        } else {
+            self.scenario.velocity
+        }
+    }
+
+    /// Particles that stand for the body, moving in space as it does at t0, their places seen from its centre of mass.
+    ///
+    /// Its own particles where it is made of them, else one for each part, at the part's centre of mass.
+    pub(super) fn moving_particles(&self) -> Vec<MovingParticle<Space>> {
+        let at_parts =
+            || self.scenario.parts.iter().map(|p| (p.properties.mass(), p.properties.center_of_mass()));
+        let places: Vec<(f64, Position<Body>)> = if self.scenario.is_all_particles() {
+            self.scenario.particles().iter().map(|p| (p.mass(), p.position())).collect()
+        } else {
+            at_parts().collect()
+        };
+        let attitude = self.start.attitude;
+        let omega = attitude * self.start.omega;
+        let velocity = self.center_velocity();
+        let moving = |(mass, place): (f64, Position<Body>)| {
+            let r = attitude * (place - self.body().center_of_mass());
+            let particle = Particle::new(mass, r).ok()?;
+            Some(MovingParticle { particle, velocity: rigid_velocity(velocity, omega, r) })
+        };
+        places.into_iter().filter_map(moving).collect()
+    }
+
+    /// Up to seven samples, evenly chosen from the run.
+    pub(super) fn few_samples(&self) -> Vec<Sample> {
+        const FEW: usize = 7;
+        let samples = self.trajectory.as_ref().map_or(&[][..], Trajectory::samples);
+        if samples.len() <= FEW {
+            return samples.to_vec();
+        }
+        (0..FEW).map(|k| samples[k * (samples.len() - 1) / (FEW - 1)]).collect()
+    }
+}
+
+/// Significant digits of a worked solution.
+pub(super) const DIGITS: usize = 6;
+
+/// A number as a worked solution shows it.
+pub(super) fn n(x: f64) -> String {
+    number(x, DIGITS)
+}
+
+/// A number as a factor: negative ones in brackets.
+pub(super) fn factor(x: f64) -> String {
+    if x < 0.0 { format!("({})", n(x)) } else { n(x) }
+}
+
+/// `(x, y, z)` without what rounding left of its zeros.
+pub(super) fn v(values: [f64; 3]) -> String {
+    let scale = values.iter().fold(0.0, |max, x| f64::max(max, x.abs()));
+    crate::number::vector(tidy_beside(values, scale), DIGITS)
+}
+
+/// `(x, y, z)` as it is: of numbers whose smallness matters.
+pub(super) fn exactly(values: [f64; 3]) -> String {
+    crate::number::vector(values, DIGITS)
+}
+
+/// Rows of numbers as cells; each column alike.
+pub(super) fn cells(rows: &[Vec<f64>]) -> Vec<Vec<String>> {
+    let count = rows.first().map_or(0, Vec::len);
+    let columns: Vec<Vec<String>> =
+        (0..count).map(|k| alike(&rows.iter().map(|row| row[k]).collect::<Vec<_>>(), DIGITS)).collect();
+    (0..rows.len()).map(|r| columns.iter().map(|column| column[r].clone()).collect()).collect()
+}
+
+/// `lhs = term + term + … = result`, broken under the first term where it would be too long.
+pub(super) fn sum(lhs: &str, terms: &[String], result: &str) -> Vec<String> {
+    const LONGEST: usize = 92;
+    let indent = " ".repeat(crate::layout::width(lhs) + 1);
+    let mut lines = vec![format!("{lhs} =")];
+    let mut add = |text: String| {
+        let Some(line) = lines.last_mut() else { return };
+        if crate::layout::width(line) + crate::layout::width(&text) + 1 > LONGEST {
+            lines.push(format!("{indent}{text}"));
+        } else {
+            line.push(' ');
+            line.push_str(&text);
+        }
+    };
+    for (k, term) in terms.iter().enumerate() {
+        add(if k == 0 { term.clone() } else { format!("+ {term}") });
+    }
+    if !result.is_empty() {
+        add(format!("= {result}"));
+    }
+    lines
+}

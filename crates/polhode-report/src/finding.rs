@@ -1,0 +1,27 @@
+//! Findings, for people and for programs.
+
+use polhode::Finding;
+use serde_json::{Value, json};
+
+use crate::layout::{WIDTH, wrap};
+
+/// `[{"code": …, "severity": …, "message": …, "where": …}, …]`
+pub(crate) fn to_json(findings: &[Finding]) -> Value {
+    let one = |f: &Finding| json!({ "code": f.code, "severity": f.severity.name(), "message": f.message, "where": f.place });
+    findings.iter().map(one).collect()
+}
+
+/// One paragraph each: `warning: … (where) [code]`; nothing at all where nothing was found.
+pub(crate) fn to_text(findings: &[Finding]) -> String {
+    let mut text = String::new();
+    for f in findings {
+        let place = f.place.as_ref().map_or_else(String::new, |place| format!(" ({place})"));
+        let sentence = format!("{}: {}{place} [{}]", f.severity.name(), f.message, f.code);
+        for (k, line) in wrap(&sentence, "", WIDTH - 2).into_iter().enumerate() {
+            text.push_str(if k == 0 { "" } else { "  " });
+            text.push_str(&line);
+            text.push('\n');
+        }
+    }
+    text
+}

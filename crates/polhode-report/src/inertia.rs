@@ -1,0 +1,217 @@
+//! The report of `polhode inertia`: mass, centre of mass, inertia, principal axes.
+
+use std::fmt::Write as _;
+
+use polhode::{
+    Body, Finding, Frame, MassProperties, Part, Position, PrincipalFrame, Rotation, Scenario, Symmetry,
+};
+use serde_json::{Map, Value, json};
+
+use crate::block::{self, Geometry};
+use crate::json::{matrix, numbers, vector};
+use crate::layout::{columns, labelled, matrix_rows, plain_spaces};
+use crate::number::{alike, number, tidy, tidy_beside, tidy_matrix};
+use crate::source::SourceInfo;
+use crate::unit::{self, DIGITS};
+use crate::{VERSION, finding};
+
+/// A body's mass properties, ready to be read.
+///
+/// ```
+/// use polhode::{InertiaTensor, MassProperties, Position};
+/// use polhode_report::{InertiaReport, SourceInfo};
+/// let inertia = InertiaTensor::with_negative_products([3.1, 4.2, 5.3], [0.4, -0.3, 0.2])?;
+/// let body = MassProperties::new(2.3, Position::new(0.11, -0.07, 0.23), inertia)?;
+/// let report = InertiaReport::new(SourceInfo::new("body.toml", "scenario"), body);
+/// assert_eq!(report.to_json()["inertia"]["tensor"][0][1], 0.4);
+/// assert!(report.to_text().contains("inertia about the centre of mass, along body axes"));
+/// # Ok::<(), polhode::BodyError>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct InertiaReport {
+    /// Where the body came from.
+    pub source: SourceInfo,
+    /// Mass, centre of mass and inertia tensor.
+    pub properties: MassProperties<Body>,
+    /// Enclosed volume, m³.
+    pub volume: Option<f64>,
+    /// Surface area, m².
+    pub surface_area: Option<f64>,
+    /// Mass per volume, kg/m³.
+    pub density: Option<f64>,
+    /// Another point for the tensor to be about.
+    pub about: Option<Position<Body>>,
+    /// Other axes for the tensor to be along: their directions in body axes are this rotation's columns.
+    pub axes: Option<Rotation<Body, Part>>,
+    /// Print the principal axes in the text too (JSON always has them).
+    pub show_axes: bool,
+    /// What was noticed on the way.
+    pub findings: Vec<Finding>,
+}
+
+impl InertiaReport {
+    /// The report of a body of which nothing else is known.
+    pub fn new(source: SourceInfo, properties: MassProperties<Body>) -> Self {
+        Self {
+            source,
+            properties,
+            volume: None,
+            surface_area: None,
+            density: None,
+            about: None,
+            axes: None,
+            show_axes: false,
+            findings: Vec::new(),
+        }
+    }
+
+    /// The report of a scenario's body, about its pivot too if it has one.
+    pub fn of_scenario(source: SourceInfo, scenario: &Scenario) -> Self {
+        let geometry = Geometry::of_parts(&scenario.parts, scenario.body.mass());
+        Self {
+            volume: geometry.volume,
+            surface_area: geometry.surface_area,
+            density: geometry.density,
+            about: scenario.pivot,
+            findings: scenario.findings.clone(),
+            ..Self::new(source, scenario.body)
+        }
+    }
+
+    /// One object with the stable keys of the JSON contract; `inertia_about` and `inertia_in_axes` only where asked for.
+    pub fn to_json(&self) -> Value {
+        let mut object = Map::new();
+        object.insert("polhode".to_owned(), VERSION.into());
+        object.insert("source".to_owned(), self.source.to_json());
+        block::insert(&mut object, &self.properties, self.geometry());
+        if let Some(point) = self.about {
+            let tensor = self.properties.inertia_about(point);
+            let about = json!({
+                "point": vector(point),
+                "tensor": matrix(tensor.matrix()),
+                "principal": block::principal(&PrincipalFrame::about(&tensor)),
+            });
+            object.insert("inertia_about".to_owned(), about);
+        }
+        if let Some(axes) = self.axes {
+            let along = json!({
+                "about": "center_of_mass",
+                "quaternion_wxyz": numbers(&axes.canonical_quaternion()),
+                "tensor": matrix(self.properties.inertia().in_frame(axes.inverse()).matrix()),
+            });
+            object.insert("inertia_in_axes".to_owned(), along);
+        }
+        object.insert("findings".to_owned(), finding::to_json(&self.findings));
+        Value::Object(object)
+    }
+
+    /// One screen for people.
+    pub fn to_text(&self) -> String {
+        let mut text = format!("{}\n", self.source.heading());
+        self.write_mass(&mut text);
+        self.write_inertia(&mut text);
+        self.write_about(&mut text);
+        self.write_axes(&mut text);
+        let findings = finding::to_text(&self.findings);
+        if !findings.is_empty() {
+            text.push('\n');
+            text.push_str(&findings);
+        }
+        plain_spaces(&text)
+    }
+
+    fn geometry(&self) -> Geometry {
+        Geometry { volume: self.volume, surface_area: self.surface_area, density: self.density }
+    }
+
+    fn write_mass(&self, text: &mut String) {
+        let mass = unit::mass(self.properties.mass());
+        let mass = match (self.density, self.volume) {
+            (Some(density), Some(volume)) => {
+                format!("{mass}   ({} kg/m³ × {})", number(density, DIGITS), unit::volume(volume))
+                    .replace("   ", "\u{a0}\u{a0}\u{a0}")
+            }
+            (None, Some(volume)) => format!("{mass}   (volume {})", unit::volume(volume)),
+            _ => mass,
+        };
+        text.push_str(&labelled("mass", &mass));
+        if let Some(area) = self.surface_area {
+            text.push_str(&labelled("surface area", &unit::area(area)));
+        }
+        let center = tidy(self.properties.center_of_mass().to_array());
+        text.push_str(&line("centre of mass", &unit::lengths(center)));
+    }
+
+    fn write_inertia(&self, text: &mut String) {
+        let inertia = self.properties.inertia();
+        let _ = writeln!(
+            text,
+            "\ninertia about the centre of mass, along body axes, off-diagonal = -∫xy dm, in kg·m²"
+        );
+        text.push_str(&tensor(inertia.matrix()));
+        let principal = self.properties.principal();
+        text.push_str(&moments(&principal));
+        text.push_str(&line("gyration radii", &unit::lengths(self.properties.gyration_radii())));
+        if self.show_axes {
+            text.push_str(&axes(&principal));
+        } else if principal.symmetry() != Symmetry::Point {
+            text.push_str(&labelled("principal axes", "right-handed, in body axes: --axes shows them"));
+        }
+    }
+
+    fn write_about(&self, text: &mut String) {
+        let Some(point) = self.about else { return };
+        let about = self.properties.inertia_about(point);
+        let place = unit::place(tidy(point.to_array()));
+        let _ = writeln!(text, "\ninertia about {place}, along body axes, off-diagonal = -∫xy dm, in kg·m²");
+        text.push_str(&tensor(about.matrix()));
+        let principal = PrincipalFrame::about(&about);
+        text.push_str(&moments(&principal));
+        if self.show_axes {
+            text.push_str(&axes(&principal));
+        }
+    }
+
+    fn write_axes(&self, text: &mut String) {
+        let Some(turn) = self.axes else { return };
+        let [_, x, y, z] = turn.canonical_quaternion();
+        let axis =
+            Position::<Body>::new(x, y, z).direction().map_or([0.0, 0.0, 1.0], polhode::Vector::to_array);
+        let axis = alike(&tidy(axis), 6).join(", ");
+        let _ = writeln!(
+            text,
+            "\ninertia about the centre of mass, along axes turned from the body's by {}° about ({axis}), in kg·m²",
+            number(turn.angle().to_degrees(), 6),
+        );
+        text.push_str(&tensor(self.properties.inertia().in_frame(turn.inverse()).matrix()));
+    }
+}
+
+/// A label and a text whose double spaces are meant.
+fn line(label: &str, text: &str) -> String {
+    labelled(label, &text.replace(' ', "\u{a0}"))
+}
+
+fn tensor(rows: [[f64; 3]; 3]) -> String {
+    matrix_rows(&tidy_matrix(rows), 6).iter().map(|row| format!("    {}\n", row.trim_end())).collect()
+}
+
+/// The principal moments, and what their symmetry leaves free.
+fn moments<F: Frame>(principal: &PrincipalFrame<F>) -> String {
+    let [_, _, i3] = principal.moments();
+    let moments = alike(&tidy_beside(principal.moments(), i3 * 1e-16), DIGITS).join("  ");
+    line("principal", &format!("{moments}  kg·m²   {}", principal.symmetry().name()))
+        + &labelled("", principal.symmetry().freedom())
+}
+
+/// The principal axes, one a line.
+fn axes<F: Frame>(principal: &PrincipalFrame<F>) -> String {
+    let cells = principal.axes().map(|axis| tidy(axis.to_array()));
+    let cells = alike(cells.as_flattened(), DIGITS);
+    let rows: Vec<Vec<String>> = cells.chunks(3).map(<[String]>::to_vec).collect();
+    let mut text = String::from("principal axes, right-handed, as unit vectors in body axes\n");
+    for (k, row) in columns(&rows).iter().enumerate() {
+        let _ = writeln!(text, "    axis {}   {row}", k + 1);
+    }
+    text
+}

@@ -1,0 +1,74 @@
+//! JSON values, and how they print.
+
+use polhode::Vector;
+use serde_json::Value;
+
+/// JSON indented by two spaces, with lists of numbers on one line: a tensor looks like a matrix.
+///
+/// ```
+/// let value = serde_json::json!({"mass": 1.5, "tensor": [[1.0, 0.0], [0.0, 2.0]]});
+/// let text = polhode_report::pretty(&value);
+/// assert_eq!(text, "{\n  \"mass\": 1.5,\n  \"tensor\": [\n    [1.0, 0.0],\n    [0.0, 2.0]\n  ]\n}");
+/// ```
+pub fn pretty(value: &Value) -> String {
+    let mut text = String::new();
+    write(&mut text, value, 0);
+    text
+}
+
+/// The three components.
+pub(crate) fn vector<Q, F>(v: Vector<Q, F>) -> Value {
+    numbers(&v.to_array())
+}
+
+/// A list of numbers; what is not finite becomes `null`.
+pub(crate) fn numbers(values: &[f64]) -> Value {
+    values.iter().map(|&x| Value::from(x)).collect()
+}
+
+/// A list of rows.
+pub(crate) fn matrix(rows: [[f64; 3]; 3]) -> Value {
+    rows.iter().map(|row| numbers(row)).collect()
+}
+
+fn write(text: &mut String, value: &Value, depth: usize) {
+    let open = |text: &mut String| {
+        text.push('\n');
+        text.push_str(&"  ".repeat(depth + 1));
+    };
+    let close = |text: &mut String, bracket: char| {
+        text.push('\n');
+        text.push_str(&"  ".repeat(depth));
+        text.push(bracket);
+    };
+    match value {
+        Value::Array(items) if items.iter().any(|item| item.is_array() || item.is_object()) => {
+            text.push('[');
+            for (k, item) in items.iter().enumerate() {
+                if k > 0 {
+                    text.push(',');
+                }
+                open(text);
+                write(text, item, depth + 1);
+            }
+            close(text, ']');
+        }
+        Value::Array(items) => {
+            let items: Vec<String> = items.iter().map(Value::to_string).collect();
+            text.push_str(&format!("[{}]", items.join(", ")));
+        }
+        Value::Object(entries) if !entries.is_empty() => {
+            text.push('{');
+            for (k, (key, item)) in entries.iter().enumerate() {
+                if k > 0 {
+                    text.push(',');
+                }
+                open(text);
+                text.push_str(&format!("{}: ", Value::from(key.as_str())));
+                write(text, item, depth + 1);
+            }
+            close(text, '}');
+        }
+        other => text.push_str(&other.to_string()),
+    }
+}

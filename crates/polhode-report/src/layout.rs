@@ -1,0 +1,148 @@
+//! Lines of text: wrapping, labels, aligned columns, matrices.
+
+use crate::number::{GROUP, alike};
+
+/// The width that text is laid out for where nobody asks for another.
+pub(crate) const WIDTH: usize = 100;
+
+/// What is not left alone at the start of a line.
+const UNITS: [&str; 14] =
+    ["s", "/s", "m", "kg", "rad", "rad/s", "rad/s²", "deg/s", "m/s", "N", "N·m", "J", "kg·m²", "kg·m²/s"];
+
+/// Columns that a text takes on a terminal: combining marks (the dot of ω̇) take none.
+pub(crate) fn width(text: &str) -> usize {
+    text.chars().filter(|c| !('\u{300}'..='\u{36f}').contains(c)).count()
+}
+
+/// The text with every no-break space an ordinary one: the last step of plain text.
+pub(crate) fn plain_spaces(text: &str) -> String {
+    text.replace(GROUP, " ")
+}
+
+/// The text in lines of at most `columns`, each after `indent`; words are not broken.
+pub(crate) fn wrap(text: &str, indent: &str, columns: usize) -> Vec<String> {
+    let mut lines = Vec::new();
+    let mut line = String::new();
+    for word in tied(text) {
+        if !line.is_empty() && width(indent) + width(&line) + 1 + width(&word) > columns {
+            lines.push(format!("{indent}{line}"));
+            line.clear();
+        }
+        if !line.is_empty() {
+            line.push(' ');
+        }
+        line.push_str(&word);
+    }
+    if !line.is_empty() {
+        lines.push(format!("{indent}{line}"));
+    }
+    lines
+}
+
+/// Words, a number and its unit being one.
+fn tied(text: &str) -> Vec<String> {
+    let mut words: Vec<String> = Vec::new();
+    for word in text.split([' ', '\n']).filter(|word| !word.is_empty()) {
+        let unit = word.trim_end_matches([',', ';', '.', ':', ')']);
+        match words.last_mut() {
+            Some(last)
+                if UNITS.contains(&unit) && last.ends_with(|c: char| c.is_ascii_digit() || c == ')') =>
+            {
+                last.push(GROUP);
+                last.push_str(word);
+            }
+            _ => words.push(word.to_owned()),
+        }
+    }
+    words
+}
+
+/// `label            text`, wrapped under itself.
+pub(crate) fn labelled(label: &str, text: &str) -> String {
+    const LABEL: usize = 17;
+    let indent = " ".repeat(LABEL);
+    let mut lines = wrap(text, &indent, WIDTH).into_iter();
+    let first = lines.next().unwrap_or_default();
+    let gap = LABEL.saturating_sub(width(label)).max(1);
+    let head = format!("{label}{}{}\n", " ".repeat(gap), first.trim_start_matches(' '));
+    head + &lines.map(|line| line + "\n").collect::<String>()
+}
+
+/// Cells in columns, numbers by their decimal points, text to the left; two spaces between.
+pub(crate) fn columns(rows: &[Vec<String>]) -> Vec<String> {
+    let count = rows.iter().map(Vec::len).max().unwrap_or(0);
+    let shape = |cell: &String| {
+        let numeric = is_number(cell);
+        let point = if numeric { cell.find(['.', 'e']).unwrap_or(cell.len()) } else { 0 };
+        (numeric, if numeric { width(&cell[..point]) } else { 0 }, width(cell))
+    };
+    let column = |k: usize| rows.iter().filter_map(move |row| row.get(k));
+    // Of each column: digits before the point, digits and power after it, and the width of its widest cell.
+    let sizes: Vec<(usize, usize)> = (0..count)
+        .map(|k| {
+            let before = column(k).map(shape).map(|(_, before, _)| before).max().unwrap_or(0);
+            let after =
+                column(k).map(shape).filter(|s| s.0).map(|(_, before, all)| all - before).max().unwrap_or(0);
+            let text = column(k).map(shape).filter(|s| !s.0).map(|(_, _, all)| all).max().unwrap_or(0);
+            (before, (before + after).max(text))
+        })
+        .collect();
+    let lay = |row: &Vec<String>| {
+        let cells = row.iter().zip(&sizes).map(|(cell, &(before, all))| {
+            let (numeric, mine, width) = shape(cell);
+            let left = if numeric { before - mine } else { 0 };
+            format!("{}{cell}{}", " ".repeat(left), " ".repeat(all.saturating_sub(left + width)))
+        });
+        cells.collect::<Vec<_>>().join("  ").trim_end_matches(' ').to_owned()
+    };
+    rows.iter().map(lay).collect()
+}
+
+/// The rows of a matrix, aligned, without brackets.
+pub(crate) fn matrix_rows(rows: &[[f64; 3]; 3], digits: usize) -> Vec<String> {
+    let cells = alike(rows.as_flattened(), digits);
+    let rows: Vec<Vec<String>> = cells.chunks(3).map(<[String]>::to_vec).collect();
+    let lines = columns(&rows);
+    let longest = lines.iter().map(|line| width(line)).max().unwrap_or(0);
+    lines.into_iter().map(|line| format!("{line}{}", " ".repeat(longest - width(&line)))).collect()
+}
+
+/// A picture of a curve: eight heights from its least to its greatest value; `None` for one that does not vary.
+pub(crate) fn sparkline(values: &[f64], columns: usize) -> Option<String> {
+    const HEIGHTS: [char; 8] = ['▁', '▂', '▃', '▄', '▅', '▆', '▇', '█'];
+    let (least, greatest) =
+        values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), &x| (a.min(x), b.max(x)));
+    let span = greatest - least;
+    if values.len() < 2 || !span.is_finite() || span <= 1e-9 * greatest.abs().max(least.abs()) {
+        return None;
+    }
+    let columns = columns.min(values.len());
+    let at = |k: usize| values[k * (values.len() - 1) / (columns - 1).max(1)];
+    let height = |x: f64| HEIGHTS[(((x - least) / span * 8.0) as usize).min(7)];
+    Some((0..columns).map(|k| height(at(k))).collect())
+}
+
+fn is_number(cell: &str) -> bool {
+    cell.chars().any(|c| c.is_ascii_digit())
+        && cell.chars().all(|c| c.is_ascii_digit() || matches!(c, '-' | '.' | 'e' | GROUP))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_align_by_their_points() {
+        let rows =
+            [["0.25", "a"], ["-12", "bcd"], ["3.5e-7", "—"]].map(|row| row.map(str::to_owned).to_vec());
+        assert_eq!(columns(&rows), ["  0.25    a", "-12       bcd", "  3.5e-7  —"]);
+    }
+
+    #[test]
+    fn wrapping_counts_what_is_seen() {
+        assert_eq!(width("ω\u{307}1"), 2);
+        assert_eq!(wrap("one two three", "  ", 9), ["  one two", "  three"]);
+        assert_eq!(sparkline(&[1.0, 1.0], 10), None);
+        assert_eq!(sparkline(&[0.0, 1.0, 2.0, 3.0], 4).as_deref(), Some("▁▃▆█"));
+    }
+}

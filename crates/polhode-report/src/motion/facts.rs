@@ -1,0 +1,103 @@
+//! What a motion's reports say, gathered once from the core.
+
+use polhode::{
+    Cones, Drift, FreeMotion, FreeRegime, ParticleForce, Pendulum, Prescribed, Regime, Required, Rotor,
+    Sample, Scenario, Solution, State, Swing, SymmetricTop, Trajectory,
+};
+
+/// Everything that is asked of the core for one motion.
+#[derive(Clone, Debug)]
+pub(super) struct Facts {
+    pub(super) rotor: Rotor,
+    /// At the first sample; that of the scenario if there is none.
+    pub(super) start: State,
+    /// The free motion that the start would have without torque.
+    pub(super) regime_at_start: FreeRegime,
+    /// True if nothing but the body's own inertia decides the motion.
+    pub(super) is_free: bool,
+    /// The constants of a free symmetric top.
+    pub(super) top: Option<Top>,
+    /// `None` for a prescribed motion, where nothing is solved.
+    pub(super) drift: Option<Drift>,
+    pub(super) needed: Option<Needed>,
+    pub(super) hanging: Option<(Pendulum, Swing)>,
+}
+
+/// A free symmetric top, its cones, and how well L, ω and the axis keep to one plane.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Top {
+    pub(super) motion: SymmetricTop,
+    pub(super) cones: Cones,
+    pub(super) coplanarity: f64,
+}
+
+/// What a prescribed motion needs.
+#[derive(Clone, Debug)]
+pub(super) struct Needed {
+    pub(super) at_start: Required,
+    /// The sample with the largest torque.
+    pub(super) largest: Option<Sample>,
+    /// On each particle at the start; empty unless particles are all that the body is made of.
+    pub(super) forces: Vec<ParticleForce>,
+}
+
+impl Facts {
+    pub(super) fn of(scenario: &Scenario, trajectory: &Trajectory) -> Self {
+        let rotor = scenario.rotor();
+        let start = trajectory.samples().first().map_or(scenario.start, |sample| sample.state);
+        let prescribed = scenario.prescribed.as_ref();
+        let is_free = prescribed.is_none() && scenario.torques.is_empty();
+        Self {
+            rotor,
+            start,
+            regime_at_start: FreeRegime::of(&rotor, &start),
+            is_free,
+            top: Top::of(&rotor, trajectory).filter(|_| is_free),
+            drift: prescribed.is_none().then(|| Drift::of(trajectory)).flatten(),
+            needed: prescribed.map(|motion| Needed::by(scenario, motion, trajectory)),
+            hanging: scenario.pendulum().and_then(Result::ok).map(|p| (p, swing(scenario, &p, &start))),
+        }
+    }
+}
+
+impl Top {
+    fn of(rotor: &Rotor, trajectory: &Trajectory) -> Option<Self> {
+        let start = trajectory.samples().first()?.state;
+        let motion = match trajectory.solution() {
+            Solution::Exact(FreeMotion::Symmetric(motion)) => *motion,
+            Solution::Integrated { .. } if FreeRegime::of(rotor, &start).regime == Regime::Symmetric => {
+                SymmetricTop::of(rotor, start)?
+            }
+            _ => return None,
+        };
+        let departure = |s: &Sample| Cones::coplanarity(&motion, &s.state);
+        let coplanarity = trajectory.samples().iter().map(departure).fold(0.0, f64::max);
+        Some(Self { motion, cones: Cones::of(&motion), coplanarity })
+    }
+}
+
+impl Needed {
+    fn by(scenario: &Scenario, motion: &Prescribed, trajectory: &Trajectory) -> Self {
+        let rotor = scenario.rotor();
+        let time = trajectory.samples().first().map_or(scenario.start.time, |sample| sample.state.time);
+        let at_start = Required::by(&rotor, motion, time);
+        let larger = |a: &&Sample, b: &&Sample| a.torque.norm().total_cmp(&b.torque.norm());
+        Self {
+            at_start,
+            largest: trajectory.samples().iter().max_by(larger).copied(),
+            forces: crate::forces::on_particles(scenario, &at_start),
+        }
+    }
+}
+
+/// The swing of the amplitude that the scenario asks for, else of its start.
+fn swing(scenario: &Scenario, pendulum: &Pendulum, start: &State) -> Swing {
+    let Some(hanging) = scenario.hanging else { return Swing::Rest };
+    match hanging.amplitude {
+        Some(amplitude) => pendulum.swing(amplitude, 0.0),
+        None => {
+            let rate = hanging.axis.direction().map_or(0.0, |n| n.dot(start.omega));
+            pendulum.swing(pendulum.angle(), rate)
+        }
+    }
+}

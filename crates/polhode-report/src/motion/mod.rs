@@ -1,0 +1,60 @@
+//! The report of `polhode simulate`: how a body moves, and how good the numbers are.
+
+mod facts;
+mod summary;
+mod text;
+
+use polhode::{Scenario, Trajectory};
+use serde_json::Value;
+
+use crate::source::SourceInfo;
+
+/// A motion, ready to be read.
+///
+/// ```
+/// use polhode::*;
+/// use polhode_report::{MotionReport, SourceInfo};
+/// let inertia = InertiaTensor::diagonal([1.0, 2.0, 3.0])?;
+/// let scenario = Scenario {
+///     title: Some("A tumbling book".to_owned()),
+///     parts: Vec::new(),
+///     body: MassProperties::new(1.0, Position::ZERO, inertia)?,
+///     start: State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.01, 1.0, 0.01) },
+///     velocity: Velocity::ZERO,
+///     pivot: None,
+///     torques: Vec::new(),
+///     prescribed: None,
+///     hanging: None,
+///     run: Some(Run::evenly(40.0, 401, Method::Auto, 1e-12)),
+///     findings: Vec::new(),
+/// };
+/// let Some(trajectory) = scenario.simulate().transpose()? else { return Ok(()) };
+/// let report = MotionReport::new(SourceInfo::new("book.toml", "scenario"), &scenario, &trajectory);
+/// assert!(report.to_text().contains("short-axis mode"));
+/// assert_eq!(report.summary_json()["motion"]["regime"], "short_axis");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct MotionReport<'a> {
+    /// Where the scenario came from.
+    pub source: SourceInfo,
+    scenario: &'a Scenario,
+    trajectory: &'a Trajectory,
+}
+
+impl<'a> MotionReport<'a> {
+    /// The report of a scenario's motion; `trajectory` is what [`Scenario::simulate`] found.
+    pub const fn new(source: SourceInfo, scenario: &'a Scenario, trajectory: &'a Trajectory) -> Self {
+        Self { source, scenario, trajectory }
+    }
+
+    /// One screen for people.
+    pub fn to_text(&self) -> String {
+        text::write(self)
+    }
+
+    /// The content of `summary.json`: the body, the start, the run, the kind of motion, its error, its end.
+    pub fn summary_json(&self) -> Value {
+        summary::of(self)
+    }
+}

@@ -1,0 +1,221 @@
+//! `summary.json`.
+
+use polhode::{
+    ConstantTorque, Drift, FreeRegime, Method, ParticleForce, Pendulum, Regime, Sample, Scenario, Solution,
+    State, Swing, TorqueModel,
+};
+use serde_json::{Map, Value, json};
+
+use super::MotionReport;
+use super::facts::{Facts, Needed, Top};
+use crate::block::{self, Geometry};
+use crate::json::{numbers, vector};
+use crate::{VERSION, finding};
+
+pub(super) fn of(report: &MotionReport<'_>) -> Value {
+    let (scenario, samples) = (report.scenario, report.trajectory.samples());
+    let facts = Facts::of(scenario, report.trajectory);
+    let mut object = Map::new();
+    object.insert("polhode".to_owned(), VERSION.into());
+    object.insert("title".to_owned(), scenario.title.as_deref().into());
+    object.insert("source".to_owned(), report.source.to_json());
+    let geometry = Geometry::of_parts(&scenario.parts, scenario.body.mass());
+    block::insert(&mut object, &scenario.body, geometry);
+    let mut put = |key: &str, value: Value| object.insert(key.to_owned(), value);
+    put("turns_about", turns_about(scenario, &facts));
+    put("start", state(&facts, &facts.start, scenario));
+    put("run", run(report));
+    put("motion", motion(&facts));
+    put("energy", energy(samples));
+    put("drift", facts.drift.map_or(Value::Null, |drift| drift_json(&drift, facts.is_free)));
+    put("required", facts.needed.as_ref().map_or(Value::Null, needed));
+    put("pendulum", facts.hanging.as_ref().map_or(Value::Null, pendulum));
+    put("final", samples.last().map_or(Value::Null, last));
+    put("torques", scenario.torques.iter().map(torque).collect());
+    put("findings", finding::to_json(&scenario.findings));
+    Value::Object(object)
+}
+
+/// The point that L, T, N and the tensor of the motion are about.
+fn turns_about(scenario: &Scenario, facts: &Facts) -> Value {
+    let point = scenario.pivot.unwrap_or(scenario.body.center_of_mass());
+    json!({
+        "what": if scenario.pivot.is_some() { "pivot" } else { "center_of_mass" },
+        "point": vector(point),
+        "tensor": crate::json::matrix(facts.rotor.inertia().matrix()),
+        "principal": block::principal(facts.rotor.principal()),
+    })
+}
+
+fn state(facts: &Facts, state: &State, scenario: &Scenario) -> Value {
+    json!({
+        "time_s": state.time,
+        "attitude_wxyz": numbers(&state.attitude.canonical_quaternion()),
+        "omega_body": vector(state.omega),
+        "omega_space": vector(state.omega_space()),
+        "momentum_space": vector(facts.rotor.angular_momentum_space(state)),
+        "velocity_space": vector(scenario.velocity),
+    })
+}
+
+fn run(report: &MotionReport<'_>) -> Value {
+    let samples = report.trajectory.samples();
+    let duration = match (samples.first(), samples.last()) {
+        (Some(first), Some(last)) => last.state.time - first.state.time,
+        _ => 0.0,
+    };
+    let (tolerance, steps) = match report.trajectory.solution() {
+        Solution::Integrated { tolerance, statistics } => (
+            Some(*tolerance),
+            json!({
+                "accepted": statistics.accepted,
+                "rejected": statistics.rejected,
+                "evaluations": statistics.evaluations,
+            }),
+        ),
+        Solution::Exact(_) | Solution::Prescribed(_) => (None, Value::Null),
+    };
+    json!({
+        "method": report.scenario.run.as_ref().map(|run| run.method).map(Method::name),
+        "method_used": report.trajectory.solution().name(),
+        "tolerance": tolerance,
+        "samples": samples.len(),
+        "duration_s": duration,
+        "steps": steps,
+    })
+}
+
+/// The kind of a free motion; for any other the same keys, `null` where only a free motion has them.
+fn motion(facts: &Facts) -> Value {
+    let FreeRegime { regime, period, flip_interval, growth_rate } = facts.regime_at_start;
+    let free = facts.is_free;
+    let omega = facts.start.omega;
+    let momentum = facts.rotor.angular_momentum_space(&facts.start);
+    let turn = |rate: f64| (rate != 0.0).then(|| std::f64::consts::TAU / rate.abs());
+    let (precession, rotation) = match &facts.top {
+        Some(top) => (turn(top.cones.space_rate), turn(top.cones.body_rate)),
+        None => match regime {
+            // Nothing precesses, the body turns.
+            Regime::Permanent { .. } | Regime::Spherical if free => (None, turn(omega.norm())),
+            _ => (None, None),
+        },
+    };
+    json!({
+        "regime": free.then(|| regime.name()),
+        "regime_at_start": facts.needed.is_none().then(|| regime.name()),
+        "period_s": period.filter(|_| free),
+        "precession_period_s": precession,
+        "rotation_period_s": rotation,
+        "flip_interval_s": flip_interval.filter(|_| free),
+        "growth_rate_per_s": growth_rate.filter(|_| free),
+        "kinetic_energy_j": facts.rotor.kinetic_energy(omega),
+        "momentum_kg_m2_s": momentum.norm(),
+        "momentum_space_kg_m2_s": vector(momentum),
+        "symmetric_top": facts.top.as_ref().map(symmetric_top),
+    })
+}
+
+fn symmetric_top(top: &Top) -> Value {
+    let [axial, transverse] = top.motion.moments();
+    json!({
+        "axis": vector(top.motion.axis()),
+        "axial_moment": axial,
+        "transverse_moment": transverse,
+        "spin_rad_s": top.motion.spin(),
+        "body_rate_rad_s": top.cones.body_rate,
+        "space_rate_rad_s": top.cones.space_rate,
+        "body_cone_half_angle_rad": top.cones.body_half_angle,
+        "space_cone_half_angle_rad": top.cones.space_half_angle,
+        "nutation_rad": top.cones.nutation,
+        "coplanarity": top.coplanarity,
+    })
+}
+
+fn energy(samples: &[Sample]) -> Value {
+    let (first, last) = (samples.first(), samples.last());
+    json!({
+        "kinetic_start_j": first.map(|s| s.kinetic_energy),
+        "kinetic_end_j": last.map(|s| s.kinetic_energy),
+        "potential_start_j": first.and_then(|s| s.potential_energy),
+        "potential_end_j": last.and_then(|s| s.potential_energy),
+        "work_j": last.map(|s| s.work),
+    })
+}
+
+/// The last two say something about the error of a free motion only.
+fn drift_json(drift: &Drift, free: bool) -> Value {
+    json!({
+        "work_energy": drift.work_energy,
+        "momentum": drift.momentum,
+        "total_energy": drift.total_energy,
+        "kinetic_energy": free.then_some(drift.kinetic_energy),
+        "momentum_magnitude": free.then_some(drift.momentum_magnitude),
+    })
+}
+
+fn needed(needed: &Needed) -> Value {
+    let largest =
+        needed.largest.map(|s| json!({ "time_s": s.state.time, "torque_body_n_m": vector(s.torque) }));
+    json!({
+        "torque_body_n_m": vector(needed.at_start.torque),
+        "torque_space_n_m": vector(needed.at_start.state.attitude * needed.at_start.torque),
+        "power_w": needed.at_start.power,
+        "largest_torque": largest,
+        "particle_forces": needed.forces.iter().map(force).collect::<Value>(),
+    })
+}
+
+fn force(f: &ParticleForce) -> Value {
+    json!({
+        "force_body_n": vector(f.force),
+        "along_body_n": vector(f.along),
+        "across_body_n": vector(f.across),
+        "torque_body_n_m": vector(f.torque),
+    })
+}
+
+fn pendulum((pendulum, swing): &(Pendulum, Swing)) -> Value {
+    let (kind, amplitude, period) = match *swing {
+        Swing::Rest => ("rest", Some(0.0), None),
+        Swing::Oscillation { amplitude, period } => ("oscillation", Some(amplitude), Some(period)),
+        Swing::Separatrix => ("separatrix", None, None),
+        Swing::Revolution { period } => ("revolution", None, Some(period)),
+    };
+    json!({
+        "moment": pendulum.moment(),
+        "arm_m": pendulum.arm(),
+        "gravity_m_s2": pendulum.gravity(),
+        "angle_rad": pendulum.angle(),
+        "small_frequency_rad_s": pendulum.small_frequency(),
+        "small_period_s": pendulum.period(0.0),
+        "swing": kind,
+        "amplitude_rad": amplitude,
+        "period_s": period,
+    })
+}
+
+fn last(sample: &Sample) -> Value {
+    json!({
+        "time_s": sample.state.time,
+        "attitude_wxyz": numbers(&sample.state.attitude.canonical_quaternion()),
+        "omega_body": vector(sample.state.omega),
+        "omega_space": vector(sample.state.omega_space()),
+        "momentum_space": vector(sample.momentum),
+        "torque_body": vector(sample.torque),
+    })
+}
+
+fn torque(model: &TorqueModel) -> Value {
+    match model {
+        TorqueModel::Constant(ConstantTorque::Body(n)) => {
+            json!({ "model": model.name(), "axes": "body", "torque_n_m": vector(*n) })
+        }
+        TorqueModel::Constant(ConstantTorque::Space(n)) => {
+            json!({ "model": model.name(), "axes": "space", "torque_n_m": vector(*n) })
+        }
+        TorqueModel::Gravity(g) => {
+            json!({ "model": model.name(), "axes": "space", "acceleration_m_s2": vector(g.acceleration) })
+        }
+        _ => json!({ "model": model.name() }),
+    }
+}

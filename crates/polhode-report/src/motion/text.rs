@@ -1,0 +1,271 @@
+//! The motion on one screen.
+
+use polhode::{ConstantTorque, FreeRegime, Pendulum, Sample, Solution, State, Swing, TorqueModel};
+
+use super::MotionReport;
+use super::facts::{Facts, Needed, Top};
+use crate::finding;
+use crate::layout::{columns, labelled, plain_spaces, sparkline};
+use crate::number::{count, error, number, tidy, ungrouped, vector};
+use crate::unit::{DIGITS, angle, rate};
+
+/// Forces on more particles than this fill the screen: JSON has them all.
+const MOST_PARTICLES: usize = 8;
+
+/// Columns of the picture of ω.
+const CURVE: usize = 72;
+
+pub(super) fn write(report: &MotionReport<'_>) -> String {
+    let facts = Facts::of(report.scenario, report.trajectory);
+    let samples = report.trajectory.samples();
+    let mut text = heading(report, samples);
+    text.push_str(&regime(&facts));
+    if let Some(top) = &facts.top {
+        text.push_str(&symmetric_top(top));
+    }
+    if let Some(hanging) = &facts.hanging {
+        text.push_str(&pendulum(hanging));
+    }
+    if let Some(needed) = &facts.needed {
+        text.push_str(&torque_needed(needed));
+    }
+    for torque in &report.scenario.torques {
+        text.push_str(&labelled("torque", &torque_in_words(torque)));
+    }
+    text.push_str(&evidence(report, &facts));
+    text.push_str(&curve(&facts, samples));
+    text.push_str(&ends(report, &facts));
+    if let Solution::Integrated { tolerance, statistics } = report.trajectory.solution() {
+        let line = format!(
+            "{} kept, {} rejected, {} evaluations, tolerance {} a step",
+            count(statistics.accepted),
+            count(statistics.rejected),
+            count(statistics.evaluations),
+            ungrouped(*tolerance, 3),
+        );
+        text.push_str(&labelled("steps", &line));
+    }
+    text.push_str(&finding::to_text(&report.scenario.findings));
+    plain_spaces(&text)
+}
+
+/// `T-handle in free fall   0 … 20 s, 2,001 samples, exact`
+fn heading(report: &MotionReport<'_>, samples: &[Sample]) -> String {
+    let title = report.scenario.title.as_deref().unwrap_or(&report.source.path);
+    let how = match report.trajectory.solution() {
+        Solution::Exact(_) => "closed form",
+        Solution::Prescribed(_) => "prescribed motion",
+        Solution::Integrated { .. } => "integrated by DOP853",
+    };
+    let (Some(first), Some(last)) = (samples.first(), samples.last()) else {
+        return format!("{title}   no samples, {how}\n");
+    };
+    let [from, to] = [first, last].map(|s| number(s.state.time, 6));
+    let noun = if samples.len() == 1 { "sample" } else { "samples" };
+    format!("{title}   {from} … {to} s, {} {noun}, {how}\n", count(samples.len() as u64))
+}
+
+/// What kind of free motion it is, with its periods; for any other motion what turns it.
+fn regime(facts: &Facts) -> String {
+    let FreeRegime { regime, period, flip_interval, growth_rate } = facts.regime_at_start;
+    if !facts.is_free {
+        return String::new();
+    }
+    let mut text = labelled("free motion", regime.description());
+    let mut periods = Vec::new();
+    if let (Some(period), None) = (period, &facts.top) {
+        periods.push(format!("ω repeats in the body every {} s", number(period, DIGITS)));
+    }
+    if let Some(flip) = flip_interval {
+        periods.push(format!("flips every {} s", number(flip, DIGITS)));
+    }
+    if !periods.is_empty() {
+        text.push_str(&labelled("periods", &periods.join("; ")));
+    }
+    if let Some(growth) = growth_rate.filter(|rate| *rate > 0.0) {
+        let line = format!("a departure from rotation about axis 2 grows at up to {} /s", number(growth, 6));
+        text.push_str(&labelled("instability", &line));
+    }
+    text
+}
+
+fn symmetric_top(top: &Top) -> String {
+    let [axial, transverse] = top.motion.moments().map(|i| number(i, DIGITS));
+    let axis = vector(tidy(top.motion.axis().to_array()), 6);
+    let cones = &top.cones;
+    let every = |rate: f64| match rate {
+        0.0 => String::new(),
+        rate => format!(", once in {} s", number(std::f64::consts::TAU / rate.abs(), DIGITS)),
+    };
+    let body = format!(
+        "ω circles the axis at Ω = {}{}; body cone {}",
+        rate(cones.body_rate),
+        every(cones.body_rate),
+        angle(cones.body_half_angle)
+    );
+    let space = format!(
+        "ω and the axis circle L at φ\u{307} = {}{}; space cone {}, nutation {}",
+        rate(cones.space_rate),
+        every(cones.space_rate),
+        angle(cones.space_half_angle),
+        angle(cones.nutation),
+    );
+    labelled("symmetry axis", &format!("e = {axis}; I_e = {axial}, I_t = {transverse} kg·m²"))
+        + &labelled("in the body", &body)
+        + &labelled("in space", &space)
+        + &labelled("coplanarity", &format!("e · (ω × L) / |ω||L| stays below {}", bound(top.coplanarity)))
+}
+
+fn pendulum((pendulum, swing): &(Pendulum, Swing)) -> String {
+    let frequency = pendulum.small_frequency();
+    let small = format!(
+        "ω0 = √(M g d / I) = {} rad/s, period {} s",
+        number(frequency, DIGITS),
+        number(pendulum.period(0.0), DIGITS)
+    );
+    let exact = match *swing {
+        Swing::Rest => "at rest".to_owned(),
+        Swing::Oscillation { amplitude, period } => {
+            format!("period {} s between ±{}", number(period, DIGITS), angle(amplitude))
+        }
+        Swing::Separatrix => "just enough to come to rest upside down, after infinite time".to_owned(),
+        Swing::Revolution { period } => format!("over the top, one turn in {} s", number(period, DIGITS)),
+    };
+    labelled("small swing", &small) + &labelled("this swing", &exact)
+}
+
+fn torque_needed(needed: &Needed) -> String {
+    let start = &needed.at_start;
+    let torque = tidy(start.torque.to_array());
+    let line = format!(
+        "{} N·m in body axes, |N| = {} N·m, power {} W",
+        vector(torque, 6),
+        number(start.torque.norm(), DIGITS),
+        number(start.power, 6),
+    );
+    let mut text = labelled("torque needed", &line);
+    if let Some(largest) = needed.largest.filter(|s| s.torque.norm() > start.torque.norm() * (1.0 + 1e-9)) {
+        let line = format!(
+            "|N| = {} N·m at t = {} s",
+            number(largest.torque.norm(), DIGITS),
+            number(largest.state.time, 6)
+        );
+        text.push_str(&labelled("  at most", &line));
+    }
+    let count = needed.forces.len();
+    if count > MOST_PARTICLES {
+        text.push_str(&labelled("forces", &format!("on {count} particles: summary.json has them")));
+    } else if count > 0 {
+        text.push_str("forces on the particles at the start, body axes, N\n");
+        let rows: Vec<Vec<String>> = needed.forces.iter().enumerate().map(|(k, f)| force_row(k, f)).collect();
+        text.extend(columns(&rows).iter().map(|row| format!("    {row}\n")));
+    }
+    text
+}
+
+fn force_row(k: usize, f: &polhode::ParticleForce) -> Vec<String> {
+    let scale = f.force.norm();
+    let shown = |v: [f64; 3]| vector(crate::number::tidy_beside(v, scale), 6);
+    vec![
+        format!("F{} = {}", k + 1, shown(f.force.to_array())),
+        format!("along r {}", shown(f.along.to_array())),
+        format!("across r {}", shown(f.across.to_array())),
+    ]
+}
+
+fn torque_in_words(model: &TorqueModel) -> String {
+    match model {
+        TorqueModel::Constant(ConstantTorque::Body(n)) => {
+            format!("constant in body axes, {} N·m", vector(n.to_array(), 6))
+        }
+        TorqueModel::Constant(ConstantTorque::Space(n)) => {
+            format!("constant in space axes, {} N·m", vector(n.to_array(), 6))
+        }
+        TorqueModel::Gravity(g) => {
+            format!("gravity {} m/s² in space axes", vector(g.acceleration.to_array(), 6))
+        }
+        other => other.name().to_owned(),
+    }
+}
+
+/// How far the balances fail at the worst sample.
+fn evidence(report: &MotionReport<'_>, facts: &Facts) -> String {
+    let Some(drift) = facts.drift else { return String::new() };
+    let line = if facts.is_free {
+        format!(
+            "energy {}   |L| {}   L in space {}",
+            error(drift.kinetic_energy),
+            error(drift.momentum_magnitude),
+            error(drift.momentum)
+        )
+    } else {
+        let total = drift.total_energy.map_or_else(String::new, |e| format!("   T + U {}", error(e)));
+        format!("T - work {}   L - impulse {}{total}", error(drift.work_energy), error(drift.momentum))
+    };
+    let note = match report.trajectory.solution() {
+        Solution::Exact(_) => "(relative, worst sample: rounding)",
+        _ => "(relative, worst sample)",
+    };
+    labelled("drift", &format!("{}   {note}", line).replace("   ", "\u{a0}\u{a0} "))
+}
+
+/// The component of ω along a principal axis that varies most.
+fn curve(facts: &Facts, samples: &[Sample]) -> String {
+    let to_principal = facts.rotor.principal().rotation().inverse();
+    let omega: Vec<[f64; 3]> = samples.iter().map(|s| (to_principal * s.state.omega).to_array()).collect();
+    let span = |k: usize| {
+        let values = || omega.iter().map(|w| w[k]);
+        values().fold(f64::NEG_INFINITY, f64::max) - values().fold(f64::INFINITY, f64::min)
+    };
+    let most = (0..3).fold(0, |best, k| if span(k) > span(best) { k } else { best });
+    let values: Vec<f64> = omega.iter().map(|w| w[most]).collect();
+    let speed = facts.start.omega.norm();
+    match sparkline(&values, CURVE).filter(|_| span(most) > 1e-9 * speed) {
+        Some(line) => labelled(&format!("ω along axis {}", most + 1), &line),
+        None => String::new(),
+    }
+}
+
+/// The state at the start and at the end, and what energy did.
+fn ends(report: &MotionReport<'_>, facts: &Facts) -> String {
+    let samples = report.trajectory.samples();
+    let (Some(first), Some(last)) = (samples.first(), samples.last()) else { return String::new() };
+    let mut text = state("start", &first.state);
+    let momentum = facts.rotor.angular_momentum_space(&facts.start);
+    let about = if facts.rotor.is_pivoted() { "the pivot" } else { "the centre of mass" };
+    let line = format!(
+        "|L| = {} kg·m²/s, T = {} J, about {about}",
+        number(momentum.norm(), DIGITS),
+        number(first.kinetic_energy, DIGITS)
+    );
+    text.push_str(&labelled("", &line));
+    if samples.len() > 1 {
+        text.push_str(&state("end", &last.state));
+        let q = last.state.attitude.canonical_quaternion().map(|x| number(x, 6)).join(", ");
+        text.push_str(&labelled("", &format!("attitude w, x, y, z = {q}")));
+        if !facts.is_free {
+            let potential = match (first.potential_energy, last.potential_energy) {
+                (Some(u0), Some(u)) => format!(", U {} → {} J", number(u0, 6), number(u, 6)),
+                _ => String::new(),
+            };
+            let line = format!(
+                "T {} → {} J{potential}, work done {} J",
+                number(first.kinetic_energy, 6),
+                number(last.kinetic_energy, 6),
+                number(last.work, 6)
+            );
+            text.push_str(&labelled("energy", &line));
+        }
+    }
+    text
+}
+
+fn state(label: &str, state: &State) -> String {
+    let omega = vector(state.omega.to_array(), DIGITS);
+    labelled(label, &format!("ω = {omega} rad/s in body axes, |ω| = {}", rate(state.omega.norm())))
+}
+
+/// An upper bound of a rounding error, which may be exactly zero.
+fn bound(x: f64) -> String {
+    error(x.max(f64::EPSILON))
+}

@@ -1,0 +1,181 @@
+//! Numbers as people read them.
+
+/// A space that no line breaks at, between groups of digits. [`crate::layout::plain_spaces`] makes it an ordinary one.
+pub(crate) const GROUP: char = '\u{a0}';
+
+/// Where fixed notation ends and powers of ten begin.
+const FIXED: std::ops::RangeInclusive<i32> = -3..=5;
+
+/// Parts of a vector below this part of its largest are what rounding left of a zero.
+const ROUNDING: f64 = 1e-14;
+
+/// A number with at most `digits` significant digits: no trailing zeros, groups of three, `-0` as `0`; what is not
+/// finite is a dash.
+pub(crate) fn number(x: f64, digits: usize) -> String {
+    group(&ungrouped(x, digits))
+}
+
+/// As [`number`], but in one piece: for columns.
+pub(crate) fn ungrouped(x: f64, digits: usize) -> String {
+    if !x.is_finite() {
+        return "—".to_owned();
+    }
+    if x == 0.0 {
+        return "0".to_owned();
+    }
+    let exponent = exponent(x, digits);
+    if FIXED.contains(&exponent) {
+        return trimmed(&fixed(x, digits, exponent)).to_owned();
+    }
+    let scientific = format!("{x:.*e}", digits.saturating_sub(1));
+    match scientific.split_once('e') {
+        Some((mantissa, power)) => format!("{}e{power}", trimmed(mantissa)),
+        None => scientific,
+    }
+}
+
+/// Numbers of one kind, alike: the same decimals if they are near each other, else each on its own.
+pub(crate) fn alike(values: &[f64], digits: usize) -> Vec<String> {
+    let nonzero = || values.iter().map(|x| x.abs()).filter(|x| *x > 0.0);
+    let largest = nonzero().fold(0.0, f64::max);
+    let least = nonzero().fold(f64::INFINITY, f64::min);
+    let near = values.iter().all(|x| x.is_finite()) && least >= 1e-3 * largest;
+    if largest == 0.0 || !near || !FIXED.contains(&exponent(largest, digits)) {
+        return values.iter().map(|&x| ungrouped(x, digits)).collect();
+    }
+    let exponent = exponent(largest, digits);
+    let all: Vec<String> = values.iter().map(|&x| fixed(x, digits, exponent)).collect();
+    let spare = |s: &String| s.len() - trimmed(s).len();
+    let spare = all.iter().zip(values).filter(|(_, x)| **x != 0.0).map(|(s, _)| spare(s)).min().unwrap_or(0);
+    let shown =
+        |(s, x): (&String, &f64)| if *x == 0.0 { "0".to_owned() } else { s[..s.len() - spare].to_owned() };
+    all.iter().zip(values).map(shown).collect()
+}
+
+/// `(x, y, z)`
+pub(crate) fn vector(values: [f64; 3], digits: usize) -> String {
+    let [x, y, z] = values.map(|x| number(x, digits));
+    format!("({x}, {y}, {z})")
+}
+
+/// A whole number with a comma between thousands.
+pub(crate) fn count(n: u64) -> String {
+    let digits = n.to_string();
+    let mut text = String::new();
+    for (k, digit) in digits.chars().enumerate() {
+        if k > 0 && (digits.len() - k).is_multiple_of(3) {
+            text.push(',');
+        }
+        text.push(digit);
+    }
+    text
+}
+
+/// An estimate of an error: two digits are more than it is worth.
+pub(crate) fn error(x: f64) -> String {
+    ungrouped(x, 2)
+}
+
+/// The vector without what rounding left of its zeros.
+pub(crate) fn tidy(v: [f64; 3]) -> [f64; 3] {
+    tidy_beside(v, v.iter().fold(0.0, |max, x| f64::max(max, x.abs())))
+}
+
+/// The vector without parts that are rounding beside `scale`.
+pub(crate) fn tidy_beside(v: [f64; 3], scale: f64) -> [f64; 3] {
+    v.map(|x| if x.abs() <= ROUNDING * scale { 0.0 } else { x })
+}
+
+/// The matrix without what rounding left of zeros off its diagonal.
+pub(crate) fn tidy_matrix(m: [[f64; 3]; 3]) -> [[f64; 3]; 3] {
+    let largest = m.iter().flatten().fold(0.0, |max, x| f64::max(max, x.abs()));
+    std::array::from_fn(|i| {
+        std::array::from_fn(|j| if i != j && m[i][j].abs() <= ROUNDING * largest { 0.0 } else { m[i][j] })
+    })
+}
+
+/// The power of ten of x once it is rounded to so many digits.
+fn exponent(x: f64, digits: usize) -> i32 {
+    let scientific = format!("{x:.*e}", digits.saturating_sub(1));
+    scientific.split_once('e').and_then(|(_, power)| power.parse().ok()).unwrap_or(0)
+}
+
+fn fixed(x: f64, digits: usize, exponent: i32) -> String {
+    let decimals = (digits as i32 - 1 - exponent).max(0) as usize;
+    let text = format!("{x:.decimals$}");
+    // A part too small for these decimals has no sign either.
+    if text.bytes().all(|b| matches!(b, b'-' | b'0' | b'.')) { text.replace('-', "") } else { text }
+}
+
+fn trimmed(s: &str) -> &str {
+    if s.contains('.') { s.trim_end_matches('0').trim_end_matches('.') } else { s }
+}
+
+/// Groups of three on both sides of the point, where there are more than four digits.
+fn group(s: &str) -> String {
+    let (mantissa, power) = s.find('e').map_or((s, ""), |at| s.split_at(at));
+    let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+    let (sign, whole) = whole.strip_prefix('-').map_or(("", whole), |rest| ("-", rest));
+    let mut text = String::from(sign);
+    for (k, digit) in whole.chars().enumerate() {
+        if k > 0 && whole.len() > 4 && (whole.len() - k).is_multiple_of(3) {
+            text.push(GROUP);
+        }
+        text.push(digit);
+    }
+    for (k, digit) in fraction.chars().enumerate() {
+        if k == 0 {
+            text.push('.');
+        } else if fraction.len() > 4 && k.is_multiple_of(3) {
+            text.push(GROUP);
+        }
+        text.push(digit);
+    }
+    text + power
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn plain(x: f64, digits: usize) -> String {
+        number(x, digits).replace(GROUP, " ")
+    }
+
+    #[test]
+    fn numbers_keep_their_significant_digits() {
+        assert_eq!(plain(0.412_618_3, 7), "0.412 618 3");
+        assert_eq!(plain(2700.0, 7), "2700");
+        assert_eq!(plain(123_456.78, 7), "123 456.8");
+        assert_eq!(plain(-4.580_5e-6, 6), "-4.5805e-6");
+        assert_eq!(plain(999_999.96, 7), "1e6");
+        assert_eq!(plain(6.371e6, 6), "6.371e6");
+        assert_eq!(plain(0.001, 6), "0.001");
+        assert_eq!(plain(1.0 / 3.0, 4), "0.3333");
+        assert_eq!(plain(-0.0, 6), "0");
+        assert_eq!(plain(5e-324, 6), "4.940 66e-324");
+        assert_eq!(plain(f64::NAN, 6), "—");
+        assert_eq!(plain(f64::NEG_INFINITY, 6), "—");
+    }
+
+    #[test]
+    fn a_column_shares_its_decimals_or_goes_its_own_way() {
+        assert_eq!(alike(&[12.961_562, -17.608_532, 15.0], 8), ["12.961562", "-17.608532", "15.000000"]);
+        assert_eq!(alike(&[0.5, 0.0, -0.25], 6), ["0.50", "0", "-0.25"]);
+        assert_eq!(alike(&[1.0, 1e-9, 0.0], 6), ["1", "1e-9", "0"]);
+        assert_eq!(alike(&[3.3248e-5, -4.5805e-6, 0.0], 5), ["3.3248e-5", "-4.5805e-6", "0"]);
+        assert_eq!(alike(&[0.0, 0.0], 5), ["0", "0"]);
+    }
+
+    #[test]
+    fn counts_and_zeros() {
+        assert_eq!(count(2001), "2,001");
+        assert_eq!(count(20_480_123), "20,480,123");
+        assert_eq!(count(7), "7");
+        assert_eq!(tidy([1e-17, -2e-17, 0.3]), [0.0, 0.0, 0.3]);
+        assert_eq!(
+            tidy_matrix([[1e-20, 1e-16, 0.0], [1e-16, 1.0, 0.5], [0.0, 0.5, 1.0]])[0],
+            [1e-20, 0.0, 0.0]
+        );
+    }
+}

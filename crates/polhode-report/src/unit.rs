@@ -1,0 +1,114 @@
+//! Units for people: the size that fits, from SI.
+
+use crate::number::{alike, number};
+
+/// A unit and how many SI units it is.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Unit {
+    pub(crate) name: &'static str,
+    /// A number in SI times this is a number in the unit.
+    per_si: f64,
+    /// From this size (SI) on the unit fits.
+    from: f64,
+}
+
+const MASS: [Unit; 6] = [
+    Unit { name: "t", per_si: 1e-3, from: 1e4 },
+    Unit { name: "kg", per_si: 1.0, from: 0.1 },
+    Unit { name: "g", per_si: 1e3, from: 1e-4 },
+    Unit { name: "mg", per_si: 1e6, from: 1e-7 },
+    Unit { name: "kg", per_si: 1.0, from: f64::MIN_POSITIVE },
+    Unit { name: "kg", per_si: 1.0, from: 0.0 },
+];
+
+const LENGTH: [Unit; 6] = [
+    Unit { name: "km", per_si: 1e-3, from: 1e4 },
+    Unit { name: "m", per_si: 1.0, from: 0.1 },
+    Unit { name: "mm", per_si: 1e3, from: 1e-4 },
+    Unit { name: "µm", per_si: 1e6, from: 1e-7 },
+    Unit { name: "nm", per_si: 1e9, from: 1e-12 },
+    Unit { name: "m", per_si: 1.0, from: 0.0 },
+];
+
+const AREA: [Unit; 4] = [
+    Unit { name: "m²", per_si: 1.0, from: 0.1 },
+    Unit { name: "cm²", per_si: 1e4, from: 1e-5 },
+    Unit { name: "mm²", per_si: 1e6, from: 1e-9 },
+    Unit { name: "m²", per_si: 1.0, from: 0.0 },
+];
+
+const VOLUME: [Unit; 4] = [
+    Unit { name: "m³", per_si: 1.0, from: 0.01 },
+    Unit { name: "cm³", per_si: 1e6, from: 1e-8 },
+    Unit { name: "mm³", per_si: 1e9, from: 1e-12 },
+    Unit { name: "m³", per_si: 1.0, from: 0.0 },
+];
+
+/// Digits of a quantity that stands alone.
+pub(crate) const DIGITS: usize = 7;
+
+/// `0.412 618 3 kg`
+pub(crate) fn mass(kg: f64) -> String {
+    one(&MASS, kg)
+}
+
+/// `18.5 cm²`
+pub(crate) fn area(m2: f64) -> String {
+    one(&AREA, m2)
+}
+
+/// `152.8216 cm³`
+pub(crate) fn volume(m3: f64) -> String {
+    one(&VOLUME, m3)
+}
+
+/// Three lengths in one unit: `12.961562  -17.608532  15.068595  mm`
+pub(crate) fn lengths(m: [f64; 3]) -> String {
+    let unit = fitting(&LENGTH, m.iter().fold(0.0, |max, x| f64::max(max, x.abs())));
+    format!("{}  {}", alike(&m.map(|x| x * unit.per_si), DIGITS).join("  "), unit.name)
+}
+
+/// A point: `(10, 0, -20) mm`
+pub(crate) fn place(m: [f64; 3]) -> String {
+    let unit = fitting(&LENGTH, m.iter().fold(0.0, |max, x| f64::max(max, x.abs())));
+    format!("{} {}", crate::number::vector(m.map(|x| x * unit.per_si), DIGITS), unit.name)
+}
+
+/// `0.6 rad (34.3775°)`
+pub(crate) fn angle(rad: f64) -> String {
+    format!("{} rad ({}°)", number(rad, 6), number(rad.to_degrees(), 6))
+}
+
+/// `3 rad/s (171.887 deg/s)`
+pub(crate) fn rate(rad_per_s: f64) -> String {
+    format!("{} rad/s ({} deg/s)", number(rad_per_s, DIGITS), number(rad_per_s.to_degrees(), 6))
+}
+
+fn one(units: &[Unit], si: f64) -> String {
+    let unit = fitting(units, si.abs());
+    format!("{} {}", number(si * unit.per_si, DIGITS), unit.name)
+}
+
+/// The first unit that is not too large; a zero goes in the SI unit.
+fn fitting(units: &[Unit], size: f64) -> Unit {
+    let fits = units.iter().find(|unit| size > 0.0 && size >= unit.from);
+    fits.copied().unwrap_or(units[units.len() - 1])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::layout::plain_spaces;
+
+    #[test]
+    fn units_fit_the_size() {
+        assert_eq!(mass(0.012), "12 g");
+        assert_eq!(plain_spaces(&mass(0.412_618_3)), "0.412 618 3 kg");
+        assert_eq!(mass(5.972e24), "5.972e21 t");
+        assert_eq!(mass(1.66e-27), "1.66e-27 kg");
+        assert_eq!(volume(1.528_216e-4), "152.8216 cm³");
+        assert_eq!(lengths([0.0; 3]), "0  0  0  m");
+        assert_eq!(lengths([0.0, 1.5e-3, -2e-3]), "0  1.5  -2.0  mm");
+        assert_eq!(rate(0.0), "0 rad/s (0 deg/s)");
+    }
+}

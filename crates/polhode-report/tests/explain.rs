@@ -1,0 +1,228 @@
+//! The worked solutions: their numbers against formulas computed here, and their form.
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on should stop")]
+
+mod common;
+
+use polhode_report::{Block, Document, InertiaReport, MotionReport, SourceInfo, explain, pretty};
+
+/// All text of one section.
+fn section(document: &Document, number: usize) -> String {
+    let mut one = document.clone();
+    one.sections = vec![document.sections[number].clone()];
+    one.answer.clear();
+    one.to_text(100)
+}
+
+/// Numbers that follow a piece of text.
+fn after(text: &str, marker: &str) -> Vec<f64> {
+    let start = text.find(marker).unwrap_or_else(|| unreachable!("no {marker:?} in\n{text}")) + marker.len();
+    let line = text[start..].lines().next().unwrap_or_default();
+    // Groups of digits: a space between two digits is not a separator.
+    let mut joined = String::new();
+    let chars: Vec<char> = line.chars().collect();
+    for (k, c) in chars.iter().enumerate() {
+        let digit = |i: Option<&char>| i.is_some_and(char::is_ascii_digit);
+        if !(*c == ' ' && k > 0 && digit(chars.get(k - 1)) && digit(chars.get(k + 1))) {
+            joined.push(*c);
+        }
+    }
+    joined
+        .split(|c: char| !(c.is_ascii_digit() || "+-.e".contains(c)))
+        .filter_map(|s| s.parse().ok())
+        .collect()
+}
+
+fn near(got: f64, want: f64) {
+    assert!((got - want).abs() <= 6e-6 * want.abs().max(1e-9), "{got} is not {want}");
+}
+
+#[test]
+fn the_dumbbell_finds_the_torque_and_answers_the_notes_question() {
+    let [m1, m2, b, omega, alpha] = common::DUMBBELL;
+    let document = explain(&common::dumbbell()).unwrap();
+    let (sin, cos) = alpha.sin_cos();
+    let torque = -(m1 + m2) * b * b * omega * omega * sin * cos;
+    let euler = section(&document, 4);
+    let n = after(&euler, "back in body axes:\n\n    N = ");
+    near(n[0], torque);
+    assert_eq!(n[1..3], [0.0, 0.0]);
+    // F = m ω × (ω × r): across the rod m b ω² sin α cos α, along it m b ω² sin² α inward
+    for (name, m, sign) in [("F1 = ", m1, 1.0), ("F2 = ", m2, -1.0)] {
+        let f = after(&euler, name);
+        assert_eq!(f[0], 0.0);
+        near(f[1], sign * m * b * omega * omega * sin * cos);
+        near(f[2], -sign * m * b * omega * omega * sin * sin);
+    }
+    assert!(document.answer.iter().any(|line| line.contains("The motion needs N")));
+    assert!(euler.contains("Σ rα × Fα"));
+    // The tensor of the notes, term by term, and the rod named.
+    let tensor = section(&document, 3);
+    assert!(tensor.contains("I11 = Σ m (y² + z²) = 1.2·(0² + 0.5²) + 0.7·(0² + (-0.5)²) = 0.475 kg·m²"));
+    assert!(tensor.contains("a rod: axis 1 is its line"));
+}
+
+#[test]
+fn the_pendulum_swings_at_the_notes_frequency() {
+    let [m1, m2, b, g, angle] = common::PENDULUM;
+    let document = explain(&common::pendulum()).unwrap();
+    let solved = section(&document, 5);
+    let small = ((m1 + 0.5 * m2) / (m1 + 0.25 * m2) * g / b).sqrt();
+    near(after(&solved, "    ω0 = ")[0], small);
+    near(after(&solved, "    ω0² = ")[4], small * small);
+    // The minus sign that the notes lose.
+    assert!(solved.contains("θ\u{308} ≃ −ω0² θ"));
+    near(after(&solved, "-ω0² sin θ = ")[0], -small * small * angle.sin());
+    // Pendulum series: P/P0 = 1 + θ²/16 + 11 θ⁴/3072 + …
+    let longer = angle.powi(2) / 16.0 + 11.0 / 3072.0 * angle.powi(4);
+    near(after(&solved, "°)\n    P = ")[0], std::f64::consts::TAU / small * (1.0 + longer));
+}
+
+#[test]
+fn the_cube_names_its_free_plane() {
+    let tensor = section(&explain(&common::cube()).unwrap(), 3);
+    assert!(tensor.contains("λ³ - 36 λ² + 371.25 λ - 816.75 = 0"));
+    assert!(tensor.contains("i1 = 3.0,  i2 = 16.5,  i3 = 16.5 kg·m²"));
+    assert!(tensor.contains("The root i2 = i3 is double"));
+    assert!(tensor.contains("every direction in the"));
+    assert!(tensor.contains("axis 1 = (0.577 35, 0.577 35, 0.577 35)"));
+}
+
+#[test]
+fn the_symmetric_top_is_solved_as_in_the_notes() {
+    let solved = section(&explain(&common::symmetric_top()).unwrap(), 5);
+    let (axial, transverse) = (0.18, 4.0 * 0.28 / 12.0);
+    let rate = (axial - transverse) / transverse * 2.0;
+    near(after(&solved, "Ω   = ")[4], rate);
+    near(after(&solved, "A   = |ω - ω3 e| = ")[0], 0.5);
+    near(after(&solved, "body cone   half-angle ")[0], 0.25_f64.atan());
+    let l = ((transverse * 0.5).powi(2) + (axial * 2.0_f64).powi(2)).sqrt();
+    near(after(&solved, "= |L| / I_t = ")[0], l / transverse);
+    assert!(after(&solved, "e · (ω × L) / |ω||L| = ")[0] < 1e-14);
+    // A cos Ωt along x̂, A sin Ωt along ŷ, at the last time of the table
+    let row = solved.lines().rfind(|line| line.trim_start().starts_with("10.00")).unwrap();
+    let row = after(row, "    ");
+    let (sin, cos) = (rate * 10.0).sin_cos();
+    assert!((row[1] - 0.5 * (0.8 * cos + 0.6 * sin)).abs() < 1e-5);
+    assert!((row[2] - 0.5 * (-0.6 * cos + 0.8 * sin)).abs() < 1e-5);
+}
+
+#[test]
+fn the_asymmetric_body_is_classified() {
+    let solved = section(&explain(&common::t_handle()).unwrap(), 5);
+    assert!(solved.contains("D > i2: short-axis mode"));
+    assert!(solved.contains("the body flips"));
+    assert!(after(&solved, "σ = ")[0] > 0.0);
+    let attitude = section(&explain(&common::t_handle()).unwrap(), 6);
+    assert!(after(&attitude, "L constant in space to ")[0] < 1e-10);
+}
+
+#[test]
+fn a_constant_torque_enters_eulers_equations() {
+    let document = explain(&common::thruster()).unwrap();
+    let rate = after(&section(&document, 4), "ω\u{307}  = ");
+    // By hand: I ω̇ = N − ω × I ω in body axes, the residual of the printed ω̇.
+    let i = [[3.1, 0.4, -0.3], [0.4, 4.2, 0.2], [-0.3, 0.2, 5.3]];
+    let (w, n) = ([0.7, -1.1, 0.4], [0.3, -0.1, 0.2]);
+    let times = |v: &[f64]| i.map(|row| row[0] * v[0] + row[1] * v[1] + row[2] * v[2]);
+    let l = times(&w);
+    let cross = [w[1] * l[2] - w[2] * l[1], w[2] * l[0] - w[0] * l[2], w[0] * l[1] - w[1] * l[0]];
+    for k in 0..3 {
+        assert!((times(&rate)[k] + cross[k] - n[k]).abs() < 1e-5);
+    }
+    let solved = section(&document, 5);
+    let work = after(&solved, "work of the torque ∫ N · ω dt = ");
+    near(work[0], work[1]);
+}
+
+#[test]
+fn a_body_without_start_or_run_is_explained_too() {
+    for scenario in
+        [common::cube(), common::point(), common::tensor("Bare", [3.1, 4.2, 5.3], [0.4, -0.3, 0.2], [0.0; 3])]
+    {
+        let document = explain(&scenario).unwrap();
+        assert_eq!(document.sections.len(), 7);
+        assert!(document.sections.iter().all(|s| !s.blocks.is_empty()));
+    }
+}
+
+/// Everything that is printed for a scenario.
+fn faces() -> Vec<(String, String)> {
+    let mut faces = Vec::new();
+    for scenario in common::all() {
+        let title = scenario.title.clone().unwrap_or_default();
+        let document = explain(&scenario).unwrap();
+        let source = SourceInfo::new("a.toml", "scenario");
+        let inertia =
+            InertiaReport { show_axes: true, ..InertiaReport::of_scenario(source.clone(), &scenario) };
+        let mut add = |face: String| faces.push((title.clone(), face));
+        add(document.to_text(100));
+        add(document.to_markdown());
+        add(pretty(&document.to_json()));
+        add(inertia.to_text());
+        add(pretty(&inertia.to_json()));
+        if let Some(trajectory) = scenario.simulate().transpose().unwrap() {
+            let motion = MotionReport::new(source, &scenario, &trajectory);
+            add(motion.to_text());
+            add(pretty(&motion.summary_json()));
+        }
+    }
+    faces
+}
+
+#[test]
+fn nothing_prints_nan_or_infinity_or_minus_zero_or_trailing_space() {
+    for (title, face) in faces() {
+        for line in face.lines() {
+            let words = || line.split(|c: char| !(c.is_alphanumeric() || "-.".contains(c)));
+            assert!(words().all(|w| !["NaN", "-NaN", "inf", "-inf"].contains(&w)), "{title}: {line}");
+            assert!(!line.contains('∞') && !line.contains('—'), "{title}: {line}");
+            assert!(!line.ends_with(' '), "{title}: {line:?}");
+            let is_json = line.trim_start().starts_with(['"', '[', '{', '-']) || line.contains("-0.0");
+            assert!(is_json || words().all(|w| w != "-0"), "{title}: {line}");
+        }
+    }
+}
+
+#[test]
+fn text_fits_a_hundred_columns() {
+    for scenario in common::all() {
+        let document = explain(&scenario).unwrap();
+        for line in document.to_text(100).lines() {
+            let columns = line.chars().filter(|c| !('\u{300}'..='\u{36f}').contains(c)).count();
+            assert!(columns <= 100, "{columns}: {line}");
+        }
+    }
+}
+
+#[test]
+fn markdown_is_well_formed() {
+    for scenario in common::all() {
+        let document = explain(&scenario).unwrap();
+        let text = document.to_markdown();
+        assert!(text.starts_with("# "));
+        assert_eq!(text.lines().filter(|l| l.starts_with("## ")).count(), 7);
+        assert_eq!(text.lines().filter(|l| *l == "$$").count() % 2, 0);
+        assert_eq!(text.lines().filter(|l| l.starts_with("```")).count() % 2, 0);
+        assert!(!text.contains('\u{a0}') || !text.contains("```text\n\u{a0}"));
+        // Tables: every row has the cells of its head.
+        let cells = |line: &str| line.replace("\\|", "").matches('|').count();
+        for pair in text.lines().collect::<Vec<_>>().windows(2) {
+            if pair[0].starts_with('|') && pair[1].starts_with('|') {
+                assert_eq!(cells(pair[0]), cells(pair[1]), "{} / {}", pair[0], pair[1]);
+            }
+        }
+        for section in &document.sections {
+            for block in &section.blocks {
+                if let Block::Formula { latex, .. } = block {
+                    assert_eq!(latex.matches('{').count(), latex.matches('}').count(), "{latex}");
+                    assert_eq!(latex.matches("\\begin").count(), latex.matches("\\end").count());
+                    assert!(latex.is_ascii(), "{latex}");
+                    // Markdown takes a backslash before punctuation for its own.
+                    let bytes = latex.as_bytes();
+                    let eaten = bytes.windows(2).any(|w| w[0] == b'\\' && w[1].is_ascii_punctuation());
+                    assert!(!eaten, "{latex}");
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,40 @@
+//! What is linked: how many crates, and under which licences.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::Outcome;
+use crate::licence::is_satisfied;
+use crate::process::{cargo, output};
+
+/// The most external crates that each package may bring along on this platform.
+const MOST: [(&str, usize); 2] = [("polhode", 10), ("polhode-cli", 100)];
+
+/// Checks the number of crates, and the licences on every platform, tests and build scripts included.
+pub(crate) fn check() -> Outcome {
+    let ours: BTreeSet<String> = tree(&["--workspace", "--depth", "0"])?.into_keys().collect();
+    for (package, most) in MOST {
+        let mut linked = tree(&["--package", package, "--edges", "normal,build"])?;
+        linked.retain(|name, _| !ours.contains(name));
+        println!("   {package}: {} external crates (at most {most})", linked.len());
+        if linked.len() > most {
+            return Err(format!("{package} brings {} external crates, more than {most}", linked.len()));
+        }
+    }
+    let all = tree(&["--workspace", "--target", "all"])?;
+    let refused: Vec<_> = all.iter().filter(|(_, licence)| !is_satisfied(licence)).collect();
+    println!("   licences of {} crates on all platforms", all.len());
+    if refused.is_empty() {
+        return Ok(());
+    }
+    let lines = refused.iter().map(|(name, licence)| format!("\n  {name}: `{licence}`"));
+    Err(format!("{} crates with a licence that is not accepted:{}", refused.len(), lines.collect::<String>()))
+}
+
+/// The packages that `cargo tree` lists, each with its licence expression.
+fn tree(arguments: &[&str]) -> Result<BTreeMap<String, String>, String> {
+    let mut command = cargo(&["tree", "--quiet", "--locked", "--prefix", "none", "--format", "{p}|{l}"]);
+    let listed = output(command.args(arguments))?;
+    let packages =
+        listed.lines().map(|line| line.trim_end_matches(" (*)")).filter_map(|line| line.rsplit_once('|'));
+    Ok(packages.map(|(name, licence)| (name.to_owned(), licence.to_owned())).collect())
+}

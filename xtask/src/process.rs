@@ -1,0 +1,60 @@
+//! Other programs: cargo, and the command that this workspace builds.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use crate::{Outcome, root};
+
+/// Cargo, at the root.
+pub(crate) fn cargo(arguments: &[&str]) -> Command {
+    let mut command = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+    command.args(arguments).current_dir(root());
+    command
+}
+
+/// Runs a command with the terminal as it is.
+pub(crate) fn run(command: &mut Command) -> Outcome {
+    let status = command.status().map_err(|error| format!("{}: {error}", line(command)))?;
+    if status.success() { Ok(()) } else { Err(format!("`{}` ended with {status}", line(command))) }
+}
+
+/// Runs a command and returns what it printed; its diagnostics are the error.
+pub(crate) fn output(command: &mut Command) -> Result<String, String> {
+    let output = command.output().map_err(|error| format!("{}: {error}", line(command)))?;
+    if output.status.success() {
+        return Ok(String::from_utf8_lossy(&output.stdout).into_owned());
+    }
+    let diagnostics = String::from_utf8_lossy(&output.stderr);
+    Err(format!("`{}` ended with {}\n{}", line(command), output.status, diagnostics.trim_end()))
+}
+
+/// Builds `polhode` and says where it is.
+pub(crate) fn polhode() -> Result<PathBuf, String> {
+    run(&mut cargo(&["build", "--quiet", "--locked", "--package", "polhode-cli"]))?;
+    Ok(beside_xtask()?.join(format!("polhode{}", std::env::consts::EXE_SUFFIX)))
+}
+
+/// An empty folder in the build folder.
+pub(crate) fn empty_folder(name: &str) -> Result<PathBuf, String> {
+    let folder = beside_xtask()?.join("xtask-tmp").join(name);
+    let failed = |error| format!("{}: {error}", folder.display());
+    if folder.exists() {
+        std::fs::remove_dir_all(&folder).map_err(failed)?;
+    }
+    std::fs::create_dir_all(&folder).map_err(failed)?;
+    Ok(folder)
+}
+
+/// The folder of built programs, wherever cargo was told to put it: this one is there too.
+fn beside_xtask() -> Result<PathBuf, String> {
+    let this = std::env::current_exe().map_err(|error| format!("where is this program? {error}"))?;
+    Ok(this.parent().unwrap_or(Path::new(".")).to_owned())
+}
+
+/// A command as one would type it.
+fn line(command: &Command) -> String {
+    let program = Path::new(command.get_program());
+    let name = program.file_stem().unwrap_or(program.as_os_str());
+    let words = std::iter::once(name).chain(command.get_args());
+    words.map(|word| word.to_string_lossy().into_owned()).collect::<Vec<_>>().join(" ")
+}

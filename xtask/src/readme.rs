@@ -1,0 +1,92 @@
+//! The README's commands, tried.
+
+use std::path::Path;
+use std::process::Command;
+
+use crate::process::{empty_folder, output, polhode};
+use crate::{Outcome, read, root, short};
+
+/// Runs every `polhode` command of the README in a copy of examples/; what `cargo run` would build is built already.
+pub(crate) fn check() -> Outcome {
+    let commands = commands(&read(&root().join("README.md"))?);
+    if commands.is_empty() {
+        return Err("README.md has no command in a ```console block".into());
+    }
+    let polhode = polhode()?;
+    let folder = empty_folder("readme")?;
+    copy(&root().join("examples"), &folder.join("examples"))?;
+    let programs = polhode.parent().into_iter().map(Path::to_owned);
+    let found = std::env::var_os("PATH").unwrap_or_default();
+    let path = std::env::join_paths(programs.chain(std::env::split_paths(&found)))
+        .map_err(|error| format!("PATH: {error}"))?;
+    for command in commands {
+        output(Command::new("sh").args(["-euc", &command]).current_dir(&folder).env("PATH", &path))?;
+        println!("   {command}");
+    }
+    Ok(())
+}
+
+/// The lines `$ polhode …` and `$ cargo run … -- …` of ```console blocks, both as `polhode …`.
+fn commands(markdown: &str) -> Vec<String> {
+    let mut inside = false;
+    let mut found = Vec::new();
+    for line in markdown.lines() {
+        if let Some(language) = line.strip_prefix("```") {
+            inside = language == "console";
+        } else if let Some(typed) = line.strip_prefix("$ ").filter(|_| inside) {
+            if typed.starts_with("polhode ") {
+                found.push(typed.to_owned());
+            } else if let Some((_, arguments)) =
+                typed.strip_prefix("cargo run").and_then(|t| t.split_once(" -- "))
+            {
+                found.push(format!("polhode {arguments}"));
+            }
+        }
+    }
+    found
+}
+
+fn copy(from: &Path, to: &Path) -> Outcome {
+    let failed = |error| format!("{}: {error}", short(from));
+    std::fs::create_dir_all(to).map_err(failed)?;
+    for entry in std::fs::read_dir(from).map_err(failed)? {
+        let entry = entry.map_err(failed)?;
+        let (from, to) = (entry.path(), to.join(entry.file_name()));
+        if from.is_dir() {
+            copy(&from, &to)?;
+        } else {
+            std::fs::copy(&from, &to).map_err(failed)?;
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn commands_are_found_in_console_blocks_and_only_there() {
+        let markdown = "\
+$ polhode not-in-a-block
+```console
+$ polhode inertia examples/a.toml
+mass 1 kg
+$ cargo run --release -- simulate examples/a.toml
+$ cargo xtask test
+```
+```toml
+$ polhode not-in-a-console
+```
+```console
+$ polhode explain b.toml | head -3
+```
+";
+        let wanted = [
+            "polhode inertia examples/a.toml",
+            "polhode simulate examples/a.toml",
+            "polhode explain b.toml | head -3",
+        ];
+        assert_eq!(commands(markdown), wanted);
+    }
+}

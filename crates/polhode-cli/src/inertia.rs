@@ -4,8 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use polhode::{
-    Body, ClosedMesh, Finding, Material, Part, PlacedPart, Position, Rotation, Severity, Shape as _,
-    Substance,
+    Body, Finding, Material, Part, PlacedPart, Position, Rotation, Severity, Shape as _, Substance,
 };
 use polhode_formats::mesh::stl::StlKind;
 use polhode_formats::mesh::{self, MeshFile};
@@ -125,8 +124,9 @@ impl Inertia {
     }
 
     fn of_mesh(&self, file: &Path) -> Result<InertiaReport, Failure> {
-        let MeshFile { mesh, kind, triangles, .. } = mesh::read(file, self.unit)?;
-        let mut findings = mesh_findings(&mesh);
+        let file_read = mesh::read(file, self.unit)?;
+        let mut findings = file_read.findings(&file.display().to_string());
+        let MeshFile { mesh, kind, triangles, .. } = file_read;
         let substance = self.substance.given().unwrap_or_else(|| {
             findings.push(Finding {
                 code: "mass.assumed",
@@ -169,20 +169,6 @@ impl SubstanceFlags {
         let density = self.density.or(self.material.map(|m| m.density)).map(Substance::Density);
         density.or(self.mass.map(Substance::Mass))
     }
-}
-
-fn mesh_findings(mesh: &ClosedMesh) -> Vec<Finding> {
-    let finding = |code, message| Finding { code, severity: Severity::Warning, message, place: None };
-    let mut findings = Vec::new();
-    if mesh.inverted() {
-        let message = "the triangles are wound inward; they were turned".to_owned();
-        findings.push(finding("mesh.inverted", message));
-    }
-    if mesh.degenerate() > 0 {
-        let message = format!("{} triangles have two equal corners; they were left out", mesh.degenerate());
-        findings.push(finding("mesh.degenerate", message));
-    }
-    findings
 }
 
 fn quantity(text: &str, dimension: Dimension) -> Result<f64, String> {

@@ -4,7 +4,7 @@ pub mod stl;
 
 use std::path::Path;
 
-use polhode::{BodyError, ClosedMesh};
+use polhode::{BodyError, ClosedMesh, Finding, Severity};
 
 use crate::error::{FormatError, FormatErrorKind, Place};
 use crate::file;
@@ -21,6 +21,25 @@ pub struct MeshFile {
     pub name: String,
     /// Triangles in the file, degenerate ones too.
     pub triangles: usize,
+}
+
+impl MeshFile {
+    /// What had to be turned or left out; `place` says which mesh it is.
+    pub fn findings(&self, place: &str) -> Vec<Finding> {
+        let finding =
+            |code, severity, message| Finding { code, severity, message, place: Some(place.to_owned()) };
+        let mut findings = Vec::new();
+        if self.mesh.inverted() {
+            let message = "the normals of the mesh pointed inward and were turned".to_owned();
+            findings.push(finding("mesh.inverted", Severity::Warning, message));
+        }
+        if let count @ 1.. = self.mesh.degenerate() {
+            let message =
+                format!("{count} of {} triangles have two equal corners and were left out", self.triangles);
+            findings.push(finding("mesh.degenerate", Severity::Info, message));
+        }
+        findings
+    }
 }
 
 /// Reads a mesh from an STL file whose unit of length is `unit` metres: 0.001 for millimetres.

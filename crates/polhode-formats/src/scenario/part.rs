@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use polhode::{
-    Body, BodyPart, Extent, Finding, MassProperties, Part, Particle, PlacedPart, Position, Rotation,
-    Severity, Shape, mass_properties_of_particles,
+    Body, BodyPart, Extent, Finding, MassProperties, Part, Particle, PlacedPart, Position, Rotation, Shape,
+    mass_properties_of_particles,
 };
 
 use super::reader::{Table, Value};
@@ -135,21 +135,7 @@ fn read_mesh(table: &Table<'_>, name: &str, findings: &mut Vec<Finding>) -> Resu
             .with_hint(format!("paths are relative to the scenario: this one is {path:?}")),
         _ => error.named_in(scenario, file.place()),
     })?;
-    let place = || Some(format!("part \"{name}\", {written}"));
-    if mesh.mesh.inverted() {
-        let message = "the normals of the mesh pointed inward and were turned".to_owned();
-        findings.push(Finding {
-            code: "mesh.inverted",
-            severity: Severity::Warning,
-            message,
-            place: place(),
-        });
-    }
-    if let count @ 1.. = mesh.mesh.degenerate() {
-        let message =
-            format!("{count} of {} triangles have two equal corners and were left out", mesh.triangles);
-        findings.push(Finding { code: "mesh.degenerate", severity: Severity::Info, message, place: place() });
-    }
+    findings.extend(mesh.findings(&format!("part \"{name}\", {written}")));
     Ok(mesh)
 }
 

@@ -249,20 +249,21 @@ impl<A, B> Rotation<A, B> {
 
     /// A turn by the rotation vector v: |v| rad about v.
     pub(crate) fn from_rotation_vector(v: Direction<A>) -> Self {
-        let angle = v.norm();
+        let angle = v.dot(v).sqrt();
         let (s, c) = sin_cos(0.5 * angle);
         let ratio = if angle == 0.0 { 0.5 } else { s / angle };
-        Self::normalised([c, ratio * v.x, ratio * v.y, ratio * v.z])
-    }
-
-    /// The rotation of a quaternion that is unit but for rounding.
-    pub(crate) fn near_unit(wxyz: [f64; 4]) -> Self {
-        Self::normalised(wxyz)
+        Self::near_unit([c, ratio * v.x, ratio * v.y, ratio * v.z])
     }
 
     fn normalised([w, x, y, z]: [f64; 4]) -> Self {
         let norm = libm::sqrt(w * w + x * x + y * y + z * z);
         Self::unit(w / norm, x / norm, y / norm, z / norm)
+    }
+
+    /// The rotation of a quaternion that is unit but for rounding: 1/√n = (3 − n)/2 to second order in n − 1.
+    pub(crate) fn near_unit([w, x, y, z]: [f64; 4]) -> Self {
+        let s = 1.5 - 0.5 * (w * w + x * x + y * y + z * z);
+        Self::unit(s * w, s * x, s * y, s * z)
     }
 
     const fn unit(w: f64, x: f64, y: f64, z: f64) -> Self {
@@ -274,7 +275,7 @@ impl<A, B, C> Mul<Rotation<B, C>> for Rotation<A, B> {
     type Output = Rotation<A, C>;
     fn mul(self, b: Rotation<B, C>) -> Rotation<A, C> {
         let a = self;
-        Rotation::normalised([
+        Rotation::near_unit([
             a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z,
             a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y,
             a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x,

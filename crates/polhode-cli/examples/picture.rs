@@ -68,6 +68,12 @@ pub(crate) fn draw(path: &Path) -> Result<String, Box<dyn Error>> {
     let _ = Trajectory::samples;
     let digits = (-drift.log10()).min(15.0).floor();
     let caption = format!("A flip every {flip:.2} s; |L| constant to {digits} digits");
-    Ok([HEAD, &sphere(moments, &momentum), &plot(&omega, flip), &text("end", [924.0, 398.0], &caption), "</svg>\n"]
-        .concat())
+    Ok([
+        HEAD,
+        &sphere(moments, &momentum),
+        &plot(&omega, flip),
+        &text("end", [924.0, 398.0], &caption),
+        "</svg>\n",
+    ]
+    .concat())
 }

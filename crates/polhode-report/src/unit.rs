@@ -79,6 +79,14 @@ pub(crate) fn angle(rad: f64) -> String {
     format!("{} rad ({}°)", number(rad, 6), number(rad.to_degrees(), 6))
 }
 
+/// The half-angle of a cone: one that only rounding opened is closed.
+pub(crate) fn cone(rad: f64) -> String {
+    angle(if rad < CLOSED { 0.0 } else { rad })
+}
+
+/// A cone of a smaller half-angle, rad, is a line but for rounding.
+pub(crate) const CLOSED: f64 = 1e-13;
+
 /// `3 rad/s (171.887 deg/s)`
 pub(crate) fn rate(rad_per_s: f64) -> String {
     format!("{} rad/s ({} deg/s)", number(rad_per_s, DIGITS), number(rad_per_s.to_degrees(), 6))

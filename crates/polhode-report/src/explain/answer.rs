@@ -4,8 +4,8 @@ use polhode::{Cones, FreeMotion, FreeRegime, Symmetry};
 
 use super::working::{Working, exactly, n, v};
 use crate::forces;
-use crate::number::{alike, tidy_beside};
-use crate::unit::rate;
+use crate::number::tidy_beside;
+use crate::unit::{CLOSED, rate};
 
 /// Forces on more particles than this are left to step 4.
 const MOST_PARTICLES: usize = 4;
@@ -41,7 +41,7 @@ fn body(w: &Working<'_>) -> String {
     if principal.symmetry() == Symmetry::Point {
         return format!("M = {mass} kg in one point: no inertia about {}.", w.point_name());
     }
-    let moments = alike(&principal.moments(), 6).join(", ");
+    let moments = principal.moments().map(n).join(", ");
     format!(
         "M = {mass} kg; principal moments about {} i1, i2, i3 = {moments} kg·m² ({}).",
         w.point_name(),
@@ -77,6 +77,18 @@ fn free(w: &Working<'_>) -> Option<String> {
     let free = FreeRegime::of(&w.rotor, &w.start);
     if let Ok(FreeMotion::Symmetric(top)) = FreeMotion::of(&w.rotor, w.start) {
         let cones = Cones::of(&top);
+        if cones.body_half_angle < CLOSED {
+            return Some(
+                "A symmetric top turning about its symmetry axis: ω stays, in the body and in space."
+                    .to_owned(),
+            );
+        }
+        if cones.body_rate == 0.0 {
+            return Some(
+                "A symmetric top turning across its symmetry axis: ω stays, in the body and in space."
+                    .to_owned(),
+            );
+        }
         return Some(format!(
             "A symmetric top: ω circles the symmetry axis at Ω = {} rad/s in the body, on a cone of {}°; both circle L \
              at {} rad/s in space, ω on a cone of {}°.",

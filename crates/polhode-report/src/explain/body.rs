@@ -6,6 +6,9 @@ use super::document::Section;
 use super::working::{Working, cells, n, v};
 use crate::number::tidy;
 
+/// More rows than this are not listed.
+const MOST_ROWS: usize = 20;
+
 /// More terms of a sum than this are left to the table.
 const MOST_TERMS: usize = 6;
 
@@ -42,12 +45,14 @@ fn particles(w: &Working<'_>, s: &mut Section) -> Vec<f64> {
     s.say(format!("A rigid body of {count}; places in body axes, as they are given."));
     let rows: Vec<Vec<f64>> = particles
         .iter()
+        .take(MOST_ROWS)
         .map(|p| {
             let [x, y, z] = p.position().to_array();
             vec![p.mass(), x, y, z]
         })
         .collect();
     s.table(&["α", "m (kg)", "x (m)", "y (m)", "z (m)"], numbered(cells(&rows)));
+    more(particles.len(), s);
     particles.iter().map(Particle::mass).collect()
 }
 
@@ -65,6 +70,7 @@ fn parts(w: &Working<'_>, s: &mut Section) -> Vec<f64> {
     s.say(format!("A body of {what}; c is the centre of mass of each, in body axes."));
     let rows: Vec<Vec<f64>> = parts
         .iter()
+        .take(MOST_ROWS)
         .map(|part| {
             let [x, y, z] = tidy(part.properties.center_of_mass().to_array());
             vec![part.properties.mass(), x, y, z]
@@ -76,7 +82,15 @@ fn parts(w: &Working<'_>, s: &mut Section) -> Vec<f64> {
         cells
     });
     s.table(&["part", "kind", "m (kg)", "cx (m)", "cy (m)", "cz (m)"], rows.collect());
+    more(parts.len(), s);
     parts.iter().map(|part| part.properties.mass()).collect()
+}
+
+/// What the table leaves out.
+fn more(all: usize, s: &mut Section) {
+    if all > MOST_ROWS {
+        s.say(format!("… and {} more.", all - MOST_ROWS));
+    }
 }
 
 /// The rows with their numbers, from 1, in front.

@@ -4,7 +4,7 @@ use polhode::{Sample, Solution, Symmetry};
 
 use super::document::Section;
 use super::working::{Working, cells, n, v};
-use crate::number::{count, tidy_beside, ungrouped};
+use crate::number::{tidy_beside, ungrouped};
 
 /// The motion is given: there is nothing to solve, but the torque may change along it.
 pub(super) fn given(w: &Working<'_>, s: &mut Section) {
@@ -29,7 +29,8 @@ pub(super) fn integrate(w: &Working<'_>, s: &mut Section) {
     let samples = w.few_samples();
     match how(w) {
         Some(how) => {
-            s.say(format!("With this torque there is no closed form here; ω(t) {how}:"));
+            let held = if w.pendulum.is_some() { "With the pivot held, in three dimensions: " } else { "" };
+            s.say(format!("{held}ω(t) {how}:"));
             table(&samples, true, s);
             work(&samples, s);
         }
@@ -47,11 +48,12 @@ pub(super) fn how(w: &Working<'_>) -> Option<String> {
     Some(match w.trajectory.as_ref()?.solution() {
         Solution::Exact(_) => "in closed form".to_owned(),
         Solution::Prescribed(_) => "as given".to_owned(),
-        Solution::Integrated { tolerance, statistics } => format!(
-            "by numerical integration (DOP853, {} steps, error of each below {})",
-            count(statistics.accepted),
-            ungrouped(*tolerance, 3)
-        ),
+        Solution::Integrated { tolerance, .. } => {
+            format!(
+                "by numerical integration (DOP853, error of each step below {})",
+                ungrouped(*tolerance, 3)
+            )
+        }
     })
 }
 

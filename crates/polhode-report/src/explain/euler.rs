@@ -56,6 +56,8 @@ fn acceleration(w: &Working<'_>, s: &mut Section) {
     let scale = largest_rate(w);
     let rate = tidy_beside(rate, scale);
     s.say("At t0, along the principal axes:");
+    // A departure from a principal axis matters, unless the change of axes made it.
+    let omega = tidy_beside(omega, 0.1 * w.start.omega.norm());
     s.line(format!("ω  = {} rad/s", exactly(omega)));
     s.line(format!("N  = {} N·m", v(torque)));
     for (k, a, b) in CYCLES {

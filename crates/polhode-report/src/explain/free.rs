@@ -7,7 +7,7 @@ use polhode::{Cones, FreeMotion, FreeRegime, Regime, Sample, SymmetricTop, Symme
 use super::document::Section;
 use super::driven;
 use super::working::{Working, n, v};
-use crate::unit::{angle, rate};
+use crate::unit::{CLOSED, cone, rate};
 
 pub(super) fn solve(w: &Working<'_>, s: &mut Section) {
     if w.rotor.principal().symmetry() == Symmetry::Point {
@@ -51,6 +51,10 @@ fn symmetric(w: &Working<'_>, top: &SymmetricTop, s: &mut Section) {
     let along = e * top.spin();
     let omega = polhode::Direction::from_array(w.start.omega.to_array());
     let across = omega - along;
+    if across.norm() <= CLOSED * omega.norm() {
+        along_axis(w, top, s);
+        return;
+    }
     s.say(
         "Two moments are equal: a symmetric top. Take ẑ = e, the symmetry axis, with I_e about it and I_t across it \
          (the notes' I3 and I1 = I2), x̂ along the part of ω across e at t0, and ŷ = e × x̂. The third equation says \
@@ -79,7 +83,21 @@ fn symmetric(w: &Working<'_>, top: &SymmetricTop, s: &mut Section) {
         n(top.body_rate()),
         once_in(top.body_rate())
     ));
+    if top.body_rate() == 0.0 {
+        s.say("Ω = 0: ω is across the symmetry axis, along a principal axis too, and stays.");
+    }
     cones(w, top, s);
+}
+
+/// ω along the symmetry axis but for rounding: both cones have closed to a line.
+fn along_axis(w: &Working<'_>, top: &SymmetricTop, s: &mut Section) {
+    s.say(
+        "Two moments are equal: a symmetric top, and ω lies along its symmetry axis e (but for rounding), so \
+         ω × L = 0 and ω\u{307} = 0. It keeps its axis and its rate, in the body and in space.",
+    );
+    s.formula("ω(t) = ω(t0)", r"\boldsymbol\omega(t) = \boldsymbol\omega(t_0)");
+    s.line(format!("e = {}", v(top.axis().to_array())));
+    s.line(format!("ω = {} rad/s{}", v(w.start.omega.to_array()), once_in(w.start.omega.norm())));
 }
 
 fn cones(w: &Working<'_>, top: &SymmetricTop, s: &mut Section) {
@@ -94,9 +112,9 @@ fn cones(w: &Working<'_>, top: &SymmetricTop, s: &mut Section) {
         "tan (ω,e) = A / |ω3|,   φ\u{307} = |L| / I_t,   ω = L/I_t − Ω e   (so L, ω and e lie in one plane)",
         r"\tan\angle(\boldsymbol\omega, \mathbf e) = \frac{A}{|\omega_3|}, \qquad \dot\varphi = \frac{|\mathbf L|}{I_t}, \qquad \boldsymbol\omega = \frac{\mathbf L}{I_t} - \Omega \mathbf e",
     );
-    s.line(format!("body cone   half-angle {}", angle(cones.body_half_angle)));
-    s.line(format!("space cone  half-angle {}", angle(cones.space_half_angle)));
-    s.line(format!("nutation    {} between L and ±e, constant", angle(cones.nutation)));
+    s.line(format!("body cone   half-angle {}", cone(cones.body_half_angle)));
+    s.line(format!("space cone  half-angle {}", cone(cones.space_half_angle)));
+    s.line(format!("nutation    {} between L and ±e, constant", cone(cones.nutation)));
     s.line(format!("φ\u{307} = |L| / I_t = {}{}", rate(cones.space_rate), once_in(cones.space_rate)));
     let samples = w.few_samples();
     let departure = samples

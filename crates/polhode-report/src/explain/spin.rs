@@ -132,8 +132,8 @@ fn kinematics(w: &Working<'_>, s: &mut Section) {
 /// T = T_trans + T_rot, the cross term by its numbers.
 fn energy(w: &Working<'_>, moving: &[MovingParticle<Space>], velocity: Velocity<Space>, s: &mut Section) {
     s.say(
-        "The kinetic energy is that of the centre of mass and that of the rotation about it: the cross term is zero, \
-         since Σ mα rα = 0 there.",
+        "The kinetic energy, with the centre of mass as the origin and V its velocity, is that of the centre and that \
+         of the rotation about it: the cross term is zero, since Σ mα rα = 0 there.",
     );
     s.formula(
         "T = ½ M V² + V · (ω × Σ mα rα) + ½ Σ mα (ω × rα)² = T_trans + 0 + T_rot",

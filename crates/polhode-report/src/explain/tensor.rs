@@ -3,8 +3,8 @@
 use polhode::{Body, Particle, Symmetry, angular_momentum};
 
 use super::document::Section;
-use super::working::{DIGITS, Working, cells, exactly, factor, n, v};
-use crate::number::{alike, tidy, tidy_beside, tidy_matrix};
+use super::working::{Working, cells, exactly, factor, n, v};
+use crate::number::{tidy, tidy_beside, tidy_matrix};
 use crate::unit::angle;
 
 /// Sums of more particles than this are not written out.
@@ -112,10 +112,9 @@ fn characteristic(w: &Working<'_>, m: [[f64; 3]; 3], s: &mut Section) {
     } else {
         cubic(m, s);
     }
-    let moments = alike(&[i1, i2, i3], DIGITS);
-    s.line(format!("i1 = {},  i2 = {},  i3 = {} kg·m²", moments[0], moments[1], moments[2]));
-    let radii = alike(&[i1, i2, i3].map(|i| (i / w.rotor.mass()).sqrt()), DIGITS);
-    s.line(format!("gyration radii √(i/M):  {},  {},  {} m", radii[0], radii[1], radii[2]));
+    s.line(format!("i1 = {},  i2 = {},  i3 = {} kg·m²", n(i1), n(i2), n(i3)));
+    let [k1, k2, k3] = [i1, i2, i3].map(|i| n((i / w.rotor.mass()).sqrt()));
+    s.line(format!("gyration radii √(i/M):  {k1},  {k2},  {k3} m"));
 }
 
 /// The cubic by its coefficients, in kg·m² unless the powers would leave the range of numbers.

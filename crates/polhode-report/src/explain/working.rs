@@ -26,7 +26,11 @@ pub(super) struct Working<'a> {
 impl<'a> Working<'a> {
     pub(super) fn of(scenario: &'a Scenario) -> Result<Self, MotionError> {
         let rotor = scenario.rotor();
-        let trajectory = scenario.simulate().transpose()?;
+        let trajectory = match scenario.simulate() {
+            // A point has no rotation to compute; all else about it can be told.
+            None | Some(Err(MotionError::NotSpinnable)) => None,
+            Some(result) => Some(result?),
+        };
         let pendulum = scenario.pendulum().transpose()?;
         let needed =
             scenario.prescribed.as_ref().map(|motion| Required::by(&rotor, motion, scenario.start.time));
@@ -137,7 +141,7 @@ pub(super) fn cells(rows: &[Vec<f64>]) -> Vec<Vec<String>> {
 
 /// `lhs = term + term + … = result`, broken under the first term where it would be too long.
 pub(super) fn sum(lhs: &str, terms: &[String], result: &str) -> Vec<String> {
-    const LONGEST: usize = 92;
+    const LONGEST: usize = 96;
     let indent = " ".repeat(crate::layout::width(lhs) + 1);
     let mut lines = vec![format!("{lhs} =")];
     let mut add = |text: String| {

@@ -7,7 +7,7 @@ use super::facts::{Facts, Needed, Top};
 use crate::finding;
 use crate::layout::{columns, labelled, plain_spaces, sparkline};
 use crate::number::{count, error, number, tidy, ungrouped, vector};
-use crate::unit::{DIGITS, angle, rate};
+use crate::unit::{CLOSED, DIGITS, angle, cone, rate};
 
 /// Forces on more particles than this fill the screen: JSON has them all.
 const MOST_PARTICLES: usize = 8;
@@ -71,7 +71,9 @@ fn regime(facts: &Facts) -> String {
     if !facts.is_free {
         return String::new();
     }
-    let mut text = labelled("free motion", regime.description());
+    let closed = facts.top.as_ref().is_some_and(|top| top.cones.body_half_angle < CLOSED);
+    let kind = if closed { "a symmetric top turning about its axis" } else { regime.description() };
+    let mut text = labelled("free motion", kind);
     let mut periods = Vec::new();
     if let (Some(period), None) = (period, &facts.top) {
         periods.push(format!("ω repeats in the body every {} s", number(period, DIGITS)));
@@ -93,6 +95,11 @@ fn symmetric_top(top: &Top) -> String {
     let [axial, transverse] = top.motion.moments().map(|i| number(i, DIGITS));
     let axis = vector(tidy(top.motion.axis().to_array()), 6);
     let cones = &top.cones;
+    let axes = labelled("symmetry axis", &format!("e = {axis}; I_e = {axial}, I_t = {transverse} kg·m²"));
+    if cones.body_half_angle < CLOSED {
+        return axes
+            + &labelled("", "ω lies along it (but for rounding) and stays, in the body and in space");
+    }
     let every = |rate: f64| match rate {
         0.0 => String::new(),
         rate => format!(", once in {} s", number(std::f64::consts::TAU / rate.abs(), DIGITS)),
@@ -101,17 +108,16 @@ fn symmetric_top(top: &Top) -> String {
         "ω circles the axis at Ω = {}{}; body cone {}",
         rate(cones.body_rate),
         every(cones.body_rate),
-        angle(cones.body_half_angle)
+        cone(cones.body_half_angle)
     );
     let space = format!(
         "ω and the axis circle L at φ\u{307} = {}{}; space cone {}, nutation {}",
         rate(cones.space_rate),
         every(cones.space_rate),
-        angle(cones.space_half_angle),
-        angle(cones.nutation),
+        cone(cones.space_half_angle),
+        cone(cones.nutation),
     );
-    labelled("symmetry axis", &format!("e = {axis}; I_e = {axial}, I_t = {transverse} kg·m²"))
-        + &labelled("in the body", &body)
+    axes + &labelled("in the body", &body)
         + &labelled("in space", &space)
         + &labelled("coplanarity", &format!("e · (ω × L) / |ω||L| stays below {}", bound(top.coplanarity)))
 }
@@ -261,8 +267,12 @@ fn ends(report: &MotionReport<'_>, facts: &Facts) -> String {
 }
 
 fn state(label: &str, state: &State) -> String {
+    if state.omega.norm() == 0.0 {
+        return labelled(label, "at rest: ω = 0");
+    }
     let omega = vector(state.omega.to_array(), DIGITS);
-    labelled(label, &format!("ω = {omega} rad/s in body axes, |ω| = {}", rate(state.omega.norm())))
+    let speed = rate(state.omega.norm());
+    labelled(label, &format!("ω = {omega} rad/s in body axes, |ω|\u{a0}=\u{a0}{speed}"))
 }
 
 /// An upper bound of a rounding error, which may be exactly zero.

@@ -79,16 +79,28 @@ fn regime(facts: &Facts) -> String {
         periods.push(format!("ω repeats in the body every {} s", number(period, DIGITS)));
     }
     if let Some(flip) = flip_interval {
-        periods.push(format!("flips every {} s", number(flip, DIGITS)));
+        periods.push(format!("along axis 2 it reverses every {} s", number(flip, DIGITS)));
     }
     if !periods.is_empty() {
         text.push_str(&labelled("periods", &periods.join("; ")));
     }
-    if let Some(growth) = growth_rate.filter(|rate| *rate > 0.0) {
-        let line = format!("a departure from rotation about axis 2 grows at up to {} /s", number(growth, 6));
+    let off = axis_2_off(facts);
+    if let Some(growth) = growth_rate.filter(|rate| *rate > 0.0 && off < NEAR) {
+        let off = number(off.to_degrees(), 3);
+        let line =
+            format!("ω starts {off}° from axis 2, and a departure from it grows at {} /s", number(growth, 6));
         text.push_str(&labelled("instability", &line));
     }
     text
+}
+
+/// A start nearer to the intermediate axis than this is about its instability, rad.
+const NEAR: f64 = 0.5;
+
+/// The angle between ω and the line of the intermediate axis, rad.
+fn axis_2_off(facts: &Facts) -> f64 {
+    let off = facts.start.omega.angle_to(facts.rotor.principal().axis(1));
+    off.min(std::f64::consts::PI - off)
 }
 
 fn symmetric_top(top: &Top) -> String {
@@ -225,11 +237,23 @@ fn curve(facts: &Facts, samples: &[Sample]) -> String {
     };
     let most = (0..3).fold(0, |best, k| if span(k) > span(best) { k } else { best });
     let values: Vec<f64> = omega.iter().map(|w| w[most]).collect();
+    let shown = &values[..resolved(&values, CURVE / 4)];
     let speed = facts.start.omega.norm();
-    match sparkline(&values, CURVE).filter(|_| span(most) > 1e-9 * speed) {
-        Some(line) => labelled(&format!("ω along axis {}", most + 1), &line),
+    let Some(line) = sparkline(shown, CURVE).filter(|_| span(most) > 1e-9 * speed) else {
+        return String::new();
+    };
+    let until = match samples.get(shown.len()) {
+        Some(sample) => format!("  to {} s", number(sample.state.time, 3)),
         None => String::new(),
-    }
+    };
+    labelled(&format!("ω along axis {}", most + 1), &format!("{line}{until}"))
+}
+
+/// How many of the values, from the first on, have at most `turns` turning points: more would not be seen.
+fn resolved(values: &[f64], turns: usize) -> usize {
+    let is_turn = |w: &&[f64]| (w[1] - w[0]) * (w[2] - w[1]) < 0.0;
+    let mut turning = values.windows(3).enumerate().filter(|(_, w)| is_turn(w));
+    turning.nth(turns).map_or(values.len(), |(k, _)| k + 1)
 }
 
 /// The state at the start and at the end, and what energy did.

@@ -1,6 +1,6 @@
 //! What the command line can say. Help, completions and the man page come from here.
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory as _, Parser, Subcommand};
 
 use crate::explain::Explain;
 use crate::failure::Failure;
@@ -40,8 +40,8 @@ impl Command {
             Self::Inertia(command) => command.run(),
             Self::Simulate(command) => command.run(),
             Self::Explain(command) => command.run(),
-            Self::Completions(command) => command.run(),
-            Self::Man(command) => command.run(),
+            Self::Completions(command) => command.run(Polhode::command()),
+            Self::Man(command) => command.run(Polhode::command()),
         }
     }
 }

@@ -7,7 +7,7 @@ use polhode_formats::scenario;
 use polhode_report::{explain, pretty};
 
 use crate::failure::Failure;
-use crate::shell::print;
+use crate::stdout::print;
 
 /// Work a scenario through, step by step, with every formula and number.
 ///

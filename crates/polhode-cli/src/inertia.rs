@@ -14,7 +14,7 @@ use polhode_report::{InertiaReport, SourceInfo, pretty};
 use serde_json::Value;
 
 use crate::failure::Failure;
-use crate::shell::print;
+use crate::stdout::print;
 
 /// Mass, centre of mass, inertia tensor, principal moments and axes.
 ///

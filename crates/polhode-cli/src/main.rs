@@ -8,6 +8,7 @@ mod folder;
 mod inertia;
 mod shell;
 mod simulate;
+mod stdout;
 
 use clap::Parser as _;
 use std::process::ExitCode;

@@ -1,11 +1,9 @@
 //! What shells and `man` want: both made from the same definitions as `--help`.
 
-use std::io::{self, Write as _};
+use clap::{Args, Command};
 
-use clap::{Args, CommandFactory as _};
-
-use crate::args::Polhode;
 use crate::failure::Failure;
+use crate::stdout::print;
 
 /// Print a completion script for a shell.
 ///
@@ -23,27 +21,18 @@ pub(crate) struct Completions {
 pub(crate) struct Man;
 
 impl Completions {
-    pub(crate) fn run(self) -> Result<(), Failure> {
+    pub(crate) fn run(self, mut definitions: Command) -> Result<(), Failure> {
         let mut script = Vec::new();
-        clap_complete::generate(self.shell, &mut Polhode::command(), "polhode", &mut script);
+        clap_complete::generate(self.shell, &mut definitions, "polhode", &mut script);
         print(&script)
     }
 }
 
 impl Man {
-    pub(crate) fn run(self) -> Result<(), Failure> {
+    pub(crate) fn run(self, definitions: Command) -> Result<(), Failure> {
         let mut page = Vec::new();
-        let rendered = clap_mangen::Man::new(Polhode::command()).render(&mut page);
+        let rendered = clap_mangen::Man::new(definitions).render(&mut page);
         rendered.map_err(|error| Failure::Output { path: "the man page".to_owned(), error })?;
         print(&page)
     }
-}
-
-/// Writes data to standard output.
-pub(crate) fn print(data: &[u8]) -> Result<(), Failure> {
-    let mut out = io::stdout().lock();
-    out.write_all(data).and_then(|()| out.flush()).map_err(|error| match error.kind() {
-        io::ErrorKind::BrokenPipe => Failure::ClosedPipe,
-        _ => Failure::Output { path: "standard output".to_owned(), error },
-    })
 }

@@ -10,7 +10,7 @@ use polhode_report::{MotionReport, SourceInfo, pretty};
 
 use crate::failure::Failure;
 use crate::folder::Folder;
-use crate::shell::print;
+use crate::stdout::print;
 
 /// Compute the motion of a scenario and write it to a folder.
 ///

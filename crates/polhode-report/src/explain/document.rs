@@ -2,7 +2,6 @@
 
 use serde_json::{Value, json};
 
-use super::{markdown, text};
 use crate::VERSION;
 use crate::json::matrix;
 
@@ -62,16 +61,6 @@ pub enum Block {
 }
 
 impl Document {
-    /// Plain text of at most `width` columns (tables and formulas as wide as they need).
-    pub fn to_text(&self, width: usize) -> String {
-        text::render(self, width)
-    }
-
-    /// Markdown with LaTeX between `$$`, as GitHub renders it.
-    pub fn to_markdown(&self) -> String {
-        markdown::render(self)
-    }
-
     /// `{"polhode": …, "title": …, "answer": […], "sections": [{"number": …, "title": …, "blocks": […]}]}`
     pub fn to_json(&self) -> Value {
         let sections: Value = self.sections.iter().map(Section::to_json).collect();

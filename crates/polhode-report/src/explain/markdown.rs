@@ -4,23 +4,26 @@ use super::document::{Block, Document};
 use super::text::DIGITS;
 use crate::number::{alike, tidy_matrix};
 
-pub(super) fn render(document: &Document) -> String {
-    let mut text = format!("# {}\n", escaped(&document.title));
-    if !document.answer.is_empty() {
-        text.push('\n');
-    }
-    for answer in &document.answer {
-        text.push_str(&format!("- **{}**\n", escaped(answer)));
-    }
-    for section in &document.sections {
-        text.push_str(&format!("\n## {}. {}\n", section.number, escaped(&section.title)));
-        for block in &section.blocks {
-            text.push('\n');
-            text.push_str(&render_block(block));
+impl Document {
+    /// Markdown with LaTeX between `$$`, as GitHub renders it.
+    pub fn to_markdown(&self) -> String {
+        let mut text = format!("# {}\n", escaped(&self.title));
+        if !self.answer.is_empty() {
             text.push('\n');
         }
+        for answer in &self.answer {
+            text.push_str(&format!("- **{}**\n", escaped(answer)));
+        }
+        for section in &self.sections {
+            text.push_str(&format!("\n## {}. {}\n", section.number, escaped(&section.title)));
+            for block in &section.blocks {
+                text.push('\n');
+                text.push_str(&render_block(block));
+                text.push('\n');
+            }
+        }
+        text
     }
-    text
 }
 
 fn render_block(block: &Block) -> String {

@@ -9,28 +9,31 @@ const INDENT: &str = "    ";
 /// Digits of a matrix element.
 pub(super) const DIGITS: usize = 6;
 
-pub(super) fn render(document: &Document, columns: usize) -> String {
-    let mut text = format!("{}\n{}\n", document.title, "═".repeat(width(&document.title)));
-    for answer in &document.answer {
-        let lines = wrap(answer, "  ", columns);
-        text.push_str(
-            &lines.iter().map(|line| format!("{line}\n")).collect::<String>().replacen("  ", "→ ", 1),
-        );
-    }
-    for section in &document.sections {
-        let heading = format!("{}. {}", section.number, section.title);
-        text.push_str(&format!("\n{heading}\n{}\n", "─".repeat(width(&heading))));
-        for (k, block) in section.blocks.iter().enumerate() {
-            if k > 0 {
-                text.push('\n');
-            }
-            for line in lines(block, columns) {
-                text.push_str(line.trim_end_matches(' '));
-                text.push('\n');
+impl Document {
+    /// Plain text of at most `columns` columns (tables and formulas as wide as they need).
+    pub fn to_text(&self, columns: usize) -> String {
+        let mut text = format!("{}\n{}\n", self.title, "═".repeat(width(&self.title)));
+        for answer in &self.answer {
+            let lines = wrap(answer, "  ", columns);
+            text.push_str(
+                &lines.iter().map(|line| format!("{line}\n")).collect::<String>().replacen("  ", "→ ", 1),
+            );
+        }
+        for section in &self.sections {
+            let heading = format!("{}. {}", section.number, section.title);
+            text.push_str(&format!("\n{heading}\n{}\n", "─".repeat(width(&heading))));
+            for (k, block) in section.blocks.iter().enumerate() {
+                if k > 0 {
+                    text.push('\n');
+                }
+                for line in lines(block, columns) {
+                    text.push_str(line.trim_end_matches(' '));
+                    text.push('\n');
+                }
             }
         }
+        plain_spaces(&text)
     }
-    plain_spaces(&text)
 }
 
 fn lines(block: &Block, columns: usize) -> Vec<String> {

@@ -1,0 +1,14 @@
+//! Standard output: data, and nothing else.
+
+use std::io::{self, Write as _};
+
+use crate::failure::Failure;
+
+/// Writes data to standard output.
+pub(crate) fn print(data: &[u8]) -> Result<(), Failure> {
+    let mut out = io::stdout().lock();
+    out.write_all(data).and_then(|()| out.flush()).map_err(|error| match error.kind() {
+        io::ErrorKind::BrokenPipe => Failure::ClosedPipe,
+        _ => Failure::Output { path: "standard output".to_owned(), error },
+    })
+}

@@ -60,6 +60,13 @@ pub(crate) fn part(
 /// The name of the part's shape.
 fn kind(table: &Table<'_>) -> Result<&'static str, FormatError> {
     let names: Vec<_> = SHAPES.iter().map(|(name, _)| *name).chain(["mesh", "particles", "tensor"]).collect();
+    if table.get("shape").is_none() {
+        // A misspelt `shape` is a key that no shape has.
+        let mut all: Vec<_> = names.iter().flat_map(|name| keys(name)).collect();
+        all.sort_unstable();
+        all.dedup();
+        table.allow(&all)?;
+    }
     table.require("shape", "shape = \"box\"")?.choice(&names)
 }
 

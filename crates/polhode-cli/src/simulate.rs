@@ -96,9 +96,10 @@ impl Simulate {
         let folder = Folder::create(target)?;
         folder.file("summary.json", |out| out.write_all(summary.as_bytes()))?;
         let mut written = format!("wrote {}", target.join("summary.json").display());
-        let mut formats = self.table.clone();
-        formats.dedup();
-        for format in formats {
+        for (k, format) in self.table.iter().enumerate() {
+            if self.table[..k].contains(format) {
+                continue;
+            }
             folder.file(format.file_name(), |out| match format {
                 Format::Parquet => table::parquet::write(trajectory, &metadata(scenario, &self.file), out),
                 Format::Csv => table::csv::write(trajectory, out),

@@ -84,7 +84,16 @@ samples = 31
 fn simulate_writes_a_folder_whose_table_is_the_motion() {
     let scratch = Scratch::new("simulate");
     scratch.write("brick.toml", BRICK);
-    let text = stdout(&scratch.run(&["simulate", "brick.toml", "--table", "csv", "--table", "parquet"]));
+    let text = stdout(&scratch.run(&[
+        "simulate",
+        "brick.toml",
+        "--table",
+        "csv",
+        "--table",
+        "parquet",
+        "--table",
+        "csv",
+    ]));
     assert!(text.contains("A brick") && text.contains("wrote brick/summary.json"), "{text}");
     assert_eq!(scratch.entries(), ["brick", "brick.toml"]);
 

@@ -258,6 +258,16 @@ fn keys_that_exclude_each_other_are_refused() {
         "leave",
     );
     refuses(
+        &format!("{BALL}[prescribed]\naxis=[0,0,1]\nrate=1\n«[pendulum]»\naxis=[0,0,1]"),
+        "prescribed and pendulum are both given: a pendulum swings as gravity moves it",
+        "leave",
+    );
+    refuses(
+        &format!("{BALL}[prescribed]\naxis=[0,0,1]\nrate=1\n{RUN}method=«'exact'»"),
+        "method = 'exact' must be left out",
+        "given, not computed",
+    );
+    refuses(
         &format!("{BALL}rotate={{axis=[0,0,1],angle=1,matrix=«[[1,0,0],[0,1,0],[0,0,1]]»}}"),
         "axis and matrix are both given: a rotation is given once",
         "leave",

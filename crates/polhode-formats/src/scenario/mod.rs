@@ -95,6 +95,7 @@ pub fn parse(text: &str, path: &Path) -> Result<Scenario, FormatError> {
     root.allow(&["title", "body", "start", "torque", "prescribed", "pendulum", "run"])?;
     let exclusive = "a prescribed motion is given, and the torque that it needs is the answer";
     root.at_most_one(&["prescribed", "torque"], exclusive)?;
+    root.at_most_one(&["prescribed", "pendulum"], "a pendulum swings as gravity moves it")?;
 
     let mut findings = Vec::new();
     let title = root.get("title").map(|title| title.string().map(str::to_owned)).transpose()?;

@@ -20,6 +20,12 @@ pub(crate) fn run(root: &Table<'_>) -> Result<Option<Run>, FormatError> {
     let Some(value) = root.get("run") else { return Ok(None) };
     let table = value.table()?;
     table.allow(&["duration", "samples", "every", "method", "tolerance"])?;
+    if root.get("prescribed").is_some()
+        && let Some(value) = table.get("method").or_else(|| table.get("tolerance"))
+    {
+        let hint = "a prescribed motion is given, not computed: nothing depends on it";
+        return Err(value.invalid("left out").with_hint(hint));
+    }
     let duration = table.require("duration", "duration = \"20 s\"")?.positive(Dimension::TIME)?;
     let given = table.at_most_one(&["samples", "every"], "each of them alone says when to sample")?;
     let method = table.get("method").map_or(Ok(Method::Auto), |value| method(&value))?;

@@ -265,7 +265,7 @@ fn keys_that_exclude_each_other_are_refused() {
     refuses(
         &format!("{BALL}[prescribed]\naxis=[0,0,1]\nrate=1\n{RUN}method=«'exact'»"),
         "method = 'exact' must be left out",
-        "given, not computed",
+        "a prescribed motion is given",
     );
     refuses(
         &format!("{BALL}rotate={{axis=[0,0,1],angle=1,matrix=«[[1,0,0],[0,1,0],[0,0,1]]»}}"),

@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 use polhode::{BodyError, MotionError, RotationError};
 
 use crate::mesh::stl::{StlError, StlPlace};
+use crate::text::{cut, escaped, visible};
 use crate::unit::UnitError;
 
 /// Why a file could not be read: which file, where in it, what stands there, the rule that it breaks, and what to
@@ -116,7 +117,7 @@ pub struct Place {
     pub column: usize,
     /// Bytes in the file.
     pub span: Range<usize>,
-    /// The line, without control characters; of a very long one, the part around the place.
+    /// The line, one visible character for each of its own; of a very long one, the part around the place.
     pub excerpt: String,
     /// Characters of the excerpt that the place covers.
     pub marked: Range<usize>,
@@ -197,7 +198,7 @@ impl fmt::Display for FormatErrorKind {
                 write!(f, "the file is not UTF-8 text: the byte 0x{byte:02X} does not belong")
             }
             Self::Toml { message } => f.write_str(message),
-            Self::UnknownKey { key, table, .. } => write!(f, "unknown key {key:?} in {table}"),
+            Self::UnknownKey { key, table, .. } => write!(f, "unknown key {:?} in {table}", cut(key)),
             Self::MissingKey { key, table, .. } => write!(f, "the key {key} is missing in {table}"),
             Self::Conflict { keys: [a, b], rule } => write!(f, "{a} and {b} are both given: {rule}"),
             Self::WrongType { key, expected, found } => write!(f, "{key} must be {expected}, not {found}"),
@@ -215,6 +216,8 @@ impl fmt::Display for FormatErrorKind {
 
 impl FormatErrorKind {
     fn hint(&self) -> Option<String> {
+        /// Known keys that a hint lists.
+        const MOST_KEYS: usize = 12;
         match self {
             Self::Io { kind: io::ErrorKind::NotFound, .. } => {
                 Some("check the spelling; a relative path starts at the current folder".to_owned())
@@ -227,16 +230,49 @@ impl FormatErrorKind {
             Self::NotUtf8 { .. } => Some("save the file as UTF-8".to_owned()),
             Self::UnknownKey { suggestion, known, .. } => {
                 let meant = suggestion.map_or(String::new(), |key| format!("did you mean {key}? "));
-                Some(format!("{meant}the keys here are {}", known.join(", ")))
+                let (shown, more) = known.split_at(known.len().min(MOST_KEYS));
+                let more = if more.is_empty() { "" } else { ", …" };
+                Some(format!("{meant}the keys here are {}{more}", shown.join(", ")))
             }
             Self::MissingKey { example, .. } => Some(format!("write {example}")),
             Self::Conflict { .. } => Some("leave one of them out".to_owned()),
             Self::Unit(e) => e.hint(),
-            Self::Body(e) => e.hint().map(str::to_owned),
+            Self::Body(e) => Some(e.hint().unwrap_or_else(|| body_hint(e)).to_owned()),
             Self::Motion(e) => e.hint().map(str::to_owned),
             Self::Rotation(e) => Some(rotation_hint(e).to_owned()),
             Self::Stl(e) => e.hint().map(str::to_owned),
         }
+    }
+}
+
+/// What a file's author can do about a body that the core has no advice for.
+fn body_hint(error: &BodyError) -> &'static str {
+    match error {
+        BodyError::Parameter { what: "the torus's tube radius", .. } => {
+            "ring_radius goes to the middle of the tube: a tube wider than its ring overlaps itself"
+        }
+        BodyError::Parameter { what: "the tetrahedron's volume", .. } => {
+            "four corners in one plane bound no solid: move one of them out of it"
+        }
+        BodyError::Parameter { what: "the larger radius of the cone", .. } => {
+            "a cone has a tip at one end at most: give radius or top_radius a length"
+        }
+        BodyError::Parameter { what: "the mesh's unit", .. } => "it is in metres: 0.001 for millimetres",
+        BodyError::Parameter { value, .. } if !value.is_finite() => {
+            "it is beyond the largest double, 1.8e308: check the units and the exponents"
+        }
+        BodyError::Parameter { value, .. } if value.abs() < f64::MIN_POSITIVE => {
+            "it is below the smallest double, 2.2e-308: check the units and the exponents"
+        }
+        BodyError::Empty { what: "particles" } => {
+            "give at least one: particles = [{ mass = \"1 kg\", position = [0, 0, \"0.5 m\"] }]"
+        }
+        BodyError::FlatMesh { .. } => {
+            "a solid has a thickness: export the solid body, not a sheet, and with enough digits for its unit"
+        }
+        BodyError::Vertex { .. } => "export the mesh again, in a unit in which its coordinates are finite",
+        BodyError::Empty { .. } => "export the solid body, not the empty document",
+        _ => "check its sign and its unit",
     }
 }
 
@@ -263,16 +299,16 @@ impl Place {
         let line_start = text[..start].rfind('\n').map_or(0, |newline| newline + 1);
         let line_end = text[start..].find('\n').map_or(text.len(), |newline| start + newline);
         // A byte order mark is no character of the first line.
-        let visible = if line_start == 0 && text.starts_with('\u{feff}') { 3.min(start) } else { line_start };
-        let before = text[visible..start].chars().count();
+        let first = if line_start == 0 && text.starts_with('\u{feff}') { 3.min(start) } else { line_start };
+        let before = text[first..start].chars().count();
         let width = text[start..end.min(line_end).max(start)].trim_end().chars().count().max(1);
         let skipped = before.saturating_sub(SHOWN / 2);
-        let excerpt: String = text[visible..line_end]
+        let excerpt: String = text[first..line_end]
             .trim_end_matches('\r')
             .chars()
             .skip(skipped)
             .take(SHOWN)
-            .map(|c| if c.is_control() { ' ' } else { c })
+            .map(visible)
             .collect();
         let from = before - skipped;
         Self {
@@ -285,11 +321,7 @@ impl Place {
     }
 }
 
-/// A path as messages print it: control characters escaped, so that it stays on its line.
+/// A path as messages print it.
 fn shown(path: &Path) -> String {
-    let mut text = String::new();
-    for c in path.to_string_lossy().chars() {
-        if c.is_control() { text.extend(c.escape_default()) } else { text.push(c) }
-    }
-    text
+    escaped(&path.to_string_lossy())
 }

@@ -13,6 +13,7 @@ mod file;
 pub mod mesh;
 pub mod scenario;
 pub mod table;
+mod text;
 pub mod unit;
 
 pub use error::{FormatError, FormatErrorKind, Place};

@@ -22,6 +22,8 @@ pub use dimension::Dimension;
 use exact::Exact;
 use table::Unit;
 
+use crate::text::cut;
+
 /// Reads a number with an optional unit as a value in SI units: m, kg, s, rad and their products.
 ///
 /// ```
@@ -148,7 +150,7 @@ impl Error for UnitError {}
 
 /// The text in quotes, escaped, and cut where it is too long for a message.
 fn quoted(text: &str) -> String {
-    format!("{:?}", text.chars().take(60).collect::<String>())
+    format!("{:?}", cut(text))
 }
 
 fn number_hint(text: &str) -> String {
@@ -204,7 +206,8 @@ struct Product<'a> {
 }
 
 impl<'a> Product<'a> {
-    /// Together these keep every power of every dimension within an `i8`: 7 × 9 × 2 (J is m²) = 126.
+    /// Together these keep every power of every dimension within an `i8`, 7 × 9 × 2 (J is m²) = 126, but for that of
+    /// many cc, which stops at the end of the range: no dimension that is asked for is near it.
     const MAX_FACTORS: usize = 7;
     const MAX_POWER: i8 = 9;
 

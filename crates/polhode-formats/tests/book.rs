@@ -227,6 +227,7 @@ fn the_book_has_every_unit_under_its_dimension() {
     let dimensions = [
         Dimension::MASS,
         Dimension::LENGTH,
+        Dimension::VOLUME,
         Dimension::TIME,
         Dimension::ANGLE,
         Dimension::ANGULAR_VELOCITY,

@@ -182,3 +182,32 @@ fn findings_say_what_was_noticed() {
     let off = "[start]\nspin={body=[0,1,0]}\n[[torque]]\nmodel='gravity'\npivot=[0,0,1]\n[pendulum]\naxis=[1,0,0]\n";
     assert_eq!(codes(&format!("{BALL}{off}{RUN}")), ["pendulum.axis"]);
 }
+
+#[test]
+fn an_amplitude_is_that_of_the_run() {
+    let text = |start: &str, amplitude: &str| {
+        format!(
+            "{BALL}position=[0,0,-1]\n[start]\n{start}\n[[torque]]\nmodel='gravity'\npivot=[0,0,0]\n\
+             [pendulum]\naxis=[1,0,0]\namplitude='{amplitude}'\n"
+        )
+    };
+    let tilted = "attitude={axis=[1,0,0],angle='10 deg'}";
+    let found = |start: &str, amplitude: &str| {
+        let findings = body(&format!("{}{RUN}", text(start, amplitude))).findings;
+        assert!(findings.iter().all(|f| f.code == "pendulum.amplitude" && f.severity == Severity::Warning));
+        findings.first().map(|f| f.message.clone())
+    };
+    assert_eq!(found(tilted, "10 deg"), None);
+    assert_eq!(found("attitude={axis=[1,0,0],angle='-10 deg'}", "10.000001 deg"), None);
+    let said =
+        |run: &str| Some(format!("the amplitude of the pendulum is given as 20 deg, but the run {run}"));
+    assert_eq!(found(tilted, "20 deg"), said("swings by 10 deg"));
+    assert_eq!(found("spin={body=[100,0,0]}", "20 deg"), said("goes over the top"));
+    assert_eq!(found("", "20 deg"), said("hangs at rest"));
+    // A rate at the bottom is an amplitude too.
+    let pendulum = body(&text("", "20 deg")).pendulum().unwrap().unwrap();
+    let rate = 2.0 * pendulum.small_frequency() * 10_f64.to_radians().sin();
+    assert_eq!(found(&format!("spin={{body=[{rate},0,0]}}"), "20 deg"), None);
+    // Without a run there is nothing to contradict.
+    assert_eq!(body(&text(tilted, "20 deg")).findings, []);
+}

@@ -56,6 +56,7 @@ const DEFINITIONS: &[(&str, Dimension, u128, u128, bool)] = &[
     ("ft", Dimension::LENGTH, 3048, 10_000, false),
     ("yd", Dimension::LENGTH, 3 * 3048, 10_000, false),
     ("mi", Dimension::LENGTH, 5280 * 3048, 10_000, false),
+    ("cc", Dimension::VOLUME, 1, 1_000_000, false),
     ("au", Dimension::LENGTH, 149_597_870_700, 1, false),
     ("s", Dimension::TIME, 1, 1, false),
     ("ms", Dimension::TIME, 1, 1000, false),

@@ -3,7 +3,7 @@
 use polhode::Finding;
 use serde_json::{Value, json};
 
-use crate::layout::{WIDTH, wrap};
+use crate::layout::{WIDTH, printable, wrap};
 
 /// `[{"code": …, "severity": …, "message": …, "where": …}, …]`
 pub(crate) fn to_json(findings: &[Finding]) -> Value {
@@ -17,7 +17,7 @@ pub(crate) fn to_text(findings: &[Finding]) -> String {
     for f in findings {
         let place = f.place.as_ref().map_or_else(String::new, |place| format!(" ({place})"));
         let sentence = format!("{}: {}{place} [{}]", f.severity.name(), f.message, f.code);
-        for (k, line) in wrap(&sentence, "", WIDTH - 2).into_iter().enumerate() {
+        for (k, line) in wrap(&printable(&sentence), "", WIDTH - 2).into_iter().enumerate() {
             text.push_str(if k == 0 { "" } else { "  " });
             text.push_str(&line);
             text.push('\n');

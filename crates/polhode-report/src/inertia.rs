@@ -9,7 +9,7 @@ use serde_json::{Map, Value, json};
 
 use crate::block::{self, Geometry};
 use crate::json::{matrix, numbers, vector};
-use crate::layout::{columns, labelled, matrix_rows, plain_spaces};
+use crate::layout::{WIDTH, columns, labelled, matrix_rows, plain_spaces, wrap};
 use crate::number::{alike, number, tidy, tidy_beside, tidy_matrix};
 use crate::source::SourceInfo;
 use crate::unit::{self, DIGITS};
@@ -144,10 +144,9 @@ impl InertiaReport {
 
     fn write_inertia(&self, text: &mut String) {
         let inertia = self.properties.inertia();
-        let _ = writeln!(
-            text,
-            "\ninertia about the centre of mass, along body axes, off-diagonal = -∫xy dm, in kg·m²"
-        );
+        text.push_str(&heading(
+            "inertia about the centre of mass, along body axes, off-diagonal = -∫xy dm, in kg·m²",
+        ));
         text.push_str(&tensor(inertia.matrix()));
         let principal = self.properties.principal();
         text.push_str(&moments(&principal));
@@ -163,7 +162,9 @@ impl InertiaReport {
         let Some(point) = self.about else { return };
         let about = self.properties.inertia_about(point);
         let place = unit::place(tidy(point.to_array()));
-        let _ = writeln!(text, "\ninertia about {place}, along body axes, off-diagonal = -∫xy dm, in kg·m²");
+        text.push_str(&heading(&format!(
+            "inertia about {place}, along body axes, off-diagonal = -∫xy dm, in kg·m²"
+        )));
         text.push_str(&tensor(about.matrix()));
         let principal = PrincipalFrame::about(&about);
         text.push_str(&moments(&principal));
@@ -177,14 +178,18 @@ impl InertiaReport {
         let [_, x, y, z] = turn.canonical_quaternion();
         let axis =
             Position::<Body>::new(x, y, z).direction().map_or([0.0, 0.0, 1.0], polhode::Vector::to_array);
-        let axis = alike(&tidy(axis), 6).join(", ");
-        let _ = writeln!(
-            text,
-            "\ninertia about the centre of mass, along axes turned from the body's by {}° about ({axis}), in kg·m²",
+        let axis = alike(&tidy(axis), 6).join(",\u{a0}");
+        text.push_str(&heading(&format!(
+            "inertia about the centre of mass, along axes turned from the body's by {}° about ({axis}), in kg·m²",
             number(turn.angle().to_degrees(), 6),
-        );
+        )));
         text.push_str(&tensor(self.properties.inertia().in_frame(turn.inverse()).matrix()));
     }
+}
+
+/// A blank line and what stands below it.
+fn heading(text: &str) -> String {
+    format!("\n{}\n", wrap(text, "", WIDTH).join("\n"))
 }
 
 /// A label and a text whose double spaces are meant.

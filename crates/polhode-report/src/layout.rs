@@ -19,6 +19,20 @@ pub(crate) fn plain_spaces(text: &str) -> String {
     text.replace(GROUP, " ")
 }
 
+/// A name or title from outside, on one line: what would steer a terminal or turn the writing around is shown as its
+/// escape.
+pub(crate) fn printable(text: &str) -> String {
+    // Marks of direction, separators of lines, and what has no width.
+    let unseen = |c: char| {
+        matches!(c, '\u{ad}' | '\u{61c}' | '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}')
+            || matches!(c, '\u{2060}'..='\u{206f}' | '\u{feff}' | '\u{e0000}'..='\u{e007f}')
+    };
+    let shown = |c: char| {
+        if c.is_control() || unseen(c) { c.escape_default().to_string() } else { c.to_string() }
+    };
+    text.chars().map(shown).collect()
+}
+
 /// The text in lines of at most `columns`, each after `indent`; words are not broken.
 pub(crate) fn wrap(text: &str, indent: &str, columns: usize) -> Vec<String> {
     let mut lines = Vec::new();
@@ -55,6 +69,60 @@ fn tied(text: &str) -> Vec<String> {
         }
     }
     words
+}
+
+/// A formula or a line of numbers in lines of at most `columns`, each after `indent`: broken at its wide gaps, else before
+/// an operator or after a comma outside brackets, else between words.
+///
+/// What continues the sum stands under its `=`, what begins anew four columns in.
+pub(crate) fn broken(line: &str, indent: &str, columns: usize) -> Vec<String> {
+    const HANG: usize = 4;
+    let equals = line.find(" = ").map(|at| width(&line[..=at])).filter(|at| *at <= 4 * HANG);
+    let (mut lines, mut rest, mut hang) = (Vec::new(), line, 0);
+    while width(indent) + hang + width(rest) > columns {
+        let room = columns.saturating_sub(width(indent) + hang);
+        let Some(at) = last_break(rest, room) else { break };
+        let (head, tail) = rest.split_at(at);
+        lines.push(format!("{indent}{}{}", " ".repeat(hang), head.trim_end_matches(' ')));
+        rest = tail.trim_start_matches(' ');
+        hang = equals.filter(|_| rest.starts_with(OPERATORS)).unwrap_or(HANG);
+    }
+    lines.push(format!("{indent}{}{rest}", " ".repeat(hang)));
+    lines
+}
+
+const OPERATORS: [char; 2] = ['=', '+'];
+
+/// Where to break so that what is before has at most `room` columns: the last of the best places.
+fn last_break(line: &str, room: usize) -> Option<usize> {
+    let first = line.find(" = ").map_or(0, |at| at + 1);
+    let mut depth = 0_i32;
+    // The best place so far, and how good it is.
+    let mut best: Option<(u8, usize)> = None;
+    for (at, c) in line.char_indices() {
+        match c {
+            '(' | '{' => depth += 1,
+            ')' | '}' => depth -= 1,
+            _ => {}
+        }
+        let (head, tail) = (&line[..at], line[at..].trim_start_matches(' '));
+        if c != ' ' || head.ends_with(' ') || head.is_empty() || width(head) > room {
+            continue;
+        }
+        let gap = line.len() - at - tail.len();
+        let word = tail.split([' ', ',', ';']).next().unwrap_or_default();
+        let good = match () {
+            () if at < first || head.ends_with(OPERATORS) => 0,
+            () if gap > 1 && !head.ends_with('→') && !head.ends_with(" or") => 3,
+            () if depth == 0 && (head.ends_with([',', ';']) || tail.starts_with(OPERATORS)) => 2,
+            () if !UNITS.contains(&word) => 1,
+            () => 0,
+        };
+        if best.is_none_or(|(than, _)| good >= than) {
+            best = Some((good, at));
+        }
+    }
+    best.map(|(_, at)| at)
 }
 
 /// `label            text`, wrapped under itself.
@@ -144,5 +212,25 @@ mod tests {
         assert_eq!(wrap("one two three", "  ", 9), ["  one two", "  three"]);
         assert_eq!(sparkline(&[1.0, 1.0], 10), None);
         assert_eq!(sparkline(&[0.0, 1.0, 2.0, 3.0], 4).as_deref(), Some("▁▃▆█"));
+    }
+
+    #[test]
+    fn names_steer_no_terminal() {
+        assert_eq!(printable("a\u{1b}[31mRED\nx"), "a\\u{1b}[31mRED\\nx");
+        assert_eq!(
+            printable("\u{202e}\u{2066}\u{200b}\u{85}\u{2028}"),
+            r"\u{202e}\u{2066}\u{200b}\u{85}\u{2028}"
+        );
+        assert_eq!(printable("ω\u{307}, Größe, 慣性, 'C:\\x'"), "ω\u{307}, Größe, 慣性, 'C:\\x'");
+    }
+
+    #[test]
+    fn long_lines_break_where_they_may() {
+        let line = "L1 = 1·2 + 3·4 = 14 kg·m²/s";
+        assert_eq!(broken(line, "", 27), [line]);
+        assert_eq!(broken(line, "", 20), ["L1 = 1·2 + 3·4", "   = 14 kg·m²/s"]);
+        assert_eq!(broken("a = b,   c = d + e", "  ", 17), ["  a = b,", "      c = d + e"]);
+        assert_eq!(broken("p = (1, 2, 3) m, below", "", 20), ["p = (1, 2, 3) m,", "    below"]);
+        assert_eq!(broken("unbreakable", "", 5), ["unbreakable"]);
     }
 }

@@ -16,6 +16,7 @@ mod explain;
 mod finding;
 mod forces;
 mod inertia;
+mod intermediate;
 mod json;
 mod layout;
 mod motion;

@@ -2,6 +2,8 @@
 
 use serde_json::{Map, Value};
 
+use crate::layout::printable;
+
 /// Where the input came from, and what it is.
 ///
 /// ```
@@ -55,6 +57,6 @@ impl SourceInfo {
     /// The heading: the file, and what it is.
     pub(crate) fn heading(&self) -> String {
         let what = if self.description.is_empty() { &self.format } else { &self.description };
-        format!("{}   {what}", self.path)
+        format!("{}   {}", printable(&self.path), printable(what))
     }
 }

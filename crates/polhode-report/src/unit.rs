@@ -79,6 +79,14 @@ pub(crate) fn angle(rad: f64) -> String {
     format!("{} rad ({}°)", number(rad, 6), number(rad.to_degrees(), 6))
 }
 
+/// How far a pendulum swings that does not go over the top: never 180°, however it rounds.
+pub(crate) fn amplitude(rad: f64) -> String {
+    if number(rad.to_degrees(), 6) == "180" {
+        return format!("{} rad (just below 180°)", number(rad, 6));
+    }
+    angle(rad)
+}
+
 /// The half-angle of a cone: one that only rounding opened is closed.
 pub(crate) fn cone(rad: f64) -> String {
     angle(if rad < CLOSED { 0.0 } else { rad })
@@ -118,5 +126,7 @@ mod tests {
         assert_eq!(lengths([0.0; 3]), "0  0  0  m");
         assert_eq!(lengths([0.0, 1.5e-3, -2e-3]), "0  1.5  -2.0  mm");
         assert_eq!(rate(0.0), "0 rad/s (0 deg/s)");
+        assert_eq!(plain_spaces(&amplitude(std::f64::consts::PI - 1e-9)), "3.141 59 rad (just below 180°)");
+        assert_eq!(amplitude(0.5), angle(0.5));
     }
 }

@@ -3,6 +3,7 @@
 
 mod common;
 
+use polhode::{Direction, Hanging, Position, Rotation};
 use polhode_report::{Block, Document, InertiaReport, MotionReport, SourceInfo, explain, pretty};
 
 /// All text of one section.
@@ -188,14 +189,141 @@ fn nothing_prints_nan_or_infinity_or_minus_zero_or_trailing_space() {
     }
 }
 
+/// Columns on a terminal.
+fn columns(line: &str) -> usize {
+    line.chars().filter(|c| !('\u{300}'..='\u{36f}').contains(c)).count()
+}
+
 #[test]
-fn text_fits_a_hundred_columns() {
+fn text_fits_the_width_asked_for() {
     for scenario in common::all() {
         let document = explain(&scenario).unwrap();
         for line in document.to_text(100).lines() {
-            let columns = line.chars().filter(|c| !('\u{300}'..='\u{36f}').contains(c)).count();
-            assert!(columns <= 100, "{columns}: {line}");
+            assert!(columns(line) <= 100, "{}: {line}", columns(line));
         }
+        // Tables and matrices do not break; everything else does.
+        let mut breakable = document;
+        for section in &mut breakable.sections {
+            section.blocks.retain(|b| !matches!(b, Block::Table { .. } | Block::Matrix { .. }));
+        }
+        for width in [80, 60] {
+            for line in breakable.to_text(width).lines() {
+                assert!(columns(line) <= width, "{}: {line}", columns(line));
+            }
+        }
+    }
+}
+
+#[test]
+fn screens_fit_a_hundred_columns() {
+    for scenario in common::all() {
+        let source = SourceInfo::new("a.toml", "scenario");
+        let turn = Rotation::about(Direction::new(0.3, -1.0, 0.7), 1.0 / 3.0).unwrap();
+        let inertia = InertiaReport {
+            axes: Some(turn),
+            about: Some(Position::new(1.0 / 3.0, -1.0 / 7.0, 1.0 / 9.0)),
+            ..InertiaReport::of_scenario(source.clone(), &scenario)
+        };
+        let mut text = inertia.to_text();
+        if let Some(trajectory) = scenario.simulate().transpose().unwrap() {
+            text.push_str(&MotionReport::new(source, &scenario, &trajectory).to_text());
+        }
+        for line in text.lines() {
+            assert!(columns(line) <= 100, "{}: {line}", columns(line));
+        }
+    }
+}
+
+#[test]
+fn names_from_a_file_stay_on_their_line_and_steer_nothing() {
+    const EVIL: &str = "a\u{1b}[31mRED\nx\u{202e}y";
+    const SHOWN: &str = "a\\u{1b}[31mRED\\nx\\u{202e}y";
+    let mut scenario = common::t_handle();
+    scenario.title = Some(EVIL.to_owned());
+    scenario.parts[0].name = EVIL.to_owned();
+    scenario.findings[0].place = Some(EVIL.to_owned());
+    let source = SourceInfo::new(EVIL, "scenario").described(EVIL);
+    let document = explain(&scenario).unwrap();
+    let trajectory = scenario.simulate().unwrap().unwrap();
+    let text = [
+        document.to_text(100),
+        InertiaReport::of_scenario(source.clone(), &scenario).to_text(),
+        MotionReport::new(source, &scenario, &trajectory).to_text(),
+    ];
+    for face in &text {
+        assert!(face.lines().next().unwrap().contains(SHOWN), "{face}");
+    }
+    assert!(section(&document, 0).contains(&format!("    {SHOWN}  cylinder")));
+    let markdown = document.to_markdown();
+    assert!(markdown.starts_with("# a\\\\u{1b}\\[31mRED\\\\nx\\\\u{202e}y\n"), "{markdown}");
+    for face in text.iter().chain([&markdown]) {
+        assert!(!face.contains(|c: char| c != '\n' && (c.is_control() || c == '\u{202e}')));
+    }
+    assert_eq!(document.to_json()["title"], EVIL);
+}
+
+#[test]
+fn the_elliptic_period_can_be_checked_by_hand() {
+    let turning = |omega| common::tensor("Tumbling", [1.0, 2.0, 3.0], [0.0; 3], omega);
+    for scenario in [
+        common::t_handle(),
+        turning([0.3, 2.0, 1.1]),
+        turning([1.7, -0.4, 0.2]),
+        turning([5e200, 1e200, 1e199]),
+    ] {
+        let solved = section(&explain(&scenario).unwrap(), 5);
+        let numbers = after(&solved, "    λ = ");
+        let [lambda, m, m1] = [0, 1, 3].map(|k| numbers[k]);
+        assert!((m + m1 - 1.0).abs() < 2e-6, "{solved}");
+        // K(m) by the midpoint rule, which converges fast for a periodic function.
+        let points = 4000;
+        let step = std::f64::consts::FRAC_PI_2 / f64::from(points);
+        let quadrature: f64 = (0..points)
+            .map(|k| ((f64::from(k) + 0.5) * step).sin_cos())
+            .map(|(sin, cos)| step / (cos * cos + m1 * sin * sin).sqrt())
+            .sum();
+        let period = after(&solved, "period of ω = ")[0];
+        assert!((4.0 * quadrature / lambda / period - 1.0).abs() < 2e-5, "{quadrature}: {solved}");
+        let core = polhode::FreeRegime::of(&scenario.rotor(), &scenario.start).period.unwrap();
+        assert!((period / core - 1.0).abs() < 1e-5);
+    }
+}
+
+#[test]
+fn instability_is_spoken_of_near_the_intermediate_axis_only() {
+    let spinning = |moments, omega| {
+        let mut scenario = common::tensor("Spinning", moments, [0.0; 3], omega);
+        scenario.run = common::run(2.0, 5);
+        let source = SourceInfo::new("a.toml", "scenario");
+        let trajectory = scenario.simulate().unwrap().unwrap();
+        explain(&scenario).unwrap().to_text(100)
+            + &MotionReport::new(source, &scenario, &trajectory).to_text()
+    };
+    let near = spinning([1.0, 2.0, 3.0], [0.0, 1.0, 0.1]);
+    assert_eq!(near.matches("ω starts 5.71° from").count(), 2, "{near}");
+    let far = spinning([1.0, 2.0, 3.0], [1.0, 1.0, 1.0]);
+    assert!(!far.contains("σ") && !far.contains("grows"), "{far}");
+    // Two equal moments: no axis is intermediate.
+    for omega in [[0.0, 2.0, 0.0], [2.0, 0.0, 0.0], [0.0, 0.0, 2.0], [1.0, 2.0, 0.0], [0.1, 2.0, 0.0]] {
+        for moments in [[2.0, 2.0, 1.0], [2.0, 2.0, 3.0], [1.0, 2.0, 2.0]] {
+            let text = spinning(moments, omega);
+            assert!(!text.contains("intermediate") && !text.contains("unstable"), "{text}");
+        }
+    }
+}
+
+#[test]
+fn a_swing_over_the_top_is_told_from_one_just_below() {
+    let mut scenario = common::pendulum();
+    let amplitude = Some(std::f64::consts::PI - 1e-12);
+    scenario.hanging = Some(Hanging { axis: Direction::new(0.0, 0.0, 1.0), amplitude });
+    let trajectory = scenario.simulate().unwrap().unwrap();
+    let source = SourceInfo::new("a.toml", "scenario");
+    for text in [
+        explain(&scenario).unwrap().to_text(100),
+        MotionReport::new(source, &scenario, &trajectory).to_text(),
+    ] {
+        assert!(text.contains("just below 180°") && !text.contains("(180°)"), "{text}");
     }
 }
 

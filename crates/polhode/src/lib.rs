@@ -88,7 +88,7 @@ pub use math::vector::{
 
 // motion: states in time, and what moves them
 pub use motion::error::MotionError;
-pub use motion::free::{FreeMotion, PermanentRotation, SymmetricTop, SymmetricTopKind};
+pub use motion::free::{FreeMotion, PermanentAxis, PermanentRotation, SymmetricTop, SymmetricTopKind};
 pub use motion::inverse::{ParticleForce, Required};
 pub use motion::kinematics::{
     KineticEnergySplit, MovingParticle, angular_momentum, momentum, rigid_acceleration, rigid_velocity,

@@ -114,7 +114,7 @@ proptest! {
     fn an_assembly_does_not_care_in_which_axes_it_is_joined(
         a in body(), r in rotation::<Part, Body>(), shift in vector(2.0),
     ) {
-        let other = a.placed(shift, Rotation::identity());
+        let other = a.placed(shift, Rotation::identity()).unwrap();
         let joined = MassProperties::combined(&[a, other]).unwrap();
         let turned = MassProperties::combined(&[a.in_frame(r), other.in_frame(r)]).unwrap();
         prop_assert!(difference(turned.inertia().matrix(), joined.in_frame(r).inertia().matrix()) < 2e-14);

@@ -8,6 +8,7 @@ use polhode::{BodyError, ClosedMesh, Finding, Severity};
 
 use crate::error::{FormatError, FormatErrorKind, Place};
 use crate::file;
+use crate::text::escaped;
 use stl::{StlError, StlKind, StlPlace};
 
 /// A mesh file that has been read.
@@ -27,7 +28,7 @@ impl MeshFile {
     /// What had to be turned or left out; `place` says which mesh it is.
     pub fn findings(&self, place: &str) -> Vec<Finding> {
         let finding =
-            |code, severity, message| Finding { code, severity, message, place: Some(place.to_owned()) };
+            |code, severity, message| Finding { code, severity, message, place: Some(escaped(place)) };
         let mut findings = Vec::new();
         if self.mesh.inverted() {
             let message = "the normals of the mesh pointed inward and were turned".to_owned();

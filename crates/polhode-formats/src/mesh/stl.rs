@@ -180,7 +180,12 @@ impl StlError {
             }
             Self::Syntax { found, .. } if found.is_empty() => Some("the file is cut short"),
             Self::NoTriangles => Some("export the solid body, not the empty document"),
-            Self::Syntax { .. } | Self::NotFinite { .. } => None,
+            Self::Syntax { .. } => {
+                Some("a facet is facet normal, outer loop, three times vertex x y z, endloop, endfacet")
+            }
+            Self::NotFinite { .. } => {
+                Some("the tool that made the mesh wrote no number here: repair it there, and export it again")
+            }
         }
     }
 }

@@ -31,13 +31,13 @@ impl<'a> Pivot<'a> {
 /// Reads `[body]` and its `[[body.part]]`s.
 pub(crate) fn body<'a>(root: &Table<'a>, findings: &mut Vec<Finding>) -> Result<Assembly<'a>, FormatError> {
     const EXAMPLE: &str =
-        "[[body.part]]\nshape = \"box\"\nsize = [\"30 mm\", \"20 mm\", \"10 mm\"]\nmass = \"12 g\"";
+        "[[body.part]], and under it shape = \"sphere\", radius = \"20 mm\" and mass = \"12 g\", a line each";
     let table = root.require("body", EXAMPLE)?.table()?;
     table.allow(&["part", "pivot"])?;
     let list = table.require("part", EXAMPLE)?;
     let mut parts = Vec::new();
-    for (k, value) in list.elements("an array of tables: [[body.part]]")?.iter().enumerate() {
-        parts.push(part(value.table()?, k + 1, findings)?);
+    for (k, table) in list.tables("body.part")?.into_iter().enumerate() {
+        parts.push(part(table, k + 1, findings)?);
     }
     if parts.is_empty() {
         return Err(table.missing("part", EXAMPLE));

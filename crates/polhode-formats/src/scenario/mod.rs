@@ -43,7 +43,8 @@ use toml::de::DeTable;
 
 use crate::error::{FormatError, FormatErrorKind, Place};
 use crate::file;
-use reader::{Source, Table};
+use crate::mesh::stl;
+use reader::{Source, TOP, Table};
 
 /// A scenario larger than this is something else: a mesh or a table goes into a file of its own.
 const LARGEST_FILE: u64 = 64 << 20;
@@ -63,9 +64,20 @@ pub fn read(path: &Path) -> Result<Scenario, FormatError> {
             // What stands before it is text, and shows the place.
             let text = String::from_utf8_lossy(&bytes);
             let place = Place::in_text(&text, valid..valid);
-            Err(FormatError::new(path, Some(place), FormatErrorKind::NotUtf8 { byte }))
+            let error = FormatError::new(path, Some(place), FormatErrorKind::NotUtf8 { byte });
+            Err(perhaps_mesh(error, &bytes))
         }
     }
+}
+
+/// An error about bytes that are no scenario, with the advice for those of a mesh.
+fn perhaps_mesh(error: FormatError, bytes: &[u8]) -> FormatError {
+    let named = error.path().extension().is_some_and(|extension| extension.eq_ignore_ascii_case("stl"));
+    let head = bytes.trim_ascii_start().get(..6).unwrap_or_default();
+    if named || head.eq_ignore_ascii_case(b"solid ") || stl::read(bytes).is_ok() {
+        return error.with_hint("a mesh is no scenario: polhode inertia reads it if its name ends in .stl");
+    }
+    error
 }
 
 /// Reads a scenario from its text; `path` is for messages, and for the files that the scenario names.
@@ -90,9 +102,10 @@ pub fn read(path: &Path) -> Result<Scenario, FormatError> {
 /// As [`read`].
 pub fn parse(text: &str, path: &Path) -> Result<Scenario, FormatError> {
     let source = Source { path, text };
-    let document = DeTable::parse(text).map_err(|error| source.syntax(&error))?;
+    let document =
+        DeTable::parse(text).map_err(|error| perhaps_mesh(source.syntax(&error), text.as_bytes()))?;
     let root = Table::root(source, document.get_ref());
-    root.allow(&["title", "body", "start", "torque", "prescribed", "pendulum", "run"])?;
+    root.allow(&TOP)?;
     let exclusive = "a prescribed motion is given, and the torque that it needs is the answer";
     root.at_most_one(&["prescribed", "torque"], exclusive)?;
     root.at_most_one(&["prescribed", "pendulum"], "a pendulum swings as gravity moves it")?;

@@ -12,7 +12,7 @@ use super::rotation::rotation;
 use super::shape::{SHAPES, shape};
 use super::substance::{self, substance};
 use super::tensor;
-use crate::error::FormatError;
+use crate::error::{FormatError, FormatErrorKind};
 use crate::mesh::{self, MeshFile};
 use crate::unit::{self, Dimension};
 
@@ -102,7 +102,7 @@ impl Placement {
         part: MassProperties<Part>,
     ) -> Result<MassProperties<Body>, FormatError> {
         let placed = PlacedPart::new(part, self.position, self.rotation);
-        placed.map(|part| part.in_body()).map_err(|e| table.error(crate::FormatErrorKind::Body(e)))
+        placed.map(|part| part.in_body()).map_err(|e| table.error(FormatErrorKind::Body(e)))
     }
 }
 
@@ -137,7 +137,7 @@ fn read_mesh(table: &Table<'_>, name: &str, findings: &mut Vec<Finding>) -> Resu
     let path = scenario.parent().unwrap_or(Path::new("")).join(written);
     let mesh = mesh::read_as(&path, written, unit).map_err(|error| match error.kind() {
         // A file that is not there has no lines: the scenario's line is to blame.
-        kind @ crate::FormatErrorKind::Io { .. } => file
+        kind @ FormatErrorKind::Io { .. } => file
             .error(kind.clone())
             .with_hint(format!("paths are relative to the scenario: this one is {path:?}")),
         _ => error.named_in(scenario, file.place()),
@@ -155,7 +155,7 @@ fn length_unit(value: &Value<'_>) -> Result<f64, FormatError> {
     }
     unit::parse(&format!("1 {name}"), Dimension::LENGTH).map_err(|error| {
         let known = error.hint();
-        let error = value.error(crate::FormatErrorKind::Unit(error));
+        let error = value.error(FormatErrorKind::Unit(error));
         if known.is_some() { error } else { error.with_hint(hint) }
     })
 }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use polhode::{Direction, Finding, Hanging, Scenario, Severity, TorqueModel};
+use polhode::{Direction, Finding, Hanging, Pendulum, Scenario, Severity, Swing, TorqueModel};
 
 use super::reader::Table;
 use crate::error::FormatError;
@@ -13,12 +13,18 @@ pub(crate) fn pendulum(root: &Table<'_>, scenario: &mut Scenario) -> Result<(), 
     let Some(value) = root.get("pendulum") else { return Ok(()) };
     let table = value.table()?;
     table.allow(&["axis", "amplitude"])?;
-    if !scenario.torques.iter().any(|torque| matches!(torque, TorqueModel::Gravity(_))) {
+    let torques = root.get("torque").map_or(Ok(Vec::new()), |list| list.tables("torque"))?;
+    for torque in &torques {
+        let model = torque.require("model", "model = \"gravity\"")?;
+        if model.string()? != "gravity" {
+            return Err(model
+                .invalid("\"gravity\": a pendulum swings under gravity alone")
+                .with_hint("leave out this torque, or leave out [pendulum]"));
+        }
+    }
+    if torques.is_empty() {
         let hint = "a pendulum needs weight: add [[torque]] with model = \"gravity\" and pivot = [0, 0, 0]";
-        return Err(root.get("torque").map_or_else(
-            || table.missing("torque", "").with_hint(hint),
-            |torque| torque.invalid("gravity, among others").with_hint(hint),
-        ));
+        return Err(table.missing("torque", "").with_hint(hint));
     }
     let axis = table.require("axis", "axis = [0, 0, 1]")?;
     let amplitude = match table.get("amplitude") {
@@ -32,11 +38,44 @@ pub(crate) fn pendulum(root: &Table<'_>, scenario: &mut Scenario) -> Result<(), 
     };
     let direction = Direction::from_array(axis.numbers()?);
     scenario.hanging = Some(Hanging { axis: direction, amplitude });
-    if let Some(Err(e)) = scenario.pendulum() {
-        return Err(axis.motion(e).with_hint("gravity and the centre of mass have to be off the axis"));
-    }
+    let hung = scenario.pendulum().transpose();
+    let hung =
+        hung.map_err(|e| axis.motion(e).with_hint("gravity and the centre of mass have to be off the axis"))?;
+    scenario.findings.extend(hung.and_then(|pendulum| swings_otherwise(scenario, &pendulum)));
     scenario.findings.extend(leaves_its_axis(scenario, direction));
     Ok(())
+}
+
+/// A run may start with another amplitude than the one whose period is asked for.
+fn swings_otherwise(scenario: &Scenario, pendulum: &Pendulum) -> Option<Finding> {
+    /// Relative difference that is more than rounding and the digits of an angle.
+    const TOLERANCE: f64 = 1e-6;
+    scenario.run.as_ref()?;
+    let Hanging { axis, amplitude } = scenario.hanging?;
+    let stated = amplitude?;
+    let rate = axis.direction()?.dot(scenario.start.omega);
+    let starts = match pendulum.swing(pendulum.angle(), rate) {
+        Swing::Oscillation { amplitude, .. } if (amplitude - stated).abs() <= TOLERANCE * stated => {
+            return None;
+        }
+        Swing::Oscillation { amplitude, .. } => format!("swings by {}", degrees(amplitude)),
+        Swing::Rest => "hangs at rest".to_owned(),
+        Swing::Separatrix | Swing::Revolution { .. } => "goes over the top".to_owned(),
+    };
+    Some(Finding {
+        code: "pendulum.amplitude",
+        severity: Severity::Warning,
+        message: format!(
+            "the amplitude of the pendulum is given as {}, but the run {starts}",
+            degrees(stated)
+        ),
+        place: None,
+    })
+}
+
+/// An angle in degrees, to the digits that matter.
+fn degrees(angle: f64) -> String {
+    format!("{} deg", (angle.to_degrees() * 1e6).round() / 1e6)
 }
 
 /// A run holds the body at a point, not at an axis: it stays on the axis only if nothing pulls it off.

@@ -9,6 +9,7 @@ use toml::de::{DeTable, DeValue};
 
 use super::suggestion::nearest;
 use crate::error::{FormatError, FormatErrorKind, Place};
+use crate::text::{cut, visible};
 use crate::unit::{self, Dimension};
 
 /// The text of a file, and the path for messages and for the files that it names.
@@ -47,6 +48,9 @@ impl Source<'_> {
     }
 }
 
+/// The keys of the file itself.
+pub(crate) const TOP: [&str; 7] = ["title", "body", "start", "torque", "prescribed", "pendulum", "run"];
+
 /// A table, its place, and what to call it.
 #[derive(Clone, Debug)]
 pub(crate) struct Table<'a> {
@@ -73,14 +77,24 @@ impl<'a> Table<'a> {
         let Some(first) = unknown.min_by_key(|key| key.span().start) else { return Ok(()) };
         let key = first.get_ref().to_string();
         let suggestion = nearest(&key, known.iter().copied());
+        let misplaced = match key.as_str() {
+            "title" => Some("title stands above the first table".to_owned()),
+            "torque" => Some("write [[torque]] on a line of its own".to_owned()),
+            key if TOP.contains(&key) => Some(format!("write [{key}] on a line of its own")),
+            _ => None,
+        };
         let kind =
             FormatErrorKind::UnknownKey { key, table: self.name.clone(), suggestion, known: known.to_vec() };
-        Err(self.source.error(first.span(), kind))
+        let error = self.source.error(first.span(), kind);
+        Err(match misplaced {
+            Some(hint) => error.with_hint(hint),
+            None => error,
+        })
     }
 
     /// The value of a key, if it is there.
     pub(crate) fn get(&self, key: &'static str) -> Option<Value<'a>> {
-        self.entries.get(key).map(|value| Value { source: self.source, key, value })
+        self.entries.get(key).map(|value| Value { source: self.source, key, value, is_element: false })
     }
 
     /// The value of a key that has to be there.
@@ -114,12 +128,13 @@ impl<'a> Table<'a> {
     }
 }
 
-/// A value, its place, and the key that it belongs to.
+/// A value, its place, and the key that it belongs to, perhaps as an element of an array.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Value<'a> {
     source: Source<'a>,
     key: &'static str,
     value: &'a Spanned<DeValue<'a>>,
+    is_element: bool,
 }
 
 impl<'a> Value<'a> {
@@ -148,21 +163,30 @@ impl<'a> Value<'a> {
             DeValue::Table(entries) => {
                 // `[start]` is called so; `{ body = … }` by its key.
                 let text = self.source.text.get(self.span()).unwrap_or_default();
-                let name = if text.starts_with('[') { text.to_owned() } else { self.key.to_owned() };
+                let name = if text.starts_with('[') { cut(text) } else { self.key.to_owned() };
                 Ok(Table { source: self.source, entries, span: self.span(), name })
             }
-            _ => Err(self.wrong_type(
-                "a table",
-                &format!("write {} = {{ ... }}, or [{}] on a line", self.key, self.key),
-            )),
+            _ if self.is_element => Err(self.wrong_type("a table", &self.write("{ ... }"))),
+            _ => Err(self
+                .wrong_type("a table", &format!("{}, or [{}] on a line", self.write("{ ... }"), self.key))),
         }
+    }
+
+    /// The tables of an array whose headers are `[[header]]`.
+    pub(crate) fn tables(&self, header: &str) -> Result<Vec<Table<'a>>, FormatError> {
+        let hint = || format!("write [[{header}]] on a line of its own, once for each");
+        self.elements(&format!("an array of tables: [[{header}]]"))
+            .and_then(|elements| elements.iter().map(Self::table).collect())
+            .map_err(|error| error.with_hint(hint()))
     }
 
     /// All elements of an array.
     pub(crate) fn elements(&self, expected: &str) -> Result<Vec<Self>, FormatError> {
         match self.value.get_ref() {
-            DeValue::Array(elements) => Ok(elements.iter().map(|value| Self { value, ..*self }).collect()),
-            _ => Err(self.wrong_type(expected, &format!("write {} = [...]", self.key))),
+            DeValue::Array(elements) => {
+                Ok(elements.iter().map(|value| Self { value, is_element: true, ..*self }).collect())
+            }
+            _ => Err(self.wrong_type(expected, &self.write("[...]"))),
         }
     }
 
@@ -171,7 +195,7 @@ impl<'a> Value<'a> {
         let expected = format!("an array of {N} {of}");
         let elements = self.elements(&expected)?;
         let found = elements.len();
-        let hint = || format!("write {} = [{}]", self.key, ["..."; N].join(", "));
+        let hint = || self.write(&format!("[{}]", ["..."; N].join(", ")));
         elements
             .try_into()
             .map_err(|_| self.mismatch(expected, format!("an array of {found}")).with_hint(hint()))
@@ -187,7 +211,7 @@ impl<'a> Value<'a> {
     pub(crate) fn boolean(&self) -> Result<bool, FormatError> {
         match self.value.get_ref() {
             DeValue::Boolean(value) => Ok(*value),
-            _ => Err(self.wrong_type("true or false", &format!("write {} = true", self.key))),
+            _ => Err(self.wrong_type("true or false", &self.write("true"))),
         }
     }
 
@@ -199,7 +223,7 @@ impl<'a> Value<'a> {
             None => Err(self.invalid(format!("one of {}", names.join(", "))).with_hint(
                 match nearest(text, names.iter().copied()) {
                     Some(name) => format!("did you mean \"{name}\"?"),
-                    None => format!("write {} = \"{}\"", self.key, names.first().unwrap_or(&"")),
+                    None => self.write(&format!("\"{}\"", names.first().unwrap_or(&""))),
                 },
             )),
         }
@@ -209,8 +233,9 @@ impl<'a> Value<'a> {
     pub(crate) fn count(&self) -> Result<u64, FormatError> {
         match self.value.get_ref() {
             DeValue::Integer(integer) => u64::from_str_radix(integer.as_str(), integer.radix())
-                .map_err(|_| self.invalid("a whole number, not negative, below 2^64")),
-            _ => Err(self.wrong_type("a whole number", &format!("write {} = 1000", self.key))),
+                .map_err(|_| self.invalid("a whole number, not negative, below 2^64"))
+                .map_err(|error| error.with_hint(self.write("1000"))),
+            _ => Err(self.wrong_type("a whole number", &self.write("1000"))),
         }
     }
 
@@ -239,7 +264,7 @@ impl<'a> Value<'a> {
             DeValue::Float(_) | DeValue::Integer(_) => self.number(),
             _ => {
                 let example = dimension.example().unwrap_or("1");
-                Err(self.wrong_type(&dimension.to_string(), &format!("write {} = \"{example}\"", self.key)))
+                Err(self.wrong_type(&dimension.to_string(), &self.write(&format!("\"{example}\""))))
             }
         }
     }
@@ -303,8 +328,13 @@ impl<'a> Value<'a> {
     /// An error about a value that breaks a rule; the message cites it as it stands in the file.
     pub(crate) fn invalid(&self, rule: impl Into<String>) -> FormatError {
         let text = self.source.text.get(self.span()).unwrap_or_default();
-        let value = text.chars().take(60).map(|c| if c.is_control() { ' ' } else { c }).collect();
+        let value = cut(text).chars().map(visible).collect();
         self.error(FormatErrorKind::Value { key: self.key.to_owned(), value, rule: rule.into() })
+    }
+
+    /// The advice to write something in the place of the value.
+    fn write(&self, what: &str) -> String {
+        if self.is_element { format!("write {what}") } else { format!("write {} = {what}", self.key) }
     }
 
     fn wrong_type(&self, expected: &str, hint: &str) -> FormatError {

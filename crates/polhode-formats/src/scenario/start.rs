@@ -77,6 +77,11 @@ fn of_momentum(
     const ROUNDING: f64 = 1e-12;
     let mut omega = AngularVelocity::ZERO;
     let moments = rotor.principal().moments();
+    if moments[2] == 0.0 && momentum.norm() > 0.0 {
+        return Err(given
+            .invalid("zero: the body has no inertia about any axis")
+            .with_hint("give the spin instead: { body = [...] }"));
+    }
     for (k, &moment) in moments.iter().enumerate() {
         let axis = rotor.principal().axis(k);
         let component = axis.dot(momentum);

@@ -4,11 +4,13 @@ use polhode::{Extent, Material, Substance};
 
 use super::reader::{Table, Value};
 use super::suggestion::nearest;
-use crate::error::FormatError;
-use crate::unit::Dimension;
+use crate::error::{FormatError, FormatErrorKind};
+use crate::unit::{Dimension, UnitError};
 
 /// Keys of every part that has a shape; a thin surface has its `thickness` too.
 pub(crate) const KEYS: [&str; 3] = ["density", "mass", "material"];
+
+const THIN_ROD: &str = "give density = \"0.3 kg/m\" or mass = \"12 g\", or make it a cylinder";
 
 /// The substance of a part of that extent, and the value that says it.
 ///
@@ -33,12 +35,18 @@ pub(crate) fn substance<'a>(
     let substance = match (given.key(), extent, thickness) {
         ("mass", ..) => Substance::Mass(given.positive(Dimension::MASS)?),
         ("density", Extent::Volume(_), _) => Substance::Density(given.positive(Dimension::DENSITY)?),
-        ("density", Extent::Length(_), _) => Substance::LineDensity(given.positive(Dimension::LINE_DENSITY)?),
+        ("density", Extent::Length(_), _) => {
+            Substance::LineDensity(density(&given, Dimension::LINE_DENSITY, THIN_ROD)?)
+        }
         ("density", Extent::Area(_), None) => {
-            Substance::AreaDensity(given.positive(Dimension::AREA_DENSITY)?)
+            let hint =
+                "a thin part has a density per area: add its thickness = \"2 mm\", and it may be per volume";
+            Substance::AreaDensity(density(&given, Dimension::AREA_DENSITY, hint)?)
         }
         ("density", Extent::Area(_), Some(t)) => {
-            Substance::AreaDensity(given.positive(Dimension::DENSITY)? * t)
+            let hint =
+                "with a thickness, the density is per volume: leave out the thickness, and it is per area";
+            Substance::AreaDensity(density(&given, Dimension::DENSITY, hint)? * t)
         }
         (_, Extent::Volume(_), _) => Substance::Density(material(&given)?.density),
         (_, Extent::Area(_), Some(t)) => Substance::AreaDensity(material(&given)?.density * t),
@@ -50,12 +58,21 @@ pub(crate) fn substance<'a>(
         }
         (_, Extent::Length(_), _) => {
             material(&given)?;
-            return Err(given
-                .invalid("left out for a rod, which has no cross-section")
-                .with_hint("give density = \"0.3 kg/m\" or mass = \"12 g\", or make it a cylinder"));
+            return Err(given.invalid("left out for a rod, which has no cross-section").with_hint(THIN_ROD));
         }
     };
     Ok((substance, given))
+}
+
+/// A density in that dimension; in the dimension of another kind of part it is refused with that hint.
+fn density(value: &Value<'_>, dimension: Dimension, hint: &str) -> Result<f64, FormatError> {
+    value.positive(dimension).map_err(|error| match error.kind() {
+        FormatErrorKind::Unit(UnitError::WrongDimension {
+            found: Dimension::DENSITY | Dimension::AREA_DENSITY | Dimension::LINE_DENSITY,
+            ..
+        }) => error.with_hint(hint),
+        _ => error,
+    })
 }
 
 fn material(value: &Value<'_>) -> Result<Material, FormatError> {

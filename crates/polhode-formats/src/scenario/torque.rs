@@ -14,8 +14,7 @@ pub(crate) fn torques<'a>(
 ) -> Result<Vec<TorqueModel>, FormatError> {
     let Some(list) = root.get("torque") else { return Ok(Vec::new()) };
     let mut models = Vec::new();
-    for value in list.elements("an array of tables: [[torque]]")? {
-        let table = value.table()?;
+    for table in list.tables("torque")? {
         let name = table.require("model", "model = \"gravity\"")?.choice(&["constant", "gravity"])?;
         let table = table.called(format!("[[torque]] of model \"{name}\""));
         models.push(match name {

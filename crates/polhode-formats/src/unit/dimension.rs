@@ -25,6 +25,7 @@ impl Dimension {
     pub const NONE: Self = Self::new(0, 0, 0, 0);
     pub const MASS: Self = Self::new(1, 0, 0, 0);
     pub const LENGTH: Self = Self::new(0, 1, 0, 0);
+    pub const VOLUME: Self = Self::new(0, 3, 0, 0);
     pub const TIME: Self = Self::new(0, 0, 1, 0);
     pub const ANGLE: Self = Self::new(0, 0, 0, 1);
     pub const VELOCITY: Self = Self::new(0, 1, -1, 0);
@@ -98,10 +99,11 @@ impl fmt::Display for Dimension {
 }
 
 /// Dimension, name with its article, example.
-const NAMES: [(Dimension, &str, &str); 16] = [
+const NAMES: [(Dimension, &str, &str); 17] = [
     (Dimension::NONE, "a plain number", "0.5"),
     (Dimension::MASS, "a mass", "12 kg"),
     (Dimension::LENGTH, "a length", "25 mm"),
+    (Dimension::VOLUME, "a volume", "30 cm^3"),
     (Dimension::TIME, "a time", "90 s"),
     (Dimension::ANGLE, "an angle", "30 deg"),
     (Dimension::VELOCITY, "a velocity", "3.5 m/s"),

@@ -29,8 +29,9 @@ impl Unit {
 /// The unit that was probably meant.
 pub(super) fn suggestion(name: &str) -> Option<String> {
     let base = name.trim_end_matches(|c: char| c.is_ascii_digit());
-    if Unit::named(base).is_some() {
-        return Some(format!("{base}^{}", &name[base.len()..]));
+    let power = &name[base.len()..];
+    if power.len() == 1 && Unit::named(base).is_some() {
+        return Some(format!("{base}^{power}"));
     }
     let names = || UNITS.iter().flat_map(|(names, ..)| names.split(' '));
     let lower = name.to_lowercase();
@@ -73,6 +74,7 @@ const UNITS: &[(&str, &str, Dimension)] = &[
     ("yd", "0.9144", Dimension::LENGTH),
     ("mi", "1609.344", Dimension::LENGTH),
     ("au", "149597870700", Dimension::LENGTH),
+    ("cc", "0.000001", Dimension::VOLUME), // cm^3
     ("s", "1", Dimension::TIME),
     ("ms", "0.001", Dimension::TIME),
     ("µs us", "0.000001", Dimension::TIME),

@@ -83,12 +83,6 @@ fn free(w: &Working<'_>) -> Option<String> {
                     .to_owned(),
             );
         }
-        if cones.body_rate == 0.0 {
-            return Some(
-                "A symmetric top turning across its symmetry axis: ω stays, in the body and in space."
-                    .to_owned(),
-            );
-        }
         return Some(format!(
             "A symmetric top: ω circles the symmetry axis at Ω = {} rad/s in the body, on a cone of {}°; both circle L \
              at {} rad/s in space, ω on a cone of {}°.",

@@ -62,12 +62,11 @@ fn parts(w: &Working<'_>, s: &mut Section) -> Vec<f64> {
         s.say("The body is given by its mass, its centre of mass and its inertia tensor.");
         return Vec::new();
     }
-    let what = if parts.len() == 1 {
-        "one part".to_owned()
-    } else {
-        format!("{} parts, rigidly joined", parts.len())
+    let what = match parts.len() {
+        1 => "one part; c is its centre of mass".to_owned(),
+        many => format!("{many} parts, rigidly joined; c is the centre of mass of each"),
     };
-    s.say(format!("A body of {what}; c is the centre of mass of each, in body axes."));
+    s.say(format!("A body of {what}, in body axes."));
     let rows: Vec<Vec<f64>> = parts
         .iter()
         .take(MOST_ROWS)

@@ -96,11 +96,9 @@ impl Section {
         }
     }
 
-    /// Lines of `lhs = term + term + … = result`.
+    /// The line `lhs = term + term + … = result`.
     pub(super) fn sum(&mut self, lhs: &str, terms: &[String], result: &str) {
-        for line in super::working::sum(lhs, terms, result) {
-            self.line(line);
-        }
+        self.line(format!("{lhs} = {} = {result}", terms.join(" + ")));
     }
 
     pub(super) fn matrix(&mut self, name: impl Into<String>, rows: [[f64; 3]; 3], unit: &'static str) {

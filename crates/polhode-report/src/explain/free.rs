@@ -7,6 +7,7 @@ use polhode::{Cones, FreeMotion, FreeRegime, Regime, Sample, SymmetricTop, Symme
 use super::document::Section;
 use super::driven;
 use super::working::{Working, n, v};
+use crate::intermediate;
 use crate::unit::{CLOSED, cone, rate};
 
 pub(super) fn solve(w: &Working<'_>, s: &mut Section) {
@@ -156,17 +157,16 @@ fn asymmetric(w: &Working<'_>, s: &mut Section) {
     };
     s.say(format!("{why}{}.", free.regime.description()));
     if let Some(period) = free.period {
-        s.formula(
-            "period of ω in the body = 4 K(m) / λ",
-            r"\text{period of }\boldsymbol\omega\text{ in the body} = \frac{4 K(m)}{\lambda}",
-        );
-        s.line(format!("period of ω = {} s (K: complete elliptic integral, exact)", n(period)));
+        elliptic(w, free.regime, period, s);
     }
     if let Some(flip) = free.flip_interval {
         s.line(format!("ω along axis 2 reverses every {} s: the body flips", n(flip)));
     }
-    if let Some(growth) = free.growth_rate.filter(|g| *g > 0.0) {
-        s.say("Near the intermediate axis a departure grows as exp(σ t):");
+    if let Some(growth) = free.growth_rate {
+        let off = intermediate::degrees_off(&w.rotor, &w.start);
+        s.say(format!(
+            "ω starts {off}° from the intermediate axis, and near it a departure grows as exp(σ t):"
+        ));
         growth_rate(growth, s);
     }
     let samples = w.few_samples();
@@ -174,6 +174,61 @@ fn asymmetric(w: &Working<'_>, s: &mut Section) {
         s.say("Give the scenario a [run] to have ω(t) in numbers.");
     } else {
         numbers(w, &samples, s);
+    }
+}
+
+/// The period by its elliptic integral, with λ and m from the same sums of squares as 2T and L².
+fn elliptic(w: &Working<'_>, regime: Regime, period: f64, s: &mut Section) {
+    s.say("Along axis 2 ω is a Jacobi elliptic function of λ t with the parameter m, and repeats after four quarters K(m):");
+    s.formula(
+        "p = (i3 − i2)(L² − 2T i1),   q = (i2 − i1)(2T i3 − L²)",
+        r"p = (i_3 - i_2)(L^2 - 2T i_1), \qquad q = (i_2 - i_1)(2T i_3 - L^2)",
+    );
+    match regime {
+        Regime::LongAxis => s.formula(
+            "D < i2:   λ² = q / (i1 i2 i3),   m = p / q,   1 − m = (i3 − i1)(2T i2 − L²) / q",
+            r"D < i_2: \qquad \lambda^2 = \frac{q}{i_1 i_2 i_3}, \qquad m = \frac{p}{q}, \qquad 1 - m = \frac{(i_3 - i_1)(2T i_2 - L^2)}{q}",
+        ),
+        _ => s.formula(
+            "D > i2:   λ² = p / (i1 i2 i3),   m = q / p,   1 − m = (i3 − i1)(L² − 2T i2) / p",
+            r"D > i_2: \qquad \lambda^2 = \frac{p}{i_1 i_2 i_3}, \qquad m = \frac{q}{p}, \qquad 1 - m = \frac{(i_3 - i_1)(L^2 - 2T i_2)}{p}",
+        ),
+    }
+    s.formula(
+        "period of ω in the body = 4 K(m) / λ,   K(m) = ∫ dx / √(1 − m sin² x), x from 0 to π/2",
+        r"\text{period of }\boldsymbol\omega\text{ in the body} = \frac{4 K(m)}{\lambda}, \qquad K(m) = \int_0^{\pi/2} \frac{dx}{\sqrt{1 - m \sin^2 x}}",
+    );
+    let Quarters { rate, m, m1 } = Quarters::of(w);
+    s.line(format!("λ = {} /s,  m = {},  1 − m = {}", n(rate), n(m), n(m1)));
+    s.line(format!("K(m) = {},  period of ω = {} s", n(0.25 * period * rate), n(period)));
+}
+
+/// λ, 1/s, m and 1 − m.
+struct Quarters {
+    rate: f64,
+    m: f64,
+    m1: f64,
+}
+
+impl Quarters {
+    /// With moments by the greatest and ω by its size, so that no square leaves the range of numbers.
+    fn of(w: &Working<'_>) -> Self {
+        let principal = w.rotor.principal();
+        let [_, _, greatest] = principal.moments();
+        let [i1, i2, i3] = principal.moments().map(|i| i / greatest);
+        let speed = w.start.omega.norm();
+        let [x, y, z] =
+            (principal.rotation().inverse() * w.start.omega).to_array().map(|x| (x / speed).powi(2));
+        // L² − 2T i = Σ ik (ik − i) ωk²
+        let p = (i3 - i2) * (i2 * (i2 - i1) * y + i3 * (i3 - i1) * z);
+        let q = (i2 - i1) * (i1 * (i3 - i1) * x + i2 * (i3 - i2) * y);
+        let excess = i3 * (i3 - i2) * z - i1 * (i2 - i1) * x;
+        let larger = p.max(q);
+        Self {
+            rate: speed * (larger / (i1 * i2 * i3)).sqrt(),
+            m: p.min(q) / larger,
+            m1: (i3 - i1) * excess.abs() / larger,
+        }
     }
 }
 

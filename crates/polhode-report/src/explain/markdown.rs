@@ -2,7 +2,11 @@
 
 use super::document::{Block, Document};
 use super::text::DIGITS;
+use crate::layout::{broken, plain_spaces, printable};
 use crate::number::{alike, tidy_matrix};
+
+/// Columns of a line of numbers.
+const LONGEST: usize = 96;
 
 impl Document {
     /// Markdown with LaTeX between `$$`, as GitHub renders it.
@@ -30,7 +34,10 @@ fn render_block(block: &Block) -> String {
     match block {
         Block::Paragraph(text) => escaped(text),
         Block::Formula { latex, .. } => format!("$$\n{latex}\n$$"),
-        Block::Lines(lines) => format!("```text\n{}\n```", crate::layout::plain_spaces(&lines.join("\n"))),
+        Block::Lines(lines) => {
+            let lines: Vec<String> = lines.iter().flat_map(|line| broken(line, "", LONGEST)).collect();
+            format!("```text\n{}\n```", plain_spaces(&lines.join("\n")))
+        }
         Block::Matrix { name, rows, unit } => matrix(name, rows, unit),
         Block::Table { headers, rows } => {
             let row = |cells: &[String]| {
@@ -65,15 +72,14 @@ fn power(x: &str) -> String {
     }
 }
 
-/// Characters that Markdown would take for markup.
+/// The text on one line, without characters that Markdown would take for markup.
 fn escaped(text: &str) -> String {
     let mut out = String::new();
-    for c in text.chars() {
+    for c in printable(text).chars() {
         if matches!(c, '*' | '_' | '`' | '<' | '>' | '[' | ']' | '\\' | '$' | '#' | '~') {
             out.push('\\');
         }
         out.push(c);
     }
-    // |ω| is a magnitude, not a column.
-    out.replace('\n', " ")
+    out
 }

@@ -4,7 +4,7 @@ use polhode::{AngularVelocity, Body, Direction, Particle, Pendulum, Swing};
 
 use super::document::Section;
 use super::working::{Working, factor, n, v};
-use crate::unit::angle;
+use crate::unit;
 
 /// Sums of more particles than this are not written out.
 const MOST_TERMS: usize = 6;
@@ -73,7 +73,7 @@ fn at_start(pendulum: &Pendulum, s: &mut Section) {
     let small = pendulum.small_frequency();
     s.line(format!(
         "at t0 θ = {},  θ\u{308} = -ω0² sin θ = {} rad/s²",
-        angle(theta),
+        unit::angle(theta),
         n(-small * small * theta.sin())
     ));
 }
@@ -94,7 +94,7 @@ fn amplitude(w: &Working<'_>, pendulum: &Pendulum, axis: Direction<Body>, s: &mu
                 r"P = \frac{4}{\omega_0} K\bigl(\sin^2 \tfrac12 \theta_{\max}\bigr)",
             );
             let longer = period / pendulum.period(0.0) - 1.0;
-            s.line(format!("θmax = {}", angle(amplitude)));
+            s.line(format!("θmax = {}", unit::amplitude(amplitude)));
             s.line(format!("P = {} s, {} % longer than a small swing", n(period), n(100.0 * longer)));
         }
         Swing::Separatrix => {

@@ -44,7 +44,7 @@ fn given_motion(motion: &Prescribed, s: &mut Section) {
             s.line(format!("n̂  = {}, fixed in the body and in space", v(axis.to_array())));
             s.line(format!("ω0 = {} rad/s,  α = {} rad/s²", n(*rate), n(*acceleration)));
         }
-        Prescribed::EulerRates { angles, rates } => {
+        Prescribed::EulerRates { angles, rates, .. } => {
             s.formula(
                 "φ = φ0 + φ\u{307} t,   θ = θ0 + θ\u{307} t,   ψ = ψ0 + ψ\u{307} t        (Euler angles, 3-1-3)\n\
                  ω = (φ\u{307} sin θ sin ψ + θ\u{307} cos ψ,  φ\u{307} sin θ cos ψ − θ\u{307} sin ψ,  φ\u{307} cos θ + ψ\u{307})",

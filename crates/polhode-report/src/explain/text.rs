@@ -1,7 +1,7 @@
 //! A document as plain text.
 
 use super::document::{Block, Document};
-use crate::layout::{columns, matrix_rows, plain_spaces, width, wrap};
+use crate::layout::{broken, columns, matrix_rows, plain_spaces, printable, width, wrap};
 use crate::number::tidy_matrix;
 
 const INDENT: &str = "    ";
@@ -10,9 +10,11 @@ const INDENT: &str = "    ";
 pub(super) const DIGITS: usize = 6;
 
 impl Document {
-    /// Plain text of at most `columns` columns (tables and formulas as wide as they need).
+    /// Plain text of at most `columns` columns; tables and matrices are as wide as they need.
     pub fn to_text(&self, columns: usize) -> String {
-        let mut text = format!("{}\n{}\n", self.title, "═".repeat(width(&self.title)));
+        let title = wrap(&printable(&self.title), "", columns);
+        let longest = title.iter().map(|line| width(line)).max().unwrap_or(0);
+        let mut text = format!("{}\n{}\n", title.join("\n"), "═".repeat(longest));
         for answer in &self.answer {
             let lines = wrap(answer, "  ", columns);
             text.push_str(
@@ -39,8 +41,8 @@ impl Document {
 fn lines(block: &Block, columns: usize) -> Vec<String> {
     match block {
         Block::Paragraph(text) => wrap(text, "", columns),
-        Block::Formula { text, .. } => text.lines().map(|line| format!("{INDENT}{line}")).collect(),
-        Block::Lines(lines) => lines.iter().map(|line| format!("{INDENT}{line}")).collect(),
+        Block::Formula { text, .. } => text.lines().flat_map(|line| broken(line, INDENT, columns)).collect(),
+        Block::Lines(lines) => lines.iter().flat_map(|line| broken(line, INDENT, columns)).collect(),
         Block::Matrix { name, rows, unit } => matrix(name, rows, unit),
         Block::Table { headers, rows } => table(headers, rows),
     }
@@ -61,7 +63,7 @@ fn matrix(name: &str, rows: &[[f64; 3]; 3], unit: &str) -> Vec<String> {
 
 fn table(headers: &[String], rows: &[Vec<String>]) -> Vec<String> {
     let mut all = vec![headers.to_vec()];
-    all.extend(rows.iter().cloned());
+    all.extend(rows.iter().map(|row| row.iter().map(|cell| printable(cell)).collect()));
     let mut lines: Vec<String> = columns(&all).into_iter().map(|line| format!("{INDENT}{line}")).collect();
     let longest = lines.iter().map(|line| width(line)).max().unwrap_or(0);
     lines.insert(1, format!("{INDENT}{}", "─".repeat(longest.saturating_sub(INDENT.len()))));

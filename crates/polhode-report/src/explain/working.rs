@@ -138,26 +138,3 @@ pub(super) fn cells(rows: &[Vec<f64>]) -> Vec<Vec<String>> {
         (0..count).map(|k| alike(&rows.iter().map(|row| row[k]).collect::<Vec<_>>(), DIGITS)).collect();
     (0..rows.len()).map(|r| columns.iter().map(|column| column[r].clone()).collect()).collect()
 }
-
-/// `lhs = term + term + … = result`, broken under the first term where it would be too long.
-pub(super) fn sum(lhs: &str, terms: &[String], result: &str) -> Vec<String> {
-    const LONGEST: usize = 96;
-    let indent = " ".repeat(crate::layout::width(lhs) + 1);
-    let mut lines = vec![format!("{lhs} =")];
-    let mut add = |text: String| {
-        let Some(line) = lines.last_mut() else { return };
-        if crate::layout::width(line) + crate::layout::width(&text) + 1 > LONGEST {
-            lines.push(format!("{indent}{text}"));
-        } else {
-            line.push(' ');
-            line.push_str(&text);
-        }
-    };
-    for (k, term) in terms.iter().enumerate() {
-        add(if k == 0 { term.clone() } else { format!("+ {term}") });
-    }
-    if !result.is_empty() {
-        add(format!("= {result}"));
-    }
-    lines
-}

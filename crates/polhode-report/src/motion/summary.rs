@@ -96,7 +96,7 @@ fn motion(facts: &Facts) -> Value {
         Some(top) => (turn(top.cones.space_rate), turn(top.cones.body_rate)),
         None => match regime {
             // Nothing precesses, the body turns.
-            Regime::Permanent { .. } | Regime::Spherical if free => (None, turn(omega.norm())),
+            Regime::Permanent(_) if free => (None, turn(omega.norm())),
             _ => (None, None),
         },
     };

@@ -4,10 +4,10 @@ use polhode::{ConstantTorque, FreeRegime, Pendulum, Sample, Solution, State, Swi
 
 use super::MotionReport;
 use super::facts::{Facts, Needed, Top};
-use crate::finding;
-use crate::layout::{columns, labelled, plain_spaces, sparkline};
+use crate::layout::{WIDTH, broken, columns, labelled, plain_spaces, printable, sparkline};
 use crate::number::{count, error, number, tidy, ungrouped, vector};
-use crate::unit::{CLOSED, DIGITS, angle, cone, rate};
+use crate::unit::{self, CLOSED, DIGITS, cone, rate};
+use crate::{finding, intermediate};
 
 /// Forces on more particles than this fill the screen: JSON has them all.
 const MOST_PARTICLES: usize = 8;
@@ -51,7 +51,7 @@ pub(super) fn write(report: &MotionReport<'_>) -> String {
 
 /// `T-handle in free fall   0 … 20 s, 2,001 samples, exact`
 fn heading(report: &MotionReport<'_>, samples: &[Sample]) -> String {
-    let title = report.scenario.title.as_deref().unwrap_or(&report.source.path);
+    let title = printable(report.scenario.title.as_deref().unwrap_or(&report.source.path));
     let how = match report.trajectory.solution() {
         Solution::Exact(_) => "closed form",
         Solution::Prescribed(_) => "prescribed motion",
@@ -84,23 +84,13 @@ fn regime(facts: &Facts) -> String {
     if !periods.is_empty() {
         text.push_str(&labelled("periods", &periods.join("; ")));
     }
-    let off = axis_2_off(facts);
-    if let Some(growth) = growth_rate.filter(|rate| *rate > 0.0 && off < NEAR) {
-        let off = number(off.to_degrees(), 3);
+    if let Some(growth) = growth_rate {
+        let off = intermediate::degrees_off(&facts.rotor, &facts.start);
         let line =
             format!("ω starts {off}° from axis 2, and a departure from it grows at {} /s", number(growth, 6));
         text.push_str(&labelled("instability", &line));
     }
     text
-}
-
-/// A start nearer to the intermediate axis than this is about its instability, rad.
-const NEAR: f64 = 0.5;
-
-/// The angle between ω and the line of the intermediate axis, rad.
-fn axis_2_off(facts: &Facts) -> f64 {
-    let off = facts.start.omega.angle_to(facts.rotor.principal().axis(1));
-    off.min(std::f64::consts::PI - off)
 }
 
 fn symmetric_top(top: &Top) -> String {
@@ -144,7 +134,7 @@ fn pendulum((pendulum, swing): &(Pendulum, Swing)) -> String {
     let exact = match *swing {
         Swing::Rest => "at rest".to_owned(),
         Swing::Oscillation { amplitude, period } => {
-            format!("period {} s between ±{}", number(period, DIGITS), angle(amplitude))
+            format!("period {} s between ±{}", number(period, DIGITS), unit::amplitude(amplitude))
         }
         Swing::Separatrix => "just enough to come to rest upside down, after infinite time".to_owned(),
         Swing::Revolution { period } => format!("over the top, one turn in {} s", number(period, DIGITS)),
@@ -176,7 +166,8 @@ fn torque_needed(needed: &Needed) -> String {
     } else if count > 0 {
         text.push_str("forces on the particles at the start, body axes, N\n");
         let rows: Vec<Vec<String>> = needed.forces.iter().enumerate().map(|(k, f)| force_row(k, f)).collect();
-        text.extend(columns(&rows).iter().map(|row| format!("    {row}\n")));
+        let lines = columns(&rows).into_iter().flat_map(|row| broken(&row, "    ", WIDTH));
+        text.extend(lines.map(|line| line + "\n"));
     }
     text
 }

@@ -32,7 +32,7 @@ impl PlacedPart {
 
     /// The part's mass properties in body axes.
     pub fn in_body(&self) -> MassProperties<Body> {
-        self.properties.placed(self.position, self.rotation)
+        self.properties.moved(self.position, self.rotation)
     }
 }
 

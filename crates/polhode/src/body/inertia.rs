@@ -95,14 +95,15 @@ impl<F: Frame> InertiaTensor<F> {
     pub(crate) fn from_difference(elements: Symmetric3, whole: f64) -> Result<Self, BodyError> {
         let Eigen { values: [i1, i2, i3], vectors } = elements.eigen();
         let rounding = POSSIBLE_TOLERANCE * whole;
-        let (negative, excess) = (f64::max(-i1, 0.0), f64::max(i3 - i2 - f64::max(i1, 0.0), 0.0));
+        let [j1, j2, j3] = [i1, i2, i3].map(|i| i.max(0.0));
+        let (negative, excess) = (j1 - i1, f64::max(j3 - j2 - j1, 0.0));
         if (negative == 0.0 && excess == 0.0) || negative > rounding || excess > rounding {
             return Self::from_symmetric(elements);
         }
         let [a, b, c] = vectors;
         let columns = [[a[0], b[0], c[0]], [a[1], b[1], c[1]], [a[2], b[2], c[2]]];
         let third = excess / 3.0; // the least change: a third to each moment
-        let on_edge = Symmetric3::diagonal([i1.max(0.0) + third, i2 + third, i3 - third]);
+        let on_edge = Symmetric3::diagonal([j1 + third, j2 + third, j3 - third]);
         Self::from_symmetric(on_edge.rotated(&columns))
     }
 

@@ -108,7 +108,7 @@ impl<F: Frame> MassProperties<F> {
         &self.inertia
     }
 
-    /// Inertia tensor about any point: Steiner's parallel-axis theorem.
+    /// Inertia tensor about any finite point: Steiner's parallel-axis theorem.
     ///
     /// J_ij = I_ij + M (a² δ_ij − a_i a_j), a from the point to the centre of mass
     ///
@@ -120,11 +120,23 @@ impl<F: Frame> MassProperties<F> {
 
     /// The same body described along the axes of `A`, about the same origin.
     pub fn in_frame<A: Frame>(&self, r: Rotation<A, F>) -> MassProperties<A> {
-        self.placed(Position::ZERO, r)
+        self.moved(Position::ZERO, r)
     }
 
     /// The body described in a frame `A` in which this frame's origin is at `position` and its axes are turned by `r`.
-    pub fn placed<A: Frame>(&self, position: Position<A>, r: Rotation<A, F>) -> MassProperties<A> {
+    ///
+    /// # Errors
+    /// [`BodyError::Parameter`] if the position is not finite.
+    pub fn placed<A: Frame>(
+        &self,
+        position: Position<A>,
+        r: Rotation<A, F>,
+    ) -> Result<MassProperties<A>, BodyError> {
+        finite("the position", position.to_array())?;
+        Ok(self.moved(position, r))
+    }
+
+    pub(super) fn moved<A: Frame>(&self, position: Position<A>, r: Rotation<A, F>) -> MassProperties<A> {
         // No turn is the usual case, and then costs no rounding.
         let inertia =
             if r == Rotation::identity() { self.inertia.as_frame() } else { self.inertia.in_frame(r) };
@@ -221,11 +233,11 @@ mod tests {
 
     #[test]
     fn the_order_of_parts_does_not_matter() {
-        let light = generic().placed(Position::new(1e9, 0.0, 0.0), Rotation::identity());
+        let light = generic().placed(Position::new(1e9, 0.0, 0.0), Rotation::identity()).unwrap();
         let light =
             MassProperties::new(1e-30, light.center_of_mass(), InertiaTensor::diagonal([0.0; 3]).unwrap())
                 .unwrap();
-        let other = generic().placed(Position::new(0.5, -0.25, 1.0), Rotation::identity());
+        let other = generic().placed(Position::new(0.5, -0.25, 1.0), Rotation::identity()).unwrap();
         let forward = MassProperties::combined(&[light, generic(), other]).unwrap();
         let backward = MassProperties::combined(&[other, generic(), light]).unwrap();
         let difference = *forward.inertia().symmetric() - *backward.inertia().symmetric();
@@ -261,7 +273,9 @@ mod tests {
     fn joining_parts_far_from_the_origin_loses_nothing() {
         let far = Position::<Body>::new(1e6, -2e6, 4e6);
         let pair = |origin: Position<Body>| {
-            let at = |d: [f64; 3]| generic().placed(origin + Position::from_array(d), Rotation::identity());
+            let at = |d: [f64; 3]| {
+                generic().placed(origin + Position::from_array(d), Rotation::identity()).unwrap()
+            };
             // offsets that the far coordinates still hold exactly
             MassProperties::combined(&[at([0.0; 3]), at([0.5, -0.25, 1.0]), at([2.0, 0.125, -0.5])]).unwrap()
         };

@@ -43,7 +43,8 @@ impl ClosedMesh {
     ///
     /// # Errors
     /// [`BodyError::Empty`], [`BodyError::Vertex`], [`BodyError::DuplicateTriangle`],
-    /// [`BodyError::OpenMesh`], [`BodyError::InconsistentWinding`] or [`BodyError::FlatMesh`].
+    /// [`BodyError::OpenMesh`], [`BodyError::InconsistentWinding`] or [`BodyError::FlatMesh`];
+    /// [`BodyError::Parameter`] if f64 does not hold its volume.
     pub fn from_triangles(triangles: Vec<Triangle>) -> Result<Self, BodyError> {
         let given = triangles.len();
         for (k, triangle) in triangles.iter().enumerate() {
@@ -69,6 +70,7 @@ impl ClosedMesh {
             }
             spread.extent = Extent::Volume(spread.extent.measure().abs());
         }
+        let spread = spread.representable()?;
         Ok(Self { degenerate: given - triangles.len(), triangles, vertices, inverted, spread, area })
     }
 
@@ -205,8 +207,8 @@ fn integrate(triangles: &[Triangle]) -> Result<(Spread, f64, bool), BodyError> {
     let first = sum_tetrahedra(triangles, middle, unit);
     let volume = unit * unit * unit;
     // No noise of flat triangles is larger: each one's area times its distance, rounded.
-    let solid = first.six_volume.abs() > 16.0 * f64::EPSILON * first.area;
-    if !solid {
+    let flat = first.six_volume.abs() <= 16.0 * f64::EPSILON * first.area;
+    if flat {
         return Err(BodyError::FlatMesh { volume: first.six_volume / 6.0 * volume });
     }
     let centroid = first.centroid();

@@ -33,7 +33,8 @@ pub struct PrincipalFrame<F: Frame> {
 
 /// Which principal moments are equal, and so which axes are free.
 ///
-/// Moments count as equal when they differ by less than 8 ε of the greatest: the rounding of a sum or of a turn.
+/// Moments count as equal, and are returned as equal, when they differ by no more than 8 ε of the greatest: the rounding
+/// of a sum or of a turn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Symmetry {
     /// i1 = i2 = i3 = 0: all the mass in one point.
@@ -94,14 +95,15 @@ impl<F: Frame> PrincipalFrame<F> {
     fn of_symmetric(tensor: &Symmetric3) -> Self {
         let eigen = tensor.eigen();
         // Rounding may leave −1e-17 where a rod has 0.
-        let [mut i1, i2, i3] = eigen.values.map(|i| i.max(0.0));
+        let [i1, i2, i3] = eigen.values.map(|i| i.max(0.0));
         let equal = |a: f64, b: f64| (a - b).abs() <= EQUAL_TOLERANCE * i3;
         // A moment along one of the frame's own axes is exactly what was given; of any other a residue is rounding.
         let given = eigen.vectors[0].iter().filter(|c| **c != 0.0).count() == 1;
         let massless = i1 == 0.0 || (!given && equal(i1, 0.0));
         let symmetry = if i3 == 0.0 {
             Symmetry::Point
-        } else if massless && equal(i2, i3) {
+        } else if massless {
+            // i2 ≤ i3 ≤ i1 + i2: what is left of a difference is rounding.
             Symmetry::Rod
         } else if equal(i1, i3) {
             Symmetry::Spherical
@@ -112,14 +114,21 @@ impl<F: Frame> PrincipalFrame<F> {
         } else {
             Symmetry::Asymmetric
         };
-        if symmetry == Symmetry::Rod {
-            i1 = 0.0;
-        }
+        // Moments that count as equal are equal.
+        let mean = |a: f64, b: f64| 0.5 * a + 0.5 * b;
+        let moments = match symmetry {
+            Symmetry::Point => [0.0; 3],
+            Symmetry::Rod => [0.0, mean(i2, i3), mean(i2, i3)],
+            Symmetry::Spherical => [mean(i1, i3); 3],
+            Symmetry::Oblate => [mean(i1, i2), mean(i1, i2), i3],
+            Symmetry::Prolate => [i1, mean(i2, i3), mean(i2, i3)],
+            Symmetry::Asymmetric => [i1, i2, i3],
+        };
         let axes = choose_axes(
             symmetry,
             eigen.vectors.map(|v| Direction::from_array(v).direction().unwrap_or(Direction::ZERO)),
         );
-        Self { moments: [i1, i2, i3], axes, rotation: Rotation::from_axes(axes), symmetry }
+        Self { moments, axes, rotation: Rotation::from_axes(axes), symmetry }
     }
 
     /// i1 ≤ i2 ≤ i3, kg·m².

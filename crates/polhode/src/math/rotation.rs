@@ -137,17 +137,17 @@ impl<A, B> Rotation<A, B> {
         if !(departure <= MATRIX_TOLERANCE) {
             return Err(RotationError::Matrix { departure, tolerance: MATRIX_TOLERANCE });
         }
-        Ok(Self::nearest(&r))
+        Ok(Self::from_orthogonal(&r))
     }
 
-    /// The rotation with B's axes 1 and 2 along two perpendicular unit vectors of A.
+    /// The rotation with B's axes along three perpendicular unit vectors of A.
     pub(crate) fn from_axes(axes: [Direction<A>; 3]) -> Self {
         let [a, b, c] = axes;
-        Self::nearest(&[[a.x, b.x, c.x], [a.y, b.y, c.y], [a.z, b.z, c.z]])
+        Self::from_orthogonal(&[[a.x, b.x, c.x], [a.y, b.y, c.y], [a.z, b.z, c.z]])
     }
 
     /// Shepperd's method: divide by the largest of the four candidates.
-    fn nearest(r: &[[f64; 3]; 3]) -> Self {
+    fn from_orthogonal(r: &[[f64; 3]; 3]) -> Self {
         let [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]] = *r;
         let candidates = [xx + yy + zz, xx - yy - zz, yy - xx - zz, zz - xx - yy];
         let best = (1..4).fold(0, |best, k| if candidates[k] > candidates[best] { k } else { best });
@@ -171,8 +171,8 @@ impl<A, B> Rotation<A, B> {
             return Err(RotationError::Angle { angle });
         }
         let (st, ct) = sin_cos(0.5 * theta);
-        let (sp, cp) = sin_cos(0.5 * (phi + psi));
-        let (sm, cm) = sin_cos(0.5 * (phi - psi));
+        let (sp, cp) = sin_cos(0.5 * phi + 0.5 * psi);
+        let (sm, cm) = sin_cos(0.5 * phi - 0.5 * psi);
         Ok(Self::normalised([ct * cp, st * cm, st * sm, ct * sp]))
     }
 

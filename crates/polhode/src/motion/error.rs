@@ -36,12 +36,14 @@ pub enum MotionError {
         /// The step that was tried, s.
         step: f64,
     },
-    /// More steps than allowed.
+    /// More steps than anybody would wait for.
     TooManySteps {
         /// The last good time, s.
         time: f64,
-        /// Steps done.
-        steps: u64,
+        /// The step that the tolerance needs there, s.
+        step: f64,
+        /// The most steps that are tried.
+        most: u64,
     },
     /// The state became infinite or undefined.
     NotFinite {
@@ -85,17 +87,18 @@ impl fmt::Display for MotionError {
             }
             Self::TorqueWithoutInertia { torque, time } => write!(
                 f,
-                "at t = {time} s a torque of {torque} N·m acts about an axis along which the body has no inertia"
+                "at t = {time:e} s a torque of {torque} N·m acts about an axis along which the body has no inertia"
             ),
             Self::NoClosedForm { why } => write!(f, "there is no closed form of this motion: {why}"),
             Self::StepTooSmall { time, step } => write!(
                 f,
-                "at t = {time} s the step that the tolerance needs ({step:e} s) is too small to advance the time"
+                "at t = {time:e} s the step that the tolerance needs ({step:e} s) is too small to advance the time"
             ),
-            Self::TooManySteps { time, steps } => {
-                write!(f, "{steps} steps were not enough; they reached t = {time} s")
-            }
-            Self::NotFinite { time } => write!(f, "the motion is not finite after t = {time} s"),
+            Self::TooManySteps { time, step, most } => write!(
+                f,
+                "at t = {time:e} s the tolerance needs steps of {step:e} s: to the end that is more than {most} steps"
+            ),
+            Self::NotFinite { time } => write!(f, "the motion is not finite after t = {time:e} s"),
         }
     }
 }

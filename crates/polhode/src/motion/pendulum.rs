@@ -131,19 +131,20 @@ impl Pendulum {
     pub fn swing(&self, angle: f64, rate: f64) -> Swing {
         let (s, c) = sin_cos(0.5 * angle);
         let r = 0.5 * rate / self.frequency;
-        let k2 = s * s + r * r;
+        let k = libm::hypot(s, r);
         // 1 − k² = cos²(θ/2) − r², without the cancellation of 1 − (s² + r²)
         let m1 = (c.abs() - r.abs()) * (c.abs() + r.abs());
-        if k2 == 0.0 {
+        if angle == 0.0 && rate == 0.0 {
             Swing::Rest
-        } else if m1 > 0.0 {
-            let amplitude = 2.0 * libm::atan2(k2.sqrt(), m1.sqrt());
-            Swing::Oscillation { amplitude, period: 4.0 * complete_k(m1) / self.frequency }
-        } else if m1 == 0.0 {
+        } else if m1 == 0.0 || (angle.abs() == PI && rate == 0.0) {
             Swing::Separatrix
+        } else if m1 > 0.0 {
+            let amplitude = 2.0 * libm::atan2(k, m1.sqrt());
+            Swing::Oscillation { amplitude, period: 4.0 * complete_k(m1) / self.frequency }
         } else {
-            // 1 − 1/k² = −m1 / k²
-            Swing::Revolution { period: 2.0 * complete_k(-m1 / k2) / (self.frequency * k2.sqrt()) }
+            // 1 − 1/k² = (|r| − |c|)(|r| + |c|) / k²
+            let m1 = ((r.abs() - c.abs()) / k) * ((r.abs() + c.abs()) / k);
+            Swing::Revolution { period: 2.0 * complete_k(m1) / (self.frequency * k) }
         }
     }
 }

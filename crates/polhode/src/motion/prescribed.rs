@@ -22,6 +22,7 @@ use crate::math::vector::{AngularAcceleration, AngularVelocity, Direction, Vecto
 #[non_exhaustive]
 pub enum Prescribed {
     /// Rotation about an axis fixed in the body and in space: ω(t) = n (rate + acceleration t).
+    #[non_exhaustive]
     FixedAxis {
         /// The attitude at t = 0.
         attitude: Attitude,
@@ -33,6 +34,7 @@ pub enum Prescribed {
         acceleration: f64,
     },
     /// 3-1-3 Euler angles that change uniformly: φ = φ₀ + φ̇ t and so on.
+    #[non_exhaustive]
     EulerRates {
         /// φ, θ, ψ at t = 0, rad.
         angles: [f64; 3],

@@ -38,6 +38,7 @@ impl Method {
 /// The motion of a body at given times, with the evidence of its own error.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Trajectory {
+    start: Sample,
     samples: Vec<Sample>,
     solution: Solution,
 }
@@ -116,6 +117,7 @@ impl Trajectory {
         tolerance: f64,
     ) -> Result<Self, MotionError> {
         require_ascending(start.time, times)?;
+        require_finite(rotor, torques, &start)?;
         let torque_free = torques.is_empty();
         let exact = if torque_free {
             FreeMotion::of(rotor, start)
@@ -123,7 +125,7 @@ impl Trajectory {
             Err(MotionError::NoClosedForm { why: "a torque acts on the body" })
         };
         match (method, exact) {
-            (Method::Auto | Method::Exact, Ok(motion)) => Ok(Self::of_free_motion(rotor, motion, times)),
+            (Method::Auto | Method::Exact, Ok(motion)) => Self::of_free_motion(rotor, motion, start, times),
             (Method::Exact, Err(why)) => Err(why),
             _ => Self::integrate(rotor, torques, start, times, tolerance),
         }
@@ -135,17 +137,20 @@ impl Trajectory {
     /// [`MotionError::Parameter`] if times are out of order.
     pub fn prescribed(rotor: &Rotor, motion: &Prescribed, times: &[f64]) -> Result<Self, MotionError> {
         require_ascending(f64::NEG_INFINITY, times)?;
-        let first = times.first().map(|&t| prescribed_sample(rotor, motion, t));
-        let samples = times.iter().map(|&t| {
-            let mut sample = prescribed_sample(rotor, motion, t);
-            if let Some(first) = first {
-                // By the theorems themselves: nothing is integrated here.
-                sample.work = sample.kinetic_energy - first.kinetic_energy;
-                sample.impulse = sample.momentum - first.momentum;
-            }
-            sample
-        });
-        Ok(Self { samples: continuous(samples.collect()), solution: Solution::Prescribed(*motion) })
+        let first = prescribed_sample(rotor, motion, times.first().copied().unwrap_or(0.0))?;
+        let mut samples: Vec<Sample> =
+            times.iter().map(|&t| prescribed_sample(rotor, motion, t)).collect::<Result<_, _>>()?;
+        for sample in &mut samples {
+            // By the theorems themselves: nothing is integrated here.
+            sample.work = sample.kinetic_energy - first.kinetic_energy;
+            sample.impulse = sample.momentum - first.momentum;
+        }
+        Ok(Self { start: first, samples: continuous(samples), solution: Solution::Prescribed(*motion) })
+    }
+
+    /// The motion at the start, which need not be one of the times.
+    pub const fn start(&self) -> &Sample {
+        &self.start
     }
 
     /// The motion at each time, in the order of the times.
@@ -158,10 +163,16 @@ impl Trajectory {
         &self.solution
     }
 
-    fn of_free_motion(rotor: &Rotor, motion: FreeMotion, times: &[f64]) -> Self {
-        let at = |&time: &f64| Balanced { state: motion.at(time), work: 0.0, impulse: AngularMomentum::ZERO };
-        let samples = times.iter().map(at).map(|b| sample(rotor, &[], b)).collect();
-        Self { samples: continuous(samples), solution: Solution::Exact(motion) }
+    fn of_free_motion(
+        rotor: &Rotor,
+        motion: FreeMotion,
+        start: State,
+        times: &[f64],
+    ) -> Result<Self, MotionError> {
+        let at = |&time: &f64| before_work(motion.at(time));
+        let samples = times.iter().map(at).map(|b| sample(rotor, &[], b)).collect::<Result<_, _>>()?;
+        let start = sample(rotor, &[], before_work(start))?;
+        Ok(Self { start, samples: continuous(samples), solution: Solution::Exact(motion) })
     }
 
     fn integrate(
@@ -175,31 +186,49 @@ impl Trajectory {
         let mut samples = Vec::with_capacity(times.len());
         let mut wanted = times.iter().copied().peekable();
         let end = times.last().copied().unwrap_or(start.time);
-        while wanted.next_if(|&t| t <= stepper.time()).is_some() {
-            samples.push(sample(rotor, torques, stepper.now()));
+        // The start as it was given, not as it comes back from principal axes.
+        let given = sample(rotor, torques, before_work(start))?;
+        while wanted.next_if(|&t| t <= start.time).is_some() {
+            samples.push(given);
         }
         while stepper.time() < end {
-            let steps = stepper.statistics().accepted;
-            if steps >= MOST_STEPS {
-                return Err(MotionError::TooManySteps { time: stepper.time(), steps });
-            }
             let step = stepper.step(end)?;
+            require_patience(&stepper, end)?;
             while let Some(t) = wanted.next_if(|&t| t <= step.end()) {
                 let at = if t == step.end() { stepper.now() } else { step.at(t) };
-                samples.push(sample(rotor, torques, at));
+                samples.push(sample(rotor, torques, at)?);
             }
         }
         let solution = Solution::Integrated { tolerance, statistics: stepper.statistics() };
-        Ok(Self { samples: continuous(samples), solution })
+        Ok(Self { start: given, samples: continuous(samples), solution })
     }
 }
 
-/// About an hour's work; more is a mistake in the units.
-const MOST_STEPS: u64 = 1_000_000_000;
+/// Minutes of work; more is a mistake in the units.
+const MOST_STEPS: u64 = 100_000_000;
 
-fn sample(rotor: &Rotor, torques: &[TorqueModel], balanced: Balanced) -> Sample {
+/// Steps after which the step has found its size.
+const FIRST_STEPS: u64 = 64;
+
+/// Gives up as soon as it can be seen that the end is too many steps away.
+fn require_patience(stepper: &Stepper<'_>, end: f64) -> Result<(), MotionError> {
+    let (done, step) = (stepper.statistics().accepted, stepper.next_step());
+    let left = (end - stepper.time()) / step;
+    if done < FIRST_STEPS || done as f64 + left <= MOST_STEPS as f64 {
+        return Ok(());
+    }
+    Err(MotionError::TooManySteps { time: stepper.time(), step, most: MOST_STEPS })
+}
+
+fn before_work(state: State) -> Balanced {
+    Balanced { state, work: 0.0, impulse: AngularMomentum::ZERO }
+}
+
+/// # Errors
+/// [`MotionError::NotFinite`] where energy or momentum leave the range of f64.
+fn sample(rotor: &Rotor, torques: &[TorqueModel], balanced: Balanced) -> Result<Sample, MotionError> {
     let Balanced { state, work, impulse } = balanced;
-    Sample {
+    let sample = Sample {
         state,
         momentum: rotor.angular_momentum_space(&state),
         torque: total_torque(torques, rotor, &state),
@@ -207,13 +236,22 @@ fn sample(rotor: &Rotor, torques: &[TorqueModel], balanced: Balanced) -> Sample 
         potential_energy: total_potential(torques, rotor, state.attitude),
         work,
         impulse,
-    }
+    };
+    let attitude: f64 = state.attitude.quaternion().iter().sum();
+    let finite = attitude.is_finite()
+        && sample.momentum.is_finite()
+        && sample.torque.is_finite()
+        && sample.kinetic_energy.is_finite();
+    if finite { Ok(sample) } else { Err(MotionError::NotFinite { time: state.time }) }
 }
 
-fn prescribed_sample(rotor: &Rotor, motion: &Prescribed, time: f64) -> Sample {
+fn prescribed_sample(rotor: &Rotor, motion: &Prescribed, time: f64) -> Result<Sample, MotionError> {
     let needed = Required::by(rotor, motion, time);
-    let balanced = Balanced { state: needed.state, work: 0.0, impulse: AngularMomentum::ZERO };
-    Sample { torque: needed.torque, ..sample(rotor, &[], balanced) }
+    let sample = sample(rotor, &[], before_work(needed.state))?;
+    if !needed.torque.is_finite() {
+        return Err(MotionError::NotFinite { time });
+    }
+    Ok(Sample { torque: needed.torque, ..sample })
 }
 
 /// q and −q are one attitude: each sample takes the sign nearest to the one before it.
@@ -232,6 +270,24 @@ fn require_ascending(start: f64, times: &[f64]) -> Result<(), MotionError> {
             return Err(MotionError::Parameter { what: "the time", value, rule });
         }
         last = value;
+    }
+    Ok(())
+}
+
+/// A start is input: what is wrong with it is not the computation's fault.
+fn require_finite(rotor: &Rotor, torques: &[TorqueModel], start: &State) -> Result<(), MotionError> {
+    let (energy, momentum) = (rotor.kinetic_energy(start.omega), rotor.angular_momentum(start.omega).norm());
+    for (what, value) in [
+        ("the start's time", start.time),
+        ("the start's attitude", start.attitude.quaternion().iter().sum()),
+        ("the start's angular velocity", start.omega.norm()),
+        ("the start's kinetic energy", energy),
+        ("the start's angular momentum", momentum),
+        ("the torque", torques.iter().map(|torque| torque.scale(rotor)).sum()),
+    ] {
+        if !value.is_finite() {
+            return Err(MotionError::Parameter { what, value, rule: "finite" });
+        }
     }
     Ok(())
 }

@@ -1,6 +1,7 @@
 //! The two cones of a free symmetric top.
 
 use crate::math::frame::{Body, Space};
+use crate::math::symmetric3::power_of_two_near;
 use crate::math::vector::{AngularVelocity, Direction};
 use crate::motion::free::SymmetricTop;
 use crate::motion::state::State;
@@ -30,7 +31,10 @@ impl Cones {
         let [axial, transverse] = top.moments();
         let start = top.at(0.0);
         let across = (start.omega - along_axis(top, start.omega)).norm();
-        let spin = top.spin().abs();
+        // In units of powers of two near the largest: exact, and no product leaves the range of f64.
+        let (rate, moment) = (power_of_two_near(start.omega.max_abs()), power_of_two_near(transverse));
+        let (across, spin) = (across / rate, top.spin().abs() / rate);
+        let (axial, transverse) = (axial / moment, transverse / moment);
         // L has the components I_t ω_t across e and I_e ω_e along it.
         let body_half_angle = libm::atan2(across, spin);
         let nutation = libm::atan2(transverse * across, axial * spin);

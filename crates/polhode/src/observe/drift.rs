@@ -1,7 +1,7 @@
 //! The evidence of a run's own error.
 
 use crate::math::sum::Sum;
-use crate::motion::trajectory::{Sample, Trajectory};
+use crate::motion::trajectory::{Sample, Solution, Trajectory};
 
 /// How far a computed motion departs from the balances that the true one keeps, at its worst sample.
 ///
@@ -25,11 +25,13 @@ pub struct Drift {
 }
 
 impl Drift {
-    /// The drift of a trajectory; `None` if it has no samples.
+    /// The drift of a trajectory since its start; `None` if it has no samples, or was prescribed and so cannot drift.
     pub fn of(trajectory: &Trajectory) -> Option<Self> {
-        let samples = trajectory.samples();
-        let first = samples.first()?;
-        let max = |f: &dyn Fn(&Sample) -> f64| samples.iter().map(f).fold(0.0, f64::max);
+        let (first, samples) = (trajectory.start(), trajectory.samples());
+        if samples.is_empty() || matches!(trajectory.solution(), Solution::Prescribed(_)) {
+            return None;
+        }
+        let max = |f: &dyn Fn(&Sample) -> f64| samples.iter().chain([first]).map(f).fold(0.0, f64::max);
         let ratio = |part: f64, whole: f64| if part == 0.0 { 0.0 } else { part / whole };
         let largest_t = max(&|s| s.kinetic_energy);
         let largest_l = max(&|s| s.momentum.norm());

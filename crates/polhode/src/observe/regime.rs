@@ -3,7 +3,10 @@
 use crate::body::principal::Symmetry;
 use crate::math::elliptic::complete_k;
 use crate::math::frame::Principal;
+use crate::math::real::PI;
+use crate::math::symmetric3::power_of_two_near;
 use crate::math::vector::AngularVelocity;
+use crate::motion::free::PermanentAxis;
 use crate::motion::rotor::Rotor;
 use crate::motion::state::State;
 
@@ -12,13 +15,8 @@ use crate::motion::state::State;
 pub enum Regime {
     /// ω = 0.
     AtRest,
-    /// ω along a principal axis (1, 2 or 3): it stays there.
-    Permanent {
-        /// The axis, 1 to 3.
-        axis: u8,
-    },
-    /// i1 = i2 = i3: every rotation is permanent.
-    Spherical,
+    /// ω along a principal axis: it stays there.
+    Permanent(PermanentAxis),
     /// Two equal moments: ω circles the symmetry axis.
     Symmetric,
     /// D < i2: long-axis mode, L circles axis 1.
@@ -38,7 +36,8 @@ pub struct FreeRegime {
     pub period: Option<f64>,
     /// The time between reversals of ω's component along the intermediate axis, s, for three different moments.
     pub flip_interval: Option<f64>,
-    /// Growth rate of a departure from permanent rotation about the intermediate axis, 1/s.
+    /// Growth rate of a departure from permanent rotation about the intermediate axis, 1/s, where ω is within 0.5 rad
+    /// of it.
     pub growth_rate: Option<f64>,
 }
 
@@ -47,8 +46,7 @@ impl Regime {
     pub const fn name(self) -> &'static str {
         match self {
             Self::AtRest => "at_rest",
-            Self::Permanent { .. } => "permanent",
-            Self::Spherical => "spherical",
+            Self::Permanent(_) => "permanent",
             Self::Symmetric => "symmetric",
             Self::LongAxis => "long_axis",
             Self::ShortAxis => "short_axis",
@@ -60,12 +58,7 @@ impl Regime {
     pub const fn description(self) -> &'static str {
         match self {
             Self::AtRest => "at rest",
-            Self::Permanent { axis: 1 } => "permanent rotation about the axis of least moment",
-            Self::Permanent { axis: 2 } => {
-                "permanent rotation about the axis of intermediate moment (unstable)"
-            }
-            Self::Permanent { .. } => "permanent rotation about the axis of greatest moment",
-            Self::Spherical => "permanent rotation (the three moments are equal)",
+            Self::Permanent(axis) => axis.description(),
             Self::Symmetric => "a symmetric top: ω circles the symmetry axis, both circle L",
             Self::LongAxis => "long-axis mode: L circles axis 1",
             Self::ShortAxis => "short-axis mode: L circles axis 3",
@@ -94,31 +87,32 @@ impl FreeRegime {
     /// Source: Landau & Lifshitz, Mechanics, §37, with 1 − m formed from the sum above, which does not cancel.
     pub fn of(rotor: &Rotor, state: &State) -> Self {
         let principal = rotor.principal();
+        let moments = principal.moments();
         let w = principal.rotation().inverse() * state.omega;
         let still = |regime| Self { regime, period: None, flip_interval: None, growth_rate: None };
-        let moving: Vec<u8> = (1..).zip(w.to_array()).filter(|(_, w)| *w != 0.0).map(|(k, _)| k).collect();
-        match (moving.as_slice(), principal.symmetry()) {
-            ([], _) => still(Regime::AtRest),
-            (_, Symmetry::Spherical | Symmetry::Point) => still(Regime::Spherical),
-            ([axis], symmetry) => Self {
-                growth_rate: (*axis == 2 && symmetry == Symmetry::Asymmetric)
-                    .then(|| growth_rate(principal.moments(), w.y)),
-                ..still(Regime::Permanent { axis: *axis })
-            },
-            (_, Symmetry::Asymmetric) => asymmetric(principal.moments(), w),
-            (_, symmetry) => {
-                let [i1, i2, i3] = principal.moments();
+        if w == AngularVelocity::ZERO {
+            return still(Regime::AtRest);
+        }
+        let growth_rate = growth_rate(moments, w);
+        if let Some(axis) = PermanentAxis::of(principal, state.omega) {
+            return Self { growth_rate, ..still(Regime::Permanent(axis)) };
+        }
+        let [i1, i2, i3] = moments;
+        match principal.symmetry() {
+            Symmetry::Asymmetric => Self { growth_rate, ..asymmetric(moments, w) },
+            symmetry => {
                 let rate =
                     if symmetry == Symmetry::Oblate { (i3 - i2) / i2 * w.z } else { (i1 - i2) / i2 * w.x };
-                let period = (rate != 0.0).then(|| 2.0 * core::f64::consts::PI / rate.abs());
-                // Without spin about the symmetry axis the axis across it is principal, too.
-                Self { period, ..still(Regime::Symmetric) }
+                Self { period: Some(2.0 * PI / rate.abs()), ..still(Regime::Symmetric) }
             }
         }
     }
 }
 
-fn asymmetric([i1, i2, i3]: [f64; 3], w: AngularVelocity<Principal>) -> FreeRegime {
+/// With moments and rates in units of powers of two near the largest: exact, and no square leaves the range of f64.
+fn asymmetric(moments: [f64; 3], w: AngularVelocity<Principal>) -> FreeRegime {
+    let (largest, fastest) = (power_of_two_near(moments[2]), power_of_two_near(w.max_abs()));
+    let ([i1, i2, i3], w) = (moments.map(|i| i / largest), w / fastest);
     // L² − 2 T i2: positive for short-axis mode
     let excess = i3 * (i3 - i2) * w.z * w.z - i1 * (i2 - i1) * w.x * w.x;
     // Labels so that L circles axis c: short-axis mode (a, c) = (1, 3), long-axis mode (3, 1).
@@ -126,7 +120,7 @@ fn asymmetric([i1, i2, i3]: [f64; 3], w: AngularVelocity<Principal>) -> FreeRegi
     // amplitude of ω along c: a_c² = ω_c² + i2 (i2 − a) / (c (c − a)) ω_2²
     let amplitude2 = wc * wc + i2 * (i2 - a) / (c * (c - a)) * w.y * w.y;
     // λ² = a_c² (c − a)(c − i2) / (a i2),  1 − m = (L² − 2 T i2) / (c (c − i2) a_c²)
-    let lambda = (amplitude2 * ((c - a) / a) * ((c - i2) / i2)).sqrt();
+    let lambda = (amplitude2 * ((c - a) / a) * ((c - i2) / i2)).sqrt() * fastest;
     let m1 = excess / (c * (c - i2) * amplitude2);
     let quarter = complete_k(m1) / lambda;
     let regime = match excess {
@@ -139,11 +133,15 @@ fn asymmetric([i1, i2, i3]: [f64; 3], w: AngularVelocity<Principal>) -> FreeRegi
         regime,
         period: finite(4.0 * quarter),
         flip_interval: finite(2.0 * quarter),
-        growth_rate: Some(growth_rate([i1, i2, i3], w.y)),
+        growth_rate: None,
     }
 }
 
-/// √((i3 − i2)(i2 − i1) / (i1 i3)) |ω2|: how fast a small departure from rotation about axis 2 grows.
-fn growth_rate([i1, i2, i3]: [f64; 3], w: f64) -> f64 {
-    ((i3 - i2) / i3 * ((i2 - i1) / i1)).sqrt() * w.abs()
+/// A state nearer to the intermediate axis than this is about its instability: cos 0.5 rad.
+const NEAR: f64 = 0.877_582_561_890_372_8;
+
+/// √((i3 − i2)(i2 − i1) / (i1 i3)) |ω2|, for three different moments and ω near axis 2.
+fn growth_rate([i1, i2, i3]: [f64; 3], w: AngularVelocity<Principal>) -> Option<f64> {
+    let rate = ((i3 - i2) / i3 * ((i2 - i1) / i1)).sqrt() * w.y.abs();
+    (rate > 0.0 && rate.is_finite() && w.y.abs() > NEAR * w.norm()).then_some(rate)
 }

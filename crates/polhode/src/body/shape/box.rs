@@ -1,6 +1,6 @@
 //! Rectangular box.
 
-use super::{Extent, Shape, Spread};
+use super::{Extent, Shape, Spread, representable};
 use crate::body::error::{BodyError, positive};
 
 /// A solid box with its centre at the origin and its edges along the axes.
@@ -28,7 +28,7 @@ impl BoxShape {
         for edge in size {
             positive("the box's size", edge)?;
         }
-        Ok(Self { size })
+        representable(Self { size })
     }
 }
 

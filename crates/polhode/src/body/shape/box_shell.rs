@@ -1,6 +1,6 @@
 //! Thin box.
 
-use super::{Extent, Shape, Spread};
+use super::{Extent, Shape, Spread, representable};
 use crate::body::error::{BodyError, positive};
 use crate::math::vector::Position;
 
@@ -29,7 +29,7 @@ impl BoxShell {
         for edge in size {
             positive("the hollow box's size", edge)?;
         }
-        Ok(Self { size })
+        representable(Self { size })
     }
 
     /// The face across axis `k`, half an edge from the centre on either side.

@@ -1,7 +1,7 @@
 //! Capsule.
 
 use super::cylinder::Cylinder;
-use super::{Extent, Shape, Spread};
+use super::{Extent, Shape, Spread, representable};
 use crate::body::error::{BodyError, positive};
 use crate::math::real::PI;
 use crate::math::vector::Position;
@@ -32,7 +32,7 @@ impl Capsule {
     /// # Errors
     /// [`BodyError::Parameter`] if one is not positive and finite.
     pub fn new(radius: f64, length: f64) -> Result<Self, BodyError> {
-        Ok(Self {
+        representable(Self {
             radius: positive("the capsule's radius", radius)?,
             length: positive("the capsule's length", length)?,
         })

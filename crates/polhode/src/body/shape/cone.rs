@@ -1,6 +1,6 @@
 //! Cone and frustum.
 
-use super::{Extent, Shape, Spread};
+use super::{Extent, Shape, Spread, representable};
 use crate::body::error::{BodyError, not_negative, positive};
 use crate::math::real::PI;
 use crate::math::symmetric3::Symmetric3;
@@ -37,7 +37,7 @@ impl Cone {
         not_negative("the cone's top radius", top_radius)?;
         positive("the larger radius of the cone", base_radius.max(top_radius))?;
         positive("the cone's height", height)?;
-        Ok(Self { base_radius, top_radius, height })
+        representable(Self { base_radius, top_radius, height })
     }
 }
 

@@ -1,6 +1,6 @@
 //! Cylinder.
 
-use super::{Extent, Shape, Spread};
+use super::{Extent, Shape, Spread, representable};
 use crate::body::error::{BodyError, positive};
 use crate::math::real::PI;
 
@@ -26,7 +26,7 @@ impl Cylinder {
     /// # Errors
     /// [`BodyError::Parameter`] if one is not positive and finite.
     pub fn new(radius: f64, length: f64) -> Result<Self, BodyError> {
-        Ok(Self {
+        representable(Self {
             radius: positive("the cylinder's radius", radius)?,
             length: positive("the cylinder's length", length)?,
         })

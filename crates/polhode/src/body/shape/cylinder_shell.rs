@@ -1,7 +1,7 @@
 //! Thin cylindrical shell.
 
 use super::disk::Disk;
-use super::{Extent, Shape, Spread};
+use super::{Extent, Shape, Spread, representable};
 use crate::body::error::{BodyError, positive};
 use crate::math::real::PI;
 use crate::math::vector::Position;
@@ -31,7 +31,7 @@ impl CylinderShell {
     /// # Errors
     /// [`BodyError::Parameter`] if radius or length is not positive and finite.
     pub fn new(radius: f64, length: f64, ends: bool) -> Result<Self, BodyError> {
-        Ok(Self {
+        representable(Self {
             radius: positive("the cylindrical shell's radius", radius)?,
             length: positive("the cylindrical shell's length", length)?,
             ends,

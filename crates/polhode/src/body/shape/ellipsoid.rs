@@ -1,6 +1,6 @@
 //! Ellipsoid.
 
-use super::{Extent, Shape, Spread};
+use super::{Extent, Shape, Spread, representable};
 use crate::body::error::{BodyError, positive};
 use crate::math::real::PI;
 
@@ -28,7 +28,7 @@ impl Ellipsoid {
         for semi_axis in semi_axes {
             positive("the ellipsoid's semi-axis", semi_axis)?;
         }
-        Ok(Self { semi_axes })
+        representable(Self { semi_axes })
     }
 }
 
@@ -43,21 +43,27 @@ impl Shape for Ellipsoid {
     /// An integral over the whole line of ln t, analytic in |Im ln t| < π: the trapezoidal rule with step ½
     /// has the relative error e^(−4π²), less than the rounding.
     ///
+    /// With a ≥ b ≥ c, A/ab hangs on b/a and c/b only, and where one of them is small no more on that: it changes
+    /// by the ratio's square.
+    ///
     /// Source: DLMF §19.33(i), and R_G as the integral of §19.16(i), with 1/t for t.
     fn surface_area(&self) -> f64 {
         const STEP: f64 = 0.5;
-        // Below, the integrand falls as t²; above, as (c²t)^(−1/2): both ends are past the rounding.
-        const BELOW: f64 = -20.0;
-        const ABOVE: f64 = 80.0;
-        let longest = self.semi_axes.into_iter().fold(0.0, f64::max);
-        let [a, b, c] = self.semi_axes.map(|a| (a / longest) * (a / longest));
-        let integrand = |ln_t: f64| {
-            let t = libm::exp(ln_t);
-            let [p, q, r] = [1.0 + a * t, 1.0 + b * t, 1.0 + c * t];
+        /// A ratio whose square is far below the rounding.
+        const SMALL: f64 = 1e-12;
+        // In units of a: below t = e^−20 the integrand falls as t²; above 1/c² ≤ e^111, as (c²t)^(−1/2). Both ends
+        // are past the rounding.
+        const NODES: core::ops::Range<i32> = -40..382;
+        let mut axes = self.semi_axes;
+        axes.sort_by(|p, q| q.total_cmp(p));
+        let [a, b, c] = axes;
+        let (y, z) = ((b / a).max(SMALL), (c / b).max(SMALL));
+        let (y2, z2) = (y * y, y * y * z * z);
+        let integrand = |k: i32| {
+            let t = libm::exp(STEP * f64::from(k));
+            let [p, q, r] = [1.0 + t, 1.0 + y2 * t, 1.0 + z2 * t];
             (1.0 / p + 1.0 / q + 1.0 / r) * (t / p.sqrt()) * (t / q.sqrt()) / r.sqrt()
         };
-        let end = ABOVE - libm::log(a.min(b).min(c));
-        let places = (0..).map(|k| BELOW + STEP * f64::from(k)).take_while(|&ln_t| ln_t < end);
-        PI * longest * longest * a * b * c * STEP * places.map(integrand).sum::<f64>()
+        PI * a * b * y * z2 * STEP * NODES.map(integrand).sum::<f64>()
     }
 }

@@ -26,6 +26,9 @@ use crate::math::symmetric3::Symmetric3;
 use crate::math::vector::Position;
 
 /// A body of uniform density, described in its own [`Part`] axes.
+///
+/// The constructors refuse, with [`BodyError::Parameter`], what is so small or so large that f64 does not hold its
+/// volume, area or length, or its mean square size.
 pub trait Shape: fmt::Debug + Send + Sync {
     /// Over what the mass is spread, how much of it there is, and how it lies about its centre.
     fn spread(&self) -> Spread;
@@ -41,6 +44,7 @@ pub trait Shape: fmt::Debug + Send + Sync {
     fn mass_properties(&self, substance: Substance) -> Result<MassProperties<Part>, BodyError> {
         let spread = self.spread();
         let mass = substance.mass_of(spread.extent)?;
+        in_range("the moment of inertia", spread.size_squared() * mass)?;
         MassProperties::from_covariance(mass, spread.centroid, &spread.covariance)
     }
 }
@@ -64,6 +68,23 @@ impl Spread {
     /// Where the centre of mass is.
     pub const fn centroid(&self) -> Position<Part> {
         self.centroid
+    }
+
+    /// Mean square distance from the centroid: the trace of the second moments.
+    fn size_squared(&self) -> f64 {
+        self.covariance.xx + self.covariance.yy + self.covariance.zz
+    }
+
+    /// The spread, if f64 holds its numbers: at 1e-110 m a volume is 0, at 1e160 m an area is infinite.
+    pub(crate) fn representable(self) -> Result<Self, BodyError> {
+        let what = match self.extent {
+            Extent::Volume(_) => "the volume",
+            Extent::Area(_) => "the area",
+            Extent::Length(_) => "the length",
+        };
+        in_range(what, self.extent.measure())?;
+        in_range("the mean square size", self.size_squared())?;
+        Ok(self)
     }
 
     /// A spread about the origin, with second moments (⟨x²⟩, ⟨y²⟩, ⟨z²⟩) and no products.
@@ -90,6 +111,19 @@ impl Spread {
         });
         Self { extent: self.extent.with_measure(total), centroid, covariance }
     }
+}
+
+/// The shape, if f64 holds the numbers of its spread.
+fn representable<S: Shape>(shape: S) -> Result<S, BodyError> {
+    shape.spread().representable().map(|_| shape)
+}
+
+/// Refuses what is not positive and finite with all its digits.
+fn in_range(what: &'static str, value: f64) -> Result<(), BodyError> {
+    if value >= f64::MIN_POSITIVE && value.is_finite() {
+        return Ok(());
+    }
+    Err(BodyError::Parameter { what, value, rule: "positive and finite: too large or too small for f64" })
 }
 
 /// Over what a shape's mass is spread, and how much of it there is.

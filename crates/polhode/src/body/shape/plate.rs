@@ -1,6 +1,6 @@
 //! Thin rectangular plate.
 
-use super::{Extent, Shape, Spread};
+use super::{Extent, Shape, Spread, representable};
 use crate::body::error::{BodyError, positive};
 
 /// A thin rectangle in the plane z = 0 with its centre at the origin and its edges along x and y.
@@ -28,7 +28,7 @@ impl Plate {
         for edge in size {
             positive("the plate's size", edge)?;
         }
-        Ok(Self { size })
+        representable(Self { size })
     }
 }
 

@@ -1,6 +1,6 @@
 //! Thin rod.
 
-use super::{Extent, Shape, Spread};
+use super::{Extent, Shape, Spread, representable};
 use crate::body::error::{BodyError, positive};
 
 /// A thin rod along z with its centre at the origin.
@@ -26,7 +26,7 @@ impl Rod {
     /// # Errors
     /// [`BodyError::Parameter`] if the length is not positive and finite.
     pub fn new(length: f64) -> Result<Self, BodyError> {
-        Ok(Self { length: positive("the rod's length", length)? })
+        representable(Self { length: positive("the rod's length", length)? })
     }
 }
 

@@ -1,6 +1,6 @@
 //! Sphere.
 
-use super::{Extent, Shape, Spread};
+use super::{Extent, Shape, Spread, representable};
 use crate::body::error::{BodyError, positive};
 use crate::math::real::PI;
 
@@ -25,7 +25,7 @@ impl Sphere {
     /// # Errors
     /// [`BodyError::Parameter`] if the radius is not positive and finite.
     pub fn new(radius: f64) -> Result<Self, BodyError> {
-        Ok(Self { radius: positive("the sphere's radius", radius)? })
+        representable(Self { radius: positive("the sphere's radius", radius)? })
     }
 }
 

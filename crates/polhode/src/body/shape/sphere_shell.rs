@@ -1,6 +1,6 @@
 //! Thin spherical shell.
 
-use super::{Extent, Shape, Spread};
+use super::{Extent, Shape, Spread, representable};
 use crate::body::error::{BodyError, positive};
 use crate::math::real::PI;
 
@@ -25,7 +25,7 @@ impl SphereShell {
     /// # Errors
     /// [`BodyError::Parameter`] if the radius is not positive and finite.
     pub fn new(radius: f64) -> Result<Self, BodyError> {
-        Ok(Self { radius: positive("the spherical shell's radius", radius)? })
+        representable(Self { radius: positive("the spherical shell's radius", radius)? })
     }
 }
 

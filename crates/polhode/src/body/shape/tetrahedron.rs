@@ -1,9 +1,9 @@
 //! Tetrahedron.
 
-use super::{Extent, Shape, Spread};
+use super::{Extent, Shape, Spread, representable};
 use crate::body::error::{BodyError, finite};
 use crate::math::frame::Part;
-use crate::math::symmetric3::Symmetric3;
+use crate::math::symmetric3::{Symmetric3, power_of_two_near};
 use crate::math::vector::{Direction, Position};
 
 /// A solid tetrahedron, its corners where they are given.
@@ -38,14 +38,17 @@ impl Tetrahedron {
             finite("the tetrahedron's vertex", vertex)?;
         }
         let tetrahedron = Self { vertices };
-        let [u, v, w] = tetrahedron.edges();
-        let value = tetrahedron.volume();
-        let solid = value > FLAT * u.norm() * v.norm() * w.norm();
-        if !solid {
+        let edges = tetrahedron.edges();
+        // In units of a power of two near the size: exact, and no product leaves the range of f64.
+        let unit = power_of_two_near(edges.iter().map(|edge| edge.max_abs()).fold(0.0, f64::max));
+        let [u, v, w] = edges.map(|edge| edge / unit);
+        let flat = u.dot(v.cross(w)).abs() / 6.0 <= FLAT * u.norm() * v.norm() * w.norm();
+        if flat {
+            let value = tetrahedron.volume();
             let rule = "positive: its corners may not lie in one plane";
             return Err(BodyError::Parameter { what: "the tetrahedron's volume", value, rule });
         }
-        Ok(tetrahedron)
+        representable(tetrahedron)
     }
 
     /// From the first corner to the others.

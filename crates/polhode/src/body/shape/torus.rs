@@ -1,6 +1,6 @@
 //! Torus.
 
-use super::{Extent, Shape, Spread};
+use super::{Extent, Shape, Spread, representable};
 use crate::body::error::{BodyError, positive};
 use crate::math::real::PI;
 
@@ -32,7 +32,7 @@ impl Torus {
         if positive(what, tube_radius)? > ring_radius {
             return Err(BodyError::Parameter { what, value: tube_radius, rule: "at most its ring radius" });
         }
-        Ok(Self { ring_radius, tube_radius })
+        representable(Self { ring_radius, tube_radius })
     }
 }
 

@@ -11,7 +11,7 @@ use super::rotor::Rotor;
 use super::state::State;
 use crate::body::principal::Symmetry;
 
-pub use permanent::PermanentRotation;
+pub use permanent::{PermanentAxis, PermanentRotation};
 pub use symmetric::{SymmetricTop, SymmetricTopKind};
 
 /// The torque-free motion of a body, classified once; each variant holds only its constants.

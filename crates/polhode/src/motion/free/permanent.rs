@@ -1,7 +1,9 @@
 //! Permanent rotation: ω along a principal axis.
 
-use crate::body::principal::Symmetry;
+use crate::body::principal::{PrincipalFrame, Symmetry};
+use crate::math::frame::Body;
 use crate::math::rotation::Rotation;
+use crate::math::vector::AngularVelocity;
 use crate::motion::rotor::Rotor;
 use crate::motion::state::State;
 
@@ -11,15 +13,76 @@ pub struct PermanentRotation {
     start: State,
 }
 
-impl PermanentRotation {
-    /// `None` unless ω lies exactly along a principal axis, or the body is spherical, or at rest.
+/// The principal axis of a permanent rotation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PermanentAxis {
+    /// Of the least of three different moments: stable.
+    Least,
+    /// Of the intermediate one: any departure grows.
+    Intermediate,
+    /// Of the greatest one: stable.
+    Greatest,
+    /// The symmetry axis of a body with two equal moments.
+    Symmetry,
+    /// Across the symmetry axis.
+    AcrossSymmetry,
+    /// Any axis of a body with three equal moments.
+    Any,
+}
+
+/// Of a symmetric body ω counts as along or across its axis within this part of |ω|, the rounding of a turned tensor:
+/// what is left only wobbles by as much.
+const ALONG: f64 = 8.0 * f64::EPSILON;
+
+impl PermanentAxis {
+    /// The axis that ω turns about for good; `None` if it does not, or is zero.
     ///
-    /// Exactly: about an unstable axis any departure grows, so a nearly permanent rotation is not one.
+    /// Of three different moments ω has to be along an axis exactly: about an unstable axis any departure grows, so a
+    /// nearly permanent rotation is not one.
+    pub fn of(principal: &PrincipalFrame<Body>, omega: AngularVelocity<Body>) -> Option<Self> {
+        let w = principal.axes().map(|axis| axis.dot(omega).abs());
+        let speed = omega.norm();
+        if speed == 0.0 {
+            return None;
+        }
+        let axisymmetric = |along: f64, across: f64| {
+            if across <= ALONG * speed {
+                Some(Self::Symmetry)
+            } else {
+                (along <= ALONG * speed).then_some(Self::AcrossSymmetry)
+            }
+        };
+        match principal.symmetry() {
+            Symmetry::Spherical | Symmetry::Point => Some(Self::Any),
+            Symmetry::Oblate => axisymmetric(w[2], libm::hypot(w[0], w[1])),
+            Symmetry::Prolate | Symmetry::Rod => axisymmetric(w[0], libm::hypot(w[1], w[2])),
+            Symmetry::Asymmetric => match w.map(|w| w != 0.0) {
+                [true, false, false] => Some(Self::Least),
+                [false, true, false] => Some(Self::Intermediate),
+                [false, false, true] => Some(Self::Greatest),
+                _ => None,
+            },
+        }
+    }
+
+    /// The rotation in words.
+    pub const fn description(self) -> &'static str {
+        match self {
+            Self::Least => "permanent rotation about the axis of least moment",
+            Self::Intermediate => "permanent rotation about the axis of intermediate moment (unstable)",
+            Self::Greatest => "permanent rotation about the axis of greatest moment",
+            Self::Symmetry => "permanent rotation about the symmetry axis",
+            Self::AcrossSymmetry => "permanent rotation about an axis across the symmetry axis",
+            Self::Any => "permanent rotation (the three moments are equal)",
+        }
+    }
+}
+
+impl PermanentRotation {
+    /// `None` unless ω lies along a principal axis, or is zero.
     pub(super) fn of(rotor: &Rotor, start: State) -> Option<Self> {
-        let principal = rotor.principal();
-        let w = principal.axes().map(|axis| axis.dot(start.omega));
-        let along_axis = w.iter().filter(|w| **w != 0.0).count() <= 1;
-        (along_axis || principal.symmetry() == Symmetry::Spherical).then_some(Self { start })
+        let permanent = PermanentAxis::of(rotor.principal(), start.omega).is_some();
+        (permanent || start.omega == AngularVelocity::ZERO).then_some(Self { start })
     }
 
     /// The state at a time, s.

@@ -14,6 +14,14 @@ pub enum ConstantTorque {
 }
 
 impl ConstantTorque {
+    /// |N|, N·m.
+    pub(crate) fn scale(&self) -> f64 {
+        match self {
+            Self::Body(n) => n.norm(),
+            Self::Space(n) => n.norm(),
+        }
+    }
+
     /// N in body axes.
     pub fn torque(&self, attitude: Attitude) -> Torque<Body> {
         match *self {

@@ -39,6 +39,14 @@ impl TorqueModel {
         }
     }
 
+    /// The largest that it can be, N·m: what its rounding is relative to.
+    pub(crate) fn scale(&self, rotor: &Rotor) -> f64 {
+        match self {
+            Self::Constant(model) => model.scale(),
+            Self::Gravity(model) => rotor.mass() * model.acceleration.norm() * rotor.lever().norm(),
+        }
+    }
+
     /// The name in scenario files and summaries.
     pub const fn name(&self) -> &'static str {
         match self {

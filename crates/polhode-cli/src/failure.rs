@@ -35,7 +35,8 @@ impl Failure {
             Self::ClosedPipe => return ExitCode::SUCCESS,
             _ => 2,
         };
-        eprint!("{}", self.text());
+        // Where standard error is closed there is nobody left to tell.
+        let _ = io::Write::write_all(&mut io::stderr(), self.text().as_bytes());
         ExitCode::from(code)
     }
 

@@ -32,9 +32,9 @@ pub(crate) struct Inertia {
     files: Vec<PathBuf>,
     #[command(flatten)]
     substance: SubstanceFlags,
-    /// The unit of length in a mesh file, such as mm or in; meshes say none.
-    #[arg(long, value_name = "UNIT", default_value = "m", value_parser = length_unit)]
-    unit: f64,
+    /// The unit of length in a mesh file, such as mm or in; meshes say none [default: m].
+    #[arg(long, value_name = "UNIT", value_parser = length_unit)]
+    unit: Option<f64>,
     /// Also the tensor about this point: x,y,z from the origin, each with its unit or in metres.
     #[arg(long, value_name = "X,Y,Z", value_parser = point, allow_hyphen_values = true)]
     about: Option<Position<Body>>,
@@ -101,17 +101,23 @@ impl Inertia {
             }
         };
         let about = self.about.or(report.about);
+        if let Some(point) = about
+            && report.properties.inertia_about(point).matrix().iter().flatten().any(|e| !e.is_finite())
+        {
+            return Err(Failure::usage(
+                "the tensor about that point is too large for a number",
+                "check --about",
+            ));
+        }
         Ok(InertiaReport { about, axes: self.along, show_axes: self.axes, ..report })
     }
 
     fn of_scenario(&self, file: &Path) -> Result<InertiaReport, Failure> {
-        if self.substance.given().is_some() {
+        if self.substance.given().is_some() || self.unit.is_some() {
+            let flags = "--density, --mass, --material and --unit are for meshes";
             return Err(Failure::usage(
-                format!(
-                    "--density, --mass and --material are for meshes, and {} is a scenario",
-                    file.display()
-                ),
-                "a scenario says what each of its parts is made of",
+                format!("{flags}, and {} is a scenario", file.display()),
+                "a scenario says what each of its parts is made of, and in which units",
             ));
         }
         let scenario = scenario::read(file)?;
@@ -124,7 +130,8 @@ impl Inertia {
     }
 
     fn of_mesh(&self, file: &Path) -> Result<InertiaReport, Failure> {
-        let file_read = mesh::read(file, self.unit)?;
+        let unit = self.unit.unwrap_or(1.0);
+        let file_read = mesh::read(file, unit)?;
         let mut findings = file_read.findings(&file.display().to_string());
         let MeshFile { mesh, kind, triangles, .. } = file_read;
         let substance = self.substance.given().unwrap_or_else(|| {
@@ -153,7 +160,7 @@ impl Inertia {
             .with("encoding", encoding)
             .with("triangles", triangles)
             .with("vertices", mesh.vertices())
-            .with("unit_m", self.unit);
+            .with("unit_m", unit);
         Ok(InertiaReport {
             volume: Some(mesh.volume()),
             surface_area: Some(mesh.surface_area()),
@@ -187,6 +194,9 @@ fn mass(text: &str) -> Result<f64, String> {
 }
 
 fn length_unit(text: &str) -> Result<f64, String> {
+    if !text.starts_with(char::is_alphabetic) {
+        return Err("the name of a unit of length belongs here, such as mm".to_owned());
+    }
     positive(quantity(&format!("1 {text}"), Dimension::LENGTH)?)
 }
 

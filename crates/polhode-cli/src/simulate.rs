@@ -93,7 +93,7 @@ impl Simulate {
         scenario: &Scenario,
         trajectory: &Trajectory,
     ) -> Result<String, Failure> {
-        let folder = Folder::create(target)?;
+        let folder = Folder::create(target, self.force)?;
         folder.file("summary.json", |out| out.write_all(summary.as_bytes()))?;
         let mut written = format!("wrote {}", target.join("summary.json").display());
         for (k, format) in self.table.iter().enumerate() {

@@ -142,6 +142,13 @@ fn an_old_folder_is_kept_unless_forced() {
     let text = refused(&scratch.run(&["simulate", "brick.toml", "-o", "photos", "--force"]), 2);
     assert!(text.contains("not a folder of results"), "{text}");
     assert!(scratch.0.join("photos/cat.jpg").exists());
+    // nor what lies among or looks like results
+    fs::write(scratch.0.join("brick/notes.md"), "mine").unwrap();
+    let text = refused(&scratch.run(&["simulate", "brick.toml", "--force"]), 2);
+    assert!(text.contains("notes.md") && scratch.0.join("brick/notes.md").exists(), "{text}");
+    fs::create_dir(scratch.0.join("other")).unwrap();
+    fs::write(scratch.0.join("other/summary.json"), "{}").unwrap();
+    refused(&scratch.run(&["simulate", "brick.toml", "-o", "other", "--force"]), 2);
     for target in ["brick.toml", ".", ".."] {
         refused(&scratch.run(&["simulate", "brick.toml", "-o", target, "--force"]), 2);
     }
@@ -199,6 +206,18 @@ fn a_tolerance_out_of_reach_is_a_failure_of_the_computation() {
 }
 
 #[test]
+fn a_run_without_end_is_given_up_at_once() {
+    let scratch = Scratch::new("endless");
+    scratch.write("long.toml", &BRICK.replace("3 s", "1e15 s"));
+    let text = refused(&scratch.run(&["simulate", "long.toml"]), 3);
+    assert!(text.contains("steps") && text.contains("hint: "), "{text}");
+    scratch.write("fast.toml", &BRICK.replace("2.0", "1e200"));
+    let text = refused(&scratch.run(&["simulate", "fast.toml"]), 2);
+    assert!(text.contains("finite"), "{text}");
+    assert_eq!(scratch.entries(), ["fast.toml", "long.toml"]);
+}
+
+#[test]
 fn inertia_of_a_mesh_follows_its_substance_and_unit() {
     let scratch = Scratch::new("mesh");
     let stl = example("bracket.stl");
@@ -236,6 +255,8 @@ fn inertia_of_a_mesh_follows_its_substance_and_unit() {
     refused(&scratch.run(&["inertia", &stl, "--mass", "-1 kg"]), 2);
     refused(&scratch.run(&["inertia", &stl, "--mass", "1 kg", "--material", "steel"]), 2);
     refused(&scratch.run(&["inertia", &stl, "--unit", "kg"]), 2);
+    refused(&scratch.run(&["inertia", &stl, "--unit", "3"]), 2);
+    refused(&scratch.run(&["inertia", &stl, "--about", "1e200,0,0"]), 2);
     refused(&scratch.run(&["inertia", &stl, "--about", "1,2"]), 2);
     refused(&scratch.run(&["inertia", &stl, "--material", "unobtainium"]), 2);
     let both = json(&scratch.run(&["inertia", &stl, &stl, "--json", "--mass", "1 kg"]));

@@ -12,7 +12,7 @@ fn errors(row: &toml::Table, state: &State) -> (f64, f64) {
     ((state.omega - omega).norm() / omega.norm(), state.attitude.angle_to(attitude(&row["attitude"])))
 }
 
-/// The motion of a case at the time of one row; backwards in time by reversing ω of a free body.
+/// The motion of a case at the time of one row.
 fn integrate(rotor: &Rotor, torques: &[TorqueModel], start: State, t: f64, tolerance: f64) -> State {
     let motion = Trajectory::compute(rotor, torques, start, &[t], Method::Dop853, tolerance).unwrap();
     motion.samples()[0].state

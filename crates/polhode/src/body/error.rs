@@ -39,7 +39,7 @@ pub enum BodyError {
         /// What is missing.
         what: &'static str,
     },
-    /// A triangle names a vertex that is not there, or a vertex is not finite.
+    /// A vertex that is not finite.
     Vertex {
         /// Triangle, from 1.
         triangle: usize,

@@ -76,8 +76,9 @@ impl Symmetric3 {
 
     /// Eigenvalues and eigenvectors by cyclic Jacobi rotations.
     ///
-    /// An off-diagonal element is left alone once |a_pq| ≤ ε √|a_pp a_qq|, not once it is small beside the largest
-    /// element: a positive definite matrix then keeps its small eigenvalues to full *relative* accuracy.
+    /// An off-diagonal element is left alone once |a_pq| ≤ ½ε √|a_pp a_qq|, not once it is small beside the largest
+    /// element: a graded positive definite matrix (one that a diagonal scaling makes well-conditioned) then keeps its
+    /// small eigenvalues to full *relative* accuracy. All others are accurate to a few ε of the largest.
     ///
     /// Source: Demmel & Veselić, SIAM J. Matrix Anal. Appl. 13 (1992) 1204; rotations as in Golub & Van Loan §8.5.
     pub(crate) fn eigen(&self) -> Eigen {

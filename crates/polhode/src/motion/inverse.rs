@@ -26,7 +26,7 @@ pub struct Required {
 pub struct ParticleForce {
     /// F = m a, body axes, N.
     pub force: Force<Body>,
-    /// The part of F along r, which makes no torque: tension (negative) or thrust of the rod that holds it.
+    /// The part of F along r, which makes no torque: tension (against r) or thrust (along it) of a rod from the point.
     pub along: Force<Body>,
     /// The part of F across r, which makes all the torque.
     pub across: Force<Body>,

@@ -2,8 +2,8 @@
 //! order 5 and 3.
 //!
 //! Source: Hairer, Nørsett & Wanner, Solving Ordinary Differential Equations I, §II.5 and §II.10. Their dense output, a
-//! polynomial of order 7 from three more stages, is not used: a shorter [`step`] from the same start has order 8 and
-//! is never worse than the whole one (see `stepper`).
+//! polynomial of order 7 from three more stages, is not used: a shorter [`step`] from the same start has order 8 (see
+//! `stepper`).
 
 use super::tableau::{A, B, C, E3, E5, STAGES};
 

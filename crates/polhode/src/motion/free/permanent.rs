@@ -30,15 +30,15 @@ pub enum PermanentAxis {
     Any,
 }
 
-/// Of a symmetric body ω counts as along or across its axis within this part of |ω|, the rounding of a turned tensor:
-/// what is left only wobbles by as much.
+/// ω counts as along a stable axis within this part of |ω|, the rounding of a turned tensor: what is left only wobbles
+/// by as much.
 const ALONG: f64 = 8.0 * f64::EPSILON;
 
 impl PermanentAxis {
     /// The axis that ω turns about for good; `None` if it does not, or is zero.
     ///
-    /// Of three different moments ω has to be along an axis exactly: about an unstable axis any departure grows, so a
-    /// nearly permanent rotation is not one.
+    /// Along the intermediate of three different axes ω has to be exactly: any departure grows, so a nearly permanent
+    /// rotation is not one.
     pub fn of(principal: &PrincipalFrame<Body>, omega: AngularVelocity<Body>) -> Option<Self> {
         let w = principal.axes().map(|axis| axis.dot(omega).abs());
         let speed = omega.norm();
@@ -56,12 +56,17 @@ impl PermanentAxis {
             Symmetry::Spherical | Symmetry::Point => Some(Self::Any),
             Symmetry::Oblate => axisymmetric(w[2], libm::hypot(w[0], w[1])),
             Symmetry::Prolate | Symmetry::Rod => axisymmetric(w[0], libm::hypot(w[1], w[2])),
-            Symmetry::Asymmetric => match w.map(|w| w != 0.0) {
-                [true, false, false] => Some(Self::Least),
-                [false, true, false] => Some(Self::Intermediate),
-                [false, false, true] => Some(Self::Greatest),
-                _ => None,
-            },
+            Symmetry::Asymmetric => {
+                let [w1, w2, w3] = w;
+                let within = |a: f64, b: f64| libm::hypot(a, b) <= ALONG * speed;
+                if within(w2, w3) {
+                    Some(Self::Least)
+                } else if within(w1, w2) {
+                    Some(Self::Greatest)
+                } else {
+                    (w1 == 0.0 && w3 == 0.0).then_some(Self::Intermediate)
+                }
+            }
         }
     }
 

@@ -570,7 +570,7 @@ fn what_others_wrote_does_not_reach_the_terminal() {
 #[test]
 fn a_mesh_is_no_scenario() {
     let hint = "a mesh is no scenario: polhode inertia";
-    refuses("solid «c»ube\nfacet normal 0 0 1\n", &parse("solid cube").unwrap_err().message(), hint);
+    refuses("solid «»cube\nfacet normal 0 0 1\n", &parse("solid cube").unwrap_err().message(), hint);
     let named = scenario::parse("not TOML", Path::new("cube.STL")).unwrap_err();
     assert!(named.hint().unwrap().starts_with(hint));
     assert!(!parse("not TOML").unwrap_err().hint().unwrap().starts_with(hint));

@@ -85,17 +85,21 @@ pub(crate) fn broken(line: &str, indent: &str, columns: usize) -> Vec<String> {
         let (head, tail) = rest.split_at(at);
         lines.push(format!("{indent}{}{}", " ".repeat(hang), head.trim_end_matches(' ')));
         rest = tail.trim_start_matches(' ');
-        hang = equals.filter(|_| rest.starts_with(OPERATORS)).unwrap_or(HANG);
+        hang = equals.filter(|_| goes_on(rest)).unwrap_or(HANG);
     }
     lines.push(format!("{indent}{}{rest}", " ".repeat(hang)));
     lines
 }
 
-const OPERATORS: [char; 2] = ['=', '+'];
+/// True of what begins with an operator.
+fn goes_on(text: &str) -> bool {
+    ["= ", "+ ", "- ", "− "].iter().any(|operator| text.starts_with(operator))
+}
 
 /// Where to break so that what is before has at most `room` columns: the last of the best places.
 fn last_break(line: &str, room: usize) -> Option<usize> {
-    let first = line.find(" = ").map_or(0, |at| at + 1);
+    // A formula is not parted from its first `=`, nor an operator from what follows.
+    let first = if goes_on(line) { 2 } else { line.find(" = ").map_or(0, |at| at + 1) };
     let mut depth = 0_i32;
     // The best place so far, and how good it is.
     let mut best: Option<(u8, usize)> = None;
@@ -112,9 +116,9 @@ fn last_break(line: &str, room: usize) -> Option<usize> {
         let gap = line.len() - at - tail.len();
         let word = tail.split([' ', ',', ';']).next().unwrap_or_default();
         let good = match () {
-            () if at < first || head.ends_with(OPERATORS) => 0,
+            () if at < first || head.ends_with(['=', '+', '-', '−']) => 0,
             () if gap > 1 && !head.ends_with('→') && !head.ends_with(" or") => 3,
-            () if depth == 0 && (head.ends_with([',', ';']) || tail.starts_with(OPERATORS)) => 2,
+            () if depth == 0 && (head.ends_with([',', ';']) || goes_on(tail)) => 2,
             () if !UNITS.contains(&word) => 1,
             () => 0,
         };

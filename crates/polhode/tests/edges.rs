@@ -263,7 +263,7 @@ fn two_weights_are_their_sum() {
 #[test]
 fn quaternions_stay_on_their_side_from_sample_to_sample() {
     // 0.8 turns from one sample to the next: the half-angle's quaternion changes its side each time
-    let start = state(0.0, [0.0, 0.0, 3.0]);
+    let start = state(0.0, [0.05, 0.02, 3.0]);
     let shaft = Prescribed::fixed_axis(start.attitude, Direction::new(1.0, -2.0, 0.5), 3.0, 0.0).unwrap();
     let coin = Prescribed::euler_rates([0.4, 0.9, -1.2], [3.0, 0.01, 0.02]).unwrap();
     let times: Vec<f64> = (0..20).map(|k| 0.8 * TAU / 3.0 * f64::from(k)).collect();
@@ -295,7 +295,7 @@ fn radii_of_gyration_are_where_the_mass_would_be_a_ring() {
 #[test]
 fn attitudes_on_the_edge_of_their_charts() {
     let q = |wxyz| Attitude::from_quaternion(wxyz).unwrap();
-    for [x, y] in [[0.6, 0.8], [0.6, -0.8], [-0.6, 0.8], [-0.8, -0.6], [1.0, 0.0], [0.0, 1.0]] {
+    for [x, y] in [[0.6, 0.8], [0.6, -0.8], [-0.6, 0.8], [-0.8, -0.6], [1.0, 0.0], [0.0, 1.0], [0.0, -1.0]] {
         let r = q([0.0, x, y, 0.0]);
         let [phi, theta, psi] = r.euler313();
         assert_eq!([theta, psi], [PI, 0.0]);
@@ -310,7 +310,9 @@ fn attitudes_on_the_edge_of_their_charts() {
         ([0.0, 0.0, 0.0, -1.0], [0.0, 0.0, 0.0, 1.0]),
         ([-0.0, 0.6, -0.8, 0.0], [0.0, 0.6, -0.8, 0.0]),
     ] {
-        assert_eq!(q(given).canonical_quaternion(), canonical);
+        for (got, want) in q(given).canonical_quaternion().into_iter().zip(canonical) {
+            assert!((got - want).abs() < 1e-15, "{given:?}: {got} {want}");
+        }
     }
     // RᵀR is off by 2d where one diagonal element is, by d where one other is
     let matrix = |i: usize, j: usize, d: f64| {
@@ -440,10 +442,10 @@ fn free_axes_are_the_nearest_to_the_bodys_own() {
 }
 
 #[test]
-fn a_torque_across_a_rod_does_not_spin_it() {
+fn no_torque_spins_a_rod_about_its_line() {
     let rod = free_body([0.0, 1.2, 1.2]);
-    let alpha = rod.acceleration(AngularVelocity::new(0.9, -0.4, 0.7), Torque::new(0.0, 0.6, -1.1));
-    // about a line without inertia ω × Iω = i (ω3, −ω2) ω1
+    let alpha = rod.acceleration(AngularVelocity::new(0.9, -0.4, 0.7), Torque::new(0.3, 0.6, -1.1));
+    // what acts along the rod is not answered; about a line without inertia ω × Iω = i (ω3, −ω2) ω1
     assert_eq!(alpha.x, 0.0);
     assert!(
         (alpha.y - (0.5 + 0.7 * 0.9)).abs() < 1e-15 && (alpha.z - (-1.1 / 1.2 + 0.4 * 0.9)).abs() < 1e-15
@@ -480,21 +482,21 @@ fn dumbbells_hang_and_swing_in_any_direction() {
         for angle in [0.0, 1e-6, 0.3] {
             let attitude = Rotation::about(Direction::from_array(axis.to_array()), angle).unwrap();
             let start = State { time: 0.0, attitude, omega: AngularVelocity::ZERO };
-            let times: Vec<f64> = (0..=16).map(|k| 0.5 * period * f64::from(k)).collect();
+            let times: Vec<f64> = (0..=32).map(|k| 0.25 * period * f64::from(k)).collect();
             let motion = Trajectory::compute(&rotor, &[weight], start, &times, Method::Auto, 1e-13).unwrap();
             for (k, sample) in motion.samples().iter().enumerate() {
                 let spin = line.dot(sample.state.omega).abs();
                 assert!(spin < 1e-15, "{line:?} {angle}: spin {spin:e}");
-                if angle < 0.1 {
-                    let side = if k % 2 == 0 { angle } else { -angle };
+                if angle < 0.1 && k % 2 == 0 {
+                    let side = if k % 4 == 0 { angle } else { -angle };
                     let want = Rotation::about(Direction::from_array(axis.to_array()), side).unwrap();
                     let off = sample.state.attitude.angle_to(want);
-                    assert!(off < 1e-14, "{line:?} {angle} sample {k}: {off:e}");
+                    assert!(off < 1e-13, "{line:?} {angle} sample {k}: {off:e}");
                 }
             }
             let drift = Drift::of(&motion).unwrap();
             if angle > 0.1 {
-                assert!(drift.work_energy < 1e-12 && drift.momentum < 1e-12, "{line:?} {angle}: {drift:?}");
+                assert!(drift.work_energy < 1e-11 && drift.momentum < 1e-11, "{line:?} {angle}: {drift:?}");
             }
         }
     }
@@ -505,13 +507,12 @@ fn the_carried_rounding_keeps_long_runs() {
     let rotor = free_body([1.0, 2.0, 3.0]);
     let start = state(0.0, [0.3, 0.5, 0.9]);
     let motion =
-        Trajectory::compute(&rotor, &[], start, &[4000.0], Method::Dop853, TIGHTEST_TOLERANCE).unwrap();
+        Trajectory::compute(&rotor, &[], start, &[1600.0], Method::Dop853, TIGHTEST_TOLERANCE).unwrap();
     let Solution::Integrated { statistics, .. } = motion.solution() else { panic!("integrated") };
     let drift = Drift::of(&motion).unwrap();
-    println!("{statistics:?} {drift:?}");
     assert!(statistics.accepted > 20_000);
     assert!(
-        drift.momentum_magnitude < 3e-14 && drift.kinetic_energy < 3e-14 && drift.momentum < 3e-14,
+        drift.momentum_magnitude < 2e-14 && drift.kinetic_energy < 5e-14 && drift.momentum < 2e-14,
         "{drift:?}"
     );
 }
@@ -534,7 +535,9 @@ fn thin_meshes_are_solids_and_flat_ones_are_not() {
 #[test]
 fn a_size_that_f64_does_not_hold_is_refused() {
     fn too_far(result: Result<impl std::fmt::Debug, BodyError>) -> bool {
-        matches!(result, Err(BodyError::Parameter { rule, .. }) if rule.contains("too large or too small"))
+        result.is_err_and(
+            |e| matches!(e, BodyError::Parameter { rule, .. } if rule.contains("too large or too small")),
+        )
     }
     let corners = [[0.1, 0.2, 0.3], [1.7, 0.1, -0.4], [0.6, 0.9, 0.8], [0.0, 0.0, 2.0]];
     let [a, b, c, d] = corners;
@@ -560,7 +563,10 @@ fn a_size_that_f64_does_not_hold_is_refused() {
         assert!(too_far(Plate::new([s; 2])) && too_far(Rod::new(s)));
         assert!(too_far(closed(s)) && too_far(tetrahedron(s)));
     }
-    assert!(too_far(closed(1e308)) && too_far(tetrahedron(1e308)));
+    // the coordinates fit, their differences do not
+    let wide = |p: [f64; 3]| p.map(|x| (x - 0.6) * 1.2e308);
+    assert!(too_far(Tetrahedron::new(corners.map(wide))));
+    assert!(too_far(ClosedMesh::from_triangles(mesh.map(|t| t.map(wide)).to_vec())));
     // each number fits, their product does not
     let speck = BoxShape::new([1e-100; 3]).unwrap();
     assert!(too_far(speck.mass_properties(Substance::Mass(1e-150))));
@@ -576,9 +582,12 @@ fn a_needle_and_a_flake_have_an_area() {
     // two sides of a disk; of an ellipse
     assert!(relative(area([0.7, 1e-200, 0.7]), TAU * 0.49) < 2e-15);
     assert!(relative(area([0.7, 0.3, 1e-250]), TAU * 0.21) < 2e-15);
-    // π²/2 · a times the mean width of a round needle: half of a cylinder's 2π r · 2a, times π/2
+    // of a round needle ∫ 2π b √(1 − x²/a²) dx over its length = π² a b
     assert!(relative(area([1e130, 1e-150, 1e-150]), PI * PI * 1e-20) < 2e-15);
     assert!(relative(area([1e-90, 1e120, 1e-90]), PI * PI * 1e30) < 2e-15);
+    // flat as well as thin: two sides of an ellipse again
+    assert!(relative(area([1.0, 1e-12, 1e-24]), TAU * 1e-12) < 2e-15);
+    assert!(relative(area([1e-40, 1e20, 1e-10]), TAU * 1e10) < 2e-15);
     // near the ratio below which it no longer changes
     for ratio in [1e-10, 1e-11, 1e-12, 1e-13] {
         assert!(relative(area([1.0, ratio, ratio]), PI * PI * ratio) < 2e-15);

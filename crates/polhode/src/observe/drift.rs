@@ -6,7 +6,8 @@ use crate::motion::trajectory::{Sample, Solution, Trajectory};
 /// How far a computed motion departs from the balances that the true one keeps, at its worst sample.
 ///
 /// The work–energy theorem T(t) − T(0) = W and the impulse–momentum theorem L(t) − L(0) = J hold for every torque;
-/// without torque they say that T and L are constant. All are relative to the largest T, |L| or energy of the run.
+/// without torque they say that T and L are constant. All are relative to the largest T, |L| or energy among the start and
+/// the samples.
 ///
 /// Small drift is necessary for a good solution, not sufficient: a wrong phase along the right polhode shows here
 /// as nothing.

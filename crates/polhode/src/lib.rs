@@ -106,3 +106,8 @@ pub use motion::trajectory::{Method, Sample, Solution, Trajectory};
 pub use observe::cone::Cones;
 pub use observe::drift::Drift;
 pub use observe::regime::{FreeRegime, Regime};
+
+/// The README's program, as a test.
+#[cfg(doctest)]
+#[doc = include_str!("../../../README.md")]
+struct Readme;

@@ -6,6 +6,7 @@ mod explain;
 mod failure;
 mod folder;
 mod inertia;
+mod progress;
 mod shell;
 mod simulate;
 mod stdout;

@@ -10,6 +10,7 @@ use polhode_report::{MotionReport, SourceInfo, pretty};
 
 use crate::failure::Failure;
 use crate::folder::Folder;
+use crate::progress::Progress;
 use crate::stdout::print;
 
 /// Compute the motion of a scenario and write it to a folder.
@@ -76,7 +77,9 @@ impl Simulate {
 
     fn trajectory(&self, scenario: &Scenario) -> Result<Trajectory, Failure> {
         let path = self.file.display().to_string();
-        match scenario.simulate() {
+        let end = scenario.run.as_ref().and_then(|run| run.times.last().copied()).unwrap_or_default();
+        let mut progress = Progress::new(end);
+        match scenario.simulate_watched(&mut |time| progress.reached(time)) {
             Some(motion) => motion.map_err(|error| Failure::Motion { path, error }),
             None => Err(Failure::usage(
                 format!("{path} has no [run] section, so there is no time to simulate"),

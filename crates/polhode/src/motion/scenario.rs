@@ -94,13 +94,27 @@ impl Scenario {
     /// # Errors
     /// [`MotionError`] as [`Trajectory::compute`].
     pub fn simulate(&self) -> Option<Result<Trajectory, MotionError>> {
+        self.simulate_watched(&mut |_| {})
+    }
+
+    /// [`Scenario::simulate`], telling `watch` the time (s) that an integration has reached after each step.
+    ///
+    /// # Errors
+    /// [`MotionError`] as [`Trajectory::compute`].
+    pub fn simulate_watched(&self, watch: &mut dyn FnMut(f64)) -> Option<Result<Trajectory, MotionError>> {
         let run = self.run.as_ref()?;
         let rotor = self.rotor();
         Some(match &self.prescribed {
             Some(motion) => Trajectory::prescribed(&rotor, motion, &run.times),
-            None => {
-                Trajectory::compute(&rotor, &self.torques, self.start, &run.times, run.method, run.tolerance)
-            }
+            None => Trajectory::compute_watched(
+                &rotor,
+                &self.torques,
+                self.start,
+                &run.times,
+                run.method,
+                run.tolerance,
+                watch,
+            ),
         })
     }
 

@@ -116,6 +116,22 @@ impl Trajectory {
         method: Method,
         tolerance: f64,
     ) -> Result<Self, MotionError> {
+        Self::compute_watched(rotor, torques, start, times, method, tolerance, &mut |_| {})
+    }
+
+    /// [`Trajectory::compute`], telling `watch` the time (s) that the integration has reached after each step.
+    ///
+    /// # Errors
+    /// As [`Trajectory::compute`].
+    pub fn compute_watched(
+        rotor: &Rotor,
+        torques: &[TorqueModel],
+        start: State,
+        times: &[f64],
+        method: Method,
+        tolerance: f64,
+        watch: &mut dyn FnMut(f64),
+    ) -> Result<Self, MotionError> {
         require_ascending(start.time, times)?;
         require_finite(rotor, torques, &start)?;
         let torque_free = torques.is_empty();
@@ -127,7 +143,7 @@ impl Trajectory {
         match (method, exact) {
             (Method::Auto | Method::Exact, Ok(motion)) => Self::of_free_motion(rotor, motion, start, times),
             (Method::Exact, Err(why)) => Err(why),
-            _ => Self::integrate(rotor, torques, start, times, tolerance),
+            _ => Self::integrate(Stepper::new(rotor, torques, start, tolerance)?, start, times, watch),
         }
     }
 
@@ -176,13 +192,12 @@ impl Trajectory {
     }
 
     fn integrate(
-        rotor: &Rotor,
-        torques: &[TorqueModel],
+        mut stepper: Stepper<'_>,
         start: State,
         times: &[f64],
-        tolerance: f64,
+        watch: &mut dyn FnMut(f64),
     ) -> Result<Self, MotionError> {
-        let mut stepper = Stepper::new(rotor, torques, start, tolerance)?;
+        let (rotor, torques) = stepper.subject();
         let mut samples = Vec::with_capacity(times.len());
         let mut wanted = times.iter().copied().peekable();
         let end = times.last().copied().unwrap_or(start.time);
@@ -194,12 +209,14 @@ impl Trajectory {
         while stepper.time() < end {
             let step = stepper.step(end)?;
             require_patience(&stepper, end)?;
+            watch(stepper.time());
             while let Some(t) = wanted.next_if(|&t| t <= step.end()) {
                 let at = if t == step.end() { stepper.now() } else { step.at(t) };
                 samples.push(sample(rotor, torques, at)?);
             }
         }
-        let solution = Solution::Integrated { tolerance, statistics: stepper.statistics() };
+        let solution =
+            Solution::Integrated { tolerance: stepper.tolerance(), statistics: stepper.statistics() };
         Ok(Self { start: given, samples: continuous(samples), solution })
     }
 }

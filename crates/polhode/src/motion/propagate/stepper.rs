@@ -110,6 +110,15 @@ impl<'a> Stepper<'a> {
         })
     }
 
+    /// What is stepped: the body, and what turns it.
+    pub(crate) fn subject(&self) -> (&'a Rotor, &'a [TorqueModel]) {
+        (self.chart.rotor, self.chart.torques)
+    }
+
+    pub(crate) fn tolerance(&self) -> f64 {
+        self.tolerance
+    }
+
     pub(crate) fn time(&self) -> f64 {
         self.time
     }

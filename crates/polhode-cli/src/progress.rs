@@ -1,0 +1,48 @@
+//! A line that shows how far a long run is, on a terminal; nothing in a pipe.
+
+use std::io::{self, IsTerminal as _, Write as _};
+use std::time::{Duration, Instant};
+
+/// A run shorter than this shows nothing, and the line changes no more often.
+const PATIENCE: Duration = Duration::from_millis(500);
+
+/// Steps between two looks at the clock.
+const STRIDE: u32 = 4096;
+
+/// How far a run is; dropped, it takes its line away.
+#[derive(Debug)]
+pub(crate) struct Progress {
+    end: f64,
+    steps: u32,
+    next: Option<Instant>,
+    shown: bool,
+}
+
+impl Progress {
+    /// The progress of a run that ends at `end`, s.
+    pub(crate) fn new(end: f64) -> Self {
+        let next = io::stderr().is_terminal().then(|| Instant::now() + PATIENCE);
+        Self { end, steps: 0, next, shown: false }
+    }
+
+    /// The run has reached `time`, s.
+    pub(crate) fn reached(&mut self, time: f64) {
+        self.steps = self.steps.wrapping_add(1);
+        let Some(next) = self.next.filter(|_| self.steps.is_multiple_of(STRIDE)) else { return };
+        let now = Instant::now();
+        if now >= next {
+            let percent = 100.0 * time / self.end;
+            let _ = write!(io::stderr(), "\r\x1b[K{percent:3.0} %   t = {time:.6} of {} s", self.end);
+            self.next = Some(now + PATIENCE);
+            self.shown = true;
+        }
+    }
+}
+
+impl Drop for Progress {
+    fn drop(&mut self) {
+        if self.shown {
+            let _ = write!(io::stderr(), "\r\x1b[K");
+        }
+    }
+}

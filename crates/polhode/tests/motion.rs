@@ -12,10 +12,18 @@ fn errors(row: &toml::Table, state: &State) -> (f64, f64) {
     ((state.omega - omega).norm() / omega.norm(), state.attitude.angle_to(attitude(&row["attitude"])))
 }
 
-/// The motion of a case at the time of one row.
-fn integrate(rotor: &Rotor, torques: &[TorqueModel], start: State, t: f64, tolerance: f64) -> State {
-    let motion = Trajectory::compute(rotor, torques, start, &[t], Method::Dop853, tolerance).unwrap();
-    motion.samples()[0].state
+/// A motion at one time, before its start too: every torque here depends on the attitude alone, so the motion with ω
+/// reversed is the same one run backwards.
+fn integrate(rotor: &Rotor, torques: &[TorqueModel], start: State, t: f64, tolerance: f64) -> Sample {
+    let sign = if t < 0.0 { -1.0 } else { 1.0 };
+    let start = State { omega: start.omega * sign, ..start };
+    let motion = Trajectory::compute(rotor, torques, start, &[sign * t], Method::Dop853, tolerance).unwrap();
+    let sample = motion.samples()[0];
+    let drift = Drift::of(&motion).unwrap();
+    assert!(drift.work_energy < 1e3 * tolerance * (1.0 + t.abs()), "t = {t}: {drift:?}");
+    assert!(drift.momentum < 1e3 * tolerance * (1.0 + t.abs()), "t = {t}: {drift:?}");
+    let state = State { time: t, omega: sample.state.omega * sign, ..sample.state };
+    Sample { state, momentum: sample.momentum * sign, ..sample }
 }
 
 #[test]
@@ -25,14 +33,14 @@ fn free_asymmetric_bodies_follow_the_reference() {
         let name = case["name"].as_str().unwrap();
         for row in cases(case, "row") {
             let t = number(&row["t"]);
-            if !(0.0..=100.0).contains(&t) {
-                continue;
-            }
-            let state = integrate(&rotor, &[], start(case), t, 1e-15);
+            let state = integrate(&rotor, &[], start(case), t, 1e-15).state;
             let (omega, attitude) = errors(row, &state);
-            // Near the separatrix the problem itself multiplies errors by e^{growth · t}.
-            let amplified = if name.starts_with("dzhanibekov") && t > 10.0 { 1e7 } else { 1.0 };
-            let bound = 2e-14 * amplified * (1.0 + t);
+            // The errors of phase grow with t; each passage of the separatrix multiplies them.
+            let bound = match name {
+                "dzhanibekov_1e-6" if t.abs() > 10.0 => 1e-13 * t.abs().powi(3),
+                "dzhanibekov_1e-3" if t.abs() > 10.0 => 1e-11 * t.abs(),
+                _ => 2e-14 * (1.0 + t.abs()),
+            };
             assert!(omega < bound && attitude < bound, "{name} t = {t}: {omega:e} {attitude:e}");
         }
     }
@@ -84,15 +92,9 @@ fn torques_follow_the_reference() {
         assert!(!torques.is_empty());
         for row in cases(case, "row") {
             let t = number(&row["t"]);
-            if t < 0.0 {
-                continue;
-            }
-            let motion =
-                Trajectory::compute(&rotor, &torques, start(case), &[0.0, t], Method::Auto, 1e-15).unwrap();
-            let sample = motion.samples()[1];
+            let sample = integrate(&rotor, &torques, start(case), t, 1e-15);
             let (omega, attitude) = errors(row, &sample.state);
-            let turned = 1.0 + start(case).omega.norm() * t;
-            let bound = 1e-13 * turned;
+            let bound = 1e-13 * (1.0 + start(case).omega.norm() * t.abs());
             assert!(omega < bound && attitude < bound, "{name} t = {t}: {omega:e} {attitude:e}");
             let energy = number(&row["kinetic_energy"]);
             assert!((sample.kinetic_energy / energy - 1.0).abs() < bound, "{name} t = {t}");
@@ -103,8 +105,6 @@ fn torques_follow_the_reference() {
                 let scale = sample.kinetic_energy.max(potential.abs());
                 assert!((sample.kinetic_energy + potential - total).abs() < bound * scale, "{name} t = {t}");
             }
-            let drift = Drift::of(&motion).unwrap();
-            assert!(drift.work_energy < bound && drift.momentum < bound, "{name} t = {t}: {drift:?}");
         }
     }
 }
@@ -132,7 +132,7 @@ fn the_tolerance_controls_the_error() {
     let row = cases(case, "row").into_iter().find(|r| number(&r["t"]) == 100.0).unwrap();
     let mut last = f64::INFINITY;
     for tolerance in [1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14] {
-        let (omega, attitude) = errors(row, &integrate(&rotor, &[], start(case), 100.0, tolerance));
+        let (omega, attitude) = errors(row, &integrate(&rotor, &[], start(case), 100.0, tolerance).state);
         println!("{tolerance:e} {omega:e} {attitude:e}");
         assert!(attitude < 1e3 * tolerance + 1e-13, "{tolerance:e}: {attitude:e}");
         assert!(attitude < 0.1 * last, "{tolerance:e}: {attitude:e} after {last:e}");

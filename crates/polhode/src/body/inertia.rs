@@ -29,7 +29,7 @@ use crate::math::vector::{
 /// # Ok::<(), polhode::BodyError>(())
 /// ```
 ///
-/// Source: Thornton & Marion, Classical Dynamics, eq. (11.13).
+/// Source: the lecture notes on Thornton & Marion, Classical Dynamics, chapter 11, "The inertia tensor".
 pub struct InertiaTensor<F> {
     elements: Symmetric3,
     frame: PhantomData<F>,

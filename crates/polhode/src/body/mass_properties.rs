@@ -112,7 +112,7 @@ impl<F: Frame> MassProperties<F> {
     ///
     /// J_ij = I_ij + M (a² δ_ij − a_i a_j), a from the point to the centre of mass
     ///
-    /// Source: Thornton & Marion, eq. (11.49).
+    /// Source: Steiner's theorem, as any text on mechanics has it; tested against Schaub's worked example.
     pub fn inertia_about(&self, point: Position<F>) -> InertiaAbout<F> {
         let steiner = steiner(self.mass, self.center_of_mass - point);
         InertiaAbout::moved(point, *self.inertia.symmetric() + steiner)

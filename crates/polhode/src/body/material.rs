@@ -2,7 +2,7 @@
 
 /// A material by name, with a nominal density.
 ///
-/// The densities are handbook values of the plain material at room temperature; alloys and grades differ by
+/// The densities are nominal, of the plain material at room temperature; alloys and grades differ by
 /// percents. For a budget give the measured density or the mass.
 ///
 /// ```
@@ -26,8 +26,7 @@ impl Material {
 
     /// All materials, in alphabetical order.
     ///
-    /// Metals: CRC Handbook of Chemistry and Physics, 97th ed., section 12; alloys, polymers and building
-    /// materials: Ashby, Materials Selection in Mechanical Design, 5th ed., appendix A (middle of the range).
+    /// Rounded values in common use, compiled from general knowledge and not transcribed from one table.
     pub const ALL: &'static [Self] = &[
         Self { name: "abs", density: 1050.0 },
         Self { name: "acrylic", density: 1180.0 },

@@ -284,5 +284,5 @@ fn bounds(triangles: &[Triangle]) -> ([f64; 3], [f64; 3]) {
 }
 
 fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+    Direction::<Part>::from_array(a).cross(Direction::from_array(b)).to_array()
 }

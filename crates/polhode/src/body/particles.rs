@@ -60,7 +60,7 @@ impl<F: Frame> Particle<F> {
 /// # Errors
 /// [`BodyError::Empty`] without particles; [`BodyError::Parameter`] if a sum is not finite.
 ///
-/// Source: Thornton & Marion, eq. (11.13).
+/// Source: the lecture notes, "The inertia tensor".
 pub fn mass_properties_of_particles<F: Frame>(
     particles: &[Particle<F>],
 ) -> Result<MassProperties<F>, BodyError> {

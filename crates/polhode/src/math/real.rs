@@ -1,4 +1,4 @@
-//! Elementary functions and constants: `libm`, so that every platform computes the same bits.
+//! Elementary functions and constants: `libm`, so that no result depends on the platform's own.
 
 pub(crate) use core::f64::consts::PI;
 

@@ -8,7 +8,7 @@ impl Rotor {
     /// Euler's equations read from motion to torque, in body axes of any direction: N = I ω̇ + ω × I ω.
     ///
     /// # Source
-    /// Thornton & Marion, eq. (11.114). The lecture notes' N = I ω̇ lacks the second term: it holds in axes that do
+    /// The lecture notes, "Euler's equations for a rigid body". Their earlier N = I ω̇ lacks the second term: it holds in axes that do
     /// not turn, or where ω lies along a principal axis.
     pub fn torque_for(
         &self,

@@ -10,7 +10,7 @@ use crate::math::vector::{
 ///
 /// V is the velocity of the body's origin and r leads from it to the point; all along the same axes.
 ///
-/// Source: Thornton & Marion, eq. (11.1).
+/// Source: the lecture notes, "The inertia tensor"; Thornton & Marion, eq. (10.17), as they cite it.
 pub fn rigid_velocity<F>(
     origin_velocity: Velocity<F>,
     omega: AngularVelocity<F>,
@@ -55,7 +55,7 @@ pub struct KineticEnergySplit {
 impl KineticEnergySplit {
     /// The kinetic energy of `particles`, split for an origin that moves at `origin_velocity`.
     ///
-    /// Source: the lecture notes' first section; Thornton & Marion, eqs. (11.3) to (11.6).
+    /// Source: the lecture notes, "The inertia tensor".
     pub fn of<F: Frame>(particles: &[MovingParticle<F>], origin_velocity: Velocity<F>) -> Self {
         let mut split = Self { translation: 0.0, cross: 0.0, rotation: 0.0 };
         for p in particles {
@@ -84,7 +84,7 @@ pub fn momentum<F: Frame>(particles: &[MovingParticle<F>]) -> Momentum<F> {
 
 /// Angular momentum about a point that moves at `point_velocity`: Σ m (r − r₀) × (v − v₀), kg·m²/s.
 ///
-/// Source: Thornton & Marion, eq. (11.36).
+/// Source: the lecture notes, "Angular Momentum".
 pub fn angular_momentum<F: Frame>(
     particles: &[MovingParticle<F>],
     point: Position<F>,

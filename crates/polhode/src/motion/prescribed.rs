@@ -105,7 +105,7 @@ fn euler_turns([phi, theta, psi]: [f64; 3]) -> Attitude {
 
 /// ω = (φ̇ sθ sψ + θ̇ cψ, φ̇ sθ cψ − θ̇ sψ, φ̇ cθ + ψ̇) and its derivative at constant rates.
 ///
-/// Source: Thornton & Marion, eq. (11.102).
+/// The derivative of R₃(φ) R₁(θ) R₃(ψ), which the tests difference.
 fn euler_kinematics(
     [_, theta, psi]: [f64; 3],
     [p, n, s]: [f64; 3],

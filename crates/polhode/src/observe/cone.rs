@@ -10,7 +10,7 @@ use crate::motion::state::State;
 ///
 /// The body cone rolls on the space cone without slipping; they touch along ω.
 ///
-/// Source: the lecture notes, "Force-free motion of a symmetric top"; Thornton & Marion, §11.10.
+/// Source: the lecture notes, "Force-free motion of a symmetric top".
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cones {
     /// Half-angle of the body cone, between ω and ±e, 0 … π/2 rad: tan = ω_t / |ω_e|.

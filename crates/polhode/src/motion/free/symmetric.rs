@@ -17,10 +17,10 @@ use crate::motion::state::State;
 /// I_e is the moment about e (the notes' i3) and I_t the one across it (their i1 = i2).
 ///
 /// # Accuracy
-/// Rounding of the phases Ω t and φ̇ t: about 1e-16 rad per radian turned.
+/// Rounding of the phases Ω t and φ̇ t: about 2e-16 rad per radian turned.
 ///
 /// # Source
-/// The lecture notes, "Force-free motion of a symmetric top"; Thornton & Marion, §11.10. The product form follows from
+/// The lecture notes, "Force-free motion of a symmetric top". The product form follows from
 /// ω = L/I_t − Ω e.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SymmetricTop {

@@ -43,7 +43,7 @@ pub(crate) struct Balanced {
 /// Adaptive DOP853 over the motion of one body.
 ///
 /// The error of a step, which `tolerance` bounds, is the root mean square of two: the attitude's (rad) and ω's (relative
-/// to the largest |ω| so far).
+/// to the largest |ω| so far, and not below what the rounding of the torque does to it).
 pub(crate) struct Stepper<'a> {
     chart: Chart<'a>,
     orientation: Orientation,
@@ -229,8 +229,9 @@ impl Step<'_> {
 
     /// The state within the step: dense output, by a shorter step from the same start.
     ///
-    /// Eleven evaluations each, and no error of its own: the polynomial of order 7 that goes with DOP853 was measured at
-    /// 10 to 60 times the error of the step.
+    /// Eleven evaluations each. The polynomial of order 7 that goes with DOP853 costs three a step; on Orekit's test
+    /// (fixtures/free_top.toml, every order and sign of its rates) its samples had up to 57 times the tolerance, these have
+    /// less than 5 times.
     pub(crate) fn at(&self, time: f64) -> Balanced {
         let f = |t: f64, y: &Y| self.chart.derivative(t, y);
         let stages = dop853::step(&f, self.start, &self.y, &self.k0, time - self.start);

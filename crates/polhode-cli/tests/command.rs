@@ -80,6 +80,14 @@ duration = "3 s"
 samples = 31
 "#;
 
+/// With a torque the motion has no closed form.
+const PUSH: &str = r#"
+[[torque]]
+model = "constant"
+axes = "body"
+torque = ["1 mN m", "0 N m", "0 N m"]
+"#;
+
 #[test]
 fn simulate_writes_a_folder_whose_table_is_the_motion() {
     let scratch = Scratch::new("simulate");
@@ -208,7 +216,7 @@ fn a_tolerance_out_of_reach_is_a_failure_of_the_computation() {
 #[test]
 fn a_run_without_end_is_given_up_at_once() {
     let scratch = Scratch::new("endless");
-    scratch.write("long.toml", &BRICK.replace("3 s", "1e15 s"));
+    scratch.write("long.toml", &(BRICK.replace("3 s", "1e15 s") + PUSH));
     let text = refused(&scratch.run(&["simulate", "long.toml"]), 3);
     assert!(text.contains("steps") && text.contains("hint: "), "{text}");
     scratch.write("fast.toml", &BRICK.replace("2.0", "1e200"));

@@ -88,7 +88,7 @@ pub use math::vector::{
 
 // motion: states in time, and what moves them
 pub use motion::error::MotionError;
-pub use motion::free::{FreeMotion, PermanentAxis, PermanentRotation, SymmetricTop, SymmetricTopKind};
+pub use motion::free::{FreeMotion, PermanentAxis, Regime};
 pub use motion::inverse::{ParticleForce, Required};
 pub use motion::kinematics::{
     KineticEnergySplit, MovingParticle, angular_momentum, momentum, rigid_acceleration, rigid_velocity,
@@ -105,7 +105,8 @@ pub use motion::trajectory::{Method, Sample, Solution, Trajectory};
 // observe: what can be read off a motion
 pub use observe::cone::Cones;
 pub use observe::drift::Drift;
-pub use observe::regime::{FreeRegime, Regime};
+pub use observe::regime::FreeRegime;
+pub use observe::symmetric_top::{SymmetricTop, SymmetricTopKind};
 
 /// The README's program, as a test.
 #[cfg(doctest)]

@@ -1,6 +1,6 @@
 //! The answer, before the working.
 
-use polhode::{Cones, FreeMotion, FreeRegime, Symmetry};
+use polhode::{Cones, FreeMotion, FreeRegime, SymmetricTop, Symmetry};
 
 use super::working::{Working, exactly, n, v};
 use crate::forces;
@@ -75,7 +75,8 @@ fn free(w: &Working<'_>) -> Option<String> {
         return None;
     }
     let free = FreeRegime::of(&w.rotor, &w.start);
-    if let Ok(FreeMotion::Symmetric(top)) = FreeMotion::of(&w.rotor, w.start) {
+    let motion = FreeMotion::of(&w.rotor, w.start).ok();
+    if let Some(top) = motion.as_ref().and_then(SymmetricTop::of_motion) {
         let cones = Cones::of(&top);
         if cones.body_half_angle < CLOSED {
             return Some(

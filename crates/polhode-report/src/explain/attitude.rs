@@ -1,6 +1,6 @@
 //! Step 6: the attitude.
 
-use polhode::{Drift, FreeMotion, State, Symmetry};
+use polhode::{Drift, FreeMotion, Regime, State, SymmetricTop, Symmetry};
 
 use super::document::Section;
 use super::working::{Working, n, v};
@@ -19,14 +19,14 @@ pub(super) fn section(w: &Working<'_>) -> Section {
     );
     let exact = if w.is_free() { FreeMotion::of(&w.rotor, w.start).ok() } else { None };
     match &exact {
-        Some(FreeMotion::Permanent(_)) if !w.is_turning() => s.say("With ω = 0 it stays R(t0)."),
-        Some(FreeMotion::Permanent(_)) => {
+        Some(motion) if motion.regime() == Regime::AtRest => s.say("With ω = 0 it stays R(t0)."),
+        Some(motion) if matches!(motion.regime(), Regime::Permanent(_)) => {
             s.formula(
                 "R(t) = R(t0) · turn(ω̂, |ω| (t − t0))",
                 r"R(t) = R(t_0) \operatorname{turn}\bigl(\hat{\boldsymbol\omega}, |\boldsymbol\omega| (t - t_0)\bigr)",
             );
         }
-        Some(FreeMotion::Symmetric(top)) => {
+        Some(motion) if let Some(top) = SymmetricTop::of_motion(motion) => {
             s.say("For the symmetric top the solution is two turns at constant rates, one in space and one in the body:");
             s.formula(
                 "R(t) = turn(L̂, φ\u{307} (t − t0)) · R(t0) · turn(e, −Ω (t − t0))",

@@ -15,9 +15,10 @@ pub(super) fn solve(w: &Working<'_>, s: &mut Section) {
         s.say("There is nothing to solve: all the mass is in one point, which has no rotation.");
         return;
     }
-    match FreeMotion::of(&w.rotor, w.start) {
-        Ok(FreeMotion::Permanent(_)) => permanent(w, s),
-        Ok(FreeMotion::Symmetric(top)) => symmetric(w, &top, s),
+    let Ok(motion) = FreeMotion::of(&w.rotor, w.start) else { return };
+    match (motion.regime(), SymmetricTop::of_motion(&motion)) {
+        (Regime::Permanent(_) | Regime::AtRest, _) => permanent(w, s),
+        (_, Some(top)) => symmetric(w, &motion, &top, s),
         _ => asymmetric(w, s),
     }
 }
@@ -46,7 +47,7 @@ fn permanent(w: &Working<'_>, s: &mut Section) {
 }
 
 /// The notes' η(t) = A exp(iΩt), about the symmetry axis e.
-fn symmetric(w: &Working<'_>, top: &SymmetricTop, s: &mut Section) {
+fn symmetric(w: &Working<'_>, motion: &FreeMotion, top: &SymmetricTop, s: &mut Section) {
     let [axial, transverse] = top.moments();
     let e = top.axis();
     let along = e * top.spin();
@@ -87,7 +88,7 @@ fn symmetric(w: &Working<'_>, top: &SymmetricTop, s: &mut Section) {
     if top.body_rate() == 0.0 {
         s.say("Ω = 0: ω is across the symmetry axis, along a principal axis too, and stays.");
     }
-    cones(w, top, s);
+    cones(w, motion, top, s);
 }
 
 /// ω along the symmetry axis but for rounding: both cones have closed to a line.
@@ -101,7 +102,7 @@ fn along_axis(w: &Working<'_>, top: &SymmetricTop, s: &mut Section) {
     s.line(format!("ω = {} rad/s{}", v(w.start.omega.to_array()), once_in(w.start.omega.norm())));
 }
 
-fn cones(w: &Working<'_>, top: &SymmetricTop, s: &mut Section) {
+fn cones(w: &Working<'_>, motion: &FreeMotion, top: &SymmetricTop, s: &mut Section) {
     let cones = Cones::of(top);
     let sense = if cones.body_rate < 0.0 { ", against the right hand about e" } else { "" };
     s.say(format!(
@@ -121,7 +122,7 @@ fn cones(w: &Working<'_>, top: &SymmetricTop, s: &mut Section) {
     let departure = samples
         .iter()
         .map(|x| Cones::coplanarity(top, &x.state))
-        .fold(Cones::coplanarity(top, &top.at(w.start.time + 1.0)), f64::max);
+        .fold(Cones::coplanarity(top, &motion.at(w.start.time + 1.0)), f64::max);
     s.line(format!("e · (ω × L) / |ω||L| = {} at worst: one plane", crate::number::error(departure)));
     if !samples.is_empty() {
         driven::table(&samples, false, s);

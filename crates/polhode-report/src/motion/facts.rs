@@ -1,7 +1,7 @@
 //! What a motion's reports say, gathered once from the core.
 
 use polhode::{
-    Cones, Drift, FreeMotion, FreeRegime, ParticleForce, Pendulum, Prescribed, Regime, Required, Rotor,
+    Cones, Drift, FreeRegime, ParticleForce, Pendulum, Prescribed, Regime, Required, Rotor,
     Sample, Scenario, Solution, State, Swing, SymmetricTop, Trajectory,
 };
 
@@ -64,9 +64,9 @@ impl Top {
     fn of(rotor: &Rotor, trajectory: &Trajectory) -> Option<Self> {
         let start = trajectory.samples().first()?.state;
         let motion = match trajectory.solution() {
-            Solution::Exact(FreeMotion::Symmetric(motion)) => *motion,
+            Solution::Exact(motion) => SymmetricTop::of_motion(motion)?,
             Solution::Integrated { .. } if FreeRegime::of(rotor, &start).regime == Regime::Symmetric => {
-                SymmetricTop::of(rotor, start)?
+                SymmetricTop::of(rotor.principal(), start)?
             }
             _ => return None,
         };

@@ -92,7 +92,7 @@ impl<F: Frame> PrincipalFrame<F> {
         Self::of_symmetric(tensor.symmetric())
     }
 
-    fn of_symmetric(tensor: &Symmetric3) -> Self {
+    pub(crate) fn of_symmetric(tensor: &Symmetric3) -> Self {
         let eigen = tensor.eigen();
         // Rounding may leave −1e-17 where a rod has 0.
         let [i1, i2, i3] = eigen.values.map(|i| i.max(0.0));

@@ -1,9 +1,15 @@
 //! Numbers, vectors and rotations. This room knows no physics: nothing here has a mass.
 
+pub(crate) mod complex;
+pub(crate) mod double;
+pub(crate) mod elementary;
 pub(crate) mod elliptic;
 pub(crate) mod frame;
+pub(crate) mod landen;
+pub(crate) mod lanes;
 pub(crate) mod real;
 pub(crate) mod rotation;
 pub(crate) mod sum;
 pub(crate) mod symmetric3;
+pub(crate) mod triple;
 pub(crate) mod vector;

@@ -1,8 +1,50 @@
-//! Elementary functions and constants: `libm`, so that no result depends on the platform's own.
+//! Numbers that kernels compute with: one f64, or several side by side.
+
+use core::ops::{Add, Mul, Neg, Sub};
 
 pub(crate) use core::f64::consts::PI;
 
-/// sin x and cos x, x in rad.
+/// One f64 or [`Lanes`](super::lanes::Lanes) of them. The law: every lane has the bits that the f64 would have; so there is
+/// no fused multiply–add, and no operation here that rounds in another way.
+pub(crate) trait Real:
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self>
+{
+    /// The same number in every lane.
+    fn splat(x: f64) -> Self;
+
+    /// f of every lane.
+    fn map(self, f: impl Fn(f64) -> f64) -> Self;
+
+    /// f of every lane of two.
+    fn zip(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self;
+
+    /// f of every lane of three.
+    fn zip3(self, b: Self, c: Self, f: impl Fn(f64, f64, f64) -> f64) -> Self;
+}
+
+impl Real for f64 {
+    #[inline(always)]
+    fn splat(x: f64) -> Self {
+        x
+    }
+
+    #[inline(always)]
+    fn map(self, f: impl Fn(f64) -> f64) -> Self {
+        f(self)
+    }
+
+    #[inline(always)]
+    fn zip(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
+        f(self, other)
+    }
+
+    #[inline(always)]
+    fn zip3(self, b: Self, c: Self, f: impl Fn(f64, f64, f64) -> f64) -> Self {
+        f(self, b, c)
+    }
+}
+
+/// sin x and cos x, x in rad: `libm`, so that no result depends on the platform's own.
 pub(crate) fn sin_cos(x: f64) -> (f64, f64) {
     libm::sincos(x)
 }

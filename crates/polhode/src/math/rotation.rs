@@ -266,6 +266,11 @@ impl<A, B> Rotation<A, B> {
         Self::unit(s * w, s * x, s * y, s * z)
     }
 
+    /// The rotation of a quaternion that is unit to rounding.
+    pub(crate) const fn from_unit([w, x, y, z]: [f64; 4]) -> Self {
+        Self::unit(w, x, y, z)
+    }
+
     const fn unit(w: f64, x: f64, y: f64, z: f64) -> Self {
         Self { w, x, y, z, frames: PhantomData }
     }

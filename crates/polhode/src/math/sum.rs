@@ -1,10 +1,39 @@
-//! Sums that carry their rounding errors.
+//! Sums and products that carry their rounding errors.
+
+use super::real::Real;
 
 /// a + b as rounded sum and exact error (Knuth, TAOCP 2, §4.2.2, Theorem B).
-pub(crate) fn two_sum(a: f64, b: f64) -> (f64, f64) {
+#[inline(always)]
+pub(crate) fn two_sum<T: Real>(a: T, b: T) -> (T, T) {
     let s = a + b;
     let bb = s - a;
     (s, (a - (s - bb)) + (b - bb))
+}
+
+/// a + b for |a| ≥ |b| (or a = 0), as rounded sum and exact error (Dekker).
+#[inline(always)]
+pub(crate) fn quick_two_sum<T: Real>(a: T, b: T) -> (T, T) {
+    let s = a + b;
+    (s, b - (s - a))
+}
+
+/// A word as the sum of two halves of 26 bits (Veltkamp).
+#[inline(always)]
+fn halves<T: Real>(a: T) -> (T, T) {
+    let c = T::splat(SPLITTER) * a;
+    let high = c - (c - a);
+    (high, a - high)
+}
+
+/// 2²⁷ + 1
+const SPLITTER: f64 = 134_217_729.0;
+
+/// a b as rounded product and exact error (Dekker), while |a|, |b| < 2⁹⁹⁵ and |a b| > 2⁻⁹⁶⁹.
+#[inline(always)]
+pub(crate) fn two_product<T: Real>(a: T, b: T) -> (T, T) {
+    let p = a * b;
+    let ((a1, a2), (b1, b2)) = (halves(a), halves(b));
+    (p, ((a1 * b1 - p) + a1 * b2 + a2 * b1) + a2 * b2)
 }
 
 /// A running sum of many terms whose error does not grow with their number.

@@ -44,10 +44,10 @@ pub struct Trajectory {
 }
 
 /// How a trajectory was found.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Solution {
     /// In closed form.
-    Exact(FreeMotion),
+    Exact(Box<FreeMotion>),
     /// It was given.
     Prescribed(Prescribed),
     /// By numerical integration.
@@ -141,7 +141,7 @@ impl Trajectory {
             Err(MotionError::NoClosedForm { why: "a torque acts on the body" })
         };
         match (method, exact) {
-            (Method::Auto | Method::Exact, Ok(motion)) => Self::of_free_motion(rotor, motion, start, times),
+            (Method::Auto | Method::Exact, Ok(motion)) => Self::of_motion(motion, times),
             (Method::Exact, Err(why)) => Err(why),
             _ => Self::integrate(Stepper::new(rotor, torques, start, tolerance)?, start, times, watch),
         }
@@ -179,16 +179,17 @@ impl Trajectory {
         &self.solution
     }
 
-    fn of_free_motion(
-        rotor: &Rotor,
-        motion: FreeMotion,
-        start: State,
-        times: &[f64],
-    ) -> Result<Self, MotionError> {
-        let at = |&time: &f64| before_work(motion.at(time));
-        let samples = times.iter().map(at).map(|b| sample(rotor, &[], b)).collect::<Result<_, _>>()?;
-        let start = sample(rotor, &[], before_work(start))?;
-        Ok(Self { start, samples: continuous(samples), solution: Solution::Exact(motion) })
+    /// A free motion at each of `times` (ascending, s; before its start too).
+    ///
+    /// # Errors
+    /// [`MotionError::Parameter`] if times are out of order, [`MotionError::NotFinite`] where energy or momentum leave the range
+    /// of f64.
+    pub fn of_motion(motion: FreeMotion, times: &[f64]) -> Result<Self, MotionError> {
+        require_ascending(f64::NEG_INFINITY, times)?;
+        let samples = motion.at_times(times).into_iter().map(|state| free_sample(&motion, state));
+        let samples = samples.collect::<Result<_, _>>()?;
+        let start = free_sample(&motion, motion.start())?;
+        Ok(Self { start, samples: continuous(samples), solution: Solution::Exact(Box::new(motion)) })
     }
 
     fn integrate(
@@ -242,10 +243,25 @@ fn before_work(state: State) -> Balanced {
 }
 
 /// # Errors
+/// As [`sample`].
+fn free_sample(motion: &FreeMotion, state: State) -> Result<Sample, MotionError> {
+    let in_body = motion.angular_momentum(&state);
+    finite(Sample {
+        state,
+        momentum: state.attitude * in_body,
+        torque: Torque::ZERO,
+        kinetic_energy: 0.5 * state.omega.dot(in_body),
+        potential_energy: None,
+        work: 0.0,
+        impulse: AngularMomentum::ZERO,
+    })
+}
+
+/// # Errors
 /// [`MotionError::NotFinite`] where energy or momentum leave the range of f64.
 fn sample(rotor: &Rotor, torques: &[TorqueModel], balanced: Balanced) -> Result<Sample, MotionError> {
     let Balanced { state, work, impulse } = balanced;
-    let sample = Sample {
+    finite(Sample {
         state,
         momentum: rotor.angular_momentum_space(&state),
         torque: total_torque(torques, rotor, &state),
@@ -253,7 +269,11 @@ fn sample(rotor: &Rotor, torques: &[TorqueModel], balanced: Balanced) -> Result<
         potential_energy: total_potential(torques, rotor, state.attitude),
         work,
         impulse,
-    };
+    })
+}
+
+fn finite(sample: Sample) -> Result<Sample, MotionError> {
+    let Sample { state, .. } = sample;
     let attitude: f64 = state.attitude.quaternion().iter().sum();
     let finite = attitude.is_finite()
         && sample.momentum.is_finite()

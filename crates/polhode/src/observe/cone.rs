@@ -3,8 +3,9 @@
 use crate::math::frame::{Body, Space};
 use crate::math::symmetric3::power_of_two_near;
 use crate::math::vector::{AngularVelocity, Direction};
-use crate::motion::free::SymmetricTop;
 use crate::motion::state::State;
+
+use super::symmetric_top::SymmetricTop;
 
 /// The cones that ω sweeps: about the symmetry axis e in the body, about L in space.
 ///
@@ -29,7 +30,7 @@ impl Cones {
     /// The cones of a motion; they do not depend on the time.
     pub fn of(top: &SymmetricTop) -> Self {
         let [axial, transverse] = top.moments();
-        let start = top.at(0.0);
+        let start = top.start();
         let across = (start.omega - along_axis(top, start.omega)).norm();
         // In units of powers of two near the largest: exact, and no product leaves the range of f64.
         let (rate, moment) = (power_of_two_near(start.omega.max_abs()), power_of_two_near(transverse));

@@ -3,3 +3,4 @@
 pub(crate) mod cone;
 pub(crate) mod drift;
 pub(crate) mod regime;
+pub(crate) mod symmetric_top;

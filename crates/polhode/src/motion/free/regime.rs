@@ -1,16 +1,26 @@
-//! Permanent rotation: ω along a principal axis.
+//! Which kind of free motion a state belongs to.
 
 use crate::body::principal::{PrincipalFrame, Symmetry};
 use crate::math::frame::Body;
-use crate::math::rotation::Rotation;
 use crate::math::vector::AngularVelocity;
-use crate::motion::rotor::Rotor;
-use crate::motion::state::State;
 
-/// A rotation whose axis stays fixed in the body and in space: attitude(t) = attitude(0) · turn(ω̂, |ω| t).
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PermanentRotation {
-    start: State,
+use super::labelled::{Labelled, Mode};
+
+/// The kind of a free motion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Regime {
+    /// ω = 0.
+    AtRest,
+    /// ω along a principal axis: it stays there.
+    Permanent(PermanentAxis),
+    /// Two equal moments: ω circles the symmetry axis.
+    Symmetric,
+    /// D < i2: long-axis mode, L circles axis 1.
+    LongAxis,
+    /// D > i2: short-axis mode, L circles axis 3.
+    ShortAxis,
+    /// D = i2: ω creeps to the intermediate axis and never arrives.
+    Separatrix,
 }
 
 /// The principal axis of a permanent rotation.
@@ -83,18 +93,48 @@ impl PermanentAxis {
     }
 }
 
-impl PermanentRotation {
-    /// `None` unless ω lies along a principal axis, or is zero.
-    pub(super) fn of(rotor: &Rotor, start: State) -> Option<Self> {
-        let permanent = PermanentAxis::of(rotor.principal(), start.omega).is_some();
-        (permanent || start.omega == AngularVelocity::ZERO).then_some(Self { start })
+impl Regime {
+    pub(super) fn of(
+        principal: &PrincipalFrame<Body>,
+        omega: AngularVelocity<Body>,
+        labelled: &Labelled,
+    ) -> Self {
+        if omega == AngularVelocity::ZERO {
+            return Self::AtRest;
+        }
+        if let Some(axis) = PermanentAxis::of(principal, omega) {
+            return Self::Permanent(axis);
+        }
+        match (principal.symmetry(), labelled.mode) {
+            (Symmetry::Asymmetric, _) if labelled.excess.is_zero() => Self::Separatrix,
+            (Symmetry::Asymmetric, Mode::Short) => Self::ShortAxis,
+            (Symmetry::Asymmetric, Mode::Long) => Self::LongAxis,
+            _ => Self::Symmetric,
+        }
     }
 
-    /// The state at a time, s.
-    pub fn at(&self, time: f64) -> State {
-        let State { attitude, omega, time: t0 } = self.start;
-        let turn =
-            omega.direction().map_or(Rotation::identity(), |n| Rotation::turn(n, omega.norm() * (time - t0)));
-        State { time, attitude: attitude * turn, omega }
+    /// The name in summaries.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::AtRest => "at_rest",
+            Self::Permanent(_) => "permanent",
+            Self::Symmetric => "symmetric",
+            Self::LongAxis => "long_axis",
+            Self::ShortAxis => "short_axis",
+            Self::Separatrix => "separatrix",
+        }
+    }
+
+    /// In words.
+    pub const fn description(self) -> &'static str {
+        match self {
+            Self::AtRest => "at rest",
+            Self::Permanent(axis) => axis.description(),
+            Self::Symmetric => "a symmetric top: ω circles the symmetry axis, both circle L",
+            Self::LongAxis => "long-axis mode: L circles axis 1",
+            Self::ShortAxis => "short-axis mode: L circles axis 3",
+            Self::Separatrix => "the separatrix: ω creeps to the intermediate axis",
+        }
     }
 }
+

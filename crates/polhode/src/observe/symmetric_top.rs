@@ -1,10 +1,9 @@
-//! The free symmetric top: two equal moments.
+//! The free symmetric top: two equal moments, two uniform turns.
 
-use crate::body::principal::Symmetry;
+use crate::body::principal::{PrincipalFrame, Symmetry};
 use crate::math::frame::{Body, Space};
-use crate::math::rotation::{Attitude, Rotation};
 use crate::math::vector::{AngularVelocity, Direction};
-use crate::motion::rotor::Rotor;
+use crate::motion::free::{FreeMotion, Regime};
 use crate::motion::state::State;
 
 /// The free motion of a body with a symmetry axis e.
@@ -46,29 +45,20 @@ pub enum SymmetricTopKind {
 
 impl SymmetricTop {
     /// The motion that starts from a state; `None` unless exactly two moments are equal.
-    pub fn of(rotor: &Rotor, start: State) -> Option<Self> {
-        let [i1, i2, i3] = rotor.principal().moments();
-        let (kind, axis, axial, transverse) = match rotor.principal().symmetry() {
-            Symmetry::Oblate => (SymmetricTopKind::Oblate, rotor.principal().axis(2), i3, 0.5 * (i1 + i2)),
+    pub fn of(principal: &PrincipalFrame<Body>, start: State) -> Option<Self> {
+        let [i1, i2, i3] = principal.moments();
+        let (kind, axis, axial, transverse) = match principal.symmetry() {
+            Symmetry::Oblate => (SymmetricTopKind::Oblate, principal.axis(2), i3, 0.5 * (i1 + i2)),
             Symmetry::Prolate | Symmetry::Rod => {
-                (SymmetricTopKind::Prolate, rotor.principal().axis(0), i1, 0.5 * (i2 + i3))
+                (SymmetricTopKind::Prolate, principal.axis(0), i1, 0.5 * (i2 + i3))
             }
             _ => return None,
         };
-        Some(Self::with_moments(start, kind, axis, [axial, transverse]))
-    }
-
-    fn with_moments(
-        start: State,
-        kind: SymmetricTopKind,
-        axis: Direction<Body>,
-        [axial, transverse]: [f64; 2],
-    ) -> Self {
         let spin = axis.dot(start.omega);
         // L = I_t ω + (I_e − I_t) ω_e e, without reading the tensor again
         let along: AngularVelocity<Body> = axis.as_quantity() * ((axial - transverse) / transverse * spin);
         let l_over_it = start.omega + along;
-        Self {
+        Some(Self {
             start,
             kind,
             axis,
@@ -78,16 +68,17 @@ impl SymmetricTop {
             momentum: (start.attitude * l_over_it).direction().unwrap_or(Direction::ZERO),
             body_rate: (axial - transverse) / transverse * spin,
             space_rate: l_over_it.norm(),
-        }
+        })
     }
 
-    /// The state at a time, s.
-    pub fn at(&self, time: f64) -> State {
-        let t = time - self.start.time;
-        let in_body = Rotation::<Body, Body>::turn(self.axis, self.body_rate * t);
-        let in_space = Rotation::<Space, Space>::turn(self.momentum, self.space_rate * t);
-        let attitude: Attitude = in_space * self.start.attitude * in_body.inverse();
-        State { time, attitude, omega: in_body * self.start.omega }
+    /// The top of a free motion; `None` unless it moves as one, neither at rest nor in permanent rotation.
+    pub fn of_motion(motion: &FreeMotion) -> Option<Self> {
+        (motion.regime() == Regime::Symmetric).then(|| Self::of(motion.principal(), motion.start())).flatten()
+    }
+
+    /// Where it starts.
+    pub const fn start(&self) -> State {
+        self.start
     }
 
     /// Prolate or oblate.
@@ -123,28 +114,5 @@ impl SymmetricTop {
     /// The direction of L, fixed in space.
     pub const fn momentum_direction(&self) -> Direction<Space> {
         self.momentum
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_law_holds_beyond_possible_bodies() {
-        // Principia's "short fat" top, I = (3, 3, 9): no body has it (3 + 3 < 9), so no `Rotor` does. Its published
-        // solution: L = (5 sin Wt, 5 cos Wt, 7) with W = L3 (I1 − I3)/(I1 I3).
-        let omega = AngularVelocity::new(0.0, 5.0 / 3.0, 7.0 / 9.0);
-        let start = State { time: 0.0, attitude: Attitude::identity(), omega };
-        let axis = Direction::new(0.0, 0.0, 1.0);
-        let top = SymmetricTop::with_moments(start, SymmetricTopKind::Oblate, axis, [9.0, 3.0]);
-        let rate = 7.0 * (3.0 - 9.0) / (3.0 * 9.0);
-        for t in [-12.5, -0.7, 0.0, 0.3, 4.0, 100.0_f64] {
-            let w = top.at(t).omega;
-            let l = [3.0 * w.x, 3.0 * w.y, 9.0 * w.z];
-            for (got, want) in l.into_iter().zip([5.0 * (rate * t).sin(), 5.0 * (rate * t).cos(), 7.0]) {
-                assert!((got - want).abs() < 1e-13, "t = {t}: {got} {want}");
-            }
-        }
     }
 }

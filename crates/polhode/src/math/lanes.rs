@@ -1,0 +1,80 @@
+//! Several numbers side by side, in one vector register where the machine has it.
+
+use core::ops::{Add, Mul, Neg, Sub};
+
+use super::real::Real;
+
+/// N numbers: plain loops over an array, which the compiler turns into vector instructions.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
+pub(crate) struct Lanes<const N: usize>(pub(crate) [f64; N]);
+
+impl<const N: usize> Lanes<N> {
+    /// The number of each lane.
+    pub(crate) fn from_fn(f: impl FnMut(usize) -> f64) -> Self {
+        Self(core::array::from_fn(f))
+    }
+}
+
+impl<const N: usize> Real for Lanes<N> {
+    #[inline(always)]
+    fn splat(x: f64) -> Self {
+        Self([x; N])
+    }
+
+    #[inline(always)]
+    fn map(mut self, f: impl Fn(f64) -> f64) -> Self {
+        for a in &mut self.0 {
+            *a = f(*a);
+        }
+        self
+    }
+
+    #[inline(always)]
+    fn zip(mut self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
+        for k in 0..N {
+            self.0[k] = f(self.0[k], other.0[k]);
+        }
+        self
+    }
+
+    #[inline(always)]
+    fn zip3(mut self, b: Self, c: Self, f: impl Fn(f64, f64, f64) -> f64) -> Self {
+        for k in 0..N {
+            self.0[k] = f(self.0[k], b.0[k], c.0[k]);
+        }
+        self
+    }
+}
+
+impl<const N: usize> Add for Lanes<N> {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, b: Self) -> Self {
+        self.zip(b, |x, y| x + y)
+    }
+}
+
+impl<const N: usize> Sub for Lanes<N> {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, b: Self) -> Self {
+        self.zip(b, |x, y| x - y)
+    }
+}
+
+impl<const N: usize> Mul for Lanes<N> {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, b: Self) -> Self {
+        self.zip(b, |x, y| x * y)
+    }
+}
+
+impl<const N: usize> Neg for Lanes<N> {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        self.map(|x| -x)
+    }
+}

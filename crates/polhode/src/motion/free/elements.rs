@@ -1,0 +1,160 @@
+//! The constants of a free motion, in two words and more.
+
+use crate::math::double::Double;
+use crate::math::triple::Triple;
+
+use super::labelled::{Labelled, Mode};
+
+/// What the elliptic motion of a body is made of: amplitudes, parameter, and the two rates that are linear in time.
+///
+/// In the labelled axes L = (A1 cn, A2 sn, A3 dn)(u0 + λt), and the plane of L and axis 3 turns about L at the mean rate Ω.
+///
+/// With δⱼ = 1/iⱼ − 1/i3 (both positive in short-axis mode, both negative in long-axis mode) and ρ = δ2/δ1 ≤ 1:
+///
+/// A1² = L1² + ρ L2²,  A2² = A1²/ρ,  A3² = L3² + (1 − ρ) L2²,  λ² = A3² δ1 δ2,  n = 1 − 1/ρ,  m = −n A1²/A3²
+///
+/// Everything is in units in which the largest moment and the fastest component of ω are between 1 and 2.
+///
+/// Source: Landau & Lifshitz, Mechanics, §37; the forms without cancellation are derived in `book/free-motion.md`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Elements {
+    pub(super) moments: [Double; 3],
+    /// |L|
+    pub(super) momentum: Double,
+    /// A1, A2, A3
+    pub(super) amplitudes: [Double; 3],
+    /// ω's amplitudes Aⱼ/iⱼ; that of a rod along itself is its spin.
+    pub(super) rates: [Double; 3],
+    /// cn u0, sn u0: the start on the polhode.
+    pub(super) start: [Double; 2],
+    /// m and 1 − m.
+    pub(super) m: Double,
+    pub(super) m1: Double,
+    /// −n ≥ 0
+    pub(super) minus_n: Double,
+    /// λ, negative in long-axis mode.
+    pub(super) lambda: Double,
+    /// K(m); 2¹⁰⁰ stands for infinity on the separatrix.
+    pub(super) quarter: Double,
+    /// Ω/4π: half the mean precession, in turns.
+    pub(super) half_precession: Triple,
+}
+
+/// K where the separatrix makes it infinite: no time that keeps its digits comes near it.
+const INFINITE: f64 = 1.267_650_600_228_229_4e30;
+
+impl Elements {
+    /// Of ω along axis 3 alone: nothing circles, and the body turns at |ω|.
+    pub(super) fn permanent(labelled: &Labelled) -> Self {
+        let [i1, i2, i3] = labelled.moments;
+        let zero = Double::default();
+        let rate = labelled.omega[2];
+        Self {
+            moments: [i1, i2, i3],
+            momentum: i3 * rate,
+            amplitudes: [zero, zero, i3 * rate],
+            rates: [zero, zero, rate],
+            start: [Double::ONE, zero],
+            m: zero,
+            m1: Double::ONE,
+            minus_n: zero,
+            lambda: zero,
+            quarter: Double::TAU.scaled(0.25),
+            half_precession: Triple::from(rate).times(Triple::INVERSE_4_PI),
+        }
+    }
+
+    pub(super) fn of(labelled: &Labelled) -> Self {
+        let [i1, i2, i3] = labelled.moments;
+        let [v1, v2, v3] = labelled.omega;
+        let [l1, l2, l3] = [i1 * v1, i2 * v2, i3 * v3];
+        let (d21, d32, d31) = (i2 - i1, i3 - i2, i3 - i1);
+        let axisymmetric = d21.is_zero();
+
+        // ρ = (i3 − i2) i1 / ((i3 − i1) i2) and 1 − ρ = (i2 − i1) i3 / ((i3 − i1) i2)
+        let (rho, rest) = if d31.is_zero() {
+            (Double::ONE, Double::default())
+        } else {
+            (d32 * i1 / (d31 * i2), d21 * i3 / (d31 * i2))
+        };
+        let a1 = (l1.square() + rho * l2.square()).sqrt();
+        let a2 = (l2.square() + if a1.is_zero() { Double::default() } else { l1.square() / rho }).sqrt();
+        // ω's amplitude along axis 3: ω3² + (i2 (i2 − i1) / (i3 (i3 − i1))) ω2², also for a rod, where i3 = 0
+        let share = if axisymmetric { Double::default() } else { i2 * d21 / (i3 * d31) };
+        let rate3 = (v3.square() + share * v2.square()).sqrt();
+        let a3 = (l3.square() + rest * l2.square()).sqrt();
+
+        // λ² = (i3 − i1)(i3 − i2) / (i1 i2) times ω's amplitude squared
+        let speed = rate3 * (d31 * d32 / (i1 * i2)).sqrt();
+        let lambda = if labelled.mode == Mode::Long { -speed } else { speed };
+        // m = A1² (i2 − i1) / (i1 i3 (i3 − i2) ω3max²),  1 − m = (L² − 2T i2) / (i3 (i3 − i2) ω3max²)
+        let (m, m1, minus_n) = if axisymmetric {
+            (Double::default(), Double::ONE, Double::default())
+        } else {
+            let below = i3 * d32 * rate3.square();
+            (a1.square() * d21 / (i1 * below), labelled.excess / below, d21 * i3 / (d32 * i1))
+        };
+        let (quarter, share) = quarter_and_share(m1, d31 * i2, d32 * i1);
+
+        // Ω = L/i2 + ½ L (1/i1 − 1/i2) R
+        let squares = [(i1, v1), (i2, v2), (i3, v3)].map(|(i, v)| Triple::from(i).times(Triple::from(v)).square());
+        let momentum = (squares[0] + squares[1] + squares[2]).sqrt();
+        let difference = if axisymmetric {
+            Double::default()
+        } else {
+            momentum.double() * d21 * share / (i1 * i2).scaled(2.0)
+        };
+        let precession = momentum.over(Triple::from(i2)) + Triple::from(difference);
+        let start = if a1.is_zero() { [Double::ONE, Double::default()] } else { [l1 / a1, l2 / a2] };
+        Self {
+            moments: labelled.moments,
+            momentum: momentum.double(),
+            amplitudes: [a1, a2, a3],
+            rates: [a1 / i1, a2 / i2, rate3],
+            start,
+            m,
+            m1,
+            minus_n,
+            lambda,
+            quarter,
+            half_precession: precession.times(Triple::INVERSE_4_PI),
+        }
+    }
+}
+
+/// K(m) and R, by the means a₀ = 1, g₀ = √m₁ and p₀² = δ1/δ2.
+///
+/// With n = 1 − δ1/δ2, Π(n|m)/K = 1 + ½ n/(1 − n) Σ Qₖ (DLMF 19.8.7), where Q₀ = 1, Qₖ₊₁ = ½ Qₖ εₖ,
+/// εₖ = (pₖ² − aₖgₖ)/(pₖ² + aₖgₖ), pₖ₊₁ = (pₖ² + aₖgₖ)/2pₖ. So Ω = L/i3 + L δ1 Π/K becomes L/i1 − ½ L (1/i1 − 1/i2) Σ Qₖ.
+/// Near the separatrix, and where δ2 ≪ δ1, Σ Qₖ is nearly 2; its distance from 2, R = Σ Qₖ (1 − εₖ), has only
+/// positive terms, as pₖ ≥ aₖ ≥ gₖ.
+fn quarter_and_share(m1: Double, delta1: Double, delta2: Double) -> (Double, Double) {
+    if m1.is_zero() {
+        return (Double::from(INFINITE), Double::default());
+    }
+    let (mut a, mut g) = (Double::ONE, m1.sqrt());
+    let mut p = if delta2.is_zero() { Double::ONE } else { (delta1 / delta2).sqrt() };
+    let (mut weight, mut share) = (Double::ONE, Double::default());
+    for _mean in 0..MOST_MEANS {
+        let (p2, ag) = (p.square(), a * g);
+        let sum = p2 + ag;
+        let epsilon = (p2 - ag) / sum;
+        // 1 − ε = 2ag / (p² + ag)
+        share = share + weight * ag.scaled(2.0) / sum;
+        weight = weight * epsilon.scaled(0.5);
+        let converged = (a - g).high <= SQUARE_IS_NOTHING * a.high;
+        p = sum / p.scaled(2.0);
+        (a, g) = ((a + g).scaled(0.5), ag.sqrt());
+        if converged && epsilon.high <= SQUARE_IS_NOTHING {
+            break;
+        }
+    }
+    // K = π / 2 agm(1, √m₁)
+    (Double::TAU.scaled(0.25) / a, share + weight)
+}
+
+/// A guard only.
+const MOST_MEANS: usize = 200;
+
+/// The next mean differs by the square of this, far below two words.
+const SQUARE_IS_NOTHING: f64 = 1e-17;

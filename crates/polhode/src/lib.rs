@@ -79,6 +79,7 @@ pub use body::shape::torus::Torus;
 pub use body::shape::{Extent, Shape, Spread, Substance};
 
 // math: frames, vectors, rotations
+pub use math::elliptic::{EllipticError, EllipticParameter, JacobiFunctions};
 pub use math::frame::{Body, Frame, Part, Principal, Space};
 pub use math::rotation::{Attitude, Rotation, RotationError};
 pub use math::vector::{
@@ -105,8 +106,12 @@ pub use motion::trajectory::{Method, Sample, Solution, Trajectory};
 // observe: what can be read off a motion
 pub use observe::cone::Cones;
 pub use observe::drift::Drift;
+pub use observe::geometric_phase::GeometricPhase;
+pub use observe::least_energy::LeastEnergySpin;
 pub use observe::regime::FreeRegime;
 pub use observe::symmetric_top::{SymmetricTop, SymmetricTopKind};
+pub use observe::tumbler::{TumblerError, TumblingSolution};
+pub use observe::tumbling::{AxisConvention, TumblingPeriods};
 
 /// The README's program, as a test.
 #[cfg(doctest)]

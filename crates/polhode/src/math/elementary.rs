@@ -2,27 +2,20 @@
 
 use super::real::{PI, Real};
 
-/// The integer nearest to x, for any x; what is too large to have a fraction stays.
-#[inline(always)]
-pub(crate) fn nearest<T: Real>(x: T) -> T {
-    x.map(|x| {
-        let big = 4_503_599_627_370_496.0_f64.copysign(x); // 2⁵², where the fraction ends
-        if x.abs() < 4_503_599_627_370_496.0 { (x + big) - big } else { x }
-    })
-}
-
 /// x modulo 2, nearest to zero: exact.
 #[inline(always)]
 pub(crate) fn modulo_two<T: Real>(x: T) -> T {
-    x - T::splat(2.0) * nearest(T::splat(0.5) * x)
+    x - T::splat(2.0) * (T::splat(0.5) * x).nearest()
 }
 
-/// Σ cₖ xᵏ by Horner's rule.
+/// Σ cₖ xᵏ of an even number of terms: Horner's rule in x², which waits half as often as that in x.
 #[inline(always)]
 pub(crate) fn polynomial<T: Real, const N: usize>(x: T, coefficients: [f64; N]) -> T {
-    let mut sum = T::splat(coefficients[N - 1]);
-    for k in (0..N - 1).rev() {
-        sum = sum * x + T::splat(coefficients[k]);
+    let pair = |k: usize| T::splat(coefficients[k]) + T::splat(coefficients[k + 1]) * x;
+    let x2 = x * x;
+    let mut sum = pair(N - 2);
+    for k in (0..N / 2 - 1).rev() {
+        sum = sum * x2 + pair(2 * k);
     }
     sum
 }
@@ -60,11 +53,11 @@ pub(crate) fn sin_cos_eighth<T: Real>(x: T) -> (T, T) {
 /// sin 2πx and cos 2πx of x = high + low turns, |high| small enough to have a fraction.
 #[inline(always)]
 pub(crate) fn sin_cos_turns<T: Real>(high: T, low: T) -> (T, T) {
-    let quarters = nearest(T::splat(4.0) * high);
+    let quarters = (T::splat(4.0) * high).nearest();
     let rest = (high - T::splat(0.25) * quarters) + low;
     let (s, c) = sin_cos_eighth(T::splat(2.0 * PI) * rest);
     // k quarters, modulo 4, as −2 … 2
-    let k = quarters - T::splat(4.0) * nearest(T::splat(0.25) * quarters);
+    let k = quarters - T::splat(4.0) * (T::splat(0.25) * quarters).nearest();
     let sin = k.zip3(s, c, |k, s, c| {
         let part = if k.abs() == 1.0 { c } else { s };
         if k < 0.0 || k == 2.0 { -part } else { part }
@@ -81,9 +74,10 @@ pub(crate) fn sin_cos_turns<T: Real>(high: T, low: T) -> (T, T) {
 pub(crate) fn exp_minus<T: Real>(x: T) -> T {
     // x = k ln 2 − r, |r| ≤ ½ ln 2;  e^−x = 2^−k e^r
     let x = x.map(|x| if x < 700.0 { x } else { 700.0 });
-    let k = nearest(x * T::splat(core::f64::consts::LOG2_E));
+    let k = (x * T::splat(core::f64::consts::LOG2_E)).nearest();
     // ln 2 in two words, the first short enough for k of 11 bits
-    let r = (k * T::splat(6.931_471_803_691_238_164_9e-1) - x) + k * T::splat(1.908_214_929_270_587_700_02e-10);
+    let r =
+        (k * T::splat(6.931_471_803_691_238_164_9e-1) - x) + k * T::splat(1.908_214_929_270_587_700_02e-10);
     // Σ rⁿ/n!
     let series = [
         0.5,
@@ -122,7 +116,9 @@ mod tests {
             let y = x.abs() * 300.0;
             assert!((exp_minus(y) / libm::exp(-y) - 1.0).abs() < 2.0 * f64::EPSILON, "{y}");
         }
-        for (x, s, c) in [(0.0, 0.0, 1.0), (0.25, 1.0, 0.0), (-0.5, 0.0, -1.0), (0.75, -1.0, 0.0), (1.5, 0.0, -1.0)] {
+        for (x, s, c) in
+            [(0.0, 0.0, 1.0), (0.25, 1.0, 0.0), (-0.5, 0.0, -1.0), (0.75, -1.0, 0.0), (1.5, 0.0, -1.0)]
+        {
             assert_eq!(sin_cos_turns(x, 0.0), (s, c));
         }
         assert_eq!(exp_minus(0.0), 1.0);
@@ -131,8 +127,11 @@ mod tests {
 
     #[test]
     fn integers_and_remainders_are_exact() {
-        for x in [0.5, 1.5, -2.5, 3.4999, -7.7, 2f64.powi(52) + 1.0, -2f64.powi(53), 1e300, 4503599627370495.5] {
-            assert_eq!(nearest(x), x.round_ties_even());
+        for x in
+            [0.5, 1.5, -2.5, 3.4999, -7.7, 2f64.powi(52) + 1.0, -2f64.powi(53), 1e300, 4503599627370495.5]
+        {
+            assert_eq!(x.nearest(), x.round_ties_even());
+            assert_eq!(Lanes([x]).nearest().0, [x.round_ties_even()]);
         }
         assert_eq!(modulo_two(7.25), -0.75);
         assert_eq!(modulo_two(2f64.powi(52) + 1.0).abs(), 1.0);

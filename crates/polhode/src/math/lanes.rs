@@ -45,6 +45,11 @@ impl<const N: usize> Real for Lanes<N> {
         }
         self
     }
+
+    #[inline(always)]
+    fn nearest(self) -> Self {
+        self.map(f64::round_ties_even)
+    }
 }
 
 impl<const N: usize> Add for Lanes<N> {

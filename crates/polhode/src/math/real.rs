@@ -20,6 +20,9 @@ pub(crate) trait Real:
 
     /// f of every lane of three.
     fn zip3(self, b: Self, c: Self, f: impl Fn(f64, f64, f64) -> f64) -> Self;
+
+    /// The integer nearest to each, the even one of two; what is too large to have a fraction stays.
+    fn nearest(self) -> Self;
 }
 
 impl Real for f64 {
@@ -41,6 +44,13 @@ impl Real for f64 {
     #[inline(always)]
     fn zip3(self, b: Self, c: Self, f: impl Fn(f64, f64, f64) -> f64) -> Self {
         f(self, b, c)
+    }
+
+    /// By adding 2⁵², where the fraction ends: without AVX or the like the instruction is a function call.
+    #[inline(always)]
+    fn nearest(self) -> Self {
+        let big = 4_503_599_627_370_496.0_f64.copysign(self);
+        if self.abs() < 4_503_599_627_370_496.0 { (self + big) - big } else { self }
     }
 }
 

@@ -19,7 +19,7 @@ pub(crate) fn quick_two_sum<T: Real>(a: T, b: T) -> (T, T) {
 
 /// A word as the sum of two halves of 26 bits (Veltkamp).
 #[inline(always)]
-fn halves<T: Real>(a: T) -> (T, T) {
+pub(crate) fn halves<T: Real>(a: T) -> (T, T) {
     let c = T::splat(SPLITTER) * a;
     let high = c - (c - a);
     (high, a - high)
@@ -31,8 +31,14 @@ const SPLITTER: f64 = 134_217_729.0;
 /// a b as rounded product and exact error (Dekker), while |a|, |b| < 2⁹⁹⁵ and |a b| > 2⁻⁹⁶⁹.
 #[inline(always)]
 pub(crate) fn two_product<T: Real>(a: T, b: T) -> (T, T) {
-    let p = a * b;
     let ((a1, a2), (b1, b2)) = (halves(a), halves(b));
+    two_product_of_halves([a, a1, a2], [b, b1, b2])
+}
+
+/// [`two_product`] of numbers that come with their halves.
+#[inline(always)]
+pub(crate) fn two_product_of_halves<T: Real>([a, a1, a2]: [T; 3], [b, b1, b2]: [T; 3]) -> (T, T) {
+    let p = a * b;
     (p, ((a1 * b1 - p) + a1 * b2 + a2 * b1) + a2 * b2)
 }
 

@@ -140,14 +140,18 @@ mod tests {
         // a product that needs three words, and the cancellation that leaves only the third
         let a = Triple::from(1.0 + 2f64.powi(-52));
         let cube = a.times(a).times(a);
-        let rest = cube - Triple::from(1.0) - Triple::from(3.0 * 2f64.powi(-52)) - Triple::from(3.0 * 2f64.powi(-104));
+        let rest = cube
+            - Triple::from(1.0)
+            - Triple::from(3.0 * 2f64.powi(-52))
+            - Triple::from(3.0 * 2f64.powi(-104));
         assert_eq!(rest.value(), 2f64.powi(-156));
     }
 
     #[test]
     fn the_constant_is_one_over_four_pi() {
         // 4π to 48 digits, as three doubles of its own
-        let four_pi = Triple([12.566_370_614_359_172, 4.898_587_196_589_413e-16, -1.197_907_923_887_335_9e-32]);
+        let four_pi =
+            Triple([12.566_370_614_359_172, 4.898_587_196_589_413e-16, -1.197_907_923_887_335_9e-32]);
         let one = Triple::INVERSE_4_PI.times(four_pi);
         assert!((one - Triple::from(1.0)).value().abs() < 1e-46);
     }

@@ -97,7 +97,8 @@ impl Elements {
         let (quarter, share) = quarter_and_share(m1, d31 * i2, d32 * i1);
 
         // Ω = L/i2 + ½ L (1/i1 − 1/i2) R
-        let squares = [(i1, v1), (i2, v2), (i3, v3)].map(|(i, v)| Triple::from(i).times(Triple::from(v)).square());
+        let squares =
+            [(i1, v1), (i2, v2), (i3, v3)].map(|(i, v)| Triple::from(i).times(Triple::from(v)).square());
         let momentum = (squares[0] + squares[1] + squares[2]).sqrt();
         let difference = if axisymmetric {
             Double::default()

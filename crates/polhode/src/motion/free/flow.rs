@@ -1,7 +1,9 @@
 //! One kernel for every free motion: two phases, a few terms of a theta series, a quaternion.
 
+use core::array::from_fn;
+
 use crate::math::complex::Complex;
-use crate::math::elementary::{nearest, sin_cos_turns};
+use crate::math::elementary::{modulo_two, sin_cos_turns};
 use crate::math::real::Real;
 use crate::math::sum::two_sum;
 
@@ -16,6 +18,17 @@ pub(super) struct Spinor<T> {
     pub(super) beta: Complex<T>,
 }
 
+/// A place on the polhode, as the theta functions give it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Point<T> {
+    /// (f, g), |f|² + |g|² = 1/over
+    pub(super) spinor: Spinor<T>,
+    /// cn, sn and dn times constants, over `over`.
+    pub(super) theta: [T; 3],
+    /// 1 over the theta function that they share.
+    pub(super) over: T,
+}
+
 /// The constants of a motion, in the form that is evaluated.
 ///
 /// With z = π(u0 + λt)/2K reduced by N half turns to |z| ≤ ½π, the attitude of the labelled axes in axes along L is
@@ -28,28 +41,52 @@ pub(super) struct Spinor<T> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Flow<T, S> {
     /// ½Ωt, turns.
-    pub(super) precession: Phase<T>,
+    pub(super) precession: Phase<T, 3>,
     /// z/2π, turns.
-    pub(super) polhode: Phase<T>,
-    /// Columns: the axes times the amplitudes of ω along them.
+    pub(super) polhode: Phase<T, 2>,
+    /// Columns: the axes times the amplitudes of ω along them, and the constants that make theta functions cn, sn and dn.
     pub(super) omega: [[T; 3]; 3],
     /// From (Re α, Re β, Im β, Im α) to the attitude's quaternion.
     pub(super) attitude: [[T; 4]; 4],
     pub(super) series: S,
 }
 
+/// What the time is, as angles.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Turned<T> {
+    /// z/2π, turns, |z| ≤ ½π.
+    x: T,
+    /// (−1)ᴺ
+    sign: T,
+    /// Of φ.
+    sin: T,
+    cos: T,
+}
+
 /// Theta functions of one kind.
 pub(super) trait Series<T> {
-    /// (f, g) and (cn, sn, dn) at z/2π turns, |z| ≤ ½π.
-    fn at(&self, x: T) -> (Spinor<T>, [T; 3]);
+    /// At z/2π turns, |z| ≤ ½π.
+    fn at(&self, x: T) -> Point<T>;
 
     /// 2b/π.
     fn bend(&self) -> Option<T>;
 }
 
+/// A series that also comes in other numbers.
+pub(super) trait Family: Series<f64> {
+    /// What makes the three quotients cn, sn and dn.
+    fn scale(&self) -> [f64; 3];
+
+    /// The same series in numbers T.
+    type Of<T: Real>: Series<T>;
+
+    /// The series in which each constant is what `pick` makes of the way to it.
+    fn assembled<T: Real>(pick: &impl Fn(&dyn Fn(&Self) -> f64) -> T) -> Self::Of<T>;
+}
+
 impl<T: Real> Series<T> for Trigonometric<T> {
     #[inline(always)]
-    fn at(&self, x: T) -> (Spinor<T>, [T; 3]) {
+    fn at(&self, x: T) -> Point<T> {
         Self::at(self, x)
     }
 
@@ -61,7 +98,7 @@ impl<T: Real> Series<T> for Trigonometric<T> {
 
 impl<T: Real> Series<T> for Hyperbolic<T> {
     #[inline(always)]
-    fn at(&self, x: T) -> (Spinor<T>, [T; 3]) {
+    fn at(&self, x: T) -> Point<T> {
         Self::at(self, x)
     }
 
@@ -71,19 +108,29 @@ impl<T: Real> Series<T> for Hyperbolic<T> {
     }
 }
 
-impl<T: Real, S: Series<T>> Flow<T, S> {
-    /// The attitude's quaternion (w, x, y, z) and ω in the body, in the flow's units.
+impl<T: Real> Turned<T> {
     #[inline(always)]
-    pub(super) fn at(&self, elapsed: Elapsed<T>) -> ([T; 4], [T; 3]) {
+    pub(super) fn still() -> Self {
+        let (zero, one) = (T::splat(0.0), T::splat(1.0));
+        Self { x: zero, sign: one, sin: zero, cos: one }
+    }
+}
+
+impl<T: Real, S: Series<T>> Flow<T, S> {
+    /// The attitude's quaternion (w, x, y, z) and ω in the body.
+    #[inline(always)]
+    pub(super) fn at(&self, elapsed: &Elapsed<T>) -> ([T; 4], [T; 3]) {
+        self.state(&self.turned(elapsed))
+    }
+
+    /// Both phases, reduced.
+    #[inline(always)]
+    pub(super) fn turned(&self, elapsed: &Elapsed<T>) -> Turned<T> {
         let (high, low) = self.polhode.at(elapsed);
-        let half_turns = nearest(T::splat(2.0) * high);
+        let half_turns = (T::splat(2.0) * high).nearest();
         let x = (high - T::splat(0.5) * half_turns) + low;
-        // (−1)ᴺ
-        let sign = half_turns.map(|n| {
-            let half = 0.5 * n;
-            if (half - nearest(half)).abs() == 0.5 { -1.0 } else { 1.0 }
-        });
-        let (Spinor { alpha, beta }, [cn, sn, dn]) = self.series.at(x);
+        let odd = modulo_two(half_turns);
+        let sign = T::splat(1.0) - T::splat(2.0) * (odd * odd);
 
         let (high, low) = self.precession.at(elapsed);
         let high = high - T::splat(0.25) * half_turns;
@@ -94,27 +141,58 @@ impl<T: Real, S: Series<T>> Flow<T, S> {
                 (sum, error + low)
             }
         };
-        let (s, c) = sin_cos_turns(high, low);
-        let unit = (alpha.norm2() + beta.norm2()).map(|n| 1.0 / n.sqrt());
-        let phase = Complex { re: c * unit, im: s * unit };
+        let (sin, cos) = sin_cos_turns(high, low);
+        Turned { x, sign, sin, cos }
+    }
+
+    /// Quaternion and ω of the phases.
+    #[inline(always)]
+    pub(super) fn state(&self, turned: &Turned<T>) -> ([T; 4], [T; 3]) {
+        let Turned { x, sign, sin, cos } = *turned;
+        let Point { spinor: Spinor { alpha, beta }, theta: [cn, sn, dn], over } = self.series.at(x);
+        let unit = over.map(f64::sqrt);
+        let phase = Complex { re: cos * unit, im: sin * unit };
         let alpha = alpha.times(phase);
         // −i (−1)ᴺ
         let beta = beta.times(Complex { re: sign * phase.im, im: -(sign * phase.re) });
 
         let labelled = [alpha.re, beta.re, beta.im, alpha.im];
-        let rates = [sign * cn, sign * sn, dn];
-        // 1/√n = (3 − n)/2 for n near 1: the norm's last digits
-        let q = self.attitude.map(|row| dot(row, labelled));
-        let correction = T::splat(1.5) - T::splat(0.5) * dot(q, q);
-        (q.map(|c| c * correction), self.omega.map(|row| dot(row, rates)))
+        let signed = sign * over;
+        let rates = [signed * cn, signed * sn, over * dn];
+        let (a, w) = (&self.attitude, &self.omega);
+        let [qw, qx, qy, qz] =
+            [dot4(&a[0], &labelled), dot4(&a[1], &labelled), dot4(&a[2], &labelled), dot4(&a[3], &labelled)];
+        // 1/√n = (3 − n)/2 for n near 1: the last digits of the norm
+        let k = T::splat(1.5) - T::splat(0.5) * ((qw * qw + qx * qx) + (qy * qy + qz * qz));
+        ([qw * k, qx * k, qy * k, qz * k], [dot3(&w[0], &rates), dot3(&w[1], &rates), dot3(&w[2], &rates)])
+    }
+}
+
+impl<S: Family> Flow<f64, S> {
+    /// The flow in other numbers: one body in every lane, or a body in each.
+    pub(super) fn assembled<T: Real>(pick: &impl Fn(&dyn Fn(&Self) -> f64) -> T) -> Flow<T, S::Of<T>> {
+        Flow {
+            precession: Phase {
+                frequency: from_fn(|k| from_fn(|j| pick(&|f| f.precession.frequency[k][j]))),
+                start: from_fn(|k| pick(&|f| f.precession.start[k])),
+            },
+            polhode: Phase {
+                frequency: from_fn(|k| from_fn(|j| pick(&|f| f.polhode.frequency[k][j]))),
+                start: from_fn(|k| pick(&|f| f.polhode.start[k])),
+            },
+            omega: from_fn(|i| from_fn(|k| pick(&|f| f.omega[i][k]))),
+            attitude: from_fn(|i| from_fn(|k| pick(&|f| f.attitude[i][k]))),
+            series: S::assembled(&|get: &dyn Fn(&S) -> f64| pick(&|f: &Self| get(&f.series))),
+        }
     }
 }
 
 #[inline(always)]
-fn dot<T: Real, const N: usize>(a: [T; N], b: [T; N]) -> T {
-    let mut sum = a[0] * b[0];
-    for k in 1..N {
-        sum = sum + a[k] * b[k];
-    }
-    sum
+fn dot3<T: Real>(a: &[T; 3], b: &[T; 3]) -> T {
+    (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2]
+}
+
+#[inline(always)]
+fn dot4<T: Real>(a: &[T; 4], b: &[T; 4]) -> T {
+    (a[0] * b[0] + a[1] * b[1]) + (a[2] * b[2] + a[3] * b[3])
 }

@@ -9,8 +9,7 @@ use crate::math::landen::{Landen, log_of};
 use crate::math::real::{PI, Real};
 
 use super::elements::Elements;
-use super::flow::Spinor;
-
+use super::flow::{Family, Point, Spinor};
 
 /// Coefficients of the theta functions in the complementary nome: constants of a motion.
 ///
@@ -30,8 +29,6 @@ pub(super) struct Hyperbolic<T> {
     falling: [[T; 3]; 2],
     /// q′ = Q² of cn, sn, dn, and its fourth power.
     squares: [T; 3],
-    /// What makes cn and dn 1 at u = 0, and sn 1 at u = K.
-    scale: [T; 3],
 }
 
 impl Hyperbolic<f64> {
@@ -57,24 +54,13 @@ impl Hyperbolic<f64> {
             rising: [from_fn(|n| power(n * n) * angle(n).1), from_fn(|n| power(n * n) * angle(n).0)],
             falling: [from_fn(|n| power(n * n + n) * angle(n).1), from_fn(|n| power(n * n + n) * angle(n).0)],
             squares: [squared, squared * squared, (squared * squared) * (squared * squared)],
-            scale: [1.0; 3],
         };
-        let [cn, _, dn] = series.elliptic(1.0, nome, 1.0);
-        let [_, sn, _] = series.elliptic(nome, 1.0, 1.0);
-        series.scale = [1.0 / cn, 1.0 / sn, 1.0 / dn];
-        (series, start(elements, &landen, kappa))
-    }
-
-    pub(super) fn map<T>(&self, f: impl Fn(f64) -> T) -> Hyperbolic<T> {
-        Hyperbolic {
-            stretch: f(self.stretch),
-            bend: f(self.bend),
-            nome: f(self.nome),
-            rising: self.rising.map(|row| row.map(&f)),
-            falling: self.falling.map(|row| row.map(&f)),
-            squares: self.squares.map(&f),
-            scale: self.scale.map(&f),
+        let Point { spinor, over, .. } = series.at(0.0);
+        let unit = (over * (spinor.alpha.norm2() + spinor.beta.norm2())).sqrt();
+        for coefficient in series.rising.iter_mut().flatten().chain(series.falling.iter_mut().flatten()) {
+            *coefficient /= unit;
         }
+        (series, start(elements, &landen, kappa))
     }
 }
 
@@ -119,10 +105,32 @@ fn argument(sin: Double, cos: Double, landen: &Landen) -> Double {
     if (sin.high < 0.0) == (cos.high < 0.0) { y } else { -y }
 }
 
+impl Family for Hyperbolic<f64> {
+    type Of<T: Real> = Hyperbolic<T>;
+
+    /// cn and dn are 1 at u = 0, sn at u = K.
+    fn scale(&self) -> [f64; 3] {
+        let ([cn, _, dn], at_zero) = self.elliptic(1.0, self.nome, 1.0);
+        let ([_, sn, _], at_quarter) = self.elliptic(self.nome, 1.0, 1.0);
+        [1.0 / (cn * at_zero), 1.0 / (sn * at_quarter), 1.0 / (dn * at_zero)]
+    }
+
+    fn assembled<T: Real>(pick: &impl Fn(&dyn Fn(&Self) -> f64) -> T) -> Hyperbolic<T> {
+        Hyperbolic {
+            stretch: pick(&|s| s.stretch),
+            bend: pick(&|s| s.bend),
+            nome: pick(&|s| s.nome),
+            rising: from_fn(|i| from_fn(|k| pick(&|s| s.rising[i][k]))),
+            falling: from_fn(|i| from_fn(|k| pick(&|s| s.falling[i][k]))),
+            squares: from_fn(|k| pick(&|s| s.squares[k])),
+        }
+    }
+}
+
 impl<T: Real> Hyperbolic<T> {
     /// (α, β) but for the common phase, and cn, sn, dn, of z = 2πx, |x| ≤ ¼ turn.
     #[inline(always)]
-    pub(super) fn at(&self, x: T) -> (Spinor<T>, [T; 3]) {
+    pub(super) fn at(&self, x: T) -> Point<T> {
         let sign = x.map(|x| 1.0_f64.copysign(x));
         let distance = sign * x;
         // The exponential of the nearer end of the pulse; the other follows from X W = Q.
@@ -131,7 +139,8 @@ impl<T: Real> Hyperbolic<T> {
         let farther = self.nome.zip(nearer, |q, e| q / e);
         let falling = distance.zip3(nearer, farther, |d, near, far| if d <= 0.125 { near } else { far });
         let rising = distance.zip3(nearer, farther, |d, near, far| if d <= 0.125 { far } else { near });
-        (self.spinor(falling, rising, sign), self.elliptic(falling, rising, sign))
+        let (theta, over) = self.elliptic(falling, rising, sign);
+        Point { spinor: self.spinor(falling, rising, sign), theta, over }
     }
 
     /// θ₂ and θ₁ of ¼π − b + iy.
@@ -149,11 +158,12 @@ impl<T: Real> Hyperbolic<T> {
         Spinor { alpha: theta2, beta: theta1 }
     }
 
-    /// cn, sn, dn as quotients of theta functions of 2iy, nome q′ = Q².
+    /// θ₄, θ₁/i, θ₃ and 1/θ₂ of 2iy, nome q′ = Q², of which cn, sn, dn are quotients but for constants. The norm of the
+    /// spinor is √θ₂, too.
     ///
     /// cn, dn ∝ (1 ∓ 2q′ cosh 4y + …) / (cosh 2y + q′² cosh 6y + …), sn ∝ (sinh 2y − q′² sinh 6y + …) / (…)
     #[inline(always)]
-    fn elliptic(&self, x: T, w: T, sign: T) -> [T; 3] {
+    fn elliptic(&self, x: T, w: T, sign: T) -> ([T; 3], T) {
         let [q1, q2, q4] = self.squares;
         let (v, u) = (w * w, x * x); // e^4|y| q′ and e^−4|y|
         let one = T::splat(1.0);
@@ -162,10 +172,6 @@ impl<T: Real> Hyperbolic<T> {
         let odd = ((one - u) + q4 * v2) - q1 * (v - q1 * u2);
         let (even, uneven) = (one + (q2 * v2 + q4 * u2), v + q1 * u);
         let over = below.map(|b| 1.0 / b);
-        [
-            self.scale[0] * x * (even - uneven) * over,
-            self.scale[1] * sign * odd * over,
-            self.scale[2] * x * (even + uneven) * over,
-        ]
+        ([x * (even - uneven), sign * odd, x * (even + uneven)], over)
     }
 }

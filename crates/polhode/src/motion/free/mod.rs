@@ -9,6 +9,7 @@ mod elements;
 mod flow;
 mod hyperbolic;
 mod labelled;
+mod many;
 mod phase;
 mod regime;
 mod trigonometric;
@@ -16,6 +17,7 @@ mod trigonometric;
 use crate::body::principal::PrincipalFrame;
 use crate::math::double::Double;
 use crate::math::frame::{Body, Space};
+use crate::math::real::Real;
 use crate::math::rotation::{Attitude, Rotation};
 use crate::math::sum::two_sum;
 use crate::math::symmetric3::{Symmetric3, power_of_two_near};
@@ -115,7 +117,11 @@ impl FreeMotion {
     pub fn of_moments(moments: [f64; 3], start: State) -> Result<Self, MotionError> {
         let wrong = moments.iter().find(|i| !(i.is_finite() && **i >= 0.0));
         if let Some(&value) = wrong {
-            return Err(MotionError::Parameter { what: "a principal moment", value, rule: "finite and not negative" });
+            return Err(MotionError::Parameter {
+                what: "a principal moment",
+                value,
+                rule: "finite and not negative",
+            });
         }
         let [a, b, c] = moments;
         let rod = |i: f64, j: f64, k: f64| i == 0.0 && j != k;
@@ -166,9 +172,8 @@ impl FreeMotion {
         let [i1, i2, i3] = labelled.moments;
         let momentum: AngularVelocity<Body> =
             labels * Vector::from_array([0, 1, 2].map(|k| (labelled.moments[k] * labelled.omega[k]).value()));
-        let twice_t = (0..3).fold(Double::default(), |sum, k| {
-            sum + labelled.moments[k] * labelled.omega[k].square()
-        });
+        let twice_t =
+            (0..3).fold(Double::default(), |sum, k| sum + labelled.moments[k] * labelled.omega[k].square());
         let [a1, a2, a3] = elements.amplitudes.map(value);
         // ℓ3 = A3 dn lies between A3 and A3 √(1 − m), where ℓ2 = A2
         let least_a3 = a3 * elements.m1.value().max(0.0).sqrt();
@@ -197,7 +202,7 @@ impl FreeMotion {
         if time == self.start.time {
             return self.start;
         }
-        let elapsed = self.elapsed(time);
+        let elapsed = &self.elapsed(time);
         let (q, omega) = match &self.kernel {
             Kernel::Trigonometric(flow) => flow.at(elapsed),
             Kernel::Hyperbolic(flow) => flow.at(elapsed),
@@ -205,17 +210,14 @@ impl FreeMotion {
         State { time, attitude: Rotation::from_unit(q), omega: Vector::from_array(omega) }
     }
 
-    /// The states at many times, in their order.
-    #[must_use]
-    pub fn at_times(&self, times: &[f64]) -> Vec<State> {
-        times.iter().map(|&time| self.at(time)).collect()
-    }
-
     /// time − start, exactly, in the flow's unit. A span too long for any digit of its phase counts as none.
-    fn elapsed(&self, time: f64) -> Elapsed<f64> {
-        let (high, low) = two_sum(time, -self.start.time);
-        let high = high * self.unit;
-        if high.abs() < LONGEST { Elapsed { high, low: low * self.unit } } else { Elapsed { high: 0.0, low: 0.0 } }
+    #[inline(always)]
+    fn elapsed<T: Real>(&self, time: T) -> Elapsed<T> {
+        let (high, low) = two_sum(time, T::splat(-self.start.time));
+        let unit = T::splat(self.unit);
+        let within = |span: f64, word: f64| if span.abs() < LONGEST { word } else { 0.0 };
+        let (high, low) = (high * unit, low * unit);
+        Elapsed::new(high.zip(high, within), high.zip(low, within))
     }
 
     /// dω/dt in the body at one of the motion's states, rad/s²: i1 ω̇1 = (i2 − i3) ω2 ω3 and so on.
@@ -309,7 +311,7 @@ struct Axes {
     rotation: Rotation<Body, Body>,
 }
 
-impl<S: flow::Series<f64>> Flow<f64, S> {
+impl<S: flow::Family> Flow<f64, S> {
     fn prepared(
         elements: &Elements,
         axes: &Axes,
@@ -319,18 +321,18 @@ impl<S: flow::Series<f64>> Flow<f64, S> {
         attitude: Attitude,
     ) -> Self {
         let turns = elements.lambda / elements.quarter.scaled(4.0);
-        let omega = [0, 1, 2].map(|row| {
-            [0, 1, 2].map(|k| elements.rates[k].value() * unit * axes.columns[k][row])
-        });
+        let scale = series.scale();
+        let omega = [0, 1, 2]
+            .map(|row| [0, 1, 2].map(|k| elements.rates[k].value() * unit * scale[k] * axes.columns[k][row]));
         let mut flow = Self {
-            precession: Phase { frequency: elements.half_precession.0, start: [0.0; 2] },
-            polhode: Phase { frequency: [turns.high, turns.low, 0.0], start },
+            precession: Phase::new(elements.half_precession.0, [0.0; 2]),
+            polhode: Phase::new([turns.high, turns.low], start),
             omega,
             attitude: matrix_of(|q| q),
             series,
         };
         // attitude(t) = attitude(0) · P · q(0)⁻¹ · q(t) · P⁻¹, P the labelled axes in the body
-        let (q, _) = flow.at(Elapsed { high: 0.0, low: 0.0 });
+        let (q, _) = flow.at(&Elapsed::new(0.0, 0.0));
         let left = quaternion_product(
             quaternion_product(attitude.quaternion(), axes.rotation.quaternion()),
             [q[0], -q[1], -q[2], -q[3]],

@@ -8,8 +8,7 @@ use crate::math::landen::Landen;
 use crate::math::real::{PI, Real};
 
 use super::elements::Elements;
-use super::flow::Spinor;
-
+use super::flow::{Family, Point, Spinor};
 
 /// Coefficients of the theta functions at z, for |z| ≤ ½π: constants of a motion.
 ///
@@ -27,8 +26,6 @@ pub(super) struct Trigonometric<T> {
     odd: [T; 5],
     /// Of θ₃, θ₄: 2 q^(n²), n = 1 … 4.
     even: [T; 4],
-    /// What makes cn and dn 1 at u = 0, and sn 1 at u = K.
-    scale: [T; 3],
 }
 
 /// Terms down to 10⁻¹⁷ where the nome is 0.2, its largest here.
@@ -48,23 +45,14 @@ impl Trigonometric<f64> {
             far: from_fn(|j| signs[j % 4] * triangle(j) * power(y, j + 1)),
             odd: from_fn(|n| if n % 2 == 0 { power(q, n * (n + 1)) } else { -power(q, n * (n + 1)) }),
             even: from_fn(|n| 2.0 * power(q, (n + 1) * (n + 1))),
-            scale: [1.0; 3],
         };
-        let [cn, _, dn] = series.elliptic([1.0, 0.0]);
-        let [_, sn, _] = series.elliptic([0.0, 1.0]);
-        series.scale = [1.0 / cn, 1.0 / sn, 1.0 / dn];
+        let Point { spinor, over, .. } = series.at(0.0);
+        let unit = (over * (spinor.alpha.norm2() + spinor.beta.norm2())).sqrt();
+        for coefficient in series.near.iter_mut().chain(&mut series.far) {
+            *coefficient /= unit;
+        }
         let [c, s] = elements.start.map(|x| x.value());
         (series, [landen.angle(s, c) / (2.0 * PI), 0.0])
-    }
-
-    pub(super) fn map<T>(&self, f: impl Fn(f64) -> T) -> Trigonometric<T> {
-        Trigonometric {
-            near: self.near.map(&f),
-            far: self.far.map(&f),
-            odd: self.odd.map(&f),
-            even: self.even.map(&f),
-            scale: self.scale.map(&f),
-        }
     }
 }
 
@@ -91,10 +79,30 @@ fn power(x: f64, n: usize) -> f64 {
     (0..n).fold(1.0, |product, _| product * x)
 }
 
+impl Family for Trigonometric<f64> {
+    type Of<T: Real> = Trigonometric<T>;
+
+    /// cn and dn are 1 at u = 0, sn at u = K.
+    fn scale(&self) -> [f64; 3] {
+        let ([cn, _, dn], at_zero) = self.elliptic([1.0, 0.0]);
+        let ([_, sn, _], at_quarter) = self.elliptic([0.0, 1.0]);
+        [1.0 / (cn * at_zero), 1.0 / (sn * at_quarter), 1.0 / (dn * at_zero)]
+    }
+
+    fn assembled<T: Real>(pick: &impl Fn(&dyn Fn(&Self) -> f64) -> T) -> Trigonometric<T> {
+        Trigonometric {
+            near: from_fn(|k| pick(&|s| s.near[k])),
+            far: from_fn(|k| pick(&|s| s.far[k])),
+            odd: from_fn(|k| pick(&|s| s.odd[k])),
+            even: from_fn(|k| pick(&|s| s.even[k])),
+        }
+    }
+}
+
 impl<T: Real> Trigonometric<T> {
     /// (α, β) but for the common phase, and cn, sn, dn, of z = 2πx, |x| ≤ ¼ turn.
     #[inline(always)]
-    pub(super) fn at(&self, x: T) -> (Spinor<T>, [T; 3]) {
+    pub(super) fn at(&self, x: T) -> Point<T> {
         let (s, c) = sin_cos_eighth(T::splat(PI) * x);
         let u = Complex { re: c, im: s }; // e^iz/2
         let u2 = u.square();
@@ -106,15 +114,16 @@ impl<T: Real> Trigonometric<T> {
             alpha: u.conjugate().times(near_even).sum(u3.times(far_odd)),
             beta: u.times(far_even).sum(u3.conjugate().times(near_odd)),
         };
-        let [cn, sn, dn] = self.elliptic([u2.re, u2.im]);
-        (spinor, [cn, sn, dn])
+        let (theta, over) = self.elliptic([u2.re, u2.im]);
+        Point { spinor, theta, over }
     }
 
-    /// cn, sn, dn as quotients of theta functions, from cos z and sin z.
+    /// θ₂, θ₁, θ₃ and 1/θ₄, of which cn, sn, dn are quotients but for constants, from cos z and sin z. The norm of the spinor
+    /// is √θ₄, too.
     ///
     /// θ₂ ∝ cos z + q² cos 3z + q⁶ cos 5z …, θ₁ ∝ sin z − q² sin 3z …, θ₃, θ₄ = 1 ± 2q cos 2z + 2q⁴ cos 4z ± …
     #[inline(always)]
-    fn elliptic(&self, [cos, sin]: [T; 2]) -> [T; 3] {
+    fn elliptic(&self, [cos, sin]: [T; 2]) -> ([T; 3], T) {
         let (one, two) = (T::splat(1.0), T::splat(2.0));
         let twice = two * (cos * cos - sin * sin); // 2 cos 2z
         // cos(2n+1)z / cos z: 1, 2C − 1, …;  sin(2n+1)z / sin z: 1, 2C + 1, …;  next = 2C this − last
@@ -136,22 +145,15 @@ impl<T: Real> Trigonometric<T> {
         let even = one + self.even[1] * t2 + self.even[3] * t4;
         let odd = self.even[0] * t1 + self.even[2] * t3;
         let over = (even - odd).map(|theta4| 1.0 / theta4);
-        [
-            self.scale[0] * cos * theta2 * over,
-            self.scale[1] * sin * theta1 * over,
-            self.scale[2] * (even + odd) * over,
-        ]
+        ([cos * theta2, sin * theta1, even + odd], over)
     }
 }
 
-/// Σ c₂ₖ xᵏ and Σ c₂ₖ₊₁ xᵏ.
+/// Σ c₂ₖ xᵏ and Σ c₂ₖ₊₁ xᵏ, k = 0 … 3.
 #[inline(always)]
 fn split_series<T: Real>(c: &[T; TERMS], x: Complex<T>) -> (Complex<T>, Complex<T>) {
-    let mut even = x.scaled(c[6]).plus(c[4]);
-    even = even.times(x).plus(c[2]);
-    even = even.times(x).plus(c[0]);
-    let mut odd = x.scaled(c[7]).plus(c[5]);
-    odd = odd.times(x).plus(c[3]);
-    odd = odd.times(x).plus(c[1]);
+    let x2 = x.square();
+    let even = x.scaled(c[6]).plus(c[4]).times(x2).sum(x.scaled(c[2]).plus(c[0]));
+    let odd = x.scaled(c[7]).plus(c[5]).times(x2).sum(x.scaled(c[3]).plus(c[1]));
     (even, odd)
 }

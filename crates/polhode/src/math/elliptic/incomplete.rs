@@ -1,0 +1,155 @@
+//! The incomplete integrals F, E and Π: over any amplitude, with one formula for the three kinds.
+//!
+//! With s = sin φ, c = cos φ, Δ² = 1 − m s² = c² + m₁ s²,
+//!
+//! F, E, Π(n) = s R_F(c², Δ², 1) + w s³/3 R_J(c², Δ², 1, 1 − n s²),   (w, n) = none, (−m, 0), (n, n).
+//!
+//! All terms are positive except the second one of E for m > 0, which cancels some hundredfold at most (two words have
+//! that to spare), and of Π for n < 0. There, once |n| is large, the characteristic is changed to m/n:
+//!
+//! Π(n) = s R_C(c² Δ², p²q²) + w s³/3 R_J(c², Δ², 1, q²),   w = −m/n, p² = 1 − n s², q² = 1 − (m/n) s².
+//!
+//! Sources: DLMF 19.25.5, 19.25.9, 19.25.14, 19.21.12; F and E for beyond a quarter turn 19.2.10.
+
+use crate::math::double::Double;
+
+use super::carlson::{rc, rf, rj};
+use super::reduced::Reduced;
+use super::{EllipticError, EllipticParameter, HUGE, TINY, root};
+
+impl EllipticParameter {
+    /// F(φ | m) = ∫₀^φ dt / √(1 − m sin²t), the integral of the first kind, for any real φ in rad.
+    ///
+    /// Infinite beyond ±π/2 at m = 1; as infinite as φ; NaN for NaN.
+    ///
+    /// ```
+    /// let m = polhode::EllipticParameter::new(0.8)?;
+    /// assert!((m.incomplete_f(m.jacobi(17.0).am) - 17.0).abs() < 1e-14);
+    /// # Ok::<(), polhode::EllipticError>(())
+    /// ```
+    ///
+    /// Source: DLMF 19.2.4.
+    pub fn incomplete_f(&self, phi: f64) -> f64 {
+        self.incomplete(Kind::First, phi)
+    }
+
+    /// E(φ | m) = ∫₀^φ √(1 − m sin²t) dt, the integral of the second kind, for any real φ in rad.
+    ///
+    /// As infinite as φ; NaN for NaN.
+    ///
+    /// Source: DLMF 19.2.5.
+    pub fn incomplete_e(&self, phi: f64) -> f64 {
+        self.incomplete(Kind::Second, phi)
+    }
+
+    /// Π(n; φ | m) = ∫₀^φ dt / ((1 − n sin²t) √(1 − m sin²t)), the integral of the third kind, for any real φ in rad.
+    ///
+    /// Infinite beyond ±π/2 at m = 1; as infinite as φ; NaN for a φ that is NaN.
+    ///
+    /// # Errors
+    /// [`EllipticError::Characteristic`] for n ≥ 1, or an n that is not finite.
+    ///
+    /// Source: DLMF 19.2.7, with α² = n.
+    pub fn incomplete_pi(&self, n: f64, phi: f64) -> Result<f64, EllipticError> {
+        Ok(self.incomplete(Kind::third(n)?, phi))
+    }
+
+    fn incomplete(&self, kind: Kind, phi: f64) -> f64 {
+        // φ + (m + 2n) φ³/6 + …
+        if !phi.is_finite() || phi.abs() * self.largest(kind).sqrt() < 1e-9 {
+            return phi;
+        }
+        let reduced = Reduced::angle(phi);
+        let rest = Legs::new(self, kind, reduced.sin, reduced.cos).integral(self, kind);
+        // F(jπ + φ) = 2jK + F(φ), and E and Π likewise
+        reduced.unfolded(|| self.complete(kind).scaled(2.0), rest)
+    }
+
+    /// The largest of 1, m₁ and 1 − n.
+    fn largest(&self, kind: Kind) -> f64 {
+        let n = if let Kind::Third { n } = kind { n } else { 0.0 };
+        self.complement().max(1.0 - n).max(1.0)
+    }
+}
+
+/// The three kinds of integrals.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Kind {
+    First,
+    Second,
+    Third { n: f64 },
+}
+
+impl Kind {
+    pub(super) fn third(n: f64) -> Result<Self, EllipticError> {
+        if n.is_finite() && n < 1.0 {
+            Ok(Self::Third { n })
+        } else {
+            Err(EllipticError::Characteristic { n })
+        }
+    }
+}
+
+/// 2⁻²²⁰: for sides up to 10¹⁵⁴ and down to 10⁻¹⁶².
+const SMALL_UNIT: f64 = 5.934_729_841_099_874e-67;
+
+/// sin φ, cos φ and √(1 − m sin²φ) of an amplitude of at most a quarter turn.
+///
+/// The integrals are homogeneous of degree zero in (s, c, 1), so that all three may be in any `unit`: a smaller one
+/// where squares of the others would overflow.
+pub(super) struct Legs {
+    s: Double,
+    c: Double,
+    delta: Double,
+    unit: f64,
+}
+
+impl Legs {
+    pub(super) fn new(parameter: &EllipticParameter, kind: Kind, sin: Double, cos: Double) -> Self {
+        let unit = if parameter.largest(kind) > HUGE { SMALL_UNIT } else { 1.0 };
+        let (s, c) = (sin.scaled(unit), cos.scaled(unit));
+        // Δ² = c² + m₁ s²
+        let delta = hypotenuse(c, root(parameter.m1) * s);
+        Self { s, c, delta, unit }
+    }
+
+    pub(super) fn integral(&self, parameter: &EllipticParameter, kind: Kind) -> Double {
+        let m = parameter.m;
+        let one = Double::from(self.unit);
+        let first = || rf([self.c, self.delta, one]);
+        self.s
+            * match kind {
+                Kind::First => first(),
+                Kind::Second => first() + self.weighted_rj(-m, one),
+                Kind::Third { n } if n < -1.0 && 0.25 * n < m.high => {
+                    // m/n, in a scale in which neither is too large
+                    let ratio = m.scaled(TINY) / Double::from(n * TINY);
+                    let p = self.one_minus(Double::sum(1.0, -n));
+                    let q = self.one_minus(Double::ONE - ratio);
+                    let scale = 1.0 / self.unit;
+                    rc((self.c * self.delta).scaled(scale), (p * q).scaled(scale))
+                        + self.weighted_rj(-ratio, q)
+                }
+                Kind::Third { n } => {
+                    first() + self.weighted_rj(Double::from(n), self.one_minus(Double::sum(1.0, -n)))
+                }
+            }
+    }
+
+    /// w s²/3 R_J(c², Δ², 1, p²)
+    fn weighted_rj(&self, weight: Double, p: Double) -> Double {
+        let one = Double::from(self.unit);
+        weight.scaled(self.unit) * self.s * self.s.scaled(1.0 / self.unit) / Double::from(3.0)
+            * rj([self.c, self.delta, one], p)
+    }
+
+    /// √(1 − n s²) = √(c² + n₁ s²), by n₁ = 1 − n.
+    fn one_minus(&self, n1: Double) -> Double {
+        hypotenuse(self.c, root(n1) * self.s)
+    }
+}
+
+/// √(a² + b²)
+fn hypotenuse(a: Double, b: Double) -> Double {
+    if a.is_zero() { b.abs() } else { (a.square() + b.square()).sqrt() }
+}

@@ -1,0 +1,206 @@
+//! Which times a path needs, for its chords to keep near it.
+
+use crate::math::elliptic::EllipticParameter;
+use crate::motion::free::{FreeMotion, Regime};
+use crate::motion::state::State;
+
+use super::curve::CurveError;
+
+/// The stretch of time over which a path is drawn.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Span {
+    pub(super) start: f64,
+    pub(super) end: f64,
+    /// True if ω is back in the body at the end.
+    pub(super) closed: bool,
+    /// Equal parts to begin with: even where the tolerance allows it no chord is longer.
+    parts: f64,
+}
+
+/// States with chords between them, and the largest distance from these of each of N paths.
+#[derive(Clone, Debug)]
+pub(super) struct Sampling<const N: usize> {
+    pub(super) states: Vec<State>,
+    pub(super) errors: [f64; N],
+}
+
+/// A circle of this many sides looks round.
+const ROUND: f64 = 64.0;
+
+/// The most points of a curve: those of a circle at a tenth of the finest tolerance.
+pub(super) const MOST_POINTS: usize = 1_000_000;
+
+const FINEST: f64 = 1e-10;
+const COARSEST: f64 = 0.1;
+
+impl Span {
+    /// So many periods from the start of a motion, or all of a separatrix up to the tolerance: it would take for ever.
+    ///
+    /// `None` for what does not move in the body. `winding` is the fastest rate, beside λ, at which the path turns, rad/s.
+    pub(super) fn of(
+        motion: &FreeMotion,
+        periods: f64,
+        winding: f64,
+        tolerance: f64,
+    ) -> Result<Option<Self>, CurveError> {
+        if !(FINEST..=COARSEST).contains(&tolerance) {
+            let (what, rule) = ("the relative tolerance of a curve", "between 1e-10 and 0.1");
+            return Err(CurveError::Parameter { what, value: tolerance, rule });
+        }
+        if !(periods > 0.0 && periods.is_finite()) {
+            let (what, rule) = ("the number of periods", "positive and finite");
+            return Err(CurveError::Parameter { what, value: periods, rule });
+        }
+        if matches!(motion.regime(), Regime::Permanent(_) | Regime::AtRest) {
+            return Ok(None);
+        }
+        let rate = polhode_rate(motion);
+        let Some(period) = motion.period() else {
+            return Ok(Some(Self::separatrix(middle_of_separatrix(motion, rate), rate, winding, tolerance)));
+        };
+        let start = motion.start().time;
+        let end = start + periods * period;
+        // a path that turns by no more than a radian between two times hides nothing from the probes
+        let parts = (ROUND * periods).max((rate + winding) * (end - start)).ceil();
+        Ok(Some(Self { start, end, closed: periods.fract() == 0.0, parts }))
+    }
+
+    /// ω = (a1 sech, a2 tanh, a3 sech)(λ(t − middle)) until sech, its part across the intermediate axis, is within the tolerance.
+    pub(super) fn separatrix(middle: f64, rate: f64, winding: f64, tolerance: f64) -> Self {
+        let half = libm::acosh(1.0 / (SAFETY * tolerance)) / rate;
+        let parts = (0.5 * ROUND).max(2.0 * (rate + winding) * half).ceil();
+        Self { start: middle - half, end: middle + half, closed: false, parts }
+    }
+
+    /// States so near together in time that each of N paths, in units of its largest magnitude, is within its own allowance of
+    /// its chords.
+    ///
+    /// Every part is halved until seven places between its ends are near enough to the chord: an inflection does not hide from
+    /// them, and where the motion rests a long time is one chord.
+    pub(super) fn sample<const N: usize>(
+        &self,
+        at: impl Fn(f64) -> State,
+        paths: impl Fn(&State) -> [[f64; 3]; N],
+        allowed: [f64; N],
+    ) -> Result<Sampling<N>, CurveError> {
+        let too_many = |time| Err(CurveError::TooManyPoints { time, most: MOST_POINTS });
+        if !(self.parts < MOST_POINTS as f64) {
+            return too_many(self.start);
+        }
+        let mut left = at(self.start);
+        let mut sampling = Sampling { states: vec![left], errors: [0.0; N] };
+        for k in 1..=self.parts as usize {
+            let time = self.start + (self.end - self.start) * (k as f64 / self.parts);
+            let mut pending = vec![State { time, ..at(time) }];
+            if self.closed && time == self.end {
+                pending[0].omega = sampling.states[0].omega;
+            }
+            while let Some(&right) = pending.last() {
+                let distances = distances_from_chord(&at, &paths, &left, &right);
+                if (0..N).all(|path| distances[path] <= allowed[path]) {
+                    sampling.accept(right, distances);
+                    left = right;
+                    pending.pop();
+                    continue;
+                }
+                let middle = between(&left, &right, 0.5);
+                if !(left.time < middle && middle < right.time) {
+                    return Err(CurveError::StepTooSmall { time: left.time, step: right.time - left.time });
+                }
+                if sampling.states.len() + pending.len() >= MOST_POINTS {
+                    return too_many(left.time);
+                }
+                pending.push(at(middle));
+            }
+        }
+        Ok(sampling)
+    }
+}
+
+impl<const N: usize> Sampling<N> {
+    fn accept(&mut self, state: State, distances: [f64; N]) {
+        self.states.push(state);
+        for (error, distance) in self.errors.iter_mut().zip(distances) {
+            *error = error.max(distance);
+        }
+    }
+}
+
+/// λ, rad/s: along the labelled axes ω = (a1 cn, a2 sn, a3 dn)(λ (t − t0)).
+pub(super) fn polhode_rate(motion: &FreeMotion) -> f64 {
+    let complement = EllipticParameter::from_complement(motion.parameter()[1]);
+    match (motion.period(), complement) {
+        (Some(period), Ok(m)) => 4.0 * m.k() / period,
+        _ => separatrix_rate(motion.labelled_moments(), motion.amplitudes()[2]),
+    }
+}
+
+/// λ = a3 √((i3 − i1)(i3 − i2) / i1 i2)
+pub(super) fn separatrix_rate([i1, i2, i3]: [f64; 3], a3: f64) -> f64 {
+    a3 * ((i3 - i1) / i1 * ((i3 - i2) / i2)).sqrt()
+}
+
+/// The largest |ω| of a motion, rad/s: where ω has no part along the intermediate axis.
+///
+/// There it exceeds |ω|² a quarter period later by a1² (i3 − i1)(i2 − i1) / (i2 i3), which is positive in both modes.
+pub(super) fn largest_rate(motion: &FreeMotion) -> f64 {
+    let [a1, _, a3] = motion.amplitudes();
+    libm::hypot(a1, a3)
+}
+
+/// The distance from its chords that is allowed to a path, in units of its largest magnitude, when the points are rounded as
+/// ω is: `rounding` is |ω| in these units.
+pub(super) fn allowed(tolerance: f64, rounding: f64) -> f64 {
+    (SAFETY * tolerance).max(32.0 * f64::EPSILON * rounding)
+}
+
+/// For what is between the probes.
+const SAFETY: f64 = 0.95;
+
+/// When the separatrix crosses the plane of the least and the greatest axis, s.
+fn middle_of_separatrix(motion: &FreeMotion, rate: f64) -> f64 {
+    let start = motion.start();
+    let [least, intermediate, greatest] = motion.principal().axes().map(|axis| axis.dot(start.omega));
+    // sinh u = tanh u / sech u
+    let [_, a2, _] = motion.amplitudes();
+    let sech = libm::hypot(least, greatest) / largest_rate(motion);
+    let grows = motion.principal().axis(1).dot(motion.angular_acceleration(&start)) > 0.0;
+    let phase = libm::asinh(intermediate / a2 / sech) / rate;
+    if grows { start.time - phase } else { start.time + phase }
+}
+
+/// How far each path is at most from the straight line between its ends, at seven times between them.
+fn distances_from_chord<const N: usize>(
+    at: &impl Fn(f64) -> State,
+    paths: &impl Fn(&State) -> [[f64; 3]; N],
+    left: &State,
+    right: &State,
+) -> [f64; N] {
+    let (from, to) = (paths(left), paths(right));
+    let mut largest = [0.0; N];
+    for probe in 1..=PROBES {
+        let time = between(left, right, f64::from(probe) / f64::from(PROBES + 1));
+        let points = paths(&at(time));
+        for (k, point) in points.iter().enumerate() {
+            largest[k] = f64::max(largest[k], distance(*point, from[k], to[k]));
+        }
+    }
+    largest
+}
+
+const PROBES: u8 = 7;
+
+fn between(left: &State, right: &State, part: f64) -> f64 {
+    left.time + part * (right.time - left.time)
+}
+
+/// From a point to the segment from a to b.
+fn distance(point: [f64; 3], a: [f64; 3], b: [f64; 3]) -> f64 {
+    let minus = |p: [f64; 3], q: [f64; 3]| [p[0] - q[0], p[1] - q[1], p[2] - q[2]];
+    let dot = |p: [f64; 3], q: [f64; 3]| p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
+    let (chord, reach) = (minus(b, a), minus(point, a));
+    let squared = dot(chord, chord);
+    let part = if squared == 0.0 { 0.0 } else { (dot(reach, chord) / squared).clamp(0.0, 1.0) };
+    let away = minus(reach, chord.map(|c| part * c));
+    dot(away, away).sqrt()
+}

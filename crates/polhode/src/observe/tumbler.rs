@@ -1,0 +1,358 @@
+//! From the two periods of a tumbling body to its states of spin: the inverse problem of light curves and radar.
+
+use core::fmt;
+
+use crate::body::error::BodyError;
+use crate::body::inertia::InertiaTensor;
+use crate::body::principal::PrincipalFrame;
+use crate::math::frame::Body;
+use crate::math::real::PI;
+use crate::math::rotation::Attitude;
+use crate::math::symmetric3::power_of_two_near;
+use crate::math::vector::AngularVelocity;
+use crate::motion::free::{FreeMotion, Regime};
+use crate::motion::state::State;
+
+use super::tumbling::{AxisConvention, TumblingPeriods, quarter_and_share};
+
+/// A state of spin that has the two periods of a tumbling body.
+///
+/// Light curves and radar images give P_φ and P_ψ; a shape gives the principal moments up to a factor. Then each mode has at most
+/// one energy E/E0, because in each the ratio P_ψ/P_φ grows strictly towards the separatrix, from a least
+/// value that the permanent rotation has to infinity ([`TumblingPeriods::ratio`] says from which). *Proof.* Let |L| = 1 and e =
+/// 2T; from the permanent rotation outwards e varies by σ (+1 in short-axis mode, −1 in long-axis mode). The axis that L circles
+/// advances in one period P by e P − σS + 2πσ ([`crate::GeometricPhase`]), S the solid angle round which L goes, and
+/// P = 2σ dS/de, since |L| S is the area of phase space. So 2π d(P_ψ/P_φ)/de = P + e P′ − P/2 = √e d(√e P)/de, and √e P is the
+/// period at constant *energy*. This is 4K(m)/λ, and towards the separatrix K rises while λ, at constant T proportional to
+/// √(L² − 2T i1) or √(2T i3 − L²), falls. ∎
+///
+/// So there are none, one or two solutions, at most one in each mode. The periods do not tell a spin from its mirror images
+/// (ω with any of its components along the principal axes reversed), nor where L points.
+///
+/// # Accuracy
+/// Some 10⁻¹⁵ of the energy ratio for moments and periods exactly as given, near the permanent rotations and the separatrix
+/// too; of a needle's long-axis mode in the short-axis convention, where P_ψ/P_φ − 1 ≈ i1/i3 says everything, less by i3/i1.
+/// Near the separatrix ω is rounded more coarsely than the periods can bear: `periods` shows it.
+///
+/// ```
+/// use polhode::*;
+/// // Toutatis in days: the periods of Zhao et al. 2015, the moments of Takahashi, Busch & Scheeres 2013
+/// let periods = TumblingPeriods { precession: 7.40, rotation: 5.38 };
+/// let spins = TumblingSolution::all([3.0836, 3.235, 1.0], periods, AxisConvention::LongAxis)?;
+/// assert_eq!(spins.len(), 1);
+/// assert_eq!(spins[0].regime, Regime::LongAxis);
+/// assert!((spins[0].omega.z.abs().to_degrees() - 98.73).abs() < 0.005); // deg/day, about the long axis
+/// # Ok::<(), TumblerError>(())
+/// ```
+///
+/// # Source
+/// The problem: Samarasinha & A'Hearn, Icarus 93 (1991) 194; Kaasalainen, Astron. Astrophys. 376 (2001) 302. The proof and the
+/// variable of the search are this library's.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TumblingSolution {
+    /// The mode; `Symmetric` for a body with two equal moments.
+    pub regime: Regime,
+    /// E/E0 = 2 T i3/L², relative to the least energy of this L: 1 … i3/i1.
+    pub energy_ratio: f64,
+    /// |L|, kg·m²/s for moments in kg·m² and periods in s.
+    pub momentum: f64,
+    /// ω at an instant when it has no component along the intermediate axis, rad/s; the axis that L circles is then nearest
+    /// to L.
+    pub omega: AngularVelocity<Body>,
+    /// The periods of the motion that `omega` starts, in the convention of the question: those asked for, but for the
+    /// rounding of ω. `None` if that makes no tumbling motion of it.
+    pub periods: Option<TumblingPeriods>,
+}
+
+/// Why no state of spin can be given.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum TumblerError {
+    /// The moments are those of no body.
+    Body(BodyError),
+    /// A period that is not positive and finite.
+    Period {
+        /// Which.
+        what: &'static str,
+        /// What it is, s.
+        value: f64,
+    },
+    /// Neither mode has this ratio of periods.
+    NoSolution {
+        /// P_ψ/P_φ as given.
+        ratio: f64,
+        /// Between what the ratio lies in long-axis mode, in the same convention; `None` if the body has no such mode. The
+        /// upper end, in truth infinite, is as near to the separatrix as the search goes.
+        long_axis: Option<[f64; 2]>,
+        /// The same in short-axis mode.
+        short_axis: Option<[f64; 2]>,
+    },
+}
+
+impl TumblingSolution {
+    /// The states of spin of a body with these principal moments along its x, y and z axes, in any order, and these
+    /// periods; in ascending energy.
+    ///
+    /// With moments that are known up to a factor everything but `momentum` is right. Of a symmetric body L can circle only
+    /// the symmetry axis; a rod and a body with three equal moments have no solution.
+    ///
+    /// # Errors
+    /// [`TumblerError`]: moments of no body, periods that are not positive and finite, or a ratio of periods outside the ranges
+    /// of both modes.
+    pub fn all(
+        moments: [f64; 3],
+        periods: TumblingPeriods,
+        convention: AxisConvention,
+    ) -> Result<Vec<Self>, TumblerError> {
+        for (what, value) in [("P_phi", periods.precession), ("P_psi", periods.rotation)] {
+            if !(value > 0.0 && value.is_finite()) {
+                return Err(TumblerError::Period { what, value });
+            }
+        }
+        let tensor = InertiaTensor::<Body>::diagonal(moments).map_err(TumblerError::Body)?;
+        let principal = PrincipalFrame::of(&tensor);
+        let unit = power_of_two_near(principal.moments()[2]);
+        let [least, middle, greatest] = principal.moments().map(|i| i / unit);
+        let short = Family::of([least, middle, greatest], convention);
+        let long = Family::of([greatest, middle, least], convention);
+
+        let ratio = periods.ratio();
+        let mut solutions = Vec::new();
+        for family in [&short, &long].into_iter().flatten() {
+            if let Some(wobble) = family.with_ratio(ratio) {
+                let [across, along] = if family.circles_least() { [2, 0] } else { [0, 2] };
+                let momentum = 2.0 * PI / (periods.precession * wobble.axis_rate);
+                let [other, _, circled] = family.moments;
+                let omega = principal.axis(across) * (momentum * wobble.sine / other)
+                    + principal.axis(along) * (momentum * wobble.cosine / circled);
+                let omega = omega.as_quantity();
+                let start = State { time: 0.0, attitude: Attitude::identity(), omega };
+                let motion = FreeMotion::of_moments(moments, start).ok();
+                solutions.push(Self {
+                    regime: family.regime(),
+                    energy_ratio: family.energy_ratio(&wobble),
+                    momentum: momentum * unit,
+                    omega,
+                    periods: motion.and_then(|motion| TumblingPeriods::of(&motion, convention)),
+                });
+            }
+        }
+        if solutions.is_empty() {
+            let [long_axis, short_axis] = [long, short].map(|f| f.map(|f| f.range()));
+            return Err(TumblerError::NoSolution { ratio, long_axis, short_axis });
+        }
+        Ok(solutions)
+    }
+}
+
+/// The motions of a body in which L circles one extreme axis.
+#[derive(Clone, Copy, Debug)]
+struct Family {
+    /// The third is that of the axis that L circles, the second the intermediate.
+    moments: [f64; 3],
+    /// From L's circled axis to the convention's, turns per period of ω.
+    turns: f64,
+}
+
+/// One of them, at |L| = 1.
+#[derive(Clone, Copy, Debug)]
+struct Wobble {
+    /// Of the smallest angle between L and the axis that it circles.
+    cosine: f64,
+    sine: f64,
+    /// 2π/P_φ
+    axis_rate: f64,
+    /// P_ψ/P_φ
+    ratio: f64,
+}
+
+/// The ends of the search, as y = ln z: no wobble that a number can tell from none, and 1 − m as small as 10⁻²⁷⁰.
+const NEAREST: f64 = -620.0;
+const FARTHEST: f64 = 620.0;
+
+impl Family {
+    /// `None` if L circles the third axis of no motion: it is not the extreme one, or has no moment.
+    fn of(moments: [f64; 3], convention: AxisConvention) -> Option<Self> {
+        let [_, i2, i3] = moments;
+        let family = Self { moments, turns: 0.0 };
+        let turns = f64::from(convention.turns_ahead(family.circles_least()));
+        (i2 != i3 && i3 > 0.0).then_some(Self { turns, ..family })
+    }
+
+    fn circles_least(&self) -> bool {
+        self.moments[2] < self.moments[0]
+    }
+
+    fn regime(&self) -> Regime {
+        let [i1, i2, _] = self.moments;
+        match self.circles_least() {
+            _ if i1 == i2 => Regime::Symmetric,
+            true => Regime::LongAxis,
+            false => Regime::ShortAxis,
+        }
+    }
+
+    /// 2 T i/L² with the greatest moment i.
+    fn energy_ratio(&self, wobble: &Wobble) -> f64 {
+        let [i1, _, i3] = self.moments;
+        let greatest = i1.max(i3);
+        1.0 + (greatest - i1) / i1 * wobble.sine.powi(2) + (greatest - i3) / i3 * wobble.cosine.powi(2)
+    }
+
+    /// Between what P_ψ/P_φ lies.
+    fn range(&self) -> [f64; 2] {
+        [NEAREST, FARTHEST].map(|y| self.at(y).ratio)
+    }
+
+    /// The motion with a ratio P_ψ/P_φ, which grows with y: by halving, so no estimate can mislead it.
+    fn with_ratio(&self, ratio: f64) -> Option<Wobble> {
+        let [least, most] = self.range();
+        if !(least < ratio && ratio <= most) {
+            return None;
+        }
+        let (mut below, mut above) = (NEAREST, FARTHEST);
+        for _halving in 0..MOST_HALVINGS {
+            let middle = 0.5 * (below + above);
+            if self.at(middle).ratio < ratio {
+                below = middle;
+            } else {
+                above = middle;
+            }
+        }
+        Some(self.at(above))
+    }
+
+    /// The motion whose greatest nutation θ′ has tan² θ′ = z/ρ, z = eʸ, ρ = (1/i2 − 1/i3)/(1/i1 − 1/i3).
+    ///
+    /// With ν = 1/ρ − 1 the smallest nutation θ and the parameter are tan² θ = z/(1 + νz), m = νz/(1 + νz) and 1 − m = 1/(1 + νz):
+    /// nothing cancels anywhere between the permanent rotation (z → 0) and the separatrix (z → ∞), nor as the body becomes
+    /// symmetric (ν → 0).
+    ///
+    /// As in `motion/free/elements.rs`, λ = cos θ √((1/i1 − 1/i3)(1/i2 − 1/i3)) and Ω = 1/i2 + ½ (1/i1 − 1/i2) R.
+    fn at(&self, y: f64) -> Wobble {
+        let [i1, i2, i3] = self.moments;
+        let (d21, d31, d32) = (i2 - i1, i3 - i1, i3 - i2);
+        let z = libm::exp(y);
+        let m1 = 1.0 / (1.0 + d21 * i3 / (d32 * i1) * z);
+        let tangent_squared = z * m1;
+        let secant = (1.0 + tangent_squared).sqrt();
+        let (quarter, share) = quarter_and_share(m1, d31 * i2 / (d32 * i1));
+        let lambda = (d31 / i1 * (d32 / i2)).sqrt() / (i3 * secant);
+        let rate = 0.5 * PI * lambda / quarter;
+        let axis_rate = 1.0 / i2 + 0.5 * d21 / (i1 * i2) * share + self.turns * rate;
+        Wobble {
+            cosine: 1.0 / secant,
+            sine: tangent_squared.sqrt() / secant,
+            axis_rate,
+            ratio: axis_rate / rate,
+        }
+    }
+}
+
+/// 1240 is halved to 10⁻¹⁶.
+const MOST_HALVINGS: usize = 64;
+
+impl fmt::Display for TumblerError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Body(error) => error.fmt(f),
+            Self::Period { what, value } => write!(f, "{what} = {value} s must be positive and finite"),
+            Self::NoSolution { ratio, long_axis, short_axis } => {
+                write!(f, "no spin of this body has P_psi/P_phi = {ratio}: ")?;
+                for (k, (mode, range)) in [("long", long_axis), ("short", short_axis)].into_iter().enumerate()
+                {
+                    let separator = if k == 0 { "" } else { "; " };
+                    match range {
+                        Some([least, most]) => {
+                            write!(
+                                f,
+                                "{separator}{mode}-axis mode has more than {least:.6}, at most {most:.1}"
+                            )?;
+                        }
+                        None => write!(f, "{separator}it has no {mode}-axis mode")?,
+                    }
+                }
+                Ok(())
+            }
+        }
+    }
+}
+
+impl core::error::Error for TumblerError {
+    fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
+        match self {
+            Self::Body(error) => Some(error),
+            Self::Period { .. } | Self::NoSolution { .. } => None,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const CONVENTIONS: [AxisConvention; 2] = [AxisConvention::LongAxis, AxisConvention::ShortAxis];
+
+    /// Both modes of bodies of every shape: bricks, plates, needles, and as good as symmetric.
+    fn families() -> Vec<Family> {
+        let second = [1e-9, 1e-3, 0.1, 0.3, 0.5, 0.9, 0.999, 1.0 - 1e-9];
+        let mut families = Vec::new();
+        for b in second {
+            for c in second.into_iter().chain([0.0]).filter(|c| *c < b) {
+                // second moments 1 > b > c make moments b + c < 1 + c < 1 + b
+                let [i1, i2, i3] = [b + c, 1.0 + c, 1.0 + b];
+                for convention in CONVENTIONS {
+                    families.extend(Family::of([i1, i2, i3], convention));
+                    families.extend(Family::of([i3, i2, i1], convention));
+                }
+            }
+        }
+        assert!(families.len() > 100);
+        families
+    }
+
+    #[test]
+    fn the_ratio_grows_from_the_permanent_rotation_to_the_separatrix() {
+        for family in families() {
+            let mut last = family.at(NEAREST).ratio;
+            for k in 0..=2480 {
+                let ratio = family.at(NEAREST + 0.5 * f64::from(k)).ratio;
+                assert!(ratio >= last * (1.0 - 8.0 * f64::EPSILON), "{family:?} {k}: {last} then {ratio}");
+                last = ratio;
+            }
+        }
+    }
+
+    #[test]
+    fn the_ratio_of_the_smallest_wobble_is_elementary() {
+        for family in families() {
+            let [i1, i2, i3] = family.moments;
+            let one = (i1 * i2 / ((i3 - i1) * (i3 - i2))).sqrt();
+            let sign = if family.circles_least() { -1.0 } else { 1.0 };
+            let expected = one + (sign + family.turns);
+            let [least, most] = family.range();
+            assert!((least - expected).abs() < 1e-14 * one, "{family:?}: {least} {expected}");
+            assert!(most > least + 10.0);
+        }
+    }
+
+    #[test]
+    fn the_search_finds_every_wobble_that_the_ratio_tells() {
+        for family in families() {
+            for y in [-30.0, -3.0, -0.1, 0.0, 1.0, 10.0, 50.0, 300.0, 600.0] {
+                let (truth, nearby) = (family.at(y), family.at(y - 0.01));
+                let Some(found) = family.with_ratio(truth.ratio) else {
+                    assert_eq!(truth.ratio, family.range()[0], "{family:?} {y}");
+                    continue;
+                };
+                assert!((found.ratio / truth.ratio - 1.0).abs() < 4.0 * f64::EPSILON, "{family:?} {y}");
+                let [energy, other, again] =
+                    [truth, nearby, found].map(|wobble| family.energy_ratio(&wobble));
+                // what some rounding of the ratio does to the energy: much, of a needle in the short-axis convention
+                let slope = (energy - other).abs() / (truth.ratio - nearby.ratio).max(f64::MIN_POSITIVE);
+                let allowed = 1e-14 * energy + slope * 8.0 * f64::EPSILON * truth.ratio;
+                assert!((again - energy).abs() < allowed, "{family:?} {y}: {:e} {allowed:e}", again - energy);
+            }
+        }
+    }
+}

@@ -89,7 +89,7 @@ pub use math::vector::{
 
 // motion: states in time, and what moves them
 pub use motion::error::MotionError;
-pub use motion::free::{FreeMotion, PermanentAxis, Regime};
+pub use motion::free::{FreeMotion, FreeMotions, PermanentAxis, Regime};
 pub use motion::inverse::{ParticleForce, Required};
 pub use motion::kinematics::{
     KineticEnergySplit, MovingParticle, angular_momentum, momentum, rigid_acceleration, rigid_velocity,
@@ -105,10 +105,15 @@ pub use motion::trajectory::{Method, Sample, Solution, Trajectory};
 
 // observe: what can be read off a motion
 pub use observe::cone::Cones;
+pub use observe::curve::{Curve, CurveError};
 pub use observe::drift::Drift;
 pub use observe::geometric_phase::GeometricPhase;
+pub use observe::herpolhode::Herpolhode;
 pub use observe::least_energy::LeastEnergySpin;
+pub use observe::momentum_trace::MomentumTrace;
+pub use observe::polhode::Polhode;
 pub use observe::regime::FreeRegime;
+pub use observe::rolling_cones::RollingCones;
 pub use observe::symmetric_top::{SymmetricTop, SymmetricTopKind};
 pub use observe::tumbler::{TumblerError, TumblingSolution};
 pub use observe::tumbling::{AxisConvention, TumblingPeriods};

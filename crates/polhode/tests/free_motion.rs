@@ -92,7 +92,35 @@ fn a_motion_starts_where_it_starts() {
                 "{}",
                 case["name"].as_str().unwrap()
             );
-            assert!(beside.attitude.angle_to(start.attitude) <= 4e-15 + 1.1 * step, "{}", case["name"].as_str().unwrap());
+            assert!(
+                beside.attitude.angle_to(start.attitude) <= 4e-15 + 1.1 * step,
+                "{}",
+                case["name"].as_str().unwrap()
+            );
+        }
+    }
+}
+
+#[test]
+fn many_bodies_have_the_bits_of_one() {
+    let table = table("free_motion");
+    let motions: Vec<_> = cases(&table, "case")
+        .into_iter()
+        .enumerate()
+        .map(|(k, case)| {
+            let start = State { time: if k % 3 == 0 { 12.5 } else { 0.1 * k as f64 }, ..start(case) };
+            FreeMotion::of_moments(numbers(&case["moments"]), start).unwrap()
+        })
+        .collect();
+    for count in [0, 1, 7, 8, 9, motions.len()] {
+        let all = FreeMotions::of(&motions[..count]);
+        assert_eq!((all.len(), all.is_empty()), (count, count == 0));
+        for time in [12.5, -3.3e9, 0.1] {
+            let states = all.at(time);
+            assert_eq!(states.len(), count);
+            for (motion, state) in motions.iter().zip(states) {
+                assert_eq!(state, motion.at(time));
+            }
         }
     }
 }

@@ -60,7 +60,7 @@ pub enum CurveError {
     StepTooSmall {
         /// The time, s.
         time: f64,
-        /// The step that cannot be halved, s.
+        /// The step between the first of them, s; smaller ones may be needed.
         step: f64,
     },
     /// A neighbouring motion does not exist.
@@ -141,10 +141,16 @@ impl fmt::Display for CurveError {
         match self {
             Self::Parameter { what, value, rule } => write!(f, "{what} = {value} must be {rule}"),
             Self::TooManyPoints { time, most } => {
-                write!(f, "at t = {time:e} s the curve has more than {most} points: loosen its tolerance, or shorten it")
+                write!(
+                    f,
+                    "at t = {time:e} s the curve has more than {most} points: loosen its tolerance, or shorten it"
+                )
             }
             Self::StepTooSmall { time, step } => {
-                write!(f, "at t = {time:e} s a step of {step:e} s is too small to be halved: start nearer to t = 0")
+                write!(
+                    f,
+                    "at t = {time:e} s the points are nearer together in time ({step:e} s) than it is rounded: start nearer to t = 0"
+                )
             }
             Self::Motion(error) => error.fmt(f),
         }

@@ -83,7 +83,8 @@ impl Herpolhode {
     /// The points as two coordinates in the plane, rad/s, seen from the tip of L: right-handed axes about it, the first of them
     /// through the point farthest from L's line.
     pub fn in_plane(&self) -> Vec<[f64; 2]> {
-        let farther = |a: AngularVelocity<Space>, b: &AngularVelocity<Space>| if b.norm() > a.norm() { *b } else { a };
+        let farther =
+            |a: AngularVelocity<Space>, b: &AngularVelocity<Space>| if b.norm() > a.norm() { *b } else { a };
         let farthest = self.curve.points().iter().fold(Vector::ZERO, farther);
         let first = farthest.direction().unwrap_or(Direction::ZERO);
         let second = self.normal.cross(first);

@@ -1,14 +1,12 @@
-//! The polhode, and what L draws beside it in the body.
+//! The polhode: what ω draws in the body.
 
-use crate::body::principal::Symmetry;
-use crate::math::frame::{Body, Principal};
-use crate::math::rotation::Rotation;
-use crate::math::vector::{AngularMomentum, AngularVelocity, quantity};
+use crate::math::frame::Body;
+use crate::math::vector::quantity;
 use crate::motion::free::{FreeMotion, Regime};
 use crate::motion::state::State;
 
 use super::curve::{Curve, CurveError};
-use super::sampling::{Span, allowed, largest_rate, separatrix_rate};
+use super::sampling::{Span, allowed, largest_rate};
 
 /// The path of ω on the inertia ellipsoid ω · Iω = 2T, in body axes, rad/s.
 ///
@@ -42,23 +40,6 @@ pub struct Polhode {
     pub regime: Regime,
 }
 
-/// The path of L = Iω on the sphere |L| = constant, in body axes, kg·m²/s: closed, a point or half of a circle as the polhode
-/// is ([`Polhode`]).
-///
-/// ```
-/// use polhode::{AngularVelocity, Attitude, FreeMotion, MomentumTrace, State};
-/// let start = State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.5, 1.0, -0.7) };
-/// let motion = FreeMotion::of_moments([1.0, 2.0, 3.0], start)?;
-/// let trace = MomentumTrace::of(&motion, 1e-3)?.curve;
-/// assert!(trace.points().iter().all(|l| (l.norm() - motion.momentum().norm()).abs() < 1e-14));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-#[derive(Clone, Debug, PartialEq)]
-pub struct MomentumTrace {
-    /// L, kg·m²/s.
-    pub curve: Curve<quantity::AngularMomentum, Body>,
-}
-
 impl Polhode {
     /// The polhode of a motion; the tolerance of its chords is relative to the largest |ω|, 1e-10 … 0.1.
     ///
@@ -73,75 +54,10 @@ impl Polhode {
         };
         Ok(Self { curve, regime })
     }
-
-    /// Polhodes all over the inertia ellipsoid of a motion: the same energy, other momenta.
-    ///
-    /// So many round each end of the axes of least and of greatest moment, evenly spaced in the elliptic angle from the
-    /// axis, and the four halves of the separatrices. A body with two equal moments has them round its symmetry axis
-    /// only. There are none at rest, none of a sphere, where they are points, and none of a rod, whose ellipsoid has no end.
-    /// Each has its own time, from 0 s.
-    ///
-    /// ```
-    /// use polhode::{AngularVelocity, Attitude, FreeMotion, Polhode, State};
-    /// let start = State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.5, 1.0, -0.7) };
-    /// let motion = FreeMotion::of_moments([1.0, 2.0, 3.0], start)?;
-    /// let family = Polhode::family(&motion, 3, 1e-3)?;
-    /// assert_eq!(family.len(), 4 * 3 + 4);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    ///
-    /// # Errors
-    /// As [`Polhode::of`].
-    pub fn family(motion: &FreeMotion, each: usize, tolerance: f64) -> Result<Vec<Self>, CurveError> {
-        Span::of(motion, 1.0, 0.0, tolerance)?;
-        let principal = motion.principal();
-        let shaped = matches!(principal.symmetry(), Symmetry::Asymmetric | Symmetry::Oblate | Symmetry::Prolate);
-        if !shaped || motion.regime() == Regime::AtRest {
-            return Ok(Vec::new());
-        }
-        let ellipsoid = Ellipsoid::of(motion);
-        let mut family = Vec::new();
-        for angle in ellipsoid.angles(each) {
-            for sign in [1.0, -1.0] {
-                family.push(ellipsoid.sister(angle, sign, tolerance)?);
-            }
-        }
-        if principal.symmetry() == Symmetry::Asymmetric {
-            for signs in [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]] {
-                family.push(ellipsoid.separatrix(signs, tolerance)?);
-            }
-        }
-        let into_body = principal.rotation();
-        Ok(family.into_iter().map(|sister| sister.turned(into_body)).collect())
-    }
-
-    fn turned(self, into_body: Rotation<Body, Principal>) -> Self {
-        let curve = self.curve.mapped(|omega| into_body * omega.as_frame());
-        Self { curve, ..self }
-    }
-}
-
-impl MomentumTrace {
-    /// The path of L in the body; the tolerance of its chords is relative to |L|, 1e-10 … 0.1.
-    ///
-    /// # Errors
-    /// As [`Polhode::of`].
-    pub fn of(motion: &FreeMotion, tolerance: f64) -> Result<Self, CurveError> {
-        let largest = motion.momentum().norm();
-        let momentum = |state: &State| -> AngularMomentum<Body> { motion.angular_momentum(state) };
-        let Some(span) = Span::of(motion, 1.0, 0.0, tolerance)? else {
-            let start = motion.start();
-            return Ok(Self { curve: Curve::point(start.time, momentum(&start), tolerance) });
-        };
-        let path = |state: &State| [(momentum(state) / largest).to_array()];
-        let sampling = span.sample(|time| motion.at(time), path, [allowed(tolerance, 1.0)])?;
-        let sizes = [largest, tolerance, sampling.errors[0]];
-        Ok(Self { curve: Curve::through(&sampling.states, span.closed, sizes, momentum) })
-    }
 }
 
 /// ω over a span of time.
-fn drawn(
+pub(super) fn drawn(
     span: &Span,
     at: impl Fn(f64) -> State,
     largest: f64,
@@ -151,65 +67,4 @@ fn drawn(
     let sampling = span.sample(at, path, [allowed(tolerance, 1.0)])?;
     let sizes = [largest, tolerance, sampling.errors[0]];
     Ok(Curve::through(&sampling.states, span.closed, sizes, |state| state.omega))
-}
-
-/// An inertia ellipsoid in its principal axes, which the sister motions have as body axes.
-struct Ellipsoid {
-    moments: [f64; 3],
-    /// √(2T/i), rad/s
-    semi_axes: [f64; 3],
-}
-
-impl Ellipsoid {
-    fn of(motion: &FreeMotion) -> Self {
-        let moments = motion.principal().moments();
-        // where cn = 1: 2T = i1 a1² + i3 a3² in the motion's labels
-        let ([j1, _, j3], [a1, _, a3]) = (motion.labelled_moments(), motion.amplitudes());
-        let semi_axes = moments.map(|i| libm::hypot(a1 * (j1 / i).sqrt(), a3 * (j3 / i).sqrt()));
-        Self { moments, semi_axes }
-    }
-
-    /// From the greatest axis to where the separatrix crosses the plane of least and greatest.
-    fn separatrix_angle(&self) -> f64 {
-        let [i1, i2, i3] = self.moments;
-        libm::atan2((i3 - i2).sqrt(), (i2 - i1).sqrt())
-    }
-
-    /// Evenly spaced on both sides of the separatrix.
-    fn angles(&self, each: usize) -> Vec<f64> {
-        let [i1, i2, i3] = self.moments;
-        let (separatrix, right) = (self.separatrix_angle(), core::f64::consts::FRAC_PI_2);
-        let part = |k: usize| k as f64 / (each as f64 + 1.0);
-        let greatest = (1..=each).filter(|_| i2 < i3).map(|k| separatrix * part(k));
-        let least = (1..=each).filter(|_| i1 < i2).map(|k| right - (right - separatrix) * part(k));
-        greatest.chain(least).collect()
-    }
-
-    /// ω in the plane of the least and the greatest axis.
-    fn across(&self, angle: f64) -> [f64; 2] {
-        let [s1, _, s3] = self.semi_axes;
-        [s1 * libm::sin(angle), s3 * libm::cos(angle)]
-    }
-
-    fn sister(&self, angle: f64, sign: f64, tolerance: f64) -> Result<Polhode, CurveError> {
-        let [w1, w3] = self.across(angle);
-        let omega = AngularVelocity::new(sign * w1, 0.0, sign * w3);
-        let start = State { time: 0.0, attitude: Rotation::identity(), omega };
-        Polhode::of(&FreeMotion::of_moments(self.moments, start)?, tolerance)
-    }
-
-    /// ω = (a1 sech, a2 tanh, a3 sech)(λt); a2 has the sign of (i3 − i1) a3 a1.
-    fn separatrix(&self, [sign1, sign3]: [f64; 2], tolerance: f64) -> Result<Polhode, CurveError> {
-        let [w1, w3] = self.across(self.separatrix_angle());
-        let a = [sign1 * w1, sign1 * sign3 * self.semi_axes[1], sign3 * w3];
-        let rate = separatrix_rate(self.moments, w3);
-        let at = |time: f64| {
-            let sech = 1.0 / libm::cosh(rate * time);
-            let omega = AngularVelocity::new(a[0] * sech, a[1] * libm::tanh(rate * time), a[2] * sech);
-            State { time, attitude: Rotation::identity(), omega }
-        };
-        let span = Span::separatrix(0.0, rate, 0.0, tolerance);
-        let curve = drawn(&span, at, libm::hypot(w1, w3), tolerance)?;
-        Ok(Polhode { curve, regime: Regime::Separatrix })
-    }
 }

@@ -27,8 +27,8 @@ pub(super) struct Sampling<const N: usize> {
 /// A circle of this many sides looks round.
 const ROUND: f64 = 64.0;
 
-/// The most points of a curve: those of a circle at a tenth of the finest tolerance.
-pub(super) const MOST_POINTS: usize = 1_000_000;
+/// The most points of a curve; a circle at the finest tolerance has a quarter of them.
+const MOST_POINTS: usize = 1_000_000;
 
 const FINEST: f64 = 1e-10;
 const COARSEST: f64 = 0.1;
@@ -75,8 +75,8 @@ impl Span {
     /// States so near together in time that each of N paths, in units of its largest magnitude, is within its own allowance of
     /// its chords.
     ///
-    /// Every part is halved until seven places between its ends are near enough to the chord: an inflection does not hide from
-    /// them, and where the motion rests a long time is one chord.
+    /// Every part is divided until seven places between its ends are near enough to the chord: an inflection does not hide
+    /// from them.
     pub(super) fn sample<const N: usize>(
         &self,
         at: impl Fn(f64) -> State,
@@ -90,30 +90,35 @@ impl Span {
         let mut left = at(self.start);
         let mut sampling = Sampling { states: vec![left], errors: [0.0; N] };
         for k in 1..=self.parts as usize {
-            let time = self.start + (self.end - self.start) * (k as f64 / self.parts);
-            let mut pending = vec![State { time, ..at(time) }];
-            if self.closed && time == self.end {
-                pending[0].omega = sampling.states[0].omega;
-            }
+            let mut pending = vec![self.end_of_part(k as f64, &at)];
             while let Some(&right) = pending.last() {
+                if !(left.time < right.time) {
+                    let step = (self.end - self.start) / self.parts;
+                    return Err(CurveError::StepTooSmall { time: left.time, step });
+                }
                 let distances = distances_from_chord(&at, &paths, &left, &right);
-                if (0..N).all(|path| distances[path] <= allowed[path]) {
+                let pieces = pieces(distances, allowed);
+                if pieces == 1 {
                     sampling.accept(right, distances);
                     left = right;
                     pending.pop();
-                    continue;
-                }
-                let middle = between(&left, &right, 0.5);
-                if !(left.time < middle && middle < right.time) {
-                    return Err(CurveError::StepTooSmall { time: left.time, step: right.time - left.time });
-                }
-                if sampling.states.len() + pending.len() >= MOST_POINTS {
+                } else if sampling.states.len() + pending.len() + usize::from(pieces) > MOST_POINTS {
                     return too_many(left.time);
                 }
-                pending.push(at(middle));
+                for piece in (1..pieces).rev() {
+                    pending.push(at(between(&left, &right, f64::from(piece) / f64::from(pieces))));
+                }
             }
         }
         Ok(sampling)
+    }
+
+    fn end_of_part(&self, k: f64, at: &impl Fn(f64) -> State) -> State {
+        if k < self.parts {
+            return at(self.start + (self.end - self.start) * (k / self.parts));
+        }
+        let end = at(self.end);
+        if self.closed { State { omega: at(self.start).omega, ..end } } else { end }
     }
 }
 
@@ -164,7 +169,8 @@ fn middle_of_separatrix(motion: &FreeMotion, rate: f64) -> f64 {
     // sinh u = tanh u / sech u
     let [_, a2, _] = motion.amplitudes();
     let sech = libm::hypot(least, greatest) / largest_rate(motion);
-    let grows = motion.principal().axis(1).dot(motion.angular_acceleration(&start)) > 0.0;
+    // i2 ω̇2 = (i3 − i1) ω3 ω1
+    let grows = (least > 0.0) == (greatest > 0.0);
     let phase = libm::asinh(intermediate / a2 / sech) / rate;
     if grows { start.time - phase } else { start.time + phase }
 }
@@ -193,6 +199,15 @@ const PROBES: u8 = 7;
 fn between(left: &State, right: &State, part: f64) -> f64 {
     left.time + part * (right.time - left.time)
 }
+
+/// Into how many pieces a chord is to be divided: the distance goes as the square of the length.
+fn pieces<const N: usize>(distances: [f64; N], allowed: [f64; N]) -> u16 {
+    let excess = (0..N).fold(0.0, |most: f64, path| most.max(distances[path] / allowed[path]));
+    if excess <= 1.0 { 1 } else { excess.sqrt().ceil().clamp(2.0, MOST_PIECES) as u16 }
+}
+
+/// A guard only: what is coarser is divided again.
+const MOST_PIECES: f64 = 1024.0;
 
 /// From a point to the segment from a to b.
 fn distance(point: [f64; 3], a: [f64; 3], b: [f64; 3]) -> f64 {

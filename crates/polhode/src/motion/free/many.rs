@@ -114,7 +114,7 @@ impl Columns {
 
 /// Runs the loop compiled for the widest vectors of this machine.
 #[cfg(feature = "simd")]
-fn in_widest_vectors(work: impl FnOnce()) {
+pub(super) fn in_widest_vectors(work: impl FnOnce()) {
     use fearless_simd::{Level, Simd as _, dispatch};
     dispatch!(Level::new(), simd => simd.vectorize(
         #[inline(always)]
@@ -123,6 +123,6 @@ fn in_widest_vectors(work: impl FnOnce()) {
 }
 
 #[cfg(not(feature = "simd"))]
-fn in_widest_vectors(work: impl FnOnce()) {
+pub(super) fn in_widest_vectors(work: impl FnOnce()) {
     work();
 }

@@ -6,6 +6,7 @@
 
 mod axes;
 mod elements;
+mod fleet;
 mod flow;
 mod hyperbolic;
 mod labelled;
@@ -19,7 +20,6 @@ use crate::math::double::Double;
 use crate::math::frame::{Body, Space};
 use crate::math::real::Real;
 use crate::math::rotation::{Attitude, Rotation};
-use crate::math::sum::two_sum;
 use crate::math::symmetric3::{Symmetric3, power_of_two_near};
 use crate::math::vector::{AngularAcceleration, AngularMomentum, AngularVelocity, Vector};
 
@@ -34,6 +34,7 @@ use labelled::Labelled;
 use phase::{Elapsed, Phase};
 use trigonometric::Trigonometric;
 
+pub use fleet::FreeMotions;
 pub use regime::{PermanentAxis, Regime};
 
 /// The torque-free motion of a body: ω and attitude at any time, past or future, in constant time.
@@ -210,14 +211,9 @@ impl FreeMotion {
         State { time, attitude: Rotation::from_unit(q), omega: Vector::from_array(omega) }
     }
 
-    /// time − start, exactly, in the flow's unit. A span too long for any digit of its phase counts as none.
     #[inline(always)]
     fn elapsed<T: Real>(&self, time: T) -> Elapsed<T> {
-        let (high, low) = two_sum(time, T::splat(-self.start.time));
-        let unit = T::splat(self.unit);
-        let within = |span: f64, word: f64| if span.abs() < LONGEST { word } else { 0.0 };
-        let (high, low) = (high * unit, low * unit);
-        Elapsed::new(high.zip(high, within), high.zip(low, within))
+        Elapsed::since(T::splat(self.start.time), time, T::splat(self.unit))
     }
 
     /// dω/dt in the body at one of the motion's states, rad/s²: i1 ω̇1 = (i2 − i3) ω2 ω3 and so on.
@@ -301,9 +297,6 @@ impl FreeMotion {
         self.rates
     }
 }
-
-/// Turns without digits are far below this, and products with it far from overflow.
-const LONGEST: f64 = 1e280;
 
 /// The labelled axes in the body.
 struct Axes {

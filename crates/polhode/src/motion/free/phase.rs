@@ -25,6 +25,15 @@ impl<T: Real> Elapsed<T> {
     pub(super) fn new(high: T, low: T) -> Self {
         Self { high: with_halves(high), low }
     }
+
+    /// time − start, exactly, times `unit`, a power of two. A span too long for any digit of its phase counts as none.
+    #[inline(always)]
+    pub(super) fn since(start: T, time: T, unit: T) -> Self {
+        let (high, low) = two_sum(time, -start);
+        let within = |span: f64, word: f64| if span.abs() < LONGEST { word } else { 0.0 };
+        let (high, low) = (high * unit, low * unit);
+        Self::new(high.zip(high, within), high.zip(low, within))
+    }
 }
 
 impl<const W: usize> Phase<f64, W> {
@@ -32,6 +41,9 @@ impl<const W: usize> Phase<f64, W> {
         Self { frequency: frequency.map(with_halves), start }
     }
 }
+
+/// A phase has long lost its digits here, and no product overflows yet.
+const LONGEST: f64 = 1e280;
 
 #[inline(always)]
 fn with_halves<T: Real>(a: T) -> [T; 3] {

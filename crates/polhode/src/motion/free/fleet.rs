@@ -1,0 +1,144 @@
+//! Many bodies at one time: a body in every lane.
+
+use crate::math::lanes::Lanes;
+use crate::math::rotation::Rotation;
+use crate::math::vector::Vector;
+use crate::motion::state::State;
+
+use super::flow::{Family, Flow, Series, Turned};
+use super::hyperbolic::Hyperbolic;
+use super::many::in_widest_vectors;
+use super::phase::Elapsed;
+use super::trigonometric::Trigonometric;
+use super::{FreeMotion, Kernel};
+
+/// Bodies in a group: one vector of AVX-512, two of AVX2.
+const WIDTH: usize = 8;
+
+/// Many free motions, arranged so that all their states at a time are computed side by side.
+///
+/// Each state has the bits that [`FreeMotion::at`] gives.
+///
+/// ```
+/// use polhode::{AngularVelocity, Attitude, FreeMotion, FreeMotions, State};
+/// let motion = |w: f64| {
+///     let omega = AngularVelocity::new(0.1 * w, 1.0, -0.2);
+///     FreeMotion::of_moments([1.0, 2.0, 2.5], State { time: 0.0, attitude: Attitude::identity(), omega })
+/// };
+/// let motions = (1..=100).map(|k| motion(f64::from(k))).collect::<Result<Vec<_>, _>>()?;
+/// let all = FreeMotions::of(&motions);
+/// assert_eq!(all.at(1e6)[41], motions[41].at(1e6));
+/// # Ok::<(), polhode::MotionError>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct FreeMotions {
+    starts: Vec<State>,
+    trigonometric: Vec<Group<Trigonometric<Lanes<WIDTH>>>>,
+    hyperbolic: Vec<Group<Hyperbolic<Lanes<WIDTH>>>>,
+}
+
+/// Bodies whose motions have the same kind of series; the last group repeats its first body in the lanes left over.
+#[derive(Clone, Debug)]
+struct Group<S> {
+    flow: Flow<Lanes<WIDTH>, S>,
+    start: Lanes<WIDTH>,
+    unit: Lanes<WIDTH>,
+    members: [usize; WIDTH],
+}
+
+impl FreeMotions {
+    /// The motions of a slice, in its order.
+    pub fn of(motions: &[FreeMotion]) -> Self {
+        let mut trigonometric = Vec::new();
+        let mut hyperbolic = Vec::new();
+        for (index, motion) in motions.iter().enumerate() {
+            match &motion.kernel {
+                Kernel::Trigonometric(flow) => trigonometric.push((index, motion, flow)),
+                Kernel::Hyperbolic(flow) => hyperbolic.push((index, motion, flow)),
+            }
+        }
+        Self {
+            starts: motions.iter().map(|motion| motion.start).collect(),
+            trigonometric: trigonometric.chunks(WIDTH).map(grouped).collect(),
+            hyperbolic: hyperbolic.chunks(WIDTH).map(grouped).collect(),
+        }
+    }
+
+    /// How many they are.
+    pub const fn len(&self) -> usize {
+        self.starts.len()
+    }
+
+    /// True if there is none.
+    pub const fn is_empty(&self) -> bool {
+        self.starts.is_empty()
+    }
+
+    /// The state of every body at a time, s.
+    #[must_use]
+    pub fn at(&self, time: f64) -> Vec<State> {
+        let mut states = self.starts.clone();
+        self.fill(time, &mut states);
+        states
+    }
+
+    /// As [`FreeMotions::at`], into states that are there already. States beyond the number of bodies stay as they are.
+    ///
+    /// Does nothing if there are fewer states than bodies.
+    pub fn fill(&self, time: f64, states: &mut [State]) {
+        if states.len() < self.len() {
+            return;
+        }
+        in_widest_vectors(
+            #[inline(always)]
+            || {
+                for groups in self.trigonometric.chunks(BLOCK) {
+                    compute(groups, time, states);
+                }
+                for groups in self.hyperbolic.chunks(BLOCK) {
+                    compute(groups, time, states);
+                }
+            },
+        );
+        for (state, start) in states.iter_mut().zip(&self.starts).filter(|(_, start)| start.time == time) {
+            *state = *start;
+        }
+    }
+}
+
+/// Groups computed between the first of the two short loops and the second.
+const BLOCK: usize = 8;
+
+fn grouped<S: Family>(bodies: &[(usize, &FreeMotion, &Flow<f64, S>)]) -> Group<S::Of<Lanes<WIDTH>>> {
+    let body = |lane: usize| bodies[if lane < bodies.len() { lane } else { 0 }];
+    Group {
+        flow: Flow::assembled(&|get: &dyn Fn(&Flow<f64, S>) -> f64| Lanes::from_fn(|lane| get(body(lane).2))),
+        start: Lanes::from_fn(|lane| body(lane).1.start.time),
+        unit: Lanes::from_fn(|lane| body(lane).1.unit),
+        members: core::array::from_fn(|lane| body(lane).0),
+    }
+}
+
+#[inline(always)]
+fn compute<S: Series<Lanes<WIDTH>>>(groups: &[Group<S>], time: f64, states: &mut [State]) {
+    let mut turned = [Turned::still(); BLOCK];
+    for (turned, group) in turned.iter_mut().zip(groups) {
+        *turned = group.flow.turned(&Elapsed::since(group.start, Lanes([time; WIDTH]), group.unit));
+    }
+    // The lanes go through memory: from lanes to rows in one step the compiler would not use vectors at all.
+    let mut lanes = [[Lanes([0.0; WIDTH]); 7]; BLOCK];
+    for ((turned, group), lanes) in turned.iter().zip(groups).zip(&mut lanes) {
+        let ([qw, qx, qy, qz], [wx, wy, wz]) = group.flow.state(turned);
+        *lanes = [qw, qx, qy, qz, wx, wy, wz];
+    }
+    for (lanes, group) in lanes.iter().zip(groups) {
+        for (lane, &member) in group.members.iter().enumerate() {
+            let [qw, qx, qy, qz, wx, wy, wz] = [0, 1, 2, 3, 4, 5, 6].map(
+                #[inline(always)]
+                |k: usize| lanes[k].0[lane],
+            );
+            let attitude = Rotation::from_unit([qw, qx, qy, qz]);
+            states[member] = State { time, attitude, omega: Vector::new(wx, wy, wz) };
+        }
+    }
+}

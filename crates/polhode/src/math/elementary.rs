@@ -2,12 +2,6 @@
 
 use super::real::{PI, Real};
 
-/// x modulo 2, nearest to zero: exact.
-#[inline(always)]
-pub(crate) fn modulo_two<T: Real>(x: T) -> T {
-    x - T::splat(2.0) * (T::splat(0.5) * x).nearest()
-}
-
 /// Σ cₖ xᵏ of an even number of terms: Horner's rule in x², which waits half as often as that in x.
 #[inline(always)]
 pub(crate) fn polynomial<T: Real, const N: usize>(x: T, coefficients: [f64; N]) -> T {
@@ -133,9 +127,10 @@ mod tests {
             assert_eq!(x.nearest(), x.round_ties_even());
             assert_eq!(Lanes([x]).nearest().0, [x.round_ties_even()]);
         }
-        assert_eq!(modulo_two(7.25), -0.75);
-        assert_eq!(modulo_two(2f64.powi(52) + 1.0).abs(), 1.0);
-        assert_eq!(modulo_two(2f64.powi(60)), 0.0);
+        for (x, rest) in [(7.25, -0.75), (2f64.powi(52) + 1.0, 1.0), (2f64.powi(60), 0.0), (-0.3, -0.3)] {
+            assert_eq!(x.modulo_two(), rest);
+            assert_eq!(Lanes([x]).modulo_two().0, [rest]);
+        }
     }
 
     #[test]

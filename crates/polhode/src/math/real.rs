@@ -23,6 +23,12 @@ pub(crate) trait Real:
 
     /// The integer nearest to each, the even one of two; what is too large to have a fraction stays.
     fn nearest(self) -> Self;
+
+    /// The remainder modulo 2 that is nearest to zero: exact.
+    #[inline(always)]
+    fn modulo_two(self) -> Self {
+        self - Self::splat(2.0) * (Self::splat(0.5) * self).nearest()
+    }
 }
 
 impl Real for f64 {
@@ -51,6 +57,12 @@ impl Real for f64 {
     fn nearest(self) -> Self {
         let big = 4_503_599_627_370_496.0_f64.copysign(self);
         if self.abs() < 4_503_599_627_370_496.0 { (self + big) - big } else { self }
+    }
+
+    /// The usual small number is not made to wait.
+    #[inline(always)]
+    fn modulo_two(self) -> Self {
+        if self.abs() <= 0.5 { self } else { self - 2.0 * (0.5 * self).nearest() }
     }
 }
 

@@ -3,12 +3,12 @@
 use core::array::from_fn;
 
 use crate::math::complex::Complex;
-use crate::math::elementary::{modulo_two, sin_cos_turns};
+use crate::math::elementary::sin_cos_turns;
 use crate::math::real::Real;
 use crate::math::sum::two_sum;
 
 use super::hyperbolic::Hyperbolic;
-use super::phase::{Elapsed, Phase};
+use super::phase::{Elapsed, FineRate, Rate};
 use super::trigonometric::Trigonometric;
 
 /// Cayley–Klein parameters: the quaternion w + iz = α, x + iy = β, of any norm.
@@ -41,9 +41,11 @@ pub(super) struct Point<T> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Flow<T, S> {
     /// ½Ωt, turns.
-    pub(super) precession: Phase<T, 3>,
-    /// z/2π, turns.
-    pub(super) polhode: Phase<T, 2>,
+    pub(super) precession: FineRate<T>,
+    /// λ/4K: z/2π, turns.
+    pub(super) polhode: Rate<T>,
+    /// z/2π at the start, turns.
+    pub(super) start: [T; 2],
     /// Columns: the axes times the amplitudes of ω along them, and the constants that make theta functions cn, sn and dn.
     pub(super) omega: [[T; 3]; 3],
     /// From (Re α, Re β, Im β, Im α) to the attitude's quaternion.
@@ -126,13 +128,13 @@ impl<T: Real, S: Series<T>> Flow<T, S> {
     /// Both phases, reduced.
     #[inline(always)]
     pub(super) fn turned(&self, elapsed: &Elapsed<T>) -> Turned<T> {
-        let (high, low) = self.polhode.at(elapsed);
+        let (high, low) = self.polhode.turns(elapsed, self.start);
         let half_turns = (T::splat(2.0) * high).nearest();
         let x = (high - T::splat(0.5) * half_turns) + low;
-        let odd = modulo_two(half_turns);
+        let odd = half_turns.modulo_two();
         let sign = T::splat(1.0) - T::splat(2.0) * (odd * odd);
 
-        let (high, low) = self.precession.at(elapsed);
+        let (high, low) = self.precession.turns(elapsed);
         let high = high - T::splat(0.25) * half_turns;
         let (high, low) = match self.series.bend() {
             None => (high, low),
@@ -150,8 +152,7 @@ impl<T: Real, S: Series<T>> Flow<T, S> {
     pub(super) fn state(&self, turned: &Turned<T>) -> ([T; 4], [T; 3]) {
         let Turned { x, sign, sin, cos } = *turned;
         let Point { spinor: Spinor { alpha, beta }, theta: [cn, sn, dn], over } = self.series.at(x);
-        let unit = over.map(f64::sqrt);
-        let phase = Complex { re: cos * unit, im: sin * unit };
+        let phase = Complex { re: cos, im: sin };
         let alpha = alpha.times(phase);
         // −i (−1)ᴺ
         let beta = beta.times(Complex { re: sign * phase.im, im: -(sign * phase.re) });
@@ -162,8 +163,9 @@ impl<T: Real, S: Series<T>> Flow<T, S> {
         let (a, w) = (&self.attitude, &self.omega);
         let [qw, qx, qy, qz] =
             [dot4(&a[0], &labelled), dot4(&a[1], &labelled), dot4(&a[2], &labelled), dot4(&a[3], &labelled)];
-        // 1/√n = (3 − n)/2 for n near 1: the last digits of the norm
-        let k = T::splat(1.5) - T::splat(0.5) * ((qw * qw + qx * qx) + (qy * qy + qz * qz));
+        // The norm is 1/√over; its last digits by 1/√n = (3 − n)/2 for n near 1.
+        let norm2 = over * ((qw * qw + qx * qx) + (qy * qy + qz * qz));
+        let k = over.map(f64::sqrt) * (T::splat(1.5) - T::splat(0.5) * norm2);
         ([qw * k, qx * k, qy * k, qz * k], [dot3(&w[0], &rates), dot3(&w[1], &rates), dot3(&w[2], &rates)])
     }
 }
@@ -172,14 +174,16 @@ impl<S: Family> Flow<f64, S> {
     /// The flow in other numbers: one body in every lane, or a body in each.
     pub(super) fn assembled<T: Real>(pick: &impl Fn(&dyn Fn(&Self) -> f64) -> T) -> Flow<T, S::Of<T>> {
         Flow {
-            precession: Phase {
-                frequency: from_fn(|k| from_fn(|j| pick(&|f| f.precession.frequency[k][j]))),
-                start: from_fn(|k| pick(&|f| f.precession.start[k])),
+            precession: FineRate {
+                first: from_fn(|k| pick(&|f| f.precession.first[k])),
+                second: from_fn(|k| pick(&|f| f.precession.second[k])),
+                third: pick(&|f| f.precession.third),
             },
-            polhode: Phase {
-                frequency: from_fn(|k| from_fn(|j| pick(&|f| f.polhode.frequency[k][j]))),
-                start: from_fn(|k| pick(&|f| f.polhode.start[k])),
+            polhode: Rate {
+                first: from_fn(|k| pick(&|f| f.polhode.first[k])),
+                second: pick(&|f| f.polhode.second),
             },
+            start: from_fn(|k| pick(&|f| f.start[k])),
             omega: from_fn(|i| from_fn(|k| pick(&|f| f.omega[i][k]))),
             attitude: from_fn(|i| from_fn(|k| pick(&|f| f.attitude[i][k]))),
             series: S::assembled(&|get: &dyn Fn(&S) -> f64| pick(&|f: &Self| get(&f.series))),

@@ -31,7 +31,7 @@ use elements::Elements;
 use flow::Flow;
 use hyperbolic::Hyperbolic;
 use labelled::Labelled;
-use phase::{Elapsed, Phase};
+use phase::{Elapsed, FineRate, Rate};
 use trigonometric::Trigonometric;
 
 pub use fleet::FreeMotions;
@@ -220,9 +220,9 @@ impl FreeMotion {
     pub fn angular_acceleration(&self, state: &State) -> AngularAcceleration<Body> {
         let w = self.labels.inverse() * state.omega;
         let ([i1, i2, i3], [d23, d31, d12]) = (self.moments, self.differences);
-        let over = |numerator: f64, i: f64| if i == 0.0 { 0.0 } else { numerator / i };
+        let ratio = |d: f64, i: f64| if i == 0.0 { 0.0 } else { d / i };
         let rate: AngularAcceleration<Body> =
-            Vector::new(over(d23 * w.y * w.z, i1), over(d31 * w.z * w.x, i2), over(d12 * w.x * w.y, i3));
+            Vector::new(ratio(d23, i1) * w.y * w.z, ratio(d31, i2) * w.z * w.x, ratio(d12, i3) * w.x * w.y);
         self.labels * rate
     }
 
@@ -318,8 +318,9 @@ impl<S: flow::Family> Flow<f64, S> {
         let omega = [0, 1, 2]
             .map(|row| [0, 1, 2].map(|k| elements.rates[k].value() * unit * scale[k] * axes.columns[k][row]));
         let mut flow = Self {
-            precession: Phase::new(elements.half_precession.0, [0.0; 2]),
-            polhode: Phase::new([turns.high, turns.low], start),
+            precession: FineRate::new(elements.half_precession.0),
+            polhode: Rate::new([turns.high, turns.low]),
+            start,
             omega,
             attitude: matrix_of(|q| q),
             series,

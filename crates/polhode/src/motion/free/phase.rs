@@ -1,16 +1,23 @@
 //! Angles that grow linearly with time, reduced without losing a digit.
 
-use crate::math::elementary::modulo_two;
 use crate::math::real::Real;
 use crate::math::sum::{halves, two_product_of_halves, two_sum};
 
-/// x₀ + f t in turns, the frequency f in W words: with three, after 10²⁴ turns the error is still below 10⁻¹⁶ of one.
+/// f in turns per unit of time, in two words: after 10⁹ turns the error is below 10⁻²² of one.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Phase<T, const W: usize> {
-    /// f, turns per unit of time: its words, each with its two halves.
-    pub(super) frequency: [[T; 3]; W],
-    /// x₀, turns, |x₀| ≤ 1.
-    pub(super) start: [T; 2],
+pub(super) struct Rate<T> {
+    /// The first word and its halves.
+    pub(super) first: [T; 3],
+    pub(super) second: T,
+}
+
+/// f in three words: after 10²⁴ turns the error is still below 10⁻²² of one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct FineRate<T> {
+    /// The first two words and their halves.
+    pub(super) first: [T; 3],
+    pub(super) second: [T; 3],
+    pub(super) third: T,
 }
 
 /// A time in two words, the difference of two times; the first also in halves.
@@ -36,12 +43,6 @@ impl<T: Real> Elapsed<T> {
     }
 }
 
-impl<const W: usize> Phase<f64, W> {
-    pub(super) fn new(frequency: [f64; W], start: [f64; 2]) -> Self {
-        Self { frequency: frequency.map(with_halves), start }
-    }
-}
-
 /// A phase has long lost its digits here, and no product overflows yet.
 const LONGEST: f64 = 1e280;
 
@@ -51,22 +52,39 @@ fn with_halves<T: Real>(a: T) -> [T; 3] {
     [a, high, low]
 }
 
-impl<T: Real, const W: usize> Phase<T, W> {
-    /// The phase modulo two turns, in two words.
+impl Rate<f64> {
+    pub(super) fn new([first, second]: [f64; 2]) -> Self {
+        Self { first: with_halves(first), second }
+    }
+}
+
+impl FineRate<f64> {
+    pub(super) fn new([first, second, third]: [f64; 3]) -> Self {
+        Self { first: with_halves(first), second: with_halves(second), third }
+    }
+}
+
+impl<T: Real> Rate<T> {
+    /// start + f t modulo two turns, in two words.
     #[inline(always)]
-    pub(super) fn at(&self, t: &Elapsed<T>) -> (T, T) {
-        // The first word's product and its error may both be many turns; so may the second word's. The last word's is not.
-        let (p0, e0) = two_product_of_halves(t.high, self.frequency[0]);
-        let (s, r0) = two_sum(modulo_two(p0), self.start[0]);
-        let mut tail = t.low * self.frequency[0][0];
-        if W == 2 {
-            let p1 = t.high[0] * self.frequency[1][0];
-            return two_sum(s, (r0 + self.start[1]) + modulo_two(e0 + (p1 + tail)));
-        }
-        let (s, r1) = two_sum(s, modulo_two(e0));
-        let (p1, e1) = two_product_of_halves(t.high, self.frequency[1]);
-        let (s, r2) = two_sum(s, modulo_two(p1));
-        tail = modulo_two((tail + e1) + t.high[0] * self.frequency[W - 1][0]);
-        two_sum(s, ((r0 + r1) + r2) + (tail + self.start[1]))
+    pub(super) fn turns(&self, t: &Elapsed<T>, start: [T; 2]) -> (T, T) {
+        // The first product and its error may both be many turns.
+        let (p0, e0) = two_product_of_halves(t.high, self.first);
+        let rest = t.high[0] * self.second + t.low * self.first[0];
+        let (s, r0) = two_sum(p0.modulo_two(), start[0]);
+        two_sum(s, (r0 + start[1]) + (e0 + rest).modulo_two())
+    }
+}
+
+impl<T: Real> FineRate<T> {
+    /// f t modulo two turns, in two words.
+    #[inline(always)]
+    pub(super) fn turns(&self, t: &Elapsed<T>) -> (T, T) {
+        let (p0, e0) = two_product_of_halves(t.high, self.first);
+        let (p1, e1) = two_product_of_halves(t.high, self.second);
+        let rest = (t.low * self.first[0] + e1) + t.high[0] * self.third;
+        let (s, r0) = two_sum(p0.modulo_two(), e0.modulo_two());
+        let (s, r1) = two_sum(s, p1.modulo_two());
+        two_sum(s, (r0 + r1) + rest.modulo_two())
     }
 }

@@ -22,8 +22,8 @@ pub(super) struct Trigonometric<T> {
     near: [T; TERMS],
     /// ± q^(j(j+1)/2) Yʲ⁺¹
     far: [T; TERMS],
-    /// Of θ₁, θ₂ without q^(1/4): ± q^(n(n+1)).
-    odd: [T; 5],
+    /// Of θ₁, θ₂ without q^(1/4): q^(n(n+1)), n = 1 … 4.
+    odd: [T; 4],
     /// Of θ₃, θ₄: 2 q^(n²), n = 1 … 4.
     even: [T; 4],
 }
@@ -43,7 +43,7 @@ impl Trigonometric<f64> {
         let mut series = Self {
             near: from_fn(|j| signs[j % 4] * power(ratio, j) * if j == 0 { 1.0 } else { triangle(j - 1) }),
             far: from_fn(|j| signs[j % 4] * triangle(j) * power(y, j + 1)),
-            odd: from_fn(|n| if n % 2 == 0 { power(q, n * (n + 1)) } else { -power(q, n * (n + 1)) }),
+            odd: from_fn(|n| power(q, (n + 1) * (n + 2))),
             even: from_fn(|n| 2.0 * power(q, (n + 1) * (n + 1))),
         };
         let Point { spinor, over, .. } = series.at(0.0);
@@ -129,12 +129,10 @@ impl<T: Real> Trigonometric<T> {
         // cos(2n+1)z / cos z: 1, 2C − 1, …;  sin(2n+1)z / sin z: 1, 2C + 1, …;  next = 2C this − last
         let (mut c0, mut c1) = (one, twice - one);
         let (mut s0, mut s1) = (one, twice + one);
-        // The coefficients carry θ₁'s signs; those of θ₂ are all positive.
         let (mut theta2, mut theta1) = (one, one);
-        for n in 1..5 {
-            let term = self.odd[n];
-            theta1 = theta1 + term * s1;
-            theta2 = if n % 2 == 0 { theta2 + term * c1 } else { theta2 - term * c1 };
+        for (n, &term) in self.odd.iter().enumerate() {
+            theta2 = theta2 + term * c1;
+            theta1 = if n % 2 == 0 { theta1 - term * s1 } else { theta1 + term * s1 };
             (c0, c1) = (c1, twice * c1 - c0);
             (s0, s1) = (s1, twice * s1 - s0);
         }

@@ -7,6 +7,7 @@ use crate::failure::Failure;
 use crate::inertia::Inertia;
 use crate::shell::{Completions, Man};
 use crate::simulate::Simulate;
+use crate::spin::Spin;
 
 /// Rigid-body dynamics: from mass to motion.
 ///
@@ -23,12 +24,14 @@ const EXAMPLES: &str = "\
 Examples:
   polhode inertia part.stl --unit mm --density \"2700 kg/m^3\"
   polhode simulate examples/t-handle.toml
+  polhode spin --moments 1,2,3 --omega 0.01,1,0.01
   polhode explain examples/notes/11-10-dumbbell.toml";
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
     Inertia(Inertia),
     Simulate(Simulate),
+    Spin(Box<Spin>),
     Explain(Explain),
     Completions(Completions),
     Man(Man),
@@ -39,6 +42,7 @@ impl Command {
         match self {
             Self::Inertia(command) => command.run(),
             Self::Simulate(command) => command.run(),
+            Self::Spin(command) => command.run(),
             Self::Explain(command) => command.run(),
             Self::Completions(command) => command.run(Polhode::command()),
             Self::Man(command) => command.run(Polhode::command()),

@@ -10,7 +10,16 @@ use crate::failure::Failure;
 const SIGNATURE: (&str, &[u8]) = ("summary.json", b"{\n  \"polhode\": ");
 
 /// All files that a folder of results can hold.
-const OURS: [&str; 3] = [SIGNATURE.0, "trajectory.parquet", "trajectory.csv"];
+const OURS: [&str; 8] = [
+    SIGNATURE.0,
+    "trajectory.parquet",
+    "trajectory.csv",
+    "polhode.csv",
+    "momentum.csv",
+    "herpolhode.csv",
+    "body_cone.csv",
+    "space_cone.csv",
+];
 
 /// A folder of results in the making: its files are written beside its final place and moved there by
 /// [`Folder::publish`]. Dropped before that, it leaves nothing.

@@ -9,11 +9,12 @@ use polhode::{
 use polhode_formats::mesh::stl::StlKind;
 use polhode_formats::mesh::{self, MeshFile};
 use polhode_formats::scenario;
-use polhode_formats::unit::{self, Dimension};
+use polhode_formats::unit::Dimension;
 use polhode_report::{InertiaReport, SourceInfo, pretty};
 use serde_json::Value;
 
 use crate::failure::Failure;
+use crate::numbers::{numbers, positive, quantity, rotation};
 use crate::stdout::print;
 
 /// Mass, centre of mass, inertia tensor, principal moments and axes.
@@ -39,7 +40,7 @@ pub(crate) struct Inertia {
     #[arg(long, value_name = "X,Y,Z", value_parser = point, allow_hyphen_values = true)]
     about: Option<Position<Body>>,
     /// Also the tensor along axes turned by this unit quaternion (scalar first, turned axes to body axes).
-    #[arg(long, value_name = "W,X,Y,Z", value_parser = turned_axes, allow_hyphen_values = true)]
+    #[arg(long, value_name = "W,X,Y,Z", value_parser = rotation::<Body, Part>, allow_hyphen_values = true)]
     along: Option<Rotation<Body, Part>>,
     /// Print the principal axes too.
     #[arg(long)]
@@ -178,13 +179,6 @@ impl SubstanceFlags {
     }
 }
 
-fn quantity(text: &str, dimension: Dimension) -> Result<f64, String> {
-    unit::parse(text, dimension).map_err(|error| match error.hint() {
-        Some(hint) => format!("{error} (hint: {hint})"),
-        None => error.to_string(),
-    })
-}
-
 fn density(text: &str) -> Result<f64, String> {
     positive(quantity(text, Dimension::DENSITY)?)
 }
@@ -200,10 +194,6 @@ fn length_unit(text: &str) -> Result<f64, String> {
     positive(quantity(&format!("1 {text}"), Dimension::LENGTH)?)
 }
 
-fn positive(value: f64) -> Result<f64, String> {
-    if value > 0.0 { Ok(value) } else { Err("it must be positive".to_owned()) }
-}
-
 fn material(text: &str) -> Result<Material, String> {
     Material::named(text).ok_or_else(|| {
         let names: Vec<_> = Material::ALL.iter().map(|m| m.name).collect();
@@ -212,25 +202,5 @@ fn material(text: &str) -> Result<Material, String> {
 }
 
 fn point(text: &str) -> Result<Position<Body>, String> {
-    let parts = split::<3>(text, "x,y,z")?;
-    let mut point = [0.0; 3];
-    for (coordinate, part) in point.iter_mut().zip(parts) {
-        *coordinate = quantity(part.trim(), Dimension::LENGTH)?;
-    }
-    Ok(Position::from_array(point))
-}
-
-fn turned_axes(text: &str) -> Result<Rotation<Body, Part>, String> {
-    let parts = split::<4>(text, "w,x,y,z")?;
-    let mut q = [0.0; 4];
-    for (component, part) in q.iter_mut().zip(parts) {
-        *component = quantity(part.trim(), Dimension::NONE)?;
-    }
-    Rotation::from_quaternion(q).map_err(|e| e.to_string())
-}
-
-fn split<'a, const N: usize>(text: &'a str, form: &str) -> Result<[&'a str; N], String> {
-    let parts: Vec<_> = text.split(',').collect();
-    let found = parts.len();
-    parts.try_into().map_err(|_| format!("{N} numbers belong here ({form}), not {found}"))
+    numbers(text, "x,y,z", Dimension::LENGTH).map(Position::from_array)
 }

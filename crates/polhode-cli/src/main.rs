@@ -6,10 +6,13 @@ mod explain;
 mod failure;
 mod folder;
 mod inertia;
+mod numbers;
 mod progress;
 mod shell;
 mod simulate;
+mod spin;
 mod stdout;
+mod table;
 
 use clap::Parser as _;
 use std::process::ExitCode;

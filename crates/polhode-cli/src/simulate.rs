@@ -3,15 +3,16 @@
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 use polhode::{Scenario, Trajectory};
-use polhode_formats::{scenario, table};
+use polhode_formats::scenario;
 use polhode_report::{MotionReport, SourceInfo, pretty};
 
 use crate::failure::Failure;
 use crate::folder::Folder;
 use crate::progress::Progress;
 use crate::stdout::print;
+use crate::table::{self, Format};
 
 /// Compute the motion of a scenario and write it to a folder.
 ///
@@ -38,23 +39,6 @@ pub(crate) struct Simulate {
     /// Print the summary as JSON.
     #[arg(long)]
     json: bool,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Format {
-    /// Apache Parquet, units and conventions in its metadata.
-    Parquet,
-    /// Comma-separated text; numbers read back bit for bit.
-    Csv,
-}
-
-impl Format {
-    const fn file_name(self) -> &'static str {
-        match self {
-            Self::Parquet => "trajectory.parquet",
-            Self::Csv => "trajectory.csv",
-        }
-    }
 }
 
 impl Simulate {
@@ -98,20 +82,10 @@ impl Simulate {
     ) -> Result<String, Failure> {
         let folder = Folder::create(target, self.force)?;
         folder.file("summary.json", |out| out.write_all(summary.as_bytes()))?;
-        let mut written = format!("wrote {}", target.join("summary.json").display());
-        for (k, format) in self.table.iter().enumerate() {
-            if self.table[..k].contains(format) {
-                continue;
-            }
-            folder.file(format.file_name(), |out| match format {
-                Format::Parquet => table::parquet::write(trajectory, &metadata(scenario, &self.file), out),
-                Format::Csv => table::csv::write(trajectory, out),
-            })?;
-            written.push_str("  ");
-            written.push_str(format.file_name());
-        }
+        let names = table::write(&self.table, trajectory, &metadata(scenario, &self.file), &folder)?;
         folder.publish()?;
-        Ok(written)
+        let more: String = names.iter().map(|name| format!("  {name}")).collect();
+        Ok(format!("wrote {}{more}", target.join("summary.json").display()))
     }
 }
 

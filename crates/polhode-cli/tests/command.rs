@@ -1,71 +1,13 @@
 //! The command as its users meet it: what it prints, what it writes, and how it fails.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may")]
 
+mod common;
+
 use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
 
 use serde_json::Value;
 
-/// A folder of a test's own, removed when it is done.
-struct Scratch(PathBuf);
-
-impl Scratch {
-    fn new(name: &str) -> Self {
-        let folder = std::env::temp_dir().join(format!("polhode-{name}-{}", std::process::id()));
-        let _ = fs::remove_dir_all(&folder);
-        fs::create_dir(&folder).unwrap();
-        Self(folder)
-    }
-
-    fn write(&self, name: &str, text: &str) {
-        fs::write(self.0.join(name), text).unwrap();
-    }
-
-    fn entries(&self) -> Vec<String> {
-        let mut names: Vec<_> =
-            fs::read_dir(&self.0).unwrap().map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
-        names.sort();
-        names
-    }
-
-    fn run(&self, arguments: &[&str]) -> Output {
-        Command::new(env!("CARGO_BIN_EXE_polhode")).current_dir(&self.0).args(arguments).output().unwrap()
-    }
-}
-
-impl Drop for Scratch {
-    fn drop(&mut self) {
-        let _ = fs::remove_dir_all(&self.0);
-    }
-}
-
-fn example(name: &str) -> String {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples").join(name);
-    path.canonicalize().unwrap().to_str().unwrap().to_owned()
-}
-
-fn stdout(output: &Output) -> String {
-    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
-    String::from_utf8(output.stdout.clone()).unwrap()
-}
-
-fn json(output: &Output) -> Value {
-    serde_json::from_str(&stdout(output)).unwrap()
-}
-
-/// What stands on standard error of a run that must fail with `code` and print no data.
-fn refused(output: &Output, code: i32) -> String {
-    let text = String::from_utf8(output.stderr.clone()).unwrap();
-    assert_eq!(output.status.code(), Some(code), "{text}");
-    assert!(output.stdout.is_empty());
-    assert!(!text.contains("panicked"), "{text}");
-    text
-}
-
-fn number(value: &Value) -> f64 {
-    value.as_f64().unwrap_or_else(|| panic!("{value} is not a number"))
-}
+use common::{Scratch, example, json, number, refused, stdout};
 
 const BRICK: &str = r#"
 title = "A brick"
@@ -306,7 +248,7 @@ fn numbers_in_json_are_those_of_the_library() {
 #[test]
 fn every_command_explains_itself() {
     let scratch = Scratch::new("help");
-    for command in ["inertia", "simulate", "explain"] {
+    for command in ["inertia", "simulate", "spin", "explain"] {
         let help = stdout(&scratch.run(&[command, "--help"]));
         assert!(help.contains("Examples:") && help.contains("--json"), "{help}");
     }

@@ -4,7 +4,8 @@
 //! - [`scenario`]: one body and one motion, as TOML
 //! - [`mesh`]: triangle meshes, as STL
 //! - [`mod@unit`]: quantities in text
-//! - [`table`]: the other way, trajectories as CSV and Parquet
+//! - [`times`]: lists of times, one per line
+//! - [`table`]: the other way, trajectories as CSV and Parquet, curves as CSV
 //!
 //! Whatever cannot be read is a [`FormatError`]: path, line, column, what stands there, the rule, a hint.
 
@@ -14,6 +15,7 @@ pub mod mesh;
 pub mod scenario;
 pub mod table;
 mod text;
+pub mod times;
 pub mod unit;
 
 pub use error::{FormatError, FormatErrorKind, Place};

@@ -1,9 +1,10 @@
 //! Results of polhode, for people and for programs.
 //!
-//! Three reports, each with a face for either reader:
+//! Four reports, each with a face for either reader:
 //!
 //! - [`InertiaReport`]: how much mass, where, and how it resists being turned;
 //! - [`MotionReport`]: how the body moves, and the evidence that the numbers are good;
+//! - [`SpinReport`]: a free motion in closed form, at any time;
 //! - [`explain()`]: the worked solution, step by step, as a [`Document`].
 //!
 //! Text is plain Unicode for a terminal of 100 columns: the answer first, the convention in the heading, every number
@@ -21,7 +22,11 @@ mod json;
 mod layout;
 mod motion;
 mod number;
+mod omega;
+mod periods;
 mod source;
+mod spin;
+mod symmetric_top;
 mod unit;
 
 pub use explain::document::{Block, Document, Section};
@@ -30,6 +35,7 @@ pub use inertia::InertiaReport;
 pub use json::pretty;
 pub use motion::MotionReport;
 pub use source::SourceInfo;
+pub use spin::{SpinReport, TumblerReport};
 
 /// The version that reports carry.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");

@@ -34,6 +34,15 @@ pub(crate) fn ungrouped(x: f64, digits: usize) -> String {
     }
 }
 
+/// The shortest decimal that reads back bit for bit; what is not finite is a dash.
+pub(crate) fn exact(x: f64) -> String {
+    if !x.is_finite() {
+        return "—".to_owned();
+    }
+    let shortest = format!("{x:?}");
+    shortest.strip_suffix(".0").map_or(shortest.clone(), str::to_owned)
+}
+
 /// Numbers of one kind, alike: the same decimals if they are near each other, else each on its own.
 pub(crate) fn alike(values: &[f64], digits: usize) -> Vec<String> {
     let nonzero = || values.iter().map(|x| x.abs()).filter(|x| *x > 0.0);
@@ -156,6 +165,16 @@ mod tests {
         assert_eq!(plain(5e-324, 6), "4.940 66e-324");
         assert_eq!(plain(f64::NAN, 6), "—");
         assert_eq!(plain(f64::NEG_INFINITY, 6), "—");
+    }
+
+    #[test]
+    fn exact_numbers_read_back() {
+        for (x, text) in
+            [(39.105_734_197_268_72, "39.10573419726872"), (2.0, "2"), (1e300, "1e300"), (-0.0, "-0")]
+        {
+            assert_eq!(exact(x), text);
+            assert_eq!(text.parse::<f64>().unwrap().to_bits(), x.to_bits());
+        }
     }
 
     #[test]

@@ -7,8 +7,11 @@ mod common;
 
 use std::path::Path;
 
-use polhode::{Body, Position, Rotation, Scenario};
-use polhode_report::{InertiaReport, MotionReport, SourceInfo, explain, pretty};
+use polhode::{
+    AngularVelocity, Attitude, AxisConvention, Body, FreeMotion, InertiaTensor, Position, PrincipalFrame,
+    Rotation, Scenario, State, TumblingPeriods,
+};
+use polhode_report::{InertiaReport, MotionReport, SourceInfo, SpinReport, TumblerReport, explain, pretty};
 
 /// Lines that tell of rounding or of the integrator's steps: they change with the core, and other tests bound them.
 const EVIDENCE: [&str; 10] = [
@@ -112,4 +115,33 @@ fn explanations() {
             check("explain_dumbbell.md", &document.to_markdown());
         }
     }
+}
+
+#[test]
+fn spins() {
+    let spin = |moments: [f64; 3], omega: [f64; 3]| {
+        let omega = AngularVelocity::from_array(omega);
+        let start = State { time: 0.0, attitude: Attitude::identity(), omega };
+        SpinReport::new(None, FreeMotion::of_moments(moments, start).unwrap())
+    };
+    for (name, report) in [
+        ("flips", spin([1.0, 2.0, 3.0], [0.01, 1.0, 0.01]).at(&[0.0]).unwrap()),
+        ("equilibrium", spin([1.0, 2.0, 3.0], [0.0, 1.0, 0.0])),
+        ("separatrix", spin([10.0, 13.0, 15.0], [1.0, 0.5, 1.0])),
+        ("toutatis", spin([3.0836, 3.235, 1.0], [2.931e-6, 6.773e-6, -1.994e-5])),
+        ("symmetric_top", spin([2.0, 1.5, 2.0], [0.3, -1.2, 0.4])),
+        ("impossible", spin([8.0, 4.0, 0.4], [0.0, 0.0, 5.0])),
+    ] {
+        check(&format!("spin_{name}.txt"), &report.to_text());
+    }
+    let scenario = common::t_handle();
+    let thrown = FreeMotion::of(&scenario.rotor(), scenario.start).unwrap();
+    let source = SourceInfo::new("t-handle.toml", "scenario").described("T-handle in free fall");
+    let report = SpinReport::new(Some(source), thrown).found(scenario.findings);
+    check("spin_t_handle.txt", &report.to_text());
+
+    let brick = PrincipalFrame::of(&InertiaTensor::diagonal([1.0, 2.0, 2.5]).unwrap());
+    let periods = TumblingPeriods { precession: 2.0, rotation: 5.0 };
+    let report = TumblerReport::new(None, brick, periods, AxisConvention::LongAxis).unwrap();
+    check("spin_periods.txt", &report.to_text());
 }

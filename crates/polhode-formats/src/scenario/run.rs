@@ -4,10 +4,8 @@ use polhode::{LOOSEST_TOLERANCE, Method, Run, TIGHTEST_TOLERANCE};
 
 use super::reader::{Table, Value};
 use crate::error::FormatError;
+use crate::times;
 use crate::unit::Dimension;
-
-/// More samples than this would not fit the memory of a small machine: at 240 bytes each, 2.4 GB.
-const MOST_SAMPLES: u64 = 10_000_000;
 
 /// Samples of a run that says neither `samples` nor `every`.
 const SAMPLES: usize = 1001;
@@ -33,13 +31,13 @@ pub(crate) fn run(root: &Table<'_>) -> Result<Option<Run>, FormatError> {
     Ok(Some(match given {
         None => Run::evenly(duration, SAMPLES, method, tolerance),
         Some(value) if value.key() == "samples" => Run::evenly(duration, samples(&value)?, method, tolerance),
-        Some(value) => Run { times: times(duration, &value)?, method, tolerance },
+        Some(value) => Run { times: sampled_every(duration, &value)?, method, tolerance },
     }))
 }
 
 fn samples(value: &Value<'_>) -> Result<usize, FormatError> {
     match value.count()? {
-        count @ 2..=MOST_SAMPLES => Ok(count as usize),
+        count @ 2..=times::MOST => Ok(count as usize),
         0 | 1 => {
             Err(value.invalid("at least 2").with_hint("the first sample is the start, the last one the end"))
         }
@@ -48,7 +46,7 @@ fn samples(value: &Value<'_>) -> Result<usize, FormatError> {
 }
 
 /// 0, every, 2 every, … and the end.
-fn times(duration: f64, value: &Value<'_>) -> Result<Vec<f64>, FormatError> {
+fn sampled_every(duration: f64, value: &Value<'_>) -> Result<Vec<f64>, FormatError> {
     let every = value.positive(Dimension::TIME)?;
     if every > duration {
         let rule = format!("at most the duration, {duration} s");
@@ -56,22 +54,11 @@ fn times(duration: f64, value: &Value<'_>) -> Result<Vec<f64>, FormatError> {
             .invalid(rule)
             .with_hint("give a shorter interval, or samples = 2 for start and end"));
     }
-    let intervals = duration / every;
-    if !(intervals < MOST_SAMPLES as f64) {
-        return Err(too_many(value));
-    }
-    // A duration of a whole number of intervals but for rounding has no short one at its end.
-    let whole = if (intervals - intervals.round()).abs() < 1e-9 * intervals {
-        intervals.round()
-    } else {
-        intervals.ceil()
-    };
-    let last = whole as usize;
-    Ok((0..last).map(|k| every * k as f64).chain([duration]).collect())
+    times::every(every, duration).ok_or_else(|| too_many(value))
 }
 
 fn too_many(value: &Value<'_>) -> FormatError {
-    let rule = format!("such that there are at most {MOST_SAMPLES} samples");
+    let rule = format!("such that there are at most {} samples", times::MOST);
     value.invalid(rule).with_hint("all samples are held in memory: sample less often, or run in pieces")
 }
 

@@ -22,7 +22,7 @@ pub fn write(trajectory: &Trajectory, out: impl Write) -> io::Result<()> {
 }
 
 /// One line: each item by `cell`, commas between.
-fn separated<W: Write, T>(
+pub(super) fn separated<W: Write, T>(
     out: &mut W,
     items: &[T],
     mut cell: impl FnMut(&mut W, &T) -> io::Result<()>,

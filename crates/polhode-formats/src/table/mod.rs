@@ -4,6 +4,7 @@
 //! where it has one; attitudes are R_space_body as unit quaternions (w, x, y, z).
 
 pub mod csv;
+pub mod curve;
 pub mod parquet;
 
 use polhode::{Sample, Trajectory};

@@ -164,7 +164,7 @@ fn asymmetric(w: &Working<'_>, s: &mut Section) {
         s.line(format!("ω along axis 2 reverses every {} s: the body flips", n(flip)));
     }
     if let Some(growth) = free.growth_rate {
-        let off = intermediate::degrees_off(&w.rotor, &w.start);
+        let off = intermediate::degrees_off(w.rotor.principal(), &w.start);
         s.say(format!(
             "ω starts {off}° from the intermediate axis, and near it a departure grows as exp(σ t):"
         ));

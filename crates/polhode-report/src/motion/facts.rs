@@ -1,8 +1,8 @@
 //! What a motion's reports say, gathered once from the core.
 
 use polhode::{
-    Cones, Drift, FreeRegime, ParticleForce, Pendulum, Prescribed, Regime, Required, Rotor,
-    Sample, Scenario, Solution, State, Swing, SymmetricTop, Trajectory,
+    Cones, Drift, FreeRegime, ParticleForce, Pendulum, Prescribed, Regime, Required, Rotor, Sample, Scenario,
+    Solution, State, Swing, SymmetricTop, Trajectory,
 };
 
 /// Everything that is asked of the core for one motion.

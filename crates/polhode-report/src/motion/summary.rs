@@ -1,8 +1,8 @@
 //! `summary.json`.
 
 use polhode::{
-    ConstantTorque, Drift, FreeRegime, Method, ParticleForce, Pendulum, Regime, Sample, Scenario, Solution,
-    State, Swing, TorqueModel,
+    ConstantTorque, Drift, FreeMotion, FreeRegime, Method, ParticleForce, Pendulum, Sample, Scenario,
+    Solution, State, Swing, TorqueModel,
 };
 use serde_json::{Map, Value, json};
 
@@ -10,7 +10,8 @@ use super::MotionReport;
 use super::facts::{Facts, Needed, Top};
 use crate::block::{self, Geometry};
 use crate::json::{numbers, vector};
-use crate::{VERSION, finding};
+use crate::periods::Periods;
+use crate::{VERSION, finding, symmetric_top};
 
 pub(super) fn of(report: &MotionReport<'_>) -> Value {
     let (scenario, samples) = (report.scenario, report.trajectory.samples());
@@ -91,21 +92,14 @@ fn motion(facts: &Facts) -> Value {
     let free = facts.is_free;
     let omega = facts.start.omega;
     let momentum = facts.rotor.angular_momentum_space(&facts.start);
-    let turn = |rate: f64| (rate != 0.0).then(|| std::f64::consts::TAU / rate.abs());
-    let (precession, rotation) = match &facts.top {
-        Some(top) => (turn(top.cones.space_rate), turn(top.cones.body_rate)),
-        None => match regime {
-            // Nothing precesses, the body turns.
-            Regime::Permanent(_) if free => (None, turn(omega.norm())),
-            _ => (None, None),
-        },
-    };
+    let periods = facts.is_free.then(|| FreeMotion::of(&facts.rotor, facts.start).ok()).flatten();
+    let periods = periods.map(|motion| Periods::of(&motion));
     json!({
         "regime": free.then(|| regime.name()),
         "regime_at_start": facts.needed.is_none().then(|| regime.name()),
         "period_s": period.filter(|_| free),
-        "precession_period_s": precession,
-        "rotation_period_s": rotation,
+        "precession_period_s": periods.and_then(|p| p.precession),
+        "rotation_period_s": periods.and_then(|p| p.rotation),
         "flip_interval_s": flip_interval.filter(|_| free),
         "growth_rate_per_s": growth_rate.filter(|_| free),
         "kinetic_energy_j": facts.rotor.kinetic_energy(omega),
@@ -116,19 +110,9 @@ fn motion(facts: &Facts) -> Value {
 }
 
 fn symmetric_top(top: &Top) -> Value {
-    let [axial, transverse] = top.motion.moments();
-    json!({
-        "axis": vector(top.motion.axis()),
-        "axial_moment": axial,
-        "transverse_moment": transverse,
-        "spin_rad_s": top.motion.spin(),
-        "body_rate_rad_s": top.cones.body_rate,
-        "space_rate_rad_s": top.cones.space_rate,
-        "body_cone_half_angle_rad": top.cones.body_half_angle,
-        "space_cone_half_angle_rad": top.cones.space_half_angle,
-        "nutation_rad": top.cones.nutation,
-        "coplanarity": top.coplanarity,
-    })
+    let mut object = symmetric_top::to_json(&top.motion, &top.cones);
+    object.insert("coplanarity".to_owned(), top.coplanarity.into());
+    Value::Object(object)
 }
 
 fn energy(samples: &[Sample]) -> Value {

@@ -1,13 +1,13 @@
 //! The motion on one screen.
 
-use polhode::{ConstantTorque, FreeRegime, Pendulum, Sample, Solution, State, Swing, TorqueModel};
+use polhode::{ConstantTorque, FreeRegime, Pendulum, Sample, Solution, Swing, TorqueModel};
 
 use super::MotionReport;
 use super::facts::{Facts, Needed, Top};
 use crate::layout::{WIDTH, broken, columns, labelled, plain_spaces, printable, sparkline};
 use crate::number::{count, error, number, tidy, ungrouped, vector};
 use crate::unit::{self, CLOSED, DIGITS, cone, rate};
-use crate::{finding, intermediate};
+use crate::{finding, intermediate, omega};
 
 /// Forces on more particles than this fill the screen: JSON has them all.
 const MOST_PARTICLES: usize = 8;
@@ -85,7 +85,7 @@ fn regime(facts: &Facts) -> String {
         text.push_str(&labelled("periods", &periods.join("; ")));
     }
     if let Some(growth) = growth_rate {
-        let off = intermediate::degrees_off(&facts.rotor, &facts.start);
+        let off = intermediate::degrees_off(facts.rotor.principal(), &facts.start);
         let line =
             format!("ω starts {off}° from axis 2, and a departure from it grows at {} /s", number(growth, 6));
         text.push_str(&labelled("instability", &line));
@@ -251,7 +251,7 @@ fn resolved(values: &[f64], turns: usize) -> usize {
 fn ends(report: &MotionReport<'_>, facts: &Facts) -> String {
     let samples = report.trajectory.samples();
     let (Some(first), Some(last)) = (samples.first(), samples.last()) else { return String::new() };
-    let mut text = state("start", &first.state);
+    let mut text = labelled("start", &omega::in_words(first.state.omega));
     let momentum = facts.rotor.angular_momentum_space(&facts.start);
     let about = if facts.rotor.is_pivoted() { "the pivot" } else { "the centre of mass" };
     let line = format!(
@@ -261,7 +261,7 @@ fn ends(report: &MotionReport<'_>, facts: &Facts) -> String {
     );
     text.push_str(&labelled("", &line));
     if samples.len() > 1 {
-        text.push_str(&state("end", &last.state));
+        text.push_str(&labelled("end", &omega::in_words(last.state.omega)));
         let q = last.state.attitude.canonical_quaternion().map(|x| number(x, 6)).join(", ");
         text.push_str(&labelled("", &format!("attitude w, x, y, z = {q}")));
         if !facts.is_free {
@@ -279,15 +279,6 @@ fn ends(report: &MotionReport<'_>, facts: &Facts) -> String {
         }
     }
     text
-}
-
-fn state(label: &str, state: &State) -> String {
-    if state.omega.norm() == 0.0 {
-        return labelled(label, "at rest: ω = 0");
-    }
-    let omega = vector(state.omega.to_array(), DIGITS);
-    let speed = rate(state.omega.norm());
-    labelled(label, &format!("ω = {omega} rad/s in body axes, |ω|\u{a0}=\u{a0}{speed}"))
 }
 
 /// An upper bound of a rounding error, which may be exactly zero.

@@ -83,6 +83,9 @@ impl Landen {
         let (mut sum, mut share) = (0.0, 0.5);
         for n in 0..self.steps {
             let (r, departure) = (self.ratio[n], self.departure[n]);
+            if departure == 0.0 {
+                break; // m = 0, where sech² may have left the range of f64
+            }
             let growth = 2.0 * departure * th * (1.0 + th) / (sigma * (1.0 + r * th));
             sum += share * 0.5 * libm::log1p(growth);
             let below = 1.0 + r * th * th;

@@ -7,6 +7,7 @@ pub(crate) mod elliptic;
 pub(crate) mod frame;
 pub(crate) mod landen;
 pub(crate) mod lanes;
+pub(crate) mod means;
 pub(crate) mod real;
 pub(crate) mod rotation;
 pub(crate) mod sum;

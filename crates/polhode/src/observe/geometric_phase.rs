@@ -1,9 +1,9 @@
 //! How far a free body has turned when ω is back where it was.
 
+use crate::math::double::Double;
+use crate::math::means::quarter_and_share;
 use crate::math::real::PI;
 use crate::motion::free::{FreeMotion, Regime};
-
-use super::tumbling::quarter_and_share;
 
 /// The turn about L in one period of ω, in its two parts: total = dynamic + geometric.
 ///
@@ -76,6 +76,7 @@ fn solid_angle(motion: &FreeMotion) -> f64 {
     // in units of A3
     let (a1, a2) = (i1 * w1 / (i3 * w3), i2 * w2 / (i3 * w3));
     let l_squared = 1.0 + a1 * a1;
-    let (quarter, share) = quarter_and_share(motion.parameter()[1], l_squared);
-    2.0 * quarter * a1 * a2 / l_squared.sqrt() * share
+    let k1 = Double::from(motion.complementary_modulus());
+    let (quarter, share) = quarter_and_share(k1, Double::from(l_squared));
+    2.0 * (quarter * share).value() * a1 * a2 / l_squared.sqrt()
 }

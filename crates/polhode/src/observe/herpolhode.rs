@@ -6,7 +6,7 @@ use crate::motion::free::FreeMotion;
 use crate::motion::state::State;
 
 use super::curve::{Curve, CurveError};
-use super::sampling::{Span, allowed, largest_rate, polhode_rate};
+use super::sampling::{Span, allowed, largest_rate};
 
 /// The path of ω in space, which lies in a plane across L: the invariable plane, on which Poinsot's ellipsoid rolls.
 ///
@@ -95,8 +95,8 @@ impl Herpolhode {
 /// The smallest and the largest ρ.
 fn annulus(motion: &FreeMotion) -> [f64; 2] {
     let ([i1, i2, _], [a1, a2, _]) = (motion.labelled_moments(), motion.amplitudes());
-    let (rate, momentum, [_, m1]) = (polhode_rate(motion), motion.momentum().norm(), motion.parameter());
-    [m1.sqrt() * rate * (i1 * a1 / momentum), rate * (i2 * a2 / momentum)]
+    let (rate, momentum) = (motion.polhode_rate(), motion.momentum().norm());
+    [motion.complementary_modulus() * rate * (i1 * a1 / momentum), rate * (i2 * a2 / momentum)]
 }
 
 /// (i1 a1² + i3 a3²) / |L|: 2T where cn = 1.

@@ -1,6 +1,5 @@
 //! Which times a path needs, for its chords to keep near it.
 
-use crate::math::elliptic::EllipticParameter;
 use crate::motion::free::{FreeMotion, Regime};
 use crate::motion::state::State;
 
@@ -54,7 +53,7 @@ impl Span {
         if matches!(motion.regime(), Regime::Permanent(_) | Regime::AtRest) {
             return Ok(None);
         }
-        let rate = polhode_rate(motion);
+        let rate = motion.polhode_rate();
         let Some(period) = motion.period() else {
             return Ok(Some(Self::separatrix(middle_of_separatrix(motion, rate), rate, winding, tolerance)));
         };
@@ -128,15 +127,6 @@ impl<const N: usize> Sampling<N> {
         for (error, distance) in self.errors.iter_mut().zip(distances) {
             *error = error.max(distance);
         }
-    }
-}
-
-/// λ, rad/s: along the labelled axes ω = (a1 cn, a2 sn, a3 dn)(λ (t − t0)).
-pub(super) fn polhode_rate(motion: &FreeMotion) -> f64 {
-    let complement = EllipticParameter::from_complement(motion.parameter()[1]);
-    match (motion.period(), complement) {
-        (Some(period), Ok(m)) => 4.0 * m.k() / period,
-        _ => separatrix_rate(motion.labelled_moments(), motion.amplitudes()[2]),
     }
 }
 

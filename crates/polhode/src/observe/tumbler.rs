@@ -5,7 +5,9 @@ use core::fmt;
 use crate::body::error::BodyError;
 use crate::body::inertia::InertiaTensor;
 use crate::body::principal::PrincipalFrame;
+use crate::math::double::Double;
 use crate::math::frame::Body;
+use crate::math::means::quarter_and_share;
 use crate::math::real::PI;
 use crate::math::rotation::Attitude;
 use crate::math::symmetric3::power_of_two_near;
@@ -13,7 +15,7 @@ use crate::math::vector::AngularVelocity;
 use crate::motion::free::{FreeMotion, Regime};
 use crate::motion::state::State;
 
-use super::tumbling::{AxisConvention, TumblingPeriods, quarter_and_share};
+use super::tumbling::{AxisConvention, TumblingPeriods};
 
 /// A state of spin that has the two periods of a tumbling body.
 ///
@@ -236,7 +238,9 @@ impl Family {
         let m1 = 1.0 / (1.0 + d21 * i3 / (d32 * i1) * z);
         let tangent_squared = z * m1;
         let secant = (1.0 + tangent_squared).sqrt();
-        let (quarter, share) = quarter_and_share(m1, d31 * i2 / (d32 * i1));
+        let (quarter, share) =
+            quarter_and_share(Double::from(m1).sqrt(), Double::from(d31 * i2 / (d32 * i1)));
+        let (quarter, share) = (quarter.value(), share.value());
         let lambda = (d31 / i1 * (d32 / i2)).sqrt() / (i3 * secant);
         let rate = 0.5 * PI * lambda / quarter;
         let axis_rate = 1.0 / i2 + 0.5 * d21 / (i1 * i2) * share + self.turns * rate;

@@ -108,10 +108,8 @@ fn annihilate(a: &mut [[Double; 3]; 3], axes: &mut [[Double; 3]; 3], p: usize, q
     a[r][p] = c * arp - s * arq;
     a[r][q] = s * arp + c * arq;
     (a[p][r], a[q][r]) = (a[r][p], a[r][q]);
-    for k in 0..3 {
-        let (vp, vq) = (axes[p][k], axes[q][k]);
-        axes[p][k] = c * vp - s * vq;
-        axes[q][k] = s * vp + c * vq;
-    }
+    let (ep, eq) = (axes[p], axes[q]);
+    axes[p] = [0, 1, 2].map(|k| c * ep[k] - s * eq[k]);
+    axes[q] = [0, 1, 2].map(|k| s * ep[k] + c * eq[k]);
     true
 }

@@ -1,6 +1,7 @@
 //! The constants of a free motion, in two words and more.
 
 use crate::math::double::Double;
+use crate::math::means::quarter_and_share;
 use crate::math::triple::Triple;
 
 use super::labelled::{Labelled, Mode};
@@ -18,7 +19,6 @@ use super::labelled::{Labelled, Mode};
 /// Source: Landau & Lifshitz, Mechanics, §37; the forms without cancellation are derived in `book/free-motion.md`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Elements {
-    pub(super) moments: [Double; 3],
     /// |L|
     pub(super) momentum: Double,
     /// A1, A2, A3
@@ -27,9 +27,9 @@ pub(super) struct Elements {
     pub(super) rates: [Double; 3],
     /// cn u0, sn u0: the start on the polhode.
     pub(super) start: [Double; 2],
-    /// m and 1 − m.
+    /// m and √(1 − m), whose square may leave the range of f64.
     pub(super) m: Double,
-    pub(super) m1: Double,
+    pub(super) k1: Double,
     /// −n ≥ 0
     pub(super) minus_n: Double,
     /// λ, negative in long-axis mode.
@@ -40,23 +40,24 @@ pub(super) struct Elements {
     pub(super) half_precession: Triple,
 }
 
-/// K where the separatrix makes it infinite: no time that keeps its digits comes near it.
-const INFINITE: f64 = 1.267_650_600_228_229_4e30;
-
 impl Elements {
+    /// 1 − m
+    pub(super) fn m1(&self) -> Double {
+        self.k1.square()
+    }
+
     /// Of ω along axis 3 alone: nothing circles, and the body turns at |ω|.
     pub(super) fn permanent(labelled: &Labelled) -> Self {
-        let [i1, i2, i3] = labelled.moments;
+        let i3 = labelled.moments[2];
         let zero = Double::default();
         let rate = labelled.omega[2];
         Self {
-            moments: [i1, i2, i3],
             momentum: i3 * rate,
             amplitudes: [zero, zero, i3 * rate],
             rates: [zero, zero, rate],
             start: [Double::ONE, zero],
             m: zero,
-            m1: Double::ONE,
+            k1: Double::ONE,
             minus_n: zero,
             lambda: zero,
             quarter: Double::TAU.scaled(0.25),
@@ -88,13 +89,15 @@ impl Elements {
         let speed = rate3 * (d31 * d32 / (i1 * i2)).sqrt();
         let lambda = if labelled.mode == Mode::Long { -speed } else { speed };
         // m = A1² (i2 − i1) / (i1 i3 (i3 − i2) ω3max²),  1 − m = (L² − 2T i2) / (i3 (i3 − i2) ω3max²)
-        let (m, m1, minus_n) = if axisymmetric {
+        let (m, k1, minus_n) = if axisymmetric {
             (Double::default(), Double::ONE, Double::default())
         } else {
             let below = i3 * d32 * rate3.square();
-            (a1.square() * d21 / (i1 * below), labelled.excess / below, d21 * i3 / (d32 * i1))
+            let k1 = (labelled.excess / below).sqrt().scaled(labelled.excess_unit);
+            (a1.square() * d21 / (i1 * below), k1, d21 * i3 / (d32 * i1))
         };
-        let (quarter, share) = quarter_and_share(m1, d31 * i2, d32 * i1);
+        let (quarter, share) =
+            quarter_and_share(k1, if d32.is_zero() { Double::ONE } else { d31 * i2 / (d32 * i1) });
 
         // Ω = L/i2 + ½ L (1/i1 − 1/i2) R
         let squares =
@@ -108,13 +111,12 @@ impl Elements {
         let precession = momentum.over(Triple::from(i2)) + Triple::from(difference);
         let start = if a1.is_zero() { [Double::ONE, Double::default()] } else { [l1 / a1, l2 / a2] };
         Self {
-            moments: labelled.moments,
             momentum: momentum.double(),
             amplitudes: [a1, a2, a3],
             rates: [a1 / i1, a2 / i2, rate3],
             start,
             m,
-            m1,
+            k1,
             minus_n,
             lambda,
             quarter,
@@ -122,40 +124,3 @@ impl Elements {
         }
     }
 }
-
-/// K(m) and R, by the means a₀ = 1, g₀ = √m₁ and p₀² = δ1/δ2.
-///
-/// With n = 1 − δ1/δ2, Π(n|m)/K = 1 + ½ n/(1 − n) Σ Qₖ (DLMF 19.8.7), where Q₀ = 1, Qₖ₊₁ = ½ Qₖ εₖ,
-/// εₖ = (pₖ² − aₖgₖ)/(pₖ² + aₖgₖ), pₖ₊₁ = (pₖ² + aₖgₖ)/2pₖ. So Ω = L/i3 + L δ1 Π/K becomes L/i1 − ½ L (1/i1 − 1/i2) Σ Qₖ.
-/// Near the separatrix, and where δ2 ≪ δ1, Σ Qₖ is nearly 2; its distance from 2, R = Σ Qₖ (1 − εₖ), has only
-/// positive terms, as pₖ ≥ aₖ ≥ gₖ.
-fn quarter_and_share(m1: Double, delta1: Double, delta2: Double) -> (Double, Double) {
-    if m1.is_zero() {
-        return (Double::from(INFINITE), Double::default());
-    }
-    let (mut a, mut g) = (Double::ONE, m1.sqrt());
-    let mut p = if delta2.is_zero() { Double::ONE } else { (delta1 / delta2).sqrt() };
-    let (mut weight, mut share) = (Double::ONE, Double::default());
-    for _mean in 0..MOST_MEANS {
-        let (p2, ag) = (p.square(), a * g);
-        let sum = p2 + ag;
-        let epsilon = (p2 - ag) / sum;
-        // 1 − ε = 2ag / (p² + ag)
-        share = share + weight * ag.scaled(2.0) / sum;
-        weight = weight * epsilon.scaled(0.5);
-        let converged = (a - g).high <= SQUARE_IS_NOTHING * a.high;
-        p = sum / p.scaled(2.0);
-        (a, g) = ((a + g).scaled(0.5), ag.sqrt());
-        if converged && epsilon.high <= SQUARE_IS_NOTHING {
-            break;
-        }
-    }
-    // K = π / 2 agm(1, √m₁)
-    (Double::TAU.scaled(0.25) / a, share + weight)
-}
-
-/// A guard only.
-const MOST_MEANS: usize = 200;
-
-/// The next mean differs by the square of this, far below two words.
-const SQUARE_IS_NOTHING: f64 = 1e-17;

@@ -5,15 +5,13 @@ use crate::math::rotation::Rotation;
 use crate::math::vector::Vector;
 use crate::motion::state::State;
 
+use super::FreeMotion;
 use super::flow::{Family, Flow, Series, Turned};
 use super::hyperbolic::Hyperbolic;
-use super::many::in_widest_vectors;
+use super::kernel::Kernel;
+use super::many::{WIDTH, in_widest_vectors};
 use super::phase::Elapsed;
 use super::trigonometric::Trigonometric;
-use super::{FreeMotion, Kernel};
-
-/// Bodies in a group: one vector of AVX-512, two of AVX2.
-const WIDTH: usize = 8;
 
 /// Many free motions, arranged so that all their states at a time are computed side by side.
 ///
@@ -133,12 +131,10 @@ fn compute<S: Series<Lanes<WIDTH>>>(groups: &[Group<S>], time: f64, states: &mut
     }
     for (lanes, group) in lanes.iter().zip(groups) {
         for (lane, &member) in group.members.iter().enumerate() {
-            let [qw, qx, qy, qz, wx, wy, wz] = [0, 1, 2, 3, 4, 5, 6].map(
-                #[inline(always)]
-                |k: usize| lanes[k].0[lane],
-            );
-            let attitude = Rotation::from_unit([qw, qx, qy, qz]);
-            states[member] = State { time, attitude, omega: Vector::new(wx, wy, wz) };
+            let [qw, qx, qy, qz, wx, wy, wz] = lanes;
+            let attitude = Rotation::from_unit([qw.0[lane], qx.0[lane], qy.0[lane], qz.0[lane]]);
+            let omega = Vector::new(wx.0[lane], wy.0[lane], wz.0[lane]);
+            states[member] = State { time, attitude, omega };
         }
     }
 }

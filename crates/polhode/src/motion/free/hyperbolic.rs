@@ -35,14 +35,16 @@ impl Hyperbolic<f64> {
     /// The series, and where on them the motion starts: z/2π, turns.
     pub(super) fn of(elements: &Elements) -> (Self, [f64; 2]) {
         // The roles of m and 1 − m are exchanged.
-        let landen = Landen::new(elements.m1.value(), elements.m.value());
+        let landen = Landen::new(elements.m1().value(), elements.m.value());
         let squared = landen.nome();
-        let nome = squared.sqrt();
+        // q′ = m₁/16 + … leaves the range of f64 before its root does.
+        let k1 = elements.k1.value();
+        let nome = if k1 < TINY { 0.25 * k1 } else { squared.sqrt() };
         // K′ = π / 2 agm(1, √m):  κ = K / 2K′
         let other_quarter = Double::TAU.scaled(0.25) / mean(elements.m.sqrt());
         let kappa = elements.quarter / other_quarter.scaled(2.0);
         // 2b = π F(arctan(A3/A1) | m₁) / 2K′
-        let [a1, _, a3] = elements.amplitudes.map(|a| a.value());
+        let [a1, _, a3] = elements.amplitudes.map(Double::value);
         let l = elements.momentum.value();
         let b = 0.5 * landen.angle(a3 / l, a1 / l);
         let angle = |n: usize| libm::sincos((2 * n + 1) as f64 * (0.25 * PI - b));
@@ -64,6 +66,9 @@ impl Hyperbolic<f64> {
     }
 }
 
+/// Below it Q = k₁/4 to the last digit.
+const TINY: f64 = 1e-9;
+
 /// agm(1, g)
 fn mean(g: Double) -> Double {
     let (mut a, mut g) = (Double::ONE, g);
@@ -76,12 +81,12 @@ fn mean(g: Double) -> Double {
 /// u0/4K, turns, from the nearer end of the quarter in which it lies.
 fn start(elements: &Elements, landen: &Landen, kappa: Double) -> [f64; 2] {
     let [c, s] = elements.start;
-    let root = elements.m1.sqrt();
+    let root = elements.k1;
     // tan φ above 1/√k′ is nearer to K
     let near_zero = s.abs() * root.sqrt() <= c.abs();
     let (tangent_sine, tangent_cosine) = if near_zero { (s, c) } else { (c, root * s) };
     let y = argument(tangent_sine, tangent_cosine, landen);
-    let turns = Double::from(y) / (Double::TAU * kappa);
+    let turns = y / (Double::TAU * kappa);
     let turns = Double::sum(turns.high, turns.low);
     let start = match (near_zero, c.high < 0.0, s.high < 0.0) {
         (true, false, _) => turns,

@@ -3,7 +3,11 @@
 use core::cmp::Ordering;
 
 use crate::math::double::Double;
+use crate::math::frame::Body;
+use crate::math::rotation::Rotation;
+use crate::math::symmetric3::power_of_two_near;
 use crate::math::triple::Triple;
+use crate::math::vector::Vector;
 
 /// Which axis L circles: the sign of L² − 2T i2.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,20 +28,30 @@ pub(super) struct Labelled {
     /// Each axis in the components of the frame that the moments came in.
     pub(super) axes: [[f64; 3]; 3],
     /// L² − 2T i2 = i1 (i1 − i2) ω1² + i3 (i3 − i2) ω3²; its sign is the mode's. Zero on the separatrix.
+    ///
+    /// In units of `excess_unit`², a power of two: near the intermediate axis it leaves the range of f64.
     pub(super) excess: Double,
+    pub(super) excess_unit: f64,
 }
 
 impl Labelled {
     /// From principal moments in any order, along right-handed `axes`, and ω along them.
     pub(super) fn of(moments: [Double; 3], omega: [Double; 3], axes: [[f64; 3]; 3]) -> Self {
-        let ascending = Self { mode: Mode::Short, moments, omega, axes, excess: Double::default() }.sorted();
-        let excess = ascending.excess_of_momentum();
+        let unsorted =
+            Self { mode: Mode::Short, moments, omega, axes, excess: Double::default(), excess_unit: 1.0 };
+        let ascending = unsorted.sorted();
+        let (excess, excess_unit) = ascending.excess_of_momentum();
         let [_, i2, i3] = ascending.moments;
         // On the boundary a prolate body belongs to the long-axis mode: its equal axes are then 1 and 2.
         let long = excess.value() < 0.0 || (excess.value() == 0.0 && i2 == i3);
-        let labelled = Self { excess: excess.double(), ..ascending };
+        let labelled = Self { excess: excess.double(), excess_unit, ..ascending };
         let labelled = if long { labelled.reversed() } else { labelled };
         if labelled.omega[2].high < 0.0 { labelled.half_turned() } else { labelled }
+    }
+
+    /// From labelled components to those of the frame that the moments came in.
+    pub(super) fn rotation(&self) -> Rotation<Body, Body> {
+        Rotation::from_axes(self.axes.map(Vector::from_array))
     }
 
     /// True if ω lies exactly along one axis, or is zero: it stays there, whatever the moments.
@@ -94,9 +108,11 @@ impl Labelled {
     }
 
     /// L² − 2T i2 = i1 (i1 − i2) ω1² + i3 (i3 − i2) ω3², in three words: it may cancel.
-    fn excess_of_momentum(&self) -> Triple {
+    fn excess_of_momentum(&self) -> (Triple, f64) {
         let [i1, i2, i3] = self.moments.map(Triple::from);
-        let [w1, _, w3] = self.omega.map(Triple::from);
-        i1.times(i1 - i2).times(w1.square()) + i3.times(i3 - i2).times(w3.square())
+        let [w1, _, w3] = self.omega;
+        let unit = power_of_two_near(w1.high.abs().max(w3.high.abs()));
+        let [w1, w3] = [w1, w3].map(|w| Triple::from(w.scaled(1.0 / unit)));
+        (i1.times(i1 - i2).times(w1.square()) + i3.times(i3 - i2).times(w3.square()), unit)
     }
 }

@@ -4,12 +4,13 @@ use crate::math::lanes::Lanes;
 use crate::math::rotation::Rotation;
 use crate::math::vector::Vector;
 
+use super::FreeMotion;
 use super::flow::{Family, Flow, Series, Turned};
-use super::{FreeMotion, Kernel};
+use super::kernel::Kernel;
 use crate::motion::state::State;
 
 /// States computed side by side: two vectors of AVX-512, four of AVX2, so that one computes while the other waits.
-const WIDTH: usize = 16;
+pub(super) const WIDTH: usize = 16;
 
 impl FreeMotion {
     /// The states at many times, in their order: each with the bits that [`FreeMotion::at`] gives, several times as fast.
@@ -90,11 +91,11 @@ impl Columns {
         }
         for (row, turned) in turned.iter().enumerate().take(groups) {
             let (q, w) = flow.state(turned);
-            for k in 0..4 {
-                self.attitude[k][row] = q[k];
+            for (column, q) in self.attitude.iter_mut().zip(q) {
+                column[row] = q;
             }
-            for k in 0..3 {
-                self.omega[k][row] = w[k];
+            for (column, w) in self.omega.iter_mut().zip(w) {
+                column[row] = w;
             }
         }
     }
@@ -117,8 +118,7 @@ impl Columns {
 pub(super) fn in_widest_vectors(work: impl FnOnce()) {
     use fearless_simd::{Level, Simd as _, dispatch};
     dispatch!(Level::new(), simd => simd.vectorize(
-        #[inline(always)]
-        move || work()
+        work
     ));
 }
 

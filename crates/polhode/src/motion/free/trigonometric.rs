@@ -3,6 +3,7 @@
 use core::array::from_fn;
 
 use crate::math::complex::Complex;
+use crate::math::double::Double;
 use crate::math::elementary::sin_cos_eighth;
 use crate::math::landen::Landen;
 use crate::math::real::{PI, Real};
@@ -34,7 +35,7 @@ const TERMS: usize = 8;
 impl Trigonometric<f64> {
     /// The series, and where on them the motion starts: z/2π, turns.
     pub(super) fn of(elements: &Elements) -> (Self, [f64; 2]) {
-        let landen = Landen::new(elements.m.value(), elements.m1.value());
+        let landen = Landen::new(elements.m.value(), elements.m1().value());
         let q = landen.nome();
         let y = half_nutation(elements, &landen);
         let ratio = if y == 0.0 { 0.0 } else { q / y };
@@ -51,7 +52,7 @@ impl Trigonometric<f64> {
         for coefficient in series.near.iter_mut().chain(&mut series.far) {
             *coefficient /= unit;
         }
-        let [c, s] = elements.start.map(|x| x.value());
+        let [c, s] = elements.start.map(Double::value);
         (series, [landen.angle(s, c) / (2.0 * PI), 0.0])
     }
 }
@@ -61,7 +62,7 @@ impl Trigonometric<f64> {
 /// Beyond half of the way to K′ by what is left of it, F(arctan(1/√−n) | m₁): Y = √q e^w, e^χ = (1 + √(1 − n)) / √−n.
 fn half_nutation(elements: &Elements, landen: &Landen) -> f64 {
     let l = elements.momentum.value();
-    let [a1, _, a3] = elements.amplitudes.map(|a| a.value());
+    let [a1, _, a3] = elements.amplitudes.map(Double::value);
     let sech2 = (a1 / l) * (a1 / l);
     if !(sech2 > 0.0) {
         return 0.0;

@@ -1,0 +1,165 @@
+//! `polhode spin`
+
+mod body;
+mod curves;
+mod files;
+mod when;
+
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum};
+use polhode::{Attitude, AxisConvention, Body, Space, TumblingPeriods};
+use polhode_formats::unit::Dimension;
+use polhode_report::{SpinReport, TumblerReport, pretty};
+
+use crate::failure::Failure;
+use crate::numbers::{numbers, positive, rotation};
+use crate::stdout::print;
+use body::{Moments, Omega, Subject};
+use files::FileFlags;
+use when::TimeFlags;
+
+/// Free motion at once: its kind, its periods, and the state at any time, past or future.
+///
+/// The body is a scenario's (about its centre of mass, from its [start]; its [run] is not asked) or is given by its moments of
+/// inertia about the body axes x, y, z. The motion is exact: ω by Jacobi's elliptic functions and the attitude by theta
+/// functions, so a time 10⁹ periods away costs as much as the next second.
+///
+/// A number without a unit is SI. A list takes a unit for each number or one for all: "(0, 0, 30) deg/s". Nothing is
+/// written unless --duration, --curves or -o is given.
+#[derive(Debug, Args)]
+#[command(
+    after_help = "\
+Examples:
+  polhode spin --moments 1,2,3 --omega 0.01,1,0.01
+  polhode spin examples/t-handle.toml --at 0,10,1e9
+  polhode spin --moments 1,2,3 --omega 0.01,1,0.01 --at-file times.txt --json | jq .motion.states
+  polhode spin examples/t-handle.toml --duration \"20 s\" --every \"10 ms\" --table csv --curves -o t-handle-free
+  polhode spin --moments 3.0836,3.235,1 --periods \"7.40 d, 5.38 d\" --convention long",
+    group = clap::ArgGroup::new("subject").required(true)
+)]
+pub(crate) struct Spin {
+    /// A scenario, a TOML file without torques.
+    #[arg(group = "subject")]
+    file: Option<PathBuf>,
+    /// Moments of inertia about the body axes x, y, z, which are principal: in kg·m², or each with its unit.
+    #[arg(long, value_name = "A,B,C", group = "subject", value_parser = moments, allow_hyphen_values = true)]
+    moments: Option<Moments>,
+    /// ω at the start along body axes: in rad/s, or "(0, 0, 30) deg/s" [default: the scenario's].
+    #[arg(long, value_name = "X,Y,Z", value_parser = omega, allow_hyphen_values = true)]
+    omega: Option<Omega>,
+    /// Attitude at the start: a quaternion, body to space, scalar first [default: the scenario's, else 1,0,0,0].
+    #[arg(long, value_name = "W,X,Y,Z", value_parser = rotation::<Space, Body>, allow_hyphen_values = true)]
+    attitude: Option<Attitude>,
+    /// Compute the motion of moments that no body has, i1 + i2 < i3, all the same.
+    #[arg(long, conflicts_with_all = ["file", "periods"])]
+    allow_unphysical: bool,
+    #[command(flatten)]
+    times: TimeFlags,
+    /// The inverse: all spins with these two periods of a tumbling body, P_φ of precession and P_ψ of rotation.
+    #[arg(
+        long,
+        value_name = "P_PHI,P_PSI",
+        value_parser = periods,
+        allow_hyphen_values = true,
+        requires = "convention",
+        conflicts_with_all = ["omega", "attitude", "at", "at_file", "duration", "curves", "output"]
+    )]
+    periods: Option<TumblingPeriods>,
+    /// The axis that --periods speak of.
+    #[arg(long, value_enum, value_name = "AXIS", requires = "periods")]
+    convention: Option<Convention>,
+    /// Print JSON: the same keys for every motion.
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    files: FileFlags,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Convention {
+    /// The longest axis, that of least moment: most on comets (Samarasinha & A'Hearn 1991).
+    Long,
+    /// The shortest axis, that of greatest moment: most on light curves of asteroids (Kaasalainen 2001).
+    Short,
+}
+
+impl Spin {
+    pub(crate) fn run(self) -> Result<(), Failure> {
+        let subject = match (&self.file, self.moments) {
+            (Some(file), _) => Subject::of_file(file)?,
+            (None, Some(moments)) => Subject::of_moments(moments, self.allow_unphysical)?,
+            (None, None) => {
+                return Err(Failure::usage("there is no body", "name a scenario, or give --moments"));
+            }
+        };
+        match (self.periods, self.convention) {
+            (Some(periods), Some(convention)) => self.inverse(&subject, periods, convention),
+            _ => self.forward(&subject),
+        }
+    }
+
+    fn forward(&self, subject: &Subject) -> Result<(), Failure> {
+        let motion = subject.motion(subject.start(self.omega, self.attitude)?)?;
+        let times = self.times.read()?;
+        let target = self.files.target(self.file.as_deref())?;
+        let report = SpinReport::new(subject.source(), motion).found(subject.findings()).at(&times);
+        let report = report.map_err(|error| Failure::Motion { path: "--at".to_owned(), error })?;
+        let json = pretty(&report.to_json()) + "\n";
+        let written = match target {
+            Some(target) => self.files.write(&target, &json, &motion, &subject.metadata())?,
+            None => String::new(),
+        };
+        if self.json {
+            return print(json.as_bytes());
+        }
+        print((report.to_text() + &written).as_bytes())
+    }
+
+    fn inverse(
+        &self,
+        subject: &Subject,
+        periods: TumblingPeriods,
+        convention: Convention,
+    ) -> Result<(), Failure> {
+        let convention = match convention {
+            Convention::Long => AxisConvention::LongAxis,
+            Convention::Short => AxisConvention::ShortAxis,
+        };
+        let report =
+            TumblerReport::new(subject.source(), subject.principal()?, periods, convention).map_err(|error| {
+                let hint = "try the other --convention, or a period twice or half as long: a light curve may show either";
+                Failure::usage(error.to_string(), hint)
+            })?;
+        if self.json {
+            return print((pretty(&report.to_json()) + "\n").as_bytes());
+        }
+        print(report.to_text().as_bytes())
+    }
+}
+
+fn moments(text: &str) -> Result<Moments, String> {
+    let moments = numbers(text, "a,b,c", Dimension::INERTIA)?;
+    let mut sorted = moments;
+    sorted.sort_by(f64::total_cmp);
+    let [least, second, third] = sorted;
+    if !(least >= 0.0) {
+        return Err(format!("{least} is negative, and a moment of inertia is a sum of squares"));
+    }
+    if second == 0.0 {
+        return Err("a body with two moments of 0 is a point".to_owned());
+    }
+    if least == 0.0 && second != third {
+        return Err("only a rod has a moment of 0, and its other two are equal".to_owned());
+    }
+    Ok(Moments(moments))
+}
+
+fn omega(text: &str) -> Result<Omega, String> {
+    numbers(text, "x,y,z", Dimension::ANGULAR_VELOCITY).map(Omega)
+}
+
+fn periods(text: &str) -> Result<TumblingPeriods, String> {
+    let [precession, rotation] = numbers(text, "P_phi,P_psi", Dimension::TIME)?;
+    Ok(TumblingPeriods { precession: positive(precession)?, rotation: positive(rotation)? })
+}

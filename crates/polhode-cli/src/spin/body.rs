@@ -1,0 +1,152 @@
+//! What spins, and how it starts.
+
+use std::path::Path;
+
+use polhode::{
+    AngularVelocity, Attitude, Body, BodyError, Finding, FreeMotion, InertiaTensor, PrincipalFrame, Rotor,
+    Scenario, State,
+};
+use polhode_formats::scenario;
+use polhode_report::SourceInfo;
+
+use crate::failure::Failure;
+
+/// Moments of inertia about x, y and z, kg·m².
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Moments(pub(super) [f64; 3]);
+
+/// ω along body axes, rad/s.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Omega(pub(super) [f64; 3]);
+
+/// A body, from a scenario or from flags.
+#[derive(Debug)]
+pub(super) enum Subject {
+    Scenario { path: String, scenario: Box<Scenario> },
+    Moments([f64; 3]),
+}
+
+impl Subject {
+    pub(super) fn of_file(file: &Path) -> Result<Self, Failure> {
+        let scenario = scenario::read(file)?;
+        let path = file.display().to_string();
+        let why = if !scenario.torques.is_empty() {
+            "a torque acts on the body"
+        } else if scenario.pivot.is_some() {
+            "the body is held at a pivot"
+        } else if scenario.prescribed.is_some() {
+            "the motion is prescribed"
+        } else {
+            return Ok(Self::Scenario { path, scenario: Box::new(scenario) });
+        };
+        Err(Failure::usage(
+            format!("{path} is not a free motion: {why}"),
+            "polhode simulate computes it as it is; polhode spin shows a body that is thrown and left alone",
+        ))
+    }
+
+    /// Moments about body axes; those of no body only if `allowed`.
+    pub(super) fn of_moments(moments: Moments, allowed: bool) -> Result<Self, Failure> {
+        let Moments(moments) = moments;
+        match InertiaTensor::<Body>::diagonal(moments) {
+            Err(BodyError::TriangleInequality { moments: [i1, i2, i3] }) if !allowed => {
+                let [sum, excess] = [i1 + i2, i3 - (i1 + i2)].map(short);
+                Err(Failure::usage(
+                    format!(
+                        "no body has these moments: {i1} + {i2} = {sum} is less than {i3} kg·m², by {excess} \
+                         (any two moments are together at least the third)"
+                    ),
+                    "check the moments and their units; --allow-unphysical computes the motion all the same",
+                ))
+            }
+            _ => Ok(Self::Moments(moments)),
+        }
+    }
+
+    /// The state at t = 0.
+    pub(super) fn start(&self, omega: Option<Omega>, attitude: Option<Attitude>) -> Result<State, Failure> {
+        let start = match (self, omega) {
+            (Self::Scenario { scenario, .. }, _) => scenario.start,
+            (Self::Moments(_), Some(_)) => {
+                State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::ZERO }
+            }
+            (Self::Moments(_), None) => {
+                return Err(Failure::usage(
+                    "--moments say how hard the body is to turn, not how it turns: --omega is missing",
+                    "add --omega x,y,z along body axes, or --periods to ask which spin has two given periods",
+                ));
+            }
+        };
+        Ok(State {
+            attitude: attitude.unwrap_or(start.attitude),
+            omega: omega.map_or(start.omega, |Omega(omega)| AngularVelocity::from_array(omega)),
+            ..start
+        })
+    }
+
+    pub(super) fn motion(&self, start: State) -> Result<FreeMotion, Failure> {
+        let motion = match self {
+            Self::Scenario { path, scenario } => FreeMotion::of(&Rotor::free(&scenario.body), start)
+                .map_err(|error| Failure::Motion { path: path.clone(), error })?,
+            Self::Moments(moments) => FreeMotion::of_moments(*moments, start)
+                .map_err(|error| Failure::usage(error.to_string(), "check --moments and --omega"))?,
+        };
+        let at_rest = start.omega == AngularVelocity::ZERO;
+        let in_range = |x: f64| x.is_finite() && (x >= f64::MIN_POSITIVE || at_rest);
+        if in_range(motion.kinetic_energy()) && in_range(motion.momentum().norm()) {
+            return Ok(motion);
+        }
+        Err(Failure::usage(
+            "the energy or |L| of this spin is beyond the range of numbers, 2.2e-308 to 1.8e308",
+            "check the units and the exponents",
+        ))
+    }
+
+    /// Principal moments and axes of a body that is possible.
+    pub(super) fn principal(&self) -> Result<PrincipalFrame<Body>, Failure> {
+        match self {
+            Self::Scenario { scenario, .. } => Ok(scenario.body.principal()),
+            Self::Moments(moments) => match InertiaTensor::diagonal(*moments) {
+                Ok(tensor) => Ok(PrincipalFrame::of(&tensor)),
+                Err(error) => Err(Failure::usage(error.to_string(), "check --moments")),
+            },
+        }
+    }
+
+    pub(super) fn source(&self) -> Option<SourceInfo> {
+        let Self::Scenario { path, scenario } = self else { return None };
+        let title = scenario.title.as_deref().unwrap_or("scenario");
+        Some(
+            SourceInfo::new(path.clone(), "scenario")
+                .described(title)
+                .with("title", scenario.title.clone())
+                .with("parts", scenario.parts.len()),
+        )
+    }
+
+    pub(super) fn findings(&self) -> Vec<Finding> {
+        match self {
+            Self::Scenario { scenario, .. } => scenario.findings.clone(),
+            Self::Moments(_) => Vec::new(),
+        }
+    }
+
+    /// What a table says about where it is from.
+    pub(super) fn metadata(&self) -> Vec<(String, String)> {
+        let pair = |key: &str, value: &str| (key.to_owned(), value.to_owned());
+        match self {
+            Self::Scenario { path, scenario } => {
+                let title = scenario.title.as_deref().map(|title| pair("polhode.title", title));
+                title.into_iter().chain([pair("polhode.source", path)]).collect()
+            }
+            Self::Moments([a, b, c]) => {
+                vec![pair("polhode.source", &format!("moments {a}, {b}, {c} kg·m²"))]
+            }
+        }
+    }
+}
+
+/// The number with seven digits: a sum without its rounding.
+fn short(x: f64) -> f64 {
+    format!("{x:.6e}").parse().unwrap_or(x)
+}

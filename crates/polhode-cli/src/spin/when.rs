@@ -1,0 +1,45 @@
+//! The times that are asked for.
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use polhode_formats::times;
+use polhode_formats::unit::Dimension;
+
+use crate::failure::Failure;
+use crate::numbers::list;
+
+/// The times to print the state at.
+#[derive(Debug, Args)]
+pub(super) struct TimeFlags {
+    /// Print ω and the attitude at these times: in s, or each with its unit; negative ones are before the start.
+    #[arg(long, value_name = "T,…", value_parser = times, allow_hyphen_values = true)]
+    at: Vec<Times>,
+    /// The same for a file with one time per line; blank lines and # comments are left out, and - is standard input.
+    #[arg(long, value_name = "FILE")]
+    at_file: Option<PathBuf>,
+}
+
+/// Times in s.
+#[derive(Clone, Debug)]
+struct Times(Vec<f64>);
+
+impl TimeFlags {
+    /// All times, in the order in which they are given.
+    pub(super) fn read(&self) -> Result<Vec<f64>, Failure> {
+        let mut all: Vec<f64> = self.at.iter().flat_map(|Times(times)| times.iter().copied()).collect();
+        match self.at_file.as_deref() {
+            Some(file) if file == Path::new("-") => {
+                all.extend(times::read_from(io::stdin().lock(), Path::new("standard input"))?);
+            }
+            Some(file) => all.extend(times::read(file)?),
+            None => {}
+        }
+        Ok(all)
+    }
+}
+
+fn times(text: &str) -> Result<Times, String> {
+    list(text, Dimension::TIME).map(Times)
+}

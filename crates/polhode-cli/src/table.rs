@@ -1,0 +1,46 @@
+//! The formats of the trajectory table.
+
+use clap::ValueEnum;
+use polhode::Trajectory;
+use polhode_formats::table;
+
+use crate::failure::Failure;
+use crate::folder::Folder;
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Format {
+    /// Apache Parquet, units and conventions in its metadata.
+    Parquet,
+    /// Comma-separated text; numbers read back bit for bit.
+    Csv,
+}
+
+impl Format {
+    const fn file_name(self) -> &'static str {
+        match self {
+            Self::Parquet => "trajectory.parquet",
+            Self::Csv => "trajectory.csv",
+        }
+    }
+}
+
+/// Writes a trajectory in each of the formats, once; gives the names of the files.
+pub(crate) fn write(
+    formats: &[Format],
+    trajectory: &Trajectory,
+    metadata: &[(String, String)],
+    folder: &Folder,
+) -> Result<Vec<&'static str>, Failure> {
+    let mut written = Vec::new();
+    for format in formats {
+        if written.contains(&format.file_name()) {
+            continue;
+        }
+        folder.file(format.file_name(), |out| match format {
+            Format::Parquet => table::parquet::write(trajectory, metadata, out),
+            Format::Csv => table::csv::write(trajectory, out),
+        })?;
+        written.push(format.file_name());
+    }
+    Ok(written)
+}

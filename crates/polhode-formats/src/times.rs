@@ -1,0 +1,131 @@
+//! Times: lists of them in files, and evenly spaced ones.
+//!
+//! A file has one time per line, a number of seconds or a number with a unit; blank lines and what follows a `#` are for people.
+
+use std::io::{self, Read};
+use std::path::Path;
+
+use crate::error::{FormatError, FormatErrorKind, Place};
+use crate::file;
+use crate::unit::{self, Dimension};
+
+/// More times than this would not fit the memory of a small machine: at 240 bytes a sample, 2.4 GB.
+pub const MOST: u64 = 10_000_000;
+
+/// A list larger than this is longer than [`MOST`], or something else.
+const LARGEST_FILE: u64 = 256 << 20;
+
+/// Reads a file of times.
+///
+/// # Errors
+/// [`FormatError`] if it cannot be read, holds no time, or a line is none.
+pub fn read(path: &Path) -> Result<Vec<f64>, FormatError> {
+    let bytes = file::bytes(path, &path.to_string_lossy(), LARGEST_FILE);
+    from_bytes(&bytes.map_err(|kind| FormatError::new(path, None, kind))?, path)
+}
+
+/// Reads times from an open stream; `path` is what messages call it.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_from(stream: impl Read, path: &Path) -> Result<Vec<f64>, FormatError> {
+    let failed = |error: io::Error| {
+        let file = path.to_string_lossy().into_owned();
+        FormatError::new(path, None, FormatErrorKind::Io { file, kind: error.kind(), why: error.to_string() })
+    };
+    let mut bytes = Vec::new();
+    stream.take(LARGEST_FILE + 1).read_to_end(&mut bytes).map_err(failed)?;
+    if bytes.len() as u64 > LARGEST_FILE {
+        let why = format!("it has more than {LARGEST_FILE} bytes");
+        return Err(failed(io::Error::new(io::ErrorKind::FileTooLarge, why)));
+    }
+    from_bytes(&bytes, path)
+}
+
+/// Reads times from text; `path` is for messages.
+///
+/// ```
+/// use polhode_formats::times;
+/// let list = "# nights of observation\n0\n36 h\n\n-2.5 d   # before the start\n";
+/// assert_eq!(times::parse(list, "nights.txt".as_ref()), Ok(vec![0.0, 129_600.0, -216_000.0]));
+/// let error = times::parse("0\n3 kg\n", "nights.txt".as_ref()).unwrap_err();
+/// assert_eq!(error.to_string(), "nights.txt:2:1: \"kg\" is a mass where a time belongs");
+/// ```
+///
+/// # Errors
+/// As [`read`].
+pub fn parse(text: &str, path: &Path) -> Result<Vec<f64>, FormatError> {
+    let (mut times, mut start) = (Vec::new(), 0);
+    for line in text.split_inclusive('\n') {
+        let before_comment = line.split('#').next().unwrap_or_default();
+        // A byte order mark is no part of the first time.
+        let time = before_comment.trim_start_matches('\u{feff}').trim();
+        if !time.is_empty() {
+            let value = unit::parse(time, Dimension::TIME).map_err(|error| {
+                let from = start + line.find(time).unwrap_or_default();
+                let place = Place::in_text(text, from..from + time.len());
+                FormatError::new(path, Some(place), FormatErrorKind::Unit(error))
+            })?;
+            times.push(value);
+        }
+        start += line.len();
+    }
+    if times.is_empty() {
+        let (key, expected) = ("the file".to_owned(), "a list of times, one per line".to_owned());
+        let kind = FormatErrorKind::WrongType { key, expected, found: "an empty one".to_owned() };
+        return Err(
+            FormatError::new(path, None, kind).with_hint("a line is a time in s, such as 0.5, or 3 d")
+        );
+    }
+    Ok(times)
+}
+
+/// 0, `every`, 2 `every`, … and `duration`; both are positive, and there are at most [`MOST`], else `None`.
+///
+/// ```
+/// use polhode_formats::times;
+/// assert_eq!(times::every(0.5, 1.25), Some(vec![0.0, 0.5, 1.0, 1.25]));
+/// ```
+pub fn every(every: f64, duration: f64) -> Option<Vec<f64>> {
+    let intervals = duration / every;
+    if !(intervals < MOST as f64) {
+        return None;
+    }
+    // A duration of a whole number of intervals but for rounding has no short one at its end.
+    let whole = if (intervals - intervals.round()).abs() < 1e-9 * intervals {
+        intervals.round()
+    } else {
+        intervals.ceil()
+    };
+    let last = whole as usize;
+    Some((0..last).map(|k| every * k as f64).chain([duration]).collect())
+}
+
+fn from_bytes(bytes: &[u8], path: &Path) -> Result<Vec<f64>, FormatError> {
+    let text = str::from_utf8(bytes).map_err(|error| {
+        let valid = error.valid_up_to();
+        let byte = bytes.get(valid).copied().unwrap_or_default();
+        let place = Place::in_text(&String::from_utf8_lossy(bytes), valid..valid);
+        FormatError::new(path, Some(place), FormatErrorKind::NotUtf8 { byte })
+    })?;
+    parse(text, path)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_wrong_line_is_named() {
+        let path = Path::new("t.txt");
+        for (text, place) in
+            [("1\n\n  2 x\n", "3:3"), ("\u{feff}nan", "1:1"), ("1, 2", "1:1"), ("1\n1e999 # far", "2:1")]
+        {
+            let error = parse(text, path).unwrap_err().to_string();
+            assert!(error.starts_with(&format!("t.txt:{place}: ")), "{error}");
+        }
+        assert!(parse("# nothing\n \n", path).unwrap_err().message().contains("an empty one"));
+        assert!(from_bytes(b"1\n\xff\n", path).unwrap_err().to_string().contains("t.txt:2:1"));
+        assert_eq!(parse("\u{feff}1\r\n-0\r\n", path), Ok(vec![1.0, -0.0]));
+    }
+}

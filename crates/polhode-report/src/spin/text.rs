@@ -1,0 +1,195 @@
+//! The motion on one screen: what it is, how long it takes, how it would end.
+
+use polhode::{
+    AxisConvention, Cones, FreeMotion, FreeRegime, GeometricPhase, LeastEnergySpin, PermanentAxis, Regime,
+    SymmetricTop, Symmetry, TumblingPeriods,
+};
+
+use super::{SpinReport, body, invariable_plane, states};
+use crate::layout::{labelled, plain_spaces};
+use crate::number::{GROUP, number, tidy, ungrouped, vector};
+use crate::source::SourceInfo;
+use crate::unit::{self, CLOSED, DIGITS};
+use crate::{finding, intermediate, omega};
+
+pub(super) fn write(report: &SpinReport) -> String {
+    let motion = &report.motion;
+    let mut text = heading(report.source.as_ref());
+    text.push_str(&labelled("moments", &body::in_words(motion.principal())));
+    if motion.regime() != Regime::AtRest {
+        text.push_str(&labelled("start", &omega::in_words(motion.start().omega)));
+    }
+    text.push_str(&kind(motion));
+    text.push_str(&instability(motion));
+    text.push_str(&periods(motion));
+    text.push_str(&tumbling(motion));
+    text.push_str(&nutation(motion));
+    text.push_str(&herpolhode(motion));
+    text.push_str(&phase(motion));
+    text.push_str(&end(motion));
+    text.push_str(&finding::to_text(&report.findings));
+    text.push_str(&states::to_text(&report.states));
+    plain_spaces(&text)
+}
+
+/// The file, if there is one, and its title.
+pub(super) fn heading(source: Option<&SourceInfo>) -> String {
+    source.map_or_else(String::new, |source| format!("{}\n", source.heading()))
+}
+
+/// The regime, and what stays constant.
+fn kind(motion: &FreeMotion) -> String {
+    if motion.regime() == Regime::AtRest {
+        return labelled("motion", "at rest: ω = 0");
+    }
+    let kind = labelled("motion", motion.regime().description());
+    let constants = format!(
+        "|L| = {} kg·m²/s, 2T = {} J",
+        ungrouped(motion.momentum().norm(), DIGITS),
+        ungrouped(2.0 * motion.kinetic_energy(), DIGITS)
+    );
+    kind + &labelled("", &constants)
+}
+
+fn instability(motion: &FreeMotion) -> String {
+    let Some(growth) = FreeRegime::of_motion(motion).growth_rate else { return String::new() };
+    let growth = ungrouped(growth, 6);
+    let line = if motion.regime() == Regime::Permanent(PermanentAxis::Intermediate) {
+        format!("an exact, unstable equilibrium: ω stays as it is; growth rate {growth} /s of any departure")
+    } else {
+        let off = intermediate::degrees_off(motion.principal(), &motion.start());
+        format!("starts {off}° from the unstable intermediate axis (2); growth rate {growth} /s")
+    };
+    labelled("instability", &line)
+}
+
+/// The period of ω in the body with all its digits.
+fn periods(motion: &FreeMotion) -> String {
+    let FreeRegime { regime, period, flip_interval, growth_rate } = FreeRegime::of_motion(motion);
+    match (regime, period) {
+        (Regime::Permanent(_), _) => {
+            let turn = std::f64::consts::TAU / motion.start().omega.norm();
+            labelled("one turn", &time(turn))
+        }
+        (Regime::Separatrix, _) => {
+            labelled("period of ω", "none: it creeps to axis 2 and never comes back, nor ever arrives")
+        }
+        (_, None) => String::new(),
+        (_, Some(period)) => {
+            let flips = flip_interval.map_or_else(String::new, |flip| match growth_rate {
+                Some(_) => format!("; flips every {}", time(flip)),
+                None => format!("; along axis 2 it reverses every {}", time(flip)),
+            });
+            labelled("period of ω", &format!("{} in the body{flips}", time(period)))
+        }
+    }
+}
+
+/// P_φ and P_ψ, in both conventions where the body has two extreme axes.
+fn tumbling(motion: &FreeMotion) -> String {
+    let of = |convention| TumblingPeriods::of(motion, convention);
+    if let Some(top) = SymmetricTop::of_motion(motion) {
+        return symmetric(&top);
+    }
+    let (Some(long), Some(short)) = (of(AxisConvention::LongAxis), of(AxisConvention::ShortAxis)) else {
+        return String::new();
+    };
+    let round = |axis: u8, periods: TumblingPeriods, convention: &str| {
+        let period = time(periods.precession);
+        format!("axis {axis} goes round L in {period} on average ({convention}-axis\u{a0}P_φ)")
+    };
+    let (circled, other) = if motion.circles_least() { (1, 3) } else { (3, 1) };
+    let rotation = format!(
+        "about axis {circled} the body turns once in a period of ω (P_ψ), about axis {other} it rocks"
+    );
+    labelled("precession", &round(1, long, "long"))
+        + &labelled("", &round(3, short, "short"))
+        + &labelled("rotation", &rotation)
+}
+
+fn symmetric(top: &SymmetricTop) -> String {
+    let cones = Cones::of(top);
+    let axis = vector(tidy(top.axis().to_array()), 6);
+    let axis = labelled("symmetry axis", &format!("e = {axis} in the body"));
+    if cones.body_half_angle < CLOSED {
+        return axis;
+    }
+    let turn = |rate: f64| time(std::f64::consts::TAU / rate.abs());
+    let space = format!("e and ω go round L in {}", turn(cones.space_rate));
+    let angles = format!(
+        "body cone {}, space cone {}",
+        unit::cone(cones.body_half_angle),
+        unit::cone(cones.space_half_angle)
+    );
+    axis + &labelled("in space", &space) + &labelled("cones", &angles)
+}
+
+/// The angle between L and the axis that it circles.
+fn nutation(motion: &FreeMotion) -> String {
+    let axis = if motion.circles_least() { 1 } else { 3 };
+    let [least, most] = motion.nutation_range();
+    let line = match motion.regime() {
+        Regime::AtRest | Regime::Permanent(_) => return String::new(),
+        Regime::Symmetric => format!("e stays at {} from L", unit::cone(least)),
+        Regime::Separatrix => {
+            format!("axis {axis} is at {}° from L at least, and ends at 90°", number(least.to_degrees(), 6))
+        }
+        _ => {
+            let [least, most] = [least, most].map(|angle| number(angle.to_degrees(), 6));
+            format!("axis {axis} is {least}° … {most}° from L")
+        }
+    };
+    labelled("nutation", &line)
+}
+
+/// Between which circles ω stays on the invariable plane.
+fn herpolhode(motion: &FreeMotion) -> String {
+    let circles = !matches!(motion.regime(), Regime::AtRest | Regime::Permanent(_));
+    let Some(herpolhode) = invariable_plane(motion).filter(|_| circles) else { return String::new() };
+    let [least, greatest] = herpolhode.annulus;
+    let [shown, most, height] = [least, greatest, herpolhode.height].map(|rate| ungrouped(rate, 6));
+    let radii = if shown == most { shown } else { format!("{shown} … {most}") };
+    labelled("herpolhode", &format!("ω is {radii} rad/s across L, and {height} rad/s along it"))
+}
+
+fn phase(motion: &FreeMotion) -> String {
+    let Some(phase) = GeometricPhase::of(motion) else { return String::new() };
+    let [total, dynamic, geometric] =
+        [phase.total, phase.dynamic, phase.geometric.abs()].map(|angle| number(angle, 6));
+    let sign = if phase.geometric < 0.0 { "-" } else { "+" };
+    let line = format!(
+        "in a period of ω the body turns about L by {total} rad = {dynamic} (2TP/|L|) {sign}\u{a0}{geometric} (solid angle)"
+    );
+    labelled("geometric phase", &line)
+}
+
+/// Where dissipation inside the body would end.
+fn end(motion: &FreeMotion) -> String {
+    let Some(end) = LeastEnergySpin::of(motion) else { return String::new() };
+    let axis = match motion.principal().symmetry() {
+        Symmetry::Prolate | Symmetry::Rod => "an axis across e",
+        _ => "axis 3",
+    };
+    let line = if end.energy_lost == 0.0 {
+        "would change nothing: no spin with this L has less energy".to_owned()
+    } else {
+        let percent = 100.0 * end.energy_lost / (end.kinetic_energy + end.energy_lost);
+        format!(
+            "would end in a turn about {axis} at {}, with {} % of T lost; T/T_min = {}",
+            unit::rate(end.rate),
+            number(percent, 4),
+            number(end.energy_ratio, DIGITS)
+        )
+    };
+    labelled("inner friction", &line)
+}
+
+/// A time with all the digits that it is good for, and in hours or days where that says more: `464832 s (5.38 d)`.
+pub(super) fn time(seconds: f64) -> String {
+    let shown = format!("{}{GROUP}s", ungrouped(seconds, 16));
+    let longer = [(86_400.0, "d"), (3_600.0, "h")];
+    match longer.into_iter().find(|(unit, _)| seconds.abs() >= 2.0 * unit) {
+        Some((unit, name)) => format!("{shown}{GROUP}({}{GROUP}{name})", number(seconds / unit, 6)),
+        None => shown,
+    }
+}

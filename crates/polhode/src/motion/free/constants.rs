@@ -1,0 +1,68 @@
+//! What people ask of a motion, in SI units.
+
+use crate::math::double::Double;
+use crate::math::frame::Body;
+use crate::math::real::PI;
+use crate::math::rotation::Rotation;
+
+use super::elements::Elements;
+use super::labelled::Labelled;
+
+/// Constants of a motion, along its labelled axes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Constants {
+    /// The labelled axes in the body.
+    pub(super) labels: Rotation<Body, Body>,
+    /// i1, i2, i3
+    pub(super) moments: [f64; 3],
+    /// (i2 − i3)/i1, (i3 − i1)/i2, (i1 − i2)/i3: what Euler's equations have; zero for a rod's own axis.
+    pub(super) ratios: [f64; 3],
+    /// L at the start.
+    pub(super) momentum: [f64; 3],
+    pub(super) kinetic_energy: f64,
+    /// The largest |ω| along each axis.
+    pub(super) amplitudes: [f64; 3],
+    /// m and √(1 − m).
+    pub(super) parameter: f64,
+    pub(super) complementary_modulus: f64,
+    /// |λ|
+    pub(super) polhode_rate: f64,
+    /// 4K/λ; not finite where nothing repeats.
+    pub(super) period: f64,
+    /// Ω
+    pub(super) precession: f64,
+    /// The least and the largest angle between L and axis 3.
+    pub(super) nutation: [f64; 2],
+}
+
+impl Constants {
+    /// Moments are in units of `kg_m2`, rates in units of `rad_s`: powers of two.
+    pub(super) fn of(elements: &Elements, labelled: &Labelled, kg_m2: f64, rad_s: f64) -> Self {
+        let ([i1, i2, i3], w) = (labelled.moments, labelled.omega);
+        let ratio = |d: Double, i: Double| if i.is_zero() { 0.0 } else { (d / i).value() };
+        let momentum = [0, 1, 2].map(|k| labelled.moments[k] * w[k]);
+        let twice_t = (0..3).fold(Double::default(), |sum, k| sum + momentum[k] * w[k]);
+        let k1 = elements.k1.value();
+        let [a1, a2, a3] = elements.amplitudes.map(Double::value);
+        Self {
+            labels: labelled.rotation(),
+            moments: labelled.moments.map(|i| i.value() * kg_m2),
+            ratios: [ratio(i2 - i3, i1), ratio(i3 - i1, i2), ratio(i1 - i2, i3)],
+            momentum: momentum.map(|l| l.value() * kg_m2 * rad_s),
+            // in an order in which no product leaves the range of f64 unless T does
+            kinetic_energy: 0.5 * twice_t.value() * (kg_m2 * rad_s) * rad_s,
+            amplitudes: elements.rates.map(|a| a.value() * rad_s),
+            parameter: elements.m.value(),
+            complementary_modulus: k1,
+            polhode_rate: elements.lambda.abs().value() * rad_s,
+            period: if k1 == 0.0 {
+                f64::INFINITY
+            } else {
+                4.0 * (elements.quarter / elements.lambda.abs()).value() / rad_s
+            },
+            precession: elements.half_precession.value() * (4.0 * PI) * rad_s,
+            // L3 = A3 dn lies between A3 and A3 √(1 − m), where |L2| = A2
+            nutation: [libm::atan2(a1, a3), libm::atan2(a2, a3 * k1)],
+        }
+    }
+}

@@ -1,5 +1,5 @@
-//! Numbers of three words, about 159 bits: for the few constants that even two words would spoil, a precession of 10²⁴
-//! turns and the distance from the separatrix.
+//! Numbers of three words, about 159 bits: for the few constants that even two words would spoil, such as the distance
+//! from the separatrix and the precession of a nearly spherical body.
 
 use core::ops::{Add, Neg, Sub};
 

@@ -54,7 +54,9 @@ impl FreeRegime {
         Self {
             regime,
             period,
-            flip_interval: period.filter(|_| asymmetric).map(|period| 0.5 * period),
+            flip_interval: period
+                .filter(|_| matches!(regime, Regime::LongAxis | Regime::ShortAxis))
+                .map(|period| 0.5 * period),
             growth_rate: growth_rate(principal.moments(), w).filter(|_| asymmetric),
         }
     }

@@ -14,6 +14,8 @@ pub(super) struct FineAxes {
     pub(super) axes: [[Double; 3]; 3],
     /// A power of two, kg·m².
     pub(super) unit: f64,
+    /// True if these are the tensor's numbers as given, with no rounding of ours.
+    pub(super) given: bool,
 }
 
 impl FineAxes {
@@ -23,12 +25,13 @@ impl FineAxes {
         let scaled = *tensor * (1.0 / unit);
         if [scaled.xy, scaled.xz, scaled.yz] == [0.0; 3] {
             let moments = [scaled.xx, scaled.yy, scaled.zz].map(Double::from);
-            return Self { moments, axes: identity(), unit };
+            return Self { moments, axes: identity(), unit, given: true };
         }
         let coarse = Self {
             moments: principal.moments().map(|i| Double::from(i / unit)),
             axes: principal.axes().map(|axis| axis.to_array().map(Double::from)),
             unit,
+            given: false,
         };
         // A rod's own moment is zero, and what is found there is rounding.
         if principal.symmetry() == Symmetry::Rod {
@@ -69,7 +72,7 @@ fn diagonalised(tensor: &Symmetric3, principal: &PrincipalFrame<Body>, unit: f64
             break;
         }
     }
-    FineAxes { moments: [a[0][0], a[1][1], a[2][2]], axes, unit }
+    FineAxes { moments: [a[0][0], a[1][1], a[2][2]], axes, unit, given: false }
 }
 
 /// A guard only.

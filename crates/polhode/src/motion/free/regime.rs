@@ -94,22 +94,48 @@ impl PermanentAxis {
 }
 
 impl Regime {
-    pub(super) fn of(
+    /// Of moments and ω that are exactly as given.
+    pub(super) fn of_exact(labelled: &Labelled) -> Self {
+        let ([i1, i2, i3], [w1, w2, w3]) = (labelled.moments, labelled.omega.map(|w| !w.is_zero()));
+        match (w1, w2, w3) {
+            (false, false, false) => Self::AtRest,
+            _ if i1 == i2 && i2 == i3 => Self::Permanent(PermanentAxis::Any),
+            // Equal moments are labelled 1 and 2, unless ω lies along an axis; then it is the third.
+            (false, false, true) => Self::Permanent(match () {
+                () if i1 == i2 => PermanentAxis::Symmetry,
+                () if i2 == i3 || i1 == i3 => PermanentAxis::AcrossSymmetry,
+                () if i3 < i1 && i3 < i2 => PermanentAxis::Least,
+                () if i3 > i1 && i3 > i2 => PermanentAxis::Greatest,
+                () => PermanentAxis::Intermediate,
+            }),
+            (_, _, false) if i1 == i2 => Self::Permanent(PermanentAxis::AcrossSymmetry),
+            _ if i1 == i2 => Self::Symmetric,
+            _ => Self::of_mode(labelled),
+        }
+    }
+
+    /// Of a tensor whose axes were found with rounding: what is within it of a permanent rotation or a symmetric body counts
+    /// as one.
+    pub(super) fn of_rounded(
+        labelled: &Labelled,
         principal: &PrincipalFrame<Body>,
         omega: AngularVelocity<Body>,
-        labelled: &Labelled,
     ) -> Self {
         if omega == AngularVelocity::ZERO {
             return Self::AtRest;
         }
-        if let Some(axis) = PermanentAxis::of(principal, omega) {
-            return Self::Permanent(axis);
+        match PermanentAxis::of(principal, omega) {
+            Some(axis) => Self::Permanent(axis),
+            None if principal.symmetry() == Symmetry::Asymmetric => Self::of_mode(labelled),
+            None => Self::Symmetric,
         }
-        match (principal.symmetry(), labelled.mode) {
-            (Symmetry::Asymmetric, _) if labelled.excess.is_zero() => Self::Separatrix,
-            (Symmetry::Asymmetric, Mode::Short) => Self::ShortAxis,
-            (Symmetry::Asymmetric, Mode::Long) => Self::LongAxis,
-            _ => Self::Symmetric,
+    }
+
+    fn of_mode(labelled: &Labelled) -> Self {
+        match labelled.mode {
+            _ if labelled.excess.is_zero() => Self::Separatrix,
+            Mode::Short => Self::ShortAxis,
+            Mode::Long => Self::LongAxis,
         }
     }
 

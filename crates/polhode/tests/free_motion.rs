@@ -1,4 +1,5 @@
 //! Free motion against 40-digit references, in every regime.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may")]
 
 mod common;
 
@@ -123,4 +124,185 @@ fn many_bodies_have_the_bits_of_one() {
             }
         }
     }
+}
+
+/// 3 R of a rotation R with rational elements, rows: a body turned by it has exactly known numbers.
+const TURN: [[f64; 3]; 3] = [[1.0, 2.0, 2.0], [2.0, 1.0, -2.0], [-2.0, 2.0, -1.0]];
+
+fn turned(v: [f64; 3]) -> [f64; 3] {
+    TURN.map(|row| (row[0] * v[0] + row[1] * v[1] + row[2] * v[2]) / 3.0)
+}
+
+/// A body with moments 9 m turned by R, and with ω = 3 R w: exact for integers of moderate size.
+fn turned_body([a, b, c]: [f64; 3]) -> Rotor {
+    let element = |i: usize, j: usize| {
+        let t = TURN;
+        t[i][0] * t[j][0] * a + t[i][1] * t[j][1] * b + t[i][2] * t[j][2] * c
+    };
+    let inertia = InertiaTensor::with_negative_products(
+        [element(0, 0), element(1, 1), element(2, 2)],
+        [element(0, 1), element(0, 2), element(1, 2)],
+    );
+    Rotor::free(&MassProperties::new(1.7, Position::new(0.3, -1.0, 2.0), inertia.unwrap()).unwrap())
+}
+
+#[test]
+fn a_turned_tensor_loses_nothing() {
+    let near = 2f64.powi(40);
+    let nearer = 2f64.powi(48);
+    for (name, moments, w) in [
+        ("generic short", [1.0, 2.0, 2.75], [0.375, 0.5, 0.875]),
+        ("generic long, order 312", [2.75, 1.0, 2.0], [-0.5, 1.25, 0.125]),
+        ("near separatrix", [3.0, 4.0, 6.0], [2.0 + 2f64.powi(-38), 1.0, -1.0]),
+        ("near separatrix, long", [3.0, 4.0, 6.0], [2.0 + 2f64.powi(-40), -3.0, 1.0 - 2f64.powi(-39)]),
+        ("near sphere", [near, near + 1.0, near + 3.0], [0.375, 0.5, 0.875]),
+        ("nearer sphere", [nearer, nearer + 1.0, nearer + 2.0], [0.375, -0.5, 0.875]),
+        ("near oblate", [near, near + 1.0, near + near / 2.0], [1.0, 0.375, 2f64.powi(-23)]),
+        ("near prolate", [near / 2.0, near - 1.0, near], [2f64.powi(-23), 1.0, 0.25]),
+        ("oblate", [2.0, 2.0, 3.0], [0.375, 0.5, 0.875]),
+        ("sphere", [2.0, 2.0, 2.0], [0.375, 0.5, 0.875]),
+        ("rod", [0.0, 1.0, 1.0], [0.375, 0.5, 0.875]),
+    ] {
+        let attitude = Attitude::from_quaternion([0.4, -0.7, 1.1, 0.3]).unwrap();
+        let plain = State { time: 0.1, attitude, omega: AngularVelocity::from_array(w.map(|w| 3.0 * w)) };
+        let along = FreeMotion::of_moments(moments.map(|m| 9.0 * m), plain).unwrap();
+        let r = Rotation::<Body, Body>::from_matrix(TURN.map(|row| row.map(|c| c / 3.0))).unwrap();
+        let omega = AngularVelocity::from_array(turned(plain.omega.to_array()));
+        let across = FreeMotion::of(&turned_body(moments), State { omega, ..plain }).unwrap();
+        let scale = along.period().unwrap_or(1.0);
+        for periods in [0.37, -12.3, 1.0e3, 1.0e6, -1.0e9] {
+            let time = periods * scale;
+            let (p, q) = (along.at(time), across.at(time));
+            let truth = AngularVelocity::<Body>::from_array(turned(p.omega.to_array()));
+            let error = (q.omega - truth).norm() / truth.norm();
+            // Turned body axes, the same attitude: A′(t) = A(0) R A(0)⁻¹ · A(t) · R⁻¹
+            let expected = (attitude * r * attitude.inverse()) * p.attitude * r.inverse();
+            let angle = q.attitude.angle_to(expected);
+            assert!(angle < 6e-15, "{name} at {periods} periods: attitude {angle:e}");
+            assert!(error < 6e-15, "{name} at {periods} periods: omega {error:e}");
+            let [l, m] = [&along, &across].map(polhode::FreeMotion::momentum);
+            assert!((l.norm() / m.norm() - 1.0).abs() < 1e-14);
+        }
+    }
+}
+
+#[test]
+fn a_start_at_any_time_keeps_the_digits() {
+    // A nearly spherical body from a time with digits of its own; turn(L̂, |L| τ/i1) · turn(e, −Ω τ) with 80 digits, by mpmath.
+    let omega = AngularVelocity::new(0.3, 0.5, 0.9);
+    let start = State { time: 1e9 / 3.0, attitude: Attitude::identity(), omega };
+    let motion = FreeMotion::of_moments([1.0, 1.0, 1.0 + 1e-12], start).unwrap();
+    for (time, attitude) in [
+        (
+            1e18,
+            [
+                0.933_193_469_581_852_4,
+                -0.005_117_720_101_757_603,
+                0.150_994_304_907_037_13,
+                -0.326_074_342_990_038_2,
+            ],
+        ),
+        (
+            -1e20,
+            [
+                -0.062_216_663_801_365_54,
+                0.397_576_686_297_361_4,
+                0.053_553_438_531_236_9,
+                0.913_889_432_305_527,
+            ],
+        ),
+        (
+            1e21,
+            [
+                0.964_266_143_755_302,
+                -0.222_229_802_472_064_3,
+                -0.142_059_984_107_099_16,
+                0.024_973_582_362_117_795,
+            ],
+        ),
+    ] {
+        let error = motion.at(time).attitude.angle_to(Attitude::from_quaternion(attitude).unwrap());
+        assert!(error < 4e-15, "{time}: {error:e}");
+    }
+}
+
+#[test]
+fn nothing_is_ever_undefined() {
+    let tiny =
+        [0.0, 5e-324, 1e-320, 1e-300, 1e-200, 1e-165, 1e-162, 1e-160, 1e-155, 1e-150, 1e-100, 1e-17, 1.0];
+    for moments in [
+        [1.0, 2.0, 3.0],
+        [3.0, 1.0, 2.0],
+        [1.0, 1.0, 2.0],
+        [2.0, 3.0, 3.0],
+        [1.0; 3],
+        [0.0, 1.0, 1.0],
+        [1e-120, 1.0, 1.0],
+    ] {
+        for a in tiny {
+            for b in tiny {
+                for (k, omega) in
+                    [[a, 1.0, b], [-1.0, a, b], [b, a, 1.0], [a, b, 0.0]].into_iter().enumerate()
+                {
+                    for scale in [1.0, 1e-150, 1e150] {
+                        let omega = AngularVelocity::from_array(omega.map(|w| w * scale));
+                        let start = State { time: 0.1, attitude: Attitude::identity(), omega };
+                        let motion = FreeMotion::of_moments(moments, start).unwrap();
+                        let period = motion.period();
+                        assert!(period.is_none_or(|p| p > 0.0 && p.is_finite()));
+                        for time in [0.0, 1.0 / scale, -1e9 / scale, 1e300, f64::MAX, f64::INFINITY] {
+                            let state = motion.at(time);
+                            let norm: f64 = state.attitude.quaternion().iter().map(|c| c * c).sum();
+                            assert!(
+                                state.omega.is_finite() && (norm - 1.0).abs() < 1e-15,
+                                "{moments:?} {omega:?} case {k} at {time}: {state:?}"
+                            );
+                            assert!(
+                                motion.angular_acceleration(&state).to_array().iter().all(|c| !c.is_nan())
+                            );
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn energy_momentum_and_acceleration_are_those_of_the_definition() {
+    let rotor = turned_body([1.3, 2.1, 2.9]);
+    let omega = AngularVelocity::new(0.31, -0.83, 0.59);
+    let attitude = Attitude::from_quaternion([0.4, -0.7, 1.1, 0.3]).unwrap();
+    let start = State { time: 0.3, attitude, omega };
+    let motion = FreeMotion::of(&rotor, start).unwrap();
+    assert!((motion.kinetic_energy() / rotor.kinetic_energy(omega) - 1.0).abs() < 1e-15);
+    assert!((motion.momentum() - rotor.angular_momentum_space(&start)).norm() < 1e-14);
+    for time in [0.3, -4.0, 77.7] {
+        let state = motion.at(time);
+        assert!((motion.angular_momentum(&state) - rotor.angular_momentum(state.omega)).norm() < 2e-14);
+        let rate = motion.angular_acceleration(&state);
+        assert!((rate - rotor.acceleration(state.omega, Torque::ZERO)).norm() < 1e-15);
+        let h = 1e-4;
+        let difference = (motion.at(time + h).omega - motion.at(time - h).omega) / (2.0 * h);
+        assert!(
+            (difference.to_array()[0] - rate.x).abs() < 1e-8
+                && (difference.to_array()[1] - rate.y).abs() < 1e-8
+        );
+        assert!((difference.to_array()[2] - rate.z).abs() < 1e-8);
+    }
+}
+
+#[test]
+fn too_many_states_stay_as_they_are() {
+    let start =
+        State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.3, 0.5, 0.9) };
+    let motion = FreeMotion::of_moments([1.0, 2.0, 3.0], start).unwrap();
+    let other = State { time: 0.0, omega: AngularVelocity::new(9.0, 9.0, 9.0), ..start };
+    let mut states = [other; 3];
+    motion.fill(&[0.0], &mut states);
+    assert_eq!(states, [start, other, other]);
+    assert!(matches!(
+        FreeMotion::of_moments([1e-200, 1.0, 1.0], start),
+        Err(MotionError::Parameter { value: 1e-200, .. })
+    ));
 }

@@ -1,5 +1,5 @@
 //! Tumblers: the periods of observers, the spins that have them, phases, and where dissipation ends.
-#![allow(clippy::unwrap_used, reason = "a test may")]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may")]
 
 mod common;
 

@@ -120,7 +120,7 @@ impl EllipticParameter {
 
     fn of(m: Double, m1: Double) -> Self {
         // 1/K = 2 agm(1, k′) / π, and 1/4π is at hand.
-        let inverse_k = scaled(Triple::INVERSE_4_PI.times(mean(m1)), 8.0);
+        let inverse_k = (Triple::INVERSE_4_PI * mean(m1)).scaled(8.0);
         Self { m, m1, inverse_k }
     }
 
@@ -147,17 +147,12 @@ fn mean(m1: Double) -> Triple {
     }
     let scale = root_scale(m1);
     let (mut a, mut g) =
-        (Triple::from(1.0), scaled(Triple::from(m1.scaled(scale).scaled(scale)).sqrt(), 1.0 / scale));
+        (Triple::from(1.0), Triple::from(m1.scaled(scale).scaled(scale)).sqrt().scaled(1.0 / scale));
     // Quadratic convergence: once |a − g| < 2⁻⁷⁸ a, one more mean is exact to rounding.
     while (a - g).value().abs() > 3e-24 * a.value() {
-        (a, g) = (scaled(a + g, 0.5), a.times(g).sqrt());
+        (a, g) = ((a + g).scaled(0.5), (a * g).sqrt());
     }
-    scaled(a + g, 0.5)
-}
-
-/// × a power of two.
-fn scaled(x: Triple, power_of_two: f64) -> Triple {
-    Triple(x.0.map(|word| word * power_of_two))
+    (a + g).scaled(0.5)
 }
 
 /// √x with both words, for every x ≥ 0 there is.

@@ -5,8 +5,6 @@
 use crate::math::double::Double;
 use crate::math::triple::Triple;
 
-use super::scaled;
-
 /// Whole half turns, and a rest of at most a quarter turn either way by its sine and cosine.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Reduced {
@@ -24,7 +22,7 @@ impl Reduced {
     /// An angle in rad.
     pub(super) fn angle(phi: f64) -> Self {
         // 2/π = 8 / 4π
-        Self::new(phi, scaled(Triple::INVERSE_4_PI, 8.0))
+        Self::new(phi, Triple::INVERSE_4_PI.scaled(8.0))
     }
 
     /// `x` × `rate` quarter turns.
@@ -36,7 +34,7 @@ impl Reduced {
         if about.abs() > 1.4e45 {
             return Self { half_turns: 0.5 * about, odd: false, sin: Double::default(), cos: Double::ONE };
         }
-        let mut rest = Triple::from(x).times(rate);
+        let mut rest = Triple::from(x) * rate;
         let (mut quarters, mut quadrant) = (0.0, 0.0);
         // Whatever is whole in each word
         for _word in 0..3 {

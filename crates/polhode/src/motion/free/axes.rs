@@ -1,17 +1,17 @@
-//! Principal axes in two words, of a tensor as it is given.
+//! Principal axes in three words, of a tensor as it is given.
 
 use crate::body::principal::{PrincipalFrame, Symmetry};
-use crate::math::double::Double;
 use crate::math::frame::Body;
 use crate::math::symmetric3::{Symmetric3, power_of_two_near};
+use crate::math::triple::Triple;
 
-/// Principal moments in any order, and right-handed axes, to about 30 digits: after 10⁹ turns the 16 digits of a
-/// [`PrincipalFrame`] would be 7.
+/// Principal moments in any order, and right-handed axes, to about 46 digits: after 10⁹ turns the 16 digits of a
+/// [`PrincipalFrame`] would be 7, and differences of moments have fewer still.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct FineAxes {
     /// In units of `unit`.
-    pub(super) moments: [Double; 3],
-    pub(super) axes: [[Double; 3]; 3],
+    pub(super) moments: [Triple; 3],
+    pub(super) axes: [[Triple; 3]; 3],
     /// A power of two, kg·m².
     pub(super) unit: f64,
     /// True if these are the tensor's numbers as given, with no rounding of ours.
@@ -24,63 +24,76 @@ impl FineAxes {
         let unit = power_of_two_near(principal.moments()[2]);
         let scaled = *tensor * (1.0 / unit);
         if [scaled.xy, scaled.xz, scaled.yz] == [0.0; 3] {
-            let moments = [scaled.xx, scaled.yy, scaled.zz].map(Double::from);
-            return Self { moments, axes: identity(), unit, given: true };
+            let moments = [scaled.xx, scaled.yy, scaled.zz].map(Triple::from);
+            let (one, zero) = (Triple::from(1.0), Triple::default());
+            return Self {
+                moments,
+                axes: [[one, zero, zero], [zero, one, zero], [zero, zero, one]],
+                unit,
+                given: true,
+            };
         }
-        let coarse = Self {
-            moments: principal.moments().map(|i| Double::from(i / unit)),
-            axes: principal.axes().map(|axis| axis.to_array().map(Double::from)),
-            unit,
-            given: false,
+        let ([a, b, c], axes) = diagonalised(&scaled);
+        let moments = if principal.symmetry() == Symmetry::Rod {
+            // A rod's own moment is zero, and what is found there is rounding, as is the difference of the others.
+            let [i1, _, i3] = [a, b, c].map(Triple::value);
+            let m = (b + c).scaled(0.5);
+            debug_assert!(i1.abs() <= i3.abs());
+            [Triple::default(), m, m]
+        } else {
+            [a, b, c]
         };
-        // A rod's own moment is zero, and what is found there is rounding.
-        if principal.symmetry() == Symmetry::Rod {
-            return coarse;
-        }
-        let fine = diagonalised(&scaled, principal, unit);
-        if fine.moments.iter().all(|i| i.high > 0.0) { fine } else { coarse }
+        Self { moments, axes, unit, given: false }
     }
 
     /// The components of a body vector along the axes.
-    pub(super) fn along(&self, v: [f64; 3]) -> [Double; 3] {
-        let v = v.map(Double::from);
+    pub(super) fn along(&self, v: [f64; 3]) -> [Triple; 3] {
+        let v = v.map(Triple::from);
         self.axes.map(|axis| dot(axis, v))
     }
 }
 
-fn identity() -> [[Double; 3]; 3] {
-    let (one, zero) = (Double::ONE, Double::default());
-    [[one, zero, zero], [zero, one, zero], [zero, zero, one]]
-}
-
-fn dot(a: [Double; 3], b: [Double; 3]) -> Double {
+fn dot(a: [Triple; 3], b: [Triple; 3]) -> Triple {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// Jacobi rotations from the axes that are right to one word: one sweep more makes them right to two.
-fn diagonalised(tensor: &Symmetric3, principal: &PrincipalFrame<Body>, unit: f64) -> FineAxes {
-    let mut axes = orthonormal(principal.axes().map(|axis| axis.to_array().map(Double::from)));
-    let rows = tensor.rows().map(|row| row.map(Double::from));
+/// Moments, ascending but for rounding, and axes: Jacobi rotations from the axes that are right to one word.
+///
+/// Of the tensor less one of its diagonal elements, which is exact: the differences of nearly equal moments keep their own
+/// digits.
+fn diagonalised(tensor: &Symmetric3) -> ([Triple; 3], [[Triple; 3]; 3]) {
+    let shift = tensor.xx;
+    let rest = |element: f64| Triple::from(element) - Triple::from(shift);
+    let [xx, yy, zz] = [tensor.xx, tensor.yy, tensor.zz].map(rest);
+    let [xy, xz, yz] = [tensor.xy, tensor.xz, tensor.yz].map(Triple::from);
+    let rows = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
+
+    let coarse = Symmetric3 { xx: xx.value(), yy: yy.value(), zz: zz.value(), ..*tensor }.eigen();
+    let mut axes = orthonormal(coarse.vectors.map(|axis| axis.map(Triple::from)));
     let images = axes.map(|axis| rows.map(|row| dot(row, axis)));
     let mut a = axes.map(|axis| images.map(|image| dot(axis, image)));
+    let negligible = NEGLIGIBLE * coarse.values.iter().fold(0.0, |max: f64, value| max.max(value.abs()));
     for _sweep in 0..MOST_SWEEPS {
         let mut turned = false;
         for (p, q) in [(0, 1), (0, 2), (1, 2)] {
-            turned |= annihilate(&mut a, &mut axes, p, q);
+            turned |= annihilate(&mut a, &mut axes, [p, q], negligible);
         }
         if !turned {
             break;
         }
     }
-    FineAxes { moments: [a[0][0], a[1][1], a[2][2]], axes, unit, given: false }
+    ([0, 1, 2].map(|k| a[k][k] + Triple::from(shift)), axes)
 }
+
+/// Part of the largest element.
+const NEGLIGIBLE: f64 = 1e-46;
 
 /// A guard only.
 const MOST_SWEEPS: usize = 16;
 
 /// Gram–Schmidt; the third axis completes a right-handed set.
-fn orthonormal([first, second, _]: [[Double; 3]; 3]) -> [[Double; 3]; 3] {
-    let unit = |v: [Double; 3]| {
+fn orthonormal([first, second, _]: [[Triple; 3]; 3]) -> [[Triple; 3]; 3] {
+    let unit = |v: [Triple; 3]| {
         let norm = dot(v, v).sqrt();
         v.map(|c| c / norm)
     };
@@ -92,20 +105,26 @@ fn orthonormal([first, second, _]: [[Double; 3]; 3]) -> [[Double; 3]; 3] {
 }
 
 /// One Jacobi rotation, which makes a_pq zero; false if it was negligible already (Golub & Van Loan, §8.5).
-fn annihilate(a: &mut [[Double; 3]; 3], axes: &mut [[Double; 3]; 3], p: usize, q: usize) -> bool {
+fn annihilate(
+    a: &mut [[Triple; 3]; 3],
+    axes: &mut [[Triple; 3]; 3],
+    [p, q]: [usize; 2],
+    negligible: f64,
+) -> bool {
     let apq = a[p][q];
-    if apq.abs().high <= 1e-32 * (a[p][p].high.abs() * a[q][q].high.abs()).sqrt() {
+    if apq.value().abs() <= negligible {
         return false;
     }
+    let one = Triple::from(1.0);
     // t = tan of the angle: the smaller root of t² + 2ζt − 1 = 0
     let zeta = (a[q][q] - a[p][p]) / apq.scaled(2.0);
-    let root = (zeta.square() + Double::ONE).sqrt();
-    let t = if zeta.high < 0.0 { -(Double::ONE / (root - zeta)) } else { Double::ONE / (root + zeta) };
-    let c = Double::ONE / (t.square() + Double::ONE).sqrt();
+    let root = (zeta.square() + one).sqrt();
+    let t = if zeta.value() < 0.0 { -(one / (root - zeta)) } else { one / (root + zeta) };
+    let c = one / (t.square() + one).sqrt();
     let s = t * c;
     a[p][p] = a[p][p] - t * apq;
     a[q][q] = a[q][q] + t * apq;
-    (a[p][q], a[q][p]) = (Double::default(), Double::default());
+    (a[p][q], a[q][p]) = (Triple::default(), Triple::default());
     let r = 3 - p - q;
     let (arp, arq) = (a[r][p], a[r][q]);
     a[r][p] = c * arp - s * arq;

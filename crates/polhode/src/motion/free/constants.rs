@@ -3,7 +3,8 @@
 use crate::math::double::Double;
 use crate::math::frame::Body;
 use crate::math::real::PI;
-use crate::math::rotation::Rotation;
+use crate::math::triple::Triple;
+use crate::math::vector::{Direction, Vector};
 
 use super::elements::Elements;
 use super::labelled::Labelled;
@@ -12,7 +13,7 @@ use super::labelled::Labelled;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Constants {
     /// The labelled axes in the body.
-    pub(super) labels: Rotation<Body, Body>,
+    pub(super) axes: [Direction<Body>; 3],
     /// i1, i2, i3
     pub(super) moments: [f64; 3],
     /// (i2 − i3)/i1, (i3 − i1)/i2, (i1 − i2)/i3: what Euler's equations have; zero for a rod's own axis.
@@ -36,16 +37,27 @@ pub(super) struct Constants {
 }
 
 impl Constants {
+    /// A body vector along the axes.
+    pub(super) fn along<Q>(&self, v: Vector<Q, Body>) -> [f64; 3] {
+        self.axes.map(|axis| axis.dot(v))
+    }
+
+    /// A vector given along the axes, in the body.
+    pub(super) fn in_body<Q>(&self, [a, b, c]: [f64; 3]) -> Vector<Q, Body> {
+        let [e1, e2, e3] = self.axes;
+        (e1 * a + e2 * b + e3 * c).as_quantity()
+    }
+
     /// Moments are in units of `kg_m2`, rates in units of `rad_s`: powers of two.
     pub(super) fn of(elements: &Elements, labelled: &Labelled, kg_m2: f64, rad_s: f64) -> Self {
         let ([i1, i2, i3], w) = (labelled.moments, labelled.omega);
-        let ratio = |d: Double, i: Double| if i.is_zero() { 0.0 } else { (d / i).value() };
+        let ratio = |d: Triple, i: Triple| if i.is_zero() { 0.0 } else { (d / i).value() };
         let momentum = [0, 1, 2].map(|k| labelled.moments[k] * w[k]);
-        let twice_t = (0..3).fold(Double::default(), |sum, k| sum + momentum[k] * w[k]);
+        let twice_t = momentum[0] * w[0] + momentum[1] * w[1] + momentum[2] * w[2];
         let k1 = elements.k1.value();
         let [a1, a2, a3] = elements.amplitudes.map(Double::value);
         Self {
-            labels: labelled.rotation(),
+            axes: labelled.axes.map(Vector::from_array),
             moments: labelled.moments.map(|i| i.value() * kg_m2),
             ratios: [ratio(i2 - i3, i1), ratio(i3 - i1, i2), ratio(i1 - i2, i3)],
             momentum: momentum.map(|l| l.value() * kg_m2 * rad_s),

@@ -48,9 +48,9 @@ impl Elements {
 
     /// Of ω along axis 3 alone: nothing circles, and the body turns at |ω|.
     pub(super) fn permanent(labelled: &Labelled) -> Self {
-        let i3 = labelled.moments[2];
+        let i3 = labelled.moments[2].double();
         let zero = Double::default();
-        let rate = labelled.omega[2];
+        let rate = labelled.omega[2].double();
         Self {
             momentum: i3 * rate,
             amplitudes: [zero, zero, i3 * rate],
@@ -61,15 +61,16 @@ impl Elements {
             minus_n: zero,
             lambda: zero,
             quarter: Double::TAU.scaled(0.25),
-            half_precession: Triple::from(rate).times(Triple::INVERSE_4_PI),
+            half_precession: labelled.omega[2] * Triple::INVERSE_4_PI,
         }
     }
 
     pub(super) fn of(labelled: &Labelled) -> Self {
-        let [i1, i2, i3] = labelled.moments;
-        let [v1, v2, v3] = labelled.omega;
+        let (fine, omega) = (labelled.moments, labelled.omega);
+        let difference = |j: usize, k: usize| (fine[j] - fine[k]).double();
+        let (d21, d32, d31) = (difference(1, 0), difference(2, 1), difference(2, 0));
+        let ([i1, i2, i3], [v1, v2, v3]) = (fine.map(Triple::double), omega.map(Triple::double));
         let [l1, l2, l3] = [i1 * v1, i2 * v2, i3 * v3];
-        let (d21, d32, d31) = (i2 - i1, i3 - i2, i3 - i1);
         let axisymmetric = d21.is_zero();
 
         // ρ = (i3 − i2) i1 / ((i3 − i1) i2) and 1 − ρ = (i2 − i1) i3 / ((i3 − i1) i2)
@@ -100,15 +101,14 @@ impl Elements {
             quarter_and_share(k1, if d32.is_zero() { Double::ONE } else { d31 * i2 / (d32 * i1) });
 
         // Ω = L/i2 + ½ L (1/i1 − 1/i2) R
-        let squares =
-            [(i1, v1), (i2, v2), (i3, v3)].map(|(i, v)| Triple::from(i).times(Triple::from(v)).square());
+        let squares = [0, 1, 2].map(|k| (fine[k] * omega[k]).square());
         let momentum = (squares[0] + squares[1] + squares[2]).sqrt();
         let difference = if axisymmetric {
             Double::default()
         } else {
             momentum.double() * d21 * share / (i1 * i2).scaled(2.0)
         };
-        let precession = momentum.over(Triple::from(i2)) + Triple::from(difference);
+        let precession = momentum / fine[1] + Triple::from(difference);
         let start = if a1.is_zero() { [Double::ONE, Double::default()] } else { [l1 / a1, l2 / a2] };
         Self {
             momentum: momentum.double(),
@@ -120,7 +120,7 @@ impl Elements {
             minus_n,
             lambda,
             quarter,
-            half_precession: precession.times(Triple::INVERSE_4_PI),
+            half_precession: precession * Triple::INVERSE_4_PI,
         }
     }
 }

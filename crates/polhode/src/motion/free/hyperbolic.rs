@@ -7,6 +7,7 @@ use crate::math::double::Double;
 use crate::math::elementary::exp_minus;
 use crate::math::landen::{Landen, log_of};
 use crate::math::real::{PI, Real};
+use crate::math::symmetric3::power_of_two_near;
 
 use super::elements::Elements;
 use super::flow::{Family, Point, Spinor};
@@ -102,7 +103,9 @@ fn start(elements: &Elements, landen: &Landen, kappa: Double) -> [f64; 2] {
 ///
 /// With tan φ = sinh χ it is ½ (χ − Σ ηₙ/2ⁿ⁺¹).
 fn argument(sin: Double, cos: Double, landen: &Landen) -> Double {
-    let (s, c) = (sin.abs(), cos.abs());
+    // in units in which no square leaves the range of f64
+    let unit = 1.0 / power_of_two_near(sin.high.abs().max(cos.high.abs()));
+    let (s, c) = (sin.abs().scaled(unit), cos.abs().scaled(unit));
     let h2 = s.square() + c.square();
     let h = h2.sqrt();
     let correction = landen.hyperbolic_correction((s / h).value(), (c.square() / h2).value());

@@ -1,7 +1,5 @@
 //! The body's principal axes, named so that L circles axis 3.
 
-use core::cmp::Ordering;
-
 use crate::math::double::Double;
 use crate::math::frame::Body;
 use crate::math::rotation::Rotation;
@@ -23,8 +21,8 @@ pub(super) enum Mode {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Labelled {
     pub(super) mode: Mode,
-    pub(super) moments: [Double; 3],
-    pub(super) omega: [Double; 3],
+    pub(super) moments: [Triple; 3],
+    pub(super) omega: [Triple; 3],
     /// Each axis in the components of the frame that the moments came in.
     pub(super) axes: [[f64; 3]; 3],
     /// L² − 2T i2 = i1 (i1 − i2) ω1² + i3 (i3 − i2) ω3²; its sign is the mode's. Zero on the separatrix.
@@ -36,7 +34,7 @@ pub(super) struct Labelled {
 
 impl Labelled {
     /// From principal moments in any order, along right-handed `axes`, and ω along them.
-    pub(super) fn of(moments: [Double; 3], omega: [Double; 3], axes: [[f64; 3]; 3]) -> Self {
+    pub(super) fn of(moments: [Triple; 3], omega: [Triple; 3], axes: [[f64; 3]; 3]) -> Self {
         let unsorted =
             Self { mode: Mode::Short, moments, omega, axes, excess: Double::default(), excess_unit: 1.0 };
         let ascending = unsorted.sorted();
@@ -46,7 +44,7 @@ impl Labelled {
         let long = excess.value() < 0.0 || (excess.value() == 0.0 && i2 == i3);
         let labelled = Self { excess: excess.double(), excess_unit, ..ascending };
         let labelled = if long { labelled.reversed() } else { labelled };
-        if labelled.omega[2].high < 0.0 { labelled.half_turned() } else { labelled }
+        if labelled.omega[2].value() < 0.0 { labelled.half_turned() } else { labelled }
     }
 
     /// From labelled components to those of the frame that the moments came in.
@@ -69,13 +67,13 @@ impl Labelled {
             axes: order.map(|k| self.axes[k]),
             ..self
         };
-        if turned.omega[2].high < 0.0 { turned.half_turned() } else { turned }
+        if turned.omega[2].value() < 0.0 { turned.half_turned() } else { turned }
     }
 
     /// Axes in the order of their moments, axis 2 turned round if that makes them left-handed.
     fn sorted(self) -> Self {
         let mut order = [0, 1, 2];
-        order.sort_by(|&a, &b| self.moments[a].partial_cmp(&self.moments[b]).unwrap_or(Ordering::Equal));
+        order.sort_by(|&a, &b| (self.moments[a] - self.moments[b]).value().total_cmp(&0.0));
         let sorted = Self {
             moments: order.map(|k| self.moments[k]),
             omega: order.map(|k| self.omega[k]),
@@ -109,10 +107,9 @@ impl Labelled {
 
     /// L² − 2T i2 = i1 (i1 − i2) ω1² + i3 (i3 − i2) ω3², in three words: it may cancel.
     fn excess_of_momentum(&self) -> (Triple, f64) {
-        let [i1, i2, i3] = self.moments.map(Triple::from);
-        let [w1, _, w3] = self.omega;
-        let unit = power_of_two_near(w1.high.abs().max(w3.high.abs()));
-        let [w1, w3] = [w1, w3].map(|w| Triple::from(w.scaled(1.0 / unit)));
-        (i1.times(i1 - i2).times(w1.square()) + i3.times(i3 - i2).times(w3.square()), unit)
+        let ([i1, i2, i3], [w1, _, w3]) = (self.moments, self.omega);
+        let unit = power_of_two_near(w1.value().abs().max(w3.value().abs()));
+        let [w1, w3] = [w1, w3].map(|w| w.scaled(1.0 / unit));
+        (i1 * (i1 - i2) * w1.square() + i3 * (i3 - i2) * w3.square(), unit)
     }
 }

@@ -43,7 +43,7 @@ fn fill<S: Family>(motion: &FreeMotion, flow: &Flow<f64, S>, times: &[f64], stat
             },
         );
         if times.contains(&motion.start.time) {
-            for state in states.iter_mut().filter(|state| state.time == motion.start.time) {
+            for (state, _) in states.iter_mut().zip(times).filter(|(_, time)| **time == motion.start.time) {
                 *state = motion.start;
             }
         }

@@ -1,7 +1,7 @@
 //! Free motion in closed form: constants once, then any time at once.
 //!
 //! One formula serves every body and state (`flow.rs`); which of its two series is short depends on the nome. The rest is
-//! preparation: principal axes in two words (`axes.rs`), labels by what L circles (`labelled.rs`), amplitudes, parameter and
+//! preparation: principal axes in three words (`axes.rs`), labels by what L circles (`labelled.rs`), amplitudes, parameter and
 //! rates without cancellation (`elements.rs`), phases that lose no digit over 10⁹ periods (`phase.rs`).
 
 mod axes;
@@ -18,11 +18,11 @@ mod regime;
 mod trigonometric;
 
 use crate::body::principal::PrincipalFrame;
-use crate::math::double::Double;
 use crate::math::frame::{Body, Space};
 use crate::math::real::Real;
 use crate::math::symmetric3::{Symmetric3, power_of_two_near};
-use crate::math::vector::{AngularAcceleration, AngularMomentum, Vector};
+use crate::math::triple::Triple;
+use crate::math::vector::{AngularAcceleration, AngularMomentum};
 
 use super::error::MotionError;
 use super::rotor::Rotor;
@@ -56,8 +56,7 @@ pub use regime::{PermanentAxis, Regime};
 /// # Accuracy
 /// Against 40-digit references, for the moments, ω and attitude exactly as given: 4·10⁻¹⁵ (ω relative, attitude in rad) for |t| up
 /// to 10⁹ periods, down to 1 − m = 5·10⁻²⁴; the laws beyond, and the measured errors, are in `book/free-motion.md` and
-/// `book/accuracy.md`. Of a tensor with products of inertia the principal axes are found to 30 digits first; near the separatrix
-/// its error is 2·10⁻³¹ N / (1 − m) rad after N periods.
+/// `book/accuracy.md`. Of a tensor with products of inertia the principal axes are found to 46 digits first.
 ///
 /// # Source
 /// Klein & Sommerfeld, Über die Theorie des Kreisels, ch. VI (Cayley–Klein parameters as theta functions); the constants without
@@ -72,6 +71,9 @@ pub struct FreeMotion {
     unit: f64,
     kernel: Kernel,
 }
+
+/// Products of three moments have to stay in the range of f64.
+const THINNEST: f64 = 1e-120;
 
 impl FreeMotion {
     /// The motion that starts from a state with no torque.
@@ -123,17 +125,23 @@ impl FreeMotion {
         if principal.moments()[2] == 0.0 {
             return Err(MotionError::NotSpinnable);
         }
-        for (what, value) in
-            [("the start's time", start.time), ("the start's angular velocity", start.omega.norm())]
-        {
+        let [wx, wy, wz] = start.omega.to_array();
+        let rate = "a component of the start's angular velocity";
+        for (what, value) in [("the start's time", start.time), (rate, wx), (rate, wy), (rate, wz)] {
             if !value.is_finite() {
                 return Err(MotionError::Parameter { what, value, rule: "finite" });
             }
         }
+        if let Some(&value) =
+            principal.moments().iter().find(|&&i| i > 0.0 && i < THINNEST * principal.moments()[2])
+        {
+            let rule = "zero or at least 1e-120 of the greatest";
+            return Err(MotionError::Parameter { what: "a principal moment", value, rule });
+        }
         let fine = FineAxes::of(tensor, principal);
         let unit = power_of_two_near(start.omega.max_abs());
         let omega = fine.along((start.omega / unit).to_array());
-        let labelled = Labelled::of(fine.moments, omega, fine.axes.map(|axis| axis.map(Double::value)));
+        let labelled = Labelled::of(fine.moments, omega, fine.axes.map(|axis| axis.map(Triple::value)));
         let (labelled, elements) = if labelled.is_permanent() {
             let turned = labelled.about_omega();
             (turned, Elements::permanent(&turned))
@@ -155,6 +163,8 @@ impl FreeMotion {
     }
 
     /// The state at a time, s; any time, before the start too.
+    ///
+    /// A time so far away that no digit of its phase is left (10²⁸⁰ turns, or not finite) counts as the start.
     #[must_use]
     pub fn at(&self, time: f64) -> State {
         if time == self.start.time {
@@ -170,18 +180,14 @@ impl FreeMotion {
 
     /// dω/dt in the body at one of the motion's states, rad/s²: i1 ω̇1 = (i2 − i3) ω2 ω3 and so on.
     pub fn angular_acceleration(&self, state: &State) -> AngularAcceleration<Body> {
-        let Constants { labels, ratios: [r1, r2, r3], .. } = self.constants;
-        let w = labels.inverse() * state.omega;
-        let rate: AngularAcceleration<Body> = Vector::new(r1 * w.y * w.z, r2 * w.z * w.x, r3 * w.x * w.y);
-        labels * rate
+        let ([r1, r2, r3], [w1, w2, w3]) = (self.constants.ratios, self.constants.along(state.omega));
+        self.constants.in_body([r1 * w2 * w3, r2 * w3 * w1, r3 * w1 * w2])
     }
 
     /// L = I ω of one of the motion's states, in body axes, kg·m²/s.
     pub fn angular_momentum(&self, state: &State) -> AngularMomentum<Body> {
-        let Constants { labels, moments: [i1, i2, i3], .. } = self.constants;
-        let w = labels.inverse() * state.omega;
-        let momentum: AngularMomentum<Body> = Vector::new(i1 * w.x, i2 * w.y, i3 * w.z);
-        labels * momentum
+        let ([i1, i2, i3], [w1, w2, w3]) = (self.constants.moments, self.constants.along(state.omega));
+        self.constants.in_body([i1 * w1, i2 * w2, i3 * w3])
     }
 
     /// Where it starts.
@@ -206,8 +212,7 @@ impl FreeMotion {
 
     /// L in space, kg·m²/s: constant.
     pub fn momentum(&self) -> AngularMomentum<Space> {
-        let in_body: AngularMomentum<Body> =
-            self.constants.labels * Vector::from_array(self.constants.momentum);
+        let in_body: AngularMomentum<Body> = self.constants.in_body(self.constants.momentum);
         self.start.attitude * in_body
     }
 

@@ -83,9 +83,12 @@ impl<T: Real> FineRate<T> {
     pub(super) fn turns(&self, t: &Elapsed<T>) -> (T, T) {
         let (p0, e0) = two_product_of_halves(t.high, self.first);
         let (p1, e1) = two_product_of_halves(t.high, self.second);
-        let rest = (t.low * self.first[0] + e1) + t.high[0] * self.third;
+        // of the time's second word, too, the product may be many turns
+        let (p2, e2) = two_product_of_halves(with_halves(t.low), self.first);
+        let rest = ((e1 + e2) + t.low * self.second[0]) + t.high[0] * self.third;
         let (s, r0) = two_sum(p0.modulo_two(), e0.modulo_two());
         let (s, r1) = two_sum(s, p1.modulo_two());
-        two_sum(s, (r0 + r1) + rest.modulo_two())
+        let (s, r2) = two_sum(s, p2.modulo_two());
+        two_sum(s, ((r0 + r1) + r2) + rest.modulo_two())
     }
 }

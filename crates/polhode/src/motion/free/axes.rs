@@ -49,6 +49,9 @@ impl FineAxes {
     /// The components of a body vector along the axes.
     pub(super) fn along(&self, v: [f64; 3]) -> [Triple; 3] {
         let v = v.map(Triple::from);
+        if self.given {
+            return v;
+        }
         self.axes.map(|axis| dot(axis, v))
     }
 }

@@ -50,16 +50,17 @@ impl Constants {
 
     /// Moments are in units of `kg_m2`, rates in units of `rad_s`: powers of two.
     pub(super) fn of(elements: &Elements, labelled: &Labelled, kg_m2: f64, rad_s: f64) -> Self {
-        let ([i1, i2, i3], w) = (labelled.moments, labelled.omega);
-        let ratio = |d: Triple, i: Triple| if i.is_zero() { 0.0 } else { (d / i).value() };
-        let momentum = [0, 1, 2].map(|k| labelled.moments[k] * w[k]);
+        let ([i1, i2, i3], w) = (labelled.moments, labelled.omega.map(Triple::double));
+        let moments = labelled.moments.map(Triple::double);
+        let ratio = |d: Triple, i: Double| if i.is_zero() { 0.0 } else { (d.double() / i).value() };
+        let momentum = [0, 1, 2].map(|k| moments[k] * w[k]);
         let twice_t = momentum[0] * w[0] + momentum[1] * w[1] + momentum[2] * w[2];
         let k1 = elements.k1.value();
         let [a1, a2, a3] = elements.amplitudes.map(Double::value);
         Self {
             axes: labelled.axes.map(Vector::from_array),
-            moments: labelled.moments.map(|i| i.value() * kg_m2),
-            ratios: [ratio(i2 - i3, i1), ratio(i3 - i1, i2), ratio(i1 - i2, i3)],
+            moments: moments.map(|i| i.value() * kg_m2),
+            ratios: [ratio(i2 - i3, moments[0]), ratio(i3 - i1, moments[1]), ratio(i1 - i2, moments[2])],
             momentum: momentum.map(|l| l.value() * kg_m2 * rad_s),
             // in an order in which no product leaves the range of f64 unless T does
             kinetic_energy: 0.5 * twice_t.value() * (kg_m2 * rad_s) * rad_s,

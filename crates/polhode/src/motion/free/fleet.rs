@@ -87,14 +87,15 @@ impl FreeMotions {
         if states.len() < self.len() {
             return;
         }
+        let whole = self.starts.iter().all(|start| start.time == 0.0);
         in_widest_vectors(
             #[inline(always)]
             || {
                 for groups in self.trigonometric.chunks(BLOCK) {
-                    compute(groups, time, states);
+                    compute_each(groups, time, states, whole);
                 }
                 for groups in self.hyperbolic.chunks(BLOCK) {
-                    compute(groups, time, states);
+                    compute_each(groups, time, states, whole);
                 }
             },
         );
@@ -118,10 +119,19 @@ fn grouped<S: Family>(bodies: &[(usize, &FreeMotion, &Flow<f64, S>)]) -> Group<S
 }
 
 #[inline(always)]
-fn compute<S: Series<Lanes<WIDTH>>>(groups: &[Group<S>], time: f64, states: &mut [State]) {
+fn compute_each<S: Series<Lanes<WIDTH>>>(groups: &[Group<S>], time: f64, states: &mut [State], whole: bool) {
+    if whole {
+        compute::<true, _>(groups, time, states);
+    } else {
+        compute::<false, _>(groups, time, states);
+    }
+}
+
+#[inline(always)]
+fn compute<const WHOLE: bool, S: Series<Lanes<WIDTH>>>(groups: &[Group<S>], time: f64, states: &mut [State]) {
     let mut turned = [Turned::still(); BLOCK];
     for (turned, group) in turned.iter_mut().zip(groups) {
-        *turned = group.flow.turned(&Elapsed::since(group.start, Lanes([time; WIDTH]), group.unit));
+        *turned = group.flow.turned::<WHOLE>(&Elapsed::since(group.start, Lanes([time; WIDTH]), group.unit));
     }
     // The lanes go through memory: from lanes to rows in one step the compiler would not use vectors at all.
     let mut lanes = [[Lanes([0.0; WIDTH]); 7]; BLOCK];

@@ -119,22 +119,16 @@ impl<T: Real> Turned<T> {
 }
 
 impl<T: Real, S: Series<T>> Flow<T, S> {
-    /// The attitude's quaternion (w, x, y, z) and ω in the body.
+    /// Both phases, reduced; `WHOLE` if the time has one word.
     #[inline(always)]
-    pub(super) fn at(&self, elapsed: &Elapsed<T>) -> ([T; 4], [T; 3]) {
-        self.state(&self.turned(elapsed))
-    }
-
-    /// Both phases, reduced.
-    #[inline(always)]
-    pub(super) fn turned(&self, elapsed: &Elapsed<T>) -> Turned<T> {
-        let (high, low) = self.polhode.turns(elapsed, self.start);
+    pub(super) fn turned<const WHOLE: bool>(&self, elapsed: &Elapsed<T>) -> Turned<T> {
+        let (high, low) = self.polhode.turns::<WHOLE>(elapsed, self.start);
         let half_turns = (T::splat(2.0) * high).nearest();
         let x = (high - T::splat(0.5) * half_turns) + low;
         let odd = half_turns.modulo_two();
         let sign = T::splat(1.0) - T::splat(2.0) * (odd * odd);
 
-        let (high, low) = self.precession.turns(elapsed);
+        let (high, low) = self.precession.turns::<WHOLE>(elapsed);
         let high = high - T::splat(0.25) * half_turns;
         let (high, low) = match self.series.bend() {
             None => (high, low),

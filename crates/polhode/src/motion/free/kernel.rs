@@ -32,10 +32,13 @@ impl Kernel {
         }
     }
 
-    pub(super) fn at(&self, time: f64, elapsed: &Elapsed<f64>) -> State {
-        let (q, omega) = match self {
-            Self::Trigonometric(flow) => flow.at(elapsed),
-            Self::Hyperbolic(flow) => flow.at(elapsed),
+    /// The state at a time; `whole` if `elapsed` has one word.
+    pub(super) fn at(&self, time: f64, elapsed: &Elapsed<f64>, whole: bool) -> State {
+        let (q, omega) = match (self, whole) {
+            (Self::Trigonometric(flow), true) => flow.state(&flow.turned::<true>(elapsed)),
+            (Self::Trigonometric(flow), false) => flow.state(&flow.turned::<false>(elapsed)),
+            (Self::Hyperbolic(flow), true) => flow.state(&flow.turned::<true>(elapsed)),
+            (Self::Hyperbolic(flow), false) => flow.state(&flow.turned::<false>(elapsed)),
         };
         State { time, attitude: Rotation::from_unit(q), omega: Vector::from_array(omega) }
     }
@@ -65,7 +68,7 @@ impl<S: Family> Flow<f64, S> {
         };
         // attitude(t) = attitude(0) · P · q(0)⁻¹ · q(t) · P⁻¹, P the labelled axes in the body
         let labels = labelled.rotation();
-        let (q, _) = flow.at(&Elapsed::new(0.0, 0.0));
+        let (q, _) = flow.state(&flow.turned::<true>(&Elapsed::new(0.0, 0.0)));
         let left = quaternion_product(
             quaternion_product(attitude.quaternion(), labels.quaternion()),
             [q[0], -q[1], -q[2], -q[3]],

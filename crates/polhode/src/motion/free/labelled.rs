@@ -1,5 +1,7 @@
 //! The body's principal axes, named so that L circles axis 3.
 
+use core::cmp::Ordering;
+
 use crate::math::double::Double;
 use crate::math::frame::Body;
 use crate::math::rotation::Rotation;
@@ -73,7 +75,7 @@ impl Labelled {
     /// Axes in the order of their moments, axis 2 turned round if that makes them left-handed.
     fn sorted(self) -> Self {
         let mut order = [0, 1, 2];
-        order.sort_by(|&a, &b| (self.moments[a] - self.moments[b]).value().total_cmp(&0.0));
+        order.sort_by(|&a, &b| self.moments[a].partial_cmp(&self.moments[b]).unwrap_or(Ordering::Equal));
         let sorted = Self {
             moments: order.map(|k| self.moments[k]),
             omega: order.map(|k| self.omega[k]),

@@ -38,7 +38,11 @@ fn fill<S: Family>(motion: &FreeMotion, flow: &Flow<f64, S>, times: &[f64], stat
         in_widest_vectors(
             #[inline(always)]
             || {
-                columns.compute(motion, &lanes, times);
+                if motion.start.time == 0.0 {
+                    columns.compute::<true, _>(motion, &lanes, times);
+                } else {
+                    columns.compute::<false, _>(motion, &lanes, times);
+                }
                 columns.write(times, states);
             },
         );
@@ -75,7 +79,7 @@ impl Default for Columns {
 
 impl Columns {
     #[inline(always)]
-    fn compute<S: Series<Lanes<WIDTH>>>(
+    fn compute<const WHOLE: bool, S: Series<Lanes<WIDTH>>>(
         &mut self,
         motion: &FreeMotion,
         flow: &Flow<Lanes<WIDTH>, S>,
@@ -87,7 +91,7 @@ impl Columns {
         for (turned, group) in turned.iter_mut().zip(times.chunks(WIDTH)) {
             // The last group may be short: its lanes without a time stand still.
             let lanes = group.try_into().unwrap_or_else(|_| padded(group, motion.start.time));
-            *turned = flow.turned(&motion.elapsed(Lanes(lanes)));
+            *turned = flow.turned::<WHOLE>(&motion.elapsed(Lanes(lanes)));
         }
         for (row, turned) in turned.iter().enumerate().take(groups) {
             let (q, w) = flow.state(turned);

@@ -170,7 +170,7 @@ impl FreeMotion {
         if time == self.start.time {
             return self.start;
         }
-        self.kernel.at(time, &self.elapsed(time))
+        self.kernel.at(time, &self.elapsed(time), self.start.time == 0.0)
     }
 
     #[inline(always)]

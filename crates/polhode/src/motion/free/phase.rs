@@ -22,6 +22,9 @@ pub(super) struct FineRate<T> {
 }
 
 /// A time in two words, the difference of two times; the first also in halves.
+///
+/// Where the second word is known to be zero, as from a start at t = 0, `WHOLE` leaves out what would only add zeros: the
+/// same bits in less time.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Elapsed<T> {
     high: [T; 3],
@@ -68,10 +71,13 @@ impl FineRate<f64> {
 impl<T: Real> Rate<T> {
     /// start + f t modulo two turns, in two words.
     #[inline(always)]
-    pub(super) fn turns(&self, t: &Elapsed<T>, start: [T; 2]) -> (T, T) {
+    pub(super) fn turns<const WHOLE: bool>(&self, t: &Elapsed<T>, start: [T; 2]) -> (T, T) {
         // The first product and its error may both be many turns.
         let (p0, e0) = two_product_of_halves(t.high, self.first);
-        let rest = t.high[0] * self.second + t.low * self.first[0];
+        let mut rest = t.high[0] * self.second;
+        if !WHOLE {
+            rest = rest + t.low * self.first[0];
+        }
         let (s, r0) = two_sum(p0.modulo_two(), start[0]);
         two_sum(s, (r0 + start[1]) + (e0 + rest).modulo_two())
     }
@@ -80,15 +86,20 @@ impl<T: Real> Rate<T> {
 impl<T: Real> FineRate<T> {
     /// f t modulo two turns, in two words.
     #[inline(always)]
-    pub(super) fn turns(&self, t: &Elapsed<T>) -> (T, T) {
+    pub(super) fn turns<const WHOLE: bool>(&self, t: &Elapsed<T>) -> (T, T) {
         let (p0, e0) = two_product_of_halves(t.high, self.first);
         let (p1, e1) = two_product_of_halves(t.high, self.second);
-        // of the time's second word, too, the product may be many turns
-        let (p2, e2) = two_product_of_halves(with_halves(t.low), self.first);
-        let rest = ((e1 + e2) + t.low * self.second[0]) + t.high[0] * self.third;
+        let mut rest = e1 + t.high[0] * self.third;
         let (s, r0) = two_sum(p0.modulo_two(), e0.modulo_two());
-        let (s, r1) = two_sum(s, p1.modulo_two());
-        let (s, r2) = two_sum(s, p2.modulo_two());
-        two_sum(s, ((r0 + r1) + r2) + rest.modulo_two())
+        let (mut s, r1) = two_sum(s, p1.modulo_two());
+        let mut low = r0 + r1;
+        if !WHOLE {
+            // of the time's second word, too, the product may be many turns
+            let (p2, e2) = two_product_of_halves(with_halves(t.low), self.first);
+            let (sum, r2) = two_sum(s, p2.modulo_two());
+            (s, low) = (sum, low + r2);
+            rest = rest + (e2 + t.low * self.second[0]);
+        }
+        two_sum(s, low + rest.modulo_two())
     }
 }

@@ -23,10 +23,10 @@ pub(super) struct Trigonometric<T> {
     near: [T; TERMS],
     /// ± q^(j(j+1)/2) Yʲ⁺¹
     far: [T; TERMS],
-    /// Of θ₁, θ₂ without q^(1/4): q^(n(n+1)), n = 1 … 4.
-    odd: [T; 4],
-    /// Of θ₃, θ₄: 2 q^(n²), n = 1 … 4.
-    even: [T; 4],
+    /// θ₂/cos z and θ₁/sin z without 2q^(1/4), as polynomials of ±2 cos 2z.
+    odd: [T; 5],
+    /// θ₃ and θ₄ as polynomials of ±2 cos 2z.
+    even: [T; 5],
 }
 
 /// Terms down to 10⁻¹⁷ where the nome is 0.2, its largest here.
@@ -44,8 +44,8 @@ impl Trigonometric<f64> {
         let mut series = Self {
             near: from_fn(|j| signs[j % 4] * power(ratio, j) * if j == 0 { 1.0 } else { triangle(j - 1) }),
             far: from_fn(|j| signs[j % 4] * triangle(j) * power(y, j + 1)),
-            odd: from_fn(|n| power(q, (n + 1) * (n + 2))),
-            even: from_fn(|n| 2.0 * power(q, (n + 1) * (n + 1))),
+            odd: odd_polynomial(q),
+            even: even_polynomial(q),
         };
         let Point { spinor, over, .. } = series.at(0.0);
         let unit = (over * (spinor.alpha.norm2() + spinor.beta.norm2())).sqrt();
@@ -74,6 +74,19 @@ fn half_nutation(elements: &Elements, landen: &Landen) -> f64 {
     let root = (1.0 + minus_n).sqrt();
     let correction = landen.hyperbolic_correction(1.0 / root, minus_n / (1.0 + minus_n));
     landen.nome().sqrt() * (1.0 + root) / minus_n.sqrt() * libm::exp(-correction)
+}
+
+/// 1 + q² (C − 1) + q⁶ (C² − C − 1) + q¹² (C³ − C² − 2C + 1) + q²⁰ (C⁴ − C³ − 3C² + 2C + 1), C = 2 cos 2z: the sum of
+/// q^(n(n+1)) cos (2n+1)z / cos z. That of ±q^(n(n+1)) sin (2n+1)z / sin z has −C.
+fn odd_polynomial(q: f64) -> [f64; 5] {
+    let [a, b, c, d] = [2, 6, 12, 20].map(|n| power(q, n));
+    [1.0 - a - b + c + d, a - b - 2.0 * c + 2.0 * d, b - c - 3.0 * d, c - d, d]
+}
+
+/// 1 + q C + q⁴ (C² − 2) + q⁹ (C³ − 3C) + q¹⁶ (C⁴ − 4C² + 2), C = 2 cos 2z: 1 + Σ 2q^(n²) cos 2nz.
+fn even_polynomial(q: f64) -> [f64; 5] {
+    let [a, b, c] = [4, 9, 16].map(|n| power(q, n));
+    [1.0 - 2.0 * a + 2.0 * c, q - 3.0 * b, a - 4.0 * c, b, c]
 }
 
 fn power(x: f64, n: usize) -> f64 {
@@ -125,26 +138,14 @@ impl<T: Real> Trigonometric<T> {
     /// θ₂ ∝ cos z + q² cos 3z + q⁶ cos 5z …, θ₁ ∝ sin z − q² sin 3z …, θ₃, θ₄ = 1 ± 2q cos 2z + 2q⁴ cos 4z ± …
     #[inline(always)]
     fn elliptic(&self, [cos, sin]: [T; 2]) -> ([T; 3], T) {
-        let (one, two) = (T::splat(1.0), T::splat(2.0));
-        let twice = two * (cos * cos - sin * sin); // 2 cos 2z
-        // cos(2n+1)z / cos z: 1, 2C − 1, …;  sin(2n+1)z / sin z: 1, 2C + 1, …;  next = 2C this − last
-        let (mut c0, mut c1) = (one, twice - one);
-        let (mut s0, mut s1) = (one, twice + one);
-        let (mut theta2, mut theta1) = (one, one);
-        for (n, &term) in self.odd.iter().enumerate() {
-            theta2 = theta2 + term * c1;
-            theta1 = if n % 2 == 0 { theta1 - term * s1 } else { theta1 + term * s1 };
-            (c0, c1) = (c1, twice * c1 - c0);
-            (s0, s1) = (s1, twice * s1 - s0);
-        }
-        let t1 = T::splat(0.5) * twice;
-        let t2 = twice * t1 - one;
-        let t3 = twice * t2 - t1;
-        let t4 = twice * t3 - t2;
-        let even = one + self.even[1] * t2 + self.even[3] * t4;
-        let odd = self.even[0] * t1 + self.even[2] * t3;
+        let c = T::splat(2.0) * (cos * cos - sin * sin); // 2 cos 2z
+        let c2 = c * c;
+        // the parts even and odd in c
+        let parts = |p: &[T; 5]| (p[0] + c2 * (p[2] + c2 * p[4]), c * (p[1] + c2 * p[3]));
+        let (plain, alternating) = parts(&self.odd);
+        let (even, odd) = parts(&self.even);
         let over = (even - odd).map(|theta4| 1.0 / theta4);
-        ([cos * theta2, sin * theta1, even + odd], over)
+        ([cos * (plain + alternating), sin * (plain - alternating), even + odd], over)
     }
 }
 

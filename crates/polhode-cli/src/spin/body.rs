@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use polhode::{
-    AngularVelocity, Attitude, Body, BodyError, Finding, FreeMotion, InertiaTensor, PrincipalFrame, Rotor,
-    Scenario, State,
+    AngularMomentum, AngularVelocity, Attitude, Body, BodyError, Finding, FreeMotion, InertiaTensor,
+    PrincipalFrame, Rotor, Scenario, State, Symmetry,
 };
 use polhode_formats::scenario;
 use polhode_report::SourceInfo;
@@ -95,6 +95,12 @@ impl Subject {
         let in_range = |x: f64| x.is_finite() && (x >= f64::MIN_POSITIVE || at_rest);
         if in_range(motion.kinetic_energy()) && in_range(motion.momentum().norm()) {
             return Ok(motion);
+        }
+        if motion.principal().symmetry() == Symmetry::Rod && motion.momentum() == AngularMomentum::ZERO {
+            return Err(Failure::usage(
+                "a rod that turns about its own line has neither energy nor angular momentum: its spin is not determined",
+                "give ω a component across the rod",
+            ));
         }
         Err(Failure::usage(
             "the energy or |L| of this spin is beyond the range of numbers, 2.2e-308 to 1.8e308",

@@ -267,6 +267,10 @@ impl fmt::Display for TumblerError {
                 {
                     let separator = if k == 0 { "" } else { "; " };
                     match range {
+                        // As good as infinite is not worth its digits.
+                        Some([least, most]) if *most > 1e6 => {
+                            write!(f, "{separator}{mode}-axis mode has more than {least:.6}")?;
+                        }
                         Some([least, most]) => {
                             write!(
                                 f,

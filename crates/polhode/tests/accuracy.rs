@@ -479,10 +479,10 @@ Beyond these times and bodies the error grows, by laws that [free-motion.md](fre
 4e-15 add
 
 - 1e-31 rad for every turn of the body (nothing if ω stays where it is, or all moments are equal);
-- 2e-47/(1 − m) rad for every period, also of a tensor with products of inertia, whose axes are found to 46 digits; it passes the first where 1 − m < 1e-16, and 4e-15 after 1e9 periods where
-  1 − m < 5e-24. It counts the 159 bits in which L² − 2T i2 is formed. They are enough for good
-  where the moments have few binary digits (1, 2, 3), as in the cases above with 1 − m < 1e-15; in these rows they have
-  not.
+- 2e-47/(1 − m) rad for every period, also of a tensor with products of inertia, whose axes are found to 46 digits. This
+  passes the first where 1 − m < 1e-16, and 4e-15 after 1e9 periods where 1 − m < 5e-24. It counts the 159 bits in which
+  L² − 2T i2 is formed. They are enough for good where the moments have few binary digits (1, 2, 3), as in the cases
+  above with 1 − m < 1e-15; in these rows they have not.
 
 Attitude or ω, whichever is worse. The test holds these rows to the laws:
 

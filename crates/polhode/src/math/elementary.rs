@@ -1,6 +1,6 @@
 //! sin, cos and exp for lanes: polynomials without branches, about 1 ulp, the same bits in every lane.
 
-use super::real::{PI, Real};
+use super::real::Real;
 
 /// Σ cₖ xᵏ of an even number of terms: Horner's rule in x², which waits half as often as that in x.
 #[inline(always)]
@@ -14,52 +14,54 @@ pub(crate) fn polynomial<T: Real, const N: usize>(x: T, coefficients: [f64; N]) 
     sum
 }
 
-/// sin x and cos x for |x| ≤ π/4 rad.
+/// sin ½πx and cos ½πx, |x| ≤ ½.
 ///
-/// The polynomials of fdlibm's `k_sin` and `k_cos` (Sun Microsystems, 1993), error below 2⁻⁵⁸.
+/// The polynomials of fdlibm's `k_sin` and `k_cos` (Sun Microsystems, 1993), error below 2⁻⁵⁸, but for quarter turns.
 #[inline(always)]
-pub(crate) fn sin_cos_eighth<T: Real>(x: T) -> (T, T) {
+fn sin_cos_eighth<T: Real>(x: T) -> (T, T) {
     let z = x * x;
     let sine = [
-        -1.666_666_666_666_663_2e-1,
-        8.333_333_333_322_49e-3,
-        -1.984_126_982_985_795e-4,
-        2.755_731_370_707_006_8e-6,
-        -2.505_076_025_340_686_3e-8,
-        1.589_690_995_211_55e-10,
+        -0.645964097506245,
+        0.07969262624606334,
+        -0.0046817541326259334,
+        0.00016044115266738095,
+        -3.598649570441808e-06,
+        5.634704113884751e-08,
     ];
     let cosine = [
-        4.166_666_666_666_66e-2,
-        -1.388_888_888_887_411e-3,
-        2.480_158_728_947_673e-5,
-        -2.755_731_435_139_066_3e-7,
-        2.087_572_321_298_175e-9,
-        -1.135_964_755_778_819_5e-11,
+        0.25366950790104764,
+        -0.02086348076333076,
+        0.0009192602743905533,
+        -2.520203791691774e-05,
+        4.710641505803502e-07,
+        -6.32474667886607e-09,
     ];
-    let sin = x + z * x * polynomial(z, sine);
-    let half = T::splat(0.5) * z;
+    let sin = T::splat(core::f64::consts::FRAC_PI_2) * x + z * x * polynomial(z, sine);
+    let half = T::splat(1.233_700_550_136_169_8) * z;
     let one = T::splat(1.0);
     let w = one - half;
     let cos = w + (((one - w) - half) + z * z * polynomial(z, cosine));
     (sin, cos)
 }
 
-/// sin 2πx and cos 2πx of x = high + low turns, |high| small enough to have a fraction.
+/// The integer nearest to x, |x| < 2⁵¹: as the last bits of a number, and as a number.
 #[inline(always)]
-pub(crate) fn sin_cos_turns<T: Real>(high: T, low: T) -> (T, T) {
-    let quarters = (T::splat(4.0) * high).nearest();
-    let rest = (high - T::splat(0.25) * quarters) + low;
-    let (s, c) = sin_cos_eighth(T::splat(2.0 * PI) * rest);
-    // k quarters, modulo 4, as −2 … 2
-    let k = quarters - T::splat(4.0) * (T::splat(0.25) * quarters).nearest();
-    let sin = k.zip3(s, c, |k, s, c| {
-        let part = if k.abs() == 1.0 { c } else { s };
-        if k < 0.0 || k == 2.0 { -part } else { part }
-    });
-    let cos = k.zip3(s, c, |k, s, c| {
-        let part = if k.abs() == 1.0 { s } else { c };
-        if k > 0.0 || k == -2.0 { -part } else { part }
-    });
+pub(crate) fn split<T: Real>(x: T) -> (T, T) {
+    let shifted = x + T::splat(SHIFT);
+    (shifted, shifted - T::splat(SHIFT))
+}
+
+/// 1.5 · 2⁵²: its last digit is 1.
+const SHIFT: f64 = 6_755_399_441_055_744.0;
+
+/// sin and cos of an angle of whole quarter turns, in the last two bits, and |rest| ≤ ½ of one.
+#[inline(always)]
+pub(crate) fn sin_cos_quarters<T: Real>(quarters: T, rest: T) -> (T, T) {
+    let (s, c) = sin_cos_eighth(rest);
+    let odd = |q: f64| q.to_bits() & 1 == 1;
+    let signed = |x: f64, bits: u64| f64::from_bits(x.to_bits() ^ ((bits & 2) << 62));
+    let sin = quarters.zip3(s, c, |q, s, c| signed(if odd(q) { c } else { s }, q.to_bits()));
+    let cos = quarters.zip3(s, c, |q, s, c| signed(if odd(q) { s } else { c }, q.to_bits() + 1));
     (sin, cos)
 }
 
@@ -88,7 +90,7 @@ pub(crate) fn exp_minus<T: Real>(x: T) -> T {
     ];
     let e = T::splat(1.0) + (r + r * r * polynomial(r, series));
     // 2^−k: the low bits of 1.5·2⁵² + (1023 − k) are the exponent's
-    let power = k.map(|k| f64::from_bits((6_755_399_441_055_744.0 + (1023.0 - k)).to_bits() << 52));
+    let power = k.map(|k| f64::from_bits((SHIFT + (1023.0 - k)).to_bits() << 52));
     e * power
 }
 
@@ -96,12 +98,14 @@ pub(crate) fn exp_minus<T: Real>(x: T) -> T {
 mod tests {
     use super::*;
     use crate::math::lanes::Lanes;
+    use crate::math::real::PI;
 
     #[test]
     fn they_agree_with_libm_to_two_ulp() {
         for k in -4000..4000 {
             let x = f64::from(k) * 0.000_537_3;
-            let (s, c) = sin_cos_turns(x, 0.0);
+            let (quarters, whole) = split(4.0 * x);
+            let (s, c) = sin_cos_quarters(quarters, 4.0 * x - whole);
             let (s0, c0) = libm::sincos(2.0 * PI * x);
             // libm's own argument 2πx is rounded: that error, times x, is allowed for
             let tolerance = 3e-16 + 4.5e-16 * 2.0 * PI * x.abs();
@@ -112,33 +116,31 @@ mod tests {
         for (x, s, c) in
             [(0.0, 0.0, 1.0), (0.25, 1.0, 0.0), (-0.5, 0.0, -1.0), (0.75, -1.0, 0.0), (1.5, 0.0, -1.0)]
         {
-            assert_eq!(sin_cos_turns(x, 0.0), (s, c));
+            let (quarters, whole) = split(4.0 * x);
+            assert_eq!(sin_cos_quarters(quarters, 4.0 * x - whole), (s, c));
         }
         assert_eq!(exp_minus(0.0), 1.0);
         assert!(exp_minus(f64::INFINITY) < 1e-300);
     }
 
     #[test]
-    fn integers_and_remainders_are_exact() {
+    fn integers_are_exact() {
         for x in
             [0.5, 1.5, -2.5, 3.4999, -7.7, 2f64.powi(52) + 1.0, -2f64.powi(53), 1e300, 4503599627370495.5]
         {
             assert_eq!(x.nearest(), x.round_ties_even());
             assert_eq!(Lanes([x]).nearest().0, [x.round_ties_even()]);
         }
-        for (x, rest) in [(7.25, -0.75), (2f64.powi(52) + 1.0, 1.0), (2f64.powi(60), 0.0), (-0.3, -0.3)] {
-            assert_eq!(x.modulo_two(), rest);
-            assert_eq!(Lanes([x]).modulo_two().0, [rest]);
-        }
     }
 
     #[test]
     fn every_lane_has_the_bits_of_the_number() {
         let x = Lanes::<8>::from_fn(|k| (k as f64 - 3.3) * 0.177);
-        let (s, c) = sin_cos_turns(x, Lanes::splat(1e-18));
+        let (quarters, whole) = split(x);
+        let (s, c) = sin_cos_quarters(quarters, x - whole);
         let e = exp_minus(x.map(f64::abs));
         for k in 0..8 {
-            assert_eq!((s.0[k], c.0[k]), sin_cos_turns(x.0[k], 1e-18));
+            assert_eq!((s.0[k], c.0[k]), sin_cos_quarters(quarters.0[k], x.0[k] - whole.0[k]));
             assert_eq!(e.0[k], exp_minus(x.0[k].abs()));
         }
     }

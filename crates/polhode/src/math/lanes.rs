@@ -50,6 +50,15 @@ impl<const N: usize> Real for Lanes<N> {
     fn nearest(self) -> Self {
         self.map(f64::round_ties_even)
     }
+
+    #[inline(always)]
+    fn all(self, other: Self, f: impl Fn(f64, f64) -> bool) -> bool {
+        let mut all = true;
+        for k in 0..N {
+            all &= f(self.0[k], other.0[k]);
+        }
+        all
+    }
 }
 
 impl<const N: usize> Add for Lanes<N> {

@@ -24,11 +24,8 @@ pub(crate) trait Real:
     /// The integer nearest to each, the even one of two; what is too large to have a fraction stays.
     fn nearest(self) -> Self;
 
-    /// The remainder modulo 2 that is nearest to zero: exact.
-    #[inline(always)]
-    fn modulo_two(self) -> Self {
-        self - Self::splat(2.0) * (Self::splat(0.5) * self).nearest()
-    }
+    /// True if f is, of every lane of two.
+    fn all(self, other: Self, f: impl Fn(f64, f64) -> bool) -> bool;
 }
 
 impl Real for f64 {
@@ -59,10 +56,9 @@ impl Real for f64 {
         if self.abs() < 4_503_599_627_370_496.0 { (self + big) - big } else { self }
     }
 
-    /// The usual small number is not made to wait.
     #[inline(always)]
-    fn modulo_two(self) -> Self {
-        if self.abs() <= 0.5 { self } else { self - 2.0 * (0.5 * self).nearest() }
+    fn all(self, other: Self, f: impl Fn(f64, f64) -> bool) -> bool {
+        f(self, other)
     }
 }
 

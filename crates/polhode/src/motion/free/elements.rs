@@ -41,6 +41,14 @@ pub(super) struct Elements {
 }
 
 impl Elements {
+    /// (A1, A2, A3)/L; along axis 3 where L is zero.
+    pub(super) fn direction(&self) -> [f64; 3] {
+        if self.momentum.is_zero() {
+            return [0.0, 0.0, 1.0];
+        }
+        self.amplitudes.map(|a| (a / self.momentum).value())
+    }
+
     /// 1 − m
     pub(super) fn m1(&self) -> Double {
         self.k1.square()

@@ -1,15 +1,13 @@
 //! Many bodies at one time: a body in every lane.
 
 use crate::math::lanes::Lanes;
-use crate::math::rotation::Rotation;
-use crate::math::vector::Vector;
 use crate::motion::state::State;
 
 use super::FreeMotion;
-use super::flow::{Family, Flow, Series, Turned};
+use super::block::{Block, GROUPS, Vectors, WIDTH, in_widest_vectors};
+use super::flow::{Family, Flow, Series};
 use super::hyperbolic::Hyperbolic;
 use super::kernel::Kernel;
-use super::many::{WIDTH, in_widest_vectors};
 use super::phase::Elapsed;
 use super::trigonometric::Trigonometric;
 
@@ -31,16 +29,16 @@ use super::trigonometric::Trigonometric;
 #[derive(Clone, Debug)]
 pub struct FreeMotions {
     starts: Vec<State>,
-    trigonometric: Vec<Group<Trigonometric<Lanes<WIDTH>>>>,
-    hyperbolic: Vec<Group<Hyperbolic<Lanes<WIDTH>>>>,
+    trigonometric: Vec<Group<Trigonometric<Vectors>>>,
+    hyperbolic: Vec<Group<Hyperbolic<Vectors>>>,
 }
 
 /// Bodies whose motions have the same kind of series; the last group repeats its first body in the lanes left over.
 #[derive(Clone, Debug)]
 struct Group<S> {
-    flow: Flow<Lanes<WIDTH>, S>,
-    start: Lanes<WIDTH>,
-    unit: Lanes<WIDTH>,
+    flow: Flow<Vectors, S>,
+    start: Vectors,
+    unit: Vectors,
     members: [usize; WIDTH],
 }
 
@@ -88,14 +86,15 @@ impl FreeMotions {
             return;
         }
         let whole = self.starts.iter().all(|start| start.time == 0.0);
+        let mut block = Block::new();
         in_widest_vectors(
             #[inline(always)]
             || {
-                for groups in self.trigonometric.chunks(BLOCK) {
-                    compute_each(groups, time, states, whole);
+                for groups in self.trigonometric.chunks(GROUPS) {
+                    compute(&mut block, groups, time, states, whole);
                 }
-                for groups in self.hyperbolic.chunks(BLOCK) {
-                    compute_each(groups, time, states, whole);
+                for groups in self.hyperbolic.chunks(GROUPS) {
+                    compute(&mut block, groups, time, states, whole);
                 }
             },
         );
@@ -105,10 +104,7 @@ impl FreeMotions {
     }
 }
 
-/// Groups computed between the first of the two short loops and the second.
-const BLOCK: usize = 8;
-
-fn grouped<S: Family>(bodies: &[(usize, &FreeMotion, &Flow<f64, S>)]) -> Group<S::Of<Lanes<WIDTH>>> {
+fn grouped<S: Family>(bodies: &[(usize, &FreeMotion, &Flow<f64, S>)]) -> Group<S::Of<Vectors>> {
     let body = |lane: usize| bodies[if lane < bodies.len() { lane } else { 0 }];
     Group {
         flow: Flow::assembled(&|get: &dyn Fn(&Flow<f64, S>) -> f64| Lanes::from_fn(|lane| get(body(lane).2))),
@@ -119,32 +115,34 @@ fn grouped<S: Family>(bodies: &[(usize, &FreeMotion, &Flow<f64, S>)]) -> Group<S
 }
 
 #[inline(always)]
-fn compute_each<S: Series<Lanes<WIDTH>>>(groups: &[Group<S>], time: f64, states: &mut [State], whole: bool) {
+fn compute<S: Series<Vectors>>(
+    block: &mut Block,
+    groups: &[Group<S>],
+    time: f64,
+    states: &mut [State],
+    whole: bool,
+) {
+    let at = Lanes([time; WIDTH]);
     if whole {
-        compute::<true, _>(groups, time, states);
+        block.compute::<true, _>(
+            groups.len(),
+            #[inline(always)]
+            |g| &groups[g].flow,
+            #[inline(always)]
+            |g| Elapsed::since::<true>(groups[g].start, at, groups[g].unit),
+        );
     } else {
-        compute::<false, _>(groups, time, states);
+        block.compute::<false, _>(
+            groups.len(),
+            #[inline(always)]
+            |g| &groups[g].flow,
+            #[inline(always)]
+            |g| Elapsed::since::<false>(groups[g].start, at, groups[g].unit),
+        );
     }
-}
-
-#[inline(always)]
-fn compute<const WHOLE: bool, S: Series<Lanes<WIDTH>>>(groups: &[Group<S>], time: f64, states: &mut [State]) {
-    let mut turned = [Turned::still(); BLOCK];
-    for (turned, group) in turned.iter_mut().zip(groups) {
-        *turned = group.flow.turned::<WHOLE>(&Elapsed::since(group.start, Lanes([time; WIDTH]), group.unit));
-    }
-    // The lanes go through memory: from lanes to rows in one step the compiler would not use vectors at all.
-    let mut lanes = [[Lanes([0.0; WIDTH]); 7]; BLOCK];
-    for ((turned, group), lanes) in turned.iter().zip(groups).zip(&mut lanes) {
-        let ([qw, qx, qy, qz], [wx, wy, wz]) = group.flow.state(turned);
-        *lanes = [qw, qx, qy, qz, wx, wy, wz];
-    }
-    for (lanes, group) in lanes.iter().zip(groups) {
+    for (g, group) in groups.iter().enumerate() {
         for (lane, &member) in group.members.iter().enumerate() {
-            let [qw, qx, qy, qz, wx, wy, wz] = lanes;
-            let attitude = Rotation::from_unit([qw.0[lane], qx.0[lane], qy.0[lane], qz.0[lane]]);
-            let omega = Vector::new(wx.0[lane], wy.0[lane], wz.0[lane]);
-            states[member] = State { time, attitude, omega };
+            states[member] = block.state(g, lane, time);
         }
     }
 }

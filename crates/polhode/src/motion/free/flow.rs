@@ -2,76 +2,82 @@
 
 use core::array::from_fn;
 
+use super::phase::{Elapsed, Phase, Rate};
 use crate::math::complex::Complex;
-use crate::math::elementary::sin_cos_turns;
+use crate::math::elementary::sin_cos_quarters;
 use crate::math::real::Real;
-use crate::math::sum::two_sum;
-
-use super::hyperbolic::Hyperbolic;
-use super::phase::{Elapsed, FineRate, Rate};
-use super::trigonometric::Trigonometric;
-
-/// Cayley–Klein parameters: the quaternion w + iz = α, x + iy = β, of any norm.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Spinor<T> {
-    pub(super) alpha: Complex<T>,
-    pub(super) beta: Complex<T>,
-}
 
 /// A place on the polhode, as the theta functions give it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Point<T> {
-    /// (f, g), |f|² + |g|² = 1/over
-    pub(super) spinor: Spinor<T>,
-    /// cn, sn and dn times constants, over `over`.
+    /// f: the theta function of the attitude.
+    pub(super) f: Complex<T>,
+    /// cn, sn and dn times constants, times `below`.
     pub(super) theta: [T; 3],
-    /// 1 over the theta function that they share.
-    pub(super) over: T,
+    /// The theta function that they share.
+    pub(super) below: T,
 }
 
 /// The constants of a motion, in the form that is evaluated.
 ///
-/// With z = π(u0 + λt)/2K reduced by N half turns to |z| ≤ ½π, the attitude of the labelled axes in axes along L is
+/// With z = π(u0 + λt)/2K, the unit vector along L is e = (A1 cn, A2 sn, A3 dn)/L in the labelled axes, and the quaternion
+/// from them to axes along L is w + iz = α, x + iy = β,
 ///
-/// α = e^iφ f(z),  β = −i (−1)ᴺ e^iφ g(z),  φ = ½Ωt − ½πN − (2b/π) z
+/// α = e^iφ f(z),  β = α (e2 − i e1)/(1 + e3),  φ = ½(Ωt − z) + b′z
 ///
-/// where f and g are the series (b = 0 for the trigonometric one), and ω = (A1/i1 cn, A2/i2 sn, A3/i3 dn).
+/// where f is the series and b′ its bend: zero for the trigonometric one. ω = (A1/i1 cn, A2/i2 sn, A3/i3 dn).
 ///
 /// Source: Klein & Sommerfeld, Über die Theorie des Kreisels, ch. VI; derived in `book/free-motion.md`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Flow<T, S> {
-    /// ½Ωt, turns.
-    pub(super) precession: FineRate<T>,
-    /// λ/4K: z/2π, turns.
+    /// ½(Ωt − z), quarter turns.
+    pub(super) precession: Rate<T>,
+    /// λ/K: 2z/π, quarter turns.
     pub(super) polhode: Rate<T>,
-    /// z/2π at the start, turns.
+    /// 2z/π at the start, quarter turns.
     pub(super) start: [T; 2],
+    /// What makes theta functions the components of e.
+    pub(super) direction: [T; 3],
     /// Columns: the axes times the amplitudes of ω along them, and the constants that make theta functions cn, sn and dn.
     pub(super) omega: [[T; 3]; 3],
-    /// From (Re α, Re β, Im β, Im α) to the attitude's quaternion.
+    /// From what the quaternion is in the labelled axes to the attitude's, of norm 1/`scale`.
     pub(super) attitude: [[T; 4]; 4],
     pub(super) series: S,
 }
 
-/// What the time is, as angles.
+/// Both angles of a time.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Phases<T> {
+    polhode: Phase<T>,
+    precession: Phase<T>,
+}
+
+/// What the time is to the series.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Turned<T> {
-    /// z/2π, turns, |z| ≤ ½π.
-    x: T,
-    /// (−1)ᴺ
-    sign: T,
-    /// Of φ.
-    sin: T,
-    cos: T,
+    /// z, as the series takes it.
+    place: [T; 2],
+    /// e^iφ
+    phase: Complex<T>,
+}
+
+/// A state before it is scaled and turned into the axes that it is wanted in.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Raw<T> {
+    /// (Re α, Re β, Im β, Im α), all times one number.
+    pub(super) quaternion: [T; 4],
+    /// Makes its norm one, or a constant.
+    pub(super) scale: T,
+    /// cn, sn and dn times constants.
+    rates: [T; 3],
 }
 
 /// Theta functions of one kind.
 pub(super) trait Series<T> {
-    /// At z/2π turns, |z| ≤ ½π.
-    fn at(&self, x: T) -> Point<T>;
+    /// z as the series takes it, and b′z in quarter turns if there is a bend.
+    fn place(&self, z: Phase<T>) -> ([T; 2], Option<T>);
 
-    /// 2b/π.
-    fn bend(&self) -> Option<T>;
+    fn at(&self, place: [T; 2]) -> Point<T>;
 }
 
 /// A series that also comes in other numbers.
@@ -86,80 +92,73 @@ pub(super) trait Family: Series<f64> {
     fn assembled<T: Real>(pick: &impl Fn(&dyn Fn(&Self) -> f64) -> T) -> Self::Of<T>;
 }
 
-impl<T: Real> Series<T> for Trigonometric<T> {
-    #[inline(always)]
-    fn at(&self, x: T) -> Point<T> {
-        Self::at(self, x)
-    }
+// Places for them, all numbers the same.
 
-    #[inline(always)]
-    fn bend(&self) -> Option<T> {
-        None
+impl<T: Copy> Phases<T> {
+    pub(super) fn of(x: T) -> Self {
+        let phase = Phase { quarters: x, rest: x };
+        Self { polhode: phase, precession: phase }
     }
 }
 
-impl<T: Real> Series<T> for Hyperbolic<T> {
-    #[inline(always)]
-    fn at(&self, x: T) -> Point<T> {
-        Self::at(self, x)
-    }
-
-    #[inline(always)]
-    fn bend(&self) -> Option<T> {
-        Some(self.bend)
+impl<T: Copy> Turned<T> {
+    pub(super) fn of(x: T) -> Self {
+        Self { place: [x; 2], phase: Complex { re: x, im: x } }
     }
 }
 
-impl<T: Real> Turned<T> {
-    #[inline(always)]
-    pub(super) fn still() -> Self {
-        let (zero, one) = (T::splat(0.0), T::splat(1.0));
-        Self { x: zero, sign: one, sin: zero, cos: one }
+impl<T: Copy> Raw<T> {
+    pub(super) fn of(x: T) -> Self {
+        Self { quaternion: [x; 4], scale: x, rates: [x; 3] }
     }
 }
 
 impl<T: Real, S: Series<T>> Flow<T, S> {
     /// Both phases, reduced; `WHOLE` if the time has one word.
     #[inline(always)]
-    pub(super) fn turned<const WHOLE: bool>(&self, elapsed: &Elapsed<T>) -> Turned<T> {
-        let (high, low) = self.polhode.turns::<WHOLE>(elapsed, self.start);
-        let half_turns = (T::splat(2.0) * high).nearest();
-        let x = (high - T::splat(0.5) * half_turns) + low;
-        let odd = half_turns.modulo_two();
-        let sign = T::splat(1.0) - T::splat(2.0) * (odd * odd);
+    pub(super) fn phases<const WHOLE: bool>(&self, elapsed: &Elapsed<T>) -> Phases<T> {
+        let polhode = self.polhode.phase_from::<WHOLE>(elapsed, self.start);
+        let precession = self.precession.phase::<WHOLE>(elapsed);
+        Phases { polhode, precession }
+    }
 
-        let (high, low) = self.precession.turns::<WHOLE>(elapsed);
-        let high = high - T::splat(0.25) * half_turns;
-        let (high, low) = match self.series.bend() {
-            None => (high, low),
-            Some(bend) => {
-                let (sum, error) = two_sum(high, -(bend * x));
-                (sum, error + low)
-            }
-        };
-        let (sin, cos) = sin_cos_turns(high, low);
-        Turned { x, sign, sin, cos }
+    #[inline(always)]
+    pub(super) fn turned(&self, phases: &Phases<T>) -> Turned<T> {
+        let (place, bend) = self.series.place(phases.polhode);
+        let phase = bend.map_or(phases.precession, |bend| phases.precession.plus(bend));
+        let (im, re) = sin_cos_quarters(phase.quarters, phase.rest);
+        Turned { place, phase: Complex { re, im } }
+    }
+
+    /// Quaternion and ω of the phases, in the labelled axes.
+    #[inline(always)]
+    pub(super) fn raw(&self, turned: &Turned<T>) -> Raw<T> {
+        let Point { f, theta, below } = self.series.at(turned.place);
+        let d = &self.direction;
+        let (e1, e2, e3) = (d[0] * theta[0], d[1] * theta[1], d[2] * theta[2]); // times below
+        let sum = below + e3;
+        let alpha = f.times(turned.phase);
+        let beta = alpha.times(Complex { re: e2, im: -e1 });
+        // |β|² + |sum α|² = constant · below · sum², as |α|² = constant · sum
+        let both = (below * sum).map(|product| 1.0 / product);
+        let over = sum * both;
+        Raw {
+            quaternion: [sum * alpha.re, beta.re, beta.im, sum * alpha.im],
+            scale: (below * both) * over.map(f64::sqrt),
+            rates: [theta[0] * over, theta[1] * over, theta[2] * over],
+        }
     }
 
     /// Quaternion and ω of the phases.
     #[inline(always)]
-    pub(super) fn state(&self, turned: &Turned<T>) -> ([T; 4], [T; 3]) {
-        let Turned { x, sign, sin, cos } = *turned;
-        let Point { spinor: Spinor { alpha, beta }, theta: [cn, sn, dn], over } = self.series.at(x);
-        let phase = Complex { re: cos, im: sin };
-        let alpha = alpha.times(phase);
-        // −i (−1)ᴺ
-        let beta = beta.times(Complex { re: sign * phase.im, im: -(sign * phase.re) });
-
-        let labelled = [alpha.re, beta.re, beta.im, alpha.im];
-        let signed = sign * over;
-        let rates = [signed * cn, signed * sn, over * dn];
+    pub(super) fn state(&self, raw: &Raw<T>) -> ([T; 4], [T; 3]) {
+        let Raw { quaternion: labelled, scale, rates } = *raw;
         let (a, w) = (&self.attitude, &self.omega);
         let [qw, qx, qy, qz] =
             [dot4(&a[0], &labelled), dot4(&a[1], &labelled), dot4(&a[2], &labelled), dot4(&a[3], &labelled)];
-        // The norm is 1/√over; its last digits by 1/√n = (3 − n)/2 for n near 1.
-        let norm2 = over * ((qw * qw + qx * qx) + (qy * qy + qz * qz));
-        let k = over.map(f64::sqrt) * (T::splat(1.5) - T::splat(0.5) * norm2);
+        // The norm's last digits by 1/√n = (3 − n)/2 for n near 1.
+        let norm2 = (scale * scale) * ((qw * qw + qx * qx) + (qy * qy + qz * qz));
+        let k = scale * (T::splat(1.5) - T::splat(0.5) * norm2);
         ([qw * k, qx * k, qy * k, qz * k], [dot3(&w[0], &rates), dot3(&w[1], &rates), dot3(&w[2], &rates)])
     }
 }
@@ -168,20 +167,22 @@ impl<S: Family> Flow<f64, S> {
     /// The flow in other numbers: one body in every lane, or a body in each.
     pub(super) fn assembled<T: Real>(pick: &impl Fn(&dyn Fn(&Self) -> f64) -> T) -> Flow<T, S::Of<T>> {
         Flow {
-            precession: FineRate {
-                first: from_fn(|k| pick(&|f| f.precession.first[k])),
-                second: from_fn(|k| pick(&|f| f.precession.second[k])),
-                third: pick(&|f| f.precession.third),
-            },
-            polhode: Rate {
-                first: from_fn(|k| pick(&|f| f.polhode.first[k])),
-                second: pick(&|f| f.polhode.second),
-            },
+            precession: rate(&|get: &dyn Fn(&Rate<f64>) -> f64| pick(&|f: &Self| get(&f.precession))),
+            polhode: rate(&|get: &dyn Fn(&Rate<f64>) -> f64| pick(&|f: &Self| get(&f.polhode))),
             start: from_fn(|k| pick(&|f| f.start[k])),
+            direction: from_fn(|k| pick(&|f| f.direction[k])),
             omega: from_fn(|i| from_fn(|k| pick(&|f| f.omega[i][k]))),
             attitude: from_fn(|i| from_fn(|k| pick(&|f| f.attitude[i][k]))),
             series: S::assembled(&|get: &dyn Fn(&S) -> f64| pick(&|f: &Self| get(&f.series))),
         }
+    }
+}
+
+fn rate<T>(pick: &impl Fn(&dyn Fn(&Rate<f64>) -> f64) -> T) -> Rate<T> {
+    Rate {
+        first: from_fn(|k| pick(&|rate| rate.first[k])),
+        second: from_fn(|k| pick(&|rate| rate.second[k])),
+        third: pick(&|rate| rate.third),
     }
 }
 

@@ -10,7 +10,8 @@ use crate::math::real::{PI, Real};
 use crate::math::symmetric3::power_of_two_near;
 
 use super::elements::Elements;
-use super::flow::{Family, Point, Spinor};
+use super::flow::{Family, Point, Series};
+use super::phase::Phase;
 
 /// Coefficients of the theta functions in the complementary nome: constants of a motion.
 ///
@@ -18,10 +19,10 @@ use super::flow::{Family, Point, Spinor};
 /// W = Q/X, both between Q and 1, every term is a power of one of them times a power of Q. On the separatrix Q = 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Hyperbolic<T> {
-    /// 4πκ: from the phase in turns to 2y.
+    /// πκ: from quarter turns of z to 2y.
     stretch: T,
-    /// 2b/π: the part of the phase that goes with the pulse.
-    pub(super) bend: T,
+    /// ½ − 2b/π: the part of the phase that goes with the pulse.
+    bend: T,
     /// Q
     nome: T,
     /// cos aₙ and sin aₙ times Q^(n²), aₙ = (2n+1)(¼π − b): with powers of W.
@@ -33,7 +34,7 @@ pub(super) struct Hyperbolic<T> {
 }
 
 impl Hyperbolic<f64> {
-    /// The series, and where on them the motion starts: z/2π, turns.
+    /// The series, and where on them the motion starts: 2z/π, quarter turns.
     pub(super) fn of(elements: &Elements) -> (Self, [f64; 2]) {
         // The roles of m and 1 − m are exchanged.
         let landen = Landen::new(elements.m1().value(), elements.m.value());
@@ -50,19 +51,14 @@ impl Hyperbolic<f64> {
         let b = 0.5 * landen.angle(a3 / l, a1 / l);
         let angle = |n: usize| libm::sincos((2 * n + 1) as f64 * (0.25 * PI - b));
         let power = |n: usize| (0..n).fold(1.0, |p, _| p * nome);
-        let mut series = Self {
-            stretch: (Double::TAU * kappa).scaled(2.0).value(),
-            bend: 2.0 * b / PI,
+        let series = Self {
+            stretch: (Double::TAU * kappa).scaled(0.5).value(),
+            bend: 0.5 - 2.0 * b / PI,
             nome,
             rising: [from_fn(|n| power(n * n) * angle(n).1), from_fn(|n| power(n * n) * angle(n).0)],
             falling: [from_fn(|n| power(n * n + n) * angle(n).1), from_fn(|n| power(n * n + n) * angle(n).0)],
             squares: [squared, squared * squared, (squared * squared) * (squared * squared)],
         };
-        let Point { spinor, over, .. } = series.at(0.0);
-        let unit = (over * (spinor.alpha.norm2() + spinor.beta.norm2())).sqrt();
-        for coefficient in series.rising.iter_mut().flatten().chain(series.falling.iter_mut().flatten()) {
-            *coefficient /= unit;
-        }
         (series, start(elements, &landen, kappa))
     }
 }
@@ -79,7 +75,7 @@ fn mean(g: Double) -> Double {
     (a + g).scaled(0.5)
 }
 
-/// u0/4K, turns, from the nearer end of the quarter in which it lies.
+/// u0/K, quarter turns, from the nearer end of the quarter in which it lies.
 fn start(elements: &Elements, landen: &Landen, kappa: Double) -> [f64; 2] {
     let [c, s] = elements.start;
     let root = elements.k1;
@@ -87,14 +83,14 @@ fn start(elements: &Elements, landen: &Landen, kappa: Double) -> [f64; 2] {
     let near_zero = s.abs() * root.sqrt() <= c.abs();
     let (tangent_sine, tangent_cosine) = if near_zero { (s, c) } else { (c, root * s) };
     let y = argument(tangent_sine, tangent_cosine, landen);
-    let turns = y / (Double::TAU * kappa);
-    let turns = Double::sum(turns.high, turns.low);
+    let quarters = (y / (Double::TAU * kappa)).scaled(4.0);
+    let quarters = Double::sum(quarters.high, quarters.low);
     let start = match (near_zero, c.high < 0.0, s.high < 0.0) {
-        (true, false, _) => turns,
-        (true, true, _) => Double::from(0.5) + turns,
+        (true, false, _) => quarters,
+        (true, true, _) => Double::from(2.0) + quarters,
         // u = ±K − F(φ′), tan φ′ = cos / (k′ sin)
-        (false, _, false) => Double::from(0.25) - turns,
-        (false, _, true) => Double::from(-0.25) - turns,
+        (false, _, false) => Double::from(1.0) - quarters,
+        (false, _, true) => Double::from(-1.0) - quarters,
     };
     [start.high, start.low]
 }
@@ -118,9 +114,9 @@ impl Family for Hyperbolic<f64> {
 
     /// cn and dn are 1 at u = 0, sn at u = K.
     fn scale(&self) -> [f64; 3] {
-        let ([cn, _, dn], at_zero) = self.elliptic(1.0, self.nome, 1.0);
-        let ([_, sn, _], at_quarter) = self.elliptic(self.nome, 1.0, 1.0);
-        [1.0 / (cn * at_zero), 1.0 / (sn * at_quarter), 1.0 / (dn * at_zero)]
+        let ([cn, _, dn], at_zero) = self.elliptic(1.0, self.nome);
+        let ([_, sn, _], at_quarter) = self.elliptic(self.nome, 1.0);
+        [at_zero / cn, at_quarter / sn, at_zero / dn]
     }
 
     fn assembled<T: Real>(pick: &impl Fn(&dyn Fn(&Self) -> f64) -> T) -> Hyperbolic<T> {
@@ -135,43 +131,63 @@ impl Family for Hyperbolic<f64> {
     }
 }
 
-impl<T: Real> Hyperbolic<T> {
-    /// (α, β) but for the common phase, and cn, sn, dn, of z = 2πx, |x| ≤ ¼ turn.
+impl<T: Real> Series<T> for Hyperbolic<T> {
+    /// z = ½π (x + 2N), |x| ≤ 1: of an even number of quarter turns x is the rest, of an odd one the rest less its sign.
     #[inline(always)]
-    pub(super) fn at(&self, x: T) -> Point<T> {
-        let sign = x.map(|x| 1.0_f64.copysign(x));
-        let distance = sign * x;
+    fn place(&self, z: Phase<T>) -> ([T; 2], Option<T>) {
+        let x = z.rest.zip(
+            z.quarters,
+            |rest, quarters| if is_odd(quarters) { rest - 1.0_f64.copysign(rest) } else { rest },
+        );
+        ([z.quarters, z.rest], Some(self.bend * x))
+    }
+
+    #[inline(always)]
+    fn at(&self, [quarters, rest]: [T; 2]) -> Point<T> {
+        // the signs of x, and (−1)ᴺ
+        let sign = quarters
+            .zip(rest, |q, rest| if is_odd(q) { -1.0_f64.copysign(rest) } else { 1.0_f64.copysign(rest) });
+        let turned = quarters.zip(rest, |q, rest| {
+            if (q.to_bits() & 2 == 2) ^ (is_odd(q) & rest.is_sign_positive()) { -1.0 } else { 1.0 }
+        });
         // The exponential of the nearer end of the pulse; the other follows from X W = Q.
-        let nearer = distance.map(|d| if d <= 0.125 { d } else { 0.25 - d });
-        let nearer = exp_minus(self.stretch * nearer.map(|d| if d > 0.0 { d } else { 0.0 }));
-        let farther = self.nome.zip(nearer, |q, e| q / e);
-        let falling = distance.zip3(nearer, farther, |d, near, far| if d <= 0.125 { near } else { far });
-        let rising = distance.zip3(nearer, farther, |d, near, far| if d <= 0.125 { far } else { near });
-        let (theta, over) = self.elliptic(falling, rising, sign);
-        Point { spinor: self.spinor(falling, rising, sign), theta, over }
+        let near = exp_minus(self.stretch * rest.map(f64::abs));
+        let far = self.nome.zip(near, |q, e| q / e);
+        let falling = quarters.zip3(near, far, |q, near, far| if is_odd(q) { far } else { near });
+        let rising = quarters.zip3(near, far, |q, near, far| if is_odd(q) { near } else { far });
+        let ([cn, sn, dn], below) = self.elliptic(falling, rising);
+        Point {
+            f: self.attitude(falling, rising, sign),
+            theta: [turned * cn, (turned * sign) * sn, dn],
+            below,
+        }
     }
+}
 
-    /// θ₂ and θ₁ of ¼π − b + iy.
+#[inline(always)]
+fn is_odd(quarters: f64) -> bool {
+    quarters.to_bits() & 1 == 1
+}
+
+impl<T: Real> Hyperbolic<T> {
+    /// θ₂ of ¼π − b + iy.
     #[inline(always)]
-    fn spinor(&self, x: T, w: T, sign: T) -> Spinor<T> {
+    fn attitude(&self, x: T, w: T, sign: T) -> Complex<T> {
         let (w2, x2) = (w * w, x * x);
-        // Σ over even n and over odd n: θ₁ alternates.
-        let rising = |c: &[T; 4]| (c[0] + c[2] * w2, w * (c[1] + c[3] * w2));
-        let falling = |c: &[T; 3]| (x * (c[0] + c[2] * x2), x2 * c[1]);
-        let [(rc0, rc1), (rs0, rs1)] = [rising(&self.rising[0]), rising(&self.rising[1])];
-        let [(fc0, fc1), (fs0, fs1)] = [falling(&self.falling[0]), falling(&self.falling[1])];
-        // cos(a + iy) = cos a cosh y − i sin a sinh y,  sin(a + iy) = sin a cosh y + i cos a sinh y
-        let theta2 = Complex { re: (rc0 + rc1) + (fc0 + fc1), im: sign * ((fs0 + fs1) - (rs0 + rs1)) };
-        let theta1 = Complex { re: (rs0 - rs1) + (fs0 - fs1), im: sign * ((rc0 - rc1) - (fc0 - fc1)) };
-        Spinor { alpha: theta2, beta: theta1 }
+        let [rising_cos, rising_sin] = &self.rising;
+        let [falling_cos, falling_sin] = &self.falling;
+        // cos(a + iy) = cos a cosh y − i sin a sinh y
+        Complex {
+            re: rising(rising_cos, w, w2) + falling(falling_cos, x, x2),
+            im: sign * (falling(falling_sin, x, x2) - rising(rising_sin, w, w2)),
+        }
     }
 
-    /// θ₄, θ₁/i, θ₃ and 1/θ₂ of 2iy, nome q′ = Q², of which cn, sn, dn are quotients but for constants. The norm of the
-    /// spinor is √θ₂, too.
+    /// θ₄, |θ₁|, θ₃ and θ₂ of 2iy, nome q′ = Q²: cn, sn, dn are quotients of the first three and the last but for constants.
     ///
     /// cn, dn ∝ (1 ∓ 2q′ cosh 4y + …) / (cosh 2y + q′² cosh 6y + …), sn ∝ (sinh 2y − q′² sinh 6y + …) / (…)
     #[inline(always)]
-    fn elliptic(&self, x: T, w: T, sign: T) -> ([T; 3], T) {
+    fn elliptic(&self, x: T, w: T) -> ([T; 3], T) {
         let [q1, q2, q4] = self.squares;
         let (v, u) = (w * w, x * x); // e^4|y| q′ and e^−4|y|
         let one = T::splat(1.0);
@@ -179,7 +195,16 @@ impl<T: Real> Hyperbolic<T> {
         let below = ((one + u) + q4 * v2) + q1 * (v + q1 * u2);
         let odd = ((one - u) + q4 * v2) - q1 * (v - q1 * u2);
         let (even, uneven) = (one + (q2 * v2 + q4 * u2), v + q1 * u);
-        let over = below.map(|b| 1.0 / b);
-        ([x * (even - uneven), sign * odd, x * (even + uneven)], over)
+        ([x * (even - uneven), odd, x * (even + uneven)], below)
     }
+}
+
+#[inline(always)]
+fn rising<T: Real>(c: &[T; 4], w: T, w2: T) -> T {
+    (c[0] + c[2] * w2) + w * (c[1] + c[3] * w2)
+}
+
+#[inline(always)]
+fn falling<T: Real>(c: &[T; 3], x: T, x2: T) -> T {
+    x * (c[0] + c[2] * x2) + x2 * c[1]
 }

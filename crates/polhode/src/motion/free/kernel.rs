@@ -1,14 +1,15 @@
 //! The evaluation of one motion: its flow, with the series that is short.
 
 use crate::math::rotation::{Attitude, Rotation};
+use crate::math::triple::Triple;
 use crate::math::vector::Vector;
 use crate::motion::state::State;
 
 use super::elements::Elements;
-use super::flow::{Family, Flow};
+use super::flow::{Family, Flow, Raw};
 use super::hyperbolic::Hyperbolic;
 use super::labelled::Labelled;
-use super::phase::{Elapsed, FineRate, Rate};
+use super::phase::{Elapsed, Rate};
 use super::trigonometric::Trigonometric;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,13 +33,11 @@ impl Kernel {
         }
     }
 
-    /// The state at a time; `whole` if `elapsed` has one word.
-    pub(super) fn at(&self, time: f64, elapsed: &Elapsed<f64>, whole: bool) -> State {
-        let (q, omega) = match (self, whole) {
-            (Self::Trigonometric(flow), true) => flow.state(&flow.turned::<true>(elapsed)),
-            (Self::Trigonometric(flow), false) => flow.state(&flow.turned::<false>(elapsed)),
-            (Self::Hyperbolic(flow), true) => flow.state(&flow.turned::<true>(elapsed)),
-            (Self::Hyperbolic(flow), false) => flow.state(&flow.turned::<false>(elapsed)),
+    /// The state at a time; `WHOLE` if `elapsed` has one word.
+    pub(super) fn at<const WHOLE: bool>(&self, time: f64, elapsed: &Elapsed<f64>) -> State {
+        let (q, omega) = match self {
+            Self::Trigonometric(flow) => flow.state(&flow.raw(&flow.turned(&flow.phases::<WHOLE>(elapsed)))),
+            Self::Hyperbolic(flow) => flow.state(&flow.raw(&flow.turned(&flow.phases::<WHOLE>(elapsed)))),
         };
         State { time, attitude: Rotation::from_unit(q), omega: Vector::from_array(omega) }
     }
@@ -53,25 +52,31 @@ impl<S: Family> Flow<f64, S> {
         start: [f64; 2],
         attitude: Attitude,
     ) -> Self {
-        let turns = elements.lambda / elements.quarter.scaled(4.0);
+        let polhode = elements.lambda / elements.quarter;
         let scale = series.scale();
         let omega = [0, 1, 2].map(|row| {
             [0, 1, 2].map(|k| elements.rates[k].value() * unit * scale[k] * labelled.axes[k][row])
         });
+        let towards = elements.direction();
         let mut flow = Self {
-            precession: FineRate::new(elements.half_precession.0),
-            polhode: Rate::new([turns.high, turns.low]),
+            precession: Rate::new(
+                (elements.half_precession.scaled(4.0) - Triple::from(polhode.scaled(0.5))).0,
+            ),
+            polhode: Rate::new([polhode.high, polhode.low, 0.0]),
             start,
+            direction: [0, 1, 2].map(|k| towards[k] * scale[k]),
             omega,
-            attitude: matrix_of(|q| q),
+            attitude: [[0.0; 4]; 4],
             series,
         };
-        // attitude(t) = attitude(0) · P · q(0)⁻¹ · q(t) · P⁻¹, P the labelled axes in the body
+        // attitude(t) = attitude(0) · P · q(0)⁻¹ · q(t) · P⁻¹, P the labelled axes in the body; |q| scale is constant
         let labels = labelled.rotation();
-        let (q, _) = flow.state(&flow.turned::<true>(&Elapsed::new(0.0, 0.0)));
+        let Raw { quaternion: q, scale, .. } = flow.raw(&flow.turned(&flow.phases::<true>(&Elapsed::none())));
+        let norm2 = (q[0] * q[0] + q[1] * q[1]) + (q[2] * q[2] + q[3] * q[3]);
+        let unit = 1.0 / (norm2 * scale);
         let left = quaternion_product(
             quaternion_product(attitude.quaternion(), labels.quaternion()),
-            [q[0], -q[1], -q[2], -q[3]],
+            [q[0] * unit, -q[1] * unit, -q[2] * unit, -q[3] * unit],
         );
         let right = labels.inverse().quaternion();
         flow.attitude = matrix_of(|q| quaternion_product(quaternion_product(left, q), right));

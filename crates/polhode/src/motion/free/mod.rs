@@ -5,6 +5,7 @@
 //! rates without cancellation (`elements.rs`), phases that lose no digit over 10⁹ periods (`phase.rs`).
 
 mod axes;
+mod block;
 mod constants;
 mod elements;
 mod fleet;
@@ -170,12 +171,16 @@ impl FreeMotion {
         if time == self.start.time {
             return self.start;
         }
-        self.kernel.at(time, &self.elapsed(time), self.start.time == 0.0)
+        if self.start.time == 0.0 {
+            self.kernel.at::<true>(time, &self.elapsed::<true, f64>(time))
+        } else {
+            self.kernel.at::<false>(time, &self.elapsed::<false, f64>(time))
+        }
     }
 
     #[inline(always)]
-    fn elapsed<T: Real>(&self, time: T) -> Elapsed<T> {
-        Elapsed::since(T::splat(self.start.time), time, T::splat(self.unit))
+    fn elapsed<const WHOLE: bool, T: Real>(&self, time: T) -> Elapsed<T> {
+        Elapsed::since::<WHOLE>(T::splat(self.start.time), time, T::splat(self.unit))
     }
 
     /// dω/dt in the body at one of the motion's states, rad/s²: i1 ω̇1 = (i2 − i3) ω2 ω3 and so on.

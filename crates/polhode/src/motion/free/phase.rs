@@ -1,54 +1,70 @@
 //! Angles that grow linearly with time, reduced without losing a digit.
 
+use crate::math::elementary::split;
 use crate::math::real::Real;
 use crate::math::sum::{halves, two_product_of_halves, two_sum};
 
-/// f in turns per unit of time, in two words: after 10⁹ turns the error is below 10⁻²² of one.
+/// f in quarter turns per unit of time, in three words: of a sphere or a permanent rotation the error is still below 10⁻²² of a
+/// turn after 10²⁴ of them; of other bodies f itself is known to 10⁻³¹ of their wobble.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Rate<T> {
-    /// The first word and its halves.
-    pub(super) first: [T; 3],
-    pub(super) second: T,
-}
-
-/// f in three words: of a sphere or a permanent rotation the error is still below 10⁻²² of a turn after 10²⁴ of them; of other
-/// bodies f itself is known to 10⁻³¹ of their wobble.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct FineRate<T> {
     /// The first two words and their halves.
     pub(super) first: [T; 3],
     pub(super) second: [T; 3],
     pub(super) third: T,
 }
 
-/// A time in two words, the difference of two times; the first also in halves.
+/// A time in two words, the difference of two times.
 ///
 /// Where the second word is known to be zero, as from a start at t = 0, `WHOLE` leaves out what would only add zeros: the
 /// same bits in less time.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Elapsed<T> {
-    high: [T; 3],
+    high: T,
     low: T,
 }
 
+/// An angle: a whole number of quarter turns, and the rest.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Phase<T> {
+    /// The whole number, modulo 4, in the last two bits.
+    pub(super) quarters: T,
+    /// Quarter turns, within ½ but for the last digits.
+    pub(super) rest: T,
+}
+
 impl<T: Real> Elapsed<T> {
+    /// time − start, exactly, times `unit`, a power of two.
     #[inline(always)]
-    pub(super) fn new(high: T, low: T) -> Self {
-        Self { high: with_halves(high), low }
+    pub(super) fn since<const WHOLE: bool>(start: T, time: T, unit: T) -> Self {
+        let (high, low) = if WHOLE { (time, T::splat(0.0)) } else { two_sum(time, -start) };
+        Self { high: high * unit, low: low * unit }
     }
 
-    /// time − start, exactly, times `unit`, a power of two. A span too long for any digit of its phase counts as none.
     #[inline(always)]
-    pub(super) fn since(start: T, time: T, unit: T) -> Self {
-        let (high, low) = two_sum(time, -start);
+    pub(super) fn none() -> Self {
+        Self { high: T::splat(0.0), low: T::splat(0.0) }
+    }
+
+    /// A span too long for any digit of its phase counts as none.
+    fn within_reach(&self) -> Self {
         let within = |span: f64, word: f64| if span.abs() < LONGEST { word } else { 0.0 };
-        let (high, low) = (high * unit, low * unit);
-        Self::new(high.zip(high, within), high.zip(low, within))
+        Self { high: self.high.zip(self.high, within), low: self.high.zip(self.low, within) }
     }
 }
 
 /// A phase has long lost its digits here, and no product overflows yet.
 const LONGEST: f64 = 1e280;
+
+impl<T: Real> Phase<T> {
+    /// + an angle of at most ½ quarter turn.
+    #[inline(always)]
+    pub(super) fn plus(self, angle: T) -> Self {
+        let sum = self.rest + angle;
+        let (_, whole) = split(sum);
+        Self { quarters: self.quarters + whole, rest: sum - whole }
+    }
+}
 
 #[inline(always)]
 fn with_halves<T: Real>(a: T) -> [T; 3] {
@@ -57,49 +73,67 @@ fn with_halves<T: Real>(a: T) -> [T; 3] {
 }
 
 impl Rate<f64> {
-    pub(super) fn new([first, second]: [f64; 2]) -> Self {
-        Self { first: with_halves(first), second }
-    }
-}
-
-impl FineRate<f64> {
     pub(super) fn new([first, second, third]: [f64; 3]) -> Self {
         Self { first: with_halves(first), second: with_halves(second), third }
     }
 }
 
 impl<T: Real> Rate<T> {
-    /// start + f t modulo two turns, in two words.
+    /// f t.
     #[inline(always)]
-    pub(super) fn turns<const WHOLE: bool>(&self, t: &Elapsed<T>, start: [T; 2]) -> (T, T) {
-        // The first product and its error may both be many turns.
-        let (p0, e0) = two_product_of_halves(t.high, self.first);
-        let mut rest = t.high[0] * self.second;
+    pub(super) fn phase<const WHOLE: bool>(&self, t: &Elapsed<T>) -> Phase<T> {
+        let (high, low) = self.quarters::<WHOLE>(t);
+        let (quarters, whole) = split(high);
+        Phase { quarters, rest: (high - whole) + low }
+    }
+
+    /// start + f t; the start within a turn.
+    #[inline(always)]
+    pub(super) fn phase_from<const WHOLE: bool>(&self, t: &Elapsed<T>, start: [T; 2]) -> Phase<T> {
+        let (high, low) = self.quarters::<WHOLE>(t);
+        let (s, r) = two_sum(high, start[0]);
+        let (quarters, whole) = split(s);
+        Phase { quarters, rest: (s - whole) + ((r + start[1]) + low) }
+    }
+
+    /// f t but for whole turns, in quarters, in two words of which the second is small.
+    #[inline(always)]
+    fn quarters<const WHOLE: bool>(&self, t: &Elapsed<T>) -> (T, T) {
+        // Of the third word and of the second product's error nothing would be seen.
+        let (p0, e0) = two_product_of_halves(with_halves(t.high), self.first);
+        let mut low = e0 + t.high * self.second[0];
         if !WHOLE {
-            rest = rest + t.low * self.first[0];
+            low = low + t.low * self.first[0];
         }
-        let (s, r0) = two_sum(p0.modulo_two(), start[0]);
-        two_sum(s, (r0 + start[1]) + (e0 + rest).modulo_two())
+        if p0.all(low, is_short) { (p0, low) } else { self.of_long_times(t, p0, low) }
+    }
+
+    /// The same after more than some 10⁹ turns, when each product and its error are many turns of their own.
+    #[cold]
+    fn of_long_times(&self, t: &Elapsed<T>, short_high: T, short_low: T) -> (T, T) {
+        let t = t.within_reach();
+        let (p0, e0) = two_product_of_halves(with_halves(t.high), self.first);
+        let (p1, e1) = two_product_of_halves(with_halves(t.high), self.second);
+        let (p2, e2) = two_product_of_halves(with_halves(t.low), self.first);
+        let rest = (e1 + e2) + (t.high * self.third + t.low * self.second[0]);
+        let (s, r0) = two_sum(modulo_turn(p0), modulo_turn(e0));
+        let (s, r1) = two_sum(s, modulo_turn(p1));
+        let (s, r2) = two_sum(s, modulo_turn(p2));
+        let (high, low) = two_sum(s, (r0 + r1 + r2) + modulo_turn(rest));
+        let short = short_high.zip(short_low, |high, low| if is_short(high, low) { 1.0 } else { 0.0 });
+        let choose = |is_short: f64, short: f64, long: f64| if is_short == 1.0 { short } else { long };
+        (short.zip3(short_high, high, choose), short.zip3(short_low, low, choose))
     }
 }
 
-impl<T: Real> FineRate<T> {
-    /// f t modulo two turns, in two words.
-    #[inline(always)]
-    pub(super) fn turns<const WHOLE: bool>(&self, t: &Elapsed<T>) -> (T, T) {
-        let (p0, e0) = two_product_of_halves(t.high, self.first);
-        let (p1, e1) = two_product_of_halves(t.high, self.second);
-        let mut rest = e1 + t.high[0] * self.third;
-        let (s, r0) = two_sum(p0.modulo_two(), e0.modulo_two());
-        let (mut s, r1) = two_sum(s, p1.modulo_two());
-        let mut low = r0 + r1;
-        if !WHOLE {
-            // of the time's second word, too, the product may be many turns
-            let (p2, e2) = two_product_of_halves(with_halves(t.low), self.first);
-            let (sum, r2) = two_sum(s, p2.modulo_two());
-            (s, low) = (sum, low + r2);
-            rest = rest + (e2 + t.low * self.second[0]);
-        }
-        two_sum(s, low + rest.modulo_two())
-    }
+/// True below some 10⁹ turns. What is too large for its digits, or no number, is not short.
+#[inline(always)]
+fn is_short(high: f64, low: f64) -> bool {
+    high.abs() <= 8_589_934_592.0 && low.abs() <= 1.0 / 262_144.0
+}
+
+/// x modulo 4, nearest to zero: exact.
+#[inline(always)]
+fn modulo_turn<T: Real>(x: T) -> T {
+    x - T::splat(4.0) * (T::splat(0.25) * x).nearest()
 }

@@ -4,56 +4,42 @@ use core::array::from_fn;
 
 use crate::math::complex::Complex;
 use crate::math::double::Double;
-use crate::math::elementary::sin_cos_eighth;
+use crate::math::elementary::sin_cos_quarters;
 use crate::math::landen::Landen;
 use crate::math::real::{PI, Real};
 
 use super::elements::Elements;
-use super::flow::{Family, Point, Spinor};
+use super::flow::{Family, Point, Series};
+use super::phase::Phase;
 
-/// Coefficients of the theta functions at z, for |z| ≤ ½π: constants of a motion.
+/// Coefficients of the theta functions at z: constants of a motion.
 ///
-/// With the nome q and Y = e^−w̄, √q ≤ Y ≤ 1 (Y → tan ½θ of a symmetric body's nutation θ):
+/// With the nome q and Y = e^−w̄, √q ≤ Y ≤ 1 (Y → tan ½θ of a symmetric body's nutation θ), f = θ₄(z − iw | q²) is
 ///
-/// α = Σ ± q^(j(j−1)/2) (q/Y)ʲ e^−i(2j+1)z/2 over even j ± q^(j(j+1)/2) Yʲ⁺¹ e^+i(2j+1)z/2 over odd j, and β the same with even and odd
-/// exchanged and z reversed; signs + − − +.
+/// f = 1 + Σ (−1)ⁿ q^(2n²−n) (Y²ⁿ e^2inz + (q/Y)²ⁿ e^−2inz),  n = 1, 2, 3
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Trigonometric<T> {
-    /// ± q^(j(j−1)/2) (q/Y)ʲ
-    near: [T; TERMS],
-    /// ± q^(j(j+1)/2) Yʲ⁺¹
-    far: [T; TERMS],
+    /// Re f as a polynomial of 2 cos 2z.
+    real: [T; 4],
+    /// Im f / sin 2z as a polynomial of 2 cos 2z.
+    imaginary: [T; 3],
     /// θ₂/cos z and θ₁/sin z without 2q^(1/4), as polynomials of ±2 cos 2z.
     odd: [T; 5],
     /// θ₃ and θ₄ as polynomials of ±2 cos 2z.
     even: [T; 5],
 }
 
-/// Terms down to 10⁻¹⁷ where the nome is 0.2, its largest here.
-const TERMS: usize = 8;
-
 impl Trigonometric<f64> {
-    /// The series, and where on them the motion starts: z/2π, turns.
+    /// The series, and where on them the motion starts: 2z/π, quarter turns.
     pub(super) fn of(elements: &Elements) -> (Self, [f64; 2]) {
         let landen = Landen::new(elements.m.value(), elements.m1().value());
         let q = landen.nome();
         let y = half_nutation(elements, &landen);
-        let ratio = if y == 0.0 { 0.0 } else { q / y };
-        let signs = [1.0, -1.0, -1.0, 1.0];
-        let triangle = |j: usize| power(q, j * (j + 1) / 2);
-        let mut series = Self {
-            near: from_fn(|j| signs[j % 4] * power(ratio, j) * if j == 0 { 1.0 } else { triangle(j - 1) }),
-            far: from_fn(|j| signs[j % 4] * triangle(j) * power(y, j + 1)),
-            odd: odd_polynomial(q),
-            even: even_polynomial(q),
-        };
-        let Point { spinor, over, .. } = series.at(0.0);
-        let unit = (over * (spinor.alpha.norm2() + spinor.beta.norm2())).sqrt();
-        for coefficient in series.near.iter_mut().chain(&mut series.far) {
-            *coefficient /= unit;
-        }
+        let (real, imaginary) =
+            attitude_polynomials(q, y * y, if y == 0.0 { 0.0 } else { (q / y) * (q / y) });
+        let series = Self { real, imaginary, odd: odd_polynomial(q), even: even_polynomial(q) };
         let [c, s] = elements.start.map(Double::value);
-        (series, [landen.angle(s, c) / (2.0 * PI), 0.0])
+        (series, [landen.angle(s, c) * (2.0 / PI), 0.0])
     }
 }
 
@@ -74,6 +60,19 @@ fn half_nutation(elements: &Elements, landen: &Landen) -> f64 {
     let root = (1.0 + minus_n).sqrt();
     let correction = landen.hyperbolic_correction(1.0 / root, minus_n / (1.0 + minus_n));
     landen.nome().sqrt() * (1.0 + root) / minus_n.sqrt() * libm::exp(-correction)
+}
+
+/// Re f and Im f / sin 2z, to q¹⁵: with f = 1 + Σ (fₙ e^2inz + gₙ e^−2inz),
+///
+/// Re f = 1 + Σ (fₙ + gₙ) cos 2nz,  Im f = Σ (fₙ − gₙ) sin 2nz,  fₙ = (−1)ⁿ q^(2n²−n) Y²ⁿ,  gₙ = (−1)ⁿ q^(2n²−n) (q/Y)²ⁿ
+fn attitude_polynomials(q: f64, y2: f64, x2: f64) -> ([f64; 4], [f64; 3]) {
+    let [a, b, c] = [1, 2, 3].map(|n| power(-1.0, n) * power(q, n * (2 * n - 1)));
+    let [f1, f2, f3] = [a * y2, b * y2 * y2, c * y2 * y2 * y2];
+    let [g1, g2, g3] = [a * x2, b * x2 * x2, c * x2 * x2 * x2];
+    // cos 4z = ½C² − 1, cos 6z = ½C³ − 1½C; sin 4z = C sin 2z, sin 6z = (C² − 1) sin 2z
+    let [s1, s2, s3] = [f1 + g1, f2 + g2, f3 + g3];
+    let [d1, d2, d3] = [f1 - g1, f2 - g2, f3 - g3];
+    ([1.0 - s2, 0.5 * (s1 - 3.0 * s3), 0.5 * s2, 0.5 * s3], [d1 - d3, d2, d3])
 }
 
 /// 1 + q² (C − 1) + q⁶ (C² − C − 1) + q¹² (C³ − C² − 2C + 1) + q²⁰ (C⁴ − C³ − 3C² + 2C + 1), C = 2 cos 2z: the sum of
@@ -98,62 +97,53 @@ impl Family for Trigonometric<f64> {
 
     /// cn and dn are 1 at u = 0, sn at u = K.
     fn scale(&self) -> [f64; 3] {
-        let ([cn, _, dn], at_zero) = self.elliptic([1.0, 0.0]);
-        let ([_, sn, _], at_quarter) = self.elliptic([0.0, 1.0]);
-        [1.0 / (cn * at_zero), 1.0 / (sn * at_quarter), 1.0 / (dn * at_zero)]
+        let Point { theta: [cn, _, dn], below: at_zero, .. } = self.at([1.0, 0.0]);
+        let Point { theta: [_, sn, _], below: at_quarter, .. } = self.at([0.0, 1.0]);
+        [at_zero / cn, at_quarter / sn, at_zero / dn]
     }
 
     fn assembled<T: Real>(pick: &impl Fn(&dyn Fn(&Self) -> f64) -> T) -> Trigonometric<T> {
         Trigonometric {
-            near: from_fn(|k| pick(&|s| s.near[k])),
-            far: from_fn(|k| pick(&|s| s.far[k])),
+            real: from_fn(|k| pick(&|s| s.real[k])),
+            imaginary: from_fn(|k| pick(&|s| s.imaginary[k])),
             odd: from_fn(|k| pick(&|s| s.odd[k])),
             even: from_fn(|k| pick(&|s| s.even[k])),
         }
     }
 }
 
-impl<T: Real> Trigonometric<T> {
-    /// (α, β) but for the common phase, and cn, sn, dn, of z = 2πx, |x| ≤ ¼ turn.
+impl<T: Real> Series<T> for Trigonometric<T> {
+    /// (cos z, sin z)
     #[inline(always)]
-    pub(super) fn at(&self, x: T) -> Point<T> {
-        let (s, c) = sin_cos_eighth(T::splat(PI) * x);
-        let u = Complex { re: c, im: s }; // e^iz/2
-        let u2 = u.square();
-        let u3 = u2.times(u);
-        let step = u2.square(); // e^2iz
-        let (near_even, near_odd) = split_series(&self.near, step.conjugate());
-        let (far_even, far_odd) = split_series(&self.far, step);
-        let spinor = Spinor {
-            alpha: u.conjugate().times(near_even).sum(u3.times(far_odd)),
-            beta: u.times(far_even).sum(u3.conjugate().times(near_odd)),
-        };
-        let (theta, over) = self.elliptic([u2.re, u2.im]);
-        Point { spinor, theta, over }
+    fn place(&self, z: Phase<T>) -> ([T; 2], Option<T>) {
+        let (sin, cos) = sin_cos_quarters(z.quarters, z.rest);
+        ([cos, sin], None)
     }
 
-    /// θ₂, θ₁, θ₃ and 1/θ₄, of which cn, sn, dn are quotients but for constants, from cos z and sin z. The norm of the spinor
-    /// is √θ₄, too.
-    ///
-    /// θ₂ ∝ cos z + q² cos 3z + q⁶ cos 5z …, θ₁ ∝ sin z − q² sin 3z …, θ₃, θ₄ = 1 ± 2q cos 2z + 2q⁴ cos 4z ± …
+    /// θ₂ ∝ cos z + q² cos 3z + q⁶ cos 5z …, θ₁ ∝ sin z − q² sin 3z …, θ₃, θ₄ = 1 ± 2q cos 2z + 2q⁴ cos 4z ± …: of which cn,
+    /// sn, dn are quotients but for constants.
     #[inline(always)]
-    fn elliptic(&self, [cos, sin]: [T; 2]) -> ([T; 3], T) {
-        let c = T::splat(2.0) * (cos * cos - sin * sin); // 2 cos 2z
+    fn at(&self, [cos, sin]: [T; 2]) -> Point<T> {
+        let product = cos * sin;
+        let (c, s) = (T::splat(2.0) * (cos * cos - sin * sin), product + product); // 2 cos 2z, sin 2z
         let c2 = c * c;
-        // the parts even and odd in c
-        let parts = |p: &[T; 5]| (p[0] + c2 * (p[2] + c2 * p[4]), c * (p[1] + c2 * p[3]));
-        let (plain, alternating) = parts(&self.odd);
-        let (even, odd) = parts(&self.even);
-        let over = (even - odd).map(|theta4| 1.0 / theta4);
-        ([cos * (plain + alternating), sin * (plain - alternating), even + odd], over)
+        let (re, im) = (&self.real, &self.imaginary);
+        let f = Complex {
+            re: (re[0] + c * re[1]) + c2 * (re[2] + c * re[3]),
+            im: s * ((im[0] + c * im[1]) + c2 * im[2]),
+        };
+        let (plain, alternating) = parts(&self.odd, c, c2);
+        let (even, odd) = parts(&self.even, c, c2);
+        Point {
+            f,
+            theta: [cos * (plain + alternating), sin * (plain - alternating), even + odd],
+            below: even - odd,
+        }
     }
 }
 
-/// Σ c₂ₖ xᵏ and Σ c₂ₖ₊₁ xᵏ, k = 0 … 3.
+/// Those even and odd in c of a polynomial.
 #[inline(always)]
-fn split_series<T: Real>(c: &[T; TERMS], x: Complex<T>) -> (Complex<T>, Complex<T>) {
-    let x2 = x.square();
-    let even = x.scaled(c[6]).plus(c[4]).times(x2).sum(x.scaled(c[2]).plus(c[0]));
-    let odd = x.scaled(c[7]).plus(c[5]).times(x2).sum(x.scaled(c[3]).plus(c[1]));
-    (even, odd)
+fn parts<T: Real>(p: &[T; 5], c: T, c2: T) -> (T, T) {
+    (p[0] + c2 * (p[2] + c2 * p[4]), c * (p[1] + c2 * p[3]))
 }

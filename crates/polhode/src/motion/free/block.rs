@@ -1,0 +1,94 @@
+//! States side by side, in the lanes of vectors: from their times to rows in stages.
+
+use crate::math::lanes::Lanes;
+use crate::math::rotation::Rotation;
+use crate::math::vector::Vector;
+use crate::motion::state::State;
+
+use super::flow::{Flow, Phases, Raw, Series, Turned};
+use super::phase::Elapsed;
+
+/// States in a vector: one of AVX-512, two of AVX2.
+pub(super) const WIDTH: usize = 8;
+
+/// Vectors in a block: their numbers stay in the nearest memory from stage to stage.
+pub(super) const GROUPS: usize = 8;
+
+pub(super) type Vectors = Lanes<WIDTH>;
+
+/// The stages of some vectors of states. Each is a loop of its own, so short that the processor is in several of its turns at once: in
+/// one long loop it would wait, as every number of a state waits for the one before.
+pub(super) struct Block {
+    phases: [Phases<Vectors>; GROUPS],
+    turned: [Turned<Vectors>; GROUPS],
+    raw: [Raw<Vectors>; GROUPS],
+    attitude: [[Vectors; 4]; GROUPS],
+    omega: [[Vectors; 3]; GROUPS],
+}
+
+impl Block {
+    pub(super) fn new() -> Self {
+        let zero = Lanes([0.0; WIDTH]);
+        Self {
+            phases: [Phases::of(zero); GROUPS],
+            turned: [Turned::of(zero); GROUPS],
+            raw: [Raw::of(zero); GROUPS],
+            attitude: [[zero; 4]; GROUPS],
+            omega: [[zero; 3]; GROUPS],
+        }
+    }
+
+    /// The states of so many groups, each of its flow after its time.
+    #[inline(always)]
+    pub(super) fn compute<'a, const WHOLE: bool, S: Series<Vectors> + 'a>(
+        &mut self,
+        groups: usize,
+        flow: impl Fn(usize) -> &'a Flow<Vectors, S>,
+        elapsed: impl Fn(usize) -> Elapsed<Vectors>,
+    ) {
+        for (g, phases) in self.phases.iter_mut().enumerate().take(groups) {
+            *phases = flow(one(g)).phases::<WHOLE>(&elapsed(g));
+        }
+        for (g, turned) in self.turned.iter_mut().enumerate().take(groups) {
+            *turned = flow(one(g)).turned(&self.phases[g]);
+        }
+        for (g, raw) in self.raw.iter_mut().enumerate().take(groups) {
+            *raw = flow(one(g)).raw(&self.turned[g]);
+        }
+        for (g, raw) in self.raw.iter().enumerate().take(groups) {
+            (self.attitude[g], self.omega[g]) = flow(one(g)).state(raw);
+        }
+    }
+
+    /// One of the states.
+    #[inline(always)]
+    pub(super) fn state(&self, group: usize, lane: usize, time: f64) -> State {
+        let ([qw, qx, qy, qz], [wx, wy, wz]) = (&self.attitude[group], &self.omega[group]);
+        State {
+            time,
+            attitude: Rotation::from_unit([qw.0[lane], qx.0[lane], qy.0[lane], qz.0[lane]]),
+            omega: Vector::new(wx.0[lane], wy.0[lane], wz.0[lane]),
+        }
+    }
+}
+
+/// The group itself. The compiler is not to see that the next is beside it, or it makes vectors across groups, lane by lane.
+#[inline(always)]
+fn one(group: usize) -> usize {
+    core::hint::black_box(());
+    group
+}
+
+/// Runs the loop compiled for the widest vectors of this machine.
+#[cfg(feature = "simd")]
+pub(super) fn in_widest_vectors(work: impl FnOnce()) {
+    use fearless_simd::{Level, Simd as _, dispatch};
+    dispatch!(Level::new(), simd => simd.vectorize(
+        work
+    ));
+}
+
+#[cfg(not(feature = "simd"))]
+pub(super) fn in_widest_vectors(work: impl FnOnce()) {
+    work();
+}

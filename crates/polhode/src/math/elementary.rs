@@ -65,33 +65,26 @@ pub(crate) fn sin_cos_quarters<T: Real>(quarters: T, rest: T) -> (T, T) {
     (sin, cos)
 }
 
-/// e^−x for x ≥ 0; beyond 700 as at 700, which is nothing.
+/// e^−x and e^x for 0 ≤ x; beyond 700 as at 700.
 #[inline(always)]
-pub(crate) fn exp_minus<T: Real>(x: T) -> T {
-    // x = k ln 2 − r, |r| ≤ ½ ln 2;  e^−x = 2^−k e^r
+pub(crate) fn exp_both<T: Real>(x: T) -> (T, T) {
+    // x = k ln 2 + r, |r| ≤ ½ ln 2
     let x = x.map(|x| if x < 700.0 { x } else { 700.0 });
-    let k = (x * T::splat(core::f64::consts::LOG2_E)).nearest();
+    let (bits, k) = split(x * T::splat(core::f64::consts::LOG2_E));
     // ln 2 in two words, the first short enough for k of 11 bits
-    let r = (k * T::splat(6.931_471_803_691_238e-1) - x) + k * T::splat(1.908_214_929_270_587_7e-10);
-    // Σ rⁿ/n!
-    let series = [
-        0.5,
-        1.0 / 6.0,
-        1.0 / 24.0,
-        1.0 / 120.0,
-        1.0 / 720.0,
-        1.0 / 5040.0,
-        1.0 / 40_320.0,
-        1.0 / 362_880.0,
-        1.0 / 3_628_800.0,
-        1.0 / 39_916_800.0,
-        1.0 / 479_001_600.0,
-        1.0 / 6_227_020_800.0,
-    ];
-    let e = T::splat(1.0) + (r + r * r * polynomial(r, series));
-    // 2^−k: the low bits of 1.5·2⁵² + (1023 − k) are the exponent's
-    let power = k.map(|k| f64::from_bits((SHIFT + (1023.0 - k)).to_bits() << 52));
-    e * power
+    let r = (x - k * T::splat(6.931_471_803_691_238e-1)) - k * T::splat(1.908_214_929_270_587_7e-10);
+    let z = r * r;
+    // cosh r − 1 and sinh r, Σ rⁿ/n! over even and over odd n
+    let even = [1.0 / 2.0, 1.0 / 24.0, 1.0 / 720.0, 1.0 / 40_320.0, 1.0 / 3_628_800.0, 1.0 / 479_001_600.0];
+    let odd =
+        [1.0 / 6.0, 1.0 / 120.0, 1.0 / 5040.0, 1.0 / 362_880.0, 1.0 / 39_916_800.0, 1.0 / 6_227_020_800.0];
+    let cosh = z * polynomial(z, even);
+    let sinh = r + r * z * polynomial(z, odd);
+    // 2^±k: the low bits of `bits` are k, and those of 1023 ± k the exponent's
+    let fall = bits.map(|bits| f64::from_bits(1023_u64.wrapping_sub(bits.to_bits()) << 52));
+    let rise = bits.map(|bits| f64::from_bits(1023_u64.wrapping_add(bits.to_bits()) << 52));
+    let one = T::splat(1.0);
+    ((one + (cosh - sinh)) * fall, (one + (cosh + sinh)) * rise)
 }
 
 #[cfg(test)]
@@ -111,7 +104,9 @@ mod tests {
             let tolerance = 3e-16 + 4.5e-16 * 2.0 * PI * x.abs();
             assert!((s - s0).abs() < tolerance && (c - c0).abs() < tolerance, "{x}");
             let y = x.abs() * 300.0;
-            assert!((exp_minus(y) / libm::exp(-y) - 1.0).abs() < 2.0 * f64::EPSILON, "{y}");
+            let (fall, rise) = exp_both(y.min(699.0));
+            assert!((fall / libm::exp(-y.min(699.0)) - 1.0).abs() < 2.0 * f64::EPSILON, "{y}");
+            assert!((rise / libm::exp(y.min(699.0)) - 1.0).abs() < 2.0 * f64::EPSILON, "{y}");
         }
         for (x, s, c) in
             [(0.0, 0.0, 1.0), (0.25, 1.0, 0.0), (-0.5, 0.0, -1.0), (0.75, -1.0, 0.0), (1.5, 0.0, -1.0)]
@@ -119,8 +114,8 @@ mod tests {
             let (quarters, whole) = split(4.0 * x);
             assert_eq!(sin_cos_quarters(quarters, 4.0 * x - whole), (s, c));
         }
-        assert_eq!(exp_minus(0.0), 1.0);
-        assert!(exp_minus(f64::INFINITY) < 1e-300);
+        assert_eq!(exp_both(0.0), (1.0, 1.0));
+        assert!(exp_both(f64::INFINITY).0 < 1e-300);
     }
 
     #[test]
@@ -138,10 +133,10 @@ mod tests {
         let x = Lanes::<8>::from_fn(|k| (k as f64 - 3.3) * 0.177);
         let (quarters, whole) = split(x);
         let (s, c) = sin_cos_quarters(quarters, x - whole);
-        let e = exp_minus(x.map(f64::abs));
+        let (fall, rise) = exp_both(x.map(f64::abs));
         for k in 0..8 {
             assert_eq!((s.0[k], c.0[k]), sin_cos_quarters(quarters.0[k], x.0[k] - whole.0[k]));
-            assert_eq!(e.0[k], exp_minus(x.0[k].abs()));
+            assert_eq!((fall.0[k], rise.0[k]), exp_both(x.0[k].abs()));
         }
     }
 }

@@ -52,12 +52,8 @@ impl<const N: usize> Real for Lanes<N> {
     }
 
     #[inline(always)]
-    fn all(self, other: Self, f: impl Fn(f64, f64) -> bool) -> bool {
-        let mut all = true;
-        for k in 0..N {
-            all &= f(self.0[k], other.0[k]);
-        }
-        all
+    fn within(self, limit: Self) -> bool {
+        self.0.iter().zip(limit.0).fold(true, |all, (x, limit)| all & (x.abs() <= limit))
     }
 }
 

@@ -24,8 +24,8 @@ pub(crate) trait Real:
     /// The integer nearest to each, the even one of two; what is too large to have a fraction stays.
     fn nearest(self) -> Self;
 
-    /// True if f is, of every lane of two.
-    fn all(self, other: Self, f: impl Fn(f64, f64) -> bool) -> bool;
+    /// True if |x| ≤ limit in every lane; not of NaN.
+    fn within(self, limit: Self) -> bool;
 }
 
 impl Real for f64 {
@@ -57,8 +57,8 @@ impl Real for f64 {
     }
 
     #[inline(always)]
-    fn all(self, other: Self, f: impl Fn(f64, f64) -> bool) -> bool {
-        f(self, other)
+    fn within(self, limit: f64) -> bool {
+        self.abs() <= limit
     }
 }
 

@@ -12,7 +12,7 @@ use super::phase::Elapsed;
 pub(super) const WIDTH: usize = 8;
 
 /// Vectors in a block: their numbers stay in the nearest memory from stage to stage.
-pub(super) const GROUPS: usize = 8;
+pub(super) const GROUPS: usize = 4;
 
 pub(super) type Vectors = Lanes<WIDTH>;
 
@@ -27,6 +27,7 @@ pub(super) struct Block {
 }
 
 impl Block {
+    #[inline(always)]
     pub(super) fn new() -> Self {
         let zero = Lanes([0.0; WIDTH]);
         Self {
@@ -46,8 +47,14 @@ impl Block {
         flow: impl Fn(usize) -> &'a Flow<Vectors, S>,
         elapsed: impl Fn(usize) -> Elapsed<Vectors>,
     ) {
-        for (g, phases) in self.phases.iter_mut().enumerate().take(groups) {
-            *phases = flow(one(g)).phases::<WHOLE>(&elapsed(g));
+        if (0..groups).all(|g| elapsed(g).is_within(flow(g).reach)) {
+            for (g, phases) in self.phases.iter_mut().enumerate().take(groups) {
+                *phases = flow(one(g)).phases::<WHOLE, false>(&elapsed(g));
+            }
+        } else {
+            for (g, phases) in self.phases.iter_mut().enumerate().take(groups) {
+                *phases = flow(one(g)).phases::<WHOLE, true>(&elapsed(g));
+            }
         }
         for (g, turned) in self.turned.iter_mut().enumerate().take(groups) {
             *turned = flow(one(g)).turned(&self.phases[g]);

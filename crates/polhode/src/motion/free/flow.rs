@@ -34,6 +34,8 @@ pub(super) struct Flow<T, S> {
     pub(super) precession: Rate<T>,
     /// λ/K: 2z/π, quarter turns.
     pub(super) polhode: Rate<T>,
+    /// The longest time that needs no more than two words of either.
+    pub(super) reach: T,
     /// 2z/π at the start, quarter turns.
     pub(super) start: [T; 2],
     /// What makes theta functions the components of e.
@@ -114,12 +116,12 @@ impl<T: Copy> Raw<T> {
 }
 
 impl<T: Real, S: Series<T>> Flow<T, S> {
-    /// Both phases, reduced; `WHOLE` if the time has one word.
+    /// Both phases, reduced; `WHOLE` if the time has one word, `LONG` if it may be beyond reach.
     #[inline(always)]
-    pub(super) fn phases<const WHOLE: bool>(&self, elapsed: &Elapsed<T>) -> Phases<T> {
-        let polhode = self.polhode.phase_from::<WHOLE>(elapsed, self.start);
-        let precession = self.precession.phase::<WHOLE>(elapsed);
-        Phases { polhode, precession }
+    pub(super) fn phases<const WHOLE: bool, const LONG: bool>(&self, elapsed: &Elapsed<T>) -> Phases<T> {
+        let polhode = self.polhode.quarters::<WHOLE, LONG>(elapsed, self.reach);
+        let precession = self.precession.quarters::<WHOLE, LONG>(elapsed, self.reach);
+        Phases { polhode: Phase::of(polhode, Some(self.start)), precession: Phase::of(precession, None) }
     }
 
     #[inline(always)]
@@ -169,6 +171,7 @@ impl<S: Family> Flow<f64, S> {
         Flow {
             precession: rate(&|get: &dyn Fn(&Rate<f64>) -> f64| pick(&|f: &Self| get(&f.precession))),
             polhode: rate(&|get: &dyn Fn(&Rate<f64>) -> f64| pick(&|f: &Self| get(&f.polhode))),
+            reach: pick(&|f| f.reach),
             start: from_fn(|k| pick(&|f| f.start[k])),
             direction: from_fn(|k| pick(&|f| f.direction[k])),
             omega: from_fn(|i| from_fn(|k| pick(&|f| f.omega[i][k]))),

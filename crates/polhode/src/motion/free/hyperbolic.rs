@@ -4,7 +4,7 @@ use core::array::from_fn;
 
 use crate::math::complex::Complex;
 use crate::math::double::Double;
-use crate::math::elementary::exp_minus;
+use crate::math::elementary::exp_both;
 use crate::math::landen::{Landen, log_of};
 use crate::math::real::{PI, Real};
 use crate::math::symmetric3::power_of_two_near;
@@ -151,8 +151,8 @@ impl<T: Real> Series<T> for Hyperbolic<T> {
             if (q.to_bits() & 2 == 2) ^ (is_odd(q) & rest.is_sign_positive()) { -1.0 } else { 1.0 }
         });
         // The exponential of the nearer end of the pulse; the other follows from X W = Q.
-        let near = exp_minus(self.stretch * rest.map(f64::abs));
-        let far = self.nome.zip(near, |q, e| q / e);
+        let (near, rise) = exp_both(self.stretch * rest.map(f64::abs));
+        let far = self.nome * rise;
         let falling = quarters.zip3(near, far, |q, near, far| if is_odd(q) { far } else { near });
         let rising = quarters.zip3(near, far, |q, near, far| if is_odd(q) { near } else { far });
         let ([cn, sn, dn], below) = self.elliptic(falling, rising);

@@ -6,7 +6,7 @@ use crate::math::vector::Vector;
 use crate::motion::state::State;
 
 use super::elements::Elements;
-use super::flow::{Family, Flow, Raw};
+use super::flow::{Family, Flow, Phases, Raw};
 use super::hyperbolic::Hyperbolic;
 use super::labelled::Labelled;
 use super::phase::{Elapsed, Rate};
@@ -36,14 +36,30 @@ impl Kernel {
     /// The state at a time; `WHOLE` if `elapsed` has one word.
     pub(super) fn at<const WHOLE: bool>(&self, time: f64, elapsed: &Elapsed<f64>) -> State {
         let (q, omega) = match self {
-            Self::Trigonometric(flow) => flow.state(&flow.raw(&flow.turned(&flow.phases::<WHOLE>(elapsed)))),
-            Self::Hyperbolic(flow) => flow.state(&flow.raw(&flow.turned(&flow.phases::<WHOLE>(elapsed)))),
+            Self::Trigonometric(flow) => flow.at::<WHOLE>(elapsed),
+            Self::Hyperbolic(flow) => flow.at::<WHOLE>(elapsed),
         };
         State { time, attitude: Rotation::from_unit(q), omega: Vector::from_array(omega) }
     }
 }
 
 impl<S: Family> Flow<f64, S> {
+    /// Quaternion and ω.
+    #[inline(always)]
+    fn at<const WHOLE: bool>(&self, elapsed: &Elapsed<f64>) -> ([f64; 4], [f64; 3]) {
+        let phases = if elapsed.is_within(self.reach) {
+            self.phases::<WHOLE, false>(elapsed)
+        } else {
+            self.phases_of_long_time(elapsed)
+        };
+        self.state(&self.raw(&self.turned(&phases)))
+    }
+
+    #[cold]
+    fn phases_of_long_time(&self, elapsed: &Elapsed<f64>) -> Phases<f64> {
+        self.phases::<false, true>(elapsed)
+    }
+
     fn prepared(
         elements: &Elements,
         labelled: &Labelled,
@@ -57,12 +73,14 @@ impl<S: Family> Flow<f64, S> {
         let omega = [0, 1, 2].map(|row| {
             [0, 1, 2].map(|k| elements.rates[k].value() * unit * scale[k] * labelled.axes[k][row])
         });
+        let precession =
+            Rate::new((elements.half_precession.scaled(4.0) - Triple::from(polhode.scaled(0.5))).0);
+        let polhode = Rate::new([polhode.high, polhode.low, 0.0]);
         let towards = elements.direction();
         let mut flow = Self {
-            precession: Rate::new(
-                (elements.half_precession.scaled(4.0) - Triple::from(polhode.scaled(0.5))).0,
-            ),
-            polhode: Rate::new([polhode.high, polhode.low, 0.0]),
+            precession,
+            polhode,
+            reach: precession.reach().min(polhode.reach()),
             start,
             direction: [0, 1, 2].map(|k| towards[k] * scale[k]),
             omega,
@@ -71,7 +89,8 @@ impl<S: Family> Flow<f64, S> {
         };
         // attitude(t) = attitude(0) · P · q(0)⁻¹ · q(t) · P⁻¹, P the labelled axes in the body; |q| scale is constant
         let labels = labelled.rotation();
-        let Raw { quaternion: q, scale, .. } = flow.raw(&flow.turned(&flow.phases::<true>(&Elapsed::none())));
+        let Raw { quaternion: q, scale, .. } =
+            flow.raw(&flow.turned(&flow.phases::<true, false>(&Elapsed::none())));
         let norm2 = (q[0] * q[0] + q[1] * q[1]) + (q[2] * q[2] + q[3] * q[3]);
         let unit = 1.0 / (norm2 * scale);
         let left = quaternion_product(

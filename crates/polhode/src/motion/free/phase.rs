@@ -46,8 +46,14 @@ impl<T: Real> Elapsed<T> {
         Self { high: T::splat(0.0), low: T::splat(0.0) }
     }
 
+    /// True if no lane's is longer.
+    #[inline(always)]
+    pub(super) fn is_within(&self, reach: T) -> bool {
+        self.high.within(reach)
+    }
+
     /// A span too long for any digit of its phase counts as none.
-    fn within_reach(&self) -> Self {
+    fn with_digits(&self) -> Self {
         let within = |span: f64, word: f64| if span.abs() < LONGEST { word } else { 0.0 };
         Self { high: self.high.zip(self.high, within), low: self.high.zip(self.low, within) }
     }
@@ -57,6 +63,20 @@ impl<T: Real> Elapsed<T> {
 const LONGEST: f64 = 1e280;
 
 impl<T: Real> Phase<T> {
+    /// An angle in two words, and a start within a turn.
+    #[inline(always)]
+    pub(super) fn of((high, low): (T, T), start: Option<[T; 2]>) -> Self {
+        let (high, low) = match start {
+            None => (high, low),
+            Some(start) => {
+                let (sum, error) = two_sum(high, start[0]);
+                (sum, (error + start[1]) + low)
+            }
+        };
+        let (quarters, whole) = split(high);
+        Self { quarters, rest: (high - whole) + low }
+    }
+
     /// + an angle of at most ½ quarter turn.
     #[inline(always)]
     pub(super) fn plus(self, angle: T) -> Self {
@@ -76,42 +96,36 @@ impl Rate<f64> {
     pub(super) fn new([first, second, third]: [f64; 3]) -> Self {
         Self { first: with_halves(first), second: with_halves(second), third }
     }
+
+    /// The longest time that counts as short.
+    pub(super) fn reach(&self) -> f64 {
+        (MANY / self.first[0].abs()).min(LONGEST)
+    }
 }
 
 impl<T: Real> Rate<T> {
-    /// f t.
+    /// f t in two words: of times within [`Rate::reach`]; `LONG` for others too.
     #[inline(always)]
-    pub(super) fn phase<const WHOLE: bool>(&self, t: &Elapsed<T>) -> Phase<T> {
-        let (high, low) = self.quarters::<WHOLE>(t);
-        let (quarters, whole) = split(high);
-        Phase { quarters, rest: (high - whole) + low }
-    }
-
-    /// start + f t; the start within a turn.
-    #[inline(always)]
-    pub(super) fn phase_from<const WHOLE: bool>(&self, t: &Elapsed<T>, start: [T; 2]) -> Phase<T> {
-        let (high, low) = self.quarters::<WHOLE>(t);
-        let (s, r) = two_sum(high, start[0]);
-        let (quarters, whole) = split(s);
-        Phase { quarters, rest: (s - whole) + ((r + start[1]) + low) }
-    }
-
-    /// f t but for whole turns, in quarters, in two words of which the second is small.
-    #[inline(always)]
-    fn quarters<const WHOLE: bool>(&self, t: &Elapsed<T>) -> (T, T) {
+    pub(super) fn quarters<const WHOLE: bool, const LONG: bool>(&self, t: &Elapsed<T>, reach: T) -> (T, T) {
         // Of the third word and of the second product's error nothing would be seen.
-        let (p0, e0) = two_product_of_halves(with_halves(t.high), self.first);
-        let mut low = e0 + t.high * self.second[0];
+        let (high, error) = two_product_of_halves(with_halves(t.high), self.first);
+        let mut low = error + t.high * self.second[0];
         if !WHOLE {
             low = low + t.low * self.first[0];
         }
-        if p0.all(low, is_short) { (p0, low) } else { self.of_long_times(t, p0, low) }
+        if !LONG {
+            return (high, low);
+        }
+        let (long_high, long_low) = self.of_long_times(t);
+        let short = t.high.zip(reach, |t, reach| if t.abs() <= reach { 1.0 } else { 0.0 });
+        let choose = |is_short: f64, short: f64, long: f64| if is_short == 1.0 { short } else { long };
+        (short.zip3(high, long_high, choose), short.zip3(low, long_low, choose))
     }
 
-    /// The same after more than some 10⁹ turns, when each product and its error are many turns of their own.
-    #[cold]
-    fn of_long_times(&self, t: &Elapsed<T>, short_high: T, short_low: T) -> (T, T) {
-        let t = t.within_reach();
+    /// f t but for whole turns, in two words of which the second is small, when each product and its error may be many turns of
+    /// their own.
+    fn of_long_times(&self, t: &Elapsed<T>) -> (T, T) {
+        let t = t.with_digits();
         let (p0, e0) = two_product_of_halves(with_halves(t.high), self.first);
         let (p1, e1) = two_product_of_halves(with_halves(t.high), self.second);
         let (p2, e2) = two_product_of_halves(with_halves(t.low), self.first);
@@ -119,18 +133,12 @@ impl<T: Real> Rate<T> {
         let (s, r0) = two_sum(modulo_turn(p0), modulo_turn(e0));
         let (s, r1) = two_sum(s, modulo_turn(p1));
         let (s, r2) = two_sum(s, modulo_turn(p2));
-        let (high, low) = two_sum(s, (r0 + r1 + r2) + modulo_turn(rest));
-        let short = short_high.zip(short_low, |high, low| if is_short(high, low) { 1.0 } else { 0.0 });
-        let choose = |is_short: f64, short: f64, long: f64| if is_short == 1.0 { short } else { long };
-        (short.zip3(short_high, high, choose), short.zip3(short_low, low, choose))
+        two_sum(s, (r0 + r1 + r2) + modulo_turn(rest))
     }
 }
 
-/// True below some 10⁹ turns. What is too large for its digits, or no number, is not short.
-#[inline(always)]
-fn is_short(high: f64, low: f64) -> bool {
-    high.abs() <= 8_589_934_592.0 && low.abs() <= 1.0 / 262_144.0
-}
+/// In quarter turns, some 10⁹ turns: what is left in a second word is still small beside one.
+const MANY: f64 = 8_589_934_592.0;
 
 /// x modulo 4, nearest to zero: exact.
 #[inline(always)]

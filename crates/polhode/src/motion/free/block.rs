@@ -8,16 +8,18 @@ use crate::motion::state::State;
 use super::flow::{Flow, Phases, Raw, Series, Turned};
 use super::phase::Elapsed;
 
-/// States in a vector: one of AVX-512, two of AVX2.
+/// States in a group: a vector of AVX-512, two of AVX2.
 pub(super) const WIDTH: usize = 8;
 
-/// Vectors in a block: their numbers stay in the nearest memory from stage to stage.
+/// Groups in a block: their numbers stay in the nearest memory from stage to stage.
 pub(super) const GROUPS: usize = 4;
 
 pub(super) type Vectors = Lanes<WIDTH>;
 
-/// The stages of some vectors of states. Each is a loop of its own, so short that the processor is in several of its turns at once: in
-/// one long loop it would wait, as every number of a state waits for the one before.
+/// The stages of some groups of states.
+///
+/// Each is a loop of its own, so short that the processor is in several of its turns at once: in one long loop it would wait, as every
+/// number of a state waits for the one before.
 pub(super) struct Block {
     phases: [Phases<Vectors>; GROUPS],
     turned: [Turned<Vectors>; GROUPS],

@@ -29,6 +29,8 @@ use super::trigonometric::Trigonometric;
 #[derive(Clone, Debug)]
 pub struct FreeMotions {
     starts: Vec<State>,
+    /// Whether all start at t = 0.
+    whole: bool,
     trigonometric: Vec<Group<Trigonometric<Vectors>>>,
     hyperbolic: Vec<Group<Hyperbolic<Vectors>>>,
 }
@@ -55,6 +57,7 @@ impl FreeMotions {
         }
         Self {
             starts: motions.iter().map(|motion| motion.start).collect(),
+            whole: motions.iter().all(|motion| motion.start.time == 0.0),
             trigonometric: trigonometric.chunks(WIDTH).map(grouped).collect(),
             hyperbolic: hyperbolic.chunks(WIDTH).map(grouped).collect(),
         }
@@ -85,19 +88,21 @@ impl FreeMotions {
         if states.len() < self.len() {
             return;
         }
-        let whole = self.starts.iter().all(|start| start.time == 0.0);
         let mut block = Block::new();
         in_widest_vectors(
             #[inline(always)]
             || {
                 for groups in self.trigonometric.chunks(GROUPS) {
-                    compute(&mut block, groups, time, states, whole);
+                    compute(&mut block, groups, time, states, self.whole);
                 }
                 for groups in self.hyperbolic.chunks(GROUPS) {
-                    compute(&mut block, groups, time, states, whole);
+                    compute(&mut block, groups, time, states, self.whole);
                 }
             },
         );
+        if self.whole && time != 0.0 {
+            return;
+        }
         for (state, start) in states.iter_mut().zip(&self.starts).filter(|(_, start)| start.time == time) {
             *state = *start;
         }

@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 
 use polhode::{BodyError, MotionError, RotationError};
 
+use crate::content::{ContentError, ContentPlace};
 use crate::mesh::stl::{StlError, StlPlace};
 use crate::text::{cut, escaped, visible};
 use crate::unit::UnitError;
@@ -106,6 +107,8 @@ pub enum FormatErrorKind {
     Rotation(RotationError),
     /// Bytes that are not an STL file.
     Stl(StlError),
+    /// Contents that are not what the format asks for.
+    Content(ContentError),
 }
 
 /// A place in a text file.
@@ -126,6 +129,15 @@ pub struct Place {
 impl FormatError {
     pub(crate) fn new(path: &Path, place: Option<Place>, kind: FormatErrorKind) -> Self {
         Self(Box::new(Report { path: path.to_owned(), place, kind, hint: None, named_in: None }))
+    }
+
+    /// An error in the contents, with its line if they are text.
+    pub(crate) fn of_content(path: &Path, bytes: &[u8], error: ContentError) -> Self {
+        let place = match &error.place {
+            ContentPlace::Text(span) => Some(Place::in_bytes(bytes, span.clone())),
+            _ => None,
+        };
+        Self::new(path, place, FormatErrorKind::Content(error))
     }
 
     /// The same with a hint that knows more than its kind does.
@@ -210,6 +222,8 @@ impl fmt::Display for FormatErrorKind {
             // A line and a column are the error's own; a record has to be said.
             Self::Stl(e) if matches!(e.place(), Some(StlPlace::Text { .. })) => f.write_str(&e.message()),
             Self::Stl(e) => e.fmt(f),
+            Self::Content(e) if matches!(e.place, ContentPlace::Text(_)) => e.kind.fmt(f),
+            Self::Content(e) => e.fmt(f),
         }
     }
 }
@@ -241,6 +255,7 @@ impl FormatErrorKind {
             Self::Motion(e) => e.hint().map(str::to_owned),
             Self::Rotation(e) => Some(rotation_hint(e).to_owned()),
             Self::Stl(e) => e.hint().map(str::to_owned),
+            Self::Content(e) => e.hint.clone(),
         }
     }
 }
@@ -290,6 +305,25 @@ fn rotation_hint(error: &RotationError) -> &'static str {
 }
 
 impl Place {
+    /// The bytes `span` of a file that is text, or nearly; lines end in \n, \r\n or \r.
+    pub(crate) fn in_bytes(bytes: &[u8], span: Range<usize>) -> Self {
+        let start = span.start.min(bytes.len());
+        let end = span.end.clamp(start, bytes.len());
+        let is_break =
+            |i: &usize| bytes[*i] == b'\n' || bytes[*i] == b'\r' && bytes.get(i + 1) != Some(&b'\n');
+        let line = 1 + (0..start).filter(is_break).count();
+        let line_start = (0..start).rev().find(is_break).map_or(0, |i| i + 1);
+        let rest = &bytes[line_start..];
+        let length = rest.iter().position(|b| b"\r\n".contains(b)).unwrap_or(rest.len());
+        let (before, after) = rest[..length].split_at((start - line_start).min(length));
+        let marked = (end - start).min(after.len());
+        let before = String::from_utf8_lossy(before);
+        let marked = String::from_utf8_lossy(&after[..marked]).len();
+        let text = format!("{before}{}", String::from_utf8_lossy(after));
+        let local = Self::in_text(&text, before.len()..before.len() + marked);
+        Self { line, span: start..end, ..local }
+    }
+
     /// The bytes `span` of a text.
     pub(crate) fn in_text(text: &str, span: Range<usize>) -> Self {
         /// Characters that are shown of a line.

@@ -2,13 +2,14 @@
 //! something stands.
 //!
 //! - [`scenario`]: one body and one motion, as TOML
-//! - [`mesh`]: triangle meshes, as STL
+//! - [`mesh`]: triangle meshes, as STL, OBJ, PLY, OFF, glTF and 3MF
 //! - [`mod@unit`]: quantities in text
 //! - [`times`]: lists of times, one per line
 //! - [`table`]: the other way, trajectories as CSV and Parquet, curves as CSV
 //!
 //! Whatever cannot be read is a [`FormatError`]: path, line, column, what stands there, the rule, a hint.
 
+mod content;
 mod error;
 mod file;
 pub mod mesh;
@@ -18,4 +19,5 @@ mod text;
 pub mod times;
 pub mod unit;
 
+pub use content::{ContentError, ContentErrorKind, ContentPlace};
 pub use error::{FormatError, FormatErrorKind, Place};

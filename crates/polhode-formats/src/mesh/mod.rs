@@ -1,15 +1,44 @@
 //! Triangle meshes: files in, closed solids out.
 
+pub mod gltf;
+pub mod obj;
+pub mod off;
+pub mod ply;
 pub mod stl;
+pub mod threemf;
 
 use std::path::Path;
 
-use polhode::{BodyError, ClosedMesh, Finding, Severity};
+use polhode::{BodyError, ClosedMesh, Finding, Severity, TriangleMesh};
 
 use crate::error::{FormatError, FormatErrorKind, Place};
 use crate::file;
 use crate::text::escaped;
 use stl::{StlError, StlKind, StlPlace};
+
+/// What a mesh file says: parts and their triangles, in the file's own unit of length.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MeshContents {
+    /// How the file is encoded, in a word or two: `"binary"`, `"ascii"`, `"binary, big-endian"`.
+    pub encoding: &'static str,
+    /// The name that the file gives itself; often empty.
+    pub name: String,
+    /// Metres in the unit of length, if the file or the format says so.
+    pub unit: Option<f64>,
+    /// At least one, none without triangles: groups, nodes, build items, in the file's order.
+    pub parts: Vec<MeshPart>,
+    /// What was noticed on the way: faces left out, elements not read.
+    pub findings: Vec<Finding>,
+}
+
+/// One part of a mesh file, placed where the file places it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MeshPart {
+    /// Its name in the file; often empty.
+    pub name: String,
+    /// Its triangles.
+    pub mesh: TriangleMesh,
+}
 
 /// A mesh file that has been read.
 #[derive(Clone, Debug)]

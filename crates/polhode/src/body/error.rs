@@ -46,6 +46,15 @@ pub enum BodyError {
         /// The vertex, m.
         vertex: [f64; 3],
     },
+    /// A triangle with a corner that the mesh does not have.
+    VertexIndex {
+        /// Triangle, from 1.
+        triangle: usize,
+        /// The index, from 0.
+        index: usize,
+        /// How many vertices there are.
+        vertices: usize,
+    },
     /// A mesh with a boundary: it encloses no volume.
     OpenMesh {
         /// Edges that belong to one triangle only.
@@ -97,6 +106,9 @@ impl fmt::Display for BodyError {
             Self::Empty { what } => write!(f, "there are no {what}"),
             Self::Vertex { triangle, vertex: [x, y, z] } => {
                 write!(f, "triangle {triangle} has the vertex ({x}, {y}, {z}), which is not finite")
+            }
+            Self::VertexIndex { triangle, index, vertices } => {
+                write!(f, "triangle {triangle} has vertex {index}, counted from 0, of {vertices}")
             }
             Self::OpenMesh { edges, example: [a, b], triangle } => write!(
                 f,

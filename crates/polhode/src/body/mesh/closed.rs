@@ -1,14 +1,12 @@
-//! Triangle meshes.
+//! Solids bounded by triangles.
 
-use super::error::BodyError;
-use super::shape::{Extent, Shape, Spread};
+use super::Triangle;
+use crate::body::error::BodyError;
+use crate::body::shape::{Extent, Shape, Spread};
 use crate::math::frame::Part;
 use crate::math::sum::Sum;
 use crate::math::symmetric3::{Symmetric3, power_of_two_near};
 use crate::math::vector::{Direction, Position};
-
-/// A triangle by its three corners, m, seen from outside counter-clockwise.
-pub type Triangle = [[f64; 3]; 3];
 
 /// A solid bounded by triangles: closed, consistently wound, its normals outward.
 ///

@@ -1,0 +1,1 @@
+//! Wavefront OBJ: vertices, faces of any number of corners, groups.

@@ -1,0 +1,1 @@
+//! PLY: the polygon file format of Stanford, ASCII and binary of both endians.

@@ -1,0 +1,82 @@
+//! Triangle meshes: what a file says, and the solid that it bounds.
+
+pub(crate) mod closed;
+
+use super::error::BodyError;
+
+/// A triangle by its three corners, m, seen from outside counter-clockwise.
+pub type Triangle = [[f64; 3]; 3];
+
+/// Triangles and their corners as a file has them: not yet known to bound anything.
+///
+/// [`ClosedMesh`](crate::ClosedMesh) is the solid that they bound, if they do. Vertices may be there more than once: corners are the
+/// same point when their coordinates are equal, exactly.
+///
+/// ```
+/// use polhode::TriangleMesh;
+/// let vertices = vec![[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 3.0, 0.0]];
+/// let flake = TriangleMesh::new(vertices.clone(), vec![[0, 1, 2]])?;
+/// assert_eq!(flake.corners().next(), Some([[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 3.0, 0.0]]));
+/// assert!(TriangleMesh::new(vertices, vec![[0, 1, 3]]).is_err());
+/// # Ok::<(), polhode::BodyError>(())
+/// ```
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct TriangleMesh {
+    vertices: Vec<[f64; 3]>,
+    triangles: Vec<[u32; 3]>,
+}
+
+impl TriangleMesh {
+    /// Vertices, m, and the triangles between them by index, from 0.
+    ///
+    /// # Errors
+    /// [`BodyError::Vertex`] for a vertex of a triangle that is not finite; [`BodyError::VertexIndex`] for one that does not exist.
+    pub fn new(vertices: Vec<[f64; 3]>, triangles: Vec<[u32; 3]>) -> Result<Self, BodyError> {
+        for (k, corners) in triangles.iter().enumerate() {
+            for &index in corners {
+                match vertices.get(index as usize) {
+                    None => {
+                        let (triangle, vertices) = (k + 1, vertices.len());
+                        return Err(BodyError::VertexIndex { triangle, index: index as usize, vertices });
+                    }
+                    Some(&vertex) if vertex.iter().any(|c| !c.is_finite()) => {
+                        return Err(BodyError::Vertex { triangle: k + 1, vertex });
+                    }
+                    Some(_) => {}
+                }
+            }
+        }
+        Ok(Self { vertices, triangles })
+    }
+
+    /// Triangles that share nothing by index, as STL has them.
+    ///
+    /// # Errors
+    /// [`BodyError::Vertex`] for a vertex that is not finite.
+    pub fn of_triangles(triangles: &[Triangle]) -> Result<Self, BodyError> {
+        let indices = (0..).step_by(3).take(triangles.len()).map(|k: u32| [k, k + 1, k + 2]).collect();
+        Self::new(triangles.iter().flatten().copied().collect(), indices)
+    }
+
+    /// The vertices, m.
+    pub fn vertices(&self) -> &[[f64; 3]] {
+        &self.vertices
+    }
+
+    /// The triangles, by index of their vertices from 0.
+    pub fn triangles(&self) -> &[[u32; 3]] {
+        &self.triangles
+    }
+
+    /// The triangles, by their corners.
+    pub fn corners(&self) -> impl Iterator<Item = Triangle> + '_ {
+        self.triangles.iter().map(|corners| corners.map(|index| self.vertices[index as usize]))
+    }
+
+    /// The same with every coordinate times a number: another unit of length.
+    #[must_use]
+    pub fn scaled(mut self, factor: f64) -> Self {
+        self.vertices.iter_mut().flatten().for_each(|c| *c *= factor);
+        self
+    }
+}

@@ -1,18 +1,20 @@
 //! `polhode inertia`
 
+mod mesh;
+mod substance;
+
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use polhode::{
-    Body, Finding, Material, Part, PlacedPart, Position, Rotation, Severity, Shape as _, Substance,
-};
-use polhode_formats::mesh::stl::StlKind;
-use polhode_formats::mesh::{self, MeshFile};
+use polhode::{Body, Part, Position, Rotation};
+use polhode_formats::mesh::MeshFormat;
 use polhode_formats::scenario;
 use polhode_formats::unit::Dimension;
 use polhode_report::{InertiaReport, SourceInfo, pretty};
 use serde_json::Value;
 
+use self::mesh::MeshFlags;
+use self::substance::SubstanceFlags;
 use crate::failure::Failure;
 use crate::numbers::{numbers, positive, quantity, rotation};
 use crate::stdout::print;
@@ -28,11 +30,13 @@ Examples:
   polhode inertia bracket.stl --unit mm --mass \"85 g\" --about \"0,0,12 mm\" --json
   polhode inertia examples/notes/11-05-principal-axes.toml --axes")]
 pub(crate) struct Inertia {
-    /// Scenario files (.toml) and meshes (.stl).
+    /// Scenario files (.toml) and meshes (.stl, .obj, .ply, .off, .gltf, .glb, .3mf).
     #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
     #[command(flatten)]
     substance: SubstanceFlags,
+    #[command(flatten)]
+    mesh: MeshFlags,
     /// The unit of length in a mesh file, such as mm or in; meshes say none [default: m].
     #[arg(long, value_name = "UNIT", value_parser = length_unit)]
     unit: Option<f64>,
@@ -48,21 +52,6 @@ pub(crate) struct Inertia {
     /// Print JSON: one object for one file, an array for several.
     #[arg(long)]
     json: bool,
-}
-
-/// What a mesh is made of.
-#[derive(Debug, Args)]
-#[group(multiple = false)]
-struct SubstanceFlags {
-    /// Density of a mesh, such as "2700 kg/m^3" or "2.7 g/cm^3".
-    #[arg(long, value_parser = density)]
-    density: Option<f64>,
-    /// Mass of a mesh, such as "85 g".
-    #[arg(long, value_parser = mass)]
-    mass: Option<f64>,
-    /// Material of a mesh by name, such as aluminium or steel.
-    #[arg(long, value_parser = material)]
-    material: Option<Material>,
 }
 
 impl Inertia {
@@ -93,13 +82,15 @@ impl Inertia {
         let extension = file.extension().map(|e| e.to_string_lossy().to_lowercase()).unwrap_or_default();
         let report = match extension.as_str() {
             "toml" => self.of_scenario(file)?,
-            "stl" => self.of_mesh(file)?,
-            _ => {
-                return Err(Failure::usage(
-                    format!("{} is neither a scenario nor a mesh that polhode reads", file.display()),
-                    "a scenario's name ends in .toml, a mesh's in .stl",
-                ));
-            }
+            _ => match MeshFormat::of_path(file) {
+                Some(format) => mesh::report(file, format, self.unit, &self.substance, &self.mesh)?,
+                None => {
+                    return Err(Failure::usage(
+                        format!("{} is no file that polhode reads", file.display()),
+                        "a scenario's name ends in .toml, a mesh's in .stl, .obj, .ply, .off, .gltf, .glb or .3mf",
+                    ));
+                }
+            },
         };
         let about = self.about.or(report.about);
         if let Some(point) = about
@@ -114,8 +105,8 @@ impl Inertia {
     }
 
     fn of_scenario(&self, file: &Path) -> Result<InertiaReport, Failure> {
-        if self.substance.given().is_some() || self.unit.is_some() {
-            let flags = "--density, --mass, --material and --unit are for meshes";
+        if self.substance.given().is_some() || self.unit.is_some() || self.mesh.any() {
+            let flags = "--density, --mass, --material, --part and --unit are for meshes";
             return Err(Failure::usage(
                 format!("{flags}, and {} is a scenario", file.display()),
                 "a scenario says what each of its parts is made of, and in which units",
@@ -129,62 +120,6 @@ impl Inertia {
             .with("parts", scenario.parts.len());
         Ok(InertiaReport::of_scenario(source, &scenario))
     }
-
-    fn of_mesh(&self, file: &Path) -> Result<InertiaReport, Failure> {
-        let unit = self.unit.unwrap_or(1.0);
-        let file_read = mesh::read(file, unit)?;
-        let mut findings = file_read.findings(&file.display().to_string());
-        let MeshFile { mesh, kind, triangles, .. } = file_read;
-        let substance = self.substance.given().unwrap_or_else(|| {
-            findings.push(Finding {
-                code: "mass.assumed",
-                severity: Severity::Warning,
-                message: "neither density, mass nor material is given: 1 kg/m³ is assumed".to_owned(),
-                place: Some("--density, --mass or --material".to_owned()),
-            });
-            Substance::Density(1.0)
-        });
-        let invalid = |message: String| Failure::usage(message, "check --density, --mass and --unit");
-        let part = mesh.mass_properties(substance).map_err(|e| invalid(e.to_string()))?;
-        let placed = PlacedPart::new(part, Position::ZERO, Rotation::identity());
-        let properties = placed.map_err(|e| invalid(e.to_string()))?.in_body();
-        let encoding = match kind {
-            StlKind::Binary => "binary",
-            StlKind::Ascii => "ascii",
-        };
-        let description = format!(
-            "STL {encoding}, {triangles} triangles, closed, {}",
-            if mesh.inverted() { "wound inward (turned)" } else { "consistently wound" }
-        );
-        let source = SourceInfo::new(file.display().to_string(), "stl")
-            .described(description)
-            .with("encoding", encoding)
-            .with("triangles", triangles)
-            .with("vertices", mesh.vertices())
-            .with("unit_m", unit);
-        Ok(InertiaReport {
-            volume: Some(mesh.volume()),
-            surface_area: Some(mesh.surface_area()),
-            density: Some(properties.mass() / mesh.volume()),
-            findings,
-            ..InertiaReport::new(source, properties)
-        })
-    }
-}
-
-impl SubstanceFlags {
-    fn given(&self) -> Option<Substance> {
-        let density = self.density.or(self.material.map(|m| m.density)).map(Substance::Density);
-        density.or(self.mass.map(Substance::Mass))
-    }
-}
-
-fn density(text: &str) -> Result<f64, String> {
-    positive(quantity(text, Dimension::DENSITY)?)
-}
-
-fn mass(text: &str) -> Result<f64, String> {
-    positive(quantity(text, Dimension::MASS)?)
 }
 
 fn length_unit(text: &str) -> Result<f64, String> {
@@ -192,13 +127,6 @@ fn length_unit(text: &str) -> Result<f64, String> {
         return Err("the name of a unit of length belongs here, such as mm".to_owned());
     }
     positive(quantity(&format!("1 {text}"), Dimension::LENGTH)?)
-}
-
-fn material(text: &str) -> Result<Material, String> {
-    Material::named(text).ok_or_else(|| {
-        let names: Vec<_> = Material::ALL.iter().map(|m| m.name).collect();
-        format!("no such material (known: {})", names.join(", "))
-    })
 }
 
 fn point(text: &str) -> Result<Position<Body>, String> {

@@ -101,6 +101,13 @@ pub enum FormatErrorKind {
     Unit(UnitError),
     /// Numbers that are not a body.
     Body(BodyError),
+    /// Triangles that bound no solid.
+    Mesh {
+        /// The part of the file, if it has a name.
+        part: Option<String>,
+        /// Why not.
+        error: BodyError,
+    },
     /// Numbers that are not a motion.
     Motion(MotionError),
     /// Numbers that are not a rotation.
@@ -216,7 +223,8 @@ impl fmt::Display for FormatErrorKind {
             Self::WrongType { key, expected, found } => write!(f, "{key} must be {expected}, not {found}"),
             Self::Value { key, value, rule } => write!(f, "{key} = {value} must be {rule}"),
             Self::Unit(e) => e.fmt(f),
-            Self::Body(e) => e.fmt(f),
+            Self::Body(e) | Self::Mesh { part: None, error: e } => e.fmt(f),
+            Self::Mesh { part: Some(part), error } => write!(f, "part {part:?}: {error}"),
             Self::Motion(e) => e.fmt(f),
             Self::Rotation(e) => e.fmt(f),
             // A line and a column are the error's own; a record has to be said.
@@ -251,7 +259,9 @@ impl FormatErrorKind {
             Self::MissingKey { example, .. } => Some(format!("write {example}")),
             Self::Conflict { .. } => Some("leave one of them out".to_owned()),
             Self::Unit(e) => e.hint(),
-            Self::Body(e) => Some(e.hint().unwrap_or_else(|| body_hint(e)).to_owned()),
+            Self::Body(e) | Self::Mesh { error: e, .. } => {
+                Some(e.hint().unwrap_or_else(|| body_hint(e)).to_owned())
+            }
             Self::Motion(e) => e.hint().map(str::to_owned),
             Self::Rotation(e) => Some(rotation_hint(e).to_owned()),
             Self::Stl(e) => e.hint().map(str::to_owned),

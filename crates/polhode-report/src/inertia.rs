@@ -8,6 +8,7 @@ use polhode::{
 use serde_json::{Map, Value, json};
 
 use crate::block::{self, Geometry};
+use crate::extra::Extra;
 use crate::json::{matrix, numbers, vector};
 use crate::layout::{WIDTH, columns, labelled, matrix_rows, plain_spaces, wrap};
 use crate::number::{alike, number, tidy, tidy_beside, tidy_matrix};
@@ -45,6 +46,8 @@ pub struct InertiaReport {
     pub axes: Option<Rotation<Body, Part>>,
     /// Print the principal axes in the text too (JSON always has them).
     pub show_axes: bool,
+    /// What only this kind of body has: its parts, a molecule's rotational constants.
+    pub extras: Vec<Extra>,
     /// What was noticed on the way.
     pub findings: Vec<Finding>,
 }
@@ -61,6 +64,7 @@ impl InertiaReport {
             about: None,
             axes: None,
             show_axes: false,
+            extras: Vec::new(),
             findings: Vec::new(),
         }
     }
@@ -101,6 +105,9 @@ impl InertiaReport {
             });
             object.insert("inertia_in_axes".to_owned(), along);
         }
+        for Extra { key, json, .. } in &self.extras {
+            object.insert((*key).to_owned(), json.clone());
+        }
         object.insert("findings".to_owned(), finding::to_json(&self.findings));
         Value::Object(object)
     }
@@ -112,6 +119,10 @@ impl InertiaReport {
         self.write_inertia(&mut text);
         self.write_about(&mut text);
         self.write_axes(&mut text);
+        for extra in &self.extras {
+            text.push('\n');
+            text.push_str(&extra.text);
+        }
         let findings = finding::to_text(&self.findings);
         if !findings.is_empty() {
             text.push('\n');

@@ -14,6 +14,7 @@
 
 mod block;
 mod explain;
+mod extra;
 mod finding;
 mod forces;
 mod inertia;
@@ -23,6 +24,7 @@ mod layout;
 mod motion;
 mod number;
 mod omega;
+mod parts;
 mod periods;
 mod source;
 mod spin;
@@ -31,9 +33,11 @@ mod unit;
 
 pub use explain::document::{Block, Document, Section};
 pub use explain::explain;
+pub use extra::Extra;
 pub use inertia::InertiaReport;
 pub use json::pretty;
 pub use motion::MotionReport;
+pub use parts::{PartRow, parts};
 pub use source::SourceInfo;
 pub use spin::{SpinReport, TumblerReport};
 

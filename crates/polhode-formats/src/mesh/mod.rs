@@ -4,17 +4,19 @@ pub mod gltf;
 pub mod obj;
 pub mod off;
 pub mod ply;
+mod solid;
 pub mod stl;
 pub mod threemf;
 
 use std::path::Path;
 
-use polhode::{BodyError, ClosedMesh, Finding, Severity, TriangleMesh};
+use polhode::{BodyError, Finding, Severity, TriangleMesh};
 
-use crate::error::{FormatError, FormatErrorKind, Place};
+use crate::content::{ContentError, ContentErrorKind, ContentPlace};
+use crate::error::FormatError;
 use crate::file;
-use crate::text::escaped;
-use stl::{StlError, StlKind, StlPlace};
+
+pub use solid::{MeshSolid, SolidPart};
 
 /// What a mesh file says: parts and their triangles, in the file's own unit of length.
 #[derive(Clone, Debug, PartialEq)]
@@ -40,93 +42,134 @@ pub struct MeshPart {
     pub mesh: TriangleMesh,
 }
 
-/// A mesh file that has been read.
-#[derive(Clone, Debug)]
-pub struct MeshFile {
-    /// The solid that it bounds, in metres.
-    pub mesh: ClosedMesh,
-    /// How the file was encoded.
-    pub kind: StlKind,
-    /// The name that the file gives itself; often empty.
-    pub name: String,
-    /// Triangles in the file, degenerate ones too.
-    pub triangles: usize,
+/// The formats of mesh files that polhode reads.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MeshFormat {
+    /// STL, binary or ASCII.
+    Stl,
+    /// Wavefront OBJ.
+    Obj,
+    /// Stanford PLY, ASCII or binary of either endianness.
+    Ply,
+    /// Geomview OFF.
+    Off,
+    /// glTF 2.0, as JSON or GLB.
+    Gltf,
+    /// 3MF.
+    ThreeMf,
 }
 
-impl MeshFile {
-    /// What had to be turned or left out; `place` says which mesh it is.
-    pub fn findings(&self, place: &str) -> Vec<Finding> {
-        let finding =
-            |code, severity, message| Finding { code, severity, message, place: Some(escaped(place)) };
-        let mut findings = Vec::new();
-        if self.mesh.inverted() {
-            let message = "the normals of the mesh pointed inward and were turned".to_owned();
-            findings.push(finding("mesh.inverted", Severity::Warning, message));
+impl MeshFormat {
+    /// All of them.
+    pub const ALL: [Self; 6] = [Self::Stl, Self::Obj, Self::Ply, Self::Off, Self::Gltf, Self::ThreeMf];
+
+    /// Its name in lower case, as `source.format` has it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Stl => "stl",
+            Self::Obj => "obj",
+            Self::Ply => "ply",
+            Self::Off => "off",
+            Self::Gltf => "gltf",
+            Self::ThreeMf => "3mf",
         }
-        if let count @ 1.. = self.mesh.degenerate() {
-            let message =
-                format!("{count} of {} triangles have two equal corners and were left out", self.triangles);
-            findings.push(finding("mesh.degenerate", Severity::Info, message));
+    }
+
+    /// Its name as its makers write it.
+    pub const fn title(self) -> &'static str {
+        match self {
+            Self::Stl => "STL",
+            Self::Obj => "OBJ",
+            Self::Ply => "PLY",
+            Self::Off => "OFF",
+            Self::Gltf => "glTF",
+            Self::ThreeMf => "3MF",
         }
-        findings
+    }
+
+    /// The format whose files end like this, in any case.
+    pub fn of_path(path: &Path) -> Option<Self> {
+        let extension = path.extension()?.to_str()?.to_ascii_lowercase();
+        match extension.as_str() {
+            "glb" => Some(Self::Gltf),
+            _ => Self::ALL.into_iter().find(|format| format.name() == extension),
+        }
     }
 }
 
-/// Reads a mesh from an STL file whose unit of length is `unit` metres: 0.001 for millimetres.
-///
-/// # Errors
-/// [`FormatError`] if the file cannot be read, is not STL, or does not bound a solid.
-pub fn read(path: &Path, unit: f64) -> Result<MeshFile, FormatError> {
-    read_as(path, &path.to_string_lossy(), unit)
-}
-
-/// Reads the mesh that a user calls `written`.
-pub(crate) fn read_as(path: &Path, written: &str, unit: f64) -> Result<MeshFile, FormatError> {
-    let bytes = file::bytes(path, written, u64::MAX).map_err(|kind| FormatError::new(path, None, kind))?;
-    parse(&bytes, path, unit)
-}
-
-/// Reads a mesh from the bytes of an STL file; `path` is for messages.
-///
-/// # Errors
-/// [`FormatError`] if the bytes are not STL or do not bound a solid.
-pub fn parse(bytes: &[u8], path: &Path, unit: f64) -> Result<MeshFile, FormatError> {
-    if !(unit > 0.0 && unit.is_finite()) {
-        let error =
-            BodyError::Parameter { what: "the mesh's unit", value: unit, rule: "positive and finite" };
-        return Err(FormatError::new(path, None, FormatErrorKind::Body(error)));
+impl MeshContents {
+    /// Reads what a mesh file says.
+    ///
+    /// # Errors
+    /// [`FormatError`] if the file cannot be read or does not follow its format.
+    pub fn read(path: &Path, format: MeshFormat) -> Result<Self, FormatError> {
+        Self::read_as(path, &path.to_string_lossy(), format)
     }
-    let fail = |e: StlError| FormatError::new(path, place(bytes, &e), FormatErrorKind::Stl(e));
-    let mut file = stl::read(bytes).map_err(fail)?;
-    let triangles = file.triangles.len();
-    file.triangles.iter_mut().flatten().flatten().for_each(|coordinate| *coordinate *= unit);
-    let mesh = ClosedMesh::from_triangles(file.triangles).map_err(|scaled| {
-        FormatError::new(path, None, FormatErrorKind::Body(unscaled(bytes).unwrap_or(scaled)))
-    })?;
-    Ok(MeshFile { mesh, kind: file.kind, name: file.name, triangles })
-}
 
-/// The same complaint with the numbers that stand in the file.
-fn unscaled(bytes: &[u8]) -> Option<BodyError> {
-    ClosedMesh::from_triangles(stl::read(bytes).ok()?.triangles).err()
-}
-
-/// Where in an ASCII file an error is: its column counts characters, not bytes.
-fn place(bytes: &[u8], error: &StlError) -> Option<Place> {
-    let StlPlace::Text { line, column } = error.place()? else { return None };
-    // Lines end in \n, \r\n or \r, as the parser counts them.
-    let mut start = 0;
-    for _ in 1..line {
-        let end = start + bytes[start..].iter().position(|b| b"\r\n".contains(b))?;
-        start = end + if bytes[end..].starts_with(b"\r\n") { 2 } else { 1 };
+    /// Reads the mesh that a user calls `written`.
+    pub(crate) fn read_as(path: &Path, written: &str, format: MeshFormat) -> Result<Self, FormatError> {
+        let bytes =
+            file::bytes(path, written, u64::MAX).map_err(|kind| FormatError::new(path, None, kind))?;
+        Self::parse(&bytes, path, format)
     }
-    let length = bytes[start..].iter().position(|b| b"\r\n".contains(b)).unwrap_or(bytes.len() - start);
-    let text = &bytes[start..start + length];
-    let (before, after) = text.split_at_checked(column - 1)?;
-    let token = after.iter().position(u8::is_ascii_whitespace).unwrap_or(after.len());
-    let before = String::from_utf8_lossy(before);
-    let line_text = format!("{before}{}", String::from_utf8_lossy(after));
-    let local = Place::in_text(&line_text, before.len()..before.len() + token);
-    let offset = start + column - 1;
-    Some(Place { line, span: offset..offset + token, ..local })
+
+    /// Reads the bytes of a mesh file; `path` is for messages, and its folder for the files that a glTF names.
+    ///
+    /// # Errors
+    /// [`FormatError`] if the bytes do not follow the format.
+    pub fn parse(bytes: &[u8], path: &Path, format: MeshFormat) -> Result<Self, FormatError> {
+        let contents = match format {
+            MeshFormat::Stl => return stl::contents(bytes, path),
+            MeshFormat::Obj => obj::read(bytes),
+            MeshFormat::Ply => ply::read(bytes),
+            MeshFormat::Off => off::read(bytes),
+            MeshFormat::Gltf => gltf::read(bytes, path.parent().unwrap_or(Path::new(""))),
+            MeshFormat::ThreeMf => threemf::read(bytes),
+        };
+        contents.and_then(Self::with_parts).map_err(|error| FormatError::of_content(path, bytes, error))
+    }
+
+    fn with_parts(self) -> Result<Self, ContentError> {
+        if !self.parts.is_empty() {
+            return Ok(self);
+        }
+        let missing = ContentErrorKind::Missing { what: "triangles".to_owned() };
+        Err(ContentError::new(missing, ContentPlace::Whole)
+            .hint("export the solid body, not the empty document"))
+    }
+
+    /// Triangles in all parts.
+    pub fn triangles(&self) -> usize {
+        self.parts.iter().map(|part| part.mesh.triangles().len()).sum()
+    }
+
+    /// All parts as one, without a name.
+    ///
+    /// # Errors
+    /// [`BodyError::Parameter`] for more vertices than can be numbered.
+    pub fn as_one(self) -> Result<Self, BodyError> {
+        let parts = vec![MeshPart { name: String::new(), mesh: solid::joined(&self.parts)? }];
+        Ok(Self { parts, ..self })
+    }
+
+    /// The same in metres: by the unit that the user gives, else by the file's own, else it is in metres already.
+    ///
+    /// A user's unit that differs from the file's own is a finding.
+    #[must_use]
+    pub fn in_metres(mut self, given: Option<f64>) -> Self {
+        let unit = given.or(self.unit).unwrap_or(1.0);
+        if let Some(own) = self.unit.filter(|own| *own != unit) {
+            self.findings.push(Finding {
+                code: "mesh.unit",
+                severity: Severity::Warning,
+                message: format!("the file's own unit is {own} m, and {unit} m was used as you said"),
+                place: None,
+            });
+        }
+        for part in &mut self.parts {
+            part.mesh = std::mem::take(&mut part.mesh).scaled(unit);
+        }
+        self.unit = Some(unit);
+        self
+    }
 }

@@ -1,1 +1,8 @@
 //! OFF: the Object File Format of Geomview.
+
+use super::MeshContents;
+use crate::content::{ContentError, ContentErrorKind, ContentPlace};
+
+pub fn read(_bytes: &[u8]) -> Result<MeshContents, ContentError> {
+    Err(ContentError::new(ContentErrorKind::Unsupported { what: "this".to_owned() }, ContentPlace::Whole))
+}

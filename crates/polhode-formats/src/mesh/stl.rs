@@ -12,6 +12,13 @@
 use std::error::Error;
 use std::fmt;
 
+use std::path::Path;
+
+use polhode::TriangleMesh;
+
+use super::{MeshContents, MeshPart};
+use crate::error::{FormatError, FormatErrorKind, Place};
+
 const HEADER: usize = 80;
 const PREAMBLE: usize = HEADER + 4;
 const RECORD: usize = 50;
@@ -208,6 +215,34 @@ impl fmt::Display for StlPlace {
             Self::Record { index, offset } => write!(f, "triangle {index} (counted from 0), byte {offset}"),
         }
     }
+}
+
+/// What the bytes of an STL file say; `path` is for messages.
+pub(super) fn contents(bytes: &[u8], path: &Path) -> Result<MeshContents, FormatError> {
+    let Stl { kind, name, triangles, .. } = read(bytes)
+        .map_err(|error| FormatError::new(path, place(bytes, &error), FormatErrorKind::Stl(error)))?;
+    let mesh = TriangleMesh::of_triangles(&triangles)
+        .map_err(|error| FormatError::new(path, None, FormatErrorKind::Body(error)))?;
+    let encoding = match kind {
+        StlKind::Binary => "binary",
+        StlKind::Ascii => "ascii",
+    };
+    let parts = vec![MeshPart { name: String::new(), mesh }];
+    Ok(MeshContents { encoding, name, unit: None, parts, findings: Vec::new() })
+}
+
+/// Where in an ASCII file an error is: its column counts characters, not bytes.
+fn place(bytes: &[u8], error: &StlError) -> Option<Place> {
+    let StlPlace::Text { line, column } = error.place()? else { return None };
+    let mut start = 0;
+    for _ in 1..line {
+        let end = start + bytes[start..].iter().position(|b| b"\r\n".contains(b))?;
+        start = end + if bytes[end..].starts_with(b"\r\n") { 2 } else { 1 };
+    }
+    let offset = start + column - 1;
+    let rest = bytes.get(offset..)?;
+    let token = rest.iter().position(u8::is_ascii_whitespace).unwrap_or(rest.len());
+    Some(Place::in_bytes(bytes, offset..offset + token))
 }
 
 fn whole_records(length: usize) -> usize {

@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use polhode::{
-    Body, BodyPart, Extent, Finding, MassProperties, Part, Particle, PlacedPart, Position, Rotation, Shape,
-    mass_properties_of_particles,
+    Body, BodyPart, ClosedMesh, Extent, Finding, MassProperties, Part, Particle, PlacedPart, Position,
+    Rotation, Shape, mass_properties_of_particles,
 };
 
 use super::reader::{Table, Value};
@@ -13,7 +13,7 @@ use super::shape::{SHAPES, shape};
 use super::substance::{self, substance};
 use super::tensor;
 use crate::error::{FormatError, FormatErrorKind};
-use crate::mesh::{self, MeshFile};
+use crate::mesh::{MeshContents, MeshFormat, MeshSolid};
 use crate::unit::{self, Dimension};
 
 /// Keys that every part may have.
@@ -46,7 +46,7 @@ pub(crate) fn part(
                 particles: Vec::new(),
             });
         }
-        "mesh" => Box::new(read_mesh(&table, &name, findings)?.mesh) as Box<dyn Shape>,
+        "mesh" => Box::new(read_mesh(&table, &name, findings)?) as Box<dyn Shape>,
         _ => shape(kind, &table)?,
     };
     let extent = solid.spread().extent();
@@ -125,25 +125,34 @@ fn particles(table: &Table<'_>, name: String, placement: &Placement) -> Result<B
     Ok(BodyPart { name, kind: "particles", properties, extent: None, surface_area: None, particles })
 }
 
-/// The mesh of `file`, a path relative to the scenario, in `unit`s.
-fn read_mesh(table: &Table<'_>, name: &str, findings: &mut Vec<Finding>) -> Result<MeshFile, FormatError> {
+/// The mesh of `file`, a path relative to the scenario, all its parts as one; in `unit`s, unless the file has a unit of its own.
+fn read_mesh(table: &Table<'_>, name: &str, findings: &mut Vec<Finding>) -> Result<ClosedMesh, FormatError> {
     let file = table.require("file", "file = \"part.stl\"")?;
     let written = file.string()?;
     if written.is_empty() {
         return Err(file.invalid("a path").with_hint("write file = \"part.stl\", relative to the scenario"));
     }
-    let unit = table.get("unit").map_or(Ok(1.0), |value| length_unit(&value))?;
+    let unit = table.get("unit").map(|value| length_unit(&value)).transpose()?;
     let scenario = file.source().path;
     let path = scenario.parent().unwrap_or(Path::new("")).join(written);
-    let mesh = mesh::read_as(&path, written, unit).map_err(|error| match error.kind() {
+    let Some(format) = MeshFormat::of_path(&path) else {
+        let known: Vec<_> = MeshFormat::ALL.iter().map(|format| format.name()).collect();
+        return Err(file.invalid("a mesh file").with_hint(format!("mesh files end in {}", known.join(", "))));
+    };
+    let solid = MeshContents::read_as(&path, written, format).and_then(|contents| {
+        let one = contents.as_one().map_err(|e| FormatError::new(&path, None, FormatErrorKind::Body(e)))?;
+        MeshSolid::of(one, &path, format, unit)
+    });
+    let solid = solid.map_err(|error| match error.kind() {
         // A file that is not there has no lines: the scenario's line is to blame.
         kind @ FormatErrorKind::Io { .. } => file
             .error(kind.clone())
             .with_hint(format!("paths are relative to the scenario: this one is {path:?}")),
         _ => error.named_in(scenario, file.place()),
     })?;
-    findings.extend(mesh.findings(&format!("part \"{name}\", {written}")));
-    Ok(mesh)
+    findings.extend(solid.findings_in(&format!("part \"{name}\", {written}")));
+    let mut parts = solid.parts;
+    parts.pop().map(|part| part.mesh).ok_or_else(|| file.invalid("a mesh with triangles"))
 }
 
 /// `unit = "mm"`: what one is, in metres.

@@ -72,6 +72,19 @@ impl ClosedMesh {
         Ok(Self { degenerate: given - triangles.len(), triangles, vertices, inverted, spread, area })
     }
 
+    /// The solid that a mesh bounds.
+    ///
+    /// # Errors
+    /// As [`ClosedMesh::from_triangles`].
+    pub fn of(mesh: &super::TriangleMesh) -> Result<Self, BodyError> {
+        Self::from_triangles(mesh.corners().collect())
+    }
+
+    /// What was turned or left out.
+    pub fn findings(&self) -> Vec<crate::Finding> {
+        Vec::new()
+    }
+
     /// The triangles, normals outward, without degenerate ones.
     pub fn triangles(&self) -> &[Triangle] {
         &self.triangles

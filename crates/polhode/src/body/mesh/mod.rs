@@ -52,8 +52,9 @@ impl TriangleMesh {
     /// Triangles that share nothing by index, as STL has them.
     ///
     /// # Errors
-    /// [`BodyError::Vertex`] for a vertex that is not finite.
+    /// [`BodyError::Vertex`] for a vertex that is not finite; [`BodyError::Parameter`] for more than 32 bits can number.
     pub fn of_triangles(triangles: &[Triangle]) -> Result<Self, BodyError> {
+        numbered(3 * triangles.len())?;
         let indices = (0..).step_by(3).take(triangles.len()).map(|k: u32| [k, k + 1, k + 2]).collect();
         Self::new(triangles.iter().flatten().copied().collect(), indices)
     }
@@ -73,10 +74,30 @@ impl TriangleMesh {
         self.triangles.iter().map(|corners| corners.map(|index| self.vertices[index as usize]))
     }
 
+    /// This one's triangles and the other's.
+    ///
+    /// # Errors
+    /// [`BodyError::Parameter`] for more vertices than 32 bits can number.
+    pub fn joined(mut self, other: &Self) -> Result<Self, BodyError> {
+        numbered(self.vertices.len() + other.vertices.len())?;
+        let first = self.vertices.len() as u32;
+        self.triangles.extend(other.triangles.iter().map(|corners| corners.map(|index| index + first)));
+        self.vertices.extend_from_slice(&other.vertices);
+        Ok(self)
+    }
+
     /// The same with every coordinate times a number: another unit of length.
     #[must_use]
     pub fn scaled(mut self, factor: f64) -> Self {
         self.vertices.iter_mut().flatten().for_each(|c| *c *= factor);
         self
     }
+}
+
+/// Refuses more vertices than an index has numbers.
+fn numbered(vertices: usize) -> Result<(), BodyError> {
+    if u32::try_from(vertices).is_ok() {
+        return Ok(());
+    }
+    Err(BodyError::Parameter { what: "the number of vertices", value: vertices as f64, rule: "below 2³²" })
 }

@@ -1,0 +1,149 @@
+//! The solids that the parts of a mesh file bound.
+
+use std::path::Path;
+
+use polhode::{BodyError, ClosedMesh, Finding, Severity, TriangleMesh};
+
+use super::{MeshContents, MeshFormat, MeshPart};
+use crate::error::{FormatError, FormatErrorKind};
+use crate::text::escaped;
+
+/// A mesh file as solids, in metres.
+#[derive(Clone, Debug)]
+pub struct MeshSolid {
+    /// The format of the file.
+    pub format: MeshFormat,
+    /// How it is encoded, in a word or two.
+    pub encoding: &'static str,
+    /// The name that the file gives itself; often empty.
+    pub name: String,
+    /// Metres in the file's unit of length.
+    pub unit: f64,
+    /// Triangles in the file, degenerate ones too.
+    pub triangles: usize,
+    /// The solids, at least one.
+    pub parts: Vec<SolidPart>,
+    /// What had to be turned, joined or left out.
+    pub findings: Vec<Finding>,
+}
+
+/// One solid of a mesh file.
+#[derive(Clone, Debug)]
+pub struct SolidPart {
+    /// Its name in the file; often empty.
+    pub name: String,
+    /// What it is.
+    pub mesh: ClosedMesh,
+}
+
+impl MeshSolid {
+    /// Reads a mesh file as solids; `unit` is what one is in metres, 0.001 for millimetres, if the file does not say or is wrong.
+    ///
+    /// Each part is a solid of its own if it is closed. Else all parts together are one: the groups of an OBJ file often divide
+    /// a surface, not a body.
+    ///
+    /// # Errors
+    /// [`FormatError`] if the file cannot be read, does not follow its format, or does not bound a solid.
+    pub fn read(path: &Path, format: MeshFormat, unit: Option<f64>) -> Result<Self, FormatError> {
+        Self::read_as(path, &path.to_string_lossy(), format, unit)
+    }
+
+    /// Reads the mesh that a user calls `written`.
+    pub(crate) fn read_as(
+        path: &Path,
+        written: &str,
+        format: MeshFormat,
+        unit: Option<f64>,
+    ) -> Result<Self, FormatError> {
+        Self::of(MeshContents::read_as(path, written, format)?, path, format, unit)
+    }
+
+    /// The solids of what has been read.
+    ///
+    /// # Errors
+    /// [`FormatError`] if the parts do not bound solids.
+    pub fn of(
+        contents: MeshContents,
+        path: &Path,
+        format: MeshFormat,
+        unit: Option<f64>,
+    ) -> Result<Self, FormatError> {
+        if let Some(value) = unit.filter(|unit| !(*unit > 0.0 && unit.is_finite())) {
+            let error = BodyError::Parameter { what: "the mesh's unit", value, rule: "positive and finite" };
+            return Err(FormatError::new(path, None, FormatErrorKind::Body(error)));
+        }
+        let triangles = contents.triangles();
+        let contents = contents.in_metres(unit);
+        let unit = contents.unit.unwrap_or(1.0);
+        let (parts, joined) = solids(&contents.parts).map_err(|(name, mesh, error)| {
+            // the numbers of the complaint as they stand in the file
+            let error = ClosedMesh::of(&mesh.scaled(1.0 / unit)).err().unwrap_or(error);
+            let part = (!name.is_empty()).then(|| escaped(&name));
+            FormatError::new(path, None, FormatErrorKind::Mesh { part, error })
+        })?;
+        let mut findings = contents.findings;
+        findings.extend(joined);
+        for part in &parts {
+            let place = (!part.name.is_empty()).then(|| format!("part \"{}\"", escaped(&part.name)));
+            findings.extend(
+                part.mesh
+                    .findings()
+                    .into_iter()
+                    .map(|finding| Finding { place: finding.place.or_else(|| place.clone()), ..finding }),
+            );
+        }
+        Ok(Self {
+            format,
+            encoding: contents.encoding,
+            name: contents.name,
+            unit,
+            triangles,
+            parts,
+            findings,
+        })
+    }
+
+    /// The findings, each with the file that it is about.
+    pub fn findings_in(&self, file: &str) -> Vec<Finding> {
+        let file = escaped(file);
+        let place = |own: &Option<String>| match own {
+            Some(own) => format!("{file}, {own}"),
+            None => file.clone(),
+        };
+        self.findings.iter().map(|f| Finding { place: Some(place(&f.place)), ..f.clone() }).collect()
+    }
+}
+
+/// Each part's solid, or that of all together.
+fn solids(
+    parts: &[MeshPart],
+) -> Result<(Vec<SolidPart>, Option<Finding>), (String, TriangleMesh, BodyError)> {
+    let mut solids = Vec::new();
+    for part in parts {
+        match ClosedMesh::of(&part.mesh) {
+            Ok(mesh) => solids.push(SolidPart { name: part.name.clone(), mesh }),
+            Err(error) => {
+                // not a solid alone: one of a surface's pieces?
+                let one = if parts.len() > 1 {
+                    joined(parts).and_then(|all| ClosedMesh::of(&all)).ok()
+                } else {
+                    None
+                };
+                let Some(mesh) = one else { return Err((part.name.clone(), part.mesh.clone(), error)) };
+                let finding = Finding {
+                    code: "mesh.joined",
+                    severity: Severity::Info,
+                    message: format!("the {} parts of the file bound one solid together", parts.len()),
+                    place: None,
+                };
+                return Ok((vec![SolidPart { name: String::new(), mesh }], Some(finding)));
+            }
+        }
+    }
+    Ok((solids, None))
+}
+
+/// The triangles of all parts as one mesh.
+pub(super) fn joined(parts: &[MeshPart]) -> Result<TriangleMesh, BodyError> {
+    parts.iter().try_fold(TriangleMesh::default(), |all, part| all.joined(&part.mesh))
+}

@@ -1,0 +1,49 @@
+//! The parts of a body, each with its own mass.
+
+use polhode::{Body, MassProperties};
+use serde_json::{Value, json};
+
+use crate::extra::Extra;
+use crate::json::vector;
+use crate::layout::{columns, printable};
+use crate::number::tidy;
+use crate::unit;
+
+/// One part of a body.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PartRow {
+    /// Its name; its number, from 1, stands for an empty one.
+    pub name: String,
+    /// Its mass properties along the body's axes.
+    pub properties: MassProperties<Body>,
+    /// Enclosed volume, m³.
+    pub volume: Option<f64>,
+}
+
+/// The block `parts`, for a body of several.
+pub fn parts(rows: &[PartRow]) -> Extra {
+    let one = |row: &PartRow| {
+        json!({
+            "name": row.name,
+            "mass": row.properties.mass(),
+            "volume": row.volume,
+            "density": row.volume.map(|v| row.properties.mass() / v),
+            "center_of_mass": vector(row.properties.center_of_mass()),
+        })
+    };
+    Extra { key: "parts", json: rows.iter().map(one).collect::<Value>(), text: text(rows) }
+}
+
+fn text(rows: &[PartRow]) -> String {
+    let cells: Vec<Vec<String>> = rows
+        .iter()
+        .enumerate()
+        .map(|(k, row)| {
+            let name = if row.name.is_empty() { format!("part {}", k + 1) } else { printable(&row.name) };
+            let place = unit::place(tidy(row.properties.center_of_mass().to_array()));
+            vec![name, unit::mass(row.properties.mass()), format!("centre of mass {place}")]
+        })
+        .collect();
+    let lines = columns(&cells).into_iter().map(|line| format!("    {line}\n")).collect::<String>();
+    format!("parts\n{lines}")
+}

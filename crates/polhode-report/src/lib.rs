@@ -14,6 +14,7 @@
 
 mod block;
 mod explain;
+mod export;
 mod finding;
 mod forces;
 mod inertia;
@@ -31,6 +32,7 @@ mod unit;
 
 pub use explain::document::{Block, Document, Section};
 pub use explain::explain;
+pub use export::{ExportBody, ExportError, ExportFormat, export};
 pub use inertia::InertiaReport;
 pub use json::pretty;
 pub use motion::MotionReport;

@@ -2,8 +2,8 @@
 //!
 //! `fullinertia` is M11 M22 M33 M12 M13 M23 of the tensor; `quat` is scalar first (MuJoCo's XML reference, `inertial`).
 
-use super::xml::{attribute, check_names, comment};
-use super::{ExportBody, ExportError, ExportFormat, elements, number, numbers, warning};
+use super::xml::{attribute, check_names, model, warning};
+use super::{ExportBody, ExportError, ExportFormat, elements, number, numbers};
 use crate::VERSION;
 
 /// The whole file.
@@ -13,27 +13,34 @@ pub(super) fn write(format: ExportFormat, bodies: &[ExportBody]) -> Result<Strin
         let rule = "MuJoCo's own first body has it";
         return Err(ExportError::Name { format, name: name.clone(), rule });
     }
-    let model = match bodies {
-        [body] => attribute(&body.name),
-        _ => "bodies".to_owned(),
-    };
-    Ok("<?xml version=\"1.0\"?>\n".to_owned()
-        + &comment("", &format!("polhode {VERSION}: mass properties as MuJoCo bodies, in kg, m, kg m^2"))
-        + &format!("<mujoco model=\"{model}\">\n  <worldbody>\n")
-        + &bodies.iter().map(|body| element(format, body)).collect::<String>()
-        + "  </worldbody>\n</mujoco>\n")
+    let model = model(bodies);
+    let elements: String = bodies.iter().map(|body| element(format, body)).collect();
+    Ok(format!(
+        r#"<?xml version="1.0"?>
+<!-- polhode {VERSION}: mass properties as MuJoCo bodies, in kg, m, kg m^2 -->
+<mujoco model="{model}">
+  <worldbody>
+{elements}  </worldbody>
+</mujoco>
+"#
+    ))
 }
 
 fn element(format: ExportFormat, body: &ExportBody) -> String {
     let properties = &body.properties;
     let (said, inertia) = if format == ExportFormat::MjcfPrincipal { principal(body) } else { full(body) };
-    let center = numbers(&properties.center_of_mass().to_array(), " ");
+    let name = attribute(&body.name);
     let mass = number(properties.mass());
-    format!("    <body name=\"{}\">\n", attribute(&body.name))
-        + &comment("      ", "pos: centre of mass from the body's origin, along the body's axes")
-        + &comment("      ", said)
-        + &warning(properties).map(|text| comment("      ", text)).unwrap_or_default()
-        + &format!("      <inertial pos=\"{center}\" mass=\"{mass}\" {inertia}/>\n    </body>\n")
+    let center = numbers(&properties.center_of_mass().to_array(), " ");
+    let warning = warning("      ", properties);
+    format!(
+        r#"    <body name="{name}">
+      <!-- pos: centre of mass from the body's origin, along the body's axes -->
+      <!-- {said} -->
+{warning}      <inertial pos="{center}" mass="{mass}" {inertia}/>
+    </body>
+"#
+    )
 }
 
 /// What the tensor is, and its attribute.
@@ -42,7 +49,7 @@ fn full(body: &ExportBody) -> (&'static str, String) {
     let inertia = numbers(&[ixx, iyy, izz, ixy, ixz, iyz], " ");
     (
         "fullinertia: M11 M22 M33 M12 M13 M23 of the tensor about pos, along the body's axes; M12 = -integral(x y dm)",
-        format!("fullinertia=\"{inertia}\""),
+        format!(r#"fullinertia="{inertia}""#),
     )
 }
 
@@ -54,6 +61,6 @@ fn principal(body: &ExportBody) -> (&'static str, String) {
     let moments = numbers(&principal.moments(), " ");
     (
         "diaginertia: principal moments about pos; quat: w x y z, turns principal components into the body's",
-        format!("quat=\"{quaternion}\" diaginertia=\"{moments}\""),
+        format!(r#"quat="{quaternion}" diaginertia="{moments}""#),
     )
 }

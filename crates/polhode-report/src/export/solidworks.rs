@@ -10,29 +10,22 @@ use super::{ExportBody, ExportError, ExportFormat, number, numbers};
 use crate::VERSION;
 use crate::layout::printable;
 
-/// The line above moments.
-const MOMENTS: &str = "Moments of inertia: ( kilograms * square meters )";
-/// SolidWorks' words.
-const NOTATION: &str = "(Using positive tensor notation.)";
-
 /// One report after the other.
 pub(super) fn write(bodies: &[ExportBody]) -> Result<String, ExportError> {
-    let mut text = format!(
-        "polhode {VERSION}: mass properties in the layout of SolidWorks, SI units, along the body's own axes.\n\
-         Positive tensor notation: Lxy = +integral(x y dm), the opposite of the inertia tensor's element.\n"
-    );
-    for body in bodies {
-        text += &report(body)?;
-    }
-    Ok(text)
+    let reports: Vec<String> = bodies.iter().map(report).collect::<Result<_, _>>()?;
+    let reports = reports.join("\n");
+    Ok(format!(
+        "polhode {VERSION}: mass properties in the layout of SolidWorks, SI units, along the body's own axes.
+Positive tensor notation: Lxy = +integral(x y dm), the opposite of the inertia tensor's element.
+
+{reports}"
+    ))
 }
 
 fn report(body: &ExportBody) -> Result<String, ExportError> {
     let properties = &body.properties;
-    let [x, y, z] = properties.center_of_mass().to_array().map(number);
-    let center = properties.inertia().matrix();
-    let origin = properties.inertia_about(Position::ZERO).matrix();
-    if let Some(&value) = origin.iter().flatten().find(|x| !x.is_finite()) {
+    let about_origin = properties.inertia_about(Position::ZERO).matrix();
+    if let Some(&value) = about_origin.iter().flatten().find(|x| !x.is_finite()) {
         let (body, what) = (body.name.clone(), "an element of the tensor about the origin");
         let rule = "it has to be finite";
         return Err(ExportError::Range { format: ExportFormat::SolidWorks, body, what, value, rule });
@@ -41,21 +34,34 @@ fn report(body: &ExportBody) -> Result<String, ExportError> {
         Some(x) if x.is_finite() => format!("{label} = {} {unit}\n\n", number(x)),
         _ => String::new(),
     };
-    Ok(format!("\nMass properties of {}\n     Coordinate system: -- default --\n\n", printable(&body.name))
-        + &known("Density", body.density, "kilograms per cubic meter")
-        + &known("Mass", Some(properties.mass()), "kilograms")
-        + &known("Volume", body.volume, "cubic meters")
-        + &known("Surface area", body.surface_area, "square meters")
-        + &format!("Center of mass: ( meters )\n\tX = {x}\n\tY = {y}\n\tZ = {z}\n\n")
-        + "Principal axes of inertia and principal moments of inertia: ( kilograms * square meters )\n"
-        + "Taken at the center of mass.\n"
-        + &principal(body)
-        + &format!(
-            "\n{MOMENTS}\nTaken at the center of mass and aligned with the output coordinate system. {NOTATION}\n"
-        )
-        + &tensor('L', center)
-        + &format!("\n{MOMENTS}\nTaken at the output coordinate system. {NOTATION}\n")
-        + &tensor('I', origin))
+    let name = printable(&body.name);
+    let density = known("Density", body.density, "kilograms per cubic meter");
+    let mass = known("Mass", Some(properties.mass()), "kilograms");
+    let volume = known("Volume", body.volume, "cubic meters");
+    let area = known("Surface area", body.surface_area, "square meters");
+    let [x, y, z] = properties.center_of_mass().to_array().map(number);
+    let principal = principal(body);
+    let central = tensor('L', properties.inertia().matrix());
+    let about_origin = tensor('I', about_origin);
+    Ok(format!(
+        "Mass properties of {name}
+     Coordinate system: -- default --
+
+{density}{mass}{volume}{area}Center of mass: ( meters )
+\tX = {x}
+\tY = {y}
+\tZ = {z}
+
+Principal axes of inertia and principal moments of inertia: ( kilograms * square meters )
+Taken at the center of mass.
+{principal}
+Moments of inertia: ( kilograms * square meters )
+Taken at the center of mass and aligned with the output coordinate system. (Using positive tensor notation.)
+{central}
+Moments of inertia: ( kilograms * square meters )
+Taken at the output coordinate system. (Using positive tensor notation.)
+{about_origin}"
+    ))
 }
 
 /// The axes as unit vectors, and the moments, ascending.

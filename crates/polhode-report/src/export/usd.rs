@@ -22,33 +22,45 @@ pub(super) fn write(bodies: &[ExportBody]) -> Result<String, ExportError> {
             default = identifier;
         }
     }
-    Ok("#usda 1.0\n".to_owned()
-        + &format!("# polhode {VERSION}: mass properties as UsdPhysics attributes, in kg, m, kg m^2\n")
-        + "# These attributes are single precision: USD rounds the numbers to f32 as it reads them.\n"
-        + &format!(
-            "(\n    defaultPrim = \"{default}\"\n    kilogramsPerUnit = 1\n    metersPerUnit = 1\n)\n"
-        )
-        + &prims)
+    Ok(format!(
+        r#"#usda 1.0
+# polhode {VERSION}: mass properties as UsdPhysics attributes, in kg, m, kg m^2
+# These attributes are single precision: USD rounds the numbers to f32 as it reads them.
+(
+    defaultPrim = "{default}"
+    kilogramsPerUnit = 1
+    metersPerUnit = 1
+)
+{prims}"#
+    ))
 }
 
 fn prim(body: &ExportBody, identifier: &str) -> String {
     let properties = &body.properties;
     let principal = properties.principal();
+    let name = quoted(&body.name);
     let mass = number(properties.mass());
     let center = numbers(&properties.center_of_mass().to_array(), ", ");
     let moments = numbers(&principal.moments(), ", ");
     // R_body_principal
     let quaternion = numbers(&principal.rotation().canonical_quaternion(), ", ");
-    format!("\ndef Xform \"{identifier}\" (\n")
-        + "    prepend apiSchemas = [\"PhysicsRigidBodyAPI\", \"PhysicsMassAPI\"]\n"
-        + &format!("    displayName = \"{}\"\n)\n{{\n", quoted(&body.name))
-        + &format!("    float physics:mass = {mass}\n")
-        + "    # from the prim's origin, along its axes\n"
-        + &format!("    point3f physics:centerOfMass = ({center})\n")
-        + "    # principal moments about the centre of mass; along principal axes there are no products\n"
-        + &format!("    float3 physics:diagonalInertia = ({moments})\n")
-        + "    # (w, x, y, z): turns principal components into the prim's\n"
-        + &format!("    quatf physics:principalAxes = ({quaternion})\n}}\n")
+    format!(
+        r#"
+def Xform "{identifier}" (
+    prepend apiSchemas = ["PhysicsRigidBodyAPI", "PhysicsMassAPI"]
+    displayName = "{name}"
+)
+{{
+    float physics:mass = {mass}
+    # from the prim's origin, along its axes
+    point3f physics:centerOfMass = ({center})
+    # principal moments about the centre of mass; along principal axes there are no products
+    float3 physics:diagonalInertia = ({moments})
+    # (w, x, y, z): turns principal components into the prim's
+    quatf physics:principalAxes = ({quaternion})
+}}
+"#
+    )
 }
 
 /// Single precision holds the numbers, and none of them becomes the 0 that means "not given".

@@ -1,4 +1,8 @@
-//! Names in XML.
+//! Names and warnings in XML.
+
+use std::collections::BTreeSet;
+
+use polhode::{Body, MassProperties, Symmetry};
 
 use super::{ExportBody, ExportError, ExportFormat};
 
@@ -22,10 +26,18 @@ pub(super) fn attribute(text: &str) -> String {
     value
 }
 
+/// The name of a model: that of its only body.
+pub(super) fn model(bodies: &[ExportBody]) -> String {
+    match bodies {
+        [body] => attribute(&body.name),
+        _ => "bodies".to_owned(),
+    }
+}
+
 /// Every body has a name, and each another.
 pub(super) fn check_names(format: ExportFormat, bodies: &[ExportBody]) -> Result<(), ExportError> {
     let refused = |body: &ExportBody, rule| ExportError::Name { format, name: body.name.clone(), rule };
-    let mut seen = std::collections::BTreeSet::new();
+    let mut seen = BTreeSet::new();
     for body in bodies {
         if body.name.is_empty() {
             return Err(refused(body, "it has to have a letter at least"));
@@ -37,7 +49,12 @@ pub(super) fn check_names(format: ExportFormat, bodies: &[ExportBody]) -> Result
     Ok(())
 }
 
-/// A comment on a line of its own.
-pub(super) fn comment(indent: &str, text: &str) -> String {
-    format!("{indent}<!-- {text} -->\n")
+/// What a simulator may stumble over, as a comment on a line of its own; most bodies have no such thing.
+pub(super) fn warning(indent: &str, body: &MassProperties<Body>) -> String {
+    let text = match body.principal().symmetry() {
+        Symmetry::Point => "a point: it has no moments of inertia",
+        Symmetry::Rod => "a rod: it has no moment of inertia about its own line",
+        _ => return String::new(),
+    };
+    format!("{indent}<!-- {text}, and many simulators refuse that -->\n")
 }

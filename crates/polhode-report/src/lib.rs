@@ -14,6 +14,7 @@
 
 mod block;
 mod explain;
+mod export;
 mod extra;
 mod finding;
 mod forces;
@@ -33,6 +34,7 @@ mod unit;
 
 pub use explain::document::{Block, Document, Section};
 pub use explain::explain;
+pub use export::{ExportBody, ExportError, ExportFormat, export};
 pub use extra::Extra;
 pub use inertia::InertiaReport;
 pub use json::pretty;

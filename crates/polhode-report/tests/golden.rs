@@ -8,10 +8,13 @@ mod common;
 use std::path::Path;
 
 use polhode::{
-    AngularVelocity, Attitude, AxisConvention, Body, FreeMotion, InertiaTensor, Position, PrincipalFrame,
-    Rotation, Scenario, State, TumblingPeriods,
+    AngularVelocity, Attitude, AxisConvention, Body, FreeMotion, InertiaTensor, MassProperties, Position,
+    PrincipalFrame, Rotation, Scenario, State, TumblingPeriods,
 };
-use polhode_report::{InertiaReport, MotionReport, SourceInfo, SpinReport, TumblerReport, explain, pretty};
+use polhode_report::{
+    ExportBody, ExportFormat, InertiaReport, MotionReport, SourceInfo, SpinReport, TumblerReport, explain,
+    export, pretty,
+};
 
 /// Lines that tell of rounding or of the integrator's steps: they change with the core, and other tests bound them.
 const EVIDENCE: [&str; 10] = [
@@ -144,4 +147,19 @@ fn spins() {
     let periods = TumblingPeriods { precession: 2.0, rotation: 5.0 };
     let report = TumblerReport::new(None, brick, periods, AxisConvention::LongAxis).unwrap();
     check("spin_periods.txt", &report.to_text());
+}
+
+#[test]
+fn exports() {
+    let inertia = InertiaTensor::with_negative_products([3.1, 4.2, 5.3], [0.4, -0.3, 0.2]).unwrap();
+    let bracket = MassProperties::new(2.3, Position::new(0.11, -0.07, 0.23), inertia).unwrap();
+    let bracket =
+        ExportBody { volume: Some(0.0009), density: Some(2555.5), ..ExportBody::new("bracket", bracket) };
+    let handle = ExportBody::new("T-handle", common::t_handle().body);
+    for &format in ExportFormat::ALL {
+        let bodies = [bracket.clone(), handle.clone()];
+        let bodies = if format == ExportFormat::Urdf { &bodies[..1] } else { &bodies[..] };
+        let name = format!("export_{}.{}", format.name(), format.extension());
+        check(&name, &export(format, bodies).unwrap());
+    }
 }

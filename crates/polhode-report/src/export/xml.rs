@@ -1,0 +1,60 @@
+//! Names and warnings in XML.
+
+use std::collections::BTreeSet;
+
+use polhode::{Body, MassProperties, Symmetry};
+
+use super::{ExportBody, ExportError, ExportFormat};
+
+/// The text as an attribute's value, between double quotes.
+///
+/// Line breaks, tabs and other controls become references, which read back. XML 1.0 has no way to say the rest of the
+/// controls: they are shown as in Rust, `\u{7}`.
+pub(super) fn attribute(text: &str) -> String {
+    let mut value = String::new();
+    for c in text.chars() {
+        match c {
+            '&' => value.push_str("&amp;"),
+            '<' => value.push_str("&lt;"),
+            '>' => value.push_str("&gt;"),
+            '"' => value.push_str("&quot;"),
+            '\t' | '\n' | '\r' | '\u{7f}'..='\u{9f}' => value.push_str(&format!("&#{};", u32::from(c))),
+            '\u{0}'..'\u{20}' | '\u{fffe}' | '\u{ffff}' => value.extend(c.escape_unicode()),
+            _ => value.push(c),
+        }
+    }
+    value
+}
+
+/// The name of a model: that of its only body.
+pub(super) fn model(bodies: &[ExportBody]) -> String {
+    match bodies {
+        [body] => attribute(&body.name),
+        _ => "bodies".to_owned(),
+    }
+}
+
+/// Every body has a name, and each another.
+pub(super) fn check_names(format: ExportFormat, bodies: &[ExportBody]) -> Result<(), ExportError> {
+    let refused = |body: &ExportBody, rule| ExportError::Name { format, name: body.name.clone(), rule };
+    let mut seen = BTreeSet::new();
+    for body in bodies {
+        if body.name.is_empty() {
+            return Err(refused(body, "it has to have a letter at least"));
+        }
+        if !seen.insert(&body.name) {
+            return Err(refused(body, "another body has it too, and each needs its own"));
+        }
+    }
+    Ok(())
+}
+
+/// What a simulator may stumble over, as a comment on a line of its own; most bodies have no such thing.
+pub(super) fn warning(indent: &str, body: &MassProperties<Body>) -> String {
+    let text = match body.principal().symmetry() {
+        Symmetry::Point => "a point: it has no moments of inertia",
+        Symmetry::Rod => "a rod: it has no moment of inertia about its own line",
+        _ => return String::new(),
+    };
+    format!("{indent}<!-- {text}, and many simulators refuse that -->\n")
+}

@@ -1,6 +1,7 @@
 //! `polhode inertia`
 
 mod mesh;
+mod output;
 mod substance;
 
 use std::path::{Path, PathBuf};
@@ -10,13 +11,14 @@ use polhode::{Body, Part, Position, Rotation};
 use polhode_formats::mesh::MeshFormat;
 use polhode_formats::scenario;
 use polhode_formats::unit::Dimension;
-use polhode_report::{InertiaReport, SourceInfo, pretty};
-use serde_json::Value;
+use polhode_report::{InertiaReport, SourceInfo};
 
 use self::mesh::MeshFlags;
+use self::output::OutputFlags;
 use self::substance::SubstanceFlags;
 use crate::failure::Failure;
 use crate::numbers::{numbers, positive, quantity, rotation};
+use crate::progress::FileProgress;
 use crate::stdout::print;
 
 /// Mass, centre of mass, inertia tensor, principal moments and axes.
@@ -28,6 +30,8 @@ use crate::stdout::print;
 Examples:
   polhode inertia bracket.stl --unit mm --material aluminium
   polhode inertia bracket.stl --unit mm --mass \"85 g\" --about \"0,0,12 mm\" --json
+  polhode inertia arm.obj --part \"rod=steel\" --part \"grip=85 g\" --as urdf
+  polhode inertia parts/*.stl --unit mm --material steel --csv
   polhode inertia examples/notes/11-05-principal-axes.toml --axes")]
 pub(crate) struct Inertia {
     /// Scenario files (.toml) and meshes (.stl, .obj, .ply, .off, .gltf, .glb, .3mf).
@@ -49,33 +53,28 @@ pub(crate) struct Inertia {
     /// Print the principal axes too.
     #[arg(long)]
     axes: bool,
-    /// Print JSON: one object for one file, an array for several.
-    #[arg(long)]
-    json: bool,
+    #[command(flatten)]
+    output: OutputFlags,
 }
 
 impl Inertia {
     pub(crate) fn run(self) -> Result<(), Failure> {
         let mut reports = Vec::new();
         let mut errors = Vec::new();
+        let mut progress = FileProgress::new(self.files.len());
         for file in &self.files {
+            progress.next(file);
             match self.report(file) {
-                Ok(report) => reports.push(report),
+                Ok(report) => reports.push((file.clone(), report)),
                 Err(Failure::Input(found)) => errors.extend(found),
                 Err(other) => return Err(other),
             }
         }
+        drop(progress);
         if !errors.is_empty() {
             return Err(Failure::Input(errors));
         }
-        let text = if !self.json {
-            reports.iter().map(InertiaReport::to_text).collect::<Vec<_>>().join("\n")
-        } else if let [report] = reports.as_slice() {
-            pretty(&report.to_json()) + "\n"
-        } else {
-            pretty(&Value::Array(reports.iter().map(InertiaReport::to_json).collect())) + "\n"
-        };
-        print(text.as_bytes())
+        print(self.output.text(&reports)?.as_bytes())
     }
 
     fn report(&self, file: &Path) -> Result<InertiaReport, Failure> {

@@ -1,6 +1,7 @@
 //! A line that shows how far a long run is, on a terminal; nothing in a pipe.
 
 use std::io::{self, IsTerminal as _, Write as _};
+use std::path::Path;
 use std::time::{Duration, Instant};
 
 /// A run shorter than this shows nothing, and the line changes no more often.
@@ -40,6 +41,50 @@ impl Progress {
 }
 
 impl Drop for Progress {
+    fn drop(&mut self) {
+        if self.shown {
+            let _ = write!(io::stderr(), "\r\x1b[K");
+        }
+    }
+}
+
+/// Which of several files is being read, and how many there are; dropped, it takes its line away.
+#[derive(Debug)]
+pub(crate) struct FileProgress {
+    count: usize,
+    done: usize,
+    next: Option<Instant>,
+    shown: bool,
+}
+
+impl FileProgress {
+    /// The bar's width.
+    const WIDTH: usize = 20;
+
+    /// The progress through so many files; one alone shows nothing.
+    pub(crate) fn new(count: usize) -> Self {
+        let next = (count > 1 && io::stderr().is_terminal()).then(|| Instant::now() + PATIENCE);
+        Self { count, done: 0, next, shown: false }
+    }
+
+    /// The next file's turn has come.
+    pub(crate) fn next(&mut self, file: &Path) {
+        let (done, count) = (self.done, self.count);
+        self.done += 1;
+        let now = Instant::now();
+        if self.next.is_some_and(|next| now >= next) {
+            let full = Self::WIDTH * done / count;
+            let bar = format!("{}{}", "█".repeat(full), "░".repeat(Self::WIDTH - full));
+            let name = file.file_name().map(|name| name.to_string_lossy().escape_debug().to_string());
+            let _ =
+                write!(io::stderr(), "\r\x1b[K{bar} {} of {count}  {}", done + 1, name.unwrap_or_default());
+            self.next = Some(now + PATIENCE / 5);
+            self.shown = true;
+        }
+    }
+}
+
+impl Drop for FileProgress {
     fn drop(&mut self) {
         if self.shown {
             let _ = write!(io::stderr(), "\r\x1b[K");

@@ -1,21 +1,31 @@
 //! `polhode inertia`
 
+mod cad;
+mod kind;
 mod mesh;
+mod molecule;
 mod output;
+mod particles;
 mod substance;
+mod voxel;
 
 use std::path::{Path, PathBuf};
 
 use clap::Args;
 use polhode::{Body, Part, Position, Rotation};
 use polhode_formats::mesh::MeshFormat;
+use polhode_formats::molecule::MoleculeFormat;
 use polhode_formats::scenario;
 use polhode_formats::unit::Dimension;
 use polhode_report::{InertiaReport, SourceInfo};
 
+use self::cad::CadFlags;
+use self::kind::Kind;
 use self::mesh::MeshFlags;
+use self::molecule::MoleculeFlags;
 use self::output::OutputFlags;
 use self::substance::SubstanceFlags;
+use self::voxel::VoxelFlags;
 use crate::failure::Failure;
 use crate::numbers::{numbers, positive, quantity, rotation};
 use crate::progress::FileProgress;
@@ -34,16 +44,28 @@ Examples:
   polhode inertia parts/*.stl --unit mm --material steel --csv
   polhode inertia examples/notes/11-05-principal-axes.toml --axes")]
 pub(crate) struct Inertia {
-    /// Scenario files (.toml) and meshes (.stl, .obj, .ply, .off, .gltf, .glb, .3mf).
+    /// Scenarios, meshes, molecules, particles, voxel grids, CAD reports; what each is, its ending says.
     #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
     #[command(flatten)]
     substance: SubstanceFlags,
     #[command(flatten)]
     mesh: MeshFlags,
-    /// The unit of length in a mesh file, such as mm or in; meshes say none [default: m].
+    /// The unit of length in a file that does not say it, such as mm or in [default for meshes: m].
     #[arg(long, value_name = "UNIT", value_parser = length_unit)]
     unit: Option<f64>,
+    /// The unit of mass in a file that does not say it, such as g or lbm.
+    #[arg(long, value_name = "UNIT", value_parser = mass_unit)]
+    mass_unit: Option<f64>,
+    #[command(flatten)]
+    molecule: MoleculeFlags,
+    #[command(flatten)]
+    cad: CadFlags,
+    #[command(flatten)]
+    voxel: VoxelFlags,
+    /// What the files are, if their endings do not say it.
+    #[arg(long, value_name = "KIND")]
+    format: Option<Kind>,
     /// Also the tensor about this point: x,y,z from the origin, each with its unit or in metres.
     #[arg(long, value_name = "X,Y,Z", value_parser = point, allow_hyphen_values = true)]
     about: Option<Position<Body>>,
@@ -64,8 +86,8 @@ impl Inertia {
         let mut progress = FileProgress::new(self.files.len());
         for file in &self.files {
             progress.next(file);
-            match self.report(file) {
-                Ok(report) => reports.push((file.clone(), report)),
+            match self.reports(file) {
+                Ok(found) => reports.extend(found.into_iter().map(|report| (file.clone(), report))),
                 Err(Failure::Input(found)) => errors.extend(found),
                 Err(other) => return Err(other),
             }
@@ -77,20 +99,45 @@ impl Inertia {
         print(self.output.text(&reports)?.as_bytes())
     }
 
-    fn report(&self, file: &Path) -> Result<InertiaReport, Failure> {
-        let extension = file.extension().map(|e| e.to_string_lossy().to_lowercase()).unwrap_or_default();
-        let report = match extension.as_str() {
-            "toml" => self.of_scenario(file)?,
-            _ => match MeshFormat::of_path(file) {
-                Some(format) => mesh::report(file, format, self.unit, &self.substance, &self.mesh)?,
-                None => {
-                    return Err(Failure::usage(
-                        format!("{} is no file that polhode reads", file.display()),
-                        "a scenario's name ends in .toml, a mesh's in .stl, .obj, .ply, .off, .gltf, .glb or .3mf",
-                    ));
-                }
-            },
+    /// The reports of a file: one, or one for each of its molecules.
+    fn reports(&self, file: &Path) -> Result<Vec<InertiaReport>, Failure> {
+        let Some(kind) = self.format.or_else(|| Kind::of_path(file)) else {
+            return Err(Failure::usage(
+                format!("{} has no ending that polhode knows", file.display()),
+                "say what it is by --format; scenarios end in .toml, meshes in .stl, .obj, .ply, .off, .gltf, .glb or .3mf",
+            ));
         };
+        self.refuse_flags_for(kind, file)?;
+        let reports = match kind {
+            Kind::Scenario => vec![of_scenario(file)?],
+            Kind::Particles => {
+                vec![particles::report(file, self.substance.mass(), self.unit, self.mass_unit)?]
+            }
+            Kind::Cad => vec![cad::report(file, &self.cad, self.unit, self.mass_unit)?],
+            Kind::Xyz => molecule::reports(file, MoleculeFormat::Xyz, &self.molecule)?,
+            Kind::Mol => {
+                let format = MoleculeFormat::of_path(file).filter(|format| *format == MoleculeFormat::Sdf);
+                molecule::reports(file, format.unwrap_or(MoleculeFormat::Mol), &self.molecule)?
+            }
+            Kind::Pdb => molecule::reports(file, MoleculeFormat::Pdb, &self.molecule)?,
+            Kind::Npy => vec![voxel::report(file, "npy", &self.voxel, self.unit)?],
+            Kind::Nrrd => vec![voxel::report(file, "nrrd", &self.voxel, self.unit)?],
+            Kind::Stl => vec![self.of_mesh(file, MeshFormat::Stl)?],
+            Kind::Obj => vec![self.of_mesh(file, MeshFormat::Obj)?],
+            Kind::Ply => vec![self.of_mesh(file, MeshFormat::Ply)?],
+            Kind::Off => vec![self.of_mesh(file, MeshFormat::Off)?],
+            Kind::Gltf => vec![self.of_mesh(file, MeshFormat::Gltf)?],
+            Kind::ThreeMf => vec![self.of_mesh(file, MeshFormat::ThreeMf)?],
+        };
+        reports.into_iter().map(|report| self.finished(report)).collect()
+    }
+
+    fn of_mesh(&self, file: &Path, format: MeshFormat) -> Result<InertiaReport, Failure> {
+        mesh::report(file, format, self.unit, &self.substance, &self.mesh)
+    }
+
+    /// The report with the point and the axes that are asked for.
+    fn finished(&self, report: InertiaReport) -> Result<InertiaReport, Failure> {
         let about = self.about.or(report.about);
         if let Some(point) = about
             && report.properties.inertia_about(point).matrix().iter().flatten().any(|e| !e.is_finite())
@@ -103,22 +150,54 @@ impl Inertia {
         Ok(InertiaReport { about, axes: self.along, show_axes: self.axes, ..report })
     }
 
-    fn of_scenario(&self, file: &Path) -> Result<InertiaReport, Failure> {
-        if self.substance.given().is_some() || self.unit.is_some() || self.mesh.any() {
-            let flags = "--density, --mass, --material, --part and --unit are for meshes";
-            return Err(Failure::usage(
-                format!("{flags}, and {} is a scenario", file.display()),
-                "a scenario says what each of its parts is made of, and in which units",
-            ));
+    /// A flag that means nothing for this kind of file is an error, not ignored.
+    fn refuse_flags_for(&self, kind: Kind, file: &Path) -> Result<(), Failure> {
+        let mesh = kind.is_mesh();
+        let voxels = matches!(kind, Kind::Npy | Kind::Nrrd);
+        let listed = matches!(kind, Kind::Cad | Kind::Particles);
+        let checks = [
+            (self.substance.given().and(Some("--density, --mass or --material")), mesh, "a mesh"),
+            (
+                self.unit.and(Some("--unit")),
+                mesh || voxels || listed,
+                "a mesh, a grid, particles or a CAD report",
+            ),
+            (self.mass_unit.and(Some("--mass-unit")), listed, "particles or a CAD report"),
+            (self.mesh.given(), mesh, "a mesh"),
+            (self.cad.given(), kind == Kind::Cad, "a CAD report"),
+            (self.molecule.given(), matches!(kind, Kind::Xyz | Kind::Mol | Kind::Pdb), "a molecule"),
+            (self.voxel.given(), voxels, "a voxel grid"),
+        ];
+        let fits = |what: &str| what != "--density, --mass or --material" || !self.only_mass_of(kind);
+        match checks
+            .into_iter()
+            .find_map(|(flag, fit, owner)| flag.filter(|f| !fit && fits(f)).map(|f| (f, owner)))
+        {
+            None => Ok(()),
+            Some((flag, owner)) => Err(Failure::usage(
+                format!("{flag} is for {owner}, and {} is {}", file.display(), kind.in_words()),
+                match kind {
+                    Kind::Scenario => "a scenario says what each of its parts is made of, and in which units",
+                    _ => "leave it out, or say by --format what the file is",
+                },
+            )),
         }
-        let scenario = scenario::read(file)?;
-        let title = scenario.title.as_deref().unwrap_or("scenario");
-        let source = SourceInfo::new(file.display().to_string(), "scenario")
-            .described(title)
-            .with("title", scenario.title.clone())
-            .with("parts", scenario.parts.len());
-        Ok(InertiaReport::of_scenario(source, &scenario))
     }
+
+    /// Points without masses share --mass.
+    fn only_mass_of(&self, kind: Kind) -> bool {
+        kind == Kind::Particles && self.substance.mass().is_some()
+    }
+}
+
+fn of_scenario(file: &Path) -> Result<InertiaReport, Failure> {
+    let scenario = scenario::read(file)?;
+    let title = scenario.title.as_deref().unwrap_or("scenario");
+    let source = SourceInfo::new(file.display().to_string(), "scenario")
+        .described(title)
+        .with("title", scenario.title.clone())
+        .with("parts", scenario.parts.len());
+    Ok(InertiaReport::of_scenario(source, &scenario))
 }
 
 fn length_unit(text: &str) -> Result<f64, String> {
@@ -126,6 +205,13 @@ fn length_unit(text: &str) -> Result<f64, String> {
         return Err("the name of a unit of length belongs here, such as mm".to_owned());
     }
     positive(quantity(&format!("1 {text}"), Dimension::LENGTH)?)
+}
+
+fn mass_unit(text: &str) -> Result<f64, String> {
+    if !text.starts_with(char::is_alphabetic) {
+        return Err("the name of a unit of mass belongs here, such as g".to_owned());
+    }
+    positive(quantity(&format!("1 {text}"), Dimension::MASS)?)
 }
 
 fn point(text: &str) -> Result<Position<Body>, String> {

@@ -13,6 +13,7 @@ mod content;
 mod error;
 mod file;
 pub mod mesh;
+mod reading;
 pub mod scenario;
 pub mod table;
 mod text;
@@ -21,3 +22,4 @@ pub mod unit;
 
 pub use content::{ContentError, ContentErrorKind, ContentPlace};
 pub use error::{FormatError, FormatErrorKind, Place};
+pub use reading::{read_file, read_text_file};

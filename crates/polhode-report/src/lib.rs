@@ -13,6 +13,7 @@
 #![forbid(unsafe_code)]
 
 mod block;
+mod error_estimate;
 mod explain;
 mod export;
 mod extra;
@@ -27,11 +28,13 @@ mod number;
 mod omega;
 mod parts;
 mod periods;
+mod sign_proof;
 mod source;
 mod spin;
 mod symmetric_top;
 mod unit;
 
+pub use error_estimate::error_estimate;
 pub use explain::document::{Block, Document, Section};
 pub use explain::explain;
 pub use export::{ExportBody, ExportError, ExportFormat, export};
@@ -40,6 +43,7 @@ pub use inertia::InertiaReport;
 pub use json::pretty;
 pub use motion::MotionReport;
 pub use parts::{PartRow, parts};
+pub use sign_proof::sign_proof;
 pub use source::SourceInfo;
 pub use spin::{SpinReport, TumblerReport};
 

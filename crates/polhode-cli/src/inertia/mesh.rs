@@ -22,9 +22,9 @@ pub(super) struct MeshFlags {
 }
 
 impl MeshFlags {
-    /// True if any is given.
-    pub(super) fn any(&self) -> bool {
-        !self.part.is_empty()
+    /// The first that is given.
+    pub(super) fn given(&self) -> Option<&'static str> {
+        (!self.part.is_empty()).then_some("--part")
     }
 }
 

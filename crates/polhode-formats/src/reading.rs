@@ -1,0 +1,45 @@
+//! Files into values: the bytes of one, and where in it an error is.
+
+use std::path::Path;
+
+use crate::content::ContentError;
+use crate::error::{FormatError, FormatErrorKind, Place};
+use crate::file;
+
+/// Reads a file with a parser of bytes: an error in the contents gets its line.
+///
+/// ```no_run
+/// use polhode_formats::{particles, read_file};
+/// let read = |bytes: &[u8]| particles::read(bytes, &particles::ParticleOptions::default());
+/// let cloud = read_file("cloud.csv".as_ref(), read)?;
+/// # Ok::<(), polhode_formats::FormatError>(())
+/// ```
+///
+/// # Errors
+/// [`FormatError`] if the file cannot be read, or its contents are not what the parser takes.
+pub fn read_file<T>(
+    path: &Path,
+    parse: impl FnOnce(&[u8]) -> Result<T, ContentError>,
+) -> Result<T, FormatError> {
+    let bytes = file::bytes(path, &path.to_string_lossy(), u64::MAX)
+        .map_err(|kind| FormatError::new(path, None, kind))?;
+    parse(&bytes).map_err(|error| FormatError::of_content(path, &bytes, error))
+}
+
+/// The same for a parser of text, which has to be UTF-8.
+///
+/// # Errors
+/// As [`read_file`], and for text that is not UTF-8.
+pub fn read_text_file<T>(
+    path: &Path,
+    parse: impl FnOnce(&str) -> Result<T, ContentError>,
+) -> Result<T, FormatError> {
+    let bytes = file::bytes(path, &path.to_string_lossy(), u64::MAX)
+        .map_err(|kind| FormatError::new(path, None, kind))?;
+    let text = str::from_utf8(&bytes).map_err(|error| {
+        let at = error.valid_up_to();
+        let place = Place::in_bytes(&bytes, at..at + 1);
+        FormatError::new(path, Some(place), FormatErrorKind::NotUtf8 { byte: bytes[at] })
+    })?;
+    parse(text).map_err(|error| FormatError::of_content(path, &bytes, error))
+}

@@ -1,0 +1,18 @@
+//! How far computed mass properties may be off.
+
+use polhode::FieldError;
+use serde_json::json;
+
+use crate::extra::Extra;
+use crate::layout::labelled;
+use crate::number::error;
+
+/// The block `error_estimate`: of the mass, kg, of the centre of mass, m, and of the tensor's elements relative to half its trace;
+/// `by` says what it is an estimate of.
+pub fn error_estimate(estimate: &FieldError, by: &str) -> Extra {
+    let FieldError { mass, center_of_mass, inertia } = *estimate;
+    let [x, y, z] = [mass, center_of_mass, inertia].map(error);
+    let text = format!("mass {x} kg, centre of mass {y} m, inertia {z} of half its trace: {by}",);
+    let json = json!({ "mass": mass, "center_of_mass": center_of_mass, "inertia": inertia });
+    Extra { key: "error_estimate", json, text: labelled("error estimate", &text) }
+}

@@ -1,0 +1,35 @@
+//! How the sign of a report's products of inertia is known.
+
+use serde_json::json;
+
+use crate::extra::Extra;
+use crate::layout::labelled;
+use crate::number::error;
+
+/// The block `products_of_inertia`: what the products in a CAD report are (`negative` or `positive` integrals), what decided it,
+/// how far the report is off under each of the two signs, in units of its rounding, and that rounding, relative.
+pub fn sign_proof(convention: &str, by: &str, residuals: [f64; 2], rounding: f64) -> Extra {
+    let [negative, positive] = residuals;
+    let sign = if convention == "positive" { "+∫xy dm" } else { "-∫xy dm" };
+    let mut text = labelled("products given", &format!("{sign}, by {by}"));
+    if negative.is_finite() && positive.is_finite() {
+        let residuals = format!(
+            "off by {} as -∫xy dm, by {} as +∫xy dm, in units of the report's rounding",
+            error(negative),
+            error(positive)
+        );
+        text.push_str(&labelled("", &residuals));
+    }
+    let json = json!({
+        "given_as": format!("{convention}_integral"),
+        "decided_by": by,
+        "residual_negative": finite(negative),
+        "residual_positive": finite(positive),
+        "rounding": finite(rounding),
+    });
+    Extra { key: "products_of_inertia", json, text }
+}
+
+fn finite(x: f64) -> Option<f64> {
+    x.is_finite().then_some(x)
+}

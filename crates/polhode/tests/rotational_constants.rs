@@ -45,9 +45,9 @@ fn gaussian_prints_the_same_constants_and_its_molecules_are_these_tops() {
         assert_eq!(skipped, usize::from(found.top() == Top::Linear));
         for (got, want) in found_ghz[skipped..].iter().zip(printed) {
             // rounding of the geometry to 1e-6 Å, and Gaussian's older constants: 8e-7 at most
-            assert!((got / number(want) - 1.0).abs() < 1.5e-6, "{}", case["name"]);
+            assert!((got / number(want) - 1.0).abs() < 1.5e-6, "{:?}", case["name"]);
         }
-        assert_eq!(found.top().name(), case["top"].as_str().unwrap(), "{}", case["name"]);
+        assert_eq!(found.top().name(), case["top"].as_str().unwrap(), "{:?}", case["name"]);
     }
 }
 

@@ -5,6 +5,8 @@
 //!
 //! Source: CTfile Formats, BIOVIA, 2020.
 
+use std::collections::BTreeMap;
+
 use polhode::Severity;
 
 use super::isotope::{Isotope, Species};
@@ -115,9 +117,9 @@ fn v2000(
     }
     let isotopes = properties(lines, n, old)?;
     for (k, (symbol, difference, place)) in atoms.iter().enumerate() {
-        let named = isotopes.as_ref().and_then(|list| list.iter().rev().find(|(atom, _, _)| *atom == k));
+        let named = isotopes.as_ref().and_then(|named| named.get(&k));
         let species = match (builder.species(symbol)?, named) {
-            (Some(species), Some((_, number, field))) if *number != 0 => {
+            (Some(species), Some((number, field))) if *number != 0 => {
                 let element = species.element();
                 let found = Species::with_mass_number(element, Some(*number));
                 Some(found.ok_or_else(|| unknown_isotope(field, element))?)
@@ -174,8 +176,8 @@ fn shifted(species: Species, difference: &Field<'_>, builder: &mut Builder) -> R
     found.ok_or_else(|| unknown_isotope(difference, element))
 }
 
-/// Atom from 0, mass number, and where it says so, of every `M  ISO` entry.
-type Named<'a> = Vec<(usize, u16, Field<'a>)>;
+/// By atom, from 0: the mass number of its last `M  ISO` entry, and where it says so.
+type Named<'a> = BTreeMap<usize, (u16, Field<'a>)>;
 
 /// The isotopes of a V2000 property block, which is read to its end; `None` without an `M  ISO`.
 fn properties<'a>(lines: &mut Lines<'a>, atoms: usize, old: bool) -> Result<Option<Named<'a>>, ContentError> {
@@ -194,7 +196,7 @@ fn properties<'a>(lines: &mut Lines<'a>, atoms: usize, old: bool) -> Result<Opti
         match line.bytes {
             [b'M', b' ', b' ', b'E', b'N', b'D', ..] => return Ok(isotopes),
             [b'M', b' ', b' ', b'I', b'S', b'O', ..] => {
-                let list = isotopes.get_or_insert_default();
+                let named = isotopes.get_or_insert_default();
                 let count: usize = line.columns(6..9).integer("the number of isotopes")?;
                 for k in 0..count.min(line.bytes.len()) {
                     let atom = line.columns(9 + 8 * k..13 + 8 * k);
@@ -206,7 +208,7 @@ fn properties<'a>(lines: &mut Lines<'a>, atoms: usize, old: bool) -> Result<Opti
                         let kind = ContentErrorKind::Index { what: "atom".to_owned(), index, count: atoms };
                         ContentError::new(kind, ContentPlace::Text(atom.span()))
                     })?;
-                    list.push((at, number.integer("a mass number")?, number));
+                    named.insert(at, (number.integer("a mass number")?, number));
                 }
             }
             // The text of an abbreviation is on the next line.

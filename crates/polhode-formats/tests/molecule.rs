@@ -412,7 +412,8 @@ fn malformed_tables_and_columns_say_where() {
         (good.replacen("MOL A ", "MOL A", 1), "f:1:30: expected blanks in columns 28 to 30", "31 to 38"),
         (good.replacen("MOL A ", "MOL A   ", 1), "f:1:", "31 to 38"),
         (good.replace("0.250", "0,250"), "f:1:42: expected a coordinate, found \"0,250\"", "point"),
-        (good[..50].to_owned(), "f:1:51: expected a coordinate", "31 to 38"),
+        (good[..44].to_owned(), "f:1:45: expected a coordinate", "31 to 38"),
+        (good[..53].to_owned(), "f:1:50: expected z up to column 54, found \"0.50\"", "31 to 38"),
         (good.replace(" C1 ", " ?? ").replace(" C\n", "  \n"), "f:1:14: the atom's name", "77 and 78"),
     ];
     for (text, message, hint) in cases {

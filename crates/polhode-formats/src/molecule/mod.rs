@@ -100,7 +100,7 @@ impl Molecule {
         const MOST: f64 = 1e-2;
         let body = self.mass_properties(isotopes)?;
         let [_, _, radius] = body.gyration_radii();
-        let tolerance = (2.0 * self.step_m / radius).min(MOST).max(RotationalConstants::TOLERANCE);
+        let tolerance = (2.0 * self.step_m / radius).clamp(RotationalConstants::TOLERANCE, MOST);
         Ok(RotationalConstants::with_tolerance(&body, tolerance))
     }
 

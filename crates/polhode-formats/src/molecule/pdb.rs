@@ -106,6 +106,10 @@ impl<'a> AtomLine<'a> {
         for field in &place {
             field.number("a coordinate").map_err(hinted)?;
         }
+        // Half a z is a number too.
+        if line.bytes.len() < 54 {
+            return Err(hinted(place[2].expected("z up to column 54")));
+        }
         if !gap.bytes.is_empty() {
             return Err(hinted(gap.expected("blanks in columns 28 to 30")));
         }

@@ -73,7 +73,7 @@ pub fn read(bytes: &[u8]) -> Result<Molecule, ContentError> {
         builder.notice("molecule.elements_deduced", Severity::Warning, message);
     }
     let has = |number: u8| builder.atoms.iter().any(|atom| atom.species.element().number() == number);
-    if has(6) && !has(1) && atoms.iter().any(|atom| !atom.heterogen) {
+    if has(6) && !has(1) && atoms.iter().any(|atom| is_polymer(atom.residue)) {
         let message = "the file has no hydrogen atoms: the body is without them".to_owned();
         builder.notice("molecule.no_hydrogen", Severity::Warning, message);
     }
@@ -84,7 +84,6 @@ pub fn read(bytes: &[u8]) -> Result<Molecule, ContentError> {
 /// What is read of an atom's line.
 #[derive(Debug)]
 struct AtomLine<'a> {
-    heterogen: bool,
     /// Columns 13 to 16 with their blanks, which say where the symbol stands.
     name: Field<'a>,
     location: Option<u8>,
@@ -120,7 +119,6 @@ impl<'a> AtomLine<'a> {
             _ => 1.0,
         };
         Ok(Self {
-            heterogen: line.bytes.starts_with(b"HETATM"),
             name: Field { start: line.start + 12, bytes: line.bytes.get(12..16).unwrap_or_default() },
             location,
             residue: line.bytes.get(17..20).unwrap_or_default(),

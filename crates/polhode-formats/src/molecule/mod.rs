@@ -75,7 +75,7 @@ pub struct Atom {
 impl Molecule {
     /// Mass (kg), centre of mass and inertia tensor.
     ///
-    /// Atoms are points: the nuclei's and electrons' own extent changes a moment by less than 1e-8 of it.
+    /// Each atom is a point at its nucleus with the mass of the neutral atom, as is usual; charges change no mass.
     ///
     /// # Errors
     /// [`BodyError::Empty`] without atoms, [`BodyError::Parameter`] if a place or a sum is not finite.

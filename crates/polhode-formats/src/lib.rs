@@ -3,6 +3,7 @@
 //!
 //! - [`scenario`]: one body and one motion, as TOML
 //! - [`mesh`]: triangle meshes, as STL, OBJ, PLY, OFF, glTF and 3MF
+//! - [`molecule`]: atoms, as XYZ, MOL, SDF and PDB
 //! - [`mod@unit`]: quantities in text
 //! - [`times`]: lists of times, one per line
 //! - [`table`]: the other way, trajectories as CSV and Parquet, curves as CSV
@@ -13,6 +14,7 @@ mod content;
 mod error;
 mod file;
 pub mod mesh;
+pub mod molecule;
 mod reading;
 pub mod scenario;
 pub mod table;

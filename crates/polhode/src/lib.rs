@@ -115,6 +115,7 @@ pub use observe::momentum_trace::MomentumTrace;
 pub use observe::polhode::Polhode;
 pub use observe::regime::FreeRegime;
 pub use observe::rolling_cones::RollingCones;
+pub use observe::rotational_constants::{RotationalConstants, Top};
 pub use observe::symmetric_top::{SymmetricTop, SymmetricTopKind};
 pub use observe::tumbler::{TumblerError, TumblingSolution};
 pub use observe::tumbling::{AxisConvention, TumblingPeriods};

@@ -11,6 +11,7 @@ pub(crate) mod polhode;
 mod polhode_family;
 pub(crate) mod regime;
 pub(crate) mod rolling_cones;
+pub(crate) mod rotational_constants;
 mod sampling;
 pub(crate) mod symmetric_top;
 pub(crate) mod tumbler;

@@ -41,7 +41,7 @@ fn binary(bytes: &[u8]) -> Result<Container<'_>, ContentError> {
     let json = match chunk(bytes, 12)? {
         Some((JSON, json)) => json,
         _ => {
-            let what = "a chunk of JSON behind the header".to_owned();
+            let what = "chunk of JSON behind the header".to_owned();
             return Err(ContentError::new(ContentErrorKind::Missing { what }, at(12, "")));
         }
     };
@@ -60,8 +60,11 @@ fn binary(bytes: &[u8]) -> Result<Container<'_>, ContentError> {
 const JSON: [u8; 4] = *b"JSON";
 const BIN: [u8; 4] = *b"BIN\0";
 
-/// Kind and contents of the chunk at an offset; nothing at the end of the file.
-fn chunk(bytes: &[u8], offset: usize) -> Result<Option<([u8; 4], &[u8])>, ContentError> {
+/// Kind and contents.
+type Chunk<'a> = ([u8; 4], &'a [u8]);
+
+/// The chunk at an offset; nothing at the end of the file.
+fn chunk(bytes: &[u8], offset: usize) -> Result<Option<Chunk<'_>>, ContentError> {
     let rest = bytes.get(offset..).unwrap_or_default();
     // What is too short for a header is padding.
     let Some((header, rest)) = rest.split_first_chunk::<8>() else { return Ok(None) };

@@ -86,7 +86,7 @@ impl Surface {
         budget: &mut Budget,
     ) -> Result<(), ContentError> {
         let (fits, rule) = match mode {
-            Mode::Triangles => (corners % 3 == 0, "divisible by 3"),
+            Mode::Triangles => (corners.is_multiple_of(3), "divisible by 3"),
             Mode::Strip | Mode::Fan => (corners >= 3, "3 or more"),
         };
         if !fits {

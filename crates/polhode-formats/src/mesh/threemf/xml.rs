@@ -84,17 +84,17 @@ impl<'s, 'a> Xml<'s, 'a> {
 
     /// The namespace of an element; empty if it has none.
     pub(super) fn namespace(&self, element: &BytesStart<'_>) -> &str {
-        name(self.reader.resolver().resolve_element(element.name()).0)
+        name(&self.reader.resolver().resolve_element(element.name()).0)
     }
 
     /// The namespace of an attribute; empty if it has none.
     pub(super) fn namespace_of(&self, attribute: &Attribute<'_>) -> &str {
-        name(self.reader.resolver().resolve_attribute(attribute.key).0)
+        name(&self.reader.resolver().resolve_attribute(attribute.key).0)
     }
 
     /// The namespace that a prefix stands for.
     pub(super) fn prefixed(&self, prefix: &str) -> &str {
-        name(self.reader.resolver().resolve_attribute(QName(&format!("{prefix}:x"))).0)
+        name(&self.reader.resolver().resolve_attribute(QName(&format!("{prefix}:x"))).0)
     }
 
     /// The attributes of an element, one by one.
@@ -145,7 +145,7 @@ impl<'s, 'a> Xml<'s, 'a> {
     }
 }
 
-fn name(resolved: ResolveResult<'_>) -> &str {
+fn name<'r>(resolved: &ResolveResult<'r>) -> &'r str {
     match resolved {
         ResolveResult::Bound(namespace) => namespace.into_inner(),
         ResolveResult::Unbound | ResolveResult::Unknown(_) => "",

@@ -337,11 +337,11 @@ fn archives_that_are_broken() {
         error(&twice),
         "entry 1 of the archive: the name of an entry = 3d/3DMODEL.model must be there once"
     );
-    let shared = stored(&[(MODEL, text.as_bytes()), ("3D/copy.model", text.as_bytes())], |_, _| 0);
-    assert_eq!(
-        error(&shared),
-        "the archive = entries that share bytes must be entries with bytes of their own"
-    );
+    let shared = "the archive = entries that share a name or bytes must be entries of their own";
+    let overlapping = stored(&[(MODEL, text.as_bytes()), ("3D/copy.model", text.as_bytes())], |_, _| 0);
+    assert_eq!(error(&overlapping), shared);
+    let twice = stored(&[(MODEL, text.as_bytes()), (MODEL, text.as_bytes())], |_, at| at);
+    assert_eq!(error(&twice), shared);
     let mut damaged = stored(&[(MODEL, text.as_bytes())], |_, at| at);
     let at = damaged.windows(9).position(|w| w == b"</model>\n").unwrap();
     damaged[at + 8] = b' ';

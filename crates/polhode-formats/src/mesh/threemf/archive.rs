@@ -51,10 +51,9 @@ impl<'a> Archive<'a> {
                 return Err(refuse(&name, "there once"));
             }
         }
-        if zip.has_overlapping_entries().map_err(fail)? {
-            let (what, value) = ("the archive".to_owned(), "entries that share bytes".to_owned());
-            let kind =
-                ContentErrorKind::Value { what, value, rule: "entries with bytes of their own".to_owned() };
+        if zip.has_duplicate_names() || zip.has_overlapping_entries().map_err(fail)? {
+            let (what, value) = ("the archive".to_owned(), "entries that share a name or bytes".to_owned());
+            let kind = ContentErrorKind::Value { what, value, rule: "entries of their own".to_owned() };
             let hint = "the file is damaged or made to do harm";
             return Err(ContentError::new(kind, ContentPlace::Whole).hint(hint));
         }

@@ -19,6 +19,7 @@ mod model;
 mod xml;
 
 use std::collections::{HashMap, HashSet};
+use std::rc::Rc;
 
 use polhode::Severity;
 
@@ -68,15 +69,15 @@ pub fn read(bytes: &[u8]) -> Result<MeshContents, ContentError> {
         parts: Vec::new(),
     };
     let root = package.root()?;
-    let root = package.model(&root)?;
-    package.build(root)?;
+    package.model(&root)?;
+    package.build()?;
     if package.parts.is_empty() {
         let kind = ContentErrorKind::Missing { what: "triangles in its build".to_owned() };
         return Err(
             ContentError::new(kind, ContentPlace::Whole).hint("export the solid, not the empty plate")
         );
     }
-    let Model { unit: (_, unit), title, .. } = package.models.swap_remove(root).1;
+    let Model { unit: (_, unit), title, .. } = package.models.swap_remove(0).1;
     let (parts, findings) = (package.parts, package.notes.findings());
     Ok(MeshContents { encoding: "zip", name: title.trim().to_owned(), unit: Some(unit), parts, findings })
 }
@@ -84,7 +85,7 @@ pub fn read(bytes: &[u8]) -> Result<MeshContents, ContentError> {
 /// The package, as far as it has been read.
 struct Package<'a> {
     archive: Archive<'a>,
-    /// Model files and their names.
+    /// Model files and their names, the root first.
     models: Vec<(String, Model)>,
     /// Number of each model file, by [`key`].
     numbers: HashMap<String, usize>,
@@ -93,13 +94,16 @@ struct Package<'a> {
     parts: Vec<MeshPart>,
 }
 
-/// An object that has been reached: the model file, the number there.
+/// An object: the number of its model file, its id there.
 type Id = (usize, u32);
+
+/// A line that asks for an object: the number of the model file, the line.
+type Line = (usize, usize);
 
 /// What is still to be done on the way through the components.
 enum Step {
-    /// Places an object; the item that it belongs to, and where it is asked for: model file and line.
-    Enter { id: Id, map: Affine, item: usize, asked: (usize, usize) },
+    /// Places an object, for the line that asks for it.
+    Enter { id: Id, map: Affine, asked: Line },
     /// All of the object has been placed.
     Leave(Id),
 }
@@ -155,19 +159,19 @@ impl Package<'_> {
         Ok(self.models.len() - 1)
     }
 
-    /// Places everything that the build of a model file reaches, in the file's order.
-    fn build(&mut self, root: usize) -> Result<(), ContentError> {
+    /// Places everything that the build of the root reaches, in the file's order.
+    fn build(&mut self) -> Result<(), ContentError> {
         let mut above: HashSet<Id> = HashSet::new();
-        for item in 0..self.models[root].1.items.len() {
-            let item_use = self.models[root].1.items[item].clone();
-            let mut steps = vec![self.step(root, &item_use, &Affine::IDENTITY, item)?];
+        for item in 0..self.models[0].1.items.len() {
+            let used = self.models[0].1.items[item].clone();
+            let mut steps = vec![self.step(0, &used, &Affine::IDENTITY)?];
             while let Some(step) = steps.pop() {
                 match step {
                     Step::Leave(id) => {
                         above.remove(&id);
                     }
-                    Step::Enter { id, map, item, asked } => {
-                        let components = self.enter(root, id, &map, item, asked)?;
+                    Step::Enter { id, map, asked } => {
+                        let components = self.enter(id, &map, &used, asked)?;
                         if components.is_empty() {
                             continue;
                         }
@@ -178,7 +182,7 @@ impl Package<'_> {
                         }
                         steps.push(Step::Leave(id));
                         for component in components.iter().rev() {
-                            steps.push(self.step(id.0, component, &map, item)?);
+                            steps.push(self.step(id.0, component, &map)?);
                         }
                     }
                 }
@@ -188,10 +192,9 @@ impl Package<'_> {
     }
 
     /// What a build item or a component asks for.
-    fn step(&mut self, from: usize, used: &Use, above: &Affine, item: usize) -> Result<Step, ContentError> {
+    fn step(&mut self, from: usize, used: &Use, above: &Affine) -> Result<Step, ContentError> {
         let asked = (from, used.line);
-        let place = self.place(asked);
-        self.budget.spend(1, size_of::<Step>(), || place.clone())?;
+        self.budget.spend(1, size_of::<Step>(), || place(&self.models, asked))?;
         let number = match &used.path {
             None => from,
             Some(path) if self.archive.has(path) => self.model(path)?,
@@ -201,20 +204,14 @@ impl Package<'_> {
                 return Err(self.error(asked, ContentErrorKind::Value { what, value, rule }));
             }
         };
-        Ok(Step::Enter { id: (number, used.object), map: above.after(&used.transform), item, asked })
+        Ok(Step::Enter { id: (number, used.object), map: above.after(&used.transform), asked })
     }
 
-    /// Places an object that is a mesh, and returns the components of one that is not.
-    fn enter(
-        &mut self,
-        root: usize,
-        id: Id,
-        map: &Affine,
-        item: usize,
-        asked: (usize, usize),
-    ) -> Result<Vec<Use>, ContentError> {
+    /// Places an object that is a mesh, and returns the components of one that is not; `item` is the build item
+    /// that it belongs to.
+    fn enter(&mut self, id: Id, map: &Affine, item: &Use, asked: Line) -> Result<Rc<[Use]>, ContentError> {
         let (file, model) = &self.models[id.0];
-        let place = || format!("{}, line {}", self.models[asked.0].0, asked.1);
+        let place = || place(&self.models, asked);
         let Some(object) = model.objects.get(&id.1) else {
             let (what, value) = ("objectid".to_owned(), id.1.to_string());
             let rule = format!("the id of an object in {file}");
@@ -226,36 +223,32 @@ impl Package<'_> {
                 "objects are no part of the solid (their type is not model) and were left out",
             ];
             self.notes.add("mesh.not_a_solid", Severity::Info, SENTENCE, place);
-            return Ok(Vec::new());
+            return Ok(Rc::default());
         }
         match &object.contents {
-            Contents::Components(components) => {
-                self.budget.spend(components.len(), size_of::<Use>(), place)?;
-                Ok(components.clone())
-            }
+            Contents::Components(components) => Ok(components.clone()),
             Contents::Mesh { vertices, triangles } if !triangles.is_empty() => {
-                let build = &self.models[root].1;
-                let used = &build.items[item];
-                let whole = build.objects.get(&used.object).filter(|_| used.path.is_none());
+                let whole = self.models[0].1.objects.get(&item.object).filter(|_| item.path.is_none());
                 let names =
-                    [&object.name, whole.map_or(&used.part_number, |object| &object.name), &used.part_number];
+                    [&object.name, whole.map_or(&item.part_number, |whole| &whole.name), &item.part_number];
                 let name = names.into_iter().find(|name| !name.is_empty()).cloned().unwrap_or_default();
                 self.budget.spend(1, size_of::<MeshPart>() + name.len(), place)?;
                 self.budget.spend(vertices.len(), size_of::<[f64; 3]>(), place)?;
                 self.budget.spend(triangles.len(), size_of::<[u32; 3]>(), place)?;
                 let mesh = map.placed(vertices, triangles, place)?;
                 self.parts.push(MeshPart { name, mesh });
-                Ok(Vec::new())
+                Ok(Rc::default())
             }
-            Contents::Mesh { .. } | Contents::Nothing => Ok(Vec::new()),
+            Contents::Mesh { .. } | Contents::Nothing => Ok(Rc::default()),
         }
     }
 
-    fn place(&self, (model, line): (usize, usize)) -> String {
-        format!("{}, line {line}", self.models[model].0)
+    fn error(&self, asked: Line, kind: ContentErrorKind) -> ContentError {
+        ContentError::new(kind, ContentPlace::Within(place(&self.models, asked)))
     }
+}
 
-    fn error(&self, asked: (usize, usize), kind: ContentErrorKind) -> ContentError {
-        ContentError::new(kind, ContentPlace::Within(self.place(asked)))
-    }
+/// The line of a model file.
+fn place(models: &[(String, Model)], (model, line): Line) -> String {
+    format!("{}, line {line}", models[model].0)
 }

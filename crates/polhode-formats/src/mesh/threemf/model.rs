@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 use std::collections::HashMap;
+use std::rc::Rc;
 
 use polhode::Severity;
 use quick_xml::events::BytesStart;
@@ -44,7 +45,7 @@ pub(super) struct Object {
 pub(super) enum Contents {
     Nothing,
     Mesh { vertices: Vec<[f64; 3]>, triangles: Vec<[u32; 3]> },
-    Components(Vec<Use>),
+    Components(Rc<[Use]>),
 }
 
 /// An object in its place: a build item, or a component of another object.
@@ -110,7 +111,7 @@ impl Model {
                 Token::Start(child) => match core_name(xml, &child) {
                     "metadata" => model.metadata(xml, &child)?,
                     "resources" => model.resources(xml, notes)?,
-                    "build" => model.build(xml)?,
+                    "build" => uses(xml, "item", &mut model.items)?,
                     _ => xml.skip()?,
                 },
                 Token::End => return Ok(model),
@@ -160,10 +161,6 @@ impl Model {
             }
         }
     }
-
-    fn build(&mut self, xml: &mut Xml<'_, '_>) -> Result<(), ContentError> {
-        uses(xml, "item", &mut self.items)
-    }
 }
 
 impl Object {
@@ -202,7 +199,7 @@ impl Object {
                         "components" => {
                             let mut components = Vec::new();
                             uses(xml, "component", &mut components)?;
-                            object.contents = Contents::Components(components);
+                            object.contents = Contents::Components(components.into());
                         }
                         _ => unread(xml, &child, notes)?,
                     }

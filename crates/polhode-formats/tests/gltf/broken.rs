@@ -318,3 +318,55 @@ fn no_bytes_do_harm() {
     }
     assert!(read > 100);
 }
+
+/// Every value of a document replaced by others: an answer or an error.
+#[test]
+fn no_value_does_harm() {
+    fn pointers(value: &Value, at: &str, all: &mut Vec<String>) {
+        all.push(at.to_owned());
+        match value {
+            Value::Array(list) => {
+                list.iter().enumerate().for_each(|(k, value)| pointers(value, &format!("{at}/{k}"), all));
+            }
+            Value::Object(members) => {
+                members.iter().for_each(|(key, value)| pointers(value, &format!("{at}/{key}"), all));
+            }
+            _ => {}
+        }
+    }
+    let file = File::plain().with(|doc| {
+        doc["nodes"][1]["extensions"] = json!({"EXT_mesh_gpu_instancing": {"attributes": {"SCALE": 0}}});
+        let sparse = json!({
+            "count": 1, "indices": {"bufferView": 1, "componentType": 5121}, "values": {"bufferView": 0}
+        });
+        doc["accessors"][0]["sparse"] = sparse;
+    });
+    assert_eq!(file.read().unwrap().parts.len(), 6);
+    let others = [
+        json!(null),
+        json!(0),
+        json!(1),
+        json!(-1),
+        json!(0.5),
+        json!(1e308),
+        json!(u64::MAX),
+        json!(""),
+        json!("é%"),
+        json!(true),
+        json!([]),
+        json!({}),
+        json!([[]]),
+        json!([0, 0, 0]),
+    ];
+    let (mut all, mut answers) = (Vec::new(), 0);
+    pointers(&file.doc, "", &mut all);
+    for pointer in &all {
+        for other in &others {
+            let mut doc = file.doc.clone();
+            *doc.pointer_mut(pointer).unwrap() = other.clone();
+            let file = File { doc, bytes: file.bytes.clone() };
+            answers += usize::from(gltf::read(&file.glb(), Path::new(".")).is_ok());
+        }
+    }
+    assert!(answers > 20 && answers < all.len() * others.len() / 2);
+}

@@ -1,6 +1,9 @@
 //! Triangle meshes: files in, closed solids out.
 
+mod affine;
+mod budget;
 pub mod gltf;
+mod notes;
 pub mod obj;
 pub mod off;
 pub mod ply;

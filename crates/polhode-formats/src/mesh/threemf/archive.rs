@@ -1,0 +1,141 @@
+//! The ZIP archive around a 3MF model: its entries by name, as text that is inflated while it is read.
+
+use std::collections::HashMap;
+use std::io::{self, BufRead, BufReader, Cursor, Read};
+
+use zip::ZipArchive;
+use zip::read::ZipFile;
+use zip::result::ZipError;
+
+use crate::content::{ContentError, ContentErrorKind, ContentPlace};
+use crate::mesh::budget::Budget;
+
+/// An archive whose entries have plain names and bytes of their own.
+pub(super) struct Archive<'a> {
+    zip: ZipArchive<Cursor<&'a [u8]>>,
+    /// Number of each entry by its name in lower case: part names of a package do not tell cases apart.
+    numbers: HashMap<String, usize>,
+    /// For the text of all entries together.
+    budget: Budget,
+}
+
+/// The text of an entry, and how far it has been read.
+pub(super) struct Stream<'s, 'a> {
+    file: BufReader<ZipFile<'s, Cursor<&'a [u8]>>>,
+    budget: &'s mut Budget,
+    /// The line of the next byte, from 1.
+    pub(super) line: usize,
+}
+
+impl<'a> Archive<'a> {
+    pub(super) fn open(bytes: &'a [u8]) -> Result<Self, ContentError> {
+        if !bytes.starts_with(b"PK") {
+            let found = String::from_utf8_lossy(&bytes[..bytes.len().min(16)]).into_owned();
+            let kind = ContentErrorKind::Expected { what: "the \"PK\" of a ZIP archive".to_owned(), found };
+            return Err(ContentError::new(kind, ContentPlace::Byte { offset: 0, what: String::new() }));
+        }
+        let fail = |e: ZipError| failed(&e, ContentPlace::Whole);
+        let mut zip = ZipArchive::new(Cursor::new(bytes)).map_err(fail)?;
+        let mut numbers = HashMap::new();
+        for k in 0..zip.len() {
+            let refuse = |value: &str, rule: &str| {
+                let (what, value) = ("the name of an entry".to_owned(), value.to_owned());
+                let kind = ContentErrorKind::Value { what, value, rule: rule.to_owned() };
+                ContentError::new(kind, ContentPlace::Within(format!("entry {k} of the archive")))
+            };
+            let name = zip.name_for_index(k).transpose().map_err(fail)?.unwrap_or_default();
+            if !is_inside(&name) {
+                return Err(refuse(&name, "a path inside the archive"));
+            }
+            if numbers.insert(key(&name), k).is_some() {
+                return Err(refuse(&name, "there once"));
+            }
+        }
+        if zip.has_duplicate_names() || zip.has_overlapping_entries().map_err(fail)? {
+            let (what, value) = ("the archive".to_owned(), "entries that share a name or bytes".to_owned());
+            let kind = ContentErrorKind::Value { what, value, rule: "entries of their own".to_owned() };
+            let hint = "the file is damaged or made to do harm";
+            return Err(ContentError::new(kind, ContentPlace::Whole).hint(hint));
+        }
+        Ok(Self { zip, numbers, budget: Budget::inflating(bytes.len() as u64) })
+    }
+
+    /// Whether there is an entry of this name, with or without a leading slash.
+    pub(super) fn has(&self, path: &str) -> bool {
+        self.numbers.contains_key(&key(path))
+    }
+
+    /// The text of an entry.
+    pub(super) fn stream(&mut self, path: &str) -> Result<Stream<'_, 'a>, ContentError> {
+        let Some(&number) = self.numbers.get(&key(path)) else {
+            let kind = ContentErrorKind::Missing { what: format!("part {path}") };
+            return Err(ContentError::new(kind, ContentPlace::Whole));
+        };
+        let place = ContentPlace::Within(path.to_owned());
+        let file = self.zip.by_index(number).map_err(|e| failed(&e, place))?;
+        Ok(Stream { file: BufReader::new(file), budget: &mut self.budget, line: 1 })
+    }
+}
+
+impl Stream<'_, '_> {
+    /// Whether the archive has unfolded too far.
+    pub(super) fn exhausted(&self, place: &str) -> Option<ContentError> {
+        (self.budget.left() == 0).then(|| self.budget.exhausted(place.to_owned()))
+    }
+}
+
+impl Read for Stream<'_, '_> {
+    fn read(&mut self, into: &mut [u8]) -> io::Result<usize> {
+        let taken = self.fill_buf()?.read(into)?;
+        self.consume(taken);
+        Ok(taken)
+    }
+}
+
+impl BufRead for Stream<'_, '_> {
+    fn fill_buf(&mut self) -> io::Result<&[u8]> {
+        let left = self.budget.left();
+        let bytes = self.file.fill_buf()?;
+        if left == 0 && !bytes.is_empty() {
+            return Err(io::Error::other("too much"));
+        }
+        let most = usize::try_from(left).unwrap_or(usize::MAX);
+        Ok(&bytes[..bytes.len().min(most)])
+    }
+
+    fn consume(&mut self, count: usize) {
+        let taken = self.file.buffer().get(..count).unwrap_or_default();
+        self.line += taken.iter().filter(|&&b| b == b'\n').count();
+        // fill_buf gave no more than is left.
+        let _ = self.budget.spend(count, 1, String::new);
+        self.file.consume(count);
+    }
+}
+
+/// The name of a part, one for all its spellings.
+pub(super) fn key(path: &str) -> String {
+    path.strip_prefix('/').unwrap_or(path).to_ascii_lowercase()
+}
+
+/// Whether a name stays inside the archive wherever it would be unpacked.
+fn is_inside(name: &str) -> bool {
+    let path = name.strip_prefix('/').unwrap_or(name);
+    let climbs = path.split('/').any(|segment| segment == "..");
+    !(path.starts_with('/') || path.contains(['\\', '\0']) || climbs || path.get(1..2) == Some(":"))
+}
+
+fn failed(error: &ZipError, place: ContentPlace) -> ContentError {
+    let kind = match error {
+        ZipError::CompressionMethodNotSupported(method) => {
+            ContentErrorKind::Unsupported { what: format!("entries packed by method {method}") }
+        }
+        ZipError::UnsupportedArchive(what) => {
+            ContentErrorKind::Unsupported { what: format!("this ZIP archive ({what})") }
+        }
+        error => {
+            let (what, value) = ("the archive".to_owned(), error.to_string());
+            ContentErrorKind::Value { what, value, rule: "a whole ZIP archive".to_owned() }
+        }
+    };
+    ContentError::new(kind, place).hint("the file is cut short or damaged, or is no 3MF; export it again")
+}

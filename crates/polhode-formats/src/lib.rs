@@ -4,6 +4,7 @@
 //! - [`scenario`]: one body and one motion, as TOML
 //! - [`mesh`]: triangle meshes, as STL, OBJ, PLY, OFF, glTF and 3MF
 //! - [`cad`]: mass-property reports of CAD programs, as text
+//! - [`particles`]: particles and point clouds, as CSV
 //! - [`mod@unit`]: quantities in text
 //! - [`times`]: lists of times, one per line
 //! - [`table`]: the other way, trajectories as CSV and Parquet, curves as CSV
@@ -15,6 +16,7 @@ mod content;
 mod error;
 mod file;
 pub mod mesh;
+pub mod particles;
 pub mod scenario;
 pub mod table;
 mod text;

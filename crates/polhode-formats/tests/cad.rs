@@ -576,9 +576,12 @@ fn two_reports_at_once_and_nonsense_are_refused() {
 }
 
 #[test]
-fn comments_around_a_report_do_no_harm() {
+fn comments_and_tables_around_a_report_do_no_harm() {
     let text = solidworks(&generic(), GRAMS);
     let commented: String = text.lines().map(|line| format!("#  {line}\r\n")).collect();
+    let table: String = text.lines().map(|line| format!("|{} |\n", line.replace('\t', "| "))).collect();
     let options = CadOptions::default();
-    assert_eq!(read(&commented, &options).unwrap().properties, read(&text, &options).unwrap().properties);
+    for decorated in [commented, table] {
+        assert_eq!(read(&decorated, &options).unwrap().properties, read(&text, &options).unwrap().properties);
+    }
 }

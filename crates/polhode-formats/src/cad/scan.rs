@@ -136,8 +136,8 @@ struct Scanner<'a> {
 
 impl Scanner<'_> {
     fn line(&mut self, start: usize, line: &str) -> Result<(), ContentError> {
-        // Reports are pasted into comments, too.
-        let content = line.trim_start_matches(|c: char| c.is_whitespace() || "#%/*>;\u{feff}".contains(c));
+        // Reports are pasted into comments and tables, too.
+        let content = line.trim_start_matches(|c: char| c.is_whitespace() || "#%/*>;|\u{feff}".contains(c));
         let content = content.strip_prefix("- ").unwrap_or(content);
         let start = start + line.len() - content.len();
         let content = content.trim_end();
@@ -323,7 +323,8 @@ fn bracketed(line: &str, dimension: Dimension) -> Option<String> {
 /// The unit behind a number: as many words as make one.
 fn own_unit(rest: &str, dimension: Dimension) -> Option<String> {
     const WORDS: usize = 6; // "grams per square millimeter" and the like, with signs between them
-    let phrase = rest.split([',', ';', '(', ')', '[', ']', '\t']).find(|part| !part.trim().is_empty())?;
+    let phrase =
+        rest.split([',', ';', '|', '(', ')', '[', ']', '\t']).find(|part| !part.trim().is_empty())?;
     let words: Vec<&str> = phrase.split_whitespace().take(WORDS).collect();
     (1..=words.len()).rev().find_map(|n| units::read(&words[..n].join(" "), dimension))
 }

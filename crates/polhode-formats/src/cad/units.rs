@@ -32,8 +32,8 @@ fn rewritten(phrase: &str) -> Option<String> {
     while let Some(first) = rest.chars().next() {
         let word = rest.find(|c: char| !c.is_alphabetic()).unwrap_or(rest.len());
         if word == 0 {
-            // A full stop stands between factors, as in kg.m^2.
-            unit.push(if first == '.' { '*' } else { first });
+            // A full stop stands between factors, as in kg.m^2, and so do crosses.
+            unit.push(if matches!(first, '.' | '×') { '*' } else { first });
             rest = &rest[first.len_utf8()..];
             continue;
         }
@@ -45,6 +45,7 @@ fn rewritten(phrase: &str) -> Option<String> {
                 unit.push_str("^2");
             }
             "per" => unit.push('/'),
+            "x" => unit.push('*'),
             lower => {
                 let name = NAMES.iter().find(|(names, _)| names.split(' ').any(|n| n == lower));
                 unit.push_str(name.map_or(&rest[..word], |(_, name)| name));
@@ -76,6 +77,8 @@ mod tests {
             ("kg m\u{b2}", 1.0),
             ("kilogram meter squared", 1.0),
             ("tonne mm^2", 1e-3),
+            ("kilograms x square meters", 1.0),
+            ("kg \u{d7} m\u{b2}", 1.0),
             ("pounds * square inches", pound_inch),
             ("lbmass in^2", pound_inch),
         ] {

@@ -4,6 +4,8 @@ use std::error::Error;
 use std::fmt;
 use std::ops::Range;
 
+use polhode::BodyError;
+
 use crate::text::cut;
 
 /// Why the contents of a file are not what its format asks for: what is wrong, where, and what to do.
@@ -72,6 +74,24 @@ pub enum ContentErrorKind {
         /// What.
         what: String,
     },
+    /// Something that can be read in more than one way; the hint says how to answer.
+    Unclear {
+        /// What the reader would have to guess, as a question.
+        question: String,
+        /// What the file says; may be empty.
+        found: String,
+    },
+    /// Numbers that are not a body.
+    Body(Box<BodyError>),
+    /// Products of inertia whose sign cannot be proved: both residuals are small, or both are large.
+    ProductSign {
+        /// By what it was tried: `"parallel axes"`.
+        by: &'static str,
+        /// By how many times the printed rounding the report is off if they are −∫xy dm.
+        negative: f64,
+        /// By how many times the printed rounding it is off if they are +∫xy dm.
+        positive: f64,
+    },
 }
 
 /// Where in the contents of a file.
@@ -106,6 +126,18 @@ impl ContentError {
     }
 }
 
+/// Refuses a told unit, if there is one, that is not positive and finite.
+pub(crate) fn told_unit(what: &str, unit: Option<f64>) -> Result<(), ContentError> {
+    match unit {
+        Some(unit) if !(unit > 0.0 && unit.is_finite()) => {
+            let (what, rule) = (what.to_owned(), "positive and finite".to_owned());
+            let kind = ContentErrorKind::Value { what, value: unit.to_string(), rule };
+            Err(ContentError::new(kind, ContentPlace::Whole))
+        }
+        _ => Ok(()),
+    }
+}
+
 impl fmt::Display for ContentErrorKind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -123,6 +155,18 @@ impl fmt::Display for ContentErrorKind {
             Self::Value { what, value, rule } => write!(f, "{what} = {} must be {rule}", cut(value)),
             Self::Missing { what } => write!(f, "the file has no {what}"),
             Self::Unsupported { what } => write!(f, "polhode does not read {what}"),
+            Self::Unclear { question, found } if found.is_empty() => {
+                write!(f, "{question} The file does not say")
+            }
+            Self::Unclear { question, found } => {
+                write!(f, "{question} The file has only {}", cut(found))
+            }
+            Self::Body(error) => error.fmt(f),
+            Self::ProductSign { by, negative, positive } => write!(
+                f,
+                "are the products of inertia −∫xy dm or +∫xy dm? By {by} the report is off by {negative:.2e} \
+                 times its rounding with the one and {positive:.2e} times with the other, which proves neither"
+            ),
         }
     }
 }

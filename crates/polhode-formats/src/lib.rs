@@ -4,18 +4,22 @@
 //! - [`scenario`]: one body and one motion, as TOML
 //! - [`mesh`]: triangle meshes, as STL, OBJ, PLY, OFF, glTF and 3MF
 //! - [`molecule`]: atoms, as XYZ, MOL, SDF and PDB
+//! - [`cad`]: mass-property reports of CAD programs, as text
+//! - [`particles`]: particles and point clouds, as CSV
 //! - [`mod@unit`]: quantities in text
 //! - [`times`]: lists of times, one per line
 //! - [`table`]: the other way, trajectories as CSV and Parquet, curves as CSV
 //!
 //! Whatever cannot be read is a [`FormatError`]: path, line, column, what stands there, the rule, a hint.
 
+pub mod cad;
 mod content;
 mod error;
 mod file;
 pub mod mesh;
 pub mod molecule;
 mod reading;
+pub mod particles;
 pub mod scenario;
 pub mod table;
 mod text;

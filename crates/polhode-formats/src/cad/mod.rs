@@ -1,0 +1,425 @@
+//! Mass-property reports of CAD programs, pasted as text: SolidWorks, Fusion, Creo, Onshape, and others that
+//! label their numbers alike. The words are English ones; numbers and units are those of any country.
+//!
+//! Three things are read or proved, and never guessed:
+//!
+//! - units, from the report's own unit words;
+//! - the decimal mark, from numbers that have one reading only;
+//! - the sign of the products of inertia, from the parallel-axis theorem or the principal axes ([`SignProof`]).
+//!
+//! What the report leaves open is refused with a question, and [`CadOptions`] answers it.
+
+mod numbers;
+mod proof;
+mod scan;
+mod units;
+
+use polhode::{Body, BodyError, Finding, InertiaAbout, InertiaTensor, MassProperties, Position, Severity};
+
+use crate::content::{ContentError, ContentErrorKind, ContentPlace, told_unit};
+use crate::unit::{self, Dimension, UnitError};
+use proof::{Evidence, PLACES, Printed, Tensor};
+pub use proof::{SignProof, SignSource};
+use scan::{CENTRAL, Group, ORIGIN, SCALARS, Scan};
+
+/// Answers to what a report may leave open; by default none.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct CadOptions {
+    /// The decimal mark, where the numbers leave it open.
+    pub decimal: Option<DecimalMark>,
+    /// The sign of the products of inertia, where nothing proves it.
+    pub products: Option<ProductConvention>,
+    /// Kilograms in the unit of mass, where the report names none.
+    pub mass_unit: Option<f64>,
+    /// Metres in the unit of length, where the report names none.
+    pub length_unit: Option<f64>,
+}
+
+/// The mark between the whole and its fraction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DecimalMark {
+    /// 1.5
+    Point,
+    /// 1,5
+    Comma,
+}
+
+impl DecimalMark {
+    /// `point` or `comma`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Point => "point",
+            Self::Comma => "comma",
+        }
+    }
+
+    const fn character(self) -> char {
+        match self {
+            Self::Point => '.',
+            Self::Comma => ',',
+        }
+    }
+}
+
+/// What a product of inertia is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ProductConvention {
+    /// −∫xy dm: the element of the tensor.
+    Negative,
+    /// +∫xy dm
+    Positive,
+}
+
+impl ProductConvention {
+    /// `negative` or `positive`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Negative => "negative",
+            Self::Positive => "positive",
+        }
+    }
+}
+
+/// The program that wrote a report, by its headings.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CadProduct {
+    /// SolidWorks, Dassault Systèmes.
+    SolidWorks,
+    /// Fusion, Autodesk.
+    Fusion,
+    /// Creo Parametric, PTC.
+    Creo,
+    /// Onshape, PTC.
+    Onshape,
+    /// None of these headings.
+    Unknown,
+}
+
+impl CadProduct {
+    /// `SolidWorks`, `Fusion`, `Creo`, `Onshape` or `an unknown program`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::SolidWorks => "SolidWorks",
+            Self::Fusion => "Fusion",
+            Self::Creo => "Creo",
+            Self::Onshape => "Onshape",
+            Self::Unknown => "an unknown program",
+        }
+    }
+}
+
+/// A report that has been read.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CadReport {
+    /// Who wrote it.
+    pub product: CadProduct,
+    /// The body, in SI, along the axes and about the origin of the report's coordinate system.
+    pub properties: MassProperties<Body>,
+    /// m³
+    pub volume: Option<f64>,
+    /// m²
+    pub surface_area: Option<f64>,
+    /// kg/m³; `None` also where the report rounds it to zero.
+    pub density: Option<f64>,
+    /// How the sign of the products is known.
+    pub proof: SignProof,
+    /// What was noticed on the way.
+    pub findings: Vec<Finding>,
+}
+
+/// Reads a report.
+///
+/// Values are the nearest doubles to what is printed, in SI; the answer is as accurate as the report's
+/// digits. Several tensors are used for the proof, and the one about the centre of mass for the answer.
+///
+/// ```
+/// use polhode_formats::cad::{self, CadOptions, ProductConvention, SignSource};
+/// let report = "
+/// Mass = 2.50 kilograms
+/// Center of mass: ( meters )
+///     X = 1.00  Y = -2.00  Z = 0.50
+/// Moments of inertia: ( kilograms * square meters )
+/// Taken at the center of mass and aligned with the output coordinate system.
+///     Lxx = 10.00  Lxy = 1.00   Lxz = -0.50
+///     Lyx = 1.00   Lyy = 8.00   Lyz = 0.75
+///     Lzx = -0.50  Lzy = 0.75   Lzz = 5.00
+/// Moments of inertia: ( kilograms * square meters )
+/// Taken at the output coordinate system.
+///     Ixx = 20.63  Ixy = -4.00  Ixz = 0.75
+///     Iyx = -4.00  Iyy = 11.13  Iyz = -1.75
+///     Izx = 0.75   Izy = -1.75  Izz = 17.50
+/// ";
+/// let report = cad::read(report, &CadOptions::default())?;
+/// // -4 = 1 + 2.5 × 1 × (-2): these products are +∫xy dm
+/// assert_eq!(report.proof.by, SignSource::ParallelAxis);
+/// assert_eq!(report.proof.convention, ProductConvention::Positive);
+/// assert!(report.proof.residual_positive < 1.0 && report.proof.residual_negative > 50.0);
+/// assert_eq!(report.properties.inertia().matrix()[0][1], -1.0); // the tensor has minus the integral
+/// # Ok::<(), polhode_formats::ContentError>(())
+/// ```
+///
+/// # Errors
+/// [`ContentError`] if a quantity is missing, given twice or not a number; with a question if a unit, the
+/// decimal mark or the sign is open; with both residuals if the report contradicts itself.
+pub fn read(text: &str, options: &CadOptions) -> Result<CadReport, ContentError> {
+    told_unit("the unit of mass", options.mass_unit)?;
+    told_unit("the unit of length", options.length_unit)?;
+    let scan = scan::scan(text)?;
+    let mut numbers: Vec<_> = spans(&scan).collect();
+    numbers.sort_by_key(|span| span.start);
+    let mark = numbers::decimal_mark(text, &numbers, options.decimal)?;
+    let reader = Reader { text, mark, options };
+
+    let (_, mass_name, mass_dimension) = SCALARS[0];
+    let [mass] = reader.whole(&scan.scalars[0], mass_dimension, |_| mass_name.to_owned())?;
+    let center = reader.whole(&scan.center, Dimension::LENGTH, |k| scan::center_name(k).to_owned())?;
+    let central = reader.tensor(&scan.tensors[CENTRAL], CENTRAL)?;
+    let origin = reader.tensor(&scan.tensors[ORIGIN], ORIGIN)?;
+    if central.is_none() && origin.is_none() {
+        let what = "moments of inertia".to_owned();
+        return Err(ContentError::new(ContentErrorKind::Missing { what }, ContentPlace::Whole)
+            .hint("paste the whole report, from the mass to the last moment of inertia"));
+    }
+    let evidence = Evidence {
+        mass,
+        center,
+        central,
+        origin,
+        moments: reader.if_whole(&scan.moments, Dimension::INERTIA)?,
+        axes: reader.if_whole(&scan.axes, Dimension::NONE)?,
+        stated: scan.stated,
+        told: options.products,
+    };
+    let proof = proof::prove(&evidence)?;
+    let properties = body(&evidence, proof.convention).map_err(impossible)?;
+    let mut findings = findings(&evidence, &proof);
+    let mut scalar = |k: usize| -> Result<Option<f64>, ContentError> {
+        let (group, (_, name, dimension)) = (&scan.scalars[k], SCALARS[k]);
+        let value: Option<[Printed; 1]> = reader.if_whole(group, dimension)?;
+        if group.is_some() && value.is_none() {
+            let message = format!("{name} has no unit and was not read");
+            findings.push(finding("cad.no-unit", Severity::Info, message));
+        }
+        Ok(value.map(|[p]| p.value).filter(|v| *v > 0.0))
+    };
+    Ok(CadReport {
+        product: scan.product,
+        properties,
+        volume: scalar(1)?,
+        surface_area: scalar(2)?,
+        density: scalar(3)?,
+        findings,
+        proof,
+    })
+}
+
+/// The numbers that are used, wherever they stand.
+fn spans(scan: &Scan) -> impl Iterator<Item = std::ops::Range<usize>> {
+    let nine = scan.tensors.iter().chain([&scan.axes]).flat_map(|group| &group.numbers);
+    let three = [&scan.center, &scan.moments].into_iter().flat_map(|group| &group.numbers);
+    let one = scan.scalars.iter().flat_map(|group| &group.numbers);
+    nine.chain(three).chain(one).flatten().map(|found| found.span.clone())
+}
+
+/// The body, from the tensor about its centre of mass if there is one.
+fn body(evidence: &Evidence, convention: ProductConvention) -> Result<MassProperties<Body>, BodyError> {
+    let mass = evidence.mass.value;
+    let center = Position::from_array(evidence.center.map(|p| p.value));
+    let sign = if convention == ProductConvention::Positive { -1.0 } else { 1.0 };
+    let Some(tensor) = evidence.central else {
+        let [xx, yy, zz, xy, xz, yz] = evidence.origin.unwrap_or_default().map(|p| p.value);
+        let [xy, xz, yz] = [xy, xz, yz].map(|p| sign * p);
+        let rows = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
+        let about = InertiaAbout::from_matrix(Position::ZERO, rows)?;
+        return MassProperties::from_inertia_about(mass, center, &about);
+    };
+    let [xx, yy, zz, products @ ..] = tensor.map(|p| p.value);
+    let tensor = match convention {
+        ProductConvention::Negative => InertiaTensor::with_negative_products([xx, yy, zz], products)?,
+        ProductConvention::Positive => InertiaTensor::with_positive_products([xx, yy, zz], products)?,
+    };
+    MassProperties::new(mass, center, tensor)
+}
+
+fn impossible(error: BodyError) -> ContentError {
+    let hint = match error {
+        BodyError::NegativeMoment { .. } | BodyError::TriangleInequality { .. } => Some(
+            "if the body is a rod or a plate, print more digits: rounding alone can make its tensor impossible",
+        ),
+        _ => error.hint(),
+    };
+    let hint = hint.map(str::to_owned);
+    ContentError { kind: ContentErrorKind::Body(Box::new(error)), place: ContentPlace::Whole, hint }
+}
+
+fn finding(code: &'static str, severity: Severity, message: String) -> Finding {
+    Finding { code, severity, message, place: None }
+}
+
+fn findings(evidence: &Evidence, proof: &SignProof) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    if evidence.central.is_none() {
+        let message =
+            "the tensor was moved from the origin to the centre of mass, which costs digits".to_owned();
+        findings.push(finding("cad.moved", Severity::Info, message));
+    }
+    if let Some(stated) = evidence.stated
+        && stated != proof.convention
+        && proof.by != SignSource::NoProducts
+    {
+        let message = format!(
+            "the report says {} products of inertia, but by {} they are {}",
+            stated.name(),
+            proof.by.name(),
+            proof.convention.name()
+        );
+        findings.push(finding("cad.notation", Severity::Warning, message));
+    }
+    // Told, although no sign fits.
+    let least = proof.residual_negative.min(proof.residual_positive);
+    if least > proof::FITS {
+        let message = format!(
+            "the report contradicts itself: with either sign it is off by {least:.2e} times its rounding"
+        );
+        findings.push(finding("cad.contradiction", Severity::Warning, message));
+    }
+    findings
+}
+
+/// Numbers and units of one report.
+struct Reader<'a> {
+    text: &'a str,
+    mark: DecimalMark,
+    options: &'a CadOptions,
+}
+
+impl Reader<'_> {
+    /// All numbers of a group that the answer needs.
+    fn whole<const N: usize>(
+        &self,
+        group: &Group<N>,
+        dimension: Dimension,
+        name: impl Fn(usize) -> String,
+    ) -> Result<[Printed; N], ContentError> {
+        let numbers = self.group(group, dimension, &name)?;
+        let mut all = [Printed::default(); N];
+        for (k, (slot, number)) in all.iter_mut().zip(numbers).enumerate() {
+            *slot = number.ok_or_else(|| missing(name(k)))?;
+        }
+        Ok(all)
+    }
+
+    /// All numbers of a group that the answer can do without; `None` if one of them, or their unit, is
+    /// missing.
+    fn if_whole<const N: usize>(
+        &self,
+        group: &Group<N>,
+        dimension: Dimension,
+    ) -> Result<Option<[Printed; N]>, ContentError> {
+        let no_unit = dimension != Dimension::NONE && group.unit.is_none() && self.told(dimension).is_none();
+        if no_unit || group.numbers.iter().any(Option::is_none) {
+            return Ok(None);
+        }
+        self.whole(group, dimension, |_| String::new()).map(Some)
+    }
+
+    /// A tensor of nine numbers, or of six; `None` if there is none at all.
+    fn tensor(&self, group: &Group<9>, which: usize) -> Result<Option<Tensor>, ContentError> {
+        if !group.is_some() {
+            return Ok(None);
+        }
+        let numbers = self.group(group, Dimension::INERTIA, &|k| scan::element_name(which, k))?;
+        let mut tensor = Tensor::default();
+        for (slot, [i, j]) in tensor.iter_mut().zip(PLACES) {
+            let (above, below) = (numbers[3 * i + j], numbers[3 * j + i]);
+            *slot = above.or(below).ok_or_else(|| missing(scan::element_name(which, 3 * i + j)))?;
+            let (Some(a), Some(b), Some(found)) = (above, below, &group.numbers[3 * j + i]) else { continue };
+            if (a.value - b.value).abs() > 2.0 * (a.half + b.half) {
+                let what = scan::element_name(which, 3 * j + i);
+                let value = self.text[found.span.clone()].to_owned();
+                let rule = format!("equal to {}", scan::element_name(which, 3 * i + j));
+                let kind = ContentErrorKind::Value { what, value, rule };
+                return Err(ContentError::new(kind, ContentPlace::Text(found.span.clone())));
+            }
+        }
+        Ok(Some(tensor))
+    }
+
+    /// The numbers that are there, in SI.
+    fn group<const N: usize>(
+        &self,
+        group: &Group<N>,
+        dimension: Dimension,
+        name: &impl Fn(usize) -> String,
+    ) -> Result<[Option<Printed>; N], ContentError> {
+        let mut decimals = None;
+        for found in group.numbers.iter().flatten() {
+            let number = numbers::read(self.text, &found.span, self.mark)?;
+            let fewest = [decimals, number.decimals].into_iter().flatten().filter(|d| *d > 0).min();
+            decimals = fewest.or(decimals);
+        }
+        let mut all = [None; N];
+        for (k, (slot, found)) in all.iter_mut().zip(&group.numbers).enumerate() {
+            let Some(found) = found else { continue };
+            let number = numbers::read(self.text, &found.span, self.mark)?;
+            // Beside 1.25 a bare 3 is 3.00 with its zeros left out.
+            let half = match (number.decimals, decimals) {
+                (Some(0), Some(decimals)) => 0.5 * 10f64.powi(-i32::try_from(decimals).unwrap_or(i32::MAX)),
+                _ => number.half,
+            };
+            let place = || ContentPlace::Text(found.span.clone());
+            let parse = |text: &str| {
+                unit::parse(text, dimension).map_err(|error| {
+                    ContentError::new(out_of_range(&name(k), &number.digits, &error), place())
+                })
+            };
+            *slot = Some(match (found.unit.as_ref().or(group.unit.as_ref()), self.told(dimension)) {
+                (Some(unit), _) => Printed {
+                    value: parse(&format!("{} {unit}", number.digits))?,
+                    half: half * parse(&format!("1 {unit}"))?,
+                },
+                (None, Some(factor)) => {
+                    Printed { value: parse(&number.digits)? * factor, half: half * factor }
+                }
+                (None, None) => return Err(no_unit(&name(k), dimension, place())),
+            });
+        }
+        Ok(all)
+    }
+
+    /// The told unit of a dimension.
+    fn told(&self, dimension: Dimension) -> Option<f64> {
+        let CadOptions { mass_unit, length_unit, .. } = *self.options;
+        match dimension {
+            Dimension::NONE => Some(1.0),
+            Dimension::MASS => mass_unit,
+            Dimension::LENGTH => length_unit,
+            Dimension::VOLUME => length_unit.map(|l| l * l * l),
+            Dimension::INERTIA => Some(mass_unit? * length_unit? * length_unit?),
+            Dimension::DENSITY => Some(mass_unit? / (length_unit? * length_unit? * length_unit?)),
+            _ => length_unit.map(|l| l * l), // the surface area
+        }
+    }
+}
+
+fn missing(what: String) -> ContentError {
+    ContentError::new(ContentErrorKind::Missing { what }, ContentPlace::Whole)
+        .hint("paste the whole report, from the mass to the last moment of inertia")
+}
+
+fn no_unit(name: &str, dimension: Dimension, place: ContentPlace) -> ContentError {
+    let question = format!("in which unit is {name}?");
+    let example = match dimension {
+        Dimension::MASS => "paste the line with the unit, or name the unit of mass",
+        Dimension::LENGTH => "paste the line with the unit, or answer with --unit, such as --unit mm",
+        _ => "paste the line with the unit, or name the units of mass and length, such as --unit mm",
+    };
+    let kind = ContentErrorKind::Unclear { question, found: String::new() };
+    ContentError::new(kind, place).hint(example)
+}
+
+fn out_of_range(what: &str, number: &str, error: &UnitError) -> ContentErrorKind {
+    let value = number.to_owned();
+    let rule = format!("a number in range: {error}");
+    ContentErrorKind::Value { what: what.to_owned(), value, rule }
+}

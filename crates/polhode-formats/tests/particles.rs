@@ -1,0 +1,144 @@
+//! Particles as CSV: headers, units, separators, and every line that is not one.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may")]
+
+use std::fmt::Write;
+
+use polhode::{Body, Particle, Position};
+use polhode_formats::particles::{ParticleFile, ParticleOptions, read};
+use polhode_formats::{ContentError, ContentErrorKind, ContentPlace};
+
+/// Mass in kg, place in m.
+const GENERIC: [[f64; 4]; 3] =
+    [[1.5, 0.25, -3.125, 0.0625], [0.375, -1.75, 2.5, -0.875], [20.25, 4.0625, 0.125, 7.5]];
+
+fn expected(rows: &[[f64; 4]]) -> Vec<Particle<Body>> {
+    rows.iter().map(|&[m, x, y, z]| Particle::new(m, Position::new(x, y, z)).unwrap()).collect()
+}
+
+fn plain(text: &str) -> Result<ParticleFile, ContentError> {
+    read(text.as_bytes(), &ParticleOptions::default())
+}
+
+/// What a message is about, and the text it points at.
+#[track_caller]
+fn refused<'a>(text: &'a str, options: &ParticleOptions) -> (ContentErrorKind, &'a str, String) {
+    let ContentError { kind, place, hint } = read(text.as_bytes(), options).unwrap_err();
+    let marked = match place {
+        ContentPlace::Text(span) => &text[span],
+        _ => "",
+    };
+    (kind, marked, hint.unwrap_or_default())
+}
+
+#[test]
+fn every_separator_header_and_unit_reads_the_same() {
+    let files = [
+        "mass_kg,x_m,y_m,z_m\n1.5,0.25,-3.125,0.0625\n0.375,-1.75,2.5,-0.875\n20.25,4.0625,0.125,7.5\n",
+        "\u{feff}mass [g], x [mm], y [mm], z [mm]\r\n1500, 250, -3125, 62.5\r\n\r\n375,-1750,2500,-875\r\n20250,4062.5,125,7500",
+        "x [mm];y [cm];z (m);m [t]\n250;-312,5;0,0625;0,0015\n-1750;250;-0,875;0,000375\n4062,5;12,5;7,5;0,02025\n",
+        "mass_kg\tx_m\ty_m\tz_m\n1,5\t0,25\t-3,125\t0,0625\n0,375\t-1,75\t2,5\t-0,875\n20,25\t4,0625\t0,125\t7,5\n",
+        "# by hand\n mass [kg]  x [m] y [m]   z [m]\n1.5   0.25 -3.125 .0625 # the first\n3.75e-1 -1.75 2.5 -0.875\n20.25 4.0625 +0.125 7.5\n",
+        "# made by a program\n# mass_kg x_m y_m z_m\n1.5e+00 2.5e-01 -3.125 0.0625\n0.375 -1.75 2.5 -0.875\n20.25 4.0625 0.125 7.5\n",
+        "\"name, or number\",\"Mass_kg\",\"X_m\",Y_m,Z_m\n\"a \"\"b\"\", # c\",1.5,0.25,-3.125,0.0625\n,0.375,-1.75,2.5,-0.875\nx,20.25,4.0625,0.125,7.5\n",
+    ];
+    for file in files {
+        let read = plain(file).unwrap_or_else(|e| panic!("{e}\n{file}"));
+        assert_eq!(read.particles, expected(&GENERIC), "{file}");
+        assert_eq!(read.findings.len(), usize::from(file.contains("name")), "{:?}", read.findings);
+    }
+    let ignored = &plain(files[6]).unwrap().findings[0];
+    assert_eq!(ignored.code, "particles.ignored-columns");
+    assert!(ignored.message.ends_with("name, or number"), "{}", ignored.message);
+}
+
+#[test]
+fn a_unit_below_one_rounds_once() {
+    let read = plain("mass_g,x_mm,y_um,z_in\n0.3,0.7,1.1,1\n").unwrap();
+    let (mass, place) = (read.particles[0].mass(), read.particles[0].position().to_array());
+    assert_eq!((mass, place), (0.0003, [0.0007, 0.0000011, 0.0254]));
+}
+
+#[test]
+fn units_that_the_header_leaves_out_are_asked_and_told() {
+    let told = ParticleOptions { mass_unit: Some(1e-3), length_unit: Some(1e-3), total_mass: None };
+    let rows = "1500,250,-3125,62.5\n375,-1750,2500,-875\n20250,4062.5,125,7500\n";
+    for header in ["m,x,y,z\n", "m,x,y_mm,z\n", ""] {
+        let text = format!("{header}{rows}");
+        let (kind, ..) = refused(&text, &ParticleOptions::default());
+        assert!(matches!(&kind, ContentErrorKind::Unclear { .. }), "{kind:?}");
+        let read = read(text.as_bytes(), &told).unwrap();
+        assert_eq!(read.particles, expected(&GENERIC));
+        assert_eq!(read.findings.len(), usize::from(header.is_empty()));
+    }
+    let (kind, marked, hint) = refused("m_kg,x,y,z\n1,2,3,4\n", &ParticleOptions::default());
+    assert_eq!(kind.to_string(), "in which unit is x? The file does not say");
+    assert!(marked == "x" && hint.contains("x_m"));
+    let (kind, ..) = refused("1,2\n", &told);
+    assert!(matches!(kind, ContentErrorKind::Value { .. }));
+}
+
+#[test]
+fn points_without_masses_share_a_told_mass() {
+    let cloud = "x_m,y_m,z_m\n0.25,-3.125,0.0625\n-1.75,2.5,-0.875\n";
+    let (kind, _, hint) = refused(cloud, &ParticleOptions::default());
+    assert_eq!(kind, ContentErrorKind::Missing { what: "column of masses".to_owned() });
+    assert!(hint.contains("share"));
+    let options = ParticleOptions { total_mass: Some(4.5), ..ParticleOptions::default() };
+    let file = read(cloud.as_bytes(), &options).unwrap();
+    assert_eq!(file.particles, expected(&[[2.25, 0.25, -3.125, 0.0625], [2.25, -1.75, 2.5, -0.875]]));
+    assert_eq!(file.findings[0].code, "particles.equal-masses");
+    let nameless = ParticleOptions { length_unit: Some(1.0), ..options };
+    assert_eq!(read(&cloud.as_bytes()[12..], &nameless).unwrap().particles, file.particles);
+    // Two answers to one question.
+    assert!(read(b"mass_kg,x_m,y_m,z_m\n1,2,3,4\n", &options).is_err());
+}
+
+#[test]
+fn what_is_wrong_is_marked() {
+    let header = "mass_kg,x_m,y_m,z_m\n1,2,3,4\n";
+    for (line, marked) in [
+        ("1,2,three,4", "three"),
+        ("1,2,,4", ""),
+        ("1,2,3", "1,2,3"),
+        ("1,2,3,4,5", "1,2,3,4,5"),
+        ("1,2,NaN,4", "NaN"),
+        ("1,2,1e999,4", "1e999"),
+        ("1,-inf,3,4", "-inf"),
+        ("0,2,3,4", "0,2,3,4"),
+        ("-1,2,3,4", "-1,2,3,4"),
+        ("1,\"2,3,4", "1,\"2,3,4"),
+        ("1 2 3 4", "1 2 3 4"),
+        ("1,2 3,4,5", "2 3"),
+    ] {
+        let text = format!("{header}{line}\n7,8,9,10\n");
+        let (kind, found, _) = refused(&text, &ParticleOptions::default());
+        assert_eq!(found, marked, "{line}: {kind}");
+    }
+    for text in [
+        "",
+        "\n\n# nothing\n",
+        "mass_kg,x_m,y_m,z_m\n",
+        "mass_kg,x_m,y_m\n1,2,3\n",
+        "mass_kg,x_m,x_mm,y_m,z_m\n1,2,3,4,5\n",
+        "mass_kg,x_stone,y_m,z_m\n1,2,3,4\n",
+        "mass_m,x_m,y_m,z_m\n1,2,3,4\n",
+        "mass_kg;x_m;y_m;z_m\n1,5;2;3;4\n1.5;2;3;4\n",
+        "mass_kg;x_m;y_m;z_m\n1.234,5;2;3;4\n",
+    ] {
+        assert!(plain(text).is_err(), "{text}");
+    }
+    assert!(read(b"mass_kg,x_m,y_m,z_m\n1,2,3,\xff\n", &ParticleOptions::default()).is_err());
+}
+
+#[test]
+fn line_and_column_are_those_of_the_file() {
+    let mut text = String::from("mass_kg,x_m,y_m,z_m\n");
+    for k in 1..1000 {
+        writeln!(text, "{k}.5,{k},-{k},0.{k}").unwrap();
+    }
+    text.push_str("1,2,3,here\n");
+    let error = plain(&text).unwrap_err();
+    let at = text.find("here").unwrap();
+    assert_eq!(error.place, ContentPlace::Text(at..at + 4));
+    assert_eq!(error.kind.to_string(), "expected a number, found \"here\"");
+}

@@ -1,6 +1,7 @@
 //! Triangle meshes: files in, closed solids out.
 
 pub mod gltf;
+mod number;
 pub mod obj;
 pub mod off;
 pub mod ply;

@@ -4,7 +4,10 @@ pub mod gltf;
 mod number;
 pub mod obj;
 pub mod off;
+mod parts;
 pub mod ply;
+mod polygon;
+mod scan;
 pub mod stl;
 pub mod threemf;
 

@@ -4,6 +4,7 @@
 
 use std::error::Error;
 use std::fmt::Write;
+use std::fs;
 use std::hint::black_box;
 use std::time::Instant;
 
@@ -12,14 +13,22 @@ use polhode_formats::mesh::obj;
 /// A dented sphere of n × 2n rectangles, each of two triangles.
 const N: usize = 572;
 
+/// Seconds of the processor, which other programs do not lengthen, where the system counts them; otherwise seconds.
+fn now(begin: Instant) -> f64 {
+    let nanoseconds = fs::read_to_string("/proc/thread-self/schedstat")
+        .ok()
+        .and_then(|text| text.split(' ').next()?.parse::<f64>().ok());
+    nanoseconds.map_or_else(|| begin.elapsed().as_secs_f64(), |ns| ns * 1e-9)
+}
+
 /// Seconds of the fastest of many runs.
 fn least(mut work: impl FnMut()) -> f64 {
     let mut least = f64::INFINITY;
     let begin = Instant::now();
     while begin.elapsed().as_secs_f64() < 3.0 {
-        let start = Instant::now();
+        let start = now(begin);
         work();
-        least = least.min(start.elapsed().as_secs_f64());
+        least = least.min(now(begin) - start);
     }
     least
 }

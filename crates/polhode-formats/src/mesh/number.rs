@@ -5,6 +5,8 @@
 //! unless its tail is all zeros or all ones. The standard library reads what is left over. All three ways give the
 //! same bits, those of [`str::parse`]; eight digits are read at a time.
 
+use std::ops::Range;
+
 /// Powers of ten that are doubles.
 const EXACT_POWERS: [f64; 23] = [
     1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18,
@@ -21,37 +23,55 @@ const SAFE_DIGITS: usize = 19;
 ///
 /// The grammar is `[+-] digits [. digits] [e [+-] digits]`, with a digit before or behind the point; nothing else is a
 /// number here, infinities least of all. What overflows is infinite.
-#[inline]
+#[inline(always)]
 pub(super) fn float(bytes: &[u8], start: usize) -> Option<(f64, usize)> {
     let sign = byte(bytes, start);
     let first = start + usize::from(sign == b'-' || sign == b'+');
     let (mut w, mut at) = digits(bytes, first, 0);
-    let (mut count, mut e) = (at - first, 0);
+    let (mut count, mut decimals) = (at - first, 0);
     if byte(bytes, at) == b'.' {
         let point = at + 1;
         (w, at) = digits(bytes, point, w);
-        count += at - point;
-        e = -((at - point) as i64);
+        decimals = at - point;
+        count += decimals;
     }
-    if count == 0 {
-        return None;
-    }
+    let is_plain = (1..=SAFE_DIGITS).contains(&count) && byte(bytes, at) | 0x20 != b'e';
+    let (magnitude, at) = match if is_plain { rounded(w, -(decimals as i64)) } else { None } {
+        Some(magnitude) => (magnitude, at),
+        None if count == 0 => return None,
+        None => rare(bytes, first..at, w, decimals)?,
+    };
+    Some((f64::from_bits(magnitude.to_bits() | u64::from(sign == b'-') << 63), at))
+}
+
+/// The number whose mantissa w·10^-decimals is known, with an exponent or many digits.
+#[inline(never)]
+fn rare(bytes: &[u8], mantissa: Range<usize>, w: u64, decimals: usize) -> Option<(f64, usize)> {
+    let (mut e, mut at) = (-(decimals as i64), mantissa.end);
     if byte(bytes, at) | 0x20 == b'e' {
         let (power, end) = integer(bytes, at + 1)?;
-        e = e.saturating_add(power);
-        at = end;
+        (e, at) = (e.saturating_add(power), end);
     }
-    let fits = count <= SAFE_DIGITS || significant(&bytes[first..at]) <= SAFE_DIGITS;
+    let fits = significant(&bytes[mantissa.clone()]) <= SAFE_DIGITS;
     let magnitude = match if fits { rounded(w, e) } else { None } {
         Some(magnitude) => magnitude,
-        None => str::from_utf8(&bytes[first..at]).ok()?.parse().ok()?,
+        None => str::from_utf8(&bytes[mantissa.start..at]).ok()?.parse().ok()?,
     };
-    Some((if sign == b'-' { -magnitude } else { magnitude }, at))
+    Some((magnitude, at))
 }
 
 /// The integer that starts at `start`, and the offset behind it; one of more than 18 digits is as large as can be.
-#[inline]
+#[inline(always)]
 pub(super) fn integer(bytes: &[u8], start: usize) -> Option<(i64, usize)> {
+    match leading_digits(word(bytes, start)) {
+        (value, length @ 1..8) => Some((value as i64, start + length)),
+        _ => rare_integer(bytes, start),
+    }
+}
+
+/// An integer with a sign or many digits.
+#[inline(never)]
+fn rare_integer(bytes: &[u8], start: usize) -> Option<(i64, usize)> {
     let sign = byte(bytes, start);
     let first = start + usize::from(sign == b'-' || sign == b'+');
     let (w, at) = digits(bytes, first, 0);
@@ -64,17 +84,21 @@ pub(super) fn integer(bytes: &[u8], start: usize) -> Option<(i64, usize)> {
 }
 
 /// w·10^e, correctly rounded, or nothing where this would not be certain.
-#[inline]
+#[inline(always)]
 fn rounded(w: u64, e: i64) -> Option<f64> {
     let k = e.unsigned_abs() as usize;
-    if w <= 1 << 53 && k < EXACT_POWERS.len() {
+    match EXACT_POWERS.get(k) {
         // Clinger: two doubles and one rounding.
-        let (w, power) = (w as i64 as f64, EXACT_POWERS[k]);
-        return Some(if e < 0 { w / power } else { w * power });
+        Some(power) if w <= 1 << 53 => {
+            Some(if e < 0 { w as i64 as f64 / power } else { w as i64 as f64 * power })
+        }
+        _ if w == 0 || e > 0 => None,
+        _ => divided(w, k),
     }
-    if w == 0 || e > 0 {
-        return None;
-    }
+}
+
+/// w·10^-k for w > 0, correctly rounded, or nothing where this would not be certain.
+fn divided(w: u64, k: usize) -> Option<f64> {
     // w·5^-k·2^-k with 5^-k = m·2^-(127+L): x = w'·m/2^64 is off by less than 2, with w' = w·2^z in [2^63, 2^64).
     let Reciprocal { high, low, shift } = *RECIPROCALS.get(k)?;
     let z = w.leading_zeros();
@@ -126,7 +150,7 @@ static RECIPROCALS: [Reciprocal; 55] = {
 };
 
 /// Appends the digits at `at` to w, modulo 2^64; and the offset behind them.
-#[inline]
+#[inline(always)]
 fn digits(bytes: &[u8], mut at: usize, mut w: u64) -> (u64, usize) {
     loop {
         let (values, length) = leading_digits(word(bytes, at));
@@ -139,7 +163,7 @@ fn digits(bytes: &[u8], mut at: usize, mut w: u64) -> (u64, usize) {
 }
 
 /// The digits that a word starts with: their value, and how many.
-#[inline]
+#[inline(always)]
 fn leading_digits(word: u64) -> (u64, usize) {
     const ONES: u64 = 0x0101_0101_0101_0101;
     // A digit is a byte 0 … 9 of t. The lowest other byte is found surely: no carry reaches it from below.
@@ -156,7 +180,7 @@ fn leading_digits(word: u64) -> (u64, usize) {
 }
 
 /// Eight bytes, the first in the lowest place; zeros behind the end.
-#[inline]
+#[inline(always)]
 pub(super) fn word(bytes: &[u8], at: usize) -> u64 {
     match bytes.get(at..).and_then(<[u8]>::first_chunk) {
         Some(&chunk) => u64::from_le_bytes(chunk),
@@ -171,15 +195,14 @@ fn last_word(bytes: &[u8], at: usize) -> u64 {
 }
 
 /// A byte, or 0 behind the end.
-#[inline]
+#[inline(always)]
 fn byte(bytes: &[u8], at: usize) -> u8 {
     bytes.get(at).copied().unwrap_or(0)
 }
 
-/// Digits from the first that is not zero to the exponent.
+/// Digits from the first that is not zero.
 fn significant(number: &[u8]) -> usize {
-    let mantissa = number.iter().take_while(|b| b.is_ascii_digit() || **b == b'.');
-    mantissa.filter(|b| **b != b'.').skip_while(|b| **b == b'0').count()
+    number.iter().filter(|b| **b != b'.').skip_while(|b| **b == b'0').count()
 }
 
 #[cfg(test)]

@@ -51,15 +51,26 @@ use super::scan::Scan;
 /// A statement that is none or is cut short, a coordinate that is not finite, a face with fewer than three corners or with
 /// a vertex that is not there yet, curved surfaces, and a file without a face. The place is a span of bytes.
 pub fn read(bytes: &[u8]) -> Result<MeshContents, ContentError> {
-    let mut reader = Reader::new(bytes);
-    while !reader.scan.is_done() {
-        reader.statement()?;
+    let mut reader = Reader::default();
+    let mut scan = Scan::new(bytes);
+    while !scan.is_done() {
+        if scan.at_line_end() {
+            scan.skip_line();
+            continue;
+        }
+        let start = scan;
+        match scan.word() {
+            b"v" => reader.vertex(&mut scan)?,
+            b"f" => reader.face(&mut scan)?,
+            word => scan = reader.other(word, start, scan)?,
+        }
     }
     reader.contents()
 }
 
+/// What has been read. The scan stays outside, in the registers of the processor.
+#[derive(Default)]
 struct Reader<'a> {
-    scan: Scan<'a>,
     vertices: Vec<[f64; 3]>,
     triangles: Vec<[u32; 3]>,
     groups: Groups<'a>,
@@ -71,119 +82,74 @@ struct Reader<'a> {
 }
 
 impl<'a> Reader<'a> {
-    fn new(bytes: &'a [u8]) -> Self {
-        Self {
-            scan: Scan::new(bytes),
-            vertices: Vec::new(),
-            triangles: Vec::new(),
-            groups: Groups::default(),
-            polygons: Polygons::default(),
-            corners: Vec::new(),
-            lines: 0,
-            points: 0,
-        }
-    }
-
-    /// One statement, or an empty line.
-    #[inline]
-    fn statement(&mut self) -> Result<(), ContentError> {
-        if self.scan.at_line_end() {
-            self.scan.skip_line();
-            return Ok(());
-        }
-        let start = self.scan;
-        match self.scan.word() {
-            b"v" => self.vertex(),
-            b"f" | b"fo" => self.face(),
-            word => self.other(word, &start),
-        }
-    }
-
     /// `v x y z`, then perhaps a weight, a colour, or both.
-    #[inline]
-    fn vertex(&mut self) -> Result<(), ContentError> {
-        let mut vertex = [0.0; 3];
-        for coordinate in &mut vertex {
-            self.scan.skip_blanks();
-            *coordinate = self.scan.float("coordinate")?;
-        }
-        for _ in 0..5 {
-            if self.scan.at_line_end() {
-                break;
-            }
-            self.scan.float("weight or colour")?;
+    #[inline(always)]
+    fn vertex(&mut self, scan: &mut Scan) -> Result<(), ContentError> {
+        let mut next = || {
+            scan.skip_blanks();
+            scan.float("coordinate")
+        };
+        let vertex = [next()?, next()?, next()?];
+        if !scan.at_line_end() {
+            *scan = weight_and_colour(*scan)?;
         }
         self.vertices.push(vertex);
-        self.end_line()
+        scan.skip_line();
+        Ok(())
     }
 
     /// `f a b c …`.
-    #[inline]
-    fn face(&mut self) -> Result<(), ContentError> {
+    #[inline(always)]
+    fn face(&mut self, scan: &mut Scan) -> Result<(), ContentError> {
         self.corners.clear();
-        while !self.scan.at_line_end() {
-            let corner = self.corner()?;
+        while !scan.at_line_end() {
+            let corner = self.corner(scan)?;
             self.corners.push(corner);
         }
         match *self.corners.as_slice() {
             [a, b, c] => self.triangles.push([a, b, c]),
-            [] | [_] | [_, _] => return Err(self.scan.expected("a third corner of the face")),
+            [] | [_] | [_, _] => return Err(scan.expected("a third corner of the face")),
             _ => self.polygons.split(&self.vertices, &self.corners, &mut self.triangles),
         }
-        self.end_line()
+        scan.skip_line();
+        Ok(())
     }
 
     /// `v`, `v/vt`, `v/vt/vn` or `v//vn`, of which the first counts.
-    #[inline]
-    fn corner(&mut self) -> Result<u32, ContentError> {
-        let start = self.scan;
+    #[inline(always)]
+    fn corner(&self, scan: &mut Scan) -> Result<u32, ContentError> {
+        let start = *scan;
         let wrong = || start.expected("the index of a vertex");
-        let (written, end) = number::integer(start.bytes, start.at).ok_or_else(wrong)?;
-        self.scan.at = end;
+        let (written, end) = number::integer(scan.bytes, scan.at).ok_or_else(wrong)?;
+        scan.at = end;
         for _ in 0..2 {
-            if self.scan.peek() == b'/' {
-                self.scan.at += 1;
-                if let Some((_, end)) = number::integer(start.bytes, self.scan.at) {
-                    self.scan.at = end;
-                }
+            if scan.peek() == b'/' {
+                scan.at += 1;
+                scan.at = number::integer(scan.bytes, scan.at).map_or(scan.at, |(_, end)| end);
             }
         }
-        if self.scan.peek() > b' ' && self.scan.peek() != b'\\' {
+        if scan.peek() > b' ' && scan.peek() != b'\\' {
             return Err(wrong());
         }
         let count = self.vertices.len();
         let from_zero = if written < 0 { written + count as i64 } else { written - 1 };
-        parts::index(from_zero, count).ok_or_else(|| self.no_vertex(&start, written))
-    }
-
-    #[cold]
-    fn no_vertex(&self, at: &Scan, written: i64) -> ContentError {
-        let error = at.error(ContentErrorKind::Index {
-            what: "vertex".to_owned(),
-            index: written,
-            count: self.vertices.len(),
-        });
-        match written {
-            0 => error.hint("indices start at 1"),
-            1.. => error.hint("a face comes behind its vertices"),
-            _ => error.hint("-1 is the vertex before the face, and so on back to the first"),
-        }
+        parts::index(from_zero, count).ok_or_else(|| no_vertex(start, written, count))
     }
 
     /// Any statement but a vertex and a face.
-    fn other(&mut self, word: &[u8], start: &Scan) -> Result<(), ContentError> {
+    fn other(&mut self, word: &[u8], start: Scan<'a>, mut scan: Scan<'a>) -> Result<Scan<'a>, ContentError> {
         match word {
             b"o" | b"g" => {
                 self.groups.end(self.triangles.len());
-                self.scan.skip_blanks();
-                let name = self.scan.line();
+                scan.skip_blanks();
+                let name = scan.line();
                 let name = name.split(|b| *b == b'#').next().unwrap_or_default().trim_ascii();
                 if word == b"o" {
                     (self.groups.object, self.groups.group) = (name, &[]);
                 } else {
                     self.groups.group = name;
                 }
-                return Ok(());
+                return Ok(scan);
             }
             b"l" => self.lines += 1,
             b"p" => self.points += 1,
@@ -200,18 +166,8 @@ impl<'a> Reader<'a> {
                     .hint("a vertex is v x y z, a face f 1 2 3, a comment starts with #"));
             }
         }
-        self.scan.skip_line();
-        Ok(())
-    }
-
-    /// Nothing but the end of the line.
-    #[inline]
-    fn end_line(&mut self) -> Result<(), ContentError> {
-        if !self.scan.at_line_end() {
-            return Err(self.scan.expected("the end of the line"));
-        }
-        self.scan.skip_line();
-        Ok(())
+        scan.skip_line();
+        Ok(scan)
     }
 
     fn contents(mut self) -> Result<MeshContents, ContentError> {
@@ -235,6 +191,26 @@ impl<'a> Reader<'a> {
         findings.extend(self.polygons.finding());
         let parts = parts::of_shared(self.vertices, self.groups.parts(self.triangles))?;
         Ok(MeshContents { encoding: "text", name: String::new(), unit: None, parts, findings })
+    }
+}
+
+/// The numbers behind x, y, z: none counts.
+fn weight_and_colour(mut scan: Scan) -> Result<Scan, ContentError> {
+    for _ in 0..5 {
+        if !scan.at_line_end() {
+            scan.float("weight or colour")?;
+        }
+    }
+    if scan.at_line_end() { Ok(scan) } else { Err(scan.expected("the end of the line")) }
+}
+
+#[cold]
+fn no_vertex(at: Scan, written: i64, count: usize) -> ContentError {
+    let error = at.error(ContentErrorKind::Index { what: "vertex".to_owned(), index: written, count });
+    match written {
+        0 => error.hint("indices start at 1"),
+        1.. => error.hint("a face comes behind its vertices"),
+        _ => error.hint("-1 is the vertex before the face, and so on back to the first"),
     }
 }
 

@@ -14,7 +14,7 @@ use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 use super::MeshContents;
 use super::parts;
 use super::polygon::Polygons;
-use header::{Element, Encoding, Header, Property};
+use header::{Element, Encoding, Header, Property, Scalar};
 use values::{Ascii, Binary, Stop, Values};
 
 /// Reads the bytes of a PLY file.
@@ -99,9 +99,10 @@ fn elements(header: &Header, mut values: impl Values) -> Result<MeshContents, Co
         return Err(missing("element vertex"));
     }
     if values.rest() > 0 {
-        let _ = values.skip(header::Scalar::U8, 1);
         let (what, declared) = ("bytes behind the last element".to_owned(), 0);
         let kind = ContentErrorKind::Count { what, declared, present: values.rest() as u64 };
+        // To the place of the first of them.
+        let _ = values.skip(Scalar::U8, 1);
         return Err(ContentError::new(kind, values.last(String::new()).1)
             .hint("a count in the header is too small, or the file has been damaged"));
     }

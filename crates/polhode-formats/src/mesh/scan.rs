@@ -8,6 +8,7 @@ use super::number;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Scan<'a> {
     pub(super) bytes: &'a [u8],
+    /// Up to the length of the text.
     pub(super) at: usize,
     /// `\n`; in a file without one, `\r`.
     line_end: u8,
@@ -25,45 +26,45 @@ impl<'a> Scan<'a> {
         Self { at, ..self }
     }
 
+    #[inline(always)]
     pub(super) fn is_done(&self) -> bool {
         self.at >= self.bytes.len()
     }
 
     /// The next byte; a line end behind the last one.
-    #[inline]
+    #[inline(always)]
     pub(super) fn peek(&self) -> u8 {
         self.bytes.get(self.at).copied().unwrap_or(self.line_end)
     }
 
     /// Behind the blanks of this line; a line that ends in `\` goes on in the next.
-    #[inline]
+    #[inline(always)]
     pub(super) fn skip_blanks(&mut self) {
         loop {
             match self.peek() {
                 b' ' | b'\t' => self.at += 1,
                 byte if byte > b' ' && byte != b'\\' || byte == self.line_end => return,
-                _ if !self.skip_rare_blank() => return,
-                _ => {}
+                _ => match self.rare_blank() {
+                    0 => return,
+                    length => self.at += length,
+                },
             }
         }
     }
 
-    /// A `\r` before `\n`, another control character that is a blank, or a `\` with its line end.
+    /// The length of a `\r` before `\n`, another control character that is a blank, or a `\` with its line end.
     #[cold]
-    fn skip_rare_blank(&mut self) -> bool {
-        let rest = &self.bytes[self.at.min(self.bytes.len())..];
-        let length = match rest {
+    fn rare_blank(self) -> usize {
+        match &self.bytes[self.at..] {
             [b'\\', b'\r', b'\n', ..] => 3,
             [b'\\', next, ..] if *next == self.line_end => 2,
             [first, ..] if first.is_ascii_whitespace() || *first == 0x0b => 1,
             _ => 0,
-        };
-        self.at += length;
-        length > 0
+        }
     }
 
     /// Whether the line has nothing more to say: its end, or a comment.
-    #[inline]
+    #[inline(always)]
     pub(super) fn at_line_end(&mut self) -> bool {
         self.skip_blanks();
         let byte = self.peek();
@@ -73,20 +74,28 @@ impl<'a> Scan<'a> {
     /// Behind the end of this line; gives what was left of it.
     #[inline]
     pub(super) fn line(&mut self) -> &'a [u8] {
-        let start = self.at.min(self.bytes.len());
-        self.at = find(self.bytes, start, self.line_end);
-        let line = &self.bytes[start..self.at];
-        self.at += 1;
+        let end = find(self.bytes, self.at, self.line_end);
+        let line = &self.bytes[self.at..end];
+        self.at = (end + 1).min(self.bytes.len());
         line
     }
 
     /// Behind the end of this line and of those that it goes on in; a comment goes on in none.
-    #[inline]
+    #[inline(always)]
     pub(super) fn skip_line(&mut self) {
+        if self.bytes.get(self.at) == Some(&self.line_end) {
+            self.at += 1;
+        } else {
+            *self = self.behind_line();
+        }
+    }
+
+    #[inline(never)]
+    fn behind_line(mut self) -> Self {
         loop {
             let line = self.line();
             if !line.trim_ascii_end().ends_with(b"\\") || line.contains(&b'#') || self.is_done() {
-                return;
+                return self;
             }
         }
     }
@@ -107,17 +116,17 @@ impl<'a> Scan<'a> {
     }
 
     /// The run of bytes up to the next white space; empty at a line end.
-    #[inline]
+    #[inline(always)]
     pub(super) fn word(&mut self) -> &'a [u8] {
-        let start = self.at.min(self.bytes.len());
+        let start = self.at;
         while self.bytes.get(self.at).is_some_and(|b| *b > b' ') {
             self.at += 1;
         }
-        &self.bytes[start..self.at.max(start)]
+        &self.bytes[start..self.at]
     }
 
     /// The finite number that starts here.
-    #[inline]
+    #[inline(always)]
     pub(super) fn float(&mut self, what: &str) -> Result<f64, ContentError> {
         match number::float(self.bytes, self.at) {
             Some((value, end)) if value.is_finite() && self.is_blank(end) => {
@@ -129,7 +138,7 @@ impl<'a> Scan<'a> {
     }
 
     /// The integer that starts here.
-    #[inline]
+    #[inline(always)]
     pub(super) fn integer(&mut self, what: &str) -> Result<i64, ContentError> {
         match number::integer(self.bytes, self.at) {
             Some((value, end)) if self.is_blank(end) => {
@@ -140,13 +149,13 @@ impl<'a> Scan<'a> {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn is_blank(&self, at: usize) -> bool {
         self.bytes.get(at).is_none_or(|b| *b <= b' ' || *b == b'\\')
     }
 
     #[cold]
-    fn no_float(&self, what: &str) -> ContentError {
+    fn no_float(self, what: &str) -> ContentError {
         let found = self.found();
         if found.parse::<f64>().is_ok() {
             let kind = ContentErrorKind::NotFinite { what: format!("the {what}"), found };
@@ -160,11 +169,10 @@ impl<'a> Scan<'a> {
 
     /// Something else stands here.
     #[cold]
-    pub(super) fn expected(&self, what: &str) -> ContentError {
+    pub(super) fn expected(self, what: &str) -> ContentError {
         let found = self.found();
         let what = what.to_owned();
-        let is_cut =
-            found.is_empty() && self.bytes.get(self.at..).unwrap_or_default().trim_ascii().is_empty();
+        let is_cut = found.is_empty() && self.bytes[self.at..].iter().all(|b| b" \t".contains(b));
         let found = if found.is_empty() && !is_cut { "the end of the line".to_owned() } else { found };
         let error = self.error(ContentErrorKind::Expected { what, found });
         if is_cut { error.hint("the file is cut short") } else { error }
@@ -172,17 +180,14 @@ impl<'a> Scan<'a> {
 
     /// Something is wrong with the word that starts here.
     #[cold]
-    pub(super) fn error(&self, kind: ContentErrorKind) -> ContentError {
-        let end = self.bytes.len();
-        let mut behind = *self;
-        behind.word();
-        ContentError::new(kind, ContentPlace::Text(self.at.min(end)..behind.at.min(end)))
+    pub(super) fn error(self, kind: ContentErrorKind) -> ContentError {
+        ContentError::new(kind, ContentPlace::Text(self.at..self.at + { self }.word().len()))
     }
 
     /// The word that starts here, not more of it than a message shows.
-    pub(super) fn found(&self) -> String {
+    pub(super) fn found(self) -> String {
         const MOST: usize = 256;
-        let word = { *self }.word();
+        let word = { self }.word();
         String::from_utf8_lossy(&word[..word.len().min(MOST)]).into_owned()
     }
 }

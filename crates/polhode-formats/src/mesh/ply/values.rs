@@ -165,7 +165,7 @@ impl Values for Ascii<'_> {
     }
 
     fn rest(&self) -> usize {
-        self.scan.bytes.get(self.scan.at..).unwrap_or_default().trim_ascii().len()
+        self.scan.bytes[self.scan.at..].trim_ascii().len()
     }
 }
 

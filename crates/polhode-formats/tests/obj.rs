@@ -78,7 +78,7 @@ fn any_layout_will_do() {
         PRISM.replace('\n', " # f 1 2 9\n"),
         PRISM.replace(' ', "\t  "),
         PRISM.replace("# a prism", "").replace(' ', " \\\n "),
-        PRISM.replace("# a prism", "").replace(' ', "\\\r\n"),
+        PRISM.replace("# a prism", "").replace(' ', " \\\r\n"),
         format!("\u{feff}{PRISM}"),
         PRISM.replace("\nf ", "\n  f "),
         PRISM

@@ -58,11 +58,11 @@ pub fn read(bytes: &[u8]) -> Result<MeshContents, ContentError> {
             scan.skip_line();
             continue;
         }
-        let start = scan;
+        let start = scan.at;
         match scan.word() {
             b"v" => reader.vertex(&mut scan)?,
             b"f" => reader.face(&mut scan)?,
-            word => scan = reader.other(word, start, scan)?,
+            word => scan = reader.other(word, scan.moved(start), scan)?,
         }
     }
     reader.contents()
@@ -118,9 +118,10 @@ impl<'a> Reader<'a> {
     /// `v`, `v/vt`, `v/vt/vn` or `v//vn`, of which the first counts.
     #[inline(always)]
     fn corner(&self, scan: &mut Scan) -> Result<u32, ContentError> {
-        let start = *scan;
-        let wrong = || start.expected("the index of a vertex");
-        let (written, end) = number::integer(scan.bytes, scan.at).ok_or_else(wrong)?;
+        let start = scan.at;
+        let Some((written, end)) = number::integer(scan.bytes, start) else {
+            return Err(no_index(*scan, start));
+        };
         scan.at = end;
         for _ in 0..2 {
             if scan.peek() == b'/' {
@@ -129,11 +130,11 @@ impl<'a> Reader<'a> {
             }
         }
         if scan.peek() > b' ' && scan.peek() != b'\\' {
-            return Err(wrong());
+            return Err(no_index(*scan, start));
         }
         let count = self.vertices.len();
         let from_zero = if written < 0 { written + count as i64 } else { written - 1 };
-        parts::index(from_zero, count).ok_or_else(|| no_vertex(start, written, count))
+        parts::index(from_zero, count).ok_or_else(|| no_vertex(scan.moved(start), written, count))
     }
 
     /// Any statement but a vertex and a face.
@@ -202,6 +203,11 @@ fn weight_and_colour(mut scan: Scan) -> Result<Scan, ContentError> {
         }
     }
     if scan.at_line_end() { Ok(scan) } else { Err(scan.expected("the end of the line")) }
+}
+
+#[cold]
+fn no_index(scan: Scan, at: usize) -> ContentError {
+    scan.moved(at).expected("the index of a vertex")
 }
 
 #[cold]

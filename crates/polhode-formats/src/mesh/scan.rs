@@ -251,6 +251,6 @@ mod tests {
         assert_eq!(message("-inf 2"), "byte 0: the coordinate -inf is not finite");
         assert_eq!(message("2e999\n"), "byte 0: the coordinate 2e999 is not finite");
         assert_eq!(message("\n2"), "byte 0: expected a number, found \"the end of the line\"");
-        assert_eq!(message("\n"), "byte 0: expected a number, found the end of the file");
+        assert_eq!(message(" "), "byte 0: expected a number, found the end of the file");
     }
 }

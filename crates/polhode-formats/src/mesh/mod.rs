@@ -3,11 +3,13 @@
 mod affine;
 mod budget;
 pub mod gltf;
-mod notes;
+mod number;
 pub mod obj;
 pub mod off;
+mod parts;
 pub mod ply;
-mod solid;
+mod polygon;
+mod scan;
 pub mod stl;
 pub mod threemf;
 

@@ -1,0 +1,235 @@
+//! The header of a PLY file: which elements come, how many of each, and what each of them has.
+
+use std::ops::Range;
+
+use crate::content::{ContentError, ContentErrorKind, ContentPlace};
+
+use super::super::scan::Scan;
+
+/// What the header says.
+#[derive(Clone, Debug)]
+pub(super) struct Header {
+    pub(super) encoding: Encoding,
+    pub(super) elements: Vec<Element>,
+    /// The first byte behind the header.
+    pub(super) end: usize,
+}
+
+/// How the elements are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Encoding {
+    Ascii,
+    LittleEndian,
+    BigEndian,
+}
+
+/// Things of one kind.
+#[derive(Clone, Debug)]
+pub(super) struct Element {
+    pub(super) name: String,
+    /// How many the header declares; not to be believed.
+    pub(super) count: u64,
+    pub(super) properties: Vec<Property>,
+    /// Where the header says so.
+    pub(super) span: Range<usize>,
+}
+
+/// What every one of an element's things has.
+#[derive(Clone, Debug)]
+pub(super) struct Property {
+    pub(super) name: String,
+    /// The type of a list's length, if it is a list.
+    pub(super) length: Option<Scalar>,
+    /// The type of the number, or of the list's items.
+    pub(super) scalar: Scalar,
+    pub(super) span: Range<usize>,
+}
+
+/// The eight types of numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Scalar {
+    I8,
+    U8,
+    I16,
+    U16,
+    I32,
+    U32,
+    F32,
+    F64,
+}
+
+impl Scalar {
+    /// By either of its names.
+    fn named(name: &[u8]) -> Option<Self> {
+        Some(match name {
+            b"char" | b"int8" => Self::I8,
+            b"uchar" | b"uint8" => Self::U8,
+            b"short" | b"int16" => Self::I16,
+            b"ushort" | b"uint16" => Self::U16,
+            b"int" | b"int32" => Self::I32,
+            b"uint" | b"uint32" => Self::U32,
+            b"float" | b"float32" => Self::F32,
+            b"double" | b"float64" => Self::F64,
+            _ => return None,
+        })
+    }
+
+    /// Bytes in a binary file.
+    pub(super) const fn size(self) -> usize {
+        match self {
+            Self::I8 | Self::U8 => 1,
+            Self::I16 | Self::U16 => 2,
+            Self::I32 | Self::U32 | Self::F32 => 4,
+            Self::F64 => 8,
+        }
+    }
+
+    pub(super) const fn is_integer(self) -> bool {
+        !matches!(self, Self::F32 | Self::F64)
+    }
+}
+
+impl Element {
+    /// The thing's name in a message, for many of them.
+    pub(super) fn plural(&self) -> String {
+        match self.name.as_str() {
+            "vertex" => "vertices".to_owned(),
+            "face" => "faces".to_owned(),
+            name => format!("elements {name:?}"),
+        }
+    }
+
+    pub(super) fn property(&self, name: &str) -> Option<(usize, &Property)> {
+        self.properties.iter().enumerate().find(|(_, property)| property.name == name)
+    }
+}
+
+/// Reads the header; the lines of one file all end alike.
+pub(super) fn read(bytes: &[u8]) -> Result<Header, ContentError> {
+    let first = bytes.iter().position(|b| b"\r\n".contains(b)).unwrap_or(bytes.len());
+    if bytes[..first].trim_ascii() != b"ply" {
+        return Err(Scan::new(bytes).expected("\"ply\""));
+    }
+    let line_end: &[u8] = match &bytes[first..] {
+        [b'\r', b'\n', ..] => b"\r\n",
+        [b'\r', ..] => b"\r",
+        _ => b"\n",
+    };
+    let (mut encoding, mut elements, mut at) = (None, Vec::<Element>::new(), first);
+    loop {
+        at = (at + line_end.len()).min(bytes.len());
+        let length = find(&bytes[at..], line_end);
+        let mut line = Line { scan: Scan::new(&bytes[..at + length]) };
+        line.scan.at = at;
+        at += length;
+        match line.next() {
+            b"comment" | b"obj_info" => {}
+            b"" if at < bytes.len() => {}
+            b"" => return Err(line.scan.expected("end_header")),
+            b"format" => encoding = Some(line.format()?),
+            b"element" => {
+                let element = line.element()?;
+                if elements.iter().any(|earlier| earlier.name == element.name) {
+                    return Err(twice("the element", &element.name, &element.span));
+                }
+                elements.push(element);
+            }
+            b"property" => {
+                let property = line.property()?;
+                let Some(element) = elements.last_mut() else {
+                    return Err(line.back("an element before its properties"));
+                };
+                if element.property(&property.name).is_some() {
+                    return Err(twice("the property", &property.name, &property.span));
+                }
+                element.properties.push(property);
+            }
+            b"end_header" => {
+                let what = || "format: ascii, binary_little_endian or binary_big_endian".to_owned();
+                let missing =
+                    || ContentError::new(ContentErrorKind::Missing { what: what() }, ContentPlace::Whole);
+                let encoding = encoding.ok_or_else(missing)?;
+                return Ok(Header { encoding, elements, end: (at + line_end.len()).min(bytes.len()) });
+            }
+            _ => return Err(line.back("format, comment, obj_info, element, property or end_header")),
+        }
+    }
+}
+
+/// The words of one line.
+struct Line<'a> {
+    scan: Scan<'a>,
+}
+
+impl<'a> Line<'a> {
+    fn next(&mut self) -> &'a [u8] {
+        self.scan.skip_space();
+        self.scan.word()
+    }
+
+    /// The last word should have been something else.
+    fn back(&self, what: &str) -> ContentError {
+        let before = &self.scan.bytes[..self.scan.at];
+        let length = before.iter().rev().take_while(|b| **b > b' ').count();
+        self.scan.moved(self.scan.at - length).expected(what)
+    }
+
+    fn format(&mut self) -> Result<Encoding, ContentError> {
+        let encoding = match self.next() {
+            b"ascii" => Encoding::Ascii,
+            b"binary_little_endian" => Encoding::LittleEndian,
+            b"binary_big_endian" => Encoding::BigEndian,
+            _ => return Err(self.back("ascii, binary_little_endian or binary_big_endian")),
+        };
+        match self.next() {
+            b"1.0" => Ok(encoding),
+            _ => Err(self.back("the version 1.0")),
+        }
+    }
+
+    fn element(&mut self) -> Result<Element, ContentError> {
+        let name = self.name("the name of an element")?;
+        let word = self.next();
+        let count = str::from_utf8(word).ok().and_then(|word| word.parse().ok());
+        let count = count.ok_or_else(|| self.back("how many there are of the element"))?;
+        Ok(Element { name, count, properties: Vec::new(), span: self.scan.at - word.len()..self.scan.at })
+    }
+
+    fn property(&mut self) -> Result<Property, ContentError> {
+        let mut scan = self.scan;
+        scan.skip_space();
+        let is_list = scan.word() == b"list";
+        if is_list {
+            self.scan = scan;
+        }
+        let length = if is_list { Some(self.scalar()?) } else { None };
+        if length.is_some_and(|length| !length.is_integer()) {
+            return Err(self.back("an integer type for the length of a list"));
+        }
+        let scalar = self.scalar()?;
+        let name = self.name("the name of a property")?;
+        Ok(Property { length, scalar, span: self.scan.at - name.len()..self.scan.at, name })
+    }
+
+    fn scalar(&mut self) -> Result<Scalar, ContentError> {
+        let scalar = Scalar::named(self.next());
+        scalar.ok_or_else(|| self.back("char, uchar, short, ushort, int, uint, float, double or list"))
+    }
+
+    fn name(&mut self, what: &str) -> Result<String, ContentError> {
+        match str::from_utf8(self.next()) {
+            Ok(name) if !name.is_empty() => Ok(name.to_owned()),
+            _ => Err(self.back(what)),
+        }
+    }
+}
+
+fn twice(what: &str, name: &str, span: &Range<usize>) -> ContentError {
+    let (what, value, rule) = (what.to_owned(), name.to_owned(), "declared once".to_owned());
+    ContentError::new(ContentErrorKind::Value { what, value, rule }, ContentPlace::Text(span.clone()))
+}
+
+/// Where the line end is, or the end.
+fn find(bytes: &[u8], line_end: &[u8]) -> usize {
+    bytes.windows(line_end.len()).position(|window| window == line_end).unwrap_or(bytes.len())
+}

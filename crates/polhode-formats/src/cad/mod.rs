@@ -410,9 +410,11 @@ fn missing(what: String) -> ContentError {
 fn no_unit(name: &str, dimension: Dimension, place: ContentPlace) -> ContentError {
     let question = format!("in which unit is {name}?");
     let example = match dimension {
-        Dimension::MASS => "paste the line with the unit, or name the unit of mass",
+        Dimension::MASS => "paste the line with the unit, or answer with --mass-unit, such as --mass-unit g",
         Dimension::LENGTH => "paste the line with the unit, or answer with --unit, such as --unit mm",
-        _ => "paste the line with the unit, or name the units of mass and length, such as --unit mm",
+        _ => {
+            "paste the line with the unit, or answer with --unit and --mass-unit, such as --unit mm --mass-unit g"
+        }
     };
     let kind = ContentErrorKind::Unclear { question, found: String::new() };
     ContentError::new(kind, place).hint(example)

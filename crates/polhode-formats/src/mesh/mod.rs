@@ -3,6 +3,7 @@
 mod affine;
 mod budget;
 pub mod gltf;
+mod notes;
 mod number;
 pub mod obj;
 pub mod off;
@@ -10,6 +11,7 @@ mod parts;
 pub mod ply;
 mod polygon;
 mod scan;
+mod solid;
 pub mod stl;
 pub mod threemf;
 

@@ -4,6 +4,8 @@
 //! - [`scenario`]: one body and one motion, as TOML
 //! - [`mesh`]: triangle meshes, as STL, OBJ, PLY, OFF, glTF and 3MF
 //! - [`mod@unit`]: quantities in text
+//! - [`expression`]: formulas in text
+//! - [`voxel`]: densities on a grid, as NPY and NRRD
 //! - [`times`]: lists of times, one per line
 //! - [`table`]: the other way, trajectories as CSV and Parquet, curves as CSV
 //!
@@ -11,6 +13,7 @@
 
 mod content;
 mod error;
+pub mod expression;
 mod file;
 pub mod mesh;
 pub mod scenario;
@@ -18,6 +21,7 @@ pub mod table;
 mod text;
 pub mod times;
 pub mod unit;
+pub mod voxel;
 
 pub use content::{ContentError, ContentErrorKind, ContentPlace};
 pub use error::{FormatError, FormatErrorKind, Place};

@@ -259,7 +259,9 @@ impl Parser<'_> {
             return Err(self.expected("( after a function"));
         } else {
             let known: Vec<String> = self.variables.iter().map(|&v| v.to_owned()).collect();
-            let suggestion = nearest(&name, self.variables.iter().copied()).map(str::to_owned);
+            // Every letter is one slip away from every other.
+            let near = |v: &&str| v.chars().count() > 1 || v.eq_ignore_ascii_case(&name);
+            let suggestion = nearest(&name, self.variables.iter().copied().filter(near)).map(str::to_owned);
             let kind = ExpressionErrorKind::UnknownVariable { name, suggestion, known };
             return Err(ExpressionError { kind, column });
         }

@@ -7,6 +7,8 @@
 //! - [`cad`]: mass-property reports of CAD programs, as text
 //! - [`particles`]: particles and point clouds, as CSV
 //! - [`mod@unit`]: quantities in text
+//! - [`expression`]: formulas in text
+//! - [`voxel`]: densities on a grid, as NPY and NRRD
 //! - [`times`]: lists of times, one per line
 //! - [`table`]: the other way, trajectories as CSV and Parquet, curves as CSV
 //!
@@ -15,6 +17,7 @@
 pub mod cad;
 mod content;
 mod error;
+pub mod expression;
 mod file;
 pub mod mesh;
 pub mod molecule;
@@ -25,6 +28,7 @@ pub mod table;
 mod text;
 pub mod times;
 pub mod unit;
+pub mod voxel;
 
 pub use content::{ContentError, ContentErrorKind, ContentPlace};
 pub use error::{FormatError, FormatErrorKind, Place};

@@ -54,6 +54,11 @@ mod observe;
 
 // body: how much mass, where, and how it resists being turned
 pub use body::assembly::{BodyPart, PlacedPart, assemble};
+pub use body::density::field::{
+    Cubature, DensityField, FieldError, FieldMassProperties, Solid, mass_properties_of_field,
+};
+pub use body::density::grid::{VoxelGrid, VoxelMassProperties};
+pub use body::density::parametrised::Parametrised;
 pub use body::error::BodyError;
 pub use body::finding::{Finding, Severity};
 pub use body::inertia::{InertiaAbout, InertiaTensor};

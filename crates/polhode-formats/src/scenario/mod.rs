@@ -32,7 +32,7 @@ mod run;
 mod shape;
 mod start;
 mod substance;
-mod suggestion;
+pub(crate) mod suggestion;
 mod tensor;
 mod torque;
 

@@ -85,6 +85,22 @@ pub enum BodyError {
         /// Enclosed volume, in the mesh's own units cubed.
         volume: f64,
     },
+    /// A density that is negative inside the body, or not a finite number.
+    Density {
+        /// Where, m.
+        at: [f64; 3],
+        /// The density there, kg/m³.
+        value: f64,
+    },
+    /// A cubature that did not reach its tolerance.
+    Cubature {
+        /// The relative error that was asked for.
+        tolerance: f64,
+        /// The one that was estimated in the end; infinite if not even a first estimate was within the limit.
+        reached: f64,
+        /// How many values of the density that took.
+        evaluations: u64,
+    },
 }
 
 impl fmt::Display for BodyError {
@@ -124,6 +140,17 @@ impl fmt::Display for BodyError {
                 write!(f, "triangle {second} is triangle {first} again, so part of the mesh counts double")
             }
             Self::FlatMesh { volume } => write!(f, "the mesh is closed, but encloses no volume ({volume:e})"),
+            Self::Density { at: [x, y, z], value } => {
+                write!(
+                    f,
+                    "the density at ({x}, {y}, {z}) is {value} kg/m³, and must be finite and not negative"
+                )
+            }
+            Self::Cubature { tolerance, reached, evaluations } => write!(
+                f,
+                "the relative error is estimated as {reached:.1e} after {evaluations} values of the density, \
+                 more than the tolerance of {tolerance:.1e}"
+            ),
         }
     }
 }
@@ -146,6 +173,12 @@ impl BodyError {
             Self::InconsistentWinding { .. } => {
                 Some("make the normals consistent in the tool that made the mesh")
             }
+            Self::Density { value, .. } if !value.is_finite() => {
+                Some("a mesh needs a finite density in all of its convex hull, a shape only inside")
+            }
+            Self::Cubature { .. } => Some(
+                "allow a larger tolerance or more evaluations; where the density has steps, divide the body along them",
+            ),
             _ => None,
         }
     }

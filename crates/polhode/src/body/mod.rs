@@ -1,6 +1,7 @@
 //! Bodies: how much mass, where, and how it resists being turned. This room knows no time.
 
 pub(crate) mod assembly;
+pub(crate) mod density;
 pub(crate) mod error;
 pub(crate) mod finding;
 pub(crate) mod inertia;

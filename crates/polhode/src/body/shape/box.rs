@@ -16,7 +16,7 @@ use crate::body::error::{BodyError, positive};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BoxShape {
-    size: [f64; 3],
+    pub(in crate::body) size: [f64; 3],
 }
 
 impl BoxShape {

@@ -22,8 +22,8 @@ use crate::math::vector::Position;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Capsule {
-    radius: f64,
-    length: f64,
+    pub(in crate::body) radius: f64,
+    pub(in crate::body) length: f64,
 }
 
 impl Capsule {

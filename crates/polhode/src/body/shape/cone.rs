@@ -21,9 +21,9 @@ use crate::math::vector::Position;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cone {
-    base_radius: f64,
-    top_radius: f64,
-    height: f64,
+    pub(in crate::body) base_radius: f64,
+    pub(in crate::body) top_radius: f64,
+    pub(in crate::body) height: f64,
 }
 
 impl Cone {

@@ -16,8 +16,8 @@ use crate::math::real::PI;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cylinder {
-    pub(super) radius: f64,
-    pub(super) length: f64,
+    pub(in crate::body) radius: f64,
+    pub(in crate::body) length: f64,
 }
 
 impl Cylinder {

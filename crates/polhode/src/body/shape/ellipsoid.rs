@@ -16,7 +16,7 @@ use crate::math::real::PI;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ellipsoid {
-    semi_axes: [f64; 3],
+    pub(in crate::body) semi_axes: [f64; 3],
 }
 
 impl Ellipsoid {

@@ -71,7 +71,7 @@ impl Spread {
     }
 
     /// Mean square distance from the centroid: the trace of the second moments.
-    fn size_squared(&self) -> f64 {
+    pub(crate) fn size_squared(&self) -> f64 {
         self.covariance.xx + self.covariance.yy + self.covariance.zz
     }
 

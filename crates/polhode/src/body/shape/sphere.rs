@@ -16,7 +16,7 @@ use crate::math::real::PI;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sphere {
-    radius: f64,
+    pub(in crate::body) radius: f64,
 }
 
 impl Sphere {

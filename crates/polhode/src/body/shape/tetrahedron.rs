@@ -22,7 +22,7 @@ use crate::math::vector::{Direction, Position};
 /// Source: Tonon, J. Math. Stat. 1 (2005) 8.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tetrahedron {
-    vertices: [[f64; 3]; 4],
+    pub(in crate::body) vertices: [[f64; 3]; 4],
 }
 
 /// A volume below this part of the edges' product may be all rounding.

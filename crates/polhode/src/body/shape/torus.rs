@@ -17,8 +17,8 @@ use crate::math::real::PI;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Torus {
-    ring_radius: f64,
-    tube_radius: f64,
+    pub(in crate::body) ring_radius: f64,
+    pub(in crate::body) tube_radius: f64,
 }
 
 impl Torus {

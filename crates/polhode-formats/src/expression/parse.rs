@@ -1,0 +1,294 @@
+//! Text → tape, by two stacks and no recursion: operators wait until one that binds less follows (Dijkstra's shunting
+//! yard). Depth costs memory in proportion to the text, and nothing else.
+
+use std::f64::consts::PI;
+
+use super::tape::{Binary, Op, Tape, Unary};
+use super::{ExpressionError, ExpressionErrorKind};
+use crate::scenario::suggestion::nearest;
+
+/// A function by its name.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Function {
+    pub(super) name: &'static str,
+    op: Op,
+}
+
+pub(super) const FUNCTIONS: [Function; 16] = {
+    const fn one(name: &'static str, op: Unary) -> Function {
+        Function { name, op: Op::Unary(op) }
+    }
+    const fn two(name: &'static str, op: Binary) -> Function {
+        Function { name, op: Op::Binary(op) }
+    }
+    [
+        one("sqrt", Unary::Sqrt),
+        one("exp", Unary::Exp),
+        one("log", Unary::Log),
+        one("sin", Unary::Sin),
+        one("cos", Unary::Cos),
+        one("tan", Unary::Tan),
+        one("asin", Unary::Asin),
+        one("acos", Unary::Acos),
+        one("atan", Unary::Atan),
+        one("abs", Unary::Abs),
+        two("atan2", Binary::Atan2),
+        two("min", Binary::Min),
+        two("max", Binary::Max),
+        two("hypot", Binary::Hypot),
+        two("pow", Binary::Power),
+        Function { name: "if", op: Op::If },
+    ]
+};
+
+impl Function {
+    const fn takes(self) -> usize {
+        match self.op {
+            Op::Constant(_) | Op::Variable(_) => 0,
+            Op::Unary(_) => 1,
+            Op::Binary(_) => 2,
+            Op::If => 3,
+        }
+    }
+}
+
+/// What waits on the stack of operators.
+#[derive(Clone, Copy)]
+enum Waiting {
+    /// An operator and how strongly it binds.
+    Operator(Op, u8),
+    /// An open parenthesis; of a function with the commas so far.
+    Open { column: usize, function: Option<(Function, usize)> },
+}
+
+const COMPARISON: u8 = 1;
+const SUM: u8 = 2;
+const PRODUCT: u8 = 3;
+const SIGN: u8 = 4;
+const POWER: u8 = 5;
+
+/// The tape of a formula.
+pub(super) fn compile(text: &str, variables: &[&str]) -> Result<Tape, ExpressionError> {
+    let mut parser =
+        Parser { rest: text.chars().collect(), at: 0, variables, tape: Tape::default(), waiting: Vec::new() };
+    parser.formula()?;
+    Ok(parser.tape)
+}
+
+struct Parser<'a> {
+    rest: Vec<char>,
+    /// Characters before the place.
+    at: usize,
+    variables: &'a [&'a str],
+    tape: Tape,
+    waiting: Vec<Waiting>,
+}
+
+impl Parser<'_> {
+    /// Operand, operator, operand, …, operand.
+    fn formula(&mut self) -> Result<(), ExpressionError> {
+        loop {
+            self.operand()?;
+            while !self.operator()? {
+                if self.peek().is_none() && self.waiting.is_empty() {
+                    return Ok(());
+                }
+            }
+        }
+    }
+
+    /// A number, a variable, or the start of a function or of parentheses; signs before it.
+    fn operand(&mut self) -> Result<(), ExpressionError> {
+        loop {
+            let column = self.column();
+            match self.peek() {
+                Some('-' | '−') => {
+                    self.at += 1;
+                    self.waiting.push(Waiting::Operator(Op::Unary(Unary::Negate), SIGN));
+                }
+                Some('+') => self.at += 1,
+                Some('(') => {
+                    self.at += 1;
+                    self.waiting.push(Waiting::Open { column, function: None });
+                }
+                Some(c) if c.is_ascii_digit() || c == '.' => return self.number(),
+                Some(c) if c.is_alphabetic() || c == '_' => {
+                    if self.name()? {
+                        return Ok(());
+                    }
+                }
+                _ => return Err(self.expected("a number, a name or (")),
+            }
+        }
+    }
+
+    /// What follows an operand: true if another operand has to follow it.
+    fn operator(&mut self) -> Result<bool, ExpressionError> {
+        let column = self.column();
+        let binary = |op, binds| Some((Op::Binary(op), binds));
+        let or_equal = self.rest.get(self.at + 1) == Some(&'=');
+        let orders = |strict, loose| binary(if or_equal { loose } else { strict }, COMPARISON);
+        let operator = match self.peek() {
+            Some('+') => binary(Binary::Add, SUM),
+            Some('-' | '−') => binary(Binary::Subtract, SUM),
+            Some('*' | '·' | '×') => binary(Binary::Multiply, PRODUCT),
+            Some('/') => binary(Binary::Divide, PRODUCT),
+            Some('^') => binary(Binary::Power, POWER),
+            Some('<') => orders(Binary::Less, Binary::LessOrEqual),
+            Some('>') => orders(Binary::Greater, Binary::GreaterOrEqual),
+            Some(')') => return self.close(),
+            Some(',') => return self.comma(),
+            None => return self.end(),
+            Some(_) => None,
+        };
+        let Some((op, binds)) = operator else { return Err(self.expected("an operator, ) or the end")) };
+        self.at += 1;
+        if binds == COMPARISON && or_equal {
+            self.at += 1;
+        }
+        // From the left; ^ from the right, so that it never waits for its equal.
+        let chained = self.unwind(if binds == POWER { POWER + 1 } else { binds });
+        if binds == COMPARISON && chained {
+            return Err(ExpressionError { kind: ExpressionErrorKind::ChainedComparison, column });
+        }
+        self.waiting.push(Waiting::Operator(op, binds));
+        Ok(true)
+    }
+
+    /// Performs the operators that wait and bind at least as strongly; true if a comparison was among them.
+    fn unwind(&mut self, least: u8) -> bool {
+        let mut compared = false;
+        while let Some(&Waiting::Operator(op, binds)) = self.waiting.last()
+            && binds >= least
+        {
+            self.tape.push(op);
+            self.waiting.pop();
+            compared |= binds == COMPARISON;
+        }
+        compared
+    }
+
+    fn close(&mut self) -> Result<bool, ExpressionError> {
+        self.unwind(0);
+        let Some(Waiting::Open { column, function }) = self.waiting.pop() else {
+            return Err(self.expected("an operator or the end"));
+        };
+        self.at += 1;
+        if let Some((function, commas)) = function {
+            let (takes, given) = (function.takes(), commas + 1);
+            if takes != given {
+                let kind = ExpressionErrorKind::Arguments { function: function.name, takes, given };
+                return Err(ExpressionError { kind, column });
+            }
+            self.tape.push(function.op);
+        }
+        Ok(false)
+    }
+
+    fn comma(&mut self) -> Result<bool, ExpressionError> {
+        self.unwind(0);
+        match self.waiting.last_mut() {
+            Some(Waiting::Open { function: Some((_, commas)), .. }) => *commas += 1,
+            _ => return Err(self.expected("an operator, ) or the end")),
+        }
+        self.at += 1;
+        Ok(true)
+    }
+
+    fn end(&mut self) -> Result<bool, ExpressionError> {
+        self.unwind(0);
+        if self.waiting.is_empty() { Ok(false) } else { Err(self.expected("an operator or )")) }
+    }
+
+    fn number(&mut self) -> Result<(), ExpressionError> {
+        let (column, start) = (self.column(), self.at);
+        self.digits();
+        if self.rest.get(self.at) == Some(&'.') {
+            self.at += 1;
+            self.digits();
+        }
+        if let Some('e' | 'E') = self.rest.get(self.at) {
+            let sign = usize::from(matches!(self.rest.get(self.at + 1), Some('+' | '-')));
+            if self.rest.get(self.at + 1 + sign).is_some_and(char::is_ascii_digit) {
+                self.at += 1 + sign;
+                self.digits();
+            }
+        }
+        let found: String = self.rest[start..self.at].iter().collect();
+        match found.parse::<f64>() {
+            Ok(value) if value.is_finite() => {
+                self.tape.push(Op::Constant(value));
+                Ok(())
+            }
+            Ok(_) => Err(ExpressionError { kind: ExpressionErrorKind::Number { found }, column }),
+            Err(_) => {
+                let kind = ExpressionErrorKind::Expected { what: "a number", found };
+                Err(ExpressionError { kind, column })
+            }
+        }
+    }
+
+    fn digits(&mut self) {
+        while self.rest.get(self.at).is_some_and(char::is_ascii_digit) {
+            self.at += 1;
+        }
+    }
+
+    /// A variable, a constant, or a function with its parenthesis: true if it is an operand already.
+    fn name(&mut self) -> Result<bool, ExpressionError> {
+        let (column, start) = (self.column(), self.at);
+        while self.rest.get(self.at).is_some_and(|&c| c.is_alphanumeric() || c == '_') {
+            self.at += 1;
+        }
+        let name: String = self.rest[start..self.at].iter().collect();
+        if self.peek() == Some('(') {
+            let Some(&function) = FUNCTIONS.iter().find(|f| f.name == name) else {
+                let suggestion = nearest(&name, FUNCTIONS.map(|f| f.name));
+                let kind = ExpressionErrorKind::UnknownFunction { name, suggestion };
+                return Err(ExpressionError { kind, column });
+            };
+            self.at += 1;
+            self.waiting.push(Waiting::Open { column, function: Some((function, 0)) });
+            return Ok(false);
+        }
+        if let Some(k) = self.variables.iter().position(|v| *v == name) {
+            self.tape.push(Op::Variable(k));
+        } else if name == "pi" {
+            self.tape.push(Op::Constant(PI));
+        } else if FUNCTIONS.iter().any(|f| f.name == name) {
+            return Err(self.expected("( after a function"));
+        } else {
+            let known: Vec<String> = self.variables.iter().map(|&v| v.to_owned()).collect();
+            // Every letter is one slip away from every other.
+            let near = |v: &&str| v.chars().count() > 1 || v.eq_ignore_ascii_case(&name);
+            let suggestion = nearest(&name, self.variables.iter().copied().filter(near)).map(str::to_owned);
+            let kind = ExpressionErrorKind::UnknownVariable { name, suggestion, known };
+            return Err(ExpressionError { kind, column });
+        }
+        Ok(true)
+    }
+
+    /// The next character that is not white space, if there is one; the place moves to it.
+    fn peek(&mut self) -> Option<char> {
+        while self.rest.get(self.at).is_some_and(|c| c.is_whitespace()) {
+            self.at += 1;
+        }
+        self.rest.get(self.at).copied()
+    }
+
+    /// Of the next character, from 1.
+    fn column(&mut self) -> usize {
+        self.peek();
+        self.at + 1
+    }
+
+    fn expected(&mut self, what: &'static str) -> ExpressionError {
+        let column = self.column();
+        let is_word = |c: &char| c.is_alphanumeric() || matches!(c, '_' | '.');
+        let rest = &self.rest[self.at..];
+        let word: String = rest.iter().copied().take_while(is_word).collect();
+        let found =
+            if word.is_empty() { rest.first().map(char::to_string).unwrap_or_default() } else { word };
+        ExpressionError { kind: ExpressionErrorKind::Expected { what, found }, column }
+    }
+}

@@ -1,0 +1,252 @@
+//! Adaptive cubature of the ten moments of a density.
+
+use core::cmp::{Ordering, Reverse};
+use std::collections::BinaryHeap;
+
+use super::domain::{Brick, Domain, Samples};
+use super::rule::Rule;
+use crate::math::sum::Sum;
+use crate::math::symmetric3::Symmetric3;
+
+/// ∫ρ (1, x, y, z, xx, yy, zz, xy, xz, yz) dV, in a domain's own units of length.
+pub(super) type Moments = [f64; 10];
+
+/// The bricks of a solid, each with its moments and their errors.
+pub(super) struct Subdivision<'a> {
+    domain: &'a Domain<'a>,
+    rule: Rule,
+    bricks: Vec<Integrated>,
+    /// The brick with the largest error first, of equal ones the oldest.
+    order: BinaryHeap<(Priority, Reverse<usize>)>,
+    samples: Samples,
+    pub(super) evaluations: u64,
+}
+
+#[derive(Clone, Copy)]
+struct Integrated {
+    brick: Brick,
+    moments: Moments,
+    errors: Moments,
+    /// The null rule that is largest: the direction to divide in.
+    direction: usize,
+    /// What the sum over the samples may have lost by rounding, for moments of the degrees 0, 1 and 2.
+    rounding: [f64; 3],
+}
+
+/// Sums over bricks.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Totals {
+    pub(super) moments: Moments,
+    pub(super) errors: Moments,
+}
+
+/// Rounding of a sample: of the density, the weight, the volume, their product, and the sums.
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
+
+/// The degree of each moment.
+const DEGREES: [usize; 10] = [0, 1, 1, 1, 2, 2, 2, 2, 2, 2];
+
+impl<'a> Subdivision<'a> {
+    pub(super) fn new(domain: &'a Domain<'a>) -> Self {
+        let (bricks, order) = (Vec::new(), BinaryHeap::new());
+        Self { domain, rule: domain.rule(), bricks, order, samples: Samples::default(), evaluations: 0 }
+    }
+
+    /// How many samples a brick costs.
+    pub(super) fn samples_per_brick(&self) -> u64 {
+        self.rule.samples() as u64
+    }
+
+    /// Adds a brick: `density` gives ρ at its samples, or says why there is none.
+    pub(super) fn add<E>(
+        &mut self,
+        brick: Brick,
+        density: &mut impl FnMut(&Brick, &[[f64; 3]], &mut [f64]) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let index = self.bricks.len();
+        let integrated = self.integrate(brick, density)?;
+        self.order.push((integrated.priority(), Reverse(index)));
+        self.bricks.push(integrated);
+        Ok(())
+    }
+
+    /// Divides the brick with the largest error into two, and gives the sums over it and over its halves; `None` if
+    /// that would not help any more.
+    pub(super) fn refine<E>(
+        &mut self,
+        density: &mut impl FnMut(&Brick, &[[f64; 3]], &mut [f64]) -> Result<(), E>,
+    ) -> Result<Option<(Totals, Totals)>, E> {
+        while let Some((_, Reverse(index))) = self.order.pop() {
+            let parent = self.bricks[index];
+            if !parent.exceeds_rounding() {
+                return Ok(None);
+            }
+            // One that is too small keeps its error.
+            let Some([first, second]) = parent.brick.halves(parent.direction) else { continue };
+            let first = self.integrate(first, density)?;
+            let second = self.integrate(second, density)?;
+            self.order.push((first.priority(), Reverse(index)));
+            self.order.push((second.priority(), Reverse(self.bricks.len())));
+            self.bricks[index] = first;
+            self.bricks.push(second);
+            return Ok(Some((Totals::of(&[parent]), Totals::of(&[first, second]))));
+        }
+        Ok(None)
+    }
+
+    pub(super) fn totals(&self) -> Totals {
+        Totals::of(&self.bricks)
+    }
+
+    pub(super) fn bricks(&self) -> usize {
+        self.bricks.len()
+    }
+
+    fn integrate<E>(
+        &mut self,
+        brick: Brick,
+        density: &mut impl FnMut(&Brick, &[[f64; 3]], &mut [f64]) -> Result<(), E>,
+    ) -> Result<Integrated, E> {
+        let Self { domain, rule, samples, .. } = self;
+        domain.sample(&brick, rule, samples);
+        density(&brick, &samples.points, &mut samples.densities)?;
+        self.evaluations += samples.points.len() as u64;
+        let [outer, middle, inner] = &rule.0;
+        let mut block = Sums::default();
+        let (mut absolute, mut farthest) = (0.0, 0.0_f64);
+        // Row by row and plane by plane: a sum of sums of few terms rounds little.
+        let planes = inner.nodes.len() * middle.nodes.len();
+        for (u, plane_start) in outer.nodes.iter().zip((0..).step_by(planes)) {
+            let mut plane = Sums::default();
+            for (v, row_start) in middle.nodes.iter().zip((plane_start..).step_by(inner.nodes.len())) {
+                let mut row = Sums::default();
+                for (k, w) in (row_start..).zip(&inner.nodes) {
+                    let [x, y, z] = samples.local[k];
+                    let mass = samples.densities[k] * samples.volumes[k];
+                    let monomials = [1.0, x, y, z, x * x, y * y, z * z, x * y, x * z, y * z];
+                    add(&mut row.moments, w.weight * mass, &monomials);
+                    add(&mut row.nulls[2], w.null * mass, &monomials);
+                    absolute += (u.weight * v.weight * w.weight * mass).abs();
+                    farthest = farthest.max(x.abs()).max(y.abs()).max(z.abs());
+                }
+                add(&mut plane.moments, v.weight, &row.moments);
+                add(&mut plane.nulls[1], v.null, &row.moments);
+                add(&mut plane.nulls[2], v.weight, &row.nulls[2]);
+            }
+            add(&mut block.moments, u.weight, &plane.moments);
+            add(&mut block.nulls[0], u.null, &plane.moments);
+            add(&mut block.nulls[1], u.weight, &plane.nulls[1]);
+            add(&mut block.nulls[2], u.weight, &plane.nulls[2]);
+        }
+        let Sums { moments, nulls } = block;
+        let errors = core::array::from_fn(|k| nulls.iter().map(|null| null[k].abs()).sum());
+        let size = |null: &Moments| null.iter().fold(0.0, |most: f64, m| most.max(m.abs()));
+        let direction = (0..3).max_by(|&a, &b| size(&nulls[a]).total_cmp(&size(&nulls[b]))).unwrap_or(0);
+        let rounding = [1.0, farthest, farthest * farthest].map(|scale| ROUNDING * absolute * scale);
+        Ok(Integrated { brick, moments, errors, direction, rounding })
+    }
+}
+
+/// Moments by the rule, and by its three null rules.
+#[derive(Default)]
+struct Sums {
+    moments: Moments,
+    nulls: [Moments; 3],
+}
+
+/// sums + weight · terms
+fn add(sums: &mut Moments, weight: f64, terms: &Moments) {
+    for (sum, term) in sums.iter_mut().zip(terms) {
+        *sum += weight * term;
+    }
+}
+
+impl Integrated {
+    fn priority(&self) -> Priority {
+        Priority(self.errors.into_iter().fold(0.0, f64::max))
+    }
+
+    fn error(&self, k: usize) -> f64 {
+        self.errors[k] + self.rounding[DEGREES[k]]
+    }
+
+    fn exceeds_rounding(&self) -> bool {
+        (0..10).any(|k| self.errors[k] > self.rounding[DEGREES[k]])
+    }
+}
+
+impl Totals {
+    /// Compensated, in the order of the bricks.
+    fn of(bricks: &[Integrated]) -> Self {
+        let mut moments = [Sum::default(); 10];
+        let mut errors = [0.0; 10];
+        for brick in bricks {
+            for k in 0..10 {
+                moments[k].add(brick.moments[k]);
+                errors[k] += brick.error(k);
+            }
+        }
+        Self { moments: moments.map(Sum::value), errors }
+    }
+
+    /// These with the halves of a brick in its place.
+    pub(super) fn replace(&mut self, (whole, halves): &(Self, Self)) {
+        for k in 0..10 {
+            self.moments[k] += halves.moments[k] - whole.moments[k];
+            self.errors[k] += halves.errors[k] - whole.errors[k];
+        }
+    }
+
+    pub(super) fn mass(&self) -> f64 {
+        self.moments[0]
+    }
+
+    pub(super) fn center(&self) -> [f64; 3] {
+        core::array::from_fn(|k| self.moments[k + 1] / self.moments[0])
+    }
+
+    /// ∫ρ x xᵀ dV / M − c cᵀ
+    pub(super) fn covariance(&self) -> Symmetric3 {
+        let [mass, _, _, _, xx, yy, zz, xy, xz, yz] = self.moments;
+        Symmetric3 { xx, yy, zz, xy, xz, yz } * (1.0 / mass) - Symmetric3::outer(self.center())
+    }
+
+    /// Errors carried to the results: of the mass relative to it, of the centre of mass, in units, and of the
+    /// inertia tensor relative to half its trace.
+    ///
+    /// |δc| ≤ (|δm₁| + |c| |δM|) / M,  |δS_ij| ≤ |δm_ij| + |c_i δm_j| + |c_j δm_i| + |c_i c_j δM|,
+    /// |δI_xx| ≤ |δS_yy| + |δS_zz|, |δI_xy| ≤ |δS_xy|
+    pub(super) fn relative_errors(&self) -> [f64; 3] {
+        let mass = self.mass();
+        let c = self.center().map(f64::abs);
+        let e = &self.errors;
+        let center = (0..3).map(|k| (e[k + 1] + c[k] * e[0]) / mass).fold(0.0, libm::hypot);
+        let second = |element: usize, i: usize, j: usize| {
+            e[element] + c[i] * e[j + 1] + c[j] * e[i + 1] + c[i] * c[j] * e[0]
+        };
+        let [xx, yy, zz] = [second(4, 0, 0), second(5, 1, 1), second(6, 2, 2)];
+        let products = [second(7, 0, 1), second(8, 0, 2), second(9, 1, 2)];
+        let worst = [yy + zz, xx + zz, xx + yy].into_iter().chain(products).fold(0.0, f64::max);
+        let covariance = self.covariance();
+        let half_trace = mass * (covariance.xx + covariance.yy + covariance.zz);
+        [e[0] / mass, center, worst / half_trace]
+    }
+}
+
+/// An error that orders bricks.
+#[derive(Clone, Copy, PartialEq)]
+struct Priority(f64);
+
+impl Eq for Priority {}
+
+impl PartialOrd for Priority {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Priority {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.0.total_cmp(&other.0)
+    }
+}

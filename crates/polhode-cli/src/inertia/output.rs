@@ -21,7 +21,7 @@ pub(super) struct OutputFlags {
     csv: bool,
     /// Print it as another program reads it; frame, point and sign are stated beside the numbers.
     #[arg(long = "as", value_name = "FORMAT", value_parser = formats())]
-    format: Option<ExportFormat>,
+    as_format: Option<ExportFormat>,
 }
 
 fn formats() -> impl clap::builder::TypedValueParser<Value = ExportFormat> {
@@ -32,7 +32,7 @@ fn formats() -> impl clap::builder::TypedValueParser<Value = ExportFormat> {
 impl OutputFlags {
     /// The reports as text, in the order of their files.
     pub(super) fn text(&self, reports: &[(PathBuf, InertiaReport)]) -> Result<String, Failure> {
-        let format = if self.csv { Some(ExportFormat::Csv) } else { self.format };
+        let format = if self.csv { Some(ExportFormat::Csv) } else { self.as_format };
         if let Some(format) = format {
             let bodies: Vec<_> = reports
                 .iter()

@@ -6,8 +6,8 @@
 //!
 //! A convex polygon is a fan from its first corner. Of any other the ears are cut, in its own plane: an ear is a
 //! triangle of three consecutive corners that turns left and has no corner of the rest in it. A polygon that crosses
-//! itself runs out of ears, and one with thousands of dents out of patience; its triangles overlap then, and in a plane their signed areas and moments still sum to those
-//! of the polygon.
+//! itself runs out of ears, and one with thousands of dents out of patience. The triangles overlap then; in a plane
+//! their signed areas and moments still sum to those of the polygon.
 
 use std::mem;
 

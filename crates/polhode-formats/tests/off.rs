@@ -158,7 +158,7 @@ fn no_bytes_make_it_panic() {
             match read(&bytes) {
                 Ok(contents) => assert!(!contents.parts.is_empty()),
                 Err(error) => {
-                    assert!(!error.to_string().is_empty() && error.place != ContentPlace::Whole, "{error}")
+                    assert!(!error.to_string().is_empty() && error.place != ContentPlace::Whole, "{error}");
                 }
             }
         }

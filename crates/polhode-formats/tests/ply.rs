@@ -299,7 +299,7 @@ fn headers_are_checked() {
         let (got, at) = error(&text);
         match got {
             Kind::Expected { what, .. } if found.is_empty() => {
-                assert!(matches!(kind, Kind::Expected { what: w, .. } if w == what))
+                assert!(matches!(kind, Kind::Expected { what: w, .. } if w == what));
             }
             got => assert_eq!((got, at), (kind, found), "{wrong}"),
         }

@@ -153,8 +153,8 @@ static RECIPROCALS: [Reciprocal; 55] = {
 #[inline(always)]
 fn digits(bytes: &[u8], mut at: usize, mut w: u64) -> (u64, usize) {
     loop {
-        let (values, length) = leading_digits(word(bytes, at));
-        w = w.wrapping_mul(WORD_POWERS[length]).wrapping_add(values);
+        let (value, length) = leading_digits(word(bytes, at));
+        w = w.wrapping_mul(WORD_POWERS[length]).wrapping_add(value);
         at += length;
         if length < 8 {
             return (w, at);

@@ -119,17 +119,16 @@ impl<'a> Reader<'a> {
     #[inline(always)]
     fn corner(&self, scan: &mut Scan) -> Result<u32, ContentError> {
         let start = scan.at;
-        let Some((written, end)) = number::integer(scan.bytes, start) else {
+        let Some((written, mut end)) = number::integer(scan.bytes, start) else {
             return Err(no_index(*scan, start));
         };
-        scan.at = end;
         for _ in 0..2 {
-            if scan.peek() == b'/' {
-                scan.at += 1;
-                scan.at = number::integer(scan.bytes, scan.at).map_or(scan.at, |(_, end)| end);
+            if scan.bytes.get(end) == Some(&b'/') {
+                end += 1;
+                end = number::integer(scan.bytes, end).map_or(end, |(_, end)| end);
             }
         }
-        if scan.peek() > b' ' && scan.peek() != b'\\' {
+        if !scan.pass(end) {
             return Err(no_index(*scan, start));
         }
         let count = self.vertices.len();

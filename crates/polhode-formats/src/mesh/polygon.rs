@@ -6,8 +6,8 @@
 //!
 //! A convex polygon is a fan from its first corner. Of any other the ears are cut, in its own plane: an ear is a
 //! triangle of three consecutive corners that turns left and has no corner of the rest in it. A polygon that crosses
-//! itself runs out of ears; its triangles overlap then, and in a plane their signed areas and moments still sum to those
-//! of the polygon.
+//! itself runs out of ears, and one with thousands of dents out of patience. The triangles overlap then; in a plane
+//! their signed areas and moments still sum to those of the polygon.
 
 use std::mem;
 
@@ -47,11 +47,13 @@ impl Polygons {
 
     /// What is to be said about them all.
     pub(super) fn finding(&self) -> Option<Finding> {
-        let message = match self.crossed {
-            0 => return None,
-            1 => "1 face crosses itself or has no area: its triangles overlap".to_owned(),
-            n => format!("{n} faces cross themselves or have no area: their triangles overlap"),
-        };
+        if self.crossed == 0 {
+            return None;
+        }
+        let message = format!(
+            "{} faces were split into triangles that overlap: they cross themselves, have no area, or have thousands of dents",
+            self.crossed
+        );
         Some(Finding { code: "mesh.crossed_polygons", severity: Severity::Warning, message, place: None })
     }
 
@@ -85,7 +87,7 @@ impl Polygons {
         }
         self.points.clear();
         self.points.extend(corners.iter().map(|k| {
-            let p = from_origin(k);
+            let p = at(k);
             [p[u], p[v]]
         }));
     }

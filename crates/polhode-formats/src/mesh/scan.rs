@@ -26,6 +26,11 @@ impl<'a> Scan<'a> {
         Self { at, ..self }
     }
 
+    /// The same in other bytes.
+    pub(super) const fn within(self, bytes: &'a [u8], at: usize) -> Self {
+        Self { bytes, at, ..self }
+    }
+
     #[inline(always)]
     pub(super) fn is_done(&self) -> bool {
         self.at >= self.bytes.len()
@@ -37,28 +42,28 @@ impl<'a> Scan<'a> {
         self.bytes.get(self.at).copied().unwrap_or(self.line_end)
     }
 
-    /// Behind the blanks of this line; a line that ends in `\` goes on in the next.
+    /// Behind the blanks of this line, at the byte that it gives; a line that ends in `\` goes on in the next.
     #[inline(always)]
-    pub(super) fn skip_blanks(&mut self) {
+    pub(super) fn skip_blanks(&mut self) -> u8 {
         loop {
-            match self.peek() {
-                b' ' | b'\t' => self.at += 1,
-                byte if byte > b' ' && byte != b'\\' || byte == self.line_end => return,
-                _ => match self.rare_blank() {
-                    0 => return,
-                    length => self.at += length,
-                },
+            let byte = self.peek();
+            if byte > b' ' && byte != b'\\' || byte == self.line_end {
+                return byte;
+            }
+            match if b" \t\r".contains(&byte) { 1 } else { self.rare_blank() } {
+                0 => return byte,
+                length => self.at += length,
             }
         }
     }
 
-    /// The length of a `\r` before `\n`, another control character that is a blank, or a `\` with its line end.
+    /// The length of a blank that few files have, or of a `\` with its line end.
     #[cold]
     fn rare_blank(self) -> usize {
         match &self.bytes[self.at..] {
             [b'\\', b'\r', b'\n', ..] => 3,
             [b'\\', next, ..] if *next == self.line_end => 2,
-            [first, ..] if first.is_ascii_whitespace() || *first == 0x0b => 1,
+            [first, ..] if *first != self.line_end && first.is_ascii_whitespace() || *first == 0x0b => 1,
             _ => 0,
         }
     }
@@ -66,8 +71,7 @@ impl<'a> Scan<'a> {
     /// Whether the line has nothing more to say: its end, or a comment.
     #[inline(always)]
     pub(super) fn at_line_end(&mut self) -> bool {
-        self.skip_blanks();
-        let byte = self.peek();
+        let byte = self.skip_blanks();
         byte == self.line_end || byte == b'#'
     }
 
@@ -129,10 +133,7 @@ impl<'a> Scan<'a> {
     #[inline(always)]
     pub(super) fn float(&mut self, what: &str) -> Result<f64, ContentError> {
         match number::float(self.bytes, self.at) {
-            Some((value, end)) if value.is_finite() && self.is_blank(end) => {
-                self.at = end;
-                Ok(value)
-            }
+            Some((value, end)) if value.is_finite() && self.pass(end) => Ok(value),
             _ => Err(self.no_float(what)),
         }
     }
@@ -141,17 +142,20 @@ impl<'a> Scan<'a> {
     #[inline(always)]
     pub(super) fn integer(&mut self, what: &str) -> Result<i64, ContentError> {
         match number::integer(self.bytes, self.at) {
-            Some((value, end)) if self.is_blank(end) => {
-                self.at = end;
-                Ok(value)
-            }
+            Some((value, end)) if self.pass(end) => Ok(value),
             _ => Err(self.expected(what)),
         }
     }
 
+    /// Behind a word that ends here, if one does, and the blank that it ends with.
     #[inline(always)]
-    fn is_blank(&self, at: usize) -> bool {
-        self.bytes.get(at).is_none_or(|b| *b <= b' ' || *b == b'\\')
+    pub(super) fn pass(&mut self, end: usize) -> bool {
+        match self.bytes.get(end) {
+            Some(b' ') => self.at = end + 1,
+            Some(byte) if *byte > b' ' && *byte != b'\\' => return false,
+            _ => self.at = end,
+        }
+        true
     }
 
     #[cold]

@@ -1,5 +1,6 @@
 //! The header of a PLY file: which elements come, how many of each, and what each of them has.
 
+use std::collections::HashSet;
 use std::ops::Range;
 
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
@@ -115,12 +116,13 @@ pub(super) fn read(bytes: &[u8]) -> Result<Header, ContentError> {
         [b'\r', ..] => b"\r",
         _ => b"\n",
     };
+    let start = Scan::new(&bytes[..first]);
     let (mut encoding, mut elements, mut at) = (None, Vec::<Element>::new(), first);
+    let (mut names, mut property_names) = (HashSet::new(), HashSet::new());
     loop {
         at = (at + line_end.len()).min(bytes.len());
         let length = find(&bytes[at..], line_end);
-        let mut line = Line { scan: Scan::new(&bytes[..at + length]) };
-        line.scan.at = at;
+        let mut line = Line { scan: start.within(&bytes[..at + length], at) };
         at += length;
         match line.next() {
             b"comment" | b"obj_info" => {}
@@ -129,9 +131,10 @@ pub(super) fn read(bytes: &[u8]) -> Result<Header, ContentError> {
             b"format" => encoding = Some(line.format()?),
             b"element" => {
                 let element = line.element()?;
-                if elements.iter().any(|earlier| earlier.name == element.name) {
+                if !names.insert(element.name.clone()) {
                     return Err(twice("the element", &element.name, &element.span));
                 }
+                property_names = HashSet::new();
                 elements.push(element);
             }
             b"property" => {
@@ -139,7 +142,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Header, ContentError> {
                 let Some(element) = elements.last_mut() else {
                     return Err(line.back("an element before its properties"));
                 };
-                if element.property(&property.name).is_some() {
+                if !property_names.insert(property.name.clone()) {
                     return Err(twice("the property", &property.name, &property.span));
                 }
                 element.properties.push(property);

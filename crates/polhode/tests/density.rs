@@ -209,6 +209,41 @@ fn exponentials_over_a_box() {
     }
 }
 
+/// The same box with its faces divided into 10 × 10 squares: more triangles than the fine rule is used for.
+fn tiled_box(low: [f64; 3], high: [f64; 3]) -> ClosedMesh {
+    const N: usize = 10;
+    let at = |axis: usize, i: usize| low[axis] + (high[axis] - low[axis]) * i as f64 / N as f64;
+    let mut triangles = Vec::new();
+    for axis in 0..3 {
+        let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
+        for (side, i, j) in (0..2 * N * N).map(|k| (k % 2, k / 2 % N, k / 2 / N)) {
+            let corner = |i: usize, j: usize| {
+                let mut p = [0.0; 3];
+                p[axis] = at(axis, side * N);
+                p[next] = at(next, i);
+                p[last] = at(last, j);
+                p
+            };
+            let [a, b, c, d] = [corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)];
+            triangles.extend(if side == 1 { [[a, b, c], [a, c, d]] } else { [[a, c, b], [a, d, c]] });
+        }
+    }
+    ClosedMesh::from_triangles(triangles).unwrap()
+}
+
+#[test]
+fn meshes_of_many_triangles_take_fewer_samples_each() {
+    let mesh = tiled_box(LOW, HIGH);
+    assert!(mesh.triangles().len() == 1200 && !mesh.inverted());
+    let k = [1.9, 0.4, -2.3];
+    let field = |p: [f64; 3]| 12.5 * (k[0] * p[0] + k[1] * p[1] + k[2] * p[2]).exp();
+    let truth = product(std::array::from_fn(|a| exponential(k[a], LOW[a], HIGH[a]))).map(|m| 12.5 * m);
+    check("tiled", Solid::Mesh(&mesh), &field, 1e-9, &truth);
+    let cubature = Cubature { tolerance: 1e-6, ..Cubature::default() };
+    let body = mass_properties_of_field(Solid::Mesh(&mesh), &field, cubature).unwrap();
+    assert!((1200 * 735..2 * 1200 * 735).contains(&body.evaluations), "{}", body.evaluations);
+}
+
 /// ∫ρ(r) r^n dr times what the angles give: a ball's moments from its radial ones.
 fn radial(m0: f64, m2: f64) -> Moments {
     let pi = std::f64::consts::PI;

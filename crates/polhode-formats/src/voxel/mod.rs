@@ -193,11 +193,19 @@ impl Scalar {
 
     /// The nearest f64; integers beyond 2⁵³ are rounded.
     fn decode(self, bytes: &[u8], big_endian: bool) -> f64 {
-        let mut word = [0; 8];
-        for (place, &byte) in bytes.iter().enumerate() {
-            word[if big_endian { bytes.len() - 1 - place } else { place }] = byte;
-        }
-        let bits = u64::from_le_bytes(word);
+        let pick = |little: u64, big: u64| if big_endian { big } else { little };
+        let bits = match *bytes {
+            [a] => a.into(),
+            [a, b] => pick(u16::from_le_bytes([a, b]).into(), u16::from_be_bytes([a, b]).into()),
+            [a, b, c, d] => {
+                pick(u32::from_le_bytes([a, b, c, d]).into(), u32::from_be_bytes([a, b, c, d]).into())
+            }
+            [a, b, c, d, e, f, g, h] => {
+                let word = [a, b, c, d, e, f, g, h];
+                pick(u64::from_le_bytes(word), u64::from_be_bytes(word))
+            }
+            _ => return f64::NAN,
+        };
         match self {
             Self::Bool => f64::from(u8::from(bits != 0)),
             Self::U8 | Self::U16 | Self::U32 | Self::U64 => bits as f64,

@@ -76,12 +76,12 @@ pub(crate) fn add<S: Simd>(sums: &mut [f64x8<S>; SUMS], &[d, sx, sy, sz, ux, uy,
     let (px, py, pz) = (d * ux, d * uy, d * uz);
     let three = d * 3.0;
     let (qx, qy, qz) = (three * vx, three * vy, three * vz);
-    sums[10] += (px * ux + qx * vx);
-    sums[11] += (py * uy + qy * vy);
-    sums[12] += (pz * uz + qz * vz);
-    sums[13] += (px * uy + qx * vy);
-    sums[14] += (px * uz + qx * vz);
-    sums[15] += (py * uz + qy * vz);
+    sums[10] += px * ux + qx * vx;
+    sums[11] += py * uy + qy * vy;
+    sums[12] += pz * uz + qz * vz;
+    sums[13] += px * uy + qx * vy;
+    sums[14] += px * uz + qx * vz;
+    sums[15] += py * uz + qy * vz;
 }
 
 /// The place of the areas among the sums.

@@ -1,7 +1,5 @@
 //! One block of records, summed by one thread.
 
-use core::array;
-
 use fearless_simd::{Level, Simd, dispatch, f32x16, f64x8, i64x8, prelude::*};
 
 use crate::Record;
@@ -110,11 +108,12 @@ impl Block {
 
     #[cold]
     fn find_not_finite(&mut self, chunk: &[Record]) {
-        for (k, record) in chunk.iter().enumerate() {
-            for vertex in record[VERTICES..].as_chunks::<12>().0 {
-                let vertex = array::from_fn(|k| vertex.as_chunks::<4>().0[k]).map(f32::from_le_bytes);
-                if !vertex.iter().all(|c| c.is_finite()) {
-                    let first = NotFinite { vertices: 0, triangle: self.records + k as u64, vertex };
+        for (triangle, record) in (self.records..).zip(chunk) {
+            for (corner, bytes) in record[VERTICES..].as_chunks::<12>().0.iter().enumerate() {
+                let values = bytes.as_chunks::<4>().0.iter().map(|&word| f32::from_le_bytes(word));
+                if let Some((k, value)) = values.enumerate().find(|(_, value)| !value.is_finite()) {
+                    let offset = VERTICES + 12 * corner + 4 * k;
+                    let first = NotFinite { vertices: 0, triangle, offset, value };
                     self.not_finite.get_or_insert(first).vertices += 1;
                 }
             }

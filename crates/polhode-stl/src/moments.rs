@@ -38,8 +38,10 @@ pub struct NotFinite {
     pub vertices: u64,
     /// The first triangle with one, from 0.
     pub triangle: u64,
-    /// The first of them.
-    pub vertex: [f32; 3],
+    /// Where in its record the first coordinate of them is, in bytes.
+    pub offset: usize,
+    /// That coordinate.
+    pub value: f32,
 }
 
 impl Moments {

@@ -176,3 +176,109 @@ fn read_exactly(file: &File, bytes: &mut [u8], from: u64) -> io::Result<()> {
 fn read_exactly(_: &File, _: &mut [u8], _: u64) -> io::Result<()> {
     Err(io::ErrorKind::Unsupported.into())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Coordinates of all sizes and signs, none special.
+    fn records(count: usize) -> Vec<Record> {
+        let mut state = 0x9E37_79B9_7F4A_7C15_u64;
+        let mut next = || {
+            state ^= state << 13;
+            state ^= state >> 7;
+            state ^= state << 17;
+            let fraction = (state >> 40) as f32 / 16_777_216.0 - 0.37;
+            fraction * 2.0_f32.powi((state % 7) as i32)
+        };
+        let mut record = || {
+            let mut bytes = [0x5A; size_of::<Record>()];
+            for word in bytes[VERTICES..48].as_chunks_mut::<4>().0 {
+                *word = next().to_le_bytes();
+            }
+            bytes
+        };
+        (0..count).map(|_| record()).collect()
+    }
+
+    /// The sums in plain Rust, lane by lane as the vectors have them.
+    fn plain(records: &[Record], r: [f64; 3]) -> Block {
+        let mut block = Block::new();
+        for chunk in records.chunks(1024) {
+            let mut sums = [[0.0; 8]; 17];
+            for (k, record) in chunk.iter().enumerate() {
+                let words = record[VERTICES..].as_chunks::<4>().0;
+                let vertex = |v: usize| -> [f64; 3] {
+                    core::array::from_fn(|c| f64::from(f32::from_le_bytes(words[3 * v + c])))
+                };
+                let (a, b, c) = (vertex(0), vertex(1), vertex(2));
+                let e: [f64; 3] = core::array::from_fn(|k| b[k] - a[k]);
+                let f: [f64; 3] = core::array::from_fn(|k| c[k] - a[k]);
+                let a: [f64; 3] = core::array::from_fn(|k| a[k] - r[k]);
+                let n = [e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]];
+                let d = a[0] * n[0] + a[1] * n[1] + a[2] * n[2];
+                let u: [f64; 3] = core::array::from_fn(|k| e[k] + f[k]);
+                let v: [f64; 3] = core::array::from_fn(|k| e[k] - f[k]);
+                let s: [f64; 3] = core::array::from_fn(|k| a[k] * 3.0 + u[k]);
+                let lane = k % 8;
+                sums[0][lane] += d;
+                for k in 0..3 {
+                    sums[1 + k][lane] += d * s[k];
+                }
+                for (k, (i, j)) in [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)].into_iter().enumerate() {
+                    sums[4 + k][lane] += (d * s[i]) * s[j];
+                    sums[10 + k][lane] += (d * u[i]) * u[j] + ((d * 3.0) * v[i]) * v[j];
+                }
+                sums[16][lane] += (n[0] * n[0] + n[1] * n[1] + n[2] * n[2]).sqrt();
+            }
+            for (k, sums) in sums.iter().enumerate() {
+                for (lane, &b) in sums.iter().enumerate() {
+                    let a = block.sums[k][lane];
+                    let s = a + b;
+                    let bb = s - a;
+                    block.errors[k][lane] += (a - (s - bb)) + (b - bb);
+                    block.sums[k][lane] = s;
+                }
+            }
+        }
+        block
+    }
+
+    #[test]
+    fn every_width_of_vectors_has_the_bits_of_plain_numbers() {
+        let records = records(4096);
+        let reference = [0.25, -1.5, 3.0];
+        let plain = plain(&records, reference);
+        for level in levels() {
+            let mut block = Block::new();
+            block.add(level, &records, reference, true);
+            assert_eq!((block.sums, block.errors), (plain.sums, plain.errors), "{level:?}");
+        }
+    }
+
+    #[test]
+    fn every_width_of_vectors_has_the_same_moments() {
+        for count in [1, 7, 16, 100, 5000] {
+            let records = records(count);
+            let of = |level| moments_at_level(&records, &Options::default(), level);
+            let widest = of(Level::new());
+            for level in levels() {
+                assert_eq!(of(level), widest, "{count} {level:?}");
+            }
+        }
+    }
+
+    /// All that this machine has.
+    fn levels() -> Vec<Level> {
+        let widest = Level::new();
+        #[cfg(target_arch = "x86_64")]
+        let narrower = [
+            widest.as_sse2().map(Level::Sse2),
+            widest.as_sse4_2().map(Level::Sse4_2),
+            widest.as_avx2().map(Level::Avx2),
+        ];
+        #[cfg(not(target_arch = "x86_64"))]
+        let narrower = [None];
+        narrower.into_iter().flatten().chain([widest]).collect()
+    }
+}

@@ -5,6 +5,7 @@ pub mod obj;
 pub mod off;
 pub mod ply;
 pub mod stl;
+pub mod stl_quick;
 pub mod threemf;
 
 use std::path::Path;

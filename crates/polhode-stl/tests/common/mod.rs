@@ -2,14 +2,14 @@
 
 use polhode_stl::Record;
 
-pub type Triangle = [[f32; 3]; 3];
+pub(crate) type Triangle = [[f32; 3]; 3];
 
 /// Steps of the grid in a unit of length.
-pub const GRID: f64 = 65_536.0;
+pub(crate) const GRID: f64 = 65_536.0;
 
 /// An icosahedron divided so many times, on an ellipsoid with dents, moved by an offset; its coordinates are on the
 /// grid.
-pub fn icosphere(levels: u32, offset: [f64; 3]) -> Vec<Triangle> {
+pub(crate) fn icosphere(levels: u32, offset: [f64; 3]) -> Vec<Triangle> {
     let t = 0.5 + 0.5 * 5.0_f64.sqrt();
     #[rustfmt::skip]
     let corners = [[-1.0, t, 0.0], [1.0, t, 0.0], [-1.0, -t, 0.0], [1.0, -t, 0.0], [0.0, -1.0, t], [0.0, 1.0, t],
@@ -53,7 +53,7 @@ fn divide(
     }
 }
 
-pub fn record(triangle: &Triangle) -> Record {
+pub(crate) fn record(triangle: &Triangle) -> Record {
     let mut bytes = [0xA5; 50]; // the normal and the last two bytes are noise
     for (word, c) in bytes[12..48].as_chunks_mut::<4>().0.iter_mut().zip(triangle.as_flattened()) {
         *word = c.to_le_bytes();
@@ -61,11 +61,11 @@ pub fn record(triangle: &Triangle) -> Record {
     bytes
 }
 
-pub fn records(triangles: &[Triangle]) -> Vec<Record> {
+pub(crate) fn records(triangles: &[Triangle]) -> Vec<Record> {
     triangles.iter().map(record).collect()
 }
 
-pub fn area(triangle: &Triangle) -> f64 {
+pub(crate) fn area(triangle: &Triangle) -> f64 {
     let [a, b, c] = triangle.map(|v| v.map(f64::from));
     let (e, f) = ([b[0] - a[0], b[1] - a[1], b[2] - a[2]], [c[0] - a[0], c[1] - a[1], c[2] - a[2]]);
     let n = [e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]];
@@ -73,14 +73,14 @@ pub fn area(triangle: &Triangle) -> f64 {
 }
 
 /// Σ d, Σ d s and Σ d (a aᵀ + b bᵀ + c cᵀ + s sᵀ) in grid steps from the first vertex: exact.
-pub struct Integers {
+pub(crate) struct Integers {
     volume: i128,
     first: [i128; 3],
     second: [i128; 6],
 }
 
 impl Integers {
-    pub fn of(triangles: &[Triangle]) -> Self {
+    pub(crate) fn of(triangles: &[Triangle]) -> Self {
         let steps = |v: [f32; 3]| v.map(|c| (f64::from(c) * GRID) as i128);
         let origin = steps(triangles[0][0]);
         let mut sums = Self { volume: 0, first: [0; 3], second: [0; 6] };
@@ -107,7 +107,7 @@ impl Integers {
 
     /// Volume and ⟨x xᵀ⟩ − c cᵀ: second / 20 V₆ − first firstᵀ / 16 V₆², over one denominator, 80 V₆², without
     /// cancellation in floating point.
-    pub fn volume_and_covariance(&self) -> (f64, [f64; 6]) {
+    pub(crate) fn volume_and_covariance(&self) -> (f64, [f64; 6]) {
         let pairs = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
         let central = core::array::from_fn(|k| {
             let (i, j) = pairs[k];

@@ -94,8 +94,8 @@ impl Integers {
                 + a[2] * (b[0] * c[1] - b[1] * c[0]);
             let s: [i128; 3] = core::array::from_fn(|k| a[k] + b[k] + c[k]);
             sums.volume += d;
-            for k in 0..3 {
-                sums.first[k] += d * s[k];
+            for (sum, s) in sums.first.iter_mut().zip(s) {
+                *sum += d * s;
             }
             for (sum, (i, j)) in sums.second.iter_mut().zip([(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)])
             {

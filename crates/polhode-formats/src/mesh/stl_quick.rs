@@ -106,18 +106,19 @@ impl QuickMoments {
     }
 
     /// From sums about the reference point; why there is no solid, if there is none.
-    fn of(moments: &Moments) -> Result<Self, FormatErrorKind> {
+    fn of(moments: &Moments, path: &Path) -> Result<Self, FormatError> {
+        let fail = |kind| Err(FormatError::new(path, None, kind));
         if moments.count == 0 {
-            return Err(FormatErrorKind::Stl(StlError::NoTriangles));
+            return fail(FormatErrorKind::Stl(StlError::NoTriangles));
         }
         if let Some(found) = moments.not_finite {
-            return Err(FormatErrorKind::Stl(not_finite(&found)));
+            return fail(FormatErrorKind::Stl(not_finite(&found)));
         }
         let six_volume = moments.six_volume;
         // No noise of flat triangles is larger: each one's area times its distance, rounded.
         let size = (0..3).map(|k| moments.high[k] - moments.low[k]).fold(0.0, f64::max);
         if six_volume.abs() <= 16.0 * f64::EPSILON * moments.area * size {
-            return Err(FormatErrorKind::Body(BodyError::FlatMesh { volume: six_volume / 6.0 }));
+            return fail(FormatErrorKind::Body(BodyError::FlatMesh { volume: six_volume / 6.0 }));
         }
         // 24 V c = Σ d s and 120 V ⟨x xᵀ⟩ = Σ d (a aᵀ + b bᵀ + c cᵀ + s sᵀ), from the reference point.
         let c = moments.first.map(|f| f / (4.0 * six_volume));
@@ -161,7 +162,7 @@ pub fn read(path: &Path, options: &QuickOptions) -> Result<Option<QuickMoments>,
             _ => Err(io::ErrorKind::UnexpectedEof.into()),
         }),
     };
-    QuickMoments::of(&moments.map_err(|e| io(&e))?).map(Some).map_err(fail)
+    QuickMoments::of(&moments.map_err(|e| io(&e))?, path).map(Some)
 }
 
 /// The moments of the solid in the bytes of a file; `path` is for messages. See [`read`].
@@ -175,7 +176,7 @@ pub fn parse(bytes: &[u8], path: &Path, options: &QuickOptions) -> Result<Option
         return Ok(None);
     };
     let sums = Options { threads: options.threads, edges: options.verdict };
-    QuickMoments::of(&moments_of_records(records(bytes, count), &sums)).map(Some).map_err(fail)
+    QuickMoments::of(&moments_of_records(records(bytes, count), &sums), path).map(Some)
 }
 
 /// As much of a file as tells binary from text.

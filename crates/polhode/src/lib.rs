@@ -83,6 +83,7 @@ pub use body::shape::sphere_shell::SphereShell;
 pub use body::shape::tetrahedron::Tetrahedron;
 pub use body::shape::torus::Torus;
 pub use body::shape::{Extent, Shape, Spread, Substance};
+pub use body::solid::Solid;
 
 // math: frames, vectors, rotations
 pub use math::elliptic::{EllipticError, EllipticParameter, JacobiFunctions};

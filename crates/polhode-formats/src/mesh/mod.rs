@@ -13,6 +13,7 @@ mod polygon;
 mod scan;
 mod solid;
 pub mod stl;
+pub mod stl_quick;
 pub mod threemf;
 
 use std::path::Path;

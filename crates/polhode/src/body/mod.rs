@@ -11,3 +11,4 @@ pub(crate) mod mesh;
 pub(crate) mod particles;
 pub(crate) mod principal;
 pub(crate) mod shape;
+pub(crate) mod solid;

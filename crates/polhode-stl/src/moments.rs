@@ -1,0 +1,110 @@
+//! The moments of a whole file, joined from its blocks.
+
+use crate::block::Block;
+use crate::sums::{AREA, SUMS};
+
+/// Sums over the triangles (a, b, c) of a file, in its unit of length.
+///
+/// d = a · (b × c), s = a + b + c, coordinates from the reference point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Moments {
+    /// Triangles.
+    pub count: u64,
+    /// The point that the sums are about: near the middle of the body.
+    pub reference: [f64; 3],
+    /// Σ d, six times the volume; negative if the normals point inward.
+    pub six_volume: f64,
+    /// Σ d s, 24 times the volume times the centroid.
+    pub first: [f64; 3],
+    /// Σ d (a aᵀ + b bᵀ + c cᵀ + s sᵀ), 120 times the volume times ⟨x xᵀ⟩: xx, yy, zz, xy, xz, yz.
+    pub second: [f64; 6],
+    /// Area of all triangles.
+    pub area: f64,
+    /// Least coordinates.
+    pub low: [f64; 3],
+    /// Greatest coordinates.
+    pub high: [f64; 3],
+    /// Zero if every edge is run along as often one way as the other, else zero once in some 2⁶⁰ meshes; `None` if it
+    /// was not asked for.
+    pub edge_hash: Option<u64>,
+    /// Vertices that are infinite or not a number: then no sum means anything.
+    pub not_finite: Option<NotFinite>,
+}
+
+/// Vertices that are not finite.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NotFinite {
+    /// How many: each corner of each triangle counts.
+    pub vertices: u64,
+    /// The first triangle with one, from 0.
+    pub triangle: u64,
+    /// Where in its record the first coordinate of them is, in bytes.
+    pub offset: usize,
+    /// That coordinate.
+    pub value: f32,
+}
+
+impl Moments {
+    /// The blocks are all of the same length but the last, in the order of the file.
+    pub(crate) fn joined(
+        count: u64,
+        block_length: u64,
+        reference: [f64; 3],
+        blocks: &[Block],
+        edges: bool,
+    ) -> Self {
+        let mut sums = [Sum::default(); SUMS];
+        let (mut low, mut high) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
+        let mut hash = 0_i64;
+        let mut not_finite: Option<NotFinite> = None;
+        for (number, block) in (0_u64..).zip(blocks) {
+            for (k, sum) in sums.iter_mut().enumerate() {
+                for (&part, &error) in block.sums[k].iter().zip(&block.errors[k]) {
+                    sum.add(part);
+                    sum.error += error;
+                }
+            }
+            for k in 0..3 {
+                low[k] = low[k].min(block.low[k]);
+                high[k] = high[k].max(block.high[k]);
+            }
+            hash = hash.wrapping_add(block.edges);
+            if let Some(found) = block.not_finite {
+                let triangle = number * block_length + found.triangle;
+                not_finite.get_or_insert(NotFinite { vertices: 0, triangle, ..found }).vertices +=
+                    found.vertices;
+            }
+        }
+        let value = sums.map(|sum| sum.value + sum.error);
+        Self {
+            count,
+            reference,
+            six_volume: value[0],
+            first: core::array::from_fn(|k| value[1 + k]),
+            // a aᵀ + b bᵀ + c cᵀ + s sᵀ = (8 s sᵀ + u uᵀ + 3 v vᵀ) / 6
+            second: core::array::from_fn(|k| (8.0 * value[4 + k] + value[10 + k]) / 6.0),
+            area: 0.5 * value[AREA],
+            low: low.map(|c| f64::from(c) + 0.0),
+            high: high.map(|c| f64::from(c) + 0.0),
+            edge_hash: edges.then_some(hash.cast_unsigned()),
+            not_finite,
+        }
+    }
+}
+
+/// A sum and its rounding error.
+#[derive(Clone, Copy, Default)]
+struct Sum {
+    value: f64,
+    error: f64,
+}
+
+impl Sum {
+    /// Knuth, TAOCP 2, §4.2.2, Theorem B.
+    fn add(&mut self, term: f64) {
+        let s = self.value + term;
+        let bb = s - self.value;
+        self.error += (self.value - (s - bb)) + (term - bb);
+        self.value = s;
+    }
+}

@@ -62,6 +62,8 @@ pub use body::material::Material;
 pub use body::mesh::closed::ClosedMesh;
 pub use body::mesh::component::{ComponentRole, MeshComponent};
 pub use body::mesh::diagnosis::{EdgePlace, Faults, MeshDiagnosis, PairPlace, TrianglePlace};
+pub use body::mesh::hull::ConvexHull;
+pub use body::mesh::shell::MeshShell;
 pub use body::mesh::{Triangle, TriangleMesh};
 pub use body::particles::{Particle, mass_properties_of_particles};
 pub use body::principal::{PrincipalFrame, Symmetry};

@@ -207,11 +207,15 @@ impl BodyError {
             Self::InconsistentWinding { .. } => {
                 Some("make the normals consistent in the tool that made the mesh")
             }
-            Self::Unorientable { .. } => Some("cut it open and close it as the surface of a solid, or take it as a thin sheet"),
-            Self::OverlappingMesh { .. } => Some("unite the solids in the tool that made the mesh (boolean union)"),
-            Self::NestedSolid { .. } => {
-                Some("a cavity is wound inward: turn its normals; a solid within a solid is to be united with it")
+            Self::Unorientable { .. } => {
+                Some("cut it open and close it as the surface of a solid, or take it as a thin sheet")
             }
+            Self::OverlappingMesh { .. } => {
+                Some("unite the solids in the tool that made the mesh (boolean union)")
+            }
+            Self::NestedSolid { .. } => Some(
+                "a cavity is wound inward: turn its normals; a solid within a solid is to be united with it",
+            ),
             Self::InvertedPart { .. } => Some("turn the normals of this part outward"),
             _ => None,
         }

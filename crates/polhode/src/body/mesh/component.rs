@@ -96,7 +96,8 @@ impl Measured {
                 }
             }
         }
-        let components = sums.iter().zip(&patches.components).map(|(sums, patch)| sums.component(patch, welded.unit));
+        let components =
+            sums.iter().zip(&patches.components).map(|(sums, patch)| sums.component(patch, welded.unit));
         let components = components.collect();
         Self { components, largest: sums.iter().map(|sums| sums.largest).collect(), collinear }
     }

@@ -141,9 +141,8 @@ impl Analysis {
         let patches = Patches::of(corners, &edges);
         let mut measured = Measured::of(&welded, &patches);
         // What has no area has no sides, and meets nothing that its neighbours do not meet.
-        let has_area = |t: usize| {
-            patches.component[t] != NONE && measured.collinear.binary_search(&(t as u32)).is_err()
-        };
+        let has_area =
+            |t: usize| patches.component[t] != NONE && measured.collinear.binary_search(&(t as u32)).is_err();
         let tree = Tree::of(&welded, has_area, threads);
         let windings = Windings { welded: &welded, tree: &tree, patches: &patches };
         measured.nest(&windings, threads);

@@ -57,7 +57,10 @@ impl Tree {
         let scale = if size > 0.0 { (2.0 / size).min(f64::MAX) } else { 1.0 };
         let mut tree = Self { order: vec![], boxes: vec![], nodes: vec![], leaves: 0, middle, scale };
         let pieces = threads.map_pieces(welded.corners.len(), PIECE, |piece| {
-            piece.filter(|&t| wanted(t)).map(|t| (tree.code(&welded.triangle(t)), t as u32)).collect::<Vec<_>>()
+            piece
+                .filter(|&t| wanted(t))
+                .map(|t| (tree.code(&welded.triangle(t)), t as u32))
+                .collect::<Vec<_>>()
         });
         tree.order = sorted(pieces.concat()).into_iter().map(|(_, t)| t).collect();
         tree.boxes = threads

@@ -121,7 +121,8 @@ impl Table {
                 return number;
             }
             let known = slot as u32;
-            if slot >> 32 == hash >> 32 && bits(&vertices[known as usize]) == bits(&vertices[number as usize]) {
+            if slot >> 32 == hash >> 32 && bits(&vertices[known as usize]) == bits(&vertices[number as usize])
+            {
                 return known;
             }
             at = (at + 1) & mask;

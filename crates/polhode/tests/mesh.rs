@@ -3,7 +3,7 @@
 
 use std::collections::HashMap;
 
-use polhode::{BodyError, ClosedMesh, Shape, Substance, Triangle};
+use polhode::{BodyError, ClosedMesh, Shape, Substance, Triangle, TriangleMesh};
 
 type Point = [i64; 3];
 
@@ -180,6 +180,39 @@ fn a_cavity_is_subtracted() {
         let e = inertia_error(&outer.iter().copied().chain(cavity).collect(), 1.0, [0; 3]);
         assert!(e < 6e-16, "a cavity of {part}: {e:e}");
     }
+}
+
+#[test]
+fn thin_walls_keep_their_digits() {
+    let mut random = Random(7);
+    for thin in [16, 256, 1024].repeat(20) {
+        let scaled = |by: i64| move |p: Point| p.map(|c| by * (c / 100));
+        let core = lump(0, &mut random);
+        let wall = core.iter().map(|t| t.map(scaled(thin)));
+        let cavity = core.iter().map(|t| t.map(scaled(thin - 1))).map(|[a, b, c]| [a, c, b]);
+        let solid = wall.chain(cavity).collect();
+        let e = inertia_error(&solid, 1.0, [0; 3]);
+        assert!(e < 4e-16, "a wall of a {thin}th: {e:e}");
+    }
+}
+
+#[test]
+fn many_triangles_cost_no_digits_and_threads_no_bits() {
+    // waves, so that neighbours do not cross where they are rounded
+    let wavy = |p: [f64; 3]| {
+        let [x, y, z] = p;
+        let r =
+            SIZE as f64 * (1.0 + 0.2 * (5.0 * x).sin() * (3.0 * y + 1.0).cos() + 0.1 * (4.0 * z).sin()) / 1.4;
+        [r * x + 0.2 * r * y, 0.7 * r * y, 0.5 * r * z - 0.1 * r * x].map(|c| c.round() as i64)
+    };
+    let solid: Solid = sphere(8).iter().map(|t| t.map(wavy)).collect(); // 524,288 triangles
+    let e = inertia_error(&solid, 1.0, [0; 3]);
+    assert!(e < 4e-16, "{e:e}");
+    let mesh = TriangleMesh::of_triangles(&triangles(&solid, 0.001, [70, -800, 9])).unwrap();
+    let [one, two, eight] = [1, 2, 8].map(|threads| ClosedMesh::with_threads(&mesh, threads).unwrap());
+    assert_eq!((one.spread(), one.surface_area()), (two.spread(), two.surface_area()));
+    assert_eq!((one.spread(), one.surface_area()), (eight.spread(), eight.surface_area()));
+    assert_eq!(one.diagnosis(), eight.diagnosis());
 }
 
 #[test]

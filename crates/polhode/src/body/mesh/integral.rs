@@ -65,9 +65,12 @@ impl Polyhedron<'_> {
             sums = self.sum(|piece| self.piece_in_two_words(piece, reference, per_unit));
         }
         let rest = sums.centroid();
-        let [six_volume, _, _, _, xx, yy, zz, xy, xz, yz] = sums.terms.map(Double::value);
-        let second = Symmetric3 { xx, yy, zz, xy, xz, yz };
-        let covariance = second * (1.0 / (20.0 * six_volume)) - Symmetric3::outer(rest);
+        let [six_volume, _, _, _, second @ ..] = sums.terms;
+        // In two words, so that only the last digit is rounded.
+        let twenty = six_volume * Double::from(20.0);
+        let [xx, yy, zz, xy, xz, yz] = second.map(|element| (element / twenty).value());
+        let covariance = Symmetric3 { xx, yy, zz, xy, xz, yz } - Symmetric3::outer(rest);
+        let six_volume = six_volume.value();
         let spread = Spread {
             extent: Extent::Volume(six_volume / 6.0 * cubed),
             centroid: Position::from_array(core::array::from_fn(|k| reference[k] + rest[k] * unit)),

@@ -137,7 +137,9 @@ mod tests {
         let at = |t, u| meeting(&points, t, u);
         for (t, u) in [([0, 1, 2], [3, 4, 5]), ([3, 4, 5], [2, 0, 1])] {
             let Meeting::Crossing([x, y, z]) = at(t, u) else { unreachable!("{:?}", at(t, u)) };
-            assert!((z - 0.25 * x - 0.5 * y).abs() < 1e-14 && x > -1e-12 && y > -1e-12 && x + y < 4.0 + 1e-12);
+            assert!(
+                (z - 0.25 * x - 0.5 * y).abs() < 1e-14 && x > -1e-12 && y > -1e-12 && x + y < 4.0 + 1e-12
+            );
         }
         assert_eq!(at([0, 1, 2], [0, 3, 5]), Meeting::Apart); // one corner in common
         assert_eq!(at([0, 1, 2], [1, 0, 3]), Meeting::Apart); // one edge

@@ -77,9 +77,14 @@ impl Meetings {
             // Does the one go on beyond the other, or do they only touch? Beside the point the mesh winds too often if it does.
             Meeting::Touching(point) => {
                 let wrong = |t: usize| {
-                    let middle = centroid(welded.triangle(t));
-                    let beside = core::array::from_fn(|k| point[k] + BESIDE * (middle[k] - point[k]));
-                    windings.behind(t, beside).is_some_and(|winding| Some(winding) != inner)
+                    let triangle = welded.triangle(t);
+                    let middle = centroid(triangle);
+                    triangle.iter().any(|corner| {
+                        let beside = core::array::from_fn(|k| {
+                            point[k] + BESIDE * (0.5 * (middle[k] + corner[k]) - point[k])
+                        });
+                        windings.behind(t, beside).is_some_and(|winding| Some(winding) != inner)
+                    })
                 };
                 if inner.is_none() || !(wrong(i) || wrong(j)) {
                     return;
@@ -93,7 +98,7 @@ impl Meetings {
     }
 }
 
-/// So much of the way to the middle of a triangle from a point where it touches another.
+/// So much of the way from a point where a triangle touches another, into it and toward each of its corners.
 const BESIDE: f64 = 0.0625;
 
 /// Leaves in a piece of work.

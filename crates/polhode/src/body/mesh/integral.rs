@@ -57,7 +57,11 @@ impl Polyhedron<'_> {
             return Err(BodyError::FlatMesh { volume: six_volume / 6.0 * cubed });
         }
         let centroid = first.centroid();
-        let reference: [f64; 3] = core::array::from_fn(|k| middle[k] + centroid[k] * unit);
+        // With few digits: differences from it are exact for coordinates that have few, too, and otherwise round at random. The last digits
+        // of a reference with all of them would round all differences the same way.
+        let grid = unit * GRID;
+        let reference: [f64; 3] =
+            core::array::from_fn(|k| ((middle[k] + centroid[k] * unit) / grid).round_ties_even() * grid);
         let mut sums = self.sum(|piece| self.piece::<10>(piece, reference, per_unit));
         let trace: f64 = sums.terms[4..7].iter().map(|sum| sum.value()).sum();
         // Not `>`: what is not a number is done again, too.
@@ -139,6 +143,9 @@ impl Polyhedron<'_> {
 
 /// Terms that are so many times larger than their sum leave it too few digits.
 const CANCELLED: f64 = 4.0;
+
+/// The reference point is a multiple of this, in units near the size: so near the centroid that nothing is lost.
+const GRID: f64 = 1.0 / 1_048_576.0;
 
 /// Triangles in a piece of work.
 const PIECE: usize = 1 << 12;

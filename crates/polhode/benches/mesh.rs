@@ -33,7 +33,7 @@ fn lump(level: u32) -> Result<TriangleMesh, BodyError> {
     let mut faces: Vec<[u32; 3]> = (0..8)
         .map(|k: u32| {
             let [x, y, z] = [k & 1, 2 + (k >> 1 & 1), 4 + (k >> 2)];
-            if k.count_ones() % 2 == 0 { [x, y, z] } else { [x, z, y] }
+            if k.count_ones().is_multiple_of(2) { [x, y, z] } else { [x, z, y] }
         })
         .collect();
     for _division in 0..level {

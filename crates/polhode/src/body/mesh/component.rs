@@ -193,9 +193,9 @@ impl Sums {
         }
         self.triangles += 1;
         for p in triangle {
-            for k in 0..3 {
-                self.low[k] = self.low[k].min(p[k]);
-                self.high[k] = self.high[k].max(p[k]);
+            for (k, c) in p.into_iter().enumerate() {
+                self.low[k] = self.low[k].min(c);
+                self.high[k] = self.high[k].max(c);
             }
         }
         if against {

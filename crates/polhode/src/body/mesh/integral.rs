@@ -232,10 +232,10 @@ impl<const TERMS: usize> LaneSums<TERMS> {
     #[inline(always)]
     fn add(&mut self, triangles: [[Vectors; 3]; 3]) {
         let terms = terms(triangles);
-        for k in 0..TERMS {
-            let (sum, error) = two_sum(self.high[k], terms[k]);
-            self.high[k] = sum;
-            self.low[k] = self.low[k] + error;
+        for (k, (high, low)) in self.high.iter_mut().zip(&mut self.low).enumerate() {
+            let (sum, error) = two_sum(*high, terms[k]);
+            *high = sum;
+            *low = *low + error;
         }
         self.area = self.area + area(triangles);
         if TERMS > 4 {
@@ -263,8 +263,7 @@ impl<const TERMS: usize> LaneSums<TERMS> {
 fn in_widest_vectors(work: impl FnOnce()) {
     use fearless_simd::{Level, Simd as _, dispatch};
     dispatch!(Level::new(), simd => simd.vectorize(
-        #[inline(always)]
-        || work()
+        work
     ));
 }
 

@@ -87,6 +87,10 @@ fn edges_through(p: [[f64; 3]; 3], sides: [f64; 3], other: [[f64; 3]; 3]) -> Mee
 
 /// Do corners of a triangle lie on another?
 fn corners_on(p: [[f64; 3]; 3], sides: [f64; 3], shared: [bool; 3], other: [[f64; 3]; 3]) -> Meeting {
+    let in_plane = |k: usize| !shared[k] && sides[k] == 0.0;
+    if !(0..3).any(in_plane) {
+        return Meeting::Apart;
+    }
     let Some((axis, _)) = facing(other) else { return Meeting::Apart };
     let [a, b, c] = other.map(|q| across(axis, q));
     let on = |k: usize| {

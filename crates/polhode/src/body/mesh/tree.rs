@@ -94,9 +94,9 @@ impl Tree {
     fn bounds(&self, triangle: &[[f64; 3]; 3]) -> Bounds {
         let mut bounds = Bounds { low: [f32::INFINITY; 4], high: [f32::NEG_INFINITY; 4] };
         for p in triangle.map(|p| self.reduced(p)) {
-            for k in 0..3 {
-                bounds.low[k] = bounds.low[k].min(p[k]);
-                bounds.high[k] = bounds.high[k].max(p[k]);
+            for (k, c) in p.into_iter().enumerate() {
+                bounds.low[k] = bounds.low[k].min(c);
+                bounds.high[k] = bounds.high[k].max(c);
             }
         }
         (bounds.low[3], bounds.high[3]) = (0.0, 0.0);

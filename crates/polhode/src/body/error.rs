@@ -59,6 +59,8 @@ pub enum BodyError {
     OpenMesh {
         /// Edges that belong to one triangle only.
         edges: usize,
+        /// Loops that they make.
+        loops: usize,
         /// The ends of one of them, in the mesh's own units.
         example: [[f64; 3]; 2],
         /// The triangle, from 1, that the example belongs to.
@@ -73,12 +75,50 @@ pub enum BodyError {
         /// The triangle, from 1, that the example belongs to.
         triangle: usize,
     },
+    /// A closed mesh with one side only, as Klein's bottle: it has no inside.
+    Unorientable {
+        /// Edges whose triangles run along them in the same direction.
+        edges: usize,
+        /// The ends of one of them, in the mesh's own units.
+        example: [[f64; 3]; 2],
+        /// The triangle, from 1, that the example belongs to.
+        triangle: usize,
+    },
     /// A mesh that contains a triangle twice, the same way round: a part of it would count double.
     DuplicateTriangle {
-        /// The triangle, from 1.
+        /// How many triangles are there again.
+        count: usize,
+        /// The first of them, from 1.
         first: usize,
         /// The same triangle again, from 1.
         second: usize,
+    },
+    /// A mesh of parts that go through each other: what they have in common would count twice.
+    OverlappingMesh {
+        /// Pairs of triangles of different parts that cross.
+        pairs: usize,
+        /// The first of these, from 1.
+        triangles: [usize; 2],
+        /// Where they cross, in the mesh's own units.
+        point: [f64; 3],
+    },
+    /// A mesh with a part that is wound outward within another: as a solid it would count twice, as a cavity it is wound wrong.
+    NestedSolid {
+        /// How many there are.
+        parts: usize,
+        /// A triangle of the first of them, from 1.
+        triangle: usize,
+        /// What it encloses, in the mesh's own units cubed.
+        volume: f64,
+    },
+    /// A mesh with a part that is wound inward beside others that are not: it would count negative.
+    InvertedPart {
+        /// How many there are.
+        parts: usize,
+        /// A triangle of the first of them, from 1.
+        triangle: usize,
+        /// What it encloses, negative, in the mesh's own units cubed.
+        volume: f64,
     },
     /// A closed mesh that encloses nothing.
     FlatMesh {
@@ -126,9 +166,9 @@ impl fmt::Display for BodyError {
             Self::VertexIndex { triangle, index, vertices } => {
                 write!(f, "triangle {triangle} has vertex {index}, counted from 0, of {vertices}")
             }
-            Self::OpenMesh { edges, example: [a, b], triangle } => write!(
+            Self::OpenMesh { edges, loops, example: [a, b], triangle } => write!(
                 f,
-                "the mesh is open, so it has no volume: {edges} edges belong to one triangle only, \
+                "the mesh is open, so it has no volume: {edges} edges in {loops} loops belong to one triangle only, \
                  the first from {a:?} to {b:?} in triangle {triangle}"
             ),
             Self::InconsistentWinding { edges, example: [a, b], triangle } => write!(
@@ -136,9 +176,30 @@ impl fmt::Display for BodyError {
                 "the mesh is not consistently wound: along {edges} edges the triangles do not turn the same way, \
                  the first from {a:?} to {b:?} in triangle {triangle}"
             ),
-            Self::DuplicateTriangle { first, second } => {
-                write!(f, "triangle {second} is triangle {first} again, so part of the mesh counts double")
-            }
+            Self::Unorientable { edges, example: [a, b], triangle } => write!(
+                f,
+                "the mesh has one side only, so it has no inside: however it is wound, triangles disagree along an edge \
+                 ({edges} of them as it is, the first from {a:?} to {b:?} in triangle {triangle})"
+            ),
+            Self::DuplicateTriangle { count, first, second } => write!(
+                f,
+                "triangle {second} is triangle {first} again, so part of the mesh counts double ({count} such pairs)"
+            ),
+            Self::OverlappingMesh { pairs, triangles: [t, u], point } => write!(
+                f,
+                "parts of the mesh overlap, so what they share counts twice: {pairs} pairs of triangles cross, \
+                 the first triangles {t} and {u} near {point:?}"
+            ),
+            Self::NestedSolid { parts, triangle, volume } => write!(
+                f,
+                "a part of the mesh lies in another and is wound outward as that one is, so its volume ({volume:e}) counts twice: \
+                 the part of triangle {triangle}, the first of {parts}"
+            ),
+            Self::InvertedPart { parts, triangle, volume } => write!(
+                f,
+                "a part of the mesh is wound inward and in no solid, so its volume counts negative ({volume:e}): \
+                 the part of triangle {triangle}, the first of {parts}"
+            ),
             Self::FlatMesh { volume } => write!(f, "the mesh is closed, but encloses no volume ({volume:e})"),
             Self::Density { at: [x, y, z], value } => {
                 write!(
@@ -173,12 +234,16 @@ impl BodyError {
             Self::InconsistentWinding { .. } => {
                 Some("make the normals consistent in the tool that made the mesh")
             }
-            Self::Density { value, .. } if !value.is_finite() => {
-                Some("a mesh needs a finite density in all of its convex hull, a shape only inside")
+            Self::Unorientable { .. } => {
+                Some("cut it open and close it as the surface of a solid, or take it as a thin sheet")
             }
-            Self::Cubature { .. } => Some(
-                "allow a larger tolerance or more evaluations; where the density has steps, divide the body along them",
+            Self::OverlappingMesh { .. } => {
+                Some("unite the solids in the tool that made the mesh (boolean union)")
+            }
+            Self::NestedSolid { .. } => Some(
+                "a cavity is wound inward: turn its normals; a solid within a solid is to be united with it",
             ),
+            Self::InvertedPart { .. } => Some("turn the normals of this part outward"),
             _ => None,
         }
     }

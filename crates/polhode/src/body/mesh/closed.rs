@@ -1,18 +1,34 @@
 //! Solids bounded by triangles.
 
-use super::Triangle;
+use super::component::{ComponentRole, MeshComponent};
+use super::diagnosis::{Analysis, MeshDiagnosis};
+use super::integral::Polyhedron;
+use super::threads::Threads;
+use super::weld::NONE;
+use super::{Triangle, TriangleMesh};
 use crate::body::error::BodyError;
+use crate::body::finding::{Finding, Severity};
 use crate::body::shape::{Extent, Shape, Spread};
-use crate::math::frame::Part;
-use crate::math::sum::Sum;
-use crate::math::symmetric3::{Symmetric3, power_of_two_near};
-use crate::math::vector::{Direction, Position};
 
 /// A solid bounded by triangles: closed, consistently wound, its normals outward.
 ///
-/// Made by [`ClosedMesh::from_triangles`], which refuses anything else. Corners are the same vertex when
-/// their coordinates are equal, exactly. Where parts overlap they count as often as they overlap, and a part
-/// wound inward counts as a cavity, wherever it is.
+/// Made by [`ClosedMesh::of`], which refuses anything else. Corners are the same vertex when their coordinates are equal, exactly.
+///
+/// What is corrected, and said so in [`ClosedMesh::findings`]:
+///
+/// | code | |
+/// |---|---|
+/// | `mesh.inverted` | all normals pointed inward: all triangles are turned |
+/// | `mesh.flipped` | fewer than half of a component's triangles were wound against the others, and turning them makes it consistent |
+/// | `mesh.degenerate` | triangles with two equal corners bound nothing, and are left out |
+///
+/// What is only mentioned: `mesh.cavity`, a shell wound inward within a solid, is subtracted; `mesh.components`, several parts;
+/// `mesh.touching`, parts or folds that lie on each other back to back; `mesh.overlap`, one part that goes through itself: what it
+/// encloses twice counts twice, a warning.
+///
+/// What is refused: a shell wound *outward* within a solid ([`BodyError::NestedSolid`]), as it may be a cavity that was wound wrong or a solid
+/// that counts twice; parts that go through each other ([`BodyError::OverlappingMesh`]); parts wound inward beside others wound outward
+/// ([`BodyError::InvertedPart`]); what is open, one-sided, there twice, or flat.
 ///
 /// ```
 /// use polhode::{ClosedMesh, Shape, Substance};
@@ -25,84 +41,102 @@ use crate::math::vector::{Direction, Position};
 /// ```
 #[derive(Clone, Debug)]
 pub struct ClosedMesh {
-    triangles: Vec<Triangle>,
-    vertices: usize,
-    degenerate: usize,
+    surface: TriangleMesh,
+    diagnosis: MeshDiagnosis,
+    findings: Vec<Finding>,
     inverted: bool,
     spread: Spread,
     area: f64,
 }
 
 impl ClosedMesh {
-    /// The solid that the triangles bound.
-    ///
-    /// A mesh whose normals point inward is turned, and says so ([`ClosedMesh::inverted`]). Triangles with
-    /// two equal corners bound nothing and are left out ([`ClosedMesh::degenerate`]).
+    /// The solid that the mesh bounds; on all threads of the machine, with the same result on any number of them.
     ///
     /// # Errors
-    /// [`BodyError::Empty`], [`BodyError::Vertex`], [`BodyError::DuplicateTriangle`],
-    /// [`BodyError::OpenMesh`], [`BodyError::InconsistentWinding`] or [`BodyError::FlatMesh`];
-    /// [`BodyError::Parameter`] if f64 does not hold its volume.
+    /// [`BodyError::Empty`], [`BodyError::OpenMesh`], [`BodyError::Unorientable`], [`BodyError::InconsistentWinding`],
+    /// [`BodyError::DuplicateTriangle`], [`BodyError::NestedSolid`], [`BodyError::InvertedPart`], [`BodyError::OverlappingMesh`] or
+    /// [`BodyError::FlatMesh`]; [`BodyError::Parameter`] if f64 does not hold its volume.
+    pub fn of(mesh: &TriangleMesh) -> Result<Self, BodyError> {
+        Self::on(mesh, Threads::of_machine())
+    }
+
+    /// The same on at most so many threads.
+    ///
+    /// # Errors
+    /// As [`ClosedMesh::of`].
+    pub fn with_threads(mesh: &TriangleMesh, threads: usize) -> Result<Self, BodyError> {
+        Self::on(mesh, Threads::of(threads))
+    }
+
+    /// The solid that the triangles bound: [`ClosedMesh::of`] a mesh without indices, as STL has it.
+    ///
+    /// # Errors
+    /// [`BodyError::Vertex`] for a vertex that is not finite, and as [`ClosedMesh::of`].
     pub fn from_triangles(triangles: Vec<Triangle>) -> Result<Self, BodyError> {
-        let given = triangles.len();
-        for (k, triangle) in triangles.iter().enumerate() {
-            if let Some(&vertex) = triangle.iter().find(|v| v.iter().any(|c| !c.is_finite())) {
-                return Err(BodyError::Vertex { triangle: k + 1, vertex });
-            }
+        let mesh = TriangleMesh::of_triangles(&triangles)?;
+        drop(triangles);
+        Self::of(&mesh)
+    }
+
+    fn on(mesh: &TriangleMesh, threads: Threads) -> Result<Self, BodyError> {
+        let Analysis { welded, patches, diagnosis } = Analysis::of(mesh, threads);
+        require_closed(&diagnosis)?;
+        let inverted = require_nested(&diagnosis)?;
+        let proper = (0..welded.corners.len()).filter(|&t| patches.component[t] != NONE);
+        let turned = proper.map(|t| {
+            let [a, b, c] = welded.corners[t];
+            if patches.against[t] == inverted { [a, b, c] } else { [a, c, b] }
+        });
+        let triangles = turned.collect();
+        let mut vertices = welded.points;
+        vertices.as_flattened_mut().iter_mut().for_each(|c| *c *= welded.unit);
+        let surface = TriangleMesh { vertices, triangles };
+        let polyhedron = Polyhedron { points: &surface.vertices, corners: &surface.triangles, threads };
+        let integrals = polyhedron.integrate()?;
+        let mut spread = integrals.spread;
+        if spread.extent.measure() < 0.0 {
+            // Parts of nearly no volume may hide the sign.
+            return Err(BodyError::FlatMesh { volume: spread.extent.measure() });
         }
-        let (corners, vertices) = weld(&triangles);
-        require_different(&corners)?;
-        require_closed(&triangles, &corners)?;
-        let mut triangles: Vec<Triangle> = triangles
-            .into_iter()
-            .zip(&corners)
-            .filter_map(|(triangle, corners)| is_proper(corners).then_some(triangle))
-            .collect();
-        if triangles.is_empty() {
-            return Err(BodyError::Empty { what: "triangles" });
-        }
-        let (mut spread, area, inverted) = integrate(&triangles)?;
-        if inverted {
-            for [_, b, c] in &mut triangles {
-                core::mem::swap(b, c);
-            }
-            spread.extent = Extent::Volume(spread.extent.measure().abs());
-        }
+        spread.extent = Extent::Volume(spread.extent.measure());
         let spread = spread.representable()?;
-        Ok(Self { degenerate: given - triangles.len(), triangles, vertices, inverted, spread, area })
+        let findings = findings(&diagnosis, inverted);
+        Ok(Self { surface, diagnosis, findings, inverted, spread, area: integrals.area })
     }
 
-    /// The solid that a mesh bounds.
-    ///
-    /// # Errors
-    /// As [`ClosedMesh::from_triangles`].
-    pub fn of(mesh: &super::TriangleMesh) -> Result<Self, BodyError> {
-        Self::from_triangles(mesh.corners().collect())
+    /// The surface, each vertex once, normals outward, without triangles that have two equal corners.
+    pub const fn surface(&self) -> &TriangleMesh {
+        &self.surface
     }
 
-    /// What was turned or left out.
-    pub fn findings(&self) -> Vec<crate::Finding> {
-        Vec::new()
-    }
-
-    /// The triangles, normals outward, without degenerate ones.
-    pub fn triangles(&self) -> &[Triangle] {
-        &self.triangles
+    /// The triangles, normals outward, without those that have two equal corners.
+    pub fn triangles(&self) -> impl Iterator<Item = Triangle> + '_ {
+        self.surface.corners()
     }
 
     /// Different corners.
     pub const fn vertices(&self) -> usize {
-        self.vertices
+        self.diagnosis.vertices
     }
 
     /// Triangles that had two equal corners and were left out.
     pub const fn degenerate(&self) -> usize {
-        self.degenerate
+        self.diagnosis.degenerate.count
     }
 
     /// True if the normals pointed inward and were turned.
     pub const fn inverted(&self) -> bool {
         self.inverted
+    }
+
+    /// What the mesh was like when it was given.
+    pub const fn diagnosis(&self) -> &MeshDiagnosis {
+        &self.diagnosis
+    }
+
+    /// What was corrected, and what is worth a remark.
+    pub fn findings(&self) -> &[Finding] {
+        &self.findings
     }
 
     /// Enclosed volume, m³.
@@ -122,178 +156,124 @@ impl Shape for ClosedMesh {
     }
 }
 
-/// Each triangle's corners as vertex numbers, equal where the coordinates are; and how many vertices there
-/// are.
-fn weld(triangles: &[Triangle]) -> (Vec<[u32; 3]>, usize) {
-    let points: Vec<[f64; 3]> = triangles.iter().flatten().map(|p| p.map(|c| c + 0.0)).collect(); // −0 is 0
-    let mut order: Vec<u32> = (0..).take(points.len()).collect();
-    let key = |i: u32| points[i as usize].map(f64::to_bits);
-    order.sort_unstable_by_key(|&i| key(i));
-    let mut number = vec![0_u32; points.len()];
-    let mut vertices = 0;
-    for (k, &i) in order.iter().enumerate() {
-        if k > 0 && key(order[k - 1]) != key(i) {
-            vertices += 1;
-        }
-        number[i as usize] = vertices;
+/// Refuses what has no inside, or has triangles twice.
+fn require_closed(diagnosis: &MeshDiagnosis) -> Result<(), BodyError> {
+    let MeshDiagnosis { boundary, boundary_loops, inconsistent, unbalanced, duplicates, .. } = diagnosis;
+    if diagnosis.components.is_empty() {
+        return Err(BodyError::Empty { what: "triangles" });
     }
-    let corners = number.chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect();
-    (corners, if points.is_empty() { 0 } else { vertices as usize + 1 })
-}
-
-/// Three different corners.
-fn is_proper(&[a, b, c]: &[u32; 3]) -> bool {
-    a != b && b != c && c != a
-}
-
-/// No triangle may be there twice, the same way round. Back to back it may: where two bodies touch.
-fn require_different(corners: &[[u32; 3]]) -> Result<(), BodyError> {
-    // From the lowest corner on, equal triangles are equal arrays.
-    let from_lowest = |&[a, b, c]: &[u32; 3]| [[a, b, c], [b, c, a], [c, a, b]].into_iter().min();
-    let proper = corners.iter().enumerate().filter(|(_, c)| is_proper(c));
-    let mut order: Vec<_> = proper.map(|(t, c)| (from_lowest(c), t)).collect();
-    order.sort_unstable();
-    let twice = order.windows(2).filter(|pair| pair[0].0 == pair[1].0).map(|pair| (pair[0].1, pair[1].1));
-    // The first in the file's order.
-    match twice.min() {
-        None => Ok(()),
-        Some((first, second)) => Err(BodyError::DuplicateTriangle { first: first + 1, second: second + 1 }),
+    if let Some(pair) = duplicates.first {
+        let [first, second] = pair.triangles;
+        return Err(BodyError::DuplicateTriangle { first, second, count: duplicates.count });
     }
-}
-
-/// Every edge must be run along as often one way as the other.
-fn require_closed(triangles: &[Triangle], corners: &[[u32; 3]]) -> Result<(), BodyError> {
-    // (lower vertex, higher vertex, forward, triangle, edge of the triangle)
-    let mut edges = Vec::with_capacity(3 * corners.len());
-    for (t, c) in corners.iter().enumerate() {
-        for k in 0..3 {
-            let (a, b) = (c[k], c[(k + 1) % 3]);
-            if a != b {
-                edges.push((a.min(b), a.max(b), a < b, t, k));
-            }
-        }
-    }
-    edges.sort_unstable();
-    let (mut open, mut wound) = (Vec::new(), Vec::new());
-    for edge in edges.chunk_by(|e, f| (e.0, e.1) == (f.0, f.1)) {
-        let forward = edge.iter().filter(|e| e.2).count();
-        if 2 * forward != edge.len() {
-            let list = if edge.len() % 2 == 1 { &mut open } else { &mut wound };
-            list.push((edge[0].3, edge[0].4));
-        }
-    }
-    let example = |&(t, k): &(usize, usize)| [triangles[t][k], triangles[t][(k + 1) % 3]];
-    // The first in the file's order.
-    if let Some(first) = open.iter().min() {
+    if let Some(edge) = boundary.first {
         return Err(BodyError::OpenMesh {
-            edges: open.len(),
-            example: example(first),
-            triangle: first.0 + 1,
+            edges: boundary.count,
+            loops: *boundary_loops,
+            example: edge.ends,
+            triangle: edge.triangle,
         });
     }
-    if let Some(first) = wound.iter().min() {
-        let (edges, example, triangle) = (wound.len(), example(first), first.0 + 1);
-        return Err(BodyError::InconsistentWinding { edges, example, triangle });
+    // With no boundary, open is what has an edge with an odd number of triangles.
+    let has = |roles: &[ComponentRole]| diagnosis.components.iter().any(|c| roles.contains(&c.role));
+    let unsound = [ComponentRole::Unorientable, ComponentRole::Inconsistent, ComponentRole::Open];
+    let first = inconsistent.first.or(unbalanced.first).filter(|_| has(&unsound));
+    if let Some(edge) = first {
+        let (example, triangle) = (edge.ends, edge.triangle);
+        let edges = inconsistent.count + unbalanced.count;
+        return Err(if has(&[ComponentRole::Unorientable]) {
+            BodyError::Unorientable { edges, example, triangle }
+        } else {
+            BodyError::InconsistentWinding { edges, example, triangle }
+        });
     }
     Ok(())
 }
 
-/// Volume (negative if inverted, and then true), centroid and covariance of the polyhedron, and its area.
-///
-/// A sum over the signed tetrahedra from a local reference point to each triangle (a, b, c), d = a · (b × c):
-///
-/// 6 V = Σ d,  24 V c = Σ d s,  120 V ⟨x xᵀ⟩ = Σ d (a aᵀ + b bᵀ + c cᵀ + s sᵀ),  s = a + b + c
-///
-/// Exact for the polyhedron but for rounding, 4e-16 of half the tensor's trace; for a thin-walled body, ε
-/// times its size over the thickness. The reference is first the middle of the bounding box, then the
-/// centroid: a body far from the origin, or far from the middle of its box, loses nothing.
-///
-/// Source: Tonon, J. Math. Stat. 1 (2005) 8, summed over the boundary.
-fn integrate(triangles: &[Triangle]) -> Result<(Spread, f64, bool), BodyError> {
-    let (low, high) = bounds(triangles);
-    let middle: [f64; 3] = core::array::from_fn(|k| 0.5 * low[k] + 0.5 * high[k]);
-    let size = (0..3).map(|k| high[k] - low[k]).fold(0.0, f64::max);
-    // In units of a power of two near the size: exact, and no fifth power leaves the range of f64.
-    let unit = power_of_two_near(size);
-    let first = sum_tetrahedra(triangles, middle, unit);
-    let volume = unit * unit * unit;
-    // No noise of flat triangles is larger: each one's area times its distance, rounded.
-    let flat = first.six_volume.abs() <= 16.0 * f64::EPSILON * first.area;
-    if flat {
-        return Err(BodyError::FlatMesh { volume: first.six_volume / 6.0 * volume });
+/// Refuses parts that count twice or negative; true if all of the mesh is wound inward.
+fn require_nested(diagnosis: &MeshDiagnosis) -> Result<bool, BodyError> {
+    let components = &diagnosis.components;
+    let first = |role| components.iter().find(|component| component.role == role);
+    let (inverted, inner) = (first(ComponentRole::Inverted), first(ComponentRole::InnerSolid));
+    let (solid, cavity) = (first(ComponentRole::Solid), first(ComponentRole::Cavity));
+    if let Some(pair) = diagnosis.overlaps.first {
+        let [first, second] = pair.triangles;
+        return Err(BodyError::OverlappingMesh {
+            pairs: diagnosis.overlaps.count,
+            triangles: [first, second],
+            point: pair.point,
+        });
     }
-    let centroid = first.centroid();
-    let reference: [f64; 3] = core::array::from_fn(|k| middle[k] + centroid[k] * unit);
-    let sums = sum_tetrahedra(triangles, reference, unit);
-    let rest = sums.centroid();
-    let covariance = sums.second * (1.0 / (20.0 * sums.six_volume)) - Symmetric3::outer(rest);
-    let spread = Spread {
-        extent: Extent::Volume(sums.six_volume / 6.0 * volume),
-        centroid: Position::from_array(core::array::from_fn(|k| reference[k] + rest[k] * unit)),
-        covariance: covariance * unit * unit,
+    // Turned as a whole, what lies in a solid and is wound outward is a cavity.
+    if inverted.is_some() && solid.is_none() && cavity.is_none() {
+        return Ok(true);
+    }
+    let count = |role| components.iter().filter(|component| component.role == role).count();
+    if let Some(part) = inner {
+        return Err(BodyError::NestedSolid {
+            parts: count(ComponentRole::InnerSolid),
+            triangle: part.first_triangle,
+            volume: part.volume,
+        });
+    }
+    match inverted {
+        Some(part) => Err(BodyError::InvertedPart {
+            parts: count(ComponentRole::Inverted),
+            triangle: part.first_triangle,
+            volume: part.volume,
+        }),
+        None => Ok(false),
+    }
+}
+
+/// What was corrected, and what is worth a remark.
+fn findings(diagnosis: &MeshDiagnosis, inverted: bool) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    let mut say = |code, severity, message: String, triangle: Option<usize>| {
+        let place = triangle.map(|t| format!("triangle {t}"));
+        findings.push(Finding { code, severity, message, place });
     };
-    Ok((spread, sums.area * unit * unit, sums.six_volume < 0.0))
-}
-
-/// In powers of the unit of length that they were summed in.
-struct TetrahedronSums {
-    six_volume: f64,
-    area: f64,
-    first: [f64; 3],
-    second: Symmetric3,
-}
-
-impl TetrahedronSums {
-    /// From the reference point.
-    fn centroid(&self) -> [f64; 3] {
-        self.first.map(|f| f / (4.0 * self.six_volume))
+    let total = diagnosis.triangles;
+    if inverted {
+        let message = "the normals of the mesh pointed inward and were turned".to_owned();
+        say("mesh.inverted", Severity::Warning, message, None);
     }
-}
-
-fn sum_tetrahedra(triangles: &[Triangle], reference: [f64; 3], unit: f64) -> TetrahedronSums {
-    let per_unit = 1.0 / unit;
-    let mut area = Sum::default();
-    let mut volume = Sum::default();
-    let mut first = [Sum::default(); 3];
-    let mut second = [Sum::default(); 6];
-    for triangle in triangles {
-        let [a, b, c] =
-            triangle.map(|p| core::array::from_fn::<_, 3, _>(|k| (p[k] - reference[k]) * per_unit));
-        let n = cross(b, c);
-        let d = a[0] * n[0] + a[1] * n[1] + a[2] * n[2];
-        let s: [f64; 3] = core::array::from_fn(|k| a[k] + b[k] + c[k]);
-        volume.add(d);
-        let edge = |p: [f64; 3]| [p[0] - a[0], p[1] - a[1], p[2] - a[2]];
-        area.add(0.5 * Direction::<Part>::from_array(cross(edge(b), edge(c))).norm());
-        for (sum, s) in first.iter_mut().zip(s) {
-            sum.add(d * s);
-        }
-        let product = |i: usize, j: usize| d * (a[i] * a[j] + b[i] * b[j] + c[i] * c[j] + s[i] * s[j]);
-        for (sum, (i, j)) in second.iter_mut().zip([(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)]) {
-            sum.add(product(i, j));
-        }
+    let flipped: usize = diagnosis.components.iter().map(|component| component.flipped).sum();
+    if let Some(first) = diagnosis.components.iter().filter_map(|c| c.first_flipped).min() {
+        let message = format!("{flipped} of {total} triangles were wound against the others and were turned");
+        say("mesh.flipped", Severity::Warning, message, Some(first));
     }
-    let [xx, yy, zz, xy, xz, yz] = second.map(Sum::value);
-    TetrahedronSums {
-        six_volume: volume.value(),
-        area: area.value(),
-        first: first.map(Sum::value),
-        second: Symmetric3 { xx, yy, zz, xy, xz, yz },
+    if let Some(first) = diagnosis.degenerate.first {
+        let count = diagnosis.degenerate.count;
+        let message = format!("{count} of {total} triangles have two equal corners and were left out");
+        say("mesh.degenerate", Severity::Info, message, Some(first.triangle));
     }
-}
-
-fn bounds(triangles: &[Triangle]) -> ([f64; 3], [f64; 3]) {
-    let mut low = [f64::INFINITY; 3];
-    let mut high = [f64::NEG_INFINITY; 3];
-    for p in triangles.iter().flatten() {
-        for k in 0..3 {
-            low[k] = low[k].min(p[k]);
-            high[k] = high[k].max(p[k]);
-        }
+    if let Some(pair) = diagnosis.self_overlaps.first {
+        let message = format!(
+            "the surface goes through itself at {} pairs of triangles, first triangles {} and {} at {:?}: \
+             what it encloses twice counts twice",
+            diagnosis.self_overlaps.count, pair.triangles[0], pair.triangles[1], pair.point
+        );
+        say("mesh.overlap", Severity::Warning, message, Some(pair.triangles[0]));
     }
-    (low, high)
-}
-
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    Direction::<Part>::from_array(a).cross(Direction::from_array(b)).to_array()
+    // In an inverted mesh the cavities are what is wound outward.
+    let role = if inverted { ComponentRole::InnerSolid } else { ComponentRole::Cavity };
+    let cavities: Vec<&MeshComponent> = diagnosis.components.iter().filter(|c| c.role == role).collect();
+    if let Some(first) = cavities.first() {
+        let volume: f64 = cavities.iter().map(|cavity| cavity.volume.abs()).sum();
+        let noun = if cavities.len() == 1 { "cavity" } else { "cavities" };
+        let message = format!("{} {noun} of {volume:e} m³ in all: subtracted", cavities.len());
+        say("mesh.cavity", Severity::Info, message, Some(first.first_triangle));
+    }
+    let parts = diagnosis.components.len() - cavities.len();
+    if parts > 1 {
+        let message = format!("{parts} separate parts, taken as one body");
+        say("mesh.components", Severity::Info, message, None);
+    }
+    let touching = diagnosis.back_to_back.count + diagnosis.contacts.count;
+    if let Some(pair) = diagnosis.back_to_back.first.or(diagnosis.contacts.first) {
+        let message = format!("{touching} pairs of triangles lie on each other, back to back");
+        say("mesh.touching", Severity::Info, message, Some(pair.triangles[0]));
+    }
+    findings
 }

@@ -1,6 +1,20 @@
 //! Triangle meshes: what a file says, and the solid that it bounds.
 
 pub(crate) mod closed;
+pub(crate) mod component;
+pub(crate) mod diagnosis;
+mod edges;
+pub(crate) mod hull;
+mod inside;
+mod integral;
+mod meeting;
+mod overlap;
+mod patches;
+mod predicate;
+pub(crate) mod shell;
+mod threads;
+mod tree;
+mod weld;
 
 use super::error::BodyError;
 

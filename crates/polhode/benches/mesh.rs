@@ -1,0 +1,81 @@
+//! Meshes in nanoseconds a triangle and in milliseconds. `cargo bench -p polhode --bench mesh`.
+//!
+//! Each line: what, the least time of a few runs, the unit.
+
+use std::collections::HashMap;
+use std::hint::black_box;
+use std::time::Instant;
+
+use polhode::*;
+
+/// The least time of a few runs, s.
+fn least<T>(mut work: impl FnMut() -> T) -> f64 {
+    let mut least = f64::INFINITY;
+    let begin = Instant::now();
+    while begin.elapsed().as_secs_f64() < 2.0 {
+        let start = Instant::now();
+        black_box(work());
+        least = least.min(start.elapsed().as_secs_f64());
+    }
+    least
+}
+
+/// An octahedron with each face divided into four, so many times, on a wavy sphere.
+fn lump(level: u32) -> Result<TriangleMesh, BodyError> {
+    let mut vertices = vec![];
+    for axis in 0..3 {
+        for sign in [1.0, -1.0] {
+            let mut p = [0.0; 3];
+            p[axis] = sign;
+            vertices.push(p);
+        }
+    }
+    let mut faces: Vec<[u32; 3]> = (0..8)
+        .map(|k: u32| {
+            let [x, y, z] = [k & 1, 2 + (k >> 1 & 1), 4 + (k >> 2)];
+            if k.count_ones().is_multiple_of(2) { [x, y, z] } else { [x, z, y] }
+        })
+        .collect();
+    for _division in 0..level {
+        let mut middles: HashMap<[u32; 2], u32> = HashMap::new();
+        let mut middle = |a: u32, b: u32| {
+            *middles.entry([a.min(b), a.max(b)]).or_insert_with(|| {
+                let (p, q): ([f64; 3], [f64; 3]) = (vertices[a as usize], vertices[b as usize]);
+                let sum: [f64; 3] = std::array::from_fn(|k| p[k] + q[k]);
+                let norm = sum.iter().map(|c| c * c).sum::<f64>().sqrt();
+                vertices.push(sum.map(|c| c / norm));
+                vertices.len() as u32 - 1
+            })
+        };
+        let divide = |&[a, b, c]: &[u32; 3]| {
+            let (p, q, r) = (middle(a, b), middle(b, c), middle(c, a));
+            [[a, p, r], [p, b, q], [r, q, c], [p, q, r]]
+        };
+        faces = faces.iter().flat_map(divide).collect();
+    }
+    let wavy = |[x, y, z]: [f64; 3]| {
+        let r = 1.0 + 0.1 * (5.0 * x).sin() * (7.0 * y + 1.0).cos() + 0.05 * (11.0 * z).sin();
+        [1.3 * r * x + 0.2 * y, 0.8 * r * y, 0.6 * r * z - 0.1 * x]
+    };
+    TriangleMesh::new(vertices.into_iter().map(wavy).collect(), faces)
+}
+
+fn main() -> Result<(), BodyError> {
+    let mesh = lump(9)?; // 2,097,152 triangles
+    let count = mesh.triangles().len();
+    let soup = TriangleMesh::of_triangles(&mesh.corners().collect::<Vec<_>>())?;
+    println!("triangles\t{count}\t1");
+    for threads in [1, 2] {
+        for (what, mesh) in [("indexed", &mesh), ("without indices", &soup)] {
+            let seconds = least(|| MeshDiagnosis::with_threads(mesh, threads));
+            let million = seconds * 1e3 * 1.3e6 / count as f64;
+            println!("diagnosis of 1.3 million triangles, {what}, {threads} threads\t{million:.0}\tms");
+        }
+        let seconds = least(|| ClosedMesh::with_threads(&mesh, threads));
+        println!("solid, {threads} threads\t{:.1}\tns/triangle", seconds * 1e9 / count as f64);
+    }
+    let points = mesh.vertices();
+    println!("convex hull of {} points\t{:.0}\tms", points.len(), least(|| ConvexHull::of(points)) * 1e3);
+    println!("shell\t{:.1}\tns/triangle", least(|| MeshShell::new(&mesh, 1e-3)) * 1e9 / count as f64);
+    Ok(())
+}

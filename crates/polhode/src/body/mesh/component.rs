@@ -1,0 +1,252 @@
+//! The parts of a mesh that hang together, and what each is.
+
+use super::inside::{Nesting, Windings};
+use super::patches::{Patch, Patches};
+use super::threads::Threads;
+use super::weld::{NONE, Welded};
+use crate::math::sum::Sum;
+use crate::math::symmetric3::power_of_two_near;
+
+/// Triangles of a mesh that hang together by their edges.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct MeshComponent {
+    /// Its first triangle, from 1.
+    pub first_triangle: usize,
+    /// Its triangles, without those that have two equal corners.
+    pub triangles: usize,
+    /// Enclosed volume, m³, negative if most of it is wound inward; of one that is not closed, a number without a meaning.
+    pub volume: f64,
+    /// Area, m².
+    pub area: f64,
+    /// The lowest and the highest coordinates, m.
+    pub bounds: [[f64; 3]; 2],
+    /// How it lies among the others, and so what it is.
+    pub role: ComponentRole,
+    /// How many other closed components it lies in.
+    pub depth: usize,
+    /// The smallest of these, by its place in [`MeshDiagnosis::components`](crate::MeshDiagnosis::components).
+    pub inside: Option<usize>,
+    /// Triangles that are wound against most of the others, if that is clear.
+    pub flipped: usize,
+    /// The first of these, from 1.
+    pub first_flipped: Option<usize>,
+}
+
+/// What a part of a mesh is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ComponentRole {
+    /// It has a boundary.
+    Open,
+    /// It can not be wound consistently: one-sided, as Klein's bottle.
+    Unorientable,
+    /// It is closed, but not wound consistently, and not clearly so that a few triangles are the wrong way round.
+    Inconsistent,
+    /// It is closed, but encloses nothing.
+    Flat,
+    /// A solid: wound outward, and within no other or in a cavity.
+    Solid,
+    /// A cavity: wound inward, within a solid.
+    Cavity,
+    /// Wound outward within a solid: what it encloses counts twice.
+    InnerSolid,
+    /// Wound inward, and within no solid: it counts negative.
+    Inverted,
+}
+
+impl ComponentRole {
+    /// Has it an inside and an outside?
+    pub const fn is_closed(self) -> bool {
+        !matches!(self, Self::Open | Self::Unorientable | Self::Inconsistent)
+    }
+
+    /// `open`, `solid`, `cavity`, …
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Open => "open",
+            Self::Unorientable => "unorientable",
+            Self::Inconsistent => "inconsistently wound",
+            Self::Flat => "flat",
+            Self::Solid => "solid",
+            Self::Cavity => "cavity",
+            Self::InnerSolid => "solid in a solid",
+            Self::Inverted => "inverted",
+        }
+    }
+}
+
+/// What can be said of components one by one; their roles as if none lay in another.
+pub(crate) struct Measured {
+    pub(crate) components: Vec<MeshComponent>,
+    /// The largest triangle of each.
+    largest: Vec<usize>,
+    pub(crate) collinear: Vec<u32>,
+}
+
+impl Measured {
+    pub(crate) fn of(welded: &Welded, patches: &Patches) -> Self {
+        let count = patches.components.len();
+        let mut sums: Vec<Sums> = (0..count).map(|_| Sums::default()).collect();
+        let mut collinear = Vec::new();
+        for (t, &component) in patches.component.iter().enumerate() {
+            if component != NONE {
+                let flat = sums[component as usize].add(t, welded.triangle(t), patches.against[t]);
+                if flat && super::predicate::facing(welded.triangle(t)).is_none() {
+                    collinear.push(t as u32);
+                }
+            }
+        }
+        let components =
+            sums.iter().zip(&patches.components).map(|(sums, patch)| sums.component(patch, welded.unit));
+        let components = components.collect();
+        Self { components, largest: sums.iter().map(|sums| sums.largest).collect(), collinear }
+    }
+
+    /// Gives the components their places among each other.
+    pub(crate) fn nest(&mut self, windings: &Windings<'_>, threads: Threads) {
+        let solid = |role| matches!(role, ComponentRole::Solid | ComponentRole::Inverted);
+        let components = &self.components;
+        let volume = |k: usize| solid(components[k].role).then_some(components[k].volume);
+        if components.len() < 2 {
+            return;
+        }
+        let members = Members::of(&windings.patches.component, components.len());
+        let nestings = threads.map_pieces(components.len(), COMPONENTS, |piece| {
+            let nesting = |k: usize| {
+                if volume(k).is_none() {
+                    return Nesting::default();
+                }
+                // From a triangle that lies on no other, if there is one among a few.
+                let some = members.some(k).map(|t| t as usize);
+                let mut tried = core::iter::once(self.largest[k]).chain(some);
+                tried.find_map(|t| windings.nesting(t, volume)).unwrap_or_default()
+            };
+            piece.map(nesting).collect::<Vec<_>>()
+        });
+        for (component, nesting) in self.components.iter_mut().zip(nestings.into_iter().flatten()) {
+            (component.depth, component.inside) = (nesting.depth, nesting.inside);
+            component.role = match (component.role, nesting.depth % 2 == 1) {
+                (ComponentRole::Solid, true) => ComponentRole::InnerSolid,
+                (ComponentRole::Inverted, true) => ComponentRole::Cavity,
+                (role, _) => role,
+            };
+        }
+    }
+}
+
+/// Components in a piece of work.
+const COMPONENTS: usize = 16;
+
+/// The triangles of each component.
+struct Members {
+    start: Vec<usize>,
+    triangles: Vec<u32>,
+}
+
+impl Members {
+    fn of(component: &[u32], count: usize) -> Self {
+        let mut start = vec![0; count + 1];
+        for &k in component.iter().filter(|&&k| k != NONE) {
+            start[k as usize + 1] += 1;
+        }
+        for k in 0..count {
+            start[k + 1] += start[k];
+        }
+        let mut triangles = vec![0; start[count]];
+        let mut next = start.clone();
+        for (t, &k) in component.iter().enumerate().filter(|(_, k)| **k != NONE) {
+            triangles[next[k as usize]] = t as u32;
+            next[k as usize] += 1;
+        }
+        Self { start, triangles }
+    }
+
+    /// A few of a component, from all over it.
+    fn some(&self, k: usize) -> impl Iterator<Item = u32> {
+        let all = &self.triangles[self.start[k]..self.start[k + 1]];
+        all.iter().step_by(all.len().div_ceil(16).max(1)).copied()
+    }
+}
+
+/// Sums over a component as its triangles come by, from its first corner, in the mesh's units.
+#[derive(Default)]
+struct Sums {
+    reference: [f64; 3],
+    first: usize,
+    triangles: usize,
+    six_volume: Sum,
+    area: Sum,
+    low: [f64; 3],
+    high: [f64; 3],
+    largest: usize,
+    largest_area: f64,
+    flipped: usize,
+    first_flipped: usize,
+}
+
+impl Sums {
+    /// True if the triangle may have no area.
+    fn add(&mut self, t: usize, triangle: [[f64; 3]; 3], against: bool) -> bool {
+        if self.triangles == 0 {
+            (self.reference, self.low, self.high) = (triangle[0], triangle[0], triangle[0]);
+            (self.first, self.largest) = (t, t);
+        }
+        self.triangles += 1;
+        for p in triangle {
+            for (k, c) in p.into_iter().enumerate() {
+                self.low[k] = self.low[k].min(c);
+                self.high[k] = self.high[k].max(c);
+            }
+        }
+        if against {
+            if self.flipped == 0 {
+                self.first_flipped = t;
+            }
+            self.flipped += 1;
+        }
+        // 6 V = Σ (a − r) · (b − a) × (c − a)
+        let [a, b, c] = triangle;
+        let from = |p: [f64; 3], q: [f64; 3]| [p[0] - q[0], p[1] - q[1], p[2] - q[2]];
+        let (u, v, w) = (from(b, a), from(c, a), from(a, self.reference));
+        let n = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
+        let d = w[0] * n[0] + w[1] * n[1] + w[2] * n[2];
+        self.six_volume.add(if against { -d } else { d });
+        let area = 0.5 * (n[0] * n[0] + n[1] * n[1] + n[2] * n[2]).sqrt();
+        self.area.add(area);
+        if area > self.largest_area {
+            (self.largest, self.largest_area) = (t, area);
+        }
+        let longest = u.iter().chain(&v).fold(0.0_f64, |max, c| max.max(c.abs()));
+        area <= 1e-14 * longest * longest
+    }
+
+    fn component(&self, patch: &Patch, unit: f64) -> MeshComponent {
+        let size = (0..3).map(|k| self.high[k] - self.low[k]).fold(0.0, f64::max);
+        let (six_volume, area) = (self.six_volume.value(), self.area.value());
+        let role = match patch {
+            Patch { open: 1.., .. } => ComponentRole::Open,
+            Patch { orientable: false, .. } => ComponentRole::Unorientable,
+            Patch { unbalanced: 1.., against: 0, .. } => ComponentRole::Inconsistent,
+            // No noise of flat triangles is larger: each one's area times its distance, rounded.
+            _ if six_volume.abs() <= FLAT * area * power_of_two_near(size) => ComponentRole::Flat,
+            _ if six_volume < 0.0 => ComponentRole::Inverted,
+            _ => ComponentRole::Solid,
+        };
+        let place = |p: [f64; 3]| p.map(|c| c * unit);
+        MeshComponent {
+            first_triangle: self.first + 1,
+            triangles: self.triangles,
+            volume: six_volume / 6.0 * unit * unit * unit,
+            area: area * unit * unit,
+            bounds: [place(self.low), place(self.high)],
+            role,
+            depth: 0,
+            inside: None,
+            flipped: self.flipped,
+            first_flipped: (self.flipped > 0).then_some(self.first_flipped + 1),
+        }
+    }
+}
+
+/// A volume of this part of a flat component's area times its size is all rounding.
+pub(crate) const FLAT: f64 = 16.0 * f64::EPSILON;

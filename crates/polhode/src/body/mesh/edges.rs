@@ -1,0 +1,134 @@
+//! Which triangles meet along which edge.
+
+use std::sync::atomic::{AtomicU32, Ordering};
+
+use super::threads::Threads;
+use super::weld::{NONE, is_proper};
+
+/// The edges of a mesh by their half-edges: half-edge 3 t + k of triangle t runs from its corner k to the next.
+///
+/// Triangles with two equal corners have none. Lists are in the mesh's order.
+#[derive(Debug)]
+pub(crate) struct Edges {
+    /// The other half-edge of an edge with two triangles.
+    pub(crate) twin: Vec<AtomicU32>,
+    /// Of edges with one triangle.
+    pub(crate) boundary: Vec<u32>,
+    /// Of edges whose two triangles run along them the same way, the first.
+    pub(crate) inconsistent: Vec<u32>,
+    /// Of edges with more than two triangles, all.
+    pub(crate) crowded: Vec<Vec<u32>>,
+    /// Pairs of triangles with the same three corners; true if they are the same way round.
+    pub(crate) duplicates: Vec<(u32, u32, bool)>,
+}
+
+impl Edges {
+    pub(crate) fn of(corners: &[[u32; 3]], points: usize, threads: Threads) -> Self {
+        let twin: Vec<_> = (0..3 * corners.len()).map(|_| AtomicU32::new(NONE)).collect();
+        // Each thread has the edges whose lower end is one of its vertices.
+        let parts = threads.map_pieces(points, points.div_ceil(threads.count()).max(1), |vertices| {
+            let mut part = Self::none();
+            part.find(corners, vertices.start as u32..vertices.end as u32, &twin);
+            part
+        });
+        let mut edges = Self { twin, ..Self::none() };
+        for part in parts {
+            edges.boundary.extend(part.boundary);
+            edges.inconsistent.extend(part.inconsistent);
+            edges.crowded.extend(part.crowded);
+            edges.duplicates.extend(part.duplicates);
+        }
+        edges.boundary.sort_unstable();
+        edges.inconsistent.sort_unstable();
+        edges.crowded.sort_unstable();
+        edges.duplicates.sort_unstable();
+        edges
+    }
+
+    const fn none() -> Self {
+        Self { twin: vec![], boundary: vec![], inconsistent: vec![], crowded: vec![], duplicates: vec![] }
+    }
+
+    /// The other half-edge of an edge with two triangles, or [`NONE`].
+    pub(crate) fn twin(&self, half: u32) -> u32 {
+        self.twin[half as usize].load(Ordering::Relaxed)
+    }
+
+    fn find(&mut self, corners: &[[u32; 3]], lower: core::ops::Range<u32>, twin: &[AtomicU32]) {
+        let each = |f: &mut dyn FnMut(usize, u32, u32)| {
+            for (t, corner) in corners.iter().enumerate().filter(|(_, c)| is_proper(c)) {
+                for k in 0..3 {
+                    let (a, b) = (corner[k], corner[(k + 1) % 3]);
+                    if lower.contains(&a.min(b)) {
+                        f((a.min(b) - lower.start) as usize, a.max(b), (3 * t + k) as u32);
+                    }
+                }
+            }
+        };
+        // Buckets by the lower vertex, counted before they are filled.
+        let mut start = vec![0_u32; lower.len() + 1];
+        each(&mut |v, _, _| start[v + 1] += 1);
+        for v in 0..lower.len() {
+            start[v + 1] += start[v];
+        }
+        let mut entries = vec![0_u64; start[lower.len()] as usize];
+        let mut next = start.clone();
+        each(&mut |v, high, half| {
+            entries[next[v] as usize] = (u64::from(high) << 32) | u64::from(half);
+            next[v] += 1;
+        });
+        for v in 0..lower.len() {
+            let bucket = &mut entries[start[v] as usize..start[v + 1] as usize];
+            bucket.sort_unstable();
+            for edge in bucket.chunk_by(|e, f| e >> 32 == f >> 32) {
+                self.sort_out(corners, edge, twin);
+            }
+        }
+    }
+
+    /// What the half-edges of one edge say; the low words are their numbers.
+    fn sort_out(&mut self, corners: &[[u32; 3]], edge: &[u64], twin: &[AtomicU32]) {
+        match *edge {
+            [h] => self.boundary.push(h as u32),
+            [g, h] => {
+                let (g, h) = (g as u32, h as u32);
+                twin[g as usize].store(h, Ordering::Relaxed);
+                twin[h as usize].store(g, Ordering::Relaxed);
+                if start_of(corners, g) == start_of(corners, h) {
+                    self.inconsistent.push(g);
+                }
+            }
+            _ => self.crowded.push(edge.iter().map(|&h| h as u32).collect()),
+        }
+        if edge.len() < 2 {
+            return;
+        }
+        // Triangles with the same corners meet along their lowest edge too, whose third corner is the highest.
+        let high = (edge[0] >> 32) as u32;
+        let third = |&h: &u64| (opposite(corners, h as u32), h as u32);
+        let mut thirds: Vec<_> = edge.iter().map(third).filter(|&(third, _)| third > high).collect();
+        if thirds.len() < 2 {
+            return;
+        }
+        thirds.sort_unstable();
+        for pair in thirds.windows(2).filter(|pair| pair[0].0 == pair[1].0) {
+            let (g, h) = (pair[0].1, pair[1].1);
+            self.duplicates.push((g / 3, h / 3, start_of(corners, g) == start_of(corners, h)));
+        }
+    }
+}
+
+/// The vertex where a half-edge begins.
+pub(crate) fn start_of(corners: &[[u32; 3]], half: u32) -> u32 {
+    corners[half as usize / 3][half as usize % 3]
+}
+
+/// The vertex where it ends.
+pub(crate) fn end_of(corners: &[[u32; 3]], half: u32) -> u32 {
+    corners[half as usize / 3][(half as usize % 3 + 1) % 3]
+}
+
+/// The corner of its triangle that it does not touch.
+fn opposite(corners: &[[u32; 3]], half: u32) -> u32 {
+    corners[half as usize / 3][(half as usize % 3 + 2) % 3]
+}

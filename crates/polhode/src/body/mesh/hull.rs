@@ -1,0 +1,218 @@
+//! Convex hulls.
+
+use super::TriangleMesh;
+use super::predicate::{normal, side};
+use super::weld::NONE;
+use crate::body::error::{BodyError, finite};
+use crate::math::symmetric3::power_of_two_near;
+
+/// The smallest convex solid around points.
+///
+/// By Quickhull: from a tetrahedron outward, each time to the point farthest above a face. Which points are above a face is decided by
+/// exact signs, so that points on faces and edges, and any number of points in one plane, do no harm: the hull contains every point.
+/// Its faces are triangles, with corners at given points only, outward; none lies inside a face or an edge.
+///
+/// Expected time n log n; the same result for the same points in the same order.
+///
+/// Source: Barber, Dobkin & Huhdanpaa, ACM Trans. Math. Softw. 22 (1996) 469.
+///
+/// ```
+/// use polhode::{ClosedMesh, ConvexHull};
+/// let corners = (0..8).map(|k| [k & 1, k >> 1 & 1, k >> 2].map(f64::from));
+/// let points: Vec<_> = corners.chain([[0.5, 0.2, 0.7], [1.0, 0.5, 0.5]]).collect();
+/// let hull = ConvexHull::of(&points)?;
+/// assert_eq!((hull.vertices().len(), hull.triangles().len()), (8, 12));
+/// assert_eq!(ClosedMesh::of(&hull)?.volume(), 1.0);
+/// # Ok::<(), polhode::BodyError>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct ConvexHull;
+
+impl ConvexHull {
+    /// The surface of the hull, its vertices in the order given.
+    ///
+    /// # Errors
+    /// [`BodyError::Empty`] without points; [`BodyError::Parameter`] for a coordinate that is not finite; [`BodyError::FlatMesh`] if all
+    /// lie in one plane.
+    pub fn of(points: &[[f64; 3]]) -> Result<TriangleMesh, BodyError> {
+        for &point in points {
+            finite("the point's coordinate", point)?;
+        }
+        if points.is_empty() {
+            return Err(BodyError::Empty { what: "points" });
+        }
+        let largest = points.as_flattened().iter().fold(0.0_f64, |max, c| max.max(c.abs()));
+        let per_unit = 1.0 / power_of_two_near(largest);
+        // In units of a power of two near the largest coordinate: exact, and no product leaves the range of f64.
+        let reduced: Vec<[f64; 3]> = points.iter().map(|p| p.map(|c| c * per_unit)).collect();
+        let simplex = simplex(&reduced).ok_or(BodyError::FlatMesh { volume: 0.0 })?;
+        let mut hull = Growing::of(&reduced, simplex);
+        while let Some(face) = hull.waiting.pop() {
+            hull.grow(face);
+        }
+        Ok(hull.mesh(points))
+    }
+}
+
+/// Four points that do not lie in one plane, wide apart: a tetrahedron with (0, 1, 2) seen counter-clockwise from outside.
+fn simplex(points: &[[f64; 3]]) -> Option<[u32; 4]> {
+    let point = |k: usize| points[k];
+    let distance = |a: [f64; 3], b: [f64; 3]| (0..3).map(|k| (a[k] - b[k]) * (a[k] - b[k])).sum::<f64>();
+    let a = (0..points.len()).min_by(|&i, &j| point(i)[0].total_cmp(&point(j)[0]))?;
+    let farthest = |measure: &dyn Fn(usize) -> f64| {
+        (0..points.len()).max_by(|&i, &j| measure(i).total_cmp(&measure(j)).then(j.cmp(&i)))
+    };
+    let b = farthest(&|k| distance(point(a), point(k)))?;
+    let squared = |[x, y, z]: [f64; 3]| x * x + y * y + z * z;
+    // If rounding hides what there is, any that exact signs find will do.
+    let on_a_line = |k: usize| super::predicate::facing([point(a), point(b), point(k)]).is_none();
+    let c = farthest(&|k| squared(normal([point(a), point(b), point(k)])))?;
+    let c = if on_a_line(c) { (0..points.len()).find(|&k| !on_a_line(k))? } else { c };
+    let height = |k: usize| side([point(a), point(b), point(c)], point(k));
+    let d = farthest(&|k| height(k).abs())?;
+    let simplex = if height(d) > 0.0 { [a, c, b, d] } else { [a, b, c, d] };
+    (height(d) != 0.0).then_some(simplex.map(|k| k as u32))
+}
+
+struct Face {
+    corners: [u32; 3],
+    /// The faces across the edges from each corner to the next.
+    neighbours: [u32; 3],
+    /// Points above this face, each in the list of one face only.
+    above: Vec<u32>,
+    removed: bool,
+    /// The last point that it was looked at from.
+    seen: u32,
+    visible: bool,
+}
+
+/// A hull of some of the points; the others are above one of its faces, or in it.
+struct Growing<'a> {
+    points: &'a [[f64; 3]],
+    faces: Vec<Face>,
+    /// Faces with points above them.
+    waiting: Vec<u32>,
+    /// By vertex: the new face whose edge from the horizon begins there.
+    fan: Vec<u32>,
+}
+
+impl<'a> Growing<'a> {
+    fn of(points: &'a [[f64; 3]], [a, b, c, d]: [u32; 4]) -> Self {
+        let mut hull = Self { points, faces: vec![], waiting: vec![], fan: vec![NONE; points.len()] };
+        for (corners, neighbours) in
+            [([a, b, c], [1, 2, 3]), ([b, a, d], [0, 3, 2]), ([c, b, d], [0, 1, 3]), ([a, c, d], [0, 2, 1])]
+        {
+            hull.push(corners, neighbours);
+        }
+        hull.hand_out((0..points.len() as u32).collect(), 0);
+        hull
+    }
+
+    fn push(&mut self, corners: [u32; 3], neighbours: [u32; 3]) -> u32 {
+        self.faces.push(Face {
+            corners,
+            neighbours,
+            above: vec![],
+            removed: false,
+            seen: NONE,
+            visible: false,
+        });
+        self.faces.len() as u32 - 1
+    }
+
+    fn height(&self, face: u32, point: u32) -> f64 {
+        let corners = self.faces[face as usize].corners.map(|v| self.points[v as usize]);
+        side(corners, self.points[point as usize])
+    }
+
+    /// Gives each point to the first of the faces, from this one on, that it is above; those within are done with.
+    fn hand_out(&mut self, points: Vec<u32>, first: usize) {
+        for point in points {
+            let above = (first..self.faces.len()).find(|&face| self.height(face as u32, point) > 0.0);
+            if let Some(face) = above {
+                self.faces[face].above.push(point);
+            }
+        }
+        let with_points = (first..self.faces.len()).filter(|&face| !self.faces[face].above.is_empty());
+        self.waiting.extend(with_points.map(|face| face as u32));
+    }
+
+    /// Takes in the point farthest above a face.
+    fn grow(&mut self, face: u32) {
+        if self.faces[face as usize].removed {
+            return;
+        }
+        let above = &self.faces[face as usize].above;
+        let farther =
+            |&&i: &&u32, &&j: &&u32| self.height(face, i).total_cmp(&self.height(face, j)).then(j.cmp(&i));
+        let Some(&apex) = above.iter().max_by(farther) else { return };
+        let (visible, horizon) = self.visible_from(apex, face);
+        let mut orphans = Vec::new();
+        for &face in &visible {
+            let face = &mut self.faces[face as usize];
+            face.removed = true;
+            orphans.append(&mut face.above);
+        }
+        orphans.retain(|&point| point != apex);
+        let first = self.faces.len();
+        for &(beyond, edge) in &horizon {
+            // The edge of the face beyond runs from b to a; that of the new face from a to b.
+            let corners = self.faces[beyond as usize].corners;
+            let (b, a) = (corners[edge], corners[(edge + 1) % 3]);
+            let new = self.push([a, b, apex], [beyond, NONE, NONE]);
+            self.faces[beyond as usize].neighbours[edge] = new;
+            self.fan[a as usize] = new;
+        }
+        for new in first..self.faces.len() {
+            // From b on, the next face of the fan.
+            let next = self.fan[self.faces[new].corners[1] as usize];
+            self.faces[new].neighbours[1] = next;
+            self.faces[next as usize].neighbours[2] = new as u32;
+        }
+        self.hand_out(orphans, first);
+    }
+
+    /// The faces that a point is above, and those in whose plane it lies, connected with this one; and the edges around them, each by the
+    /// face beyond it.
+    ///
+    /// With the faces in whose plane it lies, no new triangle is without an area, and no corner is left in the middle of a face.
+    fn visible_from(&mut self, apex: u32, face: u32) -> (Vec<u32>, Vec<(u32, usize)>) {
+        let (mut visible, mut horizon) = (vec![face], Vec::new());
+        (self.faces[face as usize].seen, self.faces[face as usize].visible) = (apex, true);
+        let mut k = 0;
+        while k < visible.len() {
+            let face = visible[k];
+            for neighbour in self.faces[face as usize].neighbours {
+                if self.faces[neighbour as usize].seen != apex {
+                    let is_visible = self.height(neighbour, apex) >= 0.0;
+                    let neighbouring = &mut self.faces[neighbour as usize];
+                    (neighbouring.seen, neighbouring.visible) = (apex, is_visible);
+                    if is_visible {
+                        visible.push(neighbour);
+                    }
+                }
+                if !self.faces[neighbour as usize].visible {
+                    let back = self.faces[neighbour as usize].neighbours.iter().position(|&n| n == face);
+                    horizon.extend(back.map(|edge| (neighbour, edge)));
+                }
+            }
+            k += 1;
+        }
+        (visible, horizon)
+    }
+
+    fn mesh(&self, points: &[[f64; 3]]) -> TriangleMesh {
+        let mut number = vec![NONE; points.len()];
+        let faces = self.faces.iter().filter(|face| !face.removed);
+        for &vertex in faces.clone().flat_map(|face| &face.corners) {
+            number[vertex as usize] = 0;
+        }
+        let mut vertices = Vec::new();
+        for (number, point) in number.iter_mut().zip(points).filter(|(number, _)| **number == 0) {
+            *number = vertices.len() as u32;
+            vertices.push(*point);
+        }
+        let triangles = faces.map(|face| face.corners.map(|v| number[v as usize])).collect();
+        TriangleMesh { vertices, triangles }
+    }
+}

@@ -1,0 +1,273 @@
+//! The mass integrals of a polyhedron.
+
+use core::ops::{Add, Mul, Range, Sub};
+
+use super::component::FLAT;
+use super::threads::Threads;
+use crate::body::error::BodyError;
+use crate::body::shape::{Extent, Spread};
+use crate::math::double::Double;
+use crate::math::lanes::Lanes;
+use crate::math::real::Real;
+use crate::math::sum::{quick_two_sum, two_sum};
+use crate::math::symmetric3::{Symmetric3, power_of_two_near};
+use crate::math::vector::Position;
+
+/// A closed, consistently wound surface, to be integrated over.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Polyhedron<'a> {
+    pub(crate) points: &'a [[f64; 3]],
+    pub(crate) corners: &'a [[u32; 3]],
+    pub(crate) threads: Threads,
+}
+
+/// What the integrals say.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Integrals {
+    /// Its volume is negative if the surface is wound inward.
+    pub(crate) spread: Spread,
+    pub(crate) area: f64,
+}
+
+impl Polyhedron<'_> {
+    /// Volume, centroid and covariance of the polyhedron, and its area.
+    ///
+    /// A sum over the signed tetrahedra from a local reference point to each triangle (a, b, c), d = a · (b × c):
+    ///
+    /// 6 V = Σ d,  24 V c = Σ d s,  120 V ⟨x xᵀ⟩ = Σ d (a aᵀ + b bᵀ + c cᵀ + s sᵀ),  s = a + b + c
+    ///
+    /// Exact for the polyhedron but for rounding, some 4e-16 of half the tensor's trace. The reference is first the middle of the
+    /// bounding box, then the centroid: a body far from the origin, or far from the middle of its box, loses nothing. A thin-walled body is
+    /// a small difference of large terms: where they are more than [`CANCELLED`] times their sum, all is done again in two words.
+    ///
+    /// The same bits for any number of threads and any width of vectors.
+    ///
+    /// Source: Tonon, J. Math. Stat. 1 (2005) 8, summed over the boundary.
+    pub(crate) fn integrate(&self) -> Result<Integrals, BodyError> {
+        let (low, high) = self.bounds();
+        let middle: [f64; 3] = core::array::from_fn(|k| 0.5 * low[k] + 0.5 * high[k]);
+        let size = (0..3).map(|k| high[k] - low[k]).fold(0.0, f64::max);
+        // In units of a power of two near the size: exact, and no fifth power leaves the range of f64.
+        let unit = power_of_two_near(size);
+        let (cubed, per_unit) = (unit * unit * unit, 1.0 / unit);
+        let first: Sums = self.sum(|piece| self.piece::<4>(piece, middle, per_unit));
+        // No noise of flat triangles is larger: each one's area times its distance, rounded.
+        let six_volume = first.terms[0].value();
+        if six_volume.abs() <= FLAT * first.area.value() {
+            return Err(BodyError::FlatMesh { volume: six_volume / 6.0 * cubed });
+        }
+        let centroid = first.centroid();
+        // With few digits: differences from it are exact for coordinates that have few, too, and otherwise round at random. The last digits
+        // of a reference with all of them would round all differences the same way.
+        let grid = unit * GRID;
+        let reference: [f64; 3] =
+            core::array::from_fn(|k| ((middle[k] + centroid[k] * unit) / grid).round_ties_even() * grid);
+        let mut sums = self.sum(|piece| self.piece::<10>(piece, reference, per_unit));
+        let trace: f64 = sums.terms[4..7].iter().map(|sum| sum.value()).sum();
+        // Not `>`: what is not a number is done again, too.
+        if !(sums.magnitude.value() <= CANCELLED * trace.abs()) {
+            sums = self.sum(|piece| self.piece_in_two_words(piece, reference, per_unit));
+        }
+        let rest = sums.centroid();
+        let [six_volume, _, _, _, second @ ..] = sums.terms;
+        // In two words, so that only the last digit is rounded.
+        let twenty = six_volume * Double::from(20.0);
+        let [xx, yy, zz, xy, xz, yz] = second.map(|element| (element / twenty).value());
+        let covariance = Symmetric3 { xx, yy, zz, xy, xz, yz } - Symmetric3::outer(rest);
+        let six_volume = six_volume.value();
+        let spread = Spread {
+            extent: Extent::Volume(six_volume / 6.0 * cubed),
+            centroid: Position::from_array(core::array::from_fn(|k| reference[k] + rest[k] * unit)),
+            covariance: covariance * unit * unit,
+        };
+        Ok(Integrals { spread, area: sums.area.value() * unit * unit })
+    }
+
+    fn bounds(&self) -> ([f64; 3], [f64; 3]) {
+        let mut bounds = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+        for p in self.points {
+            bounds.0 = core::array::from_fn(|k| bounds.0[k].min(p[k]));
+            bounds.1 = core::array::from_fn(|k| bounds.1[k].max(p[k]));
+        }
+        bounds
+    }
+
+    /// The sums of all pieces, in their order.
+    fn sum(&self, piece: impl Fn(Range<usize>) -> Sums + Sync) -> Sums {
+        let pieces = self.threads.map_pieces(self.corners.len(), PIECE, piece);
+        pieces.iter().fold(Sums::default(), |all, piece| all.with(piece))
+    }
+
+    /// The first so many sums over some triangles, eight at a time.
+    fn piece<const TERMS: usize>(&self, triangles: Range<usize>, reference: [f64; 3], per_unit: f64) -> Sums {
+        let mut sums = LaneSums::<TERMS>::new();
+        in_widest_vectors(
+            #[inline(always)]
+            || {
+                for corners in self.corners[triangles].chunks(WIDTH) {
+                    // What is not filled lies in the reference point and adds nothing.
+                    let mut group = [reference.map(Vectors::splat); 3];
+                    for (lane, triangle) in corners.iter().enumerate() {
+                        for (corner, &index) in group.iter_mut().zip(triangle) {
+                            let p = &self.points[index as usize];
+                            for k in 0..3 {
+                                corner[k].0[lane] = p[k];
+                            }
+                        }
+                    }
+                    let (origin, per_unit) = (reference.map(Vectors::splat), Vectors::splat(per_unit));
+                    sums.add(group.map(|p| core::array::from_fn(|k| (p[k] - origin[k]) * per_unit)));
+                }
+            },
+        );
+        sums.total()
+    }
+
+    fn piece_in_two_words(&self, triangles: Range<usize>, reference: [f64; 3], per_unit: f64) -> Sums {
+        let mut sums = Sums::default();
+        for corners in &self.corners[triangles] {
+            let triangle = corners.map(|v| {
+                let p = self.points[v as usize];
+                core::array::from_fn(|k| Double::sum(p[k], -reference[k]).scaled(per_unit))
+            });
+            let terms = terms(triangle);
+            for (sum, term) in sums.terms.iter_mut().zip(terms) {
+                *sum = *sum + term;
+            }
+            let area = area(triangle.map(|p| p.map(Double::value)));
+            sums.area = sums.area + Double::from(area);
+        }
+        sums
+    }
+}
+
+/// Terms that are so many times larger than their sum leave it too few digits.
+const CANCELLED: f64 = 4.0;
+
+/// The reference point is a multiple of this, in units near the size: so near the centroid that nothing is lost.
+const GRID: f64 = 1.0 / 1_048_576.0;
+
+/// Triangles in a piece of work.
+const PIECE: usize = 1 << 12;
+
+/// Triangles in a vector.
+const WIDTH: usize = 8;
+
+type Vectors = Lanes<WIDTH>;
+
+/// d, d s, and d (a aᵀ + b bᵀ + c cᵀ + s sᵀ) by its elements xx, yy, zz, xy, xz, yz.
+#[inline(always)]
+fn terms<T>([a, b, c]: [[T; 3]; 3]) -> [T; 10]
+where
+    T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T>,
+{
+    let n = [b[1] * c[2] - b[2] * c[1], b[2] * c[0] - b[0] * c[2], b[0] * c[1] - b[1] * c[0]];
+    let d = a[0] * n[0] + a[1] * n[1] + a[2] * n[2];
+    let s: [T; 3] = [0, 1, 2].map(|k| a[k] + b[k] + c[k]);
+    let element = |i: usize, j: usize| d * (a[i] * a[j] + b[i] * b[j] + c[i] * c[j] + s[i] * s[j]);
+    [
+        d,
+        d * s[0],
+        d * s[1],
+        d * s[2],
+        element(0, 0),
+        element(1, 1),
+        element(2, 2),
+        element(0, 1),
+        element(0, 2),
+        element(1, 2),
+    ]
+}
+
+/// ½ |(b − a) × (c − a)|
+#[inline(always)]
+fn area<T: Real>([a, b, c]: [[T; 3]; 3]) -> T {
+    let from = |p: [T; 3]| [p[0] - a[0], p[1] - a[1], p[2] - a[2]];
+    let (u, v) = (from(b), from(c));
+    let n = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
+    T::splat(0.5) * (n[0] * n[0] + n[1] * n[1] + n[2] * n[2]).map(f64::sqrt)
+}
+
+/// Sums in powers of the unit of length.
+#[derive(Clone, Copy, Debug, Default)]
+struct Sums {
+    /// As [`terms`].
+    terms: [Double; 10],
+    area: Double,
+    /// Of the terms of the trace, without their signs.
+    magnitude: Double,
+}
+
+impl Sums {
+    fn with(&self, other: &Self) -> Self {
+        Self {
+            terms: core::array::from_fn(|k| self.terms[k] + other.terms[k]),
+            area: self.area + other.area,
+            magnitude: self.magnitude + other.magnitude,
+        }
+    }
+
+    /// From the reference point: Σ d s / 4 Σ d
+    fn centroid(&self) -> [f64; 3] {
+        let [d, x, y, z, ..] = self.terms;
+        [x, y, z].map(|first| (first / d).value() * 0.25)
+    }
+}
+
+/// Sums of many lanes with their rounding errors (Ogita, Rump & Oishi's `Sum2` in each lane).
+struct LaneSums<const TERMS: usize> {
+    high: [Vectors; TERMS],
+    low: [Vectors; TERMS],
+    area: Vectors,
+    magnitude: Vectors,
+}
+
+impl<const TERMS: usize> LaneSums<TERMS> {
+    #[inline(always)]
+    fn new() -> Self {
+        let zero = Vectors::splat(0.0);
+        Self { high: [zero; TERMS], low: [zero; TERMS], area: zero, magnitude: zero }
+    }
+
+    #[inline(always)]
+    fn add(&mut self, triangles: [[Vectors; 3]; 3]) {
+        let terms = terms(triangles);
+        for (k, (high, low)) in self.high.iter_mut().zip(&mut self.low).enumerate() {
+            let (sum, error) = two_sum(*high, terms[k]);
+            *high = sum;
+            *low = *low + error;
+        }
+        self.area = self.area + area(triangles);
+        if TERMS > 4 {
+            self.magnitude = self.magnitude + (terms[4] + terms[5] + terms[6]).map(f64::abs);
+        }
+    }
+
+    fn total(&self) -> Sums {
+        let total = |lanes: Vectors| lanes.0.iter().fold(Double::default(), |sum, &x| sum + Double::from(x));
+        let mut sums = Sums { area: total(self.area), magnitude: total(self.magnitude), ..Sums::default() };
+        for (sum, (high, low)) in sums.terms.iter_mut().zip(self.high.iter().zip(&self.low)) {
+            let lanes = high.0.iter().zip(low.0).map(|(&high, low)| {
+                let (high, low) = quick_two_sum(high, low);
+                Double::new(high, low)
+            });
+            *sum = lanes.fold(Double::default(), |sum, lane| sum + lane);
+        }
+        sums
+    }
+}
+
+/// Runs the loop compiled for the widest vectors of this machine.
+#[cfg(feature = "simd")]
+#[inline(always)]
+fn in_widest_vectors(work: impl FnOnce()) {
+    use fearless_simd::{Level, Simd as _, dispatch};
+    dispatch!(Level::new(), simd => simd.vectorize(
+        work
+    ));
+}
+
+#[cfg(not(feature = "simd"))]
+fn in_widest_vectors(work: impl FnOnce()) {
+    work();
+}

@@ -1,0 +1,94 @@
+//! Which side of a plane or a line a point is on, exactly.
+//!
+//! A sign that f64 is sure of is taken; for the others the crate `robust` has the expansions of Shewchuk, Discrete Comput. Geom. 18
+//! (1997) 305.
+
+use robust::{Coord, Coord3D, orient2d, orient3d};
+
+/// Positive if p lies on the side of the plane through a, b, c to which their normal (b − a) × (c − a) points; 0 in the plane.
+#[inline(always)]
+pub(crate) fn side([a, b, c]: [[f64; 3]; 3], p: [f64; 3]) -> f64 {
+    let from = |q: [f64; 3]| [q[0] - p[0], q[1] - p[1], q[2] - p[2]];
+    let ([ax, ay, az], [bx, by, bz], [cx, cy, cz]) = (from(a), from(b), from(c));
+    let products = [[bx * cy, cx * by], [cx * ay, ax * cy], [ax * by, bx * ay]];
+    let [n, m, k] = products.map(|[u, v]| v - u);
+    let determinant = az * n + bz * m + cz * k;
+    let [n, m, k] = products.map(|[u, v]| u.abs() + v.abs());
+    let permanent = n * az.abs() + m * bz.abs() + k * cz.abs();
+    if determinant.abs() > SURE_3D * permanent || permanent == 0.0 {
+        return determinant;
+    }
+    exact_side([a, b, c], p)
+}
+
+/// (7 + 56 ε) ε, ε = 2⁻⁵³ (Shewchuk's o3derrboundA), and a little more.
+const SURE_3D: f64 = 7.772e-16;
+
+#[cold]
+fn exact_side(triangle: [[f64; 3]; 3], p: [f64; 3]) -> f64 {
+    let coord = |[x, y, z]: [f64; 3]| Coord3D { x, y, z };
+    let [a, b, c] = triangle.map(coord);
+    -orient3d(a, b, c, coord(p))
+}
+
+/// Positive if a, b, p turn counter-clockwise, 0 on one line.
+pub(crate) fn turn(a: [f64; 2], b: [f64; 2], p: [f64; 2]) -> f64 {
+    let coord = |[x, y]: [f64; 2]| Coord { x, y };
+    orient2d(coord(a), coord(b), coord(p))
+}
+
+/// The coordinates across an axis, so that turns about it are positive.
+pub(crate) fn across(axis: usize, p: [f64; 3]) -> [f64; 2] {
+    [p[(axis + 1) % 3], p[(axis + 2) % 3]]
+}
+
+/// An axis along which the triangle is seen with an area, and the sign of that area; `None` for three corners on one line.
+pub(crate) fn facing([a, b, c]: [[f64; 3]; 3]) -> Option<(usize, f64)> {
+    let normal = normal([a, b, c]);
+    let mut axes = [0, 1, 2];
+    axes.sort_by(|&i, &j| normal[j].abs().total_cmp(&normal[i].abs()));
+    axes.into_iter().find_map(|axis| {
+        let area = turn(across(axis, a), across(axis, b), across(axis, c));
+        (area != 0.0).then_some((axis, area.signum()))
+    })
+}
+
+/// (b − a) × (c − a), rounded.
+pub(crate) fn normal([a, b, c]: [[f64; 3]; 3]) -> [f64; 3] {
+    let from = |q: [f64; 3]| [q[0] - a[0], q[1] - a[1], q[2] - a[2]];
+    let ([bx, by, bz], [cx, cy, cz]) = (from(b), from(c));
+    [by * cz - bz * cy, bz * cx - bx * cz, bx * cy - by * cx]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn signs_are_those_of_integers() {
+        // Points on and beside a slanted plane, where f64 alone is wrong.
+        let (a, b, c) = ([0.1, 0.2, 0.3], [1.7, 0.1, -0.4], [0.6, 0.9, 0.8]);
+        let (mut unsure, scale) = (0, 2.0_f64.powi(40));
+        let grid = |p: [f64; 3]| p.map(|x: f64| (x * scale).round());
+        let [a, b, c] = [a, b, c].map(grid);
+        for k in 0..1000 {
+            let (s, t) = (f64::from(k) * 0.37 % 1.0, f64::from(k) * 0.71 % 1.0);
+            let p = grid(core::array::from_fn(|i| (a[i] + s * (b[i] - a[i]) + t * (c[i] - a[i])) / scale));
+            let from = |q: [f64; 3]| -> [i128; 3] { core::array::from_fn(|i| q[i] as i128 - a[i] as i128) };
+            let ([x, y, z], [u, v, w], [p0, p1, p2]) = (from(b), from(c), from(p));
+            let exact = (y * w - z * v) * p0 + (z * u - x * w) * p1 + (x * v - y * u) * p2;
+            assert_eq!(side([a, b, c], p).partial_cmp(&0.0), exact.partial_cmp(&0));
+            assert_eq!(side([b, a, c], p).partial_cmp(&0.0), 0.partial_cmp(&exact));
+            unsure += usize::from(exact.abs() < 1 << 90);
+        }
+        assert!(unsure > 0);
+    }
+
+    #[test]
+    fn a_triangle_faces_where_its_normal_points() {
+        let triangle = [[0.0, 0.0, 0.0], [1.0, 0.1, 0.2], [-0.1, 2.0, 0.3]];
+        assert_eq!(facing(triangle), Some((2, 1.0)));
+        assert!(side(triangle, [0.0, 0.0, 1.0]) > 0.0);
+        assert_eq!(facing([[0.0; 3], [1.0, 2.0, 3.0], [2.0, 4.0, 6.0]]), None);
+    }
+}

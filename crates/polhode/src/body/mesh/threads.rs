@@ -1,0 +1,67 @@
+//! Work on several threads, with results that do not depend on how many there are.
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::thread;
+
+/// How many threads may work at once; at least one.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Threads(usize);
+
+impl Threads {
+    pub(crate) fn of(count: usize) -> Self {
+        Self(count.max(1))
+    }
+
+    /// As many as the machine gives this process.
+    pub(crate) fn of_machine() -> Self {
+        Self(thread::available_parallelism().map_or(1, usize::from))
+    }
+
+    pub(crate) const fn count(self) -> usize {
+        self.0
+    }
+
+    /// The results of all pieces of work, in their order.
+    pub(crate) fn map<T: Send>(self, pieces: usize, work: impl Fn(usize) -> T + Sync) -> Vec<T> {
+        let threads = self.0.min(pieces);
+        if threads <= 1 {
+            return (0..pieces).map(work).collect();
+        }
+        let next = AtomicUsize::new(0);
+        let run = || {
+            let mut done = Vec::new();
+            loop {
+                let piece = next.fetch_add(1, Ordering::Relaxed);
+                if piece >= pieces {
+                    return done;
+                }
+                done.push((piece, work(piece)));
+            }
+        };
+        let mut results = thread::scope(|scope| {
+            // A thread that cannot be had is done without.
+            let spawn = |_| thread::Builder::new().spawn_scoped(scope, run).ok();
+            let others: Vec<_> = (1..threads).filter_map(spawn).collect();
+            let mut results = run();
+            for other in others {
+                match other.join() {
+                    Ok(more) => results.extend(more),
+                    Err(panic) => std::panic::resume_unwind(panic),
+                }
+            }
+            results
+        });
+        results.sort_unstable_by_key(|result| result.0);
+        results.into_iter().map(|result| result.1).collect()
+    }
+
+    /// The results of all pieces of so many items each, the last with what is left, in their order.
+    pub(crate) fn map_pieces<T: Send>(
+        self,
+        items: usize,
+        piece: usize,
+        work: impl Fn(core::ops::Range<usize>) -> T + Sync,
+    ) -> Vec<T> {
+        self.map(items.div_ceil(piece), |k| work(k * piece..((k + 1) * piece).min(items)))
+    }
+}

@@ -1,0 +1,211 @@
+//! Boxes about triangles, and boxes about boxes: what is far apart is not looked at.
+
+use core::ops::Range;
+
+use super::threads::Threads;
+use super::weld::Welded;
+
+/// An axis-parallel box. Its coordinates are rounded, but never change their order: boxes of what meets, meet.
+#[derive(Clone, Copy, Debug)]
+#[repr(align(32))]
+struct Bounds {
+    low: [f32; 4],
+    high: [f32; 4],
+}
+
+impl Bounds {
+    const NOTHING: Self = Self { low: [f32::INFINITY; 4], high: [f32::NEG_INFINITY; 4] };
+
+    #[inline(always)]
+    fn meets(&self, other: &Self) -> bool {
+        (0..4).fold(true, |all, k| all & (self.low[k] <= other.high[k]) & (other.low[k] <= self.high[k]))
+    }
+
+    fn with(&self, other: &Self) -> Self {
+        Self {
+            low: core::array::from_fn(|k| self.low[k].min(other.low[k])),
+            high: core::array::from_fn(|k| self.high[k].max(other.high[k])),
+        }
+    }
+}
+
+/// Triangles to a leaf.
+const LEAF: usize = 4;
+
+/// A complete binary tree over triangles along a space-filling curve (Morton's); the children of node n are 2n and 2n + 1, its root is 1.
+#[derive(Debug)]
+pub(crate) struct Tree {
+    /// Triangles by their number in the mesh, in leaves of [`LEAF`].
+    order: Vec<u32>,
+    boxes: Vec<Bounds>,
+    nodes: Vec<Bounds>,
+    leaves: usize,
+    middle: [f64; 3],
+    scale: f64,
+}
+
+impl Tree {
+    /// Of the triangles that are wanted.
+    pub(crate) fn of(welded: &Welded, wanted: impl Fn(usize) -> bool + Sync, threads: Threads) -> Self {
+        let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+        for p in &welded.points {
+            low = core::array::from_fn(|k| low[k].min(p[k]));
+            high = core::array::from_fn(|k| high[k].max(p[k]));
+        }
+        let middle = core::array::from_fn(|k| 0.5 * low[k] + 0.5 * high[k]);
+        let size = (0..3).map(|k| high[k] - low[k]).fold(0.0, f64::max);
+        let scale = if size > 0.0 { (2.0 / size).min(f64::MAX) } else { 1.0 };
+        let mut tree = Self { order: vec![], boxes: vec![], nodes: vec![], leaves: 0, middle, scale };
+        let pieces = threads.map_pieces(welded.corners.len(), PIECE, |piece| {
+            piece
+                .filter(|&t| wanted(t))
+                .map(|t| (tree.code(&welded.triangle(t)), t as u32))
+                .collect::<Vec<_>>()
+        });
+        tree.order = sorted(pieces.concat()).into_iter().map(|(_, t)| t).collect();
+        tree.boxes = threads
+            .map_pieces(tree.order.len(), PIECE, |piece| {
+                let bounds = |&t: &u32| tree.bounds(&welded.triangle(t as usize));
+                tree.order[piece].iter().map(bounds).collect::<Vec<_>>()
+            })
+            .concat();
+        tree.leaves = tree.boxes.len().div_ceil(LEAF).next_power_of_two();
+        let joined = |boxes: &[Bounds]| boxes.iter().fold(Bounds::NOTHING, |all, b| all.with(b));
+        tree.nodes = vec![Bounds::NOTHING; 2 * tree.leaves];
+        for (node, boxes) in tree.nodes[tree.leaves..].iter_mut().zip(tree.boxes.chunks(LEAF)) {
+            *node = joined(boxes);
+        }
+        for n in (1..tree.leaves).rev() {
+            tree.nodes[n] = tree.nodes[2 * n].with(&tree.nodes[2 * n + 1]);
+        }
+        tree
+    }
+
+    /// Leaves with triangles.
+    pub(crate) fn leaves(&self) -> usize {
+        self.order.len().div_ceil(LEAF)
+    }
+
+    /// −1 … 1 across the mesh.
+    fn reduced(&self, p: [f64; 3]) -> [f32; 3] {
+        core::array::from_fn(|k| ((p[k] - self.middle[k]) * self.scale) as f32)
+    }
+
+    fn bounds(&self, triangle: &[[f64; 3]; 3]) -> Bounds {
+        let mut bounds = Bounds { low: [f32::INFINITY; 4], high: [f32::NEG_INFINITY; 4] };
+        for p in triangle.map(|p| self.reduced(p)) {
+            for (k, c) in p.into_iter().enumerate() {
+                bounds.low[k] = bounds.low[k].min(c);
+                bounds.high[k] = bounds.high[k].max(c);
+            }
+        }
+        (bounds.low[3], bounds.high[3]) = (0.0, 0.0);
+        bounds
+    }
+
+    /// The place on the curve: the bits of the three coordinates of the middle, in turns.
+    fn code(&self, triangle: &[[f64; 3]; 3]) -> u64 {
+        let bounds = self.bounds(triangle);
+        let bits = |k: usize| {
+            let middle = 0.5 * (bounds.low[k] + bounds.high[k]);
+            spread((((middle + 1.0) * 32768.0) as u64).min(65535)) // as: 0 for NaN and what is negative
+        };
+        bits(0) | bits(1) << 1 | bits(2) << 2
+    }
+
+    /// Calls `pair` for every two triangles whose boxes meet and the first of which is in one of the leaves.
+    pub(crate) fn pairs(&self, leaves: Range<usize>, mut pair: impl FnMut(u32, u32)) {
+        let mut waiting = Vec::with_capacity(64);
+        for leaf in leaves {
+            let own = leaf * LEAF..((leaf + 1) * LEAF).min(self.order.len());
+            for i in own.clone() {
+                for j in i + 1..own.end {
+                    if self.boxes[i].meets(&self.boxes[j]) {
+                        pair(self.order[i], self.order[j]);
+                    }
+                }
+            }
+            let about = self.nodes[self.leaves + leaf];
+            waiting.push((1, self.leaves));
+            while let Some((node, covered)) = waiting.pop() {
+                // Only leaves behind this one: every pair once.
+                if (node + 1) * covered - self.leaves <= leaf + 1 || !self.nodes[node].meets(&about) {
+                    continue;
+                }
+                if covered > 1 {
+                    waiting.push((2 * node, covered / 2));
+                    waiting.push((2 * node + 1, covered / 2));
+                    continue;
+                }
+                let first = (node - self.leaves) * LEAF;
+                for j in first..(first + LEAF).min(self.order.len()) {
+                    if self.boxes[j].meets(&about) {
+                        for i in own.clone() {
+                            if self.boxes[i].meets(&self.boxes[j]) {
+                                pair(self.order[i], self.order[j]);
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    /// Calls `hit` for every triangle whose box the ray from a point along an axis may meet.
+    pub(crate) fn along(&self, point: [f64; 3], axis: usize, mut hit: impl FnMut(u32)) {
+        let [x, y, z] = self.reduced(point);
+        let mut ray = Bounds { low: [x, y, z, 0.0], high: [x, y, z, 0.0] };
+        ray.high[axis] = f32::INFINITY;
+        let mut waiting = vec![1];
+        while let Some(node) = waiting.pop() {
+            if !self.nodes[node].meets(&ray) {
+                continue;
+            }
+            if node < self.leaves {
+                waiting.extend([2 * node, 2 * node + 1]);
+                continue;
+            }
+            let first = (node - self.leaves) * LEAF;
+            for j in first..(first + LEAF).min(self.order.len()) {
+                if self.boxes[j].meets(&ray) {
+                    hit(self.order[j]);
+                }
+            }
+        }
+    }
+}
+
+/// Triangles in a piece of work.
+const PIECE: usize = 1 << 16;
+
+/// The 16 bits of a number, two zeros between each two.
+fn spread(x: u64) -> u64 {
+    let x = (x | x << 16) & 0xff00_00ff;
+    let x = (x | x << 8) & 0x00f0_0f00_f00f;
+    let x = (x | x << 4) & 0x0c30_c30c_30c3;
+    (x | x << 2) & 0x2492_4924_9249
+}
+
+/// By code, otherwise in the order given: twelve bits at a time from the lowest.
+fn sorted(mut items: Vec<(u64, u32)>) -> Vec<(u64, u32)> {
+    const DIGIT: u32 = 12;
+    let mut other = vec![(0, 0); items.len()];
+    for shift in (0..48).step_by(DIGIT as usize) {
+        let digit = |code: u64| (code >> shift) as usize & ((1 << DIGIT) - 1);
+        let mut next = vec![0; 1 << DIGIT];
+        for &(code, _) in &items {
+            next[digit(code)] += 1;
+        }
+        let mut sum = 0;
+        for count in &mut next {
+            sum += core::mem::replace(count, sum);
+        }
+        for &item in &items {
+            let at = &mut next[digit(item.0)];
+            other[*at] = item;
+            *at += 1;
+        }
+        core::mem::swap(&mut items, &mut other);
+    }
+    items
+}

@@ -1,11 +1,13 @@
 //! `polhode inertia`
 
 mod cad;
+mod field;
 mod kind;
 mod mesh;
 mod molecule;
 mod output;
 mod particles;
+mod quick;
 mod substance;
 mod voxel;
 

@@ -259,6 +259,11 @@ impl FormatErrorKind {
             Self::MissingKey { example, .. } => Some(format!("write {example}")),
             Self::Conflict { .. } => Some("leave one of them out".to_owned()),
             Self::Unit(e) => e.hint(),
+            Self::Mesh { error: BodyError::OpenMesh { .. } | BodyError::Unorientable { .. }, .. } => Some(
+                "close the surface in the tool that made it (vertices that only nearly coincide count as \
+                 different); or take its convex hull by --hull, or a sheet along it by --shell"
+                    .to_owned(),
+            ),
             Self::Body(e) | Self::Mesh { error: e, .. } => {
                 Some(e.hint().unwrap_or_else(|| body_hint(e)).to_owned())
             }

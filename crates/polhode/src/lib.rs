@@ -87,7 +87,7 @@ pub use body::shape::sphere_shell::SphereShell;
 pub use body::shape::tetrahedron::Tetrahedron;
 pub use body::shape::torus::Torus;
 pub use body::shape::{Extent, Shape, Spread, Substance};
-pub use body::solid::Solid;
+pub use body::solid::MeasuredSolid;
 
 // math: frames, vectors, rotations
 pub use math::elliptic::{EllipticError, EllipticParameter, JacobiFunctions};

@@ -3,15 +3,18 @@
 use std::path::Path;
 
 use clap::Args;
-use polhode::{
-    Body, BodyError, ClosedMesh, Finding, MassProperties, PlacedPart, Position, Rotation, Shape as _,
-    Substance,
-};
-use polhode_formats::mesh::{MeshFormat, MeshSolid, SolidPart};
+use polhode::{BodyError, ConvexHull, Finding, MassProperties, MeshShell, Severity, Shape, Substance};
+use polhode_formats::expression::Expression;
+use polhode_formats::mesh::{MeshContents, MeshFormat, MeshSolid};
+use polhode_formats::unit::Dimension;
 use polhode_report::{InertiaReport, PartRow, SourceInfo, parts};
 
+use super::field;
+use super::quick::{self, Care};
 use super::substance::{PartSubstance, SubstanceFlags, assumed, part};
+use super::voxel::in_body;
 use crate::failure::Failure;
+use crate::numbers::{positive, quantity};
 
 /// Flags for meshes.
 #[derive(Debug, Args)]
@@ -19,12 +22,48 @@ pub(super) struct MeshFlags {
     /// What one part of a mesh is made of: its name in the file, and its density, mass or material; may be repeated.
     #[arg(long, value_name = "NAME=WHAT", value_parser = part)]
     part: Vec<PartSubstance>,
+    /// The convex hull of each part of a mesh, closed or not, instead of the mesh.
+    #[arg(long, conflicts_with = "shell")]
+    hull: bool,
+    /// A sheet of this thickness along a mesh, closed or not, instead of the solid in it.
+    #[arg(long, value_name = "THICKNESS", value_parser = thickness)]
+    shell: Option<f64>,
+    /// Density of a mesh as a formula of x, y, z in metres, in kg/m³, such as "2700 - 300*hypot(x, y)".
+    #[arg(long, value_name = "FORMULA", value_parser = formula, conflicts_with_all = ["density", "mass", "material", "part", "shell"])]
+    field: Option<Expression>,
+    /// The estimated relative error that is good enough for --field [default: 1e-10].
+    #[arg(long, value_name = "ERROR", requires = "field", value_parser = tolerance)]
+    tolerance: Option<f64>,
+    /// Leave out all checks of a binary STL file: as fast as its bytes are read.
+    #[arg(long, conflicts_with_all = ["diagnose", "hull", "shell", "field", "part"])]
+    quick: bool,
+    /// Check a large binary STL file wholly: overlaps, nesting and duplicates too.
+    #[arg(long)]
+    diagnose: bool,
 }
 
 impl MeshFlags {
     /// The first that is given.
     pub(super) fn given(&self) -> Option<&'static str> {
-        (!self.part.is_empty()).then_some("--part")
+        let flags = [
+            (!self.part.is_empty(), "--part"),
+            (self.hull, "--hull"),
+            (self.shell.is_some(), "--shell"),
+            (self.field.is_some(), "--field"),
+            (self.quick, "--quick"),
+            (self.diagnose, "--diagnose"),
+        ];
+        flags.into_iter().find(|(given, _)| *given).map(|(_, flag)| flag)
+    }
+
+    /// How carefully a binary STL file is looked at, if nothing else is asked of it.
+    fn care(&self) -> Option<Care> {
+        match self {
+            Self { quick: true, .. } => Some(Care::None),
+            Self { diagnose: true, .. } | Self { hull: true, .. } => None,
+            Self { shell: Some(_), .. } | Self { field: Some(_), .. } => None,
+            _ => Some(Care::VerdictIfLarge),
+        }
     }
 }
 
@@ -35,91 +74,168 @@ pub(super) fn report(
     substance: &SubstanceFlags,
     flags: &MeshFlags,
 ) -> Result<InertiaReport, Failure> {
-    let solid = MeshSolid::read(file, format, unit)?;
-    let mut findings = solid.findings_in(&file.display().to_string());
-    let rows = weighed(&solid, substance, flags, &mut findings)?;
+    let mut findings = Vec::new();
+    let quick = flags.care().map(|care| quick::solid(file, format, care)).transpose()?.flatten();
+    let Model { source, pieces, field } = match quick {
+        Some(moments) => quick::model(file, &moments, unit.unwrap_or(1.0), &mut findings)?,
+        None => whole(file, format, unit, flags, &mut findings)?,
+    };
+    let rows = weighed(&pieces, substance, flags, &mut findings, field.is_some())?;
+    let rows = match &field {
+        Some(found) => found.rows.clone(),
+        None => rows,
+    };
     let bodies: Vec<_> = rows.iter().map(|row| row.properties).collect();
-    let properties = MassProperties::combined(&bodies).map_err(unfit)?;
-    let properties = if let [only] = bodies.as_slice() { *only } else { properties };
-    let volume: f64 = solid.parts.iter().map(|part| part.mesh.volume()).sum();
+    let properties = match bodies.as_slice() {
+        [only] => *only,
+        _ => MassProperties::combined(&bodies).map_err(unfit)?,
+    };
+    let volume: f64 = pieces.iter().map(Piece::volume).sum();
+    let mut extras = if rows.len() > 1 { vec![parts(&rows)] } else { Vec::new() };
+    extras.extend(field.map(|found| found.error));
     Ok(InertiaReport {
         volume: Some(volume),
-        surface_area: Some(solid.parts.iter().map(|part| part.mesh.surface_area()).sum()),
+        surface_area: Some(pieces.iter().map(|piece| piece.shape.surface_area()).sum()),
         density: Some(properties.mass() / volume),
-        extras: if rows.len() > 1 { vec![parts(&rows)] } else { Vec::new() },
+        extras,
         findings,
-        ..InertiaReport::new(source(file, &solid), properties)
+        ..InertiaReport::new(source, properties)
     })
+}
+
+/// What a file's mesh is taken as.
+pub(super) struct Model {
+    pub(super) source: SourceInfo,
+    pub(super) pieces: Vec<Piece>,
+    pub(super) field: Option<field::Found>,
+}
+
+/// One part with a shape.
+pub(super) struct Piece {
+    pub(super) name: String,
+    pub(super) shape: Box<dyn Shape>,
+}
+
+impl Piece {
+    fn volume(&self) -> f64 {
+        self.shape.spread().extent().measure()
+    }
+}
+
+/// The model of a mesh that is read whole.
+fn whole(
+    file: &Path,
+    format: MeshFormat,
+    unit: Option<f64>,
+    flags: &MeshFlags,
+    findings: &mut Vec<Finding>,
+) -> Result<Model, Failure> {
+    let mut contents = MeshContents::read(file, format)?;
+    let (triangles, count) = (contents.triangles(), contents.parts.len());
+    let encoding = contents.encoding;
+    let described = |what: &str, parts: usize, unit: f64| {
+        let kind = format!("{} {encoding}", format.title()).trim_end().to_owned();
+        let several = if parts > 1 { format!(", {parts} parts") } else { String::new() };
+        SourceInfo::new(file.display().to_string(), format.name())
+            .described(format!("{kind}, {triangles} triangles{several}, {what}"))
+            .with("encoding", encoding)
+            .with("triangles", triangles)
+            .with("parts", parts)
+            .with("unit_m", unit)
+    };
+    if let Some(thickness) = flags.shell {
+        let contents = contents.in_metres(unit);
+        let shells = contents.parts.iter().map(|part| MeshShell::new(&part.mesh, thickness));
+        let shells = shells.collect::<Result<Vec<_>, _>>().map_err(unfit)?;
+        let named = contents.parts.iter().map(|part| part.name.clone()).zip(shells);
+        let pieces = named.map(|(name, shell)| Piece { name, shape: Box::new(shell) as Box<dyn Shape> });
+        findings.extend(contents.findings);
+        let source = described("taken as a sheet", count, contents.unit.unwrap_or(1.0));
+        return Ok(Model { source, pieces: pieces.collect(), field: None });
+    }
+    if flags.hull {
+        for part in &mut contents.parts {
+            part.mesh = ConvexHull::of(part.mesh.vertices()).map_err(unfit)?;
+        }
+    }
+    let solid = MeshSolid::of(contents, file, format, unit)?;
+    findings.extend(solid.findings_in(&file.display().to_string()));
+    let turned = solid.parts.iter().any(|part| part.mesh.inverted());
+    let what = match (flags.hull, turned) {
+        (true, _) => "taken as its convex hull",
+        (false, true) => "closed, wound inward (turned)",
+        (false, false) => "closed, consistently wound",
+    };
+    let vertices: usize = solid.parts.iter().map(|part| part.mesh.vertices()).sum();
+    let source = described(what, solid.parts.len(), solid.unit).with("vertices", vertices);
+    let field = match &flags.field {
+        Some(formula) => Some(field::found(&solid.parts, formula, flags.tolerance)?),
+        None => None,
+    };
+    let piece =
+        |part: polhode_formats::mesh::SolidPart| Piece { name: part.name, shape: Box::new(part.mesh) };
+    Ok(Model { source, pieces: solid.parts.into_iter().map(piece).collect(), field })
 }
 
 /// Each part with its mass.
 fn weighed(
-    solid: &MeshSolid,
+    pieces: &[Piece],
     substance: &SubstanceFlags,
     flags: &MeshFlags,
     findings: &mut Vec<Finding>,
+    by_field: bool,
 ) -> Result<Vec<PartRow>, Failure> {
-    if let Some(unknown) = flags.part.iter().find(|given| solid.parts.iter().all(|p| p.name != given.name)) {
-        let names: Vec<_> = solid.parts.iter().map(|part| format!("{:?}", part.name)).collect();
+    if by_field {
+        return Ok(Vec::new());
+    }
+    if let Some(unknown) = flags.part.iter().find(|given| pieces.iter().all(|p| p.name != given.name)) {
+        let names: Vec<_> = pieces.iter().map(|piece| format!("{:?}", piece.name)).collect();
         return Err(Failure::usage(
             format!("the mesh has no part named {:?}", unknown.name),
             format!("its parts are {}", names.join(", ")),
         ));
     }
-    let own = |part: &SolidPart| {
-        flags.part.iter().rev().find(|given| given.name == part.name).map(|given| given.substance)
+    let own = |piece: &Piece| {
+        flags.part.iter().rev().find(|given| given.name == piece.name).map(|given| given.substance)
     };
-    let rest: f64 = solid.parts.iter().filter(|part| own(part).is_none()).map(|p| p.mesh.volume()).sum();
+    let rest: Vec<_> = pieces.iter().filter(|piece| own(piece).is_none()).collect();
     let common = match substance.given() {
         // the mass of all parts that have none of their own, at one density
-        Some(Substance::Mass(mass)) if rest > 0.0 => Substance::Density(mass / rest),
+        Some(Substance::Mass(mass)) if rest.len() > 1 => {
+            Substance::Density(mass / rest.iter().map(|piece| piece.volume()).sum::<f64>())
+        }
         Some(substance) => substance,
-        None if rest > 0.0 => assumed(findings),
-        None => Substance::Density(1.0),
+        None if rest.is_empty() => Substance::Density(1.0),
+        None => assumed(findings),
     };
-    let row = |part: &SolidPart| {
-        let substance = own(part).unwrap_or(match substance.given() {
-            Some(Substance::Mass(mass)) if solid.parts.len() == 1 => Substance::Mass(mass),
-            _ => common,
-        });
-        let properties = body(&part.mesh, substance).map_err(unfit)?;
-        Ok(PartRow { name: part.name.clone(), properties, volume: Some(part.mesh.volume()) })
+    let row = |piece: &Piece| {
+        let part = piece.shape.mass_properties(own(piece).unwrap_or(common));
+        let properties = part.and_then(in_body).map_err(unfit)?;
+        Ok(PartRow { name: piece.name.clone(), properties, volume: Some(piece.volume()) })
     };
-    solid.parts.iter().map(row).collect()
+    pieces.iter().map(row).collect()
 }
 
-/// A file's axes are the body's.
-fn body(mesh: &ClosedMesh, substance: Substance) -> Result<MassProperties<Body>, BodyError> {
-    let part = mesh.mass_properties(substance)?;
-    Ok(PlacedPart::new(part, Position::ZERO, Rotation::identity())?.in_body())
-}
-
-fn unfit(error: BodyError) -> Failure {
+pub(super) fn unfit(error: BodyError) -> Failure {
     Failure::usage(error.to_string(), "check --density, --mass, --part and --unit")
 }
 
-fn source(file: &Path, solid: &MeshSolid) -> SourceInfo {
-    let turned = solid.parts.iter().any(|part| part.mesh.inverted());
-    let kind = if solid.encoding.is_empty() {
-        solid.format.title().to_owned()
-    } else {
-        format!("{} {}", solid.format.title(), solid.encoding)
-    };
-    let parts = if let [_] = solid.parts.as_slice() {
-        String::new()
-    } else {
-        format!(", {} parts", solid.parts.len())
-    };
-    let description = format!(
-        "{kind}, {} triangles{parts}, closed, {}",
-        solid.triangles,
-        if turned { "wound inward (turned)" } else { "consistently wound" }
-    );
-    SourceInfo::new(file.display().to_string(), solid.format.name())
-        .described(description)
-        .with("encoding", solid.encoding)
-        .with("triangles", solid.triangles)
-        .with("vertices", solid.parts.iter().map(|part| part.mesh.vertices()).sum::<usize>())
-        .with("parts", solid.parts.len())
-        .with("unit_m", solid.unit)
+/// A remark about a file.
+pub(super) fn remark(file: &Path, code: &'static str, severity: Severity, message: &str) -> Finding {
+    Finding { code, severity, message: message.to_owned(), place: Some(file.display().to_string()) }
+}
+
+fn thickness(text: &str) -> Result<f64, String> {
+    positive(quantity(text, Dimension::LENGTH)?)
+}
+
+fn tolerance(text: &str) -> Result<f64, String> {
+    positive(quantity(text, Dimension::NONE)?)
+}
+
+fn formula(text: &str) -> Result<Expression, String> {
+    Expression::parse(text, &["x", "y", "z"]).map_err(|error| match error.hint() {
+        Some(hint) => format!("{error} (hint: {hint})"),
+        None => error.to_string(),
+    })
 }

@@ -85,12 +85,10 @@ impl MeshSolid {
         findings.extend(joined);
         for part in &parts {
             let place = (!part.name.is_empty()).then(|| format!("part \"{}\"", escaped(&part.name)));
-            findings.extend(
-                part.mesh
-                    .findings()
-                    .into_iter()
-                    .map(|finding| Finding { place: finding.place.or_else(|| place.clone()), ..finding }),
-            );
+            findings.extend(part.mesh.findings().iter().map(|finding| Finding {
+                place: finding.place.clone().or_else(|| place.clone()),
+                ..finding.clone()
+            }));
         }
         Ok(Self {
             format,

@@ -9,7 +9,7 @@ use std::io::{self, Read};
 use std::num::NonZeroUsize;
 use std::path::Path;
 
-use polhode::{BodyError, Position, Solid};
+use polhode::{BodyError, MeasuredSolid, Position};
 use polhode_stl::{Mapped, Moments, NotFinite, Options, Record, moments_of_file, moments_of_records};
 
 use super::stl::{StlError, StlPlace};
@@ -92,12 +92,12 @@ impl QuickMoments {
     /// # Errors
     /// [`BodyError`] if the unit is not positive and finite, or no solid has such moments: those of an open mesh may be
     /// anything.
-    pub fn solid(&self, unit: f64) -> Result<Solid, BodyError> {
+    pub fn solid(&self, unit: f64) -> Result<MeasuredSolid, BodyError> {
         if !(unit > 0.0 && unit.is_finite()) {
             let what = "the mesh's unit";
             return Err(BodyError::Parameter { what, value: unit, rule: "positive and finite" });
         }
-        Solid::from_moments(
+        MeasuredSolid::from_moments(
             self.volume * unit * unit * unit,
             self.area * unit * unit,
             Position::from_array(self.centroid.map(|c| c * unit)),

@@ -11,22 +11,22 @@ use crate::math::vector::Position;
 /// triangles can say of a mesh.
 ///
 /// ```
-/// use polhode::{Position, Shape, Solid, Substance};
+/// use polhode::{Position, Shape, MeasuredSolid, Substance};
 /// // A brick of 2 m × 3 m × 1 m: ⟨x²⟩ = a²/12.
 /// let covariance = [4.0 / 12.0, 9.0 / 12.0, 1.0 / 12.0, 0.0, 0.0, 0.0];
-/// let brick = Solid::from_moments(6.0, 22.0, Position::new(5.0, 0.0, -1.0), covariance)?;
+/// let brick = MeasuredSolid::from_moments(6.0, 22.0, Position::new(5.0, 0.0, -1.0), covariance)?;
 /// let body = brick.mass_properties(Substance::Density(0.5))?;
 /// assert_eq!(body.mass(), 3.0);
 /// assert!((body.inertia().matrix()[0][0] - 3.0 * 10.0 / 12.0).abs() < 1e-15);
 /// # Ok::<(), polhode::BodyError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Solid {
+pub struct MeasuredSolid {
     spread: Spread,
     area: f64,
 }
 
-impl Solid {
+impl MeasuredSolid {
     /// A solid from its volume (m³), surface area (m²), centroid (m), and second moments about the centroid per unit
     /// volume, ⟨x xᵀ⟩ = ∫ x xᵀ dV / V (m²): xx, yy, zz, xy, xz, yz, products with the sign of the integral.
     ///
@@ -52,7 +52,7 @@ impl Solid {
     }
 }
 
-impl Shape for Solid {
+impl Shape for MeasuredSolid {
     fn spread(&self) -> Spread {
         self.spread
     }
@@ -71,10 +71,10 @@ mod tests {
     #[test]
     fn what_no_solid_has_is_refused() {
         let good = [0.5, 0.25, 2.0, 0.125, -0.25, 0.0625];
-        assert!(Solid::from_moments(3.5, 7.0, CENTROID, good).is_ok());
+        assert!(MeasuredSolid::from_moments(3.5, 7.0, CENTROID, good).is_ok());
         for (volume, area) in [(0.0, 7.0), (-1.0, 7.0), (f64::NAN, 7.0), (3.5, 0.0), (3.5, f64::INFINITY)] {
             assert!(matches!(
-                Solid::from_moments(volume, area, CENTROID, good),
+                MeasuredSolid::from_moments(volume, area, CENTROID, good),
                 Err(BodyError::Parameter { .. })
             ));
         }
@@ -84,7 +84,7 @@ mod tests {
             [0.5, 0.25, 2.0, 0.75, -0.25, 0.0625], // |⟨xy⟩|² > ⟨x²⟩ ⟨y²⟩
             [-0.5, 0.25, 2.0, 0.125, -0.25, 0.0625],
         ] {
-            assert!(Solid::from_moments(3.5, 7.0, CENTROID, bad).is_err(), "{bad:?}");
+            assert!(MeasuredSolid::from_moments(3.5, 7.0, CENTROID, bad).is_err(), "{bad:?}");
         }
     }
 }

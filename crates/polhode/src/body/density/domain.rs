@@ -2,7 +2,7 @@
 
 use super::parametrised::Parametrised;
 use super::rule::Rule;
-use crate::body::mesh::Triangle;
+use crate::body::mesh::TriangleMesh;
 use crate::math::symmetric3::power_of_two_near;
 
 /// Where a solid is, in coordinates ξ in which it lies about 0 and is about 1 large: x = reference + unit ξ.
@@ -15,7 +15,7 @@ pub(super) struct Domain<'a> {
 /// What maps the unit cube into the solid.
 enum Charts<'a> {
     /// To each triangle, the signed tetrahedron from the reference.
-    Triangles(&'a [Triangle]),
+    Triangles(&'a TriangleMesh),
     Shape(&'a dyn Parametrised),
 }
 
@@ -44,8 +44,8 @@ const FINEST: f64 = 1e-13;
 
 impl<'a> Domain<'a> {
     /// Of a polyhedron: about its centroid, where `size` is its radius of gyration.
-    pub(super) fn of_triangles(triangles: &'a [Triangle], centroid: [f64; 3], size: f64) -> Self {
-        Self { charts: Charts::Triangles(triangles), reference: centroid, unit: power_of_two_near(size) }
+    pub(super) fn of_surface(surface: &'a TriangleMesh, centroid: [f64; 3], size: f64) -> Self {
+        Self { charts: Charts::Triangles(surface), reference: centroid, unit: power_of_two_near(size) }
     }
 
     /// Of a shape.
@@ -64,7 +64,7 @@ impl<'a> Domain<'a> {
     /// The bricks to begin with.
     pub(super) fn bricks(&self) -> impl ExactSizeIterator<Item = Brick> + use<> {
         let charts = match self.charts {
-            Charts::Triangles(triangles) => triangles.len(),
+            Charts::Triangles(surface) => surface.triangles().len(),
             Charts::Shape(shape) => shape.charts(),
         };
         (0..charts).map(|chart| Brick { chart, low: [0.0; 3], high: [1.0; 3] })
@@ -74,7 +74,7 @@ impl<'a> Domain<'a> {
     pub(super) fn rule(&self) -> Rule {
         const MANY: usize = 1000;
         match self.charts {
-            Charts::Triangles(triangles) if triangles.len() > MANY => Rule::slender(),
+            Charts::Triangles(surface) if surface.triangles().len() > MANY => Rule::slender(),
             _ => Rule::fine(),
         }
     }
@@ -125,8 +125,9 @@ impl<'a> Domain<'a> {
 
     /// Of the triangle of a chart.
     fn corners(&self, chart: usize) -> Corners {
-        let Charts::Triangles(triangles) = &self.charts else { return Corners::default() };
-        let Some(triangle) = triangles.get(chart) else { return Corners::default() };
+        let Charts::Triangles(surface) = &self.charts else { return Corners::default() };
+        let Some(corners) = surface.triangles().get(chart) else { return Corners::default() };
+        let triangle = corners.map(|index| surface.vertices()[index as usize]);
         let [a, b, c] =
             triangle.map(|p| core::array::from_fn::<_, 3, _>(|k| (p[k] - self.reference[k]) / self.unit));
         let minor = |i: usize, j: usize| b[i] * c[j] - b[j] * c[i];

@@ -221,7 +221,7 @@ fn require_density(
 ///
 /// Source: van Oosterom & Strackee, IEEE Trans. Biomed. Eng. 30 (1983) 125.
 fn winding_number(mesh: &ClosedMesh, point: [f64; 3]) -> f64 {
-    let angle = |triangle: &[[f64; 3]; 3]| {
+    let angle = |triangle: [[f64; 3]; 3]| {
         let [a, b, c] =
             triangle.map(|p| Position::<Part>::from_array(core::array::from_fn(|k| p[k] - point[k])));
         let (na, nb, nc) = (a.norm(), b.norm(), c.norm());
@@ -229,7 +229,7 @@ fn winding_number(mesh: &ClosedMesh, point: [f64; 3]) -> f64 {
             a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z) + a.z * (b.x * c.y - b.y * c.x);
         2.0 * libm::atan2(triple, na * nb * nc + a.dot(b) * nc + a.dot(c) * nb + b.dot(c) * na)
     };
-    mesh.triangles().iter().map(angle).sum::<f64>() / (4.0 * core::f64::consts::PI)
+    mesh.triangles().map(angle).sum::<f64>() / (4.0 * core::f64::consts::PI)
 }
 
 impl<'a> Solid<'a> {
@@ -244,7 +244,7 @@ impl<'a> Solid<'a> {
         let spread = self.shape().spread();
         let (centroid, size) = (spread.centroid().to_array(), spread.size_squared().sqrt());
         match self {
-            Self::Mesh(mesh) => Domain::of_triangles(mesh.triangles(), centroid, size),
+            Self::Mesh(mesh) => Domain::of_surface(mesh.surface(), centroid, size),
             Self::Shape(shape) => Domain::of_shape(shape, centroid, size),
         }
     }

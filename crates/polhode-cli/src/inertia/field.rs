@@ -1,0 +1,44 @@
+//! The mass properties of a mesh whose density is a formula.
+
+use polhode::{Cubature, FieldError, Solid, mass_properties_of_field};
+use polhode_formats::expression::Expression;
+use polhode_formats::mesh::SolidPart;
+use polhode_report::{Extra, PartRow, error_estimate};
+
+use super::voxel::in_body;
+use crate::failure::Failure;
+
+/// The parts with their masses, and how far these may be off.
+pub(super) struct Found {
+    pub(super) rows: Vec<PartRow>,
+    pub(super) error: Extra,
+}
+
+/// Each part's density is the formula's, kg/m³, of x, y and z in the file's axes, m.
+pub(super) fn found(
+    parts: &[SolidPart],
+    formula: &Expression,
+    tolerance: Option<f64>,
+) -> Result<Found, Failure> {
+    let cubature =
+        Cubature { tolerance: tolerance.unwrap_or(Cubature::default().tolerance), ..Cubature::default() };
+    let mut total = FieldError { mass: 0.0, center_of_mass: 0.0, inertia: 0.0 };
+    let mut rows = Vec::new();
+    for part in parts {
+        let body = mass_properties_of_field(Solid::Mesh(&part.mesh), formula, cubature)
+            .map_err(|error| Failure::usage(error.to_string(), hint(&error)))?;
+        let FieldError { mass, center_of_mass, inertia } = body.error_estimate;
+        // masses add; of the others the worst part's stands for all
+        total.mass += mass;
+        total.center_of_mass = total.center_of_mass.max(center_of_mass);
+        total.inertia = total.inertia.max(inertia);
+        let properties =
+            in_body(body.properties).map_err(|error| Failure::usage(error.to_string(), hint(&error)))?;
+        rows.push(PartRow { name: part.name.clone(), properties, volume: Some(body.volume) });
+    }
+    Ok(Found { rows, error: error_estimate(&total, "by cubature of the formula") })
+}
+
+fn hint(error: &polhode::BodyError) -> &'static str {
+    error.hint().unwrap_or("check --field and --tolerance")
+}

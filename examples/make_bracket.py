@@ -28,24 +28,18 @@ def hole(z):
     return [(cx + r * math.cos(t), cy + r * math.sin(t), z) for t in turns]
 
 
-def ring(outer, inner):
-    """Triangles between two loops around the hole, both counter-clockwise seen from +z."""
-    cx, cy, _ = HOLE
+def ring(corners, inner):
+    """Triangles between a rectangle, from its lower left corner on, and the hole in it, both counter-clockwise seen from +z.
 
-    def by_angle(loop):
-        return sorted((math.atan2(y - cy, x - cx) % (2 * math.pi), (x, y, z)) for x, y, z in loop)
-
-    outer, inner = by_angle(outer), by_angle(inner)
-    steps = sorted([(angle, 0) for angle, _ in outer] + [(angle, 1) for angle, _ in inner])
-    place = [len(outer) - 1, len(inner) - 1]  # the last of each stands before angle 0
-    loops = [outer, inner]
+    Each quarter of the hole looks to its own corner, and each side to the vertex of the hole that is nearest to it.
+    """
+    quarter = SEGMENTS // 4
     triangles = []
-    for _, which in steps:
-        old = loops[which][place[which]][1]
-        place[which] = (place[which] + 1) % len(loops[which])
-        new = loops[which][place[which]][1]
-        opposite = loops[1 - which][place[1 - which]][1]
-        triangles.append((old, new, opposite) if which == 0 else (new, old, opposite))
+    for q in range(4):
+        corner, following = corners[(q + 2) % 4], corners[(q + 3) % 4]
+        for k in range(q * quarter, (q + 1) * quarter):
+            triangles.append((inner[k], corner, inner[(k + 1) % SEGMENTS]))
+        triangles.append((corner, following, inner[(q + 1) * quarter % SEGMENTS]))
     return triangles
 
 

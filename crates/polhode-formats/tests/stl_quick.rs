@@ -8,6 +8,7 @@ use polhode::{BodyError, MassProperties, Part, Shape, Substance};
 use polhode_formats::FormatErrorKind;
 use polhode_formats::mesh::stl::{StlError, StlPlace};
 use polhode_formats::mesh::stl_quick::{Access, QuickMoments, QuickOptions, parse, read};
+use polhode_formats::mesh::{MeshContents, MeshFormat, MeshSolid};
 
 type Triangle = [[f32; 3]; 3];
 
@@ -54,16 +55,18 @@ fn the_answer_is_that_of_the_ordinary_reader() {
     for (levels, unit) in [(0, 1.0), (3, 0.001), (6, 0.0254)] {
         let bytes = file(&wedge(levels));
         let quick = quick(&bytes).unwrap().unwrap();
-        let ordinary = polhode_formats::mesh::parse(&bytes, Path::new("part.stl"), unit).unwrap();
+        let path = Path::new("part.stl");
+        let contents = MeshContents::parse(&bytes, path, MeshFormat::Stl).unwrap();
+        let ordinary = MeshSolid::of(contents, path, MeshFormat::Stl, Some(unit)).unwrap();
         assert_eq!((quick.triangles as usize, quick.closed), (ordinary.triangles, Some(true)));
         assert!(!quick.inverted);
         let density = Substance::Density(1234.5);
         let (ours, theirs): (MassProperties<Part>, _) = (
             quick.solid(unit).unwrap().mass_properties(density).unwrap(),
-            ordinary.mesh.mass_properties(density).unwrap(),
+            ordinary.parts[0].mesh.mass_properties(density).unwrap(),
         );
         assert!((ours.mass() / theirs.mass() - 1.0).abs() < 2e-15);
-        assert!((quick.area * unit * unit / ordinary.mesh.surface_area() - 1.0).abs() < 4e-15);
+        assert!((quick.area * unit * unit / ordinary.parts[0].mesh.surface_area() - 1.0).abs() < 4e-15);
         assert!((ours.center_of_mass() - theirs.center_of_mass()).norm() < 4e-15 * 9.0 * unit);
         let (a, b) = (ours.inertia().matrix(), theirs.inertia().matrix());
         let half_trace = 0.5 * (b[0][0] + b[1][1] + b[2][2]);

@@ -234,7 +234,7 @@ fn tiled_box(low: [f64; 3], high: [f64; 3]) -> ClosedMesh {
 #[test]
 fn meshes_of_many_triangles_take_fewer_samples_each() {
     let mesh = tiled_box(LOW, HIGH);
-    assert!(mesh.triangles().len() == 1200 && !mesh.inverted());
+    assert!(mesh.surface().triangles().len() == 1200 && !mesh.inverted());
     let k = [1.9, 0.4, -2.3];
     let field = |p: [f64; 3]| 12.5 * (k[0] * p[0] + k[1] * p[1] + k[2] * p[2]).exp();
     let truth = product(std::array::from_fn(|a| exponential(k[a], LOW[a], HIGH[a]))).map(|m| 12.5 * m);

@@ -83,6 +83,7 @@ impl MeshSolid {
         })?;
         let mut findings = contents.findings;
         findings.extend(joined);
+        findings.extend(overlap(&contents.parts));
         for part in &parts {
             let place = (!part.name.is_empty()).then(|| format!("part \"{}\"", escaped(&part.name)));
             findings.extend(part.mesh.findings().iter().map(|finding| Finding {
@@ -139,6 +140,22 @@ fn solids(
         }
     }
     Ok((solids, None))
+}
+
+/// Parts that go through each other, or lie in each other: what they share counts for each of them.
+fn overlap(parts: &[MeshPart]) -> Option<Finding> {
+    if parts.len() < 2 {
+        return None;
+    }
+    let error = joined(parts).and_then(|all| ClosedMesh::of(&all)).err()?;
+    matches!(error, BodyError::OverlappingMesh { .. } | BodyError::NestedSolid { .. }).then(|| Finding {
+        code: "mesh.parts_overlap",
+        severity: Severity::Warning,
+        message: format!(
+            "what parts share counts for each of them: {error} (triangles numbered through all parts)"
+        ),
+        place: None,
+    })
 }
 
 /// The triangles of all parts as one mesh.

@@ -29,7 +29,7 @@ Examples:
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
-    Inertia(Inertia),
+    Inertia(Box<Inertia>),
     Simulate(Simulate),
     Spin(Box<Spin>),
     Explain(Explain),

@@ -216,6 +216,7 @@ fn weighed(
     pieces.iter().map(row).collect()
 }
 
+#[allow(clippy::needless_pass_by_value, reason = "a function for map_err")]
 pub(super) fn unfit(error: BodyError) -> Failure {
     Failure::usage(error.to_string(), "check --density, --mass, --part and --unit")
 }

@@ -75,12 +75,13 @@ impl MeshSolid {
         let triangles = contents.triangles();
         let contents = contents.in_metres(unit);
         let unit = contents.unit.unwrap_or(1.0);
-        let (parts, joined) = solids(&contents.parts).map_err(|(name, mesh, error)| {
-            // the numbers of the complaint as they stand in the file
-            let error = ClosedMesh::of(&mesh.scaled(1.0 / unit)).err().unwrap_or(error);
-            let part = (!name.is_empty()).then(|| escaped(&name));
-            FormatError::new(path, None, FormatErrorKind::Mesh { part, error })
-        })?;
+        let (parts, joined) =
+            solids(&contents.parts).map_err(|NoSolid { part: MeshPart { name, mesh }, error }| {
+                // the numbers of the complaint as they stand in the file
+                let error = ClosedMesh::of(&mesh.scaled(1.0 / unit)).err().unwrap_or(error);
+                let part = (!name.is_empty()).then(|| escaped(&name));
+                FormatError::new(path, None, FormatErrorKind::Mesh { part, error })
+            })?;
         let mut findings = contents.findings;
         findings.extend(joined);
         findings.extend(overlap(&contents.parts));
@@ -113,10 +114,14 @@ impl MeshSolid {
     }
 }
 
+/// A part that bounds no solid, and why not.
+struct NoSolid {
+    part: MeshPart,
+    error: BodyError,
+}
+
 /// Each part's solid, or that of all together.
-fn solids(
-    parts: &[MeshPart],
-) -> Result<(Vec<SolidPart>, Option<Finding>), (String, TriangleMesh, BodyError)> {
+fn solids(parts: &[MeshPart]) -> Result<(Vec<SolidPart>, Option<Finding>), NoSolid> {
     let mut solids = Vec::new();
     for part in parts {
         match ClosedMesh::of(&part.mesh) {
@@ -128,7 +133,7 @@ fn solids(
                 } else {
                     None
                 };
-                let Some(mesh) = one else { return Err((part.name.clone(), part.mesh.clone(), error)) };
+                let Some(mesh) = one else { return Err(NoSolid { part: part.clone(), error }) };
                 let finding = Finding {
                     code: "mesh.joined",
                     severity: Severity::Info,

@@ -1,6 +1,6 @@
 //! Binary STL straight to the moments of its solid, in one pass, without keeping a triangle.
 //!
-//! What [`super::read`] does in several passes and 100 bytes a triangle, at about the speed of reading the bytes. The price:
+//! What [`super::MeshSolid::read`] does in several passes and 100 bytes a triangle, at about the speed of reading the bytes. The price:
 //! where a mesh is open or wrongly wound this says so, but not at which edge, and it finds no duplicates. For
 //! everything that is not binary STL it answers `None`: the ordinary reader is there.
 

@@ -111,7 +111,10 @@ def of_occt(vertices, faces):
     builder.MakeCompound(compound)
     for f in faces:
         polygon = BRepBuilderAPI_MakePolygon(*(gp_Pnt(*map(float, vertices[k])) for k in f), True)
-        builder.Add(compound, BRepBuilderAPI_MakeFace(polygon.Wire(), True).Face())
+        face = BRepBuilderAPI_MakeFace(polygon.Wire(), True) if polygon.IsDone() else None
+        if face is None or not face.IsDone():
+            return None
+        builder.Add(compound, face.Face())
     properties = GProp_GProps()
     BRepGProp.VolumeProperties_s(compound, properties)
     m = properties.MatrixOfInertia()
@@ -190,7 +193,8 @@ def main():
                 moved = vertices + np.array([1.0, -2.0, 0.5]) * sizes * size
                 errors = [error(of_polhode(polhode, moved, faces, folder), truth), error(of_trimesh(moved, faces), truth),
                           error(of_parry(peers, moved, faces, folder), truth)]
-                errors.append(error(of_occt(moved, faces), truth) if level == 3 else math.nan)
+                kernel = of_occt(moved, faces) if level == 3 else "not run"
+                errors.append(error(kernel, truth) if isinstance(kernel, list) else kernel or "makes no faces")
                 rows.append((len(faces), sizes, errors))
         times = []
         for level in (8, 9):
@@ -205,7 +209,7 @@ def main():
             times.append((len(faces), megabytes, [*mine, rust, python, kernel]))
 
     def shown(e):
-        return "not run" if math.isnan(e) else f"{e:.0e}"
+        return e if isinstance(e, str) else f"{e:.0e}"
 
     accuracy = "\n".join(f"| {n:,} | {'0' if s == 0 else f'{s:.0e}'} | " + " | ".join(map(shown, e)) + " |" for n, s, e in rows)
     speed = "\n".join(f"| {n:,} | {mb:.0f} MB | " + " | ".join(f"{t:.3f}" for t in ts) + f" | {ts[2] / ts[1]:.0f}, {ts[3] / ts[1]:.0f}, {ts[4] / ts[1]:.0f} |"

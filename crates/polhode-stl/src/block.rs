@@ -3,10 +3,14 @@
 use fearless_simd::{Level, Simd, dispatch, f32x16, f64x8, i64x8, prelude::*};
 
 use crate::Record;
+use crate::ahead::ask_for;
 use crate::columns::{Columns, GROUP, VERTICES};
 use crate::edges;
 use crate::moments::NotFinite;
 use crate::sums::{self, AREA, LANES, SUMS};
+
+/// Stages between asking for records and using them: the time that memory takes.
+const AHEAD: usize = 3;
 
 /// Triangles in a stage: their numbers stay in the nearest memory between its loops.
 ///
@@ -66,9 +70,11 @@ impl Block {
     ) {
         let reference = reference.map(|c| f64x8::splat(simd, c));
         let mut stage = Stage::<S>::new(simd);
+        let mut soon = records.as_flattened().chunks(STAGE * size_of::<Record>()).skip(AHEAD);
         for chunk in records.chunks(CHUNK) {
             let (whole, rest) = chunk.as_chunks::<STAGE>();
             for records in whole {
+                ask_for(soon.next().unwrap_or_default());
                 stage.add::<EDGES>(simd, records, &reference);
             }
             if let Some(padded) = padded(rest) {

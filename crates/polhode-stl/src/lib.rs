@@ -24,6 +24,7 @@
 //! The result has the same bits with any number of threads, in any width of vectors, from a mapped file or a read one:
 //! the file is cut into blocks that depend on its length only, and no multiplication is fused with an addition.
 
+mod ahead;
 mod block;
 mod columns;
 mod edges;

@@ -1,4 +1,4 @@
-//! A file as memory. The only `unsafe` line of the project is here.
+//! A file as memory: one of the two `unsafe` lines of the project. The other is a hint to the cache (`ahead.rs`).
 //!
 //! A mapped file is bytes that somebody else may change while they are borrowed, which Rust cannot check: another
 //! process that writes to the file changes them, and one that shortens it lets a later access end the process. Nothing

@@ -124,6 +124,8 @@ impl<T: Real> Rate<T> {
 
     /// f t but for whole turns, in two words of which the second is small, when each product and its error may be many turns of
     /// their own.
+    #[cold]
+    #[inline(never)] // once, and not in every width of vectors
     fn of_long_times(&self, t: &Elapsed<T>) -> (T, T) {
         let t = t.with_digits();
         let (p0, e0) = two_product_of_halves(with_halves(t.high), self.first);

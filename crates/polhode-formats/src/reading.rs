@@ -8,11 +8,14 @@ use crate::file;
 
 /// Reads a file with a parser of bytes: an error in the contents gets its line.
 ///
-/// ```no_run
+/// ```
 /// use polhode_formats::{particles, read_file};
+/// let path = std::env::temp_dir().join(format!("polhode-cloud-{}.csv", std::process::id()));
+/// std::fs::write(&path, "mass_kg,x_m,y_m,z_m\n1.5,0,0,2\n")?;
 /// let read = |bytes: &[u8]| particles::read(bytes, &particles::ParticleOptions::default());
-/// let cloud = read_file("cloud.csv".as_ref(), read)?;
-/// # Ok::<(), polhode_formats::FormatError>(())
+/// assert_eq!(read_file(&path, read)?.particles[0].mass(), 1.5);
+/// # std::fs::remove_file(path)?;
+/// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
 /// # Errors

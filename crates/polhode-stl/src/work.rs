@@ -61,11 +61,12 @@ pub(crate) fn moments_at_level(records: &[Record], options: &Options, level: Lev
 
 /// The moments of records in a file, from a byte on: read page by page, each thread with a buffer of 200 KiB.
 ///
-/// ```no_run
+/// ```
 /// use polhode_stl::{Options, moments_of_file};
-/// let file = std::fs::File::open("part.stl")?;
+/// let file = std::fs::File::open(concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/bracket.stl"))?;
 /// let count = (file.metadata()?.len() - 84) / 50;
 /// let moments = moments_of_file(&file, 84, count, &Options::default())?;
+/// assert_eq!(moments.count, 216);
 /// # Ok::<(), std::io::Error>(())
 /// ```
 ///

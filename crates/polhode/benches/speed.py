@@ -79,7 +79,7 @@ def main():
 
     peer_ns, peer_end, peer_version = heyoka()
     widest = bench("")
-    narrower = bench("--cfg disable_dispatch_avx512")
+    narrower = bench("--cfg no_avx512")
     plain = bench("", ["--no-default-features"])
     peer_ns = min(peer_ns, heyoka()[0])
 

@@ -88,3 +88,26 @@ impl<const N: usize> Neg for Lanes<N> {
         self.map(|x| -x)
     }
 }
+
+/// Runs a loop compiled for the widest vectors of this machine: AVX-512 or AVX2, otherwise what every machine of its kind has.
+#[cfg(all(feature = "simd", any(target_arch = "x86_64", target_arch = "x86")))]
+#[inline(always)]
+pub(crate) fn in_widest_vectors(work: impl FnOnce()) {
+    use fearless_simd::{Level, Simd as _};
+    let level = Level::new();
+    #[cfg(not(no_avx512))]
+    if let Some(avx512) = level.as_avx512() {
+        return avx512.vectorize(work);
+    }
+    if let Some(avx2) = level.as_avx2() {
+        avx2.vectorize(work);
+    } else {
+        work();
+    }
+}
+
+#[cfg(not(all(feature = "simd", any(target_arch = "x86_64", target_arch = "x86"))))]
+#[inline(always)]
+pub(crate) fn in_widest_vectors(work: impl FnOnce()) {
+    work();
+}

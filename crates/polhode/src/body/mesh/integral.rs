@@ -7,7 +7,7 @@ use super::threads::Threads;
 use crate::body::error::BodyError;
 use crate::body::shape::{Extent, Spread};
 use crate::math::double::Double;
-use crate::math::lanes::Lanes;
+use crate::math::lanes::{Lanes, in_widest_vectors};
 use crate::math::real::Real;
 use crate::math::sum::{quick_two_sum, two_sum};
 use crate::math::symmetric3::{Symmetric3, power_of_two_near};
@@ -255,19 +255,4 @@ impl<const TERMS: usize> LaneSums<TERMS> {
         }
         sums
     }
-}
-
-/// Runs the loop compiled for the widest vectors of this machine.
-#[cfg(feature = "simd")]
-#[inline(always)]
-fn in_widest_vectors(work: impl FnOnce()) {
-    use fearless_simd::{Level, Simd as _, dispatch};
-    dispatch!(Level::new(), simd => simd.vectorize(
-        work
-    ));
-}
-
-#[cfg(not(feature = "simd"))]
-fn in_widest_vectors(work: impl FnOnce()) {
-    work();
 }

@@ -41,15 +41,19 @@ impl Block {
         }
     }
 
-    /// The states of so many groups, each of its flow after its time.
+    /// The phases of so many groups, each of its flow after its time.
     #[inline(always)]
-    pub(super) fn compute<'a, const WHOLE: bool, S: Series<Vectors> + 'a>(
+    pub(super) fn start<'a, const WHOLE: bool, S: Series<Vectors> + 'a>(
         &mut self,
         groups: usize,
         flow: impl Fn(usize) -> &'a Flow<Vectors, S>,
         elapsed: impl Fn(usize) -> Elapsed<Vectors>,
     ) {
-        if (0..groups).all(|g| elapsed(g).is_within(flow(g).reach)) {
+        let mut near = true;
+        for g in 0..groups {
+            near &= elapsed(g).is_within(flow(g).reach);
+        }
+        if near {
             for (g, phases) in self.phases.iter_mut().enumerate().take(groups) {
                 *phases = flow(one(g)).phases::<WHOLE, false>(&elapsed(g));
             }
@@ -58,6 +62,15 @@ impl Block {
                 *phases = flow(one(g)).phases::<WHOLE, true>(&elapsed(g));
             }
         }
+    }
+
+    /// The states of the phases.
+    #[inline(always)]
+    pub(super) fn finish<'a, S: Series<Vectors> + 'a>(
+        &mut self,
+        groups: usize,
+        flow: impl Fn(usize) -> &'a Flow<Vectors, S>,
+    ) {
         for (g, turned) in self.turned.iter_mut().enumerate().take(groups) {
             *turned = flow(one(g)).turned(&self.phases[g]);
         }
@@ -86,18 +99,4 @@ impl Block {
 fn one(group: usize) -> usize {
     core::hint::black_box(());
     group
-}
-
-/// Runs the loop compiled for the widest vectors of this machine.
-#[cfg(feature = "simd")]
-pub(super) fn in_widest_vectors(work: impl FnOnce()) {
-    use fearless_simd::{Level, Simd as _, dispatch};
-    dispatch!(Level::new(), simd => simd.vectorize(
-        work
-    ));
-}
-
-#[cfg(not(feature = "simd"))]
-pub(super) fn in_widest_vectors(work: impl FnOnce()) {
-    work();
 }

@@ -1,10 +1,10 @@
 //! Many bodies at one time: a body in every lane.
 
-use crate::math::lanes::Lanes;
+use crate::math::lanes::{Lanes, in_widest_vectors};
 use crate::motion::state::State;
 
 use super::FreeMotion;
-use super::block::{Block, GROUPS, Vectors, WIDTH, in_widest_vectors};
+use super::block::{Block, GROUPS, Vectors, WIDTH};
 use super::flow::{Family, Flow, Series};
 use super::hyperbolic::Hyperbolic;
 use super::kernel::Kernel;
@@ -88,10 +88,10 @@ impl FreeMotions {
         if states.len() < self.len() {
             return;
         }
-        let mut block = Block::new();
         in_widest_vectors(
             #[inline(always)]
             || {
+                let mut block = Block::new();
                 for groups in self.trigonometric.chunks(GROUPS) {
                     compute(&mut block, groups, time, states, self.whole);
                 }
@@ -129,7 +129,7 @@ fn compute<S: Series<Vectors>>(
 ) {
     let at = Lanes([time; WIDTH]);
     if whole {
-        block.compute::<true, _>(
+        block.start::<true, _>(
             groups.len(),
             #[inline(always)]
             |g| &groups[g].flow,
@@ -137,7 +137,7 @@ fn compute<S: Series<Vectors>>(
             |g| Elapsed::since::<true>(groups[g].start, at, groups[g].unit),
         );
     } else {
-        block.compute::<false, _>(
+        block.start::<false, _>(
             groups.len(),
             #[inline(always)]
             |g| &groups[g].flow,
@@ -145,6 +145,11 @@ fn compute<S: Series<Vectors>>(
             |g| Elapsed::since::<false>(groups[g].start, at, groups[g].unit),
         );
     }
+    block.finish(
+        groups.len(),
+        #[inline(always)]
+        |g| &groups[g].flow,
+    );
     for (g, group) in groups.iter().enumerate() {
         for (lane, &member) in group.members.iter().enumerate() {
             states[member] = block.state(g, lane, time);

@@ -1,10 +1,10 @@
 //! One motion at many times.
 
-use crate::math::lanes::Lanes;
+use crate::math::lanes::{Lanes, in_widest_vectors};
 use crate::motion::state::State;
 
 use super::FreeMotion;
-use super::block::{Block, GROUPS, Vectors, WIDTH, in_widest_vectors};
+use super::block::{Block, GROUPS, Vectors, WIDTH};
 use super::flow::{Family, Flow, Series};
 use super::kernel::Kernel;
 
@@ -34,10 +34,15 @@ fn fill<S: Family>(motion: &FreeMotion, flow: &Flow<f64, S>, times: &[f64], stat
             #[inline(always)]
             || {
                 if motion.start.time == 0.0 {
-                    compute::<true, _>(&mut block, motion, &flow, times);
+                    start::<true, _>(&mut block, motion, &flow, times);
                 } else {
-                    compute::<false, _>(&mut block, motion, &flow, times);
+                    start::<false, _>(&mut block, motion, &flow, times);
                 }
+                block.finish(
+                    times.len().div_ceil(WIDTH),
+                    #[inline(always)]
+                    |_| &flow,
+                );
                 for (k, (&time, state)) in times.iter().zip(states.iter_mut()).enumerate() {
                     *state = block.state(k / WIDTH, k % WIDTH, time);
                 }
@@ -52,13 +57,13 @@ fn fill<S: Family>(motion: &FreeMotion, flow: &Flow<f64, S>, times: &[f64], stat
 }
 
 #[inline(always)]
-fn compute<const WHOLE: bool, S: Series<Vectors>>(
+fn start<const WHOLE: bool, S: Series<Vectors>>(
     block: &mut Block,
     motion: &FreeMotion,
     flow: &Flow<Vectors, S>,
     times: &[f64],
 ) {
-    block.compute::<WHOLE, _>(
+    block.start::<WHOLE, _>(
         times.len().div_ceil(WIDTH),
         #[inline(always)]
         |_| flow,

@@ -28,11 +28,11 @@ impl FreeMotion {
 
 fn fill<S: Family>(motion: &FreeMotion, flow: &Flow<f64, S>, times: &[f64], states: &mut [State]) {
     let flow = Flow::<f64, S>::assembled(&|get: &dyn Fn(&Flow<f64, S>) -> f64| Lanes([get(flow); WIDTH]));
-    let mut block = Block::new();
-    for (times, states) in times.chunks(GROUPS * WIDTH).zip(states.chunks_mut(GROUPS * WIDTH)) {
-        in_widest_vectors(
-            #[inline(always)]
-            || {
+    in_widest_vectors(
+        #[inline(always)]
+        || {
+            let mut block = Block::new();
+            for (times, states) in times.chunks(GROUPS * WIDTH).zip(states.chunks_mut(GROUPS * WIDTH)) {
                 if motion.start.time == 0.0 {
                     start::<true, _>(&mut block, motion, &flow, times);
                 } else {
@@ -46,13 +46,11 @@ fn fill<S: Family>(motion: &FreeMotion, flow: &Flow<f64, S>, times: &[f64], stat
                 for (k, (&time, state)) in times.iter().zip(states.iter_mut()).enumerate() {
                     *state = block.state(k / WIDTH, k % WIDTH, time);
                 }
-            },
-        );
-        if times.contains(&motion.start.time) {
-            for (state, _) in states.iter_mut().zip(times).filter(|(_, time)| **time == motion.start.time) {
-                *state = motion.start;
             }
-        }
+        },
+    );
+    for (state, _) in states.iter_mut().zip(times).filter(|(_, time)| **time == motion.start.time) {
+        *state = motion.start;
     }
 }
 

@@ -1,0 +1,44 @@
+//! What is wrong with a model.
+
+use crate::model::Span;
+
+/// How bad it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Severity {
+    /// Worth knowing; no reason to fail.
+    Note,
+    /// Possible, but probably not meant.
+    Suspect,
+    /// No body has it, or no program can use it.
+    Impossible,
+}
+
+/// Something wrong, where, why, and what would repair it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Finding {
+    /// A stable name for programs: `"inertia.triangle"`.
+    pub code: &'static str,
+    /// How bad it is.
+    pub severity: Severity,
+    /// The link or joint; empty if it is about the whole model.
+    pub subject: String,
+    /// Where in the model's text.
+    pub span: Span,
+    /// What is wrong, with the numbers and their units, in a line: `"i1 + i2 = 0.00496 < i3 = 1.67636 kg·m²"`.
+    pub message: String,
+    /// The rule that it breaks, in a line.
+    pub rule: String,
+    /// The numbers of the message, by name and in SI units, for programs.
+    pub numbers: Vec<(&'static str, f64)>,
+    /// What would repair it, if that can be proved.
+    pub repair: Option<Repair>,
+}
+
+/// A repair that is sure.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Repair {
+    /// What it does, in a line: `"izz 1676359E-6 → 1676.359E-6"`.
+    pub description: String,
+    /// Text to put in place of spans of the model's text. They do not overlap.
+    pub edits: Vec<(Span, String)>,
+}

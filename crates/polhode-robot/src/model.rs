@@ -1,0 +1,236 @@
+//! A model as its file says it: nothing is repaired, left out or trusted. Every number keeps its text and its place.
+
+use std::ops::Range;
+use std::path::PathBuf;
+
+/// The languages of models.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ModelFormat {
+    /// The Unified Robot Description Format of ROS.
+    Urdf,
+    /// SDFormat of Gazebo.
+    Sdf,
+    /// MuJoCo's XML.
+    Mjcf,
+}
+
+/// Bytes of a model's text.
+pub type Span = Range<usize>;
+
+/// A model: bodies joined to a tree, if it is one.
+#[derive(Clone, Debug)]
+pub struct RobotModel {
+    /// The file, as it was given.
+    pub path: PathBuf,
+    /// Its language.
+    pub format: ModelFormat,
+    /// Its text: every [`Span`] counts bytes of it.
+    pub text: String,
+    /// Its name, if it has one.
+    pub name: Option<String>,
+    /// In the order of the file.
+    pub links: Vec<Link>,
+    /// In the order of the file.
+    pub joints: Vec<Joint>,
+}
+
+/// A name, and where it stands.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Name {
+    /// The name.
+    pub text: String,
+    /// Where it stands, without quotes.
+    pub span: Span,
+}
+
+/// A number that a file should have.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Slot {
+    /// Not there. The element that lacks it, and what it is called there: `"izz"`.
+    Missing {
+        /// The element.
+        span: Span,
+        /// The attribute or child.
+        name: String,
+    },
+    /// There, with its text.
+    Given(Number),
+}
+
+/// A number as it is written.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Number {
+    /// The text: `"1676359E-6"`.
+    pub text: String,
+    /// Where it stands, without quotes or the spaces around it.
+    pub span: Span,
+    /// What it is: `None` if the text is no number. It may be infinite or NaN: `"1e400"`, `"nan"`.
+    pub value: Option<f64>,
+}
+
+impl Slot {
+    /// The number, if it is there, is one and is finite.
+    pub fn finite(&self) -> Option<f64> {
+        match self {
+            Self::Given(number) => number.value.filter(|value| value.is_finite()),
+            Self::Missing { .. } => None,
+        }
+    }
+
+    /// Where it stands, or the element that lacks it.
+    pub fn span(&self) -> Span {
+        match self {
+            Self::Given(number) => number.span.clone(),
+            Self::Missing { span, .. } => span.clone(),
+        }
+    }
+}
+
+/// A place and an attitude of one frame in another, as read and as written.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pose {
+    /// The origin of the inner frame in the outer one, m.
+    pub position: [f64; 3],
+    /// (w, x, y, z) of the rotation that takes inner components to outer ones; unit.
+    pub rotation: [f64; 4],
+    /// Its numbers that are none, or not finite; they count as zero above.
+    pub unreadable: Vec<Number>,
+    /// Where it is written; `None` if it is left out.
+    pub span: Option<Span>,
+}
+
+/// A body.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Link {
+    /// Its name; made up (`"body 3"`) where the language lets it be left out.
+    pub name: Name,
+    /// Its element.
+    pub span: Span,
+    /// What it says of its mass; `None` if nothing.
+    pub inertial: Option<Inertial>,
+    /// Visual and collision geometry, in the order of the file.
+    pub geometry: Vec<Geometry>,
+    /// The link's frame in the model's, all joints at zero, where the language says it of the link itself (SDF, MJCF: composed
+    /// down the tree); the identity otherwise.
+    pub pose: Pose,
+    /// True if the model says that it does not move: SDF `<static>`.
+    pub is_static: bool,
+}
+
+/// Mass, centre and tensor of a link.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Inertial {
+    /// Its element.
+    pub span: Span,
+    /// kg
+    pub mass: Slot,
+    /// The frame of the inertial in the link's: its origin is the centre of mass.
+    pub pose: Pose,
+    /// About the centre of mass, along the axes of the inertial's frame; kg·m².
+    pub tensor: Tensor,
+}
+
+/// A tensor as the languages write it.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Tensor {
+    /// Not there: the element that should have it.
+    Missing(Span),
+    /// ixx, iyy, izz, ixy, ixz, iyz: elements of the tensor (−∫xy dm).
+    Six(Box<[Slot; 6]>),
+    /// Along the axes of the inertial's frame.
+    Diagonal(Box<[Slot; 3]>),
+}
+
+/// What a geometry is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Role {
+    /// To be seen.
+    Visual,
+    /// To be touched.
+    Collision,
+}
+
+/// A shape of a link.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Geometry {
+    /// Its element.
+    pub span: Span,
+    /// What it is for. MJCF: a geom with `contype = conaffinity = 0` is visual.
+    pub role: Role,
+    /// The shape's frame in the link's.
+    pub pose: Pose,
+    /// The shape.
+    pub shape: GeometryShape,
+}
+
+/// Shapes, in metres; the frame of each is at its middle, cylinders and capsules along z. Sizes that are none are NaN.
+#[derive(Clone, Debug, PartialEq)]
+pub enum GeometryShape {
+    /// Whole edges.
+    Box([f64; 3]),
+    /// Radius.
+    Sphere(f64),
+    /// Radius and whole length.
+    Cylinder {
+        /// Radius.
+        radius: f64,
+        /// Whole length.
+        length: f64,
+    },
+    /// Radius, and the length of the cylinder between the caps.
+    Capsule {
+        /// Radius.
+        radius: f64,
+        /// Between the middles of the caps.
+        length: f64,
+    },
+    /// Half axes.
+    Ellipsoid([f64; 3]),
+    /// A file.
+    Mesh {
+        /// As written: `"package://arm/meshes/link1.stl"`.
+        uri: Name,
+        /// Where that is, or why it cannot be said: outside the roots, a package that no root holds.
+        path: Result<PathBuf, String>,
+        /// Factors along x, y, z, applied once; a negative one mirrors.
+        scale: [f64; 3],
+    },
+    /// Planes, height fields and what else has no volume of its own: its name.
+    Other(String),
+}
+
+/// How one link hangs on another.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Joint {
+    /// Its name; made up where the language lets it be left out.
+    pub name: Name,
+    /// Its element.
+    pub span: Span,
+    /// What it lets move.
+    pub kind: JointKind,
+    /// The link that it hangs on; `None` if that is the world.
+    pub parent: Option<Name>,
+    /// The link that hangs.
+    pub child: Name,
+    /// The child's frame in the parent's with the joint at zero.
+    pub pose: Pose,
+    /// In the child's frame, as written or the language's default.
+    pub axis: [f64; 3],
+    /// The point of the child's frame that the axis runs through: zero in URDF.
+    pub anchor: [f64; 3],
+}
+
+/// What a joint lets move.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum JointKind {
+    /// Nothing.
+    Fixed,
+    /// A turn about the axis: revolute, continuous, hinge.
+    Revolute,
+    /// A way along the axis: prismatic, slide.
+    Prismatic,
+    /// Everything: floating, free.
+    Free,
+    /// Something else: ball, planar, universal, screw.
+    Other,
+}

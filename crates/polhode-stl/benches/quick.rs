@@ -3,7 +3,8 @@
 //! `cargo bench -p polhode-stl` makes spheres of 1.3 and 5.2 million triangles in the system's folder for temporary
 //! files, measures, and prints a table. Each number is the least of many turns in which everything has its turn, so that a
 //! busy machine slows all alike. Every turn opens the file anew. `-- cache` measures one page of records in the second
-//! cache only; `-- read` and `-- map` do one thing once, for somebody who watches memory from outside.
+//! cache only; `-- table FILE` takes a file of yours; `-- read` and `-- map` do one thing once, for somebody who watches memory from
+//! outside.
 
 use std::fs::File;
 use std::hint::black_box;
@@ -23,8 +24,11 @@ fn main() -> io::Result<()> {
     let words: Vec<String> = std::env::args().skip(1).filter(|word| word != "--bench").collect();
     let words: Vec<&str> = words.iter().map(String::as_str).collect();
     match words[..] {
-        ["cache"] => in_cache(),
+        ["cache"] => in_cache(4096),
+        ["memory"] => in_cache(20 << 18),
         ["read", path] => once(|| read(Path::new(path), options(1, true))),
+        ["table", path] => table(Path::new(path)),
+        ["sum", path] => once(|| sum_mapped(Path::new(path), 1)),
         ["map", path] => once(|| mapped(Path::new(path), options(1, true))),
         _ => {
             println!(
@@ -76,15 +80,16 @@ fn table(path: &Path) -> io::Result<()> {
     Ok(())
 }
 
-fn in_cache() -> io::Result<()> {
-    let records: Vec<Record> = std::fs::read(sphere(8)?)?[HEADER..].as_chunks::<50>().0[..4096].to_vec();
+fn in_cache(count: usize) -> io::Result<()> {
+    let map = Mapped::new(&File::open(sphere(9)?)?)?;
+    let records: &[Record] = &map[HEADER..].as_chunks::<50>().0[..count];
     let cases: Vec<Case> = vec![
         ("sum of the bytes", Box::new(|| Ok(sum(records.as_flattened()) as f64))),
-        ("moments", Box::new(|| Ok(moments_of_records(&records, &options(1, false)).six_volume))),
-        ("moments and edges", Box::new(|| Ok(moments_of_records(&records, &options(1, true)).six_volume))),
+        ("moments", Box::new(|| Ok(moments_of_records(records, &options(1, false)).six_volume))),
+        ("moments and edges", Box::new(|| Ok(moments_of_records(records, &options(1, true)).six_volume))),
     ];
     let mut least = vec![f64::INFINITY; cases.len()];
-    for _ in 0..200 * TURNS {
+    for _ in 0..(200 * TURNS * 4096).div_ceil(count) {
         for (least, (_, work)) in least.iter_mut().zip(&cases) {
             let begin = Instant::now();
             black_box(work()?);
@@ -92,7 +97,7 @@ fn in_cache() -> io::Result<()> {
         }
     }
     for (seconds, (name, _)) in least.iter().zip(&cases) {
-        println!("| {name} | {:.2} ns a triangle |", seconds * 1e9 / 4096.0);
+        println!("| {name} | {:.2} ns a triangle |", seconds * 1e9 / count as f64);
     }
     Ok(())
 }

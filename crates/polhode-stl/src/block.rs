@@ -3,7 +3,7 @@
 use fearless_simd::{Level, Simd, dispatch, f32x16, f64x8, i64x8, prelude::*};
 
 use crate::Record;
-use crate::ahead::ask_for;
+use crate::ahead::{ask_for, map_soon};
 use crate::columns::{Columns, GROUP, VERTICES};
 use crate::edges;
 use crate::moments::NotFinite;
@@ -70,15 +70,16 @@ impl Block {
     ) {
         let reference = reference.map(|c| f64x8::splat(simd, c));
         let mut stage = Stage::<S>::new(simd);
-        let mut soon = records.as_flattened().chunks(STAGE * size_of::<Record>()).skip(AHEAD);
+        let mut soon = records.as_chunks::<STAGE>().0.iter().skip(AHEAD);
         for chunk in records.chunks(CHUNK) {
             let (whole, rest) = chunk.as_chunks::<STAGE>();
             for records in whole {
-                ask_for(soon.next().unwrap_or_default());
-                stage.add::<EDGES>(simd, records, &reference);
+                let soon = soon.next().unwrap_or(records);
+                map_soon(soon.as_flattened());
+                stage.add::<EDGES>(simd, records, &reference, soon);
             }
             if let Some(padded) = padded(rest) {
-                stage.add::<EDGES>(simd, &padded, &reference);
+                stage.add::<EDGES>(simd, &padded, &reference, &padded);
             }
             if !self.take(simd, &mut stage) {
                 self.find_not_finite(chunk);
@@ -162,8 +163,17 @@ impl<S: Simd> Stage<S> {
     }
 
     #[inline(always)]
-    fn add<const EDGES: bool>(&mut self, simd: S, records: &[Record; STAGE], reference: &[f64x8<S>; 3]) {
+    fn add<const EDGES: bool>(
+        &mut self,
+        simd: S,
+        records: &[Record; STAGE],
+        reference: &[f64x8<S>; 3],
+        soon: &[Record; STAGE],
+    ) {
+        // Asked for little by little: the processor can wait for some tens of lines at a time.
+        let mut soon = soon.as_flattened().as_chunks().0.iter();
         for (columns, group) in self.columns.iter_mut().zip(records.as_chunks::<GROUP>().0) {
+            soon.next().map(ask_for);
             *columns = Columns::of(simd, group);
             for k in 0..3 {
                 let [a, b, c] = [columns.0[k], columns.0[k + 3], columns.0[k + 6]];
@@ -182,11 +192,13 @@ impl<S: Simd> Stage<S> {
         let mut area = self.sums[AREA];
         for (terms, columns) in self.terms.iter_mut().zip(&self.columns) {
             core::hint::black_box(());
+            soon.next().map(ask_for);
             *terms = sums::terms(simd, columns, reference, &mut area);
         }
         self.sums[AREA] = area;
         let mut all = self.sums;
         for terms in self.terms.as_flattened() {
+            soon.next().map(ask_for);
             sums::add(&mut all, terms);
         }
         self.sums = all;

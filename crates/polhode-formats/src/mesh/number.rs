@@ -63,9 +63,15 @@ fn rare(bytes: &[u8], mantissa: Range<usize>, w: u64, decimals: usize) -> Option
 /// The integer that starts at `start`, and the offset behind it; one of more than 18 digits is as large as can be.
 #[inline(always)]
 pub(super) fn integer(bytes: &[u8], start: usize) -> Option<(i64, usize)> {
+    short_integer(bytes, start).or_else(|| rare_integer(bytes, start))
+}
+
+/// The integer that starts at `start`, if it has one to seven digits and no sign, and the offset behind it.
+#[inline(always)]
+pub(super) fn short_integer(bytes: &[u8], start: usize) -> Option<(i64, usize)> {
     match leading_digits(word(bytes, start)) {
         (value, length @ 1..8) => Some((value as i64, start + length)),
-        _ => rare_integer(bytes, start),
+        _ => None,
     }
 }
 

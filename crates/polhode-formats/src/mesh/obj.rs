@@ -101,6 +101,11 @@ impl<'a> Reader<'a> {
     /// `f a b c …`.
     #[inline(always)]
     fn face(&mut self, scan: &mut Scan) -> Result<(), ContentError> {
+        if let Some((triangle, end)) = plain_triangle(scan, self.vertices.len()) {
+            self.triangles.push(triangle);
+            scan.at = end;
+            return Ok(());
+        }
         self.corners.clear();
         while !scan.at_line_end() {
             let corner = self.corner(scan)?;
@@ -192,6 +197,23 @@ impl<'a> Reader<'a> {
         let parts = parts::of_shared(self.vertices, self.groups.parts(self.triangles))?;
         Ok(MeshContents { encoding: "text", name: String::new(), unit: None, parts, findings })
     }
+}
+
+/// ` a b c` and the end of the line, one blank before each: what most files have, and what is read fastest. The indices, and the offset
+/// behind the line; `None` if anything is otherwise.
+#[inline(always)]
+fn plain_triangle(scan: &Scan, count: usize) -> Option<([u32; 3], usize)> {
+    let (mut at, mut triangle) = (scan.at, [0; 3]);
+    for corner in &mut triangle {
+        let (written, end) = number::short_integer(scan.bytes, at + 1)?;
+        // 0 becomes larger than any count
+        let index = (written as u32).wrapping_sub(1);
+        if scan.bytes.get(at) != Some(&b' ') || index as usize >= count {
+            return None;
+        }
+        (*corner, at) = (index, end);
+    }
+    scan.is_line_end(at).then_some((triangle, at + 1))
 }
 
 /// The numbers behind x, y, z: none counts.

@@ -75,6 +75,12 @@ impl<'a> Scan<'a> {
         byte == self.line_end || byte == b'#'
     }
 
+    /// Whether a line ends at that byte.
+    #[inline(always)]
+    pub(super) fn is_line_end(&self, at: usize) -> bool {
+        self.bytes.get(at) == Some(&self.line_end)
+    }
+
     /// Behind the end of this line; gives what was left of it.
     #[inline]
     pub(super) fn line(&mut self) -> &'a [u8] {

@@ -1,0 +1,145 @@
+/**
+ * What a page shows: the contract between `polhode-report`, which writes it, and the viewer, which reads it.
+ *
+ * The page holds it as JSON in `<script id="polhode-data" type="application/json">`, every `<` written as `\u003c`. All is SI and
+ * radians. Quaternions are (w, x, y, z) and take components in body axes to components in space axes. Long rows of numbers are base64
+ * of little-endian numbers.
+ */
+export interface PageData {
+  version: 1;
+  /** "T-handle in free fall"; text, never markup. */
+  title: string;
+  /** What made it: "polhode 0.1.0 simulate examples/t-handle.toml". */
+  source: string;
+  /** The scenario file as it was read; null without one. */
+  scenario: string | null;
+  body: BodyData;
+  motion: MotionData;
+  /** Null if the motion is not free. */
+  free: FreeData | null;
+  /** Numbers beside the picture, ready to read: mass properties, regime, periods, evidence. */
+  facts: FactGroup[];
+  findings: { severity: "info" | "warning"; message: string }[];
+  /** The worked solution; empty without one. */
+  explanation: ExplanationBlock[];
+}
+
+/** Base64 of little-endian f64, f32 or u32. */
+export type Base64 = string;
+
+export interface BodyData {
+  /** kg; null if only the moments are known. */
+  mass: number | null;
+  /** Tensor about the point that the body turns about, body axes, kg·m². */
+  inertia: [number[], number[], number[]];
+  about: "centre of mass" | "pivot";
+  /** From that point to the centre of mass, body axes, m; zero for a free body. */
+  lever: [number, number, number];
+  principal: {
+    /** Ascending, kg·m². */
+    moments: [number, number, number];
+    /** Takes components along principal axes to components in body axes. */
+    quaternion: [number, number, number, number];
+  };
+  /** Half axes along the principal axes of the ellipsoid of the same mass and tensor, m (unit density ellipsoid of unit mass if the mass is null). */
+  ellipsoid: [number, number, number];
+  /** What it looks like; places are from the point that the body turns about, in body axes. Empty: show the ellipsoid. */
+  shapes: Shape[];
+}
+
+export interface Placed {
+  name: string;
+  /** m */
+  position: [number, number, number];
+  /** Takes components along the shape's own axes to components in body axes. */
+  quaternion: [number, number, number, number];
+}
+
+/** The origin of a solid is its middle; cylinders, cones and capsules lie along z; a cone's tip is at +z. */
+export type Shape = Placed &
+  (
+    | { kind: "box"; size: [number, number, number] }
+    | { kind: "ellipsoid"; half: [number, number, number] }
+    | { kind: "cylinder"; radius: number; inner: number; height: number }
+    | { kind: "cone"; bottom: number; top: number; height: number }
+    | { kind: "capsule"; radius: number; height: number }
+    | { kind: "torus"; radius: number; tube: number }
+    | {
+        kind: "mesh";
+        /** f32, x y z of each vertex. */
+        vertices: Base64;
+        /** u32, three for each triangle, counter-clockwise from outside. */
+        triangles: Base64;
+        /** How many triangles the body has; more than are here if it was made coarser for the page. */
+        of: number;
+      }
+    | {
+        /** Balls: particles, atoms. */
+        kind: "balls";
+        /** f32, x y z of each. */
+        centers: Base64;
+        /** f32, m. */
+        radii: Base64;
+        /** One for each, "#rrggbb". */
+        colors: string[];
+        labels: string[];
+        /** Pairs of indices that a stick joins. */
+        sticks: [number, number][];
+      }
+  );
+
+export interface MotionData {
+  /** How many samples: n. */
+  count: number;
+  /** How it was computed: "exact", "dop853", … */
+  method: string;
+  /** f64, n, s. */
+  times: Base64;
+  /** f64, 4 n. */
+  attitude: Base64;
+  /** f64, 3 n, body axes, rad/s. */
+  omega: Base64;
+  /** f64, 3 n, space axes, kg·m²/s, about the point that the body turns about. */
+  momentum: Base64;
+  /** f64, 3 n, body axes, N·m; null without torque. */
+  torque: Base64 | null;
+  /** f64, n, J. */
+  kinetic: Base64;
+  /** f64, n, J; null without a potential. */
+  potential: Base64 | null;
+  /** What should stay the same, and how much it moves: lines of the drift plot, |value| relative, f64, n. */
+  drift: { name: string; values: Base64 }[];
+}
+
+/** The geometry of a free motion. Curves are f64, x y z of each point. */
+export interface FreeData {
+  regime: string;
+  /** Of ω in the body, s; null if it has none. */
+  period: number | null;
+  /** |L|, kg·m²/s. */
+  momentum: number;
+  /** T, J. */
+  energy: number;
+  /** ω along the polhode, body axes, rad/s; one period, closed. */
+  polhode: Base64;
+  /** ω along the herpolhode, space axes, rad/s; some periods. */
+  herpolhode: Base64;
+  /** On the unit sphere, principal axes: the two separatrices. */
+  separatrix: Base64[];
+  /** On the unit sphere, principal axes: other motions of this body. */
+  family: Base64[];
+  /** On the unit sphere, principal axes: this motion's L/|L|, one period. */
+  trace: Base64;
+}
+
+export interface FactGroup {
+  title: string;
+  rows: { label: string; value: string; unit: string; note: string }[];
+}
+
+export type ExplanationBlock =
+  | { kind: "heading"; level: 1 | 2 | 3; text: string }
+  | { kind: "text"; text: string }
+  /** MathML made by polhode, and the same as plain text. */
+  | { kind: "formula"; mathml: string; text: string }
+  | { kind: "table"; header: string[]; rows: string[][] };

@@ -4,7 +4,7 @@ use super::error::MotionError;
 use super::free::FreeMotion;
 use super::inverse::Required;
 use super::prescribed::Prescribed;
-use super::propagate::stepper::{Balanced, StepStatistics, Stepper};
+use super::propagate::stepper::{Balanced, Rule, StepStatistics, Stepper};
 use super::rotor::Rotor;
 use super::state::State;
 use super::torque::{TorqueModel, total_potential, total_torque};
@@ -15,11 +15,13 @@ use crate::math::vector::{AngularMomentum, Torque};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub enum Method {
-    /// A closed form where there is one, DOP853 elsewhere.
+    /// A closed form where there is one, Taylor's method elsewhere.
     #[default]
     Auto,
     /// A closed form, or an error.
     Exact,
+    /// Numerical integration by Taylor's method, order 20 at the tightest tolerances.
+    Taylor,
     /// Numerical integration by the Runge–Kutta method of Dormand and Prince, order 8.
     Dop853,
 }
@@ -30,6 +32,7 @@ impl Method {
         match self {
             Self::Auto => "auto",
             Self::Exact => "exact",
+            Self::Taylor => "taylor",
             Self::Dop853 => "dop853",
         }
     }
@@ -52,6 +55,8 @@ pub enum Solution {
     Prescribed(Prescribed),
     /// By numerical integration.
     Integrated {
+        /// By which method.
+        method: Method,
         /// Bound on the error of each step: attitude in rad, ω relative.
         tolerance: f64,
         /// What it cost.
@@ -60,12 +65,12 @@ pub enum Solution {
 }
 
 impl Solution {
-    /// The method's name in summaries: `exact`, `prescribed` or `dop853`.
+    /// The method's name in summaries: `exact`, `prescribed`, `taylor` or `dop853`.
     pub const fn name(&self) -> &'static str {
         match self {
             Self::Exact(_) => Method::Exact.name(),
             Self::Prescribed(_) => "prescribed",
-            Self::Integrated { .. } => Method::Dop853.name(),
+            Self::Integrated { method, .. } => method.name(),
         }
     }
 }
@@ -143,7 +148,10 @@ impl Trajectory {
         match (method, exact) {
             (Method::Auto | Method::Exact, Ok(motion)) => Self::of_motion(motion, times),
             (Method::Exact, Err(why)) => Err(why),
-            _ => Self::integrate(Stepper::new(rotor, torques, start, tolerance)?, start, times, watch),
+            _ => {
+                let rule = if method == Method::Dop853 { Rule::Dop853 } else { Rule::Taylor };
+                Self::integrate(Stepper::new(rule, rotor, torques, start, tolerance)?, start, times, watch)
+            }
         }
     }
 
@@ -208,16 +216,20 @@ impl Trajectory {
             samples.push(given);
         }
         while stepper.time() < end {
-            let step = stepper.step(end)?;
+            stepper.step(end)?;
             require_patience(&stepper, end)?;
             watch(stepper.time());
-            while let Some(t) = wanted.next_if(|&t| t <= step.end()) {
-                let at = if t == step.end() { stepper.now() } else { step.at(t) };
+            while let Some(t) = wanted.next_if(|&t| t <= stepper.time()) {
+                let at = if t == stepper.time() { stepper.now() } else { stepper.at(t) };
                 samples.push(sample(rotor, torques, at)?);
             }
         }
-        let solution =
-            Solution::Integrated { tolerance: stepper.tolerance(), statistics: stepper.statistics() };
+        let method = match stepper.rule() {
+            Rule::Taylor => Method::Taylor,
+            Rule::Dop853 => Method::Dop853,
+        };
+        let (tolerance, statistics) = (stepper.tolerance(), stepper.statistics());
+        let solution = Solution::Integrated { method, tolerance, statistics };
         Ok(Self { start: given, samples: continuous(samples), solution })
     }
 }

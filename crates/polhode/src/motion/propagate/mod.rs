@@ -7,5 +7,7 @@
 mod chart;
 mod dop853;
 mod orientation;
+mod runge_kutta;
 pub(crate) mod stepper;
 mod tableau;
+mod taylor;

@@ -32,6 +32,11 @@ impl Orientation {
         let (s, _) = sin_cos(0.25 * angle);
         let dw = -2.0 * s * s;
         let [dx, dy, dz] = (theta * (sin_cos(0.5 * angle).0 / angle)).to_array();
+        self.add([dw, dx, dy, dz]);
+    }
+
+    /// q ← q ⊗ (1 + d) = q + q ⊗ d
+    pub(super) fn add(&mut self, [dw, dx, dy, dz]: [f64; 4]) {
         let [w, x, y, z] = self.q;
         let increment = [
             w * dw - x * dx - y * dy - z * dz,

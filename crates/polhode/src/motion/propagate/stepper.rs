@@ -1,11 +1,9 @@
-//! Steps put together: error control, the carried rounding, and samples between steps.
+//! What steps from one time to the next, whichever method it is.
 
-use super::chart::{self, Chart, N, Y};
-use super::dop853::{self, Stages};
-use super::orientation::Orientation;
-use crate::math::frame::{Principal, Space};
-use crate::math::sum::two_sum;
-use crate::math::vector::{AngularMomentum, AngularVelocity, Vector};
+use super::runge_kutta::RungeKutta;
+use super::taylor::Taylor;
+use crate::math::frame::Space;
+use crate::math::vector::AngularMomentum;
 use crate::motion::error::MotionError;
 use crate::motion::rotor::Rotor;
 use crate::motion::state::State;
@@ -16,9 +14,6 @@ pub const TIGHTEST_TOLERANCE: f64 = 1e-15;
 /// The loosest tolerance that still means a solution.
 pub const LOOSEST_TOLERANCE: f64 = 1e-2;
 
-/// Rounding of a torque N, in units of the rate √(N/I) that it makes.
-const NOISE: f64 = 16.0 * f64::EPSILON;
-
 /// What a run cost.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct StepStatistics {
@@ -26,7 +21,8 @@ pub struct StepStatistics {
     pub accepted: u64,
     /// Steps whose error was too large.
     pub rejected: u64,
-    /// Evaluations of the equations of motion for the steps; a sample between steps costs eleven more.
+    /// Evaluations of the equations of motion for the steps, by DOP853, whose samples between steps cost eleven more; coefficients of
+    /// all unknowns, by Taylor's method.
     pub evaluations: u64,
 }
 
@@ -40,33 +36,26 @@ pub(crate) struct Balanced {
     pub(crate) impulse: AngularMomentum<Space>,
 }
 
-/// Adaptive DOP853 over the motion of one body.
-///
-/// The error of a step, which `tolerance` bounds, is the root mean square of two: the attitude's (rad) and ω's (relative
-/// to the largest |ω| so far, and not below what the rounding of the torque does to it).
-pub(crate) struct Stepper<'a> {
-    chart: Chart<'a>,
-    orientation: Orientation,
-    time: f64,
-    y: Y,
-    /// What rounding took from each sum, to be given back at the next step.
-    carry: Y,
-    k0: Y,
-    h: f64,
-    tolerance: f64,
-    omega_scale: f64,
-    /// What rounding of the torque alone does to ω, rad/s: no error control reaches below it.
-    omega_noise: f64,
-    statistics: StepStatistics,
+/// The integrators.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Rule {
+    Taylor,
+    Dop853,
 }
 
-/// One accepted step, as it started.
-pub(crate) struct Step<'a> {
-    chart: Chart<'a>,
-    start: f64,
-    end: f64,
-    y: Y,
-    k0: Y,
+/// The motion of one body, step by step.
+#[derive(Debug)]
+pub(crate) struct Stepper<'a> {
+    rotor: &'a Rotor,
+    torques: &'a [TorqueModel],
+    tolerance: f64,
+    rule: Steps<'a>,
+}
+
+#[derive(Debug)]
+enum Steps<'a> {
+    Taylor(Box<Taylor>),
+    Dop853(Box<RungeKutta<'a>>),
 }
 
 impl<'a> Stepper<'a> {
@@ -74,6 +63,7 @@ impl<'a> Stepper<'a> {
     /// [`MotionError::Parameter`] if the tolerance is outside 1e-15 … 1e-2; [`MotionError::NotSpinnable`];
     /// [`MotionError::TorqueWithoutInertia`] if the torque cannot be balanced.
     pub(crate) fn new(
+        rule: Rule,
         rotor: &'a Rotor,
         torques: &'a [TorqueModel],
         start: State,
@@ -86,56 +76,27 @@ impl<'a> Stepper<'a> {
         if !rotor.is_spinnable() {
             return Err(MotionError::NotSpinnable);
         }
-        let r = rotor.principal().rotation();
-        let largest_torque: f64 = torques.iter().map(|torque| torque.scale(rotor)).sum();
-        let chart = Chart { rotor, torques, largest_torque, center: start.attitude * r };
-        let y = chart::at_center(r.inverse() * start.omega, 0.0, Vector::ZERO);
-        chart.require_determined(start.time, &y)?;
-        let k0 = chart.derivative(start.time, &y);
-        let omega_scale = chart::omega(&y).norm();
-        let rate = omega_scale + omega_rate(&k0).norm().sqrt();
-        Ok(Self {
-            chart,
-            orientation: Orientation::new(chart.center),
-            time: start.time,
-            y,
-            carry: [0.0; N],
-            k0,
-            // A fiftieth of a radian: the first step is never far too long, and grows at once.
-            h: if rate > 0.0 { 0.02 / rate } else { f64::INFINITY },
-            tolerance,
-            omega_scale,
-            omega_noise: NOISE * (largest_torque / rotor.principal().moments()[2]).sqrt(),
-            statistics: StepStatistics { evaluations: 1, ..StepStatistics::default() },
-        })
+        let rule = match rule {
+            Rule::Taylor => Steps::Taylor(Box::new(Taylor::new(rotor, torques, start, tolerance))),
+            Rule::Dop853 => Steps::Dop853(Box::new(RungeKutta::new(rotor, torques, start, tolerance)?)),
+        };
+        Ok(Self { rotor, torques, tolerance, rule })
     }
 
     /// What is stepped: the body, and what turns it.
     pub(crate) fn subject(&self) -> (&'a Rotor, &'a [TorqueModel]) {
-        (self.chart.rotor, self.chart.torques)
+        (self.rotor, self.torques)
     }
 
     pub(crate) fn tolerance(&self) -> f64 {
         self.tolerance
     }
 
-    pub(crate) fn time(&self) -> f64 {
-        self.time
-    }
-
-    /// The step that the tolerance allows next, s.
-    pub(crate) fn next_step(&self) -> f64 {
-        let speed = chart::omega(&self.y).norm();
-        if speed > 0.0 { self.h.min(chart::LARGEST_TURN / speed) } else { self.h }
-    }
-
-    pub(crate) fn statistics(&self) -> StepStatistics {
-        self.statistics
-    }
-
-    /// The state now.
-    pub(crate) fn now(&self) -> Balanced {
-        balanced(&self.chart, self.time, &self.y)
+    pub(crate) fn rule(&self) -> Rule {
+        match self.rule {
+            Steps::Taylor(_) => Rule::Taylor,
+            Steps::Dop853(_) => Rule::Dop853,
+        }
     }
 
     /// One step forward, not beyond `until`.
@@ -143,117 +104,48 @@ impl<'a> Stepper<'a> {
     /// # Errors
     /// [`MotionError::StepTooSmall`], [`MotionError::NotFinite`] or [`MotionError::TorqueWithoutInertia`]; the stepper
     /// stays at the last good state.
-    pub(crate) fn step(&mut self, until: f64) -> Result<Step<'a>, MotionError> {
-        let mut was_rejected = false;
-        loop {
-            let wanted = self.next_step();
-            let rest = until - self.time;
-            let h = if wanted >= rest { rest } else { wanted };
-            if !(self.time + h > self.time) {
-                return Err(MotionError::StepTooSmall { time: self.time, step: h });
-            }
-            let chart = self.chart;
-            let f = |t: f64, y: &Y| chart.derivative(t, y);
-            let stages = dop853::step(&f, self.time, &self.y, &self.k0, h);
-            self.statistics.evaluations += 11;
-            let increment = stages.increment();
-            let end = sum(&self.y, &increment);
-            let error = self.error(&stages, &end);
-            if error.is_nan() || end.iter().any(|c| !c.is_finite()) {
-                if h <= 1e-12 * self.time.abs().max(1e-300) {
-                    return Err(MotionError::NotFinite { time: self.time });
-                }
-                self.h = 0.1 * h;
-                self.statistics.rejected += 1;
-                was_rejected = true;
-                continue;
-            }
-            // Hairer's constants: safety 0.9, change between 1/3 and 6, exponent 1/8.
-            let factor = (0.9 / error.sqrt().sqrt().sqrt()).clamp(1.0 / 3.0, 6.0);
-            if error > 1.0 {
-                self.h = h * factor.min(1.0);
-                self.statistics.rejected += 1;
-                was_rejected = true;
-                continue;
-            }
-            let end_time = if wanted >= rest { until } else { self.time + h };
-            chart.require_determined(end_time, &end)?;
-            let step = Step { chart, start: self.time, end: end_time, y: self.y, k0: self.k0 };
-            self.accept(&increment, end_time, &f(end_time, &end));
-            self.statistics.evaluations += 1;
-            self.statistics.accepted += 1;
-            // A step shortened by `until` says nothing about the next one.
-            let grown = h * if was_rejected { factor.min(1.0) } else { factor };
-            self.h = if wanted >= rest { grown.max(wanted) } else { grown };
-            return Ok(step);
+    pub(crate) fn step(&mut self, until: f64) -> Result<(), MotionError> {
+        match &mut self.rule {
+            Steps::Taylor(taylor) => taylor.step(until),
+            Steps::Dop853(dop853) => dop853.step(until),
         }
     }
 
-    /// Moves to the end of the step, and the chart with it.
-    fn accept(&mut self, increment: &Y, time: f64, k_end: &Y) {
-        let mut y = self.y;
-        for (i, dy) in increment.iter().enumerate() {
-            (y[i], self.carry[i]) = two_sum(self.y[i], dy + self.carry[i]);
+    pub(crate) fn time(&self) -> f64 {
+        match &self.rule {
+            Steps::Taylor(taylor) => taylor.time(),
+            Steps::Dop853(dop853) => dop853.time(),
         }
-        self.orientation.turn(chart::theta(&y));
-        self.chart.center = self.orientation.rotation();
-        self.time = time;
-        self.y = chart::at_center(chart::omega(&y), chart::work(&y), chart::impulse(&y));
-        self.carry[..3].fill(0.0);
-        self.omega_scale = self.omega_scale.max(chart::omega(&y).norm());
-        // In the new chart θ = 0 and θ̇ = ω; the other rates do not depend on the chart.
-        self.k0 = *k_end;
-        self.k0[..3].copy_from_slice(&chart::omega(&y).to_array());
     }
 
-    /// Error over tolerance: the step is good if it is at most 1.
-    fn error(&self, stages: &Stages<N>, end: &Y) -> f64 {
-        let scale = self.omega_scale.max(chart::omega(end).norm());
-        let squared = |e: &Y| {
-            let attitude = chart::angle(e) / self.tolerance;
-            let omega = omega_rate(e).norm();
-            let omega = if omega == 0.0 { 0.0 } else { omega / (scale * self.tolerance + self.omega_noise) };
-            0.5 * (attitude * attitude + omega * omega)
-        };
-        let (e5, e3) = stages.errors();
-        let (e5, e3) = (squared(&e5), squared(&e3));
-        if e5 == 0.0 { 0.0 } else { e5 / (e5 + 0.01 * e3).sqrt() }
-    }
-}
-
-impl Step<'_> {
-    /// The time at the end, s.
-    pub(crate) fn end(&self) -> f64 {
-        self.end
+    /// The step that the tolerance allows next, s.
+    pub(crate) fn next_step(&self) -> f64 {
+        match &self.rule {
+            Steps::Taylor(taylor) => taylor.next_step(),
+            Steps::Dop853(dop853) => dop853.next_step(),
+        }
     }
 
-    /// The state within the step: dense output, by a shorter step from the same start.
-    ///
-    /// Eleven evaluations each. The polynomial of order 7 that goes with DOP853 costs three a step; on Orekit's test
-    /// (fixtures/free_top.toml, every order and sign of its rates) its samples had up to 57 times the tolerance, these have
-    /// less than 5 times.
+    pub(crate) fn statistics(&self) -> StepStatistics {
+        match &self.rule {
+            Steps::Taylor(taylor) => taylor.statistics(),
+            Steps::Dop853(dop853) => dop853.statistics(),
+        }
+    }
+
+    /// The state now.
+    pub(crate) fn now(&self) -> Balanced {
+        match &self.rule {
+            Steps::Taylor(taylor) => taylor.now(),
+            Steps::Dop853(dop853) => dop853.now(),
+        }
+    }
+
+    /// The state at a time within the last step: dense output.
     pub(crate) fn at(&self, time: f64) -> Balanced {
-        let f = |t: f64, y: &Y| self.chart.derivative(t, y);
-        let stages = dop853::step(&f, self.start, &self.y, &self.k0, time - self.start);
-        balanced(&self.chart, time, &sum(&self.y, &stages.increment()))
-    }
-}
-
-fn sum(y: &Y, dy: &Y) -> Y {
-    core::array::from_fn(|i| y[i] + dy[i])
-}
-
-fn balanced(chart: &Chart<'_>, time: f64, y: &Y) -> Balanced {
-    Balanced { state: chart.state(time, y), work: chart::work(y), impulse: chart::impulse(y) }
-}
-
-/// The ω part of a derivative or of an error.
-fn omega_rate(dy: &Y) -> AngularVelocity<Principal> {
-    chart::omega(dy)
-}
-
-impl core::fmt::Debug for Stepper<'_> {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.debug_struct("Stepper").field("time", &self.time).field("h", &self.h).finish_non_exhaustive()
+        match &self.rule {
+            Steps::Taylor(taylor) => taylor.at(time),
+            Steps::Dop853(dop853) => dop853.at(time),
+        }
     }
 }

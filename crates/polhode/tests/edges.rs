@@ -61,11 +61,13 @@ fn a_symmetric_tops_period_is_one_round_of_its_body_cone() {
         assert!(relative(rate, by_euler) < 4e-15);
         // integrated: after half of it ω across the axis is reversed, not before
         let times = [0.5 * period, period];
-        let motion = Trajectory::compute(&rotor, &[], start, &times, Method::Dop853, 1e-14).unwrap();
-        let [half, whole] = [0, 1].map(|k| motion.samples()[k].state.omega);
-        let along = AngularVelocity::<Body>::from_array((axis * axis.dot(start.omega)).to_array());
-        assert!((half - along * 2.0 + start.omega).norm() < 1e-11);
-        assert!((whole - start.omega).norm() < 1e-11);
+        for method in [Method::Dop853, Method::Taylor] {
+            let motion = Trajectory::compute(&rotor, &[], start, &times, method, 1e-14).unwrap();
+            let [half, whole] = [0, 1].map(|k| motion.samples()[k].state.omega);
+            let along = AngularVelocity::<Body>::from_array((axis * axis.dot(start.omega)).to_array());
+            assert!((half - along * 2.0 + start.omega).norm() < 1e-11);
+            assert!((whole - start.omega).norm() < 1e-11);
+        }
     }
 }
 
@@ -110,10 +112,12 @@ fn rotation_about_the_intermediate_axis_decays_at_its_growth_rate() {
     let start = state(0.0, [1e-7, -1.7, 0.0]);
     let rate = FreeRegime::of(&rotor, &start).growth_rate.unwrap();
     let times = [3.0 / rate, 7.0 / rate];
-    let motion = Trajectory::compute(&rotor, &[], start, &times, Method::Dop853, 1e-15).unwrap();
-    // linearised, ω1 = ω1(0) cosh σt
-    let [early, late] = [0, 1].map(|k| (motion.samples()[k].state.omega.x / 1e-7).acosh());
-    assert!(relative((late - early) / (times[1] - times[0]), rate) < 1e-6);
+    for method in [Method::Dop853, Method::Taylor] {
+        let motion = Trajectory::compute(&rotor, &[], start, &times, method, 1e-15).unwrap();
+        // linearised, ω1 = ω1(0) cosh σt
+        let [early, late] = [0, 1].map(|k| (motion.samples()[k].state.omega.x / 1e-7).acosh());
+        assert!(relative((late - early) / (times[1] - times[0]), rate) < 1e-6);
+    }
 }
 
 /// Every field of a drift by its definition.
@@ -609,7 +613,7 @@ fn numbers_that_are_not_are_refused() {
         assert!(Prescribed::fixed_axis(Attitude::identity(), axis, value, 0.0).is_err());
         assert!(Prescribed::fixed_axis(Attitude::identity(), axis, 0.0, value).is_err());
         assert!(Prescribed::euler_rates([0.0, value, 0.0], [0.0; 3]).is_err());
-        for method in [Method::Auto, Method::Dop853] {
+        for method in [Method::Auto, Method::Dop853, Method::Taylor] {
             let start = state(0.0, [0.3, value, 0.9]);
             assert!(Trajectory::compute(&rotor, &[], start, &[1.0], method, 1e-9).is_err());
             let start = state(0.0, [0.3, 0.5, 0.9]);

@@ -67,8 +67,9 @@ fn method(value: &Value<'_>) -> Result<Method, FormatError> {
         let hint = "write method = \"auto\" or \"dop853\"";
         return Err(value.invalid(format!("another method: {name} is not available yet")).with_hint(hint));
     }
-    Ok(match value.choice(&["auto", "exact", "dop853"])? {
+    Ok(match value.choice(&["auto", "exact", "taylor", "dop853"])? {
         "exact" => Method::Exact,
+        "taylor" => Method::Taylor,
         "dop853" => Method::Dop853,
         _ => Method::Auto,
     })

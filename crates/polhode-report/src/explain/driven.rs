@@ -48,9 +48,10 @@ pub(super) fn how(w: &Working<'_>) -> Option<String> {
     Some(match w.trajectory.as_ref()?.solution() {
         Solution::Exact(_) => "in closed form".to_owned(),
         Solution::Prescribed(_) => "as given".to_owned(),
-        Solution::Integrated { tolerance, .. } => {
+        Solution::Integrated { method, tolerance, .. } => {
             format!(
-                "by numerical integration (DOP853, error of each step below {})",
+                "by numerical integration ({}, error of each step below {})",
+                method.title(),
                 ungrouped(*tolerance, 3)
             )
         }

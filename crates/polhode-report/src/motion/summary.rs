@@ -66,7 +66,7 @@ fn run(report: &MotionReport<'_>) -> Value {
         _ => 0.0,
     };
     let (tolerance, steps) = match report.trajectory.solution() {
-        Solution::Integrated { tolerance, statistics } => (
+        Solution::Integrated { tolerance, statistics, .. } => (
             Some(*tolerance),
             json!({
                 "accepted": statistics.accepted,

@@ -35,7 +35,7 @@ pub(super) fn write(report: &MotionReport<'_>) -> String {
     text.push_str(&evidence(report, &facts));
     text.push_str(&curve(&facts, samples));
     text.push_str(&ends(report, &facts));
-    if let Solution::Integrated { tolerance, statistics } = report.trajectory.solution() {
+    if let Solution::Integrated { tolerance, statistics, .. } = report.trajectory.solution() {
         let line = format!(
             "{} kept, {} rejected, {} evaluations, tolerance {} a step",
             count(statistics.accepted),
@@ -55,7 +55,7 @@ fn heading(report: &MotionReport<'_>, samples: &[Sample]) -> String {
     let how = match report.trajectory.solution() {
         Solution::Exact(_) => "closed form",
         Solution::Prescribed(_) => "prescribed motion",
-        Solution::Integrated { .. } => "integrated by DOP853",
+        Solution::Integrated { method, .. } => &format!("integrated by {}", method.title()),
     };
     let (Some(first), Some(last)) = (samples.first(), samples.last()) else {
         return format!("{title}   no samples, {how}\n");

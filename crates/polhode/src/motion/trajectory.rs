@@ -27,6 +27,16 @@ pub enum Method {
 }
 
 impl Method {
+    /// The name in a text for people.
+    pub const fn title(self) -> &'static str {
+        match self {
+            Self::Auto => "the method that suits",
+            Self::Exact => "closed form",
+            Self::Taylor => "Taylor's method",
+            Self::Dop853 => "DOP853",
+        }
+    }
+
     /// The name in scenario files and summaries.
     pub const fn name(self) -> &'static str {
         match self {

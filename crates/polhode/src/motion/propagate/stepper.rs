@@ -77,7 +77,7 @@ impl<'a> Stepper<'a> {
             return Err(MotionError::NotSpinnable);
         }
         let rule = match rule {
-            Rule::Taylor => Steps::Taylor(Box::new(Taylor::new(rotor, torques, start, tolerance))),
+            Rule::Taylor => Steps::Taylor(Box::new(Taylor::new(rotor, torques, start, tolerance)?)),
             Rule::Dop853 => Steps::Dop853(Box::new(RungeKutta::new(rotor, torques, start, tolerance)?)),
         };
         Ok(Self { rotor, torques, tolerance, rule })

@@ -75,6 +75,12 @@ impl Expansion {
         }
     }
 
+    /// The torque along an axis without inertia; only a rod has one, and it is the first.
+    fn unbalanced(&self) -> Option<f64> {
+        let ([inverse, ..], [torque, ..]) = (self.inverses.0, self.torque[0].0);
+        (inverse == 0.0 && torque != 0.0).then_some(torque)
+    }
+
     const fn order(&self) -> usize {
         self.order
     }
@@ -113,8 +119,8 @@ impl Expansion {
             }
             let impulse = (torque + self.impulse.cross(&self.omega, n)) * over;
             self.impulse.set(n + 1, impulse);
-            let [x, y, z, _] = (product(&self.torque, &self.omega.rows, n) * over).0;
-            self.work[n + 1] = x + y + z;
+            let [x, y, z, w] = (product(&self.torque, &self.omega.rows, n) * over).0;
+            self.work[n + 1] = (x + y) + (z + w);
         }
         let turn = self.turn.twice_rate(n) * over * Row::splat(0.5);
         self.turn.set(n + 1, turn);
@@ -131,9 +137,13 @@ impl Expansion {
             let omega = if omega == 0.0 { 0.0 } else { omega / scale };
             omega.max(self.turn.rows[n].largest())
         };
-        let radius = |n: usize| libm::pow(size(n), -1.0 / n as f64);
-        let safety = libm::exp(-2.0 - 0.7 / (p - 1) as f64);
-        radius(p).min(radius(p - 1)) * safety
+        // log₂ of a radius: digits beyond the sixth do not matter.
+        let radius = |n: usize| {
+            let (mantissa, exponent) = libm::frexp(size(n));
+            -(f64::from(libm::log2f(mantissa as f32)) + f64::from(exponent)) / n as f64
+        };
+        let safety = -2.0 - 0.7 / (p - 1) as f64;
+        libm::exp2(radius(p).min(radius(p - 1)) + safety * core::f64::consts::LOG2_E)
     }
 
     /// What the motion adds until a time after the start.

@@ -15,11 +15,12 @@ impl Row {
         Self([x; 4])
     }
 
-    /// (y, z, x, 0) of (x, y, z, …).
+    /// (y, z, x, w) of (x, y, z, w). A vector's w is zero; it is carried along, as a place that nobody reads is one that the compiler
+    /// takes out of the register.
     #[inline(always)]
     pub(super) fn turned(self) -> Self {
-        let [x, y, z, _] = self.0;
-        Self([y, z, x, 0.0])
+        let [x, y, z, w] = self.0;
+        Self([y, z, x, w])
     }
 
     #[inline(always)]

@@ -45,7 +45,7 @@ impl Taylor {
         torques: &[TorqueModel],
         start: State,
         tolerance: f64,
-    ) -> Self {
+    ) -> Result<Self, MotionError> {
         let to_body = rotor.principal().rotation();
         let omega = (to_body.inverse() * start.omega).to_array();
         let head = Base {
@@ -68,14 +68,17 @@ impl Taylor {
             omega_scale: start.omega.norm().max(rate),
             statistics: StepStatistics::default(),
         };
-        taylor.expand();
-        taylor
+        taylor.expand()?;
+        Ok(taylor)
     }
 
     /// One step forward, not beyond `until`.
+    ///
+    /// # Errors
+    /// As [`crate::motion::propagate::stepper::Stepper::step`].
     pub(in crate::motion::propagate) fn step(&mut self, until: f64) -> Result<(), MotionError> {
         if self.base.time != self.head.time {
-            self.expand();
+            self.expand()?;
         }
         let (time, rest) = (self.base.time, until - self.base.time);
         let h = if self.h >= rest { rest } else { self.h };
@@ -96,11 +99,17 @@ impl Taylor {
         Ok(())
     }
 
-    fn expand(&mut self) {
+    /// # Errors
+    /// [`MotionError::TorqueWithoutInertia`] if nothing would balance the torque.
+    fn expand(&mut self) -> Result<(), MotionError> {
         self.base = self.head;
         self.expansion.expand(self.base.orientation.rotation(), self.base.omega());
+        if let Some(torque) = self.expansion.unbalanced() {
+            return Err(MotionError::TorqueWithoutInertia { torque, time: self.base.time });
+        }
         self.h = self.expansion.step(self.omega_scale);
         self.statistics.evaluations += self.expansion.order() as u64;
+        Ok(())
     }
 
     pub(in crate::motion::propagate) fn time(&self) -> f64 {
@@ -131,7 +140,11 @@ impl Taylor {
         let attitude = base.orientation.rotation() * self.to_body.inverse();
         let omega = self.to_body * base.omega();
         let state = State { time: base.time, attitude, omega };
-        Balanced { state, work: base.work[0], impulse: Vector::from_array(base.impulse.map(|[high, _]| high)) }
+        Balanced {
+            state,
+            work: base.work[0],
+            impulse: Vector::from_array(base.impulse.map(|[high, _]| high)),
+        }
     }
 }
 

@@ -3,7 +3,7 @@
 use super::row::{Row, Vectors};
 use crate::math::frame::{Body, Principal, Space};
 use crate::math::rotation::Rotation;
-use crate::math::vector::Direction;
+use crate::math::vector::{Direction, Vector};
 use crate::motion::propagate::chart::{ROUNDING, THIN};
 use crate::motion::rotor::Rotor;
 use crate::motion::torque::{ConstantTorque, TorqueModel};
@@ -29,10 +29,16 @@ pub(super) struct SpaceVector {
 impl TorqueSeries {
     pub(super) fn of(model: &TorqueModel, rotor: &Rotor) -> Self {
         let r = rotor.principal().rotation().inverse();
-        let axes = [Direction::new(1.0, 0.0, 0.0), Direction::new(0.0, 1.0, 0.0), Direction::new(0.0, 0.0, 1.0)];
-        let linear = |in_space: Direction<Space>, a: &dyn Fn(Direction<Principal>) -> Direction<Principal>| {
+        let axes =
+            [Direction::new(1.0, 0.0, 0.0), Direction::new(0.0, 1.0, 0.0), Direction::new(0.0, 0.0, 1.0)];
+        let linear = |in_space: Direction<Space>,
+                      a: &dyn Fn(Direction<Principal>) -> Direction<Principal>| {
             let columns = axes.map(|axis| a(axis).to_array());
-            Self::Space(Box::new(SpaceVector { in_space, columns: cleaned(columns, rotor), v: Vectors::ZERO }))
+            Self::Space(Box::new(SpaceVector {
+                in_space,
+                columns: cleaned(columns, rotor),
+                v: Vectors::ZERO,
+            }))
         };
         match model {
             TorqueModel::Constant(ConstantTorque::Body(n)) => Self::Body(row(r * *n)),
@@ -60,8 +66,9 @@ impl TorqueSeries {
             Self::Body(torque) if n == 0 => *torque,
             Self::Body(_) => Row::ZERO,
             Self::Space(space) => {
-                let [x, y, z, _] = space.v.rows[n].0.map(Row::splat);
-                space.columns[0] * x + (space.columns[1] * y + space.columns[2] * z)
+                let [x, y, z, _] = space.v.rows[n].0;
+                let [a, b, c] = space.columns;
+                a * Row::splat(x) + (b * Row::splat(y) + c * Row::splat(z))
             }
         }
     }
@@ -76,7 +83,7 @@ impl TorqueSeries {
     }
 }
 
-pub(super) fn row<Q>(v: crate::math::vector::Vector<Q, Principal>) -> Row {
+pub(super) fn row<Q>(v: Vector<Q, Principal>) -> Row {
     let [x, y, z] = v.to_array();
     Row([x, y, z, 0.0])
 }

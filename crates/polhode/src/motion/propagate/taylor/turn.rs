@@ -37,7 +37,7 @@ impl Turn {
     /// Coefficient n of q ∘ ω.
     #[inline(always)]
     pub(super) fn twice_rate(&self, n: usize) -> Row {
-        let [a, b, c] = [0, 1, 2].map(|k| product(&self.left[k], &self.right[k], n));
-        (a + b) - c
+        let Self { left: [a, b, c], right: [x, y, z], .. } = self;
+        (product(a, x, n) + product(b, y, n)) - product(c, z, n)
     }
 }

@@ -4,8 +4,9 @@
 //! A number that is none (`"0,5"`), an element that lacks one, a mesh that no root holds: these stay in the model as they are,
 //! for the checks. What a reader leaves out is a [`Note`](crate::model::Note).
 //!
-//! Defaults of the languages: in SDF a missing mass is 1 kg, and missing moments are 1 kg·m²; here they are
-//! [`Slot::Missing`](crate::model::Slot::Missing) in each language.
+//! Defaults are not filled in: in SDF a missing mass is 1 kg, a missing moment 1 kg·m², and a link without `<inertial>` has both; here they
+//! are [`Slot::Missing`](crate::model::Slot::Missing), [`Tensor::Missing`](crate::model::Tensor::Missing) and `None`, as in the other
+//! languages.
 //!
 //! Not read: xacro (expand it first), `<include>` of SDF and MJCF and what else other files say (a note), `<composite>`, `<flexcomp>` and
 //! `<replicate>` of MJCF (a note).

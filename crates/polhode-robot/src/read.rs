@@ -23,7 +23,7 @@ use std::path::{Path, PathBuf};
 
 use polhode_formats::{ContentError, ContentErrorKind, ContentPlace, FormatError};
 
-use crate::model::{ModelFormat, RobotModel};
+use crate::model::{ModelFormat, Note, RobotModel};
 
 /// How a model is read.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -108,10 +108,28 @@ fn read(text: String, path: &Path, options: &ReadOptions) -> Result<RobotModel, 
             ModelFormat::Sdf => sdf::read(root, &roots, &mut model)?,
             ModelFormat::Mjcf => mjcf::read(root, &roots, &mut model)?,
         }
+        keep_finite(&mut model);
         Ok(model)
     });
     match parsed {
         Ok(model) => Ok(RobotModel { text, ..model }),
         Err(error) => Err(FormatError::of_content(path, text.as_bytes(), error)),
+    }
+}
+
+/// Takes frames whose place f64 does not hold to the origin, with a note.
+fn keep_finite(model: &mut RobotModel) {
+    let links = model.links.iter_mut().map(|link| (&link.name, &link.span, &mut link.pose));
+    let joints = model.joints.iter_mut().map(|joint| (&joint.name, &joint.span, &mut joint.pose));
+    for (name, span, pose) in links.chain(joints) {
+        if !pose.position.iter().all(|c| c.is_finite()) {
+            pose.position = [0.0; 3];
+            model.notes.push(Note {
+                code: "read.pose",
+                subject: name.text.clone(),
+                span: span.clone(),
+                message: "its place is beyond the largest double: it is taken at the origin".to_owned(),
+            });
+        }
     }
 }

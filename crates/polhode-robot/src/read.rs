@@ -2,7 +2,7 @@
 //!
 //! A reader says what stands in the file. It refuses only what is no model at all: text that is no XML, another root element.
 //! A number that is none (`"0,5"`), an element that lacks one, a mesh that no root holds: these stay in the model as they are,
-//! for the checks. What a reader leaves out is a [`Note`](crate::model::Note).
+//! for the checks. What a reader leaves out is a [`Note`].
 //!
 //! Defaults are not filled in: in SDF a missing mass is 1 kg, a missing moment 1 kg·m², and a link without `<inertial>` has both; here they
 //! are [`Slot::Missing`](crate::model::Slot::Missing), [`Tensor::Missing`](crate::model::Tensor::Missing) and `None`, as in the other

@@ -94,6 +94,7 @@ pub fn check(model: &RobotModel, geometry: &[LinkGeometry]) -> Vec<Finding> {
         }
         bodies.push(body);
     }
+    numbers::elsewhere(model, &mut findings);
     pair::check(&bodies, &mut findings);
     placeholder::repeated(&bodies, &mut findings);
     findings.sort_by_key(|f| f.span.start);
@@ -104,14 +105,14 @@ pub fn check(model: &RobotModel, geometry: &[LinkGeometry]) -> Vec<Finding> {
 fn of_body(body: &Body, carried: bool) -> Vec<Finding> {
     let mut findings = Vec::new();
     if possible::check(body, carried, &mut findings) {
-        explain::check(body, &mut findings);
+        // One reason for a wrong tensor is enough: the surest is asked first.
+        let rules = [explain::check, placeholder::check, gyration::check];
+        for rule in rules {
+            if findings.iter().all(|f| f.severity < Severity::Suspect) {
+                rule(body, &mut findings);
+            }
+        }
         density::check(body, &mut findings);
-        if findings.is_empty() {
-            placeholder::check(body, &mut findings);
-        }
-        if !findings.iter().any(|f| f.severity >= Severity::Suspect) {
-            gyration::check(body, &mut findings);
-        }
     } else {
         order::check_alone(body, &mut findings);
     }

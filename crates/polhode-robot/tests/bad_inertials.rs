@@ -4,8 +4,9 @@
 
 mod check_common;
 
-use check_common::{SLAB, findings, findings_with, link, number, only, repaired, robot};
+use check_common::{SLAB, findings, findings_with, link, number, only, repaired, robot, solid};
 use polhode_robot::finding::Severity;
+use polhode_robot::geometry::VolumeKind;
 
 const GOOD: [&str; 6] = ["0.0123", "0.0171", "0.0219", "-0.0011", "0.0007", "0.0013"];
 
@@ -153,10 +154,10 @@ fn one_power_of_ten_is_the_only_repair() {
         assert!(description.contains(part), "{description}");
     }
     // Geometry that speaks against it takes the repair away: a link ten times as long.
-    let long = check_common::block([1.0, 1.4, 2.0], polhode_robot::check::MadeOf::Primitives);
+    let long = check_common::block([1.0, 1.4, 2.0], VolumeKind::Primitives);
     assert_eq!(only(&findings_with(&document, long), "inertia.triangle").repair, None);
     // And what reaches less than the radius of gyration is said beside it.
-    let near = check_common::block([0.1, 0.12, 0.14], polhode_robot::check::MadeOf::Primitives);
+    let near = check_common::block([0.1, 0.12, 0.14], VolumeKind::Primitives);
     let all = findings_with(&document, near);
     let found = only(&all, "inertia.triangle");
     assert!(found.message.contains("gyration radius 1.037 m at 1.559 kg"), "{}", found.message);
@@ -194,7 +195,6 @@ const CONJUGATED: [f64; 6] = [0.268209, 0.359486, 0.225659, 0.011284, 0.0635697,
 
 #[test]
 fn a_conjugated_attitude_is_found_by_the_geometry() {
-    use polhode_robot::check::{LinkGeometry, MadeOf, Shape};
     use polhode_robot::moments::Moments;
     let moments = Moments::of(&CONJUGATED);
     for (value, printed) in moments.values.iter().zip([0.179588555, 0.31243485, 0.361330595]) {
@@ -202,9 +202,9 @@ fn a_conjugated_attitude_is_found_by_the_geometry() {
     }
     // The body, of 12 kg, as a mesh of 0.015 m³ would have it.
     let (mass, volume) = (12.0, 0.015);
-    let tensor = CONJUGATED.map(|x| x * volume / mass);
-    let shape = Shape { volume, centroid: [0.01, 0.02, -0.03], tensor, made_of: MadeOf::Meshes };
-    let geometry = LinkGeometry { shapes: vec![shape], bounds: Some([[-0.4; 3], [0.4; 3]]) };
+    let [xx, yy, zz, xy, xz, yz] = CONJUGATED.map(|x| x / mass);
+    let per_mass = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
+    let geometry = solid(volume, [0.01, 0.02, -0.03], per_mass, [[-0.4; 3], [0.4; 3]], VolumeKind::Closed);
     // R has the axes as columns.
     let r = check_common::transposed(&moments.axes);
     let rpy = |r: &check_common::Matrix| {

@@ -5,8 +5,9 @@
 mod check_common;
 
 use check_common::*;
-use polhode_robot::check::{LinkGeometry, MadeOf};
+use polhode_robot::check::LinkGeometry;
 use polhode_robot::finding::{Finding, Severity};
+use polhode_robot::geometry::VolumeKind;
 
 /// The one finding of a slab with these numbers, and the document.
 fn one(slab: &Slab, tensor: [f64; 6], code: &str) -> (String, Finding) {
@@ -109,7 +110,7 @@ fn nine_numbers_cut_at_six() {
 
 #[test]
 fn moments_of_another_axis() {
-    let geometry = block([0.05, 0.08, 0.4], MadeOf::Primitives);
+    let geometry = block([0.05, 0.08, 0.4], VolumeKind::Primitives);
     let moment = |a: f64, b: f64| 0.9 * (a * a + b * b) / 12.0;
     let [x, y, z] = [moment(0.08, 0.4), moment(0.05, 0.4), moment(0.05, 0.08)].map(|i| format!("{i:.6}"));
     let right = robot(&link("bar", "0.9", [&x, &y, &z, "0", "0", "0"]));
@@ -213,26 +214,26 @@ fn density() {
     // A crude box of collision beside the mesh: one that fits is enough.
     let slab = Slab { mass: 400.0 * volume, ..SLAB };
     let mut geometry = slab.geometry();
-    geometry.shapes.insert(0, block([1.0, 1.1, 1.2], MadeOf::Primitives).shapes[0]);
+    geometry.volumes.insert(0, block([1.0, 1.1, 1.2], VolumeKind::Primitives).volumes[0].clone());
     assert_eq!(findings_with(&slab.robot(slab.tensor()), geometry), []);
     // A box around a light link is no reason by itself.
     let tensor = ["2e-4", "3e-4", "4e-4", "0", "0", "0"];
     let light = robot(&link("hand", "0.2", tensor));
-    assert_eq!(findings_with(&light, block([0.3, 0.35, 0.4], MadeOf::Primitives)), []);
+    assert_eq!(findings_with(&light, block([0.3, 0.35, 0.4], VolumeKind::Primitives)), []);
 }
 
 #[test]
 fn placeholders() {
     let identity = ["1.0", "1.0", "1.0", "0.0", "0.0", "0.0"];
     let document = robot(&link("cup", "0.4", identity));
-    let all = findings_with(&document, block([0.1, 0.1, 0.12], MadeOf::Meshes));
+    let all = findings_with(&document, block([0.1, 0.1, 0.12], VolumeKind::Closed));
     let found = only(&all, "inertia.placeholder");
     assert_eq!((found.severity, all.len()), (Severity::Suspect, 1));
     assert!(found.message.contains("1 kg·m² about each axis on 0.4 kg"), "{}", found.message);
     // Where nothing contradicts, it is a note; where the geometry agrees, nothing.
     let all = findings(&robot(&link("cup", "4", identity)));
     assert_eq!(only(&all, "inertia.placeholder").severity, Severity::Note);
-    let metre = block([1.0, 1.0, 1.0], MadeOf::Meshes);
+    let metre = block([1.0, 1.0, 1.0], VolumeKind::Closed);
     assert_eq!(findings_with(&robot(&link("crate", "11", identity)), metre), []);
 }
 

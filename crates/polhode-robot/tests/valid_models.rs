@@ -5,8 +5,9 @@
 mod check_common;
 
 use check_common::{SLAB, Slab, block, bounds, findings, findings_with, is_clean, link, only, robot};
-use polhode_robot::check::{LinkGeometry, MadeOf};
+use polhode_robot::check::LinkGeometry;
 use polhode_robot::finding::Severity;
+use polhode_robot::geometry::VolumeKind;
 
 /// One link with this geometry is not worse than a note.
 fn valid(why: &str, mass: &str, six: [&str; 6], geometry: LinkGeometry) {
@@ -16,20 +17,20 @@ fn valid(why: &str, mass: &str, six: [&str; 6], geometry: LinkGeometry) {
 
 #[test]
 fn links_of_real_kinds() {
-    use MadeOf::{Meshes, Primitives};
+    use VolumeKind::{Closed, Primitives};
     let none = LinkGeometry::default;
     for (why, mass, six, geometry) in [
         (
             "a forearm as a CAD program prints it",
             "1.219",
             ["0.0111069", "0.0110888", "0.0015721", "-2.5e-05", "-0.00011", "9.8e-06"],
-            block([0.08, 0.09, 0.39], Meshes),
+            block([0.08, 0.09, 0.39], Closed),
         ),
         (
             "a shoulder of a cylinder, three digits",
             "3.70",
             ["0.0103", "0.0103", "0.00666", "0", "0", "0"],
-            block([0.12, 0.12, 0.18], Meshes),
+            block([0.12, 0.12, 0.18], Closed),
         ),
         (
             "a wheel",
@@ -54,7 +55,7 @@ fn links_of_real_kinds() {
             "a small part of a file printed to six decimals",
             "0.004",
             ["0.000001", "0.000001", "0.000003", "0.000000", "0.000000", "0.000000"],
-            block([0.05, 0.05, 0.003], Meshes),
+            block([0.05, 0.05, 0.003], Closed),
         ),
         ("a rod, without width", "0.12", ["0.0009", "0.0009", "0", "0", "0", "0"], none()),
         ("a rotor, all but a point", "0.02", ["1e-9", "1e-9", "2e-9", "0", "0", "0"], none()),
@@ -87,13 +88,13 @@ fn links_of_real_kinds() {
             "a torso, nine digits, all products",
             "9.042",
             ["0.128376442", "0.0912750107", "0.0719374281", "0.00215317", "-0.01082791", "0.00031415927"],
-            block([0.22, 0.31, 0.38], Meshes),
+            block([0.22, 0.31, 0.38], Closed),
         ),
         (
             "a light wing of foam",
             "0.42",
             ["0.0411", "0.00152", "0.0425", "0.00011", "0", "0"],
-            block([0.18, 1.08, 0.025], Meshes),
+            block([0.18, 1.08, 0.025], Closed),
         ),
         (
             "a hollow shell of a cover",
@@ -105,7 +106,7 @@ fn links_of_real_kinds() {
             "a dense tungsten ballast",
             "19.1",
             ["0.0318", "0.0318", "0.0318", "0", "0", "0"],
-            block([0.1, 0.1, 0.1], Meshes),
+            block([0.1, 0.1, 0.1], Closed),
         ),
         (
             "what is taught for a hand's size",

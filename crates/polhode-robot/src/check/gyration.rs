@@ -26,7 +26,7 @@ const LONGEST: f64 = 10.0;
 pub(super) fn check(body: &Body, findings: &mut Vec<Finding>) {
     let k = body.gyration();
     let i3 = body.moments.values[2];
-    let implied = body.shapes().map(|s| trace(&body.implied(s)) / 3.0).reduce(f64::max);
+    let implied = body.solids().map(|s| trace(&body.implied(s)) / 3.0).reduce(f64::max);
     // How large the moments should be, and within which factor that is known.
     let (bound, seen, size, sure) = match body.reach() {
         Some(reach) => {

@@ -101,7 +101,7 @@ pub(super) fn check_alone(body: &Body, findings: &mut Vec<Finding>) {
     let mut found =
         finding("inertia.order", Severity::Suspect, body.link, body.tensor_place(), message, RULE);
     // Without a shape that agrees it is a proof only if there is no shape to ask, and no other order does.
-    if possible.len() == 1 && body.shapes().next().is_none() {
+    if possible.len() == 1 && body.solids().next().is_none() {
         let edits = explanation(body, order).edits;
         found.repair = Some(Repair { description: super::explain::describe(body, &edits), edits });
     }

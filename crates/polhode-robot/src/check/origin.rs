@@ -31,9 +31,9 @@ pub(super) fn explain(candidates: &mut Candidates) {
         });
         return;
     }
-    for shape in body.shapes() {
-        candidates.offer(difference(&body.tensor, &parallel_axes(body.mass, shape.centroid)), || {
-            let away = length(shape.centroid);
+    for solid in body.solids() {
+        candidates.offer(difference(&body.tensor, &parallel_axes(body.mass, solid.centroid)), || {
+            let away = length(solid.centroid);
             let mistake = format!(
                 "tensor about the link's origin, and no centre of mass given; the geometry's is {away} m from there"
             );

@@ -4,8 +4,9 @@
 
 use std::path::Path;
 
-use polhode_robot::check::{LinkGeometry, MadeOf, Shape, check};
+use polhode_robot::check::{LinkGeometry, check};
 use polhode_robot::finding::{Finding, Severity};
+use polhode_robot::geometry::{Volume, VolumeKind};
 use polhode_robot::model::RobotModel;
 use polhode_robot::read::{ReadOptions, read_text};
 
@@ -119,15 +120,9 @@ impl Slab {
     pub fn geometry(&self) -> LinkGeometry {
         let [a, b, c] = self.edges;
         let volume = a * b * c;
-        let shape = Shape {
-            volume,
-            centroid: self.centre,
-            tensor: six(&self.per_mass()).map(|x| x * volume),
-            made_of: MadeOf::Meshes,
-        };
         let half = 0.5 * (a * a + b * b + c * c).sqrt();
         let bounds = [self.centre.map(|x| x - half), self.centre.map(|x| x + half)];
-        LinkGeometry { shapes: vec![shape], bounds: Some(bounds) }
+        solid(volume, self.centre, self.per_mass(), bounds, VolumeKind::Closed)
     }
 
     /// A robot of this one link with these six numbers.
@@ -163,17 +158,27 @@ pub fn robot(parts: &str) -> String {
 
 /// A ball's worth of reach around a point.
 pub fn bounds(centre: [f64; 3], half: f64) -> LinkGeometry {
-    LinkGeometry { shapes: Vec::new(), bounds: Some([centre.map(|x| x - half), centre.map(|x| x + half)]) }
+    LinkGeometry { volumes: Vec::new(), bounds: Some([centre.map(|x| x - half), centre.map(|x| x + half)]) }
 }
 
-/// A box of these edges at a link's origin, as a primitive or a mesh.
-pub fn block([a, b, c]: [f64; 3], made_of: MadeOf) -> LinkGeometry {
-    let volume = a * b * c;
+/// A solid with this tensor for each kilogram.
+pub fn solid(
+    volume: f64,
+    centroid: [f64; 3],
+    per_mass: Matrix,
+    bounds: [[f64; 3]; 2],
+    kind: VolumeKind,
+) -> LinkGeometry {
+    let tensor_per_density = per_mass.map(|row| row.map(|x| x * volume));
+    let extent = bounds.iter().flatten().map(|x| x * x).sum::<f64>().sqrt();
+    let solid = Volume { volume, centroid, tensor_per_density, extent, bounds, kind };
+    LinkGeometry { volumes: vec![solid], bounds: Some(bounds) }
+}
+
+/// A box of these edges at a link's origin.
+pub fn block([a, b, c]: [f64; 3], kind: VolumeKind) -> LinkGeometry {
     let (x, y, z) = (a * a / 12.0, b * b / 12.0, c * c / 12.0);
-    let tensor = [y + z, x + z, x + y, 0.0, 0.0, 0.0].map(|i| i * volume);
-    let shape = Shape { volume, centroid: [0.0; 3], tensor, made_of };
-    LinkGeometry {
-        shapes: vec![shape],
-        bounds: Some([[-a / 2.0, -b / 2.0, -c / 2.0], [a / 2.0, b / 2.0, c / 2.0]]),
-    }
+    let per_mass = [[y + z, 0.0, 0.0], [0.0, x + z, 0.0], [0.0, 0.0, x + y]];
+    let half = [a / 2.0, b / 2.0, c / 2.0];
+    solid(a * b * c, [0.0; 3], per_mass, [half.map(|x| -x), half], kind)
 }

@@ -71,6 +71,11 @@ impl Tree {
         self.holders.len()
     }
 
+    /// The first joint that holds it.
+    pub(super) fn joint(&self, k: usize) -> Option<usize> {
+        self.holders.get(k)?.first().map(|(joint, _)| *joint)
+    }
+
     /// True if joints let the link move, its own or those of what it hangs on.
     pub(super) fn moves(&self, k: usize) -> bool {
         self.moves.get(k).copied().unwrap_or(false)

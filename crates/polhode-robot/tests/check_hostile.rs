@@ -77,9 +77,9 @@ fn hostile_numbers() {
 
 /// A body of points anywhere within the slab's bounds, of any mass: possible by what it is, and never its geometry's.
 #[test]
-fn bodies_of_any_kind_are_not_impossible_and_seldom_suspect() {
+fn bodies_of_any_kind_are_neither_impossible_nor_suspect() {
     let mut dice = Dice(11);
-    let (mut count, mut suspect) = (0, Vec::new());
+    let mut suspect = Vec::new();
     for k in 0..4000 {
         let edges = [0.1 + 0.1 * dice.part(), 0.1 + 0.2 * dice.part(), 0.1 + 0.3 * dice.part()];
         let slab = check_common::Slab {
@@ -113,12 +113,11 @@ fn bodies_of_any_kind_are_not_impossible_and_seldom_suspect() {
         let texts = check_common::six(&tensor).map(|x| format!("{x:.*e}", 2 + k % 5));
         let all = findings_with(&slab.robot_of(&texts.each_ref().map(String::as_str)), slab.geometry());
         assert!(all.iter().all(|f| f.severity < Severity::Impossible), "{all:#?}");
-        count += 1;
         if !is_clean(&all) {
             suspect.push(all);
         }
     }
-    assert!(200 * suspect.len() <= count, "{} of {count}: {suspect:#?}", suspect.len());
+    assert!(suspect.is_empty(), "{} of 4000: {suspect:#?}", suspect.len());
 }
 
 /// Names and texts of other alphabets, in every place.

@@ -72,8 +72,7 @@ fn nothing(model: &RobotModel, tree: &Tree, k: usize, link: &Link, findings: &mu
     match model.format {
         // What MuJoCo refuses: a body with a joint that has no mass, nor any that is fixed to it.
         ModelFormat::Mjcf => {
-            let bounded = model.text.contains("boundmass");
-            if tree.moves_itself(k) && !tree.has_welded_mass(k) && !bounded {
+            if tree.moves_itself(k) && !tree.has_welded_mass(k) && !tree.is_bounded() {
                 let message = "no inertial and no geom on a body with a joint";
                 tell(
                     "mass.missing",

@@ -1,0 +1,179 @@
+//! What is wrong with a model's inertias, why, and what would repair it.
+//!
+//! Two questions are asked of each link. Can a body have these numbers at all? That needs nothing but the numbers and
+//! the digits that they are written with ([`Severity::Impossible`]). And can *this* body have them? That needs the
+//! link's own geometry ([`Severity::Suspect`]): its reach, its volume, and the tensor it would have were it uniform.
+//!
+//! Few false alarms matter as much as catches. So:
+//!
+//! - A number is as sure as its digits. A tensor is impossible only if no tensor that rounds to the written one is
+//!   possible (`check/possible.rs`).
+//! - A tensor that differs from its geometry's is no finding: bodies are not uniform. It becomes one where the
+//!   geometry has the tensor that a known mistake would have spoilt in just this way (`check/explain.rs`): the mistake undone
+//!   leaves 3 % at most, and a fifth at most of what there was. Six numbers do not agree by chance.
+//! - A repair is offered if it is the only one. Two that would do are none.
+//!
+//! Each rule is a file, and says why its thresholds are what they are.
+
+mod body;
+mod conjugate;
+mod density;
+mod explain;
+mod gyration;
+mod mass;
+mod numbers;
+mod order;
+mod origin;
+mod pair;
+mod placeholder;
+mod possible;
+mod power;
+mod print;
+mod sign;
+mod tree;
+mod unit;
+mod written;
+
+use crate::finding::{Finding, Repair, Severity};
+use crate::geometry::{Shapes, Volume};
+use crate::model::{Link, RobotModel, Role, Span};
+use body::Body;
+use print::Print;
+use tree::Tree;
+
+/// What the geometry of one link says of it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct LinkGeometry {
+    /// The solids that it may be: all that is seen, and all that is touched. One that fits is enough.
+    pub volumes: Vec<Volume>,
+    /// The least and the greatest x, y, z of all of them, in the link's frame; `None` if there are none.
+    pub bounds: Option<[[f64; 3]; 2]>,
+}
+
+impl LinkGeometry {
+    /// The sets of a link's shapes that can be measured as a whole. Half of a body says nothing of it.
+    pub fn of(link: &Link, shapes: &mut Shapes) -> Self {
+        let mut geometry = Self::default();
+        for role in [Role::Visual, Role::Collision] {
+            let set = shapes.link(link, role);
+            let Some(volume) = set.volume.filter(|_| set.left_out.is_empty()) else { continue };
+            geometry.bounds = Some(geometry.bounds.map_or(volume.bounds, |[low, high]| {
+                let [other_low, other_high] = volume.bounds;
+                [[0, 1, 2].map(|k| low[k].min(other_low[k])), [0, 1, 2].map(|k| high[k].max(other_high[k]))]
+            }));
+            geometry.volumes.push(volume);
+        }
+        geometry
+    }
+}
+
+/// Everything wrong with a model, by place in the file. `geometry[k]` belongs to `model.links[k]`; what is not there
+/// is not asked about.
+///
+/// It takes a time linear in links and joints, and never recurses.
+///
+/// ```
+/// use polhode_robot::check::{LinkGeometry, check};
+/// use polhode_robot::geometry::Shapes;
+/// use polhode_robot::read::{ReadOptions, read_text};
+///
+/// let text = r#"<robot><link name="hull"><inertial><mass value="1.5"/>
+///     <inertia ixx="0.0347563" iyy="0.0458929" izz="0.0977" ixy="0" ixz="0" iyz="0"/></inertial></link></robot>"#;
+/// let model = read_text(text, "iris.urdf".as_ref(), &ReadOptions::default())?;
+/// let mut shapes = Shapes::default();
+/// let geometry: Vec<_> = model.links.iter().map(|link| LinkGeometry::of(link, &mut shapes)).collect();
+/// let findings = check(&model, &geometry);
+/// assert_eq!(findings[0].code, "inertia.triangle");
+/// assert_eq!(findings[0].message, "i1 + i2 = 0.0806492 < i3 = 0.0977 kg·m² (by 0.0170508)");
+/// # Ok::<(), polhode_formats::FormatError>(())
+/// ```
+pub fn check(model: &RobotModel, geometry: &[LinkGeometry]) -> Vec<Finding> {
+    let tree = Tree::of(model);
+    let print = Print::of(model);
+    let nothing = LinkGeometry::default();
+    let mut findings = tree::check(model, &tree);
+    let mut bodies = Vec::with_capacity(model.links.len());
+    for (k, link) in model.links.iter().enumerate() {
+        let placed = link.inertial.as_ref().is_none_or(|inertial| inertial.pose.unreadable.is_empty());
+        let geometry = geometry.get(k).filter(|_| placed).unwrap_or(&nothing);
+        let body = Body::of(model.format, link, geometry, print);
+        numbers::check(model, link, &tree, k, &mut findings);
+        mass::check(model, &tree, k, &mut findings);
+        if let Some(body) = &body {
+            let mut found = of_body(body, tree.is_carried(k));
+            leave_one_repair(&mut found);
+            findings.append(&mut found);
+        }
+        bodies.push(body);
+    }
+    numbers::elsewhere(model, &mut findings);
+    pair::check(model, &tree, &bodies, &mut findings);
+    placeholder::repeated(&bodies, &mut findings);
+    for finding in &mut findings {
+        finding.numbers.retain(|(_, x)| x.is_finite());
+    }
+    findings.sort_by_key(|f| f.span.start);
+    findings
+}
+
+/// What is wrong with one body's mass and tensor.
+fn of_body(body: &Body, carried: bool) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    if possible::check(body, carried, &mut findings) {
+        // One reason for a wrong tensor is enough: the surest is asked first.
+        let rules = [explain::check, placeholder::check, gyration::check];
+        for rule in rules {
+            if findings.iter().all(|f| f.severity < Severity::Suspect) {
+                rule(body, &mut findings);
+            }
+        }
+        density::check(body, &mut findings);
+    } else if body.mass > 0.0 {
+        let told = findings.len();
+        explain::check(body, &mut findings);
+        if findings.len() == told {
+            order::check_alone(body, &mut findings);
+        }
+    }
+    findings
+}
+
+/// Two repairs of one place contradict each other, so neither is sure.
+fn leave_one_repair(findings: &mut [Finding]) {
+    let repaired: Vec<Span> = findings
+        .iter()
+        .flat_map(|f| f.repair.iter().flat_map(|r| r.edits.iter().map(|(span, _)| span.clone())))
+        .collect();
+    let twice = |repair: &Repair| {
+        repair
+            .edits
+            .iter()
+            .any(|(span, _)| repaired.iter().filter(|s| s.start < span.end && span.start < s.end).count() > 1)
+    };
+    for finding in findings {
+        if finding.repair.as_ref().is_some_and(twice) {
+            finding.repair = None;
+        }
+    }
+}
+
+/// A finding about a link.
+fn finding(
+    code: &'static str,
+    severity: Severity,
+    link: &Link,
+    span: Span,
+    message: String,
+    rule: &str,
+) -> Finding {
+    Finding {
+        code,
+        severity,
+        subject: link.name.text.clone(),
+        span,
+        message,
+        rule: rule.to_owned(),
+        numbers: Vec::new(),
+        repair: None,
+    }
+}

@@ -167,10 +167,8 @@ impl Base {
         let at_end: Rotation<Space, Principal> = sum.orientation.rotation();
         let impulse: AngularMomentum<Space> = at_end * AngularMomentum::from_array(more.impulse);
         let impulse = impulse.to_array();
-        for k in 0..3 {
-            sum.omega[k] = carried(self.omega[k], more.omega[k]);
-            sum.impulse[k] = carried(self.impulse[k], impulse[k]);
-        }
+        sum.omega = core::array::from_fn(|k| carried(self.omega[k], more.omega[k]));
+        sum.impulse = core::array::from_fn(|k| carried(self.impulse[k], impulse[k]));
         sum.work = carried(self.work, more.work);
         sum
     }

@@ -8,9 +8,9 @@ use super::weld::Welded;
 /// An axis-parallel box. Its coordinates are rounded, but never change their order: boxes of what meets, meet.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(32))]
-struct Bounds {
-    low: [f32; 4],
-    high: [f32; 4],
+pub(crate) struct Bounds {
+    pub(crate) low: [f32; 4],
+    pub(crate) high: [f32; 4],
 }
 
 impl Bounds {
@@ -21,6 +21,17 @@ impl Bounds {
         (0..4).fold(true, |all, k| all & (self.low[k] <= other.high[k]) & (other.low[k] <= self.high[k]))
     }
 
+    /// A little larger: by half its width along an axis.
+    pub(crate) fn about(mut self, axis: usize) -> Self {
+        let width = (0..3).filter(|&k| k != axis).map(|k| self.high[k] - self.low[k]).fold(0.0, f32::max);
+        for k in 0..3 {
+            let margin = if k == axis { 0.5 * width + MARGIN } else { MARGIN };
+            self.low[k] -= margin;
+            self.high[k] += margin;
+        }
+        self
+    }
+
     fn with(&self, other: &Self) -> Self {
         Self {
             low: core::array::from_fn(|k| self.low[k].min(other.low[k])),
@@ -29,8 +40,11 @@ impl Bounds {
     }
 }
 
+/// More than the last digit of a coordinate between −1 and 1.
+const MARGIN: f32 = 1.0 / 4_194_304.0;
+
 /// Triangles to a leaf.
-const LEAF: usize = 4;
+pub(crate) const LEAF: usize = 4;
 
 /// A complete binary tree over triangles along a space-filling curve (Morton's); the children of node n are 2n and 2n + 1, its root is 1.
 #[derive(Debug)]
@@ -63,22 +77,44 @@ impl Tree {
                 .collect::<Vec<_>>()
         });
         tree.order = sorted(pieces.concat()).into_iter().map(|(_, t)| t).collect();
-        tree.boxes = threads
-            .map_pieces(tree.order.len(), PIECE, |piece| {
-                let bounds = |&t: &u32| tree.bounds(&welded.triangle(t as usize));
-                tree.order[piece].iter().map(bounds).collect::<Vec<_>>()
-            })
-            .concat();
-        tree.leaves = tree.boxes.len().div_ceil(LEAF).next_power_of_two();
+        tree.bound(welded, threads);
+        tree
+    }
+
+    /// Of some of its triangles, which are in its order.
+    pub(crate) fn part(&self, welded: &Welded, order: Vec<u32>, threads: Threads) -> Self {
+        let (middle, scale) = (self.middle, self.scale);
+        let mut part = Self { order, boxes: vec![], nodes: vec![], leaves: 0, middle, scale };
+        part.bound(welded, threads);
+        part
+    }
+
+    /// Makes the boxes.
+    fn bound(&mut self, welded: &Welded, threads: Threads) {
+        let boxes = threads.map_pieces(self.order.len(), PIECE, |piece| {
+            let bounds = |&t: &u32| self.bounds(&welded.triangle(t as usize));
+            self.order[piece].iter().map(bounds).collect::<Vec<_>>()
+        });
+        self.boxes = boxes.concat();
+        self.leaves = self.boxes.len().div_ceil(LEAF).next_power_of_two();
         let joined = |boxes: &[Bounds]| boxes.iter().fold(Bounds::NOTHING, |all, b| all.with(b));
-        tree.nodes = vec![Bounds::NOTHING; 2 * tree.leaves];
-        for (node, boxes) in tree.nodes[tree.leaves..].iter_mut().zip(tree.boxes.chunks(LEAF)) {
+        self.nodes = vec![Bounds::NOTHING; 2 * self.leaves];
+        for (node, boxes) in self.nodes[self.leaves..].iter_mut().zip(self.boxes.chunks(LEAF)) {
             *node = joined(boxes);
         }
-        for n in (1..tree.leaves).rev() {
-            tree.nodes[n] = tree.nodes[2 * n].with(&tree.nodes[2 * n + 1]);
+        for n in (1..self.leaves).rev() {
+            self.nodes[n] = self.nodes[2 * n].with(&self.nodes[2 * n + 1]);
         }
-        tree
+    }
+
+    /// Its triangles, as leaves have them.
+    pub(crate) fn order(&self) -> &[u32] {
+        &self.order
+    }
+
+    /// The boxes of its nodes, the leaves in the second half.
+    pub(crate) fn nodes(&self) -> &[Bounds] {
+        &self.nodes
     }
 
     /// Leaves with triangles.
@@ -151,14 +187,27 @@ impl Tree {
         }
     }
 
-    /// Calls `hit` for every triangle whose box the ray from a point along an axis may meet.
-    pub(crate) fn along(&self, point: [f64; 3], axis: usize, mut hit: impl FnMut(u32)) {
+    /// The line through a point along an axis, as long as a box.
+    pub(crate) fn line(&self, point: [f64; 3], axis: usize, within: &Bounds) -> Bounds {
         let [x, y, z] = self.reduced(point);
-        let mut ray = Bounds { low: [x, y, z, 0.0], high: [x, y, z, 0.0] };
-        ray.high[axis] = f32::INFINITY;
-        let mut waiting = vec![1];
+        let mut line = Bounds { low: [x, y, z, 0.0], high: [x, y, z, 0.0] };
+        (line.low[axis], line.high[axis]) = (within.low[axis], within.high[axis]);
+        line
+    }
+
+    /// Is something so of every triangle, by its place in the order, whose box meets this one? Only nodes that are `open` are looked
+    /// into.
+    pub(crate) fn all_within(
+        &self,
+        within: &Bounds,
+        open: impl Fn(usize, &Bounds) -> bool,
+        mut so: impl FnMut(usize, &Bounds) -> bool,
+    ) -> bool {
+        let mut waiting = Vec::with_capacity(64);
+        waiting.push(1);
         while let Some(node) = waiting.pop() {
-            if !self.nodes[node].meets(&ray) {
+            let bounds = &self.nodes[node];
+            if !bounds.meets(within) || !open(node, bounds) {
                 continue;
             }
             if node < self.leaves {
@@ -167,11 +216,23 @@ impl Tree {
             }
             let first = (node - self.leaves) * LEAF;
             for j in first..(first + LEAF).min(self.order.len()) {
-                if self.boxes[j].meets(&ray) {
-                    hit(self.order[j]);
+                if self.boxes[j].meets(within) && !so(j, &self.boxes[j]) {
+                    return false;
                 }
             }
         }
+        true
+    }
+
+    /// Calls `hit` for every triangle whose box the ray from a point along an axis may meet.
+    pub(crate) fn along(&self, point: [f64; 3], axis: usize, mut hit: impl FnMut(u32)) {
+        let [x, y, z] = self.reduced(point);
+        let mut ray = Bounds { low: [x, y, z, 0.0], high: [x, y, z, 0.0] };
+        ray.high[axis] = f32::INFINITY;
+        self.all_within(&ray, |_, _| true, |j, _| {
+            hit(self.order[j]);
+            true
+        });
     }
 }
 

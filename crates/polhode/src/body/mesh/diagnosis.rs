@@ -139,7 +139,7 @@ impl Analysis {
         let welded = Welded::of(mesh, threads);
         let corners = &welded.corners;
         let edges = Edges::of(corners, welded.points.len(), threads);
-        let patches = Patches::of(corners, &edges);
+        let patches = Patches::of(corners, &edges, threads);
         let mut measured = Measured::of(&welded, &patches);
         // What has no area has no sides, and meets nothing that its neighbours do not meet.
         let has_area =

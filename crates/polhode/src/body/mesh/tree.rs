@@ -71,12 +71,10 @@ impl Tree {
         let scale = if size > 0.0 { (2.0 / size).min(f64::MAX) } else { 1.0 };
         let mut tree = Self { order: vec![], boxes: vec![], nodes: vec![], leaves: 0, middle, scale };
         let pieces = threads.map_pieces(welded.corners.len(), PIECE, |piece| {
-            piece
-                .filter(|&t| wanted(t))
-                .map(|t| (tree.code(&welded.triangle(t)), t as u32))
-                .collect::<Vec<_>>()
+            let wanted = piece.filter(|&t| wanted(t));
+            wanted.map(|t| Key::new(tree.code(welded.triangle(t)), t as u32)).collect::<Vec<_>>()
         });
-        tree.order = sorted(pieces.concat()).into_iter().map(|(_, t)| t).collect();
+        tree.order = sorted(&pieces, threads);
         tree.bound(welded, threads);
         tree
     }
@@ -140,13 +138,10 @@ impl Tree {
     }
 
     /// The place on the curve: the bits of the three coordinates of the middle, in turns.
-    fn code(&self, triangle: &[[f64; 3]; 3]) -> u64 {
-        let bounds = self.bounds(triangle);
-        let bits = |k: usize| {
-            let middle = 0.5 * (bounds.low[k] + bounds.high[k]);
-            spread((((middle + 1.0) * 32768.0) as u64).min(65535)) // as: 0 for NaN and what is negative
-        };
-        bits(0) | bits(1) << 1 | bits(2) << 2
+    fn code(&self, [a, b, c]: [[f64; 3]; 3]) -> u32 {
+        let middle = self.reduced(core::array::from_fn(|k| (a[k] + b[k] + c[k]) * (1.0 / 3.0)));
+        let [x, y, z] = middle.map(|m| spread((((m + 1.0) * 512.0) as u32).min(1023))); // as: 0 for what is negative
+        x | y << 1 | z << 2
     }
 
     /// Calls `pair` for every two triangles whose boxes meet and the first of which is in one of the leaves.
@@ -239,34 +234,67 @@ impl Tree {
 /// Triangles in a piece of work.
 const PIECE: usize = 1 << 16;
 
-/// The 16 bits of a number, two zeros between each two.
-fn spread(x: u64) -> u64 {
-    let x = (x | x << 16) & 0xff00_00ff;
-    let x = (x | x << 8) & 0x00f0_0f00_f00f;
-    let x = (x | x << 4) & 0x0c30_c30c_30c3;
-    (x | x << 2) & 0x2492_4924_9249
+/// The 10 bits of a number, two zeros between each two.
+fn spread(x: u32) -> u32 {
+    let x = (x | x << 16) & 0x0300_00ff;
+    let x = (x | x << 8) & 0x0300_f00f;
+    let x = (x | x << 4) & 0x030c_30c3;
+    (x | x << 2) & 0x0924_9249
 }
 
-/// By code, otherwise in the order given: twelve bits at a time from the lowest.
-fn sorted(mut items: Vec<(u64, u32)>) -> Vec<(u64, u32)> {
-    const DIGIT: u32 = 12;
-    let mut other = vec![(0, 0); items.len()];
-    for shift in (0..48).step_by(DIGIT as usize) {
-        let digit = |code: u64| (code >> shift) as usize & ((1 << DIGIT) - 1);
-        let mut next = vec![0; 1 << DIGIT];
-        for &(code, _) in &items {
-            next[digit(code)] += 1;
-        }
-        let mut sum = 0;
-        for count in &mut next {
-            sum += core::mem::replace(count, sum);
-        }
-        for &item in &items {
-            let at = &mut next[digit(item.0)];
-            other[*at] = item;
-            *at += 1;
-        }
-        core::mem::swap(&mut items, &mut other);
+/// A triangle's place on the curve, and its number.
+#[derive(Clone, Copy, Default)]
+struct Key(u64);
+
+impl Key {
+    fn new(code: u32, triangle: u32) -> Self {
+        Self(u64::from(code) << 32 | u64::from(triangle))
     }
-    items
+
+    /// Ten of the code's 30 bits: the last ones are digit 0.
+    fn digit(self, k: u32) -> usize {
+        (self.0 >> (32 + 10 * k)) as usize & (DIGITS - 1)
+    }
+}
+
+const DIGITS: usize = 1 << 10;
+
+/// The triangles by code, otherwise in the order given. Each thread has the codes that begin with some digits.
+fn sorted(pieces: &[Vec<Key>], threads: Threads) -> Vec<u32> {
+    let all = || pieces.iter().flatten().copied();
+    let mut counts = [0; DIGITS];
+    all().for_each(|key| counts[key.digit(2)] += 1);
+    let total: usize = counts.iter().sum();
+    let parts = threads.count().min(DIGITS);
+    let (mut part_of, mut sizes, mut sum) = ([0; DIGITS], vec![0; parts], 0);
+    for (part, count) in part_of.iter_mut().zip(counts) {
+        *part = (sum * parts / total.max(1)).min(parts - 1);
+        sizes[*part] += count;
+        sum += count;
+    }
+    let sorted = threads.map(parts, |part| {
+        let mut keys = Vec::with_capacity(sizes[part]);
+        keys.extend(all().filter(|key| part_of[key.digit(2)] == part));
+        let mut other = vec![Key::default(); keys.len()];
+        for k in 0..3 {
+            sort_by_digit(&keys, &mut other, k);
+            core::mem::swap(&mut keys, &mut other);
+        }
+        keys.into_iter().map(|key| key.0 as u32).collect::<Vec<_>>()
+    });
+    sorted.concat()
+}
+
+fn sort_by_digit(keys: &[Key], sorted: &mut [Key], k: u32) {
+    let mut next = [0; DIGITS];
+    keys.iter().for_each(|key| next[key.digit(k)] += 1);
+    let mut sum = 0;
+    for count in &mut next {
+        sum += core::mem::replace(count, sum);
+    }
+    for &key in keys {
+        let at = &mut next[key.digit(k)];
+        sorted[*at] = key;
+        *at += 1;
+    }
 }

@@ -66,7 +66,7 @@ fn first_equal(vertices: &[[f64; 3]], threads: Threads) -> Vec<AtomicU32> {
     let first: Vec<AtomicU32> = (0..vertices.len()).map(|_| AtomicU32::new(NONE)).collect();
     let parts = threads.count();
     threads.map(parts, |part| {
-        let mut table = Table::new();
+        let mut table = Table::of(vertices.len() / parts);
         for (k, vertex) in vertices.iter().enumerate() {
             let hash = hash(vertex);
             if (hash >> 48) as usize % parts == part {
@@ -102,8 +102,9 @@ struct Table {
 const EMPTY: u64 = u64::MAX;
 
 impl Table {
-    fn new() -> Self {
-        Self { slots: vec![EMPTY; 1024], filled: 0 }
+    /// For so many vertices, of which in triangles without indices every sixth is new.
+    fn of(vertices: usize) -> Self {
+        Self { slots: vec![EMPTY; (vertices / 2).next_power_of_two().max(1024)], filled: 0 }
     }
 
     /// The vertex of the table with the same coordinates, or else this one.

@@ -147,7 +147,7 @@ impl Analysis {
         let tree = Tree::of(&welded, has_area, threads);
         let windings = Windings { welded: &welded, tree: &tree, patches: &patches };
         measured.nest(&windings, threads);
-        let layers = Layers::of(&welded, &tree, &edges, &measured.collinear, threads);
+        let layers = Layers::of(&welded, &tree, &edges, &measured.collinear);
         let doubtful = tree.part(&welded, layers.doubtful(threads), threads);
         let meetings = Meetings::of(&windings, &doubtful, inner_winding(&measured.components), threads);
         let diagnosis = Findings { welded: &welded, edges: &edges }.diagnosis(measured, &meetings);

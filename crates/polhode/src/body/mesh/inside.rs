@@ -63,7 +63,7 @@ impl Windings<'_> {
     /// by what is inside. False if the point lies on one of them.
     fn hits(&self, but: usize, axis: usize, point: [f64; 3], mut hit: impl FnMut(usize, bool)) -> bool {
         let mut clear = true;
-        self.tree.along(point, axis, |t| {
+        self.tree.along(self.welded, point, axis, |t| {
             let t = t as usize;
             let triangle = self.welded.triangle(t);
             if t == but {

@@ -49,9 +49,10 @@ impl Meetings {
     /// Of the triangles of a tree. `inner` is how often a sound mesh winds about what is just behind its triangles; `None` if it is not
     /// closed.
     pub(crate) fn of(windings: &Windings<'_>, tree: &Tree, inner: Option<i32>, threads: Threads) -> Self {
+        let boxes = tree.boxes(windings.welded, threads);
         let parts = threads.map_pieces(tree.leaves(), LEAVES, |leaves| {
             let mut meetings = Self::default();
-            tree.pairs(leaves, |t, u| meetings.look_at(windings, inner, t.min(u), t.max(u)));
+            tree.pairs(&boxes, leaves, |t, u| meetings.look_at(windings, inner, t.min(u), t.max(u)));
             meetings
         });
         let mut all = Self::default();

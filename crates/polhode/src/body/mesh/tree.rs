@@ -2,6 +2,7 @@
 
 use core::ops::Range;
 
+use super::predicate::{across, certain_turn};
 use super::threads::Threads;
 use super::weld::Welded;
 
@@ -32,10 +33,15 @@ impl Bounds {
         self
     }
 
+    #[inline(always)]
     fn with(&self, other: &Self) -> Self {
         Self {
-            low: core::array::from_fn(|k| self.low[k].min(other.low[k])),
-            high: core::array::from_fn(|k| self.high[k].max(other.high[k])),
+            low: core::array::from_fn(
+                |k| if other.low[k] < self.low[k] { other.low[k] } else { self.low[k] },
+            ),
+            high: core::array::from_fn(|k| {
+                if other.high[k] > self.high[k] { other.high[k] } else { self.high[k] }
+            }),
         }
     }
 }
@@ -51,8 +57,9 @@ pub(crate) const LEAF: usize = 4;
 pub(crate) struct Tree {
     /// Triangles by their number in the mesh, in leaves of [`LEAF`].
     order: Vec<u32>,
-    boxes: Vec<Bounds>,
     nodes: Vec<Bounds>,
+    /// Of each node, what all its triangles have in common.
+    sides: Vec<Sides>,
     leaves: usize,
     middle: [f64; 3],
     scale: f64,
@@ -69,7 +76,7 @@ impl Tree {
         let middle = core::array::from_fn(|k| 0.5 * low[k] + 0.5 * high[k]);
         let size = (0..3).map(|k| high[k] - low[k]).fold(0.0, f64::max);
         let scale = if size > 0.0 { (2.0 / size).min(f64::MAX) } else { 1.0 };
-        let mut tree = Self { order: vec![], boxes: vec![], nodes: vec![], leaves: 0, middle, scale };
+        let mut tree = Self { order: vec![], nodes: vec![], sides: vec![], leaves: 0, middle, scale };
         let pieces = threads.map_pieces(welded.corners.len(), PIECE, |piece| {
             let wanted = piece.filter(|&t| wanted(t));
             wanted.map(|t| Key::new(tree.code(welded.triangle(t)), t as u32)).collect::<Vec<_>>()
@@ -82,27 +89,44 @@ impl Tree {
     /// Of some of its triangles, which are in its order.
     pub(crate) fn part(&self, welded: &Welded, order: Vec<u32>, threads: Threads) -> Self {
         let (middle, scale) = (self.middle, self.scale);
-        let mut part = Self { order, boxes: vec![], nodes: vec![], leaves: 0, middle, scale };
+        let mut part = Self { order, nodes: vec![], sides: vec![], leaves: 0, middle, scale };
         part.bound(welded, threads);
         part
     }
 
-    /// Makes the boxes.
+    /// Makes the nodes.
     fn bound(&mut self, welded: &Welded, threads: Threads) {
+        self.leaves = self.leaves().next_power_of_two();
+        let (mut nodes, mut sides) = (vec![Bounds::NOTHING; 2 * self.leaves], vec![ALL; 2 * self.leaves]);
+        let pieces = threads.map_pieces(self.leaves(), LEAVES, |piece| {
+            let leaves =
+                self.order[piece.start * LEAF..(piece.end * LEAF).min(self.order.len())].chunks(LEAF);
+            let leaf = |triangles: &[u32]| {
+                let triangles = triangles.iter().map(|&t| welded.triangle(t as usize));
+                triangles.fold((Bounds::NOTHING, ALL), |(bounds, common), triangle| {
+                    (bounds.with(&self.bounds(&triangle)), common & sides_of(triangle))
+                })
+            };
+            leaves.map(leaf).collect::<Vec<_>>()
+        });
+        let leaves = nodes[self.leaves..].iter_mut().zip(&mut sides[self.leaves..]);
+        for ((node, side), leaf) in leaves.zip(pieces.into_iter().flatten()) {
+            (*node, *side) = leaf;
+        }
+        for n in (1..self.leaves).rev() {
+            nodes[n] = nodes[2 * n].with(&nodes[2 * n + 1]);
+            sides[n] = sides[2 * n] & sides[2 * n + 1];
+        }
+        (self.nodes, self.sides) = (nodes, sides);
+    }
+
+    /// The boxes of the triangles, in their order.
+    pub(crate) fn boxes(&self, welded: &Welded, threads: Threads) -> Vec<Bounds> {
         let boxes = threads.map_pieces(self.order.len(), PIECE, |piece| {
             let bounds = |&t: &u32| self.bounds(&welded.triangle(t as usize));
             self.order[piece].iter().map(bounds).collect::<Vec<_>>()
         });
-        self.boxes = boxes.concat();
-        self.leaves = self.boxes.len().div_ceil(LEAF).next_power_of_two();
-        let joined = |boxes: &[Bounds]| boxes.iter().fold(Bounds::NOTHING, |all, b| all.with(b));
-        self.nodes = vec![Bounds::NOTHING; 2 * self.leaves];
-        for (node, boxes) in self.nodes[self.leaves..].iter_mut().zip(self.boxes.chunks(LEAF)) {
-            *node = joined(boxes);
-        }
-        for n in (1..self.leaves).rev() {
-            self.nodes[n] = self.nodes[2 * n].with(&self.nodes[2 * n + 1]);
-        }
+        boxes.concat()
     }
 
     /// Its triangles, as leaves have them.
@@ -115,6 +139,11 @@ impl Tree {
         &self.nodes
     }
 
+    /// Where all triangles of each node certainly face.
+    pub(crate) fn sides(&self) -> &[Sides] {
+        &self.sides
+    }
+
     /// Leaves with triangles.
     pub(crate) fn leaves(&self) -> usize {
         self.order.len().div_ceil(LEAF)
@@ -125,16 +154,14 @@ impl Tree {
         core::array::from_fn(|k| ((p[k] - self.middle[k]) * self.scale) as f32)
     }
 
+    #[inline(always)]
     fn bounds(&self, triangle: &[[f64; 3]; 3]) -> Bounds {
-        let mut bounds = Bounds { low: [f32::INFINITY; 4], high: [f32::NEG_INFINITY; 4] };
-        for p in triangle.map(|p| self.reduced(p)) {
-            for (k, c) in p.into_iter().enumerate() {
-                bounds.low[k] = bounds.low[k].min(c);
-                bounds.high[k] = bounds.high[k].max(c);
-            }
-        }
-        (bounds.low[3], bounds.high[3]) = (0.0, 0.0);
-        bounds
+        let [a, b, c] = triangle.map(|p| {
+            let [x, y, z] = self.reduced(p);
+            let corner = [x, y, z, 0.0];
+            Bounds { low: corner, high: corner }
+        });
+        a.with(&b).with(&c)
     }
 
     /// The place on the curve: the bits of the three coordinates of the middle, in turns.
@@ -144,14 +171,14 @@ impl Tree {
         x | y << 1 | z << 2
     }
 
-    /// Calls `pair` for every two triangles whose boxes meet and the first of which is in one of the leaves.
-    pub(crate) fn pairs(&self, leaves: Range<usize>, mut pair: impl FnMut(u32, u32)) {
+    /// Calls `pair` for every two triangles whose [`Tree::boxes`] meet and the first of which is in one of the leaves.
+    pub(crate) fn pairs(&self, boxes: &[Bounds], leaves: Range<usize>, mut pair: impl FnMut(u32, u32)) {
         let mut waiting = Vec::with_capacity(64);
         for leaf in leaves {
             let own = leaf * LEAF..((leaf + 1) * LEAF).min(self.order.len());
             for i in own.clone() {
                 for j in i + 1..own.end {
-                    if self.boxes[i].meets(&self.boxes[j]) {
+                    if boxes[i].meets(&boxes[j]) {
                         pair(self.order[i], self.order[j]);
                     }
                 }
@@ -170,9 +197,9 @@ impl Tree {
                 }
                 let first = (node - self.leaves) * LEAF;
                 for j in first..(first + LEAF).min(self.order.len()) {
-                    if self.boxes[j].meets(&about) {
+                    if boxes[j].meets(&about) {
                         for i in own.clone() {
-                            if self.boxes[i].meets(&self.boxes[j]) {
+                            if boxes[i].meets(&boxes[j]) {
                                 pair(self.order[i], self.order[j]);
                             }
                         }
@@ -190,13 +217,14 @@ impl Tree {
         line
     }
 
-    /// Is something so of every triangle, by its place in the order, whose box meets this one? Only nodes that are `open` are looked
+    /// Is something so of every triangle, by its number in the mesh, whose box meets this one? Only nodes that are `open` are looked
     /// into.
     pub(crate) fn all_within(
         &self,
+        welded: &Welded,
         within: &Bounds,
         open: impl Fn(usize, &Bounds) -> bool,
-        mut so: impl FnMut(usize, &Bounds) -> bool,
+        mut so: impl FnMut(u32, &Bounds) -> bool,
     ) -> bool {
         let mut waiting = Vec::with_capacity(64);
         waiting.push(1);
@@ -210,8 +238,9 @@ impl Tree {
                 continue;
             }
             let first = (node - self.leaves) * LEAF;
-            for j in first..(first + LEAF).min(self.order.len()) {
-                if self.boxes[j].meets(within) && !so(j, &self.boxes[j]) {
+            for &t in &self.order[first..(first + LEAF).min(self.order.len())] {
+                let bounds = self.bounds(&welded.triangle(t as usize));
+                if bounds.meets(within) && !so(t, &bounds) {
                     return false;
                 }
             }
@@ -220,12 +249,13 @@ impl Tree {
     }
 
     /// Calls `hit` for every triangle whose box the ray from a point along an axis may meet.
-    pub(crate) fn along(&self, point: [f64; 3], axis: usize, mut hit: impl FnMut(u32)) {
+    pub(crate) fn along(&self, welded: &Welded, point: [f64; 3], axis: usize, mut hit: impl FnMut(u32)) {
         let [x, y, z] = self.reduced(point);
         let mut ray = Bounds { low: [x, y, z, 0.0], high: [x, y, z, 0.0] };
         ray.high[axis] = f32::INFINITY;
-        self.all_within(&ray, |_, _| true, |j, _| {
-            hit(self.order[j]);
+        let open = |_: usize, _: &Bounds| true;
+        self.all_within(welded, &ray, open, |t, _| {
+            hit(t);
             true
         });
     }
@@ -233,6 +263,24 @@ impl Tree {
 
 /// Triangles in a piece of work.
 const PIECE: usize = 1 << 16;
+
+/// Leaves in a piece of work.
+const LEAVES: usize = 1 << 12;
+
+/// Bit k if a normal certainly points along axis k, bit 3 + k if against it.
+pub(crate) type Sides = u8;
+
+/// What triangles that there are none of have in common.
+const ALL: Sides = !0;
+
+/// The sides of a triangle, as far as f64 is sure of them.
+#[inline(always)]
+pub(crate) fn sides_of([a, b, c]: [[f64; 3]; 3]) -> Sides {
+    (0..3).fold(0, |sides, axis| {
+        let turn = certain_turn(across(axis, a), across(axis, b), across(axis, c));
+        sides | u8::from(turn > 0.0) << axis | u8::from(turn < 0.0) << (3 + axis)
+    })
+}
 
 /// The 10 bits of a number, two zeros between each two.
 fn spread(x: u32) -> u32 {

@@ -27,7 +27,8 @@ impl Welded {
         let mut points = Vec::new();
         let mut number = vec![NONE; vertices.len()];
         let mut numbered = |index: u32| {
-            let first = first[index as usize].load(Ordering::Relaxed) as usize;
+            let near = first[index as usize].load(Ordering::Relaxed);
+            let first = first[near as usize].load(Ordering::Relaxed) as usize;
             if number[first] == NONE {
                 number[first] = points.len() as u32; // ≤ the number of an index
                 points.push(vertices[first].map(|c| c + 0.0)); // −0 is 0
@@ -59,17 +60,23 @@ pub(crate) fn is_proper(&[a, b, c]: &[u32; 3]) -> bool {
     a != b && b != c && c != a
 }
 
-/// The first vertex with the same coordinates, of each vertex.
+/// The first vertex with the same coordinates, of the first one with them near each vertex.
 ///
-/// Vertices are dealt out by their hashes into parts whose tables fit into a cache, and each part is gone through in order.
+/// What is there again soon is found in a small table, as in triangles without indices. The others are dealt out by their hashes into
+/// parts whose tables fit into a cache, and each part is gone through in order.
 fn first_equal(vertices: &[[f64; 3]], threads: Threads) -> Vec<AtomicU32> {
     let first: Vec<AtomicU32> = (0..vertices.len()).map(|_| AtomicU32::new(NONE)).collect();
     let parts = (vertices.len() / PART).next_power_of_two().min(PARTS);
     let dealt = threads.map_pieces(vertices.len(), PIECE, |piece| {
-        let mut dealt = vec![Vec::with_capacity(2 * piece.len() / parts); parts];
+        let mut dealt = vec![Vec::with_capacity(piece.len() / parts); parts];
+        let mut table = Table::of(piece.len());
         for k in piece {
             let entry = Entry::new(hash(&vertices[k]), k as u32);
-            dealt[entry.part(parts)].push(entry);
+            let near = table.first(vertices, entry);
+            first[k].store(near, Ordering::Relaxed);
+            if near == entry.number() {
+                dealt[entry.part(parts)].push(entry);
+            }
         }
         dealt
     });
@@ -84,7 +91,7 @@ fn first_equal(vertices: &[[f64; 3]], threads: Threads) -> Vec<AtomicU32> {
 }
 
 /// Vertices in a piece of work.
-const PIECE: usize = 1 << 16;
+const PIECE: usize = 1 << 14;
 
 /// Vertices in a part, and at most so many parts.
 const PART: usize = 1 << 15;
@@ -148,7 +155,7 @@ impl Table {
         if 2 * self.filled >= self.slots.len() {
             self.grow();
         }
-        let own = bits(&vertices[entry.number() as usize]);
+        let place = |entry: Entry| bits(&vertices[entry.number() as usize]);
         let mask = self.slots.len() - 1;
         let mut at = entry.hash() & mask;
         loop {
@@ -158,7 +165,7 @@ impl Table {
                 self.filled += 1;
                 return entry.number();
             }
-            if known.hash() == entry.hash() && bits(&vertices[known.number() as usize]) == own {
+            if known.hash() == entry.hash() && place(known) == place(entry) {
                 return known.number();
             }
             at = (at + 1) & mask;

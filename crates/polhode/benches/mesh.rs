@@ -60,13 +60,25 @@ fn lump(level: u32) -> Result<TriangleMesh, BodyError> {
     TriangleMesh::new(vertices.into_iter().map(wavy).collect(), faces)
 }
 
+/// The same, rough: each corner moved by up to so much.
+fn rough(mesh: &TriangleMesh, by: f64) -> Result<TriangleMesh, BodyError> {
+    let mut state = 7_u64;
+    let mut chance = || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 11) as f64 / 9_007_199_254_740_992.0 - 0.5
+    };
+    let moved = mesh.vertices().iter().map(|p| p.map(|c| c + 2.0 * by * chance()));
+    TriangleMesh::new(moved.collect(), mesh.triangles().to_vec())
+}
+
 fn main() -> Result<(), BodyError> {
     let mesh = lump(9)?; // 2,097,152 triangles
     let count = mesh.triangles().len();
     let soup = TriangleMesh::of_triangles(&mesh.corners().collect::<Vec<_>>())?;
+    let rough = rough(&mesh, 5e-4)?; // a sixth of an edge
     println!("triangles\t{count}\t1");
     for threads in [1, 2] {
-        for (what, mesh) in [("indexed", &mesh), ("without indices", &soup)] {
+        for (what, mesh) in [("indexed", &mesh), ("without indices", &soup), ("rough", &rough)] {
             let seconds = least(|| MeshDiagnosis::with_threads(mesh, threads));
             let million = seconds * 1e3 * 1.3e6 / count as f64;
             println!("diagnosis of 1.3 million triangles, {what}, {threads} threads\t{million:.0}\tms");

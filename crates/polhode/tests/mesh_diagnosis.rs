@@ -244,3 +244,56 @@ fn empty_and_hopeless_meshes_are_told_apart() {
     let point = diagnosis(&[vec![[a; 3]; 7]]);
     assert_eq!((point.degenerate.count, point.vertices, point.components.len()), (7, 1, 0));
 }
+
+/// In another order.
+fn shuffled<T>(mut items: Vec<T>) -> Vec<T> {
+    let mut state = 11_u64;
+    for k in (1..items.len()).rev() {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        items.swap(k, (state >> 33) as usize % (k + 1));
+    }
+    items
+}
+
+#[test]
+fn many_triangles_are_the_parts_that_they_make_in_any_order() {
+    let mut parts =
+        [cuboid([0.0, 1.0, -2.0], [2.0, 4.0, 3.0], 80), cuboid([3.0, 1.0, -2.0], [4.0, 2.0, 3.0], 30)];
+    parts[0].iter_mut().step_by(9001).for_each(|t| t.swap(0, 1));
+    for triangles in [parts.concat(), shuffled(parts.concat())] {
+        let diagnosis = diagnosis(&slanted(&[triangles]));
+        let mut found: Vec<_> =
+            diagnosis.components.iter().map(|c| (c.triangles, c.flipped, c.role)).collect();
+        found.sort_by_key(|part| part.0);
+        assert_eq!(found, [(10_800, 0, ComponentRole::Solid), (76_800, 9, ComponentRole::Solid)]);
+        assert_eq!((diagnosis.inconsistent.count, diagnosis.boundary.count), (27, 0));
+        assert!(diagnosis.overlaps.is_empty() && diagnosis.self_overlaps.is_empty());
+    }
+}
+
+#[test]
+fn a_large_surface_with_one_side_is_found_in_any_order() {
+    // Klein's bottle as a figure of eight that makes half a turn on its way round.
+    let (n, m) = (300_u32, 120_u32);
+    let point = |k: u32| {
+        let [u, v] =
+            [(k / m, n), (k % m, m)].map(|(k, n)| std::f64::consts::TAU * f64::from(k) / f64::from(n));
+        let (x, z) = (v.sin(), (2.0 * v).sin());
+        let distance = 3.0 + (0.5 * u).cos() * x - (0.5 * u).sin() * z;
+        [distance * u.cos(), distance * u.sin(), (0.5 * u).sin() * x + (0.5 * u).cos() * z]
+    };
+    let number = |i: u32, j: u32| if i == n { (m - j % m) % m } else { i * m + j % m };
+    let squares = (0..n * m).map(|k| (k / m, k % m));
+    let triangles = squares.flat_map(|(i, j)| {
+        let [a, b, c, d] = [number(i, j), number(i + 1, j), number(i + 1, j + 1), number(i, j + 1)];
+        [[a, b, c], [a, c, d]]
+    });
+    let triangles: Vec<_> = triangles.collect();
+    for triangles in [triangles.clone(), shuffled(triangles)] {
+        let bottle = TriangleMesh::new((0..n * m).map(point).collect(), triangles).unwrap();
+        let diagnosis = MeshDiagnosis::of(&bottle);
+        assert_eq!(roles(&diagnosis), [ComponentRole::Unorientable]);
+        assert_eq!(diagnosis.boundary.count, 0);
+        assert_eq!(MeshDiagnosis::with_threads(&bottle, 1), MeshDiagnosis::with_threads(&bottle, 8));
+    }
+}

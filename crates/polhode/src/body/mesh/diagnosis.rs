@@ -4,6 +4,7 @@ use super::TriangleMesh;
 use super::component::{Measured, MeshComponent};
 use super::edges::{Edges, end_of, start_of};
 use super::inside::Windings;
+use super::layer::Layers;
 use super::overlap::{Meetings, Overlaps};
 use super::patches::{Patches, is_balanced, join};
 use super::threads::Threads;
@@ -138,7 +139,7 @@ impl Analysis {
         let welded = Welded::of(mesh, threads);
         let corners = &welded.corners;
         let edges = Edges::of(corners, welded.points.len(), threads);
-        let patches = Patches::of(corners, &edges);
+        let patches = Patches::of(corners, &edges, threads);
         let mut measured = Measured::of(&welded, &patches);
         // What has no area has no sides, and meets nothing that its neighbours do not meet.
         let has_area =
@@ -146,7 +147,9 @@ impl Analysis {
         let tree = Tree::of(&welded, has_area, threads);
         let windings = Windings { welded: &welded, tree: &tree, patches: &patches };
         measured.nest(&windings, threads);
-        let meetings = Meetings::of(&windings, inner_winding(&measured.components), threads);
+        let layers = Layers::of(&welded, &tree, &edges, &measured.collinear);
+        let doubtful = tree.part(&welded, layers.doubtful(threads), threads);
+        let meetings = Meetings::of(&windings, &doubtful, inner_winding(&measured.components), threads);
         let diagnosis = Findings { welded: &welded, edges: &edges }.diagnosis(measured, &meetings);
         Self { welded, patches, diagnosis }
     }

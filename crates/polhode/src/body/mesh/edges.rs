@@ -88,32 +88,33 @@ impl Edges {
 
     /// What the half-edges of one edge say; the low words are their numbers.
     fn sort_out(&mut self, corners: &[[u32; 3]], edge: &[u64], twin: &[AtomicU32]) {
+        let start = |half: u32| start_of(corners, half);
+        // Triangles with the same corners meet along their lowest edge too, whose third corner is the highest.
+        let high = (edge[0] >> 32) as u32;
         match *edge {
             [h] => self.boundary.push(h as u32),
             [g, h] => {
                 let (g, h) = (g as u32, h as u32);
                 twin[g as usize].store(h, Ordering::Relaxed);
                 twin[h as usize].store(g, Ordering::Relaxed);
-                if start_of(corners, g) == start_of(corners, h) {
+                if start(g) == start(h) {
                     self.inconsistent.push(g);
                 }
+                let third = opposite(corners, g);
+                if third > high && third == opposite(corners, h) {
+                    self.duplicates.push((g / 3, h / 3, start(g) == start(h)));
+                }
             }
-            _ => self.crowded.push(edge.iter().map(|&h| h as u32).collect()),
-        }
-        if edge.len() < 2 {
-            return;
-        }
-        // Triangles with the same corners meet along their lowest edge too, whose third corner is the highest.
-        let high = (edge[0] >> 32) as u32;
-        let third = |&h: &u64| (opposite(corners, h as u32), h as u32);
-        let mut thirds: Vec<_> = edge.iter().map(third).filter(|&(third, _)| third > high).collect();
-        if thirds.len() < 2 {
-            return;
-        }
-        thirds.sort_unstable();
-        for pair in thirds.windows(2).filter(|pair| pair[0].0 == pair[1].0) {
-            let (g, h) = (pair[0].1, pair[1].1);
-            self.duplicates.push((g / 3, h / 3, start_of(corners, g) == start_of(corners, h)));
+            _ => {
+                self.crowded.push(edge.iter().map(|&h| h as u32).collect());
+                let third = |&h: &u64| (opposite(corners, h as u32), h as u32);
+                let mut thirds: Vec<_> = edge.iter().map(third).filter(|&(third, _)| third > high).collect();
+                thirds.sort_unstable();
+                for pair in thirds.windows(2).filter(|pair| pair[0].0 == pair[1].0) {
+                    let (g, h) = (pair[0].1, pair[1].1);
+                    self.duplicates.push((g / 3, h / 3, start(g) == start(h)));
+                }
+            }
         }
     }
 }

@@ -61,26 +61,15 @@ impl Windings<'_> {
 
     /// Calls `hit` for all triangles but one that the ray from a point along an axis goes through; true if that is where they are left
     /// by what is inside. False if the point lies on one of them.
-    ///
-    /// The ray starts beside the point, by an infinitely small ε along the next axis and ε² along the one after that: it never meets an
-    /// edge, and meets one of the two triangles at each.
     fn hits(&self, but: usize, axis: usize, point: [f64; 3], mut hit: impl FnMut(usize, bool)) -> bool {
-        let q = across(axis, point);
-        let turned = |a: [f64; 2], b: [f64; 2]| {
-            let turn = turn(a, b, q);
-            let beside = if a[1] == b[1] { b[0] - a[0] } else { a[1] - b[1] };
-            if turn == 0.0 { beside } else { turn }
-        };
         let mut clear = true;
-        self.tree.along(point, axis, |t| {
+        self.tree.along(self.welded, point, axis, |t| {
             let t = t as usize;
             let triangle = self.welded.triangle(t);
-            let [a, b, c] = triangle.map(|p| across(axis, p));
-            let turns = [turned(a, b), turned(b, c), turned(c, a)];
-            let (left, right) = (turns.iter().all(|&s| s > 0.0), turns.iter().all(|&s| s < 0.0));
-            if t == but || !(left || right) {
+            if t == but {
                 return;
             }
+            let Some(left) = seen_at(triangle, axis, across(axis, point)) else { return };
             let height = side(triangle, point);
             clear &= height != 0.0;
             // Ahead of the point: behind the plane if its normal points along the ray, before it if against.
@@ -90,6 +79,22 @@ impl Windings<'_> {
         });
         clear
     }
+}
+
+/// Does the line along an axis through a point of the plane across it meet the triangle? If so, whether its normal points along it.
+///
+/// The line runs beside the point, by an infinitely small ε along the next axis and ε² along the one after that: it never meets an edge,
+/// and meets one of the two triangles at each.
+pub(crate) fn seen_at(triangle: [[f64; 3]; 3], axis: usize, q: [f64; 2]) -> Option<bool> {
+    let turned = |a: [f64; 2], b: [f64; 2]| {
+        let turn = turn(a, b, q);
+        let beside = if a[1] == b[1] { b[0] - a[0] } else { a[1] - b[1] };
+        if turn == 0.0 { beside } else { turn }
+    };
+    let [a, b, c] = triangle.map(|p| across(axis, p));
+    let turns = [turned(a, b), turned(b, c), turned(c, a)];
+    let (left, right) = (turns.iter().all(|&s| s > 0.0), turns.iter().all(|&s| s < 0.0));
+    (left || right).then_some(left)
 }
 
 pub(crate) fn centroid([a, b, c]: [[f64; 3]; 3]) -> [f64; 3] {

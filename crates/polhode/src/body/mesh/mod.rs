@@ -7,6 +7,7 @@ mod edges;
 pub(crate) mod hull;
 mod inside;
 mod integral;
+mod layer;
 mod meeting;
 mod overlap;
 mod patches;

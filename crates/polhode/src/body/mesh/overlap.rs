@@ -3,6 +3,7 @@
 use super::inside::{Windings, centroid};
 use super::meeting::Meeting;
 use super::threads::Threads;
+use super::tree::Tree;
 
 /// Pairs of triangles where something counts twice: how many, and the first in the mesh's order with a point where they meet.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -45,11 +46,13 @@ pub(crate) struct Meetings {
 }
 
 impl Meetings {
-    /// `inner` is how often a sound mesh winds about what is just behind its triangles; `None` if it is not closed.
-    pub(crate) fn of(windings: &Windings<'_>, inner: Option<i32>, threads: Threads) -> Self {
-        let parts = threads.map_pieces(windings.tree.leaves(), LEAVES, |leaves| {
+    /// Of the triangles of a tree. `inner` is how often a sound mesh winds about what is just behind its triangles; `None` if it is not
+    /// closed.
+    pub(crate) fn of(windings: &Windings<'_>, tree: &Tree, inner: Option<i32>, threads: Threads) -> Self {
+        let boxes = tree.boxes(windings.welded, threads);
+        let parts = threads.map_pieces(tree.leaves(), LEAVES, |leaves| {
             let mut meetings = Self::default();
-            windings.tree.pairs(leaves, |t, u| meetings.look_at(windings, inner, t.min(u), t.max(u)));
+            tree.pairs(&boxes, leaves, |t, u| meetings.look_at(windings, inner, t.min(u), t.max(u)));
             meetings
         });
         let mut all = Self::default();

@@ -1,6 +1,9 @@
 //! Which triangles hang together by their edges, and which of them are the wrong way round.
 
+use core::ops::Range;
+
 use super::edges::{Edges, start_of};
+use super::threads::Threads;
 use super::weld::{NONE, is_proper};
 
 /// Components of a mesh, numbered by their first triangles.
@@ -30,8 +33,8 @@ pub(crate) struct Patch {
 }
 
 impl Patches {
-    pub(crate) fn of(corners: &[[u32; 3]], edges: &Edges) -> Self {
-        let mut sheets = Sheets::of(corners, edges);
+    pub(crate) fn of(corners: &[[u32; 3]], edges: &Edges, threads: Threads) -> Self {
+        let mut sheets = Sheets::of(corners, edges, threads);
         let mut joined: Vec<u32> = (0..sheets.sheets.len() as u32).collect();
         for edge in &edges.crowded {
             for &half in &edge[1..] {
@@ -120,40 +123,102 @@ struct Sheet {
 }
 
 impl Sheets {
-    fn of(corners: &[[u32; 3]], edges: &Edges) -> Self {
-        let mut all =
-            Self { label: vec![NONE; corners.len()], against: vec![false; corners.len()], sheets: vec![] };
-        let mut waiting = Vec::new();
-        for first in 0..corners.len() {
-            if all.label[first] != NONE || !is_proper(&corners[first]) {
-                continue;
-            }
-            let number = all.sheets.len() as u32;
-            let mut sheet = Sheet { triangles: 0, against: 0, orientable: true };
-            all.label[first] = number;
-            waiting.push(first);
-            while let Some(t) = waiting.pop() {
-                sheet.triangles += 1;
-                sheet.against += usize::from(all.against[t]);
-                for half in 3 * t as u32..3 * t as u32 + 3 {
-                    let twin = edges.twin(half);
-                    if twin == NONE {
-                        continue;
-                    }
-                    let other = twin as usize / 3;
-                    let against = all.against[t] ^ (start_of(corners, half) == start_of(corners, twin));
-                    if all.label[other] == NONE {
-                        all.label[other] = number;
-                        all.against[other] = against;
-                        waiting.push(other);
-                    } else if all.against[other] != against {
-                        sheet.orientable = false;
-                    }
-                }
-            }
-            all.sheets.push(sheet);
+    fn of(corners: &[[u32; 3]], edges: &Edges, threads: Threads) -> Self {
+        // Pieces of the mesh each by itself, and then the edges between them.
+        let pieces = threads.map_pieces(corners.len(), PIECE, |piece| Winds::of(piece, corners, edges));
+        let mut all = Winds { first: 0, up: Vec::with_capacity(corners.len()), torn: vec![], left: vec![] };
+        for mut piece in pieces {
+            all.up.append(&mut piece.up);
+            all.torn.append(&mut piece.torn);
+            all.left.append(&mut piece.left);
         }
-        all
+        for half in core::mem::take(&mut all.left) {
+            all.join(half, corners, edges);
+        }
+        let mut sheets =
+            Self { label: vec![NONE; corners.len()], against: vec![false; corners.len()], sheets: vec![] };
+        // Roots come before those that they are the root of.
+        for t in (0..corners.len()).filter(|&t| is_proper(&corners[t])) {
+            let (root, against) = all.root(t as u32);
+            if root as usize == t {
+                sheets.label[t] = sheets.sheets.len() as u32;
+                sheets.sheets.push(Sheet { triangles: 0, against: 0, orientable: true });
+            }
+            let label = sheets.label[root as usize];
+            let sheet = &mut sheets.sheets[label as usize];
+            sheet.triangles += 1;
+            sheet.against += usize::from(against);
+            (sheets.label[t], sheets.against[t]) = (label, against);
+        }
+        for t in all.torn {
+            sheets.sheets[sheets.label[t as usize] as usize].orientable = false;
+        }
+        sheets
+    }
+}
+
+/// Triangles in a piece of work.
+const PIECE: usize = 1 << 16;
+
+/// Which triangles hang together, and which of them are wound against each other: trees whose roots are their least.
+struct Winds {
+    /// The triangle that is numbered 0 here.
+    first: u32,
+    /// Twice the next triangle on the way to the root, and one more if wound against it.
+    up: Vec<u64>,
+    /// Triangles that would have to be wound both ways.
+    torn: Vec<u32>,
+    /// Half-edges whose twins belong to later pieces.
+    left: Vec<u32>,
+}
+
+impl Winds {
+    fn of(piece: Range<usize>, corners: &[[u32; 3]], edges: &Edges) -> Self {
+        let up = (0..piece.len() as u64).map(|t| 2 * t).collect();
+        let mut winds = Self { first: piece.start as u32, up, torn: vec![], left: vec![] };
+        for half in 3 * piece.start..3 * piece.end {
+            let twin = edges.twin(half as u32);
+            if twin == NONE || (twin as usize) < half {
+            } else if twin as usize >= 3 * piece.end {
+                winds.left.push(half as u32);
+            } else {
+                winds.join(half as u32, corners, edges);
+            }
+        }
+        for up in &mut winds.up {
+            *up += 2 * piece.start as u64;
+        }
+        winds
+    }
+
+    /// The root of a triangle, and whether it is wound against it.
+    fn root(&mut self, mut t: u32) -> (u32, bool) {
+        let mut against = 0;
+        loop {
+            let up = self.up[t as usize];
+            let next = (up / 2) as u32;
+            if next == t {
+                return (t, against == 1);
+            }
+            // Half of the way the next time.
+            let after = self.up[next as usize] ^ up & 1;
+            self.up[t as usize] = after;
+            against ^= after & 1;
+            t = (after / 2) as u32;
+        }
+    }
+
+    fn join(&mut self, half: u32, corners: &[[u32; 3]], edges: &Edges) {
+        let twin = edges.twin(half);
+        let against = start_of(corners, half) == start_of(corners, twin);
+        let (t, t_against) = self.root(half / 3 - self.first);
+        let (u, u_against) = self.root(twin / 3 - self.first);
+        let against = against ^ t_against ^ u_against;
+        if t != u {
+            self.up[t.max(u) as usize] = 2 * u64::from(t.min(u)) + u64::from(against);
+        } else if against {
+            self.torn.push(half / 3);
+        }
     }
 }
 

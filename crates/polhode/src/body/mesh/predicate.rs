@@ -37,6 +37,17 @@ pub(crate) fn turn(a: [f64; 2], b: [f64; 2], p: [f64; 2]) -> f64 {
     orient2d(coord(a), coord(b), coord(p))
 }
 
+/// The same where f64 is sure of the sign, otherwise 0.
+#[inline(always)]
+pub(crate) fn certain_turn(a: [f64; 2], b: [f64; 2], p: [f64; 2]) -> f64 {
+    let (left, right) = ((a[0] - p[0]) * (b[1] - p[1]), (a[1] - p[1]) * (b[0] - p[0]));
+    let turn = left - right;
+    if turn.abs() > SURE_2D * (left.abs() + right.abs()) + f64::MIN_POSITIVE { turn } else { 0.0 }
+}
+
+/// (3 + 16 ε) ε, ε = 2⁻⁵³ (Shewchuk's ccwerrboundA), and a little more.
+const SURE_2D: f64 = 3.331e-16;
+
 /// The coordinates across an axis, so that turns about it are positive.
 pub(crate) fn across(axis: usize, p: [f64; 3]) -> [f64; 2] {
     [p[(axis + 1) % 3], p[(axis + 2) % 3]]

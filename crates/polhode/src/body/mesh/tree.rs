@@ -2,15 +2,16 @@
 
 use core::ops::Range;
 
+use super::predicate::{across, certain_turn};
 use super::threads::Threads;
 use super::weld::Welded;
 
 /// An axis-parallel box. Its coordinates are rounded, but never change their order: boxes of what meets, meet.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(32))]
-struct Bounds {
-    low: [f32; 4],
-    high: [f32; 4],
+pub(crate) struct Bounds {
+    pub(crate) low: [f32; 4],
+    pub(crate) high: [f32; 4],
 }
 
 impl Bounds {
@@ -21,24 +22,44 @@ impl Bounds {
         (0..4).fold(true, |all, k| all & (self.low[k] <= other.high[k]) & (other.low[k] <= self.high[k]))
     }
 
+    /// A little larger: by half its width along an axis.
+    pub(crate) fn about(mut self, axis: usize) -> Self {
+        let width = (0..3).filter(|&k| k != axis).map(|k| self.high[k] - self.low[k]).fold(0.0, f32::max);
+        for k in 0..3 {
+            let margin = if k == axis { 0.5 * width + MARGIN } else { MARGIN };
+            self.low[k] -= margin;
+            self.high[k] += margin;
+        }
+        self
+    }
+
+    #[inline(always)]
     fn with(&self, other: &Self) -> Self {
         Self {
-            low: core::array::from_fn(|k| self.low[k].min(other.low[k])),
-            high: core::array::from_fn(|k| self.high[k].max(other.high[k])),
+            low: core::array::from_fn(
+                |k| if other.low[k] < self.low[k] { other.low[k] } else { self.low[k] },
+            ),
+            high: core::array::from_fn(|k| {
+                if other.high[k] > self.high[k] { other.high[k] } else { self.high[k] }
+            }),
         }
     }
 }
 
+/// More than the last digit of a coordinate between −1 and 1.
+const MARGIN: f32 = 1.0 / 4_194_304.0;
+
 /// Triangles to a leaf.
-const LEAF: usize = 4;
+pub(crate) const LEAF: usize = 4;
 
 /// A complete binary tree over triangles along a space-filling curve (Morton's); the children of node n are 2n and 2n + 1, its root is 1.
 #[derive(Debug)]
 pub(crate) struct Tree {
     /// Triangles by their number in the mesh, in leaves of [`LEAF`].
     order: Vec<u32>,
-    boxes: Vec<Bounds>,
     nodes: Vec<Bounds>,
+    /// Of each node, what all its triangles have in common.
+    sides: Vec<Sides>,
     leaves: usize,
     middle: [f64; 3],
     scale: f64,
@@ -55,30 +76,72 @@ impl Tree {
         let middle = core::array::from_fn(|k| 0.5 * low[k] + 0.5 * high[k]);
         let size = (0..3).map(|k| high[k] - low[k]).fold(0.0, f64::max);
         let scale = if size > 0.0 { (2.0 / size).min(f64::MAX) } else { 1.0 };
-        let mut tree = Self { order: vec![], boxes: vec![], nodes: vec![], leaves: 0, middle, scale };
+        let mut tree = Self { order: vec![], nodes: vec![], sides: vec![], leaves: 0, middle, scale };
         let pieces = threads.map_pieces(welded.corners.len(), PIECE, |piece| {
-            piece
-                .filter(|&t| wanted(t))
-                .map(|t| (tree.code(&welded.triangle(t)), t as u32))
-                .collect::<Vec<_>>()
+            let wanted = piece.filter(|&t| wanted(t));
+            wanted.map(|t| Key::new(tree.code(welded.triangle(t)), t as u32)).collect::<Vec<_>>()
         });
-        tree.order = sorted(pieces.concat()).into_iter().map(|(_, t)| t).collect();
-        tree.boxes = threads
-            .map_pieces(tree.order.len(), PIECE, |piece| {
-                let bounds = |&t: &u32| tree.bounds(&welded.triangle(t as usize));
-                tree.order[piece].iter().map(bounds).collect::<Vec<_>>()
-            })
-            .concat();
-        tree.leaves = tree.boxes.len().div_ceil(LEAF).next_power_of_two();
-        let joined = |boxes: &[Bounds]| boxes.iter().fold(Bounds::NOTHING, |all, b| all.with(b));
-        tree.nodes = vec![Bounds::NOTHING; 2 * tree.leaves];
-        for (node, boxes) in tree.nodes[tree.leaves..].iter_mut().zip(tree.boxes.chunks(LEAF)) {
-            *node = joined(boxes);
-        }
-        for n in (1..tree.leaves).rev() {
-            tree.nodes[n] = tree.nodes[2 * n].with(&tree.nodes[2 * n + 1]);
-        }
+        tree.order = sorted(&pieces, threads);
+        tree.bound(welded, threads);
         tree
+    }
+
+    /// Of some of its triangles, which are in its order.
+    pub(crate) fn part(&self, welded: &Welded, order: Vec<u32>, threads: Threads) -> Self {
+        let (middle, scale) = (self.middle, self.scale);
+        let mut part = Self { order, nodes: vec![], sides: vec![], leaves: 0, middle, scale };
+        part.bound(welded, threads);
+        part
+    }
+
+    /// Makes the nodes.
+    fn bound(&mut self, welded: &Welded, threads: Threads) {
+        self.leaves = self.leaves().next_power_of_two();
+        let (mut nodes, mut sides) = (vec![Bounds::NOTHING; 2 * self.leaves], vec![ALL; 2 * self.leaves]);
+        let pieces = threads.map_pieces(self.leaves(), LEAVES, |piece| {
+            let leaves =
+                self.order[piece.start * LEAF..(piece.end * LEAF).min(self.order.len())].chunks(LEAF);
+            let leaf = |triangles: &[u32]| {
+                let triangles = triangles.iter().map(|&t| welded.triangle(t as usize));
+                triangles.fold((Bounds::NOTHING, ALL), |(bounds, common), triangle| {
+                    (bounds.with(&self.bounds(&triangle)), common & sides_of(triangle))
+                })
+            };
+            leaves.map(leaf).collect::<Vec<_>>()
+        });
+        let leaves = nodes[self.leaves..].iter_mut().zip(&mut sides[self.leaves..]);
+        for ((node, side), leaf) in leaves.zip(pieces.into_iter().flatten()) {
+            (*node, *side) = leaf;
+        }
+        for n in (1..self.leaves).rev() {
+            nodes[n] = nodes[2 * n].with(&nodes[2 * n + 1]);
+            sides[n] = sides[2 * n] & sides[2 * n + 1];
+        }
+        (self.nodes, self.sides) = (nodes, sides);
+    }
+
+    /// The boxes of the triangles, in their order.
+    pub(crate) fn boxes(&self, welded: &Welded, threads: Threads) -> Vec<Bounds> {
+        let boxes = threads.map_pieces(self.order.len(), PIECE, |piece| {
+            let bounds = |&t: &u32| self.bounds(&welded.triangle(t as usize));
+            self.order[piece].iter().map(bounds).collect::<Vec<_>>()
+        });
+        boxes.concat()
+    }
+
+    /// Its triangles, as leaves have them.
+    pub(crate) fn order(&self) -> &[u32] {
+        &self.order
+    }
+
+    /// The boxes of its nodes, the leaves in the second half.
+    pub(crate) fn nodes(&self) -> &[Bounds] {
+        &self.nodes
+    }
+
+    /// Where all triangles of each node certainly face.
+    pub(crate) fn sides(&self) -> &[Sides] {
+        &self.sides
     }
 
     /// Leaves with triangles.
@@ -91,36 +154,31 @@ impl Tree {
         core::array::from_fn(|k| ((p[k] - self.middle[k]) * self.scale) as f32)
     }
 
+    #[inline(always)]
     fn bounds(&self, triangle: &[[f64; 3]; 3]) -> Bounds {
-        let mut bounds = Bounds { low: [f32::INFINITY; 4], high: [f32::NEG_INFINITY; 4] };
-        for p in triangle.map(|p| self.reduced(p)) {
-            for (k, c) in p.into_iter().enumerate() {
-                bounds.low[k] = bounds.low[k].min(c);
-                bounds.high[k] = bounds.high[k].max(c);
-            }
-        }
-        (bounds.low[3], bounds.high[3]) = (0.0, 0.0);
-        bounds
+        let [a, b, c] = triangle.map(|p| {
+            let [x, y, z] = self.reduced(p);
+            let corner = [x, y, z, 0.0];
+            Bounds { low: corner, high: corner }
+        });
+        a.with(&b).with(&c)
     }
 
     /// The place on the curve: the bits of the three coordinates of the middle, in turns.
-    fn code(&self, triangle: &[[f64; 3]; 3]) -> u64 {
-        let bounds = self.bounds(triangle);
-        let bits = |k: usize| {
-            let middle = 0.5 * (bounds.low[k] + bounds.high[k]);
-            spread((((middle + 1.0) * 32768.0) as u64).min(65535)) // as: 0 for NaN and what is negative
-        };
-        bits(0) | bits(1) << 1 | bits(2) << 2
+    fn code(&self, [a, b, c]: [[f64; 3]; 3]) -> u32 {
+        let middle = self.reduced(core::array::from_fn(|k| (a[k] + b[k] + c[k]) * (1.0 / 3.0)));
+        let [x, y, z] = middle.map(|m| spread((((m + 1.0) * 512.0) as u32).min(1023))); // as: 0 for what is negative
+        x | y << 1 | z << 2
     }
 
-    /// Calls `pair` for every two triangles whose boxes meet and the first of which is in one of the leaves.
-    pub(crate) fn pairs(&self, leaves: Range<usize>, mut pair: impl FnMut(u32, u32)) {
+    /// Calls `pair` for every two triangles whose [`Tree::boxes`] meet and the first of which is in one of the leaves.
+    pub(crate) fn pairs(&self, boxes: &[Bounds], leaves: Range<usize>, mut pair: impl FnMut(u32, u32)) {
         let mut waiting = Vec::with_capacity(64);
         for leaf in leaves {
             let own = leaf * LEAF..((leaf + 1) * LEAF).min(self.order.len());
             for i in own.clone() {
                 for j in i + 1..own.end {
-                    if self.boxes[i].meets(&self.boxes[j]) {
+                    if boxes[i].meets(&boxes[j]) {
                         pair(self.order[i], self.order[j]);
                     }
                 }
@@ -139,9 +197,9 @@ impl Tree {
                 }
                 let first = (node - self.leaves) * LEAF;
                 for j in first..(first + LEAF).min(self.order.len()) {
-                    if self.boxes[j].meets(&about) {
+                    if boxes[j].meets(&about) {
                         for i in own.clone() {
-                            if self.boxes[i].meets(&self.boxes[j]) {
+                            if boxes[i].meets(&boxes[j]) {
                                 pair(self.order[i], self.order[j]);
                             }
                         }
@@ -151,14 +209,28 @@ impl Tree {
         }
     }
 
-    /// Calls `hit` for every triangle whose box the ray from a point along an axis may meet.
-    pub(crate) fn along(&self, point: [f64; 3], axis: usize, mut hit: impl FnMut(u32)) {
+    /// The line through a point along an axis, as long as a box.
+    pub(crate) fn line(&self, point: [f64; 3], axis: usize, within: &Bounds) -> Bounds {
         let [x, y, z] = self.reduced(point);
-        let mut ray = Bounds { low: [x, y, z, 0.0], high: [x, y, z, 0.0] };
-        ray.high[axis] = f32::INFINITY;
-        let mut waiting = vec![1];
+        let mut line = Bounds { low: [x, y, z, 0.0], high: [x, y, z, 0.0] };
+        (line.low[axis], line.high[axis]) = (within.low[axis], within.high[axis]);
+        line
+    }
+
+    /// Is something so of every triangle, by its number in the mesh, whose box meets this one? Only nodes that are `open` are looked
+    /// into.
+    pub(crate) fn all_within(
+        &self,
+        welded: &Welded,
+        within: &Bounds,
+        open: impl Fn(usize, &Bounds) -> bool,
+        mut so: impl FnMut(u32, &Bounds) -> bool,
+    ) -> bool {
+        let mut waiting = Vec::with_capacity(64);
+        waiting.push(1);
         while let Some(node) = waiting.pop() {
-            if !self.nodes[node].meets(&ray) {
+            let bounds = &self.nodes[node];
+            if !bounds.meets(within) || !open(node, bounds) {
                 continue;
             }
             if node < self.leaves {
@@ -166,46 +238,111 @@ impl Tree {
                 continue;
             }
             let first = (node - self.leaves) * LEAF;
-            for j in first..(first + LEAF).min(self.order.len()) {
-                if self.boxes[j].meets(&ray) {
-                    hit(self.order[j]);
+            for &t in &self.order[first..(first + LEAF).min(self.order.len())] {
+                let bounds = self.bounds(&welded.triangle(t as usize));
+                if bounds.meets(within) && !so(t, &bounds) {
+                    return false;
                 }
             }
         }
+        true
+    }
+
+    /// Calls `hit` for every triangle whose box the ray from a point along an axis may meet.
+    pub(crate) fn along(&self, welded: &Welded, point: [f64; 3], axis: usize, mut hit: impl FnMut(u32)) {
+        let [x, y, z] = self.reduced(point);
+        let mut ray = Bounds { low: [x, y, z, 0.0], high: [x, y, z, 0.0] };
+        ray.high[axis] = f32::INFINITY;
+        let open = |_: usize, _: &Bounds| true;
+        self.all_within(welded, &ray, open, |t, _| {
+            hit(t);
+            true
+        });
     }
 }
 
 /// Triangles in a piece of work.
 const PIECE: usize = 1 << 16;
 
-/// The 16 bits of a number, two zeros between each two.
-fn spread(x: u64) -> u64 {
-    let x = (x | x << 16) & 0xff00_00ff;
-    let x = (x | x << 8) & 0x00f0_0f00_f00f;
-    let x = (x | x << 4) & 0x0c30_c30c_30c3;
-    (x | x << 2) & 0x2492_4924_9249
+/// Leaves in a piece of work.
+const LEAVES: usize = 1 << 12;
+
+/// Bit k if a normal certainly points along axis k, bit 3 + k if against it.
+pub(crate) type Sides = u8;
+
+/// What triangles that there are none of have in common.
+const ALL: Sides = !0;
+
+/// The sides of a triangle, as far as f64 is sure of them.
+#[inline(always)]
+pub(crate) fn sides_of([a, b, c]: [[f64; 3]; 3]) -> Sides {
+    (0..3).fold(0, |sides, axis| {
+        let turn = certain_turn(across(axis, a), across(axis, b), across(axis, c));
+        sides | u8::from(turn > 0.0) << axis | u8::from(turn < 0.0) << (3 + axis)
+    })
 }
 
-/// By code, otherwise in the order given: twelve bits at a time from the lowest.
-fn sorted(mut items: Vec<(u64, u32)>) -> Vec<(u64, u32)> {
-    const DIGIT: u32 = 12;
-    let mut other = vec![(0, 0); items.len()];
-    for shift in (0..48).step_by(DIGIT as usize) {
-        let digit = |code: u64| (code >> shift) as usize & ((1 << DIGIT) - 1);
-        let mut next = vec![0; 1 << DIGIT];
-        for &(code, _) in &items {
-            next[digit(code)] += 1;
-        }
-        let mut sum = 0;
-        for count in &mut next {
-            sum += core::mem::replace(count, sum);
-        }
-        for &item in &items {
-            let at = &mut next[digit(item.0)];
-            other[*at] = item;
-            *at += 1;
-        }
-        core::mem::swap(&mut items, &mut other);
+/// The 10 bits of a number, two zeros between each two.
+fn spread(x: u32) -> u32 {
+    let x = (x | x << 16) & 0x0300_00ff;
+    let x = (x | x << 8) & 0x0300_f00f;
+    let x = (x | x << 4) & 0x030c_30c3;
+    (x | x << 2) & 0x0924_9249
+}
+
+/// A triangle's place on the curve, and its number.
+#[derive(Clone, Copy, Default)]
+struct Key(u64);
+
+impl Key {
+    fn new(code: u32, triangle: u32) -> Self {
+        Self(u64::from(code) << 32 | u64::from(triangle))
     }
-    items
+
+    /// Ten of the code's 30 bits: the last ones are digit 0.
+    fn digit(self, k: u32) -> usize {
+        (self.0 >> (32 + 10 * k)) as usize & (DIGITS - 1)
+    }
+}
+
+const DIGITS: usize = 1 << 10;
+
+/// The triangles by code, otherwise in the order given. Each thread has the codes that begin with some digits.
+fn sorted(pieces: &[Vec<Key>], threads: Threads) -> Vec<u32> {
+    let all = || pieces.iter().flatten().copied();
+    let mut counts = [0; DIGITS];
+    all().for_each(|key| counts[key.digit(2)] += 1);
+    let total: usize = counts.iter().sum();
+    let parts = threads.count().min(DIGITS);
+    let (mut part_of, mut sizes, mut sum) = ([0; DIGITS], vec![0; parts], 0);
+    for (part, count) in part_of.iter_mut().zip(counts) {
+        *part = (sum * parts / total.max(1)).min(parts - 1);
+        sizes[*part] += count;
+        sum += count;
+    }
+    let sorted = threads.map(parts, |part| {
+        let mut keys = Vec::with_capacity(sizes[part]);
+        keys.extend(all().filter(|key| part_of[key.digit(2)] == part));
+        let mut other = vec![Key::default(); keys.len()];
+        for k in 0..3 {
+            sort_by_digit(&keys, &mut other, k);
+            core::mem::swap(&mut keys, &mut other);
+        }
+        keys.into_iter().map(|key| key.0 as u32).collect::<Vec<_>>()
+    });
+    sorted.concat()
+}
+
+fn sort_by_digit(keys: &[Key], sorted: &mut [Key], k: u32) {
+    let mut next = [0; DIGITS];
+    keys.iter().for_each(|key| next[key.digit(k)] += 1);
+    let mut sum = 0;
+    for count in &mut next {
+        sum += core::mem::replace(count, sum);
+    }
+    for &key in keys {
+        let at = &mut next[key.digit(k)];
+        sorted[*at] = key;
+        *at += 1;
+    }
 }

@@ -27,7 +27,8 @@ impl Welded {
         let mut points = Vec::new();
         let mut number = vec![NONE; vertices.len()];
         let mut numbered = |index: u32| {
-            let first = first[index as usize].load(Ordering::Relaxed) as usize;
+            let near = first[index as usize].load(Ordering::Relaxed);
+            let first = first[near as usize].load(Ordering::Relaxed) as usize;
             if number[first] == NONE {
                 number[first] = points.len() as u32; // ≤ the number of an index
                 points.push(vertices[first].map(|c| c + 0.0)); // −0 is 0
@@ -59,22 +60,67 @@ pub(crate) fn is_proper(&[a, b, c]: &[u32; 3]) -> bool {
     a != b && b != c && c != a
 }
 
-/// The first vertex with the same coordinates, of each vertex.
+/// The first vertex with the same coordinates, of the first one with them near each vertex.
 ///
-/// Each thread has the vertices of some hashes, and goes through them in order.
+/// What is there again soon is found in a small table, as in triangles without indices. The others are dealt out by their hashes into
+/// parts whose tables fit into a cache, and each part is gone through in order.
 fn first_equal(vertices: &[[f64; 3]], threads: Threads) -> Vec<AtomicU32> {
     let first: Vec<AtomicU32> = (0..vertices.len()).map(|_| AtomicU32::new(NONE)).collect();
-    let parts = threads.count();
-    threads.map(parts, |part| {
-        let mut table = Table::new();
-        for (k, vertex) in vertices.iter().enumerate() {
-            let hash = hash(vertex);
-            if (hash >> 48) as usize % parts == part {
-                first[k].store(table.first(vertices, k as u32, hash), Ordering::Relaxed);
+    let parts = (vertices.len() / PART).next_power_of_two().min(PARTS);
+    let dealt = threads.map_pieces(vertices.len(), PIECE, |piece| {
+        let mut dealt = vec![Vec::with_capacity(piece.len() / parts); parts];
+        let mut table = Table::of(piece.len());
+        for k in piece {
+            let entry = Entry::new(hash(&vertices[k]), k as u32);
+            let near = table.first(vertices, entry);
+            first[k].store(near, Ordering::Relaxed);
+            if near == entry.number() {
+                dealt[entry.part(parts)].push(entry);
             }
+        }
+        dealt
+    });
+    threads.map(parts, |part| {
+        let all = || dealt.iter().flat_map(|piece| &piece[part]);
+        let mut table = Table::of(dealt.iter().map(|piece| piece[part].len()).sum());
+        for &entry in all() {
+            first[entry.number() as usize].store(table.first(vertices, entry), Ordering::Relaxed);
         }
     });
     first
+}
+
+/// Vertices in a piece of work.
+const PIECE: usize = 1 << 14;
+
+/// Vertices in a part, and at most so many parts.
+const PART: usize = 1 << 15;
+const PARTS: usize = 1 << 8;
+
+/// The upper half of a vertex's hash, and its number.
+#[derive(Clone, Copy, PartialEq)]
+struct Entry(u64);
+
+impl Entry {
+    /// No vertex: its number is none.
+    const EMPTY: Self = Self(u64::MAX);
+
+    const fn new(hash: u64, number: u32) -> Self {
+        Self(hash >> 32 << 32 | number as u64)
+    }
+
+    const fn hash(self) -> usize {
+        (self.0 >> 32) as usize
+    }
+
+    const fn number(self) -> u32 {
+        self.0 as u32
+    }
+
+    /// By the first bits of the hash: a table has the last ones.
+    const fn part(self, parts: usize) -> usize {
+        (self.0 >> 56) as usize * parts / PARTS
+    }
 }
 
 fn bits(vertex: &[f64; 3]) -> [u64; 3] {
@@ -94,48 +140,45 @@ fn hash(vertex: &[f64; 3]) -> u64 {
 
 /// A hash table of vertices by their number, open, at most half full.
 struct Table {
-    /// The upper half of the hash and the number.
-    slots: Vec<u64>,
+    slots: Vec<Entry>,
     filled: usize,
 }
 
-const EMPTY: u64 = u64::MAX;
-
 impl Table {
-    fn new() -> Self {
-        Self { slots: vec![EMPTY; 1024], filled: 0 }
+    /// For so many vertices, of which in triangles without indices every sixth is new.
+    fn of(vertices: usize) -> Self {
+        Self { slots: vec![Entry::EMPTY; (vertices / 2).next_power_of_two().max(64)], filled: 0 }
     }
 
     /// The vertex of the table with the same coordinates, or else this one.
-    fn first(&mut self, vertices: &[[f64; 3]], number: u32, hash: u64) -> u32 {
+    fn first(&mut self, vertices: &[[f64; 3]], entry: Entry) -> u32 {
         if 2 * self.filled >= self.slots.len() {
-            self.grow(vertices);
+            self.grow();
         }
+        let place = |entry: Entry| bits(&vertices[entry.number() as usize]);
         let mask = self.slots.len() - 1;
-        let mut at = hash as usize & mask;
+        let mut at = entry.hash() & mask;
         loop {
-            let slot = self.slots[at];
-            if slot == EMPTY {
-                self.slots[at] = (hash >> 32 << 32) | u64::from(number);
+            let known = self.slots[at];
+            if known == Entry::EMPTY {
+                self.slots[at] = entry;
                 self.filled += 1;
-                return number;
+                return entry.number();
             }
-            let known = slot as u32;
-            if slot >> 32 == hash >> 32 && bits(&vertices[known as usize]) == bits(&vertices[number as usize])
-            {
-                return known;
+            if known.hash() == entry.hash() && place(known) == place(entry) {
+                return known.number();
             }
             at = (at + 1) & mask;
         }
     }
 
-    fn grow(&mut self, vertices: &[[f64; 3]]) {
-        let empty = vec![EMPTY; 4 * self.slots.len()];
+    fn grow(&mut self) {
+        let empty = vec![Entry::EMPTY; 4 * self.slots.len()];
         let old = core::mem::replace(&mut self.slots, empty);
         let mask = self.slots.len() - 1;
-        for slot in old.into_iter().filter(|&slot| slot != EMPTY) {
-            let mut at = hash(&vertices[slot as u32 as usize]) as usize & mask;
-            while self.slots[at] != EMPTY {
+        for slot in old.into_iter().filter(|&slot| slot != Entry::EMPTY) {
+            let mut at = slot.hash() & mask;
+            while self.slots[at] != Entry::EMPTY {
                 at = (at + 1) & mask;
             }
             self.slots[at] = slot;

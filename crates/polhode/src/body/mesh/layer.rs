@@ -1,0 +1,327 @@
+//! Where a surface lies in one layer, and so cannot meet itself.
+//!
+//! Take a box about some triangles of a surface, and look at it along an axis. If
+//!
+//! 1. every triangle that reaches into the box has its normal on the same side, up;
+//! 2. none of them reaches the lid or the bottom of the box;
+//! 3. none of them has an edge where the surface ends or turns over;
+//!
+//! then the layers over any two points of the box's ground are as many: going from one to the other a layer can end only at a wall of
+//! the box (the degree of a map is constant). If there is one over one point, there is one over all, and whatever two triangles had in
+//! common in the box, beyond their corners and edges, would be two layers there. So the triangles that the box was made for meet
+//! nothing. The box is open and a little larger than they are, so this holds on its walls, too.
+//!
+//! The signs of the normals are certain, and so is the number of layers; a box for which one of these fails is divided, and in the end
+//! its triangles are compared one by one. Nearly all of a finely divided surface needs no more than this.
+
+use super::edges::Edges;
+use super::inside::seen_at;
+use super::patches::is_balanced;
+use super::predicate::across;
+use super::threads::Threads;
+use super::tree::{Bounds, LEAF, Sides, Tree, sides_of};
+use super::weld::Welded;
+
+/// The triangles of a tree, with what is known of their layers.
+pub(crate) struct Layers<'a> {
+    welded: &'a Welded,
+    tree: &'a Tree,
+    torn: Torn,
+    /// Where all triangles of each node certainly face; nowhere if one of them is torn.
+    sides: Vec<Sides>,
+}
+
+impl<'a> Layers<'a> {
+    pub(crate) fn of(welded: &'a Welded, tree: &'a Tree, edges: &Edges, collinear: &[u32]) -> Self {
+        let torn = Torn::of(welded, edges, collinear);
+        let mut sides = tree.sides().to_vec();
+        let leaves = sides.len() / 2;
+        if !torn.is_empty() {
+            for (side, triangles) in sides[leaves..].iter_mut().zip(tree.order().chunks(LEAF)) {
+                if triangles.iter().any(|&t| torn.at(welded, t)) {
+                    *side = 0;
+                }
+            }
+            for n in (1..leaves).rev() {
+                sides[n] = sides[2 * n] & sides[2 * n + 1];
+            }
+        }
+        Self { welded, tree, torn, sides }
+    }
+
+    /// The triangles that may meet others, in the tree's order.
+    pub(crate) fn doubtful(&self, threads: Threads) -> Vec<u32> {
+        let leaves = self.tree.nodes().len() / 2;
+        let roots = (leaves / LARGEST).max(1);
+        let parts = threads.map(roots, |root| {
+            let mut doubtful = Vec::new();
+            self.divide(roots + root, leaves / roots, &mut doubtful);
+            doubtful
+        });
+        parts.concat()
+    }
+
+    /// The doubtful triangles of a node that has so many leaves.
+    fn divide(&self, node: usize, leaves: usize, doubtful: &mut Vec<u32>) {
+        let order = self.tree.order();
+        let first = (node * leaves - self.tree.nodes().len() / 2) * LEAF;
+        let own = first.min(order.len())..(first + leaves * LEAF).min(order.len());
+        if own.is_empty() || self.is_single(node, self.welded.corners[order[own.start] as usize][0]) {
+            return;
+        }
+        if leaves <= SMALLEST {
+            doubtful.extend_from_slice(&order[own]);
+            return;
+        }
+        for child in [2 * node, 2 * node + 1] {
+            self.divide(child, leaves / 2, doubtful);
+        }
+    }
+
+    /// Is there certainly but one layer about a node that has this corner?
+    fn is_single(&self, node: usize, corner: u32) -> bool {
+        let Bounds { low, high } = self.tree.nodes()[node];
+        let mut axes = [0, 1, 2];
+        axes.sort_by(|&i, &j| (high[i] - low[i]).total_cmp(&(high[j] - low[j])));
+        let faces =
+            |axis: usize| [1 << axis, 8 << axis].into_iter().find(|side| self.sides[node] & side != 0);
+        axes.into_iter().any(|axis| {
+            faces(axis).is_some_and(|side| {
+                let cell = self.tree.nodes()[node].about(axis);
+                self.all_face(side, axis, &cell) && self.layers(axis, &cell, corner) == 1
+            })
+        })
+    }
+
+    /// Do all triangles that may reach into the box face this side, and stay off its lid and its bottom?
+    fn all_face(&self, side: Sides, axis: usize, cell: &Bounds) -> bool {
+        let fits = |b: &Bounds| cell.low[axis] < b.low[axis] && b.high[axis] < cell.high[axis];
+        // Where all in a node do, no need to look further.
+        let open = |node: usize, bounds: &Bounds| self.sides[node] & side == 0 || !fits(bounds);
+        self.tree.all_within(self.welded, cell, open, |t, bounds| {
+            let faces = sides_of(self.welded.triangle(t as usize)) & side != 0;
+            faces && fits(bounds) && !self.torn.at(self.welded, t)
+        })
+    }
+
+    /// How many triangles are above and below this corner in the box; beside it, where a point lies on an edge.
+    fn layers(&self, axis: usize, cell: &Bounds, corner: u32) -> usize {
+        let point = self.welded.points[corner as usize];
+        let line = self.tree.line(point, axis, cell);
+        let mut layers = 0;
+        let open = |_: usize, _: &Bounds| true;
+        self.tree.all_within(self.welded, &line, open, |t, _| {
+            let triangle = self.welded.triangle(t as usize);
+            layers += usize::from(seen_at(triangle, axis, across(axis, point)).is_some());
+            true
+        });
+        layers
+    }
+}
+
+/// Leaves of the nodes that are looked at first.
+const LARGEST: usize = 256;
+
+/// Leaves of a node that is not divided.
+const SMALLEST: usize = 2;
+
+/// Where a surface ends or turns over.
+struct Torn {
+    triangles: Vec<u32>,
+    /// Corners of triangles without an area: what is beside these may touch without being above each other.
+    points: Vec<u32>,
+}
+
+impl Torn {
+    fn of(welded: &Welded, edges: &Edges, collinear: &[u32]) -> Self {
+        let unbalanced = edges.crowded.iter().filter(|edge| !is_balanced(&welded.corners, edge));
+        let halves = edges.boundary.iter().chain(&edges.inconsistent).chain(unbalanced.map(|edge| &edge[0]));
+        let mut triangles: Vec<u32> = halves.map(|half| half / 3).collect();
+        triangles.sort_unstable();
+        triangles.dedup();
+        let mut points: Vec<u32> = collinear.iter().flat_map(|&t| welded.corners[t as usize]).collect();
+        points.sort_unstable();
+        points.dedup();
+        Self { triangles, points }
+    }
+
+    fn is_empty(&self) -> bool {
+        self.triangles.is_empty() && self.points.is_empty()
+    }
+
+    fn at(&self, welded: &Welded, t: u32) -> bool {
+        let of_points = |v: &u32| self.points.binary_search(v).is_ok();
+        self.triangles.binary_search(&t).is_ok()
+            || !self.points.is_empty() && welded.corners[t as usize].iter().any(of_points)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use core::f64::consts::TAU;
+
+    use super::super::TriangleMesh;
+    use super::super::component::Measured;
+    use super::super::meeting::Meeting;
+    use super::super::patches::Patches;
+    use super::super::weld::NONE;
+    use super::*;
+
+    /// A closed surface over two angles.
+    fn torus(n: u32, m: u32, at: impl Fn(f64, f64) -> [f64; 3]) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
+        let angle = |k: u32, n: u32| TAU * f64::from(k) / f64::from(n);
+        let points = (0..n * m).map(|k| at(angle(k / m, n), angle(k % m, m))).collect();
+        let number = |i: u32, j: u32| i % n * m + j % m;
+        let squares = (0..n * m).map(|k| (k / m, k % m));
+        let halves = squares.flat_map(|(i, j)| {
+            let [a, b, c, d] = [number(i, j), number(i + 1, j), number(i + 1, j + 1), number(i, j + 1)];
+            [[a, b, c], [a, c, d]]
+        });
+        (points, halves.collect())
+    }
+
+    /// A tube about a curve that goes round so many times, at a distance that changes, about an oblique axis.
+    fn tube(turns: f64, radius: f64, wave: f64) -> impl Fn(f64, f64) -> [f64; 3] {
+        move |u, v| {
+            let (r, w) = (1.0 + wave * (0.5 * u * (turns - 1.0)).cos(), wave * (u + 0.3).sin());
+            let distance = r + radius * v.cos();
+            let (x, y) = (distance * (turns * u).cos(), distance * (turns * u).sin());
+            let z = radius * v.sin() + w;
+            [0.36 * x + 0.48 * y - 0.8 * z, -0.8 * x + 0.6 * y, 0.48 * x + 0.64 * y + 0.6 * z]
+        }
+    }
+
+    /// Numbers from 0 to 1, one after the other.
+    fn chance() -> impl FnMut() -> f64 {
+        let mut state = 20_u64;
+        move || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 11) as f64 / 9_007_199_254_740_992.0
+        }
+    }
+
+    /// A mesh, its triangles that have an area, and which of them are doubtful.
+    fn doubtful((points, triangles): (Vec<[f64; 3]>, Vec<[u32; 3]>)) -> (Welded, Vec<u32>, Vec<bool>) {
+        let mesh = TriangleMesh::new(points, triangles).unwrap();
+        let (welded, threads) = (Welded::of(&mesh, Threads::of(1)), Threads::of(2));
+        let edges = Edges::of(&welded.corners, welded.points.len(), threads);
+        let patches = Patches::of(&welded.corners, &edges, threads);
+        let collinear = Measured::of(&welded, &patches).collinear;
+        let wanted = |t: usize| patches.component[t] != NONE && collinear.binary_search(&(t as u32)).is_err();
+        let tree = Tree::of(&welded, wanted, threads);
+        let doubtful = Layers::of(&welded, &tree, &edges, &collinear).doubtful(threads);
+        let mut is_doubtful = vec![false; welded.corners.len()];
+        doubtful.iter().for_each(|&t| is_doubtful[t as usize] = true);
+        let order = tree.order().to_vec();
+        (welded, order, is_doubtful)
+    }
+
+    /// Every two triangles that have more in common than corners and edges are doubtful, both. How many pairs there are.
+    fn check(mesh: (Vec<[f64; 3]>, Vec<[u32; 3]>)) -> usize {
+        let (welded, order, is_doubtful) = doubtful(mesh);
+        let mut pairs = 0;
+        for (k, &t) in order.iter().enumerate() {
+            for &u in &order[..k] {
+                let [i, j] = [t as usize, u as usize];
+                let [a, b] = [i, j].map(|t| welded.triangle(t));
+                let beyond = |a: [[f64; 3]; 3], b: [[f64; 3]; 3]| {
+                    (0..3).any(|k| a.iter().all(|p| b.iter().all(|q| p[k] < q[k])))
+                };
+                if beyond(a, b) || beyond(b, a) {
+                    continue;
+                }
+                let place = |v: u32| welded.points[v as usize];
+                let meeting = Meeting::of(welded.corners[i], welded.corners[j], place);
+                if meeting != Meeting::Apart {
+                    pairs += 1;
+                    assert!(is_doubtful[i] && is_doubtful[j], "{t} {u} {meeting:?}");
+                }
+            }
+        }
+        pairs
+    }
+
+    #[test]
+    fn little_of_a_smooth_surface_is_doubtful() {
+        for (size, shift) in [(1.0, 0.0), (1e-9, 3e-4), (1e100, 0.0), (7.0, 1e6)] {
+            let (points, triangles) = torus(160, 80, tube(1.0, 0.4, 0.1));
+            let points = points.iter().map(|p| p.map(|c| c * size + shift)).collect();
+            let (_, order, is_doubtful) = doubtful((points, triangles));
+            let part = is_doubtful.iter().filter(|&&doubtful| doubtful).count() as f64 / order.len() as f64;
+            assert!(part < 0.1, "{size}: {part}");
+        }
+        assert_eq!(check(torus(40, 20, tube(1.0, 0.4, 0.1))), 0);
+    }
+
+    #[test]
+    fn what_meets_is_doubtful_however_the_layers_lie() {
+        // Through itself at the axis; twice about it, layer on layer, all the way or crossing in a few places.
+        for (turns, radius, wave) in [(1.0, 1.1, 0.0), (2.0, 0.3, 0.0), (2.0, 0.3, 0.01), (3.0, 0.2, 0.03)] {
+            let pairs = check(torus(48, 14, tube(turns, radius, wave)));
+            assert!(pairs > 0, "{turns} {radius} {wave}");
+        }
+        // Two surfaces, the outer one of which dips through the inner one.
+        for dip in [0.0, 0.06, 0.2] {
+            let (mut points, mut triangles) = torus(36, 16, tube(1.0, 0.4, 0.1));
+            let (outer, more) = torus(40, 14, |u, v| {
+                let bump = (-20.0 * ((u - 2.0).powi(2) + (v - 3.0).powi(2))).exp();
+                tube(1.0, 0.43 - dip * bump, 0.1)(u, v)
+            });
+            triangles.extend(more.iter().map(|t| t.map(|v| v + points.len() as u32)));
+            points.extend(outer);
+            let pairs = check((points, triangles));
+            assert_eq!(pairs > 0, dip > 0.0, "{dip}: {pairs}");
+        }
+    }
+
+    #[test]
+    fn folds_and_tears_are_doubtful() {
+        let mut chance = chance();
+        let mut found = 0;
+        for round in 0..12 {
+            let (mut points, mut triangles) = torus(40, 14, tube(1.0, 0.4, 0.1));
+            // Corners pulled over their neighbours.
+            for _ in 0..30 {
+                let k = (chance() * points.len() as f64) as usize;
+                let by = chance();
+                points[k] = points[k].map(|c| c + by * (chance() - 0.5));
+            }
+            match round % 4 {
+                // On a grid, so that much is in one plane or on one line.
+                1 => points.iter_mut().flatten().for_each(|c| *c = (*c * 12.0).round()),
+                2 => triangles.iter_mut().step_by(41).for_each(|t| t.swap(0, 1)),
+                3 => triangles.retain(|_| chance() > 0.02),
+                _ => {}
+            }
+            found += check((points, triangles));
+        }
+        assert!(found > 100, "{found}");
+    }
+
+    #[test]
+    fn triangles_at_random_meet_as_they_do() {
+        let mut chance = chance();
+        for scale in [4.0, 1000.0] {
+            let points = (0..900).map(|_| core::array::from_fn(|_| (chance() * scale).round())).collect();
+            let corner = |k: u32| [3 * k, 3 * k + 1, 3 * k + 2];
+            let mesh = TriangleMesh::new(points, (0..300).map(corner).collect()).unwrap();
+            assert!(check((mesh.vertices().to_vec(), mesh.triangles().to_vec())) > 100);
+        }
+    }
+
+    #[test]
+    fn steps_of_many_corners_on_one_edge_are_doubtful() {
+        // A prism whose top is one triangle pair and whose sides are divided: slivers without an area close it.
+        let n = 9_u32;
+        let mut points: Vec<[f64; 3]> = (0..=n).map(|k| [f64::from(k), 0.0, 0.25 * f64::from(k)]).collect();
+        points.extend((0..=n).map(|k| [f64::from(k), 2.0, 1.0 + 0.25 * f64::from(k)]));
+        let mut triangles: Vec<[u32; 3]> = vec![[0, n, 2 * n + 1], [0, 2 * n + 1, n + 1]];
+        // The seam from 0 to n has corners between, which only collinear triangles and the strip below know of.
+        triangles.extend((1..n).map(|k| [0, k, k + 1]));
+        let first = points.len() as u32;
+        points.extend((0..=n).map(|k| [f64::from(k), -1.0, 0.3 * f64::from(k) - 0.4]));
+        triangles.extend((0..n).flat_map(|k| [[k, first + k, k + 1], [first + k, first + k + 1, k + 1]]));
+        let pairs = check((points, triangles));
+        assert!(pairs > 0);
+    }
+}

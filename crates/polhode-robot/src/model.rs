@@ -32,6 +32,21 @@ pub struct RobotModel {
     pub links: Vec<Link>,
     /// In the order of the file.
     pub joints: Vec<Joint>,
+    /// What the reader left out or had to decide.
+    pub notes: Vec<Note>,
+}
+
+/// Something that a reader left out of a model, or had to decide.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Note {
+    /// A stable name for programs: `"read.include"`.
+    pub code: &'static str,
+    /// The link or joint; empty if it is about the whole model.
+    pub subject: String,
+    /// Where in the model's text.
+    pub span: Span,
+    /// What, in a line.
+    pub message: String,
 }
 
 /// A name, and where it stands.
@@ -115,6 +130,9 @@ pub struct Link {
     pub pose: Pose,
     /// True if the model says that it does not move: SDF `<static>`.
     pub is_static: bool,
+    /// True if the language computes mass, centre and tensor from the geometry, and `inertial` is `None` for that reason: an MJCF
+    /// body without `<inertial>`, SDF's `<inertial auto="true">`.
+    pub from_geometry: bool,
 }
 
 /// Mass, centre and tensor of a link.
@@ -200,6 +218,8 @@ pub enum GeometryShape {
 }
 
 /// How one link hangs on another.
+///
+/// An MJCF body may have several joints: they follow each other here with the same parent, child and pose, and act in this order.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Joint {
     /// Its name; made up where the language lets it be left out.

@@ -1,0 +1,177 @@
+//! A link as a body: its mass properties in the link's own frame, or why it has none.
+//!
+//! A link says mass m, a frame of its inertial in its own (centre c, attitude R_link_inertial), and a tensor J about c along that
+//! frame's axes. In the link's frame:
+//!
+//! I_link = R J Rᵀ, about c
+//!
+//! Numbers with few digits can miss i1 + i2 ≥ i3 by their rounding, as those of a plate do. Such a tensor becomes the nearest
+//! possible one, and [`LinkBody::rounding`] says by how much; anything beyond is an error.
+
+use std::error::Error;
+use std::fmt;
+
+use polhode::{BodyError, InertiaTensor, MassProperties, Part, Position, PrincipalFrame};
+
+use crate::model::{Inertial, Link, Number, Slot, Span, Tensor};
+use crate::placement::Placement;
+
+/// A link's mass properties.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LinkBody {
+    /// In the link's frame.
+    pub properties: MassProperties<Part>,
+    /// What the tensor lacked to be possible, i3 − i1 − i2, in kg·m²: the rounding of its digits. Zero for most.
+    pub rounding: f64,
+}
+
+/// What a link is, as far as its mass is concerned.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum LinkMass {
+    /// A body.
+    Body(LinkBody),
+    /// A frame: it says nothing of its mass, or that all of it is zero.
+    None,
+}
+
+/// Why a link's numbers are not a body.
+#[derive(Clone, Debug, PartialEq)]
+pub enum LinkError {
+    /// A number that is missing, is none, or is not finite.
+    Number {
+        /// What it is: `"mass"`, `"izz"`.
+        what: String,
+        /// How it is written; `None` if it is not there.
+        text: Option<String>,
+        /// Where.
+        span: Span,
+    },
+    /// Numbers that no body has.
+    Impossible {
+        /// Why.
+        error: BodyError,
+        /// The inertial.
+        span: Span,
+    },
+}
+
+impl LinkError {
+    /// Where in the model's text.
+    pub fn span(&self) -> Span {
+        match self {
+            Self::Number { span, .. } | Self::Impossible { span, .. } => span.clone(),
+        }
+    }
+}
+
+impl fmt::Display for LinkError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Number { what, text: None, .. } => write!(f, "it has no {what}"),
+            Self::Number { what, text: Some(text), .. } => write!(f, "its {what} is {text:?}, no finite number"),
+            Self::Impossible { error, .. } => error.fmt(f),
+        }
+    }
+}
+
+impl Error for LinkError {}
+
+/// The mass properties of a link, in its own frame.
+///
+/// # Errors
+/// [`LinkError`] if a number cannot be used, or no body has these.
+pub fn link_mass(link: &Link) -> Result<LinkMass, LinkError> {
+    match &link.inertial {
+        None => Ok(LinkMass::None),
+        Some(inertial) => of_inertial(inertial),
+    }
+}
+
+fn of_inertial(inertial: &Inertial) -> Result<LinkMass, LinkError> {
+    let impossible = |error| LinkError::Impossible { error, span: inertial.span.clone() };
+    let mass = number("mass", &inertial.mass)?;
+    if let Some(Number { text, span, .. }) = inertial.pose.unreadable.first() {
+        let (what, text) = ("inertial frame".to_owned(), Some(text.clone()));
+        return Err(LinkError::Number { what, text, span: span.clone() });
+    }
+    let (moments, products, printed) = elements(&inertial.tensor)?;
+    if mass == 0.0 && moments.iter().chain(&products).all(|&element| element == 0.0) {
+        return Ok(LinkMass::None);
+    }
+    let (tensor, rounding) = possible(moments, products, printed).map_err(impossible)?;
+    let Placement { position, rotation } = Placement::of(&inertial.pose).map_err(impossible)?;
+    let properties = MassProperties::<Part>::new(mass, Position::ZERO, tensor)
+        .and_then(|body| body.placed(position, rotation))
+        .map_err(impossible)?;
+    Ok(LinkMass::Body(LinkBody { properties, rounding }))
+}
+
+/// Moments, products (elements of the tensor), and how far the digits leave the moments open.
+fn elements(tensor: &Tensor) -> Result<([f64; 3], [f64; 3], f64), LinkError> {
+    match tensor {
+        Tensor::Missing(span) => {
+            Err(LinkError::Number { what: "inertia tensor".to_owned(), text: None, span: span.clone() })
+        }
+        Tensor::Diagonal(slots) => {
+            let [a, b, c] = &**slots;
+            let moments = [number("diaginertia", a)?, number("diaginertia", b)?, number("diaginertia", c)?];
+            Ok((moments, [0.0; 3], half_units(&slots[..])))
+        }
+        Tensor::Six(slots) => {
+            let [xx, yy, zz, xy, xz, yz] = &**slots;
+            let moments = [number("ixx", xx)?, number("iyy", yy)?, number("izz", zz)?];
+            let products = [number("ixy", xy)?, number("ixz", xz)?, number("iyz", yz)?];
+            Ok((moments, products, half_units(&slots[..])))
+        }
+    }
+}
+
+fn number(what: &str, slot: &Slot) -> Result<f64, LinkError> {
+    slot.finite().ok_or_else(|| {
+        let (what, text) = match slot {
+            Slot::Missing { name, .. } => (name.clone(), None),
+            Slot::Given(number) => (what.to_owned(), Some(number.text.clone())),
+        };
+        LinkError::Number { what, text, span: slot.span() }
+    })
+}
+
+/// The sum of half units of the last digits: how far i3 − i1 − i2 can be moved by rounding each element.
+fn half_units(slots: &[Slot]) -> f64 {
+    let unit = |slot: &Slot| match slot {
+        Slot::Given(number) => last_digit(&number.text),
+        Slot::Missing { .. } => 0.0,
+    };
+    slots.iter().map(|slot| 0.5 * unit(slot)).sum()
+}
+
+/// What one more in the last digit is worth: 1e-6 of `"1.641e-3"`; of a whole number nothing, as it may be exact.
+fn last_digit(text: &str) -> f64 {
+    let (mantissa, power) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
+    let Some((_, decimals)) = mantissa.split_once('.') else { return 0.0 };
+    let power = power.parse::<i32>().unwrap_or(0).saturating_sub(i32::try_from(decimals.len()).unwrap_or(i32::MAX));
+    format!("1e{power}").parse().unwrap_or(0.0)
+}
+
+/// The tensor, or the nearest possible one if only `printed` parts them, and what it lacked.
+fn possible(
+    moments: [f64; 3],
+    products: [f64; 3],
+    printed: f64,
+) -> Result<(InertiaTensor<Part>, f64), BodyError> {
+    let tensor = |moments| InertiaTensor::<Part>::with_negative_products(moments, products);
+    let error = match tensor(moments) {
+        Ok(tensor) => return Ok((tensor, 0.0)),
+        Err(error) => error,
+    };
+    let BodyError::TriangleInequality { moments: [i1, i2, i3] } = error else { return Err(error) };
+    let excess = i3 - i2 - i1;
+    if excess > printed {
+        return Err(error);
+    }
+    // The axes are those of J + i3·1, which is possible; the least change of the moments is a third of the excess to each.
+    let axes = PrincipalFrame::of(&tensor(moments.map(|i| i + i3))?).rotation();
+    let third = excess / 3.0;
+    let on_edge = InertiaTensor::diagonal([i1 + third, i2 + third, i3 - third])?;
+    Ok((on_edge.in_frame(axes), excess))
+}

@@ -68,7 +68,9 @@ impl fmt::Display for LinkError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Number { what, text: None, .. } => write!(f, "it has no {what}"),
-            Self::Number { what, text: Some(text), .. } => write!(f, "its {what} is {text:?}, no finite number"),
+            Self::Number { what, text: Some(text), .. } => {
+                write!(f, "its {what} is {text:?}, no finite number")
+            }
             Self::Impossible { error, .. } => error.fmt(f),
         }
     }
@@ -149,7 +151,8 @@ fn half_units(slots: &[Slot]) -> f64 {
 fn last_digit(text: &str) -> f64 {
     let (mantissa, power) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
     let Some((_, decimals)) = mantissa.split_once('.') else { return 0.0 };
-    let power = power.parse::<i32>().unwrap_or(0).saturating_sub(i32::try_from(decimals.len()).unwrap_or(i32::MAX));
+    let power =
+        power.parse::<i32>().unwrap_or(0).saturating_sub(i32::try_from(decimals.len()).unwrap_or(i32::MAX));
     format!("1e{power}").parse().unwrap_or(0.0)
 }
 

@@ -173,10 +173,8 @@ fn hung(
 fn moved(place: Place, above: &Above<'_>, positions: &[(String, f64)]) -> Result<Place, LumpError> {
     above.joints.iter().try_fold(place, |place, joint| {
         let q = positions.iter().rev().find(|(name, _)| *name == joint.name.text).map_or(0.0, |(_, q)| *q);
-        let motion = Place::motion(joint, q).ok_or_else(|| LumpError::Pose {
-            subject: joint.name.text.clone(),
-            span: joint.span.clone(),
-        })?;
+        let motion = Place::motion(joint, q)
+            .ok_or_else(|| LumpError::Pose { subject: joint.name.text.clone(), span: joint.span.clone() })?;
         Ok(place.then(motion))
     })
 }

@@ -27,7 +27,11 @@ impl<A: Frame, B: Frame> Placement<A, B> {
         };
         pose.position.into_iter().try_for_each(finite)?;
         let length = pose.rotation.iter().map(|c| c * c).sum::<f64>().sqrt();
-        let error = BodyError::Parameter { what: "the quaternion's length", value: length, rule: "positive and finite" };
+        let error = BodyError::Parameter {
+            what: "the quaternion's length",
+            value: length,
+            rule: "positive and finite",
+        };
         let rotation = Rotation::from_quaternion(pose.rotation).map_err(|_| error)?;
         Ok(Self { position: Position::from_array(pose.position), rotation })
     }

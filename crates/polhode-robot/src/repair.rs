@@ -114,11 +114,7 @@ fn repaired_but(model: &RobotModel, findings: &[Finding], failing: &[usize]) -> 
     let (mut applied, mut left) = (Vec::new(), Vec::new());
     for (k, finding) in findings.iter().enumerate() {
         let Some(repair) = &finding.repair else { continue };
-        let made = if failing.contains(&k) {
-            Err(LeftReason::Fails)
-        } else {
-            edits.add(&model.text, repair)
-        };
+        let made = if failing.contains(&k) { Err(LeftReason::Fails) } else { edits.add(&model.text, repair) };
         match made {
             Ok(()) => applied.push(k),
             Err(why) => left.push(Left { finding: k, why }),

@@ -54,7 +54,9 @@ fn points(seed: u64) -> Vec<(f64, Vector)> {
         state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (state >> 11) as f64 / (1_u64 << 53) as f64
     };
-    (0..200).map(|_| (0.002 + 0.01 * next(), [next() - 0.3, 0.7 * next() - 0.1, 1.3 * next() - 0.9])).collect()
+    (0..200)
+        .map(|_| (0.002 + 0.01 * next(), [next() - 0.3, 0.7 * next() - 0.1, 1.3 * next() - 0.9]))
+        .collect()
 }
 
 /// Mass, centre, and tensor about the centre of points.
@@ -144,8 +146,22 @@ fn arm() -> RobotModel {
         vec![
             joint("wrist", fixed, ["slider", "hand"], turned(WRIST), [1.0, 0.0, 0.0], [0.0; 3]),
             joint("flange", fixed, ["hand", "tool"], turned(SLIDE), [1.0, 0.0, 0.0], [0.0; 3]),
-            joint("slide", JointKind::Prismatic, ["arm", "slider"], turned(SLIDE), [0.0, -3.0, 4.0], [0.0; 3]),
-            joint("shoulder", JointKind::Revolute, ["base", "arm"], turned(SHOULDER), [0.6, 0.5, -0.2], [0.3, 0.1, -0.2]),
+            joint(
+                "slide",
+                JointKind::Prismatic,
+                ["arm", "slider"],
+                turned(SLIDE),
+                [0.0, -3.0, 4.0],
+                [0.0; 3],
+            ),
+            joint(
+                "shoulder",
+                JointKind::Revolute,
+                ["base", "arm"],
+                turned(SHOULDER),
+                [0.6, 0.5, -0.2],
+                [0.3, 0.1, -0.2],
+            ),
         ],
     )
 }
@@ -200,7 +216,8 @@ fn the_whole_robot_is_the_sum_of_its_points() {
 #[test]
 fn fixed_joints_make_groups_in_the_frame_of_their_first_link() {
     let lumps = lump(&arm(), Lumping::Fixed, &[]).unwrap();
-    let names: Vec<_> = lumps.iter().map(|l| (l.frame.as_deref().unwrap(), l.links.len(), l.massless.len())).collect();
+    let names: Vec<_> =
+        lumps.iter().map(|l| (l.frame.as_deref().unwrap(), l.links.len(), l.massless.len())).collect();
     assert_eq!(names, [("base", 1, 0), ("arm", 1, 0), ("slider", 2, 1)]);
     close(&lumps[0], &points(1));
     close(&lumps[1], &points(2));
@@ -211,11 +228,19 @@ fn fixed_joints_make_groups_in_the_frame_of_their_first_link() {
 fn two_joints_between_the_same_links_follow_each_other() {
     let place = pose([0.1, -0.2, 0.3], [0.3, 0.2, 0.9], 0.7);
     let joints = vec![
-        joint("first", JointKind::Revolute, ["base", "ball"], place.clone(), [0.2, 0.9, -0.4], [0.1, 0.0, -0.2]),
+        joint(
+            "first",
+            JointKind::Revolute,
+            ["base", "ball"],
+            place.clone(),
+            [0.2, 0.9, -0.4],
+            [0.1, 0.0, -0.2],
+        ),
         joint("second", JointKind::Revolute, ["base", "ball"], place, [-0.8, 0.3, 0.5], [-0.3, 0.2, 0.1]),
     ];
     let model = model(vec![frame("base"), link("ball", &points(9), [0.4, -0.2, 0.6], 0.8)], joints);
-    let lumps = lump(&model, Lumping::All, &[("first".to_owned(), 1.1), ("second".to_owned(), -0.6)]).unwrap();
+    let lumps =
+        lump(&model, Lumping::All, &[("first".to_owned(), 1.1), ("second".to_owned(), -0.6)]).unwrap();
     let about = |points: &[(f64, Vector)], axis, angle, anchor| {
         let r = turn(axis, angle);
         placed(points, &r, plus(anchor, apply(&r, anchor).map(|x| -x)))
@@ -228,12 +253,27 @@ fn two_joints_between_the_same_links_follow_each_other() {
 
 #[test]
 fn what_has_no_position_is_refused() {
-    let error = |model: &RobotModel, positions: &[(String, f64)]| lump(model, Lumping::All, positions).unwrap_err();
+    let error =
+        |model: &RobotModel, positions: &[(String, f64)]| lump(model, Lumping::All, positions).unwrap_err();
     let mut circle = arm();
-    circle.joints.push(joint("back", JointKind::Fixed, ["hand", "base"], pose([0.0; 3], HAND.0, 0.0), HAND.0, [0.0; 3]));
+    circle.joints.push(joint(
+        "back",
+        JointKind::Fixed,
+        ["hand", "base"],
+        pose([0.0; 3], HAND.0, 0.0),
+        HAND.0,
+        [0.0; 3],
+    ));
     assert!(matches!(error(&circle, &[]), LumpError::Circle { .. }));
     let mut twice = arm();
-    twice.joints.push(joint("brace", JointKind::Fixed, ["base", "hand"], pose([0.0; 3], HAND.0, 0.0), HAND.0, [0.0; 3]));
+    twice.joints.push(joint(
+        "brace",
+        JointKind::Fixed,
+        ["base", "hand"],
+        pose([0.0; 3], HAND.0, 0.0),
+        HAND.0,
+        [0.0; 3],
+    ));
     assert!(matches!(error(&twice, &[]), LumpError::TwoParents { joint, .. } if joint == "brace"));
     let mut apart = arm();
     apart.joints.retain(|joint| joint.name.text != "shoulder");
@@ -246,7 +286,9 @@ fn what_has_no_position_is_refused() {
     bent.joints[3].axis = [0.0; 3];
     assert!(matches!(error(&bent, &[("shoulder".to_owned(), 0.1)]), LumpError::Pose { .. }));
     for wrong in [("wrist", 0.1), ("elbow", 0.1), ("slide", f64::NAN)] {
-        let LumpError::Joint { movable, .. } = error(&arm(), &[(wrong.0.to_owned(), wrong.1)]) else { panic!("{wrong:?}") };
+        let LumpError::Joint { movable, .. } = error(&arm(), &[(wrong.0.to_owned(), wrong.1)]) else {
+            panic!("{wrong:?}")
+        };
         assert_eq!(movable, ["slide", "shoulder"]);
     }
     let empty = model(vec![frame("base")], Vec::new());
@@ -260,7 +302,8 @@ fn what_has_no_position_is_refused() {
 fn a_tensor_is_as_sure_as_its_digits() {
     // A plate with six digits: i1 + i2 < i3 by 1e-7, and each element is known to 5e-8.
     let written = |izz: &str| {
-        let number = |text: &str| Slot::Given(Number { text: text.to_owned(), span: 0..0, value: text.parse().ok() });
+        let number =
+            |text: &str| Slot::Given(Number { text: text.to_owned(), span: 0..0, value: text.parse().ok() });
         let six = ["0.0123456", "0.0234567", izz, "0", "0", "0"].map(number);
         let mut plate = link("plate", &points(5), [0.3, -0.5, 0.2], 0.6);
         plate.inertial.as_mut().unwrap().tensor = Tensor::Six(Box::new(six));

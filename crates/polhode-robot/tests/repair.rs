@@ -8,7 +8,8 @@ use polhode_robot::model::{ModelFormat, RobotModel};
 use polhode_robot::repair::{Left, LeftReason, proved, repaired};
 
 /// A byte order mark, both kinds of line ends, trailing spaces, a comment with the same number, µ.
-const TEXT: &str = "\u{feff}<robot>\r\n<!-- 0,5 µ -->  \n\t<mass value='0,5'/><mass value=\"1kg\"/>\r\n</robot>\n\n";
+const TEXT: &str =
+    "\u{feff}<robot>\r\n<!-- 0,5 µ -->  \n\t<mass value='0,5'/><mass value=\"1kg\"/>\r\n</robot>\n\n";
 
 fn model() -> RobotModel {
     RobotModel {
@@ -71,8 +72,10 @@ fn of_two_repairs_of_one_place_the_second_is_left_whole() {
     let left = |finding| Left { finding, why: LeftReason::Overlaps };
     assert_eq!(result.left, [left(1), left(3)]);
     // side by side is not overlapping: an insertion before, and one after
-    let around =
-        [finding("a", vec![(comma.clone(), "0.5")]), finding("b", vec![(comma.end..comma.end, "!"), (comma.start..comma.start, "+")])];
+    let around = [
+        finding("a", vec![(comma.clone(), "0.5")]),
+        finding("b", vec![(comma.end..comma.end, "!"), (comma.start..comma.start, "+")]),
+    ];
     assert!(repaired(&model(), &around).text.contains("'+0.5!'"));
     // two insertions in one place have no order
     let twice = [finding("a", vec![(7..7, "x")]), finding("b", vec![(7..7, "y")])];

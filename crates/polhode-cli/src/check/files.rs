@@ -41,8 +41,10 @@ fn search(root: &Path, models: &mut Vec<PathBuf>) -> Result<(), Failure> {
         if !searched.insert(fs::canonicalize(&folder).map_err(failed)?) {
             continue;
         }
-        let entries = fs::read_dir(&folder).and_then(Iterator::collect::<io::Result<Vec<_>>>).map_err(failed)?;
-        let mut paths: Vec<PathBuf> = entries.into_iter().filter(|e| !is_hidden(e)).map(|e| e.path()).collect();
+        let entries =
+            fs::read_dir(&folder).and_then(Iterator::collect::<io::Result<Vec<_>>>).map_err(failed)?;
+        let mut paths: Vec<PathBuf> =
+            entries.into_iter().filter(|e| !is_hidden(e)).map(|e| e.path()).collect();
         paths.sort();
         let (inner, files): (Vec<_>, Vec<_>) = paths.into_iter().partition(|path| path.is_dir());
         models.extend(files.into_iter().filter(|file| is_model(file)));

@@ -34,7 +34,8 @@ impl FixFlags {
                 "repair them one by one",
             ));
         };
-        let same = || fs::canonicalize(out).is_ok_and(|out| fs::canonicalize(input).is_ok_and(|input| out == input));
+        let same =
+            || fs::canonicalize(out).is_ok_and(|out| fs::canonicalize(input).is_ok_and(|input| out == input));
         if out == input || same() {
             return Err(Failure::usage(
                 format!("--fix would overwrite the model itself, {shown}"),

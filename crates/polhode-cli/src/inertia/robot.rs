@@ -61,7 +61,10 @@ pub(super) fn reports(file: &Path, flags: &RobotFlags) -> Result<Vec<InertiaRepo
         (None, Some(which)) => lumped(&model, which, &flags.joints),
         (None, None) => Err(Failure::usage(
             format!("{} is a robot of {} links", file.display(), model.links.len()),
-            format!("name one by --link, or join them by --lump fixed or --lump all; its links are {}", names(&model)),
+            format!(
+                "name one by --link, or join them by --lump fixed or --lump all; its links are {}",
+                names(&model)
+            ),
         )),
     }
 }
@@ -93,8 +96,13 @@ fn of_link(model: &RobotModel, name: &str) -> Result<InertiaReport, Failure> {
     Ok(InertiaReport::new(rounded(source, body.rounding), properties))
 }
 
-fn lumped(model: &RobotModel, which: Which, joints: &[(String, String)]) -> Result<Vec<InertiaReport>, Failure> {
-    let positions = joints.iter().map(|(name, value)| position(model, name, value)).collect::<Result<Vec<_>, _>>()?;
+fn lumped(
+    model: &RobotModel,
+    which: Which,
+    joints: &[(String, String)],
+) -> Result<Vec<InertiaReport>, Failure> {
+    let positions =
+        joints.iter().map(|(name, value)| position(model, name, value)).collect::<Result<Vec<_>, _>>()?;
     let lumping = match which {
         Which::Fixed => Lumping::Fixed,
         Which::All => Lumping::All,
@@ -118,13 +126,19 @@ fn of_lump(model: &RobotModel, which: Which, positions: &[(String, f64)], lump: 
     let count = links.len();
     let links_words = if count == 1 { "1 link".to_owned() } else { format!("{count} links") };
     let words = match which {
-        Which::Fixed => format!("{links_words} {} held together by fixed joints, {frame_words}", of_model(model)),
+        Which::Fixed => {
+            format!("{links_words} {} held together by fixed joints, {frame_words}", of_model(model))
+        }
         Which::All if positions.is_empty() => {
             format!("all {links_words} {}, joints at zero, {frame_words}", of_model(model))
         }
         Which::All => {
             let at: Vec<_> = positions.iter().map(|(name, q)| format!("{name} = {q}")).collect();
-            format!("all {links_words} {}, {} and other joints at zero, {frame_words}", of_model(model), at.join(", "))
+            format!(
+                "all {links_words} {}, {} and other joints at zero, {frame_words}",
+                of_model(model),
+                at.join(", ")
+            )
         }
     };
     let joints: serde_json::Map<String, serde_json::Value> =
@@ -144,7 +158,10 @@ fn rounded(source: SourceInfo, rounding: f64) -> SourceInfo {
     if rounding == 0.0 {
         return source;
     }
-    let words = format!("{}; tensor brought to the edge of the possible, {rounding:.1e} kg·m² away by its digits", source.description);
+    let words = format!(
+        "{}; tensor brought to the edge of the possible, {rounding:.1e} kg·m² away by its digits",
+        source.description
+    );
     source.described(words).with("rounding", rounding)
 }
 
@@ -165,8 +182,10 @@ fn of_model(model: &RobotModel) -> String {
 fn names(model: &RobotModel) -> String {
     /// Links that a hint lists.
     const MOST: usize = 40;
-    let (with, without): (Vec<&Link>, Vec<&Link>) = model.links.iter().partition(|link| link.inertial.is_some());
-    let names: Vec<_> = with.iter().chain(&without).map(|link| link.name.text.escape_debug().to_string()).collect();
+    let (with, without): (Vec<&Link>, Vec<&Link>) =
+        model.links.iter().partition(|link| link.inertial.is_some());
+    let names: Vec<_> =
+        with.iter().chain(&without).map(|link| link.name.text.escape_debug().to_string()).collect();
     let more = if names.len() > MOST { ", …" } else { "" };
     names.iter().take(MOST).map(String::as_str).collect::<Vec<_>>().join(", ") + more
 }
@@ -179,13 +198,18 @@ fn joint(text: &str) -> Result<(String, String), String> {
 
 /// The value of a joint, rad or m.
 fn position(model: &RobotModel, name: &str, value: &str) -> Result<(String, f64), Failure> {
-    let slides = model.joints.iter().any(|joint| joint.name.text == name && joint.kind == JointKind::Prismatic);
+    let slides =
+        model.joints.iter().any(|joint| joint.name.text == name && joint.kind == JointKind::Prismatic);
     let dimension = if slides { Dimension::LENGTH } else { Dimension::ANGLE };
     match quantity(value, dimension) {
         Ok(q) => Ok((name.to_owned(), q)),
         Err(why) => Err(Failure::usage(
             format!("--joint {name}: {why}"),
-            if slides { "it slides: a length, such as 0.02 or \"20 mm\"" } else { "it turns: an angle, such as 0.5 or \"30 deg\"" },
+            if slides {
+                "it slides: a length, such as 0.02 or \"20 mm\""
+            } else {
+                "it turns: an angle, such as 0.5 or \"30 deg\""
+            },
         )),
     }
 }

@@ -128,7 +128,9 @@ impl fmt::Display for LumpError {
             Self::Link { link, error } => write!(f, "the link {link:?} is no body: {error}"),
             Self::Assumed { link, rule, .. } => write!(f, "the link {link:?} has no inertial: {rule}"),
             Self::Massless => f.write_str("no link has mass"),
-            Self::NoLink { joint, link, .. } => write!(f, "the joint {joint:?} names {link:?}, and there is no such link"),
+            Self::NoLink { joint, link, .. } => {
+                write!(f, "the joint {joint:?} names {link:?}, and there is no such link")
+            }
             Self::Twice { link, .. } => write!(f, "two links are called {link:?}"),
             Self::TwoParents { link, joint, .. } => {
                 write!(f, "the link {link:?} hangs on two others: the second time by the joint {joint:?}")

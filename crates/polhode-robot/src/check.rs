@@ -1,0 +1,159 @@
+//! What is wrong with a model's inertias, why, and what would repair it.
+//!
+//! Two questions are asked of each link. Can a body have these numbers at all? That needs nothing but the numbers and
+//! the digits that they are written with ([`Severity::Impossible`]). And can *this* body have them? That needs the
+//! link's own geometry ([`Severity::Suspect`]): its reach, its volume, and the tensor it would have were it uniform.
+//!
+//! Few false alarms matter as much as catches. So:
+//!
+//! - A number is as sure as its digits. A tensor is impossible only if no tensor that rounds to the written one is
+//!   possible ([`possible`]).
+//! - A tensor that differs from its geometry's is no finding: bodies are not uniform. It becomes one where the
+//!   geometry has the tensor that a known mistake would have spoilt in just this way ([`explain`]): the mistake undone
+//!   leaves 3 % at most, and a fifth at most of what there was. Six numbers do not agree by chance.
+//! - A repair is offered if it is the only one. Two that would do are none.
+//!
+//! Each rule is a file, and says why its thresholds are what they are.
+
+mod body;
+mod conjugate;
+mod density;
+mod explain;
+mod gyration;
+mod mass;
+mod numbers;
+mod order;
+mod origin;
+mod pair;
+mod placeholder;
+mod possible;
+mod power;
+mod print;
+mod sign;
+mod tree;
+mod unit;
+mod written;
+
+use crate::finding::{Finding, Repair, Severity};
+use crate::model::{Link, RobotModel, Span};
+use crate::moments::Elements;
+use body::Body;
+use print::Print;
+use tree::Tree;
+
+/// A solid that a link's geometry makes, in the link's frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shape {
+    /// m³
+    pub volume: f64,
+    /// m
+    pub centroid: [f64; 3],
+    /// About the centroid, along the link's axes, at 1 kg/m³.
+    pub tensor: Elements,
+    /// What it was made of.
+    pub made_of: MadeOf,
+}
+
+/// How far a shape can be trusted to be the body's own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MadeOf {
+    /// Closed meshes: drawn after the body.
+    Meshes,
+    /// Boxes, spheres, cylinders: often drawn around it, or for a part of it.
+    Primitives,
+}
+
+/// The geometry of one link.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct LinkGeometry {
+    /// The solids that it may be, such as all that is seen and all that is touched. One that fits is enough.
+    pub shapes: Vec<Shape>,
+    /// The least and the greatest x, y, z of all its geometry, in the link's frame; `None` if there is none.
+    pub bounds: Option<[[f64; 3]; 2]>,
+}
+
+/// Everything wrong with a model, by place in the file. `geometry[k]` belongs to `model.links[k]`; what is not there
+/// is not asked about.
+///
+/// It takes a time linear in links and joints, and never recurses.
+pub fn check(model: &RobotModel, geometry: &[LinkGeometry]) -> Vec<Finding> {
+    let tree = Tree::of(model);
+    let print = Print::of(model);
+    let nothing = LinkGeometry::default();
+    let mut findings = tree::check(model, &tree);
+    let mut bodies = Vec::with_capacity(model.links.len());
+    for (k, link) in model.links.iter().enumerate() {
+        let geometry = geometry.get(k).unwrap_or(&nothing);
+        let body = Body::of(link, geometry, print);
+        numbers::check(model, link, &tree, k, &mut findings);
+        mass::check(model, &tree, k, &mut findings);
+        if let Some(body) = &body {
+            let mut found = of_body(body, tree.is_carried(k));
+            leave_one_repair(&mut found);
+            findings.append(&mut found);
+        }
+        bodies.push(body);
+    }
+    pair::check(&bodies, &mut findings);
+    placeholder::repeated(&bodies, &mut findings);
+    findings.sort_by_key(|f| f.span.start);
+    findings
+}
+
+/// What is wrong with one body's mass and tensor.
+fn of_body(body: &Body, carried: bool) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    if possible::check(body, carried, &mut findings) {
+        explain::check(body, &mut findings);
+        density::check(body, &mut findings);
+        if findings.is_empty() {
+            placeholder::check(body, &mut findings);
+        }
+        if !findings.iter().any(|f| f.severity >= Severity::Suspect) {
+            gyration::check(body, &mut findings);
+        }
+    } else {
+        order::check_alone(body, &mut findings);
+    }
+    findings
+}
+
+/// Two repairs of one place contradict each other, so neither is sure.
+fn leave_one_repair(findings: &mut [Finding]) {
+    let repaired: Vec<Span> = findings
+        .iter()
+        .flat_map(|f| f.repair.iter().flat_map(|r| r.edits.iter().map(|(span, _)| span.clone())))
+        .collect();
+    let twice = |repair: &Repair| {
+        repair
+            .edits
+            .iter()
+            .any(|(span, _)| repaired.iter().filter(|s| s.start < span.end && span.start < s.end).count() > 1)
+    };
+    for finding in findings {
+        if finding.repair.as_ref().is_some_and(twice) {
+            finding.repair = None;
+        }
+    }
+}
+
+/// A finding about a link.
+fn finding(
+    code: &'static str,
+    severity: Severity,
+    link: &Link,
+    span: Span,
+    message: String,
+    rule: &str,
+) -> Finding {
+    Finding {
+        code,
+        severity,
+        subject: link.name.text.clone(),
+        span,
+        message,
+        rule: rule.to_owned(),
+        numbers: Vec::new(),
+        repair: None,
+    }
+}

@@ -1,0 +1,140 @@
+//! A link whose mass and tensor can be read, seen in its own frame.
+
+use super::print::Print;
+use super::{LinkGeometry, Shape};
+use crate::model::{Inertial, Link, Number, Slot, Span, Tensor};
+use crate::moments::{Elements, Moments, difference, norm, rotated, rotation_matrix, scaled, transposed};
+
+/// The names of a tensor's elements, in the order of [`Elements`].
+pub(super) const NAMES: [&str; 6] = ["ixx", "iyy", "izz", "ixy", "ixz", "iyz"];
+
+/// Mass, centre and tensor of a link, all finite, and what its geometry says.
+#[derive(Debug)]
+pub(super) struct Body<'m> {
+    pub(super) link: &'m Link,
+    pub(super) inertial: &'m Inertial,
+    pub(super) geometry: &'m LinkGeometry,
+    /// kg; it may be negative or zero.
+    pub(super) mass: f64,
+    /// In the link's frame, m.
+    pub(super) centre: [f64; 3],
+    /// R_link_inertial
+    pub(super) rotation: [[f64; 3]; 3],
+    /// As written, along the inertial's axes.
+    pub(super) written: Elements,
+    /// How far rounding may have moved each element.
+    pub(super) rounding: Elements,
+    /// True if the print is known to have cut small numbers short, so that rounding may be large beside them.
+    pub(super) is_cut: bool,
+    /// About the centre of mass, along the link's axes.
+    pub(super) tensor: Elements,
+    pub(super) moments: Moments,
+}
+
+impl<'m> Body<'m> {
+    pub(super) fn of(link: &'m Link, geometry: &'m LinkGeometry, print: Print) -> Option<Self> {
+        let inertial = link.inertial.as_ref()?;
+        if !inertial.pose.unreadable.is_empty() {
+            return None;
+        }
+        let mass = inertial.mass.finite()?;
+        let mut written = [0.0; 6];
+        for (element, slot) in written.iter_mut().zip(slots(&inertial.tensor)?) {
+            *element = slot.finite()?;
+        }
+        let rotation = rotation_matrix(inertial.pose.rotation);
+        let (rounding, is_cut) = print.rounding(&inertial.tensor, &written);
+        Some(Self {
+            link,
+            inertial,
+            geometry,
+            mass,
+            centre: inertial.pose.position,
+            rotation,
+            written,
+            rounding,
+            is_cut,
+            tensor: rotated(&written, &rotation),
+            moments: Moments::of(&written),
+        })
+    }
+
+    /// The numbers of the tensor; three if it is diagonal.
+    pub(super) fn numbers(&self) -> impl Iterator<Item = (usize, &'m Number)> {
+        slots(&self.inertial.tensor).into_iter().flatten().enumerate().filter_map(|(k, slot)| match slot {
+            Slot::Given(number) => Some((k, number)),
+            Slot::Missing { .. } => None,
+        })
+    }
+
+    /// Where element k is written; the inertial if it is not.
+    pub(super) fn place(&self, k: usize) -> Span {
+        self.numbers().find(|(j, _)| *j == k).map_or(self.inertial.span.clone(), |(_, n)| n.span.clone())
+    }
+
+    /// Where the tensor begins.
+    pub(super) fn tensor_place(&self) -> Span {
+        self.numbers()
+            .map(|(_, n)| n.span.clone())
+            .min_by_key(|s| s.start)
+            .unwrap_or(self.inertial.span.clone())
+    }
+
+    /// The radius of gyration about the greatest axis, √(i3/m), m.
+    pub(super) fn gyration(&self) -> f64 {
+        (self.moments.values[2].max(0.0) / self.mass).sqrt()
+    }
+
+    /// From the centre of mass to the farthest corner of the geometry's bounds, m: no radius of gyration of a body
+    /// within them is longer.
+    pub(super) fn reach(&self) -> Option<f64> {
+        let [low, high] = self.geometry.bounds?;
+        let mut square = 0.0;
+        for k in 0..3 {
+            square += f64::max((low[k] - self.centre[k]).abs(), (high[k] - self.centre[k]).abs()).powi(2);
+        }
+        Some(square.sqrt()).filter(|r| r.is_finite() && *r > 0.0)
+    }
+
+    /// The tensor along the link's axes that a shape has with this mass, about its centroid.
+    pub(super) fn implied(&self, shape: &Shape) -> Elements {
+        scaled(&shape.tensor, self.mass / shape.volume)
+    }
+
+    /// The shapes that a tensor can be compared with.
+    pub(super) fn shapes(&self) -> impl Iterator<Item = &'m Shape> {
+        self.geometry.shapes.iter().filter(|s| {
+            let sound = s.volume > 0.0 && s.volume.is_finite() && s.tensor.iter().all(|x| x.is_finite());
+            sound && norm(&s.tensor) > 0.0
+        })
+    }
+
+    /// How far a tensor along the link's axes is from the nearest shape's, as a part of it; `None` without shapes.
+    pub(super) fn misfit(&self, tensor: &Elements) -> Option<f64> {
+        self.shapes()
+            .map(|shape| {
+                let implied = self.implied(shape);
+                norm(&difference(tensor, &implied)) / norm(&implied)
+            })
+            .min_by(f64::total_cmp)
+    }
+
+    /// A tensor along the link's axes, along the inertial's.
+    pub(super) fn in_inertial_axes(&self, tensor: &Elements) -> Elements {
+        rotated(tensor, &transposed(&self.rotation))
+    }
+
+    /// A tensor along the inertial's axes, along the link's.
+    pub(super) fn in_link_axes(&self, tensor: &Elements) -> Elements {
+        rotated(tensor, &self.rotation)
+    }
+}
+
+/// The slots of a tensor that is there, in the order of [`NAMES`].
+pub(super) fn slots(tensor: &Tensor) -> Option<impl Iterator<Item = &Slot>> {
+    match tensor {
+        Tensor::Missing(_) => None,
+        Tensor::Six(slots) => Some(slots.iter()),
+        Tensor::Diagonal(slots) => Some(slots.iter()),
+    }
+}

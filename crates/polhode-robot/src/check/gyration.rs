@@ -1,0 +1,64 @@
+//! A radius of gyration longer than the link: `gyration.too_large`, or `inertia.unit` if a unit would explain it.
+//!
+//! k = √(i3/m) is no longer than the way from the centre of mass to the farthest point of the body; a solid one has
+//! some half of that. So k beyond the reach of all that is drawn means mass where there is nothing.
+
+use super::body::Body;
+use super::finding;
+use super::unit::nearest;
+use super::written::short;
+use crate::finding::{Finding, Severity};
+use crate::moments::trace;
+
+/// Room for what is not drawn: cables, screws, a cover.
+const UNDRAWN: f64 = 1.1;
+
+/// Padding: simulators want light links heavier to turn than they are, and files pad them with equal moments of one
+/// digit. A gram with 1e-6 kg·m² is k = 3 cm. That is known, so a note: up to this mass and these moments.
+const PADDED_MASS: f64 = 0.1;
+const PADDED_MOMENT: f64 = 1e-3;
+
+/// Without geometry, a body as sparse as 10 kg/m³ (foam) and long: ten edges of the cube of that volume. A metre is
+/// granted in any case.
+const SPARSEST: f64 = 10.0;
+const LONGEST: f64 = 10.0;
+
+pub(super) fn check(body: &Body, findings: &mut Vec<Finding>) {
+    let k = body.gyration();
+    let i3 = body.moments.values[2];
+    let (bound, seen, size) = match body.reach() {
+        Some(reach) => {
+            // What its shapes imply, or a solid ball's of that reach.
+            let implied = body.shapes().map(|s| trace(&body.implied(s)) / 3.0).fold(0.0, f64::max);
+            let ball = 0.4 * body.mass * reach * reach / 3.0;
+            (UNDRAWN * reach, format!("its geometry reaches {} m", short(reach, 4)), f64::max(implied, ball))
+        }
+        None => {
+            let bound = f64::max(1.0, LONGEST * (body.mass / SPARSEST).cbrt());
+            let edge = (body.mass / 1000.0).cbrt();
+            let size = body.mass * edge * edge / 6.0;
+            (bound, format!("a body of this mass is hardly {} m long", short(bound, 2)), size)
+        }
+    };
+    if !(k > bound) {
+        return;
+    }
+    let [moment, mass, radius] = [i3, body.mass, k].map(|x| short(x, 4));
+    let unit = nearest(trace(&body.written) / 3.0 / size);
+    let padded = body.mass <= PADDED_MASS && i3 <= PADDED_MOMENT && super::placeholder::is_round(body);
+    let (code, severity) = match unit {
+        Some(_) if !padded => ("inertia.unit", Severity::Suspect),
+        _ => ("gyration.too_large", if padded { Severity::Note } else { Severity::Suspect }),
+    };
+    let guess = match unit {
+        Some(unit) if !padded => {
+            format!("; some {} kg·m² would be expected: {} written as kg·m²?", short(size, 1), unit.name)
+        }
+        _ => String::new(),
+    };
+    let message = format!("{moment} kg·m² on {mass} kg: gyration radius {radius} m, {seen}{guess}");
+    let rule = "the radius of gyration √(i3/m) is no longer than the body";
+    let mut found = finding(code, severity, body.link, body.tensor_place(), message, rule);
+    found.numbers = vec![("i3", i3), ("mass", body.mass), ("gyration_radius", k), ("bound", bound)];
+    findings.push(found);
+}

@@ -1,0 +1,122 @@
+//! Links that should have mass and have none: `mass.not_positive`, `mass.missing`, `mass.massless_collision`.
+//!
+//! A link without mass is a frame: a camera's, a tool's, a foot's. Frames are many, and no finding. But what moves by a
+//! joint of its own needs mass, its own or that of what hangs on it; a tensor without mass is no body's; and what is
+//! touched, has mass. Languages differ where nothing is said: in MJCF the geoms have it, in SDF it is 1 kg.
+
+use super::body::slots;
+use super::finding;
+use super::tree::Tree;
+use super::written::short;
+use crate::finding::{Finding, Severity};
+use crate::model::{Inertial, Link, ModelFormat, RobotModel, Role, Slot};
+
+const NEEDED: &str = "a link that moves has a positive mass, or carries one";
+
+pub(super) fn check(model: &RobotModel, tree: &Tree, k: usize, findings: &mut Vec<Finding>) {
+    let Some(link) = model.links.get(k).filter(|link| !link.is_static) else { return };
+    match &link.inertial {
+        Some(inertial) => given(model, tree, k, link, inertial, findings),
+        None => nothing(model, tree, k, link, findings),
+    }
+}
+
+fn given(
+    model: &RobotModel,
+    tree: &Tree,
+    k: usize,
+    link: &Link,
+    inertial: &Inertial,
+    findings: &mut Vec<Finding>,
+) {
+    let Some(mass) = inertial.mass.finite().filter(|m| *m <= 0.0) else { return };
+    let mut tell = |code, severity, message, rule| {
+        let mut found = finding(code, severity, link, inertial.mass.span(), message, rule);
+        found.numbers = vec![("mass", mass)];
+        findings.push(found);
+    };
+    if mass < 0.0 {
+        let message = format!("mass {} kg is negative", short(mass, 6));
+        return tell("mass.not_positive", Severity::Impossible, message, "no body has a negative mass");
+    }
+    let tensor = slots(&inertial.tensor).into_iter().flatten().filter_map(Slot::finite).find(|x| *x != 0.0);
+    if let Some(moment) = tensor {
+        let message = format!("0 kg with a moment of inertia: {} kg·m²", short(moment, 6));
+        return tell("mass.not_positive", Severity::Impossible, message, "what has no mass has no inertia");
+    }
+    if model.format == ModelFormat::Sdf {
+        let message = "mass 0 kg on a link that is not static".to_owned();
+        return tell(
+            "mass.not_positive",
+            Severity::Impossible,
+            message,
+            "SDF wants a positive mass of every link that can move",
+        );
+    }
+    if tree.moves_itself(k) && !tree.has_mass_below(k) {
+        let message =
+            "mass 0 kg on a link that a joint moves, and nothing that hangs on it has mass".to_owned();
+        return tell("mass.not_positive", Severity::Impossible, message, NEEDED);
+    }
+    touched(tree, k, link, findings);
+}
+
+fn nothing(model: &RobotModel, tree: &Tree, k: usize, link: &Link, findings: &mut Vec<Finding>) {
+    let mut tell = |code, severity, message: &str, rule| {
+        findings.push(finding(code, severity, link, link.name.span.clone(), message.to_owned(), rule));
+    };
+    match model.format {
+        // What MuJoCo refuses: a body with a joint that has no mass, nor any that is fixed to it.
+        ModelFormat::Mjcf => {
+            let bounded = model.text.contains("boundmass");
+            if tree.moves_itself(k) && !tree.has_welded_mass(k) && !bounded {
+                let message = "no inertial and no geom on a body with a joint";
+                tell(
+                    "mass.missing",
+                    Severity::Impossible,
+                    message,
+                    "a body with a joint has mass, or a fixed child has",
+                );
+            }
+        }
+        ModelFormat::Sdf => {
+            if has_collision(link) {
+                let message = "no inertial: SDF takes 1 kg and 1 kg·m² about each axis";
+                tell("mass.missing", Severity::Suspect, message, "a link that can move says its mass");
+            }
+        }
+        ModelFormat::Urdf => {
+            if has_collision(link) {
+                touched(tree, k, link, findings);
+            } else if tree.moves_itself(k)
+                && !tree.has_mass_below(k)
+                && tree.is_weighed()
+                && !link.geometry.is_empty()
+            {
+                tell("mass.missing", Severity::Suspect, "no inertial on a link that a joint moves", NEEDED);
+            }
+        }
+    }
+}
+
+/// A link without mass that something can touch.
+fn touched(tree: &Tree, k: usize, link: &Link, findings: &mut Vec<Finding>) {
+    if !has_collision(link) {
+        return;
+    }
+    // A base without mass is how a robot is fixed to its place in URDF, and a model without any mass is a drawing.
+    let base = tree.is_base(k);
+    let severity =
+        if base || !tree.is_weighed() && tree.len() > 1 { Severity::Note } else { Severity::Suspect };
+    let message = "collision geometry, but no mass".to_owned();
+    let rule = if base {
+        "a base without mass cannot move: right for a robot that is fixed to its place"
+    } else {
+        "what can be touched has mass"
+    };
+    findings.push(finding("mass.massless_collision", severity, link, link.name.span.clone(), message, rule));
+}
+
+fn has_collision(link: &Link) -> bool {
+    link.geometry.iter().any(|g| g.role == Role::Collision)
+}

@@ -1,0 +1,185 @@
+//! The same products on both sides of a mirrored pair: `inertia.mirrored_pair`.
+//!
+//! Left and right limbs are mirror images, and their frames mostly have the same axes. Mirrored along x, a body has
+//! −ixy and −ixz; files are often filled by copying. Links are a pair if their names differ in the side alone, and a
+//! mirrored one if masses and principal moments are equal and the centres of mass mirror each other. If a frame on one
+//! side is turned by half a turn besides, the map is another of the four that change one sign or three:
+//!
+//!   (x, y, z) → (−x, y, z), (x, −y, z), (x, y, −z), (−x, −y, −z).
+//!
+//! The centres say which of these are possible. It is a finding if products and moments have equal sizes on both sides
+//! and the signs are those of none of them. The same centre on both sides means the same part twice, as a motor is, and
+//! is none.
+
+use std::collections::HashMap;
+
+use super::body::{Body, NAMES};
+use super::finding;
+use super::written::short;
+use crate::finding::{Finding, Severity};
+use crate::moments::norm;
+
+/// What sides are called: left, right; rear ones as in FL FR RL RR and LF RF LH RH.
+const SIDES: [(&str, &str); 12] = [
+    ("left", "right"),
+    ("l", "r"),
+    ("fl", "fr"),
+    ("rl", "rr"),
+    ("bl", "br"),
+    ("hl", "hr"),
+    ("ml", "mr"),
+    ("lf", "rf"),
+    ("lh", "rh"),
+    ("lb", "rb"),
+    ("lm", "rm"),
+    ("lr", "rr"),
+];
+
+/// Sides are equal to within this: they were the same number once, and perhaps rounded.
+const EQUAL: f64 = 0.01;
+
+/// A coordinate or a product is there if it is this part of its vector or tensor. Below, its sign may be noise.
+const THERE: f64 = 0.02;
+
+const MAPS: [[f64; 3]; 4] = [[-1.0, 1.0, 1.0], [1.0, -1.0, 1.0], [1.0, 1.0, -1.0], [-1.0, -1.0, -1.0]];
+
+pub(super) fn check(bodies: &[Option<Body>], findings: &mut Vec<Finding>) {
+    let names: HashMap<&str, &Body> =
+        bodies.iter().flatten().map(|body| (body.link.name.text.as_str(), body)).collect();
+    for left in bodies.iter().flatten() {
+        let right = mirrored_names(&left.link.name.text)
+            .into_iter()
+            .find_map(|name| names.get(name.as_str()).copied());
+        if let Some(right) = right {
+            pair(left, right, findings);
+        }
+    }
+}
+
+/// The names that a left link's right one may have.
+fn mirrored_names(name: &str) -> Vec<String> {
+    let mut names = Vec::new();
+    for (start, end) in words(name) {
+        let Some(word) = name.get(start..end) else { continue };
+        let lower = word.to_ascii_lowercase();
+        for (_, right) in SIDES.iter().filter(|(left, _)| *left == lower) {
+            let styled = if word.chars().all(|c| c.is_ascii_uppercase()) {
+                right.to_ascii_uppercase()
+            } else if word.starts_with(|c: char| c.is_ascii_uppercase()) {
+                right[..1].to_ascii_uppercase() + &right[1..]
+            } else {
+                (*right).to_owned()
+            };
+            names.push(format!("{}{styled}{}", &name[..start], &name[end..]));
+        }
+    }
+    names
+}
+
+/// Where words begin and end: at what is no letter, and before a capital after a small letter or before one
+/// (`LHip` is L, Hip).
+fn words(name: &str) -> Vec<(usize, usize)> {
+    let bytes = name.as_bytes();
+    let mut words = Vec::new();
+    let mut start = None;
+    for (k, byte) in bytes.iter().enumerate() {
+        let before = k.checked_sub(1).and_then(|p| bytes.get(p)).copied().unwrap_or(b' ');
+        let after = bytes.get(k + 1).copied().unwrap_or(b' ');
+        let hump = byte.is_ascii_uppercase()
+            && (before.is_ascii_lowercase() || before.is_ascii_uppercase() && after.is_ascii_lowercase());
+        if let Some(begin) = start.filter(|_| hump || !byte.is_ascii_alphabetic()) {
+            words.push((begin, k));
+            start = None;
+        }
+        if byte.is_ascii_alphabetic() && start.is_none() {
+            start = Some(k);
+        }
+    }
+    words.extend(start.map(|begin| (begin, bytes.len())));
+    words
+}
+
+fn pair(left: &Body, right: &Body, findings: &mut Vec<Finding>) {
+    let near = |a: f64, b: f64, size: f64| (a - b).abs() <= EQUAL * size;
+    let alike = left.mass > 0.0
+        && near(left.mass, right.mass, left.mass)
+        && left.moments.are_possible(left.moments.values[2].abs() * EQUAL)
+        && (0..3).all(|k| near(left.moments.values[k], right.moments.values[k], left.moments.values[2]));
+    let distance = left.centre.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let same_centre = (0..3).all(|k| near(left.centre[k], right.centre[k], distance));
+    let size = norm(&left.tensor);
+    let equal_sizes = (0..6).all(|k| near(left.tensor[k].abs(), right.tensor[k].abs(), THERE * size));
+    if !alike || same_centre || !equal_sizes || !(size > 0.0) {
+        return;
+    }
+    let mirrors: Vec<[f64; 3]> = MAPS
+        .into_iter()
+        .filter(|s| (0..3).all(|k| near(right.centre[k], s[k] * left.centre[k], distance)))
+        .collect();
+    let agrees = |s: &[f64; 3]| {
+        let signs = [s[0] * s[1], s[0] * s[2], s[1] * s[2]];
+        (0..3).all(|k| {
+            let (l, r) = (left.tensor[k + 3], right.tensor[k + 3]);
+            l.abs() <= THERE * size || l * r * signs[k] > 0.0
+        })
+    };
+    if mirrors.is_empty() || mirrors.iter().any(agrees) {
+        return;
+    }
+    // The products that are there and have the sign of the other side.
+    let same = |k: &usize| left.tensor[*k] * right.tensor[*k] > 0.0 && left.tensor[*k].abs() > THERE * size;
+    let products: Vec<usize> = (3..6).filter(same).collect();
+    let wrong = |k: &usize| {
+        mirrors.iter().any(|s| {
+            let sign = [s[0] * s[1], s[0] * s[2], s[1] * s[2]][k - 3];
+            left.tensor[*k] * right.tensor[*k] * sign < 0.0 && left.tensor[*k].abs() > THERE * size
+        })
+    };
+    let named: Vec<usize> = (3..6).filter(wrong).collect();
+    let shown: Vec<String> = named
+        .iter()
+        .map(|k| format!("{} {} and {}", NAMES[*k], short(left.tensor[*k], 4), short(right.tensor[*k], 4)))
+        .collect();
+    let how = if products.len() == (3..6).filter(|k| left.tensor[*k].abs() > THERE * size).count() {
+        "the same products"
+    } else {
+        "products of the wrong sign"
+    };
+    let message = format!(
+        "{} / {}: mirror images with {how}: {} kg·m²",
+        left.link.name.text,
+        right.link.name.text,
+        shown.join(", ")
+    );
+    let rule = "of a body mirrored along x, ixy and ixz change their signs; along y, ixy and iyz; along z, ixz and iyz";
+    let span = named.first().map_or(right.tensor_place(), |k| right.place(*k));
+    let mut found = finding("inertia.mirrored_pair", Severity::Suspect, right.link, span, message, rule);
+    found.numbers = vec![("ixy", right.tensor[3]), ("ixz", right.tensor[4]), ("iyz", right.tensor[5])];
+    findings.push(found);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sides_are_found_in_names() {
+        for (left, right) in [
+            ("l_hip", "r_hip"),
+            ("LHip", "RHip"),
+            ("left_knee_link", "right_knee_link"),
+            ("kneeLeft", "kneeRight"),
+            ("FL_calf", "FR_calf"),
+            ("RL_calf", "RR_calf"),
+            ("LF_SHANK", "RF_SHANK"),
+            ("arm_left_3_link", "arm_right_3_link"),
+            ("finger1_l", "finger1_r"),
+            ("LEFT_ARM", "RIGHT_ARM"),
+        ] {
+            assert!(mirrored_names(left).iter().any(|n| n == right), "{left}: {:?}", mirrored_names(left));
+        }
+        for name in ["wheel", "link_3", "leftover", "ball", "R_hip", "élan", ""] {
+            assert_eq!(mirrored_names(name), Vec::<String>::new(), "{name}");
+        }
+    }
+}

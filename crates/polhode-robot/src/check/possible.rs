@@ -1,0 +1,119 @@
+//! Can a body have this tensor? `inertia.negative`, `inertia.triangle`, `inertia.zero`, and the note `inertia.rounding`.
+//!
+//! A tensor is possible if no principal moment is negative and i1 + i2 ≥ i3. Both say that a matrix has no negative
+//! eigenvalue, I itself and C = ½ tr(I) 1 − I, which holds the second moments; i1 + i2 − i3 = 2 λ(C) for the axis v of
+//! i3. The least eigenvalue is concave in the elements. So, if an element may be off by h_ij, no choice within that
+//! lifts it above
+//!
+//!   λ + Σ |v_i v_j| h_ij   (for I),    λ + Σ |½ δ_ij − v_i v_j| h_ij   (for C, h of the diagonal in the trace, too),
+//!
+//! and what is negative even then is impossible for certain, however the digits were rounded.
+
+use super::body::Body;
+use super::written::short;
+use super::{finding, power};
+use crate::finding::{Finding, Severity};
+use crate::moments::Elements;
+
+/// The part of i3 that rounding of a tensor's own digits may explain. Two written digits are off by 5 % at most; a
+/// number of one digit was typed, and stands as it is: diag(1, 1, 3) is impossible.
+const TYPED: f64 = 0.05;
+
+/// The part of i3 that single precision leaves of a flat plate's i1 + i2 = i3, printed with however many digits.
+const SINGLE_PRECISION: f64 = 1e-6;
+
+/// True if the tensor is possible, and not zero; what is wrong is told otherwise. `carried`: fixed to another link.
+pub(super) fn check(body: &Body, carried: bool, findings: &mut Vec<Finding>) -> bool {
+    if body.mass <= 0.0 {
+        return false; // The mass is the finding.
+    }
+    if body.written.iter().all(|x| *x == 0.0) {
+        zero(body, carried, findings);
+        return false;
+    }
+    let [i1, i2, i3] = body.moments.values;
+    let negative = slack(body, body.moments.axes[0], 0.0);
+    let triangle = slack(body, body.moments.axes[2], 1.0);
+    let gap = body.moments.triangle();
+    if i1 < -negative {
+        let [a, b, c] = [i1, i2, i3].map(|x| short(x, 5));
+        let message = format!("principal moments {a}, {b}, {c} kg·m²: one is negative{}", beyond(body));
+        let rule = "no principal moment of a body is negative";
+        let place = (0..3).find(|k| body.written[*k] < 0.0).map_or(body.tensor_place(), |k| body.place(k));
+        let mut found = finding("inertia.negative", Severity::Impossible, body.link, place, message, rule);
+        found.numbers = vec![("i1", i1), ("i2", i2), ("i3", i3), ("rounding", negative)];
+        found.repair = power::repair(body);
+        findings.push(found);
+        return false;
+    }
+    if gap < -triangle {
+        // As many digits as show the gap.
+        let digits = (3.0 + (i3 / -gap).log10().ceil()).clamp(6.0, 17.0) as usize;
+        let message = format!(
+            "i1 + i2 = {} < i3 = {} kg·m² (by {}){}",
+            short(i1 + i2, digits),
+            short(i3, digits),
+            short(-gap, 6),
+            beyond(body),
+        );
+        let largest = (1..3).fold(0, |best, k| if body.written[k] > body.written[best] { k } else { best });
+        let rule = "two principal moments of a body are together no less than the third";
+        let mut found =
+            finding("inertia.triangle", Severity::Impossible, body.link, body.place(largest), message, rule);
+        found.numbers = vec![("i1", i1), ("i2", i2), ("i3", i3), ("excess", -gap), ("rounding", triangle)];
+        found.repair = power::repair(body);
+        findings.push(found);
+        return false;
+    }
+    let floor = SINGLE_PRECISION * i3;
+    if gap < -floor || i1 < -floor {
+        let message = format!(
+            "i1 + i2 = {} < i3 = {} kg·m², by no more than rounding of the printed digits explains",
+            short(i1 + i2, 6),
+            short(i3, 6),
+        );
+        let rule = "more digits would tell whether a body can have this tensor";
+        let mut found =
+            finding("inertia.rounding", Severity::Note, body.link, body.tensor_place(), message, rule);
+        found.numbers = vec![("i1", i1), ("i2", i2), ("i3", i3), ("excess", -gap), ("rounding", triangle)];
+        findings.push(found);
+    }
+    true
+}
+
+/// How much of a negative λ(I), or of i1 + i2 − i3 (`trace` = 1), rounding may explain; v is the axis.
+fn slack(body: &Body, v: [f64; 3], trace: f64) -> f64 {
+    let [xx, yy, zz, xy, xz, yz]: Elements = body.rounding;
+    let [x, y, z] = v;
+    // 2 λ(C) = tr(I) − 2 vᵀIv
+    let factor = if trace > 0.0 { 2.0 } else { 1.0 };
+    let diagonal: f64 =
+        [(x, xx), (y, yy), (z, zz)].iter().map(|(c, h)| (trace - factor * c * c).abs() * h).sum();
+    let products = 2.0 * factor * ((x * y).abs() * xy + (x * z).abs() * xz + (y * z).abs() * yz);
+    let i3 = body.moments.values[2].abs().max(body.moments.values[0].abs());
+    let digits = diagonal + products;
+    SINGLE_PRECISION * i3 + if body.is_cut { digits } else { digits.min(TYPED * i3) }
+}
+
+/// What else is absurd, to help to see why.
+fn beyond(body: &Body) -> String {
+    let (k, Some(reach)) = (body.gyration(), body.reach()) else { return String::new() };
+    if k <= reach {
+        return String::new();
+    }
+    let [k, m, reach] = [k, body.mass, reach].map(|x| short(x, 4));
+    format!("; gyration radius {k} m at {m} kg, its geometry reaches {reach} m")
+}
+
+/// A point with mass. Fixed to a body it adds to that; alone it cannot be turned.
+fn zero(body: &Body, carried: bool, findings: &mut Vec<Finding>) {
+    let (severity, rule) = if carried || body.link.is_static {
+        (Severity::Suspect, "only a point has no moment of inertia; fixed to another link it may be meant")
+    } else {
+        (Severity::Impossible, "a link with mass and a size has moments of inertia")
+    };
+    let message = format!("all moments are zero, with {} kg", short(body.mass, 6));
+    let mut found = finding("inertia.zero", severity, body.link, body.tensor_place(), message, rule);
+    found.numbers = vec![("mass", body.mass)];
+    findings.push(found);
+}

@@ -1,0 +1,347 @@
+//! How links hang together: `tree.cycle`, `tree.no_root`, `tree.two_roots`, `tree.two_parents`, `tree.unknown_link`,
+//! `tree.duplicate_link`, `tree.duplicate_joint`, `tree.empty`.
+//!
+//! Links are taken off in the order of Kahn (Comm. ACM 5 (1962) 558): one whose parents are all taken can be taken.
+//! What is left hangs on a cycle, and going from parent to parent there must come round. Each joint is looked at a
+//! fixed number of times, and nothing recurses. What each language wants differs: a URDF is one tree; SDF has free
+//! links and may close loops; MJCF is nested, so always a tree.
+
+use std::collections::HashMap;
+
+use crate::finding::{Finding, Severity};
+use crate::model::{JointKind, Link, ModelFormat, Name, RobotModel, Span};
+
+/// The links' order, and what hangs on what.
+#[derive(Debug)]
+pub(super) struct Tree {
+    /// Of each link: joints that hold it, and the links that hold those; `None` for the world or a link unknown.
+    holders: Vec<Vec<(usize, Option<usize>)>>,
+    /// Of each link: the links that hang on it, and whether fixed.
+    hanging: Vec<Vec<(usize, bool)>>,
+    /// Each a chain of links, the first holds the second, the last the first.
+    cycles: Vec<Vec<usize>>,
+    moves: Vec<bool>,
+    moves_itself: Vec<bool>,
+    mass_below: Vec<bool>,
+    welded_mass: Vec<bool>,
+    is_weighed: bool,
+}
+
+impl Tree {
+    pub(super) fn of(model: &RobotModel) -> Self {
+        let names = index(&model.links);
+        let count = model.links.len();
+        let mut holders = vec![Vec::new(); count];
+        let mut hanging = vec![Vec::new(); count];
+        let mut moves_itself = vec![false; count];
+        for (j, joint) in model.joints.iter().enumerate() {
+            let Some(&child) = names.get(joint.child.text.as_str()) else { continue };
+            let parent = joint.parent.as_ref().and_then(|p| names.get(p.text.as_str())).copied();
+            let fixed = joint.kind == JointKind::Fixed;
+            holders[child].push((j, parent));
+            moves_itself[child] |= !fixed;
+            if let Some(parent) = parent {
+                hanging[parent].push((child, fixed));
+            }
+        }
+        let (order, cycles) = sorted(&holders, &hanging);
+
+        let mut moves = moves_itself.clone();
+        for &k in &order {
+            // An SDF link that nothing holds is free.
+            moves[k] |= model.format == ModelFormat::Sdf && holders[k].is_empty();
+            moves[k] &= !model.links[k].is_static;
+            if moves[k] {
+                for &(child, _) in &hanging[k] {
+                    moves[child] = true;
+                }
+            }
+        }
+        let mut mass_below: Vec<bool> = model.links.iter().map(|link| has_mass(model.format, link)).collect();
+        let mut welded_mass = mass_below.clone();
+        for &k in order.iter().rev() {
+            mass_below[k] |= hanging[k].iter().any(|(child, _)| mass_below[*child]);
+            welded_mass[k] |= hanging[k].iter().any(|(child, fixed)| *fixed && welded_mass[*child]);
+        }
+        let is_weighed = model.links.iter().any(|link| link.inertial.is_some());
+        Self { holders, hanging, cycles, moves, moves_itself, mass_below, welded_mass, is_weighed }
+    }
+
+    pub(super) fn len(&self) -> usize {
+        self.holders.len()
+    }
+
+    /// True if joints let the link move, its own or those of what it hangs on.
+    pub(super) fn moves(&self, k: usize) -> bool {
+        self.moves.get(k).copied().unwrap_or(false)
+    }
+
+    /// True if a joint of its own lets it move.
+    pub(super) fn moves_itself(&self, k: usize) -> bool {
+        self.moves_itself.get(k).copied().unwrap_or(false)
+    }
+
+    /// True if it is fixed to another link, or to the world.
+    pub(super) fn is_carried(&self, k: usize) -> bool {
+        self.holders.get(k).is_some_and(|h| !h.is_empty()) && !self.moves_itself(k)
+    }
+
+    /// True if links hang on it, and it on none.
+    pub(super) fn is_base(&self, k: usize) -> bool {
+        self.holders.get(k).is_some_and(Vec::is_empty) && self.hanging.get(k).is_some_and(|h| !h.is_empty())
+    }
+
+    /// True if it or anything that hangs on it has mass.
+    pub(super) fn has_mass_below(&self, k: usize) -> bool {
+        self.mass_below.get(k).copied().unwrap_or(true)
+    }
+
+    /// True if it or anything that is fixed to it has mass.
+    pub(super) fn has_welded_mass(&self, k: usize) -> bool {
+        self.welded_mass.get(k).copied().unwrap_or(true)
+    }
+
+    /// True if any link says its mass.
+    pub(super) fn is_weighed(&self) -> bool {
+        self.is_weighed
+    }
+}
+
+/// The first link of each name.
+fn index(links: &[Link]) -> HashMap<&str, usize> {
+    let mut names = HashMap::with_capacity(links.len());
+    for (k, link) in links.iter().enumerate() {
+        names.entry(link.name.text.as_str()).or_insert(k);
+    }
+    names
+}
+
+/// Mass that the file says, or that its language takes. What cannot be read is a finding of its own.
+fn has_mass(format: ModelFormat, link: &Link) -> bool {
+    match &link.inertial {
+        Some(inertial) => inertial.mass.finite().is_none_or(|m| m > 0.0),
+        None => match format {
+            ModelFormat::Urdf => false,
+            ModelFormat::Sdf => true,
+            ModelFormat::Mjcf => !link.geometry.is_empty(),
+        },
+    }
+}
+
+/// Links in an order in which parents come first, and the cycles that cannot be ordered.
+fn sorted(
+    holders: &[Vec<(usize, Option<usize>)>],
+    hanging: &[Vec<(usize, bool)>],
+) -> (Vec<usize>, Vec<Vec<usize>>) {
+    let mut open: Vec<usize> =
+        holders.iter().map(|h| h.iter().filter(|(_, p)| p.is_some()).count()).collect();
+    let mut order: Vec<usize> = (0..open.len()).filter(|k| open[*k] == 0).collect();
+    let mut next = 0;
+    while let Some(&k) = order.get(next) {
+        next += 1;
+        for &(child, _) in &hanging[k] {
+            open[child] -= 1;
+            if open[child] == 0 {
+                order.push(child);
+            }
+        }
+    }
+    // Each link that is left has a parent that is left. `walk` says which walk came by.
+    let mut cycles = Vec::new();
+    let mut walk = vec![0; open.len()];
+    for start in 0..open.len() {
+        if open[start] == 0 || walk[start] != 0 {
+            continue;
+        }
+        let mut chain = Vec::new();
+        let mut at = start;
+        while walk[at] == 0 {
+            walk[at] = start + 1;
+            chain.push(at);
+            let Some(up) = holders[at].iter().filter_map(|(_, p)| *p).find(|p| open[*p] > 0) else { break };
+            at = up;
+        }
+        if walk[at] == start + 1
+            && let Some(begin) = chain.iter().position(|k| *k == at)
+        {
+            let mut cycle = chain.split_off(begin);
+            cycle.reverse();
+            cycles.push(cycle);
+        }
+    }
+    (order, cycles)
+}
+
+/// What is wrong with the tree.
+pub(super) fn check(model: &RobotModel, tree: &Tree) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    let is_urdf = model.format == ModelFormat::Urdf;
+    if model.links.is_empty() {
+        if is_urdf {
+            let message = "no links".to_owned();
+            findings.push(finding(
+                "tree.empty",
+                Severity::Impossible,
+                "",
+                0..0,
+                message,
+                "a robot has a link",
+            ));
+        }
+        return findings;
+    }
+    duplicates(model, &mut findings);
+    unknown(model, &mut findings);
+    for cycle in &tree.cycles {
+        if let Some(found) = round(model, tree, cycle) {
+            findings.push(found);
+        }
+    }
+    for (k, link) in model.links.iter().enumerate() {
+        two_parents(model, tree, k, link, &mut findings);
+    }
+    if is_urdf {
+        roots(model, tree, &mut findings);
+    }
+    findings
+}
+
+fn finding(
+    code: &'static str,
+    severity: Severity,
+    subject: &str,
+    span: Span,
+    message: String,
+    rule: &str,
+) -> Finding {
+    let (subject, rule) = (subject.to_owned(), rule.to_owned());
+    Finding { code, severity, subject, span, message, rule, numbers: Vec::new(), repair: None }
+}
+
+fn duplicates(model: &RobotModel, findings: &mut Vec<Finding>) {
+    let mut twice = |names: &mut dyn Iterator<Item = &Name>, code, what: &str| {
+        let mut seen: HashMap<&str, ()> = HashMap::new();
+        for name in names {
+            if seen.insert(&name.text, ()).is_some() {
+                let message = format!("a second {what} named {:?}", name.text);
+                let rule = "names are unique";
+                findings.push(finding(
+                    code,
+                    Severity::Impossible,
+                    &name.text,
+                    name.span.clone(),
+                    message,
+                    rule,
+                ));
+            }
+        }
+    };
+    twice(&mut model.links.iter().map(|l| &l.name), "tree.duplicate_link", "link");
+    twice(&mut model.joints.iter().map(|j| &j.name), "tree.duplicate_joint", "joint");
+}
+
+fn unknown(model: &RobotModel, findings: &mut Vec<Finding>) {
+    let names = index(&model.links);
+    for joint in &model.joints {
+        for (name, what) in [(joint.parent.as_ref(), "parent"), (Some(&joint.child), "child")] {
+            let Some(name) = name.filter(|n| !names.contains_key(n.text.as_str())) else { continue };
+            // In SDF a joint may hold a named frame, or a link of a model that is included from elsewhere.
+            let elsewhere = model.format == ModelFormat::Sdf
+                && (name.text.contains("::")
+                    || model.text.contains("<frame")
+                    || model.text.contains("<include"));
+            let severity = if elsewhere { Severity::Note } else { Severity::Impossible };
+            let message =
+                format!("joint {:?}: its {what} {:?} is no link of the model", joint.name.text, name.text);
+            let rule = "a joint joins two links";
+            findings.push(finding(
+                "tree.unknown_link",
+                severity,
+                &joint.name.text,
+                name.span.clone(),
+                message,
+                rule,
+            ));
+        }
+    }
+}
+
+fn round(model: &RobotModel, tree: &Tree, cycle: &[usize]) -> Option<Finding> {
+    let last = *cycle.last()?;
+    let first = *cycle.first()?;
+    let (joint, _) = tree.holders.get(first)?.iter().find(|(_, p)| *p == Some(last))?;
+    let joint = model.joints.get(*joint)?;
+    let link = model.links.get(first)?;
+    // The chain of a long cycle is its ends.
+    let name = |k: &usize| model.links.get(*k).map_or("", |l| l.name.text.as_str());
+    let shown: Vec<&str> = if cycle.len() <= 12 {
+        cycle.iter().map(name).collect()
+    } else {
+        cycle
+            .iter()
+            .take(6)
+            .map(name)
+            .chain(["…"])
+            .chain(cycle.iter().skip(cycle.len() - 5).map(name))
+            .collect()
+    };
+    let message = format!("joints go round: {} → {}", shown.join(" → "), name(&first));
+    let rule = "the links of a robot make a tree";
+    let mut found =
+        finding("tree.cycle", Severity::Impossible, &link.name.text, joint.span.clone(), message, rule);
+    found.numbers = vec![("links", cycle.len() as f64)];
+    Some(found)
+}
+
+fn two_parents(model: &RobotModel, tree: &Tree, k: usize, link: &Link, findings: &mut Vec<Finding>) {
+    let Some([(_, first), rest @ ..]) = tree.holders.get(k).map(Vec::as_slice) else { return };
+    // A body of MJCF has as many joints as it likes to its one parent.
+    let second = rest.iter().find(|(_, parent)| parent != first || model.format == ModelFormat::Urdf);
+    let Some(joint) = second.and_then(|(j, _)| model.joints.get(*j)) else { return };
+    let parent = |joint: Option<&usize>| {
+        let joint = joint.and_then(|j| model.joints.get(*j));
+        joint.and_then(|j| j.parent.as_ref()).map_or("the world", |p| p.text.as_str())
+    };
+    let first = parent(tree.holders.get(k).and_then(|h| h.first()).map(|(j, _)| j));
+    let other = joint.parent.as_ref().map_or("the world", |p| p.text.as_str());
+    let (severity, rule) = match model.format {
+        ModelFormat::Sdf => (Severity::Note, "SDF may close loops; not every engine can"),
+        _ => (Severity::Impossible, "a link hangs on one other: loops are not a tree"),
+    };
+    let message = format!("{:?} hangs on {first:?} and on {other:?}", link.name.text);
+    findings.push(finding(
+        "tree.two_parents",
+        severity,
+        &link.name.text,
+        joint.child.span.clone(),
+        message,
+        rule,
+    ));
+}
+
+fn roots(model: &RobotModel, tree: &Tree, findings: &mut Vec<Finding>) {
+    let roots: Vec<&Link> = model
+        .links
+        .iter()
+        .zip(&tree.holders)
+        .filter(|(_, holders)| holders.is_empty())
+        .map(|(link, _)| link)
+        .collect();
+    let rule = "one link, the root, hangs on no other";
+    match roots.as_slice() {
+        [] => {
+            let message = "every link hangs on another".to_owned();
+            findings.push(finding("tree.no_root", Severity::Impossible, "", 0..0, message, rule));
+        }
+        [_] => {}
+        [_, second, ..] => {
+            let names: Vec<&str> = roots.iter().take(5).map(|l| l.name.text.as_str()).collect();
+            let more = if roots.len() > 5 { ", …" } else { "" };
+            let message = format!("{} roots: {}{more}", roots.len(), names.join(", "));
+            let (subject, span) = (&second.name.text, second.name.span.clone());
+            let mut found = finding("tree.two_roots", Severity::Impossible, subject, span, message, rule);
+            found.numbers = vec![("roots", roots.len() as f64)];
+            findings.push(found);
+        }
+    }
+}

@@ -1,0 +1,242 @@
+//! Tensors that may be impossible: their elements, their moments, and how they change with axes and points.
+//!
+//! [`polhode::InertiaTensor`] refuses a tensor that no body has. Here such tensors are the subject: what a file says is
+//! taken apart as it stands, and the verdict comes later.
+
+/// The elements xx, yy, zz, xy, xz, yz of a symmetric matrix; of an inertia tensor, in kg·m², xy = −∫xy dm.
+pub type Elements = [f64; 6];
+
+/// Row and column of each element.
+pub(crate) const PLACES: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
+
+/// Eigenvalues and axes of a symmetric matrix. Of an inertia tensor: the principal moments, were it possible.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Moments {
+    /// i1 ≤ i2 ≤ i3; a tensor that no body has may make some negative.
+    pub values: [f64; 3],
+    /// Unit vectors; `axes[k]` belongs to `values[k]`. Right-handed, the largest component of the first two positive.
+    pub axes: [[f64; 3]; 3],
+}
+
+impl Moments {
+    /// Moments and axes by cyclic Jacobi rotations, good to a few ε of the largest moment.
+    ///
+    /// The elements must be finite. Source: Golub & Van Loan, Matrix Computations, §8.5.
+    ///
+    /// ```
+    /// use polhode_robot::moments::Moments;
+    ///
+    /// let moments = Moments::of(&[0.268209, 0.359486, 0.225659, 0.011284, 0.0635697, -0.00106685]);
+    /// assert!((moments.values[0] - 0.179588555).abs() < 1e-9);
+    /// ```
+    pub fn of(elements: &Elements) -> Self {
+        let largest = elements.iter().fold(0.0, |max, x| f64::max(max, x.abs()));
+        if !(largest > 0.0 && largest.is_finite()) {
+            return Self { values: [0.0; 3], axes: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]] };
+        }
+        let mut a = matrix(&elements.map(|x| x / largest));
+        let mut v = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        // The convergence is quadratic: a few sweeps do, and the bound is a guard only.
+        for _sweep in 0..32 {
+            let mut turned = false;
+            for (p, q) in [(0, 1), (0, 2), (1, 2)] {
+                turned |= annihilate(&mut a, &mut v, p, q);
+            }
+            if !turned {
+                break;
+            }
+        }
+        let mut order = [0, 1, 2];
+        order.sort_by(|&i, &j| a[i][i].total_cmp(&a[j][j]));
+        let [first, second, _] = order.map(|k| positive([v[0][k], v[1][k], v[2][k]]));
+        Self { values: order.map(|k| a[k][k] * largest), axes: [first, second, cross(first, second)] }
+    }
+
+    /// i1 + i2 − i3: negative for a tensor that no body has.
+    pub fn triangle(&self) -> f64 {
+        let [i1, i2, i3] = self.values;
+        i1 + i2 - i3
+    }
+
+    /// True if a body can have these moments, but for rounding of `slack` kg·m².
+    pub fn are_possible(&self, slack: f64) -> bool {
+        self.values[0] >= -slack && self.triangle() >= -slack
+    }
+
+    /// The edges along the axes of the uniform box that has these moments and this mass, in m; `None` if none has.
+    ///
+    /// edge₁² = 6 (i2 + i3 − i1) / m, and so on.
+    pub fn equivalent_box(&self, mass: f64) -> Option<[f64; 3]> {
+        let [i1, i2, i3] = self.values;
+        let squares = [i2 + i3 - i1, i1 + i3 - i2, i1 + i2 - i3].map(|x| 6.0 * x / mass);
+        squares.iter().all(|&x| x >= 0.0 && x.is_finite()).then(|| squares.map(f64::sqrt))
+    }
+}
+
+/// One Jacobi rotation, which makes a_pq zero; false if it was negligible already.
+fn annihilate(a: &mut [[f64; 3]; 3], v: &mut [[f64; 3]; 3], p: usize, q: usize) -> bool {
+    let apq = a[p][q];
+    // Beside its own diagonal elements, so that the small moments of a graded tensor keep their digits.
+    let negligible = 0.5 * f64::EPSILON * (a[p][p].abs().sqrt() * a[q][q].abs().sqrt());
+    if apq.abs() <= negligible.max(f64::MIN_POSITIVE) {
+        a[p][q] = 0.0;
+        a[q][p] = 0.0;
+        return false;
+    }
+    // t = tan of the angle: the smaller root of t² + 2ζt − 1 = 0
+    let zeta = (a[q][q] - a[p][p]) / (2.0 * apq);
+    let t = if zeta.is_infinite() { 0.0 } else { 1.0_f64.copysign(zeta) / (zeta.abs() + zeta.hypot(1.0)) };
+    let c = 1.0 / (1.0 + t * t).sqrt();
+    let s = t * c;
+    a[p][p] -= t * apq;
+    a[q][q] += t * apq;
+    a[p][q] = 0.0;
+    a[q][p] = 0.0;
+    let r = 3 - p - q;
+    let (arp, arq) = (a[r][p], a[r][q]);
+    a[r][p] = c * arp - s * arq;
+    a[p][r] = a[r][p];
+    a[r][q] = s * arp + c * arq;
+    a[q][r] = a[r][q];
+    for row in v.iter_mut() {
+        let (vp, vq) = (row[p], row[q]);
+        row[p] = c * vp - s * vq;
+        row[q] = s * vp + c * vq;
+    }
+    true
+}
+
+/// The vector or its opposite: the one whose largest component is positive.
+fn positive(v: [f64; 3]) -> [f64; 3] {
+    let largest = v.iter().fold(0.0_f64, |max, &x| if x.abs() > max.abs() { x } else { max });
+    if largest < 0.0 { v.map(|x| -x) } else { v }
+}
+
+fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+/// The matrix of six elements.
+pub(crate) fn matrix(&[xx, yy, zz, xy, xz, yz]: &Elements) -> [[f64; 3]; 3] {
+    [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]
+}
+
+/// √Σ I_ij² over all nine.
+pub(crate) fn norm(&[xx, yy, zz, xy, xz, yz]: &Elements) -> f64 {
+    (xx * xx + yy * yy + zz * zz + 2.0 * (xy * xy + xz * xz + yz * yz)).sqrt()
+}
+
+pub(crate) fn trace(elements: &Elements) -> f64 {
+    elements[0] + elements[1] + elements[2]
+}
+
+pub(crate) fn scaled(elements: &Elements, factor: f64) -> Elements {
+    elements.map(|x| x * factor)
+}
+
+pub(crate) fn difference(a: &Elements, b: &Elements) -> Elements {
+    std::array::from_fn(|k| a[k] - b[k])
+}
+
+/// R I Rᵀ
+pub(crate) fn rotated(elements: &Elements, r: &[[f64; 3]; 3]) -> Elements {
+    let i = matrix(elements);
+    PLACES.map(|(a, b)| {
+        let mut sum = 0.0;
+        for j in 0..3 {
+            for k in 0..3 {
+                sum += r[a][j] * i[j][k] * r[b][k];
+            }
+        }
+        sum
+    })
+}
+
+/// m (c² 1 − c cᵀ): what a mass adds to the tensor about a point at −c of its centre (parallel axes).
+pub(crate) fn parallel_axes(mass: f64, [x, y, z]: [f64; 3]) -> Elements {
+    [y * y + z * z, x * x + z * z, x * x + y * y, -x * y, -x * z, -y * z].map(|e| mass * e)
+}
+
+pub(crate) fn transposed(r: &[[f64; 3]; 3]) -> [[f64; 3]; 3] {
+    std::array::from_fn(|i| std::array::from_fn(|j| r[j][i]))
+}
+
+/// The matrix of a unit quaternion (w, x, y, z).
+pub(crate) fn rotation_matrix([w, x, y, z]: [f64; 4]) -> [[f64; 3]; 3] {
+    [
+        [1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)],
+        [2.0 * (x * y + w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - w * x)],
+        [2.0 * (x * z - w * y), 2.0 * (y * z + w * x), 1.0 - 2.0 * (x * x + y * y)],
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn rebuilt(moments: &Moments) -> Elements {
+        // R has the axes as columns.
+        let [a, b, c] = moments.values;
+        rotated(&[a, b, c, 0.0, 0.0, 0.0], &transposed(&moments.axes))
+    }
+
+    #[test]
+    fn a_published_tensor_comes_apart_and_together_again() {
+        let elements = [0.268209, 0.359486, 0.225659, 0.011284, 0.0635697, -0.00106685];
+        let moments = Moments::of(&elements);
+        for (value, printed) in moments.values.iter().zip([0.179588555, 0.31243485, 0.361330595]) {
+            assert!((value - printed).abs() < 6e-9, "{value} {printed}");
+        }
+        let back = rebuilt(&moments);
+        assert!(norm(&difference(&back, &elements)) < 1e-15, "{back:?}");
+    }
+
+    #[test]
+    fn its_quaternion_rebuilds_it_and_the_conjugate_does_not() {
+        let elements = [0.268209, 0.359486, 0.225659, 0.011284, 0.0635697, -0.00106685];
+        let moments = Moments::of(&elements);
+        let columns = transposed(&moments.axes);
+        let rotation = polhode::Rotation::<polhode::Body, polhode::Principal>::from_matrix(columns).unwrap();
+        let [w, x, y, z] = rotation.canonical_quaternion();
+        let [a, b, c] = moments.values;
+        let along = [a, b, c, 0.0, 0.0, 0.0];
+        let right = rotated(&along, &rotation_matrix([w, x, y, z]));
+        let wrong = rotated(&along, &rotation_matrix([w, -x, -y, -z]));
+        assert!(norm(&difference(&right, &elements)) < 1e-15);
+        assert!(norm(&difference(&wrong, &elements)) > 0.1 * norm(&elements));
+    }
+
+    #[test]
+    fn impossible_tensors_come_apart_too() {
+        let elements = [-3.0, 2.0, 0.5, 4.0, -1.5, 0.7];
+        let moments = Moments::of(&elements);
+        assert!(moments.values[0] < 0.0 && moments.triangle() < 0.0);
+        assert!(norm(&difference(&rebuilt(&moments), &elements)) < 1e-14);
+        assert!((trace(&elements) - moments.values.iter().sum::<f64>()).abs() < 1e-14);
+        assert!(!moments.are_possible(0.0));
+    }
+
+    #[test]
+    fn the_box_of_a_box() {
+        // Edges 0.2, 0.3, 0.5 m and 1.7 kg: i = m (b² + c²) / 12.
+        let (m, [a, b, c]) = (1.7, [0.2_f64, 0.3, 0.5]);
+        let moments = [b * b + c * c, a * a + c * c, a * a + b * b].map(|x| m * x / 12.0);
+        let tensor = [moments[0], moments[1], moments[2], 0.0, 0.0, 0.0];
+        let edges = Moments::of(&tensor).equivalent_box(m).unwrap();
+        // The least moment is about the longest edge.
+        for (edge, expected) in edges.iter().zip([c, b, a]) {
+            assert!((edge - expected).abs() < 1e-14, "{edges:?}");
+        }
+        assert_eq!(Moments::of(&[1.0, 1.0, 3.0, 0.0, 0.0, 0.0]).equivalent_box(1.0), None);
+    }
+
+    #[test]
+    fn axes_are_right_handed_and_unit() {
+        let moments = Moments::of(&[1.3, 0.4, 2.2, -0.3, 0.21, 0.17]);
+        let [a, b, c] = moments.axes;
+        assert_eq!(cross(a, b), c);
+        for axis in moments.axes {
+            assert!((axis.iter().map(|x| x * x).sum::<f64>() - 1.0).abs() < 1e-14);
+        }
+    }
+}

@@ -139,7 +139,7 @@ impl FormatError {
     }
 
     /// An error in the contents, with its line if they are text.
-    pub(crate) fn of_content(path: &Path, bytes: &[u8], error: ContentError) -> Self {
+    pub fn of_content(path: &Path, bytes: &[u8], error: ContentError) -> Self {
         let place = match &error.place {
             ContentPlace::Text(span) => Some(Place::in_bytes(bytes, span.clone())),
             _ => None,

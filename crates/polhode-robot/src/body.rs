@@ -11,17 +11,23 @@
 use std::error::Error;
 use std::fmt;
 
-use polhode::{BodyError, InertiaTensor, MassProperties, Part, Position, PrincipalFrame};
+use polhode::{BodyError, InertiaTensor, MassProperties, Part, Position, Principal, Rotation};
 
-use crate::model::{Inertial, Link, Number, Slot, Span, Tensor};
+use crate::model::{Inertial, Link, ModelFormat, Number, Slot, Span, Tensor};
+use crate::moments::{Moments, transposed};
 use crate::placement::Placement;
+
+/// What rounding may have done to a tensor, as parts of i3: the digits that it is written with do no more than this, and single
+/// precision does so much however many digits are written. The checks ([`mod@crate::check`]) draw the line in the same place.
+const TYPED: f64 = 0.05;
+const SINGLE_PRECISION: f64 = 1e-6;
 
 /// A link's mass properties.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LinkBody {
     /// In the link's frame.
     pub properties: MassProperties<Part>,
-    /// What the tensor lacked to be possible, i3 − i1 − i2, in kg·m²: the rounding of its digits. Zero for most.
+    /// What the tensor lacked to be possible, i3 − i1 − i2 or −i1, in kg·m²: the rounding of its digits. Zero for most.
     pub rounding: f64,
 }
 
@@ -82,21 +88,21 @@ impl Error for LinkError {}
 ///
 /// # Errors
 /// [`LinkError`] if a number cannot be used, or no body has these.
-pub fn link_mass(link: &Link) -> Result<LinkMass, LinkError> {
+pub fn link_mass(format: ModelFormat, link: &Link) -> Result<LinkMass, LinkError> {
     match &link.inertial {
         None => Ok(LinkMass::None),
-        Some(inertial) => of_inertial(inertial),
+        Some(inertial) => of_inertial(format, inertial),
     }
 }
 
-fn of_inertial(inertial: &Inertial) -> Result<LinkMass, LinkError> {
+fn of_inertial(format: ModelFormat, inertial: &Inertial) -> Result<LinkMass, LinkError> {
     let impossible = |error| LinkError::Impossible { error, span: inertial.span.clone() };
     let mass = number("mass", &inertial.mass)?;
     if let Some(Number { text, span, .. }) = inertial.pose.unreadable.first() {
         let (what, text) = ("inertial frame".to_owned(), Some(text.clone()));
         return Err(LinkError::Number { what, text, span: span.clone() });
     }
-    let (moments, products, printed) = elements(&inertial.tensor)?;
+    let (moments, products, printed) = elements(format, &inertial.tensor)?;
     if mass == 0.0 && moments.iter().chain(&products).all(|&element| element == 0.0) {
         return Ok(LinkMass::None);
     }
@@ -109,7 +115,7 @@ fn of_inertial(inertial: &Inertial) -> Result<LinkMass, LinkError> {
 }
 
 /// Moments, products (elements of the tensor), and how far the digits leave the moments open.
-fn elements(tensor: &Tensor) -> Result<([f64; 3], [f64; 3], f64), LinkError> {
+fn elements(format: ModelFormat, tensor: &Tensor) -> Result<([f64; 3], [f64; 3], f64), LinkError> {
     match tensor {
         Tensor::Missing(span) => {
             Err(LinkError::Number { what: "inertia tensor".to_owned(), text: None, span: span.clone() })
@@ -122,7 +128,12 @@ fn elements(tensor: &Tensor) -> Result<([f64; 3], [f64; 3], f64), LinkError> {
         Tensor::Six(slots) => {
             let [xx, yy, zz, xy, xz, yz] = &**slots;
             let moments = [number("ixx", xx)?, number("iyy", yy)?, number("izz", zz)?];
-            let products = [number("ixy", xy)?, number("ixz", xz)?, number("iyz", yz)?];
+            // SDFormat's default of a product is zero.
+            let product = |what: &str, slot: &Slot| match slot {
+                Slot::Missing { .. } if format == ModelFormat::Sdf => Ok(0.0),
+                _ => number(what, slot),
+            };
+            let products = [product("ixy", xy)?, product("ixz", xz)?, product("iyz", yz)?];
             Ok((moments, products, half_units(&slots[..])))
         }
     }
@@ -156,25 +167,29 @@ fn last_digit(text: &str) -> f64 {
     format!("1e{power}").parse().unwrap_or(0.0)
 }
 
-/// The tensor, or the nearest possible one if only `printed` parts them, and what it lacked.
+/// The tensor, or the nearest possible one if only rounding parts them, and what it lacked.
 fn possible(
     moments: [f64; 3],
     products: [f64; 3],
     printed: f64,
 ) -> Result<(InertiaTensor<Part>, f64), BodyError> {
-    let tensor = |moments| InertiaTensor::<Part>::with_negative_products(moments, products);
-    let error = match tensor(moments) {
+    let error = match InertiaTensor::<Part>::with_negative_products(moments, products) {
         Ok(tensor) => return Ok((tensor, 0.0)),
+        Err(error @ BodyError::Parameter { .. }) => return Err(error),
         Err(error) => error,
     };
-    let BodyError::TriangleInequality { moments: [i1, i2, i3] } = error else { return Err(error) };
-    let excess = i3 - i2 - i1;
-    if excess > printed {
+    let ([xx, yy, zz], [xy, xz, yz]) = (moments, products);
+    let Moments { values, axes } = Moments::of(&[xx, yy, zz, xy, xz, yz]);
+    let [i1, _, greatest] = values;
+    let [j1, j2, j3] = values.map(|i| i.max(0.0));
+    let excess = (j3 - j2 - j1).max(0.0);
+    let lacks = excess.max(-i1);
+    if !(lacks <= f64::max(SINGLE_PRECISION * greatest, printed.min(TYPED * greatest))) {
         return Err(error);
     }
-    // The axes are those of J + i3·1, which is possible; the least change of the moments is a third of the excess to each.
-    let axes = PrincipalFrame::of(&tensor(moments.map(|i| i + i3))?).rotation();
+    // The least change that makes it possible: nothing negative, and a third of the excess to each moment.
     let third = excess / 3.0;
-    let on_edge = InertiaTensor::diagonal([i1 + third, i2 + third, i3 - third])?;
-    Ok((on_edge.in_frame(axes), excess))
+    let on_edge = InertiaTensor::diagonal([j1 + third, j2 + third, j3 - third])?;
+    let principal = Rotation::<Part, Principal>::from_matrix(transposed(&axes)).map_err(|_| error)?;
+    Ok((on_edge.in_frame(principal), lacks))
 }

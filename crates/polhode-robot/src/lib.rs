@@ -1,6 +1,28 @@
 //! Robot and simulation models (URDF, SDF, MJCF): are these inertias right?
 //!
 //! - [`model`]: what a file says: links, inertials, geometry, joints, and where each number stands
-//! - [`check`]: the rules
+//! - [`read`]: files in, models out
+//! - [`mod@check`]: the rules
 //! - [`finding`]: what is wrong with it, why, and what would repair it
+//! - [`repair`]: the text with repairs made, every other byte as it was
+//! - [`report`]: all that for people and for programs
+//! - [`body`]: a link's mass properties in its own frame
+//! - [`mod@lump`]: links joined to one body
 //! - [`moments`]: tensors that may be impossible, taken apart
+//! - [`line_index`]: lines and columns of places
+
+pub mod body;
+pub mod check;
+pub mod finding;
+mod json;
+pub mod line_index;
+pub mod lump;
+pub mod model;
+pub mod moments;
+mod placement;
+mod pose;
+pub mod read;
+pub mod repair;
+pub mod report;
+mod table;
+mod text;

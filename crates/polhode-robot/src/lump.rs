@@ -110,7 +110,7 @@ impl Group {
         if let Some(rule) = assumed(format, link) {
             return Err(LumpError::Assumed { link: name.clone(), rule, span: link.span.clone() });
         }
-        match link_mass(link).map_err(|error| LumpError::Link { link: name.clone(), error })? {
+        match link_mass(format, link).map_err(|error| LumpError::Link { link: name.clone(), error })? {
             LinkMass::None => self.massless.push(name.clone()),
             LinkMass::Body(body) => {
                 let rotation = place.rotation * Rotation::identity();

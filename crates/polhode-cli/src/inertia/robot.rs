@@ -76,7 +76,7 @@ fn of_link(model: &RobotModel, name: &str) -> Result<InertiaReport, Failure> {
             format!("its links are {}", names(model)),
         ));
     };
-    let body = match link_mass(link) {
+    let body = match link_mass(model.format, link) {
         Ok(LinkMass::Body(body)) => body,
         Ok(LinkMass::None) => {
             let hint = "name another, or join it to others by --lump fixed";

@@ -1,0 +1,116 @@
+//! Files in, models out.
+//!
+//! A reader says what stands in the file. It refuses only what is no model at all: text that is no XML, another root element.
+//! A number that is none (`"0,5"`), an element that lacks one, a mesh that no root holds: these stay in the model as they are,
+//! for the checks. What a reader leaves out is a [`Note`](crate::model::Note).
+//!
+//! Defaults of the languages: in SDF a missing mass is 1 kg, and missing moments are 1 kg·m²; here they are
+//! [`Slot::Missing`](crate::model::Slot::Missing) in each language.
+//!
+//! Not read: xacro (expand it first), `<include>` of SDF and MJCF and what else other files say (a note), `<composite>`, `<flexcomp>` and
+//! `<replicate>` of MJCF (a note).
+
+mod mjcf;
+mod plain;
+mod pose;
+mod sdf;
+mod urdf;
+mod uri;
+mod xml;
+
+use std::path::{Path, PathBuf};
+
+use polhode_formats::{ContentError, ContentErrorKind, ContentPlace, FormatError};
+
+use crate::model::{ModelFormat, RobotModel};
+
+/// How a model is read.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct ReadOptions {
+    /// Folders that hold packages, or are packages: `package://NAME/…` and `model://NAME/…` are ROOT/NAME/…, or ROOT/… if ROOT is
+    /// NAME. The model's own folder, and the nearest folder around it that has `package.xml` or `model.config`, are roots without being
+    /// named. No file outside the roots is opened.
+    pub roots: Vec<PathBuf>,
+}
+
+/// Reads a URDF, SDF or MJCF file: its root element says which.
+///
+/// ```
+/// use polhode_robot::read::{ReadOptions, read_text};
+/// let text = r#"<robot name="r"><link name="arm"><inertial><mass value="1,5"/></inertial></link></robot>"#;
+/// let model = read_text(text, "arm.urdf".as_ref(), &ReadOptions::default())?;
+/// let mass = &model.links[0].inertial.as_ref().unwrap().mass;
+/// assert_eq!((mass.finite(), &text[mass.span()]), (None, "1,5"));
+/// # Ok::<(), polhode_formats::FormatError>(())
+/// ```
+///
+/// # Errors
+/// [`FormatError`] if the file cannot be read, is not UTF-8, no well-formed XML or none of the three languages, or has a document type.
+pub fn read_model(path: &Path, options: &ReadOptions) -> Result<RobotModel, FormatError> {
+    let text = polhode_formats::read_text_file(path, |text| Ok(text.to_owned()))?;
+    read(text, path, options)
+}
+
+/// The same for a text; `path` is for messages, and its folder for the files that the model names.
+///
+/// # Errors
+/// As [`read_model`].
+pub fn read_text(text: &str, path: &Path, options: &ReadOptions) -> Result<RobotModel, FormatError> {
+    read(text.to_owned(), path, options)
+}
+
+/// The language of a text by its root element, whether or not the rest can be read; `None` if it is none of the three.
+pub fn format_of(text: &str) -> Option<ModelFormat> {
+    let mut rest = text.strip_prefix('\u{feff}').unwrap_or(text).trim_start();
+    loop {
+        let close = if rest.starts_with("<!--") {
+            "-->"
+        } else if rest.starts_with("<?") {
+            "?>"
+        } else {
+            break;
+        };
+        rest = rest.split_once(close)?.1.trim_start();
+    }
+    let name = rest.strip_prefix('<')?;
+    language(name.split(|c: char| c.is_whitespace() || c == '>' || c == '/').next()?)
+}
+
+fn language(root: &str) -> Option<ModelFormat> {
+    match root {
+        "robot" => Some(ModelFormat::Urdf),
+        "sdf" | "gazebo" => Some(ModelFormat::Sdf),
+        "mujoco" | "mujocoinclude" => Some(ModelFormat::Mjcf),
+        _ => None,
+    }
+}
+
+fn read(text: String, path: &Path, options: &ReadOptions) -> Result<RobotModel, FormatError> {
+    let parsed = xml::with_root(&text, |root| {
+        let Some(format) = language(root.name()) else {
+            let what = "<robot> (URDF), <sdf> or <mujoco>".to_owned();
+            let kind = ContentErrorKind::Expected { what, found: format!("<{}>", root.name()) };
+            return Err(ContentError::new(kind, ContentPlace::Text(root.span())));
+        };
+        let roots = uri::Roots::of(path, options);
+        let mut model = RobotModel {
+            path: path.to_owned(),
+            format,
+            text: String::new(),
+            name: None,
+            links: Vec::new(),
+            joints: Vec::new(),
+            notes: Vec::new(),
+        };
+        match format {
+            ModelFormat::Urdf => urdf::read(root, &roots, &mut model)?,
+            ModelFormat::Sdf => sdf::read(root, &roots, &mut model)?,
+            ModelFormat::Mjcf => mjcf::read(root, &roots, &mut model)?,
+        }
+        Ok(model)
+    });
+    match parsed {
+        Ok(model) => Ok(RobotModel { text, ..model }),
+        Err(error) => Err(FormatError::of_content(path, text.as_bytes(), error)),
+    }
+}

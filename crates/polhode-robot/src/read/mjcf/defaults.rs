@@ -1,0 +1,118 @@
+//! Classes of defaults: an attribute that an element does not have is that of its class, or of the class around that.
+
+use std::collections::HashMap;
+
+use crate::read::xml::{Element, Written};
+
+/// The attributes of geoms, joints and meshes that the reader asks for.
+const ATTRIBUTES: [&str; 16] = [
+    "type",
+    "size",
+    "pos",
+    "quat",
+    "axisangle",
+    "euler",
+    "xyaxes",
+    "zaxis",
+    "fromto",
+    "mesh",
+    "contype",
+    "conaffinity",
+    "axis",
+    "scale",
+    "refpos",
+    "refquat",
+];
+
+/// What a class says of one kind of element.
+type Attributes<'a> = HashMap<&'static str, Written<'a>>;
+
+/// What a class says.
+#[derive(Clone, Debug, Default)]
+struct Class<'a> {
+    geom: Attributes<'a>,
+    joint: Attributes<'a>,
+    mesh: Attributes<'a>,
+}
+
+/// All classes by name, each with what it has from the classes around it.
+#[derive(Debug)]
+pub(super) struct Classes<'a> {
+    named: HashMap<&'a str, Class<'a>>,
+}
+
+/// An element and its class: where attributes come from.
+#[derive(Clone, Debug)]
+pub(super) struct Source<'s, 'a> {
+    element: Element<'a>,
+    class: Option<&'s Attributes<'a>>,
+}
+
+/// The class of what names none, and has none around it.
+const MAIN: &str = "main";
+
+impl<'a> Classes<'a> {
+    /// The classes of all `<default>` elements of a file.
+    pub(super) fn of(root: Element<'a>) -> Self {
+        let mut named = HashMap::from([(MAIN, Class::default())]);
+        let mut waiting: Vec<_> = root.named("default").map(|element| (element, MAIN)).collect();
+        waiting.reverse();
+        while let Some((element, around)) = waiting.pop() {
+            let name = element.word("class").unwrap_or(around);
+            let mut class =
+                named.get(if name == around { name } else { around }).cloned().unwrap_or_default();
+            for child in element.children() {
+                let attributes = match child.name() {
+                    "geom" => &mut class.geom,
+                    "joint" => &mut class.joint,
+                    "mesh" => &mut class.mesh,
+                    _ => continue,
+                };
+                for name in ATTRIBUTES {
+                    if let Some(written) = child.attribute(name) {
+                        attributes.insert(name, written);
+                    }
+                }
+            }
+            named.insert(name, class);
+            waiting.extend(element.named("default").map(|inner| (inner, name)));
+        }
+        Self { named }
+    }
+
+    /// A geom below elements whose `childclass` is `around`.
+    pub(super) fn geom(&self, element: Element<'a>, around: Option<&str>) -> Source<'_, 'a> {
+        Source { element, class: self.class(element, around).map(|class| &class.geom) }
+    }
+
+    /// A joint below elements whose `childclass` is `around`.
+    pub(super) fn joint(&self, element: Element<'a>, around: Option<&str>) -> Source<'_, 'a> {
+        Source { element, class: self.class(element, around).map(|class| &class.joint) }
+    }
+
+    /// A mesh of the assets.
+    pub(super) fn mesh(&self, element: Element<'a>) -> Source<'_, 'a> {
+        Source { element, class: self.class(element, None).map(|class| &class.mesh) }
+    }
+
+    fn class(&self, element: Element<'a>, around: Option<&str>) -> Option<&Class<'a>> {
+        self.named.get(element.word("class").or(around).unwrap_or(MAIN))
+    }
+}
+
+impl<'a> Source<'_, 'a> {
+    /// The element alone.
+    pub(super) fn of(element: Element<'a>) -> Self {
+        Self { element, class: None }
+    }
+
+    /// What an attribute says, here or in the class.
+    pub(super) fn written(&self, name: &str) -> Option<Written<'a>> {
+        self.element.attribute(name).or_else(|| self.class?.get(name).cloned())
+    }
+
+    /// The words of an attribute.
+    pub(super) fn word(&self, name: &str) -> Option<&'a str> {
+        self.written(name).map(|written| written.value)
+    }
+}

@@ -1,0 +1,137 @@
+//! The same bytes without what a tree does not need.
+//!
+//! Readers of robots are namespace-unaware and let `--` stand in comments; the parser of the tree is strict. So it gets a copy of the text, of the
+//! same length, in which comments and processing instructions are blank and the colons of names are underscores. Every place in
+//! the copy is a place in the text, and every attribute's value is unchanged. It also takes away what makes a strict parser slow:
+//! thousands of namespaces, and elements with more attributes than any language has, which it compares in pairs.
+
+use polhode_formats::{ContentError, ContentErrorKind, ContentPlace};
+
+use crate::model::Span;
+
+/// Several times the attributes of the richest element of the three languages.
+const MOST_ATTRIBUTES: usize = 256;
+
+/// The text with comments, instructions and namespaces taken out, byte for byte as long.
+pub(super) fn plain(text: &str) -> Result<String, ContentError> {
+    let mut copy = String::with_capacity(text.len());
+    while let Some(rest) = text.get(copy.len()..).filter(|rest| !rest.is_empty()) {
+        let here = copy.len();
+        if let Some(comment) = rest.strip_prefix("<!--") {
+            let length = 4 + end(comment, "-->", here, 4, "the end of the comment, -->")?;
+            blank(&mut copy, rest, length);
+        } else if let Some(instruction) = rest.strip_prefix("<?") {
+            let length = 2 + end(instruction, "?>", here, 2, "the end of the instruction, ?>")?;
+            blank(&mut copy, rest, length);
+        } else if let Some(section) = rest.strip_prefix("<![CDATA[") {
+            let length = 9 + end(section, "]]>", here, 9, "the end of the CDATA section, ]]>")?;
+            copy.push_str(rest.get(..length).unwrap_or(rest));
+        } else if rest.starts_with("<!") {
+            let what =
+                "document type definitions (<!DOCTYPE …>): they can name other files and entities".to_owned();
+            return Err(ContentError::new(
+                ContentErrorKind::Unsupported { what },
+                ContentPlace::Text(here..here + 9),
+            )
+            .hint("take the DOCTYPE out: models need none"));
+        } else if rest.starts_with('<') {
+            tag(&mut copy, rest)?;
+        } else {
+            copy.push_str(rest.split_once('<').map_or(rest, |(words, _)| words));
+        }
+    }
+    Ok(copy)
+}
+
+/// Bytes up to the end of what `close` closes, or why that does not come.
+fn end(rest: &str, close: &str, at: usize, opening: usize, what: &str) -> Result<usize, ContentError> {
+    rest.find(close).map(|found| found + close.len()).ok_or_else(|| missing(what, at..at + opening))
+}
+
+fn missing(what: &str, span: Span) -> ContentError {
+    let kind = ContentErrorKind::Expected { what: what.to_owned(), found: String::new() };
+    ContentError::new(kind, ContentPlace::Text(span))
+}
+
+/// As many blanks as bytes; lines stay.
+fn blank(copy: &mut String, rest: &str, length: usize) {
+    let bytes = rest.bytes().take(length);
+    copy.extend(bytes.map(|byte| if byte == b'\n' || byte == b'\r' { char::from(byte) } else { ' ' }));
+}
+
+/// A tag up to its `>`: colons outside quotes become underscores.
+fn tag(copy: &mut String, rest: &str) -> Result<(), ContentError> {
+    let here = copy.len();
+    let mut attributes = 0;
+    let mut rest = rest;
+    // each round takes what stands before a quote or the end, and the quoted text with it
+    while let Some((stop, mark)) =
+        rest.bytes().enumerate().skip(usize::from(copy.len() == here)).find(is_mark)
+    {
+        let (outside, from_mark) = rest.split_at(stop);
+        copy.extend(outside.chars().map(|c| if c == ':' { '_' } else { c }));
+        match mark {
+            b'>' => {
+                copy.push('>');
+                return Ok(());
+            }
+            b'<' => return Ok(()), // the parser of the tree complains, and knows of what
+            quote => {
+                attributes += 1;
+                if attributes > MOST_ATTRIBUTES {
+                    let value = format!("more than {MOST_ATTRIBUTES}");
+                    let rule = "those of a robot's model, which are fewer".to_owned();
+                    let kind = ContentErrorKind::Value {
+                        what: "the attributes of the element".to_owned(),
+                        value,
+                        rule,
+                    };
+                    return Err(ContentError::new(kind, ContentPlace::Text(here..here + 1)));
+                }
+                let quote = char::from(quote);
+                let length = from_mark.get(1..).and_then(|value| value.find(quote));
+                let length = length
+                    .ok_or_else(|| missing("the quote that ends the value", copy.len()..copy.len() + 1))?;
+                let (value, after) = from_mark.split_at(length + 2);
+                copy.push_str(value);
+                rest = after;
+            }
+        }
+    }
+    Err(missing("the end of the tag, >", here..here + 1))
+}
+
+fn is_mark((_, byte): &(usize, u8)) -> bool {
+    matches!(byte, b'"' | b'\'' | b'>' | b'<')
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_byte_keeps_its_place() {
+        let text = "\u{feff}<?xml?>\r\n<!-- -- é\n --><a b:c = 'x:\"&gt;<!-- é' xmlns:q=\"u:v\">t:u<![CDATA[<x:y>]]></a>\n";
+        let copy = plain(text).unwrap();
+        let expected = "\u{feff}       \r\n          \n    <a b_c = 'x:\"&gt;<!-- é' xmlns_q=\"u:v\">t:u<![CDATA[<x:y>]]></a>\n";
+        assert_eq!(copy, expected);
+        assert_eq!(copy.len(), text.len());
+    }
+
+    #[test]
+    fn what_has_no_end_is_said_where_it_begins() {
+        for (text, start) in [
+            ("<a/><!-- <b/>", 4),
+            ("<?xml ", 0),
+            ("<a> <![CDATA[ ]]", 4),
+            ("<a ><b x='", 9),
+            ("<a><b x='' ", 3),
+        ] {
+            let error = plain(text).unwrap_err();
+            assert!(
+                matches!(&error.place, ContentPlace::Text(span) if span.start == start),
+                "{text} {error:?}"
+            );
+        }
+    }
+}

@@ -1,0 +1,305 @@
+//! SDFormat: models in worlds and models in models, each element in a frame that it may name.
+//!
+//! Every link, joint, frame and nested model is a frame in another one; the readings are composed once, down from the root: the world
+//! of a world file, else the model. Names of links in nested models are joined by `::`.
+//!
+//! Source: sdformat.org/spec (1.11, which has the elements of the versions since 1.4), and its "Pose frame semantics".
+
+mod frames;
+
+use std::path::Path;
+
+use polhode_formats::{ContentError, ContentErrorKind, ContentPlace};
+
+use crate::model::{
+    Geometry, GeometryShape, Inertial, Joint, JointKind, Link, Name, Note, Pose, RobotModel, Role, Tensor,
+};
+use crate::pose::of_roll_pitch_yaw;
+use crate::read::pose::Reading;
+use crate::read::uri::Roots;
+use crate::read::xml::{Element, child_slot, is_true};
+use frames::{FrameKind, Frames, Scope};
+
+/// Bytes that names joined by `::` may have for each byte of the text. Models nested a thousand deep would fill any memory.
+const MOST_NAME_BYTES: usize = 16;
+
+/// Fills the model with what the root says.
+pub(super) fn read(root: Element<'_>, roots: &Roots, model: &mut RobotModel) -> Result<(), ContentError> {
+    let mut frames = Frames::default();
+    let gathered = gather(root, &mut frames, model)?;
+    frames.resolve(&mut model.notes);
+    for (element, scope, frame) in gathered.links {
+        let link = link(element, scope, frame, &frames, roots, &mut model.notes);
+        model.links.push(link);
+    }
+    let mut name_bytes = 0;
+    for (element, scope, frame) in gathered.joints {
+        let joint = joint(element, scope, frame, &frames);
+        name_bytes += joint.name.text.len() + joint.child.text.len();
+        name_bytes += joint.parent.as_ref().map_or(0, |parent| parent.text.len());
+        require_short(name_bytes, element)?;
+        model.joints.push(joint);
+    }
+    model.links.sort_by_key(|link| link.span.start);
+    model.joints.sort_by_key(|joint| joint.span.start);
+    Ok(())
+}
+
+/// Links and joints, each with its scope and its frame.
+#[derive(Default)]
+struct Gathered<'a> {
+    links: Vec<(Element<'a>, usize, usize)>,
+    joints: Vec<(Element<'a>, usize, usize)>,
+}
+
+/// Every frame of the file, and what is a link or a joint.
+fn gather<'a>(
+    root: Element<'a>,
+    frames: &mut Frames<'a>,
+    model: &mut RobotModel,
+) -> Result<Gathered<'a>, ContentError> {
+    let mut gathered = Gathered::default();
+    let mut name_bytes = 0;
+    let lone = root.named("model").count() == 1;
+    // a world, a model or the file itself, and the scope of the names in it
+    let mut containers = vec![(root, 0)];
+    while let Some((container, scope)) = containers.pop() {
+        for element in container.children() {
+            let name = element.word("name").unwrap_or("");
+            match element.name() {
+                "world" => {
+                    model.name = model.name.take().or_else(|| Some(name.to_owned()));
+                    containers.push((element, scope));
+                }
+                "model" => {
+                    model.name = model.name.take().or_else(|| Some(name.to_owned()));
+                    let outer = frames.scope(scope);
+                    // where a lone model stands in the world is not the model's business
+                    let alone = lone && scope == 0 && container.name() != "world";
+                    let (pose, relative_to) = if alone { (Pose::IDENTITY, None) } else { pose(element) };
+                    let prefix = if alone { String::new() } else { format!("{}{name}::", outer.prefix) };
+                    name_bytes += prefix.len();
+                    require_short(name_bytes, element)?;
+                    let is_static = outer.is_static || says_static(element);
+                    let frame = frames.add(scope, name, FrameKind::Model, pose, relative_to, element.span());
+                    let canonical = element.word("canonical_link");
+                    let inner = frames.add_scope(Scope::new(frame, prefix, is_static, canonical));
+                    containers.push((element, inner));
+                }
+                "link" => {
+                    let (pose, relative_to) = pose(element);
+                    let frame = frames.add(scope, name, FrameKind::Link, pose, relative_to, element.span());
+                    name_bytes += frames.scope(scope).prefix.len();
+                    require_short(name_bytes, element)?;
+                    gathered.links.push((element, scope, frame));
+                }
+                "joint" => {
+                    let (pose, relative_to) = pose(element);
+                    let child =
+                        element.child("child").and_then(|child| child.text()).map_or("", |text| text.value);
+                    let relative_to = relative_to.or(Some(child));
+                    let kind = FrameKind::Attached(child);
+                    let frame = frames.add(scope, name, kind, pose, relative_to, element.span());
+                    gathered.joints.push((element, scope, frame));
+                }
+                "frame" => {
+                    let (pose, relative_to) = pose(element);
+                    let attached = element.word("attached_to").filter(|name| !name.is_empty());
+                    let relative_to = relative_to.or(attached);
+                    let kind = FrameKind::Attached(attached.unwrap_or("__model__"));
+                    frames.add(scope, name, kind, pose, relative_to, element.span());
+                }
+                "include" => model.notes.push(include(element)),
+                _ => {}
+            }
+        }
+    }
+    Ok(gathered)
+}
+
+/// Refuses names that are longer together than the text can account for.
+fn require_short(name_bytes: usize, element: Element<'_>) -> Result<(), ContentError> {
+    if name_bytes <= MOST_NAME_BYTES * element.document_length() {
+        return Ok(());
+    }
+    let what =
+        "models nested so deep that their joined names are longer than the file many times over".to_owned();
+    let kind = ContentErrorKind::Unsupported { what };
+    let start = element.span().start;
+    Err(ContentError::new(kind, ContentPlace::Text(start..start + 1)))
+}
+
+fn include(element: Element<'_>) -> Note {
+    let uri = element.child("uri").and_then(|uri| uri.text()).map_or("", |text| text.value);
+    Note {
+        code: "read.include",
+        subject: String::new(),
+        span: element.span(),
+        message: format!("<include> of {uri:?} is not read: check that model by itself"),
+    }
+}
+
+fn says_static(model: Element<'_>) -> bool {
+    model.child("static").and_then(|element| element.text()).is_some_and(|text| is_true(text.value))
+}
+
+/// The pose of an element, and the frame that it names.
+///
+/// Six numbers, the last three roll, pitch and yaw; or seven, the last four a quaternion x, y, z, w.
+fn pose<'a>(element: Element<'a>) -> (Pose, Option<&'a str>) {
+    let Some(pose) = element.child("pose") else { return (Pose::IDENTITY, None) };
+    // `frame` until 1.6
+    let relative_to = pose.word("relative_to").or_else(|| pose.word("frame")).filter(|name| !name.is_empty());
+    let mut reading = Reading::default();
+    let text = pose.text();
+    reading.covers(&text.as_ref().map_or_else(|| pose.span(), |text| text.span.clone()));
+    let (position, rotation) = if pose.word("rotation_format") == Some("quat_xyzw") {
+        let [px, py, pz, x, y, z, w] = reading.numbers(text.as_ref(), [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0]);
+        let unit = crate::pose::unit([w, x, y, z]);
+        if let (None, Some(text)) = (unit, &text) {
+            reading.refuse(text);
+        }
+        ([px, py, pz], unit.unwrap_or(Pose::IDENTITY.rotation))
+    } else {
+        let [px, py, pz, angles @ ..] = reading.numbers(text.as_ref(), [0.0; 6]);
+        let angles = if pose.says_true("degrees") { angles.map(f64::to_radians) } else { angles };
+        ([px, py, pz], of_roll_pitch_yaw(angles))
+    };
+    (reading.pose(position, rotation), relative_to)
+}
+
+fn link(
+    element: Element<'_>,
+    scope: usize,
+    frame: usize,
+    frames: &Frames<'_>,
+    roots: &Roots,
+    notes: &mut Vec<Note>,
+) -> Link {
+    let name = full_name(element, scope, frames);
+    let given = element.child("inertial");
+    let automatic = given.is_some_and(|inertial| inertial.says_true("auto"));
+    let own = frames.in_root(frame);
+    let mut geometry = Vec::new();
+    for child in element.children() {
+        let role = match child.name() {
+            "visual" => Role::Visual,
+            "collision" => Role::Collision,
+            _ => continue,
+        };
+        let (pose, relative_to) = pose(child);
+        let pose = match relative_to.map(|frame| frames.lookup(scope, frame)) {
+            None => pose,
+            Some(Some(other)) => own.inverse().then(&frames.in_root(other)).then(&pose),
+            Some(None) => {
+                notes.push(frames::unknown(relative_to.unwrap_or(""), &name.text, child.span()));
+                pose
+            }
+        };
+        geometry.push(Geometry { span: child.span(), role, pose, shape: shape(child, roots) });
+    }
+    Link {
+        span: element.span(),
+        inertial: given.filter(|_| !automatic).map(inertial),
+        geometry,
+        pose: Pose { unreadable: frames.unreadable(frame).to_vec(), ..own },
+        is_static: frames.scope(scope).is_static,
+        from_geometry: automatic,
+        name,
+    }
+}
+
+/// The name of an element with those of the models around it.
+fn full_name(element: Element<'_>, scope: usize, frames: &Frames<'_>) -> Name {
+    let start = element.span().start;
+    let own = element
+        .attribute("name")
+        .map_or(Name { text: String::new(), span: start..start }, |name| name.name());
+    Name { text: format!("{}{}", frames.scope(scope).prefix, own.text), span: own.span }
+}
+
+fn inertial(element: Element<'_>) -> Inertial {
+    Inertial {
+        span: element.span(),
+        mass: child_slot(element, "mass"),
+        pose: pose(element).0,
+        tensor: match element.child("inertia") {
+            Some(inertia) => Tensor::Six(Box::new(
+                ["ixx", "iyy", "izz", "ixy", "ixz", "iyz"].map(|name| child_slot(inertia, name)),
+            )),
+            None => Tensor::Missing(element.span()),
+        },
+    }
+}
+
+fn shape(element: Element<'_>, roots: &Roots) -> GeometryShape {
+    let Some(shape) = element.child("geometry").and_then(|geometry| geometry.children().next()) else {
+        return GeometryShape::Other("no geometry".to_owned());
+    };
+    let size = |name: &str| shape.child(name).and_then(|child| child.text());
+    let number = |name: &str| size(name).and_then(|text| text.array()).map_or(f64::NAN, |[value]| value);
+    let three = |name: &str| size(name).and_then(|text| text.array()).unwrap_or([f64::NAN; 3]);
+    match shape.name() {
+        "box" => GeometryShape::Box(three("size")),
+        "sphere" => GeometryShape::Sphere(number("radius")),
+        "cylinder" => GeometryShape::Cylinder { radius: number("radius"), length: number("length") },
+        "capsule" => GeometryShape::Capsule { radius: number("radius"), length: number("length") },
+        "ellipsoid" => GeometryShape::Ellipsoid(three("radii")),
+        "mesh" if shape.child("submesh").is_some() => GeometryShape::Other("part of a mesh".to_owned()),
+        "mesh" => {
+            let start = shape.span().start;
+            let uri = size("uri").map_or(Name { text: String::new(), span: start..start }, |uri| uri.name());
+            let path = roots.resolve(&uri.text, Path::new(""));
+            let scale = size("scale").map_or([1.0; 3], |scale| scale.array().unwrap_or([f64::NAN; 3]));
+            GeometryShape::Mesh { uri, path, scale }
+        }
+        other => GeometryShape::Other(other.to_owned()),
+    }
+}
+
+fn joint(element: Element<'_>, scope: usize, frame: usize, frames: &Frames<'_>) -> Joint {
+    // a link, or a frame that is fixed to one
+    let end = |side: &str| {
+        let written = element.child(side).and_then(|child| child.text());
+        let span = written
+            .as_ref()
+            .map_or_else(|| element.span().start..element.span().start, |text| text.span.clone());
+        let name = written.map_or("", |text| text.value);
+        let link = frames.lookup(scope, name).and_then(|frame| frames.link_of(frame));
+        let text = link
+            .map_or_else(|| format!("{}{name}", frames.scope(scope).prefix), |link| frames.full_name(link));
+        (name, link, Name { text, span })
+    };
+    let (parent_name, parent_link, parent) = end("parent");
+    let (_, child_link, child) = end("child");
+    let in_root = |link: Option<usize>| link.map_or(Pose::IDENTITY, |link| frames.in_root(link));
+    let (in_parent, in_child) = (in_root(parent_link), in_root(child_link));
+    // the joint's frame in the child's
+    let place = in_child.inverse().then(&frames.in_root(frame));
+    let axis = element.child("axis");
+    let xyz = axis.and_then(|axis| axis.child("xyz"));
+    let written =
+        xyz.and_then(|xyz| xyz.text()).map_or([0.0, 0.0, 1.0], |xyz| xyz.array().unwrap_or([f64::NAN; 3]));
+    let old_way = axis.and_then(|axis| axis.child("use_parent_model_frame")).and_then(|flag| flag.text());
+    let expressed_in = match xyz.and_then(|xyz| xyz.word("expressed_in")) {
+        None | Some("") => old_way.filter(|flag| is_true(flag.value)).map(|_| "__model__"),
+        named => named,
+    };
+    let frame_of_axis = expressed_in.and_then(|name| frames.lookup(scope, name));
+    let axes = frame_of_axis.map_or(place.clone(), |other| in_child.inverse().then(&frames.in_root(other)));
+    Joint {
+        name: full_name(element, scope, frames),
+        span: element.span(),
+        kind: match element.word("type") {
+            Some("fixed") => JointKind::Fixed,
+            Some("revolute" | "continuous") => JointKind::Revolute,
+            Some("prismatic") => JointKind::Prismatic,
+            _ => JointKind::Other,
+        },
+        parent: (parent_name != "world").then_some(parent),
+        child,
+        pose: Pose { unreadable: frames.unreadable(frame).to_vec(), ..in_parent.inverse().then(&in_child) },
+        axis: axes.turned(written),
+        anchor: place.position,
+    }
+}

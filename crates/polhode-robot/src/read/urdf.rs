@@ -1,0 +1,171 @@
+//! URDF: links and joints side by side, lengths in metres, angles in radians, attitudes as roll, pitch, yaw.
+//!
+//! Source: wiki.ros.org/urdf/XML, and the parser of urdfdom where it says less.
+
+use std::path::Path;
+
+use polhode_formats::{ContentError, ContentErrorKind, ContentPlace};
+
+use crate::model::{
+    Geometry, GeometryShape, Inertial, Joint, JointKind, Link, Name, Note, Pose, RobotModel, Role, Slot,
+    Tensor,
+};
+use crate::pose::of_roll_pitch_yaw;
+use crate::read::pose::Reading;
+use crate::read::uri::Roots;
+use crate::read::xml::{Element, slot};
+
+/// Fills the model with what the root says.
+pub(super) fn read(root: Element<'_>, roots: &Roots, model: &mut RobotModel) -> Result<(), ContentError> {
+    model.name = root.word("name").map(str::to_owned);
+    for child in root.children() {
+        match child.name() {
+            "link" => {
+                let link = link(child, roots, &mut model.notes);
+                model.links.push(link);
+            }
+            "joint" => model.joints.push(joint(child)),
+            name if name.starts_with("xacro_") => return Err(xacro(child)),
+            _ => {}
+        }
+    }
+    let shape = |geometry: &Geometry| matches!(&geometry.shape, GeometryShape::Mesh { uri, .. } if uri.text.contains("${"));
+    let expression = |link: &Link| {
+        let mass = link.inertial.as_ref().map(|inertial| &inertial.mass);
+        link.name.text.contains("${")
+            || matches!(mass, Some(Slot::Given(number)) if number.text.contains("${"))
+            || link.geometry.iter().any(shape)
+    };
+    if root.has_prefix("xacro")
+        && let Some(element) = model.links.iter().find(|link| expression(link))
+    {
+        return Err(xacro_at(element.span.start..element.span.start + 1));
+    }
+    Ok(())
+}
+
+fn xacro(element: Element<'_>) -> ContentError {
+    xacro_at(element.span())
+}
+
+/// A macro file is not the model yet.
+fn xacro_at(span: crate::model::Span) -> ContentError {
+    let what = "xacro: this file is a macro that makes a model, not the model".to_owned();
+    ContentError::new(ContentErrorKind::Unsupported { what }, ContentPlace::Text(span))
+        .hint("expand it first: xacro robot.urdf.xacro > robot.urdf")
+}
+
+fn link(element: Element<'_>, roots: &Roots, notes: &mut Vec<Note>) -> Link {
+    let name = name(element, "name");
+    let mut inertials = element.named("inertial");
+    let inertial = inertials.next().map(inertial);
+    if let Some(second) = inertials.next() {
+        notes.push(Note {
+            code: "read.inertials",
+            subject: name.text.clone(),
+            span: second.span(),
+            message: "a second <inertial> of the same link: only the first counts".to_owned(),
+        });
+    }
+    let geometry = element.children().filter_map(|child| {
+        let role = match child.name() {
+            "visual" => Role::Visual,
+            "collision" => Role::Collision,
+            _ => return None,
+        };
+        let shape = shape(child, roots);
+        Some(Geometry { span: child.span(), role, pose: origin(child), shape })
+    });
+    Link {
+        geometry: geometry.collect(),
+        name,
+        span: element.span(),
+        inertial,
+        pose: Pose::IDENTITY,
+        is_static: false,
+        from_geometry: false,
+    }
+}
+
+/// An attribute as a name; empty, at the element, if it is not there.
+fn name(element: Element<'_>, attribute: &str) -> Name {
+    let start = element.span().start;
+    element
+        .attribute(attribute)
+        .map_or(Name { text: String::new(), span: start..start }, |written| written.name())
+}
+
+fn inertial(element: Element<'_>) -> Inertial {
+    let missing = |name: &str| Slot::Missing { span: element.span(), name: name.to_owned() };
+    Inertial {
+        span: element.span(),
+        mass: element.child("mass").map_or_else(|| missing("mass"), |mass| slot(mass, "value")),
+        pose: origin(element),
+        tensor: match element.child("inertia") {
+            Some(inertia) => Tensor::Six(Box::new(
+                ["ixx", "iyy", "izz", "ixy", "ixz", "iyz"].map(|name| slot(inertia, name)),
+            )),
+            None => Tensor::Missing(element.span()),
+        },
+    }
+}
+
+/// `<origin xyz="…" rpy="…"/>` of an element; zero where it is left out.
+fn origin(element: Element<'_>) -> Pose {
+    let Some(origin) = element.child("origin") else { return Pose::IDENTITY };
+    let mut reading = Reading::default();
+    reading.covers(&origin.span());
+    let position = reading.numbers(origin.attribute("xyz").as_ref(), [0.0; 3]);
+    let angles = reading.numbers(origin.attribute("rpy").as_ref(), [0.0; 3]);
+    reading.pose(position, of_roll_pitch_yaw(angles))
+}
+
+fn shape(element: Element<'_>, roots: &Roots) -> GeometryShape {
+    let Some(shape) = element.child("geometry").and_then(|geometry| geometry.children().next()) else {
+        return GeometryShape::Other("no geometry".to_owned());
+    };
+    let size = |name: &str| {
+        shape.attribute(name).and_then(|written| written.array()).map_or(f64::NAN, |[size]| size)
+    };
+    match shape.name() {
+        "box" => {
+            GeometryShape::Box(shape.attribute("size").and_then(|size| size.array()).unwrap_or([f64::NAN; 3]))
+        }
+        "sphere" => GeometryShape::Sphere(size("radius")),
+        "cylinder" => GeometryShape::Cylinder { radius: size("radius"), length: size("length") },
+        "capsule" => GeometryShape::Capsule { radius: size("radius"), length: size("length") },
+        "mesh" => {
+            let uri = name(shape, "filename");
+            let path = roots.resolve(&uri.text, Path::new(""));
+            let scale =
+                shape.attribute("scale").map_or([1.0; 3], |scale| scale.array().unwrap_or([f64::NAN; 3]));
+            GeometryShape::Mesh { uri, path, scale }
+        }
+        other => GeometryShape::Other(other.to_owned()),
+    }
+}
+
+fn joint(element: Element<'_>) -> Joint {
+    let end = |side: &str| {
+        let start = element.span().start;
+        let nowhere = Name { text: String::new(), span: start..start };
+        element.child(side).map_or(nowhere, |end| name(end, "link"))
+    };
+    let axis = element.child("axis").and_then(|axis| axis.attribute("xyz"));
+    Joint {
+        name: name(element, "name"),
+        span: element.span(),
+        kind: match element.word("type") {
+            Some("fixed") => JointKind::Fixed,
+            Some("revolute" | "continuous") => JointKind::Revolute,
+            Some("prismatic") => JointKind::Prismatic,
+            Some("floating") => JointKind::Free,
+            _ => JointKind::Other,
+        },
+        parent: Some(end("parent")),
+        child: end("child"),
+        pose: origin(element),
+        axis: axis.map_or([1.0, 0.0, 0.0], |axis| axis.array().unwrap_or([f64::NAN; 3])),
+        anchor: [0.0; 3],
+    }
+}

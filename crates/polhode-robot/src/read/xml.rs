@@ -1,0 +1,231 @@
+//! Elements and what is written in them, each with its place in the text.
+
+use polhode_formats::{ContentError, ContentErrorKind, ContentPlace};
+use roxmltree::{Document, Error, Node, ParsingOptions};
+
+use crate::model::{Name, Number, Slot, Span};
+use crate::read::plain::plain;
+
+/// Reads a text as a tree and makes something of its root element.
+///
+/// No document types, no entities of one's own, no namespaces; memory is bounded by the bytes that are there.
+pub(super) fn with_root<T>(
+    text: &str,
+    read: impl FnOnce(Element<'_>) -> Result<T, ContentError>,
+) -> Result<T, ContentError> {
+    let copy = plain(text)?;
+    // a node each for at most every < and the text after it, and one for the document
+    let most = 2 * copy.bytes().filter(|&byte| byte == b'<').count() + 2;
+    let options = ParsingOptions {
+        allow_dtd: false,
+        nodes_limit: u32::try_from(most).unwrap_or(u32::MAX),
+        entity_resolver: None,
+    };
+    match Document::parse_with_options(&copy, options) {
+        Ok(tree) => read(Element(tree.root_element())),
+        Err(error) => Err(unreadable(text, &error)),
+    }
+}
+
+/// What the parser says, and where.
+fn unreadable(text: &str, error: &Error) -> ContentError {
+    let position = error.pos();
+    let span = match error {
+        Error::NoRootNode => 0..0,
+        Error::UnclosedRootNode | Error::UnexpectedEndOfStream => text.len()..text.len(),
+        _ => at(text, position.row, position.col),
+    };
+    let (what, found) = match error {
+        Error::UnexpectedCloseTag(expected, actual, _) => (format!("</{expected}>"), format!("</{actual}>")),
+        Error::UnclosedRootNode => ("the end of the root element".to_owned(), String::new()),
+        _ => {
+            // the place is the error's own and need not be in the message
+            let said = error.to_string().replace(&format!(" at {position}"), "");
+            (format!("well-formed XML ({said})"), text.get(span.clone()).unwrap_or("").to_owned())
+        }
+    };
+    let hint = match error {
+        Error::UnknownEntityReference(..) | Error::MalformedEntityReference(..) => {
+            Some("write & as &amp;; the only entities are &amp; &lt; &gt; &quot; &apos; and &#…;")
+        }
+        Error::UnexpectedCloseTag(..) => Some("elements close in the opposite order of opening"),
+        _ => None,
+    };
+    let error = ContentError::new(ContentErrorKind::Expected { what, found }, ContentPlace::Text(span));
+    match hint {
+        Some(hint) => error.hint(hint),
+        None => error,
+    }
+}
+
+/// The byte of a line and a character, both from 1.
+fn at(text: &str, line: u32, column: u32) -> Span {
+    let before: usize = text.split_inclusive('\n').take(line.saturating_sub(1) as usize).map(str::len).sum();
+    let rest = text.get(before..).unwrap_or("");
+    let start = rest.char_indices().nth(column.saturating_sub(1) as usize).map_or(rest.len(), |(k, _)| k);
+    let length = rest.get(start..).and_then(|rest| rest.chars().next()).map_or(0, char::len_utf8);
+    before + start..before + start + length
+}
+
+/// An element of the tree.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Element<'a>(Node<'a, 'a>);
+
+impl<'a> Element<'a> {
+    /// Its name; a prefix is part of it, with an underscore: `xacro_macro`.
+    pub(super) fn name(self) -> &'a str {
+        self.0.tag_name().name()
+    }
+
+    /// From the `<` of its start to the `>` of its end.
+    pub(super) fn span(self) -> Span {
+        self.0.range()
+    }
+
+    /// Bytes of the whole text.
+    pub(super) fn document_length(self) -> usize {
+        self.0.document().input_text().len()
+    }
+
+    /// The elements in it.
+    pub(super) fn children(self) -> impl Iterator<Item = Element<'a>> {
+        self.0.children().filter(Node::is_element).map(Element)
+    }
+
+    /// The elements in it that have this name.
+    pub(super) fn named(self, name: &'a str) -> impl Iterator<Item = Element<'a>> {
+        self.children().filter(move |child| child.name() == name)
+    }
+
+    /// The first element in it that has this name.
+    pub(super) fn child(self, name: &str) -> Option<Element<'a>> {
+        self.children().find(|child| child.name() == name)
+    }
+
+    /// What an attribute says.
+    pub(super) fn attribute(self, name: &str) -> Option<Written<'a>> {
+        self.0.attribute_node(name).map(|attribute| {
+            let range = attribute.range();
+            let text = self.0.document().input_text();
+            // the value stands between the last character and the quote before it that is like it; the parser's own range is
+            // wrong after 255 blanks
+            let all = text.get(range.clone()).unwrap_or("");
+            let quote = all.chars().next_back().unwrap_or('"');
+            let inner = all.strip_suffix(quote).unwrap_or(all);
+            let start = range.start + inner.rfind(quote).map_or(0, |at| at + quote.len_utf8());
+            let end = range.start + inner.len();
+            Written::new(text, start..end, attribute.value())
+        })
+    }
+
+    /// The words of an attribute, if it is there.
+    pub(super) fn word(self, name: &str) -> Option<&'a str> {
+        self.attribute(name).map(|written| written.value)
+    }
+
+    /// Whether an attribute says `true` or `1`.
+    pub(super) fn says_true(self, name: &str) -> bool {
+        self.word(name).is_some_and(is_true)
+    }
+
+    /// Whether it declares a prefix of names: `xmlns:xacro`.
+    pub(super) fn has_prefix(self, prefix: &str) -> bool {
+        self.0.attributes().any(|attribute| attribute.name().strip_prefix("xmlns_") == Some(prefix))
+    }
+
+    /// The text in it: the first that is not blank.
+    pub(super) fn text(self) -> Option<Written<'a>> {
+        let text = self.0.document().input_text();
+        let words =
+            |node: &Node<'a, 'a>| node.is_text() && node.text().is_some_and(|text| !text.trim().is_empty());
+        let node = self.0.children().find(words)?;
+        Some(Written::new(text, node.range(), node.text().unwrap_or("")))
+    }
+}
+
+/// `true` as these languages write it.
+pub(super) fn is_true(word: &str) -> bool {
+    matches!(word.trim(), "true" | "1" | "True" | "TRUE")
+}
+
+/// The value of an attribute or the text of an element, without the blanks around it.
+#[derive(Clone, Debug)]
+pub(super) struct Written<'a> {
+    /// What it says.
+    pub(super) value: &'a str,
+    /// Where it stands, without quotes.
+    pub(super) span: Span,
+    /// The bytes of the text are the value itself: no entity stands for a character of it.
+    literal: bool,
+}
+
+impl<'a> Written<'a> {
+    fn new(text: &'a str, span: Span, value: &'a str) -> Self {
+        let raw = text.get(span.clone()).unwrap_or("");
+        if raw.contains(['&', '<']) {
+            return Self { value: value.trim(), span, literal: false };
+        }
+        let start = span.start + (raw.len() - raw.trim_start().len());
+        let value = raw.trim();
+        Self { value, span: start..start + value.len(), literal: true }
+    }
+
+    /// As a name.
+    pub(super) fn name(&self) -> Name {
+        Name { text: self.value.to_owned(), span: self.span.clone() }
+    }
+
+    /// As one number.
+    pub(super) fn number(&self) -> Number {
+        Number { text: self.value.to_owned(), span: self.span.clone(), value: parsed(self.value) }
+    }
+
+    /// As numbers with blanks between them. With an entity in it, each stands where all of them stand.
+    pub(super) fn numbers(&self) -> impl Iterator<Item = Number> {
+        let from = self.value.as_ptr().addr();
+        self.value.split_ascii_whitespace().map(move |word| {
+            let start = self.span.start + (word.as_ptr().addr() - from);
+            let span = if self.literal { start..start + word.len() } else { self.span.clone() };
+            Number { text: word.to_owned(), span, value: parsed(word) }
+        })
+    }
+
+    /// As plain values: NaN for what is no number.
+    pub(super) fn values(&self) -> impl Iterator<Item = f64> {
+        self.value.split_ascii_whitespace().map(|word| parsed(word).unwrap_or(f64::NAN))
+    }
+
+    /// As `N` plain values; `None` if there are fewer or more.
+    pub(super) fn array<const N: usize>(&self) -> Option<[f64; N]> {
+        let mut values = self.values();
+        let mut array = [0.0; N];
+        for slot in &mut array {
+            *slot = values.next()?;
+        }
+        values.next().is_none().then_some(array)
+    }
+}
+
+/// The number that a word is. What overflows is infinite, `nan` is NaN.
+fn parsed(word: &str) -> Option<f64> {
+    word.parse().ok()
+}
+
+/// What an element's attribute says as a number, or that it lacks it.
+pub(super) fn slot(element: Element<'_>, name: &str) -> Slot {
+    match element.attribute(name) {
+        Some(written) => Slot::Given(written.number()),
+        None => Slot::Missing { span: element.span(), name: name.to_owned() },
+    }
+}
+
+/// What an element in the element says as a number, or that it lacks it.
+pub(super) fn child_slot(element: Element<'_>, name: &str) -> Slot {
+    match element.child(name) {
+        Some(child) => match child.text() {
+            Some(written) => Slot::Given(written.number()),
+            None => Slot::Given(Number { text: String::new(), span: child.span(), value: None }),
+        },
+        None => Slot::Missing { span: element.span(), name: name.to_owned() },
+    }
+}

@@ -1,0 +1,75 @@
+//! What the tests of readers share.
+
+#![allow(clippy::unwrap_used, dead_code, reason = "a test may; not each of them uses all")]
+
+use polhode_formats::FormatError;
+use polhode_robot::model::{RobotModel, Slot};
+use polhode_robot::read::{ReadOptions, read_text};
+
+pub(crate) type Matrix = [[f64; 3]; 3];
+
+pub(crate) fn read(text: &str) -> RobotModel {
+    read_text(text, "nowhere/model.xml".as_ref(), &ReadOptions::default()).unwrap()
+}
+
+pub(crate) fn refused(text: &str) -> FormatError {
+    read_text(text, "nowhere/model.xml".as_ref(), &ReadOptions::default()).unwrap_err()
+}
+
+/// The text of a number, as it stands in the file, and its value.
+pub(crate) fn written<'t>(text: &'t str, slot: &Slot) -> (&'t str, Option<f64>) {
+    let Slot::Given(number) = slot else { return ("missing", None) };
+    let there = &text[number.span.clone()];
+    assert_eq!(there, number.text);
+    (there, number.value)
+}
+
+/// The matrix of a turn about axis 0, 1 or 2, written out.
+pub(crate) fn matrix_about(axis: usize, angle: f64) -> Matrix {
+    let (s, c) = angle.sin_cos();
+    match axis {
+        0 => [[1.0, 0.0, 0.0], [0.0, c, -s], [0.0, s, c]],
+        1 => [[c, 0.0, s], [0.0, 1.0, 0.0], [-s, 0.0, c]],
+        _ => [[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]],
+    }
+}
+
+/// Rodrigues' formula: R = cos φ 1 + sin φ [n]× + (1 − cos φ) n nᵀ.
+pub(crate) fn matrix_about_axis(axis: [f64; 3], angle: f64) -> Matrix {
+    let norm = axis.iter().map(|c| c * c).sum::<f64>().sqrt();
+    let [x, y, z] = axis.map(|c| c / norm);
+    let (s, c) = angle.sin_cos();
+    let cross = [[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]];
+    let n = [x, y, z];
+    std::array::from_fn(|i| {
+        std::array::from_fn(|j| f64::from(u8::from(i == j)) * c + s * cross[i][j] + (1.0 - c) * n[i] * n[j])
+    })
+}
+
+pub(crate) fn times(a: Matrix, b: Matrix) -> Matrix {
+    std::array::from_fn(|i| std::array::from_fn(|j| (0..3).map(|k| a[i][k] * b[k][j]).sum()))
+}
+
+pub(crate) fn transposed(a: Matrix) -> Matrix {
+    std::array::from_fn(|i| std::array::from_fn(|j| a[j][i]))
+}
+
+pub(crate) fn applied(a: Matrix, v: [f64; 3]) -> [f64; 3] {
+    a.map(|row| (0..3).map(|k| row[k] * v[k]).sum())
+}
+
+pub(crate) fn plus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    std::array::from_fn(|k| a[k] + b[k])
+}
+
+#[track_caller]
+pub(crate) fn assert_near(a: &Matrix, b: &Matrix, tolerance: f64) {
+    let worst = a.as_flattened().iter().zip(b.as_flattened()).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    assert!(worst <= tolerance, "off by {worst:e}\n{a:?}\n{b:?}");
+}
+
+#[track_caller]
+pub(crate) fn assert_close(a: [f64; 3], b: [f64; 3], tolerance: f64) {
+    let worst = (0..3).map(|k| (a[k] - b[k]).abs()).fold(0.0, f64::max);
+    assert!(worst <= tolerance, "off by {worst:e}\n{a:?}\n{b:?}");
+}

@@ -1,5 +1,6 @@
 //! Which files are robot models: by their ending, and where that is not enough by their root element.
 
+use std::ffi::OsStr;
 use std::fs::{self, File};
 use std::io::{BufRead as _, BufReader};
 use std::path::Path;
@@ -10,7 +11,7 @@ use polhode_robot::read::format_of;
 ///
 /// SDF is the name of two formats: SDFormat is XML and begins with `<`, a structure-data file of molecules does not.
 pub(crate) fn is_model(path: &Path) -> bool {
-    let ending = path.extension().map(|ending| ending.to_ascii_lowercase());
+    let ending = path.extension().map(OsStr::to_ascii_lowercase);
     match ending.as_ref().and_then(|ending| ending.to_str()) {
         Some("urdf") => path.is_file(),
         Some("sdf" | "world" | "xml" | "mjcf") => path.is_file() && has_model_root(path),

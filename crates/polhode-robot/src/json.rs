@@ -4,8 +4,8 @@ use serde_json::{Map, Value, json};
 
 use crate::finding::{Finding, Repair};
 use crate::line_index::LineIndex;
-use crate::report::{CheckReport, Counts, Fixed, format_name, place, severity_name};
 use crate::repair::Left;
+use crate::report::{CheckReport, Counts, Fixed, format_name, place, severity_name};
 
 impl CheckReport {
     /// One object: `file`, `format`, `links`, `inertials`, `counts`, `findings`; `fix` where repairs were asked for.

@@ -4,7 +4,7 @@ use polhode_report::plain::{columns, number, plain_spaces, printable};
 
 use crate::check::{LinkGeometry, MadeOf};
 use crate::finding::Severity;
-use crate::model::{Inertial, Link, Tensor};
+use crate::model::{Inertial, Link, Slot, Tensor};
 use crate::moments::Moments;
 use crate::report::{CheckReport, format_name, severity_name};
 
@@ -13,7 +13,18 @@ const DIGITS: usize = 4;
 
 /// The heads of the columns, units within.
 const HEADS: [&str; 13] = [
-    "link", "mass/kg", "x/mm", "y/mm", "z/mm", "i1/kg·m²", "i2/kg·m²", "i3/kg·m²", "a/mm", "b/mm", "c/mm", "kg/m³",
+    "link",
+    "mass/kg",
+    "x/mm",
+    "y/mm",
+    "z/mm",
+    "i1/kg·m²",
+    "i2/kg·m²",
+    "i3/kg·m²",
+    "a/mm",
+    "b/mm",
+    "c/mm",
+    "kg/m³",
     "verdict",
 ];
 
@@ -69,9 +80,9 @@ fn row(link: &Link, geometry: &LinkGeometry, verdict: &str) -> Vec<String> {
 fn moments(inertial: &Inertial) -> Option<Moments> {
     let elements = match &inertial.tensor {
         Tensor::Missing(_) => return None,
-        Tensor::Six(slots) => slots.each_ref().map(|slot| slot.finite()),
+        Tensor::Six(slots) => slots.each_ref().map(Slot::finite),
         Tensor::Diagonal(slots) => {
-            let [a, b, c] = slots.each_ref().map(|slot| slot.finite());
+            let [a, b, c] = slots.each_ref().map(Slot::finite);
             [a, b, c, Some(0.0), Some(0.0), Some(0.0)]
         }
     };

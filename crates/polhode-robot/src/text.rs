@@ -8,8 +8,8 @@ use polhode_report::plain::{WIDTH, plain_spaces, printable, wrap};
 
 use crate::finding::{Finding, Severity};
 use crate::line_index::LineIndex;
-use crate::report::{CheckReport, Counts, Fixed, format_name, place};
 use crate::repair::{Left, Repaired};
+use crate::report::{CheckReport, Counts, Fixed, format_name, place};
 
 /// What stands below the line of a finding is this far in.
 const INDENT: &str = "    ";
@@ -68,8 +68,13 @@ impl CheckReport {
         let advice = match (changes, rest) {
             (0, 0) => return,
             (0, _) => format!("{} you: no repair can be proved.", needs(rest)),
-            (_, 0) => format!("--fix OUT would change {} of the text, and leave none of these.", many(changes, "place")),
-            _ => format!("--fix OUT would change {} of the text; {} you.", many(changes, "place"), needs(rest)),
+            (_, 0) => format!(
+                "--fix OUT would change {} of the text, and leave none of these.",
+                many(changes, "place")
+            ),
+            _ => {
+                format!("--fix OUT would change {} of the text; {} you.", many(changes, "place"), needs(rest))
+            }
         };
         let _ = writeln!(text, "\n{advice}");
     }
@@ -79,7 +84,11 @@ impl CheckReport {
         text.push('\n');
         for Left { finding, why } in &repaired.left {
             if let Some(finding) = self.findings.get(*finding) {
-                paragraph(text, "not repaired: ", &format!("{} [{}]: {}", subject(finding), finding.code, why.in_words()));
+                paragraph(
+                    text,
+                    "not repaired: ",
+                    &format!("{} [{}]: {}", subject(finding), finding.code, why.in_words()),
+                );
             }
         }
         let rest = remaining.iter().filter(|f| f.severity > Severity::Note).count();

@@ -277,7 +277,7 @@ fn robots_are_asked_for_a_link() {
     let text = run(&["--link", "elbow"]);
     assert!(text.contains("no link \"elbow\"") && text.contains("upper_arm"), "{text}");
     let text = run(&["--link", "tool"]);
-    assert!(text.contains("has no mass") && text.contains("arm.urdf:53:"), "{text}");
+    assert!(text.contains("has no mass") && text.contains("arm.urdf:47:"), "{text}");
     let text = run(&["--lump", "--joint", "knee=1"]);
     assert!(text.contains("knee") && text.contains("shoulder, elbow, wrist"), "{text}");
     let text = run(&["--lump", "--joint", "elbow=1 m"]);

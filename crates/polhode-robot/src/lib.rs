@@ -2,8 +2,10 @@
 //!
 //! - [`model`]: what a file says: links, inertials, geometry, joints, and where each number stands
 //! - [`read`]: files in, models out
+//! - [`geometry`]: what the shapes of a link enclose
 //! - [`mod@check`]: the rules
-//! - [`finding`]: what is wrong with it, why, and what would repair it
+//! - [`finding`]: what is wrong with a model, why, and what would repair it
+//! - [`inspect`]: a model with its shapes measured and its rules checked
 //! - [`repair`]: the text with repairs made, every other byte as it was
 //! - [`report`]: all that for people and for programs
 //! - [`body`]: a link's mass properties in its own frame
@@ -14,6 +16,8 @@
 pub mod body;
 pub mod check;
 pub mod finding;
+pub mod geometry;
+pub mod inspect;
 mod json;
 pub mod line_index;
 pub mod lump;

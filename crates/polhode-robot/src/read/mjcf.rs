@@ -108,24 +108,19 @@ impl<'a> Reader<'a, '_> {
         let class = world.word("childclass");
         let mut branches = vec![Branch { element: world, link: None, frame: Pose::IDENTITY, class }];
         while let Some(branch) = branches.pop() {
+            let branch = match branch.element.name() {
+                "body" => self.body(&branch),
+                "frame" => self.frame(&branch),
+                _ => branch,
+            };
             let first = branches.len();
             for child in branch.element.children() {
                 match child.name() {
-                    "body" => branches.push(self.body(child, &branch)),
-                    "frame" => {
-                        let pose = self.pose(child, &Source::of(child));
-                        let class = child.word("childclass").or(branch.class);
-                        branches.push(Branch {
-                            element: child,
-                            frame: branch.frame.then(&pose),
-                            class,
-                            ..branch
-                        });
-                    }
+                    "body" | "frame" => branches.push(Branch { element: child, ..branch.clone() }),
                     "geom" => self.geom(child, &branch),
                     "joint" | "freejoint" => self.joint(child, &branch),
                     "composite" | "flexcomp" | "replicate" | "attach" | "include" => {
-                        self.left_out(child, &branch)
+                        self.left_out(child, &branch);
                     }
                     _ => {}
                 }
@@ -136,7 +131,17 @@ impl<'a> Reader<'a, '_> {
         }
     }
 
-    fn body(&mut self, element: Element<'a>, branch: &Branch<'a>) -> Branch<'a> {
+    /// What stands in a `<frame>`: its own place and class, and the body around it.
+    fn frame(&self, branch: &Branch<'a>) -> Branch<'a> {
+        let element = branch.element;
+        let pose = self.pose(element, &Source::of(element));
+        let class = element.word("childclass").or(branch.class);
+        Branch { frame: branch.frame.then(&pose), class, ..branch.clone() }
+    }
+
+    /// Takes up a body that stands in a branch.
+    fn body(&mut self, branch: &Branch<'a>) -> Branch<'a> {
+        let element = branch.element;
         let start = element.span().start;
         let index = self.model.links.len();
         let name = element.attribute("name").map_or_else(

@@ -1,0 +1,287 @@
+//! What the shapes of a link enclose: volume, centroid and tensor at a density of 1, in the link's frame.
+//!
+//! Volumes of several shapes add; what they share counts for each of them. A mesh that bounds no solid stands for its convex hull, and
+//! says so. Scale is applied to the moments, once: with S = diag(s), x' = S x,
+//!
+//! V' = |det S| V,  c' = S c,  ∫x'x'ᵀ dV' = |det S| S (∫x xᵀ dV) S,
+//!
+//! so a mirror turns the signs of two products and leaves the volume positive. The hull of a scaled mesh is the scaled hull.
+
+mod primitive;
+
+use std::collections::HashMap;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use polhode::{ClosedMesh, ConvexHull, MassProperties, Part, Shape, Substance, TriangleMesh};
+use polhode_formats::mesh::{MeshContents, MeshFormat, MeshSolid};
+
+use crate::model::{Geometry, GeometryShape, Link, Role, Span};
+use crate::pose::{dot, sum};
+use primitive::Primitive;
+
+/// What a shape, or several, enclose. All of it is in the link's frame.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Volume {
+    /// m³, positive.
+    pub volume: f64,
+    /// m
+    pub centroid: [f64; 3],
+    /// About the centroid, along the link's axes, at 1 kg/m³: kg·m² for a volume in m³. Elements of the tensor (−∫xy dV).
+    pub tensor_per_density: [[f64; 3]; 3],
+    /// The distance of the farthest point from the link's origin, m; of an ellipsoid, a bound of it.
+    pub extent: f64,
+    /// The least and the greatest x, y, z, m.
+    pub bounds: [[f64; 3]; 2],
+    /// How it was found.
+    pub kind: VolumeKind,
+}
+
+/// How a volume was found, in the order of trust.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum VolumeKind {
+    /// All of it is bounded by closed meshes.
+    Closed,
+    /// At least some of it is boxes, spheres, cylinders …, and nothing is a hull.
+    Primitives,
+    /// At least some of it is the convex hull of a mesh that bounds no solid.
+    Hull,
+}
+
+/// The volume of one set of a link's shapes: all that is seen, or all that is touched.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct LinkVolume {
+    /// The shapes that could be measured, as one; `None` if there are none.
+    pub volume: Option<Volume>,
+    /// Those that could not, and why: then the volume and its bounds are not those of the whole set.
+    pub left_out: Vec<(Span, String)>,
+}
+
+/// Measures shapes; each mesh file is read once.
+///
+/// ```
+/// use polhode_robot::{geometry::Shapes, model::Role, read};
+/// let text = r#"<robot><link name="a"><collision><origin xyz="1 0 0"/>
+///     <geometry><box size="1 2 3"/></geometry></collision></link></robot>"#;
+/// let model = read::read_text(text, "a.urdf".as_ref(), &read::ReadOptions::default())?;
+/// let solid = Shapes::default().link(&model.links[0], Role::Collision).volume.unwrap();
+/// assert_eq!((solid.volume, solid.centroid), (6.0, [1.0, 0.0, 0.0]));
+/// assert_eq!(solid.tensor_per_density[2][2], 6.0 * (1.0 + 4.0) / 12.0);
+/// assert_eq!(solid.bounds, [[0.5, -1.0, -1.5], [1.5, 1.0, 1.5]]);
+/// # Ok::<(), polhode_formats::FormatError>(())
+/// ```
+#[derive(Debug, Default)]
+pub struct Shapes {
+    meshes: HashMap<PathBuf, Result<Arc<Mesh>, String>>,
+}
+
+/// A mesh file as it is written, in metres and its own frame.
+#[derive(Debug)]
+struct Mesh {
+    solid: Solid,
+    vertices: Vec<[f64; 3]>,
+    kind: VolumeKind,
+}
+
+/// Volume and moments of a solid in its own frame.
+#[derive(Clone, Copy, Debug)]
+struct Solid {
+    volume: f64,
+    centroid: [f64; 3],
+    /// About the centroid at a density of 1.
+    tensor: [[f64; 3]; 3],
+}
+
+impl Shapes {
+    /// All shapes of a link that have this role, as one.
+    pub fn link(&mut self, link: &Link, role: Role) -> LinkVolume {
+        let mut set = LinkVolume::default();
+        for geometry in link.geometry.iter().filter(|geometry| geometry.role == role) {
+            match self.geometry(geometry) {
+                Ok(volume) => {
+                    set.volume = Some(match set.volume.take() {
+                        Some(others) => others.joined(&volume),
+                        None => volume,
+                    });
+                }
+                Err(why) => set.left_out.push((geometry.span.clone(), why)),
+            }
+        }
+        set
+    }
+
+    /// One shape.
+    ///
+    /// # Errors
+    /// In words, why it has no volume: a size that is none, a mesh that cannot be found or read or is flat, a plane.
+    pub fn geometry(&mut self, geometry: &Geometry) -> Result<Volume, String> {
+        let (solid, reach, kind) = match &geometry.shape {
+            GeometryShape::Other(what) => return Err(format!("{what} has no volume")),
+            GeometryShape::Mesh { uri, path, scale } => {
+                let path = path.as_ref().map_err(|why| format!("{:?}: {why}", uri.text))?;
+                let mesh = self.mesh(path).map_err(|why| format!("{:?}: {why}", uri.text))?;
+                let scaled = |v: &[f64; 3]| geometry.pose.placed([0, 1, 2].map(|k| scale[k] * v[k]));
+                let reach = Reach::of(mesh.vertices.iter().map(scaled));
+                (mesh.solid.scaled(*scale)?, reach, mesh.kind)
+            }
+            shape => {
+                let primitive = Primitive::of(shape).map_err(|error| error.to_string())?;
+                let reach = primitive.reach(&geometry.pose);
+                (
+                    Solid::of(
+                        &primitive
+                            .shape
+                            .mass_properties(Substance::Density(1.0))
+                            .map_err(|e| e.to_string())?,
+                    ),
+                    reach,
+                    VolumeKind::Primitives,
+                )
+            }
+        };
+        let volume = Volume {
+            volume: solid.volume,
+            centroid: geometry.pose.placed(solid.centroid),
+            tensor_per_density: geometry.pose.turned_tensor(solid.tensor),
+            extent: reach.extent,
+            bounds: reach.bounds,
+            kind,
+        };
+        let numbers = volume.tensor_per_density.as_flattened().iter().chain(volume.bounds.as_flattened());
+        if numbers.chain(&volume.centroid).all(|x| x.is_finite()) && volume.volume.is_finite() {
+            Ok(volume)
+        } else {
+            Err("its moments are beyond the largest double".to_owned())
+        }
+    }
+
+    fn mesh(&mut self, path: &Path) -> Result<Arc<Mesh>, String> {
+        if let Some(known) = self.meshes.get(path) {
+            return known.clone();
+        }
+        let mesh = Mesh::read(path).map(Arc::new);
+        self.meshes.insert(path.to_owned(), mesh.clone());
+        mesh
+    }
+}
+
+impl Volume {
+    /// Both as one: c = Σ V_k c_k / V,  I = Σ (I_k + V_k (d² 1 − d dᵀ)),  d = c_k − c.
+    fn joined(&self, other: &Self) -> Self {
+        let volume = self.volume + other.volume;
+        let weights = [self.volume / volume, other.volume / volume];
+        let centroid = [0, 1, 2].map(|k| weights[0] * self.centroid[k] + weights[1] * other.centroid[k]);
+        let moved = |part: &Self| {
+            let d = [0, 1, 2].map(|k| part.centroid[k] - centroid[k]);
+            let square = dot(d, d);
+            let shift = |i: usize, j: usize| part.volume * (if i == j { square } else { 0.0 } - d[i] * d[j]);
+            [0, 1, 2].map(|i| [0, 1, 2].map(|j| part.tensor_per_density[i][j] + shift(i, j)))
+        };
+        let (a, b) = (moved(self), moved(other));
+        let [low, high] = self.bounds;
+        let [other_low, other_high] = other.bounds;
+        Self {
+            volume,
+            centroid,
+            tensor_per_density: [0, 1, 2].map(|k| sum(a[k], b[k])),
+            extent: self.extent.max(other.extent),
+            bounds: [
+                [0, 1, 2].map(|k| low[k].min(other_low[k])),
+                [0, 1, 2].map(|k| high[k].max(other_high[k])),
+            ],
+            kind: if self.kind == other.kind {
+                self.kind
+            } else {
+                self.kind.max(other.kind).max(VolumeKind::Primitives)
+            },
+        }
+    }
+}
+
+impl Solid {
+    fn of(body: &MassProperties<Part>) -> Self {
+        let centroid = body.center_of_mass().to_array();
+        Self { volume: body.mass(), centroid, tensor: body.inertia().matrix() }
+    }
+
+    fn scaled(self, scale: [f64; 3]) -> Result<Self, String> {
+        let factor = (scale[0] * scale[1] * scale[2]).abs();
+        if !(factor > 0.0 && factor.is_finite()) {
+            return Err(format!("its scale {scale:?} leaves no volume"));
+        }
+        if scale == [1.0; 3] {
+            return Ok(self);
+        }
+        // I = tr(C) 1 − C, so C = ½ tr(I) 1 − I
+        let trace = |m: &[[f64; 3]; 3]| m[0][0] + m[1][1] + m[2][2];
+        let half = 0.5 * trace(&self.tensor);
+        let one = |i: usize, j: usize| if i == j { 1.0 } else { 0.0 };
+        let moments = [0, 1, 2].map(|i| {
+            [0, 1, 2].map(|j| factor * scale[i] * scale[j] * (half * one(i, j) - self.tensor[i][j]))
+        });
+        let sum = trace(&moments);
+        Ok(Self {
+            volume: factor * self.volume,
+            centroid: [0, 1, 2].map(|k| scale[k] * self.centroid[k]),
+            tensor: [0, 1, 2].map(|i| [0, 1, 2].map(|j| sum * one(i, j) - moments[i][j])),
+        })
+    }
+}
+
+impl Mesh {
+    fn read(path: &Path) -> Result<Self, String> {
+        let Some(format) = MeshFormat::of_path(path) else {
+            let ending =
+                path.extension().map_or_else(String::new, |ending| ending.to_string_lossy().into_owned());
+            return Err(format!("polhode reads no .{ending} meshes"));
+        };
+        let contents = MeshContents::read(path, format).map_err(|error| error.message())?;
+        let one = contents.clone().in_metres(None).as_one().map_err(|error| error.to_string())?;
+        let Some(all) = one.parts.into_iter().next() else { return Err("it has no triangles".to_owned()) };
+        match MeshSolid::of(contents, path, format, None) {
+            Ok(solid) => {
+                let bodies =
+                    solid.parts.iter().map(|part| part.mesh.mass_properties(Substance::Density(1.0)));
+                let bodies: Vec<_> = bodies.collect::<Result<_, _>>().map_err(|error| error.to_string())?;
+                let body = MassProperties::combined(&bodies).map_err(|error| error.to_string())?;
+                let vertices =
+                    solid.parts.iter().flat_map(|part| part.mesh.surface().vertices().iter().copied());
+                Ok(Self { solid: Solid::of(&body), vertices: vertices.collect(), kind: VolumeKind::Closed })
+            }
+            Err(_) => Self::hull(&all.mesh),
+        }
+    }
+
+    /// The convex hull of the corners of all triangles.
+    fn hull(mesh: &TriangleMesh) -> Result<Self, String> {
+        let corners: Vec<[f64; 3]> = mesh.corners().flatten().collect();
+        let surface = ConvexHull::of(&corners).map_err(|error| error.to_string())?;
+        let solid = ClosedMesh::of(&surface).map_err(|error| error.to_string())?;
+        let body = solid.mass_properties(Substance::Density(1.0)).map_err(|error| error.to_string())?;
+        let vertices = solid.surface().vertices().to_vec();
+        Ok(Self { solid: Solid::of(&body), vertices, kind: VolumeKind::Hull })
+    }
+}
+
+/// How far something goes, in the link's frame.
+#[derive(Clone, Copy, Debug)]
+struct Reach {
+    extent: f64,
+    bounds: [[f64; 3]; 2],
+}
+
+impl Reach {
+    /// Of points, and of what is convex around them.
+    fn of(points: impl Iterator<Item = [f64; 3]>) -> Self {
+        let mut bounds = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
+        let mut square = 0.0_f64;
+        for point in points {
+            square = square.max(dot(point, point));
+            for (k, c) in point.into_iter().enumerate() {
+                bounds[0][k] = bounds[0][k].min(c);
+                bounds[1][k] = bounds[1][k].max(c);
+            }
+        }
+        Self { extent: square.sqrt(), bounds }
+    }
+}

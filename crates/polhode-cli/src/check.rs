@@ -8,10 +8,10 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use polhode_formats::FormatError;
 use polhode_report::pretty;
-use polhode_robot::check::{LinkGeometry, check};
 use polhode_robot::finding::{Finding, Severity};
-use polhode_robot::model::RobotModel;
-use polhode_robot::read::{ReadOptions, read_model};
+use polhode_robot::geometry::Shapes;
+use polhode_robot::inspect::{Inspection, inspect};
+use polhode_robot::read::{ReadOptions, read_model, read_text};
 use polhode_robot::report::CheckReport;
 use serde_json::{Value, json};
 
@@ -62,10 +62,11 @@ impl Check {
         let target = self.fix.target(&inputs)?;
         let (mut texts, mut values) = (Vec::new(), Vec::new());
         let (mut errors, mut found) = (Vec::new(), false);
+        let mut shapes = Shapes::default();
         let mut progress = FileProgress::new(inputs.len());
         for file in &inputs {
             progress.next(file);
-            let report = match self.report(file) {
+            let report = match self.report(file, &mut shapes) {
                 Ok(report) => report,
                 Err(error) => {
                     values.push(unreadable(&error));
@@ -74,7 +75,7 @@ impl Check {
                 }
             };
             let report = match target {
-                Some(target) => fix::fixed(report, target, |text| self.findings_in(text, file))?,
+                Some(target) => fix::fixed(report, target, |text| self.findings_in(text, file, &mut shapes))?,
                 None => report,
             };
             found |= self.fails(report.fixed.as_ref().map_or(&report.findings, |fixed| &fixed.remaining));
@@ -98,16 +99,16 @@ impl Check {
         }
     }
 
-    fn report(&self, file: &Path) -> Result<CheckReport, FormatError> {
+    fn report(&self, file: &Path, shapes: &mut Shapes) -> Result<CheckReport, FormatError> {
         let model = read_model(file, &self.reading())?;
-        let (geometry, findings) = checked(&model);
+        let Inspection { geometry, findings } = inspect(&model, shapes);
         Ok(CheckReport { model, geometry, findings, fixed: None })
     }
 
     /// What is found in a text in place of the file's.
-    fn findings_in(&self, text: &str, file: &Path) -> Result<Vec<Finding>, FormatError> {
-        let model = polhode_robot::read::read_text(text, file, &self.reading())?;
-        Ok(checked(&model).1)
+    fn findings_in(&self, text: &str, file: &Path, shapes: &mut Shapes) -> Result<Vec<Finding>, FormatError> {
+        let model = read_text(text, file, &self.reading())?;
+        Ok(inspect(&model, shapes).findings)
     }
 
     fn reading(&self) -> ReadOptions {
@@ -119,13 +120,6 @@ impl Check {
         let least = if self.strict { Severity::Note } else { Severity::Suspect };
         findings.iter().any(|finding| finding.severity >= least)
     }
-}
-
-/// What a model's links look like, and what is wrong with it: what was noticed on the way too, in the order of the file.
-fn checked(model: &RobotModel) -> (Vec<LinkGeometry>, Vec<Finding>) {
-    let geometry = vec![LinkGeometry::default(); model.links.len()];
-    let findings = check(model, &geometry);
-    (geometry, findings)
 }
 
 /// A file that cannot be read, in the array of those that can.

@@ -35,47 +35,58 @@ mod unit;
 mod written;
 
 use crate::finding::{Finding, Repair, Severity};
-use crate::model::{Link, RobotModel, Span};
-use crate::moments::Elements;
+use crate::geometry::{Shapes, Volume};
+use crate::model::{Link, RobotModel, Role, Span};
 use body::Body;
 use print::Print;
 use tree::Tree;
 
-/// A solid that a link's geometry makes, in the link's frame.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Shape {
-    /// m³
-    pub volume: f64,
-    /// m
-    pub centroid: [f64; 3],
-    /// About the centroid, along the link's axes, at 1 kg/m³.
-    pub tensor: Elements,
-    /// What it was made of.
-    pub made_of: MadeOf,
-}
-
-/// How far a shape can be trusted to be the body's own.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum MadeOf {
-    /// Closed meshes: drawn after the body.
-    Meshes,
-    /// Boxes, spheres, cylinders: often drawn around it, or for a part of it.
-    Primitives,
-}
-
-/// The geometry of one link.
+/// What the geometry of one link says of it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct LinkGeometry {
-    /// The solids that it may be, such as all that is seen and all that is touched. One that fits is enough.
-    pub shapes: Vec<Shape>,
-    /// The least and the greatest x, y, z of all its geometry, in the link's frame; `None` if there is none.
+    /// The solids that it may be: all that is seen, and all that is touched. One that fits is enough.
+    pub volumes: Vec<Volume>,
+    /// The least and the greatest x, y, z of all of them, in the link's frame; `None` if there are none.
     pub bounds: Option<[[f64; 3]; 2]>,
+}
+
+impl LinkGeometry {
+    /// The sets of a link's shapes that can be measured as a whole. Half of a body says nothing of it.
+    pub fn of(link: &Link, shapes: &mut Shapes) -> Self {
+        let mut geometry = Self::default();
+        for role in [Role::Visual, Role::Collision] {
+            let set = shapes.link(link, role);
+            let Some(volume) = set.volume.filter(|_| set.left_out.is_empty()) else { continue };
+            geometry.bounds = Some(geometry.bounds.map_or(volume.bounds, |[low, high]| {
+                let [other_low, other_high] = volume.bounds;
+                [[0, 1, 2].map(|k| low[k].min(other_low[k])), [0, 1, 2].map(|k| high[k].max(other_high[k]))]
+            }));
+            geometry.volumes.push(volume);
+        }
+        geometry
+    }
 }
 
 /// Everything wrong with a model, by place in the file. `geometry[k]` belongs to `model.links[k]`; what is not there
 /// is not asked about.
 ///
 /// It takes a time linear in links and joints, and never recurses.
+///
+/// ```
+/// use polhode_robot::check::{LinkGeometry, check};
+/// use polhode_robot::geometry::Shapes;
+/// use polhode_robot::read::{ReadOptions, read_text};
+///
+/// let text = r#"<robot><link name="hull"><inertial><mass value="1.5"/>
+///     <inertia ixx="0.0347563" iyy="0.0458929" izz="0.0977" ixy="0" ixz="0" iyz="0"/></inertial></link></robot>"#;
+/// let model = read_text(text, "iris.urdf".as_ref(), &ReadOptions::default())?;
+/// let mut shapes = Shapes::default();
+/// let geometry: Vec<_> = model.links.iter().map(|link| LinkGeometry::of(link, &mut shapes)).collect();
+/// let findings = check(&model, &geometry);
+/// assert_eq!(findings[0].code, "inertia.triangle");
+/// assert_eq!(findings[0].message, "i1 + i2 = 0.0806492 < i3 = 0.0977 kg·m² (by 0.0170508)");
+/// # Ok::<(), polhode_formats::FormatError>(())
+/// ```
 pub fn check(model: &RobotModel, geometry: &[LinkGeometry]) -> Vec<Finding> {
     let tree = Tree::of(model);
     let print = Print::of(model);
@@ -94,6 +105,7 @@ pub fn check(model: &RobotModel, geometry: &[LinkGeometry]) -> Vec<Finding> {
         }
         bodies.push(body);
     }
+    numbers::elsewhere(model, &mut findings);
     pair::check(&bodies, &mut findings);
     placeholder::repeated(&bodies, &mut findings);
     findings.sort_by_key(|f| f.span.start);
@@ -104,14 +116,14 @@ pub fn check(model: &RobotModel, geometry: &[LinkGeometry]) -> Vec<Finding> {
 fn of_body(body: &Body, carried: bool) -> Vec<Finding> {
     let mut findings = Vec::new();
     if possible::check(body, carried, &mut findings) {
-        explain::check(body, &mut findings);
+        // One reason for a wrong tensor is enough: the surest is asked first.
+        let rules = [explain::check, placeholder::check, gyration::check];
+        for rule in rules {
+            if findings.iter().all(|f| f.severity < Severity::Suspect) {
+                rule(body, &mut findings);
+            }
+        }
         density::check(body, &mut findings);
-        if findings.is_empty() {
-            placeholder::check(body, &mut findings);
-        }
-        if !findings.iter().any(|f| f.severity >= Severity::Suspect) {
-            gyration::check(body, &mut findings);
-        }
     } else {
         order::check_alone(body, &mut findings);
     }

@@ -77,7 +77,13 @@ fn around([a, b]: [[f64; 3]; 2], [c, d]: [[f64; 3]; 2]) -> [[f64; 3]; 2] {
 }
 
 fn unmeasured(link: &Link, span: &Span, why: &str) -> Finding {
-    note("geometry.unreadable", &link.name.text, span, why, "what cannot be measured is not compared with the inertia")
+    note(
+        "geometry.unreadable",
+        &link.name.text,
+        span,
+        why,
+        "what cannot be measured is not compared with the inertia",
+    )
 }
 
 fn of_note(note: &Note) -> Finding {

@@ -121,6 +121,11 @@ pub(crate) fn matrix(&[xx, yy, zz, xy, xz, yz]: &Elements) -> [[f64; 3]; 3] {
     [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]
 }
 
+/// The six elements of a symmetric matrix.
+pub(crate) fn elements(m: &[[f64; 3]; 3]) -> Elements {
+    PLACES.map(|(i, j)| m[i][j])
+}
+
 /// √Σ I_ij² over all nine.
 pub(crate) fn norm(&[xx, yy, zz, xy, xz, yz]: &Elements) -> f64 {
     (xx * xx + yy * yy + zz * zz + 2.0 * (xy * xy + xz * xz + yz * yz)).sqrt()

@@ -63,7 +63,7 @@ impl FixFlags {
 pub(super) fn fixed(
     report: CheckReport,
     out: &Path,
-    check: impl Fn(&str) -> Result<Vec<Finding>, FormatError>,
+    mut check: impl FnMut(&str) -> Result<Vec<Finding>, FormatError>,
 ) -> Result<CheckReport, Failure> {
     let unreadable = |error: FormatError| {
         Failure::usage(
@@ -71,7 +71,7 @@ pub(super) fn fixed(
             "this is a mistake of polhode's: please report it, with the model",
         )
     };
-    let repaired = proved(&report.model, &report.findings, &check).map_err(unreadable)?;
+    let repaired = proved(&report.model, &report.findings, &mut check).map_err(unreadable)?;
     let remaining = if repaired.applied.is_empty() {
         report.findings.clone()
     } else {

@@ -1,9 +1,12 @@
 //! A link whose mass and tensor can be read, seen in its own frame.
 
+use super::LinkGeometry;
 use super::print::Print;
-use super::{LinkGeometry, Shape};
+use crate::geometry::Volume;
 use crate::model::{Inertial, Link, Number, Slot, Span, Tensor};
-use crate::moments::{Elements, Moments, difference, norm, rotated, rotation_matrix, scaled, transposed};
+use crate::moments::{
+    Elements, Moments, difference, elements, norm, rotated, rotation_matrix, scaled, transposed,
+};
 
 /// The names of a tensor's elements, in the order of [`Elements`].
 pub(super) const NAMES: [&str; 6] = ["ixx", "iyy", "izz", "ixy", "ixz", "iyz"];
@@ -96,24 +99,24 @@ impl<'m> Body<'m> {
         Some(square.sqrt()).filter(|r| r.is_finite() && *r > 0.0)
     }
 
-    /// The tensor along the link's axes that a shape has with this mass, about its centroid.
-    pub(super) fn implied(&self, shape: &Shape) -> Elements {
-        scaled(&shape.tensor, self.mass / shape.volume)
+    /// The tensor along the link's axes that a solid has with this mass, about its centroid.
+    pub(super) fn implied(&self, solid: &Volume) -> Elements {
+        scaled(&elements(&solid.tensor_per_density), self.mass / solid.volume)
     }
 
-    /// The shapes that a tensor can be compared with.
-    pub(super) fn shapes(&self) -> impl Iterator<Item = &'m Shape> {
-        self.geometry.shapes.iter().filter(|s| {
-            let sound = s.volume > 0.0 && s.volume.is_finite() && s.tensor.iter().all(|x| x.is_finite());
-            sound && norm(&s.tensor) > 0.0
+    /// The solids that a tensor can be compared with.
+    pub(super) fn solids(&self) -> impl Iterator<Item = &'m Volume> {
+        self.geometry.volumes.iter().filter(|solid| {
+            let size = norm(&elements(&solid.tensor_per_density));
+            solid.volume > 0.0 && solid.volume.is_finite() && size > 0.0 && size.is_finite()
         })
     }
 
-    /// How far a tensor along the link's axes is from the nearest shape's, as a part of it; `None` without shapes.
+    /// How far a tensor along the link's axes is from the nearest solid's, as a part of it; `None` without solids.
     pub(super) fn misfit(&self, tensor: &Elements) -> Option<f64> {
-        self.shapes()
-            .map(|shape| {
-                let implied = self.implied(shape);
+        self.solids()
+            .map(|solid| {
+                let implied = self.implied(solid);
                 norm(&difference(tensor, &implied)) / norm(&implied)
             })
             .min_by(f64::total_cmp)

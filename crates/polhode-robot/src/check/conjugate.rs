@@ -4,11 +4,11 @@
 //! the inverse rotation) gives Rᵀ I R, which is as possible, and only the geometry can tell. So with numbers along the
 //! link's axes beside an attitude that is left over, and with (x, y, z, w) where (w, x, y, z) belongs.
 
-use super::body::Body;
-use super::explain::Explanation;
+use super::explain::{Candidates, Explanation};
 use crate::moments::{rotated, rotation_matrix, transposed};
 
-pub(super) fn explain(body: &Body, explanations: &mut Vec<Explanation>) {
+pub(super) fn explain(candidates: &mut Candidates) {
+    let body = candidates.body;
     let [w, x, y, z] = body.inertial.pose.rotation;
     if [x, y, z] == [0.0; 3] {
         return;
@@ -22,12 +22,11 @@ pub(super) fn explain(body: &Body, explanations: &mut Vec<Explanation>) {
         ("quaternion x y z w in the place of w x y z", rotation_matrix([z, w, x, y])),
     ];
     for (mistake, rotation) in mistakes {
-        explanations.push(Explanation {
+        candidates.offer(rotated(&body.written, &rotation), || Explanation {
             code: "inertia.conjugate",
             mistake: mistake.to_owned(),
             rule: "the attitude of an inertial takes its components to the link's: I_link = R I Rᵀ",
             span: body.inertial.pose.span.clone().unwrap_or(body.inertial.span.clone()),
-            tensor: rotated(&body.written, &rotation),
             edits: Vec::new(),
         });
     }

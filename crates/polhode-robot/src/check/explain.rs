@@ -22,69 +22,79 @@ const BEYOND_ROUNDING: f64 = 3.0;
 /// Tensors this near to each other mean the same.
 const SAME: f64 = 1e-3;
 
-/// A mistake, undone.
+/// A mistake.
 #[derive(Debug)]
 pub(super) struct Explanation {
     pub(super) code: &'static str,
-    /// The mistake: `"the products have the other sign"`.
+    /// `"the products have the other sign"`
     pub(super) mistake: String,
     pub(super) rule: &'static str,
     /// Where.
     pub(super) span: Span,
-    /// Without the mistake, along the link's axes.
-    pub(super) tensor: Elements,
     /// The text without the mistake, where that is only numbers.
     pub(super) edits: Vec<(Span, String)>,
 }
 
-/// The mistake that explains why the tensor is not its geometry's, if one does.
-pub(super) fn check(body: &Body, findings: &mut Vec<Finding>) {
-    let Some(as_written) = body.misfit(&body.tensor) else { return };
-    let mut explanations = Vec::new();
-    unit::explain(body, &mut explanations);
-    order::explain(body, &mut explanations);
-    sign::explain(body, &mut explanations);
-    origin::explain(body, &mut explanations);
-    conjugate::explain(body, &mut explanations);
-    findings.extend(best(body, as_written, explanations, Severity::Suspect));
+/// The mistakes that explain a body's tensor.
+#[derive(Debug)]
+pub(super) struct Candidates<'b, 'm> {
+    pub(super) body: &'b Body<'m>,
+    as_written: f64,
+    /// Misfit and tensor without the mistake.
+    fits: Vec<(f64, Elements, Explanation)>,
 }
 
-/// The finding of the explanation that fits best, if it fits well enough.
-pub(super) fn best(
-    body: &Body,
-    as_written: f64,
-    explanations: Vec<Explanation>,
-    severity: Severity,
-) -> Option<Finding> {
-    let rounding = norm(&body.rounding) / norm(&body.tensor).max(f64::MIN_POSITIVE);
-    if as_written <= BEYOND_ROUNDING * rounding {
-        return None;
+impl<'b, 'm> Candidates<'b, 'm> {
+    /// `None` if there is nothing to compare with, or nothing to explain.
+    pub(super) fn of(body: &'b Body<'m>) -> Option<Self> {
+        let as_written = body.misfit(&body.tensor)?;
+        let rounding = norm(&body.rounding) / norm(&body.tensor).max(f64::MIN_POSITIVE);
+        let off = as_written > f64::max(SAME, BEYOND_ROUNDING * rounding);
+        off.then_some(Self { body, as_written, fits: Vec::new() })
     }
-    let mut fits: Vec<(f64, Explanation)> = explanations
-        .into_iter()
-        .filter_map(|e| Some((body.misfit(&e.tensor)?, e)))
-        .filter(|(misfit, _)| *misfit <= FIT && BETTER * misfit <= as_written)
-        .collect();
-    let least = fits.iter().map(|(misfit, _)| *misfit).min_by(f64::total_cmp)?;
-    let simplest = fits.iter().position(|(misfit, _)| *misfit <= 1.1 * least + SAME * FIT)?;
-    let (misfit, chosen) = fits.remove(simplest);
-    // Another that fits as well and means another tensor leaves the choice to a person.
-    let other = fits.iter().any(|(m, e)| {
-        let apart = norm(&difference(&e.tensor, &chosen.tensor)) / norm(&chosen.tensor);
-        *m <= BETTER * f64::max(least, 1e-3) && apart > SAME
-    });
-    let [off, left] = [as_written, misfit].map(|x| short(100.0 * x, 2));
-    let message = format!(
-        "{}: as written it is {off} % from its geometry's tensor, without that mistake {left} %",
-        chosen.mistake
-    );
-    let mut found = finding(chosen.code, severity, body.link, chosen.span, message, chosen.rule);
-    found.numbers = vec![("misfit", as_written), ("misfit_repaired", misfit)];
-    if !other && !chosen.edits.is_empty() {
-        let description = describe(body, &chosen.edits);
-        found.repair = Some(Repair { description, edits: chosen.edits });
+
+    /// A mistake that, undone, leaves this tensor along the link's axes. It is only written out if it fits.
+    pub(super) fn offer(&mut self, tensor: Elements, mistake: impl FnOnce() -> Explanation) {
+        let misfit = self.body.misfit(&tensor).unwrap_or(f64::INFINITY);
+        if misfit <= FIT && BETTER * misfit <= self.as_written {
+            self.fits.push((misfit, tensor, mistake()));
+        }
     }
-    Some(found)
+
+    /// The finding of the one that fits best; of equals, the first.
+    pub(super) fn best(mut self) -> Option<Finding> {
+        let body = self.body;
+        let least = self.fits.iter().map(|(misfit, ..)| *misfit).min_by(f64::total_cmp)?;
+        let simplest = self.fits.iter().position(|(misfit, ..)| *misfit <= 1.1 * least + SAME * FIT)?;
+        let (misfit, tensor, chosen) = self.fits.remove(simplest);
+        // Another that fits as well and means another tensor leaves the choice to a person.
+        let other = self.fits.iter().any(|(m, t, _)| {
+            *m <= BETTER * f64::max(least, SAME) && norm(&difference(t, &tensor)) > SAME * norm(&tensor)
+        });
+        let [off, left] = [self.as_written, misfit].map(|x| short(100.0 * x, 2));
+        let message = format!(
+            "{}: as written it is {off} % from its geometry's tensor, without that mistake {left} %",
+            chosen.mistake
+        );
+        let mut found = finding(chosen.code, Severity::Suspect, body.link, chosen.span, message, chosen.rule);
+        found.numbers = vec![("misfit", self.as_written), ("misfit_repaired", misfit)];
+        if !other && !chosen.edits.is_empty() {
+            let description = describe(body, &chosen.edits);
+            found.repair = Some(Repair { description, edits: chosen.edits });
+        }
+        Some(found)
+    }
+}
+
+/// The mistake that explains why the tensor is not its geometry's, if one does.
+pub(super) fn check(body: &Body, findings: &mut Vec<Finding>) {
+    let Some(mut candidates) = Candidates::of(body) else { return };
+    unit::explain(&mut candidates);
+    order::explain(&mut candidates);
+    sign::explain(&mut candidates);
+    origin::explain(&mut candidates);
+    conjugate::explain(&mut candidates);
+    findings.extend(candidates.best());
 }
 
 /// `"ixy 0.012 → -0.012, ixz …"`

@@ -26,25 +26,28 @@ const LONGEST: f64 = 10.0;
 pub(super) fn check(body: &Body, findings: &mut Vec<Finding>) {
     let k = body.gyration();
     let i3 = body.moments.values[2];
-    let (bound, seen, size) = match body.reach() {
+    let implied = body.solids().map(|s| trace(&body.implied(s)) / 3.0).reduce(f64::max);
+    // How large the moments should be, and within which factor that is known.
+    let (bound, seen, size, sure) = match body.reach() {
         Some(reach) => {
-            // What its shapes imply, or a solid ball's of that reach.
-            let implied = body.shapes().map(|s| trace(&body.implied(s)) / 3.0).fold(0.0, f64::max);
+            // Without volumes, a solid ball in bounds of that reach: ⅖ m r², r² = reach² / 3.
             let ball = 0.4 * body.mass * reach * reach / 3.0;
-            (UNDRAWN * reach, format!("its geometry reaches {} m", short(reach, 4)), f64::max(implied, ball))
+            let seen = format!("its geometry reaches {} m", short(reach, 4));
+            (UNDRAWN * reach, seen, implied.unwrap_or(ball), 3.0)
         }
         None => {
             let bound = f64::max(1.0, LONGEST * (body.mass / SPARSEST).cbrt());
+            // A cube of water.
             let edge = (body.mass / 1000.0).cbrt();
-            let size = body.mass * edge * edge / 6.0;
-            (bound, format!("a body of this mass is hardly {} m long", short(bound, 2)), size)
+            let seen = format!("a body of this mass is hardly {} m long", short(bound, 2));
+            (bound, seen, body.mass * edge * edge / 6.0, 30.0)
         }
     };
     if !(k > bound) {
         return;
     }
     let [moment, mass, radius] = [i3, body.mass, k].map(|x| short(x, 4));
-    let unit = nearest(trace(&body.written) / 3.0 / size);
+    let unit = nearest(trace(&body.written) / 3.0 / size, sure);
     let padded = body.mass <= PADDED_MASS && i3 <= PADDED_MOMENT && super::placeholder::is_round(body);
     let (code, severity) = match unit {
         Some(_) if !padded => ("inertia.unit", Severity::Suspect),

@@ -80,7 +80,7 @@ fn nothing(model: &RobotModel, tree: &Tree, k: usize, link: &Link, findings: &mu
             }
         }
         ModelFormat::Sdf => {
-            if has_collision(link) {
+            if has_collision(link) && !link.from_geometry {
                 let message = "no inertial: SDF takes 1 kg and 1 kg·m² about each axis";
                 tell("mass.missing", Severity::Suspect, message, "a link that can move says its mass");
             }

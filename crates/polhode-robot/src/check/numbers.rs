@@ -1,11 +1,13 @@
 //! Numbers that are not there, are none, or are not finite: `number.missing`, `number.malformed`, `number.not_finite`.
 
+use std::collections::HashSet;
+
 use super::body::slots;
 use super::finding;
 use super::tree::Tree;
 use super::written::complaint;
 use crate::finding::{Finding, Repair, Severity};
-use crate::model::{Link, ModelFormat, Number, RobotModel, Slot, Tensor};
+use crate::model::{GeometryShape, Link, ModelFormat, Name, Number, Pose, RobotModel, Slot, Tensor};
 
 pub(super) fn check(model: &RobotModel, link: &Link, tree: &Tree, k: usize, findings: &mut Vec<Finding>) {
     let Some(inertial) = &link.inertial else { return };
@@ -16,7 +18,7 @@ pub(super) fn check(model: &RobotModel, link: &Link, tree: &Tree, k: usize, find
         }
     }
     for unreadable in &inertial.pose.unreadable {
-        number(link, unreadable, "the inertial's place or attitude", findings);
+        number(&link.name.text, unreadable, "the inertial's place or attitude", findings);
     }
     // A frame without mass needs no tensor, and what is not given SDF takes from its defaults.
     let weighs = inertial.mass.finite().is_some_and(|m| m != 0.0);
@@ -35,9 +37,55 @@ pub(super) fn check(model: &RobotModel, link: &Link, tree: &Tree, k: usize, find
     }
 }
 
+/// Numbers of places, attitudes and sizes that cannot be read.
+pub(super) fn elsewhere(model: &RobotModel, findings: &mut Vec<Finding>) {
+    // One number may place a link, a joint and a shape.
+    let mut told: HashSet<usize> = findings.iter().map(|f| f.span.start).collect();
+    let mut tell = |subject: &Name, pose: &Pose, what: &str| {
+        for unreadable in &pose.unreadable {
+            if told.insert(unreadable.span.start) {
+                number(&subject.text, unreadable, what, findings);
+            }
+        }
+    };
+    for link in &model.links {
+        tell(&link.name, &link.pose, "the link's place or attitude");
+        for geometry in &link.geometry {
+            tell(&link.name, &geometry.pose, "a shape's place or attitude");
+        }
+    }
+    for joint in &model.joints {
+        tell(&joint.name, &joint.pose, "the joint's place or attitude");
+    }
+    // MuJoCo fits the sizes of primitives to meshes, and takes defaults.
+    let links = model.links.iter().filter(|_| model.format != ModelFormat::Mjcf);
+    for link in links {
+        for geometry in link.geometry.iter().filter(|g| !has_size(&g.shape)) {
+            let message = "a size of a shape is missing, no number, or negative".to_owned();
+            let rule = "sizes are positive numbers, in metres";
+            let severity = Severity::Suspect;
+            findings.push(finding("geometry.size", severity, link, geometry.span.clone(), message, rule));
+        }
+    }
+}
+
+/// Zero is a size: some draw nothing so. A mesh without scale is none.
+fn has_size(shape: &GeometryShape) -> bool {
+    let sizes = |sizes: &[f64]| sizes.iter().all(|x| *x >= 0.0 && x.is_finite());
+    match shape {
+        GeometryShape::Box(edges) | GeometryShape::Ellipsoid(edges) => sizes(edges),
+        GeometryShape::Sphere(radius) => sizes(&[*radius]),
+        GeometryShape::Cylinder { radius, length } | GeometryShape::Capsule { radius, length } => {
+            sizes(&[*radius, *length])
+        }
+        GeometryShape::Mesh { scale, .. } => scale.iter().all(|x| *x != 0.0 && x.is_finite()),
+        GeometryShape::Other(_) => true,
+    }
+}
+
 fn slot(model: &RobotModel, link: &Link, slot: &Slot, what: &str, findings: &mut Vec<Finding>) {
     match slot {
-        Slot::Given(given) => number(link, given, what, findings),
+        Slot::Given(given) => number(&link.name.text, given, what, findings),
         Slot::Missing { span, name } => {
             // SDF has defaults: 1 kg, 1 kg·m² about each axis, products zero.
             let (severity, rule) = match (model.format, what) {
@@ -52,7 +100,7 @@ fn slot(model: &RobotModel, link: &Link, slot: &Slot, what: &str, findings: &mut
     }
 }
 
-fn number(link: &Link, number: &Number, what: &str, findings: &mut Vec<Finding>) {
+fn number(subject: &str, number: &Number, what: &str, findings: &mut Vec<Finding>) {
     let text = &number.text;
     let (code, message, repaired) = match number.value {
         Some(value) if value.is_finite() => return,
@@ -66,10 +114,18 @@ fn number(link: &Link, number: &Number, what: &str, findings: &mut Vec<Finding>)
         }
     };
     let rule = "numbers are finite decimals with a point, without units";
-    let mut found = finding(code, Severity::Impossible, link, number.span.clone(), message, rule);
-    found.repair = repaired.map(|meant| Repair {
+    let repair = repaired.map(|meant| Repair {
         description: format!("{what} {text} → {meant}"),
         edits: vec![(number.span.clone(), meant)],
     });
-    findings.push(found);
+    findings.push(Finding {
+        code,
+        severity: Severity::Impossible,
+        subject: subject.to_owned(),
+        span: number.span.clone(),
+        message,
+        rule: rule.to_owned(),
+        numbers: Vec::new(),
+        repair,
+    });
 }

@@ -7,8 +7,8 @@
 //! alone may be exchanged, too (xy yz xz, or yz xz xy as engineers number stresses), and the moments of a body
 //! without products (a cylinder along another axis): only the geometry can tell that.
 
-use super::body::{Body, NAMES};
-use super::explain::{Explanation, best, edits};
+use super::body::Body;
+use super::explain::{Candidates, Explanation, edits};
 use super::finding;
 use crate::finding::{Finding, Repair, Severity};
 use crate::model::Tensor;
@@ -58,26 +58,27 @@ const MOMENTS: [Order; 5] = [
 const RULE: &str = "URDF and SDF name each element; MJCF's fullinertia is xx yy zz xy xz yz";
 
 /// What an order may explain of a tensor that is possible, but not its geometry's.
-pub(super) fn explain(body: &Body, explanations: &mut Vec<Explanation>) {
+pub(super) fn explain(candidates: &mut Candidates) {
+    let body = candidates.body;
     let bare = body.written[3..].iter().all(|x| *x == 0.0);
     let full = matches!(body.inertial.tensor, Tensor::Six(_)) && !bare;
-    explanations.extend(LISTS.iter().chain(&PRODUCTS).filter(|_| full).map(|o| explanation(body, o)));
-    explanations.extend(MOMENTS.iter().filter(|_| bare).map(|o| explanation(body, o)));
+    for order in LISTS.iter().chain(&PRODUCTS).filter(|_| full).chain(MOMENTS.iter().filter(|_| bare)) {
+        candidates.offer(body.in_link_axes(&right(body, order)), || explanation(body, order));
+    }
 }
 
 /// What an order may explain of a tensor that is impossible.
 pub(super) fn check_alone(body: &Body, findings: &mut Vec<Finding>) {
-    if !matches!(body.inertial.tensor, Tensor::Six(_))
-        || body.mass <= 0.0
-        || body.written.iter().all(|x| *x == 0.0)
-    {
+    if !matches!(body.inertial.tensor, Tensor::Six(_)) || body.mass <= 0.0 || body.written == [0.0; 6] {
         return;
     }
     let possible: Vec<&Order> =
         LISTS.iter().filter(|o| Moments::of(&right(body, o)).are_possible(slack(body))).collect();
-    if let Some(as_written) = body.misfit(&body.tensor) {
-        let explanations = possible.iter().map(|o| explanation(body, o)).collect();
-        if let Some(found) = best(body, as_written, explanations, Severity::Suspect) {
+    if let Some(mut candidates) = Candidates::of(body) {
+        for order in &possible {
+            candidates.offer(body.in_link_axes(&right(body, order)), || explanation(body, order));
+        }
+        if let Some(found) = candidates.best() {
             findings.push(found);
             return;
         }
@@ -100,7 +101,7 @@ pub(super) fn check_alone(body: &Body, findings: &mut Vec<Finding>) {
     let mut found =
         finding("inertia.order", Severity::Suspect, body.link, body.tensor_place(), message, RULE);
     // Without a shape that agrees it is a proof only if there is no shape to ask, and no other order does.
-    if possible.len() == 1 && body.shapes().next().is_none() {
+    if possible.len() == 1 && body.solids().next().is_none() {
         let edits = explanation(body, order).edits;
         found.repair = Some(Repair { description: super::explain::describe(body, &edits), edits });
     }
@@ -122,10 +123,6 @@ fn explanation(body: &Body, order: &Order) -> Explanation {
         mistake: order.mistake.to_owned(),
         rule: RULE,
         span: body.tensor_place(),
-        tensor: body.in_link_axes(&right(body, order)),
         edits: edits(body, |k, _| texts.get(*order.from.get(k)?).map(|t| (*t).to_owned())),
     }
 }
-
-/// Every list names each element once.
-const _: () = assert!(NAMES.len() == LISTS[0].from.len());

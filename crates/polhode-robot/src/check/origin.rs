@@ -6,41 +6,38 @@
 //! geometry's.
 
 use super::body::Body;
-use super::explain::{Explanation, edits};
+use super::explain::{Candidates, Explanation, edits};
 use super::written::{restyled, short};
 use crate::model::Tensor;
 use crate::moments::{Elements, difference, parallel_axes};
 
 const RULE: &str = "an inertial's tensor is about its own origin, the centre of mass";
 
-pub(super) fn explain(body: &Body, explanations: &mut Vec<Explanation>) {
+pub(super) fn explain(candidates: &mut Candidates) {
+    let body = candidates.body;
+    let explanation = |mistake, edits| Explanation {
+        code: "inertia.about_origin",
+        mistake,
+        rule: RULE,
+        span: body.tensor_place(),
+        edits,
+    };
     if body.centre != [0.0; 3] {
         let tensor = difference(&body.tensor, &parallel_axes(body.mass, body.centre));
-        let right = body.in_inertial_axes(&tensor);
-        explanations.push(Explanation {
-            code: "inertia.about_origin",
-            mistake: format!(
-                "tensor about the link's origin, {} m from the centre of mass",
-                length(body.centre)
-            ),
-            rule: RULE,
-            span: body.tensor_place(),
-            tensor,
-            edits: texts(body, &right),
+        candidates.offer(tensor, || {
+            let away = length(body.centre);
+            let mistake = format!("tensor about the link's origin, {away} m from the centre of mass");
+            explanation(mistake, texts(body, &body.in_inertial_axes(&tensor)))
         });
         return;
     }
-    for shape in body.shapes() {
-        explanations.push(Explanation {
-            code: "inertia.about_origin",
-            mistake: format!(
-                "tensor about the link's origin, and no centre of mass given; the geometry's is {} m from there",
-                length(shape.centroid)
-            ),
-            rule: RULE,
-            span: body.tensor_place(),
-            tensor: difference(&body.tensor, &parallel_axes(body.mass, shape.centroid)),
-            edits: Vec::new(),
+    for solid in body.solids() {
+        candidates.offer(difference(&body.tensor, &parallel_axes(body.mass, solid.centroid)), || {
+            let away = length(solid.centroid);
+            let mistake = format!(
+                "tensor about the link's origin, and no centre of mass given; the geometry's is {away} m from there"
+            );
+            explanation(mistake, Vec::new())
         });
     }
 }

@@ -39,7 +39,7 @@ pub(super) fn check(body: &Body, findings: &mut Vec<Finding>) {
     if body.written != [1.0, 1.0, 1.0, 0.0, 0.0, 0.0] {
         return;
     }
-    let implied: Vec<f64> = body.shapes().map(|s| trace(&body.implied(s)) / 3.0).collect();
+    let implied: Vec<f64> = body.solids().map(|s| trace(&body.implied(s)) / 3.0).collect();
     let far = |i: f64| !(1.0 / NEAR..=NEAR).contains(&i);
     let [mass, k] = [body.mass, body.gyration()].map(|x| short(x, 4));
     let (severity, why) = match (implied.iter().copied().reduce(f64::max), body.reach()) {

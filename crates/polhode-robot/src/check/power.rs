@@ -43,10 +43,10 @@ pub(super) fn repair(body: &Body) -> Option<Repair> {
 
 /// True if no geometry contradicts.
 fn fits(body: &Body, elements: &Elements) -> bool {
-    let mut shapes = body.shapes().peekable();
-    let any = shapes.peek().is_none();
-    any || shapes.any(|shape| {
-        let ratio = trace(elements) / trace(&body.implied(shape));
+    let mut solids = body.solids().peekable();
+    let any = solids.peek().is_none();
+    any || solids.any(|solid| {
+        let ratio = trace(elements) / trace(&body.implied(solid));
         (1.0 / CRUDE..=CRUDE).contains(&ratio)
     })
 }

@@ -4,8 +4,8 @@
 //! the mirrored side of a robot has two of them flipped, the two that hold the mirrored axis. Both leave the moments
 //! of the diagonal right, and are possible as often as not: only the geometry can tell.
 
-use super::body::{Body, NAMES};
-use super::explain::{Explanation, edits};
+use super::body::NAMES;
+use super::explain::{Candidates, Explanation, edits};
 use super::written::negated;
 use crate::model::Tensor;
 
@@ -20,7 +20,8 @@ const PATTERNS: [[bool; 3]; 7] = [
     [false, false, true],
 ];
 
-pub(super) fn explain(body: &Body, explanations: &mut Vec<Explanation>) {
+pub(super) fn explain(candidates: &mut Candidates) {
+    let body = candidates.body;
     if !matches!(body.inertial.tensor, Tensor::Six(_)) {
         return;
     }
@@ -34,19 +35,19 @@ pub(super) fn explain(body: &Body, explanations: &mut Vec<Explanation>) {
         }
         let flipped = |k: usize| k >= 3 && flips[k - 3];
         let tensor = std::array::from_fn(|k| if flipped(k) { -body.written[k] } else { body.written[k] });
-        let names: Vec<&str> = (3..6).filter(|k| flipped(*k)).map(|k| NAMES[k]).collect();
-        let mistake = if all {
-            "the products have the other sign (+∫xy dm for −∫xy dm)".to_owned()
-        } else {
-            format!("{} with the other sign", names.join(" and "))
-        };
-        explanations.push(Explanation {
-            code: "inertia.sign",
-            mistake,
-            rule: "ixy = −∫xy dm, ixz = −∫xz dm, iyz = −∫yz dm",
-            span: (3..6).find(|k| flipped(*k)).map_or(body.tensor_place(), |k| body.place(k)),
-            tensor: body.in_link_axes(&tensor),
-            edits: edits(body, |k, text| Some(if flipped(k) { negated(text) } else { text.to_owned() })),
+        candidates.offer(body.in_link_axes(&tensor), || {
+            let names: Vec<&str> = (3..6).filter(|k| flipped(*k)).map(|k| NAMES[k]).collect();
+            Explanation {
+                code: "inertia.sign",
+                mistake: if all {
+                    "the products have the other sign (+∫xy dm for −∫xy dm)".to_owned()
+                } else {
+                    format!("{} with the other sign", names.join(" and "))
+                },
+                rule: "ixy = −∫xy dm, ixz = −∫xz dm, iyz = −∫yz dm",
+                span: (3..6).find(|k| flipped(*k)).map_or(body.tensor_place(), |k| body.place(k)),
+                edits: edits(body, |k, text| Some(if flipped(k) { negated(text) } else { text.to_owned() })),
+            }
         });
     }
 }

@@ -120,11 +120,8 @@ fn index(links: &[Link]) -> HashMap<&str, usize> {
 fn has_mass(format: ModelFormat, link: &Link) -> bool {
     match &link.inertial {
         Some(inertial) => inertial.mass.finite().is_none_or(|m| m > 0.0),
-        None => match format {
-            ModelFormat::Urdf => false,
-            ModelFormat::Sdf => true,
-            ModelFormat::Mjcf => !link.geometry.is_empty(),
-        },
+        None if link.from_geometry => !link.geometry.is_empty(),
+        None => format == ModelFormat::Sdf,
     }
 }
 

@@ -4,10 +4,9 @@
 //! after the change of unit, in all elements, that is proved. Where only the size is right, and the gyration radius
 //! absurd, it is asked ([`super::gyration`]).
 
-use super::body::Body;
-use super::explain::{Explanation, edits};
+use super::explain::{Candidates, Explanation, edits};
 use super::written::{restyled, shifted, short};
-use crate::moments::{norm, scaled, trace};
+use crate::moments::{difference, norm, scaled, trace};
 
 /// A unit that moments of inertia are given in.
 #[derive(Clone, Copy, Debug)]
@@ -37,49 +36,42 @@ const TOO_SMALL: [i32; 4] = [3, 4, 6, 9];
 /// this part of the tensor its differences count as none.
 const ROUND: f64 = 0.05;
 
-/// The unit in which numbers too large by `ratio` would be right, to within a factor of three.
-pub(super) fn nearest(ratio: f64) -> Option<Unit> {
+/// The unit in which numbers too large by `ratio` would be right, to within a factor.
+pub(super) fn nearest(ratio: f64, within: f64) -> Option<Unit> {
     let distance = |u: &Unit| (ratio * u.factor).ln().abs();
     let decimal = UNITS.iter().filter(|u| u.power.is_some());
-    decimal.min_by(|a, b| distance(a).total_cmp(&distance(b))).filter(|u| distance(u) <= 3f64.ln()).copied()
+    decimal.min_by(|a, b| distance(a).total_cmp(&distance(b))).filter(|u| distance(u) <= within.ln()).copied()
 }
 
-pub(super) fn explain(body: &Body, explanations: &mut Vec<Explanation>) {
+pub(super) fn explain(candidates: &mut Candidates) {
+    let body = candidates.body;
     let third = trace(&body.tensor) / 3.0;
-    let differences = norm(&crate::moments::difference(&body.tensor, &[third, third, third, 0.0, 0.0, 0.0]));
+    let differences = norm(&difference(&body.tensor, &[third, third, third, 0.0, 0.0, 0.0]));
     if differences <= ROUND * norm(&body.tensor) {
         return;
     }
-    let rule = "moments of inertia are in kg·m²";
+    let moment = || short(body.moments.values[2], 4);
+    let explanation = |mistake, text: &dyn Fn(usize, &str) -> Option<String>| Explanation {
+        code: "inertia.unit",
+        mistake,
+        rule: "moments of inertia are in kg·m²",
+        span: body.tensor_place(),
+        edits: edits(body, |k, old| if body.written[k] == 0.0 { Some(old.to_owned()) } else { text(k, old) }),
+    };
     for unit in UNITS {
-        explanations.push(Explanation {
-            code: "inertia.unit",
-            mistake: format!(
-                "{} kg·m² on {} kg, {} written as kg·m²",
-                short(body.moments.values[2], 4),
-                short(body.mass, 4),
-                unit.name
-            ),
-            rule,
-            span: body.tensor_place(),
-            tensor: scaled(&body.tensor, unit.factor),
-            edits: edits(body, |k, text| match unit.power {
-                _ if body.written[k] == 0.0 => Some(text.to_owned()),
+        candidates.offer(scaled(&body.tensor, unit.factor), || {
+            let mass = short(body.mass, 4);
+            let mistake = format!("{} kg·m² on {mass} kg, {} written as kg·m²", moment(), unit.name);
+            explanation(mistake, &|k, text| match unit.power {
                 Some(power) => shifted(text, power),
                 None => Some(restyled(body.written[k] * unit.factor, text)),
-            }),
+            })
         });
     }
     for power in TOO_SMALL {
-        explanations.push(Explanation {
-            code: "inertia.unit",
-            mistake: format!("{} kg·m² is 10^{power} times too small", short(body.moments.values[2], 4)),
-            rule,
-            span: body.tensor_place(),
-            tensor: scaled(&body.tensor, 10f64.powi(power)),
-            edits: edits(body, |k, text| {
-                if body.written[k] == 0.0 { Some(text.to_owned()) } else { shifted(text, power) }
-            }),
+        candidates.offer(scaled(&body.tensor, 10f64.powi(power)), || {
+            let mistake = format!("{} kg·m² is 10^{power} times too small", moment());
+            explanation(mistake, &|_, text| shifted(text, power))
         });
     }
 }

@@ -1,0 +1,184 @@
+//! What the tests of the checks share: a body whose tensor is known, written as URDF, with or without a mistake.
+
+#![allow(dead_code, reason = "each test uses what it needs")]
+
+use std::path::Path;
+
+use polhode_robot::check::{LinkGeometry, check};
+use polhode_robot::finding::{Finding, Severity};
+use polhode_robot::geometry::{Volume, VolumeKind};
+use polhode_robot::model::RobotModel;
+use polhode_robot::read::{ReadOptions, read_text};
+
+pub type Matrix = [[f64; 3]; 3];
+
+pub fn read(text: &str) -> RobotModel {
+    read_text(text, Path::new("robot.urdf"), &ReadOptions::default()).unwrap()
+}
+
+/// The findings of a text without geometry.
+pub fn findings(text: &str) -> Vec<Finding> {
+    check(&read(text), &[])
+}
+
+/// The findings of a text whose first link has this geometry.
+pub fn findings_with(text: &str, geometry: LinkGeometry) -> Vec<Finding> {
+    check(&read(text), &[geometry])
+}
+
+/// The one finding with this code.
+pub fn only<'f>(findings: &'f [Finding], code: &str) -> &'f Finding {
+    let found: Vec<_> = findings.iter().filter(|f| f.code == code).collect();
+    assert_eq!(found.len(), 1, "{code}: {findings:#?}");
+    found[0]
+}
+
+pub fn number(finding: &Finding, name: &str) -> f64 {
+    finding.numbers.iter().find(|(n, _)| *n == name).unwrap_or_else(|| panic!("{name}: {finding:?}")).1
+}
+
+/// Nothing worse than a note.
+pub fn is_clean(findings: &[Finding]) -> bool {
+    findings.iter().all(|f| f.severity == Severity::Note)
+}
+
+/// The text with a finding's repair.
+pub fn repaired(text: &str, finding: &Finding) -> String {
+    let repair = finding.repair.as_ref().unwrap_or_else(|| panic!("no repair: {finding:#?}"));
+    let mut edits = repair.edits.clone();
+    edits.sort_by_key(|(span, _)| std::cmp::Reverse(span.start));
+    let mut text = text.to_owned();
+    for (span, new) in edits {
+        text.replace_range(span, &new);
+    }
+    text
+}
+
+/// Rz(yaw) Ry(pitch) Rx(roll), as URDF has it.
+pub fn turn([roll, pitch, yaw]: [f64; 3]) -> Matrix {
+    let (sr, cr) = roll.sin_cos();
+    let (sp, cp) = pitch.sin_cos();
+    let (sy, cy) = yaw.sin_cos();
+    let rx = [[1.0, 0.0, 0.0], [0.0, cr, -sr], [0.0, sr, cr]];
+    let ry = [[cp, 0.0, sp], [0.0, 1.0, 0.0], [-sp, 0.0, cp]];
+    let rz = [[cy, -sy, 0.0], [sy, cy, 0.0], [0.0, 0.0, 1.0]];
+    times(&times(&rz, &ry), &rx)
+}
+
+pub fn times(a: &Matrix, b: &Matrix) -> Matrix {
+    std::array::from_fn(|i| std::array::from_fn(|j| (0..3).map(|k| a[i][k] * b[k][j]).sum()))
+}
+
+pub fn transposed(a: &Matrix) -> Matrix {
+    std::array::from_fn(|i| std::array::from_fn(|j| a[j][i]))
+}
+
+/// R I Rᵀ
+pub fn conjugated(i: &Matrix, r: &Matrix) -> Matrix {
+    times(&times(r, i), &transposed(r))
+}
+
+/// xx, yy, zz, xy, xz, yz
+pub fn six(i: &Matrix) -> [f64; 6] {
+    [i[0][0], i[1][1], i[2][2], i[0][1], i[0][2], i[1][2]]
+}
+
+/// A uniform slab, askew in its link and off its origin: three moments, all products, and a turned inertial frame.
+#[derive(Clone, Copy, Debug)]
+pub struct Slab {
+    pub mass: f64,
+    pub edges: [f64; 3],
+    /// Of the slab in the link.
+    pub attitude: [f64; 3],
+    pub centre: [f64; 3],
+    /// Roll, pitch, yaw of the inertial's frame.
+    pub frame: [f64; 3],
+}
+
+pub const SLAB: Slab = Slab {
+    mass: 1.37,
+    edges: [0.11, 0.19, 0.31],
+    attitude: [0.4, -0.7, 1.1],
+    centre: [0.06, -0.11, 0.08],
+    frame: [0.3, -0.5, 0.8],
+};
+
+impl Slab {
+    /// Per kilogram, about the centre, along the link's axes.
+    fn per_mass(&self) -> Matrix {
+        let [a, b, c] = self.edges.map(|x| x * x / 12.0);
+        conjugated(&[[b + c, 0.0, 0.0], [0.0, a + c, 0.0], [0.0, 0.0, a + b]], &turn(self.attitude))
+    }
+
+    /// About the centre, along the inertial's axes: what a right file has.
+    pub fn tensor(&self) -> [f64; 6] {
+        let inertial = conjugated(&self.per_mass(), &transposed(&turn(self.frame)));
+        six(&inertial).map(|x| x * self.mass)
+    }
+
+    /// What a closed mesh of it gives.
+    pub fn geometry(&self) -> LinkGeometry {
+        let [a, b, c] = self.edges;
+        let volume = a * b * c;
+        let half = 0.5 * (a * a + b * b + c * c).sqrt();
+        let bounds = [self.centre.map(|x| x - half), self.centre.map(|x| x + half)];
+        solid(volume, self.centre, self.per_mass(), bounds, VolumeKind::Closed)
+    }
+
+    /// A robot of this one link with these six numbers.
+    pub fn robot(&self, tensor: [f64; 6]) -> String {
+        let texts = tensor.map(|x| format!("{x:.7e}"));
+        self.robot_of(&texts.each_ref().map(String::as_str))
+    }
+
+    pub fn robot_of(&self, [xx, yy, zz, xy, xz, yz]: &[&str; 6]) -> String {
+        let ([x, y, z], [r, p, w]) = (self.centre, self.frame);
+        format!(
+            r#"<robot name="r"><link name="slab"><inertial>
+  <origin xyz="{x} {y} {z}" rpy="{r} {p} {w}"/><mass value="{}"/>
+  <inertia ixx="{xx}" ixy="{xy}" ixz="{xz}" iyy="{yy}" iyz="{yz}" izz="{zz}"/>
+</inertial></link></robot>"#,
+            self.mass
+        )
+    }
+}
+
+/// A link with these inertial numbers, at its own origin.
+pub fn link(name: &str, mass: &str, [xx, yy, zz, xy, xz, yz]: [&str; 6]) -> String {
+    format!(
+        r#"<link name="{name}"><inertial><mass value="{mass}"/>
+<inertia ixx="{xx}" ixy="{xy}" ixz="{xz}" iyy="{yy}" iyz="{yz}" izz="{zz}"/></inertial></link>
+"#
+    )
+}
+
+pub fn robot(parts: &str) -> String {
+    format!("<?xml version=\"1.0\"?>\n<robot name=\"r\">\n{parts}</robot>\n")
+}
+
+/// A ball's worth of reach around a point.
+pub fn bounds(centre: [f64; 3], half: f64) -> LinkGeometry {
+    LinkGeometry { volumes: Vec::new(), bounds: Some([centre.map(|x| x - half), centre.map(|x| x + half)]) }
+}
+
+/// A solid with this tensor for each kilogram.
+pub fn solid(
+    volume: f64,
+    centroid: [f64; 3],
+    per_mass: Matrix,
+    bounds: [[f64; 3]; 2],
+    kind: VolumeKind,
+) -> LinkGeometry {
+    let tensor_per_density = per_mass.map(|row| row.map(|x| x * volume));
+    let extent = bounds.iter().flatten().map(|x| x * x).sum::<f64>().sqrt();
+    let solid = Volume { volume, centroid, tensor_per_density, extent, bounds, kind };
+    LinkGeometry { volumes: vec![solid], bounds: Some(bounds) }
+}
+
+/// A box of these edges at a link's origin.
+pub fn block([a, b, c]: [f64; 3], kind: VolumeKind) -> LinkGeometry {
+    let (x, y, z) = (a * a / 12.0, b * b / 12.0, c * c / 12.0);
+    let per_mass = [[y + z, 0.0, 0.0], [0.0, x + z, 0.0], [0.0, 0.0, x + y]];
+    let half = [a / 2.0, b / 2.0, c / 2.0];
+    solid(a * b * c, [0.0; 3], per_mass, [half.map(|x| -x), half], kind)
+}

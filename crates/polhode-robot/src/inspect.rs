@@ -1,12 +1,9 @@
 //! A model with its shapes measured and its rules checked: all that is found in it, with what its reader noticed and the shapes that
 //! could not be measured.
-//!
-//! A shape that is missing proves nothing: a link of which one mesh cannot be read has no bounds to compare with, and the set that the
-//! mesh belongs to has no volume. The other set, what is touched or what is seen, still has its own.
 
-use crate::check::{LinkGeometry, MadeOf, Shape, check};
+use crate::check::{LinkGeometry, check};
 use crate::finding::{Finding, Severity};
-use crate::geometry::{LinkVolume, Shapes, Volume, VolumeKind};
+use crate::geometry::Shapes;
 use crate::model::{GeometryShape, Link, Note, RobotModel, Role, Span};
 
 /// What is found in a model.
@@ -30,50 +27,28 @@ pub struct Inspection {
 /// # Ok::<(), polhode_formats::FormatError>(())
 /// ```
 pub fn inspect(model: &RobotModel, shapes: &mut Shapes) -> Inspection {
-    let mut unread = Vec::new();
-    let geometry: Vec<_> = model.links.iter().map(|link| of_link(link, shapes, &mut unread)).collect();
+    let geometry: Vec<_> = model.links.iter().map(|link| LinkGeometry::of(link, shapes)).collect();
     let mut findings = check(model, &geometry);
-    findings.append(&mut unread);
+    for (link, geometry) in model.links.iter().zip(&geometry) {
+        findings.append(&mut unmeasured_shapes(link, geometry, shapes));
+    }
     findings.extend(model.notes.iter().map(of_note));
     findings.sort_by_key(|finding| finding.span.start);
     Inspection { geometry, findings }
 }
 
-/// What a link looks like; shapes that could not be measured are findings.
-fn of_link(link: &Link, shapes: &mut Shapes, unread: &mut Vec<Finding>) -> LinkGeometry {
-    let sets = [Role::Collision, Role::Visual].map(|role| shapes.link(link, role));
-    for (span, why) in sets.iter().flat_map(|set| &set.left_out) {
-        // A plane has no volume, and is none the worse for it.
-        if !link.geometry.iter().any(|g| g.span == *span && matches!(g.shape, GeometryShape::Other(_))) {
-            unread.push(unmeasured(link, span, why));
-        }
+/// The shapes of a link that could not be measured. A plane has no volume, and is none the worse for it.
+fn unmeasured_shapes(link: &Link, geometry: &LinkGeometry, shapes: &mut Shapes) -> Vec<Finding> {
+    let has = |role: &Role| link.geometry.iter().any(|geometry| geometry.role == *role);
+    let roles = [Role::Visual, Role::Collision];
+    if geometry.volumes.len() == roles.iter().filter(|role| has(role)).count() {
+        return Vec::new();
     }
-    let whole = |set: &&LinkVolume| set.left_out.is_empty();
-    let volumes = || sets.iter().filter(whole).filter_map(|set| set.volume.as_ref());
-    let bounds = volumes().map(|volume| volume.bounds).reduce(around);
-    LinkGeometry {
-        shapes: volumes().map(shape).collect(),
-        bounds: bounds.filter(|_| sets.iter().all(|set| set.left_out.is_empty())),
-    }
-}
-
-fn shape(volume: &Volume) -> Shape {
-    let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = volume.tensor_per_density;
-    let made_of = match volume.kind {
-        VolumeKind::Closed => MadeOf::Meshes,
-        // A hull is a body drawn with a coarse brush.
-        VolumeKind::Primitives | VolumeKind::Hull => MadeOf::Primitives,
+    let flat = |span: &Span| {
+        link.geometry.iter().any(|g| g.span == *span && matches!(g.shape, GeometryShape::Other(_)))
     };
-    Shape { volume: volume.volume, centroid: volume.centroid, tensor: [xx, yy, zz, xy, xz, yz], made_of }
-}
-
-/// The box around two.
-fn around([a, b]: [[f64; 3]; 2], [c, d]: [[f64; 3]; 2]) -> [[f64; 3]; 2] {
-    let each = |p: [f64; 3], q: [f64; 3], of: fn(f64, f64) -> f64| {
-        let ([px, py, pz], [qx, qy, qz]) = (p, q);
-        [of(px, qx), of(py, qy), of(pz, qz)]
-    };
-    [each(a, c, f64::min), each(b, d, f64::max)]
+    let left_out = roles.into_iter().flat_map(|role| shapes.link(link, role).left_out);
+    left_out.filter(|(span, _)| !flat(span)).map(|(span, why)| unmeasured(link, &span, &why)).collect()
 }
 
 fn unmeasured(link: &Link, span: &Span, why: &str) -> Finding {

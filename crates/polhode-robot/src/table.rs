@@ -2,7 +2,7 @@
 
 use polhode_report::plain::{columns, number, plain_spaces, printable};
 
-use crate::check::{LinkGeometry, MadeOf};
+use crate::check::LinkGeometry;
 use crate::finding::Severity;
 use crate::model::{Inertial, Link, Slot, Tensor};
 use crate::moments::Moments;
@@ -90,8 +90,7 @@ fn moments(inertial: &Inertial) -> Option<Moments> {
     Some(Moments::of(&[xx, yy, zz, xy, xz, yz]))
 }
 
-/// The volume of the link's meshes, else of its primitives.
+/// The volume of the link's shapes, of those that can be trusted most.
 fn volume(geometry: &LinkGeometry) -> Option<f64> {
-    let meshes = geometry.shapes.iter().find(|shape| shape.made_of == MadeOf::Meshes);
-    meshes.or_else(|| geometry.shapes.first()).map(|shape| shape.volume).filter(|&volume| volume > 0.0)
+    geometry.volumes.iter().min_by_key(|volume| volume.kind).map(|volume| volume.volume)
 }

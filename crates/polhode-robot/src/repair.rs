@@ -60,7 +60,8 @@ pub fn repaired(model: &RobotModel, findings: &[Finding]) -> Repaired {
 /// As [`repaired`], and every repair has removed its finding.
 ///
 /// `check` says what is found in a text in place of the model's. A finding is known again by its code and its subject: if the
-/// text has more of these than repairs leave over, none of theirs is made, and the rest is tried again.
+/// text has more of these than repairs leave over, none of theirs is made, and the rest is tried again. What is found in the
+/// repaired text comes with it.
 ///
 /// # Errors
 /// What `check` fails with.
@@ -68,12 +69,12 @@ pub fn proved<E>(
     model: &RobotModel,
     findings: &[Finding],
     mut check: impl FnMut(&str) -> Result<Vec<Finding>, E>,
-) -> Result<Repaired, E> {
+) -> Result<(Repaired, Vec<Finding>), E> {
     let mut failing: Vec<usize> = Vec::new();
     loop {
         let result = repaired_but(model, findings, &failing);
         if result.applied.is_empty() {
-            return Ok(result);
+            return Ok((result, findings.to_vec()));
         }
         // How many of each kind there may be: those that were there, less those that are repaired.
         let mut expected = count(findings);
@@ -90,7 +91,7 @@ pub fn proved<E>(
         };
         let more: Vec<usize> = result.applied.iter().copied().filter(fails).collect();
         if more.is_empty() {
-            return Ok(result);
+            return Ok((result, after));
         }
         failing.extend(more); // each turn leaves one repair more: the loop ends
     }

@@ -118,7 +118,8 @@ fn only_repairs_that_remove_their_finding_are_made() {
         }
         Ok::<_, Infallible>(found)
     });
-    let result = result.unwrap();
+    let (result, remaining) = result.unwrap();
+    assert_eq!(remaining, findings[1..]);
     assert_eq!(result.text, TEXT.replace("'0,5'", "'0.5'"));
     assert_eq!(result.left, [Left { finding: 1, why: LeftReason::Fails }]);
     assert_eq!(calls, 2);

@@ -63,7 +63,7 @@ impl FixFlags {
 pub(super) fn fixed(
     report: CheckReport,
     out: &Path,
-    mut check: impl FnMut(&str) -> Result<Vec<Finding>, FormatError>,
+    check: impl FnMut(&str) -> Result<Vec<Finding>, FormatError>,
 ) -> Result<CheckReport, Failure> {
     let unreadable = |error: FormatError| {
         Failure::usage(
@@ -71,12 +71,7 @@ pub(super) fn fixed(
             "this is a mistake of polhode's: please report it, with the model",
         )
     };
-    let repaired = proved(&report.model, &report.findings, &mut check).map_err(unreadable)?;
-    let remaining = if repaired.applied.is_empty() {
-        report.findings.clone()
-    } else {
-        check(&repaired.text).map_err(unreadable)?
-    };
+    let (repaired, remaining) = proved(&report.model, &report.findings, check).map_err(unreadable)?;
     write(out, repaired.text.as_bytes())
         .map_err(|error| Failure::Output { path: out.display().to_string(), error })?;
     let fixed = Fixed { out: out.display().to_string(), repaired, remaining };

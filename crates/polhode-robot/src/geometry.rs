@@ -7,6 +7,7 @@
 //!
 //! so a mirror turns the signs of two products and leaves the volume positive. The hull of a scaled mesh is the scaled hull.
 
+mod collada;
 mod primitive;
 
 use std::collections::HashMap;
@@ -14,7 +15,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use polhode::{ClosedMesh, ConvexHull, MassProperties, Part, Shape, Substance, TriangleMesh};
-use polhode_formats::mesh::{MeshContents, MeshFormat, MeshSolid};
+use polhode_formats::mesh::{MeshContents, MeshFormat};
+use polhode_formats::read_text_file;
 
 use crate::model::{Geometry, GeometryShape, Link, Role, Span};
 use crate::pose::{dot, sum};
@@ -230,26 +232,35 @@ impl Solid {
 
 impl Mesh {
     fn read(path: &Path) -> Result<Self, String> {
-        let Some(format) = MeshFormat::of_path(path) else {
-            let ending =
-                path.extension().map_or_else(String::new, |ending| ending.to_string_lossy().into_owned());
-            return Err(format!("polhode reads no .{ending} meshes"));
+        let ending =
+            path.extension().map_or_else(String::new, |ending| ending.to_string_lossy().to_lowercase());
+        let contents = match MeshFormat::of_path(path) {
+            Some(format) => MeshContents::read(path, format),
+            None if ending == "dae" => read_text_file(path, collada::read),
+            None => return Err(format!("polhode reads no .{ending} meshes")),
         };
-        let contents = MeshContents::read(path, format).map_err(|error| error.message())?;
-        let one = contents.clone().in_metres(None).as_one().map_err(|error| error.to_string())?;
-        let Some(all) = one.parts.into_iter().next() else { return Err("it has no triangles".to_owned()) };
-        match MeshSolid::of(contents, path, format, None) {
-            Ok(solid) => {
-                let bodies =
-                    solid.parts.iter().map(|part| part.mesh.mass_properties(Substance::Density(1.0)));
-                let bodies: Vec<_> = bodies.collect::<Result<_, _>>().map_err(|error| error.to_string())?;
-                let body = MassProperties::combined(&bodies).map_err(|error| error.to_string())?;
-                let vertices =
-                    solid.parts.iter().flat_map(|part| part.mesh.surface().vertices().iter().copied());
-                Ok(Self { solid: Solid::of(&body), vertices: vertices.collect(), kind: VolumeKind::Closed })
-            }
+        let contents = contents.map_err(|error| error.message())?.in_metres(None);
+        let parts = contents.parts.iter().map(|part| ClosedMesh::of(&part.mesh));
+        if let Ok(parts) = parts.collect::<Result<Vec<_>, _>>()
+            && !parts.is_empty()
+        {
+            return Self::closed(&parts);
+        }
+        // pieces of one surface, or no solid
+        let one = contents.as_one().map_err(|error| error.to_string())?;
+        let Some(all) = one.parts.first() else { return Err("it has no triangles".to_owned()) };
+        match ClosedMesh::of(&all.mesh) {
+            Ok(solid) => Self::closed(&[solid]),
             Err(_) => Self::hull(&all.mesh),
         }
+    }
+
+    fn closed(parts: &[ClosedMesh]) -> Result<Self, String> {
+        let bodies = parts.iter().map(|part| part.mass_properties(Substance::Density(1.0)));
+        let bodies: Vec<_> = bodies.collect::<Result<_, _>>().map_err(|error| error.to_string())?;
+        let body = MassProperties::combined(&bodies).map_err(|error| error.to_string())?;
+        let vertices = parts.iter().flat_map(|part| part.surface().vertices().iter().copied()).collect();
+        Ok(Self { solid: Solid::of(&body), vertices, kind: VolumeKind::Closed })
     }
 
     /// The convex hull of the corners of all triangles.
@@ -257,9 +268,7 @@ impl Mesh {
         let corners: Vec<[f64; 3]> = mesh.corners().flatten().collect();
         let surface = ConvexHull::of(&corners).map_err(|error| error.to_string())?;
         let solid = ClosedMesh::of(&surface).map_err(|error| error.to_string())?;
-        let body = solid.mass_properties(Substance::Density(1.0)).map_err(|error| error.to_string())?;
-        let vertices = solid.surface().vertices().to_vec();
-        Ok(Self { solid: Solid::of(&body), vertices, kind: VolumeKind::Hull })
+        Ok(Self { kind: VolumeKind::Hull, ..Self::closed(&[solid])? })
     }
 }
 

@@ -16,7 +16,7 @@ mod pose;
 mod sdf;
 mod urdf;
 mod uri;
-mod xml;
+pub(crate) mod xml;
 
 use std::path::{Path, PathBuf};
 

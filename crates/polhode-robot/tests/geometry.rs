@@ -223,6 +223,57 @@ fn a_scaled_and_mirrored_mesh_is_that_of_the_scaled_corners() {
 }
 
 #[test]
+fn a_collada_mesh_is_placed_by_its_nodes_in_its_unit() {
+    let positions = TETRAHEDRON.as_flattened().iter().map(ToString::to_string).collect::<Vec<_>>().join(" ");
+    // a vertex and a normal for each corner; one face as a triangle, the others as polygons
+    let corners =
+        |faces: &[[usize; 3]]| faces.iter().flatten().map(|k| format!("{k} 7 ")).collect::<String>();
+    let inputs =
+        "<input semantic='NORMAL' source='#n' offset='1'/><input semantic='VERTEX' source='#v' offset='0'/>";
+    let text = format!(
+        "<?xml version='1.0'?><COLLADA xmlns='http://www.collada.org/2005/11/COLLADASchema' version='1.4.1'>
+        <asset><unit name='half' meter='0.5'/><up_axis>Y_UP</up_axis></asset>
+        <library_geometries><geometry id='g'><mesh>
+          <source id='s'><float_array id='f' count='12'>{positions}</float_array>
+            <technique_common><accessor source='#f' count='4' stride='3'/></technique_common></source>
+          <vertices id='v'><input semantic='POSITION' source='#s'/></vertices>
+          <triangles count='1'>{inputs}<p>{}</p></triangles>
+          <polylist count='3'>{inputs}<vcount>3 3 3</vcount><p>{}</p></polylist>
+        </mesh></geometry></library_geometries>
+        <library_visual_scenes><visual_scene id='scene'><node><translate>1 2 3</translate>
+          <node><rotate>0.3 -0.5 0.8 50</rotate><scale>1 -2 1.5</scale><instance_geometry url='#g'/></node>
+        </node></visual_scene></library_visual_scenes>
+        <scene><instance_visual_scene url='#scene'/></scene></COLLADA>",
+        corners(&FACES[..1]),
+        corners(&FACES[1..])
+    );
+    let path = std::env::temp_dir().join(format!("polhode-robot-collada-{}.dae", std::process::id()));
+    let r = matrix_about_axis([0.3, -0.5, 0.8], 50_f64.to_radians());
+    let placed =
+        |p: [f64; 3]| plus([1.0, 2.0, 3.0], applied(r, [p[0], -2.0 * p[1], 1.5 * p[2]])).map(|c| 0.5 * c);
+    let (volume, centroid, tensor) = tetrahedron(TETRAHEDRON.map(placed));
+    fs::write(&path, &text).unwrap();
+    let got = one(mesh(&path, [1.0; 3]), Pose::IDENTITY);
+    assert_eq!(got.kind, VolumeKind::Closed);
+    assert!((got.volume / volume - 1.0).abs() < 4e-15);
+    assert_close(got.centroid, centroid, 1e-15);
+    assert_near(&got.tensor_per_density, &tensor, 2e-15);
+
+    let says = |text: &str| {
+        fs::write(&path, text).unwrap();
+        Shapes::default().geometry(&geometry(mesh(&path, [1.0; 3]), Pose::IDENTITY)).unwrap_err()
+    };
+    assert!(says(&text.replace("url='#g'", "url='#h'")).contains("geometry"));
+    assert!(says(&text.replace("<p>0 7", "<p>4 7")).contains("vertex of that number"));
+    assert!(says(&text.replace("3 3 3", "3 3 4")).contains("corner of the last face"));
+    assert!(says(&text.replace("<instance_geometry", "<instance_node")).contains("<instance_node>"));
+    let often = "<instance_geometry url='#g'/>".repeat(40);
+    let longer = text.replacen("<p>", &format!("<p>{}", "0 7 2 7 1 7 ".repeat(500)), 1);
+    assert!(says(&longer.replace("<instance_geometry url='#g'/>", &often)).contains("so often"));
+    fs::remove_file(path).unwrap();
+}
+
+#[test]
 fn shapes_of_a_link_are_one_body() {
     let (p, q) = (generic(0), generic(1));
     let box_pose = p.0.clone();

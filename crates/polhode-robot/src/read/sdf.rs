@@ -95,8 +95,7 @@ fn gather<'a>(
                 }
                 "joint" => {
                     let (pose, relative_to) = pose(element);
-                    let child =
-                        element.child("child").and_then(|child| child.text()).map_or("", |text| text.value);
+                    let child = element.child_text("child").map_or("", |text| text.value);
                     let relative_to = relative_to.or(Some(child));
                     let kind = FrameKind::Attached(child);
                     let frame = frames.add(scope, name, kind, pose, relative_to, element.span());
@@ -130,7 +129,7 @@ fn require_short(name_bytes: usize, element: Element<'_>) -> Result<(), ContentE
 }
 
 fn include(element: Element<'_>) -> Note {
-    let uri = element.child("uri").and_then(|uri| uri.text()).map_or("", |text| text.value);
+    let uri = element.child_text("uri").map_or("", |text| text.value);
     Note {
         code: "read.include",
         subject: String::new(),
@@ -140,7 +139,7 @@ fn include(element: Element<'_>) -> Note {
 }
 
 fn says_static(model: Element<'_>) -> bool {
-    model.child("static").and_then(|element| element.text()).is_some_and(|text| is_true(text.value))
+    model.child_text("static").is_some_and(|text| is_true(text.value))
 }
 
 /// The pose of an element, and the frame that it names.
@@ -236,7 +235,7 @@ fn shape(element: Element<'_>, roots: &Roots) -> GeometryShape {
     let Some(shape) = element.child("geometry").and_then(|geometry| geometry.children().next()) else {
         return GeometryShape::Other("no geometry".to_owned());
     };
-    let size = |name: &str| shape.child(name).and_then(|child| child.text());
+    let size = |name: &str| shape.child_text(name);
     let number = |name: &str| size(name).and_then(|text| text.array()).map_or(f64::NAN, |[value]| value);
     let three = |name: &str| size(name).and_then(|text| text.array()).unwrap_or([f64::NAN; 3]);
     match shape.name() {
@@ -260,7 +259,7 @@ fn shape(element: Element<'_>, roots: &Roots) -> GeometryShape {
 fn joint(element: Element<'_>, scope: usize, frame: usize, frames: &Frames<'_>) -> Joint {
     // a link, or a frame that is fixed to one
     let end = |side: &str| {
-        let written = element.child(side).and_then(|child| child.text());
+        let written = element.child_text(side);
         let span = written
             .as_ref()
             .map_or_else(|| element.span().start..element.span().start, |text| text.span.clone());
@@ -279,8 +278,8 @@ fn joint(element: Element<'_>, scope: usize, frame: usize, frames: &Frames<'_>) 
     let axis = element.child("axis");
     let xyz = axis.and_then(|axis| axis.child("xyz"));
     let written =
-        xyz.and_then(|xyz| xyz.text()).map_or([0.0, 0.0, 1.0], |xyz| xyz.array().unwrap_or([f64::NAN; 3]));
-    let old_way = axis.and_then(|axis| axis.child("use_parent_model_frame")).and_then(|flag| flag.text());
+        xyz.and_then(Element::text).map_or([0.0, 0.0, 1.0], |xyz| xyz.array().unwrap_or([f64::NAN; 3]));
+    let old_way = axis.and_then(|axis| axis.child_text("use_parent_model_frame"));
     let expressed_in = match xyz.and_then(|xyz| xyz.word("expressed_in")) {
         None | Some("") => old_way.filter(|flag| is_true(flag.value)).map(|_| "__model__"),
         named => named,

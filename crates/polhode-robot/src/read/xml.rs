@@ -9,7 +9,7 @@ use crate::read::plain::plain;
 /// Reads a text as a tree and makes something of its root element.
 ///
 /// No document types, no entities of one's own, no namespaces; memory is bounded by the bytes that are there.
-pub(super) fn with_root<T>(
+pub(crate) fn with_root<T>(
     text: &str,
     read: impl FnOnce(Element<'_>) -> Result<T, ContentError>,
 ) -> Result<T, ContentError> {
@@ -69,41 +69,46 @@ fn at(text: &str, line: u32, column: u32) -> Span {
 
 /// An element of the tree.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Element<'a>(Node<'a, 'a>);
+pub(crate) struct Element<'a>(Node<'a, 'a>);
 
 impl<'a> Element<'a> {
     /// Its name; a prefix is part of it, with an underscore: `xacro_macro`.
-    pub(super) fn name(self) -> &'a str {
+    pub(crate) fn name(self) -> &'a str {
         self.0.tag_name().name()
     }
 
     /// From the `<` of its start to the `>` of its end.
-    pub(super) fn span(self) -> Span {
+    pub(crate) fn span(self) -> Span {
         self.0.range()
     }
 
     /// Bytes of the whole text.
-    pub(super) fn document_length(self) -> usize {
+    pub(crate) fn document_length(self) -> usize {
         self.0.document().input_text().len()
     }
 
     /// The elements in it.
-    pub(super) fn children(self) -> impl Iterator<Item = Element<'a>> {
+    pub(crate) fn children(self) -> impl Iterator<Item = Element<'a>> {
         self.0.children().filter(Node::is_element).map(Element)
     }
 
     /// The elements in it that have this name.
-    pub(super) fn named(self, name: &'a str) -> impl Iterator<Item = Element<'a>> {
+    pub(crate) fn named(self, name: &'a str) -> impl Iterator<Item = Element<'a>> {
         self.children().filter(move |child| child.name() == name)
     }
 
     /// The first element in it that has this name.
-    pub(super) fn child(self, name: &str) -> Option<Element<'a>> {
+    pub(crate) fn child(self, name: &str) -> Option<Element<'a>> {
         self.children().find(|child| child.name() == name)
     }
 
+    /// The text in the first element in it that has this name.
+    pub(crate) fn child_text(self, name: &str) -> Option<Written<'a>> {
+        self.child(name).and_then(Element::text)
+    }
+
     /// What an attribute says.
-    pub(super) fn attribute(self, name: &str) -> Option<Written<'a>> {
+    pub(crate) fn attribute(self, name: &str) -> Option<Written<'a>> {
         self.0.attribute_node(name).map(|attribute| {
             let range = attribute.range();
             let text = self.0.document().input_text();
@@ -119,22 +124,22 @@ impl<'a> Element<'a> {
     }
 
     /// The words of an attribute, if it is there.
-    pub(super) fn word(self, name: &str) -> Option<&'a str> {
+    pub(crate) fn word(self, name: &str) -> Option<&'a str> {
         self.attribute(name).map(|written| written.value)
     }
 
     /// Whether an attribute says `true` or `1`.
-    pub(super) fn says_true(self, name: &str) -> bool {
+    pub(crate) fn says_true(self, name: &str) -> bool {
         self.word(name).is_some_and(is_true)
     }
 
     /// Whether it declares a prefix of names: `xmlns:xacro`.
-    pub(super) fn has_prefix(self, prefix: &str) -> bool {
+    pub(crate) fn has_prefix(self, prefix: &str) -> bool {
         self.0.attributes().any(|attribute| attribute.name().strip_prefix("xmlns_") == Some(prefix))
     }
 
     /// The text in it: the first that is not blank.
-    pub(super) fn text(self) -> Option<Written<'a>> {
+    pub(crate) fn text(self) -> Option<Written<'a>> {
         let text = self.0.document().input_text();
         let words =
             |node: &Node<'a, 'a>| node.is_text() && node.text().is_some_and(|text| !text.trim().is_empty());
@@ -144,17 +149,17 @@ impl<'a> Element<'a> {
 }
 
 /// `true` as these languages write it.
-pub(super) fn is_true(word: &str) -> bool {
+pub(crate) fn is_true(word: &str) -> bool {
     matches!(word.trim(), "true" | "1" | "True" | "TRUE")
 }
 
 /// The value of an attribute or the text of an element, without the blanks around it.
 #[derive(Clone, Debug)]
-pub(super) struct Written<'a> {
+pub(crate) struct Written<'a> {
     /// What it says.
-    pub(super) value: &'a str,
+    pub(crate) value: &'a str,
     /// Where it stands, without quotes.
-    pub(super) span: Span,
+    pub(crate) span: Span,
     /// The bytes of the text are the value itself: no entity stands for a character of it.
     literal: bool,
 }
@@ -171,17 +176,17 @@ impl<'a> Written<'a> {
     }
 
     /// As a name.
-    pub(super) fn name(&self) -> Name {
+    pub(crate) fn name(&self) -> Name {
         Name { text: self.value.to_owned(), span: self.span.clone() }
     }
 
     /// As one number.
-    pub(super) fn number(&self) -> Number {
+    pub(crate) fn number(&self) -> Number {
         Number { text: self.value.to_owned(), span: self.span.clone(), value: parsed(self.value) }
     }
 
     /// As numbers with blanks between them. With an entity in it, each stands where all of them stand.
-    pub(super) fn numbers(&self) -> impl Iterator<Item = Number> {
+    pub(crate) fn numbers(&self) -> impl Iterator<Item = Number> {
         let from = self.value.as_ptr().addr();
         self.value.split_ascii_whitespace().map(move |word| {
             let start = self.span.start + (word.as_ptr().addr() - from);
@@ -191,12 +196,12 @@ impl<'a> Written<'a> {
     }
 
     /// As plain values: NaN for what is no number.
-    pub(super) fn values(&self) -> impl Iterator<Item = f64> {
+    pub(crate) fn values(&self) -> impl Iterator<Item = f64> {
         self.value.split_ascii_whitespace().map(|word| parsed(word).unwrap_or(f64::NAN))
     }
 
     /// As `N` plain values; `None` if there are fewer or more.
-    pub(super) fn array<const N: usize>(&self) -> Option<[f64; N]> {
+    pub(crate) fn array<const N: usize>(&self) -> Option<[f64; N]> {
         let mut values = self.values();
         let mut array = [0.0; N];
         for slot in &mut array {
@@ -212,7 +217,7 @@ fn parsed(word: &str) -> Option<f64> {
 }
 
 /// What an element's attribute says as a number, or that it lacks it.
-pub(super) fn slot(element: Element<'_>, name: &str) -> Slot {
+pub(crate) fn slot(element: Element<'_>, name: &str) -> Slot {
     match element.attribute(name) {
         Some(written) => Slot::Given(written.number()),
         None => Slot::Missing { span: element.span(), name: name.to_owned() },
@@ -220,7 +225,7 @@ pub(super) fn slot(element: Element<'_>, name: &str) -> Slot {
 }
 
 /// What an element in the element says as a number, or that it lacks it.
-pub(super) fn child_slot(element: Element<'_>, name: &str) -> Slot {
+pub(crate) fn child_slot(element: Element<'_>, name: &str) -> Slot {
     match element.child(name) {
         Some(child) => match child.text() {
             Some(written) => Slot::Given(written.number()),

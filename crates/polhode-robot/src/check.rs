@@ -95,7 +95,7 @@ pub fn check(model: &RobotModel, geometry: &[LinkGeometry]) -> Vec<Finding> {
     let mut bodies = Vec::with_capacity(model.links.len());
     for (k, link) in model.links.iter().enumerate() {
         let geometry = geometry.get(k).unwrap_or(&nothing);
-        let body = Body::of(link, geometry, print);
+        let body = Body::of(model.format, link, geometry, print);
         numbers::check(model, link, &tree, k, &mut findings);
         mass::check(model, &tree, k, &mut findings);
         if let Some(body) = &body {

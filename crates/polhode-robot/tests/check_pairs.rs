@@ -57,6 +57,8 @@ fn mirrored_products_are_no_finding() {
 #[test]
 fn the_same_part_twice_is_no_finding() {
     assert_eq!(pair(HIPS, [1.0, 1.0, 1.0], [1.0, 1.0, 1.0]), []);
+    // Turned by half a turn about z.
+    assert_eq!(pair(HIPS, [-1.0, -1.0, 1.0], [1.0, -1.0, -1.0]), []);
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use super::LinkGeometry;
 use super::print::Print;
 use crate::geometry::Volume;
-use crate::model::{Inertial, Link, Number, Slot, Span, Tensor};
+use crate::model::{Inertial, Link, ModelFormat, Number, Slot, Span, Tensor};
 use crate::moments::{
     Elements, Moments, difference, elements, norm, rotated, rotation_matrix, scaled, transposed,
 };
@@ -35,15 +35,24 @@ pub(super) struct Body<'m> {
 }
 
 impl<'m> Body<'m> {
-    pub(super) fn of(link: &'m Link, geometry: &'m LinkGeometry, print: Print) -> Option<Self> {
+    pub(super) fn of(
+        format: ModelFormat,
+        link: &'m Link,
+        geometry: &'m LinkGeometry,
+        print: Print,
+    ) -> Option<Self> {
         let inertial = link.inertial.as_ref()?;
         if !inertial.pose.unreadable.is_empty() {
             return None;
         }
         let mass = inertial.mass.finite()?;
         let mut written = [0.0; 6];
-        for (element, slot) in written.iter_mut().zip(slots(&inertial.tensor)?) {
-            *element = slot.finite()?;
+        for (k, slot) in slots(&inertial.tensor)?.enumerate() {
+            written[k] = match slot {
+                // Products that SDF is not told are zero.
+                Slot::Missing { .. } if k >= 3 && format == ModelFormat::Sdf => 0.0,
+                slot => slot.finite()?,
+            };
         }
         let rotation = rotation_matrix(inertial.pose.rotation);
         let (rounding, is_cut) = print.rounding(&inertial.tensor, &written);

@@ -8,8 +8,8 @@
 //!   (x, y, z) → (−x, y, z), (x, −y, z), (x, y, −z), (−x, −y, −z).
 //!
 //! The centres say which of these are possible. It is a finding if products and moments have equal sizes on both sides
-//! and the signs are those of none of them. The same centre on both sides means the same part twice, as a motor is, and
-//! is none.
+//! and the signs are those of none of them. The same part twice, as a motor is, is none: its centre is the same on both
+//! sides, or turned by half a turn (two signs), and then its products are, too.
 
 use std::collections::HashMap;
 
@@ -17,7 +17,7 @@ use super::body::{Body, NAMES};
 use super::finding;
 use super::written::short;
 use crate::finding::{Finding, Severity};
-use crate::moments::norm;
+use crate::moments::{PLACES, norm};
 
 /// What sides are called: left, right; rear ones as in FL FR RL RR and LF RF LH RH.
 const SIDES: [(&str, &str); 12] = [
@@ -41,7 +41,16 @@ const EQUAL: f64 = 0.01;
 /// A coordinate or a product is there if it is this part of its vector or tensor. Below, its sign may be noise.
 const THERE: f64 = 0.02;
 
-const MAPS: [[f64; 3]; 4] = [[-1.0, 1.0, 1.0], [1.0, -1.0, 1.0], [1.0, 1.0, -1.0], [-1.0, -1.0, -1.0]];
+/// Mirror images, and then the same part turned by half a turn.
+const MAPS: [[f64; 3]; 7] = [
+    [-1.0, 1.0, 1.0],
+    [1.0, -1.0, 1.0],
+    [1.0, 1.0, -1.0],
+    [-1.0, -1.0, -1.0],
+    [-1.0, -1.0, 1.0],
+    [-1.0, 1.0, -1.0],
+    [1.0, -1.0, -1.0],
+];
 
 pub(super) fn check(bodies: &[Option<Body>], findings: &mut Vec<Finding>) {
     let names: HashMap<&str, &Body> =
@@ -108,43 +117,31 @@ fn pair(left: &Body, right: &Body, findings: &mut Vec<Finding>) {
     let distance = left.centre.iter().map(|x| x * x).sum::<f64>().sqrt();
     let same_centre = (0..3).all(|k| near(left.centre[k], right.centre[k], distance));
     let size = norm(&left.tensor);
-    let equal_sizes = (0..6).all(|k| near(left.tensor[k].abs(), right.tensor[k].abs(), THERE * size));
+    let equal_sizes = (0..6).all(|k| near(left.tensor[k].abs(), right.tensor[k].abs(), size));
     if !alike || same_centre || !equal_sizes || !(size > 0.0) {
         return;
     }
-    let mirrors: Vec<[f64; 3]> = MAPS
+    let consistent: Vec<[f64; 3]> = MAPS
         .into_iter()
         .filter(|s| (0..3).all(|k| near(right.centre[k], s[k] * left.centre[k], distance)))
         .collect();
-    let agrees = |s: &[f64; 3]| {
-        let signs = [s[0] * s[1], s[0] * s[2], s[1] * s[2]];
-        (0..3).all(|k| {
-            let (l, r) = (left.tensor[k + 3], right.tensor[k + 3]);
-            l.abs() <= THERE * size || l * r * signs[k] > 0.0
-        })
+    let there: Vec<usize> = (3..6).filter(|k| left.tensor[*k].abs() > THERE * size).collect();
+    let agrees = |s: &[f64; 3], k: usize| {
+        let (a, b) = PLACES[k];
+        left.tensor[k] * right.tensor[k] * s[a] * s[b] > 0.0
     };
-    if mirrors.is_empty() || mirrors.iter().any(agrees) {
+    let mirrored = consistent.iter().find(|s| s.iter().product::<f64>() < 0.0);
+    let Some(mirrored) = mirrored.filter(|_| !consistent.iter().any(|s| there.iter().all(|k| agrees(s, *k))))
+    else {
         return;
-    }
-    // The products that are there and have the sign of the other side.
-    let same = |k: &usize| left.tensor[*k] * right.tensor[*k] > 0.0 && left.tensor[*k].abs() > THERE * size;
-    let products: Vec<usize> = (3..6).filter(same).collect();
-    let wrong = |k: &usize| {
-        mirrors.iter().any(|s| {
-            let sign = [s[0] * s[1], s[0] * s[2], s[1] * s[2]][k - 3];
-            left.tensor[*k] * right.tensor[*k] * sign < 0.0 && left.tensor[*k].abs() > THERE * size
-        })
     };
-    let named: Vec<usize> = (3..6).filter(wrong).collect();
-    let shown: Vec<String> = named
+    let wrong: Vec<usize> = there.iter().copied().filter(|k| !agrees(mirrored, *k)).collect();
+    let shown: Vec<String> = wrong
         .iter()
         .map(|k| format!("{} {} and {}", NAMES[*k], short(left.tensor[*k], 4), short(right.tensor[*k], 4)))
         .collect();
-    let how = if products.len() == (3..6).filter(|k| left.tensor[*k].abs() > THERE * size).count() {
-        "the same products"
-    } else {
-        "products of the wrong sign"
-    };
+    let copied = there.iter().all(|k| left.tensor[*k] * right.tensor[*k] > 0.0);
+    let how = if copied { "the same products" } else { "products of the wrong sign" };
     let message = format!(
         "{} / {}: mirror images with {how}: {} kg·m²",
         left.link.name.text,
@@ -152,7 +149,7 @@ fn pair(left: &Body, right: &Body, findings: &mut Vec<Finding>) {
         shown.join(", ")
     );
     let rule = "of a body mirrored along x, ixy and ixz change their signs; along y, ixy and iyz; along z, ixz and iyz";
-    let span = named.first().map_or(right.tensor_place(), |k| right.place(*k));
+    let span = wrong.first().map_or(right.tensor_place(), |k| right.place(*k));
     let mut found = finding("inertia.mirrored_pair", Severity::Suspect, right.link, span, message, rule);
     found.numbers = vec![("ixy", right.tensor[3]), ("ixz", right.tensor[4]), ("iyz", right.tensor[5])];
     findings.push(found);

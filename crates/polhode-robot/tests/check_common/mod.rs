@@ -10,40 +10,40 @@ use polhode_robot::geometry::{Volume, VolumeKind};
 use polhode_robot::model::RobotModel;
 use polhode_robot::read::{ReadOptions, read_text};
 
-pub type Matrix = [[f64; 3]; 3];
+pub(crate) type Matrix = [[f64; 3]; 3];
 
-pub fn read(text: &str) -> RobotModel {
+pub(crate) fn read(text: &str) -> RobotModel {
     read_text(text, Path::new("robot.urdf"), &ReadOptions::default()).unwrap()
 }
 
 /// The findings of a text without geometry.
-pub fn findings(text: &str) -> Vec<Finding> {
+pub(crate) fn findings(text: &str) -> Vec<Finding> {
     check(&read(text), &[])
 }
 
 /// The findings of a text whose first link has this geometry.
-pub fn findings_with(text: &str, geometry: LinkGeometry) -> Vec<Finding> {
+pub(crate) fn findings_with(text: &str, geometry: LinkGeometry) -> Vec<Finding> {
     check(&read(text), &[geometry])
 }
 
 /// The one finding with this code.
-pub fn only<'f>(findings: &'f [Finding], code: &str) -> &'f Finding {
+pub(crate) fn only<'f>(findings: &'f [Finding], code: &str) -> &'f Finding {
     let found: Vec<_> = findings.iter().filter(|f| f.code == code).collect();
     assert_eq!(found.len(), 1, "{code}: {findings:#?}");
     found[0]
 }
 
-pub fn number(finding: &Finding, name: &str) -> f64 {
+pub(crate) fn number(finding: &Finding, name: &str) -> f64 {
     finding.numbers.iter().find(|(n, _)| *n == name).unwrap_or_else(|| panic!("{name}: {finding:?}")).1
 }
 
 /// Nothing worse than a note.
-pub fn is_clean(findings: &[Finding]) -> bool {
+pub(crate) fn is_clean(findings: &[Finding]) -> bool {
     findings.iter().all(|f| f.severity == Severity::Note)
 }
 
 /// The text with a finding's repair.
-pub fn repaired(text: &str, finding: &Finding) -> String {
+pub(crate) fn repaired(text: &str, finding: &Finding) -> String {
     let repair = finding.repair.as_ref().unwrap_or_else(|| panic!("no repair: {finding:#?}"));
     let mut edits = repair.edits.clone();
     edits.sort_by_key(|(span, _)| std::cmp::Reverse(span.start));
@@ -55,7 +55,7 @@ pub fn repaired(text: &str, finding: &Finding) -> String {
 }
 
 /// Rz(yaw) Ry(pitch) Rx(roll), as URDF has it.
-pub fn turn([roll, pitch, yaw]: [f64; 3]) -> Matrix {
+pub(crate) fn turn([roll, pitch, yaw]: [f64; 3]) -> Matrix {
     let (sr, cr) = roll.sin_cos();
     let (sp, cp) = pitch.sin_cos();
     let (sy, cy) = yaw.sin_cos();
@@ -65,37 +65,37 @@ pub fn turn([roll, pitch, yaw]: [f64; 3]) -> Matrix {
     times(&times(&rz, &ry), &rx)
 }
 
-pub fn times(a: &Matrix, b: &Matrix) -> Matrix {
+pub(crate) fn times(a: &Matrix, b: &Matrix) -> Matrix {
     std::array::from_fn(|i| std::array::from_fn(|j| (0..3).map(|k| a[i][k] * b[k][j]).sum()))
 }
 
-pub fn transposed(a: &Matrix) -> Matrix {
+pub(crate) fn transposed(a: &Matrix) -> Matrix {
     std::array::from_fn(|i| std::array::from_fn(|j| a[j][i]))
 }
 
 /// R I Rᵀ
-pub fn conjugated(i: &Matrix, r: &Matrix) -> Matrix {
+pub(crate) fn conjugated(i: &Matrix, r: &Matrix) -> Matrix {
     times(&times(r, i), &transposed(r))
 }
 
 /// xx, yy, zz, xy, xz, yz
-pub fn six(i: &Matrix) -> [f64; 6] {
+pub(crate) fn six(i: &Matrix) -> [f64; 6] {
     [i[0][0], i[1][1], i[2][2], i[0][1], i[0][2], i[1][2]]
 }
 
 /// A uniform slab, askew in its link and off its origin: three moments, all products, and a turned inertial frame.
 #[derive(Clone, Copy, Debug)]
-pub struct Slab {
-    pub mass: f64,
-    pub edges: [f64; 3],
+pub(crate) struct Slab {
+    pub(crate) mass: f64,
+    pub(crate) edges: [f64; 3],
     /// Of the slab in the link.
-    pub attitude: [f64; 3],
-    pub centre: [f64; 3],
+    pub(crate) attitude: [f64; 3],
+    pub(crate) centre: [f64; 3],
     /// Roll, pitch, yaw of the inertial's frame.
-    pub frame: [f64; 3],
+    pub(crate) frame: [f64; 3],
 }
 
-pub const SLAB: Slab = Slab {
+pub(crate) const SLAB: Slab = Slab {
     mass: 1.37,
     edges: [0.11, 0.19, 0.31],
     attitude: [0.4, -0.7, 1.1],
@@ -111,13 +111,13 @@ impl Slab {
     }
 
     /// About the centre, along the inertial's axes: what a right file has.
-    pub fn tensor(&self) -> [f64; 6] {
+    pub(crate) fn tensor(&self) -> [f64; 6] {
         let inertial = conjugated(&self.per_mass(), &transposed(&turn(self.frame)));
         six(&inertial).map(|x| x * self.mass)
     }
 
     /// What a closed mesh of it gives.
-    pub fn geometry(&self) -> LinkGeometry {
+    pub(crate) fn geometry(&self) -> LinkGeometry {
         let [a, b, c] = self.edges;
         let volume = a * b * c;
         let half = 0.5 * (a * a + b * b + c * c).sqrt();
@@ -126,12 +126,12 @@ impl Slab {
     }
 
     /// A robot of this one link with these six numbers.
-    pub fn robot(&self, tensor: [f64; 6]) -> String {
+    pub(crate) fn robot(&self, tensor: [f64; 6]) -> String {
         let texts = tensor.map(|x| format!("{x:.7e}"));
         self.robot_of(&texts.each_ref().map(String::as_str))
     }
 
-    pub fn robot_of(&self, [xx, yy, zz, xy, xz, yz]: &[&str; 6]) -> String {
+    pub(crate) fn robot_of(&self, [xx, yy, zz, xy, xz, yz]: &[&str; 6]) -> String {
         let ([x, y, z], [r, p, w]) = (self.centre, self.frame);
         format!(
             r#"<robot name="r"><link name="slab"><inertial>
@@ -144,7 +144,7 @@ impl Slab {
 }
 
 /// A link with these inertial numbers, at its own origin.
-pub fn link(name: &str, mass: &str, [xx, yy, zz, xy, xz, yz]: [&str; 6]) -> String {
+pub(crate) fn link(name: &str, mass: &str, [xx, yy, zz, xy, xz, yz]: [&str; 6]) -> String {
     format!(
         r#"<link name="{name}"><inertial><mass value="{mass}"/>
 <inertia ixx="{xx}" ixy="{xy}" ixz="{xz}" iyy="{yy}" iyz="{yz}" izz="{zz}"/></inertial></link>
@@ -152,17 +152,17 @@ pub fn link(name: &str, mass: &str, [xx, yy, zz, xy, xz, yz]: [&str; 6]) -> Stri
     )
 }
 
-pub fn robot(parts: &str) -> String {
+pub(crate) fn robot(parts: &str) -> String {
     format!("<?xml version=\"1.0\"?>\n<robot name=\"r\">\n{parts}</robot>\n")
 }
 
 /// A ball's worth of reach around a point.
-pub fn bounds(centre: [f64; 3], half: f64) -> LinkGeometry {
+pub(crate) fn bounds(centre: [f64; 3], half: f64) -> LinkGeometry {
     LinkGeometry { volumes: Vec::new(), bounds: Some([centre.map(|x| x - half), centre.map(|x| x + half)]) }
 }
 
 /// A solid with this tensor for each kilogram.
-pub fn solid(
+pub(crate) fn solid(
     volume: f64,
     centroid: [f64; 3],
     per_mass: Matrix,
@@ -176,7 +176,7 @@ pub fn solid(
 }
 
 /// A box of these edges at a link's origin.
-pub fn block([a, b, c]: [f64; 3], kind: VolumeKind) -> LinkGeometry {
+pub(crate) fn block([a, b, c]: [f64; 3], kind: VolumeKind) -> LinkGeometry {
     let (x, y, z) = (a * a / 12.0, b * b / 12.0, c * c / 12.0);
     let per_mass = [[y + z, 0.0, 0.0], [0.0, x + z, 0.0], [0.0, 0.0, x + y]];
     let half = [a / 2.0, b / 2.0, c / 2.0];

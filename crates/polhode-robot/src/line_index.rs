@@ -5,7 +5,7 @@
 /// ```
 /// use polhode_robot::line_index::LineIndex;
 /// let lines = LineIndex::new("<robot>\r\n  <!-- ½ --><link/>\r\n</robot>");
-/// assert_eq!(lines.place(24), (2, 14)); // a column is a character, not a byte
+/// assert_eq!(lines.place(22), (2, 13)); // <link/>: a column is a character, not a byte
 /// ```
 #[derive(Clone, Debug)]
 pub struct LineIndex<'a> {

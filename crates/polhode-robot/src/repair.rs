@@ -1,6 +1,6 @@
 //! Repairs: a model's text with the edits of its findings made, and every other byte as it was.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::finding::{Finding, Repair};
 use crate::model::{RobotModel, Span};
@@ -10,7 +10,7 @@ use crate::model::{RobotModel, Span};
 pub struct Repaired {
     /// The whole text.
     pub text: String,
-    /// The findings whose repairs are in it, by their place in the list that was given.
+    /// The findings whose repairs are in it, by their place in the list that was given, ascending.
     pub applied: Vec<usize>,
     /// The findings whose repairs are not, and why.
     pub left: Vec<Left>,
@@ -54,7 +54,7 @@ impl LeftReason {
 /// A repair is made whole or not at all. Where two change the same place, the first is made and the second is left; the same
 /// edit asked for twice is made once. Every byte that no edit names is kept: line ends, byte order mark, comments, spaces.
 pub fn repaired(model: &RobotModel, findings: &[Finding]) -> Repaired {
-    repaired_but(model, findings, &[])
+    repaired_but(model, findings, &BTreeSet::new())
 }
 
 /// As [`repaired`], and every repair has removed its finding.
@@ -70,7 +70,7 @@ pub fn proved<E>(
     findings: &[Finding],
     mut check: impl FnMut(&str) -> Result<Vec<Finding>, E>,
 ) -> Result<(Repaired, Vec<Finding>), E> {
-    let mut failing: Vec<usize> = Vec::new();
+    let mut failing = BTreeSet::new();
     loop {
         let result = repaired_but(model, findings, &failing);
         if result.applied.is_empty() {
@@ -110,7 +110,7 @@ fn count(findings: &[Finding]) -> BTreeMap<(&'static str, &str), usize> {
 }
 
 /// Repairs of all findings but those that are known to fail.
-fn repaired_but(model: &RobotModel, findings: &[Finding], failing: &[usize]) -> Repaired {
+fn repaired_but(model: &RobotModel, findings: &[Finding], failing: &BTreeSet<usize>) -> Repaired {
     let mut edits = Edits::default();
     let (mut applied, mut left) = (Vec::new(), Vec::new());
     for (k, finding) in findings.iter().enumerate() {

@@ -152,6 +152,13 @@ fn a_fix_overwrites_nothing_that_it_should_not() {
     assert_eq!(fs::read_to_string(scratch.0.join("good.urdf")).unwrap(), robot(GOOD));
     printed(&scratch.run(&["check", "bad.urdf", "--fix", "good.urdf", "--force"]), 0); // izz 0.53 → 0.053
     assert_eq!(scratch.entries(), ["bad.urdf", "good.urdf"]);
+    // a link to the model is the model
+    #[cfg(unix)]
+    {
+        std::os::unix::fs::symlink("bad.urdf", scratch.0.join("link.urdf")).unwrap();
+        refused(&scratch.run(&["check", "bad.urdf", "--fix", "link.urdf", "--force"]), 2);
+        assert_eq!(fs::read_to_string(scratch.0.join("bad.urdf")).unwrap(), robot(IMPOSSIBLE));
+    }
 }
 
 #[test]
@@ -282,6 +289,9 @@ fn robots_are_asked_for_a_link() {
     assert!(text.contains("knee") && text.contains("shoulder, elbow, wrist"), "{text}");
     let text = run(&["--lump", "--joint", "elbow=1 m"]);
     assert!(text.contains("elbow") && text.contains("30 deg"), "{text}");
+    scratch.write("still.sdf", "<sdf version='1.7'><model name='m'><link name='a'/></model></sdf>");
+    let text = refused(&scratch.run(&["inertia", "still.sdf", "--link", "a"]), 2);
+    assert!(text.contains("1 kg") && text.contains("write its inertial"), "{text}");
     run(&["--lump", "fixed", "--joint", "elbow=1"]);
     run(&["--joint", "elbow=1"]);
     run(&["--link", "base", "--lump"]);

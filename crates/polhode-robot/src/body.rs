@@ -52,6 +52,13 @@ pub enum LinkError {
         /// Where.
         span: Span,
     },
+    /// A link that says nothing of its mass, where the language makes something of that.
+    Assumed {
+        /// What.
+        rule: &'static str,
+        /// The link.
+        span: Span,
+    },
     /// Numbers that no body has.
     Impossible {
         /// Why.
@@ -65,7 +72,19 @@ impl LinkError {
     /// Where in the model's text.
     pub fn span(&self) -> Span {
         match self {
-            Self::Number { span, .. } | Self::Impossible { span, .. } => span.clone(),
+            Self::Number { span, .. } | Self::Assumed { span, .. } | Self::Impossible { span, .. } => {
+                span.clone()
+            }
+        }
+    }
+
+    /// What to do about it.
+    pub const fn hint(&self) -> &'static str {
+        match self {
+            Self::Assumed { .. } => "write its inertial",
+            Self::Number { .. } | Self::Impossible { .. } => {
+                "polhode check says what is wrong, and what would repair it"
+            }
         }
     }
 }
@@ -77,6 +96,7 @@ impl fmt::Display for LinkError {
             Self::Number { what, text: Some(text), .. } => {
                 write!(f, "its {what} is {text:?}, no finite number")
             }
+            Self::Assumed { rule, .. } => write!(f, "it has no inertial: {rule}"),
             Self::Impossible { error, .. } => error.fmt(f),
         }
     }
@@ -90,9 +110,19 @@ impl Error for LinkError {}
 /// [`LinkError`] if a number cannot be used, or no body has these.
 pub fn link_mass(format: ModelFormat, link: &Link) -> Result<LinkMass, LinkError> {
     match &link.inertial {
-        None => Ok(LinkMass::None),
+        None => assumed(format, link),
         Some(inertial) => of_inertial(format, inertial),
     }
+}
+
+/// A link that says nothing of its mass is a frame, but for what languages make of it.
+fn assumed(format: ModelFormat, link: &Link) -> Result<LinkMass, LinkError> {
+    let rule = match format {
+        _ if link.from_geometry => "its mass is to be computed from its geometry and densities",
+        ModelFormat::Sdf => "SDFormat then gives it 1 kg and 1 kg·m² about each axis",
+        ModelFormat::Urdf | ModelFormat::Mjcf => return Ok(LinkMass::None),
+    };
+    Err(LinkError::Assumed { rule, span: link.span.clone() })
 }
 
 fn of_inertial(format: ModelFormat, inertial: &Inertial) -> Result<LinkMass, LinkError> {

@@ -107,9 +107,6 @@ impl Group {
 
     fn add(&mut self, format: ModelFormat, link: &Link, place: Place) -> Result<(), LumpError> {
         let name = &link.name.text;
-        if let Some(rule) = assumed(format, link) {
-            return Err(LumpError::Assumed { link: name.clone(), rule, span: link.span.clone() });
-        }
         match link_mass(format, link).map_err(|error| LumpError::Link { link: name.clone(), error })? {
             LinkMass::None => self.massless.push(name.clone()),
             LinkMass::Body(body) => {
@@ -127,16 +124,6 @@ impl Group {
         let Self { frame, links, massless, rounding, parts } = self;
         let properties = assemble(&parts).map_err(LumpError::Body)?;
         Ok(Lump { frame, links, massless, rounding, properties })
-    }
-}
-
-/// What a language makes of a link that says nothing of its mass, where that is not nothing.
-const fn assumed(format: ModelFormat, link: &Link) -> Option<&'static str> {
-    match format {
-        _ if link.from_geometry => Some("its mass is to be computed from its geometry and densities"),
-        _ if link.inertial.is_some() => None,
-        ModelFormat::Sdf => Some("SDFormat then gives it 1 kg and 1 kg·m² about each axis"),
-        ModelFormat::Urdf | ModelFormat::Mjcf => None,
     }
 }
 

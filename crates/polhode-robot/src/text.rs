@@ -63,7 +63,8 @@ impl CheckReport {
     /// What `--fix` would do, where anything was found that is not only worth knowing.
     fn write_advice(&self, text: &mut String) {
         let Repaired { applied, changes, .. } = self.possible_repairs();
-        let rest = |(k, f): &(usize, &Finding)| f.severity > Severity::Note && applied.binary_search(k).is_err();
+        let rest =
+            |(k, f): &(usize, &Finding)| f.severity > Severity::Note && applied.binary_search(k).is_err();
         let rest = self.findings.iter().enumerate().filter(rest).count();
         let advice = match (changes, rest) {
             (0, 0) => return,

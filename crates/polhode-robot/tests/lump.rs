@@ -1,6 +1,7 @@
 //! Links joined to one body, against sums over their points.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may")]
 
+use polhode_robot::body::LinkError;
 use polhode_robot::lump::{Lump, LumpError, Lumping, lump};
 use polhode_robot::model::{
     Inertial, Joint, JointKind, Link, ModelFormat, Name, Number, Pose, RobotModel, Slot, Tensor,
@@ -295,7 +296,7 @@ fn what_has_no_position_is_refused() {
     assert_eq!(error(&empty, &[]), LumpError::Massless);
     let mut given = arm();
     given.links[0].from_geometry = true;
-    assert!(matches!(error(&given, &[]), LumpError::Assumed { .. }));
+    assert!(matches!(error(&given, &[]), LumpError::Link { error: LinkError::Assumed { .. }, .. }));
 }
 
 #[test]

@@ -6,6 +6,7 @@ use std::path::Path;
 use clap::{Args, ValueEnum};
 use polhode::{Body, Rotation};
 use polhode_formats::unit::Dimension;
+use polhode_report::plain::number;
 use polhode_report::{InertiaReport, SourceInfo};
 use polhode_robot::body::{LinkMass, link_mass};
 use polhode_robot::line_index::LineIndex;
@@ -84,7 +85,7 @@ fn of_link(model: &RobotModel, name: &str) -> Result<InertiaReport, Failure> {
         }
         Err(error) => {
             let message = format!("the link {name:?} is no body: {error}");
-            return Err(located(model, &error.span(), message, "polhode check says what would repair it"));
+            return Err(located(model, &error.span(), message, error.hint()));
         }
     };
     // The link's axes are the body's.
@@ -133,7 +134,7 @@ fn of_lump(model: &RobotModel, which: Which, positions: &[(String, f64)], lump: 
             format!("all {links_words} {}, joints at zero, {frame_words}", of_model(model))
         }
         Which::All => {
-            let at: Vec<_> = positions.iter().map(|(name, q)| format!("{name} = {q}")).collect();
+            let at: Vec<_> = positions.iter().map(|(name, q)| at(model, name, *q)).collect();
             format!(
                 "all {links_words} {}, {} and other joints at zero, {frame_words}",
                 of_model(model),
@@ -151,6 +152,16 @@ fn of_lump(model: &RobotModel, which: Which, positions: &[(String, f64)], lump: 
         .with("massless", massless)
         .with("joints", joints);
     InertiaReport::new(rounded(source, rounding), properties)
+}
+
+/// `elbow = 0.523599 rad`
+fn at(model: &RobotModel, name: &str, q: f64) -> String {
+    let unit = if slides(model, name) { "m" } else { "rad" };
+    format!("{name} = {} {unit}", number(q, 6))
+}
+
+fn slides(model: &RobotModel, name: &str) -> bool {
+    model.joints.iter().any(|joint| joint.name.text == name && joint.kind == JointKind::Prismatic)
 }
 
 /// The source, and that digits were too few for a possible tensor.
@@ -198,8 +209,7 @@ fn joint(text: &str) -> Result<(String, String), String> {
 
 /// The value of a joint, rad or m.
 fn position(model: &RobotModel, name: &str, value: &str) -> Result<(String, f64), Failure> {
-    let slides =
-        model.joints.iter().any(|joint| joint.name.text == name && joint.kind == JointKind::Prismatic);
+    let slides = slides(model, name);
     let dimension = if slides { Dimension::LENGTH } else { Dimension::ANGLE };
     match quantity(value, dimension) {
         Ok(q) => Ok((name.to_owned(), q)),

@@ -18,15 +18,6 @@ pub enum LumpError {
         /// Why not.
         error: LinkError,
     },
-    /// A link that says nothing of its mass, in a language that gives it some.
-    Assumed {
-        /// The link.
-        link: String,
-        /// What the language does.
-        rule: &'static str,
-        /// Where.
-        span: Span,
-    },
     /// No link has mass.
     Massless,
     /// A joint that names a link that is not there.
@@ -91,8 +82,7 @@ impl LumpError {
     pub fn span(&self) -> Option<Span> {
         match self {
             Self::Link { error, .. } => Some(error.span()),
-            Self::Assumed { span, .. }
-            | Self::NoLink { span, .. }
+            Self::NoLink { span, .. }
             | Self::Twice { span, .. }
             | Self::TwoParents { span, .. }
             | Self::TwoRoots { span, .. }
@@ -105,8 +95,7 @@ impl LumpError {
     /// What to do about it.
     pub fn hint(&self) -> String {
         match self {
-            Self::Link { .. } => "polhode check says what is wrong, and what would repair it".to_owned(),
-            Self::Assumed { .. } => "write its inertial".to_owned(),
+            Self::Link { error, .. } => error.hint().to_owned(),
             Self::Massless => "give a link an inertial".to_owned(),
             Self::NoLink { .. } | Self::Twice { .. } => "check the spelling of the names".to_owned(),
             Self::TwoRoots { .. } => "join them; --lump fixed needs no common frame".to_owned(),
@@ -126,7 +115,6 @@ impl fmt::Display for LumpError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Link { link, error } => write!(f, "the link {link:?} is no body: {error}"),
-            Self::Assumed { link, rule, .. } => write!(f, "the link {link:?} has no inertial: {rule}"),
             Self::Massless => f.write_str("no link has mass"),
             Self::NoLink { joint, link, .. } => {
                 write!(f, "the joint {joint:?} names {link:?}, and there is no such link")

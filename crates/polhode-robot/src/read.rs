@@ -2,10 +2,11 @@
 //!
 //! A reader says what stands in the file. It refuses only what is no model at all: text that is no XML, another root element.
 //! A number that is none (`"0,5"`), an element that lacks one, a mesh that no root holds: these stay in the model as they are,
-//! for the checks. What a reader leaves out is a [`Note`](crate::model::Note).
+//! for the checks. What a reader leaves out is a [`Note`].
 //!
-//! Defaults of the languages: in SDF a missing mass is 1 kg, and missing moments are 1 kg·m²; here they are
-//! [`Slot::Missing`](crate::model::Slot::Missing) in each language.
+//! Defaults are not filled in: in SDF a missing mass is 1 kg, a missing moment 1 kg·m², and a link without `<inertial>` has both; here they
+//! are [`Slot::Missing`](crate::model::Slot::Missing), [`Tensor::Missing`](crate::model::Tensor::Missing) and `None`, as in the other
+//! languages.
 //!
 //! Not read: xacro (expand it first), `<include>` of SDF and MJCF and what else other files say (a note), `<composite>`, `<flexcomp>` and
 //! `<replicate>` of MJCF (a note).
@@ -22,7 +23,7 @@ use std::path::{Path, PathBuf};
 
 use polhode_formats::{ContentError, ContentErrorKind, ContentPlace, FormatError};
 
-use crate::model::{ModelFormat, RobotModel};
+use crate::model::{ModelFormat, Note, RobotModel};
 
 /// How a model is read.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -107,10 +108,28 @@ fn read(text: String, path: &Path, options: &ReadOptions) -> Result<RobotModel, 
             ModelFormat::Sdf => sdf::read(root, &roots, &mut model)?,
             ModelFormat::Mjcf => mjcf::read(root, &roots, &mut model)?,
         }
+        keep_finite(&mut model);
         Ok(model)
     });
     match parsed {
         Ok(model) => Ok(RobotModel { text, ..model }),
         Err(error) => Err(FormatError::of_content(path, text.as_bytes(), error)),
+    }
+}
+
+/// Takes frames whose place f64 does not hold to the origin, with a note.
+fn keep_finite(model: &mut RobotModel) {
+    let links = model.links.iter_mut().map(|link| (&link.name, &link.span, &mut link.pose));
+    let joints = model.joints.iter_mut().map(|joint| (&joint.name, &joint.span, &mut joint.pose));
+    for (name, span, pose) in links.chain(joints) {
+        if !pose.position.iter().all(|c| c.is_finite()) {
+            pose.position = [0.0; 3];
+            model.notes.push(Note {
+                code: "read.pose",
+                subject: name.text.clone(),
+                span: span.clone(),
+                message: "its place is beyond the largest double: it is taken at the origin".to_owned(),
+            });
+        }
     }
 }

@@ -10,8 +10,8 @@ use std::path::{Path, PathBuf};
 use common::{read, refused};
 use polhode_formats::{ContentErrorKind, FormatErrorKind};
 use polhode_robot::geometry::Shapes;
-use polhode_robot::model::{GeometryShape, Role, Tensor};
-use polhode_robot::read::{ReadOptions, format_of, read_model};
+use polhode_robot::model::{GeometryShape, Link, Role, Slot, Tensor};
+use polhode_robot::read::{ReadOptions, format_of, read_model, read_text};
 
 #[test]
 fn document_types_are_refused_where_they_stand() {
@@ -116,6 +116,14 @@ fn what_is_no_xml_says_where() {
 fn what_other_readers_take_is_taken() {
     let text = "\n<?xml version='1.0'?><!-- -- a -- b -- -->\n<robot><link name='a'/><body:empty/><gazebo sensor:kind='x'/></robot>";
     assert_eq!(read(text).links.len(), 1);
+}
+
+#[test]
+fn places_beyond_the_largest_double_are_noted() {
+    let body = "<body pos='1e308 -1e308 1e308' euler='10 20 30'>".repeat(3);
+    let model = read(&format!("<mujoco><worldbody>{body}{}</worldbody></mujoco>", "</body>".repeat(3)));
+    assert!(model.links.iter().all(|link| link.pose.position.iter().all(|c| c.is_finite())));
+    assert!(!model.notes.is_empty() && model.notes.iter().all(|note| note.code == "read.pose"));
 }
 
 /// A folder of its own, gone with the test.
@@ -242,4 +250,99 @@ fn text_that_is_not_utf8_says_its_byte() {
         read_model(&folder.0.join("none.urdf"), &ReadOptions::default()).unwrap_err().kind(),
         FormatErrorKind::Io { .. }
     ));
+}
+
+const SAMPLES: [&str; 3] = [
+    "\u{feff}<?xml version='1.0'?><robot name='ß'><!-- é --><link name='a'><inertial><origin xyz='1 2e-3 -3' rpy='0.1 &#50; 0'/>\
+     <mass value='1.5'/><inertia ixx='1' iyy='2' izz='2.5' ixy='0' ixz='0' iyz='0'/></inertial><visual><geometry><mesh filename='package://a/b.stl' \
+     scale='1 -1 1'/></geometry></visual></link><joint name='j' type='fixed'><parent link='a'/><child link='b'/><axis xyz='0 0 1'/></joint></robot>",
+    "<sdf version='1.9'><world name='w'><model name='m'><static>true</static><pose degrees='true'>1 2 3 4 5 6</pose><link name='a'><pose \
+     relative_to='f'>1 2 3 0.1 0.2 0.3</pose><inertial><mass>1.5</mass><inertia><ixx>0.1</ixx></inertia></inertial><collision name='c'><geometry><box>\
+     <size>1 2 3</size></box></geometry></collision></link><frame name='f' attached_to='n::b'/><model name='n'><link name='b'/></model><joint name='j' \
+     type='ball'><parent>a</parent><child>n::b</child><axis><xyz expressed_in='f'>0 0 1</xyz></axis></joint></model></world></sdf>",
+    "<mujoco model='m'><compiler angle='radian' eulerseq='XYZ' meshdir='a'/><default><geom type='box' size='1 2 3'/><default class='c'><joint axis='1 0 0'/>\
+     </default></default><asset><mesh file='b.obj'/></asset><worldbody><body childclass='c' euler='0.1 0.2 0.3'><inertial pos='0 0 0' quat='1 2 3 4' mass='2' \
+     fullinertia='1 2 3 0.1 0.2 0.3'/><freejoint/><frame zaxis='1 0 0'><geom mesh='b' type='mesh'/><body xyaxes='1 0 0 0 1 0'><joint/></body></frame></body></worldbody></mujoco>",
+];
+
+#[test]
+fn broken_texts_are_read_or_refused_and_every_place_is_in_them() {
+    let mut state = 7_u64;
+    let mut random = |below: usize| {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 33) as usize % below
+    };
+    let pieces = [
+        "<",
+        ">",
+        "'",
+        "\"",
+        "&",
+        "/",
+        "::",
+        "]]>",
+        "<!--",
+        "-->",
+        "<![CDATA[",
+        "1e999",
+        "nan",
+        "é",
+        " ",
+        "=",
+        "<a>",
+        "main",
+        "world",
+    ];
+    let mut read_ones = 0;
+    for round in 0..6000 {
+        let mut text = SAMPLES[round % 3].to_owned();
+        for _ in 0..=random(3) {
+            let (from, to) = (random(text.len() + 1), random(12));
+            let from = text.floor_char_boundary(from);
+            let to = text.ceil_char_boundary((from + to).min(text.len()));
+            let piece = pieces[random(pieces.len())].to_owned();
+            let moved = text[from..to].to_owned();
+            match random(3) {
+                0 => text.replace_range(from..to, &piece),
+                1 => text.replace_range(from..to, ""),
+                _ => text.insert_str(text.floor_char_boundary(random(text.len() + 1)), &moved),
+            }
+        }
+        let Ok(model) = read_text(&text, "nowhere/model.xml".as_ref(), &ReadOptions::default()) else {
+            continue;
+        };
+        read_ones += 1;
+        let slots =
+            |link: &Link| match link.inertial.as_ref().map(|inertial| (&inertial.mass, &inertial.tensor)) {
+                Some((mass, Tensor::Six(six))) => six.iter().chain([mass]).map(Slot::span).collect(),
+                Some((mass, Tensor::Diagonal(three))) => three.iter().chain([mass]).map(Slot::span).collect(),
+                Some((mass, Tensor::Missing(span))) => vec![span.clone(), mass.span()],
+                None => Vec::new(),
+            };
+        let links = model.links.iter().flat_map(|link| {
+            let bad = link.pose.unreadable.iter().map(|number| number.span.clone());
+            let shapes = link.geometry.iter().map(|geometry| geometry.span.clone());
+            slots(link)
+                .into_iter()
+                .chain(bad)
+                .chain(shapes)
+                .chain([link.span.clone(), link.name.span.clone()])
+        });
+        let joints = model
+            .joints
+            .iter()
+            .flat_map(|joint| [joint.span.clone(), joint.name.span.clone(), joint.child.span.clone()]);
+        for span in links.chain(joints).chain(model.notes.iter().map(|note| note.span.clone())) {
+            assert!(text.get(span.clone()).is_some(), "{span:?} of {text}");
+        }
+        for link in &model.links {
+            let norm: f64 = link.pose.rotation.iter().map(|c| c * c).sum();
+            assert!(
+                (norm - 1.0).abs() < 1e-14 && link.pose.position.iter().all(|c| c.is_finite()),
+                "{:?}",
+                link.pose
+            );
+        }
+    }
+    assert!(read_ones > 400, "{read_ones}");
 }

@@ -138,7 +138,7 @@ fn inertials_in_both_forms_and_none() {
 fn geoms_have_halves_and_what_their_classes_say() {
     let text = r#"<mujoco>
       <compiler meshdir="assets/"/>
-      <default><geom type="capsule" size="0.1 0.2"/><mesh scale="2 2 2"/>
+      <default class="all"><geom type="capsule" size="0.1 0.2"/><mesh scale="2 2 2"/>
         <default class="seen"><geom contype="0" conaffinity="0" type="box" size="0.1 0.2 0.3"/>
           <default class="long"><geom size="0.5 0.6 0.7"/></default></default>
         <default class="up"><joint axis="1 0 0" type="slide"/><geom euler="90 0 0"/></default>
@@ -149,6 +149,7 @@ fn geoms_have_halves_and_what_their_classes_say() {
         <geom class="main" type="mesh" mesh="arm"/><geom class="main" type="mesh" mesh="m"/>
         <geom class="main" type="cylinder" fromto="1 2 3 1 2 5" size="0.3"/>
         <geom class="main" type="ellipsoid" size="1 2 3"/><geom class="main" type="hfield"/>
+        <geom class="all" size="0.3"/>
         <body childclass="up"><joint/><geom zaxis="0 1 0"/></body>
       </body></worldbody></mujoco>"#;
     let model = read(text);
@@ -166,6 +167,8 @@ fn geoms_have_halves_and_what_their_classes_say() {
     assert_eq!(model.links[0].geometry[5].pose.position, [1.0, 2.0, 4.0]);
     assert_eq!(shapes[6].1, GeometryShape::Ellipsoid([1.0, 2.0, 3.0]));
     assert_eq!(shapes[7].1, GeometryShape::Other("hfield".to_owned()));
+    // a number that the geom does not give is its class's
+    assert_eq!(shapes[8].1, GeometryShape::Capsule { radius: 0.3, length: 0.4 });
     assert_eq!((model.joints[1].kind, model.joints[1].axis), (JointKind::Prismatic, [1.0, 0.0, 0.0]));
     // the geom's own form of attitude goes before its class's
     assert_close(applied(model.links[1].geometry[0].pose.matrix(), [0.0, 0.0, 1.0]), [0.0, 1.0, 0.0], 2e-15);
@@ -173,8 +176,16 @@ fn geoms_have_halves_and_what_their_classes_say() {
 
 #[test]
 fn what_is_not_read_is_noted() {
-    let text = r#"<mujoco><include file="other.xml"/><worldbody><body name="b"><composite/><replicate/></body></worldbody></mujoco>"#;
+    let text = r#"<mujoco><include file="other.xml"/><worldbody><body name="b"><composite/><replicate/></body><include file='more.xml'/></worldbody></mujoco>"#;
     let codes: Vec<_> = read(text).notes.iter().map(|n| (n.code, n.subject.clone())).collect();
     let left = |code, subject: &str| (code, subject.to_owned());
-    assert_eq!(codes, [left("read.include", ""), left("read.left_out", "b"), left("read.left_out", "b")]);
+    assert_eq!(
+        codes,
+        [
+            left("read.include", ""),
+            left("read.include", ""),
+            left("read.left_out", "b"),
+            left("read.left_out", "b")
+        ]
+    );
 }

@@ -141,11 +141,14 @@ fn a_macro_is_refused_with_the_way_to_expand_it() {
     let texts = [
         r#"<robot xmlns:xacro="x"><xacro:macro name="leg"/></robot>"#,
         r#"<robot xmlns:xacro="x"><link name="${side}_leg"/></robot>"#,
+        r#"<robot xmlns:xacro="x"><link name="leg"><visual><origin xyz="0 0 ${l}"/></visual></link></robot>"#,
     ];
     for text in texts {
         let error = common::refused(text);
         assert!(error.hint().unwrap().contains("xacro robot.urdf.xacro"), "{error}");
     }
+    // what is left in a comment is none
+    read(r#"<robot xmlns:xacro="x"><!-- ${l} --><link name="leg"/></robot>"#);
 }
 
 #[test]

@@ -225,7 +225,7 @@ impl<'a> Reader<'a, '_> {
     }
 
     fn shape(&self, source: &Source<'_, 'a>, ends: Option<[f64; 6]>) -> GeometryShape {
-        let mut sizes = source.written("size").map_or_else(Vec::new, |size| size.values().take(3).collect());
+        let mut sizes = source.values("size");
         if let Some([ax, ay, az, bx, by, bz]) = ends {
             // radius, and half the length between the ends; a box or ellipsoid is as wide as it is deep
             let half = 0.5 * [bx - ax, by - ay, bz - az].iter().map(|c| c * c).sum::<f64>().sqrt();
@@ -333,7 +333,8 @@ impl<'a> Reader<'a, '_> {
             .map_or("", |link| &link.name.text)
             .to_owned();
         let message = format!("<{}> is not read: what it makes is not checked", element.name());
-        self.note("read.left_out", &subject, element.span(), message);
+        let code = if element.name() == "include" { "read.include" } else { "read.left_out" };
+        self.note(code, &subject, element.span(), message);
     }
 
     fn note(&mut self, code: &'static str, subject: &str, span: Span, message: String) {

@@ -65,11 +65,12 @@ fn tag(copy: &mut String, rest: &str) -> Result<(), ContentError> {
     let mut attributes = 0;
     let mut rest = rest;
     // each round takes what stands before a quote or the end, and the quoted text with it
-    while let Some((stop, mark)) =
-        rest.bytes().enumerate().skip(usize::from(copy.len() == here)).find(is_mark)
-    {
-        let (outside, from_mark) = rest.split_at(stop);
-        copy.extend(outside.chars().map(|c| if c == ':' { '_' } else { c }));
+    while let Some((outside, from_mark, mark)) = up_to_mark(rest, copy.len() == here) {
+        if outside.contains(':') {
+            copy.push_str(&outside.replace(':', "_"));
+        } else {
+            copy.push_str(outside);
+        }
         match mark {
             b'>' => {
                 copy.push('>');
@@ -101,8 +102,12 @@ fn tag(copy: &mut String, rest: &str) -> Result<(), ContentError> {
     Err(missing("the end of the tag, >", here..here + 1))
 }
 
-fn is_mark((_, byte): &(usize, u8)) -> bool {
-    matches!(byte, b'"' | b'\'' | b'>' | b'<')
+/// What stands before the next quote or angle bracket, that and the rest, and which it is. A tag's own bracket does not count.
+fn up_to_mark(rest: &str, is_first: bool) -> Option<(&str, &str, u8)> {
+    let from = usize::from(is_first);
+    let stop = from + rest.get(from..)?.find(['"', '\'', '>', '<'])?;
+    let (outside, from_mark) = rest.split_at_checked(stop)?;
+    Some((outside, from_mark, *from_mark.as_bytes().first()?))
 }
 
 #[cfg(test)]

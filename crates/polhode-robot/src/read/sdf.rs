@@ -118,7 +118,7 @@ fn gather<'a>(
 
 /// Refuses names that are longer together than the text can account for.
 fn require_short(name_bytes: usize, element: Element<'_>) -> Result<(), ContentError> {
-    if name_bytes <= MOST_NAME_BYTES * element.document_length() {
+    if name_bytes <= MOST_NAME_BYTES * element.document().len() {
         return Ok(());
     }
     let what =

@@ -8,7 +8,7 @@ use polhode_formats::{ContentError, ContentErrorKind, ContentPlace};
 
 use crate::model::{
     Geometry, GeometryShape, Inertial, Joint, JointKind, Link, Name, Note, Pose, RobotModel, Role, Slot,
-    Tensor,
+    Span, Tensor,
 };
 use crate::pose::of_roll_pitch_yaw;
 use crate::read::pose::Reading;
@@ -25,31 +25,21 @@ pub(super) fn read(root: Element<'_>, roots: &Roots, model: &mut RobotModel) -> 
                 model.links.push(link);
             }
             "joint" => model.joints.push(joint(child)),
-            name if name.starts_with("xacro_") => return Err(xacro(child)),
+            name if name.starts_with("xacro_") => return Err(xacro(child.span())),
             _ => {}
         }
     }
-    let shape = |geometry: &Geometry| matches!(&geometry.shape, GeometryShape::Mesh { uri, .. } if uri.text.contains("${"));
-    let expression = |link: &Link| {
-        let mass = link.inertial.as_ref().map(|inertial| &inertial.mass);
-        link.name.text.contains("${")
-            || matches!(mass, Some(Slot::Given(number)) if number.text.contains("${"))
-            || link.geometry.iter().any(shape)
-    };
+    // an expanded file may still declare the prefix; an expression is what gives a macro away
     if root.has_prefix("xacro")
-        && let Some(element) = model.links.iter().find(|link| expression(link))
+        && let Some(start) = root.document().find("${")
     {
-        return Err(xacro_at(element.span.start..element.span.start + 1));
+        return Err(xacro(start..start + 2));
     }
     Ok(())
 }
 
-fn xacro(element: Element<'_>) -> ContentError {
-    xacro_at(element.span())
-}
-
 /// A macro file is not the model yet.
-fn xacro_at(span: crate::model::Span) -> ContentError {
+fn xacro(span: Span) -> ContentError {
     let what = "xacro: this file is a macro that makes a model, not the model".to_owned();
     ContentError::new(ContentErrorKind::Unsupported { what }, ContentPlace::Text(span))
         .hint("expand it first: xacro robot.urdf.xacro > robot.urdf")

@@ -82,9 +82,14 @@ impl<'a> Element<'a> {
         self.0.range()
     }
 
-    /// Bytes of the whole text.
-    pub(crate) fn document_length(self) -> usize {
-        self.0.document().input_text().len()
+    /// The whole text, without comments.
+    pub(crate) fn document(self) -> &'a str {
+        self.0.document().input_text()
+    }
+
+    /// Whether it stands directly in another element.
+    pub(crate) fn is_below(self, parent: Element<'_>) -> bool {
+        self.0.parent_element().is_some_and(|own| own.id() == parent.0.id())
     }
 
     /// The elements in it.

@@ -74,6 +74,10 @@ impl<'a> Classes<'a> {
                     }
                 }
             }
+            if around == MAIN && element.is_below(root) {
+                // the outermost class is everything's, whatever it is called
+                named.insert(MAIN, class.clone());
+            }
             named.insert(name, class);
             waiting.extend(element.named("default").map(|inner| (inner, name)));
         }
@@ -109,6 +113,15 @@ impl<'a> Source<'_, 'a> {
     /// What an attribute says, here or in the class.
     pub(super) fn written(&self, name: &str) -> Option<Written<'a>> {
         self.element.attribute(name).or_else(|| self.class?.get(name).cloned())
+    }
+
+    /// The numbers of an attribute; those that the element does not give are the class's.
+    pub(super) fn values(&self, name: &str) -> Vec<f64> {
+        let class =
+            self.class.and_then(|class| class.get(name)).map_or_else(Vec::new, |all| all.values().collect());
+        let own = self.element.attribute(name).map_or_else(Vec::new, |all| all.values().collect());
+        let rest = class.get(own.len()..).unwrap_or(&[]);
+        own.iter().chain(rest).copied().collect()
     }
 
     /// The words of an attribute.

@@ -7,9 +7,9 @@
 //! Few false alarms matter as much as catches. So:
 //!
 //! - A number is as sure as its digits. A tensor is impossible only if no tensor that rounds to the written one is
-//!   possible ([`possible`]).
+//!   possible (`check/possible.rs`).
 //! - A tensor that differs from its geometry's is no finding: bodies are not uniform. It becomes one where the
-//!   geometry has the tensor that a known mistake would have spoilt in just this way ([`explain`]): the mistake undone
+//!   geometry has the tensor that a known mistake would have spoilt in just this way (`check/explain.rs`): the mistake undone
 //!   leaves 3 % at most, and a fifth at most of what there was. Six numbers do not agree by chance.
 //! - A repair is offered if it is the only one. Two that would do are none.
 //!
@@ -94,7 +94,8 @@ pub fn check(model: &RobotModel, geometry: &[LinkGeometry]) -> Vec<Finding> {
     let mut findings = tree::check(model, &tree);
     let mut bodies = Vec::with_capacity(model.links.len());
     for (k, link) in model.links.iter().enumerate() {
-        let geometry = geometry.get(k).unwrap_or(&nothing);
+        let placed = link.inertial.as_ref().is_none_or(|inertial| inertial.pose.unreadable.is_empty());
+        let geometry = geometry.get(k).filter(|_| placed).unwrap_or(&nothing);
         let body = Body::of(model.format, link, geometry, print);
         numbers::check(model, link, &tree, k, &mut findings);
         mass::check(model, &tree, k, &mut findings);
@@ -106,8 +107,11 @@ pub fn check(model: &RobotModel, geometry: &[LinkGeometry]) -> Vec<Finding> {
         bodies.push(body);
     }
     numbers::elsewhere(model, &mut findings);
-    pair::check(&bodies, &mut findings);
+    pair::check(model, &tree, &bodies, &mut findings);
     placeholder::repeated(&bodies, &mut findings);
+    for finding in &mut findings {
+        finding.numbers.retain(|(_, x)| x.is_finite());
+    }
     findings.sort_by_key(|f| f.span.start);
     findings
 }
@@ -124,8 +128,12 @@ fn of_body(body: &Body, carried: bool) -> Vec<Finding> {
             }
         }
         density::check(body, &mut findings);
-    } else {
-        order::check_alone(body, &mut findings);
+    } else if body.mass > 0.0 {
+        let told = findings.len();
+        explain::check(body, &mut findings);
+        if findings.len() == told {
+            order::check_alone(body, &mut findings);
+        }
     }
     findings
 }

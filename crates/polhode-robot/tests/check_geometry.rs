@@ -166,6 +166,19 @@ fn products_of_the_other_sign() {
 }
 
 #[test]
+fn products_of_the_other_sign_may_be_impossible() {
+    // A flat plate, askew: its tensor has i1 + i2 = i3, and no other sign of its products has.
+    let plate = Slab { edges: [0.31, 0.19, 0.004], ..SLAB };
+    let [xx, yy, zz, xy, xz, yz] = plate.tensor();
+    assert_eq!(findings_with(&plate.robot(plate.tensor()), plate.geometry()), []);
+    let document = plate.robot([xx, yy, zz, -xy, -xz, -yz]);
+    let all = findings_with(&document, plate.geometry());
+    assert!(all.iter().any(|f| f.severity == Severity::Impossible && f.repair.is_none()), "{all:#?}");
+    let found = only(&all, "inertia.sign");
+    assert_eq!(findings_with(&repaired(&document, found), plate.geometry()), []);
+}
+
+#[test]
 fn a_conjugated_frame_and_one_left_over() {
     let link_axes = conjugated(&matrix(SLAB.tensor()), &turn(SLAB.frame));
     // What Rᵀ would bring to the link's axes.

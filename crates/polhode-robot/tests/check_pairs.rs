@@ -86,3 +86,31 @@ fn so_are_those_mirrored_along_another_axis() {
 fn other_names_are_no_pair() {
     assert_eq!(pair(["hip_1", "hip_2"], [1.0, -1.0, 1.0], [1.0, 1.0, 1.0]), []);
 }
+
+/// Centres in the mirror plane: the joints say where that is.
+#[test]
+fn joints_show_the_mirror_where_centres_cannot() {
+    let slab = Slab { frame: [0.0; 3], ..SLAB };
+    let [xx, yy, zz, xy, xz, yz] = slab.tensor();
+    let centre = [0.05, 0.0, -0.08];
+    let text = |products: [f64; 3], y: f64, right: [f64; 3]| {
+        let joint = |side: &str, y: f64| {
+            format!(
+                "<joint name=\"j{side}\" type=\"revolute\"><origin xyz=\"0.1 {y} 0.2\"/>\
+                 <parent link=\"torso\"/><child link=\"{side}_hip\"/></joint>"
+            )
+        };
+        format!(
+            "<robot name=\"r\"><link name=\"torso\"/>{}{}{}{}</robot>",
+            side("l_hip", centre, [xx, yy, zz, xy, xz, yz], [0.2, 0.5, -0.9]),
+            side("r_hip", right, [xx, yy, zz, products[0], products[1], products[2]], [0.2, 0.5, -0.9]),
+            joint("l", 0.15),
+            joint("r", y)
+        )
+    };
+    let all = findings(&text([xy, xz, yz], -0.15, centre));
+    let found = only(&all, "inertia.mirrored_pair");
+    assert!(found.message.contains("ixy") && found.message.contains("iyz"), "{}", found.message);
+    assert_eq!(findings(&text([-xy, xz, -yz], -0.15, centre)), []);
+    assert_eq!(findings(&text([xy, xz, yz], 0.35, centre)), []);
+}

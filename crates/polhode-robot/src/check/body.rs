@@ -42,9 +42,6 @@ impl<'m> Body<'m> {
         print: Print,
     ) -> Option<Self> {
         let inertial = link.inertial.as_ref()?;
-        if !inertial.pose.unreadable.is_empty() {
-            return None;
-        }
         let mass = inertial.mass.finite()?;
         let mut written = [0.0; 6];
         for (k, slot) in slots(&inertial.tensor)?.enumerate() {

@@ -42,7 +42,11 @@ fn given(
     let tensor = slots(&inertial.tensor).into_iter().flatten().filter_map(Slot::finite).find(|x| *x != 0.0);
     if let Some(moment) = tensor {
         let message = format!("0 kg with a moment of inertia: {} kg·m²", short(moment, 6));
-        return tell("mass.not_positive", Severity::Impossible, message, "what has no mass has no inertia");
+        // What is fixed to another link, and a base that others hang on, can do without either.
+        let still = tree.is_carried(k) || tree.is_base(k);
+        let severity =
+            if still && model.format == ModelFormat::Urdf { Severity::Suspect } else { Severity::Impossible };
+        return tell("mass.not_positive", severity, message, "what has no mass has no inertia");
     }
     if model.format == ModelFormat::Sdf {
         let message = "mass 0 kg on a link that is not static".to_owned();
@@ -68,8 +72,7 @@ fn nothing(model: &RobotModel, tree: &Tree, k: usize, link: &Link, findings: &mu
     match model.format {
         // What MuJoCo refuses: a body with a joint that has no mass, nor any that is fixed to it.
         ModelFormat::Mjcf => {
-            let bounded = model.text.contains("boundmass");
-            if tree.moves_itself(k) && !tree.has_welded_mass(k) && !bounded {
+            if tree.moves_itself(k) && !tree.has_welded_mass(k) && !tree.is_bounded() {
                 let message = "no inertial and no geom on a body with a joint";
                 tell(
                     "mass.missing",

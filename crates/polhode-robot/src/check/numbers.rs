@@ -110,6 +110,8 @@ fn number(subject: &str, number: &Number, what: &str, findings: &mut Vec<Finding
         }
         None => {
             let (why, meant) = complaint(text);
+            // Kilograms are a mass's unit, and only its.
+            let meant = meant.filter(|_| !text.ends_with("kg") || what == "mass");
             ("number.malformed", format!("{what} = {text:?} {why}"), meant)
         }
     };

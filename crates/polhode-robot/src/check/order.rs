@@ -67,21 +67,10 @@ pub(super) fn explain(candidates: &mut Candidates) {
     }
 }
 
-/// What an order may explain of a tensor that is impossible.
+/// What an order may explain of a tensor that is impossible, and that no geometry explains.
 pub(super) fn check_alone(body: &Body, findings: &mut Vec<Finding>) {
-    if !matches!(body.inertial.tensor, Tensor::Six(_)) || body.mass <= 0.0 || body.written == [0.0; 6] {
+    if !matches!(body.inertial.tensor, Tensor::Six(_)) || body.written == [0.0; 6] {
         return;
-    }
-    let possible: Vec<&Order> =
-        LISTS.iter().filter(|o| Moments::of(&right(body, o)).are_possible(slack(body))).collect();
-    if let Some(mut candidates) = Candidates::of(body) {
-        for order in &possible {
-            candidates.offer(body.in_link_axes(&right(body, order)), || explanation(body, order));
-        }
-        if let Some(found) = candidates.best() {
-            findings.push(found);
-            return;
-        }
     }
     let [_, iyy, _, ixy, _, _] = body.written;
     if iyy == ixy && iyy != 0.0 {
@@ -92,6 +81,8 @@ pub(super) fn check_alone(body: &Body, findings: &mut Vec<Finding>) {
         findings.push(finding("inertia.order", Severity::Suspect, body.link, body.place(1), message, rule));
         return;
     }
+    let possible: Vec<&Order> =
+        LISTS.iter().filter(|o| Moments::of(&right(body, o)).are_possible(slack(body))).collect();
     let Some(order) = possible.first() else { return };
     let [a, b, c] = Moments::of(&right(body, order)).values.map(|x| super::written::short(x, 4));
     let message = format!(

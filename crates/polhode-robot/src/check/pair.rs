@@ -9,14 +9,17 @@
 //!
 //! The centres say which of these are possible. It is a finding if products and moments have equal sizes on both sides
 //! and the signs are those of none of them. The same part twice, as a motor is, is none: its centre is the same on both
-//! sides, or turned by half a turn (two signs), and then its products are, too.
+//! sides, or turned by half a turn (two signs), and then its products are, too. If the centres are the same because
+//! they lie in the mirror plane, the joints' places say where that is.
 
 use std::collections::HashMap;
 
 use super::body::{Body, NAMES};
 use super::finding;
+use super::tree::Tree;
 use super::written::short;
 use crate::finding::{Finding, Severity};
+use crate::model::{Joint, RobotModel};
 use crate::moments::{PLACES, norm};
 
 /// What sides are called: left, right; rear ones as in FL FR RL RR and LF RF LH RH.
@@ -52,17 +55,34 @@ const MAPS: [[f64; 3]; 7] = [
     [1.0, -1.0, -1.0],
 ];
 
-pub(super) fn check(bodies: &[Option<Body>], findings: &mut Vec<Finding>) {
-    let names: HashMap<&str, &Body> =
-        bodies.iter().flatten().map(|body| (body.link.name.text.as_str(), body)).collect();
-    for left in bodies.iter().flatten() {
-        let right = mirrored_names(&left.link.name.text)
+pub(super) fn check(model: &RobotModel, tree: &Tree, bodies: &[Option<Body>], findings: &mut Vec<Finding>) {
+    let bodies: Vec<(usize, &Body)> =
+        bodies.iter().enumerate().filter_map(|(k, body)| Some((k, body.as_ref()?))).collect();
+    let names: HashMap<&str, (usize, &Body)> =
+        bodies.iter().map(|(k, body)| (body.link.name.text.as_str(), (*k, *body))).collect();
+    for (k, left) in bodies {
+        let found = mirrored_names(&left.link.name.text)
             .into_iter()
             .find_map(|name| names.get(name.as_str()).copied());
-        if let Some(right) = right {
-            pair(left, right, findings);
+        if let Some((j, right)) = found {
+            let joints = [k, j].map(|link| tree.joint(link).and_then(|joint| model.joints.get(joint)));
+            pair(left, right, joints, findings);
         }
     }
+}
+
+/// The mirror between the places of two joints whose frames have their parents' axes.
+fn mirror_of_joints([left, right]: [Option<&Joint>; 2]) -> Option<[f64; 3]> {
+    let place = |joint: Option<&Joint>| {
+        let pose = &joint?.pose;
+        (pose.rotation[0].abs() == 1.0).then_some(pose.position)
+    };
+    let (left, right) = (place(left)?, place(right)?);
+    let distance = left.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let axis = (0..3).find(|k| (left[*k] - right[*k]).abs() > THERE * distance)?;
+    let mut mirror = [1.0; 3];
+    mirror[axis] = -1.0;
+    (0..3).all(|k| (right[k] - mirror[k] * left[k]).abs() <= EQUAL * distance).then_some(mirror)
 }
 
 /// The names that a left link's right one may have.
@@ -108,7 +128,7 @@ fn words(name: &str) -> Vec<(usize, usize)> {
     words
 }
 
-fn pair(left: &Body, right: &Body, findings: &mut Vec<Finding>) {
+fn pair(left: &Body, right: &Body, joints: [Option<&Joint>; 2], findings: &mut Vec<Finding>) {
     let near = |a: f64, b: f64, size: f64| (a - b).abs() <= EQUAL * size;
     let alike = left.mass > 0.0
         && near(left.mass, right.mass, left.mass)
@@ -118,13 +138,15 @@ fn pair(left: &Body, right: &Body, findings: &mut Vec<Finding>) {
     let same_centre = (0..3).all(|k| near(left.centre[k], right.centre[k], distance));
     let size = norm(&left.tensor);
     let equal_sizes = (0..6).all(|k| near(left.tensor[k].abs(), right.tensor[k].abs(), size));
-    if !alike || same_centre || !equal_sizes || !(size > 0.0) {
+    if !alike || !equal_sizes || !(size > 0.0) {
         return;
     }
-    let consistent: Vec<[f64; 3]> = MAPS
-        .into_iter()
-        .filter(|s| (0..3).all(|k| near(right.centre[k], s[k] * left.centre[k], distance)))
-        .collect();
+    let fits = |s: &[f64; 3]| (0..3).all(|k| near(right.centre[k], s[k] * left.centre[k], distance));
+    let consistent: Vec<[f64; 3]> = if same_centre {
+        mirror_of_joints(joints).into_iter().filter(fits).collect()
+    } else {
+        MAPS.into_iter().filter(fits).collect()
+    };
     let there: Vec<usize> = (3..6).filter(|k| left.tensor[*k].abs() > THERE * size).collect();
     let agrees = |s: &[f64; 3], k: usize| {
         let (a, b) = PLACES[k];

@@ -25,6 +25,7 @@ pub(super) struct Tree {
     mass_below: Vec<bool>,
     welded_mass: Vec<bool>,
     is_weighed: bool,
+    is_bounded: bool,
 }
 
 impl Tree {
@@ -64,11 +65,27 @@ impl Tree {
             welded_mass[k] |= hanging[k].iter().any(|(child, fixed)| *fixed && welded_mass[*child]);
         }
         let is_weighed = model.links.iter().any(|link| link.inertial.is_some());
-        Self { holders, hanging, cycles, moves, moves_itself, mass_below, welded_mass, is_weighed }
+        let is_bounded = model.format == ModelFormat::Mjcf && model.text.contains("boundmass");
+        Self {
+            holders,
+            hanging,
+            cycles,
+            moves,
+            moves_itself,
+            mass_below,
+            welded_mass,
+            is_weighed,
+            is_bounded,
+        }
     }
 
     pub(super) fn len(&self) -> usize {
         self.holders.len()
+    }
+
+    /// The first joint that holds it.
+    pub(super) fn joint(&self, k: usize) -> Option<usize> {
+        self.holders.get(k)?.first().map(|(joint, _)| *joint)
     }
 
     /// True if joints let the link move, its own or those of what it hangs on.
@@ -99,6 +116,11 @@ impl Tree {
     /// True if it or anything that is fixed to it has mass.
     pub(super) fn has_welded_mass(&self, k: usize) -> bool {
         self.welded_mass.get(k).copied().unwrap_or(true)
+    }
+
+    /// True if MuJoCo is told a least mass of every body.
+    pub(super) fn is_bounded(&self) -> bool {
+        self.is_bounded
     }
 
     /// True if any link says its mass.
@@ -239,14 +261,13 @@ fn duplicates(model: &RobotModel, findings: &mut Vec<Finding>) {
 
 fn unknown(model: &RobotModel, findings: &mut Vec<Finding>) {
     let names = index(&model.links);
+    // In SDF a joint may hold a named frame, or a link of a model that is included from elsewhere.
+    let is_part =
+        model.format == ModelFormat::Sdf && ["<frame", "<include"].iter().any(|tag| model.text.contains(tag));
     for joint in &model.joints {
         for (name, what) in [(joint.parent.as_ref(), "parent"), (Some(&joint.child), "child")] {
             let Some(name) = name.filter(|n| !names.contains_key(n.text.as_str())) else { continue };
-            // In SDF a joint may hold a named frame, or a link of a model that is included from elsewhere.
-            let elsewhere = model.format == ModelFormat::Sdf
-                && (name.text.contains("::")
-                    || model.text.contains("<frame")
-                    || model.text.contains("<include"));
+            let elsewhere = is_part || model.format == ModelFormat::Sdf && name.text.contains("::");
             let severity = if elsewhere { Severity::Note } else { Severity::Impossible };
             let message =
                 format!("joint {:?}: its {what} {:?} is no link of the model", joint.name.text, name.text);

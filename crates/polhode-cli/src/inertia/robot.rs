@@ -227,5 +227,6 @@ fn position(model: &RobotModel, name: &str, value: &str) -> Result<(String, f64)
 /// A failure with its place in the model.
 fn located(model: &RobotModel, span: &Span, message: impl fmt::Display, hint: impl Into<String>) -> Failure {
     let (line, column) = LineIndex::new(&model.text).place(span.start);
-    Failure::usage(format!("{message}\n  --> {}:{line}:{column}", model.path.display()), hint)
+    let path = model.path.display().to_string().escape_debug().to_string();
+    Failure::usage(format!("{message}\n  --> {path}:{line}:{column}"), hint)
 }

@@ -100,11 +100,15 @@ impl LumpError {
             Self::NoLink { .. } | Self::Twice { .. } => "check the spelling of the names".to_owned(),
             Self::TwoRoots { .. } => "join them; --lump fixed needs no common frame".to_owned(),
             Self::TwoParents { .. } | Self::Circle { .. } => {
-                "only a tree of joints has a position for each value of its joints: leave out the joint that closes it"
-                    .to_owned()
+                "only a tree has a place for each link: leave out the joint that closes it".to_owned()
             }
-            Self::Joint { movable, .. } if movable.is_empty() => "no joint of this model takes a value".to_owned(),
-            Self::Joint { movable, .. } => format!("those that take a value are {}", movable.join(", ")),
+            Self::Joint { movable, .. } if movable.is_empty() => {
+                "no joint of this model takes a value".to_owned()
+            }
+            Self::Joint { movable, .. } => {
+                let names: Vec<_> = movable.iter().map(|name| name.escape_debug().to_string()).collect();
+                format!("those that take a value are {}", names.join(", "))
+            }
             Self::Pose { .. } => "give it numbers that are finite, and an axis a length".to_owned(),
             Self::Body(_) => "check the units of the poses".to_owned(),
         }

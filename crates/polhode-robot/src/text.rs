@@ -95,6 +95,7 @@ impl CheckReport {
         let rest = remaining.iter().filter(|f| f.severity > Severity::Note).count();
         let (out, changes) = (printable(out), many(repaired.changes, "place"));
         let _ = match rest {
+            0 if repaired.changes == 0 => writeln!(text, "wrote {out}: there was nothing to repair"),
             0 => writeln!(text, "wrote {out}: {changes} changed; nothing is found in it any more"),
             _ => writeln!(text, "wrote {out}: {changes} changed; {} you still", needs(rest)),
         };

@@ -53,7 +53,7 @@ fn a_body_that_is_not_uniform_has_none_either() {
 #[test]
 fn units() {
     for (factor, name) in
-        [(1e9, "g·mm²"), (1e6, "kg·mm²"), (1e7, "g·cm²"), (1e4, "kg·cm²"), (3417.171_9, "lb·in²")]
+        [(1e9, "g·mm²"), (1e6, "kg·mm²"), (1e7, "g·cm²"), (1e4, "kg·cm²"), (3_417.171_9, "lb·in²")]
     {
         let (document, found) = one(&SLAB, SLAB.tensor().map(|x| x * factor), "inertia.unit");
         assert!(found.message.contains(name), "{}", found.message);

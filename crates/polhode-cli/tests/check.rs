@@ -302,3 +302,25 @@ fn robots_are_asked_for_a_link() {
     let text = refused(&scratch.run(&["inertia", "water.sdf", "--link", "base"]), 2);
     assert!(text.contains("is for a robot model"), "{text}");
 }
+
+#[test]
+fn meshes_are_found_under_the_roots_that_are_given() {
+    let scratch = Scratch::new("check-root");
+    fs::create_dir_all(scratch.0.join("packages/arm")).unwrap();
+    // a tetrahedron (2, 3, 1) m of 1 m³, a tenth as large in the model
+    let obj = "v 0 0 0\nv 2 0 0\nv 0 3 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+    scratch.write("packages/arm/arm.obj", obj);
+    let mesh = "<visual><geometry><mesh filename=\"package://arm/arm.obj\" scale=\"0.1 0.1 0.1\"/></geometry></visual>";
+    scratch.write("arm.urdf", &robot(GOOD).replace("  </link>", &format!("    {mesh}\n  </link>")));
+    let without = parsed(&scratch.run(&["check", "arm.urdf", "--json"]), 0);
+    let finding = &without["findings"][0];
+    assert_eq!((&finding["code"], &finding["severity"]), (&"geometry.unreadable".into(), &"note".into()));
+    assert_eq!((&finding["link"], &finding["line"]), (&"arm".into(), &7.into()));
+    assert!(finding["message"].as_str().unwrap().contains("--root"), "{finding}");
+    printed(&scratch.run(&["check", "arm.urdf", "--strict"]), 1);
+    let with = ["check", "arm.urdf", "--root", "packages", "--strict"];
+    let text = printed(&scratch.run(&with), 0);
+    assert!(text.contains("NOTE 0"), "{text}");
+    let table = printed(&scratch.run(&[&with[..], &["--table"]].concat()), 0);
+    assert!(table.contains(" 1700 "), "{table}"); // 1.7 kg in a litre
+}

@@ -2,6 +2,7 @@
 
 use clap::{CommandFactory as _, Parser, Subcommand};
 
+use crate::check::Check;
 use crate::explain::Explain;
 use crate::failure::Failure;
 use crate::inertia::Inertia;
@@ -11,8 +12,8 @@ use crate::spin::Spin;
 
 /// Rigid-body dynamics: from mass to motion.
 ///
-/// Exit status: 0 fine, 2 bad input or usage, 3 the computation could not reach its tolerance. Data goes to standard
-/// output, everything else to standard error.
+/// Exit status: 0 fine, 1 check found something, 2 bad input or usage, 3 the computation could not reach its tolerance. Data
+/// goes to standard output, everything else to standard error.
 #[derive(Debug, Parser)]
 #[command(name = "polhode", version, after_help = EXAMPLES, max_term_width = 100)]
 pub(crate) struct Polhode {
@@ -23,6 +24,7 @@ pub(crate) struct Polhode {
 const EXAMPLES: &str = "\
 Examples:
   polhode inertia part.stl --unit mm --density \"2700 kg/m^3\"
+  polhode check examples/robots/bad-arm.urdf
   polhode simulate examples/t-handle.toml
   polhode spin --moments 1,2,3 --omega 0.01,1,0.01
   polhode explain examples/notes/11-10-dumbbell.toml";
@@ -30,6 +32,7 @@ Examples:
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
     Inertia(Box<Inertia>),
+    Check(Check),
     Simulate(Simulate),
     Spin(Box<Spin>),
     Explain(Explain),
@@ -41,6 +44,7 @@ impl Command {
     pub(crate) fn run(self) -> Result<(), Failure> {
         match self {
             Self::Inertia(command) => command.run(),
+            Self::Check(command) => command.run(),
             Self::Simulate(command) => command.run(),
             Self::Spin(command) => command.run(),
             Self::Explain(command) => command.run(),

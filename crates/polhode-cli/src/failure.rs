@@ -19,6 +19,8 @@ pub(crate) enum Failure {
     Usage { message: String, hint: Option<String> },
     /// A result that cannot be written.
     Output { path: String, error: io::Error },
+    /// A model with findings; they are printed already.
+    Findings,
     /// Nobody reads the output any more, as after `| head`.
     ClosedPipe,
 }
@@ -33,6 +35,7 @@ impl Failure {
         let code = match &self {
             Self::Motion { error, .. } if error.is_numerical() => 3,
             Self::ClosedPipe => return ExitCode::SUCCESS,
+            Self::Findings => return ExitCode::from(1),
             _ => 2,
         };
         // Where standard error is closed there is nobody left to tell.
@@ -48,7 +51,7 @@ impl Failure {
             }
             Self::Usage { message, hint: advice } => format!("error: {message}\n{}", hint(advice.clone())),
             Self::Output { path, error } => format!("error: cannot write {path}: {error}\n"),
-            Self::ClosedPipe => String::new(),
+            Self::Findings | Self::ClosedPipe => String::new(),
         }
     }
 }

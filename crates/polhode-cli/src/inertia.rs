@@ -8,6 +8,7 @@ mod molecule;
 mod output;
 mod particles;
 mod quick;
+mod robot;
 mod substance;
 mod voxel;
 
@@ -26,6 +27,7 @@ use self::kind::Kind;
 use self::mesh::MeshFlags;
 use self::molecule::MoleculeFlags;
 use self::output::OutputFlags;
+use self::robot::RobotFlags;
 use self::substance::SubstanceFlags;
 use self::voxel::VoxelFlags;
 use crate::failure::Failure;
@@ -43,10 +45,12 @@ Examples:
   polhode inertia bracket.stl --unit mm --material aluminium
   polhode inertia bracket.stl --unit mm --mass \"85 g\" --about \"0,0,12 mm\" --json
   polhode inertia arm.obj --part \"rod=steel\" --part \"grip=85 g\" --as urdf
+  polhode inertia robot.urdf --link forearm
+  polhode inertia robot.urdf --lump all --joint elbow=\"30 deg\" --write mjcf
   polhode inertia parts/*.stl --unit mm --material steel --csv
   polhode inertia examples/notes/11-05-principal-axes.toml --axes")]
 pub(crate) struct Inertia {
-    /// Scenarios, meshes, molecules, particles, voxel grids, CAD reports; what each is, its ending says.
+    /// Scenarios, meshes, molecules, particles, voxel grids, CAD reports, robots; what each is, its ending says.
     #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
     #[command(flatten)]
@@ -63,6 +67,8 @@ pub(crate) struct Inertia {
     molecule: MoleculeFlags,
     #[command(flatten)]
     cad: CadFlags,
+    #[command(flatten)]
+    robot: RobotFlags,
     #[command(flatten)]
     voxel: VoxelFlags,
     /// What the files are, if their endings do not say it.
@@ -122,6 +128,7 @@ impl Inertia {
                 molecule::reports(file, format.unwrap_or(MoleculeFormat::Mol), &self.molecule)?
             }
             Kind::Pdb => molecule::reports(file, MoleculeFormat::Pdb, &self.molecule)?,
+            Kind::Robot => robot::reports(file, &self.robot)?,
             Kind::Npy => vec![voxel::report(file, "npy", &self.voxel, self.unit)?],
             Kind::Nrrd => vec![voxel::report(file, "nrrd", &self.voxel, self.unit)?],
             Kind::Stl => vec![self.of_mesh(file, MeshFormat::Stl)?],
@@ -168,6 +175,7 @@ impl Inertia {
             (self.mesh.given(), mesh, "a mesh"),
             (self.cad.given(), kind == Kind::Cad, "a CAD report"),
             (self.molecule.given(), matches!(kind, Kind::Xyz | Kind::Mol | Kind::Pdb), "a molecule"),
+            (self.robot.given(), kind == Kind::Robot, "a robot model"),
             (self.voxel.given(), voxels, "a voxel grid"),
         ];
         let fits = |what: &str| what != "--density, --mass or --material" || !self.only_mass_of(kind);

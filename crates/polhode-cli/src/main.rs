@@ -2,10 +2,12 @@
 #![forbid(unsafe_code)]
 
 mod args;
+mod check;
 mod explain;
 mod failure;
 mod folder;
 mod inertia;
+mod model_file;
 mod numbers;
 mod progress;
 mod shell;

@@ -3,7 +3,7 @@
 use crate::number::{GROUP, alike};
 
 /// The width that text is laid out for where nobody asks for another.
-pub(crate) const WIDTH: usize = 100;
+pub const WIDTH: usize = 100;
 
 /// What is not left alone at the start of a line.
 const UNITS: [&str; 14] =
@@ -15,13 +15,13 @@ pub(crate) fn width(text: &str) -> usize {
 }
 
 /// The text with every no-break space an ordinary one: the last step of plain text.
-pub(crate) fn plain_spaces(text: &str) -> String {
+pub fn plain_spaces(text: &str) -> String {
     text.replace(GROUP, " ")
 }
 
 /// A name or title from outside, on one line: what would steer a terminal or turn the writing around is shown as its
 /// escape.
-pub(crate) fn printable(text: &str) -> String {
+pub fn printable(text: &str) -> String {
     // Marks of direction, separators of lines, and what has no width.
     let unseen = |c: char| {
         matches!(c, '\u{ad}' | '\u{61c}' | '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}')
@@ -34,7 +34,7 @@ pub(crate) fn printable(text: &str) -> String {
 }
 
 /// The text in lines of at most `columns`, each after `indent`; words are not broken.
-pub(crate) fn wrap(text: &str, indent: &str, columns: usize) -> Vec<String> {
+pub fn wrap(text: &str, indent: &str, columns: usize) -> Vec<String> {
     let mut lines = Vec::new();
     let mut line = String::new();
     for word in tied(text) {
@@ -141,7 +141,7 @@ pub(crate) fn labelled(label: &str, text: &str) -> String {
 }
 
 /// Cells in columns, numbers by their decimal points, text to the left; two spaces between.
-pub(crate) fn columns(rows: &[Vec<String>]) -> Vec<String> {
+pub fn columns(rows: &[Vec<String>]) -> Vec<String> {
     let count = rows.iter().map(Vec::len).max().unwrap_or(0);
     let shape = |cell: &String| {
         let numeric = is_number(cell);

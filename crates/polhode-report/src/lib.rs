@@ -29,6 +29,7 @@ mod number;
 mod omega;
 mod parts;
 mod periods;
+pub mod plain;
 mod sign_proof;
 mod source;
 mod spin;

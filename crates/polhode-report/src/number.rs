@@ -15,8 +15,9 @@ pub(crate) fn number(x: f64, digits: usize) -> String {
     group(&ungrouped(x, digits))
 }
 
-/// As [`number`], but in one piece: for columns.
-pub(crate) fn ungrouped(x: f64, digits: usize) -> String {
+/// A number with at most `digits` significant digits and no trailing zeros, in one piece: for columns. What is not finite is a
+/// dash.
+pub fn ungrouped(x: f64, digits: usize) -> String {
     if !x.is_finite() {
         return "—".to_owned();
     }

@@ -2,15 +2,31 @@
 //!
 //! - [`model`]: what a file says: links, inertials, geometry, joints, and where each number stands
 //! - [`read`]: files in, models out
-//! - [`check`]: the rules
 //! - [`geometry`]: what the shapes of a link enclose
-//! - [`finding`]: what is wrong with it, why, and what would repair it
+//! - [`mod@check`]: the rules
+//! - [`finding`]: what is wrong with a model, why, and what would repair it
+//! - [`inspect`]: a model with its shapes measured and its rules checked
+//! - [`repair`]: the text with repairs made, every other byte as it was
+//! - [`report`]: all that for people and for programs
+//! - [`body`]: a link's mass properties in its own frame
+//! - [`mod@lump`]: links joined to one body
 //! - [`moments`]: tensors that may be impossible, taken apart
+//! - [`line_index`]: lines and columns of places
 
+pub mod body;
 pub mod check;
 pub mod finding;
 pub mod geometry;
+pub mod inspect;
+mod json;
+pub mod line_index;
+pub mod lump;
 pub mod model;
 pub mod moments;
+mod placement;
 mod pose;
 pub mod read;
+pub mod repair;
+pub mod report;
+mod table;
+mod text;

@@ -4,6 +4,8 @@ use std::path::Path;
 
 use clap::ValueEnum;
 
+use crate::model_file::is_model;
+
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(super) enum Kind {
     /// A scenario (.toml).
@@ -31,6 +33,8 @@ pub(super) enum Kind {
     Mol,
     /// PDB, a molecule (.pdb, .ent).
     Pdb,
+    /// A robot model: URDF, SDFormat, MJCF (.urdf, .sdf, .xml).
+    Robot,
     /// A voxel grid as a NumPy array.
     Npy,
     /// A voxel grid as NRRD (.nrrd, .nhdr).
@@ -38,10 +42,15 @@ pub(super) enum Kind {
 }
 
 impl Kind {
-    /// What files with this ending are, in any case.
+    /// What files with this ending are, in any case. Robot models share .sdf with molecules, and .xml with anything: their root
+    /// element decides.
     pub(super) fn of_path(path: &Path) -> Option<Self> {
+        if is_model(path) {
+            return Some(Self::Robot);
+        }
         let extension = path.extension()?.to_str()?.to_ascii_lowercase();
         Some(match extension.as_str() {
+            "urdf" => Self::Robot,
             "toml" => Self::Scenario,
             "stl" => Self::Stl,
             "obj" => Self::Obj,
@@ -73,6 +82,7 @@ impl Kind {
             Self::Cad => "a CAD report",
             Self::Xyz | Self::Mol | Self::Pdb => "a molecule",
             Self::Npy | Self::Nrrd => "a voxel grid",
+            Self::Robot => "a robot model",
             _ => "a mesh",
         }
     }

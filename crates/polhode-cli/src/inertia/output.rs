@@ -20,7 +20,7 @@ pub(super) struct OutputFlags {
     #[arg(long)]
     csv: bool,
     /// Print it as another program reads it; frame, point and sign are stated beside the numbers.
-    #[arg(long = "as", value_name = "FORMAT", value_parser = formats())]
+    #[arg(long = "as", visible_alias = "write", value_name = "FORMAT", value_parser = formats())]
     as_format: Option<ExportFormat>,
 }
 
@@ -36,7 +36,7 @@ impl OutputFlags {
         if let Some(format) = format {
             let bodies: Vec<_> = reports
                 .iter()
-                .map(|(file, report)| ExportBody::of_report(name(file, reports), report))
+                .map(|(file, report)| ExportBody::of_report(name(file, report, reports), report))
                 .collect();
             return export(format, &bodies).map_err(|error| Failure::usage(error.to_string(), error.hint()));
         }
@@ -51,8 +51,11 @@ impl OutputFlags {
     }
 }
 
-/// What a file's body is called: the file's name without its ending, or all of its path where two have the same.
-fn name(file: &Path, all: &[(PathBuf, InertiaReport)]) -> String {
+/// What a body is called: its link in a robot, else the file's name without its ending, or all of its path where two have the same.
+fn name(file: &Path, report: &InertiaReport, all: &[(PathBuf, InertiaReport)]) -> String {
+    if let Some(Value::String(link)) = report.source.fields.get("link") {
+        return link.clone();
+    }
     let stem =
         |file: &Path| file.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
     let own = stem(file);

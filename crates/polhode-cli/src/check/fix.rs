@@ -1,0 +1,92 @@
+//! `--fix OUT`: the model with its repairs, in a file of its own.
+
+use std::fs;
+use std::io::{self, Write as _};
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use polhode_formats::FormatError;
+use polhode_robot::finding::Finding;
+use polhode_robot::repair::proved;
+use polhode_robot::report::{CheckReport, Fixed};
+
+use crate::failure::Failure;
+
+/// Flags for repairs.
+#[derive(Debug, Args)]
+pub(super) struct FixFlags {
+    /// Write the model with all repairs that can be proved; every other byte stays as it is.
+    #[arg(long = "fix", value_name = "OUT")]
+    out: Option<PathBuf>,
+    /// Replace OUT if it is there; never the model itself.
+    #[arg(long, requires = "out")]
+    force: bool,
+}
+
+impl FixFlags {
+    /// Where the repaired model goes, if anywhere: a file that is not there yet, or may be replaced.
+    pub(super) fn target(&self, inputs: &[PathBuf]) -> Result<Option<&Path>, Failure> {
+        let Some(out) = self.out.as_deref() else { return Ok(None) };
+        let shown = out.display();
+        let [input] = inputs else {
+            return Err(Failure::usage(
+                format!("--fix writes one model, and {} are named", inputs.len()),
+                "repair them one by one",
+            ));
+        };
+        let same =
+            || fs::canonicalize(out).is_ok_and(|out| fs::canonicalize(input).is_ok_and(|input| out == input));
+        if out == input || same() {
+            return Err(Failure::usage(
+                format!("--fix would overwrite the model itself, {shown}"),
+                "write beside it, look at the difference, then move it there",
+            ));
+        }
+        match fs::symlink_metadata(out) {
+            Ok(meta) if meta.is_dir() || out.is_dir() => Err(Failure::usage(
+                format!("{shown} is a folder, and --fix writes a file"),
+                "name a file in it",
+            )),
+            Ok(_) if !self.force => Err(Failure::usage(
+                format!("{shown} is there already"),
+                "choose another file, or replace it with --force",
+            )),
+            _ => Ok(Some(out)),
+        }
+    }
+}
+
+/// The report with the model repaired and written.
+///
+/// What is to be written is read and checked first, in the place of the model: a repair that does not remove its finding is
+/// left out.
+pub(super) fn fixed(
+    report: CheckReport,
+    out: &Path,
+    check: impl FnMut(&str) -> Result<Vec<Finding>, FormatError>,
+) -> Result<CheckReport, Failure> {
+    let unreadable = |error: FormatError| {
+        Failure::usage(
+            format!("the repaired model could not be read again, so it was not written: {}", error.message()),
+            "this is a mistake of polhode's: please report it, with the model",
+        )
+    };
+    let (repaired, remaining) = proved(&report.model, &report.findings, check).map_err(unreadable)?;
+    write(out, repaired.text.as_bytes())
+        .map_err(|error| Failure::Output { path: out.display().to_string(), error })?;
+    let fixed = Fixed { out: out.display().to_string(), repaired, remaining };
+    Ok(CheckReport { fixed: Some(fixed), ..report })
+}
+
+/// Writes a file whole or not at all: beside its place, and then moved there.
+fn write(out: &Path, bytes: &[u8]) -> io::Result<()> {
+    let name = out.file_name().unwrap_or_default().to_string_lossy();
+    let partial = out.with_file_name(format!(".{name}.partial-{}", std::process::id()));
+    let written = fs::File::create_new(&partial)
+        .and_then(|mut file| file.write_all(bytes).and_then(|()| file.sync_all()))
+        .and_then(|()| fs::rename(&partial, out));
+    if written.is_err() {
+        let _ = fs::remove_file(&partial);
+    }
+    written
+}

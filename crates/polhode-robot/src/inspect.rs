@@ -1,0 +1,79 @@
+//! A model with its shapes measured and its rules checked: all that is found in it, with what its reader noticed and the shapes that
+//! could not be measured.
+
+use crate::check::{LinkGeometry, check};
+use crate::finding::{Finding, Severity};
+use crate::geometry::Shapes;
+use crate::model::{GeometryShape, Link, Note, RobotModel, Role, Span};
+
+/// What is found in a model.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Inspection {
+    /// What each link looks like, in the order of the model's links.
+    pub geometry: Vec<LinkGeometry>,
+    /// What is wrong, in the order of the file.
+    pub findings: Vec<Finding>,
+}
+
+/// Measures and checks a model. `shapes` keeps the meshes that it has read, for the next model that has them.
+///
+/// ```
+/// use polhode_robot::{geometry::Shapes, inspect::inspect, read::{ReadOptions, read_text}};
+/// let text = r#"<robot><link name="a"><inertial><mass value="1.7"/>
+///     <inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="3"/></inertial></link></robot>"#;
+/// let model = read_text(text, "a.urdf".as_ref(), &ReadOptions::default())?;
+/// let found = inspect(&model, &mut Shapes::default());
+/// assert_eq!(found.findings[0].code, "inertia.triangle");
+/// # Ok::<(), polhode_formats::FormatError>(())
+/// ```
+pub fn inspect(model: &RobotModel, shapes: &mut Shapes) -> Inspection {
+    let geometry: Vec<_> = model.links.iter().map(|link| LinkGeometry::of(link, shapes)).collect();
+    let mut findings = check(model, &geometry);
+    for (link, geometry) in model.links.iter().zip(&geometry) {
+        findings.append(&mut unmeasured_shapes(link, geometry, shapes));
+    }
+    findings.extend(model.notes.iter().map(of_note));
+    findings.sort_by_key(|finding| finding.span.start);
+    Inspection { geometry, findings }
+}
+
+/// The shapes of a link that could not be measured. A plane has no volume, and is none the worse for it.
+fn unmeasured_shapes(link: &Link, geometry: &LinkGeometry, shapes: &mut Shapes) -> Vec<Finding> {
+    let has = |role: &Role| link.geometry.iter().any(|geometry| geometry.role == *role);
+    let roles = [Role::Visual, Role::Collision];
+    if geometry.volumes.len() == roles.iter().filter(|role| has(role)).count() {
+        return Vec::new();
+    }
+    let flat = |span: &Span| {
+        link.geometry.iter().any(|g| g.span == *span && matches!(g.shape, GeometryShape::Other(_)))
+    };
+    let left_out = roles.into_iter().flat_map(|role| shapes.link(link, role).left_out);
+    left_out.filter(|(span, _)| !flat(span)).map(|(span, why)| unmeasured(link, &span, &why)).collect()
+}
+
+fn unmeasured(link: &Link, span: &Span, why: &str) -> Finding {
+    note(
+        "geometry.unreadable",
+        &link.name.text,
+        span,
+        why,
+        "what cannot be measured is not compared with the inertia",
+    )
+}
+
+fn of_note(note: &Note) -> Finding {
+    self::note(note.code, &note.subject, &note.span, &note.message, "what is not read is not checked")
+}
+
+fn note(code: &'static str, subject: &str, span: &Span, message: &str, rule: &str) -> Finding {
+    Finding {
+        code,
+        severity: Severity::Note,
+        subject: subject.to_owned(),
+        span: span.clone(),
+        message: message.to_owned(),
+        rule: rule.to_owned(),
+        numbers: Vec::new(),
+        repair: None,
+    }
+}

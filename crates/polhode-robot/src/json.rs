@@ -1,0 +1,80 @@
+//! A checked model for programs. Keys are stable; numbers are SI; what is not finite is `null`.
+
+use serde_json::{Map, Value, json};
+
+use crate::finding::{Finding, Repair};
+use crate::line_index::LineIndex;
+use crate::repair::Left;
+use crate::report::{CheckReport, Counts, Fixed, format_name, place, severity_name};
+
+impl CheckReport {
+    /// One object: `file`, `format`, `links`, `inertials`, `counts`, `findings`; `fix` where repairs were asked for.
+    ///
+    /// Lines and columns count from 1, columns in characters.
+    pub fn to_json(&self) -> Value {
+        let Counts { impossible, suspect, note, ok } = self.counts();
+        let lines = LineIndex::new(&self.model.text);
+        let finding = |f: &Finding| finding(&lines, &self.model.text, f);
+        let mut object = Map::new();
+        let mut insert = |key: &str, value: Value| object.insert(key.to_owned(), value);
+        insert("polhode", polhode_report::VERSION.into());
+        insert("file", self.model.path.to_string_lossy().into());
+        insert("format", format_name(self.model.format).to_ascii_lowercase().into());
+        insert("name", self.model.name.clone().into());
+        insert("links", self.model.links.len().into());
+        insert("inertials", self.inertials().into());
+        insert("inertia_about", "center_of_mass".into());
+        insert("products", "negative_integral".into());
+        insert("counts", json!({ "impossible": impossible, "suspect": suspect, "note": note, "ok": ok }));
+        insert("findings", self.findings.iter().map(finding).collect());
+        if let Some(fixed) = &self.fixed {
+            insert("fix", fix(&self.findings, fixed));
+        }
+        Value::Object(object)
+    }
+}
+
+fn finding(lines: &LineIndex<'_>, text: &str, finding: &Finding) -> Value {
+    let (line, column) = place(lines, &finding.span);
+    let numbers: Map<String, Value> =
+        finding.numbers.iter().map(|&(name, value)| (name.to_owned(), Value::from(value))).collect();
+    json!({
+        "code": finding.code,
+        "severity": severity_name(finding.severity),
+        "link": finding.subject,
+        "line": line,
+        "column": column,
+        "message": finding.message,
+        "rule": finding.rule,
+        "numbers": numbers,
+        "repair": finding.repair.as_ref().map(|repair| self::repair(lines, text, repair)),
+    })
+}
+
+fn repair(lines: &LineIndex<'_>, text: &str, repair: &Repair) -> Value {
+    let edit = |(span, new): &(std::ops::Range<usize>, String)| {
+        let (line, column) = place(lines, span);
+        json!({ "line": line, "column": column, "old": text.get(span.clone()), "new": new })
+    };
+    json!({ "description": repair.description, "edits": repair.edits.iter().map(edit).collect::<Vec<_>>() })
+}
+
+/// What was written, which findings were repaired (by their place in `findings`), and what was left.
+fn fix(findings: &[Finding], fixed: &Fixed) -> Value {
+    let left = |Left { finding, why }: &Left| {
+        let of = findings.get(*finding);
+        json!({
+            "finding": finding,
+            "code": of.map(|f| f.code),
+            "link": of.map(|f| f.subject.as_str()),
+            "why": why.in_words(),
+        })
+    };
+    json!({
+        "out": fixed.out,
+        "changes": fixed.repaired.changes,
+        "repaired": fixed.repaired.applied,
+        "left": fixed.repaired.left.iter().map(left).collect::<Vec<_>>(),
+        "remaining": fixed.remaining.len(),
+    })
+}

@@ -1,0 +1,61 @@
+//! Lines and columns of a text: where its lines begin is found once, then each place is a search among them.
+
+/// Where the lines of a text begin. Lines end in `\n`, `\r\n` or `\r`, as editors count them.
+///
+/// ```
+/// use polhode_robot::line_index::LineIndex;
+/// let lines = LineIndex::new("<robot>\r\n  <!-- ½ --><link/>\r\n</robot>");
+/// assert_eq!(lines.place(22), (2, 13)); // <link/>: a column is a character, not a byte
+/// ```
+#[derive(Clone, Debug)]
+pub struct LineIndex<'a> {
+    text: &'a str,
+    /// The first byte of each line, ascending; the first is 0.
+    starts: Vec<usize>,
+}
+
+impl<'a> LineIndex<'a> {
+    /// The lines of this text.
+    pub fn new(text: &'a str) -> Self {
+        let bytes = text.as_bytes();
+        let ends = |at: usize| match bytes.get(at) {
+            Some(b'\n') => true,
+            Some(b'\r') => bytes.get(at + 1) != Some(&b'\n'),
+            _ => false,
+        };
+        let mut starts = vec![0];
+        starts.extend((0..bytes.len()).filter(|&at| ends(at)).map(|at| at + 1));
+        Self { text, starts }
+    }
+
+    /// Line and column of a byte, both from 1. A byte order mark is no character of the first line, a byte within a
+    /// character counts as that character, and one past the end as the end.
+    pub fn place(&self, byte: usize) -> (usize, usize) {
+        const MARK: char = '\u{feff}';
+        let byte = self.text.floor_char_boundary(byte.min(self.text.len()));
+        let line = self.starts.partition_point(|&start| start <= byte);
+        let start = line.checked_sub(1).and_then(|k| self.starts.get(k)).copied().unwrap_or(0);
+        let before = self.text.get(start..byte).unwrap_or_default();
+        let before = if start == 0 { before.trim_start_matches(MARK) } else { before };
+        (line, 1 + before.chars().count())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_way_to_end_a_line_counts_once() {
+        let text = "\u{feff}ab\ncd\r\ne\rµf\n";
+        let lines = LineIndex::new(text);
+        let at = |c: char| lines.place(text.find(c).unwrap());
+        assert_eq!([at('a'), at('b'), at('c'), at('d')], [(1, 1), (1, 2), (2, 1), (2, 2)]);
+        assert_eq!([at('e'), at('µ'), at('f')], [(3, 1), (4, 1), (4, 2)]);
+        // within the two bytes of µ, at the end, and past it
+        assert_eq!(lines.place(text.find('µ').unwrap() + 1), (4, 1));
+        assert_eq!(lines.place(text.len()), (5, 1));
+        assert_eq!(lines.place(usize::MAX), (5, 1));
+        assert_eq!(LineIndex::new("").place(0), (1, 1));
+    }
+}

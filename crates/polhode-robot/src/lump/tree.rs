@@ -1,0 +1,92 @@
+//! The tree that joints make of links.
+
+use std::collections::BTreeMap;
+
+use super::error::LumpError;
+use crate::model::{Joint, RobotModel};
+
+/// What each link hangs on, and an order in which every link comes after that.
+#[derive(Debug)]
+pub(super) struct Tree<'a> {
+    /// Of each link, in the order of the file.
+    pub(super) above: Vec<Above<'a>>,
+    /// Every link once, from the roots outwards.
+    pub(super) order: Vec<usize>,
+}
+
+/// What a link hangs on.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Above<'a> {
+    /// The link; `None` if that is the world, or nothing.
+    pub(super) parent: Option<usize>,
+    /// The joints, in the order of the file; none at a root that is free.
+    pub(super) joints: Vec<&'a Joint>,
+}
+
+impl<'a> Tree<'a> {
+    /// The tree of a model: found without recursion, so that no chain of joints is too long.
+    pub(super) fn of(model: &'a RobotModel) -> Result<Self, LumpError> {
+        let mut links = BTreeMap::new();
+        for (k, link) in model.links.iter().enumerate() {
+            if links.insert(link.name.text.as_str(), k).is_some() {
+                let (link, span) = (link.name.text.clone(), link.name.span.clone());
+                return Err(LumpError::Twice { link, span });
+            }
+        }
+        let mut above: Vec<Option<Above<'a>>> = vec![None; model.links.len()];
+        for joint in &model.joints {
+            let find = |name: &crate::model::Name| {
+                links.get(name.text.as_str()).copied().ok_or_else(|| LumpError::NoLink {
+                    joint: joint.name.text.clone(),
+                    link: name.text.clone(),
+                    span: name.span.clone(),
+                })
+            };
+            let parent = joint.parent.as_ref().map(find).transpose()?;
+            let child = find(&joint.child)?;
+            let Some(slot) = above.get_mut(child) else { continue };
+            let own = slot.get_or_insert_with(|| Above { parent, joints: Vec::new() });
+            if own.parent != parent {
+                return Err(LumpError::TwoParents {
+                    link: joint.child.text.clone(),
+                    joint: joint.name.text.clone(),
+                    span: joint.child.span.clone(),
+                });
+            }
+            own.joints.push(joint);
+        }
+        let above: Vec<Above<'a>> = above.into_iter().map(Option::unwrap_or_default).collect();
+        let order = order(&above);
+        let mut reached = vec![false; above.len()];
+        order.iter().for_each(|&k| reached.get_mut(k).into_iter().for_each(|reached| *reached = true));
+        match model.links.iter().zip(&reached).find(|(_, reached)| !**reached) {
+            Some((link, _)) => {
+                Err(LumpError::Circle { link: link.name.text.clone(), span: link.name.span.clone() })
+            }
+            None => Ok(Self { above, order }),
+        }
+    }
+
+    /// The links that hang on no other, in the order of the file.
+    pub(super) fn roots(&self) -> impl Iterator<Item = usize> {
+        self.above.iter().enumerate().filter(|(_, above)| above.parent.is_none()).map(|(k, _)| k)
+    }
+}
+
+/// Every link that a root carries, each after what it hangs on.
+fn order(above: &[Above<'_>]) -> Vec<usize> {
+    let mut children: Vec<Vec<usize>> = vec![Vec::new(); above.len()];
+    let mut order = Vec::with_capacity(above.len());
+    for (k, above) in above.iter().enumerate() {
+        match above.parent.and_then(|parent| children.get_mut(parent)) {
+            Some(siblings) => siblings.push(k),
+            None => order.push(k),
+        }
+    }
+    let mut next = 0;
+    while let Some(&k) = order.get(next) {
+        order.extend(children.get(k).into_iter().flatten());
+        next += 1;
+    }
+    order
+}

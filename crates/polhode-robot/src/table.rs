@@ -1,0 +1,96 @@
+//! A model's links, one a line: mass, centre, moments, the box that has them, density, verdict.
+
+use polhode_report::plain::{columns, number, plain_spaces, printable};
+
+use crate::check::LinkGeometry;
+use crate::finding::Severity;
+use crate::model::{Inertial, Link, Slot, Tensor};
+use crate::moments::Moments;
+use crate::report::{CheckReport, format_name, severity_name};
+
+/// Digits of every number: enough to see a wrong power of ten, or left unlike right.
+const DIGITS: usize = 4;
+
+/// The heads of the columns, units within.
+const HEADS: [&str; 13] = [
+    "link",
+    "mass/kg",
+    "x/mm",
+    "y/mm",
+    "z/mm",
+    "i1/kg·m²",
+    "i2/kg·m²",
+    "i3/kg·m²",
+    "a/mm",
+    "b/mm",
+    "c/mm",
+    "kg/m³",
+    "verdict",
+];
+
+impl CheckReport {
+    /// One line for each link, and what the columns are above them. What a link does not say, or no body has, is a dash.
+    pub fn to_table(&self) -> String {
+        let heading = format!(
+            "{}   {}, {} links\n\
+             x y z: centre of mass in the link's frame   i1 ≤ i2 ≤ i3: principal moments about it\n\
+             a ≥ b ≥ c: edges of the uniform box with this mass and these moments\n\
+             kg/m³: mass over the volume of the link's own geometry\n\n",
+            printable(&self.model.path.to_string_lossy()),
+            format_name(self.model.format),
+            self.model.links.len(),
+        );
+        let verdicts = self.verdicts();
+        let nothing = LinkGeometry::default();
+        let mut rows = vec![HEADS.map(str::to_owned).to_vec()];
+        for (k, link) in self.model.links.iter().enumerate() {
+            let verdict = match verdicts.get(link.name.text.as_str()) {
+                Some(&severity) if severity > Severity::Note => severity_name(severity),
+                _ if link.inertial.is_none() => "no mass",
+                _ => "ok",
+            };
+            rows.push(row(link, self.geometry.get(k).unwrap_or(&nothing), verdict));
+        }
+        let lines: String = columns(&rows).iter().map(|line| format!("{line}\n")).collect();
+        plain_spaces(&(heading + &lines))
+    }
+}
+
+fn row(link: &Link, geometry: &LinkGeometry, verdict: &str) -> Vec<String> {
+    let cell = |x: Option<f64>| x.map_or_else(|| "—".to_owned(), |x| number(x, DIGITS));
+    let mass = link.inertial.as_ref().and_then(|inertial| inertial.mass.finite());
+    let center = link.inertial.as_ref().filter(|inertial| inertial.pose.unreadable.is_empty());
+    let center = center.map(|inertial| inertial.pose.position);
+    let moments = link.inertial.as_ref().and_then(moments);
+    let edges = mass.filter(|&mass| mass > 0.0).and_then(|mass| moments.and_then(|m| m.equivalent_box(mass)));
+    let volume = volume(geometry);
+    let density = mass.and_then(|mass| volume.map(|volume| mass / volume));
+    let triple = |values: Option<[f64; 3]>, factor: f64| {
+        std::array::from_fn::<_, 3, _>(|k| cell(values.and_then(|v| v.get(k).map(|x| x * factor))))
+    };
+    let mut row = vec![printable(&link.name.text), cell(mass)];
+    row.extend(triple(center, 1e3));
+    row.extend(triple(moments.map(|m| m.values), 1.0));
+    row.extend(triple(edges, 1e3));
+    row.extend([cell(density), verdict.to_owned()]);
+    row
+}
+
+/// Principal moments, of impossible tensors too; `None` if an element is none.
+fn moments(inertial: &Inertial) -> Option<Moments> {
+    let elements = match &inertial.tensor {
+        Tensor::Missing(_) => return None,
+        Tensor::Six(slots) => slots.each_ref().map(Slot::finite),
+        Tensor::Diagonal(slots) => {
+            let [a, b, c] = slots.each_ref().map(Slot::finite);
+            [a, b, c, Some(0.0), Some(0.0), Some(0.0)]
+        }
+    };
+    let [Some(xx), Some(yy), Some(zz), Some(xy), Some(xz), Some(yz)] = elements else { return None };
+    Some(Moments::of(&[xx, yy, zz, xy, xz, yz]))
+}
+
+/// The volume of the link's shapes, of those that can be trusted most.
+fn volume(geometry: &LinkGeometry) -> Option<f64> {
+    geometry.volumes.iter().min_by_key(|volume| volume.kind).map(|volume| volume.volume)
+}

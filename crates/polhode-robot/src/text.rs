@@ -1,0 +1,139 @@
+//! A checked model for people: the counts first, then each finding with its place, its rule and its repair, then what to do.
+//!
+//! Marks are for the eye, ✗ impossible, ! suspect, · a note; nothing depends on colour.
+
+use std::fmt::Write as _;
+
+use polhode_report::plain::{WIDTH, plain_spaces, printable, wrap};
+
+use crate::finding::{Finding, Severity};
+use crate::line_index::LineIndex;
+use crate::repair::{Left, Repaired};
+use crate::report::{CheckReport, Counts, Fixed, format_name, place};
+
+/// What stands below the line of a finding is this far in.
+const INDENT: &str = "    ";
+
+impl CheckReport {
+    /// Lines of at most 100 columns.
+    pub fn to_text(&self) -> String {
+        let mut text = self.heading();
+        let file = printable(&self.model.path.to_string_lossy());
+        let lines = LineIndex::new(&self.model.text);
+        let subjects = || self.findings.iter().map(|f| subject(f).chars().count());
+        let longest = subjects().filter(|&width| width <= 24).max().unwrap_or(0);
+        for (k, finding) in self.findings.iter().enumerate() {
+            let (line, column) = place(&lines, &finding.span);
+            let subject = subject(finding);
+            let start = if k == 0 { "\n" } else { "" };
+            let _ = writeln!(
+                text,
+                "{start}{} {subject:longest$}   {file}:{line}:{column}   [{}]",
+                mark(finding.severity),
+                finding.code
+            );
+            paragraph(&mut text, "", &finding.message);
+            paragraph(&mut text, "rule: ", &finding.rule);
+            if let Some(repair) = &finding.repair {
+                paragraph(&mut text, "repair: ", &repair.description);
+            }
+        }
+        match &self.fixed {
+            Some(fixed) => self.write_fixed(&mut text, fixed),
+            None => self.write_advice(&mut text),
+        }
+        plain_spaces(&text)
+    }
+
+    fn heading(&self) -> String {
+        let Counts { impossible, suspect, note, ok } = self.counts();
+        let (links, inertials) = (self.model.links.len(), self.inertials());
+        format!(
+            "{}   {}, {}, {}\n\
+             tensors about the centre of mass, along the inertial frame's axes, off-diagonal = -∫xy dm\n\
+             IMPOSSIBLE {impossible}   SUSPECT {suspect}   NOTE {note}   OK {ok} of {}\n",
+            printable(&self.model.path.to_string_lossy()),
+            format_name(self.model.format),
+            many(links, "link"),
+            many(inertials, "inertial"),
+            many(links, "link"),
+        )
+    }
+
+    /// What `--fix` would do, where anything was found that is not only worth knowing.
+    fn write_advice(&self, text: &mut String) {
+        let Repaired { applied, changes, .. } = self.possible_repairs();
+        let rest =
+            |(k, f): &(usize, &Finding)| f.severity > Severity::Note && applied.binary_search(k).is_err();
+        let rest = self.findings.iter().enumerate().filter(rest).count();
+        let advice = match (changes, rest) {
+            (0, 0) => return,
+            (0, _) => format!("{} you: no repair can be proved.", needs(rest)),
+            (_, 0) => format!(
+                "--fix OUT would change {} of the text, and leave none of these.",
+                many(changes, "place")
+            ),
+            _ => {
+                format!("--fix OUT would change {} of the text; {} you.", many(changes, "place"), needs(rest))
+            }
+        };
+        let _ = writeln!(text, "\n{advice}");
+    }
+
+    fn write_fixed(&self, text: &mut String, fixed: &Fixed) {
+        let Fixed { out, repaired, remaining } = fixed;
+        text.push('\n');
+        for Left { finding, why } in &repaired.left {
+            if let Some(finding) = self.findings.get(*finding) {
+                paragraph(
+                    text,
+                    "not repaired: ",
+                    &format!("{} [{}]: {}", subject(finding), finding.code, why.in_words()),
+                );
+            }
+        }
+        let rest = remaining.iter().filter(|f| f.severity > Severity::Note).count();
+        let (out, changes) = (printable(out), many(repaired.changes, "place"));
+        let _ = match rest {
+            0 if repaired.changes == 0 => writeln!(text, "wrote {out}: there was nothing to repair"),
+            0 => writeln!(text, "wrote {out}: {changes} changed; nothing is found in it any more"),
+            _ => writeln!(text, "wrote {out}: {changes} changed; {} you still", needs(rest)),
+        };
+    }
+}
+
+const fn mark(severity: Severity) -> char {
+    match severity {
+        Severity::Impossible => '✗',
+        Severity::Suspect => '!',
+        Severity::Note => '·',
+    }
+}
+
+/// What a finding is about.
+fn subject(finding: &Finding) -> String {
+    if finding.subject.is_empty() { "the model".to_owned() } else { printable(&finding.subject) }
+}
+
+fn paragraph(text: &mut String, label: &str, sentence: &str) {
+    if sentence.is_empty() {
+        return;
+    }
+    let hang = format!("{INDENT}{}", " ".repeat(label.len()));
+    for (k, line) in wrap(&printable(sentence), &hang, WIDTH).iter().enumerate() {
+        match line.strip_prefix(&hang) {
+            Some(line) if k == 0 => text.push_str(&format!("{INDENT}{label}{line}\n")),
+            _ => text.push_str(&format!("{line}\n")),
+        }
+    }
+}
+
+/// `1 link`, `2 links`
+fn many(count: usize, what: &str) -> String {
+    if count == 1 { format!("1 {what}") } else { format!("{count} {what}s") }
+}
+
+/// `1 finding needs`, `2 findings need`
+fn needs(count: usize) -> String {
+    if count == 1 { "1 finding needs".to_owned() } else { format!("{count} findings need") }
+}

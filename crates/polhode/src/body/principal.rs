@@ -79,7 +79,8 @@ impl Symmetry {
 
 /// Moments nearer than this part of the greatest count as equal: sums of parts and turned tensors come nearer than
 /// that, and the tensor rebuilt from the chosen axes is no farther off.
-const EQUAL_TOLERANCE: f64 = 8.0 * f64::EPSILON;
+const EQUAL_TOLERANCE: f64 = 4.0 * f64::EPSILON;
+const ROD_TOLERANCE: f64 = 3.0 * f64::EPSILON;
 
 impl<F: Frame> PrincipalFrame<F> {
     /// Principal moments and axes of a tensor about the centre of mass.
@@ -93,13 +94,14 @@ impl<F: Frame> PrincipalFrame<F> {
     }
 
     pub(crate) fn of_symmetric(tensor: &Symmetric3) -> Self {
-        let eigen = tensor.eigen();
+        let coarse = tensor.eigen();
+        let eigen = coarse.polished(tensor);
         // Rounding may leave −1e-17 where a rod has 0.
         let [i1, i2, i3] = eigen.values.map(|i| i.max(0.0));
         let equal = |a: f64, b: f64| (a - b).abs() <= EQUAL_TOLERANCE * i3;
         // A moment along one of the frame's own axes is exactly what was given; of any other a residue is rounding.
-        let given = eigen.vectors[0].iter().filter(|c| **c != 0.0).count() == 1;
-        let massless = i1 == 0.0 || (!given && equal(i1, 0.0));
+        let given = coarse.vectors[0].iter().filter(|c| **c != 0.0).count() == 1;
+        let massless = i1 == 0.0 || (!given && i1 <= ROD_TOLERANCE * i3);
         let symmetry = if i3 == 0.0 {
             Symmetry::Point
         } else if massless {
@@ -124,10 +126,7 @@ impl<F: Frame> PrincipalFrame<F> {
             Symmetry::Prolate => [i1, mean(i2, i3), mean(i2, i3)],
             Symmetry::Asymmetric => [i1, i2, i3],
         };
-        let axes = choose_axes(
-            symmetry,
-            eigen.vectors.map(|v| Direction::from_array(v).direction().unwrap_or(Direction::ZERO)),
-        );
+        let axes = choose_axes(symmetry, eigen.vectors.map(Direction::from_array));
         Self { moments, axes, rotation: Rotation::from_axes(axes), symmetry }
     }
 
@@ -163,16 +162,16 @@ impl<F: Frame> PrincipalFrame<F> {
 fn choose_axes<F: Frame>(symmetry: Symmetry, v: [Direction<F>; 3]) -> [Direction<F>; 3] {
     let (axis1, axis2) = match symmetry {
         Symmetry::Point | Symmetry::Spherical => return unit_axes(),
-        Symmetry::Asymmetric => (positive(v[0]), positive(across(v[1], v[0]))),
+        Symmetry::Asymmetric => {
+            let (axis1, axis2) = (positive(v[0]), positive(v[1]));
+            // axis 1 × axis 2, but for the rounding of the product
+            let axis3 = if axis1.cross(axis2).dot(v[2]) < 0.0 { -v[2] } else { v[2] };
+            return [axis1, axis2, axis3];
+        }
         Symmetry::Oblate => nearest_pair(v[2]),
         Symmetry::Rod | Symmetry::Prolate => (positive(v[0]), nearest_pair(v[0]).0),
     };
     [axis1, axis2, axis1.cross(axis2)]
-}
-
-/// The direction of the part of `v` across `n`: takes the rounding of many rotations off perpendicular vectors.
-fn across<F: Frame>(v: Direction<F>, n: Direction<F>) -> Direction<F> {
-    (v - n * n.dot(v)).direction().unwrap_or(v)
 }
 
 fn unit_axes<F: Frame>() -> [Direction<F>; 3] {
@@ -206,6 +205,8 @@ fn nearest_pair<F: Frame>(n: Direction<F>) -> (Direction<F>, Direction<F>) {
     let s = if n.dot(p.cross(q)) < 0.0 { -1.0 } else { 1.0 };
     let u = p + q.cross(n) * s;
     let u = u.direction().unwrap_or(p);
+    // What rounding left along n.
+    let u = (u - n * n.dot(u)).direction().unwrap_or(u);
     (positive(u), positive(n.cross(u)))
 }
 

@@ -161,6 +161,11 @@ fn orthonormal(v: &[[Double; 3]; 3]) -> [[Double; 3]; 3] {
     })
 }
 
+/// Vectors that are orthonormal but for some rounding, as the doubles nearest to ones that are.
+pub(crate) fn nearest_orthonormal(v: [[f64; 3]; 3]) -> [[f64; 3]; 3] {
+    orthonormal(&v.map(|vector| vector.map(Double::from))).map(|vector| vector.map(Double::value))
+}
+
 /// [`annihilate`] in two words; the rows of `v` are the vectors.
 fn annihilate_more(a: &mut [[Double; 3]; 3], v: &mut [[Double; 3]; 3], p: usize, q: usize) -> bool {
     let apq = a[p][q];

@@ -42,6 +42,7 @@ pub(crate) fn page(measured: &Measured) -> String {
         .replace("{far}", &far)
         .replace("{elliptic}", &elliptic)
         .replace("{meshes}", &mesh_rows(meshes))
+        .replace("{tensors}", &(principal_axes::TENSORS * axes.len()).to_string())
         .replace("{axes}", &axes_rows(axes))
 }
 

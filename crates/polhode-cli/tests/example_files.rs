@@ -14,7 +14,7 @@ fn inertia(scratch: &Scratch, file: &str, flags: &[&str]) -> Value {
 
 /// The inertia tensor's nine elements.
 fn tensor(body: &Value) -> Vec<f64> {
-    body["inertia"].as_array().unwrap().iter().flat_map(numbers).collect()
+    body["inertia"]["tensor"].as_array().unwrap().iter().flat_map(numbers).collect()
 }
 
 #[test]

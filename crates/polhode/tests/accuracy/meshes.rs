@@ -120,8 +120,8 @@ impl Surface {
             let d = a[0] * minor(1, 2) + a[1] * minor(2, 0) + a[2] * minor(0, 1);
             let s: [i128; 3] = std::array::from_fn(|k| a[k] + b[k] + c[k]);
             whole += d;
-            for k in 0..3 {
-                first[k] = first[k] + Whole::product(d, s[k]);
+            for (sum, s) in first.iter_mut().zip(s) {
+                *sum = *sum + Whole::product(d, s);
             }
             for (sum, (i, j)) in second.iter_mut().zip(ELEMENTS) {
                 *sum = *sum + Whole::product(d, a[i] * a[j] + b[i] * b[j] + c[i] * c[j] + s[i] * s[j]);

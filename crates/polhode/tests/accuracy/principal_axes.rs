@@ -86,7 +86,7 @@ fn errors(tensor: &InertiaTensor<Body>, frame: &PrincipalFrame<Body>) -> Worst {
 
 /// All bits of an answer, mixed into one word.
 fn bits(frame: &PrincipalFrame<Body>) -> u64 {
-    let axes = frame.axes().map(|axis| axis.to_array());
+    let axes = frame.axes().map(Vector::to_array);
     let words = frame.moments().into_iter().chain(axes.into_iter().flatten()).map(f64::to_bits);
     words.fold(0, |mixed: u64, word| (mixed.rotate_left(9) ^ word).wrapping_mul(0x9e37_79b9_7f4a_7c15))
 }

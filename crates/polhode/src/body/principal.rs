@@ -170,7 +170,7 @@ fn choose_axes<F: Frame>(symmetry: Symmetry, v: [Direction<F>; 3]) -> [Direction
         Symmetry::Asymmetric => {
             let (axis1, axis2) = (positive(v[0]), positive(v[1]));
             // axis 1 × axis 2, but for the rounding of the product
-            let axis3 = if axis1.cross(axis2).dot(v[2]) < 0.0 { -v[2] } else { v[2] };
+            let axis3 = if axis1.cross(axis2).dot(v[2]) < 0.0 { reversed(v[2]) } else { v[2] };
             return [axis1, axis2, axis3];
         }
         Symmetry::Oblate => nearest_pair(v[2]),
@@ -192,7 +192,12 @@ const TIE: f64 = 1e-9;
 fn positive<F: Frame>(v: Direction<F>) -> Direction<F> {
     let largest = v.max_abs();
     let first = v.to_array().into_iter().find(|c| c.abs() >= (1.0 - TIE) * largest);
-    if first.is_some_and(|c| c < 0.0) { -v } else { v }
+    if first.is_some_and(|c| c < 0.0) { reversed(v) } else { v }
+}
+
+/// −v, in which 0 stays 0 and becomes no −0.
+fn reversed<F: Frame>(v: Direction<F>) -> Direction<F> {
+    Direction::ZERO - v
 }
 
 /// The two perpendicular unit vectors across `n` that are together nearest to two of the frame's own axes a and b

@@ -7,6 +7,7 @@ mod layers;
 mod licence;
 mod process;
 mod readme;
+mod speed;
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -21,7 +22,8 @@ usage: cargo xtask CHORE
   layers     the rooms of the house: who may import whom, who may do what, how long files are
   licences   how many crates are linked, and under which licences
   examples   the built command on every scenario in examples/
-  readme     the README's commands";
+  readme     the README's commands
+  speed      measures anew what book/speed.md and book/mass-properties.md say; needs python3 and what it compares with";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -31,6 +33,7 @@ fn main() -> ExitCode {
         ["licences"] => dependencies::check(),
         ["examples"] => examples::check(),
         ["readme"] => readme::check(),
+        ["speed"] => speed::measure(),
         ["help" | "--help" | "-h"] => {
             println!("{USAGE}");
             Ok(())

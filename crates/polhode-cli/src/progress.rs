@@ -91,3 +91,51 @@ impl Drop for FileProgress {
         }
     }
 }
+
+/// How many values of a density have been asked for; dropped, it takes its line away.
+#[derive(Debug)]
+pub(crate) struct SampleProgress {
+    pieces: u64,
+    looked_at: u64,
+    samples: u64,
+    next: Option<Instant>,
+    shown: bool,
+}
+
+impl SampleProgress {
+    /// Pieces between two looks at the clock.
+    const STRIDE: u64 = 256;
+
+    /// The progress of a cubature over so many pieces, each of which is looked at once at least.
+    pub(crate) fn new(pieces: usize) -> Self {
+        let next = io::stderr().is_terminal().then(|| Instant::now() + PATIENCE);
+        Self { pieces: pieces as u64, looked_at: 0, samples: 0, next, shown: false }
+    }
+
+    /// One more piece, or half of one, has been looked at with so many samples.
+    pub(crate) fn looked_at(&mut self, samples: usize) {
+        self.looked_at += 1;
+        self.samples += samples as u64;
+        let Some(next) = self.next.filter(|_| self.looked_at.is_multiple_of(Self::STRIDE)) else { return };
+        let now = Instant::now();
+        if now >= next {
+            let state = if self.looked_at < self.pieces {
+                format!("{:3} %", 100 * self.looked_at / self.pieces)
+            } else {
+                "refining".to_owned()
+            };
+            let millions = self.samples / 1_000_000;
+            let _ = write!(io::stderr(), "\r\x1b[K{state}   {millions} million values of the density");
+            self.next = Some(now + PATIENCE);
+            self.shown = true;
+        }
+    }
+}
+
+impl Drop for SampleProgress {
+    fn drop(&mut self) {
+        if self.shown {
+            let _ = write!(io::stderr(), "\r\x1b[K");
+        }
+    }
+}

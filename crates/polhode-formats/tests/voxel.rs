@@ -1,6 +1,10 @@
 //! Voxel files: the same grid in every encoding, every truncation, and every wrong header.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may")]
 
+use std::io::Write;
+
+use flate2::Compression;
+use flate2::write::GzEncoder;
 use polhode::{BoxShape, MassProperties, Part, PlacedPart, Position, Rotation, Shape, Substance, assemble};
 use polhode_formats::voxel::{VoxelOptions, Voxels, read};
 use polhode_formats::{ContentError, ContentErrorKind, ContentPlace};
@@ -139,6 +143,49 @@ fn nrrd_is_the_same_body() {
     require_exact(&read(&file).unwrap(), &VoxelOptions::default(), [0.01, -0.02, 0.005]);
 }
 
+/// What gzip makes of it.
+fn gzip(data: &[u8]) -> Vec<u8> {
+    let mut encoder = GzEncoder::new(Vec::new(), Compression::default());
+    encoder.write_all(data).unwrap();
+    encoder.finish().unwrap()
+}
+
+#[test]
+fn compressed_nrrd_is_the_same_body() {
+    let fields = FIELDS.replace("raw", "gzip");
+    let placed = [0.01, -0.02, 0.005];
+    let file = nrrd(&fields, &gzip(&numbers(true)));
+    require_exact(&read(&file).unwrap(), &VoxelOptions::default(), placed);
+    // In two pieces, one after the other, behind a line and three bytes that were compressed with them
+    let (first, second) = (gzip(&[b"xyz", &numbers(true)[..7]].concat()), gzip(&numbers(true)[7..]));
+    let skipping = fields.clone() + "line skip: 1\nbyte skip: 3\n";
+    let file = nrrd(&skipping, &[b"a line\n", first.as_slice(), &second].concat());
+    require_exact(&read(&file).unwrap(), &VoxelOptions::default(), placed);
+
+    // Cut short anywhere: the data, or the check sum behind them
+    let compressed = gzip(&numbers(true));
+    for length in 0..compressed.len() {
+        let error = refused(&nrrd(&fields, &compressed[..length]));
+        let ContentErrorKind::Count { declared: 24, present, .. } = error.kind else { panic!("{error}") };
+        assert!(present <= 24 && error.hint.unwrap().contains("cut short"));
+    }
+    // A wrong check sum, and too few or too many numbers
+    let mut damaged = compressed.clone();
+    let at = damaged.len() - 6;
+    damaged[at] ^= 1;
+    assert!(refused(&nrrd(&fields, &damaged)).to_string().contains("data that gzip has compressed"));
+    let few = refused(&nrrd(&fields, &gzip(&numbers(true)[1..]))).kind;
+    assert!(matches!(few, ContentErrorKind::Count { declared: 24, present: 23, .. }), "{few:?}");
+    let many = refused(&nrrd(&fields, &gzip(&[0; 10_000_000]))).kind; // stops behind the first that is too many
+    assert!(matches!(many, ContentErrorKind::Count { declared: 24, present: 25, .. }), "{many:?}");
+    // A size that nothing can fill is no reason to reserve it
+    let huge = refused(&nrrd(&fields.replace("2 3 4", "2 3 400000000000"), &compressed)).kind;
+    assert!(
+        matches!(huge, ContentErrorKind::Count { declared: 2_400_000_000_000, present: 24, .. }),
+        "{huge:?}"
+    );
+}
+
 #[test]
 fn slanted_axes_are_as_the_file_has_them() {
     // Two voxels along (1, 2, 2): 3 long.
@@ -264,7 +311,10 @@ fn every_wrong_nrrd_header_is_named_in_its_line() {
         ("2 3 4", "2 0 4", "has no voxels"),
         ("2 3 4", "4294967296 4294967296 4294967296", "must be addressable"),
         ("2 3 4", "2 3 400000000000", "2400000000000 bytes of voxels are declared"),
-        ("encoding: raw", "encoding: gzip", "the encoding gzip"),
+        ("encoding: raw", "encoding: bzip2", "the encoding bzip2"),
+        ("encoding: raw", "encoding: gzip", "data that gzip has compressed"),
+        ("encoding: raw", "encoding: gz\nbyte skip: -1", "a byte skip of -1 in compressed data"),
+        ("2 3 4\nencoding: raw", "2 3 400000000000\nencoding: gzip", "data that gzip has compressed"),
         ("encoding: raw\n", "", "has no field encoding"),
         ("encoding: raw", "encoding: raw\ndata file: ../../secret.raw", "data in another file"),
         ("encoding: raw", "encoding: raw\ndatafile: LIST", "data in another file"),
@@ -306,6 +356,7 @@ fn no_truncation_and_no_flipped_byte_panics() {
         npy(1, "|u1", false, "(2, 3, 4)", &numbers(false)),
         npy(2, "|u1", true, "(2, 3, 4)", &numbers(true)),
         nrrd(FIELDS, &numbers(true)),
+        nrrd(&FIELDS.replace("raw", "gzip"), &gzip(&numbers(true))),
     ];
     for whole in files {
         for length in 0..whole.len() {

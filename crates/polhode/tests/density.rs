@@ -398,7 +398,7 @@ fn a_body_far_away_and_one_of_another_scale_lose_nothing() {
 fn a_density_that_cannot_be_is_refused_with_its_place() {
     let ball = Sphere::new(1.0).unwrap();
     let solve = |solid: Solid<'_>, field: &dyn DensityField| {
-        mass_properties_of_field(solid, field, Cubature { tolerance: 1e-6, max_evaluations: 2_000_000 })
+        mass_properties_of_field(solid, field, Cubature { tolerance: 1e-6, max_evaluations: Some(2_000_000) })
     };
     let negative = |p: [f64; 3]| 0.9 - p[0];
     match solve(Solid::Shape(&ball), &negative) {
@@ -433,7 +433,11 @@ fn a_tolerance_out_of_reach_is_an_error_that_says_how_far_it_came() {
     let mesh = &solids()[0];
     let step = |p: [f64; 3]| if p[0] + 0.3 * p[1] < 0.4 { 3.0 } else { 8.0 };
     let solve = |tolerance, max_evaluations| {
-        mass_properties_of_field(Solid::Mesh(mesh), &step, Cubature { tolerance, max_evaluations })
+        mass_properties_of_field(
+            Solid::Mesh(mesh),
+            &step,
+            Cubature { tolerance, max_evaluations: Some(max_evaluations) },
+        )
     };
     match solve(1e-9, 300_000) {
         Err(BodyError::Cubature { tolerance, reached, evaluations }) => {

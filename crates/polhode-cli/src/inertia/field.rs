@@ -1,12 +1,15 @@
 //! The mass properties of a mesh whose density is a formula.
 
-use polhode::{Cubature, FieldError, Solid, mass_properties_of_field};
+use std::cell::RefCell;
+
+use polhode::{Cubature, DensityField, FieldError, Solid, mass_properties_of_field};
 use polhode_formats::expression::Expression;
 use polhode_formats::mesh::SolidPart;
 use polhode_report::{Extra, PartRow, error_estimate};
 
 use super::voxel::in_body;
 use crate::failure::Failure;
+use crate::progress::SampleProgress;
 
 /// The parts with their masses, and how far these may be off.
 pub(super) struct Found {
@@ -25,7 +28,9 @@ pub(super) fn found(
     let mut total = FieldError { mass: 0.0, center_of_mass: 0.0, inertia: 0.0 };
     let mut rows = Vec::new();
     for part in parts {
-        let body = mass_properties_of_field(Solid::Mesh(&part.mesh), formula, cubature)
+        let progress = RefCell::new(SampleProgress::new(part.mesh.surface().triangles().len()));
+        let watched = Watched { formula, progress };
+        let body = mass_properties_of_field(Solid::Mesh(&part.mesh), &watched, cubature)
             .map_err(|error| Failure::usage(error.to_string(), hint(&error)))?;
         let FieldError { mass, center_of_mass, inertia } = body.error_estimate;
         // masses add; of the others the worst part's stands for all
@@ -37,6 +42,23 @@ pub(super) fn found(
         rows.push(PartRow { name: part.name.clone(), properties, volume: Some(body.volume) });
     }
     Ok(Found { rows, error: error_estimate(&total, "by cubature of the formula") })
+}
+
+/// A formula that shows how often it was asked.
+struct Watched<'a> {
+    formula: &'a Expression,
+    progress: RefCell<SampleProgress>,
+}
+
+impl DensityField for Watched<'_> {
+    fn density(&self, point: [f64; 3]) -> f64 {
+        self.formula.density(point)
+    }
+
+    fn densities(&self, points: &[[f64; 3]], densities: &mut [f64]) {
+        self.formula.densities(points, densities);
+        self.progress.borrow_mut().looked_at(points.len());
+    }
 }
 
 fn hint(error: &polhode::BodyError) -> &'static str {

@@ -23,6 +23,7 @@
 //! error that points at its place; nothing is ignored.
 
 mod body;
+mod formula;
 mod part;
 mod pendulum;
 mod prescribed;

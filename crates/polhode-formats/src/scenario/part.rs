@@ -4,13 +4,13 @@ use std::path::Path;
 
 use polhode::{
     Body, BodyPart, ClosedMesh, Extent, Finding, MassProperties, Part, Particle, PlacedPart, Position,
-    Rotation, Shape, mass_properties_of_particles,
+    Rotation, mass_properties_of_particles,
 };
 
 use super::reader::{Table, Value};
 use super::rotation::rotation;
-use super::shape::{SHAPES, shape};
-use super::substance::{self, substance};
+use super::shape::{Form, SHAPES, shape};
+use super::substance::{self, Matter, matter};
 use super::tensor;
 use crate::error::{FormatError, FormatErrorKind};
 use crate::mesh::{MeshContents, MeshFormat, MeshSolid};
@@ -33,7 +33,7 @@ pub(crate) fn part(
         None => format!("{kind} {number}"),
     };
     let placement = Placement::read(&table)?;
-    let solid = match kind {
+    let form = match kind {
         "particles" => return particles(&table, name, &placement),
         "tensor" => {
             let properties = placement.place(&table, tensor::mass_properties(&table)?)?;
@@ -46,12 +46,16 @@ pub(crate) fn part(
                 particles: Vec::new(),
             });
         }
-        "mesh" => Box::new(read_mesh(&table, &name, findings)?) as Box<dyn Shape>,
+        "mesh" => Form::Mesh(Box::new(read_mesh(&table, &name, findings)?)),
         _ => shape(kind, &table)?,
     };
+    let solid = form.as_shape();
     let extent = solid.spread().extent();
-    let (substance, given) = substance(&table, extent)?;
-    let properties = solid.mass_properties(substance).map_err(|e| given.body(e))?;
+    let (matter, given) = matter(&table, extent)?;
+    let properties = match matter {
+        Matter::Uniform(substance) => solid.mass_properties(substance).map_err(|e| given.body(e))?,
+        Matter::Varying(formula) => formula.integrate(&form, &given, &name, findings)?,
+    };
     let surface_area = (!matches!(extent, Extent::Length(_))).then(|| solid.surface_area());
     let properties = placement.place(&table, properties)?;
     Ok(BodyPart { name, kind, properties, extent: Some(extent), surface_area, particles: Vec::new() })

@@ -1,8 +1,8 @@
 //! The shapes with closed forms, and what each is measured by.
 
 use polhode::{
-    BoxShape, BoxShell, Capsule, Cone, Cylinder, CylinderShell, Disk, Ellipsoid, Plate, Rod, Shape, Sphere,
-    SphereShell, Tetrahedron, Torus,
+    BoxShape, BoxShell, Capsule, ClosedMesh, Cone, Cylinder, CylinderShell, Disk, Ellipsoid, Parametrised,
+    Plate, Rod, Shape, Solid, Sphere, SphereShell, Tetrahedron, Torus,
 };
 
 use super::reader::{Table, Value, each};
@@ -27,42 +27,79 @@ pub(crate) const SHAPES: [(&str, &[&str]); 14] = [
     ("cylinder_shell", &["radius", "length", "ends", "thickness"]),
 ];
 
+/// A shape, by what its density may be.
+pub(crate) enum Form {
+    /// A solid whose density may vary.
+    Solid(Box<dyn Parametrised>),
+    /// A polyhedron, whose density may vary too.
+    Mesh(Box<ClosedMesh>),
+    /// A thin shell, plate or rod.
+    Thin(Box<dyn Shape>),
+}
+
+impl Form {
+    fn solid(shape: impl Parametrised + 'static) -> Self {
+        Self::Solid(Box::new(shape))
+    }
+
+    fn thin(shape: impl Shape + 'static) -> Self {
+        Self::Thin(Box::new(shape))
+    }
+
+    pub(crate) fn as_shape(&self) -> &dyn Shape {
+        match self {
+            Self::Solid(shape) => shape.as_ref(),
+            Self::Mesh(mesh) => mesh.as_ref(),
+            Self::Thin(shape) => shape.as_ref(),
+        }
+    }
+
+    /// What a density can be spread over that is not the same everywhere.
+    pub(crate) fn as_solid(&self) -> Option<Solid<'_>> {
+        match self {
+            Self::Solid(shape) => Some(Solid::Shape(shape.as_ref())),
+            Self::Mesh(mesh) => Some(Solid::Mesh(mesh)),
+            Self::Thin(_) => None,
+        }
+    }
+}
+
 /// The shape of that name, as its table measures it.
-pub(crate) fn shape(name: &str, table: &Table<'_>) -> Result<Box<dyn Shape>, FormatError> {
+pub(crate) fn shape(name: &str, table: &Table<'_>) -> Result<Form, FormatError> {
     let radius = || table.require("radius", "radius = \"4 mm\"");
     let length = || table.require("length", "length = \"40 mm\"");
     let size = || table.require("size", "size = [\"30 mm\", \"20 mm\", \"10 mm\"]");
     Ok(match name {
         "box" => {
             let size = size()?;
-            Box::new(BoxShape::new(size.positives(Dimension::LENGTH)?).map_err(|e| size.body(e))?)
+            Form::solid(BoxShape::new(size.positives(Dimension::LENGTH)?).map_err(|e| size.body(e))?)
         }
         "box_shell" => {
             let size = size()?;
-            Box::new(BoxShell::new(size.positives(Dimension::LENGTH)?).map_err(|e| size.body(e))?)
+            Form::thin(BoxShell::new(size.positives(Dimension::LENGTH)?).map_err(|e| size.body(e))?)
         }
         "plate" => {
             let size = table.require("size", "size = [\"30 mm\", \"20 mm\"]")?;
-            Box::new(Plate::new(size.positives(Dimension::LENGTH)?).map_err(|e| size.body(e))?)
+            Form::thin(Plate::new(size.positives(Dimension::LENGTH)?).map_err(|e| size.body(e))?)
         }
-        "sphere" => Box::new(measured(&radius()?, Sphere::new)?),
-        "sphere_shell" => Box::new(measured(&radius()?, SphereShell::new)?),
-        "disk" => Box::new(measured(&radius()?, Disk::new)?),
-        "rod" => Box::new(measured(&length()?, Rod::new)?),
-        "cylinder" => Box::new(measured_by_two(&radius()?, &length()?, Cylinder::new)?),
-        "capsule" => Box::new(measured_by_two(&radius()?, &length()?, Capsule::new)?),
+        "sphere" => Form::solid(measured(&radius()?, Sphere::new)?),
+        "sphere_shell" => Form::thin(measured(&radius()?, SphereShell::new)?),
+        "disk" => Form::thin(measured(&radius()?, Disk::new)?),
+        "rod" => Form::thin(measured(&length()?, Rod::new)?),
+        "cylinder" => Form::solid(measured_by_two(&radius()?, &length()?, Cylinder::new)?),
+        "capsule" => Form::solid(measured_by_two(&radius()?, &length()?, Capsule::new)?),
         "cylinder_shell" => {
             let ends = table.get("ends").map_or(Ok(false), |ends| ends.boolean())?;
-            Box::new(measured_by_two(&radius()?, &length()?, |r, l| CylinderShell::new(r, l, ends))?)
+            Form::thin(measured_by_two(&radius()?, &length()?, |r, l| CylinderShell::new(r, l, ends))?)
         }
         "torus" => {
             let ring = table.require("ring_radius", "ring_radius = \"30 mm\"")?;
             let tube = table.require("tube_radius", "tube_radius = \"5 mm\"")?;
-            Box::new(measured_by_two(&ring, &tube, Torus::new)?)
+            Form::solid(measured_by_two(&ring, &tube, Torus::new)?)
         }
         "ellipsoid" => {
             let axes = table.require("semi_axes", "semi_axes = [\"30 mm\", \"20 mm\", \"10 mm\"]")?;
-            Box::new(Ellipsoid::new(axes.positives(Dimension::LENGTH)?).map_err(|e| axes.body(e))?)
+            Form::solid(Ellipsoid::new(axes.positives(Dimension::LENGTH)?).map_err(|e| axes.body(e))?)
         }
         "tetrahedron" => {
             let corners =
@@ -71,7 +108,7 @@ pub(crate) fn shape(name: &str, table: &Table<'_>) -> Result<Box<dyn Shape>, For
             for (vertex, values) in vertices.iter_mut().zip(corners.rows::<4>()?) {
                 *vertex = each(values, |value| value.quantity(Dimension::LENGTH))?;
             }
-            Box::new(Tetrahedron::new(vertices).map_err(|e| corners.body(e))?)
+            Form::solid(Tetrahedron::new(vertices).map_err(|e| corners.body(e))?)
         }
         _ => {
             let (base, height) = (radius()?, table.require("height", "height = \"40 mm\"")?);
@@ -86,7 +123,7 @@ pub(crate) fn shape(name: &str, table: &Table<'_>) -> Result<Box<dyn Shape>, For
             };
             let top_radius = top.as_ref().map_or(Ok(0.0), width)?;
             let cone = Cone::new(width(&base)?, top_radius, height.positive(Dimension::LENGTH)?);
-            Box::new(cone.map_err(|e| base.body(e))?)
+            Form::solid(cone.map_err(|e| base.body(e))?)
         }
     })
 }

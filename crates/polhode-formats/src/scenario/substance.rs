@@ -2,25 +2,51 @@
 
 use polhode::{Extent, Material, Substance};
 
+use super::formula::{self, Formula};
 use super::reader::{Table, Value};
 use super::suggestion::nearest;
 use crate::error::{FormatError, FormatErrorKind};
 use crate::unit::{Dimension, UnitError};
 
 /// Keys of every part that has a shape; a thin surface has its `thickness` too.
-pub(crate) const KEYS: [&str; 3] = ["density", "mass", "material"];
+pub(crate) const KEYS: [&str; 4] = ["density", "mass", "material", "density_tolerance"];
+
+/// What a part is made of.
+pub(crate) enum Matter {
+    /// Of the same everywhere.
+    Uniform(Substance),
+    /// Of a density that is a formula of the place.
+    Varying(Formula),
+}
 
 const THIN_ROD: &str = "give density = \"0.3 kg/m\" or mass = \"12 g\", or make it a cylinder";
+
+/// What a part of that extent is made of, and the value that says it.
+pub(crate) fn matter<'a>(table: &Table<'a>, extent: Extent) -> Result<(Matter, Value<'a>), FormatError> {
+    let density = table.get("density");
+    if let Some((given, formula)) = density.and_then(|given| Some((given, formula::text(&given)?))) {
+        table.at_most_one(&KINDS, ALONE)?;
+        let formula = Formula::read(table, &given, formula, extent)?;
+        return Ok((Matter::Varying(formula), given));
+    }
+    if let Some(tolerance) = table.get("density_tolerance") {
+        return Err(tolerance
+            .invalid("left out where the density is no formula")
+            .with_hint("write density = \"2700*(1 + 0.1*x)\", or leave out density_tolerance"));
+    }
+    let (substance, given) = substance(table, extent)?;
+    Ok((Matter::Uniform(substance), given))
+}
+
+const KINDS: [&str; 3] = ["density", "mass", "material"];
+
+const ALONE: &str = "each of them alone says how heavy the part is";
 
 /// The substance of a part of that extent, and the value that says it.
 ///
 /// Of a thin part, density is per area, or per volume if a `thickness` goes with it; a material needs one.
-pub(crate) fn substance<'a>(
-    table: &Table<'a>,
-    extent: Extent,
-) -> Result<(Substance, Value<'a>), FormatError> {
-    let given = table
-        .at_most_one(&["density", "mass", "material"], "each of them alone says how heavy the part is")?;
+fn substance<'a>(table: &Table<'a>, extent: Extent) -> Result<(Substance, Value<'a>), FormatError> {
+    let given = table.at_most_one(&KINDS, ALONE)?;
     let Some(given) = given else {
         return Err(table.missing(
             "density",

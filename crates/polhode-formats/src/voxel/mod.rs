@@ -1,7 +1,7 @@
 //! Voxel grids: one number for each box of a lattice, as NPY and NRRD.
 //!
-//! A file is read where it lies: the numbers are decoded one by one as they are asked for, and never copied. NRRD says
-//! where its voxels are, mostly; NPY never does, so the spacing has to be given.
+//! A file is read where it lies: the numbers are decoded one by one as they are asked for, and never copied, unless the
+//! file is compressed. NRRD says where its voxels are, mostly; NPY never does, so the spacing has to be given.
 //!
 //! ```
 //! use polhode_formats::voxel::{self, VoxelOptions};
@@ -16,14 +16,17 @@
 //! # Ok::<(), polhode_formats::ContentError>(())
 //! ```
 
+mod gzip;
 mod npy;
 mod nrrd;
+
+use std::borrow::Cow;
 
 use polhode::{BodyError, VoxelGrid};
 
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 
-/// The numbers of a voxel file, still in its bytes.
+/// The numbers of a voxel file, still in its bytes, or in those that were compressed there.
 #[derive(Clone, Debug)]
 pub struct Voxels<'a> {
     /// Along the axes in the file's order.
@@ -32,7 +35,7 @@ pub struct Voxels<'a> {
     order: [usize; 3],
     scalar: Scalar,
     big_endian: bool,
-    data: &'a [u8],
+    data: Cow<'a, [u8]>,
     placement: Placement,
 }
 
@@ -219,16 +222,21 @@ impl Scalar {
     }
 }
 
-/// How many bytes the voxels take, which must be those that are there.
-fn require_length(counts: [usize; 3], scalar: Scalar, data: &[u8], start: usize) -> Result<(), ContentError> {
-    let place = || ContentPlace::Byte { offset: start as u64, what: "the first voxel".to_owned() };
+/// How many bytes the voxels take.
+fn declared_bytes(counts: [usize; 3], scalar: Scalar) -> Result<u64, ContentError> {
     let declared = counts.iter().try_fold(scalar.size() as u64, |all, &n| all.checked_mul(n as u64));
-    let Some(declared) = declared else {
+    declared.ok_or_else(|| {
         let value = counts.map(|n| n.to_string()).join(" × ");
         let rule = "addressable".to_owned();
         let kind = ContentErrorKind::Value { what: "the number of voxels".to_owned(), value, rule };
-        return Err(ContentError::new(kind, ContentPlace::Whole));
-    };
+        ContentError::new(kind, ContentPlace::Whole)
+    })
+}
+
+/// The voxels must take the bytes that are there.
+fn require_length(counts: [usize; 3], scalar: Scalar, data: &[u8], start: usize) -> Result<(), ContentError> {
+    let place = || ContentPlace::Byte { offset: start as u64, what: "the first voxel".to_owned() };
+    let declared = declared_bytes(counts, scalar)?;
     let present = data.len() as u64;
     if declared == 0 {
         let kind = ContentErrorKind::Missing { what: "voxels".to_owned() };

@@ -31,11 +31,11 @@ pub(super) fn read(bytes: &[u8]) -> Result<Voxels<'_>, ContentError> {
         ContentError::new(kind, ContentPlace::Byte { offset: 8, what: "the length of the header".to_owned() })
     })?;
     let header = Header::read(bytes, start..end)?;
-    let data = &bytes[end..];
+    let data = bytes.get(end..).unwrap_or_default();
     require_length(header.counts, header.scalar, data, end)?;
     let order = if header.fortran { [0, 1, 2] } else { [2, 1, 0] };
     let Header { counts, scalar, big_endian, .. } = header;
-    Ok(Voxels { counts, order, scalar, big_endian, data, placement: Placement::default() })
+    Ok(Voxels { counts, order, scalar, big_endian, data: data.into(), placement: Placement::default() })
 }
 
 fn cut(what: &str, length: usize) -> ContentError {

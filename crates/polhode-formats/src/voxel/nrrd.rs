@@ -1,13 +1,16 @@
 //! NRRD: a header of lines `field: value`, an empty line, and the numbers.
 //!
-//! Read are three dimensions, attached data and the encoding `raw`. The first axis varies fastest. `space directions` and
-//! `space origin` place the voxels, or else `spacings`; both are in the unit that `space units`, or `units`, names.
+//! Read are three dimensions, attached data and the encodings `raw` and `gzip`. The first axis varies fastest. `space
+//! directions` and `space origin` place the voxels, or else `spacings`; both are in the unit that `space units`, or
+//! `units`, names.
 //!
 //! Source: Gordon Kindlmann, "Definition of NRRD File Format", teem.sourceforge.net/nrrd/format.html.
 
+use std::borrow::Cow;
 use std::ops::Range;
 
-use super::{Placement, Scalar, Voxels, require_length};
+use super::gzip::inflated;
+use super::{Placement, Scalar, Voxels, declared_bytes, require_length};
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 use crate::unit::{self, Dimension};
 
@@ -43,12 +46,28 @@ pub(super) fn read(bytes: &[u8]) -> Result<Voxels<'_>, ContentError> {
     let scalar = header.scalar()?;
     let counts = header.counts()?;
     let big_endian = header.big_endian(scalar)?;
-    header.require_raw()?;
-    let data = header.data(bytes, counts, scalar)?;
-    let start = bytes.len() - data.len();
-    require_length(counts, scalar, data, start)?;
+    let encoding = header.encoding()?;
+    let data = header.after_lines(bytes)?;
+    let data = match encoding {
+        Encoding::Raw => Cow::Borrowed(header.after_bytes(data, declared_bytes(counts, scalar).ok())?),
+        Encoding::Gzip => header.decompressed(data, bytes.len() - data.len(), counts, scalar)?,
+    };
+    let start = match data {
+        Cow::Borrowed(data) => bytes.len() - data.len(),
+        Cow::Owned(_) => header.end,
+    };
+    require_length(counts, scalar, &data, start)?;
     let placement = header.placement()?;
     Ok(Voxels { counts, order: [0, 1, 2], scalar, big_endian, data, placement })
+}
+
+/// How the numbers are written.
+#[derive(Clone, Copy)]
+enum Encoding {
+    /// As they are in memory.
+    Raw,
+    /// The same, compressed.
+    Gzip,
 }
 
 /// One line of the header.
@@ -164,29 +183,25 @@ impl<'a> Header<'a> {
         }
     }
 
-    /// Attached, and as they are.
-    fn require_raw(&self) -> Result<(), ContentError> {
+    /// How the numbers, which must be attached, are written.
+    fn encoding(&self) -> Result<Encoding, ContentError> {
         if let Some(field) = self.find(&["data file", "datafile"])? {
             let error = field.unsupported("data in another file than the header");
             return Err(error.hint("save the grid as one .nrrd file"));
         }
         let field = self.need("encoding")?;
-        if field.value.eq_ignore_ascii_case("raw") {
-            return Ok(());
+        match field.value.to_ascii_lowercase().as_str() {
+            "raw" => Ok(Encoding::Raw),
+            "gzip" | "gz" => Ok(Encoding::Gzip),
+            _ => Err(field
+                .unsupported(&format!("the encoding {}", field.value))
+                .hint("save the grid with the encoding raw or gzip")),
         }
-        Err(field
-            .unsupported(&format!("the encoding {}", field.value))
-            .hint("save the grid with the encoding raw"))
     }
 
-    /// The bytes of the numbers, behind what is to be skipped.
-    fn data<'b>(
-        &self,
-        bytes: &'b [u8],
-        counts: [usize; 3],
-        scalar: Scalar,
-    ) -> Result<&'b [u8], ContentError> {
-        let mut data = &bytes[self.end..];
+    /// What is behind the header, and behind the lines to be skipped.
+    fn after_lines<'b>(&self, bytes: &'b [u8]) -> Result<&'b [u8], ContentError> {
+        let mut data = bytes.get(self.end..).unwrap_or_default();
         if let Some(field) = self.find(&["line skip", "lineskip"])? {
             let lines: usize = field.value.parse().map_err(|_| field.expected("a whole number"))?;
             for _ in 0..lines {
@@ -195,16 +210,45 @@ impl<'a> Header<'a> {
                 data = &data[end + 1..];
             }
         }
-        let Some(field) = self.find(&["byte skip", "byteskip"])? else { return Ok(data) };
-        let skip = if field.value == "-1" {
-            // The numbers are at the end of the file.
-            let length = counts.iter().try_fold(scalar.size(), |all, &n| all.checked_mul(n));
-            length.and_then(|length| data.len().checked_sub(length))
-        } else {
-            Some(field.value.parse().map_err(|_| field.expected("a whole number, or -1"))?)
+        Ok(data)
+    }
+
+    /// How many bytes in front of the numbers are to be skipped; all but the numbers if −1 says so.
+    fn byte_skip(&self) -> Result<Option<(&Field<'a>, Option<usize>)>, ContentError> {
+        let Some(field) = self.find(&["byte skip", "byteskip"])? else { return Ok(None) };
+        let skip = match field.value {
+            "-1" => None,
+            value => Some(value.parse().map_err(|_| field.expected("a whole number, or -1"))?),
         };
-        let rest = skip.and_then(|skip| data.get(skip..));
+        Ok(Some((field, skip)))
+    }
+
+    /// The bytes of the numbers as they are, behind those to be skipped.
+    fn after_bytes<'b>(&self, data: &'b [u8], declared: Option<u64>) -> Result<&'b [u8], ContentError> {
+        let Some((field, skip)) = self.byte_skip()? else { return Ok(data) };
+        let all_but = || data.len().checked_sub(usize::try_from(declared?).ok()?);
+        let rest = skip.or_else(all_but).and_then(|skip| data.get(skip..));
         rest.ok_or_else(|| field.expected("no more bytes than there are"))
+    }
+
+    /// The bytes of the numbers that were compressed. What is to be skipped was compressed with them.
+    fn decompressed(
+        &self,
+        data: &[u8],
+        start: usize,
+        counts: [usize; 3],
+        scalar: Scalar,
+    ) -> Result<Cow<'static, [u8]>, ContentError> {
+        let skip = match self.byte_skip()? {
+            None => 0,
+            Some((_, Some(skip))) => skip,
+            Some((field, None)) => {
+                return Err(field
+                    .unsupported("a byte skip of -1 in compressed data")
+                    .hint("write how many bytes, after decompression, are to be skipped"));
+            }
+        };
+        inflated(data, start, skip as u64, declared_bytes(counts, scalar)?).map(Cow::Owned)
     }
 
     fn placement(&self) -> Result<Placement, ContentError> {

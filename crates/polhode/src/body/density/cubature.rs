@@ -12,9 +12,14 @@ use crate::math::symmetric3::Symmetric3;
 pub(super) type Moments = [f64; 10];
 
 /// The bricks of a solid, each with its moments and their errors.
+///
+/// A brick that no division would improve is added up and forgotten: of a mesh with millions of triangles and a density
+/// that is nearly a polynomial in each of their cones, nothing but a sum is kept.
 pub(super) struct Subdivision<'a> {
     domain: &'a Domain<'a>,
     rule: Rule,
+    /// Of those that are not kept.
+    settled: Tally,
     bricks: Vec<Integrated>,
     /// The brick with the largest error first, of equal ones the oldest.
     order: BinaryHeap<(Priority, Reverse<usize>)>,
@@ -48,8 +53,15 @@ const DEGREES: [usize; 10] = [0, 1, 1, 1, 2, 2, 2, 2, 2, 2];
 
 impl<'a> Subdivision<'a> {
     pub(super) fn new(domain: &'a Domain<'a>) -> Self {
-        let (bricks, order) = (Vec::new(), BinaryHeap::new());
-        Self { domain, rule: domain.rule(), bricks, order, samples: Samples::default(), evaluations: 0 }
+        Self {
+            domain,
+            rule: domain.rule(),
+            settled: Tally::default(),
+            bricks: Vec::new(),
+            order: BinaryHeap::new(),
+            samples: Samples::default(),
+            evaluations: 0,
+        }
     }
 
     /// How many samples a brick costs.
@@ -63,10 +75,13 @@ impl<'a> Subdivision<'a> {
         brick: Brick,
         density: &mut impl FnMut(&Brick, &[[f64; 3]], &mut [f64]) -> Result<(), E>,
     ) -> Result<(), E> {
-        let index = self.bricks.len();
         let integrated = self.integrate(brick, density)?;
-        self.order.push((integrated.priority(), Reverse(index)));
-        self.bricks.push(integrated);
+        if integrated.exceeds_rounding() {
+            self.order.push((integrated.priority(), Reverse(self.bricks.len())));
+            self.bricks.push(integrated);
+        } else {
+            self.settled.add(&integrated);
+        }
         Ok(())
     }
 
@@ -89,15 +104,18 @@ impl<'a> Subdivision<'a> {
             self.order.push((second.priority(), Reverse(self.bricks.len())));
             self.bricks[index] = first;
             self.bricks.push(second);
-            return Ok(Some((Totals::of(&[parent]), Totals::of(&[first, second]))));
+            return Ok(Some((Tally::of(&[parent]).totals(), Tally::of(&[first, second]).totals())));
         }
         Ok(None)
     }
 
     pub(super) fn totals(&self) -> Totals {
-        Totals::of(&self.bricks)
+        let mut tally = self.settled;
+        self.bricks.iter().for_each(|brick| tally.add(brick));
+        tally.totals()
     }
 
+    /// How many bricks are kept.
     pub(super) fn bricks(&self) -> usize {
         self.bricks.len()
     }
@@ -175,20 +193,33 @@ impl Integrated {
     }
 }
 
-impl Totals {
-    /// Compensated, in the order of the bricks.
+/// Compensated sums over bricks, in their order.
+#[derive(Clone, Copy, Default)]
+struct Tally {
+    moments: [Sum; 10],
+    errors: Moments,
+}
+
+impl Tally {
     fn of(bricks: &[Integrated]) -> Self {
-        let mut moments = [Sum::default(); 10];
-        let mut errors = [0.0; 10];
-        for brick in bricks {
-            for k in 0..10 {
-                moments[k].add(brick.moments[k]);
-                errors[k] += brick.error(k);
-            }
-        }
-        Self { moments: moments.map(Sum::value), errors }
+        let mut tally = Self::default();
+        bricks.iter().for_each(|brick| tally.add(brick));
+        tally
     }
 
+    fn add(&mut self, brick: &Integrated) {
+        for k in 0..10 {
+            self.moments[k].add(brick.moments[k]);
+            self.errors[k] += brick.error(k);
+        }
+    }
+
+    fn totals(self) -> Totals {
+        Totals { moments: self.moments.map(Sum::value), errors: self.errors }
+    }
+}
+
+impl Totals {
     /// These with the halves of a brick in its place.
     pub(super) fn replace(&mut self, (whole, halves): &(Self, Self)) {
         for k in 0..10 {

@@ -50,14 +50,25 @@ pub struct Cubature {
     /// The estimated error that is good enough: of the mass relative to it, of the centre of mass relative to the
     /// body's size √(∫ρ r² dV / M), r from the centre of mass, and of each element of the inertia tensor relative to half its trace.
     pub tolerance: f64,
-    /// How many values of ρ may be asked for. A billion of them need 0.1 to 0.4 GB of memory.
-    pub max_evaluations: u64,
+    /// How many values of ρ may be asked for. A billion of them need up to 0.4 GB of memory.
+    ///
+    /// `None`: 3·10⁸, or ten times what the first look at every chart or triangle takes, whichever is more. No mesh has too
+    /// many triangles then, and a tolerance out of reach still ends.
+    pub max_evaluations: Option<u64>,
 }
 
 impl Default for Cubature {
-    /// A tolerance of 1e-10, and up to 3·10⁸ values.
+    /// A tolerance of 1e-10, and as many values as `None` allows.
     fn default() -> Self {
-        Self { tolerance: 1e-10, max_evaluations: 300_000_000 }
+        Self { tolerance: 1e-10, max_evaluations: None }
+    }
+}
+
+impl Cubature {
+    /// How many values may be asked for, if the first look takes `first`.
+    fn limit(&self, first: u64) -> u64 {
+        const ENOUGH: u64 = 300_000_000;
+        self.max_evaluations.unwrap_or(ENOUGH.max(first.saturating_mul(10)))
     }
 }
 
@@ -99,6 +110,7 @@ pub struct FieldError {
 /// mesh. Smooth densities converge fast; steps and kinks slowly, except along the coordinates of the shape.
 ///
 /// A shape costs 3375 values at least for each chart, a mesh 3375 for each triangle, or 735 where it has more than 1000.
+/// Time goes with that; of memory a piece takes some 0.3 kB, and none if no division would improve it.
 ///
 /// ```
 /// use polhode::{Cubature, Solid, Sphere, mass_properties_of_field};
@@ -120,7 +132,7 @@ pub fn mass_properties_of_field(
     density: &(impl DensityField + ?Sized),
     cubature: Cubature,
 ) -> Result<FieldMassProperties, BodyError> {
-    let Cubature { tolerance, max_evaluations } = cubature;
+    let tolerance = cubature.tolerance;
     positive("the tolerance", tolerance)?;
     let domain = solid.domain();
     let mut subdivision = Subdivision::new(&domain);
@@ -131,7 +143,9 @@ pub fn mass_properties_of_field(
     let unreached = |reached, evaluations| BodyError::Cubature { tolerance, reached, evaluations };
 
     let bricks = domain.bricks();
-    if (bricks.len() as u64).saturating_mul(subdivision.samples_per_brick()) > max_evaluations {
+    let first = (bricks.len() as u64).saturating_mul(subdivision.samples_per_brick());
+    let max_evaluations = cubature.limit(first);
+    if first > max_evaluations {
         return Err(unreached(f64::INFINITY, 0));
     }
     for brick in bricks {
@@ -247,5 +261,20 @@ impl<'a> Solid<'a> {
             Self::Mesh(mesh) => Domain::of_surface(mesh.surface(), centroid, size),
             Self::Shape(shape) => Domain::of_shape(shape, centroid, size),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_mesh_has_too_many_triangles_unless_its_user_says_so() {
+        let samples = 735 * 5_000_000;
+        let of = |max_evaluations| Cubature { tolerance: 1e-10, max_evaluations };
+        assert_eq!(of(None).limit(samples), 10 * samples);
+        assert_eq!(of(None).limit(3375), 300_000_000);
+        assert_eq!(of(None).limit(u64::MAX), u64::MAX);
+        assert_eq!(of(Some(1_000_000)).limit(samples), 1_000_000);
     }
 }

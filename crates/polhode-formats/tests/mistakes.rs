@@ -554,7 +554,7 @@ fn what_others_wrote_does_not_reach_the_terminal() {
         parse(&format!("{BALL}name = '\u{202e}x' # \u{2066}\n{RUN}method = '\u{202e}x' # \t\u{2066}"))
             .unwrap_err();
     let place = error.place().unwrap();
-    assert_eq!(error.message(), "method = '\u{fffd}x' must be one of auto, exact, dop853");
+    assert_eq!(error.message(), "method = '\u{fffd}x' must be one of auto, exact, taylor, dop853");
     assert_eq!((place.excerpt.as_str(), &place.marked), ("method = '\u{fffd}x' #  \u{fffd}", &(9..13)));
 
     let long = "x".repeat(500);

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use polhode::{
-    Body, BodyPart, ClosedMesh, Extent, Finding, MassProperties, Part, Particle, PlacedPart, Position,
+    Body, BodyPart, ClosedMesh, Extent, Finding, Form, MassProperties, Part, Particle, PlacedForm, PlacedPart, Position,
     Rotation, Shape, mass_properties_of_particles,
 };
 
@@ -44,6 +44,7 @@ pub(crate) fn part(
                 extent: None,
                 surface_area: None,
                 particles: Vec::new(),
+                form: None,
             });
         }
         "mesh" => Box::new(read_mesh(&table, &name, findings)?) as Box<dyn Shape>,
@@ -54,7 +55,8 @@ pub(crate) fn part(
     let properties = solid.mass_properties(substance).map_err(|e| given.body(e))?;
     let surface_area = (!matches!(extent, Extent::Length(_))).then(|| solid.surface_area());
     let properties = placement.place(&table, properties)?;
-    Ok(BodyPart { name, kind, properties, extent: Some(extent), surface_area, particles: Vec::new() })
+    let form = solid.form().map(|form| placement.form(form));
+    Ok(BodyPart { name, kind, properties, extent: Some(extent), surface_area, particles: Vec::new(), form })
 }
 
 /// The name of the part's shape.
@@ -104,6 +106,10 @@ impl Placement {
         let placed = PlacedPart::new(part, self.position, self.rotation);
         placed.map(|part| part.in_body()).map_err(|e| table.error(FormatErrorKind::Body(e)))
     }
+
+    const fn form(&self, form: Form) -> PlacedForm {
+        PlacedForm { form, position: self.position, rotation: self.rotation }
+    }
 }
 
 /// `particles = [{ mass = "1 kg", position = [3] }, …]`
@@ -122,7 +128,7 @@ fn particles(table: &Table<'_>, name: String, placement: &Placement) -> Result<B
         particles.push(particle.map_err(|e| position.body(e))?);
     }
     let properties = mass_properties_of_particles(&particles).map_err(|e| list.body(e))?;
-    Ok(BodyPart { name, kind: "particles", properties, extent: None, surface_area: None, particles })
+    Ok(BodyPart { name, kind: "particles", properties, extent: None, surface_area: None, particles, form: None })
 }
 
 /// The mesh of `file`, a path relative to the scenario, all its parts as one; in `unit`s, unless the file has a unit of its own.

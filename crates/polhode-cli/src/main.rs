@@ -7,6 +7,7 @@ mod failure;
 mod folder;
 mod inertia;
 mod numbers;
+mod page;
 mod progress;
 mod shell;
 mod simulate;

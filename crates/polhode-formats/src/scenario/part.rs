@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use polhode::{
-    Body, BodyPart, ClosedMesh, Extent, Finding, Form, MassProperties, Part, Particle, PlacedForm, PlacedPart, Position,
-    Rotation, Shape, mass_properties_of_particles,
+    Body, BodyPart, ClosedMesh, Extent, Finding, Form, MassProperties, Part, Particle, PlacedForm,
+    PlacedPart, Position, Rotation, Shape, mass_properties_of_particles,
 };
 
 use super::reader::{Table, Value};
@@ -128,7 +128,15 @@ fn particles(table: &Table<'_>, name: String, placement: &Placement) -> Result<B
         particles.push(particle.map_err(|e| position.body(e))?);
     }
     let properties = mass_properties_of_particles(&particles).map_err(|e| list.body(e))?;
-    Ok(BodyPart { name, kind: "particles", properties, extent: None, surface_area: None, particles, form: None })
+    Ok(BodyPart {
+        name,
+        kind: "particles",
+        properties,
+        extent: None,
+        surface_area: None,
+        particles,
+        form: None,
+    })
 }
 
 /// The mesh of `file`, a path relative to the scenario, all its parts as one; in `unit`s, unless the file has a unit of its own.

@@ -26,7 +26,8 @@ fn of_section(section: &Section) -> Vec<Value> {
             Block::Paragraph(words) => blocks.push(text(words)),
             Block::Formula { text, latex } => blocks.push(formula(mathml::formula(latex, text), text)),
             Block::Lines(lines) => {
-                blocks.extend(lines.iter().map(|line| formula(mathml::working(line), line)));
+                let lines: Vec<String> = lines.iter().map(|line| plain_spaces(line)).collect();
+                blocks.push(json!({ "kind": "lines", "lines": lines }));
             }
             Block::Matrix { name, rows, unit } => blocks.push(matrix(name, rows, unit)),
             Block::Table { headers, rows } => blocks.push(table(headers, rows)),

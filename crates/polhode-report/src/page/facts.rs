@@ -70,7 +70,9 @@ pub(super) fn json(
         ("This page", this_page(shown, notes)),
     ];
     let groups = groups.iter().filter(|(_, rows)| !rows.is_empty());
-    groups.map(|(title, rows)| json!({ "title": title, "rows": rows.iter().map(Row::json).collect::<Value>() })).collect()
+    groups
+        .map(|(title, rows)| json!({ "title": title, "rows": rows.iter().map(Row::json).collect::<Value>() }))
+        .collect()
 }
 
 fn body(scenario: &Scenario, turning: &Turning<'_>) -> Vec<Row> {
@@ -137,8 +139,12 @@ fn torque(model: &TorqueModel) -> Row {
         _ => ("", ""),
     };
     let value = match model {
-        TorqueModel::Constant(polhode::ConstantTorque::Body(n)) => vector(n.to_array(), DIGITS) + " in the body",
-        TorqueModel::Constant(polhode::ConstantTorque::Space(n)) => vector(n.to_array(), DIGITS) + " in space",
+        TorqueModel::Constant(polhode::ConstantTorque::Body(n)) => {
+            vector(n.to_array(), DIGITS) + " in the body"
+        }
+        TorqueModel::Constant(polhode::ConstantTorque::Space(n)) => {
+            vector(n.to_array(), DIGITS) + " in space"
+        }
         TorqueModel::Gravity(gravity) => vector(gravity.acceleration.to_array(), DIGITS),
         other => other.name().to_owned(),
     };
@@ -206,7 +212,9 @@ fn picture(free: &FreeMotion) -> Vec<Row> {
 }
 
 fn pendulum(scenario: &Scenario) -> Vec<Row> {
-    let (Some(hanging), Some(Ok(pendulum))) = (scenario.hanging, scenario.pendulum()) else { return Vec::new() };
+    let (Some(hanging), Some(Ok(pendulum))) = (scenario.hanging, scenario.pendulum()) else {
+        return Vec::new();
+    };
     let small = Row::of("small swing", pendulum.period(0.0), "s").note("period");
     let swing = hanging.amplitude.map(|amplitude| pendulum.swing(amplitude, 0.0));
     let swing = match swing {

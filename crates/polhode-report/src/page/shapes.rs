@@ -1,6 +1,8 @@
 //! What the body looks like: its parts at their places, seen from the point that it turns about.
 
-use polhode::{BodyPart, Direction, Form, Part, Particle, PlacedForm, Position, PrincipalFrame, TriangleMesh};
+use polhode::{
+    BodyPart, Direction, Form, Part, Particle, PlacedForm, Position, PrincipalFrame, TriangleMesh,
+};
 use serde_json::{Value, json};
 
 use super::base64::{f32s, u32s};
@@ -87,7 +89,9 @@ fn form(
             json!({ "kind": "box", "size": numbers(&[*a, *b, THIN * a.min(*b)]) })
         }
         Form::Ellipsoid { semi_axes } => json!({ "kind": "ellipsoid", "half": numbers(semi_axes) }),
-        Form::Cylinder { radius, length, open } => cylinder(*radius, if *open { *radius } else { 0.0 }, *length),
+        Form::Cylinder { radius, length, open } => {
+            cylinder(*radius, if *open { *radius } else { 0.0 }, *length)
+        }
         Form::Rod { length } => cylinder(0.5 * THIN * length, 0.0, *length),
         Form::Disk { radius } => cylinder(*radius, 0.0, THIN * radius),
         Form::Cone { base_radius, top_radius, height } => {
@@ -228,9 +232,7 @@ fn sticks(places: &[[f64; 3]]) -> Vec<Stick> {
         [] => Vec::new(),
     };
     let mut sticks = Vec::with_capacity(open.len());
-    while let Some(nearest) =
-        (0..open.len()).min_by(|&a, &b| open[a].1.length.total_cmp(&open[b].1.length))
-    {
+    while let Some(nearest) = (0..open.len()).min_by(|&a, &b| open[a].1.length.total_cmp(&open[b].1.length)) {
         let (joined, stick) = open.swap_remove(nearest);
         sticks.push(stick);
         for (k, best) in &mut open {

@@ -142,7 +142,8 @@ impl<'a> Reader<'a> {
 
     fn command(&mut self) -> Option<(String, Scripts)> {
         let name = self.name()?;
-        let find = |table: &[(&str, &'static str)]| table.iter().find(|(key, _)| *key == name).map(|(_, c)| *c);
+        let find =
+            |table: &[(&str, &'static str)]| table.iter().find(|(key, _)| *key == name).map(|(_, c)| *c);
         if let Some(symbol) = find(&SYMBOLS) {
             return Some((element("mi", symbol), Scripts::Beside));
         }
@@ -183,7 +184,7 @@ impl<'a> Reader<'a> {
     fn bold(&mut self) -> Option<String> {
         let letter = self.argument()?;
         let inside = letter.strip_prefix("<mi>").and_then(|rest| rest.strip_suffix("</mi>"))?;
-        Some(format!("<mi mathvariant=\"normal\" style=\"font-weight:bold\">{inside}</mi>"))
+        Some(format!("<mi mathvariant=\"bold\">{inside}</mi>"))
     }
 
     fn accented(&mut self, accent: &str) -> Option<String> {
@@ -274,7 +275,7 @@ mod tests {
             to_mathml(r"\sum_{\text{parts}} \mathbf r_\alpha").as_deref(),
             Some(
                 "<munder><mo>∑</mo><mrow><mtext>parts</mtext></mrow></munder>\
-                 <msub><mi mathvariant=\"normal\" style=\"font-weight:bold\">r</mi><mi>α</mi></msub>"
+                 <msub><mi mathvariant=\"bold\">r</mi><mi>α</mi></msub>"
             )
         );
     }

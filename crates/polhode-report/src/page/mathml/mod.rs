@@ -1,19 +1,13 @@
 //! Formulas as MathML Core, which browsers set without help.
 //!
-//! A formula in symbols comes from its LaTeX ([`latex`]), a line of working from its text ([`line`]). What either cannot read
-//! stands as it is, in `<mtext>`.
+//! A formula comes from its LaTeX ([`latex`]); one with something unknown in it stands as text. Only attributes of MathML are
+//! used, no styles: the viewer lets nothing else into the page.
 
 mod latex;
-mod line;
 
 /// A formula in symbols, on a line of its own; `text` is shown if the LaTeX has something unknown.
 pub(super) fn formula(latex: &str, text: &str) -> String {
     display(&latex::to_mathml(latex).unwrap_or_else(|| element("mtext", text)))
-}
-
-/// A line of working: formulas with numbers and units.
-pub(super) fn working(text: &str) -> String {
-    display(&line::to_mathml(text))
 }
 
 /// `name = matrix unit`
@@ -22,10 +16,11 @@ pub(super) fn matrix(name: &str, rows: &[Vec<String>], unit: &str) -> String {
     let rows: String = rows.iter().map(|row| format!("<mtr>{}</mtr>", cells(row))).collect();
     let unit =
         if unit.is_empty() { String::new() } else { format!("{}{}", space(0.5), element("mtext", unit)) };
-    let name = line::to_mathml(name);
-    display(&format!(
-        "{name}<mo>=</mo><mrow><mo>(</mo><mtable>{rows}</mtable><mo>)</mo></mrow>{unit}"
-    ))
+    let name = match name {
+        "{I}" => latex::to_mathml(r"\lbrace \mathbf I \rbrace").unwrap_or_default(),
+        other => element("mtext", other),
+    };
+    display(&format!("{name}<mo>=</mo><mrow><mo>(</mo><mtable>{rows}</mtable><mo>)</mo></mrow>{unit}"))
 }
 
 fn display(inside: &str) -> String {
@@ -81,10 +76,7 @@ mod tests {
     #[test]
     fn what_cannot_be_read_is_text() {
         let shown = formula(r"\unheard{x}", "x < y & z");
-        assert_eq!(
-            shown,
-            "<math display=\"block\"><mrow><mtext>x &lt; y &amp; z</mtext></mrow></math>"
-        );
+        assert_eq!(shown, "<math display=\"block\"><mrow><mtext>x &lt; y &amp; z</mtext></mrow></math>");
     }
 
     #[test]

@@ -1,0 +1,56 @@
+/** The way that a point has come: a body axis, or the tip of ω, in space. */
+import { rotate, type Vector } from "../attitude";
+import { indexAt } from "../clock";
+import type { Motion } from "../motion";
+import { MovingCurve } from "./lines";
+import type { Ink, Palette } from "./palette";
+
+/** Points between two samples, so that few samples give a smooth curve too. */
+const FINE = 4;
+const LONGEST = 6000;
+
+export type Trailed = "axis-1" | "axis-2" | "axis-3" | "omega";
+
+export class Trail {
+  readonly curve: MovingCurve;
+  readonly #points: Float32Array;
+  readonly #times: Float64Array;
+
+  /** `scale` is the length of 1 rad/s in the picture; axes are `reach` long. */
+  constructor(motion: Motion, what: Trailed, scale: number, reach: number, palette: Palette) {
+    const fine = motion.count * FINE <= LONGEST ? FINE : 1;
+    const count = (motion.count - 1) * fine + 1;
+    this.#points = new Float32Array(3 * count);
+    this.#times = new Float64Array(count);
+    for (let k = 0; k < count; k += 1) {
+      const i = Math.floor(k / fine);
+      const from = motion.times[i];
+      const to = motion.times[Math.min(i + 1, motion.count - 1)];
+      const time = from + ((k % fine) / fine) * (to - from);
+      this.#times[k] = time;
+      const now = motion.at(time);
+      const v: Vector = what === "omega" ? now.omega : axis(what);
+      const s = what === "omega" ? scale : reach;
+      this.#points.set(
+        rotate(now.attitude, v).map((x) => x * s),
+        3 * k,
+      );
+    }
+    this.curve = new MovingCurve(Math.min(count + 1, LONGEST + 1), { ink: what as Ink, width: 2.2, opacity: 0.75 }, palette);
+  }
+
+  /** Up to `time`, from at most `seconds` before; it ends at `tip`. */
+  draw(time: number, seconds: number, tip: Vector): void {
+    const last = indexAt(this.#times, time);
+    const first = Math.max(indexAt(this.#times, time - seconds), last - LONGEST + 1);
+    const count = last - first + 2;
+    this.curve.draw(count, (k, out) => {
+      if (k === count - 1) out.set(tip);
+      else out.set(this.#points.subarray(3 * (first + k), 3 * (first + k) + 3));
+    });
+  }
+}
+
+export function axis(which: Exclude<Trailed, "omega">): Vector {
+  return which === "axis-1" ? [1, 0, 0] : which === "axis-2" ? [0, 1, 0] : [0, 0, 1];
+}

@@ -1,5 +1,5 @@
 /** Files that the page saves: a plot as SVG or PNG, the 3-D view as PNG. Plots are drawn anew, black on white, for paper. */
-import { type Figure, rangeOf, ticks } from "./figures";
+import { decades, type Figure, rangeOf, ticks } from "./figures";
 import { mark, powerOfTen, timeUnit } from "./format";
 
 const WIDTH = 640;
@@ -42,7 +42,7 @@ export function svgOf(figure: Figure, times: Float64Array, from: number, to: num
     rule(x(value * unit.seconds), PLOT.top, x(value * unit.seconds), bottom, "#e3e3e3");
     text([x(value * unit.seconds), bottom + 18], mark(value, across.step), 'text-anchor="middle"');
   }
-  const up = figure.log ? decades(low, high) : ticks(low, high, 6, figure.wraps).values;
+  const up = figure.log ? decades(low, high, 7) : ticks(low, high, 6, figure.wraps).values;
   const step = figure.log ? 1 : ticks(low, high, 6, figure.wraps).step;
   for (const value of up) {
     rule(PLOT.left, y(value), right, y(value), "#e3e3e3");
@@ -114,14 +114,6 @@ export function saveCanvas(name: string, canvas: HTMLCanvasElement): void {
 export function fileName(title: string): string {
   const name = title.toLowerCase().replace(/[^a-z0-9]+/g, "-").replace(/^-|-$/g, "");
   return name.slice(0, 60) || "polhode";
-}
-
-function decades(low: number, high: number): number[] {
-  const [from, to] = [Math.round(Math.log10(low)), Math.round(Math.log10(high))];
-  const every = Math.ceil((to - from) / 7) || 1;
-  const out: number[] = [];
-  for (let k = from; k <= to; k += every) out.push(10 ** k);
-  return out;
 }
 
 function pathOf(

@@ -54,7 +54,7 @@ function momentum(motion: Motion): Figure {
       lines.push({ label, ink: AXES[k], values: column(motion.momentum, k), dash: [6, 3] });
     });
   }
-  return { ...plain, id: "momentum", title: "Angular momentum, space axes", unit: "kg·m²/s", lines };
+  return { ...plain, id: "momentum", title: motion.torque ? "Angular momentum, space axes" : "Angular momentum", unit: "kg·m²/s", lines };
 }
 
 function angles(motion: Motion): Figure {
@@ -99,6 +99,15 @@ export function rangeOf(figure: Figure, first = 0, last = Infinity): [number, nu
   // What is constant is drawn as a constant: changes below a thousandth belong to the drift plot.
   const room = high - low < 1e-3 * size ? 0.1 * size : 0.06 * (high - low);
   return room === 0 ? [-1, 1] : [low - room, high + room];
+}
+
+/** Powers of ten between two of them, about `count`. */
+export function decades(low: number, high: number, count: number): number[] {
+  const [from, to] = [Math.round(Math.log10(low)), Math.round(Math.log10(high))];
+  const every = Math.max(Math.ceil((to - from) / Math.max(count, 1)), 1);
+  const out: number[] = [];
+  for (let k = from; k <= to; k += every) out.push(10 ** k);
+  return out;
 }
 
 /** Steps of 1, 2 or 5 times a power of ten, about `count` of them; of 30° multiples for angles. */

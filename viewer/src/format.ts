@@ -6,7 +6,7 @@ export function number(value: number, figures = 5): string {
   if (value === 0) return "0";
   const size = Math.abs(value);
   if (size >= 1e-3 && size < 1e5) {
-    const before = Math.max(Math.floor(Math.log10(size)) + 1, 1);
+    const before = Math.floor(Math.log10(size)) + 1;
     return minus(value.toFixed(Math.min(Math.max(figures - before, 0), 8)));
   }
   const [mantissa, exponent] = value.toExponential(figures - 1).split("e");

@@ -6,7 +6,7 @@ import uPlot from "uplot";
 import type { Clock } from "../clock";
 import { element } from "../dom";
 import { fileName, savePng, saveSvg, svgOf } from "../export";
-import { type Figure, figuresOf, type Line, rangeOf, ticks } from "../figures";
+import { decades, type Figure, figuresOf, type Line, rangeOf, ticks } from "../figures";
 import { mark, number, powerOfTen, timeUnit } from "../format";
 import type { Motion } from "../motion";
 
@@ -31,8 +31,10 @@ export class Plots {
     );
     for (const figure of figuresOf(motion)) this.#add(host, figure, motion.times, fileName(title));
     clock.subscribe(() => this.#follow());
-    new ResizeObserver(() => this.#resize(host.clientWidth)).observe(host);
-    this.#resize(host.clientWidth);
+    const ruler = element("div");
+    host.append(ruler);
+    new ResizeObserver(() => this.#resize(ruler.clientWidth)).observe(ruler);
+    this.#resize(ruler.clientWidth);
     this.#follow();
   }
 
@@ -90,7 +92,7 @@ export class Plots {
     return {
       width: 300,
       height: HEIGHT,
-      padding: [6, 10, 0, 0],
+      padding: [6, 12, 0, 0],
       legend: { show: false },
       cursor: {
         sync: { key: "polhode" },
@@ -108,7 +110,10 @@ export class Plots {
           ...axis,
           size: 58,
           ...(figure.log
-            ? { values: (_: uPlot, v: number[]) => v.map((x) => (decade(x, v) ? powerOfTen(x) : "")) }
+            ? {
+                splits: (_: uPlot, __: number, low: number, high: number) => decades(low, high, 5),
+                values: (_: uPlot, v: number[]) => v.map(powerOfTen),
+              }
             : { splits: spaced(28), values: marks(1) }),
         },
       ],
@@ -119,7 +124,7 @@ export class Plots {
           width: 1.6,
           points: { show: false },
           ...(line.dash ? { dash: line.dash } : {}),
-          ...(figure.wraps ? { gaps: leaps } : {}),
+          ...(figure.wraps ? { paths: broken } : {}),
         })),
       ],
     };
@@ -180,26 +185,17 @@ function swatch(line: Line): HTMLElement {
   return made;
 }
 
-// Where an angle leaps over ±180° there is no line.
-const leaps = (u: uPlot, series: number, first: number, last: number, none: uPlot.Series.Gaps): uPlot.Series.Gaps => {
-  const gaps = [...none];
+// Where an angle leaps over ±180° the line is broken.
+const broken: uPlot.Series.PathBuilder = (u, series, first, last) => {
+  const stroke = new Path2D();
   const values = u.data[series];
   const times = u.data[0];
-  for (let i = Math.max(first, 1); i <= last; i += 1) {
-    const [a, b] = [values[i - 1], values[i]];
-    if (a == null || b == null || Math.abs(a - b) <= 180) continue;
-    gaps.push([Math.round(u.valToPos(times[i - 1], "x", true)), Math.round(u.valToPos(times[i], "x", true))]);
+  for (let i = Math.max(first - 1, 0); i <= Math.min(last + 1, times.length - 1); i += 1) {
+    const value = values[i] ?? 0;
+    const leaps = i === 0 || Math.abs(value - (values[i - 1] ?? 0)) > 180;
+    const at: [number, number] = [u.valToPos(times[i], "x", true), u.valToPos(value, "y", true)];
+    if (leaps || i < first) stroke.moveTo(...at);
+    else stroke.lineTo(...at);
   }
-  return gaps;
+  return { stroke };
 };
-
-// Which powers of ten get a mark: so many that they do not touch.
-function decade(value: number, all: (number | null)[]): boolean {
-  if (value == null) return false;
-  const exponent = Math.log10(value);
-  if (Math.abs(exponent - Math.round(exponent)) > 1e-6) return false;
-  const most = all.reduce<number>((m, v) => Math.max(m, v == null ? m : Math.log10(v)), -400);
-  const least = all.reduce<number>((m, v) => Math.min(m, v == null ? m : Math.log10(v)), 400);
-  const every = Math.max(1, Math.ceil((most - least) / 5));
-  return Math.round(exponent) % every === 0;
-}

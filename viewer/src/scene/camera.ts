@@ -14,6 +14,8 @@ export class OrbitCamera {
   /** Of the sphere that has to be seen. */
   radius = 1;
   zoom = 1;
+  /** Where `home` is. */
+  homeHeight = 0.36;
   /** Takes the frame in which azimuth and height are measured, with z up, to space. */
   readonly frame = new Quaternion();
 
@@ -44,7 +46,7 @@ export class OrbitCamera {
 
   home(): void {
     this.azimuth = 0.62;
-    this.height = 0.36;
+    this.height = this.homeHeight;
     this.zoom = 1;
     this.#changed();
   }

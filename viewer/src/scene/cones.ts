@@ -2,7 +2,7 @@
  * The body cone, which ω sweeps in the body, rolls on the space cone, which it sweeps in space. They touch along ω. A symmetric body's
  * are circular. Of any other the space cone does not close: the turn around now is drawn.
  */
-import { BufferAttribute, BufferGeometry, DoubleSide, Group, Mesh, MeshStandardMaterial, Vector3 } from "three";
+import { BufferAttribute, BufferGeometry, DoubleSide, Group, LineBasicMaterial, LineSegments, Mesh, MeshStandardMaterial, Vector3 } from "three";
 import { rotate } from "../attitude";
 import { indexAt } from "../clock";
 import type { FreeData } from "../data";
@@ -39,6 +39,7 @@ export class Cones {
     if (polhode.length >= 6) {
       this.body.add(new Mesh(fan(polhode, this.scale), skin("axis-1", 0.42, palette)));
       this.body.add(curve(polhode, this.scale, { ink: "axis-1", width: 2.4 }, palette));
+      this.body.add(rulings(polhode, this.scale, palette));
     }
 
     const up = new Vector3(...at(motion.momentum, 0)).normalize();
@@ -125,6 +126,21 @@ function fan(rim: Float64Array, scale: number): BufferGeometry {
   geometry.setAttribute("position", new BufferAttribute(new Float32Array(corners), 3));
   geometry.computeVertexNormals();
   return geometry;
+}
+
+// Some of the lines through the tip that the cone is made of.
+function rulings(rim: Float64Array, scale: number, palette: Palette): LineSegments {
+  const count = rim.length / 3;
+  const corners: number[] = [];
+  for (let k = 0; k < 36; k += 1) {
+    const p = at(rim, Math.floor((k / 36) * count)).map((x) => x * scale);
+    corners.push(0, 0, 0, ...p);
+  }
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new BufferAttribute(new Float32Array(corners), 3));
+  const material = new LineBasicMaterial({ transparent: true, opacity: 0.45 });
+  palette.bind(material.color, "axis-1");
+  return new LineSegments(geometry, material);
 }
 
 // From a to b around `up`, rad.

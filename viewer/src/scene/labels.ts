@@ -45,11 +45,12 @@ export class Labels {
     };
     const [cx, cy] = project(new Vector3());
     const hull = outline.map(project);
+    const tips = labels.map((label) => project(label.tip));
     this.placed = [];
     for (const label of labels) {
       const made = this.#element(label);
       const [tipX, tipY] = project(label.tip);
-      const spot = this.#spot(tipX - cx, tipY - cy, cx, cy, hull, made, width, height);
+      const spot = this.#spot(tipX - cx, tipY - cy, cx, cy, hull, tips, made, width, height);
       const led = Math.hypot(spot.x - tipX, spot.y - tipY) > 26;
       this.placed.push({ ...label, ...spot, tipX, tipY, led });
       made.span.style.transform = `translate(${(spot.x - made.w / 2).toFixed(1)}px, ${(spot.y - made.h / 2).toFixed(1)}px)`;
@@ -73,6 +74,7 @@ export class Labels {
     cx: number,
     cy: number,
     hull: [number, number][],
+    tips: [number, number][],
     size: { w: number; h: number },
     width: number,
     height: number,
@@ -90,11 +92,13 @@ export class Labels {
       const x = Math.min(Math.max(cx + reach * ux, size.w / 2 + 4), width - size.w / 2 - 4);
       const y = Math.min(Math.max(cy + reach * uy, size.h / 2 + 4), height - size.h / 2 - 4);
       if (turn === 0) best = { x, y };
-      const free = this.placed.every((other) => {
+      const near = (px: number, py: number, w: number, h: number): boolean =>
+        Math.abs(px - x) < (w + size.w) / 2 + 2 && Math.abs(py - y) < (h + size.h) / 2;
+      const taken = this.placed.some((other) => {
         const o = this.#made.get(other.text);
-        return !o || Math.abs(other.x - x) > (o.w + size.w) / 2 + 2 || Math.abs(other.y - y) > (o.h + size.h) / 2;
+        return o !== undefined && near(other.x, other.y, o.w, o.h);
       });
-      if (free) return { x, y };
+      if (!taken && !tips.some(([px, py]) => Math.hypot(px - cx - dx, py - cy - dy) > 1 && near(px, py, 8, 8))) return { x, y };
     }
     return best;
   }

@@ -52,7 +52,7 @@ export class Poinsot {
       const material = new MeshStandardMaterial({
         roughness: 0.4,
         transparent: true,
-        opacity: side === BackSide ? 0.35 : 0.5,
+        opacity: 0.3,
         side,
         depthWrite: false,
       });
@@ -77,7 +77,6 @@ export class Poinsot {
 
     if (polhode.length >= 6) {
       this.polhode.add(curve(polhode, this.scale, { ink: "omega", width: 3.2 }, palette));
-      this.polhode.add(curve(polhode, this.scale, { ink: "omega", width: 2, opacity: 0.45, onTop: true }, palette));
     }
     if (herpolhode.length >= 6) {
       this.herpolhode.add(curve(herpolhode, this.scale, { ink: "torque", width: 2.2 }, palette));
@@ -86,7 +85,7 @@ export class Poinsot {
     // The plane lies at the distance 2T/|L| along L.
     this.up = new Vector3(...at(motion.momentum, 0)).normalize();
     const distance = ((2 * free.energy) / free.momentum) * this.scale;
-    const reach = Math.max(widest(herpolhode, this.up) * this.scale * 1.25, 0.55);
+    const reach = Math.max(widest(herpolhode, this.up) * this.scale * 1.3, 0.85);
     this.plane.add(plane(reach, palette));
     this.plane.position.copy(this.up).multiplyScalar(distance);
     this.plane.quaternion.setFromUnitVectors(new Vector3(0, 0, 1), this.up);

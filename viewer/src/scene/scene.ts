@@ -120,7 +120,8 @@ export class View {
           : picture === "cones"
             ? 1.4
             : 1.42;
-    this.invalidate();
+    this.orbit.homeHeight = { body: 0.36, poinsot: 0.5, cones: 0.45, sphere: 0.4 }[picture];
+    this.orbit.home();
   }
 
   toggle(layer: Layer): void {

@@ -36,7 +36,7 @@ export class Trail {
         3 * k,
       );
     }
-    this.curve = new MovingCurve(Math.min(count + 1, LONGEST + 1), { ink: what as Ink, width: 2.2, opacity: 0.75 }, palette);
+    this.curve = new MovingCurve(Math.min(count + 1, LONGEST + 1), { ink: what as Ink, width: 1.8 }, palette);
   }
 
   /** Up to `time`, from at most `seconds` before; it ends at `tip`. */

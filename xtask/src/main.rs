@@ -7,6 +7,7 @@ mod layers;
 mod licence;
 mod process;
 mod readme;
+mod viewer;
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -21,7 +22,8 @@ usage: cargo xtask CHORE
   layers     the rooms of the house: who may import whom, who may do what, how long files are
   licences   how many crates are linked, and under which licences
   examples   the built command on every scenario in examples/
-  readme     the README's commands";
+  readme     the README's commands
+  viewer     the page's viewer: its bundle is the build of its source, and its tests pass in a browser";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -31,6 +33,7 @@ fn main() -> ExitCode {
         ["licences"] => dependencies::check(),
         ["examples"] => examples::check(),
         ["readme"] => readme::check(),
+        ["viewer"] => viewer::check(),
         ["help" | "--help" | "-h"] => {
             println!("{USAGE}");
             Ok(())

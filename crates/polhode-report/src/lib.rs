@@ -1,11 +1,12 @@
 //! Results of polhode, for people and for programs.
 //!
-//! Four reports, each with a face for either reader:
+//! Four reports, each with a face for either reader, and a page:
 //!
 //! - [`InertiaReport`]: how much mass, where, and how it resists being turned;
 //! - [`MotionReport`]: how the body moves, and the evidence that the numbers are good;
 //! - [`SpinReport`]: a free motion in closed form, at any time;
-//! - [`explain()`]: the worked solution, step by step, as a [`Document`].
+//! - [`explain()`]: the worked solution, step by step, as a [`Document`];
+//! - [`page()`]: all of it to look at, as one file for a browser.
 //!
 //! Text is plain Unicode for a terminal of 100 columns: the answer first, the convention in the heading, every number
 //! with its unit. JSON is SI, its keys are stable, and its numbers read back bit for bit; what is not finite or does not

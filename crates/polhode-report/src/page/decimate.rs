@@ -143,6 +143,6 @@ mod tests {
     #[test]
     fn nothing_is_made_of_nothing() {
         assert_eq!(decimated(&TriangleMesh::default(), 10), TriangleMesh::default());
-        assert_eq!(decimated(&ball(10, [0.0; 3]), 0), TriangleMesh::default());
+        assert!(decimated(&ball(10, [0.0; 3]), 0).triangles().is_empty());
     }
 }

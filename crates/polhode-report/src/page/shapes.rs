@@ -151,7 +151,7 @@ fn mesh_json(
         .flat_map(|vertex| (Position::<Part>::from_array(*vertex) - middle).to_array())
         .map(|x| x as f32)
         .collect();
-    let numbers_hold = vertices.iter().all(|x| x.is_finite());
+    let numbers_hold = vertices.iter().all(|x| x.is_finite()) && !shown.triangles().is_empty();
     numbers_hold.then(|| {
         json!({
             "kind": "mesh",

@@ -117,8 +117,8 @@ export function indexAt(times: Float64Array, time: number): number {
 /** A speed at which the eye can follow: 1 if it can follow the real one, where the body turns by `rate` rad/s. */
 export function watchable(rate: number, duration: number): number {
   const seen = rate > 0 && Number.isFinite(rate) ? rate : duration > 0 ? 20 / duration : 1;
-  if (seen > 0.15 && seen < 15) return 1;
-  return nearest(2 / seen);
+  if (seen > 0.15 && seen < 30) return 1;
+  return nearest((seen < 1 ? 1.5 : 6) / seen);
 }
 
 function nearest(value: number): number {

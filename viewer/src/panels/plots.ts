@@ -112,6 +112,7 @@ export class Plots {
           ...(figure.log
             ? {
                 splits: (_: uPlot, __: number, low: number, high: number) => decades(low, high, 5),
+                filter: (_: uPlot, v: number[]) => v,
                 values: (_: uPlot, v: number[]) => v.map(powerOfTen),
               }
             : { splits: spaced(28), values: marks(1) }),

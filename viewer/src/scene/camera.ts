@@ -15,7 +15,10 @@ export class OrbitCamera {
   radius = 1;
   zoom = 1;
   /** Where `home` is. */
+  homeAzimuth = 0.62;
   homeHeight = 0.36;
+  /** What the camera looks at, in space. */
+  readonly target = new Vector3();
   /** Takes the frame in which azimuth and height are measured, with z up, to space. */
   readonly frame = new Quaternion();
 
@@ -45,7 +48,7 @@ export class OrbitCamera {
   }
 
   home(): void {
-    this.azimuth = 0.62;
+    this.azimuth = this.homeAzimuth;
     this.height = this.homeHeight;
     this.zoom = 1;
     this.#changed();
@@ -75,9 +78,10 @@ export class OrbitCamera {
     this.camera.position
       .set(flat * Math.cos(this.azimuth), flat * Math.sin(this.azimuth), Math.sin(this.height))
       .multiplyScalar(distance)
-      .applyQuaternion(this.frame);
+      .applyQuaternion(this.frame)
+      .add(this.target);
     this.camera.up.copy(new Vector3(0, 0, 1).applyQuaternion(this.frame));
-    this.camera.lookAt(0, 0, 0);
+    this.camera.lookAt(this.target);
     this.camera.updateProjectionMatrix();
     this.camera.updateMatrixWorld();
   }

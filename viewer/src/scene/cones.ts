@@ -20,6 +20,9 @@ export class Cones {
   /** Length of 1 rad/s in the picture. */
   readonly scale: number;
   readonly outline: Vector3[];
+  /** The middle of the picture, and how far it goes around it. */
+  readonly middle = new Vector3();
+  readonly radius: number;
 
   readonly #edge: Float32Array;
   readonly #angles: Float64Array;
@@ -58,6 +61,7 @@ export class Cones {
         this.#angles[k] = this.#angles[k - 1] + angleAround(up, before, omega);
       }
     }
+    this.radius = this.#frame(up, motion);
     this.#fine = fine;
     this.#times = motion.times;
     const most = Math.min(count, MOST);
@@ -73,6 +77,23 @@ export class Cones {
 
   readonly #fine: number;
   readonly #times: Float64Array;
+
+  // Both cones at some times: their extent along L and away from it.
+  #frame(up: Vector3, motion: Motion): number {
+    let [low, high, wide] = [0, 1.25, 0];
+    for (let k = 0; k < 24; k += 1) {
+      const q = motion.attitudeOf(Math.floor((k / 24) * motion.count));
+      for (const p of this.outline) {
+        const turned = new Vector3(...rotate(q, [p.x, p.y, p.z]));
+        const along = turned.dot(up);
+        low = Math.min(low, along);
+        high = Math.max(high, along);
+        wide = Math.max(wide, Math.sqrt(Math.max(turned.lengthSq() - along * along, 0)));
+      }
+    }
+    this.middle.copy(up).multiplyScalar((low + high) / 2);
+    return Math.max((high - low) / 2, wide);
+  }
 
   /** The turn of the space cone around `time`. */
   draw(time: number): void {

@@ -10,7 +10,7 @@ export type Ink =
   | "faint"
   | "quiet"
   | "solid"
-  | "mark"
+  | "contour"
   | "edge"
   | "axis-1"
   | "axis-2"

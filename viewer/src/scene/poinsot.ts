@@ -32,6 +32,9 @@ export class Poinsot {
   /** Length of 1 rad/s in the picture. */
   readonly scale: number;
   readonly radius: number;
+  readonly middle: Vector3;
+  /** The length of L's arrow, through the plane. */
+  readonly arrow: number;
   readonly outline: Vector3[];
   /** Direction of L in space. */
   readonly up: Vector3;
@@ -90,7 +93,11 @@ export class Poinsot {
     this.plane.position.copy(this.up).multiplyScalar(distance);
     this.plane.quaternion.setFromUnitVectors(new Vector3(0, 0, 1), this.up);
 
-    this.radius = Math.max(...scaled, Math.hypot(distance, reach));
+    // From the ellipsoid's lowest place to the tip of L's arrow.
+    this.arrow = distance + 0.35;
+    const low = -Math.max(...scaled);
+    this.middle = this.up.clone().multiplyScalar((this.arrow + low) / 2);
+    this.radius = Math.max((this.arrow - low) / 2, reach);
     const outline = new SphereGeometry(1, 16, 12).attributes.position;
     this.outline = Array.from({ length: outline.count }, (_, i) =>
       new Vector3()

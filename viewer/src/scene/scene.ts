@@ -43,7 +43,7 @@ export class View {
   picture: Picture = "body";
   /** Whose axes the camera keeps: those of space, or the body's. */
   rides: "space" | "body" = "space";
-  trailed: Trailed = "axis-1";
+  trailed: Trailed;
   /** s of the motion */
   trailLength: number;
 
@@ -62,9 +62,13 @@ export class View {
   readonly #torque: Arrow;
   readonly #axes: { layer: string; arrow: Arrow; text: string; tip: Vector3; turns: boolean; ink: Label["ink"] }[] = [];
   readonly #trails = new Map<Trailed, Trail>();
+  /** Where the ellipsoid touches the plane. */
+  readonly #contact = new Group();
   readonly #trailGroup = new Group();
   readonly #scales: { omega: number; momentum: number; torque: number };
   readonly #principal: Quaternion;
+  /** What the body's picture is centred on: half way to where a held body's centre of mass is on the whole. */
+  readonly #middle: Vector3;
   #time: number;
   #size = { width: 1, height: 1 };
   #waiting = false;
@@ -89,6 +93,9 @@ export class View {
     const duration = motion.times[motion.count - 1] - motion.times[0];
     this.trailLength = Math.min(duration, (3 * 2 * Math.PI) / (motion.meanRate() || 1));
 
+    this.trailed = telling(page, motion);
+    this.#middle = meanPlace(page.body.lever, motion).multiplyScalar(0.5 / this.model.radius);
+
     const free = page.free !== null && page.free.energy > 0 && page.free.momentum > 0 ? page.free : null;
     this.#poinsot = free && new Poinsot(free, page.body, motion, this.#palette);
     this.#cones = free && new Cones(free, motion, this.#palette);
@@ -112,16 +119,22 @@ export class View {
     this.picture = picture;
     this.rides = picture === "sphere" ? "body" : "space";
     apply(this.layers, picture);
-    this.orbit.radius =
-      picture === "body"
-        ? 1.72
-        : picture === "poinsot" && this.#poinsot
-          ? Math.max(this.#poinsot.radius * 1.04, 1.2)
-          : picture === "cones"
-            ? 1.4
-            : 1.42;
-    this.orbit.homeHeight = { body: 0.36, poinsot: 0.5, cones: 0.45, sphere: 0.4 }[picture];
-    this.orbit.home();
+    const orbit = this.orbit;
+    orbit.radius = {
+      body: 1.66,
+      poinsot: 1.08 * (this.#poinsot?.radius ?? 1),
+      cones: 1.14 * (this.#cones?.radius ?? 1),
+      sphere: 1.5,
+    }[picture];
+    orbit.homeHeight = { body: 0.36, poinsot: 0.5, cones: 0.45, sphere: 0.4 }[picture];
+    orbit.homeAzimuth = 0.62;
+    const middle = this.#sphere?.middle;
+    if (picture === "sphere" && middle) {
+      // This motion's curve is in front.
+      orbit.homeHeight = middle.z > 0.3 ? 0.6 : middle.z < -0.3 ? -0.6 : 0.4;
+      if (Math.hypot(middle.x, middle.y) > 0.3) orbit.homeAzimuth = Math.atan2(middle.y, middle.x) + 0.5;
+    }
+    orbit.home();
   }
 
   toggle(layer: Layer): void {
@@ -281,16 +294,19 @@ export class View {
     if (!this.#poinsot || !this.#cones || !this.#sphere) return;
     const [p, c, s] = [this.#poinsot, this.#cones, this.#sphere];
     this.#bodyFrame.add(p.ellipsoid, p.polhode, c.body, s.object);
-    this.#scene.add(p.plane, p.herpolhode, c.space);
+    const dot = new MeshStandardMaterial({ roughness: 0.4 });
+    this.#palette.bind(dot.color, "omega");
+    this.#contact.add(new Mesh(new SphereGeometry(0.032, 24, 16), dot));
+    this.#scene.add(p.plane, p.herpolhode, c.space, this.#contact);
     this.layers.push(
       { id: "inertia", label: "Inertia ellipsoid", ink: null, look: "area", on: { poinsot: true }, objects: [p.ellipsoid] },
-      { id: "plane", label: "Invariable plane", ink: "faint", look: "area", on: { poinsot: true }, objects: [p.plane] },
+      { id: "plane", label: "Invariable plane", ink: "faint", look: "area", on: { poinsot: true }, objects: [p.plane, this.#contact] },
       { id: "polhode", label: "Polhode", ink: "omega", look: "line", on: { poinsot: true }, objects: [p.polhode] },
       { id: "herpolhode", label: "Herpolhode", ink: "torque", look: "line", on: { poinsot: true }, objects: [p.herpolhode] },
       { id: "body-cone", label: "Body cone", ink: "axis-1", look: "area", on: { cones: true }, objects: [c.body] },
       { id: "space-cone", label: "Space cone", ink: "torque", look: "area", on: { cones: true }, objects: [c.space] },
       { id: "sphere", label: "Momentum sphere", ink: null, look: "area", on: { sphere: true }, objects: [s.object] },
-      { id: "family", label: "Other motions", ink: "edge", look: "line", on: { sphere: true }, objects: [s.family] },
+      { id: "family", label: "Other motions", ink: "contour", look: "line", on: { sphere: true }, objects: [s.family] },
       { id: "separatrix", label: "Separatrix", ink: "ink", look: "line", on: { sphere: true }, objects: [s.separatrix] },
       { id: "trace", label: "This motion", ink: "omega", look: "line", on: { sphere: true }, objects: [s.trace] },
     );
@@ -304,18 +320,15 @@ export class View {
     const omegaScale = rolling?.scale ?? this.#scales.omega;
     const omega = rotate(now.attitude, now.omega).map((c) => c * omegaScale) as Vector;
     this.#omega.point(...omega);
+    this.#contact.position.set(...omega);
     // In the rolling pictures only the direction of L has a meaning.
-    const long = rolling ? (this.picture === "poinsot" ? this.#reach() : 1.25) / length(now.momentum) : this.#scales.momentum;
+    const shown = this.picture === "poinsot" ? (this.#poinsot?.arrow ?? 1) : 1.25;
+    const long = rolling ? shown / length(now.momentum) : this.#scales.momentum;
     this.#momentum.point(...(now.momentum.map((c) => c * long) as Vector));
     if (now.torque) this.#torque.point(...(rotate(now.attitude, now.torque).map((c) => c * this.#scales.torque) as Vector));
     if (this.picture === "body") this.#drawTrail(now, omega);
     if (this.picture === "cones") this.#cones?.draw(time);
     if (this.picture === "sphere") this.#sphere?.draw(rotate(inverse(now.attitude), now.momentum));
-  }
-
-  /** How far L's arrow goes through the invariable plane. */
-  #reach(): number {
-    return this.#poinsot ? this.#poinsot.plane.position.length() + 0.35 : 1;
   }
 
   #drawTrail(now: Moment, omega: Vector): void {
@@ -334,12 +347,16 @@ export class View {
   // In Poinsot's picture and the cones' the invariable plane is level: up is L.
   #aim(): void {
     const frame = this.orbit.frame.identity();
+    this.orbit.target.set(0, 0, 0);
+    if (this.picture === "body") this.orbit.target.copy(this.#middle);
     const level = this.picture === "poinsot" || this.picture === "cones";
     if (this.rides === "body") {
+      this.orbit.target.set(0, 0, 0);
       frame.copy(this.#bodyFrame.quaternion);
       if (this.picture !== "body") frame.multiply(this.#principal);
     } else if (level && this.#poinsot) {
       frame.setFromUnitVectors(new Vector3(0, 0, 1), this.#poinsot.up);
+      this.orbit.target.copy((this.picture === "poinsot" ? this.#poinsot : this.#cones)?.middle ?? new Vector3());
     }
   }
 
@@ -369,6 +386,26 @@ export class View {
 function scale(values: Float64Array): number {
   const most = values.reduce((a, b) => Math.max(a, b), 0);
   return most > 0 ? LONGEST / most : 0;
+}
+
+/** The body axis whose trail tells most: the lever's, the symmetry axis, else the one that is nearest to ω at the start. */
+function telling(page: PageData, motion: Motion): Trailed {
+  const { lever, principal } = page.body;
+  const [i1, i2, i3] = principal.moments;
+  const like = (a: number, b: number): boolean => Math.abs(a - b) <= 1e-6 * i3;
+  let v: Vector = [motion.omega[0], motion.omega[1], motion.omega[2]];
+  if (length(lever) > 0) v = lever;
+  else if (like(i1, i2) && !like(i2, i3)) v = rotate(principal.quaternion, [0, 0, 1]);
+  else if (like(i2, i3) && !like(i1, i2)) v = rotate(principal.quaternion, [1, 0, 0]);
+  const sizes = v.map(Math.abs);
+  return (["axis-1", "axis-2", "axis-3"] as const)[sizes.indexOf(Math.max(...sizes))] ?? "axis-1";
+}
+
+function meanPlace(lever: Vector, motion: Motion): Vector3 {
+  const sum = new Vector3();
+  if (length(lever) === 0) return sum;
+  for (let i = 0; i < motion.count; i += 1) sum.add(new Vector3(...rotate(motion.attitudeOf(i), lever)));
+  return sum.divideScalar(motion.count);
 }
 
 function inverse([w, x, y, z]: Attitude): Attitude {

@@ -2,7 +2,7 @@
  * The momentum sphere: the direction of L as the body sees it, in principal axes. Free motions of this body are the contours of T on it;
  * the separatrix parts those around the least axis from those around the greatest.
  */
-import { Group, Mesh, MeshStandardMaterial, SphereGeometry } from "three";
+import { Group, Mesh, MeshStandardMaterial, SphereGeometry, Vector3 } from "three";
 import type { BodyData, FreeData } from "../data";
 import { points } from "../decode";
 import { curve } from "./lines";
@@ -17,6 +17,8 @@ export class MomentumSphere {
   readonly family = new Group();
   readonly separatrix = new Group();
   readonly trace = new Group();
+  /** The middle of this motion's curve, principal axes. */
+  readonly middle = new Vector3();
   readonly #point: Mesh;
 
   constructor(free: FreeData, body: BodyData, palette: Palette) {
@@ -29,9 +31,12 @@ export class MomentumSphere {
         if (line.length >= 6) into.add(curve(line, ABOVE, pen, palette));
       }
     };
-    draw(this.family, free.family, "family", { ink: "edge", width: 1.2, opacity: 0.75 });
+    draw(this.family, free.family, "family", { ink: "contour", width: 1.2, opacity: 0.8 });
     draw(this.separatrix, free.separatrix, "separatrix", { ink: "ink", width: 2.6 });
     draw(this.trace, [free.trace], "trace", { ink: "omega", width: 4 });
+    const trace = points(free.trace, "trace");
+    for (let i = 0; i < trace.length; i += 3) this.middle.add(new Vector3().fromArray(trace, i));
+    this.middle.normalize();
     const dot = new MeshStandardMaterial({ roughness: 0.4 });
     palette.bind(dot.color, "omega");
     this.#point = new Mesh(new SphereGeometry(0.035, 24, 16), dot);

@@ -6,8 +6,8 @@ import { MovingCurve } from "./lines";
 import type { Ink, Palette } from "./palette";
 
 /** Points between two samples, so that few samples give a smooth curve too. */
-const FINE = 4;
-const LONGEST = 6000;
+const FINE = 6;
+const LONGEST = 12_000;
 
 export type Trailed = "axis-1" | "axis-2" | "axis-3" | "omega";
 
@@ -18,7 +18,7 @@ export class Trail {
 
   /** `scale` is the length of 1 rad/s in the picture; axes are `reach` long. */
   constructor(motion: Motion, what: Trailed, scale: number, reach: number, palette: Palette) {
-    const fine = motion.count * FINE <= LONGEST ? FINE : 1;
+    const fine = Math.max(1, Math.min(FINE, Math.floor(LONGEST / motion.count)));
     const count = (motion.count - 1) * fine + 1;
     this.#points = new Float32Array(3 * count);
     this.#times = new Float64Array(count);

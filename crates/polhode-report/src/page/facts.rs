@@ -10,9 +10,9 @@ use super::body::Turning;
 use super::motion::Shown;
 use super::{PageInput, PageSubject};
 use crate::block::Geometry;
-use crate::number::{count, error, number, tidy, vector};
+use crate::number::{count, error, number, tidy, tidy_matrix, vector};
 use crate::periods::Periods;
-use crate::unit::DIGITS;
+use crate::unit::{self, DIGITS};
 
 /// Between two samples a body that turns by more, rad, may have turned otherwise than the picture shows.
 const LARGEST_TURN: f64 = 1.0;
@@ -21,17 +21,23 @@ const LARGEST_TURN: f64 = 1.0;
 struct Row {
     label: &'static str,
     value: String,
-    unit: &'static str,
+    unit: String,
     note: String,
 }
 
 impl Row {
-    fn new(label: &'static str, value: impl Into<String>, unit: &'static str) -> Self {
-        Self { label, value: value.into(), unit, note: String::new() }
+    fn new(label: &'static str, value: impl Into<String>, unit: &str) -> Self {
+        Self { label, value: value.into(), unit: unit.to_owned(), note: String::new() }
     }
 
-    fn of(label: &'static str, value: f64, unit: &'static str) -> Self {
+    fn of(label: &'static str, value: f64, unit: &str) -> Self {
         Self::new(label, number(value, DIGITS), unit)
+    }
+
+    /// A number with the unit that fits it: `25.6354 cm³`.
+    fn sized(label: &'static str, shown: &str) -> Self {
+        let (value, unit) = shown.rsplit_once(' ').unwrap_or((shown, ""));
+        Self::new(label, value, unit)
     }
 
     /// An angle in degrees.
@@ -44,8 +50,41 @@ impl Row {
     }
 
     fn json(&self) -> Value {
-        json!({ "label": self.label, "value": self.value, "unit": self.unit, "note": self.note })
+        json!({ "label": self.label, "value": typeset(&self.value), "unit": self.unit, "note": typeset(&self.note) })
     }
+}
+
+/// Numbers as they are set: `-4.5e-5` as −4.5×10⁻⁵.
+fn typeset(text: &str) -> String {
+    let mut out = String::new();
+    let mut before = ' ';
+    let mut rest = text.chars().peekable();
+    let mut in_power = false;
+    while let Some(c) = rest.next() {
+        let next = rest.peek().copied().unwrap_or(' ');
+        let continues = in_power && c.is_ascii_digit();
+        in_power = continues;
+        match c {
+            'e' if before.is_ascii_digit() && (next == '-' || next.is_ascii_digit()) => {
+                out.push_str("×10");
+                if next == '-' {
+                    rest.next();
+                    out.push('⁻');
+                }
+                in_power = true;
+            }
+            _ if continues => out.push(superscript(c)),
+            '-' if next.is_ascii_digit() => out.push('−'),
+            c => out.push(c),
+        }
+        before = c;
+    }
+    out
+}
+
+fn superscript(digit: char) -> char {
+    let digits = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    digit.to_digit(10).and_then(|k| digits.get(k as usize)).copied().unwrap_or(digit)
 }
 
 pub(super) fn json(
@@ -78,13 +117,14 @@ pub(super) fn json(
 fn body(scenario: &Scenario, turning: &Turning<'_>) -> Vec<Row> {
     let body = &scenario.body;
     let geometry = Geometry::of_parts(&scenario.parts, body.mass());
-    let place = |v: [f64; 3]| vector(tidy(v), DIGITS);
-    let mut rows = vec![Row::of("mass", body.mass(), "kg")];
-    rows.extend(geometry.volume.map(|volume| Row::of("volume", volume, "m³")));
+    let mut rows = vec![Row::sized("mass", &unit::mass(body.mass()))];
+    rows.extend(geometry.volume.map(|volume| Row::sized("volume", &unit::volume(volume))));
     rows.extend(geometry.density.map(|density| Row::of("density", density, "kg/m³").note("mean")));
-    rows.push(Row::new("centre of mass", place(body.center_of_mass().to_array()), "m").note("body axes"));
+    rows.push(
+        Row::sized("centre of mass", &unit::place(tidy(body.center_of_mass().to_array()))).note("body axes"),
+    );
     if turning.is_pivoted {
-        rows.push(Row::new("pivot", place(turning.point.to_array()), "m").note("body axes"));
+        rows.push(Row::sized("pivot", &unit::place(tidy(turning.point.to_array()))).note("body axes"));
         rows.push(Row::of("lever", turning.lever.norm(), "m").note("from the pivot to the centre of mass"));
     }
     rows
@@ -94,7 +134,7 @@ fn inertia(turning: &Turning<'_>) -> Vec<Row> {
     let principal = &turning.principal;
     let [i1, i2, i3] = principal.moments();
     let [e1, e2, e3] = principal.axes().map(|axis| vector(tidy(axis.to_array()), 5));
-    let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = turning.tensor;
+    let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = tidy_matrix(turning.tensor);
     let three = |a: f64, b: f64, c: f64| vector([a, b, c], DIGITS);
     vec![
         Row::of("i1, least", i1, "kg·m²").note(format!("axis 1 = {e1} in the body")),
@@ -262,4 +302,22 @@ fn this_page(shown: &Shown<'_>, notes: &[String]) -> Vec<Row> {
     }
     rows.extend(notes.iter().map(|note| Row::new("body", note.clone(), "")));
     rows
+}
+
+#[cfg(test)]
+mod tests {
+    use super::typeset;
+
+    #[test]
+    fn numbers_are_set() {
+        for (text, set) in [
+            ("-4.5e-5", "−4.5×10⁻⁵"),
+            ("(1e12, -0.5, 3)", "(1×10¹², −0.5, 3)"),
+            ("axis 3 = (0, -1, 0)", "axis 3 = (0, −1, 0)"),
+            ("2 bodies, time-like: 1 each", "2 bodies, time-like: 1 each"),
+            ("", ""),
+        ] {
+            assert_eq!(typeset(text), set);
+        }
+    }
 }

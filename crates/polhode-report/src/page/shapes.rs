@@ -19,7 +19,7 @@ const THIN: f64 = 1.0 / 40.0;
 const MOST_BALLS: usize = 2_000;
 
 /// Of a ball that is as heavy as any, relative to the distance of the nearest two.
-const BALL: f64 = 0.28;
+const BALL: f64 = 0.2;
 
 const BALL_COLOR: &str = "#4477aa";
 

@@ -44,8 +44,6 @@ export class View {
   /** Whose axes the camera keeps: those of space, or the body's. */
   rides: "space" | "body" = "space";
   trailed: Trailed;
-  /** s of the motion */
-  trailLength: number;
 
   readonly #canvas: HTMLCanvasElement;
   readonly #renderer: WebGLRenderer;
@@ -90,9 +88,6 @@ export class View {
       momentum: scale(lengths(motion.momentum)),
       torque: motion.torque === null ? 0 : scale(lengths(motion.torque)),
     };
-    const duration = motion.times[motion.count - 1] - motion.times[0];
-    this.trailLength = Math.min(duration, (3 * 2 * Math.PI) / (motion.meanRate() || 1));
-
     this.trailed = telling(page, motion);
     this.#middle = meanPlace(page.body.lever, motion).multiplyScalar(0.5 / this.model.radius);
 
@@ -341,7 +336,7 @@ export class View {
     for (const [what, other] of this.#trails) other.curve.object.visible = what === this.trailed;
     const tip =
       this.trailed === "omega" ? omega : (rotate(now.attitude, axis(this.trailed)).map((c) => c * AXES) as Vector);
-    trail.draw(this.#time, this.trailLength, tip);
+    trail.draw(this.#time, tip);
   }
 
   // In Poinsot's picture and the cones' the invariable plane is level: up is L.

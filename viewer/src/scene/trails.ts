@@ -7,12 +7,16 @@ import type { Ink, Palette } from "./palette";
 
 /** Points between two samples, so that few samples give a smooth curve too. */
 const FINE = 6;
+/** Of a trail in the picture, where the body's radius is 1. */
+const LENGTH = 26;
 const LONGEST = 12_000;
 
 export type Trailed = "axis-1" | "axis-2" | "axis-3" | "omega";
 
 export class Trail {
   readonly curve: MovingCurve;
+  /** s of the motion: a trail of some turns, however slow the point is. */
+  readonly #seconds: number;
   readonly #points: Float32Array;
   readonly #times: Float64Array;
 
@@ -36,13 +40,20 @@ export class Trail {
         3 * k,
       );
     }
+    let path = 0;
+    for (let k = 3; k < this.#points.length; k += 3) {
+      const [x, y, z] = [0, 1, 2].map((c) => this.#points[k + c] - this.#points[k + c - 3]);
+      path += Math.hypot(x, y, z);
+    }
+    const duration = this.#times[count - 1] - this.#times[0];
+    this.#seconds = path > LENGTH ? (duration * LENGTH) / path : duration;
     this.curve = new MovingCurve(Math.min(count + 1, LONGEST + 1), { ink: what as Ink, width: 1.8 }, palette);
   }
 
-  /** Up to `time`, from at most `seconds` before; it ends at `tip`. */
-  draw(time: number, seconds: number, tip: Vector): void {
+  /** Up to `time`; it ends at `tip`. */
+  draw(time: number, tip: Vector): void {
     const last = indexAt(this.#times, time);
-    const first = Math.max(indexAt(this.#times, time - seconds), last - LONGEST + 1);
+    const first = Math.max(indexAt(this.#times, time - this.#seconds), last - LONGEST + 1);
     const count = last - first + 2;
     this.curve.draw(count, (k, out) => {
       if (k === count - 1) out.set(tip);

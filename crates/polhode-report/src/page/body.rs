@@ -1,6 +1,6 @@
 //! The body: its mass, its inertia about the point that it turns about, and its looks.
 
-use polhode::{Body, BodyPart, Position, PrincipalFrame};
+use polhode::{Body, BodyPart, Direction, Position, PrincipalFrame};
 use serde_json::{Value, json};
 
 use super::PageSubject;
@@ -82,7 +82,7 @@ pub(super) fn ellipsoid([i1, i2, i3]: [f64; 3], mass: f64) -> [f64; 3] {
 
 /// Σ i_k e_k e_kᵀ
 fn tensor(principal: &PrincipalFrame<Body>) -> [[f64; 3]; 3] {
-    let axes = principal.axes().map(|axis| axis.to_array());
+    let axes = principal.axes().map(Direction::to_array);
     let moments = principal.moments();
     std::array::from_fn(|i| {
         std::array::from_fn(|j| moments.iter().zip(&axes).map(|(moment, e)| moment * e[i] * e[j]).sum())

@@ -24,7 +24,7 @@ fn of_section(section: &Section) -> Vec<Value> {
     for block in &section.blocks {
         match block {
             Block::Paragraph(words) => blocks.push(text(words)),
-            Block::Formula { text, latex } => blocks.push(formula(mathml::formula(latex, text), text)),
+            Block::Formula { text, latex } => blocks.push(formula(&mathml::formula(latex, text), text)),
             Block::Lines(lines) => {
                 let lines: Vec<String> = lines.iter().map(|line| plain_spaces(line)).collect();
                 blocks.push(json!({ "kind": "lines", "lines": lines }));
@@ -44,7 +44,7 @@ fn text(words: &str) -> Value {
     json!({ "kind": "text", "text": plain_spaces(words) })
 }
 
-fn formula(mathml: String, text: &str) -> Value {
+fn formula(mathml: &str, text: &str) -> Value {
     json!({ "kind": "formula", "mathml": mathml, "text": plain_spaces(text) })
 }
 
@@ -52,7 +52,7 @@ fn matrix(name: &str, rows: &[[f64; 3]; 3], unit: &str) -> Value {
     let cells = alike(tidy_matrix(*rows).as_flattened(), DIGITS);
     let rows: Vec<Vec<String>> = cells.chunks(3).map(<[String]>::to_vec).collect();
     let lines: Vec<String> = rows.iter().map(|row| row.join(", ")).collect();
-    formula(mathml::matrix(name, &rows, unit), &format!("{name} = ({}) {unit}", lines.join("; ")))
+    formula(&mathml::matrix(name, &rows, unit), &format!("{name} = ({}) {unit}", lines.join("; ")))
 }
 
 fn table(headers: &[String], rows: &[Vec<String>]) -> Value {

@@ -116,7 +116,7 @@ export class View {
     apply(this.layers, picture);
     const orbit = this.orbit;
     orbit.radius = {
-      body: 1.66,
+      body: 1.52,
       poinsot: 1.08 * (this.#poinsot?.radius ?? 1),
       cones: 1.14 * (this.#cones?.radius ?? 1),
       sphere: 1.5,

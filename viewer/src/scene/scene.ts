@@ -77,6 +77,8 @@ export class View {
     this.#motion = motion;
     this.#time = motion.times[0];
     this.#renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
+    // Asking for errors waits for the compiler, a large part of the time to the first frame.
+    this.#renderer.debug.checkShaderErrors = false;
     this.#renderer.setPixelRatio(Math.min(window.devicePixelRatio || 1, 2));
     this.orbit = new OrbitCamera(canvas, () => this.invalidate());
     this.labels = new Labels(overlay);

@@ -333,9 +333,9 @@ export class View {
     if (!trail) {
       trail = new Trail(this.#motion, this.trailed, this.#scales.omega, AXES, this.#palette);
       this.#trails.set(this.trailed, trail);
-      this.#trailGroup.add(trail.curve.object);
+      this.#trailGroup.add(trail.object);
     }
-    for (const [what, other] of this.#trails) other.curve.object.visible = what === this.trailed;
+    for (const [what, other] of this.#trails) other.object.visible = what === this.trailed;
     const tip =
       this.trailed === "omega" ? omega : (rotate(now.attitude, axis(this.trailed)).map((c) => c * AXES) as Vector);
     trail.draw(this.#time, tip);

@@ -1,12 +1,12 @@
 // Builds the page: one HTML file with its style and script inside, and a placeholder for the data.
-// Writes crates/polhode-report/assets/viewer.html, or the file that is named as argument.
+// Writes crates/polhode-report/assets/viewer.html; with --check it only compares, and fails if that file is not this build.
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { dirname, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
 
 const here = dirname(fileURLToPath(import.meta.url));
-const target = resolve(process.argv[2] ?? resolve(here, "../crates/polhode-report/assets/viewer.html"));
+const target = resolve(here, "../crates/polhode-report/assets/viewer.html");
 const read = (path) => readFileSync(resolve(here, path), "utf8");
 const version = (name) => JSON.parse(read(`node_modules/${name}/package.json`)).version;
 
@@ -50,6 +50,14 @@ page = put(page, "<!--banner-->", banner);
 page = put(page, "<!--style-->", `<style>${style}</style>`);
 page = put(page, "<!--script-->", `<script>${script}</script>`);
 if (page.split("<!--polhode-data-->").length !== 2) throw new Error("the page needs one place for the data");
-mkdirSync(dirname(target), { recursive: true });
-writeFileSync(target, page);
+
+if (process.argv.includes("--check")) {
+  if (readFileSync(target, "utf8") !== page) {
+    console.error("crates/polhode-report/assets/viewer.html is not the build of viewer/: run `npm run build` there");
+    process.exit(1);
+  }
+} else {
+  mkdirSync(dirname(target), { recursive: true });
+  writeFileSync(target, page);
+}
 console.log(`${Math.round(Buffer.byteLength(page) / 1000)} kB`);

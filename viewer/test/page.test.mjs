@@ -118,8 +118,8 @@ test("the attitude that is shown is the table's", async () => {
       view.render();
       const { position, up } = view.orbit.camera;
       const placed = view.labels.placed.map(({ text, tipX, tipY }) => ({ text, tipX, tipY }));
-      const canvas = document.querySelector("#stage").getBoundingClientRect();
-      return { placed, eye: position.toArray(), up: up.toArray(), target: view.orbit.target.toArray(), w: canvas.width, h: canvas.height, fov: view.orbit.camera.fov };
+      const stage = document.querySelector("#stage");
+      return { placed, eye: position.toArray(), up: up.toArray(), target: view.orbit.target.toArray(), w: stage.clientWidth, h: stage.clientHeight, fov: view.orbit.camera.fov };
     }, times[i]);
     const minus = (a, b) => a.map((x, k) => x - b[k]);
     const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];

@@ -14,8 +14,10 @@ export function toolbar(clock: Clock): void {
   scrub.max = String(clock.end);
   scrub.step = "any";
   scrub.addEventListener("input", () => {
+    // Read before the clock tells this very control to show the old time.
+    const time = Number(scrub.value);
     clock.pause();
-    clock.set(Number(scrub.value));
+    clock.set(time);
   });
   play.addEventListener("click", () => clock.toggle());
   loop.addEventListener("click", () => clock.setLoop(!clock.loop));

@@ -10,6 +10,8 @@ export interface Pen {
   /** px */
   width: number;
   opacity?: number;
+  /** Below 1 the ink is mixed with the paper's colour. */
+  strength?: number;
   /** Drawn over everything. */
   onTop?: boolean;
 }
@@ -62,7 +64,7 @@ function line(geometry: LineGeometry, pen: Pen, palette: Palette): Line2 {
     depthTest: pen.onTop !== true,
     depthWrite: false,
   });
-  palette.bind(material.color, pen.ink);
+  palette.bind(material.color, pen.ink, pen.strength);
   const made = new Line2(geometry, material);
   made.renderOrder = pen.onTop === true ? 10 : 2;
   return made;

@@ -2,7 +2,7 @@
  * Colours of the 3-D view, from the same style sheet as the page. A material that is bound to a name follows the theme. Axes have the
  * colours of Okabe and Ito, which colour-blind people can tell apart.
  */
-import type { Color } from "three";
+import { Color } from "three";
 
 export type Ink =
   | "paper"
@@ -19,16 +19,21 @@ export type Ink =
   | "torque";
 
 export class Palette {
-  readonly #bound: { color: Color; ink: Ink }[] = [];
+  readonly #bound: { color: Color; ink: Ink; strength: number }[] = [];
 
-  /** Gives the colour its value, now and whenever the theme changes. */
-  bind(color: Color, ink: Ink): void {
-    color.set(this.value(ink));
-    this.#bound.push({ color, ink });
+  /** Gives the colour its value, now and whenever the theme changes; below strength 1 it is mixed with the paper's. */
+  bind(color: Color, ink: Ink, strength = 1): void {
+    this.#bound.push({ color, ink, strength });
+    this.#set(color, ink, strength);
   }
 
   refresh(): void {
-    for (const { color, ink } of this.#bound) color.set(this.value(ink));
+    for (const { color, ink, strength } of this.#bound) this.#set(color, ink, strength);
+  }
+
+  #set(color: Color, ink: Ink, strength: number): void {
+    color.set(this.value(ink));
+    if (strength < 1) color.lerp(new Color(this.value("paper")), 1 - strength);
   }
 
   value(ink: Ink): string {

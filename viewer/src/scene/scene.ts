@@ -77,6 +77,8 @@ export class View {
     this.#motion = motion;
     this.#time = motion.times[0];
     this.#renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
+    // Asking for errors waits for the compiler, a large part of the time to the first frame.
+    this.#renderer.debug.checkShaderErrors = false;
     this.#renderer.setPixelRatio(Math.min(window.devicePixelRatio || 1, 2));
     this.orbit = new OrbitCamera(canvas, () => this.invalidate());
     this.labels = new Labels(overlay);
@@ -116,7 +118,7 @@ export class View {
     apply(this.layers, picture);
     const orbit = this.orbit;
     orbit.radius = {
-      body: 1.66,
+      body: 1.52,
       poinsot: 1.08 * (this.#poinsot?.radius ?? 1),
       cones: 1.14 * (this.#cones?.radius ?? 1),
       sphere: 1.5,
@@ -331,9 +333,9 @@ export class View {
     if (!trail) {
       trail = new Trail(this.#motion, this.trailed, this.#scales.omega, AXES, this.#palette);
       this.#trails.set(this.trailed, trail);
-      this.#trailGroup.add(trail.curve.object);
+      this.#trailGroup.add(trail.object);
     }
-    for (const [what, other] of this.#trails) other.curve.object.visible = what === this.trailed;
+    for (const [what, other] of this.#trails) other.object.visible = what === this.trailed;
     const tip =
       this.trailed === "omega" ? omega : (rotate(now.attitude, axis(this.trailed)).map((c) => c * AXES) as Vector);
     trail.draw(this.#time, tip);

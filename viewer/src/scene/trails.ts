@@ -1,20 +1,24 @@
 /** The way that a point has come: a body axis, or the tip of ω, in space. */
+import { Group } from "three";
 import { rotate, type Vector } from "../attitude";
 import { indexAt } from "../clock";
 import type { Motion } from "../motion";
 import { MovingCurve } from "./lines";
-import type { Ink, Palette } from "./palette";
+import type { Palette } from "./palette";
 
 /** Points between two samples, so that few samples give a smooth curve too. */
 const FINE = 6;
 /** Of a trail in the picture, where the body's radius is 1. */
-const LENGTH = 26;
+const LENGTH = 22;
+const PARTS = 8;
 const LONGEST = 12_000;
 
 export type Trailed = "axis-1" | "axis-2" | "axis-3" | "omega";
 
 export class Trail {
-  readonly curve: MovingCurve;
+  readonly object = new Group();
+  /** From the oldest, which is faint, to the newest. */
+  readonly #parts: MovingCurve[];
   /** s of the motion: a trail of some turns, however slow the point is. */
   readonly #seconds: number;
   readonly #points: Float32Array;
@@ -47,7 +51,11 @@ export class Trail {
     }
     const duration = this.#times[count - 1] - this.#times[0];
     this.#seconds = path > LENGTH ? (duration * LENGTH) / path : duration;
-    this.curve = new MovingCurve(Math.min(count + 1, LONGEST + 1), { ink: what as Ink, width: 1.8 }, palette);
+    const most = Math.ceil(Math.min(count + 1, LONGEST + 1) / PARTS) + 2;
+    this.#parts = Array.from({ length: PARTS }, (_, k) => {
+      return new MovingCurve(most, { ink: what, width: 2, strength: (k + 1.6) / (PARTS + 0.6) }, palette);
+    });
+    this.object.add(...this.#parts.map((part) => part.object));
   }
 
   /** Up to `time`; it ends at `tip`. */
@@ -55,9 +63,14 @@ export class Trail {
     const last = indexAt(this.#times, time);
     const first = Math.max(indexAt(this.#times, time - this.#seconds), last - LONGEST + 1);
     const count = last - first + 2;
-    this.curve.draw(count, (k, out) => {
-      if (k === count - 1) out.set(tip);
-      else out.set(this.#points.subarray(3 * (first + k), 3 * (first + k) + 3));
+    this.#parts.forEach((part, p) => {
+      const from = Math.floor((p * (count - 1)) / PARTS);
+      const to = Math.floor(((p + 1) * (count - 1)) / PARTS);
+      part.draw(to - from + 1, (k, out) => {
+        const at = first + from + k;
+        if (from + k === count - 1) out.set(tip);
+        else out.set(this.#points.subarray(3 * at, 3 * at + 3));
+      });
     });
   }
 }

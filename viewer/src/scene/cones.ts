@@ -1,6 +1,7 @@
 /**
  * The body cone, which ω sweeps in the body, rolls on the space cone, which it sweeps in space. They touch along ω. A symmetric body's
- * are circular. Of any other the space cone does not close: the turn around now is drawn.
+ * are circular. Of any other the space cone does not close: what is drawn of it is around now, a turn or a period of ω, whichever is
+ * more.
  */
 import { BufferAttribute, BufferGeometry, DoubleSide, Group, LineBasicMaterial, LineSegments, Mesh, MeshStandardMaterial, Vector3 } from "three";
 import { rotate } from "../attitude";
@@ -61,6 +62,7 @@ export class Cones {
         this.#angles[k] = this.#angles[k - 1] + angleAround(up, before, omega);
       }
     }
+    this.#span = isRound(this.#edge, up) ? 0 : (free.period ?? 0);
     this.radius = this.#frame(up, motion);
     this.#fine = fine;
     this.#times = motion.times;
@@ -77,6 +79,8 @@ export class Cones {
 
   readonly #fine: number;
   readonly #times: Float64Array;
+  /** s that the space cone shows at least. */
+  readonly #span: number;
 
   // Both cones at some times: their extent along L and away from it.
   #frame(up: Vector3, motion: Motion): number {
@@ -106,6 +110,9 @@ export class Cones {
     // At the ends of the motion there is more on one side.
     while (first > 0 && turned(first) + turned(last) < 2 * Math.PI) first -= 1;
     while (last < this.#angles.length - 1 && turned(first) + turned(last) < 2 * Math.PI) last += 1;
+    const sampleAt = (t: number): number => Math.min(indexAt(this.#times, t) * this.#fine, this.#angles.length - 1);
+    first = Math.min(first, sampleAt(time - this.#span / 2));
+    last = Math.max(last, sampleAt(time + this.#span / 2));
     const count = Math.min(last - first + 1, MOST);
     this.#rim.draw(count, (k, out) => {
       out.set(this.#edge.subarray(3 * (first + k), 3 * (first + k) + 3));
@@ -124,6 +131,18 @@ export class Cones {
     this.#surface.attributes.position.needsUpdate = true;
     normals.needsUpdate = true;
   }
+}
+
+/** Whether the rim is a circle around `up`. */
+function isRound(rim: Float32Array, up: Vector3): boolean {
+  let [low, high] = [Infinity, 0];
+  const p = new Vector3();
+  for (let k = 0; k < rim.length; k += 3) {
+    const far = p.fromArray(rim, k).cross(up).length();
+    low = Math.min(low, far);
+    high = Math.max(high, far);
+  }
+  return high - low < 1e-3;
 }
 
 function skin(ink: Ink, opacity: number, palette: Palette): MeshStandardMaterial {

@@ -45,12 +45,14 @@ export class Labels {
     };
     const [cx, cy] = project(new Vector3());
     const hull = outline.map(project);
-    const tips = labels.map((label) => project(label.tip));
+    // The outer halves of the arrows, which no other label covers.
+    const arrows = labels.map(({ tip }) => [0.5, 0.6, 0.7, 0.8, 0.9, 1].map((part) => project(tip.clone().multiplyScalar(part))));
     this.placed = [];
-    for (const label of labels) {
+    for (const [k, label] of labels.entries()) {
+      const others = arrows.filter((_, other) => other !== k).flat();
       const made = this.#element(label);
       const [tipX, tipY] = project(label.tip);
-      const spot = this.#spot(tipX - cx, tipY - cy, cx, cy, hull, tips, made, width, height);
+      const spot = this.#spot(tipX - cx, tipY - cy, cx, cy, hull, others, made, width, height);
       const led = Math.hypot(spot.x - tipX, spot.y - tipY) > 26;
       this.placed.push({ ...label, ...spot, tipX, tipY, led });
       made.span.style.transform = `translate(${(spot.x - made.w / 2).toFixed(1)}px, ${(spot.y - made.h / 2).toFixed(1)}px)`;
@@ -74,7 +76,7 @@ export class Labels {
     cx: number,
     cy: number,
     hull: [number, number][],
-    tips: [number, number][],
+    others: [number, number][],
     size: { w: number; h: number },
     width: number,
     height: number,
@@ -98,7 +100,7 @@ export class Labels {
         const o = this.#made.get(other.text);
         return o !== undefined && near(other.x, other.y, o.w, o.h);
       });
-      if (!taken && !tips.some(([px, py]) => Math.hypot(px - cx - dx, py - cy - dy) > 1 && near(px, py, 8, 8))) return { x, y };
+      if (!taken && !others.some(([px, py]) => near(px, py, 6, 6))) return { x, y };
     }
     return best;
   }

@@ -29,7 +29,7 @@ import { MomentumSphere } from "./sphere";
 import { axis, Trail, type Trailed } from "./trails";
 
 /** The longest arrow of the body's picture, where the body's radius is 1. */
-const LONGEST = 1.55;
+const LONGEST = 1.5;
 const AXES = 1.3;
 const THIN = 0.011;
 const THICK = 0.019;
@@ -118,7 +118,7 @@ export class View {
     apply(this.layers, picture);
     const orbit = this.orbit;
     orbit.radius = {
-      body: 1.52,
+      body: 1.62,
       poinsot: 1.08 * (this.#poinsot?.radius ?? 1),
       cones: 1.14 * (this.#cones?.radius ?? 1),
       sphere: 1.5,

@@ -118,7 +118,7 @@ function notes(view: View | null, motion: Motion): string[] {
   if (motion.largestTurn > Math.PI / 2) {
     said.push(
       `The body turns by up to ${(motion.largestTurn / (2 * Math.PI)).toFixed(1)} turns from one sample to the next: ` +
-        "the picture shows the samples truly, and takes the shortest way between them.",
+        "the picture shows the samples truly, and takes a steady and short way between them.",
     );
   }
   byId("view-note").textContent = view?.model.coarser ? `Mesh ${view.model.coarser}` : "";
@@ -140,8 +140,6 @@ function run(clock: Clock): void {
     }
   });
 }
-
-export type { Picture };
 
 try {
   start();

@@ -13,7 +13,6 @@ import { scenario } from "./panels/scenario";
 import { type Tab, tabs } from "./panels/tabs";
 import { toolbar } from "./panels/toolbar";
 import { working } from "./panels/working";
-import type { Picture } from "./scene/layers";
 import { View } from "./scene/scene";
 import { onTheme } from "./theme";
 

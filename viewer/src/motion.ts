@@ -3,7 +3,7 @@
  * through its neighbours, momentum and torque are linear.
  */
 import type { MotionData } from "./data";
-import { between, makeContinuous, rotate, type Quaternion, type Vector } from "./attitude";
+import { between, makeContinuous, type Quaternion, type Vector } from "./attitude";
 import { indexAt } from "./clock";
 import { BadData, f64 } from "./decode";
 

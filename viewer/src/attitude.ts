@@ -26,6 +26,30 @@ export function slerp(a: Quaternion, b: Quaternion, part: number): Quaternion {
   return unit([p * a[0] + q * b[0], p * a[1] + q * b[1], p * a[2] + q * b[2], p * a[3] + q * b[3]]);
 }
 
+/** Beyond this turn from one sample to the next, rad, rates say little about what is between. */
+const LARGE = 2;
+
+/**
+ * The rotation from a to b in h seconds that also has the angular velocities u and v (body axes) at its ends. In the chart θ of rotation
+ * vectors from a, θ' = h J⁻¹(θ) ω with J⁻¹(θ) ω = ω + ½ θ × ω + k θ × (θ × ω), k = 1/θ² − (1 + cos θ)/(2 θ sin θ); Hermite's cubic
+ * through both ends is then right to h⁴. Large turns are steady instead.
+ */
+export function between(a: Quaternion, u: Vector, b: Quaternion, v: Vector, h: number, part: number): Quaternion {
+  if (h * Math.max(Math.hypot(...u), Math.hypot(...v)) > LARGE) return slerp(a, b, part);
+  const turn = vectorOf(product([a[0], -a[1], -a[2], -a[3]], b));
+  const angle = Math.hypot(...turn);
+  const k = angle < 1e-3 ? 1 / 12 : 1 / angle ** 2 - (1 + Math.cos(angle)) / (2 * angle * Math.sin(angle));
+  const across = cross(turn, v);
+  const twice = cross(turn, across);
+  const s = part;
+  const vector = turn.map((end, c) => {
+    const out = h * u[c];
+    const into = h * (v[c] + across[c] / 2 + k * twice[c]);
+    return s * s * (3 - 2 * s) * end + s * (1 - s) * ((1 - s) * out - s * into);
+  }) as Vector;
+  return unit(product(a, quaternionOf(vector)));
+}
+
 /** The vector's components in space, where v has them in the body: q v q⁻¹. */
 export function rotate(q: Quaternion, v: Vector): Vector {
   const [w, x, y, z] = q;
@@ -49,6 +73,33 @@ export function euler313([w, x, y, z]: Quaternion): Vector {
 function wrap(angle: number): number {
   const turn = 2 * Math.PI;
   return angle - turn * Math.round(angle / turn);
+}
+
+function product(a: Quaternion, b: Quaternion): Quaternion {
+  return [
+    a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3],
+    a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2],
+    a[0] * b[2] - a[1] * b[3] + a[2] * b[0] + a[3] * b[1],
+    a[0] * b[3] + a[1] * b[2] - a[2] * b[1] + a[3] * b[0],
+  ];
+}
+
+function cross(a: Vector, b: Vector): Vector {
+  return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+}
+
+/** The rotation vector of the shorter way. */
+function vectorOf([w, x, y, z]: Quaternion): Vector {
+  const sign = w < 0 ? -1 : 1;
+  const sine = Math.hypot(x, y, z);
+  const factor = sine < 1e-12 ? 2 * sign : (sign * 2 * Math.atan2(sine, Math.abs(w))) / sine;
+  return [factor * x, factor * y, factor * z];
+}
+
+function quaternionOf(v: Vector): Quaternion {
+  const angle = Math.hypot(...v);
+  const factor = angle < 1e-9 ? 0.5 : Math.sin(angle / 2) / angle;
+  return [Math.cos(angle / 2), factor * v[0], factor * v[1], factor * v[2]];
 }
 
 function unit(q: Quaternion): Quaternion {

@@ -13,7 +13,6 @@ import { scenario } from "./panels/scenario";
 import { type Tab, tabs } from "./panels/tabs";
 import { toolbar } from "./panels/toolbar";
 import { working } from "./panels/working";
-import type { Picture } from "./scene/layers";
 import { View } from "./scene/scene";
 import { onTheme } from "./theme";
 
@@ -118,7 +117,7 @@ function notes(view: View | null, motion: Motion): string[] {
   if (motion.largestTurn > Math.PI / 2) {
     said.push(
       `The body turns by up to ${(motion.largestTurn / (2 * Math.PI)).toFixed(1)} turns from one sample to the next: ` +
-        "the picture shows the samples truly, and takes the shortest way between them.",
+        "the picture shows the samples truly, and takes a steady and short way between them.",
     );
   }
   byId("view-note").textContent = view?.model.coarser ? `Mesh ${view.model.coarser}` : "";
@@ -140,8 +139,6 @@ function run(clock: Clock): void {
     }
   });
 }
-
-export type { Picture };
 
 try {
   start();

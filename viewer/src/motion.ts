@@ -1,9 +1,9 @@
 /**
- * The motion at any time: samples, and what is between them. Attitudes turn steadily from sample to sample; ω follows a cubic through
- * its neighbours, momentum and torque are linear.
+ * The motion at any time: samples, and what is between them. Attitudes follow the rates at both samples; ω follows a cubic
+ * through its neighbours, momentum and torque are linear.
  */
 import type { MotionData } from "./data";
-import { makeContinuous, rotate, slerp, type Quaternion, type Vector } from "./attitude";
+import { between, makeContinuous, type Quaternion, type Vector } from "./attitude";
 import { indexAt } from "./clock";
 import { BadData, f64 } from "./decode";
 
@@ -55,7 +55,7 @@ export class Motion {
     const step = this.times[j] - this.times[i];
     const part = step > 0 ? Math.min(Math.max((time - this.times[i]) / step, 0), 1) : 0;
     return {
-      attitude: slerp(this.attitudeOf(i), this.attitudeOf(j), part),
+      attitude: between(this.attitudeOf(i), at(this.omega, i), this.attitudeOf(j), at(this.omega, j), step, part),
       omega: this.#cubic(i, j, part),
       momentum: linear(this.momentum, i, j, part),
       torque: this.torque === null ? null : linear(this.torque, i, j, part),
@@ -65,11 +65,6 @@ export class Motion {
   attitudeOf(i: number): Quaternion {
     const q = this.attitude;
     return [q[4 * i], q[4 * i + 1], q[4 * i + 2], q[4 * i + 3]];
-  }
-
-  /** ω of a sample in space axes. */
-  omegaInSpace(i: number): Vector {
-    return rotate(this.attitudeOf(i), at(this.omega, i));
   }
 
   /** The mean of |ω|, rad/s. */

@@ -5,7 +5,7 @@ import { load } from "./load.mjs";
 import { integrate, rotate, samples, tensor } from "./sample.mjs";
 
 const { Clock, watchable, indexAt } = await load("clock.ts");
-const { euler313, slerp, rotate: turned } = await load("attitude.ts");
+const { between, euler313, slerp, rotate: turned } = await load("attitude.ts");
 const { number, mark, powerOfTen, timeUnit } = await load("format.ts");
 const { figuresOf, rangeOf, ticks, decades } = await load("figures.ts");
 const { Motion } = await load("motion.ts");
@@ -80,15 +80,30 @@ test("Euler angles are three turns: Rz(φ) Rx(θ) Rz(ψ)", () => {
   turned(q, [0.3, -2, 0.7]).forEach((x, k) => assert.ok(Math.abs(x - rotate(q, [0.3, -2, 0.7])[k]) < 1e-14));
 });
 
-test("attitudes between samples are those of the motion", () => {
+test("attitudes between samples are those of the motion, to the fourth order", () => {
   const body = tensor([0.7, 1.3, 1.9], [0.5, 0.5, -0.5, 0.5]);
-  const start = [[0.8, 0.36, -0.48, 0], [0.4, 1.1, -0.6]];
-  const fine = integrate(body, ...start, 1, 201);
-  for (let i = 0; i + 2 < fine.length; i += 2) {
-    const q = slerp(fine[i].q, fine[i + 2].q.map((x) => -x), 0.5);
-    const dot = q.reduce((sum, x, k) => sum + x * fine[i + 1].q[k], 0);
-    assert.ok(2 * Math.acos(Math.min(Math.abs(dot), 1)) < 3e-5);
-  }
+  const fine = integrate(body, [0.8, 0.36, -0.48, 0], [0.4, 1.1, -0.6], 8, 1601);
+  // Twice the sine of half the angle between two attitudes.
+  const apart = (p, q) => Math.min(Math.hypot(...p.map((x, k) => x - q[k])), Math.hypot(...p.map((x, k) => x + q[k])));
+  const error = (every, way) => {
+    let worst = 0;
+    for (let i = 0; i + every < fine.length; i += every) {
+      const [a, b] = [fine[i], fine[i + every]];
+      // −q is the same attitude.
+      const minus = b.q.map((x) => -x);
+      for (const part of [0.25, 0.5, 0.75]) {
+        const q = way === "slerp" ? slerp(a.q, minus, part) : between(a.q, a.omega, minus, b.omega, b.t - a.t, part);
+        worst = Math.max(worst, apart(q, fine[i + part * every].q));
+      }
+    }
+    return worst;
+  };
+  const [half, whole] = [error(40), error(80)];
+  assert.ok(whole < 1e-3 && whole / half > 12 && whole / half < 20, `${whole} ${half}`);
+  assert.ok(error(8, "slerp") < 3e-4 && error(80, "slerp") > 10 * whole);
+  // At samples it is the sample, and a large turn is steady.
+  assert.ok(apart(between(fine[0].q, fine[0].omega, fine[80].q, fine[80].omega, 0.4, 1), fine[80].q) < 1e-14);
+  assert.ok(apart(between(fine[0].q, fine[0].omega, fine[80].q, fine[80].omega, 9, 0.3), slerp(fine[0].q, fine[80].q, 0.3)) < 1e-14);
 });
 
 test("numbers have the figures that they need", () => {

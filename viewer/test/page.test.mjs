@@ -331,6 +331,36 @@ test("the inertia ellipsoid touches the invariable plane at the tip of ω", asyn
   await close();
 });
 
+test("the edges: one sample, a rod, a permanent rotation, nothing that turns", async () => {
+  const eight = (list) => Buffer.from(Float64Array.from(list).buffer).toString("base64");
+  const one = (omega, momentum, moments) => {
+    const data = samples.box();
+    data.body.principal.moments = moments;
+    data.body.ellipsoid = [1, 0, 0];
+    const motion = { ...data.motion, count: 1, times: eight([0]), attitude: eight([0.6, 0, 0.8, 0]), kinetic: eight([1]) };
+    Object.assign(motion, { omega: eight(omega), momentum: eight(momentum), drift: [] });
+    const free = { ...data.free, period: null, polhode: eight(omega), herpolhode: eight(omega), separatrix: [], family: [], trace: eight([0, 0, 1]) };
+    return { ...data, motion, free: { ...free, energy: 0.5, momentum: Math.hypot(...momentum) }, facts: [], findings: [] };
+  };
+  const cases = {
+    rod: one([0, 0, 1], [-0.96, 0, -0.28], [0, 1, 1]),
+    rest: one([0, 0, 0], [0, 0, 0], [1, 2, 2.5]),
+  };
+  for (const [name, data] of Object.entries(cases)) {
+    const { page, problems, close } = await open(browser, name, data);
+    const pictures = page.locator("[data-picture]");
+    assert.equal(await pictures.count(), name === "rest" ? 1 : 4);
+    for (let k = 1; k < (await pictures.count()); k += 1) {
+      await pictures.nth(k).click();
+      assert.ok((await inked(page)) > 0.002, `${name} ${k}`);
+    }
+    await page.keyboard.press("Space");
+    assert.equal(await time(page), 0);
+    assert.deepEqual(problems, [], name);
+    await close();
+  }
+});
+
 test("data that cannot be shown are named on the page", async () => {
   const data = samples.free();
   data.motion.times = data.motion.times.slice(0, 800);

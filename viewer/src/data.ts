@@ -140,6 +140,8 @@ export interface FactGroup {
 export type ExplanationBlock =
   | { kind: "heading"; level: 1 | 2 | 3; text: string }
   | { kind: "text"; text: string }
+  /** Lines of working, one below the other; columns may be lined up with spaces. */
+  | { kind: "lines"; lines: string[] }
   /** MathML made by polhode, and the same as plain text. */
   | { kind: "formula"; mathml: string; text: string }
   | { kind: "table"; header: string[]; rows: string[][] };

@@ -3,13 +3,13 @@
 use std::time::Instant;
 
 use crate::process::{self, cargo};
-use crate::{Outcome, dependencies, examples, layers, readme};
+use crate::{Outcome, dependencies, examples, layers, readme, viewer};
 
 /// A name and a chore.
 type Step = (&'static str, fn() -> Outcome);
 
 /// The steps, cheapest first.
-const STEPS: [Step; 8] = [
+const STEPS: [Step; 9] = [
     ("format", || process::run(&mut cargo(&["fmt", "--all", "--check"]))),
     ("layers", layers::check),
     ("licences", dependencies::check),
@@ -24,6 +24,7 @@ const STEPS: [Step; 8] = [
     }),
     ("examples", examples::check),
     ("README", readme::check),
+    ("viewer", viewer::check),
 ];
 
 /// Runs every step, up to the first that fails.

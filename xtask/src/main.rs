@@ -8,6 +8,7 @@ mod licence;
 mod process;
 mod readme;
 mod speed;
+mod viewer;
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -23,7 +24,8 @@ usage: cargo xtask CHORE
   licences   how many crates are linked, and under which licences
   examples   the built command on every scenario in examples/
   readme     the README's commands
-  speed      measures anew what book/speed.md and book/mass-properties.md say; needs python3 and what it compares with";
+  speed      measures anew what book/speed.md and book/mass-properties.md say; needs python3 and what it compares with
+  viewer     the page's viewer: its bundle is the build of its source, and its tests pass in a browser";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -34,6 +36,7 @@ fn main() -> ExitCode {
         ["examples"] => examples::check(),
         ["readme"] => readme::check(),
         ["speed"] => speed::measure(),
+        ["viewer"] => viewer::check(),
         ["help" | "--help" | "-h"] => {
             println!("{USAGE}");
             Ok(())

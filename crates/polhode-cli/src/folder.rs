@@ -9,9 +9,13 @@ use crate::failure::Failure;
 /// The file by which a folder of results is known, and how it begins.
 const SIGNATURE: (&str, &[u8]) = ("summary.json", b"{\n  \"polhode\": ");
 
+/// The page that shows a motion.
+pub(crate) const PAGE: &str = "report.html";
+
 /// All files that a folder of results can hold.
-const OURS: [&str; 8] = [
+const OURS: [&str; 9] = [
     SIGNATURE.0,
+    PAGE,
     "trajectory.parquet",
     "trajectory.csv",
     "polhode.csv",

@@ -9,6 +9,7 @@ mod folder;
 mod inertia;
 mod model_file;
 mod numbers;
+mod page;
 mod progress;
 mod shell;
 mod simulate;

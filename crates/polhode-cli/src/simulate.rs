@@ -10,14 +10,16 @@ use polhode_report::{MotionReport, SourceInfo, pretty};
 
 use crate::failure::Failure;
 use crate::folder::Folder;
+use crate::page::{Page, Shown};
 use crate::progress::Progress;
 use crate::stdout::print;
 use crate::table::{self, Format};
 
 /// Compute the motion of a scenario and write it to a folder.
 ///
-/// The folder holds summary.json (mass properties, the kind of motion, the error of the numbers, the final state) and
-/// trajectory.parquet (one row per sample). It appears complete or not at all.
+/// The folder holds summary.json (mass properties, the kind of motion, the error of the numbers, the final state),
+/// trajectory.parquet (one row per sample) and report.html (a page that shows the motion; it needs no network). It appears
+/// complete or not at all.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -36,6 +38,9 @@ pub(crate) struct Simulate {
     /// The format of the table; may be given more than once.
     #[arg(long, value_enum, value_name = "FORMAT", default_values_t = [Format::Parquet])]
     table: Vec<Format>,
+    /// Leave out report.html.
+    #[arg(long)]
+    no_page: bool,
     /// Print the summary as JSON.
     #[arg(long)]
     json: bool,
@@ -43,7 +48,7 @@ pub(crate) struct Simulate {
 
 impl Simulate {
     pub(crate) fn run(self) -> Result<(), Failure> {
-        let scenario = scenario::read(&self.file)?;
+        let (scenario, text) = scenario::read_with_text(&self.file)?;
         let target = self.output.clone().unwrap_or_else(|| default_folder(&self.file));
         Folder::check(&target, self.force)?;
         let trajectory = self.trajectory(&scenario)?;
@@ -52,7 +57,11 @@ impl Simulate {
         let source = SourceInfo::new(self.file.display().to_string(), "scenario").described(title);
         let report = MotionReport::new(source, &scenario, &trajectory);
         let summary = pretty(&report.summary_json()) + "\n";
-        let written = self.write(&target, &summary, &scenario, &trajectory)?;
+        let page = Page {
+            command: format!("simulate {}", self.file.display()),
+            shown: Shown::Scenario { scenario: &scenario, text: &text, file: &self.file },
+        };
+        let written = self.write(&target, &summary, &scenario, &trajectory, &page)?;
         if self.json {
             return print(summary.as_bytes());
         }
@@ -79,10 +88,14 @@ impl Simulate {
         summary: &str,
         scenario: &Scenario,
         trajectory: &Trajectory,
+        page: &Page<'_>,
     ) -> Result<String, Failure> {
         let folder = Folder::create(target, self.force)?;
         folder.file("summary.json", |out| out.write_all(summary.as_bytes()))?;
-        let names = table::write(&self.table, trajectory, &metadata(scenario, &self.file), &folder)?;
+        let mut names = table::write(&self.table, trajectory, &metadata(scenario, &self.file), &folder)?;
+        if !self.no_page {
+            names.push(page.write(trajectory, &folder)?);
+        }
         folder.publish()?;
         let more: String = names.iter().map(|name| format!("  {name}")).collect();
         Ok(format!("wrote {}{more}", target.join("summary.json").display()))

@@ -26,7 +26,7 @@ use when::TimeFlags;
 /// functions, so a time 10⁹ periods away costs as much as the next second.
 ///
 /// A number without a unit is SI. A list takes a unit for each number or one for all: "(0, 0, 30) deg/s". Nothing is
-/// written unless --duration, --curves or -o is given.
+/// written unless --duration, --curves, --html or -o is given.
 #[derive(Debug, Args)]
 #[command(
     after_help = "\
@@ -35,6 +35,7 @@ Examples:
   polhode spin examples/t-handle.toml --at 0,10,1e9
   polhode spin --moments 1,2,3 --omega 0.01,1,0.01 --at-file times.txt --json | jq .motion.states
   polhode spin examples/t-handle.toml --duration \"20 s\" --every \"10 ms\" --table csv --curves -o t-handle-free
+  polhode spin --moments 1,2,3 --omega 0.01,1,0.01 --html=spin.html
   polhode spin --moments 3.0836,3.235,1 --periods \"7.40 d, 5.38 d\" --convention long",
     group = clap::ArgGroup::new("subject").required(true)
 )]
@@ -63,7 +64,7 @@ pub(crate) struct Spin {
         value_parser = periods,
         allow_hyphen_values = true,
         requires = "convention",
-        conflicts_with_all = ["omega", "attitude", "at", "at_file", "duration", "curves", "output"]
+        conflicts_with_all = ["omega", "attitude", "at", "at_file", "duration", "curves", "html", "output"]
     )]
     periods: Option<TumblingPeriods>,
     /// The axis that --periods speak of.
@@ -103,13 +104,16 @@ impl Spin {
         let motion = subject.motion(subject.start(self.omega, self.attitude)?)?;
         let times = self.times.read()?;
         let target = self.files.target(self.file.as_deref())?;
+        self.files.check_html()?;
         let report = SpinReport::new(subject.source(), motion).found(subject.findings()).at(&times);
         let report = report.map_err(|error| Failure::Motion { path: "--at".to_owned(), error })?;
         let json = pretty(&report.to_json()) + "\n";
-        let written = match target {
-            Some(target) => self.files.write(&target, &json, &motion, &subject.metadata())?,
-            None => String::new(),
-        };
+        let page = subject.page(self.file.as_deref(), motion.start(), motion.principal());
+        let mut written = self.files.write_html(&motion, &page.page(), &times)?;
+        if let Some(target) = target {
+            written +=
+                &self.files.write(&target, &json, &motion, &subject.metadata(), &page.page(), &times)?;
+        }
         if self.json {
             return print(json.as_bytes());
         }

@@ -377,8 +377,14 @@ fn a_folder_is_written_whole_or_not_at_all() {
     let scratch = Scratch::new("spin-folder");
     let write = plate(&["--duration", "40", "--samples", "11", "--table", "csv", "--table", "parquet"]);
     let text = stdout(&spin(&scratch, &write));
-    assert!(text.ends_with("wrote spin/summary.json  trajectory.csv  trajectory.parquet\n"), "{text}");
-    assert_eq!(entries(&scratch.0.join("spin")), ["summary.json", "trajectory.csv", "trajectory.parquet"]);
+    assert!(
+        text.ends_with("wrote spin/summary.json  trajectory.csv  trajectory.parquet  report.html\n"),
+        "{text}"
+    );
+    assert_eq!(
+        entries(&scratch.0.join("spin")),
+        ["report.html", "summary.json", "trajectory.csv", "trajectory.parquet"]
+    );
     let summary = fs::read_to_string(scratch.0.join("spin/summary.json")).unwrap();
     assert_eq!(summary, stdout(&spin(&scratch, &plate(&["--json"]))));
     let table = fs::read_to_string(scratch.0.join("spin/trajectory.csv")).unwrap();
@@ -394,10 +400,10 @@ fn a_folder_is_written_whole_or_not_at_all() {
     assert_eq!([rows[2][0], rows[2][5]].map(|cell| cell.parse::<f64>().unwrap()), [4.0, library.omega.x]);
 
     assert!(refused(&spin(&scratch, &write)).contains("spin is there already"));
-    stdout(&spin(&scratch, &plate(&["--duration", "1", "--every", "0.5", "--force"])));
+    stdout(&spin(&scratch, &plate(&["--duration", "1", "--every", "0.5", "--force", "--no-page"])));
     assert_eq!(entries(&scratch.0.join("spin")), ["summary.json", "trajectory.parquet"]);
     stdout(&spin(&scratch, &plate(&["-o", "only"])));
-    assert_eq!(entries(&scratch.0.join("only")), ["summary.json"]);
+    assert_eq!(entries(&scratch.0.join("only")), ["report.html", "summary.json"]);
     // bad input, a bad place, a stranger's folder: nothing is written
     fs::create_dir(scratch.0.join("photos")).unwrap();
     scratch.write("photos/cat.jpg", "a cat");

@@ -1,11 +1,12 @@
 //! Results of polhode, for people and for programs.
 //!
-//! Four reports, each with a face for either reader:
+//! Four reports, each with a face for either reader, and a page:
 //!
 //! - [`InertiaReport`]: how much mass, where, and how it resists being turned;
 //! - [`MotionReport`]: how the body moves, and the evidence that the numbers are good;
 //! - [`SpinReport`]: a free motion in closed form, at any time;
-//! - [`explain()`]: the worked solution, step by step, as a [`Document`].
+//! - [`explain()`]: the worked solution, step by step, as a [`Document`];
+//! - [`page()`]: all of it to look at, as one file for a browser.
 //!
 //! Text is plain Unicode for a terminal of 100 columns: the answer first, the convention in the heading, every number
 //! with its unit. JSON is SI, its keys are stable, and its numbers read back bit for bit; what is not finite or does not
@@ -27,6 +28,7 @@ mod molecule;
 mod motion;
 mod number;
 mod omega;
+mod page;
 mod parts;
 mod periods;
 pub mod plain;
@@ -38,13 +40,14 @@ mod unit;
 
 pub use error_estimate::error_estimate;
 pub use explain::document::{Block, Document, Section};
-pub use explain::explain;
+pub use explain::{explain, explain_motion};
 pub use export::{ExportBody, ExportError, ExportFormat, export};
 pub use extra::Extra;
 pub use inertia::InertiaReport;
 pub use json::pretty;
 pub use molecule::MoleculeReport;
 pub use motion::MotionReport;
+pub use page::{PageInput, PageSubject, page};
 pub use parts::{PartRow, parts};
 pub use sign_proof::sign_proof;
 pub use source::SourceInfo;

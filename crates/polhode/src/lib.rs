@@ -61,6 +61,7 @@ pub use body::density::grid::{VoxelGrid, VoxelMassProperties};
 pub use body::density::parametrised::Parametrised;
 pub use body::error::BodyError;
 pub use body::finding::{Finding, Severity};
+pub use body::form::{Form, PlacedForm};
 pub use body::inertia::{InertiaAbout, InertiaTensor};
 pub use body::mass_properties::MassProperties;
 pub use body::material::Material;

@@ -10,6 +10,7 @@ use polhode_formats::scenario;
 use polhode_report::SourceInfo;
 
 use crate::failure::Failure;
+use crate::page::{Page, Shown};
 
 /// Moments of inertia about x, y and z, kg·m².
 #[derive(Clone, Copy, Debug)]
@@ -22,13 +23,13 @@ pub(super) struct Omega(pub(super) [f64; 3]);
 /// A body, from a scenario or from flags.
 #[derive(Debug)]
 pub(super) enum Subject {
-    Scenario { path: String, scenario: Box<Scenario> },
+    Scenario { path: String, scenario: Box<Scenario>, text: String },
     Moments([f64; 3]),
 }
 
 impl Subject {
     pub(super) fn of_file(file: &Path) -> Result<Self, Failure> {
-        let scenario = scenario::read(file)?;
+        let (scenario, text) = scenario::read_with_text(file)?;
         let path = file.display().to_string();
         let why = if !scenario.torques.is_empty() {
             "a torque acts on the body"
@@ -37,7 +38,7 @@ impl Subject {
         } else if scenario.prescribed.is_some() {
             "the motion is prescribed"
         } else {
-            return Ok(Self::Scenario { path, scenario: Box::new(scenario) });
+            return Ok(Self::Scenario { path, scenario: Box::new(scenario), text });
         };
         Err(Failure::usage(
             format!("{path} is not a free motion: {why}"),
@@ -86,7 +87,7 @@ impl Subject {
 
     pub(super) fn motion(&self, start: State) -> Result<FreeMotion, Failure> {
         let motion = match self {
-            Self::Scenario { path, scenario } => FreeMotion::of(&Rotor::free(&scenario.body), start)
+            Self::Scenario { path, scenario, .. } => FreeMotion::of(&Rotor::free(&scenario.body), start)
                 .map_err(|error| Failure::Motion { path: path.clone(), error })?,
             Self::Moments(moments) => FreeMotion::of_moments(*moments, start)
                 .map_err(|error| Failure::usage(error.to_string(), "check --moments and --omega"))?,
@@ -120,7 +121,7 @@ impl Subject {
     }
 
     pub(super) fn source(&self) -> Option<SourceInfo> {
-        let Self::Scenario { path, scenario } = self else { return None };
+        let Self::Scenario { path, scenario, .. } = self else { return None };
         let title = scenario.title.as_deref().unwrap_or("scenario");
         Some(
             SourceInfo::new(path.clone(), "scenario")
@@ -137,17 +138,53 @@ impl Subject {
         }
     }
 
+    /// What is shown on a page, moving as `start` says.
+    pub(super) fn page<'a>(
+        &'a self,
+        file: Option<&'a Path>,
+        start: State,
+        principal: &'a PrincipalFrame<Body>,
+    ) -> SpinPage<'a> {
+        match self {
+            Self::Scenario { path, scenario, text } => {
+                let scenario = Scenario { start, run: None, ..Scenario::clone(scenario) };
+                let file = file.unwrap_or(Path::new(path));
+                SpinPage::Scenario { scenario: Box::new(scenario), text, file }
+            }
+            Self::Moments(_) => SpinPage::Moments(principal),
+        }
+    }
+
     /// What a table says about where it is from.
     pub(super) fn metadata(&self) -> Vec<(String, String)> {
         let pair = |key: &str, value: &str| (key.to_owned(), value.to_owned());
         match self {
-            Self::Scenario { path, scenario } => {
+            Self::Scenario { path, scenario, .. } => {
                 let title = scenario.title.as_deref().map(|title| pair("polhode.title", title));
                 title.into_iter().chain([pair("polhode.source", path)]).collect()
             }
             Self::Moments([a, b, c]) => {
                 vec![pair("polhode.source", &format!("moments {a}, {b}, {c} kg·m²"))]
             }
+        }
+    }
+}
+
+/// What a page of a spin shows: a scenario with the start of the flags.
+#[derive(Debug)]
+pub(super) enum SpinPage<'a> {
+    Scenario { scenario: Box<Scenario>, text: &'a str, file: &'a Path },
+    Moments(&'a PrincipalFrame<Body>),
+}
+
+impl SpinPage<'_> {
+    pub(super) fn page(&self) -> Page<'_> {
+        match self {
+            Self::Scenario { scenario, text, file } => Page {
+                command: format!("spin {}", file.display()),
+                shown: Shown::Scenario { scenario, text, file },
+            },
+            Self::Moments(principal) => Page { command: "spin".to_owned(), shown: Shown::Moments(principal) },
         }
     }
 }

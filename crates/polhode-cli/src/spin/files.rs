@@ -1,5 +1,6 @@
 //! What a spin writes: a table, curves, and the summary, in one folder.
 
+use std::f64::consts::TAU;
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
@@ -9,11 +10,15 @@ use polhode_formats::times;
 use polhode_formats::unit::Dimension;
 
 use crate::failure::Failure;
-use crate::folder::Folder;
+use crate::folder::{Folder, PAGE};
 use crate::numbers::{positive, quantity};
+use crate::page::{Page, check_file, write_file};
 use crate::table::{self, Format};
 
 use super::curves::CurveFlags;
+
+/// Samples of a page that is not of a table.
+const PAGE_SAMPLES: usize = 2_001;
 
 /// Evenly spaced samples where nobody says how many.
 const SAMPLES: u64 = 1001;
@@ -41,6 +46,12 @@ pub(super) struct FileFlags {
     table: Vec<Format>,
     #[command(flatten)]
     curves: CurveFlags,
+    /// Write a page that shows the motion, up to --duration or the last --at, else for some periods.
+    #[arg(long, value_name = "FILE", num_args = 0..=1, require_equals = true, default_missing_value = PAGE)]
+    html: Option<PathBuf>,
+    /// Leave report.html out of the folder.
+    #[arg(long)]
+    no_page: bool,
     /// The folder to write [default: the scenario's name, else spin, here].
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
@@ -68,8 +79,11 @@ impl FileFlags {
         summary: &str,
         motion: &FreeMotion,
         metadata: &[(String, String)],
+        page: &Page<'_>,
+        at: &[f64],
     ) -> Result<String, Failure> {
         let trajectory = self.trajectory(motion)?;
+        let shown = if self.no_page { None } else { Some(self.shown(motion, at)?) };
         let curves = self.curves.draw(motion, self.duration)?;
         let folder = Folder::create(target, self.force)?;
         folder.file("summary.json", |out| out.write_all(summary.as_bytes()))?;
@@ -81,9 +95,42 @@ impl FileFlags {
         if let Some(curves) = curves {
             names.extend(curves.write(&folder)?);
         }
+        if let Some(shown) = shown {
+            names.push(page.write(&shown, &folder)?);
+        }
         folder.publish()?;
         let more: String = names.iter().map(|name| format!("  {name}")).collect();
         Ok(format!("wrote {}{more}\n", target.join("summary.json").display()))
+    }
+
+    /// Refuses a page that is there already, before anything is computed.
+    pub(super) fn check_html(&self) -> Result<(), Failure> {
+        self.html.as_deref().map_or(Ok(()), |file| check_file(file, self.force))
+    }
+
+    /// Writes the page that `--html` asks for; says so.
+    pub(super) fn write_html(
+        &self,
+        motion: &FreeMotion,
+        page: &Page<'_>,
+        at: &[f64],
+    ) -> Result<String, Failure> {
+        let Some(file) = &self.html else { return Ok(String::new()) };
+        write_file(&page.html(&self.shown(motion, at)?), file, self.force)?;
+        Ok(format!("wrote {}\n", file.display()))
+    }
+
+    /// The motion that a page shows: the table's, else up to the last time that is asked for, else some periods.
+    fn shown(&self, motion: &FreeMotion, at: &[f64]) -> Result<Trajectory, Failure> {
+        if let Some(trajectory) = self.trajectory(motion)? {
+            return Ok(trajectory);
+        }
+        let most = longest(motion);
+        let asked = at.iter().copied().fold(0.0, f64::max);
+        let duration = if asked > 0.0 && asked <= most { asked } else { sensible(motion).min(most) };
+        let times = Run::evenly(duration, PAGE_SAMPLES, Method::Exact, 0.0).times;
+        let failed = |error| Failure::Motion { path: "the page".to_owned(), error };
+        Trajectory::of_motion(*motion, &times).map_err(failed)
     }
 
     fn trajectory(&self, motion: &FreeMotion) -> Result<Option<Trajectory>, Failure> {
@@ -103,6 +150,22 @@ impl FileFlags {
         let failed = |error| Failure::Motion { path: "the table".to_owned(), error };
         Trajectory::of_motion(*motion, &times).map(Some).map_err(failed)
     }
+}
+
+/// Some periods of ω, or some turns where it has none, s.
+fn sensible(motion: &FreeMotion) -> f64 {
+    const PERIODS: f64 = 4.0;
+    let turn = TAU / motion.start().omega.norm();
+    let duration = PERIODS * motion.period().unwrap_or(2.0 * turn).max(turn);
+    if duration.is_finite() { duration } else { 1.0 }
+}
+
+/// For so long samples are near enough together to follow the body, s: a quarter of a radian.
+fn longest(motion: &FreeMotion) -> f64 {
+    const TURN: f64 = 0.25;
+    let [a1, _, a3] = motion.amplitudes();
+    let longest = TURN * PAGE_SAMPLES as f64 / a1.hypot(a3);
+    if longest.is_finite() { longest } else { f64::MAX }
 }
 
 fn time(text: &str) -> Result<f64, String> {

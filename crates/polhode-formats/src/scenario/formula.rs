@@ -6,7 +6,7 @@ use polhode::{
 };
 
 use super::reader::{Table, Value};
-use super::shape::Form;
+use super::shape::Geometry;
 use crate::error::FormatError;
 use crate::expression::Expression;
 use crate::unit::{self, Dimension};
@@ -73,7 +73,7 @@ impl Formula {
     /// The mass properties of a solid of this density; how far they may be off goes to `findings`.
     pub(crate) fn integrate(
         &self,
-        form: &Form,
+        form: &Geometry,
         value: &Value<'_>,
         part: &str,
         findings: &mut Vec<Finding>,

@@ -55,10 +55,18 @@ const LARGEST_FILE: u64 = 64 << 20;
 /// # Errors
 /// [`FormatError`] if it, or a file that it names, cannot be read or describes no body or no motion.
 pub fn read(path: &Path) -> Result<Scenario, FormatError> {
+    read_with_text(path).map(|(scenario, _)| scenario)
+}
+
+/// As [`read`], and the text of the file.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_with_text(path: &Path) -> Result<(Scenario, String), FormatError> {
     let fail = |kind| FormatError::new(path, None, kind);
     let bytes = file::bytes(path, &path.to_string_lossy(), LARGEST_FILE).map_err(fail)?;
     match str::from_utf8(&bytes) {
-        Ok(text) => parse(text, path),
+        Ok(text) => Ok((parse(text, path)?, text.to_owned())),
         Err(error) => {
             let valid = error.valid_up_to();
             let byte = bytes.get(valid).copied().unwrap_or_default();

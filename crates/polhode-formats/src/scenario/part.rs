@@ -3,13 +3,13 @@
 use std::path::Path;
 
 use polhode::{
-    Body, BodyPart, ClosedMesh, Extent, Finding, MassProperties, Part, Particle, PlacedPart, Position,
-    Rotation, mass_properties_of_particles,
+    Body, BodyPart, ClosedMesh, Extent, Finding, Form, MassProperties, Part, Particle, PlacedForm,
+    PlacedPart, Position, Rotation, mass_properties_of_particles,
 };
 
 use super::reader::{Table, Value};
 use super::rotation::rotation;
-use super::shape::{Form, SHAPES, shape};
+use super::shape::{Geometry, SHAPES, shape};
 use super::substance::{self, Matter, matter};
 use super::tensor;
 use crate::error::{FormatError, FormatErrorKind};
@@ -44,9 +44,10 @@ pub(crate) fn part(
                 extent: None,
                 surface_area: None,
                 particles: Vec::new(),
+                form: None,
             });
         }
-        "mesh" => Form::Mesh(Box::new(read_mesh(&table, &name, findings)?)),
+        "mesh" => Geometry::Mesh(Box::new(read_mesh(&table, &name, findings)?)),
         _ => shape(kind, &table)?,
     };
     let solid = form.as_shape();
@@ -58,7 +59,8 @@ pub(crate) fn part(
     };
     let surface_area = (!matches!(extent, Extent::Length(_))).then(|| solid.surface_area());
     let properties = placement.place(&table, properties)?;
-    Ok(BodyPart { name, kind, properties, extent: Some(extent), surface_area, particles: Vec::new() })
+    let form = solid.form().map(|form| placement.form(form));
+    Ok(BodyPart { name, kind, properties, extent: Some(extent), surface_area, particles: Vec::new(), form })
 }
 
 /// The name of the part's shape.
@@ -108,6 +110,10 @@ impl Placement {
         let placed = PlacedPart::new(part, self.position, self.rotation);
         placed.map(|part| part.in_body()).map_err(|e| table.error(FormatErrorKind::Body(e)))
     }
+
+    const fn form(&self, form: Form) -> PlacedForm {
+        PlacedForm { form, position: self.position, rotation: self.rotation }
+    }
 }
 
 /// `particles = [{ mass = "1 kg", position = [3] }, …]`
@@ -126,7 +132,15 @@ fn particles(table: &Table<'_>, name: String, placement: &Placement) -> Result<B
         particles.push(particle.map_err(|e| position.body(e))?);
     }
     let properties = mass_properties_of_particles(&particles).map_err(|e| list.body(e))?;
-    Ok(BodyPart { name, kind: "particles", properties, extent: None, surface_area: None, particles })
+    Ok(BodyPart {
+        name,
+        kind: "particles",
+        properties,
+        extent: None,
+        surface_area: None,
+        particles,
+        form: None,
+    })
 }
 
 /// The mesh of `file`, a path relative to the scenario, all its parts as one; in `unit`s, unless the file has a unit of its own.

@@ -28,7 +28,7 @@ pub(crate) const SHAPES: [(&str, &[&str]); 14] = [
 ];
 
 /// A shape, by what its density may be.
-pub(crate) enum Form {
+pub(crate) enum Geometry {
     /// A solid whose density may vary.
     Solid(Box<dyn Parametrised>),
     /// A polyhedron, whose density may vary too.
@@ -37,7 +37,7 @@ pub(crate) enum Form {
     Thin(Box<dyn Shape>),
 }
 
-impl Form {
+impl Geometry {
     fn solid(shape: impl Parametrised + 'static) -> Self {
         Self::Solid(Box::new(shape))
     }
@@ -65,41 +65,41 @@ impl Form {
 }
 
 /// The shape of that name, as its table measures it.
-pub(crate) fn shape(name: &str, table: &Table<'_>) -> Result<Form, FormatError> {
+pub(crate) fn shape(name: &str, table: &Table<'_>) -> Result<Geometry, FormatError> {
     let radius = || table.require("radius", "radius = \"4 mm\"");
     let length = || table.require("length", "length = \"40 mm\"");
     let size = || table.require("size", "size = [\"30 mm\", \"20 mm\", \"10 mm\"]");
     Ok(match name {
         "box" => {
             let size = size()?;
-            Form::solid(BoxShape::new(size.positives(Dimension::LENGTH)?).map_err(|e| size.body(e))?)
+            Geometry::solid(BoxShape::new(size.positives(Dimension::LENGTH)?).map_err(|e| size.body(e))?)
         }
         "box_shell" => {
             let size = size()?;
-            Form::thin(BoxShell::new(size.positives(Dimension::LENGTH)?).map_err(|e| size.body(e))?)
+            Geometry::thin(BoxShell::new(size.positives(Dimension::LENGTH)?).map_err(|e| size.body(e))?)
         }
         "plate" => {
             let size = table.require("size", "size = [\"30 mm\", \"20 mm\"]")?;
-            Form::thin(Plate::new(size.positives(Dimension::LENGTH)?).map_err(|e| size.body(e))?)
+            Geometry::thin(Plate::new(size.positives(Dimension::LENGTH)?).map_err(|e| size.body(e))?)
         }
-        "sphere" => Form::solid(measured(&radius()?, Sphere::new)?),
-        "sphere_shell" => Form::thin(measured(&radius()?, SphereShell::new)?),
-        "disk" => Form::thin(measured(&radius()?, Disk::new)?),
-        "rod" => Form::thin(measured(&length()?, Rod::new)?),
-        "cylinder" => Form::solid(measured_by_two(&radius()?, &length()?, Cylinder::new)?),
-        "capsule" => Form::solid(measured_by_two(&radius()?, &length()?, Capsule::new)?),
+        "sphere" => Geometry::solid(measured(&radius()?, Sphere::new)?),
+        "sphere_shell" => Geometry::thin(measured(&radius()?, SphereShell::new)?),
+        "disk" => Geometry::thin(measured(&radius()?, Disk::new)?),
+        "rod" => Geometry::thin(measured(&length()?, Rod::new)?),
+        "cylinder" => Geometry::solid(measured_by_two(&radius()?, &length()?, Cylinder::new)?),
+        "capsule" => Geometry::solid(measured_by_two(&radius()?, &length()?, Capsule::new)?),
         "cylinder_shell" => {
             let ends = table.get("ends").map_or(Ok(false), |ends| ends.boolean())?;
-            Form::thin(measured_by_two(&radius()?, &length()?, |r, l| CylinderShell::new(r, l, ends))?)
+            Geometry::thin(measured_by_two(&radius()?, &length()?, |r, l| CylinderShell::new(r, l, ends))?)
         }
         "torus" => {
             let ring = table.require("ring_radius", "ring_radius = \"30 mm\"")?;
             let tube = table.require("tube_radius", "tube_radius = \"5 mm\"")?;
-            Form::solid(measured_by_two(&ring, &tube, Torus::new)?)
+            Geometry::solid(measured_by_two(&ring, &tube, Torus::new)?)
         }
         "ellipsoid" => {
             let axes = table.require("semi_axes", "semi_axes = [\"30 mm\", \"20 mm\", \"10 mm\"]")?;
-            Form::solid(Ellipsoid::new(axes.positives(Dimension::LENGTH)?).map_err(|e| axes.body(e))?)
+            Geometry::solid(Ellipsoid::new(axes.positives(Dimension::LENGTH)?).map_err(|e| axes.body(e))?)
         }
         "tetrahedron" => {
             let corners =
@@ -108,7 +108,7 @@ pub(crate) fn shape(name: &str, table: &Table<'_>) -> Result<Form, FormatError> 
             for (vertex, values) in vertices.iter_mut().zip(corners.rows::<4>()?) {
                 *vertex = each(values, |value| value.quantity(Dimension::LENGTH))?;
             }
-            Form::solid(Tetrahedron::new(vertices).map_err(|e| corners.body(e))?)
+            Geometry::solid(Tetrahedron::new(vertices).map_err(|e| corners.body(e))?)
         }
         _ => {
             let (base, height) = (radius()?, table.require("height", "height = \"40 mm\"")?);
@@ -123,7 +123,7 @@ pub(crate) fn shape(name: &str, table: &Table<'_>) -> Result<Form, FormatError> 
             };
             let top_radius = top.as_ref().map_or(Ok(0.0), width)?;
             let cone = Cone::new(width(&base)?, top_radius, height.positive(Dimension::LENGTH)?);
-            Form::solid(cone.map_err(|e| base.body(e))?)
+            Geometry::solid(cone.map_err(|e| base.body(e))?)
         }
     })
 }

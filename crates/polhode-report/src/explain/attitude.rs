@@ -70,7 +70,7 @@ fn evidence(w: &Working<'_>, s: &mut Section) {
     if w.needed.is_some() {
         return;
     }
-    let Some(drift) = w.trajectory.as_ref().and_then(Drift::of) else { return };
+    let Some(drift) = w.trajectory.as_deref().and_then(Drift::of) else { return };
     s.say("Evidence: what must hold whatever the solution is, relative, at the worst sample of the run:");
     if w.is_free() {
         s.line(format!("T constant to {}", error(drift.kinetic_energy)));

@@ -18,7 +18,9 @@ mod tensor;
 mod text;
 mod working;
 
-use polhode::{MotionError, Scenario};
+use std::borrow::Cow;
+
+use polhode::{MotionError, Scenario, Trajectory};
 
 use document::Document;
 use working::Working;
@@ -42,6 +44,7 @@ use working::Working;
 ///         extent: None,
 ///         surface_area: None,
 ///         particles,
+///         form: None,
 ///     }],
 ///     body,
 ///     start: State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::ZERO },
@@ -62,10 +65,20 @@ use working::Working;
 /// # Errors
 /// [`MotionError`] if the scenario's run cannot be computed, or its pendulum cannot hang.
 pub fn explain(scenario: &Scenario) -> Result<Document, MotionError> {
-    let working = Working::of(scenario)?;
-    let w = &working;
-    Ok(Document {
-        title: scenario.title.clone().unwrap_or_else(|| "A rigid body".to_owned()),
+    Ok(solved(&Working::of(scenario)?))
+}
+
+/// The worked solution of a scenario whose motion is known: as [`explain`], without computing it again.
+///
+/// # Errors
+/// [`MotionError`] if the scenario's pendulum cannot hang.
+pub fn explain_motion(scenario: &Scenario, trajectory: &Trajectory) -> Result<Document, MotionError> {
+    Ok(solved(&Working::with(scenario, Some(Cow::Borrowed(trajectory)))?))
+}
+
+fn solved(w: &Working<'_>) -> Document {
+    Document {
+        title: w.scenario.title.clone().unwrap_or_else(|| "A rigid body".to_owned()),
         answer: answer::lines(w),
         sections: vec![
             body::section(w),
@@ -76,7 +89,7 @@ pub fn explain(scenario: &Scenario) -> Result<Document, MotionError> {
             solution(w),
             attitude::section(w),
         ],
-    })
+    }
 }
 
 /// Step 5, by the kind of motion.

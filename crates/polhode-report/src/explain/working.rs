@@ -1,5 +1,7 @@
 //! What the steps of a solution share: asked of the core once.
 
+use std::borrow::Cow;
+
 use polhode::{
     AngularAcceleration, Body, MassProperties, MotionError, MovingParticle, Particle, Pendulum, Position,
     Required, Rotor, Sample, Scenario, Space, State, Torque, Trajectory, Velocity, rigid_velocity,
@@ -20,17 +22,25 @@ pub(super) struct Working<'a> {
     pub(super) needed: Option<Required>,
     pub(super) pendulum: Option<Pendulum>,
     /// `None` without a run.
-    pub(super) trajectory: Option<Trajectory>,
+    pub(super) trajectory: Option<Cow<'a, Trajectory>>,
 }
 
 impl<'a> Working<'a> {
     pub(super) fn of(scenario: &'a Scenario) -> Result<Self, MotionError> {
-        let rotor = scenario.rotor();
         let trajectory = match scenario.simulate() {
             // A point has no rotation to compute; all else about it can be told.
             None | Some(Err(MotionError::NotSpinnable)) => None,
-            Some(result) => Some(result?),
+            Some(result) => Some(Cow::Owned(result?)),
         };
+        Self::with(scenario, trajectory)
+    }
+
+    /// As [`Working::of`], where the motion is known.
+    pub(super) fn with(
+        scenario: &'a Scenario,
+        trajectory: Option<Cow<'a, Trajectory>>,
+    ) -> Result<Self, MotionError> {
+        let rotor = scenario.rotor();
         let pendulum = scenario.pendulum().transpose()?;
         let needed =
             scenario.prescribed.as_ref().map(|motion| Required::by(&rotor, motion, scenario.start.time));
@@ -99,7 +109,7 @@ impl<'a> Working<'a> {
     /// Up to seven samples, evenly chosen from the run.
     pub(super) fn few_samples(&self) -> Vec<Sample> {
         const FEW: usize = 7;
-        let samples = self.trajectory.as_ref().map_or(&[][..], Trajectory::samples);
+        let samples = self.trajectory.as_ref().map_or(&[][..], |trajectory| trajectory.samples());
         if samples.len() <= FEW {
             return samples.to_vec();
         }

@@ -15,6 +15,7 @@ pub fn particles(list: &[(f64, [f64; 3])]) -> BodyPart {
         extent: None,
         surface_area: None,
         particles,
+        form: None,
     }
 }
 
@@ -36,6 +37,7 @@ pub fn solid(
         extent: Some(shape.spread().extent()),
         surface_area: Some(shape.surface_area()),
         particles: Vec::new(),
+        form: shape.form().map(|form| PlacedForm { form, position: Position::from_array(at), rotation }),
     }
 }
 

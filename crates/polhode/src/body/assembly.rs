@@ -1,6 +1,7 @@
 //! Assemblies: parts, each with its own place and turn, joined into one body.
 
 use super::error::{BodyError, finite};
+use super::form::PlacedForm;
 use super::mass_properties::MassProperties;
 use super::particles::Particle;
 use super::shape::Extent;
@@ -51,6 +52,8 @@ pub struct BodyPart {
     pub surface_area: Option<f64>,
     /// The particles that it is made of, body axes; empty for anything else.
     pub particles: Vec<Particle<Body>>,
+    /// What it looks like; `None` for particles, and where only the moments are known.
+    pub form: Option<PlacedForm>,
 }
 
 /// Mass properties of parts rigidly joined; parts that overlap count twice where they do.

@@ -4,6 +4,7 @@ pub(crate) mod assembly;
 pub(crate) mod density;
 pub(crate) mod error;
 pub(crate) mod finding;
+pub(crate) mod form;
 pub(crate) mod inertia;
 pub(crate) mod mass_properties;
 pub(crate) mod material;

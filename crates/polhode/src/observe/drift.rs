@@ -28,36 +28,73 @@ pub struct Drift {
 impl Drift {
     /// The drift of a trajectory since its start; `None` if it has no samples, or was prescribed and so cannot drift.
     pub fn of(trajectory: &Trajectory) -> Option<Self> {
+        let scale = Scale::of(trajectory)?;
+        trajectory.samples().iter().map(|sample| scale.departure(sample)).reduce(Self::worse)
+    }
+
+    /// The drift at each sample of a trajectory, on the scale of all of them: [`Drift::of`] is the worst of each. `None` where
+    /// that is.
+    pub fn along(trajectory: &Trajectory) -> Option<Vec<Self>> {
+        let scale = Scale::of(trajectory)?;
+        Some(trajectory.samples().iter().map(|sample| scale.departure(sample)).collect())
+    }
+
+    /// The larger of each.
+    fn worse(self, other: Self) -> Self {
+        Self {
+            work_energy: self.work_energy.max(other.work_energy),
+            momentum: self.momentum.max(other.momentum),
+            momentum_magnitude: self.momentum_magnitude.max(other.momentum_magnitude),
+            total_energy: self.total_energy.zip(other.total_energy).map(|(a, b)| a.max(b)),
+            kinetic_energy: self.kinetic_energy.max(other.kinetic_energy),
+        }
+    }
+}
+
+/// What departures are measured from, and relative to.
+struct Scale<'a> {
+    first: &'a Sample,
+    /// The largest T, |L| and energy.
+    kinetic: f64,
+    momentum: f64,
+    energy: Option<f64>,
+}
+
+impl<'a> Scale<'a> {
+    fn of(trajectory: &'a Trajectory) -> Option<Self> {
         let (first, samples) = (trajectory.start(), trajectory.samples());
         if samples.is_empty() || matches!(trajectory.solution(), Solution::Prescribed(_)) {
             return None;
         }
         let max = |f: &dyn Fn(&Sample) -> f64| samples.iter().chain([first]).map(f).fold(0.0, f64::max);
-        let ratio = |part: f64, whole: f64| if part == 0.0 { 0.0 } else { part / whole };
-        let largest_t = max(&|s| s.kinetic_energy);
-        let largest_l = max(&|s| s.momentum.norm());
-        let l0 = first.momentum;
-        let work_energy = max(&|s| {
-            let mut sum = Sum::default();
-            for term in [s.kinetic_energy, -first.kinetic_energy, -(s.work - first.work)] {
-                sum.add(term);
-            }
-            sum.value().abs()
-        });
-        let momentum = max(&|s| (s.momentum - l0 - (s.impulse - first.impulse)).norm());
-        let magnitude = max(&|s| (s.momentum.norm() - l0.norm()).abs());
-        let kinetic = max(&|s| (s.kinetic_energy - first.kinetic_energy).abs());
-        let total_energy = first.potential_energy.map(|u0| {
-            let rise = |s: &Sample| s.potential_energy.unwrap_or(u0) - u0;
-            let departure = max(&|s| (s.kinetic_energy - first.kinetic_energy + rise(s)).abs());
-            ratio(departure, largest_t.max(max(&|s| rise(s).abs())))
-        });
-        Some(Self {
-            work_energy: ratio(work_energy, largest_t),
-            momentum: ratio(momentum, largest_l),
-            momentum_magnitude: ratio(magnitude, largest_l),
-            total_energy,
-            kinetic_energy: ratio(kinetic, largest_t),
-        })
+        let kinetic = max(&|s| s.kinetic_energy);
+        let momentum = max(&|s| s.momentum.norm());
+        let energy = first.potential_energy.map(|u0| kinetic.max(max(&|s| rise(s, u0).abs())));
+        Some(Self { first, kinetic, momentum, energy })
     }
+
+    fn departure(&self, s: &Sample) -> Drift {
+        let ratio = |part: f64, whole: f64| if part == 0.0 { 0.0 } else { part / whole };
+        let first = self.first;
+        let mut sum = Sum::default();
+        for term in [s.kinetic_energy, -first.kinetic_energy, -(s.work - first.work)] {
+            sum.add(term);
+        }
+        let momentum = (s.momentum - first.momentum - (s.impulse - first.impulse)).norm();
+        let magnitude = (s.momentum.norm() - first.momentum.norm()).abs();
+        let kinetic = s.kinetic_energy - first.kinetic_energy;
+        let total_energy = first.potential_energy.zip(self.energy);
+        Drift {
+            work_energy: ratio(sum.value().abs(), self.kinetic),
+            momentum: ratio(momentum, self.momentum),
+            momentum_magnitude: ratio(magnitude, self.momentum),
+            total_energy: total_energy.map(|(u0, scale)| ratio((kinetic + rise(s, u0)).abs(), scale)),
+            kinetic_energy: ratio(kinetic.abs(), self.kinetic),
+        }
+    }
+}
+
+/// How much potential energy has been gained.
+fn rise(sample: &Sample, u0: f64) -> f64 {
+    sample.potential_energy.unwrap_or(u0) - u0
 }

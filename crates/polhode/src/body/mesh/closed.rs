@@ -8,6 +8,7 @@ use super::weld::NONE;
 use super::{Triangle, TriangleMesh};
 use crate::body::error::BodyError;
 use crate::body::finding::{Finding, Severity};
+use crate::body::form::Form;
 use crate::body::shape::{Extent, Shape, Spread};
 
 /// A solid bounded by triangles: closed, consistently wound, its normals outward.
@@ -153,6 +154,10 @@ impl Shape for ClosedMesh {
     /// Area of all triangles, m².
     fn surface_area(&self) -> f64 {
         self.area
+    }
+
+    fn form(&self) -> Option<Form> {
+        Some(Form::Mesh(self.surface.clone()))
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::{Extent, Shape, Spread, representable};
 use crate::body::error::{BodyError, positive};
+use crate::body::form::Form;
 
 /// A solid box with its centre at the origin and its edges along the axes.
 ///
@@ -42,5 +43,9 @@ impl Shape for BoxShape {
     fn surface_area(&self) -> f64 {
         let [a, b, c] = self.size;
         2.0 * (a * b + b * c + c * a)
+    }
+
+    fn form(&self) -> Option<Form> {
+        Some(Form::Box { size: self.size })
     }
 }

@@ -2,6 +2,7 @@
 
 use super::{Extent, Shape, Spread, representable};
 use crate::body::error::{BodyError, positive};
+use crate::body::form::Form;
 use crate::math::vector::Position;
 
 /// A hollow box of six thin faces, with its centre at the origin and its edges along the axes.
@@ -51,5 +52,9 @@ impl Shape for BoxShell {
     fn surface_area(&self) -> f64 {
         let [a, b, c] = self.size;
         2.0 * (a * b + b * c + c * a)
+    }
+
+    fn form(&self) -> Option<Form> {
+        Some(Form::Box { size: self.size })
     }
 }

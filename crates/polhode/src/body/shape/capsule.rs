@@ -3,6 +3,7 @@
 use super::cylinder::Cylinder;
 use super::{Extent, Shape, Spread, representable};
 use crate::body::error::{BodyError, positive};
+use crate::body::form::Form;
 use crate::math::real::PI;
 use crate::math::vector::Position;
 
@@ -55,5 +56,9 @@ impl Shape for Capsule {
 
     fn surface_area(&self) -> f64 {
         2.0 * PI * self.radius * (2.0 * self.radius + self.length)
+    }
+
+    fn form(&self) -> Option<Form> {
+        Some(Form::Capsule { radius: self.radius, length: self.length })
     }
 }

@@ -2,6 +2,7 @@
 
 use super::{Extent, Shape, Spread, representable};
 use crate::body::error::{BodyError, not_negative, positive};
+use crate::body::form::Form;
 use crate::math::real::PI;
 use crate::math::symmetric3::Symmetric3;
 use crate::math::vector::Position;
@@ -66,5 +67,10 @@ impl Shape for Cone {
     fn surface_area(&self) -> f64 {
         let Self { base_radius: a, top_radius: b, height } = *self;
         PI * (a * a + b * b + (a + b) * libm::hypot(height, a - b))
+    }
+
+    fn form(&self) -> Option<Form> {
+        let Self { base_radius, top_radius, height } = *self;
+        Some(Form::Cone { base_radius, top_radius, height })
     }
 }

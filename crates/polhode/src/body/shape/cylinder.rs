@@ -2,6 +2,7 @@
 
 use super::{Extent, Shape, Spread, representable};
 use crate::body::error::{BodyError, positive};
+use crate::body::form::Form;
 use crate::math::real::PI;
 
 /// A solid cylinder with its centre at the origin and its axis along z.
@@ -41,5 +42,9 @@ impl Shape for Cylinder {
 
     fn surface_area(&self) -> f64 {
         2.0 * PI * self.radius * (self.radius + self.length)
+    }
+
+    fn form(&self) -> Option<Form> {
+        Some(Form::Cylinder { radius: self.radius, length: self.length, open: false })
     }
 }

@@ -3,6 +3,7 @@
 use super::disk::Disk;
 use super::{Extent, Shape, Spread, representable};
 use crate::body::error::{BodyError, positive};
+use crate::body::form::Form;
 use crate::math::real::PI;
 use crate::math::vector::Position;
 
@@ -52,5 +53,9 @@ impl Shape for CylinderShell {
 
     fn surface_area(&self) -> f64 {
         self.spread().extent.measure()
+    }
+
+    fn form(&self) -> Option<Form> {
+        Some(Form::Cylinder { radius: self.radius, length: self.length, open: !self.ends })
     }
 }

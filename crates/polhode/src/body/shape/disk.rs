@@ -2,6 +2,7 @@
 
 use super::{Extent, Shape, Spread, representable};
 use crate::body::error::{BodyError, positive};
+use crate::body::form::Form;
 use crate::math::real::PI;
 
 /// A thin disk in the plane z = 0 with its centre at the origin.
@@ -37,5 +38,9 @@ impl Shape for Disk {
 
     fn surface_area(&self) -> f64 {
         PI * self.radius * self.radius
+    }
+
+    fn form(&self) -> Option<Form> {
+        Some(Form::Disk { radius: self.radius })
     }
 }

@@ -2,6 +2,7 @@
 
 use super::{Extent, Shape, Spread, representable};
 use crate::body::error::{BodyError, positive};
+use crate::body::form::Form;
 use crate::math::real::PI;
 
 /// A solid ellipsoid with its centre at the origin and its semi-axes along the axes.
@@ -65,5 +66,9 @@ impl Shape for Ellipsoid {
             (1.0 / p + 1.0 / q + 1.0 / r) * (t / p.sqrt()) * (t / q.sqrt()) / r.sqrt()
         };
         PI * a * b * y * z2 * STEP * NODES.map(integrand).sum::<f64>()
+    }
+
+    fn form(&self) -> Option<Form> {
+        Some(Form::Ellipsoid { semi_axes: self.semi_axes })
     }
 }

@@ -20,6 +20,7 @@ pub(crate) mod torus;
 use core::fmt;
 
 use super::error::{BodyError, positive};
+use super::form::Form;
 use super::mass_properties::MassProperties;
 use crate::math::frame::Part;
 use crate::math::symmetric3::Symmetric3;
@@ -35,6 +36,11 @@ pub trait Shape: fmt::Debug + Send + Sync {
 
     /// Area that bounds a solid, or of one side of a thin shell or plate, m²; a thin rod has none.
     fn surface_area(&self) -> f64;
+
+    /// What it looks like, for those who draw it; `None` where only the moments are known.
+    fn form(&self) -> Option<Form> {
+        None
+    }
 
     /// Mass properties of the shape made of a substance.
     ///

@@ -2,6 +2,7 @@
 
 use super::{Extent, Shape, Spread, representable};
 use crate::body::error::{BodyError, positive};
+use crate::body::form::Form;
 
 /// A thin rectangle in the plane z = 0 with its centre at the origin and its edges along x and y.
 ///
@@ -41,5 +42,9 @@ impl Shape for Plate {
     fn surface_area(&self) -> f64 {
         let [a, b] = self.size;
         a * b
+    }
+
+    fn form(&self) -> Option<Form> {
+        Some(Form::Plate { size: self.size })
     }
 }

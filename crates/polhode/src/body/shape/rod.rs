@@ -2,6 +2,7 @@
 
 use super::{Extent, Shape, Spread, representable};
 use crate::body::error::{BodyError, positive};
+use crate::body::form::Form;
 
 /// A thin rod along z with its centre at the origin.
 ///
@@ -38,5 +39,9 @@ impl Shape for Rod {
 
     fn surface_area(&self) -> f64 {
         0.0
+    }
+
+    fn form(&self) -> Option<Form> {
+        Some(Form::Rod { length: self.length })
     }
 }

@@ -2,6 +2,8 @@
 
 use super::{Extent, Shape, Spread, representable};
 use crate::body::error::{BodyError, finite};
+use crate::body::form::Form;
+use crate::body::mesh::TriangleMesh;
 use crate::math::frame::Part;
 use crate::math::symmetric3::{Symmetric3, power_of_two_near};
 use crate::math::vector::{Direction, Position};
@@ -80,5 +82,15 @@ impl Shape for Tetrahedron {
     fn surface_area(&self) -> f64 {
         let [u, v, w] = self.edges();
         0.5 * (u.cross(v).norm() + v.cross(w).norm() + w.cross(u).norm() + (v - u).cross(w - u).norm())
+    }
+
+    fn form(&self) -> Option<Form> {
+        let [u, v, w] = self.edges();
+        let outward = if u.cross(v).dot(w) > 0.0 {
+            [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]
+        } else {
+            [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]]
+        };
+        TriangleMesh::new(self.vertices.to_vec(), outward.to_vec()).ok().map(Form::Mesh)
     }
 }

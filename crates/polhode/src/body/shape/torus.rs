@@ -2,6 +2,7 @@
 
 use super::{Extent, Shape, Spread, representable};
 use crate::body::error::{BodyError, positive};
+use crate::body::form::Form;
 use crate::math::real::PI;
 
 /// A solid ring of circular section, with its centre at the origin and its axis along z.
@@ -46,5 +47,9 @@ impl Shape for Torus {
 
     fn surface_area(&self) -> f64 {
         4.0 * PI * PI * self.ring_radius * self.tube_radius
+    }
+
+    fn form(&self) -> Option<Form> {
+        Some(Form::Torus { ring_radius: self.ring_radius, tube_radius: self.tube_radius })
     }
 }

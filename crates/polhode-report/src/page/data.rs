@@ -1,0 +1,55 @@
+//! The data of a page, as `viewer/src/data.ts` has them.
+
+use serde_json::{Value, json};
+
+use super::body::Turning;
+use super::motion::Shown;
+use super::shapes::Budget;
+use super::{PageInput, PageSubject, body, explanation, facts, free, motion};
+
+/// What a page of many triangles may have, bytes.
+const PAGE: usize = 2_000_000;
+
+/// What triangles get all the same.
+const LEAST_MESH: usize = 240_000;
+
+/// The data of a page whose frame has so many bytes without them.
+pub(super) fn json(input: &PageInput<'_>, frame: usize) -> Value {
+    let turning = Turning::of(&input.subject);
+    let shown = Shown::of(input.trajectory);
+    let free_motion = free::motion(input);
+    let motion = motion::json(&shown);
+    let free = free_motion.as_ref().map_or(Value::Null, |motion| free::json(motion, &shown));
+    let explanation = input.explanation.map_or_else(|| json!([]), explanation::json);
+    let others = [&motion, &free, &explanation].map(|value| value.to_string().len()).iter().sum::<usize>()
+        + input.scenario_text.map_or(0, str::len);
+    let mut budget = Budget::new(PAGE.saturating_sub(frame + others).max(LEAST_MESH));
+    let body = body::json(&turning, &mut budget);
+    let facts = facts::json(input, &turning, free_motion.as_ref(), &shown, budget.notes());
+    json!({
+        "version": 1,
+        "title": input.title,
+        "source": input.source,
+        "scenario": input.scenario_text,
+        "body": body,
+        "motion": motion,
+        "free": free,
+        "facts": facts,
+        "findings": findings(input),
+        "explanation": explanation,
+    })
+}
+
+fn findings(input: &PageInput<'_>) -> Value {
+    let PageSubject::Scenario(scenario) = input.subject else { return json!([]) };
+    let one = |f: &polhode::Finding| {
+        let place = f.place.as_ref().map_or_else(String::new, |place| format!(" ({place})"));
+        json!({ "severity": f.severity.name(), "message": format!("{}{place}", f.message) })
+    };
+    scenario.findings.iter().map(one).collect()
+}
+
+/// A number, which JSON has none for if it is not finite.
+pub(super) fn finite(x: f64) -> f64 {
+    if x.is_finite() { x } else { 0.0 }
+}

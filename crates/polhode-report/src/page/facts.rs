@@ -1,0 +1,323 @@
+//! The numbers beside the picture, ready to read.
+
+use polhode::{
+    Cones, Drift, FreeMotion, FreeRegime, GeometricPhase, Herpolhode, LeastEnergySpin, Regime, Scenario,
+    Solution, Swing, SymmetricTop, TorqueModel,
+};
+use serde_json::{Value, json};
+
+use super::body::Turning;
+use super::motion::Shown;
+use super::{PageInput, PageSubject};
+use crate::block::Geometry;
+use crate::number::{count, error, number, tidy, tidy_matrix, vector};
+use crate::periods::Periods;
+use crate::unit::{self, DIGITS};
+
+/// Between two samples a body that turns by more, rad, may have turned otherwise than the picture shows.
+const LARGEST_TURN: f64 = 1.0;
+
+/// One number, or one word.
+struct Row {
+    label: &'static str,
+    value: String,
+    unit: String,
+    note: String,
+}
+
+impl Row {
+    fn new(label: &'static str, value: impl Into<String>, unit: &str) -> Self {
+        Self { label, value: value.into(), unit: unit.to_owned(), note: String::new() }
+    }
+
+    fn of(label: &'static str, value: f64, unit: &str) -> Self {
+        Self::new(label, number(value, DIGITS), unit)
+    }
+
+    /// A number with the unit that fits it: `25.6354 cm³`.
+    fn sized(label: &'static str, shown: &str) -> Self {
+        let (value, unit) = shown.rsplit_once(' ').unwrap_or((shown, ""));
+        Self::new(label, value, unit)
+    }
+
+    /// An angle in degrees.
+    fn angle(label: &'static str, rad: f64) -> Self {
+        Self::of(label, rad.to_degrees(), "°")
+    }
+
+    fn note(self, note: impl Into<String>) -> Self {
+        Self { note: note.into(), ..self }
+    }
+
+    fn json(&self) -> Value {
+        json!({ "label": self.label, "value": typeset(&self.value), "unit": self.unit, "note": typeset(&self.note) })
+    }
+}
+
+/// Numbers as they are set: `-4.5e-5` as −4.5×10⁻⁵.
+fn typeset(text: &str) -> String {
+    let mut out = String::new();
+    let mut before = ' ';
+    let mut rest = text.chars().peekable();
+    let mut in_power = false;
+    while let Some(c) = rest.next() {
+        let next = rest.peek().copied().unwrap_or(' ');
+        let continues = in_power && c.is_ascii_digit();
+        in_power = continues;
+        match c {
+            'e' if before.is_ascii_digit() && (next == '-' || next.is_ascii_digit()) => {
+                out.push_str("×10");
+                if next == '-' {
+                    rest.next();
+                    out.push('⁻');
+                }
+                in_power = true;
+            }
+            _ if continues => out.push(superscript(c)),
+            '-' if next.is_ascii_digit() => out.push('−'),
+            c => out.push(c),
+        }
+        before = c;
+    }
+    out
+}
+
+fn superscript(digit: char) -> char {
+    let digits = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    digit.to_digit(10).and_then(|k| digits.get(k as usize)).copied().unwrap_or(digit)
+}
+
+pub(super) fn json(
+    input: &PageInput<'_>,
+    turning: &Turning<'_>,
+    free: Option<&FreeMotion>,
+    shown: &Shown<'_>,
+    notes: &[String],
+) -> Value {
+    let scenario = match input.subject {
+        PageSubject::Scenario(scenario) => Some(scenario),
+        PageSubject::Moments(_) => None,
+    };
+    let groups = [
+        ("Body", scenario.map_or_else(Vec::new, |scenario| body(scenario, turning))),
+        ("Inertia", inertia(turning)),
+        ("Motion", motion(input, free, shown)),
+        ("Cones", free.and_then(SymmetricTop::of_motion).map_or_else(Vec::new, |top| cones(&top))),
+        ("Poinsot's picture", free.map_or_else(Vec::new, picture)),
+        ("Pendulum", scenario.map_or_else(Vec::new, pendulum)),
+        ("Evidence", evidence(input, free.is_some())),
+        ("This page", this_page(shown, notes)),
+    ];
+    let groups = groups.iter().filter(|(_, rows)| !rows.is_empty());
+    groups
+        .map(|(title, rows)| json!({ "title": title, "rows": rows.iter().map(Row::json).collect::<Value>() }))
+        .collect()
+}
+
+fn body(scenario: &Scenario, turning: &Turning<'_>) -> Vec<Row> {
+    let body = &scenario.body;
+    let geometry = Geometry::of_parts(&scenario.parts, body.mass());
+    let mut rows = vec![Row::sized("mass", &unit::mass(body.mass()))];
+    rows.extend(geometry.volume.map(|volume| Row::sized("volume", &unit::volume(volume))));
+    rows.extend(geometry.density.map(|density| Row::of("density", density, "kg/m³").note("mean")));
+    rows.push(
+        Row::sized("centre of mass", &unit::place(tidy(body.center_of_mass().to_array()))).note("body axes"),
+    );
+    if turning.is_pivoted {
+        rows.push(Row::sized("pivot", &unit::place(tidy(turning.point.to_array()))).note("body axes"));
+        rows.push(Row::of("lever", turning.lever.norm(), "m").note("from the pivot to the centre of mass"));
+    }
+    rows
+}
+
+fn inertia(turning: &Turning<'_>) -> Vec<Row> {
+    let principal = &turning.principal;
+    let [i1, i2, i3] = principal.moments();
+    let [e1, e2, e3] = principal.axes().map(|axis| vector(tidy(axis.to_array()), 5));
+    let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = tidy_matrix(turning.tensor);
+    let three = |a: f64, b: f64, c: f64| vector([a, b, c], DIGITS);
+    vec![
+        Row::of("i1, least", i1, "kg·m²").note(format!("axis 1 = {e1} in the body")),
+        Row::of("i2", i2, "kg·m²").note(format!("axis 2 = {e2}")),
+        Row::of("i3, greatest", i3, "kg·m²").note(format!("axis 3 = {e3}")),
+        Row::new("about", format!("the {}", turning.about()), ""),
+        Row::new("symmetry", principal.symmetry().name(), "").note(principal.symmetry().freedom()),
+        Row::new("Ixx, Iyy, Izz", three(xx, yy, zz), "kg·m²").note("body axes"),
+        Row::new("Ixy, Ixz, Iyz", three(xy, xz, yz), "kg·m²").note("−∫xy dm, …"),
+    ]
+}
+
+fn motion(input: &PageInput<'_>, free: Option<&FreeMotion>, shown: &Shown<'_>) -> Vec<Row> {
+    let how = match input.trajectory.solution() {
+        Solution::Exact(_) => "in closed form",
+        Solution::Prescribed(_) => "prescribed",
+        Solution::Integrated { .. } => "integrated by DOP853",
+    };
+    let mut rows = Vec::new();
+    if let (Some(first), Some(last)) = (shown.samples.first(), shown.samples.last()) {
+        let [from, to] = [first, last].map(|s| number(s.state.time, DIGITS));
+        rows.push(Row::new("time", format!("{from} … {to}"), "s").note(how));
+        let omega = first.state.omega;
+        let about = vector(tidy(omega.to_array()), DIGITS);
+        rows.push(Row::new("ω at the start", about, "rad/s").note("body axes"));
+        rows.push(Row::of("|ω| at the start", omega.norm(), "rad/s"));
+        rows.push(Row::of("|L| at the start", first.momentum.norm(), "kg·m²/s"));
+        rows.push(Row::of("T at the start", first.kinetic_energy, "J"));
+    }
+    match (free, input.subject) {
+        (Some(free), _) => rows.extend(free_motion(free)),
+        (None, PageSubject::Scenario(scenario)) => rows.extend(scenario.torques.iter().map(torque)),
+        _ => {}
+    }
+    rows
+}
+
+fn torque(model: &TorqueModel) -> Row {
+    let (unit, note) = match model {
+        TorqueModel::Constant(_) => ("N·m", "constant"),
+        TorqueModel::Gravity(_) => ("m/s²", "acceleration of free fall, space axes"),
+        _ => ("", ""),
+    };
+    let value = match model {
+        TorqueModel::Constant(polhode::ConstantTorque::Body(n)) => {
+            vector(n.to_array(), DIGITS) + " in the body"
+        }
+        TorqueModel::Constant(polhode::ConstantTorque::Space(n)) => {
+            vector(n.to_array(), DIGITS) + " in space"
+        }
+        TorqueModel::Gravity(gravity) => vector(gravity.acceleration.to_array(), DIGITS),
+        other => other.name().to_owned(),
+    };
+    Row::new(model.name(), value, unit).note(note)
+}
+
+/// The kind of a free motion, and how long it takes.
+fn free_motion(free: &FreeMotion) -> Vec<Row> {
+    let FreeRegime { regime, period, flip_interval, growth_rate } = FreeRegime::of_motion(free);
+    let Periods { precession, rotation } = Periods::of(free);
+    let mut rows = vec![Row::new("free motion", regime.description(), "")];
+    let mut put = |label, value: Option<f64>, unit, note: &str| {
+        rows.extend(value.map(|value| Row::of(label, value, unit).note(note)));
+    };
+    put("period of ω", period, "s", "in the body");
+    put("flips every", flip_interval, "s", "ω along axis 2 reverses");
+    put("precession", precession, "s", "once round L, on average");
+    put("rotation", rotation, "s", "once about the axis that L circles");
+    put("growth rate", growth_rate, "1/s", "of a departure from axis 2");
+    if !matches!(regime, Regime::Permanent(_)) {
+        let [least, most] = free.nutation_range().map(|angle| number(angle.to_degrees(), 6));
+        let axis = if free.circles_least() { 1 } else { 3 };
+        let value = if least == most { least } else { format!("{least} … {most}") };
+        rows.push(Row::new("nutation", value, "°").note(format!("of axis {axis} from L")));
+    }
+    rows
+}
+
+fn cones(top: &SymmetricTop) -> Vec<Row> {
+    let cones = Cones::of(top);
+    let [axial, transverse] = top.moments();
+    vec![
+        Row::new("symmetry axis", vector(tidy(top.axis().to_array()), 6), "").note("in the body"),
+        Row::of("axial moment", axial, "kg·m²"),
+        Row::of("transverse moment", transverse, "kg·m²"),
+        Row::angle("body cone", cones.body_half_angle).note("half-angle: ω round the symmetry axis"),
+        Row::angle("space cone", cones.space_half_angle).note("half-angle: ω round L"),
+        Row::angle("nutation", cones.nutation).note("of the symmetry axis from L"),
+        Row::of("rate in the body", cones.body_rate, "rad/s"),
+        Row::of("rate in space", cones.space_rate, "rad/s"),
+    ]
+}
+
+/// Poinsot's ellipsoid on its plane, what a period adds up to, and where friction would end it.
+fn picture(free: &FreeMotion) -> Vec<Row> {
+    /// A piece too short to have many points.
+    const PIECE: f64 = 1e-9;
+    let mut rows = Vec::new();
+    if let Ok(herpolhode) = Herpolhode::of(free, PIECE, 0.1) {
+        let [least, most] = herpolhode.annulus.map(|radius| number(radius, 6));
+        let value = if least == most { least } else { format!("{least} … {most}") };
+        rows.push(Row::of("ω along L", herpolhode.height, "rad/s").note("height of the invariable plane"));
+        rows.push(Row::new("ω across L", value, "rad/s").note("radius of the herpolhode"));
+    }
+    if let Some(phase) = GeometricPhase::of(free) {
+        rows.push(Row::of("turn in a period", phase.total, "rad").note("about L"));
+        rows.push(Row::of("of it dynamic", phase.dynamic, "rad").note("2 T P / |L|"));
+        rows.push(Row::of("of it geometric", phase.geometric, "rad").note("a solid angle"));
+    }
+    if let Some(end) = LeastEnergySpin::of(free) {
+        let ratio = Row::of("T / least T", end.energy_ratio, "");
+        rows.push(ratio.note("least at the same |L|, where friction inside would end"));
+    }
+    rows
+}
+
+fn pendulum(scenario: &Scenario) -> Vec<Row> {
+    let (Some(hanging), Some(Ok(pendulum))) = (scenario.hanging, scenario.pendulum()) else {
+        return Vec::new();
+    };
+    let small = Row::of("small swing", pendulum.period(0.0), "s").note("period");
+    let swing = hanging.amplitude.map(|amplitude| pendulum.swing(amplitude, 0.0));
+    let swing = match swing {
+        Some(Swing::Oscillation { amplitude, period }) => {
+            let note = format!("between ±{}°", number(amplitude.to_degrees(), 6));
+            Some(Row::of("this swing", period, "s").note(note))
+        }
+        Some(Swing::Revolution { period }) => Some(Row::of("one turn", period, "s").note("over the top")),
+        _ => None,
+    };
+    [small].into_iter().chain(swing).collect()
+}
+
+/// How far the balances fail at the worst sample.
+fn evidence(input: &PageInput<'_>, is_free: bool) -> Vec<Row> {
+    let Some(drift) = Drift::of(input.trajectory) else { return Vec::new() };
+    let row = |label, value: f64| Row::new(label, error(value), "").note("relative, worst sample");
+    let mut rows = if is_free {
+        vec![
+            row("T stays to", drift.kinetic_energy),
+            row("|L| stays to", drift.momentum_magnitude),
+            row("L in space stays to", drift.momentum),
+        ]
+    } else {
+        vec![row("T − work", drift.work_energy), row("L − impulse", drift.momentum)]
+    };
+    rows.extend(drift.total_energy.map(|total| row("T + U stays to", total)));
+    if let Solution::Integrated { tolerance, statistics } = input.trajectory.solution() {
+        rows.push(Row::new("tolerance", error(*tolerance), "").note("of a step"));
+        rows.push(Row::new("steps", count(statistics.accepted), ""));
+    }
+    rows
+}
+
+/// What the page shows, where that is not all.
+fn this_page(shown: &Shown<'_>, notes: &[String]) -> Vec<Row> {
+    let mut rows = Vec::new();
+    let [here, all] = [shown.samples.len(), shown.of].map(|n| count(n as u64));
+    let samples = Row::new("samples", here.clone(), "");
+    rows.push(if here == all { samples } else { samples.note(format!("of {all}, evenly chosen")) });
+    let turn = shown.largest_turn();
+    if turn > LARGEST_TURN {
+        let row = Row::angle("turn between samples", turn);
+        rows.push(row.note("at most: too far to follow; sample a shorter time to see it"));
+    }
+    rows.extend(notes.iter().map(|note| Row::new("body", note.clone(), "")));
+    rows
+}
+
+#[cfg(test)]
+mod tests {
+    use super::typeset;
+
+    #[test]
+    fn numbers_are_set() {
+        for (text, set) in [
+            ("-4.5e-5", "−4.5×10⁻⁵"),
+            ("(1e12, -0.5, 3)", "(1×10¹², −0.5, 3)"),
+            ("axis 3 = (0, -1, 0)", "axis 3 = (0, −1, 0)"),
+            ("2 bodies, time-like: 1 each", "2 bodies, time-like: 1 each"),
+            ("", ""),
+        ] {
+            assert_eq!(typeset(text), set);
+        }
+    }
+}

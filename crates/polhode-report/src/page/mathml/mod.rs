@@ -1,0 +1,91 @@
+//! Formulas as MathML Core, which browsers set without help.
+//!
+//! A formula comes from its LaTeX ([`latex`]); one with something unknown in it stands as text. Only attributes of MathML are
+//! used, no styles: the viewer lets nothing else into the page.
+
+mod latex;
+
+/// A formula in symbols, on a line of its own; `text` is shown if the LaTeX has something unknown.
+pub(super) fn formula(latex: &str, text: &str) -> String {
+    display(&latex::to_mathml(latex).unwrap_or_else(|| element("mtext", text)))
+}
+
+/// `name = matrix unit`
+pub(super) fn matrix(name: &str, rows: &[Vec<String>], unit: &str) -> String {
+    let cells = |row: &Vec<String>| row.iter().map(|x| cell(&number(x))).collect::<String>();
+    let rows: String = rows.iter().map(|row| format!("<mtr>{}</mtr>", cells(row))).collect();
+    let unit =
+        if unit.is_empty() { String::new() } else { format!("{}{}", space(0.5), element("mtext", unit)) };
+    let name = match name {
+        "{I}" => latex::to_mathml(r"\lbrace \mathbf I \rbrace").unwrap_or_default(),
+        other => element("mtext", other),
+    };
+    display(&format!("{name}<mo>=</mo><mrow><mo>(</mo><mtable>{rows}</mtable><mo>)</mo></mrow>{unit}"))
+}
+
+fn display(inside: &str) -> String {
+    format!("<math display=\"block\"><mrow>{inside}</mrow></math>")
+}
+
+/// `<name>text</name>`, the text inert.
+fn element(name: &str, text: &str) -> String {
+    format!("<{name}>{}</{name}>", escaped(text))
+}
+
+fn space(em: f64) -> String {
+    format!("<mspace width=\"{em}em\"></mspace>")
+}
+
+fn cell(inside: &str) -> String {
+    format!("<mtd>{inside}</mtd>")
+}
+
+/// `-3.3e-5` as −3.3×10⁻⁵.
+fn number(text: &str) -> String {
+    let signed = |text: &str| text.replace('-', "−");
+    match text.split_once('e') {
+        Some((mantissa, power)) => format!(
+            "<mrow>{}<mo>×</mo><msup><mn>10</mn>{}</msup></mrow>",
+            element("mn", &signed(mantissa)),
+            element("mn", &signed(power))
+        ),
+        None => element("mn", &signed(text)),
+    }
+}
+
+/// Text that markup cannot hide in.
+pub(super) fn escaped(text: &str) -> String {
+    let mut out = String::new();
+    for c in text.chars() {
+        match c {
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            '"' => out.push_str("&quot;"),
+            '\'' => out.push_str("&#39;"),
+            c => out.push(c),
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_cannot_be_read_is_text() {
+        let shown = formula(r"\unheard{x}", "x < y & z");
+        assert_eq!(shown, "<math display=\"block\"><mrow><mtext>x &lt; y &amp; z</mtext></mrow></math>");
+    }
+
+    #[test]
+    fn a_matrix_is_a_table() {
+        let rows = vec![vec!["1".to_owned(), "-2e-7".to_owned()]];
+        let shown = matrix("{I}", &rows, "kg·m²");
+        assert!(shown.contains(
+            "<mtr><mtd><mn>1</mn></mtd><mtd><mrow><mn>−2</mn><mo>×</mo><msup><mn>10</mn><mn>−7</mn></msup></mrow></mtd></mtr>"
+        ));
+        assert!(shown.contains("<mtext>kg·m²</mtext>"), "{shown}");
+    }
+}

@@ -1,0 +1,117 @@
+//! One page that shows a motion: a file of its own that a browser opens from disk.
+//!
+//! The page is the viewer (`viewer/`, whose build is `assets/viewer.html`) with the motion in it as JSON, as `viewer/src/data.ts`
+//! says. Numbers are the trajectory's own, bit for bit; text from outside is inert.
+
+mod base64;
+mod body;
+mod data;
+mod decimate;
+mod explanation;
+mod facts;
+mod free;
+mod mathml;
+mod motion;
+mod shapes;
+
+use polhode::{Body, PrincipalFrame, Scenario, Trajectory};
+
+use crate::explain::document::Document;
+use mathml::escaped;
+
+/// What a page shows.
+///
+/// ```
+/// use polhode::{AngularVelocity, Attitude, FreeMotion, State, Trajectory};
+/// use polhode_report::{PageInput, PageSubject, page};
+/// let start = State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.01, 1.0, 0.02) };
+/// let motion = FreeMotion::of_moments([1.0, 2.0, 3.0], start)?;
+/// let times: Vec<f64> = (0..=200).map(|k| 0.2 * f64::from(k)).collect();
+/// let html = page(&PageInput {
+///     title: "1 < 2 < 3",
+///     source: "an example",
+///     scenario_text: None,
+///     subject: PageSubject::Moments(motion.principal()),
+///     trajectory: &Trajectory::of_motion(motion, &times)?,
+///     explanation: None,
+/// });
+/// assert!(html.contains("<title>1 &lt; 2 &lt; 3</title>"));
+/// # Ok::<(), polhode::MotionError>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct PageInput<'a> {
+    /// What it is about; text, never markup.
+    pub title: &'a str,
+    /// What made it: `polhode 0.1.0 simulate examples/t-handle.toml`.
+    pub source: &'a str,
+    /// The scenario file as it was read.
+    pub scenario_text: Option<&'a str>,
+    /// What moves.
+    pub subject: PageSubject<'a>,
+    /// How it moves.
+    pub trajectory: &'a Trajectory,
+    /// The worked solution.
+    pub explanation: Option<&'a Document>,
+}
+
+/// What moves on a page.
+#[derive(Clone, Copy, Debug)]
+pub enum PageSubject<'a> {
+    /// The body of a scenario.
+    Scenario(&'a Scenario),
+    /// A free body of which only the moments about its centre of mass are known.
+    Moments(&'a PrincipalFrame<Body>),
+}
+
+/// The viewer, with a place for the data.
+const TEMPLATE: &str = include_str!("../../assets/viewer.html");
+
+/// Where the data stand in the template.
+const DATA: &str = "<!--polhode-data-->";
+
+/// The page as HTML.
+pub fn page(input: &PageInput<'_>) -> String {
+    // Only the template is searched: what is put in may say anything.
+    let (before, after) = TEMPLATE.split_once(DATA).unwrap_or((TEMPLATE, ""));
+    let (head, tail) = before.split_once("<title>").unwrap_or((before, "</title>"));
+    let tail = tail.split_once("</title>").map_or(tail, |(_, rest)| rest);
+    let frame = TEMPLATE.len();
+    let data = inert(&data::json(input, frame).to_string());
+    format!(
+        "{head}<title>{}</title>{tail}<script id=\"polhode-data\" type=\"application/json\">{data}</script>{after}",
+        escaped(input.title)
+    )
+}
+
+/// JSON that no markup can hide in: these characters stand in its strings only.
+fn inert(json: &str) -> String {
+    let mut text = String::with_capacity(json.len());
+    for c in json.chars() {
+        match c {
+            '<' | '>' | '&' | '\u{2028}' | '\u{2029}' => text.push_str(&format!("\\u{:04x}", u32::from(c))),
+            c => text.push(c),
+        }
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_template_has_one_place_for_the_title_and_one_for_the_data() {
+        for part in [DATA, "<title>", "</title>"] {
+            assert_eq!(TEMPLATE.matches(part).count(), 1, "{part}");
+        }
+        assert!(TEMPLATE.find("<title>") < TEMPLATE.find(DATA));
+    }
+
+    #[test]
+    fn inert_json_reads_back() {
+        let value = serde_json::json!({ "a<b": "</script><!-- & \u{2028}\u{2029}\"\\" });
+        let text = inert(&value.to_string());
+        assert!(!text.contains(['<', '>', '&', '\u{2028}', '\u{2029}']), "{text}");
+        assert_eq!(serde_json::from_str::<serde_json::Value>(&text).unwrap(), value);
+    }
+}

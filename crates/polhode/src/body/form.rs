@@ -1,0 +1,82 @@
+//! What a part looks like.
+
+use super::mesh::TriangleMesh;
+use crate::math::frame::{Body, Part};
+use crate::math::rotation::Rotation;
+use crate::math::vector::Position;
+
+/// The surface of a part in its own axes, for those who draw it; nothing is computed from it. Lengths are in m.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Form {
+    /// Its middle is the origin, its edges lie along the axes.
+    Box {
+        /// Edges.
+        size: [f64; 3],
+    },
+    /// Its middle is the origin; a sphere has three equal semi-axes.
+    Ellipsoid {
+        /// Along x, y and z.
+        semi_axes: [f64; 3],
+    },
+    /// Its middle is the origin, its axis lies along z.
+    Cylinder {
+        /// Of its wall.
+        radius: f64,
+        /// From end to end.
+        length: f64,
+        /// True for a tube without ends.
+        open: bool,
+    },
+    /// The middle of its base is the origin, its axis lies along +z.
+    Cone {
+        /// At z = 0.
+        base_radius: f64,
+        /// At z = height; zero for a tip.
+        top_radius: f64,
+        /// Along z.
+        height: f64,
+    },
+    /// A cylinder between two half balls, its middle at the origin, its axis along z.
+    Capsule {
+        /// Of the cylinder and the balls.
+        radius: f64,
+        /// Of the cylinder.
+        length: f64,
+    },
+    /// Its middle is the origin, its axis lies along z.
+    Torus {
+        /// From the middle to the middle of the tube.
+        ring_radius: f64,
+        /// Of the tube.
+        tube_radius: f64,
+    },
+    /// A thin rod along z, its middle at the origin.
+    Rod {
+        /// From end to end.
+        length: f64,
+    },
+    /// A thin disk across z, its middle at the origin.
+    Disk {
+        /// Of its rim.
+        radius: f64,
+    },
+    /// A thin rectangle across z, its middle at the origin.
+    Plate {
+        /// Edges along x and y.
+        size: [f64; 2],
+    },
+    /// Triangles, counter-clockwise from outside.
+    Mesh(TriangleMesh),
+}
+
+/// A form at its place in the body.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PlacedForm {
+    /// In the part's own axes.
+    pub form: Form,
+    /// Where the part's origin is.
+    pub position: Position<Body>,
+    /// R_body_part.
+    pub rotation: Rotation<Body, Part>,
+}

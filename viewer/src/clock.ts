@@ -1,0 +1,135 @@
+/**
+ * The time that all views show. It knows no screen: whoever draws calls `advance` with the seconds that passed, and whoever shows
+ * something subscribes.
+ */
+export class Clock {
+  /** s of the motion */
+  time: number;
+  playing = false;
+  loop = true;
+  /** Seconds of the motion in one second. */
+  speed: number;
+
+  readonly #listeners: (() => void)[] = [];
+
+  /** `times` ascend; there is at least one. */
+  constructor(
+    readonly times: Float64Array,
+    speed = 1,
+  ) {
+    this.time = times[0];
+    this.speed = speed;
+  }
+
+  get start(): number {
+    return this.times[0];
+  }
+
+  get end(): number {
+    return this.times[this.times.length - 1];
+  }
+
+  subscribe(listener: () => void): void {
+    this.#listeners.push(listener);
+  }
+
+  /** Real time has passed, in s. */
+  advance(seconds: number): void {
+    if (!this.playing) return;
+    const length = this.end - this.start;
+    let time = this.time + seconds * this.speed;
+    if (time >= this.end) {
+      if (this.loop && length > 0) {
+        time = this.start + ((time - this.start) % length);
+      } else {
+        time = this.end;
+        this.playing = false;
+      }
+    }
+    this.time = time;
+    this.#tell();
+  }
+
+  set(time: number): void {
+    if (!Number.isFinite(time)) return;
+    this.time = Math.min(Math.max(time, this.start), this.end);
+    this.#tell();
+  }
+
+  play(): void {
+    if (this.end <= this.start) return;
+    if (this.time >= this.end) this.time = this.start;
+    this.playing = true;
+    this.#tell();
+  }
+
+  pause(): void {
+    this.playing = false;
+    this.#tell();
+  }
+
+  toggle(): void {
+    if (this.playing) this.pause();
+    else this.play();
+  }
+
+  /** To the next sample, or with -1 to the one before. */
+  step(direction: 1 | -1): void {
+    this.playing = false;
+    const i = this.index();
+    if (direction > 0) this.set(this.times[Math.min(i + 1, this.times.length - 1)]);
+    else this.set(this.times[this.time > this.times[i] ? i : Math.max(i - 1, 0)]);
+  }
+
+  /** To the next speed of 1, 2, 5, 10, … or with -1 to the one before. */
+  changeSpeed(direction: 1 | -1): void {
+    this.speed = neighbour(this.speed, direction);
+    this.#tell();
+  }
+
+  setLoop(loop: boolean): void {
+    this.loop = loop;
+    this.#tell();
+  }
+
+  /** The last sample that is not later than now. */
+  index(): number {
+    return indexAt(this.times, this.time);
+  }
+
+  #tell(): void {
+    for (const listener of this.#listeners) listener();
+  }
+}
+
+/** The last of ascending `times` that is not later than `time`; 0 if all are. */
+export function indexAt(times: Float64Array, time: number): number {
+  let low = 0;
+  let high = times.length - 1;
+  while (low < high) {
+    const middle = (low + high + 1) >> 1;
+    if (times[middle] <= time) low = middle;
+    else high = middle - 1;
+  }
+  return low;
+}
+
+/** A speed at which the eye can follow: 1 if it can follow the real one, where the body turns by `rate` rad/s. */
+export function watchable(rate: number, duration: number): number {
+  const seen = rate > 0 && Number.isFinite(rate) ? rate : duration > 0 ? 20 / duration : 1;
+  if (seen > 0.15 && seen < 30) return 1;
+  return nearest((seen < 1 ? 1.5 : 6) / seen);
+}
+
+function nearest(value: number): number {
+  const decade = 10 ** Math.floor(Math.log10(value));
+  const mantissa = value / decade;
+  return decade * (mantissa < 1.5 ? 1 : mantissa < 3.5 ? 2 : mantissa < 7.5 ? 5 : 10);
+}
+
+function neighbour(speed: number, direction: 1 | -1): number {
+  const here = Number(nearest(speed).toPrecision(1));
+  const first = Number(here.toExponential().charAt(0));
+  const factor = direction > 0 ? (first === 2 ? 2.5 : 2) : first === 5 ? 1 / 2.5 : 1 / 2;
+  return Number((here * factor).toPrecision(1));
+}

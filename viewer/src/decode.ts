@@ -1,0 +1,68 @@
+/**
+ * The page's data as typed arrays. Everything is checked once, here: what comes out has the lengths that the contract promises and
+ * finite numbers, so no other file has to ask.
+ */
+import type { Base64, PageData } from "./data";
+
+/** Data that are not what the contract says. */
+export class BadData extends Error {
+  constructor(what: string) {
+    super(what);
+    this.name = "BadData";
+  }
+}
+
+/** Finds the data in a document. */
+export function readPage(from: Document): PageData {
+  const text = from.getElementById("polhode-data")?.textContent;
+  if (!text) throw new BadData("this page holds no motion; polhode writes it into a page of its own");
+  const page = JSON.parse(text) as PageData;
+  if (page.version !== 1) throw new BadData(`data of version ${String(page.version)}; this page reads version 1`);
+  return page;
+}
+
+/** Numbers of 64 bits, `length` of them if it is given, all finite. */
+export function f64(text: Base64, what: string, length?: number): Float64Array {
+  const bytes = decode(text, what, 8);
+  const numbers = new Float64Array(bytes.buffer);
+  if (length !== undefined && numbers.length !== length) {
+    throw new BadData(`${what}: ${numbers.length} numbers instead of ${length}`);
+  }
+  if (!numbers.every(Number.isFinite)) throw new BadData(`${what}: a number is not finite`);
+  return numbers;
+}
+
+/** Points of three numbers of 64 bits. */
+export function points(text: Base64, what: string): Float64Array {
+  const numbers = f64(text, what);
+  if (numbers.length % 3 !== 0) throw new BadData(`${what}: ${numbers.length} numbers are not points`);
+  return numbers;
+}
+
+/** Numbers of 32 bits, all finite. */
+export function f32(text: Base64, what: string): Float32Array {
+  const numbers = new Float32Array(decode(text, what, 4).buffer);
+  if (!numbers.every(Number.isFinite)) throw new BadData(`${what}: a number is not finite`);
+  return numbers;
+}
+
+/** Indices below `limit`. */
+export function indices(text: Base64, what: string, limit: number): Uint32Array {
+  const numbers = new Uint32Array(decode(text, what, 4).buffer);
+  if (!numbers.every((index) => index < limit)) throw new BadData(`${what}: an index is beyond ${limit - 1}`);
+  return numbers;
+}
+
+// All machines that run a browser are little-endian; typed arrays have the machine's order.
+function decode(text: Base64, what: string, size: number): Uint8Array<ArrayBuffer> {
+  let binary: string;
+  try {
+    binary = atob(text);
+  } catch {
+    throw new BadData(`${what}: not base64`);
+  }
+  if (binary.length % size !== 0) throw new BadData(`${what}: ${binary.length} bytes, not a multiple of ${size}`);
+  const bytes = new Uint8Array(binary.length);
+  for (let i = 0; i < bytes.length; i += 1) bytes[i] = binary.charCodeAt(i);
+  return bytes;
+}

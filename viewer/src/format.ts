@@ -1,0 +1,60 @@
+/** Numbers for people: four or more figures, a real minus, powers of ten, and times in a unit that fits. */
+
+/** 1.234, 0.01234, 1.234×10⁻⁵ */
+export function number(value: number, figures = 5): string {
+  if (!Number.isFinite(value)) return "–";
+  if (value === 0) return "0";
+  const size = Math.abs(value);
+  if (size >= 1e-3 && size < 1e5) {
+    const before = Math.floor(Math.log10(size)) + 1;
+    return minus(value.toFixed(Math.min(Math.max(figures - before, 0), 8)));
+  }
+  const [mantissa, exponent] = value.toExponential(figures - 1).split("e");
+  return `${minus(mantissa)}×10${superscript(Number(exponent))}`;
+}
+
+/** As short as it can be: for the marks of an axis. */
+export function mark(value: number, step: number): string {
+  if (value === 0) return "0";
+  const size = Math.abs(value);
+  if (size >= 1e-3 && size < 1e5) {
+    return minus(value.toFixed(Math.min(Math.max(-Math.floor(Math.log10(step) + 1e-9), 0), 12)));
+  }
+  const exponent = Math.floor(Math.log10(size) + 1e-12);
+  const digits = Math.min(Math.max(exponent - Math.floor(Math.log10(step) + 1e-9), 0), 12);
+  return `${minus((value / 10 ** exponent).toFixed(digits))}×10${superscript(exponent)}`;
+}
+
+/** 10⁻¹² */
+export function powerOfTen(value: number): string {
+  return `10${superscript(Math.round(Math.log10(value)))}`;
+}
+
+/** A unit of time in which `seconds` is a number that one can read. */
+export function timeUnit(seconds: number): { name: string; seconds: number } {
+  const units: [string, number][] = [
+    ["ps", 1e-12],
+    ["ns", 1e-9],
+    ["µs", 1e-6],
+    ["ms", 1e-3],
+    ["s", 1],
+    ["h", 3600],
+    ["d", 86400],
+  ];
+  let best = units[0];
+  for (const unit of units) {
+    const least = unit[0] === "h" ? 3e4 : unit[0] === "d" ? 4e5 : 0.5 * unit[1];
+    if (seconds >= least) best = unit;
+  }
+  if (seconds === 0) return { name: "s", seconds: 1 };
+  return { name: best[0], seconds: best[1] };
+}
+
+function minus(text: string): string {
+  return text.replace("-", "−");
+}
+
+function superscript(value: number): string {
+  const digits = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+  return [...String(value)].map((c) => (c === "-" ? "⁻" : digits[Number(c)])).join("");
+}

@@ -1,0 +1,126 @@
+/**
+ * The motion at any time: samples, and what is between them. Attitudes follow the rates at both samples; ω follows a cubic
+ * through its neighbours, momentum and torque are linear.
+ */
+import type { MotionData } from "./data";
+import { between, makeContinuous, type Quaternion, type Vector } from "./attitude";
+import { indexAt } from "./clock";
+import { BadData, f64 } from "./decode";
+
+export interface Moment {
+  attitude: Quaternion;
+  /** body axes, rad/s */
+  omega: Vector;
+  /** space axes, kg·m²/s */
+  momentum: Vector;
+  /** body axes, N·m; null without torque */
+  torque: Vector | null;
+}
+
+export class Motion {
+  readonly count: number;
+  readonly times: Float64Array;
+  readonly attitude: Float64Array;
+  readonly omega: Float64Array;
+  readonly momentum: Float64Array;
+  readonly torque: Float64Array | null;
+  readonly kinetic: Float64Array;
+  readonly potential: Float64Array | null;
+  readonly drift: { name: string; values: Float64Array }[];
+  /** The largest turn from one sample to the next, rad: what happens between samples is a guess if it is not small. */
+  readonly largestTurn: number;
+
+  constructor(data: MotionData) {
+    const n = data.count;
+    if (!Number.isInteger(n) || n < 1) throw new BadData("the motion has no samples");
+    this.count = n;
+    this.times = f64(data.times, "times", n);
+    this.attitude = f64(data.attitude, "attitude", 4 * n);
+    this.omega = f64(data.omega, "omega", 3 * n);
+    this.momentum = f64(data.momentum, "momentum", 3 * n);
+    this.torque = data.torque === null ? null : f64(data.torque, "torque", 3 * n);
+    this.kinetic = f64(data.kinetic, "kinetic energy", n);
+    this.potential = data.potential === null ? null : f64(data.potential, "potential energy", n);
+    this.drift = data.drift.map(({ name, values }) => ({ name, values: f64(values, name, n) }));
+    for (let i = 1; i < n; i += 1) {
+      if (this.times[i] < this.times[i - 1]) throw new BadData(`times: sample ${i} is earlier than the one before`);
+    }
+    makeContinuous(this.attitude);
+    this.largestTurn = largestTurn(this.times, this.omega);
+  }
+
+  at(time: number): Moment {
+    const i = Math.min(indexAt(this.times, time), Math.max(this.count - 2, 0));
+    const j = Math.min(i + 1, this.count - 1);
+    const step = this.times[j] - this.times[i];
+    const part = step > 0 ? Math.min(Math.max((time - this.times[i]) / step, 0), 1) : 0;
+    return {
+      attitude: between(this.attitudeOf(i), at(this.omega, i), this.attitudeOf(j), at(this.omega, j), step, part),
+      omega: this.#cubic(i, j, part),
+      momentum: linear(this.momentum, i, j, part),
+      torque: this.torque === null ? null : linear(this.torque, i, j, part),
+    };
+  }
+
+  attitudeOf(i: number): Quaternion {
+    const q = this.attitude;
+    return [q[4 * i], q[4 * i + 1], q[4 * i + 2], q[4 * i + 3]];
+  }
+
+  /** The mean of |ω|, rad/s. */
+  meanRate(): number {
+    let sum = 0;
+    for (let i = 0; i < this.count; i += 1) sum += length(at(this.omega, i));
+    return sum / this.count;
+  }
+
+  // Catmull and Rom's cubic, for samples that are not evenly spaced.
+  #cubic(i: number, j: number, s: number): Vector {
+    const slope = (k: number, c: number): number => {
+      const before = Math.max(k - 1, 0);
+      const after = Math.min(k + 1, this.count - 1);
+      const step = this.times[after] - this.times[before];
+      return step > 0 ? (this.omega[3 * after + c] - this.omega[3 * before + c]) / step : 0;
+    };
+    const h = this.times[j] - this.times[i];
+    const component = (c: number): number => {
+      const a = this.omega[3 * i + c];
+      const b = this.omega[3 * j + c];
+      const u = 1 - s;
+      return (
+        u * u * (1 + 2 * s) * a + s * s * (3 - 2 * s) * b + h * s * u * (u * slope(i, c) - s * slope(j, c))
+      );
+    };
+    return [component(0), component(1), component(2)];
+  }
+}
+
+/** The i-th of rows of three. */
+export function at(rows: Float64Array, i: number): Vector {
+  return [rows[3 * i], rows[3 * i + 1], rows[3 * i + 2]];
+}
+
+export function length(v: Vector): number {
+  return Math.hypot(v[0], v[1], v[2]);
+}
+
+/** The lengths of rows of three. */
+export function lengths(rows: Float64Array): Float64Array {
+  const out = new Float64Array(rows.length / 3);
+  for (let i = 0; i < out.length; i += 1) out[i] = length(at(rows, i));
+  return out;
+}
+
+function linear(rows: Float64Array, i: number, j: number, s: number): Vector {
+  const a = at(rows, i);
+  const b = at(rows, j);
+  return [a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1]), a[2] + s * (b[2] - a[2])];
+}
+
+function largestTurn(times: Float64Array, omega: Float64Array): number {
+  let largest = 0;
+  for (let i = 1; i < times.length; i += 1) {
+    largest = Math.max(largest, (times[i] - times[i - 1]) * length(at(omega, i)));
+  }
+  return largest;
+}

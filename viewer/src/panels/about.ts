@@ -1,0 +1,40 @@
+/** What the page is, its conventions, and the licences of what is in it. */
+import { element } from "../dom";
+
+declare const THREE_VERSION: string;
+declare const UPLOT_VERSION: string;
+
+const MIT =
+  "Permission is hereby granted, free of charge, to any person obtaining a copy of this software and associated documentation files " +
+  "(the “Software”), to deal in the Software without restriction, including without limitation the rights to use, copy, modify, merge, " +
+  "publish, distribute, sublicense, and/or sell copies of the Software, and to permit persons to whom the Software is furnished to do " +
+  "so, subject to the following conditions:\n\n" +
+  "The above copyright notice and this permission notice shall be included in all copies or substantial portions of the Software.\n\n" +
+  "THE SOFTWARE IS PROVIDED “AS IS”, WITHOUT WARRANTY OF ANY KIND, EXPRESS OR IMPLIED, INCLUDING BUT NOT LIMITED TO THE WARRANTIES OF " +
+  "MERCHANTABILITY, FITNESS FOR A PARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT SHALL THE AUTHORS OR COPYRIGHT HOLDERS BE LIABLE " +
+  "FOR ANY CLAIM, DAMAGES OR OTHER LIABILITY, WHETHER IN AN ACTION OF CONTRACT, TORT OR OTHERWISE, ARISING FROM, OUT OF OR IN " +
+  "CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER DEALINGS IN THE SOFTWARE.";
+
+export function about(host: HTMLElement, source: string): void {
+  host.append(
+    element("p", {}, "This page is one file. It needs no network and asks for none; it can be sent and kept as it is."),
+    element("p", { class: "hint" }, "Made by: ", element("code", {}, source)),
+    element("h3", {}, "Conventions"),
+    list([
+      "Space axes X Y Z do not move; body axes x y z are fixed in the body as it was described; principal axes 1 2 3 have ascending moments.",
+      "ω is the body’s angular velocity relative to space, in body axes; L = Iω and the torque N are about the point that the body turns about.",
+      "Products of inertia are minus the integrals, so that L = Iω.",
+      "Euler angles are 3-1-3: precession φ about Z, nutation θ, spin ψ about z.",
+      "Arrows of one kind keep one scale through the motion; arrows of different kinds have scales of their own. In the rolling pictures L shows a direction only.",
+    ]),
+    element("h3", {}, "Licences"),
+    element("p", {}, "polhode: MIT or Apache 2.0, at your choice."),
+    element("p", {}, `three.js ${THREE_VERSION}: MIT licence, copyright © 2010–2026 three.js authors.`),
+    element("p", {}, `uPlot ${UPLOT_VERSION}: MIT licence, copyright © 2022 Leon Sorokin.`),
+    element("details", {}, element("summary", {}, "The MIT licence"), element("p", { class: "licence" }, MIT)),
+  );
+}
+
+function list(items: string[]): HTMLElement {
+  return element("ul", {}, ...items.map((text) => element("li", {}, text)));
+}

@@ -1,0 +1,50 @@
+/** The transport: play, step, scrub, loop and speed. */
+import type { Clock } from "../clock";
+import { byId, icon } from "../dom";
+import { number, timeUnit } from "../format";
+
+export function toolbar(clock: Clock): void {
+  const unit = timeUnit(Math.max(Math.abs(clock.end), Math.abs(clock.start)));
+  const play = byId<HTMLButtonElement>("play");
+  const loop = byId<HTMLButtonElement>("loop");
+  const scrub = byId<HTMLInputElement>("scrub");
+  const now = byId("time");
+  const speed = byId("speed");
+  scrub.min = String(clock.start);
+  scrub.max = String(clock.end);
+  scrub.step = "any";
+  scrub.addEventListener("input", () => {
+    // Read before the clock tells this very control to show the old time.
+    const time = Number(scrub.value);
+    clock.pause();
+    clock.set(time);
+  });
+  play.addEventListener("click", () => clock.toggle());
+  loop.addEventListener("click", () => clock.setLoop(!clock.loop));
+  byId("step-back").addEventListener("click", () => clock.step(-1));
+  byId("step-on").addEventListener("click", () => clock.step(1));
+  byId("slower").addEventListener("click", () => clock.changeSpeed(-1));
+  byId("faster").addEventListener("click", () => clock.changeSpeed(1));
+
+  const digits = Math.min(Math.max(3 - Math.floor(Math.log10((clock.end - clock.start) / unit.seconds || 1)), 0), 6);
+  const format = (seconds: number): string => (seconds / unit.seconds).toFixed(digits).replace("-", "−");
+  byId("time-end").textContent = `/ ${format(clock.end)} ${unit.name}`;
+  now.style.minWidth = `${Math.max(format(clock.end).length, format(clock.start).length)}ch`;
+  let shown: boolean | null = null;
+  const update = (): void => {
+    if (shown !== clock.playing) {
+      shown = clock.playing;
+      play.replaceChildren(icon(shown ? "pause" : "play"));
+      play.setAttribute("aria-label", shown ? "Pause" : "Play");
+    }
+    loop.setAttribute("aria-pressed", String(clock.loop));
+    scrub.value = String(clock.time);
+    const part = clock.end > clock.start ? (clock.time - clock.start) / (clock.end - clock.start) : 0;
+    scrub.style.setProperty("--part", `${(100 * part).toFixed(2)}%`);
+    now.textContent = format(clock.time);
+    scrub.setAttribute("aria-valuetext", `${format(clock.time)} ${unit.name}`);
+    speed.textContent = `×${number(clock.speed, 1)}`;
+  };
+  clock.subscribe(update);
+  update();
+}

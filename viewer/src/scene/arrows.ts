@@ -1,0 +1,46 @@
+/** Arrows from the origin. What is inside the body shows through it, faintly. */
+import { ConeGeometry, CylinderGeometry, GreaterDepth, Group, Mesh, MeshBasicMaterial, Vector3 } from "three";
+import type { Ink, Palette } from "./palette";
+
+const Y = new Vector3(0, 1, 0);
+
+export class Arrow {
+  readonly object = new Group();
+  readonly tip = new Vector3();
+  /** False if it is too short to have a direction. */
+  drawn = false;
+  readonly #shafts: Mesh[] = [];
+  readonly #heads: Mesh[] = [];
+  readonly #width: number;
+
+  constructor(ink: Ink, width: number, palette: Palette) {
+    this.#width = width;
+    for (const hidden of [false, true]) {
+      const material = new MeshBasicMaterial(
+        hidden ? { transparent: true, opacity: 0.22, depthFunc: GreaterDepth, depthWrite: false } : {},
+      );
+      palette.bind(material.color, ink);
+      const shaft = new Mesh(new CylinderGeometry(1, 1, 1, 16).translate(0, 0.5, 0), material);
+      const head = new Mesh(new ConeGeometry(1, 1, 24).translate(0, -0.5, 0), material);
+      for (const part of [shaft, head]) part.renderOrder = hidden ? 5 : 0;
+      this.#shafts.push(shaft);
+      this.#heads.push(head);
+      this.object.add(shaft, head);
+    }
+  }
+
+  point(x: number, y: number, z: number): void {
+    this.tip.set(x, y, z);
+    const long = this.tip.length();
+    this.drawn = long > 1e-6;
+    for (const part of [...this.#shafts, ...this.#heads]) part.visible = this.drawn;
+    if (!this.drawn) return;
+    this.object.quaternion.setFromUnitVectors(Y, this.tip.clone().divideScalar(long));
+    const head = Math.min(7 * this.#width, 0.5 * long);
+    for (const shaft of this.#shafts) shaft.scale.set(this.#width, long - head, this.#width);
+    for (const cone of this.#heads) {
+      cone.position.set(0, long, 0);
+      cone.scale.set(Math.min(2.6 * this.#width, head), head, Math.min(2.6 * this.#width, head));
+    }
+  }
+}

@@ -1,0 +1,23 @@
+/** What can be shown in the 3-D view, and in which of its pictures. */
+import type { Object3D } from "three";
+import type { Ink } from "./palette";
+
+export type Picture = "body" | "poinsot" | "cones" | "sphere";
+
+export interface Layer {
+  id: string;
+  label: string;
+  /** The colour of its legend; null for what has none of its own. */
+  ink: Ink | null;
+  look: "arrow" | "line" | "area";
+  /** The pictures that it belongs to, and whether it is on there. */
+  on: Partial<Record<Picture, boolean>>;
+  objects: Object3D[];
+}
+
+/** Shows in a picture what is on there, and nothing else. */
+export function apply(layers: Layer[], picture: Picture): void {
+  for (const layer of layers) {
+    for (const object of layer.objects) object.visible = layer.on[picture] === true;
+  }
+}

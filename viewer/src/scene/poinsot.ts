@@ -1,0 +1,143 @@
+/**
+ * Poinsot's picture of a free motion, in the space of ω. The energy ellipsoid ω·Iω = 2T is fixed in the body; it rolls without slipping
+ * on the invariable plane ω·L = 2T, which is fixed in space, and touches it at the tip of ω. The point of contact draws the polhode on
+ * the ellipsoid and the herpolhode on the plane.
+ */
+import {
+  BackSide,
+  CircleGeometry,
+  DoubleSide,
+  FrontSide,
+  Group,
+  Mesh,
+  MeshBasicMaterial,
+  MeshStandardMaterial,
+  SphereGeometry,
+  Vector3,
+} from "three";
+import type { BodyData, FreeData } from "../data";
+import { points } from "../decode";
+import type { Motion } from "../motion";
+import { at } from "../motion";
+import { curve } from "./lines";
+import type { Palette } from "./palette";
+
+export class Poinsot {
+  /** Turn with the body. */
+  readonly ellipsoid = new Group();
+  readonly polhode = new Group();
+  /** Stay in space. */
+  readonly plane = new Group();
+  readonly herpolhode = new Group();
+  /** Length of 1 rad/s in the picture. */
+  readonly scale: number;
+  readonly radius: number;
+  readonly middle: Vector3;
+  /** The length of L's arrow, through the plane. */
+  readonly arrow: number;
+  readonly outline: Vector3[];
+  /** Direction of L in space. */
+  readonly up: Vector3;
+
+  constructor(free: FreeData, body: BodyData, motion: Motion, palette: Palette) {
+    const polhode = points(free.polhode, "polhode");
+    const herpolhode = points(free.herpolhode, "herpolhode");
+    // a_k = √(2T/i_k); a rod's ellipsoid is a cylinder without end, drawn some way.
+    const fastest = largest(polhode);
+    const half = body.principal.moments.map((i) =>
+      Math.min(i > 0 ? Math.sqrt((2 * free.energy) / i) : Infinity, 6 * fastest),
+    ) as [number, number, number];
+    this.scale = 1.1 / Math.max(...half, Number.MIN_VALUE);
+    const [w, x, y, z] = body.principal.quaternion;
+    const scaled = half.map((a) => a * this.scale) as [number, number, number];
+
+    for (const side of [BackSide, FrontSide]) {
+      const material = new MeshStandardMaterial({
+        roughness: 0.4,
+        transparent: true,
+        opacity: 0.3,
+        side,
+        depthWrite: false,
+      });
+      palette.bind(material.color, "solid");
+      const mesh = new Mesh(new SphereGeometry(1, 64, 48), material);
+      mesh.scale.set(...scaled);
+      mesh.renderOrder = side === BackSide ? 0 : 1;
+      this.ellipsoid.add(mesh);
+    }
+    for (const k of [0, 1, 2]) {
+      // The sections with the principal planes show how it turns.
+      const circle = Array.from({ length: 129 }, (_, i) => {
+        const a = (i / 128) * 2 * Math.PI;
+        const v = [0, 0, 0];
+        v[(k + 1) % 3] = Math.cos(a) * scaled[(k + 1) % 3] * 1.001;
+        v[(k + 2) % 3] = Math.sin(a) * scaled[(k + 2) % 3] * 1.001;
+        return v;
+      }).flat();
+      this.ellipsoid.add(curve(circle, 1, { ink: "edge", width: 1, opacity: 0.45 }, palette));
+    }
+    this.ellipsoid.quaternion.set(x, y, z, w).normalize();
+
+    if (polhode.length >= 6) {
+      this.polhode.add(curve(polhode, this.scale, { ink: "omega", width: 3.2 }, palette));
+    }
+    if (herpolhode.length >= 6) {
+      this.herpolhode.add(curve(herpolhode, this.scale, { ink: "torque", width: 2.2 }, palette));
+    }
+
+    // The plane lies at the distance 2T/|L| along L.
+    this.up = new Vector3(...at(motion.momentum, 0)).normalize();
+    const distance = ((2 * free.energy) / free.momentum) * this.scale;
+    const reach = Math.max(widest(herpolhode, this.up) * this.scale * 1.3, 0.85);
+    this.plane.add(plane(reach, palette));
+    this.plane.position.copy(this.up).multiplyScalar(distance);
+    this.plane.quaternion.setFromUnitVectors(new Vector3(0, 0, 1), this.up);
+
+    // From the ellipsoid's lowest place to the tip of L's arrow.
+    this.arrow = distance + 0.35;
+    const low = -Math.max(...scaled);
+    this.middle = this.up.clone().multiplyScalar((this.arrow + low) / 2);
+    this.radius = Math.max((this.arrow - low) / 2, reach);
+    const outline = new SphereGeometry(1, 16, 12).attributes.position;
+    this.outline = Array.from({ length: outline.count }, (_, i) =>
+      new Vector3()
+        .fromBufferAttribute(outline, i)
+        .multiply(new Vector3(...scaled))
+        .applyQuaternion(this.ellipsoid.quaternion),
+    );
+  }
+}
+
+function plane(reach: number, palette: Palette): Group {
+  const group = new Group();
+  const material = new MeshBasicMaterial({ transparent: true, opacity: 0.1, side: DoubleSide, depthWrite: false });
+  palette.bind(material.color, "ink");
+  group.add(new Mesh(new CircleGeometry(reach, 96), material));
+  for (const part of [0.25, 0.5, 0.75, 1]) {
+    const ring = Array.from({ length: 97 }, (_, i) => {
+      const a = (i / 96) * 2 * Math.PI;
+      return [Math.cos(a), Math.sin(a), 0];
+    }).flat();
+    group.add(curve(ring, part * reach, { ink: "faint", width: 1, opacity: part === 1 ? 0.9 : 0.5 }, palette));
+  }
+  for (const a of [0, 1, 2, 3, 4, 5].map((k) => (k * Math.PI) / 6)) {
+    const [c, s] = [Math.cos(a) * reach, Math.sin(a) * reach];
+    group.add(curve([-c, -s, 0, c, s, 0], 1, { ink: "faint", width: 1, opacity: 0.35 }, palette));
+  }
+  return group;
+}
+
+function largest(rows: Float64Array): number {
+  let best = 0;
+  for (let i = 0; 3 * i < rows.length; i += 1) best = Math.max(best, Math.hypot(...at(rows, i)));
+  return best;
+}
+
+// The distance from the line along `up`.
+function widest(rows: Float64Array, up: Vector3): number {
+  let best = 0;
+  for (let i = 0; 3 * i < rows.length; i += 1) {
+    best = Math.max(best, new Vector3(...at(rows, i)).cross(up).length());
+  }
+  return best;
+}

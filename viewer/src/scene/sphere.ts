@@ -1,0 +1,53 @@
+/**
+ * The momentum sphere: the direction of L as the body sees it, in principal axes. Free motions of this body are the contours of T on it;
+ * the separatrix parts those around the least axis from those around the greatest.
+ */
+import { Group, Mesh, MeshStandardMaterial, SphereGeometry, Vector3 } from "three";
+import type { BodyData, FreeData } from "../data";
+import { points } from "../decode";
+import { curve } from "./lines";
+import type { Palette } from "./palette";
+
+/** Lines lie this far above the sphere. */
+const ABOVE = 1.004;
+
+export class MomentumSphere {
+  /** Turns with the body. */
+  readonly object = new Group();
+  readonly family = new Group();
+  readonly separatrix = new Group();
+  readonly trace = new Group();
+  /** The middle of this motion's curve, principal axes. */
+  readonly middle = new Vector3();
+  readonly #point: Mesh;
+
+  constructor(free: FreeData, body: BodyData, palette: Palette) {
+    const material = new MeshStandardMaterial({ roughness: 0.85 });
+    palette.bind(material.color, "solid");
+    this.object.add(new Mesh(new SphereGeometry(1, 96, 64), material));
+    const draw = (into: Group, rows: string[], what: string, pen: Parameters<typeof curve>[2]): void => {
+      for (const row of rows) {
+        const line = points(row, what);
+        if (line.length >= 6) into.add(curve(line, ABOVE, pen, palette));
+      }
+    };
+    draw(this.family, free.family, "family", { ink: "contour", width: 1.2, opacity: 0.8 });
+    draw(this.separatrix, free.separatrix, "separatrix", { ink: "ink", width: 2.6 });
+    draw(this.trace, [free.trace], "trace", { ink: "omega", width: 4 });
+    const trace = points(free.trace, "trace");
+    for (let i = 0; i < trace.length; i += 3) this.middle.add(new Vector3().fromArray(trace, i));
+    this.middle.normalize();
+    const dot = new MeshStandardMaterial({ roughness: 0.4 });
+    palette.bind(dot.color, "omega");
+    this.#point = new Mesh(new SphereGeometry(0.035, 24, 16), dot);
+    this.object.add(this.family, this.separatrix, this.trace, this.#point);
+    const [w, x, y, z] = body.principal.quaternion;
+    this.object.quaternion.set(x, y, z, w).normalize();
+  }
+
+  /** The direction of L now, in body axes. */
+  draw(momentum: [number, number, number]): void {
+    this.#point.position.set(...momentum).normalize().multiplyScalar(ABOVE);
+    this.#point.position.applyQuaternion(this.object.quaternion.clone().invert());
+  }
+}

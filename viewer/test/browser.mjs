@@ -1,0 +1,67 @@
+// The browser of the tests, and pages in it. CHROMIUM names the executable; else the first on PATH of three names.
+import { accessSync, constants, mkdtempSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { delimiter, join } from "node:path";
+import { pathToFileURL } from "node:url";
+import { chromium } from "playwright-core";
+import { pageOf } from "./page.mjs";
+
+/** Pages and screenshots of this run. */
+export const folder = mkdtempSync(join(tmpdir(), "polhode-viewer-"));
+
+function executable() {
+  if (process.env.CHROMIUM) return process.env.CHROMIUM;
+  for (const name of ["chromium", "chromium-browser", "google-chrome"]) {
+    for (const place of (process.env.PATH ?? "").split(delimiter)) {
+      const path = join(place, name);
+      try {
+        accessSync(path, constants.X_OK);
+        return path;
+      } catch {
+        // not here
+      }
+    }
+  }
+  throw new Error("no Chromium: name one in CHROMIUM");
+}
+
+export const launch = () =>
+  chromium.launch({
+    executablePath: executable(),
+    args: ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--no-sandbox"],
+  });
+
+/** Opens a page with these data from disk; `problems` are its errors and requests. */
+export async function open(browser, name, data, options = {}) {
+  const file = join(folder, `${name}.html`);
+  writeFileSync(file, pageOf(data));
+  const context = await browser.newContext({
+    viewport: { width: 1280, height: 720 },
+    reducedMotion: "reduce",
+    colorScheme: "light",
+    acceptDownloads: true,
+    ...options,
+  });
+  const page = await context.newPage();
+  page.setDefaultTimeout(60_000);
+  const problems = [];
+  // The software renderer's own complaint about reading pixels is not the page's.
+  page.on("console", (m) => {
+    if (["error", "warning"].includes(m.type()) && !m.text().includes("GPU stall")) problems.push(`${m.type()}: ${m.text()}`);
+  });
+  page.on("pageerror", (error) => problems.push(`exception: ${error.message}`));
+  page.on("dialog", (dialog) => {
+    problems.push(`dialog: ${dialog.message()}`);
+    void dialog.dismiss();
+  });
+  const address = pathToFileURL(file).href;
+  page.on("request", (request) => {
+    if (request.url() !== address && !/^(blob|data):/.test(request.url())) problems.push(`request: ${request.url()}`);
+  });
+  await page.goto(address);
+  await page.waitForFunction(() => window.polhode !== undefined);
+  await page.evaluate(() => window.polhode.ready);
+  return { page, problems, close: () => context.close() };
+}
+
+export const shoot = (page, name) => page.screenshot({ path: join(folder, `${name}.png`) });

@@ -1,0 +1,380 @@
+// The page in a real browser, from disk.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { after, before, test } from "node:test";
+import { folder, launch, open, shoot } from "./browser.mjs";
+import { integrate, rotate, samples, tensor } from "./sample.mjs";
+
+let browser;
+before(async () => {
+  browser = await launch();
+});
+after(async () => {
+  await browser.close();
+  console.log(`pages and screenshots: ${folder}`);
+});
+
+const numbers = (text) => new Float64Array(Uint8Array.from(Buffer.from(text, "base64")).buffer);
+const time = (page) => page.evaluate(() => window.polhode.clock.time);
+/** The part of the picture's pixels that are not paper. */
+const inked = (page) =>
+  page.evaluate(() => {
+    const canvas = window.polhode.picture();
+    const pixels = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
+    let count = 0;
+    for (let i = 4; i < pixels.length; i += 4) {
+      const differs = [0, 1, 2].some((k) => Math.abs(pixels[i + k] - pixels[k]) > 12);
+      if (differs) count += 1;
+    }
+    return count / (pixels.length / 4);
+  });
+
+test("it loads from disk without errors or requests, and every picture and tab opens", async () => {
+  const { page, problems, close } = await open(browser, "free", samples.free());
+  const stage = async () => JSON.stringify(await page.locator("#stage").boundingBox());
+  const place = await stage();
+  for (const picture of ["body", "poinsot", "cones", "sphere"]) {
+    await page.click(`[data-picture=${picture}]`);
+    assert.ok((await inked(page)) > 0.02, `${picture} is not blank`);
+    assert.equal(await stage(), place, "nothing jumps");
+    await shoot(page, `free-${picture}`);
+  }
+  for (const tab of ["numbers", "working", "scenario", "about", "plots"]) {
+    await page.click(`#tab-${tab}`);
+    assert.ok((await page.locator(`#panel-${tab}`).innerText()).length > 40, tab);
+    assert.equal(await stage(), place, "nothing jumps");
+    await shoot(page, `tab-${tab}`);
+  }
+  assert.equal(await page.locator("#panel-working math mfrac").count(), 2);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test("play moves the body; keys, buttons and the scrubber set the time", async () => {
+  const { page, problems, close } = await open(browser, "play", samples.free());
+  assert.equal(await page.evaluate(() => window.polhode.clock.playing), false, "reduced motion starts at rest");
+  const shown = () => page.evaluate(() => window.polhode.attitudeAt(window.polhode.clock.time));
+  const rest = await shown();
+  await page.keyboard.press("Space");
+  await page.waitForFunction(() => window.polhode.clock.time > 0.2);
+  assert.notDeepEqual(await shown(), rest);
+  await page.keyboard.press("Space");
+  await page.keyboard.press("Home");
+  assert.equal(await time(page), 0);
+  await page.keyboard.press("ArrowRight");
+  assert.ok(Math.abs((await time(page)) - 0.01) < 1e-12, "one sample on");
+  await page.keyboard.press("End");
+  assert.equal(await time(page), 20);
+  await page.keyboard.press("+");
+  assert.equal(await page.textContent("#speed"), "×2");
+  await page.click("#slower");
+  assert.equal(await page.textContent("#speed"), "×1");
+  const box = await page.locator("#scrub").boundingBox();
+  await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
+  assert.ok(Math.abs((await time(page)) - 10) < 0.2);
+  assert.equal(Number(await page.textContent("#time")).toFixed(1), (await time(page)).toFixed(1));
+  await page.keyboard.press("?");
+  assert.ok(await page.locator("#help").isVisible());
+  await page.keyboard.press("Escape");
+  await page.keyboard.press("2");
+  assert.equal(await page.getAttribute("[data-picture=poinsot]", "aria-pressed"), "true");
+  const azimuth = () => page.evaluate(() => window.polhode.view.orbit.azimuth);
+  const before = await azimuth();
+  await page.keyboard.press("Shift+ArrowRight");
+  assert.notEqual(await azimuth(), before);
+  const stage = await page.locator("#canvas").boundingBox();
+  await page.mouse.move(stage.x + 200, stage.y + 200);
+  await page.mouse.down();
+  await page.mouse.move(stage.x + 300, stage.y + 200);
+  await page.mouse.up();
+  assert.ok(Math.abs((await azimuth()) - before) > 0.3, "dragging turns the camera");
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test("without a wish for reduced motion it plays at once", async () => {
+  const { page, close } = await open(browser, "moving", samples.symmetric(), { reducedMotion: "no-preference" });
+  await page.waitForFunction(() => window.polhode.clock.time > 0.05);
+  await close();
+});
+
+test("the attitude that is shown is the table's", async () => {
+  for (const name of ["free", "heavy"]) {
+    const data = samples[name]();
+    const { page, close } = await open(browser, name, data);
+    const times = numbers(data.motion.times);
+    const table = numbers(data.motion.attitude);
+    for (const i of [0, 1, 137, 700, 1503, times.length - 1]) {
+      const q = await page.evaluate((t) => window.polhode.attitudeAt(t), times[i]);
+      const want = [...table.subarray(4 * i, 4 * i + 4)];
+      const sign = Math.sign(q.reduce((sum, x, k) => sum + x * want[k], 0));
+      q.forEach((x, k) => assert.ok(Math.abs(sign * x - want[k]) < 1e-6, `${name} ${i}: ${q} ${want}`));
+    }
+    // To the screen: the tip of each body axis is where the camera sees R e.
+    const i = 700;
+    const tips = await page.evaluate((t) => {
+      const { clock, view } = window.polhode;
+      clock.set(t);
+      view.render();
+      const { position, up } = view.orbit.camera;
+      const placed = view.labels.placed.map(({ text, tipX, tipY }) => ({ text, tipX, tipY }));
+      const stage = document.querySelector("#stage");
+      return { placed, eye: position.toArray(), up: up.toArray(), target: view.orbit.target.toArray(), w: stage.clientWidth, h: stage.clientHeight, fov: view.orbit.camera.fov };
+    }, times[i]);
+    const minus = (a, b) => a.map((x, k) => x - b[k]);
+    const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+    const dot = (a, b) => a.reduce((sum, x, k) => sum + x * b[k], 0);
+    const unit = (a) => a.map((x) => x / Math.hypot(...a));
+    const ahead = unit(minus(tips.target, tips.eye));
+    const right = unit(cross(ahead, tips.up));
+    const above = cross(right, ahead);
+    const focal = tips.h / 2 / Math.tan((tips.fov * Math.PI) / 360);
+    [[1, 0, 0], [0, 1, 0], [0, 0, 1]].forEach((axis, k) => {
+      const p = minus(rotate([...table.subarray(4 * i, 4 * i + 4)], axis.map((x) => 1.3 * x)), tips.eye);
+      const x = tips.w / 2 + (focal * dot(p, right)) / dot(p, ahead);
+      const y = tips.h / 2 - (focal * dot(p, above)) / dot(p, ahead);
+      const label = tips.placed.find(({ text }) => text === "xyz"[k]);
+      assert.ok(Math.hypot(label.tipX - x, label.tipY - y) < 0.05, `${name}: axis ${k} at ${x}, ${y}, not ${label.tipX}, ${label.tipY}`);
+    });
+    await close();
+  }
+});
+
+test("the plots read values, set the time and follow it", async () => {
+  const data = samples.free();
+  const { page, problems, close } = await open(browser, "plots", data);
+  const over = page.locator("#plot-omega .u-over");
+  const box = await over.boundingBox();
+  const [x, y] = [box.x + 0.3 * box.width, box.y + 40];
+  await page.mouse.move(x - 5, y);
+  await page.mouse.move(x, y);
+  const reading = async () => (await page.locator("#plot-omega .reading").first().textContent()).replace("−", "-");
+  const omega = numbers(data.motion.omega);
+  const i = Math.round(0.3 * 2000);
+  const near = Array.from({ length: 9 }, (_, k) => omega[3 * (i + k - 4)]);
+  const read = Number(await reading());
+  assert.ok(read > Math.min(...near) - 0.01 && read < Math.max(...near) + 0.01, `${read} of ${near}`);
+  assert.equal(await time(page), 0, "pointing does not move the time");
+  await page.mouse.click(x, y);
+  assert.ok(Math.abs((await time(page)) - 6) < 0.1, "a click does");
+  const left = (id) => page.locator(`#plot-${id} .now`).evaluate((e) => e.getBoundingClientRect().left);
+  assert.ok(Math.abs((await left("omega")) - x) < 3);
+  assert.ok(Math.abs((await left("angles")) - (await left("omega"))) < 1, "all plots show one time");
+  await page.mouse.move(10, 10);
+  await page.evaluate(() => window.polhode.clock.set(12));
+  assert.equal(await reading(), (await page.evaluate((v) => v.toPrecision(5), omega[3 * 1200])).toString(), "values at the time of the view");
+  await page.mouse.move(box.x + 0.2 * box.width, y);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 0.4 * box.width, y, { steps: 4 });
+  await page.mouse.up();
+  await page.evaluate(() => window.polhode.clock.set(6));
+  assert.ok(Math.abs((await left("drift")) - (box.x + 0.5 * box.width)) < 12, "zoomed to 4 … 8 s, all plots alike");
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test("each plot saves as SVG and PNG, and the frame as PNG", async () => {
+  const { page, problems, close } = await open(browser, "save", samples.heavy());
+  const save = async (click) => {
+    const [download] = await Promise.all([page.waitForEvent("download"), click()]);
+    return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
+  };
+  for (const id of ["omega", "energy", "momentum", "angles", "drift"]) {
+    const svg = await save(() => page.locator(`#plot-${id} button`, { hasText: "SVG" }).click());
+    assert.equal(svg.name, `a-heavy-top-released-at-rest-${id}.svg`);
+    const root = await page.evaluate(
+      (text) => new DOMParser().parseFromString(text, "image/svg+xml").documentElement.nodeName,
+      svg.bytes.toString("utf8"),
+    );
+    assert.equal(root, "svg");
+  }
+  for (const click of [() => page.locator("#plot-drift button", { hasText: "PNG" }).click(), () => page.click("#photograph")]) {
+    const png = await save(click);
+    assert.equal(png.bytes.subarray(1, 4).toString(), "PNG");
+    assert.ok(png.bytes.length > 5000, png.name);
+  }
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test("hostile text is text", async () => {
+  const evil = `</script><script>alert(1)</script>"'<img src=x onerror=alert(1)><!--`;
+  const data = samples.free();
+  Object.assign(data, { title: evil, source: evil, scenario: evil });
+  data.body.shapes.forEach((shape) => (shape.name = evil));
+  data.motion.method = evil;
+  data.motion.drift.forEach((line) => (line.name = evil));
+  data.facts = [{ title: evil, rows: [{ label: evil, value: evil, unit: evil, note: evil }] }];
+  data.findings = [{ severity: "warning", message: evil }];
+  data.explanation = [
+    { kind: "heading", level: 1, text: evil },
+    { kind: "text", text: evil },
+    { kind: "lines", lines: [evil] },
+    { kind: "table", header: [evil], rows: [[evil]] },
+    ...[
+      "<math><mi>x</mi><script>alert(1)</script></math>",
+      '<math><mi onclick="alert(1)">x</mi></math>',
+      '<math href="javascript:alert(1)"><mi>x</mi></math>',
+      "<math><mtext><img src=x onerror=alert(1)></mtext></math>",
+      "<img src=x onerror=alert(1)>",
+      "<math><annotation-xml encoding='text/html'><p>x</p></annotation-xml></math>",
+    ].map((mathml) => ({ kind: "formula", mathml, text: `plain ${evil}` })),
+  ];
+  const { page, problems, close } = await open(browser, "hostile", data);
+  for (const tab of ["numbers", "working", "scenario", "about"]) await page.click(`#tab-${tab}`);
+  assert.equal(await page.textContent("#title"), evil);
+  assert.equal(await page.textContent(".scenario"), evil);
+  assert.equal(await page.locator("img").count(), 0);
+  assert.equal(await page.locator("math").count(), 0, "a formula that is not plain MathML is its text");
+  assert.equal(await page.locator(".formula code").count(), 6);
+  assert.equal(await page.locator("script").count(), 2, "the data and the page's own");
+  const svg = page.waitForEvent("download");
+  await page.click("#tab-plots");
+  await page.locator("#plot-drift button", { hasText: "SVG" }).click();
+  const text = readFileSync(await (await svg).path(), "utf8");
+  assert.ok(!text.includes("<script") && !text.includes("<img"));
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test("a phone shows it without scrolling sideways; dark colours are dark", async () => {
+  const { page, problems, close } = await open(browser, "phone", samples.free(), {
+    viewport: { width: 390, height: 844 },
+    isMobile: true,
+    hasTouch: true,
+    colorScheme: "dark",
+  });
+  for (const tab of ["numbers", "working", "scenario", "about", "plots"]) {
+    await page.click(`#tab-${tab}`);
+    assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 390, tab);
+  }
+  await shoot(page, "phone-dark");
+  const paper = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+  const dark = await paper();
+  assert.ok(dark.match(/\d+/g).every((c) => Number(c) < 60), dark);
+  await page.click("#theme");
+  assert.equal(await paper(), "rgb(255, 255, 255)");
+  await shoot(page, "phone-light");
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test("labels keep off the body", async () => {
+  const { page, close } = await open(browser, "labels", samples.balls());
+  for (const t of [0, 1.7, 5.3, 9.1, 14.4]) {
+    const boxes = await page.evaluate((t) => {
+      window.polhode.clock.set(t);
+      window.polhode.view.render();
+      const stage = document.querySelector("#stage").getBoundingClientRect();
+      return [...document.querySelectorAll(".label:not([hidden])")].map((e) => {
+        const r = e.getBoundingClientRect();
+        return { text: e.textContent, x: r.x - stage.x, y: r.y - stage.y, w: r.width, h: r.height };
+      });
+    }, t);
+    assert.equal(boxes.length, 8);
+    // Again with nothing but the body.
+    const others = page.locator('#legend button[aria-pressed="true"]:not(#layer-body)');
+    const ids = await others.evaluateAll((all) => all.map((b) => b.id));
+    for (const id of ids) await page.click(`#${id}`);
+    const touched = await page.evaluate((boxes) => {
+      const canvas = window.polhode.picture();
+      const pen = canvas.getContext("2d", { willReadFrequently: true });
+      pen.resetTransform();
+      const paper = pen.getImageData(0, 0, 1, 1).data;
+      return boxes.filter(({ x, y, w, h }) => {
+        const { data } = pen.getImageData(Math.max(x, 0), Math.max(y, 0), w, h);
+        for (let i = 0; i < data.length; i += 4) if (Math.abs(data[i] - paper[0]) > 40) return true;
+        return false;
+      });
+    }, boxes);
+    assert.deepEqual(touched, [], `t = ${t}`);
+    for (const id of ids) await page.click(`#${id}`);
+  }
+  await close();
+});
+
+test("every kind of body is drawn, and each page says what it leaves out", async () => {
+  for (const name of ["mesh", "balls", "box", "symmetric", "heavy"]) {
+    const { page, problems, close } = await open(browser, name, samples[name]());
+    assert.ok((await inked(page)) > 0.02, name);
+    assert.equal(await page.locator("[data-picture]").count(), name === "heavy" ? 1 : 4);
+    if (name === "mesh") assert.match(await page.textContent("#view-note"), /200,704 of 800,000 triangles/);
+    await shoot(page, name);
+    assert.deepEqual(problems, [], name);
+    await close();
+  }
+});
+
+test("the inertia ellipsoid touches the invariable plane at the tip of ω", async () => {
+  const data = samples.free();
+  const { page, close } = await open(browser, "contact", data);
+  await page.click("[data-picture=poinsot]");
+  const omega = numbers(data.motion.omega);
+  const attitude = numbers(data.motion.attitude);
+  // At samples, and between two of them.
+  for (const [i, part, near] of [[0, 0, 1e-6], [400, 0, 1e-6], [1111, 0, 1e-6], [700, 0.5, 1e-3]]) {
+    const { contact, plane } = await page.evaluate((t) => {
+      window.polhode.clock.set(t);
+      window.polhode.view.render();
+      const [plane, contact] = window.polhode.view.layers.find((layer) => layer.id === "plane").objects;
+      return { plane: plane.position.toArray(), contact: contact.position.toArray() };
+    }, (i + part) * 0.01);
+    const distance = Math.hypot(...plane);
+    const height = plane.reduce((sum, x, k) => sum + (x * contact[k]) / distance, 0);
+    assert.ok(Math.abs(height / distance - 1) < near, `${i}: ${height} of ${distance}`);
+    if (part > 0) continue;
+    // The picture's scale: the plane is at 2T/|L|.
+    const scale = distance / ((2 * data.free.energy) / data.free.momentum);
+    const w = rotate([...attitude.subarray(4 * i, 4 * i + 4)], [...omega.subarray(3 * i, 3 * i + 3)]);
+    w.forEach((x, k) => assert.ok(Math.abs(x * scale - contact[k]) < 1e-6));
+  }
+  await close();
+});
+
+test("the edges: one sample, a rod, a permanent rotation, nothing that turns", async () => {
+  const eight = (list) => Buffer.from(Float64Array.from(list).buffer).toString("base64");
+  const one = (omega, momentum, moments) => {
+    const data = samples.box();
+    data.body.principal.moments = moments;
+    data.body.ellipsoid = [1, 0, 0];
+    const motion = { ...data.motion, count: 1, times: eight([0]), attitude: eight([0.6, 0, 0.8, 0]), kinetic: eight([1]) };
+    Object.assign(motion, { omega: eight(omega), momentum: eight(momentum), drift: [] });
+    const free = { ...data.free, period: null, polhode: eight(omega), herpolhode: eight(omega), separatrix: [], family: [], trace: eight([0, 0, 1]) };
+    return { ...data, motion, free: { ...free, energy: 0.5, momentum: Math.hypot(...momentum) }, facts: [], findings: [] };
+  };
+  const cases = {
+    rod: one([0, 0, 1], [-0.96, 0, -0.28], [0, 1, 1]),
+    rest: one([0, 0, 0], [0, 0, 0], [1, 2, 2.5]),
+  };
+  for (const [name, data] of Object.entries(cases)) {
+    const { page, problems, close } = await open(browser, name, data);
+    const pictures = page.locator("[data-picture]");
+    assert.equal(await pictures.count(), name === "rest" ? 1 : 4);
+    for (let k = 1; k < (await pictures.count()); k += 1) {
+      await pictures.nth(k).click();
+      assert.ok((await inked(page)) > 0.002, `${name} ${k}`);
+    }
+    await page.keyboard.press("Space");
+    assert.equal(await time(page), 0);
+    assert.deepEqual(problems, [], name);
+    await close();
+  }
+});
+
+test("data that cannot be shown are named on the page", async () => {
+  const data = samples.free();
+  data.motion.times = data.motion.times.slice(0, 800);
+  const file = await browser.newContext();
+  const page = await file.newPage();
+  const { pageOf } = await import("./page.mjs");
+  await page.setContent(pageOf(data));
+  assert.match(await page.textContent("#problem"), /times: 75 numbers instead of 2001/);
+  await file.close();
+});
+
+test("the sample is a motion: energy and momentum keep", () => {
+  const body = tensor([0.7, 1.3, 1.9], [0.5, 0.5, -0.5, 0.5]);
+  const rows = integrate(body, [1, 0, 0, 0], [0.4, 1.1, -0.6], 10, 101);
+  const energy = ({ omega }) => omega.reduce((sum, w, i) => sum + w * body.inertia[i].reduce((s, x, k) => s + x * omega[k], 0), 0);
+  rows.forEach((row) => assert.ok(Math.abs(energy(row) / energy(rows[0]) - 1) < 1e-9));
+});

@@ -1,0 +1,327 @@
+// Sample pages: motions integrated here in a few lines, so that the viewer is tested without polhode.
+// node test/sample.mjs free|symmetric|heavy|mesh|balls prints the data of a page as JSON.
+import { pathToFileURL } from "node:url";
+
+const b64 = (array) => Buffer.from(array.buffer, array.byteOffset, array.byteLength).toString("base64");
+const f64 = (numbers) => b64(Float64Array.from(numbers));
+const f32 = (numbers) => b64(Float32Array.from(numbers));
+const u32 = (numbers) => b64(Uint32Array.from(numbers));
+
+const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+const norm = (a) => Math.hypot(...a);
+const unit = (a) => a.map((x) => x / Math.hypot(...a));
+const times = (m, v) => m.map((row) => dot(row, v));
+const product = ([a, b, c, d], [e, f, g, h]) => [
+  a * e - b * f - c * g - d * h,
+  a * f + b * e + c * h - d * g,
+  a * g - b * h + c * e + d * f,
+  a * h + b * g - c * f + d * e,
+];
+export const rotate = (q, v) => product(product(q, [0, ...v]), [q[0], -q[1], -q[2], -q[3]]).slice(1);
+const matrixOf = (q) => {
+  const columns = [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map((e) => rotate(q, e));
+  return [0, 1, 2].map((i) => columns.map((c) => c[i]));
+};
+const transpose = (m) => [0, 1, 2].map((i) => m.map((row) => row[i]));
+const multiply = (a, b) => a.map((row) => transpose(b).map((column) => dot(row, column)));
+
+/** Body axes are turned from the principal axes by a generic rotation, so that none can be taken for the other. */
+export function tensor(moments, quaternion) {
+  const r = matrixOf(quaternion);
+  const diagonal = moments.map((m, i) => [0, 1, 2].map((k) => (i === k ? m : 0)));
+  const inverse = moments.map((m, i) => [0, 1, 2].map((k) => (i === k ? 1 / m : 0)));
+  return { inertia: multiply(multiply(r, diagonal), transpose(r)), inverse: multiply(multiply(r, inverse), transpose(r)) };
+}
+
+/** Euler's equations by Runge and Kutta's method: rows of { t, q, omega }. `torque(q)` in body axes. */
+export function integrate({ inertia, inverse }, q, omega, duration, count, torque = () => [0, 0, 0], fine = 20) {
+  const rate = (y) => {
+    const [q, w] = [y.slice(0, 4), y.slice(4)];
+    const n = torque(q);
+    const gyroscopic = cross(w, times(inertia, w));
+    return [...product(q, [0, ...w]).map((x) => x / 2), ...times(inverse, n.map((x, i) => x - gyroscopic[i]))];
+  };
+  const add = (y, k, h) => y.map((x, i) => x + h * k[i]);
+  let y = [...q, ...omega];
+  const rows = [];
+  const h = duration / (count - 1) / fine;
+  for (let i = 0; i < count; i += 1) {
+    rows.push({ t: (i * duration) / (count - 1), q: y.slice(0, 4), omega: y.slice(4) });
+    for (let s = 0; s < fine; s += 1) {
+      const a = rate(y);
+      const b = rate(add(y, a, h / 2));
+      const c = rate(add(y, b, h / 2));
+      const d = rate(add(y, c, h));
+      y = y.map((x, k) => x + (h / 6) * (a[k] + 2 * b[k] + 2 * c[k] + d[k]));
+      const n = Math.hypot(...y.slice(0, 4));
+      for (let k = 0; k < 4; k += 1) y[k] /= n;
+    }
+  }
+  return rows;
+}
+
+function motionData(rows, inertia, torque, potential, method) {
+  const momenta = rows.map(({ q, omega }) => rotate(q, times(inertia, omega)));
+  const kinetic = rows.map(({ omega }) => 0.5 * dot(omega, times(inertia, omega)));
+  const total = kinetic.map((t, i) => t + (potential ? potential(rows[i].q) : 0));
+  const first = norm(momenta[0]);
+  return {
+    count: rows.length,
+    method,
+    times: f64(rows.map((r) => r.t)),
+    attitude: f64(rows.flatMap((r) => r.q)),
+    omega: f64(rows.flatMap((r) => r.omega)),
+    momentum: f64(momenta.flat()),
+    torque: torque ? f64(rows.flatMap((r) => torque(r.q))) : null,
+    kinetic: f64(kinetic),
+    potential: potential ? f64(rows.map((r) => potential(r.q))) : null,
+    drift: [
+      { name: "energy", values: f64(total.map((e) => (e - total[0]) / total[0])) },
+      torque
+        ? { name: "L along Z", values: f64(momenta.map((m) => (m[2] - momenta[0][2]) / first)) }
+        : { name: "|L|", values: f64(momenta.map((m) => (norm(m) - first) / first)) },
+    ],
+  };
+}
+
+/** The curves of a free motion, from a fine integration. */
+function freeData(body, rows, regime) {
+  const { inertia } = body;
+  const axes = transpose(matrixOf(body.quaternion));
+  const momentum = (r) => times(inertia, r.omega);
+  const energy = 0.5 * dot(rows[0].omega, momentum(rows[0]));
+  const size = norm(momentum(rows[0]));
+  const steps = 2400;
+  const span = rows[rows.length - 1].t;
+  const fine = integrate(body, rows[0].q, rows[0].omega, span, steps, undefined, 8);
+  // The period: ω is back, in place and direction, after it was away.
+  const start = fine[0].omega;
+  const speed = norm(fine[1].omega.map((x, k) => x - start[k]));
+  let end = fine.findIndex((r, i) => i > 4 && norm(r.omega.map((x, k) => x - start[k])) < 0.75 * speed);
+  if (end < 0) end = steps - 1;
+  const loop = [...fine.slice(0, end), fine[0]];
+  const [i1, i2, i3] = body.moments;
+  const onSphere = (l) => axes.map((a) => dot(a, l) / size);
+  const family = [];
+  // Contours of Σ l²/i: L turns about axis 1 or 3 on every body.
+  const contour = (l) => {
+    const rates = tensor(body.moments, [1, 0, 0, 0]);
+    const w = l.map((x, k) => (x / body.moments[k]) * size);
+    const rows = integrate(rates, [1, 0, 0, 0], w, span, 1600, undefined, 4);
+    const points = rows.map((r) => r.omega.map((x, k) => (x * body.moments[k]) / size));
+    const step = norm(points[1].map((x, k) => x - points[0][k]));
+    const stop = points.findIndex((p, i) => i > 4 && norm(p.map((x, k) => x - points[0][k])) < 0.75 * step);
+    return [...points.slice(0, stop < 0 ? points.length : stop), ...(stop < 0 ? [] : [points[0]])];
+  };
+  if (i2 - i1 > 1e-9 && i3 - i2 > 1e-9) {
+    for (const angle of [0.25, 0.5, 0.75, 1]) {
+      for (const sign of [1, -1]) {
+        family.push(contour([sign * Math.cos(angle * 0.55), Math.sin(angle * 0.55), 0]));
+        family.push(contour([0, Math.sin(angle * 0.9), sign * Math.cos(angle * 0.9)]));
+      }
+    }
+  }
+  // Separatrix: the planes x² (1/i1 − 1/i2) = z² (1/i2 − 1/i3).
+  const separatrix = [];
+  if (i2 - i1 > 1e-9 && i3 - i2 > 1e-9) {
+    for (const sign of [1, -1]) {
+      const tilt = Math.atan2(Math.sqrt(1 / i1 - 1 / i2), sign * Math.sqrt(1 / i2 - 1 / i3));
+      const ring = Array.from({ length: 181 }, (_, k) => {
+        const a = (k * Math.PI) / 90;
+        return [Math.sin(a) * Math.cos(tilt), Math.cos(a), Math.sin(a) * Math.sin(tilt)];
+      });
+      separatrix.push(f64(ring.flat()));
+    }
+  }
+  return {
+    regime,
+    period: fine[end].t,
+    momentum: size,
+    energy,
+    polhode: f64(loop.flatMap((r) => r.omega)),
+    herpolhode: f64(fine.slice(0, Math.min(8 * end, steps)).flatMap((r) => rotate(r.q, r.omega))),
+    separatrix,
+    family: family.map((c) => f64(c.flat())),
+    trace: f64(loop.flatMap((r) => onSphere(momentum(r)))),
+  };
+}
+
+const FACTS = [
+  {
+    title: "Mass properties",
+    rows: [
+      { label: "mass", value: "0.236 19", unit: "kg", note: "" },
+      { label: "principal moments", value: "1.71e-5  4.61e-5  5.83e-5", unit: "kg·m²", note: "ascending, about the centre of mass" },
+      { label: "symmetry", value: "asymmetric", unit: "", note: "" },
+    ],
+  },
+  {
+    title: "Motion",
+    rows: [
+      { label: "regime", value: "short-axis mode", unit: "", note: "L circles axis 3, the axis of greatest moment" },
+      { label: "period of ω", value: "3.874", unit: "s", note: "" },
+      { label: "flips every", value: "1.937", unit: "s", note: "" },
+    ],
+  },
+  {
+    title: "Evidence",
+    rows: [
+      { label: "energy, largest drift", value: "1.2e-15", unit: "relative", note: "" },
+      { label: "|L|, largest drift", value: "8e-16", unit: "relative", note: "" },
+    ],
+  },
+];
+const MATH =
+  "<math><mrow><mi>T</mi><mo>=</mo><mfrac><mn>1</mn><mn>2</mn></mfrac><mi>ω</mi><mo>·</mo><mi>I</mi><mi>ω</mi><mo>=</mo>" +
+  "<msqrt><mfrac><msup><mi>L</mi><mn>2</mn></msup><msub><mi>i</mi><mn>2</mn></msub></mfrac></msqrt></mrow></math>";
+const EXPLANATION = [
+  { kind: "heading", level: 1, text: "A free asymmetric top" },
+  { kind: "text", text: "Without torque the momentum keeps still in space, and the kinetic energy keeps its value." },
+  { kind: "formula", mathml: MATH, text: "T = ½ ω·Iω" },
+  { kind: "lines", lines: ["D = L²/2T = 5.021e-5 kg·m²", "i2 = 4.610e-5 < D: short-axis mode"] },
+  { kind: "table", header: ["axis", "moment / kg·m²", "ω / rad/s"], rows: [["1", "1.71e-5", "0.31"], ["2", "4.61e-5", "11.0"], ["3", "5.83e-5", "0.52"]] },
+];
+
+const SCENARIO = '# T-handle in free fall\nname = "T-handle in free fall"\n\n[body]\nmaterial = "steel"\n\n[motion]\nomega = "0.3 11 0.5 rad/s"\nduration = "20 s"\n';
+
+function page({ title, body, mass, shapes, ellipsoid, motion, free, about = "centre of mass", lever = [0, 0, 0] }) {
+  return {
+    version: 1,
+    title,
+    source: "polhode 0.1.0 simulate examples/sample.toml",
+    scenario: SCENARIO,
+    body: { mass, inertia: body.inertia, about, lever, principal: { moments: body.moments, quaternion: body.quaternion }, ellipsoid, shapes },
+    motion,
+    free,
+    facts: FACTS,
+    findings: [{ severity: "warning", message: "The spin is 0.8° from the unstable intermediate axis: it flips." }],
+    explanation: EXPLANATION,
+  };
+}
+
+const makeBody = (moments, quaternion) => ({ moments, quaternion, ...tensor(moments, quaternion) });
+/** a_k² = 5/2 (i_l + i_m − i_k)/M */
+const ellipsoidOf = ([a, b, c], mass) => [b + c - a, a + c - b, a + b - c].map((x) => Math.sqrt((2.5 * Math.max(x, 0)) / mass));
+const PART = { name: "part", position: [0, 0, 0], quaternion: [1, 0, 0, 0] };
+const TURN_X = [Math.SQRT1_2, Math.SQRT1_2, 0, 0];
+
+function free() {
+  // T-handle: a stem along body x and a bar along body y; the principal axes 1 2 3 are y x z.
+  const moments = [1.71e-5, 4.61e-5, 5.83e-5];
+  const quaternion = unit([0, Math.SQRT1_2, Math.SQRT1_2, 0]);
+  const body = makeBody(moments, quaternion);
+  const q = unit([0.9, 0.3, -0.2, 0.25]);
+  const rows = integrate(body, q, [11, 0.31, 0.52], 20, 2001);
+  const shapes = [
+    { ...PART, name: "bar", kind: "cylinder", radius: 0.0055, inner: 0, height: 0.074, position: [-0.009, 0, 0], quaternion: TURN_X },
+    { ...PART, name: "stem", kind: "cylinder", radius: 0.0065, inner: 0.003, height: 0.036, position: [0.0145, 0, 0], quaternion: [Math.SQRT1_2, 0, Math.SQRT1_2, 0] },
+  ];
+  return page({
+    title: "T-handle in free fall",
+    body,
+    mass: 0.09,
+    shapes,
+    ellipsoid: ellipsoidOf(moments, 0.09),
+    motion: motionData(rows, body.inertia, null, null, "rk4"),
+    free: freeData(body, rows, "short-axis mode"),
+  });
+}
+
+function symmetric() {
+  const moments = [0.7, 0.7, 1.15];
+  const body = makeBody(moments, unit([1, 0, 0, 0]));
+  const rows = integrate(body, unit([0.95, 0.25, 0.1, 0.05]), [1.1, 0.4, 2.6], 12, 1201);
+  return page({
+    title: "A coin thrown with a wobble",
+    body,
+    mass: 1.3,
+    shapes: [{ ...PART, kind: "cylinder", radius: 1.2, inner: 0, height: 0.25 }],
+    ellipsoid: ellipsoidOf(moments, 1.3),
+    motion: motionData(rows, body.inertia, null, null, "exact"),
+    free: freeData(body, rows, "short-axis mode"),
+  });
+}
+
+function heavy() {
+  const moments = [0.002, 0.011, 0.011];
+  // The symmetry axis, 1, lies along body z.
+  const quaternion = unit([Math.SQRT1_2, 0, -Math.SQRT1_2, 0]);
+  const body = makeBody(moments, quaternion);
+  const [weight, lever] = [0.5 * 9.81, [0, 0, 0.12]];
+  const conjugate = (q) => [q[0], -q[1], -q[2], -q[3]];
+  const torque = (q) => cross(lever, rotate(conjugate(q), [0, 0, -weight]));
+  const potential = (q) => weight * rotate(q, lever)[2];
+  const rows = integrate(body, unit([Math.cos(0.3), Math.sin(0.3), 0, 0]), [0, 0, 120], 6, 3001, torque, 30);
+  return page({
+    title: "A heavy top, released at rest",
+    body,
+    mass: 0.5,
+    about: "pivot",
+    lever,
+    shapes: [
+      { ...PART, name: "tip", kind: "cone", bottom: 0.004, top: 0.008, height: 0.09, position: [0, 0, 0.045] },
+      { ...PART, name: "disc", kind: "torus", radius: 0.07, tube: 0.014, position: [0, 0, 0.12] },
+      { ...PART, name: "hub", kind: "ellipsoid", half: [0.06, 0.06, 0.012], position: [0, 0, 0.12] },
+      { ...PART, name: "stem", kind: "capsule", radius: 0.008, height: 0.06, position: [0, 0, 0.16] },
+    ],
+    ellipsoid: ellipsoidOf([0.002, 0.0038, 0.0038], 0.5),
+    motion: motionData(rows, body.inertia, torque, potential, "rk4"),
+    free: null,
+  });
+}
+
+/** A lumpy body of about `count` triangles. */
+function mesh(count = 200_000) {
+  const made = free();
+  const n = Math.round(Math.sqrt(count / 4));
+  const vertices = [];
+  const triangles = [];
+  for (let i = 0; i <= n; i += 1) {
+    for (let k = 0; k < 2 * n; k += 1) {
+      const [t, p] = [(i / n) * Math.PI, (k / n) * Math.PI];
+      const r = 0.03 * (1 + 0.22 * Math.sin(3 * p) * Math.sin(t) ** 2 + 0.12 * Math.cos(5 * t + p) * Math.sin(t));
+      vertices.push(r * Math.sin(t) * Math.cos(p) * 0.8, 1.5 * r * Math.sin(t) * Math.sin(p), 0.6 * r * Math.cos(t));
+      if (i === n) continue;
+      const next = (k + 1) % (2 * n);
+      const [a, b, c, d] = [i * 2 * n + k, (i + 1) * 2 * n + k, (i + 1) * 2 * n + next, i * 2 * n + next];
+      triangles.push(a, b, c, a, c, d);
+    }
+  }
+  made.title = "A tumbling rock";
+  made.body.shapes = [{ ...PART, name: "rock", kind: "mesh", vertices: f32(vertices), triangles: u32(triangles), of: 4 * count }];
+  return made;
+}
+
+function balls() {
+  const made = free();
+  made.title = "Water, turning";
+  made.body.shapes = [
+    {
+      ...PART,
+      name: "water",
+      kind: "balls",
+      centers: f32([0, 0.0066, 0, 0.0757, -0.052, 0, -0.0757, -0.052, 0]),
+      radii: f32([0.03, 0.02, 0.02]),
+      colors: ["#d55e00", "#dddddd", "#dddddd"],
+      labels: ["O", "H", "H"],
+      sticks: [[0, 1], [0, 2]],
+    },
+  ];
+  return made;
+}
+
+function box() {
+  const made = free();
+  made.title = "No shape, only moments";
+  made.body.shapes = [];
+  made.scenario = null;
+  made.explanation = [];
+  return made;
+}
+
+export const samples = { free, symmetric, heavy, mesh, balls, box };
+
+if (process.argv[1] && import.meta.url === pathToFileURL(process.argv[1]).href) {
+  process.stdout.write(JSON.stringify((samples[process.argv[2]] ?? free)()));
+}

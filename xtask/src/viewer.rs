@@ -1,0 +1,83 @@
+//! The viewer of the page: its tests, and the proof that the committed bundle is the build of its source.
+//!
+//! Nobody who builds the command needs what this needs: Node, npm and Chromium.
+
+use std::path::PathBuf;
+use std::process::Command;
+
+use crate::process::{output, run};
+use crate::{Outcome, root};
+
+/// The oldest Node that the viewer is built and tested with.
+const NODE: u32 = 20;
+
+/// Names under which Chromium is installed.
+const CHROMIUM: [&str; 4] = ["chromium", "chromium-browser", "google-chrome-stable", "google-chrome"];
+
+/// Installs the viewer's packages, builds it in memory, compares that with the committed bundle, byte by byte, and runs its
+/// tests in a browser.
+pub(crate) fn check() -> Outcome {
+    node()?;
+    let chromium = chromium()?;
+    let npm = |arguments: &[&str]| {
+        let mut npm = Command::new(if cfg!(windows) { "npm.cmd" } else { "npm" });
+        npm.args(arguments).current_dir(root().join("viewer"));
+        npm
+    };
+    run(&mut npm(&["ci", "--no-audit", "--no-fund"]))?;
+    // It begins with the types, and that crates/polhode-report/assets/viewer.html is the build.
+    run(npm(&["test"]).env("CHROMIUM", chromium))
+}
+
+fn node() -> Outcome {
+    let hint = format!("the viewer's tests need Node {NODE} or later, https://nodejs.org");
+    let version = output(Command::new("node").arg("--version")).map_err(|why| format!("{why}\n{hint}"))?;
+    match major(&version) {
+        Some(major) if NODE <= major => Ok(()),
+        _ => Err(format!("Node is {}: {hint}", version.trim())),
+    }
+}
+
+/// 20 of `v20.11.1`.
+fn major(version: &str) -> Option<u32> {
+    version.trim().strip_prefix('v')?.split('.').next()?.parse().ok()
+}
+
+/// Chromium, installed if it is not there and this machine lets us.
+fn chromium() -> Result<PathBuf, String> {
+    if let Some(found) = std::env::var_os("CHROMIUM").map(PathBuf::from).or_else(on_path) {
+        return Ok(found);
+    }
+    println!("   no Chromium: installing it");
+    let apt = |arguments: &[&str]| {
+        run(Command::new("apt-get").args(arguments).env("DEBIAN_FRONTEND", "noninteractive"))
+    };
+    let installed = apt(&["update", "-qq"])
+        .and_then(|()| apt(&["install", "-qq", "-y", "--no-install-recommends", "chromium"]));
+    match (installed, on_path()) {
+        (_, Some(found)) => Ok(found),
+        (why, None) => Err(format!(
+            "the viewer's tests need Chromium on the path, or its place in the variable CHROMIUM{}",
+            why.err().map_or_else(String::new, |why| format!(" ({why})"))
+        )),
+    }
+}
+
+fn on_path() -> Option<PathBuf> {
+    let path = std::env::var_os("PATH")?;
+    let mut folders = std::env::split_paths(&path);
+    folders.find_map(|folder| CHROMIUM.iter().map(|name| folder.join(name)).find(|file| file.is_file()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::major;
+
+    #[test]
+    fn the_version_of_node_is_read() {
+        assert_eq!(major("v20.11.1\n"), Some(20));
+        assert_eq!(major("v9.0.0"), Some(9));
+        assert_eq!(major("20"), None);
+        assert_eq!(major("command not found"), None);
+    }
+}

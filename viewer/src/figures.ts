@@ -74,7 +74,7 @@ function drift(motion: Motion): Figure {
     ink: inks[k % inks.length],
     values: values.map((v) => Math.max(Math.abs(v), DRIFT_FLOOR)),
   }));
-  return { ...plain, id: "drift", title: "Drift of what should stay", unit: "relative", log: true, lines };
+  return { ...plain, id: "drift", title: "Drift of what should stay", unit: "relative; 0 is drawn at 10⁻¹⁷", log: true, lines };
 }
 
 const plain = { log: false, wraps: false };

@@ -7,6 +7,7 @@ mod failure;
 mod folder;
 mod inertia;
 mod numbers;
+mod plot;
 mod progress;
 mod shell;
 mod simulate;

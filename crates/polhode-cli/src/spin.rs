@@ -8,13 +8,14 @@ mod when;
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use polhode::{Attitude, AxisConvention, Body, Space, TumblingPeriods};
+use polhode::{Attitude, AxisConvention, Body, FreeMotion, Space, TumblingPeriods};
 use polhode_formats::unit::Dimension;
-use polhode_report::{SpinReport, TumblerReport, pretty};
+use polhode_report::{MotionFigures, SpinReport, TumblerReport, pretty};
 
 use crate::failure::Failure;
 use crate::numbers::{numbers, positive, rotation};
-use crate::stdout::print;
+use crate::plot::{Drawn, PlotFlags};
+use crate::stdout::{columns, print};
 use body::{Moments, Omega, Subject};
 use files::FileFlags;
 use when::TimeFlags;
@@ -26,7 +27,7 @@ use when::TimeFlags;
 /// functions, so a time 10⁹ periods away costs as much as the next second.
 ///
 /// A number without a unit is SI. A list takes a unit for each number or one for all: "(0, 0, 30) deg/s". Nothing is
-/// written unless --duration, --curves or -o is given.
+/// written unless --duration, --curves, -o or --plot is given.
 #[derive(Debug, Args)]
 #[command(
     after_help = "\
@@ -35,6 +36,7 @@ Examples:
   polhode spin examples/t-handle.toml --at 0,10,1e9
   polhode spin --moments 1,2,3 --omega 0.01,1,0.01 --at-file times.txt --json | jq .motion.states
   polhode spin examples/t-handle.toml --duration \"20 s\" --every \"10 ms\" --table csv --curves -o t-handle-free
+  polhode spin --moments 1,2,3 --omega 0.01,1,0.01 --plot polhodes=polhodes.svg --plot herpolhode=herpolhode.svg
   polhode spin --moments 3.0836,3.235,1 --periods \"7.40 d, 5.38 d\" --convention long",
     group = clap::ArgGroup::new("subject").required(true)
 )]
@@ -63,7 +65,7 @@ pub(crate) struct Spin {
         value_parser = periods,
         allow_hyphen_values = true,
         requires = "convention",
-        conflicts_with_all = ["omega", "attitude", "at", "at_file", "duration", "curves", "output"]
+        conflicts_with_all = ["omega", "attitude", "at", "at_file", "duration", "curves", "output", "plot"]
     )]
     periods: Option<TumblingPeriods>,
     /// The axis that --periods speak of.
@@ -74,6 +76,8 @@ pub(crate) struct Spin {
     json: bool,
     #[command(flatten)]
     files: FileFlags,
+    #[command(flatten)]
+    plots: PlotFlags,
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
@@ -103,17 +107,30 @@ impl Spin {
         let motion = subject.motion(subject.start(self.omega, self.attitude)?)?;
         let times = self.times.read()?;
         let target = self.files.target(self.file.as_deref())?;
+        self.plots.check(self.files.force())?;
         let report = SpinReport::new(subject.source(), motion).found(subject.findings()).at(&times);
         let report = report.map_err(|error| Failure::Motion { path: "--at".to_owned(), error })?;
         let json = pretty(&report.to_json()) + "\n";
+        let plots = self.plots(subject, &motion)?;
         let written = match target {
             Some(target) => self.files.write(&target, &json, &motion, &subject.metadata())?,
             None => String::new(),
         };
+        let plotted = plots.map_or_else(|| Ok(String::new()), Drawn::publish)?;
         if self.json {
             return print(json.as_bytes());
         }
-        print((report.to_text() + &written).as_bytes())
+        let text = columns().map_or_else(|| report.to_text(), |columns| report.to_screen(columns));
+        print((text + &written + &plotted).as_bytes())
+    }
+
+    /// The plots, if there are to be some.
+    fn plots(&self, subject: &Subject, motion: &FreeMotion) -> Result<Option<Drawn>, Failure> {
+        if !self.plots.wanted() {
+            return Ok(None);
+        }
+        let trajectory = self.files.to_be_drawn(motion)?;
+        self.plots.draw(&MotionFigures::of_motion(&subject.title(), motion, &trajectory)).map(Some)
     }
 
     fn inverse(

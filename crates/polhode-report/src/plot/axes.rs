@@ -251,5 +251,5 @@ pub(super) fn heading(sheet: &mut Sheet, area: Area, title: &str, subject: &str,
         sheet.text([x + SAMPLE + GAP, y], Anchor::Start, Colour::TEXT, &name);
         x += width + SPACE;
     }
-    y - area.top + GAP + 2.0
+    y - area.top + GAP + 5.0
 }

@@ -15,7 +15,7 @@ pub(super) fn draw(motion: &MotionFigures<'_>, sheet: &mut Sheet, heading: Headi
     let keys = [(theta, "θ nutation"), (phi, "φ precession"), (psi, "ψ spin")];
     let area = heading(sheet, &keys.map(|(pen, name)| Key::line(pen, name)));
     let middle = area.top + 0.4 * area.height();
-    let (upper, lower) = (Area { bottom: middle + 10.0, ..area }, area.below(0.4 * area.height()));
+    let (upper, lower) = (Area { bottom: middle, ..area }, area.below(0.4 * area.height() + 4.0));
 
     let (x, scale) = time_axis(motion.samples(), area.width());
     let angles: Vec<(f64, [f64; 3])> =
@@ -48,8 +48,11 @@ fn followed(angles: &[(f64, [f64; 3])], k: usize) -> Vec<Vec<Point>> {
     let mut pieces: Vec<Vec<Point>> = Vec::new();
     let mut last: Option<f64> = None;
     let mut lifted = true;
+    let at_pole = |angle: &[f64; 3]| angle[1].sin() < POLE;
+    // A body that turns about its own axis 3 and the space's: all of its turn is in φ.
+    let always = angles.iter().all(|(_, angle)| at_pole(angle));
     for (t, angle) in angles {
-        if angle[1].sin() < POLE {
+        if at_pole(angle) && !always {
             lifted = true;
             continue;
         }

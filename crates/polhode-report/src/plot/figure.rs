@@ -23,16 +23,16 @@ pub enum Figure {
 }
 
 impl Figure {
-    /// All figures.
+    /// All figures, in the order in which a sheet of them is read.
     pub const ALL: [Self; 8] = [
         Self::Omega,
         Self::Euler,
+        Self::Polhodes,
+        Self::Herpolhode,
         Self::Energy,
         Self::Momentum,
         Self::Torque,
         Self::Drift,
-        Self::Polhodes,
-        Self::Herpolhode,
     ];
 
     /// Its name on the command line.

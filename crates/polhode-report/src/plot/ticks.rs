@@ -47,10 +47,16 @@ impl Ticks {
     }
 }
 
-/// The least of 1, 2 and 5 times a power of ten that is not below x.
+/// Of 1, 2 and 5 times the powers of ten the one that is nearest to x as a ratio.
 fn step(x: f64) -> f64 {
     let power = 10_f64.powi(x.log10().floor().clamp(-300.0, 300.0) as i32);
-    let step = [1.0, 2.0, 5.0].into_iter().find(|m| m * power >= x * (1.0 - 1e-9)).unwrap_or(10.0);
+    // Between two of them the border is their geometric mean.
+    let step = match x / power {
+        part if part < 2.0_f64.sqrt() => 1.0,
+        part if part < 10.0_f64.sqrt() => 2.0,
+        part if part < 50.0_f64.sqrt() => 5.0,
+        _ => 10.0,
+    };
     step * power
 }
 
@@ -79,8 +85,8 @@ mod tests {
     #[test]
     fn steps_are_one_two_or_five() {
         let ticks = |a, b, n| Ticks::linear(a, b, n).labels.join(" ");
-        assert_eq!(ticks(-0.37, 1.21, 5.0), "0 0.5 1.0".replace("0 0", "0 0"));
-        assert_eq!(ticks(-6.3, 6.1, 6.0), "−5 0 5");
+        assert_eq!(ticks(-0.37, 1.21, 4.0), "0 0.5 1.0");
+        assert_eq!(ticks(-6.3, 6.1, 6.0), "−6 −4 −2 0 2 4 6");
         assert_eq!(ticks(0.0, 20.0, 10.0), "0 2 4 6 8 10 12 14 16 18 20");
         assert_eq!(ticks(99.991, 99.994, 3.0), "99.991 99.992 99.993 99.994");
         assert_eq!(ticks(-0.000_3, 0.000_3, 4.0), "−0.0002 0 0.0002");
@@ -94,7 +100,7 @@ mod tests {
             let least = -3.7 + 0.317 * f64::from(k);
             let greatest = least + 10_f64.powf(-4.0 + 0.04 * f64::from(k));
             let ticks = Ticks::linear(least, greatest, 6.0);
-            assert!((2..=13).contains(&ticks.values.len()), "{least} {greatest}: {ticks:?}");
+            assert!((3..=13).contains(&ticks.values.len()), "{least} {greatest}: {ticks:?}");
             for (value, label) in ticks.values.iter().zip(&ticks.labels) {
                 let slack = 1e-8 * (greatest - least);
                 assert!((least - slack..=greatest + slack).contains(value));

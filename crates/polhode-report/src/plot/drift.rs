@@ -87,7 +87,7 @@ pub(super) fn departures(motion: &MotionFigures<'_>) -> Vec<Departure> {
 
 /// One dot where several would be one.
 fn sparse(dots: Vec<Point>) -> Vec<Point> {
-    const CELL: f64 = 1.2;
+    const CELL: f64 = 1.8;
     let cell = |x: f64| (x / CELL).round() as i64;
     let mut seen = std::collections::BTreeSet::new();
     dots.into_iter()

@@ -15,8 +15,8 @@ pub(crate) fn print(data: &[u8]) -> Result<(), Failure> {
 
 /// The columns of the terminal that reads standard output; `None` where it is a pipe or a file.
 pub(crate) fn columns() -> Option<usize> {
-    if !io::stdout().is_terminal() {
-        return None;
-    }
-    terminal_size::terminal_size().map(|(width, _)| usize::from(width.0))
+    /// Those of a terminal that does not say.
+    const USUAL: usize = 80;
+    let told = || terminal_size::terminal_size().map_or(USUAL, |(width, _)| usize::from(width.0));
+    io::stdout().is_terminal().then(told)
 }

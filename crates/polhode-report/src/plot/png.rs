@@ -57,7 +57,7 @@ impl Canvas {
                 self.stroke(path(&lines, false), pen);
             }
             Mark::Polygon { corners, fill } => {
-                self.fill(path(std::slice::from_ref(corners), true), &solid(*fill, 1.0))
+                self.fill(path(std::slice::from_ref(corners), true), &solid(*fill, 1.0));
             }
             Mark::Ball { center, radius } => self.ball(*center, *radius),
             Mark::Text(text) => self.text(text),

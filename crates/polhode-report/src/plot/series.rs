@@ -63,7 +63,7 @@ pub(super) fn time_axis(samples: &[Sample], width: f64) -> (Axis, f64) {
     let times = range(samples.iter().map(|s| s.state.time));
     let largest = times.into_iter().map(f64::abs).fold(0.0, f64::max);
     let (unit, scale) = unit_of_time(largest);
-    (Axis::linear(times.map(|t| t / scale), 0.0, (width / 64.0).clamp(3.0, 10.0), "t", unit), scale)
+    (Axis::linear(times.map(|t| t / scale), 0.0, (width / 76.0).clamp(3.0, 10.0), "t", unit), scale)
 }
 
 /// The unit in which a time is read, and its length, s.

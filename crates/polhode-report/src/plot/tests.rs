@@ -117,7 +117,8 @@ fn every_kind_of_motion_has_its_figures_and_is_refused_the_others() {
         check(name, &MotionFigures::of_scenario(scenario, &trajectory), expected);
     }
     let still = [Omega, Euler, Polhodes, Energy, Momentum, Drift];
-    let cases: [(&str, [f64; 3], [f64; 3], &[Figure]); 9] = [
+    type Thrown<'a> = (&'a str, [f64; 3], [f64; 3], &'a [Figure]);
+    let cases: [Thrown<'_>; 9] = [
         ("long axis", [1.3, 2.7, 3.1], [2.1, -0.3, 0.4], &free),
         ("separatrix", [1.0, 2.0, 3.0], [3.0_f64.sqrt(), 0.5, 1.0], &free),
         ("oblate", [2.2, 2.2, 3.7], [0.4, -0.3, 2.0], &free),
@@ -179,8 +180,9 @@ fn a_curve_is_its_data() {
     let into = scenario.rotor().principal().rotation().inverse();
     for k in 0..3 {
         let colour = sheet::Colour::AXES[k];
-        let curve =
-            &lines().filter(|(lines, pen)| pen.colour == colour && lines[0].len() > 9).last().unwrap().0[0];
+        let is_curve =
+            |(lines, pen): &(&Vec<Vec<Point>>, &sheet::Pen)| pen.colour == colour && lines[0].len() > 9;
+        let curve = &lines().find(is_curve).unwrap().0[0];
         for sample in trajectory.samples() {
             let value = (into * sample.state.omega).to_array()[k];
             let place = [across(sample.state.time), up(value)];

@@ -62,24 +62,19 @@ impl PlotFlags {
         Ok(())
     }
 
-    /// Draws everything, and writes it beside its place.
+    /// Draws everything, and writes nothing yet.
     pub(crate) fn draw(&self, motion: &MotionFigures<'_>) -> Result<Drawn, Failure> {
         let failed = |error: &PlotError| Failure::usage(error.to_string(), error.hint());
-        // All are drawn before the first is written.
         let drawn: Result<Vec<_>, Failure> = self
             .plot
             .iter()
             .map(|plot| {
                 let picture = plot.figure.map_or_else(|| motion.overview(), |figure| motion.draw(figure));
                 let picture = picture.map_err(|error| failed(&error))?;
-                Ok((plot.path.as_path(), plot.format.encode(&picture)?))
+                Ok((plot.path.clone(), plot.format.encode(&picture)?))
             })
             .collect();
-        let mut files = Drawn { files: Vec::new() };
-        for (path, bytes) in drawn? {
-            files.add(path, &bytes).map_err(|error| output(path, error))?;
-        }
-        Ok(files)
+        Ok(Drawn { files: drawn? })
     }
 }
 
@@ -101,45 +96,36 @@ impl Format {
     }
 }
 
-/// Pictures that are written beside their places, and moved there by [`Drawn::publish`]. Dropped before that, they leave nothing.
+/// Pictures that wait until everything else is written: the folder of results may be where they go.
 #[derive(Debug)]
 pub(crate) struct Drawn {
-    /// Where each is now, and where it goes.
-    files: Vec<(PathBuf, PathBuf)>,
+    files: Vec<(PathBuf, Vec<u8>)>,
 }
 
 impl Drawn {
-    fn add(&mut self, path: &Path, bytes: &[u8]) -> io::Result<()> {
-        let name = path.file_name().unwrap_or_default().to_string_lossy();
-        let partial = path.with_file_name(format!(".{name}.partial-{}", std::process::id()));
-        if let Some(parent) = path.parent().filter(|parent| !parent.as_os_str().is_empty()) {
-            fs::create_dir_all(parent)?;
+    /// Writes each picture, whole or not at all; gives a line that says which.
+    pub(crate) fn publish(self) -> Result<String, Failure> {
+        let mut shown = Vec::new();
+        for (path, bytes) in &self.files {
+            write(path, bytes).map_err(|error| output(path, error))?;
+            shown.push(path.display().to_string());
         }
-        self.files.push((partial.clone(), path.to_owned()));
-        fs::write(partial, bytes)
-    }
-
-    /// Moves the pictures to their places; gives a line that says which.
-    pub(crate) fn publish(mut self) -> Result<String, Failure> {
-        let mut text = String::new();
-        for (partial, path) in std::mem::take(&mut self.files) {
-            if let Err(error) = fs::rename(&partial, &path) {
-                let _ = fs::remove_file(&partial);
-                return Err(output(&path, error));
-            }
-            let gap = if text.is_empty() { "wrote " } else { "  " };
-            text.push_str(&format!("{gap}{}", path.display()));
-        }
-        Ok(if text.is_empty() { text } else { text + "\n" })
+        Ok(if shown.is_empty() { String::new() } else { format!("wrote {}\n", shown.join("  ")) })
     }
 }
 
-impl Drop for Drawn {
-    fn drop(&mut self) {
-        for (partial, _) in &self.files {
-            let _ = fs::remove_file(partial);
-        }
+/// Writes a file beside its place and moves it there.
+fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let partial = path.with_file_name(format!(".{name}.partial-{}", std::process::id()));
+    if let Some(parent) = path.parent().filter(|parent| !parent.as_os_str().is_empty()) {
+        fs::create_dir_all(parent)?;
     }
+    let written = fs::write(&partial, bytes).and_then(|()| fs::rename(&partial, path));
+    if written.is_err() {
+        let _ = fs::remove_file(&partial);
+    }
+    written
 }
 
 fn output(path: &Path, error: io::Error) -> Failure {

@@ -22,7 +22,12 @@ pub enum PlotError {
         /// As many there are.
         count: usize,
     },
-    /// A curve cannot be followed.
+    /// The body turns too far from a sample to the next: angles cannot be followed.
+    TooCoarse {
+        /// The largest such turn, rad.
+        turn: f64,
+    },
+    /// A curve has too many points.
     Curve {
         /// The figure.
         figure: Figure,
@@ -41,7 +46,7 @@ impl PlotError {
     pub fn hint(&self) -> &'static str {
         match self {
             Self::NotThere { .. } => "a plot without a name draws all figures that the motion has",
-            Self::TooFewSamples { .. } => "sample more often: samples = 1001",
+            Self::TooFewSamples { .. } | Self::TooCoarse { .. } => "sample more often, or for a shorter time",
             Self::Curve { .. } => "try a shorter duration, or another figure",
             Self::Pixels { .. } => "write SVG",
         }
@@ -55,6 +60,11 @@ impl fmt::Display for PlotError {
             Self::TooFewSamples { count } => {
                 write!(f, "a plot against time needs 2 samples, and there are {count}")
             }
+            Self::TooCoarse { turn } => write!(
+                f,
+                "the figure euler cannot be drawn: the body turns by up to {} rad from a sample to the next",
+                crate::number::number(*turn, 3)
+            ),
             Self::Curve { figure, error } => {
                 write!(f, "the figure {} cannot be drawn: {error}", figure.name())
             }

@@ -5,12 +5,24 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
+use polhode::Sample;
+
 use super::axes::{Area, Axes, Key};
+use super::error::PlotError;
 use super::motion::MotionFigures;
 use super::series::{Heading, axis, pieces, time_axis};
 use super::sheet::{Pen, Point, Sheet};
 
-pub(super) fn draw(motion: &MotionFigures<'_>, sheet: &mut Sheet, heading: Heading<'_>) {
+pub(super) fn draw(
+    motion: &MotionFigures<'_>,
+    sheet: &mut Sheet,
+    heading: Heading<'_>,
+) -> Result<(), PlotError> {
+    // A turn that is missed would be drawn as a slower one.
+    let turn = largest_turn(motion.samples());
+    if !(turn <= FRAC_PI_2) {
+        return Err(PlotError::TooCoarse { turn });
+    }
     let [phi, theta, psi] = [Pen::axis(0), Pen::axis(1), Pen::axis(2)];
     let keys = [(theta, "θ nutation"), (phi, "φ precession"), (psi, "ψ spin")];
     let area = heading(sheet, &keys.map(|(pen, name)| Key::line(pen, name)));
@@ -39,6 +51,16 @@ pub(super) fn draw(motion: &MotionFigures<'_>, sheet: &mut Sheet, heading: Headi
     for (curve, pen) in around.iter().zip([phi, psi]) {
         pieces(&axes, curve, pen, sheet);
     }
+    Ok(())
+}
+
+/// The largest |ω| Δt, rad.
+fn largest_turn(samples: &[Sample]) -> f64 {
+    let turn = |pair: &[Sample]| match pair {
+        [a, b] => (b.state.time - a.state.time) * a.state.omega.norm().max(b.state.omega.norm()),
+        _ => 0.0,
+    };
+    samples.windows(2).map(turn).fold(0.0, f64::max)
 }
 
 /// φ (k = 0) or ψ (k = 2) in degrees, as it goes on, in the pieces that can be followed.

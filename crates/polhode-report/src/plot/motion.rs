@@ -80,10 +80,12 @@ impl<'a> MotionFigures<'a> {
     /// All figures that this motion has, two beside each other.
     ///
     /// # Errors
-    /// As [`MotionFigures::draw`], but a curve with too many points is left out.
+    /// As [`MotionFigures::draw`], but a curve with too many points, and angles that cannot be followed, are left out.
     pub fn overview(&self) -> Result<Picture, PlotError> {
         let wanted = self.figures();
-        let drawn = |figure: &Figure| !matches!(self.draw(*figure), Err(PlotError::Curve { .. }));
+        let drawn = |figure: &Figure| {
+            !matches!(self.draw(*figure), Err(PlotError::Curve { .. } | PlotError::TooCoarse { .. }))
+        };
         let figures: Vec<Figure> = wanted.into_iter().filter(drawn).collect();
         self.side_by_side(&figures)
     }
@@ -135,7 +137,7 @@ impl<'a> MotionFigures<'a> {
         };
         match (figure, &self.free) {
             (Figure::Drift, _) => drift::draw(self, sheet, &keyed),
-            (Figure::Euler, _) => euler::draw(self, sheet, &keyed),
+            (Figure::Euler, _) => euler::draw(self, sheet, &keyed)?,
             (Figure::Polhodes, Some(motion)) => {
                 sphere::draw(motion, sheet, &keyed).map_err(|error| PlotError::Curve { figure, error })?;
             }

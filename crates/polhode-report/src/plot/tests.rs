@@ -263,6 +263,12 @@ fn fewer_than_two_samples_are_refused() {
     let figures = MotionFigures::of_scenario(&scenario, &trajectory);
     assert_eq!(figures.draw(Figure::Euler), Err(PlotError::TooFewSamples { count: 1 }));
     readable(&figures.draw(Figure::Polhodes).unwrap(), "one sample");
+    // 2 rad and more from sample to sample: slower turns would be drawn than there are.
+    scenario.run = Some(Run::evenly(30.0, 21, Method::Auto, 1e-12));
+    let trajectory = scenario.simulate().unwrap().unwrap();
+    let figures = MotionFigures::of_scenario(&scenario, &trajectory);
+    assert!(matches!(figures.draw(Figure::Euler), Err(PlotError::TooCoarse { turn }) if turn > 1.9));
+    readable(&figures.overview().unwrap(), "coarse");
 }
 
 #[cfg(feature = "png")]

@@ -66,8 +66,7 @@ fn corners(points: &[Point]) -> Vec<Point> {
         }
         let between = points.iter().enumerate().take(to).skip(from + 1);
         let farthest = between.map(|(k, p)| (k, distance(*p, *a, *b))).max_by(|a, b| a.1.total_cmp(&b.1));
-        if let Some((k, away)) = farthest.filter(|(_, away)| *away > SEEN) {
-            debug_assert!(away > SEEN);
+        if let Some((k, _)) = farthest.filter(|(_, away)| *away > SEEN) {
             spans.push((from, k));
             spans.push((k, to));
         }

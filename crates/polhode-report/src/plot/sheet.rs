@@ -14,6 +14,7 @@ pub(super) type Point = [f64; 2];
 pub(super) struct Colour(pub(super) u32);
 
 impl Colour {
+    #[cfg(feature = "png")]
     pub(super) const WHITE: Self = Self(0xff_ff_ff);
     /// Titles, and the curve that a figure is about.
     pub(super) const BLACK: Self = Self(0x1f_23_28);

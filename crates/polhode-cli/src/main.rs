@@ -10,6 +10,7 @@ mod inertia;
 mod model_file;
 mod numbers;
 mod page;
+mod plot;
 mod progress;
 mod shell;
 mod simulate;

@@ -6,13 +6,14 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use polhode::{Scenario, Trajectory};
 use polhode_formats::scenario;
-use polhode_report::{MotionReport, SourceInfo, pretty};
+use polhode_report::{MotionFigures, MotionReport, SourceInfo, pretty};
 
 use crate::failure::Failure;
 use crate::folder::Folder;
 use crate::page::{Page, Shown};
+use crate::plot::PlotFlags;
 use crate::progress::Progress;
-use crate::stdout::print;
+use crate::stdout::{columns, print};
 use crate::table::{self, Format};
 
 /// Compute the motion of a scenario and write it to a folder.
@@ -25,6 +26,7 @@ use crate::table::{self, Format};
 Examples:
   polhode simulate examples/t-handle.toml
   polhode simulate examples/heavy-top.toml -o results/top --table csv --table parquet
+  polhode simulate examples/t-handle.toml --plot overview.png --plot omega=omega.svg
   polhode simulate examples/curtis-tube.toml --json | jq .motion")]
 pub(crate) struct Simulate {
     /// The scenario, a TOML file with a [run] section.
@@ -32,7 +34,7 @@ pub(crate) struct Simulate {
     /// The folder to write [default: the scenario's name, here].
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
-    /// Replace the results of an earlier run.
+    /// Replace the results and the plots of an earlier run.
     #[arg(long)]
     force: bool,
     /// The format of the table; may be given more than once.
@@ -44,6 +46,8 @@ pub(crate) struct Simulate {
     /// Print the summary as JSON.
     #[arg(long)]
     json: bool,
+    #[command(flatten)]
+    plots: PlotFlags,
 }
 
 impl Simulate {
@@ -51,6 +55,7 @@ impl Simulate {
         let (scenario, text) = scenario::read_with_text(&self.file)?;
         let target = self.output.clone().unwrap_or_else(|| default_folder(&self.file));
         Folder::check(&target, self.force)?;
+        self.plots.check(self.force)?;
         let trajectory = self.trajectory(&scenario)?;
 
         let title = scenario.title.as_deref().unwrap_or("scenario");
@@ -61,11 +66,14 @@ impl Simulate {
             command: format!("simulate {}", self.file.display()),
             shown: Shown::Scenario { scenario: &scenario, text: &text, file: &self.file },
         };
+        let plots = self.plots.draw(&MotionFigures::of_scenario(&scenario, &trajectory))?;
         let written = self.write(&target, &summary, &scenario, &trajectory, &page)?;
+        let plotted = plots.publish()?;
         if self.json {
             return print(summary.as_bytes());
         }
-        print(format!("{}{written}\n", report.to_text()).as_bytes())
+        let text = columns().map_or_else(|| report.to_text(), |columns| report.to_screen(columns));
+        print(format!("{text}{written}\n{plotted}").as_bytes())
     }
 
     fn trajectory(&self, scenario: &Scenario) -> Result<Trajectory, Failure> {

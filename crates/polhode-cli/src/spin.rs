@@ -8,13 +8,14 @@ mod when;
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use polhode::{Attitude, AxisConvention, Body, Space, TumblingPeriods};
+use polhode::{Attitude, AxisConvention, Body, FreeMotion, Space, TumblingPeriods};
 use polhode_formats::unit::Dimension;
-use polhode_report::{SpinReport, TumblerReport, pretty};
+use polhode_report::{MotionFigures, SpinReport, TumblerReport, pretty};
 
 use crate::failure::Failure;
 use crate::numbers::{numbers, positive, rotation};
-use crate::stdout::print;
+use crate::plot::{Drawn, PlotFlags};
+use crate::stdout::{columns, print};
 use body::{Moments, Omega, Subject};
 use files::FileFlags;
 use when::TimeFlags;
@@ -26,7 +27,7 @@ use when::TimeFlags;
 /// functions, so a time 10⁹ periods away costs as much as the next second.
 ///
 /// A number without a unit is SI. A list takes a unit for each number or one for all: "(0, 0, 30) deg/s". Nothing is
-/// written unless --duration, --curves, --html or -o is given.
+/// written unless --duration, --curves, --html, -o or --plot is given.
 #[derive(Debug, Args)]
 #[command(
     after_help = "\
@@ -36,6 +37,7 @@ Examples:
   polhode spin --moments 1,2,3 --omega 0.01,1,0.01 --at-file times.txt --json | jq .motion.states
   polhode spin examples/t-handle.toml --duration \"20 s\" --every \"10 ms\" --table csv --curves -o t-handle-free
   polhode spin --moments 1,2,3 --omega 0.01,1,0.01 --html=spin.html
+  polhode spin --moments 1,2,3 --omega 0.01,1,0.01 --plot polhodes=polhodes.svg --plot herpolhode=herpolhode.svg
   polhode spin --moments 3.0836,3.235,1 --periods \"7.40 d, 5.38 d\" --convention long",
     group = clap::ArgGroup::new("subject").required(true)
 )]
@@ -64,7 +66,7 @@ pub(crate) struct Spin {
         value_parser = periods,
         allow_hyphen_values = true,
         requires = "convention",
-        conflicts_with_all = ["omega", "attitude", "at", "at_file", "duration", "curves", "html", "output"]
+        conflicts_with_all = ["omega", "attitude", "at", "at_file", "duration", "curves", "html", "output", "plot"]
     )]
     periods: Option<TumblingPeriods>,
     /// The axis that --periods speak of.
@@ -75,6 +77,8 @@ pub(crate) struct Spin {
     json: bool,
     #[command(flatten)]
     files: FileFlags,
+    #[command(flatten)]
+    plots: PlotFlags,
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
@@ -105,19 +109,32 @@ impl Spin {
         let times = self.times.read()?;
         let target = self.files.target(self.file.as_deref())?;
         self.files.check_html()?;
+        self.plots.check(self.files.force())?;
         let report = SpinReport::new(subject.source(), motion).found(subject.findings()).at(&times);
         let report = report.map_err(|error| Failure::Motion { path: "--at".to_owned(), error })?;
         let json = pretty(&report.to_json()) + "\n";
+        let plots = self.plots(subject, &motion)?;
         let page = subject.page(self.file.as_deref(), motion.start(), motion.principal());
         let mut written = self.files.write_html(&motion, &page.page(), &times)?;
         if let Some(target) = target {
             written +=
                 &self.files.write(&target, &json, &motion, &subject.metadata(), &page.page(), &times)?;
         }
+        let plotted = plots.map_or_else(|| Ok(String::new()), Drawn::publish)?;
         if self.json {
             return print(json.as_bytes());
         }
-        print((report.to_text() + &written).as_bytes())
+        let text = columns().map_or_else(|| report.to_text(), |columns| report.to_screen(columns));
+        print((text + &written + &plotted).as_bytes())
+    }
+
+    /// The plots, if there are to be some.
+    fn plots(&self, subject: &Subject, motion: &FreeMotion) -> Result<Option<Drawn>, Failure> {
+        if !self.plots.wanted() {
+            return Ok(None);
+        }
+        let trajectory = self.files.to_be_drawn(motion)?;
+        self.plots.draw(&MotionFigures::of_motion(&subject.title(), motion, &trajectory)).map(Some)
     }
 
     fn inverse(

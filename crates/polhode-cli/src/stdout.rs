@@ -1,6 +1,6 @@
 //! Standard output: data, and nothing else.
 
-use std::io::{self, Write as _};
+use std::io::{self, IsTerminal as _, Write as _};
 
 use crate::failure::Failure;
 
@@ -11,4 +11,12 @@ pub(crate) fn print(data: &[u8]) -> Result<(), Failure> {
         io::ErrorKind::BrokenPipe => Failure::ClosedPipe,
         _ => Failure::Output { path: "standard output".to_owned(), error },
     })
+}
+
+/// The columns of the terminal that reads standard output; `None` where it is a pipe or a file.
+pub(crate) fn columns() -> Option<usize> {
+    /// Those of a terminal that does not say.
+    const USUAL: usize = 80;
+    let told = || terminal_size::terminal_size().map_or(USUAL, |(width, _)| usize::from(width.0));
+    io::stdout().is_terminal().then(told)
 }

@@ -179,21 +179,6 @@ pub(crate) fn matrix_rows(rows: &[[f64; 3]; 3], digits: usize) -> Vec<String> {
     lines.into_iter().map(|line| format!("{line}{}", " ".repeat(longest - width(&line)))).collect()
 }
 
-/// A picture of a curve: eight heights from its least to its greatest value; `None` for one that does not vary.
-pub(crate) fn sparkline(values: &[f64], columns: usize) -> Option<String> {
-    const HEIGHTS: [char; 8] = ['▁', '▂', '▃', '▄', '▅', '▆', '▇', '█'];
-    let (least, greatest) =
-        values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), &x| (a.min(x), b.max(x)));
-    let span = greatest - least;
-    if values.len() < 2 || !span.is_finite() || span <= 1e-9 * greatest.abs().max(least.abs()) {
-        return None;
-    }
-    let columns = columns.min(values.len());
-    let at = |k: usize| values[k * (values.len() - 1) / (columns - 1).max(1)];
-    let height = |x: f64| HEIGHTS[(((x - least) / span * 8.0) as usize).min(7)];
-    Some((0..columns).map(|k| height(at(k))).collect())
-}
-
 fn is_number(cell: &str) -> bool {
     cell.chars().any(|c| c.is_ascii_digit())
         && cell.chars().all(|c| c.is_ascii_digit() || matches!(c, '-' | '.' | 'e' | GROUP))
@@ -214,8 +199,6 @@ mod tests {
     fn wrapping_counts_what_is_seen() {
         assert_eq!(width("ω\u{307}1"), 2);
         assert_eq!(wrap("one two three", "  ", 9), ["  one two", "  three"]);
-        assert_eq!(sparkline(&[1.0, 1.0], 10), None);
-        assert_eq!(sparkline(&[0.0, 1.0, 2.0, 3.0], 4).as_deref(), Some("▁▃▆█"));
     }
 
     #[test]

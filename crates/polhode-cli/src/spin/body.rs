@@ -131,6 +131,14 @@ impl Subject {
         )
     }
 
+    /// What a plot is about.
+    pub(super) fn title(&self) -> String {
+        match self {
+            Self::Scenario { path, scenario } => scenario.title.clone().unwrap_or_else(|| path.clone()),
+            Self::Moments([a, b, c]) => format!("moments {a}, {b}, {c} kg·m²"),
+        }
+    }
+
     pub(super) fn findings(&self) -> Vec<Finding> {
         match self {
             Self::Scenario { scenario, .. } => scenario.findings.clone(),

@@ -5,7 +5,7 @@ use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use polhode::{FreeMotion, Method, Run, Trajectory};
+use polhode::{FreeMotion, Method, Regime, Run, Trajectory};
 use polhode_formats::times;
 use polhode_formats::unit::Dimension;
 
@@ -55,7 +55,7 @@ pub(super) struct FileFlags {
     /// The folder to write [default: the scenario's name, else spin, here].
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
-    /// Replace the results of an earlier run.
+    /// Replace the results and the plots of an earlier run.
     #[arg(long)]
     force: bool,
 }
@@ -70,6 +70,29 @@ impl FileFlags {
         let target = self.output.clone().unwrap_or_else(name);
         Folder::check(&target, self.force)?;
         Ok(Some(target))
+    }
+
+    pub(super) const fn force(&self) -> bool {
+        self.force
+    }
+
+    /// The motion as plots show it: up to --duration, else some periods.
+    pub(super) fn to_be_drawn(&self, motion: &FreeMotion) -> Result<Trajectory, Failure> {
+        const PERIODS: f64 = 3.0;
+        const EACH: f64 = 128.0;
+        let start = motion.start();
+        let span = self.duration.unwrap_or_else(|| match (motion.regime(), motion.period()) {
+            (_, Some(period)) => PERIODS * period,
+            (Regime::AtRest, _) => 1.0,
+            // Until nothing happens any more: sech 8 is 7e-4.
+            (Regime::Separatrix, _) => 2.0 * 8.0 / motion.polhode_rate(),
+            _ => PERIODS * TAU / start.omega.norm(),
+        });
+        let fine = motion.period().map_or(0.0, |period| EACH * span / period);
+        let samples = fine.clamp(2001.0, 100_001.0) as usize;
+        let times: Vec<f64> = Run::evenly(span, samples, Method::Exact, 0.0).times;
+        let failed = |error| Failure::Motion { path: "the plot".to_owned(), error };
+        Trajectory::of_motion(*motion, &times).map_err(failed)
     }
 
     /// Writes the folder; says what was written.

@@ -8,6 +8,7 @@ use polhode::{Scenario, Trajectory};
 use serde_json::Value;
 
 use crate::source::SourceInfo;
+use crate::sparkline;
 
 /// A motion, ready to be read.
 ///
@@ -50,7 +51,12 @@ impl<'a> MotionReport<'a> {
 
     /// One screen for people.
     pub fn to_text(&self) -> String {
-        text::write(self)
+        text::write(self, sparkline::COLUMNS)
+    }
+
+    /// The same for a terminal of so many columns: the picture of ω is as wide as that allows.
+    pub fn to_screen(&self, columns: usize) -> String {
+        text::write(self, sparkline::fitting(columns))
     }
 
     /// The content of `summary.json`: the body, the start, the run, the kind of motion, its error, its end.

@@ -4,18 +4,17 @@ use polhode::{ConstantTorque, FreeRegime, Pendulum, Sample, Solution, Swing, Tor
 
 use super::MotionReport;
 use super::facts::{Facts, Needed, Top};
-use crate::layout::{WIDTH, broken, columns, labelled, plain_spaces, printable, sparkline};
+use crate::layout::{WIDTH, broken, columns, labelled, plain_spaces, printable};
 use crate::number::{count, error, number, tidy, ungrouped, vector};
+use crate::sparkline::Sparkline;
 use crate::unit::{self, CLOSED, DIGITS, cone, rate};
 use crate::{finding, intermediate, omega};
 
 /// Forces on more particles than this fill the screen: JSON has them all.
 const MOST_PARTICLES: usize = 8;
 
-/// Columns of the picture of ω.
-const CURVE: usize = 72;
-
-pub(super) fn write(report: &MotionReport<'_>) -> String {
+/// The motion, with a picture of ω of so many columns.
+pub(super) fn write(report: &MotionReport<'_>, picture: usize) -> String {
     let facts = Facts::of(report.scenario, report.trajectory);
     let samples = report.trajectory.samples();
     let mut text = heading(report, samples);
@@ -33,7 +32,7 @@ pub(super) fn write(report: &MotionReport<'_>) -> String {
         text.push_str(&labelled("torque", &torque_in_words(torque)));
     }
     text.push_str(&evidence(report, &facts));
-    text.push_str(&curve(&facts, samples));
+    text.push_str(&curve(&facts, samples, picture));
     text.push_str(&ends(report, &facts));
     if let Solution::Integrated { tolerance, statistics, .. } = report.trajectory.solution() {
         let line = format!(
@@ -219,32 +218,17 @@ fn evidence(report: &MotionReport<'_>, facts: &Facts) -> String {
 }
 
 /// The component of ω along a principal axis that varies most.
-fn curve(facts: &Facts, samples: &[Sample]) -> String {
+fn curve(facts: &Facts, samples: &[Sample], columns: usize) -> String {
     let to_principal = facts.rotor.principal().rotation().inverse();
     let omega: Vec<[f64; 3]> = samples.iter().map(|s| (to_principal * s.state.omega).to_array()).collect();
-    let span = |k: usize| {
-        let values = || omega.iter().map(|w| w[k]);
-        values().fold(f64::NEG_INFINITY, f64::max) - values().fold(f64::INFINITY, f64::min)
-    };
-    let most = (0..3).fold(0, |best, k| if span(k) > span(best) { k } else { best });
-    let values: Vec<f64> = omega.iter().map(|w| w[most]).collect();
-    let shown = &values[..resolved(&values, CURVE / 4)];
-    let speed = facts.start.omega.norm();
-    let Some(line) = sparkline(shown, CURVE).filter(|_| span(most) > 1e-9 * speed) else {
+    let Some(Sparkline { axis, line, values }) = Sparkline::of_omega(&omega, columns) else {
         return String::new();
     };
-    let until = match samples.get(shown.len()) {
+    let until = match samples.get(values) {
         Some(sample) => format!("  to {} s", number(sample.state.time, 3)),
         None => String::new(),
     };
-    labelled(&format!("ω along axis {}", most + 1), &format!("{line}{until}"))
-}
-
-/// How many of the values, from the first on, have at most `turns` turning points: more would not be seen.
-fn resolved(values: &[f64], turns: usize) -> usize {
-    let is_turn = |w: &&[f64]| (w[1] - w[0]) * (w[2] - w[1]) < 0.0;
-    let mut turning = values.windows(3).enumerate().filter(|(_, w)| is_turn(w));
-    turning.nth(turns).map_or(values.len(), |(k, _)| k + 1)
+    labelled(&format!("ω along axis {axis}"), &format!("{line}{until}"))
 }
 
 /// The state at the start and at the end, and what energy did.

@@ -282,7 +282,7 @@ fn evidence(input: &PageInput<'_>, is_free: bool) -> Vec<Row> {
         vec![row("T − work", drift.work_energy), row("L − impulse", drift.momentum)]
     };
     rows.extend(drift.total_energy.map(|total| row("T + U stays to", total)));
-    if let Solution::Integrated { tolerance, statistics } = input.trajectory.solution() {
+    if let Solution::Integrated { tolerance, statistics, .. } = input.trajectory.solution() {
         rows.push(Row::new("tolerance", error(*tolerance), "").note("of a step"));
         rows.push(Row::new("steps", count(statistics.accepted), ""));
     }

@@ -10,6 +10,7 @@ use polhode::{Finding, FreeMotion, Herpolhode, MotionError};
 use serde_json::Value;
 
 use crate::source::SourceInfo;
+use crate::sparkline;
 use states::Printed;
 
 pub use tumbler::TumblerReport;
@@ -67,7 +68,12 @@ impl SpinReport {
 
     /// One screen for people, and a line for each time that was asked for.
     pub fn to_text(&self) -> String {
-        text::write(self)
+        text::write(self, None)
+    }
+
+    /// The same for a terminal of so many columns, with a picture of ω as wide as that allows.
+    pub fn to_screen(&self, columns: usize) -> String {
+        text::write(self, Some(sparkline::fitting(columns)))
     }
 
     /// One object with the same keys for every motion, `null` where a motion does not have one.

@@ -9,10 +9,12 @@ use super::{SpinReport, body, invariable_plane, states};
 use crate::layout::{labelled, plain_spaces};
 use crate::number::{GROUP, number, tidy, ungrouped, vector};
 use crate::source::SourceInfo;
+use crate::sparkline::Sparkline;
 use crate::unit::{self, CLOSED, DIGITS};
 use crate::{finding, intermediate, omega};
 
-pub(super) fn write(report: &SpinReport) -> String {
+/// The motion, with a picture of ω of so many columns if there is to be one.
+pub(super) fn write(report: &SpinReport, picture: Option<usize>) -> String {
     let motion = &report.motion;
     let mut text = heading(report.source.as_ref());
     text.push_str(&labelled("moments", &body::in_words(motion.principal())));
@@ -22,6 +24,9 @@ pub(super) fn write(report: &SpinReport) -> String {
     text.push_str(&kind(motion));
     text.push_str(&instability(motion));
     text.push_str(&periods(motion));
+    if let Some(columns) = picture {
+        text.push_str(&curve(motion, columns));
+    }
     text.push_str(&tumbling(motion));
     text.push_str(&nutation(motion));
     text.push_str(&herpolhode(motion));
@@ -83,6 +88,19 @@ fn periods(motion: &FreeMotion) -> String {
             labelled("period of ω", &format!("{} in the body{flips}", time(period)))
         }
     }
+}
+
+/// Two periods of the component of ω along a principal axis that varies most.
+fn curve(motion: &FreeMotion, columns: usize) -> String {
+    const PERIODS: f64 = 2.0;
+    let Some(period) = motion.period() else { return String::new() };
+    let into = motion.principal().rotation().inverse();
+    let at = |k: usize| motion.start().time + PERIODS * period * (k as f64 / (columns - 1) as f64);
+    let omega: Vec<[f64; 3]> = (0..columns).map(|k| (into * motion.at(at(k)).omega).to_array()).collect();
+    let line = Sparkline::of_omega(&omega, columns);
+    line.map_or_else(String::new, |Sparkline { axis, line, .. }| {
+        labelled(&format!("ω along axis {axis}"), &format!("{line}  2 periods"))
+    })
 }
 
 /// P_φ and P_ψ, in both conventions where the body has two extreme axes.

@@ -1,0 +1,180 @@
+//! Plots: which figure goes into which file.
+
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use polhode_report::{Figure, MotionFigures, Picture, PlotError};
+
+use crate::failure::Failure;
+
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Plots")]
+pub(crate) struct PlotFlags {
+    /// Draw all figures that the motion has into FILE.svg or FILE.png; NAME=FILE draws one: omega, euler, energy, momentum,
+    /// torque, drift, polhodes or herpolhode. May be given more than once.
+    #[arg(long, value_name = "[NAME=]FILE", value_parser = plot)]
+    plot: Vec<Plot>,
+}
+
+/// A figure, or all of them, and its file.
+#[derive(Clone, Debug, PartialEq)]
+struct Plot {
+    figure: Option<Figure>,
+    path: PathBuf,
+    format: Format,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Format {
+    Svg,
+    Png,
+}
+
+impl PlotFlags {
+    pub(crate) const fn wanted(&self) -> bool {
+        !self.plot.is_empty()
+    }
+
+    /// Refuses files that are there already, unless they may be replaced, and a file for two plots.
+    pub(crate) fn check(&self, force: bool) -> Result<(), Failure> {
+        for (k, Plot { path, .. }) in self.plot.iter().enumerate() {
+            let shown = path.display();
+            if self.plot.iter().take(k).any(|other| other.path == *path) {
+                let hint = "give each plot a file of its own";
+                return Err(Failure::usage(format!("{shown} is to hold two plots"), hint));
+            }
+            let is_file = match fs::symlink_metadata(path) {
+                Err(error) if error.kind() == io::ErrorKind::NotFound => continue,
+                Err(error) => return Err(Failure::Output { path: shown.to_string(), error }),
+                Ok(meta) => meta.is_file(),
+            };
+            if !(force && is_file) {
+                let hint = if is_file {
+                    "choose another file, or replace it with --force"
+                } else {
+                    "choose another file"
+                };
+                return Err(Failure::usage(format!("{shown} is there already"), hint));
+            }
+        }
+        Ok(())
+    }
+
+    /// Draws everything, and writes nothing yet.
+    pub(crate) fn draw(&self, motion: &MotionFigures<'_>) -> Result<Drawn, Failure> {
+        let failed = |error: &PlotError| Failure::usage(error.to_string(), error.hint());
+        let drawn: Result<Vec<_>, Failure> = self
+            .plot
+            .iter()
+            .map(|plot| {
+                let picture = plot.figure.map_or_else(|| motion.overview(), |figure| motion.draw(figure));
+                let picture = picture.map_err(|error| failed(&error))?;
+                Ok((plot.path.clone(), plot.format.encode(&picture)?))
+            })
+            .collect();
+        Ok(Drawn { files: drawn? })
+    }
+}
+
+impl Format {
+    #[cfg(feature = "png")]
+    fn encode(self, picture: &Picture) -> Result<Vec<u8>, Failure> {
+        match self {
+            Self::Svg => Ok(picture.to_svg().into_bytes()),
+            Self::Png => picture.to_png().map_err(|error| Failure::usage(error.to_string(), error.hint())),
+        }
+    }
+
+    #[cfg(not(feature = "png"))]
+    fn encode(self, picture: &Picture) -> Result<Vec<u8>, Failure> {
+        match self {
+            Self::Svg => Ok(picture.to_svg().into_bytes()),
+            Self::Png => Err(Failure::usage("this polhode was built without PNG", "write SVG")),
+        }
+    }
+}
+
+/// Pictures that wait until everything else is written: the folder of results may be where they go.
+#[derive(Debug)]
+pub(crate) struct Drawn {
+    files: Vec<(PathBuf, Vec<u8>)>,
+}
+
+impl Drawn {
+    /// Writes each picture, whole or not at all; gives a line that says which.
+    pub(crate) fn publish(self) -> Result<String, Failure> {
+        let mut shown = Vec::new();
+        for (path, bytes) in &self.files {
+            write(path, bytes).map_err(|error| output(path, error))?;
+            shown.push(path.display().to_string());
+        }
+        Ok(if shown.is_empty() { String::new() } else { format!("wrote {}\n", shown.join("  ")) })
+    }
+}
+
+/// Writes a file beside its place and moves it there.
+fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let partial = path.with_file_name(format!(".{name}.partial-{}", std::process::id()));
+    if let Some(parent) = path.parent().filter(|parent| !parent.as_os_str().is_empty()) {
+        fs::create_dir_all(parent)?;
+    }
+    let written = fs::write(&partial, bytes).and_then(|()| fs::rename(&partial, path));
+    if written.is_err() {
+        let _ = fs::remove_file(&partial);
+    }
+    written
+}
+
+fn output(path: &Path, error: io::Error) -> Failure {
+    Failure::Output { path: path.display().to_string(), error }
+}
+
+/// `omega=fig.svg` or `fig.svg`; a path with a `=` of its own begins with its folder: `./a=b.svg`.
+fn plot(text: &str) -> Result<Plot, String> {
+    let names = Figure::ALL.map(Figure::name).join(", ");
+    let (figure, path) = match text.split_once('=') {
+        Some((name, path)) if !name.contains(['/', '\\', '.']) => {
+            let figure =
+                Figure::named(name).ok_or_else(|| format!("{name:?} is not a figure: they are {names}"))?;
+            (Some(figure), path)
+        }
+        _ => (None, text),
+    };
+    let ending = Path::new(path).extension().map(|ending| ending.to_string_lossy().to_lowercase());
+    let format = match ending.as_deref() {
+        Some("svg") => Format::Svg,
+        Some("png") => Format::Png,
+        _ if Figure::named(path).is_some() => return Err(format!("which file? {path}={path}.svg")),
+        _ => return Err("a plot is a file that ends with .svg or .png".to_owned()),
+    };
+    Ok(Plot { figure, path: PathBuf::from(path), format })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_plot_is_a_figure_and_a_file() {
+        let is = |text: &str, figure, format, path: &str| {
+            assert_eq!(plot(text), Ok(Plot { figure, format, path: PathBuf::from(path) }), "{text}");
+        };
+        is("fig.svg", None, Format::Svg, "fig.svg");
+        is("omega=out/ω.PNG", Some(Figure::Omega), Format::Png, "out/ω.PNG");
+        is("./a=b.svg", None, Format::Svg, "./a=b.svg");
+        for (wrong, says) in [
+            ("fig", "ends with .svg"),
+            ("fig.pdf", "ends with .svg"),
+            ("speed=fig.svg", "they are omega, euler"),
+            ("drift", "drift=drift.svg"),
+            ("drift=", "ends with .svg"),
+            ("=a.svg", "is not a figure"),
+        ] {
+            let error = plot(wrong).unwrap_err();
+            assert!(error.contains(says), "{wrong}: {error}");
+        }
+    }
+}

@@ -1,0 +1,255 @@
+//! A pair of axes: numbers to places, and everything around the curves.
+
+use super::font;
+use super::sheet::{Anchor, Colour, LARGE, Mark, Pen, Point, SMALL, Sheet, Text};
+use super::ticks::{Ticks, exponent, power_of_ten, reduced};
+
+/// A part of a sheet.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Area {
+    pub(super) left: f64,
+    pub(super) top: f64,
+    pub(super) right: f64,
+    pub(super) bottom: f64,
+}
+
+impl Area {
+    pub(super) const fn width(&self) -> f64 {
+        self.right - self.left
+    }
+
+    pub(super) const fn height(&self) -> f64 {
+        self.bottom - self.top
+    }
+
+    /// Without so much above.
+    pub(super) const fn below(self, used: f64) -> Self {
+        Self { top: self.top + used, ..self }
+    }
+}
+
+/// One axis: its range, and what stands at it.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Axis {
+    /// Both ends, in the numbers that stand at it.
+    range: [f64; 2],
+    /// Taken out of all numbers.
+    exponent: i32,
+    /// Numbers are logarithms of the values.
+    log: bool,
+    ticks: Ticks,
+    /// `ω, 10⁻³ rad/s`
+    label: String,
+}
+
+impl Axis {
+    /// An axis that holds values from `least` to `greatest`, with about so many marks; `margin` is the part of the range that is
+    /// added at both ends.
+    pub(super) fn linear(
+        [least, greatest]: [f64; 2],
+        margin: f64,
+        count: f64,
+        name: &str,
+        unit: &str,
+    ) -> Self {
+        let exponent = exponent(least.abs().max(greatest.abs()));
+        let [least, greatest] = [least, greatest].map(|x| reduced(x, exponent));
+        let size = least.abs().max(greatest.abs());
+        // What varies by rounding alone stays in the middle, a straight line.
+        let [least, greatest] = match greatest - least {
+            span if span > 1e-9 * size => [least - margin * span, greatest + margin * span],
+            _ if size == 0.0 => [-1.0, 1.0],
+            _ => [least - 0.1 * size, greatest + 0.1 * size],
+        };
+        let power = if exponent == 0 { String::new() } else { format!("{} ", power_of_ten(exponent)) };
+        Self {
+            range: [least, greatest],
+            exponent,
+            log: false,
+            ticks: Ticks::linear(least, greatest, count),
+            label: if unit.is_empty() { name.to_owned() } else { format!("{name}, {power}{unit}") },
+        }
+    }
+
+    /// A logarithmic axis from 10^least to 10^greatest; its lowest mark stands for 0 and what is too small to be shown.
+    pub(super) fn powers(least: i32, greatest: i32, most: i32, name: &str) -> Self {
+        let mut ticks = Ticks::powers(least + 1, greatest, most);
+        ticks.values.insert(0, f64::from(least));
+        ticks.labels.insert(0, "0".to_owned());
+        Self {
+            range: [f64::from(least), f64::from(greatest)],
+            exponent: 0,
+            log: true,
+            ticks,
+            label: name.to_owned(),
+        }
+    }
+
+    /// The same without anything beside its marks.
+    pub(super) fn bare(mut self) -> Self {
+        self.label.clear();
+        self.ticks.labels.clear();
+        self
+    }
+
+    /// 0 at the beginning of the axis, 1 at its end.
+    pub(super) fn part(&self, value: f64) -> f64 {
+        let [least, greatest] = self.range;
+        let x = if self.log { value.log10().max(least) } else { reduced(value, self.exponent) };
+        (x - least) / (greatest - least)
+    }
+
+    fn widest(&self) -> f64 {
+        self.ticks.labels.iter().map(|label| font::width(label, SMALL)).fold(0.0, f64::max)
+    }
+}
+
+/// Two axes in their place.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Axes {
+    /// Where curves are.
+    pub(super) area: Area,
+    x: Axis,
+    y: Axis,
+}
+
+/// From the labels to the frame, and from a line of text to the next.
+const GAP: f64 = 6.0;
+const LINE: f64 = 17.0;
+/// What stands to the right of the frame: half a label.
+const RIGHT: f64 = 14.0;
+
+impl Axes {
+    /// Axes that with their labels fill an area; `left` is where its frame begins, if others are to stand under it.
+    pub(super) fn within(outer: Area, x: Axis, y: Axis, left: Option<f64>) -> Self {
+        let beside = left.unwrap_or_else(|| Self::beside(&y));
+        let below = match (x.ticks.labels.is_empty(), x.label.is_empty()) {
+            (true, _) => GAP,
+            (false, true) => LINE,
+            (false, false) => 2.0 * LINE + 3.0,
+        };
+        let area = Area {
+            left: outer.left + beside,
+            right: outer.right - RIGHT,
+            top: outer.top + 0.5 * SMALL,
+            bottom: outer.bottom - below,
+        };
+        Self { area, x, y }
+    }
+
+    /// Axes with the same scale both ways: their frame is a square in the middle.
+    pub(super) fn square(outer: Area, x: Axis, y: Axis) -> Self {
+        let mut axes = Self::within(outer, x, y, None);
+        let side = axes.area.width().min(axes.area.height());
+        let spare = axes.area.width() - side;
+        axes.area.left += 0.5 * spare;
+        axes.area.right = axes.area.left + side;
+        axes.area.bottom = axes.area.top + side;
+        axes
+    }
+
+    /// What stands to the left of the frame of an axis.
+    pub(super) fn beside(y: &Axis) -> f64 {
+        y.widest() + GAP + if y.label.is_empty() { 0.0 } else { LINE + 2.0 }
+    }
+
+    /// The place of a pair of values.
+    pub(super) fn at(&self, [x, y]: Point) -> Point {
+        [
+            self.area.left + self.x.part(x) * self.area.width(),
+            self.area.bottom - self.y.part(y) * self.area.height(),
+        ]
+    }
+
+    pub(super) fn draw(&self, sheet: &mut Sheet) {
+        let Area { left, top, right, bottom } = self.area;
+        let grid = Pen::solid(Colour::GRID, 0.8);
+        let ([x0, x1], [y0, y1]) = (self.x.range, self.y.range);
+        let across = |value: f64| left + (value - x0) / (x1 - x0) * self.area.width();
+        let up = |value: f64| bottom - (value - y0) / (y1 - y0) * self.area.height();
+        sheet.lines(self.x.ticks.values.iter().map(|&v| vec![[across(v), top], [across(v), bottom]]), grid);
+        sheet.lines(self.y.ticks.values.iter().map(|&v| vec![[left, up(v)], [right, up(v)]]), grid);
+        if !self.y.log && y0 < 0.0 && y1 > 0.0 {
+            sheet.line(vec![[left, up(0.0)], [right, up(0.0)]], Pen::solid(Colour(0xc3_ca_d2), 0.8));
+        }
+        let frame = vec![[left, top], [left, bottom], [right, bottom], [right, top], [left, top]];
+        sheet.line(frame, Pen::solid(Colour::FRAME, 0.8));
+
+        let mut free = f64::NEG_INFINITY;
+        for (value, label) in self.x.ticks.values.iter().zip(&self.x.ticks.labels) {
+            let text = Text::small([across(*value), bottom + LINE], Anchor::Middle, Colour::TEXT, label);
+            let [from, to] = text.extent().map(|x| x + text.at[0]);
+            if from > free {
+                free = to + 4.0;
+                sheet.marks.push(Mark::Text(text));
+            }
+        }
+        for (value, label) in self.y.ticks.values.iter().zip(&self.y.ticks.labels) {
+            let at = [left - GAP, up(*value) + 0.36 * SMALL];
+            sheet.text(at, Anchor::End, Colour::TEXT, label);
+        }
+        let middle = [0.5 * (left + right), bottom + 2.0 * LINE];
+        if !self.x.label.is_empty() {
+            sheet.text(middle, Anchor::Middle, Colour::BLACK, &self.x.label);
+        }
+        if !self.y.label.is_empty() {
+            let at = [left - GAP - self.y.widest() - 8.0, 0.5 * (top + bottom)];
+            let text = Text::small(at, Anchor::Middle, Colour::BLACK, &self.y.label);
+            sheet.marks.push(Mark::Text(Text { upward: true, ..text }));
+        }
+    }
+}
+
+/// What a curve looks like beside its name: a piece of line, or a dot.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Key {
+    pub(super) pen: Pen,
+    pub(super) name: String,
+    pub(super) dot: bool,
+}
+
+impl Key {
+    pub(super) fn line(pen: Pen, name: impl Into<String>) -> Self {
+        Self { pen, name: name.into(), dot: false }
+    }
+
+    pub(super) fn dot(pen: Pen, name: impl Into<String>) -> Self {
+        Self { pen, name: name.into(), dot: true }
+    }
+}
+
+/// Writes the title of a figure with what it is about at the right, and below them the keys; gives the height used.
+pub(super) fn heading(sheet: &mut Sheet, area: Area, title: &str, subject: &str, keys: &[Key]) -> f64 {
+    const SAMPLE: f64 = 24.0;
+    const SPACE: f64 = 18.0;
+    let base = area.top + LARGE;
+    let title_text = font::fitted(title, LARGE, area.width());
+    let used = font::width(&title_text, LARGE);
+    let text = Text::small([area.left, base], Anchor::Start, Colour::BLACK, &title_text);
+    sheet.marks.push(Mark::Text(Text { size: LARGE, ..text }));
+    let room = area.width() - used - 2.0 * SPACE;
+    if room > 60.0 && !subject.is_empty() {
+        let subject = font::fitted(subject, SMALL, room);
+        sheet.text([area.right, base], Anchor::End, Colour::FAINT, &subject);
+    }
+    if keys.is_empty() {
+        return LARGE + GAP;
+    }
+    let (mut x, mut y) = (area.left, base + 1.3 * LINE);
+    for key in keys {
+        let name = font::fitted(&key.name, SMALL, area.width() - SAMPLE - GAP);
+        let width = SAMPLE + GAP + font::width(&name, SMALL);
+        if x > area.left && x + width > area.right {
+            (x, y) = (area.left, y + LINE);
+        }
+        let line = y - 0.36 * SMALL;
+        if key.dot {
+            sheet.dots(vec![[x + 0.5 * SAMPLE, line]], key.pen);
+        } else {
+            sheet.line(vec![[x, line], [x + SAMPLE, line]], key.pen);
+        }
+        sheet.text([x + SAMPLE + GAP, y], Anchor::Start, Colour::TEXT, &name);
+        x += width + SPACE;
+    }
+    y - area.top + GAP + 5.0
+}

@@ -1,0 +1,76 @@
+//! Why a figure cannot be drawn.
+
+use std::fmt;
+
+use polhode::CurveError;
+
+use super::figure::Figure;
+
+/// Why a figure cannot be drawn.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum PlotError {
+    /// The figure shows what a motion of this kind does not have.
+    NotThere {
+        /// The figure.
+        figure: Figure,
+        /// What the motion has, and so lacks: `a torque acts on the body: it has no polhode`.
+        why: &'static str,
+    },
+    /// A curve needs two samples.
+    TooFewSamples {
+        /// As many there are.
+        count: usize,
+    },
+    /// The body turns too far from a sample to the next: angles cannot be followed.
+    TooCoarse {
+        /// The largest such turn, rad.
+        turn: f64,
+    },
+    /// A curve has too many points.
+    Curve {
+        /// The figure.
+        figure: Figure,
+        /// Why not.
+        error: CurveError,
+    },
+    /// A PNG cannot be made.
+    Pixels {
+        /// Why not.
+        why: String,
+    },
+}
+
+impl PlotError {
+    /// What to do about it.
+    pub fn hint(&self) -> &'static str {
+        match self {
+            Self::NotThere { .. } => "a plot without a name draws all figures that the motion has",
+            Self::TooFewSamples { .. } | Self::TooCoarse { .. } => "sample more often, or for a shorter time",
+            Self::Curve { .. } => "try a shorter duration, or another figure",
+            Self::Pixels { .. } => "write SVG",
+        }
+    }
+}
+
+impl fmt::Display for PlotError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NotThere { figure, why } => write!(f, "there is no figure {}: {why}", figure.name()),
+            Self::TooFewSamples { count } => {
+                write!(f, "a plot against time needs 2 samples, and there are {count}")
+            }
+            Self::TooCoarse { turn } => write!(
+                f,
+                "the figure euler cannot be drawn: the body turns by up to {} rad from a sample to the next",
+                crate::number::number(*turn, 3)
+            ),
+            Self::Curve { figure, error } => {
+                write!(f, "the figure {} cannot be drawn: {error}", figure.name())
+            }
+            Self::Pixels { why } => write!(f, "a PNG cannot be made: {why}"),
+        }
+    }
+}
+
+impl std::error::Error for PlotError {}

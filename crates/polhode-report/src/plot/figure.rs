@@ -1,0 +1,56 @@
+//! The standard figures, by name.
+
+/// A figure that `polhode` draws.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Figure {
+    /// ω along the principal axes, against time.
+    Omega,
+    /// The body's Euler angles, 3-1-3, against time.
+    Euler,
+    /// T, against time: its shares along the principal axes, or U and T + U.
+    Energy,
+    /// L, against time: in the body if it is free, else in space.
+    Momentum,
+    /// N along body axes, against time.
+    Torque,
+    /// How far T and L depart from their balances, against time, on a logarithmic scale.
+    Drift,
+    /// L in the body on its sphere: this motion, others of the same |L|, and the separatrix between them.
+    Polhodes,
+    /// The path of ω on the invariable plane.
+    Herpolhode,
+}
+
+impl Figure {
+    /// All figures, in the order in which a sheet of them is read.
+    pub const ALL: [Self; 8] = [
+        Self::Omega,
+        Self::Euler,
+        Self::Polhodes,
+        Self::Herpolhode,
+        Self::Energy,
+        Self::Momentum,
+        Self::Torque,
+        Self::Drift,
+    ];
+
+    /// Its name on the command line.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Omega => "omega",
+            Self::Euler => "euler",
+            Self::Energy => "energy",
+            Self::Momentum => "momentum",
+            Self::Torque => "torque",
+            Self::Drift => "drift",
+            Self::Polhodes => "polhodes",
+            Self::Herpolhode => "herpolhode",
+        }
+    }
+
+    /// The figure of a name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|figure| figure.name() == name)
+    }
+}

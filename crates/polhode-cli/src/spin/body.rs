@@ -134,7 +134,7 @@ impl Subject {
     /// What a plot is about.
     pub(super) fn title(&self) -> String {
         match self {
-            Self::Scenario { path, scenario } => scenario.title.clone().unwrap_or_else(|| path.clone()),
+            Self::Scenario { path, scenario, .. } => scenario.title.clone().unwrap_or_else(|| path.clone()),
             Self::Moments([a, b, c]) => format!("moments {a}, {b}, {c} kg·m²"),
         }
     }

@@ -22,7 +22,8 @@
 //! ```
 //!
 //! The result has the same bits with any number of threads, in any width of vectors, from a mapped file or a read one:
-//! the file is cut into blocks that depend on its length only, and no multiplication is fused with an addition.
+//! the file is cut into blocks that depend on its length only, and what is fused is fused everywhere (slowly, on processors that have no
+//! instruction for it).
 
 mod ahead;
 mod block;

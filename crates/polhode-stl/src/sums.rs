@@ -37,11 +37,12 @@ pub(crate) fn terms<S: Simd>(
     for k in 0..9 {
         (low[k], high[k]) = simd.widen_f32x16(columns.0[k]);
     }
-    [terms_of_eight(low, reference, area), terms_of_eight(high, reference, area)]
+    [terms_of_eight(simd, low, reference, area), terms_of_eight(simd, high, reference, area)]
 }
 
 #[inline(always)]
 fn terms_of_eight<S: Simd>(
+    simd: S,
     triangles: [f64x8<S>; 9],
     reference: &[f64x8<S>; 3],
     area: &mut f64x8<S>,
@@ -51,11 +52,13 @@ fn terms_of_eight<S: Simd>(
     let (ex, ey, ez) = (bx - ax, by - ay, bz - az);
     let (fx, fy, fz) = (cx - ax, cy - ay, cz - az);
     let (ax, ay, az) = (ax - reference[0], ay - reference[1], az - reference[2]);
-    let (nx, ny, nz) = (ey * fz - ez * fy, ez * fx - ex * fz, ex * fy - ey * fx);
-    let d = ax * nx + ay * ny + az * nz;
-    *area += (nx * nx + ny * ny + nz * nz).sqrt();
+    let (nx, ny, nz) = (less(ey, fz, ez * fy), less(ez, fx, ex * fz), less(ex, fy, ey * fx));
+    let d = plus(az, nz, plus(ay, ny, ax * nx));
+    *area += plus(nz, nz, plus(ny, ny, nx * nx)).sqrt();
     let (ux, uy, uz) = (ex + fx, ey + fy, ez + fz);
-    [d, ax * 3.0 + ux, ay * 3.0 + uy, az * 3.0 + uz, ux, uy, uz, ex - fx, ey - fy, ez - fz]
+    let three = f64x8::splat(simd, 3.0);
+    let (sx, sy, sz) = (plus(ax, three, ux), plus(ay, three, uy), plus(az, three, uz));
+    [d, sx, sy, sz, ux, uy, uz, ex - fx, ey - fy, ez - fz]
 }
 
 /// Adds all but the areas.
@@ -67,21 +70,33 @@ pub(crate) fn add<S: Simd>(sums: &mut [f64x8<S>; SUMS], &[d, sx, sy, sz, ux, uy,
     sums[1] += px;
     sums[2] += py;
     sums[3] += pz;
-    sums[4] += px * sx;
-    sums[5] += py * sy;
-    sums[6] += pz * sz;
-    sums[7] += px * sy;
-    sums[8] += px * sz;
-    sums[9] += py * sz;
+    sums[4] = plus(px, sx, sums[4]);
+    sums[5] = plus(py, sy, sums[5]);
+    sums[6] = plus(pz, sz, sums[6]);
+    sums[7] = plus(px, sy, sums[7]);
+    sums[8] = plus(px, sz, sums[8]);
+    sums[9] = plus(py, sz, sums[9]);
     let (px, py, pz) = (d * ux, d * uy, d * uz);
     let three = d * 3.0;
     let (qx, qy, qz) = (three * vx, three * vy, three * vz);
-    sums[10] += px * ux + qx * vx;
-    sums[11] += py * uy + qy * vy;
-    sums[12] += pz * uz + qz * vz;
-    sums[13] += px * uy + qx * vy;
-    sums[14] += px * uz + qx * vz;
-    sums[15] += py * uz + qy * vz;
+    sums[10] = plus(qx, vx, plus(px, ux, sums[10]));
+    sums[11] = plus(qy, vy, plus(py, uy, sums[11]));
+    sums[12] = plus(qz, vz, plus(pz, uz, sums[12]));
+    sums[13] = plus(qx, vy, plus(px, uy, sums[13]));
+    sums[14] = plus(qx, vz, plus(px, uz, sums[14]));
+    sums[15] = plus(qy, vz, plus(py, uz, sums[15]));
+}
+
+/// a b + c, rounded once, on every machine.
+#[inline(always)]
+fn plus<S: Simd>(a: f64x8<S>, b: f64x8<S>, c: f64x8<S>) -> f64x8<S> {
+    a.mul_add_precise(b, c)
+}
+
+/// a b − c, rounded once, on every machine.
+#[inline(always)]
+fn less<S: Simd>(a: f64x8<S>, b: f64x8<S>, c: f64x8<S>) -> f64x8<S> {
+    a.mul_sub_precise(b, c)
 }
 
 /// The place of the areas among the sums.

@@ -216,21 +216,24 @@ mod tests {
                 let e: [f64; 3] = core::array::from_fn(|k| b[k] - a[k]);
                 let f: [f64; 3] = core::array::from_fn(|k| c[k] - a[k]);
                 let a: [f64; 3] = core::array::from_fn(|k| a[k] - r[k]);
-                let n = [e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]];
-                let d = a[0] * n[0] + a[1] * n[1] + a[2] * n[2];
+                let less = |i: usize, j: usize| e[i].mul_add(f[j], -(e[j] * f[i]));
+                let n = [less(1, 2), less(2, 0), less(0, 1)];
+                let dot = |a: [f64; 3]| a[2].mul_add(n[2], a[1].mul_add(n[1], a[0] * n[0]));
+                let d = dot(a);
                 let u: [f64; 3] = core::array::from_fn(|k| e[k] + f[k]);
                 let v: [f64; 3] = core::array::from_fn(|k| e[k] - f[k]);
-                let s: [f64; 3] = core::array::from_fn(|k| a[k] * 3.0 + u[k]);
+                let s: [f64; 3] = core::array::from_fn(|k| a[k].mul_add(3.0, u[k]));
                 let lane = k % 8;
                 sums[0][lane] += d;
                 for k in 0..3 {
                     sums[1 + k][lane] += d * s[k];
                 }
                 for (k, (i, j)) in [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)].into_iter().enumerate() {
-                    sums[4 + k][lane] += (d * s[i]) * s[j];
-                    sums[10 + k][lane] += (d * u[i]) * u[j] + ((d * 3.0) * v[i]) * v[j];
+                    sums[4 + k][lane] = (d * s[i]).mul_add(s[j], sums[4 + k][lane]);
+                    let sum = (d * u[i]).mul_add(u[j], sums[10 + k][lane]);
+                    sums[10 + k][lane] = ((d * 3.0) * v[i]).mul_add(v[j], sum);
                 }
-                sums[16][lane] += (n[0] * n[0] + n[1] * n[1] + n[2] * n[2]).sqrt();
+                sums[16][lane] += dot(n).sqrt();
             }
             for (k, sums) in sums.iter().enumerate() {
                 for (lane, &b) in sums.iter().enumerate() {

@@ -128,7 +128,7 @@ function run(clock: Clock): void {
   let before: number | null = null;
   const tick = (now: number): void => {
     // A page that was hidden does not leap.
-    if (before !== null) clock.advance(Math.min((now - before) / 1000, 0.25));
+    if (before !== null) clock.advance(Math.min(Math.max(now - before, 0) / 1000, 0.25));
     before = clock.playing ? now : null;
     if (clock.playing) requestAnimationFrame(tick);
   };

@@ -110,3 +110,31 @@ fn every_spin_has_a_page() {
         assert_eq!(number(&data["motion"]["count"]), 2001.0, "{omega}");
     }
 }
+
+#[test]
+fn a_molecule_has_its_mass_and_its_bonds() {
+    let scratch = Scratch::new("page-molecule");
+    // Formaldehyde, in no symmetric place; bonds C=O 1.21 Å, C–H 1.1 Å, H…H 1.87 Å is none.
+    let atoms = "4\n\nC 0.1 0.2 0.3\nO 0.1 0.2 1.51\nH 0.1 1.13 -0.28\nH 0.1 -0.73 -0.28\n";
+    fs::write(scratch.0.join("m.xyz"), atoms).unwrap();
+    let scenario = "[[body.part]]\nshape = 'molecule'\nfile = 'm.xyz'\nposition = ['3e-9 m', 0, '-1e-9 m']\n\
+        rotate = { axis = [1, 2, 0.5], angle = '40 deg' }\n[start]\nspin = { body = [1e12, 2e12, -3e12] }\n\
+        [run]\nduration = '1e-12 s'\nsamples = 11\n";
+    fs::write(scratch.0.join("m.toml"), scenario).unwrap();
+    stdout(&scratch.run(&["simulate", "m.toml", "-o", "m"]));
+    let (_, data) = scratch.page("m/report.html");
+    let balls = &data["body"]["shapes"][0];
+    assert_eq!(balls["labels"], serde_json::json!(["C", "O", "H", "H"]));
+    assert_eq!(balls["sticks"], serde_json::json!([[0, 1], [0, 2], [0, 3]]));
+    // The file itself, by the molecule's own command: same moments, wherever it is placed.
+    let own: Value = serde_json::from_slice(&scratch.run(&["inertia", "m.xyz", "--json"]).stdout).unwrap();
+    let moments = |value: &Value| -> Vec<f64> { serde_json::from_value(value.clone()).unwrap() };
+    let placed = moments(&data["body"]["principal"]["moments"]);
+    let alone = moments(&own["principal"]["moments"]);
+    for (a, b) in placed.iter().zip(&alone) {
+        assert!((a - b).abs() < 1e-13 * alone[2], "{placed:?} {alone:?}");
+    }
+    let mass = data["body"]["mass"].as_f64().unwrap();
+    // 12C 1H2 16O: 30.010 564 684 u
+    assert!((mass / (30.010_564_684 * 1.660_539_066_6e-27) - 1.0).abs() < 1e-8, "{mass:e}");
+}

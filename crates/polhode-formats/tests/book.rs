@@ -179,7 +179,7 @@ fn the_book_has_every_shape_with_its_keys() {
     for row in &shapes {
         let shape = names(row[0]).next().unwrap();
         let keys = known(&format!("[[body.part]]\nshape = '{shape}'\nzzz = 1"));
-        let given = matches!(shape, "particles" | "tensor");
+        let given = matches!(shape, "molecule" | "particles" | "tensor");
         let elsewhere =
             |key: &str| common.contains(key) || !given && key != "thickness" && substance.contains(key);
         assert!(common.iter().all(|key| keys.contains(key.as_str())), "{shape}");
@@ -187,6 +187,7 @@ fn the_book_has_every_shape_with_its_keys() {
         // Keys with a table of their own.
         match shape {
             "mesh" => same(names(row[1]), in_book("### Mesh").iter().map(String::as_str), shape),
+            "molecule" => same(names(row[1]), in_book("### Molecule").iter().map(String::as_str), shape),
             "tensor" => same(names(row[1]), in_book("### Tensor").iter().map(String::as_str), shape),
             _ => {}
         }

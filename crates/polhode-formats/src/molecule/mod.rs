@@ -35,7 +35,7 @@ use line::{Field, decimals};
 const ANGSTROM: f64 = 1e-10;
 
 /// The atomic mass constant, kg: CODATA 2018.
-const ATOMIC_MASS: f64 = 1.660_539_066_60e-27;
+pub(crate) const ATOMIC_MASS: f64 = 1.660_539_066_60e-27;
 
 /// Atoms rigidly joined, as a file has them.
 ///

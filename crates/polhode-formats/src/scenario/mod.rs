@@ -24,6 +24,7 @@
 
 mod body;
 mod formula;
+mod molecule;
 mod part;
 mod pendulum;
 mod prescribed;

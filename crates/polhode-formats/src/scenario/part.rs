@@ -7,6 +7,7 @@ use polhode::{
     PlacedPart, Position, Rotation, mass_properties_of_particles,
 };
 
+use super::molecule::molecule;
 use super::reader::{Table, Value};
 use super::rotation::rotation;
 use super::shape::{Geometry, SHAPES, shape};
@@ -35,6 +36,7 @@ pub(crate) fn part(
     let placement = Placement::read(&table)?;
     let form = match kind {
         "particles" => return particles(&table, name, &placement),
+        "molecule" => return molecule(&table, name, &placement, findings),
         "tensor" => {
             let properties = placement.place(&table, tensor::mass_properties(&table)?)?;
             return Ok(BodyPart {
@@ -65,7 +67,8 @@ pub(crate) fn part(
 
 /// The name of the part's shape.
 fn kind(table: &Table<'_>) -> Result<&'static str, FormatError> {
-    let names: Vec<_> = SHAPES.iter().map(|(name, _)| *name).chain(["mesh", "particles", "tensor"]).collect();
+    let names: Vec<_> =
+        SHAPES.iter().map(|(name, _)| *name).chain(["mesh", "molecule", "particles", "tensor"]).collect();
     if table.get("shape").is_none() {
         // A misspelt `shape` is a key that no shape has.
         let mut all: Vec<_> = names.iter().flat_map(|name| keys(name)).collect();
@@ -79,6 +82,7 @@ fn kind(table: &Table<'_>) -> Result<&'static str, FormatError> {
 fn keys(kind: &str) -> Vec<&'static str> {
     let own: &[&[&'static str]] = match kind {
         "particles" => &[&["particles"]],
+        "molecule" => &[&["file", "isotopes"]],
         "tensor" => &[&tensor::KEYS],
         "mesh" => &[&["file", "unit"], &substance::KEYS],
         _ => &[SHAPES.iter().find(|(name, _)| *name == kind).map_or(&[], |(_, keys)| keys), &substance::KEYS],
@@ -87,9 +91,9 @@ fn keys(kind: &str) -> Vec<&'static str> {
 }
 
 /// Where a part is and how it is turned.
-struct Placement {
-    position: Position<Body>,
-    rotation: Rotation<Body, Part>,
+pub(super) struct Placement {
+    pub(super) position: Position<Body>,
+    pub(super) rotation: Rotation<Body, Part>,
 }
 
 impl Placement {
@@ -111,7 +115,7 @@ impl Placement {
         placed.map(|part| part.in_body()).map_err(|e| table.error(FormatErrorKind::Body(e)))
     }
 
-    const fn form(&self, form: Form) -> PlacedForm {
+    pub(super) const fn form(&self, form: Form) -> PlacedForm {
         PlacedForm { form, position: self.position, rotation: self.rotation }
     }
 }

@@ -3,6 +3,7 @@
 //! The page is the viewer (`viewer/`, whose build is `assets/viewer.html`) with the motion in it as JSON, as `viewer/src/data.ts`
 //! says. Numbers are the trajectory's own, bit for bit; text from outside is inert.
 
+mod atoms;
 mod base64;
 mod body;
 mod data;

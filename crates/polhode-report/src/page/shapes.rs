@@ -5,6 +5,7 @@ use polhode::{
 };
 use serde_json::{Value, json};
 
+use super::atoms;
 use super::base64::{f32s, u32s};
 use super::body::{Turning, ellipsoid};
 use super::data::finite;
@@ -67,6 +68,7 @@ fn triangles(part: &BodyPart) -> usize {
 /// `None` for what numbers of the page cannot hold, and for a point.
 fn shape(part: &BodyPart, turning: &Turning<'_>, triangles: usize, budget: &mut Budget) -> Option<Value> {
     let shape = match &part.form {
+        Some(PlacedForm { form: Form::Molecule(symbols), .. }) => atoms::balls(part, symbols, turning.point)?,
         Some(placed) => form(placed, &part.name, turning, triangles, budget)?,
         None if part.particles.is_empty() => of_moments(part, turning),
         None => balls(part, turning, budget)?,
@@ -117,7 +119,7 @@ fn cylinder(radius: f64, inner: f64, height: f64) -> Value {
 }
 
 /// A shape, and where it is.
-fn at(own: Value, name: &str, position: [f64; 3], quaternion: [f64; 4]) -> Value {
+pub(super) fn at(own: Value, name: &str, position: [f64; 3], quaternion: [f64; 4]) -> Value {
     let mut shape = json!({
         "name": name,
         "position": numbers(&position.map(finite)),

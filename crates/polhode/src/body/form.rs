@@ -68,6 +68,8 @@ pub enum Form {
     },
     /// Triangles, counter-clockwise from outside.
     Mesh(TriangleMesh),
+    /// The part's particles are atoms: the symbol of each, in their order.
+    Molecule(Vec<&'static str>),
 }
 
 /// A form at its place in the body.

@@ -1,0 +1,59 @@
+//! A molecule as a part: its atoms are particles.
+
+use std::path::Path;
+
+use polhode::{BodyPart, Finding, Form, Part, Particle, Position, mass_properties_of_particles};
+
+use super::part::Placement;
+use super::reader::Table;
+use crate::error::{FormatError, FormatErrorKind};
+use crate::molecule::{self, ATOMIC_MASS, Isotopes, MoleculeFormat};
+
+/// `file = "water.xyz"`, `isotopes = "average"`: the first molecule of the file.
+pub(super) fn molecule(
+    table: &Table<'_>,
+    name: String,
+    placement: &Placement,
+    findings: &mut Vec<Finding>,
+) -> Result<BodyPart, FormatError> {
+    let file = table.require("file", "file = \"water.xyz\"")?;
+    let written = file.string()?;
+    let path = file.source().path.parent().unwrap_or(Path::new("")).join(written);
+    let Some(format) = MoleculeFormat::of_path(&path) else {
+        return Err(file.invalid("a molecule's file").with_hint("they end in .xyz, .mol, .sdf and .pdb"));
+    };
+    let isotopes = match table.get("isotopes") {
+        Some(choice) => match choice.choice(&["abundant", "average"])? {
+            "average" => Isotopes::Average,
+            _ => Isotopes::Abundant,
+        },
+        None => Isotopes::default(),
+    };
+    let molecules = molecule::read(&path, format).map_err(|error| match error.kind() {
+        // A file that is not there has no lines: the scenario's line is to blame.
+        kind @ FormatErrorKind::Io { .. } => file
+            .error(kind.clone())
+            .with_hint(format!("paths are relative to the scenario: this one is {path:?}")),
+        _ => error.named_in(file.source().path, file.place()),
+    })?;
+    let first = molecules.first().ok_or_else(|| file.invalid("a molecule with atoms"))?;
+    findings.extend(first.findings_with(isotopes));
+    let particle = |atom: &molecule::Atom| {
+        let in_part = Position::<Part>::from_array(atom.position_m);
+        let in_body = placement.position + placement.rotation * in_part;
+        Particle::new(atom.species.mass(isotopes) * ATOMIC_MASS, in_body)
+    };
+    let particles: Vec<_> =
+        first.atoms.iter().map(particle).collect::<Result<_, _>>().map_err(|e| file.body(e))?;
+    let properties = mass_properties_of_particles(&particles).map_err(|e| file.body(e))?;
+    let symbols = first.atoms.iter().map(|atom| atom.species.element().symbol()).collect();
+    Ok(BodyPart {
+        name,
+        kind: "molecule",
+        properties,
+        extent: None,
+        surface_area: None,
+        particles,
+        form: Some(placement.form(Form::Molecule(symbols))),
+    })
+}

@@ -200,7 +200,7 @@ fn names_are_known_ones() {
     refuses(
         &BALL.replace("'sphere'", "«'shpere'»"),
         "shape = 'shpere' must be one of box, sphere, ellipsoid, cylinder, capsule, cone, torus, tetrahedron, rod, disk, \
-         plate, sphere_shell, box_shell, cylinder_shell, mesh, particles, tensor",
+         plate, sphere_shell, box_shell, cylinder_shell, mesh, molecule, particles, tensor",
         "did you mean \"sphere\"?",
     );
     let error = refuses(

@@ -19,9 +19,7 @@ pub struct Moments {
 }
 
 impl Moments {
-    /// Moments and axes by cyclic Jacobi rotations, good to a few ε of the largest moment.
-    ///
-    /// The elements must be finite. Source: Golub & Van Loan, Matrix Computations, §8.5.
+    /// Moments and axes, good to a few ε of the largest moment. The elements must be finite.
     ///
     /// ```
     /// use polhode_robot::moments::Moments;
@@ -34,22 +32,9 @@ impl Moments {
         if !(largest > 0.0 && largest.is_finite()) {
             return Self { values: [0.0; 3], axes: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]] };
         }
-        let mut a = matrix(&elements.map(|x| x / largest));
-        let mut v = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-        // The convergence is quadratic: a few sweeps do, and the bound is a guard only.
-        for _sweep in 0..32 {
-            let mut turned = false;
-            for (p, q) in [(0, 1), (0, 2), (1, 2)] {
-                turned |= annihilate(&mut a, &mut v, p, q);
-            }
-            if !turned {
-                break;
-            }
-        }
-        let mut order = [0, 1, 2];
-        order.sort_by(|&i, &j| a[i][i].total_cmp(&a[j][j]));
-        let [first, second, _] = order.map(|k| positive([v[0][k], v[1][k], v[2][k]]));
-        Self { values: order.map(|k| a[k][k] * largest), axes: [first, second, cross(first, second)] }
+        let (values, vectors) = polhode::symmetric_eigen(*elements);
+        let [first, second, _] = vectors.map(positive);
+        Self { values, axes: [first, second, cross(first, second)] }
     }
 
     /// i1 + i2 − i3: negative for a tensor that no body has.
@@ -71,39 +56,6 @@ impl Moments {
         let squares = [i2 + i3 - i1, i1 + i3 - i2, i1 + i2 - i3].map(|x| 6.0 * x / mass);
         squares.iter().all(|&x| x >= 0.0 && x.is_finite()).then(|| squares.map(f64::sqrt))
     }
-}
-
-/// One Jacobi rotation, which makes a_pq zero; false if it was negligible already.
-fn annihilate(a: &mut [[f64; 3]; 3], v: &mut [[f64; 3]; 3], p: usize, q: usize) -> bool {
-    let apq = a[p][q];
-    // Beside its own diagonal elements, so that the small moments of a graded tensor keep their digits.
-    let negligible = 0.5 * f64::EPSILON * (a[p][p].abs().sqrt() * a[q][q].abs().sqrt());
-    if apq.abs() <= negligible.max(f64::MIN_POSITIVE) {
-        a[p][q] = 0.0;
-        a[q][p] = 0.0;
-        return false;
-    }
-    // t = tan of the angle: the smaller root of t² + 2ζt − 1 = 0
-    let zeta = (a[q][q] - a[p][p]) / (2.0 * apq);
-    let t = if zeta.is_infinite() { 0.0 } else { 1.0_f64.copysign(zeta) / (zeta.abs() + zeta.hypot(1.0)) };
-    let c = 1.0 / (1.0 + t * t).sqrt();
-    let s = t * c;
-    a[p][p] -= t * apq;
-    a[q][q] += t * apq;
-    a[p][q] = 0.0;
-    a[q][p] = 0.0;
-    let r = 3 - p - q;
-    let (arp, arq) = (a[r][p], a[r][q]);
-    a[r][p] = c * arp - s * arq;
-    a[p][r] = a[r][p];
-    a[r][q] = s * arp + c * arq;
-    a[q][r] = a[r][q];
-    for row in v.iter_mut() {
-        let (vp, vq) = (row[p], row[q]);
-        row[p] = c * vp - s * vq;
-        row[q] = s * vp + c * vq;
-    }
-    true
 }
 
 /// The vector or its opposite: the one whose largest component is positive.

@@ -94,6 +94,7 @@ pub use body::solid::MeasuredSolid;
 pub use math::elliptic::{EllipticError, EllipticParameter, JacobiFunctions};
 pub use math::frame::{Body, Frame, Part, Principal, Space};
 pub use math::rotation::{Attitude, Rotation, RotationError};
+pub use math::symmetric3::symmetric_eigen;
 pub use math::vector::{
     Acceleration, AngularAcceleration, AngularMomentum, AngularVelocity, CrossProduct, Direction, Force,
     Momentum, Position, Torque, Vector, Velocity, quantity,

@@ -103,6 +103,25 @@ impl Symmetric3 {
     }
 }
 
+/// Eigenvalues, ascending, and unit eigenvectors of a symmetric matrix with the elements xx, yy, zz, xy, xz, yz, of any signs; of
+/// elements that are not finite, all values are NaN.
+///
+/// For matrices that are no body's tensor: [`crate::InertiaTensor`] has principal axes of its own, polished and right-handed. Values
+/// are good to a few ε of the largest; the handedness of the vectors is left open.
+///
+/// ```
+/// let (values, vectors) = polhode::symmetric_eigen([2.0, -1.0, 5.0, 2.0, 0.0, 0.0]);
+/// assert_eq!(values, [-2.0, 3.0, 5.0]);
+/// // M v = −2 v
+/// let [x, y, _] = vectors[0];
+/// assert!((2.0 * x + 2.0 * y + 2.0 * x).abs() < 1e-15 && (2.0 * x - y + 2.0 * y).abs() < 1e-15);
+/// ```
+pub fn symmetric_eigen([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> ([f64; 3], [[f64; 3]; 3]) {
+    let matrix = Symmetric3 { xx, yy, zz, xy, xz, yz };
+    let Eigen { values, vectors } = matrix.eigen();
+    if matrix.elements().iter().all(|x| x.is_finite()) { (values, vectors) } else { ([f64::NAN; 3], vectors) }
+}
+
 impl Eigen {
     /// The same with values and vectors that are the doubles nearest to those of `matrix`, or next to them.
     ///

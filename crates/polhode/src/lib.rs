@@ -102,19 +102,25 @@ pub use math::vector::{
 
 // motion: states in time, and what moves them
 pub use motion::error::MotionError;
+pub use motion::event::{Event, EventAction};
 pub use motion::free::{FreeMotion, FreeMotions, PermanentAxis, Regime};
 pub use motion::inverse::{ParticleForce, Required};
 pub use motion::kinematics::{
     KineticEnergySplit, MovingParticle, angular_momentum, momentum, rigid_acceleration, rigid_velocity,
 };
+pub use motion::orbit::Orbit;
 pub use motion::pendulum::{Pendulum, Swing};
 pub use motion::prescribed::Prescribed;
 pub use motion::propagate::stepper::{LOOSEST_TOLERANCE, StepStatistics, TIGHTEST_TOLERANCE};
 pub use motion::rotor::Rotor;
 pub use motion::scenario::{Hanging, Run, Scenario};
 pub use motion::state::State;
-pub use motion::torque::{ConstantTorque, TorqueModel, UniformGravity};
+pub use motion::torque::{
+    Attracted, ConstantTorque, Drag, EnergySink, FormulaTorque, GravityGradient, Magnetic, MagneticField,
+    Schedule, Scheduled, Thruster, TorqueModel, Torsion, UniformGravity,
+};
 pub use motion::trajectory::{Method, Sample, Solution, Trajectory};
+pub use motion::wheel::{Motor, Wheel};
 
 // observe: what can be read off a motion
 pub use observe::cone::Cones;

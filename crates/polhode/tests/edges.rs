@@ -40,7 +40,8 @@ fn tops() -> impl Iterator<Item = ([f64; 2], Rotor, State)> {
     let kinds = [([2.0, 2.0, 3.1], [3.1, 2.0]), ([1.3, 2.9, 2.9], [1.3, 2.9])];
     kinds.into_iter().flat_map(|(moments, pair)| {
         let rotor = Rotor::free(&turned(moments, TURN));
-        [[0.7, -1.1, 0.4], [-0.7, 1.1, -0.4], [0.2, 0.9, 1.6]].map(|omega| (pair, rotor, state(0.0, omega)))
+        [[0.7, -1.1, 0.4], [-0.7, 1.1, -0.4], [0.2, 0.9, 1.6]]
+            .map(|omega| (pair, rotor.clone(), state(0.0, omega)))
     })
 }
 
@@ -161,7 +162,7 @@ fn a_loose_solution_drifts_and_says_so() {
         assert_drift(&run(&heavy(), &weight, tolerance), 1e-9);
     }
     // Work is what makes up for the change of T, impulse for that of L.
-    for (rotor, torques) in [(free, &thrust[..]), (free, &wind), (heavy(), &weight)] {
+    for (rotor, torques) in [(free.clone(), &thrust[..]), (free, &wind), (heavy(), &weight)] {
         let drift = Drift::of(&run(&rotor, torques, 1e-14)).unwrap();
         assert!(drift.kinetic_energy > 0.1 && drift.momentum_magnitude > 0.1, "{drift:?}");
         assert!(drift.work_energy < 1e-12 && drift.momentum < 1e-12, "{drift:?}");
@@ -228,7 +229,7 @@ fn a_motion_does_not_depend_on_when_it_starts() {
     let axis = symmetric.principal().axis(2).to_array().map(|c| 1.9 * c);
     let free = Rotor::free(&turned([1.3, 2.1, 2.9], TURN));
     for (rotor, torques, omega) in [
-        (symmetric, &[][..], generic),
+        (symmetric.clone(), &[][..], generic),
         (symmetric, &[], axis),
         (free, &[], generic),
         (heavy(), &weight, generic),
@@ -479,7 +480,7 @@ fn dumbbells_hang_and_swing_in_any_direction() {
         let line = Direction::<Body>::from_array(line).direction().unwrap();
         let rotor = Rotor::pivoted(&dumbbell(line), Position::new(0.3, -0.2, 0.7));
         assert_eq!(rotor.principal().symmetry(), Symmetry::Rod);
-        let weight = gravity(line.to_array().map(|c| 9.81 * c));
+        let weight = [gravity(line.to_array().map(|c| 9.81 * c))];
         let axis = line.cross(Direction::new(0.4, 0.9, -0.3));
         // T = 2π √(i/Mgd) with i = Σ m x², Md = Σ m x
         let period = TAU * ((0.8 * 0.16 + 1.3 * 1.21) / (9.81 * (0.8 * 0.4 + 1.3 * 1.1_f64))).sqrt();
@@ -487,7 +488,7 @@ fn dumbbells_hang_and_swing_in_any_direction() {
             let attitude = Rotation::about(Direction::from_array(axis.to_array()), angle).unwrap();
             let start = State { time: 0.0, attitude, omega: AngularVelocity::ZERO };
             let times: Vec<f64> = (0..=32).map(|k| 0.25 * period * f64::from(k)).collect();
-            let motion = Trajectory::compute(&rotor, &[weight], start, &times, Method::Auto, 1e-13).unwrap();
+            let motion = Trajectory::compute(&rotor, &weight, start, &times, Method::Auto, 1e-13).unwrap();
             for (k, sample) in motion.samples().iter().enumerate() {
                 let spin = line.dot(sample.state.omega).abs();
                 assert!(spin < 1e-15, "{line:?} {angle}: spin {spin:e}");

@@ -137,6 +137,8 @@ pub fn parse(text: &str, path: &Path) -> Result<Scenario, FormatError> {
         velocity: start.velocity.unwrap_or(Velocity::ZERO),
         pivot: point,
         torques,
+        wheels: Vec::new(),
+        events: Vec::new(),
         prescribed,
         hanging: None,
         run: run::run(&root)?,

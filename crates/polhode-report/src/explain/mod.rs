@@ -51,6 +51,8 @@ use working::Working;
 ///     velocity: Velocity::ZERO,
 ///     pivot: Some(Position::ZERO),
 ///     torques: Vec::new(),
+///     wheels: Vec::new(),
+///     events: Vec::new(),
 ///     prescribed: Some(Prescribed::fixed_axis(Attitude::identity(), Direction::new(0.0, 3.0, 4.0), 2.0, 0.0)?),
 ///     hanging: None,
 ///     run: None,

@@ -46,13 +46,13 @@ impl Facts {
         let rotor = scenario.rotor();
         let start = trajectory.samples().first().map_or(scenario.start, |sample| sample.state);
         let prescribed = scenario.prescribed.as_ref();
-        let is_free = prescribed.is_none() && scenario.torques.is_empty();
+        let is_free = prescribed.is_none() && scenario.torques.is_empty() && scenario.wheels.is_empty();
         Self {
+            regime_at_start: FreeRegime::of(&rotor, &start),
+            top: Top::of(&rotor, trajectory).filter(|_| is_free),
             rotor,
             start,
-            regime_at_start: FreeRegime::of(&rotor, &start),
             is_free,
-            top: Top::of(&rotor, trajectory).filter(|_| is_free),
             drift: prescribed.is_none().then(|| Drift::of(trajectory)).flatten(),
             needed: prescribed.map(|motion| Needed::by(scenario, motion, trajectory)),
             hanging: scenario.pendulum().and_then(Result::ok).map(|p| (p, swing(scenario, &p, &start))),

@@ -24,6 +24,8 @@ use crate::sparkline;
 ///     velocity: Velocity::ZERO,
 ///     pivot: None,
 ///     torques: Vec::new(),
+///     wheels: Vec::new(),
+///     events: Vec::new(),
 ///     prescribed: None,
 ///     hanging: None,
 ///     run: Some(Run::evenly(40.0, 401, Method::Auto, 1e-12)),

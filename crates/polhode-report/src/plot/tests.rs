@@ -24,6 +24,8 @@ fn scenario(omega: [f64; 3]) -> Scenario {
         velocity: Velocity::ZERO,
         pivot: None,
         torques: Vec::new(),
+        wheels: Vec::new(),
+        events: Vec::new(),
         prescribed: None,
         hanging: None,
         run: Some(Run::evenly(13.7, 501, Method::Auto, 1e-12)),

@@ -57,6 +57,8 @@ fn at_rest(title: &str, body: MassProperties<Body>, parts: Vec<BodyPart>) -> Sce
         velocity: Velocity::ZERO,
         pivot: None,
         torques: Vec::new(),
+        wheels: Vec::new(),
+        events: Vec::new(),
         prescribed: None,
         hanging: None,
         run: None,

@@ -257,6 +257,7 @@ cross_products! {
     AngularAcceleration * Length = Acceleration;
     AngularVelocity * AngularVelocity = AngularAcceleration;
     AngularVelocity * AngularMomentum = Torque;
+    AngularMomentum * AngularVelocity = Torque;
     Length * Momentum = AngularMomentum;
     Length * Force = Torque;
 }

@@ -5,9 +5,11 @@
 
 pub(crate) mod error;
 pub(crate) mod euler;
+pub(crate) mod event;
 pub(crate) mod free;
 pub(crate) mod inverse;
 pub(crate) mod kinematics;
+pub(crate) mod orbit;
 pub(crate) mod pendulum;
 pub(crate) mod prescribed;
 pub(crate) mod propagate;
@@ -16,3 +18,4 @@ pub(crate) mod scenario;
 pub(crate) mod state;
 pub(crate) mod torque;
 pub(crate) mod trajectory;
+pub(crate) mod wheel;

@@ -4,9 +4,12 @@ use crate::body::inertia::InertiaAbout;
 use crate::body::mass_properties::MassProperties;
 use crate::body::principal::{PrincipalFrame, Symmetry};
 use crate::math::frame::{Body, Space};
-use crate::math::vector::{AngularMomentum, AngularVelocity, Position};
+use crate::math::symmetric3::Symmetric3;
+use crate::math::vector::{AngularMomentum, AngularVelocity, Position, Torque};
 
+use super::error::MotionError;
 use super::state::State;
+use super::wheel::{Motor, Wheel};
 
 /// A body turning about a point of its own: its centre of mass when it is free, the pivot when it is held.
 ///
@@ -21,13 +24,14 @@ use super::state::State;
 /// assert_eq!(Rotor::pivoted(&body, Position::ZERO).kinetic_energy(omega), 0.5 * (3.1 + 2.0 * 0.25));
 /// # Ok::<(), polhode::BodyError>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Rotor {
     mass: f64,
     inertia: InertiaAbout<Body>,
     lever: Position<Body>,
     principal: PrincipalFrame<Body>,
     pivoted: bool,
+    wheels: Vec<Wheel>,
 }
 
 impl Rotor {
@@ -44,7 +48,59 @@ impl Rotor {
     fn about(body: &MassProperties<Body>, point: Position<Body>, pivoted: bool) -> Self {
         let inertia = body.inertia_about(point);
         let principal = PrincipalFrame::about(&inertia);
-        Self { mass: body.mass(), inertia, lever: body.center_of_mass() - point, principal, pivoted }
+        Self {
+            mass: body.mass(),
+            inertia,
+            lever: body.center_of_mass() - point,
+            principal,
+            pivoted,
+            wheels: Vec::new(),
+        }
+    }
+
+    /// The same with momentum wheels inside.
+    ///
+    /// The body's inertia holds the wheels'. What a wheel that a motor turns has about its axis is no longer of the carrier:
+    /// I = I_body − Σ J a aᵀ, and L = I ω + Σ h a.
+    ///
+    /// # Errors
+    /// [`MotionError::Parameter`] if a wheel has more inertia than the body.
+    pub fn with_wheels(mut self, wheels: &[Wheel]) -> Result<Self, MotionError> {
+        for wheel in wheels {
+            if let Motor::Torque { inertia: value, .. } = wheel.motor {
+                let axial = Symmetric3::outer(wheel.axis.to_array()) * value;
+                let rest = *self.inertia.symmetric() - axial;
+                let what = "the wheel's moment of inertia";
+                let rule = "small enough for the rest of the body to be possible";
+                self.inertia = InertiaAbout::from_symmetric(self.inertia.point(), rest)
+                    .map_err(|_| MotionError::Parameter { what, value, rule })?;
+            }
+        }
+        self.principal = PrincipalFrame::about(&self.inertia);
+        self.wheels = wheels.to_vec();
+        Ok(self)
+    }
+
+    /// What spins inside.
+    pub fn wheels(&self) -> &[Wheel] {
+        &self.wheels
+    }
+
+    /// Σ h a: the angular momentum of the wheels at a time, body axes, kg·m²/s.
+    pub fn wheel_momentum(&self, time: f64) -> AngularMomentum<Body> {
+        let along = |wheel: &Wheel| wheel.axis.as_quantity() * wheel.momentum_at(time);
+        self.wheels.iter().fold(AngularMomentum::ZERO, |sum, wheel| sum + along(wheel))
+    }
+
+    /// The torque of the motors on the wheels just after a time, body axes, N·m; that on the carrier is the opposite.
+    pub fn motor_torque(&self, time: f64) -> Torque<Body> {
+        let along = |wheel: &Wheel| wheel.axis.as_quantity() * wheel.torque_at(time);
+        self.wheels.iter().fold(Torque::ZERO, |sum, wheel| sum + along(wheel))
+    }
+
+    /// The point that it turns about, in the body, m.
+    pub const fn point(&self) -> Position<Body> {
+        self.inertia.point()
     }
 
     /// Mass, kg.
@@ -77,17 +133,17 @@ impl Rotor {
         self.principal.symmetry() != Symmetry::Point
     }
 
-    /// L = I ω, kg·m²/s.
+    /// L = I ω, kg·m²/s: that of the carrier, without the wheels'.
     pub fn angular_momentum(&self, omega: AngularVelocity<Body>) -> AngularMomentum<Body> {
         self.inertia * omega
     }
 
-    /// L in space axes, kg·m²/s.
+    /// L = I ω + Σ h a in space axes, with the wheels', kg·m²/s.
     pub fn angular_momentum_space(&self, state: &State) -> AngularMomentum<Space> {
-        state.attitude * self.angular_momentum(state.omega)
+        state.attitude * (self.angular_momentum(state.omega) + self.wheel_momentum(state.time))
     }
 
-    /// T_rot = ½ ω · I ω, J.
+    /// T_rot = ½ ω · I ω, J: that of the carrier.
     pub fn kinetic_energy(&self, omega: AngularVelocity<Body>) -> f64 {
         0.5 * omega.dot(self.angular_momentum(omega))
     }

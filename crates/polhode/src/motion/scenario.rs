@@ -1,12 +1,14 @@
 //! A scenario: one body, one motion.
 
 use super::error::MotionError;
+use super::event::Event;
 use super::pendulum::Pendulum;
 use super::prescribed::Prescribed;
 use super::rotor::Rotor;
 use super::state::State;
 use super::torque::TorqueModel;
 use super::trajectory::{Method, Trajectory};
+use super::wheel::Wheel;
 use crate::body::assembly::BodyPart;
 use crate::body::finding::Finding;
 use crate::body::mass_properties::MassProperties;
@@ -31,6 +33,10 @@ pub struct Scenario {
     pub pivot: Option<Position<Body>>,
     /// What turns it.
     pub torques: Vec<TorqueModel>,
+    /// What spins inside it.
+    pub wheels: Vec<Wheel>,
+    /// What to look out for on the way.
+    pub events: Vec<Event>,
     /// A motion that is given instead of computed.
     pub prescribed: Option<Prescribed>,
     /// The axis from which it hangs.
@@ -71,8 +77,13 @@ impl Run {
 }
 
 impl Scenario {
-    /// The body and the point that it turns about: its centre of mass, or the pivot.
+    /// The body and the point that it turns about: its centre of mass, or the pivot. Wheels that the body has no room for, which
+    /// [`Scenario::simulate`] refuses, are left out.
     pub fn rotor(&self) -> Rotor {
+        self.carrier().with_wheels(&self.wheels).unwrap_or_else(|_| self.carrier())
+    }
+
+    fn carrier(&self) -> Rotor {
         match self.pivot {
             None => Rotor::free(&self.body),
             Some(pivot) => Rotor::pivoted(&self.body, pivot),
@@ -103,7 +114,10 @@ impl Scenario {
     /// [`MotionError`] as [`Trajectory::compute`].
     pub fn simulate_watched(&self, watch: &mut dyn FnMut(f64)) -> Option<Result<Trajectory, MotionError>> {
         let run = self.run.as_ref()?;
-        let rotor = self.rotor();
+        let rotor = match self.carrier().with_wheels(&self.wheels) {
+            Ok(rotor) => rotor,
+            Err(error) => return Some(Err(error)),
+        };
         Some(match &self.prescribed {
             Some(motion) => Trajectory::prescribed(&rotor, motion, &run.times),
             None => Trajectory::compute_watched(
@@ -126,7 +140,7 @@ impl Scenario {
         let hanging = self.hanging?;
         let gravity = self.torques.iter().find_map(|torque| match torque {
             TorqueModel::Gravity(gravity) => Some(gravity.acceleration),
-            TorqueModel::Constant(_) => None,
+            _ => None,
         })?;
         let g = self.start.attitude.inverse() * gravity;
         Some(Pendulum::hung(&self.rotor(), hanging.axis, g))

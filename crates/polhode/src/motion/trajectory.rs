@@ -149,11 +149,12 @@ impl Trajectory {
     ) -> Result<Self, MotionError> {
         require_ascending(start.time, times)?;
         require_finite(rotor, torques, &start)?;
-        let torque_free = torques.is_empty();
-        let exact = if torque_free {
-            FreeMotion::of(rotor, start)
-        } else {
+        let exact = if !torques.is_empty() {
             Err(MotionError::NoClosedForm { why: "a torque acts on the body" })
+        } else if !rotor.wheels().is_empty() {
+            Err(MotionError::NoClosedForm { why: "wheels spin in the body" })
+        } else {
+            FreeMotion::of(rotor, start)
         };
         match (method, exact) {
             (Method::Auto | Method::Exact, Ok(motion)) => Self::of_motion(motion, times),
@@ -288,7 +289,7 @@ fn sample(rotor: &Rotor, torques: &[TorqueModel], balanced: Balanced) -> Result<
         momentum: rotor.angular_momentum_space(&state),
         torque: total_torque(torques, rotor, &state),
         kinetic_energy: rotor.kinetic_energy(state.omega),
-        potential_energy: total_potential(torques, rotor, state.attitude),
+        potential_energy: total_potential(torques, rotor, &state),
         work,
         impulse,
     })
@@ -342,7 +343,7 @@ fn require_finite(rotor: &Rotor, torques: &[TorqueModel], start: &State) -> Resu
         ("the start's angular velocity", start.omega.norm()),
         ("the start's kinetic energy", energy),
         ("the start's angular momentum", momentum),
-        ("the torque", torques.iter().map(|torque| torque.scale(rotor)).sum()),
+        ("the torque", torques.iter().map(|torque| torque.scale(rotor, start)).sum()),
     ] {
         if !value.is_finite() {
             return Err(MotionError::Parameter { what, value, rule: "finite" });

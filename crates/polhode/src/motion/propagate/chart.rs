@@ -12,27 +12,27 @@
 //! Source: Bortz, IEEE Trans. Aerosp. Electron. Syst. 7 (1971) 61; in the language of Lie groups, θ̇ = dexp⁻¹ ω
 //! (Munthe-Kaas, BIT 38 (1998) 92).
 
+use std::rc::Rc;
+
 use crate::math::frame::{Body, Principal, Space};
 use crate::math::real::sin_cos;
 use crate::math::rotation::Rotation;
 use crate::math::vector::{AngularMomentum, AngularVelocity, Direction, Torque, Vector};
 use crate::motion::error::MotionError;
 use crate::motion::euler::euler;
-use crate::motion::rotor::Rotor;
 use crate::motion::state::State;
-use crate::motion::torque::{TorqueModel, total_torque};
+
+use super::piece::Piece;
 
 /// θ (3), ω (3), W, J (3).
 pub(super) const N: usize = 10;
 pub(super) type Y = [f64; N];
 
 /// The equations of motion around one attitude.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Chart<'a> {
-    pub(super) rotor: &'a Rotor,
-    pub(super) torques: &'a [TorqueModel],
-    /// The largest torque that there can be, N·m.
-    pub(super) largest_torque: f64,
+    /// What acts.
+    pub(super) piece: Rc<Piece<'a>>,
     /// The attitude of the principal axes at θ = 0.
     pub(super) center: Rotation<Space, Principal>,
 }
@@ -40,18 +40,35 @@ pub(super) struct Chart<'a> {
 impl Chart<'_> {
     /// dy/dt.
     pub(super) fn derivative(&self, t: f64, y: &Y) -> Y {
-        let omega = omega(y);
-        let [a, b, c] = theta_dot(theta(y), omega).to_array();
-        let moments = self.rotor.principal().moments();
-        if self.torques.is_empty() {
+        let (omega, piece) = (omega(y), &*self.piece);
+        let moments = piece.rotor.principal().moments();
+        if piece.is_free() {
+            let [a, b, c] = theta_dot(theta(y), omega).to_array();
             let [p, q, r] = euler(moments, omega, Torque::ZERO).to_array();
             return [a, b, c, p, q, r, 0.0, 0.0, 0.0, 0.0];
         }
         let attitude = self.attitude(y);
         let torque = self.torque(t, y, attitude);
-        let [p, q, r] = euler(moments, omega, torque).to_array();
+        // What acts inside the body: wheels, h × ω − ḣ, and friction, α L × (L × ω), at which it turns by α L × ω faster.
+        let (h, reaction) = (piece.wheel_momentum(t), -piece.motor_torque());
+        let l = piece.angular_momentum(t, omega);
+        let bending: Torque<Principal> = l.cross(omega);
+        let slip: AngularVelocity<Principal> = bending.as_quantity() * piece.sink;
+        let inside = h.cross(omega) + l.cross(slip) + reaction;
+        let [a, b, c] = theta_dot(theta(y), omega + slip).to_array();
+        let [p, q, r] = euler(moments, omega, torque + inside).to_array();
         let [j, k, l] = (attitude * torque).to_array();
-        [a, b, c, p, q, r, torque.dot(omega), j, k, l]
+        let power = (torque + reaction).dot(omega) - piece.sink * bending.dot(bending);
+        [a, b, c, p, q, r, power, j, k, l]
+    }
+
+    /// Ω = ω + α L × ω, at which the body turns.
+    pub(super) fn turning(&self, t: f64, omega: AngularVelocity<Principal>) -> AngularVelocity<Principal> {
+        if self.piece.sink == 0.0 {
+            return omega;
+        }
+        let bending: Torque<Principal> = self.piece.angular_momentum(t, omega).cross(omega);
+        omega + (bending * self.piece.sink).as_quantity()
     }
 
     /// The attitude of the principal axes.
@@ -65,14 +82,14 @@ impl Chart<'_> {
     }
 
     fn state_at(&self, t: f64, y: &Y, attitude: Rotation<Space, Principal>) -> State {
-        let r = self.rotor.principal().rotation();
+        let r = self.piece.rotor.principal().rotation();
         State { time: t, attitude: attitude * r.inverse(), omega: r * omega(y) }
     }
 
     /// Refuses a torque about an axis that has no inertia: nothing would balance it.
     pub(super) fn require_determined(&self, t: f64, y: &Y) -> Result<(), MotionError> {
         // Only a rod has such an axis, and it is the first.
-        if self.torques.is_empty() || self.rotor.principal().moments()[0] != 0.0 {
+        if self.piece.torques.is_empty() || self.piece.rotor.principal().moments()[0] != 0.0 {
             return Ok(());
         }
         match self.torque(t, y, self.attitude(y)).x {
@@ -82,12 +99,13 @@ impl Chart<'_> {
     }
 
     fn torque(&self, t: f64, y: &Y, attitude: Rotation<Space, Principal>) -> Torque<Principal> {
-        let torque: Torque<Body> = total_torque(self.torques, self.rotor, &self.state_at(t, y, attitude));
-        let torque = self.rotor.principal().rotation().inverse() * torque;
+        let principal = self.piece.rotor.principal();
+        let torque: Torque<Body> = self.piece.torque(&self.state_at(t, y, attitude));
+        let torque = principal.rotation().inverse() * torque;
         // Along a needle, gravity has no torque but that of its rounding; divided by so small a moment, it would spin it.
-        let [i1, i2, i3] = self.rotor.principal().moments();
+        let [i1, i2, i3] = principal.moments();
         let clean = |n: f64, i: f64| {
-            if i < THIN * i3 && n.abs() < ROUNDING * self.largest_torque { 0.0 } else { n }
+            if i < THIN * i3 && n.abs() < ROUNDING * self.piece.largest_torque { 0.0 } else { n }
         };
         Torque::new(clean(torque.x, i1), clean(torque.y, i2), torque.z)
     }

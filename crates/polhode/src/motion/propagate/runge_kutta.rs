@@ -1,16 +1,17 @@
 //! Steps of DOP853 put together: error control, the carried rounding, and samples between steps.
 
+use std::rc::Rc;
+
 use super::chart::{self, Chart, N, Y};
 use super::dop853::{self, Stages};
 use super::orientation::Orientation;
+use super::piece::Piece;
 use super::stepper::{Balanced, StepStatistics};
 use crate::math::frame::Principal;
 use crate::math::sum::two_sum;
 use crate::math::vector::{AngularVelocity, Vector};
 use crate::motion::error::MotionError;
-use crate::motion::rotor::Rotor;
 use crate::motion::state::State;
-use crate::motion::torque::TorqueModel;
 
 /// Rounding of a torque N, in units of the rate √(N/I) that it makes.
 const NOISE: f64 = 16.0 * f64::EPSILON;
@@ -37,7 +38,7 @@ pub(super) struct RungeKutta<'a> {
 }
 
 /// One accepted step, as it started.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 struct Step<'a> {
     chart: Chart<'a>,
     start: f64,
@@ -48,23 +49,19 @@ struct Step<'a> {
 impl<'a> RungeKutta<'a> {
     /// # Errors
     /// [`MotionError::TorqueWithoutInertia`] if the torque cannot be balanced.
-    pub(super) fn new(
-        rotor: &'a Rotor,
-        torques: &'a [TorqueModel],
-        start: State,
-        tolerance: f64,
-    ) -> Result<Self, MotionError> {
-        let r = rotor.principal().rotation();
-        let largest_torque: f64 = torques.iter().map(|torque| torque.scale(rotor)).sum();
-        let chart = Chart { rotor, torques, largest_torque, center: start.attitude * r };
+    pub(super) fn new(piece: Rc<Piece<'a>>, start: State, tolerance: f64) -> Result<Self, MotionError> {
+        let principal = piece.rotor.principal();
+        let r = principal.rotation();
+        let torque_rate = (piece.largest_torque / principal.moments()[2]).sqrt();
+        let chart = Chart { piece, center: start.attitude * r };
         let y = chart::at_center(r.inverse() * start.omega, 0.0, Vector::ZERO);
         chart.require_determined(start.time, &y)?;
         let k0 = chart.derivative(start.time, &y);
         let omega_scale = chart::omega(&y).norm();
         let rate = omega_scale + omega_rate(&k0).norm().sqrt();
         Ok(Self {
-            chart,
             orientation: Orientation::new(chart.center),
+            chart,
             time: start.time,
             y,
             carry: [0.0; N],
@@ -73,10 +70,27 @@ impl<'a> RungeKutta<'a> {
             h: if rate > 0.0 { 0.02 / rate } else { f64::INFINITY },
             tolerance,
             omega_scale,
-            omega_noise: NOISE * (largest_torque / rotor.principal().moments()[2]).sqrt(),
+            omega_noise: NOISE * torque_rate,
             statistics: StepStatistics { evaluations: 1, ..StepStatistics::default() },
             last: None,
         })
+    }
+
+    /// Goes on from here with what acts from now on.
+    ///
+    /// # Errors
+    /// As [`RungeKutta::new`].
+    pub(super) fn change(&mut self, piece: Rc<Piece<'a>>) -> Result<(), MotionError> {
+        let torque_rate = (piece.largest_torque / piece.rotor.principal().moments()[2]).sqrt();
+        self.omega_noise = self.omega_noise.max(NOISE * torque_rate);
+        self.chart.piece = piece;
+        self.chart.require_determined(self.time, &self.y)?;
+        self.k0 = self.chart.derivative(self.time, &self.y);
+        self.statistics.evaluations += 1;
+        // The step that suited what acted before says nothing.
+        let rate = chart::omega(&self.y).norm() + omega_rate(&self.k0).norm().sqrt();
+        self.h = if rate > 0.0 { 0.02 / rate } else { f64::INFINITY };
+        Ok(())
     }
 
     pub(super) fn time(&self) -> f64 {
@@ -112,7 +126,7 @@ impl<'a> RungeKutta<'a> {
             if !(self.time + h > self.time) {
                 return Err(MotionError::StepTooSmall { time: self.time, step: h });
             }
-            let chart = self.chart;
+            let chart = self.chart.clone();
             let f = |t: f64, y: &Y| chart.derivative(t, y);
             let stages = dop853::step(&f, self.time, &self.y, &self.k0, h);
             self.statistics.evaluations += 11;
@@ -138,8 +152,9 @@ impl<'a> RungeKutta<'a> {
             }
             let end_time = if wanted >= rest { until } else { self.time + h };
             chart.require_determined(end_time, &end)?;
+            let k_end = f(end_time, &end);
             let step = Step { chart, start: self.time, y: self.y, k0: self.k0 };
-            self.accept(&increment, end_time, &f(end_time, &end));
+            self.accept(&increment, end_time, &k_end);
             self.statistics.evaluations += 1;
             self.statistics.accepted += 1;
             // A step shortened by `until` says nothing about the next one.
@@ -156,7 +171,7 @@ impl<'a> RungeKutta<'a> {
     /// (fixtures/free_top.toml, every order and sign of its rates) its samples had up to 57 times the tolerance, these have
     /// less than 5 times.
     pub(super) fn at(&self, time: f64) -> Balanced {
-        let Some(step) = self.last else { return self.now() };
+        let Some(step) = &self.last else { return self.now() };
         let f = |t: f64, y: &Y| step.chart.derivative(t, y);
         let stages = dop853::step(&f, step.start, &step.y, &step.k0, time - step.start);
         balanced(&step.chart, time, &sum(&step.y, &stages.increment()))
@@ -174,9 +189,9 @@ impl<'a> RungeKutta<'a> {
         self.y = chart::at_center(chart::omega(&y), chart::work(&y), chart::impulse(&y));
         self.carry[..3].fill(0.0);
         self.omega_scale = self.omega_scale.max(chart::omega(&y).norm());
-        // In the new chart θ = 0 and θ̇ = ω; the other rates do not depend on the chart.
+        // In the new chart θ = 0 and θ̇ is the rate of turning; the other rates do not depend on the chart.
         self.k0 = *k_end;
-        self.k0[..3].copy_from_slice(&chart::omega(&y).to_array());
+        self.k0[..3].copy_from_slice(&self.chart.turning(time, chart::omega(&y)).to_array());
     }
 
     /// Error over tolerance: the step is good if it is at most 1.

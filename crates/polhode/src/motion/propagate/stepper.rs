@@ -1,5 +1,8 @@
 //! What steps from one time to the next, whichever method it is.
 
+use std::rc::Rc;
+
+use super::piece::Piece;
 use super::runge_kutta::RungeKutta;
 use super::taylor::Taylor;
 use crate::math::frame::Space;
@@ -48,13 +51,17 @@ pub(crate) enum Rule {
 pub(crate) struct Stepper<'a> {
     rotor: &'a Rotor,
     torques: &'a [TorqueModel],
+    /// Which of them are switched on.
+    switched_on: Vec<bool>,
+    /// The first time at which something begins or ends by itself.
+    until: f64,
     tolerance: f64,
     rule: Steps<'a>,
 }
 
 #[derive(Debug)]
 enum Steps<'a> {
-    Taylor(Box<Taylor>),
+    Taylor(Box<Taylor<'a>>),
     Dop853(Box<RungeKutta<'a>>),
 }
 
@@ -76,11 +83,26 @@ impl<'a> Stepper<'a> {
         if !rotor.is_spinnable() {
             return Err(MotionError::NotSpinnable);
         }
+        let piece = Rc::new(Piece::new(rotor, torques.iter(), &start));
+        let until = piece.until;
         let rule = match rule {
-            Rule::Taylor => Steps::Taylor(Box::new(Taylor::new(rotor, torques, start, tolerance)?)),
-            Rule::Dop853 => Steps::Dop853(Box::new(RungeKutta::new(rotor, torques, start, tolerance)?)),
+            Rule::Taylor => Steps::Taylor(Box::new(Taylor::new(piece, start, tolerance)?)),
+            Rule::Dop853 => Steps::Dop853(Box::new(RungeKutta::new(piece, start, tolerance)?)),
         };
-        Ok(Self { rotor, torques, tolerance, rule })
+        Ok(Self { rotor, torques, switched_on: vec![true; torques.len()], until, tolerance, rule })
+    }
+
+    /// Looks again at what acts now.
+    fn change(&mut self) -> Result<(), MotionError> {
+        let state = self.now().state;
+        let torques =
+            self.torques.iter().zip(&self.switched_on).filter(|(_, on)| **on).map(|(torque, _)| torque);
+        let piece = Rc::new(Piece::new(self.rotor, torques, &state));
+        self.until = piece.until;
+        match &mut self.rule {
+            Steps::Taylor(taylor) => taylor.change(piece),
+            Steps::Dop853(dop853) => dop853.change(piece),
+        }
     }
 
     /// What is stepped: the body, and what turns it.
@@ -99,12 +121,16 @@ impl<'a> Stepper<'a> {
         }
     }
 
-    /// One step forward, not beyond `until`.
+    /// One step forward, not beyond `until`, nor beyond a time at which a torque begins or ends.
     ///
     /// # Errors
     /// [`MotionError::StepTooSmall`], [`MotionError::NotFinite`] or [`MotionError::TorqueWithoutInertia`]; the stepper
     /// stays at the last good state.
     pub(crate) fn step(&mut self, until: f64) -> Result<(), MotionError> {
+        if self.time() >= self.until {
+            self.change()?;
+        }
+        let until = until.min(self.until);
         match &mut self.rule {
             Steps::Taylor(taylor) => taylor.step(until),
             Steps::Dop853(dop853) => dop853.step(until),

@@ -1,5 +1,8 @@
 //! Taylor steps put together.
 
+use std::rc::Rc;
+
+use super::torque::StepStart;
 use super::{Expansion, Increment};
 use crate::math::frame::{Body, Principal, Space};
 use crate::math::rotation::Rotation;
@@ -7,16 +10,16 @@ use crate::math::sum::two_sum;
 use crate::math::vector::{AngularMomentum, AngularVelocity, Vector};
 use crate::motion::error::MotionError;
 use crate::motion::propagate::orientation::Orientation;
+use crate::motion::propagate::piece::Piece;
 use crate::motion::propagate::stepper::{Balanced, StepStatistics};
-use crate::motion::rotor::Rotor;
 use crate::motion::state::State;
-use crate::motion::torque::TorqueModel;
 
 /// Adaptive Taylor steps over the motion of one body.
 ///
 /// The series about the state that a step starts from is kept until the next step: it is the dense output. Each sum carries its rounding.
 #[derive(Debug)]
-pub(in crate::motion::propagate) struct Taylor {
+pub(in crate::motion::propagate) struct Taylor<'a> {
+    piece: Rc<Piece<'a>>,
     expansion: Box<Expansion>,
     /// Body axes from principal ones.
     to_body: Rotation<Body, Principal>,
@@ -39,14 +42,13 @@ struct Base {
     impulse: [[f64; 2]; 3],
 }
 
-impl Taylor {
+impl<'a> Taylor<'a> {
     pub(in crate::motion::propagate) fn new(
-        rotor: &Rotor,
-        torques: &[TorqueModel],
+        piece: Rc<Piece<'a>>,
         start: State,
         tolerance: f64,
     ) -> Result<Self, MotionError> {
-        let to_body = rotor.principal().rotation();
+        let to_body = piece.rotor.principal().rotation();
         let omega = (to_body.inverse() * start.omega).to_array();
         let head = Base {
             time: start.time,
@@ -55,21 +57,30 @@ impl Taylor {
             work: [0.0; 2],
             impulse: [[0.0; 2]; 3],
         };
-        let torque: f64 = torques.iter().map(|torque| torque.scale(rotor)).sum();
-        let rate = (torque / rotor.principal().moments()[2]).sqrt();
-        let expansion = Box::new(Expansion::new(rotor, torques, tolerance));
         let mut taylor = Self {
-            expansion,
+            expansion: Box::new(Expansion::new(&piece, tolerance)),
+            // A body at rest is measured by how fast the torque makes it.
+            omega_scale: start.omega.norm().max(torque_rate(&piece)),
+            piece,
             to_body,
             base: head,
             head,
             h: 0.0,
-            // A body at rest is measured by how fast the torque makes it.
-            omega_scale: start.omega.norm().max(rate),
             statistics: StepStatistics::default(),
         };
         taylor.expand()?;
         Ok(taylor)
+    }
+
+    /// Goes on from here with what acts from now on.
+    ///
+    /// # Errors
+    /// As [`Taylor::new`].
+    pub(in crate::motion::propagate) fn change(&mut self, piece: Rc<Piece<'a>>) -> Result<(), MotionError> {
+        self.omega_scale = self.omega_scale.max(torque_rate(&piece));
+        self.expansion.act(&piece);
+        self.piece = piece;
+        self.expand()
     }
 
     /// One step forward, not beyond `until`.
@@ -103,7 +114,9 @@ impl Taylor {
     /// [`MotionError::TorqueWithoutInertia`] if nothing would balance the torque.
     fn expand(&mut self) -> Result<(), MotionError> {
         self.base = self.head;
-        self.expansion.expand(self.base.orientation.rotation(), self.base.omega());
+        let Base { time, orientation, .. } = self.base;
+        let start = StepStart { time, attitude: orientation.rotation(), omega: self.base.omega() };
+        self.expansion.expand(&start, &self.piece);
         if let Some(torque) = self.expansion.unbalanced() {
             return Err(MotionError::TorqueWithoutInertia { torque, time: self.base.time });
         }
@@ -146,6 +159,11 @@ impl Taylor {
             impulse: Vector::from_array(base.impulse.map(|[high, _]| high)),
         }
     }
+}
+
+/// √(N/I), rad/s.
+fn torque_rate(piece: &Piece<'_>) -> f64 {
+    (piece.largest_torque / piece.rotor.principal().moments()[2]).sqrt()
 }
 
 impl Base {

@@ -1,0 +1,13 @@
+//! A `[[torque]]` of model `formula`.
+
+use polhode::TorqueModel;
+
+use super::allow;
+use crate::error::FormatError;
+use crate::scenario::reader::Table;
+
+/// Not readable yet.
+pub(super) fn formula(table: &Table<'_>) -> Result<TorqueModel, FormatError> {
+    allow(table, &[])?;
+    Err(table.missing("model", "another model"))
+}

@@ -1,0 +1,34 @@
+//! A vector of space as the turning body sees it.
+
+use super::row::{Row, Vectors};
+
+/// The series of a vector along principal axes, which turn at Ω: v̇ = v × Ω + s, s its rate in space, seen from the body too.
+#[derive(Clone, Debug)]
+pub(super) struct Seen(Vectors);
+
+impl Seen {
+    pub(super) const ZERO: Self = Self(Vectors::ZERO);
+
+    pub(super) fn start(&mut self, v: Row) {
+        self.0.set(0, v);
+    }
+
+    /// The coefficients known so far.
+    #[inline(always)]
+    pub(super) fn vectors(&self) -> &Vectors {
+        &self.0
+    }
+
+    /// Coefficient n.
+    #[inline(always)]
+    pub(super) fn coefficient(&self, n: usize) -> Row {
+        self.0.rows[n]
+    }
+
+    /// Finds coefficient n + 1 from those up to n; `source` is coefficient n of s.
+    #[inline(always)]
+    pub(super) fn extend(&mut self, n: usize, turning: &Vectors, source: Row) {
+        let next = (self.0.cross(turning, n) + source) * Row::splat(1.0 / (n + 1) as f64);
+        self.0.set(n + 1, next);
+    }
+}

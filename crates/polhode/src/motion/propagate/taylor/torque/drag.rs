@@ -1,0 +1,23 @@
+//! The series of drag.
+
+use super::super::row::Row;
+use super::{Known, StepStart};
+use crate::motion::rotor::Rotor;
+use crate::motion::torque::Drag;
+
+/// The series of drag.
+#[derive(Clone, Debug)]
+pub(in super::super) struct DragSeries {}
+
+impl DragSeries {
+    pub(super) fn of(_model: &Drag, _rotor: &Rotor) -> Self {
+        Self {}
+    }
+
+    pub(super) fn start(&mut self, _at: &StepStart) {}
+
+    #[inline(always)]
+    pub(super) fn coefficient(&mut self, _n: usize, _known: &Known<'_>) -> Row {
+        Row::ZERO
+    }
+}

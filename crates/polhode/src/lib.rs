@@ -115,6 +115,7 @@ pub use motion::propagate::stepper::{LOOSEST_TOLERANCE, StepStatistics, TIGHTEST
 pub use motion::rotor::Rotor;
 pub use motion::scenario::{Hanging, Run, Scenario};
 pub use motion::state::State;
+pub use motion::states::states_at;
 pub use motion::torque::{
     Attracted, ConstantTorque, Drag, EnergySink, FormulaTorque, GravityGradient, Magnetic, MagneticField,
     Schedule, Scheduled, Thruster, TorqueModel, Torsion, UniformGravity,

@@ -161,7 +161,12 @@ impl Trajectory {
             (Method::Exact, Err(why)) => Err(why),
             _ => {
                 let rule = if method == Method::Dop853 { Rule::Dop853 } else { Rule::Taylor };
-                Self::integrate(Stepper::new(rule, rotor, torques, start, tolerance)?, start, times, watch)
+                Self::integrate(
+                    Stepper::new(rule, rotor, torques, start, tolerance, true)?,
+                    start,
+                    times,
+                    watch,
+                )
             }
         }
     }
@@ -252,7 +257,7 @@ const MOST_STEPS: u64 = 100_000_000;
 const FIRST_STEPS: u64 = 64;
 
 /// Gives up as soon as it can be seen that the end is too many steps away.
-fn require_patience(stepper: &Stepper<'_>, end: f64) -> Result<(), MotionError> {
+pub(super) fn require_patience(stepper: &Stepper<'_>, end: f64) -> Result<(), MotionError> {
     let (done, step) = (stepper.statistics().accepted, stepper.next_step());
     let left = (end - stepper.time()) / step;
     if done < FIRST_STEPS || done as f64 + left <= MOST_STEPS as f64 {
@@ -322,7 +327,7 @@ fn continuous(mut samples: Vec<Sample>) -> Vec<Sample> {
     samples
 }
 
-fn require_ascending(start: f64, times: &[f64]) -> Result<(), MotionError> {
+pub(super) fn require_ascending(start: f64, times: &[f64]) -> Result<(), MotionError> {
     let mut last = start;
     for &value in times {
         if !value.is_finite() || value < last {
@@ -335,7 +340,11 @@ fn require_ascending(start: f64, times: &[f64]) -> Result<(), MotionError> {
 }
 
 /// A start is input: what is wrong with it is not the computation's fault.
-fn require_finite(rotor: &Rotor, torques: &[TorqueModel], start: &State) -> Result<(), MotionError> {
+pub(super) fn require_finite(
+    rotor: &Rotor,
+    torques: &[TorqueModel],
+    start: &State,
+) -> Result<(), MotionError> {
     let (energy, momentum) = (rotor.kinetic_energy(start.omega), rotor.angular_momentum(start.omega).norm());
     for (what, value) in [
         ("the start's time", start.time),

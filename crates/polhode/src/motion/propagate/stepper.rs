@@ -66,6 +66,8 @@ enum Steps<'a> {
 }
 
 impl<'a> Stepper<'a> {
+    /// Without evidence Taylor's method leaves out work and impulse, which are zero then.
+    ///
     /// # Errors
     /// [`MotionError::Parameter`] if the tolerance is outside 1e-15 … 1e-2; [`MotionError::NotSpinnable`];
     /// [`MotionError::TorqueWithoutInertia`] if the torque cannot be balanced.
@@ -75,6 +77,7 @@ impl<'a> Stepper<'a> {
         torques: &'a [TorqueModel],
         start: State,
         tolerance: f64,
+        with_evidence: bool,
     ) -> Result<Self, MotionError> {
         if !(TIGHTEST_TOLERANCE..=LOOSEST_TOLERANCE).contains(&tolerance) {
             let rule = "between 1e-15 and 1e-2";
@@ -86,7 +89,7 @@ impl<'a> Stepper<'a> {
         let piece = Rc::new(Piece::new(rotor, torques.iter(), &start));
         let until = piece.until;
         let rule = match rule {
-            Rule::Taylor => Steps::Taylor(Box::new(Taylor::new(piece, start, tolerance)?)),
+            Rule::Taylor => Steps::Taylor(Box::new(Taylor::new(piece, start, tolerance, with_evidence)?)),
             Rule::Dop853 => Steps::Dop853(Box::new(RungeKutta::new(piece, start, tolerance)?)),
         };
         Ok(Self { rotor, torques, switched_on: vec![true; torques.len()], until, tolerance, rule })

@@ -1,6 +1,12 @@
-//! Rows of four numbers: a vector or a quaternion in one register, and sums of products of their Taylor coefficients.
+//! Rows of four numbers, a vector or a quaternion in one register, and sums of products of their Taylor coefficients.
+//!
+//! Almost all the time of a step is spent in these sums. Two things count: the terms that need the newest coefficients come last, so that
+//! the processor works on all others while those are still being made; and loops have few, foreseeable ends: they go by fours, over
+//! coefficients that are not known yet and therefore zero.
 
 use core::ops::{Add, Mul, Sub};
+
+use crate::math::lanes::Fours;
 
 /// Four numbers, added and multiplied place by place.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -59,65 +65,145 @@ impl Mul for Row {
     }
 }
 
-/// The most terms of a series.
+/// The most terms of a series: a constant and whole groups of four.
 pub(super) const TERMS: usize = 25;
 
+/// Zeros before the first coefficient: as many as a loop by fours may read too far.
+const MARGIN: usize = 3;
+
 /// Taylor coefficients, from the constant on.
-pub(super) type Series = [Row; TERMS];
-
-/// Σ aₖ bₙ₋ₖ, k = 0 … n: the coefficient n of a product.
-#[inline(always)]
-pub(super) fn product(a: &Series, b: &Series, n: usize) -> Row {
-    // Two sums, so that one need not wait for the other.
-    let (a, b) = (&a[..=n], &b[..=n]);
-    let mut sums = [Row::ZERO; 2];
-    let (pairs, last) = a.as_chunks::<2>();
-    let mut back = b.iter().rev();
-    for &[a0, a1] in pairs {
-        if let (Some(&b0), Some(&b1)) = (back.next(), back.next()) {
-            sums[0] = sums[0] + a0 * b0;
-            sums[1] = sums[1] + a1 * b1;
-        }
-    }
-    if let ([a], Some(&b)) = (last, back.next()) {
-        sums[0] = sums[0] + *a * b;
-    }
-    sums[0] + sums[1]
-}
-
-/// A vector's series, and the same turned, as cross products need it.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Vectors {
-    pub(super) rows: Series,
-    turned: Series,
-}
+pub(super) struct Series([Row; MARGIN + TERMS]);
 
-impl Vectors {
-    pub(super) const ZERO: Self = Self { rows: [Row::ZERO; TERMS], turned: [Row::ZERO; TERMS] };
+impl Series {
+    pub(super) const ZERO: Self = Self([Row::ZERO; MARGIN + TERMS]);
 
     #[inline(always)]
     pub(super) fn set(&mut self, n: usize, row: Row) {
-        self.rows[n] = row;
-        self.turned[n] = row.turned();
+        self.0[MARGIN + n] = row;
     }
 
-    /// Coefficient n of a × b: Σ (aₖ bₙ₋ₖ' − aₖ' bₙ₋ₖ)', ' for turned.
+    /// Coefficient n.
     #[inline(always)]
-    pub(super) fn cross(&self, b: &Self, n: usize) -> Row {
-        (product(&self.rows, &b.turned, n) - product(&self.turned, &b.rows, n)).turned()
+    pub(super) fn at(&self, n: usize) -> Row {
+        self.0[MARGIN + n]
     }
 
-    /// Coefficient n of (a2 a3, a3 a1, a1 a2).
+    /// Coefficients 1, 2, … by fours; what is beyond the known ones meets a zero of `backward`.
     #[inline(always)]
-    pub(super) fn others(&self, n: usize) -> Row {
-        // a turned and a turned twice: turning once more brings (a1 a2, a2 a3, a3 a1) there
-        product(&self.rows, &self.turned, n).turned()
+    pub(super) fn forward(&self) -> impl Iterator<Item = &[Row; 4]> {
+        self.0[MARGIN + 1..].as_chunks().0.iter()
+    }
+
+    /// Coefficients n − 1, n − 2, … 0 and zeros by fours, each four in ascending order.
+    #[inline(always)]
+    pub(super) fn backward(&self, n: usize) -> impl Iterator<Item = &[Row; 4]> {
+        self.0[..MARGIN + n].as_rchunks().1.iter().rev()
+    }
+
+    /// c₁ h + c₂ h² + … up to an order, h in all places: what the series adds to its constant.
+    #[inline(always)]
+    pub(super) fn increment<S: Fours>(&self, s: S, order: usize, h: S::Four) -> Row {
+        // Odd and even powers by themselves: two short chains instead of a long one.
+        let square = h * h;
+        let (mut odd, mut even) = (s.splat(0.0), s.splat(0.0));
+        let (pairs, last) = self.0[MARGIN + 1..=MARGIN + order].as_chunks();
+        if let [last] = last {
+            odd = s.load(&last.0);
+        }
+        for [first, second] in pairs.iter().rev() {
+            odd = odd * square + s.load(&first.0);
+            even = even * square + s.load(&second.0);
+        }
+        Row(s.numbers((odd + even * h) * h))
     }
 }
 
-/// c₁ h + c₂ h² + … up to an order: what a series adds to its constant.
+/// Taylor coefficients of a number, as the rows'.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Numbers([f64; MARGIN + TERMS]);
+
+impl Numbers {
+    pub(super) const ZERO: Self = Self([0.0; MARGIN + TERMS]);
+
+    #[inline(always)]
+    pub(super) fn set(&mut self, n: usize, x: f64) {
+        self.0[MARGIN + n] = x;
+    }
+
+    /// Coefficient n.
+    #[inline(always)]
+    pub(super) fn at(&self, n: usize) -> f64 {
+        self.0[MARGIN + n]
+    }
+
+    /// As [`Series::backward`].
+    #[inline(always)]
+    pub(super) fn backward(&self, n: usize) -> impl Iterator<Item = &[f64; 4]> {
+        self.0[..MARGIN + n].as_rchunks().1.iter().rev()
+    }
+}
+
+/// Σ aₖ bₙ₋ₖ, k = 0 … n: the coefficient n of a product.
 #[inline(always)]
-pub(super) fn increment(series: &Series, order: usize, h: f64) -> Row {
-    let h = Row::splat(h);
-    series[1..=order].iter().rev().fold(Row::ZERO, |sum, &c| (sum + c) * h)
+pub(super) fn product<S: Fours>(s: S, a: &Series, b: &Series, n: usize) -> Row {
+    let mut sum = s.splat(0.0);
+    for (a, b) in a.forward().zip(b.backward(n)) {
+        for k in 0..4 {
+            sum = sum + s.load(&a[k].0) * s.load(&b[3 - k].0);
+        }
+    }
+    Row(s.numbers(sum + s.load(&a.at(0).0) * s.load(&b.at(n).0)))
+}
+
+/// Taylor coefficients of a vector, with what its products need.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Vectors {
+    pub(super) rows: Series,
+    /// The same turned, as (a2 a3, a3 a1, a1 a2) needs it.
+    pub(super) turned: Series,
+    /// Each component by itself: it multiplies whole rows.
+    pub(super) components: [Numbers; 3],
+}
+
+impl Vectors {
+    pub(super) const ZERO: Self =
+        Self { rows: Series::ZERO, turned: Series::ZERO, components: [Numbers::ZERO; 3] };
+
+    #[inline(always)]
+    pub(super) fn set(&mut self, n: usize, row: Row) {
+        self.rows.set(n, row);
+        self.turned.set(n, row.turned());
+        let ([a, b, c], [x, y, z, _]) = (&mut self.components, row.0);
+        a.set(n, x);
+        b.set(n, y);
+        c.set(n, z);
+    }
+}
+
+/// Coefficients n of the rows x times each component of b.
+#[inline(always)]
+pub(super) fn outer<S: Fours>(s: S, x: &Series, b: &Vectors, n: usize) -> [Row; 3] {
+    let [b1, b2, b3] = &b.components;
+    let [mut p, mut q, mut r] = [s.splat(0.0); 3];
+    for (x, ((b1, b2), b3)) in x.forward().zip(b1.backward(n).zip(b2.backward(n)).zip(b3.backward(n))) {
+        for k in 0..4 {
+            let x = s.load(&x[k].0);
+            p = p + x * s.splat(b1[3 - k]);
+            q = q + x * s.splat(b2[3 - k]);
+            r = r + x * s.splat(b3[3 - k]);
+        }
+    }
+    let x = s.load(&x.at(0).0);
+    p = p + x * s.splat(b1.at(n));
+    q = q + x * s.splat(b2.at(n));
+    r = r + x * s.splat(b3.at(n));
+    [p, q, r].map(|sum| Row(s.numbers(sum)))
+}
+
+/// Coefficient n of v × b = Σ bᵢ v × eᵢ.
+#[inline(always)]
+pub(super) fn cross<S: Fours>(s: S, v: &Series, b: &Vectors, n: usize) -> Row {
+    let [p, q, r] = outer(s, v, b, n).map(|sum| sum.0);
+    Row([r[1] - q[2], p[2] - r[0], q[0] - p[1], 0.0])
 }

@@ -1,13 +1,15 @@
 //! A vector of space as the turning body sees it.
 
-use super::row::{Row, Vectors};
+use crate::math::lanes::Fours;
+
+use super::row::{Row, Series, Vectors, cross};
 
 /// The series of a vector along principal axes, which turn at Ω: v̇ = v × Ω + s, s its rate in space, seen from the body too.
 #[derive(Clone, Debug)]
-pub(super) struct Seen(Vectors);
+pub(super) struct Seen(Series);
 
 impl Seen {
-    pub(super) const ZERO: Self = Self(Vectors::ZERO);
+    pub(super) const ZERO: Self = Self(Series::ZERO);
 
     pub(super) fn start(&mut self, v: Row) {
         self.0.set(0, v);
@@ -15,20 +17,20 @@ impl Seen {
 
     /// The coefficients known so far.
     #[inline(always)]
-    pub(super) fn vectors(&self) -> &Vectors {
+    pub(super) fn series(&self) -> &Series {
         &self.0
     }
 
     /// Coefficient n.
     #[inline(always)]
     pub(super) fn coefficient(&self, n: usize) -> Row {
-        self.0.rows[n]
+        self.0.at(n)
     }
 
     /// Finds coefficient n + 1 from those up to n; `source` is coefficient n of s.
     #[inline(always)]
-    pub(super) fn extend(&mut self, n: usize, turning: &Vectors, source: Row) {
-        let next = (self.0.cross(turning, n) + source) * Row::splat(1.0 / (n + 1) as f64);
+    pub(super) fn extend<S: Fours>(&mut self, s: S, n: usize, turning: &Vectors, source: Row) {
+        let next = (cross(s, &self.0, turning, n) + source) * Row::splat(1.0 / (n + 1) as f64);
         self.0.set(n + 1, next);
     }
 }

@@ -27,6 +27,8 @@ pub(in crate::motion::propagate) struct Taylor<'a> {
     base: Base,
     /// Now.
     head: Base,
+    /// Work and impulse at the base and now, if they are wanted.
+    evidence: Option<[Evidence; 2]>,
     h: f64,
     omega_scale: f64,
     statistics: StepStatistics,
@@ -38,6 +40,11 @@ struct Base {
     time: f64,
     orientation: Orientation,
     omega: [[f64; 2]; 3],
+}
+
+/// ∫ N · ω dt and ∫ N dt; what rounding took is carried.
+#[derive(Clone, Copy, Debug, Default)]
+struct Evidence {
     work: [f64; 2],
     impulse: [[f64; 2]; 3],
 }
@@ -47,6 +54,7 @@ impl<'a> Taylor<'a> {
         piece: Rc<Piece<'a>>,
         start: State,
         tolerance: f64,
+        with_evidence: bool,
     ) -> Result<Self, MotionError> {
         let to_body = piece.rotor.principal().rotation();
         let omega = (to_body.inverse() * start.omega).to_array();
@@ -54,17 +62,16 @@ impl<'a> Taylor<'a> {
             time: start.time,
             orientation: Orientation::new(start.attitude * to_body),
             omega: omega.map(|w| [w, 0.0]),
-            work: [0.0; 2],
-            impulse: [[0.0; 2]; 3],
         };
         let mut taylor = Self {
-            expansion: Box::new(Expansion::new(&piece, tolerance)),
+            expansion: Box::new(Expansion::new(&piece, tolerance, with_evidence)),
             // A body at rest is measured by how fast the torque makes it.
             omega_scale: start.omega.norm().max(torque_rate(&piece)),
             piece,
             to_body,
             base: head,
             head,
+            evidence: with_evidence.then(Default::default),
             h: 0.0,
             statistics: StepStatistics::default(),
         };
@@ -99,12 +106,16 @@ impl<'a> Taylor<'a> {
         if !(time + h > time) {
             return Err(MotionError::StepTooSmall { time, step: h });
         }
-        let mut head = self.base.plus(&self.expansion.at(h));
+        let more = self.expansion.at(h);
+        let end = if self.h >= rest { until } else { time + h };
+        let head = self.base.plus(&more, end);
         if !head.is_finite() {
             return Err(MotionError::NotFinite { time });
         }
-        head.time = if self.h >= rest { until } else { time + h };
         self.head = head;
+        if let Some([base, head]) = &mut self.evidence {
+            *head = base.plus(&more, self.head.orientation.rotation());
+        }
         self.omega_scale = self.omega_scale.max(head.omega().norm());
         self.statistics.accepted += 1;
         Ok(())
@@ -114,6 +125,9 @@ impl<'a> Taylor<'a> {
     /// [`MotionError::TorqueWithoutInertia`] if nothing would balance the torque.
     fn expand(&mut self) -> Result<(), MotionError> {
         self.base = self.head;
+        if let Some([base, head]) = &mut self.evidence {
+            *base = *head;
+        }
         let Base { time, orientation, .. } = self.base;
         let start = StepStart { time, attitude: orientation.rotation(), omega: self.base.omega() };
         self.expansion.expand(&start, &self.piece);
@@ -139,25 +153,23 @@ impl<'a> Taylor<'a> {
     }
 
     pub(in crate::motion::propagate) fn now(&self) -> Balanced {
-        self.balanced(&self.head)
+        self.balanced(&self.head, self.evidence.map(|[_, head]| head))
     }
 
     /// The state at a time within the last step.
     pub(in crate::motion::propagate) fn at(&self, time: f64) -> Balanced {
-        let mut there = self.base.plus(&self.expansion.at(time - self.base.time));
-        there.time = time;
-        self.balanced(&there)
+        let more = self.expansion.at(time - self.base.time);
+        let there = self.base.plus(&more, time);
+        let evidence = self.evidence.map(|[base, _]| base.plus(&more, there.orientation.rotation()));
+        self.balanced(&there, evidence)
     }
 
-    fn balanced(&self, base: &Base) -> Balanced {
+    fn balanced(&self, base: &Base, evidence: Option<Evidence>) -> Balanced {
         let attitude = base.orientation.rotation() * self.to_body.inverse();
         let omega = self.to_body * base.omega();
         let state = State { time: base.time, attitude, omega };
-        Balanced {
-            state,
-            work: base.work[0],
-            impulse: Vector::from_array(base.impulse.map(|[high, _]| high)),
-        }
+        let Evidence { work, impulse } = evidence.unwrap_or_default();
+        Balanced { state, work: work[0], impulse: Vector::from_array(impulse.map(|[high, _]| high)) }
     }
 }
 
@@ -175,19 +187,26 @@ impl Base {
         self.omega().is_finite() && self.orientation.rotation().quaternion().iter().all(|c| c.is_finite())
     }
 
-    fn plus(&self, more: &Increment) -> Self {
-        let mut sum = *self;
-        sum.orientation.add(more.turn);
-        let carried = |[high, carry]: [f64; 2], more: f64| {
-            let (high, carry) = two_sum(high, more + carry);
-            [high, carry]
-        };
-        let at_end: Rotation<Space, Principal> = sum.orientation.rotation();
+    fn plus(&self, more: &Increment, time: f64) -> Self {
+        let mut orientation = self.orientation;
+        orientation.add(more.turn);
+        let omega = core::array::from_fn(|k| carried(self.omega[k], more.omega[k]));
+        Self { time, orientation, omega }
+    }
+}
+
+impl Evidence {
+    fn plus(&self, more: &Increment, at_end: Rotation<Space, Principal>) -> Self {
         let impulse: AngularMomentum<Space> = at_end * AngularMomentum::from_array(more.impulse);
         let impulse = impulse.to_array();
-        sum.omega = core::array::from_fn(|k| carried(self.omega[k], more.omega[k]));
-        sum.impulse = core::array::from_fn(|k| carried(self.impulse[k], impulse[k]));
-        sum.work = carried(self.work, more.work);
-        sum
+        Self {
+            work: carried(self.work, more.work),
+            impulse: core::array::from_fn(|k| carried(self.impulse[k], impulse[k])),
+        }
     }
+}
+
+fn carried([high, carry]: [f64; 2], more: f64) -> [f64; 2] {
+    let (high, carry) = two_sum(high, more + carry);
+    [high, carry]
 }

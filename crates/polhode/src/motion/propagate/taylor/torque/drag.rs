@@ -2,6 +2,7 @@
 
 use super::super::row::Row;
 use super::{Known, StepStart};
+use crate::math::lanes::Fours;
 use crate::motion::rotor::Rotor;
 use crate::motion::torque::Drag;
 
@@ -17,7 +18,7 @@ impl DragSeries {
     pub(super) fn start(&mut self, _at: &StepStart) {}
 
     #[inline(always)]
-    pub(super) fn coefficient(&mut self, _n: usize, _known: &Known<'_>) -> Row {
+    pub(super) fn coefficient<S: Fours>(&mut self, _n: usize, _known: &Known<'_, S>) -> Row {
         Row::ZERO
     }
 }

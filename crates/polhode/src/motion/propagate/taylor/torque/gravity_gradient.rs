@@ -2,6 +2,7 @@
 
 use super::super::row::Row;
 use super::{Known, StepStart};
+use crate::math::lanes::Fours;
 use crate::motion::rotor::Rotor;
 use crate::motion::torque::GravityGradient;
 
@@ -17,10 +18,10 @@ impl GravityGradientSeries {
     pub(super) fn start(&mut self, _at: &StepStart) {}
 
     #[inline(always)]
-    pub(super) fn coefficient(&mut self, _n: usize, _known: &Known<'_>) -> Row {
+    pub(super) fn coefficient<S: Fours>(&mut self, _n: usize, _known: &Known<'_, S>) -> Row {
         Row::ZERO
     }
 
     #[inline(always)]
-    pub(super) fn extend(&mut self, _n: usize, _known: &Known<'_>) {}
+    pub(super) fn extend<S: Fours>(&mut self, _n: usize, _known: &Known<'_, S>) {}
 }

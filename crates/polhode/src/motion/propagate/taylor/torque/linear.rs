@@ -4,6 +4,7 @@ use super::super::row::Row;
 use super::super::seen::Seen;
 use super::{Known, StepStart, row};
 use crate::math::frame::{Body, Principal, Space};
+use crate::math::lanes::Fours;
 use crate::math::vector::{Direction, Torque};
 use crate::motion::propagate::chart::{ROUNDING, THIN};
 use crate::motion::rotor::Rotor;
@@ -51,8 +52,8 @@ impl LinearSeries {
     }
 
     #[inline(always)]
-    pub(super) fn extend(&mut self, n: usize, known: &Known<'_>) {
-        self.v.extend(n, known.turning, Row::ZERO);
+    pub(super) fn extend<S: Fours>(&mut self, n: usize, known: &Known<'_, S>) {
+        self.v.extend(known.s, n, known.turning, Row::ZERO);
     }
 }
 

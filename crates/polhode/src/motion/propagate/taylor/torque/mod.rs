@@ -12,6 +12,7 @@ mod torsion;
 
 use super::row::{Row, Series, Vectors};
 use crate::math::frame::{Principal, Space};
+use crate::math::lanes::Fours;
 use crate::math::rotation::Rotation;
 use crate::math::vector::{AngularVelocity, Vector};
 use crate::motion::rotor::Rotor;
@@ -48,7 +49,9 @@ pub(super) struct StepStart {
 
 /// Coefficients up to n, principal axes.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Known<'a> {
+pub(super) struct Known<'a, S> {
+    /// The machine's vectors.
+    pub(super) s: S,
     /// ω
     pub(super) omega: &'a Vectors,
     /// Ω, at which the axes turn: ω unless friction inside the body makes a difference.
@@ -95,7 +98,7 @@ impl TorqueSeries {
 
     /// Coefficient n of N, once everything that is known is so up to n.
     #[inline(always)]
-    pub(super) fn coefficient(&mut self, n: usize, known: &Known<'_>) -> Row {
+    pub(super) fn coefficient<S: Fours>(&mut self, n: usize, known: &Known<'_, S>) -> Row {
         match self {
             Self::Body(torque) if n == 0 => *torque,
             Self::Body(_) => Row::ZERO,
@@ -110,7 +113,7 @@ impl TorqueSeries {
 
     /// Finds what coefficient n + 1 needs beside the motion.
     #[inline(always)]
-    pub(super) fn extend(&mut self, n: usize, known: &Known<'_>) {
+    pub(super) fn extend<S: Fours>(&mut self, n: usize, known: &Known<'_, S>) {
         match self {
             // All that these need is the motion.
             Self::Body(_) | Self::Drag(_) | Self::Torsion(_) | Self::Formula(_) => {}

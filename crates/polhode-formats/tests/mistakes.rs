@@ -223,8 +223,9 @@ fn names_are_known_ones() {
     }
     refuses(
         &format!("{BALL}[[torque]]\nmodel = «'dragg'»"),
-        "model = 'dragg' must be one of constant, gravity",
-        "write model = \"constant\"",
+        "model = 'dragg' must be one of constant, gravity, gravity_gradient, drag, torsion, magnetic, thruster, \
+         energy_sink, formula",
+        "did you mean \"drag\"?",
     );
 }
 
@@ -578,9 +579,8 @@ fn a_mesh_is_no_scenario() {
 
 #[test]
 fn times_of_torques_are_in_order() {
-    let torque = |keys: &str| {
-        format!("{BALL}[[torque]]\nmodel='constant'\naxes='body'\ntorque=[1,0,0]\n{keys}")
-    };
+    let torque =
+        |keys: &str| format!("{BALL}[[torque]]\nmodel='constant'\naxes='body'\ntorque=[1,0,0]\n{keys}");
     refuses(
         &torque("from='3 s'\nuntil=«'2 s'»"),
         "the time until which a torque acts = 2 must be after the time from which it acts",

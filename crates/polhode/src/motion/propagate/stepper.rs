@@ -147,10 +147,11 @@ impl<'a> Stepper<'a> {
     fn require_untwisted(&self, before: &State) -> Result<(), MotionError> {
         let after = self.now().state.attitude;
         let acting = self.torques.iter().zip(&self.switched_on).filter(|(_, on)| **on);
-        let is_beyond = acting.filter_map(|(torque, _)| torque.acting(before.time)).any(|torque| match torque {
-            TorqueModel::Torsion(torsion) => torsion.passes_half_turn(before.attitude, after),
-            _ => false,
-        });
+        let is_beyond =
+            acting.filter_map(|(torque, _)| torque.acting(before.time)).any(|torque| match torque {
+                TorqueModel::Torsion(torsion) => torsion.passes_half_turn(before.attitude, after),
+                _ => false,
+            });
         if is_beyond { Err(MotionError::HalfTurn { time: before.time }) } else { Ok(()) }
     }
 

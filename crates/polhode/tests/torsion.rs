@@ -1,9 +1,6 @@
 //! Torsion springs and wires: pendulums that swing alike at every amplitude, and energy that is kept.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may")]
 
-mod common;
-
-use common::*;
 use polhode::*;
 
 const METHODS: [Method; 2] = [Method::Taylor, Method::Dop853];

@@ -44,7 +44,7 @@ fn the_period_is_the_same_at_every_amplitude() {
                     let error = sample.state.attitude.angle_to(want);
                     // The smallest is as accurate as the tolerance, not relative to itself.
                     // Rounding is that of many more steps with DOP853.
-                    let bound = if method == Method::Taylor { 6e-14 } else { 2e-12 };
+                    let bound = if method == Method::Taylor { 2e-13 } else { 2e-12 };
                     assert!(error < bound, "{method:?} {amplitude} t = {}: {error:e}", sample.state.time);
                 }
                 // Angles are good to the tolerance, whatever the amplitude.

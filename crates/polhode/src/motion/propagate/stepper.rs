@@ -56,6 +56,8 @@ pub(crate) struct Stepper<'a> {
     /// The first time at which something begins or ends by itself.
     until: f64,
     tolerance: f64,
+    /// True if a spring or wire is among the torques: its twist is watched.
+    is_sprung: bool,
     rule: Steps<'a>,
 }
 
@@ -88,11 +90,12 @@ impl<'a> Stepper<'a> {
         }
         let piece = Rc::new(Piece::new(rotor, torques.iter(), &start));
         let until = piece.until;
+        let is_sprung = torques.iter().any(|torque| torque.name() == "torsion");
         let rule = match rule {
             Rule::Taylor => Steps::Taylor(Box::new(Taylor::new(piece, start, tolerance, with_evidence)?)),
             Rule::Dop853 => Steps::Dop853(Box::new(RungeKutta::new(piece, start, tolerance)?)),
         };
-        Ok(Self { rotor, torques, switched_on: vec![true; torques.len()], until, tolerance, rule })
+        Ok(Self { rotor, torques, switched_on: vec![true; torques.len()], until, tolerance, is_sprung, rule })
     }
 
     /// Looks again at what acts now.
@@ -128,16 +131,31 @@ impl<'a> Stepper<'a> {
     ///
     /// # Errors
     /// [`MotionError::StepTooSmall`], [`MotionError::NotFinite`] or [`MotionError::TorqueWithoutInertia`]; the stepper
-    /// stays at the last good state.
+    /// stays at the last good state. [`MotionError::HalfTurn`] after a step that went too far.
     pub(crate) fn step(&mut self, until: f64) -> Result<(), MotionError> {
         if self.time() >= self.until {
             self.change()?;
         }
         let until = until.min(self.until);
+        let before = self.is_sprung.then(|| self.now().state);
         match &mut self.rule {
             Steps::Taylor(taylor) => taylor.step(until),
             Steps::Dop853(dop853) => dop853.step(until),
-        }
+        }?;
+        before.map_or(Ok(()), |before| self.require_untwisted(&before))
+    }
+
+    /// # Errors
+    /// [`MotionError::HalfTurn`] if a spring or wire that acts has been twisted beyond half a turn.
+    fn require_untwisted(&self, before: &State) -> Result<(), MotionError> {
+        let after = self.now().state.attitude;
+        let acting = self.torques.iter().zip(&self.switched_on).filter(|(_, on)| **on);
+        let is_beyond =
+            acting.filter_map(|(torque, _)| torque.acting(before.time)).any(|torque| match torque {
+                TorqueModel::Torsion(torsion) => torsion.passes_half_turn(before.attitude, after),
+                _ => false,
+            });
+        if is_beyond { Err(MotionError::HalfTurn { time: before.time }) } else { Ok(()) }
     }
 
     pub(crate) fn time(&self) -> f64 {

@@ -200,6 +200,11 @@ impl Expansion {
         rough_exp2(radius(p).min(radius(p - 1)) + self.reach)
     }
 
+    /// The longest step to which the series holds, where its last terms do not show it.
+    fn reach(&self) -> f64 {
+        self.torques.iter().fold(f64::INFINITY, |least, torque| least.min(torque.reach()))
+    }
+
     /// What the motion adds until a time after the start.
     fn at(&self, h: f64) -> Increment {
         in_fours(Sum { expansion: self, h })

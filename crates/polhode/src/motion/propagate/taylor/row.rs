@@ -4,7 +4,7 @@
 //! the processor works on all others while those are still being made; and loops have few, foreseeable ends: they go by fours, over
 //! coefficients that are not known yet and therefore zero.
 
-use core::ops::{Add, Mul, Sub};
+use core::ops::{Add, Deref, Mul, Sub};
 
 use crate::math::lanes::Fours;
 
@@ -116,6 +116,16 @@ impl Series {
             even = even * square + s.load(&second.0);
         }
         Row(s.numbers((odd + even * h) * h))
+    }
+}
+
+/// The coefficients that there are places for.
+impl Deref for Series {
+    type Target = [Row];
+
+    #[inline(always)]
+    fn deref(&self) -> &[Row] {
+        &self.0[MARGIN..]
     }
 }
 

@@ -99,7 +99,8 @@ impl<'a> Taylor<'a> {
             self.expand()?;
         }
         let (time, rest) = (self.base.time, until - self.base.time);
-        let h = if self.h >= rest { rest } else { self.h };
+        let wanted = self.h.min(self.expansion.reach());
+        let h = if wanted >= rest { rest } else { wanted };
         if h.is_nan() {
             return Err(MotionError::NotFinite { time });
         }
@@ -107,7 +108,7 @@ impl<'a> Taylor<'a> {
             return Err(MotionError::StepTooSmall { time, step: h });
         }
         let more = self.expansion.at(h);
-        let end = if self.h >= rest { until } else { time + h };
+        let end = if wanted >= rest { until } else { time + h };
         let head = self.base.plus(&more, end);
         if !head.is_finite() {
             return Err(MotionError::NotFinite { time });

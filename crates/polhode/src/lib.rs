@@ -104,6 +104,7 @@ pub use math::vector::{
 pub use motion::error::MotionError;
 pub use motion::event::{Event, EventAction};
 pub use motion::free::{FreeMotion, FreeMotions, PermanentAxis, Regime};
+pub use motion::heavy_top::{HeavyTop, SteadyPrecession, TopPath};
 pub use motion::inverse::{ParticleForce, Required};
 pub use motion::kinematics::{
     KineticEnergySplit, MovingParticle, angular_momentum, momentum, rigid_acceleration, rigid_velocity,

@@ -7,6 +7,7 @@ pub(crate) mod error;
 pub(crate) mod euler;
 pub(crate) mod event;
 pub(crate) mod free;
+pub(crate) mod heavy_top;
 pub(crate) mod inverse;
 pub(crate) mod kinematics;
 pub(crate) mod orbit;

@@ -101,6 +101,7 @@ pub use math::vector::{
 };
 
 // motion: states in time, and what moves them
+pub use motion::closed_form::ClosedForm;
 pub use motion::error::MotionError;
 pub use motion::event::{Event, EventAction};
 pub use motion::free::{FreeMotion, FreeMotions, PermanentAxis, Regime};
@@ -111,11 +112,13 @@ pub use motion::kinematics::{
 };
 pub use motion::orbit::Orbit;
 pub use motion::pendulum::{Pendulum, Swing};
+pub use motion::pendulum_motion::PendulumMotion;
 pub use motion::prescribed::Prescribed;
 pub use motion::propagate::stepper::{LOOSEST_TOLERANCE, StepStatistics, TIGHTEST_TOLERANCE};
 pub use motion::rotor::Rotor;
 pub use motion::scenario::{Hanging, Run, Scenario};
 pub use motion::state::State;
+pub use motion::swinging_body::SwingingBody;
 pub use motion::torque::{
     Attracted, ConstantTorque, Drag, EnergySink, FormulaTorque, GravityGradient, Magnetic, MagneticField,
     Schedule, Scheduled, Thruster, TorqueModel, Torsion, UniformGravity,

@@ -30,9 +30,9 @@ impl Amplitude {
         if self.odd { -1.0 } else { 1.0 }
     }
 
-    /// jπ + φ, rad, rounded once.
-    pub(crate) fn angle(&self) -> f64 {
-        (Double::from(self.half_turns) * Double::TAU.scaled(0.5) + arc(self.sn, self.cn)).value()
+    /// jπ + φ, rad.
+    pub(crate) fn angle(&self) -> Double {
+        Double::from(self.half_turns) * Double::TAU.scaled(0.5) + arc(self.sn, self.cn)
     }
 }
 

@@ -55,21 +55,16 @@ impl CayleyKlein {
         h: Double,
         parameter: &EllipticParameter,
     ) -> Self {
-        // |n| ≤ |N|: |y₁ − y₂|(v₁ − v₃) ≤ y₁²
-        let modulus = falls.abs() * spread <= y1.square() && y1.high > 0.0;
+        // |n| ≤ |N|, by 1 − n = y₂/y₁ and 1 − N: both are below 1 where y falls, and above 1 where it rises.
+        let (n1, other) = (y2 * spread, y3 * y1);
+        let modulus = y1.high > 0.0 && if falls.high >= 0.0 { n1 >= other } else { n1 <= other };
         let (form, linear, third, n1) = if modulus {
             let linear = h / y1;
             (Form::Modulus { y1, y2 }, linear, linear * falls / y1, y2 / y1)
         } else {
             let g = (y2 * y3 / spread).scaled(0.5).sqrt();
-            let form = Form::Product {
-                a: y1.scaled(0.5).sqrt(),
-                g: match h.high {
-                    h if h > 0.0 => g,
-                    h if h < 0.0 => -g,
-                    _ => Double::default(),
-                },
-            };
+            // With h = 0 either A or G is 0, and either sign will do.
+            let form = Form::Product { a: y1.scaled(0.5).sqrt(), g: if h.high < 0.0 { -g } else { g } };
             // g (F − Π(N)) = −g N · ⅓ sn³ R_J, |g N| = |h|/(v₁ − v₃); N < 0 where y rises
             let third = h / spread;
             (form, Double::default(), if falls.high < 0.0 { third } else { -third }, y3 / spread)
@@ -122,8 +117,8 @@ impl CayleyKlein {
     /// What the phase gains in one nutation, x → x + 2K; half a turn either way through the vertical counts as none.
     pub(super) fn gain(&self, parameter: &EllipticParameter) -> Double {
         let half_turn = match self.form {
-            Form::Product { g, .. } if g.high > 0.0 => Double::TAU.scaled(0.5),
-            Form::Product { g, .. } if g.high < 0.0 => -Double::TAU.scaled(0.5),
+            Form::Product { .. } if self.h.high > 0.0 => Double::TAU.scaled(0.5),
+            Form::Product { .. } if self.h.high < 0.0 => -Double::TAU.scaled(0.5),
             _ => Double::default(),
         };
         let quarters = self.linear * parameter.quarter() + self.third * self.complete;

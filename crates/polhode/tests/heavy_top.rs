@@ -35,8 +35,10 @@ fn thousand_nutations_have_the_digits_of_the_reference() {
         let inertia = [0, 1, 2].map(|k| numbers::<3>(&inertia[k]));
         let arm = Position::from_array(numbers(&case["arm"]));
         let inertia = InertiaTensor::from_matrix(inertia).unwrap();
-        let rotor =
-            Rotor::pivoted(&MassProperties::new(number(&case["mass"]), arm, inertia).unwrap(), Position::ZERO);
+        let rotor = Rotor::pivoted(
+            &MassProperties::new(number(&case["mass"]), arm, inertia).unwrap(),
+            Position::ZERO,
+        );
         let gravity = UniformGravity { acceleration: Acceleration::from_array(numbers(&case["gravity"])) };
         let attitude = Attitude::from_quaternion(numbers(&case["quaternion"])).unwrap();
         assert_eq!(attitude.quaternion(), numbers::<4>(&case["attitude0"]));
@@ -46,8 +48,10 @@ fn thousand_nutations_have_the_digits_of_the_reference() {
             let state = motion.at(number(&row["t"]));
             let want = Attitude::from_quaternion(numbers(&row["attitude"])).unwrap();
             let rates = AngularVelocity::from_array(numbers(&row["omega"]));
-            let error =
-                [state.attitude.angle_to(want), (state.omega - rates).norm() / rates.norm().max(omega.norm())];
+            let error = [
+                state.attitude.angle_to(want),
+                (state.omega - rates).norm() / rates.norm().max(omega.norm()),
+            ];
             println!("{name} {:?}: {:.1e} {:.1e}", row["nutations"], error[0], error[1]);
             assert!(error[0] < 1e-15 && error[1] < 1e-15, "{name} {:?}: {error:?}", row["nutations"]);
             worst = [worst[0].max(error[0]), worst[1].max(error[1])];
@@ -73,7 +77,6 @@ fn thousand_nutations_have_the_digits_of_the_reference() {
     println!("{seen} rows; worst {worst:?}");
     assert!(seen > 130);
 }
-
 
 #[test]
 fn both_integrators_follow_every_kind_of_path() {
@@ -169,13 +172,18 @@ fn vertical_tops_sleep_hang_and_fall() {
         (PI, 3.0, TopPath::Hanging),
     ] {
         let start = State {
-            attitude: if angle == 0.0 { Attitude::identity() } else { Attitude::from_quaternion([0.0, 1.0, 0.0, 0.0]).unwrap() },
+            attitude: if angle == 0.0 {
+                Attitude::identity()
+            } else {
+                Attitude::from_quaternion([0.0, 1.0, 0.0, 0.0]).unwrap()
+            },
             ..leaning(0.0, [0.0, 0.0, spin])
         };
         let motion = HeavyTop::of(&top(), &DOWN, start).unwrap();
         assert_eq!(motion.path(), path);
         let state = motion.at(2.5);
-        let turned = start.attitude * Rotation::<Body, Body>::about(Direction::new(0.0, 0.0, 1.0), 2.5 * spin).unwrap();
+        let turned = start.attitude
+            * Rotation::<Body, Body>::about(Direction::new(0.0, 0.0, 1.0), 2.5 * spin).unwrap();
         assert!(state.attitude.angle_to(turned) < 1e-14 && state.omega == start.omega);
     }
     // Just below the threshold a sleeping top that is pushed nods a little; far below it falls.

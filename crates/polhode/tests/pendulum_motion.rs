@@ -5,8 +5,8 @@
 mod common;
 
 use common::{cases, number, table};
-use polhode::{Pendulum, PendulumMotion, Swing};
 use polhode::{Acceleration, Direction, InertiaTensor, MassProperties, Position, Rotor};
+use polhode::{Pendulum, PendulumMotion, Swing};
 
 #[test]
 fn every_kind_of_swing_has_the_digits_of_the_reference() {
@@ -21,7 +21,8 @@ fn every_kind_of_swing_has_the_digits_of_the_reference() {
         for row in cases(case, "row") {
             let (got, speed) = motion.at(number(&row["t"]));
             let [want, want_speed] = ["angle", "rate"].map(|key| number(&row[key]));
-            let errors = [(got - want).abs() / want.abs().max(k), (speed - want_speed).abs() / (2.0 * w0 * k)];
+            let errors =
+                [(got - want).abs() / want.abs().max(k), (speed - want_speed).abs() / (2.0 * w0 * k)];
             println!("{name} {:?}: {:.1e} {:.1e}", row["t"], errors[0], errors[1]);
             assert!(errors.iter().all(|e| *e < 4.5e-16), "{name} {:?}: {errors:?}", row["t"]);
             seen += 1;
@@ -62,9 +63,13 @@ fn what_stands_still_stays_and_what_is_no_number_is_refused() {
     for angle in [0.0, std::f64::consts::PI] {
         assert_eq!(PendulumMotion::of(2.0, angle, 0.0).unwrap().at(55.0), (angle, 0.0));
     }
-    for [w0, angle, rate] in
-        [[0.0, 1.0, 1.0], [f64::NAN, 1.0, 1.0], [1.0, f64::INFINITY, 0.0], [1.0, 0.0, f64::NAN], [1.0, 0.0, 1e300]]
-    {
+    for [w0, angle, rate] in [
+        [0.0, 1.0, 1.0],
+        [f64::NAN, 1.0, 1.0],
+        [1.0, f64::INFINITY, 0.0],
+        [1.0, 0.0, f64::NAN],
+        [1.0, 0.0, 1e300],
+    ] {
         assert!(PendulumMotion::of(w0, angle, rate).is_err());
     }
 }

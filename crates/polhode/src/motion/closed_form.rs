@@ -40,7 +40,9 @@ impl ClosedForm {
                 }
                 HeavyTop::of(rotor, gravity, start).map(|motion| Self::HeavyTop(Box::new(motion)))
             }
-            _ => Err(MotionError::NoClosedForm { why: "a torque other than uniform gravity acts on the body" }),
+            _ => {
+                Err(MotionError::NoClosedForm { why: "a torque other than uniform gravity acts on the body" })
+            }
         }
     }
 

@@ -54,7 +54,9 @@ enum Kind {
     Still,
     Oscillation,
     /// Over the top or, at k = 1, up to it: with the sign of the rate.
-    Round { sign: f64 },
+    Round {
+        sign: f64,
+    },
 }
 
 impl PendulumMotion {
@@ -66,7 +68,11 @@ impl PendulumMotion {
         let finite = "finite, with a square in the range of numbers beside the frequency's";
         if !(frequency > 0.0 && frequency.is_finite()) {
             let rule = "positive and finite";
-            return Err(MotionError::Parameter { what: "the frequency of small swings", value: frequency, rule });
+            return Err(MotionError::Parameter {
+                what: "the frequency of small swings",
+                value: frequency,
+                rule,
+            });
         }
         if !(angle.abs() < FARTHEST) {
             return Err(MotionError::Parameter { what: "the angle", value: angle, rule: "below 1e15 rad" });

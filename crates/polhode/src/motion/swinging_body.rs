@@ -67,7 +67,11 @@ impl SwingingBody {
     fn about(n: [f64; 3], rotor: &Rotor, gravity: &UniformGravity, start: State) -> Self {
         let words = |v: [f64; 3]| v.map(Double::from);
         // n again in two words, from ω where that gave it
-        let exact = if start.omega.norm() > 0.0 { start.omega.to_array().map(|w| w / start.omega.max_abs()) } else { n };
+        let exact = if start.omega.norm() > 0.0 {
+            start.omega.to_array().map(|w| w / start.omega.max_abs())
+        } else {
+            n
+        };
         let n = scaled(words(exact), Double::ONE / norm(words(exact)));
         let attitude = Quaternion(start.attitude.quaternion().map(Double::from)).unit();
         let g = attitude.conjugate().turned(words(gravity.acceleration.to_array()));

@@ -56,11 +56,7 @@ impl EllipticParameter {
 
     /// K; infinite at m = 1.
     pub(crate) fn quarter(&self) -> Double {
-        if self.is_hyperbolic() {
-            Double::from(f64::INFINITY)
-        } else {
-            Double::ONE / self.inverse_k.double()
-        }
+        if self.is_hyperbolic() { Double::from(f64::INFINITY) } else { Double::ONE / self.inverse_k.double() }
     }
 
     /// F(φ | m) by the sine and cosine of φ, in two words; −π ≤ φ ≤ π.

@@ -57,7 +57,9 @@ impl Constants {
     pub(super) fn of(rotor: &Rotor, gravity: &UniformGravity, start: &State) -> Result<Self, MotionError> {
         require_top(rotor)?;
         let no = |why| MotionError::NoClosedForm { why };
-        let Some((down, g)) = split(gravity.acceleration.to_array()) else { return Err(no("gravity is zero")) };
+        let Some((down, g)) = split(gravity.acceleration.to_array()) else {
+            return Err(no("gravity is zero"));
+        };
         let Some((e, l)) = split(rotor.lever().to_array()) else {
             return Err(no("the centre of mass is at the pivot"));
         };
@@ -78,7 +80,11 @@ impl Constants {
         let beta = (Triple::from(rotor.mass() / mass) * g.0 * l.0 / transverse).scaled(beta_unit);
         if !(beta.value() > 0.0 && beta.value().is_finite() && largest.is_finite()) {
             let rule = "finite and in the range of numbers, with the weight's torque";
-            return Err(MotionError::Parameter { what: "the start's angular velocity", value: largest, rule });
+            return Err(MotionError::Parameter {
+                what: "the start's angular velocity",
+                value: largest,
+                rule,
+            });
         }
 
         let up = down.map(|c| -c);

@@ -38,8 +38,7 @@ impl Nutation {
         let two = Triple::from(2.0);
         let (w2, w3) = (two - v2, two - v3);
         // w₁ w₂ w₃ = (b + a)²/β
-        let w1 =
-            if v1.value() > 1.5 { top.b_plus_a.square() / (top.beta * w2 * w3) } else { two - v1 };
+        let w1 = if v1.value() > 1.5 { top.b_plus_a.square() / (top.beta * w2 * w3) } else { two - v1 };
         let spread = v1 - v3;
         let [m, m1] = if spread.value() > 0.0 {
             [swing / spread, (v2 - v3) / spread]

@@ -1,6 +1,8 @@
 //! The kinds of motion of a heavy symmetric top, by the path of its axis.
 
+use crate::math::double::Double;
 use crate::math::real::PI;
+use crate::math::triple::Triple;
 
 use super::constants::Constants;
 use super::nutation::Nutation;
@@ -80,10 +82,10 @@ impl TopPath {
             let stable = top.a.square().value() >= 2.0 * top.beta.value();
             return if top.from_top.value() < 1.0 { Self::Sleeping { stable } } else { Self::Hanging };
         };
-        let [v1, v2, v3] = nutation.from_top.map(|v| v.value());
-        let [w1, w2, _] = nutation.from_bottom.map(|w| w.value());
+        let [v1, v2, v3] = nutation.from_top.map(Double::value);
+        let [w1, w2, _] = nutation.from_bottom.map(Double::value);
         let (a, beta) = (top.a.value(), top.beta.value());
-        let [b_minus_a, b_plus_a] = [top.b_minus_a, top.b_plus_a].map(|c| c.value());
+        let [b_minus_a, b_plus_a] = [top.b_minus_a, top.b_plus_a].map(Triple::value);
         let root = beta.sqrt();
         let none = |rate: f64| rate.abs() <= CLOSE * root.max(a.abs());
         if none(a) && none(b_minus_a) && none(b_plus_a) {

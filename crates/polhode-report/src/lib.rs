@@ -20,6 +20,7 @@ mod export;
 mod extra;
 mod finding;
 mod forces;
+mod heavy_top;
 mod inertia;
 mod intermediate;
 mod json;

@@ -131,6 +131,7 @@ fn the_summary_has_the_same_keys_for_every_motion() {
         "drift",
         "required",
         "pendulum",
+        "heavy_top",
         "final",
         "torques",
         "findings",

@@ -101,21 +101,25 @@ pub use math::vector::{
 };
 
 // motion: states in time, and what moves them
+pub use motion::closed_form::ClosedForm;
 pub use motion::error::MotionError;
 pub use motion::event::{Event, EventAction};
 pub use motion::free::{FreeMotion, FreeMotions, PermanentAxis, Regime};
+pub use motion::heavy_top::{HeavyTop, SteadyPrecession, TopPath};
 pub use motion::inverse::{ParticleForce, Required};
 pub use motion::kinematics::{
     KineticEnergySplit, MovingParticle, angular_momentum, momentum, rigid_acceleration, rigid_velocity,
 };
 pub use motion::orbit::Orbit;
 pub use motion::pendulum::{Pendulum, Swing};
+pub use motion::pendulum_motion::PendulumMotion;
 pub use motion::prescribed::Prescribed;
 pub use motion::propagate::stepper::{LOOSEST_TOLERANCE, StepStatistics, TIGHTEST_TOLERANCE};
 pub use motion::rotor::Rotor;
 pub use motion::scenario::{Hanging, Run, Scenario};
 pub use motion::state::State;
 pub use motion::states::states_at;
+pub use motion::swinging_body::SwingingBody;
 pub use motion::torque::{
     Attracted, ConstantTorque, Drag, DragLaw, EnergySink, FormulaTorque, GravityGradient, Magnetic,
     MagneticField, Schedule, Scheduled, Thruster, TorqueModel, Torsion, UniformGravity,

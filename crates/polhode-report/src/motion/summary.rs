@@ -11,7 +11,7 @@ use super::facts::{Facts, Needed, Top};
 use crate::block::{self, Geometry};
 use crate::json::{numbers, vector};
 use crate::periods::Periods;
-use crate::{VERSION, finding, symmetric_top};
+use crate::{VERSION, finding, heavy_top, symmetric_top};
 
 pub(super) fn of(report: &MotionReport<'_>) -> Value {
     let (scenario, samples) = (report.scenario, report.trajectory.samples());
@@ -31,6 +31,7 @@ pub(super) fn of(report: &MotionReport<'_>) -> Value {
     put("drift", facts.drift.map_or(Value::Null, |drift| drift_json(&drift, facts.is_free)));
     put("required", facts.needed.as_ref().map_or(Value::Null, needed));
     put("pendulum", facts.hanging.as_ref().map_or(Value::Null, pendulum));
+    put("heavy_top", heavy_top::of(scenario, facts.start).as_ref().map_or(Value::Null, heavy_top::to_json));
     put("final", samples.last().map_or(Value::Null, last));
     put("torques", scenario.torques.iter().map(torque).collect());
     put("findings", finding::to_json(&scenario.findings));

@@ -8,7 +8,7 @@ use crate::layout::{WIDTH, broken, columns, labelled, plain_spaces, printable};
 use crate::number::{count, error, number, tidy, ungrouped, vector};
 use crate::sparkline::Sparkline;
 use crate::unit::{self, CLOSED, DIGITS, cone, rate};
-use crate::{finding, intermediate, omega};
+use crate::{finding, heavy_top, intermediate, omega};
 
 /// Forces on more particles than this fill the screen: JSON has them all.
 const MOST_PARTICLES: usize = 8;
@@ -25,6 +25,7 @@ pub(super) fn write(report: &MotionReport<'_>, picture: usize) -> String {
     if let Some(hanging) = &facts.hanging {
         text.push_str(&pendulum(hanging));
     }
+    text.extend(heavy_top::of(report.scenario, facts.start).as_ref().map(heavy_top::to_text));
     if let Some(needed) = &facts.needed {
         text.push_str(&torque_needed(needed));
     }

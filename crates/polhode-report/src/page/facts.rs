@@ -105,6 +105,7 @@ pub(super) fn json(
         ("Cones", free.and_then(SymmetricTop::of_motion).map_or_else(Vec::new, |top| cones(&top))),
         ("Poinsot's picture", free.map_or_else(Vec::new, picture)),
         ("Pendulum", scenario.map_or_else(Vec::new, pendulum)),
+        ("Heavy top", scenario.map_or_else(Vec::new, heavy_top)),
         ("Evidence", evidence(input, free.is_some())),
         ("This page", this_page(shown, notes)),
     ];
@@ -266,6 +267,12 @@ fn pendulum(scenario: &Scenario) -> Vec<Row> {
         _ => None,
     };
     [small].into_iter().chain(swing).collect()
+}
+
+fn heavy_top(scenario: &Scenario) -> Vec<Row> {
+    let top = crate::heavy_top::of(scenario, scenario.start);
+    let facts = top.map_or_else(Vec::new, |top| crate::heavy_top::facts(&top));
+    facts.into_iter().map(|fact| Row::new(fact.label, fact.value, fact.unit).note(fact.note)).collect()
 }
 
 /// How far the balances fail at the worst sample.

@@ -1,6 +1,6 @@
 //! Complex numbers, no more of them than is needed.
 
-use super::real::Real;
+use core::ops::{Add, Mul, Neg, Sub};
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Complex<T> {
@@ -8,9 +8,37 @@ pub(crate) struct Complex<T> {
     pub(crate) im: T,
 }
 
-impl<T: Real> Complex<T> {
+impl<T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T>> Complex<T> {
     #[inline(always)]
     pub(crate) fn times(self, b: Self) -> Self {
         Self { re: self.re * b.re - self.im * b.im, im: self.re * b.im + self.im * b.re }
+    }
+
+    pub(crate) fn plus(self, b: Self) -> Self {
+        Self { re: self.re + b.re, im: self.im + b.im }
+    }
+
+    pub(crate) fn minus(self, b: Self) -> Self {
+        Self { re: self.re - b.re, im: self.im - b.im }
+    }
+
+    pub(crate) fn scaled(self, by: T) -> Self {
+        Self { re: self.re * by, im: self.im * by }
+    }
+
+    /// |z|²
+    pub(crate) fn norm_squared(self) -> T {
+        self.re * self.re + self.im * self.im
+    }
+}
+
+impl<T: Neg<Output = T>> Complex<T> {
+    pub(crate) fn conjugate(self) -> Self {
+        Self { re: self.re, im: -self.im }
+    }
+
+    /// i z
+    pub(crate) fn times_i(self) -> Self {
+        Self { re: -self.im, im: self.re }
     }
 }

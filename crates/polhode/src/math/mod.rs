@@ -8,6 +8,7 @@ pub(crate) mod frame;
 pub(crate) mod landen;
 pub(crate) mod lanes;
 pub(crate) mod means;
+pub(crate) mod quaternion;
 pub(crate) mod real;
 pub(crate) mod rotation;
 pub(crate) mod sum;

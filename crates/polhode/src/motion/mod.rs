@@ -3,20 +3,24 @@
 //! `state` and `rotor` say what turns; `euler` how; `torque` what turns it; `free` has the closed forms; `propagate`
 //! integrates everything else; `trajectory` puts the two together; `inverse` goes from motion to torque.
 
+pub(crate) mod closed_form;
 pub(crate) mod error;
 pub(crate) mod euler;
 pub(crate) mod event;
 pub(crate) mod free;
+pub(crate) mod heavy_top;
 pub(crate) mod inverse;
 pub(crate) mod kinematics;
 pub(crate) mod orbit;
 pub(crate) mod pendulum;
+pub(crate) mod pendulum_motion;
 pub(crate) mod prescribed;
 pub(crate) mod propagate;
 pub(crate) mod rotor;
 pub(crate) mod scenario;
 pub(crate) mod state;
 pub(crate) mod states;
+pub(crate) mod swinging_body;
 pub(crate) mod torque;
 pub(crate) mod trajectory;
 pub(crate) mod wheel;

@@ -1,6 +1,7 @@
 //! The compound pendulum: a body hung from a fixed axis.
 
 use super::error::MotionError;
+use super::pendulum_motion::PendulumMotion;
 use super::rotor::Rotor;
 use crate::math::elliptic::complete_k;
 use crate::math::frame::Body;
@@ -124,7 +125,15 @@ impl Pendulum {
         4.0 * complete_k(cosine * cosine) / self.frequency
     }
 
-    /// The motion that starts at `angle` (rad from straight down) with the rate `rate` (rad/s) about the axis.
+    /// The angle and its rate at any time after a start at `angle` (rad from straight down) with the rate `rate` (rad/s).
+    ///
+    /// # Errors
+    /// [`MotionError::Parameter`] for an angle or a rate that is not finite.
+    pub fn motion(&self, angle: f64, rate: f64) -> Result<PendulumMotion, MotionError> {
+        PendulumMotion::of(self.frequency, angle, rate)
+    }
+
+    /// The kind of the motion that starts at `angle` (rad from straight down) with the rate `rate` (rad/s) about the axis.
     ///
     /// With k² = sin²(θ/2) + (θ̇ / 2ω₀)²: oscillation of amplitude 2 asin k for k < 1, revolution of period
     /// 2 K(1/k²) / (ω₀ k) for k > 1.

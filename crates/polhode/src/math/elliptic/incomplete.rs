@@ -150,6 +150,6 @@ impl Legs {
 }
 
 /// √(a² + b²)
-fn hypotenuse(a: Double, b: Double) -> Double {
+pub(super) fn hypotenuse(a: Double, b: Double) -> Double {
     if a.is_zero() { b.abs() } else { (a.square() + b.square()).sqrt() }
 }

@@ -66,7 +66,7 @@ impl EllipticParameter {
 }
 
 /// sn, cn, dn of u by k′, and the sine and cosine of u/K quarter turns.
-fn landen(modulus1: Double, sin: Double, cos: Double) -> [Double; 3] {
+pub(super) fn landen(modulus1: Double, sin: Double, cos: Double) -> [Double; 3] {
     // k is small enough: its square is not seen.
     if (modulus1 - Double::ONE).high.abs() < 1e-22 {
         return [sin, cos, Double::ONE];
@@ -79,7 +79,7 @@ fn landen(modulus1: Double, sin: Double, cos: Double) -> [Double; 3] {
 }
 
 /// m = 1: sn = tanh u, cn = dn = sech u.
-fn hyperbolic(u: f64) -> JacobiFunctions {
+pub(super) fn hyperbolic(u: f64) -> JacobiFunctions {
     let decay = libm::exp(-u.abs());
     let sech = 2.0 * decay / (1.0 + decay * decay);
     let tanh = libm::tanh(u);

@@ -10,9 +10,12 @@
 //!   converge for every parameter without a choice of cases;
 //! - `jacobi` has sn, cn and dn by Landen's transformation, in a form where nothing is ever subtracted.
 //!
+//! `amplitude` gives closed forms the same with both words, and what they need of the third kind.
+//!
 //! All of it is done in numbers of two words and rounded once at the end, which takes some µs for each value. (The closed
 //! form of a free motion, made for many times, has a faster way of its own.)
 
+mod amplitude;
 mod carlson;
 mod complete;
 mod incomplete;
@@ -24,8 +27,10 @@ use core::fmt;
 use super::double::Double;
 use super::triple::Triple;
 
+pub(crate) use amplitude::Amplitude;
 pub(crate) use complete::complete_k;
 pub use jacobi::JacobiFunctions;
+pub(crate) use reduced::unit;
 
 /// The parameter m = k² of elliptic integrals and functions, with its complement m₁ = 1 − m; m ≤ 1, negative m allowed.
 ///
@@ -118,7 +123,8 @@ impl EllipticParameter {
         }
     }
 
-    fn of(m: Double, m1: Double) -> Self {
+    /// By both, each with its own digits, m₁ ≥ 0.
+    pub(crate) fn of(m: Double, m1: Double) -> Self {
         // 1/K = 2 agm(1, k′) / π, and 1/4π is at hand.
         let inverse_k = (Triple::INVERSE_4_PI * mean(m1)).scaled(8.0);
         Self { m, m1, inverse_k }

@@ -2,6 +2,7 @@
 //!
 //! The same for an amplitude φ, whose quarter turn is π/2, and for an argument u, whose quarter is K.
 
+use crate::math::complex::Complex;
 use crate::math::double::Double;
 use crate::math::triple::Triple;
 
@@ -34,7 +35,12 @@ impl Reduced {
         if about.abs() > 1.4e45 {
             return Self { half_turns: 0.5 * about, odd: false, sin: Double::default(), cos: Double::ONE };
         }
-        let mut rest = Triple::from(x) * rate;
+        Self::of(Triple::from(x) * rate)
+    }
+
+    /// So many quarter turns, fewer than 2¹⁵⁰.
+    pub(super) fn of(quarter_turns: Triple) -> Self {
+        let mut rest = quarter_turns;
         let (mut quarters, mut quadrant) = (0.0, 0.0);
         // Whatever is whole in each word
         for _word in 0..3 {
@@ -69,6 +75,14 @@ impl Reduced {
             self.half_turns * half_turn.high
         }
     }
+}
+
+/// e^iφ, φ in rad.
+pub(crate) fn unit(phi: Double) -> Complex<Double> {
+    // 2/π = 8 / 4π
+    let Reduced { odd, sin, cos, .. } = Reduced::of(Triple::from(phi) * Triple::INVERSE_4_PI.scaled(8.0));
+    let sign = if odd { -1.0 } else { 1.0 };
+    Complex { re: cos.scaled(sign), im: sin.scaled(sign) }
 }
 
 /// The angle in [−π/2, π/2] of a sine and a cosine.

@@ -1,0 +1,67 @@
+//! The motions that have a closed form, under one name.
+
+use super::error::MotionError;
+use super::free::FreeMotion;
+use super::heavy_top::HeavyTop;
+use super::rotor::Rotor;
+use super::state::State;
+use super::swinging_body::SwingingBody;
+use super::torque::TorqueModel;
+
+/// A motion in closed form: the state at any time at once.
+///
+/// Each of them is right to some 10⁻¹⁵ at any time, for the numbers given: no worse than the integrators at their tightest
+/// tolerance, so that `auto` takes a closed form wherever there is one.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum ClosedForm {
+    /// No torque.
+    Free(Box<FreeMotion>),
+    /// A symmetric body held at a point of its axis, under gravity.
+    HeavyTop(Box<HeavyTop>),
+    /// A body that swings under gravity about a principal axis.
+    Swinging(Box<SwingingBody>),
+}
+
+impl ClosedForm {
+    /// The closed form of the motion that starts from a state.
+    ///
+    /// # Errors
+    /// [`MotionError::NoClosedForm`] where none is known, with the reason; otherwise as [`FreeMotion::of`] and [`HeavyTop::of`].
+    pub fn of(rotor: &Rotor, torques: &[TorqueModel], start: State) -> Result<Self, MotionError> {
+        if !rotor.wheels().is_empty() {
+            return Err(MotionError::NoClosedForm { why: "wheels spin in the body" });
+        }
+        match torques {
+            [] => FreeMotion::of(rotor, start).map(|motion| Self::Free(Box::new(motion))),
+            [TorqueModel::Gravity(gravity)] => {
+                if let Ok(motion) = SwingingBody::of(rotor, gravity, start) {
+                    return Ok(Self::Swinging(Box::new(motion)));
+                }
+                HeavyTop::of(rotor, gravity, start).map(|motion| Self::HeavyTop(Box::new(motion)))
+            }
+            _ => {
+                Err(MotionError::NoClosedForm { why: "a torque other than uniform gravity acts on the body" })
+            }
+        }
+    }
+
+    /// The state at a time, s; any time, before the start too.
+    #[must_use]
+    pub fn at(&self, time: f64) -> State {
+        match self {
+            Self::Free(motion) => motion.at(time),
+            Self::HeavyTop(motion) => motion.at(time),
+            Self::Swinging(motion) => motion.at(time),
+        }
+    }
+
+    /// In words, for a summary.
+    pub const fn title(&self) -> &'static str {
+        match self {
+            Self::Free(_) => "free motion by theta functions",
+            Self::HeavyTop(_) => "Lagrange's top by elliptic functions",
+            Self::Swinging(_) => "a compound pendulum by elliptic functions",
+        }
+    }
+}

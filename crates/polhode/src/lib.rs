@@ -101,8 +101,9 @@ pub use math::vector::{
 };
 
 // motion: states in time, and what moves them
+pub use motion::ending::{Ending, MethodReason};
 pub use motion::error::MotionError;
-pub use motion::event::{Event, EventAction};
+pub use motion::event::{Crossing, Event, EventAction, Measure, Sense};
 pub use motion::free::{FreeMotion, FreeMotions, PermanentAxis, Regime};
 pub use motion::inverse::{ParticleForce, Required};
 pub use motion::kinematics::{
@@ -113,13 +114,16 @@ pub use motion::pendulum::{Pendulum, Swing};
 pub use motion::prescribed::Prescribed;
 pub use motion::propagate::stepper::{LOOSEST_TOLERANCE, StepStatistics, TIGHTEST_TOLERANCE};
 pub use motion::rotor::Rotor;
+pub use motion::sample::Sample;
 pub use motion::scenario::{Hanging, Run, Scenario};
+pub use motion::simulation::Simulation;
+pub use motion::solution::Solution;
 pub use motion::state::State;
 pub use motion::torque::{
     Attracted, ConstantTorque, Drag, EnergySink, FormulaTorque, GravityGradient, Magnetic, MagneticField,
     Schedule, Scheduled, Thruster, TorqueModel, Torsion, UniformGravity,
 };
-pub use motion::trajectory::{Method, Sample, Solution, Trajectory};
+pub use motion::trajectory::{Method, Trajectory};
 pub use motion::wheel::{Motor, Wheel};
 
 // observe: what can be read off a motion

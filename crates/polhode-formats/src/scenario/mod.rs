@@ -23,6 +23,7 @@
 //! error that points at its place; nothing is ignored.
 
 mod body;
+mod event;
 mod formula;
 mod molecule;
 mod part;
@@ -40,7 +41,7 @@ mod torque;
 
 use std::path::Path;
 
-use polhode::{Finding, Rotor, Scenario, Severity, TorqueModel, Velocity};
+use polhode::{EventAction, Finding, Rotor, Scenario, Severity, TorqueModel, Velocity};
 use toml::de::DeTable;
 
 use crate::error::{FormatError, FormatErrorKind, Place};
@@ -118,12 +119,14 @@ pub fn parse(text: &str, path: &Path) -> Result<Scenario, FormatError> {
     root.allow(&TOP)?;
     let exclusive = "a prescribed motion is given, and the torque that it needs is the answer";
     root.at_most_one(&["prescribed", "torque"], exclusive)?;
+    root.at_most_one(&["prescribed", "event"], "a prescribed motion is given, and nothing on its way changes it")?;
     root.at_most_one(&["prescribed", "pendulum"], "a pendulum swings as gravity moves it")?;
 
     let mut findings = Vec::new();
     let title = root.get("title").map(|title| title.string().map(str::to_owned)).transpose()?;
     let body::Assembly { parts, body, mut pivot } = body::body(&root, &mut findings)?;
     let torques = torque::torques(&root, &mut pivot)?;
+    let events = event::events(&root, &torques)?;
     let point = pivot.map(|pivot| pivot.point);
     let rotor = point.map_or_else(|| Rotor::free(&body), |point| Rotor::pivoted(&body, point));
     let start = start::start(&root, &rotor)?;
@@ -136,9 +139,11 @@ pub fn parse(text: &str, path: &Path) -> Result<Scenario, FormatError> {
         start: state,
         velocity: start.velocity.unwrap_or(Velocity::ZERO),
         pivot: point,
-        torques,
+        torques: torques.models,
+        torque_names: torques.names,
+        switched_off: torques.switched_off,
         wheels: Vec::new(),
-        events: Vec::new(),
+        events,
         prescribed,
         hanging: None,
         run: run::run(&root)?,
@@ -147,6 +152,7 @@ pub fn parse(text: &str, path: &Path) -> Result<Scenario, FormatError> {
     pendulum::pendulum(&root, &mut scenario)?;
     scenario.findings.extend(idle_gravity(&scenario));
     scenario.findings.extend(idle_motion(&scenario));
+    scenario.findings.extend(idle_torques(&scenario));
     Ok(scenario)
 }
 
@@ -172,6 +178,22 @@ fn idle_motion(scenario: &Scenario) -> Option<Finding> {
         code: "start.rest",
         severity: Severity::Warning,
         message: "the body starts without spin and nothing turns it".to_owned(),
+        place: None,
+    })
+}
+
+/// A torque that is off and that no event switches on does nothing.
+fn idle_torques(scenario: &Scenario) -> Option<Finding> {
+    let is_woken = |k: &usize| {
+        let wakes = EventAction::Switch { torque: *k, on: true };
+        scenario.events.iter().any(|event| event.action() == wakes)
+    };
+    let idle = scenario.switched_off.iter().find(|k| !is_woken(k))?;
+    let name = scenario.torque_names.get(*idle).cloned().flatten().unwrap_or_default();
+    Some(Finding {
+        code: "torque.off",
+        severity: Severity::Warning,
+        message: format!("the torque \"{name}\" is off, and no event switches it on"),
         place: None,
     })
 }

@@ -9,6 +9,7 @@ pub(crate) mod landen;
 pub(crate) mod lanes;
 pub(crate) mod means;
 pub(crate) mod real;
+pub(crate) mod root;
 pub(crate) mod rotation;
 pub(crate) mod sum;
 pub(crate) mod symmetric3;

@@ -45,6 +45,31 @@ pub enum MotionError {
         /// The most steps that are tried.
         most: u64,
     },
+    /// More events than anybody would read.
+    TooManyEvents {
+        /// The time of the last, s.
+        time: f64,
+        /// The most that are written down.
+        most: usize,
+    },
+    /// The body turns a milliard times faster than its start and the torques of each beginning explain.
+    RunAway {
+        /// The last good time, s.
+        time: f64,
+        /// |ω| there, rad/s.
+        rate: f64,
+        /// The largest |ω| that is believed, rad/s.
+        most: f64,
+    },
+    /// An event measures the total energy, and a torque has no potential.
+    NoPotential,
+    /// Taylor's method was asked for, and a torque has no power series.
+    NotSmooth {
+        /// Which of the torques, from 0.
+        torque: usize,
+        /// Why not.
+        why: &'static str,
+    },
     /// The state became infinite or undefined.
     NotFinite {
         /// The last good time, s.
@@ -55,7 +80,14 @@ pub enum MotionError {
 impl MotionError {
     /// True if the input was fine but the computation could not reach its tolerance.
     pub const fn is_numerical(&self) -> bool {
-        matches!(self, Self::StepTooSmall { .. } | Self::TooManySteps { .. } | Self::NotFinite { .. })
+        matches!(
+            self,
+            Self::StepTooSmall { .. }
+                | Self::TooManySteps { .. }
+                | Self::TooManyEvents { .. }
+                | Self::RunAway { .. }
+                | Self::NotFinite { .. }
+        )
     }
 
     /// What to try next, where there is something to try.
@@ -69,6 +101,12 @@ impl MotionError {
             Self::StepTooSmall { .. } | Self::TooManySteps { .. } => {
                 Some("loosen the tolerance, or shorten the duration")
             }
+            Self::TooManyEvents { .. } => Some(
+                "an event that switches what it measures may happen without end: give it a direction, or a dead band",
+            ),
+            Self::NoPotential => Some("measure the kinetic energy"),
+            Self::RunAway { .. } => Some("check the sign of the torque: one that grows with ω has no bound"),
+            Self::NotSmooth { .. } => Some("use method = \"auto\" or \"dop853\""),
             Self::NotFinite { .. } => Some("check the units of the torque, the spin and the inertia"),
             Self::Parameter { .. } => None,
         }
@@ -98,6 +136,20 @@ impl fmt::Display for MotionError {
                 f,
                 "at t = {time:e} s the tolerance needs steps of {step:e} s: to the end that is more than {most} steps"
             ),
+            Self::TooManyEvents { time, most } => {
+                write!(f, "at t = {time:e} s there are already {most} events")
+            }
+            Self::RunAway { time, rate, most } => write!(
+                f,
+                "the motion runs away: at t = {time:e} s the body turns at {rate:e} rad/s, and {most:e} rad/s is 1e9 times what its \
+                 start and the torques where they begin explain"
+            ),
+            Self::NoPotential => f.write_str(
+                "an event measures the total energy, and a torque has no potential, or is switched",
+            ),
+            Self::NotSmooth { torque, why } => {
+                write!(f, "Taylor's method needs torques with a power series; in torque {} {why}", torque + 1)
+            }
             Self::NotFinite { time } => write!(f, "the motion is not finite after t = {time:e} s"),
         }
     }

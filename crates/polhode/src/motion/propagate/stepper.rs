@@ -55,6 +55,8 @@ pub(crate) struct Stepper<'a> {
     switched_on: Vec<bool>,
     /// The first time at which something begins or ends by itself.
     until: f64,
+    /// What |ω| is compared with, rad/s: see [`Stepper::require_bounded`].
+    usual_rate: f64,
     tolerance: f64,
     rule: Steps<'a>,
 }
@@ -73,6 +75,7 @@ impl<'a> Stepper<'a> {
         rule: Rule,
         rotor: &'a Rotor,
         torques: &'a [TorqueModel],
+        switched_off: &[usize],
         start: State,
         tolerance: f64,
     ) -> Result<Self, MotionError> {
@@ -83,22 +86,26 @@ impl<'a> Stepper<'a> {
         if !rotor.is_spinnable() {
             return Err(MotionError::NotSpinnable);
         }
-        let piece = Rc::new(Piece::new(rotor, torques.iter(), &start));
+        let switched_on: Vec<bool> = (0..torques.len()).map(|k| !switched_off.contains(&k)).collect();
+        let piece = Rc::new(Piece::new(rotor, acting(torques, &switched_on), &start));
         let until = piece.until;
+        let usual_rate = start.omega.norm().max(torque_rate(&piece));
         let rule = match rule {
             Rule::Taylor => Steps::Taylor(Box::new(Taylor::new(piece, start, tolerance)?)),
             Rule::Dop853 => Steps::Dop853(Box::new(RungeKutta::new(piece, start, tolerance)?)),
         };
-        Ok(Self { rotor, torques, switched_on: vec![true; torques.len()], until, tolerance, rule })
+        Ok(Self { rotor, torques, switched_on, until, usual_rate, tolerance, rule })
     }
 
     /// Looks again at what acts now.
-    fn change(&mut self) -> Result<(), MotionError> {
+    ///
+    /// # Errors
+    /// [`MotionError::TorqueWithoutInertia`] if it cannot be balanced.
+    pub(crate) fn change(&mut self) -> Result<(), MotionError> {
         let state = self.now().state;
-        let torques =
-            self.torques.iter().zip(&self.switched_on).filter(|(_, on)| **on).map(|(torque, _)| torque);
-        let piece = Rc::new(Piece::new(self.rotor, torques, &state));
+        let piece = Rc::new(Piece::new(self.rotor, acting(self.torques, &self.switched_on), &state));
         self.until = piece.until;
+        self.usual_rate = self.usual_rate.max(torque_rate(&piece));
         match &mut self.rule {
             Steps::Taylor(taylor) => taylor.change(piece),
             Steps::Dop853(dop853) => dop853.change(piece),
@@ -108,6 +115,43 @@ impl<'a> Stepper<'a> {
     /// What is stepped: the body, and what turns it.
     pub(crate) fn subject(&self) -> (&'a Rotor, &'a [TorqueModel]) {
         (self.rotor, self.torques)
+    }
+
+    /// The torques that are switched on, with their schedules.
+    pub(crate) fn switched_on(&self) -> impl Iterator<Item = &'a TorqueModel> + Clone + use<'a, '_> {
+        acting(self.torques, &self.switched_on)
+    }
+
+    /// Switches a torque on or off, from the next [`Stepper::change`] on.
+    pub(crate) fn switch(&mut self, torque: usize, on: bool) {
+        if let Some(switch) = self.switched_on.get_mut(torque) {
+            *switch = on;
+        }
+    }
+
+    /// Goes back to a time within the last step.
+    pub(crate) fn cut(&mut self, time: f64) {
+        match &mut self.rule {
+            Steps::Taylor(taylor) => taylor.cut(time),
+            Steps::Dop853(dop853) => dop853.cut(time),
+        }
+    }
+
+    /// Refuses to go on with a motion that runs away.
+    ///
+    /// Nothing that is meant turns 10⁹ times faster than |ω| at the start and every √(N/I) at which something begins to act, I the
+    /// least moment; where all of these are zero, than at the end of the first step.
+    ///
+    /// # Errors
+    /// [`MotionError::RunAway`].
+    pub(crate) fn require_bounded(&mut self) -> Result<(), MotionError> {
+        let State { time, omega, .. } = self.now().state;
+        let rate = omega.norm();
+        if self.usual_rate == 0.0 {
+            self.usual_rate = rate;
+        }
+        let most = 1e9 * self.usual_rate;
+        if rate > most { Err(MotionError::RunAway { time, rate, most }) } else { Ok(()) }
     }
 
     pub(crate) fn tolerance(&self) -> f64 {
@@ -174,4 +218,19 @@ impl<'a> Stepper<'a> {
             Steps::Dop853(dop853) => dop853.at(time),
         }
     }
+}
+
+/// The torques that are switched on.
+fn acting<'a, 'b>(
+    torques: &'a [TorqueModel],
+    switched_on: &'b [bool],
+) -> impl Iterator<Item = &'a TorqueModel> + Clone + use<'a, 'b> {
+    torques.iter().zip(switched_on).filter(|(_, on)| **on).map(|(torque, _)| torque)
+}
+
+/// √(N/I), rad/s, of the least moment that is one.
+fn torque_rate(piece: &Piece<'_>) -> f64 {
+    let moments = piece.rotor.principal().moments();
+    let least = moments.into_iter().find(|i| *i > 0.0).unwrap_or(f64::INFINITY);
+    (piece.largest_torque / least).sqrt()
 }

@@ -110,6 +110,14 @@ impl<'a> Taylor<'a> {
         Ok(())
     }
 
+    /// Goes back to a time within the last step.
+    pub(in crate::motion::propagate) fn cut(&mut self, time: f64) {
+        if time != self.head.time {
+            self.head = self.base.plus(&self.expansion.at(time - self.base.time));
+            self.head.time = time;
+        }
+    }
+
     /// # Errors
     /// [`MotionError::TorqueWithoutInertia`] if nothing would balance the torque.
     fn expand(&mut self) -> Result<(), MotionError> {

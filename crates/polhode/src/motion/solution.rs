@@ -1,0 +1,35 @@
+//! How a trajectory was found.
+
+use super::free::FreeMotion;
+use super::prescribed::Prescribed;
+use super::propagate::stepper::StepStatistics;
+use super::trajectory::Method;
+
+/// How a trajectory was found.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Solution {
+    /// In closed form.
+    Exact(Box<FreeMotion>),
+    /// It was given.
+    Prescribed(Prescribed),
+    /// By numerical integration.
+    Integrated {
+        /// By which method.
+        method: Method,
+        /// Bound on the error of each step: attitude in rad, ω relative.
+        tolerance: f64,
+        /// What it cost.
+        statistics: StepStatistics,
+    },
+}
+
+impl Solution {
+    /// The method's name in summaries: `exact`, `prescribed`, `taylor` or `dop853`.
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::Exact(_) => Method::Exact.name(),
+            Self::Prescribed(_) => "prescribed",
+            Self::Integrated { method, .. } => method.name(),
+        }
+    }
+}

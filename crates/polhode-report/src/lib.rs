@@ -15,6 +15,7 @@
 
 mod block;
 mod error_estimate;
+mod event;
 mod explain;
 mod export;
 mod extra;
@@ -38,6 +39,7 @@ mod source;
 mod sparkline;
 mod spin;
 mod symmetric_top;
+mod torque;
 mod unit;
 
 pub use error_estimate::error_estimate;

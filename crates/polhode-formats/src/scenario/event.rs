@@ -57,10 +57,15 @@ fn event(index: usize, table: &Table<'_>, torques: &Torques) -> Result<Event, Fo
     let value = given_value.quantity(dimension)?;
     let between = matches!(name, "angle" | "nutation");
     if between && !(value > 0.0 && value < PI) {
-        let hint = "such an angle turns back at its ends and does not pass them: measure from a direction across it";
+        let hint =
+            "such an angle turns back at its ends and does not pass them: measure from a direction across it";
         return Err(given_value.invalid("above 0 and below 180 deg").with_hint(hint));
     }
-    let sense = match table.get("direction").map(|value| value.choice(&["rising", "falling", "either"])).transpose()? {
+    let sense = match table
+        .get("direction")
+        .map(|value| value.choice(&["rising", "falling", "either"]))
+        .transpose()?
+    {
         Some("rising") => Sense::Rising,
         Some("falling") => Sense::Falling,
         _ => Sense::Either,
@@ -136,12 +141,15 @@ impl Line {
         }
         let table = value.table()?;
         table.allow(&["body", "space"])?;
-        let Some(given) = table.at_most_one(&["body", "space"], "a direction is fixed in one of them")? else {
+        let Some(given) = table.at_most_one(&["body", "space"], "a direction is fixed in one of them")?
+        else {
             return Err(table.missing("body", "{ body = [0, 0, 1] }"));
         };
         let numbers = given.numbers()?;
         if Direction::<polhode::Body>::from_array(numbers).direction().is_none() {
-            return Err(given.invalid("a direction: not all zero").with_hint("the z axis is [0, 0, 1]; any length will do"));
+            return Err(given
+                .invalid("a direction: not all zero")
+                .with_hint("the z axis is [0, 0, 1]; any length will do"));
         }
         Ok(match given.key() {
             "body" => Self::Body(Direction::from_array(numbers)),

@@ -119,7 +119,10 @@ pub fn parse(text: &str, path: &Path) -> Result<Scenario, FormatError> {
     root.allow(&TOP)?;
     let exclusive = "a prescribed motion is given, and the torque that it needs is the answer";
     root.at_most_one(&["prescribed", "torque"], exclusive)?;
-    root.at_most_one(&["prescribed", "event"], "a prescribed motion is given, and nothing on its way changes it")?;
+    root.at_most_one(
+        &["prescribed", "event"],
+        "a prescribed motion is given, and nothing on its way changes it",
+    )?;
     root.at_most_one(&["prescribed", "pendulum"], "a pendulum swings as gravity moves it")?;
 
     let mut findings = Vec::new();

@@ -4,6 +4,7 @@ use polhode::{Sample, Solution, Symmetry};
 
 use super::document::Section;
 use super::working::{Working, cells, n, v};
+use crate::event;
 use crate::number::{tidy_beside, ungrouped};
 
 /// The motion is given: there is nothing to solve, but the torque may change along it.
@@ -31,6 +32,10 @@ pub(super) fn integrate(w: &Working<'_>, s: &mut Section) {
         Some(how) => {
             let held = if w.pendulum.is_some() { "With the pivot held, in three dimensions: " } else { "" };
             s.say(format!("{held}ω(t) {how}:"));
+            let ending = w.trajectory.as_deref().and_then(|t| event::ending_in_words(t, w.scenario));
+            if let Some(ending) = ending {
+                s.say(format!("The run is {ending}."));
+            }
             table(&samples, true, s);
             work(&samples, s);
         }

@@ -44,10 +44,7 @@ pub(crate) struct Torques {
 const KEYS: [&str; 3] = ["model", "name", "on"];
 
 /// Reads all torques; gravity may bring the pivot with it, or repeat it.
-pub(crate) fn torques<'a>(
-    root: &Table<'a>,
-    pivot: &mut Option<Pivot<'a>>,
-) -> Result<Torques, FormatError> {
+pub(crate) fn torques<'a>(root: &Table<'a>, pivot: &mut Option<Pivot<'a>>) -> Result<Torques, FormatError> {
     let mut torques = Torques::default();
     let Some(list) = root.get("torque") else { return Ok(torques) };
     for table in list.tables("torque")? {

@@ -1,6 +1,6 @@
 //! Torques as reports show them: one description of each model, from which text, JSON and the page are made.
 
-use polhode::{ConstantTorque, Drag, MagneticField, Motor, Schedule, TorqueModel, Wheel};
+use polhode::{ConstantTorque, Drag, DragLaw, MagneticField, Motor, Schedule, TorqueModel, Wheel};
 use serde_json::{Map, Value, json};
 
 use crate::json;
@@ -65,14 +65,14 @@ impl Description {
                 "1/(N·m·s)",
             ),
             TorqueModel::Torsion(torsion) => {
-                let title = if torsion.axis.is_some() { "a torsion wire" } else { "a torsion spring" };
+                let title = if torsion.axis().is_some() { "a torsion wire" } else { "a torsion spring" };
                 let spring = Self::new(name, title).put(
                     "stiffness_n_m_per_rad",
                     "k",
-                    Shown::Number(torsion.stiffness),
+                    Shown::Number(torsion.stiffness()),
                     "N·m/rad",
                 );
-                match torsion.axis {
+                match torsion.axis() {
                     Some(axis) => {
                         spring.put("axis_space", "along", Shown::Vector(axis.to_array()), "in space axes")
                     }
@@ -127,14 +127,12 @@ impl Description {
     }
 
     fn drag(name: &'static str, drag: &Drag) -> Self {
-        match drag {
-            Drag::Linear { matrix, .. } => {
-                Self::new(name, "drag, −C ω").put("linear_n_m_s", "C", Shown::Matrix(*matrix), "N·m·s")
+        let matrix = Shown::Matrix(drag.matrix());
+        match drag.law() {
+            DragLaw::Linear => Self::new(name, "drag, −C ω").put("linear_n_m_s", "C", matrix, "N·m·s"),
+            DragLaw::Quadratic => {
+                Self::new(name, "drag, −|ω| D ω").put("quadratic_n_m_s2", "D", matrix, "N·m·s²")
             }
-            Drag::Quadratic { matrix, .. } => {
-                Self::new(name, "drag, −|ω| D ω").put("quadratic_n_m_s2", "D", Shown::Matrix(*matrix), "N·m·s²")
-            }
-            _ => Self::new(name, "drag"),
         }
     }
 
@@ -162,19 +160,18 @@ impl Description {
     /// When it acts; `None`: always.
     pub(crate) fn when(&self) -> Option<String> {
         let n = |x: f64| number(x, DIGITS);
-        Some(match self.schedule? {
-            Schedule::Window { from, until } => match (from.is_finite(), until.is_finite()) {
-                (true, true) => format!("from {} s to {} s", n(from), n(until)),
-                (true, false) => format!("from {} s on", n(from)),
-                (false, true) => format!("until {} s", n(until)),
-                (false, false) => return None,
-            },
-            Schedule::Pulses { first, width, period, count } => {
-                let count = count.map_or_else(String::new, |count| format!(", {count} times"));
-                format!("for {} s of every {} s from {} s on{count}", n(width), n(period), n(first))
-            }
-            _ => "at its times".to_owned(),
-        })
+        let schedule = self.schedule?;
+        if let Some(([first, width, period], count)) = schedule.as_pulses() {
+            let count = count.map_or_else(String::new, |count| format!(", {count} times"));
+            return Some(format!("for {} s of every {} s from {} s on{count}", n(width), n(period), n(first)));
+        }
+        let [from, until] = schedule.as_window()?;
+        match (from.is_finite(), until.is_finite()) {
+            (true, true) => Some(format!("from {} s to {} s", n(from), n(until))),
+            (true, false) => Some(format!("from {} s on", n(from))),
+            (false, true) => Some(format!("until {} s", n(until))),
+            (false, false) => None,
+        }
     }
 
     /// `model`, what has a name, the numbers, the `schedule`.
@@ -215,12 +212,10 @@ impl Parameter {
     }
 }
 
+/// `from_s` and `until_s`, `null` where it is infinite; or `first_s`, `width_s`, `period_s` and `count`.
 fn schedule(schedule: Schedule) -> Value {
-    match schedule {
-        Schedule::Window { from, until } => json!({ "from_s": from, "until_s": until }),
-        Schedule::Pulses { first, width, period, count } => {
-            json!({ "first_s": first, "width_s": width, "period_s": period, "count": count })
-        }
-        _ => Value::Null,
+    if let Some(([first, width, period], count)) = schedule.as_pulses() {
+        return json!({ "first_s": first, "width_s": width, "period_s": period, "count": count });
     }
+    schedule.as_window().map_or(Value::Null, |[from, until]| json!({ "from_s": from, "until_s": until }))
 }

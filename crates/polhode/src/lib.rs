@@ -120,7 +120,7 @@ pub use motion::simulation::Simulation;
 pub use motion::solution::Solution;
 pub use motion::state::State;
 pub use motion::torque::{
-    Attracted, ConstantTorque, Drag, EnergySink, FormulaTorque, GravityGradient, Magnetic, MagneticField,
+    Attracted, ConstantTorque, Drag, DragLaw, EnergySink, FormulaTorque, GravityGradient, Magnetic, MagneticField,
     Schedule, Scheduled, Thruster, TorqueModel, Torsion, UniformGravity,
 };
 pub use motion::trajectory::{Method, Trajectory};

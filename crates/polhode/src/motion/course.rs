@@ -90,7 +90,11 @@ impl<'a> Course<'a> {
     /// One step, shortened to a switch on its way; the event that stops the motion, if one does.
     fn advance(&mut self, end: f64) -> Result<Option<usize>, MotionError> {
         let from = self.stepper.time();
-        self.stepper.step(end)?;
+        if let Err(cause) = self.stepper.step(end) {
+            // It may have gone too far to see that it should not have.
+            self.stepper.cut(from);
+            return Err(cause);
+        }
         let found = {
             let stepper = &self.stepper;
             self.watch.look([from, stepper.time()], &|time| stepper.at(time).state)

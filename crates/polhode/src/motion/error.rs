@@ -70,6 +70,11 @@ pub enum MotionError {
         /// Why not.
         why: &'static str,
     },
+    /// A torsion spring or wire was twisted by half a turn, beyond which an attitude does not say its twist.
+    HalfTurn {
+        /// The last good time, s.
+        time: f64,
+    },
     /// The state became infinite or undefined.
     NotFinite {
         /// The last good time, s.
@@ -86,6 +91,7 @@ impl MotionError {
                 | Self::TooManySteps { .. }
                 | Self::TooManyEvents { .. }
                 | Self::RunAway { .. }
+                | Self::HalfTurn { .. }
                 | Self::NotFinite { .. }
         )
     }
@@ -107,6 +113,7 @@ impl MotionError {
             Self::NoPotential => Some("measure the kinetic energy"),
             Self::RunAway { .. } => Some("check the sign of the torque: one that grows with ω has no bound"),
             Self::NotSmooth { .. } => Some("use method = \"auto\" or \"dop853\""),
+            Self::HalfTurn { .. } => Some("stop the run before, or start with less energy"),
             Self::NotFinite { .. } => Some("check the units of the torque, the spin and the inertia"),
             Self::Parameter { .. } => None,
         }
@@ -150,6 +157,10 @@ impl fmt::Display for MotionError {
             Self::NotSmooth { torque, why } => {
                 write!(f, "Taylor's method needs torques with a power series; in torque {} {why}", torque + 1)
             }
+            Self::HalfTurn { time } => write!(
+                f,
+                "after t = {time:e} s the spring or wire is twisted by more than half a turn, and its torque is no longer determined"
+            ),
             Self::NotFinite { time } => write!(f, "the motion is not finite after t = {time:e} s"),
         }
     }

@@ -58,6 +58,8 @@ pub(crate) struct Stepper<'a> {
     /// What |ω| is compared with, rad/s: see [`Stepper::require_bounded`].
     usual_rate: f64,
     tolerance: f64,
+    /// True if a spring or wire is among the torques: its twist is watched.
+    is_sprung: bool,
     rule: Steps<'a>,
 }
 
@@ -90,11 +92,12 @@ impl<'a> Stepper<'a> {
         let piece = Rc::new(Piece::new(rotor, acting(torques, &switched_on), &start));
         let until = piece.until;
         let usual_rate = start.omega.norm().max(torque_rate(&piece));
+        let is_sprung = torques.iter().any(|torque| torque.name() == "torsion");
         let rule = match rule {
             Rule::Taylor => Steps::Taylor(Box::new(Taylor::new(piece, start, tolerance)?)),
             Rule::Dop853 => Steps::Dop853(Box::new(RungeKutta::new(piece, start, tolerance)?)),
         };
-        Ok(Self { rotor, torques, switched_on, until, usual_rate, tolerance, rule })
+        Ok(Self { rotor, torques, switched_on, until, usual_rate, tolerance, is_sprung, rule })
     }
 
     /// Looks again at what acts now.
@@ -169,16 +172,30 @@ impl<'a> Stepper<'a> {
     ///
     /// # Errors
     /// [`MotionError::StepTooSmall`], [`MotionError::NotFinite`] or [`MotionError::TorqueWithoutInertia`]; the stepper
-    /// stays at the last good state.
+    /// stays at the last good state. [`MotionError::HalfTurn`] after a step that went too far.
     pub(crate) fn step(&mut self, until: f64) -> Result<(), MotionError> {
         if self.time() >= self.until {
             self.change()?;
         }
         let until = until.min(self.until);
+        let before = self.is_sprung.then(|| self.now().state);
         match &mut self.rule {
             Steps::Taylor(taylor) => taylor.step(until),
             Steps::Dop853(dop853) => dop853.step(until),
-        }
+        }?;
+        before.map_or(Ok(()), |before| self.require_untwisted(&before))
+    }
+
+    /// # Errors
+    /// [`MotionError::HalfTurn`] if a spring or wire that acts has been twisted beyond half a turn.
+    fn require_untwisted(&self, before: &State) -> Result<(), MotionError> {
+        let after = self.now().state.attitude;
+        let acting = self.switched_on().filter_map(|torque| torque.acting(before.time));
+        let is_beyond = acting.into_iter().any(|torque| match torque {
+            TorqueModel::Torsion(torsion) => torsion.passes_half_turn(before.attitude, after),
+            _ => false,
+        });
+        if is_beyond { Err(MotionError::HalfTurn { time: before.time }) } else { Ok(()) }
     }
 
     pub(crate) fn time(&self) -> f64 {

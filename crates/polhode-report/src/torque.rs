@@ -88,9 +88,12 @@ impl Description {
                     "A·m² in body axes",
                 );
                 match &magnet.field {
-                    MagneticField::Uniform(b) => {
-                        magnetic.word("field", "uniform").put("field_t", "B", Shown::Vector(b.to_array()), "T in space axes")
-                    }
+                    MagneticField::Uniform(b) => magnetic.word("field", "uniform").put(
+                        "field_t",
+                        "B",
+                        Shown::Vector(b.to_array()),
+                        "T in space axes",
+                    ),
                     MagneticField::Dipole { dipole, .. } => magnetic.word("field", "dipole").put(
                         "dipole_a_m2",
                         "of the dipole",
@@ -112,7 +115,9 @@ impl Description {
     /// What a wheel is and has.
     pub(crate) fn of_wheel(wheel: &Wheel) -> Self {
         let (title, schedule, motor) = match wheel.motor {
-            Motor::Torque { inertia, torque, schedule } => ("a wheel that its motor turns", schedule, Some([inertia, torque])),
+            Motor::Torque { inertia, torque, schedule } => {
+                ("a wheel that its motor turns", schedule, Some([inertia, torque]))
+            }
             _ => ("a wheel of held speed", None, None),
         };
         let description = Self { schedule, ..Self::new("wheel", title) }
@@ -163,7 +168,12 @@ impl Description {
         let schedule = self.schedule?;
         if let Some(([first, width, period], count)) = schedule.as_pulses() {
             let count = count.map_or_else(String::new, |count| format!(", {count} times"));
-            return Some(format!("for {} s of every {} s from {} s on{count}", n(width), n(period), n(first)));
+            return Some(format!(
+                "for {} s of every {} s from {} s on{count}",
+                n(width),
+                n(period),
+                n(first)
+            ));
         }
         let [from, until] = schedule.as_window()?;
         match (from.is_finite(), until.is_finite()) {

@@ -120,8 +120,8 @@ pub use motion::simulation::Simulation;
 pub use motion::solution::Solution;
 pub use motion::state::State;
 pub use motion::torque::{
-    Attracted, ConstantTorque, Drag, DragLaw, EnergySink, FormulaTorque, GravityGradient, Magnetic, MagneticField,
-    Schedule, Scheduled, Thruster, TorqueModel, Torsion, UniformGravity,
+    Attracted, ConstantTorque, Drag, DragLaw, EnergySink, FormulaTorque, GravityGradient, Magnetic,
+    MagneticField, Schedule, Scheduled, Thruster, TorqueModel, Torsion, UniformGravity,
 };
 pub use motion::trajectory::{Method, Trajectory};
 pub use motion::wheel::{Motor, Wheel};

@@ -89,10 +89,13 @@ fn quadratic_drag_about_a_principal_axis_is_a_hyperbola() {
 fn a_body_starts_from_rest_under_quadratic_drag() {
     let rotor = free_body([1.1, 2.3, 3.1]);
     let torque = Torque::new(0.0, 0.6, 0.0);
-    let torques =
-        [drag(DragLaw::Quadratic, diagonal([0.2, 0.7, 0.4])), TorqueModel::Constant(ConstantTorque::Body(torque))];
+    let torques = [
+        drag(DragLaw::Quadratic, diagonal([0.2, 0.7, 0.4])),
+        TorqueModel::Constant(ConstantTorque::Body(torque)),
+    ];
     for method in METHODS {
-        let motion = Trajectory::compute(&rotor, &torques, at([0.0; 3]), &[0.1, 1.0, 9.0], method, 1e-15).unwrap();
+        let motion =
+            Trajectory::compute(&rotor, &torques, at([0.0; 3]), &[0.1, 1.0, 9.0], method, 1e-15).unwrap();
         for sample in motion.samples() {
             let want = (0.6_f64 / 0.7).sqrt() * ((0.6_f64 * 0.7).sqrt() * sample.state.time / 2.3).tanh();
             assert!((sample.state.omega.y - want).abs() < 1e-14, "{method:?} {:?}", sample.state);
@@ -122,7 +125,8 @@ fn a_spin_that_reverses_under_quadratic_drag_does_not_stall() {
     };
     for method in METHODS {
         let times = [0.5 * stops, stops, 1.5 * stops, 20.0];
-        let motion = Trajectory::compute(&rotor, &torques, at([0.0, 0.8, 0.0]), &times, method, 1e-15).unwrap();
+        let motion =
+            Trajectory::compute(&rotor, &torques, at([0.0, 0.8, 0.0]), &times, method, 1e-15).unwrap();
         for sample in motion.samples() {
             let error = (sample.state.omega.y - omega(sample.state.time)).abs();
             assert!(error < 2e-14, "{method:?} t = {}: {error:e}", sample.state.time);

@@ -33,7 +33,8 @@ fn check(schedules: &[Schedule], omega0: f64, times: &[f64], bound: f64) -> [Tra
     let torques: Vec<_> = schedules.iter().copied().map(at_times).collect();
     METHODS.map(|method| {
         let rotor = free_body(MOMENTS);
-        let motion = Trajectory::compute(&rotor, &torques, start([0.0, 0.0, omega0]), times, method, 1e-13).unwrap();
+        let motion =
+            Trajectory::compute(&rotor, &torques, start([0.0, 0.0, omega0]), times, method, 1e-13).unwrap();
         for sample in motion.samples() {
             let on: f64 = schedules.iter().map(|schedule| schedule.time_on(sample.state.time)).sum();
             let want = omega0 + TORQUE * on / MOMENTS[2];
@@ -67,7 +68,9 @@ fn windows_at_irrational_times_give_the_exact_spin() {
 #[test]
 fn switching_at_the_start_and_at_the_end_is_exact() {
     let end = 7.0_f64.sqrt();
-    for (from, until, on) in [(0.0, end, end), (0.0, 1.0, 1.0), (1.0, end, end - 1.0), (end, 9.0, 0.0), (-3.0, 0.0, 0.0)] {
+    for (from, until, on) in
+        [(0.0, end, end), (0.0, 1.0, 1.0), (1.0, end, end - 1.0), (end, 9.0, 0.0), (-3.0, 0.0, 0.0)]
+    {
         let schedule = Schedule::window(from, until).unwrap();
         let motions = check(&[schedule], 0.4, &[0.0, end], 1e-15);
         for motion in motions {
@@ -113,7 +116,8 @@ fn a_pulse_narrower_than_any_step_is_not_missed() {
         let torque = TorqueModel::Constant(ConstantTorque::Body(Torque::new(0.0, 0.0, 1e9)));
         let torques = [TorqueModel::Scheduled(Box::new(Scheduled { torque, schedule }))];
         let rotor = free_body(MOMENTS);
-        let motion = Trajectory::compute(&rotor, &torques, start([0.0; 3]), &[49.0, 100.0], method, 1e-13).unwrap();
+        let motion =
+            Trajectory::compute(&rotor, &torques, start([0.0; 3]), &[49.0, 100.0], method, 1e-13).unwrap();
         assert_eq!(motion.samples()[0].state.omega.z, 0.0);
         let gained = motion.samples()[1].state.omega.z;
         assert!((gained / (1e9 * on / MOMENTS[2]) - 1.0).abs() < 1e-13, "{method:?}: {gained}");

@@ -67,7 +67,10 @@ fn both_integrators_keep_the_energy_and_agree() {
     let times: Vec<_> = (0..=20).map(f64::from).collect();
     for torque in springs(2.9, axis) {
         // With gravity at the pivot, so that the body tilts.
-        let torques = [torque, TorqueModel::Gravity(UniformGravity { acceleration: Acceleration::new(0.1, 0.3, -1.2) })];
+        let torques = [
+            torque,
+            TorqueModel::Gravity(UniformGravity { acceleration: Acceleration::new(0.1, 0.3, -1.2) }),
+        ];
         let [a, b] = METHODS.map(|method| {
             let motion = Trajectory::compute(&pivoted, &torques, start, &times, method, 1e-15).unwrap();
             let drift = Drift::of(&motion).unwrap();
@@ -99,7 +102,8 @@ fn a_twist_beyond_half_a_turn_is_an_error_at_its_time() {
             let torques = [torque.clone()];
             let before = Trajectory::compute(&rotor, &torques, start, &[0.999 * passes], method, 1e-13);
             assert!(before.is_ok());
-            let error = Trajectory::compute(&rotor, &torques, start, &[2.0 * passes], method, 1e-13).unwrap_err();
+            let error =
+                Trajectory::compute(&rotor, &torques, start, &[2.0 * passes], method, 1e-13).unwrap_err();
             let MotionError::HalfTurn { time } = error else { panic!("{error}") };
             assert!(error.is_numerical() && error.hint().is_some());
             assert!(time < passes && time > 0.2 * passes, "{method:?}: {time} of {passes}");

@@ -3,8 +3,8 @@
 use std::borrow::Cow;
 
 use polhode::{
-    AngularAcceleration, Body, Ending, MassProperties, MotionError, MovingParticle, Particle, Pendulum, Position,
-    Required, Rotor, Sample, Scenario, Space, State, Torque, Trajectory, Velocity, rigid_velocity,
+    AngularAcceleration, Body, Ending, MassProperties, MotionError, MovingParticle, Particle, Pendulum,
+    Position, Required, Rotor, Sample, Scenario, Space, State, Torque, Trajectory, Velocity, rigid_velocity,
 };
 
 use crate::number::{alike, number, tidy_beside};

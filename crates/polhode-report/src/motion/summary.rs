@@ -1,8 +1,8 @@
 //! `summary.json`.
 
 use polhode::{
-    Drift, FreeMotion, FreeRegime, Method, ParticleForce, Pendulum, Sample, Scenario,
-    Solution, State, Swing, TorqueModel,
+    Drift, FreeMotion, FreeRegime, Method, ParticleForce, Pendulum, Sample, Scenario, Solution, State, Swing,
+    TorqueModel,
 };
 use serde_json::{Map, Value, json};
 
@@ -36,7 +36,10 @@ pub(super) fn of(report: &MotionReport<'_>) -> Value {
     put("pendulum", facts.hanging.as_ref().map_or(Value::Null, pendulum));
     put("final", samples.last().map_or(Value::Null, last));
     put("torques", torques(scenario));
-    put("wheels", scenario.wheels.iter().map(|wheel| Description::of_wheel(wheel).json()).map(Value::Object).collect());
+    put(
+        "wheels",
+        scenario.wheels.iter().map(|wheel| Description::of_wheel(wheel).json()).map(Value::Object).collect(),
+    );
     put("events", event::json(report.trajectory, scenario));
     put("findings", finding::to_json(&scenario.findings));
     Value::Object(object)

@@ -7,8 +7,8 @@ use super::facts::{Facts, Needed, Top};
 use crate::layout::{WIDTH, broken, columns, labelled, plain_spaces, printable};
 use crate::number::{count, error, number, tidy, ungrouped, vector};
 use crate::sparkline::Sparkline;
-use crate::unit::{self, CLOSED, DIGITS, cone, rate};
 use crate::torque::Description;
+use crate::unit::{self, CLOSED, DIGITS, cone, rate};
 use crate::{event, finding, intermediate, omega};
 
 /// Forces on more particles than this fill the screen: JSON has them all.

@@ -1,8 +1,8 @@
 //! The numbers beside the picture, ready to read.
 
 use polhode::{
-    Cones, Crossing, Drift, FreeMotion, FreeRegime, GeometricPhase, Herpolhode, LeastEnergySpin, Regime, Scenario,
-    Solution, Swing, SymmetricTop,
+    Cones, Crossing, Drift, FreeMotion, FreeRegime, GeometricPhase, Herpolhode, LeastEnergySpin, Regime,
+    Scenario, Solution, Swing, SymmetricTop,
 };
 use serde_json::{Value, json};
 
@@ -10,10 +10,10 @@ use super::body::Turning;
 use super::motion::Shown;
 use super::{PageInput, PageSubject};
 use crate::block::Geometry;
+use crate::event;
 use crate::number::{count, error, number, tidy, tidy_matrix, vector};
 use crate::periods::Periods;
 use crate::torque::Description;
-use crate::event;
 use crate::unit::{self, DIGITS};
 
 /// Between two samples a body that turns by more, rad, may have turned otherwise than the picture shows.
@@ -178,9 +178,8 @@ fn motion(input: &PageInput<'_>, free: Option<&FreeMotion>, shown: &Shown<'_>) -
 /// Torques, wheels, and what happened on the way.
 fn driven(scenario: &Scenario) -> Vec<Row> {
     let mut rows = Vec::new();
-    let one = |label, description: &Description| {
-        Row::new(label, description.text(), "").note(description.model)
-    };
+    let one =
+        |label, description: &Description| Row::new(label, description.text(), "").note(description.model);
     rows.extend(scenario.torques.iter().map(|model| one("torque", &Description::of(model))));
     rows.extend(scenario.wheels.iter().map(|wheel| one("wheel", &Description::of_wheel(wheel))));
     rows
@@ -197,7 +196,9 @@ fn events(input: &PageInput<'_>) -> Vec<Row> {
     };
     let mut rows: Vec<Row> = crossings.iter().take(MOST).map(row).collect();
     if crossings.len() > MOST {
-        rows.push(Row::new("events", count(crossings.len() as u64), "").note("in all: summary.json has them"));
+        rows.push(
+            Row::new("events", count(crossings.len() as u64), "").note("in all: summary.json has them"),
+        );
     }
     if let PageSubject::Scenario(scenario) = input.subject {
         rows.extend(event::ending_in_words(input.trajectory, scenario).map(|end| Row::new("end", end, "")));

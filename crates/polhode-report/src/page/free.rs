@@ -23,7 +23,7 @@ const MOST_POINTS: usize = 4_000;
 pub(super) fn motion(input: &PageInput<'_>) -> Option<FreeMotion> {
     let motion = match (input.trajectory.solution(), input.subject) {
         (Solution::Exact(motion), _) => **motion,
-        (Solution::Integrated { .. }, PageSubject::Scenario(scenario)) 
+        (Solution::Integrated { .. }, PageSubject::Scenario(scenario))
             if scenario.torques.is_empty() && scenario.wheels.is_empty() =>
         {
             FreeMotion::of(&scenario.rotor(), input.trajectory.start().state).ok()?

@@ -286,7 +286,8 @@ mod tests {
     #[test]
     fn what_is_no_schedule_is_refused() {
         let infinity = f64::INFINITY;
-        for (from, until) in [(1.0, 1.0), (2.0, 1.0), (f64::NAN, 1.0), (0.0, f64::NAN), (infinity, infinity)] {
+        for (from, until) in [(1.0, 1.0), (2.0, 1.0), (f64::NAN, 1.0), (0.0, f64::NAN), (infinity, infinity)]
+        {
             assert!(Schedule::window(from, until).is_err(), "{from} {until}");
         }
         for (first, width, period, count) in [
@@ -304,7 +305,10 @@ mod tests {
             (0.0, 1.0, 2.0, Some(u64::MAX)),
         ] {
             let refused = Schedule::pulses(first, width, period, count);
-            assert!(matches!(refused, Err(MotionError::Parameter { .. })), "{first} {width} {period} {count:?}");
+            assert!(
+                matches!(refused, Err(MotionError::Parameter { .. })),
+                "{first} {width} {period} {count:?}"
+            );
         }
     }
 }

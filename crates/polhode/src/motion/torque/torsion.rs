@@ -136,12 +136,14 @@ mod tests {
 
     fn generic() -> [Torsion; 2] {
         let rest = Attitude::from_quaternion([0.8, 0.1, -0.4, 0.5]).unwrap();
-        [Torsion::spring(1.7, rest), Torsion::wire(1.7, rest, Direction::new(0.3, -0.5, 0.9))].map(Result::unwrap)
+        [Torsion::spring(1.7, rest), Torsion::wire(1.7, rest, Direction::new(0.3, -0.5, 0.9))]
+            .map(Result::unwrap)
     }
 
     #[test]
     fn the_torque_is_minus_the_gradient_of_the_potential() {
-        let attitudes = [[0.4, -0.7, 1.1, 0.3], [-0.9, 0.2, 0.1, -0.3], [0.1, 0.6, -0.4, 0.7], [0.8, 0.1, -0.4, 0.5]];
+        let attitudes =
+            [[0.4, -0.7, 1.1, 0.3], [-0.9, 0.2, 0.1, -0.3], [0.1, 0.6, -0.4, 0.7], [0.8, 0.1, -0.4, 0.5]];
         for torsion in generic() {
             for attitude in attitudes.map(|q| Attitude::from_quaternion(q).unwrap()) {
                 // dU = −N · dθ for a turn dθ about each body axis
@@ -181,9 +183,8 @@ mod tests {
         for torsion in generic() {
             let q = [0.4, -0.7, 1.1, 0.3];
             let [a, b] = [q, q.map(|c| -c)].map(|q| Attitude::from_quaternion(q).unwrap());
-            let [n, m] = [a, b].map(|attitude| {
-                torsion.torque(&State { time: 0.0, attitude, omega: AngularVelocity::ZERO })
-            });
+            let [n, m] = [a, b]
+                .map(|attitude| torsion.torque(&State { time: 0.0, attitude, omega: AngularVelocity::ZERO }));
             assert_eq!(n, m);
             assert_eq!(torsion.potential(a), torsion.potential(b));
         }

@@ -105,9 +105,10 @@ impl Speed {
         // (v · v)ⱼ, j = n − m
         let (v, j) = (&omega[lead..], n - lead);
         let over = 1.0 / self.unit;
-        let dots = v.iter().zip(v.iter().rev()).fold(Row::ZERO, |sum, (&a, &b)| {
-            sum + (a * Row::splat(over)) * (b * Row::splat(over))
-        });
+        let dots = v
+            .iter()
+            .zip(v.iter().rev())
+            .fold(Row::ZERO, |sum, (&a, &b)| sum + (a * Row::splat(over)) * (b * Row::splat(over)));
         let [x, y, z, _] = dots.0;
         self.square[j] = x + y + z;
         if j == 0 {
@@ -119,7 +120,8 @@ impl Speed {
         }
         // sₙ = |v|ₙ₋ₘ: (s D ω)ₙ = Σ |v|ₖ (D ω)ₙ₋ₘ₋ₖ
         let roots = self.root[..=j].iter();
-        let sum = roots.zip(self.bent[..=j].iter().rev()).fold(Row::ZERO, |sum, (&s, &b)| sum + Row::splat(s) * b);
+        let sum =
+            roots.zip(self.bent[..=j].iter().rev()).fold(Row::ZERO, |sum, (&s, &b)| sum + Row::splat(s) * b);
         sum * Row::splat(self.unit)
     }
 }

@@ -63,14 +63,7 @@ impl TorsionSeries {
             None => Law::Spring(Box::new(Spring { f: Composition::none() })),
             Some(axis) => Law::Wire(Box::new(Wire::along(rest.inverse() * axis))),
         };
-        Self {
-            stiffness: model.stiffness(),
-            rest,
-            start: [0.0; 4],
-            w: [0.0; TERMS],
-            v: Vectors::ZERO,
-            law,
-        }
+        Self { stiffness: model.stiffness(), rest, start: [0.0; 4], w: [0.0; TERMS], v: Vectors::ZERO, law }
     }
 
     pub(super) fn start(&mut self, at: &StepStart) {
@@ -133,7 +126,8 @@ impl Wire {
         self.across[n] = Row([e2 * z - e3 * y, e3 * x - e1 * z, e1 * y - e2 * x, 0.0]);
         let square = scalar::product(w, w, n);
         self.square[n] = square + scalar::product(&self.s, &self.s, n);
-        let over = self.axis * Row::splat(square) + (scaled(w, &self.across, n) + scaled(&self.s, &v.rows, n));
+        let over =
+            self.axis * Row::splat(square) + (scaled(w, &self.across, n) + scaled(&self.s, &v.rows, n));
         // d b = over: bₙ = (overₙ − Σ_{k≥1} dₖ bₙ₋ₖ)/d₀
         let known_part = self.square[1..=n].iter().zip(self.b[..n].iter().rev());
         let rest = known_part.fold(over, |rest, (&d, &b)| rest - Row::splat(d) * b);

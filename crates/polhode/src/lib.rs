@@ -111,6 +111,7 @@ pub use motion::kinematics::{
 pub use motion::orbit::Orbit;
 pub use motion::pendulum::{Pendulum, Swing};
 pub use motion::prescribed::Prescribed;
+pub use motion::propagate::splitting::SplittingOrder;
 pub use motion::propagate::stepper::{LOOSEST_TOLERANCE, StepStatistics, TIGHTEST_TOLERANCE};
 pub use motion::rotor::Rotor;
 pub use motion::scenario::{Hanging, Run, Scenario};

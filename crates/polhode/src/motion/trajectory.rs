@@ -4,6 +4,7 @@ use super::error::MotionError;
 use super::free::FreeMotion;
 use super::inverse::Required;
 use super::prescribed::Prescribed;
+use super::propagate::splitting::SplittingOrder;
 use super::propagate::stepper::{Balanced, Rule, StepStatistics, Stepper};
 use super::rotor::Rotor;
 use super::state::State;
@@ -12,7 +13,7 @@ use crate::math::frame::{Body, Space};
 use crate::math::vector::{AngularMomentum, Torque};
 
 /// How to compute a motion.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
 #[non_exhaustive]
 pub enum Method {
     /// A closed form where there is one, Taylor's method elsewhere.
@@ -24,6 +25,14 @@ pub enum Method {
     Taylor,
     /// Numerical integration by the Runge–Kutta method of Dormand and Prince, order 8.
     Dop853,
+    /// Steps of one length: the exact free motion, with kicks by the torques between. For torques that depend on attitude and time
+    /// alone; where they have a potential, the error of T + U stays bounded.
+    Splitting {
+        /// How fast the error falls with the step.
+        order: SplittingOrder,
+        /// The length of a step, s.
+        step: f64,
+    },
 }
 
 impl Method {
@@ -34,6 +43,7 @@ impl Method {
             Self::Exact => "closed form",
             Self::Taylor => "Taylor's method",
             Self::Dop853 => "DOP853",
+            Self::Splitting { .. } => "splitting",
         }
     }
 
@@ -44,6 +54,7 @@ impl Method {
             Self::Exact => "exact",
             Self::Taylor => "taylor",
             Self::Dop853 => "dop853",
+            Self::Splitting { .. } => "splitting",
         }
     }
 }
@@ -67,15 +78,15 @@ pub enum Solution {
     Integrated {
         /// By which method.
         method: Method,
-        /// Bound on the error of each step: attitude in rad, ω relative.
-        tolerance: f64,
+        /// Bound on the error of each step: attitude in rad, ω relative; `None` where steps have a given length.
+        tolerance: Option<f64>,
         /// What it cost.
         statistics: StepStatistics,
     },
 }
 
 impl Solution {
-    /// The method's name in summaries: `exact`, `prescribed`, `taylor` or `dop853`.
+    /// The method's name in summaries: `exact`, `prescribed`, `taylor`, `dop853` or `splitting`.
     pub const fn name(&self) -> &'static str {
         match self {
             Self::Exact(_) => Method::Exact.name(),
@@ -107,7 +118,7 @@ pub struct Sample {
 impl Trajectory {
     /// The motion from `start` at each of `times` (ascending, s, none before the start).
     ///
-    /// `tolerance` bounds the error of each integration step, attitude in rad and ω relative; closed forms ignore it.
+    /// `tolerance` bounds the error of each integration step, attitude in rad and ω relative; closed forms and splitting ignore it.
     ///
     /// # Errors
     /// [`MotionError`]: times out of order, no closed form for [`Method::Exact`], or a tolerance out of reach.
@@ -160,7 +171,11 @@ impl Trajectory {
             (Method::Auto | Method::Exact, Ok(motion)) => Self::of_motion(motion, times),
             (Method::Exact, Err(why)) => Err(why),
             _ => {
-                let rule = if method == Method::Dop853 { Rule::Dop853 } else { Rule::Taylor };
+                let rule = match method {
+                    Method::Dop853 => Rule::Dop853,
+                    Method::Splitting { order, step } => Rule::Splitting { order, step },
+                    Method::Auto | Method::Exact | Method::Taylor => Rule::Taylor,
+                };
                 Self::integrate(Stepper::new(rule, rotor, torques, start, tolerance)?, start, times, watch)
             }
         }
@@ -238,6 +253,7 @@ impl Trajectory {
         let method = match stepper.rule() {
             Rule::Taylor => Method::Taylor,
             Rule::Dop853 => Method::Dop853,
+            Rule::Splitting { order, step } => Method::Splitting { order, step },
         };
         let (tolerance, statistics) = (stepper.tolerance(), stepper.statistics());
         let solution = Solution::Integrated { method, tolerance, statistics };

@@ -20,12 +20,12 @@ struct Problem {
     rotor: Rotor,
     torques: Vec<TorqueModel>,
     start: State,
-    energy: fn(&Sample) -> f64,
+    energy: fn(&Problem, &Sample) -> f64,
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
     let steps = std::env::args().nth(1).map_or(Ok(10_000_000), |text| text.parse())?;
-    for problem in [symmetric()?, generic()?] {
+    for problem in [symmetric()?, generic()?, satellite()?] {
         for (order, step) in
             [(SplittingOrder::Two, 0.01), (SplittingOrder::Four, 0.03), (SplittingOrder::Six, 0.06)]
         {
@@ -69,12 +69,40 @@ fn heavy(
         rotor: Rotor::pivoted(&body, Position::ZERO),
         torques: vec![TorqueModel::Gravity(UniformGravity { acceleration: Acceleration::new(0.0, 0.0, -g) })],
         start: State { time: 0.0, attitude, omega },
-        energy: |sample| sample.kinetic_energy + sample.potential_energy.unwrap_or(f64::NAN),
+        energy: |_, sample| sample.kinetic_energy + sample.potential_energy.unwrap_or(f64::NAN),
     })
 }
 
+/// A satellite on the circle r = (cos nt, sin nt, 0), n = 0.5 rad/s, with I = (1, 2, 2.5) and ω = (0.3, 0.5, 0.9): what is conserved is
+/// T − n L_z + 3/2 n² r · I r.
+fn satellite() -> Result<Problem, Box<dyn Error>> {
+    let orbit = Orbit::through(N * N, Position::new(1.0, 0.0, 0.0), Velocity::new(0.0, N, 0.0), 0.0)?;
+    let torque = GravityGradient { orbit, attracted: Attracted::Tensor };
+    let inertia = InertiaTensor::diagonal([1.0, 2.0, 2.5])?;
+    Ok(Problem {
+        name: "gravity gradient",
+        rotor: Rotor::free(&MassProperties::new(1.0, Position::ZERO, inertia)?),
+        torques: vec![TorqueModel::GravityGradient(Box::new(torque))],
+        start: State {
+            time: 0.0,
+            attitude: Attitude::identity(),
+            omega: AngularVelocity::new(0.3, 0.5, 0.9),
+        },
+        energy: |problem, sample| {
+            let (sin, cos) = (N * sample.state.time).sin_cos();
+            let r = sample.state.attitude.inverse() * AngularVelocity::new(cos, sin, 0.0);
+            let potential = 3.0 * N * N * problem.rotor.kinetic_energy(r);
+            sample.kinetic_energy - N * sample.momentum.z + potential
+        },
+    })
+}
+
+/// The rate of the orbit, rad/s.
+const N: f64 = 0.5;
+
 fn measure(problem: &Problem, order: SplittingOrder, step: f64, steps: usize) -> Result<(), MotionError> {
     let Problem { name, rotor, torques, start, energy } = problem;
+    let energy = |sample: &Sample| energy(problem, sample);
     let times: Vec<f64> = (0..=steps).step_by(APART).map(|k| k as f64 * step).collect();
     let begin = Instant::now();
     let method = Method::Splitting { order, step };

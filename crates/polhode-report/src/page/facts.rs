@@ -151,7 +151,7 @@ fn motion(input: &PageInput<'_>, free: Option<&FreeMotion>, shown: &Shown<'_>) -
     let how = match input.trajectory.solution() {
         Solution::Exact(_) => "in closed form",
         Solution::Prescribed(_) => "prescribed",
-        Solution::Integrated { .. } => "integrated by DOP853",
+        Solution::Integrated { method, .. } => &format!("integrated by {}", method.title()),
     };
     let mut rows = Vec::new();
     if let (Some(first), Some(last)) = (shown.samples.first(), shown.samples.last()) {
@@ -283,7 +283,7 @@ fn evidence(input: &PageInput<'_>, is_free: bool) -> Vec<Row> {
     };
     rows.extend(drift.total_energy.map(|total| row("T + U stays to", total)));
     if let Solution::Integrated { tolerance, statistics, .. } = input.trajectory.solution() {
-        rows.push(Row::new("tolerance", error(*tolerance), "").note("of a step"));
+        rows.extend(tolerance.map(|tolerance| Row::new("tolerance", error(tolerance), "").note("of a step")));
         rows.push(Row::new("steps", count(statistics.accepted), ""));
     }
     rows

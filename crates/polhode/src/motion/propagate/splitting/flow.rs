@@ -23,8 +23,8 @@ use crate::motion::state::State;
 /// Terms of the series at most.
 const TERMS: usize = 28;
 
-/// Two terms in a row below this part of the first are below rounding, summed over 10⁷ steps too.
-const NEGLIGIBLE: f64 = 1e-20;
+/// The square of what no rounding sees, summed over 10⁷ steps either: the series end with two terms in a row below that part of all.
+const NEGLIGIBLE: f64 = 1e-40;
 
 /// A turn less the identity: (w − 1, x, y, z), each with its own digits.
 pub(super) type Turn = [f64; 4];
@@ -113,7 +113,7 @@ impl FreeFlow {
         left[0] = [e0[1], e0[2], e0[0], 0.0];
         right[0] = [e0[2], e0[0], e0[1], 0.0];
         let (mut e, mut change, mut phi) = (e0, [0.0; 3], 0.0);
-        let (mut largest, mut was_small) = (0.0, false);
+        let (mut sum, mut was_small) = (0.0, false);
         for n in 0..TERMS - 1 {
             let over = 1.0 / (n + 1) as f64;
             let [x, y, z, known] = convolution(&left, &right, n);
@@ -126,9 +126,9 @@ impl FreeFlow {
             left[n + 1] = [e[1], e[2], e[0], dot(e0, e)];
             right[n + 1] = [e[2], e[0], e[1], 0.0];
             change = from_fn(|k| change[k] + e[k]);
-            let term = e.iter().fold(rate.abs(), |most, x| most.max(x.abs()));
-            largest = f64::max(largest, term);
-            let is_small = term <= NEGLIGIBLE * largest;
+            let term = rate * rate + dot(e, e);
+            sum += term;
+            let is_small = term <= NEGLIGIBLE * sum;
             if is_small && was_small {
                 return Some(reassembled(e0, change, phi));
             }

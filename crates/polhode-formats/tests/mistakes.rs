@@ -214,18 +214,49 @@ fn names_are_known_ones() {
     assert!(matches!(error.kind(), FormatErrorKind::Value { .. }));
     let steel = parse(&BALL.replace("mass = '0.5 kg'", "material = 'stel'")).unwrap_err();
     assert_eq!(steel.hint().unwrap(), "did you mean \"steel\"?");
-    for method in ["taylor", "splitting"] {
-        refuses(
-            &format!("{BALL}{RUN}method = «'{method}'»"),
-            &format!("method = '{method}' must be another method: {method} is not available yet"),
-            "write method = \"auto\"",
-        );
-    }
+    refuses(
+        &format!("{BALL}{RUN}method = «'euler'»"),
+        "method = 'euler' must be one of auto, exact, taylor, dop853, splitting",
+        "write method = \"auto\"",
+    );
+    refuses(
+        &format!("{BALL}{RUN}method = 'splitting'\nstep = 0.1\norder = «3»"),
+        "order = 3 must be 2, 4 or 6",
+        "halving the step",
+    );
+    refuses(
+        &format!("{BALL}{RUN}method = 'splitting'\nstep = «0»"),
+        "step = 0 must be a time greater than zero",
+        "",
+    );
     refuses(
         &format!("{BALL}[[torque]]\nmodel = «'drag'»"),
         "model = 'drag' must be one of constant, gravity",
         "write model = \"constant\"",
     );
+}
+
+#[test]
+fn a_fixed_step_has_no_tolerance_and_a_tolerance_no_step() {
+    refuses(
+        &format!("{BALL}{RUN}method = 'splitting'\nstep = '5 ms'\ntolerance = «1e-9»"),
+        "tolerance = 1e-9 must be left out of a run by splitting",
+        "splitting has steps of one length",
+    );
+    for (key, value) in [("order", "4"), ("step", "'5 ms'")] {
+        refuses(
+            &format!("{BALL}{RUN}method = 'taylor'\n{key} = «{value}»"),
+            &format!("{key} = {value} must be left out without method = \"splitting\""),
+            "other methods choose their steps by the tolerance",
+        );
+        refuses(
+            &format!("{BALL}[prescribed]\naxis=[0,0,1]\nrate=1\n{RUN}{key}=«{value}»"),
+            &format!("{key} = {value} must be left out"),
+            "a prescribed motion is given",
+        );
+    }
+    let error = parse(&format!("{BALL}{RUN}method = 'splitting'")).unwrap_err();
+    assert!(matches!(error.kind(), FormatErrorKind::MissingKey { key: "step", .. }), "{error}");
 }
 
 #[test]

@@ -109,9 +109,10 @@ pub use motion::inverse::{ParticleForce, Required};
 pub use motion::kinematics::{
     KineticEnergySplit, MovingParticle, angular_momentum, momentum, rigid_acceleration, rigid_velocity,
 };
-pub use motion::orbit::Orbit;
+pub use motion::orbit::{Anomaly, MU_EARTH, Orbit, OrbitalElements};
 pub use motion::pendulum::{Pendulum, Swing};
 pub use motion::prescribed::Prescribed;
+pub use motion::propagate::splitting::SplittingOrder;
 pub use motion::propagate::stepper::{LOOSEST_TOLERANCE, StepStatistics, TIGHTEST_TOLERANCE};
 pub use motion::rotor::Rotor;
 pub use motion::sample::Sample;

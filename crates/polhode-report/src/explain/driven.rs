@@ -1,6 +1,6 @@
 //! Step 5 with torque, or with the motion given.
 
-use polhode::{Sample, Solution, Symmetry};
+use polhode::{Method, Sample, Solution, Symmetry};
 
 use super::document::Section;
 use super::working::{Working, cells, n, v};
@@ -54,11 +54,14 @@ pub(super) fn how(w: &Working<'_>) -> Option<String> {
         Solution::Exact(_) => "in closed form".to_owned(),
         Solution::Prescribed(_) => "as given".to_owned(),
         Solution::Integrated { method, tolerance, .. } => {
-            format!(
-                "by numerical integration ({}, error of each step below {})",
-                method.title(),
-                ungrouped(*tolerance, 3)
-            )
+            let error = match (method, tolerance) {
+                (Method::Splitting { order, step }, _) => {
+                    format!("order {}, steps of {} s", order.number(), ungrouped(*step, 3))
+                }
+                (_, Some(tolerance)) => format!("error of each step below {}", ungrouped(*tolerance, 3)),
+                (_, None) => String::new(),
+            };
+            format!("by numerical integration ({}, {error})", method.title())
         }
     })
 }

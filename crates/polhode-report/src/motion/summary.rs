@@ -75,7 +75,7 @@ fn run(report: &MotionReport<'_>) -> Value {
     };
     let (tolerance, steps) = match report.trajectory.solution() {
         Solution::Integrated { tolerance, statistics, .. } => (
-            Some(*tolerance),
+            *tolerance,
             json!({
                 "accepted": statistics.accepted,
                 "rejected": statistics.rejected,

@@ -1,6 +1,6 @@
 //! The motion on one screen.
 
-use polhode::{FreeRegime, Pendulum, Sample, Scenario, Solution, Swing};
+use polhode::{FreeRegime, Method, Pendulum, Sample, Scenario, Solution, Swing};
 
 use super::MotionReport;
 use super::facts::{Facts, Needed, Top};
@@ -38,13 +38,19 @@ pub(super) fn write(report: &MotionReport<'_>, picture: usize) -> String {
     text.push_str(&evidence(report, &facts));
     text.push_str(&curve(&facts, samples, picture));
     text.push_str(&ends(report, &facts));
-    if let Solution::Integrated { tolerance, statistics, .. } = report.trajectory.solution() {
+    if let Solution::Integrated { method, tolerance, statistics } = report.trajectory.solution() {
+        let by = match (method, tolerance) {
+            (Method::Splitting { order, step }, _) => {
+                format!("order {}, {} s each", order.number(), ungrouped(*step, 3))
+            }
+            (_, Some(tolerance)) => format!("tolerance {} a step", ungrouped(*tolerance, 3)),
+            (_, None) => String::new(),
+        };
         let line = format!(
-            "{} kept, {} rejected, {} evaluations, tolerance {} a step",
+            "{} kept, {} rejected, {} evaluations, {by}",
             count(statistics.accepted),
             count(statistics.rejected),
             count(statistics.evaluations),
-            ungrouped(*tolerance, 3),
         );
         text.push_str(&labelled("steps", &line));
     }

@@ -298,7 +298,7 @@ fn evidence(input: &PageInput<'_>, is_free: bool) -> Vec<Row> {
     };
     rows.extend(drift.total_energy.map(|total| row("T + U stays to", total)));
     if let Solution::Integrated { tolerance, statistics, .. } = input.trajectory.solution() {
-        rows.push(Row::new("tolerance", error(*tolerance), "").note("of a step"));
+        rows.extend(tolerance.map(|tolerance| Row::new("tolerance", error(tolerance), "").note("of a step")));
         rows.push(Row::new("steps", count(statistics.accepted), ""));
     }
     rows

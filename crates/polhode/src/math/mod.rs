@@ -5,6 +5,7 @@ pub(crate) mod double;
 pub(crate) mod elementary;
 pub(crate) mod elliptic;
 pub(crate) mod frame;
+pub(crate) mod kepler;
 pub(crate) mod landen;
 pub(crate) mod lanes;
 pub(crate) mod means;

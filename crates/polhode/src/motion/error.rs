@@ -29,6 +29,13 @@ pub enum MotionError {
         /// Why.
         why: &'static str,
     },
+    /// A torque that splitting cannot take: it is no function of attitude and time alone.
+    NotSplittable {
+        /// The torque's model.
+        what: &'static str,
+        /// Why.
+        why: &'static str,
+    },
     /// The step needed for the tolerance is lost in the rounding of the time.
     StepTooSmall {
         /// The last good time, s.
@@ -40,7 +47,7 @@ pub enum MotionError {
     TooManySteps {
         /// The last good time, s.
         time: f64,
-        /// The step that the tolerance needs there, s.
+        /// The step there, s.
         step: f64,
         /// The most steps that are tried.
         most: u64,
@@ -104,8 +111,9 @@ impl MotionError {
                 Some("all the mass is on one line: give it a thickness, or a torque across the line")
             }
             Self::NoClosedForm { .. } => Some("use method = \"auto\" or \"dop853\""),
+            Self::NotSplittable { .. } => Some("use method = \"taylor\" or \"dop853\""),
             Self::StepTooSmall { .. } | Self::TooManySteps { .. } => {
-                Some("loosen the tolerance, or shorten the duration")
+                Some("loosen the tolerance or lengthen the step, or shorten the duration")
             }
             Self::TooManyEvents { .. } => Some(
                 "an event that switches what it measures may happen without end: give it a direction, or a dead band",
@@ -135,13 +143,14 @@ impl fmt::Display for MotionError {
                 "at t = {time:e} s a torque of {torque} N·m acts about an axis along which the body has no inertia"
             ),
             Self::NoClosedForm { why } => write!(f, "there is no closed form of this motion: {why}"),
+            Self::NotSplittable { what, why } => write!(f, "splitting cannot take the torque \"{what}\": {why}"),
             Self::StepTooSmall { time, step } => write!(
                 f,
-                "at t = {time:e} s the step that the tolerance needs ({step:e} s) is too small to advance the time"
+                "at t = {time:e} s the step ({step:e} s) is too small to advance the time"
             ),
             Self::TooManySteps { time, step, most } => write!(
                 f,
-                "at t = {time:e} s the tolerance needs steps of {step:e} s: to the end that is more than {most} steps"
+                "at t = {time:e} s steps are of {step:e} s: to the end that is more than {most} steps"
             ),
             Self::TooManyEvents { time, most } => {
                 write!(f, "at t = {time:e} s there are already {most} events")

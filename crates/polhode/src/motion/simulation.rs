@@ -53,7 +53,7 @@ pub struct Simulation<'a> {
     pub times: &'a [f64],
     /// How to compute it.
     pub method: Method,
-    /// Bound on the error of each integration step, attitude in rad and ω relative; closed forms ignore it.
+    /// Bound on the error of each integration step, attitude in rad and ω relative; closed forms and splitting ignore it.
     pub tolerance: f64,
 }
 
@@ -84,6 +84,9 @@ impl Simulation<'_> {
             (Method::Auto, Err(why), _) => Err(why),
             (Method::Taylor, _, Some((torque, why))) => Err(MotionError::NotSmooth { torque, why }),
             (Method::Taylor, _, None) => self.integrate(Rule::Taylor, MethodReason::Asked, progress),
+            (Method::Splitting { order, step }, ..) => {
+                self.integrate(Rule::Splitting { order, step }, MethodReason::Asked, progress)
+            }
             (Method::Dop853, ..) => self.integrate(Rule::Dop853, MethodReason::Asked, progress),
         }
     }
@@ -114,6 +117,7 @@ impl Simulation<'_> {
         let method = match stepper.rule() {
             Rule::Taylor => Method::Taylor,
             Rule::Dop853 => Method::Dop853,
+            Rule::Splitting { order, step } => Method::Splitting { order, step },
         };
         let (tolerance, statistics) = (stepper.tolerance(), stepper.statistics());
         let solution = Solution::Integrated { method, tolerance, statistics };

@@ -16,15 +16,15 @@ pub enum Solution {
     Integrated {
         /// By which method.
         method: Method,
-        /// Bound on the error of each step: attitude in rad, ω relative.
-        tolerance: f64,
+        /// Bound on the error of each step: attitude in rad, ω relative; `None` where steps have a given length.
+        tolerance: Option<f64>,
         /// What it cost.
         statistics: StepStatistics,
     },
 }
 
 impl Solution {
-    /// The method's name in summaries: `exact`, `prescribed`, `taylor` or `dop853`.
+    /// The method's name in summaries: `exact`, `prescribed`, `taylor`, `dop853` or `splitting`.
     pub const fn name(&self) -> &'static str {
         match self {
             Self::Exact(_) => Method::Exact.name(),

@@ -5,6 +5,7 @@ use super::error::MotionError;
 use super::event::Crossing;
 use super::free::FreeMotion;
 use super::prescribed::Prescribed;
+use super::propagate::splitting::SplittingOrder;
 use super::rotor::Rotor;
 use super::sample::{Sample, continuous};
 use super::simulation::Simulation;
@@ -13,7 +14,7 @@ use super::state::State;
 use super::torque::TorqueModel;
 
 /// How to compute a motion.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
 #[non_exhaustive]
 pub enum Method {
     /// A closed form where there is one, Taylor's method elsewhere.
@@ -25,6 +26,14 @@ pub enum Method {
     Taylor,
     /// Numerical integration by the Runge–Kutta method of Dormand and Prince, order 8.
     Dop853,
+    /// Steps of one length: the exact free motion, with kicks by the torques between. For torques that depend on attitude and time
+    /// alone; where they have a potential, the error of T + U stays bounded.
+    Splitting {
+        /// How fast the error falls with the step.
+        order: SplittingOrder,
+        /// The length of a step, s.
+        step: f64,
+    },
 }
 
 impl Method {
@@ -35,6 +44,7 @@ impl Method {
             Self::Exact => "closed form",
             Self::Taylor => "Taylor's method",
             Self::Dop853 => "DOP853",
+            Self::Splitting { .. } => "splitting",
         }
     }
 
@@ -45,6 +55,7 @@ impl Method {
             Self::Exact => "exact",
             Self::Taylor => "taylor",
             Self::Dop853 => "dop853",
+            Self::Splitting { .. } => "splitting",
         }
     }
 }
@@ -63,7 +74,7 @@ pub struct Trajectory {
 impl Trajectory {
     /// The motion from `start` at each of `times` (ascending, s, none before the start).
     ///
-    /// `tolerance` bounds the error of each integration step, attitude in rad and ω relative; closed forms ignore it. A computation
+    /// `tolerance` bounds the error of each integration step, attitude in rad and ω relative; closed forms and splitting ignore it. A computation
     /// that cannot go on ends early: [`Trajectory::ending`]. [`Simulation`] is the same with events.
     ///
     /// # Errors

@@ -4,6 +4,7 @@ use std::rc::Rc;
 
 use super::piece::Piece;
 use super::runge_kutta::RungeKutta;
+use super::splitting::{Splitting, SplittingOrder};
 use super::taylor::Taylor;
 use crate::math::frame::Space;
 use crate::math::vector::AngularMomentum;
@@ -40,10 +41,11 @@ pub(crate) struct Balanced {
 }
 
 /// The integrators.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Rule {
     Taylor,
     Dop853,
+    Splitting { order: SplittingOrder, step: f64 },
 }
 
 /// The motion of one body, step by step.
@@ -60,19 +62,22 @@ pub(crate) struct Stepper<'a> {
     tolerance: f64,
     /// True if a spring or wire is among the torques: its twist is watched.
     is_sprung: bool,
-    rule: Steps<'a>,
+    rule: Rule,
+    steps: Steps<'a>,
 }
 
 #[derive(Debug)]
 enum Steps<'a> {
     Taylor(Box<Taylor<'a>>),
     Dop853(Box<RungeKutta<'a>>),
+    Splitting(Box<Splitting<'a>>),
 }
 
 impl<'a> Stepper<'a> {
     /// # Errors
-    /// [`MotionError::Parameter`] if the tolerance is outside 1e-15 … 1e-2; [`MotionError::NotSpinnable`];
-    /// [`MotionError::TorqueWithoutInertia`] if the torque cannot be balanced.
+    /// [`MotionError::Parameter`] if the tolerance is outside 1e-15 … 1e-2, or a given step not positive and finite;
+    /// [`MotionError::NotSplittable`]; [`MotionError::NotSpinnable`]; [`MotionError::TorqueWithoutInertia`] if the torque cannot be
+    /// balanced.
     pub(crate) fn new(
         rule: Rule,
         rotor: &'a Rotor,
@@ -81,7 +86,8 @@ impl<'a> Stepper<'a> {
         start: State,
         tolerance: f64,
     ) -> Result<Self, MotionError> {
-        if !(TIGHTEST_TOLERANCE..=LOOSEST_TOLERANCE).contains(&tolerance) {
+        let has_tolerance = !matches!(rule, Rule::Splitting { .. });
+        if has_tolerance && !(TIGHTEST_TOLERANCE..=LOOSEST_TOLERANCE).contains(&tolerance) {
             let rule = "between 1e-15 and 1e-2";
             return Err(MotionError::Parameter { what: "the tolerance", value: tolerance, rule });
         }
@@ -93,11 +99,14 @@ impl<'a> Stepper<'a> {
         let until = piece.until;
         let usual_rate = start.omega.norm().max(torque_rate(&piece));
         let is_sprung = torques.iter().any(|torque| torque.name() == "torsion");
-        let rule = match rule {
+        let steps = match rule {
             Rule::Taylor => Steps::Taylor(Box::new(Taylor::new(piece, start, tolerance)?)),
             Rule::Dop853 => Steps::Dop853(Box::new(RungeKutta::new(piece, start, tolerance)?)),
+            Rule::Splitting { order, step } => {
+                Steps::Splitting(Box::new(Splitting::new(piece, torques, start, order, step)?))
+            }
         };
-        Ok(Self { rotor, torques, switched_on, until, usual_rate, tolerance, is_sprung, rule })
+        Ok(Self { rotor, torques, switched_on, until, usual_rate, tolerance, is_sprung, rule, steps })
     }
 
     /// Looks again at what acts now.
@@ -109,9 +118,10 @@ impl<'a> Stepper<'a> {
         let piece = Rc::new(Piece::new(self.rotor, acting(self.torques, &self.switched_on), &state));
         self.until = piece.until;
         self.usual_rate = self.usual_rate.max(torque_rate(&piece));
-        match &mut self.rule {
+        match &mut self.steps {
             Steps::Taylor(taylor) => taylor.change(piece),
             Steps::Dop853(dop853) => dop853.change(piece),
+            Steps::Splitting(splitting) => splitting.change(piece),
         }
     }
 
@@ -134,9 +144,10 @@ impl<'a> Stepper<'a> {
 
     /// Goes back to a time within the last step.
     pub(crate) fn cut(&mut self, time: f64) {
-        match &mut self.rule {
+        match &mut self.steps {
             Steps::Taylor(taylor) => taylor.cut(time),
             Steps::Dop853(dop853) => dop853.cut(time),
+            Steps::Splitting(splitting) => splitting.cut(time),
         }
     }
 
@@ -157,15 +168,13 @@ impl<'a> Stepper<'a> {
         if rate > most { Err(MotionError::RunAway { time, rate, most }) } else { Ok(()) }
     }
 
-    pub(crate) fn tolerance(&self) -> f64 {
-        self.tolerance
+    /// `None` for steps of a given length.
+    pub(crate) fn tolerance(&self) -> Option<f64> {
+        (!matches!(self.rule, Rule::Splitting { .. })).then_some(self.tolerance)
     }
 
     pub(crate) fn rule(&self) -> Rule {
-        match self.rule {
-            Steps::Taylor(_) => Rule::Taylor,
-            Steps::Dop853(_) => Rule::Dop853,
-        }
+        self.rule
     }
 
     /// One step forward, not beyond `until`, nor beyond a time at which a torque begins or ends.
@@ -179,9 +188,10 @@ impl<'a> Stepper<'a> {
         }
         let until = until.min(self.until);
         let before = self.is_sprung.then(|| self.now().state);
-        match &mut self.rule {
+        match &mut self.steps {
             Steps::Taylor(taylor) => taylor.step(until),
             Steps::Dop853(dop853) => dop853.step(until),
+            Steps::Splitting(splitting) => splitting.step(until),
         }?;
         before.map_or(Ok(()), |before| self.require_untwisted(&before))
     }
@@ -199,40 +209,45 @@ impl<'a> Stepper<'a> {
     }
 
     pub(crate) fn time(&self) -> f64 {
-        match &self.rule {
+        match &self.steps {
             Steps::Taylor(taylor) => taylor.time(),
             Steps::Dop853(dop853) => dop853.time(),
+            Steps::Splitting(splitting) => splitting.time(),
         }
     }
 
-    /// The step that the tolerance allows next, s.
+    /// The step that the tolerance allows next, or the given one, s.
     pub(crate) fn next_step(&self) -> f64 {
-        match &self.rule {
+        match &self.steps {
             Steps::Taylor(taylor) => taylor.next_step(),
             Steps::Dop853(dop853) => dop853.next_step(),
+            Steps::Splitting(splitting) => splitting.next_step(),
         }
     }
 
     pub(crate) fn statistics(&self) -> StepStatistics {
-        match &self.rule {
+        match &self.steps {
             Steps::Taylor(taylor) => taylor.statistics(),
             Steps::Dop853(dop853) => dop853.statistics(),
+            Steps::Splitting(splitting) => splitting.statistics(),
         }
     }
 
     /// The state now.
     pub(crate) fn now(&self) -> Balanced {
-        match &self.rule {
+        match &self.steps {
             Steps::Taylor(taylor) => taylor.now(),
             Steps::Dop853(dop853) => dop853.now(),
+            Steps::Splitting(splitting) => splitting.now(),
         }
     }
 
     /// The state at a time within the last step: dense output.
     pub(crate) fn at(&self, time: f64) -> Balanced {
-        match &self.rule {
+        match &self.steps {
             Steps::Taylor(taylor) => taylor.at(time),
             Steps::Dop853(dop853) => dop853.at(time),
+            Steps::Splitting(splitting) => splitting.at(time),
         }
     }
 }

@@ -140,6 +140,9 @@ fn the_book_has_every_key_and_no_other() {
         ("start", "## Rotations", "[start]\nattitude = { zzz = 1 }"),
         ("torque", "### Torque `constant`", "[[torque]]\nmodel = 'constant'\nzzz = 1"),
         ("torque", "### Torque `gravity`", "[[torque]]\nmodel = 'gravity'\nzzz = 1"),
+        ("torque", "### Torque `gravity_gradient`", "[[torque]]\nmodel = 'gravity_gradient'\nzzz = 1"),
+        ("torque", "### Orbit", "[[torque]]\nmodel = 'gravity_gradient'\norbit = { zzz = 1 }"),
+        ("torque", "### Torque `magnetic`", "[[torque]]\nmodel = 'magnetic'\nzzz = 1"),
         ("prescribed", "## Prescribed", "[prescribed]\nzzz = 1"),
         ("pendulum", "## Pendulum", "[pendulum]\nzzz = 1"),
         ("run", "## Run", "[run]\nzzz = 1"),
@@ -199,6 +202,10 @@ fn the_book_has_every_name_that_is_a_value() {
     let page = read("book/scenario.md");
     for (heading, text) in [
         ("### Torque `constant`", "[[torque]]\nmodel = 'constant'\naxes = 'zzz'"),
+        (
+            "### Torque `gravity_gradient`",
+            "[[torque]]\nmodel = 'gravity_gradient'\norbit = { radius = 7e6 }\nmass = 'zzz'",
+        ),
         ("## Run", "[run]\nduration = 1\nmethod = 'zzz'"),
         ("### Tensor", "[[body.part]]\nshape = 'tensor'\nmass = 1\nmoments = [1, 1, 1]\nabout = 'zzz'"),
         (
@@ -236,6 +243,8 @@ fn the_book_has_every_unit_under_its_dimension() {
         Dimension::FORCE,
         Dimension::TORQUE,
         Dimension::ANGULAR_MOMENTUM,
+        Dimension::CURRENT,
+        Dimension::MAGNETIC_FIELD,
     ];
     let mut in_book = BTreeSet::new();
     for row in rows(section(&page, "### Units")) {

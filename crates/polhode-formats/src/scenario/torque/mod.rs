@@ -7,11 +7,12 @@ mod formula;
 mod gravity;
 mod gravity_gradient;
 mod magnetic;
+mod orbit;
 mod schedule;
 mod thruster;
 mod torsion;
 
-use polhode::TorqueModel;
+use polhode::{BodyPart, TorqueModel};
 
 use super::body::Pivot;
 use super::reader::Table;
@@ -30,9 +31,10 @@ const MODELS: [&str; 9] = [
     "formula",
 ];
 
-/// Reads all torques; gravity may bring the pivot with it, or repeat it.
+/// Reads all torques on a body of these parts; gravity may bring the pivot with it, or repeat it.
 pub(crate) fn torques<'a>(
     root: &Table<'a>,
+    parts: &[BodyPart],
     pivot: &mut Option<Pivot<'a>>,
 ) -> Result<Vec<TorqueModel>, FormatError> {
     let Some(list) = root.get("torque") else { return Ok(Vec::new()) };
@@ -42,7 +44,7 @@ pub(crate) fn torques<'a>(
         let table = table.called(format!("[[torque]] of model \"{name}\""));
         let model = match name {
             "constant" => constant::constant(&table)?,
-            "gravity_gradient" => gravity_gradient::gravity_gradient(&table)?,
+            "gravity_gradient" => gravity_gradient::gravity_gradient(&table, parts)?,
             "drag" => drag::drag(&table)?,
             "torsion" => torsion::torsion(&table)?,
             "magnetic" => magnetic::magnetic(&table)?,
@@ -56,6 +58,9 @@ pub(crate) fn torques<'a>(
             _ => gravity::gravity(&table, pivot)?,
         };
         models.push(schedule::scheduled(&table, model)?);
+    }
+    if let Some(pivot) = pivot {
+        list.tables("torque")?.iter().try_for_each(|table| gravity_gradient::refuse_pivot(table, pivot))?;
     }
     Ok(models)
 }

@@ -606,3 +606,110 @@ fn a_mesh_is_no_scenario() {
     assert!(named.hint().unwrap().starts_with(hint));
     assert!(!parse("not TOML").unwrap_err().hint().unwrap().starts_with(hint));
 }
+
+#[test]
+fn orbits_are_given_once_and_are_orbits() {
+    let orbit = |text: &str| format!("{BALL}[[torque]]\nmodel='gravity_gradient'\norbit={text}");
+    assert!(parse(&orbit("{rate=0.001}")).is_ok());
+    assert!(parse(&orbit("{position=[7e6,0,0],velocity=[0,'11 km/s',1],mu='4e5 km^3/s^2'}")).is_ok());
+    assert!(parse(&orbit("{semi_major_axis=7e6,true_anomaly=1}")).is_ok());
+    refuses(
+        &format!("{BALL}«[[torque]]»\nmodel='gravity_gradient'"),
+        "the key orbit is missing in [[torque]] of model \"gravity_gradient\"",
+        "write orbit = { radius",
+    );
+    refuses(&orbit("«{}»"), "the key radius is missing in orbit", "write radius = \"6778 km\", or rate");
+    refuses(
+        &orbit("{radius=7e6,rate=«0.001»}"),
+        "radius and rate are both given: an orbit is given once",
+        "leave one of them out",
+    );
+    refuses(
+        &orbit("{radius=7e6,inclination=«1»}"),
+        "radius and inclination are both given: an orbit is given once",
+        "leave one of them out",
+    );
+    refuses(
+        &orbit("{semi_major_axis=7e6,mean_anomaly=1,true_anomaly=«1»}"),
+        "mean_anomaly and true_anomaly are both given: either says where on the orbit",
+        "leave one of them out",
+    );
+    refuses(
+        &orbit("«{position=[7e6,0,0]}»"),
+        "the key velocity is missing in orbit",
+        "write velocity = [0, \"7.6 km/s\", 0]",
+    );
+    refuses(&orbit("{radius=«'-7000 km'»}"), "radius = '-7000 km' must be positive", "radial and motion say");
+    refuses(&orbit("{mu=«0»,radius=7e6}"), "mu = 0 must be positive", "radial and motion say");
+    refuses(
+        &orbit("{mu=«'4e5 km^3'»,radius=7e6}"),
+        "\"km^3\" is a volume where a gravitational parameter belongs",
+        "write a gravitational parameter, such as \"398600.4418 km^3/s^2\"",
+    );
+    refuses(
+        &orbit("«{radius=7e6,radial=[0,2,0]}»"),
+        "the orbit's direction of motion = 0 must be at least 1e-9 rad off the radial direction",
+        "",
+    );
+    refuses(
+        &orbit("«{position=[7e6,0,0],velocity=[1,0,0]}»"),
+        "the orbit's velocity = 0 must be at least 1e-9 rad off the line to the centre",
+        "",
+    );
+    refuses(
+        &orbit("«{semi_major_axis=7e6,eccentricity=1.5}»"),
+        "the orbit's semi-major axis = 7000000 must be finite, positive for an ellipse and negative for a hyperbola",
+        "",
+    );
+    refuses(
+        &format!("{}\nmass=«'points'»", orbit("{radius=7e6}")),
+        "mass = 'points' must be \"tensor\", since not every part of the body is particles",
+        "the sum over points needs",
+    );
+    for (head, line) in [("[body]\npivot=[0,0,1]\n", 6), ("[[torque]]\nmodel='gravity'\npivot=[0,0,1]\n", 7)]
+    {
+        refuses(
+            &format!("{BALL}{head}[[torque]]\nmodel=«'gravity_gradient'»\norbit={{radius=7e6}}"),
+            &format!(
+                "model = 'gravity_gradient' must be left out, since line {line} holds the body at a pivot"
+            ),
+            "a body on an orbit is free",
+        );
+    }
+}
+
+#[test]
+fn a_magnet_has_one_field() {
+    let magnet = |text: &str| format!("{BALL}«[[torque]]»\nmodel='magnetic'\n{text}");
+    refuses(
+        &magnet("field=[0,0,1]"),
+        "the key moment is missing in [[torque]] of model \"magnetic\"",
+        "write moment = [0, 0, \"5 A m^2\"]",
+    );
+    refuses(
+        &magnet("moment=[0,0,1]"),
+        "the key field is missing in [[torque]] of model \"magnetic\"",
+        "write field = [\"20 µT\"",
+    );
+    refuses(
+        &magnet("moment=[0,0,1]\ndipole=[0,0,1]"),
+        "the key orbit is missing in [[torque]] of model \"magnetic\"",
+        "write orbit = {",
+    );
+    let magnet = |text: &str| magnet(text).replace("«[[torque]]»", "[[torque]]");
+    refuses(
+        &magnet("moment=[0,0,1]\nfield=[0,0,1]\ndipole=«[0,0,1]»"),
+        "field and dipole are both given: the field is given once",
+        "leave one of them out",
+    );
+    refuses(
+        &magnet("moment=[0,0,1]\nfield=[0,0,1]\norbit=«{radius=1}»"),
+        "field and orbit are both given: a uniform field is the same everywhere",
+        "leave one of them out",
+    );
+    refuses(
+        &magnet("moment=[0,0,1]\nfield=[0,0,«'3 A m^2'»]"),
+        "\"A m^2\" is a magnetic moment where a magnetic field belongs",
+        "write a magnetic field, such as \"30 µT\"",
+    );
+}

@@ -128,7 +128,7 @@ pub fn parse(text: &str, path: &Path) -> Result<Scenario, FormatError> {
     let mut findings = Vec::new();
     let title = root.get("title").map(|title| title.string().map(str::to_owned)).transpose()?;
     let body::Assembly { parts, body, mut pivot } = body::body(&root, &mut findings)?;
-    let torques = torque::torques(&root, &mut pivot)?;
+    let torques = torque::torques(&root, &parts, &mut pivot)?;
     let events = event::events(&root, &torques)?;
     let point = pivot.map(|pivot| pivot.point);
     let rotor = point.map_or_else(|| Rotor::free(&body), |point| Rotor::pivoted(&body, point));

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-/// The powers of mass, length, time and angle in a quantity.
+/// The powers of mass, length, time, angle and electric current in a quantity.
 ///
 /// The angle is counted although SI calls the radian a one, so that `"30 deg"` is no length and
 /// `"3 N"` no angle. Energy and torque are the same here, as they are in SI.
@@ -18,6 +18,7 @@ pub struct Dimension {
     length: i8,
     time: i8,
     angle: i8,
+    current: i8,
 }
 
 #[allow(missing_docs, reason = "the names are the documentation")]
@@ -39,12 +40,21 @@ impl Dimension {
     pub const ANGULAR_MOMENTUM: Self = Self::new(1, 2, -1, 0);
     pub const TORQUE: Self = Self::new(1, 2, -2, 0);
     pub const FORCE: Self = Self::new(1, 1, -2, 0);
+    pub const GRAVITATIONAL_PARAMETER: Self = Self::new(0, 3, -2, 0);
+    pub const CURRENT: Self = Self::new(0, 0, 0, 0).with_current(1);
+    pub const MAGNETIC_FIELD: Self = Self::new(1, 0, -2, 0).with_current(-1);
+    pub const MAGNETIC_MOMENT: Self = Self::new(0, 2, 0, 0).with_current(1);
 }
 
 impl Dimension {
     /// The dimension kg^mass m^length s^time rad^angle.
     pub const fn new(mass: i8, length: i8, time: i8, angle: i8) -> Self {
-        Self { mass, length, time, angle }
+        Self { mass, length, time, angle, current: 0 }
+    }
+
+    /// The same times A^current.
+    pub const fn with_current(self, current: i8) -> Self {
+        Self { current, ..self }
     }
 
     /// `self` × `other`^power.
@@ -55,6 +65,7 @@ impl Dimension {
             length: sum(self.length, other.length),
             time: sum(self.time, other.time),
             angle: sum(self.angle, other.angle),
+            current: sum(self.current, other.current),
         }
     }
 
@@ -64,7 +75,7 @@ impl Dimension {
     /// τ = I α + ω × L, up to two of them in anything that has both a mass and a rate.
     pub(super) fn accepts(self, found: Self) -> bool {
         let rate = self.mass == 0 && self.length == 0 && self.time < 0 && self.angle == 1;
-        let dynamic = self.mass != 0 && self.time < 0 && self.angle == 0;
+        let dynamic = self.mass != 0 && self.time < 0 && self.angle == 0 && self.current == 0;
         self == Self { angle: self.angle, ..found }
             && (self.angle == found.angle
                 || rate && found.angle == 0
@@ -88,7 +99,7 @@ impl fmt::Display for Dimension {
             return f.write_str(name);
         }
         f.write_str("a quantity in")?;
-        [("kg", self.mass), ("m", self.length), ("s", self.time), ("rad", self.angle)]
+        [("kg", self.mass), ("m", self.length), ("s", self.time), ("rad", self.angle), ("A", self.current)]
             .into_iter()
             .filter(|&(_, power)| power != 0)
             .try_for_each(|(unit, power)| match power {
@@ -99,7 +110,7 @@ impl fmt::Display for Dimension {
 }
 
 /// Dimension, name with its article, example.
-const NAMES: [(Dimension, &str, &str); 17] = [
+const NAMES: [(Dimension, &str, &str); 21] = [
     (Dimension::NONE, "a plain number", "0.5"),
     (Dimension::MASS, "a mass", "12 kg"),
     (Dimension::LENGTH, "a length", "25 mm"),
@@ -117,4 +128,8 @@ const NAMES: [(Dimension, &str, &str); 17] = [
     (Dimension::ANGULAR_MOMENTUM, "an angular momentum", "12 N m s"),
     (Dimension::TORQUE, "a torque", "0.1 N m"),
     (Dimension::FORCE, "a force", "20 N"),
+    (Dimension::GRAVITATIONAL_PARAMETER, "a gravitational parameter", "398600.4418 km^3/s^2"),
+    (Dimension::CURRENT, "an electric current", "0.2 A"),
+    (Dimension::MAGNETIC_FIELD, "a magnetic field", "30 µT"),
+    (Dimension::MAGNETIC_MOMENT, "a magnetic moment", "5 A m^2"),
 ];

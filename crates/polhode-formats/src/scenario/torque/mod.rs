@@ -7,11 +7,12 @@ mod formula;
 mod gravity;
 mod gravity_gradient;
 mod magnetic;
+mod orbit;
 mod schedule;
 mod thruster;
 mod torsion;
 
-use polhode::TorqueModel;
+use polhode::{BodyPart, TorqueModel};
 
 use super::body::Pivot;
 use super::reader::Table;
@@ -43,8 +44,12 @@ pub(crate) struct Torques {
 /// The keys that every torque may have, beside those of its schedule.
 const KEYS: [&str; 3] = ["model", "name", "on"];
 
-/// Reads all torques; gravity may bring the pivot with it, or repeat it.
-pub(crate) fn torques<'a>(root: &Table<'a>, pivot: &mut Option<Pivot<'a>>) -> Result<Torques, FormatError> {
+/// Reads all torques on a body of these parts; gravity may bring the pivot with it, or repeat it.
+pub(crate) fn torques<'a>(
+    root: &Table<'a>,
+    parts: &[BodyPart],
+    pivot: &mut Option<Pivot<'a>>,
+) -> Result<Torques, FormatError> {
     let mut torques = Torques::default();
     let Some(list) = root.get("torque") else { return Ok(torques) };
     for table in list.tables("torque")? {
@@ -52,7 +57,7 @@ pub(crate) fn torques<'a>(root: &Table<'a>, pivot: &mut Option<Pivot<'a>>) -> Re
         let table = table.called(format!("[[torque]] of model \"{name}\""));
         let model = match name {
             "constant" => constant::constant(&table)?,
-            "gravity_gradient" => gravity_gradient::gravity_gradient(&table)?,
+            "gravity_gradient" => gravity_gradient::gravity_gradient(&table, parts)?,
             "drag" => drag::drag(&table)?,
             "torsion" => torsion::torsion(&table)?,
             "magnetic" => magnetic::magnetic(&table)?,
@@ -67,6 +72,9 @@ pub(crate) fn torques<'a>(root: &Table<'a>, pivot: &mut Option<Pivot<'a>>) -> Re
         };
         let model = schedule::scheduled(&table, model)?;
         torques.put(&table, model)?;
+    }
+    if let Some(pivot) = pivot {
+        list.tables("torque")?.iter().try_for_each(|table| gravity_gradient::refuse_pivot(table, pivot))?;
     }
     Ok(torques)
 }

@@ -84,6 +84,7 @@ impl<'a> Stepper<'a> {
             return Err(MotionError::NotSpinnable);
         }
         let piece = Rc::new(Piece::new(rotor, torques.iter(), &start));
+        piece.require_balanced_sink(&start)?;
         let until = piece.until;
         let rule = match rule {
             Rule::Taylor => Steps::Taylor(Box::new(Taylor::new(piece, start, tolerance)?)),
@@ -98,6 +99,7 @@ impl<'a> Stepper<'a> {
         let torques =
             self.torques.iter().zip(&self.switched_on).filter(|(_, on)| **on).map(|(torque, _)| torque);
         let piece = Rc::new(Piece::new(self.rotor, torques, &state));
+        piece.require_balanced_sink(&state)?;
         self.until = piece.until;
         match &mut self.rule {
             Steps::Taylor(taylor) => taylor.change(piece),

@@ -14,3 +14,26 @@ impl<T: Real> Complex<T> {
         Self { re: self.re * b.re - self.im * b.im, im: self.re * b.im + self.im * b.re }
     }
 }
+
+impl Complex<f64> {
+    pub(crate) fn minus(self, b: Self) -> Self {
+        Self { re: self.re - b.re, im: self.im - b.im }
+    }
+
+    pub(crate) fn abs(self) -> f64 {
+        libm::hypot(self.re, self.im)
+    }
+
+    /// The quotient, by Smith's method: no square overflows.
+    pub(crate) fn over(self, b: Self) -> Self {
+        if b.re.abs() >= b.im.abs() {
+            let ratio = b.im / b.re;
+            let over = b.re + b.im * ratio;
+            Self { re: (self.re + self.im * ratio) / over, im: (self.im - self.re * ratio) / over }
+        } else {
+            let ratio = b.re / b.im;
+            let over = b.re * ratio + b.im;
+            Self { re: (self.re * ratio + self.im) / over, im: (self.im * ratio - self.re) / over }
+        }
+    }
+}

@@ -2,6 +2,7 @@
 
 pub(crate) mod complex;
 pub(crate) mod double;
+pub(crate) mod eigenvalues;
 pub(crate) mod elementary;
 pub(crate) mod elliptic;
 pub(crate) mod frame;

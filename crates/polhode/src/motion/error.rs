@@ -24,6 +24,13 @@ pub enum MotionError {
         /// When, s.
         time: f64,
     },
+    /// A state is no equilibrium, though one was asked for: the torque there turns the body, or changes on the way.
+    NotSteady {
+        /// What is left of the torque, N·m.
+        torque: f64,
+        /// The sum of the sizes of what should balance, N·m.
+        scale: f64,
+    },
     /// No closed form is known here for this body and start.
     NoClosedForm {
         /// Why.
@@ -110,6 +117,9 @@ impl MotionError {
             Self::TorqueWithoutInertia { .. } => {
                 Some("all the mass is on one line: give it a thickness, or a torque across the line")
             }
+            Self::NotSteady { .. } => Some(
+                "start nearer to an equilibrium, at rest or turning about an axis along which all torques stay as they are",
+            ),
             Self::NoClosedForm { .. } => Some("use method = \"auto\" or \"dop853\""),
             Self::NotSplittable { .. } => Some("use method = \"taylor\" or \"dop853\""),
             Self::StepTooSmall { .. } | Self::TooManySteps { .. } => {
@@ -141,6 +151,10 @@ impl fmt::Display for MotionError {
             Self::TorqueWithoutInertia { torque, time } => write!(
                 f,
                 "at t = {time:e} s a torque of {torque} N·m acts about an axis along which the body has no inertia"
+            ),
+            Self::NotSteady { torque, scale } => write!(
+                f,
+                "the body does not keep its place: of torques of {scale:e} N·m, {torque:e} N·m is not balanced or does not last"
             ),
             Self::NoClosedForm { why } => write!(f, "there is no closed form of this motion: {why}"),
             Self::NotSplittable { what, why } => write!(f, "splitting cannot take the torque \"{what}\": {why}"),

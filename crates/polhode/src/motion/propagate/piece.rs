@@ -1,7 +1,9 @@
 //! A piece of time in which nothing begins or ends: what acts there.
 
+use super::chart::ROUNDING;
 use crate::math::frame::{Body, Principal};
 use crate::math::vector::{AngularMomentum, AngularVelocity, Torque};
+use crate::motion::error::MotionError;
 use crate::motion::rotor::Rotor;
 use crate::motion::state::State;
 use crate::motion::torque::TorqueModel;
@@ -53,6 +55,20 @@ impl<'a> Piece<'a> {
                 rate: to_principal * rotor.motor_torque(time),
             },
         }
+    }
+
+    /// Refuses friction inside a rod that spins about its own line: nothing there has inertia, and ω would stop at once.
+    pub(super) fn require_balanced_sink(&self, state: &State) -> Result<(), MotionError> {
+        let principal = self.rotor.principal();
+        let omega = principal.rotation().inverse() * state.omega;
+        let is_rod = principal.moments()[0] == 0.0;
+        if self.sink == 0.0 || !is_rod || omega.x.abs() <= ROUNDING * omega.norm() {
+            return Ok(());
+        }
+        // (L × Ω)₁ of L = (0, I ω₂, I ω₃)
+        let momentum = self.angular_momentum(state.time, omega);
+        let torque = -self.sink * momentum.dot(momentum) * omega.x;
+        Err(MotionError::TorqueWithoutInertia { torque, time: state.time })
     }
 
     /// True if nothing acts: the body moves freely.

@@ -96,6 +96,7 @@ impl<'a> Stepper<'a> {
         }
         let switched_on: Vec<bool> = (0..torques.len()).map(|k| !switched_off.contains(&k)).collect();
         let piece = Rc::new(Piece::new(rotor, acting(torques, &switched_on), &start));
+        piece.require_balanced_sink(&start)?;
         let until = piece.until;
         let usual_rate = start.omega.norm().max(torque_rate(&piece));
         let is_sprung = torques.iter().any(|torque| torque.name() == "torsion");
@@ -116,6 +117,7 @@ impl<'a> Stepper<'a> {
     pub(crate) fn change(&mut self) -> Result<(), MotionError> {
         let state = self.now().state;
         let piece = Rc::new(Piece::new(self.rotor, acting(self.torques, &self.switched_on), &state));
+        piece.require_balanced_sink(&state)?;
         self.until = piece.until;
         self.usual_rate = self.usual_rate.max(torque_rate(&piece));
         match &mut self.steps {

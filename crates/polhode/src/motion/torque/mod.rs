@@ -104,7 +104,7 @@ impl TorqueModel {
     /// α of an energy sink, 1/(N·m·s); zero for everything else.
     pub(crate) const fn sink(&self) -> f64 {
         match self {
-            Self::EnergySink(model) => model.coefficient,
+            Self::EnergySink(model) => model.coefficient(),
             _ => 0.0,
         }
     }

@@ -1,6 +1,8 @@
 //! Torques as reports show them: one description of each model, from which text, JSON and the page are made.
 
-use polhode::{ConstantTorque, Drag, DragLaw, MagneticField, Motor, Schedule, TorqueModel, Wheel};
+use polhode::{
+    Attracted, ConstantTorque, Drag, DragLaw, MagneticField, Motor, Orbit, Schedule, TorqueModel, Wheel,
+};
 use serde_json::{Map, Value, json};
 
 use crate::json;
@@ -61,7 +63,7 @@ impl Description {
             TorqueModel::EnergySink(sink) => Self::new(name, "energy lost inside the body").put(
                 "coefficient_per_n_m_s",
                 "α",
-                Shown::Number(sink.coefficient),
+                Shown::Number(sink.coefficient()),
                 "1/(N·m·s)",
             ),
             TorqueModel::Torsion(torsion) => {
@@ -94,19 +96,26 @@ impl Description {
                         Shown::Vector(b.to_array()),
                         "T in space axes",
                     ),
-                    MagneticField::Dipole { dipole, .. } => magnetic.word("field", "dipole").put(
-                        "dipole_a_m2",
-                        "of the dipole",
-                        Shown::Vector(dipole.to_array()),
-                        "A·m² in space axes",
-                    ),
+                    MagneticField::Dipole { dipole, orbit } => {
+                        let dipole = Shown::Vector(dipole.to_array());
+                        let magnetic = magnetic.word("field", "dipole");
+                        magnetic
+                            .put("dipole_a_m2", "of the dipole", dipole, "A·m² in space axes")
+                            .orbit(orbit)
+                    }
                     _ => magnetic,
                 }
             }
             TorqueModel::Scheduled(scheduled) => {
                 Self { schedule: Some(scheduled.schedule), ..Self::of(&scheduled.torque) }
             }
-            TorqueModel::GravityGradient(_) => Self::new(name, "the gravity gradient on an orbit"),
+            TorqueModel::GravityGradient(gradient) => {
+                let (title, mass) = match gradient.attracted {
+                    Attracted::Points(_) => ("the gravity gradient, of mass points", "points"),
+                    _ => ("the gravity gradient, of the inertia tensor", "tensor"),
+                };
+                Self::new(name, title).word("mass", mass).orbit(&gradient.orbit)
+            }
             TorqueModel::Formula(_) => Self::new(name, "a formula"),
             other => Self::new(name, other.name()),
         }
@@ -114,15 +123,15 @@ impl Description {
 
     /// What a wheel is and has.
     pub(crate) fn of_wheel(wheel: &Wheel) -> Self {
-        let (title, schedule, motor) = match wheel.motor {
+        let (title, schedule, motor) = match wheel.motor() {
             Motor::Torque { inertia, torque, schedule } => {
                 ("a wheel that its motor turns", schedule, Some([inertia, torque]))
             }
             _ => ("a wheel of held speed", None, None),
         };
         let description = Self { schedule, ..Self::new("wheel", title) }
-            .put("axis_body", "along", Shown::Vector(wheel.axis.to_array()), "in body axes")
-            .put("momentum_kg_m2_s", "h", Shown::Number(wheel.momentum), "kg·m²/s");
+            .put("axis_body", "along", Shown::Vector(wheel.axis().to_array()), "in body axes")
+            .put("momentum_kg_m2_s", "h", Shown::Number(wheel.momentum()), "kg·m²/s");
         match motor {
             Some([inertia, torque]) => description
                 .put("inertia_kg_m2", "J", Shown::Number(inertia), "kg·m²")
@@ -138,6 +147,18 @@ impl Description {
             DragLaw::Quadratic => {
                 Self::new(name, "drag, −|ω| D ω").put("quadratic_n_m_s2", "D", matrix, "N·m·s²")
             }
+        }
+    }
+
+    /// Where the centre of mass is.
+    fn orbit(self, orbit: &Orbit) -> Self {
+        let closest = self
+            .put("orbit_mu_m3_s2", "µ", Shown::Number(orbit.mu()), "m³/s²")
+            .put("orbit_periapsis_m", "periapsis", Shown::Number(orbit.periapsis()), "m")
+            .put("orbit_eccentricity", "eccentricity", Shown::Number(orbit.eccentricity()), "");
+        match orbit.period() {
+            Some(period) => closest.put("orbit_period_s", "period", Shown::Number(period), "s"),
+            None => closest,
         }
     }
 
@@ -158,7 +179,10 @@ impl Description {
 
     /// `gravity, g = (0, 0, -9.80665) m/s² in space axes, from 1 s to 3 s`
     pub(crate) fn text(&self) -> String {
-        let numbers = self.parameters.iter().map(|p| format!("{} = {} {}", p.symbol, p.shown(), p.unit));
+        let numbers = self
+            .parameters
+            .iter()
+            .map(|p| format!("{} = {} {}", p.symbol, p.shown(), p.unit).trim_end().to_owned());
         [self.title.clone()].into_iter().chain(numbers).chain(self.when()).collect::<Vec<_>>().join(", ")
     }
 

@@ -231,7 +231,8 @@ fn gravity_gradient_keeps_the_jacobi_integral() {
         let times: Vec<f64> = (0..10_000).map(|k| start().time + 10.3 * step * f64::from(k)).collect();
         let motion = run(&rotor, &torques, start(), &times, splitting(order, step));
         let first = integral(motion.start());
-        let errors: Vec<f64> = motion.samples().iter().map(|s| (integral(s) - first).abs() / first.abs()).collect();
+        let errors: Vec<f64> =
+            motion.samples().iter().map(|s| (integral(s) - first).abs() / first.abs()).collect();
         let worst = |part: &[f64]| part.iter().fold(0.0, |most: f64, e| most.max(*e));
         let (early, late) = (worst(&errors[..2500]), worst(&errors[7500..]));
         println!("{order:?} {early:e} {late:e}");

@@ -157,11 +157,12 @@ impl fmt::Display for MotionError {
                 "the body does not keep its place: of torques of {scale:e} N·m, {torque:e} N·m is not balanced or does not last"
             ),
             Self::NoClosedForm { why } => write!(f, "there is no closed form of this motion: {why}"),
-            Self::NotSplittable { what, why } => write!(f, "splitting cannot take the torque \"{what}\": {why}"),
-            Self::StepTooSmall { time, step } => write!(
-                f,
-                "at t = {time:e} s the step ({step:e} s) is too small to advance the time"
-            ),
+            Self::NotSplittable { what, why } => {
+                write!(f, "splitting cannot take the torque \"{what}\": {why}")
+            }
+            Self::StepTooSmall { time, step } => {
+                write!(f, "at t = {time:e} s the step ({step:e} s) is too small to advance the time")
+            }
             Self::TooManySteps { time, step, most } => write!(
                 f,
                 "at t = {time:e} s steps are of {step:e} s: to the end that is more than {most} steps"

@@ -98,8 +98,8 @@ impl GravityGradient {
 
 /// The body's tensor with the inertia of its wheels: gravity acts on all of it.
 pub(crate) fn whole(rotor: &Rotor) -> Symmetric3 {
-    rotor.wheels().iter().fold(*rotor.inertia().symmetric(), |sum, wheel| match wheel.motor {
-        Motor::Torque { inertia, .. } => sum + Symmetric3::outer(wheel.axis.to_array()) * inertia,
+    rotor.wheels().iter().fold(*rotor.inertia().symmetric(), |sum, wheel| match wheel.motor() {
+        Motor::Torque { inertia, .. } => sum + Symmetric3::outer(wheel.axis().to_array()) * inertia,
         Motor::HeldSpeed => sum,
     })
 }

@@ -154,11 +154,11 @@ impl TorqueModel {
 
 /// The sum of torques, body axes, N·m.
 pub(crate) fn total_torque<'a>(
-    models: impl Iterator<Item = &'a TorqueModel>,
+    models: impl IntoIterator<Item = &'a TorqueModel>,
     rotor: &Rotor,
     state: &State,
 ) -> Torque<Body> {
-    models.fold(Torque::ZERO, |sum, model| sum + model.torque(rotor, state))
+    models.into_iter().fold(Torque::ZERO, |sum, model| sum + model.torque(rotor, state))
 }
 
 /// The sum of all potentials, J; `None` if some torque has none (or there is no torque).

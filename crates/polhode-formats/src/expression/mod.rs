@@ -9,20 +9,20 @@
 //! | functions | `sqrt exp log sin cos tan asin acos atan abs`, of two `atan2(y, x) min max hypot pow` |
 //! | choice | `if(condition, then, else)`: *then* where the condition is not 0 |
 //!
-//! Angles are in radians, `log` is the natural logarithm. A formula is compiled into a tape once, and the tape runs over
+//! Angles are in radians, `log` is the natural logarithm. A text is compiled into a [`Formula`] once, which runs over
 //! many points at a time. Functions are `libm`'s: the same bits on every platform.
 //!
 //! A density with steps is integrated slowly: `if` says it is one, so divide the body along the step where that is
 //! possible.
 
 mod parse;
-mod tape;
 
 use std::error::Error;
 use std::fmt;
 
+use polhode::Formula;
+
 use crate::text::cut;
-use tape::Tape;
 
 /// A formula of named variables, ready to be evaluated.
 ///
@@ -38,7 +38,7 @@ use tape::Tape;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Expression {
-    tape: Tape,
+    formula: Formula,
     text: String,
 }
 
@@ -48,7 +48,7 @@ impl Expression {
     /// # Errors
     /// [`ExpressionError`]: the column, what is wrong there, and a hint.
     pub fn parse(text: &str, variables: &[&str]) -> Result<Self, ExpressionError> {
-        Ok(Self { tape: parse::compile(text, variables)?, text: text.to_owned() })
+        Ok(Self { formula: parse::compile(text, variables)?, text: text.to_owned() })
     }
 
     /// The text that it was read from.
@@ -56,16 +56,19 @@ impl Expression {
         &self.text
     }
 
+    /// The formula itself, without its text.
+    pub fn formula(&self) -> &Formula {
+        &self.formula
+    }
+
     /// Its value where the variables have these values; one that is not given is NaN.
     pub fn evaluate<const N: usize>(&self, point: [f64; N]) -> f64 {
-        let mut value = [f64::NAN];
-        self.tape.run(&[point], &mut value);
-        value[0]
+        self.formula.evaluate(&point)
     }
 
     /// Its values at many points: the shorter of the two lists says how many.
     pub fn evaluate_all<const N: usize>(&self, points: &[[f64; N]], values: &mut [f64]) {
-        self.tape.run(points, values);
+        self.formula.evaluate_all(points, values);
     }
 }
 

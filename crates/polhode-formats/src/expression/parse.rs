@@ -1,9 +1,10 @@
-//! Text → tape, by two stacks and no recursion: operators wait until one that binds less follows (Dijkstra's shunting
+//! Text → instructions, by two stacks and no recursion: operators wait until one that binds less follows (Dijkstra's shunting
 //! yard). Depth costs memory in proportion to the text, and nothing else.
 
 use std::f64::consts::PI;
 
-use super::tape::{Binary, Op, Tape, Unary};
+use polhode::{Binary, Formula, Instruction, Unary};
+
 use super::{ExpressionError, ExpressionErrorKind};
 use crate::scenario::suggestion::nearest;
 
@@ -11,15 +12,15 @@ use crate::scenario::suggestion::nearest;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Function {
     pub(super) name: &'static str,
-    op: Op,
+    op: Instruction,
 }
 
 pub(super) const FUNCTIONS: [Function; 16] = {
     const fn one(name: &'static str, op: Unary) -> Function {
-        Function { name, op: Op::Unary(op) }
+        Function { name, op: Instruction::Unary(op) }
     }
     const fn two(name: &'static str, op: Binary) -> Function {
-        Function { name, op: Op::Binary(op) }
+        Function { name, op: Instruction::Binary(op) }
     }
     [
         one("sqrt", Unary::Sqrt),
@@ -37,18 +38,13 @@ pub(super) const FUNCTIONS: [Function; 16] = {
         two("max", Binary::Max),
         two("hypot", Binary::Hypot),
         two("pow", Binary::Power),
-        Function { name: "if", op: Op::If },
+        Function { name: "if", op: Instruction::If },
     ]
 };
 
 impl Function {
     const fn takes(self) -> usize {
-        match self.op {
-            Op::Constant(_) | Op::Variable(_) => 0,
-            Op::Unary(_) => 1,
-            Op::Binary(_) => 2,
-            Op::If => 3,
-        }
+        self.op.operands()
     }
 }
 
@@ -56,7 +52,7 @@ impl Function {
 #[derive(Clone, Copy)]
 enum Waiting {
     /// An operator and how strongly it binds.
-    Operator(Op, u8),
+    Operator(Instruction, u8),
     /// An open parenthesis; of a function with the commas so far.
     Open { column: usize, function: Option<(Function, usize)> },
 }
@@ -67,12 +63,12 @@ const PRODUCT: u8 = 3;
 const SIGN: u8 = 4;
 const POWER: u8 = 5;
 
-/// The tape of a formula.
-pub(super) fn compile(text: &str, variables: &[&str]) -> Result<Tape, ExpressionError> {
-    let mut parser =
-        Parser { rest: text.chars().collect(), at: 0, variables, tape: Tape::default(), waiting: Vec::new() };
+/// The formula in a text.
+pub(super) fn compile(text: &str, variables: &[&str]) -> Result<Formula, ExpressionError> {
+    let rest = text.chars().collect();
+    let mut parser = Parser { rest, at: 0, variables, instructions: Vec::new(), waiting: Vec::new() };
     parser.formula()?;
-    Ok(parser.tape)
+    Formula::new(parser.instructions.drain(..)).map_err(|_| parser.expected("a formula"))
 }
 
 struct Parser<'a> {
@@ -80,7 +76,7 @@ struct Parser<'a> {
     /// Characters before the place.
     at: usize,
     variables: &'a [&'a str],
-    tape: Tape,
+    instructions: Vec<Instruction>,
     waiting: Vec<Waiting>,
 }
 
@@ -104,7 +100,7 @@ impl Parser<'_> {
             match self.peek() {
                 Some('-' | '−') => {
                     self.at += 1;
-                    self.waiting.push(Waiting::Operator(Op::Unary(Unary::Negate), SIGN));
+                    self.waiting.push(Waiting::Operator(Instruction::Unary(Unary::Negate), SIGN));
                 }
                 Some('+') => self.at += 1,
                 Some('(') => {
@@ -125,7 +121,7 @@ impl Parser<'_> {
     /// What follows an operand: true if another operand has to follow it.
     fn operator(&mut self) -> Result<bool, ExpressionError> {
         let column = self.column();
-        let binary = |op, binds| Some((Op::Binary(op), binds));
+        let binary = |op, binds| Some((Instruction::Binary(op), binds));
         let or_equal = self.rest.get(self.at + 1) == Some(&'=');
         let orders = |strict, loose| binary(if or_equal { loose } else { strict }, COMPARISON);
         let operator = match self.peek() {
@@ -161,7 +157,7 @@ impl Parser<'_> {
         while let Some(&Waiting::Operator(op, binds)) = self.waiting.last()
             && binds >= least
         {
-            self.tape.push(op);
+            self.instructions.push(op);
             self.waiting.pop();
             compared |= binds == COMPARISON;
         }
@@ -180,7 +176,7 @@ impl Parser<'_> {
                 let kind = ExpressionErrorKind::Arguments { function: function.name, takes, given };
                 return Err(ExpressionError { kind, column });
             }
-            self.tape.push(function.op);
+            self.instructions.push(function.op);
         }
         Ok(false)
     }
@@ -217,7 +213,7 @@ impl Parser<'_> {
         let found: String = self.rest[start..self.at].iter().collect();
         match found.parse::<f64>() {
             Ok(value) if value.is_finite() => {
-                self.tape.push(Op::Constant(value));
+                self.instructions.push(Instruction::Constant(value));
                 Ok(())
             }
             Ok(_) => Err(ExpressionError { kind: ExpressionErrorKind::Number { found }, column }),
@@ -252,9 +248,9 @@ impl Parser<'_> {
             return Ok(false);
         }
         if let Some(k) = self.variables.iter().position(|v| *v == name) {
-            self.tape.push(Op::Variable(k));
+            self.instructions.push(Instruction::Variable(k));
         } else if name == "pi" {
-            self.tape.push(Op::Constant(PI));
+            self.instructions.push(Instruction::Constant(PI));
         } else if FUNCTIONS.iter().any(|f| f.name == name) {
             return Err(self.expected("( after a function"));
         } else {

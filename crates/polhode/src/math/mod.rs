@@ -4,6 +4,7 @@ pub(crate) mod complex;
 pub(crate) mod double;
 pub(crate) mod elementary;
 pub(crate) mod elliptic;
+pub(crate) mod formula;
 pub(crate) mod frame;
 pub(crate) mod landen;
 pub(crate) mod lanes;

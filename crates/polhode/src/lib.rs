@@ -116,6 +116,7 @@ pub use motion::propagate::stepper::{LOOSEST_TOLERANCE, StepStatistics, TIGHTEST
 pub use motion::rotor::Rotor;
 pub use motion::scenario::{Hanging, Run, Scenario};
 pub use motion::state::State;
+pub use motion::state_variables::StateVariables;
 pub use motion::torque::{
     Attracted, ConstantTorque, Drag, EnergySink, FormulaTorque, GravityGradient, Magnetic, MagneticField,
     Schedule, Scheduled, Thruster, TorqueModel, Torsion, UniformGravity,

@@ -16,6 +16,7 @@ pub(crate) mod propagate;
 pub(crate) mod rotor;
 pub(crate) mod scenario;
 pub(crate) mod state;
+pub(crate) mod state_variables;
 pub(crate) mod torque;
 pub(crate) mod trajectory;
 pub(crate) mod wheel;

@@ -90,8 +90,9 @@ pub use body::shape::torus::Torus;
 pub use body::shape::{Extent, Shape, Spread, Substance};
 pub use body::solid::MeasuredSolid;
 
-// math: frames, vectors, rotations
+// math: frames, vectors, rotations, formulas
 pub use math::elliptic::{EllipticError, EllipticParameter, JacobiFunctions};
+pub use math::formula::{Binary, Formula, FormulaError, Instruction, Unary};
 pub use math::frame::{Body, Frame, Part, Principal, Space};
 pub use math::rotation::{Attitude, Rotation, RotationError};
 pub use math::symmetric3::symmetric_eigen;
@@ -120,6 +121,7 @@ pub use motion::scenario::{Hanging, Run, Scenario};
 pub use motion::simulation::Simulation;
 pub use motion::solution::Solution;
 pub use motion::state::State;
+pub use motion::state_variables::StateVariables;
 pub use motion::torque::{
     Attracted, ConstantTorque, Drag, DragLaw, EnergySink, FormulaTorque, GravityGradient, Magnetic,
     MagneticField, Schedule, Scheduled, Thruster, TorqueModel, Torsion, UniformGravity,

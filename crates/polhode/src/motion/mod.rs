@@ -22,6 +22,7 @@ pub(crate) mod scenario;
 pub(crate) mod simulation;
 pub(crate) mod solution;
 pub(crate) mod state;
+pub(crate) mod state_variables;
 pub(crate) mod torque;
 pub(crate) mod trajectory;
 pub(crate) mod watch;

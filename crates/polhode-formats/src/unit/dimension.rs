@@ -44,6 +44,9 @@ impl Dimension {
     pub const CURRENT: Self = Self::new(0, 0, 0, 0).with_current(1);
     pub const MAGNETIC_FIELD: Self = Self::new(1, 0, -2, 0).with_current(-1);
     pub const MAGNETIC_MOMENT: Self = Self::new(0, 2, 0, 0).with_current(1);
+    pub const STIFFNESS: Self = Self::new(1, 2, -2, -1);
+    pub const DRAG: Self = Self::new(1, 2, -1, -1);
+    pub const QUADRATIC_DRAG: Self = Self::new(1, 2, 0, -2);
 }
 
 impl Dimension {
@@ -137,7 +140,7 @@ impl fmt::Display for Dimension {
 }
 
 /// Dimension, name with its article, example.
-const NAMES: [(Dimension, &str, &str); 21] = [
+const NAMES: [(Dimension, &str, &str); 24] = [
     (Dimension::NONE, "a plain number", "0.5"),
     (Dimension::MASS, "a mass", "12 kg"),
     (Dimension::LENGTH, "a length", "25 mm"),
@@ -159,4 +162,7 @@ const NAMES: [(Dimension, &str, &str); 21] = [
     (Dimension::CURRENT, "an electric current", "0.2 A"),
     (Dimension::MAGNETIC_FIELD, "a magnetic field", "30 µT"),
     (Dimension::MAGNETIC_MOMENT, "a magnetic moment", "5 A m^2"),
+    (Dimension::STIFFNESS, "a torque per angle", "0.1 N m/rad"),
+    (Dimension::DRAG, "a torque per angular velocity", "0.1 N m s/rad"),
+    (Dimension::QUADRATIC_DRAG, "a torque per squared angular velocity", "0.1 N m s^2/rad^2"),
 ];

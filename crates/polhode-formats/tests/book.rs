@@ -140,6 +140,8 @@ fn the_book_has_every_key_and_no_other() {
         ("start", "## Rotations", "[start]\nattitude = { zzz = 1 }"),
         ("torque", "### Torque `constant`", "[[torque]]\nmodel = 'constant'\nzzz = 1"),
         ("torque", "### Torque `gravity`", "[[torque]]\nmodel = 'gravity'\nzzz = 1"),
+        ("torque", "### Torque `energy_sink`", "[[torque]]\nmodel = 'energy_sink'\nzzz = 1"),
+        ("wheel", "## Wheels", "[[wheel]]\nzzz = 1"),
         ("prescribed", "## Prescribed", "[prescribed]\nzzz = 1"),
         ("pendulum", "## Pendulum", "[pendulum]\nzzz = 1"),
         ("run", "## Run", "[run]\nzzz = 1"),

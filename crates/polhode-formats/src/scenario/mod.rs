@@ -37,10 +37,11 @@ mod substance;
 pub(crate) mod suggestion;
 mod tensor;
 mod torque;
+mod wheel;
 
 use std::path::Path;
 
-use polhode::{Finding, Rotor, Scenario, Severity, TorqueModel, Velocity};
+use polhode::{Finding, Motor, Rotor, Scenario, Severity, TorqueModel, Velocity, Wheel};
 use toml::de::DeTable;
 
 use crate::error::{FormatError, FormatErrorKind, Place};
@@ -119,6 +120,9 @@ pub fn parse(text: &str, path: &Path) -> Result<Scenario, FormatError> {
     let exclusive = "a prescribed motion is given, and the torque that it needs is the answer";
     root.at_most_one(&["prescribed", "torque"], exclusive)?;
     root.at_most_one(&["prescribed", "pendulum"], "a pendulum swings as gravity moves it")?;
+    let exclusive = "the torque that a prescribed motion needs is that of a body without wheels";
+    root.at_most_one(&["prescribed", "wheel"], exclusive)?;
+    root.at_most_one(&["pendulum", "wheel"], "a pendulum swings as a body without wheels")?;
 
     let mut findings = Vec::new();
     let title = root.get("title").map(|title| title.string().map(str::to_owned)).transpose()?;
@@ -126,7 +130,8 @@ pub fn parse(text: &str, path: &Path) -> Result<Scenario, FormatError> {
     let torques = torque::torques(&root, &mut pivot)?;
     let point = pivot.map(|pivot| pivot.point);
     let rotor = point.map_or_else(|| Rotor::free(&body), |point| Rotor::pivoted(&body, point));
-    let start = start::start(&root, &rotor)?;
+    let wheels = wheel::wheels(&root)?;
+    let start = start::start(&root, &wheel::locked(rotor.clone(), &wheels)?)?;
     let prescribed = prescribed::prescribed(&root, &start)?;
     let state = prescribed.map_or(start.state, |motion| motion.at(0.0).0);
     let mut scenario = Scenario {
@@ -137,7 +142,7 @@ pub fn parse(text: &str, path: &Path) -> Result<Scenario, FormatError> {
         velocity: start.velocity.unwrap_or(Velocity::ZERO),
         pivot: point,
         torques,
-        wheels: Vec::new(),
+        wheels: wheel::turning(rotor, &wheels, start.state.omega)?,
         events: Vec::new(),
         prescribed,
         hanging: None,
@@ -166,8 +171,11 @@ fn idle_gravity(scenario: &Scenario) -> Option<Finding> {
 
 /// A free body at rest stays so.
 fn idle_motion(scenario: &Scenario) -> Option<Finding> {
-    let still =
-        scenario.start.omega.norm() == 0.0 && scenario.torques.is_empty() && scenario.prescribed.is_none();
+    let is_driven = |wheel: &Wheel| matches!(wheel.motor(), Motor::Torque { torque, .. } if torque != 0.0);
+    let still = scenario.start.omega.norm() == 0.0
+        && scenario.torques.is_empty()
+        && scenario.prescribed.is_none()
+        && !scenario.wheels.iter().any(is_driven);
     (still && scenario.run.is_some()).then(|| Finding {
         code: "start.rest",
         severity: Severity::Warning,

@@ -49,7 +49,8 @@ impl Source<'_> {
 }
 
 /// The keys of the file itself.
-pub(crate) const TOP: [&str; 7] = ["title", "body", "start", "torque", "prescribed", "pendulum", "run"];
+pub(crate) const TOP: [&str; 8] =
+    ["title", "body", "start", "torque", "wheel", "prescribed", "pendulum", "run"];
 
 /// A table, its place, and what to call it.
 #[derive(Clone, Debug)]
@@ -80,6 +81,7 @@ impl<'a> Table<'a> {
         let misplaced = match key.as_str() {
             "title" => Some("title stands above the first table".to_owned()),
             "torque" => Some("write [[torque]] on a line of its own".to_owned()),
+            "wheel" => Some("write [[wheel]] on a line of its own".to_owned()),
             key if TOP.contains(&key) => Some(format!("write [{key}] on a line of its own")),
             _ => None,
         };

@@ -66,9 +66,9 @@ impl<'a> Working<'a> {
         if self.scenario.pivot.is_some() { "the pivot" } else { "the centre of mass" }
     }
 
-    /// True if no torque acts and the motion is not given.
+    /// True if no torque acts, no wheel spins and the motion is not given.
     pub(super) const fn is_free(&self) -> bool {
-        self.needed.is_none() && self.scenario.torques.is_empty()
+        self.needed.is_none() && self.scenario.torques.is_empty() && self.scenario.wheels.is_empty()
     }
 
     pub(super) fn is_turning(&self) -> bool {

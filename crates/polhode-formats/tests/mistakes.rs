@@ -626,12 +626,20 @@ fn wheels_that_make_no_sense_are_refused() {
     );
     // The ball has 0.4 · 0.5 kg · (20 mm)² = 8e-5 kg·m².
     let error = parse(&wheel("axis=[0,0,1]\nspeed=1\ninertia='1e-4 kg m^2'\nmotor_torque=0")).unwrap_err();
-    assert!(error.message().contains("the wheel's moment of inertia") || error.message().contains("without its wheels"));
+    assert!(
+        error.message().contains("the wheel's moment of inertia")
+            || error.message().contains("without its wheels")
+    );
     assert!(error.hint().unwrap().starts_with("the inertia of [body] holds that of the wheels"));
     assert!(error.place().is_some());
-    for (table, other) in [("prescribed", "[prescribed]\naxis=[0,0,1]\nrate=1"), ("pendulum", "[pendulum]\naxis=[1,0,0]")] {
+    for (table, other) in
+        [("prescribed", "[prescribed]\naxis=[0,0,1]\nrate=1"), ("pendulum", "[pendulum]\naxis=[1,0,0]")]
+    {
         let error = parse(&format!("{BALL}{other}\n[[wheel]]\naxis=[0,0,1]\nmomentum=1")).unwrap_err();
-        assert!(matches!(error.kind(), FormatErrorKind::Conflict { keys, .. } if keys.contains(&table)), "{error}");
+        assert!(
+            matches!(error.kind(), FormatErrorKind::Conflict { keys, .. } if keys.contains(&table)),
+            "{error}"
+        );
     }
     refuses(
         &format!("{BALL}{RUN}[[torque]]\nmodel='energy_sink'\ncoefficient=«'-2 /(N m s)'»"),
@@ -648,7 +656,8 @@ fn wheels_that_make_no_sense_are_refused() {
 /// L = I ω + h at the start, whichever way a wheel is given, held or turned by a motor.
 #[test]
 fn the_momentum_of_a_start_is_that_with_the_wheels() {
-    let body = "[[body.part]]\nshape='tensor'\nmass=2\ninertia=[[3.1,-0.4,0.3],[-0.4,4.2,-0.2],[0.3,-0.2,5.3]]\n";
+    let body =
+        "[[body.part]]\nshape='tensor'\nmass=2\ninertia=[[3.1,-0.4,0.3],[-0.4,4.2,-0.2],[0.3,-0.2,5.3]]\n";
     let start = "[start]\nattitude={axis=[1,2,3],angle='40 deg'}\nspin={momentum=[0.7,-1.2,2.1]}\n";
     for (keys, speed) in [
         ("momentum=1.3", None),

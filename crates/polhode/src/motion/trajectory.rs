@@ -151,8 +151,6 @@ impl Trajectory {
         require_finite(rotor, torques, &start)?;
         let exact = if !torques.is_empty() {
             Err(MotionError::NoClosedForm { why: "a torque acts on the body" })
-        } else if !rotor.wheels().is_empty() {
-            Err(MotionError::NoClosedForm { why: "wheels spin in the body" })
         } else {
             FreeMotion::of(rotor, start)
         };

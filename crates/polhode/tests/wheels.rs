@@ -63,8 +63,7 @@ fn nothing_inside_changes_the_whole_angular_momentum() {
             // The motors' reaction is the work: without it T would change for nothing.
             let drift = Drift::of(&motion).unwrap();
             assert!(drift.work_energy < 3e-14, "{name} {method:?}: {drift:?}");
-            let motors =
-                wheels.iter().any(|w| matches!(w.motor(), Motor::Torque { torque, .. } if torque != 0.0));
+            let motors = wheels.iter().any(Wheel::is_driven);
             assert_eq!(drift.kinetic_energy > 1e-3, motors, "{name}: {drift:?}");
         }
     }
@@ -101,6 +100,23 @@ fn a_torque_that_ends_leaves_no_impulse_behind() {
     for method in METHODS {
         let drift = Drift::of(&compute(&rotor, &torques, 10.0, method)).unwrap();
         assert!(drift.momentum < 1e-14 && drift.work_energy < 1e-14, "{method:?}: {drift:?}");
+    }
+}
+
+#[test]
+fn energy_is_kept_under_gravity_unless_a_motor_works() {
+    let inertia = InertiaTensor::from_matrix(TENSOR).unwrap();
+    let body = MassProperties::new(2.3, Position::new(0.11, -0.07, 0.23), inertia).unwrap();
+    let gravity = [TorqueModel::Gravity(UniformGravity::STANDARD)];
+    for (name, wheels) in wheels() {
+        let rotor = Rotor::pivoted(&body, Position::new(0.4, -0.2, 0.3)).with_wheels(&wheels).unwrap();
+        for method in METHODS {
+            let drift = Drift::of(&compute(&rotor, &gravity, 20.0, method)).unwrap();
+            assert!(drift.work_energy < 1e-12 && drift.momentum < 1e-12, "{name} {method:?}: {drift:?}");
+            let driven = wheels.iter().any(Wheel::is_driven);
+            assert_eq!(drift.total_energy.is_none(), driven, "{name}");
+            assert!(drift.total_energy.is_none_or(|drift| drift < 1e-12), "{name} {method:?}: {drift:?}");
+        }
     }
 }
 

@@ -41,7 +41,7 @@ mod wheel;
 
 use std::path::Path;
 
-use polhode::{Finding, Motor, Rotor, Scenario, Severity, TorqueModel, Velocity, Wheel};
+use polhode::{Finding, Rotor, Scenario, Severity, TorqueModel, Velocity, Wheel};
 use toml::de::DeTable;
 
 use crate::error::{FormatError, FormatErrorKind, Place};
@@ -171,11 +171,10 @@ fn idle_gravity(scenario: &Scenario) -> Option<Finding> {
 
 /// A free body at rest stays so.
 fn idle_motion(scenario: &Scenario) -> Option<Finding> {
-    let is_driven = |wheel: &Wheel| matches!(wheel.motor(), Motor::Torque { torque, .. } if torque != 0.0);
     let still = scenario.start.omega.norm() == 0.0
         && scenario.torques.is_empty()
         && scenario.prescribed.is_none()
-        && !scenario.wheels.iter().any(is_driven);
+        && !scenario.wheels.iter().any(Wheel::is_driven);
     (still && scenario.run.is_some()).then(|| Finding {
         code: "start.rest",
         severity: Severity::Warning,

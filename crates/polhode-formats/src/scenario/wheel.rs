@@ -1,6 +1,6 @@
 //! The `[[wheel]]`s: what spins inside the body.
 
-use polhode::{AngularVelocity, Body, Direction, Motor, Rotor, Schedule, Wheel};
+use polhode::{AngularVelocity, Body, Direction, MotionError, Motor, Rotor, Schedule, Wheel};
 
 use super::reader::{Table, Value};
 use crate::error::FormatError;
@@ -47,22 +47,22 @@ fn wheel<'a>(table: &Table<'a>) -> Result<WheelTable<'a>, FormatError> {
         let hint = "with momentum and without motor_torque, nothing depends on it";
         return Err(value.invalid("left out").with_hint(hint));
     }
-    let inertia = match is_speed || motor_torque.is_some() {
-        true => {
-            let value = table.require("inertia", "inertia = \"0.02 kg m^2\", about the wheel's axis")?;
-            (positive_inertia(&value)?, value)
-        }
-        false => (0.0, axis),
+    // Without either the inertia does not matter, and it is the axis at which something does not fit.
+    let (mut inertia, mut value) = (0.0, axis);
+    if is_speed || motor_torque.is_some() {
+        value = table.require("inertia", "inertia = \"0.02 kg m^2\", about the wheel's axis")?;
+        inertia = positive_inertia(&value)?;
+    }
+    let given = if is_speed {
+        Given::Speed(inertia, start.quantity(Dimension::ANGULAR_VELOCITY)?)
+    } else {
+        Given::Momentum(start.quantity(Dimension::ANGULAR_MOMENTUM)?)
     };
-    let given = match is_speed {
-        true => Given::Speed(inertia.0, start.quantity(Dimension::ANGULAR_VELOCITY)?),
-        false => Given::Momentum(start.quantity(Dimension::ANGULAR_MOMENTUM)?),
-    };
-    let motor = motor(table, motor_torque, inertia.0)?;
+    let motor = motor(table, motor_torque, inertia)?;
     // What is wrong with the axis or with the sizes is said where they stand.
     Wheel::new(direction, 0.0, motor)
         .map_err(|error| axis.motion(error).with_hint("the z axis is [0, 0, 1]; any length will do"))?;
-    let wheel = WheelTable { axis: direction, given, motor, value: inertia.1 };
+    let wheel = WheelTable { axis: direction, given, motor, value };
     wheel.locked().map_err(|error| start.motion(error))?;
     Ok(wheel)
 }
@@ -99,14 +99,14 @@ fn motor(table: &Table<'_>, torque: Option<Value<'_>>, inertia: f64) -> Result<M
 
 impl WheelTable<'_> {
     /// The wheel for L = I ω + h at the start: at a speed relative to the body it counts as held, with its inertia left to the body.
-    fn locked(&self) -> Result<Wheel, polhode::MotionError> {
+    fn locked(&self) -> Result<Wheel, MotionError> {
         match self.given {
             Given::Momentum(momentum) => Wheel::new(self.axis, momentum, self.motor),
             Given::Speed(inertia, speed) => Wheel::new(self.axis, inertia * speed, Motor::HeldSpeed),
         }
     }
 
-    fn turning(&self, omega: AngularVelocity<Body>) -> Result<Wheel, polhode::MotionError> {
+    fn turning(&self, omega: AngularVelocity<Body>) -> Result<Wheel, MotionError> {
         match self.given {
             Given::Speed(_, speed) if self.motor != Motor::HeldSpeed => {
                 Wheel::turning(self.axis, speed, self.motor, omega)
@@ -131,10 +131,10 @@ pub(crate) fn turning(
 }
 
 /// Puts in one wheel after the other, so that what does not fit has its place.
-fn fitted(
+fn fitted<'a>(
     rotor: Rotor,
-    tables: &[WheelTable<'_>],
-    wheel: impl Fn(&WheelTable<'_>) -> Result<Wheel, polhode::MotionError>,
+    tables: &[WheelTable<'a>],
+    wheel: impl Fn(&WheelTable<'a>) -> Result<Wheel, MotionError>,
 ) -> Result<(Rotor, Vec<Wheel>), FormatError> {
     let (mut wheels, mut with) = (Vec::new(), rotor.clone());
     for table in tables {

@@ -147,6 +147,8 @@ fn the_book_has_every_key_and_no_other() {
         ("torque", "### Torque `drag`", "[[torque]]\nmodel = 'drag'\nzzz = 1"),
         ("torque", "### Torque `torsion`", "[[torque]]\nmodel = 'torsion'\nzzz = 1"),
         ("torque", "### Torque `thruster`", "[[torque]]\nmodel = 'thruster'\nzzz = 1"),
+        ("torque", "### Torque `energy_sink`", "[[torque]]\nmodel = 'energy_sink'\nzzz = 1"),
+        ("wheel", "## Wheels", "[[wheel]]\nzzz = 1"),
         ("prescribed", "## Prescribed", "[prescribed]\nzzz = 1"),
         ("pendulum", "## Pendulum", "[pendulum]\nzzz = 1"),
         ("run", "## Run", "[run]\nzzz = 1"),

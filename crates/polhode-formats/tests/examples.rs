@@ -261,3 +261,35 @@ fn the_thruster_adds_what_its_torque_says() {
     // The work of the torque is the energy gained.
     close((last.kinetic_energy - first.kinetic_energy) / last.work, 1.0, 1e-10);
 }
+
+#[test]
+fn the_minor_axis_spinner_ends_in_a_flat_spin() {
+    let scenario = read("flat-spin.toml");
+    let motion = scenario.simulate().unwrap().unwrap();
+    let (first, last) = (motion.samples()[0], *motion.samples().last().unwrap());
+    // 0.4 rad/s about an axis across, and 96 % of the energy gone: L/5 and 1 − 0.2/5.
+    close(first.state.omega.norm(), 10.0, 1e-7);
+    close(last.state.omega.norm(), 0.4, 1e-6);
+    close(1.0 - last.kinetic_energy / first.kinetic_energy, 0.96, 1e-6);
+    assert!(last.state.omega.x.abs() < 1e-4 && (last.momentum - first.momentum).norm() < 1e-13);
+    // On the way it is the closed form: tan θ = tan θ0 exp(α L² (1/0.2 − 1/5) t).
+    let tangent = |s: &Sample| 5.0 * s.state.omega.y.hypot(s.state.omega.z) / (0.2 * s.state.omega.x);
+    let rate = 0.002 * first.momentum.dot(first.momentum) * (1.0 / 0.2 - 1.0 / 5.0);
+    for sample in motion.samples().iter().take_while(|s| s.state.time < 200.0) {
+        close(tangent(sample) / (tangent(&first) * (rate * sample.state.time).exp()), 1.0, 1e-10);
+    }
+}
+
+#[test]
+fn the_gyrostat_turns_itself() {
+    let scenario = read("gyrostat.toml");
+    let [wheel] = scenario.wheels[..] else { panic!("{:?}", scenario.wheels) };
+    // 15 mN·m for 20 s
+    close(wheel.momentum_at(60.0), 0.3, 1e-15);
+    let motion = scenario.simulate().unwrap().unwrap();
+    let last = motion.samples().last().unwrap();
+    assert!(last.momentum.norm() < 1e-15);
+    // L = 0: I ω = −h
+    let balance = scenario.rotor().angular_momentum(last.state.omega) + scenario.rotor().wheel_momentum(60.0);
+    assert!(balance.norm() < 1e-15 && last.state.omega.z < -0.15, "{last:?}");
+}

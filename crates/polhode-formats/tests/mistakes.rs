@@ -817,3 +817,104 @@ fn coefficients_come_in_every_shape_and_unit() {
     }
     assert!((coefficient("linear", "'1 N m s/deg'")[0][0] / 57.295_779_513 - 1.0).abs() < 1e-10);
 }
+
+#[test]
+fn wheels_that_make_no_sense_are_refused() {
+    let wheel = |keys: &str| format!("{BALL}{RUN}[[wheel]]\n{keys}");
+    refuses(
+        &wheel("axis=[0,0,1]\nmomentum=1\n«speeds»=2"),
+        "unknown key \"speeds\" in [[wheel]]",
+        "did you mean speed?",
+    );
+    refuses(
+        &format!("{BALL}{RUN}«[[wheel]]»\naxis=[0,0,1]"),
+        "the key momentum is missing in [[wheel]]",
+        "write momentum = \"4 N m s\", or inertia and speed",
+    );
+    refuses(
+        &format!("{BALL}{RUN}«[[wheel]]»\naxis=[0,0,1]\nspeed='3000 rpm'"),
+        "the key inertia is missing in [[wheel]]",
+        "write inertia",
+    );
+    refuses(
+        &wheel("axis=[0,0,1]\nmomentum=1\nspeed=«2»\ninertia=1"),
+        "momentum and speed are both given: each of them alone says how much angular momentum the wheel starts with",
+        "leave",
+    );
+    refuses(
+        &wheel("axis=[0,0,1]\nmomentum=1\ninertia=«2»"),
+        "inertia = 2 must be left out",
+        "with momentum and without motor_torque, nothing depends on it",
+    );
+    refuses(
+        &wheel("axis=«[0,0,0]»\nmomentum=1"),
+        "the length of the wheel's axis = 0 must be a direction: finite and not zero",
+        "the z axis is [0, 0, 1]",
+    );
+    refuses(
+        &wheel("axis=[0,0,1]\nmomentum=1\nfrom=«'2 s'»"),
+        "from = '2 s' must be left out",
+        "it is the time of a motor_torque",
+    );
+    refuses(
+        &wheel("axis=[0,0,1]\nspeed=1\ninertia=«'-1 kg m^2'»"),
+        "inertia = '-1 kg m^2' must be positive",
+        "it is the wheel's moment of inertia",
+    );
+    refuses(
+        &wheel("axis=[0,0,1]\nspeed=1\ninertia=1e-6\nmotor_torque=1\nfrom=3\nuntil=«2»"),
+        "until = 2 must be later than the start of the motor's work",
+        "a run starts at 0",
+    );
+    // The ball has 0.4 · 0.5 kg · (20 mm)² = 8e-5 kg·m².
+    let error = parse(&wheel("axis=[0,0,1]\nspeed=1\ninertia='1e-4 kg m^2'\nmotor_torque=0")).unwrap_err();
+    assert!(
+        error.message().contains("the wheel's moment of inertia")
+            || error.message().contains("without its wheels")
+    );
+    assert!(error.hint().unwrap().starts_with("the inertia of [body] holds that of the wheels"));
+    assert!(error.place().is_some());
+    for (table, other) in
+        [("prescribed", "[prescribed]\naxis=[0,0,1]\nrate=1"), ("pendulum", "[pendulum]\naxis=[1,0,0]")]
+    {
+        let error = parse(&format!("{BALL}{other}\n[[wheel]]\naxis=[0,0,1]\nmomentum=1")).unwrap_err();
+        assert!(
+            matches!(error.kind(), FormatErrorKind::Conflict { keys, .. } if keys.contains(&table)),
+            "{error}"
+        );
+    }
+    refuses(
+        &format!("{BALL}{RUN}[[torque]]\nmodel='energy_sink'\ncoefficient=«'-2 /(N m s)'»"),
+        "the coefficient of an energy sink = -2 must be positive and finite",
+        "it damps nutation in",
+    );
+    refuses(
+        &format!("{BALL}{RUN}[[torque]]\nmodel='energy_sink'\ncoefficient=«'2 N m s'»"),
+        "\"N m s\" is an angular momentum where a quantity in kg^-1 m^-2 s belongs",
+        "",
+    );
+}
+
+/// L = I ω + h at the start, whichever way a wheel is given, held or turned by a motor.
+#[test]
+fn the_momentum_of_a_start_is_that_with_the_wheels() {
+    let body =
+        "[[body.part]]\nshape='tensor'\nmass=2\ninertia=[[3.1,-0.4,0.3],[-0.4,4.2,-0.2],[0.3,-0.2,5.3]]\n";
+    let start = "[start]\nattitude={axis=[1,2,3],angle='40 deg'}\nspin={momentum=[0.7,-1.2,2.1]}\n";
+    for (keys, speed) in [
+        ("momentum=1.3", None),
+        ("momentum=1.3\ninertia=0.3\nmotor_torque=0.2", None),
+        ("inertia=0.3\nspeed=4.5", None),
+        ("inertia=0.3\nspeed=4.5\nmotor_torque=0.2", Some(4.5)),
+    ] {
+        let scenario = parse(&format!("{body}{start}[[wheel]]\naxis=[0.6,-0.3,0.9]\n{keys}")).unwrap();
+        let rotor = scenario.rotor();
+        let [x, y, z] = rotor.angular_momentum_space(&scenario.start).to_array();
+        assert!((x - 0.7).hypot(y + 1.2).hypot(z - 2.1) < 2e-15, "{keys}: {x} {y} {z}");
+        if let Some(speed) = speed {
+            let wheel = scenario.wheels[0];
+            let relative = wheel.momentum() / 0.3 - wheel.axis().dot(scenario.start.omega);
+            assert!((relative - speed).abs() < 1e-14, "{relative}");
+        }
+    }
+}

@@ -38,6 +38,7 @@ mod sign_proof;
 mod source;
 mod sparkline;
 mod spin;
+mod stability;
 mod symmetric_top;
 mod torque;
 mod unit;
@@ -57,6 +58,7 @@ pub use plot::{Figure, MotionFigures, Picture, PlotError};
 pub use sign_proof::sign_proof;
 pub use source::SourceInfo;
 pub use spin::{SpinReport, TumblerReport};
+pub use stability::StabilityReport;
 
 /// The version that reports carry.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");

@@ -38,10 +38,11 @@ mod substance;
 pub(crate) mod suggestion;
 mod tensor;
 mod torque;
+mod wheel;
 
 use std::path::Path;
 
-use polhode::{EventAction, Finding, Rotor, Scenario, Severity, TorqueModel, Velocity};
+use polhode::{EventAction, Finding, Rotor, Scenario, Severity, TorqueModel, Velocity, Wheel};
 use toml::de::DeTable;
 
 use crate::error::{FormatError, FormatErrorKind, Place};
@@ -124,6 +125,9 @@ pub fn parse(text: &str, path: &Path) -> Result<Scenario, FormatError> {
         "a prescribed motion is given, and nothing on its way changes it",
     )?;
     root.at_most_one(&["prescribed", "pendulum"], "a pendulum swings as gravity moves it")?;
+    let exclusive = "the torque that a prescribed motion needs is that of a body without wheels";
+    root.at_most_one(&["prescribed", "wheel"], exclusive)?;
+    root.at_most_one(&["pendulum", "wheel"], "a pendulum swings as a body without wheels")?;
 
     let mut findings = Vec::new();
     let title = root.get("title").map(|title| title.string().map(str::to_owned)).transpose()?;
@@ -132,7 +136,8 @@ pub fn parse(text: &str, path: &Path) -> Result<Scenario, FormatError> {
     let events = event::events(&root, &torques)?;
     let point = pivot.map(|pivot| pivot.point);
     let rotor = point.map_or_else(|| Rotor::free(&body), |point| Rotor::pivoted(&body, point));
-    let start = start::start(&root, &rotor)?;
+    let wheels = wheel::wheels(&root)?;
+    let start = start::start(&root, &wheel::locked(rotor.clone(), &wheels)?)?;
     let prescribed = prescribed::prescribed(&root, &start)?;
     let state = prescribed.map_or(start.state, |motion| motion.at(0.0).0);
     let mut scenario = Scenario {
@@ -145,7 +150,7 @@ pub fn parse(text: &str, path: &Path) -> Result<Scenario, FormatError> {
         torques: torques.models,
         torque_names: torques.names,
         switched_off: torques.switched_off,
-        wheels: Vec::new(),
+        wheels: wheel::turning(rotor, &wheels, start.state.omega)?,
         events,
         prescribed,
         hanging: None,
@@ -175,8 +180,10 @@ fn idle_gravity(scenario: &Scenario) -> Option<Finding> {
 
 /// A free body at rest stays so.
 fn idle_motion(scenario: &Scenario) -> Option<Finding> {
-    let still =
-        scenario.start.omega.norm() == 0.0 && scenario.torques.is_empty() && scenario.prescribed.is_none();
+    let still = scenario.start.omega.norm() == 0.0
+        && scenario.torques.is_empty()
+        && scenario.prescribed.is_none()
+        && !scenario.wheels.iter().any(Wheel::is_driven);
     (still && scenario.run.is_some()).then(|| Finding {
         code: "start.rest",
         severity: Severity::Warning,

@@ -114,6 +114,11 @@ impl Wheel {
         self.motor
     }
 
+    /// True if its motor turns it at some time, and so does work on the body.
+    pub fn is_driven(&self) -> bool {
+        matches!(self.motor, Motor::Torque { torque, .. } if torque != 0.0)
+    }
+
     /// Its angular momentum along the axis at a time, kg·m²/s.
     pub fn momentum_at(&self, time: f64) -> f64 {
         match self.motor {

@@ -18,7 +18,7 @@ use steady::Steady;
 ///
 /// The equilibrium is a steady motion: rest, or a turn at constant ω about an axis fixed in space and in the body, along which
 /// the torque, seen from the body, does not change. A hanging body is one, so are a sleeping top and a satellite that keeps its
-/// face to the Earth on a circular orbit. With δθ the small turn away from it, along body axes, δω, and L = I ω + h,
+/// face to the Earth on a circular orbit. With δθ the small turn away from it along body axes, δω the change of ω, and L = I ω + h,
 ///
 /// δθ̇ = δω + δθ × ω,  I δω̇ = I δω × ω + L × δω + ∂N/∂θ δθ + ∂N/∂ω δω
 ///
@@ -27,11 +27,9 @@ use steady::Steady;
 ///
 /// ```
 /// use polhode::*;
-/// // A rod of 1.2 m hangs by its end.
-/// let rod = Rod::new(1.2)?.mass_properties(Substance::Mass(0.8))?;
-/// let rod = assemble(&[PlacedPart::new(rod, Position::new(0.0, 0.0, -0.6), Rotation::identity())?])?;
-/// # let rod = MassProperties::new(0.8, rod.center_of_mass(), InertiaTensor::diagonal([0.096, 0.096, 1e-4])?)?;
-/// let body = Rotor::pivoted(&rod, Position::ZERO);
+/// // A stick of 1.2 m and 0.8 kg hangs by its end.
+/// let stick = MassProperties::new(0.8, Position::ZERO, InertiaTensor::diagonal([0.096, 0.096, 1e-4])?)?;
+/// let body = Rotor::pivoted(&stick, Position::new(0.0, 0.0, 0.6));
 /// let rest = State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::ZERO };
 /// let gravity = [TorqueModel::Gravity(UniformGravity::STANDARD)];
 /// let swings = SmallOscillations::about(&body, &gravity, rest)?;
@@ -42,7 +40,7 @@ use steady::Steady;
 /// ```
 ///
 /// # Source
-/// Differences: Ridders, Adv. Eng. Softw. 4 (1982) 75. The linear equations are Hughes, Spacecraft Attitude Dynamics (1986), in other letters.
+/// Differences: Ridders, Adv. Eng. Softw. 4 (1982) 75.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct SmallOscillations {
@@ -54,7 +52,8 @@ pub struct SmallOscillations {
     pub neutral: usize,
 }
 
-/// An eigenvalue smaller than this, relative to the fastest rate of the equations, is zero: √ε, of a defective pair, with room.
+/// An eigenvalue smaller than this, relative to the fastest rate of the equations, is zero: the root of the differences' error, which a
+/// defective pair has.
 const NEUTRAL: f64 = 1e-6;
 
 impl SmallOscillations {

@@ -16,7 +16,7 @@ pub(super) struct Piece<'a> {
     pub(super) torques: Vec<&'a TorqueModel>,
     /// Σ α of the energy sinks.
     pub(super) sink: f64,
-    /// The largest torque that there can be, N·m.
+    /// The largest torque that there can be, with the motors', N·m.
     pub(super) largest_torque: f64,
     /// The first time at which something begins or ends; infinite if nothing does.
     pub(super) until: f64,
@@ -46,7 +46,8 @@ impl<'a> Piece<'a> {
         Self {
             rotor,
             sink: acting.iter().map(|torque| torque.sink()).sum(),
-            largest_torque: acting.iter().map(|torque| torque.scale(rotor, state)).sum(),
+            largest_torque: acting.iter().map(|torque| torque.scale(rotor, state)).sum::<f64>()
+                + rotor.motor_torque(time).norm(),
             torques: acting,
             until: changes.chain(wheels).fold(f64::INFINITY, f64::min),
             wheels: Wheels {

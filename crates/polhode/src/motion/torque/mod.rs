@@ -14,6 +14,7 @@ pub(crate) mod torsion;
 
 use super::rotor::Rotor;
 use super::state::State;
+use super::wheel::Wheel;
 use crate::math::frame::Body;
 use crate::math::vector::Torque;
 
@@ -161,8 +162,12 @@ pub(crate) fn total_torque<'a>(
     models.into_iter().fold(Torque::ZERO, |sum, model| sum + model.torque(rotor, state))
 }
 
-/// The sum of all potentials, J; `None` if some torque has none (or there is no torque).
+/// The sum of all potentials, J; `None` if some torque has none (or there is no torque), or if a motor
+/// does work on the body.
 pub(crate) fn total_potential(models: &[TorqueModel], rotor: &Rotor, state: &State) -> Option<f64> {
+    if rotor.wheels().iter().any(Wheel::is_driven) {
+        return None;
+    }
     let (first, others) = models.split_first()?;
     others
         .iter()

@@ -102,9 +102,8 @@ fn bodies_on_orbits_follow_the_reference() {
                 let omega = AngularVelocity::from_array(numbers(&row["omega"]));
                 let error = (state.omega - omega).norm() / omega.norm();
                 let angle = state.attitude.angle_to(attitude(&row["attitude"]));
-                // The motions are chaotic: an error grows some thousandfold in 20 s.
-                let bound = 4e-15 * (t / 2.5).exp2().max(4.0);
-                eprintln!("{name} t = {t} {method:?}: {error:e} {angle:e} {bound:e}");
+                // measured: at most 1.7e-14 (DOP853) and 3.7e-15 (Taylor) at t = 8, 6e-15 at t = 20
+                let bound = 3e-15 * (2.0 + t);
                 assert!(error < bound && angle < bound, "{name} t = {t} {method:?}: {error:e} {angle:e}");
             }
         }
@@ -149,7 +148,6 @@ fn the_cylinder_librates_as_nasa_says() {
             let error = (state.omega - omega(row)).norm();
             assert!(error < number(&case["tolerance_omega_rad_s"]), "{t} {method:?}: {error:e}");
             let angle = state.attitude.angle_to(published_attitude(row));
-            eprintln!("nasa {t} {error:e} {angle:e} {:?}", Drift::of(&motion));
             assert!(angle < number(&case["tolerance_attitude_rad"]), "{t} {method:?}: {angle:e}");
             assert!(Drift::of(&motion).unwrap().work_energy < 1e-11);
             if method == Method::Dop853 {
@@ -217,9 +215,7 @@ fn energy_less_n_l_is_constant_on_a_circle() {
             assert!(most > 1.1 * least);
             for sample in run.samples() {
                 let error = (integral(sample) - first).abs() / most;
-                if sample.state.time == 40.0 {
-                    eprintln!("jacobi {error:e}");
-                }
+                if sample.state.time == 40.0 {}
                 assert!(error < 2e-13, "{method:?} t = {}: {error:e}", sample.state.time);
             }
         }
@@ -230,7 +226,7 @@ fn energy_less_n_l_is_constant_on_a_circle() {
 fn the_pitch_of_a_satellite_has_its_period() {
     // Axes along the track (x), the orbit's normal (y) and up (z): ω² = 3 n² (Ix − Iz)/Iy of small librations. At any amplitude
     // 2θ is a pendulum's angle: T = 4 K(sin² θ₀)/ω.
-    let (ix, iy, iz) = (9.1, 8.2, 1.7);
+    let (ix, iy, iz) = (8.2, 9.1, 1.7);
     let inertia = InertiaTensor::diagonal([ix, iy, iz]).unwrap();
     let rotor = Rotor::free(&MassProperties::new(40.0, Position::ZERO, inertia).unwrap());
     let (up, track) = (Direction::new(0.3, -1.2, 0.7), Direction::new(1.0, 0.4, 2.0));
@@ -269,7 +265,6 @@ fn the_pitch_of_a_satellite_has_its_period() {
                 let carried =
                     Rotation::<Space, Space>::about(normal, n * state.time).unwrap() * upright(angle);
                 let error = state.attitude.angle_to(carried);
-                eprintln!("pitch {error:e}");
                 assert!(error < 1e-11, "{method:?} {amplitude} t = {}: {error:e}", state.time);
             }
         }
@@ -336,7 +331,6 @@ fn both_integrators_agree_and_the_theorems_hold() {
                 Trajectory::compute(&rotor, &torques, generic_start(), &[6.0], method, 1e-15).unwrap();
             let drift = Drift::of(&motion).unwrap();
             let sample = motion.samples()[0];
-            eprintln!("{name} {drift:?} {:?}", sample.work);
             assert!(drift.work_energy < 1e-13, "{name} {method:?}: {drift:?}");
             // the impulse on wheels that a motor turns is in L, and so in the drift
             assert!(drift.momentum < 1e-13, "{name} {method:?}: {drift:?}");
@@ -345,8 +339,7 @@ fn both_integrators_agree_and_the_theorems_hold() {
         };
         let [a, b] = METHODS.map(run);
         let (angle, omega) = (a.attitude.angle_to(b.attitude), (a.omega - b.omega).norm());
-        eprintln!("agree {name}: {angle:e} {omega:e}");
-        assert!(angle < 1e-12 && omega < 1e-12, "{name}: {angle:e} {omega:e}");
+        assert!(angle < 1e-13 && omega < 1e-13, "{name}: {angle:e} {omega:e}");
     }
 }
 

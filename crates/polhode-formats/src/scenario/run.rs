@@ -64,9 +64,8 @@ fn too_many(value: &Value<'_>) -> FormatError {
 
 /// The method with what it alone needs: steps of a given length have no tolerance, and only they an order.
 fn method(table: &Table<'_>) -> Result<Method, FormatError> {
-    let named = table.get("method").map(|value| {
-        value.choice(&["auto", "exact", "taylor", "dop853", "splitting"])
-    });
+    let named =
+        table.get("method").map(|value| value.choice(&["auto", "exact", "taylor", "dop853", "splitting"]));
     let name = named.transpose()?.unwrap_or("auto");
     if name == "splitting" {
         if let Some(value) = table.get("tolerance") {
@@ -93,7 +92,9 @@ fn order(value: &Value<'_>) -> Result<SplittingOrder, FormatError> {
     let number = value.count()?;
     let order = SplittingOrder::ALL.into_iter().find(|order| u64::from(order.number()) == number);
     order.ok_or_else(|| {
-        value.invalid("2, 4 or 6").with_hint("halving the step divides the error by 2 to this power; 4 is the default")
+        value
+            .invalid("2, 4 or 6")
+            .with_hint("halving the step divides the error by 2 to this power; 4 is the default")
     })
 }
 

@@ -98,11 +98,12 @@ impl fmt::Display for MotionError {
                 "at t = {time:e} s a torque of {torque} N·m acts about an axis along which the body has no inertia"
             ),
             Self::NoClosedForm { why } => write!(f, "there is no closed form of this motion: {why}"),
-            Self::NotSplittable { what, why } => write!(f, "splitting cannot take the torque \"{what}\": {why}"),
-            Self::StepTooSmall { time, step } => write!(
-                f,
-                "at t = {time:e} s the step ({step:e} s) is too small to advance the time"
-            ),
+            Self::NotSplittable { what, why } => {
+                write!(f, "splitting cannot take the torque \"{what}\": {why}")
+            }
+            Self::StepTooSmall { time, step } => {
+                write!(f, "at t = {time:e} s the step ({step:e} s) is too small to advance the time")
+            }
             Self::TooManySteps { time, step, most } => write!(
                 f,
                 "at t = {time:e} s steps are of {step:e} s: to the end that is more than {most} steps"

@@ -44,7 +44,10 @@ pub(super) struct FreeFlow {
 enum Form {
     Spherical,
     /// The axis of symmetry, and 1/i across it.
-    Symmetric { axis: usize, across: f64 },
+    Symmetric {
+        axis: usize,
+        across: f64,
+    },
     Asymmetric,
 }
 
@@ -219,13 +222,13 @@ mod tests {
     #[test]
     fn the_flow_is_the_free_motion() {
         let bodies = [
-            [1.1, 2.3, 2.9],   // asymmetric
-            [0.4, 1.7, 1.9],   // nearly prolate
+            [1.1, 2.3, 2.9], // asymmetric
+            [0.4, 1.7, 1.9], // nearly prolate
             [1.0, 1.0 + 1e-9, 1.4],
-            [1.2, 1.2, 1.7],   // oblate
-            [0.6, 1.9, 1.9],   // prolate
+            [1.2, 1.2, 1.7], // oblate
+            [0.6, 1.9, 1.9], // prolate
             [1.5, 1.5, 1.5],
-            [0.0, 1.7, 1.7],   // a rod, which spins
+            [0.0, 1.7, 1.7], // a rod, which spins
         ];
         for moments in bodies {
             for omega in [[0.7, -1.1, 0.4], [-0.3, 0.2, 1.7], [1e-7, 1.3, -2e-7], [1.9, 0.1, -0.2]] {

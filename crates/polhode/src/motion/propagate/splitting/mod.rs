@@ -198,8 +198,7 @@ impl<'a> Splitting<'a> {
             return Torque::ZERO;
         }
         // No torque here depends on ω.
-        let state =
-            State { time, attitude: attitude * self.to_body.inverse(), omega: AngularVelocity::ZERO };
+        let state = State { time, attitude: attitude * self.to_body.inverse(), omega: AngularVelocity::ZERO };
         let torque = self.to_body.inverse() * self.piece.torque(&state);
         // As in `chart.rs`: along a needle there is the torque's rounding only.
         let [i1, i2, i3] = self.piece.rotor.principal().moments();

@@ -118,7 +118,8 @@ mod tests {
 
     #[test]
     fn a_step_is_one_step_and_symmetric() {
-        for (order, count) in [(SplittingOrder::Two, 1), (SplittingOrder::Four, 6), (SplittingOrder::Six, 11)] {
+        for (order, count) in [(SplittingOrder::Two, 1), (SplittingOrder::Four, 6), (SplittingOrder::Six, 11)]
+        {
             let Scheme { first, stages } = Scheme::of(order);
             let kicks: Vec<f64> = [first].into_iter().chain(stages.iter().map(|s| s.kick)).collect();
             let flows: Vec<f64> = stages.iter().map(|s| s.flow).collect();

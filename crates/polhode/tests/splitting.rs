@@ -49,7 +49,6 @@ fn each_order_is_what_it_says() {
             let omega = (sample.state.omega - truth.state.omega).norm() / truth.state.omega.norm();
             attitude.max(omega)
         });
-        println!("{order:?} {errors:?}");
         let slope = (errors[1] / errors[3]).log2() / 2.0;
         assert!((slope - f64::from(order.number())).abs() < 0.25, "{order:?}: {slope} {errors:?}");
     }
@@ -68,16 +67,15 @@ fn energy_errors(rotor: &Rotor, start: State, order: SplittingOrder, step: f64, 
 fn the_energy_error_does_not_grow() {
     // 10⁵ steps of a generic heavy body, whose motion is chaotic: the last quarter is no worse than the first.
     for (order, step, bound) in [
-        (SplittingOrder::Two, 0.01, 2e-4),
-        (SplittingOrder::Four, 0.03, 2e-9),
-        (SplittingOrder::Six, 0.05, 2e-11),
+        (SplittingOrder::Two, 0.01, 1e-4),
+        (SplittingOrder::Four, 0.03, 2e-10),
+        (SplittingOrder::Six, 0.05, 1e-13),
     ] {
         let errors = energy_errors(&heavy(), start(), order, step, 100_000);
         let quarter = errors.len() / 4;
         let worst = |part: &[f64]| part.iter().fold(0.0, |most: f64, e| most.max(e.abs()));
         let mean = |part: &[f64]| part.iter().sum::<f64>() / part.len() as f64;
         let (first, last) = (&errors[..quarter], &errors[3 * quarter..]);
-        println!("{order:?} {:e} {:e} mean {:e} {:e}", worst(first), worst(last), mean(first), mean(last));
         assert!(worst(last) < 1.5 * worst(first) && worst(first) < bound, "{order:?}");
         assert!((mean(last) - mean(first)).abs() < 0.2 * worst(first), "{order:?}");
     }
@@ -88,7 +86,6 @@ fn rounding_does_not_add_up() {
     // With a step at which the method's own error is below rounding, rounding is all that there is: a walk, not a drift.
     let errors = energy_errors(&heavy(), start(), SplittingOrder::Six, 2e-3, 100_000);
     let worst = errors.iter().fold(0.0, |most: f64, e| most.max(e.abs()));
-    println!("{worst:e}");
     assert!(worst < 2e-14, "{worst:e}");
 }
 
@@ -99,7 +96,6 @@ fn work_and_impulse_are_what_the_kicks_gave() {
     for order in SplittingOrder::ALL {
         let motion = run(&heavy(), &torques, start(), &times, splitting(order, 0.02));
         let drift = Drift::of(&motion).unwrap();
-        println!("{order:?} {drift:?}");
         assert!(drift.work_energy < 2e-14 && drift.momentum < 2e-14, "{order:?}: {drift:?}");
     }
     // and with a short step it is the work of the true motion
@@ -187,19 +183,13 @@ fn what_is_no_kick_is_refused() {
         assert!(matches!(wrong, Err(MotionError::Parameter { what: "the step", .. })), "{step}");
     }
     // More steps than anybody waits for, and steps that are lost in the rounding of the time.
-    let far = |time: f64, step| {
+    let far = |time: f64, span: f64, step: f64| {
         let start = State { time, ..start() };
-        Trajectory::compute(
-            &heavy(),
-            &[gravity()],
-            start,
-            &[time + 1e6],
-            splitting(SplittingOrder::Two, step),
-            1.0,
-        )
+        let method = splitting(SplittingOrder::Two, step);
+        Trajectory::compute(&heavy(), &[gravity()], start, &[time + span], method, 1e-13)
     };
-    assert!(matches!(far(0.0, 1e-3), Err(MotionError::TooManySteps { .. })));
-    assert!(matches!(far(1e20, 1e-3), Ok(_) | Err(MotionError::StepTooSmall { .. })));
+    assert!(matches!(far(0.0, 1e6, 1e-3), Err(MotionError::TooManySteps { .. })));
+    assert!(matches!(far(1e12, 1.0, 1e-5), Err(MotionError::StepTooSmall { .. })));
 }
 
 #[test]
@@ -225,8 +215,8 @@ fn gravity_gradient_keeps_the_jacobi_integral() {
     };
     for (order, step, bound) in [
         (SplittingOrder::Two, 0.05, 1e-4),
-        (SplittingOrder::Four, 0.1, 1e-8),
-        (SplittingOrder::Six, 0.2, 1e-9),
+        (SplittingOrder::Four, 0.1, 4e-9),
+        (SplittingOrder::Six, 0.2, 5e-10),
     ] {
         let times: Vec<f64> = (0..10_000).map(|k| start().time + 10.3 * step * f64::from(k)).collect();
         let motion = run(&rotor, &torques, start(), &times, splitting(order, step));
@@ -235,7 +225,6 @@ fn gravity_gradient_keeps_the_jacobi_integral() {
             motion.samples().iter().map(|s| (integral(s) - first).abs() / first.abs()).collect();
         let worst = |part: &[f64]| part.iter().fold(0.0, |most: f64, e| most.max(*e));
         let (early, late) = (worst(&errors[..2500]), worst(&errors[7500..]));
-        println!("{order:?} {early:e} {late:e}");
         assert!(late < 1.5 * early && early < bound, "{order:?}: {early:e} {late:e}");
     }
     // and it is the motion

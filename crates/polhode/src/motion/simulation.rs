@@ -97,9 +97,6 @@ impl Simulation<'_> {
         if !self.torques.is_empty() {
             return Err(MotionError::NoClosedForm { why: "a torque acts on the body" });
         }
-        if !self.rotor.wheels().is_empty() {
-            return Err(MotionError::NoClosedForm { why: "wheels spin in the body" });
-        }
         FreeMotion::of(self.rotor, self.start)
     }
 

@@ -716,9 +716,8 @@ fn a_magnet_has_one_field() {
 
 #[test]
 fn times_of_torques_are_in_order() {
-    let torque = |keys: &str| {
-        format!("{BALL}[[torque]]\nmodel='constant'\naxes='body'\ntorque=[1,0,0]\n{keys}")
-    };
+    let torque =
+        |keys: &str| format!("{BALL}[[torque]]\nmodel='constant'\naxes='body'\ntorque=[1,0,0]\n{keys}");
     refuses(
         &torque("from='3 s'\nuntil=«'2 s'»"),
         "the time until which a torque acts = 2 must be after the time from which it acts",
@@ -917,4 +916,82 @@ fn the_momentum_of_a_start_is_that_with_the_wheels() {
             assert!((relative - speed).abs() < 1e-14, "{relative}");
         }
     }
+}
+
+#[test]
+fn events_that_cannot_be_are_refused() {
+    let torque = "[[torque]]\nname='jet'\nmodel='constant'\naxes='body'\ntorque=[1,0,0]\n";
+    let event = |keys: &str| format!("{BALL}{torque}{RUN}[[event]]\n{keys}");
+    assert!(parse(&event("measure='time'\nvalue=1\nthen={switch='jet',on=false}")).is_ok());
+    assert!(parse(&event("measure='formula'\nformula='hypot(wx,wy)'\nvalue='3 rpm'")).is_ok());
+    refuses(
+        &event("measure=«'omega_z'»\nvalue=1"),
+        "measure = 'omega_z' must be one of time, omega_body_x, omega_body_y, omega_body_z, omega_space_x, omega_space_y, \
+         omega_space_z, omega, momentum, kinetic_energy, total_energy, angle, nutation, precession, spin, formula",
+        "write measure = \"time\"",
+    );
+    refuses(
+        &event("measure='omega'\nvalue=«'3 N m'»"),
+        "\"N m\" is a torque where an angular velocity belongs",
+        "write an angular velocity",
+    );
+    refuses(
+        &event("measure='formula'\nformula='hypot(wx,wy)'\nvalue=«'3 s'»"),
+        "\"s\" is a time where an angular velocity belongs",
+        "write an angular velocity",
+    );
+    refuses(
+        &event("measure='formula'\nformula=«'wx + t'»\nvalue=1"),
+        "formula = 'wx + t' must be a formula of the state (column 4: + joins an angular velocity and a time)",
+        "",
+    );
+    refuses(
+        &event("measure='nutation'\nvalue=«'180 deg'»"),
+        "value = '180 deg' must be above 0 and below 180 deg",
+        "such an angle turns back",
+    );
+    refuses(
+        &event("measure='angle'\nbetween=«[{body=[0,0,1]},{body=[0,1,0]}]»\nvalue=1"),
+        "between = [{body=[0,0,1]},{body=[0,1,0]}] must be a direction of the body, and one of space, or \"omega\", or \
+         \"momentum\"",
+        "write between = [{ body",
+    );
+    refuses(
+        &event("measure='angle'\nbetween=[{body=«[0,0,0]»},\"omega\"]\nvalue=1"),
+        "body = [0,0,0] must be a direction: not all zero",
+        "the z axis is",
+    );
+    refuses(
+        &event("measure='time'\nvalue=1\n«between»=['omega','momentum']"),
+        "unknown key \"between\" in [[event]]",
+        "the keys here are name, measure, value",
+    );
+    refuses(
+        &event("measure='time'\nvalue=1\nthen={switch=«'jett'»,on=false}"),
+        "switch = 'jett' must be the name of a torque",
+        "did you mean \"jet\"?",
+    );
+    refuses(
+        &event("measure='time'\nvalue=1\nthen=«{switch='jet'}»"),
+        "the key on is missing in then",
+        "write { switch",
+    );
+    refuses(
+        &event("measure='time'\nvalue=1\nthen=«'halt'»"),
+        "then = 'halt' must be one of record, stop",
+        "write then = \"record\"",
+    );
+    refuses(
+        &format!("{BALL}{torque}[[torque]]\nname=«'jet'»\nmodel='constant'\naxes='body'\ntorque=[1,0,0]"),
+        "name = 'jet' must be no other torque's",
+        "events switch torques by their names",
+    );
+    refuses(
+        &format!("{BALL}[[torque]]\non=«false»\nmodel='constant'\naxes='body'\ntorque=[1,0,0]"),
+        "on = false must be true for a torque without a name",
+        "a torque that is off waits",
+    );
+    let off = parse(&format!("{BALL}{}{RUN}", torque.replace("name", "on=false\nname"))).unwrap();
+    assert!(off.findings.iter().any(|finding| finding.code == "torque.off"));
+    assert_eq!(off.switched_off, [0]);
 }

@@ -124,6 +124,7 @@ fn measure(measure: &Measure) -> Value {
         Measure::Nutation => "nutation".into(),
         Measure::Precession => "precession".into(),
         Measure::Spin => "spin".into(),
+        Measure::Formula(_) => "formula".into(),
         _ => Value::Null,
     }
 }

@@ -1,7 +1,8 @@
 //! Torques as reports show them: one description of each model, from which text, JSON and the page are made.
 
 use polhode::{
-    Attracted, ConstantTorque, Drag, DragLaw, MagneticField, Motor, Orbit, Schedule, TorqueModel, Wheel,
+    Attracted, ConstantTorque, Drag, DragLaw, FormulaTorque, MagneticField, Motor, Orbit, Schedule,
+    TorqueModel, Wheel,
 };
 use serde_json::{Map, Value, json};
 
@@ -116,7 +117,10 @@ impl Description {
                 };
                 Self::new(name, title).word("mass", mass).orbit(&gradient.orbit)
             }
-            TorqueModel::Formula(_) => Self::new(name, "a formula"),
+            TorqueModel::Formula(formula) => {
+                let axes = if matches!(**formula, FormulaTorque::Body(_)) { "body" } else { "space" };
+                Self::new(name, format!("given by formulas along {axes} axes")).word("axes", axes)
+            }
             other => Self::new(name, other.name()),
         }
     }

@@ -8,10 +8,11 @@ use super::reader::{Table, Value};
 use super::suggestion::nearest;
 use super::torque::Torques;
 use crate::error::FormatError;
+use crate::expression::formula_of_state;
 use crate::unit::Dimension;
 
 /// What can be measured, as a file names it.
-const MEASURES: [&str; 15] = [
+const MEASURES: [&str; 16] = [
     "time",
     "omega_body_x",
     "omega_body_y",
@@ -27,6 +28,7 @@ const MEASURES: [&str; 15] = [
     "nutation",
     "precession",
     "spin",
+    "formula",
 ];
 
 /// Reads all events; the torques that they switch are found by their names.
@@ -47,6 +49,10 @@ fn event(index: usize, table: &Table<'_>, torques: &Torques) -> Result<Event, Fo
         "angle" => {
             table.allow(&["name", "measure", "between", "value", "direction", "then"])?;
             (angle(table)?, Dimension::ANGLE)
+        }
+        "formula" => {
+            table.allow(&["name", "measure", "formula", "value", "direction", "then"])?;
+            formula(table)?
         }
         _ => {
             table.allow(&["name", "measure", "value", "direction", "then"])?;
@@ -121,6 +127,19 @@ fn angle(table: &Table<'_>) -> Result<Measure, FormatError> {
             return Err(value.invalid(rule).with_hint(format!("write {example}")));
         }
     })
+}
+
+/// `formula = "…"` of the state, and what its value measures.
+fn formula(table: &Table<'_>) -> Result<(Measure, Dimension), FormatError> {
+    let value = table.require("formula", "formula = \"hypot(wx, wy)\"")?;
+    let (formula, dimension) = formula_of_state(value.string()?, None).map_err(|error| {
+        let fail = value.invalid(format!("a formula of the state ({error})"));
+        match error.hint() {
+            Some(hint) => fail.with_hint(hint),
+            None => fail,
+        }
+    })?;
+    Ok((Measure::Formula(formula), dimension))
 }
 
 /// What an angle is measured from.

@@ -10,7 +10,9 @@
 use super::error::MotionError;
 use super::rotor::Rotor;
 use super::state::State;
+use super::state_variables::StateVariables;
 use super::torque::{TorqueModel, total_potential};
+use crate::math::formula::Formula;
 use crate::math::frame::{Body, Space};
 use crate::math::real::{PI, sin_cos};
 use crate::math::vector::{Direction, Vector};
@@ -70,6 +72,9 @@ pub enum Measure {
     Precession,
     /// ψ of the 3-1-3 Euler angles, rad, round and round.
     Spin,
+    /// A formula of the variables of [`StateVariables`](crate::StateVariables). It should be continuous: a jump over the value counts
+    /// as passing it.
+    Formula(Formula),
 }
 
 /// In which direction a value is passed.
@@ -223,6 +228,10 @@ impl Event {
             Measure::Nutation => between(state.attitude.euler313()[1], v),
             Measure::Precession => around(state.attitude.euler313()[0], v),
             Measure::Spin => around(state.attitude.euler313()[2], v),
+            Measure::Formula(formula) => {
+                let value = formula.evaluate(&StateVariables::of(rotor, state));
+                plain(value, value.abs())
+            }
         }
     }
 }
@@ -258,13 +267,14 @@ fn around(angle: f64, v: f64) -> Gap {
 }
 
 impl Measure {
-    /// The unit that its value has.
+    /// The unit that its value has; empty for a formula, which may have any.
     pub const fn unit(&self) -> &'static str {
         match self {
             Self::Time => "s",
             Self::OmegaBody(_) | Self::OmegaSpace(_) | Self::Rate => "rad/s",
             Self::KineticEnergy | Self::TotalEnergy => "J",
             Self::Momentum => "kg·m²/s",
+            Self::Formula(_) => "",
             _ => "rad",
         }
     }

@@ -1,6 +1,6 @@
 //! A `[[torque]]` of model `torsion`.
 
-use polhode::{Attitude, Direction, Torsion, TorqueModel};
+use polhode::{Attitude, Direction, TorqueModel, Torsion};
 
 use super::allow;
 use crate::error::FormatError;

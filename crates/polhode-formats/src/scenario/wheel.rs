@@ -83,7 +83,7 @@ fn motor(table: &Table<'_>, torque: Option<Value<'_>>, inertia: f64) -> Result<M
         let hint = "it is the time of a motor_torque; without one the wheel's speed is held";
         return Err(value.invalid("left out").with_hint(hint));
     };
-    let torque = torque.quantity(Dimension::TORQUE)?;
+    let size = torque.quantity(Dimension::TORQUE)?;
     let time = |value: &Value<'_>| value.quantity(Dimension::TIME);
     let [from, until] = times;
     let first = from.as_ref().map_or(Ok(f64::NEG_INFINITY), time)?;
@@ -93,8 +93,9 @@ fn motor(table: &Table<'_>, torque: Option<Value<'_>>, inertia: f64) -> Result<M
         return Err(value.invalid("later than the start of the motor's work").with_hint(hint));
     }
     let always = from.is_none() && until.is_none();
-    let schedule = (!always).then_some(Schedule::Window { from: first, until: last });
-    Ok(Motor::Torque { inertia, torque, schedule })
+    let window = || Schedule::window(first, last).map_err(|error| torque.motion(error));
+    let schedule = (!always).then(window).transpose()?;
+    Ok(Motor::Torque { inertia, torque: size, schedule })
 }
 
 impl WheelTable<'_> {

@@ -80,7 +80,7 @@ impl Dimension {
     /// What a formula's value measures, with the angle back in rates: `1/s` is an angular velocity.
     pub(crate) const fn with_angle(self) -> Self {
         match self {
-            Self { mass: 0, length: 0, time: -2 | -1, .. } => Self { angle: 1, ..self },
+            Self { mass: 0, length: 0, time: -2 | -1, current: 0, .. } => Self { angle: 1, ..self },
             _ => self.without_angle(),
         }
     }
@@ -96,6 +96,7 @@ impl Dimension {
             length: raised(self.length)?,
             time: raised(self.time)?,
             angle: raised(self.angle)?,
+            current: raised(self.current)?,
         })
     }
 

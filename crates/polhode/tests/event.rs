@@ -367,3 +367,95 @@ fn a_method_says_why_it_is_used() {
     assert_eq!(why(&push, Method::Auto), ("taylor", smooth));
     assert_eq!(why(&push, Method::Dop853), ("dop853", MethodReason::Asked));
 }
+
+/// A torque along body z, by a formula.
+fn formula_torque(z: &[Instruction]) -> TorqueModel {
+    let nothing = || Formula::constant(0.0);
+    let components = [nothing(), nothing(), Formula::new(z.iter().copied()).unwrap()];
+    TorqueModel::Formula(Box::new(FormulaTorque::Body(components)))
+}
+
+fn variable(name: &str) -> Instruction {
+    Instruction::Variable(StateVariables::NAMES.iter().position(|other| *other == name).unwrap())
+}
+
+#[test]
+fn a_motion_that_runs_away_ends_where_it_is_still_right() {
+    // N = k ω²: ω = ω₀/(1 − t/t₁), t₁ = I/(k ω₀), is infinite at t₁.
+    let (k, spin, moment) = (0.7, 0.4, 5.0);
+    let rotor = free_body([2.0, 3.5, moment]);
+    let (w, times) = (variable("wz"), Instruction::Binary(Binary::Multiply));
+    let push = [formula_torque(&[Instruction::Constant(k), w, times, w, times])];
+    let last = moment / (k * spin);
+    for method in METHODS {
+        let sampled = [0.0, 5.0, 15.0, 100.0];
+        let motion = run(Simulation { method, ..simulation(&rotor, &push, [0.0, 0.0, spin], &sampled) });
+        let Ending::Failed { time, cause: MotionError::RunAway { rate, most, .. } } = *motion.ending() else {
+            panic!("{method:?}: {:?}", motion.ending())
+        };
+        assert!(rate > most && time < last && time > last * (1.0 - 1e-7), "{time} {last}");
+        assert_eq!(motion.samples().len(), 4);
+        for sample in &motion.samples()[..3] {
+            let omega = spin / (1.0 - sample.state.time / last);
+            assert!((sample.state.omega.z / omega - 1.0).abs() < 1e-12);
+        }
+    }
+}
+
+#[test]
+fn a_formula_that_is_no_number_ends_the_motion() {
+    // N = √(1 − t) is no number after 1 s.
+    let rotor = free_body([2.0, 3.5, 5.0]);
+    let (subtract, root) = (Instruction::Binary(Binary::Subtract), Instruction::Unary(Unary::Sqrt));
+    let push = [formula_torque(&[Instruction::Constant(1.0), variable("t"), subtract, root])];
+    for method in METHODS {
+        let ends = [0.0, 0.5, 10.0];
+        let motion = run(Simulation { method, ..simulation(&rotor, &push, [0.3, 0.2, 1.0], &ends) });
+        let Ending::Failed { time, .. } = *motion.ending() else { panic!("{:?}", motion.ending()) };
+        assert!(time > 1.0 - 1e-3 && time <= 1.0 + 1e-9, "{method:?}: {time}");
+        let last = motion.samples().last().unwrap();
+        assert_eq!(last.state.time, time);
+        // ∫ √(1 − t) dt = ⅔ (1 − (1 − t)^{3/2})
+        let impulse = 2.0 / 3.0 * (1.0 - (1.0 - time).max(0.0).powf(1.5));
+        let gained = Drift::of(&motion).unwrap();
+        assert!(gained.momentum < 1e-12 && last.work.is_finite() && impulse > 0.6);
+    }
+}
+
+#[test]
+fn what_has_corners_is_integrated_by_dop853() {
+    let rotor = free_body([2.0, 3.5, 5.0]);
+    let push = [body_torque([0.1; 3]), formula_torque(&[variable("wx"), Instruction::Unary(Unary::Abs)])];
+    let ends = [0.0, 1.0];
+    let at = |method| Simulation { method, ..simulation(&rotor, &push, [0.3, 0.2, 1.0], &ends) };
+    let motion = run(at(Method::Auto));
+    let rough = MethodReason::Rough { no_closed_form: "a torque acts on the body", torque: 1, why: "abs" };
+    assert_eq!((motion.solution().name(), *motion.reason()), ("dop853", rough));
+    assert!(rough.to_string().ends_with("torque 2 has abs"));
+    let refused = at(Method::Taylor).run(&mut |_| {}).unwrap_err();
+    assert_eq!(refused, MotionError::NotSmooth { torque: 1, why: "abs" });
+    assert!(!refused.is_numerical());
+}
+
+#[test]
+fn splitting_has_events_too() {
+    let inertia = InertiaTensor::with_negative_products([3.1, 4.2, 5.3], [0.4, -0.3, 0.2]).unwrap();
+    let body = MassProperties::new(2.3, Position::new(0.11, -0.07, 0.23), inertia).unwrap();
+    let rotor = Rotor::pivoted(&body, Position::new(-0.4, 0.9, 0.2));
+    let torques = [TorqueModel::Gravity(UniformGravity::STANDARD), body_torque([0.7, -0.2, 0.4])];
+    let formula = Formula::new([variable("wx"), variable("wy"), Instruction::Binary(Binary::Hypot)]).unwrap();
+    let off = EventAction::Switch { torque: 1, on: false };
+    let events = [
+        event(Measure::Formula(formula), 1.9, Sense::Either, EventAction::Record),
+        event(Measure::Time, 1.2345, Sense::Rising, off),
+    ];
+    let ends = [0.0, 4.0];
+    let splitting = Method::Splitting { order: SplittingOrder::Six, step: 1e-2 };
+    let [a, b] = [Method::Taylor, splitting].map(|method| {
+        run(Simulation { events: &events, method, ..simulation(&rotor, &torques, [1.3, -0.8, 2.1], &ends) })
+    });
+    assert!(a.events().len() > 2);
+    close(&times(&b), &times(&a), 1e-8);
+    let [end, same] = [&a, &b].map(|m| m.samples().last().unwrap().state);
+    assert!(end.attitude.angle_to(same.attitude) < 1e-8);
+}

@@ -70,11 +70,9 @@ impl<'a> Course<'a> {
         while self.stepper.time() < end {
             let ended = self.advance(end);
             progress(self.stepper.time());
-            let ending = match ended {
-                Ok(None) => continue,
-                Ok(Some(event)) => Ending::Stopped { event, time: self.stepper.time() },
-                Err(cause) => Ending::Failed { time: self.stepper.time(), cause },
-            };
+            if ended == Ok(None) {
+                continue;
+            }
             // The end itself is a sample, if it is one of a finite motion.
             let time = self.stepper.time();
             if self.samples.last().is_none_or(|last| last.state.time < time)
@@ -82,7 +80,8 @@ impl<'a> Course<'a> {
             {
                 self.samples.push(last);
             }
-            return Ok((given, ending));
+            let time = self.samples.last().map_or(start.time, |last| last.state.time);
+            return Ok((given, Ending::of(ended, time)));
         }
         Ok((given, Ending::Complete))
     }

@@ -26,6 +26,15 @@ pub enum Ending {
 }
 
 impl Ending {
+    /// At a time: by an event, by a cause, or by neither.
+    pub(crate) fn of(ended: Result<Option<usize>, MotionError>, time: f64) -> Self {
+        match ended {
+            Ok(None) => Self::Complete,
+            Ok(Some(event)) => Self::Stopped { event, time },
+            Err(cause) => Self::Failed { time, cause },
+        }
+    }
+
     /// True unless the computation failed: a motion that an event stopped is all that was asked for.
     pub const fn is_complete(&self) -> bool {
         !matches!(self, Self::Failed { .. })
@@ -53,7 +62,7 @@ pub enum MethodReason {
         no_closed_form: &'static str,
         /// Which of the torques has no series, from 0.
         torque: usize,
-        /// Why not.
+        /// What it has that has none: a function of a formula.
         why: &'static str,
     },
 }
@@ -72,7 +81,7 @@ impl fmt::Display for MethodReason {
             Self::Rough { no_closed_form, torque, why } => {
                 write!(
                     f,
-                    "no closed form, as {no_closed_form}; no power series, as in torque {} {why}",
+                    "no closed form, as {no_closed_form}; no power series, as torque {} has {why}",
                     torque + 1
                 )
             }

@@ -81,7 +81,7 @@ pub enum MotionError {
     NotSmooth {
         /// Which of the torques, from 0.
         torque: usize,
-        /// Why not.
+        /// What it has that has none: a function of a formula.
         why: &'static str,
     },
     /// A torsion spring or wire was twisted by half a turn, beyond which an attitude does not say its twist.
@@ -179,7 +179,11 @@ impl fmt::Display for MotionError {
                 "an event measures the total energy, and a torque has no potential, or is switched",
             ),
             Self::NotSmooth { torque, why } => {
-                write!(f, "Taylor's method needs torques with a power series; in torque {} {why}", torque + 1)
+                write!(
+                    f,
+                    "Taylor's method needs torques with a power series, and torque {} has {why}",
+                    torque + 1
+                )
             }
             Self::HalfTurn { time } => write!(
                 f,

@@ -110,14 +110,14 @@ impl Scenario {
     /// # Errors
     /// [`MotionError`] as [`Simulation::run`].
     pub fn simulate(&self) -> Option<Result<Trajectory, MotionError>> {
-        self.simulate_progressed(&mut |_| {})
+        self.simulate_watched(&mut |_| {})
     }
 
     /// [`Scenario::simulate`], telling `progress` the time (s) that an integration has reached after each step.
     ///
     /// # Errors
     /// [`MotionError`] as [`Simulation::run`].
-    pub fn simulate_progressed(
+    pub fn simulate_watched(
         &self,
         progress: &mut dyn FnMut(f64),
     ) -> Option<Result<Trajectory, MotionError>> {

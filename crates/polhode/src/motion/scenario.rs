@@ -117,10 +117,7 @@ impl Scenario {
     ///
     /// # Errors
     /// [`MotionError`] as [`Simulation::run`].
-    pub fn simulate_watched(
-        &self,
-        progress: &mut dyn FnMut(f64),
-    ) -> Option<Result<Trajectory, MotionError>> {
+    pub fn simulate_watched(&self, progress: &mut dyn FnMut(f64)) -> Option<Result<Trajectory, MotionError>> {
         let run = self.run.as_ref()?;
         let rotor = match self.carrier().with_wheels(&self.wheels) {
             Ok(rotor) => rotor,

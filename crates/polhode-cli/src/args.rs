@@ -9,6 +9,7 @@ use crate::inertia::Inertia;
 use crate::shell::{Completions, Man};
 use crate::simulate::Simulate;
 use crate::spin::Spin;
+use crate::stability::Stability;
 
 /// Rigid-body dynamics: from mass to motion.
 ///
@@ -35,6 +36,7 @@ pub(crate) enum Command {
     Check(Check),
     Simulate(Simulate),
     Spin(Box<Spin>),
+    Stability(Stability),
     Explain(Explain),
     Completions(Completions),
     Man(Man),
@@ -47,6 +49,7 @@ impl Command {
             Self::Check(command) => command.run(),
             Self::Simulate(command) => command.run(),
             Self::Spin(command) => command.run(),
+            Self::Stability(command) => command.run(),
             Self::Explain(command) => command.run(),
             Self::Completions(command) => command.run(Polhode::command()),
             Self::Man(command) => command.run(Polhode::command()),

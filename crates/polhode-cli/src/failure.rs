@@ -15,6 +15,8 @@ pub(crate) enum Failure {
     Input(Vec<FormatError>),
     /// A motion that cannot be computed.
     Motion { path: String, error: MotionError },
+    /// A motion that is written as far as it could be computed.
+    Incomplete { path: String, error: MotionError },
     /// A flag that makes no sense here.
     Usage { message: String, hint: Option<String> },
     /// A result that cannot be written.
@@ -34,6 +36,7 @@ impl Failure {
     pub(crate) fn report(self) -> ExitCode {
         let code = match &self {
             Self::Motion { error, .. } if error.is_numerical() => 3,
+            Self::Incomplete { .. } => 3,
             Self::ClosedPipe => return ExitCode::SUCCESS,
             Self::Findings => return ExitCode::from(1),
             _ => 2,
@@ -48,6 +51,10 @@ impl Failure {
             Self::Input(errors) => errors.iter().map(input).collect::<Vec<_>>().join("\n"),
             Self::Motion { path, error } => {
                 format!("error: {error}\n  --> {path}\n{}", hint(error.hint().map(str::to_owned)))
+            }
+            Self::Incomplete { path, error } => {
+                let kept = "note: what comes before is written, and marked incomplete";
+                format!("error: {error}\n  --> {path}\n{kept}\n{}", hint(error.hint().map(str::to_owned)))
             }
             Self::Usage { message, hint: advice } => format!("error: {message}\n{}", hint(advice.clone())),
             Self::Output { path, error } => format!("error: cannot write {path}: {error}\n"),

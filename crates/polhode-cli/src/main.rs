@@ -15,6 +15,7 @@ mod progress;
 mod shell;
 mod simulate;
 mod spin;
+mod stability;
 mod stdout;
 mod table;
 

@@ -4,7 +4,7 @@ use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use polhode::{Scenario, Trajectory};
+use polhode::{Ending, Scenario, Trajectory};
 use polhode_formats::scenario;
 use polhode_report::{MotionFigures, MotionReport, SourceInfo, pretty};
 
@@ -20,7 +20,8 @@ use crate::table::{self, Format};
 ///
 /// The folder holds summary.json (mass properties, the kind of motion, the error of the numbers, the final state),
 /// trajectory.parquet (one row per sample) and report.html (a page that shows the motion; it needs no network). It appears
-/// complete or not at all.
+/// with all its files or not at all. A motion that cannot be computed to its end is written as far as it is good, and marked
+/// incomplete; the exit status is then 3.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -70,10 +71,18 @@ impl Simulate {
         let written = self.write(&target, &summary, &scenario, &trajectory, &page)?;
         let plotted = plots.publish()?;
         if self.json {
-            return print(summary.as_bytes());
+            print(summary.as_bytes())?;
+        } else {
+            let text = columns().map_or_else(|| report.to_text(), |columns| report.to_screen(columns));
+            print(format!("{text}{written}\n{plotted}").as_bytes())?;
         }
-        let text = columns().map_or_else(|| report.to_text(), |columns| report.to_screen(columns));
-        print(format!("{text}{written}\n{plotted}").as_bytes())
+        // What there is of the motion is written; that it is not all is a failure all the same.
+        match trajectory.ending() {
+            Ending::Failed { cause, .. } => {
+                Err(Failure::Incomplete { path: self.file.display().to_string(), error: cause.clone() })
+            }
+            _ => Ok(()),
+        }
     }
 
     fn trajectory(&self, scenario: &Scenario) -> Result<Trajectory, Failure> {
@@ -100,7 +109,8 @@ impl Simulate {
     ) -> Result<String, Failure> {
         let folder = Folder::create(target, self.force)?;
         folder.file("summary.json", |out| out.write_all(summary.as_bytes()))?;
-        let mut names = table::write(&self.table, trajectory, &metadata(scenario, &self.file), &folder)?;
+        let metadata = metadata(scenario, trajectory, &self.file);
+        let mut names = table::write(&self.table, trajectory, &metadata, &folder)?;
         if !self.no_page {
             names.push(page.write(trajectory, &folder)?);
         }
@@ -110,10 +120,16 @@ impl Simulate {
     }
 }
 
-fn metadata(scenario: &Scenario, file: &Path) -> Vec<(String, String)> {
-    let title = scenario.title.clone().map(|title| ("polhode.title".to_owned(), title));
-    let source = ("polhode.source".to_owned(), file.display().to_string());
-    title.into_iter().chain([source]).collect()
+fn metadata(scenario: &Scenario, trajectory: &Trajectory, file: &Path) -> Vec<(String, String)> {
+    let pair = |key: &str, value: String| (format!("polhode.{key}"), value);
+    let title = scenario.title.clone().map(|title| pair("title", title));
+    let source = pair("source", file.display().to_string());
+    let complete = pair("complete", trajectory.ending().is_complete().to_string());
+    let cause = match trajectory.ending() {
+        Ending::Failed { cause, .. } => Some(pair("cause", cause.to_string())),
+        _ => None,
+    };
+    title.into_iter().chain([source, complete]).chain(cause).collect()
 }
 
 /// The scenario's name, in the current folder.

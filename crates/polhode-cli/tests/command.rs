@@ -7,7 +7,7 @@ use std::fs;
 
 use serde_json::Value;
 
-use common::{Scratch, example, json, number, refused, stdout};
+use common::{Scratch, example, json, number, numbers, refused, stdout};
 
 const BRICK: &str = r#"
 title = "A brick"
@@ -144,27 +144,73 @@ fn a_scenario_without_a_run_is_not_simulated() {
     stdout(&scratch.run(&["explain", "still.toml"]));
 }
 
-#[test]
-fn a_tolerance_out_of_reach_is_a_failure_of_the_computation() {
-    // 1e300 N·m on a brick: ω leaves the range of f64
-    let scratch = Scratch::new("reach");
-    let torque = "[[torque]]\nmodel = \"constant\"\naxes = \"body\"\ntorque = [1e300, 2e300, -1e300]\n[run]";
-    scratch.write("burst.toml", &BRICK.replace("[run]", torque));
-    let text = refused(&scratch.run(&["simulate", "burst.toml"]), 3);
-    assert!(text.contains("t = ") && text.contains("hint: "), "{text}");
-    assert_eq!(scratch.entries(), ["burst.toml"]);
+/// A run that ends too early: exit status 3, and all files, marked.
+#[track_caller]
+fn incomplete(scratch: &Scratch, name: &str, text: &str, cause: &str) -> Value {
+    scratch.write(&format!("{name}.toml"), text);
+    let output = scratch.run(&["simulate", &format!("{name}.toml"), "--table", "csv", "--table", "parquet"]);
+    let error = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(3), "{error}");
+    assert!(error.starts_with("error: ") && error.contains("t = ") && error.contains("hint: "), "{error}");
+    assert!(error.contains(cause) && error.contains("marked incomplete"), "{error}");
+    let screen = String::from_utf8(output.stdout).unwrap();
+    assert!(screen.contains("incomplete, and ends at t = "), "{screen}");
+    let read = |file: &str| fs::read(scratch.0.join(name).join(file)).unwrap();
+    let summary: Value = serde_json::from_slice(&read("summary.json")).unwrap();
+    assert_eq!(summary["complete"], false);
+    assert_eq!(summary["end"]["reason"], "failure");
+    assert!(summary["end"]["cause"].as_str().unwrap().contains(cause));
+    assert!(String::from_utf8_lossy(&read("report.html")).contains("incomplete, and ends at t = "));
+    let holds = |text: &str| read("trajectory.parquet").windows(text.len()).any(|w| w == text.as_bytes());
+    assert!(holds("polhode.complete") && holds("polhode.cause"));
+    let table = String::from_utf8(read("trajectory.csv")).unwrap();
+    let last = table.lines().last().unwrap().split(',').next().unwrap().parse::<f64>().unwrap();
+    assert_eq!(number(&summary["end"]["time_s"]), last);
+    assert!(!table.contains("NaN") && !table.contains("inf"));
+    summary
 }
 
 #[test]
-fn a_run_without_end_is_given_up_at_once() {
-    let scratch = Scratch::new("endless");
-    scratch.write("long.toml", &(BRICK.replace("3 s", "1e15 s") + PUSH));
-    let text = refused(&scratch.run(&["simulate", "long.toml"]), 3);
-    assert!(text.contains("steps") && text.contains("hint: "), "{text}");
+fn what_cannot_go_on_is_written_as_far_as_it_is_good() {
+    let scratch = Scratch::new("reach");
+    // 1e300 N·m on a brick: ω leaves the range of f64
+    let torque = "[[torque]]\nmodel = \"constant\"\naxes = \"body\"\ntorque = [1e300, 2e300, -1e300]\n[run]";
+    incomplete(&scratch, "burst", &BRICK.replace("[run]", torque), "");
+    // more steps than anybody would wait for: given up at once
+    let long = incomplete(&scratch, "long", &(BRICK.replace("3 s", "1e15 s") + PUSH), "steps");
+    assert!(number(&long["end"]["time_s"]) > 0.0);
+    // what is wrong with the input stays a mistake, and writes nothing
+    let before = scratch.entries();
     scratch.write("fast.toml", &BRICK.replace("2.0", "1e200"));
     let text = refused(&scratch.run(&["simulate", "fast.toml"]), 2);
     assert!(text.contains("finite"), "{text}");
-    assert_eq!(scratch.entries(), ["fast.toml", "long.toml"]);
+    assert_eq!(scratch.entries().len(), before.len() + 1);
+    // an explanation of half a motion is none
+    refused(&scratch.run(&["explain", "long.toml"]), 3);
+}
+
+#[test]
+fn a_motion_that_an_event_stops_is_complete() {
+    let scratch = Scratch::new("stop");
+    let event =
+        "[[event]]\nname = \"slow\"\nmeasure = \"omega_body_y\"\nvalue = \"1.5 rad/s\"\nthen = \"stop\"\n";
+    scratch.write("brick.toml", &(BRICK.to_owned() + PUSH + event));
+    let text = stdout(&scratch.run(&["simulate", "brick.toml"]));
+    assert!(text.contains("by the event \"slow\"") && text.contains("events (1)"), "{text}");
+    let summary = fs::read_to_string(scratch.0.join("brick/summary.json")).unwrap();
+    let summary: Value = serde_json::from_str(&summary).unwrap();
+    assert_eq!(summary["complete"], true);
+    assert_eq!(summary["end"]["reason"], "event");
+    assert_eq!(summary["end"]["event"], "slow");
+    let time = number(&summary["end"]["time_s"]);
+    assert!(time > 0.0 && time < 3.0);
+    let happened = &summary["events"][0]["happened"][0];
+    assert_eq!(number(&happened["time_s"]), time);
+    assert!((numbers(&happened["omega_body"])[1] - 1.5).abs() < 1e-14);
+    assert_eq!(number(&summary["final"]["time_s"]), time);
+    assert_eq!(summary["run"]["method_used"], "taylor");
+    let reason = summary["run"]["method_reason"].as_str().unwrap();
+    assert!(reason.contains("a torque acts on the body"), "{reason}");
 }
 
 #[test]

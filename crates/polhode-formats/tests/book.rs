@@ -140,20 +140,33 @@ fn the_book_has_every_key_and_no_other() {
         ("start", "## Rotations", "[start]\nattitude = { zzz = 1 }"),
         ("torque", "### Torque `constant`", "[[torque]]\nmodel = 'constant'\nzzz = 1"),
         ("torque", "### Torque `gravity`", "[[torque]]\nmodel = 'gravity'\nzzz = 1"),
+        ("torque", "### Torque `gravity_gradient`", "[[torque]]\nmodel = 'gravity_gradient'\nzzz = 1"),
+        ("torque", "### Orbit", "[[torque]]\nmodel = 'gravity_gradient'\norbit = { zzz = 1 }"),
+        ("torque", "### Torque `magnetic`", "[[torque]]\nmodel = 'magnetic'\nzzz = 1"),
+        ("event", "## Events", "[run]\nduration = 1\n[[event]]\nmeasure = 'time'\nzzz = 1"),
         ("torque", "### Torque `drag`", "[[torque]]\nmodel = 'drag'\nzzz = 1"),
         ("torque", "### Torque `torsion`", "[[torque]]\nmodel = 'torsion'\nzzz = 1"),
         ("torque", "### Torque `thruster`", "[[torque]]\nmodel = 'thruster'\nzzz = 1"),
+        ("torque", "### Torque `energy_sink`", "[[torque]]\nmodel = 'energy_sink'\nzzz = 1"),
+        ("wheel", "## Wheels", "[[wheel]]\nzzz = 1"),
         ("prescribed", "## Prescribed", "[prescribed]\nzzz = 1"),
         ("pendulum", "## Pendulum", "[pendulum]\nzzz = 1"),
         ("run", "## Run", "[run]\nzzz = 1"),
     ];
     let in_book =
         |heading| rows(section(&page, heading)).iter().flat_map(|row| names(row[0])).collect::<Vec<_>>();
-    let every_torque = in_book("### When a torque acts");
-    for (table, heading, text) in tables {
-        let common = if table == "torque" { every_torque.as_slice() } else { &[] };
-        let own = in_book(heading);
+    let every_torque = [in_book("## Torques"), in_book("### When a torque acts")].concat();
+    for (_, heading, text) in tables {
+        let common = if heading.starts_with("### Torque ") { every_torque.as_slice() } else { &[] };
+        // Two of an event's keys are for one measure each.
+        let mut own = in_book(heading);
+        own.retain(|key| heading != "## Events" || !["between", "formula"].contains(key));
         same(own.iter().chain(common).copied(), known(&format!("{BALL}{text}")), heading);
+    }
+    let events = in_book("## Events");
+    for measure in ["angle", "formula"] {
+        let keys = known(&format!("{BALL}[run]\nduration = 1\n[[event]]\nmeasure = '{measure}'\nzzz = 1"));
+        assert!(keys.iter().all(|key| events.contains(key)) && keys.len() == 6, "{keys:?}");
     }
     let pulses = "[[torque]]\nmodel = 'constant'\naxes = 'body'\ntorque = [1, 0, 0]\npulses = { zzz = 1 }";
     same(in_book("### Pulses"), known(&format!("{BALL}{pulses}")), "### Pulses");
@@ -171,6 +184,14 @@ fn the_book_has_every_key_and_no_other() {
         models.iter().map(String::as_str),
         "models",
     );
+}
+
+#[test]
+fn the_book_has_every_measure() {
+    let page = read("book/scenario.md");
+    let rows = rows(section(&page, "### Measures"));
+    let in_file = choices(&format!("{BALL}[run]\nduration = 1\n[[event]]\nmeasure = 'zzz'"));
+    same(rows.iter().flat_map(|row| names(row[0])), in_file.iter().map(String::as_str), "### Measures");
 }
 
 #[test]
@@ -207,8 +228,14 @@ fn the_book_has_every_name_that_is_a_value() {
     let page = read("book/scenario.md");
     for (heading, text) in [
         ("### Torque `constant`", "[[torque]]\nmodel = 'constant'\naxes = 'zzz'"),
+        (
+            "### Torque `gravity_gradient`",
+            "[[torque]]\nmodel = 'gravity_gradient'\norbit = { radius = 7e6 }\nmass = 'zzz'",
+        ),
         ("### Torque `drag`", "[[torque]]\nmodel = 'drag'\nlaw = 'zzz'"),
         ("## Run", "[run]\nduration = 1\nmethod = 'zzz'"),
+        ("## Events", "[run]\nduration = 1\n[[event]]\nmeasure = 'time'\nvalue = 1\ndirection = 'zzz'"),
+        ("## Events", "[run]\nduration = 1\n[[event]]\nmeasure = 'time'\nvalue = 1\nthen = 'zzz'"),
         ("### Tensor", "[[body.part]]\nshape = 'tensor'\nmass = 1\nmoments = [1, 1, 1]\nabout = 'zzz'"),
         (
             "### Tensor",
@@ -245,6 +272,8 @@ fn the_book_has_every_unit_under_its_dimension() {
         Dimension::FORCE,
         Dimension::TORQUE,
         Dimension::ANGULAR_MOMENTUM,
+        Dimension::CURRENT,
+        Dimension::MAGNETIC_FIELD,
     ];
     let mut in_book = BTreeSet::new();
     for row in rows(section(&page, "### Units")) {

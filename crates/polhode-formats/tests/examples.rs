@@ -191,6 +191,67 @@ fn curtis_tube_precesses_at_the_rate_of_the_book() {
 }
 
 #[test]
+fn the_satellite_librates_about_the_vertical() {
+    let scenario = read("gravity-gradient.toml");
+    let [[ix, ..], [_, iy, _], [.., iz]] = scenario.rotor().inertia().matrix();
+    assert!(iz < 0.1 * ix && (ix / iy - 1.0).abs() < 0.01);
+    let n = 1.106_78e-3;
+    let motion = scenario.simulate().unwrap().unwrap();
+    // Of the boom from the vertical: in the plane, forward, and out of it.
+    let angles = motion.samples().iter().map(|sample| {
+        let boom = sample.state.attitude * Direction::<Body>::new(0.0, 0.0, 1.0);
+        let (sin, cos) = (n * sample.state.time).sin_cos();
+        let [up, forward] = [boom.x * cos + boom.y * sin, boom.y * cos - boom.x * sin];
+        (sample.state.time, forward.atan2(up), boom.z.asin())
+    });
+    let angles: Vec<_> = angles.collect();
+    let most = |f: fn(&(f64, f64, f64)) -> f64| angles.iter().map(f).fold(0.0, f64::max).to_degrees();
+    let (pitch, roll) = (most(|a| a.1.abs()), most(|a| a.2.abs()));
+    eprintln!("pitch {pitch} roll {roll}");
+    assert!((25.0..30.0).contains(&pitch) && (10.0..14.0).contains(&roll), "{pitch} {roll}");
+    // From one passage of the vertical to the next but one.
+    let period = |f: fn(&(f64, f64, f64)) -> f64| {
+        let crossings = angles.windows(2).filter(|w| f(&w[0]) * f(&w[1]) < 0.0);
+        let times: Vec<f64> = crossings
+            .map(|w| {
+                let (a, b) = (f(&w[0]), f(&w[1]));
+                w[0].0 + (w[1].0 - w[0].0) * a / (a - b)
+            })
+            .collect();
+        2.0 * (times[times.len() - 1] - times[0]) / (times.len() - 1) as f64
+    };
+    // Small librations: 3 n² (Ix − Iz)/Iy in the plane, n² + 3 n² (Ix − Iz)/Iy out of it; wide ones are slower, by
+    // 2 K(sin² θ₀)/π.
+    let small = 3.0 * (ix - iz) / iy;
+    let wide = EllipticParameter::new(25_f64.to_radians().sin().powi(2)).unwrap().k() / (PI / 2.0);
+    eprintln!(
+        "{} {} {} {}",
+        period(|a| a.1),
+        2.0 * PI * wide / (n * small.sqrt()),
+        period(|a| a.2),
+        2.0 * PI / (n * (1.0 + small).sqrt())
+    );
+    close(period(|a| a.1) / (2.0 * PI * wide / (n * small.sqrt())), 1.0, 0.02);
+    close(period(|a| a.2) / (2.0 * PI / (n * (1.0 + small).sqrt())), 1.0, 0.05);
+}
+
+#[test]
+fn the_magnet_swings_about_the_field() {
+    let scenario = read("magnet.toml");
+    let moment = scenario.rotor().inertia().matrix()[0][0];
+    let (dip, strength) = (f64::atan2(44.0, 19.0), f64::hypot(44e-6, 19e-6));
+    let small = (4.5 * strength / moment).sqrt();
+    let period = 4.0 * EllipticParameter::new((0.5 * dip).sin().powi(2)).unwrap().k() / small;
+    eprintln!("{small} {period}");
+    let mut whole = scenario.clone();
+    whole.run = Some(Run { times: vec![0.5 * period, period], method: Method::Auto, tolerance: 1e-14 });
+    let motion = whole.simulate().unwrap().unwrap();
+    let [half, end] = [0, 1].map(|k| motion.samples()[k].state.attitude);
+    assert!(end.angle_to(scenario.start.attitude) < 1e-11);
+    close(half.angle_to(scenario.start.attitude), 2.0 * dip, 1e-11);
+}
+
+#[test]
 fn the_thruster_adds_what_its_torque_says() {
     let scenario = read("thruster.toml");
     let moments = scenario.rotor().principal().moments();
@@ -250,4 +311,36 @@ fn thirty_pulses_spin_the_spacecraft_up() {
     // r × F = (0.3, −0.2, 0) N·m for 3 s
     let l = motion.samples().last().unwrap().momentum;
     assert!((0.8..1.1).contains(&l.x.hypot(l.y)) && (l.z - 7.2).abs() < 0.1, "{l:?}");
+}
+
+#[test]
+fn the_minor_axis_spinner_ends_in_a_flat_spin() {
+    let scenario = read("flat-spin.toml");
+    let motion = scenario.simulate().unwrap().unwrap();
+    let (first, last) = (motion.samples()[0], *motion.samples().last().unwrap());
+    // 0.4 rad/s about an axis across, and 96 % of the energy gone: L/5 and 1 − 0.2/5.
+    close(first.state.omega.norm(), 10.0, 1e-7);
+    close(last.state.omega.norm(), 0.4, 1e-6);
+    close(1.0 - last.kinetic_energy / first.kinetic_energy, 0.96, 1e-6);
+    assert!(last.state.omega.x.abs() < 1e-4 && (last.momentum - first.momentum).norm() < 1e-13);
+    // On the way it is the closed form: tan θ = tan θ0 exp(α L² (1/0.2 − 1/5) t).
+    let tangent = |s: &Sample| 5.0 * s.state.omega.y.hypot(s.state.omega.z) / (0.2 * s.state.omega.x);
+    let rate = 0.002 * first.momentum.dot(first.momentum) * (1.0 / 0.2 - 1.0 / 5.0);
+    for sample in motion.samples().iter().take_while(|s| s.state.time < 200.0) {
+        close(tangent(sample) / (tangent(&first) * (rate * sample.state.time).exp()), 1.0, 1e-10);
+    }
+}
+
+#[test]
+fn the_gyrostat_turns_itself() {
+    let scenario = read("gyrostat.toml");
+    let [wheel] = scenario.wheels[..] else { panic!("{:?}", scenario.wheels) };
+    // 15 mN·m for 20 s
+    close(wheel.momentum_at(60.0), 0.3, 1e-15);
+    let motion = scenario.simulate().unwrap().unwrap();
+    let last = motion.samples().last().unwrap();
+    assert!(last.momentum.norm() < 1e-15);
+    // L = 0: I ω = −h
+    let balance = scenario.rotor().angular_momentum(last.state.omega) + scenario.rotor().wheel_momentum(60.0);
+    assert!(balance.norm() < 1e-15 && last.state.omega.z < -0.15, "{last:?}");
 }

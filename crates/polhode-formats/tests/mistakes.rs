@@ -214,19 +214,50 @@ fn names_are_known_ones() {
     assert!(matches!(error.kind(), FormatErrorKind::Value { .. }));
     let steel = parse(&BALL.replace("mass = '0.5 kg'", "material = 'stel'")).unwrap_err();
     assert_eq!(steel.hint().unwrap(), "did you mean \"steel\"?");
-    for method in ["taylor", "splitting"] {
-        refuses(
-            &format!("{BALL}{RUN}method = «'{method}'»"),
-            &format!("method = '{method}' must be another method: {method} is not available yet"),
-            "write method = \"auto\"",
-        );
-    }
+    refuses(
+        &format!("{BALL}{RUN}method = «'euler'»"),
+        "method = 'euler' must be one of auto, exact, taylor, dop853, splitting",
+        "write method = \"auto\"",
+    );
+    refuses(
+        &format!("{BALL}{RUN}method = 'splitting'\nstep = 0.1\norder = «3»"),
+        "order = 3 must be 2, 4 or 6",
+        "halving the step",
+    );
+    refuses(
+        &format!("{BALL}{RUN}method = 'splitting'\nstep = «0»"),
+        "step = 0 must be positive",
+        "time runs",
+    );
     refuses(
         &format!("{BALL}[[torque]]\nmodel = «'dragg'»"),
         "model = 'dragg' must be one of constant, gravity, gravity_gradient, drag, torsion, magnetic, thruster, \
          energy_sink, formula",
         "did you mean \"drag\"?",
     );
+}
+
+#[test]
+fn a_fixed_step_has_no_tolerance_and_a_tolerance_no_step() {
+    refuses(
+        &format!("{BALL}{RUN}method = 'splitting'\nstep = '5 ms'\ntolerance = «1e-9»"),
+        "tolerance = 1e-9 must be left out of a run by splitting",
+        "splitting has steps of one length",
+    );
+    for (key, value) in [("order", "4"), ("step", "'5 ms'")] {
+        refuses(
+            &format!("{BALL}{RUN}method = 'taylor'\n{key} = «{value}»"),
+            &format!("{key} = {value} must be left out without method = \"splitting\""),
+            "other methods choose their steps by the tolerance",
+        );
+        refuses(
+            &format!("{BALL}[prescribed]\naxis=[0,0,1]\nrate=1\n{RUN}{key}=«{value}»"),
+            &format!("{key} = {value} must be left out"),
+            "a prescribed motion is given",
+        );
+    }
+    let error = parse(&format!("{BALL}{RUN}method = 'splitting'")).unwrap_err();
+    assert!(matches!(error.kind(), FormatErrorKind::MissingKey { key: "step", .. }), "{error}");
 }
 
 #[test]
@@ -555,7 +586,7 @@ fn what_others_wrote_does_not_reach_the_terminal() {
         parse(&format!("{BALL}name = '\u{202e}x' # \u{2066}\n{RUN}method = '\u{202e}x' # \t\u{2066}"))
             .unwrap_err();
     let place = error.place().unwrap();
-    assert_eq!(error.message(), "method = '\u{fffd}x' must be one of auto, exact, taylor, dop853");
+    assert_eq!(error.message(), "method = '\u{fffd}x' must be one of auto, exact, taylor, dop853, splitting");
     assert_eq!((place.excerpt.as_str(), &place.marked), ("method = '\u{fffd}x' #  \u{fffd}", &(9..13)));
 
     let long = "x".repeat(500);
@@ -575,6 +606,113 @@ fn a_mesh_is_no_scenario() {
     let named = scenario::parse("not TOML", Path::new("cube.STL")).unwrap_err();
     assert!(named.hint().unwrap().starts_with(hint));
     assert!(!parse("not TOML").unwrap_err().hint().unwrap().starts_with(hint));
+}
+
+#[test]
+fn orbits_are_given_once_and_are_orbits() {
+    let orbit = |text: &str| format!("{BALL}[[torque]]\nmodel='gravity_gradient'\norbit={text}");
+    assert!(parse(&orbit("{rate=0.001}")).is_ok());
+    assert!(parse(&orbit("{position=[7e6,0,0],velocity=[0,'11 km/s',1],mu='4e5 km^3/s^2'}")).is_ok());
+    assert!(parse(&orbit("{semi_major_axis=7e6,true_anomaly=1}")).is_ok());
+    refuses(
+        &format!("{BALL}«[[torque]]»\nmodel='gravity_gradient'"),
+        "the key orbit is missing in [[torque]] of model \"gravity_gradient\"",
+        "write orbit = { radius",
+    );
+    refuses(&orbit("«{}»"), "the key radius is missing in orbit", "write radius = \"6778 km\", or rate");
+    refuses(
+        &orbit("{radius=7e6,rate=«0.001»}"),
+        "radius and rate are both given: an orbit is given once",
+        "leave one of them out",
+    );
+    refuses(
+        &orbit("{radius=7e6,inclination=«1»}"),
+        "radius and inclination are both given: an orbit is given once",
+        "leave one of them out",
+    );
+    refuses(
+        &orbit("{semi_major_axis=7e6,mean_anomaly=1,true_anomaly=«1»}"),
+        "mean_anomaly and true_anomaly are both given: either says where on the orbit",
+        "leave one of them out",
+    );
+    refuses(
+        &orbit("«{position=[7e6,0,0]}»"),
+        "the key velocity is missing in orbit",
+        "write velocity = [0, \"7.6 km/s\", 0]",
+    );
+    refuses(&orbit("{radius=«'-7000 km'»}"), "radius = '-7000 km' must be positive", "radial and motion say");
+    refuses(&orbit("{mu=«0»,radius=7e6}"), "mu = 0 must be positive", "radial and motion say");
+    refuses(
+        &orbit("{mu=«'4e5 km^3'»,radius=7e6}"),
+        "\"km^3\" is a volume where a gravitational parameter belongs",
+        "write a gravitational parameter, such as \"398600.4418 km^3/s^2\"",
+    );
+    refuses(
+        &orbit("«{radius=7e6,radial=[0,2,0]}»"),
+        "the orbit's direction of motion = 0 must be at least 1e-9 rad off the radial direction",
+        "",
+    );
+    refuses(
+        &orbit("«{position=[7e6,0,0],velocity=[1,0,0]}»"),
+        "the orbit's velocity = 0 must be at least 1e-9 rad off the line to the centre",
+        "",
+    );
+    refuses(
+        &orbit("«{semi_major_axis=7e6,eccentricity=1.5}»"),
+        "the orbit's semi-major axis = 7000000 must be finite, positive for an ellipse and negative for a hyperbola",
+        "",
+    );
+    refuses(
+        &format!("{}\nmass=«'points'»", orbit("{radius=7e6}")),
+        "mass = 'points' must be \"tensor\", since not every part of the body is particles",
+        "the sum over points needs",
+    );
+    for (head, line) in [("[body]\npivot=[0,0,1]\n", 6), ("[[torque]]\nmodel='gravity'\npivot=[0,0,1]\n", 7)]
+    {
+        refuses(
+            &format!("{BALL}{head}[[torque]]\nmodel=«'gravity_gradient'»\norbit={{radius=7e6}}"),
+            &format!(
+                "model = 'gravity_gradient' must be left out, since line {line} holds the body at a pivot"
+            ),
+            "a body on an orbit is free",
+        );
+    }
+}
+
+#[test]
+fn a_magnet_has_one_field() {
+    let magnet = |text: &str| format!("{BALL}«[[torque]]»\nmodel='magnetic'\n{text}");
+    refuses(
+        &magnet("field=[0,0,1]"),
+        "the key moment is missing in [[torque]] of model \"magnetic\"",
+        "write moment = [0, 0, \"5 A m^2\"]",
+    );
+    refuses(
+        &magnet("moment=[0,0,1]"),
+        "the key field is missing in [[torque]] of model \"magnetic\"",
+        "write field = [\"20 µT\"",
+    );
+    refuses(
+        &magnet("moment=[0,0,1]\ndipole=[0,0,1]"),
+        "the key orbit is missing in [[torque]] of model \"magnetic\"",
+        "write orbit = {",
+    );
+    let magnet = |text: &str| magnet(text).replace("«[[torque]]»", "[[torque]]");
+    refuses(
+        &magnet("moment=[0,0,1]\nfield=[0,0,1]\ndipole=«[0,0,1]»"),
+        "field and dipole are both given: the field is given once",
+        "leave one of them out",
+    );
+    refuses(
+        &magnet("moment=[0,0,1]\nfield=[0,0,1]\norbit=«{radius=1}»"),
+        "field and orbit are both given: a uniform field is the same everywhere",
+        "leave one of them out",
+    );
+    refuses(
+        &magnet("moment=[0,0,1]\nfield=[0,0,«'3 A m^2'»]"),
+        "\"A m^2\" is a magnetic moment where a magnetic field belongs",
+        "write a magnetic field, such as \"30 µT\"",
+    );
 }
 
 #[test]
@@ -678,4 +816,183 @@ fn coefficients_come_in_every_shape_and_unit() {
         assert_eq!(coefficient("quadratic", text), twice, "{text}");
     }
     assert!((coefficient("linear", "'1 N m s/deg'")[0][0] / 57.295_779_513 - 1.0).abs() < 1e-10);
+}
+
+#[test]
+fn wheels_that_make_no_sense_are_refused() {
+    let wheel = |keys: &str| format!("{BALL}{RUN}[[wheel]]\n{keys}");
+    refuses(
+        &wheel("axis=[0,0,1]\nmomentum=1\n«speeds»=2"),
+        "unknown key \"speeds\" in [[wheel]]",
+        "did you mean speed?",
+    );
+    refuses(
+        &format!("{BALL}{RUN}«[[wheel]]»\naxis=[0,0,1]"),
+        "the key momentum is missing in [[wheel]]",
+        "write momentum = \"4 N m s\", or inertia and speed",
+    );
+    refuses(
+        &format!("{BALL}{RUN}«[[wheel]]»\naxis=[0,0,1]\nspeed='3000 rpm'"),
+        "the key inertia is missing in [[wheel]]",
+        "write inertia",
+    );
+    refuses(
+        &wheel("axis=[0,0,1]\nmomentum=1\nspeed=«2»\ninertia=1"),
+        "momentum and speed are both given: each of them alone says how much angular momentum the wheel starts with",
+        "leave",
+    );
+    refuses(
+        &wheel("axis=[0,0,1]\nmomentum=1\ninertia=«2»"),
+        "inertia = 2 must be left out",
+        "with momentum and without motor_torque, nothing depends on it",
+    );
+    refuses(
+        &wheel("axis=«[0,0,0]»\nmomentum=1"),
+        "the length of the wheel's axis = 0 must be a direction: finite and not zero",
+        "the z axis is [0, 0, 1]",
+    );
+    refuses(
+        &wheel("axis=[0,0,1]\nmomentum=1\nfrom=«'2 s'»"),
+        "from = '2 s' must be left out",
+        "it is the time of a motor_torque",
+    );
+    refuses(
+        &wheel("axis=[0,0,1]\nspeed=1\ninertia=«'-1 kg m^2'»"),
+        "inertia = '-1 kg m^2' must be positive",
+        "it is the wheel's moment of inertia",
+    );
+    refuses(
+        &wheel("axis=[0,0,1]\nspeed=1\ninertia=1e-6\nmotor_torque=1\nfrom=3\nuntil=«2»"),
+        "until = 2 must be later than the start of the motor's work",
+        "a run starts at 0",
+    );
+    // The ball has 0.4 · 0.5 kg · (20 mm)² = 8e-5 kg·m².
+    let error = parse(&wheel("axis=[0,0,1]\nspeed=1\ninertia='1e-4 kg m^2'\nmotor_torque=0")).unwrap_err();
+    assert!(
+        error.message().contains("the wheel's moment of inertia")
+            || error.message().contains("without its wheels")
+    );
+    assert!(error.hint().unwrap().starts_with("the inertia of [body] holds that of the wheels"));
+    assert!(error.place().is_some());
+    for (table, other) in
+        [("prescribed", "[prescribed]\naxis=[0,0,1]\nrate=1"), ("pendulum", "[pendulum]\naxis=[1,0,0]")]
+    {
+        let error = parse(&format!("{BALL}{other}\n[[wheel]]\naxis=[0,0,1]\nmomentum=1")).unwrap_err();
+        assert!(
+            matches!(error.kind(), FormatErrorKind::Conflict { keys, .. } if keys.contains(&table)),
+            "{error}"
+        );
+    }
+    refuses(
+        &format!("{BALL}{RUN}[[torque]]\nmodel='energy_sink'\ncoefficient=«'-2 /(N m s)'»"),
+        "the coefficient of an energy sink = -2 must be positive and finite",
+        "it damps nutation in",
+    );
+    refuses(
+        &format!("{BALL}{RUN}[[torque]]\nmodel='energy_sink'\ncoefficient=«'2 N m s'»"),
+        "\"N m s\" is an angular momentum where a quantity in kg^-1 m^-2 s belongs",
+        "",
+    );
+}
+
+/// L = I ω + h at the start, whichever way a wheel is given, held or turned by a motor.
+#[test]
+fn the_momentum_of_a_start_is_that_with_the_wheels() {
+    let body =
+        "[[body.part]]\nshape='tensor'\nmass=2\ninertia=[[3.1,-0.4,0.3],[-0.4,4.2,-0.2],[0.3,-0.2,5.3]]\n";
+    let start = "[start]\nattitude={axis=[1,2,3],angle='40 deg'}\nspin={momentum=[0.7,-1.2,2.1]}\n";
+    for (keys, speed) in [
+        ("momentum=1.3", None),
+        ("momentum=1.3\ninertia=0.3\nmotor_torque=0.2", None),
+        ("inertia=0.3\nspeed=4.5", None),
+        ("inertia=0.3\nspeed=4.5\nmotor_torque=0.2", Some(4.5)),
+    ] {
+        let scenario = parse(&format!("{body}{start}[[wheel]]\naxis=[0.6,-0.3,0.9]\n{keys}")).unwrap();
+        let rotor = scenario.rotor();
+        let [x, y, z] = rotor.angular_momentum_space(&scenario.start).to_array();
+        assert!((x - 0.7).hypot(y + 1.2).hypot(z - 2.1) < 2e-15, "{keys}: {x} {y} {z}");
+        if let Some(speed) = speed {
+            let wheel = scenario.wheels[0];
+            let relative = wheel.momentum() / 0.3 - wheel.axis().dot(scenario.start.omega);
+            assert!((relative - speed).abs() < 1e-14, "{relative}");
+        }
+    }
+}
+
+#[test]
+fn events_that_cannot_be_are_refused() {
+    let torque = "[[torque]]\nname='jet'\nmodel='constant'\naxes='body'\ntorque=[1,0,0]\n";
+    let event = |keys: &str| format!("{BALL}{torque}{RUN}[[event]]\n{keys}");
+    assert!(parse(&event("measure='time'\nvalue=1\nthen={switch='jet',on=false}")).is_ok());
+    assert!(parse(&event("measure='formula'\nformula='hypot(wx,wy)'\nvalue='3 rpm'")).is_ok());
+    refuses(
+        &event("measure=«'omega_z'»\nvalue=1"),
+        "measure = 'omega_z' must be one of time, omega_body_x, omega_body_y, omega_body_z, omega_space_x, omega_space_y, \
+         omega_space_z, omega, momentum, kinetic_energy, total_energy, angle, nutation, precession, spin, formula",
+        "did you mean \"omega\"?",
+    );
+    refuses(
+        &event("measure='omega'\nvalue=«'3 N m'»"),
+        "\"N m\" is a torque where an angular velocity belongs",
+        "write an angular velocity",
+    );
+    refuses(
+        &event("measure='formula'\nformula='hypot(wx,wy)'\nvalue=«'3 s'»"),
+        "\"s\" is a time where an angular velocity belongs",
+        "write an angular velocity",
+    );
+    refuses(
+        &event("measure='formula'\nformula=«'wx + t'»\nvalue=1"),
+        "formula = 'wx + t' must be a formula of the state (column 4: + joins an angular velocity and a time)",
+        "",
+    );
+    refuses(
+        &event("measure='nutation'\nvalue=«'180 deg'»"),
+        "value = '180 deg' must be above 0 and below 180 deg",
+        "such an angle turns back",
+    );
+    refuses(
+        &event("measure='angle'\nbetween=«[{body=[0,0,1]},{body=[0,1,0]}]»\nvalue=1"),
+        "between = [{body=[0,0,1]},{body=[0,1,0]}] must be a direction of the body, and one of space, or \"omega\", or \
+         \"momentum\"",
+        "write between = [{ body",
+    );
+    refuses(
+        &event("measure='angle'\nbetween=[{body=«[0,0,0]»},\"omega\"]\nvalue=1"),
+        "body = [0,0,0] must be a direction: not all zero",
+        "the z axis is",
+    );
+    refuses(
+        &event("measure='time'\nvalue=1\n«between»=['omega','momentum']"),
+        "unknown key \"between\" in [[event]]",
+        "the keys here are name, measure, value",
+    );
+    refuses(
+        &event("measure='time'\nvalue=1\nthen={switch=«'jett'»,on=false}"),
+        "switch = 'jett' must be the name of a torque",
+        "did you mean \"jet\"?",
+    );
+    refuses(
+        &event("measure='time'\nvalue=1\nthen=«{switch='jet'}»"),
+        "the key on is missing in then",
+        "write { switch",
+    );
+    refuses(
+        &event("measure='time'\nvalue=1\nthen=«'halt'»"),
+        "then = 'halt' must be one of record, stop",
+        "write then = \"record\"",
+    );
+    refuses(
+        &format!("{BALL}{torque}[[torque]]\nname=«'jet'»\nmodel='constant'\naxes='body'\ntorque=[1,0,0]"),
+        "name = 'jet' must be no other torque's",
+        "events switch torques by their names",
+    );
+    refuses(
+        &format!("{BALL}[[torque]]\non=«false»\nmodel='constant'\naxes='body'\ntorque=[1,0,0]"),
+        "on = false must be true for a torque without a name",
+        "a torque that is off waits",
+    );
+    let off = parse(&format!("{BALL}{}{RUN}", torque.replace("name", "on=false\nname"))).unwrap();
+    assert!(off.findings.iter().any(|finding| finding.code == "torque.off"));
+    assert_eq!(off.switched_off, [0]);
 }

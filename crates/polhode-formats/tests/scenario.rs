@@ -160,6 +160,11 @@ fn a_run_samples_evenly_or_at_intervals() {
     assert_eq!(run("duration=1\nevery='250 ms'\nmethod='exact'").times, [0.0, 0.25, 0.5, 0.75, 1.0]);
     assert_eq!(run("duration=1\nevery=0.4").times, [0.0, 0.4, 0.8, 1.0]);
     assert_eq!(run("duration='0.3 s'\nevery='0.1 s'").times.len(), 4);
+    let split = |order, step| Method::Splitting { order, step };
+    let steps = run("duration=1\nmethod='splitting'\nstep='5 ms'");
+    assert_eq!(steps.method, split(SplittingOrder::Four, 0.005));
+    let steps = run("duration=1\nmethod='splitting'\norder=6\nstep=0.25");
+    assert_eq!(steps.method, split(SplittingOrder::Six, 0.25));
     let plain = run("duration=1");
     assert_eq!((plain.times.len(), plain.method, plain.tolerance), (1001, Method::Auto, 1e-13));
 }

@@ -15,6 +15,7 @@
 
 mod block;
 mod error_estimate;
+mod event;
 mod explain;
 mod export;
 mod extra;
@@ -38,7 +39,9 @@ mod sign_proof;
 mod source;
 mod sparkline;
 mod spin;
+mod stability;
 mod symmetric_top;
+mod torque;
 mod unit;
 
 pub use error_estimate::error_estimate;
@@ -56,6 +59,7 @@ pub use plot::{Figure, MotionFigures, Picture, PlotError};
 pub use sign_proof::sign_proof;
 pub use source::SourceInfo;
 pub use spin::{SpinReport, TumblerReport};
+pub use stability::StabilityReport;
 
 /// The version that reports carry.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");

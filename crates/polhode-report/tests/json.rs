@@ -123,6 +123,8 @@ fn the_summary_has_the_same_keys_for_every_motion() {
         "inertia",
         "principal",
         "gyration_radii",
+        "complete",
+        "end",
         "turns_about",
         "start",
         "run",
@@ -134,6 +136,8 @@ fn the_summary_has_the_same_keys_for_every_motion() {
         "heavy_top",
         "final",
         "torques",
+        "wheels",
+        "events",
         "findings",
     ];
     let motion = [

@@ -169,7 +169,7 @@ fn every_scenario_has_a_page_without_a_hole() {
 #[test]
 fn the_geometry_is_that_of_the_motion() {
     let (data, trajectory) = page_of(&common::t_handle());
-    let Solution::Exact(motion) = trajectory.solution() else { panic!("not exact") };
+    let Solution::Exact(ClosedForm::Free(motion)) = trajectory.solution() else { panic!("not exact") };
     let free = &data["free"];
     let l = motion.momentum().norm();
     assert_eq!(number(&free["momentum"]), l);

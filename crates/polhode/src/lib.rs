@@ -90,8 +90,9 @@ pub use body::shape::torus::Torus;
 pub use body::shape::{Extent, Shape, Spread, Substance};
 pub use body::solid::MeasuredSolid;
 
-// math: frames, vectors, rotations
+// math: frames, vectors, rotations, formulas
 pub use math::elliptic::{EllipticError, EllipticParameter, JacobiFunctions};
+pub use math::formula::{Binary, Formula, FormulaError, Instruction, Unary};
 pub use math::frame::{Body, Frame, Part, Principal, Space};
 pub use math::rotation::{Attitude, Rotation, RotationError};
 pub use math::symmetric3::symmetric_eigen;
@@ -102,29 +103,34 @@ pub use math::vector::{
 
 // motion: states in time, and what moves them
 pub use motion::closed_form::ClosedForm;
+pub use motion::ending::{Ending, MethodReason};
 pub use motion::error::MotionError;
-pub use motion::event::{Event, EventAction};
+pub use motion::event::{Crossing, Event, EventAction, Measure, Sense};
 pub use motion::free::{FreeMotion, FreeMotions, PermanentAxis, Regime};
 pub use motion::heavy_top::{HeavyTop, SteadyPrecession, TopPath};
 pub use motion::inverse::{ParticleForce, Required};
 pub use motion::kinematics::{
     KineticEnergySplit, MovingParticle, angular_momentum, momentum, rigid_acceleration, rigid_velocity,
 };
-pub use motion::orbit::Orbit;
+pub use motion::orbit::{Anomaly, MU_EARTH, Orbit, OrbitalElements};
 pub use motion::pendulum::{Pendulum, Swing};
 pub use motion::pendulum_motion::PendulumMotion;
 pub use motion::prescribed::Prescribed;
+pub use motion::propagate::splitting::SplittingOrder;
 pub use motion::propagate::stepper::{LOOSEST_TOLERANCE, StepStatistics, TIGHTEST_TOLERANCE};
 pub use motion::rotor::Rotor;
+pub use motion::sample::Sample;
 pub use motion::scenario::{Hanging, Run, Scenario};
+pub use motion::simulation::Simulation;
+pub use motion::solution::Solution;
 pub use motion::state::State;
-pub use motion::states::states_at;
+pub use motion::state_variables::StateVariables;
 pub use motion::swinging_body::SwingingBody;
 pub use motion::torque::{
     Attracted, ConstantTorque, Drag, DragLaw, EnergySink, FormulaTorque, GravityGradient, Magnetic,
     MagneticField, Schedule, Scheduled, Thruster, TorqueModel, Torsion, UniformGravity,
 };
-pub use motion::trajectory::{Method, Sample, Solution, Trajectory};
+pub use motion::trajectory::{Method, Trajectory};
 pub use motion::wheel::{Motor, Wheel};
 
 // observe: what can be read off a motion
@@ -134,11 +140,14 @@ pub use observe::drift::Drift;
 pub use observe::geometric_phase::GeometricPhase;
 pub use observe::herpolhode::Herpolhode;
 pub use observe::least_energy::LeastEnergySpin;
+pub use observe::libration::Libration;
 pub use observe::momentum_trace::MomentumTrace;
 pub use observe::polhode::Polhode;
 pub use observe::regime::FreeRegime;
 pub use observe::rolling_cones::RollingCones;
 pub use observe::rotational_constants::{RotationalConstants, Top};
+pub use observe::small_oscillations::{OscillationMode, SmallOscillations};
+pub use observe::stability::{PermanentRotation, Stability};
 pub use observe::symmetric_top::{SymmetricTop, SymmetricTopKind};
 pub use observe::tumbler::{TumblerError, TumblingSolution};
 pub use observe::tumbling::{AxisConvention, TumblingPeriods};

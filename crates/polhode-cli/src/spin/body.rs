@@ -33,6 +33,8 @@ impl Subject {
         let path = file.display().to_string();
         let why = if !scenario.torques.is_empty() {
             "a torque acts on the body"
+        } else if !scenario.wheels.is_empty() {
+            "wheels spin in the body"
         } else if scenario.pivot.is_some() {
             "the body is held at a pivot"
         } else if scenario.prescribed.is_some() {

@@ -23,6 +23,7 @@
 //! error that points at its place; nothing is ignored.
 
 mod body;
+mod event;
 mod formula;
 mod molecule;
 mod part;
@@ -37,10 +38,11 @@ mod substance;
 pub(crate) mod suggestion;
 mod tensor;
 mod torque;
+mod wheel;
 
 use std::path::Path;
 
-use polhode::{Finding, Rotor, Scenario, Severity, TorqueModel, Velocity};
+use polhode::{EventAction, Finding, Rotor, Scenario, Severity, TorqueModel, Velocity, Wheel};
 use toml::de::DeTable;
 
 use crate::error::{FormatError, FormatErrorKind, Place};
@@ -118,15 +120,24 @@ pub fn parse(text: &str, path: &Path) -> Result<Scenario, FormatError> {
     root.allow(&TOP)?;
     let exclusive = "a prescribed motion is given, and the torque that it needs is the answer";
     root.at_most_one(&["prescribed", "torque"], exclusive)?;
+    root.at_most_one(
+        &["prescribed", "event"],
+        "a prescribed motion is given, and nothing on its way changes it",
+    )?;
     root.at_most_one(&["prescribed", "pendulum"], "a pendulum swings as gravity moves it")?;
+    let exclusive = "the torque that a prescribed motion needs is that of a body without wheels";
+    root.at_most_one(&["prescribed", "wheel"], exclusive)?;
+    root.at_most_one(&["pendulum", "wheel"], "a pendulum swings as a body without wheels")?;
 
     let mut findings = Vec::new();
     let title = root.get("title").map(|title| title.string().map(str::to_owned)).transpose()?;
     let body::Assembly { parts, body, mut pivot } = body::body(&root, &mut findings)?;
-    let torques = torque::torques(&root, &mut pivot)?;
+    let torques = torque::torques(&root, &parts, &mut pivot)?;
+    let events = event::events(&root, &torques)?;
     let point = pivot.map(|pivot| pivot.point);
     let rotor = point.map_or_else(|| Rotor::free(&body), |point| Rotor::pivoted(&body, point));
-    let start = start::start(&root, &rotor)?;
+    let wheels = wheel::wheels(&root)?;
+    let start = start::start(&root, &wheel::locked(rotor.clone(), &wheels)?)?;
     let prescribed = prescribed::prescribed(&root, &start)?;
     let state = prescribed.map_or(start.state, |motion| motion.at(0.0).0);
     let mut scenario = Scenario {
@@ -136,9 +147,11 @@ pub fn parse(text: &str, path: &Path) -> Result<Scenario, FormatError> {
         start: state,
         velocity: start.velocity.unwrap_or(Velocity::ZERO),
         pivot: point,
-        torques,
-        wheels: Vec::new(),
-        events: Vec::new(),
+        torques: torques.models,
+        torque_names: torques.names,
+        switched_off: torques.switched_off,
+        wheels: wheel::turning(rotor, &wheels, start.state.omega)?,
+        events,
         prescribed,
         hanging: None,
         run: run::run(&root)?,
@@ -147,6 +160,7 @@ pub fn parse(text: &str, path: &Path) -> Result<Scenario, FormatError> {
     pendulum::pendulum(&root, &mut scenario)?;
     scenario.findings.extend(idle_gravity(&scenario));
     scenario.findings.extend(idle_motion(&scenario));
+    scenario.findings.extend(idle_torques(&scenario));
     Ok(scenario)
 }
 
@@ -166,12 +180,30 @@ fn idle_gravity(scenario: &Scenario) -> Option<Finding> {
 
 /// A free body at rest stays so.
 fn idle_motion(scenario: &Scenario) -> Option<Finding> {
-    let still =
-        scenario.start.omega.norm() == 0.0 && scenario.torques.is_empty() && scenario.prescribed.is_none();
+    let still = scenario.start.omega.norm() == 0.0
+        && scenario.torques.is_empty()
+        && scenario.prescribed.is_none()
+        && !scenario.wheels.iter().any(Wheel::is_driven);
     (still && scenario.run.is_some()).then(|| Finding {
         code: "start.rest",
         severity: Severity::Warning,
         message: "the body starts without spin and nothing turns it".to_owned(),
+        place: None,
+    })
+}
+
+/// A torque that is off and that no event switches on does nothing.
+fn idle_torques(scenario: &Scenario) -> Option<Finding> {
+    let is_woken = |k: &usize| {
+        let wakes = EventAction::Switch { torque: *k, on: true };
+        scenario.events.iter().any(|event| event.action() == wakes)
+    };
+    let idle = scenario.switched_off.iter().find(|k| !is_woken(k))?;
+    let name = scenario.torque_names.get(*idle).cloned().flatten().unwrap_or_default();
+    Some(Finding {
+        code: "torque.off",
+        severity: Severity::Warning,
+        message: format!("the torque \"{name}\" is off, and no event switches it on"),
         place: None,
     })
 }

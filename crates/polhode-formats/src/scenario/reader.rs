@@ -49,7 +49,8 @@ impl Source<'_> {
 }
 
 /// The keys of the file itself.
-pub(crate) const TOP: [&str; 7] = ["title", "body", "start", "torque", "prescribed", "pendulum", "run"];
+pub(crate) const TOP: [&str; 9] =
+    ["title", "body", "start", "torque", "wheel", "event", "prescribed", "pendulum", "run"];
 
 /// A table, its place, and what to call it.
 #[derive(Clone, Debug)]
@@ -79,7 +80,7 @@ impl<'a> Table<'a> {
         let suggestion = nearest(&key, known.iter().copied());
         let misplaced = match key.as_str() {
             "title" => Some("title stands above the first table".to_owned()),
-            "torque" => Some("write [[torque]] on a line of its own".to_owned()),
+            "torque" | "wheel" | "event" => Some(format!("write [[{key}]] on a line of its own")),
             key if TOP.contains(&key) => Some(format!("write [{key}] on a line of its own")),
             _ => None,
         };

@@ -1,6 +1,6 @@
 //! The `[run]`: for how long, at which times, and how.
 
-use polhode::{LOOSEST_TOLERANCE, Method, Run, TIGHTEST_TOLERANCE};
+use polhode::{LOOSEST_TOLERANCE, Method, Run, SplittingOrder, TIGHTEST_TOLERANCE};
 
 use super::reader::{Table, Value};
 use crate::error::FormatError;
@@ -17,16 +17,16 @@ const TOLERANCE: f64 = 1e-13;
 pub(crate) fn run(root: &Table<'_>) -> Result<Option<Run>, FormatError> {
     let Some(value) = root.get("run") else { return Ok(None) };
     let table = value.table()?;
-    table.allow(&["duration", "samples", "every", "method", "tolerance"])?;
+    table.allow(&["duration", "samples", "every", "method", "tolerance", "order", "step"])?;
     if root.get("prescribed").is_some()
-        && let Some(value) = table.get("method").or_else(|| table.get("tolerance"))
+        && let Some(value) = ["method", "tolerance", "order", "step"].iter().find_map(|key| table.get(key))
     {
         let hint = "a prescribed motion is given, not computed: nothing depends on it";
         return Err(value.invalid("left out").with_hint(hint));
     }
     let duration = table.require("duration", "duration = \"20 s\"")?.positive(Dimension::TIME)?;
     let given = table.at_most_one(&["samples", "every"], "each of them alone says when to sample")?;
-    let method = table.get("method").map_or(Ok(Method::Auto), |value| method(&value))?;
+    let method = method(&table)?;
     let tolerance = table.get("tolerance").map_or(Ok(TOLERANCE), |value| tolerance(&value))?;
     Ok(Some(match given {
         None => Run::evenly(duration, SAMPLES, method, tolerance),
@@ -62,16 +62,39 @@ fn too_many(value: &Value<'_>) -> FormatError {
     value.invalid(rule).with_hint("all samples are held in memory: sample less often, or run in pieces")
 }
 
-fn method(value: &Value<'_>) -> Result<Method, FormatError> {
-    if let name @ ("taylor" | "splitting") = value.string()? {
-        let hint = "write method = \"auto\" or \"dop853\"";
-        return Err(value.invalid(format!("another method: {name} is not available yet")).with_hint(hint));
+/// The method with what it alone needs: steps of a given length have no tolerance, and only they an order.
+fn method(table: &Table<'_>) -> Result<Method, FormatError> {
+    let named =
+        table.get("method").map(|value| value.choice(&["auto", "exact", "taylor", "dop853", "splitting"]));
+    let name = named.transpose()?.unwrap_or("auto");
+    if name == "splitting" {
+        if let Some(value) = table.get("tolerance") {
+            let hint = "splitting has steps of one length: step = \"10 ms\" says how long";
+            return Err(value.invalid("left out of a run by splitting").with_hint(hint));
+        }
+        let order = table.get("order").map_or(Ok(SplittingOrder::default()), |value| order(&value))?;
+        let step = table.require("step", "step = \"10 ms\"")?.positive(Dimension::TIME)?;
+        return Ok(Method::Splitting { order, step });
     }
-    Ok(match value.choice(&["auto", "exact", "taylor", "dop853"])? {
+    if let Some(value) = table.get("order").or_else(|| table.get("step")) {
+        let hint = "other methods choose their steps by the tolerance: write method = \"splitting\" with it";
+        return Err(value.invalid("left out without method = \"splitting\"").with_hint(hint));
+    }
+    Ok(match name {
         "exact" => Method::Exact,
         "taylor" => Method::Taylor,
         "dop853" => Method::Dop853,
         _ => Method::Auto,
+    })
+}
+
+fn order(value: &Value<'_>) -> Result<SplittingOrder, FormatError> {
+    let number = value.count()?;
+    let order = SplittingOrder::ALL.into_iter().find(|order| u64::from(order.number()) == number);
+    order.ok_or_else(|| {
+        value
+            .invalid("2, 4 or 6")
+            .with_hint("halving the step divides the error by 2 to this power; 4 is the default")
     })
 }
 

@@ -60,12 +60,12 @@ fn spin(value: &Value<'_>, attitude: Attitude, rotor: &Rotor) -> Result<AngularV
         _ => {
             let momentum =
                 AngularMomentum::<Space>::from_array(given.quantities(Dimension::ANGULAR_MOMENTUM)?);
-            of_momentum(&given, attitude.inverse() * momentum, rotor)?
+            of_momentum(&given, attitude.inverse() * momentum - rotor.wheel_momentum(0.0), rotor)?
         }
     })
 }
 
-/// ω = Σ n_k (n_k · L) / i_k over the principal axes about the point that the body turns about.
+/// ω = Σ n_k (n_k · (L − h)) / i_k over the principal axes about the point that the body turns about.
 ///
 /// Along an axis without inertia there can be no L, and ω is taken to be zero.
 fn of_momentum(

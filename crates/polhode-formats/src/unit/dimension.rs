@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-/// The powers of mass, length, time and angle in a quantity.
+/// The powers of mass, length, time, angle and electric current in a quantity.
 ///
 /// The angle is counted although SI calls the radian a one, so that `"30 deg"` is no length and
 /// `"3 N"` no angle. Energy and torque are the same here, as they are in SI.
@@ -18,6 +18,7 @@ pub struct Dimension {
     length: i8,
     time: i8,
     angle: i8,
+    current: i8,
 }
 
 #[allow(missing_docs, reason = "the names are the documentation")]
@@ -39,6 +40,10 @@ impl Dimension {
     pub const ANGULAR_MOMENTUM: Self = Self::new(1, 2, -1, 0);
     pub const TORQUE: Self = Self::new(1, 2, -2, 0);
     pub const FORCE: Self = Self::new(1, 1, -2, 0);
+    pub const GRAVITATIONAL_PARAMETER: Self = Self::new(0, 3, -2, 0);
+    pub const CURRENT: Self = Self::new(0, 0, 0, 0).with_current(1);
+    pub const MAGNETIC_FIELD: Self = Self::new(1, 0, -2, 0).with_current(-1);
+    pub const MAGNETIC_MOMENT: Self = Self::new(0, 2, 0, 0).with_current(1);
     pub const STIFFNESS: Self = Self::new(1, 2, -2, -1);
     pub const DRAG: Self = Self::new(1, 2, -1, -1);
     pub const QUADRATIC_DRAG: Self = Self::new(1, 2, 0, -2);
@@ -47,18 +52,52 @@ impl Dimension {
 impl Dimension {
     /// The dimension kg^mass m^length s^time rad^angle.
     pub const fn new(mass: i8, length: i8, time: i8, angle: i8) -> Self {
-        Self { mass, length, time, angle }
+        Self { mass, length, time, angle, current: 0 }
+    }
+
+    /// The same times A^current.
+    pub const fn with_current(self, current: i8) -> Self {
+        Self { current, ..self }
     }
 
     /// `self` × `other`^power.
-    pub(super) fn times(self, other: Self, power: i8) -> Self {
+    pub(crate) fn times(self, other: Self, power: i8) -> Self {
         let sum = |a: i8, b: i8| a.saturating_add(b.saturating_mul(power));
         Self {
             mass: sum(self.mass, other.mass),
             length: sum(self.length, other.length),
             time: sum(self.time, other.time),
             angle: sum(self.angle, other.angle),
+            current: sum(self.current, other.current),
         }
+    }
+
+    /// The same where angles are plain numbers, as they are in formulas.
+    pub(crate) const fn without_angle(self) -> Self {
+        Self { angle: 0, ..self }
+    }
+
+    /// What a formula's value measures, with the angle back in rates: `1/s` is an angular velocity.
+    pub(crate) const fn with_angle(self) -> Self {
+        match self {
+            Self { mass: 0, length: 0, time: -2 | -1, current: 0, .. } => Self { angle: 1, ..self },
+            _ => self.without_angle(),
+        }
+    }
+
+    /// `self` raised to a power, if the result has whole powers.
+    pub(crate) fn raised(self, power: f64) -> Option<Self> {
+        let raised = |exponent: i8| {
+            let product = f64::from(exponent) * power;
+            (product.fract() == 0.0 && product.abs() < f64::from(i8::MAX)).then_some(product as i8)
+        };
+        Some(Self {
+            mass: raised(self.mass)?,
+            length: raised(self.length)?,
+            time: raised(self.time)?,
+            angle: raised(self.angle)?,
+            current: raised(self.current)?,
+        })
     }
 
     /// Whether a unit that measures `found` may stand where `self` is expected.
@@ -67,7 +106,7 @@ impl Dimension {
     /// τ = I α + ω × L, up to two of them in anything that has both a mass and a rate.
     pub(super) fn accepts(self, found: Self) -> bool {
         let rate = self.mass == 0 && self.length == 0 && self.time < 0 && self.angle == 1;
-        let dynamic = self.mass != 0 && self.time < 0 && self.angle == 0;
+        let dynamic = self.mass != 0 && self.time < 0 && self.angle == 0 && self.current == 0;
         self == Self { angle: self.angle, ..found }
             && (self.angle == found.angle
                 || rate && found.angle == 0
@@ -91,7 +130,7 @@ impl fmt::Display for Dimension {
             return f.write_str(name);
         }
         f.write_str("a quantity in")?;
-        [("kg", self.mass), ("m", self.length), ("s", self.time), ("rad", self.angle)]
+        [("kg", self.mass), ("m", self.length), ("s", self.time), ("rad", self.angle), ("A", self.current)]
             .into_iter()
             .filter(|&(_, power)| power != 0)
             .try_for_each(|(unit, power)| match power {
@@ -102,7 +141,7 @@ impl fmt::Display for Dimension {
 }
 
 /// Dimension, name with its article, example.
-const NAMES: [(Dimension, &str, &str); 20] = [
+const NAMES: [(Dimension, &str, &str); 24] = [
     (Dimension::NONE, "a plain number", "0.5"),
     (Dimension::MASS, "a mass", "12 kg"),
     (Dimension::LENGTH, "a length", "25 mm"),
@@ -120,6 +159,10 @@ const NAMES: [(Dimension, &str, &str); 20] = [
     (Dimension::ANGULAR_MOMENTUM, "an angular momentum", "12 N m s"),
     (Dimension::TORQUE, "a torque", "0.1 N m"),
     (Dimension::FORCE, "a force", "20 N"),
+    (Dimension::GRAVITATIONAL_PARAMETER, "a gravitational parameter", "398600.4418 km^3/s^2"),
+    (Dimension::CURRENT, "an electric current", "0.2 A"),
+    (Dimension::MAGNETIC_FIELD, "a magnetic field", "30 µT"),
+    (Dimension::MAGNETIC_MOMENT, "a magnetic moment", "5 A m^2"),
     (Dimension::STIFFNESS, "a torque per angle", "0.1 N m/rad"),
     (Dimension::DRAG, "a torque per angular velocity", "0.1 N m s/rad"),
     (Dimension::QUADRATIC_DRAG, "a torque per squared angular velocity", "0.1 N m s^2/rad^2"),

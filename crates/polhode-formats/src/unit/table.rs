@@ -3,7 +3,7 @@
 //! SI, prefixes, and the units accepted with it: BIPM, *The International System of Units* (SI
 //! Brochure, 9th ed. 2019), tables 2, 4, 7 and 8. Pound, foot, ounce, slug, standard gravity: NIST
 //! SP 811 (2008), appendix B.8, with the pound of 0.453 592 37 kg and the foot of 0.3048 m, both
-//! exact, and lbf = lb × 9.806 65 m/s² exactly, so slug = lbf s²/ft. Names are case-sensitive.
+//! exact, and lbf = lb × 9.806 65 m/s² exactly, so slug = lbf s²/ft; gauss, 1e-4 T. Names are case-sensitive.
 
 use super::Dimension;
 
@@ -103,6 +103,13 @@ const UNITS: &[(&str, &str, Dimension)] = &[
     ("mJ mNm Nmm", "0.001", Dimension::TORQUE),
     ("Nms", "1", Dimension::ANGULAR_MOMENTUM),
     ("mNms", "0.001", Dimension::ANGULAR_MOMENTUM),
+    ("A", "1", Dimension::CURRENT),
+    ("mA", "0.001", Dimension::CURRENT),
+    ("T", "1", Dimension::MAGNETIC_FIELD),
+    ("mT", "0.001", Dimension::MAGNETIC_FIELD),
+    ("µT uT", "0.000001", Dimension::MAGNETIC_FIELD),
+    ("nT", "0.000000001", Dimension::MAGNETIC_FIELD),
+    ("G", "0.0001", Dimension::MAGNETIC_FIELD), // gauss
 ];
 
 /// Words that are no unit here, in lower case, and the unit they mean.
@@ -127,6 +134,9 @@ const WORDS: &[(&str, &str)] = &[
     ("revolution revolutions", "rev"),
     ("newton newtons", "N"),
     ("joule joules", "J"),
+    ("amp amps ampere amperes", "A"),
+    ("tesla", "T"),
+    ("gauss gs", "G"),
 ];
 
 #[cfg(test)]

@@ -1,9 +1,10 @@
 //! Step 5 with torque, or with the motion given.
 
-use polhode::{Sample, Solution, Symmetry};
+use polhode::{Method, Sample, Solution, Symmetry};
 
 use super::document::Section;
 use super::working::{Working, cells, n, v};
+use crate::event;
 use crate::number::{tidy_beside, ungrouped};
 
 /// The motion is given: there is nothing to solve, but the torque may change along it.
@@ -31,6 +32,10 @@ pub(super) fn integrate(w: &Working<'_>, s: &mut Section) {
         Some(how) => {
             let held = if w.pendulum.is_some() { "With the pivot held, in three dimensions: " } else { "" };
             s.say(format!("{held}ω(t) {how}:"));
+            let ending = w.trajectory.as_deref().and_then(|t| event::ending_in_words(t, w.scenario));
+            if let Some(ending) = ending {
+                s.say(format!("The run is {ending}."));
+            }
             table(&samples, true, s);
             work(&samples, s);
         }
@@ -49,11 +54,14 @@ pub(super) fn how(w: &Working<'_>) -> Option<String> {
         Solution::Exact(_) => "in closed form".to_owned(),
         Solution::Prescribed(_) => "as given".to_owned(),
         Solution::Integrated { method, tolerance, .. } => {
-            format!(
-                "by numerical integration ({}, error of each step below {})",
-                method.title(),
-                ungrouped(*tolerance, 3)
-            )
+            let error = match (method, tolerance) {
+                (Method::Splitting { order, step }, _) => {
+                    format!("order {}, steps of {} s", order.number(), ungrouped(*step, 3))
+                }
+                (_, Some(tolerance)) => format!("error of each step below {}", ungrouped(*tolerance, 3)),
+                (_, None) => String::new(),
+            };
+            format!("by numerical integration ({}, {error})", method.title())
         }
     })
 }

@@ -52,6 +52,8 @@ use working::Working;
 ///     pivot: Some(Position::ZERO),
 ///     torques: Vec::new(),
 ///     wheels: Vec::new(),
+///     torque_names: Vec::new(),
+///     switched_off: Vec::new(),
 ///     events: Vec::new(),
 ///     prescribed: Some(Prescribed::fixed_axis(Attitude::identity(), Direction::new(0.0, 3.0, 4.0), 2.0, 0.0)?),
 ///     hanging: None,

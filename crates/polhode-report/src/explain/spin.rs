@@ -7,6 +7,7 @@ use polhode::{
 use super::document::Section;
 use super::working::{Working, cells, exactly, n, v};
 use crate::number::tidy;
+use crate::torque::Description;
 use crate::unit::{angle, rate};
 
 /// Velocities of more particles than this are left out.
@@ -65,6 +66,9 @@ fn torque(w: &Working<'_>, s: &mut Section) {
         s.line("N  is to be found: step 4");
         return;
     }
+    for wheel in &w.scenario.wheels {
+        s.say(format!("Inside is {}.", Description::of_wheel(wheel).text()));
+    }
     if w.scenario.torques.is_empty() {
         s.say("No torque acts: N = 0, and L is constant in space.");
         return;
@@ -92,7 +96,7 @@ fn torque(w: &Working<'_>, s: &mut Section) {
             TorqueModel::Constant(ConstantTorque::Space(n)) => {
                 s.line(format!("N = {at_start} N·m, from {} N·m constant in space axes", v(n.to_array())));
             }
-            other => s.line(format!("N = {at_start} N·m ({})", other.name())),
+            other => s.line(format!("N = {at_start} N·m: {}", Description::of(other).text())),
         }
     }
     if w.scenario.torques.len() > 1 {

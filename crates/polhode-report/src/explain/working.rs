@@ -3,8 +3,8 @@
 use std::borrow::Cow;
 
 use polhode::{
-    AngularAcceleration, Body, MassProperties, MotionError, MovingParticle, Particle, Pendulum, Position,
-    Required, Rotor, Sample, Scenario, Space, State, Torque, Trajectory, Velocity, rigid_velocity,
+    AngularAcceleration, Body, Ending, MassProperties, MotionError, MovingParticle, Particle, Pendulum,
+    Position, Required, Rotor, Sample, Scenario, Space, State, Torque, Trajectory, Velocity, rigid_velocity,
 };
 
 use crate::number::{alike, number, tidy_beside};
@@ -32,6 +32,10 @@ impl<'a> Working<'a> {
             None | Some(Err(MotionError::NotSpinnable)) => None,
             Some(result) => Some(Cow::Owned(result?)),
         };
+        // Half a solution is none: `explain_motion` is for those who have it already.
+        if let Some(Ending::Failed { cause, .. }) = trajectory.as_deref().map(Trajectory::ending) {
+            return Err(cause.clone());
+        }
         Self::with(scenario, trajectory)
     }
 
@@ -66,9 +70,9 @@ impl<'a> Working<'a> {
         if self.scenario.pivot.is_some() { "the pivot" } else { "the centre of mass" }
     }
 
-    /// True if no torque acts and the motion is not given.
+    /// True if no torque acts, no wheel spins, and the motion is not given.
     pub(super) const fn is_free(&self) -> bool {
-        self.needed.is_none() && self.scenario.torques.is_empty()
+        self.needed.is_none() && self.scenario.torques.is_empty() && self.scenario.wheels.is_empty()
     }
 
     pub(super) fn is_turning(&self) -> bool {

@@ -64,7 +64,7 @@ impl Top {
     fn of(rotor: &Rotor, trajectory: &Trajectory) -> Option<Self> {
         let start = trajectory.samples().first()?.state;
         let motion = match trajectory.solution() {
-            Solution::Exact(motion) => SymmetricTop::of_motion(motion)?,
+            Solution::Exact(ClosedForm::Free(motion)) => SymmetricTop::of_motion(motion)?,
             Solution::Integrated { .. } if FreeRegime::of(rotor, &start).regime == Regime::Symmetric => {
                 SymmetricTop::of(rotor.principal(), start)?
             }

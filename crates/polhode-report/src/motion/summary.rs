@@ -1,8 +1,8 @@
 //! `summary.json`.
 
 use polhode::{
-    ConstantTorque, Drift, FreeMotion, FreeRegime, Method, ParticleForce, Pendulum, Sample, Scenario,
-    Solution, State, Swing, TorqueModel,
+    Drift, FreeMotion, FreeRegime, Method, ParticleForce, Pendulum, Sample, Scenario, Solution, State, Swing,
+    TorqueModel,
 };
 use serde_json::{Map, Value, json};
 
@@ -11,7 +11,8 @@ use super::facts::{Facts, Needed, Top};
 use crate::block::{self, Geometry};
 use crate::json::{numbers, vector};
 use crate::periods::Periods;
-use crate::{VERSION, finding, heavy_top, symmetric_top};
+use crate::torque::Description;
+use crate::{VERSION, event, finding, heavy_top, symmetric_top};
 
 pub(super) fn of(report: &MotionReport<'_>) -> Value {
     let (scenario, samples) = (report.scenario, report.trajectory.samples());
@@ -23,6 +24,8 @@ pub(super) fn of(report: &MotionReport<'_>) -> Value {
     let geometry = Geometry::of_parts(&scenario.parts, scenario.body.mass());
     block::insert(&mut object, &scenario.body, geometry);
     let mut put = |key: &str, value: Value| object.insert(key.to_owned(), value);
+    put("complete", report.trajectory.ending().is_complete().into());
+    put("end", event::ending_json(report.trajectory, scenario));
     put("turns_about", turns_about(scenario, &facts));
     put("start", state(&facts, &facts.start, scenario));
     put("run", run(report));
@@ -33,7 +36,12 @@ pub(super) fn of(report: &MotionReport<'_>) -> Value {
     put("pendulum", facts.hanging.as_ref().map_or(Value::Null, pendulum));
     put("heavy_top", heavy_top::of(scenario, facts.start).as_ref().map_or(Value::Null, heavy_top::to_json));
     put("final", samples.last().map_or(Value::Null, last));
-    put("torques", scenario.torques.iter().map(torque).collect());
+    put("torques", torques(scenario));
+    put(
+        "wheels",
+        scenario.wheels.iter().map(|wheel| Description::of_wheel(wheel).json()).map(Value::Object).collect(),
+    );
+    put("events", event::json(report.trajectory, scenario));
     put("findings", finding::to_json(&scenario.findings));
     Value::Object(object)
 }
@@ -68,7 +76,7 @@ fn run(report: &MotionReport<'_>) -> Value {
     };
     let (tolerance, steps) = match report.trajectory.solution() {
         Solution::Integrated { tolerance, statistics, .. } => (
-            Some(*tolerance),
+            *tolerance,
             json!({
                 "accepted": statistics.accepted,
                 "rejected": statistics.rejected,
@@ -80,6 +88,7 @@ fn run(report: &MotionReport<'_>) -> Value {
     json!({
         "method": report.scenario.run.as_ref().map(|run| run.method).map(Method::name),
         "method_used": report.trajectory.solution().name(),
+        "method_reason": report.trajectory.reason().to_string(),
         "tolerance": tolerance,
         "samples": samples.len(),
         "duration_s": duration,
@@ -97,7 +106,7 @@ fn motion(facts: &Facts) -> Value {
     let periods = periods.map(|motion| Periods::of(&motion));
     json!({
         "regime": free.then(|| regime.name()),
-        "regime_at_start": facts.needed.is_none().then(|| regime.name()),
+        "regime_at_start": (facts.needed.is_none() && facts.rotor.wheels().is_empty()).then(|| regime.name()),
         "period_s": period.filter(|_| free),
         "precession_period_s": periods.and_then(|p| p.precession),
         "rotation_period_s": periods.and_then(|p| p.rotation),
@@ -190,17 +199,13 @@ fn last(sample: &Sample) -> Value {
     })
 }
 
-fn torque(model: &TorqueModel) -> Value {
-    match model {
-        TorqueModel::Constant(ConstantTorque::Body(n)) => {
-            json!({ "model": model.name(), "axes": "body", "torque_n_m": vector(*n) })
-        }
-        TorqueModel::Constant(ConstantTorque::Space(n)) => {
-            json!({ "model": model.name(), "axes": "space", "torque_n_m": vector(*n) })
-        }
-        TorqueModel::Gravity(g) => {
-            json!({ "model": model.name(), "axes": "space", "acceleration_m_s2": vector(g.acceleration) })
-        }
-        _ => json!({ "model": model.name() }),
-    }
+/// Each torque, with its name, and whether it is on at the start.
+fn torques(scenario: &Scenario) -> Value {
+    let one = |(k, model): (usize, &TorqueModel)| {
+        let mut object = Description::of(model).json();
+        object.insert("name".to_owned(), scenario.torque_names.get(k).cloned().flatten().into());
+        object.insert("on".to_owned(), (!scenario.switched_off.contains(&k)).into());
+        Value::Object(object)
+    };
+    scenario.torques.iter().enumerate().map(one).collect()
 }

@@ -1,14 +1,15 @@
 //! The motion on one screen.
 
-use polhode::{ConstantTorque, FreeRegime, Pendulum, Sample, Solution, Swing, TorqueModel};
+use polhode::{FreeRegime, Method, Pendulum, Sample, Scenario, Solution, Swing};
 
 use super::MotionReport;
 use super::facts::{Facts, Needed, Top};
 use crate::layout::{WIDTH, broken, columns, labelled, plain_spaces, printable};
 use crate::number::{count, error, number, tidy, ungrouped, vector};
 use crate::sparkline::Sparkline;
+use crate::torque::Description;
 use crate::unit::{self, CLOSED, DIGITS, cone, rate};
-use crate::{finding, heavy_top, intermediate, omega};
+use crate::{event, finding, heavy_top, intermediate, omega};
 
 /// Forces on more particles than this fill the screen: JSON has them all.
 const MOST_PARTICLES: usize = 8;
@@ -18,6 +19,10 @@ pub(super) fn write(report: &MotionReport<'_>, picture: usize) -> String {
     let facts = Facts::of(report.scenario, report.trajectory);
     let samples = report.trajectory.samples();
     let mut text = heading(report, samples);
+    if let Some(ending) = event::ending_in_words(report.trajectory, report.scenario) {
+        text.push_str(&labelled("end of the run", &ending));
+    }
+    text.push_str(&labelled("method", &report.trajectory.reason().to_string()));
     text.push_str(&regime(&facts));
     if let Some(top) = &facts.top {
         text.push_str(&symmetric_top(top));
@@ -29,19 +34,24 @@ pub(super) fn write(report: &MotionReport<'_>, picture: usize) -> String {
     if let Some(needed) = &facts.needed {
         text.push_str(&torque_needed(needed));
     }
-    for torque in &report.scenario.torques {
-        text.push_str(&labelled("torque", &torque_in_words(torque)));
-    }
+    text.push_str(&what_acts(report.scenario));
+    text.push_str(&event::table(report.trajectory));
     text.push_str(&evidence(report, &facts));
     text.push_str(&curve(&facts, samples, picture));
     text.push_str(&ends(report, &facts));
-    if let Solution::Integrated { tolerance, statistics, .. } = report.trajectory.solution() {
+    if let Solution::Integrated { method, tolerance, statistics } = report.trajectory.solution() {
+        let by = match (method, tolerance) {
+            (Method::Splitting { order, step }, _) => {
+                format!("order {}, {} s each", order.number(), ungrouped(*step, 3))
+            }
+            (_, Some(tolerance)) => format!("tolerance {} a step", ungrouped(*tolerance, 3)),
+            (_, None) => String::new(),
+        };
         let line = format!(
-            "{} kept, {} rejected, {} evaluations, tolerance {} a step",
+            "{} kept, {} rejected, {} evaluations, {by}",
             count(statistics.accepted),
             count(statistics.rejected),
             count(statistics.evaluations),
-            ungrouped(*tolerance, 3),
         );
         text.push_str(&labelled("steps", &line));
     }
@@ -182,19 +192,19 @@ fn force_row(k: usize, f: &polhode::ParticleForce) -> Vec<String> {
     ]
 }
 
-fn torque_in_words(model: &TorqueModel) -> String {
-    match model {
-        TorqueModel::Constant(ConstantTorque::Body(n)) => {
-            format!("constant in body axes, {} N·m", vector(n.to_array(), 6))
-        }
-        TorqueModel::Constant(ConstantTorque::Space(n)) => {
-            format!("constant in space axes, {} N·m", vector(n.to_array(), 6))
-        }
-        TorqueModel::Gravity(g) => {
-            format!("gravity {} m/s² in space axes", vector(g.acceleration.to_array(), 6))
-        }
-        other => other.name().to_owned(),
+/// Torques and wheels.
+fn what_acts(scenario: &Scenario) -> String {
+    let mut text = String::new();
+    for (k, model) in scenario.torques.iter().enumerate() {
+        let name = scenario.torque_names.get(k).cloned().flatten();
+        let name = name.map_or_else(String::new, |name| format!("{}: ", printable(&name)));
+        let off = if scenario.switched_off.contains(&k) { ", off at the start" } else { "" };
+        text.push_str(&labelled("torque", &format!("{name}{}{off}", Description::of(model).text())));
     }
+    for wheel in &scenario.wheels {
+        text.push_str(&labelled("wheel", &Description::of_wheel(wheel).text()));
+    }
+    text
 }
 
 /// How far the balances fail at the worst sample.

@@ -1,8 +1,8 @@
 //! The numbers beside the picture, ready to read.
 
 use polhode::{
-    Cones, Drift, FreeMotion, FreeRegime, GeometricPhase, Herpolhode, LeastEnergySpin, Regime, Scenario,
-    Solution, Swing, SymmetricTop, TorqueModel,
+    Cones, Crossing, Drift, FreeMotion, FreeRegime, GeometricPhase, Herpolhode, LeastEnergySpin, Regime,
+    Scenario, Solution, Swing, SymmetricTop,
 };
 use serde_json::{Value, json};
 
@@ -10,8 +10,10 @@ use super::body::Turning;
 use super::motion::Shown;
 use super::{PageInput, PageSubject};
 use crate::block::Geometry;
+use crate::event;
 use crate::number::{count, error, number, tidy, tidy_matrix, vector};
 use crate::periods::Periods;
+use crate::torque::Description;
 use crate::unit::{self, DIGITS};
 
 /// Between two samples a body that turns by more, rad, may have turned otherwise than the picture shows.
@@ -102,6 +104,7 @@ pub(super) fn json(
         ("Body", scenario.map_or_else(Vec::new, |scenario| body(scenario, turning))),
         ("Inertia", inertia(turning)),
         ("Motion", motion(input, free, shown)),
+        ("Events", events(input)),
         ("Cones", free.and_then(SymmetricTop::of_motion).map_or_else(Vec::new, |top| cones(&top))),
         ("Poinsot's picture", free.map_or_else(Vec::new, picture)),
         ("Pendulum", scenario.map_or_else(Vec::new, pendulum)),
@@ -152,7 +155,7 @@ fn motion(input: &PageInput<'_>, free: Option<&FreeMotion>, shown: &Shown<'_>) -
     let how = match input.trajectory.solution() {
         Solution::Exact(_) => "in closed form",
         Solution::Prescribed(_) => "prescribed",
-        Solution::Integrated { .. } => "integrated by DOP853",
+        Solution::Integrated { method, .. } => &format!("integrated by {}", method.title()),
     };
     let mut rows = Vec::new();
     if let (Some(first), Some(last)) = (shown.samples.first(), shown.samples.last()) {
@@ -167,29 +170,41 @@ fn motion(input: &PageInput<'_>, free: Option<&FreeMotion>, shown: &Shown<'_>) -
     }
     match (free, input.subject) {
         (Some(free), _) => rows.extend(free_motion(free)),
-        (None, PageSubject::Scenario(scenario)) => rows.extend(scenario.torques.iter().map(torque)),
+        (None, PageSubject::Scenario(scenario)) => rows.extend(driven(scenario)),
         _ => {}
     }
     rows
 }
 
-fn torque(model: &TorqueModel) -> Row {
-    let (unit, note) = match model {
-        TorqueModel::Constant(_) => ("N·m", "constant"),
-        TorqueModel::Gravity(_) => ("m/s²", "acceleration of free fall, space axes"),
-        _ => ("", ""),
+/// Torques, wheels, and what happened on the way.
+fn driven(scenario: &Scenario) -> Vec<Row> {
+    let mut rows = Vec::new();
+    let one =
+        |label, description: &Description| Row::new(label, description.text(), "").note(description.model);
+    rows.extend(scenario.torques.iter().map(|model| one("torque", &Description::of(model))));
+    rows.extend(scenario.wheels.iter().map(|wheel| one("wheel", &Description::of_wheel(wheel))));
+    rows
+}
+
+/// How the motion ended, if not at the end of the run, and the first of its events.
+fn events(input: &PageInput<'_>) -> Vec<Row> {
+    /// More would bury the rest.
+    const MOST: usize = 20;
+    let crossings = input.trajectory.events();
+    let row = |crossing: &Crossing| {
+        let sense = if crossing.rising { "rising" } else { "falling" };
+        Row::new("event", number(crossing.state.time, 9), "s").note(format!("{}, {sense}", crossing.name))
     };
-    let value = match model {
-        TorqueModel::Constant(polhode::ConstantTorque::Body(n)) => {
-            vector(n.to_array(), DIGITS) + " in the body"
-        }
-        TorqueModel::Constant(polhode::ConstantTorque::Space(n)) => {
-            vector(n.to_array(), DIGITS) + " in space"
-        }
-        TorqueModel::Gravity(gravity) => vector(gravity.acceleration.to_array(), DIGITS),
-        other => other.name().to_owned(),
-    };
-    Row::new(model.name(), value, unit).note(note)
+    let mut rows: Vec<Row> = crossings.iter().take(MOST).map(row).collect();
+    if crossings.len() > MOST {
+        rows.push(
+            Row::new("events", count(crossings.len() as u64), "").note("in all: summary.json has them"),
+        );
+    }
+    if let PageSubject::Scenario(scenario) = input.subject {
+        rows.extend(event::ending_in_words(input.trajectory, scenario).map(|end| Row::new("end", end, "")));
+    }
+    rows
 }
 
 /// The kind of a free motion, and how long it takes.
@@ -290,7 +305,7 @@ fn evidence(input: &PageInput<'_>, is_free: bool) -> Vec<Row> {
     };
     rows.extend(drift.total_energy.map(|total| row("T + U stays to", total)));
     if let Solution::Integrated { tolerance, statistics, .. } = input.trajectory.solution() {
-        rows.push(Row::new("tolerance", error(*tolerance), "").note("of a step"));
+        rows.extend(tolerance.map(|tolerance| Row::new("tolerance", error(tolerance), "").note("of a step")));
         rows.push(Row::new("steps", count(statistics.accepted), ""));
     }
     rows

@@ -19,11 +19,13 @@ const MOST_PERIODS: f64 = 12.0;
 /// Points of the herpolhode: what is longer is cut off.
 const MOST_POINTS: usize = 4_000;
 
-/// The free motion that is shown; `None` if a torque acts, if the motion is given, or at rest.
+/// The free motion that is shown; `None` if a torque acts or wheels spin, if the motion is given, or at rest.
 pub(super) fn motion(input: &PageInput<'_>) -> Option<FreeMotion> {
     let motion = match (input.trajectory.solution(), input.subject) {
-        (Solution::Exact(motion), _) => **motion,
-        (Solution::Integrated { .. }, PageSubject::Scenario(scenario)) if scenario.torques.is_empty() => {
+        (Solution::Exact(ClosedForm::Free(motion)), _) => **motion,
+        (Solution::Integrated { .. }, PageSubject::Scenario(scenario))
+            if scenario.torques.is_empty() && scenario.wheels.is_empty() =>
+        {
             FreeMotion::of(&scenario.rotor(), input.trajectory.start().state).ok()?
         }
         _ => return None,

@@ -38,7 +38,8 @@ impl<'a> MotionFigures<'a> {
     /// Those of a scenario's motion; `trajectory` is what [`Scenario::simulate`] found.
     pub fn of_scenario(scenario: &Scenario, trajectory: &'a Trajectory) -> Self {
         let rotor = scenario.rotor();
-        let driven = scenario.prescribed.is_some() || !scenario.torques.is_empty();
+        let driven =
+            scenario.prescribed.is_some() || !scenario.torques.is_empty() || !scenario.wheels.is_empty();
         Self {
             title: printable(scenario.title.as_deref().unwrap_or_default()),
             trajectory,

@@ -25,6 +25,8 @@ fn scenario(omega: [f64; 3]) -> Scenario {
         pivot: None,
         torques: Vec::new(),
         wheels: Vec::new(),
+        torque_names: Vec::new(),
+        switched_off: Vec::new(),
         events: Vec::new(),
         prescribed: None,
         hanging: None,

@@ -58,6 +58,8 @@ fn at_rest(title: &str, body: MassProperties<Body>, parts: Vec<BodyPart>) -> Sce
         pivot: None,
         torques: Vec::new(),
         wheels: Vec::new(),
+        torque_names: Vec::new(),
+        switched_off: Vec::new(),
         events: Vec::new(),
         prescribed: None,
         hanging: None,

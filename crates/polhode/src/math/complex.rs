@@ -42,3 +42,22 @@ impl<T: Neg<Output = T>> Complex<T> {
         Self { re: -self.im, im: self.re }
     }
 }
+
+impl Complex<f64> {
+    pub(crate) fn abs(self) -> f64 {
+        libm::hypot(self.re, self.im)
+    }
+
+    /// The quotient, by Smith's method: no square overflows.
+    pub(crate) fn over(self, b: Self) -> Self {
+        if b.re.abs() >= b.im.abs() {
+            let ratio = b.im / b.re;
+            let over = b.re + b.im * ratio;
+            Self { re: (self.re + self.im * ratio) / over, im: (self.im - self.re * ratio) / over }
+        } else {
+            let ratio = b.re / b.im;
+            let over = b.re * ratio + b.im;
+            Self { re: (self.re * ratio + self.im) / over, im: (self.im * ratio - self.re) / over }
+        }
+    }
+}

@@ -2,14 +2,18 @@
 
 pub(crate) mod complex;
 pub(crate) mod double;
+pub(crate) mod eigenvalues;
 pub(crate) mod elementary;
 pub(crate) mod elliptic;
+pub(crate) mod formula;
 pub(crate) mod frame;
+pub(crate) mod kepler;
 pub(crate) mod landen;
 pub(crate) mod lanes;
 pub(crate) mod means;
 pub(crate) mod quaternion;
 pub(crate) mod real;
+pub(crate) mod root;
 pub(crate) mod rotation;
 pub(crate) mod sum;
 pub(crate) mod symmetric3;

@@ -46,6 +46,15 @@ impl ClosedForm {
         }
     }
 
+    /// The state that it starts from.
+    pub fn start(&self) -> State {
+        match self {
+            Self::Free(motion) => motion.start(),
+            Self::HeavyTop(motion) => motion.start(),
+            Self::Swinging(motion) => motion.start(),
+        }
+    }
+
     /// The state at a time, s; any time, before the start too.
     #[must_use]
     pub fn at(&self, time: f64) -> State {

@@ -24,8 +24,22 @@ pub enum MotionError {
         /// When, s.
         time: f64,
     },
+    /// A state is no equilibrium, though one was asked for: the torque there turns the body, or changes on the way.
+    NotSteady {
+        /// What is left of the torque, N·m.
+        torque: f64,
+        /// The sum of the sizes of what should balance, N·m.
+        scale: f64,
+    },
     /// No closed form is known here for this body and start.
     NoClosedForm {
+        /// Why.
+        why: &'static str,
+    },
+    /// A torque that splitting cannot take: it is no function of attitude and time alone.
+    NotSplittable {
+        /// The torque's model.
+        what: &'static str,
         /// Why.
         why: &'static str,
     },
@@ -40,10 +54,35 @@ pub enum MotionError {
     TooManySteps {
         /// The last good time, s.
         time: f64,
-        /// The step that the tolerance needs there, s.
+        /// The step there, s.
         step: f64,
         /// The most steps that are tried.
         most: u64,
+    },
+    /// More events than anybody would read.
+    TooManyEvents {
+        /// The time of the last, s.
+        time: f64,
+        /// The most that are written down.
+        most: usize,
+    },
+    /// The body turns a milliard times faster than its start and the torques of each beginning explain.
+    RunAway {
+        /// The last good time, s.
+        time: f64,
+        /// |ω| there, rad/s.
+        rate: f64,
+        /// The largest |ω| that is believed, rad/s.
+        most: f64,
+    },
+    /// An event measures the total energy, and a torque has no potential.
+    NoPotential,
+    /// Taylor's method was asked for, and a torque has no power series.
+    NotSmooth {
+        /// Which of the torques, from 0.
+        torque: usize,
+        /// What it has that has none: a function of a formula.
+        why: &'static str,
     },
     /// A torsion spring or wire was twisted by half a turn, beyond which an attitude does not say its twist.
     HalfTurn {
@@ -64,6 +103,8 @@ impl MotionError {
             self,
             Self::StepTooSmall { .. }
                 | Self::TooManySteps { .. }
+                | Self::TooManyEvents { .. }
+                | Self::RunAway { .. }
                 | Self::HalfTurn { .. }
                 | Self::NotFinite { .. }
         )
@@ -76,10 +117,20 @@ impl MotionError {
             Self::TorqueWithoutInertia { .. } => {
                 Some("all the mass is on one line: give it a thickness, or a torque across the line")
             }
+            Self::NotSteady { .. } => Some(
+                "start nearer to an equilibrium, at rest or turning about an axis along which all torques stay as they are",
+            ),
             Self::NoClosedForm { .. } => Some("use method = \"auto\" or \"dop853\""),
+            Self::NotSplittable { .. } => Some("use method = \"taylor\" or \"dop853\""),
             Self::StepTooSmall { .. } | Self::TooManySteps { .. } => {
-                Some("loosen the tolerance, or shorten the duration")
+                Some("loosen the tolerance or lengthen the step, or shorten the duration")
             }
+            Self::TooManyEvents { .. } => Some(
+                "an event that switches what it measures may happen without end: give it a direction, or a dead band",
+            ),
+            Self::NoPotential => Some("measure the kinetic energy"),
+            Self::RunAway { .. } => Some("check the sign of the torque: one that grows with ω has no bound"),
+            Self::NotSmooth { .. } => Some("use method = \"auto\" or \"dop853\""),
             Self::HalfTurn { .. } => Some("stop the run before, or start with less energy"),
             Self::NotFinite { .. } => Some("check the units of the torque, the spin and the inertia"),
             Self::Parameter { .. } => None,
@@ -101,15 +152,39 @@ impl fmt::Display for MotionError {
                 f,
                 "at t = {time:e} s a torque of {torque} N·m acts about an axis along which the body has no inertia"
             ),
-            Self::NoClosedForm { why } => write!(f, "there is no closed form of this motion: {why}"),
-            Self::StepTooSmall { time, step } => write!(
+            Self::NotSteady { torque, scale } => write!(
                 f,
-                "at t = {time:e} s the step that the tolerance needs ({step:e} s) is too small to advance the time"
+                "the body does not keep its place: of torques of {scale:e} N·m, {torque:e} N·m is not balanced or does not last"
             ),
+            Self::NoClosedForm { why } => write!(f, "there is no closed form of this motion: {why}"),
+            Self::NotSplittable { what, why } => {
+                write!(f, "splitting cannot take the torque \"{what}\": {why}")
+            }
+            Self::StepTooSmall { time, step } => {
+                write!(f, "at t = {time:e} s the step ({step:e} s) is too small to advance the time")
+            }
             Self::TooManySteps { time, step, most } => write!(
                 f,
-                "at t = {time:e} s the tolerance needs steps of {step:e} s: to the end that is more than {most} steps"
+                "at t = {time:e} s steps are of {step:e} s: to the end that is more than {most} steps"
             ),
+            Self::TooManyEvents { time, most } => {
+                write!(f, "at t = {time:e} s there are already {most} events")
+            }
+            Self::RunAway { time, rate, most } => write!(
+                f,
+                "the motion runs away: at t = {time:e} s the body turns at {rate:e} rad/s, and {most:e} rad/s is 1e9 times what its \
+                 start and the torques where they begin explain"
+            ),
+            Self::NoPotential => f.write_str(
+                "an event measures the total energy, and a torque has no potential, or is switched",
+            ),
+            Self::NotSmooth { torque, why } => {
+                write!(
+                    f,
+                    "Taylor's method needs torques with a power series, and torque {} has {why}",
+                    torque + 1
+                )
+            }
             Self::HalfTurn { time } => write!(
                 f,
                 "after t = {time:e} s the spring or wire is twisted by more than half a turn, and its torque is no longer determined"

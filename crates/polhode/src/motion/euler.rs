@@ -5,7 +5,8 @@ use crate::math::frame::{Body, Principal};
 use crate::math::vector::{AngularAcceleration, AngularVelocity, Torque, Vector};
 
 impl Rotor {
-    /// Euler's equations read from motion to torque, in body axes of any direction: N = I ω̇ + ω × I ω.
+    /// Euler's equations read from motion to torque, in body axes of any direction: N = I ω̇ + ω × I ω. Wheels are not
+    /// counted: theirs is ω × h + ḣ more.
     ///
     /// # Source
     /// The lecture notes, "Euler's equations for a rigid body". Their earlier N = I ω̇ lacks the second term: it holds in axes that do
@@ -18,7 +19,8 @@ impl Rotor {
         *self.inertia() * acceleration + omega.cross(self.angular_momentum(omega))
     }
 
-    /// Euler's equations read from torque to motion: ω̇ = I⁻¹ (N − ω × I ω).
+    /// Euler's equations read from torque to motion: ω̇ = I⁻¹ (N − ω × I ω). Wheels are not counted: theirs is I⁻¹ (h × ω − ḣ)
+    /// more.
     ///
     /// About an axis without inertia (a rod's own) ω̇ = 0: the motion is undetermined there, and this is the choice.
     pub fn acceleration(

@@ -1,9 +1,12 @@
 //! Motion: states in time, and what moves them. This room reads and writes no files.
 //!
 //! `state` and `rotor` say what turns; `euler` how; `torque` what turns it; `free` has the closed forms; `propagate`
-//! integrates everything else; `trajectory` puts the two together; `inverse` goes from motion to torque.
+//! integrates everything else; `event` and `watch` look out on the way; `trajectory` puts these together; `inverse` goes from motion
+//! to torque.
 
 pub(crate) mod closed_form;
+pub(crate) mod course;
+pub(crate) mod ending;
 pub(crate) mod error;
 pub(crate) mod euler;
 pub(crate) mod event;
@@ -17,10 +20,14 @@ pub(crate) mod pendulum_motion;
 pub(crate) mod prescribed;
 pub(crate) mod propagate;
 pub(crate) mod rotor;
+pub(crate) mod sample;
 pub(crate) mod scenario;
+pub(crate) mod simulation;
+pub(crate) mod solution;
 pub(crate) mod state;
-pub(crate) mod states;
+pub(crate) mod state_variables;
 pub(crate) mod swinging_body;
 pub(crate) mod torque;
 pub(crate) mod trajectory;
+pub(crate) mod watch;
 pub(crate) mod wheel;

@@ -34,6 +34,9 @@ pub struct Rotor {
     wheels: Vec<Wheel>,
 }
 
+/// What rounding leaves of a moment that the wheels take away, relative to the greatest.
+const MASSLESS: f64 = 1e-13;
+
 impl Rotor {
     /// A free body, which turns about its centre of mass.
     pub fn free(body: &MassProperties<Body>) -> Self {
@@ -64,11 +67,11 @@ impl Rotor {
     /// I = I_body − Σ J a aᵀ, and L = I ω + Σ h a.
     ///
     /// # Errors
-    /// [`MotionError::Parameter`] if a wheel has more inertia than the body.
+    /// [`MotionError::Parameter`] if a wheel has more inertia than the body, or as much, so that the carrier has none about some axis.
     pub fn with_wheels(mut self, wheels: &[Wheel]) -> Result<Self, MotionError> {
         for wheel in wheels {
-            if let Motor::Torque { inertia: value, .. } = wheel.motor {
-                let axial = Symmetric3::outer(wheel.axis.to_array()) * value;
+            if let Motor::Torque { inertia: value, .. } = wheel.motor() {
+                let axial = Symmetric3::outer(wheel.axis().to_array()) * value;
                 let rest = *self.inertia.symmetric() - axial;
                 let what = "the wheel's moment of inertia";
                 let rule = "small enough for the rest of the body to be possible";
@@ -77,6 +80,12 @@ impl Rotor {
             }
         }
         self.principal = PrincipalFrame::about(&self.inertia);
+        let [least, _, greatest] = self.principal.moments();
+        if !wheels.is_empty() && !(least > MASSLESS * greatest) {
+            let what = "the least moment of inertia of a body without its wheels";
+            let rule = "above zero: a wheel turns the body, and a rod has nothing to balance it with";
+            return Err(MotionError::Parameter { what, value: least, rule });
+        }
         self.wheels = wheels.to_vec();
         Ok(self)
     }
@@ -88,13 +97,13 @@ impl Rotor {
 
     /// Σ h a: the angular momentum of the wheels at a time, body axes, kg·m²/s.
     pub fn wheel_momentum(&self, time: f64) -> AngularMomentum<Body> {
-        let along = |wheel: &Wheel| wheel.axis.as_quantity() * wheel.momentum_at(time);
+        let along = |wheel: &Wheel| wheel.axis().as_quantity() * wheel.momentum_at(time);
         self.wheels.iter().fold(AngularMomentum::ZERO, |sum, wheel| sum + along(wheel))
     }
 
     /// The torque of the motors on the wheels just after a time, body axes, N·m; that on the carrier is the opposite.
     pub fn motor_torque(&self, time: f64) -> Torque<Body> {
-        let along = |wheel: &Wheel| wheel.axis.as_quantity() * wheel.torque_at(time);
+        let along = |wheel: &Wheel| wheel.axis().as_quantity() * wheel.torque_at(time);
         self.wheels.iter().fold(Torque::ZERO, |sum, wheel| sum + along(wheel))
     }
 

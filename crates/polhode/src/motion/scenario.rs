@@ -5,6 +5,7 @@ use super::event::Event;
 use super::pendulum::Pendulum;
 use super::prescribed::Prescribed;
 use super::rotor::Rotor;
+use super::simulation::Simulation;
 use super::state::State;
 use super::torque::TorqueModel;
 use super::trajectory::{Method, Trajectory};
@@ -33,6 +34,10 @@ pub struct Scenario {
     pub pivot: Option<Position<Body>>,
     /// What turns it.
     pub torques: Vec<TorqueModel>,
+    /// The names of the torques, of those that have one.
+    pub torque_names: Vec<Option<String>>,
+    /// Which of the torques, from 0, act only once an event has switched them on.
+    pub switched_off: Vec<usize>,
     /// What spins inside it.
     pub wheels: Vec<Wheel>,
     /// What to look out for on the way.
@@ -103,33 +108,35 @@ impl Scenario {
     /// The motion at the times of the run; `None` without a run.
     ///
     /// # Errors
-    /// [`MotionError`] as [`Trajectory::compute`].
+    /// [`MotionError`] as [`Simulation::run`].
     pub fn simulate(&self) -> Option<Result<Trajectory, MotionError>> {
         self.simulate_watched(&mut |_| {})
     }
 
-    /// [`Scenario::simulate`], telling `watch` the time (s) that an integration has reached after each step.
+    /// [`Scenario::simulate`], telling `progress` the time (s) that an integration has reached after each step.
     ///
     /// # Errors
-    /// [`MotionError`] as [`Trajectory::compute`].
-    pub fn simulate_watched(&self, watch: &mut dyn FnMut(f64)) -> Option<Result<Trajectory, MotionError>> {
+    /// [`MotionError`] as [`Simulation::run`].
+    pub fn simulate_watched(&self, progress: &mut dyn FnMut(f64)) -> Option<Result<Trajectory, MotionError>> {
         let run = self.run.as_ref()?;
         let rotor = match self.carrier().with_wheels(&self.wheels) {
             Ok(rotor) => rotor,
             Err(error) => return Some(Err(error)),
         };
-        Some(match &self.prescribed {
-            Some(motion) => Trajectory::prescribed(&rotor, motion, &run.times),
-            None => Trajectory::compute_watched(
-                &rotor,
-                &self.torques,
-                self.start,
-                &run.times,
-                run.method,
-                run.tolerance,
-                watch,
-            ),
-        })
+        if let Some(motion) = &self.prescribed {
+            return Some(Trajectory::prescribed(&rotor, motion, &run.times));
+        }
+        let simulation = Simulation {
+            rotor: &rotor,
+            torques: &self.torques,
+            switched_off: &self.switched_off,
+            start: self.start,
+            events: &self.events,
+            times: &run.times,
+            method: run.method,
+            tolerance: run.tolerance,
+        };
+        Some(simulation.run(progress))
     }
 
     /// The pendulum that hangs from the scenario's axis under its gravity; `None` without an axis or without gravity.

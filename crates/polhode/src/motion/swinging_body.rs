@@ -99,6 +99,11 @@ impl SwingingBody {
         Self { start, axis: n, motion: PendulumMotion::of_half_angle(frequency, half, rate), half }
     }
 
+    /// The state that it starts from.
+    pub const fn start(&self) -> State {
+        self.start
+    }
+
     /// The state at a time, s; any time, before the start too. One that is not finite counts as the start.
     #[must_use]
     pub fn at(&self, time: f64) -> State {

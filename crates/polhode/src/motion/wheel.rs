@@ -1,20 +1,40 @@
 //! Momentum wheels: what spins inside a body.
 
 use crate::math::frame::Body;
-use crate::math::vector::Direction;
+use crate::math::vector::{AngularVelocity, Direction};
 use crate::motion::error::MotionError;
 use crate::motion::torque::Schedule;
 
-/// A wheel whose axis is fixed in the body. The body's inertia holds the wheel's as if it were locked.
+/// A wheel whose axis a is fixed in the body: with wheels the body is a *gyrostat*. The body's inertia holds the wheel's as if it
+/// were locked.
+///
+/// The wheel is symmetric about its axis, so that it turns without changing the body's inertia, and all that matters of it is h,
+/// its angular momentum along a. With L = I ω + Σ h a and the torque N from outside
+///
+/// I ω̇ = L × ω + N − Σ ḣ a
+///
+/// Where a motor turns the wheel, or nothing does, I is without what the wheel has about its own axis ([`crate::Rotor::with_wheels`]).
+///
+/// ```
+/// use polhode::*;
+/// let inertia = InertiaTensor::diagonal([4.0, 5.0, 7.0])?;
+/// let body = Rotor::free(&MassProperties::new(10.0, Position::ZERO, inertia)?);
+/// // A motor spins a wheel up from rest for 2 s: L stays zero, and the carrier turns at −h/I the other way.
+/// let motor = Motor::Torque { inertia: 1.0, torque: 0.3, schedule: None };
+/// let body = body.with_wheels(&[Wheel::new(Direction::new(0.0, 0.0, 1.0), 0.0, motor)?])?;
+/// let start = State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::ZERO };
+/// let motion = Trajectory::compute(&body, &[], start, &[2.0], Method::Auto, 1e-13)?;
+/// assert!((motion.samples()[0].state.omega.z - -0.6 / 6.0).abs() < 1e-15);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Source
+/// Wittenburg, Dynamics of Multibody Systems (2nd ed., 2008), on gyrostats.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
 pub struct Wheel {
-    /// Its axis, a unit vector.
-    pub axis: Direction<Body>,
-    /// Its angular momentum along the axis at t = 0, kg·m²/s: relative to the body if its speed is held, else relative to space.
-    pub momentum: f64,
-    /// What its motor does.
-    pub motor: Motor,
+    axis: Direction<Body>,
+    momentum: f64,
+    motor: Motor,
 }
 
 /// What the motor of a wheel does.
@@ -35,7 +55,8 @@ pub enum Motor {
 }
 
 impl Wheel {
-    /// A wheel.
+    /// A wheel with this angular momentum along its axis at t = 0, kg·m²/s: that relative to the body, J Ω, if the motor holds its
+    /// speed; else that relative to space, J (a·ω + Ω).
     ///
     /// # Errors
     /// [`MotionError::Parameter`] if the axis has no direction, a number is not finite, or an inertia not positive.
@@ -57,6 +78,45 @@ impl Wheel {
             }
         }
         Ok(Self { axis, momentum, motor })
+    }
+
+    /// A wheel that turns freely or by its motor, which starts at `speed` relative to the body, whose ω at t = 0 is given:
+    /// h = J (a·ω + Ω).
+    ///
+    /// # Errors
+    /// As [`Wheel::new`].
+    pub fn turning(
+        axis: Direction<Body>,
+        speed: f64,
+        motor: Motor,
+        omega: AngularVelocity<Body>,
+    ) -> Result<Self, MotionError> {
+        let wheel = Self::new(axis, 0.0, motor)?;
+        let inertia = match motor {
+            Motor::HeldSpeed => 0.0,
+            Motor::Torque { inertia, .. } => inertia,
+        };
+        Self::new(axis, inertia * (wheel.axis.dot(omega) + speed), motor)
+    }
+
+    /// Its axis, a unit vector.
+    pub const fn axis(&self) -> Direction<Body> {
+        self.axis
+    }
+
+    /// Its angular momentum along the axis at t = 0, kg·m²/s: relative to the body if its speed is held, else relative to space.
+    pub const fn momentum(&self) -> f64 {
+        self.momentum
+    }
+
+    /// What its motor does.
+    pub const fn motor(&self) -> Motor {
+        self.motor
+    }
+
+    /// True if its motor turns it at some time, and so does work on the body.
+    pub fn is_driven(&self) -> bool {
+        matches!(self.motor, Motor::Torque { torque, .. } if torque != 0.0)
     }
 
     /// Its angular momentum along the axis at a time, kg·m²/s.

@@ -1,7 +1,9 @@
 //! The evidence of a run's own error.
 
 use crate::math::sum::Sum;
-use crate::motion::trajectory::{Sample, Solution, Trajectory};
+use crate::motion::sample::Sample;
+use crate::motion::solution::Solution;
+use crate::motion::trajectory::Trajectory;
 
 /// How far a computed motion departs from the balances that the true one keeps, at its worst sample.
 ///

@@ -1,13 +1,21 @@
-//! A `[[torque]]` of model `energy_sink`.
+//! A `[[torque]]` of model `energy_sink`: what the inside of the body loses.
 
-use polhode::TorqueModel;
+use polhode::{EnergySink, TorqueModel};
 
 use super::allow;
 use crate::error::FormatError;
 use crate::scenario::reader::Table;
+use crate::unit::Dimension;
 
-/// Not readable yet.
+/// 1/(N·m·s)
+const PER_ANGULAR_MOMENTUM: Dimension = Dimension::new(-1, -2, 1, 0);
+
+/// `coefficient`
 pub(super) fn energy_sink(table: &Table<'_>) -> Result<TorqueModel, FormatError> {
-    allow(table, &[])?;
-    Err(table.missing("model", "another model"))
+    allow(table, &["coefficient"])?;
+    let value = table.require("coefficient", "coefficient = \"0.002 /(N m s)\"")?;
+    let hint =
+        "it damps nutation in 1/(coefficient L^2 (1/i1 - 1/i3)) seconds; without loss, leave the torque out";
+    let sink = EnergySink::new(value.quantity(PER_ANGULAR_MOMENTUM)?);
+    sink.map(TorqueModel::EnergySink).map_err(|e| value.motion(e).with_hint(hint))
 }

@@ -1,13 +1,38 @@
 //! A `[[torque]]` of model `gravity_gradient`.
 
-use polhode::TorqueModel;
+use polhode::{Attracted, BodyPart, GravityGradient, TorqueModel};
 
 use super::allow;
+use super::orbit::{self, orbit};
 use crate::error::FormatError;
+use crate::scenario::body::Pivot;
 use crate::scenario::reader::Table;
 
-/// Not readable yet.
-pub(super) fn gravity_gradient(table: &Table<'_>) -> Result<TorqueModel, FormatError> {
-    allow(table, &[])?;
-    Err(table.missing("model", "another model"))
+/// `orbit = { … }`; `mass = "tensor" | "points"`, the latter for a body that is all particles.
+pub(super) fn gravity_gradient(table: &Table<'_>, parts: &[BodyPart]) -> Result<TorqueModel, FormatError> {
+    allow(table, &["orbit", "mass"])?;
+    let orbit = orbit(&table.require("orbit", orbit::EXAMPLE)?)?;
+    let attracted = match table.get("mass") {
+        Some(mass) if mass.choice(&["tensor", "points"])? == "points" => {
+            if parts.iter().any(|part| part.particles.is_empty()) {
+                let rule = "\"tensor\", since not every part of the body is particles";
+                return Err(mass.invalid(rule).with_hint("the sum over points needs shape = \"particles\""));
+            }
+            Attracted::Points(parts.iter().flat_map(|part| part.particles.iter().copied()).collect())
+        }
+        _ => Attracted::Tensor,
+    };
+    Ok(TorqueModel::GravityGradient(Box::new(GravityGradient { orbit, attracted })))
+}
+
+/// Refuses it beside a pivot, wherever that is given: it acts on what falls freely along an orbit.
+pub(super) fn refuse_pivot(table: &Table<'_>, pivot: &Pivot<'_>) -> Result<(), FormatError> {
+    match table.get("model") {
+        Some(model) if model.string()? == "gravity_gradient" => {
+            let line = pivot.value.place().line;
+            let rule = format!("left out, since line {line} holds the body at a pivot");
+            Err(model.invalid(rule).with_hint("a body on an orbit is free: leave out the pivot"))
+        }
+        _ => Ok(()),
+    }
 }

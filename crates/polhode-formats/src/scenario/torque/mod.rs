@@ -7,11 +7,12 @@ mod formula;
 mod gravity;
 mod gravity_gradient;
 mod magnetic;
+mod orbit;
 mod schedule;
 mod thruster;
 mod torsion;
 
-use polhode::TorqueModel;
+use polhode::{BodyPart, TorqueModel};
 
 use super::body::Pivot;
 use super::reader::Table;
@@ -30,38 +31,84 @@ const MODELS: [&str; 9] = [
     "formula",
 ];
 
-/// Reads all torques; gravity may bring the pivot with it, or repeat it.
+/// All torques of a file.
+#[derive(Debug, Default)]
+pub(crate) struct Torques {
+    pub(crate) models: Vec<TorqueModel>,
+    /// The name of each that has one.
+    pub(crate) names: Vec<Option<String>>,
+    /// Those that wait for an event to switch them on.
+    pub(crate) switched_off: Vec<usize>,
+}
+
+/// The keys that every torque may have, beside those of its schedule.
+const KEYS: [&str; 3] = ["model", "name", "on"];
+
+/// Reads all torques on a body of these parts; gravity may bring the pivot with it, or repeat it.
 pub(crate) fn torques<'a>(
     root: &Table<'a>,
+    parts: &[BodyPart],
     pivot: &mut Option<Pivot<'a>>,
-) -> Result<Vec<TorqueModel>, FormatError> {
-    let Some(list) = root.get("torque") else { return Ok(Vec::new()) };
-    let mut models = Vec::new();
+) -> Result<Torques, FormatError> {
+    let mut torques = Torques::default();
+    let Some(list) = root.get("torque") else { return Ok(torques) };
     for table in list.tables("torque")? {
         let name = table.require("model", "model = \"gravity\"")?.choice(&MODELS)?;
         let table = table.called(format!("[[torque]] of model \"{name}\""));
         let model = match name {
             "constant" => constant::constant(&table)?,
-            "gravity_gradient" => gravity_gradient::gravity_gradient(&table)?,
+            "gravity_gradient" => gravity_gradient::gravity_gradient(&table, parts)?,
             "drag" => drag::drag(&table)?,
             "torsion" => torsion::torsion(&table)?,
             "magnetic" => magnetic::magnetic(&table)?,
             "thruster" => thruster::thruster(&table)?,
             "energy_sink" => energy_sink::energy_sink(&table)?,
             "formula" => formula::formula(&table)?,
-            _ if models.iter().any(|model| matches!(model, TorqueModel::Gravity(_))) => {
+            _ if torques.models.iter().any(|model| matches!(model, TorqueModel::Gravity(_))) => {
                 let rule = "given once for gravity";
                 return Err(table.require("model", "")?.invalid(rule).with_hint("add the accelerations"));
             }
             _ => gravity::gravity(&table, pivot)?,
         };
-        models.push(schedule::scheduled(&table, model)?);
+        let model = schedule::scheduled(&table, model)?;
+        torques.put(&table, model)?;
     }
-    Ok(models)
+    if let Some(pivot) = pivot {
+        list.tables("torque")?.iter().try_for_each(|table| gravity_gradient::refuse_pivot(table, pivot))?;
+    }
+    Ok(torques)
+}
+
+impl Torques {
+    /// Adds one, with its `name`, and whether it is `on` from the start.
+    fn put(&mut self, table: &Table<'_>, model: TorqueModel) -> Result<(), FormatError> {
+        let name = match table.get("name") {
+            None => None,
+            Some(value) => match value.string()? {
+                name if self.names.iter().any(|other| other.as_deref() == Some(name)) => {
+                    let hint = "events switch torques by their names: give each its own";
+                    return Err(value.invalid("no other torque's").with_hint(hint));
+                }
+                name => Some(name.to_owned()),
+            },
+        };
+        if let Some(on) = table.get("on")
+            && !on.boolean()?
+        {
+            if name.is_none() {
+                let hint = "a torque that is off waits for an event that switches it on: give it a name";
+                return Err(on.invalid("true for a torque without a name").with_hint(hint));
+            }
+            self.switched_off.push(self.models.len());
+        }
+        self.names.push(name);
+        self.models.push(model);
+        Ok(())
+    }
 }
 
 /// Refuses keys that are neither a model's own nor every torque's.
 fn allow(table: &Table<'_>, own: &[&'static str]) -> Result<(), FormatError> {
-    let keys: Vec<&'static str> = ["model"].iter().chain(own).chain(&schedule::KEYS).copied().collect();
+    let keys: Vec<&'static str> = KEYS.iter().chain(own).chain(&schedule::KEYS).copied().collect();
     table.allow(&keys)
 }

@@ -80,8 +80,12 @@ impl FreeMotion {
     /// The motion that starts from a state with no torque.
     ///
     /// # Errors
-    /// [`MotionError::NotSpinnable`] for a body without inertia; [`MotionError::Parameter`] for a state that is not finite.
+    /// [`MotionError::NotSpinnable`] for a body without inertia; [`MotionError::NoClosedForm`] for one with wheels;
+    /// [`MotionError::Parameter`] for a state that is not finite.
     pub fn of(rotor: &Rotor, start: State) -> Result<Self, MotionError> {
+        if !rotor.wheels().is_empty() {
+            return Err(MotionError::NoClosedForm { why: "wheels spin in the body" });
+        }
         Self::of_tensor(rotor.inertia().symmetric(), rotor.principal(), start)
     }
 

@@ -2,13 +2,14 @@
 //!
 //! `dop853` is the rule for one step and knows no physics; `chart` writes the motion as an ordinary differential
 //! equation that it can step; `orientation` adds up its turns; `piece` says what acts until something changes; `stepper` puts steps together and controls their error.
-//! The Taylor and splitting integrators have their places beside `dop853`.
+//! Taylor's method and splitting are beside `dop853`.
 
 mod chart;
 mod dop853;
 mod orientation;
 mod piece;
 mod runge_kutta;
+pub(crate) mod splitting;
 pub(crate) mod stepper;
 mod tableau;
 mod taylor;

@@ -1,7 +1,9 @@
 //! A piece of time in which nothing begins or ends: what acts there.
 
+use super::chart::ROUNDING;
 use crate::math::frame::{Body, Principal};
 use crate::math::vector::{AngularMomentum, AngularVelocity, Torque};
+use crate::motion::error::MotionError;
 use crate::motion::rotor::Rotor;
 use crate::motion::state::State;
 use crate::motion::torque::TorqueModel;
@@ -14,7 +16,7 @@ pub(super) struct Piece<'a> {
     pub(super) torques: Vec<&'a TorqueModel>,
     /// Σ α of the energy sinks.
     pub(super) sink: f64,
-    /// The largest torque that there can be, N·m.
+    /// The largest torque that there can be, with the motors', N·m.
     pub(super) largest_torque: f64,
     /// The first time at which something begins or ends; infinite if nothing does.
     pub(super) until: f64,
@@ -44,7 +46,8 @@ impl<'a> Piece<'a> {
         Self {
             rotor,
             sink: acting.iter().map(|torque| torque.sink()).sum(),
-            largest_torque: acting.iter().map(|torque| torque.scale(rotor, state)).sum(),
+            largest_torque: acting.iter().map(|torque| torque.scale(rotor, state)).sum::<f64>()
+                + rotor.motor_torque(time).norm(),
             torques: acting,
             until: changes.chain(wheels).fold(f64::INFINITY, f64::min),
             wheels: Wheels {
@@ -53,6 +56,20 @@ impl<'a> Piece<'a> {
                 rate: to_principal * rotor.motor_torque(time),
             },
         }
+    }
+
+    /// Refuses friction inside a rod that spins about its own line: nothing there has inertia, and ω would stop at once.
+    pub(super) fn require_balanced_sink(&self, state: &State) -> Result<(), MotionError> {
+        let principal = self.rotor.principal();
+        let omega = principal.rotation().inverse() * state.omega;
+        let is_rod = principal.moments()[0] == 0.0;
+        if self.sink == 0.0 || !is_rod || omega.x.abs() <= ROUNDING * omega.norm() {
+            return Ok(());
+        }
+        // (L × Ω)₁ of L = (0, I ω₂, I ω₃)
+        let momentum = self.angular_momentum(state.time, omega);
+        let torque = -self.sink * momentum.dot(momentum) * omega.x;
+        Err(MotionError::TorqueWithoutInertia { torque, time: state.time })
     }
 
     /// True if nothing acts: the body moves freely.

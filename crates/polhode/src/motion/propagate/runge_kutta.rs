@@ -41,8 +41,10 @@ pub(super) struct RungeKutta<'a> {
 #[derive(Clone, Debug)]
 struct Step<'a> {
     chart: Chart<'a>,
+    orientation: Orientation,
     start: f64,
     y: Y,
+    carry: Y,
     k0: Y,
 }
 
@@ -153,7 +155,8 @@ impl<'a> RungeKutta<'a> {
             let end_time = if wanted >= rest { until } else { self.time + h };
             chart.require_determined(end_time, &end)?;
             let k_end = f(end_time, &end);
-            let step = Step { chart, start: self.time, y: self.y, k0: self.k0 };
+            let (orientation, carry) = (self.orientation, self.carry);
+            let step = Step { chart, orientation, start: self.time, y: self.y, carry, k0: self.k0 };
             self.accept(&increment, end_time, &k_end);
             self.statistics.evaluations += 1;
             self.statistics.accepted += 1;
@@ -175,6 +178,19 @@ impl<'a> RungeKutta<'a> {
         let f = |t: f64, y: &Y| step.chart.derivative(t, y);
         let stages = dop853::step(&f, step.start, &step.y, &step.k0, time - step.start);
         balanced(&step.chart, time, &sum(&step.y, &stages.increment()))
+    }
+
+    /// Goes back to a time within the last step.
+    pub(super) fn cut(&mut self, time: f64) {
+        let Some(step) = self.last.clone().filter(|_| time != self.time) else { return };
+        let f = |t: f64, y: &Y| step.chart.derivative(t, y);
+        let increment = dop853::step(&f, step.start, &step.y, &step.k0, time - step.start).increment();
+        let end = sum(&step.y, &increment);
+        let k_end = f(time, &end);
+        (self.orientation, self.y, self.carry) = (step.orientation, step.y, step.carry);
+        self.chart = step.chart.clone();
+        self.accept(&increment, time, &k_end);
+        self.statistics.evaluations += 12;
     }
 
     /// Moves to the end of the step, and the chart with it.

@@ -4,6 +4,7 @@ use std::rc::Rc;
 
 use super::piece::Piece;
 use super::runge_kutta::RungeKutta;
+use super::splitting::{Splitting, SplittingOrder};
 use super::taylor::Taylor;
 use crate::math::frame::Space;
 use crate::math::vector::AngularMomentum;
@@ -40,10 +41,11 @@ pub(crate) struct Balanced {
 }
 
 /// The integrators.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Rule {
     Taylor,
     Dop853,
+    Splitting { order: SplittingOrder, step: f64 },
 }
 
 /// The motion of one body, step by step.
@@ -55,59 +57,76 @@ pub(crate) struct Stepper<'a> {
     switched_on: Vec<bool>,
     /// The first time at which something begins or ends by itself.
     until: f64,
+    /// What |ω| is compared with, rad/s: see [`Stepper::require_bounded`].
+    usual_rate: f64,
     tolerance: f64,
     /// True if a spring or wire is among the torques: its twist is watched.
     is_sprung: bool,
-    rule: Steps<'a>,
+    rule: Rule,
+    steps: Steps<'a>,
 }
 
 #[derive(Debug)]
 enum Steps<'a> {
     Taylor(Box<Taylor<'a>>),
     Dop853(Box<RungeKutta<'a>>),
+    Splitting(Box<Splitting<'a>>),
 }
 
 impl<'a> Stepper<'a> {
     /// Without evidence Taylor's method leaves out work and impulse, which are zero then.
     ///
     /// # Errors
-    /// [`MotionError::Parameter`] if the tolerance is outside 1e-15 … 1e-2; [`MotionError::NotSpinnable`];
-    /// [`MotionError::TorqueWithoutInertia`] if the torque cannot be balanced.
+    /// [`MotionError::Parameter`] if the tolerance is outside 1e-15 … 1e-2, or a given step not positive and finite;
+    /// [`MotionError::NotSplittable`]; [`MotionError::NotSpinnable`]; [`MotionError::TorqueWithoutInertia`] if the torque cannot be
+    /// balanced.
     pub(crate) fn new(
         rule: Rule,
         rotor: &'a Rotor,
         torques: &'a [TorqueModel],
+        switched_off: &[usize],
         start: State,
         tolerance: f64,
         with_evidence: bool,
     ) -> Result<Self, MotionError> {
-        if !(TIGHTEST_TOLERANCE..=LOOSEST_TOLERANCE).contains(&tolerance) {
+        let has_tolerance = !matches!(rule, Rule::Splitting { .. });
+        if has_tolerance && !(TIGHTEST_TOLERANCE..=LOOSEST_TOLERANCE).contains(&tolerance) {
             let rule = "between 1e-15 and 1e-2";
             return Err(MotionError::Parameter { what: "the tolerance", value: tolerance, rule });
         }
         if !rotor.is_spinnable() {
             return Err(MotionError::NotSpinnable);
         }
-        let piece = Rc::new(Piece::new(rotor, torques.iter(), &start));
+        let switched_on: Vec<bool> = (0..torques.len()).map(|k| !switched_off.contains(&k)).collect();
+        let piece = Rc::new(Piece::new(rotor, acting(torques, &switched_on), &start));
+        piece.require_balanced_sink(&start)?;
         let until = piece.until;
+        let usual_rate = start.omega.norm().max(torque_rate(&piece));
         let is_sprung = torques.iter().any(|torque| torque.name() == "torsion");
-        let rule = match rule {
+        let steps = match rule {
             Rule::Taylor => Steps::Taylor(Box::new(Taylor::new(piece, start, tolerance, with_evidence)?)),
             Rule::Dop853 => Steps::Dop853(Box::new(RungeKutta::new(piece, start, tolerance)?)),
+            Rule::Splitting { order, step } => {
+                Steps::Splitting(Box::new(Splitting::new(piece, torques, start, order, step)?))
+            }
         };
-        Ok(Self { rotor, torques, switched_on: vec![true; torques.len()], until, tolerance, is_sprung, rule })
+        Ok(Self { rotor, torques, switched_on, until, usual_rate, tolerance, is_sprung, rule, steps })
     }
 
     /// Looks again at what acts now.
-    fn change(&mut self) -> Result<(), MotionError> {
+    ///
+    /// # Errors
+    /// [`MotionError::TorqueWithoutInertia`] if it cannot be balanced.
+    pub(crate) fn change(&mut self) -> Result<(), MotionError> {
         let state = self.now().state;
-        let torques =
-            self.torques.iter().zip(&self.switched_on).filter(|(_, on)| **on).map(|(torque, _)| torque);
-        let piece = Rc::new(Piece::new(self.rotor, torques, &state));
+        let piece = Rc::new(Piece::new(self.rotor, acting(self.torques, &self.switched_on), &state));
+        piece.require_balanced_sink(&state)?;
         self.until = piece.until;
-        match &mut self.rule {
+        self.usual_rate = self.usual_rate.max(torque_rate(&piece));
+        match &mut self.steps {
             Steps::Taylor(taylor) => taylor.change(piece),
             Steps::Dop853(dop853) => dop853.change(piece),
+            Steps::Splitting(splitting) => splitting.change(piece),
         }
     }
 
@@ -116,15 +135,51 @@ impl<'a> Stepper<'a> {
         (self.rotor, self.torques)
     }
 
-    pub(crate) fn tolerance(&self) -> f64 {
-        self.tolerance
+    /// The torques that are switched on, with their schedules.
+    pub(crate) fn switched_on(&self) -> impl Iterator<Item = &'a TorqueModel> + Clone + use<'a, '_> {
+        acting(self.torques, &self.switched_on)
+    }
+
+    /// Switches a torque on or off, from the next [`Stepper::change`] on.
+    pub(crate) fn switch(&mut self, torque: usize, on: bool) {
+        if let Some(switch) = self.switched_on.get_mut(torque) {
+            *switch = on;
+        }
+    }
+
+    /// Goes back to a time within the last step.
+    pub(crate) fn cut(&mut self, time: f64) {
+        match &mut self.steps {
+            Steps::Taylor(taylor) => taylor.cut(time),
+            Steps::Dop853(dop853) => dop853.cut(time),
+            Steps::Splitting(splitting) => splitting.cut(time),
+        }
+    }
+
+    /// Refuses to go on with a motion that runs away.
+    ///
+    /// Nothing that is meant turns 10⁹ times faster than |ω| at the start and every √(N/I) at which something begins to act, I the
+    /// least moment; where all of these are zero, than at the end of the first step.
+    ///
+    /// # Errors
+    /// [`MotionError::RunAway`].
+    pub(crate) fn require_bounded(&mut self) -> Result<(), MotionError> {
+        let State { time, omega, .. } = self.now().state;
+        let rate = omega.norm();
+        if self.usual_rate == 0.0 {
+            self.usual_rate = rate;
+        }
+        let most = 1e9 * self.usual_rate;
+        if rate > most { Err(MotionError::RunAway { time, rate, most }) } else { Ok(()) }
+    }
+
+    /// `None` for steps of a given length.
+    pub(crate) fn tolerance(&self) -> Option<f64> {
+        (!matches!(self.rule, Rule::Splitting { .. })).then_some(self.tolerance)
     }
 
     pub(crate) fn rule(&self) -> Rule {
-        match self.rule {
-            Steps::Taylor(_) => Rule::Taylor,
-            Steps::Dop853(_) => Rule::Dop853,
-        }
+        self.rule
     }
 
     /// One step forward, not beyond `until`, nor beyond a time at which a torque begins or ends.
@@ -138,9 +193,10 @@ impl<'a> Stepper<'a> {
         }
         let until = until.min(self.until);
         let before = self.is_sprung.then(|| self.now().state);
-        match &mut self.rule {
+        match &mut self.steps {
             Steps::Taylor(taylor) => taylor.step(until),
             Steps::Dop853(dop853) => dop853.step(until),
+            Steps::Splitting(splitting) => splitting.step(until),
         }?;
         before.map_or(Ok(()), |before| self.require_untwisted(&before))
     }
@@ -149,50 +205,69 @@ impl<'a> Stepper<'a> {
     /// [`MotionError::HalfTurn`] if a spring or wire that acts has been twisted beyond half a turn.
     fn require_untwisted(&self, before: &State) -> Result<(), MotionError> {
         let after = self.now().state.attitude;
-        let acting = self.torques.iter().zip(&self.switched_on).filter(|(_, on)| **on);
-        let is_beyond =
-            acting.filter_map(|(torque, _)| torque.acting(before.time)).any(|torque| match torque {
-                TorqueModel::Torsion(torsion) => torsion.passes_half_turn(before.attitude, after),
-                _ => false,
-            });
+        let acting = self.switched_on().filter_map(|torque| torque.acting(before.time));
+        let is_beyond = acting.into_iter().any(|torque| match torque {
+            TorqueModel::Torsion(torsion) => torsion.passes_half_turn(before.attitude, after),
+            _ => false,
+        });
         if is_beyond { Err(MotionError::HalfTurn { time: before.time }) } else { Ok(()) }
     }
 
     pub(crate) fn time(&self) -> f64 {
-        match &self.rule {
+        match &self.steps {
             Steps::Taylor(taylor) => taylor.time(),
             Steps::Dop853(dop853) => dop853.time(),
+            Steps::Splitting(splitting) => splitting.time(),
         }
     }
 
-    /// The step that the tolerance allows next, s.
+    /// The step that the tolerance allows next, or the given one, s.
     pub(crate) fn next_step(&self) -> f64 {
-        match &self.rule {
+        match &self.steps {
             Steps::Taylor(taylor) => taylor.next_step(),
             Steps::Dop853(dop853) => dop853.next_step(),
+            Steps::Splitting(splitting) => splitting.next_step(),
         }
     }
 
     pub(crate) fn statistics(&self) -> StepStatistics {
-        match &self.rule {
+        match &self.steps {
             Steps::Taylor(taylor) => taylor.statistics(),
             Steps::Dop853(dop853) => dop853.statistics(),
+            Steps::Splitting(splitting) => splitting.statistics(),
         }
     }
 
     /// The state now.
     pub(crate) fn now(&self) -> Balanced {
-        match &self.rule {
+        match &self.steps {
             Steps::Taylor(taylor) => taylor.now(),
             Steps::Dop853(dop853) => dop853.now(),
+            Steps::Splitting(splitting) => splitting.now(),
         }
     }
 
     /// The state at a time within the last step: dense output.
     pub(crate) fn at(&self, time: f64) -> Balanced {
-        match &self.rule {
+        match &self.steps {
             Steps::Taylor(taylor) => taylor.at(time),
             Steps::Dop853(dop853) => dop853.at(time),
+            Steps::Splitting(splitting) => splitting.at(time),
         }
     }
+}
+
+/// The torques that are switched on.
+fn acting<'a, 'b>(
+    torques: &'a [TorqueModel],
+    switched_on: &'b [bool],
+) -> impl Iterator<Item = &'a TorqueModel> + Clone + use<'a, 'b> {
+    torques.iter().zip(switched_on).filter(|(_, on)| **on).map(|(torque, _)| torque)
+}
+
+/// √(N/I), rad/s, of the least moment that is one.
+fn torque_rate(piece: &Piece<'_>) -> f64 {
+    let moments = piece.rotor.principal().moments();
+    let least = moments.into_iter().find(|i| *i > 0.0).unwrap_or(f64::INFINITY);
+    (piece.largest_torque / least).sqrt()
 }

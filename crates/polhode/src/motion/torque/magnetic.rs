@@ -2,11 +2,14 @@
 
 use crate::math::frame::{Body, Space};
 use crate::math::rotation::Attitude;
-use crate::math::vector::{Direction, Torque};
+use crate::math::vector::{Direction, Torque, Vector, quantity::Number};
 use crate::motion::orbit::Orbit;
 use crate::motion::state::State;
 
 /// A magnetic moment fixed in the body: N = m × B.
+///
+/// In a uniform field its potential is U = −m·B, and a body free to turn about one axis across B swings about the field with
+/// √(m B/I) rad/s where the amplitude is small.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Magnetic {
     /// m, A·m².
@@ -21,28 +24,98 @@ pub struct Magnetic {
 pub enum MagneticField {
     /// The same everywhere and always, T.
     Uniform(Direction<Space>),
-    /// A dipole's, at the centre of an orbit that the body is on.
+    /// A dipole's, at the centre of an orbit that the body is on: B = (µ₀/4π)(3 (M·r̂) r̂ − M)/r³.
     Dipole {
-        /// The dipole's moment, A·m².
+        /// The dipole's moment M, A·m², constant in space. The Earth's is about 7.7e22, towards the south.
         dipole: Direction<Space>,
         /// Where the body is.
         orbit: Orbit,
     },
 }
 
+/// µ₀/4π, T·m/A: 1e-7 to some 1e-10 of it, since the ampere is defined by the charge of the electron (CODATA 2022).
+pub(crate) const MU_0_OVER_4_PI: f64 = 1e-7;
+
+impl MagneticField {
+    /// B at a time in s, space axes, T.
+    pub fn at(&self, time: f64) -> Direction<Space> {
+        match self {
+            Self::Uniform(field) => *field,
+            Self::Dipole { dipole, orbit } => {
+                let r = orbit.position(time);
+                let distance = r.norm();
+                let r = Vector::as_quantity::<Number>(r / distance);
+                let strength = MU_0_OVER_4_PI / distance / distance / distance;
+                (r * (3.0 * dipole.dot(r)) - *dipole) * strength
+            }
+        }
+    }
+}
+
 impl Magnetic {
     /// N in body axes.
-    pub fn torque(&self, _state: &State) -> Torque<Body> {
-        Torque::ZERO
+    pub fn torque(&self, state: &State) -> Torque<Body> {
+        let field = state.attitude.inverse() * self.field.at(state.time);
+        self.moment.cross(field).as_quantity()
     }
 
     /// U = −m · B, J; `None` where the field changes along an orbit.
-    pub fn potential(&self, _attitude: Attitude) -> Option<f64> {
-        None
+    pub fn potential(&self, attitude: Attitude) -> Option<f64> {
+        match self.field {
+            MagneticField::Uniform(field) => Some(-(attitude * self.moment).dot(field)),
+            MagneticField::Dipole { .. } => None,
+        }
     }
 
     /// The largest that it can be, N·m.
     pub(crate) fn scale(&self) -> f64 {
-        0.0
+        self.moment.norm()
+            * match &self.field {
+                MagneticField::Uniform(field) => field.norm(),
+                MagneticField::Dipole { dipole, orbit } => {
+                    let q = orbit.periapsis();
+                    2.0 * dipole.norm() * (MU_0_OVER_4_PI / q / q / q)
+                }
+            }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::rotation::Rotation;
+    use crate::math::vector::{AngularVelocity, Position};
+
+    #[test]
+    fn the_torque_is_minus_the_gradient_of_the_potential() {
+        let field = MagneticField::Uniform(Direction::new(2e-5, -1.1e-5, 4.3e-5));
+        let magnet = Magnetic { moment: Direction::new(0.3, 1.2, -0.7), field };
+        let attitude = Attitude::from_quaternion([0.4, -0.7, 1.1, 0.3]).unwrap();
+        let h = 1e-5;
+        let slope = |n: Direction<Body>| {
+            let at = |angle| magnet.potential(attitude * Rotation::<Body, Body>::turn(n, angle)).unwrap();
+            (at(h) - at(-h)) / (2.0 * h)
+        };
+        let unit = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let want = Torque::from_array(unit.map(|axis| -slope(Direction::from_array(axis))));
+        let torque = magnet.torque(&State { time: 3.0, attitude, omega: AngularVelocity::ZERO });
+        assert!((torque - want).norm() < 1e-9 * magnet.scale() && torque.norm() < magnet.scale());
+    }
+
+    #[test]
+    fn the_dipole_is_two_poles_close_together() {
+        // B = (µ₀/4π) Σ ± p d/d³ of poles ± p at ± ½ l, M = p l
+        let dipole = Direction::new(-3e21, 2e21, -7.5e22);
+        let velocity = crate::Velocity::new(0.4e3, 6.3e3, 4.5e3);
+        let orbit = Orbit::through(crate::MU_EARTH, Position::new(6.9e6, 1e5, -8e5), velocity, 0.0).unwrap();
+        let time = 777.0;
+        let r: Direction<Space> = orbit.position(time).as_quantity();
+        let arm = dipole * (500.0 / dipole.norm());
+        let pole = |d: Direction<Space>| d * (1e-7 * dipole.norm() / 1000.0 / d.norm().powi(3));
+        let want = pole(r - arm) - pole(r + arm);
+        let field = MagneticField::Dipole { dipole, orbit }.at(time);
+        assert!((field - want).norm() < 1e-7 * want.norm(), "{field:?} {want:?}");
+        // what one meets in low Earth orbit: 25 to 60 µT
+        assert!((2e-5..6e-5).contains(&field.norm()));
     }
 }

@@ -14,6 +14,7 @@ pub(crate) mod torsion;
 
 use super::rotor::Rotor;
 use super::state::State;
+use super::wheel::Wheel;
 use crate::math::frame::Body;
 use crate::math::vector::Torque;
 
@@ -104,7 +105,7 @@ impl TorqueModel {
     /// α of an energy sink, 1/(N·m·s); zero for everything else.
     pub(crate) const fn sink(&self) -> f64 {
         match self {
-            Self::EnergySink(model) => model.coefficient,
+            Self::EnergySink(model) => model.coefficient(),
             _ => 0.0,
         }
     }
@@ -152,13 +153,21 @@ impl TorqueModel {
     }
 }
 
-/// The sum of all torques, body axes, N·m.
-pub(crate) fn total_torque(models: &[TorqueModel], rotor: &Rotor, state: &State) -> Torque<Body> {
-    models.iter().fold(Torque::ZERO, |sum, model| sum + model.torque(rotor, state))
+/// The sum of torques, body axes, N·m.
+pub(crate) fn total_torque<'a>(
+    models: impl IntoIterator<Item = &'a TorqueModel>,
+    rotor: &Rotor,
+    state: &State,
+) -> Torque<Body> {
+    models.into_iter().fold(Torque::ZERO, |sum, model| sum + model.torque(rotor, state))
 }
 
-/// The sum of all potentials, J; `None` if some torque has none (or there is no torque).
+/// The sum of all potentials, J; `None` if some torque has none (or there is no torque), or if a motor
+/// does work on the body.
 pub(crate) fn total_potential(models: &[TorqueModel], rotor: &Rotor, state: &State) -> Option<f64> {
+    if rotor.wheels().iter().any(Wheel::is_driven) {
+        return None;
+    }
     let (first, others) = models.split_first()?;
     others
         .iter()

@@ -73,6 +73,22 @@ impl Schedule {
         Ok(Self(Kind::Pulses { first, width, period, count }))
     }
 
+    /// Its window, from and until, s; `None` if it is a train of pulses.
+    pub const fn as_window(&self) -> Option<[f64; 2]> {
+        match self.0 {
+            Kind::Window { from, until } => Some([from, until]),
+            Kind::Pulses { .. } => None,
+        }
+    }
+
+    /// The first time, the width and the period of its pulses, s, and how many there are, if they end; `None` if it is a window.
+    pub const fn as_pulses(&self) -> Option<([f64; 3], Option<u64>)> {
+        match self.0 {
+            Kind::Pulses { first, width, period, count } => Some(([first, width, period], count)),
+            Kind::Window { .. } => None,
+        }
+    }
+
     /// Does it act at this time?
     pub fn is_on(&self, time: f64) -> bool {
         match self.0 {

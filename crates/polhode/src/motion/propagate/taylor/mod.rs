@@ -110,6 +110,8 @@ impl Expansion {
     fn act(&mut self, piece: &Piece<'_>) {
         self.torques =
             piece.torques.iter().filter_map(|torque| TorqueSeries::of(torque, piece.rotor)).collect();
+        // Nothing of a torque that has ended.
+        (self.torque, self.impulse) = (Series::ZERO, Seen::ZERO);
         let is_plain = piece.rotor.wheels().is_empty() && piece.sink == 0.0;
         self.inside = (!is_plain).then(|| {
             Box::new(Inside {

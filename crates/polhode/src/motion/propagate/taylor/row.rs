@@ -78,6 +78,13 @@ pub(super) struct Series([Row; MARGIN + TERMS]);
 impl Series {
     pub(super) const ZERO: Self = Self([Row::ZERO; MARGIN + TERMS]);
 
+    /// A series of nothing but its constant.
+    pub(super) const fn constant(row: Row) -> Self {
+        let mut series = Self::ZERO;
+        series.0[MARGIN] = row;
+        series
+    }
+
     #[inline(always)]
     pub(super) fn set(&mut self, n: usize, row: Row) {
         self.0[MARGIN + n] = row;
@@ -209,6 +216,13 @@ pub(super) fn outer<S: Fours>(s: S, x: &Series, b: &Vectors, n: usize) -> [Row; 
     q = q + x * s.splat(b2.at(n));
     r = r + x * s.splat(b3.at(n));
     [p, q, r].map(|sum| Row(s.numbers(sum)))
+}
+
+/// Coefficient n of (a2 a3, a3 a1, a1 a2).
+#[inline(always)]
+pub(super) fn others<S: Fours>(s: S, a: &Vectors, n: usize) -> Row {
+    // a and a turned: turning once more brings (a1 a2, a2 a3, a3 a1) there
+    product(s, &a.rows, &a.turned, n).turned()
 }
 
 /// Coefficient n of v × b = Σ bᵢ v × eᵢ.

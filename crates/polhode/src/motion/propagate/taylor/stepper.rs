@@ -122,6 +122,17 @@ impl<'a> Taylor<'a> {
         Ok(())
     }
 
+    /// Goes back to a time within the last step.
+    pub(in crate::motion::propagate) fn cut(&mut self, time: f64) {
+        if time != self.head.time {
+            let more = self.expansion.at(time - self.base.time);
+            self.head = self.base.plus(&more, time);
+            if let Some([base, head]) = &mut self.evidence {
+                *head = base.plus(&more, self.head.orientation.rotation());
+            }
+        }
+    }
+
     /// # Errors
     /// [`MotionError::TorqueWithoutInertia`] if nothing would balance the torque.
     fn expand(&mut self) -> Result<(), MotionError> {

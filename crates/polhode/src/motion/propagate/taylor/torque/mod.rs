@@ -8,6 +8,7 @@ mod formula;
 mod gravity_gradient;
 mod linear;
 mod magnetic;
+mod orbit;
 mod torsion;
 
 use super::row::{Row, Series, Vectors};

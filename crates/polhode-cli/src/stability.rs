@@ -1,0 +1,47 @@
+//! `polhode stability`
+
+use std::path::PathBuf;
+
+use clap::Args;
+use polhode_formats::scenario;
+use polhode_report::{SourceInfo, StabilityReport, pretty};
+
+use crate::failure::Failure;
+use crate::stdout::print;
+
+/// Say which steady motions of a scenario's body last: permanent rotations, and small oscillations about an equilibrium.
+///
+/// The permanent rotations are those of the body with its wheels, without torque, with the angular momentum of the start. If torques
+/// act, the oscillations are those about the start if it is an equilibrium, else about the nearest one: frequencies, damping or growth,
+/// and the axes about which the body swings.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  polhode stability examples/t-handle.toml
+  polhode stability examples/heavy-top.toml --json | jq .small_oscillations.modes")]
+pub(crate) struct Stability {
+    /// The scenario, a TOML file.
+    file: PathBuf,
+    /// Print JSON.
+    #[arg(long)]
+    json: bool,
+}
+
+impl Stability {
+    pub(crate) fn run(self) -> Result<(), Failure> {
+        let scenario = scenario::read(&self.file)?;
+        let path = self.file.display().to_string();
+        if scenario.prescribed.is_some() {
+            let hint = "leave out [prescribed], or ask polhode explain for the torque that the motion needs";
+            return Err(Failure::usage(
+                format!("the motion of {path} is prescribed: nothing can depart from it"),
+                hint,
+            ));
+        }
+        let title = scenario.title.as_deref().unwrap_or("scenario");
+        let source = SourceInfo::new(path, "scenario").described(title);
+        let report = StabilityReport::of_scenario(source, &scenario);
+        let text = if self.json { pretty(&report.to_json()) + "\n" } else { report.to_text() };
+        print(text.as_bytes())
+    }
+}

@@ -1,0 +1,122 @@
+//! What accuracy costs: problems of `book/work-precision.md` by each method, a line for each run.
+//!
+//! `cargo run --release -p polhode --example work_precision`
+//!
+//! Columns: problem, method, its tolerance or step, seconds (the least of many runs), steps, the quaternion at the end.
+
+use std::error::Error;
+use std::time::{Duration, Instant};
+
+use polhode::*;
+
+/// For how long each run is repeated.
+const PATIENCE: Duration = Duration::from_millis(60);
+
+/// A body, what turns it, where it starts, and when it ends.
+struct Problem {
+    name: &'static str,
+    rotor: Rotor,
+    torques: Vec<TorqueModel>,
+    start: State,
+    end: f64,
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    for problem in [free()?, heavy_top()?, gravity_gradient()?, damped()?] {
+        let mut measure = |method: &str, size: f64, how: Method| run(&problem, method, size, how);
+        for exponent in 2..=15 {
+            let tolerance = 10_f64.powi(-exponent);
+            measure("taylor", tolerance, Method::Taylor)?;
+            measure("dop853", tolerance, Method::Dop853)?;
+        }
+        if problem.torques.is_empty() {
+            measure("exact", 0.0, Method::Exact)?;
+        }
+        for order in SplittingOrder::ALL {
+            let name = format!("splitting {}", order.number());
+            for halvings in 0..9 {
+                let step = 0.5 * 0.5_f64.powi(halvings);
+                let method = Method::Splitting { order, step };
+                match measure(&name, step, method) {
+                    // Free motion needs no splitting, and drag takes none.
+                    Err(MotionError::NotSplittable { .. }) => break,
+                    result => result?,
+                }
+            }
+        }
+    }
+    Ok(())
+}
+
+/// A: I = (1, 2, 3), ω = (0.3, 0.5, 0.9), nothing acts.
+fn free() -> Result<Problem, Box<dyn Error>> {
+    let rotor = Rotor::free(&body([1.0, 2.0, 3.0])?);
+    Ok(Problem { name: "A", rotor, torques: Vec::new(), start: start([0.3, 0.5, 0.9]), end: 100.0 })
+}
+
+/// B: a heavy top about its tip, I = (1, 1, 0.5) there, M g l = 1, ω = (0, 0, 5), tilted by 60°.
+fn heavy_top() -> Result<Problem, Box<dyn Error>> {
+    // A mass so small that the tensor about its centre is possible too, and gravity as much larger.
+    let (mass, g) = (1e-3, 1e3);
+    let inertia = InertiaTensor::diagonal([1.0 - mass, 1.0 - mass, 0.5])?;
+    let rotor =
+        Rotor::pivoted(&MassProperties::new(mass, Position::new(0.0, 0.0, 1.0), inertia)?, Position::ZERO);
+    let attitude = Rotation::about(Direction::new(1.0, 0.0, 0.0), std::f64::consts::FRAC_PI_3)?;
+    let torques =
+        vec![TorqueModel::Gravity(UniformGravity { acceleration: Acceleration::new(0.0, 0.0, -g) })];
+    let start = State { attitude, ..start([0.0, 0.0, 5.0]) };
+    Ok(Problem { name: "B", rotor, torques, start, end: 100.0 })
+}
+
+/// C-gg: I = (1, 2, 2.5), ω = (0.3, 0.5, 0.9), N = 3n² r × I r on the circle r = (cos nt, sin nt, 0), n = 0.5.
+fn gravity_gradient() -> Result<Problem, Box<dyn Error>> {
+    let orbit = Orbit::through(0.25, Position::new(1.0, 0.0, 0.0), Velocity::new(0.0, 0.5, 0.0), 0.0)?;
+    let torque = GravityGradient { orbit, attracted: Attracted::Tensor };
+    Ok(Problem {
+        name: "C-gg",
+        rotor: Rotor::free(&body([1.0, 2.0, 2.5])?),
+        torques: vec![TorqueModel::GravityGradient(Box::new(torque))],
+        start: start([0.3, 0.5, 0.9]),
+        end: 20.0,
+    })
+}
+
+/// C-damp: I = (1, 2, 3), ω = (0.3, 0.5, 0.9), N = −0.05 ω.
+fn damped() -> Result<Problem, Box<dyn Error>> {
+    let c = 0.05;
+    let drag = Drag::new(DragLaw::Linear, [[c, 0.0, 0.0], [0.0, c, 0.0], [0.0, 0.0, c]])?;
+    let rotor = Rotor::free(&body([1.0, 2.0, 3.0])?);
+    let torques = vec![TorqueModel::Drag(drag)];
+    Ok(Problem { name: "C-damp", rotor, torques, start: start([0.3, 0.5, 0.9]), end: 100.0 })
+}
+
+fn body(moments: [f64; 3]) -> Result<MassProperties<Body>, BodyError> {
+    MassProperties::new(1.0, Position::ZERO, InertiaTensor::diagonal(moments)?)
+}
+
+fn start(omega: [f64; 3]) -> State {
+    State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::from_array(omega) }
+}
+
+fn run(problem: &Problem, name: &str, size: f64, method: Method) -> Result<(), MotionError> {
+    let Problem { rotor, torques, start, end, .. } = problem;
+    let tolerance = if size > 0.0 { size } else { TIGHTEST_TOLERANCE };
+    let compute = || Trajectory::compute(rotor, torques, *start, &[*end], method, tolerance);
+    let motion = compute()?;
+    let (mut least, begin) = (f64::INFINITY, Instant::now());
+    while begin.elapsed() < PATIENCE {
+        let once = Instant::now();
+        let again = compute()?;
+        least = least.min(once.elapsed().as_secs_f64());
+        std::hint::black_box(again);
+    }
+    let steps = match motion.solution() {
+        Solution::Integrated { statistics, .. } => statistics.accepted,
+        _ => 0,
+    };
+    for sample in motion.samples() {
+        let [w, x, y, z] = sample.state.attitude.quaternion();
+        println!("{}\t{name}\t{size:e}\t{least:e}\t{steps}\t{w:?} {x:?} {y:?} {z:?}", problem.name);
+    }
+    Ok(())
+}

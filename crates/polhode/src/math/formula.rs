@@ -1,0 +1,391 @@
+//! Formulas: instructions for a machine with a stack, made once and run over one point or many.
+//!
+//! The instructions are performed from first to last. Each takes its operands from the top of the stack and leaves its
+//! result there; in the end one number is left, the value. What a text means is the reader's business, in `polhode-formats`.
+//!
+//! Functions are `libm`'s, and powers of small whole numbers are products: the same bits on every platform, for one point
+//! and for many.
+
+use core::fmt;
+
+/// A function of numbered variables, written down as instructions.
+///
+/// ```
+/// use polhode::{Binary, Formula, Instruction, Unary};
+/// // 3 sin(x) − y, of the variables x and y
+/// let formula = Formula::new([
+///     Instruction::Constant(3.0),
+///     Instruction::Variable(0),
+///     Instruction::Unary(Unary::Sin),
+///     Instruction::Binary(Binary::Multiply),
+///     Instruction::Variable(1),
+///     Instruction::Binary(Binary::Subtract),
+/// ])?;
+/// assert_eq!(formula.evaluate(&[0.0, 0.25]), -0.25);
+/// assert!(formula.evaluate(&[0.0]).is_nan()); // y is not given
+/// assert!(Formula::new([Instruction::Unary(Unary::Sin)]).is_err());
+/// # Ok::<(), polhode::FormulaError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Formula {
+    instructions: Vec<Instruction>,
+    /// Numbers on the stack, at most.
+    deepest: usize,
+}
+
+/// One instruction: takes its operands from the top of the stack and leaves its result there.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Instruction {
+    /// A number.
+    Constant(f64),
+    /// A variable, by its place among the values of a point.
+    Variable(usize),
+    /// A function of one number.
+    Unary(Unary),
+    /// A function of two numbers; the second is on top.
+    Binary(Binary),
+    /// Condition, then, else: *then* where the condition is not 0.
+    If,
+}
+
+/// A function of one number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(missing_docs, reason = "the names are the documentation")]
+pub enum Unary {
+    Negate,
+    Sqrt,
+    Exp,
+    /// The natural logarithm.
+    Log,
+    Sin,
+    Cos,
+    Tan,
+    Asin,
+    Acos,
+    Atan,
+    Abs,
+    /// xⁿ for a small whole n, by multiplication.
+    Power(i32),
+}
+
+/// A function of two numbers, a and b.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(missing_docs, reason = "the names are the documentation")]
+pub enum Binary {
+    Add,
+    /// a − b
+    Subtract,
+    Multiply,
+    /// a / b
+    Divide,
+    /// aᵇ
+    Power,
+    /// The angle of the point (b, a) from the first axis.
+    Atan2,
+    Min,
+    Max,
+    /// √(a² + b²)
+    Hypot,
+    /// 1 where a < b, else 0.
+    Less,
+    /// 1 where a ≤ b, else 0.
+    LessOrEqual,
+    /// 1 where a > b, else 0.
+    Greater,
+    /// 1 where a ≥ b, else 0.
+    GreaterOrEqual,
+}
+
+/// Instructions that are no formula.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum FormulaError {
+    /// An instruction needs more operands than there are.
+    MissingOperand {
+        /// Which instruction, from 0.
+        instruction: usize,
+    },
+    /// Not one number is left in the end.
+    Left {
+        /// How many are.
+        count: usize,
+    },
+}
+
+/// Points in a row of the stack, while it is not deep.
+const WIDTH: usize = 256;
+
+/// Numbers in a deep stack.
+const ROOM: usize = 1 << 16;
+
+/// Numbers in a stack that needs no memory of its own.
+const SHALLOW: usize = 32;
+
+impl Formula {
+    /// A formula from its instructions. Small whole powers become products.
+    ///
+    /// # Errors
+    /// [`FormulaError`] if an instruction lacks operands, or not one number is left.
+    pub fn new(instructions: impl IntoIterator<Item = Instruction>) -> Result<Self, FormulaError> {
+        let mut kept: Vec<Instruction> = Vec::new();
+        let (mut height, mut deepest) = (0_usize, 0);
+        for (n, instruction) in instructions.into_iter().enumerate() {
+            let below = height.checked_sub(instruction.operands());
+            height = 1 + below.ok_or(FormulaError::MissingOperand { instruction: n })?;
+            deepest = deepest.max(height);
+            match (instruction, kept.last()) {
+                (Instruction::Binary(Binary::Power), Some(&Instruction::Constant(power)))
+                    if power.abs() <= 32.0 && power.fract() == 0.0 =>
+                {
+                    kept.pop();
+                    kept.push(Instruction::Unary(Unary::Power(power as i32)));
+                }
+                _ => kept.push(instruction),
+            }
+        }
+        if height == 1 {
+            Ok(Self { instructions: kept, deepest })
+        } else {
+            Err(FormulaError::Left { count: height })
+        }
+    }
+
+    /// The formula that is one number everywhere.
+    pub fn constant(value: f64) -> Self {
+        Self { instructions: vec![Instruction::Constant(value)], deepest: 1 }
+    }
+
+    /// What it is made of.
+    pub fn instructions(&self) -> &[Instruction] {
+        &self.instructions
+    }
+
+    /// True if a variable occurs in it.
+    pub fn depends_on(&self, variable: usize) -> bool {
+        self.instructions.contains(&Instruction::Variable(variable))
+    }
+
+    /// The first function in it that is not smooth: it has a corner or a jump, and so no power series.
+    pub fn rough_function(&self) -> Option<&'static str> {
+        self.instructions.iter().find_map(|instruction| instruction.roughness())
+    }
+
+    /// Its value where the variables have these values; one that is not given is NaN.
+    ///
+    /// Formulas as people write them need no memory beyond the stack of the processor.
+    pub fn evaluate(&self, point: &[f64]) -> f64 {
+        let mut shallow = [0.0; SHALLOW];
+        let mut deep = Vec::new();
+        let stack = if self.deepest <= SHALLOW {
+            &mut shallow[..]
+        } else {
+            deep.resize(self.deepest, 0.0);
+            &mut deep[..]
+        };
+        self.run(stack, 1, |k, row| row.fill(point.get(k).copied().unwrap_or(f64::NAN)));
+        stack[0]
+    }
+
+    /// Its values at many points: the shorter of the two lists says how many.
+    pub fn evaluate_all<const N: usize>(&self, points: &[[f64; N]], values: &mut [f64]) {
+        let width = (ROOM / self.deepest).clamp(1, WIDTH).min(points.len().max(1));
+        let mut stack = vec![0.0; width * self.deepest];
+        for (points, values) in points.chunks(width).zip(values.chunks_mut(width)) {
+            self.run(&mut stack, width, |k, row| {
+                for (slot, point) in row.iter_mut().zip(points) {
+                    *slot = point.get(k).copied().unwrap_or(f64::NAN);
+                }
+            });
+            values.iter_mut().zip(&stack).for_each(|(value, &top)| *value = top);
+        }
+    }
+
+    /// The values of `width` points, into the start of the stack; `variable` fills a row with one of them.
+    fn run(&self, stack: &mut [f64], width: usize, variable: impl Fn(usize, &mut [f64])) {
+        let mut height = 0;
+        for &instruction in &self.instructions {
+            let (below, above) = stack.split_at_mut(height * width);
+            // The last rows of the stack: the operands.
+            let operands = &mut below[(height - instruction.operands()) * width..];
+            match instruction {
+                Instruction::Constant(value) => above[..width].fill(value),
+                Instruction::Variable(k) => variable(k, &mut above[..width]),
+                Instruction::Unary(unary) => unary.apply(operands),
+                Instruction::Binary(binary) => {
+                    let (a, b) = operands.split_at_mut(width);
+                    binary.apply(a, b);
+                }
+                Instruction::If => {
+                    let (condition, branches) = operands.split_at_mut(width);
+                    let (then, otherwise) = branches.split_at(width);
+                    for ((c, &a), &b) in condition.iter_mut().zip(then).zip(otherwise) {
+                        *c = if c.is_nan() { *c } else { [a, b][usize::from(*c == 0.0)] };
+                    }
+                }
+            }
+            height = height + 1 - instruction.operands();
+        }
+    }
+}
+
+impl Instruction {
+    /// How many numbers it takes from the stack.
+    pub const fn operands(self) -> usize {
+        match self {
+            Self::Constant(_) | Self::Variable(_) => 0,
+            Self::Unary(_) => 1,
+            Self::Binary(_) => 2,
+            Self::If => 3,
+        }
+    }
+
+    /// Its name, if it is not smooth.
+    const fn roughness(self) -> Option<&'static str> {
+        match self {
+            Self::Unary(Unary::Abs) => Some("abs"),
+            Self::Binary(Binary::Min) => Some("min"),
+            Self::Binary(Binary::Max) => Some("max"),
+            Self::Binary(Binary::Less | Binary::LessOrEqual | Binary::Greater | Binary::GreaterOrEqual) => {
+                Some("a comparison")
+            }
+            Self::If => Some("if"),
+            _ => None,
+        }
+    }
+}
+
+impl Unary {
+    /// Its value.
+    pub fn of(self, x: f64) -> f64 {
+        let mut row = [x];
+        self.apply(&mut row);
+        row[0]
+    }
+
+    fn apply(self, row: &mut [f64]) {
+        let each = |row: &mut [f64], f: fn(f64) -> f64| row.iter_mut().for_each(|x| *x = f(*x));
+        match self {
+            Self::Negate => each(row, |x| -x),
+            Self::Sqrt => each(row, f64::sqrt),
+            Self::Exp => each(row, libm::exp),
+            Self::Log => each(row, libm::log),
+            Self::Sin => each(row, libm::sin),
+            Self::Cos => each(row, libm::cos),
+            Self::Tan => each(row, libm::tan),
+            Self::Asin => each(row, libm::asin),
+            Self::Acos => each(row, libm::acos),
+            Self::Atan => each(row, libm::atan),
+            Self::Abs => each(row, f64::abs),
+            Self::Power(n) => row.iter_mut().for_each(|x| *x = power(*x, n)),
+        }
+    }
+}
+
+impl Binary {
+    /// Its value.
+    pub fn of(self, a: f64, b: f64) -> f64 {
+        let mut row = [a];
+        self.apply(&mut row, &[b]);
+        row[0]
+    }
+
+    /// a becomes a ∘ b.
+    fn apply(self, a: &mut [f64], b: &[f64]) {
+        let each = |a: &mut [f64], f: fn(f64, f64) -> f64| {
+            a.iter_mut().zip(b).for_each(|(a, &b)| *a = f(*a, b));
+        };
+        match self {
+            Self::Add => each(a, |a, b| a + b),
+            Self::Subtract => each(a, |a, b| a - b),
+            Self::Multiply => each(a, |a, b| a * b),
+            Self::Divide => each(a, |a, b| a / b),
+            Self::Power => each(a, libm::pow),
+            Self::Atan2 => each(a, libm::atan2),
+            // Nothing is larger or smaller than what is no number.
+            Self::Min => each(a, |a, b| if a.is_nan() || a < b { a } else { b }),
+            Self::Max => each(a, |a, b| if a.is_nan() || a > b { a } else { b }),
+            Self::Hypot => each(a, libm::hypot),
+            Self::Less => each(a, |a, b| holds(a < b)),
+            Self::LessOrEqual => each(a, |a, b| holds(a <= b)),
+            Self::Greater => each(a, |a, b| holds(a > b)),
+            Self::GreaterOrEqual => each(a, |a, b| holds(a >= b)),
+        }
+    }
+}
+
+fn holds(condition: bool) -> f64 {
+    f64::from(u8::from(condition))
+}
+
+/// xⁿ by squaring: a few roundings, and the same bits on every platform.
+fn power(x: f64, n: i32) -> f64 {
+    let (mut result, mut square, mut rest) = (1.0, x, n.unsigned_abs());
+    while rest > 0 {
+        if rest & 1 == 1 {
+            result *= square;
+        }
+        square *= square;
+        rest >>= 1;
+    }
+    if n < 0 { 1.0 / result } else { result }
+}
+
+impl fmt::Display for FormulaError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::MissingOperand { instruction } => {
+                write!(f, "instruction {instruction} needs more operands than there are")
+            }
+            Self::Left { count } => write!(f, "{count} numbers are left, where a formula has one value"),
+        }
+    }
+}
+
+impl core::error::Error for FormulaError {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_formulas_are_formulas() {
+        use Instruction as I;
+        assert_eq!(Formula::new([]), Err(FormulaError::Left { count: 0 }));
+        assert_eq!(Formula::new([I::Constant(1.0), I::Variable(0)]), Err(FormulaError::Left { count: 2 }));
+        let short = [I::Constant(1.0), I::Binary(Binary::Add)];
+        assert_eq!(Formula::new(short), Err(FormulaError::MissingOperand { instruction: 1 }));
+        let short = [I::Constant(1.0), I::Constant(1.0), I::If];
+        assert_eq!(Formula::new(short), Err(FormulaError::MissingOperand { instruction: 2 }));
+    }
+
+    #[test]
+    fn a_deep_formula_has_the_value_of_its_parts() {
+        // 0 + 1·(x + 2·(x + 3·( … ))), deeper than the processor's stack is used for
+        let mut instructions = Vec::new();
+        for n in 0..100 {
+            instructions.extend([Instruction::Variable(0), Instruction::Constant(f64::from(n))]);
+        }
+        instructions.push(Instruction::Constant(0.5));
+        for _ in 0..100 {
+            instructions.extend([Instruction::Binary(Binary::Multiply), Instruction::Binary(Binary::Add)]);
+        }
+        let formula = Formula::new(instructions).unwrap();
+        assert!(formula.deepest > SHALLOW);
+        let x = 0.3;
+        let expected = (0..100).rev().fold(0.5, |rest, n| x + f64::from(n) * rest);
+        assert_eq!(formula.evaluate(&[x]), expected);
+        let mut many = [0.0; 3];
+        formula.evaluate_all(&[[x]; 3], &mut many);
+        assert_eq!(many, [expected; 3]);
+    }
+
+    #[test]
+    fn what_is_not_smooth_is_named() {
+        use Instruction as I;
+        let smooth = Formula::new([I::Variable(0), I::Constant(1.5), I::Binary(Binary::Power)]).unwrap();
+        assert_eq!(smooth.rough_function(), None);
+        assert!(smooth.depends_on(0) && !smooth.depends_on(1));
+        let rough = Formula::new([I::Variable(0), I::Unary(Unary::Abs)]).unwrap();
+        assert_eq!(rough.rough_function(), Some("abs"));
+    }
+}

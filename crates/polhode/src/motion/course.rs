@@ -1,0 +1,176 @@
+//! The course of an integration: its steps, its samples, its events, and how it ends.
+
+use super::ending::Ending;
+use super::error::MotionError;
+use super::event::{Crossing, Event, EventAction};
+use super::propagate::stepper::{Balanced, Stepper};
+use super::sample::Sample;
+use super::state::State;
+use super::torque::total_potential;
+use super::watch::{Found, Watch};
+use crate::math::vector::AngularMomentum;
+
+/// Minutes of work; more is a mistake in the units.
+pub(super) const MOST_STEPS: u64 = 100_000_000;
+
+/// Steps after which the step has found its size.
+const FIRST_STEPS: u64 = 64;
+
+/// More events than anybody would read.
+const MOST_EVENTS: usize = 1_000_000;
+
+/// An integration on its way.
+pub(super) struct Course<'a> {
+    stepper: Stepper<'a>,
+    events: &'a [Event],
+    watch: Watch<'a>,
+    has_potential: bool,
+    wanted: &'a [f64],
+    pub(super) samples: Vec<Sample>,
+    pub(super) crossings: Vec<Crossing>,
+}
+
+impl<'a> Course<'a> {
+    /// From `start`, to be sampled at the times `wanted`.
+    pub(super) fn new(stepper: Stepper<'a>, events: &'a [Event], start: State, wanted: &'a [f64]) -> Self {
+        let (rotor, torques) = stepper.subject();
+        // Energy that comes and goes with a switch is no potential.
+        let has_potential = !events.iter().any(Event::switches);
+        Self {
+            watch: Watch::new(rotor, torques, events, &start),
+            samples: Vec::with_capacity(wanted.len()),
+            crossings: Vec::new(),
+            stepper,
+            events,
+            has_potential,
+            wanted,
+        }
+    }
+
+    pub(super) const fn stepper(&self) -> &Stepper<'a> {
+        &self.stepper
+    }
+
+    /// Runs to the last time, as far as it can; gives the sample of the start, and how it ended. `progress` is told the time after
+    /// each step.
+    ///
+    /// # Errors
+    /// [`MotionError::NotFinite`] at the start.
+    pub(super) fn run(
+        &mut self,
+        start: State,
+        progress: &mut dyn FnMut(f64),
+    ) -> Result<(Sample, Ending), MotionError> {
+        // The start as it was given, not as it comes back from principal axes.
+        let given = self.sample(Balanced { state: start, work: 0.0, impulse: AngularMomentum::ZERO })?;
+        while self.next_wanted().is_some_and(|t| t <= start.time) {
+            self.samples.push(given);
+        }
+        let end = self.wanted.last().copied().unwrap_or(start.time);
+        while self.stepper.time() < end {
+            let ended = self.advance(end);
+            progress(self.stepper.time());
+            if ended == Ok(None) {
+                continue;
+            }
+            // The end itself is a sample, if it is one of a finite motion.
+            let time = self.stepper.time();
+            if self.samples.last().is_none_or(|last| last.state.time < time)
+                && let Ok(last) = if time > start.time { self.sample(self.stepper.now()) } else { Ok(given) }
+            {
+                self.samples.push(last);
+            }
+            let time = self.samples.last().map_or(start.time, |last| last.state.time);
+            return Ok((given, Ending::of(ended, time)));
+        }
+        Ok((given, Ending::Complete))
+    }
+
+    /// One step, shortened to a switch on its way; the event that stops the motion, if one does.
+    fn advance(&mut self, end: f64) -> Result<Option<usize>, MotionError> {
+        let from = self.stepper.time();
+        if let Err(cause) = self.stepper.step(end) {
+            // It may have gone too far to see that it should not have.
+            self.stepper.cut(from);
+            return Err(cause);
+        }
+        let found = {
+            let stepper = &self.stepper;
+            self.watch.look([from, stepper.time()], &|time| stepper.at(time).state)
+        };
+        for (k, first) in found.iter().enumerate() {
+            self.fill(first.time, false)?;
+            if self.act(first.event) == EventAction::Record {
+                self.happen(first, self.stepper.at(first.time).state)?;
+                continue;
+            }
+            // The step ends here. What else is due now, but for rounding, happens now.
+            self.stepper.cut(first.time);
+            let state = self.stepper.now().state;
+            let later = found.iter().skip(k + 1);
+            let due: Vec<&Found> =
+                [first].into_iter().chain(later.filter(|f| self.watch.is_due(f.event, &state))).collect();
+            for crossing in &due {
+                self.happen(crossing, state)?;
+                if let EventAction::Switch { torque, on } = self.act(crossing.event) {
+                    self.stepper.switch(torque, on);
+                }
+            }
+            if due.iter().any(|f| self.events.get(f.event).is_some_and(Event::switches)) {
+                self.stepper.change()?;
+            }
+            self.watch.arm(&state, &due.iter().map(|f| f.event).collect::<Vec<_>>());
+            self.fill(first.time, true)?;
+            let stop = due.iter().find(|f| self.act(f.event) == EventAction::Stop);
+            return stop
+                .map_or_else(|| look_ahead(&mut self.stepper, end).map(|()| None), |f| Ok(Some(f.event)));
+        }
+        self.fill(self.stepper.time(), true)?;
+        look_ahead(&mut self.stepper, end).map(|()| None)
+    }
+
+    fn act(&self, event: usize) -> EventAction {
+        self.events.get(event).map_or(EventAction::Record, Event::action)
+    }
+
+    /// Writes an event down.
+    fn happen(&mut self, &Found { time, event, rising }: &Found, state: State) -> Result<(), MotionError> {
+        if self.crossings.len() == MOST_EVENTS {
+            return Err(MotionError::TooManyEvents { time, most: MOST_EVENTS });
+        }
+        let name = self.events.get(event).map_or("", Event::name).to_owned();
+        self.crossings.push(Crossing { event, name, state: State { time, ..state }, rising });
+        Ok(())
+    }
+
+    fn next_wanted(&self) -> Option<f64> {
+        self.wanted.get(self.samples.len()).copied()
+    }
+
+    /// Samples the last step up to a time, or to just before it.
+    fn fill(&mut self, until: f64, included: bool) -> Result<(), MotionError> {
+        while let Some(t) = self.next_wanted().filter(|&t| t < until || included && t == until) {
+            let now = t == self.stepper.time();
+            let sample = self.sample(if now { self.stepper.now() } else { self.stepper.at(t) })?;
+            self.samples.push(sample);
+        }
+        Ok(())
+    }
+
+    fn sample(&self, balanced: Balanced) -> Result<Sample, MotionError> {
+        let (rotor, torques) = self.stepper.subject();
+        let potential =
+            self.has_potential.then(|| total_potential(torques, rotor, &balanced.state)).flatten();
+        Sample::of(rotor, self.stepper.switched_on(), potential, balanced)
+    }
+}
+
+/// Gives up as soon as it can be seen that the end is too many steps away, or that the motion runs away.
+pub(super) fn look_ahead(stepper: &mut Stepper<'_>, end: f64) -> Result<(), MotionError> {
+    let (done, step, time) = (stepper.statistics().accepted, stepper.next_step(), stepper.time());
+    let left = (end - time) / step;
+    if done >= FIRST_STEPS && done as f64 + left > MOST_STEPS as f64 {
+        return Err(MotionError::TooManySteps { time, step, most: MOST_STEPS });
+    }
+    stepper.require_bounded()
+}

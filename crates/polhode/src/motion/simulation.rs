@@ -1,0 +1,258 @@
+//! Simulations: from a start to a trajectory, by the best method there is.
+
+use super::closed_form::ClosedForm;
+use super::course::{Course, MOST_STEPS, look_ahead};
+use super::ending::{Ending, MethodReason};
+use super::error::MotionError;
+use super::event::{Crossing, Event, EventAction};
+use super::propagate::stepper::{Rule, Stepper};
+use super::rotor::Rotor;
+use super::solution::Solution;
+use super::state::State;
+use super::torque::TorqueModel;
+use super::trajectory::{Method, Trajectory, require_ascending};
+use super::watch::Watch;
+
+/// A body, what turns it, what to look out for, and how to compute it.
+///
+/// ```
+/// use polhode::*;
+/// // Spun up from rest by N along z until it turns at 3 rad/s: t = I ω / N.
+/// let body = MassProperties::new(1.0, Position::ZERO, InertiaTensor::diagonal([1.0, 2.0, 2.5])?)?;
+/// let torque = TorqueModel::Constant(ConstantTorque::Body(Torque::new(0.0, 0.0, 0.5)));
+/// let rate = Measure::OmegaBody(Direction::new(0.0, 0.0, 1.0));
+/// let fast = Event::new("fast enough", rate, 3.0, Sense::Rising, EventAction::Stop)?;
+/// let motion = Simulation {
+///     rotor: &Rotor::free(&body),
+///     torques: &[torque],
+///     switched_off: &[],
+///     start: State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::ZERO },
+///     events: &[fast],
+///     times: &[0.0, 100.0],
+///     method: Method::Auto,
+///     tolerance: 1e-13,
+/// }
+/// .run(&mut |_| {})?;
+/// let Ending::Stopped { time, .. } = *motion.ending() else { return Err("it does not stop".into()) };
+/// assert!((time - 2.5 * 3.0 / 0.5).abs() < 1e-13);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Simulation<'a> {
+    /// The body and the point that it turns about.
+    pub rotor: &'a Rotor,
+    /// What turns it.
+    pub torques: &'a [TorqueModel],
+    /// Which of the torques, from 0, are switched off until an event switches them on.
+    pub switched_off: &'a [usize],
+    /// Where it starts.
+    pub start: State,
+    /// What to look out for.
+    pub events: &'a [Event],
+    /// When to sample it, s: ascending, none before the start.
+    pub times: &'a [f64],
+    /// How to compute it.
+    pub method: Method,
+    /// Bound on the error of each integration step, attitude in rad and ω relative; closed forms and splitting ignore it.
+    pub tolerance: f64,
+}
+
+impl Simulation<'_> {
+    /// The motion at each of the times, as far as it goes: [`Trajectory::ending`] says where and why it ended. An event that stops it,
+    /// and a computation that cannot go on, end it with a sample of their own. `progress` is told the time (s) after each step.
+    ///
+    /// # Errors
+    /// [`MotionError`] for what is wrong before the motion begins: times out of order, a start or a torque that is not finite, an
+    /// event that cannot be measured, no closed form for [`Method::Exact`], a torque without a power series for
+    /// [`Method::Taylor`], a body that cannot spin.
+    pub fn run(&self, progress: &mut dyn FnMut(f64)) -> Result<Trajectory, MotionError> {
+        let Self { rotor, torques, start, events, times, .. } = *self;
+        require_ascending(start.time, times)?;
+        require_finite(rotor, torques, &start)?;
+        events.iter().try_for_each(|event| event.require_possible(rotor, torques, events, &start))?;
+        match self.choose()? {
+            (Way::Closed(motion), reason) => self.exact(motion, reason),
+            (Way::Steps(rule), reason) => self.integrate(rule, reason, progress),
+        }
+    }
+
+    /// The states at each of the times and nothing else: no events, no samples, no evidence of the error. What an inner loop wants.
+    ///
+    /// # Errors
+    /// As [`Simulation::run`]; and what ends a run early is an error here.
+    ///
+    /// ```
+    /// use polhode::*;
+    /// let inertia = InertiaTensor::diagonal([1.0, 1.1, 0.5])?;
+    /// let top = Rotor::pivoted(&MassProperties::new(1.0, Position::new(0.0, 0.0, 0.1), inertia)?, Position::ZERO);
+    /// let simulation = Simulation {
+    ///     rotor: &top,
+    ///     torques: &[TorqueModel::Gravity(UniformGravity::STANDARD)],
+    ///     switched_off: &[],
+    ///     start: State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.3, 0.0, 9.0) },
+    ///     events: &[],
+    ///     times: &[0.5, 1.0],
+    ///     method: Method::Auto,
+    ///     tolerance: 1e-13,
+    /// };
+    /// let (states, run) = (simulation.states()?, simulation.run(&mut |_| {})?);
+    /// assert!(states[1].attitude.angle_to(run.samples()[1].state.attitude) < 1e-12);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn states(&self) -> Result<Vec<State>, MotionError> {
+        let Self { rotor, torques, start, times, switched_off, tolerance, .. } = *self;
+        require_ascending(start.time, times)?;
+        require_finite(rotor, torques, &start)?;
+        let rule = match self.choose()? {
+            (Way::Closed(ClosedForm::Free(motion)), _) => return Ok(motion.at_times(times)),
+            (Way::Closed(motion), _) => return Ok(times.iter().map(|&time| motion.at(time)).collect()),
+            (Way::Steps(rule), _) => rule,
+        };
+        let mut stepper = Stepper::new(rule, rotor, torques, switched_off, start, tolerance, false)?;
+        let end = times.last().copied().unwrap_or(start.time);
+        let mut states = Vec::with_capacity(times.len());
+        for &time in times {
+            while stepper.time() < time {
+                stepper.step(end)?;
+                look_ahead(&mut stepper, end)?;
+            }
+            let there = if time == stepper.time() { stepper.now() } else { stepper.at(time) };
+            states.push(there.state);
+        }
+        Ok(states)
+    }
+
+    /// The method that is asked for, or the best.
+    fn choose(&self) -> Result<(Way, MethodReason), MotionError> {
+        let rough = self.torques.iter().enumerate().find_map(|(k, torque)| Some((k, torque.roughness()?)));
+        let steps = |rule| Ok((Way::Steps(rule), MethodReason::Asked));
+        match self.method {
+            Method::Exact => Ok((Way::Closed(self.closed_form()?), MethodReason::Asked)),
+            Method::Taylor => match rough {
+                Some((torque, why)) => Err(MotionError::NotSmooth { torque, why }),
+                None => steps(Rule::Taylor),
+            },
+            Method::Dop853 => steps(Rule::Dop853),
+            Method::Splitting { order, step } => steps(Rule::Splitting { order, step }),
+            Method::Auto => match (self.closed_form(), rough) {
+                (Ok(motion), _) => Ok((Way::Closed(motion), MethodReason::ClosedForm)),
+                (Err(MotionError::NoClosedForm { why: no_closed_form }), Some((torque, why))) => {
+                    Ok((Way::Steps(Rule::Dop853), MethodReason::Rough { no_closed_form, torque, why }))
+                }
+                (Err(MotionError::NoClosedForm { why: no_closed_form }), None) => {
+                    Ok((Way::Steps(Rule::Taylor), MethodReason::Smooth { no_closed_form }))
+                }
+                (Err(why), _) => Err(why),
+            },
+        }
+    }
+
+    /// # Errors
+    /// [`MotionError::NoClosedForm`], or what makes the motion undetermined.
+    fn closed_form(&self) -> Result<ClosedForm, MotionError> {
+        if self.switched_off.is_empty() && !self.events.iter().any(Event::switches) {
+            return ClosedForm::of(self.rotor, self.torques, self.start);
+        }
+        Err(MotionError::NoClosedForm { why: "torques are switched on and off" })
+    }
+
+    fn integrate(
+        &self,
+        rule: Rule,
+        reason: MethodReason,
+        progress: &mut dyn FnMut(f64),
+    ) -> Result<Trajectory, MotionError> {
+        let stepper = Stepper::new(
+            rule,
+            self.rotor,
+            self.torques,
+            self.switched_off,
+            self.start,
+            self.tolerance,
+            true,
+        )?;
+        let mut course = Course::new(stepper, self.events, self.start, self.times);
+        let (start, ending) = course.run(self.start, progress)?;
+        let stepper = course.stepper();
+        let method = match stepper.rule() {
+            Rule::Taylor => Method::Taylor,
+            Rule::Dop853 => Method::Dop853,
+            Rule::Splitting { order, step } => Method::Splitting { order, step },
+        };
+        let (tolerance, statistics) = (stepper.tolerance(), stepper.statistics());
+        let solution = Solution::Integrated { method, tolerance, statistics };
+        Ok(Trajectory::assembled(start, course.samples, solution)
+            .because(reason)
+            .with_events(course.crossings, ending))
+    }
+
+    /// The closed form, which has no steps: it is looked at turn by turn.
+    fn exact(&self, motion: ClosedForm, reason: MethodReason) -> Result<Trajectory, MotionError> {
+        /// The turn of a stretch, rad.
+        const STRETCH: f64 = 16.0;
+        let end = self.times.last().copied().unwrap_or(self.start.time);
+        let mut watch = Watch::new(self.rotor, self.torques, self.events, &self.start);
+        // A body let go at rest is measured by how fast the torque makes it.
+        let torque: f64 = self.torques.iter().map(|torque| torque.scale(self.rotor, &self.start)).sum();
+        let [_, moment, _] = self.rotor.principal().moments();
+        let torque_rate = (torque / moment).sqrt();
+        let (mut time, mut looks) = (self.start.time, 0);
+        let (mut crossings, mut ending) = (Vec::new(), Ending::Complete);
+        while !self.events.is_empty() && time < end && ending == Ending::Complete {
+            let step = STRETCH / (motion.at(time).omega.norm() + torque_rate);
+            let next = if time + step < end { time + step } else { end };
+            looks += 1;
+            if !(next > time) {
+                ending = Ending::Failed { time, cause: MotionError::StepTooSmall { time, step } };
+            } else if looks == MOST_STEPS / 16 {
+                let cause = MotionError::TooManySteps { time, step, most: looks };
+                ending = Ending::Failed { time, cause };
+            } else {
+                for found in watch.look([time, next], &|t| motion.at(t)) {
+                    let Some(event) = self.events.get(found.event) else { continue };
+                    let (name, state) = (event.name().to_owned(), motion.at(found.time));
+                    crossings.push(Crossing { event: found.event, name, state, rising: found.rising });
+                    if event.action() == EventAction::Stop {
+                        ending = Ending::Stopped { event: found.event, time: found.time };
+                        break;
+                    }
+                }
+                time = next;
+            }
+        }
+        let times = match ending {
+            Ending::Complete => self.times.to_vec(),
+            Ending::Stopped { time, .. } | Ending::Failed { time, .. } => {
+                let before = self.times.iter().copied().filter(|t| *t < time);
+                before.chain([time]).collect()
+            }
+        };
+        Ok(Trajectory::of_closed_form(motion, self.rotor, self.torques, &times)?
+            .because(reason)
+            .with_events(crossings, ending))
+    }
+}
+
+/// How to go about it.
+enum Way {
+    Closed(ClosedForm),
+    Steps(Rule),
+}
+
+/// A start is input: what is wrong with it is not the computation's fault.
+fn require_finite(rotor: &Rotor, torques: &[TorqueModel], start: &State) -> Result<(), MotionError> {
+    let (energy, momentum) = (rotor.kinetic_energy(start.omega), rotor.angular_momentum(start.omega).norm());
+    for (what, value) in [
+        ("the start's time", start.time),
+        ("the start's attitude", start.attitude.quaternion().iter().sum()),
+        ("the start's angular velocity", start.omega.norm()),
+        ("the start's kinetic energy", energy),
+        ("the start's angular momentum", momentum),
+        ("the torque", torques.iter().map(|torque| torque.scale(rotor, start)).sum()),
+    ] {
+        if !value.is_finite() {
+            return Err(MotionError::Parameter { what, value, rule: "finite" });
+        }
+    }
+    Ok(())
+}

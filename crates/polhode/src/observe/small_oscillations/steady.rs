@@ -1,0 +1,263 @@
+//! Steady motions: what keeps its place in a frame that turns uniformly, or not at all.
+
+use super::derivative::derivative;
+use crate::math::eigenvalues::Matrix;
+use crate::math::frame::{Body, Space};
+use crate::math::rotation::Rotation;
+use crate::math::symmetric3::Symmetric3;
+use crate::math::vector::{AngularMomentum, AngularVelocity, Direction, Torque};
+use crate::motion::error::MotionError;
+use crate::motion::rotor::Rotor;
+use crate::motion::state::State;
+use crate::motion::torque::TorqueModel;
+
+/// The torque from outside in a state.
+type Field<'a> = dyn Fn(&State) -> Torque<Body> + 'a;
+
+/// A steady motion, and what acts around it.
+pub(super) struct Steady<'a> {
+    rotor: &'a Rotor,
+    torque: &'a Field<'a>,
+    state: State,
+    /// Σ α
+    sink: f64,
+    /// The size of the torques, N·m.
+    scale: f64,
+}
+
+/// The part of the torques that may be left over.
+const BALANCED: f64 = 1e-8;
+
+/// How much a derivative may change along the motion, relative to the largest.
+const LASTING: f64 = 1e-7;
+
+/// The first difference, rad.
+const STEP: f64 = 0.1;
+
+/// Newton's steps: five where it converges at all.
+const MOST_STEPS: usize = 60;
+
+impl<'a> Steady<'a> {
+    pub(super) fn new(
+        rotor: &'a Rotor,
+        torques: &[TorqueModel],
+        torque: &'a Field<'a>,
+        state: State,
+    ) -> Result<Self, MotionError> {
+        let steady = Self::unchecked(rotor, torques, torque, state)?;
+        steady.require_balance(&state)?;
+        let time = steady.period() / 7.0;
+        for count in [1.0, 2.0, 3.0] {
+            steady.require_balance(&steady.later(count * time))?;
+        }
+        Ok(steady)
+    }
+
+    fn unchecked(
+        rotor: &'a Rotor,
+        torques: &[TorqueModel],
+        torque: &'a Field<'a>,
+        state: State,
+    ) -> Result<Self, MotionError> {
+        let [least, _, greatest] = rotor.principal().moments();
+        if !(least > 0.0) {
+            let rule = "above zero: the spin of a rod about its own line is undetermined";
+            return Err(MotionError::Parameter { what: "the least moment of inertia", value: least, rule });
+        }
+        let motor = rotor.motor_torque(state.time).norm();
+        if motor > 0.0 {
+            return Err(MotionError::NotSteady { torque: motor, scale: motor });
+        }
+        let spin = state.omega.norm();
+        let gyroscopic = (greatest * spin + rotor.wheel_momentum(state.time).norm()) * spin;
+        let scale = torques.iter().map(|torque| torque.scale(rotor, &state)).sum::<f64>();
+        let scale = scale.max(torque(&state).norm()) + gyroscopic;
+        if !scale.is_finite() {
+            return Err(MotionError::NotFinite { time: state.time });
+        }
+        Ok(Self { rotor, torque, state, sink: torques.iter().map(TorqueModel::sink).sum(), scale })
+    }
+
+    pub(super) const fn state(&self) -> State {
+        self.state
+    }
+
+    /// L = I ω + h
+    fn momentum(&self, state: &State) -> AngularMomentum<Body> {
+        self.rotor.angular_momentum(state.omega) + self.rotor.wheel_momentum(state.time)
+    }
+
+    /// L × ω + N, which is zero in a steady motion.
+    fn rest(&self, state: &State) -> Torque<Body> {
+        self.momentum(state).cross(state.omega) + (self.torque)(state)
+    }
+
+    fn require_balance(&self, state: &State) -> Result<(), MotionError> {
+        let bending = self.momentum(state).cross(state.omega).norm();
+        let torque = self.rest(state).norm();
+        // Friction inside is at rest only where ω is along L.
+        let torque = if self.sink > 0.0 { torque.max(bending) } else { torque };
+        if torque.is_nan() {
+            return Err(MotionError::NotFinite { time: state.time });
+        }
+        if torque <= BALANCED * self.scale {
+            Ok(())
+        } else {
+            Err(MotionError::NotSteady { torque, scale: self.scale })
+        }
+    }
+
+    /// A rate of the motion, rad/s: that of turning, or √(N/I).
+    fn rate(&self) -> f64 {
+        let [.., greatest] = self.rotor.principal().moments();
+        let rate = self.state.omega.norm().max((self.scale / greatest).sqrt());
+        if rate > 0.0 { rate } else { 1.0 }
+    }
+
+    fn period(&self) -> f64 {
+        core::f64::consts::TAU / self.rate()
+    }
+
+    /// The steady motion, some time later.
+    fn later(&self, time: f64) -> State {
+        let turn: Direction<Space> = (self.state.omega_space() * time).as_quantity();
+        let attitude = Rotation::<Space, Space>::from_rotation_vector(turn) * self.state.attitude;
+        State { time: self.state.time + time, attitude, ..self.state }
+    }
+
+    /// ∂N/∂θ and ∂N/∂ω by columns.
+    fn derivatives(&self, at: &State) -> [[[f64; 3]; 3]; 2] {
+        let step = STEP * self.rate();
+        let turned = |k: usize, angle: f64| {
+            let turn = Rotation::<Body, Body>::from_rotation_vector(unit(k) * angle);
+            (self.torque)(&State { attitude: at.attitude * turn, ..*at }).to_array()
+        };
+        let faster = |k: usize, rate: f64| {
+            let more: AngularVelocity<Body> = (unit(k) * rate).as_quantity();
+            (self.torque)(&State { omega: at.omega + more, ..*at }).to_array()
+        };
+        let by_angle = [0, 1, 2].map(|k| derivative(|angle| turned(k, angle), STEP));
+        let by_rate = [0, 1, 2].map(|k| derivative(|rate| faster(k, rate), step));
+        [by_angle, by_rate]
+    }
+
+    /// The matrix of the linear equations for (δθ, δω/w) in the time 1/w, and w, 1/s; `None` if nothing happens at all.
+    pub(super) fn linearised(&self) -> Result<Option<(Matrix<6>, f64)>, MotionError> {
+        let not_finite = MotionError::NotFinite { time: self.state.time };
+        let [by_angle, by_rate] = self.derivatives(&self.state);
+        let later = self.derivatives(&self.later(self.period() / 7.0));
+        let largest = by_angle.iter().flatten().fold(0.0, |max: f64, x| max.max(x.abs()));
+        let change = by_angle
+            .iter()
+            .zip(&later[0])
+            .map(|(a, b)| (0..3).map(|k| (a[k] - b[k]).abs()).fold(0.0, f64::max));
+        let change = change.fold(0.0, f64::max);
+        if change > LASTING * largest.max(self.scale) {
+            return Err(MotionError::NotSteady { torque: change, scale: largest.max(self.scale) });
+        }
+        let (omega, momentum) = (self.state.omega, self.momentum(&self.state));
+        // Columns, for a unit of δθ or δω along each axis.
+        let mut columns = [[0.0; 6]; 6];
+        for k in 0..3 {
+            let turn = unit(k);
+            columns[k] = joined((-omega.cross(turn)).to_array(), self.over_inertia(by_angle[k]));
+            let more: AngularVelocity<Body> = turn.as_quantity();
+            // δ(L × ω), the turning Ω = ω + α L × ω, and L × Ω
+            let bending = self.rotor.angular_momentum(more).cross(omega) + momentum.cross(more);
+            let slip: AngularVelocity<Body> = (bending * self.sink).as_quantity();
+            let torque = bending + momentum.cross(slip) + Torque::from_array(by_rate[k]);
+            columns[k + 3] = joined((more + slip).to_array(), self.over_inertia(torque.to_array()));
+        }
+        let block = |i: usize, j: usize| {
+            let part = columns[j..j + 3].iter().flat_map(|column| &column[i..i + 3]);
+            part.fold(0.0, |max: f64, x| max.max(x.abs()))
+        };
+        let w = block(0, 0).max(block(3, 3)).max(block(3, 0).sqrt());
+        if !w.is_finite() {
+            return Err(not_finite);
+        }
+        if w == 0.0 {
+            return Ok(None);
+        }
+        let scaled = |i: usize, j: usize| match (i < 3, j < 3) {
+            (true, true) | (false, false) => columns[j][i] / w,
+            (true, false) => columns[j][i],
+            (false, true) => columns[j][i] / w / w,
+        };
+        Ok(Some((core::array::from_fn(|i| core::array::from_fn(|j| scaled(i, j))), w)))
+    }
+
+    /// I⁻¹ N
+    fn over_inertia(&self, torque: [f64; 3]) -> [f64; 3] {
+        self.rotor.acceleration(AngularVelocity::ZERO, Torque::from_array(torque)).to_array()
+    }
+
+    /// The steady motion that Newton's method finds from a state, whose ω in space stays as it is.
+    ///
+    /// Turns that change nothing, as about the vertical, are left out: each step is the shortest that does it.
+    pub(super) fn near(
+        rotor: &'a Rotor,
+        torques: &[TorqueModel],
+        torque: &'a Field<'a>,
+        start: State,
+    ) -> Result<State, MotionError> {
+        let steady = Self::unchecked(rotor, torques, torque, start)?;
+        let in_space = start.omega_space();
+        let turned = |state: &State, turn: Direction<Body>| {
+            let attitude = state.attitude * Rotation::<Body, Body>::from_rotation_vector(turn);
+            State { attitude, omega: attitude.inverse() * in_space, ..*state }
+        };
+        let mut state = start;
+        let mut rest = steady.rest(&state);
+        for _ in 0..MOST_STEPS {
+            if !(rest.norm() > f64::EPSILON * steady.scale) {
+                break;
+            }
+            let slope =
+                |k: usize| derivative(|angle| steady.rest(&turned(&state, unit(k) * angle)).to_array(), STEP);
+            let full = shortest_solution([0, 1, 2].map(slope), (-rest).to_array());
+            // Half a radian at a time, and less where that does not help.
+            let mut step = full * (0.5 / full.norm().max(0.5));
+            let mut better = None;
+            for _ in 0..12 {
+                let there = turned(&state, step);
+                let left = steady.rest(&there);
+                if left.norm() < rest.norm() {
+                    better = Some((there, left));
+                    break;
+                }
+                step = step * 0.5;
+            }
+            let Some(better) = better else { break };
+            (state, rest) = better;
+        }
+        Self::new(rotor, torques, torque, state).map(|steady| steady.state)
+    }
+}
+
+fn unit(k: usize) -> Direction<Body> {
+    Direction::from_array(core::array::from_fn(|i| if i == k { 1.0 } else { 0.0 }))
+}
+
+fn joined([a, b, c]: [f64; 3], [d, e, f]: [f64; 3]) -> [f64; 6] {
+    [a, b, c, d, e, f]
+}
+
+/// The shortest x with J x nearest to b; J by columns. x = Σ v (v · Jᵀb)/λ over the eigenvectors of JᵀJ whose λ is not rounding.
+fn shortest_solution(columns: [[f64; 3]; 3], b: [f64; 3]) -> Direction<Body> {
+    let dot = |a: &[f64; 3], b: &[f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    let [x, y, z] = &columns;
+    let squared = Symmetric3 {
+        xx: dot(x, x),
+        yy: dot(y, y),
+        zz: dot(z, z),
+        xy: dot(x, y),
+        xz: dot(x, z),
+        yz: dot(y, z),
+    };
+    let eigen = squared.eigen();
+    let right = columns.map(|column| dot(&column, &b));
+    let parts =
+        eigen.values.iter().zip(&eigen.vectors).filter(|(value, _)| **value > 1e-12 * eigen.values[2]);
+    parts.fold(Direction::ZERO, |sum, (value, v)| sum + Direction::from_array(*v) * (dot(v, &right) / value))
+}

@@ -10,6 +10,7 @@ pub(crate) mod free;
 pub(crate) mod inverse;
 pub(crate) mod kinematics;
 pub(crate) mod orbit;
+pub(crate) mod orbital_elements;
 pub(crate) mod pendulum;
 pub(crate) mod prescribed;
 pub(crate) mod propagate;

@@ -27,15 +27,15 @@ pub(in super::super) struct GravityGradientSeries {
 /// What gravity acts on.
 #[derive(Clone, Debug)]
 enum AttractedSeries {
-    Tensor(TensorSeries),
-    Points(PointsSeries),
+    Tensor(Box<TensorSeries>),
+    Points(Box<PointsSeries>),
 }
 
 impl GravityGradientSeries {
     pub(super) fn of(model: &GravityGradient, rotor: &Rotor) -> Self {
         let attracted = match &model.attracted {
-            Attracted::Tensor => AttractedSeries::Tensor(TensorSeries::of(rotor)),
-            Attracted::Points(_) => AttractedSeries::Points(PointsSeries::of(model, rotor)),
+            Attracted::Tensor => AttractedSeries::Tensor(Box::new(TensorSeries::of(rotor))),
+            Attracted::Points(_) => AttractedSeries::Points(Box::new(PointsSeries::of(model, rotor))),
         };
         Self { orbit: OrbitSeries::of(&model.orbit), attracted }
     }
@@ -68,7 +68,7 @@ struct TensorSeries {
     /// (i3 − i2, i1 − i3, i2 − i1): ρ × I ρ is that times (ρ2 ρ3, ρ3 ρ1, ρ1 ρ2).
     differences: Row,
     /// Columns of what wheels add to the tensor, which has other principal axes, and its product with ρ.
-    wheels: Option<Box<([Row; 3], Vectors)>>,
+    wheels: Option<([Row; 3], Vectors)>,
     /// |ρ|⁻⁵
     fifth: Scalars,
     fifth_rows: Series,
@@ -86,7 +86,7 @@ impl TensorSeries {
         one[0] = 1.0;
         Self {
             differences: Row([i3 - i2, i1 - i3, i2 - i1, 0.0]),
-            wheels: (wheels.max_abs() != 0.0).then(|| Box::new((columns, Vectors::ZERO))),
+            wheels: (wheels.max_abs() != 0.0).then_some((columns, Vectors::ZERO)),
             fifth: one,
             fifth_rows: one.map(Row::splat),
             bending: [Row::ZERO; TERMS],
@@ -97,8 +97,7 @@ impl TensorSeries {
     fn coefficient(&mut self, n: usize, orbit: &OrbitSeries) -> Row {
         let rho = orbit.rho.vectors();
         let mut bending = self.differences * rho.others(n);
-        if let Some(wheels) = &mut self.wheels {
-            let ([a, b, c], momentum) = &mut **wheels;
+        if let Some(([a, b, c], momentum)) = &mut self.wheels {
             let [x, y, z, _] = rho.rows[n].0;
             momentum.set(n, *a * Row::splat(x) + (*b * Row::splat(y) + *c * Row::splat(z)));
             bending = bending + rho.cross(momentum, n);

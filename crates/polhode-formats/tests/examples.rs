@@ -194,8 +194,8 @@ fn curtis_tube_precesses_at_the_rate_of_the_book() {
 fn the_satellite_librates_about_the_vertical() {
     let scenario = read("gravity-gradient.toml");
     let [[ix, ..], [_, iy, _], [.., iz]] = scenario.rotor().inertia().matrix();
-    assert!(iz < 0.1 * ix && (ix / iy - 1.0).abs() < 0.01);
-    let n = 1.106_78e-3;
+    assert!(iz < 0.1 * ix && (ix / iy - 1.0).abs() < 0.02);
+    let n = 1.106_816_5e-3;
     let motion = scenario.simulate().unwrap().unwrap();
     // Of the boom from the vertical: in the plane, forward, and out of it.
     let angles = motion.samples().iter().map(|sample| {
@@ -207,8 +207,7 @@ fn the_satellite_librates_about_the_vertical() {
     let angles: Vec<_> = angles.collect();
     let most = |f: fn(&(f64, f64, f64)) -> f64| angles.iter().map(f).fold(0.0, f64::max).to_degrees();
     let (pitch, roll) = (most(|a| a.1.abs()), most(|a| a.2.abs()));
-    eprintln!("pitch {pitch} roll {roll}");
-    assert!((25.0..30.0).contains(&pitch) && (10.0..14.0).contains(&roll), "{pitch} {roll}");
+    assert!((25.0..26.0).contains(&pitch) && (10.0..10.5).contains(&roll), "{pitch} {roll}");
     // From one passage of the vertical to the next but one.
     let period = |f: fn(&(f64, f64, f64)) -> f64| {
         let crossings = angles.windows(2).filter(|w| f(&w[0]) * f(&w[1]) < 0.0);
@@ -224,15 +223,8 @@ fn the_satellite_librates_about_the_vertical() {
     // 2 K(sin² θ₀)/π.
     let small = 3.0 * (ix - iz) / iy;
     let wide = EllipticParameter::new(25_f64.to_radians().sin().powi(2)).unwrap().k() / (PI / 2.0);
-    eprintln!(
-        "{} {} {} {}",
-        period(|a| a.1),
-        2.0 * PI * wide / (n * small.sqrt()),
-        period(|a| a.2),
-        2.0 * PI / (n * (1.0 + small).sqrt())
-    );
-    close(period(|a| a.1) / (2.0 * PI * wide / (n * small.sqrt())), 1.0, 0.02);
-    close(period(|a| a.2) / (2.0 * PI / (n * (1.0 + small).sqrt())), 1.0, 0.05);
+    close(period(|a| a.1) / (2.0 * PI * wide / (n * small.sqrt())), 1.0, 0.005);
+    close(period(|a| a.2) / (2.0 * PI / (n * (1.0 + small).sqrt())), 1.0, 0.01);
 }
 
 #[test]
@@ -242,7 +234,6 @@ fn the_magnet_swings_about_the_field() {
     let (dip, strength) = (f64::atan2(44.0, 19.0), f64::hypot(44e-6, 19e-6));
     let small = (4.5 * strength / moment).sqrt();
     let period = 4.0 * EllipticParameter::new((0.5 * dip).sin().powi(2)).unwrap().k() / small;
-    eprintln!("{small} {period}");
     let mut whole = scenario.clone();
     whole.run = Some(Run { times: vec![0.5 * period, period], method: Method::Auto, tolerance: 1e-14 });
     let motion = whole.simulate().unwrap().unwrap();

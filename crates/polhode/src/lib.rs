@@ -112,7 +112,8 @@ pub use motion::inverse::{ParticleForce, Required};
 pub use motion::kinematics::{
     KineticEnergySplit, MovingParticle, angular_momentum, momentum, rigid_acceleration, rigid_velocity,
 };
-pub use motion::orbit::{Anomaly, MU_EARTH, Orbit, OrbitalElements};
+pub use motion::orbit::{MU_EARTH, Orbit};
+pub use motion::orbital_elements::{Anomaly, OrbitalElements};
 pub use motion::pendulum::{Pendulum, Swing};
 pub use motion::pendulum_motion::PendulumMotion;
 pub use motion::prescribed::Prescribed;

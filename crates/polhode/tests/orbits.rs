@@ -215,7 +215,6 @@ fn energy_less_n_l_is_constant_on_a_circle() {
             assert!(most > 1.1 * least);
             for sample in run.samples() {
                 let error = (integral(sample) - first).abs() / most;
-                if sample.state.time == 40.0 {}
                 assert!(error < 2e-13, "{method:?} t = {}: {error:e}", sample.state.time);
             }
         }

@@ -15,6 +15,7 @@ pub(crate) mod heavy_top;
 pub(crate) mod inverse;
 pub(crate) mod kinematics;
 pub(crate) mod orbit;
+pub(crate) mod orbital_elements;
 pub(crate) mod pendulum;
 pub(crate) mod pendulum_motion;
 pub(crate) mod prescribed;

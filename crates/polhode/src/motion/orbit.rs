@@ -5,11 +5,12 @@
 //! the periapsis that is nearest to it, and the mean motion n has two words, so that many revolutions cost no digits.
 
 use super::error::MotionError;
+use super::orbital_elements::{Anomaly, OrbitalElements};
 use crate::math::double::Double;
 use crate::math::frame::Space;
 use crate::math::kepler::{Conic, Place};
 use crate::math::rotation::Rotation;
-use crate::math::vector::{Direction, Position, Vector, Velocity};
+use crate::math::vector::{Direction, Position, Vector, Velocity, quantity::Number};
 
 /// The Earth's gravitational parameter GM, m³/s²: IERS Conventions (2010), table 1.1, with the atmosphere.
 pub const MU_EARTH: f64 = 3.986_004_418e14;
@@ -49,32 +50,6 @@ enum Clock {
     Closed { epoch: f64, anomaly: f64, rate: Double },
     /// Of the others: how long ago it was at a time (s), in units of √(q³/µ).
     Open { epoch: f64, since: f64 },
-}
-
-/// The classical elements of an orbit at t = 0.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct OrbitalElements {
-    /// a, m; negative for a hyperbola.
-    pub semi_major_axis: f64,
-    /// e, not 1.
-    pub eccentricity: f64,
-    /// i, from the xy plane of space, rad.
-    pub inclination: f64,
-    /// Ω, from the x axis of space to the ascending node, rad.
-    pub node: f64,
-    /// ω, from the node to the periapsis, rad.
-    pub periapsis: f64,
-    /// Where on the orbit.
-    pub anomaly: Anomaly,
-}
-
-/// Where on an orbit something is, from the periapsis.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Anomaly {
-    /// M, rad: an angle that grows evenly with time.
-    Mean(f64),
-    /// ν, rad: the angle at the point mass.
-    True(f64),
 }
 
 impl Orbit {
@@ -141,12 +116,11 @@ impl Orbit {
         positive("the orbit's distance", r)?;
         require("the orbit's speed", velocity.norm(), velocity.is_finite(), "finite")?;
         require("the orbit's epoch", time, time.is_finite(), "finite")?;
-        // In units of r and √(µ/r): h = u × w, e = w × h − u, r/a = 2 − w²
+        // In units of r and √(µ/r): h = u × w, e = w × h − u, p = h²
         let u = direction("the orbit's distance", position)?;
-        let w: Direction<Space> =
-            velocity.as_quantity::<crate::math::vector::quantity::Number>() * (r / mu).sqrt();
+        let w: Direction<Space> = velocity.as_quantity::<Number>() * (r / mu).sqrt();
         let h = u.cross(w);
-        let across = h.norm() / w.norm();
+        let across = h.norm() / w.norm().max(f64::MIN_POSITIVE);
         require(
             "the orbit's velocity",
             across,
@@ -160,9 +134,11 @@ impl Orbit {
             Some(toward) if in_plane.norm() > CIRCLE => (in_plane.norm(), toward),
             _ => (0.0, u),
         };
-        // q = p/(1 + e), 1 − e = (p/a)/(1 + e)
-        let (p, alpha) = (h.dot(h), 2.0 - w.dot(w));
-        let q = p / (1.0 + e);
+        // q = p/(1 + e), 1 − e = q/a; 1/a in two words, so that n is positive where 1 − e is
+        let inverse = inverse_semi_major_axis(mu, position, velocity);
+        let alpha = (inverse * Double::from(r)).value();
+        require("the orbit's r/a", alpha, alpha.is_finite(), "finite")?;
+        let q = h.dot(h) / (1.0 + e);
         let conic = if e == 0.0 { Conic { e, beta: 1.0 } } else { Conic { e, beta: alpha * q } };
         let (x, y) = (u.dot(toward), u.dot(normal.cross(toward)));
         let s = if conic.beta > 0.0 {
@@ -172,7 +148,7 @@ impl Orbit {
             let (moment, k) = (u.dot(w) / (e * q.sqrt()), (-conic.beta).sqrt());
             if k == 0.0 { moment } else { libm::asinh(k * moment) / k }
         };
-        let rate = mean_motion(mu, inverse_semi_major_axis(mu, position, velocity));
+        let rate = mean_motion(mu, inverse);
         let clock = Clock::new(conic, conic.time(s), rate, time);
         Self::new(mu, conic, q * r, clock, (toward, normal))
     }
@@ -470,6 +446,12 @@ mod tests {
         let d = 1.7_f64;
         let r = orbit.position(3.0 + d + d * d * d / 3.0);
         assert!((r - Position::new(1.0 - d * d, 2.0 * d, 0.0)).norm() < 4e-15, "{r:?}");
+        // Rounding makes it an ellipse or a hyperbola, as long as one likes.
+        for speed in [2.0_f64.next_up(), 2.0_f64.next_down()] {
+            let near = Orbit::through(2.0, Position::new(1.0, 0.0, 0.0), Velocity::new(0.0, speed, 0.0), 3.0)
+                .unwrap();
+            assert!((near.position(10.0) - orbit.position(10.0)).norm() < 1e-13);
+        }
     }
 
     #[test]

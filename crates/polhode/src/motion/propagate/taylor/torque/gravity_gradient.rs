@@ -28,15 +28,15 @@ pub(in super::super) struct GravityGradientSeries {
 /// What gravity acts on.
 #[derive(Clone, Debug)]
 enum AttractedSeries {
-    Tensor(TensorSeries),
-    Points(PointsSeries),
+    Tensor(Box<TensorSeries>),
+    Points(Box<PointsSeries>),
 }
 
 impl GravityGradientSeries {
     pub(super) fn of(model: &GravityGradient, rotor: &Rotor) -> Self {
         let attracted = match &model.attracted {
-            Attracted::Tensor => AttractedSeries::Tensor(TensorSeries::of(rotor)),
-            Attracted::Points(_) => AttractedSeries::Points(PointsSeries::of(model, rotor)),
+            Attracted::Tensor => AttractedSeries::Tensor(Box::new(TensorSeries::of(rotor))),
+            Attracted::Points(_) => AttractedSeries::Points(Box::new(PointsSeries::of(model, rotor))),
         };
         Self { orbit: OrbitSeries::of(&model.orbit), attracted }
     }

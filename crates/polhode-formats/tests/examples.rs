@@ -216,7 +216,8 @@ fn the_minor_axis_spinner_ends_in_a_flat_spin() {
     let tangent = |s: &Sample| 5.0 * s.state.omega.y.hypot(s.state.omega.z) / (0.2 * s.state.omega.x);
     let rate = 0.002 * first.momentum.dot(first.momentum) * (1.0 / 0.2 - 1.0 / 5.0);
     for sample in motion.samples().iter().take_while(|s| s.state.time < 200.0) {
-        close(tangent(sample) / (tangent(&first) * (rate * sample.state.time).exp()), 1.0, 1e-10);
+        // Steps are good to 1e-13 of 10 rad/s, and the tilt is 0.0035 rad/s.
+        close(tangent(sample) / (tangent(&first) * (rate * sample.state.time).exp()), 1.0, 1e-9);
     }
 }
 

@@ -95,7 +95,7 @@ fn a_wheel_makes_the_intermediate_axis_stable_beyond_its_threshold() {
             assert!(across * threshold > 0.0 && (c > 0.0) == stable);
             match found.stability {
                 Stability::Stable { frequency, .. } => {
-                    assert!(stable && (frequency / c.sqrt() - 1.0).abs() < 1e-11)
+                    assert!(stable && (frequency / c.sqrt() - 1.0).abs() < 1e-11);
                 }
                 Stability::Unstable { growth_rate, .. } => {
                     assert!(!stable && (growth_rate / (-c).sqrt() - 1.0).abs() < 1e-11);

@@ -137,7 +137,7 @@ pub fn parse(text: &str, path: &Path) -> Result<Scenario, FormatError> {
     let point = pivot.map(|pivot| pivot.point);
     let rotor = point.map_or_else(|| Rotor::free(&body), |point| Rotor::pivoted(&body, point));
     let wheels = wheel::wheels(&root)?;
-    let start = start::start(&root, &wheel::locked(rotor.clone(), &wheels)?)?;
+    let start = start::start(&root, &wheel::locked(&rotor, &wheels)?)?;
     let prescribed = prescribed::prescribed(&root, &start)?;
     let state = prescribed.map_or(start.state, |motion| motion.at(0.0).0);
     let mut scenario = Scenario {
@@ -150,7 +150,7 @@ pub fn parse(text: &str, path: &Path) -> Result<Scenario, FormatError> {
         torques: torques.models,
         torque_names: torques.names,
         switched_off: torques.switched_off,
-        wheels: wheel::turning(rotor, &wheels, start.state.omega)?,
+        wheels: wheel::turning(&rotor, &wheels, start.state.omega)?,
         events,
         prescribed,
         hanging: None,

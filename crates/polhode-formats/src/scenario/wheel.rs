@@ -118,13 +118,13 @@ impl WheelTable<'_> {
 }
 
 /// The body with its wheels as they are at the start, for which L = I ω + h says what ω is.
-pub(crate) fn locked(rotor: Rotor, wheels: &[WheelTable<'_>]) -> Result<Rotor, FormatError> {
+pub(crate) fn locked(rotor: &Rotor, wheels: &[WheelTable<'_>]) -> Result<Rotor, FormatError> {
     fitted(rotor, wheels, WheelTable::locked).map(|(rotor, _)| rotor)
 }
 
 /// The wheels in a body that starts at ω.
 pub(crate) fn turning(
-    rotor: Rotor,
+    rotor: &Rotor,
     wheels: &[WheelTable<'_>],
     omega: AngularVelocity<Body>,
 ) -> Result<Vec<Wheel>, FormatError> {
@@ -133,7 +133,7 @@ pub(crate) fn turning(
 
 /// Puts in one wheel after the other, so that what does not fit has its place.
 fn fitted<'a>(
-    rotor: Rotor,
+    rotor: &Rotor,
     tables: &[WheelTable<'a>],
     wheel: impl Fn(&WheelTable<'a>) -> Result<Wheel, MotionError>,
 ) -> Result<(Rotor, Vec<Wheel>), FormatError> {

@@ -6,6 +6,8 @@
 //! Source: Wilkinson & Reinsch, Handbook for Automatic Computation II (1971), contributions II/11 (balance), II/13 (elmhes) and
 //! II/14 (hqr).
 
+#![allow(clippy::needless_range_loop, reason = "rows and columns have the numbers of the algorithm")]
+
 use super::complex::Complex;
 
 /// A square matrix, row by row.

@@ -231,8 +231,9 @@ fn names_are_known_ones() {
     );
     refuses(
         &format!("{BALL}[[torque]]\nmodel = «'dragg'»"),
-        "model = 'dragg' must be one of constant, gravity",
-        "write model = \"constant\"",
+        "model = 'dragg' must be one of constant, gravity, gravity_gradient, drag, torsion, magnetic, thruster, \
+         energy_sink, formula",
+        "did you mean \"drag\"?",
     );
 }
 

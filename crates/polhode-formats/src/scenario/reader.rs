@@ -9,6 +9,7 @@ use toml::de::{DeTable, DeValue};
 
 use super::suggestion::nearest;
 use crate::error::{FormatError, FormatErrorKind, Place};
+use crate::expression::ExpressionError;
 use crate::text::{cut, visible};
 use crate::unit::{self, Dimension};
 
@@ -311,6 +312,21 @@ impl<'a> Value<'a> {
 
     pub(crate) fn error(&self, kind: FormatErrorKind) -> FormatError {
         self.source.error(self.span(), kind)
+    }
+
+    /// An error in a string that is a formula, at its place there; of a string with escapes, at the string.
+    pub(crate) fn formula(&self, error: ExpressionError) -> FormatError {
+        let span = self.span();
+        let raw = self.source.text.get(span.clone()).unwrap_or_default();
+        let text = self.string().unwrap_or_default();
+        let mut place = span.clone();
+        if let Some(offset) = raw.find(text).filter(|_| !text.is_empty()) {
+            let mut characters = text.char_indices().skip(error.column.saturating_sub(1)).map(|(at, _)| at);
+            let start = characters.next().unwrap_or(text.len());
+            let end = characters.next().unwrap_or(text.len()).max(start);
+            place = span.start + offset + start..span.start + offset + end;
+        }
+        self.source.error(place, FormatErrorKind::Formula(error))
     }
 
     pub(crate) fn body(&self, error: BodyError) -> FormatError {

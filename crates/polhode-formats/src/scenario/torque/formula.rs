@@ -12,7 +12,8 @@ use crate::unit::Dimension;
 pub(super) fn formula(table: &Table<'_>) -> Result<TorqueModel, FormatError> {
     allow(table, &["axes", "torque"])?;
     let axes = table.require("axes", "axes = \"body\"")?.choice(&["body", "space"])?;
-    let torque = table.require("torque", "torque = [\"-0.3[N m s]*wx\", \"0\", \"2[mN m]*sin(1[rad/s]*t)\"]")?;
+    let torque =
+        table.require("torque", "torque = [\"-0.3[N m s]*wx\", \"0\", \"2[mN m]*sin(1[rad/s]*t)\"]")?;
     let [x, y, z] = torque.fixed("formulas")?;
     let components = [component(&x)?, component(&y)?, component(&z)?];
     Ok(TorqueModel::Formula(Box::new(match axes {

@@ -586,10 +586,10 @@ fn a_torque_s_formula_is_answered_at_its_place() {
     refuses(&with("0, '1[N m] «+» 2', 0"), message, "a number has its unit in brackets, such as 0.1[N m]");
     refuses(&with("0, 0, \"\"\"2[Nm]*«w1»\"\"\""), "there is no variable w1", "did you mean wx?");
     let message = "the value is an angular velocity, where a torque belongs";
-    refuses(&with("' «w»x', 0, 0"), message, "a factor is missing, such as 12[N m s]");
-    refuses(&with("'2[«N»n]*t', 0, 0"), "there is no unit \"Nn\"", "");
+    refuses(&with("' «wx»', 0, 0"), message, "a factor is missing, such as 12[N m s]");
+    refuses(&with("'2[«Nn»]*t', 0, 0"), "there is no unit \"Nn\"", "did you mean");
     let message = "sin takes a plain number, not a time";
-    refuses(&with("'1[N m]*«s»in(t)', 0, 0"), message, "divide by a quantity like it, such as 90[s]");
+    refuses(&with("'1[N m]*«sin»(t)', 0, 0"), message, "divide by a quantity like it, such as 90[s]");
     // of a string with escapes, the string is the place
     let message = "expected an operator, ) or the end, found \"²\"";
     refuses(&with("«\"1[N m]*qw\\u00b2\"», 0, 0"), message, "");

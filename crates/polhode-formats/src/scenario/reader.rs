@@ -321,9 +321,12 @@ impl<'a> Value<'a> {
         let text = self.string().unwrap_or_default();
         let mut place = span.clone();
         if let Some(offset) = raw.find(text).filter(|_| !text.is_empty()) {
-            let mut characters = text.char_indices().skip(error.column.saturating_sub(1)).map(|(at, _)| at);
-            let start = characters.next().unwrap_or(text.len());
-            let end = characters.next().unwrap_or(text.len()).max(start);
+            let start =
+                text.char_indices().nth(error.column.saturating_sub(1)).map_or(text.len(), |(at, _)| at);
+            let word = |c: char| c.is_alphanumeric() || c == '_';
+            let end = text[start..].find(|c| !word(c)).map_or(text.len(), |length| start + length);
+            let one = text[start..].chars().next().map_or(0, char::len_utf8);
+            let end = end.max(start + one);
             place = span.start + offset + start..span.start + offset + end;
         }
         self.source.error(place, FormatErrorKind::Formula(error))

@@ -591,7 +591,7 @@ fn a_torque_s_formula_is_answered_at_its_place() {
     let message = "sin takes a plain number, not a time";
     refuses(&with("'1[N m]*«sin»(t)', 0, 0"), message, "divide by a quantity like it, such as 90[s]");
     // of a string with escapes, the string is the place
-    let message = "expected an operator, ) or the end, found \"²\"";
-    refuses(&with("«\"1[N m]*qw\\u00b2\"», 0, 0"), message, "");
+    let message = "there is no variable qw²";
+    refuses(&with("«\"1[N m]*qw\\u00b2\"», 0, 0"), message, "did you mean qw?");
     refuses(&with("0, «true», 0"), "torque must be a torque, not true or false", "write \"0.1 N m\"");
 }

@@ -137,10 +137,10 @@ impl Graph {
                 let half = self.binary(Binary::Atan2, sine, cosine);
                 self.node(Node::Scale(half, 2.0))
             }
-            name => match name.as_bytes() {
-                &[b'w', axis @ b'x'..=b'z'] => self.node(Node::Input(Input::Omega(usize::from(axis - b'x')))),
-                &[b'L', axis @ b'x'..=b'z'] => self.momentum(usize::from(axis - b'x')),
-                &[b'q', component] => {
+            name => match *name.as_bytes() {
+                [b'w', axis @ b'x'..=b'z'] => self.node(Node::Input(Input::Omega(usize::from(axis - b'x')))),
+                [b'L', axis @ b'x'..=b'z'] => self.momentum(usize::from(axis - b'x')),
+                [b'q', component] => {
                     let [w, x, y, z] = self.quaternion();
                     match component {
                         b'x' => x,
@@ -149,10 +149,10 @@ impl Graph {
                         _ => w,
                     }
                 }
-                &[b'r', row @ b'1'..=b'3', column @ b'1'..=b'3'] => {
+                [b'r', row @ b'1'..=b'3', column @ b'1'..=b'3'] => {
                     self.cosine(usize::from(row - b'1'), usize::from(column - b'1'))
                 }
-                &[of @ (b'w' | b'L'), row @ b'X'..=b'Z'] => {
+                [of @ (b'w' | b'L'), row @ b'X'..=b'Z'] => {
                     let row = usize::from(row - b'X');
                     let cosines = [0, 1, 2].map(|column| self.cosine(row, column));
                     let vector = [0, 1, 2].map(|k| match of {

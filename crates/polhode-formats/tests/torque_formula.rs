@@ -181,7 +181,6 @@ fn what_is_no_number_ends_at_the_last_good_time() {
         ("0.1[N m]*log(1 - t/2[s])", 1.9, 2.0),
         ("0.1[N m s]/(t - 2[s])", 1.9, 2.0),
         ("0.1[N m]*sqrt(2 - t/1[s])", 1.9, 2.0),
-        ("0.1[N m]*sqrt(-t/1[s])", 0.3, 0.3),
     ] {
         for method in BOTH {
             let torque = body_axes(["0.1[N m]", text, "0"]);
@@ -198,5 +197,14 @@ fn what_is_no_number_ends_at_the_last_good_time() {
                 other => panic!("{text} {method:?}: {other:?}"),
             }
         }
+    }
+    for method in BOTH {
+        let torque = body_axes(["0.1[N m]", "0.1[N m]*sqrt(-t/1[s])", "0"]);
+        let refused = Trajectory::compute(&rotor, &[torque], start(), &[4.0], method, 1e-12);
+        assert!(matches!(refused, Err(MotionError::Parameter { what: "the torque", .. })), "{refused:?}");
+        // No power series starts at this corner.
+        let torque = body_axes(["0", "0", "0.1[N m]*sqrt(t/1[s] - 0.3)"]);
+        let end = Trajectory::compute(&rotor, &[torque], start(), &[1.0], Method::Taylor, 1e-12);
+        assert_eq!(end.err(), Some(MotionError::NotFinite { time: 0.3 }));
     }
 }

@@ -115,15 +115,21 @@ impl ExpressionError {
             )),
             Kind::ChainedComparison => Some("write if(0 < x, if(x < 1, a, b), b)".to_owned()),
             Kind::Unit(error) => error.hint(),
-            Kind::Unequal { left, right, .. } if *left == Dimension::NONE => example(*right).map(bracketed),
-            Kind::Unequal { left, right, .. } if *right == Dimension::NONE => example(*left).map(bracketed),
+            Kind::Unequal { left, right, .. } if *left == Dimension::NONE => {
+                example(*right).map(|unit| bracketed(&unit))
+            }
+            Kind::Unequal { left, right, .. } if *right == Dimension::NONE => {
+                example(*left).map(|unit| bracketed(&unit))
+            }
             Kind::NotPlain { function: "if", .. } => {
                 Some("a condition is a comparison, such as t < 3[s]".to_owned())
             }
             Kind::NotPlain { found, .. } | Kind::BrokenPower { found, .. } => {
                 example(*found).map(|unit| format!("divide by a quantity like it, such as {unit}"))
             }
-            Kind::Value { found, expected } if *found == Dimension::NONE => example(*expected).map(bracketed),
+            Kind::Value { found, expected } if *found == Dimension::NONE => {
+                example(*expected).map(|unit| bracketed(&unit))
+            }
             Kind::Value { found, expected } => example(expected.times(found.without_angle(), -1))
                 .map(|unit| format!("a factor is missing, such as {unit}")),
             Kind::Expected { found, .. } if found == "[" => Some(
@@ -186,6 +192,6 @@ fn example(dimension: Dimension) -> Option<String> {
     text.split_once(' ').map(|(number, unit)| format!("{number}[{unit}]"))
 }
 
-fn bracketed(example: String) -> String {
+fn bracketed(example: &str) -> String {
     format!("a number has its unit in brackets, such as {example}")
 }

@@ -25,6 +25,8 @@ pub(super) struct Course<'a> {
     events: &'a [Event],
     watch: Watch<'a>,
     has_potential: bool,
+    /// True if a formula, which may be no number, is among the torques: each step's end is looked at.
+    has_formula: bool,
     wanted: &'a [f64],
     pub(super) samples: Vec<Sample>,
     pub(super) crossings: Vec<Crossing>,
@@ -43,6 +45,7 @@ impl<'a> Course<'a> {
             stepper,
             events,
             has_potential,
+            has_formula: torques.iter().any(|torque| torque.name() == "formula"),
             wanted,
         }
     }
@@ -93,6 +96,11 @@ impl<'a> Course<'a> {
             // It may have gone too far to see that it should not have.
             self.stepper.cut(from);
             return Err(cause);
+        }
+        // A step may reach a little beyond where its torque is a number.
+        if self.has_formula && self.sample(self.stepper.now()).is_err() {
+            self.stepper.cut(from);
+            return Err(MotionError::NotFinite { time: from });
         }
         let found = {
             let stepper = &self.stepper;

@@ -12,6 +12,7 @@
 //! it hardly grows, as most of it is waiting for the coefficient before, so that higher orders and longer steps are faster: a third at
 //! ε = 1e-15, a half at 1e-6.
 
+mod function;
 mod row;
 mod scalar;
 mod seen;

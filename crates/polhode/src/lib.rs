@@ -117,8 +117,8 @@ pub use motion::rotor::Rotor;
 pub use motion::scenario::{Hanging, Run, Scenario};
 pub use motion::state::State;
 pub use motion::torque::{
-    Attracted, ConstantTorque, Drag, EnergySink, FormulaTorque, GravityGradient, Magnetic, MagneticField,
-    Schedule, Scheduled, Thruster, TorqueModel, Torsion, UniformGravity,
+    Attracted, ConstantTorque, Drag, DragLaw, EnergySink, FormulaTorque, GravityGradient, Magnetic,
+    MagneticField, Schedule, Scheduled, Thruster, TorqueModel, Torsion, UniformGravity,
 };
 pub use motion::trajectory::{Method, Sample, Solution, Trajectory};
 pub use motion::wheel::{Motor, Wheel};

@@ -52,6 +52,11 @@ pub enum MotionError {
         /// The most steps that are tried.
         most: u64,
     },
+    /// A torsion spring or wire was twisted by half a turn, beyond which an attitude does not say its twist.
+    HalfTurn {
+        /// The last good time, s.
+        time: f64,
+    },
     /// The state became infinite or undefined.
     NotFinite {
         /// The last good time, s.
@@ -62,7 +67,13 @@ pub enum MotionError {
 impl MotionError {
     /// True if the input was fine but the computation could not reach its tolerance.
     pub const fn is_numerical(&self) -> bool {
-        matches!(self, Self::StepTooSmall { .. } | Self::TooManySteps { .. } | Self::NotFinite { .. })
+        matches!(
+            self,
+            Self::StepTooSmall { .. }
+                | Self::TooManySteps { .. }
+                | Self::HalfTurn { .. }
+                | Self::NotFinite { .. }
+        )
     }
 
     /// What to try next, where there is something to try.
@@ -77,6 +88,7 @@ impl MotionError {
             Self::StepTooSmall { .. } | Self::TooManySteps { .. } => {
                 Some("loosen the tolerance or lengthen the step, or shorten the duration")
             }
+            Self::HalfTurn { .. } => Some("stop the run before, or start with less energy"),
             Self::NotFinite { .. } => Some("check the units of the torque, the spin and the inertia"),
             Self::Parameter { .. } => None,
         }
@@ -107,6 +119,10 @@ impl fmt::Display for MotionError {
             Self::TooManySteps { time, step, most } => write!(
                 f,
                 "at t = {time:e} s steps are of {step:e} s: to the end that is more than {most} steps"
+            ),
+            Self::HalfTurn { time } => write!(
+                f,
+                "after t = {time:e} s the spring or wire is twisted by more than half a turn, and its torque is no longer determined"
             ),
             Self::NotFinite { time } => write!(f, "the motion is not finite after t = {time:e} s"),
         }

@@ -58,8 +58,9 @@ pub(crate) struct Stepper<'a> {
     /// The first time at which something begins or ends by itself.
     until: f64,
     tolerance: f64,
-    rule: Rule,
-    steps: Steps<'a>,
+    /// True if a spring or wire is among the torques: its twist is watched.
+    is_sprung: bool,
+    rule: Steps<'a>,
 }
 
 #[derive(Debug)]
@@ -91,14 +92,15 @@ impl<'a> Stepper<'a> {
         }
         let piece = Rc::new(Piece::new(rotor, torques.iter(), &start));
         let until = piece.until;
-        let steps = match rule {
+        let is_sprung = torques.iter().any(|torque| torque.name() == "torsion");
+        let rule = match rule {
             Rule::Taylor => Steps::Taylor(Box::new(Taylor::new(piece, start, tolerance)?)),
             Rule::Dop853 => Steps::Dop853(Box::new(RungeKutta::new(piece, start, tolerance)?)),
             Rule::Splitting { order, step } => {
                 Steps::Splitting(Box::new(Splitting::new(piece, torques, start, order, step)?))
             }
         };
-        Ok(Self { rotor, torques, switched_on: vec![true; torques.len()], until, tolerance, rule, steps })
+        Ok(Self { rotor, torques, switched_on: vec![true; torques.len()], until, tolerance, is_sprung, rule })
     }
 
     /// Looks again at what acts now.
@@ -108,7 +110,7 @@ impl<'a> Stepper<'a> {
             self.torques.iter().zip(&self.switched_on).filter(|(_, on)| **on).map(|(torque, _)| torque);
         let piece = Rc::new(Piece::new(self.rotor, torques, &state));
         self.until = piece.until;
-        match &mut self.steps {
+        match &mut self.rule {
             Steps::Taylor(taylor) => taylor.change(piece),
             Steps::Dop853(dop853) => dop853.change(piece),
             Steps::Splitting(splitting) => splitting.change(piece),
@@ -122,32 +124,51 @@ impl<'a> Stepper<'a> {
 
     /// `None` for steps of a given length.
     pub(crate) fn tolerance(&self) -> Option<f64> {
-        (!matches!(self.rule, Rule::Splitting { .. })).then_some(self.tolerance)
+        (!matches!(self.rule, Steps::Splitting(_))).then_some(self.tolerance)
     }
 
     pub(crate) fn rule(&self) -> Rule {
-        self.rule
+        match &self.rule {
+            Steps::Taylor(_) => Rule::Taylor,
+            Steps::Dop853(_) => Rule::Dop853,
+            Steps::Splitting(splitting) => splitting.rule(),
+        }
     }
 
     /// One step forward, not beyond `until`, nor beyond a time at which a torque begins or ends.
     ///
     /// # Errors
     /// [`MotionError::StepTooSmall`], [`MotionError::NotFinite`] or [`MotionError::TorqueWithoutInertia`]; the stepper
-    /// stays at the last good state.
+    /// stays at the last good state. [`MotionError::HalfTurn`] after a step that went too far.
     pub(crate) fn step(&mut self, until: f64) -> Result<(), MotionError> {
         if self.time() >= self.until {
             self.change()?;
         }
         let until = until.min(self.until);
-        match &mut self.steps {
+        let before = self.is_sprung.then(|| self.now().state);
+        match &mut self.rule {
             Steps::Taylor(taylor) => taylor.step(until),
             Steps::Dop853(dop853) => dop853.step(until),
             Steps::Splitting(splitting) => splitting.step(until),
-        }
+        }?;
+        before.map_or(Ok(()), |before| self.require_untwisted(&before))
+    }
+
+    /// # Errors
+    /// [`MotionError::HalfTurn`] if a spring or wire that acts has been twisted beyond half a turn.
+    fn require_untwisted(&self, before: &State) -> Result<(), MotionError> {
+        let after = self.now().state.attitude;
+        let acting = self.torques.iter().zip(&self.switched_on).filter(|(_, on)| **on);
+        let is_beyond =
+            acting.filter_map(|(torque, _)| torque.acting(before.time)).any(|torque| match torque {
+                TorqueModel::Torsion(torsion) => torsion.passes_half_turn(before.attitude, after),
+                _ => false,
+            });
+        if is_beyond { Err(MotionError::HalfTurn { time: before.time }) } else { Ok(()) }
     }
 
     pub(crate) fn time(&self) -> f64 {
-        match &self.steps {
+        match &self.rule {
             Steps::Taylor(taylor) => taylor.time(),
             Steps::Dop853(dop853) => dop853.time(),
             Steps::Splitting(splitting) => splitting.time(),
@@ -156,7 +177,7 @@ impl<'a> Stepper<'a> {
 
     /// The step that the tolerance allows next, or the given one, s.
     pub(crate) fn next_step(&self) -> f64 {
-        match &self.steps {
+        match &self.rule {
             Steps::Taylor(taylor) => taylor.next_step(),
             Steps::Dop853(dop853) => dop853.next_step(),
             Steps::Splitting(splitting) => splitting.next_step(),
@@ -164,7 +185,7 @@ impl<'a> Stepper<'a> {
     }
 
     pub(crate) fn statistics(&self) -> StepStatistics {
-        match &self.steps {
+        match &self.rule {
             Steps::Taylor(taylor) => taylor.statistics(),
             Steps::Dop853(dop853) => dop853.statistics(),
             Steps::Splitting(splitting) => splitting.statistics(),
@@ -173,7 +194,7 @@ impl<'a> Stepper<'a> {
 
     /// The state now.
     pub(crate) fn now(&self) -> Balanced {
-        match &self.steps {
+        match &self.rule {
             Steps::Taylor(taylor) => taylor.now(),
             Steps::Dop853(dop853) => dop853.now(),
             Steps::Splitting(splitting) => splitting.now(),
@@ -182,7 +203,7 @@ impl<'a> Stepper<'a> {
 
     /// The state at a time within the last step: dense output.
     pub(crate) fn at(&self, time: f64) -> Balanced {
-        match &self.steps {
+        match &self.rule {
             Steps::Taylor(taylor) => taylor.at(time),
             Steps::Dop853(dop853) => dop853.at(time),
             Steps::Splitting(splitting) => splitting.at(time),

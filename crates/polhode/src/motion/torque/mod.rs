@@ -18,7 +18,7 @@ use crate::math::frame::Body;
 use crate::math::vector::Torque;
 
 pub use constant::ConstantTorque;
-pub use drag::Drag;
+pub use drag::{Drag, DragLaw};
 pub use energy_sink::EnergySink;
 pub use formula::FormulaTorque;
 pub use gravity::UniformGravity;
@@ -28,6 +28,7 @@ pub use schedule::Schedule;
 pub use scheduled::Scheduled;
 pub use thruster::Thruster;
 pub use torsion::Torsion;
+pub(crate) use torsion::half_angle_over_sine;
 
 /// One cause of torque about the point that the body turns about.
 #[derive(Clone, Debug, PartialEq)]

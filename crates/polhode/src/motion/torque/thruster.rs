@@ -26,3 +26,21 @@ impl Thruster {
         self.torque(rotor).norm()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{InertiaTensor, MassProperties};
+
+    #[test]
+    fn a_force_turns_about_the_centre_of_mass_or_about_the_pivot() {
+        let inertia = InertiaTensor::with_negative_products([3.1, 4.2, 5.3], [0.4, -0.3, 0.2]).unwrap();
+        let body = MassProperties::new(2.3, Position::new(0.5, -0.25, 1.0), inertia).unwrap();
+        let thruster =
+            Thruster { position: Position::new(1.5, 0.75, -1.0), force: Force::new(2.0, -3.0, 5.0) };
+        // (1, 1, −2) × (2, −3, 5) and (2, −1, 3) × (2, −3, 5), by hand
+        let pivot = Position::new(-0.5, 1.75, -4.0);
+        assert_eq!(thruster.torque(&Rotor::free(&body)), Torque::new(-1.0, -9.0, -5.0));
+        assert_eq!(thruster.torque(&Rotor::pivoted(&body, pivot)), Torque::new(4.0, -4.0, -4.0));
+    }
+}

@@ -57,7 +57,7 @@ impl LinearSeries {
 }
 
 /// Columns without what is only rounding along the axis of a needle: divided by so small a moment, it would spin it.
-fn cleaned(mut columns: [[f64; 3]; 3], rotor: &Rotor) -> [Row; 3] {
+pub(super) fn cleaned(mut columns: [[f64; 3]; 3], rotor: &Rotor) -> [Row; 3] {
     let moments = rotor.principal().moments();
     let size = |k: usize| columns.iter().map(|column| column[k].abs()).fold(0.0, f64::max);
     let sizes = [size(0), size(1), size(2)];

@@ -380,8 +380,9 @@ def main():
 
     sections = []
     for problem in PROBLEMS:
-        curves = {name: sorted((seconds, angle(q, exact[problem.name])) for (of, method, _), (seconds, q) in runs.items()
-                               if of == problem.name and method == name) for name in STYLES}
+        of_problem = sorted(((key, found) for key, found in runs.items() if key[0] == problem.name), key=lambda run: -run[0][2])
+        curves = {name: [(seconds, angle(q, exact[problem.name])) for (_, method, _), (seconds, q) in of_problem if method == name]
+                  for name in STYLES}
         curves = {name: curve for name, curve in curves.items() if curve}
         path = f"figures/work-precision-{problem.name.lower()}.svg"
         (ROOT / "book" / path).write_text(figure(problem, curves))

@@ -140,15 +140,23 @@ fn the_book_has_every_key_and_no_other() {
         ("start", "## Rotations", "[start]\nattitude = { zzz = 1 }"),
         ("torque", "### Torque `constant`", "[[torque]]\nmodel = 'constant'\nzzz = 1"),
         ("torque", "### Torque `gravity`", "[[torque]]\nmodel = 'gravity'\nzzz = 1"),
+        ("torque", "### Torque `drag`", "[[torque]]\nmodel = 'drag'\nzzz = 1"),
+        ("torque", "### Torque `torsion`", "[[torque]]\nmodel = 'torsion'\nzzz = 1"),
+        ("torque", "### Torque `thruster`", "[[torque]]\nmodel = 'thruster'\nzzz = 1"),
         ("prescribed", "## Prescribed", "[prescribed]\nzzz = 1"),
         ("pendulum", "## Pendulum", "[pendulum]\nzzz = 1"),
         ("run", "## Run", "[run]\nzzz = 1"),
     ];
     let in_book =
         |heading| rows(section(&page, heading)).iter().flat_map(|row| names(row[0])).collect::<Vec<_>>();
-    for (_, heading, text) in tables {
-        same(in_book(heading), known(&format!("{BALL}{text}")), heading);
+    let every_torque = in_book("### When a torque acts");
+    for (table, heading, text) in tables {
+        let common = if table == "torque" { every_torque.as_slice() } else { &[] };
+        let own = in_book(heading);
+        same(own.iter().chain(common).copied(), known(&format!("{BALL}{text}")), heading);
     }
+    let pulses = "[[torque]]\nmodel = 'constant'\naxes = 'body'\ntorque = [1, 0, 0]\npulses = { zzz = 1 }";
+    same(in_book("### Pulses"), known(&format!("{BALL}{pulses}")), "### Pulses");
     let top = known(&format!("zzz = 1\n{BALL}"));
     for key in top.iter().filter(|key| **key != "title") {
         assert!(tables.iter().any(|(table, ..)| table == key), "the test has no probe for {key}");
@@ -199,6 +207,7 @@ fn the_book_has_every_name_that_is_a_value() {
     let page = read("book/scenario.md");
     for (heading, text) in [
         ("### Torque `constant`", "[[torque]]\nmodel = 'constant'\naxes = 'zzz'"),
+        ("### Torque `drag`", "[[torque]]\nmodel = 'drag'\nlaw = 'zzz'"),
         ("## Run", "[run]\nduration = 1\nmethod = 'zzz'"),
         ("### Tensor", "[[body.part]]\nshape = 'tensor'\nmass = 1\nmoments = [1, 1, 1]\nabout = 'zzz'"),
         (

@@ -200,3 +200,54 @@ fn the_thruster_adds_what_its_torque_says() {
     // The work of the torque is the energy gained.
     close((last.kinetic_energy - first.kinetic_energy) / last.work, 1.0, 1e-10);
 }
+
+#[test]
+fn drag_turns_the_spin_to_the_axis_that_it_brakes_least() {
+    let motion = read("drag.toml").simulate().unwrap().unwrap();
+    let [first, last] = [motion.start(), motion.samples().last().unwrap()].map(|sample| sample.state.omega);
+    assert!((0.03..0.06).contains(&(last.norm() / first.norm())), "{last:?}");
+    assert!(last.z > 0.95 * last.norm(), "{last:?}");
+    let drift = Drift::of(&motion).unwrap();
+    assert!(drift.work_energy < 1e-12 && drift.momentum < 1e-12, "{drift:?}");
+}
+
+#[test]
+fn the_air_brake_and_the_motor_balance() {
+    let scenario = read("air-brake.toml");
+    let motion = scenario.simulate().unwrap().unwrap();
+    // ω = w coth(√(N D) t/I + arcoth(ω₀/w)), w = √(N/D)
+    let [n, d, i] = [0.5_f64, 8e-4, scenario.rotor().inertia().about_axis(Direction::new(0.0, 0.0, 1.0))];
+    let w = (n / d).sqrt();
+    let start = (w / (200.0 * PI)).atanh();
+    for sample in motion.samples() {
+        let want = w / ((n * d).sqrt() * sample.state.time / i + start).tanh();
+        close(sample.state.omega.z, want, 1e-12);
+    }
+    let last = motion.samples().last().unwrap().state.omega.z;
+    assert!((last / w - 1.0).abs() < 1e-3);
+}
+
+#[test]
+fn the_torsion_pendulum_comes_back_after_its_period() {
+    let scenario = read("torsion-pendulum.toml");
+    let motion = scenario.simulate().unwrap().unwrap();
+    let moment = scenario.rotor().inertia().about_axis(Direction::new(0.0, 0.0, 1.0));
+    let rate = (0.8e-3 / moment).sqrt();
+    for sample in motion.samples() {
+        let angle = 170.0_f64.to_radians() * (rate * sample.state.time).cos();
+        let want = Attitude::about(Direction::new(0.0, 0.0, 1.0), angle).unwrap();
+        assert!(sample.state.attitude.angle_to(want) < 1e-11);
+    }
+    assert!(Drift::of(&motion).unwrap().total_energy.unwrap() < 1e-12);
+}
+
+#[test]
+fn thirty_pulses_spin_the_spacecraft_up() {
+    let motion = read("thruster-pulses.toml").simulate().unwrap().unwrap();
+    let omega = |t: f64| motion.samples().iter().find(|s| s.state.time >= t).unwrap().state.omega;
+    close(omega(160.0).z, 30.0 * 0.2 * 1.2 / 30.0, 1e-13);
+    assert!(omega(160.0).x == 0.0 && omega(160.0).y == 0.0);
+    // r × F = (0.3, −0.2, 0) N·m for 3 s
+    let l = motion.samples().last().unwrap().momentum;
+    assert!((0.8..1.1).contains(&l.x.hypot(l.y)) && (l.z - 7.2).abs() < 0.1, "{l:?}");
+}

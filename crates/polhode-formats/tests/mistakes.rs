@@ -226,9 +226,10 @@ fn names_are_known_ones() {
     );
     refuses(&format!("{BALL}{RUN}method = 'splitting'\nstep = «0»"), "step = 0 must be positive", "");
     refuses(
-        &format!("{BALL}[[torque]]\nmodel = «'drag'»"),
-        "model = 'drag' must be one of constant, gravity",
-        "write model = \"constant\"",
+        &format!("{BALL}[[torque]]\nmodel = «'dragg'»"),
+        "model = 'dragg' must be one of constant, gravity, gravity_gradient, drag, torsion, magnetic, thruster, \
+         energy_sink, formula",
+        "did you mean \"drag\"?",
     );
 }
 
@@ -601,4 +602,107 @@ fn a_mesh_is_no_scenario() {
     let named = scenario::parse("not TOML", Path::new("cube.STL")).unwrap_err();
     assert!(named.hint().unwrap().starts_with(hint));
     assert!(!parse("not TOML").unwrap_err().hint().unwrap().starts_with(hint));
+}
+
+#[test]
+fn times_of_torques_are_in_order() {
+    let torque =
+        |keys: &str| format!("{BALL}[[torque]]\nmodel='constant'\naxes='body'\ntorque=[1,0,0]\n{keys}");
+    refuses(
+        &torque("from='3 s'\nuntil=«'2 s'»"),
+        "the time until which a torque acts = 2 must be after the time from which it acts",
+        "",
+    );
+    refuses(
+        &torque("from=1\npulses=«{width=1,period=2}»"),
+        "from and pulses are both given: the pulses alone say when it acts",
+        "leave",
+    );
+    refuses(&torque("until=«'3 m'»"), "\"m\" is a length where a time belongs", "write a time");
+    refuses(
+        &torque("pulses={width=1,period=2,«gap»=1}"),
+        "unknown key \"gap\" in pulses",
+        "the keys here are first, width, period, count",
+    );
+    refuses(&torque("pulses=«{width=1}»"), "the key period is missing in pulses", "write period");
+    refuses(&torque("pulses={width=«0»,period=2}"), "width = 0 must be positive", "time runs");
+    refuses(
+        &torque("pulses=«{width=3,period=2}»"),
+        "the width of the pulses = 3 must be no more than their period",
+        "",
+    );
+    refuses(
+        &torque("pulses=«{width=1,period=2,count=0}»"),
+        "the number of pulses = 0 must be at least 1",
+        "",
+    );
+}
+
+#[test]
+fn drag_springs_and_thrusters_are_possible() {
+    let torque = |model: &str, keys: &str| format!("{BALL}[[torque]]\nmodel='{model}'\n{keys}");
+    refuses(
+        &torque("drag", "law='linear'\ncoefficient=«'-1 N m s'»"),
+        "the least eigenvalue of the drag's matrix = -1 must be not negative: drag never speeds a body up",
+        "",
+    );
+    refuses(
+        &torque("drag", "law='linear'\ncoefficient=«[[1,0.5,0],[0.25,1,0],[0,0,1]]»"),
+        "an element of the drag's matrix = 0.5 must be equal to the element across the diagonal",
+        "",
+    );
+    refuses(
+        &torque("drag", "law='quadratic'\ncoefficient=«'1 N m s'»"),
+        "\"N m s\" is an angular momentum where a torque per squared angular velocity belongs",
+        "write a torque per squared angular velocity",
+    );
+    refuses(
+        &torque("drag", "law=«'cubic'»\ncoefficient=1"),
+        "law = 'cubic' must be one of linear, quadratic",
+        "write law",
+    );
+    refuses(
+        &torque("torsion", "stiffness=«'1 N m'»"),
+        "\"N m\" is a torque where a torque per angle belongs",
+        "write a torque per angle",
+    );
+    refuses(
+        &torque("torsion", "stiffness=«'-1 N m/rad'»"),
+        "the stiffness = -1 must be finite and not negative",
+        "",
+    );
+    refuses(
+        &torque("torsion", "stiffness=1\naxis=«[0,0,0]»"),
+        "the length of the wire's axis = 0 must be a direction: finite and not zero",
+        "",
+    );
+    refuses(
+        &torque("thruster", "position=[1,0,0]\nforce=[0,«'1 m'»,0]"),
+        "\"m\" is a length where a force belongs",
+        "write a force",
+    );
+    refuses(
+        &format!("{BALL}«[[torque]]»\nmodel='thruster'\nposition=[1,0,0]"),
+        "the key force is missing in [[torque]] of model \"thruster\"",
+        "write force",
+    );
+}
+
+#[test]
+fn coefficients_come_in_every_shape_and_unit() {
+    let coefficient = |law: &str, text: &str| {
+        let text = format!("{BALL}[[torque]]\nmodel='drag'\nlaw='{law}'\ncoefficient={text}");
+        match parse(&text).unwrap().torques[0] {
+            polhode::TorqueModel::Drag(drag) => drag.matrix(),
+            ref other => panic!("{other:?}"),
+        }
+    };
+    let twice = [[2.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 2.0]];
+    for text in ["2", "'2 N m s'", "'2 N m s/rad'", "[2, '2000 mN m s', 2]", "[[2,0,0],[0,2,0],[0,0,2]]"] {
+        assert_eq!(coefficient("linear", text), twice, "{text}");
+    }
+    for text in ["2", "'2 N m s^2'", "'2 N m s^2/rad^2'", "'2 kg m^2'"] {
+        assert_eq!(coefficient("quadratic", text), twice, "{text}");
+    }
+    assert!((coefficient("linear", "'1 N m s/deg'")[0][0] / 57.295_779_513 - 1.0).abs() < 1e-10);
 }

@@ -7,7 +7,7 @@ use common::*;
 use polhode::*;
 
 const METHODS: [Method; 2] = [Method::Taylor, Method::Dop853];
-const MOMENTS: [f64; 3] = [1.1, 2.3, 3.7];
+const MOMENTS: [f64; 3] = [1.1, 2.3, 3.1];
 const TORQUE: f64 = 0.31;
 
 /// A torque about the principal axis 3.
@@ -180,7 +180,6 @@ fn the_iss_turns_as_in_jeod() {
             let error = (sample.state.omega - omega).norm();
             let angle = sample.state.attitude.angle_to(attitude(row));
             let t = sample.state.time;
-            println!("{method:?} t = {t}: {error:e} rad/s {angle:e} rad");
             assert!(error < number(&case["tolerance_omega"]), "{method:?} t = {t}: {error:e}");
             assert!(angle < number(&case["tolerance_attitude"]), "{method:?} t = {t}: {angle:e}");
         }

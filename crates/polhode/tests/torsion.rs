@@ -1,9 +1,6 @@
 //! Torsion springs and wires: pendulums that swing alike at every amplitude, and energy that is kept.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may")]
 
-mod common;
-
-use common::*;
 use polhode::*;
 
 const METHODS: [Method; 2] = [Method::Taylor, Method::Dop853];
@@ -17,7 +14,7 @@ fn rest() -> Attitude {
     Attitude::from_quaternion([0.8, 0.1, -0.4, 0.5]).unwrap()
 }
 
-/// A spring, and a wire along the principal axis k of the body at rest.
+/// A spring, and a wire along an axis of space.
 fn springs(stiffness: f64, axis: Direction<Space>) -> [TorqueModel; 2] {
     [Torsion::spring(stiffness, rest()), Torsion::wire(stiffness, rest(), axis)]
         .map(|torsion| TorqueModel::Torsion(torsion.unwrap()))
@@ -26,7 +23,8 @@ fn springs(stiffness: f64, axis: Direction<Space>) -> [TorqueModel; 2] {
 #[test]
 fn the_period_is_the_same_at_every_amplitude() {
     let rotor = Rotor::free(&body());
-    let (moment, axis) = (rotor.principal().moments()[1], rest() * rotor.principal().axis(1));
+    // About the intermediate axis a tilt of rounding would grow.
+    let (moment, axis) = (rotor.principal().moments()[2], rest() * rotor.principal().axis(2));
     let stiffness = 1.7;
     let rate = (stiffness / moment).sqrt();
     for amplitude in [1e-9, 0.01, 1.0, 3.1] {
@@ -48,8 +46,9 @@ fn the_period_is_the_same_at_every_amplitude() {
                     // The smallest is as accurate as the tolerance, not relative to itself.
                     assert!(error < 6e-14, "{method:?} {amplitude} t = {}: {error:e}", sample.state.time);
                 }
+                // Angles are good to the tolerance, whatever the amplitude.
                 let energy = Drift::of(&motion).unwrap().total_energy.unwrap();
-                assert!(energy < 1e-13 * (1.0 + 1e-2 / amplitude), "{method:?} {amplitude}: {energy:e}");
+                assert!(energy < 1e-13 + 2e-14 / amplitude, "{method:?} {amplitude}: {energy:e}");
             }
         }
     }

@@ -39,6 +39,9 @@ impl Dimension {
     pub const ANGULAR_MOMENTUM: Self = Self::new(1, 2, -1, 0);
     pub const TORQUE: Self = Self::new(1, 2, -2, 0);
     pub const FORCE: Self = Self::new(1, 1, -2, 0);
+    pub const STIFFNESS: Self = Self::new(1, 2, -2, -1);
+    pub const DRAG: Self = Self::new(1, 2, -1, -1);
+    pub const QUADRATIC_DRAG: Self = Self::new(1, 2, 0, -2);
 }
 
 impl Dimension {
@@ -99,7 +102,7 @@ impl fmt::Display for Dimension {
 }
 
 /// Dimension, name with its article, example.
-const NAMES: [(Dimension, &str, &str); 17] = [
+const NAMES: [(Dimension, &str, &str); 20] = [
     (Dimension::NONE, "a plain number", "0.5"),
     (Dimension::MASS, "a mass", "12 kg"),
     (Dimension::LENGTH, "a length", "25 mm"),
@@ -117,4 +120,7 @@ const NAMES: [(Dimension, &str, &str); 17] = [
     (Dimension::ANGULAR_MOMENTUM, "an angular momentum", "12 N m s"),
     (Dimension::TORQUE, "a torque", "0.1 N m"),
     (Dimension::FORCE, "a force", "20 N"),
+    (Dimension::STIFFNESS, "a torque per angle", "0.1 N m/rad"),
+    (Dimension::DRAG, "a torque per angular velocity", "0.1 N m s/rad"),
+    (Dimension::QUADRATIC_DRAG, "a torque per squared angular velocity", "0.1 N m s^2/rad^2"),
 ];

@@ -1,13 +1,19 @@
 //! A `[[torque]]` of model `thruster`.
 
-use polhode::TorqueModel;
+use polhode::{Force, Position, Thruster, TorqueModel};
 
 use super::allow;
 use crate::error::FormatError;
 use crate::scenario::reader::Table;
+use crate::unit::Dimension;
 
-/// Not readable yet.
+/// `position = [3]` and `force = [3]`, both along body axes.
 pub(super) fn thruster(table: &Table<'_>) -> Result<TorqueModel, FormatError> {
-    allow(table, &[])?;
-    Err(table.missing("model", "another model"))
+    allow(table, &["position", "force"])?;
+    let position = table.require("position", "position = [\"0.5 m\", \"0 m\", \"-0.3 m\"]")?;
+    let force = table.require("force", "force = [\"0 N\", \"1 N\", \"0 N\"]")?;
+    Ok(TorqueModel::Thruster(Thruster {
+        position: Position::from_array(position.quantities(Dimension::LENGTH)?),
+        force: Force::from_array(force.quantities(Dimension::FORCE)?),
+    }))
 }

@@ -1,13 +1,23 @@
 //! A `[[torque]]` of model `torsion`.
 
-use polhode::TorqueModel;
+use polhode::{Attitude, Direction, TorqueModel, Torsion};
 
 use super::allow;
 use crate::error::FormatError;
 use crate::scenario::reader::Table;
+use crate::scenario::rotation::rotation;
+use crate::unit::Dimension;
 
-/// Not readable yet.
+/// `stiffness`; `rest`, an attitude, body axes along those of space by default; a wire's `axis` in space.
 pub(super) fn torsion(table: &Table<'_>) -> Result<TorqueModel, FormatError> {
-    allow(table, &[])?;
-    Err(table.missing("model", "another model"))
+    allow(table, &["stiffness", "rest", "axis"])?;
+    let stiffness = table.require("stiffness", "stiffness = \"0.1 N m/rad\"")?;
+    let rest = table.get("rest").map_or(Ok(Attitude::identity()), |rest| rotation(&rest))?;
+    let kappa = stiffness.quantity(Dimension::STIFFNESS)?;
+    let torsion = match table.get("axis") {
+        None => Torsion::spring(kappa, rest).map_err(|error| stiffness.motion(error)),
+        Some(axis) => Torsion::wire(kappa, rest, Direction::from_array(axis.numbers()?))
+            .map_err(|error| axis.motion(error)),
+    };
+    torsion.map(TorqueModel::Torsion)
 }

@@ -13,10 +13,10 @@ use crate::motion::state::State;
 ///
 /// ```
 /// use polhode::{Attitude, AngularVelocity, Drag, DragLaw, State};
-/// let drag = Drag::new(DragLaw::Quadratic, [[0.3, 0.1, 0.0], [0.1, 0.2, 0.0], [0.0, 0.0, 0.5]])?;
+/// let drag = Drag::new(DragLaw::Quadratic, [[0.5, 0.25, 0.0], [0.25, 0.5, 0.0], [0.0, 0.0, 0.5]])?;
 /// let omega = AngularVelocity::new(0.0, 3.0, 4.0);
 /// let torque = drag.torque(&State { time: 0.0, attitude: Attitude::identity(), omega });
-/// assert_eq!(torque.to_array(), [-1.5, -3.0, -10.0]);
+/// assert_eq!(torque.to_array(), [-3.75, -7.5, -10.0]);
 /// # Ok::<(), polhode::MotionError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -197,6 +197,11 @@ impl Expansion {
         libm::exp2(radius(p).min(radius(p - 1)) + safety * core::f64::consts::LOG2_E)
     }
 
+    /// The longest step to which the series holds, where its last terms do not show it.
+    fn reach(&self) -> f64 {
+        self.torques.iter().fold(f64::INFINITY, |least, torque| least.min(torque.reach()))
+    }
+
     /// What the motion adds until a time after the start.
     fn at(&self, h: f64) -> Increment {
         let p = self.order;

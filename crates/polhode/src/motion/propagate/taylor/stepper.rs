@@ -92,7 +92,8 @@ impl<'a> Taylor<'a> {
             self.expand()?;
         }
         let (time, rest) = (self.base.time, until - self.base.time);
-        let h = if self.h >= rest { rest } else { self.h };
+        let wanted = self.h.min(self.expansion.reach());
+        let h = if wanted >= rest { rest } else { wanted };
         if h.is_nan() {
             return Err(MotionError::NotFinite { time });
         }
@@ -103,7 +104,7 @@ impl<'a> Taylor<'a> {
         if !head.is_finite() {
             return Err(MotionError::NotFinite { time });
         }
-        head.time = if self.h >= rest { until } else { time + h };
+        head.time = if wanted >= rest { until } else { time + h };
         self.head = head;
         self.omega_scale = self.omega_scale.max(head.omega().norm());
         self.statistics.accepted += 1;

@@ -3,9 +3,9 @@
 //! N = −C ω, or −s D ω with s = |ω|, whose series is that of the root of ω · ω. It has one from rest too: ω = tᵐ v with v ≠ 0 at the
 //! start has s = tᵐ |v| for the times that follow.
 //!
-//! |ω| is not smooth where ω passes through zero, and close to there the steps of its series would shrink to nothing. So with
-//! s = √(ω · ω + δ²), δ is what ω changes in 2¹⁰ roundings of the time: closer than that no step can come. The torque is wrong by less
-//! than ½ |D| δ², which is nothing beside the rounding of |D| ω² elsewhere; a body that just slows down has δ < 1e-12 |ω|.
+//! |ω| has a corner where ω passes through zero, and the series from before goes on as if it had none. So no step goes further than nine
+//! tenths of the way to where ω would vanish (`reach`). Some fifteen steps later ω is what it changes in a few roundings of the time: then
+//! it is taken as rest for |ω|, from where the series beyond the corner starts.
 
 use super::super::row::{Row, TERMS};
 use super::super::scalar::{self, Scalars};
@@ -14,8 +14,11 @@ use super::{Known, StepStart};
 use crate::motion::rotor::Rotor;
 use crate::motion::torque::{Drag, DragLaw};
 
-/// δ over what ω changes while the time grows by itself: 2¹⁰ roundings.
-const CLOSEST: f64 = 1024.0 * f64::EPSILON;
+/// ω is at rest, if it changes by itself in as many roundings of the time.
+const CLOSEST: f64 = 16.0 * f64::EPSILON;
+
+/// How much of the way to a corner a step may go.
+const REACH: f64 = 0.9;
 
 /// ω below this (rad/s) is rest: its square is no double.
 const REST: f64 = 1e-150;
@@ -35,12 +38,13 @@ struct Speed {
     bent: [Row; TERMS],
     /// m, once it is known: the first coefficient of ω that is not zero.
     lead: Option<usize>,
-    /// v · v + δ² and its root, v = ω/tᵐ, both without their unit.
+    /// v · v and |v|, v = ω/tᵐ, both without their unit.
     square: Scalars,
     root: Scalars,
-    /// The greater of |v| at the start and δ, which the others are over.
+    /// |v| at the start, which the others are over.
     unit: f64,
-    delta: f64,
+    /// |ω| up to here is rest.
+    rest: f64,
     /// |ω̇| where the step before this one began.
     rate: f64,
 }
@@ -59,8 +63,19 @@ impl DragSeries {
     pub(super) fn start(&mut self, at: &StepStart) {
         if let Some(speed) = &mut self.speed {
             speed.lead = None;
-            speed.delta = CLOSEST * at.time.abs() * speed.rate;
-            speed.rate = 0.0;
+            speed.rest = REST.max(CLOSEST * at.time.abs() * speed.rate);
+            speed.square[1] = 0.0;
+        }
+    }
+
+    /// The longest step that the series is good for, s.
+    pub(super) fn reach(&self) -> f64 {
+        match &self.speed {
+            // v · v = a (τ − t)² near a corner: τ = −2 (v · v)₀/(v · v)₁
+            Some(speed) if speed.lead.is_some() && speed.square[1] < 0.0 => {
+                REACH * -2.0 * speed.square[0] / speed.square[1]
+            }
+            _ => f64::INFINITY,
         }
     }
 
@@ -83,7 +98,7 @@ impl Speed {
         square: [0.0; TERMS],
         root: [0.0; TERMS],
         unit: 0.0,
-        delta: 0.0,
+        rest: REST,
         rate: 0.0,
     };
 
@@ -95,11 +110,10 @@ impl Speed {
         if n == 1 {
             self.rate = omega[1].largest();
         }
-        if self.lead.is_none() && omega[n].largest() > REST {
+        if self.lead.is_none() && omega[n].largest() > if n == 0 { self.rest } else { REST } {
             self.lead = Some(n);
             let [x, y, z, _] = omega[n].0;
-            self.delta = if n == 0 { self.delta } else { 0.0 };
-            self.unit = (x * x + y * y + z * z).sqrt().max(self.delta);
+            self.unit = (x * x + y * y + z * z).sqrt();
         }
         let Some(lead) = self.lead else { return Row::ZERO };
         // (v · v)ⱼ, j = n − m
@@ -112,8 +126,6 @@ impl Speed {
         let [x, y, z, _] = dots.0;
         self.square[j] = x + y + z;
         if j == 0 {
-            let delta = self.delta * over;
-            self.square[0] += delta * delta;
             self.root[0] = self.square[0].sqrt();
         } else {
             self.root[j] = scalar::power(&self.square, 0.5, &self.root, j);

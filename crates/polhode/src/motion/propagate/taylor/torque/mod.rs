@@ -94,6 +94,14 @@ impl TorqueSeries {
         }
     }
 
+    /// The longest step that the series is good for, s, where its coefficients do not show it.
+    pub(super) fn reach(&self) -> f64 {
+        match self {
+            Self::Drag(series) => series.reach(),
+            _ => f64::INFINITY,
+        }
+    }
+
     /// Coefficient n of N, once everything that is known is so up to n.
     #[inline(always)]
     pub(super) fn coefficient(&mut self, n: usize, known: &Known<'_>) -> Row {

@@ -224,7 +224,11 @@ fn names_are_known_ones() {
         "order = 3 must be 2, 4 or 6",
         "halving the step",
     );
-    refuses(&format!("{BALL}{RUN}method = 'splitting'\nstep = «0»"), "step = 0 must be positive", "time runs forward");
+    refuses(
+        &format!("{BALL}{RUN}method = 'splitting'\nstep = «0»"),
+        "step = 0 must be positive",
+        "time runs forward",
+    );
     refuses(
         &format!("{BALL}[[torque]]\nmodel = «'dragg'»"),
         "model = 'dragg' must be one of constant, gravity, gravity_gradient, drag, torsion, magnetic, thruster, \

@@ -86,7 +86,8 @@ by power series as long as rounding can see, in a fraction of the time that `Fre
 
 const READING: &str = "\
 The error of what is conserved, relative to the largest kinetic energy: the largest of each tenth of the run, and in brackets its mean. The
-steps of higher orders are longer. Where the error is some 1e-14, it is rounding: a random walk.
+steps of higher orders are longer. Where the error is some 1e-14, it is rounding: a random walk. The time
+of a step is that of the machine as it was, busy or not.
 ";
 
 /// The heavy top I = (1, 1, 0.5), M g l = 1, ω = (0, 0, 5), tilted by 60°.

@@ -24,7 +24,7 @@ usage: cargo xtask CHORE
   licences   how many crates are linked, and under which licences
   examples   the built command on every scenario in examples/
   readme     the README's commands
-  speed      measures anew what book/speed.md and book/mass-properties.md say; needs python3 and what it compares with
+  speed      measures anew what book/speed.md, work-precision.md and mass-properties.md say; needs python3 and what it compares with
   viewer     the page's viewer: its bundle is the build of its source, and its tests pass in a browser";
 
 fn main() -> ExitCode {

@@ -1,4 +1,4 @@
-//! The two pages of measured times and errors, which need Python and the programs that are compared.
+//! The pages of measured times and errors, which need Python and the programs that are compared.
 
 use std::process::Command;
 
@@ -13,11 +13,22 @@ struct Script {
     packages: &'static [(&'static str, &'static str)],
 }
 
-const SCRIPTS: [Script; 2] = [
+const SCRIPTS: [Script; 3] = [
     Script {
         path: "crates/polhode/benches/speed.py",
         page: "book/speed.md",
         packages: &[("heyoka", "heyoka"), ("mpmath", "mpmath")],
+    },
+    Script {
+        path: "crates/polhode/benches/work_precision.py",
+        page: "book/work-precision.md",
+        packages: &[
+            ("heyoka", "heyoka"),
+            ("scipy", "scipy"),
+            ("mujoco", "mujoco"),
+            ("mpmath", "mpmath"),
+            ("numpy", "numpy"),
+        ],
     },
     Script {
         path: "benches/mass.py",
@@ -26,7 +37,7 @@ const SCRIPTS: [Script; 2] = [
     },
 ];
 
-/// Runs both scripts, if everything that they need is there: a page is not written by halves.
+/// Runs the scripts, if everything that they need is there: a page is not written by halves.
 pub(crate) fn measure() -> Outcome {
     let missing: Vec<&str> = SCRIPTS
         .iter()

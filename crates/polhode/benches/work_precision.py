@@ -10,6 +10,7 @@ right-hand sides are compiled, without it they are plain Python, and the page sa
 """
 
 import math
+import os
 import platform
 import subprocess
 import sys
@@ -57,15 +58,12 @@ def truth(problem):
     order = DIGITS + 6
     i1, i2, i3 = map(mpf, problem.moments)
     n, weight, damping = mpf(problem.orbit), mpf(problem.weight), mpf(problem.damping)
-    # The tilt is meant exactly.
+    # A tilt is 60°, exactly.
     half = mp.pi / 6 if problem.tilt else mpf(0)
     q = [cos(half), sin(half), mpf(0), mpf(0)]
     omega = [mpf(w) for w in problem.omega]
-    rows = lambda q: matrix(q)
-    u = list(rows(q)[2]) if weight else [row_in_body(q, (1, 0, 0))[k] for k in range(3)]
-    v = row_in_body(q, (0, 1, 0))
+    u, v = seen_from_body(q, (0, 0, 1) if weight else (1, 0, 0)), seen_from_body(q, (0, 1, 0))
     state = [*omega, *q, *u, *v]
-    state = [mpf(x) for x in state]
     t, end = mpf(0), mpf(problem.end)
     while t < end:
         s = [[x] for x in state]
@@ -120,7 +118,7 @@ def matrix(q):
             [2 * (b * d - a * c), 2 * (c * d + a * b), a * a - b * b - c * c + d * d]]
 
 
-def row_in_body(q, v):
+def seen_from_body(q, v):
     """A vector of space along body axes."""
     m = matrix(q)
     return [sum(m[i][k] * v[i] for i in range(3)) for k in range(3)]
@@ -174,7 +172,7 @@ def heyoka_integrators():
             n1, n2 = n1 + problem.weight * 2.0 * (c * d + a * b), n2 - problem.weight * 2.0 * (b * d - a * c)
         if problem.orbit:
             n = problem.orbit
-            u1, u2, u3 = row_in_body((a, b, c, d), (hy.cos(n * hy.time), hy.sin(n * hy.time), 0.0))
+            u1, u2, u3 = seen_from_body((a, b, c, d), (hy.cos(n * hy.time), hy.sin(n * hy.time), 0.0))
             f = 3.0 * n * n
             n1, n2, n3 = n1 + f * (i3 - i2) * u2 * u3, n2 + f * (i1 - i3) * u3 * u1, n3 + f * (i2 - i1) * u1 * u2
         equations = [
@@ -327,7 +325,6 @@ def figure(problem, curves):
     for row, (name, curve) in enumerate(curves.items()):
         colour, dashes = STYLES[name]
         stroke = f'stroke="{colour}" stroke-width="1.7"' + (f' stroke-dasharray="{dashes}" stroke-linecap="butt"' if dashes else "")
-        # Shown as far as the error still falls, and once beyond.
         shown = [(x(seconds), y(error)) for seconds, error in curve]
         path = "M" + "L".join(f"{a:.1f} {b:.1f}" for a, b in shown)
         out.append(f'<path d="{path}" {stroke}/>' if len(shown) > 1 else "")
@@ -383,8 +380,9 @@ def main():
 
     sections = []
     for problem in PROBLEMS:
-        curves = {name: sorted((seconds, angle(q, exact[problem.name])) for (of, method, _), (seconds, q) in runs.items()
-                               if of == problem.name and method == name) for name in STYLES}
+        of_problem = sorted(((key, found) for key, found in runs.items() if key[0] == problem.name), key=lambda run: -run[0][2])
+        curves = {name: [(seconds, angle(q, exact[problem.name])) for (_, method, _), (seconds, q) in of_problem if method == name]
+                  for name in STYLES}
         curves = {name: curve for name, curve in curves.items() if curve}
         path = f"figures/work-precision-{problem.name.lower()}.svg"
         (ROOT / "book" / path).write_text(figure(problem, curves))
@@ -396,18 +394,20 @@ def main():
 |---|---|---|---|---|
 {table(curves)}
 """)
+    load = os.getloadavg()[0]
+    busy = f"\n\n**The machine was busy (load {load:.0f}): times are too long, and not all alike.**" if load > 2.0 else ""
     note = "compiled by numba" if is_compiled else "in plain Python, as numba is not installed: compiled ones are several times faster"
     page = f"""# Work and precision
 
 Written by `crates/polhode/benches/work_precision.py`; run it again rather than believe this page. What a run costs from its start to one state
 at its end, against the angle (rad) between that attitude and the true one, which is from a Taylor series in {DIGITS} digits. Each point is one
-tolerance, or one length of step; lower and further left is better. Times are the least of {ROUNDS} rounds on one core, set-up and compilation
-not counted.
+tolerance, or one length of step; lower and further left is better. Times are the least of {ROUNDS} round{'s' * (ROUNDS > 1)} on one core, set-up and compilation
+not counted.{busy}
 
 {processor()}, {first("rustc", "--version")}, commit {first("git", "rev-parse", "--short", "HEAD")}, {versions()}, Python {platform.python_version()}.
 
-SciPy's right-hand sides are {note}. MuJoCo has no gravity gradient of its own. `splitting` takes no damping; without a torque it is the exact
-motion, whatever the step.
+SciPy's right-hand sides are {note}. MuJoCo has no gravity gradient of its own.
+`splitting` takes no damping; without a torque it is the exact motion, whatever the step.
 
 {chr(10).join(sections)}
 ## The problems

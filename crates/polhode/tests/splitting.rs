@@ -109,7 +109,7 @@ fn work_and_impulse_are_what_the_kicks_gave() {
 fn steps_end_where_a_torque_begins_or_ends() {
     // Neither change is a multiple of the step: a step across one would leave an error of first order.
     let push = ConstantTorque::Body(Torque::new(0.9, -0.7, 0.4));
-    let pulses = Schedule::Pulses { first: 0.517, width: 0.211, period: 0.613, count: Some(5) };
+    let pulses = Schedule::pulses(0.517, 0.211, 0.613, Some(5)).unwrap();
     let torques = [
         gravity(),
         TorqueModel::Scheduled(Box::new(Scheduled { torque: TorqueModel::Constant(push), schedule: pulses })),
@@ -165,7 +165,7 @@ fn what_is_no_kick_is_refused() {
     assert_eq!(error.hint(), Some("use method = \"taylor\" or \"dop853\""));
     assert!(!error.is_numerical());
     // out of its times too
-    let schedule = Schedule::Window { from: 7.0, until: 8.0 };
+    let schedule = Schedule::window(7.0, 8.0).unwrap();
     let later = TorqueModel::Scheduled(Box::new(Scheduled { torque: sink(), schedule }));
     assert_eq!(refusal(&heavy(), later), error);
     let wheel = Wheel::new(Direction::new(0.48, -0.6, 0.64), 0.3, Motor::HeldSpeed).unwrap();

@@ -232,9 +232,9 @@ mod tests {
         ];
         for moments in bodies {
             for omega in [[0.7, -1.1, 0.4], [-0.3, 0.2, 1.7], [1e-7, 1.3, -2e-7], [1.9, 0.1, -0.2]] {
-                for time in [1e-3, 0.03, -0.1, 0.4, 1.0, 30.0] {
+                for time in [1e-3, 0.03, -0.1, 0.4, 1.0, 30.0_f64] {
                     // The closed form is good to 4e-15 of one radian, not of the turn.
-                    let bound = 4e-15 / (time as f64).abs().min(1.0) + 2e-15 * (time as f64).abs();
+                    let bound = 4e-15 / time.abs().min(1.0) + 2e-15 * time.abs();
                     let error = error(moments, omega, time);
                     assert!(error < bound, "{moments:?} {omega:?} {time}: {error:e}");
                 }

@@ -9,6 +9,7 @@ use crate::inertia::Inertia;
 use crate::shell::{Completions, Man};
 use crate::simulate::Simulate;
 use crate::spin::Spin;
+use crate::torque::Torque;
 
 /// Rigid-body dynamics: from mass to motion.
 ///
@@ -27,6 +28,7 @@ Examples:
   polhode check examples/robots/bad-arm.urdf
   polhode simulate examples/t-handle.toml
   polhode spin --moments 1,2,3 --omega 0.01,1,0.01
+  polhode torque examples/notes/11-10-dumbbell.toml
   polhode explain examples/notes/11-10-dumbbell.toml";
 
 #[derive(Debug, Subcommand)]
@@ -35,6 +37,7 @@ pub(crate) enum Command {
     Check(Check),
     Simulate(Simulate),
     Spin(Box<Spin>),
+    Torque(Torque),
     Explain(Explain),
     Completions(Completions),
     Man(Man),
@@ -47,6 +50,7 @@ impl Command {
             Self::Check(command) => command.run(),
             Self::Simulate(command) => command.run(),
             Self::Spin(command) => command.run(),
+            Self::Torque(command) => command.run(),
             Self::Explain(command) => command.run(),
             Self::Completions(command) => command.run(Polhode::command()),
             Self::Man(command) => command.run(Polhode::command()),

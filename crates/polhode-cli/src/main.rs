@@ -17,6 +17,7 @@ mod simulate;
 mod spin;
 mod stdout;
 mod table;
+mod torque;
 
 use clap::Parser as _;
 use std::process::ExitCode;

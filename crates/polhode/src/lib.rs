@@ -111,10 +111,11 @@ pub use motion::kinematics::{
 };
 pub use motion::orbit::Orbit;
 pub use motion::pendulum::{Pendulum, Swing};
-pub use motion::prescribed::Prescribed;
+pub use motion::prescribed::{AttitudeTable, Prescribed, RateAxes, Turning, Uncertainty};
 pub use motion::propagate::stepper::{LOOSEST_TOLERANCE, StepStatistics, TIGHTEST_TOLERANCE};
 pub use motion::rotor::Rotor;
-pub use motion::scenario::{Hanging, Run, Scenario};
+pub use motion::scenario::{Hanging, Mounted, Run, Scenario};
+pub use motion::shaft::{CorrectionMass, Reactions, Shaft, Unbalance};
 pub use motion::state::State;
 pub use motion::torque::{
     Attracted, ConstantTorque, Drag, EnergySink, FormulaTorque, GravityGradient, Magnetic, MagneticField,

@@ -49,7 +49,8 @@ impl Source<'_> {
 }
 
 /// The keys of the file itself.
-pub(crate) const TOP: [&str; 7] = ["title", "body", "start", "torque", "prescribed", "pendulum", "run"];
+pub(crate) const TOP: [&str; 8] =
+    ["title", "body", "start", "torque", "prescribed", "shaft", "pendulum", "run"];
 
 /// A table, its place, and what to call it.
 #[derive(Clone, Debug)]

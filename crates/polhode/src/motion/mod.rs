@@ -15,6 +15,7 @@ pub(crate) mod prescribed;
 pub(crate) mod propagate;
 pub(crate) mod rotor;
 pub(crate) mod scenario;
+pub(crate) mod shaft;
 pub(crate) mod state;
 pub(crate) mod torque;
 pub(crate) mod trajectory;

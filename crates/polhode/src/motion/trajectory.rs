@@ -169,7 +169,7 @@ impl Trajectory {
     /// A prescribed motion at each of `times` (ascending, s), with the torque that it needs.
     ///
     /// # Errors
-    /// [`MotionError::Parameter`] if times are out of order.
+    /// [`MotionError::Parameter`] if times are out of order; else as [`Required::by`].
     pub fn prescribed(rotor: &Rotor, motion: &Prescribed, times: &[f64]) -> Result<Self, MotionError> {
         require_ascending(f64::NEG_INFINITY, times)?;
         let first = prescribed_sample(rotor, motion, times.first().copied().unwrap_or(0.0))?;
@@ -180,7 +180,7 @@ impl Trajectory {
             sample.work = sample.kinetic_energy - first.kinetic_energy;
             sample.impulse = sample.momentum - first.momentum;
         }
-        Ok(Self { start: first, samples: continuous(samples), solution: Solution::Prescribed(*motion) })
+        Ok(Self { start: first, samples: continuous(samples), solution: Solution::Prescribed(motion.clone()) })
     }
 
     /// The motion at the start, which need not be one of the times.
@@ -306,11 +306,8 @@ fn finite(sample: Sample) -> Result<Sample, MotionError> {
 }
 
 fn prescribed_sample(rotor: &Rotor, motion: &Prescribed, time: f64) -> Result<Sample, MotionError> {
-    let needed = Required::by(rotor, motion, time);
+    let needed = Required::by(rotor, motion, time)?;
     let sample = sample(rotor, &[], before_work(needed.state))?;
-    if !needed.torque.is_finite() {
-        return Err(MotionError::NotFinite { time });
-    }
     Ok(Sample { torque: needed.torque, ..sample })
 }
 

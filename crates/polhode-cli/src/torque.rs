@@ -72,8 +72,12 @@ impl Torque {
             .map_err(|error| Failure::Motion { path, error })?;
         let mut written = String::new();
         if let Some((file, format)) = &target {
-            let table =
-                RequiredTable::new(report.samples(), report.rotor(), report.points(), scenario.shaft.as_ref());
+            let table = RequiredTable::new(
+                report.samples(),
+                report.rotor(),
+                report.points(),
+                scenario.shaft.as_ref(),
+            );
             self.write(&table, file, *format)?;
             written = format!("wrote {}\n", file.display());
         }
@@ -128,8 +132,12 @@ fn require_motion(scenario: &Scenario, path: &str) -> Result<(), Failure> {
     }
     let hint = "write [prescribed] with axis = [0, 0, 1] and rate = \"3 rad/s\", or [shaft]";
     Err(if scenario.run.is_some() {
-        let message = format!("{path} has a [run] but no [prescribed] motion: its motion is computed, not given");
-        Failure::usage(message, format!("`polhode simulate` computes it; for the torque of a given motion {hint}"))
+        let message =
+            format!("{path} has a [run] but no [prescribed] motion: its motion is computed, not given");
+        Failure::usage(
+            message,
+            format!("`polhode simulate` computes it; for the torque of a given motion {hint}"),
+        )
     } else {
         Failure::usage(format!("{path} has no [prescribed] motion, so no torque is asked for"), hint)
     })
@@ -152,9 +160,14 @@ fn times(text: &str) -> Result<Times, String> {
 /// `0.5 kg, 0, 10 cm, 0`
 fn point(text: &str) -> Result<Particle<Body>, String> {
     let parts: Vec<&str> = text.split(',').map(str::trim).collect();
-    let [mass, place @ ..] = parts.as_slice() else { return Err("a mass and a place belong here".to_owned()) };
+    let [mass, place @ ..] = parts.as_slice() else {
+        return Err("a mass and a place belong here".to_owned());
+    };
     if place.len() != 3 {
-        return Err(format!("a mass and three coordinates belong here (m,x,y,z), not {} numbers", parts.len()));
+        return Err(format!(
+            "a mass and three coordinates belong here (m,x,y,z), not {} numbers",
+            parts.len()
+        ));
     }
     let mass = positive(quantity(mass, Dimension::MASS)?)?;
     let mut at = [0.0; 3];

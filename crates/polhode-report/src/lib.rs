@@ -54,7 +54,7 @@ pub use motion::MotionReport;
 pub use page::{PageInput, PageSubject, page};
 pub use parts::{PartRow, parts};
 pub use plot::{Figure, MotionFigures, Picture, PlotError};
-pub use required::{RequiredReport, ShaftReport};
+pub use required::RequiredReport;
 pub use sign_proof::sign_proof;
 pub use source::SourceInfo;
 pub use spin::{SpinReport, TumblerReport};

@@ -39,7 +39,7 @@ pub(super) fn read(table: &Value<'_>, columns: Option<&str>) -> Result<Rows, For
     let bytes = file::bytes(&path, written, LARGEST_FILE).map_err(|kind| {
         let missing = matches!(kind, FormatErrorKind::Io { .. });
         let error = table.error(kind);
-        let hint = format!("paths are relative to the scenario: this one is {}", path.display());
+        let hint = format!("paths are relative to the scenario: this one is {path:?}");
         if missing { error.with_hint(hint) } else { error }
     })?;
     rows(&bytes, columns).map_err(|error| {
@@ -61,12 +61,16 @@ pub(super) fn finding(uncertainty: &Uncertainty) -> Finding {
         (true, true) => (
             "prescribed.noisy",
             Severity::Warning,
-            format!("the table is rounded or noisy, most at t = {time} s, and so is the torque: {known}; smooth it first"),
+            format!(
+                "the table is rounded or noisy, most at t = {time} s, and so is the torque: {known}; smooth it first"
+            ),
         ),
         (true, false) => (
             "prescribed.coarse",
             Severity::Warning,
-            format!("the table is too coarse for the torque at t = {time} s: {known}; give rows nearer together"),
+            format!(
+                "the table is too coarse for the torque at t = {time} s: {known}; give rows nearer together"
+            ),
         ),
         (false, _) => ("prescribed.table", Severity::Info, known),
     };
@@ -81,7 +85,8 @@ fn rows(bytes: &[u8], columns: Option<&str>) -> Result<Rows, ContentError> {
     })?;
     let mut lines = fields(text);
     let Some((_, header)) = lines.next() else {
-        return Err(missing("lines").hint("write a header such as time_s,attitude_w,attitude_x,attitude_y,attitude_z"));
+        return Err(missing("lines")
+            .hint("write a header such as time_s,attitude_w,attitude_x,attitude_y,attitude_z"));
     };
     let width = header.len();
     let (kind, places) = chosen(text, &header, columns)?;
@@ -89,7 +94,11 @@ fn rows(bytes: &[u8], columns: Option<&str>) -> Result<Rows, ContentError> {
     for (line, fields) in lines {
         if fields.len() != width {
             let rule = format!("{width} fields long, as the header is; it has {}", fields.len());
-            let kind = ContentErrorKind::Value { what: "the line".to_owned(), value: text[line.clone()].to_owned(), rule };
+            let kind = ContentErrorKind::Value {
+                what: "the line".to_owned(),
+                value: text[line.clone()].to_owned(),
+                rule,
+            };
             return Err(ContentError::new(kind, ContentPlace::Text(line)));
         }
         let mut row = [0.0; 5];
@@ -126,7 +135,11 @@ fn rows(bytes: &[u8], columns: Option<&str>) -> Result<Rows, ContentError> {
 }
 
 /// Of which kind the table is, and where its numbers stand: the time first.
-fn chosen(text: &str, header: &[Range<usize>], columns: Option<&str>) -> Result<(usize, Vec<usize>), ContentError> {
+fn chosen(
+    text: &str,
+    header: &[Range<usize>],
+    columns: Option<&str>,
+) -> Result<(usize, Vec<usize>), ContentError> {
     let place = |name: &str| header.iter().position(|field| text[field.clone()].trim_matches('"') == name);
     let time = place("time_s").ok_or_else(|| missing("column time_s").hint("the time is in s"))?;
     let found = |kind: usize| {

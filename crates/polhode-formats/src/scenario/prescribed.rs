@@ -195,7 +195,9 @@ fn refused(form: &Value<'_>, error: MotionError) -> FormatError {
     let not_finite = matches!(error, MotionError::NotFinite { .. });
     let error = form.motion(error);
     if not_finite {
-        error.with_hint("its formulas, or their derivatives, are not finite there: look for roots and quotients")
+        error.with_hint(
+            "its formulas, or their derivatives, are not finite there: look for roots and quotients",
+        )
     } else {
         error
     }

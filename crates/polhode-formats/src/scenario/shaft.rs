@@ -19,6 +19,12 @@ pub(crate) fn shaft(root: &Table<'_>, start: &Start<'_>, scenario: &mut Scenario
         let rule = "given without a pivot of the body: its bearings hold it";
         return Err(value.invalid(rule).with_hint("leave out pivot: the shaft's point holds the body"));
     }
+    if start.velocity.is_some()
+        && let Some(velocity) = root.get("start").and_then(|start| start.table().ok()?.get("velocity"))
+    {
+        let rule = "left out, since the bearings hold the body";
+        return Err(velocity.invalid(rule).with_hint("a shaft only turns"));
+    }
     let axis = table.require("axis", "axis = [0, 0, 1]")?;
     let point = table.get("point").map_or(Ok([0.0; 3]), |point| point.quantities(Dimension::LENGTH))?;
     let point = Position::from_array(point);
@@ -29,7 +35,8 @@ pub(crate) fn shaft(root: &Table<'_>, start: &Start<'_>, scenario: &mut Scenario
         let rule = "a direction: finite and not zero";
         return Err(axis.invalid(rule).with_hint("the z axis is [0, 0, 1]; any length will do"));
     }
-    let shaft = Shaft::new(scenario.body, point, direction, places).map_err(|error| bearings.motion(error))?;
+    let shaft =
+        Shaft::new(scenario.body, point, direction, places).map_err(|error| bearings.motion(error))?;
     let rate = table.require("rate", "rate = \"3000 rpm\"")?.quantity(Dimension::ANGULAR_VELOCITY)?;
     let acceleration = table.get("acceleration");
     let acceleration = acceleration.map_or(Ok(0.0), |a| a.quantity(Dimension::ANGULAR_ACCELERATION))?;

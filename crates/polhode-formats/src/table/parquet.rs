@@ -46,7 +46,8 @@ pub fn write_required(
     metadata: &[(String, String)],
     out: impl Write + Send,
 ) -> io::Result<()> {
-    let heads: Vec<Head<'_>> = table.columns().iter().map(|c| [c.name.as_str(), c.unit, c.description]).collect();
+    let heads: Vec<Head<'_>> =
+        table.columns().iter().map(|c| [c.name.as_str(), c.unit, c.description]).collect();
     let values = |column: usize, rows: Range<usize>| {
         let all = table.columns().get(column).map_or(&[][..], |column| &column.values);
         all.get(rows).unwrap_or_default().to_vec()
@@ -78,7 +79,8 @@ fn encode_columns(
     metadata: &[(String, String)],
     out: impl Write + Send,
 ) -> Result<(), ParquetError> {
-    let mut file = SerializedFileWriter::new(out, schema(name, heads)?, Arc::new(properties(heads, metadata)))?;
+    let mut file =
+        SerializedFileWriter::new(out, schema(name, heads)?, Arc::new(properties(heads, metadata)))?;
     for first in (0..rows).step_by(ROW_GROUP) {
         let mut group = file.next_row_group()?;
         for column in 0..heads.len() {

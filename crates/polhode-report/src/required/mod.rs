@@ -8,7 +8,7 @@ use polhode::{Body, MotionError, Particle, Required, Rotor, Scenario, Torque};
 use serde_json::Value;
 
 use crate::source::SourceInfo;
-pub use shaft::ShaftReport;
+use shaft::ShaftReport;
 
 /// The torque, the power, the work and the forces that a prescribed motion needs.
 ///
@@ -64,7 +64,11 @@ impl<'a> RequiredReport<'a> {
         let rotor = scenario.rotor();
         let Some(motion) = &scenario.prescribed else {
             let rule = "at least 1: [prescribed] or [shaft]";
-            return Err(MotionError::Parameter { what: "the number of prescribed motions", value: 0.0, rule });
+            return Err(MotionError::Parameter {
+                what: "the number of prescribed motions",
+                value: 0.0,
+                rule,
+            });
         };
         let needed = |time: &f64| Required::by(&rotor, motion, *time);
         let times = scenario.run.as_ref().map_or(&[][..], |run| &run.times);
@@ -112,23 +116,30 @@ impl<'a> RequiredReport<'a> {
 
     /// The sample with the largest torque; of several the first.
     fn largest(&self) -> &Required {
-        self.samples.iter().fold(&self.start, |most, s| if s.torque.norm() > most.torque.norm() { s } else { most })
+        self.samples
+            .iter()
+            .fold(&self.start, |most, s| if s.torque.norm() > most.torque.norm() { s } else { most })
     }
 
     /// The sample that takes or gives the most power.
     fn most_power(&self) -> &Required {
-        self.samples.iter().fold(&self.start, |most, s| if s.power.abs() > most.power.abs() { s } else { most })
+        self.samples
+            .iter()
+            .fold(&self.start, |most, s| if s.power.abs() > most.power.abs() { s } else { most })
     }
 
     /// √⟨Nₖ²⟩ of each component over the time of the run (trapezoids), in body axes and in space.
     fn rms(&self) -> [[f64; 3]; 2] {
-        let squares = |s: &Required| [s.torque.to_array(), s.torque_space().to_array()].map(|n| n.map(|x| x * x));
+        let squares =
+            |s: &Required| [s.torque.to_array(), s.torque_space().to_array()].map(|n| n.map(|x| x * x));
         let (mut sums, mut duration) = ([[0.0; 3]; 2], 0.0);
         for pair in self.samples.windows(2) {
             let step = pair[1].state.time - pair[0].state.time;
             let (a, b) = (squares(&pair[0]), squares(&pair[1]));
             duration += step;
-            for (sum, (a, b)) in sums.as_flattened_mut().iter_mut().zip(a.as_flattened().iter().zip(b.as_flattened())) {
+            for (sum, (a, b)) in
+                sums.as_flattened_mut().iter_mut().zip(a.as_flattened().iter().zip(b.as_flattened()))
+            {
                 *sum += 0.5 * step * (a + b);
             }
         }
@@ -141,7 +152,8 @@ impl<'a> RequiredReport<'a> {
 
     /// Sizes below a rounding of this are nothing, N·m.
     fn scale(&self) -> f64 {
-        let inertial = |s: &Required| self.rotor.angular_momentum(s.state.omega).norm() * s.state.omega.norm();
+        let inertial =
+            |s: &Required| self.rotor.angular_momentum(s.state.omega).norm() * s.state.omega.norm();
         self.samples.iter().map(|s| inertial(s).max(s.torque.norm())).fold(0.0, f64::max)
     }
 

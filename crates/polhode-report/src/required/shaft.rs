@@ -1,6 +1,8 @@
 //! What holds and drives a shaft.
 
-use polhode::{Acceleration, Attitude, CorrectionMass, Force, Mounted, MotionError, Reactions, Required, Shaft, Space};
+use polhode::{
+    Acceleration, Attitude, CorrectionMass, Force, MotionError, Mounted, Reactions, Required, Shaft, Space,
+};
 use serde_json::{Value, json};
 
 use crate::json::vector;
@@ -10,7 +12,7 @@ use crate::unit;
 
 /// The bearings and the balance of a shaft.
 #[derive(Clone, Debug)]
-pub struct ShaftReport {
+pub(super) struct ShaftReport {
     mounted: Mounted,
     attitude: Attitude,
     /// Of the unbalance alone, at the start.
@@ -52,22 +54,22 @@ impl ShaftReport {
             together: shaft.reactions(*rate, *acceleration, g),
             greatest,
             masses,
-            balanced: balanced.map(|shaft| (shaft, shaft.reactions(*rate, *acceleration, Acceleration::ZERO))),
+            balanced: balanced
+                .map(|shaft| (shaft, shaft.reactions(*rate, *acceleration, Acceleration::ZERO))),
             mounted: mounted.clone(),
         })
     }
 
     pub(super) fn to_text(&self) -> String {
         let shaft = &self.mounted.shaft;
-        let [z1, z2] = shaft.bearings().map(|z| unit::place([z, 0.0, 0.0]));
-        let along = |text: String| text.trim_start_matches('(').replacen(", 0, 0)", "", 1);
+        let [z1, z2] = shaft.bearings().map(|z| unit::length(z));
         let line = format!(
             "about {} through {} in body axes, I = {} kg·m²; bearings at {} and {} along it",
             shown(shaft.axis().to_array(), DIGITS),
             unit::place(shaft.point().to_array()),
             number(shaft.moment(), DIGITS),
-            along(z1),
-            along(z2)
+            z1,
+            z2
         );
         let mut text = labelled("shaft", &line);
         let center = shaft.axis().dot(shaft.body().center_of_mass() - shaft.point());
@@ -99,7 +101,11 @@ impl ShaftReport {
                 ));
             } else if self.mounted.acceleration != 0.0 {
                 let (most, when) = self.greatest[k];
-                line.push_str(&format!("; at most {} N (t = {} s)", number(most, DIGITS), number(when, DIGITS)));
+                line.push_str(&format!(
+                    "; at most {} N (t = {} s)",
+                    number(most, DIGITS),
+                    number(when, DIGITS)
+                ));
             }
             text.push_str(&labelled(label, &line));
         }
@@ -117,8 +123,8 @@ impl ShaftReport {
             let line = format!(
                 "{} in the plane at {}, at radius {} and angle {}°: at {} in body axes",
                 unit::mass(mass.mass),
-                along(unit::place([mass.plane, 0.0, 0.0])),
-                along(unit::place([mass.radius, 0.0, 0.0])),
+                unit::length(mass.plane),
+                unit::length(mass.radius),
                 number(mass.angle.to_degrees(), DIGITS),
                 unit::place(mass.position.to_array())
             );

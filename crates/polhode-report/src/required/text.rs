@@ -21,7 +21,10 @@ pub(super) fn write(report: &RequiredReport<'_>) -> String {
     text.push_str(&labelled("torque at start", &both(first, scale)));
     if samples.len() > 1 {
         let largest = report.largest();
-        text.push_str(&labelled("largest torque", &format!("{}, at t = {} s", both(largest, scale), t(largest))));
+        text.push_str(&labelled(
+            "largest torque",
+            &format!("{}, at t = {} s", both(largest, scale), t(largest)),
+        ));
         let [body, space] = report.rms().map(|n| vector(tidy_beside(n, scale), DIGITS));
         let rms = format!("of each component {body} N·m in body axes, {space} N·m in space axes");
         text.push_str(&labelled("rms torque", &rms));

@@ -64,7 +64,8 @@ impl<const N: usize> Spline<N> {
             for j in (r..=degree).rev() {
                 let (low, high) = (self.knots[span + j - degree], self.knots[span + 1 + j - r]);
                 let right = (time - low) / (high - low);
-                local[j] = core::array::from_fn(|k| local[j - 1][k] + right * (local[j][k] - local[j - 1][k]));
+                local[j] =
+                    core::array::from_fn(|k| local[j - 1][k] + right * (local[j][k] - local[j - 1][k]));
             }
         }
         local[degree]
@@ -154,7 +155,9 @@ mod tests {
             let spline = Spline::through(&times, &values, degree).unwrap();
             let (h, t) = (1e-4, 1.234_5);
             let [[value, other], [first, _], [second, _]] = spline.at(t);
-            assert!((value - p(t)).abs() < 1e-12 * p(t).abs() && (other - 1.0 + p(t)).abs() < 1e-12 * p(t).abs());
+            assert!(
+                (value - p(t)).abs() < 1e-12 * p(t).abs() && (other - 1.0 + p(t)).abs() < 1e-12 * p(t).abs()
+            );
             assert!((first - (p(t + h) - p(t - h)) / (2.0 * h)).abs() < 1e-5 * first.abs());
             assert!((second - (p(t + h) - 2.0 * p(t) + p(t - h)) / (h * h)).abs() < 1e-5 * second.abs());
             // The outermost polynomials go on.
@@ -189,7 +192,10 @@ mod tests {
             // Order p + 1 of the value and p − 1 of the second derivative, but for the ends' larger constants.
             let order = |a: f64, b: f64| libm::log2(a / b);
             assert!(order(coarse, fine) > degree as f64, "{degree}: {coarse:e} {fine:e}");
-            assert!(order(coarse_rate, fine_rate) > degree as f64 - 1.5, "{degree}: {coarse_rate:e} {fine_rate:e}");
+            assert!(
+                order(coarse_rate, fine_rate) > degree as f64 - 1.5,
+                "{degree}: {coarse_rate:e} {fine_rate:e}"
+            );
         }
     }
 

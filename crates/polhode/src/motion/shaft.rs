@@ -20,7 +20,9 @@ use crate::body::inertia::InertiaTensor;
 use crate::body::mass_properties::MassProperties;
 use crate::body::particles::Particle;
 use crate::math::frame::Body;
-use crate::math::vector::{Acceleration, AngularAcceleration, AngularVelocity, Direction, Force, Position, Torque, quantity};
+use crate::math::vector::{
+    Acceleration, AngularAcceleration, AngularVelocity, Direction, Force, Position, Torque, quantity,
+};
 
 use super::error::MotionError;
 use super::kinematics::rigid_acceleration;
@@ -128,7 +130,11 @@ impl Shaft {
         let apart = bearings[1] - bearings[0];
         if apart == 0.0 || !apart.is_finite() {
             let rule = "finite and not zero: two bearings at one place hold no moment";
-            return Err(MotionError::Parameter { what: "the distance between the bearings", value: apart, rule });
+            return Err(MotionError::Parameter {
+                what: "the distance between the bearings",
+                value: apart,
+                rule,
+            });
         }
         Ok(Self { body, point, axis, bearings })
     }
@@ -235,12 +241,20 @@ impl Shaft {
     ///
     /// # Errors
     /// [`MotionError::Parameter`] for planes at one place or not finite, or a radius that is not positive.
-    pub fn balance_in_planes(&self, planes: [f64; 2], radii: [f64; 2]) -> Result<[CorrectionMass; 2], MotionError> {
+    pub fn balance_in_planes(
+        &self,
+        planes: [f64; 2],
+        radii: [f64; 2],
+    ) -> Result<[CorrectionMass; 2], MotionError> {
         let [a, b] = planes;
         let apart = b - a;
         if apart == 0.0 || !apart.is_finite() {
             let rule = "finite and not zero: masses in one plane make no couple";
-            return Err(MotionError::Parameter { what: "the distance between the planes", value: apart, rule });
+            return Err(MotionError::Parameter {
+                what: "the distance between the planes",
+                value: apart,
+                rule,
+            });
         }
         Ok([
             self.correction(a, radii[0], self.couple_unbalance(b) / apart)?,
@@ -273,7 +287,12 @@ impl Shaft {
     }
 
     /// The mass whose unbalance m ρ is `wanted`.
-    fn correction(&self, plane: f64, radius: f64, wanted: Position<Body>) -> Result<CorrectionMass, MotionError> {
+    fn correction(
+        &self,
+        plane: f64,
+        radius: f64,
+        wanted: Position<Body>,
+    ) -> Result<CorrectionMass, MotionError> {
         if !plane.is_finite() {
             return Err(MotionError::Parameter { what: "the plane", value: plane, rule: "finite" });
         }

@@ -180,7 +180,11 @@ impl Trajectory {
             sample.work = sample.kinetic_energy - first.kinetic_energy;
             sample.impulse = sample.momentum - first.momentum;
         }
-        Ok(Self { start: first, samples: continuous(samples), solution: Solution::Prescribed(motion.clone()) })
+        Ok(Self {
+            start: first,
+            samples: continuous(samples),
+            solution: Solution::Prescribed(motion.clone()),
+        })
     }
 
     /// The motion at the start, which need not be one of the times.

@@ -139,7 +139,8 @@ impl Uncertainty {
         curve: impl Fn(&[f64], &[[f64; N]], usize) -> Option<F>,
     ) -> Self {
         let mut all = Self::between(times, curve(times, rows, DEGREE), curve(times, rows, LOWER));
-        let second: (Vec<f64>, Vec<[f64; N]>) = times.iter().copied().zip(rows.iter().copied()).step_by(2).unzip();
+        let second: (Vec<f64>, Vec<[f64; N]>) =
+            times.iter().copied().zip(rows.iter().copied()).step_by(2).unzip();
         if second.0.len() > DEGREE {
             let (times, rows) = (&second.0, &second.1);
             let half = Self::between(times, curve(times, rows, DEGREE), curve(times, rows, LOWER));

@@ -2,7 +2,7 @@
 //!
 //! Ṙ = R [ω×] along body axes, Ṙ = [ω×] R along those of space. A step is the turn by the rotation vector of Magnus' series
 //! to sixth order, with ω at the three nodes of Gauss and Legendre: a rotation whatever the step, and exact where ω keeps
-//! its direction and is a polynomial of degree up to five. Steps are as long as one and two halves agree to 2·10⁻¹³ rad; the
+//! its direction and is a polynomial of degree up to five. Steps are as long as one and two halves agree to 2·10⁻¹⁴ rad; the
 //! halves are kept, and any time in between is one shorter step from the kept attitude before it.
 //!
 //! # Source
@@ -16,7 +16,7 @@ use crate::motion::error::MotionError;
 use crate::motion::state::State;
 
 /// One step and two halves agree to this, rad; the halves are better by 2⁶.
-const AGREEMENT: f64 = 2e-13;
+const AGREEMENT: f64 = 2e-14;
 
 /// Kept attitudes; more is a mistake in the units.
 const MOST: usize = 10_000_000;

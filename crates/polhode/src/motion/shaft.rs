@@ -41,9 +41,10 @@ use super::kinematics::rigid_acceleration;
 /// let each = -0.5 * 12.0 * 1e-4 * omega * omega;
 /// assert!((held.bearings[0].x - each).abs() < 1e-12 && (held.bearings[1].x - each).abs() < 1e-12);
 /// assert_eq!(shaft.unbalance(), Unbalance::Static);
-/// // A gram at 60 mm and a little more, on the other side, in a plane through the disk: nothing is left.
-/// let [weight] = [shaft.balance_in_plane(0.2, 0.06)?];
+/// // 20 g on the other side, 60 mm from the line in the plane of the disk, are as much: nothing is left.
+/// let weight = shaft.balance_in_plane(0.2, 0.06)?;
 /// assert!((weight.mass - 0.02).abs() < 1e-15 && (weight.position.x + 0.06).abs() < 1e-15);
+/// assert_eq!(shaft.with(&[weight])?.unbalance(), Unbalance::None);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]

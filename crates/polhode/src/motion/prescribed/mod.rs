@@ -100,7 +100,8 @@ impl Prescribed {
 
     /// A motion whose ω is three formulas of t along body or space axes, rad/s, from an attitude at t = 0 up to `end`, s.
     ///
-    /// The attitude is integrated at once; [`Turning::attitude_error`] says how far it may be off.
+    /// The attitude is integrated at once, in 256 steps or more; [`Turning::attitude_error`] says how far it may be off. A pulse
+    /// much shorter than a step may be missed.
     ///
     /// # Errors
     /// [`MotionError::NotFinite`] where ω is not; [`MotionError::StepTooSmall`] and [`MotionError::TooManySteps`] where it cannot

@@ -18,6 +18,9 @@ use crate::motion::state::State;
 /// One step and two halves agree to this, rad; the halves are better by 2⁶.
 const AGREEMENT: f64 = 2e-14;
 
+/// Steps at least: what a longer one would jump over, it could not see.
+const FEWEST: f64 = 256.0;
+
 /// Kept attitudes; more is a mistake in the units.
 const MOST: usize = 10_000_000;
 
@@ -54,7 +57,8 @@ impl Turning {
     ) -> Result<Self, MotionError> {
         let mut motion = Self { rates, axes, kept: vec![(start, attitude)], end, error: 0.0 };
         let (mut time, mut attitude) = (start, attitude);
-        let mut step = end - start;
+        let longest = (end - start) / FEWEST;
+        let mut step = longest;
         while time < end {
             step = step.min(end - time);
             if time + 0.5 * step <= time {
@@ -80,7 +84,7 @@ impl Turning {
                 motion.error += difference / 63.0 + f64::EPSILON;
                 (time, attitude) = (last, twice);
             }
-            step *= factor.clamp(0.1, 4.0);
+            step = (step * factor.clamp(0.1, 4.0)).min(longest);
             if motion.kept.len() > MOST {
                 return Err(MotionError::TooManySteps { time, step, most: MOST as u64 });
             }

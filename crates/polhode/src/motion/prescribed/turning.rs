@@ -6,7 +6,7 @@
 //! halves are kept, and any time in between is one shorter step from the kept attitude before it.
 //!
 //! # Source
-//! S. Blanes, F. Casas, J. A. Oteo & J. Ros, Physics Reports 470 (2009) 151, section 5.4.
+//! S. Blanes, F. Casas, J. A. Oteo & J. Ros, Physics Reports 470 (2009) 151.
 
 use super::rates::Rates;
 use crate::math::frame::{Body, Space};

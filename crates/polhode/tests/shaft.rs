@@ -66,7 +66,7 @@ fn the_bearings_and_the_drive_make_what_every_mass_point_needs() {
     let held = shaft.reactions(rate, acceleration, Acceleration::from_array(gravity));
     let (force, moment) = needed(rate, acceleration, gravity);
     let n = shaft.axis().to_array();
-    let [f1, f2] = held.bearings.map(|f| f.to_array());
+    let [f1, f2] = held.bearings.map(Force::to_array);
     let sum = add(add(f1, f2), scaled(n, held.thrust));
     let scale = length(force);
     assert!(length(add(sum, scaled(force, -1.0))) < 1e-14 * scale, "{sum:?} {force:?}");

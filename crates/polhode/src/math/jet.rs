@@ -188,7 +188,7 @@ impl Formula {
                     let (otherwise, then, condition) = (take(), take(), take());
                     match condition.value {
                         c if c.is_nan() => nothing,
-                        c if c == 0.0 => otherwise,
+                        0.0 => otherwise,
                         _ => then,
                     }
                 }
@@ -226,8 +226,8 @@ mod tests {
         (a, b)
     }
 
-    fn agrees(instructions: Vec<I>) {
-        let formula = Formula::new(instructions.clone()).unwrap();
+    fn agrees(instructions: &[I]) {
+        let formula = Formula::new(instructions.iter().copied()).unwrap();
         let (t, h) = (0.8, 1e-3);
         let [value, first, second] = formula.derivatives(t);
         let f = |k: f64| formula.evaluate(&[t + k * h]);
@@ -259,7 +259,7 @@ mod tests {
             Unary::Power(5),
             Unary::Power(-3),
         ] {
-            agrees([&a[..], &[I::Unary(function)]].concat());
+            agrees(&[&a[..], &[I::Unary(function)]].concat());
         }
         for function in [
             Binary::Add,
@@ -273,12 +273,12 @@ mod tests {
             Binary::Hypot,
             Binary::Less,
         ] {
-            agrees([&a[..], &b, &[I::Binary(function)]].concat());
-            agrees([&b[..], &a, &[I::Binary(function)]].concat());
+            agrees(&[&a[..], &b, &[I::Binary(function)]].concat());
+            agrees(&[&b[..], &a, &[I::Binary(function)]].concat());
         }
-        agrees([&a[..], &[I::Constant(2.7), I::Binary(Binary::Power)]].concat());
-        agrees([&[I::Variable(0)][..], &a, &b, &[I::If]].concat());
-        agrees([&[I::Constant(0.0)][..], &a, &b, &[I::If]].concat());
+        agrees(&[&a[..], &[I::Constant(2.7), I::Binary(Binary::Power)]].concat());
+        agrees(&[&[I::Variable(0)][..], &a, &b, &[I::If]].concat());
+        agrees(&[&[I::Constant(0.0)][..], &a, &b, &[I::If]].concat());
     }
 
     #[test]

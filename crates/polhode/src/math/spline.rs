@@ -28,7 +28,7 @@ impl<const N: usize> Spline<N> {
             return None;
         }
         let most = degree.min(MOST).min(count - 1);
-        let degree = if most % 2 == 0 { most - 1 } else { most };
+        let degree = if most.is_multiple_of(2) { most - 1 } else { most };
         let half = degree.div_ceil(2);
         let (first, last) = (times[0], times[count - 1]);
         let mut knots = vec![first; degree + 1];
@@ -83,10 +83,10 @@ impl<const N: usize> Spline<N> {
         basis[0] = 1.0;
         for r in 1..=self.degree {
             let mut saved = 0.0;
-            for j in 0..r {
+            for (j, value) in basis.iter_mut().enumerate().take(r) {
                 let (left, right) = (self.knots[span + 1 + j - r], self.knots[span + 1 + j]);
-                let share = basis[j] / (right - left);
-                basis[j] = saved + (right - time) * share;
+                let share = *value / (right - left);
+                *value = saved + (right - time) * share;
                 saved = (time - left) * share;
             }
             basis[r] = saved;

@@ -216,7 +216,7 @@ impl Shaft {
         let sum: Direction<Body> = force.as_quantity() - n * thrust;
         let second = (lever - sum * z1) / (z2 - z1);
         let first = (sum * z2 - lever) / (z2 - z1);
-        Reactions { bearings: [first, second].map(|f| f.as_quantity()), thrust, torque: n.dot(moment) }
+        Reactions { bearings: [first, second].map(Direction::as_quantity), thrust, torque: n.dot(moment) }
     }
 
     /// The direction across the line from which angles of correction masses count: the body's x axis as far as it is across the

@@ -138,24 +138,26 @@ impl Uncertainty {
         rows: &[[f64; N]],
         curve: impl Fn(&[f64], &[[f64; N]], usize) -> Option<F>,
     ) -> Self {
-        let mut all = Self::between(times, curve(times, rows, DEGREE), curve(times, rows, LOWER));
+        let mut all =
+            Self::between(times, curve(times, rows, DEGREE).as_ref(), curve(times, rows, LOWER).as_ref());
         let second: (Vec<f64>, Vec<[f64; N]>) =
             times.iter().copied().zip(rows.iter().copied()).step_by(2).unzip();
         if second.0.len() > DEGREE {
             let (times, rows) = (&second.0, &second.1);
-            let half = Self::between(times, curve(times, rows, DEGREE), curve(times, rows, LOWER));
+            let half =
+                Self::between(times, curve(times, rows, DEGREE).as_ref(), curve(times, rows, LOWER).as_ref());
             all.is_noisy = all.acceleration > half.acceleration;
         }
         all
     }
 
-    fn between<F: Fn(f64) -> Option<Point>>(times: &[f64], better: Option<F>, worse: Option<F>) -> Self {
+    fn between<F: Fn(f64) -> Option<Point>>(times: &[f64], better: Option<&F>, worse: Option<&F>) -> Self {
         let mut most =
             Self { attitude: 0.0, omega: 0.0, acceleration: 0.0, relative: 0.0, time: 0.0, is_noisy: false };
         let mut scale = 0.0_f64;
         for pair in times.windows(2) {
             let time = 0.5 * (pair[0] + pair[1]);
-            let points = (better.as_ref().and_then(|f| f(time)), worse.as_ref().and_then(|f| f(time)));
+            let points = (better.and_then(|f| f(time)), worse.and_then(|f| f(time)));
             let (Some(a), Some(b)) = points else { continue };
             scale = scale.max(a.acceleration.norm() + a.omega.dot(a.omega));
             most.attitude = most.attitude.max(a.attitude.angle_to(b.attitude));

@@ -156,7 +156,7 @@ fn chosen(
 /// The lines that are not blank, each with its fields, all as places in the text.
 fn fields(text: &str) -> impl Iterator<Item = (Range<usize>, Vec<Range<usize>>)> {
     let mut at = if text.starts_with('\u{feff}') { 3 } else { 0 };
-    let mut next = move || {
+    let next = move || {
         while at < text.len() {
             let start = at;
             let line = text[start..].split_inclusive('\n').next().unwrap_or_default();
@@ -175,7 +175,7 @@ fn fields(text: &str) -> impl Iterator<Item = (Range<usize>, Vec<Range<usize>>)>
         }
         None
     };
-    std::iter::from_fn(move || next())
+    std::iter::from_fn(next)
 }
 
 fn number(text: &str, field: Range<usize>) -> Result<f64, ContentError> {

@@ -62,7 +62,7 @@ impl ShaftReport {
 
     pub(super) fn to_text(&self) -> String {
         let shaft = &self.mounted.shaft;
-        let [z1, z2] = shaft.bearings().map(|z| unit::length(z));
+        let [z1, z2] = shaft.bearings().map(unit::length);
         let line = format!(
             "about {} through {} in body axes, I = {} kg·m²; bearings at {} and {} along it",
             shown(shaft.axis().to_array(), DIGITS),

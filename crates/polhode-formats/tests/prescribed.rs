@@ -1,5 +1,5 @@
 //! Prescribed motions and shafts in scenario files: every form, its mistakes, and tables of motions.
-#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may")]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test may")]
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -117,14 +117,17 @@ fn what_is_missing_is_said() {
     let nothing = refused(&scratch.run(&["torque", &example("notes/11-03-cube.toml")]), 2);
     assert!(nothing.contains("has no [prescribed] motion"), "{nothing}");
     let body = "[[body.part]]\nshape = 'box'\nsize = [1, 2, 3]\nmass = 1\n[prescribed]\n";
-    scratch.write("timeless.toml", &format!("{body}angles = ['t', 'sin(t)', 0]\n"));
+    scratch.write("timeless.toml", &format!("{body}angles = ['1[1/s]*t', 'sin(1[1/s]*t)', 0]\n"));
     assert!(stdout(&scratch.run(&["torque", "timeless.toml", "--at", "2"])).contains("at the start"));
     let timeless = refused(&scratch.run(&["torque", "timeless.toml", "--table", "csv"]), 2);
     assert!(timeless.contains("has no [run] section"), "{timeless}");
-    scratch.write("short.toml", &format!("{body}omega = {{ body = ['t', 0, 1] }}\n[run]\nduration = 1\n"));
+    scratch.write(
+        "short.toml",
+        &format!("{body}omega = {{ body = ['1[rad/s^2]*t', 0, 1] }}\n[run]\nduration = 1\n"),
+    );
     let late = refused(&scratch.run(&["torque", "short.toml", "--at", "2"]), 2);
     assert!(late.contains("the time = 2 must be within the time for which the motion is given"), "{late}");
-    scratch.write("root.toml", &format!("{body}angles = ['sqrt(1 - t)', 0, 0]\n[run]\nduration = 2\n"));
+    scratch.write("root.toml", &format!("{body}angles = ['sqrt(1 - t/1[s])', 0, 0]\n[run]\nduration = 2\n"));
     let root = refused(&scratch.run(&["torque", "root.toml"]), 3);
     assert!(root.contains("the motion is not finite after t ="), "{root}");
     for point in ["1,2,3", "0,1,2,3", "1 m,0,0,0"] {

@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 use polhode::{BodyError, MotionError, RotationError};
 
 use crate::content::{ContentError, ContentPlace};
+use crate::expression::ExpressionError;
 use crate::mesh::stl::{StlError, StlPlace};
 use crate::text::{cut, escaped, visible};
 use crate::unit::UnitError;
@@ -99,6 +100,8 @@ pub enum FormatErrorKind {
     },
     /// A text that is not the quantity that belongs there.
     Unit(UnitError),
+    /// A text that is not a formula.
+    Formula(ExpressionError),
     /// Numbers that are not a body.
     Body(BodyError),
     /// Triangles that bound no solid.
@@ -223,6 +226,8 @@ impl fmt::Display for FormatErrorKind {
             Self::WrongType { key, expected, found } => write!(f, "{key} must be {expected}, not {found}"),
             Self::Value { key, value, rule } => write!(f, "{key} = {value} must be {rule}"),
             Self::Unit(e) => e.fmt(f),
+            // The column is the error's own.
+            Self::Formula(e) => e.kind.fmt(f),
             Self::Body(e) | Self::Mesh { part: None, error: e } => e.fmt(f),
             Self::Mesh { part: Some(part), error } => write!(f, "part {part:?}: {error}"),
             Self::Motion(e) => e.fmt(f),
@@ -259,6 +264,7 @@ impl FormatErrorKind {
             Self::MissingKey { example, .. } => Some(format!("write {example}")),
             Self::Conflict { .. } => Some("leave one of them out".to_owned()),
             Self::Unit(e) => e.hint(),
+            Self::Formula(e) => e.hint(),
             Self::Mesh { error: BodyError::OpenMesh { .. } | BodyError::Unorientable { .. }, .. } => Some(
                 "close the surface in the tool that made it (vertices that only nearly coincide count as \
                  different); or take its convex hull by --hull, or a sheet along it by --shell"

@@ -44,28 +44,54 @@ use crate::text::cut;
 /// Text that does not start with a decimal number, a number beyond the range of a double (to either
 /// side), a unit that is unknown or misspelt, and a unit of another dimension than `expected`.
 pub fn parse(text: &str, expected: Dimension) -> Result<f64, UnitError> {
+    let accepts = |unit: &str, found| match expected.accepts(found) {
+        true => Ok(()),
+        false => Err(UnitError::WrongDimension { unit: unit.to_owned(), found, expected }),
+    };
+    read(text, accepts).map(|(value, _)| value)
+}
+
+/// Reads a number with an optional unit of any dimension: its value in SI units, and what it measures.
+///
+/// ```
+/// use polhode_formats::unit::{Dimension, measured};
+/// assert_eq!(measured("3 in"), Ok((0.0762, Dimension::LENGTH)));
+/// assert_eq!(measured("3"), Ok((3.0, Dimension::NONE)));
+/// ```
+///
+/// # Errors
+///
+/// As [`parse`], but for the dimension.
+pub fn measured(text: &str) -> Result<(f64, Dimension), UnitError> {
+    read(text, |_, _| Ok(()))
+}
+
+/// A number and what its unit measures, if that is accepted; a bare number is.
+fn read(
+    text: &str,
+    accepts: impl FnOnce(&str, Dimension) -> Result<(), UnitError>,
+) -> Result<(f64, Dimension), UnitError> {
     let text = text.trim();
     let (number, unit) = split(text).ok_or_else(|| UnitError::NotANumber { text: text.to_owned() })?;
     let mut exact = Exact::new(number.trim_start_matches(['+', '-']));
     let nonzero = !exact.is_zero();
+    let mut dimension = Dimension::NONE;
     if !unit.is_empty() {
         let factors = Product::read(unit)?;
-        let found = factors.iter().fold(Dimension::NONE, |found, f| found.times(f.unit.dimension, f.power));
-        if !expected.accepts(found) {
-            return Err(UnitError::WrongDimension { unit: unit.to_owned(), found, expected });
-        }
+        dimension = factors.iter().fold(dimension, |found, f| found.times(f.unit.dimension, f.power));
+        accepts(unit, dimension)?;
         factors.iter().for_each(|f| exact.scale(f.unit.factor, f.power));
     }
     match exact.nearest() {
         magnitude if !magnitude.is_finite() => Err(UnitError::NotFinite { text: text.to_owned() }),
         magnitude if magnitude == 0.0 && nonzero => Err(UnitError::Underflow { text: text.to_owned() }),
-        magnitude if number.starts_with('-') => Ok(-magnitude),
-        magnitude => Ok(magnitude),
+        magnitude if number.starts_with('-') => Ok((-magnitude, dimension)),
+        magnitude => Ok((magnitude, dimension)),
     }
 }
 
 /// Why a text is not the quantity that was expected.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum UnitError {
     /// The text does not start with a decimal number, or the number runs into something else.

@@ -140,6 +140,7 @@ fn the_book_has_every_key_and_no_other() {
         ("start", "### Spin", "[start]\nspin = { zzz = 1 }"),
         ("start", "## Rotations", "[start]\nattitude = { zzz = 1 }"),
         ("torque", "### Torque `constant`", "[[torque]]\nmodel = 'constant'\nzzz = 1"),
+        ("torque", "### Torque `formula`", "[[torque]]\nmodel = 'formula'\nzzz = 1"),
         ("torque", "### Torque `gravity`", "[[torque]]\nmodel = 'gravity'\nzzz = 1"),
         ("prescribed", "## Prescribed", "[prescribed]\nzzz = 1"),
         ("prescribed", "### Angular velocity", "[prescribed]\nomega = { zzz = 1 }"),
@@ -208,6 +209,7 @@ fn the_book_has_every_name_that_is_a_value() {
     for (heading, text) in [
         ("### Torque `constant`", "[[torque]]\nmodel = 'constant'\naxes = 'zzz'"),
         ("## Prescribed", "[prescribed]\ntable = 'x.csv'\ncolumns = 'zzz'"),
+        ("### Torque `formula`", "[[torque]]\nmodel = 'formula'\naxes = 'zzz'"),
         ("## Run", "[run]\nduration = 1\nmethod = 'zzz'"),
         ("### Tensor", "[[body.part]]\nshape = 'tensor'\nmass = 1\nmoments = [1, 1, 1]\nabout = 'zzz'"),
         (

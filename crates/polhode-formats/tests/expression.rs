@@ -2,7 +2,10 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may")]
 
 use polhode::{BoxShape, Cubature, DensityField, Solid, mass_properties_of_field};
-use polhode_formats::expression::{Expression, ExpressionErrorKind};
+use polhode_formats::expression::{
+    Expression, ExpressionErrorKind, formula_of_state, formula_of_time, measured,
+};
+use polhode_formats::unit::Dimension;
 
 const XYZ: [&str; 3] = ["x", "y", "z"];
 
@@ -179,4 +182,69 @@ fn a_formula_is_a_density() {
     // M c_x = 650 · 0.3 V a²/12
     let moment = body.properties.mass() * body.properties.center_of_mass().x;
     assert!((moment - 0.08 * 195.0 * 0.16 / 12.0).abs() < 1e-14);
+}
+
+#[test]
+fn units_make_si_and_dimensions_are_found() {
+    for (text, value, dimension) in [
+        ("30[deg/s]*2[s]", std::f64::consts::FRAC_PI_3, Dimension::NONE),
+        ("-1.5e-1 [ mN m ]", -1.5e-4, Dimension::TORQUE),
+        ("t/1[min]", 0.5, Dimension::NONE),
+        ("2[kg m^2]*wx^2", 4.5, Dimension::TORQUE),
+        ("sqrt(wx^2 + 4[rad^2/s^2])", 2.5, Dimension::ANGULAR_VELOCITY),
+        ("(wx^2)^1.5", 3.375, Dimension::new(0, 0, -3, 0)),
+        ("hypot(Lx, 0)*wx", 0.3, Dimension::TORQUE),
+        ("if(t > 20[s], min(wx, 1[1/s]), 0)", 1.0, Dimension::ANGULAR_VELOCITY),
+        ("max(0, -wx)", 0.0, Dimension::ANGULAR_VELOCITY),
+        ("atan2(wx, wx)*4", std::f64::consts::PI, Dimension::NONE),
+        ("wx/t", 0.05, Dimension::ANGULAR_ACCELERATION),
+        ("0*wx + 0", 0.0, Dimension::NONE),
+        ("2^(t/10[s]) + pow(2, wx*2[s])", 16.0, Dimension::NONE),
+    ] {
+        let variables = [
+            ("t", Dimension::TIME),
+            ("wx", Dimension::ANGULAR_VELOCITY),
+            ("Lx", Dimension::ANGULAR_MOMENTUM),
+        ];
+        let (formula, found) = measured(text, &variables, None).unwrap_or_else(|e| panic!("{text}: {e}"));
+        let got = formula.evaluate(&[30.0, 1.5, 0.2]);
+        assert!((got - value).abs() <= 4e-16 * value.abs(), "{text}: {got}");
+        assert_eq!(found, dimension, "{text}");
+    }
+    assert!(formula_of_time("30[deg]*sin(t/2[s])", Dimension::ANGLE).is_ok());
+    assert!(formula_of_time("wx", Dimension::ANGULAR_VELOCITY).is_err());
+}
+
+#[test]
+fn every_wrong_dimension_is_named_with_its_column() {
+    for (text, message, hint) in [
+        ("wx + t", "column 4: + joins an angular velocity and a time", ""),
+        ("1 - 2*wx", "column 3: - joins a plain number and an angular velocity", "such as 30[deg/s]"),
+        ("t < 3", "column 3: < joins a time and a plain number", "such as 90[s]"),
+        ("min(t, wx)", "column 1: min joins a time and an angular velocity", ""),
+        ("if(t, 1, 2)", "column 1: if takes a plain number, not a time", "a comparison"),
+        ("if(t < 1[s], 1, t)", "column 1: if joins a plain number and a time", "90[s]"),
+        ("2 + exp(-t)", "column 5: exp takes a plain number, not a time", "divide by"),
+        ("2^t", "column 2: ^ takes a plain number, not a time", "divide by"),
+        ("t^qw", "column 2: ^ takes a plain number, not a time", "divide by"),
+        (
+            "sqrt(wx)",
+            "column 1: sqrt of an angular velocity leaves no whole powers of kg, m and s",
+            "divide by",
+        ),
+        ("  Lx", "column 3: the value is an angular momentum, where a torque belongs", "such as 30[deg/s]"),
+        ("qw", "column 1: the value is a plain number, where a torque belongs", "such as 0.1[N m]"),
+        ("1[N mm", "column 7: expected ] after a unit, found the end of the formula", ""),
+        ("1[ ]", "column 4: expected a unit, found \"]\"", ""),
+        ("1[Nmn]", "column 3: there is no unit \"Nmn\"", ""),
+        ("wx[N m s]", "column 3: expected an operator, ) or the end, found \"[\"", "after a number"),
+    ] {
+        let error = formula_of_state(text, Some(Dimension::TORQUE)).unwrap_err();
+        assert_eq!(error.to_string(), message, "{text}");
+        assert!(error.hint().unwrap_or_default().contains(hint), "{text}: {:?}", error.hint());
+    }
+    let long = formula_of_state(&"1+".repeat(3000), None).unwrap_err();
+    assert_eq!((long.kind, long.column), (ExpressionErrorKind::TooLong { most: 4096 }, 4097));
+    // A density has no units.
+    assert!(Expression::parse("2700[kg/m^3]", &XYZ).is_err());
 }

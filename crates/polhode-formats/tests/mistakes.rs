@@ -575,3 +575,23 @@ fn a_mesh_is_no_scenario() {
     assert!(named.hint().unwrap().starts_with(hint));
     assert!(!parse("not TOML").unwrap_err().hint().unwrap().starts_with(hint));
 }
+
+#[test]
+fn a_torque_s_formula_is_answered_at_its_place() {
+    let with = |components: &str| {
+        format!("{BALL}[[torque]]\nmodel = 'formula'\naxes = 'body'\ntorque = [{components}]\n{RUN}")
+    };
+    assert!(parse(&with("0, '0.1 [N m]', '-2[N m s]*wx'")).is_ok());
+    let message = "+ joins a torque and a plain number";
+    refuses(&with("0, '1[N m] «+» 2', 0"), message, "a number has its unit in brackets, such as 0.1[N m]");
+    refuses(&with("0, 0, \"\"\"2[Nm]*«w1»\"\"\""), "there is no variable w1", "did you mean wx?");
+    let message = "the value is an angular velocity, where a torque belongs";
+    refuses(&with("' «wx»', 0, 0"), message, "a factor is missing, such as 12[N m s]");
+    refuses(&with("'2[«Nn»]*t', 0, 0"), "there is no unit \"Nn\"", "did you mean");
+    let message = "sin takes a plain number, not a time";
+    refuses(&with("'1[N m]*«sin»(t)', 0, 0"), message, "divide by a quantity like it, such as 90[s]");
+    // of a string with escapes, the string is the place
+    let message = "expected an operator, ) or the end, found \"²\"";
+    refuses(&with("«\"1[N m]*qw\\u00b2\"», 0, 0"), message, "");
+    refuses(&with("0, «true», 0"), "torque must be a torque, not true or false", "write \"0.1 N m\"");
+}

@@ -117,6 +117,7 @@ pub use motion::rotor::Rotor;
 pub use motion::scenario::{Hanging, Mounted, Run, Scenario};
 pub use motion::shaft::{CorrectionMass, Reactions, Shaft, Unbalance};
 pub use motion::state::State;
+pub use motion::state_variables::StateVariables;
 pub use motion::torque::{
     Attracted, ConstantTorque, Drag, EnergySink, FormulaTorque, GravityGradient, Magnetic, MagneticField,
     Schedule, Scheduled, Thruster, TorqueModel, Torsion, UniformGravity,

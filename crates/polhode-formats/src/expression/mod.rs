@@ -8,6 +8,7 @@
 //! | comparison | `< <= > >=`, below all arithmetic: 1 where it holds, else 0 |
 //! | functions | `sqrt exp log sin cos tan asin acos atan abs`, of two `atan2(y, x) min max hypot pow` |
 //! | choice | `if(condition, then, else)`: *then* where the condition is not 0 |
+//! | units | `0.2[N m]`, `30[deg/s]` where dimensions are checked: [`measured`] |
 //!
 //! Angles are in radians, `log` is the natural logarithm. A text is compiled into a [`Formula`] once, which runs over
 //! many points at a time. Functions are `libm`'s: the same bits on every platform.
@@ -15,16 +16,19 @@
 //! A density with steps is integrated slowly: `if` says it is one, so divide the body along the step where that is
 //! possible.
 
+mod dimensions;
+mod error;
 mod parse;
-
-use std::error::Error;
-use std::fmt;
+mod state;
 
 use polhode::Formula;
 
-use crate::text::cut;
+use crate::unit::Dimension;
 
-/// A formula of named variables, ready to be evaluated.
+pub use error::{ExpressionError, ExpressionErrorKind};
+pub use state::{formula_of_state, formula_of_time};
+
+/// A formula of named variables, ready to be evaluated; numbers have no units, and dimensions are not checked.
 ///
 /// ```
 /// use polhode_formats::expression::Expression;
@@ -83,114 +87,32 @@ impl polhode::DensityField for Expression {
     }
 }
 
-/// Why a text is not a formula.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ExpressionError {
-    /// What is wrong.
-    pub kind: ExpressionErrorKind,
-    /// The character, from 1, that it starts at.
-    pub column: usize,
+/// The formula in a text whose numbers may have units, of variables that have dimensions, and what its value measures.
+///
+/// Dimensions are checked as physics does: what is added or compared is of the same dimension, what functions take and give
+/// is a plain number. A bare number is a plain number, but 0 fits everywhere. An angle is a plain number too.
+/// `expected` is what the value has to measure, if that is known; the dimension that comes back has the angle in rates.
+///
+/// ```
+/// use polhode_formats::expression::measured;
+/// use polhode_formats::unit::Dimension;
+/// let variables = [("t", Dimension::TIME), ("wx", Dimension::ANGULAR_VELOCITY)];
+/// let (torque, dimension) = measured("-0.3[N m s]*wx + sin(90[deg/s]*t)*2[mN m]", &variables, None)?;
+/// assert_eq!(dimension, Dimension::TORQUE);
+/// assert!((torque.evaluate(&[1.0, 0.5]) - (-0.15 + 0.002)).abs() < 1e-16);
+///
+/// let error = measured("wx + 2", &variables, None).unwrap_err();
+/// assert_eq!(error.to_string(), "column 4: + joins an angular velocity and a plain number");
+/// assert_eq!(error.hint().unwrap(), "a number has its unit in brackets, such as 30[deg/s]");
+/// # Ok::<(), polhode_formats::expression::ExpressionError>(())
+/// ```
+///
+/// # Errors
+/// [`ExpressionError`]: the column, what is wrong there, and a hint.
+pub fn measured(
+    text: &str,
+    variables: &[(&str, Dimension)],
+    expected: Option<Dimension>,
+) -> Result<(Formula, Dimension), ExpressionError> {
+    parse::compile_measured(text, variables, expected)
 }
-
-/// What is wrong with a formula.
-#[derive(Clone, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum ExpressionErrorKind {
-    /// Something else stands where the grammar has its place.
-    Expected {
-        /// What belongs there: `"a number, a name or ("`.
-        what: &'static str,
-        /// What stands there; empty at the end of the text.
-        found: String,
-    },
-    /// A number that f64 does not hold.
-    Number {
-        /// The number.
-        found: String,
-    },
-    /// A name that is no variable.
-    UnknownVariable {
-        /// The name.
-        name: String,
-        /// What was probably meant.
-        suggestion: Option<String>,
-        /// All variables that there are here.
-        known: Vec<String>,
-    },
-    /// A name that is no function.
-    UnknownFunction {
-        /// The name.
-        name: String,
-        /// What was probably meant.
-        suggestion: Option<&'static str>,
-    },
-    /// A function with too few or too many arguments.
-    Arguments {
-        /// The function.
-        function: &'static str,
-        /// How many it takes.
-        takes: usize,
-        /// How many are there.
-        given: usize,
-    },
-    /// A comparison of a comparison: `0 < x < 1`.
-    ChainedComparison,
-}
-
-impl ExpressionError {
-    /// What to write instead, where there is something to say.
-    pub fn hint(&self) -> Option<String> {
-        use ExpressionErrorKind as Kind;
-        match &self.kind {
-            Kind::UnknownVariable { suggestion: Some(name), .. } => Some(format!("did you mean {name}?")),
-            Kind::UnknownVariable { known, .. } if known.is_empty() => {
-                Some("there are no variables here".to_owned())
-            }
-            Kind::UnknownVariable { known, .. } => Some(format!("the variables are {}", known.join(", "))),
-            Kind::UnknownFunction { suggestion: Some(name), .. } => Some(format!("did you mean {name}?")),
-            Kind::UnknownFunction { name, .. } => Some(format!(
-                "there are {}; a product is written {name}*(…)",
-                parse::FUNCTIONS.map(|f| f.name).join(", ")
-            )),
-            Kind::ChainedComparison => Some("write if(0 < x, if(x < 1, a, b), b)".to_owned()),
-            Kind::Expected { found, .. } if found == "*" => Some("a power is written x^2".to_owned()),
-            Kind::Expected { found, .. } if found == "=" || found == "!" || found == "&" || found == "|" => {
-                Some("there are <, <=, > and >=, and if(condition, then, else)".to_owned())
-            }
-            Kind::Expected { what, found } if what.starts_with("an operator") => match found.chars().next() {
-                Some(c) if c.is_alphanumeric() || c == '(' || c == '.' => {
-                    Some(format!("a product is written with *: …*{found}"))
-                }
-                Some(',') => Some("the decimal sign is a point".to_owned()),
-                _ => None,
-            },
-            _ => None,
-        }
-    }
-}
-
-impl fmt::Display for ExpressionErrorKind {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Expected { what, found } if found.is_empty() => {
-                write!(f, "expected {what}, found the end of the formula")
-            }
-            Self::Expected { what, found } => write!(f, "expected {what}, found {:?}", cut(found)),
-            Self::Number { found } => write!(f, "{} is beyond the range of a double", cut(found)),
-            Self::UnknownVariable { name, .. } => write!(f, "there is no variable {}", cut(name)),
-            Self::UnknownFunction { name, .. } => write!(f, "there is no function {}", cut(name)),
-            Self::Arguments { function, takes, given } => {
-                write!(f, "{function} takes {takes} arguments, not {given}")
-            }
-            Self::ChainedComparison => write!(f, "a comparison cannot be compared"),
-        }
-    }
-}
-
-impl fmt::Display for ExpressionError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "column {}: {}", self.column, self.kind)
-    }
-}
-
-impl Error for ExpressionError {}

@@ -5,14 +5,16 @@ use std::f64::consts::PI;
 
 use polhode::{Binary, Formula, Instruction, Unary};
 
+use super::dimensions::{Measured, Step, measure};
 use super::{ExpressionError, ExpressionErrorKind};
 use crate::scenario::suggestion::nearest;
+use crate::unit::{self, Dimension};
 
 /// A function by its name.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Function {
     pub(super) name: &'static str,
-    op: Instruction,
+    pub(super) op: Instruction,
 }
 
 pub(super) const FUNCTIONS: [Function; 16] = {
@@ -52,7 +54,7 @@ impl Function {
 #[derive(Clone, Copy)]
 enum Waiting {
     /// An operator and how strongly it binds.
-    Operator(Instruction, u8),
+    Operator { op: Instruction, binds: u8, column: usize },
     /// An open parenthesis; of a function with the commas so far.
     Open { column: usize, function: Option<(Function, usize)> },
 }
@@ -63,12 +65,38 @@ const PRODUCT: u8 = 3;
 const SIGN: u8 = 4;
 const POWER: u8 = 5;
 
-/// The formula in a text.
+/// The most characters of a formula whose dimensions are checked: one that stands in a scenario.
+const LONGEST: usize = 4096;
+
+/// The formula in a text, all numbers in SI.
 pub(super) fn compile(text: &str, variables: &[&str]) -> Result<Formula, ExpressionError> {
-    let rest = text.chars().collect();
-    let mut parser = Parser { rest, at: 0, variables, instructions: Vec::new(), waiting: Vec::new() };
-    parser.formula()?;
-    Formula::new(parser.instructions.drain(..)).map_err(|_| parser.expected("a formula"))
+    Parser::new(text, variables, false).read().map(|(formula, _)| formula)
+}
+
+/// The formula in a text whose dimensions are checked, and what its value measures.
+pub(super) fn compile_measured(
+    text: &str,
+    variables: &[(&str, Dimension)],
+    expected: Option<Dimension>,
+) -> Result<(Formula, Dimension), ExpressionError> {
+    if text.chars().nth(LONGEST).is_some() {
+        let kind = ExpressionErrorKind::TooLong { most: LONGEST };
+        return Err(ExpressionError { kind, column: LONGEST + 1 });
+    }
+    let names: Vec<&str> = variables.iter().map(|&(name, _)| name).collect();
+    let dimensions: Vec<Dimension> = variables.iter().map(|(_, d)| d.without_angle()).collect();
+    let mut parser = Parser::new(text, &names, true);
+    let (formula, steps) = parser.read()?;
+    let value = measure(&steps, &dimensions)?;
+    match (value, expected) {
+        (Measured::Zero, expected) => Ok((formula, expected.unwrap_or(Dimension::NONE))),
+        (Measured::As(found), None) => Ok((formula, found.with_angle())),
+        (Measured::As(found), Some(expected)) if found == expected.without_angle() => Ok((formula, expected)),
+        (Measured::As(found), Some(expected)) => {
+            let kind = ExpressionErrorKind::Value { found: found.with_angle(), expected };
+            Err(ExpressionError { kind, column: parser.start() })
+        }
+    }
 }
 
 struct Parser<'a> {
@@ -76,11 +104,35 @@ struct Parser<'a> {
     /// Characters before the place.
     at: usize,
     variables: &'a [&'a str],
-    instructions: Vec<Instruction>,
+    /// Whether numbers may have units.
+    units: bool,
+    steps: Vec<Step>,
     waiting: Vec<Waiting>,
 }
 
-impl Parser<'_> {
+impl<'a> Parser<'a> {
+    fn new(text: &str, variables: &'a [&'a str], units: bool) -> Self {
+        Self { rest: text.chars().collect(), at: 0, variables, units, steps: Vec::new(), waiting: Vec::new() }
+    }
+
+    /// The formula, and its instructions with their columns.
+    fn read(&mut self) -> Result<(Formula, Vec<Step>), ExpressionError> {
+        self.formula()?;
+        let steps = core::mem::take(&mut self.steps);
+        let formula = Formula::new(steps.iter().map(|step| step.instruction));
+        formula.map(|formula| (formula, steps)).map_err(|_| self.expected("a formula"))
+    }
+
+    /// The column that the text starts at.
+    fn start(&mut self) -> usize {
+        self.at = 0;
+        self.column()
+    }
+
+    fn push(&mut self, instruction: Instruction, column: usize) {
+        self.steps.push(Step { instruction, column, dimension: Dimension::NONE });
+    }
+
     /// Operand, operator, operand, …, operand.
     fn formula(&mut self) -> Result<(), ExpressionError> {
         loop {
@@ -100,7 +152,8 @@ impl Parser<'_> {
             match self.peek() {
                 Some('-' | '−') => {
                     self.at += 1;
-                    self.waiting.push(Waiting::Operator(Instruction::Unary(Unary::Negate), SIGN));
+                    let op = Instruction::Unary(Unary::Negate);
+                    self.waiting.push(Waiting::Operator { op, binds: SIGN, column });
                 }
                 Some('+') => self.at += 1,
                 Some('(') => {
@@ -147,17 +200,17 @@ impl Parser<'_> {
         if binds == COMPARISON && chained {
             return Err(ExpressionError { kind: ExpressionErrorKind::ChainedComparison, column });
         }
-        self.waiting.push(Waiting::Operator(op, binds));
+        self.waiting.push(Waiting::Operator { op, binds, column });
         Ok(true)
     }
 
     /// Performs the operators that wait and bind at least as strongly; true if a comparison was among them.
     fn unwind(&mut self, least: u8) -> bool {
         let mut compared = false;
-        while let Some(&Waiting::Operator(op, binds)) = self.waiting.last()
+        while let Some(&Waiting::Operator { op, binds, column }) = self.waiting.last()
             && binds >= least
         {
-            self.instructions.push(op);
+            self.push(op, column);
             self.waiting.pop();
             compared |= binds == COMPARISON;
         }
@@ -176,7 +229,7 @@ impl Parser<'_> {
                 let kind = ExpressionErrorKind::Arguments { function: function.name, takes, given };
                 return Err(ExpressionError { kind, column });
             }
-            self.instructions.push(function.op);
+            self.push(function.op, column);
         }
         Ok(false)
     }
@@ -213,7 +266,10 @@ impl Parser<'_> {
         let found: String = self.rest[start..self.at].iter().collect();
         match found.parse::<f64>() {
             Ok(value) if value.is_finite() => {
-                self.instructions.push(Instruction::Constant(value));
+                if self.units && self.peek() == Some('[') {
+                    return self.unit(&found, column);
+                }
+                self.push(Instruction::Constant(value), column);
                 Ok(())
             }
             Ok(_) => Err(ExpressionError { kind: ExpressionErrorKind::Number { found }, column }),
@@ -222,6 +278,27 @@ impl Parser<'_> {
                 Err(ExpressionError { kind, column })
             }
         }
+    }
+
+    /// The `[N m]` after a number.
+    fn unit(&mut self, number: &str, column: usize) -> Result<(), ExpressionError> {
+        self.at += 1;
+        let unit_column = self.column();
+        let length = self.rest[self.at..].iter().position(|&c| c == ']');
+        let Some(length) = length else {
+            self.at = self.rest.len();
+            return Err(self.expected("] after a unit"));
+        };
+        let unit: String = self.rest[self.at..self.at + length].iter().collect();
+        if unit.trim().is_empty() {
+            return Err(self.expected("a unit"));
+        }
+        self.at += length + 1;
+        let (value, dimension) = unit::measured(&format!("{number} {unit}"))
+            .map_err(|e| ExpressionError { kind: ExpressionErrorKind::Unit(e), column: unit_column })?;
+        let (instruction, dimension) = (Instruction::Constant(value), dimension.without_angle());
+        self.steps.push(Step { instruction, column, dimension });
+        Ok(())
     }
 
     fn digits(&mut self) {
@@ -248,9 +325,9 @@ impl Parser<'_> {
             return Ok(false);
         }
         if let Some(k) = self.variables.iter().position(|v| *v == name) {
-            self.instructions.push(Instruction::Variable(k));
+            self.push(Instruction::Variable(k), column);
         } else if name == "pi" {
-            self.instructions.push(Instruction::Constant(PI));
+            self.push(Instruction::Constant(PI), column);
         } else if FUNCTIONS.iter().any(|f| f.name == name) {
             return Err(self.expected("( after a function"));
         } else {

@@ -6,14 +6,11 @@ use super::motion_table::{self, Rows};
 use super::reader::{Table, Value};
 use super::start::Start;
 use crate::error::FormatError;
-use crate::expression::Expression;
+use crate::expression::formula_of_time;
 use crate::unit::Dimension;
 
 /// The keys that say which motion it is.
 const FORMS: [&str; 6] = ["axis", "euler313", "angles", "quaternion", "omega", "table"];
-
-/// The only variable of the formulas, s.
-const VARIABLES: [&str; 1] = ["t"];
 
 /// Reads `[prescribed]`: exactly one of [`FORMS`], with the keys that belong to it. A motion that is integrated or read from a
 /// table has to last as long as the run.
@@ -45,11 +42,11 @@ pub(crate) fn prescribed(
         }
         "angles" => {
             no_attitude(start, "the Euler angles of the prescribed motion are the attitude")?;
-            Prescribed::EulerAngles(formulas(&form, findings)?)
+            Prescribed::EulerAngles(formulas(&form, Dimension::ANGLE, findings)?)
         }
         "quaternion" => {
             no_attitude(start, "the quaternion of the prescribed motion is the attitude")?;
-            Prescribed::Quaternion(formulas(&form, findings)?)
+            Prescribed::Quaternion(formulas(&form, Dimension::NONE, findings)?)
         }
         "omega" => omega(&form, start.state.attitude, end, findings)?,
         _ => tabled(&table, &form, start, findings)?,
@@ -112,7 +109,8 @@ fn omega(
         return Err(table.missing("body", "omega = { body = [\"0\", \"0\", \"2*t\"] }"));
     };
     let axes = if given.key() == "body" { RateAxes::Body } else { RateAxes::Space };
-    let motion = Prescribed::omega(attitude, axes, formulas(&given, findings)?, end);
+    let given_as = formulas(&given, Dimension::ANGULAR_VELOCITY, findings)?;
+    let motion = Prescribed::omega(attitude, axes, given_as, end);
     let motion = motion.map_err(|error| refused(&given, error))?;
     findings.extend(integrated(&motion));
     Ok(motion)
@@ -142,16 +140,17 @@ fn tabled(
     Ok(motion)
 }
 
-/// N formulas of t; a number is one too.
+/// N formulas of t whose values measure `dimension`; a number is one too, in SI.
 fn formulas<const N: usize>(
     value: &Value<'_>,
+    dimension: Dimension,
     findings: &mut Vec<Finding>,
 ) -> Result<[Formula; N], FormatError> {
     let mut formulas = std::array::from_fn(|_| Formula::constant(0.0));
     for (formula, element) in formulas.iter_mut().zip(value.fixed::<N>("formulas of t")?) {
-        *formula = match element.number() {
-            Ok(number) => Formula::constant(number),
-            Err(_) => read_formula(&element)?,
+        *formula = match element.string() {
+            Ok(text) => formula_of_time(text, dimension).map_err(|error| element.formula(error))?,
+            Err(_) => Formula::constant(element.quantity(dimension)?),
         };
         if let Some(function) = formula.rough_function() {
             findings.push(Finding {
@@ -166,18 +165,6 @@ fn formulas<const N: usize>(
         }
     }
     Ok(formulas)
-}
-
-fn read_formula(element: &Value<'_>) -> Result<Formula, FormatError> {
-    Expression::parse(element.string()?, &VARIABLES).map(|formula| formula.formula().clone()).map_err(
-        |error| {
-            let fail = element.invalid(format!("a formula of t, in rad and s ({error})"));
-            match error.hint() {
-                Some(hint) => fail.with_hint(hint),
-                None => fail,
-            }
-        },
-    )
 }
 
 /// Refuses a motion that ends before the run does.

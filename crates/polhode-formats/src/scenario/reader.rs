@@ -9,6 +9,7 @@ use toml::de::{DeTable, DeValue};
 
 use super::suggestion::nearest;
 use crate::error::{FormatError, FormatErrorKind, Place};
+use crate::expression::ExpressionError;
 use crate::text::{cut, visible};
 use crate::unit::{self, Dimension};
 
@@ -312,6 +313,24 @@ impl<'a> Value<'a> {
 
     pub(crate) fn error(&self, kind: FormatErrorKind) -> FormatError {
         self.source.error(self.span(), kind)
+    }
+
+    /// An error in a string that is a formula, at its place there; of a string with escapes, at the string.
+    pub(crate) fn formula(&self, error: ExpressionError) -> FormatError {
+        let span = self.span();
+        let raw = self.source.text.get(span.clone()).unwrap_or_default();
+        let text = self.string().unwrap_or_default();
+        let mut place = span.clone();
+        if let Some(offset) = raw.find(text).filter(|_| !text.is_empty()) {
+            let start =
+                text.char_indices().nth(error.column.saturating_sub(1)).map_or(text.len(), |(at, _)| at);
+            let word = |c: char| c.is_alphanumeric() || c == '_';
+            let end = text[start..].find(|c| !word(c)).map_or(text.len(), |length| start + length);
+            let one = text[start..].chars().next().map_or(0, char::len_utf8);
+            let end = end.max(start + one);
+            place = span.start + offset + start..span.start + offset + end;
+        }
+        self.source.error(place, FormatErrorKind::Formula(error))
     }
 
     pub(crate) fn body(&self, error: BodyError) -> FormatError {

@@ -48,7 +48,7 @@ impl Dimension {
     }
 
     /// `self` × `other`^power.
-    pub(super) fn times(self, other: Self, power: i8) -> Self {
+    pub(crate) fn times(self, other: Self, power: i8) -> Self {
         let sum = |a: i8, b: i8| a.saturating_add(b.saturating_mul(power));
         Self {
             mass: sum(self.mass, other.mass),
@@ -56,6 +56,33 @@ impl Dimension {
             time: sum(self.time, other.time),
             angle: sum(self.angle, other.angle),
         }
+    }
+
+    /// The same where angles are plain numbers, as they are in formulas.
+    pub(crate) const fn without_angle(self) -> Self {
+        Self { angle: 0, ..self }
+    }
+
+    /// What a formula's value measures, with the angle back in rates: `1/s` is an angular velocity.
+    pub(crate) const fn with_angle(self) -> Self {
+        match self {
+            Self { mass: 0, length: 0, time: -2 | -1, .. } => Self { angle: 1, ..self },
+            _ => self.without_angle(),
+        }
+    }
+
+    /// `self` raised to a power, if the result has whole powers.
+    pub(crate) fn raised(self, power: f64) -> Option<Self> {
+        let raised = |exponent: i8| {
+            let product = f64::from(exponent) * power;
+            (product.fract() == 0.0 && product.abs() < f64::from(i8::MAX)).then_some(product as i8)
+        };
+        Some(Self {
+            mass: raised(self.mass)?,
+            length: raised(self.length)?,
+            time: raised(self.time)?,
+            angle: raised(self.angle)?,
+        })
     }
 
     /// Whether a unit that measures `found` may stand where `self` is expected.

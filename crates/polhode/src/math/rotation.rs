@@ -323,7 +323,7 @@ impl<A: Frame, B: Frame> fmt::Debug for Rotation<A, B> {
 }
 
 /// An angle moved into (−π, π].
-fn wrap(angle: f64) -> f64 {
+pub(crate) fn wrap(angle: f64) -> f64 {
     if angle > PI {
         angle - 2.0 * PI
     } else if angle <= -PI {

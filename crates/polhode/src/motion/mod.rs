@@ -17,6 +17,7 @@ pub(crate) mod rotor;
 pub(crate) mod scenario;
 pub(crate) mod shaft;
 pub(crate) mod state;
+pub(crate) mod state_variables;
 pub(crate) mod torque;
 pub(crate) mod trajectory;
 pub(crate) mod wheel;

@@ -1,13 +1,34 @@
 //! A `[[torque]]` of model `formula`.
 
-use polhode::TorqueModel;
+use polhode::{Formula, FormulaTorque, TorqueModel};
 
 use super::allow;
 use crate::error::FormatError;
-use crate::scenario::reader::Table;
+use crate::expression::formula_of_state;
+use crate::scenario::reader::{Table, Value};
+use crate::unit::Dimension;
 
-/// Not readable yet.
+/// `axes = "body" | "space"`, `torque = [3]` of formulas.
 pub(super) fn formula(table: &Table<'_>) -> Result<TorqueModel, FormatError> {
-    allow(table, &[])?;
-    Err(table.missing("model", "another model"))
+    allow(table, &["axes", "torque"])?;
+    let axes = table.require("axes", "axes = \"body\"")?.choice(&["body", "space"])?;
+    let torque =
+        table.require("torque", "torque = [\"-0.3[N m s]*wx\", \"0\", \"2[mN m]*sin(1[rad/s]*t)\"]")?;
+    let [x, y, z] = torque.fixed("formulas")?;
+    let components = [component(&x)?, component(&y)?, component(&z)?];
+    Ok(TorqueModel::Formula(Box::new(match axes {
+        "body" => FormulaTorque::Body(components),
+        _ => FormulaTorque::Space(components),
+    })))
+}
+
+/// A formula whose value is a torque; a number is one too, in SI as everywhere.
+fn component(value: &Value<'_>) -> Result<Formula, FormatError> {
+    match value.string() {
+        Ok(text) => {
+            let formula = formula_of_state(text, Some(Dimension::TORQUE));
+            formula.map(|(formula, _)| formula).map_err(|error| value.formula(error))
+        }
+        Err(_) => value.quantity(Dimension::TORQUE).map(Formula::constant),
+    }
 }

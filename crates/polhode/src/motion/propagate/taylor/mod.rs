@@ -10,6 +10,7 @@
 //!
 //! Source: À. Jorba, M. Zou, Exp. Math. 14 (2005) 99: order and step.
 
+mod function;
 mod row;
 mod scalar;
 mod seen;

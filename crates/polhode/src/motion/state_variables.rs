@@ -1,0 +1,68 @@
+//! What formulas of a state are made of.
+
+use super::rotor::Rotor;
+use super::state::State;
+
+/// The variables of formulas of a state, in SI units: their names, and their values.
+///
+/// | variable | value |
+/// |---|---|
+/// | `t` | time |
+/// | `wx`, `wy`, `wz` | ω along body axes |
+/// | `wX`, `wY`, `wZ` | ω along space axes |
+/// | `Lx`, `Ly`, `Lz` | L along body axes, with that of wheels |
+/// | `LX`, `LY`, `LZ` | the same along space axes |
+/// | `T_rot` | ½ ω · I ω, without wheels |
+/// | `qw`, `qx`, `qy`, `qz` | the attitude's quaternion: that of the start, continued, of either sign |
+/// | `r11` … `r33` | R_space_body, row by row: `r31` is the cosine between space z and body x |
+/// | `phi`, `theta`, `psi` | 3-1-3 Euler angles: φ and ψ from −π to π, where they jump, θ from 0 to π |
+///
+/// ```
+/// use polhode::{Binary, Formula, Instruction, StateVariables};
+/// let place = |name| StateVariables::NAMES.iter().position(|n| *n == name).map(Instruction::Variable);
+/// let (wx, qw) = (place("wx").ok_or("wx")?, place("qw").ok_or("qw")?);
+/// let product = Formula::new([wx, qw, Instruction::Binary(Binary::Multiply)])?;
+/// # let inertia = polhode::InertiaTensor::with_negative_products([3.1, 4.2, 5.3], [0.4, -0.3, 0.2])?;
+/// # let body = polhode::MassProperties::new(2.0, polhode::Position::ZERO, inertia)?;
+/// # let rotor = polhode::Rotor::free(&body);
+/// # let omega = polhode::AngularVelocity::new(1.5, 2.0, 3.0);
+/// # let state = polhode::State { time: 0.0, attitude: polhode::Attitude::identity(), omega };
+/// assert_eq!(product.evaluate(&StateVariables::of(&rotor, &state)), 1.5);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct StateVariables;
+
+impl StateVariables {
+    /// How many there are.
+    pub const COUNT: usize = 30;
+
+    /// Their names, in the order of their values.
+    #[rustfmt::skip]
+    pub const NAMES: [&'static str; Self::COUNT] = [
+        "t",
+        "wx", "wy", "wz", "wX", "wY", "wZ",
+        "Lx", "Ly", "Lz", "LX", "LY", "LZ",
+        "T_rot",
+        "qw", "qx", "qy", "qz",
+        "r11", "r12", "r13", "r21", "r22", "r23", "r31", "r32", "r33",
+        "phi", "theta", "psi",
+    ];
+
+    /// Their values in a state.
+    pub fn of(rotor: &Rotor, state: &State) -> [f64; Self::COUNT] {
+        let momentum = rotor.angular_momentum(state.omega) + rotor.wheel_momentum(state.time);
+        let [wx, wy, wz] = state.omega.to_array();
+        let [w_x, w_y, w_z] = state.omega_space().to_array();
+        let [lx, ly, lz] = momentum.to_array();
+        let [l_x, l_y, l_z] = (state.attitude * momentum).to_array();
+        let [qw, qx, qy, qz] = state.attitude.quaternion();
+        let [[r11, r12, r13], [r21, r22, r23], [r31, r32, r33]] = state.attitude.matrix();
+        let [phi, theta, psi] = state.attitude.euler313();
+        let energy = rotor.kinetic_energy(state.omega);
+        [
+            state.time, wx, wy, wz, w_x, w_y, w_z, lx, ly, lz, l_x, l_y, l_z, energy, qw, qx, qy, qz, r11,
+            r12, r13, r21, r22, r23, r31, r32, r33, phi, theta, psi,
+        ]
+    }
+}

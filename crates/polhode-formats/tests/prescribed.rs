@@ -61,6 +61,13 @@ fn formulas_of_the_time_are_read() {
 
 #[test]
 fn what_is_no_formula_and_no_motion_is_refused() {
+    // Angles are plain numbers, and the time is not.
+    refuses("[prescribed]\nangles = ['sin(t)', 0, 0]", "sin takes a plain number, not a time", "");
+    refuses(
+        "[prescribed]\nomega = { body = ['2', 0, 0] }",
+        "the value is a plain number, where an angular",
+        "",
+    );
     refuses("[prescribed]\nangles = ['2*x', 0, 0]", "there is no variable x", "the variables are t");
     refuses(
         "[prescribed]\nangles = [1, 0]",

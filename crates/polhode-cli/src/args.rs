@@ -10,6 +10,7 @@ use crate::shell::{Completions, Man};
 use crate::simulate::Simulate;
 use crate::spin::Spin;
 use crate::stability::Stability;
+use crate::torque::Torque;
 
 /// Rigid-body dynamics: from mass to motion.
 ///
@@ -28,6 +29,7 @@ Examples:
   polhode check examples/robots/bad-arm.urdf
   polhode simulate examples/t-handle.toml
   polhode spin --moments 1,2,3 --omega 0.01,1,0.01
+  polhode torque examples/notes/11-10-dumbbell.toml
   polhode explain examples/notes/11-10-dumbbell.toml";
 
 #[derive(Debug, Subcommand)]
@@ -37,6 +39,7 @@ pub(crate) enum Command {
     Simulate(Simulate),
     Spin(Box<Spin>),
     Stability(Stability),
+    Torque(Torque),
     Explain(Explain),
     Completions(Completions),
     Man(Man),
@@ -50,6 +53,7 @@ impl Command {
             Self::Simulate(command) => command.run(),
             Self::Spin(command) => command.run(),
             Self::Stability(command) => command.run(),
+            Self::Torque(command) => command.run(),
             Self::Explain(command) => command.run(),
             Self::Completions(command) => command.run(Polhode::command()),
             Self::Man(command) => command.run(Polhode::command()),

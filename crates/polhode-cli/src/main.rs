@@ -18,6 +18,7 @@ mod spin;
 mod stability;
 mod stdout;
 mod table;
+mod torque;
 
 use clap::Parser as _;
 use std::process::ExitCode;

@@ -5,8 +5,9 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use polhode::{Material, Scenario};
+use polhode::{Material, Required, Scenario};
 use polhode_formats::table::columns;
+use polhode_formats::table::required::RequiredTable;
 use polhode_formats::unit::{self, Dimension};
 use polhode_formats::{FormatErrorKind, scenario};
 use toml::de::DeTable;
@@ -151,6 +152,13 @@ fn the_book_has_every_key_and_no_other() {
         ("torque", "### Torque `energy_sink`", "[[torque]]\nmodel = 'energy_sink'\nzzz = 1"),
         ("wheel", "## Wheels", "[[wheel]]\nzzz = 1"),
         ("prescribed", "## Prescribed", "[prescribed]\nzzz = 1"),
+        ("prescribed", "### Angular velocity", "[prescribed]\nomega = { zzz = 1 }"),
+        ("shaft", "## Shaft", "[shaft]\nzzz = 1"),
+        (
+            "shaft",
+            "### Balance",
+            "[shaft]\naxis = [0, 0, 1]\nbearings = [0, 1]\nrate = 1\nbalance = { zzz = 1 }",
+        ),
         ("pendulum", "## Pendulum", "[pendulum]\nzzz = 1"),
         ("run", "## Run", "[run]\nzzz = 1"),
     ];
@@ -234,6 +242,7 @@ fn the_book_has_every_name_that_is_a_value() {
             "[[torque]]\nmodel = 'gravity_gradient'\norbit = { radius = 7e6 }\nmass = 'zzz'",
         ),
         ("### Torque `drag`", "[[torque]]\nmodel = 'drag'\nlaw = 'zzz'"),
+        ("## Prescribed", "[prescribed]\ntable = 'x.csv'\ncolumns = 'zzz'"),
         ("### Torque `formula`", "[[torque]]\nmodel = 'formula'\naxes = 'zzz'"),
         ("## Run", "[run]\nduration = 1\nmethod = 'zzz'"),
         ("## Events", "[run]\nduration = 1\n[[event]]\nmeasure = 'time'\nvalue = 1\ndirection = 'zzz'"),
@@ -312,6 +321,24 @@ fn the_book_has_every_column_with_its_unit() {
     let rows = rows(section(&page, "## Trajectory"));
     let in_book: Vec<_> = rows.iter().flat_map(|row| names(row[0]).map(|name| (name, row[1]))).collect();
     let known: Vec<_> = columns(&motion).iter().map(|column| (column.name, column.unit)).collect();
+    assert_eq!(in_book, known);
+}
+
+#[test]
+fn the_book_has_every_column_of_what_a_motion_needs() {
+    let page = read("book/results.md");
+    let rotor: Scenario = scenario::parse(
+        "[[body.part]]\nshape = 'particles'\nparticles = [{ mass = 1, position = [0, 0, 1] }]\n\
+         [shaft]\naxis = [1, 0, 1]\nbearings = [0, 1]\nrate = 1",
+        Path::new("probe.toml"),
+    )
+    .unwrap();
+    let motion = rotor.prescribed.as_ref().unwrap();
+    let samples = [Required::by(&rotor.rotor(), motion, 0.0).unwrap()];
+    let table = RequiredTable::new(&samples, &rotor.rotor(), &rotor.particles(), rotor.shaft.as_ref());
+    let rows = rows(section(&page, "## Table of `polhode torque`"));
+    let in_book: Vec<_> = rows.iter().flat_map(|row| names(row[0]).map(|name| (name, row[1]))).collect();
+    let known: Vec<_> = table.columns().iter().map(|column| (column.name.as_str(), column.unit)).collect();
     assert_eq!(in_book, known);
 }
 

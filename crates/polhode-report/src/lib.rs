@@ -1,10 +1,11 @@
 //! Results of polhode, for people and for programs.
 //!
-//! Four reports, each with a face for either reader, and a page:
+//! Five reports, each with a face for either reader, and a page:
 //!
 //! - [`InertiaReport`]: how much mass, where, and how it resists being turned;
 //! - [`MotionReport`]: how the body moves, and the evidence that the numbers are good;
 //! - [`SpinReport`]: a free motion in closed form, at any time;
+//! - [`RequiredReport`]: the torque and the forces that a prescribed motion needs;
 //! - [`explain()`]: the worked solution, step by step, as a [`Document`];
 //! - [`page()`]: all of it to look at, as one file for a browser.
 //!
@@ -35,6 +36,7 @@ mod parts;
 mod periods;
 pub mod plain;
 mod plot;
+mod required;
 mod sign_proof;
 mod source;
 mod sparkline;
@@ -56,6 +58,7 @@ pub use motion::MotionReport;
 pub use page::{PageInput, PageSubject, page};
 pub use parts::{PartRow, parts};
 pub use plot::{Figure, MotionFigures, Picture, PlotError};
+pub use required::RequiredReport;
 pub use sign_proof::sign_proof;
 pub use source::SourceInfo;
 pub use spin::{SpinReport, TumblerReport};

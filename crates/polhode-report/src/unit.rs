@@ -52,6 +52,11 @@ pub(crate) fn mass(kg: f64) -> String {
     one(&MASS, kg)
 }
 
+/// `-20 mm`
+pub(crate) fn length(m: f64) -> String {
+    one(&LENGTH, m)
+}
+
 /// `18.5 cm²`
 pub(crate) fn area(m2: f64) -> String {
     one(&AREA, m2)

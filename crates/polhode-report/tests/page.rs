@@ -6,6 +6,7 @@ mod common;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
+use polhode::ClosedForm;
 use polhode::*;
 use polhode_report::{PageInput, PageSubject, explain_motion, page};
 use serde_json::Value;

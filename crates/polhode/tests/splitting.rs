@@ -158,7 +158,7 @@ fn what_is_no_kick_is_refused() {
         let method = splitting(SplittingOrder::Four, 0.1);
         Trajectory::compute(rotor, &[gravity(), torque], start(), &[1.0], method, 1e-13).unwrap_err()
     };
-    let sink = || TorqueModel::EnergySink(EnergySink { coefficient: 0.1 });
+    let sink = || TorqueModel::EnergySink(EnergySink::new(0.1).unwrap());
     let error = refusal(&heavy(), sink());
     let said = "splitting cannot take the torque \"energy_sink\": it acts inside the body";
     assert_eq!(error.to_string(), said);

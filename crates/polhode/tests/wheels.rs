@@ -31,8 +31,8 @@ fn compute(rotor: &Rotor, torques: &[TorqueModel], end: f64, method: Method) -> 
 }
 
 fn wheels() -> [(&'static str, Vec<Wheel>); 4] {
-    let window = Some(Schedule::Window { from: 3.0, until: 11.5 });
-    let pulses = Some(Schedule::Pulses { first: 1.0, width: 0.7, period: 2.3, count: Some(9) });
+    let window = Some(Schedule::window(3.0, 11.5).unwrap());
+    let pulses = Some(Schedule::pulses(1.0, 0.7, 2.3, Some(9)).unwrap());
     let other = Direction::new(-0.2, 1.0, 0.5);
     [
         ("held", vec![Wheel::new(axis(), 2.7, Motor::HeldSpeed).unwrap()]),
@@ -95,7 +95,7 @@ fn a_torque_that_ends_leaves_no_impulse_behind() {
     let wheel = Wheel::new(axis(), 2.7, Motor::HeldSpeed).unwrap();
     let rotor = body().with_wheels(&[wheel]).unwrap();
     let torque = TorqueModel::Constant(ConstantTorque::Body(Torque::new(0.3, -0.2, 0.4)));
-    let schedule = Schedule::Window { from: 0.0, until: 1.3 };
+    let schedule = Schedule::window(0.0, 1.3).unwrap();
     let torques = [TorqueModel::Scheduled(Box::new(Scheduled { torque, schedule }))];
     for method in METHODS {
         let drift = Drift::of(&compute(&rotor, &torques, 10.0, method)).unwrap();
@@ -186,7 +186,7 @@ fn a_spin_up_turns_the_carrier_the_other_way() {
     let principal = *body().principal();
     let axis = principal.axis(1);
     let (inertia, torque) = (0.25, 0.4);
-    let schedule = Some(Schedule::Window { from: 1.0, until: 3.5 });
+    let schedule = Some(Schedule::window(1.0, 3.5).unwrap());
     let wheel = Wheel::new(axis, 0.0, motor(inertia, torque, schedule)).unwrap();
     let rotor = body().with_wheels(&[wheel]).unwrap();
     let rest = State { omega: AngularVelocity::ZERO, ..start() };

@@ -26,12 +26,14 @@ mod body;
 mod event;
 mod formula;
 mod molecule;
+mod motion_table;
 mod part;
 mod pendulum;
 mod prescribed;
 mod reader;
 mod rotation;
 mod run;
+mod shaft;
 mod shape;
 mod start;
 mod substance;
@@ -128,6 +130,10 @@ pub fn parse(text: &str, path: &Path) -> Result<Scenario, FormatError> {
     let exclusive = "the torque that a prescribed motion needs is that of a body without wheels";
     root.at_most_one(&["prescribed", "wheel"], exclusive)?;
     root.at_most_one(&["pendulum", "wheel"], "a pendulum swings as a body without wheels")?;
+    let turning = "a shaft turns at its rate, and what drives and holds it is the answer";
+    for other in ["prescribed", "torque", "wheel", "event", "pendulum"] {
+        root.at_most_one(&["shaft", other], turning)?;
+    }
 
     let mut findings = Vec::new();
     let title = root.get("title").map(|title| title.string().map(str::to_owned)).transpose()?;
@@ -138,13 +144,13 @@ pub fn parse(text: &str, path: &Path) -> Result<Scenario, FormatError> {
     let rotor = point.map_or_else(|| Rotor::free(&body), |point| Rotor::pivoted(&body, point));
     let wheels = wheel::wheels(&root)?;
     let start = start::start(&root, &wheel::locked(&rotor, &wheels)?)?;
-    let prescribed = prescribed::prescribed(&root, &start)?;
-    let state = prescribed.map_or(start.state, |motion| motion.at(0.0).0);
+    let run = run::run(&root)?;
+    let prescribed = prescribed::prescribed(&root, &start, run.as_ref(), &mut findings)?;
     let mut scenario = Scenario {
         title,
         parts,
         body,
-        start: state,
+        start: start.state,
         velocity: start.velocity.unwrap_or(Velocity::ZERO),
         pivot: point,
         torques: torques.models,
@@ -154,10 +160,16 @@ pub fn parse(text: &str, path: &Path) -> Result<Scenario, FormatError> {
         events,
         prescribed,
         hanging: None,
-        run: run::run(&root)?,
+        shaft: None,
+        run,
         findings,
     };
+    shaft::shaft(&root, &start, &mut scenario)?;
     pendulum::pendulum(&root, &mut scenario)?;
+    if let Some(motion) = &scenario.prescribed {
+        let first = motion.span().map_or(0.0, |[first, _]| first.max(0.0));
+        scenario.start = motion.at(first).map_or(scenario.start, |(state, _)| state);
+    }
     scenario.findings.extend(idle_gravity(&scenario));
     scenario.findings.extend(idle_motion(&scenario));
     scenario.findings.extend(idle_torques(&scenario));

@@ -50,8 +50,8 @@ impl Source<'_> {
 }
 
 /// The keys of the file itself.
-pub(crate) const TOP: [&str; 9] =
-    ["title", "body", "start", "torque", "wheel", "event", "prescribed", "pendulum", "run"];
+pub(crate) const TOP: [&str; 10] =
+    ["title", "body", "start", "torque", "wheel", "event", "prescribed", "shaft", "pendulum", "run"];
 
 /// A table, its place, and what to call it.
 #[derive(Clone, Debug)]

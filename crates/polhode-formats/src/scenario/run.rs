@@ -18,7 +18,7 @@ pub(crate) fn run(root: &Table<'_>) -> Result<Option<Run>, FormatError> {
     let Some(value) = root.get("run") else { return Ok(None) };
     let table = value.table()?;
     table.allow(&["duration", "samples", "every", "method", "tolerance", "order", "step"])?;
-    if root.get("prescribed").is_some()
+    if (root.get("prescribed").is_some() || root.get("shaft").is_some())
         && let Some(value) = ["method", "tolerance", "order", "step"].iter().find_map(|key| table.get(key))
     {
         let hint = "a prescribed motion is given, not computed: nothing depends on it";

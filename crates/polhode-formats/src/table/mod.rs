@@ -6,6 +6,7 @@
 pub mod csv;
 pub mod curve;
 pub mod parquet;
+pub mod required;
 
 use polhode::{Sample, Trajectory};
 

@@ -4,6 +4,7 @@
 //! share their signs, exponents and first digits and little else.
 
 use std::io::{self, Write};
+use std::ops::Range;
 use std::sync::Arc;
 
 use ::parquet::basic::{Compression, Encoding, Repetition, Type as Physical};
@@ -14,7 +15,8 @@ use ::parquet::file::properties::{EnabledStatistics, WriterProperties};
 use ::parquet::file::writer::SerializedFileWriter;
 use ::parquet::schema::types::{Type, TypePtr};
 
-use super::{CONVENTIONS, Column, columns};
+use super::required::RequiredTable;
+use super::{CONVENTIONS, columns};
 use polhode::Trajectory;
 
 /// Writes a trajectory: one row per sample.
@@ -35,18 +37,55 @@ pub fn write(
 /// Rows that are held in memory, and packed, at a time.
 const ROW_GROUP: usize = 1 << 20;
 
+/// Writes what a prescribed motion needs: one row per sample, with metadata as [`write`] has it.
+///
+/// # Errors
+/// Those of `out`.
+pub fn write_required(
+    table: &RequiredTable,
+    metadata: &[(String, String)],
+    out: impl Write + Send,
+) -> io::Result<()> {
+    let heads: Vec<Head<'_>> =
+        table.columns().iter().map(|c| [c.name.as_str(), c.unit, c.description]).collect();
+    let values = |column: usize, rows: Range<usize>| {
+        let all = table.columns().get(column).map_or(&[][..], |column| &column.values);
+        all.get(rows).unwrap_or_default().to_vec()
+    };
+    encode_columns("required", &heads, table.rows(), values, metadata, out).map_err(io_error)
+}
+
+/// Name, unit and description of a column.
+type Head<'a> = [&'a str; 3];
+
 fn encode(
     trajectory: &Trajectory,
     metadata: &[(String, String)],
     out: impl Write + Send,
 ) -> Result<(), ParquetError> {
-    let columns = columns(trajectory);
-    let mut file = SerializedFileWriter::new(out, schema(columns)?, Arc::new(properties(columns, metadata)))?;
-    for rows in trajectory.samples().chunks(ROW_GROUP) {
+    let (columns, samples) = (columns(trajectory), trajectory.samples());
+    let heads: Vec<Head<'_>> = columns.iter().map(|c| [c.name, c.unit, c.description]).collect();
+    let values = |column: usize, rows: Range<usize>| {
+        samples[rows].iter().map(|sample| columns[column].value(sample)).collect()
+    };
+    encode_columns("trajectory", &heads, samples.len(), values, metadata, out)
+}
+
+fn encode_columns(
+    name: &str,
+    heads: &[Head<'_>],
+    rows: usize,
+    values: impl Fn(usize, Range<usize>) -> Vec<f64>,
+    metadata: &[(String, String)],
+    out: impl Write + Send,
+) -> Result<(), ParquetError> {
+    let mut file =
+        SerializedFileWriter::new(out, schema(name, heads)?, Arc::new(properties(heads, metadata)))?;
+    for first in (0..rows).step_by(ROW_GROUP) {
         let mut group = file.next_row_group()?;
-        for column in columns {
+        for column in 0..heads.len() {
             let Some(mut writer) = group.next_column()? else { break };
-            let values: Vec<f64> = rows.iter().map(|sample| column.value(sample)).collect();
+            let values = values(column, first..rows.min(first + ROW_GROUP));
             writer.typed::<DoubleType>().write_batch(&values, None, None)?;
             writer.close()?;
         }
@@ -55,22 +94,22 @@ fn encode(
     file.close().map(drop)
 }
 
-fn schema(columns: &[Column]) -> Result<TypePtr, ParquetError> {
-    let field = |column: &Column| {
-        let field = Type::primitive_type_builder(column.name, Physical::DOUBLE);
+fn schema(name: &str, heads: &[Head<'_>]) -> Result<TypePtr, ParquetError> {
+    let field = |[name, ..]: &Head<'_>| {
+        let field = Type::primitive_type_builder(name, Physical::DOUBLE);
         Ok(Arc::new(field.with_repetition(Repetition::REQUIRED).build()?))
     };
-    let fields = columns.iter().map(field).collect::<Result<_, ParquetError>>()?;
-    Ok(Arc::new(Type::group_type_builder("trajectory").with_fields(fields).build()?))
+    let fields = heads.iter().map(field).collect::<Result<_, ParquetError>>()?;
+    Ok(Arc::new(Type::group_type_builder(name).with_fields(fields).build()?))
 }
 
-fn properties(columns: &[Column], metadata: &[(String, String)]) -> WriterProperties {
+fn properties(heads: &[Head<'_>], metadata: &[(String, String)]) -> WriterProperties {
     let pair = |key: &str, value: String| KeyValue::new(key.to_owned(), value);
     let mut pairs = vec![
         pair("polhode.version", env!("CARGO_PKG_VERSION").to_owned()),
         pair("polhode.conventions", CONVENTIONS.to_owned()),
-        pair("polhode.units", json_object(columns, |c| c.unit)),
-        pair("polhode.descriptions", json_object(columns, |c| c.description)),
+        pair("polhode.units", json_object(heads, |[_, unit, _]| unit)),
+        pair("polhode.descriptions", json_object(heads, |[.., description]| description)),
     ];
     pairs.extend(metadata.iter().map(|(key, value)| pair(key, value.clone())));
     WriterProperties::builder()
@@ -84,8 +123,8 @@ fn properties(columns: &[Column], metadata: &[(String, String)]) -> WriterProper
 }
 
 /// `{"name": "text", …}` of texts without quotes, backslashes or control characters: ours are (a test says so).
-fn json_object(columns: &[Column], text: impl Fn(&Column) -> &str) -> String {
-    let members: Vec<_> = columns.iter().map(|c| format!("\"{}\": \"{}\"", c.name, text(c))).collect();
+fn json_object(heads: &[Head<'_>], text: impl for<'a> Fn(&Head<'a>) -> &'a str) -> String {
+    let members: Vec<_> = heads.iter().map(|head| format!("\"{}\": \"{}\"", head[0], text(head))).collect();
     format!("{{{}}}", members.join(", "))
 }
 

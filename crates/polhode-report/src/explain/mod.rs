@@ -57,6 +57,7 @@ use working::Working;
 ///     events: Vec::new(),
 ///     prescribed: Some(Prescribed::fixed_axis(Attitude::identity(), Direction::new(0.0, 3.0, 4.0), 2.0, 0.0)?),
 ///     hanging: None,
+///     shaft: None,
 ///     run: None,
 ///     findings: Vec::new(),
 /// };

@@ -57,6 +57,10 @@ fn given_motion(motion: &Prescribed, s: &mut Section) {
                 s.line(format!("{name}0 = {},  {name}\u{307} = {} rad/s", angle(angle0), n(rate)));
             }
         }
+        Prescribed::EulerAngles(_) => s.say("Its Euler angles φ, θ, ψ (3-1-3) are formulas of t; ω follows from their derivatives."),
+        Prescribed::Quaternion(_) => s.say("Its attitude is a quaternion whose components are formulas of t; ω follows from their derivatives."),
+        Prescribed::Turning(_) => s.say("ω(t) is given; the attitude follows from it."),
+        Prescribed::Table(_) => s.say("Its attitudes are a table, made smooth; ω is the derivative of that curve."),
         _ => {}
     }
 }

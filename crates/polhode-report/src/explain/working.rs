@@ -46,8 +46,11 @@ impl<'a> Working<'a> {
     ) -> Result<Self, MotionError> {
         let rotor = scenario.rotor();
         let pendulum = scenario.pendulum().transpose()?;
-        let needed =
-            scenario.prescribed.as_ref().map(|motion| Required::by(&rotor, motion, scenario.start.time));
+        let needed = scenario
+            .prescribed
+            .as_ref()
+            .map(|motion| Required::by(&rotor, motion, scenario.start.time))
+            .transpose()?;
         let start = needed.map_or(scenario.start, |needed| needed.state);
         let given =
             || scenario.torques.iter().fold(Torque::ZERO, |sum, model| sum + model.torque(&rotor, &start));

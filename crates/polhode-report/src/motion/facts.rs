@@ -1,8 +1,8 @@
 //! What a motion's reports say, gathered once from the core.
 
 use polhode::{
-    Cones, Drift, FreeRegime, ParticleForce, Pendulum, Prescribed, Regime, Required, Rotor, Sample, Scenario,
-    Solution, State, Swing, SymmetricTop, Trajectory,
+    ClosedForm, Cones, Drift, FreeRegime, ParticleForce, Pendulum, Prescribed, Regime, Required, Rotor,
+    Sample, Scenario, Solution, State, Swing, SymmetricTop, Trajectory,
 };
 
 /// Everything that is asked of the core for one motion.
@@ -54,7 +54,7 @@ impl Facts {
             start,
             is_free,
             drift: prescribed.is_none().then(|| Drift::of(trajectory)).flatten(),
-            needed: prescribed.map(|motion| Needed::by(scenario, motion, trajectory)),
+            needed: prescribed.and_then(|motion| Needed::by(scenario, motion, trajectory)),
             hanging: scenario.pendulum().and_then(Result::ok).map(|p| (p, swing(scenario, &p, &start))),
         }
     }
@@ -77,16 +77,17 @@ impl Top {
 }
 
 impl Needed {
-    fn by(scenario: &Scenario, motion: &Prescribed, trajectory: &Trajectory) -> Self {
+    fn by(scenario: &Scenario, motion: &Prescribed, trajectory: &Trajectory) -> Option<Self> {
         let rotor = scenario.rotor();
         let time = trajectory.samples().first().map_or(scenario.start.time, |sample| sample.state.time);
-        let at_start = Required::by(&rotor, motion, time);
+        // A trajectory that was computed has a finite start.
+        let at_start = Required::by(&rotor, motion, time).ok()?;
         let larger = |a: &&Sample, b: &&Sample| a.torque.norm().total_cmp(&b.torque.norm());
-        Self {
+        Some(Self {
             at_start,
             largest: trajectory.samples().iter().max_by(larger).copied(),
             forces: crate::forces::on_particles(scenario, &at_start),
-        }
+        })
     }
 }
 

@@ -30,6 +30,7 @@ use crate::sparkline;
 ///     events: Vec::new(),
 ///     prescribed: None,
 ///     hanging: None,
+///     shaft: None,
 ///     run: Some(Run::evenly(40.0, 401, Method::Auto, 1e-12)),
 ///     findings: Vec::new(),
 /// };

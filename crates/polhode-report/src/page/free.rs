@@ -1,6 +1,8 @@
 //! The geometry of a free motion: the curves that ω and L draw.
 
-use polhode::{CurveError, FreeMotion, Herpolhode, MomentumTrace, Polhode, Regime, Solution, Vector};
+use polhode::{
+    ClosedForm, CurveError, FreeMotion, Herpolhode, MomentumTrace, Polhode, Regime, Solution, Vector,
+};
 use serde_json::{Value, json};
 
 use super::base64::f64s;

@@ -30,6 +30,7 @@ fn scenario(omega: [f64; 3]) -> Scenario {
         events: Vec::new(),
         prescribed: None,
         hanging: None,
+        shaft: None,
         run: Some(Run::evenly(13.7, 501, Method::Auto, 1e-12)),
         findings: Vec::new(),
     }

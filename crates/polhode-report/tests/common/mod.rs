@@ -63,6 +63,7 @@ fn at_rest(title: &str, body: MassProperties<Body>, parts: Vec<BodyPart>) -> Sce
         events: Vec::new(),
         prescribed: None,
         hanging: None,
+        shaft: None,
         run: None,
         findings: Vec::new(),
     }

@@ -128,7 +128,7 @@ impl<S: fearless_simd::Simd> Fours for S {
 
 /// Without vectors.
 #[derive(Clone, Copy)]
-struct Plain;
+pub(crate) struct Plain;
 
 impl Fours for Plain {
     type Four = Lanes<4>;

@@ -1,12 +1,15 @@
 //! From motion to torque, and to the forces that make it.
 
+use super::error::MotionError;
 use super::kinematics::rigid_acceleration;
 use super::prescribed::Prescribed;
 use super::rotor::Rotor;
 use super::state::State;
 use crate::body::particles::Particle;
-use crate::math::frame::Body;
-use crate::math::vector::{AngularAcceleration, AngularVelocity, Direction, Force, Position, Torque};
+use crate::math::frame::{Body, Space};
+use crate::math::vector::{
+    AngularAcceleration, AngularMomentum, AngularVelocity, Direction, Force, Position, Torque,
+};
 
 /// What a motion needs at one time.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,6 +22,10 @@ pub struct Required {
     pub torque: Torque<Body>,
     /// N · ω, W.
     pub power: f64,
+    /// T_rot about that point, J.
+    pub kinetic_energy: f64,
+    /// L about that point, space axes, kg·m²/s.
+    pub momentum: AngularMomentum<Space>,
 }
 
 /// The force that one particle needs to follow a motion.
@@ -48,15 +55,50 @@ impl Required {
     /// let dumbbell = Rotor::pivoted(&mass_properties_of_particles(&masses)?, Position::ZERO);
     /// let axis = Direction::new(0.0, alpha.sin(), alpha.cos());
     /// let motion = Prescribed::fixed_axis(Attitude::identity(), axis, omega, 0.0)?;
-    /// let needed = Required::by(&dumbbell, &motion, 0.0);
+    /// let needed = Required::by(&dumbbell, &motion, 0.0)?;
     /// let expected = -(m1 + m2) * b * b * omega * omega * alpha.sin() * alpha.cos();
     /// assert!((needed.torque - Torque::new(expected, 0.0, 0.0)).norm() < 1e-15);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn by(rotor: &Rotor, motion: &Prescribed, time: f64) -> Self {
-        let (state, acceleration) = motion.at(time);
+    ///
+    /// # Errors
+    /// As [`Prescribed::at`]; [`MotionError::NotFinite`] where torque, power, energy or momentum leave the range of f64.
+    pub fn by(rotor: &Rotor, motion: &Prescribed, time: f64) -> Result<Self, MotionError> {
+        let (state, acceleration) = motion.at(time)?;
         let torque = rotor.torque_for(state.omega, acceleration);
-        Self { state, acceleration, torque, power: torque.dot(state.omega) }
+        let needed = Self {
+            state,
+            acceleration,
+            torque,
+            power: torque.dot(state.omega),
+            kinetic_energy: rotor.kinetic_energy(state.omega),
+            momentum: rotor.angular_momentum_space(&state),
+        };
+        let finite = torque.is_finite()
+            && needed.power.is_finite()
+            && needed.kinetic_energy.is_finite()
+            && needed.momentum.is_finite();
+        if finite { Ok(needed) } else { Err(MotionError::NotFinite { time }) }
+    }
+
+    /// N in space axes, N·m.
+    pub fn torque_space(&self) -> Torque<Space> {
+        self.state.attitude * self.torque
+    }
+
+    /// The work of the torque since an earlier time of the same motion, ∫ N · ω dt = T − T₀, J.
+    pub fn work_since(&self, earlier: &Self) -> f64 {
+        self.kinetic_energy - earlier.kinetic_energy
+    }
+
+    /// The angular impulse of the torque since an earlier time of the same motion, ∫ N dt = L − L₀, space axes, N·m·s.
+    pub fn impulse_since(&self, earlier: &Self) -> AngularMomentum<Space> {
+        self.momentum - earlier.momentum
+    }
+
+    /// The force that a particle of the body, or one fixed to it, needs to follow the motion.
+    pub fn force_on(&self, particle: &Particle<Body>, rotor: &Rotor) -> ParticleForce {
+        ParticleForce::on(particle, rotor.point(), self.state.omega, self.acceleration)
     }
 }
 
@@ -97,7 +139,7 @@ mod tests {
         let pivot = Position::new(0.2, -0.4, 0.6);
         let rotor = Rotor::pivoted(&mass_properties_of_particles(&particles).unwrap(), pivot);
         let motion = Prescribed::euler_rates([0.4, 0.9, -1.2], [0.7, -0.3, 2.1]).unwrap();
-        let needed = Required::by(&rotor, &motion, 0.8);
+        let needed = Required::by(&rotor, &motion, 0.8).unwrap();
         let forces = particles.map(|p| ParticleForce::on(&p, pivot, needed.state.omega, needed.acceleration));
         let sum = forces.iter().fold(Torque::ZERO, |sum, f| sum + f.torque);
         assert!((sum - needed.torque).norm() < 1e-13 * needed.torque.norm());
@@ -107,7 +149,7 @@ mod tests {
         }
         // The power is the rate of the kinetic energy.
         let h = 1e-5;
-        let energy = |t: f64| rotor.kinetic_energy(motion.at(t).0.omega);
+        let energy = |t: f64| rotor.kinetic_energy(motion.at(t).unwrap().0.omega);
         assert!(((energy(0.8 + h) - energy(0.8 - h)) / (2.0 * h) - needed.power).abs() < 1e-8);
     }
 
@@ -118,10 +160,10 @@ mod tests {
         let rotor = Rotor::free(&mass_properties_of_particles(&particles).unwrap());
         let axis: Direction<Body> = rotor.principal().axis(2);
         let motion = Prescribed::fixed_axis(Attitude::identity(), axis, 5.0, 0.0).unwrap();
-        assert!(Required::by(&rotor, &motion, 1.0).torque.norm() < 1e-14);
+        assert!(Required::by(&rotor, &motion, 1.0).unwrap().torque.norm() < 1e-14);
         let spin_up = Prescribed::fixed_axis(Attitude::identity(), axis, 5.0, 0.3).unwrap();
         let i3 = rotor.principal().moments()[2];
         let expected: Torque<Body> = axis.as_quantity() * (0.3 * i3);
-        assert!((Required::by(&rotor, &spin_up, 1.0).torque - expected).norm() < 1e-13);
+        assert!((Required::by(&rotor, &spin_up, 1.0).unwrap().torque - expected).norm() < 1e-13);
     }
 }

@@ -23,6 +23,7 @@ pub(crate) mod propagate;
 pub(crate) mod rotor;
 pub(crate) mod sample;
 pub(crate) mod scenario;
+pub(crate) mod shaft;
 pub(crate) mod simulation;
 pub(crate) mod solution;
 pub(crate) mod state;

@@ -59,7 +59,7 @@ impl Sample {
     /// # Errors
     /// As [`Sample::of`].
     pub(crate) fn of_prescribed(rotor: &Rotor, motion: &Prescribed, time: f64) -> Result<Self, MotionError> {
-        let needed = Required::by(rotor, motion, time);
+        let needed = Required::by(rotor, motion, time)?;
         let balanced = Balanced { state: needed.state, work: 0.0, impulse: AngularMomentum::ZERO };
         let sample = Self::of(rotor, core::iter::empty(), None, balanced)?;
         Self { torque: needed.torque, ..sample }.finite()

@@ -5,6 +5,7 @@ use super::event::Event;
 use super::pendulum::Pendulum;
 use super::prescribed::Prescribed;
 use super::rotor::Rotor;
+use super::shaft::{CorrectionMass, Reactions, Shaft};
 use super::simulation::Simulation;
 use super::state::State;
 use super::torque::TorqueModel;
@@ -15,7 +16,8 @@ use crate::body::finding::Finding;
 use crate::body::mass_properties::MassProperties;
 use crate::body::particles::Particle;
 use crate::math::frame::{Body, Space};
-use crate::math::vector::{Direction, Position, Velocity};
+use crate::math::rotation::Attitude;
+use crate::math::vector::{Acceleration, Direction, Position, Velocity};
 
 /// One body and one motion, as a scenario file describes them.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,6 +48,8 @@ pub struct Scenario {
     pub prescribed: Option<Prescribed>,
     /// The axis from which it hangs.
     pub hanging: Option<Hanging>,
+    /// The bearings on which it turns; the prescribed motion is their shaft's.
+    pub shaft: Option<Mounted>,
     /// For how long and how to compute.
     pub run: Option<Run>,
     /// What was noticed on the way.
@@ -59,6 +63,48 @@ pub struct Hanging {
     pub axis: Direction<Body>,
     /// The amplitude of its swing, rad; that of the start if `None`.
     pub amplitude: Option<f64>,
+}
+
+/// A shaft that turns.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mounted {
+    /// The body on its line, with its bearings.
+    pub shaft: Shaft,
+    /// ω at t = 0, rad/s.
+    pub rate: f64,
+    /// dω/dt, rad/s².
+    pub acceleration: f64,
+    /// g in space axes, m/s²; zero where weight does not count.
+    pub gravity: Acceleration<Space>,
+    /// Planes and radii for correction masses, m: none, one or two.
+    pub balance: Vec<[f64; 2]>,
+}
+
+impl Mounted {
+    /// The masses that balance it in its planes; none without a plane.
+    ///
+    /// # Errors
+    /// As [`Shaft::balance_in_planes`].
+    pub fn correction_masses(&self) -> Result<Vec<CorrectionMass>, MotionError> {
+        Self::corrections(&self.shaft, &self.balance)
+    }
+
+    /// The masses that balance a shaft in one plane, or in two, each with its radius, m.
+    ///
+    /// # Errors
+    /// As [`Shaft::balance_in_planes`].
+    pub fn corrections(shaft: &Shaft, planes: &[[f64; 2]]) -> Result<Vec<CorrectionMass>, MotionError> {
+        match *planes {
+            [] => Ok(Vec::new()),
+            [[plane, radius]] => Ok(vec![shaft.balance_in_plane(plane, radius)?]),
+            [[a, at_a], [b, at_b], ..] => Ok(shaft.balance_in_planes([a, b], [at_a, at_b])?.to_vec()),
+        }
+    }
+
+    /// What the bearings and the drive do at a rate, with the body's axes standing in space so.
+    pub fn reactions(&self, rate: f64, attitude: Attitude) -> Reactions {
+        self.shaft.reactions(rate, self.acceleration, attitude.inverse() * self.gravity)
+    }
 }
 
 /// When to sample a motion, and how to compute it.

@@ -109,7 +109,7 @@ impl Trajectory {
     /// A prescribed motion at each of `times` (ascending, s), with the torque that it needs.
     ///
     /// # Errors
-    /// [`MotionError::Parameter`] if times are out of order.
+    /// [`MotionError::Parameter`] if times are out of order; else as [`Required::by`].
     pub fn prescribed(rotor: &Rotor, motion: &Prescribed, times: &[f64]) -> Result<Self, MotionError> {
         require_ascending(f64::NEG_INFINITY, times)?;
         let first = Sample::of_prescribed(rotor, motion, times.first().copied().unwrap_or(0.0))?;
@@ -120,7 +120,7 @@ impl Trajectory {
             sample.work = sample.kinetic_energy - first.kinetic_energy;
             sample.impulse = sample.momentum - first.momentum;
         }
-        Ok(Self::assembled(first, samples, Solution::Prescribed(*motion)).because(MethodReason::Given))
+        Ok(Self::assembled(first, samples, Solution::Prescribed(motion.clone())).because(MethodReason::Given))
     }
 
     /// The motion at the start, which need not be one of the times.

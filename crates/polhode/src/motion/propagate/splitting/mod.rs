@@ -21,7 +21,7 @@ use std::rc::Rc;
 use super::chart::{ROUNDING, THIN};
 use super::orientation::Orientation;
 use super::piece::Piece;
-use super::stepper::{Balanced, Rule, StepStatistics};
+use super::stepper::{Balanced, StepStatistics};
 use crate::math::frame::{Body, Principal, Space};
 use crate::math::rotation::Rotation;
 use crate::math::sum::two_sum;
@@ -38,7 +38,6 @@ pub use scheme::SplittingOrder;
 #[derive(Debug)]
 pub(super) struct Splitting<'a> {
     piece: Rc<Piece<'a>>,
-    order: SplittingOrder,
     scheme: Scheme,
     flow: FreeFlow,
     /// Body axes from principal ones.
@@ -100,7 +99,6 @@ impl<'a> Splitting<'a> {
         let mut splitting = Self {
             flow: FreeFlow::of(piece.rotor),
             piece,
-            order,
             scheme: Scheme::of(order),
             to_body,
             spin: omega.x,
@@ -217,10 +215,6 @@ impl<'a> Splitting<'a> {
             return Err(MotionError::TorqueWithoutInertia { torque: torque.x, time });
         }
         Ok(())
-    }
-
-    pub(super) fn rule(&self) -> Rule {
-        Rule::Splitting { order: self.order, step: self.h }
     }
 
     pub(super) fn time(&self) -> f64 {

@@ -132,9 +132,10 @@ fn quaternion_product([a, b, c, d]: [f64; 4], [w, x, y, z]: [f64; 4]) -> [f64; 4
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::row::Vectors;
+    use super::super::super::row::{Series, Vectors};
     use super::*;
     use crate::math::formula::{Binary, Formula, Instruction, Unary};
+    use crate::math::lanes::Plain;
     use crate::math::rotation::Rotation;
     use crate::math::vector::AngularVelocity;
     use crate::{InertiaTensor, MassProperties, Position};
@@ -153,7 +154,7 @@ mod tests {
         let mut series = FormulaSeries::of(&model, &rotor());
         series.start(&StepStart { time, attitude: Rotation::identity(), omega: AngularVelocity::ZERO });
         let at_rest = Vectors::ZERO;
-        let known = Known { omega: &at_rest, turning: &at_rest, turn: &[Row::ZERO; TERMS] };
+        let known = Known { s: Plain, omega: &at_rest, turning: &at_rest, turn: &Series::ZERO };
         for n in 0..TERMS {
             series.coefficient(n, &known);
         }

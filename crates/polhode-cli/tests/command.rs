@@ -210,7 +210,7 @@ fn a_motion_that_an_event_stops_is_complete() {
     assert_eq!(number(&summary["final"]["time_s"]), time);
     assert_eq!(summary["run"]["method_used"], "taylor");
     let reason = summary["run"]["method_reason"].as_str().unwrap();
-    assert!(reason.contains("a torque acts on the body"), "{reason}");
+    assert!(reason.contains("a torque other than uniform gravity acts on the body"), "{reason}");
 }
 
 #[test]

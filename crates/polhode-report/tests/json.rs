@@ -215,7 +215,7 @@ fn a_driven_motion_balances_its_energy() {
     assert_eq!(json["motion"]["regime_at_start"], "long_axis"); // L²/2T = 3.64 < i2 = 4.32
     let energy = |key: &str| json["energy"][key].as_f64().unwrap();
     assert!((energy("kinetic_end_j") - energy("kinetic_start_j") - energy("work_j")).abs() < 1e-11);
-    assert!(json["run"]["steps"]["accepted"].as_u64().unwrap() > 10);
+    assert!(json["run"]["steps"]["accepted"].as_u64().unwrap() > 5);
     assert_eq!(json["torques"][0]["model"], "constant");
     assert!(json["drift"]["kinetic_energy"].is_null());
     let pendulum = summary(&common::pendulum());

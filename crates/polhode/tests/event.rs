@@ -361,9 +361,13 @@ fn a_method_says_why_it_is_used() {
         let motion = run(Simulation { method, ..simulation(&rotor, torques, [0.1, 0.2, 3.0], &ends) });
         (motion.solution().name(), *motion.reason())
     };
-    assert_eq!(why(&[], Method::Auto), ("exact", MethodReason::ClosedForm));
+    assert_eq!(
+        why(&[], Method::Auto),
+        ("exact", MethodReason::ClosedForm { title: "free motion by theta functions" })
+    );
     assert_eq!(why(&[], Method::Exact), ("exact", MethodReason::Asked));
-    let smooth = MethodReason::Smooth { no_closed_form: "a torque acts on the body" };
+    let smooth =
+        MethodReason::Smooth { no_closed_form: "a torque other than uniform gravity acts on the body" };
     assert_eq!(why(&push, Method::Auto), ("taylor", smooth));
     assert_eq!(why(&push, Method::Dop853), ("dop853", MethodReason::Asked));
 }
@@ -429,7 +433,11 @@ fn what_has_corners_is_integrated_by_dop853() {
     let ends = [0.0, 1.0];
     let at = |method| Simulation { method, ..simulation(&rotor, &push, [0.3, 0.2, 1.0], &ends) };
     let motion = run(at(Method::Auto));
-    let rough = MethodReason::Rough { no_closed_form: "a torque acts on the body", torque: 1, why: "abs" };
+    let rough = MethodReason::Rough {
+        no_closed_form: "a torque other than uniform gravity acts on the body",
+        torque: 1,
+        why: "abs",
+    };
     assert_eq!((motion.solution().name(), *motion.reason()), ("dop853", rough));
     assert!(rough.to_string().ends_with("torque 2 has abs"));
     let refused = at(Method::Taylor).run(&mut |_| {}).unwrap_err();

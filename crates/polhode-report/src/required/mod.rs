@@ -23,7 +23,8 @@ use shaft::ShaftReport;
 /// # let attitude = Attitude::identity();
 /// # let scenario = Scenario {
 /// #     title: None, parts: vec![part], body, start: State { time: 0.0, attitude, omega: AngularVelocity::ZERO },
-/// #     velocity: Velocity::ZERO, pivot: None, torques: Vec::new(), wheels: Vec::new(), events: Vec::new(),
+/// #     velocity: Velocity::ZERO, pivot: None, torques: Vec::new(), torque_names: Vec::new(),
+/// #     switched_off: Vec::new(), wheels: Vec::new(), events: Vec::new(),
 /// #     prescribed: Some(Prescribed::fixed_axis(attitude, Direction::new(0.0, 3.0, 4.0), 2.0, 0.0)?),
 /// #     hanging: None, shaft: None, run: None, findings: Vec::new(),
 /// # };

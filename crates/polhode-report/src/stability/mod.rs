@@ -17,7 +17,8 @@ use crate::source::SourceInfo;
 /// let body = Rotor::free(&MassProperties::new(1.0, Position::ZERO, inertia)?);
 /// let start = State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.0, 1.0, 0.0) };
 /// let report = StabilityReport::new(SourceInfo::new("body.toml", "scenario"), &body, &[], start);
-/// assert!(report.to_text().contains("a departure grows at 0.707107 /s")); // |L| = 2, as at the start, along axis 2: ω = 1 rad/s
+/// // √((2 − 1)(3 − 2)/(1·3)) ω
+/// assert!(report.to_text().contains("a departure grows at 0.577")); // |L| = 2, as at the start, along axis 2: ω = 1 rad/s
 /// # Ok::<(), BodyError>(())
 /// ```
 #[derive(Clone, Debug)]

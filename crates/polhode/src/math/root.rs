@@ -86,7 +86,8 @@ mod tests {
 
     #[test]
     fn a_zero_is_found_to_rounding_in_a_handful_of_evaluations() {
-        let functions: [(fn(f64) -> f64, [f64; 2], f64, u32); 4] = [
+        type Case = (fn(f64) -> f64, [f64; 2], f64, u32);
+        let functions: [Case; 4] = [
             (|x| x * x - 2.0, [0.3, 2.9], core::f64::consts::SQRT_2, 14),
             (|x| x.exp() - 7.0, [-3.0, 8.0], 1.945_910_149_055_313_3, 16),
             (|x| 1234.5 - x, [17.0, 5001.0], 1234.5, 14),

@@ -49,8 +49,11 @@ pub enum MethodReason {
     Asked,
     /// The motion was given.
     Given,
-    /// The free motion of a body has a closed form.
-    ClosedForm,
+    /// There is a closed form.
+    ClosedForm {
+        /// Which.
+        title: &'static str,
+    },
     /// There is no closed form, and all that acts is smooth.
     Smooth {
         /// Why there is no closed form.
@@ -72,9 +75,7 @@ impl fmt::Display for MethodReason {
         match self {
             Self::Asked => f.write_str("it was asked for"),
             Self::Given => f.write_str("the motion is given"),
-            Self::ClosedForm => {
-                f.write_str("the motion is free, and has a closed form: theta functions of time")
-            }
+            Self::ClosedForm { title } => write!(f, "there is a closed form: {title}"),
             Self::Smooth { no_closed_form } => {
                 write!(f, "no closed form, as {no_closed_form}; between its changes all that acts is smooth")
             }

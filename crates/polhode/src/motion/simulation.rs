@@ -135,7 +135,10 @@ impl Simulation<'_> {
             Method::Dop853 => steps(Rule::Dop853),
             Method::Splitting { order, step } => steps(Rule::Splitting { order, step }),
             Method::Auto => match (self.closed_form(), rough) {
-                (Ok(motion), _) => Ok((Way::Closed(motion), MethodReason::ClosedForm)),
+                (Ok(motion), _) => {
+                    let title = motion.title();
+                    Ok((Way::Closed(motion), MethodReason::ClosedForm { title }))
+                }
                 (Err(MotionError::NoClosedForm { why: no_closed_form }), Some((torque, why))) => {
                     Ok((Way::Steps(Rule::Dop853), MethodReason::Rough { no_closed_form, torque, why }))
                 }

@@ -45,7 +45,13 @@ impl SwingingBody {
         let l: Direction<Body> = rotor.lever().as_quantity();
         let torque: Direction<Body> = l.cross(g);
         let moving: Direction<Body> = start.omega.as_quantity();
-        let Some(n) = moving.direction().or_else(|| torque.direction()) else {
+        // A torque that is rounding has no direction: a body at rest then hangs, or stands, and may as well swing about any axis.
+        let is_torque = torque.norm() > ROUNDING * l.norm() * g.norm();
+        let across_both = |n: &Direction<Body>| {
+            n.dot(l).abs() <= ROUNDING * l.norm() && n.dot(g).abs() <= ROUNDING * g.norm()
+        };
+        let found = moving.direction().or_else(|| torque.direction().filter(|_| is_torque));
+        let Some(n) = found.or_else(|| rotor.principal().axes().into_iter().find(across_both)) else {
             return no("neither spin nor torque gives the body an axis to swing about");
         };
         let inertia = rotor.inertia().matrix().map(Direction::<Body>::from_array).map(|row| row.dot(n));
@@ -54,7 +60,7 @@ impl SwingingBody {
         if !(across.norm() <= ROUNDING * rotor.principal().moments()[2]) {
             return no("the body does not turn about a principal axis");
         }
-        if !(n.dot(l).abs() <= ROUNDING * l.norm() && n.dot(g).abs() <= ROUNDING * g.norm()) {
+        if !across_both(&n) {
             return no("the axis that the body turns about is not across gravity and the centre of mass");
         }
         if !(moment > 0.0 && l.norm() > 0.0 && g.norm() > 0.0) {

@@ -1,8 +1,10 @@
 use super::*;
-use crate::math::frame::Body;
-use crate::math::vector::{AngularVelocity, Torque};
+use crate::body::inertia::InertiaTensor;
+use crate::body::mass_properties::MassProperties;
+use crate::math::frame::{Body, Space};
+use crate::math::rotation::{Attitude, Rotation};
+use crate::math::vector::{AngularVelocity, Direction, Position, Torque};
 use crate::observe::libration::Libration;
-use crate::{Attitude, Direction, InertiaTensor, MassProperties, Position, Rotation, Space};
 
 /// A body with these moments about roll (x), pitch (y), yaw (z), on a circular orbit in the plane x, z of space at the rate n:
 /// N = 3 n² r̂ × I r̂.

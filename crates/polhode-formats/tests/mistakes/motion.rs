@@ -1,0 +1,414 @@
+//! Mistakes in what turns a body: torques, wheels, events.
+
+use polhode_formats::FormatErrorKind;
+
+use super::{BALL, RUN, parse, refuses};
+
+#[test]
+fn orbits_are_given_once_and_are_orbits() {
+    let orbit = |text: &str| format!("{BALL}[[torque]]\nmodel='gravity_gradient'\norbit={text}");
+    assert!(parse(&orbit("{rate=0.001}")).is_ok());
+    assert!(parse(&orbit("{position=[7e6,0,0],velocity=[0,'11 km/s',1],mu='4e5 km^3/s^2'}")).is_ok());
+    assert!(parse(&orbit("{semi_major_axis=7e6,true_anomaly=1}")).is_ok());
+    refuses(
+        &format!("{BALL}«[[torque]]»\nmodel='gravity_gradient'"),
+        "the key orbit is missing in [[torque]] of model \"gravity_gradient\"",
+        "write orbit = { radius",
+    );
+    refuses(&orbit("«{}»"), "the key radius is missing in orbit", "write radius = \"6778 km\", or rate");
+    refuses(
+        &orbit("{radius=7e6,rate=«0.001»}"),
+        "radius and rate are both given: an orbit is given once",
+        "leave one of them out",
+    );
+    refuses(
+        &orbit("{radius=7e6,inclination=«1»}"),
+        "radius and inclination are both given: an orbit is given once",
+        "leave one of them out",
+    );
+    refuses(
+        &orbit("{semi_major_axis=7e6,mean_anomaly=1,true_anomaly=«1»}"),
+        "mean_anomaly and true_anomaly are both given: either says where on the orbit",
+        "leave one of them out",
+    );
+    refuses(
+        &orbit("«{position=[7e6,0,0]}»"),
+        "the key velocity is missing in orbit",
+        "write velocity = [0, \"7.6 km/s\", 0]",
+    );
+    refuses(&orbit("{radius=«'-7000 km'»}"), "radius = '-7000 km' must be positive", "radial and motion say");
+    refuses(&orbit("{mu=«0»,radius=7e6}"), "mu = 0 must be positive", "radial and motion say");
+    refuses(
+        &orbit("{mu=«'4e5 km^3'»,radius=7e6}"),
+        "\"km^3\" is a volume where a gravitational parameter belongs",
+        "write a gravitational parameter, such as \"398600.4418 km^3/s^2\"",
+    );
+    refuses(
+        &orbit("«{radius=7e6,radial=[0,2,0]}»"),
+        "the orbit's direction of motion = 0 must be at least 1e-9 rad off the radial direction",
+        "",
+    );
+    refuses(
+        &orbit("«{position=[7e6,0,0],velocity=[1,0,0]}»"),
+        "the orbit's velocity = 0 must be at least 1e-9 rad off the line to the centre",
+        "",
+    );
+    refuses(
+        &orbit("«{semi_major_axis=7e6,eccentricity=1.5}»"),
+        "the orbit's semi-major axis = 7000000 must be finite, positive for an ellipse and negative for a hyperbola",
+        "",
+    );
+    refuses(
+        &format!("{}\nmass=«'points'»", orbit("{radius=7e6}")),
+        "mass = 'points' must be \"tensor\", since not every part of the body is particles",
+        "the sum over points needs",
+    );
+    for (head, line) in [("[body]\npivot=[0,0,1]\n", 6), ("[[torque]]\nmodel='gravity'\npivot=[0,0,1]\n", 7)]
+    {
+        refuses(
+            &format!("{BALL}{head}[[torque]]\nmodel=«'gravity_gradient'»\norbit={{radius=7e6}}"),
+            &format!(
+                "model = 'gravity_gradient' must be left out, since line {line} holds the body at a pivot"
+            ),
+            "a body on an orbit is free",
+        );
+    }
+}
+
+#[test]
+fn a_magnet_has_one_field() {
+    let magnet = |text: &str| format!("{BALL}«[[torque]]»\nmodel='magnetic'\n{text}");
+    refuses(
+        &magnet("field=[0,0,1]"),
+        "the key moment is missing in [[torque]] of model \"magnetic\"",
+        "write moment = [0, 0, \"5 A m^2\"]",
+    );
+    refuses(
+        &magnet("moment=[0,0,1]"),
+        "the key field is missing in [[torque]] of model \"magnetic\"",
+        "write field = [\"20 µT\"",
+    );
+    refuses(
+        &magnet("moment=[0,0,1]\ndipole=[0,0,1]"),
+        "the key orbit is missing in [[torque]] of model \"magnetic\"",
+        "write orbit = {",
+    );
+    let magnet = |text: &str| magnet(text).replace("«[[torque]]»", "[[torque]]");
+    refuses(
+        &magnet("moment=[0,0,1]\nfield=[0,0,1]\ndipole=«[0,0,1]»"),
+        "field and dipole are both given: the field is given once",
+        "leave one of them out",
+    );
+    refuses(
+        &magnet("moment=[0,0,1]\nfield=[0,0,1]\norbit=«{radius=1}»"),
+        "field and orbit are both given: a uniform field is the same everywhere",
+        "leave one of them out",
+    );
+    refuses(
+        &magnet("moment=[0,0,1]\nfield=[0,0,«'3 A m^2'»]"),
+        "\"A m^2\" is a magnetic moment where a magnetic field belongs",
+        "write a magnetic field, such as \"30 µT\"",
+    );
+}
+
+#[test]
+fn times_of_torques_are_in_order() {
+    let torque =
+        |keys: &str| format!("{BALL}[[torque]]\nmodel='constant'\naxes='body'\ntorque=[1,0,0]\n{keys}");
+    refuses(
+        &torque("from='3 s'\nuntil=«'2 s'»"),
+        "the time until which a torque acts = 2 must be after the time from which it acts",
+        "",
+    );
+    refuses(
+        &torque("from=1\npulses=«{width=1,period=2}»"),
+        "from and pulses are both given: the pulses alone say when it acts",
+        "leave",
+    );
+    refuses(&torque("until=«'3 m'»"), "\"m\" is a length where a time belongs", "write a time");
+    refuses(
+        &torque("pulses={width=1,period=2,«gap»=1}"),
+        "unknown key \"gap\" in pulses",
+        "the keys here are first, width, period, count",
+    );
+    refuses(&torque("pulses=«{width=1}»"), "the key period is missing in pulses", "write period");
+    refuses(&torque("pulses={width=«0»,period=2}"), "width = 0 must be positive", "time runs");
+    refuses(
+        &torque("pulses=«{width=3,period=2}»"),
+        "the width of the pulses = 3 must be no more than their period",
+        "",
+    );
+    refuses(
+        &torque("pulses=«{width=1,period=2,count=0}»"),
+        "the number of pulses = 0 must be at least 1",
+        "",
+    );
+}
+
+#[test]
+fn drag_springs_and_thrusters_are_possible() {
+    let torque = |model: &str, keys: &str| format!("{BALL}[[torque]]\nmodel='{model}'\n{keys}");
+    refuses(
+        &torque("drag", "law='linear'\ncoefficient=«'-1 N m s'»"),
+        "the least eigenvalue of the drag's matrix = -1 must be not negative: drag never speeds a body up",
+        "",
+    );
+    refuses(
+        &torque("drag", "law='linear'\ncoefficient=«[[1,0.5,0],[0.25,1,0],[0,0,1]]»"),
+        "an element of the drag's matrix = 0.5 must be equal to the element across the diagonal",
+        "",
+    );
+    refuses(
+        &torque("drag", "law='quadratic'\ncoefficient=«'1 N m s'»"),
+        "\"N m s\" is an angular momentum where a torque per squared angular velocity belongs",
+        "write a torque per squared angular velocity",
+    );
+    refuses(
+        &torque("drag", "law=«'cubic'»\ncoefficient=1"),
+        "law = 'cubic' must be one of linear, quadratic",
+        "write law",
+    );
+    refuses(
+        &torque("torsion", "stiffness=«'1 N m'»"),
+        "\"N m\" is a torque where a torque per angle belongs",
+        "write a torque per angle",
+    );
+    refuses(
+        &torque("torsion", "stiffness=«'-1 N m/rad'»"),
+        "the stiffness = -1 must be finite and not negative",
+        "",
+    );
+    refuses(
+        &torque("torsion", "stiffness=1\naxis=«[0,0,0]»"),
+        "the length of the wire's axis = 0 must be a direction: finite and not zero",
+        "",
+    );
+    refuses(
+        &torque("thruster", "position=[1,0,0]\nforce=[0,«'1 m'»,0]"),
+        "\"m\" is a length where a force belongs",
+        "write a force",
+    );
+    refuses(
+        &format!("{BALL}«[[torque]]»\nmodel='thruster'\nposition=[1,0,0]"),
+        "the key force is missing in [[torque]] of model \"thruster\"",
+        "write force",
+    );
+}
+
+#[test]
+fn coefficients_come_in_every_shape_and_unit() {
+    let coefficient = |law: &str, text: &str| {
+        let text = format!("{BALL}[[torque]]\nmodel='drag'\nlaw='{law}'\ncoefficient={text}");
+        match parse(&text).unwrap().torques[0] {
+            polhode::TorqueModel::Drag(drag) => drag.matrix(),
+            ref other => panic!("{other:?}"),
+        }
+    };
+    let twice = [[2.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 2.0]];
+    for text in ["2", "'2 N m s'", "'2 N m s/rad'", "[2, '2000 mN m s', 2]", "[[2,0,0],[0,2,0],[0,0,2]]"] {
+        assert_eq!(coefficient("linear", text), twice, "{text}");
+    }
+    for text in ["2", "'2 N m s^2'", "'2 N m s^2/rad^2'", "'2 kg m^2'"] {
+        assert_eq!(coefficient("quadratic", text), twice, "{text}");
+    }
+    assert!((coefficient("linear", "'1 N m s/deg'")[0][0] / 57.295_779_513 - 1.0).abs() < 1e-10);
+}
+
+#[test]
+fn wheels_that_make_no_sense_are_refused() {
+    let wheel = |keys: &str| format!("{BALL}{RUN}[[wheel]]\n{keys}");
+    refuses(
+        &wheel("axis=[0,0,1]\nmomentum=1\n«speeds»=2"),
+        "unknown key \"speeds\" in [[wheel]]",
+        "did you mean speed?",
+    );
+    refuses(
+        &format!("{BALL}{RUN}«[[wheel]]»\naxis=[0,0,1]"),
+        "the key momentum is missing in [[wheel]]",
+        "write momentum = \"4 N m s\", or inertia and speed",
+    );
+    refuses(
+        &format!("{BALL}{RUN}«[[wheel]]»\naxis=[0,0,1]\nspeed='3000 rpm'"),
+        "the key inertia is missing in [[wheel]]",
+        "write inertia",
+    );
+    refuses(
+        &wheel("axis=[0,0,1]\nmomentum=1\nspeed=«2»\ninertia=1"),
+        "momentum and speed are both given: each of them alone says how much angular momentum the wheel starts with",
+        "leave",
+    );
+    refuses(
+        &wheel("axis=[0,0,1]\nmomentum=1\ninertia=«2»"),
+        "inertia = 2 must be left out",
+        "with momentum and without motor_torque, nothing depends on it",
+    );
+    refuses(
+        &wheel("axis=«[0,0,0]»\nmomentum=1"),
+        "the length of the wheel's axis = 0 must be a direction: finite and not zero",
+        "the z axis is [0, 0, 1]",
+    );
+    refuses(
+        &wheel("axis=[0,0,1]\nmomentum=1\nfrom=«'2 s'»"),
+        "from = '2 s' must be left out",
+        "it is the time of a motor_torque",
+    );
+    refuses(
+        &wheel("axis=[0,0,1]\nspeed=1\ninertia=«'-1 kg m^2'»"),
+        "inertia = '-1 kg m^2' must be positive",
+        "it is the wheel's moment of inertia",
+    );
+    refuses(
+        &wheel("axis=[0,0,1]\nspeed=1\ninertia=1e-6\nmotor_torque=1\nfrom=3\nuntil=«2»"),
+        "until = 2 must be later than the start of the motor's work",
+        "a run starts at 0",
+    );
+    // The ball has 0.4 · 0.5 kg · (20 mm)² = 8e-5 kg·m².
+    let error = parse(&wheel("axis=[0,0,1]\nspeed=1\ninertia='1e-4 kg m^2'\nmotor_torque=0")).unwrap_err();
+    assert!(
+        error.message().contains("the wheel's moment of inertia")
+            || error.message().contains("without its wheels")
+    );
+    assert!(error.hint().unwrap().starts_with("the inertia of [body] holds that of the wheels"));
+    assert!(error.place().is_some());
+    for (table, other) in
+        [("prescribed", "[prescribed]\naxis=[0,0,1]\nrate=1"), ("pendulum", "[pendulum]\naxis=[1,0,0]")]
+    {
+        let error = parse(&format!("{BALL}{other}\n[[wheel]]\naxis=[0,0,1]\nmomentum=1")).unwrap_err();
+        assert!(
+            matches!(error.kind(), FormatErrorKind::Conflict { keys, .. } if keys.contains(&table)),
+            "{error}"
+        );
+    }
+    refuses(
+        &format!("{BALL}{RUN}[[torque]]\nmodel='energy_sink'\ncoefficient=«'-2 /(N m s)'»"),
+        "the coefficient of an energy sink = -2 must be positive and finite",
+        "it damps nutation in",
+    );
+    refuses(
+        &format!("{BALL}{RUN}[[torque]]\nmodel='energy_sink'\ncoefficient=«'2 N m s'»"),
+        "\"N m s\" is an angular momentum where a quantity in kg^-1 m^-2 s belongs",
+        "",
+    );
+}
+
+/// L = I ω + h at the start, whichever way a wheel is given, held or turned by a motor.
+#[test]
+fn the_momentum_of_a_start_is_that_with_the_wheels() {
+    let body =
+        "[[body.part]]\nshape='tensor'\nmass=2\ninertia=[[3.1,-0.4,0.3],[-0.4,4.2,-0.2],[0.3,-0.2,5.3]]\n";
+    let start = "[start]\nattitude={axis=[1,2,3],angle='40 deg'}\nspin={momentum=[0.7,-1.2,2.1]}\n";
+    for (keys, speed) in [
+        ("momentum=1.3", None),
+        ("momentum=1.3\ninertia=0.3\nmotor_torque=0.2", None),
+        ("inertia=0.3\nspeed=4.5", None),
+        ("inertia=0.3\nspeed=4.5\nmotor_torque=0.2", Some(4.5)),
+    ] {
+        let scenario = parse(&format!("{body}{start}[[wheel]]\naxis=[0.6,-0.3,0.9]\n{keys}")).unwrap();
+        let rotor = scenario.rotor();
+        let [x, y, z] = rotor.angular_momentum_space(&scenario.start).to_array();
+        assert!((x - 0.7).hypot(y + 1.2).hypot(z - 2.1) < 2e-15, "{keys}: {x} {y} {z}");
+        if let Some(speed) = speed {
+            let wheel = scenario.wheels[0];
+            let relative = wheel.momentum() / 0.3 - wheel.axis().dot(scenario.start.omega);
+            assert!((relative - speed).abs() < 1e-14, "{relative}");
+        }
+    }
+}
+
+#[test]
+fn events_that_cannot_be_are_refused() {
+    let torque = "[[torque]]\nname='jet'\nmodel='constant'\naxes='body'\ntorque=[1,0,0]\n";
+    let event = |keys: &str| format!("{BALL}{torque}{RUN}[[event]]\n{keys}");
+    assert!(parse(&event("measure='time'\nvalue=1\nthen={switch='jet',on=false}")).is_ok());
+    assert!(parse(&event("measure='formula'\nformula='hypot(wx,wy)'\nvalue='3 rpm'")).is_ok());
+    refuses(
+        &event("measure=«'omega_z'»\nvalue=1"),
+        "measure = 'omega_z' must be one of time, omega_body_x, omega_body_y, omega_body_z, omega_space_x, omega_space_y, \
+         omega_space_z, omega, momentum, kinetic_energy, total_energy, angle, nutation, precession, spin, formula",
+        "did you mean \"omega\"?",
+    );
+    refuses(
+        &event("measure='omega'\nvalue=«'3 N m'»"),
+        "\"N m\" is a torque where an angular velocity belongs",
+        "write an angular velocity",
+    );
+    refuses(
+        &event("measure='formula'\nformula='hypot(wx,wy)'\nvalue=«'3 s'»"),
+        "\"s\" is a time where an angular velocity belongs",
+        "write an angular velocity",
+    );
+    refuses(
+        &event("measure='formula'\nformula=«'wx + t'»\nvalue=1"),
+        "formula = 'wx + t' must be a formula of the state (column 4: + joins an angular velocity and a time)",
+        "",
+    );
+    refuses(
+        &event("measure='nutation'\nvalue=«'180 deg'»"),
+        "value = '180 deg' must be above 0 and below 180 deg",
+        "such an angle turns back",
+    );
+    refuses(
+        &event("measure='angle'\nbetween=«[{body=[0,0,1]},{body=[0,1,0]}]»\nvalue=1"),
+        "between = [{body=[0,0,1]},{body=[0,1,0]}] must be a direction of the body, and one of space, or \"omega\", or \
+         \"momentum\"",
+        "write between = [{ body",
+    );
+    refuses(
+        &event("measure='angle'\nbetween=[{body=«[0,0,0]»},\"omega\"]\nvalue=1"),
+        "body = [0,0,0] must be a direction: not all zero",
+        "the z axis is",
+    );
+    refuses(
+        &event("measure='time'\nvalue=1\n«between»=['omega','momentum']"),
+        "unknown key \"between\" in [[event]]",
+        "the keys here are name, measure, value",
+    );
+    refuses(
+        &event("measure='time'\nvalue=1\nthen={switch=«'jett'»,on=false}"),
+        "switch = 'jett' must be the name of a torque",
+        "did you mean \"jet\"?",
+    );
+    refuses(
+        &event("measure='time'\nvalue=1\nthen=«{switch='jet'}»"),
+        "the key on is missing in then",
+        "write { switch",
+    );
+    refuses(
+        &event("measure='time'\nvalue=1\nthen=«'halt'»"),
+        "then = 'halt' must be one of record, stop",
+        "write then = \"record\"",
+    );
+    refuses(
+        &format!("{BALL}{torque}[[torque]]\nname=«'jet'»\nmodel='constant'\naxes='body'\ntorque=[1,0,0]"),
+        "name = 'jet' must be no other torque's",
+        "events switch torques by their names",
+    );
+    refuses(
+        &format!("{BALL}[[torque]]\non=«false»\nmodel='constant'\naxes='body'\ntorque=[1,0,0]"),
+        "on = false must be true for a torque without a name",
+        "a torque that is off waits",
+    );
+    let off = parse(&format!("{BALL}{}{RUN}", torque.replace("name", "on=false\nname"))).unwrap();
+    assert!(off.findings.iter().any(|finding| finding.code == "torque.off"));
+    assert_eq!(off.switched_off, [0]);
+}
+
+#[test]
+fn a_torque_s_formula_is_answered_at_its_place() {
+    let with = |components: &str| {
+        format!("{BALL}[[torque]]\nmodel = 'formula'\naxes = 'body'\ntorque = [{components}]\n{RUN}")
+    };
+    assert!(parse(&with("0, '0.1 [N m]', '-2[N m s]*wx'")).is_ok());
+    let message = "+ joins a torque and a plain number";
+    refuses(&with("0, '1[N m] «+» 2', 0"), message, "a number has its unit in brackets, such as 0.1[N m]");
+    refuses(&with("0, 0, \"\"\"2[Nm]*«w1»\"\"\""), "there is no variable w1", "did you mean wx?");
+    let message = "the value is an angular velocity, where a torque belongs";
+    refuses(&with("' «wx»', 0, 0"), message, "a factor is missing, such as 12[N m s]");
+    refuses(&with("'2[«Nn»]*t', 0, 0"), "there is no unit \"Nn\"", "did you mean");
+    let message = "sin takes a plain number, not a time";
+    refuses(&with("'1[N m]*«sin»(t)', 0, 0"), message, "divide by a quantity like it, such as 90[s]");
+    // of a string with escapes, the string is the place
+    let message = "there is no variable qw²";
+    refuses(&with("«\"1[N m]*qw\\u00b2\"», 0, 0"), message, "did you mean qw?");
+    refuses(&with("0, «true», 0"), "torque must be a torque, not true or false", "write \"0.1 N m\"");
+}

@@ -24,7 +24,7 @@ pub enum Method {
     Auto,
     /// A closed form, or an error.
     Exact,
-    /// Numerical integration by Taylor's method, order 20 at the tightest tolerances.
+    /// Numerical integration by Taylor's method, order 24 at the tightest tolerance.
     Taylor,
     /// Numerical integration by the Runge–Kutta method of Dormand and Prince, order 8.
     Dop853,

@@ -71,7 +71,7 @@ impl FormulaSeries {
         self.wheels = [momentum.to_array(), rate.to_array()];
     }
 
-    #[inline(always)]
+    #[inline(never)]
     pub(super) fn coefficient<S: Fours>(&mut self, n: usize, known: &Known<'_, S>) -> Row {
         for place in 0..self.nodes.len() {
             let value = match self.nodes[place] {

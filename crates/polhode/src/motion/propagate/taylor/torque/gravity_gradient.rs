@@ -11,7 +11,7 @@ use super::super::row::{Row, Series, TERMS, Vectors, cross, others, product};
 use super::super::scalar::{Scalars, power};
 use super::orbit::OrbitSeries;
 use super::{Known, StepStart};
-use crate::math::lanes::Fours;
+use crate::math::lanes::{Fours, Plain};
 use crate::math::vector::{Direction, quantity::Number};
 use crate::motion::propagate::chart::{ROUNDING, THIN};
 use crate::motion::rotor::Rotor;
@@ -53,7 +53,7 @@ impl GravityGradientSeries {
         self.orbit.measure(known.s, n);
         match &mut self.attracted {
             AttractedSeries::Tensor(tensor) => tensor.coefficient(known.s, n, &self.orbit),
-            AttractedSeries::Points(points) => points.coefficient(known.s, n, &self.orbit),
+            AttractedSeries::Points(points) => points.coefficient(Plain, n, &self.orbit),
         }
     }
 
@@ -167,7 +167,7 @@ impl PointsSeries {
         }
     }
 
-    #[inline(always)]
+    #[inline(never)]
     fn coefficient<S: Fours>(&mut self, s: S, n: usize, orbit: &OrbitSeries) -> Row {
         let rho = &orbit.rho;
         let mut sum = Row::ZERO;

@@ -56,7 +56,7 @@ impl MagneticSeries {
         }
     }
 
-    #[inline(always)]
+    #[inline(never)]
     pub(super) fn coefficient<S: Fours>(&mut self, n: usize, known: &Known<'_, S>) -> Row {
         let field = match &mut self.dipole {
             None => self.seen.coefficient(n),
@@ -66,7 +66,7 @@ impl MagneticSeries {
         (self.moment * field.turned() - self.moment.turned() * field).turned()
     }
 
-    #[inline(always)]
+    #[inline(never)]
     pub(super) fn extend<S: Fours>(&mut self, n: usize, known: &Known<'_, S>) {
         self.seen.extend(known.s, n, known.turning, Row::ZERO);
         if let Some(dipole) = &mut self.dipole {

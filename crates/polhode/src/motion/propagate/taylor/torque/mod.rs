@@ -13,7 +13,7 @@ mod torsion;
 
 use super::row::{Row, Series, Vectors};
 use crate::math::frame::{Principal, Space};
-use crate::math::lanes::Fours;
+use crate::math::lanes::{Fours, Plain};
 use crate::math::rotation::Rotation;
 use crate::math::vector::{AngularVelocity, Vector};
 use crate::motion::rotor::Rotor;
@@ -59,6 +59,14 @@ pub(super) struct Known<'a, S> {
     pub(super) turning: &'a Vectors,
     /// The turn since the start of the step, (w, x, y, z).
     pub(super) turn: &'a Series,
+}
+
+impl<'a, S> Known<'a, S> {
+    /// The same without vectors.
+    #[inline(always)]
+    fn plain(&self) -> Known<'a, Plain> {
+        Known { s: Plain, omega: self.omega, turning: self.turning, turn: self.turn }
+    }
 }
 
 impl TorqueSeries {
@@ -114,9 +122,10 @@ impl TorqueSeries {
             Self::Linear(series) => series.coefficient(n),
             Self::GravityGradient(series) => series.coefficient(n, known),
             Self::Drag(series) => series.coefficient(n, known),
-            Self::Torsion(series) => series.coefficient(n, known),
-            Self::Magnetic(series) => series.coefficient(n, known),
-            Self::Formula(series) => series.coefficient(n, known),
+            // What is long stays out of the loop over n: all of it would be prepared for each n.
+            Self::Torsion(series) => series.coefficient(n, &known.plain()),
+            Self::Magnetic(series) => series.coefficient(n, &known.plain()),
+            Self::Formula(series) => series.coefficient(n, &known.plain()),
         }
     }
 
@@ -128,7 +137,7 @@ impl TorqueSeries {
             Self::Body(_) | Self::Drag(_) | Self::Torsion(_) | Self::Formula(_) => {}
             Self::Linear(series) => series.extend(n, known),
             Self::GravityGradient(series) => series.extend(n, known),
-            Self::Magnetic(series) => series.extend(n, known),
+            Self::Magnetic(series) => series.extend(n, &known.plain()),
         }
     }
 }

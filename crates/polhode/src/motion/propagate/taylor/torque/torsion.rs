@@ -78,7 +78,7 @@ impl TorsionSeries {
         }
     }
 
-    #[inline(always)]
+    #[inline(never)]
     pub(super) fn coefficient<S: Fours>(&mut self, n: usize, known: &Known<'_, S>) -> Row {
         // p = p₀ ∘ turn
         let ([w, x, y, z], [a, b, c, d]) = (self.start, known.turn[n].0);

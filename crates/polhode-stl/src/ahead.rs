@@ -30,7 +30,7 @@ pub(crate) fn map_soon(bytes: &[u8]) {
 const MAPPED_AT_ONCE: usize = 1 << 16;
 
 /// Bytes asked for at once: a sixteenth of a stage.
-const SHARE: usize = 200;
+const SHARE: usize = 400;
 
 /// Bytes of a line of the cache.
 const LINE: usize = 64;

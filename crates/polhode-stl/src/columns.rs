@@ -1,6 +1,6 @@
 //! Records to columns: the coordinates of sixteen triangles, nine vectors of sixteen numbers.
 
-use fearless_simd::{Bytes as _, Simd, SimdBase as _, f32x8, f32x16, u8x32};
+use fearless_simd::{Simd, f32x4, f32x8, f32x16, prelude::*, u8x16, u8x32};
 
 use crate::Record;
 
@@ -21,9 +21,9 @@ impl<S: Simd> Columns<S> {
     }
 
     /// Vector j starts with the first eight numbers of records 2j and 2j + 1. So its number j (bits j₂ j₁ j₀) and its
-    /// lane (h c₂ c₁ c₀) say record and column. A round of zips moves the highest bit of the lane to a bit of the
-    /// number, and that bit to the lowest place of the lane; four rounds leave the record in the lane (j₂ j₁ j₀ h)
-    /// and the column in the number (c₀ c₂ c₁).
+    /// lane (h c₂ c₁ c₀) say record and column. A round of unzips moves the lowest bit of the lane to a bit of the
+    /// number, and that bit to the highest place of the lane; three rounds leave the record in the lane (j₂ j₁ j₀ h)
+    /// and the column in the number (c₂ c₁ c₀). (Zips go the other way round, and need four.)
     #[inline(always)]
     pub(crate) fn of(simd: S, records: &[Record; GROUP]) -> Self {
         let mut v = [f32x16::splat(simd, 0.0); 8];
@@ -31,12 +31,18 @@ impl<S: Simd> Columns<S> {
             *v = simd
                 .combine_f32x8(first_eight(simd, &records[2 * j]), first_eight(simd, &records[2 * j + 1]));
         }
-        let v = zipped::<S, 4>(zipped::<S, 1>(zipped::<S, 2>(zipped::<S, 4>(v))));
-        let mut ninth = [0.0; GROUP];
-        for (ninth, record) in ninth.iter_mut().zip(records) {
-            *ninth = f32::from_le_bytes([record[44], record[45], record[46], record[47]]);
+        let [a, b, c, d, e, f, g, h] = unzipped::<S, 4>(unzipped::<S, 2>(unzipped::<S, 1>(v)));
+        Self([a, b, c, d, e, f, g, h, ninth(simd, records)])
+    }
+
+    /// The first eight triangles (0), or the last (1).
+    #[inline(always)]
+    pub(crate) fn half(&self, simd: S, half: usize) -> [f32x8<S>; 9] {
+        let mut columns = [f32x8::splat(simd, 0.0); 9];
+        for (eight, column) in columns.iter_mut().zip(&self.0) {
+            *eight = f32x8::from_slice(simd, &column.as_slice().as_chunks::<8>().0[half]);
         }
-        Self([v[0], v[4], v[1], v[5], v[2], v[6], v[3], v[7], f32x16::from_slice(simd, &ninth)])
+        columns
     }
 }
 
@@ -45,15 +51,31 @@ fn first_eight<S: Simd>(simd: S, record: &Record) -> f32x8<S> {
     f32x8::from_bytes(u8x32::from_slice(simd, &record[VERTICES..VERTICES + 32]))
 }
 
-/// Each pair of vectors whose numbers differ in one bit, interleaved.
+/// Each pair of vectors whose numbers differ in one bit: the even lanes of both, and the odd ones.
 #[inline(always)]
-fn zipped<S: Simd, const BIT: usize>(v: [f32x16<S>; 8]) -> [f32x16<S>; 8] {
-    let mut zipped = v;
+fn unzipped<S: Simd, const BIT: usize>(v: [f32x16<S>; 8]) -> [f32x16<S>; 8] {
+    let mut unzipped = v;
     for j in 0..8 {
         if j & BIT == 0 {
-            zipped[j] = v[j].zip_low(v[j | BIT]);
-            zipped[j | BIT] = v[j].zip_high(v[j | BIT]);
+            unzipped[j] = v[j].unzip_low(v[j | BIT]);
+            unzipped[j | BIT] = v[j].unzip_high(v[j | BIT]);
         }
     }
-    zipped
+    unzipped
+}
+
+/// The last number of each record: of four records at a time, from their last four numbers. Sixteen loads and as many shuffles take
+/// half as long as one gather (AMD Zen 5).
+#[inline(always)]
+fn ninth<S: Simd>(simd: S, records: &[Record; GROUP]) -> f32x16<S> {
+    let mut ninth = [f32x4::splat(simd, 0.0); 4];
+    for (j, ninth) in ninth.iter_mut().enumerate() {
+        let mut v = [f32x4::splat(simd, 0.0); 4];
+        for (v, record) in v.iter_mut().zip(&records[4 * j..]) {
+            *v = f32x4::from_bytes(u8x16::from_slice(simd, &record[VERTICES + 20..VERTICES + 36]));
+        }
+        *ninth = v[0].zip_high(v[2]).zip_high(v[1].zip_high(v[3]));
+    }
+    let [a, b, c, d] = ninth;
+    simd.combine_f32x8(simd.combine_f32x4(a, b), simd.combine_f32x4(c, d))
 }

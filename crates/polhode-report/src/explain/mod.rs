@@ -11,6 +11,7 @@ pub(crate) mod document;
 mod driven;
 mod euler;
 mod free;
+mod inside;
 mod markdown;
 mod pendulum;
 mod spin;
@@ -70,7 +71,10 @@ use working::Working;
 /// # Errors
 /// [`MotionError`] if the scenario's run cannot be computed, or its pendulum cannot hang.
 pub fn explain(scenario: &Scenario) -> Result<Document, MotionError> {
-    Ok(solved(&Working::of(scenario)?))
+    match inside::solved(scenario) {
+        Some(document) => Ok(document),
+        None => Ok(solved(&Working::of(scenario)?)),
+    }
 }
 
 /// The worked solution of a scenario whose motion is known: as [`explain`], without computing it again.
@@ -78,7 +82,10 @@ pub fn explain(scenario: &Scenario) -> Result<Document, MotionError> {
 /// # Errors
 /// [`MotionError`] if the scenario's pendulum cannot hang.
 pub fn explain_motion(scenario: &Scenario, trajectory: &Trajectory) -> Result<Document, MotionError> {
-    Ok(solved(&Working::with(scenario, Some(Cow::Borrowed(trajectory)))?))
+    match inside::solved(scenario) {
+        Some(document) => Ok(document),
+        None => Ok(solved(&Working::with(scenario, Some(Cow::Borrowed(trajectory)))?)),
+    }
 }
 
 fn solved(w: &Working<'_>) -> Document {

@@ -5,7 +5,7 @@ use polhode::{
 };
 
 use super::document::Section;
-use super::working::{Working, cells, exactly, n, v};
+use super::working::{Working, acting, cells, exactly, n, v};
 use crate::number::tidy;
 use crate::torque::Description;
 use crate::unit::{angle, rate};
@@ -78,7 +78,7 @@ fn torque(w: &Working<'_>, s: &mut Section) {
         return;
     }
     s.say("Torque at t0, in body axes:");
-    for model in &w.scenario.torques {
+    for model in acting(w.scenario) {
         let at_start = v(model.torque(&w.rotor, &w.start).to_array());
         match model {
             TorqueModel::Gravity(g) => {
@@ -103,7 +103,7 @@ fn torque(w: &Working<'_>, s: &mut Section) {
             other => s.line(format!("N = {at_start} N·m: {}", Description::of(other).text())),
         }
     }
-    if w.scenario.torques.len() > 1 {
+    if acting(w.scenario).count() > 1 {
         s.line(format!("sum N = {} N·m", v(w.torque.to_array())));
     }
 }

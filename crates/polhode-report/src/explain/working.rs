@@ -4,7 +4,8 @@ use std::borrow::Cow;
 
 use polhode::{
     AngularAcceleration, Body, Ending, MassProperties, MotionError, MovingParticle, Particle, Pendulum,
-    Position, Required, Rotor, Sample, Scenario, Space, State, Torque, Trajectory, Velocity, rigid_velocity,
+    Position, Required, Rotor, Sample, Scenario, Space, State, Torque, TorqueModel, Trajectory, Velocity,
+    rigid_velocity,
 };
 
 use crate::number::{alike, number, tidy_beside};
@@ -52,8 +53,7 @@ impl<'a> Working<'a> {
             .map(|motion| Required::by(&rotor, motion, scenario.start.time))
             .transpose()?;
         let start = needed.map_or(scenario.start, |needed| needed.state);
-        let given =
-            || scenario.torques.iter().fold(Torque::ZERO, |sum, model| sum + model.torque(&rotor, &start));
+        let given = || acting(scenario).fold(Torque::ZERO, |sum, model| sum + model.torque(&rotor, &start));
         let torque = needed.map_or_else(given, |needed| needed.torque);
         let acceleration =
             needed.map_or_else(|| rotor.acceleration(start.omega, torque), |needed| needed.acceleration);
@@ -154,4 +154,10 @@ pub(super) fn cells(rows: &[Vec<f64>]) -> Vec<Vec<String>> {
     let columns: Vec<Vec<String>> =
         (0..count).map(|k| alike(&rows.iter().map(|row| row[k]).collect::<Vec<_>>(), DIGITS)).collect();
     (0..rows.len()).map(|r| columns.iter().map(|column| column[r].clone()).collect()).collect()
+}
+
+/// The torques that are not switched off at the start.
+pub(super) fn acting(scenario: &Scenario) -> impl Iterator<Item = &TorqueModel> {
+    let all = scenario.torques.iter().enumerate();
+    all.filter(|(k, _)| !scenario.switched_off.contains(k)).map(|(_, torque)| torque)
 }

@@ -68,7 +68,9 @@ fn oscillations(found: &Found) -> String {
     let place = match found.place {
         Place::Start => "about the start, which is an equilibrium".to_owned(),
         Place::Nearest => format!("about the nearest equilibrium, {away}° from the start"),
-        Place::Rest => format!("about the nearest equilibrium at rest, {away}° from the start's attitude"),
+        Place::Rest => format!(
+            "about the nearest equilibrium at rest, without the start's spin, {away}° from its attitude"
+        ),
     };
     let oscillations = &found.oscillations;
     let verdict = if oscillations.is_stable() { "nothing grows" } else { "unstable" };

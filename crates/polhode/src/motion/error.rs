@@ -154,7 +154,7 @@ impl fmt::Display for MotionError {
             ),
             Self::NotSteady { torque, scale } => write!(
                 f,
-                "the body does not keep its place: of torques of {scale:e} N·m, {torque:e} N·m is not balanced or does not last"
+                "this is no equilibrium, and none was found near it: of torques of {scale:.3e} N·m in all, {torque:.3e} N·m is left over"
             ),
             Self::NoClosedForm { why } => write!(f, "there is no closed form of this motion: {why}"),
             Self::NotSplittable { what, why } => {

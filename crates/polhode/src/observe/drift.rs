@@ -17,7 +17,7 @@ use crate::motion::trajectory::Trajectory;
 pub struct Drift {
     /// |T(t) − T(0) − W(t)| / max T.
     pub work_energy: f64,
-    /// |L(t) − L(0) − J(t)| / max |L|, as vectors in space: the attitude's error shows here too.
+    /// |L(t) − L(0) − J(t)| / max (|L|, 2 T/|ω|), as vectors in space: the attitude's error shows here too.
     pub momentum: f64,
     /// ||L(t)| − |L(0)|| / max |L|: an error only where there is no torque.
     pub momentum_magnitude: f64,
@@ -70,7 +70,12 @@ impl<'a> Scale<'a> {
         }
         let max = |f: &dyn Fn(&Sample) -> f64| samples.iter().chain([first]).map(f).fold(0.0, f64::max);
         let kinetic = max(&|s| s.kinetic_energy);
-        let momentum = max(&|s| s.momentum.norm());
+        // L may be zero while the body turns and its wheels turn back: |I ω| is at least 2 T/|ω|.
+        let carrier = |s: &Sample| {
+            let rate = s.state.omega.norm();
+            if rate > 0.0 { 2.0 * s.kinetic_energy / rate } else { 0.0 }
+        };
+        let momentum = max(&|s| s.momentum.norm().max(carrier(s)));
         let energy = first.potential_energy.map(|u0| kinetic.max(max(&|s| rise(s, u0).abs())));
         Some(Self { first, kinetic, momentum, energy })
     }

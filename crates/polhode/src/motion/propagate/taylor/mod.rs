@@ -155,7 +155,7 @@ impl Expansion {
 
     #[inline(always)]
     fn extend<S: Fours>(&mut self, s: S, n: usize) {
-        let over = Row::splat(1.0 / (n + 1) as f64);
+        let next = n + 1;
         let (mut rate, turned, mut power, turning);
         if let Some(inside) = &mut self.inside {
             (rate, power) = inside.extend(s, n, self.moments, self.inverses, &self.omega);
@@ -183,9 +183,9 @@ impl Expansion {
                 power = power + product(s, &self.torque, &self.omega.rows, n);
             }
         }
-        self.work.set(n + 1, power * over);
-        self.turn.set(n + 1, turned * over * Row::splat(0.5));
-        self.omega.set(n + 1, rate * over);
+        self.work.set(next, power.over(next));
+        self.turn.set(next, turned.over(2 * next));
+        self.omega.set(next, rate.over(next));
     }
 
     /// The longest step at which the terms that are left out are as small as they should be; `scale` is what ω is measured with.

@@ -29,6 +29,15 @@ impl Row {
         Self([y, z, x, w])
     }
 
+    /// Divided by a whole number. To multiply by its rounded inverse would be off the same way in every step, and errors that do not
+    /// change sign add up.
+    #[inline(always)]
+    pub(super) fn over(self, n: usize) -> Self {
+        let n = n as f64;
+        let [x, y, z, w] = self.0;
+        Self([x / n, y / n, z / n, w / n])
+    }
+
     #[inline(always)]
     fn zip(self, b: Self, f: impl Fn(f64, f64) -> f64) -> Self {
         let (a, b) = (self.0, b.0);

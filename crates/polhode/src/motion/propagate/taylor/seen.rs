@@ -30,7 +30,7 @@ impl Seen {
     /// Finds coefficient n + 1 from those up to n; `source` is coefficient n of s.
     #[inline(always)]
     pub(super) fn extend<S: Fours>(&mut self, s: S, n: usize, turning: &Vectors, source: Row) {
-        let next = (cross(s, &self.0, turning, n) + source) * Row::splat(1.0 / (n + 1) as f64);
+        let next = (cross(s, &self.0, turning, n) + source).over(n + 1);
         self.0.set(n + 1, next);
     }
 }

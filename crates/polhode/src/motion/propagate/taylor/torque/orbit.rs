@@ -88,7 +88,7 @@ impl OrbitSeries {
     pub(super) fn extend<S: Fours>(&mut self, n: usize, known: &Known<'_, S>) {
         let pull = self.over_cube(known.s, &self.rho.rows, n) * Row::splat(-self.strength);
         let rate = cross(known.s, &self.rho.rows, known.turning, n) + self.nu.coefficient(n);
-        self.rho.set(n + 1, rate * Row::splat(1.0 / (n + 1) as f64));
+        self.rho.set(n + 1, rate.over(n + 1));
         self.nu.extend(known.s, n, known.turning, pull);
     }
 }

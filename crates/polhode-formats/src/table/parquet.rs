@@ -37,7 +37,7 @@ pub fn write(
 /// Rows that are held in memory, and packed, at a time.
 const ROW_GROUP: usize = 1 << 20;
 
-/// Writes what a prescribed motion needs: one row per sample, with metadata as [`write`] has it.
+/// Writes what a prescribed motion needs: one row per sample, with metadata as [`write()`] has it.
 ///
 /// # Errors
 /// Those of `out`.

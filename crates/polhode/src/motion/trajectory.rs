@@ -109,7 +109,7 @@ impl Trajectory {
     /// A prescribed motion at each of `times` (ascending, s), with the torque that it needs.
     ///
     /// # Errors
-    /// [`MotionError::Parameter`] if times are out of order; else as [`Required::by`].
+    /// [`MotionError::Parameter`] if times are out of order; else as [`Required::by`](crate::Required::by).
     pub fn prescribed(rotor: &Rotor, motion: &Prescribed, times: &[f64]) -> Result<Self, MotionError> {
         require_ascending(f64::NEG_INFINITY, times)?;
         let first = Sample::of_prescribed(rotor, motion, times.first().copied().unwrap_or(0.0))?;

@@ -62,7 +62,7 @@ The parts a and b of a step h, and so the order, are those of three methods:
 | 4 | SRKN₆ᵇ of Blanes and Moan | 6 |
 | 6 | SRKN₁₁ᵇ of Blanes and Moan | 11 |
 
-(S. Blanes, P. C. Moan, J. Comput. Appl. Math. 142 (2002) 313.) They are Runge–Kutta–Nyström methods: a kick depends on the attitude alone
+(S. Blanes, P. C. Moan, J. Comput. Appl. Math. 142 (2002) 313: the coefficients are cited from memory, their orders are tested.) They are Runge–Kutta–Nyström methods: a kick depends on the attitude alone
 and the free motion turns the body in proportion to L, so that with [A, B] for what flow and kick fail to commute, [B, [B, [B, A]]] = 0, and
 fewer conditions make an order. `tests/splitting.rs` proves each order on a heavy body without any symmetry.
 

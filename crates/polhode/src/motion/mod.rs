@@ -7,6 +7,7 @@
 pub(crate) mod closed_form;
 pub(crate) mod course;
 pub(crate) mod ending;
+pub(crate) mod ensemble;
 pub(crate) mod error;
 pub(crate) mod euler;
 pub(crate) mod event;

@@ -243,7 +243,11 @@ enum Way {
 }
 
 /// A start is input: what is wrong with it is not the computation's fault.
-fn require_finite(rotor: &Rotor, torques: &[TorqueModel], start: &State) -> Result<(), MotionError> {
+pub(super) fn require_finite(
+    rotor: &Rotor,
+    torques: &[TorqueModel],
+    start: &State,
+) -> Result<(), MotionError> {
     let (energy, momentum) = (rotor.kinetic_energy(start.omega), rotor.angular_momentum(start.omega).norm());
     for (what, value) in [
         ("the start's time", start.time),

@@ -12,4 +12,4 @@ mod runge_kutta;
 pub(crate) mod splitting;
 pub(crate) mod stepper;
 mod tableau;
-mod taylor;
+pub(super) mod taylor;

@@ -16,6 +16,8 @@ pub(crate) trait Machine: Copy {
     fn splat(self, number: f64) -> Self::Four;
     fn numbers(self, four: Self::Four) -> [f64; 4];
     fn eight(self, number: f64) -> Self::Eight;
+    fn load_eight(self, numbers: &[f64; 8]) -> Self::Eight;
+    fn eight_numbers(self, eight: Self::Eight) -> [f64; 8];
 
     /// Runs work as a function of its own, compiled for this machine.
     fn apart<R>(self, work: impl FnOnce() -> R) -> R;
@@ -54,6 +56,16 @@ impl<S: fearless_simd::Simd> Machine for S {
     }
 
     #[inline(always)]
+    fn load_eight(self, numbers: &[f64; 8]) -> Self::Eight {
+        fearless_simd::SimdFrom::simd_from(self, *numbers)
+    }
+
+    #[inline(always)]
+    fn eight_numbers(self, eight: Self::Eight) -> [f64; 8] {
+        eight.into()
+    }
+
+    #[inline(always)]
     fn apart<R>(self, work: impl FnOnce() -> R) -> R {
         self.vectorize(work)
     }
@@ -81,6 +93,14 @@ impl Machine for Plain {
 
     fn eight(self, number: f64) -> Lanes<8> {
         Lanes([number; 8])
+    }
+
+    fn load_eight(self, numbers: &[f64; 8]) -> Lanes<8> {
+        Lanes(*numbers)
+    }
+
+    fn eight_numbers(self, eight: Lanes<8>) -> [f64; 8] {
+        eight.0
     }
 
     #[inline(never)]

@@ -21,7 +21,7 @@ mod seen;
 mod stepper;
 mod sums;
 mod torque;
-mod turn;
+mod turned;
 
 pub(in crate::motion) use fleet::{Body, Kind, advance, kind};
 pub(super) use stepper::Taylor;
@@ -29,8 +29,8 @@ pub(super) use stepper::Taylor;
 use row::{Row, Series, TERMS, Vectors};
 use seen::Seen;
 use sums::{ByFours, Sums};
-use torque::{Known, StepStart, TorqueSeries, from_outside, row};
-use turn::turned_at;
+use torque::{Affine, Known, StepStart, TorqueSeries, from_outside, row, split};
+use turned::{Newest, Pair, Turned, turned_at};
 
 use super::piece::Piece;
 use crate::math::machine::{Machine, Work, in_vectors};
@@ -44,12 +44,16 @@ struct Expansion<N = f64> {
     ratios: Row<N>,
     /// 1/i; zero along an axis without inertia.
     inverses: Row<N>,
+    /// What is affine in ω and in a vector of space, which is expanded beside the turn.
+    affine: Affine<N>,
+    /// All other torques.
     torques: Vec<TorqueSeries<N>>,
+    /// Where there is no such vector: the first torque whose vector of space is expanded beside the turn.
+    rider: Option<usize>,
     /// What acts inside the body, if anything does.
     inside: Option<Box<Inside<N>>>,
     omega: Vectors<N>,
-    /// (w, x, y, z)
-    turn: Series<N>,
+    turned: Turned<N>,
     torque: Series<N>,
     impulse: Seen<N>,
     /// The work, component by component.
@@ -98,10 +102,12 @@ impl<N: Number> Expansion<N> {
             moments: none,
             ratios: none,
             inverses: none,
+            affine: Affine::none(zero),
             torques: Vec::new(),
+            rider: None,
             inside: None,
             omega: Vectors::all(zero),
-            turn: Series::all(zero),
+            turned: Turned::all(zero),
             torque: Series::all(zero),
             impulse: Seen::all(zero),
             work: Series::all(zero),
@@ -116,8 +122,13 @@ impl<N: Number> Expansion<N> {
     /// What kind of things act from now on.
     fn act(&mut self, piece: &Piece<'_>) {
         let zero = self.zero();
-        let models = from_outside(&piece.torques);
-        self.torques = models.map(|model| TorqueSeries::of(zero, model, piece.rotor)).collect();
+        let [affine, others] = split(from_outside(&piece.torques), piece.rotor);
+        self.affine = Affine::of(zero, &affine, piece.rotor);
+        self.torques =
+            others.into_iter().filter_map(|model| TorqueSeries::of(zero, model, piece.rotor)).collect();
+        let rider = self.torques.iter().position(TorqueSeries::can_ride);
+        self.rider = rider.filter(|_| !self.affine.carries());
+        self.turned.carries = self.affine.carries() || self.rider.is_some();
         // Nothing of a torque that has ended.
         (self.torque, self.impulse) = (Series::all(zero), Seen::all(zero));
         let is_plain = piece.rotor.wheels().is_empty() && piece.sink == 0.0;
@@ -139,7 +150,9 @@ impl<N: Number> Expansion<N> {
         self.moments.put(lane, Row([i1, i2, i3, 0.0]));
         self.ratios.put(lane, Row([over(i2 - i3, i1), over(i3 - i1, i2), over(i1 - i2, i3), 0.0]));
         self.inverses.put(lane, Row([over(1.0, i1), over(1.0, i2), over(1.0, i3), 0.0]));
-        for (series, model) in self.torques.iter_mut().zip(from_outside(&piece.torques)) {
+        let [affine, others] = split(from_outside(&piece.torques), piece.rotor);
+        self.affine.set(lane, &affine, piece.rotor);
+        for (series, model) in self.torques.iter_mut().zip(others) {
             series.set(lane, model, piece.rotor);
         }
         if let Some(inside) = &mut self.inside {
@@ -163,7 +176,7 @@ impl<N: Number> Expansion<N> {
 
     /// True if nothing has to be added up as evidence.
     fn is_free(&self) -> bool {
-        self.torques.is_empty() && self.inside.is_none()
+        self.affine.is_none() && self.torques.is_empty() && self.inside.is_none()
     }
 
     /// Where the body of a lane starts.
@@ -178,52 +191,79 @@ impl<N: Number> Expansion<N> {
             }
         }
         self.omega.put(0, lane, row(start.omega));
-        self.turn.put(0, lane, Row([1.0, 0.0, 0.0, 0.0]));
+        let rider = || self.torques.get(self.rider?)?.carried(lane);
+        let seen = self.affine.carried(lane, start).or_else(rider);
+        self.turned.start(lane, Row([1.0, 0.0, 0.0, 0.0]), seen.unwrap_or(Row::ZERO));
+    }
+
+    /// True if no more is asked for than the motion under torques of the affine kind, or none.
+    fn is_plain(&self) -> bool {
+        self.torques.is_empty() && self.inside.is_none() && !self.evidence
     }
 
     /// Expands the motion about where it starts.
     #[inline(always)]
     fn expand<M: Sums<N = N>>(&mut self, s: M) {
-        for n in 0..self.order {
-            self.extend(s, n);
+        let mut newest = Newest { omega: self.omega.rows.at(0), pair: self.turned.at(0) };
+        if self.is_plain() {
+            for n in 0..self.order {
+                newest = self.extend::<M, true>(s, n, &newest);
+            }
+        } else {
+            for n in 0..self.order {
+                newest = self.extend::<M, false>(s, n, &newest);
+            }
         }
+        self.omega.set(self.order, newest.omega);
+        self.turned.set(self.order, newest.pair);
     }
 
+    /// Coefficients n + 1 of all that is unknown, from those up to n.
     #[inline(always)]
-    fn extend<M: Sums<N = N>>(&mut self, s: M, n: usize) {
-        let next = n + 1;
-        let (mut rate, turned, mut power, turning);
-        if let Some(inside) = &mut self.inside {
+    fn extend<M: Sums<N = N>, const PLAIN: bool>(&mut self, s: M, n: usize, newest: &Newest<N>) -> Newest<N> {
+        let (next, none) = (n + 1, Row::splat(newest.omega.0[0].like(0.0)));
+        let (others, outer, mut rate, mut power, turning);
+        if let (false, Some(inside)) = (PLAIN, &mut self.inside) {
+            self.omega.learn(n, newest.omega);
+            self.turned.learn(n, newest.pair);
             (rate, power) = inside.extend(s, n, self.moments, self.inverses, &self.omega);
             turning = &inside.turning;
-            turned = turned_at(s.outer(&self.turn, turning, n));
+            let ends = [turning.rows.at(0), turning.rows.at(n)];
+            let before = s.before(&self.omega, &self.turned, turning, n);
+            (_, outer) = s.with(before, &self.omega, &self.turned, (turning, ends), (n, newest));
         } else {
-            let (others, outer) = s.others_and_outer(&self.omega, &self.turn, &self.omega, n);
+            let before = s.before(&self.omega, &self.turned, &self.omega, n);
+            self.omega.learn(n, newest.omega);
+            self.turned.learn(n, newest.pair);
             turning = &self.omega;
-            turned = turned_at(outer);
-            (rate, power) = (self.ratios * others, Row::splat(self.ratios.0[0].like(0.0)));
+            let ends = [turning.rows.at(0), newest.omega];
+            (others, outer) = s.with(before, &self.omega, &self.turned, (turning, ends), (n, newest));
+            (rate, power) = (self.ratios * others, none);
         }
-        if !self.torques.is_empty() {
-            let known = Known { s, omega: &self.omega, turning, turn: &self.turn };
-            let mut torque = Row::splat(self.ratios.0[0].like(0.0));
+        let [turn, seen] = turned_at(outer);
+        let mut torque = self.affine.coefficient(n, newest.pair.seen(), newest.omega);
+        let mut carried = if self.affine.carries() { seen.over(next).vector() } else { none };
+        if !PLAIN {
+            let known = Known { s, omega: &self.omega, turning, turned: &self.turned };
             for series in &mut self.torques {
                 torque = torque + series.coefficient(n, &known);
             }
-            self.torque.set(n, torque);
-            rate = rate + self.inverses * torque;
-            for series in &mut self.torques {
-                series.extend(n, &known);
-            }
-            if self.evidence {
-                self.impulse.extend(s, n, turning, torque);
-                power = power + s.product(&self.torque, &self.omega.rows, n);
+            for (k, series) in self.torques.iter_mut().enumerate() {
+                let rides = self.rider == Some(k);
+                let next = series.extend(n, &known, if rides { Some(seen) } else { None });
+                if let (true, Some(next)) = (rides, next) {
+                    carried = next;
+                }
             }
         }
-        if self.evidence {
+        self.torque.set(n, torque);
+        rate = rate + self.inverses * torque;
+        if !PLAIN && self.evidence {
+            self.impulse.extend(s, n, turning, torque);
+            power = power + s.product(&self.torque, &self.omega.rows, n);
             self.work.set(next, power.over(next));
         }
-        self.turn.set(next, turned.over(2 * next));
-        self.omega.set(next, rate.over(next));
+        Newest { omega: rate.over(next), pair: Pair::new(turn.over(2 * next), carried) }
     }
 
     /// The longest step at which the terms that are left out are as small as they should be; `scale` is what ω is measured with.
@@ -233,7 +273,9 @@ impl<N: Number> Expansion<N> {
     fn step(&self, scale: N) -> N {
         let p = self.order;
         // ω = 0 has none, even where nothing turns: the larger of NaN and a number is the number.
-        let size = |n: usize| (self.omega.rows[n].largest() / scale).zip(self.turn[n].largest(), f64::max);
+        let size = |n: usize| {
+            (self.omega.rows[n].largest() / scale).zip(self.turned.at(n).turn().largest(), f64::max)
+        };
         // log₂ of a radius: digits beyond the third do not matter.
         let radius = |n: usize| size(n).map(|size| -rough_log2(size) / n as f64);
         radius(p).zip(radius(p - 1), |a, b| rough_exp2(a.min(b) + self.reach))
@@ -249,7 +291,7 @@ impl<N: Number> Expansion<N> {
     fn at<M: Sums<N = N>>(&self, s: M, h: N) -> Increment<N> {
         let (p, zero) = (self.order, self.zero());
         let [x, y, z, _] = s.increment(&self.omega.rows, p, h).0;
-        let turn = s.increment(&self.turn, p, h).0;
+        let turn = s.turn_increment(&self.turned, p, h).0;
         let mut sum = Increment { omega: [x, y, z], turn, impulse: [zero; 3], work: zero };
         if self.evidence && !self.is_free() {
             let [a, b, c, _] = s.increment(self.impulse.series(), p, h).0;

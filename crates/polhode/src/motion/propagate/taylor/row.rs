@@ -100,7 +100,7 @@ impl<N: Number> Mul for Row<N> {
 pub(super) const TERMS: usize = 25;
 
 /// Zeros before the first coefficient: as many as a loop by fours may read too far.
-const MARGIN: usize = 3;
+pub(super) const MARGIN: usize = 3;
 
 /// Taylor coefficients, from the constant on.
 #[derive(Clone, Copy, Debug)]
@@ -158,50 +158,34 @@ impl<N: Number> Deref for Series<N> {
     }
 }
 
-/// Taylor coefficients of a number, as the rows'.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Numbers<N = f64>([N; MARGIN + TERMS]);
-
-impl<N: Number> Numbers<N> {
-    #[inline(always)]
-    pub(super) fn set(&mut self, n: usize, x: N) {
-        self.0[MARGIN + n] = x;
-    }
-
-    /// Coefficient n.
-    #[inline(always)]
-    pub(super) fn at(&self, n: usize) -> N {
-        self.0[MARGIN + n]
-    }
-
-    /// As [`Series::backward`].
-    #[inline(always)]
-    pub(super) fn backward(&self, n: usize) -> impl Iterator<Item = &[N; 4]> {
-        self.0[..MARGIN + n].as_rchunks().1.iter().rev()
-    }
-}
-
 /// Taylor coefficients of a vector, with what its products need.
 ///
-/// What comes after the rows are copies of them. Eight bodies need none: their components lie apart.
+/// What comes after the rows is a copy of them. Eight bodies need none: their components lie apart.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Vectors<N = f64> {
     pub(super) rows: Series<N>,
     /// The same turned, as (a2 a3, a3 a1, a1 a2) needs it.
     pub(super) turned: Series<N>,
-    /// Each component by itself: it multiplies whole rows.
-    pub(super) components: [Numbers<N>; 3],
 }
 
 impl<N: Number> Vectors<N> {
     pub(super) fn all(x: N) -> Self {
-        Self { rows: Series::all(x), turned: Series::all(x), components: [Numbers([x; MARGIN + TERMS]); 3] }
+        Self { rows: Series::all(x), turned: Series::all(x) }
     }
 
     #[inline(always)]
     pub(super) fn set(&mut self, n: usize, row: Row<N>) {
         self.rows.set(n, row.vector());
         self.copy(n, row);
+    }
+
+    /// The newest coefficient; the place of the next row is cleared, for sums that do without it.
+    #[inline(always)]
+    pub(super) fn learn(&mut self, n: usize, row: Row<N>) {
+        self.set(n, row);
+        if N::LANES == 1 {
+            self.rows.set(n + 1, Row::splat(row.0[0].like(0.0)));
+        }
     }
 
     /// Sets coefficient n of one lane.
@@ -213,13 +197,8 @@ impl<N: Number> Vectors<N> {
 
     #[inline(always)]
     fn copy(&mut self, n: usize, row: Row<N>) {
-        if N::LANES > 1 {
-            return;
+        if N::LANES == 1 {
+            self.turned.set(n, row.turned());
         }
-        self.turned.set(n, row.turned());
-        let ([a, b, c], [x, y, z, _]) = (&mut self.components, row.0);
-        a.set(n, x);
-        b.set(n, y);
-        c.set(n, z);
     }
 }

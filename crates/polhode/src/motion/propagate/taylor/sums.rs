@@ -1,13 +1,14 @@
 //! Sums of products of Taylor coefficients, as the machine does them best.
 //!
-//! Almost all the time of a step is spent in these sums. Of one body ([`ByFours`]) two things count: the terms that need the newest
-//! coefficients come last, so that the processor works on all others while those are still being made; and loops have few, foreseeable
-//! ends: they go by fours, over coefficients that are not known yet and therefore zero.
+//! Almost all the time of a step is spent in these sums. Of one body ([`ByFours`]) three things count: what needs the newest coefficients
+//! comes last, so that the processor works on all else while those are still being made; loops have few, foreseeable ends: they go by
+//! fours, over coefficients that are not known yet and therefore zero; and what is multiplied by the same numbers is in one register.
 //!
 //! Of eight bodies ([`SideBySide`]) there is enough to do meanwhile, and loops end where they should. The order of the terms is the same,
 //! and a sum that begins with +0 does not change by zeros: so each lane has the bits that its body has alone.
 
 use super::row::{Row, Series, Vectors};
+use super::turned::{Newest, Pair, Turned};
 use crate::math::machine::{Machine, Plain};
 use crate::math::number::Number;
 
@@ -15,6 +16,8 @@ use crate::math::number::Number;
 pub(super) trait Sums: Copy {
     /// What is added up.
     type N: Number;
+    /// Sums that are not complete yet.
+    type Before;
     /// How they are done in a function of its own.
     type Apart: Sums<N = Self::N>;
 
@@ -30,14 +33,28 @@ pub(super) trait Sums: Copy {
     /// Coefficient n of (a2 a3, a3 a1, a1 a2).
     fn others(self, a: &Vectors<Self::N>, n: usize) -> Row<Self::N>;
 
-    /// Both of the last, in one loop.
-    fn others_and_outer(
+    /// Coefficients n of (ω2 ω3 …) and of what turns times each component of Ω, without the products that coefficients n have a part in:
+    /// sums that the processor works on while those are still being made.
+    fn before(
         self,
-        a: &Vectors<Self::N>,
-        x: &Series<Self::N>,
-        b: &Vectors<Self::N>,
+        omega: &Vectors<Self::N>,
+        turned: &Turned<Self::N>,
+        turning: &Vectors<Self::N>,
         n: usize,
-    ) -> (Row<Self::N>, [Row<Self::N>; 3]);
+    ) -> Self::Before;
+
+    /// With those products too; by now coefficients n are in their places, and those 0 and n of Ω are given.
+    fn with(
+        self,
+        before: Self::Before,
+        omega: &Vectors<Self::N>,
+        turned: &Turned<Self::N>,
+        turning: (&Vectors<Self::N>, [Row<Self::N>; 2]),
+        newest: (usize, &Newest<Self::N>),
+    ) -> (Row<Self::N>, [Pair<Self::N>; 3]);
+
+    /// What the turn's series adds to its constant.
+    fn turn_increment(self, turned: &Turned<Self::N>, order: usize, h: Self::N) -> Row<Self::N>;
 
     /// c₁ h + c₂ h² + … up to an order: what a series adds to its constant.
     fn increment(self, c: &Series<Self::N>, order: usize, h: Self::N) -> Row<Self::N>;
@@ -56,6 +73,7 @@ pub(super) struct ByFours<S>(pub(super) S);
 
 impl<S: Machine> Sums for ByFours<S> {
     type N = f64;
+    type Before = (S::Four, [S::Eight; 3]);
     type Apart = ByFours<Plain>;
 
     #[inline(never)]
@@ -78,20 +96,19 @@ impl<S: Machine> Sums for ByFours<S> {
     #[inline(always)]
     fn outer(self, x: &Series, b: &Vectors, n: usize) -> [Row; 3] {
         let s = self.0;
-        let [b1, b2, b3] = &b.components;
         let [mut p, mut q, mut r] = [s.splat(0.0); 3];
-        for (x, ((b1, b2), b3)) in x.forward().zip(b1.backward(n).zip(b2.backward(n)).zip(b3.backward(n))) {
+        for (x, b) in x.forward().zip(b.rows.backward(n)) {
             for k in 0..4 {
-                let x = s.load(&x[k].0);
-                p = p + x * s.splat(b1[3 - k]);
-                q = q + x * s.splat(b2[3 - k]);
-                r = r + x * s.splat(b3[3 - k]);
+                let (x, [b1, b2, b3, _]) = (s.load(&x[k].0), b[3 - k].0);
+                p = p + x * s.splat(b1);
+                q = q + x * s.splat(b2);
+                r = r + x * s.splat(b3);
             }
         }
-        let x = s.load(&x.at(0).0);
-        p = p + x * s.splat(b1.at(n));
-        q = q + x * s.splat(b2.at(n));
-        r = r + x * s.splat(b3.at(n));
+        let (x, [b1, b2, b3, _]) = (s.load(&x.at(0).0), b.rows.at(n).0);
+        p = p + x * s.splat(b1);
+        q = q + x * s.splat(b2);
+        r = r + x * s.splat(b3);
         [p, q, r].map(|sum| Row(s.numbers(sum)))
     }
 
@@ -102,41 +119,77 @@ impl<S: Machine> Sums for ByFours<S> {
     }
 
     #[inline(always)]
-    fn others_and_outer(self, a: &Vectors, x: &Series, b: &Vectors, n: usize) -> (Row, [Row; 3]) {
+    fn before(self, omega: &Vectors, turned: &Turned, turning: &Vectors, n: usize) -> Self::Before {
         let s = self.0;
-        let [b1, b2, b3] = &b.components;
-        let [mut others, mut p, mut q, mut r] = [s.splat(0.0); 4];
-        let forward = a.rows.forward().zip(x.forward());
-        let backward = b1.backward(n).zip(b2.backward(n)).zip(b3.backward(n)).zip(a.turned.backward(n));
-        for ((a, x), (((b1, b2), b3), turned)) in forward.zip(backward) {
+        let mut others = s.splat(0.0);
+        let [mut p, mut q, mut r] = [s.eight(0.0); 3];
+        let forward = omega.rows.forward().zip(turned.forward());
+        let backward = turning.rows.backward(n).zip(omega.turned.backward(n));
+        for ((w, pairs), (turning, back)) in forward.zip(backward) {
             for k in 0..4 {
-                others = others + s.load(&a[k].0) * s.load(&turned[3 - k].0);
-                let x = s.load(&x[k].0);
-                p = p + x * s.splat(b1[3 - k]);
-                q = q + x * s.splat(b2[3 - k]);
-                r = r + x * s.splat(b3[3 - k]);
+                others = others + s.load(&w[k].0) * s.load(&back[3 - k].0);
+                let (pair, [x, y, z, _]) = (s.load_eight(&pairs[k].0), turning[3 - k].0);
+                p = p + pair * s.eight(x);
+                q = q + pair * s.eight(y);
+                r = r + pair * s.eight(z);
             }
         }
-        let x = s.load(&x.at(0).0);
-        others = others + s.load(&a.rows.at(0).0) * s.load(&a.turned.at(n).0);
-        let outer = [p + x * s.splat(b1.at(n)), q + x * s.splat(b2.at(n)), r + x * s.splat(b3.at(n))];
-        (Row(s.numbers(others)).turned(), outer.map(|sum| Row(s.numbers(sum))))
+        (others, [p, q, r])
+    }
+
+    #[inline(always)]
+    fn with(
+        self,
+        (mut others, [mut p, mut q, mut r]): Self::Before,
+        omega: &Vectors,
+        turned: &Turned,
+        (_, [first, last]): (&Vectors, [Row; 2]),
+        (n, newest): (usize, &Newest),
+    ) -> (Row, [Pair; 3]) {
+        let s = self.0;
+        if n > 0 {
+            others = others + s.load(&newest.omega.0) * s.load(&omega.turned.at(0).0);
+            let (pair, [x, y, z, _]) = (s.load_eight(&newest.pair.0), first.0);
+            p = p + pair * s.eight(x);
+            q = q + pair * s.eight(y);
+            r = r + pair * s.eight(z);
+        }
+        others = others + s.load(&omega.rows.at(0).0) * s.load(&newest.omega.turned().0);
+        let (pair, [x, y, z, _]) = (s.load_eight(&turned.at(0).0), last.0);
+        p = p + pair * s.eight(x);
+        q = q + pair * s.eight(y);
+        r = r + pair * s.eight(z);
+        // ω and ω turned: turning once more brings (ω1 ω2, ω2 ω3, ω3 ω1) there.
+        (Row(s.numbers(others)).turned(), [p, q, r].map(|sum| Pair(s.eight_numbers(sum))))
+    }
+
+    #[inline(always)]
+    fn turn_increment(self, turned: &Turned, order: usize, h: f64) -> Row {
+        self.polynomial(&turned.pairs()[1..=order], |pair| pair.turn().0, h)
     }
 
     #[inline(always)]
     fn increment(self, c: &Series, order: usize, h: f64) -> Row {
+        self.polynomial(&c[1..=order], |row| row.0, h)
+    }
+}
+
+impl<S: Machine> ByFours<S> {
+    /// c₁ h + c₂ h² + …
+    #[inline(always)]
+    fn polynomial<T>(self, c: &[T], row: impl Fn(&T) -> [f64; 4], h: f64) -> Row {
         let s = self.0;
         let h = s.splat(h);
         // Odd and even powers by themselves: two short chains instead of a long one.
         let square = h * h;
         let (mut odd, mut even) = (s.splat(0.0), s.splat(0.0));
-        let (pairs, last) = c[1..=order].as_chunks();
+        let (pairs, last) = c.as_chunks();
         if let [last] = last {
-            odd = s.load(&last.0);
+            odd = s.load(&row(last));
         }
         for [first, second] in pairs.iter().rev() {
-            odd = odd * square + s.load(&first.0);
-            even = even * square + s.load(&second.0);
+            odd = odd * square + s.load(&row(first));
+            even = even * square + s.load(&row(second));
         }
         Row(s.numbers((odd + even * h) * h))
     }
@@ -146,15 +199,9 @@ impl<S: Machine> Sums for ByFours<S> {
 #[derive(Clone, Copy)]
 pub(super) struct SideBySide<S>(pub(super) S);
 
-impl<S: Machine> SideBySide<S> {
-    #[inline(always)]
-    fn zero(self) -> Row<S::Eight> {
-        Row::splat(self.0.eight(0.0))
-    }
-}
-
 impl<S: Machine> Sums for SideBySide<S> {
     type N = S::Eight;
+    type Before = ();
     type Apart = Self;
 
     #[inline(always)]
@@ -195,35 +242,75 @@ impl<S: Machine> Sums for SideBySide<S> {
     }
 
     #[inline(always)]
-    fn others_and_outer(
+    fn before(
         self,
-        a: &Vectors<S::Eight>,
-        x: &Series<S::Eight>,
-        b: &Vectors<S::Eight>,
-        n: usize,
-    ) -> (Row<S::Eight>, [Row<S::Eight>; 3]) {
-        let (a, b) = (&a.rows, &b.rows);
-        let (mut others, mut sums) = (self.zero(), [self.zero(); 3]);
-        let forward = a[1..=n].iter().zip(&x[1..=n]);
-        let backward = a[..n].iter().rev().zip(b[..n].iter().rev());
-        for ((&a, &x), (&back, b)) in forward.zip(backward) {
-            others = others + a * back.turned();
-            sums = plus_outer(sums, x, b);
+        _: &Vectors<S::Eight>,
+        _: &Turned<S::Eight>,
+        _: &Vectors<S::Eight>,
+        _: usize,
+    ) -> Self::Before {
+    }
+
+    #[inline(always)]
+    fn with(
+        self,
+        (): Self::Before,
+        omega: &Vectors<S::Eight>,
+        turned: &Turned<S::Eight>,
+        (turning, _): (&Vectors<S::Eight>, [Row<S::Eight>; 2]),
+        (n, _): (usize, &Newest<S::Eight>),
+    ) -> (Row<S::Eight>, [Pair<S::Eight>; 3]) {
+        let (omega, turning, pairs) = (&omega.rows, &turning.rows, turned.pairs());
+        let (mut others, mut turns) = (self.zero(), [self.zero(); 3]);
+        let forward = omega[1..=n].iter().zip(&pairs[1..=n]);
+        let backward = omega[..n].iter().rev().zip(turning[..n].iter().rev());
+        for ((&w, x), (&back, b)) in forward.zip(backward) {
+            others = others + w * back.turned();
+            turns = plus_outer(turns, x.turn(), b);
         }
-        ((others + a[0] * a[n].turned()).turned().vector(), plus_outer(sums, x[0], &b[n]))
+        others = (others + omega[0] * omega[n].turned()).turned().vector();
+        let [p, q, r] = plus_outer(turns, pairs[0].turn(), &turning[n]);
+        let mut seen = [self.zero(); 3];
+        if turned.carries {
+            // A loop of its own: there are no more registers.
+            for (x, b) in pairs[1..=n].iter().zip(turning[..n].iter().rev()) {
+                seen = plus_outer(seen, x.seen(), b);
+            }
+            seen = plus_outer(seen, pairs[0].seen(), &turning[n]);
+        }
+        let [a, b, c] = seen;
+        (others, [Pair::new(p, a), Pair::new(q, b), Pair::new(r, c)])
+    }
+
+    #[inline(always)]
+    fn turn_increment(self, turned: &Turned<S::Eight>, order: usize, h: S::Eight) -> Row<S::Eight> {
+        self.polynomial(&turned.pairs()[1..=order], |pair| pair.turn(), h)
     }
 
     #[inline(always)]
     fn increment(self, c: &Series<S::Eight>, order: usize, h: S::Eight) -> Row<S::Eight> {
+        self.polynomial(&c[1..=order], |row| *row, h)
+    }
+}
+
+impl<S: Machine> SideBySide<S> {
+    #[inline(always)]
+    fn zero(self) -> Row<S::Eight> {
+        Row::splat(self.0.eight(0.0))
+    }
+
+    /// c₁ h + c₂ h² + …
+    #[inline(always)]
+    fn polynomial<T>(self, c: &[T], row: impl Fn(&T) -> Row<S::Eight>, h: S::Eight) -> Row<S::Eight> {
         let (h, square) = (Row::splat(h), Row::splat(h * h));
         let (mut odd, mut even) = (self.zero(), self.zero());
-        let (pairs, last) = c[1..=order].as_chunks();
-        if let &[last] = last {
-            odd = last;
+        let (pairs, last) = c.as_chunks();
+        if let [last] = last {
+            odd = row(last);
         }
-        for &[first, second] in pairs.iter().rev() {
-            odd = odd * square + first;
-            even = even * square + second;
+        for [first, second] in pairs.iter().rev() {
+            odd = odd * square + row(first);
+            even = even * square + row(second);
         }
         (odd + even * h) * h
     }

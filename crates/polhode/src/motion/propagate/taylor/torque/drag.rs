@@ -1,7 +1,7 @@
 //! The series of drag.
 //!
-//! N = −C ω, or −s D ω with s = |ω|, whose series is that of the root of ω · ω. It has one from rest too: ω = tᵐ v with v ≠ 0 at the
-//! start has s = tᵐ |v| for the times that follow.
+//! Linear drag, N = −C ω, is affine (`affine.rs`). Quadratic drag is −s D ω with s = |ω|, whose series is that of the root of ω · ω. It has
+//! one from rest too: ω = tᵐ v with v ≠ 0 at the start has s = tᵐ |v| for the times that follow.
 //!
 //! |ω| has a corner where ω passes through zero, and the series from before goes on as if it had none. So no step goes further than nine
 //! tenths of the way to where ω would vanish (`reach`). Some fifteen steps later ω is what it changes in a few roundings of the time: then
@@ -14,7 +14,7 @@ use super::linear::{cleaned, times};
 use super::{Known, StepStart};
 use crate::math::number::Number;
 use crate::motion::rotor::Rotor;
-use crate::motion::torque::{Drag, DragLaw};
+use crate::motion::torque::Drag;
 
 /// ω is at rest, if it changes by itself in as many roundings of the time.
 const CLOSEST: f64 = 16.0 * f64::EPSILON;
@@ -25,12 +25,12 @@ const REACH: f64 = 0.9;
 /// ω below this (rad/s) is rest: its square is no double.
 const REST: f64 = 1e-150;
 
-/// The series of drag.
+/// The series of quadratic drag.
 #[derive(Clone, Debug)]
 pub(in super::super) struct DragSeries<N> {
-    /// Columns of −C or −D, principal axes.
+    /// Columns of −D, principal axes.
     columns: [Row<N>; 3],
-    speed: Option<Box<Speed<N>>>,
+    speed: Speed<N>,
 }
 
 /// The series of |ω|.
@@ -53,38 +53,36 @@ struct Speed<N> {
     rate: N,
 }
 
+/// Columns of −C or −D, principal axes.
+pub(super) fn columns(model: &Drag, rotor: &Rotor) -> [Row; 3] {
+    // Rᵀ C R, and C is symmetric: its columns are its rows.
+    let columns = model.matrix_along(&rotor.principal().rotation().inverse().matrix());
+    cleaned(columns, rotor).map(|column| Row::ZERO - column)
+}
+
 impl<N: Number> DragSeries<N> {
-    pub(super) fn of(zero: N, model: &Drag) -> Self {
-        let speed = match model.law() {
-            DragLaw::Linear => None,
-            DragLaw::Quadratic => Some(Box::new(Speed::all(zero))),
-        };
-        Self { columns: [Row::splat(zero); 3], speed }
+    pub(super) fn all(zero: N) -> Self {
+        Self { columns: [Row::splat(zero); 3], speed: Speed::all(zero) }
     }
 
     pub(super) fn set(&mut self, lane: usize, model: &Drag, rotor: &Rotor) {
-        // Rᵀ C R, and C is symmetric: its columns are its rows.
-        let columns = cleaned(model.matrix_along(&rotor.principal().rotation().inverse().matrix()), rotor);
-        for (place, column) in self.columns.iter_mut().zip(columns) {
-            place.put(lane, Row::ZERO - column);
+        for (place, column) in self.columns.iter_mut().zip(columns(model, rotor)) {
+            place.put(lane, column);
         }
-        if let Some(speed) = &mut self.speed {
-            speed.rate.put(lane, 0.0);
-        }
+        self.speed.rate.put(lane, 0.0);
     }
 
     pub(super) fn start(&mut self, lane: usize, at: &StepStart) {
-        if let Some(speed) = &mut self.speed {
-            speed.leads.clear();
-            speed.waiting = all_lanes::<N>();
-            speed.rest.put(lane, REST.max(CLOSEST * at.time.abs() * speed.rate.lane(lane)));
-            speed.square[1].put(lane, 0.0);
-        }
+        let speed = &mut self.speed;
+        speed.leads.clear();
+        speed.waiting = all_lanes::<N>();
+        speed.rest.put(lane, REST.max(CLOSEST * at.time.abs() * speed.rate.lane(lane)));
+        speed.square[1].put(lane, 0.0);
     }
 
     /// The longest step that the series is good for, s.
     pub(super) fn reach(&self, lane: usize) -> f64 {
-        let Some(speed) = &self.speed else { return f64::INFINITY };
+        let speed = &self.speed;
         let [square, slope] = [speed.square[0].lane(lane), speed.square[1].lane(lane)];
         // v · v = a (τ − t)² near a corner: τ = −2 (v · v)₀/(v · v)₁
         if speed.waiting >> lane & 1 == 0 && slope < 0.0 {
@@ -97,10 +95,7 @@ impl<N: Number> DragSeries<N> {
     #[inline(always)]
     pub(super) fn coefficient<M: Sums<N = N>>(&mut self, n: usize, known: &Known<'_, M>) -> Row<N> {
         let bent = times(&self.columns, known.omega.rows[n]);
-        match &mut self.speed {
-            None => bent,
-            Some(speed) => speed.times(n, known, bent),
-        }
+        self.speed.times(n, known, bent)
     }
 }
 

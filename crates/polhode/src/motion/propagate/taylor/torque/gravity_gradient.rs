@@ -75,8 +75,18 @@ impl<N: Number> GravityGradientSeries<N> {
     }
 
     #[inline(always)]
-    pub(super) fn extend<M: Sums<N = N>>(&mut self, n: usize, known: &Known<'_, M>) {
-        self.orbit.extend(n, known);
+    pub(super) fn extend<M: Sums<N = N>>(
+        &mut self,
+        n: usize,
+        known: &Known<'_, M>,
+        turned: Option<Row<N>>,
+    ) -> Row<N> {
+        self.orbit.extend(n, known, turned)
+    }
+
+    /// ρ of a lane at the start of a step.
+    pub(super) fn carried(&self, lane: usize) -> Row {
+        self.orbit.rho.rows.at(0).lane(lane)
     }
 }
 

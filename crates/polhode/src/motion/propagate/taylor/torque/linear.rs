@@ -6,10 +6,10 @@ use super::super::sums::Sums;
 use super::{Known, StepStart, row};
 use crate::math::frame::{Body, Principal, Space};
 use crate::math::number::Number;
-use crate::math::vector::{Direction, Torque};
+use crate::math::vector::Direction;
 use crate::motion::propagate::chart::{ROUNDING, THIN};
 use crate::motion::rotor::Rotor;
-use crate::motion::torque::UniformGravity;
+use crate::motion::torque::{ConstantTorque, TorqueModel};
 
 /// N = A v, v̇ = v × Ω: v is constant in space and seen from the body.
 #[derive(Clone, Debug)]
@@ -17,6 +17,7 @@ pub(in super::super) struct LinearSeries<N> {
     in_space: Row<N>,
     /// Columns of A.
     columns: [Row<N>; 3],
+    /// Where it is not expanded beside the turn.
     v: Seen<N>,
 }
 
@@ -25,15 +26,19 @@ impl<N: Number> LinearSeries<N> {
         Self { in_space: Row::splat(zero), columns: [Row::splat(zero); 3], v: Seen::all(zero) }
     }
 
-    pub(super) fn set_constant(&mut self, lane: usize, torque: Torque<Space>, rotor: &Rotor) {
-        self.set(lane, torque.as_quantity(), |v| v, rotor);
-    }
-
-    /// N = l × M g
-    pub(super) fn set_gravity(&mut self, lane: usize, gravity: &UniformGravity, rotor: &Rotor) {
-        let lever: Direction<Body> = (rotor.lever() * rotor.mass()).as_quantity();
-        let lever = rotor.principal().rotation().inverse() * lever;
-        self.set(lane, gravity.acceleration.as_quantity(), |v| lever.cross(v), rotor);
+    /// A constant torque's own vector, or N = l × M g.
+    pub(super) fn set_model(&mut self, lane: usize, model: &TorqueModel, rotor: &Rotor) {
+        match model {
+            TorqueModel::Constant(ConstantTorque::Space(torque)) => {
+                self.set(lane, torque.as_quantity(), |v| v, rotor);
+            }
+            TorqueModel::Gravity(gravity) => {
+                let lever: Direction<Body> = (rotor.lever() * rotor.mass()).as_quantity();
+                let lever = rotor.principal().rotation().inverse() * lever;
+                self.set(lane, gravity.acceleration.as_quantity(), |v| lever.cross(v), rotor);
+            }
+            _ => {}
+        }
     }
 
     fn set(
@@ -53,13 +58,24 @@ impl<N: Number> LinearSeries<N> {
     }
 
     pub(super) fn start(&mut self, lane: usize, at: &StepStart) {
+        self.v.start(lane, self.carried(lane, at));
+    }
+
+    /// v of a lane at the start of a step.
+    pub(super) fn carried(&self, lane: usize, at: &StepStart) -> Row {
         let [x, y, z, _] = self.in_space.lane(lane).0;
-        self.v.start(lane, row(at.attitude.inverse() * Direction::<Space>::new(x, y, z)));
+        row(at.attitude.inverse() * Direction::<Space>::new(x, y, z))
     }
 
     #[inline(always)]
     pub(super) fn coefficient(&self, n: usize) -> Row<N> {
-        times(&self.columns, self.v.coefficient(n))
+        self.torque(self.v.coefficient(n))
+    }
+
+    /// A v
+    #[inline(always)]
+    pub(super) fn torque(&self, v: Row<N>) -> Row<N> {
+        times(&self.columns, v)
     }
 
     #[inline(always)]

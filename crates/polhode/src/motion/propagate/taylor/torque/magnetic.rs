@@ -87,7 +87,7 @@ impl<N: Number> MagneticSeries<N> {
         let none = Row::splat(self.moment.0[0].like(0.0));
         self.seen.extend(known.s, n, known.turning, none);
         if let Some(dipole) = &mut self.dipole {
-            dipole.orbit.extend(n, known);
+            dipole.orbit.extend(n, known, None);
         }
     }
 }

@@ -4,6 +4,7 @@
 //! lane at a state; for each n, give `coefficient` n of the torque, from coefficients up to n of everything that is known; and `extend`
 //! its own series to n + 1.
 
+mod affine;
 mod drag;
 mod formula;
 mod gravity_gradient;
@@ -12,8 +13,9 @@ mod magnetic;
 mod orbit;
 mod torsion;
 
-use super::row::{Row, Series, Vectors};
+use super::row::{Row, Vectors};
 use super::sums::Sums;
+use super::turned::Turned;
 use crate::math::frame::{Principal, Space};
 use crate::math::number::Number;
 use crate::math::rotation::Rotation;
@@ -21,6 +23,7 @@ use crate::math::vector::{AngularVelocity, Vector};
 use crate::motion::rotor::Rotor;
 use crate::motion::torque::{Attracted, ConstantTorque, DragLaw, MagneticField, TorqueModel};
 
+pub(super) use affine::{Affine, split};
 use drag::DragSeries;
 use formula::FormulaSeries;
 use gravity_gradient::GravityGradientSeries;
@@ -28,11 +31,9 @@ use linear::LinearSeries;
 use magnetic::MagneticSeries;
 use torsion::TorsionSeries;
 
-/// The series of one torque over one step.
+/// The series of one torque over one step, if it is not among the [`Affine`].
 #[derive(Clone, Debug)]
 pub(super) enum TorqueSeries<N = f64> {
-    /// Constant along the body's axes.
-    Body(Row<N>),
     /// Linear in a vector that is constant in space.
     Linear(Box<LinearSeries<N>>),
     GravityGradient(Box<GravityGradientSeries<N>>),
@@ -60,18 +61,18 @@ pub(super) struct Known<'a, M: Sums> {
     pub(super) omega: &'a Vectors<M::N>,
     /// Ω, at which the axes turn: ω unless friction inside the body makes a difference.
     pub(super) turning: &'a Vectors<M::N>,
-    /// The turn since the start of the step, (w, x, y, z).
-    pub(super) turn: &'a Series<M::N>,
+    /// The turn since the start of the step.
+    pub(super) turned: &'a Turned<M::N>,
 }
 
 impl<'a, M: Sums> Known<'a, M> {
     /// Runs what is long apart.
     #[inline(always)]
     fn apart<R>(&self, work: impl FnOnce(&Known<'a, M::Apart>) -> R) -> R {
-        let Self { omega, turning, turn, .. } = *self;
+        let Self { omega, turning, turned, .. } = *self;
         self.s.apart(
             #[inline(always)]
-            |s| work(&Known { s, omega, turning, turn }),
+            |s| work(&Known { s, omega, turning, turned }),
         )
     }
 }
@@ -124,40 +125,30 @@ pub(super) fn from_outside<'a>(torques: &[&'a TorqueModel]) -> impl Iterator<Ite
 }
 
 impl<N: Number> TorqueSeries<N> {
-    /// For all bodies with a model of this kind.
-    pub(super) fn of(zero: N, model: &TorqueModel, rotor: &Rotor) -> Self {
-        match model {
+    /// For all bodies with a model of this kind; `None` for what is always affine.
+    pub(super) fn of(zero: N, model: &TorqueModel, rotor: &Rotor) -> Option<Self> {
+        Some(match model {
             TorqueModel::Constant(ConstantTorque::Space(_)) | TorqueModel::Gravity(_) => {
                 Self::Linear(Box::new(LinearSeries::all(zero)))
             }
             TorqueModel::GravityGradient(model) => {
                 Self::GravityGradient(Box::new(GravityGradientSeries::of(zero, model, rotor)))
             }
-            TorqueModel::Drag(model) => Self::Drag(Box::new(DragSeries::of(zero, model))),
+            TorqueModel::Drag(_) => Self::Drag(Box::new(DragSeries::all(zero))),
             TorqueModel::Torsion(model) => Self::Torsion(Box::new(TorsionSeries::of(zero, model))),
             TorqueModel::Magnetic(model) => Self::Magnetic(Box::new(MagneticSeries::of(zero, model))),
             TorqueModel::Formula(_) => Self::Formula(vec![None; N::LANES]),
             TorqueModel::Constant(ConstantTorque::Body(_))
             | TorqueModel::Thruster(_)
             | TorqueModel::EnergySink(_)
-            | TorqueModel::Scheduled(_) => Self::Body(Row::splat(zero)),
-        }
+            | TorqueModel::Scheduled(_) => return None,
+        })
     }
 
     /// What a lane's body has; a model of this kind.
     pub(super) fn set(&mut self, lane: usize, model: &TorqueModel, rotor: &Rotor) {
-        let to_principal = rotor.principal().rotation().inverse();
         match (self, model) {
-            (Self::Body(torque), TorqueModel::Constant(ConstantTorque::Body(n))) => {
-                torque.put(lane, row(to_principal * *n));
-            }
-            (Self::Body(torque), TorqueModel::Thruster(thruster)) => {
-                torque.put(lane, row(to_principal * thruster.torque(rotor)));
-            }
-            (Self::Linear(series), TorqueModel::Constant(ConstantTorque::Space(n))) => {
-                series.set_constant(lane, *n, rotor);
-            }
-            (Self::Linear(series), TorqueModel::Gravity(model)) => series.set_gravity(lane, model, rotor),
+            (Self::Linear(series), model) => series.set_model(lane, model, rotor),
             (Self::GravityGradient(series), TorqueModel::GravityGradient(model)) => {
                 series.set(lane, model, rotor);
             }
@@ -174,13 +165,25 @@ impl<N: Number> TorqueSeries<N> {
     /// Starts a step of a lane.
     pub(super) fn start(&mut self, lane: usize, at: &StepStart) {
         match self {
-            Self::Body(_) => {}
             Self::Linear(series) => series.start(lane, at),
             Self::GravityGradient(series) => series.start(lane, at),
             Self::Drag(series) => series.start(lane, at),
             Self::Torsion(series) => series.start(lane, at),
             Self::Magnetic(series) => series.start(lane, at),
             Self::Formula(series) => series[lane].iter_mut().for_each(|series| series.start(at)),
+        }
+    }
+
+    /// True if it has a vector of space that can be expanded beside the turn.
+    pub(super) fn can_ride(&self) -> bool {
+        matches!(self, Self::GravityGradient(_))
+    }
+
+    /// That vector at the start of a step.
+    pub(super) fn carried(&self, lane: usize) -> Option<Row> {
+        match self {
+            Self::GravityGradient(series) => Some(series.carried(lane)),
+            _ => None,
         }
     }
 
@@ -196,8 +199,6 @@ impl<N: Number> TorqueSeries<N> {
     #[inline(always)]
     pub(super) fn coefficient<M: Sums<N = N>>(&mut self, n: usize, known: &Known<'_, M>) -> Row<N> {
         match self {
-            Self::Body(torque) if n == 0 => *torque,
-            Self::Body(torque) => Row::splat(torque.0[0].like(0.0)),
             Self::Linear(series) => series.coefficient(n),
             Self::GravityGradient(series) => series.coefficient(n, known),
             Self::Drag(series) => series.coefficient(n, known),
@@ -210,13 +211,11 @@ impl<N: Number> TorqueSeries<N> {
                 |known| series.coefficient(n, known),
             ),
             Self::Formula(series) => {
-                let mut torque = Row::splat(known.omega.rows[n].0[0].like(0.0));
+                let (omega, turn) = (known.omega.rows[n], known.turned.at(n).turn());
+                let mut torque = Row::splat(omega.0[0].like(0.0));
                 for (lane, series) in series.iter_mut().enumerate() {
                     if let Some(series) = series {
-                        torque.put(
-                            lane,
-                            series.coefficient(n, known.omega.rows[n].lane(lane), known.turn[n].lane(lane)),
-                        );
+                        torque.put(lane, series.coefficient(n, omega.lane(lane), turn.lane(lane)));
                     }
                 }
                 torque
@@ -224,19 +223,26 @@ impl<N: Number> TorqueSeries<N> {
         }
     }
 
-    /// Finds what coefficient n + 1 needs beside the motion.
+    /// Finds what coefficient n + 1 needs beside the motion. If its vector of space is expanded beside the turn, coefficient n of v × Ω is
+    /// given, and coefficient n + 1 of v returned.
     #[inline(always)]
-    pub(super) fn extend<M: Sums<N = N>>(&mut self, n: usize, known: &Known<'_, M>) {
+    pub(super) fn extend<M: Sums<N = N>>(
+        &mut self,
+        n: usize,
+        known: &Known<'_, M>,
+        turned: Option<Row<N>>,
+    ) -> Option<Row<N>> {
         match self {
             // All that these need is the motion.
-            Self::Body(_) | Self::Drag(_) | Self::Torsion(_) | Self::Formula(_) => {}
+            Self::Drag(_) | Self::Torsion(_) | Self::Formula(_) => {}
             Self::Linear(series) => series.extend(n, known),
-            Self::GravityGradient(series) => series.extend(n, known),
+            Self::GravityGradient(series) => return Some(series.extend(n, known, turned)),
             Self::Magnetic(series) => known.apart(
                 #[inline(always)]
                 |known| series.extend(n, known),
             ),
         }
+        None
     }
 }
 

@@ -94,12 +94,22 @@ impl<N: Number> OrbitSeries<N> {
         if self.is_circular { vector[n] } else { s.product(&self.cube_rows, vector, n) }
     }
 
-    /// Finds coefficient n + 1 of ρ and ν.
+    /// Finds coefficient n + 1 of ρ and ν; coefficient n of ρ × Ω may be there already. Gives that of ρ.
     #[inline(always)]
-    pub(super) fn extend<M: Sums<N = N>>(&mut self, n: usize, known: &Known<'_, M>) {
+    pub(super) fn extend<M: Sums<N = N>>(
+        &mut self,
+        n: usize,
+        known: &Known<'_, M>,
+        turned: Option<Row<N>>,
+    ) -> Row<N> {
         let pull = self.over_cube(known.s, &self.rho.rows, n) * Row::splat(-self.strength);
-        let rate = known.s.cross(&self.rho.rows, known.turning, n) + self.nu.coefficient(n);
-        self.rho.set(n + 1, rate.over(n + 1));
+        let turned = match turned {
+            Some(turned) => turned,
+            None => known.s.cross(&self.rho.rows, known.turning, n),
+        };
+        let next = (turned + self.nu.coefficient(n)).over(n + 1);
+        self.rho.set(n + 1, next);
         self.nu.extend(known.s, n, known.turning, pull);
+        next
     }
 }

@@ -1,0 +1,110 @@
+//! What is affine in ω and in one vector that is constant in space, of all torques together.
+//!
+//! N = c + A v + B ω, v̇ = v × Ω. Constant torques, thrusters, gravity and linear drag are of this kind: most motions need no more, and
+//! v is expanded beside the turn.
+
+use super::super::row::Row;
+use super::linear::{LinearSeries, times};
+use super::{Shape, StepStart, drag, row};
+use crate::math::number::Number;
+use crate::motion::rotor::Rotor;
+use crate::motion::torque::{ConstantTorque, TorqueModel};
+
+/// N = c + A v + B ω.
+#[derive(Clone, Debug)]
+pub(in super::super) struct Affine<N> {
+    constant: Row<N>,
+    seen: Option<LinearSeries<N>>,
+    /// Columns of B.
+    omega: Option<[Row<N>; 3]>,
+    is_none: bool,
+}
+
+/// The models that are affine, and all others; only the first vector of space can be.
+pub(in super::super) fn split<'a>(
+    models: impl Iterator<Item = &'a TorqueModel>,
+    rotor: &Rotor,
+) -> [Vec<&'a TorqueModel>; 2] {
+    let (mut affine, mut others, mut carries) = (Vec::new(), Vec::new(), false);
+    for model in models {
+        let belongs = match Shape::of(model, rotor) {
+            Shape::Body | Shape::Drag { is_quadratic: false } => true,
+            Shape::Linear => !core::mem::replace(&mut carries, true),
+            _ => false,
+        };
+        if belongs { affine.push(model) } else { others.push(model) }
+    }
+    [affine, others]
+}
+
+impl<N: Number> Affine<N> {
+    pub(in super::super) fn none(zero: N) -> Self {
+        Self { constant: Row::splat(zero), seen: None, omega: None, is_none: true }
+    }
+
+    /// For bodies with models of these kinds.
+    pub(in super::super) fn of(zero: N, models: &[&TorqueModel], rotor: &Rotor) -> Self {
+        let has = |shape: Shape| models.iter().any(|model| Shape::of(model, rotor) == shape);
+        let damped = has(Shape::Drag { is_quadratic: false });
+        Self {
+            constant: Row::splat(zero),
+            seen: has(Shape::Linear).then(|| LinearSeries::all(zero)),
+            omega: damped.then_some([Row::splat(zero); 3]),
+            is_none: models.is_empty(),
+        }
+    }
+
+    /// What a lane's body has.
+    pub(in super::super) fn set(&mut self, lane: usize, models: &[&TorqueModel], rotor: &Rotor) {
+        let to_principal = rotor.principal().rotation().inverse();
+        let (mut constant, mut omega) = (Row::ZERO, [Row::ZERO; 3]);
+        for model in models {
+            match model {
+                TorqueModel::Constant(ConstantTorque::Body(n)) => {
+                    constant = constant + row(to_principal * *n)
+                }
+                TorqueModel::Thruster(thruster) => {
+                    constant = constant + row(to_principal * thruster.torque(rotor));
+                }
+                TorqueModel::Drag(drag) => {
+                    for (sum, column) in omega.iter_mut().zip(drag::columns(drag, rotor)) {
+                        *sum = *sum + column;
+                    }
+                }
+                model => self.seen.iter_mut().for_each(|seen| seen.set_model(lane, model, rotor)),
+            }
+        }
+        self.constant.put(lane, constant);
+        for (place, column) in self.omega.iter_mut().flatten().zip(omega) {
+            place.put(lane, column);
+        }
+    }
+
+    pub(in super::super) fn is_none(&self) -> bool {
+        self.is_none
+    }
+
+    /// True if there is a v.
+    #[inline(always)]
+    pub(in super::super) fn carries(&self) -> bool {
+        self.seen.is_some()
+    }
+
+    /// v of a lane at the start of a step.
+    pub(in super::super) fn carried(&self, lane: usize, at: &StepStart) -> Option<Row> {
+        self.seen.as_ref().map(|seen| seen.carried(lane, at))
+    }
+
+    /// Coefficient n of N.
+    #[inline(always)]
+    pub(in super::super) fn coefficient(&self, n: usize, v: Row<N>, omega: Row<N>) -> Row<N> {
+        let mut torque = if n == 0 { self.constant } else { Row::splat(v.0[0].like(0.0)) };
+        if let Some(seen) = &self.seen {
+            torque = torque + seen.torque(v);
+        }
+        if let Some(columns) = &self.omega {
+            torque = torque + times(columns, omega);
+        }
+        torque
+    }
+}

@@ -123,12 +123,6 @@ impl<N: Number> Series<N> {
         self.0[MARGIN + n] = row;
     }
 
-    /// Sets coefficient n of one lane.
-    #[inline(always)]
-    pub(super) fn put(&mut self, n: usize, lane: usize, row: Row) {
-        self.0[MARGIN + n].put(lane, row);
-    }
-
     /// Coefficient n.
     #[inline(always)]
     pub(super) fn at(&self, n: usize) -> Row<N> {
@@ -201,18 +195,6 @@ impl<N: Number> Vectors<N> {
     #[inline(always)]
     pub(super) fn set(&mut self, n: usize, row: Row<N>) {
         self.rows.set(n, row.vector());
-        self.copy(n, row);
-    }
-
-    /// Sets coefficient n of one lane.
-    #[inline(always)]
-    pub(super) fn put(&mut self, n: usize, lane: usize, row: Row) {
-        self.rows.put(n, lane, row);
-        self.copy(n, self.rows.at(n));
-    }
-
-    #[inline(always)]
-    fn copy(&mut self, n: usize, row: Row<N>) {
         if N::LANES > 1 {
             return;
         }

@@ -12,7 +12,6 @@ use super::super::seen::Seen;
 use super::super::sums::Sums;
 use super::{Known, StepStart, row};
 use crate::math::number::Number;
-use crate::math::vector::{Direction, quantity::Number as Pure};
 use crate::motion::orbit::Orbit;
 
 /// The series of an orbit over one step.
@@ -61,17 +60,20 @@ impl<N: Number> OrbitSeries<N> {
         self.is_circular
     }
 
-    pub(super) fn start(&mut self, lane: usize, at: &StepStart) {
-        let orbit = &self.orbits[lane];
-        let (position, velocity) = orbit.position_and_velocity(at.time);
-        let distance = position.norm();
-        let to_principal = at.attitude.inverse();
-        let rho: Direction<_> = (position / distance).as_quantity::<Pure>();
-        let nu: Direction<_> = (velocity / distance).as_quantity::<Pure>();
-        self.distance.put(lane, distance);
-        self.strength.put(lane, orbit.strength(distance));
-        self.rho.put(0, lane, row(to_principal * rho));
-        self.nu.start(lane, row(to_principal * nu));
+    #[inline(always)]
+    pub(super) fn start(&mut self, at: &StepStart<N>) {
+        let none = Row::splat(at.time.like(0.0));
+        let (mut rho, mut nu) = (none, none);
+        for (lane, orbit) in self.orbits.iter().enumerate() {
+            let (position, velocity) = orbit.position_and_velocity(at.time.lane(lane));
+            let distance = position.norm();
+            rho.put(lane, row(position / distance));
+            nu.put(lane, row(velocity / distance));
+            self.distance.put(lane, distance);
+            self.strength.put(lane, orbit.strength(distance));
+        }
+        self.rho.set(0, at.seen(rho));
+        self.nu.start(at.seen(nu));
     }
 
     /// Finds coefficient n of |ρ|² and |ρ|⁻³.

@@ -60,14 +60,10 @@ impl<N: Number> Base<N> {
         StepStart { time: self.time, attitude, omega: Row([x, y, z, x.like(0.0)]) }
     }
 
-    /// |ω|, as [`Vector::norm`] has it; only of what is finite.
+    /// |ω|; only of what is finite.
     #[inline(always)]
     pub(super) fn rate(&self) -> N {
-        let [[x, _], [y, _], [z, _]] = self.omega;
-        let scale = Row([x, y, z, x.like(0.0)]).largest();
-        let [x, y, z] = [x / scale, y / scale, z / scale];
-        let rate = scale * (x * x + y * y + z * z).map(f64::sqrt);
-        rate.zip(scale, |rate, scale| if scale == 0.0 { 0.0 } else { rate })
+        self.start().omega.norm()
     }
 
     /// Zero of what is finite, and no number otherwise.

@@ -238,11 +238,16 @@ impl<N: Number> Expansion<N> {
     #[inline(always)]
     fn step(&self, scale: N) -> N {
         let p = self.order;
+        let (last, before) = (self.log_radius(p, scale), self.log_radius(p - 1, scale));
+        last.zip(before, |a, b| rough_exp2(a.min(b) + self.reach))
+    }
+
+    /// log₂ of 1/|xₙ|^(1/n): digits beyond the third do not matter.
+    #[inline(always)]
+    fn log_radius(&self, n: usize, scale: N) -> N {
         // ω = 0 has none, even where nothing turns: the larger of NaN and a number is the number.
-        let size = |n: usize| (self.omega.rows[n].largest() / scale).zip(self.turn[n].largest(), f64::max);
-        // log₂ of a radius: digits beyond the third do not matter.
-        let radius = |n: usize| size(n).map(|size| -rough_log2(size) / n as f64);
-        radius(p).zip(radius(p - 1), |a, b| rough_exp2(a.min(b) + self.reach))
+        let size = (self.omega.rows[n].largest() / scale).zip(self.turn[n].largest(), f64::max);
+        size.map(|size| -rough_log2(size) / n as f64)
     }
 
     /// The longest step to which the series hold, where their last terms do not show it.

@@ -34,9 +34,13 @@ impl<N: Number> Row<N> {
     /// change sign add up.
     #[inline(always)]
     pub(super) fn over(self, n: usize) -> Self {
+        self.divided(self.0[0].like(n as f64))
+    }
+
+    #[inline(always)]
+    pub(super) fn divided(self, by: N) -> Self {
         let [x, y, z, w] = self.0;
-        let n = x.like(n as f64);
-        Self([x / n, y / n, z / n, w / n])
+        Self([x / by, y / by, z / by, w / by])
     }
 
     #[inline(always)]
@@ -57,6 +61,15 @@ impl<N: Number> Row<N> {
     pub(super) fn vector(self) -> Self {
         let [x, y, z, w] = self.0;
         if N::LANES > 1 { Self([x, y, z, w.like(0.0)]) } else { self }
+    }
+
+    /// The length of a vector, as [`Vector::norm`](crate::Vector::norm) has it; only of what is finite.
+    #[inline(always)]
+    pub(super) fn norm(self) -> N {
+        let scale = self.largest();
+        let [x, y, z] = [self.0[0] / scale, self.0[1] / scale, self.0[2] / scale];
+        let norm = scale * (x * x + y * y + z * z).map(f64::sqrt);
+        norm.zip(scale, |norm, scale| if scale == 0.0 { 0.0 } else { norm })
     }
 
     #[inline(always)]

@@ -21,6 +21,8 @@ pub(super) struct OrbitSeries<N> {
     orbits: Vec<Orbit>,
     /// Of all lanes alike.
     is_circular: bool,
+    /// µ, m³/s².
+    mu: N,
     /// r₀, m.
     pub(super) distance: N,
     /// µ/r₀³, 1/s².
@@ -42,6 +44,7 @@ impl<N: Number> OrbitSeries<N> {
         Self {
             orbits: vec![orbit.clone(); N::LANES],
             is_circular: orbit.is_circular(),
+            mu: zero,
             distance: zero,
             strength: zero,
             rho: Vectors::all(zero),
@@ -54,6 +57,10 @@ impl<N: Number> OrbitSeries<N> {
 
     pub(super) fn set(&mut self, lane: usize, orbit: &Orbit) {
         self.orbits[lane] = orbit.clone();
+        self.mu.put(lane, orbit.mu());
+        if orbit.is_circular() {
+            self.strength.put(lane, orbit.strength(orbit.periapsis()));
+        }
     }
 
     pub(super) fn is_circular(&self) -> bool {
@@ -62,18 +69,19 @@ impl<N: Number> OrbitSeries<N> {
 
     #[inline(always)]
     pub(super) fn start(&mut self, at: &StepStart<N>) {
-        let none = Row::splat(at.time.like(0.0));
-        let (mut rho, mut nu) = (none, none);
+        let (mut position, mut velocity) = (at.omega, at.omega);
         for (lane, orbit) in self.orbits.iter().enumerate() {
-            let (position, velocity) = orbit.position_and_velocity(at.time.lane(lane));
-            let distance = position.norm();
-            rho.put(lane, row(position / distance));
-            nu.put(lane, row(velocity / distance));
-            self.distance.put(lane, distance);
-            self.strength.put(lane, orbit.strength(distance));
+            let (r, v) = orbit.position_and_velocity(at.time.lane(lane));
+            position.put(lane, row(r));
+            velocity.put(lane, row(v));
         }
-        self.rho.set(0, at.seen(rho));
-        self.nu.start(at.seen(nu));
+        let r = position.norm();
+        if !self.is_circular {
+            self.strength = self.mu / r / r / r;
+        }
+        self.distance = r;
+        self.rho.set(0, at.seen(position.divided(r)));
+        self.nu.start(at.seen(velocity.divided(r)));
     }
 
     /// Finds coefficient n of |ρ|² and |ρ|⁻³.

@@ -43,14 +43,6 @@ impl<N: Number> Turned<N> {
         Self { pairs: [Pair([zero; 8]); MARGIN + TERMS], carries: false }
     }
 
-    /// The constants of a lane.
-    pub(super) fn start(&mut self, lane: usize, turn: Row, seen: Row) {
-        let pair = &mut self.pairs[MARGIN];
-        for (place, value) in pair.0.iter_mut().zip(Pair::new(turn, seen).0) {
-            place.put(lane, value);
-        }
-    }
-
     #[inline(always)]
     pub(super) fn set(&mut self, n: usize, pair: Pair<N>) {
         self.pairs[MARGIN + n] = pair;

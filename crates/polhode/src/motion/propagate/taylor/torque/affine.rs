@@ -90,9 +90,10 @@ impl<N: Number> Affine<N> {
         self.seen.is_some()
     }
 
-    /// v of a lane at the start of a step.
-    pub(in super::super) fn carried(&self, lane: usize, at: &StepStart) -> Option<Row> {
-        self.seen.as_ref().map(|seen| seen.carried(lane, at))
+    /// v at the start of a step.
+    #[inline(always)]
+    pub(in super::super) fn carried(&self, at: &StepStart<N>) -> Option<Row<N>> {
+        self.seen.as_ref().map(|seen| seen.carried(at))
     }
 
     /// Coefficient n of N.

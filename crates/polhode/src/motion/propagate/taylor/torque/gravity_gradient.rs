@@ -54,10 +54,11 @@ impl<N: Number> GravityGradientSeries<N> {
         }
     }
 
-    pub(super) fn start(&mut self, lane: usize, at: &StepStart) {
-        self.orbit.start(lane, at);
+    #[inline(always)]
+    pub(super) fn start(&mut self, at: &StepStart<N>) {
+        self.orbit.start(at);
         if let AttractedSeries::Points(points) = &mut self.attracted {
-            points.start(lane, &self.orbit);
+            points.start(self.orbit.distance);
         }
     }
 
@@ -84,9 +85,10 @@ impl<N: Number> GravityGradientSeries<N> {
         self.orbit.extend(n, known, turned)
     }
 
-    /// ρ of a lane at the start of a step.
-    pub(super) fn carried(&self, lane: usize) -> Row {
-        self.orbit.rho.rows.at(0).lane(lane)
+    /// ρ at the start of a step.
+    #[inline(always)]
+    pub(super) fn carried(&self) -> Row<N> {
+        self.orbit.rho.rows.at(0)
     }
 }
 
@@ -201,9 +203,10 @@ impl<N: Number> PointsSeries<N> {
         }
     }
 
-    fn start(&mut self, lane: usize, orbit: &OrbitSeries<N>) {
+    #[inline(always)]
+    fn start(&mut self, distance: N) {
         for point in &mut self.points {
-            point.xi.put(lane, point.x.lane(lane) * Row::splat(1.0 / orbit.distance.lane(lane)));
+            point.xi = point.x * Row::splat(distance.like(1.0) / distance);
         }
     }
 

@@ -388,10 +388,11 @@ fn work_tells_how_far_it_is_and_can_be_ended() {
         told.push(done);
         true
     });
-    assert_eq!(failures, Ok(vec![]));
+    // Springs among them are twisted too far.
+    let flights = all.at(&[1.0], rk4(0.05), ONE).unwrap();
+    assert_eq!(failures, Ok(flights.failures));
     assert!(told.is_sorted() && told.last() == Some(&300) && told.len() > 4, "{told:?}");
-    let states = all.at(&[1.0], rk4(0.05), ONE).unwrap().states;
-    assert!(states.iter().zip(&rows).all(|(state, row)| <[f64; 8]>::from(*state) == *row));
+    assert!(flights.states.iter().zip(&rows).all(|(state, row)| <[f64; 8]>::from(*state) == *row));
     for threads in [1, 2] {
         let threads = NonZero::new(threads).unwrap();
         let ended = all.fill(&[1.0], rk4(0.05), threads, &mut rows, &mut |done| done < 100);

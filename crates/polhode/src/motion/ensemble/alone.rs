@@ -163,6 +163,10 @@ impl Law<f64> for Alone<'_> {
         time
     }
 
+    fn change(&self, scene: &mut f64, time: f64) {
+        *scene = time;
+    }
+
     fn act(&self, &time: &f64, q: &[f64; 4], omega: &[f64; 3]) -> Action<f64> {
         let omega = AngularVelocity::<Principal>::from_array(*omega);
         let mut torque = self.torque(time, q, omega);

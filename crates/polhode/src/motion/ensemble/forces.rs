@@ -136,12 +136,12 @@ pub(super) struct Forces<'a, T: Fused> {
     orbits: Shared<&'a Orbit>,
 }
 
-/// What depends on the time: the field, the direction of the orbit's centre and µ/r³ there, and h.
+/// What depends on the time: the field, the direction from the orbit's centre and µ/r³, and h; only what there is.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Scene<T> {
-    field: Option<[T; 3]>,
-    ray: Option<[T; 4]>,
-    wheels: Option<[T; 3]>,
+    field: [T; 3],
+    ray: [T; 4],
+    wheels: [T; 3],
 }
 
 impl<'a, T: Fused> Forces<'a, T> {
@@ -201,19 +201,35 @@ impl<P: Copy + PartialEq> Shared<P> {
     fn numbers<T: Fused, const N: usize>(
         &self,
         machine: T::Machine,
+        numbers: &mut [T; N],
         of: impl Fn(P) -> [f64; N],
-    ) -> Option<[T; N]> {
+    ) {
         match self.each.as_slice() {
-            [] => None,
-            [one] => Some(of(*one).map(|number| T::splat(machine, number))),
-            [first, ..] => {
-                let mut numbers = [[0.0; N]; 8];
-                for (lane, numbers) in numbers.iter_mut().enumerate().take(T::LANES) {
-                    *numbers = of(*self.each.get(lane).unwrap_or(first));
+            [] => {}
+            [one] => {
+                let all = of(*one);
+                for k in 0..N {
+                    numbers[k] = T::splat(machine, all[k]);
                 }
-                Some(from_fn(|k| T::from_fn(machine, |lane| numbers[lane][k])))
+            }
+            [first, ..] => {
+                let mut all = [[0.0; N]; 8];
+                for (lane, all) in all.iter_mut().enumerate().take(T::LANES) {
+                    *all = of(*self.each.get(lane).unwrap_or(first));
+                }
+                for k in 0..N {
+                    numbers[k] = T::from_fn(
+                        machine,
+                        #[inline(always)]
+                        |lane| all[lane][k],
+                    );
+                }
             }
         }
+    }
+
+    fn is_empty(&self) -> bool {
+        self.each.is_empty()
     }
 }
 
@@ -223,45 +239,55 @@ impl<T: Fused> Law<T> for Forces<'_, T> {
 
     #[inline(always)]
     fn scene(&self, time: f64) -> Scene<T> {
-        Scene {
-            field: self.fields.numbers(
-                self.machine,
-                #[inline(always)]
-                |field| field.at(time).to_array(),
-            ),
-            ray: self.orbits.numbers(
-                self.machine,
-                #[inline(always)]
-                |orbit| ray(orbit, time),
-            ),
-            wheels: match self.wheels {
-                Some([a, b, c, x, y, z]) => {
-                    let time = T::splat(self.machine, time);
-                    Some([x.mul_add(time, a), y.mul_add(time, b), z.mul_add(time, c)])
-                }
-                None => None,
-            },
+        let zero = T::splat(self.machine, 0.0);
+        let mut scene = Scene { field: [zero; 3], ray: [zero; 4], wheels: [zero; 3] };
+        self.change(&mut scene, time);
+        scene
+    }
+
+    #[inline(always)]
+    fn change(&self, scene: &mut Scene<T>, time: f64) {
+        self.fields.numbers(
+            self.machine,
+            &mut scene.field,
+            #[inline(always)]
+            |field| field.at(time).to_array(),
+        );
+        self.orbits.numbers(
+            self.machine,
+            &mut scene.ray,
+            #[inline(always)]
+            |orbit| ray(orbit, time),
+        );
+        if let Some([a, b, c, x, y, z]) = &self.wheels {
+            let time = T::splat(self.machine, time);
+            scene.wheels = [x.mul_add(time, *a), y.mul_add(time, *b), z.mul_add(time, *c)];
         }
     }
 
     #[inline(always)]
     fn act(&self, scene: &Scene<T>, q: &[T; 4], omega: &[T; 3]) -> Action<T> {
-        let mut torque = self.constant.unwrap_or([T::splat(self.machine, 0.0); 3]);
-        if self.in_space.is_some() || self.weight.is_some() || scene.field.is_some() || scene.ray.is_some() {
+        let mut torque = match &self.constant {
+            Some(torque) => *torque,
+            None => [T::splat(self.machine, 0.0); 3],
+        };
+        let (is_magnetic, is_orbiting) = (!self.fields.is_empty(), !self.orbits.is_empty());
+        if self.in_space.is_some() || self.weight.is_some() || is_magnetic || is_orbiting {
             let seen = Seen::new(self.machine, q);
-            if let Some(fixed) = self.in_space {
-                torque = plus(torque, seen.from(&fixed));
+            if let Some(fixed) = &self.in_space {
+                torque = plus(torque, seen.from(fixed));
             }
             // N = l × m g
-            if let Some([a, b, c, x, y, z]) = self.weight {
-                torque = cross_add(&[a, b, c], &seen.from(&[x, y, z]), torque);
+            if let Some([a, b, c, x, y, z]) = &self.weight {
+                torque = cross_add(&[*a, *b, *c], &seen.from(&[*x, *y, *z]), torque);
             }
             // N = m × B
-            if let (Some(moment), Some(field)) = (self.magnet, scene.field) {
-                torque = cross_add(&moment, &seen.from(&field), torque);
+            if let Some(moment) = &self.magnet {
+                torque = cross_add(moment, &seen.from(&scene.field), torque);
             }
             // N = 3 µ/r³ r̂ × I r̂
-            if let Some([x, y, z, strength]) = scene.ray {
+            if is_orbiting {
+                let [x, y, z, strength] = scene.ray;
                 let r = seen.from(&[x, y, z]);
                 let three = strength + strength + strength;
                 let [i1, i2, i3] = self.moments;
@@ -270,28 +296,28 @@ impl<T: Fused> Law<T> for Forces<'_, T> {
             }
         }
         // N = −D ω
-        if let Some(matrix) = self.linear {
-            let [a, b, c] = apply(&matrix, omega);
+        if let Some(matrix) = &self.linear {
+            let [a, b, c] = apply(matrix, omega);
             torque = [torque[0] - a, torque[1] - b, torque[2] - c];
         }
         // N = −|ω| D ω
-        if let Some(matrix) = self.quadratic {
-            let [a, b, c] = apply(&matrix, omega);
+        if let Some(matrix) = &self.quadratic {
+            let [a, b, c] = apply(matrix, omega);
             let [x, y, z] = *omega;
             let rate = -x.mul_add(x, y.mul_add(y, z * z)).sqrt();
             torque = [rate.mul_add(a, torque[0]), rate.mul_add(b, torque[1]), rate.mul_add(c, torque[2])];
         }
         // h × ω; −ḣ is among what is constant
-        if let Some(h) = scene.wheels {
-            torque = cross_add(&h, omega, torque);
+        if self.wheels.is_some() {
+            torque = cross_add(&scene.wheels, omega, torque);
         }
         // slip α L × ω, and L × of it
         let mut slip = None;
         if let Some([alpha]) = self.sink {
             let [i1, i2, i3] = self.moments;
             let mut l = [i1 * omega[0], i2 * omega[1], i3 * omega[2]];
-            if let Some(h) = scene.wheels {
-                l = plus(l, h);
+            if self.wheels.is_some() {
+                l = plus(l, scene.wheels);
             }
             let [a, b, c] = cross_add(&l, omega, [T::splat(self.machine, 0.0); 3]);
             let slipping = [alpha * a, alpha * b, alpha * c];
@@ -342,8 +368,8 @@ fn dot<T: Fused>(a: &[T; 3], b: &[T; 3]) -> T {
 
 /// M v of rows one after the other.
 #[inline(always)]
-fn apply<T: Fused>(&[a, b, c, d, e, f, g, h, i]: &[T; 9], v: &[T; 3]) -> [T; 3] {
-    [dot(&[a, b, c], v), dot(&[d, e, f], v), dot(&[g, h, i], v)]
+fn apply<T: Fused>(m: &[T; 9], v: &[T; 3]) -> [T; 3] {
+    [dot(&[m[0], m[1], m[2]], v), dot(&[m[3], m[4], m[5]], v), dot(&[m[6], m[7], m[8]], v)]
 }
 
 #[inline(always)]

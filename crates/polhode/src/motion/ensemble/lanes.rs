@@ -156,23 +156,25 @@ impl<T: Fused, L: Law<T>> Wing<'_, '_, T, L> {
     ) {
         let mut y: [Moving<T>; ABREAST] =
             from_fn(|row| Moving { x: omega[row].map(|w| w * gaits[row].quarter), q: q[row] });
-        let scenes = |time: f64| from_fn::<_, ABREAST, _>(|row| self.laws[row].scene(time));
-        let mut start = scenes(pace.time(0.0));
-        let mut done = 0;
-        while done < pace.count {
-            let stretch = (pace.count - done).min(STRETCH);
-            for n in done..done + stretch {
-                let middle = scenes(pace.time(n as f64 + 0.5));
-                let end = scenes(pace.time(n as f64 + 1.0));
-                for row in 0..ABREAST {
-                    let scenes = [&start[row], &middle[row], &end[row]];
-                    y[row] = gaits[row].step(&self.laws[row], scenes, &y[row]);
-                }
-                start = end;
+        let [start, middle, end] = &mut [0.0, 0.5, 1.0].map(|part| {
+            let time = pace.time(part);
+            from_fn::<_, ABREAST, _>(|row| self.laws[row].scene(time))
+        });
+        let (mut start, mut end) = (start, end);
+        for n in 0..pace.count {
+            let [half, whole] = [0.5, 1.0].map(|part| pace.time(n as f64 + part));
+            for row in 0..ABREAST {
+                let law = &self.laws[row];
+                law.change(&mut middle[row], half);
+                law.change(&mut end[row], whole);
+                y[row] = gaits[row].step(law, [&start[row], &middle[row], &end[row]], &y[row]);
             }
-            y = y.map(Moving::with_unit);
-            done += stretch;
+            core::mem::swap(&mut start, &mut end);
+            if (n + 1) % STRETCH == 0 {
+                y = y.map(Moving::with_unit);
+            }
         }
+        y = y.map(Moving::with_unit);
         for row in 0..ABREAST {
             omega[row] = y[row].x.map(|x| x * gaits[row].rate);
             q[row] = y[row].q;

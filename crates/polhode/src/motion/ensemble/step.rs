@@ -38,6 +38,9 @@ pub(super) trait Law<T: Fused> {
 
     fn scene(&self, time: f64) -> Self::Scene;
 
+    /// The same at another time, without moving what stays.
+    fn change(&self, scene: &mut Self::Scene, time: f64);
+
     /// In a scene, with q of any length, at ω.
     fn act(&self, scene: &Self::Scene, q: &[T; 4], omega: &[T; 3]) -> Action<T>;
 }
@@ -85,8 +88,12 @@ impl<T: Fused> Gait<T> {
 
     /// One step: the scenes are those at its start, its middle and its end.
     #[inline(always)]
-    pub(super) fn step<L: Law<T>>(&self, law: &L, scenes: [&L::Scene; 3], y: &Moving<T>) -> Moving<T> {
-        let [start, middle, end] = scenes;
+    pub(super) fn step<L: Law<T>>(
+        &self,
+        law: &L,
+        [start, middle, end]: [&L::Scene; 3],
+        y: &Moving<T>,
+    ) -> Moving<T> {
         let k = self.slope(law, start, y);
         let mut sum = k;
         let k = self.slope(
@@ -204,6 +211,9 @@ impl<T: Fused> Law<T> for Free {
 
     #[inline(always)]
     fn scene(&self, _: f64) {}
+
+    #[inline(always)]
+    fn change(&self, (): &mut (), _: f64) {}
 
     #[inline(always)]
     fn act(&self, (): &(), _: &[T; 4], omega: &[T; 3]) -> Action<T> {

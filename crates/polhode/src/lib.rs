@@ -159,3 +159,5 @@ pub use observe::tumbling::{AxisConvention, TumblingPeriods};
 #[cfg(doctest)]
 #[doc = include_str!("../../../README.md")]
 struct Readme;
+#[doc(hidden)]
+pub use motion::scratch_advance;

@@ -95,7 +95,7 @@ impl<'a> Alone<'a> {
 
     /// Steps of one length, looking after each whether it was one.
     fn march(&self, pace: &Pace, omega: &mut [f64; 3], q: &mut [f64; 4]) -> Result<(), MotionError> {
-        let gait = Gait::<f64>::new((), |_| self.rotor.principal().moments(), pace.step);
+        let gait = Gait::new(0.0, |_| self.rotor.principal().moments(), pace.step);
         let mut y = Moving { x: omega.map(|w| w * gait.quarter), q: *q };
         for n in 0..pace.count {
             let [start, middle, end] = [0.0, 0.5, 1.0].map(|part| pace.time(n as f64 + part));

@@ -8,7 +8,8 @@ use super::crew::Share;
 use super::forces::{Forces, Parts};
 use super::step::{Free, Gait, Law, Moving, STRETCH};
 use crate::math::frame::{Principal, Space};
-use crate::math::fused::{Fused, Task, in_widest};
+use crate::math::fused::Fused;
+use crate::math::machine::{Machine, Work, in_vectors};
 use crate::math::rotation::Rotation;
 use crate::math::vector::Vector;
 use crate::motion::course::MOST_STEPS;
@@ -39,7 +40,7 @@ pub(super) fn fly(share: &mut Share<'_>, times: &[f64], step: f64) {
             continue;
         }
         let kin: Vec<_> = kin.iter().filter_map(|(k, parts)| Some((*k, parts.as_ref()?))).collect();
-        if !in_widest(Flight { share, bodies: &kin, times, step }) {
+        if !in_vectors(Flight { share, bodies: &kin, times, step }) {
             return;
         }
     }
@@ -66,24 +67,31 @@ struct Flight<'a, 'b, 'c> {
 /// Vectors that take their steps in turn: while one waits for its own numbers, the other goes on.
 const ABREAST: usize = 2;
 
-impl Task for Flight<'_, '_, '_> {
+impl Work for Flight<'_, '_, '_> {
     /// False if the work is to end.
     type Output = bool;
 
     #[inline(always)]
-    fn run<T: Fused>(self, machine: T::Machine) -> bool {
+    fn run<S: Machine>(self, s: S) -> bool {
+        self.fly(s.eight(0.0))
+    }
+}
+
+impl Flight<'_, '_, '_> {
+    #[inline(always)]
+    fn fly<T: Fused>(self, zero: T) -> bool {
         let Self { share, bodies, times, step } = self;
         for bodies in bodies.chunks(ABREAST * T::LANES) {
             let is_free = bodies.iter().all(|(_, parts)| parts.kind() == [false; 9]);
             if is_free {
                 let laws = [Free; ABREAST];
-                Wing::<T, Free> { machine, bodies, laws }.fly(share, times, step);
+                Wing::<T, Free> { zero, bodies, laws }.fly(share, times, step);
             } else {
                 let laws = from_fn(|k| {
                     let row = bodies.chunks(T::LANES).nth(k).unwrap_or(bodies);
-                    Forces::new(machine, &row.iter().map(|(_, parts)| *parts).collect::<Vec<_>>())
+                    Forces::new(zero, &row.iter().map(|(_, parts)| *parts).collect::<Vec<_>>())
                 });
-                Wing::<T, Forces<'_, T>> { machine, bodies, laws }.fly(share, times, step);
+                Wing::<T, Forces<'_, T>> { zero, bodies, laws }.fly(share, times, step);
             }
             if !share.done(bodies.len()) {
                 return false;
@@ -95,7 +103,7 @@ impl Task for Flight<'_, '_, '_> {
 
 /// As many bodies as go abreast. Lanes without a body follow the first.
 struct Wing<'a, 'b, T: Fused, L> {
-    machine: T::Machine,
+    zero: T,
     bodies: &'a [(usize, &'a Parts<'b>)],
     laws: [L; ABREAST],
 }
@@ -119,7 +127,7 @@ impl<T: Fused, L: Law<T>> Wing<'_, '_, T, L> {
             {
                 let moments = |k: usize| member(k).rotor.principal().moments();
                 let gaits =
-                    from_fn(|row| Gait::new(self.machine, |lane| moments(row * T::LANES + lane), pace.step));
+                    from_fn(|row| Gait::new(self.zero, |lane| moments(row * T::LANES + lane), pace.step));
                 self.march(&gaits, pace, &mut omega, &mut q);
             }
             for ((k, (index, _)), last) in self.bodies.iter().enumerate().zip(&mut last) {
@@ -184,7 +192,7 @@ impl<T: Fused, L: Law<T>> Wing<'_, '_, T, L> {
     /// Number c of each body.
     #[inline(always)]
     fn rows<const N: usize>(&self, number: impl Fn(usize, usize) -> f64) -> [[T; N]; ABREAST] {
-        from_fn(|row| from_fn(|c| T::from_fn(self.machine, |lane| number(row * T::LANES + lane, c))))
+        from_fn(|row| from_fn(|c| self.zero.from_fn(|lane| number(row * T::LANES + lane, c))))
     }
 }
 

@@ -1,11 +1,11 @@
 //! Many bodies, each with its own start and its own torques, at the same times.
 //!
-//! `crew` gives threads their share; `exact` evaluates closed forms; `lanes` steps bodies side by side with the torques of `forces`, and
+//! `crew` gives threads their share; `auto` takes closed forms and integrators of high order; `lanes` steps bodies side by side with the torques of `forces`, and
 //! `alone` one body with any torque, both by the `step`.
 
 mod alone;
+mod auto;
 mod crew;
-mod exact;
 mod forces;
 mod lanes;
 mod step;
@@ -19,7 +19,7 @@ use super::rotor::Rotor;
 use super::simulation::require_finite;
 use super::state::State;
 use super::torque::TorqueModel;
-use super::trajectory::require_ascending;
+use super::trajectory::{Method, require_ascending};
 use crew::Crew;
 
 /// A body of an ensemble, and its motion.
@@ -40,6 +40,12 @@ pub enum Advance {
     /// The best for each: a closed form, else Taylor's method, else DOP853; with the bits of
     /// [`Simulation::states`](super::simulation::Simulation::states).
     Auto {
+        /// As [`Simulation::tolerance`](super::simulation::Simulation::tolerance).
+        tolerance: f64,
+    },
+    /// Taylor's method for all, with the bits of [`Simulation::states`](super::simulation::Simulation::states) by
+    /// [`Method::Taylor`](super::trajectory::Method::Taylor).
+    Taylor {
         /// As [`Simulation::tolerance`](super::simulation::Simulation::tolerance).
         tolerance: f64,
     },
@@ -187,7 +193,8 @@ impl Ensemble {
             return Ok(Vec::new());
         }
         Crew::new(threads).fill(&self.members, times.len(), states, progress, &|share| match advance {
-            Advance::Auto { tolerance } => exact::fly(share, times, tolerance),
+            Advance::Auto { tolerance } => auto::fly(share, times, tolerance, Method::Auto),
+            Advance::Taylor { tolerance } => auto::fly(share, times, tolerance, Method::Taylor),
             Advance::RungeKutta4 { step } => lanes::fly(share, times, step),
         })
     }
@@ -197,7 +204,9 @@ impl Advance {
     fn require_possible(self) -> Result<(), MotionError> {
         let parameter = |what, value, rule| Err(MotionError::Parameter { what, value, rule });
         match self {
-            Self::Auto { tolerance: value } if !(TIGHTEST_TOLERANCE..=LOOSEST_TOLERANCE).contains(&value) => {
+            Self::Auto { tolerance: value } | Self::Taylor { tolerance: value }
+                if !(TIGHTEST_TOLERANCE..=LOOSEST_TOLERANCE).contains(&value) =>
+            {
                 parameter("the tolerance", value, "between 1e-15 and 1e-2")
             }
             Self::RungeKutta4 { step: value } if !(value > 0.0 && value.is_finite()) => {

@@ -70,19 +70,19 @@ pub(super) struct Gait<T> {
 impl<T: Fused> Gait<T> {
     /// Steps of h; an axis without inertia keeps its ω.
     #[inline(always)]
-    pub(super) fn new(machine: T::Machine, moments: impl Fn(usize) -> [f64; 3], h: f64) -> Self {
+    pub(super) fn new(zero: T, moments: impl Fn(usize) -> [f64; 3], h: f64) -> Self {
         let over = |numerator: f64, i: f64| if i == 0.0 { 0.0 } else { numerator / i };
         let coupling = |k: usize, lane: usize| {
             let i = moments(lane);
             over(2.0 * (i[(k + 1) % 3] - i[(k + 2) % 3]), i[k])
         };
         Self {
-            coupling: from_fn(|k| T::from_fn(machine, |lane| coupling(k, lane))),
-            gain: from_fn(|k| T::from_fn(machine, |lane| over(0.125 * h * h, moments(lane)[k]))),
-            quarter: T::splat(machine, 0.25 * h),
-            rate: T::splat(machine, 4.0 / h),
-            two: T::splat(machine, 2.0),
-            third: T::splat(machine, 1.0 / 3.0),
+            coupling: from_fn(|k| zero.from_fn(|lane| coupling(k, lane))),
+            gain: from_fn(|k| zero.from_fn(|lane| over(0.125 * h * h, moments(lane)[k]))),
+            quarter: zero.like(0.25 * h),
+            rate: zero.like(4.0 / h),
+            two: zero.like(2.0),
+            third: zero.like(1.0 / 3.0),
         }
     }
 

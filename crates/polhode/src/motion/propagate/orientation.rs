@@ -1,6 +1,7 @@
 //! An attitude that many small turns can be added to.
 
 use crate::math::frame::{Principal, Space};
+use crate::math::number::Number;
 use crate::math::real::sin_cos;
 use crate::math::rotation::Rotation;
 use crate::math::sum::two_sum;
@@ -9,9 +10,9 @@ use crate::math::vector::Direction;
 /// A unit quaternion as a sum with its rounding carried along: a product of n turns of d rad each is then off by
 /// about ε d √n instead of ε √n.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Orientation {
-    q: [f64; 4],
-    carry: [f64; 4],
+pub(super) struct Orientation<N = f64> {
+    q: [N; 4],
+    carry: [N; 4],
 }
 
 impl Orientation {
@@ -34,9 +35,27 @@ impl Orientation {
         let [dx, dy, dz] = (theta * (sin_cos(0.5 * angle).0 / angle)).to_array();
         self.add([dw, dx, dy, dz]);
     }
+}
+
+impl<N: Number> Orientation<N> {
+    /// The same in every place: of nothing yet.
+    pub(super) fn all(x: N) -> Self {
+        Self { q: [x; 4], carry: [x; 4] }
+    }
+
+    pub(super) fn put(&mut self, lane: usize, one: &Orientation) {
+        for (place, value) in self.q.iter_mut().chain(&mut self.carry).zip(one.q.iter().chain(&one.carry)) {
+            place.put(lane, *value);
+        }
+    }
+
+    pub(super) fn lane(&self, lane: usize) -> Orientation {
+        Orientation { q: self.q.map(|q| q.lane(lane)), carry: self.carry.map(|carry| carry.lane(lane)) }
+    }
 
     /// q ← q ⊗ (1 + d) = q + q ⊗ d
-    pub(super) fn add(&mut self, [dw, dx, dy, dz]: [f64; 4]) {
+    #[inline(always)]
+    pub(super) fn add(&mut self, [dw, dx, dy, dz]: [N; 4]) {
         let [w, x, y, z] = self.q;
         let increment = [
             w * dw - x * dx - y * dy - z * dz,

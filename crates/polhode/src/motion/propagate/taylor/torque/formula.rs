@@ -4,9 +4,8 @@ mod graph;
 
 use super::super::row::{Row, TERMS};
 use super::super::scalar::Scalars;
-use super::{Known, StepStart};
+use super::StepStart;
 use crate::math::frame::Principal;
-use crate::math::lanes::Fours;
 use crate::math::vector::{Torque, Vector};
 use crate::motion::propagate::chart::{ROUNDING, THIN};
 use crate::motion::rotor::Rotor;
@@ -71,11 +70,12 @@ impl FormulaSeries {
         self.wheels = [momentum.to_array(), rate.to_array()];
     }
 
+    /// Coefficient n of N, of those of ω and of the turn.
     #[inline(never)]
-    pub(super) fn coefficient<S: Fours>(&mut self, n: usize, known: &Known<'_, S>) -> Row {
+    pub(super) fn coefficient(&mut self, n: usize, omega: Row, turn: Row) -> Row {
         for place in 0..self.nodes.len() {
             let value = match self.nodes[place] {
-                Node::Input(input) => self.input(input, n, known),
+                Node::Input(input) => self.input(input, n, omega, turn),
                 node if n == 0 => node.start(&self.rows),
                 node => node.coefficient(place, &self.rows, n),
             };
@@ -87,9 +87,9 @@ impl FormulaSeries {
 
     /// Coefficient n of what the motion gives.
     #[inline(always)]
-    fn input<S: Fours>(&self, input: Input, n: usize, known: &Known<'_, S>) -> f64 {
+    fn input(&self, input: Input, n: usize, omega: Row, turn: Row) -> f64 {
         let linear = |row: [f64; 3]| {
-            let [x, y, z, _] = known.omega.rows[n].0;
+            let [x, y, z, _] = omega.0;
             row[0] * x + row[1] * y + row[2] * z
         };
         match input {
@@ -102,7 +102,7 @@ impl FormulaSeries {
             Input::Carrier(k) => linear(self.carrier[k]),
             Input::Wheels(k) => self.wheels.get(n).map_or(0.0, |h| h[k]),
             Input::Attitude(k) => {
-                let ([w, x, y, z], row) = (known.turn[n].0, self.attitude[k]);
+                let ([w, x, y, z], row) = (turn.0, self.attitude[k]);
                 row[0] * w + row[1] * x + (row[2] * y + row[3] * z)
             }
         }
@@ -132,10 +132,8 @@ fn quaternion_product([a, b, c, d]: [f64; 4], [w, x, y, z]: [f64; 4]) -> [f64; 4
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::row::{Series, Vectors};
     use super::*;
     use crate::math::formula::{Binary, Formula, Instruction, Unary};
-    use crate::math::lanes::Plain;
     use crate::math::rotation::Rotation;
     use crate::math::vector::AngularVelocity;
     use crate::{InertiaTensor, MassProperties, Position};
@@ -153,10 +151,8 @@ mod tests {
         let model = FormulaTorque::Body([formula.clone(), zero.clone(), zero]);
         let mut series = FormulaSeries::of(&model, &rotor());
         series.start(&StepStart { time, attitude: Rotation::identity(), omega: AngularVelocity::ZERO });
-        let at_rest = Vectors::ZERO;
-        let known = Known { s: Plain, omega: &at_rest, turning: &at_rest, turn: &Series::ZERO };
         for n in 0..TERMS {
-            series.coefficient(n, &known);
+            series.coefficient(n, Row::ZERO, Row::ZERO);
         }
         series.rows[series.components[0]]
     }

@@ -62,8 +62,8 @@ pub enum Advance {
 /// Where the members of an ensemble were at some times.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Flights {
-    /// Member by member, and time by time within each. A member that could go no further stays at the last of these states that was
-    /// good, or at its start: the state's own time says so.
+    /// Member by member, and time by time within each. A member that could go no further repeats a good state from shortly before: the
+    /// state's own time says when.
     pub states: Vec<State>,
     /// Those that could go no further, ascending.
     pub failures: Vec<Failure>,

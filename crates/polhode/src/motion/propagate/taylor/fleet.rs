@@ -356,3 +356,6 @@ impl<'a> Lane<'a> {
         })
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -230,12 +230,12 @@ impl<N: Number> Expansion<N> {
         let (next, none) = (n + 1, Row::splat(newest.omega.0[0].like(0.0)));
         let (others, outer, mut rate, mut power, turning);
         if let (false, Some(inside)) = (PLAIN, &mut self.inside) {
+            let before = s.before(&self.omega, &self.turned, &inside.turning, n);
             self.omega.learn(n, newest.omega);
             self.turned.learn(n, newest.pair);
             (rate, power) = inside.extend(s, n, self.moments, self.inverses, &self.omega);
             turning = &inside.turning;
             let ends = [turning.rows.at(0), turning.rows.at(n)];
-            let before = s.before(&self.omega, &self.turned, turning, n);
             (_, outer) = s.with(before, &self.omega, &self.turned, (turning, ends), (n, newest));
         } else {
             let before = s.before(&self.omega, &self.turned, &self.omega, n);

@@ -47,6 +47,7 @@ mod torque;
 mod tree;
 mod wheel;
 
+use std::ops::Range;
 use std::path::Path;
 
 use crate::error::{FormatError, FormatErrorKind, Place};
@@ -132,7 +133,19 @@ fn perhaps_mesh(error: FormatError, bytes: &[u8]) -> FormatError {
 pub fn parse(text: &str, path: &Path) -> Result<Scenario, FormatError> {
     let source = Source { path, text, reading: Reading::Once };
     let root = document(source)?;
-    read_root(source, &root, &TOP)
+    match root.get("sweep") {
+        Some(sweep) => Err(many(source, sweep.key.clone())),
+        None => read_root(source, &root, &TOP),
+    }
+}
+
+/// A plan is no scenario of one motion.
+fn many(source: Source<'_>, place: Range<usize>) -> FormatError {
+    let rule = "left out where one motion is asked for: it makes the file a plan of many";
+    let (key, value) = ("sweep".to_owned(), "...".to_owned());
+    source
+        .error(place, FormatErrorKind::Value { key, value, rule: rule.to_owned() })
+        .with_hint("polhode sweep runs a plan")
 }
 
 /// The tree of a file.

@@ -34,7 +34,7 @@ impl Source<'_> {
         let (mut text, mut at) = (String::new(), span.start);
         for (place, value) in changes {
             text += self.text.get(at..place.start).unwrap_or_default();
-            text += &value.to_string();
+            text += &format!("{value:?}");
             at = place.end;
         }
         text + self.text.get(at..span.end).unwrap_or_default()

@@ -169,3 +169,80 @@ fn mass_properties(
 fn known() -> Vec<&'static str> {
     TOP.iter().copied().chain(["sweep"]).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
+
+    use std::fs;
+
+    use super::super::tree::{Kind, Node};
+    use super::*;
+    use crate::scenario;
+
+    /// What a motion depends on: everything but what parts look like, and where remarks stand.
+    fn comparable(mut scenario: Scenario) -> Scenario {
+        scenario.parts.iter_mut().for_each(|part| part.form = None);
+        scenario
+    }
+
+    /// Where the values of each part of the body stand.
+    fn parts(template: &Template) -> Vec<Vec<usize>> {
+        fn places(node: &Node) -> Vec<usize> {
+            match &node.kind {
+                Kind::List(elements) => elements.iter().flat_map(places).collect(),
+                Kind::Table(entries) => entries.values().flat_map(|entry| places(&entry.node)).collect(),
+                _ => vec![node.span.start],
+            }
+        }
+        let Kind::Table(body) = &template.entries["body"].node.kind else { panic!("no table") };
+        let Kind::List(parts) = &body["part"].node.kind else { panic!("no list") };
+        parts.iter().map(places).collect()
+    }
+
+    /// Reading again with one number changed is reading a file in which it is written otherwise, for every number of every
+    /// example; if that is refused, so is this.
+    #[test]
+    fn a_changed_number_is_one_written_otherwise() {
+        let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
+        let mut count = 0;
+        for entry in
+            [examples.clone(), examples.join("notes")].iter().flat_map(|folder| fs::read_dir(folder).unwrap())
+        {
+            let path = entry.unwrap().path();
+            if path.extension().is_none_or(|extension| extension != "toml") {
+                continue;
+            }
+            let template = Template::read(&path).unwrap();
+            for number in template.found.numbers.values() {
+                let value = 1.0625 * number.value + 0.0078125;
+                let mut text = template.text.clone();
+                text.replace_range(number.span.clone(), &format!("{value:?}"));
+                let written = scenario::parse(&text, &path).map(comparable);
+                let part = parts(&template).iter().position(|part| part.contains(&number.span.start));
+                let changes = Changes {
+                    numbers: vec![(number.span.clone(), value)],
+                    parts: part.into_iter().collect(),
+                    ..Changes::default()
+                };
+                let source = template.source(Reading::Again(&template.found, &changes));
+                let again = read_root(source, &template.entries, &known()).map(comparable);
+                match (written, again) {
+                    (Ok(written), Ok(again)) => assert!(written == again, "{}: {number:?}", path.display()),
+                    (Err(written), Err(again)) => assert_eq!(written.message(), again.message()),
+                    (written, again) => panic!("{}: {number:?}: {written:?}, {again:?}", path.display()),
+                }
+                count += 1;
+            }
+        }
+        assert!(count > 300, "{count}");
+    }
+
+    #[test]
+    fn nothing_changed_is_nothing_changed() {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/bracket.toml");
+        let template = Template::read(&path).unwrap();
+        assert_eq!(template.files().len(), 1);
+        assert_eq!(comparable(template.scenario([]).unwrap()), comparable(template.nominal().clone()));
+    }
+}

@@ -65,8 +65,8 @@ impl Source<'_> {
 }
 
 /// The keys of the file itself.
-pub(crate) const TOP: [&str; 10] =
-    ["title", "body", "start", "torque", "wheel", "event", "prescribed", "shaft", "pendulum", "run"];
+pub(crate) const TOP: [&str; 11] =
+    ["title", "body", "start", "torque", "wheel", "event", "prescribed", "shaft", "pendulum", "run", "sweep"];
 
 /// A table, its place, and what to call it.
 #[derive(Clone, Debug)]

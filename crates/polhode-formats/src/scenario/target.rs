@@ -25,6 +25,8 @@ pub struct Target {
     nominal: Vec<f64>,
     columns: Vec<TargetColumn>,
     dimension: Dimension,
+    /// The places of all values of the file that it takes the place of.
+    covered: Vec<usize>,
 }
 
 /// One number of a target, as a table has it.
@@ -78,21 +80,15 @@ impl Target {
         self.dimension
     }
 
-    /// What of a scenario differs: the beginning of the place of each number.
+    /// True if the same number would vary by both.
     pub(crate) fn overlaps(&self, other: &Self) -> bool {
-        let of_body =
-            |target: &Self| matches!(target.varied, Varied::MassProperties(_)) && target.part.is_none();
-        let inside = |target: &Self| target.part.is_some();
-        match (&self.varied, &other.varied) {
-            _ if of_body(self) && (of_body(other) || inside(other)) => true,
-            _ if of_body(other) && inside(self) => true,
-            (Varied::MassProperties(_), _) | (_, Varied::MassProperties(_)) => {
-                self.part.is_some() && self.part == other.part
-            }
-            (Varied::Numbers(a), Varied::Numbers(b)) => a.iter().any(|place| b.contains(place)),
-            (Varied::Rotation(a), Varied::Rotation(b)) => a == b,
-            (Varied::Rotation(_), Varied::Numbers(_)) => other.key.starts_with(&self.key),
-            (Varied::Numbers(_), Varied::Rotation(_)) => self.key.starts_with(&other.key),
+        let is_made = |target: &Self| matches!(target.varied, Varied::MassProperties(_));
+        match (is_made(self), is_made(other)) {
+            (false, false) => self.covered.iter().any(|place| other.covered.contains(place)),
+            // Of a part, or of all parts together, what is dispersed is made anew.
+            (true, true) => self.part.is_none() || other.part.is_none() || self.part == other.part,
+            (true, false) => other.part.is_some() && (self.part.is_none() || self.part == other.part),
+            (false, true) => other.overlaps(self),
         }
     }
 }
@@ -173,6 +169,7 @@ impl Catalogue<'_> {
             nominal: numbers.iter().map(|number| number.value).collect(),
             columns: words.iter().map(column).collect(),
             dimension,
+            covered: numbers.iter().map(|number| number.span.start).collect(),
         })
     }
 
@@ -198,6 +195,7 @@ impl Catalogue<'_> {
             nominal: quaternion.to_vec(),
             columns: columns.to_vec(),
             dimension: Dimension::NONE,
+            covered: spot.node.places(),
         })
     }
 
@@ -249,6 +247,7 @@ impl Catalogue<'_> {
             nominal,
             columns,
             dimension: Dimension::NONE,
+            covered: Vec::new(),
         })
     }
 

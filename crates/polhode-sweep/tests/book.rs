@@ -57,10 +57,9 @@ fn the_page_has_every_key_and_no_other() {
     let mut laws = first_cells(&page, "### Distributions of a number", "\n### Mass");
     laws.extend(["key".to_owned(), "dispersion".to_owned()]);
     assert_eq!(laws, known(vary));
-    let samplings: BTreeSet<String> = first_cells(&page, "### Sampling", "\n### ")
-        .iter()
-        .map(|name| name.trim_matches('"').to_owned())
-        .collect();
+    let rows = first_cells(&page, "### Sampling", "\n### ");
+    let samplings: BTreeSet<String> =
+        rows.iter().filter_map(|name| Some(name.strip_prefix('"')?.strip_suffix('"')?.to_owned())).collect();
     let error = Plan::parse(format!("{BALL}[sweep]\nsampling = 'zzz'"), "probe.toml".as_ref()).unwrap_err();
     let rule = error.message();
     let names = rule.split("one of ").nth(1).unwrap().split(", ").map(str::to_owned).collect();

@@ -171,6 +171,10 @@ fn read_root(source: Source<'_>, entries: &Entries) -> Result<Scenario, FormatEr
     let events = event::events(&root, &torques)?;
     let point = pivot.map(|pivot| pivot.point);
     let rotor = point.map_or_else(|| Rotor::free(&body), |point| Rotor::pivoted(&body, point));
+    findings.extend(match point {
+        None => body::thinness(rotor.principal()),
+        Some(_) => body::thinness(&body.principal()),
+    });
     let wheels = wheel::wheels(&root)?;
     let start = start::start(&root, &wheel::locked(&rotor, &wheels)?)?;
     let run = run::run(&root)?;
@@ -208,9 +212,9 @@ fn read_root(source: Source<'_>, entries: &Entries) -> Result<Scenario, FormatEr
 /// Gravity does not turn a body held at its centre of mass.
 fn idle_gravity(scenario: &Scenario) -> Option<Finding> {
     let has_gravity = scenario.torques.iter().any(|torque| matches!(torque, TorqueModel::Gravity(_)));
-    let (rotor, center) = (scenario.rotor(), scenario.body.center_of_mass());
+    let (center, pivot) = (scenario.body.center_of_mass(), scenario.pivot?);
     // Rounding of the centre of mass is no lever.
-    let balanced = rotor.lever().norm() <= 1e-14 * (center.norm() + (center - rotor.lever()).norm());
+    let balanced = (center - pivot).norm() <= 1e-14 * (center.norm() + pivot.norm());
     (has_gravity && balanced).then(|| Finding {
         code: "gravity.balanced",
         severity: Severity::Info,

@@ -146,8 +146,10 @@ impl Template {
         changes.parts.extend(target.part);
         let body = |error| fail(FormatErrorKind::Body(error));
         match (&target.varied, values) {
-            (Varied::Numbers(spans), values) => {
-                changes.numbers.extend(spans.iter().cloned().zip(values.iter().copied()));
+            (Varied::Numbers(numbers), values) => {
+                for (places, value) in numbers.iter().zip(values) {
+                    changes.numbers.extend(places.iter().map(|place| (place.clone(), *value)));
+                }
             }
             (Varied::Rotation(place), &[w, x, y, z]) => changes.rotations.push((*place, [w, x, y, z])),
             (Varied::MassProperties(nominal), values) => {

@@ -324,7 +324,7 @@ fn a_number_varies_once() {
         let key = second.split(['«', '»']).nth(1).unwrap();
         refuses(
             &format!("[sweep]\nmembers = 10\nsampling = 'monte carlo'\n{first}[[sweep.vary]]\n{second}"),
-            &format!("key = {key} must be something else than what varies by line 23 already"),
+            &format!("key = {key} must be something else than what varies by line 22 already"),
             "a number varies once",
         );
     }
@@ -354,7 +354,7 @@ fn a_grid_has_values_and_no_distributions() {
     let message = "sweep.vary = 1000000 × 1000000 × 1000000 must be at most 1000000000000 combinations";
     let text = format!("{SCENARIO}[sweep]\nsampling = 'grid'\n{three}");
     let error = Plan::parse(text, "plan.toml".as_ref()).unwrap_err();
-    assert_eq!((error.message().as_str(), error.place().unwrap().line), (message, 21));
+    assert_eq!((error.message().as_str(), error.place().unwrap().line), (message, 20));
 }
 
 #[test]

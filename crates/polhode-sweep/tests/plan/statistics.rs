@@ -198,7 +198,9 @@ fn sobol_points_are_spread_more_evenly_than_random_ones() {
         |sampling: &str| (0..8).map(|seed| discrepancy(&points(sampling, seed, 512))).sum::<f64>() / 8.0;
     let (random, sobol) = (mean("monte carlo"), mean("sobol"));
     assert!((random / expected - 1.0).abs() < 0.7, "{random} for {expected}");
-    assert!(sobol < 0.02 * random, "{sobol}, {random}");
+    assert!(sobol < 0.1 * random, "{sobol}, {random}");
+    // The mean over 40 seeds of scipy.stats.qmc.Sobol(4, scramble=True) is 6.38e-6, each within 0.16e-6.
+    assert!((sobol - 6.38e-6).abs() < 4.0 * 0.16e-6 / 8.0_f64.sqrt(), "{sobol}");
 }
 
 /// The variance of an estimated mean over seeds.

@@ -138,7 +138,7 @@ fn keys_lead_to_numbers_of_the_scenario() {
         refuses_vary(&format!("key = «'{key}'»\n{law}"), &format!("key = '{key}' must be {rule}"), hint);
     }
     refuses_vary(
-        &format!("key = «'start.spin'»\nrandom = 'uniform'\n"),
+        "key = «'start.spin'»\nrandom = 'uniform'\n",
         "key = 'start.spin' must be a rotation of the scenario",
         "write key = \"start.attitude\"",
     );

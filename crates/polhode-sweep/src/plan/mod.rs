@@ -61,6 +61,7 @@ pub struct Plan {
     /// The uniform numbers of a member, those of each variable after those of the one before.
     coordinates: Vec<Coordinate>,
     variables: Vec<Variable>,
+    trajectories: bool,
     digest: String,
 }
 
@@ -127,6 +128,7 @@ impl Plan {
             vary,
             coordinates,
             variables,
+            trajectories: sweep.trajectories,
             digest,
         };
         plan.tried().map(|_| plan)
@@ -140,6 +142,11 @@ impl Plan {
     /// The scenario as it is written, before anything varies.
     pub const fn nominal(&self) -> &Scenario {
         self.template.nominal()
+    }
+
+    /// True if the motions of members are to be kept too.
+    pub const fn wants_trajectories(&self) -> bool {
+        self.trajectories
     }
 
     /// How many members there are.

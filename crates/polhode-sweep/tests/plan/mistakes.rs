@@ -331,6 +331,19 @@ fn a_number_varies_once() {
 }
 
 #[test]
+fn a_column_has_one_name() {
+    let part =
+        |name: &str| format!("[[body.part]]\nname = '{name}'\nshape = 'sphere'\nradius = 1\nmass = 1\n");
+    let vary = |name: &str| format!("[[sweep.vary]]\nkey = 'body.part[\"{name}\"].mass'\nrelative = 0.1\n");
+    let parts = format!("{}{}", part("tank 1"), part("tank-1"));
+    let sweep = format!("[sweep]\nmembers = 3\nsampling = 'sobol'\n{}{}", vary("tank 1"), vary("tank-1"));
+    let error = Plan::parse(format!("{parts}{sweep}"), "plan.toml".as_ref()).unwrap_err();
+    let expected = "plan.toml:18:7: key = 'body.part[\"tank-1\"].mass' must be of another name: line 15 has the column \
+                    body_part_tank_1_mass_kg already";
+    assert_eq!(error.to_string(), expected);
+}
+
+#[test]
 fn a_grid_has_values_and_no_distributions() {
     let vary = |key: &str, law: &str| format!("[[sweep.vary]]\nkey = '{key}'\n{law}\n");
     let list = vary("run.duration", "list = [1, 2]");

@@ -38,6 +38,8 @@ pub struct Sweep {
     pub seed: u64,
     /// What varies, in the file's order; no number twice.
     pub vary: Vec<Vary>,
+    /// Whether the samples of every member are to be kept.
+    pub trajectories: bool,
 }
 
 /// What varies, and how.
@@ -78,7 +80,7 @@ pub(crate) fn sweep(
     let table = root
         .require("sweep", "[sweep], and under it members = 1000 and sampling = \"monte carlo\"")?
         .table()?;
-    table.allow(&["members", "sampling", "seed", "vary"])?;
+    table.allow(&["members", "sampling", "seed", "trajectories", "vary"])?;
     let sampling = match table.require("sampling", "sampling = \"monte carlo\"")?.choice(&SAMPLINGS)? {
         "grid" => Sampling::Grid,
         "monte carlo" => Sampling::MonteCarlo,
@@ -106,10 +108,19 @@ pub(crate) fn sweep(
                 "a vector draws up to 3, a rotation 3, a tensor 9, a body up to 16: take \"latin hypercube\"";
             return Err(key.invalid(rule).with_hint(hint));
         }
-        if let Some((other, _)) = vary.iter().take(k).find(|(other, _)| other.target.overlaps(&one.target)) {
+        for (other, _) in vary.iter().take(k) {
             let line = other.place.line;
-            let rule = format!("something else than what varies by line {line} already");
-            return Err(key.invalid(rule).with_hint("a number varies once: leave one of them out"));
+            if other.target.overlaps(&one.target) {
+                let rule = format!("something else than what varies by line {line} already");
+                return Err(key.invalid(rule).with_hint("a number varies once: leave one of them out"));
+            }
+            let named = |name: &str| other.target.columns().iter().any(|column| column.name == name);
+            if let Some(twice) = one.target.columns().iter().find(|column| named(&column.name)) {
+                let rule = format!("of another name: line {line} has the column {} already", twice.name);
+                return Err(key
+                    .invalid(rule)
+                    .with_hint("a column's name has letters, digits and underscores"));
+            }
         }
     }
     let vary: Vec<Vary> = vary.into_iter().map(|(vary, _)| vary).collect();
@@ -118,7 +129,8 @@ pub(crate) fn sweep(
         return Err(seed.invalid("left out").with_hint("nothing in a grid is drawn"));
     }
     let seed = seed.map_or(Ok(0), |seed| seed.count())?;
-    Ok(Sweep { members: members(&table, sampling, &vary, &list)?, sampling, seed, vary })
+    let trajectories = table.get("trajectories").map_or(Ok(false), |value| value.boolean())?;
+    Ok(Sweep { members: members(&table, sampling, &vary, &list)?, sampling, seed, vary, trajectories })
 }
 
 const SAMPLINGS: [&str; 4] = ["monte carlo", "latin hypercube", "sobol", "grid"];

@@ -1,10 +1,11 @@
 //! The `[body]`: its parts, and the point that is held.
 
-use polhode::{Body, BodyPart, Finding, MassProperties, Position, Severity, Symmetry};
+use polhode::{Body, BodyPart, Finding, MassProperties, Position, PrincipalFrame, Severity, Symmetry};
 
+use super::again::{Changes, Found, Reading};
 use super::part::part;
 use super::reader::{Table, Value};
-use crate::error::{FormatError, FormatErrorKind};
+use crate::error::FormatError;
 use crate::unit::Dimension;
 
 /// All parts of a body, alone and together.
@@ -37,21 +38,68 @@ pub(crate) fn body<'a>(root: &Table<'a>, findings: &mut Vec<Finding>) -> Result<
     let list = table.require("part", EXAMPLE)?;
     let mut parts = Vec::new();
     for (k, table) in list.tables("body.part")?.into_iter().enumerate() {
-        parts.push(part(table, k + 1, findings)?);
+        parts.push(varying_part(list.source().reading, table, k, findings)?);
     }
     if parts.is_empty() {
         return Err(table.missing("part", EXAMPLE));
     }
-    let placed: Vec<_> = parts.iter().map(|part| part.properties).collect();
-    let body = MassProperties::combined(&placed).map_err(|e| list.error(FormatErrorKind::Body(e)))?;
+    let body = match list.source().reading {
+        Reading::Again(_, Changes { body: Some(other), .. }) => {
+            parts = vec![of_properties("body".to_owned(), *other)];
+            *other
+        }
+        Reading::Again(Found { body: Some(body), .. }, changes) if changes.parts.is_empty() => *body,
+        reading => {
+            let placed: Vec<_> = parts.iter().map(|part| part.properties).collect();
+            let body = MassProperties::combined(&placed).map_err(|e| list.body(e))?;
+            reading.leave(|found| found.body = Some(body));
+            body
+        }
+    };
     let pivot = table.get("pivot").map(Pivot::read).transpose()?;
-    findings.extend(thinness(&body));
     Ok(Assembly { parts, body, pivot })
 }
 
+/// Part `k`, from 0, as it is now: if nothing in it differs, as it was.
+fn varying_part(
+    reading: Reading<'_>,
+    table: Table<'_>,
+    k: usize,
+    findings: &mut Vec<Finding>,
+) -> Result<BodyPart, FormatError> {
+    let first = reading.found().and_then(|found| found.parts.get(k));
+    if let (Some((first, noticed)), Some(changes)) = (first, reading.changes()) {
+        if let Some((_, other)) = changes.part_properties.iter().find(|(part, _)| *part == k) {
+            return Ok(of_properties(first.name.clone(), *other));
+        }
+        if !changes.parts.contains(&k) {
+            findings.extend_from_slice(noticed);
+            return Ok(first.clone());
+        }
+    }
+    let mut noticed = Vec::new();
+    let part = part(table, k + 1, &mut noticed)?;
+    findings.extend_from_slice(&noticed);
+    reading.leave(|found| found.parts.push((BodyPart { form: None, ..part.clone() }, noticed)));
+    Ok(part)
+}
+
+/// A part of which nothing is known but its mass properties.
+fn of_properties(name: String, properties: MassProperties<Body>) -> BodyPart {
+    BodyPart {
+        name,
+        kind: "tensor",
+        properties,
+        extent: None,
+        surface_area: None,
+        particles: Vec::new(),
+        form: None,
+    }
+}
+
 /// A body without inertia about some axis moves, but not every start and torque make sense.
-fn thinness(body: &MassProperties<Body>) -> Option<Finding> {
-    let (code, message) = match body.principal().symmetry() {
+pub(crate) fn thinness(principal: &PrincipalFrame<Body>) -> Option<Finding> {
+    let (code, message) = match principal.symmetry() {
         Symmetry::Point => ("body.point", "all the mass is at one point: the body has no inertia of its own"),
         Symmetry::Rod => (
             "body.rod",

@@ -22,9 +22,11 @@
 //! A quantity is a string with its unit, or a number in SI. Whatever is unknown, impossible or ambiguous is an
 //! error that points at its place; nothing is ignored.
 
+mod again;
 mod body;
 mod event;
 mod formula;
+mod key;
 mod molecule;
 mod motion_table;
 mod part;
@@ -38,19 +40,26 @@ mod shape;
 mod start;
 mod substance;
 pub(crate) mod suggestion;
+mod sweep;
+mod target;
+mod template;
 mod tensor;
 mod torque;
+mod tree;
 mod wheel;
 
 use std::path::Path;
 
-use polhode::{EventAction, Finding, Rotor, Scenario, Severity, TorqueModel, Velocity, Wheel};
-use toml::de::DeTable;
-
 use crate::error::{FormatError, FormatErrorKind, Place};
 use crate::file;
 use crate::mesh::stl;
+use again::Reading;
+use polhode::{EventAction, Finding, Rotor, Scenario, Severity, TorqueModel, Velocity, Wheel};
 use reader::{Source, TOP, Table};
+pub use sweep::{Dispersion, Distribution, Law, SOBOL_DIMENSIONS, Sampling, Spread, Sweep, Vary};
+pub use target::{Target, TargetColumn};
+pub use template::Template;
+use tree::Entries;
 
 /// A scenario larger than this is something else: a mesh or a table goes into a file of its own.
 const LARGEST_FILE: u64 = 64 << 20;
@@ -68,11 +77,18 @@ pub fn read(path: &Path) -> Result<Scenario, FormatError> {
 /// # Errors
 /// As [`read`].
 pub fn read_with_text(path: &Path) -> Result<(Scenario, String), FormatError> {
+    let text = text_of(path)?;
+    Ok((parse(&text, path)?, text))
+}
+
+/// The text of a file.
+fn text_of(path: &Path) -> Result<String, FormatError> {
     let fail = |kind| FormatError::new(path, None, kind);
     let bytes = file::bytes(path, &path.to_string_lossy(), LARGEST_FILE).map_err(fail)?;
-    match str::from_utf8(&bytes) {
-        Ok(text) => Ok((parse(text, path)?, text.to_owned())),
+    match String::from_utf8(bytes) {
+        Ok(text) => Ok(text),
         Err(error) => {
+            let (bytes, error) = (error.as_bytes().to_vec(), error.utf8_error());
             let valid = error.valid_up_to();
             let byte = bytes.get(valid).copied().unwrap_or_default();
             // What stands before it is text, and shows the place.
@@ -96,6 +112,8 @@ fn perhaps_mesh(error: FormatError, bytes: &[u8]) -> FormatError {
 
 /// Reads a scenario from its text; `path` is for messages, and for the files that the scenario names.
 ///
+/// Of a plan, which has a `[sweep]`, it is the scenario as it is written, and a finding says so.
+///
 /// ```
 /// use polhode_formats::scenario;
 /// let text = r#"
@@ -115,10 +133,22 @@ fn perhaps_mesh(error: FormatError, bytes: &[u8]) -> FormatError {
 /// # Errors
 /// As [`read`].
 pub fn parse(text: &str, path: &Path) -> Result<Scenario, FormatError> {
-    let source = Source { path, text };
-    let document =
-        DeTable::parse(text).map_err(|error| perhaps_mesh(source.syntax(&error), text.as_bytes()))?;
-    let root = Table::root(source, document.get_ref());
+    let source = Source { path, text, reading: Reading::Once };
+    let root = document(source)?;
+    if root.contains_key("sweep") {
+        return Template::parse(text.to_owned(), path)?.into_scenario();
+    }
+    read_root(source, &root)
+}
+
+/// The tree of a file.
+fn document(source: Source<'_>) -> Result<Entries, FormatError> {
+    tree::parse(source.text).map_err(|error| perhaps_mesh(source.syntax(&error), source.text.as_bytes()))
+}
+
+/// The scenario of a file whose tables are `entries`.
+fn read_root(source: Source<'_>, entries: &Entries) -> Result<Scenario, FormatError> {
+    let root = Table::root(source, entries);
     root.allow(&TOP)?;
     let exclusive = "a prescribed motion is given, and the torque that it needs is the answer";
     root.at_most_one(&["prescribed", "torque"], exclusive)?;
@@ -142,6 +172,10 @@ pub fn parse(text: &str, path: &Path) -> Result<Scenario, FormatError> {
     let events = event::events(&root, &torques)?;
     let point = pivot.map(|pivot| pivot.point);
     let rotor = point.map_or_else(|| Rotor::free(&body), |point| Rotor::pivoted(&body, point));
+    findings.extend(match point {
+        None => body::thinness(rotor.principal()),
+        Some(_) => body::thinness(&body.principal()),
+    });
     let wheels = wheel::wheels(&root)?;
     let start = start::start(&root, &wheel::locked(&rotor, &wheels)?)?;
     let run = run::run(&root)?;
@@ -179,9 +213,9 @@ pub fn parse(text: &str, path: &Path) -> Result<Scenario, FormatError> {
 /// Gravity does not turn a body held at its centre of mass.
 fn idle_gravity(scenario: &Scenario) -> Option<Finding> {
     let has_gravity = scenario.torques.iter().any(|torque| matches!(torque, TorqueModel::Gravity(_)));
-    let (rotor, center) = (scenario.rotor(), scenario.body.center_of_mass());
+    let (center, pivot) = (scenario.body.center_of_mass(), scenario.pivot?);
     // Rounding of the centre of mass is no lever.
-    let balanced = rotor.lever().norm() <= 1e-14 * (center.norm() + (center - rotor.lever()).norm());
+    let balanced = (center - pivot).norm() <= 1e-14 * (center.norm() + pivot.norm());
     (has_gravity && balanced).then(|| Finding {
         code: "gravity.balanced",
         severity: Severity::Info,

@@ -1,0 +1,279 @@
+//! What can differ from reading to reading: a number of a scenario, three that are a vector, a rotation, mass properties.
+
+use std::ops::Range;
+
+use polhode::{Body, MassProperties, Scenario};
+
+use super::again::{Found, Number};
+use super::key::{Spot, mirrored};
+use super::reader::Value;
+use super::tree::{Entries, Kind, Node};
+use crate::error::FormatError;
+use crate::unit::Dimension;
+
+/// What can differ from reading to reading, by its key: a number, three that are a vector, a rotation, mass properties.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Target {
+    /// Its key, as the file has it.
+    pub(crate) key: String,
+    /// Where the key stands.
+    pub(crate) place: Range<usize>,
+    pub(crate) varied: Varied,
+    /// The part of the body, from 0, to which it belongs.
+    pub(crate) part: Option<usize>,
+    /// The values as they are written, SI.
+    nominal: Vec<f64>,
+    columns: Vec<TargetColumn>,
+    dimension: Dimension,
+    /// The places of all values of the file that it takes the place of.
+    covered: Vec<usize>,
+}
+
+/// One number of a target, as a table has it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TargetColumn {
+    /// The key as a name, and the unit: `start_spin_body_x_rad_s`.
+    pub name: String,
+    /// The unit in SI: `rad/s`; empty if there is none.
+    pub unit: String,
+    /// What it is.
+    pub description: String,
+}
+
+/// Where the values go.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Varied {
+    /// Numbers of the file, by their places; an element of a symmetric matrix has two.
+    Numbers(Vec<Vec<Range<usize>>>),
+    /// A rotation of the file, by its place.
+    Rotation(usize),
+    /// Of the body, or of its part; what is not among the values is as it was.
+    MassProperties(MassProperties<Body>),
+}
+
+impl Target {
+    /// Its key, as the file has it.
+    pub fn key(&self) -> &str {
+        &self.key
+    }
+
+    /// The values as they are written, SI: one for each column.
+    pub fn nominal(&self) -> &[f64] {
+        &self.nominal
+    }
+
+    /// Its numbers, as a table has them.
+    pub fn columns(&self) -> &[TargetColumn] {
+        &self.columns
+    }
+
+    /// The mass properties as they are written, of a target that is mass properties.
+    pub const fn mass_properties(&self) -> Option<&MassProperties<Body>> {
+        match &self.varied {
+            Varied::MassProperties(nominal) => Some(nominal),
+            _ => None,
+        }
+    }
+
+    /// What each of its numbers measures; a plain number where they differ.
+    pub(crate) const fn dimension(&self) -> Dimension {
+        self.dimension
+    }
+
+    /// True if the same number would vary by both.
+    pub(crate) fn overlaps(&self, other: &Self) -> bool {
+        let is_made = |target: &Self| matches!(target.varied, Varied::MassProperties(_));
+        match (is_made(self), is_made(other)) {
+            (false, false) => self.covered.iter().any(|place| other.covered.contains(place)),
+            // Of a part, or of all parts together, what is dispersed is made anew.
+            (true, true) => self.part.is_none() || other.part.is_none() || self.part == other.part,
+            (true, false) => other.part.is_some() && (self.part.is_none() || self.part == other.part),
+            (false, true) => other.overlaps(self),
+        }
+    }
+}
+
+/// What a scenario has, to be looked up by keys.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Catalogue<'a> {
+    pub(crate) entries: &'a Entries,
+    pub(crate) found: &'a Found,
+    pub(crate) nominal: &'a Scenario,
+}
+
+impl Catalogue<'_> {
+    /// One number.
+    pub(crate) fn number(&self, key: &Value<'_>) -> Result<Target, FormatError> {
+        let spot = self.spot(key)?;
+        if let Kind::List(_) | Kind::Table(_) = spot.node.kind {
+            let inside = match &spot.node.kind {
+                Kind::Table(entries) => entries.keys().next().map(|inner| format!(".{inner}")),
+                _ => Some("[0]".to_owned()),
+            };
+            let error = key.invalid("one number of the scenario, not several");
+            let hint = format!("write key = \"{}{}\"", key.string()?, inside.unwrap_or_default());
+            return Err(error.with_hint(hint));
+        }
+        let number = self.number_at(key, spot.node)?;
+        let mut places = vec![number.span.clone()];
+        if let Some(mirrored) = mirrored(key.string()?) {
+            let other =
+                Spot::at(self.entries, &mirrored).map_err(|(rule, hint)| refused(key, &rule, hint))?;
+            places.push(self.number_at(key, other.node)?.span.clone());
+        }
+        let words = spot.words.join("_");
+        Self::target(key, &[(number, places)], spot.part, &[words])
+    }
+
+    /// Three numbers that are a vector.
+    pub(crate) fn vector(&self, key: &Value<'_>) -> Result<Target, FormatError> {
+        let spot = self.spot(key)?;
+        let elements = match &spot.node.kind {
+            Kind::List(elements) if elements.len() == 3 => elements,
+            _ => {
+                let error = key.invalid("an array of three numbers: only a vector has a direction");
+                return Err(error.with_hint("write key = \"start.spin.body\""));
+            }
+        };
+        let number = |element| self.number_at(key, element).map(|number| (number, vec![number.span.clone()]));
+        let numbers: Vec<_> = elements.iter().map(number).collect::<Result<_, _>>()?;
+        let words = ["x", "y", "z"].map(|axis| format!("{}_{axis}", spot.words.join("_")));
+        Self::target(key, &numbers, spot.part, &words)
+    }
+
+    /// Numbers, each with its places, of which each has its words.
+    fn target(
+        key: &Value<'_>,
+        numbers: &[(&Number, Vec<Range<usize>>)],
+        part: Option<usize>,
+        words: &[String],
+    ) -> Result<Target, FormatError> {
+        let written = key.string()?;
+        let dimension = numbers.first().map_or(Dimension::NONE, |(number, _)| number.dimension);
+        let described = |words: &String| {
+            let axis = words.rsplit('_').next().unwrap_or_default();
+            let description = match numbers.len() {
+                1 => written.to_owned(),
+                _ => format!("{written}, {axis}"),
+            };
+            column(words, dimension, description)
+        };
+        let places: Vec<Vec<Range<usize>>> = numbers.iter().map(|(_, places)| places.clone()).collect();
+        Ok(Target {
+            key: written.to_owned(),
+            place: key.span(),
+            part,
+            nominal: numbers.iter().map(|(number, _)| number.value).collect(),
+            columns: words.iter().map(described).collect(),
+            dimension,
+            covered: places.iter().flatten().map(|place| place.start).collect(),
+            varied: Varied::Numbers(places),
+        })
+    }
+
+    /// A rotation: an attitude, or how a part is turned.
+    pub(crate) fn rotation(&self, key: &Value<'_>) -> Result<Target, FormatError> {
+        let spot = self.spot(key)?;
+        let place = spot.node.span.start;
+        let Some(quaternion) = self.found.rotations.get(&place) else {
+            let error = key.invalid("a rotation of the scenario");
+            return Err(error.with_hint("write key = \"start.attitude\", or \"body.part[0].rotate\""));
+        };
+        let words = spot.words.join("_");
+        let written = key.string()?;
+        let components = ["w", "x", "y", "z"];
+        let columns = components.map(|c| {
+            column(&format!("{words}_{c}"), Dimension::NONE, format!("{written}, {c} of its quaternion"))
+        });
+        Ok(Target {
+            key: written.to_owned(),
+            place: key.span(),
+            varied: Varied::Rotation(place),
+            part: spot.part,
+            nominal: quaternion.to_vec(),
+            columns: columns.to_vec(),
+            dimension: Dimension::NONE,
+            covered: spot.node.places(),
+        })
+    }
+
+    /// The mass properties of the body, `body`, or of a part, `body.part[0]`; with `.inertia` behind it the tensor alone.
+    pub(crate) fn mass_properties(&self, key: &Value<'_>) -> Result<Target, FormatError> {
+        let written = key.string()?;
+        let (whole, tensor_only) = match written.strip_suffix(".inertia") {
+            Some(whole) => (whole, true),
+            None => (written, false),
+        };
+        let (part, words, properties) = if whole == "body" {
+            (None, "body".to_owned(), self.nominal.body)
+        } else {
+            let spot = Spot::at(self.entries, whole).map_err(|(rule, hint)| refused(key, &rule, hint))?;
+            let one_part = matches!(spot.node.kind, Kind::Table(_)) && spot.words.len() == 3;
+            match spot.part.and_then(|k| Some((k, self.found.parts.get(k)?))) {
+                Some((k, (part, _))) if one_part => (Some(k), spot.words.join("_"), part.properties),
+                _ => {
+                    let error = key.invalid("the body, a part of it, or the inertia of either");
+                    let hint = "write key = \"body\", \"body.inertia\", \"body.part[0]\" or \"body.part[0].inertia\"";
+                    return Err(error.with_hint(hint));
+                }
+            }
+        };
+        let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = properties.inertia().matrix();
+        let mut nominal = vec![xx, yy, zz, xy, xz, yz];
+        let of = |what: &str| format!("{whole}, {what}");
+        let mut columns: Vec<_> = ["xx", "yy", "zz", "xy", "xz", "yz"]
+            .map(|ij| {
+                let description = of(&format!("I{ij} about the centre of mass, body axes"));
+                column(&format!("{words}_inertia_{ij}"), Dimension::INERTIA, description)
+            })
+            .to_vec();
+        if !tensor_only {
+            let place = ["x", "y", "z"].map(|c| {
+                let description = of(&format!("centre of mass, {c}"));
+                column(&format!("{words}_center_of_mass_{c}"), Dimension::LENGTH, description)
+            });
+            let mass = column(&format!("{words}_mass"), Dimension::MASS, of("mass"));
+            columns = [vec![mass], place.to_vec(), columns].concat();
+            let center = properties.center_of_mass().to_array();
+            nominal = [vec![properties.mass()], center.to_vec(), nominal].concat();
+        }
+        Ok(Target {
+            key: written.to_owned(),
+            place: key.span(),
+            varied: Varied::MassProperties(properties),
+            part,
+            nominal,
+            columns,
+            dimension: Dimension::NONE,
+            covered: Vec::new(),
+        })
+    }
+
+    fn spot(&self, key: &Value<'_>) -> Result<Spot<'_>, FormatError> {
+        Spot::at(self.entries, key.string()?).map_err(|(rule, hint)| refused(key, &rule, hint))
+    }
+
+    fn number_at(&self, key: &Value<'_>, node: &Node) -> Result<&Number, FormatError> {
+        let number = self.found.numbers.get(&node.span.start);
+        number.ok_or_else(|| {
+            key.invalid("a number of the scenario: words, formulas and whole numbers do not vary")
+                .with_hint("a formula may stand for a number: write that number without quotes, in SI")
+        })
+    }
+}
+
+fn refused(key: &Value<'_>, rule: &str, hint: Option<String>) -> FormatError {
+    let error = key.invalid(rule);
+    match hint {
+        Some(hint) => error.with_hint(hint),
+        None => error,
+    }
+}
+
+fn column(words: &str, dimension: Dimension, description: String) -> TargetColumn {
+    let letter = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '_' };
+    let (unit, suffix) = dimension.unit();
+    let name: String = words.chars().map(letter).collect();
+    let name = if suffix.is_empty() { name } else { format!("{name}_{suffix}") };
+    TargetColumn { name, unit, description }
+}

@@ -47,6 +47,16 @@ impl Plan {
         Ok(Self { text, scenario, variables: Vec::new() })
     }
 
+    /// The scenario with every variable as its file has it.
+    pub const fn nominal(&self) -> &Scenario {
+        &self.scenario
+    }
+
+    /// True if the motions of members are to be kept too.
+    pub const fn wants_trajectories(&self) -> bool {
+        false
+    }
+
     /// The text of its file.
     pub fn text(&self) -> &str {
         &self.text

@@ -50,7 +50,8 @@ fn a_sweep_is_one_command() {
     assert!(text.contains("± ") && text.contains("wrote bricks/summary.json"), "{text}");
     let wide: Vec<_> = text.lines().filter(|line| line.chars().count() > 110).collect();
     assert!(wide.is_empty(), "{wide:?}");
-    let files = ["histograms.svg", "members", "pairs.svg", "plan.toml", "summary.json", "sweep.json", "sweep.lock"];
+    let files =
+        ["histograms.svg", "members", "pairs.svg", "plan.toml", "summary.json", "sweep.json", "sweep.lock"];
     assert_eq!(entries(&scratch.0.join("bricks")), files);
     assert_eq!(fs::read_to_string(scratch.0.join("bricks/plan.toml")).unwrap(), plan(700));
 
@@ -73,7 +74,10 @@ fn a_member_that_cannot_be_is_a_row_and_the_rest_goes_on() {
     let scratch = Scratch::new("sweep-failed");
     // Of the members some are no bodies: a moment greater than the sum of the others.
     let text = plan(64)
-        .replace("shape = \"box\"\nsize = [\"200 mm\", \"100 mm\", \"60 mm\"]", "shape = \"tensor\"\nmoments = [1, 2, 2.5]")
+        .replace(
+            "shape = \"box\"\nsize = [\"200 mm\", \"100 mm\", \"60 mm\"]",
+            "shape = \"tensor\"\nmoments = [1, 2, 2.5]",
+        )
         .replace("'body.part[\"brick\"].mass'", "'body.part[\"brick\"].moments[2]'")
         .replace("from = \"2 kg\", to = \"3 kg\"", "from = 2, to = 4");
     scratch.write("plan.toml", &text);

@@ -37,7 +37,7 @@ key = "start.spin.body[0]"
 normal = { mean = 0.3, sd = 1.5 }
 [[sweep.vary]]
 key = 'body.part["body"].inertia'
-dispersion = { inertia = "5 %" }
+dispersion = "5 %"
 "#;
 
 /// Every file of a folder, by its path inside.

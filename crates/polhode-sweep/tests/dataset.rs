@@ -256,7 +256,9 @@ fn statistics_are_those_of_the_rows() {
             let [Some(low), Some(high)] = quantile.interval else { panic!("{name}") };
             let rank = |x: f64| values.iter().filter(|y| **y < x).count() as f64;
             if least < largest && values.windows(2).all(|w| w[0] < w[1]) {
-                assert!((rank(low) - (n * p - reach)).abs() < 3.0 && (rank(high) - (n * p + reach)).abs() < 3.0);
+                assert!(
+                    (rank(low) - (n * p - reach)).abs() < 3.0 && (rank(high) - (n * p + reach)).abs() < 3.0
+                );
                 varied += 1;
             }
         }
@@ -268,7 +270,10 @@ fn statistics_are_those_of_the_rows() {
             assert_eq!(h.counts.iter().sum::<u64>(), inside as u64, "{name}");
         }
         let [low, high] = statistic.mean_interval.unwrap();
-        assert!((high - low - 2.0 * 1.960_77 * deviation / n.sqrt()).abs() <= 1e-4 * (high - low) + 1e-14 * scale, "{name}");
+        assert!(
+            (high - low - 2.0 * 1.960_77 * deviation / n.sqrt()).abs() <= 1e-4 * (high - low) + 1e-14 * scale,
+            "{name}"
+        );
     }
     assert!(varied > 50, "{varied}");
     assert_eq!(summary.statuses.len(), 1);

@@ -237,7 +237,10 @@ fn rows_that_are_no_inputs_are_refused() {
     let mut columns = given.columns().to_vec();
     columns[1].values = Values::Perhaps(vec![None; 3]);
     let error = simulate(&plan, &Batch::new(columns).unwrap()).unwrap_err();
-    assert!(matches!(error, BatchError::Kind { ref column, .. } if *column == given.columns()[1].name), "{error}");
+    assert!(
+        matches!(error, BatchError::Kind { ref column, .. } if *column == given.columns()[1].name),
+        "{error}"
+    );
 }
 
 #[test]

@@ -40,7 +40,8 @@ pub(super) fn hand_over(sweep: &Sweep, url: &str, target: &Path) -> Result<(), F
         }
         Err(error) => return Err(Failure::usage(format!("python3 cannot be run: {error}"), install)),
         Ok(status) if !status.success() => {
-            let message = "a sweep on a cluster needs the Python package polhode, which this python3 does not have";
+            let message =
+                "a sweep on a cluster needs the Python package polhode, which this python3 does not have";
             return Err(Failure::usage(message, install));
         }
         Ok(_) => {}
@@ -55,7 +56,9 @@ pub(super) fn hand_over(sweep: &Sweep, url: &str, target: &Path) -> Result<(), F
     if let Some(threads) = sweep.threads {
         command.arg("--threads").arg(threads.to_string());
     }
-    let status = command.status().map_err(|error| Failure::usage(format!("python3 cannot be run: {error}"), install))?;
+    let status = command
+        .status()
+        .map_err(|error| Failure::usage(format!("python3 cannot be run: {error}"), install))?;
     match status.code() {
         Some(0) => Ok(()),
         code => Err(Failure::Status(code.and_then(|code| u8::try_from(code).ok()).unwrap_or(2))),
@@ -70,7 +73,9 @@ mod tests {
     fn a_cluster_is_an_engine_a_host_and_a_port() {
         assert_eq!(url("ray://127.0.0.1:10001").as_deref(), Ok("ray://127.0.0.1:10001"));
         assert_eq!(url("dask://node-1.example:8786").as_deref(), Ok("dask://node-1.example:8786"));
-        for wrong in ["ray://", "ray://host", "ray://host:port", "http://host:80", "dask://:1", "dask://h:99999"] {
+        for wrong in
+            ["ray://", "ray://host", "ray://host:port", "http://host:80", "dask://:1", "dask://h:99999"]
+        {
             assert!(url(wrong).is_err(), "{wrong}");
         }
     }

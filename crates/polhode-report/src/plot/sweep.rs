@@ -143,17 +143,24 @@ impl<'a> SweepFigures<'a> {
         let (Some(x), Some(y)) = (statistic(input), statistic(outcome)) else { return };
         let regimes: Vec<&str> =
             self.summary.regimes.iter().take(REGIMES.len()).map(|share| share.name.as_str()).collect();
-        let pen = |k: usize| {
-            Pen::solid(REGIMES.get(k).copied().unwrap_or(Colour::FAINT), 2.2).faint(0.45)
-        };
+        let pen = |k: usize| Pen::solid(REGIMES.get(k).copied().unwrap_or(Colour::FAINT), 2.2).faint(0.45);
         let keys: Vec<Key> = if regimes.len() > 1 {
-            regimes.iter().enumerate().map(|(k, name)| Key::dot(Pen { width: 5.0, opacity: 1.0, ..pen(k) }, *name)).collect()
+            regimes
+                .iter()
+                .enumerate()
+                .map(|(k, name)| Key::dot(Pen { width: 5.0, opacity: 1.0, ..pen(k) }, *name))
+                .collect()
         } else {
             Vec::new()
         };
         let used = heading(sheet, area, &y.name, &format!("r = {value:+.2}").replace('-', "−"), &keys);
         let area = area.below(used);
-        let axes = Axes::within(area, axis_of(x, area.width() / 70.0, &x.name), axis_of(y, area.height() / 34.0, ""), None);
+        let axes = Axes::within(
+            area,
+            axis_of(x, area.width() / 70.0, &x.name),
+            axis_of(y, area.height() / 34.0, ""),
+            None,
+        );
         axes.draw(sheet);
         let mut dots: Vec<Vec<Point>> = vec![Vec::new(); regimes.len() + 1];
         let column = |name: &str| {

@@ -2,11 +2,14 @@
 
 use super::{SweepIntervals, SweepShare, SweepStatistic, SweepSummary};
 use crate::layout::{columns, labelled, plain_spaces, printable};
-use crate::number::{count, number, ungrouped};
+use crate::number::{count, error, number, ungrouped};
 
 /// Dependencies that are shown: weaker ones say little.
 const LEAST_CORRELATION: f64 = 0.1;
 const MOST_CORRELATIONS: usize = 6;
+
+/// What only its worst says something of.
+const DRIFT: [&str; 2] = ["energy_drift", "momentum_drift"];
 
 pub(super) fn write(summary: &SweepSummary) -> String {
     let title = printable(summary.title.as_deref().unwrap_or("sweep"));
@@ -29,9 +32,16 @@ pub(super) fn write(summary: &SweepSummary) -> String {
         text.push_str(&labelled("at the end", &shares(&summary.end_regimes, summary.members)));
     }
     text.push_str(&table(summary));
+    let worst = |name: &str| summary.outcomes.iter().find(|s| s.name == name).and_then(|s| s.max);
+    if let [Some(energy), Some(momentum)] = DRIFT.map(worst) {
+        let line =
+            format!("energy {}   momentum {}   (relative, worst member)", error(energy), error(momentum));
+        text.push_str(&labelled("drift", &line.replace("   ", "\u{a0}\u{a0} ")));
+    }
     let strong = summary.correlations.iter().filter(|c| c.value.abs() >= LEAST_CORRELATION);
     for (k, pair) in strong.take(MOST_CORRELATIONS).enumerate() {
-        let line = format!("{:+.2}  {} with {}", pair.value, printable(&pair.outcome), printable(&pair.input));
+        let line =
+            format!("{:+.2}  {} with {}", pair.value, printable(&pair.outcome), printable(&pair.input));
         let label = if k == 0 { "rank correlation" } else { "" };
         text.push_str(&labelled(label, &line.replacen("  ", "\u{a0} ", 1)));
     }
@@ -64,8 +74,10 @@ fn table(summary: &SweepSummary) -> String {
     let head = ["mean", "", "least", "5 %", "median", "95 %", "largest"];
     let mut text = String::new();
     for (title, statistics) in [("inputs", &summary.inputs), ("outcomes", &summary.outcomes)] {
-        let (varying, same): (Vec<_>, Vec<_>) =
-            statistics.iter().filter(|s| s.count > 0).partition(|s| s.varies());
+        let (varying, same): (Vec<_>, Vec<_>) = statistics
+            .iter()
+            .filter(|s| s.count > 0 && !DRIFT.contains(&s.name.as_str()))
+            .partition(|s| s.varies());
         let mut rows: Vec<Vec<String>> =
             vec![std::iter::once(title).chain(head).map(str::to_owned).collect()];
         rows.extend(varying.into_iter().map(|statistic| row(statistic, summary.members)));

@@ -83,7 +83,8 @@ fn empty(kind: Physical, optional: bool) -> Result<Values, ParquetError> {
 
 /// Reads all rows of a column of a group.
 fn append(values: &mut Values, reader: ColumnReader, rows: usize) -> Result<(), ParquetError> {
-    let wrong = || Err(ParquetError::General("a column holds something else than its schema says".to_owned()));
+    let wrong =
+        || Err(ParquetError::General("a column holds something else than its schema says".to_owned()));
     match (values, reader) {
         (Values::Whole(values), ColumnReader::Int64ColumnReader(reader)) => {
             for value in all(reader, rows)?.0 {

@@ -48,15 +48,11 @@ pub(crate) fn of(
     let parts = Parts { count: parts, threads, read };
     let heads = read(0)?;
     let names: Vec<&str> = numeric(&heads).map(|(name, ..)| name).collect();
-    let tally = parts.in_order(
-        |part| Tally::of(&read(part)?, &names, plan.members()),
-        Tally::merge,
-    )?;
+    let tally = parts.in_order(|part| Tally::of(&read(part)?, &names, plan.members()), Tally::merge)?;
     let tally = tally.unwrap_or_default();
 
     let independent = plan.sampling() == Sampling::MonteCarlo;
-    let ranks: Vec<Vec<u64>> =
-        tally.moments.iter().map(|moments| ranks(moments, independent)).collect();
+    let ranks: Vec<Vec<u64>> = tally.moments.iter().map(|moments| ranks(moments, independent)).collect();
     let chosen = selection::select(&parts, &names, ranks)?;
     let plans: Vec<_> = tally.moments.iter().zip(&chosen).map(|(m, s)| histogram::Bins::of(m, s)).collect();
     let histograms = histogram::count(&parts, &names, &plans)?;
@@ -198,7 +194,9 @@ const fn sampling(sampling: Sampling) -> &'static str {
 const fn intervals(sampling: Sampling) -> SweepIntervals {
     match sampling {
         Sampling::MonteCarlo => SweepIntervals::Given { confidence: CONFIDENCE },
-        Sampling::Grid => SweepIntervals::None { why: "a grid is no sample: its members stand for themselves" },
+        Sampling::Grid => {
+            SweepIntervals::None { why: "a grid is no sample: its members stand for themselves" }
+        }
         Sampling::LatinHypercube => SweepIntervals::None {
             why: "members of a Latin hypercube are not independent, so that one of them does not show its error; repeat the sweep \
                   with other seeds to see it",

@@ -54,7 +54,7 @@ pub(crate) struct Sweep {
     /// Print the summary as JSON.
     #[arg(long)]
     json: bool,
-    /// Compute on a cluster: ray://HOST:PORT or dask://HOST:PORT. Needs the Python package polhode.
+    /// Compute on a cluster: ray://HOST:PORT or dask://HOST:PORT, or local for processes here. Needs the Python package polhode.
     #[arg(long, value_name = "URL", value_parser = cluster::url)]
     on: Option<String>,
 }

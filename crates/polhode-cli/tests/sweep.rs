@@ -128,6 +128,21 @@ fn another_plan_does_not_go_on() {
     stdout(&scratch.run(&["sweep", "plan.toml", "-o", "out", "--force"]));
 }
 
+/// Files that may not grow to the size of a part stand for a disk that is full.
+#[test]
+#[cfg(unix)]
+fn what_cannot_be_written_is_said_and_can_go_on() {
+    let scratch = Scratch::new("sweep-full");
+    scratch.write("plan.toml", &plan(600));
+    let limited = "trap '' XFSZ; ulimit -f 40; exec \"$0\" sweep plan.toml -o out";
+    let mut command = std::process::Command::new("sh");
+    command.args(["-c", limited, env!("CARGO_BIN_EXE_polhode")]).current_dir(&scratch.0);
+    let error = refused(&command.output().unwrap(), 2);
+    assert!(error.contains("cannot write out/members/part-0000"), "{error}");
+    assert!(entries(&scratch.0.join("out/members")).is_empty());
+    stdout(&scratch.run(&["sweep", "plan.toml", "-o", "out", "--resume"]));
+}
+
 /// A sweep that is not over soon, ended when dropped.
 struct Running(Child);
 

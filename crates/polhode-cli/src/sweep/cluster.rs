@@ -7,16 +7,18 @@ use std::process::{Command, Stdio};
 use super::Sweep;
 use crate::failure::Failure;
 
-/// `ray://HOST:PORT` or `dask://HOST:PORT`
+/// `ray://HOST:PORT` or `dask://HOST:PORT`, or `local` for a cluster that is started here.
 pub(super) fn url(text: &str) -> Result<String, String> {
     let place = text.strip_prefix("ray://").or_else(|| text.strip_prefix("dask://"));
     let is_place = |place: &str| {
         let (host, port) = place.rsplit_once(':').unwrap_or((place, ""));
-        !host.is_empty() && port.parse::<u16>().is_ok()
+        place == "local" || !host.is_empty() && port.parse::<u16>().is_ok()
     };
     match place {
         Some(place) if is_place(place) => Ok(text.to_owned()),
-        _ => Err("a cluster is ray://HOST:PORT or dask://HOST:PORT".to_owned()),
+        _ => {
+            Err("a cluster is ray://HOST:PORT or dask://HOST:PORT, or local instead of HOST:PORT".to_owned())
+        }
     }
 }
 
@@ -73,6 +75,7 @@ mod tests {
     fn a_cluster_is_an_engine_a_host_and_a_port() {
         assert_eq!(url("ray://127.0.0.1:10001").as_deref(), Ok("ray://127.0.0.1:10001"));
         assert_eq!(url("dask://node-1.example:8786").as_deref(), Ok("dask://node-1.example:8786"));
+        assert_eq!(url("dask://local").as_deref(), Ok("dask://local"));
         for wrong in
             ["ray://", "ray://host", "ray://host:port", "http://host:80", "dask://:1", "dask://h:99999"]
         {

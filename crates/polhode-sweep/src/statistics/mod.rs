@@ -17,13 +17,14 @@ mod selection;
 mod tally;
 
 use polhode_report::{
-    SweepCorrelation, SweepIntervals, SweepQuantile, SweepSample, SweepShare, SweepStatistic, SweepSummary,
+    SweepCorrelation, SweepQuantile, SweepSample, SweepShare, SweepStatistic, SweepSummary,
 };
 
 use crate::batch::{Batch, Values};
 use crate::error::SweepError;
 use crate::plan::{Plan, Sampling};
 use crate::rows::MEMBER;
+use crate::sampling;
 use interval::Interval;
 use passes::Parts;
 use selection::Selection;
@@ -84,8 +85,8 @@ pub(crate) fn of(
         title: plan.nominal().title.clone(),
         digest: plan.digest(),
         members: plan.members(),
-        sampling: sampling(plan.sampling()),
-        intervals: intervals(plan.sampling()),
+        sampling: sampling::name(plan.sampling()),
+        intervals: sampling::intervals(plan.sampling(), CONFIDENCE),
         statuses: shares("status"),
         regimes: shares("regime"),
         end_regimes: shares("end_regime"),
@@ -179,33 +180,6 @@ fn shares(
     let mut shares: Vec<SweepShare> = counts.into_iter().flatten().map(share).collect();
     shares.sort_by(|a, b| b.count.cmp(&a.count).then_with(|| a.name.cmp(&b.name)));
     shares
-}
-
-const fn sampling(sampling: Sampling) -> &'static str {
-    match sampling {
-        Sampling::Grid => "grid",
-        Sampling::MonteCarlo => "monte_carlo",
-        Sampling::LatinHypercube => "latin_hypercube",
-        Sampling::Sobol => "sobol",
-    }
-}
-
-/// Whether there are intervals, or why there are none.
-const fn intervals(sampling: Sampling) -> SweepIntervals {
-    match sampling {
-        Sampling::MonteCarlo => SweepIntervals::Given { confidence: CONFIDENCE },
-        Sampling::Grid => {
-            SweepIntervals::None { why: "a grid is no sample: its members stand for themselves" }
-        }
-        Sampling::LatinHypercube => SweepIntervals::None {
-            why: "members of a Latin hypercube are not independent, so that one of them does not show its error; repeat the sweep \
-                  with other seeds to see it",
-        },
-        Sampling::Sobol => SweepIntervals::None {
-            why: "Sobol points are not independent, so that one set of them does not show its error; repeat the sweep with other \
-                  seeds to see it",
-        },
-    }
 }
 
 #[cfg(test)]

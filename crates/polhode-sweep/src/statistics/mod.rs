@@ -34,8 +34,18 @@ use tally::{Moments, Tally};
 const CONFIDENCE: f64 = 0.95;
 /// Which quantiles there are.
 const PROBABILITIES: [f64; 7] = [0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99];
-/// What the computation cost, and how good it is, says nothing about the body.
-const COST: [&str; 5] = ["energy_drift", "momentum_drift", "steps_accepted", "steps_rejected", "evaluations"];
+/// Outcomes whose dependence on inputs says nothing: what the body is, what its motion cost to compute, and how good that is.
+const PLAIN: [&str; 9] = [
+    "mass_kg",
+    "moment_1_kg_m2",
+    "moment_2_kg_m2",
+    "moment_3_kg_m2",
+    "energy_drift",
+    "momentum_drift",
+    "steps_accepted",
+    "steps_rejected",
+    "evaluations",
+];
 /// Final attitudes are four numbers that mean nothing one by one.
 const APART: [&str; 4] = ["end_attitude_w", "end_attitude_x", "end_attitude_y", "end_attitude_z"];
 
@@ -75,7 +85,7 @@ pub(crate) fn of(
     }
     let inputs: Vec<String> = plan.variables().iter().map(|variable| variable.name.clone()).collect();
     let sample = tally.sample.finish(&names, &inputs);
-    let correlations = rank_correlation::strongest(&sample, &inputs, &COST)
+    let correlations = rank_correlation::strongest(&sample, &inputs, &PLAIN)
         .into_iter()
         .map(|(input, outcome, value)| SweepCorrelation { input, outcome, value })
         .collect();

@@ -225,6 +225,33 @@ fn a_driven_motion_balances_its_energy() {
 }
 
 #[test]
+fn wheels_tell_their_ends_and_splitting_its_step() {
+    let mut scenario = common::gyrostat();
+    let [inertia, torque, from] = common::MOTOR;
+    let json = summary(&scenario);
+    let [held, turned] = [&json["wheels"][0], &json["wheels"][1]];
+    let near = |value: &Value, want: f64| assert!((value.as_f64().unwrap() - want).abs() < 1e-12, "{value}");
+    near(&held["momentum_kg_m2_s"], 1.3);
+    near(&held["final_momentum_kg_m2_s"], 1.3);
+    assert!(held["speed_rad_s"].is_null() && held["final_speed_rad_s"].is_null());
+    near(&turned["speed_rad_s"], 12.0);
+    let h = turned["momentum_kg_m2_s"].as_f64().unwrap() + torque * (6.0 - from);
+    near(&turned["final_momentum_kg_m2_s"], h);
+    // h = J (a·ω + Ω)
+    let [axis, omega] = [&turned["axis_body"], &json["final"]["omega_body"]].map(floats);
+    let along: f64 = axis.iter().zip(&omega).map(|(a, w)| a * w).sum();
+    near(&turned["final_speed_rad_s"], h / inertia - along);
+    assert!(json["run"]["splitting"].is_null());
+
+    scenario.wheels.clear();
+    let method = Method::Splitting { order: SplittingOrder::Four, step: 0.025 };
+    scenario.run = Some(Run::evenly(1.0, 3, method, 1e-9));
+    let run = &summary(&scenario)["run"];
+    assert_eq!((&run["splitting"]["order"], &run["splitting"]["step_s"]), (&4.into(), &0.025.into()));
+    assert!(run["tolerance"].is_null());
+}
+
+#[test]
 fn a_permanent_rotation_has_a_rotation_period_only() {
     let mut scenario = common::tensor("Spin", [3.1, 4.2, 5.3], [0.0; 3], [0.0, 0.0, 2.0]);
     scenario.run = common::run(1.0, 3);

@@ -1,6 +1,6 @@
 //! The motion on one screen.
 
-use polhode::{FreeRegime, Method, Pendulum, Sample, Scenario, Solution, Swing};
+use polhode::{FreeRegime, Method, Pendulum, Sample, Scenario, Solution, State, Swing, Wheel};
 
 use super::MotionReport;
 use super::facts::{Facts, Needed, Top};
@@ -272,8 +272,26 @@ fn ends(report: &MotionReport<'_>, facts: &Facts) -> String {
             );
             text.push_str(&labelled("energy", &line));
         }
+        text.push_str(&wheels(report.scenario, [&first.state, &last.state]));
     }
     text
+}
+
+/// What each wheel does at the start and at the end; nothing of one whose speed is held, which `what_acts` has.
+fn wheels(scenario: &Scenario, ends: [&State; 2]) -> String {
+    let several = scenario.wheels.len() > 1;
+    let line = |(k, wheel): (usize, &Wheel)| {
+        let [from, to] = ends.map(|state| number(wheel.momentum_at(state.time), 6));
+        let [Some(slow), Some(fast)] = ends.map(|state| wheel.speed_at(state.time, state.omega)) else {
+            return String::new();
+        };
+        let label = if several { format!("wheel {}", k + 1) } else { "wheel".to_owned() };
+        let rpm = number(60.0 * fast / std::f64::consts::TAU, 4);
+        let [slow, fast] = [slow, fast].map(|speed| number(speed, 6));
+        let line = format!("h {from} → {to} kg·m²/s, Ω in the body {slow} → {fast} rad/s ({rpm} rpm)");
+        labelled(&label, &line)
+    };
+    scenario.wheels.iter().enumerate().map(line).collect()
 }
 
 /// An upper bound of a rounding error, which may be exactly zero.

@@ -11,7 +11,7 @@ use super::motion::Shown;
 use super::{PageInput, PageSubject};
 use crate::block::Geometry;
 use crate::event;
-use crate::number::{count, error, number, tidy, tidy_matrix, vector};
+use crate::number::{count, error, number, tidy, tidy_matrix, typeset, vector};
 use crate::periods::Periods;
 use crate::torque::Description;
 use crate::unit::{self, DIGITS};
@@ -54,39 +54,6 @@ impl Row {
     fn json(&self) -> Value {
         json!({ "label": self.label, "value": typeset(&self.value), "unit": self.unit, "note": typeset(&self.note) })
     }
-}
-
-/// Numbers as they are set: `-4.5e-5` as −4.5×10⁻⁵.
-fn typeset(text: &str) -> String {
-    let mut out = String::new();
-    let mut before = ' ';
-    let mut rest = text.chars().peekable();
-    let mut in_power = false;
-    while let Some(c) = rest.next() {
-        let next = rest.peek().copied().unwrap_or(' ');
-        let continues = in_power && c.is_ascii_digit();
-        in_power = continues;
-        match c {
-            'e' if before.is_ascii_digit() && (next == '-' || next.is_ascii_digit()) => {
-                out.push_str("×10");
-                if next == '-' {
-                    rest.next();
-                    out.push('⁻');
-                }
-                in_power = true;
-            }
-            _ if continues => out.push(superscript(c)),
-            '-' if next.is_ascii_digit() => out.push('−'),
-            c => out.push(c),
-        }
-        before = c;
-    }
-    out
-}
-
-fn superscript(digit: char) -> char {
-    let digits = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
-    digit.to_digit(10).and_then(|k| digits.get(k as usize)).copied().unwrap_or(digit)
 }
 
 pub(super) fn json(
@@ -324,22 +291,4 @@ fn this_page(shown: &Shown<'_>, notes: &[String]) -> Vec<Row> {
     }
     rows.extend(notes.iter().map(|note| Row::new("body", note.clone(), "")));
     rows
-}
-
-#[cfg(test)]
-mod tests {
-    use super::typeset;
-
-    #[test]
-    fn numbers_are_set() {
-        for (text, set) in [
-            ("-4.5e-5", "−4.5×10⁻⁵"),
-            ("(1e12, -0.5, 3)", "(1×10¹², −0.5, 3)"),
-            ("axis 3 = (0, -1, 0)", "axis 3 = (0, −1, 0)"),
-            ("2 bodies, time-like: 1 each", "2 bodies, time-like: 1 each"),
-            ("", ""),
-        ] {
-            assert_eq!(typeset(text), set);
-        }
-    }
 }

@@ -1,9 +1,9 @@
 //! How far a computed motion departs from its balances, sample by sample.
 //!
-//! The same departures as [`polhode::Drift`], which has the largest of each. A sample's departure is rounding noise in a
+//! They are those of [`Drift::along`]. A sample's departure is rounding noise in a
 //! closed form and a staircase in an integration: dots show either, and a line the largest so far.
 
-use polhode::Sample;
+use polhode::{Drift, Solution};
 
 use super::axes::{Axes, Axis, Key};
 use super::motion::MotionFigures;
@@ -54,35 +54,31 @@ pub(super) fn draw(motion: &MotionFigures<'_>, sheet: &mut Sheet, heading: Headi
     }
 }
 
-/// The balances that this motion keeps.
+/// The balances that this motion keeps, and that say something of how it was computed.
 pub(super) fn departures(motion: &MotionFigures<'_>) -> Vec<Departure> {
-    let (first, samples) = (motion.trajectory.start(), motion.samples());
-    let largest = |f: &dyn Fn(&Sample) -> f64| samples.iter().chain([first]).map(f).fold(0.0, f64::max);
-    let (t0, l0) = (first.kinetic_energy, first.momentum);
-    let largest_t = largest(&|s| s.kinetic_energy);
-    let largest_l = largest(&|s| s.momentum.norm());
-    let relative = |name: &'static str, whole: f64, part: &dyn Fn(&Sample) -> f64| Departure {
+    let all = Drift::along(motion.trajectory).unwrap_or_default();
+    let one = |name: &'static str, value: &dyn Fn(&Drift) -> f64| Departure {
         name,
-        values: samples.iter().map(|s| if whole > 0.0 { part(s) / whole } else { 0.0 }).collect(),
+        values: all.iter().map(value).collect(),
     };
     if !motion.driven {
         return vec![
-            relative("T", largest_t, &|s| (s.kinetic_energy - t0).abs()),
-            relative("|L|", largest_l, &|s| (s.momentum.norm() - l0.norm()).abs()),
-            relative("L in space", largest_l, &|s| (s.momentum - l0).norm()),
+            one("T", &|d| d.kinetic_energy),
+            one("|L|", &|d| d.momentum_magnitude),
+            one("L in space", &|d| d.momentum),
         ];
     }
-    let mut all = vec![
-        // T(t) − T(0) = W,  L(t) − L(0) = J
-        relative("T − work", largest_t, &|s| (s.kinetic_energy - t0 - (s.work - first.work)).abs()),
-        relative("L − impulse", largest_l, &|s| (s.momentum - l0 - (s.impulse - first.impulse)).norm()),
-    ];
-    if let Some(u0) = first.potential_energy {
-        let rise = |s: &Sample| s.potential_energy.unwrap_or(u0) - u0;
-        let whole = largest_t.max(largest(&|s| rise(s).abs()));
-        all.push(relative("T + U", whole, &|s| (s.kinetic_energy - t0 + rise(s)).abs()));
+    // Work and impulse of a closed form are what T and L have gained.
+    let mut balances = if matches!(motion.trajectory.solution(), Solution::Exact(_)) {
+        Vec::new()
+    } else {
+        let impulse = if motion.torqued { "L − impulse" } else { "L in space" };
+        vec![one("T − work", &|d| d.work_energy), one(impulse, &|d| d.momentum)]
+    };
+    if all.iter().all(|d| d.total_energy.is_some()) {
+        balances.push(one("T + U", &|d| d.total_energy.unwrap_or_default()));
     }
-    all
+    balances
 }
 
 /// One dot where several would be one.

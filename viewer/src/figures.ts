@@ -1,6 +1,6 @@
 /** What is plotted over time: the same figures on the screen and in the files that it saves. */
-import { euler313 } from "./attitude";
-import { at, lengths, type Motion } from "./motion";
+import { euler313, type Vector } from "./attitude";
+import { at, length, lengths, type Motion } from "./motion";
 
 export interface Line {
   label: string;
@@ -17,27 +17,40 @@ export interface Figure {
   log: boolean;
   /** The values are angles in (−180°, 180°]: a line is broken where it leaps. */
   wraps: boolean;
+  /** So many samples say how large the values are: a motion that runs away leaves the plot at its end. */
+  telling: number;
   lines: Line[];
 }
 
 /** Zero cannot stand on a log scale; it is drawn here. */
 export const DRIFT_FLOOR = 1e-17;
 
+/** What is less of the size of what it is made of is zero. */
+const ZERO = 1e-12;
+
+/** Where sin θ is below this, φ and ψ are not drawn: near θ = 0 only their sum exists, near 180° only their difference. */
+const POLE = 0.02;
+
 export function figuresOf(motion: Motion): Figure[] {
-  const figures: Figure[] = [omega(motion), energy(motion), momentum(motion), angles(motion)];
-  if (motion.drift.length > 0) figures.push(drift(motion));
-  return figures;
+  const made = [omega(motion), energy(motion), momentum(motion), ...torque(motion), ...wheels(motion), angles(motion)];
+  if (motion.drift.length > 0) made.push(drift(motion));
+  return made.map((figure) => {
+    const lasts = motion.complete || figure.log || figure.wraps;
+    return { ...figure, telling: lasts ? motion.count : telling(figure.lines) };
+  });
 }
+
+type Made = Omit<Figure, "telling">;
 
 const AXES = ["axis-1", "axis-2", "axis-3"];
 
-function omega(motion: Motion): Figure {
+function omega(motion: Motion): Made {
   const lines = ["ωx", "ωy", "ωz"].map((label, k) => ({ label, ink: AXES[k], values: column(motion.omega, k) }));
   const size = { label: "|ω|", ink: "quiet", values: lengths(motion.omega), dash: [4, 4] };
   return { ...plain, id: "omega", title: "Angular velocity, body axes", unit: "rad/s", lines: [...lines, size] };
 }
 
-function energy(motion: Motion): Figure {
+function energy(motion: Motion): Made {
   const { kinetic, potential } = motion;
   const lines: Line[] = [{ label: potential ? "kinetic" : "kinetic T", ink: "omega", values: kinetic }];
   if (potential) {
@@ -47,27 +60,84 @@ function energy(motion: Motion): Figure {
   return { ...plain, id: "energy", title: "Energy", unit: "J", lines };
 }
 
-function momentum(motion: Motion): Figure {
+function momentum(motion: Motion): Made {
+  // L may be nothing while the body turns and its wheels turn back: the carrier's is at least 2 T/|ω|.
+  let size = 0;
+  for (let i = 0; i < motion.count; i += 1) {
+    const rate = length(at(motion.omega, i));
+    if (rate > 0) size = Math.max(size, (2 * motion.kinetic[i]) / rate);
+    for (const wheel of motion.wheels) size = Math.max(size, Math.abs(wheel.momentum[i]));
+  }
   const lines: Line[] = [{ label: "|L|", ink: "ink", values: lengths(motion.momentum) }];
-  if (motion.torque) {
+  const parts = motion.torque !== null || motion.wheels.length > 0;
+  if (parts) {
     ["LX", "LY", "LZ"].forEach((label, k) => {
       lines.push({ label, ink: AXES[k], values: column(motion.momentum, k), dash: [6, 3] });
     });
   }
-  return { ...plain, id: "momentum", title: motion.torque ? "Angular momentum, space axes" : "Angular momentum", unit: "kg·m²/s", lines };
+  for (const line of lines) size = Math.max(size, largest(line.values));
+  for (const line of lines) {
+    if (largest(line.values) <= ZERO * size) line.values = new Float64Array(motion.count);
+  }
+  const whose = motion.wheels.length > 0 ? ", wheels included" : "";
+  return { ...plain, id: "momentum", title: `Angular momentum${parts ? ", space axes" : ""}${whose}`, unit: "kg·m²/s", lines };
 }
 
-function angles(motion: Motion): Figure {
+/** None where no torque acts. */
+function torque({ torque }: Motion): Made[] {
+  if (torque === null) return [];
+  const lines = ["Nx", "Ny", "Nz"].map((label, k) => ({ label, ink: AXES[k], values: column(torque, k) }));
+  const size = { label: "|N|", ink: "quiet", values: lengths(torque), dash: [4, 4] };
+  return [{ ...plain, id: "torque", title: "Torque, body axes", unit: "N·m", lines: [...lines, size] }];
+}
+
+/** Momenta and speeds; none without a wheel. */
+function wheels({ wheels }: Motion): Made[] {
+  const line = (label: string, values: Float64Array, k: number): Line => ({ label, ink: AXES[k % 3], values });
+  const h = wheels.map(({ name, momentum }, k) => line(name, momentum, k));
+  const speeds = wheels.flatMap(({ name, speed }, k) => (speed ? [line(name, speed, k)] : []));
+  const made: Made[] = [];
+  if (h.length > 0) made.push({ ...plain, id: "wheels", title: "Wheels, momentum along their axes", unit: "kg·m²/s", lines: h });
+  if (speeds.length > 0) made.push({ ...plain, id: "wheel-speeds", title: "Wheels, speed in the body", unit: "rad/s", lines: speeds });
+  return made;
+}
+
+function angles(motion: Motion): Made {
+  const degrees = (angle: number): number => (angle * 180) / Math.PI;
   const rows = Array.from({ length: motion.count }, (_, i) => euler313(motion.attitudeOf(i)));
-  const lines = ["φ precession", "θ nutation", "ψ spin"].map((label, k) => ({
+  const [up, down] = [rows.some(([, theta]) => theta < POLE), rows.some(([, theta]) => theta > Math.PI - POLE)];
+  const line = (label: string, ink: string, value: (row: Vector, i: number) => number, dash?: number[]): Line => ({
     label,
-    ink: AXES[k],
-    values: Float64Array.from(rows, (row) => (row[k] * 180) / Math.PI),
-  }));
-  return { ...plain, id: "angles", title: "Attitude, Euler angles 3-1-3", unit: "°", wraps: true, lines };
+    ink,
+    values: Float64Array.from(rows, (row, i) => degrees(value(row, i))),
+    ...(dash ? { dash } : {}),
+  });
+  const both = (k: number) => (row: Vector): number => (Math.sin(row[1]) < POLE ? Number.NaN : row[k]);
+  const lines = [
+    line("φ precession", AXES[0], both(0)),
+    line("θ nutation", AXES[1], (row) => row[1]),
+    line("ψ spin", AXES[2], both(2)),
+  ];
+  // (w, x, y, z) = (cos ½θ cos ½(φ + ψ), sin ½θ cos ½(φ − ψ), sin ½θ sin ½(φ − ψ), cos ½θ sin ½(φ + ψ))
+  const turn = (y: number, x: number): number => {
+    const angle = 2 * Math.atan2(y, x);
+    return angle - 2 * Math.PI * Math.round(angle / (2 * Math.PI));
+  };
+  const sum = (row: Vector, i: number): number => {
+    const [w, , , z] = motion.attitudeOf(i);
+    return row[1] > Math.PI - POLE ? Number.NaN : turn(z, w);
+  };
+  const difference = (row: Vector, i: number): number => {
+    const [, x, y] = motion.attitudeOf(i);
+    return row[1] < POLE ? Number.NaN : turn(y, x);
+  };
+  if (up) lines.push(line("φ + ψ", "ink", sum));
+  if (down) lines.push(line("φ − ψ", "quiet", difference, [6, 3]));
+  const shown = lines.filter(({ values }) => values.some(Number.isFinite));
+  return { ...plain, id: "angles", title: "Attitude, Euler angles 3-1-3", unit: "°", wraps: true, lines: shown };
 }
 
-function drift(motion: Motion): Figure {
+function drift(motion: Motion): Made {
   const inks = ["omega", "ink", "torque", "axis-1", "axis-3", "axis-2"];
   const lines = motion.drift.map(({ name, values }, k) => ({
     label: name,
@@ -83,11 +153,35 @@ function column(rows: Float64Array, k: number): Float64Array {
   return Float64Array.from({ length: rows.length / 3 }, (_, i) => at(rows, i)[k]);
 }
 
+function largest(values: Float64Array): number {
+  let size = 0;
+  for (const value of values) size = Math.max(size, Math.abs(value));
+  return size;
+}
+
+/** Without the last samples of a run-away, each of which is far beyond all before it. */
+function telling(lines: Line[]): number {
+  const count = lines[0]?.values.length ?? 0;
+  const soFar = new Float64Array(count);
+  for (let i = 0; i < count; i += 1) {
+    soFar[i] = Math.max(i > 0 ? soFar[i - 1] : 0, ...lines.map(({ values }) => Math.abs(values[i])));
+  }
+  let last = count;
+  while (last > Math.ceil(count / 2) && last > 1 && soFar[last - 1] > 4 * soFar[last - 2]) last -= 1;
+  return last;
+}
+
+/** True if nothing but zeros is drawn: its axis needs no other mark. */
+export function isZero(figure: Figure): boolean {
+  return !figure.log && !figure.wraps && figure.lines.every(({ values }) => values.every((v) => v === 0));
+}
+
 /** The range of an axis: with room around the values, and never so small that rounding errors fill the plot. */
 export function rangeOf(figure: Figure, first = 0, last = Infinity): [number, number] {
   let [low, high] = [Infinity, -Infinity];
   for (const { values } of figure.lines) {
-    for (let i = first; i <= Math.min(last, values.length - 1); i += 1) {
+    for (let i = first; i <= Math.min(last, values.length - 1, figure.telling - 1); i += 1) {
+      if (!Number.isFinite(values[i])) continue;
       low = Math.min(low, values[i]);
       high = Math.max(high, values[i]);
     }

@@ -27,6 +27,9 @@ export class Motion {
   readonly kinetic: Float64Array;
   readonly potential: Float64Array | null;
   readonly drift: { name: string; values: Float64Array }[];
+  readonly wheels: { name: string; momentum: Float64Array; speed: Float64Array | null }[];
+  readonly events: { time: number; name: string }[];
+  readonly complete: boolean;
   /** The largest turn from one sample to the next, rad: what happens between samples is a guess if it is not small. */
   readonly largestTurn: number;
 
@@ -42,6 +45,14 @@ export class Motion {
     this.kinetic = f64(data.kinetic, "kinetic energy", n);
     this.potential = data.potential === null ? null : f64(data.potential, "potential energy", n);
     this.drift = data.drift.map(({ name, values }) => ({ name, values: f64(values, name, n) }));
+    this.wheels = data.wheels.map(({ name, momentum, speed }) => ({
+      name,
+      momentum: f64(momentum, `momentum of ${name}`, n),
+      speed: speed === null ? null : f64(speed, `speed of ${name}`, n),
+    }));
+    this.events = data.events;
+    if (!this.events.every(({ time }) => Number.isFinite(time))) throw new BadData("events: a time is not finite");
+    this.complete = data.complete;
     for (let i = 1; i < n; i += 1) {
       if (this.times[i] < this.times[i - 1]) throw new BadData(`times: sample ${i} is earlier than the one before`);
     }

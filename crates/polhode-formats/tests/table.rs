@@ -9,8 +9,8 @@ use parquet::basic::{Compression, Encoding, Repetition};
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::RowAccessor;
 use polhode::{
-    AngularMomentum, AngularVelocity, Attitude, Direction, InertiaTensor, MassProperties, Method, Motor, Position, Rotation,
-    Rotor, State, TorqueModel, Trajectory, UniformGravity, Wheel,
+    AngularMomentum, AngularVelocity, Attitude, Direction, InertiaTensor, MassProperties, Method, Motor,
+    Position, Rotation, Rotor, State, TorqueModel, Trajectory, UniformGravity, Wheel,
 };
 use polhode_formats::table::{self, columns};
 

@@ -153,7 +153,7 @@ fn the_summary_has_the_same_keys_for_every_motion() {
         "momentum_space_kg_m2_s",
         "symmetric_top",
     ];
-    for scenario in common::all() {
+    for scenario in common::all().into_iter().chain([common::gyrostat()]) {
         let Some(trajectory) = scenario.simulate().transpose().unwrap() else { continue };
         let report = MotionReport::new(SourceInfo::new("a.toml", "scenario"), &scenario, &trajectory);
         let json = report.summary_json();

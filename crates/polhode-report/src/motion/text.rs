@@ -7,7 +7,7 @@ use super::facts::{Facts, Needed, Top};
 use crate::layout::{WIDTH, broken, columns, labelled, plain_spaces, printable};
 use crate::number::{count, error, number, tidy, ungrouped, vector};
 use crate::sparkline::Sparkline;
-use crate::torque::Description;
+use crate::torque::{Description, off_at_start};
 use crate::unit::{self, CLOSED, DIGITS, cone, rate};
 use crate::{event, finding, heavy_top, intermediate, omega};
 
@@ -198,7 +198,7 @@ fn what_acts(scenario: &Scenario) -> String {
     for (k, model) in scenario.torques.iter().enumerate() {
         let name = scenario.torque_names.get(k).cloned().flatten();
         let name = name.map_or_else(String::new, |name| format!("{}: ", printable(&name)));
-        let off = if scenario.switched_off.contains(&k) { ", off at the start" } else { "" };
+        let off = off_at_start(scenario, k).map_or_else(String::new, |off| format!(", {off}"));
         text.push_str(&labelled("torque", &format!("{name}{}{off}", Description::of(model).text())));
     }
     for wheel in &scenario.wheels {

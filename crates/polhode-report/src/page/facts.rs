@@ -2,7 +2,7 @@
 
 use polhode::{
     Cones, Crossing, Drift, FreeMotion, FreeRegime, GeometricPhase, Herpolhode, LeastEnergySpin, Regime,
-    Scenario, Solution, Swing, SymmetricTop,
+    Scenario, Solution, Swing, SymmetricTop, TorqueModel, Wheel,
 };
 use serde_json::{Value, json};
 
@@ -11,9 +11,10 @@ use super::motion::Shown;
 use super::{PageInput, PageSubject};
 use crate::block::Geometry;
 use crate::event;
+use crate::layout::printable;
 use crate::number::{count, error, number, tidy, tidy_matrix, typeset, vector};
 use crate::periods::Periods;
-use crate::torque::Description;
+use crate::torque::{Description, off_at_start};
 use crate::unit::{self, DIGITS};
 
 /// Between two samples a body that turns by more, rad, may have turned otherwise than the picture shows.
@@ -137,20 +138,40 @@ fn motion(input: &PageInput<'_>, free: Option<&FreeMotion>, shown: &Shown<'_>) -
     }
     match (free, input.subject) {
         (Some(free), _) => rows.extend(free_motion(free)),
-        (None, PageSubject::Scenario(scenario)) => rows.extend(driven(scenario)),
+        (None, PageSubject::Scenario(scenario)) => rows.extend(driven(scenario, shown)),
         _ => {}
     }
     rows
 }
 
-/// Torques, wheels, and what happened on the way.
-fn driven(scenario: &Scenario) -> Vec<Row> {
-    let mut rows = Vec::new();
-    let one =
-        |label, description: &Description| Row::new(label, description.text(), "").note(description.model);
-    rows.extend(scenario.torques.iter().map(|model| one("torque", &Description::of(model))));
-    rows.extend(scenario.wheels.iter().map(|wheel| one("wheel", &Description::of_wheel(wheel))));
-    rows
+/// Torques with their names, and wheels with what they do at the start and at the end.
+fn driven(scenario: &Scenario, shown: &Shown<'_>) -> Vec<Row> {
+    let torque = |(k, model): (usize, &TorqueModel)| {
+        let name = scenario.torque_names.get(k).cloned().flatten();
+        let named = name.map(|name| format!("{}: ", printable(&name))).unwrap_or_default();
+        let description = Description::of(model);
+        let note = [Some(description.model.to_owned()), off_at_start(scenario, k)];
+        let note: Vec<String> = note.into_iter().flatten().collect();
+        Row::new("torque", named + &description.text(), "").note(note.join(", "))
+    };
+    let ends = [shown.samples.first(), shown.samples.last()].map(|s| s.map(|s| s.state));
+    let wheel = |wheel: &Wheel| {
+        let description = Description::of_wheel(wheel);
+        let mut rows = vec![Row::new("wheel", description.text(), "").note(description.model)];
+        if let [Some(from), Some(to)] = ends
+            && let [Some(slow), Some(fast)] = [from, to].map(|s| wheel.speed_at(s.time, s.omega))
+        {
+            let [least, most] = [from, to].map(|s| number(wheel.momentum_at(s.time), 6));
+            rows.push(
+                Row::new("h of the wheel", format!("{least} → {most}"), "kg·m²/s").note("along its axis"),
+            );
+            let [slow, fast] = [slow, fast].map(|speed| number(speed, 6));
+            rows.push(Row::new("Ω of the wheel", format!("{slow} → {fast}"), "rad/s").note("in the body"));
+        }
+        rows
+    };
+    let torques = scenario.torques.iter().enumerate().map(torque);
+    torques.chain(scenario.wheels.iter().flat_map(wheel)).collect()
 }
 
 /// How the motion ended, if not at the end of the run, and the first of its events.

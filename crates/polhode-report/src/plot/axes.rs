@@ -180,6 +180,18 @@ impl Axes {
         sheet.line(vec![[x, self.area.top], [x, self.area.bottom]], pen);
     }
 
+    /// A name that stands along the line at x, unless that is to the left of `free`; gives where the next may stand.
+    pub(super) fn beside_upright(&self, x: f64, name: &str, free: f64, sheet: &mut Sheet) -> f64 {
+        let x = self.area.left + self.x.part(x) * self.area.width() - 4.0;
+        if x - SMALL < free.max(self.area.left) {
+            return free;
+        }
+        let name = font::fitted(name, SMALL, 0.9 * self.area.height());
+        let text = Text::small([x, self.area.bottom - 6.0], Anchor::Start, Colour::FAINT, &name);
+        sheet.marks.push(Mark::Text(Text { upward: true, halo: true, ..text }));
+        x + 4.0
+    }
+
     pub(super) fn draw(&self, sheet: &mut Sheet) {
         let Area { left, top, right, bottom } = self.area;
         let grid = Pen::solid(Colour::GRID, 0.8);

@@ -27,7 +27,7 @@ const START: Pen = Pen::solid(Colour::AXES[1], 6.0);
 const UPRIGHT: f64 = 0.09;
 
 /// Turns of θ that are unrolled: more would be too narrow to see.
-const MOST_TURNS: usize = 12;
+const MOST_TURNS: usize = 6;
 
 /// What is less between the least and the greatest θ is rounding, rad.
 const NOTHING: f64 = 1e-9;
@@ -156,11 +156,13 @@ fn sphere(top: &TopAxis, path: &[Direction<Space>], bounds: [f64; 2], sheet: &mu
     let azimuth = toward.map_or(0.0, |e| top.azimuth(e));
     let viewer = top.direction(FRAC_PI_2 - height, azimuth);
     let radius = (area.height() / (1.0 + REACH) - 2.0).min(0.5 * area.width());
-    let center = [0.5 * (area.left + area.right), area.bottom - radius - if hangs { 0.22 * radius } else { 2.0 }];
+    let center =
+        [0.5 * (area.left + area.right), area.bottom - radius - if hangs { 0.22 * radius } else { 2.0 }];
     let radius = if hangs { radius * 0.9 } else { radius };
     let view = View::new(center, radius, viewer, top.up);
     sheet.marks.push(Mark::Ball { center, radius });
-    let circle = |tilt: f64| (0..=180).map(|k| top.direction(tilt, f64::from(k) / 180.0 * TAU)).collect::<Vec<_>>();
+    let circle =
+        |tilt: f64| (0..=180).map(|k| top.direction(tilt, f64::from(k) / 180.0 * TAU)).collect::<Vec<_>>();
     let end = if hangs { -top.up } else { top.up };
     let equator = Pen::solid(Colour::FRAME, 1.0).dashed(&[2.0, 2.5]);
     let mut curves = vec![(equator, circle(FRAC_PI_2))];
@@ -198,9 +200,11 @@ fn unrolled(top: &TopAxis, path: &[Direction<Space>], bounds: [f64; 2], sheet: &
         }
         points.push([next, tilt]);
     }
-    let across = Axis::linear(range(points.iter().map(|p| p[0])), 0.03, (area.width() / 64.0).max(2.0), "φ", "deg");
+    let across =
+        Axis::linear(range(points.iter().map(|p| p[0])), 0.03, (area.width() / 64.0).max(2.0), "φ", "deg");
     let tilts = bounds.map(f64::to_degrees);
-    let up = Axis::linear(tilts, 0.08, (area.height() / 44.0).clamp(2.0, 8.0), "θ from the vertical", "deg").downward();
+    let up = Axis::linear(tilts, 0.08, (area.height() / 44.0).clamp(2.0, 8.0), "θ from the vertical", "deg")
+        .downward();
     let axes = Axes::within(area, across, up, None);
     axes.draw(sheet);
     for tilt in tilts {

@@ -1,20 +1,13 @@
 //! How far a computed motion departs from its balances, sample by sample.
 //!
-//! They are those of [`Drift::along`]. A sample's departure is rounding noise in a
-//! closed form and a staircase in an integration: dots show either, and a line the largest so far.
-
-use polhode::{Drift, Solution};
+//! A sample's departure is rounding noise in a closed form and a staircase in an integration: dots show either, and a line the
+//! largest so far.
 
 use super::axes::{Axes, Axis, Key};
 use super::motion::MotionFigures;
 use super::series::{Heading, time_axis};
 use super::sheet::{Colour, Pen, Point, Sheet};
-
-/// What should be nothing, relative to its size, at each sample.
-pub(super) struct Departure {
-    pub(super) name: &'static str,
-    pub(super) values: Vec<f64>,
-}
+use crate::balance::balances;
 
 pub(super) fn draw(motion: &MotionFigures<'_>, sheet: &mut Sheet, heading: Heading<'_>) {
     const PENS: [Colour; 3] = [Colour::AXES[1], Colour::AXES[0], Colour::AXES[2]];
@@ -23,7 +16,7 @@ pub(super) fn draw(motion: &MotionFigures<'_>, sheet: &mut Sheet, heading: Headi
         let colour = PENS.get(k).copied().unwrap_or(Colour::BLACK);
         Pen::solid(colour, 1.7).dashed(DASHES.get(k).copied().unwrap_or(&[]))
     };
-    let departures = departures(motion);
+    let departures = balances(motion.trajectory, motion.driven);
     let keys: Vec<Key> = departures.iter().enumerate().map(|(k, d)| Key::line(pen(k), d.name)).collect();
     let area = heading(sheet, &keys);
     let (x, scale) = time_axis(motion.samples(), area.width());
@@ -52,33 +45,6 @@ pub(super) fn draw(motion: &MotionFigures<'_>, sheet: &mut Sheet, heading: Headi
         });
         sheet.line(so_far.filter(|p| p[1] > 0.0).map(|p| axes.at(p)).collect(), pen(k));
     }
-}
-
-/// The balances that this motion keeps, and that say something of how it was computed.
-pub(super) fn departures(motion: &MotionFigures<'_>) -> Vec<Departure> {
-    let all = Drift::along(motion.trajectory).unwrap_or_default();
-    let one = |name: &'static str, value: &dyn Fn(&Drift) -> f64| Departure {
-        name,
-        values: all.iter().map(value).collect(),
-    };
-    if !motion.driven {
-        return vec![
-            one("T", &|d| d.kinetic_energy),
-            one("|L|", &|d| d.momentum_magnitude),
-            one("L in space", &|d| d.momentum),
-        ];
-    }
-    // Work and impulse of a closed form are what T and L have gained.
-    let mut balances = if matches!(motion.trajectory.solution(), Solution::Exact(_)) {
-        Vec::new()
-    } else {
-        let impulse = if motion.torqued { "L − impulse" } else { "L in space" };
-        vec![one("T − work", &|d| d.work_energy), one(impulse, &|d| d.momentum)]
-    };
-    if all.iter().all(|d| d.total_energy.is_some()) {
-        balances.push(one("T + U", &|d| d.total_energy.unwrap_or_default()));
-    }
-    balances
 }
 
 /// One dot where several would be one.

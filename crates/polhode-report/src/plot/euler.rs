@@ -160,7 +160,8 @@ impl At {
     }
 }
 
-/// An angle (s, rad) as it goes on, in degrees; broken where there is none, and where it cannot be followed.
+/// An angle (s, rad) as it goes on, in degrees; broken where there is none, and where it cannot be followed. Behind an end of θ that
+/// takes half a turn, of which nobody can say in which direction, it begins anew between −180° and 180°.
 fn followed(angles: impl Iterator<Item = (f64, Option<f64>)>) -> Pieces {
     let mut pieces: Pieces = Vec::new();
     let mut last: Option<f64> = None;
@@ -170,8 +171,11 @@ fn followed(angles: impl Iterator<Item = (f64, Option<f64>)>) -> Pieces {
             lifted = true;
             continue;
         };
-        let next = last.map_or_else(|| raw - TAU * (raw / TAU).round(), |last| raw + TAU * ((last - raw) / TAU).round());
-        lifted |= last.is_some_and(|last| (next - last).abs() > FRAC_PI_2);
+        let wrapped = raw - TAU * (raw / TAU).round();
+        let near = last.map_or(wrapped, |last| raw + TAU * ((last - raw) / TAU).round());
+        let jumps = last.is_some_and(|last| (near - last).abs() > FRAC_PI_2);
+        let next = if lifted && jumps { wrapped } else { near };
+        lifted |= jumps;
         if lifted {
             pieces.push(Vec::new());
         }

@@ -8,6 +8,7 @@ use super::error::PlotError;
 use super::figure::Figure;
 use super::sheet::{Anchor, Colour, LARGE, Mark, Sheet, Text};
 use super::{Picture, axis_path, drift, euler, plane, series, sphere, wheels};
+use crate::balance::Driven;
 use crate::layout::printable;
 
 /// A motion, ready to be drawn.
@@ -31,10 +32,7 @@ pub struct MotionFigures<'a> {
     /// About the point that the body turns about.
     pub(super) principal: PrincipalFrame<polhode::Body>,
     pub(super) free: Option<FreeMotion>,
-    /// A torque acts, or would have to, or wheels spin inside.
-    pub(super) driven: bool,
-    /// A torque acts, or would have to.
-    pub(super) torqued: bool,
+    pub(super) driven: Driven,
     pub(super) wheels: Vec<Wheel>,
     /// Of a body that gravity turns about a pivot.
     axis: Option<TopAxis>,
@@ -44,15 +42,13 @@ impl<'a> MotionFigures<'a> {
     /// Those of a scenario's motion; `trajectory` is what [`Scenario::simulate`] found.
     pub fn of_scenario(scenario: &Scenario, trajectory: &'a Trajectory) -> Self {
         let rotor = scenario.rotor();
-        let torqued = scenario.prescribed.is_some() || !scenario.torques.is_empty();
-        let driven = torqued || !scenario.wheels.is_empty();
+        let driven = Driven::of(scenario);
         Self {
             title: printable(scenario.title.as_deref().unwrap_or_default()),
             trajectory,
             principal: *rotor.principal(),
-            free: FreeMotion::of(&rotor, scenario.start).ok().filter(|_| !driven),
+            free: FreeMotion::of(&rotor, scenario.start).ok().filter(|_| !driven.at_all()),
             driven,
-            torqued,
             wheels: scenario.wheels.clone(),
             axis: TopAxis::of(scenario, &rotor),
         }
@@ -65,8 +61,7 @@ impl<'a> MotionFigures<'a> {
             trajectory,
             principal: *motion.principal(),
             free: Some(*motion),
-            driven: false,
-            torqued: false,
+            driven: Driven::default(),
             wheels: Vec::new(),
             axis: None,
         }
@@ -173,7 +168,7 @@ impl<'a> MotionFigures<'a> {
     /// Why there is no such figure of this motion, if there is none.
     fn why_not(&self, figure: Figure) -> Option<&'static str> {
         match (figure, &self.free) {
-            (Figure::Torque, _) if !self.torqued => Some("no torque acts on the body"),
+            (Figure::Torque, _) if !self.driven.by_torques => Some("no torque acts on the body"),
             (Figure::Wheels, _) if self.wheels.is_empty() => Some("the body has no wheels"),
             (Figure::Axis, _) if self.axis.is_none() => {
                 Some("it is that of a body which gravity turns about a pivot")
@@ -225,10 +220,10 @@ impl Figure {
         match self {
             Self::Omega => "Angular velocity along the principal axes",
             Self::Euler => "Euler angles, 3-1-3",
-            Self::Energy if motion.driven => "Energy",
+            Self::Energy if motion.driven.at_all() => "Energy",
             Self::Energy => "Kinetic energy, and its parts along the principal axes",
             Self::Momentum if !motion.wheels.is_empty() => "Angular momentum in space, wheels included",
-            Self::Momentum if motion.driven => "Angular momentum in space",
+            Self::Momentum if motion.driven.at_all() => "Angular momentum in space",
             Self::Momentum => "Angular momentum along the principal axes",
             Self::Torque if motion.is_prescribed() => "Torque that the motion needs, in body axes",
             Self::Torque => "Torque in body axes",

@@ -10,6 +10,7 @@ use super::axes::{Area, Axes, Axis, Key};
 use super::font;
 use super::motion::MotionFigures;
 use super::sheet::{Anchor, Colour, Mark, Pen, Point, SMALL, Sheet, Text};
+use crate::layout::printable;
 use crate::number::{typeset, ungrouped};
 
 /// What varies by less of its size is constant, and what is less of the size of what it is made of is zero.
@@ -39,6 +40,7 @@ pub(super) struct Panel {
     scale: f64,
     /// So many samples decide how high the plot is.
     telling: usize,
+    names_events: bool,
 }
 
 impl Panel {
@@ -54,7 +56,12 @@ impl Panel {
         let telling = if runs_away { telling(&series) } else { motion.samples().len() };
         let values = || series.iter().flat_map(|s| s.values.iter().take(telling).copied());
         let scale = values().filter(|x| x.is_finite()).map(f64::abs).fold(made_of, f64::max);
-        Self { name, unit, series, scale, telling }
+        Self { name, unit, series, scale, telling, names_events: false }
+    }
+
+    /// The same with the names of events beside their lines.
+    pub(super) fn naming_events(self) -> Self {
+        Self { names_events: true, ..self }
     }
 
     fn values(&self) -> impl Iterator<Item = f64> {
@@ -91,7 +98,11 @@ impl Panel {
         };
         let values: Vec<String> = self.series.iter().map(value).collect();
         let named = |name: fn(&Series) -> &String| -> Vec<String> {
-            self.series.iter().zip(&values).map(|(series, value)| format!("{}{value}", name(series))).collect()
+            self.series
+                .iter()
+                .zip(&values)
+                .map(|(series, value)| format!("{}{value}", name(series)))
+                .collect()
         };
         let long = named(|series| &series.long);
         let needed: f64 = long.iter().map(|name| font::width(name, SMALL) + 50.0).sum();
@@ -101,20 +112,19 @@ impl Panel {
 
     /// The axis of its values, with a mark every 40 px or so.
     pub(super) fn axis(&self, height: f64) -> Axis {
-        if self.is_zero() { Axis::zero(self.name, self.unit) } else { axis(self.values(), height, self.name, self.unit) }
+        if self.is_zero() {
+            Axis::zero(self.name, self.unit)
+        } else {
+            axis(self.values(), height, self.name, self.unit)
+        }
     }
 
-    /// Draws it with axes in an area; `left` is where their frame begins, if others are to stand beside it.
-    pub(super) fn draw(
-        &self,
-        motion: &MotionFigures<'_>,
-        sheet: &mut Sheet,
-        axes: &Axes,
-        scale: f64,
-    ) {
+    /// Draws it over axes of its own; the unit of time is so many seconds.
+    pub(super) fn draw(&self, motion: &MotionFigures<'_>, sheet: &mut Sheet, axes: &Axes, scale: f64) {
         axes.draw(sheet);
         let times: Vec<f64> = motion.samples().iter().map(|s| s.state.time / scale).collect();
-        for event in motion.trajectory.events().iter().take(MOST_EVENTS) {
+        let events = || motion.trajectory.events().iter().take(MOST_EVENTS);
+        for event in events() {
             axes.upright(event.state.time / scale, sheet);
         }
         for series in &self.series {
@@ -130,6 +140,12 @@ impl Panel {
                 let up = if y <= axes.area.top { -1.0 } else { 1.0 };
                 let corners = vec![[x - 4.0, y - 7.0 * up], [x + 4.0, y - 7.0 * up], [x, y]];
                 sheet.marks.push(Mark::Polygon { corners, fill: series.pen.colour });
+            }
+        }
+        if self.names_events {
+            let mut free = f64::NEG_INFINITY;
+            for event in events() {
+                free = axes.beside_upright(event.state.time / scale, &printable(&event.name), free, sheet);
             }
         }
         self.tell_of_the_rest(motion, axes, sheet);

@@ -32,7 +32,7 @@ pub(super) fn panel(motion: &MotionFigures<'_>, figure: Figure) -> Panel {
         Figure::Energy => Panel::new(motion, "energy", "J", energy(motion), 0.0),
         Figure::Momentum => Panel::new(motion, "L", "kg·m²/s", momentum(motion), parts_of_momentum(motion)),
         Figure::Torque => Panel::new(motion, "N", "N·m", torque(motion), 0.0),
-        _ => Panel::new(motion, "ω", "rad/s", omega(motion), 0.0),
+        _ => Panel::new(motion, "ω", "rad/s", omega(motion), 0.0).naming_events(),
     }
 }
 
@@ -58,7 +58,7 @@ fn omega(motion: &MotionFigures<'_>) -> Vec<Series> {
 }
 
 fn momentum(motion: &MotionFigures<'_>) -> Vec<Series> {
-    let mut series = if motion.driven {
+    let mut series = if motion.driven.at_all() {
         components(motion, ["x", "y", "z"].map(|axis| format!("along {axis}")), |s| s.momentum.to_array())
     } else {
         along_principal(motion, |s| s.state.attitude.inverse() * s.momentum, "L")
@@ -84,7 +84,7 @@ fn torque(motion: &MotionFigures<'_>) -> Vec<Series> {
 fn energy(motion: &MotionFigures<'_>) -> Vec<Series> {
     let kinetic = |pen| one(motion, pen, "T", |s| s.kinetic_energy);
     let thin = Pen::solid(Colour::BLACK, 1.0);
-    if !motion.driven {
+    if !motion.driven.at_all() {
         let moments = motion.principal.moments();
         let into = motion.principal.rotation().inverse();
         // ½ iₖ ωₖ²
@@ -106,7 +106,7 @@ fn energy(motion: &MotionFigures<'_>) -> Vec<Series> {
             one(motion, thin, "T + U", move |s| s.kinetic_energy + potential(s)),
         ];
     }
-    let work = if motion.torqued { "work" } else { "work of the motors" };
+    let work = if motion.driven.by_torques { "work" } else { "work of the motors" };
     vec![kinetic(bold(1)), one(motion, bold(0), work, |s| s.work)]
 }
 

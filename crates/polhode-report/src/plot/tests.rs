@@ -3,10 +3,10 @@
 use polhode::*;
 
 use super::axes::{Area, Axes, Axis};
-use super::drift::departures;
 use super::line::{SEEN, distance};
 use super::sheet::{Mark, Point};
 use super::*;
+use crate::balance::balances;
 
 /// Three different moments, products of both signs, a centre off the origin.
 fn body() -> MassProperties<Body> {
@@ -72,7 +72,12 @@ fn run_away() -> Scenario {
     let along = Formula::new(square.into_iter().chain(times)).unwrap();
     let torque = FormulaTorque::Body([Formula::constant(0.0), Formula::constant(0.0), along]);
     let torques = vec![TorqueModel::Formula(Box::new(torque))];
-    Scenario { body, torques, run: Some(Run::evenly(4.0, 81, Method::Auto, 1e-12)), ..scenario([0.0, 0.0, 0.5]) }
+    Scenario {
+        body,
+        torques,
+        run: Some(Run::evenly(4.0, 81, Method::Auto, 1e-12)),
+        ..scenario([0.0, 0.0, 0.5])
+    }
 }
 
 fn thrust() -> Scenario {
@@ -262,10 +267,14 @@ fn the_drift_that_is_drawn_is_the_drift_that_is_reported() {
         let trajectory = scenario.simulate().unwrap().unwrap();
         let drift = Drift::of(&trajectory).unwrap();
         let figures = MotionFigures::of_scenario(&scenario, &trajectory);
-        let largest: Vec<f64> =
-            departures(&figures).iter().map(|d| d.values.iter().copied().fold(0.0, f64::max)).collect();
+        let largest: Vec<f64> = balances(&trajectory, figures.driven)
+            .iter()
+            .map(|d| d.values.iter().copied().fold(0.0, f64::max))
+            .collect();
         let expected = match drift.total_energy {
-            _ if !figures.driven => vec![drift.kinetic_energy, drift.momentum_magnitude, drift.momentum],
+            _ if !figures.driven.at_all() => {
+                vec![drift.kinetic_energy, drift.momentum_magnitude, drift.momentum]
+            }
             Some(total) => vec![drift.work_energy, drift.momentum, total],
             None => vec![drift.work_energy, drift.momentum],
         };
@@ -295,7 +304,8 @@ fn what_is_rounding_is_drawn_as_nothing() {
             assert!(lines.iter().all(|line| line.iter().all(|p| p[1] == line[0][1])), "L is not straight");
         }
     }
-    let largest = departures(&figures).into_iter().map(|d| d.values.into_iter().fold(0.0, f64::max));
+    let largest =
+        balances(&trajectory, figures.driven).into_iter().map(|d| d.values.into_iter().fold(0.0, f64::max));
     assert!(largest.into_iter().all(|d| d < 1e-12));
     // What is constant has its value beside its name.
     let steady = Scenario { start: State { omega: AngularVelocity::ZERO, ..scenario.start }, ..thrust() };
@@ -351,11 +361,17 @@ fn the_path_of_an_axis_is_where_it_points() {
     assert!(svg.contains("radialGradient"));
     assert!(texts.iter().any(|(text, _)| text.starts_with("θ from 40.107° to ")), "{texts:?}");
     // The bounds are straight dashed lines over the width of the frame; the path touches both, and begins with a cusp at the upper.
-    let lines: Vec<_> = picture.sheet.marks.iter().filter_map(|mark| match mark {
-        Mark::Lines { lines, pen } => Some((lines, pen)),
-        _ => None,
-    }).collect();
-    let level = |line: &[Point]| line.len() == 2 && line[0][1] == line[1][1] && line[1][0] - line[0][0] > 100.0;
+    let lines: Vec<_> = picture
+        .sheet
+        .marks
+        .iter()
+        .filter_map(|mark| match mark {
+            Mark::Lines { lines, pen } => Some((lines, pen)),
+            _ => None,
+        })
+        .collect();
+    let level =
+        |line: &[Point]| line.len() == 2 && line[0][1] == line[1][1] && line[1][0] - line[0][0] > 100.0;
     let bounds: Vec<f64> = lines
         .iter()
         .filter(|(lines, pen)| pen.colour == sheet::Colour::AXES[0] && level(&lines[0]))
@@ -375,6 +391,25 @@ fn the_path_of_an_axis_is_where_it_points() {
         readable(&picture, words);
         assert!(boxes(&picture).iter().any(|(text, _)| text == words), "{words}");
     }
+}
+
+#[test]
+fn events_are_named_where_they_happen() {
+    let along = Measure::OmegaBody(Direction::new(0.0, 0.0, 1.0));
+    let event = |name: &str, value| {
+        Event::new(name, along.clone(), value, Sense::Either, EventAction::Record).unwrap()
+    };
+    let events = vec![event("ω_z = 0.6", 0.6), event("ω_z = 0.601", 0.601), event("never", 1e3)];
+    let scenario = Scenario { events, ..thrust() };
+    let trajectory = scenario.simulate().unwrap().unwrap();
+    let picture = MotionFigures::of_scenario(&scenario, &trajectory).draw(Figure::Omega).unwrap();
+    readable(&picture, "events");
+    // A line for each crossing, and a name where there is room for one.
+    let dashed = |mark: &&Mark| matches!(mark, Mark::Lines { pen, .. } if pen.dash == [2.0, 3.0]);
+    let count = picture.sheet.marks.iter().filter(dashed).count();
+    assert_eq!(count, trajectory.events().len());
+    let named: Vec<_> = boxes(&picture).into_iter().filter(|(text, _)| text.starts_with("ω_z")).collect();
+    assert!(!named.is_empty() && named.len() < count, "{named:?}");
 }
 
 #[test]
@@ -408,7 +443,9 @@ fn fewer_than_two_samples_are_refused() {
     scenario.run = Some(Run::evenly(30.0, 21, Method::Auto, 1e-12));
     let trajectory = scenario.simulate().unwrap().unwrap();
     let figures = MotionFigures::of_scenario(&scenario, &trajectory);
-    assert!(matches!(figures.draw(Figure::Euler), Err(PlotError::TooCoarse { figure: Figure::Euler, turn }) if turn > 1.9));
+    assert!(
+        matches!(figures.draw(Figure::Euler), Err(PlotError::TooCoarse { figure: Figure::Euler, turn }) if turn > 1.9)
+    );
     readable(&figures.overview().unwrap(), "coarse");
 }
 

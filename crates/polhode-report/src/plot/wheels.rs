@@ -10,7 +10,8 @@ use super::sheet::{Pen, Sheet};
 
 pub(super) fn draw(motion: &MotionFigures<'_>, sheet: &mut Sheet, width: f64, heading: Heading<'_>) {
     let momenta = series(motion, "h momentum", |wheel, s| Some(wheel.momentum_at(s.state.time)));
-    let speeds = series(motion, "Ω speed in the body", |wheel, s| wheel.speed_at(s.state.time, s.state.omega));
+    let speeds =
+        series(motion, "Ω speed in the body", |wheel, s| wheel.speed_at(s.state.time, s.state.omega));
     let momenta = Panel::new(motion, "h", "kg·m²/s", momenta, 0.0);
     if speeds.is_empty() {
         let area = heading(sheet, &momenta.keys(width));

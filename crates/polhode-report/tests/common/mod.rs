@@ -228,7 +228,6 @@ pub fn all() -> Vec<Scenario> {
         symmetric_top(),
         t_handle(),
         thruster(),
-        gyrostat(),
         gyroscope(),
         rod(),
         point(),

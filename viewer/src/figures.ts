@@ -1,6 +1,6 @@
 /** What is plotted over time: the same figures on the screen and in the files that it saves. */
 import { euler313, type Vector } from "./attitude";
-import { at, length, lengths, type Motion } from "./motion";
+import { at, lengths, type Motion } from "./motion";
 
 export interface Line {
   label: string;
@@ -24,9 +24,6 @@ export interface Figure {
 
 /** Zero cannot stand on a log scale; it is drawn here. */
 export const DRIFT_FLOOR = 1e-17;
-
-/** What is less of the size of what it is made of is zero. */
-const ZERO = 1e-12;
 
 /** Where sin θ is below this, φ and ψ are not drawn: near θ = 0 only their sum exists, near 180° only their difference. */
 const POLE = 0.02;
@@ -61,13 +58,6 @@ function energy(motion: Motion): Made {
 }
 
 function momentum(motion: Motion): Made {
-  // L may be nothing while the body turns and its wheels turn back: the carrier's is at least 2 T/|ω|.
-  let size = 0;
-  for (let i = 0; i < motion.count; i += 1) {
-    const rate = length(at(motion.omega, i));
-    if (rate > 0) size = Math.max(size, (2 * motion.kinetic[i]) / rate);
-    for (const wheel of motion.wheels) size = Math.max(size, Math.abs(wheel.momentum[i]));
-  }
   const lines: Line[] = [{ label: "|L|", ink: "ink", values: lengths(motion.momentum) }];
   const parts = motion.torque !== null || motion.wheels.length > 0;
   if (parts) {
@@ -75,12 +65,8 @@ function momentum(motion: Motion): Made {
       lines.push({ label, ink: AXES[k], values: column(motion.momentum, k), dash: [6, 3] });
     });
   }
-  for (const line of lines) size = Math.max(size, largest(line.values));
-  for (const line of lines) {
-    if (largest(line.values) <= ZERO * size) line.values = new Float64Array(motion.count);
-  }
-  const whose = motion.wheels.length > 0 ? ", wheels included" : "";
-  return { ...plain, id: "momentum", title: `Angular momentum${parts ? ", space axes" : ""}${whose}`, unit: "kg·m²/s", lines };
+  const whose = motion.wheels.length > 0 ? ", wheels included" : parts ? ", space axes" : "";
+  return { ...plain, id: "momentum", title: `Angular momentum${whose}`, unit: "kg·m²/s", lines };
 }
 
 /** None where no torque acts. */
@@ -153,12 +139,6 @@ function column(rows: Float64Array, k: number): Float64Array {
   return Float64Array.from({ length: rows.length / 3 }, (_, i) => at(rows, i)[k]);
 }
 
-function largest(values: Float64Array): number {
-  let size = 0;
-  for (const value of values) size = Math.max(size, Math.abs(value));
-  return size;
-}
-
 /** Without the last samples of a run-away, each of which is far beyond all before it. */
 function telling(lines: Line[]): number {
   const count = lines[0]?.values.length ?? 0;
@@ -209,7 +189,8 @@ export function ticks(low: number, high: number, count: number, degrees = false)
   const rough = (high - low) / Math.max(count, 1);
   const decade = 10 ** Math.floor(Math.log10(rough));
   const mantissa = rough / decade;
-  let step = decade * (mantissa <= 1 ? 1 : mantissa <= 2 ? 2 : mantissa <= 5 ? 5 : 10);
+  // The nearest as a ratio: between two of them the border is their geometric mean.
+  let step = decade * (mantissa ** 2 < 2 ? 1 : mantissa ** 2 < 10 ? 2 : mantissa ** 2 < 50 ? 5 : 10);
   if (degrees) step = [15, 30, 45, 90, 180].find((d) => d >= rough) ?? 180;
   const values: number[] = [];
   for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; k += 1) values.push(k * step);

@@ -148,11 +148,11 @@ impl Panel {
                 free = axes.beside_upright(event.state.time / scale, &printable(&event.name), free, sheet);
             }
         }
-        self.tell_of_the_rest(motion, axes, sheet);
+        self.tell_of_the_rest(motion, axes, &times, sheet);
     }
 
     /// How far the samples go that are not seen.
-    fn tell_of_the_rest(&self, motion: &MotionFigures<'_>, axes: &Axes, sheet: &mut Sheet) {
+    fn tell_of_the_rest(&self, motion: &MotionFigures<'_>, axes: &Axes, times: &[f64], sheet: &mut Sheet) {
         let beyond = self.series.iter().flat_map(|series| series.values.iter().skip(self.telling));
         let largest = beyond.map(|x| x.abs()).filter(|x| x.is_finite()).fold(0.0, f64::max);
         let Some(end) = motion.samples().last().filter(|_| self.telling < motion.samples().len()) else {
@@ -160,7 +160,8 @@ impl Panel {
         };
         let [largest, time] = [largest, end.state.time].map(|x| typeset(&ungrouped(x, 3)));
         let words = format!("to {largest} {} at {time} s", self.unit);
-        let at = [axes.area.right - 12.0, axes.area.top + 15.0];
+        let last = times.get(self.telling.saturating_sub(1)).copied().unwrap_or_default();
+        let at = [axes.at([last, 0.0])[0] - 12.0, axes.area.top + 15.0];
         let text = Text::small(at, Anchor::End, Colour::TEXT, &words);
         sheet.marks.push(Mark::Text(Text { halo: true, ..text }));
     }

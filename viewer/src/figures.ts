@@ -25,8 +25,14 @@ export interface Figure {
 /** Zero cannot stand on a log scale; it is drawn here. */
 export const DRIFT_FLOOR = 1e-17;
 
-/** Where sin θ is below this, φ and ψ are not drawn: near θ = 0 only their sum exists, near 180° only their difference. */
-const POLE = 0.02;
+/** Near an end of θ sin θ is below this: there only the sum of φ and ψ exists, or their difference. */
+const NEAR = 0.02;
+
+/** Where sin θ is below this, φ and ψ are rounding. */
+const NOTHING = 1e-9;
+
+/** A turn of φ or ψ from a sample to the next that is not followed near an end of θ, rad. */
+const LEAP = 1;
 
 export function figuresOf(motion: Motion): Figure[] {
   const made = [omega(motion), energy(motion), momentum(motion), ...torque(motion), ...wheels(motion), angles(motion)];
@@ -91,18 +97,21 @@ function wheels({ wheels }: Motion): Made[] {
 function angles(motion: Motion): Made {
   const degrees = (angle: number): number => (angle * 180) / Math.PI;
   const rows = Array.from({ length: motion.count }, (_, i) => euler313(motion.attitudeOf(i)));
-  const [up, down] = [rows.some(([, theta]) => theta < POLE), rows.some(([, theta]) => theta > Math.PI - POLE)];
+  const both = told(rows);
+  // At the start alone nothing is missed.
+  const missed = rows.map(([, theta], i) => i > 0 && !both[i] && theta < Math.PI / 2);
+  const [up, down] = [missed.includes(true), both.some((has, i) => i > 0 && !has && !missed[i])];
   const line = (label: string, ink: string, value: (row: Vector, i: number) => number, dash?: number[]): Line => ({
     label,
     ink,
     values: Float64Array.from(rows, (row, i) => degrees(value(row, i))),
     ...(dash ? { dash } : {}),
   });
-  const both = (k: number) => (row: Vector): number => (Math.sin(row[1]) < POLE ? Number.NaN : row[k]);
+  const one = (k: number) => (row: Vector, i: number): number => (both[i] ? row[k] : Number.NaN);
   const lines = [
-    line("φ precession", AXES[0], both(0)),
+    line("φ precession", AXES[0], one(0)),
     line("θ nutation", AXES[1], (row) => row[1]),
-    line("ψ spin", AXES[2], both(2)),
+    line("ψ spin", AXES[2], one(2)),
   ];
   // (w, x, y, z) = (cos ½θ cos ½(φ + ψ), sin ½θ cos ½(φ − ψ), sin ½θ sin ½(φ − ψ), cos ½θ sin ½(φ + ψ))
   const turn = (y: number, x: number): number => {
@@ -111,16 +120,36 @@ function angles(motion: Motion): Made {
   };
   const sum = (row: Vector, i: number): number => {
     const [w, , , z] = motion.attitudeOf(i);
-    return row[1] > Math.PI - POLE ? Number.NaN : turn(z, w);
+    return row[1] > Math.PI - NEAR ? Number.NaN : turn(z, w);
   };
   const difference = (row: Vector, i: number): number => {
     const [, x, y] = motion.attitudeOf(i);
-    return row[1] < POLE ? Number.NaN : turn(y, x);
+    return row[1] < NEAR ? Number.NaN : turn(y, x);
   };
   if (up) lines.push(line("φ + ψ", "ink", sum));
   if (down) lines.push(line("φ − ψ", "quiet", difference, [6, 3]));
   const shown = lines.filter(({ values }) => values.some(Number.isFinite));
   return { ...plain, id: "angles", title: "Attitude, Euler angles 3-1-3", unit: "°", wraps: true, lines: shown };
+}
+
+/** Whether φ and ψ can be told: not at an end of θ, and not near one where samples do not follow their half turn. */
+function told(rows: Vector[]): boolean[] {
+  const has = rows.map(([, theta]) => Math.sin(theta) >= NOTHING);
+  const near = rows.map(([, theta]) => Math.sin(theta) < NEAR);
+  const leap = (i: number, k: number): number => {
+    const turn = rows[i][k] - rows[i - 1][k];
+    return Math.abs(turn - 2 * Math.PI * Math.round(turn / (2 * Math.PI)));
+  };
+  for (let from = 0; from < rows.length; ) {
+    let to = from + 1;
+    let followed = true;
+    for (; to < rows.length && near[to] === near[from]; to += 1) {
+      if (has[to] && has[to - 1] && Math.max(leap(to, 0), leap(to, 2)) >= LEAP) followed = false;
+    }
+    if (near[from] && !followed) has.fill(false, from, to);
+    from = to;
+  }
+  return has;
 }
 
 function drift(motion: Motion): Made {

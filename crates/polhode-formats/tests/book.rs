@@ -313,7 +313,7 @@ fn the_book_has_every_column_with_its_unit() {
     let top: Scenario = scenario::parse(
         &format!(
             "{BALL}position = [1, 0, 0]\n[[torque]]\nmodel = 'gravity'\npivot = [0, 0, 0]\n\
-             [[wheel]]\naxis = [1, 0, 0]\ninertia = 0.01\nspeed = 3\nmotor_torque = 0.1\n[run]\nduration = 1\nsamples = 2"
+             [[wheel]]\naxis = [1, 0, 0]\ninertia = 0.01\nspeed = 3\nmotor_torque = 0\n[run]\nduration = 1\nsamples = 2"
         ),
         Path::new("probe.toml"),
     )

@@ -1,8 +1,8 @@
 //! Euler angles against time: the nutation θ above, φ and ψ below.
 //!
-//! φ and ψ are drawn as they go on, not from −180° to 180°. At θ = 0 only φ + ψ exists, at 180° only φ − ψ, and near there both
-//! turn by half a turn at once and are the more uncertain the nearer it is: their curves are broken, and the sum or the difference,
-//! which goes on, is drawn beside them. It is alone where θ never leaves its end.
+//! φ and ψ are drawn as they go on, not from −180° to 180°. At θ = 0 only φ + ψ exists, at 180° only φ − ψ. A body that passes near
+//! turns φ and ψ by half a turn at once: where samples do not follow that, both are left out from 1.1° before to 1.1° behind, and the sum
+//! or the difference, which goes on, is drawn beside them. It is alone where θ never leaves its end.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -16,11 +16,14 @@ use super::panel::axis;
 use super::series::{Heading, pieces, time_axis};
 use super::sheet::{Colour, Pen, Point, Sheet};
 
-/// Where sin θ is below this, 1.1° from its ends, φ and ψ are not drawn.
-const POLE: f64 = 0.02;
+/// Near an end of θ sin θ is below this: within 1.1°.
+const NEAR: f64 = 0.02;
 
-/// Where it always is below this, rounding is all that θ shows.
+/// Where sin θ is below this, φ and ψ are rounding; where it always is, θ is.
 const NOTHING: f64 = 1e-9;
+
+/// A turn of φ or ψ from a sample to the next that is not followed near an end of θ, rad.
+const LEAP: f64 = 1.0;
 
 /// A curve in the pieces that can be followed: time in s, angle in degrees.
 type Pieces = Vec<Vec<Point>>;
@@ -104,6 +107,8 @@ struct At {
     euler: [f64; 3],
     sum: f64,
     difference: f64,
+    /// Both φ and ψ can be told and followed.
+    has_both: bool,
 }
 
 impl Angles {
@@ -112,9 +117,17 @@ impl Angles {
             let [w, x, y, z] = s.state.attitude.quaternion();
             // q = (cos ½θ cos ½(φ + ψ), sin ½θ cos ½(φ − ψ), sin ½θ sin ½(φ − ψ), cos ½θ sin ½(φ + ψ))
             let [sum, difference] = [2.0 * z.atan2(w), 2.0 * y.atan2(x)];
-            At { time: s.state.time, euler: s.state.attitude.euler313(), sum, difference }
+            let euler = s.state.attitude.euler313();
+            At { time: s.state.time, euler, sum, difference, has_both: euler[1].sin() >= NOTHING }
         };
-        Self(samples.iter().map(at).collect())
+        let mut all: Vec<At> = samples.iter().map(at).collect();
+        for part in all.chunk_by_mut(|a, b| a.is_near() == b.is_near()) {
+            let followed = part.windows(2).all(|pair| matches!(pair, [a, b] if a.leads_to(b)));
+            if part.first().is_some_and(At::is_near) && !followed {
+                part.iter_mut().for_each(|at| at.has_both = false);
+            }
+        }
+        Self(all)
     }
 
     /// Where θ is always, in degrees, if it is nowhere else than at an end.
@@ -131,32 +144,44 @@ impl Angles {
     }
 
     fn phi(&self) -> Pieces {
-        followed(self.0.iter().map(|at| (at.time, at.has_both().then_some(at.euler[0]))))
+        followed(self.0.iter().map(|at| (at.time, at.has_both.then_some(at.euler[0]))))
     }
 
     fn psi(&self) -> Pieces {
-        followed(self.0.iter().map(|at| (at.time, at.has_both().then_some(at.euler[2]))))
+        followed(self.0.iter().map(|at| (at.time, at.has_both.then_some(at.euler[2]))))
     }
 
-    /// φ + ψ, if θ comes near 0; nothing of it is near 180°.
+    /// φ + ψ, if φ and ψ are missing near θ = 0; near 180° nothing of it is left.
     fn sum(&self) -> Pieces {
-        let wanted = self.0.iter().any(|at| at.euler[1] < POLE);
-        let value = |at: &At| (wanted && at.euler[1] < PI - POLE).then_some(at.sum);
-        followed(self.0.iter().map(|at| (at.time, value(at))))
+        self.instead(|theta| theta < FRAC_PI_2, |at| at.sum)
     }
 
-    /// φ − ψ, if θ comes near 180°; nothing of it is near 0.
+    /// φ − ψ, if φ and ψ are missing near θ = 180°; near 0 nothing of it is left.
     fn difference(&self) -> Pieces {
-        let wanted = self.0.iter().any(|at| at.euler[1] > PI - POLE);
-        let value = |at: &At| (wanted && at.euler[1] > POLE).then_some(at.difference);
+        self.instead(|theta| theta > FRAC_PI_2, |at| at.difference)
+    }
+
+    /// What there is where both are missing at one end of θ; at the start alone nothing is missed.
+    fn instead(&self, here: impl Fn(f64) -> bool, value: impl Fn(&At) -> f64) -> Pieces {
+        let wanted = self.0.iter().skip(1).any(|at| !at.has_both && here(at.euler[1]));
+        let value = |at: &At| (wanted && (here(at.euler[1]) || !at.is_near())).then(|| value(at));
         followed(self.0.iter().map(|at| (at.time, value(at))))
     }
 }
 
 impl At {
-    /// True where both φ and ψ can be told.
-    fn has_both(&self) -> bool {
-        self.euler[1].sin() >= POLE
+    /// Near an end of θ.
+    fn is_near(&self) -> bool {
+        self.euler[1].sin() < NEAR
+    }
+
+    /// False if φ or ψ leaps from here to the next sample. What does not exist does not leap.
+    fn leads_to(&self, next: &Self) -> bool {
+        let leap = |k: usize| match (self.euler.get(k), next.euler.get(k)) {
+            (Some(a), Some(b)) => (b - a - TAU * ((b - a) / TAU).round()).abs(),
+            _ => 0.0,
+        };
+        !(self.has_both && next.has_both) || leap(0).max(leap(2)) < LEAP
     }
 }
 
@@ -232,8 +257,15 @@ mod tests {
         let about_x = turning(AngularVelocity::new(1.1, 0.0, 0.0));
         let angles = Angles::of(about_x.samples());
         assert_eq!(angles.stays(), None);
-        assert!(angles.phi().len() >= 2 && angles.phi().iter().flatten().count() < 300);
+        let [rising, falling] = &angles.phi()[..] else { panic!("it is not broken in the middle") };
+        assert!(
+            rising.iter().all(|p| p[1].abs() < 1e-9)
+                && falling.iter().all(|p| (p[1].abs() - 180.0).abs() < 1e-9)
+        );
         let [difference] = &angles.difference()[..] else { panic!("it is broken") };
         assert!(difference.iter().all(|p| p[1].abs() < 1e-9 && p[0] > 0.0));
+        // Sampled more finely, or passing at a distance, it is followed all the way.
+        let beside = turning(AngularVelocity::new(1.1, 0.02, 0.0));
+        assert!(Angles::of(beside.samples()).difference().is_empty());
     }
 }

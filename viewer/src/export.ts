@@ -1,5 +1,5 @@
 /** Files that the page saves: a plot as SVG or PNG, the 3-D view as PNG. Plots are drawn anew, black on white, for paper. */
-import { decades, type Figure, isZero, rangeOf, ticks } from "./figures";
+import { decades, type Figure, HALF_TURN, isZero, rangeOf, ticks } from "./figures";
 import { mark, powerOfTen, timeUnit } from "./format";
 
 const WIDTH = 640;
@@ -147,7 +147,7 @@ function pathOf(
       lifted = true;
       continue;
     }
-    const leaps = i > first && wraps && Math.abs(values[i] - values[i - 1]) > 180;
+    const leaps = i > first && wraps && Math.abs(values[i] - values[i - 1]) > HALF_TURN;
     path += `${lifted || leaps ? "M" : "L"}${r(x(times[i]))} ${r(y(values[i]))}`;
     lifted = false;
   }

@@ -34,6 +34,9 @@ const NOTHING = 1e-9;
 /** A turn of φ or ψ from a sample to the next that is not followed near an end of θ, rad. */
 const LEAP = 1;
 
+/** An angle in degrees that changes by more from a sample to the next leaps. */
+export const HALF_TURN = 150;
+
 export function figuresOf(motion: Motion): Figure[] {
   const made = [omega(motion), energy(motion), momentum(motion), ...torque(motion), ...wheels(motion), angles(motion)];
   if (motion.drift.length > 0) made.push(drift(motion));

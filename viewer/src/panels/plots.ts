@@ -6,7 +6,7 @@ import uPlot from "uplot";
 import type { Clock } from "../clock";
 import { element } from "../dom";
 import { fileName, savePng, saveSvg, svgOf } from "../export";
-import { decades, type Figure, figuresOf, isZero, type Line, rangeOf, ticks } from "../figures";
+import { decades, type Figure, figuresOf, HALF_TURN, isZero, type Line, rangeOf, ticks } from "../figures";
 import { mark, number, powerOfTen, timeUnit } from "../format";
 import type { Motion } from "../motion";
 
@@ -223,8 +223,8 @@ const broken: uPlot.Series.PathBuilder = (u, series, first, last) => {
   for (let i = Math.max(first - 1, 0); i <= Math.min(last + 1, times.length - 1); i += 1) {
     const value = values[i] ?? Number.NaN;
     if (!Number.isFinite(value)) continue;
-    // A comparison with what is no number is false.
-    const goesOn = Math.abs(value - (values[i - 1] ?? Number.NaN)) <= 180;
+    // Half a turn is that of φ and ψ past an end of θ. A comparison with what is no number is false.
+    const goesOn = Math.abs(value - (values[i - 1] ?? Number.NaN)) < HALF_TURN;
     const at: [number, number] = [u.valToPos(times[i], "x", true), u.valToPos(value, "y", true)];
     if (!goesOn || i < first) stroke.moveTo(...at);
     else stroke.lineTo(...at);

@@ -109,6 +109,8 @@ struct At {
     difference: f64,
     /// Both φ and ψ can be told and followed.
     has_both: bool,
+    /// They cannot be followed from the sample before.
+    is_beyond: bool,
 }
 
 impl Angles {
@@ -118,11 +120,23 @@ impl Angles {
             // q = (cos ½θ cos ½(φ + ψ), sin ½θ cos ½(φ − ψ), sin ½θ sin ½(φ − ψ), cos ½θ sin ½(φ + ψ))
             let [sum, difference] = [2.0 * z.atan2(w), 2.0 * y.atan2(x)];
             let euler = s.state.attitude.euler313();
-            At { time: s.state.time, euler, sum, difference, has_both: euler[1].sin() >= NOTHING }
+            At {
+                time: s.state.time,
+                euler,
+                sum,
+                difference,
+                has_both: euler[1].sin() >= NOTHING,
+                is_beyond: false,
+            }
         };
         let mut all: Vec<At> = samples.iter().map(at).collect();
+        let beyond: Vec<bool> =
+            all.windows(2).map(|w| matches!(w, [a, b] if a.leap(b) > FRAC_PI_2)).collect();
+        for (at, beyond) in all.iter_mut().skip(1).zip(beyond) {
+            at.is_beyond = beyond;
+        }
         for part in all.chunk_by_mut(|a, b| a.is_near() == b.is_near()) {
-            let followed = part.windows(2).all(|pair| matches!(pair, [a, b] if a.leads_to(b)));
+            let followed = part.windows(2).all(|pair| matches!(pair, [a, b] if a.leap(b) < LEAP));
             if part.first().is_some_and(At::is_near) && !followed {
                 part.iter_mut().for_each(|at| at.has_both = false);
             }
@@ -163,7 +177,7 @@ impl Angles {
 
     /// What there is where both are missing at one end of θ; at the start alone nothing is missed.
     fn instead(&self, here: impl Fn(f64) -> bool, value: impl Fn(&At) -> f64) -> Pieces {
-        let wanted = self.0.iter().skip(1).any(|at| !at.has_both && here(at.euler[1]));
+        let wanted = self.0.iter().skip(1).any(|at| (at.is_beyond || !at.has_both) && here(at.euler[1]));
         let value = |at: &At| (wanted && (here(at.euler[1]) || !at.is_near())).then(|| value(at));
         followed(self.0.iter().map(|at| (at.time, value(at))))
     }
@@ -175,18 +189,17 @@ impl At {
         self.euler[1].sin() < NEAR
     }
 
-    /// False if φ or ψ leaps from here to the next sample. What does not exist does not leap.
-    fn leads_to(&self, next: &Self) -> bool {
-        let leap = |k: usize| match (self.euler.get(k), next.euler.get(k)) {
-            (Some(a), Some(b)) => (b - a - TAU * ((b - a) / TAU).round()).abs(),
-            _ => 0.0,
-        };
-        !(self.has_both && next.has_both) || leap(0).max(leap(2)) < LEAP
+    /// How far φ or ψ turns from here to the next sample, rad; what does not exist does not turn.
+    fn leap(&self, next: &Self) -> f64 {
+        let ([phi, _, psi], [next_phi, _, next_psi]) = (self.euler, next.euler);
+        let turn = |a: f64, b: f64| (b - a - TAU * ((b - a) / TAU).round()).abs();
+        let both = self.has_both && next.has_both;
+        if both { turn(phi, next_phi).max(turn(psi, next_psi)) } else { 0.0 }
     }
 }
 
-/// An angle (s, rad) as it goes on, in degrees; broken where there is none, and where it cannot be followed. Behind an end of θ that
-/// takes half a turn, of which nobody can say in which direction, it begins anew between −180° and 180°.
+/// An angle (s, rad) as it goes on, in degrees; broken where there is none, and where it cannot be followed. Past an end of θ it leaps by
+/// half a turn, of which nobody can say in which direction: there it begins anew between −180° and 180°.
 fn followed(angles: impl Iterator<Item = (f64, Option<f64>)>) -> Pieces {
     let mut pieces: Pieces = Vec::new();
     let mut last: Option<f64> = None;
@@ -199,7 +212,7 @@ fn followed(angles: impl Iterator<Item = (f64, Option<f64>)>) -> Pieces {
         let wrapped = raw - TAU * (raw / TAU).round();
         let near = last.map_or(wrapped, |last| raw + TAU * ((last - raw) / TAU).round());
         let jumps = last.is_some_and(|last| (near - last).abs() > FRAC_PI_2);
-        let next = if lifted && jumps { wrapped } else { near };
+        let next = if jumps { wrapped } else { near };
         lifted |= jumps;
         if lifted {
             pieces.push(Vec::new());
@@ -264,8 +277,13 @@ mod tests {
         );
         let [difference] = &angles.difference()[..] else { panic!("it is broken") };
         assert!(difference.iter().all(|p| p[1].abs() < 1e-9 && p[0] > 0.0));
-        // Sampled more finely, or passing at a distance, it is followed all the way.
-        let beside = turning(AngularVelocity::new(1.1, 0.02, 0.0));
+        // So fast that no sample is near the end, it is not followed either.
+        let fast = turning(AngularVelocity::new(70.3, 0.0, 0.0));
+        let angles = Angles::of(&fast.samples()[..5]);
+        assert_eq!((angles.phi().len(), angles.difference().len()), (2, 1));
+        assert!(angles.phi().iter().flatten().all(|p| p[1].abs() < 180.1));
+        // Passing at a distance, it is followed all the way.
+        let beside = turning(AngularVelocity::new(1.1, 0.0, 0.02));
         assert!(Angles::of(beside.samples()).difference().is_empty());
     }
 }

@@ -156,8 +156,7 @@ fn driven(scenario: &Scenario, shown: &Shown<'_>) -> Vec<Row> {
     };
     let ends = [shown.samples.first(), shown.samples.last()].map(|s| s.map(|s| s.state));
     let wheel = |wheel: &Wheel| {
-        let description = Description::of_wheel(wheel);
-        let mut rows = vec![Row::new("wheel", description.text(), "").note(description.model)];
+        let mut rows = vec![Row::new("wheel", Description::of_wheel(wheel).text(), "")];
         if let [Some(from), Some(to)] = ends
             && let [Some(slow), Some(fast)] = [from, to].map(|s| wheel.speed_at(s.time, s.omega))
         {

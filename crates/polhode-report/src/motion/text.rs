@@ -201,10 +201,15 @@ fn what_acts(scenario: &Scenario) -> String {
         let off = off_at_start(scenario, k).map_or_else(String::new, |off| format!(", {off}"));
         text.push_str(&labelled("torque", &format!("{name}{}{off}", Description::of(model).text())));
     }
-    for wheel in &scenario.wheels {
-        text.push_str(&labelled("wheel", &Description::of_wheel(wheel).text()));
+    for (k, wheel) in scenario.wheels.iter().enumerate() {
+        text.push_str(&labelled(&wheel_name(scenario, k), &Description::of_wheel(wheel).text()));
     }
     text
+}
+
+/// Wheels are numbered from 1 where there are several.
+fn wheel_name(scenario: &Scenario, k: usize) -> String {
+    if scenario.wheels.len() > 1 { format!("wheel {}", k + 1) } else { "wheel".to_owned() }
 }
 
 /// How far the balances fail at the worst sample.
@@ -279,17 +284,15 @@ fn ends(report: &MotionReport<'_>, facts: &Facts) -> String {
 
 /// What each wheel does at the start and at the end; nothing of one whose speed is held, which `what_acts` has.
 fn wheels(scenario: &Scenario, ends: [&State; 2]) -> String {
-    let several = scenario.wheels.len() > 1;
     let line = |(k, wheel): (usize, &Wheel)| {
         let [from, to] = ends.map(|state| number(wheel.momentum_at(state.time), 6));
         let [Some(slow), Some(fast)] = ends.map(|state| wheel.speed_at(state.time, state.omega)) else {
             return String::new();
         };
-        let label = if several { format!("wheel {}", k + 1) } else { "wheel".to_owned() };
         let rpm = number(60.0 * fast / std::f64::consts::TAU, 4);
         let [slow, fast] = [slow, fast].map(|speed| number(speed, 6));
         let line = format!("h {from} → {to} kg·m²/s, Ω in the body {slow} → {fast} rad/s ({rpm} rpm)");
-        labelled(&label, &line)
+        labelled(&wheel_name(scenario, k), &line)
     };
     scenario.wheels.iter().enumerate().map(line).collect()
 }

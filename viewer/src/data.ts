@@ -109,6 +109,12 @@ export interface MotionData {
   potential: Base64 | null;
   /** What should stay the same, and how much it moves: lines of the drift plot, |value| relative, f64, n. */
   drift: { name: string; values: Base64 }[];
+  /** Wheels inside the body: f64, n, along the wheel's axis; speeds are relative to the body, null where they are held. kg·m²/s, rad/s. */
+  wheels: { name: string; momentum: Base64; speed: Base64 | null }[];
+  /** What happened on the way: t, s, and its name. */
+  events: { time: number; name: string }[];
+  /** False if the motion could not be computed to its end; its last samples may then be far beyond all others. */
+  complete: boolean;
 }
 
 /** The geometry of a free motion. Curves are f64, x y z of each point. */

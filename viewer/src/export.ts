@@ -1,5 +1,5 @@
 /** Files that the page saves: a plot as SVG or PNG, the 3-D view as PNG. Plots are drawn anew, black on white, for paper. */
-import { decades, type Figure, rangeOf, ticks } from "./figures";
+import { decades, type Figure, HALF_TURN, isZero, rangeOf, ticks } from "./figures";
 import { mark, powerOfTen, timeUnit } from "./format";
 
 const WIDTH = 640;
@@ -17,8 +17,14 @@ const PAPER: Record<string, string> = {
   quiet: "#666666",
 };
 
-/** `from` and `to` are seconds: what is zoomed to. */
-export function svgOf(figure: Figure, times: Float64Array, from: number, to: number): string {
+/** `from` and `to` are seconds: what is zoomed to. Events stand at their times. */
+export function svgOf(
+  figure: Figure,
+  times: Float64Array,
+  from: number,
+  to: number,
+  events: readonly { time: number; name: string }[] = [],
+): string {
   const first = Math.max(times.findIndex((t) => t >= from) - 1, 0);
   let last = times.findIndex((t) => t > to);
   if (last < 0) last = times.length - 1;
@@ -42,7 +48,7 @@ export function svgOf(figure: Figure, times: Float64Array, from: number, to: num
     rule(x(value * unit.seconds), PLOT.top, x(value * unit.seconds), bottom, "#e3e3e3");
     text([x(value * unit.seconds), bottom + 18], mark(value, across.step), 'text-anchor="middle"');
   }
-  const up = figure.log ? decades(low, high, 7) : ticks(low, high, 6, figure.wraps).values;
+  const up = isZero(figure) ? [0] : figure.log ? decades(low, high, 7) : ticks(low, high, 6, figure.wraps).values;
   const step = figure.log ? 1 : ticks(low, high, 6, figure.wraps).step;
   for (const value of up) {
     rule(PLOT.left, y(value), right, y(value), "#e3e3e3");
@@ -57,6 +63,15 @@ export function svgOf(figure: Figure, times: Float64Array, from: number, to: num
     parts.push(
       `<path d="${path}" fill="none" stroke="${PAPER[line.ink] ?? "#000000"}" stroke-width="1.6" stroke-linejoin="round"${dash} clip-path="url(#plot)"/>`,
     );
+  }
+  let free = PLOT.left;
+  for (const { time, name } of events.filter((event) => event.time >= from && event.time <= to)) {
+    const at = x(time);
+    parts.push(`<line x1="${r(at)}" y1="${PLOT.top}" x2="${r(at)}" y2="${bottom}" stroke="#666666" stroke-dasharray="2 3"/>`);
+    if (at - 14 < free) continue;
+    free = at;
+    const place = `${r(at - 5)} ${bottom - 6}`;
+    text([at - 5, bottom - 6], name, `fill="#666666" font-size="11" transform="rotate(-90 ${place})" paint-order="stroke" stroke="#ffffff" stroke-width="3"`);
   }
   parts.push(
     `<rect x="${PLOT.left}" y="${PLOT.top}" width="${right - PLOT.left}" height="${bottom - PLOT.top}" fill="none" stroke="#000000"/>`,
@@ -126,9 +141,15 @@ function pathOf(
   wraps: boolean,
 ): string {
   let path = "";
+  let lifted = true;
   for (let i = first; i <= last; i += 1) {
-    const leaps = i > first && wraps && Math.abs(values[i] - values[i - 1]) > 180;
-    path += `${i === first || leaps ? "M" : "L"}${r(x(times[i]))} ${r(y(values[i]))}`;
+    if (!Number.isFinite(values[i])) {
+      lifted = true;
+      continue;
+    }
+    const leaps = i > first && wraps && Math.abs(values[i] - values[i - 1]) > HALF_TURN;
+    path += `${lifted || leaps ? "M" : "L"}${r(x(times[i]))} ${r(y(values[i]))}`;
+    lifted = false;
   }
   return path;
 }

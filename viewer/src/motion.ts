@@ -17,6 +17,9 @@ export interface Moment {
   torque: Vector | null;
 }
 
+/** What is less of the size of what it is made of is zero. */
+const ZERO = 1e-12;
+
 export class Motion {
   readonly count: number;
   readonly times: Float64Array;
@@ -27,6 +30,9 @@ export class Motion {
   readonly kinetic: Float64Array;
   readonly potential: Float64Array | null;
   readonly drift: { name: string; values: Float64Array }[];
+  readonly wheels: { name: string; momentum: Float64Array; speed: Float64Array | null }[];
+  readonly events: { time: number; name: string }[];
+  readonly complete: boolean;
   /** The largest turn from one sample to the next, rad: what happens between samples is a guess if it is not small. */
   readonly largestTurn: number;
 
@@ -42,11 +48,31 @@ export class Motion {
     this.kinetic = f64(data.kinetic, "kinetic energy", n);
     this.potential = data.potential === null ? null : f64(data.potential, "potential energy", n);
     this.drift = data.drift.map(({ name, values }) => ({ name, values: f64(values, name, n) }));
+    this.wheels = data.wheels.map(({ name, momentum, speed }) => ({
+      name,
+      momentum: f64(momentum, `momentum of ${name}`, n),
+      speed: speed === null ? null : f64(speed, `speed of ${name}`, n),
+    }));
+    this.events = data.events;
+    if (!this.events.every(({ time }) => Number.isFinite(time))) throw new BadData("events: a time is not finite");
+    this.complete = data.complete;
     for (let i = 1; i < n; i += 1) {
       if (this.times[i] < this.times[i - 1]) throw new BadData(`times: sample ${i} is earlier than the one before`);
     }
+    this.#settle();
     makeContinuous(this.attitude);
     this.largestTurn = largestTurn(this.times, this.omega);
+  }
+
+  // L may be nothing while the body turns and its wheels turn back: then what rounding leaves of it is nothing too. The carrier's is at
+  // least 2 T/|ω|.
+  #settle(): void {
+    let size = Math.max(...this.wheels.map(({ momentum }) => largest(momentum)), 0);
+    for (let i = 0; i < this.count; i += 1) {
+      const rate = length(at(this.omega, i));
+      if (rate > 0) size = Math.max(size, (2 * this.kinetic[i]) / rate);
+    }
+    if (largest(this.momentum) <= ZERO * size) this.momentum.fill(0);
   }
 
   at(time: number): Moment {
@@ -93,6 +119,12 @@ export class Motion {
     };
     return [component(0), component(1), component(2)];
   }
+}
+
+function largest(values: Float64Array): number {
+  let size = 0;
+  for (const value of values) size = Math.max(size, Math.abs(value));
+  return size;
 }
 
 /** The i-th of rows of three. */

@@ -7,10 +7,13 @@ import { integrate, rotate, samples, tensor } from "./sample.mjs";
 const { Clock, watchable, indexAt } = await load("clock.ts");
 const { between, euler313, slerp, rotate: turned } = await load("attitude.ts");
 const { number, mark, powerOfTen, timeUnit } = await load("format.ts");
-const { figuresOf, rangeOf, ticks, decades } = await load("figures.ts");
+const { figuresOf, isZero, rangeOf, ticks, decades } = await load("figures.ts");
 const { Motion } = await load("motion.ts");
 const { svgOf } = await load("export.ts");
 const { f64, indices, readPage } = await load("decode.ts");
+
+const numbersOf = (text) => new Float64Array(Uint8Array.from(Buffer.from(text, "base64")).buffer);
+const base64 = (numbers) => Buffer.from(numbers.buffer, numbers.byteOffset, numbers.byteLength).toString("base64");
 
 test("the clock plays, loops and stops", () => {
   const clock = new Clock(Float64Array.from([1, 1.5, 3, 5]), 2);
@@ -139,6 +142,36 @@ test("what is constant is drawn as a constant, and no figure has an empty range"
     const [low, high] = rangeOf(figuresOf(new Motion(samples.free().motion)).find((f) => f.id === "energy"));
     assert.ok(high - low > 1e-2 * high);
   }
+});
+
+test("what is rounding is nothing, and where angles do not exist their sum is drawn", () => {
+  const motion = new Motion(samples.wheeled().motion);
+  const figures = figuresOf(motion);
+  assert.deepEqual(figures.map(({ id }) => id), ["omega", "energy", "momentum", "wheels", "wheel-speeds", "angles", "drift"]);
+  const [momentum, angles] = ["momentum", "angles"].map((id) => figures.find((f) => f.id === id));
+  assert.ok(isZero(momentum) && momentum.lines.length === 4);
+  const svg = svgOf(momentum, motion.times, 0, 60, motion.events);
+  assert.ok(svg.includes(">0</text>") && !svg.includes("0.5</text>"));
+  assert.ok(svg.includes("&lt;b&gt;motor on") && svg.includes("motor off") && !svg.includes("just after"));
+  // The body turns about z alone: θ = 0.
+  assert.deepEqual(angles.lines.map(({ label }) => label), ["θ nutation", "φ + ψ"]);
+  const [, sum] = angles.lines;
+  assert.ok(Math.abs(sum.values[250] - (-0.015 / 3.1) * 200 * (180 / Math.PI)) < 1e-9);
+  assert.ok(!isZero(figures[0]));
+});
+
+test("the end of a run-away does not say how large the rest is", () => {
+  const made = samples.heavy().motion;
+  const omega = numbersOf(made.omega);
+  omega[omega.length - 1] = 1e12;
+  const data = { ...made, omega: base64(omega), complete: false };
+  const [low, high] = rangeOf(figuresOf(new Motion(data))[0]);
+  assert.ok(low > -200 && high < 200);
+  const whole = rangeOf(figuresOf(new Motion({ ...data, complete: true }))[0]);
+  assert.ok(whole[1] > 1e12);
+  const torque = figuresOf(new Motion(made)).find((f) => f.id === "torque");
+  const given = numbersOf(made.torque);
+  [0, 1, 2].forEach((k) => assert.equal(torque.lines[k].values[77], given[3 * 77 + k]));
 });
 
 test("data that break the contract are refused, with what and how", () => {

@@ -140,6 +140,30 @@ test("the attitude that is shown is the table's", async () => {
   }
 });
 
+test("torques, wheels and events have their places among the plots", async () => {
+  const heavy = await open(browser, "torque", samples.heavy());
+  assert.equal(await heavy.page.locator("#plot-torque .key-entry").count(), 4);
+  assert.equal(await heavy.page.locator(".event").count(), 0);
+  assert.deepEqual(heavy.problems, []);
+  await heavy.page.locator("#plot-torque").scrollIntoViewIfNeeded();
+  await shoot(heavy.page, "torque");
+  await heavy.close();
+
+  const { page, problems, close } = await open(browser, "wheels", samples.wheeled());
+  for (const id of ["wheels", "wheel-speeds"]) assert.equal(await page.locator(`#plot-${id}`).count(), 1);
+  assert.equal(await page.locator("#plot-torque").count(), 0);
+  const marks = page.locator("#plot-omega .event");
+  assert.equal(await marks.count(), 3);
+  assert.equal(await marks.first().textContent(), "<b>motor on</b>");
+  const over = await page.locator("#plot-omega .u-over").boundingBox();
+  const box = await marks.first().boundingBox();
+  assert.ok(Math.abs(box.x - over.x - (5 / 60) * over.width) < 2, "it stands at its time");
+  assert.deepEqual(await marks.evaluateAll((all) => all.map((mark) => mark.classList.contains("crowded"))), [false, false, true]);
+  await shoot(page, "events");
+  assert.deepEqual(problems, []);
+  await close();
+});
+
 test("the plots read values, set the time and follow it", async () => {
   const data = samples.free();
   const { page, problems, close } = await open(browser, "plots", data);

@@ -82,6 +82,9 @@ function motionData(rows, inertia, torque, potential, method) {
         ? { name: "L along Z", values: f64(momenta.map((m) => (m[2] - momenta[0][2]) / first)) }
         : { name: "|L|", values: f64(momenta.map((m) => (norm(m) - first) / first)) },
     ],
+    wheels: [],
+    events: [],
+    complete: true,
   };
 }
 
@@ -271,6 +274,34 @@ function heavy() {
   });
 }
 
+/** A body at rest that its wheel turns, so that L is what rounding leaves; and what happens on the way. */
+function wheeled() {
+  const made = free();
+  const count = 601;
+  const body = makeBody([1.9, 2.6, 3.1], unit([1, 0, 0, 0]));
+  const h = (t) => 0.015 * Math.min(Math.max(t - 5, 0), 20);
+  const turned = (t) => (-0.015 / 3.1) * (t < 5 ? 0 : t < 25 ? (t - 5) ** 2 / 2 : 200 + 20 * (t - 25));
+  const rows = Array.from({ length: count }, (_, i) => {
+    const t = 0.1 * i;
+    return { t, q: [Math.cos(turned(t) / 2), 0, 0, Math.sin(turned(t) / 2)], omega: [0, 0, -h(t) / 3.1] };
+  });
+  made.title = "A satellite turned by its wheel";
+  made.body = { ...made.body, inertia: body.inertia, shapes: [] };
+  made.free = null;
+  made.motion = {
+    ...motionData(rows, body.inertia, null, null, "taylor"),
+    drift: [{ name: "T − work", values: f64(rows.map((_, i) => 1e-16 * (i % 5))) }],
+    momentum: f64(rows.flatMap((_, i) => [1e-17 * Math.sin(7 * i), 3e-18, -2e-17 * Math.cos(3 * i)])),
+    wheels: [{ name: "wheel", momentum: f64(rows.map(({ t }) => h(t))), speed: f64(rows.map(({ t }) => h(t) / 0.012 + h(t) / 3.1)) }],
+    events: [
+      { time: 5, name: "<b>motor on</b>" },
+      { time: 25, name: "motor off" },
+      { time: 25.2, name: "just after" },
+    ],
+  };
+  return made;
+}
+
 /** A lumpy body of about `count` triangles. */
 function mesh(count = 200_000) {
   const made = free();
@@ -320,7 +351,7 @@ function box() {
   return made;
 }
 
-export const samples = { free, symmetric, heavy, mesh, balls, box };
+export const samples = { free, symmetric, heavy, wheeled, mesh, balls, box };
 
 if (process.argv[1] && import.meta.url === pathToFileURL(process.argv[1]).href) {
   process.stdout.write(JSON.stringify((samples[process.argv[2]] ?? free)()));

@@ -110,7 +110,7 @@ impl Simulate {
         let folder = Folder::create(target, self.force)?;
         folder.file("summary.json", |out| out.write_all(summary.as_bytes()))?;
         let metadata = metadata(scenario, trajectory, &self.file);
-        let mut names = table::write(&self.table, trajectory, &metadata, &folder)?;
+        let mut names = table::write(&self.table, trajectory, &scenario.wheels, &metadata, &folder)?;
         if !self.no_page {
             names.push(page.write(trajectory, &folder)?);
         }

@@ -1,7 +1,7 @@
 //! The formats of the trajectory table.
 
 use clap::ValueEnum;
-use polhode::Trajectory;
+use polhode::{Trajectory, Wheel};
 use polhode_formats::table;
 
 use crate::failure::Failure;
@@ -28,6 +28,7 @@ impl Format {
 pub(crate) fn write(
     formats: &[Format],
     trajectory: &Trajectory,
+    wheels: &[Wheel],
     metadata: &[(String, String)],
     folder: &Folder,
 ) -> Result<Vec<&'static str>, Failure> {
@@ -37,8 +38,8 @@ pub(crate) fn write(
             continue;
         }
         folder.file(format.file_name(), |out| match format {
-            Format::Parquet => table::parquet::write(trajectory, metadata, out),
-            Format::Csv => table::csv::write(trajectory, out),
+            Format::Parquet => table::parquet::write(trajectory, wheels, metadata, out),
+            Format::Csv => table::csv::write(trajectory, wheels, out),
         })?;
         written.push(format.file_name());
     }

@@ -83,12 +83,12 @@ fn the_figures_of_the_book_are_what_its_commands_draw() {
     for folder in ["examples", "book"] {
         fs::create_dir(scratch.0.join(folder)).unwrap();
     }
-    for name in ["t-handle.toml", "heavy-top.toml"] {
+    for name in ["t-handle.toml", "heavy-top.toml", "top-loops.toml"] {
         fs::copy(example(name), scratch.0.join("examples").join(name)).unwrap();
     }
     let page = fs::read_to_string(root.join("book/plots.md")).unwrap();
     let commands: Vec<&str> = page.lines().filter_map(|line| line.strip_prefix("$ polhode ")).collect();
-    assert_eq!(commands.len(), 3);
+    assert_eq!(commands.len(), 4);
     for command in commands {
         let words: Vec<&str> = command.split_whitespace().collect();
         stdout(&scratch.command(&words).current_dir(scratch.0.join("book")).output().unwrap());
@@ -105,5 +105,5 @@ fn the_figures_of_the_book_are_what_its_commands_draw() {
         assert!(figure == committed, "book/figures/{name} is not what is drawn today");
         assert!(page.contains(&format!("(figures/{name})")), "book/plots.md does not show {name}");
     }
-    assert_eq!(drawn.len(), 6);
+    assert_eq!(drawn.len(), 7);
 }

@@ -165,6 +165,10 @@ impl fmt::Display for UnitError {
             }
             Self::UnknownUnit { unit, .. } => write!(f, "there is no unit {}", quoted(unit)),
             Self::Malformed { unit, rule } => write!(f, "{} is not a unit: {rule}", quoted(unit)),
+            // N m and J are one unit, of two things.
+            Self::WrongDimension { unit, found: Dimension::TORQUE, expected } => {
+                write!(f, "{} is an energy or a torque where {expected} belongs", quoted(unit))
+            }
             Self::WrongDimension { unit, found, expected } => {
                 write!(f, "{} is {found} where {expected} belongs", quoted(unit))
             }

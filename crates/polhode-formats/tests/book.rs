@@ -313,15 +313,20 @@ fn the_book_has_every_column_with_its_unit() {
     let page = read("book/results.md");
     let top: Scenario = scenario::parse(
         &format!(
-            "{BALL}position = [1, 0, 0]\n[[torque]]\nmodel = 'gravity'\npivot = [0, 0, 0]\n[run]\nduration = 1\nsamples = 2"
+            "{BALL}position = [1, 0, 0]\n[[torque]]\nmodel = 'gravity'\npivot = [0, 0, 0]\n\
+             [[wheel]]\naxis = [1, 0, 0]\ninertia = 0.01\nspeed = 3\nmotor_torque = 0\n[run]\nduration = 1\nsamples = 2"
         ),
         Path::new("probe.toml"),
     )
     .unwrap();
     let motion = top.simulate().unwrap().unwrap();
     let rows = rows(section(&page, "## Trajectory"));
-    let in_book: Vec<_> = rows.iter().flat_map(|row| names(row[0]).map(|name| (name, row[1]))).collect();
-    let known: Vec<_> = columns(&motion).iter().map(|column| (column.name, column.unit)).collect();
+    let in_book: Vec<_> =
+        rows.iter().flat_map(|row| names(row[0]).map(|name| (name.to_owned(), row[1]))).collect();
+    let known: Vec<_> = columns(&motion, &top.wheels)
+        .into_iter()
+        .map(|column| (column.name.into_owned(), column.unit))
+        .collect();
     assert_eq!(in_book, known);
 }
 

@@ -9,35 +9,50 @@ use parquet::basic::{Compression, Encoding, Repetition};
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::RowAccessor;
 use polhode::{
-    AngularVelocity, Attitude, Direction, InertiaTensor, MassProperties, Method, Position, Rotation, Rotor,
-    State, TorqueModel, Trajectory, UniformGravity,
+    AngularMomentum, AngularVelocity, Attitude, Direction, InertiaTensor, MassProperties, Method, Motor,
+    Position, Rotation, Rotor, State, TorqueModel, Trajectory, UniformGravity, Wheel,
 };
 use polhode_formats::table::{self, columns};
 
-/// A generic body in free fall, and the same body swinging from a pivot.
-fn trajectories() -> [Trajectory; 2] {
+/// One wheel whose speed is held, and one that a motor turns.
+fn wheels() -> [Wheel; 2] {
+    let motor = Motor::Torque { inertia: 0.31, torque: -0.42, schedule: None };
+    let held = Wheel::new(Direction::new(0.3, 0.5, -0.8), 1.7, Motor::HeldSpeed).unwrap();
+    [held, Wheel::new(Direction::new(-0.6, 0.2, 0.7), 0.9, motor).unwrap()]
+}
+
+/// A generic body in free fall, the same swinging from a pivot, and the same with wheels.
+fn trajectories() -> [(Trajectory, Vec<Wheel>); 3] {
     let inertia = InertiaTensor::with_negative_products([3.1, 4.2, 5.3], [0.4, -0.3, 0.2]).unwrap();
     let body = MassProperties::new(2.0, Position::new(0.1, -0.2, 0.5), inertia).unwrap();
     let attitude: Attitude = Rotation::about(Direction::new(0.2, -0.3, 0.9), 2.1).unwrap();
     let start = State { time: 0.0, attitude, omega: AngularVelocity::new(0.3, -2.5, 0.9) };
     let times: Vec<f64> = (0..200).map(|k| f64::from(k) * 0.05).collect();
     let gravity = TorqueModel::Gravity(UniformGravity::STANDARD);
-    let compute = |rotor: Rotor, torques: &[TorqueModel]| {
-        Trajectory::compute(&rotor, torques, start, &times, Method::Auto, 1e-12).unwrap()
+    let compute = |rotor: Rotor, torques: &[TorqueModel], wheels: &[Wheel]| {
+        let rotor = rotor.with_wheels(wheels).unwrap();
+        let motion = Trajectory::compute(&rotor, torques, start, &times, Method::Auto, 1e-12).unwrap();
+        (motion, wheels.to_vec())
     };
-    [compute(Rotor::free(&body), &[]), compute(Rotor::pivoted(&body, Position::ZERO), &[gravity])]
+    [
+        compute(Rotor::free(&body), &[], &[]),
+        compute(Rotor::pivoted(&body, Position::ZERO), &[gravity], &[]),
+        compute(Rotor::free(&body), &[], &wheels()),
+    ]
 }
 
 /// The bits of every number, row by row.
-fn bits(trajectory: &Trajectory) -> Vec<Vec<u64>> {
-    let columns = columns(trajectory);
+fn bits(trajectory: &Trajectory, wheels: &[Wheel]) -> Vec<Vec<u64>> {
+    let columns = columns(trajectory, wheels);
     trajectory.samples().iter().map(|s| columns.iter().map(|c| c.value(s).to_bits()).collect()).collect()
 }
 
 #[test]
 fn the_columns_have_the_agreed_names_in_the_agreed_order() {
-    let [free, swinging] = trajectories();
-    let names = |t: &Trajectory| columns(t).iter().map(|c| c.name).collect::<Vec<_>>().join(",");
+    let [free, swinging, wheeled] = trajectories();
+    let names = |(motion, wheels): &(Trajectory, Vec<Wheel>)| {
+        columns(motion, wheels).iter().map(|c| c.name.to_string()).collect::<Vec<_>>().join(",")
+    };
     let agreed = "time_s,attitude_w,attitude_x,attitude_y,attitude_z,\
         omega_body_x_rad_s,omega_body_y_rad_s,omega_body_z_rad_s,\
         omega_space_x_rad_s,omega_space_y_rad_s,omega_space_z_rad_s,\
@@ -45,18 +60,41 @@ fn the_columns_have_the_agreed_names_in_the_agreed_order() {
         torque_body_x_n_m,torque_body_y_n_m,torque_body_z_n_m,kinetic_energy_j";
     assert_eq!(names(&free), agreed);
     assert_eq!(names(&swinging), format!("{agreed},potential_energy_j"));
+    let spinning = "wheel_1_momentum_kg_m2_s,wheel_2_momentum_kg_m2_s,wheel_2_speed_rad_s";
+    assert_eq!(names(&wheeled), format!("{agreed},{spinning}"));
+}
+
+/// L = R (I ω + Σ h a) in space stays what it is, and a wheel's momentum is J (a·ω + Ω).
+#[test]
+fn the_columns_of_wheels_balance_those_of_the_body() {
+    let [_, _, (motion, wheels)] = trajectories();
+    let [held, turned] = wheels[..] else { unreachable!() };
+    let columns = columns(&motion, &wheels);
+    let [of_held, of_turned, speed] = &columns[18..] else { unreachable!() };
+    let inertia = InertiaTensor::with_negative_products([3.1, 4.2, 5.3], [0.4, -0.3, 0.2]).unwrap();
+    let body = MassProperties::new(2.0, Position::new(0.1, -0.2, 0.5), inertia).unwrap();
+    let carrier = Rotor::free(&body).with_wheels(&wheels).unwrap();
+    for sample in motion.samples() {
+        let along = |wheel: &Wheel, h: f64| AngularMomentum::from_array(wheel.axis().to_array()) * h;
+        let h = along(&held, of_held.value(sample)) + along(&turned, of_turned.value(sample));
+        let total = sample.state.attitude * (carrier.angular_momentum(sample.state.omega) + h);
+        assert!((total - motion.start().momentum).norm() < 1e-12);
+        let relative = 0.31 * (turned.axis().dot(sample.state.omega) + speed.value(sample));
+        assert!((relative - of_turned.value(sample)).abs() < 1e-14);
+    }
+    assert!((of_turned.value(&motion.samples()[100]) - (0.9 - 0.42 * 5.0)).abs() < 1e-14);
 }
 
 #[test]
 fn every_column_tells_its_own_number() {
-    let [_, swinging] = trajectories();
+    let [_, (swinging, _), _] = trajectories();
     let s = &swinging.samples()[7];
     let (q, b, o) = (s.state.attitude.quaternion(), s.state.omega, s.state.attitude * s.state.omega);
     let (l, n) = (s.momentum, s.torque);
     let vectors = [b.to_array(), o.to_array(), l.to_array(), n.to_array()].concat();
     let wanted =
         [&[s.state.time], &q[..], &vectors, &[s.kinetic_energy, s.potential_energy.unwrap()]].concat();
-    let found: Vec<f64> = columns(&swinging).iter().map(|c| c.value(s)).collect();
+    let found: Vec<f64> = columns(&swinging, &[]).iter().map(|c| c.value(s)).collect();
     assert_eq!(found, wanted);
     for (k, value) in found.iter().enumerate() {
         assert!(!found[..k].contains(value), "two columns of a generic sample are equal: {k}");
@@ -65,42 +103,42 @@ fn every_column_tells_its_own_number() {
 
 #[test]
 fn csv_reads_back_bit_for_bit() {
-    for trajectory in trajectories() {
+    for (trajectory, wheels) in trajectories() {
         let mut bytes = Vec::new();
-        table::csv::write(&trajectory, &mut bytes).unwrap();
+        table::csv::write(&trajectory, &wheels, &mut bytes).unwrap();
         let text = String::from_utf8(bytes).unwrap();
         assert!(text.ends_with('\n') && !text.contains('\r'));
         let (header, rows) = text.split_once('\n').unwrap();
         assert_eq!(
-            header.split(',').collect::<Vec<_>>(),
-            columns(&trajectory).iter().map(|c| c.name).collect::<Vec<_>>()
+            header.split(',').map(str::to_owned).collect::<Vec<_>>(),
+            columns(&trajectory, &wheels).iter().map(|c| c.name.to_string()).collect::<Vec<_>>()
         );
         let read =
             |row: &str| row.split(',').map(|n| n.parse::<f64>().unwrap().to_bits()).collect::<Vec<_>>();
-        assert_eq!(rows.lines().map(read).collect::<Vec<_>>(), bits(&trajectory));
+        assert_eq!(rows.lines().map(read).collect::<Vec<_>>(), bits(&trajectory, &wheels));
     }
 }
 
 #[test]
 fn parquet_reads_back_bit_for_bit() {
-    for (k, trajectory) in trajectories().iter().enumerate() {
+    for (k, (trajectory, wheels)) in trajectories().iter().enumerate() {
         let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("table-{k}.parquet"));
-        table::parquet::write(trajectory, &[], File::create(&path).unwrap()).unwrap();
+        table::parquet::write(trajectory, wheels, &[], File::create(&path).unwrap()).unwrap();
         let reader = SerializedFileReader::new(File::open(&path).unwrap()).unwrap();
-        let width = columns(trajectory).len();
+        let width = columns(trajectory, wheels).len();
         let read =
             |row: parquet::record::Row| (0..width).map(|k| row.get_double(k).unwrap().to_bits()).collect();
         let rows: Vec<Vec<u64>> = reader.get_row_iter(None).unwrap().map(|row| read(row.unwrap())).collect();
-        assert_eq!(rows, bits(trajectory));
+        assert_eq!(rows, bits(trajectory, wheels));
     }
 }
 
 #[test]
 fn parquet_says_what_its_columns_are() {
-    let [free, _] = trajectories();
+    let [(free, _), ..] = trajectories();
     let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("table-metadata.parquet");
     let given = [("title".to_owned(), "a \"tumbling\" brick".to_owned())];
-    table::parquet::write(&free, &given, File::create(&path).unwrap()).unwrap();
+    table::parquet::write(&free, &[], &given, File::create(&path).unwrap()).unwrap();
     let reader = SerializedFileReader::new(File::open(&path).unwrap()).unwrap();
     let metadata = reader.metadata();
 
@@ -112,7 +150,7 @@ fn parquet_says_what_its_columns_are() {
     assert!(value("polhode.units").ends_with(r#""torque_body_z_n_m": "N·m", "kinetic_energy_j": "J"}"#));
     assert_eq!(value("title"), given[0].1);
 
-    for (chunk, column) in metadata.row_group(0).columns().iter().zip(columns(&free)) {
+    for (chunk, column) in metadata.row_group(0).columns().iter().zip(columns(&free, &[])) {
         assert_eq!(chunk.column_path().string(), column.name);
         assert_eq!(chunk.column_descr().self_type().get_basic_info().repetition(), Repetition::REQUIRED);
         assert_eq!(chunk.compression(), Compression::LZ4_RAW);
@@ -122,8 +160,8 @@ fn parquet_says_what_its_columns_are() {
 
 #[test]
 fn texts_of_columns_need_no_escapes() {
-    for column in trajectories().iter().flat_map(columns) {
-        let text = [column.name, column.unit, column.description].concat();
+    for column in trajectories().iter().flat_map(|(t, wheels)| columns(t, wheels)) {
+        let text = [&column.name, column.unit, column.description].concat();
         assert!(!text.contains(['"', '\\']) && !column.name.contains(','));
         assert!(!text.chars().any(char::is_control));
     }
@@ -138,20 +176,20 @@ fn no_samples_make_an_empty_table() {
     let none =
         Trajectory::compute(&Rotor::free(&body.unwrap()), &[], start, &[], Method::Auto, 1e-12).unwrap();
     let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("table-empty.parquet");
-    table::parquet::write(&none, &[], File::create(&path).unwrap()).unwrap();
+    table::parquet::write(&none, &[], &[], File::create(&path).unwrap()).unwrap();
     let reader = SerializedFileReader::new(File::open(&path).unwrap()).unwrap();
     assert_eq!(reader.metadata().file_metadata().num_rows(), 0);
     let mut bytes = Vec::new();
-    table::csv::write(&none, &mut bytes).unwrap();
+    table::csv::write(&none, &[], &mut bytes).unwrap();
     assert_eq!(bytes.iter().filter(|&&b| b == b'\n').count(), 1);
 }
 
 #[test]
 fn an_error_of_the_disk_is_passed_on_as_it_was() {
-    let [trajectory, _] = trajectories();
+    let [(trajectory, _), ..] = trajectories();
     let mut full = [0_u8; 1000];
-    let csv = table::csv::write(&trajectory, full.as_mut_slice()).unwrap_err();
+    let csv = table::csv::write(&trajectory, &[], full.as_mut_slice()).unwrap_err();
     assert_eq!(csv.kind(), io::ErrorKind::WriteZero);
-    let parquet = table::parquet::write(&trajectory, &[], full.as_mut_slice()).unwrap_err();
+    let parquet = table::parquet::write(&trajectory, &[], &[], full.as_mut_slice()).unwrap_err();
     assert_eq!(parquet.kind(), io::ErrorKind::WriteZero);
 }

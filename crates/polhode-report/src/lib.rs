@@ -15,6 +15,7 @@
 //! exist is `null`. This crate formats: it reads no files, and what it knows of physics it asks the core.
 #![forbid(unsafe_code)]
 
+mod balance;
 mod block;
 mod error_estimate;
 mod event;

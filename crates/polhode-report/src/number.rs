@@ -144,6 +144,39 @@ fn group(s: &str) -> String {
     text + power
 }
 
+/// Numbers as they are set: `-4.5e-5` as −4.5×10⁻⁵.
+pub(crate) fn typeset(text: &str) -> String {
+    let mut out = String::new();
+    let mut before = ' ';
+    let mut rest = text.chars().peekable();
+    let mut in_power = false;
+    while let Some(c) = rest.next() {
+        let next = rest.peek().copied().unwrap_or(' ');
+        let continues = in_power && c.is_ascii_digit();
+        in_power = continues;
+        match c {
+            'e' if before.is_ascii_digit() && (next == '-' || next.is_ascii_digit()) => {
+                out.push_str("×10");
+                if next == '-' {
+                    rest.next();
+                    out.push('⁻');
+                }
+                in_power = true;
+            }
+            _ if continues => out.push(superscript(c)),
+            '-' if next.is_ascii_digit() => out.push('−'),
+            c => out.push(c),
+        }
+        before = c;
+    }
+    out
+}
+
+fn superscript(digit: char) -> char {
+    let digits = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    digit.to_digit(10).and_then(|k| digits.get(k as usize)).copied().unwrap_or(digit)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -197,5 +230,18 @@ mod tests {
             tidy_matrix([[1e-20, 1e-16, 0.0], [1e-16, 1.0, 0.5], [0.0, 0.5, 1.0]])[0],
             [1e-20, 0.0, 0.0]
         );
+    }
+
+    #[test]
+    fn numbers_are_set() {
+        for (text, set) in [
+            ("-4.5e-5", "−4.5×10⁻⁵"),
+            ("(1e12, -0.5, 3)", "(1×10¹², −0.5, 3)"),
+            ("axis 3 = (0, -1, 0)", "axis 3 = (0, −1, 0)"),
+            ("2 bodies, time-like: 1 each", "2 bodies, time-like: 1 each"),
+            ("", ""),
+        ] {
+            assert_eq!(typeset(text), set);
+        }
     }
 }

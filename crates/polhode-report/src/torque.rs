@@ -1,12 +1,13 @@
 //! Torques as reports show them: one description of each model, from which text, JSON and the page are made.
 
 use polhode::{
-    Attracted, ConstantTorque, Drag, DragLaw, FormulaTorque, MagneticField, Motor, Orbit, Schedule,
-    TorqueModel, Wheel,
+    Attracted, ConstantTorque, Drag, DragLaw, EventAction, FormulaTorque, MagneticField, Motor, Orbit,
+    Scenario, Schedule, TorqueModel, Wheel,
 };
 use serde_json::{Map, Value, json};
 
 use crate::json;
+use crate::layout::printable;
 use crate::number::{number, tidy, tidy_matrix, vector};
 use crate::unit::DIGITS;
 
@@ -225,6 +226,25 @@ impl Description {
         object.insert("schedule".to_owned(), self.schedule.map_or(Value::Null, schedule));
         object
     }
+}
+
+/// When a torque acts that does not from the start: `off until the event "spun down"`.
+pub(crate) fn off_at_start(scenario: &Scenario, torque: usize) -> Option<String> {
+    if !scenario.switched_off.contains(&torque) {
+        return None;
+    }
+    let turns_on = EventAction::Switch { torque, on: true };
+    let names: Vec<String> = scenario
+        .events
+        .iter()
+        .filter(|event| event.action() == turns_on)
+        .map(|event| format!("\"{}\"", printable(event.name())))
+        .collect();
+    Some(match names.as_slice() {
+        [] => "off throughout".to_owned(),
+        [name] => format!("off until the event {name}"),
+        names => format!("off until one of the events {}", names.join(", ")),
+    })
 }
 
 impl Parameter {

@@ -94,6 +94,7 @@ fn motions() {
         ("dumbbell", common::dumbbell()),
         ("pendulum", common::pendulum()),
         ("thruster", common::thruster()),
+        ("gyrostat", common::gyrostat()),
     ] {
         check(&format!("motion_{name}.txt"), &motion(&scenario));
     }

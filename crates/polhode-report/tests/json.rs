@@ -153,7 +153,7 @@ fn the_summary_has_the_same_keys_for_every_motion() {
         "momentum_space_kg_m2_s",
         "symmetric_top",
     ];
-    for scenario in common::all() {
+    for scenario in common::all().into_iter().chain([common::gyrostat()]) {
         let Some(trajectory) = scenario.simulate().transpose().unwrap() else { continue };
         let report = MotionReport::new(SourceInfo::new("a.toml", "scenario"), &scenario, &trajectory);
         let json = report.summary_json();
@@ -222,6 +222,33 @@ fn a_driven_motion_balances_its_energy() {
     assert_eq!(pendulum["torques"][0]["model"], "gravity");
     assert_eq!(pendulum["pendulum"]["swing"], "oscillation");
     assert!(pendulum["drift"]["total_energy"].as_f64().unwrap() < 1e-10);
+}
+
+#[test]
+fn wheels_tell_their_ends_and_splitting_its_step() {
+    let mut scenario = common::gyrostat();
+    let [inertia, torque, from] = common::MOTOR;
+    let json = summary(&scenario);
+    let [held, turned] = [&json["wheels"][0], &json["wheels"][1]];
+    let near = |value: &Value, want: f64| assert!((value.as_f64().unwrap() - want).abs() < 1e-12, "{value}");
+    near(&held["momentum_kg_m2_s"], 1.3);
+    near(&held["final_momentum_kg_m2_s"], 1.3);
+    assert!(held["speed_rad_s"].is_null() && held["final_speed_rad_s"].is_null());
+    near(&turned["speed_rad_s"], 12.0);
+    let h = turned["momentum_kg_m2_s"].as_f64().unwrap() + torque * (6.0 - from);
+    near(&turned["final_momentum_kg_m2_s"], h);
+    // h = J (a·ω + Ω)
+    let [axis, omega] = [&turned["axis_body"], &json["final"]["omega_body"]].map(floats);
+    let along: f64 = axis.iter().zip(&omega).map(|(a, w)| a * w).sum();
+    near(&turned["final_speed_rad_s"], h / inertia - along);
+    assert!(json["run"]["splitting"].is_null());
+
+    scenario.wheels.clear();
+    let method = Method::Splitting { order: SplittingOrder::Four, step: 0.025 };
+    scenario.run = Some(Run::evenly(1.0, 3, method, 1e-9));
+    let run = &summary(&scenario)["run"];
+    assert_eq!((&run["splitting"]["order"], &run["splitting"]["step_s"]), (&4.into(), &0.025.into()));
+    assert!(run["tolerance"].is_null());
 }
 
 #[test]

@@ -6,7 +6,7 @@ import uPlot from "uplot";
 import type { Clock } from "../clock";
 import { element } from "../dom";
 import { fileName, savePng, saveSvg, svgOf } from "../export";
-import { decades, type Figure, figuresOf, type Line, rangeOf, ticks } from "../figures";
+import { decades, type Figure, figuresOf, HALF_TURN, isZero, type Line, rangeOf, ticks } from "../figures";
 import { mark, number, powerOfTen, timeUnit } from "../format";
 import type { Motion } from "../motion";
 
@@ -14,7 +14,8 @@ const HEIGHT = 150;
 
 export class Plots {
   readonly #clock: Clock;
-  readonly #plots: { plot: uPlot; figure: Figure; line: HTMLElement; values: HTMLElement[] }[] = [];
+  readonly #plots: { plot: uPlot; figure: Figure; line: HTMLElement; marks: HTMLElement[]; values: HTMLElement[] }[] = [];
+  readonly #events: readonly { time: number; name: string }[];
   readonly #unit: { name: string; seconds: number };
   readonly #hoverTime: HTMLElement;
   /** The sample under the pointer. */
@@ -24,6 +25,7 @@ export class Plots {
 
   constructor(host: HTMLElement, motion: Motion, clock: Clock, title: string) {
     this.#clock = clock;
+    this.#events = motion.events;
     this.#unit = timeUnit(Math.max(Math.abs(clock.end), Math.abs(clock.start)));
     this.#hoverTime = element("span", { class: "reading-time" });
     host.append(
@@ -52,7 +54,7 @@ export class Plots {
       const { min, max } = plot.scales.x;
       return [min ?? times[0], max ?? times[times.length - 1]];
     };
-    const svg = (): string => svgOf(figure, times, ...span());
+    const svg = (): string => svgOf(figure, times, ...span(), this.#events);
     const file = `${name}-${figure.id}`;
     const heading = element(
       "div",
@@ -65,9 +67,16 @@ export class Plots {
     host.append(element("section", { class: "plot", id: `plot-${figure.id}` }, heading, key, box));
     const plot = new uPlot(this.#options(figure), [times, ...figure.lines.map((l) => l.values)] as uPlot.AlignedData, box);
     const line = element("div", { class: "now" });
-    plot.over.append(line);
+    // Names stand in the first plot; elsewhere the pointer tells them.
+    const named = this.#plots.length === 0;
+    const marks = this.#events.map(({ name }) => {
+      const mark = element("div", { class: "event", title: name });
+      if (named) mark.append(element("span", {}, name));
+      return mark;
+    });
+    plot.over.append(...marks, line);
     this.#listen(plot);
-    this.#plots.push({ plot, figure, line, values });
+    this.#plots.push({ plot, figure, line, marks, values });
   }
 
   #options(figure: Figure): uPlot.Options {
@@ -83,6 +92,7 @@ export class Plots {
     const spaced = (pixels: number) => (u: uPlot, index: number, low: number, high: number): number[] => {
       const scale = index === 0 ? this.#unit.seconds : 1;
       const room = (index === 0 ? u.bbox.width : u.bbox.height) / devicePixelRatio;
+      if (index > 0 && isZero(figure)) return [0];
       return ticks(low / scale, high / scale, room / pixels, index > 0 && figure.wraps).values.map((v) => v * scale);
     };
     const marks = (scale: number) => (_: uPlot, values: number[]): string[] => {
@@ -147,16 +157,26 @@ export class Plots {
       this.#zooming = true;
       for (const other of this.#plots) if (other.plot !== u) other.plot.setScale("x", { min, max });
       this.#zooming = false;
+      this.#mark();
       this.#follow();
     });
   }
 
-  #follow(): void {
-    for (const { plot, line } of this.#plots) {
-      const left = plot.valToPos(this.#clock.time, "x");
-      line.style.transform = `translateX(${left.toFixed(1)}px)`;
-      line.hidden = !(left >= 0 && left <= plot.over.clientWidth);
+  #mark(): void {
+    for (const { plot, marks } of this.#plots) {
+      let free = 0;
+      marks.forEach((mark, k) => {
+        const left = place(plot, mark, this.#events[k].time);
+        // A name has room to the left of its line, or is left out.
+        const hasRoom = left - 14 > free;
+        mark.classList.toggle("crowded", !hasRoom);
+        if (hasRoom) free = left;
+      });
     }
+  }
+
+  #follow(): void {
+    for (const { plot, line } of this.#plots) place(plot, line, this.#clock.time);
     if (this.#hovered === null) this.#read();
   }
 
@@ -176,8 +196,17 @@ export class Plots {
     if (width < 50 || width === this.#width) return;
     this.#width = width;
     for (const { plot } of this.#plots) plot.setSize({ width, height: HEIGHT });
+    this.#mark();
     this.#follow();
   }
+}
+
+/** Puts a line at a time; gives its distance from the left, px. */
+function place(plot: uPlot, line: HTMLElement, time: number): number {
+  const left = plot.valToPos(time, "x");
+  line.style.transform = `translateX(${left.toFixed(1)}px)`;
+  line.hidden = !(left >= 0 && left <= plot.over.clientWidth);
+  return left;
 }
 
 function swatch(line: Line): HTMLElement {
@@ -186,16 +215,18 @@ function swatch(line: Line): HTMLElement {
   return made;
 }
 
-// Where an angle leaps over ±180° the line is broken.
+// Where an angle leaps over ±180°, and where there is none, the line is broken.
 const broken: uPlot.Series.PathBuilder = (u, series, first, last) => {
   const stroke = new Path2D();
   const values = u.data[series];
   const times = u.data[0];
   for (let i = Math.max(first - 1, 0); i <= Math.min(last + 1, times.length - 1); i += 1) {
-    const value = values[i] ?? 0;
-    const leaps = i === 0 || Math.abs(value - (values[i - 1] ?? 0)) > 180;
+    const value = values[i] ?? Number.NaN;
+    if (!Number.isFinite(value)) continue;
+    // Half a turn is that of φ and ψ past an end of θ. A comparison with what is no number is false.
+    const goesOn = Math.abs(value - (values[i - 1] ?? Number.NaN)) < HALF_TURN;
     const at: [number, number] = [u.valToPos(times[i], "x", true), u.valToPos(value, "y", true)];
-    if (leaps || i < first) stroke.moveTo(...at);
+    if (!goesOn || i < first) stroke.moveTo(...at);
     else stroke.lineTo(...at);
   }
   return { stroke };

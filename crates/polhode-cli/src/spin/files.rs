@@ -113,7 +113,7 @@ impl FileFlags {
         let mut names = Vec::new();
         if let Some(trajectory) = trajectory {
             let formats = if self.table.is_empty() { &[Format::Parquet] } else { self.table.as_slice() };
-            names.extend(table::write(formats, &trajectory, metadata, &folder)?);
+            names.extend(table::write(formats, &trajectory, &[], metadata, &folder)?);
         }
         if let Some(curves) = curves {
             names.extend(curves.write(&folder)?);

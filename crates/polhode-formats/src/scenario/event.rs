@@ -7,9 +7,9 @@ use polhode::{Direction, Event, EventAction, Measure, Sense};
 use super::reader::{Table, Value};
 use super::suggestion::nearest;
 use super::torque::Torques;
-use crate::error::FormatError;
+use crate::error::{FormatError, FormatErrorKind};
 use crate::expression::formula_of_state;
-use crate::unit::Dimension;
+use crate::unit::{Dimension, UnitError};
 
 /// What can be measured, as a file names it.
 const MEASURES: [&str; 16] = [
@@ -60,7 +60,10 @@ fn event(index: usize, table: &Table<'_>, torques: &Torques) -> Result<Event, Fo
         }
     };
     let given_value = table.require("value", "value = \"3 rad/s\"")?;
-    let value = given_value.quantity(dimension)?;
+    let value = match measure {
+        Measure::KineticEnergy | Measure::TotalEnergy => energy(&given_value)?,
+        _ => given_value.quantity(dimension)?,
+    };
     let between = matches!(name, "angle" | "nutation");
     if between && !(value > 0.0 && value < PI) {
         let hint =
@@ -82,6 +85,16 @@ fn event(index: usize, table: &Table<'_>, torques: &Torques) -> Result<Event, Fo
         None => format!("event {}", index + 1),
     };
     Event::new(name, measure, value, sense, action).map_err(|error| given_value.motion(error))
+}
+
+/// A quantity that has the dimension of a torque, and is none.
+fn energy(value: &Value<'_>) -> Result<f64, FormatError> {
+    value.quantity(Dimension::TORQUE).map_err(|error| match error.kind() {
+        FormatErrorKind::Unit(UnitError::WrongDimension { .. }) => {
+            value.invalid("an energy").with_hint("write an energy, such as \"3 J\"")
+        }
+        _ => error,
+    })
 }
 
 /// A measure that needs no more than its name.

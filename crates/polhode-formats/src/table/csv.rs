@@ -5,18 +5,18 @@
 use std::io::{self, BufWriter, Write};
 
 use super::columns;
-use polhode::Trajectory;
+use polhode::{Trajectory, Wheel};
 
-/// Writes a trajectory: a line of column names, then a line per sample.
+/// Writes a trajectory of a body with these wheels: a line of column names, then a line per sample.
 ///
 /// # Errors
 /// Those of `out`.
-pub fn write(trajectory: &Trajectory, out: impl Write) -> io::Result<()> {
+pub fn write(trajectory: &Trajectory, wheels: &[Wheel], out: impl Write) -> io::Result<()> {
     let mut out = BufWriter::new(out);
-    let columns = columns(trajectory);
-    separated(&mut out, columns, |out, column| write!(out, "{}", column.name))?;
+    let columns = columns(trajectory, wheels);
+    separated(&mut out, &columns, |out, column| write!(out, "{}", column.name))?;
     for sample in trajectory.samples() {
-        separated(&mut out, columns, |out, column| write!(out, "{:?}", column.value(sample)))?;
+        separated(&mut out, &columns, |out, column| write!(out, "{:?}", column.value(sample)))?;
     }
     out.flush()
 }

@@ -8,31 +8,66 @@ pub mod curve;
 pub mod parquet;
 pub mod required;
 
-use polhode::{Sample, Trajectory};
+use std::borrow::Cow;
+
+use polhode::{Sample, Trajectory, Wheel};
 
 /// One column of the trajectory table.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Column {
     /// The name, with its unit as suffix.
-    pub name: &'static str,
+    pub name: Cow<'static, str>,
     /// The unit in SI symbols; `1` for a pure number.
     pub unit: &'static str,
     /// What it is.
     pub description: &'static str,
-    value: fn(&Sample) -> f64,
+    source: Source,
+}
+
+/// Where the numbers of a column come from.
+#[derive(Clone, Copy, Debug)]
+enum Source {
+    Sample(fn(&Sample) -> f64),
+    WheelMomentum(Wheel),
+    WheelSpeed(Wheel),
 }
 
 impl Column {
     /// The number of this column in the row of `sample`.
     pub fn value(&self, sample: &Sample) -> f64 {
-        (self.value)(sample)
+        let state = &sample.state;
+        match self.source {
+            Source::Sample(value) => value(sample),
+            Source::WheelMomentum(wheel) => wheel.momentum_at(state.time),
+            Source::WheelSpeed(wheel) => wheel.speed_at(state.time, state.omega).unwrap_or(f64::NAN),
+        }
     }
 }
 
-/// The columns of a trajectory, in order: potential energy stands at the end where every torque has a potential.
-pub fn columns(trajectory: &Trajectory) -> &'static [Column] {
+/// The columns of a trajectory, in order: after those of every motion the potential energy where every torque has a potential, then
+/// what each of the body's wheels does, numbered from 1; of one whose speed is held only its momentum, for its inertia is not known.
+pub fn columns(trajectory: &Trajectory, wheels: &[Wheel]) -> Vec<Column> {
     let has_potential = trajectory.samples().first().is_some_and(|s| s.potential_energy.is_some());
-    if has_potential { &COLUMNS } else { &COLUMNS[..COLUMNS.len() - 1] }
+    let mut columns = Vec::from(COLUMNS);
+    if has_potential {
+        columns.push(column("potential_energy_j", "J", "potential energy of the torques", |s| {
+            s.potential_energy.unwrap_or(f64::NAN)
+        }));
+    }
+    let zero = polhode::AngularVelocity::ZERO;
+    for (k, wheel) in wheels.iter().enumerate() {
+        let named = |what: &str| Cow::Owned(format!("wheel_{}_{what}", k + 1));
+        let held = wheel.speed_at(0.0, zero).is_none();
+        let (name, description) =
+            (named("momentum_kg_m2_s"), if held { MOMENTUM_OF_HELD } else { MOMENTUM_OF_TURNED });
+        let source = Source::WheelMomentum(*wheel);
+        columns.push(Column { name, unit: "kg·m²/s", description, source });
+        if !held {
+            let (name, description) = (named("speed_rad_s"), "speed of the wheel relative to the body");
+            columns.push(Column { name, unit: "rad/s", description, source: Source::WheelSpeed(*wheel) });
+        }
+    }
+    columns
 }
 
 /// How signs, orders and frames are to be read: for the metadata of formats that have any.
@@ -41,7 +76,7 @@ pub const CONVENTIONS: &str = "SI units; attitude = R_space_body (v_space = R v_
     momentum, torque and rotational kinetic energy are about the centre of mass of a free body, about the pivot of a \
     held one";
 
-const COLUMNS: [Column; 19] = [
+const COLUMNS: [Column; 18] = [
     column("time_s", "s", "time", |s| s.state.time),
     column("attitude_w", "1", ATTITUDE, |s| s.state.attitude.quaternion()[0]),
     column("attitude_x", "1", ATTITUDE, |s| s.state.attitude.quaternion()[1]),
@@ -60,16 +95,15 @@ const COLUMNS: [Column; 19] = [
     column("torque_body_y_n_m", "N·m", TORQUE, |s| s.torque.y),
     column("torque_body_z_n_m", "N·m", TORQUE, |s| s.torque.z),
     column("kinetic_energy_j", "J", "rotational kinetic energy", |s| s.kinetic_energy),
-    column("potential_energy_j", "J", "potential energy of the torques", |s| {
-        s.potential_energy.unwrap_or(f64::NAN)
-    }),
 ];
 
 const ATTITUDE: &str = "R_space_body as a unit quaternion, Hamilton, scalar first";
 const OMEGA_BODY: &str = "angular velocity relative to space, along body axes";
 const OMEGA_SPACE: &str = "angular velocity relative to space, along space axes";
-const MOMENTUM: &str = "angular momentum, along space axes";
+const MOMENTUM: &str = "angular momentum, that of wheels included, along space axes";
 const TORQUE: &str = "torque, along body axes";
+const MOMENTUM_OF_HELD: &str = "angular momentum of the wheel along its axis, relative to the body";
+const MOMENTUM_OF_TURNED: &str = "angular momentum of the wheel along its axis, relative to space";
 
 const fn column(
     name: &'static str,
@@ -77,5 +111,5 @@ const fn column(
     description: &'static str,
     value: fn(&Sample) -> f64,
 ) -> Column {
-    Column { name, unit, description, value }
+    Column { name: Cow::Borrowed(name), unit, description, source: Source::Sample(value) }
 }

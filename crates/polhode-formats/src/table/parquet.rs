@@ -17,9 +17,9 @@ use ::parquet::schema::types::{Type, TypePtr};
 
 use super::required::RequiredTable;
 use super::{CONVENTIONS, columns};
-use polhode::Trajectory;
+use polhode::{Trajectory, Wheel};
 
-/// Writes a trajectory: one row per sample.
+/// Writes a trajectory of a body with these wheels: one row per sample.
 ///
 /// The file's metadata holds `polhode.version`, `polhode.conventions` ([`CONVENTIONS`]), `polhode.units` and
 /// `polhode.descriptions` (JSON objects, column → text), and the pairs of `metadata` after them.
@@ -28,10 +28,11 @@ use polhode::Trajectory;
 /// Those of `out`.
 pub fn write(
     trajectory: &Trajectory,
+    wheels: &[Wheel],
     metadata: &[(String, String)],
     out: impl Write + Send,
 ) -> io::Result<()> {
-    encode(trajectory, metadata, out).map_err(io_error)
+    encode(trajectory, wheels, metadata, out).map_err(io_error)
 }
 
 /// Rows that are held in memory, and packed, at a time.
@@ -60,11 +61,12 @@ type Head<'a> = [&'a str; 3];
 
 fn encode(
     trajectory: &Trajectory,
+    wheels: &[Wheel],
     metadata: &[(String, String)],
     out: impl Write + Send,
 ) -> Result<(), ParquetError> {
-    let (columns, samples) = (columns(trajectory), trajectory.samples());
-    let heads: Vec<Head<'_>> = columns.iter().map(|c| [c.name, c.unit, c.description]).collect();
+    let (columns, samples) = (columns(trajectory, wheels), trajectory.samples());
+    let heads: Vec<Head<'_>> = columns.iter().map(|c| [&*c.name, c.unit, c.description]).collect();
     let values = |column: usize, rows: Range<usize>| {
         samples[rows].iter().map(|sample| columns[column].value(sample)).collect()
     };

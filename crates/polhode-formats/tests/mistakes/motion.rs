@@ -170,7 +170,7 @@ fn drag_springs_and_thrusters_are_possible() {
     );
     refuses(
         &torque("torsion", "stiffness=«'1 N m'»"),
-        "\"N m\" is a torque where a torque per angle belongs",
+        "\"N m\" is an energy or a torque where a torque per angle belongs",
         "write a torque per angle",
     );
     refuses(
@@ -329,8 +329,19 @@ fn events_that_cannot_be_are_refused() {
     );
     refuses(
         &event("measure='omega'\nvalue=«'3 N m'»"),
-        "\"N m\" is a torque where an angular velocity belongs",
+        "\"N m\" is an energy or a torque where an angular velocity belongs",
         "write an angular velocity",
+    );
+    refuses(
+        &event("measure='omega'\nvalue=«'3 J'»"),
+        "\"J\" is an energy or a torque where an angular velocity belongs",
+        "write an angular velocity",
+    );
+    assert!(parse(&event("measure='kinetic_energy'\nvalue='3 J'")).is_ok());
+    refuses(
+        &event("measure='kinetic_energy'\nvalue=«'3 kg'»"),
+        "value = '3 kg' must be an energy",
+        "write an energy, such as \"3 J\"",
     );
     refuses(
         &event("measure='formula'\nformula='hypot(wx,wy)'\nvalue=«'3 s'»"),

@@ -2,7 +2,7 @@
 
 use polhode::{
     Drift, FreeMotion, FreeRegime, Method, ParticleForce, Pendulum, Sample, Scenario, Solution, State, Swing,
-    TorqueModel,
+    TorqueModel, Wheel,
 };
 use serde_json::{Map, Value, json};
 
@@ -37,10 +37,7 @@ pub(super) fn of(report: &MotionReport<'_>) -> Value {
     put("heavy_top", heavy_top::of(scenario, facts.start).as_ref().map_or(Value::Null, heavy_top::to_json));
     put("final", samples.last().map_or(Value::Null, last));
     put("torques", torques(scenario));
-    put(
-        "wheels",
-        scenario.wheels.iter().map(|wheel| Description::of_wheel(wheel).json()).map(Value::Object).collect(),
-    );
+    put("wheels", wheels(report));
     put("events", event::json(report.trajectory, scenario));
     put("findings", finding::to_json(&scenario.findings));
     Value::Object(object)
@@ -74,8 +71,9 @@ fn run(report: &MotionReport<'_>) -> Value {
         (Some(first), Some(last)) => last.state.time - first.state.time,
         _ => 0.0,
     };
-    let (tolerance, steps) = match report.trajectory.solution() {
-        Solution::Integrated { tolerance, statistics, .. } => (
+    let (splitting, tolerance, steps) = match report.trajectory.solution() {
+        Solution::Integrated { method, tolerance, statistics } => (
+            splitting(*method),
             *tolerance,
             json!({
                 "accepted": statistics.accepted,
@@ -83,17 +81,26 @@ fn run(report: &MotionReport<'_>) -> Value {
                 "evaluations": statistics.evaluations,
             }),
         ),
-        Solution::Exact(_) | Solution::Prescribed(_) => (None, Value::Null),
+        Solution::Exact(_) | Solution::Prescribed(_) => (Value::Null, None, Value::Null),
     };
     json!({
         "method": report.scenario.run.as_ref().map(|run| run.method).map(Method::name),
         "method_used": report.trajectory.solution().name(),
         "method_reason": report.trajectory.reason().to_string(),
         "tolerance": tolerance,
+        "splitting": splitting,
         "samples": samples.len(),
         "duration_s": duration,
         "steps": steps,
     })
+}
+
+/// Of splitting its order and its step, which are to it what a tolerance is to others.
+fn splitting(method: Method) -> Value {
+    match method {
+        Method::Splitting { order, step } => json!({ "order": order.number(), "step_s": step }),
+        _ => Value::Null,
+    }
 }
 
 /// The kind of a free motion; for any other the same keys, `null` where only a free motion has them.
@@ -197,6 +204,21 @@ fn last(sample: &Sample) -> Value {
         "momentum_space": vector(sample.momentum),
         "torque_body": vector(sample.torque),
     })
+}
+
+/// Each wheel, with its momentum and its speed at the start and at the end.
+fn wheels(report: &MotionReport<'_>) -> Value {
+    let start = report.trajectory.start().state;
+    let end = report.trajectory.samples().last().map(|sample| sample.state);
+    let one = |wheel: &Wheel| {
+        let mut object = Description::of_wheel(wheel).json();
+        let mut put = |key: &str, value: Option<f64>| object.insert(key.to_owned(), value.into());
+        put("speed_rad_s", wheel.speed_at(start.time, start.omega));
+        put("final_momentum_kg_m2_s", end.map(|end| wheel.momentum_at(end.time)));
+        put("final_speed_rad_s", end.and_then(|end| wheel.speed_at(end.time, end.omega)));
+        Value::Object(object)
+    };
+    report.scenario.wheels.iter().map(one).collect()
 }
 
 /// Each torque, with its name, and whether it is on at the start.

@@ -1,13 +1,13 @@
 //! The motion on one screen.
 
-use polhode::{FreeRegime, Method, Pendulum, Sample, Scenario, Solution, Swing};
+use polhode::{FreeRegime, Method, Pendulum, Sample, Scenario, Solution, State, Swing, Wheel};
 
 use super::MotionReport;
 use super::facts::{Facts, Needed, Top};
 use crate::layout::{WIDTH, broken, columns, labelled, plain_spaces, printable};
 use crate::number::{count, error, number, tidy, ungrouped, vector};
 use crate::sparkline::Sparkline;
-use crate::torque::Description;
+use crate::torque::{Description, off_at_start};
 use crate::unit::{self, CLOSED, DIGITS, cone, rate};
 use crate::{event, finding, heavy_top, intermediate, omega};
 
@@ -198,13 +198,18 @@ fn what_acts(scenario: &Scenario) -> String {
     for (k, model) in scenario.torques.iter().enumerate() {
         let name = scenario.torque_names.get(k).cloned().flatten();
         let name = name.map_or_else(String::new, |name| format!("{}: ", printable(&name)));
-        let off = if scenario.switched_off.contains(&k) { ", off at the start" } else { "" };
+        let off = off_at_start(scenario, k).map_or_else(String::new, |off| format!(", {off}"));
         text.push_str(&labelled("torque", &format!("{name}{}{off}", Description::of(model).text())));
     }
-    for wheel in &scenario.wheels {
-        text.push_str(&labelled("wheel", &Description::of_wheel(wheel).text()));
+    for (k, wheel) in scenario.wheels.iter().enumerate() {
+        text.push_str(&labelled(&wheel_name(scenario, k), &Description::of_wheel(wheel).text()));
     }
     text
+}
+
+/// Wheels are numbered from 1 where there are several.
+fn wheel_name(scenario: &Scenario, k: usize) -> String {
+    if scenario.wheels.len() > 1 { format!("wheel {}", k + 1) } else { "wheel".to_owned() }
 }
 
 /// How far the balances fail at the worst sample.
@@ -272,8 +277,24 @@ fn ends(report: &MotionReport<'_>, facts: &Facts) -> String {
             );
             text.push_str(&labelled("energy", &line));
         }
+        text.push_str(&wheels(report.scenario, [&first.state, &last.state]));
     }
     text
+}
+
+/// What each wheel does at the start and at the end; nothing of one whose speed is held, which `what_acts` has.
+fn wheels(scenario: &Scenario, ends: [&State; 2]) -> String {
+    let line = |(k, wheel): (usize, &Wheel)| {
+        let [from, to] = ends.map(|state| number(wheel.momentum_at(state.time), 6));
+        let [Some(slow), Some(fast)] = ends.map(|state| wheel.speed_at(state.time, state.omega)) else {
+            return String::new();
+        };
+        let rpm = number(60.0 * fast / std::f64::consts::TAU, 4);
+        let [slow, fast] = [slow, fast].map(|speed| number(speed, 6));
+        let line = format!("h {from} → {to} kg·m²/s, Ω in the body {slow} → {fast} rad/s ({rpm} rpm)");
+        labelled(&wheel_name(scenario, k), &line)
+    };
+    scenario.wheels.iter().enumerate().map(line).collect()
 }
 
 /// An upper bound of a rounding error, which may be exactly zero.

@@ -16,7 +16,7 @@ const LEAST_MESH: usize = 240_000;
 /// The data of a page whose frame has so many bytes without them.
 pub(super) fn json(input: &PageInput<'_>, frame: usize) -> Value {
     let turning = Turning::of(&input.subject);
-    let shown = Shown::of(input.trajectory);
+    let shown = Shown::of(input.trajectory, &input.subject);
     let free_motion = free::motion(input);
     let motion = motion::json(&shown);
     let free = free_motion.as_ref().map_or(Value::Null, |motion| free::json(motion, &shown));

@@ -2,7 +2,7 @@
 
 use polhode::{
     Cones, Crossing, Drift, FreeMotion, FreeRegime, GeometricPhase, Herpolhode, LeastEnergySpin, Regime,
-    Scenario, Solution, Swing, SymmetricTop,
+    Scenario, Solution, Swing, SymmetricTop, TorqueModel, Wheel,
 };
 use serde_json::{Value, json};
 
@@ -11,9 +11,10 @@ use super::motion::Shown;
 use super::{PageInput, PageSubject};
 use crate::block::Geometry;
 use crate::event;
-use crate::number::{count, error, number, tidy, tidy_matrix, vector};
+use crate::layout::printable;
+use crate::number::{count, error, number, tidy, tidy_matrix, typeset, vector};
 use crate::periods::Periods;
-use crate::torque::Description;
+use crate::torque::{Description, off_at_start};
 use crate::unit::{self, DIGITS};
 
 /// Between two samples a body that turns by more, rad, may have turned otherwise than the picture shows.
@@ -54,39 +55,6 @@ impl Row {
     fn json(&self) -> Value {
         json!({ "label": self.label, "value": typeset(&self.value), "unit": self.unit, "note": typeset(&self.note) })
     }
-}
-
-/// Numbers as they are set: `-4.5e-5` as −4.5×10⁻⁵.
-fn typeset(text: &str) -> String {
-    let mut out = String::new();
-    let mut before = ' ';
-    let mut rest = text.chars().peekable();
-    let mut in_power = false;
-    while let Some(c) = rest.next() {
-        let next = rest.peek().copied().unwrap_or(' ');
-        let continues = in_power && c.is_ascii_digit();
-        in_power = continues;
-        match c {
-            'e' if before.is_ascii_digit() && (next == '-' || next.is_ascii_digit()) => {
-                out.push_str("×10");
-                if next == '-' {
-                    rest.next();
-                    out.push('⁻');
-                }
-                in_power = true;
-            }
-            _ if continues => out.push(superscript(c)),
-            '-' if next.is_ascii_digit() => out.push('−'),
-            c => out.push(c),
-        }
-        before = c;
-    }
-    out
-}
-
-fn superscript(digit: char) -> char {
-    let digits = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
-    digit.to_digit(10).and_then(|k| digits.get(k as usize)).copied().unwrap_or(digit)
 }
 
 pub(super) fn json(
@@ -170,20 +138,39 @@ fn motion(input: &PageInput<'_>, free: Option<&FreeMotion>, shown: &Shown<'_>) -
     }
     match (free, input.subject) {
         (Some(free), _) => rows.extend(free_motion(free)),
-        (None, PageSubject::Scenario(scenario)) => rows.extend(driven(scenario)),
+        (None, PageSubject::Scenario(scenario)) => rows.extend(driven(scenario, shown)),
         _ => {}
     }
     rows
 }
 
-/// Torques, wheels, and what happened on the way.
-fn driven(scenario: &Scenario) -> Vec<Row> {
-    let mut rows = Vec::new();
-    let one =
-        |label, description: &Description| Row::new(label, description.text(), "").note(description.model);
-    rows.extend(scenario.torques.iter().map(|model| one("torque", &Description::of(model))));
-    rows.extend(scenario.wheels.iter().map(|wheel| one("wheel", &Description::of_wheel(wheel))));
-    rows
+/// Torques with their names, and wheels with what they do at the start and at the end.
+fn driven(scenario: &Scenario, shown: &Shown<'_>) -> Vec<Row> {
+    let torque = |(k, model): (usize, &TorqueModel)| {
+        let name = scenario.torque_names.get(k).cloned().flatten();
+        let named = name.map(|name| format!("{}: ", printable(&name))).unwrap_or_default();
+        let description = Description::of(model);
+        let note = [Some(description.model.to_owned()), off_at_start(scenario, k)];
+        let note: Vec<String> = note.into_iter().flatten().collect();
+        Row::new("torque", named + &description.text(), "").note(note.join(", "))
+    };
+    let ends = [shown.samples.first(), shown.samples.last()].map(|s| s.map(|s| s.state));
+    let wheel = |wheel: &Wheel| {
+        let mut rows = vec![Row::new("wheel", Description::of_wheel(wheel).text(), "")];
+        if let [Some(from), Some(to)] = ends
+            && let [Some(slow), Some(fast)] = [from, to].map(|s| wheel.speed_at(s.time, s.omega))
+        {
+            let [least, most] = [from, to].map(|s| number(wheel.momentum_at(s.time), 6));
+            rows.push(
+                Row::new("h of the wheel", format!("{least} → {most}"), "kg·m²/s").note("along its axis"),
+            );
+            let [slow, fast] = [slow, fast].map(|speed| number(speed, 6));
+            rows.push(Row::new("Ω of the wheel", format!("{slow} → {fast}"), "rad/s").note("in the body"));
+        }
+        rows
+    };
+    let torques = scenario.torques.iter().enumerate().map(torque);
+    torques.chain(scenario.wheels.iter().flat_map(wheel)).collect()
 }
 
 /// How the motion ended, if not at the end of the run, and the first of its events.
@@ -324,22 +311,4 @@ fn this_page(shown: &Shown<'_>, notes: &[String]) -> Vec<Row> {
     }
     rows.extend(notes.iter().map(|note| Row::new("body", note.clone(), "")));
     rows
-}
-
-#[cfg(test)]
-mod tests {
-    use super::typeset;
-
-    #[test]
-    fn numbers_are_set() {
-        for (text, set) in [
-            ("-4.5e-5", "−4.5×10⁻⁵"),
-            ("(1e12, -0.5, 3)", "(1×10¹², −0.5, 3)"),
-            ("axis 3 = (0, -1, 0)", "axis 3 = (0, −1, 0)"),
-            ("2 bodies, time-like: 1 each", "2 bodies, time-like: 1 each"),
-            ("", ""),
-        ] {
-            assert_eq!(typeset(text), set);
-        }
-    }
 }

@@ -1,10 +1,13 @@
 //! The motion as rows of numbers.
 
-use polhode::{Drift, Sample, Trajectory};
+use polhode::{Crossing, Sample, Trajectory, Wheel};
 use serde_json::{Value, json};
 
+use super::PageSubject;
 use super::base64::f64s;
 use super::data::finite;
+use crate::balance::{Balance, Driven, balances};
+use crate::layout::printable;
 
 /// A page of more samples would be large and show no more.
 const MOST: usize = 2_001;
@@ -15,25 +18,38 @@ pub(super) struct Shown<'a> {
     pub(super) samples: Vec<&'a Sample>,
     /// How many there are.
     pub(super) of: usize,
-    drift: Option<Vec<Drift>>,
+    drift: Vec<Balance>,
     pub(super) method: &'static str,
+    wheels: &'a [Wheel],
+    events: &'a [Crossing],
+    is_complete: bool,
 }
 
 impl<'a> Shown<'a> {
     /// All samples, or [`MOST`] evenly chosen with the first and the last; the start where there are none.
-    pub(super) fn of(trajectory: &'a Trajectory) -> Self {
+    pub(super) fn of(trajectory: &'a Trajectory, subject: &PageSubject<'a>) -> Self {
         let all = trajectory.samples();
-        let method = trajectory.solution().name();
-        if all.is_empty() {
-            return Self { samples: vec![trajectory.start()], of: 1, drift: None, method };
+        let (driven, wheels) = match *subject {
+            PageSubject::Scenario(scenario) => (Driven::of(scenario), scenario.wheels.as_slice()),
+            PageSubject::Moments(_) => (Driven::default(), &[][..]),
+        };
+        let mut drift = balances(trajectory, driven);
+        let mut samples = vec![trajectory.start()];
+        if !all.is_empty() {
+            let chosen = chosen(all.len());
+            samples = chosen.iter().filter_map(|&k| all.get(k)).collect();
+            for balance in &mut drift {
+                balance.values = chosen.iter().filter_map(|&k| balance.values.get(k)).copied().collect();
+            }
         }
-        let drift = Drift::along(trajectory);
-        let chosen = chosen(all.len());
         Self {
-            samples: chosen.iter().filter_map(|&k| all.get(k)).collect(),
-            of: all.len(),
-            drift: drift.map(|drift| chosen.iter().filter_map(|&k| drift.get(k)).copied().collect()),
-            method,
+            samples,
+            of: all.len().max(1),
+            drift,
+            method: trajectory.solution().name(),
+            wheels,
+            events: trajectory.events(),
+            is_complete: trajectory.ending().is_complete(),
         }
     }
 
@@ -52,22 +68,30 @@ impl<'a> Shown<'a> {
 
     /// Lines of the drift plot: what should stay the same.
     fn drift(&self) -> Value {
-        let Some(drift) = &self.drift else { return json!([]) };
-        let is_turned = self.is_turned();
-        let line = |name: &str, value: &dyn Fn(&Drift) -> f64| json!({ "name": name, "values": f64s(drift.iter().map(|d| finite(value(d)))) });
-        let mut lines = if is_turned {
-            vec![line("T − work", &|d| d.work_energy), line("L − impulse", &|d| d.momentum)]
-        } else {
-            vec![
-                line("T", &|d| d.kinetic_energy),
-                line("|L|", &|d| d.momentum_magnitude),
-                line("L in space", &|d| d.momentum),
-            ]
+        let line = |balance: &Balance| json!({ "name": balance.name, "values": f64s(balance.values.iter().map(|&d| finite(d))) });
+        self.drift.iter().map(line).collect()
+    }
+
+    /// What each wheel does; `null` for a speed that is held.
+    fn wheels(&self) -> Value {
+        let one = |(k, wheel): (usize, &Wheel)| {
+            let speeds: Option<Vec<f64>> =
+                self.samples.iter().map(|s| wheel.speed_at(s.state.time, s.state.omega)).collect();
+            json!({
+                "name": if self.wheels.len() > 1 { format!("wheel {}", k + 1) } else { "wheel".to_owned() },
+                "momentum": self.rows(|s| [wheel.momentum_at(s.state.time)]),
+                "speed": speeds.map(f64s),
+            })
         };
-        if drift.iter().all(|d| d.total_energy.is_some()) {
-            lines.push(line("T + U", &|d| d.total_energy.unwrap_or_default()));
-        }
-        lines.into()
+        self.wheels.iter().enumerate().map(one).collect()
+    }
+
+    /// The first of the events that happened: more would hide the curves.
+    fn events(&self) -> Value {
+        const MOST: usize = 40;
+        let one =
+            |crossing: &Crossing| json!({ "time": crossing.state.time, "name": printable(&crossing.name) });
+        self.events.iter().take(MOST).map(one).collect()
     }
 
     /// True if some torque acts.
@@ -98,6 +122,9 @@ pub(super) fn json(shown: &Shown<'_>) -> Value {
         "kinetic": shown.rows(|s| [s.kinetic_energy]),
         "potential": potential.map(f64s),
         "drift": shown.drift(),
+        "wheels": shown.wheels(),
+        "events": shown.events(),
+        "complete": shown.is_complete,
     })
 }
 

@@ -71,6 +71,18 @@ impl Axis {
         }
     }
 
+    /// An axis for what is zero throughout: nothing says how large it might be.
+    pub(super) fn zero(name: &str, unit: &str) -> Self {
+        let ticks = Ticks { values: vec![0.0], labels: vec!["0".to_owned()] };
+        Self { range: [-1.0, 1.0], exponent: 0, log: false, ticks, label: format!("{name}, {unit}") }
+    }
+
+    /// The same with large values below small ones.
+    pub(super) fn downward(mut self) -> Self {
+        self.range.reverse();
+        self
+    }
+
     /// A logarithmic axis from 10^least to 10^greatest; its lowest mark stands for 0 and what is too small to be shown.
     pub(super) fn powers(least: i32, greatest: i32, most: i32, name: &str) -> Self {
         let mut ticks = Ticks::powers(least + 1, greatest, most);
@@ -181,6 +193,25 @@ impl Axes {
             self.area.left + self.x.part(x) * self.area.width(),
             self.area.bottom - self.y.part(y) * self.area.height(),
         ]
+    }
+
+    /// A line through everything at x: where something happens.
+    pub(super) fn upright(&self, x: f64, sheet: &mut Sheet) {
+        let x = self.area.left + self.x.part(x) * self.area.width();
+        let pen = Pen::solid(Colour::FAINT, 1.0).dashed(&[2.0, 3.0]);
+        sheet.line(vec![[x, self.area.top], [x, self.area.bottom]], pen);
+    }
+
+    /// A name that stands along the line at x, unless that is to the left of `free`; gives where the next may stand.
+    pub(super) fn beside_upright(&self, x: f64, name: &str, free: f64, sheet: &mut Sheet) -> f64 {
+        let x = self.area.left + self.x.part(x) * self.area.width() - 4.0;
+        if x - SMALL < free.max(self.area.left) {
+            return free;
+        }
+        let name = font::fitted(name, SMALL, 0.9 * self.area.height());
+        let text = Text::small([x, self.area.bottom - 6.0], Anchor::Start, Colour::FAINT, &name);
+        sheet.marks.push(Mark::Text(Text { upward: true, halo: true, ..text }));
+        x + 4.0
     }
 
     pub(super) fn draw(&self, sheet: &mut Sheet) {

@@ -1,20 +1,13 @@
 //! How far a computed motion departs from its balances, sample by sample.
 //!
-//! The same departures as [`polhode::Drift`], which has the largest of each. A sample's departure is rounding noise in a
-//! closed form and a staircase in an integration: dots show either, and a line the largest so far.
-
-use polhode::Sample;
+//! A sample's departure is rounding noise in a closed form and a staircase in an integration: dots show either, and a line the
+//! largest so far.
 
 use super::axes::{Axes, Axis, Key};
 use super::motion::MotionFigures;
 use super::series::{Heading, time_axis};
 use super::sheet::{Colour, Pen, Point, Sheet};
-
-/// What should be nothing, relative to its size, at each sample.
-pub(super) struct Departure {
-    pub(super) name: &'static str,
-    pub(super) values: Vec<f64>,
-}
+use crate::balance::balances;
 
 pub(super) fn draw(motion: &MotionFigures<'_>, sheet: &mut Sheet, heading: Heading<'_>) {
     const PENS: [Colour; 3] = [Colour::AXES[1], Colour::AXES[0], Colour::AXES[2]];
@@ -23,7 +16,7 @@ pub(super) fn draw(motion: &MotionFigures<'_>, sheet: &mut Sheet, heading: Headi
         let colour = PENS.get(k).copied().unwrap_or(Colour::BLACK);
         Pen::solid(colour, 1.7).dashed(DASHES.get(k).copied().unwrap_or(&[]))
     };
-    let departures = departures(motion);
+    let departures = balances(motion.trajectory, motion.driven);
     let keys: Vec<Key> = departures.iter().enumerate().map(|(k, d)| Key::line(pen(k), d.name)).collect();
     let area = heading(sheet, &keys);
     let (x, scale) = time_axis(motion.samples(), area.width());
@@ -52,37 +45,6 @@ pub(super) fn draw(motion: &MotionFigures<'_>, sheet: &mut Sheet, heading: Headi
         });
         sheet.line(so_far.filter(|p| p[1] > 0.0).map(|p| axes.at(p)).collect(), pen(k));
     }
-}
-
-/// The balances that this motion keeps.
-pub(super) fn departures(motion: &MotionFigures<'_>) -> Vec<Departure> {
-    let (first, samples) = (motion.trajectory.start(), motion.samples());
-    let largest = |f: &dyn Fn(&Sample) -> f64| samples.iter().chain([first]).map(f).fold(0.0, f64::max);
-    let (t0, l0) = (first.kinetic_energy, first.momentum);
-    let largest_t = largest(&|s| s.kinetic_energy);
-    let largest_l = largest(&|s| s.momentum.norm());
-    let relative = |name: &'static str, whole: f64, part: &dyn Fn(&Sample) -> f64| Departure {
-        name,
-        values: samples.iter().map(|s| if whole > 0.0 { part(s) / whole } else { 0.0 }).collect(),
-    };
-    if !motion.driven {
-        return vec![
-            relative("T", largest_t, &|s| (s.kinetic_energy - t0).abs()),
-            relative("|L|", largest_l, &|s| (s.momentum.norm() - l0.norm()).abs()),
-            relative("L in space", largest_l, &|s| (s.momentum - l0).norm()),
-        ];
-    }
-    let mut all = vec![
-        // T(t) − T(0) = W,  L(t) − L(0) = J
-        relative("T − work", largest_t, &|s| (s.kinetic_energy - t0 - (s.work - first.work)).abs()),
-        relative("L − impulse", largest_l, &|s| (s.momentum - l0 - (s.impulse - first.impulse)).norm()),
-    ];
-    if let Some(u0) = first.potential_energy {
-        let rise = |s: &Sample| s.potential_energy.unwrap_or(u0) - u0;
-        let whole = largest_t.max(largest(&|s| rise(s).abs()));
-        all.push(relative("T + U", whole, &|s| (s.kinetic_energy - t0 + rise(s)).abs()));
-    }
-    all
 }
 
 /// One dot where several would be one.

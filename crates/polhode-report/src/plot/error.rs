@@ -24,6 +24,8 @@ pub enum PlotError {
     },
     /// The body turns too far from a sample to the next: angles cannot be followed.
     TooCoarse {
+        /// The figure.
+        figure: Figure,
         /// The largest such turn, rad.
         turn: f64,
     },
@@ -60,9 +62,10 @@ impl fmt::Display for PlotError {
             Self::TooFewSamples { count } => {
                 write!(f, "a plot against time needs 2 samples, and there are {count}")
             }
-            Self::TooCoarse { turn } => write!(
+            Self::TooCoarse { figure, turn } => write!(
                 f,
-                "the figure euler cannot be drawn: the body turns by up to {} rad from a sample to the next",
+                "the figure {} cannot be drawn: the body turns by up to {} rad from a sample to the next",
+                figure.name(),
                 crate::number::number(*turn, 3)
             ),
             Self::Curve { figure, error } => {

@@ -1,17 +1,32 @@
 //! Euler angles against time: the nutation θ above, φ and ψ below.
 //!
-//! φ and ψ are drawn as they go on, not from −180° to 180°. Where θ is 0 or 180° only their sum or difference exists, and
-//! near there they may turn by half a turn from one sample to the next: a curve that cannot be followed is broken.
+//! φ and ψ are drawn as they go on, not from −180° to 180°. At θ = 0 only φ + ψ exists, at 180° only φ − ψ. A body that passes near
+//! turns φ and ψ by half a turn at once: where samples do not follow that, both are left out from 1.1° before to 1.1° behind, and the sum
+//! or the difference, which goes on, is drawn beside them. It is alone where θ never leaves its end.
 
-use std::f64::consts::{FRAC_PI_2, TAU};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use polhode::Sample;
 
 use super::axes::{Area, Axes, Key};
 use super::error::PlotError;
+use super::figure::Figure;
 use super::motion::MotionFigures;
-use super::series::{Heading, axis, pieces, time_axis};
-use super::sheet::{Pen, Point, Sheet};
+use super::panel::axis;
+use super::series::{Heading, pieces, time_axis};
+use super::sheet::{Colour, Pen, Point, Sheet};
+
+/// Near an end of θ sin θ is below this: within 1.1°.
+const NEAR: f64 = 0.02;
+
+/// Where sin θ is below this, φ and ψ are rounding; where it always is, θ is.
+const NOTHING: f64 = 1e-9;
+
+/// A turn of φ or ψ from a sample to the next that is not followed near an end of θ, rad.
+const LEAP: f64 = 1.0;
+
+/// A curve in the pieces that can be followed: time in s, angle in degrees.
+type Pieces = Vec<Vec<Point>>;
 
 pub(super) fn draw(
     motion: &MotionFigures<'_>,
@@ -21,37 +36,57 @@ pub(super) fn draw(
     // A turn that is missed would be drawn as a slower one.
     let turn = largest_turn(motion.samples());
     if !(turn <= FRAC_PI_2) {
-        return Err(PlotError::TooCoarse { turn });
+        return Err(PlotError::TooCoarse { figure: Figure::Euler, turn });
     }
-    let [phi, theta, psi] = [Pen::axis(0), Pen::axis(1), Pen::axis(2)];
-    let keys = [(theta, "θ nutation"), (phi, "φ precession"), (psi, "ψ spin")];
-    let area = heading(sheet, &keys.map(|(pen, name)| Key::line(pen, name)));
-    let middle = area.top + 0.4 * area.height();
-    let (upper, lower) = (Area { bottom: middle, ..area }, area.below(0.4 * area.height() + 4.0));
-
+    let angles = Angles::of(motion.samples());
+    let thin = Pen::solid(Colour::BLACK, 1.1);
+    let around = [
+        (Pen::axis(0), "φ precession", angles.phi()),
+        (Pen::axis(2), "ψ spin", angles.psi()),
+        (thin, "φ + ψ", angles.sum()),
+        (thin.dashed(&[7.0, 2.5]), "φ − ψ", angles.difference()),
+    ];
+    let around: Vec<_> = around.into_iter().filter(|(.., curve)| !curve.is_empty()).collect();
+    let tilt = Pen::axis(1);
+    let name = match angles.stays() {
+        None => "θ nutation".to_owned(),
+        Some(end) => format!("θ = {end}°"),
+    };
+    let keys = around.iter().map(|(pen, name, _)| Key::line(*pen, *name));
+    let keys: Vec<Key> = [Key::line(tilt, name)].into_iter().chain(keys).collect();
+    let area = heading(sheet, &keys);
     let (x, scale) = time_axis(motion.samples(), area.width());
-    let angles: Vec<(f64, [f64; 3])> =
-        motion.samples().iter().map(|s| (s.state.time / scale, s.state.attitude.euler313())).collect();
-    let nutation: Vec<Point> = angles.iter().map(|(t, [_, theta, _])| [*t, theta.to_degrees()]).collect();
-    let around = [0, 2].map(|k| followed(&angles, k));
-    let values = || around.iter().flatten().flatten().map(|p| p[1]);
-    let most = values().map(f64::abs).fold(0.0, f64::max);
-    let (unit, size) = if most > 20.0 * 360.0 { ("turns", 360.0) } else { ("deg", 1.0) };
-    let around = around.map(|pieces| -> Vec<Vec<Point>> {
-        pieces.into_iter().map(|piece| piece.into_iter().map(|[t, a]| [t, a / size]).collect()).collect()
-    });
-    let theta_axis = axis(nutation.iter().map(|p| p[1]), upper.height(), "θ", "deg");
-    let other_axis = axis(around.iter().flatten().flatten().map(|p| p[1]), lower.height(), "φ, ψ", unit);
-    let left = Axes::beside(&theta_axis).max(Axes::beside(&other_axis));
-    let axes = Axes::within(upper, x.clone().bare(), theta_axis, Some(left));
+    let all = || around.iter().flat_map(|(.., curve)| curve).flatten().map(|p| p[1]);
+    let (unit, size) =
+        if all().map(f64::abs).fold(0.0, f64::max) > 20.0 * 360.0 { ("turns", 360.0) } else { ("deg", 1.0) };
+    let placed = |curve: &Pieces, size: f64| -> Pieces {
+        curve.iter().map(|piece| piece.iter().map(|[t, a]| [t / scale, a / size]).collect()).collect()
+    };
+    let part = if angles.stays().is_some() { 0.0 } else { 0.4 };
+    let lower = if part > 0.0 { area.below(part * area.height() + 4.0) } else { area };
+    let names: Vec<&str> = around.iter().map(|(_, name, _)| short(name)).collect();
+    let other = axis(all().map(|a| a / size), lower.height(), &names.join(", "), unit);
+    let mut left = Axes::beside(&other);
+    if part > 0.0 {
+        let upper = Area { bottom: area.top + part * area.height(), ..area };
+        let theta = angles.theta();
+        let theta_axis = axis(theta.iter().flatten().map(|p| p[1]), upper.height(), "θ", "deg");
+        left = left.max(Axes::beside(&theta_axis));
+        let axes = Axes::within(upper, x.clone().bare(), theta_axis, Some(left));
+        axes.draw(sheet);
+        pieces(&axes, &placed(&theta, 1.0), tilt, sheet);
+    }
+    let axes = Axes::within(lower, x, other, Some(left));
     axes.draw(sheet);
-    pieces(&axes, &[nutation], theta, sheet);
-    let axes = Axes::within(lower, x, other_axis, Some(left));
-    axes.draw(sheet);
-    for (curve, pen) in around.iter().zip([phi, psi]) {
-        pieces(&axes, curve, pen, sheet);
+    for (pen, _, curve) in &around {
+        pieces(&axes, &placed(curve, size), *pen, sheet);
     }
     Ok(())
+}
+
+/// `φ` of `φ precession`; what is a sum stays.
+fn short(name: &'static str) -> &'static str {
+    if name.contains(['+', '−']) { name } else { name.split(' ').next().unwrap_or(name) }
 }
 
 /// The largest |ω| Δt, rad.
@@ -63,29 +98,127 @@ fn largest_turn(samples: &[Sample]) -> f64 {
     samples.windows(2).map(turn).fold(0.0, f64::max)
 }
 
-/// φ (k = 0) or ψ (k = 2) in degrees, as it goes on, in the pieces that can be followed.
-fn followed(angles: &[(f64, [f64; 3])], k: usize) -> Vec<Vec<Point>> {
-    /// Nearer to θ = 0 or 180° than this φ and ψ are rounding, rad.
-    const POLE: f64 = 1e-6;
-    let mut pieces: Vec<Vec<Point>> = Vec::new();
+/// The angles of a motion's attitudes.
+struct Angles(Vec<At>);
+
+/// Those of one: t, s; φ, θ, ψ; φ + ψ and φ − ψ, rad.
+struct At {
+    time: f64,
+    euler: [f64; 3],
+    sum: f64,
+    difference: f64,
+    /// Both φ and ψ can be told and followed.
+    has_both: bool,
+    /// They cannot be followed from the sample before.
+    is_beyond: bool,
+}
+
+impl Angles {
+    fn of(samples: &[Sample]) -> Self {
+        let at = |s: &Sample| {
+            let [w, x, y, z] = s.state.attitude.quaternion();
+            // q = (cos ½θ cos ½(φ + ψ), sin ½θ cos ½(φ − ψ), sin ½θ sin ½(φ − ψ), cos ½θ sin ½(φ + ψ))
+            let [sum, difference] = [2.0 * z.atan2(w), 2.0 * y.atan2(x)];
+            let euler = s.state.attitude.euler313();
+            At {
+                time: s.state.time,
+                euler,
+                sum,
+                difference,
+                has_both: euler[1].sin() >= NOTHING,
+                is_beyond: false,
+            }
+        };
+        let mut all: Vec<At> = samples.iter().map(at).collect();
+        let beyond: Vec<bool> =
+            all.windows(2).map(|w| matches!(w, [a, b] if a.leap(b) > FRAC_PI_2)).collect();
+        for (at, beyond) in all.iter_mut().skip(1).zip(beyond) {
+            at.is_beyond = beyond;
+        }
+        for part in all.chunk_by_mut(|a, b| a.is_near() == b.is_near()) {
+            let followed = part.windows(2).all(|pair| matches!(pair, [a, b] if a.leap(b) < LEAP));
+            if part.first().is_some_and(At::is_near) && !followed {
+                part.iter_mut().for_each(|at| at.has_both = false);
+            }
+        }
+        Self(all)
+    }
+
+    /// Where θ is always, in degrees, if it is nowhere else than at an end.
+    fn stays(&self) -> Option<u8> {
+        let within = |end: f64| self.0.iter().all(|at| (at.euler[1] - end).abs() < NOTHING);
+        if within(0.0) {
+            return Some(0);
+        }
+        within(PI).then_some(180)
+    }
+
+    fn theta(&self) -> Pieces {
+        vec![self.0.iter().map(|at| [at.time, at.euler[1].to_degrees()]).collect()]
+    }
+
+    fn phi(&self) -> Pieces {
+        followed(self.0.iter().map(|at| (at.time, at.has_both.then_some(at.euler[0]))))
+    }
+
+    fn psi(&self) -> Pieces {
+        followed(self.0.iter().map(|at| (at.time, at.has_both.then_some(at.euler[2]))))
+    }
+
+    /// φ + ψ, if φ and ψ are missing near θ = 0; near 180° nothing of it is left.
+    fn sum(&self) -> Pieces {
+        self.instead(|theta| theta < FRAC_PI_2, |at| at.sum)
+    }
+
+    /// φ − ψ, if φ and ψ are missing near θ = 180°; near 0 nothing of it is left.
+    fn difference(&self) -> Pieces {
+        self.instead(|theta| theta > FRAC_PI_2, |at| at.difference)
+    }
+
+    /// What there is where both are missing at one end of θ; at the start alone nothing is missed.
+    fn instead(&self, here: impl Fn(f64) -> bool, value: impl Fn(&At) -> f64) -> Pieces {
+        let wanted = self.0.iter().skip(1).any(|at| (at.is_beyond || !at.has_both) && here(at.euler[1]));
+        let value = |at: &At| (wanted && (here(at.euler[1]) || !at.is_near())).then(|| value(at));
+        followed(self.0.iter().map(|at| (at.time, value(at))))
+    }
+}
+
+impl At {
+    /// Near an end of θ.
+    fn is_near(&self) -> bool {
+        self.euler[1].sin() < NEAR
+    }
+
+    /// How far φ or ψ turns from here to the next sample, rad; what does not exist does not turn.
+    fn leap(&self, next: &Self) -> f64 {
+        let ([phi, _, psi], [next_phi, _, next_psi]) = (self.euler, next.euler);
+        let turn = |a: f64, b: f64| (b - a - TAU * ((b - a) / TAU).round()).abs();
+        let both = self.has_both && next.has_both;
+        if both { turn(phi, next_phi).max(turn(psi, next_psi)) } else { 0.0 }
+    }
+}
+
+/// An angle (s, rad) as it goes on, in degrees; broken where there is none, and where it cannot be followed. Past an end of θ it leaps by
+/// half a turn, of which nobody can say in which direction: there it begins anew between −180° and 180°.
+fn followed(angles: impl Iterator<Item = (f64, Option<f64>)>) -> Pieces {
+    let mut pieces: Pieces = Vec::new();
     let mut last: Option<f64> = None;
     let mut lifted = true;
-    let at_pole = |angle: &[f64; 3]| angle[1].sin() < POLE;
-    // A body that turns about its own axis 3 and the space's: all of its turn is in φ.
-    let always = angles.iter().all(|(_, angle)| at_pole(angle));
-    for (t, angle) in angles {
-        if at_pole(angle) && !always {
+    for (time, angle) in angles {
+        let Some(raw) = angle else {
             lifted = true;
             continue;
-        }
-        let raw = angle.get(k).copied().unwrap_or_default();
-        let next = last.map_or(raw, |last| raw + TAU * ((last - raw) / TAU).round());
-        lifted |= last.is_some_and(|last| (next - last).abs() > FRAC_PI_2);
+        };
+        let wrapped = raw - TAU * (raw / TAU).round();
+        let near = last.map_or(wrapped, |last| raw + TAU * ((last - raw) / TAU).round());
+        let jumps = last.is_some_and(|last| (near - last).abs() > FRAC_PI_2);
+        let next = if jumps { wrapped } else { near };
+        lifted |= jumps;
         if lifted {
             pieces.push(Vec::new());
         }
         if let Some(piece) = pieces.last_mut() {
-            piece.push([*t, next.to_degrees()]);
+            piece.push([time, next.to_degrees()]);
         }
         (last, lifted) = (Some(next), false);
     }
@@ -94,24 +227,63 @@ fn followed(angles: &[(f64, [f64; 3])], k: usize) -> Vec<Vec<Point>> {
 
 #[cfg(test)]
 mod tests {
+    use polhode::{AngularVelocity, Attitude, FreeMotion, State, Trajectory};
+
     use super::*;
 
     #[test]
-    fn angles_go_on_and_break_at_the_poles() {
+    fn angles_go_on_and_break_where_there_are_none() {
         // φ goes round at 40°/s; in the middle the body passes θ = 0, where φ jumps by half a turn.
         let angle = |k: i32| {
             let t = 0.5 * f64::from(k);
             let jump = if k > 40 { 180.0 } else { 0.0 };
             let phi = (40.0 * t + jump + 25.0_f64).to_radians();
             let wrapped = phi - TAU * (phi / TAU).round();
-            (t, [wrapped, if k == 40 { 0.0 } else { 0.3 }, 0.1])
+            (t, (k != 40).then_some(wrapped))
         };
-        let pieces = followed(&(0..80).map(angle).collect::<Vec<_>>(), 0);
+        let pieces = followed((0..80).map(angle));
         assert_eq!(pieces.len(), 2);
         for p in &pieces[0] {
             assert!((p[1] - (40.0 * p[0] + 25.0)).abs() < 1e-9);
         }
         let rise = pieces[1][38][1] - pieces[1][0][1];
         assert!((rise - 20.0 * 38.0).abs() < 1e-9);
+    }
+
+    /// A sphere turns about an axis in the x-z plane of space: what its angles are is known wherever they exist.
+    #[test]
+    fn sums_and_differences_go_on_through_the_ends() {
+        let turning = |omega: AngularVelocity<polhode::Body>| {
+            let start = State { time: 0.0, attitude: Attitude::identity(), omega };
+            let motion = FreeMotion::of_moments([1.7; 3], start).unwrap();
+            let times: Vec<f64> = (0..=300).map(|k| 0.018 * f64::from(k)).collect();
+            Trajectory::of_motion(motion, &times).unwrap()
+        };
+        // About z: θ = 0, and all there is is φ + ψ = ω t.
+        let about_z = turning(AngularVelocity::new(0.0, 0.0, 2.0));
+        let angles = Angles::of(about_z.samples());
+        assert_eq!(angles.stays(), Some(0));
+        assert!(angles.phi().is_empty() && angles.psi().is_empty() && angles.difference().is_empty());
+        let [sum] = &angles.sum()[..] else { panic!("it is broken") };
+        assert!(sum.iter().all(|[t, a]| (a - (2.0 * t).to_degrees()).abs() < 1e-9));
+        // About x: θ rises to 180° and falls; φ and ψ are constant between, φ − ψ throughout.
+        let about_x = turning(AngularVelocity::new(1.1, 0.0, 0.0));
+        let angles = Angles::of(about_x.samples());
+        assert_eq!(angles.stays(), None);
+        let [rising, falling] = &angles.phi()[..] else { panic!("it is not broken in the middle") };
+        assert!(
+            rising.iter().all(|p| p[1].abs() < 1e-9)
+                && falling.iter().all(|p| (p[1].abs() - 180.0).abs() < 1e-9)
+        );
+        let [difference] = &angles.difference()[..] else { panic!("it is broken") };
+        assert!(difference.iter().all(|p| p[1].abs() < 1e-9 && p[0] > 0.0));
+        // So fast that no sample is near the end, it is not followed either.
+        let fast = turning(AngularVelocity::new(70.3, 0.0, 0.0));
+        let angles = Angles::of(&fast.samples()[..5]);
+        assert_eq!((angles.phi().len(), angles.difference().len()), (2, 1));
+        assert!(angles.phi().iter().flatten().all(|p| p[1].abs() < 180.1));
+        // Passing at a distance, it is followed all the way.
+        let beside = turning(AngularVelocity::new(1.1, 0.0, 0.02));
+        assert!(Angles::of(beside.samples()).difference().is_empty());
     }
 }

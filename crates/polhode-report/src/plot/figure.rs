@@ -12,6 +12,8 @@ pub enum Figure {
     Energy,
     /// L, against time: in the body if it is free, else in space.
     Momentum,
+    /// The wheels' momenta and speeds, against time.
+    Wheels,
     /// N along body axes, against time.
     Torque,
     /// How far T and L depart from their balances, against time, on a logarithmic scale.
@@ -20,17 +22,21 @@ pub enum Figure {
     Polhodes,
     /// The path of ω on the invariable plane.
     Herpolhode,
+    /// The path of the axis of a body that gravity turns about a pivot, on a sphere and unrolled.
+    Axis,
 }
 
 impl Figure {
     /// All figures, in the order in which a sheet of them is read.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 10] = [
         Self::Omega,
         Self::Euler,
+        Self::Axis,
         Self::Polhodes,
         Self::Herpolhode,
         Self::Energy,
         Self::Momentum,
+        Self::Wheels,
         Self::Torque,
         Self::Drift,
     ];
@@ -42,10 +48,12 @@ impl Figure {
             Self::Euler => "euler",
             Self::Energy => "energy",
             Self::Momentum => "momentum",
+            Self::Wheels => "wheels",
             Self::Torque => "torque",
             Self::Drift => "drift",
             Self::Polhodes => "polhodes",
             Self::Herpolhode => "herpolhode",
+            Self::Axis => "axis",
         }
     }
 

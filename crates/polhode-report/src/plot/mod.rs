@@ -9,6 +9,7 @@
 //! which differ to every eye, and each curve has dashes of its own, which differ in grey.
 
 mod axes;
+mod axis_path;
 mod drift;
 mod error;
 mod euler;
@@ -16,6 +17,7 @@ mod figure;
 mod font;
 mod line;
 mod motion;
+mod panel;
 mod plane;
 #[cfg(feature = "png")]
 mod png;
@@ -27,6 +29,8 @@ mod sweep;
 #[cfg(test)]
 mod tests;
 mod ticks;
+mod view;
+mod wheels;
 
 pub use error::PlotError;
 pub use figure::Figure;

@@ -1,12 +1,14 @@
 //! The figures of a motion: which there are, and each on a sheet.
 
-use polhode::{FreeMotion, PrincipalFrame, Regime, Sample, Scenario, Solution, Trajectory};
+use polhode::{FreeMotion, PrincipalFrame, Regime, Sample, Scenario, Solution, Trajectory, Wheel};
 
 use super::axes::{Area, heading};
+use super::axis_path::TopAxis;
 use super::error::PlotError;
 use super::figure::Figure;
 use super::sheet::{Anchor, Colour, LARGE, Mark, Sheet, Text};
-use super::{Picture, drift, euler, plane, series, sphere};
+use super::{Picture, axis_path, drift, euler, plane, series, sphere, wheels};
+use crate::balance::Driven;
 use crate::layout::printable;
 
 /// A motion, ready to be drawn.
@@ -30,22 +32,25 @@ pub struct MotionFigures<'a> {
     /// About the point that the body turns about.
     pub(super) principal: PrincipalFrame<polhode::Body>,
     pub(super) free: Option<FreeMotion>,
-    /// A torque acts, or would have to.
-    pub(super) driven: bool,
+    pub(super) driven: Driven,
+    pub(super) wheels: Vec<Wheel>,
+    /// Of a body that gravity turns about a pivot.
+    axis: Option<TopAxis>,
 }
 
 impl<'a> MotionFigures<'a> {
     /// Those of a scenario's motion; `trajectory` is what [`Scenario::simulate`] found.
     pub fn of_scenario(scenario: &Scenario, trajectory: &'a Trajectory) -> Self {
         let rotor = scenario.rotor();
-        let driven =
-            scenario.prescribed.is_some() || !scenario.torques.is_empty() || !scenario.wheels.is_empty();
+        let driven = Driven::of(scenario);
         Self {
             title: printable(scenario.title.as_deref().unwrap_or_default()),
             trajectory,
             principal: *rotor.principal(),
-            free: FreeMotion::of(&rotor, scenario.start).ok().filter(|_| !driven),
+            free: FreeMotion::of(&rotor, scenario.start).ok().filter(|_| !driven.at_all()),
             driven,
+            wheels: scenario.wheels.clone(),
+            axis: TopAxis::of(scenario, &rotor),
         }
     }
 
@@ -56,7 +61,9 @@ impl<'a> MotionFigures<'a> {
             trajectory,
             principal: *motion.principal(),
             free: Some(*motion),
-            driven: false,
+            driven: Driven::default(),
+            wheels: Vec::new(),
+            axis: None,
         }
     }
 
@@ -78,12 +85,13 @@ impl<'a> MotionFigures<'a> {
         Ok(Picture { sheet })
     }
 
-    /// All figures that this motion has, two beside each other.
+    /// All figures that this motion has, two beside each other, but for a torque that is zero throughout.
     ///
     /// # Errors
     /// As [`MotionFigures::draw`], but a curve with too many points, and angles that cannot be followed, are left out.
     pub fn overview(&self) -> Result<Picture, PlotError> {
-        let wanted = self.figures();
+        let mut wanted = self.figures();
+        wanted.retain(|figure| *figure != Figure::Torque || !series::panel(self, Figure::Torque).is_zero());
         let drawn = |figure: &Figure| {
             !matches!(self.draw(*figure), Err(PlotError::Curve { .. } | PlotError::TooCoarse { .. }))
         };
@@ -139,6 +147,12 @@ impl<'a> MotionFigures<'a> {
         match (figure, &self.free) {
             (Figure::Drift, _) => drift::draw(self, sheet, &keyed),
             (Figure::Euler, _) => euler::draw(self, sheet, &keyed)?,
+            (Figure::Wheels, _) => wheels::draw(self, sheet, area.width(), &keyed),
+            (Figure::Axis, _) => {
+                if let Some(axis) = &self.axis {
+                    axis_path::draw(self, axis, sheet, &keyed)?;
+                }
+            }
             (Figure::Polhodes, Some(motion)) => {
                 sphere::draw(motion, sheet, &keyed).map_err(|error| PlotError::Curve { figure, error })?;
             }
@@ -154,7 +168,11 @@ impl<'a> MotionFigures<'a> {
     /// Why there is no such figure of this motion, if there is none.
     fn why_not(&self, figure: Figure) -> Option<&'static str> {
         match (figure, &self.free) {
-            (Figure::Torque, _) if !self.driven => Some("no torque acts on the body"),
+            (Figure::Torque, _) if !self.driven.by_torques => Some("no torque acts on the body"),
+            (Figure::Wheels, _) if self.wheels.is_empty() => Some("the body has no wheels"),
+            (Figure::Axis, _) if self.axis.is_none() => {
+                Some("it is that of a body which gravity turns about a pivot")
+            }
             (Figure::Drift, _) if self.is_prescribed() => {
                 Some("the motion is prescribed: nothing is solved, and nothing drifts")
             }
@@ -202,14 +220,17 @@ impl Figure {
         match self {
             Self::Omega => "Angular velocity along the principal axes",
             Self::Euler => "Euler angles, 3-1-3",
-            Self::Energy if motion.driven => "Energy",
+            Self::Energy if motion.driven.at_all() => "Energy",
             Self::Energy => "Kinetic energy, and its parts along the principal axes",
-            Self::Momentum if motion.driven => "Angular momentum in space",
+            Self::Momentum if !motion.wheels.is_empty() => "Angular momentum in space, wheels included",
+            Self::Momentum if motion.driven.at_all() => "Angular momentum in space",
             Self::Momentum => "Angular momentum along the principal axes",
             Self::Torque if motion.is_prescribed() => "Torque that the motion needs, in body axes",
             Self::Torque => "Torque in body axes",
             Self::Drift => "Drift: a dot for each sample, a line for the largest so far",
             Self::Polhodes => "Angular momentum in the body",
+            Self::Axis => "Path of the axis in space",
+            Self::Wheels => "Wheels along their axes",
             Self::Herpolhode => "Herpolhode: ω on the invariable plane",
         }
     }

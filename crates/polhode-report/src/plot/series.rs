@@ -4,21 +4,12 @@ use polhode::{Principal, Sample, Symmetry, Vector};
 
 use super::axes::{Area, Axes, Axis, Key};
 use super::figure::Figure;
-use super::font;
 use super::motion::MotionFigures;
-use super::sheet::{Colour, Pen, Point, SMALL, Sheet};
+use super::panel::{Panel, Series, range};
+use super::sheet::{Colour, Pen, Point, Sheet};
 
 /// Writes the heading of a figure with its keys; gives the area below.
 pub(super) type Heading<'a> = &'a dyn Fn(&mut Sheet, &[Key]) -> Area;
-
-/// A curve, and what it is called: at length, and where there is no room for that.
-pub(super) struct Series {
-    pub(super) pen: Pen,
-    pub(super) long: String,
-    pub(super) short: String,
-    /// One for each sample.
-    pub(super) values: Vec<f64>,
-}
 
 /// Draws ω, an energy, L or a torque.
 pub(super) fn draw(
@@ -28,34 +19,21 @@ pub(super) fn draw(
     width: f64,
     heading: Heading<'_>,
 ) {
-    let (name, unit, series) = match figure {
-        Figure::Energy => ("energy", "J", energy(motion)),
-        Figure::Momentum => ("L", "kg·m²/s", momentum(motion)),
-        Figure::Torque => ("N", "N·m", torque(motion)),
-        _ => ("ω", "rad/s", omega(motion)),
-    };
-    let keys = keys(&series, width);
-    let area = heading(sheet, &keys);
+    let panel = panel(motion, figure);
+    let area = panel.fitted(heading(sheet, &panel.keys(width)));
     let (x, scale) = time_axis(motion.samples(), area.width());
-    let values = series.iter().flat_map(|series| series.values.iter().copied());
-    let axes = Axes::within(area, x, axis(values, area.height(), name, unit), None);
-    axes.draw(sheet);
-    for series in &series {
-        let points = motion.samples().iter().zip(&series.values);
-        sheet.line(points.map(|(s, &value)| axes.at([s.state.time / scale, value])).collect(), series.pen);
+    let axes = Axes::within(area, x, panel.axis(area.height()), None);
+    panel.draw(motion, sheet, &axes, scale);
+}
+
+/// The curves of ω, an energy, L or a torque.
+pub(super) fn panel(motion: &MotionFigures<'_>, figure: Figure) -> Panel {
+    match figure {
+        Figure::Energy => Panel::new(motion, "energy", "J", energy(motion), 0.0),
+        Figure::Momentum => Panel::new(motion, "L", "kg·m²/s", momentum(motion), parts_of_momentum(motion)),
+        Figure::Torque => Panel::new(motion, "N", "N·m", torque(motion), 0.0),
+        _ => Panel::new(motion, "ω", "rad/s", omega(motion), 0.0).naming_events(),
     }
-}
-
-/// The long names if they fit into one line.
-fn keys(series: &[Series], width: f64) -> Vec<Key> {
-    let needed: f64 = series.iter().map(|series| font::width(&series.long, SMALL) + 50.0).sum();
-    let name = |series: &Series| if needed < width { series.long.clone() } else { series.short.clone() };
-    series.iter().map(|series| Key::line(series.pen, name(series))).collect()
-}
-
-/// An axis for values, with a mark every 40 px or so.
-pub(super) fn axis(values: impl Iterator<Item = f64>, height: f64, name: &str, unit: &str) -> Axis {
-    Axis::linear(range(values), 0.06, (height / 44.0).clamp(2.0, 8.0), name, unit)
 }
 
 /// The axis of time, and the length of its unit, s.
@@ -75,25 +53,28 @@ pub(super) fn unit_of_time(largest: f64) -> (&'static str, f64) {
     }
 }
 
-fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
-    let finite = values.filter(|x| x.is_finite());
-    let [least, greatest] =
-        finite.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], x| [least.min(x), most.max(x)]);
-    if least <= greatest { [least, greatest] } else { [0.0, 0.0] }
-}
-
 fn omega(motion: &MotionFigures<'_>) -> Vec<Series> {
     along_principal(motion, |s| s.state.omega, "ω")
 }
 
 fn momentum(motion: &MotionFigures<'_>) -> Vec<Series> {
-    let mut series = if motion.driven {
+    let mut series = if motion.driven.at_all() {
         components(motion, ["x", "y", "z"].map(|axis| format!("along {axis}")), |s| s.momentum.to_array())
     } else {
         along_principal(motion, |s| s.state.attitude.inverse() * s.momentum, "L")
     };
     series.push(one(motion, Pen::solid(Colour::BLACK, 1.0), "|L|", |s| s.momentum.norm()));
     series
+}
+
+/// What L is made of, which may add up to nothing: that of the carrier, at least 2 T/|ω|, and those of the wheels.
+fn parts_of_momentum(motion: &MotionFigures<'_>) -> f64 {
+    let parts = |s: &Sample| {
+        let rate = s.state.omega.norm();
+        let carrier = if rate > 0.0 { 2.0 * s.kinetic_energy / rate } else { 0.0 };
+        motion.wheels.iter().map(|wheel| wheel.momentum_at(s.state.time).abs()).fold(carrier, f64::max)
+    };
+    motion.samples().iter().map(parts).fold(0.0, f64::max)
 }
 
 fn torque(motion: &MotionFigures<'_>) -> Vec<Series> {
@@ -103,7 +84,7 @@ fn torque(motion: &MotionFigures<'_>) -> Vec<Series> {
 fn energy(motion: &MotionFigures<'_>) -> Vec<Series> {
     let kinetic = |pen| one(motion, pen, "T", |s| s.kinetic_energy);
     let thin = Pen::solid(Colour::BLACK, 1.0);
-    if !motion.driven {
+    if !motion.driven.at_all() {
         let moments = motion.principal.moments();
         let into = motion.principal.rotation().inverse();
         // ½ iₖ ωₖ²
@@ -125,7 +106,8 @@ fn energy(motion: &MotionFigures<'_>) -> Vec<Series> {
             one(motion, thin, "T + U", move |s| s.kinetic_energy + potential(s)),
         ];
     }
-    vec![kinetic(bold(1)), one(motion, bold(0), "work of the torque", |s| s.work)]
+    let work = if motion.driven.by_torques { "work" } else { "work of the motors" };
+    vec![kinetic(bold(1)), one(motion, bold(0), work, |s| s.work)]
 }
 
 fn one(motion: &MotionFigures<'_>, pen: Pen, name: &str, value: impl Fn(&Sample) -> f64) -> Series {

@@ -10,14 +10,15 @@ use polhode::{CurveError, Direction, FreeMotion, MomentumTrace, Principal, Symme
 use super::axes::{Area, Key};
 use super::series::Heading;
 use super::sheet::{Anchor, Colour, Mark, Pen, Point, Sheet, Text};
+use super::view::View;
 
 /// The curves about an axis divide the way to the separatrix into so many parts.
 const RINGS: u32 = 5;
 
-const TRACE: Pen = Pen::solid(Colour::BLACK, 2.0);
+pub(super) const TRACE: Pen = Pen::solid(Colour::BLACK, 2.0);
 const SEPARATRIX: Pen = Pen::solid(Colour::ORANGE, 4.0);
 /// Of what is behind.
-const FAR: f64 = 0.22;
+pub(super) const FAR: f64 = 0.22;
 
 pub(super) fn draw(motion: &FreeMotion, sheet: &mut Sheet, heading: Heading<'_>) -> Result<(), CurveError> {
     let trace = trace(motion)?;
@@ -37,7 +38,7 @@ pub(super) fn draw(motion: &FreeMotion, sheet: &mut Sheet, heading: Heading<'_>)
         keys.push(Key::line(ring_pen(k), format!("others about axis {}", k + 1)));
     }
     let area = heading(sheet, &keys);
-    let view = View::of(area, &trace, motion.circles_least());
+    let view = view(area, &trace, motion.circles_least());
     sheet.marks.push(Mark::Ball { center: view.center, radius: view.radius });
 
     let moments = motion.principal().moments();
@@ -74,7 +75,7 @@ pub(super) fn draw(motion: &FreeMotion, sheet: &mut Sheet, heading: Heading<'_>)
         let pen = Pen::solid(Colour::BLACK, 7.0);
         sheet.dots(vec![view.at(*only)], if view.is_near(*only) { pen } else { pen.faint(FAR) });
     }
-    view.axes(sheet);
+    ends_of_axes(&view, sheet);
     Ok(())
 }
 
@@ -113,76 +114,46 @@ fn rings([i1, i2, i3]: [f64; 3], k: usize, part: f64) -> [Vec<Direction<Principa
     })
 }
 
-/// The sphere seen from far away, axis 2 upward.
-struct View {
-    center: Point,
-    radius: f64,
-    right: Direction<Principal>,
-    up: Direction<Principal>,
-    toward: Direction<Principal>,
+/// Where the ends of the axes and their names reach, in radii.
+const REACH: f64 = 1.2;
+const NAME: f64 = 1.33;
+
+/// From the side on which the trace is: near the axis that L circles, a little from above.
+fn view(area: Area, trace: &[Direction<Principal>], about_least: bool) -> View<Principal> {
+    const ALONG: f64 = 0.82;
+    const ASIDE: f64 = 0.46;
+    let (x, z) = trace.iter().fold((0.0, 0.0), |(x, z), l| (x + l.x, z + l.z));
+    let side = |sum: f64| if sum < 0.0 { -1.0 } else { 1.0 };
+    let viewer = if about_least {
+        Direction::new(ALONG * side(x), 0.34, ASIDE * side(x))
+    } else {
+        Direction::new(ASIDE * side(z), 0.34, ALONG * side(z))
+    };
+    // Axis 2 rises above the sphere; nothing hangs below it.
+    let radius = (area.height() / (1.0 + NAME)).min(area.width() / (2.0 * NAME));
+    let center = [0.5 * (area.left + area.right), area.bottom - radius - 3.0];
+    View::new(center, radius - 3.0, viewer, Direction::new(0.0, 1.0, 0.0))
 }
 
-impl View {
-    /// Where the ends of the axes and their names reach, in radii.
-    const REACH: f64 = 1.2;
-    const NAME: f64 = 1.33;
-
-    /// From the side on which the trace is: near the axis that L circles, a little from above.
-    fn of(area: Area, trace: &[Direction<Principal>], about_least: bool) -> Self {
-        const ALONG: f64 = 0.82;
-        const ASIDE: f64 = 0.46;
-        let (x, z) = trace.iter().fold((0.0, 0.0), |(x, z), l| (x + l.x, z + l.z));
-        let side = |sum: f64| if sum < 0.0 { -1.0 } else { 1.0 };
-        let viewer = if about_least {
-            Direction::new(ALONG * side(x), 0.34, ASIDE * side(x))
-        } else {
-            Direction::new(ASIDE * side(z), 0.34, ALONG * side(z))
-        };
-        let toward = viewer.direction().unwrap_or(viewer);
-        let axis2 = Direction::new(0.0, 1.0, 0.0);
-        let right = axis2.cross(toward).direction().unwrap_or(axis2);
-        // Axis 2 rises above the sphere; nothing hangs below it.
-        let radius = (area.height() / (1.0 + Self::NAME)).min(area.width() / (2.0 * Self::NAME));
-        let center = [0.5 * (area.left + area.right), area.bottom - radius - 3.0];
-        Self { center, radius: radius - 3.0, right, up: toward.cross(right), toward }
-    }
-
-    fn at(&self, v: Direction<Principal>) -> Point {
-        let [x, y] = self.center;
-        [x + self.radius * v.dot(self.right), y - self.radius * v.dot(self.up)]
-    }
-
-    fn is_near(&self, v: Direction<Principal>) -> bool {
-        v.dot(self.toward) >= 0.0
-    }
-
-    /// The parts of a curve on the near or the far side.
-    fn side(&self, near: bool, curve: &[Direction<Principal>]) -> Vec<Vec<Point>> {
-        let parts = curve.chunk_by(|a, b| self.is_near(*a) == self.is_near(*b));
-        let wanted = parts.filter(|part| part.first().is_some_and(|v| self.is_near(*v) == near));
-        wanted.map(|part| part.iter().map(|v| self.at(*v)).collect()).collect()
-    }
-
-    /// The ends of the axes that one sees, with their numbers.
-    fn axes(&self, sheet: &mut Sheet) {
-        for (k, name) in ["1", "2", "3"].into_iter().enumerate() {
-            let mut axis = [0.0; 3];
-            if let Some(along) = axis.get_mut(k) {
-                *along = 1.0;
-            }
-            let axis = Direction::from_array(axis);
-            let end = if self.is_near(axis) { axis } else { -axis };
-            let pen = Pen { width: 2.2, dash: &[], ..Pen::axis(k) };
-            sheet.line(vec![self.at(end), self.at(end * Self::REACH)], pen);
-            let [x, y] = self.at(end * Self::NAME);
-            let text = Text::small([x, y + 5.0], Anchor::Middle, pen.colour, name);
-            sheet.marks.push(Mark::Text(Text { size: 15.0, halo: true, ..text }));
+/// The ends of the axes that one sees, with their numbers.
+fn ends_of_axes(view: &View<Principal>, sheet: &mut Sheet) {
+    for (k, name) in ["1", "2", "3"].into_iter().enumerate() {
+        let mut axis = [0.0; 3];
+        if let Some(along) = axis.get_mut(k) {
+            *along = 1.0;
         }
+        let axis = Direction::from_array(axis);
+        let end = if view.is_near(axis) { axis } else { -axis };
+        let pen = Pen { width: 2.2, dash: &[], ..Pen::axis(k) };
+        sheet.line(vec![view.at(end), view.at(end * REACH)], pen);
+        let [x, y] = view.at(end * NAME);
+        let text = Text::small([x, y + 5.0], Anchor::Middle, pen.colour, name);
+        sheet.marks.push(Mark::Text(Text { size: 15.0, halo: true, ..text }));
     }
 }
 
 /// The head of an arrow between two points.
-fn arrow([x0, y0]: Point, [x1, y1]: Point, sheet: &mut Sheet) {
+pub(super) fn arrow([x0, y0]: Point, [x1, y1]: Point, sheet: &mut Sheet) {
     let length = (x1 - x0).hypot(y1 - y0);
     if length > 0.0 {
         let (tx, ty) = ((x1 - x0) / length, (y1 - y0) / length);

@@ -3,10 +3,10 @@
 use polhode::*;
 
 use super::axes::{Area, Axes, Axis};
-use super::drift::departures;
 use super::line::{SEEN, distance};
 use super::sheet::{Mark, Point};
 use super::*;
+use crate::balance::balances;
 
 /// Three different moments, products of both signs, a centre off the origin.
 fn body() -> MassProperties<Body> {
@@ -40,6 +40,44 @@ fn heavy() -> Scenario {
     let gravity = UniformGravity { acceleration: Acceleration::new(0.3, -0.2, -9.7) };
     let torques = vec![TorqueModel::Gravity(gravity)];
     Scenario { pivot: Some(Position::ZERO), torques, ..scenario([0.7, -1.1, 2.3]) }
+}
+
+/// A symmetric top with its tip at the origin, leaning by an angle.
+fn top(tilt: f64, omega: [f64; 3]) -> Scenario {
+    let inertia = InertiaTensor::diagonal([0.021, 0.021, 0.034]).unwrap();
+    let body = MassProperties::new(1.3, Position::new(0.0, 0.0, 0.13), inertia).unwrap();
+    let attitude = Attitude::from_euler313([0.4, tilt, -0.3]).unwrap();
+    let start = State { time: 0.0, attitude, omega: AngularVelocity::from_array(omega) };
+    let torques = vec![TorqueModel::Gravity(UniformGravity::STANDARD)];
+    let run = Some(Run::evenly(2.0, 801, Method::Auto, 1e-12));
+    Scenario { body, start, pivot: Some(Position::ZERO), torques, run, ..scenario([0.0; 3]) }
+}
+
+/// Two wheels in a body at rest, one of them turned by its motor: L is zero throughout.
+fn gyrostat() -> Scenario {
+    let motor = Motor::Torque { inertia: 0.21, torque: 0.35, schedule: None };
+    let turned = Wheel::new(Direction::new(0.6, -0.3, 0.8), 0.0, motor).unwrap();
+    let held = Wheel::new(Direction::new(0.2, 0.9, -0.4), 0.0, Motor::HeldSpeed).unwrap();
+    Scenario { wheels: vec![held, turned], ..scenario([0.0; 3]) }
+}
+
+/// ω grows as 1/(t* − t), until the computation gives up.
+fn run_away() -> Scenario {
+    let inertia = InertiaTensor::diagonal([2.0, 3.0, 4.0]).unwrap();
+    let body = MassProperties::new(1.0, Position::ZERO, inertia).unwrap();
+    // N = 4 ω_z² along z, so that ω̇ = ω²: t* = 2 s from 0.5 rad/s.
+    let place = StateVariables::NAMES.iter().position(|name| *name == "wz").unwrap();
+    let square = [Instruction::Variable(place), Instruction::Unary(Unary::Power(2))];
+    let times = [Instruction::Constant(4.0), Instruction::Binary(Binary::Multiply)];
+    let along = Formula::new(square.into_iter().chain(times)).unwrap();
+    let torque = FormulaTorque::Body([Formula::constant(0.0), Formula::constant(0.0), along]);
+    let torques = vec![TorqueModel::Formula(Box::new(torque))];
+    Scenario {
+        body,
+        torques,
+        run: Some(Run::evenly(4.0, 81, Method::Auto, 1e-12)),
+        ..scenario([0.0, 0.0, 0.5])
+    }
 }
 
 fn thrust() -> Scenario {
@@ -102,18 +140,21 @@ fn readable(picture: &Picture, name: &str) {
 
 #[test]
 fn every_kind_of_motion_has_its_figures_and_is_refused_the_others() {
-    use Figure::{Drift, Energy, Euler, Herpolhode, Momentum, Omega, Polhodes, Torque};
+    use Figure::{Axis, Drift, Energy, Euler, Herpolhode, Momentum, Omega, Polhodes, Torque, Wheels};
     let free = [Omega, Euler, Polhodes, Herpolhode, Energy, Momentum, Drift];
     let driven = [Omega, Euler, Energy, Momentum, Torque, Drift];
+    let on_a_pivot = [Omega, Euler, Axis, Energy, Momentum, Torque, Drift];
     let about = Direction::new(0.3, -0.5, 0.8);
     let turn = Prescribed::fixed_axis(Attitude::identity(), about, 2.1, -0.05).unwrap();
     let prescribed = Scenario { prescribed: Some(turn), ..scenario([0.0; 3]) };
     let dop853 = Some(Run::evenly(13.7, 501, Method::Dop853, 1e-12));
-    let cases: [(&str, Scenario, &[Figure]); 6] = [
+    let cases: [(&str, Scenario, &[Figure]); 8] = [
         ("asymmetric", scenario([0.7, -1.1, 0.3]), &free),
         ("integrated", Scenario { run: dop853, ..scenario([0.1, 0.9, -1.3]) }, &free),
         ("at rest", scenario([0.0; 3]), &[Omega, Euler, Energy, Momentum, Drift]),
-        ("heavy", heavy(), &driven),
+        ("heavy", heavy(), &on_a_pivot),
+        ("top", top(0.7, [0.3, -0.2, 38.0]), &on_a_pivot),
+        ("gyrostat", gyrostat(), &[Omega, Euler, Energy, Momentum, Wheels, Drift]),
         ("thrust", thrust(), &driven),
         ("prescribed", prescribed, &[Omega, Euler, Energy, Momentum, Torque]),
     ];
@@ -226,19 +267,149 @@ fn the_drift_that_is_drawn_is_the_drift_that_is_reported() {
         let trajectory = scenario.simulate().unwrap().unwrap();
         let drift = Drift::of(&trajectory).unwrap();
         let figures = MotionFigures::of_scenario(&scenario, &trajectory);
-        let largest: Vec<f64> =
-            departures(&figures).iter().map(|d| d.values.iter().copied().fold(0.0, f64::max)).collect();
+        let largest: Vec<f64> = balances(&trajectory, figures.driven)
+            .iter()
+            .map(|d| d.values.iter().copied().fold(0.0, f64::max))
+            .collect();
         let expected = match drift.total_energy {
-            _ if !figures.driven => vec![drift.kinetic_energy, drift.momentum_magnitude, drift.momentum],
+            _ if !figures.driven.at_all() => {
+                vec![drift.kinetic_energy, drift.momentum_magnitude, drift.momentum]
+            }
             Some(total) => vec![drift.work_energy, drift.momentum, total],
             None => vec![drift.work_energy, drift.momentum],
         };
         assert_eq!(largest.len(), expected.len());
         for (drawn, reported) in largest.iter().zip(expected) {
-            // Drift sums T − T0 − W without rounding: a few ε of the energy is the difference.
-            assert!((drawn - reported).abs() < 4.0 * f64::EPSILON, "{drawn} {reported}");
+            assert_eq!(*drawn, reported);
         }
     }
+}
+
+#[test]
+fn what_is_rounding_is_drawn_as_nothing() {
+    let scenario = gyrostat();
+    let trajectory = scenario.simulate().unwrap().unwrap();
+    let figures = MotionFigures::of_scenario(&scenario, &trajectory);
+    // L is not exactly zero, and departs from it by all that it is.
+    assert!(trajectory.samples().iter().any(|s| s.momentum.norm() > 0.0));
+    let picture = figures.draw(Figure::Momentum).unwrap();
+    let texts: Vec<String> = boxes(&picture).into_iter().map(|(text, _)| text).collect();
+    for name in ["along x = 0", "along y = 0", "along z = 0", "|L| = 0", "L, kg·m²/s"] {
+        assert!(texts.iter().any(|text| text == name), "{name}: {texts:?}");
+    }
+    for mark in &picture.sheet.marks {
+        if let Mark::Lines { lines, pen } = mark
+            && pen.colour == sheet::Colour::AXES[0]
+        {
+            assert!(lines.iter().all(|line| line.iter().all(|p| p[1] == line[0][1])), "L is not straight");
+        }
+    }
+    let largest =
+        balances(&trajectory, figures.driven).into_iter().map(|d| d.values.into_iter().fold(0.0, f64::max));
+    assert!(largest.into_iter().all(|d| d < 1e-12));
+    // What is constant has its value beside its name.
+    let steady = Scenario { start: State { omega: AngularVelocity::ZERO, ..scenario.start }, ..thrust() };
+    let trajectory = steady.simulate().unwrap().unwrap();
+    let picture = MotionFigures::of_scenario(&steady, &trajectory).draw(Figure::Torque).unwrap();
+    let texts: Vec<String> = boxes(&picture).into_iter().map(|(text, _)| text).collect();
+    for name in ["along x = 0.3 N·m", "along y = −0.2 N·m", "along z = 0.5 N·m"] {
+        assert!(texts.iter().any(|text| text == name), "{name}: {texts:?}");
+    }
+}
+
+#[test]
+fn a_torque_of_nothing_takes_no_room_in_the_overview() {
+    let sink = TorqueModel::EnergySink(EnergySink::new(0.01).unwrap());
+    let scenario = Scenario { torques: vec![sink], ..scenario([0.7, -1.1, 0.3]) };
+    let trajectory = scenario.simulate().unwrap().unwrap();
+    let figures = MotionFigures::of_scenario(&scenario, &trajectory);
+    assert!(trajectory.samples().iter().all(|s| s.torque == Torque::ZERO));
+    let has = |picture: &Picture| boxes(picture).iter().any(|(text, _)| text == "Torque in body axes");
+    assert!(has(&figures.draw(Figure::Torque).unwrap()));
+    assert!(!has(&figures.overview().unwrap()));
+}
+
+#[test]
+fn a_run_away_leaves_the_plot_where_it_says_so() {
+    let scenario = run_away();
+    let trajectory = scenario.simulate().unwrap().unwrap();
+    assert!(!trajectory.ending().is_complete());
+    let last = trajectory.samples().last().unwrap();
+    assert!(last.state.omega.z > 1e6);
+    let figures = MotionFigures::of_scenario(&scenario, &trajectory);
+    for figure in [Figure::Omega, Figure::Energy, Figure::Momentum, Figure::Torque] {
+        let picture = figures.draw(figure).unwrap();
+        readable(&picture, figure.name());
+        let texts = boxes(&picture);
+        assert!(texts.iter().any(|(text, _)| text.starts_with("to ") && text.contains("×10")), "{texts:?}");
+        assert!(picture.sheet.marks.iter().any(|mark| matches!(mark, Mark::Polygon { .. })));
+    }
+    // The plot is as high as ω(t) = 1/(2 s − t) at its last regular sample, 20 rad/s, needs.
+    let texts = boxes(&figures.draw(Figure::Omega).unwrap());
+    assert!(texts.iter().any(|(text, _)| text == "20") && !texts.iter().any(|(text, _)| text == "50"));
+    readable(&figures.overview().unwrap(), "run away");
+}
+
+/// θ and φ of a top's axis, read back from the unrolled path, are those of its attitude.
+#[test]
+fn the_path_of_an_axis_is_where_it_points() {
+    let scenario = top(0.7, [0.0, 0.0, 38.0]);
+    let trajectory = scenario.simulate().unwrap().unwrap();
+    let picture = MotionFigures::of_scenario(&scenario, &trajectory).draw(Figure::Axis).unwrap();
+    readable(&picture, "top");
+    let (svg, texts) = (picture.to_svg(), boxes(&picture));
+    assert!(svg.contains("radialGradient"));
+    assert!(texts.iter().any(|(text, _)| text.starts_with("θ from 40.107° to ")), "{texts:?}");
+    // The bounds are straight dashed lines over the width of the frame; the path touches both, and begins with a cusp at the upper.
+    let lines: Vec<_> = picture
+        .sheet
+        .marks
+        .iter()
+        .filter_map(|mark| match mark {
+            Mark::Lines { lines, pen } => Some((lines, pen)),
+            _ => None,
+        })
+        .collect();
+    let level =
+        |line: &[Point]| line.len() == 2 && line[0][1] == line[1][1] && line[1][0] - line[0][0] > 100.0;
+    let bounds: Vec<f64> = lines
+        .iter()
+        .filter(|(lines, pen)| pen.colour == sheet::Colour::AXES[0] && level(&lines[0]))
+        .map(|(lines, _)| lines[0][0][1])
+        .collect();
+    let [upper, lower] = bounds[..] else { panic!("{bounds:?}") };
+    let (path, _) = lines.last().unwrap();
+    let path = &path[0];
+    let (top, bottom) = path.iter().fold((f64::MAX, f64::MIN), |(a, b), p| (a.min(p[1]), b.max(p[1])));
+    assert!((top - upper).abs() < 0.3 && (bottom - lower).abs() < 0.3, "{top} {upper} {bottom} {lower}");
+    assert!((path[0][1] - upper).abs() < 0.3);
+    // Upright and hanging tops are seen from above and from below.
+    for (tilt, words) in [(0.0, "from above, θ in deg"), (3.1, "from below, 180° − θ in deg")] {
+        let scenario = self::top(tilt, [0.3, -0.2, 38.0]);
+        let trajectory = scenario.simulate().unwrap().unwrap();
+        let picture = MotionFigures::of_scenario(&scenario, &trajectory).draw(Figure::Axis).unwrap();
+        readable(&picture, words);
+        assert!(boxes(&picture).iter().any(|(text, _)| text == words), "{words}");
+    }
+}
+
+#[test]
+fn events_are_named_where_they_happen() {
+    let along = Measure::OmegaBody(Direction::new(0.0, 0.0, 1.0));
+    let event = |name: &str, value| {
+        Event::new(name, along.clone(), value, Sense::Either, EventAction::Record).unwrap()
+    };
+    let events = vec![event("ω_z = 0.6", 0.6), event("ω_z = 0.601", 0.601), event("never", 1e3)];
+    let scenario = Scenario { events, ..thrust() };
+    let trajectory = scenario.simulate().unwrap().unwrap();
+    let picture = MotionFigures::of_scenario(&scenario, &trajectory).draw(Figure::Omega).unwrap();
+    readable(&picture, "events");
+    // A line for each crossing, and a name where there is room for one.
+    let dashed = |mark: &&Mark| matches!(mark, Mark::Lines { pen, .. } if pen.dash == [2.0, 3.0]);
+    let count = picture.sheet.marks.iter().filter(dashed).count();
+    assert_eq!(count, trajectory.events().len());
+    let named: Vec<_> = boxes(&picture).into_iter().filter(|(text, _)| text.starts_with("ω_z")).collect();
+    assert!(!named.is_empty() && named.len() < count, "{named:?}");
 }
 
 #[test]
@@ -272,7 +443,9 @@ fn fewer_than_two_samples_are_refused() {
     scenario.run = Some(Run::evenly(30.0, 21, Method::Auto, 1e-12));
     let trajectory = scenario.simulate().unwrap().unwrap();
     let figures = MotionFigures::of_scenario(&scenario, &trajectory);
-    assert!(matches!(figures.draw(Figure::Euler), Err(PlotError::TooCoarse { turn }) if turn > 1.9));
+    assert!(
+        matches!(figures.draw(Figure::Euler), Err(PlotError::TooCoarse { figure: Figure::Euler, turn }) if turn > 1.9)
+    );
     readable(&figures.overview().unwrap(), "coarse");
 }
 

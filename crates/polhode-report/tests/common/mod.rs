@@ -158,6 +158,21 @@ pub fn thruster() -> Scenario {
     s
 }
 
+/// The inertia, the torque and the start of the motor of the second wheel of [`gyrostat`].
+pub const MOTOR: [f64; 3] = [0.21, -0.35, 1.5];
+
+/// A body with two wheels inside: the speed of one is held, a motor turns the other.
+pub fn gyrostat() -> Scenario {
+    let [inertia, torque, from] = MOTOR;
+    let mut s = tensor("Two wheels inside", [3.1, 4.2, 5.3], [0.4, -0.3, 0.2], [0.7, -1.1, 0.4]);
+    let schedule = Some(Schedule::window(from, f64::INFINITY).unwrap());
+    let motor = Motor::Torque { inertia, torque, schedule };
+    let turned = Wheel::turning(Direction::new(0.6, -0.3, 0.8), 12.0, motor, s.start.omega).unwrap();
+    s.wheels = vec![Wheel::new(Direction::new(0.2, 0.9, -0.4), 1.3, Motor::HeldSpeed).unwrap(), turned];
+    s.run = run(6.0, 61);
+    s
+}
+
 /// A prescribed steady precession of a solid body.
 pub fn gyroscope() -> Scenario {
     let wheel = Cylinder::new(0.3, 0.1).unwrap();

@@ -129,6 +129,15 @@ impl Wheel {
         }
     }
 
+    /// Its speed relative to a body with the angular velocity ω at a time, Ω = h/J − a·ω, rad/s; `None` where the speed is held: the
+    /// body's inertia then holds the wheel's, which is not known.
+    pub fn speed_at(&self, time: f64, omega: AngularVelocity<Body>) -> Option<f64> {
+        match self.motor {
+            Motor::HeldSpeed => None,
+            Motor::Torque { inertia, .. } => Some(self.momentum_at(time) / inertia - self.axis.dot(omega)),
+        }
+    }
+
     /// The motor's torque on it just after a time, N·m.
     pub fn torque_at(&self, time: f64) -> f64 {
         match self.motor {

@@ -1,0 +1,58 @@
+//! What a computed motion should keep, by name: the lines of its drift.
+
+use polhode::{Drift, Scenario, Solution, Trajectory};
+
+/// What turns a body.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Driven {
+    /// A torque acts, or would have to.
+    pub(crate) by_torques: bool,
+    /// Wheels spin inside.
+    pub(crate) by_wheels: bool,
+}
+
+impl Driven {
+    pub(crate) fn of(scenario: &Scenario) -> Self {
+        Self {
+            by_torques: scenario.prescribed.is_some() || !scenario.torques.is_empty(),
+            by_wheels: !scenario.wheels.is_empty(),
+        }
+    }
+
+    /// True if the motion is not that of a free rigid body.
+    pub(crate) const fn at_all(self) -> bool {
+        self.by_torques || self.by_wheels
+    }
+}
+
+/// One balance, and how far it fails at each sample, relative to its size.
+#[derive(Clone, Debug)]
+pub(crate) struct Balance {
+    pub(crate) name: &'static str,
+    pub(crate) values: Vec<f64>,
+}
+
+/// The balances that a motion keeps, and that say something of how it was computed; none of a prescribed one.
+pub(crate) fn balances(trajectory: &Trajectory, driven: Driven) -> Vec<Balance> {
+    let Some(drift) = Drift::along(trajectory) else { return Vec::new() };
+    let one = |name: &'static str, value: fn(&Drift) -> f64| Balance {
+        name,
+        values: drift.iter().map(value).collect(),
+    };
+    if !driven.at_all() {
+        return vec![
+            one("T", |d| d.kinetic_energy),
+            one("|L|", |d| d.momentum_magnitude),
+            one("L in space", |d| d.momentum),
+        ];
+    }
+    let has_potential = drift.iter().all(|d| d.total_energy.is_some());
+    let total = has_potential.then(|| one("T + U", |d| d.total_energy.unwrap_or_default()));
+    // Work and impulse of a closed form are what T and L have gained.
+    if let (Solution::Exact(_), Some(total)) = (trajectory.solution(), &total) {
+        return vec![total.clone()];
+    }
+    let impulse = if driven.by_torques { "L − impulse" } else { "L in space" };
+    let both = [one("T − work", |d| d.work_energy), one(impulse, |d| d.momentum)];
+    both.into_iter().chain(total).collect()
+}

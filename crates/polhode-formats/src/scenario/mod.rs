@@ -44,7 +44,7 @@ mod wheel;
 
 use std::path::Path;
 
-use polhode::{EventAction, Finding, Rotor, Scenario, Severity, TorqueModel, Velocity, Wheel};
+use polhode::{EventAction, Finding, MotionError, Rotor, Scenario, Severity, TorqueModel, Velocity, Wheel};
 use toml::de::DeTable;
 
 use crate::error::{FormatError, FormatErrorKind, Place};
@@ -174,6 +174,47 @@ pub fn parse(text: &str, path: &Path) -> Result<Scenario, FormatError> {
     scenario.findings.extend(idle_motion(&scenario));
     scenario.findings.extend(idle_torques(&scenario));
     Ok(scenario)
+}
+
+/// An error of the motion of a scenario with its place in the file, if it is about one of its torques; `text` is what the file says.
+///
+/// ```
+/// use polhode_formats::scenario;
+/// let text = r#"
+/// [[body.part]]
+/// shape = "sphere"
+/// radius = "20 mm"
+/// mass = "0.5 kg"
+/// [[torque]]
+/// model = "formula"
+/// axes = "body"
+/// torque = ["0", "1[N m]/t*1[s]", "0"]
+/// [run]
+/// duration = "1 s"
+/// samples = 2
+/// "#;
+/// let scenario = scenario::parse(text, "ball.toml".as_ref())?;
+/// let error = scenario.simulate().and_then(Result::err).ok_or("it is finite")?;
+/// let placed = scenario::placed(text, "ball.toml".as_ref(), &error).ok_or("it has no place")?;
+/// assert_eq!(placed.to_string(), "ball.toml:9:16: torque 1 is not finite at the start: (0, inf, 0) N·m in body axes");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn placed(text: &str, path: &Path, error: &MotionError) -> Option<FormatError> {
+    let (torque, value) = match *error {
+        MotionError::TorqueNotFinite { torque, value } => (torque, value),
+        MotionError::NotSmooth { torque, .. } => (torque, [0.0; 3]),
+        _ => return None,
+    };
+    let document = DeTable::parse(text).ok()?;
+    let root = Table::root(Source { path, text }, document.get_ref());
+    let tables = root.get("torque")?.tables("torque").ok()?;
+    let table = tables.get(torque)?;
+    let Some(formulas) = table.get("torque") else { return Some(table.get("model")?.motion(error.clone())) };
+    // The component that is no number, along the axes of the formulas themselves.
+    let along_body = table.get("axes").is_some_and(|axes| axes.string() == Ok("body"));
+    let wrong = value.iter().position(|c| along_body && !c.is_finite());
+    let component = wrong.and_then(|k| formulas.fixed::<3>("formulas").ok()?.into_iter().nth(k));
+    Some(component.unwrap_or(formulas).motion(error.clone()))
 }
 
 /// Gravity does not turn a body held at its centre of mass.

@@ -18,6 +18,12 @@ pub const TIGHTEST_TOLERANCE: f64 = 1e-15;
 /// The loosest tolerance that still means a solution.
 pub const LOOSEST_TOLERANCE: f64 = 1e-2;
 
+/// |ω| beyond which a motion that runs away is not believed, relative to what is usual.
+const BELIEVED: f64 = 1e3;
+
+/// |ω| beyond which every motion runs away, relative to what is usual.
+const ABSURD: f64 = 1e9;
+
 /// What a run cost.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct StepStatistics {
@@ -59,6 +65,12 @@ pub(crate) struct Stepper<'a> {
     until: f64,
     /// What |ω| is compared with, rad/s: see [`Stepper::require_bounded`].
     usual_rate: f64,
+    /// When it began, s.
+    begun: f64,
+    /// The end of the last step at which |ω| was not yet absurd.
+    believed: Balanced,
+    /// For how many steps the end has been too far away.
+    far: u64,
     tolerance: f64,
     /// True if a spring or wire is among the torques: its twist is watched.
     is_sprung: bool,
@@ -110,7 +122,22 @@ impl<'a> Stepper<'a> {
                 Steps::Splitting(Box::new(Splitting::new(piece, torques, start, order, step)?))
             }
         };
-        Ok(Self { rotor, torques, switched_on, until, usual_rate, tolerance, is_sprung, rule, steps })
+        let (begun, believed) =
+            (start.time, Balanced { state: start, work: 0.0, impulse: AngularMomentum::ZERO });
+        Ok(Self {
+            rotor,
+            torques,
+            switched_on,
+            until,
+            usual_rate,
+            begun,
+            believed,
+            far: 0,
+            tolerance,
+            is_sprung,
+            rule,
+            steps,
+        })
     }
 
     /// Looks again at what acts now.
@@ -156,21 +183,46 @@ impl<'a> Stepper<'a> {
         }
     }
 
-    /// Refuses to go on with a motion that runs away.
+    /// Refuses to go on with a motion that runs away before it comes to `end`.
     ///
-    /// Nothing that is meant turns 10⁹ times faster than |ω| at the start and every √(N/I) at which something begins to act, I the
-    /// least moment; where all of these are zero, than at the end of the first step.
+    /// Nothing that is meant turns 10⁹ times faster than |ω| at the start, than every √(N/I) at which something begins to act, I the
+    /// least moment, and than one radian in the whole run. From 10³ times that on it is not believed any more, if it ends so.
     ///
     /// # Errors
     /// [`MotionError::RunAway`].
-    pub(crate) fn require_bounded(&mut self) -> Result<(), MotionError> {
-        let State { time, omega, .. } = self.now().state;
-        let rate = omega.norm();
-        if self.usual_rate == 0.0 {
-            self.usual_rate = rate;
+    pub(crate) fn require_bounded(&mut self, end: f64) -> Result<(), MotionError> {
+        self.usual_rate = self.usual_rate.max(1.0 / (end - self.begun));
+        let now = self.now();
+        let rate = now.state.omega.norm();
+        if rate <= BELIEVED * self.usual_rate {
+            self.believed = now;
         }
-        let most = 1e9 * self.usual_rate;
-        if rate > most { Err(MotionError::RunAway { time, rate, most }) } else { Ok(()) }
+        if rate <= ABSURD * self.usual_rate { Ok(()) } else { Err(self.run_away()) }
+    }
+
+    /// The end of the last step at which |ω| was not yet absurd: what is left of a motion that runs away.
+    pub(crate) const fn believed(&self) -> Balanced {
+        self.believed
+    }
+
+    /// Why it cannot go on: that it runs away, if |ω| grows to ten times what is believed within less time than it took to come there.
+    /// Towards infinity steps shrink to nothing before |ω| is large enough by itself.
+    pub(crate) fn explained(&self, cause: MotionError) -> MotionError {
+        let State { time, omega, .. } = self.now().state;
+        let believed = self.believed.state.time;
+        let is_sudden = time - believed < believed - self.begun;
+        if is_sudden && omega.norm() > 10.0 * BELIEVED * self.usual_rate { self.run_away() } else { cause }
+    }
+
+    /// Counts the steps at which the end was too far away, one after the other.
+    pub(crate) const fn has_been_far(&mut self, is_far: bool) -> u64 {
+        self.far = if is_far { self.far + 1 } else { 0 };
+        self.far
+    }
+
+    fn run_away(&self) -> MotionError {
+        let State { time, omega, .. } = self.believed.state;
+        MotionError::RunAway { time, rate: omega.norm(), most: BELIEVED * self.usual_rate }
     }
 
     /// `None` for steps of a given length.
@@ -186,18 +238,19 @@ impl<'a> Stepper<'a> {
     ///
     /// # Errors
     /// [`MotionError::StepTooSmall`], [`MotionError::NotFinite`] or [`MotionError::TorqueWithoutInertia`]; the stepper
-    /// stays at the last good state. [`MotionError::HalfTurn`] after a step that went too far.
+    /// stays at the last good state. [`MotionError::RunAway`] in place of these. [`MotionError::HalfTurn`] after a step that went too far.
     pub(crate) fn step(&mut self, until: f64) -> Result<(), MotionError> {
         if self.time() >= self.until {
             self.change()?;
         }
         let until = until.min(self.until);
         let before = self.is_sprung.then(|| self.now().state);
-        match &mut self.steps {
+        let stepped = match &mut self.steps {
             Steps::Taylor(taylor) => taylor.step(until),
             Steps::Dop853(dop853) => dop853.step(until),
             Steps::Splitting(splitting) => splitting.step(until),
-        }?;
+        };
+        stepped.map_err(|cause| self.explained(cause))?;
         before.map_or(Ok(()), |before| self.require_untwisted(&before))
     }
 

@@ -359,3 +359,42 @@ fn markdown_is_well_formed() {
         }
     }
 }
+
+/// A wheel and friction in a body of 2, 3, 4 kg·m² that turns at (1, 2, 3) rad/s: every number by hand.
+#[test]
+fn what_moves_inside_is_worked_out() {
+    use polhode::{AngularVelocity, EnergySink, InertiaTensor, MassProperties, Motor, TorqueModel, Wheel};
+    let mut scenario = common::t_handle();
+    let inertia = InertiaTensor::diagonal([2.0, 3.0, 4.0]).unwrap();
+    scenario.body = MassProperties::new(5.0, Position::ZERO, inertia).unwrap();
+    scenario.start.omega = AngularVelocity::new(1.0, 2.0, 3.0);
+    scenario.wheels = vec![Wheel::new(Direction::new(0.0, 0.0, 1.0), 5.0, Motor::HeldSpeed).unwrap()];
+    scenario.torques = vec![TorqueModel::EnergySink(EnergySink::new(0.01).unwrap())];
+    scenario.run = None;
+    let document = explain(&scenario).unwrap();
+    let text = document.to_text(200);
+    for line in [
+        "h   = 5·(0, 0, 1) (held) = (0, 0, 5) kg·m²/s",
+        "L   = {I} ω + h = (2, 6, 17) kg·m²/s,  |L| = 18.1384 kg·m²/s",
+        "L × ω = (-16, 11, -2) N·m",
+        "Ω   = ω + α L × ω = (1, 2, 3) + 0.01·(-16, 11, -2) = (0.84, 2.11, 2.98) rad/s",
+        "L × Ω = (-17.99, 8.32, -0.82) N·m",
+        "dω/dt = (-8.995, 2.773 33, -0.205) rad/s²",
+        "T = ½ ω · {I} ω = 25 J",
+        "−α |L × ω|² = -0.01·19.5192² = -3.81 W",
+        "L is kept in space. T only falls.",
+    ] {
+        assert!(text.contains(line), "{line} is missing in\n{text}");
+    }
+    // Least energy: ω along L, the wheel's way, at |L| = 4 ω + 5.
+    let end = section(&document, 3);
+    near(after(&end, "ω = (0, 0, ")[0], (329_f64.sqrt() - 5.0) / 4.0);
+    // Without friction, and with a motor that stops: L = 0 stays, and the body turns back.
+    scenario.torques.clear();
+    scenario.start.omega = AngularVelocity::ZERO;
+    let schedule = Some(polhode::Schedule::window(1.0, 3.0).unwrap());
+    let motor = Motor::Torque { inertia: 0.5, torque: 0.7, schedule };
+    scenario.wheels = vec![Wheel::new(Direction::new(0.0, 0.0, 1.0), 0.0, motor).unwrap()];
+    let text = explain(&scenario).unwrap().to_text(200);
+    assert!(text.contains("ω = −{I}⁻¹ h = (0, 0, -0.4) rad/s"), "{text}");
+}

@@ -44,7 +44,10 @@ mod wheel;
 
 use std::path::Path;
 
-use polhode::{EventAction, Finding, MotionError, Rotor, Scenario, Severity, TorqueModel, Velocity, Wheel};
+use polhode::{
+    EventAction, Finding, MU_EARTH, MagneticField, MotionError, Orbit, Rotor, Scenario, Severity,
+    TorqueModel, Velocity, Wheel,
+};
 use toml::de::DeTable;
 
 use crate::error::{FormatError, FormatErrorKind, Place};
@@ -173,6 +176,7 @@ pub fn parse(text: &str, path: &Path) -> Result<Scenario, FormatError> {
     scenario.findings.extend(idle_gravity(&scenario));
     scenario.findings.extend(idle_motion(&scenario));
     scenario.findings.extend(idle_torques(&scenario));
+    scenario.findings.extend(underground(&scenario));
     Ok(scenario)
 }
 
@@ -257,6 +261,36 @@ fn idle_torques(scenario: &Scenario) -> Option<Finding> {
         code: "torque.off",
         severity: Severity::Warning,
         message: format!("the torque \"{name}\" is off, and no event switches it on"),
+        place: None,
+    })
+}
+
+/// An orbit about the Earth that goes through it: a height where a radius belongs.
+fn underground(scenario: &Scenario) -> Option<Finding> {
+    /// The Earth's least radius, at the poles, m (WGS 84).
+    const POLES: f64 = 6_356_752.3;
+    let orbit = |torque: &TorqueModel| match torque {
+        TorqueModel::GravityGradient(gradient) => Some(gradient.orbit.clone()),
+        TorqueModel::Magnetic(magnet) => match &magnet.field {
+            MagneticField::Dipole { orbit, .. } => Some(orbit.clone()),
+            _ => None,
+        },
+        _ => None,
+    };
+    let mut orbits = scenario.torques.iter().filter_map(|torque| match torque {
+        TorqueModel::Scheduled(scheduled) => orbit(&scheduled.torque),
+        torque => orbit(torque),
+    });
+    let is_earth = |orbit: &Orbit| (orbit.mu() / MU_EARTH - 1.0).abs() < 1e-2;
+    let orbit = orbits.find(|orbit| is_earth(orbit) && orbit.periapsis() < POLES)?;
+    Some(Finding {
+        code: "orbit.underground",
+        severity: Severity::Warning,
+        message: format!(
+            "the orbit comes within {:.1} km of the centre of what has the Earth's µ, and the Earth reaches to 6356.8 km: is a height given as \
+             a radius?",
+            orbit.periapsis() / 1e3
+        ),
         place: None,
     })
 }

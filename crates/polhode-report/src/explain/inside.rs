@@ -171,7 +171,9 @@ impl<'a, 'w> Inside<'a, 'w> {
             "dT/dt = (N − dh/dt) · ω − α |L × ω|²,   dL/dt = N in space",
             r"\dot T = (\mathbf N - \dot{\mathbf h}) \cdot \boldsymbol\omega - \alpha \lvert \mathbf L \times \boldsymbol\omega \rvert^2, \qquad \dot{\mathbf L} = \mathbf N \text{ in space}",
         );
-        s.line(format!("(N − dh/dt) · ω = {} W", n(tidy_beside([power, 0.0, 0.0], energy)[0])));
+        if self.is_driven() || !self.is_free() {
+            s.line(format!("(N − dh/dt) · ω = {} W", n(tidy_beside([power, 0.0, 0.0], energy)[0])));
+        }
         if self.has_sink() {
             s.line(format!(
                 "−α |L × ω|² = -{}·{}² = {} W, which becomes heat",
@@ -210,6 +212,9 @@ impl<'a, 'w> Inside<'a, 'w> {
         if self.is_driven() {
             self.after_the_motors(time, &mut s);
         }
+        if size == 0.0 {
+            return s;
+        }
         let Ok(all) = PermanentRotation::all_at(&self.w.rotor, size, time) else { return s };
         let (Some(least), Some(most)) = (all.first(), all.last()) else { return s };
         let energy = |one: &PermanentRotation| self.w.rotor.kinetic_energy(one.omega);
@@ -218,8 +223,8 @@ impl<'a, 'w> Inside<'a, 'w> {
         };
         if !self.has_sink() {
             s.say(
-                "Nothing costs energy, so that it tends nowhere: ω goes round in the body for ever. With this |L| the spins that stay \
-                 have these extreme energies:",
+                "Nothing costs energy, so that it tends nowhere. Of the spins that stay, those with this |L| that have the least and the most \
+                 energy are",
             );
             s.line(format!("least: {}", spin(least)));
             s.line(format!("most:  {}", spin(most)));

@@ -63,7 +63,7 @@ fn rotations(report: &StabilityReport, judged: &Judged) -> String {
     let size = number(report.momentum, 6);
     let head = format!("rotations without torque that have |L| = {size} kg·m²/s ({of}), in body axes:");
     let rows: Vec<Vec<String>> = all.iter().map(|one| rotation(report, one)).collect();
-    labelled("permanent", &head) + &indented(&rows) + &friction(report, all)
+    labelled("permanent", &head) + &indented(&rows) + &friction(report, judged, all)
 }
 
 fn rotation(report: &StabilityReport, rotation: &PermanentRotation) -> Vec<String> {
@@ -104,7 +104,7 @@ fn rotation(report: &StabilityReport, rotation: &PermanentRotation) -> Vec<Strin
 }
 
 /// Where friction inside leads, or would lead.
-fn friction(report: &StabilityReport, all: &[PermanentRotation]) -> String {
+fn friction(report: &StabilityReport, judged: &Judged, all: &[PermanentRotation]) -> String {
     let Some(least) = all.first() else { return String::new() };
     let omega = vector(tidy_beside(least.omega.to_array(), least.omega.norm()), 6);
     let energy = number(report.rotor.kinetic_energy(least.omega), 6);
@@ -120,7 +120,8 @@ fn friction(report: &StabilityReport, all: &[PermanentRotation]) -> String {
                  energy, T = {energy} J"
             ),
         ),
-        None if all.iter().any(deceptive) => labelled(
+        // Of a body on which torques act, |L| does not stay.
+        None if judged.oscillations.is_none() && all.iter().any(deceptive) => labelled(
             "friction",
             &format!(
                 "inside, if there is any, ends those of most energy too, which are stable without: what lasts is of least energy, {such} \

@@ -57,8 +57,8 @@ fn steady(top: &SteadyTop) -> String {
         TopPath::Sleeping { .. } => format!("the top upright, spinning with the start's {spin}"),
         TopPath::Hanging => format!("the top straight down, with the start's {spin}"),
         path => format!(
-            "the {} with the start's p_φ and p_ψ, which its top nutates about, as seen from axes that precess with it: leaning {}° from \
-             the vertical, {} about it, {spin}",
+            "{}: leaning {}° from the vertical, {} about it, {spin}; it has the start's p_φ and p_ψ, so that the top nods about it, \
+             and is seen from axes that precess with it",
             path.description(),
             number(top.angle.to_degrees(), 6),
             rate(top.precession),
@@ -137,10 +137,8 @@ fn on_orbit(found: &Found) -> String {
             verdict,
         ]
     };
-    let head = format!(
-        "{} attitudes are at rest relative to it, by the principal axis (1 of least moment) that is",
-        found.on_orbit.len()
-    );
+    let count = found.on_orbit.len();
+    let head = format!("{count} attitudes are at rest relative to it; by principal axes, 1 of least moment:");
     labelled("on the orbit", &head) + &indented(&kinds.into_iter().map(row).collect::<Vec<_>>())
 }
 

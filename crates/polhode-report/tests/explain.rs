@@ -398,3 +398,35 @@ fn what_moves_inside_is_worked_out() {
     let text = explain(&scenario).unwrap().to_text(200);
     assert!(text.contains("ω = −{I}⁻¹ h = (0, 0, -0.4) rad/s"), "{text}");
 }
+
+/// What was looked out for in vain, and the steady rates of a top, stand on the screen and not in the JSON only.
+#[test]
+fn a_run_says_what_did_not_happen_and_how_a_top_would_precess_steadily() {
+    use polhode::{
+        AngularVelocity, Attitude, Event, EventAction, Measure, Sense, TorqueModel, UniformGravity, Wheel,
+    };
+    let mut scenario = common::symmetric_top();
+    scenario.pivot = Some(Position::ZERO);
+    let inertia = polhode::InertiaTensor::diagonal([0.3, 0.3, 0.2]).unwrap();
+    scenario.body = polhode::MassProperties::new(1.5, Position::new(0.0, 0.0, 0.4), inertia).unwrap();
+    scenario.torques = vec![TorqueModel::Gravity(UniformGravity::STANDARD)];
+    scenario.start.attitude = Attitude::from_euler313([0.3, 0.6, 0.1]).unwrap();
+    scenario.start.omega = AngularVelocity::new(0.0, 0.0, 60.0);
+    let event = |name: &str, value: f64| {
+        Event::new(name, Measure::Rate, value, Sense::Either, EventAction::Record).unwrap()
+    };
+    scenario.events = vec![event("nods", 60.1), event("too fast", 1e6)];
+    assert_eq!(scenario.wheels, Vec::<Wheel>::new());
+    let trajectory = scenario.simulate().unwrap().unwrap();
+    let source = SourceInfo::new("a.toml", "scenario");
+    let text = MotionReport::new(source, &scenario, &trajectory).to_text();
+    assert!(text.contains("never happened   the event \"too fast\""), "{text}");
+    let line = text.lines().find(|line| line.starts_with("steady ")).unwrap();
+    // A cos θ φ̇² − C ω3 φ̇ + M g l = 0 in the middle of the nods
+    let n = after(&text, "steady ");
+    let (slow, across) = (n[0], 0.3 + 1.5 * 0.16);
+    let middle = after(&text, "without nodding at ")[0].to_radians();
+    let rest = across * middle.cos() * slow * slow - 0.2 * 60.0 * slow + 1.5 * 9.80665 * 0.4;
+    assert!(rest.abs() < 1e-4 && slow > 0.1 && middle > 0.6, "{line}");
+    assert!(text.contains("the fast one"), "{text}");
+}

@@ -569,7 +569,7 @@ fn a_pendulum_swings_under_gravity_alone() {
         &format!(
             "{BALL}[[torque]]\nmodel='gravity'\nname='weight'\npivot=[0,0,1]\non=«false»\n[pendulum]\naxis=[1,0,0]"
         ),
-        "on = false must be true",
+        "on = false must be true: a pendulum swings under a gravity that acts always",
         "leave out on",
     );
 }

@@ -35,8 +35,11 @@ pub(crate) struct Explain {
 
 impl Explain {
     pub(crate) fn run(self) -> Result<(), Failure> {
-        let scenario = scenario::read(&self.file)?;
-        let failed = |error| Failure::Motion { path: self.file.display().to_string(), error };
+        let (scenario, text) = scenario::read_with_text(&self.file)?;
+        let failed = |error| match scenario::placed(&text, &self.file, &error) {
+            Some(placed) => placed.into(),
+            None => Failure::Motion { path: self.file.display().to_string(), error },
+        };
         let document = explain(&scenario).map_err(failed)?;
         let text = if self.json {
             pretty(&document.to_json()) + "\n"

@@ -57,7 +57,7 @@ impl Simulate {
         let target = self.output.clone().unwrap_or_else(|| default_folder(&self.file));
         Folder::check(&target, self.force)?;
         self.plots.check(self.force)?;
-        let trajectory = self.trajectory(&scenario)?;
+        let trajectory = self.trajectory(&scenario, &text)?;
 
         let title = scenario.title.as_deref().unwrap_or("scenario");
         let source = SourceInfo::new(self.file.display().to_string(), "scenario").described(title);
@@ -85,12 +85,15 @@ impl Simulate {
         }
     }
 
-    fn trajectory(&self, scenario: &Scenario) -> Result<Trajectory, Failure> {
+    fn trajectory(&self, scenario: &Scenario, text: &str) -> Result<Trajectory, Failure> {
         let path = self.file.display().to_string();
         let end = scenario.run.as_ref().and_then(|run| run.times.last().copied()).unwrap_or_default();
         let mut progress = Progress::new(end);
         match scenario.simulate_watched(&mut |time| progress.reached(time)) {
-            Some(motion) => motion.map_err(|error| Failure::Motion { path, error }),
+            Some(motion) => motion.map_err(|error| match scenario::placed(text, &self.file, &error) {
+                Some(placed) => placed.into(),
+                None => Failure::Motion { path, error },
+            }),
             None => Err(Failure::usage(
                 format!("{path} has no [run] section, so there is no time to simulate"),
                 "write [run] with duration = \"10 s\" and samples = 1001; or ask `polhode explain` or `polhode inertia`",

@@ -11,13 +11,15 @@ use crate::stdout::print;
 
 /// Say which steady motions of a scenario's body last: permanent rotations, and small oscillations about an equilibrium.
 ///
-/// The permanent rotations are those of the body with its wheels, without torque, with the angular momentum of the start. If torques
-/// act, the oscillations are those about the start if it is an equilibrium, else about the nearest one: frequencies, damping or growth,
-/// and the axes about which the body swings.
+/// The permanent rotations are those of the body with its wheels, without torque, with the angular momentum of the start, and with
+/// what friction inside makes of them. If torques act, the oscillations are those about the start if it is an equilibrium, else about
+/// the one that is meant: at rest relative to a circular orbit, the steady precession of a top, the nearest one. Frequencies, damping
+/// or growth, and the axes about which the body swings.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   polhode stability examples/t-handle.toml
+  polhode stability examples/gravity-gradient.toml
   polhode stability examples/heavy-top.toml --json | jq .small_oscillations.modes")]
 pub(crate) struct Stability {
     /// The scenario, a TOML file.

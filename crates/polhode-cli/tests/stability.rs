@@ -66,6 +66,99 @@ fn a_hanging_rod_swings_as_a_pendulum_does() {
     );
 }
 
+/// The examples as they are: what is meant is found, though no start is exactly there.
+#[test]
+fn the_steady_motion_that_is_meant_is_found() {
+    let scratch = Scratch::new("stability-meant");
+    let of = |name: &str| json(&scratch.run(&["stability", &example(name), "--json"]));
+    // The satellite turns as its orbit does only to the digits that its file has.
+    let satellite = &of("gravity-gradient.toml")["small_oscillations"];
+    assert_eq!(
+        (satellite["equilibrium"].as_str(), satellite["stable"].as_bool()),
+        (Some("on_orbit"), Some(true))
+    );
+    let all = satellite["on_orbit"].as_array().unwrap();
+    assert_eq!((all.len(), all.iter().filter(|one| one["stable"] == true).count()), (24, 4));
+    let n = number(&satellite["omega_body"][1]);
+    assert!((n / 1.10682e-3 - 1.0).abs() < 1e-5, "{n}");
+    // √3 k in the plane and 2 across, for the smallest swings, k next to 1.
+    let has = |ratio: f64| {
+        let modes = satellite["modes"].as_array().unwrap();
+        modes.iter().any(|mode| (number(&mode["frequency"]) / n - ratio).abs() < 0.05)
+    };
+    assert!(has(3f64.sqrt()) && has(2.0), "{satellite}");
+    // Both tops spin, and nod or tremble a little.
+    let sleeping = &of("sleeping-top.toml")["small_oscillations"];
+    assert_eq!(
+        (sleeping["top"]["path"].as_str(), sleeping["stable"].as_bool()),
+        (Some("sleeping"), Some(true))
+    );
+    assert!(
+        (number(&sleeping["omega_from_start"]) / 2.0 / (std::f64::consts::TAU / 60.0) - 1.0).abs() < 1e-9
+    );
+    let heavy = &of("heavy-top.toml")["small_oscillations"];
+    assert_eq!((heavy["top"]["path"].as_str(), heavy["stable"].as_bool()), (Some("steady_slow"), Some(true)));
+    let lean = number(&heavy["top"]["nutation_rad"]).to_degrees();
+    assert!(lean > 30.0 && lean < 32.9, "{lean}");
+    let text = stdout(&scratch.run(&["stability", &example("heavy-top.toml")]));
+    assert!(text.contains("steady precession, the slower of two: leaning 31.4196°"), "{text}");
+}
+
+#[test]
+fn wheels_are_judged_before_and_after_their_motors() {
+    let scratch = Scratch::new("stability-motors");
+    let answer = json(&scratch.run(&["stability", &example("gyrostat.toml"), "--json"]));
+    assert_eq!((number(&answer["judged_at_s"]), number(&answer["wheel_momentum_body"][2])), (0.0, 0.0));
+    let [after] = answer["later"].as_array().unwrap().as_slice() else { panic!("{answer}") };
+    assert_eq!(number(&after["judged_at_s"]), 25.0);
+    assert!((number(&after["wheel_momentum_body"][2]) - 0.3).abs() < 1e-15);
+    let text = stdout(&scratch.run(&["stability", &example("gyrostat.toml")]));
+    assert!(
+        text.contains("at t = 0, before a motor changes it") && text.contains("from t = 25 s on"),
+        "{text}"
+    );
+}
+
+/// Moments 0.2 and 5 kg·m²: τ = 1/(α L² (1/0.2 − 1/5)).
+#[test]
+fn friction_inside_has_a_word_in_it() {
+    let scratch = Scratch::new("stability-friction");
+    let answer = json(&scratch.run(&["stability", &example("flat-spin.toml"), "--json"]));
+    let last = answer["permanent_rotations"].as_array().unwrap().last().unwrap().clone();
+    assert_eq!((last["stability"].as_str(), last["with_sink"].as_str()), (Some("stable"), Some("leaves")));
+    let l = number(&answer["momentum"]);
+    assert!((number(&last["with_sink_rate"]) / (0.002 * l * l * 4.8) - 1.0).abs() < 1e-12, "{last}");
+    let text = stdout(&scratch.run(&["stability", &example("flat-spin.toml")]));
+    assert_eq!(text.matches("with the sink drifts away: e-fold in 26.0397 s").count(), 2, "{text}");
+    assert!(text.contains("such as ω = (0.400 015, 0, 0) rad/s, of least energy"), "{text}");
+    // Without a sink in the file it is said of what would.
+    let text = stdout(&scratch.run(&["stability", &example("t-handle.toml")]));
+    assert!(text.contains("ends those of most energy too"), "{text}");
+}
+
+#[test]
+fn modes_of_one_frequency_are_told_as_a_plane() {
+    let scratch = Scratch::new("stability-plane");
+    let text = stdout(&scratch.run(&["stability", &example("magnet.toml")]));
+    assert!(text.contains("2 ways, about any axis in the plane of (1, 0, 0) and (0, 1, 0)"), "{text}");
+}
+
+/// A formula that is no number at the start is shown in its line.
+#[test]
+fn a_torque_that_is_no_number_is_shown_in_its_line() {
+    let scratch = Scratch::new("stability-nan");
+    let text = format!(
+        "{ROD}[[torque]]\nmodel = \"formula\"\naxes = \"body\"\ntorque = [\"0\", \"1[N m s]/t\", \"0\"]\n[run]\nduration = \"1 s\"\n"
+    );
+    scratch.write("nan.toml", &text);
+    let text = refused(&scratch.run(&["simulate", "nan.toml"]), 2);
+    assert!(
+        text.contains("torque 2 is not finite at the start") && text.contains("nan.toml:15:16"),
+        "{text}"
+    );
+    assert!(scratch.entries() == ["nan.toml"], "{:?}", scratch.entries());
+}
+
 #[test]
 fn what_cannot_depart_is_refused() {
     let scratch = Scratch::new("stability-prescribed");

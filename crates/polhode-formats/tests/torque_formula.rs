@@ -192,9 +192,14 @@ fn what_is_no_number_ends_at_the_last_good_time() {
         }
     }
     for method in BOTH {
-        let torque = body_axes(["0.1[N m]", "0.1[N m]*sqrt(-t/1[s])", "0"]);
-        let refused = Trajectory::compute(&rotor, &[torque], start(), &[4.0], method, 1e-12);
-        assert!(matches!(refused, Err(MotionError::Parameter { what: "the torque", .. })), "{refused:?}");
+        // No number at the start already: the error says which torque, and in which component.
+        let good = body_axes(["0.1[N m]", "0", "0"]);
+        let torque = body_axes(["0.1[N m]", "0.1[N m]*sqrt(-1 - t/1[s])", "0"]);
+        let refused = Trajectory::compute(&rotor, &[good, torque], start(), &[4.0], method, 1e-12);
+        let Err(MotionError::TorqueNotFinite { torque: 1, value: [x, y, z] }) = refused else {
+            panic!("{refused:?}")
+        };
+        assert!(x == 0.1 && y.is_nan() && z == 0.0);
         // No power series starts at this corner.
         let torque = body_axes(["0", "0", "0.1[N m]*sqrt(t/1[s] - 0.3)"]);
         let end = Trajectory::compute(&rotor, &[torque], start(), &[1.0], Method::Taylor, 1e-12);
@@ -206,5 +211,29 @@ fn what_is_no_number_ends_at_the_last_good_time() {
             ),
             "{end:?}"
         );
+    }
+}
+
+/// Both laws of drag, with a full matrix, as the model and as formulas.
+#[test]
+fn drag_is_a_formula() {
+    let rotor = Rotor::free(&properties());
+    let matrix = [[0.31, -0.07, 0.05], [-0.07, 0.43, 0.11], [0.05, 0.11, 0.26]];
+    let row = |[a, b, c]: [f64; 3], unit: &str| {
+        format!("-({a:?}{unit}*wx + {b:?}{unit}*wy + {c:?}{unit}*wz)").replace("+ -", "- ")
+    };
+    for (law, unit, more) in [
+        (DragLaw::Linear, "[N m s]", String::new()),
+        (DragLaw::Quadratic, "[N m s^2]", "*sqrt(wx^2 + wy^2 + wz^2)".to_owned()),
+    ] {
+        let built_in = [TorqueModel::Drag(Drag::new(law, matrix).unwrap())];
+        let [x, y, z] = matrix.map(|line| row(line, unit) + &more);
+        let formula = [body_axes([&x, &y, &z])];
+        let times = [1.7, 6.3];
+        for a in BOTH {
+            for b in BOTH {
+                agree(&run(&rotor, &built_in, &times, a), &run(&rotor, &formula, &times, b), 1e-12);
+            }
+        }
     }
 }

@@ -4,7 +4,7 @@ use polhode::{Crossing, Ending, Event, EventAction, Measure, Scenario, Trajector
 use serde_json::{Value, json};
 
 use crate::json::{numbers, vector};
-use crate::layout::columns;
+use crate::layout::{columns, labelled, printable};
 use crate::number::{count, number, vector as triple};
 use crate::unit::DIGITS;
 
@@ -40,8 +40,25 @@ pub(crate) fn ending_json(trajectory: &Trajectory, scenario: &Scenario) -> Value
     }
 }
 
-/// The events that happened, as a table: when, what, in which direction, and ω there.
-pub(crate) fn table(trajectory: &Trajectory) -> String {
+/// The events that happened, as a table: when, what, in which direction, and ω there; and those that did not.
+pub(crate) fn table(trajectory: &Trajectory, scenario: &Scenario) -> String {
+    happened(trajectory) + &never(trajectory, scenario)
+}
+
+/// What was looked out for, and did not happen.
+fn never(trajectory: &Trajectory, scenario: &Scenario) -> String {
+    let has_happened = |k: usize| trajectory.events().iter().any(|crossing| crossing.event == k);
+    let missing = scenario.events.iter().enumerate().filter(|(k, _)| !has_happened(*k));
+    let names: Vec<String> = missing.map(|(_, event)| format!("\"{}\"", printable(event.name()))).collect();
+    let text = match names.as_slice() {
+        [] => return String::new(),
+        [one] => format!("the event {one}"),
+        many => format!("{} events: {}", many.len(), many.join(", ")),
+    };
+    labelled("never happened", &text)
+}
+
+fn happened(trajectory: &Trajectory) -> String {
     let crossings = trajectory.events();
     if crossings.is_empty() {
         return String::new();
@@ -49,7 +66,7 @@ pub(crate) fn table(trajectory: &Trajectory) -> String {
     let row = |crossing: &Crossing| {
         vec![
             format!("t = {} s", number(crossing.state.time, 12)),
-            crate::layout::printable(&crossing.name),
+            printable(&crossing.name),
             if crossing.rising { "rising" } else { "falling" }.to_owned(),
             format!("ω = {} rad/s", triple(crossing.state.omega.to_array(), 6)),
         ]

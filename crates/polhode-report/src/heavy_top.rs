@@ -76,6 +76,12 @@ pub(crate) fn facts(top: &HeavyTop) -> Vec<Fact> {
         facts.push(fact("precession", rate(precession), "", "on average, about the vertical"));
         facts.push(fact("own spin", rate(spin), "", "on average, about the axis"));
     }
+    if let Some(SteadyPrecession { slow, fast }) = steady(top).filter(|_| is_inclined(top)) {
+        let middle = number(middle(top).to_degrees(), DIGITS);
+        let fast = fast.map_or_else(String::new, |fast| format!(" and {}, the fast one", rate(fast)));
+        let note = format!("the slow one{fast}: without nodding at {middle}°, with this ω3");
+        facts.push(fact("steady", rate(slow), "", &note));
+    }
     let threshold = top.sleeping_threshold();
     if threshold.is_finite() {
         let note = format!("upright, above 2 √(M g l A)/C; here ω3 = {}", rate(top.spin()));
@@ -86,6 +92,16 @@ pub(crate) fn facts(top: &HeavyTop) -> Vec<Fact> {
 
 /// The steady rates at the middle of the nutation, with its spin.
 fn steady(top: &HeavyTop) -> Option<SteadyPrecession> {
+    top.steady_precession(middle(top), top.spin())
+}
+
+/// The angle in the middle of the nutation, rad.
+fn middle(top: &HeavyTop) -> f64 {
     let [highest, lowest] = top.nutation_bounds();
-    top.steady_precession(0.5 * (highest + lowest), top.spin())
+    0.5 * (highest + lowest)
+}
+
+/// True unless the axis stays vertical, or in one vertical plane: there is nothing to precess then.
+const fn is_inclined(top: &HeavyTop) -> bool {
+    !matches!(top.path(), TopPath::Sleeping { .. } | TopPath::Hanging | TopPath::Planar)
 }

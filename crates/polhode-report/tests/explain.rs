@@ -359,3 +359,75 @@ fn markdown_is_well_formed() {
         }
     }
 }
+
+/// A wheel and friction in a body of 2, 3, 4 kg·m² that turns at (1, 2, 3) rad/s: every number by hand.
+#[test]
+fn what_moves_inside_is_worked_out() {
+    use polhode::{AngularVelocity, EnergySink, InertiaTensor, MassProperties, Motor, TorqueModel, Wheel};
+    let mut scenario = common::t_handle();
+    let inertia = InertiaTensor::diagonal([2.0, 3.0, 4.0]).unwrap();
+    scenario.body = MassProperties::new(5.0, Position::ZERO, inertia).unwrap();
+    scenario.start.omega = AngularVelocity::new(1.0, 2.0, 3.0);
+    scenario.wheels = vec![Wheel::new(Direction::new(0.0, 0.0, 1.0), 5.0, Motor::HeldSpeed).unwrap()];
+    scenario.torques = vec![TorqueModel::EnergySink(EnergySink::new(0.01).unwrap())];
+    scenario.run = None;
+    let document = explain(&scenario).unwrap();
+    let text = document.to_text(200);
+    for line in [
+        "h   = 5·(0, 0, 1) (held) = (0, 0, 5) kg·m²/s",
+        "L   = {I} ω + h = (2, 6, 17) kg·m²/s,  |L| = 18.1384 kg·m²/s",
+        "L × ω = (-16, 11, -2) N·m",
+        "Ω   = ω + α L × ω = (1, 2, 3) + 0.01·(-16, 11, -2) = (0.84, 2.11, 2.98) rad/s",
+        "L × Ω = (-17.99, 8.32, -0.82) N·m",
+        "dω/dt = (-8.995, 2.773 33, -0.205) rad/s²",
+        "T = ½ ω · {I} ω = 25 J",
+        "−α |L × ω|² = -0.01·19.5192² = -3.81 W",
+        "L is kept in space. T only falls.",
+    ] {
+        assert!(text.contains(line), "{line} is missing in\n{text}");
+    }
+    // Least energy: ω along L, the wheel's way, at |L| = 4 ω + 5.
+    let end = section(&document, 3);
+    near(after(&end, "ω = (0, 0, ")[0], (329_f64.sqrt() - 5.0) / 4.0);
+    // Without friction, and with a motor that stops: L = 0 stays, and the body turns back.
+    scenario.torques.clear();
+    scenario.start.omega = AngularVelocity::ZERO;
+    let schedule = Some(polhode::Schedule::window(1.0, 3.0).unwrap());
+    let motor = Motor::Torque { inertia: 0.5, torque: 0.7, schedule };
+    scenario.wheels = vec![Wheel::new(Direction::new(0.0, 0.0, 1.0), 0.0, motor).unwrap()];
+    let text = explain(&scenario).unwrap().to_text(200);
+    assert!(text.contains("ω = −{I}⁻¹ h = (0, 0, -0.4) rad/s"), "{text}");
+}
+
+/// What was looked out for in vain, and the steady rates of a top, stand on the screen and not in the JSON only.
+#[test]
+fn a_run_says_what_did_not_happen_and_how_a_top_would_precess_steadily() {
+    use polhode::{
+        AngularVelocity, Attitude, Event, EventAction, Measure, Sense, TorqueModel, UniformGravity, Wheel,
+    };
+    let mut scenario = common::symmetric_top();
+    scenario.pivot = Some(Position::ZERO);
+    let inertia = polhode::InertiaTensor::diagonal([0.3, 0.3, 0.2]).unwrap();
+    scenario.body = polhode::MassProperties::new(1.5, Position::new(0.0, 0.0, 0.4), inertia).unwrap();
+    scenario.torques = vec![TorqueModel::Gravity(UniformGravity::STANDARD)];
+    scenario.start.attitude = Attitude::from_euler313([0.3, 0.6, 0.1]).unwrap();
+    scenario.start.omega = AngularVelocity::new(0.0, 0.0, 60.0);
+    let event = |name: &str, value: f64| {
+        Event::new(name, Measure::Rate, value, Sense::Either, EventAction::Record).unwrap()
+    };
+    scenario.events = vec![event("nods", 60.001), event("too fast", 1e6)];
+    assert_eq!(scenario.wheels, Vec::<Wheel>::new());
+    let trajectory = scenario.simulate().unwrap().unwrap();
+    let source = SourceInfo::new("a.toml", "scenario");
+    let text = MotionReport::new(source, &scenario, &trajectory).to_text();
+    // In one line, however the screen breaks it.
+    let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(text.contains("never happened the event \"too fast\""), "{text}");
+    // A cos θ φ̇² − C ω3 φ̇ + M g l = 0 in the middle of the nods
+    let (slow, across) = (after(&text, " steady ")[0], 0.3 + 1.5 * 0.16);
+    let middle = after(&text, "without nodding at ")[0].to_radians();
+    let rest = |rate: f64| across * middle.cos() * rate * rate - 0.2 * 60.0 * rate + 1.5 * 9.80665 * 0.4;
+    assert!(rest(slow).abs() < 1e-4 && slow > 0.1 && middle > 0.6, "{text}");
+    let fast = after(&text, "the slow one and ")[0];
+    assert!(rest(fast).abs() < 1e-3 && fast > slow, "{text}");
+}

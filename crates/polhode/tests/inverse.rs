@@ -275,3 +275,28 @@ fn the_forces_on_given_points_make_the_torque_at_any_time() {
         assert!((sum - needed.torque).norm() < 1e-13 * needed.torque.norm());
     }
 }
+
+/// N = dL/dt, with the momentum of wheels in L.
+#[test]
+fn wheels_count_in_the_torque_that_a_motion_needs() {
+    let held = Wheel::new(Direction::new(0.4, -0.2, 0.9), 3.7, Motor::HeldSpeed).unwrap();
+    let free = Motor::Torque { inertia: 0.2, torque: 0.0, schedule: None };
+    let free = Wheel::new(Direction::new(-0.5, 0.8, 0.1), -2.1, free).unwrap();
+    let rotor = rotor().with_wheels(&[held, free]).unwrap();
+    let motion = swaying();
+    let (time, h) = (0.7, 1e-3);
+    let l = |k: f64| Required::by(&rotor, &motion, time + k * h).unwrap().momentum;
+    let rate = ((l(1.0) - l(-1.0)) * 8.0 - (l(2.0) - l(-2.0))) / (12.0 * h);
+    let needed = Required::by(&rotor, &motion, time).unwrap();
+    let error = (needed.torque_space() - Torque::from_array(rate.to_array())).norm();
+    assert!(error < 1e-9 * needed.torque.norm(), "{error:e}");
+    // The carrier's energy is all that the torque changes.
+    let energy = |k: f64| Required::by(&rotor, &motion, time + k * h).unwrap().kinetic_energy;
+    let power = ((energy(1.0) - energy(-1.0)) * 8.0 - (energy(2.0) - energy(-2.0))) / (12.0 * h);
+    assert!((power / needed.power - 1.0).abs() < 1e-8, "{power} {}", needed.power);
+    // A motor does work of its own.
+    let driven = Motor::Torque { inertia: 0.2, torque: 0.4, schedule: None };
+    let driven = Wheel::new(Direction::new(-0.5, 0.8, 0.1), -2.1, driven).unwrap();
+    let rotor = rotor.with_wheels(&[driven]).unwrap();
+    assert!(matches!(Required::by(&rotor, &motion, time), Err(MotionError::Parameter { .. })));
+}

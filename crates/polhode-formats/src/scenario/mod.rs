@@ -54,7 +54,10 @@ use crate::error::{FormatError, FormatErrorKind, Place};
 use crate::file;
 use crate::mesh::stl;
 use again::Reading;
-use polhode::{EventAction, Finding, Rotor, Scenario, Severity, TorqueModel, Velocity, Wheel};
+use polhode::{
+    EventAction, Finding, MU_EARTH, MagneticField, MotionError, Orbit, Rotor, Scenario, Severity,
+    TorqueModel, Velocity, Wheel,
+};
 use reader::{Source, TOP, Table};
 pub use sweep::{Dispersion, Distribution, Law, SOBOL_DIMENSIONS, Sampling, Spread, Sweep, Vary};
 pub use target::{Target, TargetColumn};
@@ -207,7 +210,50 @@ fn read_root(source: Source<'_>, entries: &Entries) -> Result<Scenario, FormatEr
     scenario.findings.extend(idle_gravity(&scenario));
     scenario.findings.extend(idle_motion(&scenario));
     scenario.findings.extend(idle_torques(&scenario));
+    scenario.findings.extend(underground(&scenario));
     Ok(scenario)
+}
+
+/// An error of the motion of a scenario with its place in the file, if it is about one of its torques; `text` is what the file says.
+///
+/// ```
+/// use polhode_formats::scenario;
+/// let text = r#"
+/// [[body.part]]
+/// shape = "sphere"
+/// radius = "20 mm"
+/// mass = "0.5 kg"
+/// [[torque]]
+/// model = "formula"
+/// axes = "body"
+/// torque = ["0", "1[N m]/t*1[s]", "0"]
+/// [run]
+/// duration = "1 s"
+/// samples = 2
+/// "#;
+/// let scenario = scenario::parse(text, "ball.toml".as_ref())?;
+/// let error = scenario.simulate().and_then(Result::err).ok_or("it is finite")?;
+/// let placed = scenario::placed(text, "ball.toml".as_ref(), &error).ok_or("it has no place")?;
+/// assert_eq!(placed.to_string(), "ball.toml:9:16: torque 1 is not finite at the start: (0, inf, 0) N·m in body axes");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn placed(text: &str, path: &Path, error: &MotionError) -> Option<FormatError> {
+    let (torque, value) = match *error {
+        MotionError::TorqueNotFinite { torque, value } => (torque, value),
+        MotionError::NotSmooth { torque, .. } => (torque, [0.0; 3]),
+        _ => return None,
+    };
+    let source = Source { path, text, reading: Reading::Once };
+    let entries = document(source).ok()?;
+    let root = Table::root(source, &entries);
+    let tables = root.get("torque")?.tables("torque").ok()?;
+    let table = tables.get(torque)?;
+    let Some(formulas) = table.get("torque") else { return Some(table.get("model")?.motion(error.clone())) };
+    // The component that is no number, along the axes of the formulas themselves.
+    let along_body = table.get("axes").is_some_and(|axes| axes.string() == Ok("body"));
+    let wrong = value.iter().position(|c| along_body && !c.is_finite());
+    let component = wrong.and_then(|k| formulas.fixed::<3>("formulas").ok()?.into_iter().nth(k));
+    Some(component.unwrap_or(formulas).motion(error.clone()))
 }
 
 /// Gravity does not turn a body held at its centre of mass.
@@ -250,6 +296,36 @@ fn idle_torques(scenario: &Scenario) -> Option<Finding> {
         code: "torque.off",
         severity: Severity::Warning,
         message: format!("the torque \"{name}\" is off, and no event switches it on"),
+        place: None,
+    })
+}
+
+/// An orbit about the Earth that goes through it: a height where a radius belongs.
+fn underground(scenario: &Scenario) -> Option<Finding> {
+    /// The Earth's least radius, at the poles, m (WGS 84).
+    const POLES: f64 = 6_356_752.3;
+    let orbit = |torque: &TorqueModel| match torque {
+        TorqueModel::GravityGradient(gradient) => Some(gradient.orbit.clone()),
+        TorqueModel::Magnetic(magnet) => match &magnet.field {
+            MagneticField::Dipole { orbit, .. } => Some(orbit.clone()),
+            _ => None,
+        },
+        _ => None,
+    };
+    let mut orbits = scenario.torques.iter().filter_map(|torque| match torque {
+        TorqueModel::Scheduled(scheduled) => orbit(&scheduled.torque),
+        torque => orbit(torque),
+    });
+    let is_earth = |orbit: &Orbit| (orbit.mu() / MU_EARTH - 1.0).abs() < 1e-2;
+    let orbit = orbits.find(|orbit| is_earth(orbit) && orbit.periapsis() < POLES)?;
+    Some(Finding {
+        code: "orbit.underground",
+        severity: Severity::Warning,
+        message: format!(
+            "the orbit comes within {:.1} km of the centre of what has the Earth's µ, and the Earth reaches to 6356.8 km: is a height given as \
+             a radius?",
+            orbit.periapsis() / 1e3
+        ),
         place: None,
     })
 }

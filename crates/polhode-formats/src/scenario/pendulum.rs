@@ -21,6 +21,16 @@ pub(crate) fn pendulum(root: &Table<'_>, scenario: &mut Scenario) -> Result<(), 
                 .invalid("\"gravity\": a pendulum swings under gravity alone")
                 .with_hint("leave out this torque, or leave out [pendulum]"));
         }
+        if let Some(value) = super::torque::schedule::KEYS.iter().find_map(|key| torque.get(key)) {
+            let rule = "left out: a pendulum swings under a gravity that acts always";
+            return Err(value
+                .invalid(rule)
+                .with_hint("leave out the times of this torque, or leave out [pendulum]"));
+        }
+        if let Some(value) = torque.get("on").filter(|on| on.boolean() == Ok(false)) {
+            let rule = "true: a pendulum swings under a gravity that acts always";
+            return Err(value.invalid(rule).with_hint("leave out on, or leave out [pendulum]"));
+        }
     }
     if torques.is_empty() {
         let hint = "a pendulum needs weight: add [[torque]] with model = \"gravity\" and pivot = [0, 0, 0]";

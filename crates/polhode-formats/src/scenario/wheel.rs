@@ -146,6 +146,12 @@ fn fitted<'a>(
                 .with_hint("the inertia of [body] holds that of the wheels, as if they were locked")
         };
         wheels.push(wheel(table).map_err(refuse)?);
+        // What is held at its speed stays with the body; that it is no more than the body is looked at as if it were free.
+        if let (Given::Speed(inertia, _), Motor::HeldSpeed) = (table.given, table.motor) {
+            let free = Motor::Torque { inertia, torque: 0.0, schedule: None };
+            let part = Wheel::new(table.axis, 0.0, free).map_err(refuse)?;
+            rotor.clone().with_wheels(&[part]).map_err(refuse)?;
+        }
         with = rotor.clone().with_wheels(&wheels).map_err(refuse)?;
     }
     Ok((with, wheels))

@@ -558,6 +558,20 @@ fn a_pendulum_swings_under_gravity_alone() {
         let message = "model = 'constant' must be \"gravity\": a pendulum swings under gravity alone";
         refuses(&text, message, "leave out this torque");
     }
+    for (times, value) in [("from=«1»", "from = 1"), ("until=«'2 s'»", "until = '2 s'")] {
+        refuses(
+            &format!("{BALL}[[torque]]\nmodel='gravity'\npivot=[0,0,1]\n{times}\n[pendulum]\naxis=[1,0,0]"),
+            &format!("{value} must be left out: a pendulum swings under a gravity that acts always"),
+            "leave out the times of this torque",
+        );
+    }
+    refuses(
+        &format!(
+            "{BALL}[[torque]]\nmodel='gravity'\nname='weight'\npivot=[0,0,1]\non=«false»\n[pendulum]\naxis=[1,0,0]"
+        ),
+        "on = false must be true: a pendulum swings under a gravity that acts always",
+        "leave out on",
+    );
 }
 
 #[test]

@@ -262,14 +262,17 @@ fn wheels_that_make_no_sense_are_refused() {
         "until = 2 must be later than the start of the motor's work",
         "a run starts at 0",
     );
-    // The ball has 0.4 · 0.5 kg · (20 mm)² = 8e-5 kg·m².
-    let error = parse(&wheel("axis=[0,0,1]\nspeed=1\ninertia='1e-4 kg m^2'\nmotor_torque=0")).unwrap_err();
-    assert!(
-        error.message().contains("the wheel's moment of inertia")
-            || error.message().contains("without its wheels")
-    );
-    assert!(error.hint().unwrap().starts_with("the inertia of [body] holds that of the wheels"));
-    assert!(error.place().is_some());
+    // The ball has 0.4 · 0.5 kg · (20 mm)² = 8e-5 kg·m²: no wheel in it has more, whether it turns freely or is held.
+    for motor in ["motor_torque=0", ""] {
+        let keys = format!("axis=[0,0,1]\nspeed=1\ninertia='1e-4 kg m^2'\n{motor}");
+        let error = parse(&wheel(&keys)).unwrap_err();
+        assert!(
+            error.message().contains("the wheel's moment of inertia")
+                || error.message().contains("without its wheels")
+        );
+        assert!(error.hint().unwrap().starts_with("the inertia of [body] holds that of the wheels"));
+        assert_eq!(error.place().unwrap().excerpt, "inertia='1e-4 kg m^2'");
+    }
     for (table, other) in
         [("prescribed", "[prescribed]\naxis=[0,0,1]\nrate=1"), ("pendulum", "[pendulum]\naxis=[1,0,0]")]
     {

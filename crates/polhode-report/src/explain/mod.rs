@@ -71,10 +71,7 @@ use working::Working;
 /// # Errors
 /// [`MotionError`] if the scenario's run cannot be computed, or its pendulum cannot hang.
 pub fn explain(scenario: &Scenario) -> Result<Document, MotionError> {
-    match inside::solved(scenario) {
-        Some(document) => Ok(document),
-        None => Ok(solved(&Working::of(scenario)?)),
-    }
+    Ok(solved(&Working::of(scenario)?))
 }
 
 /// The worked solution of a scenario whose motion is known: as [`explain`], without computing it again.
@@ -82,13 +79,13 @@ pub fn explain(scenario: &Scenario) -> Result<Document, MotionError> {
 /// # Errors
 /// [`MotionError`] if the scenario's pendulum cannot hang.
 pub fn explain_motion(scenario: &Scenario, trajectory: &Trajectory) -> Result<Document, MotionError> {
-    match inside::solved(scenario) {
-        Some(document) => Ok(document),
-        None => Ok(solved(&Working::with(scenario, Some(Cow::Borrowed(trajectory)))?)),
-    }
+    Ok(solved(&Working::with(scenario, Some(Cow::Borrowed(trajectory)))?))
 }
 
 fn solved(w: &Working<'_>) -> Document {
+    if let Some(document) = inside::solved(w) {
+        return document;
+    }
     Document {
         title: w.scenario.title.clone().unwrap_or_else(|| "A rigid body".to_owned()),
         answer: answer::lines(w),

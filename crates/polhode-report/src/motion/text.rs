@@ -35,7 +35,7 @@ pub(super) fn write(report: &MotionReport<'_>, picture: usize) -> String {
         text.push_str(&torque_needed(needed));
     }
     text.push_str(&what_acts(report.scenario));
-    text.push_str(&event::table(report.trajectory));
+    text.push_str(&event::table(report.trajectory, report.scenario));
     text.push_str(&evidence(report, &facts));
     text.push_str(&curve(&facts, samples, picture));
     text.push_str(&ends(report, &facts));

@@ -10,12 +10,6 @@ use super::torque::total_potential;
 use super::watch::{Found, Watch};
 use crate::math::vector::AngularMomentum;
 
-/// Minutes of work; more is a mistake in the units.
-pub(super) const MOST_STEPS: u64 = 100_000_000;
-
-/// Steps after which the step has found its size.
-const FIRST_STEPS: u64 = 64;
-
 /// More events than anybody would read.
 const MOST_EVENTS: usize = 1_000_000;
 
@@ -76,10 +70,14 @@ impl<'a> Course<'a> {
             if ended == Ok(None) {
                 continue;
             }
+            let now = match ended {
+                Err(MotionError::RunAway { time, .. }) => self.return_to(time),
+                _ => self.stepper.now(),
+            };
             // The end itself is a sample, if it is one of a finite motion.
-            let time = self.stepper.time();
+            let time = now.state.time;
             if self.samples.last().is_none_or(|last| last.state.time < time)
-                && let Ok(last) = if time > start.time { self.sample(self.stepper.now()) } else { Ok(given) }
+                && let Ok(last) = if time > start.time { self.sample(now) } else { Ok(given) }
             {
                 self.samples.push(last);
             }
@@ -100,7 +98,7 @@ impl<'a> Course<'a> {
         // A step may reach a little beyond where its torque is a number.
         if self.has_formula && self.sample(self.stepper.now()).is_err() {
             self.stepper.cut(from);
-            return Err(MotionError::NotFinite { time: from });
+            return Err(self.stepper.explained(MotionError::NotFinite { time: from }));
         }
         let found = {
             let stepper = &self.stepper;
@@ -135,6 +133,13 @@ impl<'a> Course<'a> {
         }
         self.fill(self.stepper.time(), true)?;
         look_ahead(&mut self.stepper, end).map(|()| None)
+    }
+
+    /// Forgets what came after a time, that of the last state that is believed.
+    fn return_to(&mut self, time: f64) -> Balanced {
+        self.samples.retain(|sample| sample.state.time <= time);
+        self.crossings.retain(|crossing| crossing.state.time <= time);
+        self.stepper.believed().unwrap_or_else(|| self.stepper.now())
     }
 
     fn act(&self, event: usize) -> EventAction {
@@ -173,18 +178,7 @@ impl<'a> Course<'a> {
     }
 }
 
-/// Gives up as soon as it can be seen that the end is too many steps away, or that the motion runs away.
+/// Gives up as soon as it can be seen that the motion runs away, or that the end is too many steps away.
 pub(super) fn look_ahead(stepper: &mut Stepper<'_>, end: f64) -> Result<(), MotionError> {
-    require_few_steps(stepper.statistics().accepted, stepper.next_step(), stepper.time(), end)?;
-    stepper.require_bounded()
-}
-
-/// # Errors
-/// [`MotionError::TooManySteps`] if that many have been done, and more are left than there should be.
-pub(super) fn require_few_steps(done: u64, step: f64, time: f64, end: f64) -> Result<(), MotionError> {
-    let left = (end - time) / step;
-    if done >= FIRST_STEPS && done as f64 + left > MOST_STEPS as f64 {
-        return Err(MotionError::TooManySteps { time, step, most: MOST_STEPS });
-    }
-    Ok(())
+    stepper.require_bounded(end)
 }

@@ -17,6 +17,13 @@ pub enum MotionError {
     },
     /// All the mass is in the point that the body turns about: it has no inertia at all.
     NotSpinnable,
+    /// A torque is no number, or infinite, at the start already.
+    TorqueNotFinite {
+        /// Which of the torques, from 0.
+        torque: usize,
+        /// Its components at the start, body axes, N·m.
+        value: [f64; 3],
+    },
     /// A torque along an axis about which the body has no inertia.
     TorqueWithoutInertia {
         /// The torque along that axis, N·m.
@@ -66,13 +73,14 @@ pub enum MotionError {
         /// The most that are written down.
         most: usize,
     },
-    /// The body turns a milliard times faster than its start and the torques of each beginning explain.
+    /// The body turns faster and faster, beyond all that its start and the torques of each beginning explain: |ω| becomes 10⁹ times as
+    /// large, or grows towards infinity within a time.
     RunAway {
-        /// The last good time, s.
+        /// The last time at which it is believed, s.
         time: f64,
         /// |ω| there, rad/s.
         rate: f64,
-        /// The largest |ω| that is believed, rad/s.
+        /// The largest |ω| that is believed, 10³ times what is explained, rad/s.
         most: f64,
     },
     /// An event measures the total energy, and a torque has no potential.
@@ -137,6 +145,9 @@ impl MotionError {
             Self::RunAway { .. } => Some("check the sign of the torque: one that grows with ω has no bound"),
             Self::NotSmooth { .. } => Some("use method = \"auto\" or \"dop853\""),
             Self::HalfTurn { .. } => Some("stop the run before, or start with less energy"),
+            Self::TorqueNotFinite { .. } => {
+                Some("a formula is no number where it divides by zero or takes the root of a negative number")
+            }
             Self::NotFinite { .. } => Some("check the units of the torque, the spin and the inertia"),
             Self::Parameter { .. } | Self::Cancelled { .. } => None,
         }
@@ -151,6 +162,13 @@ impl fmt::Display for MotionError {
                 write!(
                     f,
                     "the body has no inertia about the point that it turns about, so its motion is undetermined"
+                )
+            }
+            Self::TorqueNotFinite { torque, value: [x, y, z] } => {
+                write!(
+                    f,
+                    "torque {} is not finite at the start: ({x}, {y}, {z}) N·m in body axes",
+                    torque + 1
                 )
             }
             Self::TorqueWithoutInertia { torque, time } => write!(
@@ -177,8 +195,8 @@ impl fmt::Display for MotionError {
             }
             Self::RunAway { time, rate, most } => write!(
                 f,
-                "the motion runs away: at t = {time:e} s the body turns at {rate:e} rad/s, and {most:e} rad/s is 1e9 times what its \
-                 start and the torques where they begin explain"
+                "the motion runs away: at t = {time:e} s the body turns at {rate:.3e} rad/s, and soon after it is far beyond \
+                 {most:.3e} rad/s, 1000 times what its start and the torques where they begin explain"
             ),
             Self::NoPotential => f.write_str(
                 "an event measures the total energy, and a torque has no potential, or is switched",

@@ -5,8 +5,8 @@ use crate::math::frame::{Body, Principal};
 use crate::math::vector::{AngularAcceleration, AngularVelocity, Torque, Vector};
 
 impl Rotor {
-    /// Euler's equations read from motion to torque, in body axes of any direction: N = I ω̇ + ω × I ω. Wheels are not
-    /// counted: theirs is ω × h + ḣ more.
+    /// Euler's equations read from motion to torque, in body axes of any direction: N = I ω̇ + ω × (I ω + h) + ḣ, with the wheels
+    /// as they are just after a time, s.
     ///
     /// # Source
     /// The lecture notes, "Euler's equations for a rigid body". Their earlier N = I ω̇ lacks the second term: it holds in axes that do
@@ -15,8 +15,10 @@ impl Rotor {
         &self,
         omega: AngularVelocity<Body>,
         acceleration: AngularAcceleration<Body>,
+        time: f64,
     ) -> Torque<Body> {
-        *self.inertia() * acceleration + omega.cross(self.angular_momentum(omega))
+        let momentum = self.angular_momentum(omega) + self.wheel_momentum(time);
+        *self.inertia() * acceleration + omega.cross(momentum) + self.motor_torque(time)
     }
 
     /// Euler's equations read from torque to motion: ω̇ = I⁻¹ (N − ω × I ω). Wheels are not counted: theirs is I⁻¹ (h × ω − ḣ)
@@ -52,7 +54,7 @@ pub(super) fn euler(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{InertiaTensor, MassProperties, Position};
+    use crate::{Direction, InertiaTensor, MassProperties, Motor, Position, Wheel};
 
     fn generic() -> Rotor {
         let inertia = InertiaTensor::with_negative_products([3.1, 4.2, 5.3], [0.4, -0.3, 0.2]).unwrap();
@@ -65,14 +67,21 @@ mod tests {
         let rotor = generic();
         let omega = Vector::new(0.7, -1.1, 0.4);
         let alpha = Vector::new(-0.3, 0.2, 0.9);
-        let again = rotor.acceleration(omega, rotor.torque_for(omega, alpha));
+        let again = rotor.acceleration(omega, rotor.torque_for(omega, alpha, 0.0));
         assert!((again - alpha).norm() < 2e-15);
     }
 
     #[test]
     fn the_torque_is_the_rate_of_angular_momentum_in_space() {
-        // N = dL/dt with L = R I ω differenced along a motion that turns at ω(t) = ω0 + α t
-        let rotor = generic();
+        // N = dL/dt with L = R (I ω + h) differenced along a motion that turns at ω(t) = ω0 + α t, with two wheels
+        let motor = Motor::Torque { inertia: 0.3, torque: 0.8, schedule: None };
+        let wheels = [
+            (Direction::new(0.3, -0.9, 0.4), 0.7, motor),
+            (Direction::new(1.0, 0.2, -0.6), -1.1, Motor::HeldSpeed),
+        ];
+        let wheels = wheels.map(|(axis, momentum, motor)| Wheel::new(axis, momentum, motor).unwrap());
+        let rotor = generic().with_wheels(&wheels).unwrap();
+        let t = 2.5;
         let omega = AngularVelocity::new(0.7, -1.1, 0.4);
         let alpha = AngularAcceleration::new(-0.3, 0.2, 0.9);
         let h = 1e-4;
@@ -80,10 +89,10 @@ mod tests {
         let l = |h: f64| {
             let v = (omega * h).as_quantity() + (alpha * (0.5 * h * h)).as_quantity();
             let r = crate::Rotation::<crate::Space, Body>::from_rotation_vector(v.as_frame());
-            r * rotor.angular_momentum(omega + (alpha * h).as_quantity())
+            r * (rotor.angular_momentum(omega + (alpha * h).as_quantity()) + rotor.wheel_momentum(t + h))
         };
         let rate = (l(h) - l(-h)) / (2.0 * h);
-        let n = rotor.torque_for(omega, alpha);
+        let n = rotor.torque_for(omega, alpha, t);
         assert!((rate.as_quantity().as_frame() - n).norm() < 1e-7, "{rate:?} {n:?}");
     }
 }

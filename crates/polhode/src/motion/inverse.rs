@@ -5,6 +5,7 @@ use super::kinematics::rigid_acceleration;
 use super::prescribed::Prescribed;
 use super::rotor::Rotor;
 use super::state::State;
+use super::wheel::Wheel;
 use crate::body::particles::Particle;
 use crate::math::frame::{Body, Space};
 use crate::math::vector::{
@@ -18,7 +19,7 @@ pub struct Required {
     pub state: State,
     /// dω/dt, body axes.
     pub acceleration: AngularAcceleration<Body>,
-    /// N = I ω̇ + ω × I ω about the point that the body turns about, body axes, N·m.
+    /// N = I ω̇ + ω × L about the point that the body turns about, L = I ω + h with the momentum h of its wheels, body axes, N·m.
     pub torque: Torque<Body>,
     /// N · ω, W.
     pub power: f64,
@@ -62,10 +63,15 @@ impl Required {
     /// ```
     ///
     /// # Errors
-    /// As [`Prescribed::at`]; [`MotionError::NotFinite`] where torque, power, energy or momentum leave the range of f64.
+    /// As [`Prescribed::at`]; [`MotionError::Parameter`] if a motor turns a wheel, whose work is not the torque's;
+    /// [`MotionError::NotFinite`] where torque, power, energy or momentum leave the range of f64.
     pub fn by(rotor: &Rotor, motion: &Prescribed, time: f64) -> Result<Self, MotionError> {
+        if rotor.wheels().iter().any(Wheel::is_driven) {
+            let (what, rule) = ("the motor's torque on a wheel", "zero where a motion is prescribed");
+            return Err(MotionError::Parameter { what, value: rotor.motor_torque(time).norm(), rule });
+        }
         let (state, acceleration) = motion.at(time)?;
-        let torque = rotor.torque_for(state.omega, acceleration);
+        let torque = rotor.torque_for(state.omega, acceleration, time);
         let needed = Self {
             state,
             acceleration,

@@ -1,10 +1,11 @@
 //! Simulations: from a start to a trajectory, by the best method there is.
 
 use super::closed_form::ClosedForm;
-use super::course::{Course, MOST_STEPS, look_ahead};
+use super::course::{Course, look_ahead};
 use super::ending::{Ending, MethodReason};
 use super::error::MotionError;
 use super::event::{Crossing, Event, EventAction};
+use super::propagate::bound::MOST_STEPS;
 use super::propagate::stepper::{Rule, Stepper};
 use super::rotor::Rotor;
 use super::solution::Solution;
@@ -66,9 +67,9 @@ impl Simulation<'_> {
     /// event that cannot be measured, no closed form for [`Method::Exact`], a torque without a power series for
     /// [`Method::Taylor`], a body that cannot spin.
     pub fn run(&self, progress: &mut dyn FnMut(f64)) -> Result<Trajectory, MotionError> {
-        let Self { rotor, torques, start, events, times, .. } = *self;
+        let Self { rotor, torques, switched_off, start, events, times, .. } = *self;
         require_ascending(start.time, times)?;
-        require_finite(rotor, torques, &start)?;
+        require_finite(rotor, torques, switched_off, &start)?;
         events.iter().try_for_each(|event| event.require_possible(rotor, torques, events, &start))?;
         match self.choose()? {
             (Way::Closed(motion), reason) => self.exact(motion, reason),
@@ -109,7 +110,7 @@ impl Simulation<'_> {
     pub(super) fn fill(&self, states: &mut Vec<State>) -> Result<(), MotionError> {
         let Self { rotor, torques, start, times, switched_off, tolerance, .. } = *self;
         require_ascending(start.time, times)?;
-        require_finite(rotor, torques, &start)?;
+        require_finite(rotor, torques, switched_off, &start)?;
         let rule = match self.choose()? {
             (Way::Closed(ClosedForm::Free(motion)), _) => {
                 states.extend(motion.at_times(times));
@@ -258,6 +259,7 @@ enum Way {
 pub(super) fn require_finite(
     rotor: &Rotor,
     torques: &[TorqueModel],
+    switched_off: &[usize],
     start: &State,
 ) -> Result<(), MotionError> {
     let (energy, momentum) = (rotor.kinetic_energy(start.omega), rotor.angular_momentum(start.omega).norm());
@@ -267,10 +269,17 @@ pub(super) fn require_finite(
         ("the start's angular velocity", start.omega.norm()),
         ("the start's kinetic energy", energy),
         ("the start's angular momentum", momentum),
-        ("the torque", torques.iter().map(|torque| torque.scale(rotor, start)).sum()),
     ] {
         if !value.is_finite() {
             return Err(MotionError::Parameter { what, value, rule: "finite" });
+        }
+    }
+    for (k, torque) in torques.iter().enumerate() {
+        // One that is scheduled for later may still be no number now.
+        let model = torque.acting(start.time).unwrap_or(torque);
+        if !model.scale(rotor, start).is_finite() && !switched_off.contains(&k) {
+            let value = model.torque(rotor, start).to_array();
+            return Err(MotionError::TorqueNotFinite { torque: k, value });
         }
     }
     Ok(())

@@ -2,12 +2,17 @@
 
 mod derivative;
 mod mode;
+mod on_orbit;
+mod shapes;
 mod steady;
+mod steady_top;
 
 pub use mode::OscillationMode;
+pub use on_orbit::OrbitalEquilibrium;
+pub use steady_top::SteadyTop;
 
 use crate::math::complex::Complex;
-use crate::math::eigenvalues::{Matrix, eigenvalues, eigenvector};
+use crate::math::eigenvalues::{Matrix, eigenvalues};
 use crate::motion::error::MotionError;
 use crate::motion::rotor::Rotor;
 use crate::motion::state::State;
@@ -46,7 +51,7 @@ use steady::Steady;
 pub struct SmallOscillations {
     /// The equilibrium.
     pub equilibrium: State,
-    /// The modes: first those that grow fastest, then by frequency.
+    /// The modes: first those that grow fastest, then by frequency. Those of one frequency are a basis: `multiplicity` says how many.
     pub modes: Vec<OscillationMode>,
     /// How many of the six eigenvalues are zero: ways in which the equilibrium can be turned, or made to turn, without a torque.
     pub neutral: usize,
@@ -104,16 +109,24 @@ impl SmallOscillations {
     }
 }
 
-/// One mode for each pair of complex eigenvalues and for each real one that is not zero.
+/// One mode for each pair of complex eigenvalues and for each real one that is not zero; those of eigenvalues that agree, together.
 fn modes(matrix: &Matrix<6>, values: &[Complex<f64>; 6], rate: f64) -> Vec<OscillationMode> {
-    let moving = |&(_, value): &(usize, &Complex<f64>)| value.im >= 0.0 && value.abs() >= NEUTRAL;
-    let mode = |(seed, value): (usize, &Complex<f64>)| {
-        let [x, y, z, ..] = eigenvector(matrix, *value, seed);
+    let moving = |value: &&Complex<f64>| value.im >= 0.0 && value.abs() >= NEUTRAL;
+    let mut roots: Vec<Vec<Complex<f64>>> = Vec::new();
+    for value in values.iter().filter(moving) {
+        match roots.iter_mut().find(|group| group.iter().any(|root| root.minus(*value).abs() < NEUTRAL)) {
+            Some(group) => group.push(*value),
+            None => roots.push(vec![*value]),
+        }
+    }
+    let of_roots = |group: &Vec<Complex<f64>>| {
+        let mean = group.iter().fold(Complex { re: 0.0, im: 0.0 }, |sum, root| sum.plus(*root));
+        let mean = mean.scaled(1.0 / group.len() as f64);
         // A real part that is rounding is none.
-        let growth = if value.re.abs() < NEUTRAL { 0.0 } else { value.re };
-        OscillationMode::new(value.im * rate, growth * rate, [x, y, z])
+        let growth = if mean.re.abs() < NEUTRAL { 0.0 } else { mean.re };
+        shapes::modes(matrix, group, [growth * rate, mean.im * rate])
     };
-    values.iter().enumerate().filter(moving).map(mode).collect()
+    roots.iter().flat_map(of_roots).collect()
 }
 
 #[cfg(test)]

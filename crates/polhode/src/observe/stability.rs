@@ -1,6 +1,9 @@
 //! Permanent rotations of a body, with or without wheels, and whether they last.
 
+mod friction;
 mod momentum_sphere;
+
+pub use friction::Settling;
 
 use crate::math::frame::{Body, Principal};
 use crate::math::vector::{AngularMomentum, AngularVelocity, Torque};
@@ -51,7 +54,8 @@ impl Stability {
 /// On the sphere of constant |L|, on which the motion stays, c > 0 makes the rotation a strict extremum of the energy: it is
 /// stable against finite small departures too, not only in linear order.
 ///
-/// The wheels' h is constant: their speeds are held, or they turn freely.
+/// The wheels' h is constant: their speeds are held, or they turn freely. What friction inside makes of it says
+/// [`PermanentRotation::with_friction`]: where the energy is greatest, it ends what is stable without it.
 ///
 /// ```
 /// use polhode::*;
@@ -72,8 +76,10 @@ pub struct PermanentRotation {
     pub omega: AngularVelocity<Body>,
     /// L = I ω + h, kg·m²/s.
     pub momentum: AngularMomentum<Body>,
-    /// Whether it lasts.
+    /// Whether it lasts, while nothing inside loses energy.
     pub stability: Stability,
+    /// L² tr M, J: how the energy bends on the sphere of constant |L| (`friction.rs`); zero where that is rounding.
+    bend: f64,
 }
 
 /// L × ω of a permanent rotation, relative to |L| |ω|: what is left by the rounding of numbers that were written down.
@@ -89,7 +95,7 @@ impl PermanentRotation {
     /// [`MotionError::NotSteady`] if ω is not along L to 1e-9, or if a motor turns a wheel; [`MotionError::Parameter`] for a rod,
     /// whose spin about its own line is undetermined, and an ω that is not finite.
     pub fn about(rotor: &Rotor, omega: AngularVelocity<Body>) -> Result<Self, MotionError> {
-        let wheels = held_wheels(rotor)?;
+        let wheels = held_wheels(rotor, 0.0)?;
         if !omega.is_finite() {
             return Err(MotionError::Parameter { what: "the spin", value: omega.max_abs(), rule: "finite" });
         }
@@ -110,7 +116,15 @@ impl PermanentRotation {
     /// # Errors
     /// As [`PermanentRotation::about`].
     pub fn all(rotor: &Rotor, momentum: f64) -> Result<Vec<Self>, MotionError> {
-        let wheels = held_wheels(rotor)?;
+        Self::all_at(rotor, momentum, 0.0)
+    }
+
+    /// The same with the wheels as they are at a time, s.
+    ///
+    /// # Errors
+    /// As [`PermanentRotation::about`].
+    pub fn all_at(rotor: &Rotor, momentum: f64, time: f64) -> Result<Vec<Self>, MotionError> {
+        let wheels = held_wheels(rotor, time)?;
         if !(momentum >= 0.0 && momentum.is_finite()) {
             let what = "the angular momentum";
             return Err(MotionError::Parameter { what, value: momentum, rule: "not negative, and finite" });
@@ -122,16 +136,44 @@ impl PermanentRotation {
         Ok(all)
     }
 
+    /// The times from which on the wheels' momentum stays what it is, for a while or for ever: t = 0, if no motor turns a wheel then,
+    /// and the last time at which one stops. None if a motor never stops; of pulses, after 10⁴ of them.
+    ///
+    /// ```
+    /// use polhode::*;
+    /// let inertia = InertiaTensor::diagonal([4.0, 5.0, 7.0])?;
+    /// let body = Rotor::free(&MassProperties::new(10.0, Position::ZERO, inertia)?);
+    /// let motor = Motor::Torque { inertia: 0.5, torque: 0.2, schedule: Some(Schedule::window(3.0, 8.0)?) };
+    /// let body = body.with_wheels(&[Wheel::new(Direction::new(0.0, 1.0, 0.0), 0.0, motor)?])?;
+    /// assert_eq!(PermanentRotation::times(&body), [0.0, 8.0]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn times(rotor: &Rotor) -> Vec<f64> {
+        /// Changes that are looked at.
+        const MOST: usize = 20_000;
+        let is_still = |time: f64| rotor.motor_torque(time) == Torque::ZERO;
+        let next =
+            |time: f64| rotor.wheels().iter().map(|w| w.next_change(time)).fold(f64::INFINITY, f64::min);
+        let last =
+            core::iter::successors(Some(0.0), |&time| Some(next(time)).filter(|next| next.is_finite()));
+        let last = last.take(MOST).last().filter(|&last| last > 0.0 && next(last) == f64::INFINITY);
+        [Some(0.0), last].into_iter().flatten().filter(|&time| is_still(time)).collect()
+    }
+
     fn of(rotor: &Rotor, wheels: AngularMomentum<Principal>, omega: AngularVelocity<Principal>) -> Self {
         let (moments, w, h) = (rotor.principal().moments(), omega.to_array(), wheels.to_array());
         let (mut c, mut scale) = (0.0, 0.0);
+        let (mut bend, mut bend_scale) = (0.0, 0.0);
         for k in 0..3 {
             // (L_k − i ω_k)/i for the other two, L_k = i_k ω_k + h_k: what is equal in i_k and i cancels first.
             let factor = |i: f64| ((moments[k] - i) * w[k] + h[k]) / i;
             let size = |i: f64| (moments[k].max(i) * w[k].abs() + h[k].abs()) / i;
             let (i, j) = (moments[(k + 1) % 3], moments[(k + 2) % 3]);
+            let l = moments[k] * w[k] + h[k];
             c += factor(i) * factor(j);
             scale += size(i) * size(j);
+            bend += l * (factor(i) + factor(j));
+            bend_scale += l.abs() * (size(i) + size(j));
         }
         let stability = match c {
             c if c > ROUNDING * scale => Stability::Stable { frequency: c.sqrt() },
@@ -139,21 +181,24 @@ impl PermanentRotation {
             _ => Stability::Marginal,
         };
         let omega = rotor.principal().rotation() * omega;
-        Self { omega, momentum: rotor.angular_momentum(omega) + rotor.wheel_momentum(0.0), stability }
+        let momentum = rotor.principal().rotation()
+            * (wheels + AngularMomentum::from_array([0, 1, 2].map(|k| moments[k] * w[k])));
+        let bend = if bend.abs() > ROUNDING * bend_scale { bend } else { 0.0 };
+        Self { omega, momentum, stability, bend }
     }
 }
 
-/// h along principal axes, which has to be constant, of a body whose ω follows from its L.
-fn held_wheels(rotor: &Rotor) -> Result<AngularMomentum<Principal>, MotionError> {
+/// h along principal axes at a time, which has to be constant, of a body whose ω follows from its L.
+fn held_wheels(rotor: &Rotor, time: f64) -> Result<AngularMomentum<Principal>, MotionError> {
     let [least, ..] = rotor.principal().moments();
     if !(least > 0.0) {
         let (what, rule) =
             ("the least moment of inertia", "above zero: a rod has a spin that L does not determine");
         return Err(MotionError::Parameter { what, value: least, rule });
     }
-    let motor: Torque<Body> = rotor.motor_torque(0.0);
+    let motor: Torque<Body> = rotor.motor_torque(time);
     if motor != Torque::ZERO {
         return Err(MotionError::NotSteady { torque: motor.norm(), scale: motor.norm() });
     }
-    Ok(rotor.principal().rotation().inverse() * rotor.wheel_momentum(0.0))
+    Ok(rotor.principal().rotation().inverse() * rotor.wheel_momentum(time))
 }

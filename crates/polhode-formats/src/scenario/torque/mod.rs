@@ -8,7 +8,7 @@ mod gravity;
 mod gravity_gradient;
 mod magnetic;
 mod orbit;
-mod schedule;
+pub(super) mod schedule;
 mod thruster;
 mod torsion;
 

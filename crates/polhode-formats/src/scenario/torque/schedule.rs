@@ -7,7 +7,7 @@ use crate::scenario::reader::{Table, Value};
 use crate::unit::Dimension;
 
 /// The keys that every torque may have.
-pub(super) const KEYS: [&str; 3] = ["from", "until", "pulses"];
+pub(in crate::scenario) const KEYS: [&str; 3] = ["from", "until", "pulses"];
 
 /// The torque at its times: always without `from`, `until` and `pulses`.
 pub(super) fn scheduled(table: &Table<'_>, torque: TorqueModel) -> Result<TorqueModel, FormatError> {

@@ -12,9 +12,9 @@ use crate::math::fused::Fused;
 use crate::math::machine::{Machine, Work, in_vectors};
 use crate::math::rotation::Rotation;
 use crate::math::vector::Vector;
-use crate::motion::course::MOST_STEPS;
 use crate::motion::error::MotionError;
 use crate::motion::propagate::THIN;
+use crate::motion::propagate::bound::MOST_STEPS;
 use crate::motion::state::State;
 
 /// Steps all members of a share.

@@ -120,7 +120,7 @@ impl Ensemble {
     /// [`MotionError::NotSpinnable`] for a body without inertia.
     pub fn new(members: Vec<Member>) -> Result<Self, Failure> {
         for (member, Member { rotor, torques, start }) in members.iter().enumerate() {
-            require_finite(rotor, torques, start).map_err(|cause| Failure { member, cause })?;
+            require_finite(rotor, torques, &[], start).map_err(|cause| Failure { member, cause })?;
             if !rotor.is_spinnable() {
                 return Err(Failure { member, cause: MotionError::NotSpinnable });
             }

@@ -4,6 +4,7 @@
 //! equation that it can step; `orientation` adds up its turns; `piece` says what acts until something changes; `stepper` puts steps together and controls their error.
 //! Taylor's method and splitting are beside `dop853`.
 
+pub(crate) mod bound;
 mod chart;
 mod dop853;
 mod orientation;

@@ -2,6 +2,7 @@
 
 use std::rc::Rc;
 
+use super::bound::Bound;
 use super::piece::Piece;
 use super::runge_kutta::RungeKutta;
 use super::splitting::{Splitting, SplittingOrder};
@@ -57,7 +58,9 @@ pub(crate) struct Stepper<'a> {
     switched_on: Vec<bool>,
     /// The first time at which something begins or ends by itself.
     until: f64,
-    bound: Bound,
+    bound: Bound<Balanced>,
+    /// Where the last step began, s.
+    from: f64,
     tolerance: f64,
     /// True if a spring or wire is among the torques: its twist is watched.
     is_sprung: bool,
@@ -100,7 +103,8 @@ impl<'a> Stepper<'a> {
                 Steps::Splitting(Box::new(Splitting::new(piece, torques, start, order, step)?))
             }
         };
-        Ok(Self { rotor, torques, switched_on, until, bound, tolerance, is_sprung, rule, steps })
+        let from = start.time;
+        Ok(Self { rotor, torques, switched_on, until, bound, from, tolerance, is_sprung, rule, steps })
     }
 
     /// Looks again at what acts now.
@@ -112,7 +116,7 @@ impl<'a> Stepper<'a> {
         let piece = Rc::new(Piece::new(self.rotor, acting(self.torques, &self.switched_on), &state));
         piece.require_balanced_sink(&state)?;
         self.until = piece.until;
-        self.bound.usual_rate = self.bound.usual_rate.max(torque_rate(&piece));
+        self.bound.act(&piece);
         match &mut self.steps {
             Steps::Taylor(taylor) => taylor.change(piece),
             Steps::Dop853(dop853) => dop853.change(piece),
@@ -146,13 +150,29 @@ impl<'a> Stepper<'a> {
         }
     }
 
-    /// Refuses to go on with a motion that runs away: see [`Bound`].
+    /// Refuses to go on with a motion that runs away before it comes to `end`, or whose end is too many steps away: see [`Bound`].
     ///
     /// # Errors
-    /// [`MotionError::RunAway`].
-    pub(crate) fn require_bounded(&mut self) -> Result<(), MotionError> {
-        let State { time, omega, .. } = self.now().state;
-        self.bound.require(time, omega.norm())
+    /// [`MotionError::RunAway`], [`MotionError::TooManySteps`].
+    pub(crate) fn require_bounded(&mut self, end: f64) -> Result<(), MotionError> {
+        let (step, allowed, now) = (self.statistics().accepted, self.next_step(), [self.time(), self.rate()]);
+        let Self { bound, steps, from, .. } = self;
+        bound.end(end);
+        bound.require(step, now[1], || {
+            let before = steps.at(*from);
+            (*from, before.state.omega.norm(), before)
+        })?;
+        bound.require_few_steps(step, allowed, now, end)
+    }
+
+    /// What is left of a motion that runs away: the state after the last step that is believed.
+    pub(crate) fn believed(&self) -> Option<Balanced> {
+        self.bound.believed()
+    }
+
+    /// Why it cannot go on: see [`Bound`].
+    pub(crate) fn explained(&self, cause: MotionError) -> MotionError {
+        self.bound.explained(cause, [self.time(), self.rate()])
     }
 
     /// `None` for steps of a given length.
@@ -168,18 +188,20 @@ impl<'a> Stepper<'a> {
     ///
     /// # Errors
     /// [`MotionError::StepTooSmall`], [`MotionError::NotFinite`] or [`MotionError::TorqueWithoutInertia`]; the stepper
-    /// stays at the last good state. [`MotionError::HalfTurn`] after a step that went too far.
+    /// stays at the last good state. [`MotionError::RunAway`] in place of these. [`MotionError::HalfTurn`] after a step that went too far.
     pub(crate) fn step(&mut self, until: f64) -> Result<(), MotionError> {
         if self.time() >= self.until {
             self.change()?;
         }
         let until = until.min(self.until);
         let before = self.is_sprung.then(|| self.now().state);
-        match &mut self.steps {
+        self.from = self.time();
+        let stepped = match &mut self.steps {
             Steps::Taylor(taylor) => taylor.step(until),
             Steps::Dop853(dop853) => dop853.step(until),
             Steps::Splitting(splitting) => splitting.step(until),
-        }?;
+        };
+        stepped.map_err(|cause| self.explained(cause))?;
         before.map_or(Ok(()), |before| require_untwisted(self.switched_on(), &before, &self.now().state))
     }
 
@@ -219,10 +241,25 @@ impl<'a> Stepper<'a> {
 
     /// The state at a time within the last step: dense output.
     pub(crate) fn at(&self, time: f64) -> Balanced {
+        self.steps.at(time)
+    }
+
+    /// |ω|, rad/s.
+    fn rate(&self) -> f64 {
         match &self.steps {
-            Steps::Taylor(taylor) => taylor.at(time),
-            Steps::Dop853(dop853) => dop853.at(time),
-            Steps::Splitting(splitting) => splitting.at(time),
+            Steps::Taylor(taylor) => taylor.rate(),
+            Steps::Dop853(dop853) => dop853.now().state.omega.norm(),
+            Steps::Splitting(splitting) => splitting.now().state.omega.norm(),
+        }
+    }
+}
+
+impl Steps<'_> {
+    fn at(&self, time: f64) -> Balanced {
+        match self {
+            Self::Taylor(taylor) => taylor.at(time),
+            Self::Dop853(dop853) => dop853.at(time),
+            Self::Splitting(splitting) => splitting.at(time),
         }
     }
 }
@@ -265,50 +302,10 @@ pub(super) fn require_untwisted<'a>(
     if is_beyond { Err(MotionError::HalfTurn { time: before.time }) } else { Ok(()) }
 }
 
-/// How fast a motion may become.
-///
-/// Nothing that is meant turns 10⁹ times faster than |ω| at the start and every √(N/I) at which something begins to act, I the
-/// least moment; where all of these are zero, than at the end of the first step.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Bound {
-    /// rad/s
-    usual_rate: f64,
-}
-
-impl Bound {
-    pub(super) fn new(piece: &Piece<'_>, start: &State) -> Self {
-        Self { usual_rate: start.omega.norm().max(torque_rate(piece)) }
-    }
-
-    /// |ω| that it must not have, rad/s; zero while it is not known.
-    pub(super) fn most(&self) -> f64 {
-        1e9 * self.usual_rate
-    }
-
-    /// Looks at |ω| after a step.
-    ///
-    /// # Errors
-    /// [`MotionError::RunAway`].
-    pub(super) fn require(&mut self, time: f64, rate: f64) -> Result<(), MotionError> {
-        if self.usual_rate == 0.0 {
-            self.usual_rate = rate;
-        }
-        let most = self.most();
-        if rate > most { Err(MotionError::RunAway { time, rate, most }) } else { Ok(()) }
-    }
-}
-
 /// The torques that are switched on.
 fn acting<'a, 'b>(
     torques: &'a [TorqueModel],
     switched_on: &'b [bool],
 ) -> impl Iterator<Item = &'a TorqueModel> + Clone + use<'a, 'b> {
     torques.iter().zip(switched_on).filter(|(_, on)| **on).map(|(torque, _)| torque)
-}
-
-/// √(N/I), rad/s, of the least moment that is one.
-fn torque_rate(piece: &Piece<'_>) -> f64 {
-    let moments = piece.rotor.principal().moments();
-    let least = moments.into_iter().find(|i| *i > 0.0).unwrap_or(f64::INFINITY);
-    (piece.largest_torque / least).sqrt()
 }

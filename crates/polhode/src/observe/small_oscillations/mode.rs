@@ -19,6 +19,8 @@ pub struct OscillationMode {
     pub axis: Direction<Body>,
     /// v
     pub minor_axis: Direction<Body>,
+    /// How many modes have this frequency and growth: the body then moves as any sum of them, and these are a basis.
+    pub multiplicity: usize,
 }
 
 impl OscillationMode {
@@ -35,7 +37,12 @@ impl OscillationMode {
         let length = Direction::<Body>::from_array(u).norm().copysign(largest);
         let unit =
             |v: [f64; 3]| Direction::from_array(v.map(|x| if length == 0.0 { 0.0 } else { x / length }));
-        Self { frequency, growth_rate, axis: unit(u), minor_axis: unit(v) }
+        Self { frequency, growth_rate, axis: unit(u), minor_axis: unit(v), multiplicity: 1 }
+    }
+
+    /// Of δθ = u cos ϖt, one of several like it.
+    pub(super) fn along(frequency: f64, growth_rate: f64, axis: Direction<Body>) -> Self {
+        Self { frequency, growth_rate, axis, minor_axis: Direction::ZERO, multiplicity: 1 }
     }
 
     /// True if it grows.

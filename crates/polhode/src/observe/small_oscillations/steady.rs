@@ -82,9 +82,9 @@ impl<'a> Steady<'a> {
         self.state
     }
 
-    /// L = I ω + h
+    /// L = I ω + h, with the wheels as they are now: a motor that turns them later ends the steady motion.
     fn momentum(&self, state: &State) -> AngularMomentum<Body> {
-        self.rotor.angular_momentum(state.omega) + self.rotor.wheel_momentum(state.time)
+        self.rotor.angular_momentum(state.omega) + self.rotor.wheel_momentum(self.state.time)
     }
 
     /// L × ω + N, which is zero in a steady motion.

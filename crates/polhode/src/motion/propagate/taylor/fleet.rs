@@ -12,10 +12,10 @@ use crate::math::frame::{Body as BodyFrame, Principal};
 use crate::math::machine::{Machine, Work, in_vectors};
 use crate::math::number::Number;
 use crate::math::rotation::Rotation;
-use crate::motion::course::{MOST_STEPS, require_few_steps};
 use crate::motion::error::MotionError;
+use crate::motion::propagate::bound::{Bound, MOST_STEPS};
 use crate::motion::propagate::piece::Piece;
-use crate::motion::propagate::stepper::{Bound, Rule, first_piece, require_untwisted};
+use crate::motion::propagate::stepper::{Rule, first_piece, require_untwisted};
 use crate::motion::rotor::Rotor;
 use crate::motion::simulation::require_finite;
 use crate::motion::state::State;
@@ -105,7 +105,7 @@ struct Fleet<'a, 'b, N> {
     end: N,
     /// The first of the times that it has not come to; infinite where there is none.
     next: N,
-    /// |ω| from which it may run away: half of what it must not have.
+    /// |ω| from which it may run away: half of what is believed.
     fast: N,
 }
 
@@ -118,7 +118,7 @@ struct Lane<'a> {
     to_body: Rotation<BodyFrame, Principal>,
     /// How many of the times it has come to.
     sampled: usize,
-    bound: Bound,
+    bound: Bound<Base>,
     /// True if a spring or wire is among the torques: its twist is watched.
     is_sprung: bool,
     /// The rounds before it came aboard.
@@ -167,7 +167,7 @@ impl<'a, 'b, N: Number> Fleet<'a, 'b, N> {
                 let index = self.waiting;
                 self.waiting += 1;
                 let body = self.work.bodies[index];
-                match Lane::of(index, &body, self.work.tolerance, self.rounds) {
+                match Lane::of(index, &body, &self.work, self.rounds) {
                     Ok(lane) => {
                         self.expansion.set(k, &lane.piece);
                         self.base.put(k, &Base::new(&body.start, lane.to_body));
@@ -231,12 +231,15 @@ impl<'a, 'b, N: Number> Fleet<'a, 'b, N> {
             let (time, step) = (time.lane(k), h.lane(k));
             let is_stuck = !step.is_nan() && !(time + step > time);
             let stuck = MotionError::StepTooSmall { time, step };
-            self.give_up(k, if is_stuck { stuck } else { MotionError::NotFinite { time } });
+            let cause = if is_stuck { stuck } else { MotionError::NotFinite { time } };
+            let now = [time, self.base.lane(k).rate()];
+            let explained = self.lanes[k].as_ref().map(|lane| lane.bound.explained(cause.clone(), now));
+            self.give_up(k, explained.unwrap_or(cause));
         }
         self.require_untwisted(&head);
         self.sample_within(s, until);
-        self.base = head;
-        self.look_ahead(allowed);
+        let before = core::mem::replace(&mut self.base, head);
+        self.look_ahead(allowed, &before);
     }
 
     fn require_untwisted(&mut self, head: &Base<N>) {
@@ -270,7 +273,7 @@ impl<'a, 'b, N: Number> Fleet<'a, 'b, N> {
 
     /// Looks at where a step has led: what comes to its end makes room, and what will not come there gives up.
     #[inline(always)]
-    fn look_ahead(&mut self, allowed: N) {
+    fn look_ahead(&mut self, allowed: N, before: &Base<N>) {
         let (time, rate) = (self.base.time, self.base.rate());
         self.omega_scale = self.omega_scale.zip(rate, f64::max);
         let is_far = (self.end - time)
@@ -284,11 +287,14 @@ impl<'a, 'b, N: Number> Fleet<'a, 'b, N> {
             let end = self.end.lane(k);
             self.sample(k, &base);
             let Some(lane) = &mut self.lanes[k] else { continue };
-            let steps = self.rounds + 1 - lane.rounds;
-            let rate = (lane.to_body * base.omega()).norm();
-            let goes_on = require_few_steps(steps, allowed.lane(k), base.time, end)
-                .and_then(|()| lane.bound.require(base.time, rate));
-            self.fast.put(k, 0.5 * lane.bound.most());
+            let step = self.rounds + 1 - lane.rounds;
+            let now = [base.time, base.rate()];
+            let began = || {
+                let before = before.lane(k);
+                (before.time, before.rate(), before)
+            };
+            let goes_on = (lane.bound.require(step, now[1], began))
+                .and_then(|()| lane.bound.require_few_steps(step, allowed.lane(k), now, end));
             if let Err(cause) = goes_on {
                 self.give_up(k, cause);
             } else if !(end > base.time) {
@@ -310,10 +316,15 @@ impl<'a, 'b, N: Number> Fleet<'a, 'b, N> {
     /// The body of a lane goes no further than the base.
     fn give_up(&mut self, k: usize, cause: MotionError) {
         let Some(lane) = self.lanes[k].take() else { return };
+        let mut base = self.base.lane(k);
+        let mut sampled = lane.sampled;
+        if let (MotionError::RunAway { .. }, Some(believed)) = (&cause, lane.bound.believed()) {
+            base = believed;
+            sampled = sampled.min(self.work.times.partition_point(|time| *time <= base.time));
+        }
         // The start as it was given, not as it comes back from principal axes.
-        let base = self.base.lane(k);
         let last = if base.time > lane.start.time { base.state(lane.to_body) } else { lane.start };
-        self.work.fill(lane.body, lane.sampled, last);
+        self.work.fill(lane.body, sampled, last);
         self.next.put(k, f64::INFINITY);
         self.failures.push((lane.body, cause));
     }
@@ -340,14 +351,16 @@ impl Advance<'_, '_> {
 }
 
 impl<'a> Lane<'a> {
-    fn of(index: usize, body: &Body<'a>, tolerance: f64, rounds: u64) -> Result<Self, MotionError> {
+    fn of(index: usize, body: &Body<'a>, work: &Advance<'_, '_>, rounds: u64) -> Result<Self, MotionError> {
         let Body { rotor, torques, start } = *body;
-        require_finite(rotor, torques, &start)?;
-        let piece = first_piece(Rule::Taylor, rotor, torques.iter(), &start, tolerance)?;
+        require_finite(rotor, torques, &[], &start)?;
+        let piece = first_piece(Rule::Taylor, rotor, torques.iter(), &start, work.tolerance)?;
+        let mut bound = Bound::new(&piece, &start);
+        bound.end(work.times.last().copied().unwrap_or(start.time));
         Ok(Self {
             body: index,
             start,
-            bound: Bound::new(&piece, &start),
+            bound,
             is_sprung: torques.iter().any(|torque| torque.name() == "torsion"),
             piece,
             to_body: rotor.principal().rotation(),

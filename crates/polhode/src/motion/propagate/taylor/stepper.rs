@@ -135,6 +135,11 @@ impl<'a> Taylor<'a> {
         Ok(())
     }
 
+    /// |ω|, rad/s.
+    pub(in crate::motion::propagate) fn rate(&self) -> f64 {
+        self.head.rate()
+    }
+
     pub(in crate::motion::propagate) fn time(&self) -> f64 {
         self.head.time
     }

@@ -1,0 +1,178 @@
+//! Steady motions of a heavy symmetric top.
+//!
+//! With the axis e at θ from the vertical k, p_φ = k · L and p_ψ = C ω3 = e · L, both constant, the energy of the nutation is
+//!
+//! V(u) = ((p_φ − p_ψ)²/(1 − u) + (p_φ + p_ψ)²/(1 + u))/4A + M g l u,  u = cos θ
+//!
+//! which is convex: the top has one steady motion with its p_φ and p_ψ, and nutates about that. It is where
+//!
+//! (p_φ − p_ψ)²/(1 − u)² − (p_φ + p_ψ)²/(1 + u)² + 4 A M g l = 0,
+//!
+//! or upright or straight down, if there is no such u. It precesses at φ̇ = (p_φ − p_ψ u)/(A (1 − u²)).
+//!
+//! In axes that precess with it, the body is at rest and spins at ω3 − φ̇ cos θ about e, which is seen from outside as its angular
+//! momentum only: a gyrostat with h = C (ω3 − φ̇ cos θ) e that turns at φ̇ k. Its small oscillations are the top's.
+
+use super::SmallOscillations;
+use crate::math::frame::{Body, Space};
+use crate::math::root::root;
+use crate::math::rotation::Rotation;
+use crate::math::vector::{AngularVelocity, Direction};
+use crate::motion::error::MotionError;
+use crate::motion::heavy_top::{HeavyTop, TopPath};
+use crate::motion::rotor::Rotor;
+use crate::motion::state::State;
+use crate::motion::torque::{TorqueModel, UniformGravity};
+use crate::motion::wheel::{Motor, Wheel};
+
+/// A steady motion of a heavy symmetric top: its axis precesses at a constant angle, sleeps upright, or hangs.
+///
+/// ```
+/// use polhode::*;
+/// let inertia = InertiaTensor::diagonal([1.0, 1.0, 0.5])?;
+/// let top = Rotor::pivoted(&MassProperties::new(1.0, Position::new(0.0, 0.0, 0.5), inertia)?, Position::ZERO);
+/// // Let go at 40° with spin and nothing else, it nods about the steady precession with its momenta.
+/// let attitude = Attitude::from_euler313([0.0, 40_f64.to_radians(), 0.0])?;
+/// let start = State { time: 0.0, attitude, omega: AngularVelocity::new(0.0, 0.0, 30.0) };
+/// let steady = SteadyTop::with_momenta_of(&top, &UniformGravity::STANDARD, start)?;
+/// assert_eq!(steady.path, TopPath::SteadySlow);
+/// let nods = HeavyTop::of(&top, &UniformGravity::STANDARD, start)?.nutation_bounds();
+/// assert!(nods[0] < steady.angle && steady.angle < nods[1]);
+/// assert!(steady.oscillations.is_stable());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct SteadyTop {
+    /// Which kind: [`TopPath::SteadySlow`], [`TopPath::SteadyFast`], [`TopPath::Conical`], [`TopPath::Sleeping`] or
+    /// [`TopPath::Hanging`].
+    pub path: TopPath,
+    /// θ, from the upward vertical to the axis, rad.
+    pub angle: f64,
+    /// φ̇ about the upward vertical, rad/s; zero of a vertical axis.
+    pub precession: f64,
+    /// ω3, the component of ω along the axis, rad/s.
+    pub spin: f64,
+    /// The motion at the start's time, its axis in the vertical plane of the start's.
+    pub state: State,
+    /// Its small oscillations: of a vertical axis as seen from the body, else from axes that precess with the top's and coincide with
+    /// the body's at the start.
+    pub oscillations: SmallOscillations,
+}
+
+/// p_φ ∓ p_ψ, relative to both, that is rounding: the axis passes through the vertical.
+const ROUNDING: f64 = 1e-14;
+
+impl SteadyTop {
+    /// The steady motion with the p_φ and p_ψ of a start: what its top nutates about. It is always stable.
+    ///
+    /// # Errors
+    /// [`MotionError::NoClosedForm`] for a body that is no symmetric top, as [`HeavyTop::of`]; else as [`SmallOscillations::about`].
+    pub fn with_momenta_of(
+        rotor: &Rotor,
+        gravity: &UniformGravity,
+        start: State,
+    ) -> Result<Self, MotionError> {
+        let top = HeavyTop::of(rotor, gravity, start)?;
+        let ([across, along], weight) = (top.moments(), top.weight_torque());
+        let up = vertical(gravity, &start);
+        let (p_phi, p_psi) = (up.dot(rotor.angular_momentum(start.omega)), along * top.spin());
+        let [d, s] = [p_phi - p_psi, p_phi + p_psi]
+            .map(|p| if p.abs() <= ROUNDING * (p_phi.abs() + p_psi.abs()) { 0.0 } else { p });
+        // The slope of V by u, times 16 A, of 1 − u = 2 sin² ½θ and 1 + u = 2 cos² ½θ: it falls as θ grows.
+        let slope = |theta: f64| {
+            let (sin, cos) = libm::sincos(0.5 * theta);
+            let part = |p: f64, half: f64| if p == 0.0 { 0.0 } else { (p / half / half) * (p / half / half) };
+            part(d, sin) - part(s, cos) + 16.0 * across * weight
+        };
+        let ends = [LEAST, core::f64::consts::PI - LEAST];
+        let angle = match ends.map(slope) {
+            [top, _] if top <= 0.0 => 0.0,
+            [_, bottom] if bottom >= 0.0 => core::f64::consts::PI,
+            slopes => root(slope, ends, slopes),
+        };
+        let precession = if angle == 0.0 || angle == core::f64::consts::PI {
+            0.0
+        } else {
+            // p_φ − p_ψ u = d sin² … of the half angles, without cancellation: (d (1 + u) + s (1 − u))/2
+            let (sin, cos) = libm::sincos(0.5 * angle);
+            (d / (sin * sin) + s / (cos * cos)) / (4.0 * across)
+        };
+        Self::of(rotor, gravity, start, [angle, precession, top.spin()])
+    }
+
+    /// The top upright, with the spin ω3 of a start.
+    ///
+    /// # Errors
+    /// As [`SteadyTop::with_momenta_of`].
+    pub fn upright(rotor: &Rotor, gravity: &UniformGravity, start: State) -> Result<Self, MotionError> {
+        let top = HeavyTop::of(rotor, gravity, start)?;
+        Self::of(rotor, gravity, start, [0.0, 0.0, top.spin()])
+    }
+
+    /// How far a start is from it: the angle between the axes, rad, and |Δω|, rad/s.
+    pub fn distance_from(&self, rotor: &Rotor, start: &State) -> [f64; 2] {
+        let axis = |state: &State| state.attitude * rotor.lever();
+        [axis(start).angle_to(axis(&self.state)), (start.omega_space() - self.state.omega_space()).norm()]
+    }
+
+    fn of(
+        rotor: &Rotor,
+        gravity: &UniformGravity,
+        start: State,
+        [angle, precession, spin]: [f64; 3],
+    ) -> Result<Self, MotionError> {
+        let state = at(rotor, gravity, &start, [angle, precession, spin]);
+        let torques = [TorqueModel::Gravity(*gravity)];
+        let top = HeavyTop::of(rotor, gravity, state)?;
+        let oscillations = if angle == 0.0 || angle == core::f64::consts::PI {
+            SmallOscillations::about(rotor, &torques, state)?
+        } else {
+            let [_, along] = top.moments();
+            let h = along * (spin - precession * libm::cos(angle));
+            let wheel = Wheel::new(axis(rotor), h, Motor::HeldSpeed)?;
+            let omega = (vertical(gravity, &state) * precession).as_quantity();
+            let gyrostat = rotor.clone().with_wheels(&[wheel])?;
+            SmallOscillations::about(&gyrostat, &torques, State { omega, ..state })?
+        };
+        let path = match angle {
+            0.0 => TopPath::Sleeping { stable: spin.abs() >= top.sleeping_threshold() },
+            angle if angle == core::f64::consts::PI => TopPath::Hanging,
+            _ => top.path(),
+        };
+        Ok(Self { path, angle, precession, spin, state, oscillations })
+    }
+}
+
+/// A steady axis nearer to the vertical than this is vertical, rad.
+const LEAST: f64 = 1e-7;
+
+/// The start with its axis moved to an angle from the vertical, in its vertical plane, and ω = φ̇ k + (ω3 − φ̇ cos θ) e.
+fn at(rotor: &Rotor, gravity: &UniformGravity, start: &State, [angle, precession, spin]: [f64; 3]) -> State {
+    let up: Direction<Space> = start.attitude * vertical(gravity, start);
+    let e: Direction<Space> = start.attitude * axis(rotor);
+    let any = if up.x.abs() < 0.7 { Direction::new(1.0, 0.0, 0.0) } else { Direction::new(0.0, 1.0, 0.0) };
+    // Across the vertical plane; of a vertical axis any horizontal one.
+    let horizontal = up.cross(e);
+    let across = if horizontal.norm() > LEAST { horizontal } else { up.cross(any) };
+    let turn = across.direction().map_or_else(Rotation::<Space, Space>::identity, |across| {
+        Rotation::turn(across, angle - up.angle_to(e))
+    });
+    let attitude = turn * start.attitude;
+    let state = State { attitude, ..*start };
+    let own = spin - precession * libm::cos(angle);
+    let omega: AngularVelocity<Body> =
+        (vertical(gravity, &state) * precession + axis(rotor) * own).as_quantity();
+    State { omega, ..state }
+}
+
+/// Against gravity, body axes.
+fn vertical(gravity: &UniformGravity, state: &State) -> Direction<Body> {
+    let up: Direction<Space> = (-gravity.acceleration).as_quantity();
+    state.attitude.inverse() * up.direction().unwrap_or(Direction::ZERO)
+}
+
+/// From the pivot to the centre of mass.
+fn axis(rotor: &Rotor) -> Direction<Body> {
+    rotor.lever().direction().unwrap_or(Direction::ZERO)
+}

@@ -179,14 +179,14 @@ impl Law<f64> for &Alone<'_> {
             let h = momentum + (rate * (time - since)).as_quantity();
             let gyroscopic: Torque<Principal> = h.cross(omega);
             torque = torque + gyroscopic - rate;
-            l = l + h;
+            l += h;
         }
         // slip α L × ω, and L × of it
         let slip = (self.sink != 0.0).then(|| {
             let bending: Torque<Principal> = l.cross(omega);
             let slip: AngularVelocity<Principal> = (bending * self.sink).as_quantity();
             let pull: Torque<Principal> = l.cross(slip);
-            torque = torque + pull;
+            torque += pull;
             slip.to_array()
         });
         Action { torque: torque.to_array(), slip }

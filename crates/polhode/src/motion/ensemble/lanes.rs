@@ -189,6 +189,6 @@ impl<T: Fused, L: Law<T>> Wing<'_, '_, T, L> {
     /// Number c of each body.
     #[inline(always)]
     fn rows<const N: usize>(&self, number: impl Fn(usize, usize) -> f64) -> [[T; N]; ABREAST] {
-        from_fn(|row| from_fn(|c| self.zero.from_fn(|lane| number(row * T::LANES + lane, c))))
+        from_fn(|row| from_fn(|c| self.zero.each(|lane| number(row * T::LANES + lane, c))))
     }
 }

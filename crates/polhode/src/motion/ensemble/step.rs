@@ -10,7 +10,7 @@
 //!
 //! k1 = f(y),  k2 = f(y + k1),  k3 = f(y + k2),  k4 = f(y + 2 k3),  y′ = y + (k1 + 2 k2 + 2 k3 + k4)/3
 //!
-//! of y = (x, q). No stage multiplies by h, and 28 of its 121 instructions are plain additions, which many processors do beside
+//! of y = (x, q). No stage multiplies by h, and 21 of its 121 instructions are plain additions, which many processors do beside
 //! multiplications.
 //!
 //! The equation of q is linear and torques see q/|q|, so that the length of q changes nothing. It is brought back to one where a state is
@@ -78,8 +78,8 @@ impl<T: Fused> Gait<T> {
             over(2.0 * (i[(k + 1) % 3] - i[(k + 2) % 3]), i[k])
         };
         Self {
-            coupling: from_fn(|k| zero.from_fn(|lane| coupling(k, lane))),
-            gain: from_fn(|k| zero.from_fn(|lane| over(0.125 * h * h, moments(lane)[k]))),
+            coupling: from_fn(|k| zero.each(|lane| coupling(k, lane))),
+            gain: from_fn(|k| zero.each(|lane| over(0.125 * h * h, moments(lane)[k]))),
             quarter: zero.like(0.25 * h),
             rate: zero.like(4.0 / h),
             two: zero.like(2.0),

@@ -159,5 +159,3 @@ pub use observe::tumbling::{AxisConvention, TumblingPeriods};
 #[cfg(doctest)]
 #[doc = include_str!("../../../README.md")]
 struct Readme;
-#[doc(hidden)]
-pub use motion::scratch_advance;

@@ -29,6 +29,9 @@ pub(crate) trait Number:
 
     /// f of every lane of two.
     fn zip(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self;
+
+    /// f of every lane of three.
+    fn zip3(self, b: Self, c: Self, f: impl Fn(f64, f64, f64) -> f64) -> Self;
 }
 
 impl Number for f64 {
@@ -58,6 +61,11 @@ impl Number for f64 {
     fn zip(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
         f(self, other)
     }
+
+    #[inline(always)]
+    fn zip3(self, b: Self, c: Self, f: impl Fn(f64, f64, f64) -> f64) -> Self {
+        f(self, b, c)
+    }
 }
 
 impl<const N: usize> Number for Lanes<N> {
@@ -86,6 +94,11 @@ impl<const N: usize> Number for Lanes<N> {
     #[inline(always)]
     fn zip(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
         Real::zip(self, other, f)
+    }
+
+    #[inline(always)]
+    fn zip3(self, b: Self, c: Self, f: impl Fn(f64, f64, f64) -> f64) -> Self {
+        Real::zip3(self, b, c, f)
     }
 }
 
@@ -118,8 +131,16 @@ impl<S: fearless_simd::Simd> Number for fearless_simd::f64x8<S> {
 
     #[inline(always)]
     fn zip(mut self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
-        for (x, y) in self.iter_mut().zip(*other) {
-            *x = f(*x, y);
+        for lane in 0..8 {
+            self[lane] = f(self[lane], other[lane]);
+        }
+        self
+    }
+
+    #[inline(always)]
+    fn zip3(mut self, b: Self, c: Self, f: impl Fn(f64, f64, f64) -> f64) -> Self {
+        for lane in 0..8 {
+            self[lane] = f(self[lane], b[lane], c[lane]);
         }
         self
     }

@@ -34,18 +34,3 @@ pub(crate) mod torque;
 pub(crate) mod trajectory;
 pub(crate) mod watch;
 pub(crate) mod wheel;
-// SCRATCH
-#[doc(hidden)]
-pub fn scratch_advance(
-    bodies: &[(rotor::Rotor, Vec<torque::TorqueModel>, state::State)],
-    times: &[f64],
-    tolerance: f64,
-    states: &mut [state::State],
-) -> Vec<(usize, error::MotionError)> {
-    use propagate::taylor::{Body, advance, kind};
-    let bodies: Vec<Body<'_>> =
-        bodies.iter().map(|(rotor, torques, start)| Body { rotor, torques, start: *start }).collect();
-    let first = kind(bodies[0].rotor, bodies[0].torques, tolerance);
-    assert!(first.is_some() && bodies.iter().all(|b| kind(b.rotor, b.torques, tolerance) == first));
-    advance(&bodies, times, tolerance, states)
-}

@@ -21,7 +21,7 @@ impl Orientation {
     }
 
     pub(super) fn rotation(&self) -> Rotation<Space, Principal> {
-        Rotation::near_unit(self.q)
+        Rotation::from_unit(self.quaternion())
     }
 
     /// q ← q ⊗ exp(θ/2) = q + q ⊗ d,  d = (−2 sin²(|θ|/4), sin(|θ|/2) θ/|θ|)
@@ -50,7 +50,16 @@ impl<N: Number> Orientation<N> {
     }
 
     pub(super) fn lane(&self, lane: usize) -> Orientation {
-        Orientation { q: self.q.map(|q| q.lane(lane)), carry: self.carry.map(|carry| carry.lane(lane)) }
+        let at = |[w, x, y, z]: &[N; 4]| [w.lane(lane), x.lane(lane), y.lane(lane), z.lane(lane)];
+        Orientation { q: at(&self.q), carry: at(&self.carry) }
+    }
+
+    /// q/|q|, where |q| is 1 but for rounding: as [`Rotation::near_unit`] has it.
+    #[inline(always)]
+    pub(super) fn quaternion(&self) -> [N; 4] {
+        let [w, x, y, z] = self.q;
+        let s = w.like(1.5) - w.like(0.5) * (w * w + x * x + y * y + z * z);
+        [s * w, s * x, s * y, s * z]
     }
 
     /// q ← q ⊗ (1 + d) = q + q ⊗ d

@@ -280,7 +280,12 @@ impl Bound {
         Self { usual_rate: start.omega.norm().max(torque_rate(piece)) }
     }
 
-    /// |ω| after a step.
+    /// |ω| that it must not have, rad/s; zero while it is not known.
+    pub(super) fn most(&self) -> f64 {
+        1e9 * self.usual_rate
+    }
+
+    /// Looks at |ω| after a step.
     ///
     /// # Errors
     /// [`MotionError::RunAway`].
@@ -288,7 +293,7 @@ impl Bound {
         if self.usual_rate == 0.0 {
             self.usual_rate = rate;
         }
-        let most = 1e9 * self.usual_rate;
+        let most = self.most();
         if rate > most { Err(MotionError::RunAway { time, rate, most }) } else { Ok(()) }
     }
 }

@@ -1,6 +1,8 @@
 //! Places on a trajectory, that steps lead from and to.
 
 use super::Increment;
+use super::row::Row;
+use super::torque::StepStart;
 use crate::math::frame::{Body, Principal};
 use crate::math::number::Number;
 use crate::math::rotation::Rotation;
@@ -27,10 +29,11 @@ impl<N: Number> Base<N> {
     pub(super) fn plus(&self, more: &Increment<N>, time: N) -> Self {
         let mut orientation = self.orientation;
         orientation.add(more.turn);
-        let omega = core::array::from_fn(|k| carried(self.omega[k], more.omega[k]));
-        Self { time, orientation, omega }
+        let ([x, y, z], [dx, dy, dz]) = (self.omega, more.omega);
+        Self { time, orientation, omega: [carried(x, dx), carried(y, dy), carried(z, dz)] }
     }
 
+    /// Sets a lane.
     pub(super) fn put(&mut self, lane: usize, one: &Base) {
         self.time.put(lane, one.time);
         self.orientation.put(lane, &one.orientation);
@@ -40,36 +43,52 @@ impl<N: Number> Base<N> {
     }
 
     pub(super) fn lane(&self, lane: usize) -> Base {
+        let at = |[high, carry]: &[N; 2]| [high.lane(lane), carry.lane(lane)];
+        let [x, y, z] = &self.omega;
         Base {
             time: self.time.lane(lane),
             orientation: self.orientation.lane(lane),
-            omega: self.omega.map(|w| w.map(|w| w.lane(lane))),
+            omega: [at(x), at(y), at(z)],
         }
     }
 
-    /// ω, principal axes.
+    /// What a step starts from.
     #[inline(always)]
-    pub(super) fn rates(&self) -> [N; 3] {
-        self.omega.map(|[high, _]| high)
+    pub(super) fn start(&self) -> StepStart<N> {
+        let [[x, _], [y, _], [z, _]] = self.omega;
+        let attitude = Row(self.orientation.quaternion());
+        StepStart { time: self.time, attitude, omega: Row([x, y, z, x.like(0.0)]) }
+    }
+
+    /// |ω|; only of what is finite.
+    #[inline(always)]
+    pub(super) fn rate(&self) -> N {
+        self.start().omega.norm()
+    }
+
+    /// Zero of what is finite, and no number otherwise.
+    #[inline(always)]
+    pub(super) fn flaw(&self) -> N {
+        let StepStart { attitude, omega, .. } = self.start();
+        let none = |x: N| x - x;
+        let ([x, y, z, _], [a, b, c, d]) = (omega.0, attitude.0);
+        none(x) + none(y) + none(z) + (none(a) + none(b)) + (none(c) + none(d))
     }
 }
 
 impl Base {
     pub(super) fn new(start: &State, to_body: Rotation<Body, Principal>) -> Self {
-        let omega = (to_body.inverse() * start.omega).to_array();
+        let [x, y, z] = (to_body.inverse() * start.omega).to_array();
         Self {
             time: start.time,
             orientation: Orientation::new(start.attitude * to_body),
-            omega: omega.map(|w| [w, 0.0]),
+            omega: [[x, 0.0], [y, 0.0], [z, 0.0]],
         }
     }
 
     pub(super) fn omega(&self) -> AngularVelocity<Principal> {
-        Vector::from_array(self.rates())
-    }
-
-    pub(super) fn is_finite(&self) -> bool {
-        self.omega().is_finite() && self.orientation.rotation().quaternion().iter().all(|c| c.is_finite())
+        let [[x, _], [y, _], [z, _]] = self.omega;
+        Vector::new(x, y, z)
     }
 
     pub(super) fn state(&self, to_body: Rotation<Body, Principal>) -> State {

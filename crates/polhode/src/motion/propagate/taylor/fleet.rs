@@ -7,12 +7,12 @@ use super::Expansion;
 use super::base::Base;
 use super::stepper::torque_rate;
 use super::sums::{SideBySide, Sums};
-use super::torque::{Shape, StepStart, from_outside};
+use super::torque::{Shape, from_outside};
 use crate::math::frame::{Body as BodyFrame, Principal};
 use crate::math::machine::{Machine, Work, in_vectors};
 use crate::math::number::Number;
 use crate::math::rotation::Rotation;
-use crate::motion::course::require_few_steps;
+use crate::motion::course::{MOST_STEPS, require_few_steps};
 use crate::motion::error::MotionError;
 use crate::motion::propagate::piece::Piece;
 use crate::motion::propagate::stepper::{Bound, Rule, first_piece, require_untwisted};
@@ -95,10 +95,18 @@ struct Fleet<'a, 'b, N> {
     waiting: usize,
     failures: Vec<(usize, MotionError)>,
     lanes: Vec<Option<Lane<'a>>>,
+    /// Rounds, in each of which every lane makes a step.
+    rounds: u64,
     expansion: Box<Expansion<N>>,
     /// What the expansion is about.
     base: Base<N>,
     omega_scale: N,
+    /// The last of the times of each lane's body, or its start where there is none.
+    end: N,
+    /// The first of the times that it has not come to; infinite where there is none.
+    next: N,
+    /// |ω| from which it may run away: half of what it must not have.
+    fast: N,
 }
 
 /// The body of a lane.
@@ -108,14 +116,13 @@ struct Lane<'a> {
     start: State,
     piece: Piece<'a>,
     to_body: Rotation<BodyFrame, Principal>,
-    /// The last of the times, or the start where there is none.
-    end: f64,
     /// How many of the times it has come to.
     sampled: usize,
     bound: Bound,
     /// True if a spring or wire is among the torques: its twist is watched.
     is_sprung: bool,
-    steps: u64,
+    /// The rounds before it came aboard.
+    rounds: u64,
 }
 
 impl<'a, 'b, N: Number> Fleet<'a, 'b, N> {
@@ -127,9 +134,13 @@ impl<'a, 'b, N: Number> Fleet<'a, 'b, N> {
             waiting: 0,
             failures: Vec::new(),
             lanes: (0..N::LANES).map(|_| None).collect(),
+            rounds: 0,
             expansion: Box::new(Expansion::of(zero, &piece, work.tolerance, false)),
             base: Base::all(zero),
             omega_scale: zero,
+            end: zero,
+            next: zero.like(f64::INFINITY),
+            fast: zero,
             work,
         })
     }
@@ -145,22 +156,26 @@ impl<'a, 'b, N: Number> Fleet<'a, 'b, N> {
             self.expansion.expand(s);
             self.begin();
             self.step(s);
+            self.rounds += 1;
         }
     }
 
     /// Bodies that wait take the lanes that are free.
     fn board(&mut self) {
-        for lane in 0..N::LANES {
-            while self.lanes[lane].is_none() && self.waiting < self.work.bodies.len() {
+        for k in 0..N::LANES {
+            while self.lanes[k].is_none() && self.waiting < self.work.bodies.len() {
                 let index = self.waiting;
                 self.waiting += 1;
                 let body = self.work.bodies[index];
-                match Lane::of(index, &body, &self.work) {
-                    Ok(new) => {
-                        self.expansion.set(lane, &new.piece);
-                        self.base.put(lane, &Base::new(&body.start, new.to_body));
-                        self.omega_scale.put(lane, body.start.omega.norm().max(torque_rate(&new.piece)));
-                        self.lanes[lane] = Some(new);
+                match Lane::of(index, &body, self.work.tolerance, self.rounds) {
+                    Ok(lane) => {
+                        self.expansion.set(k, &lane.piece);
+                        self.base.put(k, &Base::new(&body.start, lane.to_body));
+                        self.omega_scale.put(k, body.start.omega.norm().max(torque_rate(&lane.piece)));
+                        self.end.put(k, self.work.times.last().copied().unwrap_or(body.start.time));
+                        self.next.put(k, self.work.next(&lane));
+                        self.fast.put(k, 0.5 * lane.bound.most());
+                        self.lanes[k] = Some(lane);
                     }
                     Err(cause) => {
                         self.failures.push((index, cause));
@@ -172,13 +187,14 @@ impl<'a, 'b, N: Number> Fleet<'a, 'b, N> {
     }
 
     /// Starts a step in every lane.
+    #[inline(always)]
     fn start(&mut self) {
-        for (k, lane) in self.lanes.iter().enumerate() {
-            if let Some(lane) = lane {
-                let Base { time, orientation, .. } = self.base.lane(k);
-                let start =
-                    StepStart { time, attitude: orientation.rotation(), omega: self.base.lane(k).omega() };
-                self.expansion.start(k, &start, &lane.piece);
+        self.expansion.start(&self.base.start());
+        if self.expansion.inside.is_some() {
+            for (k, lane) in self.lanes.iter().enumerate() {
+                if let Some(lane) = lane {
+                    self.expansion.start_wheels(k, self.base.time.lane(k), &lane.piece);
+                }
             }
         }
     }
@@ -186,13 +202,12 @@ impl<'a, 'b, N: Number> Fleet<'a, 'b, N> {
     /// Looks at what is known before the step: is there a torque that nothing balances, and which of the times are the start?
     fn begin(&mut self) {
         for k in 0..N::LANES {
-            let Some(lane) = &mut self.lanes[k] else { continue };
-            let base = self.base.lane(k);
+            let time = self.base.time.lane(k);
             if let Some(torque) = self.expansion.unbalanced(k) {
-                self.give_up(k, MotionError::TorqueWithoutInertia { torque, time: base.time });
-            } else if lane.steps == 0 {
-                lane.sample(&mut self.work, &base);
-                if !(lane.end > base.time) {
+                self.give_up(k, MotionError::TorqueWithoutInertia { torque, time });
+            } else if self.lanes[k].as_ref().is_some_and(|lane| lane.rounds == self.rounds) {
+                self.sample(k, &self.base.lane(k));
+                if !(self.end.lane(k) > time) {
                     self.lanes[k] = None;
                 }
             }
@@ -202,107 +217,133 @@ impl<'a, 'b, N: Number> Fleet<'a, 'b, N> {
     /// One step of every lane, not beyond its end.
     #[inline(always)]
     fn step<M: Sums<N = N>>(&mut self, s: M) {
-        let allowed = self.expansion.step(self.omega_scale);
-        let (mut h, mut end) = (allowed.like(0.0), self.base.time);
-        for k in 0..N::LANES {
-            let Some(lane) = &self.lanes[k] else { continue };
-            let (time, rest) = (self.base.time.lane(k), lane.end - self.base.time.lane(k));
-            let wanted = allowed.lane(k).min(self.expansion.reach(k));
-            let step = if wanted >= rest { rest } else { wanted };
-            if step.is_nan() {
-                self.give_up(k, MotionError::NotFinite { time });
-            } else if !(time + step > time) {
-                self.give_up(k, MotionError::StepTooSmall { time, step });
-            } else {
-                h.put(k, step);
-                end.put(k, if wanted >= rest { lane.end } else { time + step });
-            }
+        let time = self.base.time;
+        let (allowed, rest) = (self.expansion.step(self.omega_scale), self.end - time);
+        let wanted = allowed.zip(self.expansion.reach(), f64::min);
+        let h = wanted.zip(rest, |wanted, rest| if wanted >= rest { rest } else { wanted });
+        let is_last = wanted.zip(rest, |wanted, rest| f64::from(u8::from(wanted >= rest)));
+        let until =
+            is_last.zip3(self.end, time + h, |is_last, end, until| if is_last == 1.0 { end } else { until });
+        let head = self.base.plus(&self.expansion.at(s, h), until);
+        let is_good = (time + h)
+            .zip3(time, head.flaw(), |until, time, flaw| f64::from(u8::from((until > time) & (flaw == 0.0))));
+        for k in (0..N::LANES).filter(|k| is_good.lane(*k) == 0.0) {
+            let (time, step) = (time.lane(k), h.lane(k));
+            let is_stuck = !step.is_nan() && !(time + step > time);
+            let stuck = MotionError::StepTooSmall { time, step };
+            self.give_up(k, if is_stuck { stuck } else { MotionError::NotFinite { time } });
         }
-        let head = self.base.plus(&self.expansion.at(s, h), end);
-        for k in 0..N::LANES {
-            let Some(lane) = &self.lanes[k] else { continue };
-            let time = self.base.time.lane(k);
-            let (from, to) = (self.base.lane(k), head.lane(k));
-            if !to.is_finite() {
-                self.give_up(k, MotionError::NotFinite { time });
-            } else if let Err(cause) = lane.require_untwisted(&from, &to) {
-                self.give_up(k, cause);
-            }
-        }
-        self.sample_within(s, head.time);
+        self.require_untwisted(&head);
+        self.sample_within(s, until);
         self.base = head;
         self.look_ahead(allowed);
     }
 
+    fn require_untwisted(&mut self, head: &Base<N>) {
+        for k in 0..N::LANES {
+            let Some(lane) = self.lanes[k].as_ref().filter(|lane| lane.is_sprung) else { continue };
+            let [before, after] = [self.base.lane(k), head.lane(k)].map(|base| base.state(lane.to_body));
+            if let Err(cause) = require_untwisted(lane.piece.torques.iter().copied(), &before, &after) {
+                self.give_up(k, cause);
+            }
+        }
+    }
+
     /// Samples the step at the times before its end, in every lane at once.
     #[inline(always)]
-    fn sample_within<M: Sums<N = N>>(&mut self, s: M, end: N) {
+    fn sample_within<M: Sums<N = N>>(&mut self, s: M, until: N) {
         loop {
-            let (mut is_any, mut time) = (false, self.base.time);
-            for (k, lane) in self.lanes.iter().enumerate() {
-                let next = lane.as_ref().and_then(|lane| self.work.times.get(lane.sampled));
-                if let Some(&next) = next.filter(|next| **next < end.lane(k)) {
-                    time.put(k, next);
-                    is_any = true;
-                }
-            }
-            if !is_any {
+            let start = self.base.time;
+            let time =
+                self.next.zip3(until, start, |next, until, start| if next < until { next } else { start });
+            let is_within = |k: &usize| self.next.lane(*k) < until.lane(*k);
+            let within: Vec<usize> = (0..N::LANES).filter(is_within).collect();
+            if within.is_empty() {
                 return;
             }
-            let there = self.base.plus(&self.expansion.at(s, time - self.base.time), time);
-            for (k, lane) in self.lanes.iter_mut().enumerate() {
-                if let Some(lane) = lane {
-                    lane.sample(&mut self.work, &there.lane(k));
-                }
+            let there = self.base.plus(&self.expansion.at(s, time - start), time);
+            for k in within {
+                self.sample(k, &there.lane(k));
             }
         }
     }
 
     /// Looks at where a step has led: what comes to its end makes room, and what will not come there gives up.
+    #[inline(always)]
     fn look_ahead(&mut self, allowed: N) {
-        for k in 0..N::LANES {
-            let Some(lane) = &mut self.lanes[k] else { continue };
+        let (time, rate) = (self.base.time, self.base.rate());
+        self.omega_scale = self.omega_scale.zip(rate, f64::max);
+        let is_far = (self.end - time)
+            .zip(allowed, |rest, step| f64::from(u8::from(rest >= 0.5 * MOST_STEPS as f64 * step)));
+        let is_due = self.next.zip(time, |next, time| f64::from(u8::from(next <= time)));
+        let is_fast = rate.zip(self.fast, |rate, fast| f64::from(u8::from(rate >= fast)));
+        let is_long = 2 * self.rounds > MOST_STEPS;
+        let news = is_far + is_due + is_fast;
+        for k in (0..N::LANES).filter(|k| is_long || news.lane(*k) != 0.0) {
             let base = self.base.lane(k);
-            lane.steps += 1;
-            lane.sample(&mut self.work, &base);
-            let scale = self.omega_scale.lane(k).max(base.omega().norm());
-            self.omega_scale.put(k, scale);
+            let end = self.end.lane(k);
+            self.sample(k, &base);
+            let Some(lane) = &mut self.lanes[k] else { continue };
+            let steps = self.rounds + 1 - lane.rounds;
             let rate = (lane.to_body * base.omega()).norm();
-            let goes_on = require_few_steps(lane.steps, allowed.lane(k), base.time, lane.end)
+            let goes_on = require_few_steps(steps, allowed.lane(k), base.time, end)
                 .and_then(|()| lane.bound.require(base.time, rate));
+            self.fast.put(k, 0.5 * lane.bound.most());
             if let Err(cause) = goes_on {
                 self.give_up(k, cause);
-            } else if !(lane.end > base.time) {
+            } else if !(end > base.time) {
                 self.lanes[k] = None;
             }
         }
+    }
+
+    /// Writes a place of a lane down for all times that are its own, or that come before the start.
+    fn sample(&mut self, k: usize, place: &Base) {
+        let Some(lane) = &mut self.lanes[k] else { return };
+        while self.work.next(lane) <= place.time {
+            self.work.write(lane.body, lane.sampled, place.state(lane.to_body));
+            lane.sampled += 1;
+        }
+        self.next.put(k, self.work.next(lane));
     }
 
     /// The body of a lane goes no further than the base.
     fn give_up(&mut self, k: usize, cause: MotionError) {
         let Some(lane) = self.lanes[k].take() else { return };
         // The start as it was given, not as it comes back from principal axes.
-        let last = if lane.steps == 0 { lane.start } else { self.base.lane(k).state(lane.to_body) };
+        let base = self.base.lane(k);
+        let last = if base.time > lane.start.time { base.state(lane.to_body) } else { lane.start };
         self.work.fill(lane.body, lane.sampled, last);
+        self.next.put(k, f64::INFINITY);
         self.failures.push((lane.body, cause));
     }
 }
 
 impl Advance<'_, '_> {
+    /// The first of the times that a body has not come to; infinite if there is none.
+    fn next(&self, lane: &Lane<'_>) -> f64 {
+        self.times.get(lane.sampled).copied().unwrap_or(f64::INFINITY)
+    }
+
+    fn write(&mut self, body: usize, sample: usize, state: State) {
+        if let Some(place) = self.states.get_mut(body * self.times.len() + sample) {
+            *place = state;
+        }
+    }
+
     /// The same state for all times of a body from one on.
     fn fill(&mut self, body: usize, from: usize, state: State) {
-        let times = self.times.len();
-        if let Some(rest) = self.states.get_mut(body * times + from..(body + 1) * times) {
-            rest.fill(state);
+        for sample in from..self.times.len() {
+            self.write(body, sample, state);
         }
     }
 }
 
 impl<'a> Lane<'a> {
-    fn of(index: usize, body: &Body<'a>, work: &Advance<'_, '_>) -> Result<Self, MotionError> {
+    fn of(index: usize, body: &Body<'a>, tolerance: f64, rounds: u64) -> Result<Self, MotionError> {
         let Body { rotor, torques, start } = *body;
         require_finite(rotor, torques, &start)?;
-        let piece = first_piece(Rule::Taylor, rotor, torques.iter(), &start, work.tolerance)?;
+        let piece = first_piece(Rule::Taylor, rotor, torques.iter(), &start, tolerance)?;
         Ok(Self {
             body: index,
             start,
@@ -310,29 +351,11 @@ impl<'a> Lane<'a> {
             is_sprung: torques.iter().any(|torque| torque.name() == "torsion"),
             piece,
             to_body: rotor.principal().rotation(),
-            end: work.times.last().copied().unwrap_or(start.time),
             sampled: 0,
-            steps: 0,
+            rounds,
         })
     }
-
-    /// Writes a place down for all times that are its own, or that come before the start.
-    fn sample(&mut self, work: &mut Advance<'_, '_>, place: &Base) {
-        while work.times.get(self.sampled).is_some_and(|time| *time <= place.time) {
-            if let Some(state) = work.states.get_mut(self.body * work.times.len() + self.sampled) {
-                *state = place.state(self.to_body);
-            }
-            self.sampled += 1;
-        }
-    }
-
-    /// # Errors
-    /// [`MotionError::HalfTurn`]
-    fn require_untwisted(&self, from: &Base, to: &Base) -> Result<(), MotionError> {
-        if !self.is_sprung {
-            return Ok(());
-        }
-        let torques = self.piece.torques.iter().copied();
-        require_untwisted(torques, &from.state(self.to_body), &to.state(self.to_body))
-    }
 }
+
+#[cfg(test)]
+mod tests;

@@ -166,19 +166,25 @@ impl<N: Number> Expansion<N> {
         self.torques.is_empty() && self.inside.is_none()
     }
 
-    /// Where the body of a lane starts.
-    fn start(&mut self, lane: usize, start: &StepStart, piece: &Piece<'_>) {
+    /// Starts a step.
+    #[inline(always)]
+    fn start(&mut self, at: &StepStart<N>) {
         for torque in &mut self.torques {
-            torque.start(lane, start);
+            torque.start(at);
         }
+        self.omega.set(0, at.omega);
+        let [one, none] = [1.0, 0.0].map(|x| at.time.like(x));
+        self.turn.set(0, Row([one, none, none, none]));
+    }
+
+    /// What wheels have at the start of a step of a lane.
+    fn start_wheels(&mut self, lane: usize, time: f64, piece: &Piece<'_>) {
         if let Some(inside) = &mut self.inside {
-            let wheels = [row(piece.wheel_momentum(start.time)), row(piece.motor_torque())];
+            let wheels = [row(piece.wheel_momentum(time)), row(piece.motor_torque())];
             for (place, wheels) in inside.wheels.iter_mut().zip(wheels) {
                 place.put(lane, wheels);
             }
         }
-        self.omega.put(0, lane, row(start.omega));
-        self.turn.put(0, lane, Row([1.0, 0.0, 0.0, 0.0]));
     }
 
     /// Expands the motion about where it starts.
@@ -232,16 +238,23 @@ impl<N: Number> Expansion<N> {
     #[inline(always)]
     fn step(&self, scale: N) -> N {
         let p = self.order;
-        // ω = 0 has none, even where nothing turns: the larger of NaN and a number is the number.
-        let size = |n: usize| (self.omega.rows[n].largest() / scale).zip(self.turn[n].largest(), f64::max);
-        // log₂ of a radius: digits beyond the third do not matter.
-        let radius = |n: usize| size(n).map(|size| -rough_log2(size) / n as f64);
-        radius(p).zip(radius(p - 1), |a, b| rough_exp2(a.min(b) + self.reach))
+        let (last, before) = (self.log_radius(p, scale), self.log_radius(p - 1, scale));
+        last.zip(before, |a, b| rough_exp2(a.min(b) + self.reach))
     }
 
-    /// The longest step to which the series of a lane holds, where its last terms do not show it.
-    fn reach(&self, lane: usize) -> f64 {
-        self.torques.iter().fold(f64::INFINITY, |least, torque| least.min(torque.reach(lane)))
+    /// log₂ of 1/|xₙ|^(1/n): digits beyond the third do not matter.
+    #[inline(always)]
+    fn log_radius(&self, n: usize, scale: N) -> N {
+        // ω = 0 has none, even where nothing turns: the larger of NaN and a number is the number.
+        let size = (self.omega.rows[n].largest() / scale).zip(self.turn[n].largest(), f64::max);
+        size.map(|size| -rough_log2(size) / n as f64)
+    }
+
+    /// The longest step to which the series hold, where their last terms do not show it.
+    #[inline(always)]
+    fn reach(&self) -> N {
+        let endless = self.zero().like(f64::INFINITY);
+        self.torques.iter().fold(endless, |least, torque| least.zip(torque.reach(endless), f64::min))
     }
 
     /// What the motion adds until a time after the start.
@@ -296,7 +309,8 @@ impl Expansion {
     }
 
     fn expand_about(&mut self, start: &StepStart, piece: &Piece<'_>) {
-        self.start(0, start, piece);
+        self.start(start);
+        self.start_wheels(0, start.time, piece);
         in_vectors(Expand(self));
     }
 
@@ -355,26 +369,31 @@ fn reach(order: usize, remainder: f64) -> f64 {
 }
 
 /// log₂ of a number that is not negative, to 2e-4.
+///
+/// Without a branch, and with no more than shifts for the integers: eight at once are vectors.
 #[inline(always)]
 fn rough_log2(x: f64) -> f64 {
-    if !(x >= f64::MIN_POSITIVE) {
-        return if x.is_nan() { x } else { f64::NEG_INFINITY };
-    }
     let bits = x.to_bits();
-    let exponent = (bits >> 52) as f64 - 1023.0;
+    // The integer n < 2⁵² is the mantissa of 2⁵² + n.
+    let exponent = f64::from_bits(TWO_52.to_bits() | bits >> 52) - TWO_52 - 1023.0;
     let m = f64::from_bits((bits & 0x000f_ffff_ffff_ffff) | 0x3ff0_0000_0000_0000) - 1.0;
-    exponent + m * (1.43856 + m * (-0.67811 + m * (0.32366 - m * 0.08411)))
+    let log = exponent + m * (1.43856 + m * (-0.67811 + m * (0.32366 - m * 0.08411)));
+    let log = if x >= f64::MIN_POSITIVE { log } else { f64::NEG_INFINITY };
+    if x.is_nan() { x } else { log }
 }
 
 /// 2ˣ, to 2e-4; infinite and zero where f64 ends.
 #[inline(always)]
 fn rough_exp2(x: f64) -> f64 {
-    if !(x.abs() < 1022.0) {
-        return if x > 0.0 { f64::INFINITY } else { x.abs() * 0.0 };
-    }
-    // Positive, and so cut towards its floor.
+    // Positive, and its floor.
     let shifted = x + 1023.0;
-    let m = shifted - (shifted as u64) as f64;
-    let power = f64::from_bits((shifted as u64) << 52);
-    power * (1.0 + m * (0.69556 + m * (0.22676 + m * 0.07768)))
+    let nearest = (shifted + TWO_52) - TWO_52;
+    let floor = if nearest > shifted { nearest - 1.0 } else { nearest };
+    let m = shifted - floor;
+    let power = f64::from_bits((floor + TWO_52).to_bits() << 52);
+    let exp = power * (1.0 + m * (0.69556 + m * (0.22676 + m * 0.07768)));
+    let end = if x > 0.0 { f64::INFINITY } else { x.abs() * 0.0 };
+    if x.abs() < 1022.0 { exp } else { end }
 }
+
+const TWO_52: f64 = 4_503_599_627_370_496.0;

@@ -34,9 +34,13 @@ impl<N: Number> Row<N> {
     /// change sign add up.
     #[inline(always)]
     pub(super) fn over(self, n: usize) -> Self {
+        self.divided(self.0[0].like(n as f64))
+    }
+
+    #[inline(always)]
+    pub(super) fn divided(self, by: N) -> Self {
         let [x, y, z, w] = self.0;
-        let n = x.like(n as f64);
-        Self([x / n, y / n, z / n, w / n])
+        Self([x / by, y / by, z / by, w / by])
     }
 
     #[inline(always)]
@@ -57,6 +61,15 @@ impl<N: Number> Row<N> {
     pub(super) fn vector(self) -> Self {
         let [x, y, z, w] = self.0;
         if N::LANES > 1 { Self([x, y, z, w.like(0.0)]) } else { self }
+    }
+
+    /// The length of a vector, as [`Vector::norm`](crate::Vector::norm) has it; only of what is finite.
+    #[inline(always)]
+    pub(super) fn norm(self) -> N {
+        let scale = self.largest();
+        let [x, y, z] = [self.0[0] / scale, self.0[1] / scale, self.0[2] / scale];
+        let norm = scale * (x * x + y * y + z * z).map(f64::sqrt);
+        norm.zip(scale, |norm, scale| if scale == 0.0 { 0.0 } else { norm })
     }
 
     #[inline(always)]
@@ -121,12 +134,6 @@ impl<N: Number> Series<N> {
     #[inline(always)]
     pub(super) fn set(&mut self, n: usize, row: Row<N>) {
         self.0[MARGIN + n] = row;
-    }
-
-    /// Sets coefficient n of one lane.
-    #[inline(always)]
-    pub(super) fn put(&mut self, n: usize, lane: usize, row: Row) {
-        self.0[MARGIN + n].put(lane, row);
     }
 
     /// Coefficient n.
@@ -201,18 +208,6 @@ impl<N: Number> Vectors<N> {
     #[inline(always)]
     pub(super) fn set(&mut self, n: usize, row: Row<N>) {
         self.rows.set(n, row.vector());
-        self.copy(n, row);
-    }
-
-    /// Sets coefficient n of one lane.
-    #[inline(always)]
-    pub(super) fn put(&mut self, n: usize, lane: usize, row: Row) {
-        self.rows.put(n, lane, row);
-        self.copy(n, self.rows.at(n));
-    }
-
-    #[inline(always)]
-    fn copy(&mut self, n: usize, row: Row<N>) {
         if N::LANES > 1 {
             return;
         }

@@ -13,8 +13,9 @@ impl<N: Number> Seen<N> {
         Self(Series::all(x))
     }
 
-    pub(super) fn start(&mut self, lane: usize, v: Row) {
-        self.0.put(0, lane, v);
+    #[inline(always)]
+    pub(super) fn start(&mut self, v: Row<N>) {
+        self.0.set(0, v.vector());
     }
 
     /// The coefficients known so far.

@@ -3,7 +3,6 @@
 use std::rc::Rc;
 
 use super::base::{Base, carried};
-use super::torque::StepStart;
 use super::{Expansion, Increment};
 use crate::math::frame::{Body, Principal, Space};
 use crate::math::rotation::Rotation;
@@ -86,7 +85,7 @@ impl<'a> Taylor<'a> {
             self.expand()?;
         }
         let (time, rest) = (self.base.time, until - self.base.time);
-        let wanted = self.h.min(self.expansion.reach(0));
+        let wanted = self.h.min(self.expansion.reach());
         let h = if wanted >= rest { rest } else { wanted };
         if h.is_nan() {
             return Err(MotionError::NotFinite { time });
@@ -97,14 +96,14 @@ impl<'a> Taylor<'a> {
         let more = self.expansion.after(h);
         let end = if wanted >= rest { until } else { time + h };
         let head = self.base.plus(&more, end);
-        if !head.is_finite() {
+        if head.flaw() != 0.0 {
             return Err(MotionError::NotFinite { time });
         }
         self.head = head;
         if let Some([base, head]) = &mut self.evidence {
             *head = base.plus(&more, self.head.orientation.rotation());
         }
-        self.omega_scale = self.omega_scale.max(head.omega().norm());
+        self.omega_scale = self.omega_scale.max(head.rate());
         self.statistics.accepted += 1;
         Ok(())
     }
@@ -127,9 +126,7 @@ impl<'a> Taylor<'a> {
         if let Some([base, head]) = &mut self.evidence {
             *base = *head;
         }
-        let Base { time, orientation, .. } = self.base;
-        let start = StepStart { time, attitude: orientation.rotation(), omega: self.base.omega() };
-        self.expansion.expand_about(&start, &self.piece);
+        self.expansion.expand_about(&self.base.start(), &self.piece);
         if let Some(torque) = self.expansion.unbalanced(0) {
             return Err(MotionError::TorqueWithoutInertia { torque, time: self.base.time });
         }

@@ -73,25 +73,26 @@ impl<N: Number> DragSeries<N> {
         }
     }
 
-    pub(super) fn start(&mut self, lane: usize, at: &StepStart) {
+    #[inline(always)]
+    pub(super) fn start(&mut self, at: &StepStart<N>) {
         if let Some(speed) = &mut self.speed {
             speed.leads.clear();
             speed.waiting = all_lanes::<N>();
-            speed.rest.put(lane, REST.max(CLOSEST * at.time.abs() * speed.rate.lane(lane)));
-            speed.square[1].put(lane, 0.0);
+            speed.rest = at.time.zip(speed.rate, |time, rate| REST.max(CLOSEST * time.abs() * rate));
+            speed.square[1] = at.time.like(0.0);
         }
     }
 
     /// The longest step that the series is good for, s.
-    pub(super) fn reach(&self, lane: usize) -> f64 {
-        let Some(speed) = &self.speed else { return f64::INFINITY };
-        let [square, slope] = [speed.square[0].lane(lane), speed.square[1].lane(lane)];
+    #[inline(always)]
+    pub(super) fn reach(&self, endless: N) -> N {
+        let Some(speed) = &self.speed else { return endless };
         // v · v = a (τ − t)² near a corner: τ = −2 (v · v)₀/(v · v)₁
-        if speed.waiting >> lane & 1 == 0 && slope < 0.0 {
-            REACH * -2.0 * square / slope
-        } else {
-            f64::INFINITY
-        }
+        let mut reach = speed.square[0].zip(speed.square[1], |square, slope| {
+            if slope < 0.0 { REACH * -2.0 * square / slope } else { f64::INFINITY }
+        });
+        exchange(&mut reach, endless, speed.waiting);
+        reach
     }
 
     #[inline(always)]

@@ -4,8 +4,8 @@ mod graph;
 
 use super::super::row::{Row, TERMS};
 use super::super::scalar::Scalars;
-use super::StepStart;
-use crate::math::frame::Principal;
+use crate::math::frame::{Principal, Space};
+use crate::math::rotation::Rotation;
 use crate::math::vector::{Torque, Vector};
 use crate::motion::propagate::chart::{ROUNDING, THIN};
 use crate::motion::rotor::Rotor;
@@ -55,10 +55,10 @@ impl FormulaSeries {
         }
     }
 
-    pub(super) fn start(&mut self, at: &StepStart) {
-        self.time = at.time;
+    pub(super) fn start(&mut self, time: f64, attitude: Rotation<Space, Principal>) {
+        self.time = time;
         // q = (q at the start) ∘ turn ∘ (principal ← body), one column for each component of the turn
-        let before = at.attitude.quaternion();
+        let before = attitude.quaternion();
         let after = self.rotor.principal().rotation().inverse().quaternion();
         for column in 0..4 {
             let mut unit = [0.0; 4];
@@ -66,7 +66,7 @@ impl FormulaSeries {
             let image = quaternion_product(quaternion_product(before, unit), after);
             self.attitude.iter_mut().zip(image).for_each(|(row, value)| row[column] = value);
         }
-        let (momentum, rate) = (self.rotor.wheel_momentum(at.time), self.rotor.motor_torque(at.time));
+        let (momentum, rate) = (self.rotor.wheel_momentum(time), self.rotor.motor_torque(time));
         self.wheels = [momentum.to_array(), rate.to_array()];
     }
 
@@ -134,8 +134,6 @@ fn quaternion_product([a, b, c, d]: [f64; 4], [w, x, y, z]: [f64; 4]) -> [f64; 4
 mod tests {
     use super::*;
     use crate::math::formula::{Binary, Formula, Instruction, Unary};
-    use crate::math::rotation::Rotation;
-    use crate::math::vector::AngularVelocity;
     use crate::{InertiaTensor, MassProperties, Position};
 
     const T: Instruction = Instruction::Variable(0);
@@ -150,7 +148,7 @@ mod tests {
         let zero = Formula::constant(0.0);
         let model = FormulaTorque::Body([formula.clone(), zero.clone(), zero]);
         let mut series = FormulaSeries::of(&model, &rotor());
-        series.start(&StepStart { time, attitude: Rotation::identity(), omega: AngularVelocity::ZERO });
+        series.start(time, Rotation::identity());
         for n in 0..TERMS {
             series.coefficient(n, Row::ZERO, Row::ZERO);
         }

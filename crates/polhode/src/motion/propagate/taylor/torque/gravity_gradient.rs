@@ -54,10 +54,11 @@ impl<N: Number> GravityGradientSeries<N> {
         }
     }
 
-    pub(super) fn start(&mut self, lane: usize, at: &StepStart) {
-        self.orbit.start(lane, at);
+    #[inline(always)]
+    pub(super) fn start(&mut self, at: &StepStart<N>) {
+        self.orbit.start(at);
         if let AttractedSeries::Points(points) = &mut self.attracted {
-            points.start(lane, &self.orbit);
+            points.start(self.orbit.distance);
         }
     }
 
@@ -191,9 +192,10 @@ impl<N: Number> PointsSeries<N> {
         }
     }
 
-    fn start(&mut self, lane: usize, orbit: &OrbitSeries<N>) {
+    #[inline(always)]
+    fn start(&mut self, distance: N) {
         for point in &mut self.points {
-            point.xi.put(lane, point.x.lane(lane) * Row::splat(1.0 / orbit.distance.lane(lane)));
+            point.xi = point.x * Row::splat(distance.like(1.0) / distance);
         }
     }
 

@@ -45,16 +45,15 @@ impl<N: Number> LinearSeries<N> {
     ) {
         let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Direction::from_array);
         let columns = cleaned(axes.map(|axis| a(axis).to_array()), rotor);
-        let [x, y, z] = in_space.to_array();
-        self.in_space.put(lane, Row([x, y, z, 0.0]));
+        self.in_space.put(lane, row(in_space));
         for (place, column) in self.columns.iter_mut().zip(columns) {
             place.put(lane, column);
         }
     }
 
-    pub(super) fn start(&mut self, lane: usize, at: &StepStart) {
-        let [x, y, z, _] = self.in_space.lane(lane).0;
-        self.v.start(lane, row(at.attitude.inverse() * Direction::<Space>::new(x, y, z)));
+    #[inline(always)]
+    pub(super) fn start(&mut self, at: &StepStart<N>) {
+        self.v.start(at.seen(self.in_space));
     }
 
     #[inline(always)]

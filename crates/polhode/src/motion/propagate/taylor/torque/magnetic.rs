@@ -9,7 +9,7 @@ use super::super::seen::Seen;
 use super::super::sums::Sums;
 use super::orbit::OrbitSeries;
 use super::{Known, StepStart, row};
-use crate::math::frame::{Principal, Space};
+use crate::math::frame::Principal;
 use crate::math::number::Number;
 use crate::math::vector::Direction;
 use crate::motion::orbit::Orbit;
@@ -60,15 +60,14 @@ impl<N: Number> MagneticSeries<N> {
             }
             (MagneticField::Uniform(source) | MagneticField::Dipole { dipole: source, .. }, _) => source,
         };
-        let [x, y, z] = source.to_array();
-        self.source.put(lane, Row([x, y, z, 0.0]));
+        self.source.put(lane, row(*source));
     }
 
-    pub(super) fn start(&mut self, lane: usize, at: &StepStart) {
-        let [x, y, z, _] = self.source.lane(lane).0;
-        self.seen.start(lane, row(at.attitude.inverse() * Direction::<Space>::new(x, y, z)));
+    #[inline(always)]
+    pub(super) fn start(&mut self, at: &StepStart<N>) {
+        self.seen.start(at.seen(self.source));
         if let Some(dipole) = &mut self.dipole {
-            dipole.orbit.start(lane, at);
+            dipole.orbit.start(at);
         }
     }
 

@@ -17,7 +17,7 @@ use super::sums::Sums;
 use crate::math::frame::{Principal, Space};
 use crate::math::number::Number;
 use crate::math::rotation::Rotation;
-use crate::math::vector::{AngularVelocity, Vector};
+use crate::math::vector::Vector;
 use crate::motion::rotor::Rotor;
 use crate::motion::torque::{Attracted, ConstantTorque, DragLaw, MagneticField, TorqueModel};
 
@@ -45,10 +45,36 @@ pub(super) enum TorqueSeries<N = f64> {
 
 /// The state that a step starts from.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct StepStart {
-    pub(super) time: f64,
-    pub(super) attitude: Rotation<Space, Principal>,
-    pub(super) omega: AngularVelocity<Principal>,
+pub(super) struct StepStart<N = f64> {
+    pub(super) time: N,
+    /// The quaternion of the principal axes.
+    pub(super) attitude: Row<N>,
+    /// Principal axes.
+    pub(super) omega: Row<N>,
+}
+
+impl<N: Number> StepStart<N> {
+    /// Time and attitude of a lane.
+    fn lane(&self, lane: usize) -> (f64, Rotation<Space, Principal>) {
+        (self.time.lane(lane), Rotation::from_unit(self.attitude.lane(lane).0))
+    }
+
+    /// A vector of space along the principal axes, v + 2w (u × v) + 2 u × (u × v): as the product with a [`Rotation`] has it.
+    #[inline(always)]
+    fn seen(&self, v: Row<N>) -> Row<N> {
+        let [w, x, y, z] = self.attitude.0;
+        let two = Row::splat(w.like(2.0));
+        let u = Row([-x, -y, -z, w.like(0.0)]);
+        let t = cross(u, v) * two;
+        v + t * Row::splat(w) + cross(u, t)
+    }
+}
+
+/// a × b
+#[inline(always)]
+fn cross<N: Number>(a: Row<N>, b: Row<N>) -> Row<N> {
+    let ([a1, a2, a3, zero], [b1, b2, b3, _]) = (a.0, b.0);
+    Row([a2 * b3 - a3 * b2, a3 * b1 - a1 * b3, a1 * b2 - a2 * b1, zero])
 }
 
 /// Coefficients up to n, principal axes.
@@ -171,24 +197,31 @@ impl<N: Number> TorqueSeries<N> {
         }
     }
 
-    /// Starts a step of a lane.
-    pub(super) fn start(&mut self, lane: usize, at: &StepStart) {
+    /// Starts a step.
+    #[inline(always)]
+    pub(super) fn start(&mut self, at: &StepStart<N>) {
         match self {
             Self::Body(_) => {}
-            Self::Linear(series) => series.start(lane, at),
-            Self::GravityGradient(series) => series.start(lane, at),
-            Self::Drag(series) => series.start(lane, at),
-            Self::Torsion(series) => series.start(lane, at),
-            Self::Magnetic(series) => series.start(lane, at),
-            Self::Formula(series) => series[lane].iter_mut().for_each(|series| series.start(at)),
+            Self::Linear(series) => series.start(at),
+            Self::GravityGradient(series) => series.start(at),
+            Self::Drag(series) => series.start(at),
+            Self::Torsion(series) => series.start(at),
+            Self::Magnetic(series) => series.start(at),
+            Self::Formula(series) => {
+                for (lane, series) in series.iter_mut().enumerate() {
+                    let (time, attitude) = at.lane(lane);
+                    series.iter_mut().for_each(|series| series.start(time, attitude));
+                }
+            }
         }
     }
 
-    /// The longest step of a lane that the series is good for, s, where its coefficients do not show it.
-    pub(super) fn reach(&self, lane: usize) -> f64 {
+    /// The longest step that the series is good for, s, where its coefficients do not show it.
+    #[inline(always)]
+    pub(super) fn reach(&self, endless: N) -> N {
         match self {
-            Self::Drag(series) => series.reach(lane),
-            _ => f64::INFINITY,
+            Self::Drag(series) => series.reach(endless),
+            _ => endless,
         }
     }
 
@@ -240,7 +273,7 @@ impl<N: Number> TorqueSeries<N> {
     }
 }
 
-pub(super) fn row<Q>(v: Vector<Q, Principal>) -> Row {
+pub(super) fn row<Q, F>(v: Vector<Q, F>) -> Row {
     let [x, y, z] = v.to_array();
     Row([x, y, z, 0.0])
 }

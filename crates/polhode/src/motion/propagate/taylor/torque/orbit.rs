@@ -12,7 +12,6 @@ use super::super::seen::Seen;
 use super::super::sums::Sums;
 use super::{Known, StepStart, row};
 use crate::math::number::Number;
-use crate::math::vector::{Direction, quantity::Number as Pure};
 use crate::motion::orbit::Orbit;
 
 /// The series of an orbit over one step.
@@ -22,6 +21,8 @@ pub(super) struct OrbitSeries<N> {
     orbits: Vec<Orbit>,
     /// Of all lanes alike.
     is_circular: bool,
+    /// µ, m³/s².
+    mu: N,
     /// r₀, m.
     pub(super) distance: N,
     /// µ/r₀³, 1/s².
@@ -43,6 +44,7 @@ impl<N: Number> OrbitSeries<N> {
         Self {
             orbits: vec![orbit.clone(); N::LANES],
             is_circular: orbit.is_circular(),
+            mu: zero,
             distance: zero,
             strength: zero,
             rho: Vectors::all(zero),
@@ -55,23 +57,31 @@ impl<N: Number> OrbitSeries<N> {
 
     pub(super) fn set(&mut self, lane: usize, orbit: &Orbit) {
         self.orbits[lane] = orbit.clone();
+        self.mu.put(lane, orbit.mu());
+        if orbit.is_circular() {
+            self.strength.put(lane, orbit.strength(orbit.periapsis()));
+        }
     }
 
     pub(super) fn is_circular(&self) -> bool {
         self.is_circular
     }
 
-    pub(super) fn start(&mut self, lane: usize, at: &StepStart) {
-        let orbit = &self.orbits[lane];
-        let (position, velocity) = orbit.position_and_velocity(at.time);
-        let distance = position.norm();
-        let to_principal = at.attitude.inverse();
-        let rho: Direction<_> = (position / distance).as_quantity::<Pure>();
-        let nu: Direction<_> = (velocity / distance).as_quantity::<Pure>();
-        self.distance.put(lane, distance);
-        self.strength.put(lane, orbit.strength(distance));
-        self.rho.put(0, lane, row(to_principal * rho));
-        self.nu.start(lane, row(to_principal * nu));
+    #[inline(always)]
+    pub(super) fn start(&mut self, at: &StepStart<N>) {
+        let (mut position, mut velocity) = (at.omega, at.omega);
+        for (lane, orbit) in self.orbits.iter().enumerate() {
+            let (r, v) = orbit.position_and_velocity(at.time.lane(lane));
+            position.put(lane, row(r));
+            velocity.put(lane, row(v));
+        }
+        let r = position.norm();
+        if !self.is_circular {
+            self.strength = self.mu / r / r / r;
+        }
+        self.distance = r;
+        self.rho.set(0, at.seen(position.divided(r)));
+        self.nu.start(at.seen(velocity.divided(r)));
     }
 
     /// Finds coefficient n of |ρ|² and |ρ|⁻³.

@@ -84,14 +84,17 @@ impl<N: Number> TorsionSeries<N> {
         }
     }
 
-    pub(super) fn start(&mut self, lane: usize, at: &StepStart) {
-        let turn: Rotation<Principal, Principal> = self.rest[lane].inverse() * at.attitude;
-        let start @ [w, x, y, z] = turn.canonical_quaternion();
-        self.start.put(lane, Row(start));
-        let sine = Direction::<Principal>::new(x, y, z).norm();
-        match &mut self.law {
-            Law::Spring(spring) => spring.f.start(lane, half_angle_over_sine(w, sine), w, sine),
-            Law::Wire(wire) => wire.start(lane, w, Row([x, y, z, 0.0])),
+    pub(super) fn start(&mut self, at: &StepStart<N>) {
+        for (lane, rest) in self.rest.iter().enumerate() {
+            let (_, attitude) = at.lane(lane);
+            let turn: Rotation<Principal, Principal> = rest.inverse() * attitude;
+            let start @ [w, x, y, z] = turn.canonical_quaternion();
+            self.start.put(lane, Row(start));
+            let sine = Direction::<Principal>::new(x, y, z).norm();
+            match &mut self.law {
+                Law::Spring(spring) => spring.f.start(lane, half_angle_over_sine(w, sine), w, sine),
+                Law::Wire(wire) => wire.start(lane, w, Row([x, y, z, 0.0])),
+            }
         }
     }
 

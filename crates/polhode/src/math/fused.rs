@@ -17,7 +17,7 @@ pub(crate) trait Fused: Number {
 
     /// The number of each lane.
     #[inline(always)]
-    fn from_fn(self, number: impl Fn(usize) -> f64) -> Self {
+    fn each(self, number: impl Fn(usize) -> f64) -> Self {
         let mut all = self;
         for lane in 0..Self::LANES {
             all.put(lane, number(lane));
@@ -80,7 +80,7 @@ mod tests {
 
         #[inline(always)]
         fn run<S: Machine>(self, s: S) -> Self::Output {
-            let [a, b, c] = self.0.map(|x| s.eight(0.0).from_fn(|lane| x[lane]));
+            let [a, b, c] = self.0.map(|x| s.eight(0.0).each(|lane| x[lane]));
             [a.mul_add(b, c), a.sqrt(), a / b].map(|x| core::array::from_fn(|lane| x.lane(lane)))
         }
     }

@@ -43,7 +43,7 @@ impl<'a> Parts<'a> {
         for torque in &member.torques {
             match torque {
                 TorqueModel::Constant(ConstantTorque::Body(torque)) => {
-                    add(&mut parts.constant, along(*torque))
+                    add(&mut parts.constant, along(*torque));
                 }
                 TorqueModel::Constant(ConstantTorque::Space(torque)) => {
                     add(&mut parts.in_space, torque.to_array());
@@ -150,7 +150,7 @@ impl<'a, T: Fused> Forces<'a, T> {
     pub(super) fn new(zero: T, parts: &[&Parts<'a>]) -> Self {
         Self {
             zero,
-            moments: from_fn(|k| zero.from_fn(|lane| at(parts, lane).moments[k])),
+            moments: from_fn(|k| zero.each(|lane| at(parts, lane).moments[k])),
             constant: side_by_side(zero, parts, |parts| parts.constant),
             in_space: side_by_side(zero, parts, |parts| parts.in_space),
             weight: side_by_side(zero, parts, |parts| parts.weight),
@@ -179,7 +179,7 @@ fn side_by_side<T: Fused, const N: usize>(
     get: impl Fn(&Parts<'_>) -> Option<[f64; N]>,
 ) -> Option<[T; N]> {
     get(at(parts, 0))?;
-    Some(from_fn(|k| zero.from_fn(|lane| get(at(parts, lane)).map_or(0.0, |numbers| numbers[k]))))
+    Some(from_fn(|k| zero.each(|lane| get(at(parts, lane)).map_or(0.0, |numbers| numbers[k]))))
 }
 
 /// One thing of each lane; often they are all the same.
@@ -213,8 +213,7 @@ impl<P: Copy + PartialEq> Shared<P> {
                     *all = of(*self.each.get(lane).unwrap_or(first));
                 }
                 for k in 0..N {
-                    numbers[k] = T::from_fn(
-                        zero,
+                    numbers[k] = zero.each(
                         #[inline(always)]
                         |lane| all[lane][k],
                     );

@@ -1,13 +1,14 @@
 //! Many bodies, each with its own start and its own torques, at the same times.
 //!
 //! `crew` gives threads their share; `auto` takes closed forms and integrators of high order; `lanes` steps bodies side by side with the torques of `forces`, and
-//! `alone` one body with any torque, both by the `step`.
+//! `alone` one body with any torque, both by the `step`, at the `pace` that brings them to the next time.
 
 mod alone;
 mod auto;
 mod crew;
 mod forces;
 mod lanes;
+mod pace;
 mod step;
 
 use core::fmt;

@@ -70,7 +70,7 @@ impl<N: Number> Base<N> {
     #[inline(always)]
     pub(super) fn flaw(&self) -> N {
         let StepStart { attitude, omega, .. } = self.start();
-        let none = |x: N| x - x;
+        let none = |x: N| x * x.like(0.0);
         let ([x, y, z, _], [a, b, c, d]) = (omega.0, attitude.0);
         none(x) + none(y) + none(z) + (none(a) + none(b)) + (none(c) + none(d))
     }

@@ -26,7 +26,6 @@ def numbers(name: str, value: object, shape: tuple[int | str, ...]) -> Floats:
     array([[1., 2., 3.]])
     >>> numbers("omega", [1.0, float("nan"), 0.0], (3,))
     Traceback (most recent call last):
-        ...
     polhode.PolhodeError: omega[1] = nan must be finite
     """
     array = real(name, value)
@@ -88,13 +87,16 @@ def quaternions(name: str, value: object, shape: tuple[int | str, ...]) -> Float
 
 def triple(name: str, value: object) -> list[float]:
     """A vector as a list."""
-    return numbers(name, value, (3,)).tolist()
+    found: list[float] = numbers(name, value, (3,)).tolist()
+    return found
 
 
 def tensor(name: str, value: object) -> list[list[float]]:
     """An inertia tensor: (3, 3), or three moments about the body's own axes."""
-    array = real(name, value)
-    return numbers(name, np.diag(array) if array.shape == (3,) else array, (3, 3)).tolist()
+    given = real(name, value)
+    array = numbers(name, given, (3,)) if given.shape == (3,) else numbers(name, given, (3, 3))
+    rows: list[list[float]] = (np.diag(array) if array.ndim == 1 else array).tolist()
+    return rows
 
 
 def number(name: str, value: object) -> float:

@@ -12,8 +12,7 @@ class PolhodeError(ValueError):
     >>> import polhode
     >>> polhode.MassProperties(mass=1.0, inertia=[1.0, 1.0, 3.0])
     Traceback (most recent call last):
-        ...
-    polhode.PolhodeError: i1 + i2 = 2 < i3 = 3: no body has these principal moments (kg·m²)
+    polhode.PolhodeError: the inertia tensor is impossible: i1 + i2 = 2 kg·m² is less than i3 = 3 kg·m² (principal moments 1, 1, 3)
     hint: check the sign convention of the products (here: minus the integral ∫xy dm), the point it is about, and the units
     """
 

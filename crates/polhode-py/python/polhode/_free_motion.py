@@ -43,7 +43,7 @@ class FreeMotion:
     39.1057341973
     >>> omega, attitude = motion.at([0.0, motion.flip_interval])
     >>> omega[1].round(12)
-    array([-0.01,  -1.  ,  0.01])
+    array([-0.01, -1.  ,  0.01])
 
     Accuracy: 4e-15 (ω relative, attitude in rad) for |t| up to 1e9 periods; the measured errors are in the book's ``accuracy.md``.
     """

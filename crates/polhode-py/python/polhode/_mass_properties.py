@@ -43,7 +43,7 @@ class MassProperties:
     ...     inertia=[[10, 1, -1], [1, 5, 1], [-1, 1, 8]],
     ... )
     >>> body.moments.round(3)
-    array([ 4.412,  8.144, 10.443])
+    array([ 4.413,  8.113, 10.474])
     >>> body.about([0, 0, 0])[0, 1]
     np.float64(4.125)
 
@@ -51,7 +51,6 @@ class MassProperties:
     """
 
     __slots__ = ("_native",)
-    _native: _native.MassProperties
 
     def __init__(
         self,

@@ -29,9 +29,9 @@ class Event(NamedTuple):
     #: True if what it watches was rising.
     rising: bool
     #: ω along body axes, rad/s.
-    omega: tuple[float, float, float]
+    omega: tuple[float, ...]
     #: The attitude as a unit quaternion w, x, y, z.
-    attitude: tuple[float, float, float, float]
+    attitude: tuple[float, ...]
 
 
 class Ending(NamedTuple):
@@ -99,7 +99,8 @@ class Motion:
     @cached_property
     def events(self) -> list[Event]:
         """What happened, in the order of time."""
-        return [Event(*event) for event in self._native.events]
+        events = self._native.events
+        return [Event(name, time, rising, tuple(omega), tuple(wxyz)) for name, time, rising, omega, wxyz in events]
 
     @cached_property
     def ending(self) -> Ending:

@@ -10,6 +10,7 @@ use crate::shell::{Completions, Man};
 use crate::simulate::Simulate;
 use crate::spin::Spin;
 use crate::stability::Stability;
+use crate::sweep::Sweep;
 use crate::torque::Torque;
 
 /// Rigid-body dynamics: from mass to motion.
@@ -40,6 +41,7 @@ pub(crate) enum Command {
     Spin(Box<Spin>),
     Stability(Stability),
     Torque(Torque),
+    Sweep(Sweep),
     Explain(Explain),
     Completions(Completions),
     Man(Man),
@@ -54,6 +56,7 @@ impl Command {
             Self::Spin(command) => command.run(),
             Self::Stability(command) => command.run(),
             Self::Torque(command) => command.run(),
+            Self::Sweep(command) => command.run(),
             Self::Explain(command) => command.run(),
             Self::Completions(command) => command.run(Polhode::command()),
             Self::Man(command) => command.run(Polhode::command()),

@@ -7,6 +7,7 @@ use std::process::ExitCode;
 
 use polhode::MotionError;
 use polhode_formats::{FormatError, Place};
+use polhode_sweep::SweepError;
 
 /// Why the command failed.
 #[derive(Debug)]
@@ -21,6 +22,12 @@ pub(crate) enum Failure {
     Usage { message: String, hint: Option<String> },
     /// A result that cannot be written.
     Output { path: String, error: io::Error },
+    /// A sweep that cannot be run or kept.
+    Sweep(SweepError),
+    /// A sweep that was stopped with Ctrl-C: what is there, and how to go on.
+    Stopped { done: String, hint: String },
+    /// Another program that was run instead, and failed with this status.
+    Status(u8),
     /// A model with findings; they are printed already.
     Findings,
     /// Nobody reads the output any more, as after `| head`.
@@ -39,6 +46,8 @@ impl Failure {
             Self::Incomplete { .. } => 3,
             Self::ClosedPipe => return ExitCode::SUCCESS,
             Self::Findings => return ExitCode::from(1),
+            Self::Stopped { .. } => 130,
+            Self::Status(code) => return ExitCode::from(*code),
             _ => 2,
         };
         // Where standard error is closed there is nobody left to tell.
@@ -58,7 +67,9 @@ impl Failure {
             }
             Self::Usage { message, hint: advice } => format!("error: {message}\n{}", hint(advice.clone())),
             Self::Output { path, error } => format!("error: cannot write {path}: {error}\n"),
-            Self::Findings | Self::ClosedPipe => String::new(),
+            Self::Sweep(error) => format!("error: {error}\n{}", hint(error.hint().map(str::to_owned))),
+            Self::Stopped { done, hint: advice } => format!("stopped: {done}\n{}", hint(Some(advice.clone()))),
+            Self::Findings | Self::Status(_) | Self::ClosedPipe => String::new(),
         }
     }
 }
@@ -66,6 +77,12 @@ impl Failure {
 impl From<FormatError> for Failure {
     fn from(error: FormatError) -> Self {
         Self::Input(vec![error])
+    }
+}
+
+impl From<SweepError> for Failure {
+    fn from(error: SweepError) -> Self {
+        Self::Sweep(error)
     }
 }
 

@@ -17,6 +17,7 @@ mod simulate;
 mod spin;
 mod stability;
 mod stdout;
+mod sweep;
 mod table;
 mod torque;
 

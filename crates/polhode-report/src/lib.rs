@@ -1,11 +1,12 @@
 //! Results of polhode, for people and for programs.
 //!
-//! Five reports, each with a face for either reader, and a page:
+//! Six reports, each with a face for either reader, and a page:
 //!
 //! - [`InertiaReport`]: how much mass, where, and how it resists being turned;
 //! - [`MotionReport`]: how the body moves, and the evidence that the numbers are good;
 //! - [`SpinReport`]: a free motion in closed form, at any time;
 //! - [`RequiredReport`]: the torque and the forces that a prescribed motion needs;
+//! - [`SweepSummary`]: what many members come to;
 //! - [`explain()`]: the worked solution, step by step, as a [`Document`];
 //! - [`page()`]: all of it to look at, as one file for a browser.
 //!
@@ -42,6 +43,7 @@ mod source;
 mod sparkline;
 mod spin;
 mod stability;
+mod sweep;
 mod symmetric_top;
 mod torque;
 mod unit;
@@ -57,12 +59,17 @@ pub use molecule::MoleculeReport;
 pub use motion::MotionReport;
 pub use page::{PageInput, PageSubject, page};
 pub use parts::{PartRow, parts};
-pub use plot::{Figure, MotionFigures, Picture, PlotError};
+pub use periods::Periods;
+pub use plot::{Figure, MotionFigures, Picture, PlotError, SweepFigures};
 pub use required::RequiredReport;
 pub use sign_proof::sign_proof;
 pub use source::SourceInfo;
 pub use spin::{SpinReport, TumblerReport};
 pub use stability::StabilityReport;
+pub use sweep::{
+    SweepCorrelation, SweepHistogram, SweepIntervals, SweepQuantile, SweepSample, SweepShare, SweepStatistic,
+    SweepSummary,
+};
 
 /// The version that reports carry.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");

@@ -6,14 +6,16 @@ use polhode::{AxisConvention, Cones, FreeMotion, Regime, SymmetricTop, TumblingP
 
 /// How long the axis that L circles takes about L, on average, and how long the body takes about that axis, s.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Periods {
-    pub(crate) precession: Option<f64>,
-    pub(crate) rotation: Option<f64>,
+pub struct Periods {
+    /// Of the axis about L; of a motion that has one.
+    pub precession: Option<f64>,
+    /// Of the body about the axis; of a permanent rotation, of the body.
+    pub rotation: Option<f64>,
 }
 
 impl Periods {
     /// Those of a motion; a permanent rotation has no precession, the separatrix and a body at rest have neither.
-    pub(crate) fn of(motion: &FreeMotion) -> Self {
+    pub fn of(motion: &FreeMotion) -> Self {
         let turn = |rate: f64| (rate != 0.0).then(|| TAU / rate.abs());
         let (precession, rotation) = match motion.regime() {
             Regime::Permanent(_) => (None, turn(motion.start().omega.norm())),

@@ -2,9 +2,22 @@
 //!
 //! - [`Plan`]: a scenario and what is varied; member k is a pure function of the plan and k
 //! - [`Batch`]: rows of members, column by column
+//! - [`inputs`] and [`simulate`]: from members to rows, and from rows to rows with what becomes of them
+//! - [`Dataset`]: all rows in a folder, whoever computes them and however often they are interrupted
 
 mod batch;
+mod dataset;
+mod error;
+mod outcome;
+mod parquet;
 mod plan;
+mod rows;
+mod statistics;
 
 pub use batch::{Batch, BatchError, Column, Values};
+pub use dataset::{Dataset, Progress};
+pub use error::SweepError;
+pub use outcome::{simulate, trajectories};
 pub use plan::{Plan, Sampling, Variable};
+pub use polhode_report::SweepSummary;
+pub use rows::inputs;

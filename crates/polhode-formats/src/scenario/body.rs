@@ -2,6 +2,7 @@
 
 use polhode::{Body, BodyPart, Finding, MassProperties, Position, Severity, Symmetry};
 
+use super::again::Reading;
 use super::part::part;
 use super::reader::{Table, Value};
 use crate::error::{FormatError, FormatErrorKind};
@@ -37,16 +38,57 @@ pub(crate) fn body<'a>(root: &Table<'a>, findings: &mut Vec<Finding>) -> Result<
     let list = table.require("part", EXAMPLE)?;
     let mut parts = Vec::new();
     for (k, table) in list.tables("body.part")?.into_iter().enumerate() {
-        parts.push(part(table, k + 1, findings)?);
+        parts.push(varying_part(list.source().reading, table, k, findings)?);
     }
     if parts.is_empty() {
         return Err(table.missing("part", EXAMPLE));
     }
     let placed: Vec<_> = parts.iter().map(|part| part.properties).collect();
-    let body = MassProperties::combined(&placed).map_err(|e| list.error(FormatErrorKind::Body(e)))?;
+    let mut body = MassProperties::combined(&placed).map_err(|e| list.error(FormatErrorKind::Body(e)))?;
+    if let Some(other) = list.source().reading.changes().and_then(|changes| changes.body) {
+        body = other;
+        parts = vec![of_properties("body".to_owned(), other)];
+    }
     let pivot = table.get("pivot").map(Pivot::read).transpose()?;
     findings.extend(thinness(&body));
     Ok(Assembly { parts, body, pivot })
+}
+
+/// Part `k`, from 0, as it is now: if nothing in it differs, as it was.
+fn varying_part(
+    reading: Reading<'_>,
+    table: Table<'_>,
+    k: usize,
+    findings: &mut Vec<Finding>,
+) -> Result<BodyPart, FormatError> {
+    let first = reading.found().and_then(|found| found.parts.get(k));
+    if let (Some((first, noticed)), Some(changes)) = (first, reading.changes()) {
+        if let Some((_, other)) = changes.part_properties.iter().find(|(part, _)| *part == k) {
+            return Ok(of_properties(first.name.clone(), *other));
+        }
+        if !changes.parts.contains(&k) {
+            findings.extend_from_slice(noticed);
+            return Ok(first.clone());
+        }
+    }
+    let mut noticed = Vec::new();
+    let part = part(table, k + 1, &mut noticed)?;
+    findings.extend_from_slice(&noticed);
+    reading.leave(|found| found.parts.push((BodyPart { form: None, ..part.clone() }, noticed)));
+    Ok(part)
+}
+
+/// A part of which nothing is known but its mass properties.
+fn of_properties(name: String, properties: MassProperties<Body>) -> BodyPart {
+    BodyPart {
+        name,
+        kind: "tensor",
+        properties,
+        extent: None,
+        surface_area: None,
+        particles: Vec::new(),
+        form: None,
+    }
 }
 
 /// A body without inertia about some axis moves, but not every start and torque make sense.

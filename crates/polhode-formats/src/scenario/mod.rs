@@ -22,6 +22,7 @@
 //! A quantity is a string with its unit, or a number in SI. Whatever is unknown, impossible or ambiguous is an
 //! error that points at its place; nothing is ignored.
 
+mod again;
 mod body;
 mod event;
 mod formula;
@@ -38,19 +39,27 @@ mod shape;
 mod start;
 mod substance;
 pub(crate) mod suggestion;
+mod sweep;
+mod target;
+mod template;
 mod tensor;
 mod torque;
+mod tree;
 mod wheel;
 
+use std::ops::Range;
 use std::path::Path;
-
-use polhode::{EventAction, Finding, Rotor, Scenario, Severity, TorqueModel, Velocity, Wheel};
-use toml::de::DeTable;
 
 use crate::error::{FormatError, FormatErrorKind, Place};
 use crate::file;
 use crate::mesh::stl;
+use again::Reading;
+use polhode::{EventAction, Finding, Rotor, Scenario, Severity, TorqueModel, Velocity, Wheel};
 use reader::{Source, TOP, Table};
+pub use sweep::{Dispersion, Distribution, Law, SOBOL_DIMENSIONS, Sampling, Spread, Sweep, Vary};
+pub use target::{Target, TargetColumn};
+pub use template::Template;
+use tree::Entries;
 
 /// A scenario larger than this is something else: a mesh or a table goes into a file of its own.
 const LARGEST_FILE: u64 = 64 << 20;
@@ -68,11 +77,18 @@ pub fn read(path: &Path) -> Result<Scenario, FormatError> {
 /// # Errors
 /// As [`read`].
 pub fn read_with_text(path: &Path) -> Result<(Scenario, String), FormatError> {
+    let text = text_of(path)?;
+    Ok((parse(&text, path)?, text))
+}
+
+/// The text of a file.
+fn text_of(path: &Path) -> Result<String, FormatError> {
     let fail = |kind| FormatError::new(path, None, kind);
     let bytes = file::bytes(path, &path.to_string_lossy(), LARGEST_FILE).map_err(fail)?;
-    match str::from_utf8(&bytes) {
-        Ok(text) => Ok((parse(text, path)?, text.to_owned())),
+    match String::from_utf8(bytes) {
+        Ok(text) => Ok(text),
         Err(error) => {
+            let (bytes, error) = (error.as_bytes().to_vec(), error.utf8_error());
             let valid = error.valid_up_to();
             let byte = bytes.get(valid).copied().unwrap_or_default();
             // What stands before it is text, and shows the place.
@@ -115,11 +131,32 @@ fn perhaps_mesh(error: FormatError, bytes: &[u8]) -> FormatError {
 /// # Errors
 /// As [`read`].
 pub fn parse(text: &str, path: &Path) -> Result<Scenario, FormatError> {
-    let source = Source { path, text };
-    let document =
-        DeTable::parse(text).map_err(|error| perhaps_mesh(source.syntax(&error), text.as_bytes()))?;
-    let root = Table::root(source, document.get_ref());
-    root.allow(&TOP)?;
+    let source = Source { path, text, reading: Reading::Once };
+    let root = document(source)?;
+    match root.get("sweep") {
+        Some(sweep) => Err(many(source, sweep.key.clone())),
+        None => read_root(source, &root, &TOP),
+    }
+}
+
+/// A plan is no scenario of one motion.
+fn many(source: Source<'_>, place: Range<usize>) -> FormatError {
+    let rule = "left out where one motion is asked for: it makes the file a plan of many";
+    let (key, value) = ("sweep".to_owned(), "...".to_owned());
+    source
+        .error(place, FormatErrorKind::Value { key, value, rule: rule.to_owned() })
+        .with_hint("polhode sweep runs a plan")
+}
+
+/// The tree of a file.
+fn document(source: Source<'_>) -> Result<Entries, FormatError> {
+    tree::parse(source.text).map_err(|error| perhaps_mesh(source.syntax(&error), source.text.as_bytes()))
+}
+
+/// The scenario of a file whose tables are `entries`, of these keys.
+fn read_root(source: Source<'_>, entries: &Entries, known: &[&'static str]) -> Result<Scenario, FormatError> {
+    let root = Table::root(source, entries);
+    root.allow(known)?;
     let exclusive = "a prescribed motion is given, and the torque that it needs is the answer";
     root.at_most_one(&["prescribed", "torque"], exclusive)?;
     root.at_most_one(

@@ -1,6 +1,7 @@
 //! A molecule as a part: its atoms are particles.
 
 use std::path::Path;
+use std::sync::Arc;
 
 use polhode::{BodyPart, Finding, Form, Part, Particle, Position, mass_properties_of_particles};
 
@@ -29,14 +30,23 @@ pub(super) fn molecule(
         },
         None => Isotopes::default(),
     };
-    let molecules = molecule::read(&path, format).map_err(|error| match error.kind() {
-        // A file that is not there has no lines: the scenario's line is to blame.
-        kind @ FormatErrorKind::Io { .. } => file
-            .error(kind.clone())
-            .with_hint(format!("paths are relative to the scenario: this one is {path:?}")),
-        _ => error.named_in(file.source().path, file.place()),
-    })?;
-    let first = molecules.first().ok_or_else(|| file.invalid("a molecule with atoms"))?;
+    let read = || {
+        table.reading().leave(|found| found.files.push(path.clone()));
+        let molecules = molecule::read(&path, format).map_err(|error| match error.kind() {
+            // A file that is not there has no lines: the scenario's line is to blame.
+            kind @ FormatErrorKind::Io { .. } => file
+                .error(kind.clone())
+                .with_hint(format!("paths are relative to the scenario: this one is {path:?}")),
+            _ => error.named_in(file.source().path, file.place()),
+        })?;
+        molecules.into_iter().next().map(Arc::new).ok_or_else(|| file.invalid("a molecule with atoms"))
+    };
+    let first = table.reading().kept(
+        file.span().start,
+        |found| &found.molecules,
+        |found| &mut found.molecules,
+        read,
+    )?;
     findings.extend(first.findings_with(isotopes));
     let particle = |atom: &molecule::Atom| {
         let in_part = Position::<Part>::from_array(atom.position_m);

@@ -27,7 +27,8 @@ const NAMES: [&[&str]; 3] = [
 ];
 
 /// The rows of a table.
-pub(super) enum Rows {
+#[derive(Debug)]
+pub(crate) enum Rows {
     Attitude { times: Vec<f64>, attitudes: Vec<Attitude> },
     Omega { axes: RateAxes, times: Vec<f64>, omega: Vec<[f64; 3]> },
 }
@@ -36,6 +37,7 @@ pub(super) enum Rows {
 pub(super) fn read(table: &Value<'_>, columns: Option<&str>) -> Result<Rows, FormatError> {
     let written = table.string()?;
     let path = table.source().path.parent().unwrap_or(Path::new("")).join(written);
+    table.source().reading.leave(|found| found.files.push(path.clone()));
     let bytes = file::bytes(&path, written, LARGEST_FILE).map_err(|kind| {
         let missing = matches!(kind, FormatErrorKind::Io { .. });
         let error = table.error(kind);

@@ -1,6 +1,7 @@
 //! One `[[body.part]]`: a shape, a mesh, particles or a tensor, made of something, placed somewhere.
 
 use std::path::Path;
+use std::sync::Arc;
 
 use polhode::{
     Body, BodyPart, ClosedMesh, Extent, Finding, Form, MassProperties, Part, Particle, PlacedForm,
@@ -49,7 +50,7 @@ pub(crate) fn part(
                 form: None,
             });
         }
-        "mesh" => Geometry::Mesh(Box::new(read_mesh(&table, &name, findings)?)),
+        "mesh" => Geometry::Mesh(mesh(&table, &name, findings)?),
         _ => shape(kind, &table)?,
     };
     let solid = form.as_shape();
@@ -61,7 +62,9 @@ pub(crate) fn part(
     };
     let surface_area = (!matches!(extent, Extent::Length(_))).then(|| solid.surface_area());
     let properties = placement.place(&table, properties)?;
-    let form = solid.form().map(|form| placement.form(form));
+    // Of one member of many nobody makes a picture.
+    let pictured = table.reading().found().is_none();
+    let form = pictured.then(|| solid.form()).flatten().map(|form| placement.form(form));
     Ok(BodyPart { name, kind, properties, extent: Some(extent), surface_area, particles: Vec::new(), form })
 }
 
@@ -147,6 +150,19 @@ fn particles(table: &Table<'_>, name: String, placement: &Placement) -> Result<B
     })
 }
 
+/// The mesh of a part, read once.
+fn mesh(table: &Table<'_>, name: &str, findings: &mut Vec<Finding>) -> Result<Arc<ClosedMesh>, FormatError> {
+    let file = table.require("file", "file = \"part.stl\"")?;
+    let read = || {
+        let mut noticed = Vec::new();
+        Ok((Arc::new(read_mesh(table, name, &mut noticed)?), noticed))
+    };
+    let (mesh, noticed) =
+        table.reading().kept(file.span().start, |found| &found.meshes, |found| &mut found.meshes, read)?;
+    findings.extend(noticed);
+    Ok(mesh)
+}
+
 /// The mesh of `file`, a path relative to the scenario, all its parts as one; in `unit`s, unless the file has a unit of its own.
 fn read_mesh(table: &Table<'_>, name: &str, findings: &mut Vec<Finding>) -> Result<ClosedMesh, FormatError> {
     let file = table.require("file", "file = \"part.stl\"")?;
@@ -161,6 +177,7 @@ fn read_mesh(table: &Table<'_>, name: &str, findings: &mut Vec<Finding>) -> Resu
         let known: Vec<_> = MeshFormat::ALL.iter().map(|format| format.name()).collect();
         return Err(file.invalid("a mesh file").with_hint(format!("mesh files end in {}", known.join(", "))));
     };
+    table.reading().leave(|found| found.files.push(path.clone()));
     let solid = MeshContents::read_as(&path, written, format).and_then(|contents| {
         let one = contents.as_one().map_err(|e| FormatError::new(&path, None, FormatErrorKind::Body(e)))?;
         MeshSolid::of(one, &path, format, unit)

@@ -1,5 +1,7 @@
 //! A `[prescribed]` motion.
 
+use std::sync::Arc;
+
 use polhode::{Attitude, Direction, Finding, Formula, MotionError, Prescribed, RateAxes, Run, Severity};
 
 use super::motion_table::{self, Rows};
@@ -124,14 +126,15 @@ fn tabled(
     findings: &mut Vec<Finding>,
 ) -> Result<Prescribed, FormatError> {
     let columns = table.get("columns").map(|value| value.choice(&motion_table::COLUMNS)).transpose()?;
-    let rows = motion_table::read(form, columns)?;
-    let (motion, uncertainty) = match rows {
+    let read = || motion_table::read(form, columns).map(Arc::new);
+    let rows = table.reading().kept(form.span().start, |found| &found.rows, |found| &mut found.rows, read)?;
+    let (motion, uncertainty) = match &*rows {
         Rows::Attitude { times, attitudes } => {
             no_attitude(start, "the attitudes of the table are the motion")?;
-            Prescribed::attitude_table(&times, &attitudes)
+            Prescribed::attitude_table(times, attitudes)
         }
         Rows::Omega { axes, times, omega } => {
-            Prescribed::omega_table(start.state.attitude, axes, &times, &omega)
+            Prescribed::omega_table(start.state.attitude, *axes, times, omega)
         }
     }
     .map_err(|error| form.motion(error))?;

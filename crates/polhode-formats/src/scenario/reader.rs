@@ -3,26 +3,41 @@
 use std::ops::Range;
 use std::path::Path;
 
-use polhode::{BodyError, MotionError, RotationError};
-use toml::Spanned;
-use toml::de::{DeTable, DeValue};
-
+use super::again::{Number, Reading};
 use super::suggestion::nearest;
+use super::tree::{Entries, Kind, Node};
 use crate::error::{FormatError, FormatErrorKind, Place};
 use crate::expression::ExpressionError;
 use crate::text::{cut, visible};
 use crate::unit::{self, Dimension};
+use polhode::{BodyError, MotionError, RotationError};
 
-/// The text of a file, and the path for messages and for the files that it names.
+/// The text of a file, the path for messages and for the files that it names, and which reading of it this is.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Source<'a> {
     pub(crate) path: &'a Path,
     pub(crate) text: &'a str,
+    pub(crate) reading: Reading<'a>,
 }
 
 impl Source<'_> {
     pub(crate) fn place(&self, span: Range<usize>) -> Place {
         Place::in_text(self.text, span)
+    }
+
+    /// The text at a place, with the numbers that this reading has instead.
+    fn current(&self, span: Range<usize>) -> String {
+        let inside = |place: &&(Range<usize>, f64)| span.contains(&place.0.start);
+        let changes = self.reading.changes().map_or(&[][..], |changes| &changes.numbers);
+        let mut changes: Vec<_> = changes.iter().filter(inside).collect();
+        changes.sort_by_key(|(place, _)| place.start);
+        let (mut text, mut at) = (String::new(), span.start);
+        for (place, value) in changes {
+            text += self.text.get(at..place.start).unwrap_or_default();
+            text += &format!("{value:?}");
+            at = place.end;
+        }
+        text + self.text.get(at..span.end).unwrap_or_default()
     }
 
     pub(crate) fn error(&self, span: Range<usize>, kind: FormatErrorKind) -> FormatError {
@@ -57,15 +72,19 @@ pub(crate) const TOP: [&str; 10] =
 #[derive(Clone, Debug)]
 pub(crate) struct Table<'a> {
     source: Source<'a>,
-    entries: &'a DeTable<'a>,
+    entries: &'a Entries,
     span: Range<usize>,
     name: String,
 }
 
 impl<'a> Table<'a> {
     /// The table that is the whole file.
-    pub(crate) fn root(source: Source<'a>, entries: &'a DeTable<'a>) -> Self {
+    pub(crate) fn root(source: Source<'a>, entries: &'a Entries) -> Self {
         Self { source, entries, span: 0..0, name: "the file".to_owned() }
+    }
+
+    pub(crate) fn reading(&self) -> Reading<'a> {
+        self.source.reading
     }
 
     /// Says what the table is where its header alone does not.
@@ -75,9 +94,9 @@ impl<'a> Table<'a> {
 
     /// Refuses the first key that is none of `known`.
     pub(crate) fn allow(&self, known: &[&'static str]) -> Result<(), FormatError> {
-        let unknown = self.entries.keys().filter(|key| !known.contains(&key.get_ref().as_ref()));
-        let Some(first) = unknown.min_by_key(|key| key.span().start) else { return Ok(()) };
-        let key = first.get_ref().to_string();
+        let unknown = self.entries.iter().filter(|(key, _)| !known.contains(&key.as_str()));
+        let Some((key, entry)) = unknown.min_by_key(|(_, entry)| entry.key.start) else { return Ok(()) };
+        let key = key.clone();
         let suggestion = nearest(&key, known.iter().copied());
         let misplaced = match key.as_str() {
             "title" => Some("title stands above the first table".to_owned()),
@@ -87,7 +106,7 @@ impl<'a> Table<'a> {
         };
         let kind =
             FormatErrorKind::UnknownKey { key, table: self.name.clone(), suggestion, known: known.to_vec() };
-        let error = self.source.error(first.span(), kind);
+        let error = self.source.error(entry.key.clone(), kind);
         Err(match misplaced {
             Some(hint) => error.with_hint(hint),
             None => error,
@@ -96,7 +115,12 @@ impl<'a> Table<'a> {
 
     /// The value of a key, if it is there.
     pub(crate) fn get(&self, key: &'static str) -> Option<Value<'a>> {
-        self.entries.get(key).map(|value| Value { source: self.source, key, value, is_element: false })
+        self.entries.get(key).map(|entry| Value {
+            source: self.source,
+            key,
+            value: &entry.node,
+            is_element: false,
+        })
     }
 
     /// The value of a key that has to be there.
@@ -135,7 +159,7 @@ impl<'a> Table<'a> {
 pub(crate) struct Value<'a> {
     source: Source<'a>,
     key: &'static str,
-    value: &'a Spanned<DeValue<'a>>,
+    value: &'a Node,
     is_element: bool,
 }
 
@@ -145,7 +169,7 @@ impl<'a> Value<'a> {
     }
 
     pub(crate) fn span(&self) -> Range<usize> {
-        self.value.span()
+        self.value.span.clone()
     }
 
     pub(crate) fn place(&self) -> Place {
@@ -157,12 +181,12 @@ impl<'a> Value<'a> {
     }
 
     pub(crate) fn is_array(&self) -> bool {
-        self.value.get_ref().is_array()
+        matches!(self.value.kind, Kind::List(_))
     }
 
     pub(crate) fn table(&self) -> Result<Table<'a>, FormatError> {
-        match self.value.get_ref() {
-            DeValue::Table(entries) => {
+        match &self.value.kind {
+            Kind::Table(entries) => {
                 // `[start]` is called so; `{ body = … }` by its key.
                 let text = self.source.text.get(self.span()).unwrap_or_default();
                 let name = if text.starts_with('[') { cut(text) } else { self.key.to_owned() };
@@ -184,8 +208,8 @@ impl<'a> Value<'a> {
 
     /// All elements of an array.
     pub(crate) fn elements(&self, expected: &str) -> Result<Vec<Self>, FormatError> {
-        match self.value.get_ref() {
-            DeValue::Array(elements) => {
+        match &self.value.kind {
+            Kind::List(elements) => {
                 Ok(elements.iter().map(|value| Self { value, is_element: true, ..*self }).collect())
             }
             _ => Err(self.wrong_type(expected, &self.write("[...]"))),
@@ -204,15 +228,15 @@ impl<'a> Value<'a> {
     }
 
     pub(crate) fn string(&self) -> Result<&'a str, FormatError> {
-        match self.value.get_ref() {
-            DeValue::String(text) => Ok(text),
+        match &self.value.kind {
+            Kind::Text(text) => Ok(text),
             _ => Err(self.wrong_type("a string", "put it in quotes")),
         }
     }
 
     pub(crate) fn boolean(&self) -> Result<bool, FormatError> {
-        match self.value.get_ref() {
-            DeValue::Boolean(value) => Ok(*value),
+        match &self.value.kind {
+            Kind::Truth(value) => Ok(*value),
             _ => Err(self.wrong_type("true or false", &self.write("true"))),
         }
     }
@@ -233,8 +257,8 @@ impl<'a> Value<'a> {
 
     /// A whole number.
     pub(crate) fn count(&self) -> Result<u64, FormatError> {
-        match self.value.get_ref() {
-            DeValue::Integer(integer) => u64::from_str_radix(integer.as_str(), integer.radix())
+        match &self.value.kind {
+            Kind::Whole { digits, radix } => u64::from_str_radix(digits, *radix)
                 .map_err(|_| self.invalid("a whole number, not negative, below 2^64"))
                 .map_err(|error| error.with_hint(self.write("1000"))),
             _ => Err(self.wrong_type("a whole number", &self.write("1000"))),
@@ -243,12 +267,15 @@ impl<'a> Value<'a> {
 
     /// A plain number, finite.
     pub(crate) fn number(&self) -> Result<f64, FormatError> {
-        let digits = match self.value.get_ref() {
-            DeValue::Float(float) => float.as_str().to_owned(),
-            DeValue::Integer(integer) if integer.radix() == 10 => integer.as_str().to_owned(),
-            DeValue::Integer(integer) => u128::from_str_radix(integer.as_str(), integer.radix())
-                .map_err(|_| self.invalid("below 2^128"))?
-                .to_string(),
+        self.varying(Dimension::NONE, || self.written_number())
+    }
+
+    fn written_number(&self) -> Result<f64, FormatError> {
+        let digits = match &self.value.kind {
+            Kind::Float(digits) | Kind::Whole { digits, radix: 10 } => digits.clone(),
+            Kind::Whole { digits, radix } => {
+                u128::from_str_radix(digits, *radix).map_err(|_| self.invalid("below 2^128"))?.to_string()
+            }
             _ => return Err(self.wrong_type("a number", "it has no unit and no quotes")),
         };
         if digits.ends_with(['n', 'f']) {
@@ -259,16 +286,35 @@ impl<'a> Value<'a> {
 
     /// A number in SI, or a string with a unit.
     pub(crate) fn quantity(&self, dimension: Dimension) -> Result<f64, FormatError> {
-        match self.value.get_ref() {
-            DeValue::String(text) => {
+        self.varying(dimension, || self.written_quantity(dimension))
+    }
+
+    fn written_quantity(&self, dimension: Dimension) -> Result<f64, FormatError> {
+        match &self.value.kind {
+            Kind::Text(text) => {
                 unit::parse(text, dimension).map_err(|e| self.error(FormatErrorKind::Unit(e)))
             }
-            DeValue::Float(_) | DeValue::Integer(_) => self.number(),
+            Kind::Float(_) | Kind::Whole { .. } => self.written_number(),
             _ => {
                 let example = dimension.example().unwrap_or("1");
                 Err(self.wrong_type(&dimension.to_string(), &self.write(&format!("\"{example}\""))))
             }
         }
+    }
+
+    /// The number that this reading has instead, or the one that is written, which is left for later readings.
+    fn varying(
+        &self,
+        dimension: Dimension,
+        written: impl FnOnce() -> Result<f64, FormatError>,
+    ) -> Result<f64, FormatError> {
+        let (reading, span) = (self.source.reading, self.span());
+        if let Some(value) = reading.number(span.start) {
+            return Ok(value);
+        }
+        let value = written()?;
+        reading.leave(|found| found.numbers.insert(span.start, Number { span, value, dimension }));
+        Ok(value)
     }
 
     /// A quantity above zero.
@@ -347,8 +393,7 @@ impl<'a> Value<'a> {
 
     /// An error about a value that breaks a rule; the message cites it as it stands in the file.
     pub(crate) fn invalid(&self, rule: impl Into<String>) -> FormatError {
-        let text = self.source.text.get(self.span()).unwrap_or_default();
-        let value = cut(text).chars().map(visible).collect();
+        let value = cut(&self.source.current(self.span())).chars().map(visible).collect();
         self.error(FormatErrorKind::Value { key: self.key.to_owned(), value, rule: rule.into() })
     }
 
@@ -358,13 +403,13 @@ impl<'a> Value<'a> {
     }
 
     fn wrong_type(&self, expected: &str, hint: &str) -> FormatError {
-        let found = match self.value.get_ref() {
-            DeValue::String(_) => "a string",
-            DeValue::Integer(_) | DeValue::Float(_) => "a number",
-            DeValue::Boolean(_) => "true or false",
-            DeValue::Datetime(_) => "a date",
-            DeValue::Array(_) => "an array",
-            DeValue::Table(_) => "a table",
+        let found = match &self.value.kind {
+            Kind::Text(_) => "a string",
+            Kind::Whole { .. } | Kind::Float(_) => "a number",
+            Kind::Truth(_) => "true or false",
+            Kind::Date => "a date",
+            Kind::List(_) => "an array",
+            Kind::Table(_) => "a table",
         };
         self.mismatch(expected.to_owned(), found.to_owned()).with_hint(hint)
     }

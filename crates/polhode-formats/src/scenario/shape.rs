@@ -1,5 +1,7 @@
 //! The shapes with closed forms, and what each is measured by.
 
+use std::sync::Arc;
+
 use polhode::{
     BoxShape, BoxShell, Capsule, ClosedMesh, Cone, Cylinder, CylinderShell, Disk, Ellipsoid, Parametrised,
     Plate, Rod, Shape, Solid, Sphere, SphereShell, Tetrahedron, Torus,
@@ -32,7 +34,7 @@ pub(crate) enum Geometry {
     /// A solid whose density may vary.
     Solid(Box<dyn Parametrised>),
     /// A polyhedron, whose density may vary too.
-    Mesh(Box<ClosedMesh>),
+    Mesh(Arc<ClosedMesh>),
     /// A thin shell, plate or rod.
     Thin(Box<dyn Shape>),
 }

@@ -124,6 +124,52 @@ impl Dimension {
     }
 }
 
+impl Dimension {
+    /// The SI unit: as symbols, `kg·m²/s`, and at the end of a column's name, `kg_m2_s`. Both are empty for a plain number.
+    pub(crate) fn unit(self) -> (String, String) {
+        if let Some((_, symbols, suffix)) = NAMED_UNITS.iter().find(|(dimension, ..)| *dimension == self) {
+            return ((*symbols).to_owned(), (*suffix).to_owned());
+        }
+        let powers = [
+            ("kg", self.mass),
+            ("A", self.current),
+            ("m", self.length),
+            ("rad", self.angle),
+            ("s", self.time),
+        ];
+        let raised = |unit: &str, power: u8| match power {
+            1 => unit.to_owned(),
+            2 => format!("{unit}²"),
+            3 => format!("{unit}³"),
+            _ => format!("{unit}^{power}"),
+        };
+        let side = |above: bool| -> Vec<String> {
+            let there = powers.iter().filter(|(_, power)| if above { *power > 0 } else { *power < 0 });
+            there.map(|(unit, power)| raised(unit, power.unsigned_abs())).collect()
+        };
+        let (above, below) = (side(true), side(false));
+        let numerator = if above.is_empty() { "1".to_owned() } else { above.join("·") };
+        let symbols = match &below[..] {
+            [] if above.is_empty() => String::new(),
+            [] => numerator,
+            [one] => format!("{numerator}/{one}"),
+            _ => format!("{numerator}/({})", below.join("·")),
+        };
+        let plain = |unit: &String| unit.replace('²', "2").replace('³', "3").replace('^', "").to_lowercase();
+        (symbols, above.iter().chain(&below).map(plain).collect::<Vec<_>>().join("_"))
+    }
+}
+
+/// Units with names of their own.
+const NAMED_UNITS: [(Dimension, &str, &str); 6] = [
+    (Dimension::TORQUE, "N·m", "n_m"),
+    (Dimension::FORCE, "N", "n"),
+    (Dimension::MAGNETIC_FIELD, "T", "t"),
+    (Dimension::STIFFNESS, "N·m/rad", "n_m_rad"),
+    (Dimension::DRAG, "N·m·s/rad", "n_m_s_rad"),
+    (Dimension::QUADRATIC_DRAG, "N·m·s²/rad²", "n_m_s2_rad2"),
+];
+
 impl fmt::Display for Dimension {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if let Some((_, name, _)) = NAMES.iter().find(|(dimension, ..)| dimension == self) {

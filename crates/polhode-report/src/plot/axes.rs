@@ -67,7 +67,10 @@ impl Axis {
             exponent,
             log: false,
             ticks: Ticks::linear(least, greatest, count),
-            label: if unit.is_empty() { name.to_owned() } else { format!("{name}, {power}{unit}") },
+            label: match format!("{power}{unit}").trim_end() {
+                "" => name.to_owned(),
+                unit => format!("{name}, {unit}"),
+            },
         }
     }
 
@@ -82,6 +85,19 @@ impl Axis {
             log: true,
             ticks,
             label: name.to_owned(),
+        }
+    }
+
+    /// A logarithmic axis that holds positive values from `least` to `greatest`, with at most so many marks at powers of ten.
+    pub(super) fn logarithmic([least, greatest]: [f64; 2], most: i32, name: &str, unit: &str) -> Self {
+        let range = [least, greatest].map(f64::log10);
+        let [first, last] = [range[0].ceil() as i32, range[1].floor() as i32];
+        Self {
+            range,
+            exponent: 0,
+            log: true,
+            ticks: Ticks::powers(first, last, most),
+            label: if unit.is_empty() { name.to_owned() } else { format!("{name}, {unit}") },
         }
     }
 

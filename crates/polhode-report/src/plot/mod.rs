@@ -23,6 +23,7 @@ mod series;
 mod sheet;
 mod sphere;
 mod svg;
+mod sweep;
 #[cfg(test)]
 mod tests;
 mod ticks;
@@ -30,6 +31,7 @@ mod ticks;
 pub use error::PlotError;
 pub use figure::Figure;
 pub use motion::MotionFigures;
+pub use sweep::SweepFigures;
 
 /// A picture that is drawn.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,16 +1,67 @@
 //! Plans: a scenario, and what differs from member to member.
+//!
+//! A member's values are a function of the plan and of the member's number alone: of uniform numbers, each of which follows from
+//! the seed, the variable's key and the member's number ([`uniform`]), by the inverse of a distribution function
+//! ([`distribution`]) or by what belongs to directions, rotations and mass properties ([`draw`], [`second_moments`]).
+
+mod digest;
+mod distribution;
+mod draw;
+mod normal;
+mod permutation;
+mod second_moments;
+mod sobol;
+mod uniform;
 
 use std::path::Path;
 
-use polhode::Scenario;
-use polhode_formats::{FormatError, scenario};
+use polhode::{Finding, Scenario, Severity};
+use polhode_formats::FormatError;
+use polhode_formats::scenario::{Distribution, Law, Template, Vary};
+
+pub use polhode_formats::scenario::Sampling;
+
+use draw::{Draw, MOST_COORDINATES};
+use uniform::Coordinate;
 
 /// A scenario, and what differs from member to member.
+///
+/// ```
+/// use polhode_sweep::Plan;
+/// let text = r#"
+/// [[body.part]]
+/// shape = "tensor"
+/// mass = "3 kg"
+/// moments = ["1 kg m^2", "2 kg m^2", "2.5 kg m^2"]
+///
+/// [start]
+/// spin = { body = [0.1, 2, -0.3] }
+///
+/// [sweep]
+/// members = 1_000_000
+/// sampling = "monte carlo"
+/// seed = 7
+///
+/// [[sweep.vary]]
+/// key = "start.spin.body[1]"
+/// normal = { mean = "2 rad/s", sd = "10 deg/s" }
+/// "#;
+/// let plan = Plan::parse(text.to_owned(), "spins.toml".as_ref())?;
+/// let values = plan.values(123_456);
+/// assert_eq!(plan.variables()[0].name, "start_spin_body_y_rad_s");
+/// assert_eq!(plan.scenario(&values)?.start.omega.to_array(), [0.1, values[0], -0.3]);
+/// # Ok::<(), polhode_formats::FormatError>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Plan {
-    text: String,
-    scenario: Scenario,
+    template: Template,
+    members: u64,
+    sampling: Sampling,
+    vary: Vec<(Vary, Draw)>,
+    /// The uniform numbers of a member, those of each variable after those of the one before.
+    coordinates: Vec<Coordinate>,
     variables: Vec<Variable>,
+    digest: String,
 }
 
 /// Something that differs: one column of inputs.
@@ -24,42 +75,86 @@ pub struct Variable {
     pub description: String,
 }
 
-/// How members are drawn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Sampling {
-    /// Every combination of the values given.
-    Grid,
-    /// Independent draws.
-    MonteCarlo,
-    /// One draw in each of as many layers as there are members, in every variable.
-    LatinHypercube,
-    /// Owen-scrambled Sobol points.
-    Sobol,
-}
+/// How many members are tried before a plan counts as read.
+const TRIED: u64 = 64;
 
 impl Plan {
     /// Reads a plan; the files that it names are found relative to it.
     ///
     /// # Errors
-    /// [`FormatError`]
+    /// [`FormatError`] if it is no scenario with a `[sweep]`, or if none of its members is one.
     pub fn read(path: &Path) -> Result<Self, FormatError> {
-        let (scenario, text) = scenario::read_with_text(path)?;
-        Ok(Self { text, scenario, variables: Vec::new() })
+        Self::new(Template::read(path)?)
+    }
+
+    /// Reads a plan from its text; `path` is for messages, and for the files that it names.
+    ///
+    /// # Errors
+    /// As [`Plan::read`].
+    pub fn parse(text: String, path: &Path) -> Result<Self, FormatError> {
+        Self::new(Template::parse(text, path)?)
+    }
+
+    fn new(template: Template) -> Result<Self, FormatError> {
+        let sweep = template.sweep()?;
+        let vary: Vec<_> = sweep.vary.into_iter().map(|vary| (Draw::new(&vary), vary)).collect();
+        let mut coordinates = Vec::new();
+        for (draw, vary) in &vary {
+            for index in 0..draw.coordinates() {
+                let (name, dimension) = (vary.target.key(), coordinates.len());
+                coordinates.push(Coordinate::new(
+                    sweep.sampling,
+                    sweep.members,
+                    sweep.seed,
+                    name,
+                    index,
+                    dimension,
+                ));
+            }
+        }
+        let column = |column: &polhode_formats::scenario::TargetColumn| Variable {
+            name: column.name.clone(),
+            unit: column.unit.clone(),
+            description: column.description.clone(),
+        };
+        let variables = vary.iter().flat_map(|(_, vary)| vary.target.columns().iter().map(column)).collect();
+        let digest = digest::digest(&template)?;
+        let vary = vary.into_iter().map(|(draw, vary)| (vary, draw)).collect();
+        let plan = Self {
+            template,
+            members: sweep.members,
+            sampling: sweep.sampling,
+            vary,
+            coordinates,
+            variables,
+            digest,
+        };
+        plan.tried().map(|_| plan)
     }
 
     /// The text of its file.
     pub fn text(&self) -> &str {
-        &self.text
+        self.template.text()
+    }
+
+    /// The scenario as it is written, before anything varies.
+    pub const fn nominal(&self) -> &Scenario {
+        self.template.nominal()
+    }
+
+    /// True if the motions of members are to be kept too.
+    pub const fn wants_trajectories(&self) -> bool {
+        false
     }
 
     /// How many members there are.
     pub const fn members(&self) -> u64 {
-        1
+        self.members
     }
 
     /// How they are drawn.
     pub const fn sampling(&self) -> Sampling {
-        Sampling::Grid
+        self.sampling
     }
 
     /// What differs.
@@ -68,20 +163,89 @@ impl Plan {
     }
 
     /// What differs, of a member: a number for each variable, SI. Depends on nothing but the plan and the member's number.
-    pub fn values(&self, _member: u64) -> Vec<f64> {
-        Vec::new()
+    pub fn values(&self, member: u64) -> Vec<f64> {
+        let mut values = Vec::with_capacity(self.variables.len());
+        if self.sampling == Sampling::Grid {
+            self.combination(member, &mut values);
+            return values;
+        }
+        let mut coordinates = self.coordinates.iter();
+        for (_, draw) in &self.vary {
+            let mut uniform = [0.0; MOST_COORDINATES];
+            let count = draw.coordinates().min(MOST_COORDINATES);
+            for (u, coordinate) in uniform.iter_mut().zip(coordinates.by_ref().take(count)) {
+                *u = coordinate.uniform(member);
+            }
+            draw.put(uniform.get(..count).unwrap_or_default(), &mut values);
+        }
+        values
+    }
+
+    /// The values of a grid's member: the last variable changes first.
+    fn combination(&self, member: u64, values: &mut Vec<f64>) {
+        let mut rest = member;
+        for (vary, _) in self.vary.iter().rev() {
+            if let Law::Number(Distribution::List(list)) = &vary.law {
+                let count = list.len().max(1) as u64;
+                values.extend(list.get((rest % count) as usize));
+                rest /= count;
+            }
+        }
+        values.reverse();
     }
 
     /// The scenario with these values of the variables.
     ///
     /// # Errors
     /// [`FormatError`] if there is no such body or motion: this member fails, others may not.
-    pub fn scenario(&self, _values: &[f64]) -> Result<Scenario, FormatError> {
-        Ok(self.scenario.clone())
+    pub fn scenario(&self, values: &[f64]) -> Result<Scenario, FormatError> {
+        let mut rest = values;
+        let mut targets = Vec::with_capacity(self.vary.len());
+        for (k, (vary, _)) in self.vary.iter().enumerate() {
+            let columns = vary.target.columns().len();
+            // What is too much is the last one's, which refuses it.
+            let is_last = k + 1 == self.vary.len();
+            let (own, others) = rest.split_at(if is_last { rest.len() } else { columns.min(rest.len()) });
+            targets.push((&vary.target, own));
+            rest = others;
+        }
+        self.template.scenario(targets)
     }
 
     /// A name for everything that results depend on: the plan's text, the contents of the files that it names, and the program's version.
     pub fn digest(&self) -> String {
-        String::new()
+        self.digest.clone()
+    }
+
+    /// What was noticed: about the scenario as it is written, and about members that are none.
+    pub fn findings(&self) -> Vec<Finding> {
+        let mut findings = self.nominal().findings.clone();
+        findings.extend(self.tried().ok().flatten());
+        findings
+    }
+
+    /// Tries some members from all over the plan.
+    fn tried(&self) -> Result<Option<Finding>, FormatError> {
+        let count = self.members.min(TRIED);
+        let number = |k: u64| (u128::from(k) * u128::from(self.members) / u128::from(count.max(1))) as u64;
+        let failed: Vec<(u64, FormatError)> = (0..count)
+            .map(number)
+            .filter_map(|member| self.scenario(&self.values(member)).err().map(|error| (member, error)))
+            .collect();
+        let Some((member, error)) = failed.first() else { return Ok(None) };
+        if failed.len() as u64 == self.members {
+            return Err(error.clone());
+        }
+        let all = if failed.len() as u64 == count { ", all of them" } else { "" };
+        Ok(Some(Finding {
+            code: "sweep.members",
+            severity: Severity::Warning,
+            message: format!(
+                "{} of {count} members tried are not possible{all}; member {member}: {}",
+                failed.len(),
+                error.message()
+            ),
+            place: error.place().map(|place| format!("line {}", place.line)),
+        }))
     }
 }

@@ -1,0 +1,115 @@
+//! `polhode sweep`
+
+mod cluster;
+mod progress;
+
+use std::num::NonZeroUsize;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+use std::thread::available_parallelism;
+
+use clap::Args;
+use polhode_report::pretty;
+use polhode_sweep::{Dataset, Plan};
+
+use crate::failure::Failure;
+use crate::stdout::print;
+use progress::SweepProgress;
+
+/// Compute many motions, and what they come to.
+///
+/// A plan is a scenario with a [sweep] section that says what differs from member to member. The folder holds members/, tables with
+/// one row for each member (its inputs, and what becomes of it), summary.json and two plots. A member that cannot be computed is a
+/// row that says why.
+///
+/// Ctrl-C, or whatever else ends the program, loses only the parts in hand: --resume continues, and the files are the same to the
+/// last byte. They do not depend on the number of threads either.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  polhode sweep examples/sweeps/tumbling-debris.toml
+  polhode sweep plan.toml -o results/plan --threads 4
+  polhode sweep plan.toml -o results/plan --resume
+  polhode sweep plan.toml --json | jq .outcomes.period_s
+  polhode sweep plan.toml --on ray://127.0.0.1:10001")]
+pub(crate) struct Sweep {
+    /// The plan, a TOML file with a [sweep] and a [run] section.
+    plan: PathBuf,
+    /// The folder to write [default: the plan's name, here].
+    #[arg(short, long, value_name = "DIR")]
+    output: Option<PathBuf>,
+    /// Continue an interrupted sweep; begin it if there is none.
+    #[arg(long)]
+    resume: bool,
+    /// Throw away the results of an earlier sweep.
+    #[arg(long, conflicts_with = "resume")]
+    force: bool,
+    /// How many threads compute [default: all].
+    #[arg(long, value_name = "N")]
+    threads: Option<NonZeroUsize>,
+    /// Print the summary as JSON.
+    #[arg(long)]
+    json: bool,
+    /// Compute on a cluster: ray://HOST:PORT or dask://HOST:PORT. Needs the Python package polhode.
+    #[arg(long, value_name = "URL", value_parser = cluster::url)]
+    on: Option<String>,
+}
+
+impl Sweep {
+    pub(crate) fn run(self) -> Result<(), Failure> {
+        let target = self.output.clone().unwrap_or_else(|| default_folder(&self.plan));
+        if let Some(url) = &self.on {
+            return cluster::hand_over(&self, url, &target);
+        }
+        let plan = Plan::read(&self.plan)?;
+        let dataset = match (self.resume, self.force) {
+            (true, _) => Dataset::resume(&target, &plan),
+            (_, true) => Dataset::replace(&target, &plan),
+            _ => Dataset::create(&target, &plan),
+        }?;
+        let stop = stop_on_signals();
+        let threads = self.threads.or_else(|| available_parallelism().ok()).map_or(1, NonZeroUsize::get);
+        let progress = SweepProgress::new();
+        let reached = dataset.compute(&plan, threads, &stop, &|reached| progress.reached(reached))?;
+        drop(progress);
+        if reached.done < reached.members {
+            return Err(self.stopped(reached.done, reached.members, &target));
+        }
+        let summary = dataset.finish(&plan, threads)?;
+        if self.json {
+            print((pretty(&summary.to_json()) + "\n").as_bytes())
+        } else {
+            let wrote = target.join("summary.json");
+            let more = "  members/  histograms.svg  pairs.svg";
+            print(format!("{}wrote {}{more}\n", summary.to_text(), wrote.display()).as_bytes())
+        }
+    }
+
+    fn stopped(&self, done: u64, members: u64, target: &Path) -> Failure {
+        Failure::Stopped {
+            done: format!("{done} of {members} members are in {}", target.display()),
+            hint: format!(
+                "polhode sweep {} -o {} --resume goes on from here",
+                self.plan.display(),
+                target.display()
+            ),
+        }
+    }
+}
+
+/// Becomes true with the first Ctrl-C (or SIGTERM), after which the parts in hand are finished; a second one ends the program.
+fn stop_on_signals() -> Arc<AtomicBool> {
+    let stop = Arc::new(AtomicBool::new(false));
+    for signal in [signal_hook::consts::SIGINT, signal_hook::consts::SIGTERM] {
+        // In this order: the second signal finds the flag that the first has set. Where it cannot be done, Ctrl-C ends the program.
+        let _ = signal_hook::flag::register_conditional_shutdown(signal, 130, Arc::clone(&stop));
+        let _ = signal_hook::flag::register(signal, Arc::clone(&stop));
+    }
+    stop
+}
+
+/// The plan's name, in the current folder.
+fn default_folder(plan: &Path) -> PathBuf {
+    PathBuf::from(plan.file_stem().unwrap_or_default())
+}

@@ -1,0 +1,177 @@
+//! The `[sweep]`: how many members, how they are drawn, and what varies.
+
+mod distribution;
+mod law;
+
+use polhode::Scenario;
+
+pub use distribution::Distribution;
+pub use law::{Dispersion, Law, Spread};
+
+use super::again::Found;
+use super::reader::{Source, Table, Value};
+use super::target::{Catalogue, Target};
+use super::tree::Entries;
+use crate::error::{FormatError, Place};
+
+/// How members are drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sampling {
+    /// Every combination of the values given.
+    Grid,
+    /// Independent draws.
+    MonteCarlo,
+    /// One draw in each of as many layers as there are members, in every variable.
+    LatinHypercube,
+    /// Owen-scrambled Sobol points.
+    Sobol,
+}
+
+/// What a plan's `[sweep]` says.
+#[derive(Clone, Debug)]
+pub struct Sweep {
+    /// How many members there are, at least one.
+    pub members: u64,
+    /// How they are drawn.
+    pub sampling: Sampling,
+    /// Draws follow from it.
+    pub seed: u64,
+    /// What varies, in the file's order; no number twice.
+    pub vary: Vec<Vary>,
+}
+
+/// What varies, and how.
+#[derive(Clone, Debug)]
+pub struct Vary {
+    /// What.
+    pub target: Target,
+    /// How.
+    pub law: Law,
+    /// Where the plan says so.
+    pub place: Place,
+}
+
+impl Vary {
+    /// How many independent numbers it draws.
+    pub fn coordinates(&self) -> usize {
+        self.law.coordinates(self.target.columns().len())
+    }
+}
+
+/// Sobol's sequence is tabulated for so many numbers of a member.
+pub const SOBOL_DIMENSIONS: usize = 64;
+
+/// More members than this are a slip of the pen.
+const MOST_MEMBERS: u64 = 1_000_000_000_000;
+
+/// Sobol's points have 32 binary digits.
+const MOST_SOBOL: u64 = 1 << 32;
+
+/// Reads `[sweep]`.
+pub(crate) fn sweep(
+    source: Source<'_>,
+    entries: &Entries,
+    found: &Found,
+    nominal: &Scenario,
+) -> Result<Sweep, FormatError> {
+    let root = Table::root(source, entries);
+    let table = root
+        .require("sweep", "[sweep], and under it members = 1000 and sampling = \"monte carlo\"")?
+        .table()?;
+    table.allow(&["members", "sampling", "seed", "vary"])?;
+    let sampling = match table.require("sampling", "sampling = \"monte carlo\"")?.choice(&SAMPLINGS)? {
+        "grid" => Sampling::Grid,
+        "monte carlo" => Sampling::MonteCarlo,
+        "latin hypercube" => Sampling::LatinHypercube,
+        _ => Sampling::Sobol,
+    };
+    let example =
+        "[[sweep.vary]], and under it key = \"start.spin.body[0]\" and uniform = { from = 0, to = 1 }";
+    let list = table.require("vary", example)?;
+    let catalogue = Catalogue { entries, found, nominal };
+    let vary = list
+        .tables("sweep.vary")?
+        .into_iter()
+        .map(|table| vary(&table.called("[[sweep.vary]]".to_owned()), &catalogue, sampling))
+        .collect::<Result<Vec<_>, _>>()?;
+    if vary.is_empty() {
+        return Err(table.missing("vary", example));
+    }
+    let mut coordinates = 0;
+    for (k, (one, key)) in vary.iter().enumerate() {
+        coordinates += one.coordinates();
+        if sampling == Sampling::Sobol && coordinates > SOBOL_DIMENSIONS {
+            let rule = format!("among the first {SOBOL_DIMENSIONS} numbers that are drawn for a member");
+            let hint =
+                "a vector draws up to 3, a rotation 3, a tensor 9, a body up to 16: take \"latin hypercube\"";
+            return Err(key.invalid(rule).with_hint(hint));
+        }
+        if let Some((other, _)) = vary.iter().take(k).find(|(other, _)| other.target.overlaps(&one.target)) {
+            let line = other.place.line;
+            let rule = format!("something else than what varies by line {line} already");
+            return Err(key.invalid(rule).with_hint("a number varies once: leave one of them out"));
+        }
+    }
+    let vary: Vec<Vary> = vary.into_iter().map(|(vary, _)| vary).collect();
+    let seed = table.get("seed");
+    if let (Sampling::Grid, Some(seed)) = (sampling, &seed) {
+        return Err(seed.invalid("left out").with_hint("nothing in a grid is drawn"));
+    }
+    let seed = seed.map_or(Ok(0), |seed| seed.count())?;
+    Ok(Sweep { members: members(&table, sampling, &vary, &list)?, sampling, seed, vary })
+}
+
+const SAMPLINGS: [&str; 4] = ["monte carlo", "latin hypercube", "sobol", "grid"];
+
+fn members(
+    table: &Table<'_>,
+    sampling: Sampling,
+    vary: &[Vary],
+    list: &Value<'_>,
+) -> Result<u64, FormatError> {
+    let given = table.get("members");
+    if sampling == Sampling::Grid {
+        if let Some(value) = given {
+            let hint = "a grid has as many members as its values have combinations";
+            return Err(value.invalid("left out of a grid").with_hint(hint));
+        }
+        let count = |vary: &Vary| match &vary.law {
+            Law::Number(Distribution::List(values)) => values.len() as u64,
+            _ => 1,
+        };
+        let product = vary.iter().try_fold(1_u64, |product, vary| product.checked_mul(count(vary)));
+        return product.filter(|product| *product <= MOST_MEMBERS).ok_or_else(|| {
+            let counts: Vec<String> = vary.iter().map(|vary| count(vary).to_string()).collect();
+            list.error(crate::error::FormatErrorKind::Value {
+                key: "sweep.vary".to_owned(),
+                value: counts.join(" × "),
+                rule: format!("at most {MOST_MEMBERS} combinations"),
+            })
+            .with_hint("take fewer values of each, or another sampling")
+        });
+    }
+    let Some(value) = given else { return Err(table.missing("members", "members = 1000")) };
+    let members = value.count()?;
+    let (most, hint) = match sampling {
+        Sampling::Sobol => (MOST_SOBOL, "Sobol's points repeat beyond"),
+        _ => (MOST_MEMBERS, "begin with a thousand"),
+    };
+    if members == 0 {
+        return Err(value.invalid("at least 1").with_hint("write members = 1000"));
+    }
+    if members > most {
+        return Err(value.invalid(format!("at most {most}")).with_hint(hint));
+    }
+    Ok(members)
+}
+
+/// One `[[sweep.vary]]`, and the value of its key.
+fn vary<'a>(
+    table: &Table<'a>,
+    catalogue: &Catalogue<'_>,
+    sampling: Sampling,
+) -> Result<(Vary, Value<'a>), FormatError> {
+    let key = table.require("key", "key = \"start.spin.body[0]\"")?;
+    let (target, law) = law::law(table, &key, catalogue, sampling)?;
+    Ok((Vary { target, law, place: key.place() }, key))
+}

@@ -1,0 +1,248 @@
+//! A scenario that is read many times, with some of its numbers changed.
+
+use std::cell::RefCell;
+use std::path::{Path, PathBuf};
+
+use polhode::{Body, InertiaTensor, MassProperties, Position, Scenario};
+
+use super::again::{Changes, Found, Reading};
+use super::reader::{Source, TOP};
+use super::sweep::{self, Sweep};
+use super::target::{Target, Varied};
+use super::tree::Entries;
+use super::{document, read_root, text_of};
+use crate::error::{FormatError, FormatErrorKind};
+
+/// A scenario that is read many times, with some of its numbers changed.
+///
+/// The file is parsed once. A later reading opens no file: meshes, molecules and tables are those of the first. Parts of the body
+/// in which nothing changes are not computed again, and have no [`form`](polhode::BodyPart::form).
+///
+/// ```
+/// use polhode_formats::scenario::Template;
+/// let plan = r#"
+/// [[body.part]]
+/// shape = "sphere"
+/// radius = "20 mm"
+/// mass = "0.5 kg"
+///
+/// [sweep]
+/// members = 100
+/// sampling = "monte carlo"
+/// vary = [{ key = "body.part[0].mass", uniform = { from = "0.4 kg", to = "600 g" } }]
+/// "#;
+/// let template = Template::parse(plan.to_owned(), "balls.toml".as_ref())?;
+/// let mass = template.sweep()?.vary[0].target.clone();
+/// let heavy = template.scenario([(&mass, &[0.6][..])])?;
+/// assert_eq!(heavy.body.mass(), 0.6);
+/// assert!(template.scenario([(&mass, &[-0.6][..])]).is_err());
+/// # Ok::<(), polhode_formats::FormatError>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Template {
+    path: PathBuf,
+    text: String,
+    entries: Entries,
+    found: Found,
+    nominal: Scenario,
+}
+
+impl Template {
+    /// Reads a scenario, which may have a `[sweep]`; the files that it names are found relative to it.
+    ///
+    /// # Errors
+    /// As [`scenario::read`](super::read).
+    pub fn read(path: &Path) -> Result<Self, FormatError> {
+        Self::parse(text_of(path)?, path)
+    }
+
+    /// Reads a scenario, which may have a `[sweep]`, from its text.
+    ///
+    /// # Errors
+    /// As [`scenario::read`](super::read).
+    pub fn parse(text: String, path: &Path) -> Result<Self, FormatError> {
+        let found = RefCell::new(Found::default());
+        let source = Source { path, text: &text, reading: Reading::First(&found) };
+        let entries = document(source)?;
+        let nominal = read_root(source, &entries, &known())?;
+        Ok(Self { path: path.to_owned(), entries, found: found.into_inner(), nominal, text })
+    }
+
+    /// The scenario as it is written.
+    pub const fn nominal(&self) -> &Scenario {
+        &self.nominal
+    }
+
+    /// The text of the file.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// The path of the file.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// The files that it names.
+    pub fn files(&self) -> &[PathBuf] {
+        &self.found.files
+    }
+
+    /// What the file's `[sweep]` says.
+    ///
+    /// # Errors
+    /// [`FormatError`] without one, or if it asks for what cannot be.
+    pub fn sweep(&self) -> Result<Sweep, FormatError> {
+        sweep::sweep(self.source(Reading::Once), &self.entries, &self.found, &self.nominal)
+    }
+
+    /// The scenario with other values of some numbers, SI, as many for each target as it has columns.
+    ///
+    /// # Errors
+    /// [`FormatError`] if there is no such body or motion; what is wrong in a member is said where it stands in the file.
+    pub fn scenario<'v>(
+        &self,
+        values: impl IntoIterator<Item = (&'v Target, &'v [f64])>,
+    ) -> Result<Scenario, FormatError> {
+        let mut changes = Changes::default();
+        for (target, values) in values {
+            self.change(target, values, &mut changes)?;
+        }
+        read_root(self.source(Reading::Again(&self.found, &changes)), &self.entries, &known())
+    }
+
+    fn source<'a>(&'a self, reading: Reading<'a>) -> Source<'a> {
+        Source { path: self.path.as_path(), text: self.text.as_str(), reading }
+    }
+
+    /// Notes other values of a target.
+    fn change(&self, target: &Target, values: &[f64], changes: &mut Changes) -> Result<(), FormatError> {
+        let fail = |kind| self.source(Reading::Once).error(target.place.clone(), kind);
+        let invalid = |key: &str, value: String, rule: &str| {
+            fail(FormatErrorKind::Value { key: key.to_owned(), value, rule: rule.to_owned() })
+        };
+        let columns = target.columns();
+        if values.len() != columns.len() {
+            return Err(invalid(&target.key, format!("{values:?}"), &format!("{} numbers", columns.len())));
+        }
+        if let Some((value, column)) = values.iter().zip(columns).find(|(value, _)| !value.is_finite()) {
+            return Err(invalid(&column.name, value.to_string(), "finite"));
+        }
+        changes.parts.extend(target.part);
+        let body = |error| fail(FormatErrorKind::Body(error));
+        match (&target.varied, values) {
+            (Varied::Numbers(spans), values) => {
+                changes.numbers.extend(spans.iter().cloned().zip(values.iter().copied()));
+            }
+            (Varied::Rotation(place), &[w, x, y, z]) => changes.rotations.push((*place, [w, x, y, z])),
+            (Varied::MassProperties(nominal), values) => {
+                let other = mass_properties(nominal, values).map_err(body)?;
+                match target.part {
+                    Some(part) => changes.part_properties.push((part, other)),
+                    None => changes.body = Some(other),
+                }
+            }
+            // A rotation has four columns, as was asked above.
+            (Varied::Rotation(_), _) => {}
+        }
+        Ok(())
+    }
+}
+
+/// Mass, centre of mass and tensor from ten numbers, or the tensor alone from six: xx, yy, zz, xy, xz, yz.
+fn mass_properties(
+    nominal: &MassProperties<Body>,
+    values: &[f64],
+) -> Result<MassProperties<Body>, polhode::BodyError> {
+    let (mass, center, tensor) = match *values {
+        [mass, x, y, z, ref tensor @ ..] if tensor.len() == 6 => (mass, Position::new(x, y, z), tensor),
+        _ => (nominal.mass(), nominal.center_of_mass(), values),
+    };
+    let inertia = match *tensor {
+        [xx, yy, zz, xy, xz, yz] => InertiaTensor::with_negative_products([xx, yy, zz], [xy, xz, yz])?,
+        _ => *nominal.inertia(),
+    };
+    MassProperties::new(mass, center, inertia)
+}
+
+/// The keys of the file itself.
+fn known() -> Vec<&'static str> {
+    TOP.iter().copied().chain(["sweep"]).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
+
+    use std::fs;
+
+    use super::super::tree::{Kind, Node};
+    use super::*;
+    use crate::scenario;
+
+    /// What a motion depends on: everything but what parts look like, and where remarks stand.
+    fn comparable(mut scenario: Scenario) -> Scenario {
+        scenario.parts.iter_mut().for_each(|part| part.form = None);
+        scenario
+    }
+
+    /// Where the values of each part of the body stand.
+    fn parts(template: &Template) -> Vec<Vec<usize>> {
+        fn places(node: &Node) -> Vec<usize> {
+            match &node.kind {
+                Kind::List(elements) => elements.iter().flat_map(places).collect(),
+                Kind::Table(entries) => entries.values().flat_map(|entry| places(&entry.node)).collect(),
+                _ => vec![node.span.start],
+            }
+        }
+        let Kind::Table(body) = &template.entries["body"].node.kind else { panic!("no table") };
+        let Kind::List(parts) = &body["part"].node.kind else { panic!("no list") };
+        parts.iter().map(places).collect()
+    }
+
+    /// Reading again with one number changed is reading a file in which it is written otherwise, for every number of every
+    /// example; if that is refused, so is this.
+    #[test]
+    fn a_changed_number_is_one_written_otherwise() {
+        let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
+        let mut count = 0;
+        for entry in
+            [examples.clone(), examples.join("notes")].iter().flat_map(|folder| fs::read_dir(folder).unwrap())
+        {
+            let path = entry.unwrap().path();
+            if path.extension().is_none_or(|extension| extension != "toml") {
+                continue;
+            }
+            let template = Template::read(&path).unwrap();
+            for number in template.found.numbers.values() {
+                let value = 1.0625 * number.value + 0.0078125;
+                let mut text = template.text.clone();
+                text.replace_range(number.span.clone(), &format!("{value:?}"));
+                let written = scenario::parse(&text, &path).map(comparable);
+                let part = parts(&template).iter().position(|part| part.contains(&number.span.start));
+                let changes = Changes {
+                    numbers: vec![(number.span.clone(), value)],
+                    parts: part.into_iter().collect(),
+                    ..Changes::default()
+                };
+                let source = template.source(Reading::Again(&template.found, &changes));
+                let again = read_root(source, &template.entries, &known()).map(comparable);
+                match (written, again) {
+                    (Ok(written), Ok(again)) => assert!(written == again, "{}: {number:?}", path.display()),
+                    (Err(written), Err(again)) => assert_eq!(written.message(), again.message()),
+                    (written, again) => panic!("{}: {number:?}: {written:?}, {again:?}", path.display()),
+                }
+                count += 1;
+            }
+        }
+        assert!(count > 300, "{count}");
+    }
+
+    #[test]
+    fn nothing_changed_is_nothing_changed() {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/bracket.toml");
+        let template = Template::read(&path).unwrap();
+        assert_eq!(template.files().len(), 1);
+        assert_eq!(comparable(template.scenario([]).unwrap()), comparable(template.nominal().clone()));
+    }
+}

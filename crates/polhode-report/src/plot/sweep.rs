@@ -1,0 +1,234 @@
+//! The figures of a sweep: how outcomes are distributed, and on what they depend.
+
+use super::Picture;
+use super::axes::{Area, Axes, Axis, Key, heading};
+use super::font;
+use super::sheet::{Anchor, Colour, LARGE, Mark, Pen, Point, Sheet, Text};
+use crate::layout::printable;
+use crate::sweep::{SweepHistogram, SweepSample, SweepStatistic, SweepSummary};
+
+/// The figures of a sweep.
+///
+/// ```no_run
+/// # fn of(summary: &polhode_report::SweepSummary, sample: &polhode_report::SweepSample) -> String {
+/// polhode_report::SweepFigures::new(summary, sample).histograms().to_svg()
+/// # }
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct SweepFigures<'a> {
+    summary: &'a SweepSummary,
+    sample: &'a SweepSample,
+}
+
+/// A panel, three beside each other.
+const PANEL: [f64; 2] = [336.0, 232.0];
+const COLUMNS: usize = 3;
+const MARGIN: f64 = 14.0;
+/// What stands above all panels.
+const HEAD: f64 = 30.0;
+const MOST_HISTOGRAMS: usize = 9;
+const MOST_PAIRS: usize = 6;
+
+/// Outcomes that say most, first; others follow in their order.
+const FIRST: [&str; 9] = [
+    "period_s",
+    "rotation_period_s",
+    "precession_period_s",
+    "largest_angle_to_axis_3_rad",
+    "largest_omega_rad_s",
+    "end_kinetic_energy_j",
+    "end_momentum_kg_m2_s",
+    "largest_torque_n_m",
+    "end_time_s",
+];
+/// How the names of outcomes begin that say little in a histogram.
+const LAST: [&str; 11] = [
+    "mass_",
+    "moment_",
+    "steps_",
+    "evaluations",
+    "energy_drift",
+    "momentum_drift",
+    "flip_interval",
+    "start_",
+    "least_angle_to_axis_1",
+    "end_omega",
+    "growth_rate",
+];
+
+/// The colours of regimes, in the order in which the summary has them.
+const REGIMES: [Colour; 4] = [Colour::AXES[0], Colour::AXES[1], Colour::AXES[2], Colour::ORANGE];
+
+impl<'a> SweepFigures<'a> {
+    /// Those of a sweep; `sample` are some of its members.
+    pub const fn new(summary: &'a SweepSummary, sample: &'a SweepSample) -> Self {
+        Self { summary, sample }
+    }
+
+    /// How outcomes are distributed: a panel for each of those that say most.
+    pub fn histograms(&self) -> Picture {
+        let mut shown: Vec<_> =
+            self.summary.outcomes.iter().filter_map(|s| Some((s, s.histogram.as_ref()?))).collect();
+        shown.sort_by_key(|(statistic, _)| importance(&statistic.name));
+        shown.truncate(MOST_HISTOGRAMS);
+        let note = "line: median; dashed: 5 % and 95 %";
+        self.panels("Outcomes", note, shown.len(), |sheet, area, k| {
+            if let Some((statistic, histogram)) = shown.get(k) {
+                bars(sheet, area, statistic, histogram);
+            }
+        })
+    }
+
+    /// The strongest dependencies of outcomes on inputs: a dot for each of some members.
+    pub fn pairs(&self) -> Picture {
+        let mut shown: Vec<(&str, &str, f64)> = Vec::new();
+        for pair in &self.summary.correlations {
+            if shown.len() < MOST_PAIRS && !shown.iter().any(|(_, outcome, _)| *outcome == pair.outcome) {
+                shown.push((&pair.input, &pair.outcome, pair.value));
+            }
+        }
+        let note = format!("{} of the members; r: rank correlation", self.sample.rows());
+        self.panels("Outcomes and inputs", &note, shown.len(), |sheet, area, k| {
+            if let Some((input, outcome, value)) = shown.get(k) {
+                self.dots(sheet, area, input, outcome, *value);
+            }
+        })
+    }
+
+    /// A sheet of panels under one heading.
+    fn panels(
+        &self,
+        what: &str,
+        note: &str,
+        count: usize,
+        draw: impl Fn(&mut Sheet, Area, usize),
+    ) -> Picture {
+        let title = printable(self.summary.title.as_deref().unwrap_or("sweep"));
+        let width = COLUMNS.min(count.max(2)) as f64 * PANEL[0];
+        let rows = count.max(1).div_ceil(COLUMNS) as f64;
+        let mut sheet = Sheet::new(width, HEAD + rows * PANEL[1], format!("{title}: {what}"));
+        let note_width = font::width(note, super::sheet::SMALL);
+        let title = font::fitted(&title, LARGE, width - note_width - 4.0 * MARGIN);
+        let head = Text::small([MARGIN, 24.0], Anchor::Start, Colour::BLACK, &title);
+        sheet.marks.push(Mark::Text(Text { size: LARGE, ..head }));
+        if count == 0 {
+            let middle = [0.5 * width, HEAD + 0.5 * PANEL[1]];
+            sheet.text(middle, Anchor::Middle, Colour::FAINT, "nothing varies");
+            return Picture { sheet };
+        }
+        sheet.text([width - MARGIN, 24.0], Anchor::End, Colour::FAINT, note);
+        for k in 0..count {
+            let (row, column) = ((k / COLUMNS) as f64, (k % COLUMNS) as f64);
+            let (left, top) = (column * PANEL[0], HEAD + row * PANEL[1]);
+            let area = Area {
+                left: left + MARGIN,
+                top: top + MARGIN,
+                right: left + PANEL[0] - MARGIN,
+                bottom: top + PANEL[1] - 4.0,
+            };
+            draw(&mut sheet, area, k);
+        }
+        Picture { sheet }
+    }
+
+    fn dots(&self, sheet: &mut Sheet, area: Area, input: &str, outcome: &str, value: f64) {
+        let all = self.summary.inputs.iter().chain(&self.summary.outcomes);
+        let statistic = |name: &str| all.clone().find(|statistic| statistic.name == name);
+        let (Some(x), Some(y)) = (statistic(input), statistic(outcome)) else { return };
+        let regimes: Vec<&str> =
+            self.summary.regimes.iter().take(REGIMES.len()).map(|share| share.name.as_str()).collect();
+        let pen = |k: usize| {
+            Pen::solid(REGIMES.get(k).copied().unwrap_or(Colour::FAINT), 2.2).faint(0.45)
+        };
+        let keys: Vec<Key> = if regimes.len() > 1 {
+            regimes.iter().enumerate().map(|(k, name)| Key::dot(Pen { width: 5.0, opacity: 1.0, ..pen(k) }, *name)).collect()
+        } else {
+            Vec::new()
+        };
+        let used = heading(sheet, area, &y.name, &format!("r = {value:+.2}").replace('-', "−"), &keys);
+        let area = area.below(used);
+        let axes = Axes::within(area, axis_of(x, area.width() / 70.0, &x.name), axis_of(y, area.height() / 34.0, ""), None);
+        axes.draw(sheet);
+        let mut dots: Vec<Vec<Point>> = vec![Vec::new(); regimes.len() + 1];
+        let column = |name: &str| {
+            let k = self.sample.names.iter().position(|other| other == name)?;
+            self.sample.columns.get(k)
+        };
+        let (Some(xs), Some(ys)) = (column(input), column(outcome)) else { return };
+        for ((x, y), regime) in xs.iter().zip(ys).zip(&self.sample.regimes) {
+            let Some(place) = x.zip(*y).map(|(x, y)| axes.at([x, y])) else { continue };
+            let inside = (axes.area.left..=axes.area.right).contains(&place[0])
+                && (axes.area.top..=axes.area.bottom).contains(&place[1]);
+            let k = regimes.iter().position(|name| Some(*name) == regime.as_deref()).unwrap_or(regimes.len());
+            if let Some(dots) = dots.get_mut(k).filter(|_| inside) {
+                dots.push(place);
+            }
+        }
+        for (k, dots) in dots.into_iter().enumerate() {
+            sheet.dots(dots, pen(k));
+        }
+    }
+}
+
+/// The place of an outcome among the histograms.
+fn importance(name: &str) -> usize {
+    if name.starts_with("event_") && name.ends_with("_first_s") {
+        return 0;
+    }
+    match FIRST.iter().position(|first| *first == name) {
+        Some(k) => 1 + k,
+        None if LAST.iter().any(|last| name.starts_with(last)) => 3 + FIRST.len(),
+        None => 2 + FIRST.len(),
+    }
+}
+
+/// An axis over what the histogram of a column shows.
+fn axis_of(statistic: &SweepStatistic, marks: f64, name: &str) -> Axis {
+    let ends = [statistic.min.unwrap_or(0.0), statistic.max.unwrap_or(1.0)];
+    let (ends, log) = statistic.histogram.as_ref().map_or((ends, false), |h| ([h.least, h.greatest], h.log));
+    if log {
+        Axis::logarithmic(ends, marks as i32, name, &statistic.unit)
+    } else {
+        let name = if name.is_empty() && !statistic.unit.is_empty() { "in" } else { name };
+        Axis::linear(ends, 0.03, marks.clamp(2.0, 8.0), name, &statistic.unit)
+    }
+}
+
+fn bars(sheet: &mut Sheet, area: Area, statistic: &SweepStatistic, histogram: &SweepHistogram) {
+    let outside = match (histogram.below, histogram.above) {
+        (0, 0) => String::new(),
+        (below, 0) => format!("{below} below"),
+        (0, above) => format!("{above} above"),
+        (below, above) => format!("{below} below, {above} above"),
+    };
+    let area = area.below(heading(sheet, area, &statistic.name, &outside, &[]));
+    let most = histogram.counts.iter().copied().max().unwrap_or(0) as f64;
+    let y = Axis::linear([0.0, 1.05 * most], 0.0, (area.height() / 34.0).clamp(2.0, 6.0), "members", "");
+    let axes = Axes::within(area, axis_of(statistic, area.width() / 70.0, "in"), y, None);
+    axes.draw(sheet);
+    let bins = histogram.counts.len() as f64;
+    let edge = |k: usize| {
+        let part = k as f64 / bins;
+        if histogram.log {
+            histogram.least * (histogram.greatest / histogram.least).powf(part)
+        } else {
+            histogram.least + part * (histogram.greatest - histogram.least)
+        }
+    };
+    for (k, &count) in histogram.counts.iter().enumerate().filter(|(_, count)| **count > 0) {
+        let ([left, top], [right, bottom]) = (axes.at([edge(k), count as f64]), axes.at([edge(k + 1), 0.0]));
+        let right = (right - 0.8).max(left + 0.4);
+        let corners = vec![[left, bottom], [left, top], [right, top], [right, bottom]];
+        sheet.marks.push(Mark::Polygon { corners, fill: Colour(0x7f_b8_d8) });
+    }
+    let line = Pen::solid(Colour::BLACK, 1.2);
+    let dashed = Pen::solid(Colour::BLACK, 1.0).dashed(&[3.0, 2.5]);
+    for (probability, pen) in [(0.05, dashed), (0.5, line), (0.95, dashed)] {
+        if let Some(value) = statistic.quantile(probability) {
+            let ([x, top], [_, bottom]) = (axes.at([value, 1.05 * most]), axes.at([value, 0.0]));
+            if (axes.area.left..=axes.area.right).contains(&x) {
+                sheet.line(vec![[x, bottom], [x, top]], pen);
+            }
+        }
+    }
+}

@@ -1,0 +1,95 @@
+//! A sweep on one screen.
+
+use super::{SweepIntervals, SweepShare, SweepStatistic, SweepSummary};
+use crate::layout::{columns, labelled, plain_spaces, printable};
+use crate::number::{count, number, ungrouped};
+
+/// Dependencies that are shown: weaker ones say little.
+const LEAST_CORRELATION: f64 = 0.1;
+const MOST_CORRELATIONS: usize = 6;
+
+pub(super) fn write(summary: &SweepSummary) -> String {
+    let title = printable(summary.title.as_deref().unwrap_or("sweep"));
+    let noun = if summary.members == 1 { "member" } else { "members" };
+    let drawn = match summary.sampling {
+        "grid" => "on a grid",
+        "monte_carlo" => "drawn independently",
+        "latin_hypercube" => "in a Latin hypercube",
+        _ => "at Sobol points",
+    };
+    let mut text = format!("{title}   {} {noun} {drawn}\n", count(summary.members));
+    text.push_str(&labelled("status", &shares(&summary.statuses, summary.members)));
+    for (member, cause) in &summary.failures {
+        text.push_str(&labelled("", &format!("member {member}: {}", printable(cause))));
+    }
+    if !summary.regimes.is_empty() {
+        text.push_str(&labelled("free motion", &shares(&summary.regimes, summary.members)));
+    }
+    if !summary.end_regimes.is_empty() && summary.end_regimes != summary.regimes {
+        text.push_str(&labelled("at the end", &shares(&summary.end_regimes, summary.members)));
+    }
+    text.push_str(&table(summary));
+    let strong = summary.correlations.iter().filter(|c| c.value.abs() >= LEAST_CORRELATION);
+    for (k, pair) in strong.take(MOST_CORRELATIONS).enumerate() {
+        let line = format!("{:+.2}  {} with {}", pair.value, printable(&pair.outcome), printable(&pair.input));
+        let label = if k == 0 { "rank correlation" } else { "" };
+        text.push_str(&labelled(label, &line.replacen("  ", "\u{a0} ", 1)));
+    }
+    let note = match summary.intervals {
+        SweepIntervals::Given { confidence } => format!(
+            "hold with {} %: means by Student's t, shares by Wilson's; those of quantiles are in summary.json",
+            number(100.0 * confidence, 3)
+        ),
+        SweepIntervals::None { why } => format!("none: {why}"),
+    };
+    text.push_str(&labelled("intervals", &note));
+    plain_spaces(&text)
+}
+
+/// `complete 998 (99.8 %, 99.3 … 99.9 %), failed 2 (0.2 %)`
+fn shares(shares: &[SweepShare], members: u64) -> String {
+    let one = |share: &SweepShare| {
+        let percent = |x: f64| number(100.0 * x, 4);
+        let part = percent(share.count as f64 / members.max(1) as f64);
+        let interval = share
+            .interval
+            .map_or_else(String::new, |[low, high]| format!(", {} … {} %", percent(low), percent(high)));
+        format!("{} {} ({part} %{interval})", printable(&share.name), count(share.count))
+    };
+    shares.iter().map(one).collect::<Vec<_>>().join("; ")
+}
+
+/// A line for each column: what does not vary has one number.
+fn table(summary: &SweepSummary) -> String {
+    let head = ["", "mean", "", "deviation", "least", "5 %", "median", "95 %", "largest"];
+    let mut rows = vec![head.map(str::to_owned).to_vec()];
+    let (inputs, outcomes) = (&summary.inputs, &summary.outcomes);
+    for (statistic, mark) in inputs.iter().map(|s| (s, "input ")).chain(outcomes.iter().map(|s| (s, ""))) {
+        if statistic.count > 0 {
+            rows.push(row(statistic, mark, summary.members));
+        }
+    }
+    columns(&rows).join("\n") + "\n"
+}
+
+fn row(statistic: &SweepStatistic, mark: &str, members: u64) -> Vec<String> {
+    let shown = |x: Option<f64>| x.map_or_else(String::new, |x| ungrouped(x, 4));
+    let of = if statistic.count < members { format!(" ({})", count(statistic.count)) } else { String::new() };
+    let name = format!("{mark}{}{of}", printable(&statistic.name));
+    if !statistic.varies() {
+        return vec![name, shown(statistic.min)];
+    }
+    let half = statistic.mean_interval.map(|[low, high]| format!("± {}", ungrouped(0.5 * (high - low), 2)));
+    let [low, median, high] = [0.05, 0.5, 0.95].map(|p| shown(statistic.quantile(p)));
+    vec![
+        name,
+        shown(statistic.mean),
+        half.unwrap_or_default(),
+        shown(statistic.standard_deviation),
+        shown(statistic.min),
+        low,
+        median,
+        high,
+        shown(statistic.max),
+    ]
+}

@@ -1,0 +1,44 @@
+//! Files that are there whole or not at all, whatever happens, power cuts included.
+
+use std::fs::{self, File};
+use std::io;
+use std::path::Path;
+
+/// How the names of files in the making end.
+pub(super) const PARTIAL: &str = ".partial";
+
+/// Writes a file beside its place, waits until it is on the disk, and moves it there.
+pub(super) fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    let mut name = path.as_os_str().to_owned();
+    name.push(PARTIAL);
+    let partial = Path::new(&name);
+    let written = File::create(partial).and_then(|mut file| {
+        io::Write::write_all(&mut file, bytes)?;
+        file.sync_all()
+    });
+    if let Err(error) = written.and_then(|()| fs::rename(partial, path)) {
+        let _ = fs::remove_file(partial);
+        return Err(error);
+    }
+    path.parent().map_or(Ok(()), sync_folder)
+}
+
+/// Waits until the names in a folder are on the disk.
+#[cfg(unix)]
+pub(super) fn sync_folder(folder: &Path) -> io::Result<()> {
+    File::open(folder)?.sync_all()
+}
+
+/// Elsewhere a folder cannot be waited for.
+#[cfg(not(unix))]
+pub(super) fn sync_folder(_: &Path) -> io::Result<()> {
+    Ok(())
+}
+
+/// Removes a file if it is there.
+pub(super) fn remove(path: &Path) -> io::Result<()> {
+    match fs::remove_file(path) {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(()),
+        other => other,
+    }
+}

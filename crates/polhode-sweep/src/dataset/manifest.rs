@@ -1,0 +1,145 @@
+//! `sweep.json`: what was asked for.
+
+use std::ops::Range;
+
+use polhode_report::pretty;
+use serde_json::{Value, json};
+
+use crate::error::SweepError;
+use crate::outcome::is_stepped;
+use crate::plan::{Plan, Sampling};
+
+/// What was asked for, and how it is divided.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Manifest {
+    digest: String,
+    members: u64,
+    sampling: &'static str,
+    trajectories: bool,
+    rows_per_part: u64,
+}
+
+impl Manifest {
+    /// That of a plan.
+    pub(super) fn of(plan: &Plan) -> Result<Self, SweepError> {
+        let nominal = plan.nominal();
+        let samples = nominal.run.as_ref().ok_or(SweepError::NoRun)?.times.len();
+        let trajectories = plan.wants_trajectories();
+        let rows_per_part =
+            rows_per_part(plan.members(), is_stepped(nominal), if trajectories { samples } else { 1 });
+        let sampling = sampling(plan.sampling());
+        Ok(Self { digest: plan.digest(), members: plan.members(), sampling, trajectories, rows_per_part })
+    }
+
+    pub(super) fn to_text(&self) -> String {
+        let value = json!({
+            "polhode": env!("CARGO_PKG_VERSION"),
+            "digest": self.digest,
+            "members": self.members,
+            "sampling": self.sampling,
+            "trajectories": self.trajectories,
+            "rows_per_part": self.rows_per_part,
+            "parts": self.parts(),
+        });
+        pretty(&value) + "\n"
+    }
+
+    /// What differs in a manifest that was written: `None` if nothing does.
+    pub(super) fn difference(&self, written: &str) -> Option<String> {
+        if written == self.to_text() {
+            return None;
+        }
+        let Ok(value) = serde_json::from_str::<Value>(written) else {
+            return Some("its sweep.json cannot be read".to_owned());
+        };
+        let version = value.get("polhode").and_then(Value::as_str).unwrap_or("another version");
+        if version != env!("CARGO_PKG_VERSION") {
+            return Some(format!("it was made by polhode {version}, this is {}", env!("CARGO_PKG_VERSION")));
+        }
+        let members = value.get("members").and_then(Value::as_u64).unwrap_or_default();
+        if members != self.members {
+            return Some(format!("it has {members} members, this plan has {}", self.members));
+        }
+        Some("its plan.toml, or a file that the plan names, is not the same".to_owned())
+    }
+
+    /// How many parts there are.
+    pub(super) const fn parts(&self) -> u64 {
+        self.members.div_ceil(self.rows_per_part)
+    }
+
+    /// The members of a part; none if there is no such part.
+    pub(super) fn rows(&self, part: u64) -> Range<u64> {
+        let first = part.saturating_mul(self.rows_per_part).min(self.members);
+        first..first.saturating_add(self.rows_per_part).min(self.members)
+    }
+
+    pub(super) const fn members(&self) -> u64 {
+        self.members
+    }
+
+    pub(super) const fn trajectories(&self) -> bool {
+        self.trajectories
+    }
+
+    /// What every part says about itself.
+    pub(super) fn part_metadata(&self, part: u64) -> Vec<(String, String)> {
+        vec![
+            ("polhode.digest".to_owned(), self.digest.clone()),
+            ("polhode.part".to_owned(), part.to_string()),
+        ]
+    }
+}
+
+/// How many members a part has: by the plan alone, so that files do not depend on who computes them.
+///
+/// A part is what a killed sweep loses and what a thread does at a time: small enough for either, and not so small that a folder is
+/// full of crumbs. Motions in closed form take microseconds, those in steps take milliseconds.
+fn rows_per_part(members: u64, stepped: bool, samples: usize) -> u64 {
+    /// Of trajectories, what fits well into memory.
+    const MOST_SAMPLES: u64 = 1 << 20;
+    /// Parts of an ordinary sweep.
+    const PARTS: u64 = 64;
+    let [least, most] = if stepped { [8, 4096] } else { [512, 1 << 16] };
+    let even = members.div_ceil(PARTS).next_power_of_two().clamp(least, most);
+    even.min(MOST_SAMPLES / (samples as u64).clamp(1, MOST_SAMPLES)).max(1)
+}
+
+const fn sampling(sampling: Sampling) -> &'static str {
+    match sampling {
+        Sampling::Grid => "grid",
+        Sampling::MonteCarlo => "monte_carlo",
+        Sampling::LatinHypercube => "latin_hypercube",
+        Sampling::Sobol => "sobol",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn parts_are_neither_crumbs_nor_lumps() {
+        assert_eq!(rows_per_part(1_000_000, false, 1), 16_384);
+        assert_eq!(rows_per_part(1_000_000_000, false, 1), 65_536);
+        assert_eq!(rows_per_part(100, false, 1), 512);
+        assert_eq!(rows_per_part(1000, true, 1), 16);
+        assert_eq!(rows_per_part(1, true, 1), 8);
+        assert_eq!(rows_per_part(1_000_000, false, 1001), 1047);
+        assert_eq!(rows_per_part(1_000_000, false, 3_000_000), 1);
+    }
+
+    #[test]
+    fn every_member_is_in_one_part() {
+        let manifest = Manifest {
+            digest: String::new(),
+            members: 1003,
+            sampling: "grid",
+            trajectories: false,
+            rows_per_part: 16,
+        };
+        let rows: Vec<u64> = (0..manifest.parts()).flat_map(|part| manifest.rows(part)).collect();
+        assert!(rows.into_iter().eq(0..1003));
+        assert_eq!(manifest.rows(1 << 60).count(), 0);
+    }
+}

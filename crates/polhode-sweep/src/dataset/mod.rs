@@ -1,0 +1,283 @@
+//! The results of a sweep in a folder.
+//!
+//! ```text
+//! DIR/sweep.json                        what was asked for; a folder without it is one in which nothing has begun
+//! DIR/plan.toml                         the plan
+//! DIR/members/part-00000.parquet        a row for each member of the part
+//! DIR/trajectories/part-00000.parquet   a row for each of their samples, if the plan wants them
+//! DIR/summary.json, histograms.svg, pairs.svg   when all parts are there
+//! ```
+//!
+//! Which members a part has follows from the plan alone, a part is a pure function of the plan and its number, and its file
+//! appears whole or not at all. So the parts that are there are the checkpoint: whatever happens to the processes that make
+//! them, and wherever they run, what is missing is made, and the folder ends with the same bytes.
+
+mod durable;
+mod folder;
+mod manifest;
+
+use std::fs;
+use std::io;
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::thread;
+
+use polhode_report::{SweepFigures, SweepSummary, pretty};
+
+use crate::batch::{Batch, Values};
+use crate::error::SweepError;
+use crate::outcome;
+use crate::parquet;
+use crate::plan::Plan;
+use crate::rows::inputs;
+use crate::statistics;
+use folder::{Folder, HISTOGRAMS, MANIFEST, MEMBERS, PAIRS, PLAN, SUMMARY, TRAJECTORIES, part_name};
+use manifest::Manifest;
+
+/// The results of a sweep in a folder, which nobody else writes to while this lives.
+///
+/// ```no_run
+/// use polhode_sweep::{Dataset, Plan, inputs, simulate};
+/// let plan = Plan::read("plan.toml".as_ref())?;
+/// let dataset = Dataset::resume("results".as_ref(), &plan)?;
+/// for part in dataset.missing()? {
+///     dataset.write(part, &simulate(&plan, &inputs(&plan, dataset.rows(part)))?)?;
+/// }
+/// println!("{}", dataset.finish(&plan)?.to_text());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug)]
+pub struct Dataset {
+    folder: Folder,
+    manifest: Manifest,
+}
+
+/// How a run of a sweep went.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Progress {
+    /// Members that are there, those of earlier runs included.
+    pub done: u64,
+    /// Members of the sweep.
+    pub members: u64,
+}
+
+impl Dataset {
+    /// Begins a sweep in a new folder.
+    ///
+    /// # Errors
+    /// [`SweepError::Exists`], [`SweepError::NoRun`], [`SweepError::Write`].
+    pub fn create(folder: &Path, plan: &Plan) -> Result<Self, SweepError> {
+        let manifest = Manifest::of(plan)?;
+        begun(Folder::create(folder)?, manifest, plan)
+    }
+
+    /// Goes on with a sweep, or begins it if there is none.
+    ///
+    /// # Errors
+    /// [`SweepError::Changed`] for results of another plan, [`SweepError::InUse`] while somebody else writes,
+    /// [`SweepError::NotASweep`] for a folder of something else; else as [`Dataset::create`].
+    pub fn resume(folder: &Path, plan: &Plan) -> Result<Self, SweepError> {
+        let manifest = Manifest::of(plan)?;
+        if is_missing(folder)? {
+            return begun(Folder::create(folder)?, manifest, plan);
+        }
+        let folder = Folder::open(folder)?;
+        let path = folder.join(MANIFEST);
+        let written = match fs::read_to_string(&path) {
+            Ok(written) => written,
+            Err(error) if error.kind() == io::ErrorKind::NotFound => return begun(folder, manifest, plan),
+            Err(error) => return Err(SweepError::Read { path, error }),
+        };
+        if let Some(what) = manifest.difference(&written) {
+            return Err(SweepError::Changed { folder: folder.path().to_owned(), what });
+        }
+        folder.sweep_out()?;
+        Ok(Self { folder, manifest })
+    }
+
+    /// Throws the results of an earlier sweep away, if there are any, and begins.
+    ///
+    /// # Errors
+    /// As [`Dataset::resume`], but for [`SweepError::Changed`].
+    pub fn replace(folder: &Path, plan: &Plan) -> Result<Self, SweepError> {
+        let manifest = Manifest::of(plan)?;
+        let folder = if is_missing(folder)? { Folder::create(folder)? } else { Folder::open(folder)? };
+        begun(folder, manifest, plan)
+    }
+
+    /// How many parts there are.
+    pub const fn parts(&self) -> u64 {
+        self.manifest.parts()
+    }
+
+    /// The members of a part; none if there is no such part.
+    pub fn rows(&self, part: u64) -> Range<u64> {
+        self.manifest.rows(part)
+    }
+
+    /// True if the plan wants trajectories, so that [`Dataset::write_trajectories`] is due too.
+    pub const fn wants_trajectories(&self) -> bool {
+        self.manifest.trajectories()
+    }
+
+    /// The parts that are not there, or are damaged, ascending.
+    ///
+    /// # Errors
+    /// [`SweepError::Read`]
+    pub fn missing(&self) -> Result<Vec<u64>, SweepError> {
+        let mut missing = Vec::new();
+        for part in 0..self.parts() {
+            if self.whole(part)?.is_none() {
+                missing.push(part);
+            }
+        }
+        Ok(missing)
+    }
+
+    /// Keeps the rows of a part, as [`simulate`](crate::simulate) gives them, durably. Trajectories, if the plan wants them, are
+    /// written before.
+    ///
+    /// # Errors
+    /// [`SweepError::Rows`] if they are others, [`SweepError::Write`].
+    pub fn write(&self, part: u64, rows: &Batch) -> Result<(), SweepError> {
+        let expected = self.rows(part);
+        let Values::Whole(members) = &rows.column("member")?.values else {
+            return Err(SweepError::Rows { part, why: "their members are no whole numbers".to_owned() });
+        };
+        if expected.is_empty() || !members.iter().copied().eq(expected.clone()) {
+            let why = format!("it has members {} … {}", expected.start, expected.end.saturating_sub(1));
+            return Err(SweepError::Rows { part, why });
+        }
+        self.keep(MEMBERS, part, rows)
+    }
+
+    /// Keeps the trajectories of a part, as [`trajectories`](crate::trajectories) gives them, durably.
+    ///
+    /// # Errors
+    /// [`SweepError::Write`]
+    pub fn write_trajectories(&self, part: u64, rows: &Batch) -> Result<(), SweepError> {
+        self.keep(TRAJECTORIES, part, rows)
+    }
+
+    /// Computes what is missing, in threads of this process; `stop` ends it after the parts in hand. `progress` is told after each
+    /// part how far it is.
+    ///
+    /// The files do not depend on the number of threads.
+    ///
+    /// # Errors
+    /// The first that a thread met.
+    pub fn compute(
+        &self,
+        plan: &Plan,
+        threads: usize,
+        stop: &AtomicBool,
+        progress: &(dyn Fn(Progress) + Sync),
+    ) -> Result<Progress, SweepError> {
+        let (next, done, failed) = (AtomicU64::new(0), AtomicU64::new(0), Mutex::new(None));
+        let members = self.manifest.members();
+        let work = || {
+            // In the order of their numbers; a thread has one part in hand at a time.
+            while !stop.load(Ordering::Relaxed) {
+                let part = next.fetch_add(1, Ordering::Relaxed);
+                if part >= self.parts() {
+                    return;
+                }
+                if let Err(error) = self.make(plan, part) {
+                    stop.store(true, Ordering::Relaxed);
+                    if let Ok(mut failed) = failed.lock() {
+                        failed.get_or_insert(error);
+                    }
+                    return;
+                }
+                let rows = self.rows(part);
+                let before = done.fetch_add(rows.end - rows.start, Ordering::Relaxed);
+                progress(Progress { done: before + (rows.end - rows.start), members });
+            }
+        };
+        thread::scope(|scope| {
+            for _ in 1..threads.max(1) {
+                scope.spawn(work);
+            }
+            work();
+        });
+        match failed.into_inner() {
+            Ok(Some(error)) => Err(error),
+            _ => Ok(Progress { done: done.into_inner(), members }),
+        }
+    }
+
+    /// Reads all parts, and writes what they come to: the summary and its pictures. [`Dataset::missing`] has nothing left to say.
+    ///
+    /// # Errors
+    /// [`SweepError::Incomplete`] if a part is not there; [`SweepError::Read`], [`SweepError::Write`].
+    pub fn finish(&self, plan: &Plan, threads: usize) -> Result<SweepSummary, SweepError> {
+        let (summary, sample) = statistics::of(plan, self.parts(), threads, &|part| self.read(part))?;
+        let figures = SweepFigures::new(&summary, &sample);
+        self.folder.write(HISTOGRAMS, figures.histograms().to_svg().as_bytes())?;
+        self.folder.write(PAIRS, figures.pairs().to_svg().as_bytes())?;
+        self.folder.write(SUMMARY, (pretty(&summary.to_json()) + "\n").as_bytes())?;
+        Ok(summary)
+    }
+
+    /// Makes a part, unless it is there.
+    fn make(&self, plan: &Plan, part: u64) -> Result<(), SweepError> {
+        if self.whole(part)?.is_some() {
+            return Ok(());
+        }
+        let inputs = inputs(plan, self.rows(part));
+        if self.wants_trajectories() {
+            self.write_trajectories(part, &outcome::trajectories(plan, &inputs)?)?;
+        }
+        self.write(part, &outcome::simulate(plan, &inputs)?)
+    }
+
+    /// The rows of a part, which has to be there.
+    fn read(&self, part: u64) -> Result<Batch, SweepError> {
+        self.rows_in(MEMBERS, part)?.ok_or(SweepError::Incomplete { part })
+    }
+
+    /// The rows of a part, if it is there and whole.
+    fn whole(&self, part: u64) -> Result<Option<Batch>, SweepError> {
+        if self.wants_trajectories() && self.rows_in(TRAJECTORIES, part)?.is_none() {
+            return Ok(None);
+        }
+        self.rows_in(MEMBERS, part)
+    }
+
+    fn rows_in(&self, kind: &str, part: u64) -> Result<Option<Batch>, SweepError> {
+        let path = self.place(kind, part);
+        parquet::load(&path, &self.manifest.part_metadata(part)).map_err(SweepError::reading(&path))
+    }
+
+    fn keep(&self, kind: &str, part: u64, rows: &Batch) -> Result<(), SweepError> {
+        let path = self.place(kind, part);
+        let bytes = parquet::write(rows, &self.manifest.part_metadata(part));
+        bytes.and_then(|bytes| durable::write(&path, &bytes)).map_err(SweepError::writing(&path))
+    }
+
+    fn place(&self, kind: &str, part: u64) -> PathBuf {
+        self.folder.join(kind).join(part_name(part))
+    }
+}
+
+/// A folder in which a sweep has begun: the manifest comes last.
+fn begun(folder: Folder, manifest: Manifest, plan: &Plan) -> Result<Dataset, SweepError> {
+    folder.clear()?;
+    folder.write(PLAN, plan.text().as_bytes())?;
+    folder.make(MEMBERS)?;
+    if manifest.trajectories() {
+        folder.make(TRAJECTORIES)?;
+    }
+    folder.write(MANIFEST, manifest.to_text().as_bytes())?;
+    Ok(Dataset { folder, manifest })
+}
+
+fn is_missing(folder: &Path) -> Result<bool, SweepError> {
+    match fs::symlink_metadata(folder) {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(true),
+        Err(error) => Err(SweepError::Read { path: folder.to_owned(), error }),
+        Ok(_) => Ok(false),
+    }
+}

@@ -1,0 +1,147 @@
+//! The columns of outcomes: what each is called, its unit, what it is.
+
+use polhode::Event;
+
+use super::member::{Outcome, Status};
+use crate::batch::{Column, Values};
+
+/// A column of numbers.
+struct Number {
+    name: &'static str,
+    unit: &'static str,
+    description: &'static str,
+    value: fn(&Outcome) -> Option<f64>,
+}
+
+/// A table of outcomes; `events` are those of the plan's scenario.
+pub(super) fn of(events: &[Event], outcomes: &[Outcome]) -> Vec<Column> {
+    let text = |name: &str, description: &str, value: fn(&Outcome) -> Option<String>| Column {
+        name: name.to_owned(),
+        unit: String::new(),
+        description: description.to_owned(),
+        values: Values::Text(outcomes.iter().map(value).collect()),
+    };
+    let mut columns = vec![
+        text("status", "complete, stopped: EVENT, or failed", |o| Some(o.status.to_string())),
+        text("cause", "why it failed", |o| o.cause.clone()),
+        text("regime", REGIME, |o| o.regime.map(|regime| regime.name().to_owned())),
+        text("end_regime", END_REGIME, |o| o.end_regime.map(|regime| regime.name().to_owned())),
+    ];
+    columns.extend(NUMBERS.iter().map(|number| Column {
+        name: number.name.to_owned(),
+        unit: number.unit.to_owned(),
+        description: number.description.to_owned(),
+        values: Values::Perhaps(outcomes.iter().map(number.value).collect()),
+    }));
+    for (k, stem) in stems(events).into_iter().enumerate() {
+        let of = |outcome: &Outcome| outcome.events.get(k).copied();
+        let name = events.get(k).map_or("", Event::name);
+        columns.push(Column {
+            name: format!("{stem}_count"),
+            unit: String::new(),
+            description: format!("how often \"{name}\" happened"),
+            values: Values::Perhaps(outcomes.iter().map(|o| of(o).map(|e| f64::from(e.count))).collect()),
+        });
+        columns.push(Column {
+            name: format!("{stem}_first_s"),
+            unit: "s".to_owned(),
+            description: format!("when \"{name}\" first happened"),
+            values: Values::Perhaps(outcomes.iter().map(|o| of(o).and_then(|e| e.first)).collect()),
+        });
+    }
+    columns
+}
+
+const REGIME: &str = "the kind of the free motion that the start has: at_rest, permanent, symmetric, long_axis, short_axis or \
+    separatrix; none with wheels, or if the motion is prescribed";
+const END_REGIME: &str = "the same of the final state";
+
+const NUMBERS: [Number; 33] = [
+    number("mass_kg", "kg", "mass", |o| o.mass),
+    number("moment_1_kg_m2", "kg·m²", MOMENT, |o| o.moments.map(|[i1, _, _]| i1)),
+    number("moment_2_kg_m2", "kg·m²", MOMENT, |o| o.moments.map(|[_, i2, _]| i2)),
+    number("moment_3_kg_m2", "kg·m²", MOMENT, |o| o.moments.map(|[_, _, i3]| i3)),
+    number("period_s", "s", "free motion: period of omega in the body", |o| o.free?.regime.period),
+    number("precession_period_s", "s", "free motion: mean time of a turn about L", |o| o.free?.periods.precession),
+    number("rotation_period_s", "s", "free motion: period about the axis that L circles", |o| {
+        o.free?.periods.rotation
+    }),
+    number("flip_interval_s", "s", "free motion: time between flips along the intermediate axis", |o| {
+        o.free?.regime.flip_interval
+    }),
+    number("growth_rate_per_s", "1/s", "free motion near the intermediate axis: growth of a departure", |o| {
+        o.free?.regime.growth_rate
+    }),
+    number("start_kinetic_energy_j", "J", "rotational kinetic energy at the start", |o| Some(o.start?.kinetic_energy)),
+    number("start_momentum_kg_m2_s", "kg·m²/s", "|L| at the start", |o| Some(o.start?.momentum)),
+    number("end_kinetic_energy_j", "J", "rotational kinetic energy at the end", |o| Some(o.end?.kinetic_energy)),
+    number("end_momentum_kg_m2_s", "kg·m²/s", "|L| at the end", |o| Some(o.end?.momentum)),
+    number("end_time_s", "s", "when it ended", |o| Some(o.end?.state.time)),
+    number("end_attitude_w", "", ATTITUDE, |o| Some(o.end?.state.attitude.canonical_quaternion()[0])),
+    number("end_attitude_x", "", ATTITUDE, |o| Some(o.end?.state.attitude.canonical_quaternion()[1])),
+    number("end_attitude_y", "", ATTITUDE, |o| Some(o.end?.state.attitude.canonical_quaternion()[2])),
+    number("end_attitude_z", "", ATTITUDE, |o| Some(o.end?.state.attitude.canonical_quaternion()[3])),
+    number("end_omega_body_x_rad_s", "rad/s", OMEGA, |o| Some(o.end?.state.omega.x)),
+    number("end_omega_body_y_rad_s", "rad/s", OMEGA, |o| Some(o.end?.state.omega.y)),
+    number("end_omega_body_z_rad_s", "rad/s", OMEGA, |o| Some(o.end?.state.omega.z)),
+    number("least_omega_rad_s", "rad/s", "least |omega|; free motion: of all time, else of the samples", |o| {
+        Some(o.extrema?.omega?[0])
+    }),
+    number("largest_omega_rad_s", "rad/s", "largest |omega|; free motion: of all time, else of the samples", |o| {
+        Some(o.extrema?.omega?[1])
+    }),
+    number("least_angle_to_axis_1_rad", "rad", AXIS_1, |o| Some(o.extrema?.from_least?[0])),
+    number("largest_angle_to_axis_1_rad", "rad", AXIS_1, |o| Some(o.extrema?.from_least?[1])),
+    number("least_angle_to_axis_3_rad", "rad", AXIS_3, |o| Some(o.extrema?.from_greatest?[0])),
+    number("largest_angle_to_axis_3_rad", "rad", AXIS_3, |o| Some(o.extrema?.from_greatest?[1])),
+    number("largest_torque_n_m", "N·m", "largest |N| of the samples", |o| o.extrema?.torque),
+    number("energy_drift", "", "work-energy theorem: departure relative to the largest T", |o| {
+        o.extrema?.energy_drift
+    }),
+    number("momentum_drift", "", "impulse-momentum theorem: departure relative to the largest |L|", |o| {
+        o.extrema?.momentum_drift
+    }),
+    number("steps_accepted", "", "steps of the integration", |o| Some(o.steps?.accepted as f64)),
+    number("steps_rejected", "", "steps tried again shorter", |o| Some(o.steps?.rejected as f64)),
+    number("evaluations", "", "evaluations of the equations of motion", |o| Some(o.steps?.evaluations as f64)),
+];
+
+const MOMENT: &str = "principal moment of inertia about the point that the body turns about, ascending";
+const ATTITUDE: &str = "final attitude: R_space_body as a unit quaternion, Hamilton, scalar first, w >= 0";
+const OMEGA: &str = "final angular velocity relative to space, along body axes";
+const AXIS_1: &str = "between L and the principal axis of the least moment; free motion: of all time, else of the samples";
+const AXIS_3: &str = "between L and the principal axis of the greatest moment; free motion: of all time, else of the samples";
+
+const fn number(
+    name: &'static str,
+    unit: &'static str,
+    description: &'static str,
+    value: fn(&Outcome) -> Option<f64>,
+) -> Number {
+    Number { name, unit, description, value }
+}
+
+/// How the columns of each event begin: its name in letters, digits and `_`, or its number where two would be alike.
+fn stems(events: &[Event]) -> Vec<String> {
+    let plain = |event: &Event| {
+        let letters = event.name().chars().map(|c| if c.is_alphanumeric() { c } else { '_' });
+        let name: String = letters.flat_map(char::to_lowercase).collect();
+        name.split('_').filter(|word| !word.is_empty()).collect::<Vec<_>>().join("_")
+    };
+    let names: Vec<String> = events.iter().map(plain).collect();
+    let alone = |name: &String| !name.is_empty() && names.iter().filter(|other| *other == name).count() == 1;
+    let stem = |(k, name): (usize, &String)| {
+        if alone(name) { format!("event_{name}") } else { format!("event_{}_{name}", k + 1) }
+    };
+    names.iter().enumerate().map(stem).map(|stem| stem.trim_end_matches('_').to_owned()).collect()
+}
+
+impl std::fmt::Display for Status {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Complete => f.write_str("complete"),
+            Self::Stopped(event) => write!(f, "stopped: {event}"),
+            Self::Failed => f.write_str("failed"),
+        }
+    }
+}

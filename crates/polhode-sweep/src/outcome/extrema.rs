@@ -1,0 +1,55 @@
+//! The extrema of a motion.
+
+use polhode::{AngularMomentum, Body, Direction, Drift, Rotor, Sample, Solution, Trajectory};
+
+use super::free::is_determined;
+
+/// The extrema of a motion: of a free one over all time, of any other over its samples.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Extrema {
+    /// |ω|, rad/s
+    pub(super) omega: Option<[f64; 2]>,
+    /// The angle between L and the principal axis of the least moment, rad.
+    pub(super) from_least: Option<[f64; 2]>,
+    /// And of the greatest.
+    pub(super) from_greatest: Option<[f64; 2]>,
+    /// The largest |N|, N·m.
+    pub(super) torque: Option<f64>,
+    /// As [`Drift::work_energy`].
+    pub(super) energy_drift: Option<f64>,
+    /// As [`Drift::momentum`].
+    pub(super) momentum_drift: Option<f64>,
+}
+
+impl Extrema {
+    /// Over the start and the samples of a trajectory.
+    pub(super) fn of(rotor: &Rotor, trajectory: &Trajectory, drift: Option<Drift>) -> Self {
+        let samples = || std::iter::once(trajectory.start()).chain(trajectory.samples());
+        let principal = rotor.principal();
+        let from = |k: usize| {
+            let axis = principal.axis(k);
+            let angle = |s: &Sample| angle(axis, s.state.attitude.inverse() * s.momentum);
+            range(samples().filter_map(angle)).filter(|_| is_determined(principal.symmetry(), k))
+        };
+        let exact = matches!(trajectory.solution(), Solution::Exact(polhode::ClosedForm::Free(_)));
+        Self {
+            omega: range(samples().map(|s| s.state.omega.norm())),
+            from_least: from(0),
+            from_greatest: from(2),
+            torque: range(samples().map(|s| s.torque.norm())).map(|[_, most]| most).filter(|_| !exact),
+            energy_drift: drift.map(|drift| drift.work_energy),
+            momentum_drift: drift.map(|drift| drift.momentum),
+        }
+    }
+}
+
+/// The angle between an axis and L, rad; `None` if L is zero.
+pub(super) fn angle(axis: Direction<Body>, momentum: AngularMomentum<Body>) -> Option<f64> {
+    (momentum != AngularMomentum::ZERO).then(|| axis.angle_to(momentum))
+}
+
+/// The least and the largest; `None` of nothing, and where one is not a number.
+fn range(values: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
+    let ends = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)]);
+    ends.iter().all(|x| x.is_finite()).then_some(ends)
+}

@@ -1,0 +1,176 @@
+//! What becomes of one member.
+
+use polhode::{
+    Drift, Ending, Event, FreeMotion, FreeRegime, MotionError, Regime, Rotor, Sample, Scenario, Solution, State,
+    StepStatistics, Trajectory,
+};
+use polhode_formats::FormatError;
+use polhode_report::Periods;
+
+use super::extrema::Extrema;
+use super::free;
+
+/// What becomes of one member. What it does not have, or did not come to, is `None`.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Outcome {
+    pub(super) status: Status,
+    pub(super) cause: Option<String>,
+    /// kg
+    pub(super) mass: Option<f64>,
+    /// About the point that the body turns about, kg·m².
+    pub(super) moments: Option<[f64; 3]>,
+    pub(super) regime: Option<Regime>,
+    pub(super) end_regime: Option<Regime>,
+    /// Of a free motion.
+    pub(super) free: Option<FreePeriods>,
+    pub(super) start: Option<Instant>,
+    pub(super) end: Option<Instant>,
+    pub(super) extrema: Option<Extrema>,
+    /// One for each event of the scenario.
+    pub(super) events: Vec<Happened>,
+    pub(super) steps: Option<StepStatistics>,
+}
+
+/// How the motion of a member ended.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(super) enum Status {
+    Complete,
+    /// By the event of this name.
+    Stopped(String),
+    #[default]
+    Failed,
+}
+
+/// The periods of a free motion, s, and what else its regime has.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct FreePeriods {
+    pub(super) regime: FreeRegime,
+    pub(super) periods: Periods,
+}
+
+/// A motion at one time.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Instant {
+    pub(super) state: State,
+    /// J
+    pub(super) kinetic_energy: f64,
+    /// |L|, kg·m²/s
+    pub(super) momentum: f64,
+}
+
+/// When an event happened.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Happened {
+    pub(super) count: u32,
+    /// s
+    pub(super) first: Option<f64>,
+}
+
+impl Outcome {
+    /// Of a member's scenario, or of what is wrong with it.
+    pub(super) fn of(scenario: Result<&Scenario, &FormatError>) -> Self {
+        let scenario = match scenario {
+            Ok(scenario) => scenario,
+            // Without the path: the row is the same wherever the plan lies.
+            Err(error) => return Self { cause: Some(error.message()), ..Self::default() },
+        };
+        let rotor = scenario.rotor();
+        let body = Self {
+            mass: Some(scenario.body.mass()),
+            moments: Some(rotor.principal().moments()),
+            ..Self::default()
+        };
+        body.moved(scenario, &rotor).unwrap_or_else(|(body, error)| body.failed(&error))
+    }
+
+    /// With what becomes of it; as it is, and the reason, if nothing does.
+    fn moved(self, scenario: &Scenario, rotor: &Rotor) -> Result<Self, (Self, MotionError)> {
+        if let Some((motion, end)) = free::motion(scenario, rotor) {
+            return match free::outcome(&motion, end) {
+                Some(found) => Ok(self.with_free(&motion).with_found(found)),
+                None => Err((self, MotionError::NotFinite { time: end })),
+            };
+        }
+        match scenario.simulate() {
+            Some(Ok(trajectory)) => Ok(self.with(scenario, rotor, &trajectory)),
+            Some(Err(error)) => Err((self, error)),
+            None => {
+                let cause = Some("it has no [run] section".to_owned());
+                Ok(Self { cause, ..self })
+            }
+        }
+    }
+
+    fn failed(self, error: &MotionError) -> Self {
+        Self { status: Status::Failed, cause: Some(error.to_string()), ..self }
+    }
+
+    /// With what a trajectory says. One that failed keeps its start, and when which events happened.
+    fn with(self, scenario: &Scenario, rotor: &Rotor, trajectory: &Trajectory) -> Self {
+        let (first, last) = (trajectory.start(), trajectory.samples().last());
+        let can_be_free = scenario.prescribed.is_none() && scenario.wheels.is_empty();
+        let regime = |state: &State| {
+            FreeMotion::of(rotor, *state).ok().filter(|_| can_be_free).map(|motion| motion.regime())
+        };
+        let start =
+            Self { regime: regime(&first.state), start: Some(Instant::of(first)), ..self };
+        let is_free = can_be_free && scenario.torques.is_empty();
+        let start = match FreeMotion::of(rotor, first.state) {
+            Ok(motion) if is_free => start.with_free(&motion),
+            _ => start,
+        };
+        let happened = Self {
+            events: scenario.events.iter().enumerate().map(|(k, _)| happened(k, trajectory)).collect(),
+            steps: match trajectory.solution() {
+                Solution::Integrated { statistics, .. } => Some(*statistics),
+                _ => None,
+            },
+            ..start
+        };
+        let status = match trajectory.ending() {
+            Ending::Complete => Status::Complete,
+            Ending::Stopped { event, .. } => {
+                Status::Stopped(scenario.events.get(*event).map_or("", Event::name).to_owned())
+            }
+            Ending::Failed { cause, .. } => return happened.failed(cause),
+        };
+        Self {
+            status,
+            end: last.map(Instant::of),
+            end_regime: last.and_then(|last| regime(&last.state)),
+            extrema: Some(Extrema::of(rotor, trajectory, Drift::of(trajectory))),
+            ..happened
+        }
+    }
+
+    fn with_free(self, motion: &FreeMotion) -> Self {
+        let regime = FreeRegime::of_motion(motion);
+        let free = Some(FreePeriods { regime, periods: Periods::of(motion) });
+        Self { regime: Some(regime.regime), free, ..self }
+    }
+
+    /// With the ends and the extrema of a free motion.
+    fn with_found(self, found: free::Found) -> Self {
+        Self {
+            status: Status::Complete,
+            end_regime: self.regime,
+            start: Some(found.start),
+            end: Some(found.end),
+            extrema: Some(found.extrema),
+            ..self
+        }
+    }
+}
+
+impl Instant {
+    fn of(sample: &Sample) -> Self {
+        let momentum = sample.momentum.norm();
+        Self { state: sample.state, kinetic_energy: sample.kinetic_energy, momentum }
+    }
+}
+
+fn happened(event: usize, trajectory: &Trajectory) -> Happened {
+    let mut times = trajectory.events().iter().filter(|c| c.event == event).map(|c| c.state.time);
+    let first = times.next();
+    Happened { count: u32::from(first.is_some()).saturating_add(times.count() as u32), first }
+}

@@ -1,0 +1,34 @@
+//! What a plan's results depend on, as one name.
+
+use std::fmt::Write as _;
+
+use polhode_formats::scenario::Template;
+use polhode_formats::{FormatError, read_file};
+use sha2::{Digest, Sha256};
+
+/// Counted up when members of the same plan become others.
+const FORMAT: &str = "polhode plan 1";
+
+/// SHA-256 of the format, the program's version, the text, and the files that the text names, each with its length before it.
+pub(crate) fn digest(template: &Template) -> Result<String, FormatError> {
+    let mut hash = Sha256::new();
+    let mut put = |bytes: &[u8]| {
+        hash.update((bytes.len() as u64).to_le_bytes());
+        hash.update(bytes);
+    };
+    put(FORMAT.as_bytes());
+    put(env!("CARGO_PKG_VERSION").as_bytes());
+    put(template.text().as_bytes());
+    for file in template.files() {
+        read_file(file, |bytes| {
+            put(bytes);
+            Ok(())
+        })?;
+    }
+    let mut name = String::new();
+    for byte in hash.finalize() {
+        // Writing to a string does not fail.
+        let _ = write!(name, "{byte:02x}");
+    }
+    Ok(name)
+}

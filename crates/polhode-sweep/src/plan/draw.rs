@@ -1,0 +1,126 @@
+//! From uniform numbers to the values of a variable.
+
+use core::f64::consts::TAU;
+
+use polhode::{Attitude, Body, Direction, Rotation};
+use polhode_formats::scenario::{Dispersion, Law, Spread, Vary};
+
+use super::second_moments::Root;
+use super::{distribution, normal};
+
+/// The most uniform numbers that a variable takes.
+pub(crate) const MOST_COORDINATES: usize = 16;
+
+/// What a variable's values are made by.
+#[derive(Clone, Debug)]
+pub(crate) struct Draw {
+    law: Law,
+    nominal: Vec<f64>,
+    root: Option<Root>,
+    coordinates: usize,
+}
+
+impl Draw {
+    /// Of a variable of a plan.
+    pub(crate) fn new(vary: &Vary) -> Self {
+        Self {
+            law: vary.law.clone(),
+            nominal: vary.target.nominal().to_vec(),
+            root: vary.target.mass_properties().map(Root::of),
+            coordinates: vary.coordinates(),
+        }
+    }
+
+    /// How many uniform numbers it takes.
+    pub(crate) const fn coordinates(&self) -> usize {
+        self.coordinates
+    }
+
+    /// Adds the values that belong to uniform numbers.
+    pub(crate) fn put(&self, uniform: &[f64], values: &mut Vec<f64>) {
+        match (&self.law, uniform) {
+            (Law::Number(law), &[u]) => values.push(distribution::quantile(law, u)),
+            (Law::Vector { direction: spread, magnitude }, &[u, v, ref rest @ ..]) => {
+                let direction = self.direction(*spread, u, v);
+                let length = match (magnitude, rest) {
+                    (Some(law), &[w]) => distribution::quantile(law, w),
+                    _ => Direction::<Body>::from_array(self.vector()).norm(),
+                };
+                values.extend(direction.map(|c| length * c));
+            }
+            (Law::Rotation(spread), &[u, v, w]) => values.extend(self.rotation(*spread, [u, v, w])),
+            (Law::MassProperties(dispersion), _) => self.mass_properties(*dispersion, uniform, values),
+            _ => {}
+        }
+    }
+
+    fn vector(&self) -> [f64; 3] {
+        match *self.nominal {
+            [x, y, z] => [x, y, z],
+            _ => [0.0; 3],
+        }
+    }
+
+    /// A unit vector: cos θ is uniform from that of the widest angle to 1, φ all around.
+    fn direction(&self, spread: Spread, u: f64, v: f64) -> [f64; 3] {
+        let around = Direction::<Body>::from_array(self.vector()).direction().map(|n| n.to_array());
+        // 1 − cos θ, of which 1 − cos α = 2 sin²(α/2) is the greatest
+        let (versine, axis) = match (spread, around) {
+            (Spread::Within(angle), Some(axis)) => {
+                let half = libm::sin(0.5 * angle);
+                (2.0 * half * half * u, axis)
+            }
+            _ => (2.0 * u, [0.0, 0.0, 1.0]),
+        };
+        let (sine, cosine) = ((versine * (2.0 - versine)).max(0.0).sqrt(), 1.0 - versine);
+        let (y, x) = libm::sincos(TAU * v);
+        let [a, b] = across(axis);
+        core::array::from_fn(|k| sine * (x * a[k] + y * b[k]) + cosine * axis[k])
+    }
+
+    /// A quaternion (w, x, y, z) with w ≥ 0.
+    fn rotation(&self, spread: Spread, uniform: [f64; 3]) -> [f64; 4] {
+        let nominal = match *self.nominal {
+            [w, x, y, z] => Attitude::from_quaternion([w, x, y, z]).unwrap_or(Attitude::identity()),
+            _ => Attitude::identity(),
+        };
+        let turned = match spread {
+            Spread::Normal(sd) => {
+                let vector = Direction::<Body>::from_array(uniform.map(|u| sd * normal::quantile(u)));
+                let turn = Rotation::<Body, Body>::about(vector, vector.norm());
+                nominal * turn.unwrap_or(Rotation::identity())
+            }
+            _ => return shoemake(uniform),
+        };
+        turned.canonical_quaternion()
+    }
+
+    fn mass_properties(&self, dispersion: Dispersion, uniform: &[f64], values: &mut Vec<f64>) {
+        let Some(root) = &self.root else { return };
+        let drawn = root.draw(dispersion, uniform);
+        if self.nominal.len() > 6 {
+            values.push(drawn.mass);
+            values.extend(drawn.center);
+        }
+        values.extend(drawn.tensor);
+    }
+}
+
+/// A rotation of which each is as likely as any other (Shoemake, Uniform random rotations, Graphics Gems III, 1992):
+///
+/// q = (√u cos 2πw, √(1−u) sin 2πv, √(1−u) cos 2πv, √u sin 2πw)
+fn shoemake([u, v, w]: [f64; 3]) -> [f64; 4] {
+    let ((sv, cv), (sw, cw)) = (libm::sincos(TAU * v), libm::sincos(TAU * w));
+    let (a, b) = ((1.0 - u).sqrt(), u.sqrt());
+    let q = [b * cw, a * sv, a * cv, b * sw];
+    if q[0] < 0.0 { q.map(|c| 0.0 - c) } else { q }
+}
+
+/// Two unit vectors across a third and across each other, right-handed with it (Duff and others, Building an orthonormal basis,
+/// revisited, JCGT 6, 2017).
+fn across([x, y, z]: [f64; 3]) -> [[f64; 3]; 2] {
+    let sign = 1.0_f64.copysign(z);
+    let a = -1.0 / (sign + z);
+    let b = x * y * a;
+    [[1.0 + sign * x * x * a, sign * b, -sign * x], [b, sign + y * y * a, -y]]
+}

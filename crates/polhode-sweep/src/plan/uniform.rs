@@ -1,0 +1,126 @@
+//! Uniform numbers above 0 and below 1, each a function of a key and a member's number, and of nothing else.
+
+use sha2::{Digest, Sha256};
+
+use super::permutation::Permutation;
+use super::sobol;
+use polhode_formats::scenario::Sampling;
+
+/// One of the uniform numbers that a member is made of.
+#[derive(Clone, Debug)]
+pub(crate) struct Coordinate {
+    /// For draws.
+    key: u64,
+    order: Order,
+}
+
+/// Where in the unit interval a member's number lies.
+#[derive(Clone, Debug)]
+enum Order {
+    /// Anywhere.
+    Anywhere,
+    /// In the layer that the permutation gives it.
+    Layer(Permutation),
+    /// Where Sobol's sequence of this dimension, scrambled, has it.
+    Sobol(sobol::Scrambled),
+}
+
+impl Coordinate {
+    /// The coordinate `index` of what is called `name`, the `dimension`th of all; draws follow from the seed.
+    ///
+    /// A name has its own draws, so that another variable beside it does not change them; but for Sobol's points, whose
+    /// dimension is its place among all.
+    pub(crate) fn new(
+        sampling: Sampling,
+        members: u64,
+        seed: u64,
+        name: &str,
+        index: usize,
+        dimension: usize,
+    ) -> Self {
+        let key = |purpose| key(seed, name, index, purpose);
+        let order = match sampling {
+            Sampling::Grid | Sampling::MonteCarlo => Order::Anywhere,
+            Sampling::LatinHypercube => Order::Layer(Permutation::new(members, key("layers"))),
+            Sampling::Sobol => Order::Sobol(sobol::Scrambled::new(dimension, key("digits"))),
+        };
+        Self { key: key("draws"), order }
+    }
+
+    /// The number of a member: 52 binary digits and a half of the last, so that neither 0 nor 1 is among them.
+    pub(crate) fn uniform(&self, member: u64) -> f64 {
+        let random = philox(self.key, member);
+        match &self.order {
+            Order::Anywhere => unit(random >> 12),
+            Order::Layer(permutation) => permutation.draw(member, random),
+            // Below the 32 digits of the sequence they are random.
+            Order::Sobol(sequence) => unit(u64::from(sequence.point(member as u32)) << 20 | random >> 44),
+        }
+    }
+}
+
+/// (n + ½) 2⁻⁵² of a number of 52 binary digits.
+pub(crate) fn unit(n: u64) -> f64 {
+    const SCALE: f64 = 1.0 / (1_u64 << 52) as f64;
+    (n as f64 + 0.5) * SCALE
+}
+
+/// A key for draws of a purpose.
+fn key(seed: u64, name: &str, index: usize, purpose: &str) -> u64 {
+    let hash = Sha256::digest(format!("{seed}\n{name}\n{index}\n{purpose}"));
+    hash.iter().take(8).fold(0, |key, byte| key << 8 | u64::from(*byte))
+}
+
+/// 64 random bits: half of the block of Philox4×32-10 with this key and counter.
+fn philox(key: u64, counter: u64) -> u64 {
+    let [a, b, ..] =
+        philox4x32([key as u32, (key >> 32) as u32], [counter as u32, (counter >> 32) as u32, 0, 0]);
+    u64::from(b) << 32 | u64::from(a)
+}
+
+/// Philox4×32-10 (Salmon, Moraes, Dror and Shaw, Parallel random numbers: as easy as 1, 2, 3, SC11).
+fn philox4x32(mut key: [u32; 2], mut counter: [u32; 4]) -> [u32; 4] {
+    const ROUNDS: u32 = 10;
+    for _ in 0..ROUNDS {
+        let [c0, c1, c2, c3] = counter;
+        let (first, second) = (0xD251_1F53 * u64::from(c0), 0xCD9E_8D57 * u64::from(c2));
+        let high = |product: u64| (product >> 32) as u32;
+        counter = [high(second) ^ c1 ^ key[0], second as u32, high(first) ^ c3 ^ key[1], first as u32];
+        key = [key[0].wrapping_add(0x9E37_79B9), key[1].wrapping_add(0xBB67_AE85)];
+    }
+    counter
+}
+
+/// The finaliser of SplitMix64: every bit of the result depends on every bit of x.
+pub(crate) const fn mix(mut x: u64) -> u64 {
+    x = (x ^ (x >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+    x = (x ^ (x >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+    x ^ (x >> 31)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The known answers that Random123 is distributed with (kat_vectors).
+    #[test]
+    fn philox_gives_its_known_answers() {
+        for (key, counter, answer) in [
+            ([0, 0], [0; 4], [0x6627_e8d5, 0xe169_c58d, 0xbc57_ac4c, 0x9b00_dbd8]),
+            ([u32::MAX; 2], [u32::MAX; 4], [0x408f_276d, 0x41c8_3b0e, 0xa20b_c7c6, 0x6d54_51fd]),
+            (
+                [0xa409_3822, 0x299f_31d0],
+                [0x243f_6a88, 0x85a3_08d3, 0x1319_8a2e, 0x0370_7344],
+                [0xd16c_fe09, 0x94fd_cceb, 0x5001_e420, 0x2412_6ea1],
+            ),
+        ] {
+            assert_eq!(philox4x32(key, counter), answer);
+        }
+    }
+
+    #[test]
+    fn neither_zero_nor_one_is_drawn() {
+        assert_eq!(unit(0), 2.0_f64.powi(-53));
+        assert_eq!(unit((1 << 52) - 1), 1.0 - 2.0_f64.powi(-53));
+    }
+}

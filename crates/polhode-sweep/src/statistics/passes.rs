@@ -1,0 +1,106 @@
+//! Passes over all parts, in threads.
+
+use std::collections::BTreeMap;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::thread;
+
+use crate::batch::Batch;
+use crate::error::SweepError;
+
+/// The parts of a sweep, and who reads them.
+pub(super) struct Parts<'a> {
+    pub(super) count: u64,
+    pub(super) threads: usize,
+    pub(super) read: &'a (dyn Fn(u64) -> Result<Batch, SweepError> + Sync),
+}
+
+/// What has been merged, and what waits for the part before it.
+struct Ordered<T> {
+    next: u64,
+    waiting: BTreeMap<u64, T>,
+    merged: Option<T>,
+}
+
+impl Parts<'_> {
+    /// Something of each part, merged in the order of the parts: sums of numbers then do not depend on the threads. `None` of no
+    /// parts.
+    pub(super) fn in_order<T: Send>(
+        &self,
+        of: impl Fn(u64) -> Result<T, SweepError> + Sync,
+        merge: impl Fn(T, T) -> T + Sync,
+    ) -> Result<Option<T>, SweepError> {
+        let ordered = Mutex::new(Ordered { next: 0, waiting: BTreeMap::new(), merged: None });
+        self.each(|part| {
+            let found = of(part)?;
+            if let Ok(mut ordered) = ordered.lock() {
+                ordered.waiting.insert(part, found);
+                loop {
+                    let next = ordered.next;
+                    let Some(found) = ordered.waiting.remove(&next) else { break };
+                    ordered.next += 1;
+                    ordered.merged = Some(match ordered.merged.take() {
+                        Some(merged) => merge(merged, found),
+                        None => found,
+                    });
+                }
+            }
+            Ok(())
+        })?;
+        Ok(ordered.into_inner().ok().and_then(|ordered| ordered.merged))
+    }
+
+    /// Counts over all parts: each thread has an array of its own, and they are added.
+    pub(super) fn counts(
+        &self,
+        length: usize,
+        count: impl Fn(&Batch, &mut [u64]) + Sync,
+    ) -> Result<Vec<u64>, SweepError> {
+        let spare = Mutex::new(Vec::<Vec<u64>>::new());
+        self.each(|part| {
+            let batch = (self.read)(part)?;
+            let taken = spare.lock().ok().and_then(|mut spare| spare.pop());
+            let mut counts = taken.unwrap_or_else(|| vec![0; length]);
+            count(&batch, &mut counts);
+            if let Ok(mut spare) = spare.lock() {
+                spare.push(counts);
+            }
+            Ok(())
+        })?;
+        let mut total = vec![0; length];
+        for counts in spare.into_inner().unwrap_or_default() {
+            total.iter_mut().zip(counts).for_each(|(sum, count)| *sum += count);
+        }
+        Ok(total)
+    }
+
+    /// Does something with each part; the first error ends it.
+    fn each(&self, work: impl Fn(u64) -> Result<(), SweepError> + Sync) -> Result<(), SweepError> {
+        let (next, failed) = (AtomicU64::new(0), Mutex::new(None));
+        let turn = || {
+            loop {
+                let part = next.fetch_add(1, Ordering::Relaxed);
+                if part >= self.count {
+                    return;
+                }
+                if let Err(error) = work(part) {
+                    next.store(self.count, Ordering::Relaxed);
+                    if let Ok(mut failed) = failed.lock() {
+                        failed.get_or_insert(error);
+                    }
+                    return;
+                }
+            }
+        };
+        thread::scope(|scope| {
+            for _ in 1..self.threads.max(1) {
+                scope.spawn(turn);
+            }
+            turn();
+        });
+        match failed.into_inner() {
+            Ok(Some(error)) => Err(error),
+            _ => Ok(()),
+        }
+    }
+}

@@ -1,0 +1,70 @@
+//! A few members, drawn by their numbers: for pictures and for what depends on what.
+
+use polhode_report::SweepSample;
+
+use crate::batch::{Batch, Values};
+use crate::rows::MEMBER;
+
+/// How many, about.
+const SIZE: u64 = 4096;
+
+/// Rows of the drawn members, and the regime of each.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Sampled {
+    rows: Vec<Vec<Option<f64>>>,
+    regimes: Vec<Option<String>>,
+}
+
+impl Sampled {
+    /// Of a part of a sweep of so many members.
+    pub(super) fn of(batch: &Batch, names: &[&str], members: u64) -> Self {
+        let Ok(Values::Whole(numbers)) = batch.column(MEMBER).map(|column| &column.values) else {
+            return Self::default();
+        };
+        let columns: Vec<&Values> =
+            names.iter().filter_map(|name| Some(&batch.column(name).ok()?.values)).collect();
+        let regime = batch.column("regime").map(|column| &column.values);
+        let mut sampled = Self::default();
+        for (row, _) in numbers.iter().enumerate().filter(|(_, number)| is_drawn(**number, members)) {
+            let value = |values: &&Values| match values {
+                Values::Numbers(values) => values.get(row).copied(),
+                Values::Perhaps(values) => values.get(row).copied().flatten(),
+                _ => None,
+            };
+            sampled.rows.push(columns.iter().map(value).collect());
+            sampled.regimes.push(match regime {
+                Ok(Values::Text(texts)) => texts.get(row).cloned().flatten(),
+                _ => None,
+            });
+        }
+        sampled
+    }
+
+    pub(super) fn append(&mut self, other: Self) {
+        self.rows.extend(other.rows);
+        self.regimes.extend(other.regimes);
+    }
+
+    /// Column by column.
+    pub(super) fn finish(&self, names: &[&str], inputs: &[String]) -> SweepSample {
+        let column = |k: usize| self.rows.iter().map(|row| row.get(k).copied().flatten()).collect();
+        SweepSample {
+            names: names.iter().map(|name| (*name).to_owned()).collect(),
+            columns: (0..names.len()).map(column).collect(),
+            regimes: self.regimes.clone(),
+            inputs: inputs.to_vec(),
+        }
+    }
+}
+
+/// By a hash of the number, as every so-manieth of a grid would have the same value of a variable.
+fn is_drawn(member: u64, members: u64) -> bool {
+    if members <= SIZE {
+        return true;
+    }
+    // SplitMix64
+    let mut z = member.wrapping_add(1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    (z ^ (z >> 31)) < u64::MAX / members * SIZE
+}

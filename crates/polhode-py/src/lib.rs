@@ -15,6 +15,7 @@ mod mesh;
 mod motion;
 mod shape;
 mod substance;
+mod sweep;
 mod unit;
 
 use pyo3::prelude::*;
@@ -40,6 +41,8 @@ mod _native {
     use crate::motion::{PyMotion, simulate};
     #[pymodule_export]
     use crate::shape::shape;
+    #[pymodule_export]
+    use crate::sweep::{PyDataset, PyPlan};
     #[pymodule_export]
     use crate::unit::unit;
 

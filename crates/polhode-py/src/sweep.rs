@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use numpy::{PyArray1, PyReadonlyArray1};
+use numpy::{PyArray1, PyArrayMethods as _, PyReadonlyArray1};
 use polhode_sweep::{Batch, BatchError, Column, Dataset, Plan, SweepError, Values};
 use pyo3::exceptions::PyOSError;
 use pyo3::prelude::*;
@@ -187,7 +187,7 @@ impl Raise for SweepError {
     fn raise(self) -> PyErr {
         match &self {
             Self::Read { .. } | Self::Write { .. } => PyOSError::new_err(self.to_string()),
-            _ => refused(&self, self.hint().as_deref()),
+            _ => refused(&self, self.hint()),
         }
     }
 }

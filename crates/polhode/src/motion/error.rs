@@ -89,6 +89,11 @@ pub enum MotionError {
         /// The last good time, s.
         time: f64,
     },
+    /// The one who waits for many members wants no more.
+    Cancelled {
+        /// How many were done.
+        done: usize,
+    },
     /// The state became infinite or undefined.
     NotFinite {
         /// The last good time, s.
@@ -133,7 +138,7 @@ impl MotionError {
             Self::NotSmooth { .. } => Some("use method = \"auto\" or \"dop853\""),
             Self::HalfTurn { .. } => Some("stop the run before, or start with less energy"),
             Self::NotFinite { .. } => Some("check the units of the torque, the spin and the inertia"),
-            Self::Parameter { .. } => None,
+            Self::Parameter { .. } | Self::Cancelled { .. } => None,
         }
     }
 }
@@ -189,6 +194,7 @@ impl fmt::Display for MotionError {
                 f,
                 "after t = {time:e} s the spring or wire is twisted by more than half a turn, and its torque is no longer determined"
             ),
+            Self::Cancelled { done } => write!(f, "cancelled after {done} members"),
             Self::NotFinite { time } => write!(f, "the motion is not finite after t = {time:e} s"),
         }
     }

@@ -100,17 +100,29 @@ impl Simulation<'_> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn states(&self) -> Result<Vec<State>, MotionError> {
+        let mut states = Vec::with_capacity(self.times.len());
+        self.fill(&mut states)?;
+        Ok(states)
+    }
+
+    /// As [`Simulation::states`], after the states that are there already: after an error those before it are left.
+    pub(super) fn fill(&self, states: &mut Vec<State>) -> Result<(), MotionError> {
         let Self { rotor, torques, start, times, switched_off, tolerance, .. } = *self;
         require_ascending(start.time, times)?;
         require_finite(rotor, torques, &start)?;
         let rule = match self.choose()? {
-            (Way::Closed(ClosedForm::Free(motion)), _) => return Ok(motion.at_times(times)),
-            (Way::Closed(motion), _) => return Ok(times.iter().map(|&time| motion.at(time)).collect()),
+            (Way::Closed(ClosedForm::Free(motion)), _) => {
+                states.extend(motion.at_times(times));
+                return Ok(());
+            }
+            (Way::Closed(motion), _) => {
+                states.extend(times.iter().map(|&time| motion.at(time)));
+                return Ok(());
+            }
             (Way::Steps(rule), _) => rule,
         };
         let mut stepper = Stepper::new(rule, rotor, torques, switched_off, start, tolerance, false)?;
         let end = times.last().copied().unwrap_or(start.time);
-        let mut states = Vec::with_capacity(times.len());
         for &time in times {
             while stepper.time() < time {
                 stepper.step(end)?;
@@ -119,7 +131,7 @@ impl Simulation<'_> {
             let there = if time == stepper.time() { stepper.now() } else { stepper.at(time) };
             states.push(there.state);
         }
-        Ok(states)
+        Ok(())
     }
 
     /// The method that is asked for, or the best.
@@ -243,7 +255,11 @@ enum Way {
 }
 
 /// A start is input: what is wrong with it is not the computation's fault.
-fn require_finite(rotor: &Rotor, torques: &[TorqueModel], start: &State) -> Result<(), MotionError> {
+pub(super) fn require_finite(
+    rotor: &Rotor,
+    torques: &[TorqueModel],
+    start: &State,
+) -> Result<(), MotionError> {
     let (energy, momentum) = (rotor.kinetic_energy(start.omega), rotor.angular_momentum(start.omega).norm());
     for (what, value) in [
         ("the start's time", start.time),

@@ -1,9 +1,26 @@
 //! Many bodies, each with its own start and its own torques, at the same times.
+//!
+//! `crew` gives threads their share; `exact` evaluates closed forms; `lanes` steps bodies side by side with the torques of `forces`, and
+//! `alone` one body with any torque, both by the `step`.
+
+mod alone;
+mod crew;
+mod exact;
+mod forces;
+mod lanes;
+mod step;
+
+use core::fmt;
+use core::num::NonZero;
 
 use super::error::MotionError;
+use super::propagate::stepper::{LOOSEST_TOLERANCE, TIGHTEST_TOLERANCE};
 use super::rotor::Rotor;
+use super::simulation::require_finite;
 use super::state::State;
 use super::torque::TorqueModel;
+use super::trajectory::require_ascending;
+use crew::Crew;
 
 /// A body of an ensemble, and its motion.
 #[derive(Clone, Debug)]
@@ -18,15 +35,20 @@ pub struct Member {
 
 /// How to compute the motions of an ensemble.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum Advance {
-    /// The best for each: a closed form, else Taylor's method, else DOP853.
+    /// The best for each: a closed form, else Taylor's method, else DOP853; with the bits of
+    /// [`Simulation::states`](super::simulation::Simulation::states).
     Auto {
         /// As [`Simulation::tolerance`](super::simulation::Simulation::tolerance).
         tolerance: f64,
     },
-    /// Steps of the classical Runge–Kutta method, all of one length: as accurate as the step is short.
+    /// Steps of the classical Runge–Kutta method: as accurate as the step is short.
+    ///
+    /// From each time to the next, and to where a schedule begins or ends, all steps have one length. Their error falls as the fourth
+    /// power of the step.
     RungeKutta4 {
-        /// The step, s; the last before each time may be shorter.
+        /// The longest step, s.
         step: f64,
     },
 }
@@ -34,8 +56,8 @@ pub enum Advance {
 /// Where the members of an ensemble were at some times.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Flights {
-    /// Member by member, and time by time within each. A member that could go no further stays at its last good state: the state's own
-    /// time says so.
+    /// Member by member, and time by time within each. A member that could go no further stays at the last of these states that was
+    /// good, or at its start: the state's own time says so.
     pub states: Vec<State>,
     /// Those that could go no further, ascending.
     pub failures: Vec<Failure>,
@@ -48,4 +70,148 @@ pub struct Failure {
     pub member: usize,
     /// The cause.
     pub cause: MotionError,
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "member {}: {}", self.member, self.cause)
+    }
+}
+
+impl core::error::Error for Failure {}
+
+/// Many bodies that move independently of each other, side by side in the lanes of vectors and on several threads.
+///
+/// Every state has the same bits on any number of threads, with any vectors, and whichever members there are beside it.
+///
+/// ```
+/// use polhode::*;
+/// use std::num::NonZero;
+/// let body = MassProperties::new(1.0, Position::ZERO, InertiaTensor::diagonal([1.0, 2.0, 2.5])?)?;
+/// let member = |spin: f64| Member {
+///     rotor: Rotor::free(&body),
+///     torques: vec![TorqueModel::Constant(ConstantTorque::Body(Torque::new(0.0, 0.0, 0.5)))],
+///     start: State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.0, 0.0, spin) },
+/// };
+/// let ensemble = Ensemble::new((0..100).map(|k| member(f64::from(k))).collect())?;
+/// let flights = ensemble.at(&[1.0, 2.0], Advance::RungeKutta4 { step: 0.01 }, NonZero::<usize>::MIN)?;
+/// // Two times each: ω of member 41 at t = 2 s is 41 rad/s + N t/i3.
+/// assert!((flights.states[2 * 41 + 1].omega.z - (41.0 + 0.5 * 2.0 / 2.5)).abs() < 1e-13);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Ensemble {
+    members: Vec<Member>,
+    /// The latest start, s.
+    latest: f64,
+}
+
+impl Ensemble {
+    /// The bodies and their starts.
+    ///
+    /// # Errors
+    /// The first member that cannot start: [`MotionError::Parameter`] for a start or a torque that is not finite,
+    /// [`MotionError::NotSpinnable`] for a body without inertia.
+    pub fn new(members: Vec<Member>) -> Result<Self, Failure> {
+        for (member, Member { rotor, torques, start }) in members.iter().enumerate() {
+            require_finite(rotor, torques, start).map_err(|cause| Failure { member, cause })?;
+            if !rotor.is_spinnable() {
+                return Err(Failure { member, cause: MotionError::NotSpinnable });
+            }
+        }
+        let latest = members.iter().map(|member| member.start.time).fold(f64::NEG_INFINITY, f64::max);
+        Ok(Self { members, latest })
+    }
+
+    /// The bodies and their starts, as they were given.
+    pub fn members(&self) -> &[Member] {
+        &self.members
+    }
+
+    /// How many they are.
+    pub const fn len(&self) -> usize {
+        self.members.len()
+    }
+
+    /// True if there is none.
+    pub const fn is_empty(&self) -> bool {
+        self.members.is_empty()
+    }
+
+    /// Every member at each of the times (s, ascending, none before a start), on so many threads.
+    ///
+    /// # Errors
+    /// [`MotionError::Parameter`] if times are out of order, or a step or tolerance is out of its range. What goes wrong with one member
+    /// is among the failures.
+    pub fn at(
+        &self,
+        times: &[f64],
+        advance: Advance,
+        threads: NonZero<usize>,
+    ) -> Result<Flights, MotionError> {
+        let Some(first) = self.members.first() else {
+            return Ok(Flights { states: Vec::new(), failures: Vec::new() });
+        };
+        let mut states = vec![first.start; self.members.len() * times.len()];
+        let failures = self.fill(times, advance, threads, &mut states, &mut |_| true)?;
+        Ok(Flights { states, failures })
+    }
+
+    /// As [`Ensemble::at`], into states that are there already, in the same order; as rows (t, w, x, y, z, ω1, ω2, ω3) if they are
+    /// `[f64; 8]`. Gives those that could go no further, ascending.
+    ///
+    /// `progress` is told now and then, on the thread that called, how many members are done; `false` ends the work.
+    ///
+    /// # Errors
+    /// As [`Ensemble::at`]; [`MotionError::Parameter`] if there are not as many states as members times times;
+    /// [`MotionError::Cancelled`] if `progress` said so, and then only some of the states are written.
+    pub fn fill<S: From<State> + Send>(
+        &self,
+        times: &[f64],
+        advance: Advance,
+        threads: NonZero<usize>,
+        states: &mut [S],
+        progress: &mut dyn FnMut(usize) -> bool,
+    ) -> Result<Vec<Failure>, MotionError> {
+        advance.require_possible()?;
+        require_ascending(f64::NEG_INFINITY, times)?;
+        if let Some(&value) = times.first().filter(|first| **first < self.latest) {
+            let rule = "not before the start of any member";
+            return Err(MotionError::Parameter { what: "the first time", value, rule });
+        }
+        if self.members.len().checked_mul(times.len()) != Some(states.len()) {
+            let (what, value) = ("the number of states to fill", states.len() as f64);
+            return Err(MotionError::Parameter { what, value, rule: "that of members times that of times" });
+        }
+        if states.is_empty() {
+            return Ok(Vec::new());
+        }
+        Crew::new(threads).fill(&self.members, times.len(), states, progress, &|share| match advance {
+            Advance::Auto { tolerance } => exact::fly(share, times, tolerance),
+            Advance::RungeKutta4 { step } => lanes::fly(share, times, step),
+        })
+    }
+}
+
+impl Advance {
+    fn require_possible(self) -> Result<(), MotionError> {
+        let parameter = |what, value, rule| Err(MotionError::Parameter { what, value, rule });
+        match self {
+            Self::Auto { tolerance: value } if !(TIGHTEST_TOLERANCE..=LOOSEST_TOLERANCE).contains(&value) => {
+                parameter("the tolerance", value, "between 1e-15 and 1e-2")
+            }
+            Self::RungeKutta4 { step: value } if !(value > 0.0 && value.is_finite()) => {
+                parameter("the step", value, "positive and finite")
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+/// (t, w, x, y, z, ω1, ω2, ω3): time, attitude R_space_body as a quaternion, ω in body axes.
+impl From<State> for [f64; 8] {
+    fn from(state: State) -> Self {
+        let ([w, x, y, z], [a, b, c]) = (state.attitude.quaternion(), state.omega.to_array());
+        [state.time, w, x, y, z, a, b, c]
+    }
 }

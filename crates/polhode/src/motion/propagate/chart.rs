@@ -112,10 +112,10 @@ impl Chart<'_> {
 }
 
 /// A moment below this part of the greatest is that of a needle.
-pub(super) const THIN: f64 = 1e-2;
+pub(crate) const THIN: f64 = 1e-2;
 
 /// What rounding leaves of a torque along an axis along which there is none.
-pub(super) const ROUNDING: f64 = 16.0 * f64::EPSILON;
+pub(crate) const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// y at the centre of a chart.
 pub(super) fn at_center(omega: AngularVelocity<Principal>, work: f64, impulse: AngularMomentum<Space>) -> Y {

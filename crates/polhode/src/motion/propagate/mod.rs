@@ -13,3 +13,5 @@ pub(crate) mod splitting;
 pub(crate) mod stepper;
 mod tableau;
 mod taylor;
+
+pub(crate) use chart::{ROUNDING, THIN};

@@ -1,0 +1,126 @@
+//! Threads that share the members out among themselves.
+
+use core::num::NonZero;
+use core::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
+use std::thread;
+
+use super::{Failure, Member};
+use crate::motion::error::MotionError;
+use crate::motion::state::State;
+
+/// Members that a thread takes at a time: enough to fill vectors with members of a kind, and little to wait for.
+const SHARE: usize = 64;
+
+/// So many threads, the caller's own among them.
+pub(super) struct Crew {
+    threads: NonZero<usize>,
+}
+
+/// Some members, and the place for their states.
+pub(super) struct Share<'a> {
+    /// The first of them.
+    first: usize,
+    pub(super) members: &'a [Member],
+    /// Times for each.
+    times: usize,
+    write: &'a mut dyn FnMut(usize, &[State]),
+    failures: Vec<Failure>,
+    report: &'a mut dyn FnMut(usize) -> bool,
+}
+
+impl Share<'_> {
+    /// Puts down states of a member (of the share, from 0), from one of its times on.
+    pub(super) fn put(&mut self, member: usize, from: usize, states: &[State]) {
+        (self.write)(member * self.times + from, states);
+    }
+
+    /// Writes down that a member can go no further, after so many of its times: it stays where it was.
+    pub(super) fn fail(&mut self, member: usize, reached: usize, last: State, cause: MotionError) {
+        for time in reached..self.times {
+            self.put(member, time, &[last]);
+        }
+        self.failures.push(Failure { member: self.first + member, cause });
+    }
+
+    /// Says that so many more members are done; false if the others need not be.
+    #[must_use]
+    pub(super) fn done(&mut self, members: usize) -> bool {
+        (self.report)(members)
+    }
+}
+
+impl Crew {
+    pub(super) const fn new(threads: NonZero<usize>) -> Self {
+        Self { threads }
+    }
+
+    /// Has all states filled, in place: nothing depends on who does which share, nor when.
+    ///
+    /// # Errors
+    /// [`MotionError::Cancelled`] if `progress` gave false.
+    pub(super) fn fill<S: From<State> + Send>(
+        &self,
+        members: &[Member],
+        times: usize,
+        states: &mut [S],
+        progress: &mut dyn FnMut(usize) -> bool,
+        fly: &(dyn Fn(&mut Share<'_>) + Sync),
+    ) -> Result<Vec<Failure>, MotionError> {
+        let done = AtomicUsize::new(0);
+        let goes_on = AtomicBool::new(true);
+        let shares = members.chunks(SHARE).zip(states.chunks_mut(SHARE * times)).enumerate();
+        let shares = Mutex::new(shares);
+        let failures = Mutex::new(Vec::new());
+        let work = |report: &mut dyn FnMut(usize) -> bool| {
+            while goes_on.load(Ordering::Relaxed) {
+                let next = shares.lock().unwrap_or_else(PoisonError::into_inner).next();
+                let Some((k, (members, places))) = next else { break };
+                let mut share = Share {
+                    first: k * SHARE,
+                    members,
+                    times,
+                    write: &mut |from, states| {
+                        for (place, state) in places.iter_mut().skip(from).zip(states) {
+                            *place = S::from(*state);
+                        }
+                    },
+                    failures: Vec::new(),
+                    report,
+                };
+                fly(&mut share);
+                let found = share.failures;
+                if !found.is_empty() {
+                    failures.lock().unwrap_or_else(PoisonError::into_inner).extend(found);
+                }
+            }
+        };
+        let count = |members: usize| done.fetch_add(members, Ordering::Relaxed) + members;
+        thread::scope(|scope| {
+            for _ in 1..self.threads.get().min(members.len().div_ceil(SHARE)) {
+                let helper = || {
+                    work(&mut |members| {
+                        count(members);
+                        goes_on.load(Ordering::Relaxed)
+                    });
+                };
+                // What cannot be had is done without.
+                if thread::Builder::new().spawn_scoped(scope, helper).is_err() {
+                    break;
+                }
+            }
+            work(&mut |members| {
+                let all = count(members);
+                let goes = progress(all);
+                goes_on.fetch_and(goes, Ordering::Relaxed);
+                goes
+            });
+        });
+        if !goes_on.into_inner() {
+            return Err(MotionError::Cancelled { done: done.into_inner() });
+        }
+        let mut failures = failures.into_inner().unwrap_or_else(PoisonError::into_inner);
+        failures.sort_by_key(|failure: &Failure| failure.member);
+        Ok(failures)
+    }
+}

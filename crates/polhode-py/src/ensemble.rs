@@ -6,8 +6,8 @@ use std::path::Path;
 use numpy::ndarray::Array3;
 use numpy::{IntoPyArray as _, PyArray3, PyReadonlyArray1, PyReadonlyArray2};
 use polhode::{
-    Advance, AngularVelocity, Attitude, Body, Ensemble, InertiaTensor, MassProperties, Member, Position,
-    Rotor, Scenario, State, TorqueModel,
+    Advance, AngularVelocity, Attitude, Body, Ensemble, Failure, InertiaTensor, MassProperties, Member,
+    MotionError, Position, Rotor, Scenario, State, TorqueModel,
 };
 use polhode_formats::scenario;
 use pyo3::prelude::*;
@@ -16,19 +16,15 @@ use crate::arrays::{numbers, rows};
 use crate::error::{Raise as _, refused};
 use crate::free_motion::signed;
 
-/// Members between two looks for Ctrl-C: enough for the lanes of all threads.
-const PIECE: usize = 4096;
-
-/// ω (n, t, 3), attitudes (n, t, 4), and those that could go no further: the member, when it was last good (s), and why.
-type Flights<'py> =
-    (Bound<'py, PyArray3<f64>>, Bound<'py, PyArray3<f64>>, Vec<(usize, f64, String)>);
+/// A row for each member and time, t, w, x, y, z, ω1, ω2, ω3 (n, t, 8), and those that could go no further: the member, when it was
+/// last good (s), and why.
+type Flights<'py> = (Bound<'py, PyArray3<f64>>, Vec<(usize, f64, String)>);
 
 /// Many bodies, each with its own start, under the same torques.
 #[pyclass(frozen, name = "Ensemble", module = "polhode._native")]
 #[derive(Clone, Debug)]
 pub(crate) struct PyEnsemble {
-    /// Each of as many members as are computed without looking up.
-    pieces: Vec<Ensemble>,
+    ensemble: Ensemble,
 }
 
 #[pymethods]
@@ -43,33 +39,23 @@ impl PyEnsemble {
         attitude: PyReadonlyArray2<'_, f64>,
         torques: &str,
     ) -> PyResult<Self> {
-        let (tensors, omega, attitude) =
-            (rows::<9>(&tensors)?, rows::<3>(&omega)?, rows::<4>(&attitude)?);
+        let (tensors, omega, attitude) = (rows::<9>(&tensors)?, rows::<3>(&omega)?, rows::<4>(&attitude)?);
         let torques = read_torques(torques)?;
         py.detach(|| {
-            let mut pieces = Vec::new();
-            let mut piece = Vec::with_capacity(PIECE.min(tensors.len()));
-            for (k, ((tensor, omega), wxyz)) in tensors.iter().zip(omega).zip(attitude).enumerate() {
-                let start = State {
-                    time: 0.0,
-                    attitude: Attitude::from_quaternion(*wxyz).map_err(|error| of_member(k, &error))?,
-                    omega: AngularVelocity::from_array(*omega),
-                };
-                piece.push(Member { rotor: rotor(k, tensor)?, torques: torques.clone(), start });
-                if piece.len() == PIECE || k + 1 == tensors.len() {
-                    let whole = std::mem::replace(&mut piece, Vec::with_capacity(PIECE));
-                    let before = PIECE * pieces.len();
-                    let ensemble = Ensemble::new(whole)
-                        .map_err(|failure| of_member(before + failure.member, &failure.cause))?;
-                    pieces.push(ensemble);
-                }
-            }
-            Ok(Self { pieces })
+            let member = |(k, ((tensor, omega), wxyz)): (usize, ((&[f64; 9], &[f64; 3]), &[f64; 4]))| {
+                let attitude = Attitude::from_quaternion(*wxyz).map_err(|error| of_member(k, &error))?;
+                let start = State { time: 0.0, attitude, omega: AngularVelocity::from_array(*omega) };
+                Ok(Member { rotor: rotor(k, tensor)?, torques: torques.clone(), start })
+            };
+            let each = tensors.iter().zip(omega).zip(attitude).enumerate();
+            let members = each.map(member).collect::<PyResult<_>>()?;
+            let ensemble = Ensemble::new(members).map_err(|failure| of_member(failure.member, &failure.cause))?;
+            Ok(Self { ensemble })
         })
     }
 
     fn __len__(&self) -> usize {
-        self.pieces.iter().map(Ensemble::len).sum()
+        self.ensemble.len()
     }
 
     /// All members at all times, on so many threads; `step` (s) asks for Runge–Kutta, else the best method for each at `tolerance`.
@@ -84,37 +70,37 @@ impl PyEnsemble {
         let times = numbers(&times)?;
         let advance = step.map_or(Advance::Auto { tolerance }, |step| Advance::RungeKutta4 { step });
         let threads = NonZero::new(threads).unwrap_or(NonZero::<usize>::MIN);
-        let count = self.__len__() * times.len();
-        let (mut omega, mut attitude) = (Vec::with_capacity(3 * count), Vec::with_capacity(4 * count));
-        let mut failures = Vec::new();
-        for (k, piece) in self.pieces.iter().enumerate() {
-            py.check_signals()?;
-            let flights = py.detach(|| {
-                let flights = piece.at(times, advance, threads)?;
-                for states in flights.states.chunks(times.len().max(1)) {
-                    let mut before = None;
-                    for state in states {
-                        omega.extend(state.omega.to_array());
-                        attitude.extend(signed(state.attitude, &mut before));
-                    }
-                }
-                Ok(flights)
-            });
-            let flights = flights.map_err(|error: polhode::MotionError| error.raise())?;
-            for failure in flights.failures {
-                let last = ((failure.member + 1) * times.len()).checked_sub(1);
-                let time = last.and_then(|last| flights.states.get(last)).map_or(0.0, |state| state.time);
-                failures.push((PIECE * k + failure.member, time, failure.cause.to_string()));
-            }
+        let (mut signal, shape) = (None, [self.ensemble.len(), times.len(), 8]);
+        let flown = py.detach(|| {
+            let mut rows = vec![[0.0; 8]; self.ensemble.len() * times.len()];
+            let failures = self.ensemble.fill(times, advance, threads, &mut rows, &mut |_| {
+                signal = Python::attach(|py| py.check_signals()).err();
+                signal.is_none()
+            })?;
+            rows.chunks_mut(times.len().max(1)).for_each(continuous);
+            Ok((rows, failures))
+        });
+        if let Some(signal) = signal {
+            return Err(signal);
         }
-        let shaped = |numbers, columns| cube(py, numbers, [self.__len__(), times.len(), columns]);
-        Ok((shaped(omega, 3)?, shaped(attitude, 4)?, failures))
+        let (rows, failures) = flown.map_err(|error: MotionError| error.raise())?;
+        let last_good = |member: usize| {
+            let last = ((member + 1) * times.len()).checked_sub(1).and_then(|last| rows.get(last));
+            last.map_or(0.0, |&[time, ..]| time)
+        };
+        let failed = |f: &Failure| (f.member, last_good(f.member), f.cause.to_string());
+        let failed = failures.iter().map(failed).collect();
+        let rows = Array3::from_shape_vec(shape, rows.into_flattened());
+        Ok((rows.map_err(|error| refused(error, None))?.into_pyarray(py), failed))
     }
 }
 
-fn cube(py: Python<'_>, numbers: Vec<f64>, shape: [usize; 3]) -> PyResult<Bound<'_, PyArray3<f64>>> {
-    let cube = Array3::from_shape_vec(shape, numbers).map_err(|error| refused(error.to_string(), None))?;
-    Ok(cube.into_pyarray(py))
+/// q and −q are one attitude: the first has w ≥ 0, each of the others the sign nearest to the one before it.
+fn continuous(rows: &mut [[f64; 8]]) {
+    let mut before = None;
+    for [_, w, x, y, z, ..] in rows {
+        [*w, *x, *y, *z] = signed([*w, *x, *y, *z], &mut before);
+    }
 }
 
 fn rotor(member: usize, tensor: &[f64; 9]) -> PyResult<Rotor> {

@@ -60,7 +60,7 @@ impl PyFreeMotion {
                 self.motion.fill(piece, &mut states);
                 for (state, _) in states.iter().zip(piece) {
                     omega.extend(state.omega.to_array());
-                    attitude.extend(signed(state.attitude, &mut before));
+                    attitude.extend(signed(state.attitude.quaternion(), &mut before));
                 }
             });
         }
@@ -143,13 +143,13 @@ fn start(omega: [f64; 3], wxyz: [f64; 4]) -> PyResult<State> {
 }
 
 /// q and −q are one attitude: the first has w ≥ 0, each of the others the sign nearest to the one before it.
-pub(crate) fn signed(attitude: Attitude, before: &mut Option<[f64; 4]>) -> [f64; 4] {
-    let wxyz = attitude.quaternion();
-    let signed = match before {
-        None => attitude.canonical_quaternion(),
-        Some(last) if last.iter().zip(wxyz).map(|(a, b)| a * b).sum::<f64>() < 0.0 => wxyz.map(|c| 0.0 - c),
-        Some(_) => wxyz,
+pub(crate) fn signed(wxyz: [f64; 4], before: &mut Option<[f64; 4]>) -> [f64; 4] {
+    let along = match before {
+        // The first component that is not zero decides.
+        None => wxyz.into_iter().find(|c| *c != 0.0).unwrap_or_default(),
+        Some(last) => last.iter().zip(wxyz).map(|(a, b)| a * b).sum(),
     };
+    let signed = if along < 0.0 { wxyz.map(|c| 0.0 - c) } else { wxyz };
     *before = Some(signed);
     signed
 }

@@ -6,6 +6,7 @@
 
 mod arrays;
 mod check;
+mod ensemble;
 mod error;
 mod files;
 mod free_motion;
@@ -27,6 +28,8 @@ mod _native {
 
     #[pymodule_export]
     use crate::check::check_file;
+    #[pymodule_export]
+    use crate::ensemble::PyEnsemble;
     #[pymodule_export]
     use crate::files::{
         cad_file, is_robot, molecule_file, particle_file, robot_file, robot_links, scenario_file, voxel_file,

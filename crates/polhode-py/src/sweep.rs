@@ -85,7 +85,7 @@ impl PyPlan {
 
     /// The rows, each with what becomes of its member.
     fn simulate<'py>(&self, py: Python<'py>, inputs: Vec<(String, Bound<'py, PyAny>)>) -> PyResult<Vec<Given<'py>>> {
-        let inputs = taken(inputs)?;
+        let inputs = self.taken(inputs)?;
         let rows = py.detach(|| polhode_sweep::simulate(&self.plan, &inputs)).map_err(Raise::raise)?;
         Ok(given(py, rows))
     }
@@ -96,9 +96,23 @@ impl PyPlan {
         py: Python<'py>,
         inputs: Vec<(String, Bound<'py, PyAny>)>,
     ) -> PyResult<Vec<Given<'py>>> {
-        let inputs = taken(inputs)?;
+        let inputs = self.taken(inputs)?;
         let rows = py.detach(|| polhode_sweep::trajectories(&self.plan, &inputs)).map_err(Raise::raise)?;
         Ok(given(py, rows))
+    }
+}
+
+impl PyPlan {
+    /// Inputs by name: whole numbers or numbers. What the columns are, the plan says.
+    fn taken(&self, columns: Vec<(String, Bound<'_, PyAny>)>) -> PyResult<Batch> {
+        let known = polhode_sweep::inputs(&self.plan, 0..0);
+        let column = |(name, values): (String, Bound<'_, PyAny>)| {
+            let values = plain_values(&name, &values)?;
+            let column = known.column(&name).map_err(Raise::raise)?;
+            Ok(Column { values, ..column.clone() })
+        };
+        let columns = columns.into_iter().map(column).collect::<PyResult<_>>()?;
+        Batch::new(columns).map_err(Raise::raise)
     }
 }
 
@@ -212,16 +226,6 @@ fn column_given<'py>(py: Python<'py>, column: &Column) -> Given<'py> {
         },
     };
     (column.name.clone(), column.unit.clone(), column.description.clone(), values, there)
-}
-
-/// Inputs: whole numbers or numbers, by name.
-fn taken(columns: Vec<(String, Bound<'_, PyAny>)>) -> PyResult<Batch> {
-    let column = |(name, values): (String, Bound<'_, PyAny>)| {
-        let values = plain_values(&name, &values)?;
-        Ok(Column { name, unit: String::new(), description: String::new(), values })
-    };
-    let columns = columns.into_iter().map(column).collect::<PyResult<_>>()?;
-    Batch::new(columns).map_err(Raise::raise)
 }
 
 /// Whole rows: what `given` gave.

@@ -28,9 +28,10 @@ def motion(**changed: object) -> polhode.FreeMotion:
         np.repeat(TIMES, 3)[::3],
         TIMES[::-1][::-1],
         np.asfortranarray(np.outer(TIMES, [1.0, 2.0]))[:, 0],
+        np.frombuffer(b"?" + TIMES.tobytes(), np.float64, offset=1),
         np.ma.MaskedArray(TIMES),
     ],
-    ids=["list", "tuple", "f4", "f2", "big-endian", "big-endian f4", "strided", "reversed", "fortran", "unmasked"],
+    ids=["list", "tuple", "f4", "f2", "big-endian", "big-endian f4", "strided", "reversed", "fortran", "misaligned", "unmasked"],
 )
 def test_every_exact_array_gives_the_same_bits(times: object) -> None:
     wanted = motion().at(TIMES)

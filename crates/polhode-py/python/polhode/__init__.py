@@ -3,6 +3,7 @@
 - :func:`inertia`, :class:`MassProperties`, :class:`Body`, :mod:`shapes`, :func:`particles`: how much mass, where
 - :class:`FreeMotion`: a free motion at any time, in closed form
 - :func:`simulate`: the motion of a scenario
+- :class:`Ensemble`: many bodies at once; :mod:`polhode.batch` and :mod:`polhode.sweep`: plans of many motions, here and on clusters
 - :func:`check`: are the inertias of a robot right?
 - :mod:`plot`: figures, for those who have Matplotlib
 
@@ -16,6 +17,7 @@ from __future__ import annotations
 from . import plot, shapes
 from ._body import Body
 from ._check import CheckReport, ModelFinding, check
+from ._ensemble import Ensemble, Failure, Flights
 from ._error import PolhodeError, PolhodeWarning
 from ._free_motion import FreeMotion, States
 from ._inertia import inertia
@@ -27,8 +29,11 @@ __all__ = [
     "Body",
     "CheckReport",
     "Ending",
+    "Ensemble",
     "Event",
+    "Failure",
     "Finding",
+    "Flights",
     "FreeMotion",
     "MassProperties",
     "ModelFinding",
@@ -50,8 +55,11 @@ for _public in (
     Body,
     CheckReport,
     Ending,
+    Ensemble,
     Event,
+    Failure,
     Finding,
+    Flights,
     FreeMotion,
     MassProperties,
     ModelFinding,

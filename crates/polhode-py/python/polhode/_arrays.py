@@ -1,4 +1,4 @@
-"""What users give, as arrays that the library takes: contiguous float64, of a known shape, finite.
+"""What users give, as arrays that the library takes: contiguous, aligned float64, of a known shape, finite.
 
 An array that is so already is not copied. Everything that has an exact float64 is converted: integers up to 2**53, float16 and float32,
 either byte order, any strides, lists of lists. Everything else is refused, with the name of the argument, the element and the rule.
@@ -53,7 +53,7 @@ def real(name: str, value: object) -> Floats:
     if array.size == 0 and kind == "f" or kind == "f" and size <= 8 or kind in "iu":
         if kind in "iu" and size == 8:
             refuse(name, array, (array > EXACT) | (array < -EXACT if kind == "i" else False), "a float64 exactly")
-        return np.ascontiguousarray(array, dtype=np.float64).reshape(array.shape)
+        return np.require(array, np.float64, ["C", "A"]).reshape(array.shape)
     raise TypeError(f"{name} must be real numbers, not {described(array)}")
 
 
@@ -120,4 +120,4 @@ def indices(name: str, value: object, shape: tuple[int | str, ...], below: int) 
     if array.ndim != len(shape) or array.shape[-1] != shape[-1]:
         raise PolhodeError(f"{name} must have the shape ({', '.join(map(str, shape))}), not {array.shape}")
     refuse(name, array, (array < 0) | (array >= below), f"from 0 to {below - 1}")
-    return np.ascontiguousarray(array, dtype=np.uint32)
+    return np.require(array, np.uint32, ["C", "A"])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 from pathlib import Path
 
 import numpy as np
@@ -45,3 +46,48 @@ def matrix(wxyz: np.ndarray) -> np.ndarray:
 def steiner(mass: float, a: np.ndarray) -> np.ndarray:
     """m (a² 1 − a aᵀ)"""
     return mass * (a @ a * np.eye(3) - np.outer(a, a))
+
+
+def digest(folder: Path) -> str:
+    """One hash of all files of a sweep, names and contents; the lock is nobody's result."""
+    whole = hashlib.sha256()
+    for path in sorted(path for path in folder.rglob("*") if path.is_file() and path.name != "sweep.lock"):
+        whole.update(f"{path.relative_to(folder)}\0{path.stat().st_size}\0".encode())
+        whole.update(path.read_bytes())
+    return whole.hexdigest()
+
+
+#: A plan of free motions, of generic bodies and starts; members and what is kept are filled in.
+PLAN = """
+title = "Debris that tumbles"
+
+[[body.part]]
+shape = "tensor"
+mass = "3 kg"
+moments = ["1 kg m^2", "2 kg m^2", "2.5 kg m^2"]
+
+[start]
+attitude = {{ axis = [2, -1, 1.5], angle = "150 deg" }}
+spin = {{ body = [0.1, 2, -0.3] }}
+
+[run]
+duration = "60 s"
+samples = 3
+
+[sweep]
+members = {members}
+sampling = "monte carlo"
+seed = 7
+
+[[sweep.vary]]
+key = "start.spin.body[0]"
+uniform = {{ from = "-0.2 rad/s", to = "0.2 rad/s" }}
+
+[[sweep.vary]]
+key = "start.spin.body[1]"
+normal = {{ mean = "2 rad/s", sd = "10 deg/s" }}
+
+[[sweep.vary]]
+key = "body.part[0].mass"
+normal = {{ mean = "3 kg", sd = "0.8 kg" }}
+"""

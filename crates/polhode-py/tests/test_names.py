@@ -38,7 +38,7 @@ def test_the_stub_has_what_rust_has() -> None:
     stub = ast.parse((HERE / "_native.pyi").read_text())
     functions = {node.name for node in stub.body if isinstance(node, ast.FunctionDef)}
     classes = {
-        node.name: {member.name for member in node.body if isinstance(member, ast.FunctionDef)}
+        node.name: {member.name for member in node.body if isinstance(member, ast.FunctionDef)} - {"__len__"}
         for node in stub.body
         if isinstance(node, ast.ClassDef) and node.name in vars(_native)
     }

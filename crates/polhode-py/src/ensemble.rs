@@ -49,7 +49,8 @@ impl PyEnsemble {
             };
             let each = tensors.iter().zip(omega).zip(attitude).enumerate();
             let members = each.map(member).collect::<PyResult<_>>()?;
-            let ensemble = Ensemble::new(members).map_err(|failure| of_member(failure.member, &failure.cause))?;
+            let ensemble =
+                Ensemble::new(members).map_err(|failure| of_member(failure.member, &failure.cause))?;
             Ok(Self { ensemble })
         })
     }
@@ -122,16 +123,21 @@ fn read_torques(text: &str) -> PyResult<Vec<TorqueModel>> {
     if text.trim().is_empty() {
         return Ok(Vec::new());
     }
-    let scenario = scenario::parse(&format!("{text}{BODY}"), Path::new("torques")).map_err(|error| error.raise())?;
+    let scenario =
+        scenario::parse(&format!("{text}{BODY}"), Path::new("torques")).map_err(|error| error.raise())?;
     let hint = Some("a scenario's other sections say what an ensemble's arguments say");
     match only_torques(&scenario) {
         true => Ok(scenario.torques),
-        false => Err(refused("torques may hold [[torque]] tables only, of free bodies, all switched on", hint)),
+        false => {
+            Err(refused("torques may hold [[torque]] tables only, of free bodies, all switched on", hint))
+        }
     }
 }
 
 fn only_torques(scenario: &Scenario) -> bool {
-    let Scenario { parts, start, pivot, switched_off, wheels, events, prescribed, hanging, shaft, run, .. } = scenario;
+    let Scenario {
+        parts, start, pivot, switched_off, wheels, events, prescribed, hanging, shaft, run, ..
+    } = scenario;
     parts.len() == 1
         && start.omega == AngularVelocity::ZERO
         && start.attitude == Attitude::identity()

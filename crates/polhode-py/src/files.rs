@@ -37,8 +37,7 @@ pub(crate) fn particle_file(
     let read = py.detach(|| read_file(Path::new(path), |bytes| particles::read(bytes, &options)));
     let ParticleFile { particles, findings } = read.map_err(|error| error.raise())?;
     let properties = mass_properties_of_particles(&particles).map_err(|error| error.raise())?;
-    let source =
-        SourceInfo::new(path, "particles").described(format!("{} particles", particles.len()));
+    let source = SourceInfo::new(path, "particles").described(format!("{} particles", particles.len()));
     Ok(PyMassProperties::of(InertiaReport { findings, ..InertiaReport::new(source, properties) }))
 }
 
@@ -76,7 +75,14 @@ pub(crate) fn cad_file(
         proof.rounding,
     );
     let report = InertiaReport::new(source, properties);
-    Ok(PyMassProperties::of(InertiaReport { volume, surface_area, density, extras: vec![proof], findings, ..report }))
+    Ok(PyMassProperties::of(InertiaReport {
+        volume,
+        surface_area,
+        density,
+        extras: vec![proof],
+        findings,
+        ..report
+    }))
 }
 
 /// The molecules of a file.
@@ -155,7 +161,8 @@ pub(crate) fn robot_file(
     let model = read_model(Path::new(path), &ReadOptions::default()).map_err(|error| error.raise())?;
     let source = SourceInfo::new(path, "robot");
     let Some(name) = link else {
-        let lumps = lump(&model, Lumping::All, &joints).map_err(|error| refused(&error, Some(&error.hint())))?;
+        let lumps =
+            lump(&model, Lumping::All, &joints).map_err(|error| refused(&error, Some(&error.hint())))?;
         let Some(whole) = lumps.first() else {
             return Err(refused(format!("no link of {path} has a mass"), None));
         };

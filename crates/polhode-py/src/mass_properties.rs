@@ -90,7 +90,13 @@ impl PyMassProperties {
         let placed = self.properties().placed(Position::<Part>::from_array(position), turn);
         // The new axes are the body's from here on.
         let properties = placed.map_err(|error| error.raise())?.in_frame::<Body>(Rotation::identity());
-        Ok(Self::of(InertiaReport { properties, about: None, axes: None, extras: Vec::new(), ..self.report.clone() }))
+        Ok(Self::of(InertiaReport {
+            properties,
+            about: None,
+            axes: None,
+            extras: Vec::new(),
+            ..self.report.clone()
+        }))
     }
 
     #[getter]
@@ -112,7 +118,10 @@ impl PyMassProperties {
     fn about<'py>(&self, py: Python<'py>, point: [f64; 3]) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let about = self.properties().inertia_about(Position::from_array(point)).matrix();
         if about.iter().flatten().any(|element| !element.is_finite()) {
-            return Err(refused("the tensor about that point is too large for a number", Some("check point")));
+            return Err(refused(
+                "the tensor about that point is too large for a number",
+                Some("check point"),
+            ));
         }
         matrix(py, &about)
     }

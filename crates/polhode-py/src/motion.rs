@@ -43,7 +43,9 @@ pub(crate) fn simulate(
     let run = match (times, scenario.run.take()) {
         (None, run) => run,
         (Some(times), Some(run)) => Some(Run { times: numbers(&times)?.to_vec(), ..run }),
-        (Some(times), None) => Some(Run { times: numbers(&times)?.to_vec(), ..Run::evenly(0.0, 0, Method::Auto, 1e-13) }),
+        (Some(times), None) => {
+            Some(Run { times: numbers(&times)?.to_vec(), ..Run::evenly(0.0, 0, Method::Auto, 1e-13) })
+        }
     };
     scenario.run = run;
     let Some(motion) = watched(py, |look| scenario.simulate_watched(look))? else {

@@ -32,9 +32,10 @@ impl Given {
         ];
         let mut given = all.into_iter().filter_map(|(name, substance)| Some((name, substance?)));
         match (given.next(), given.next()) {
-            (Some((a, _)), Some((b, _))) => {
-                Err(refused(format!("{a} and {b} are both given: one of them says what the body is made of"), None))
-            }
+            (Some((a, _)), Some((b, _))) => Err(refused(
+                format!("{a} and {b} are both given: one of them says what the body is made of"),
+                None,
+            )),
             (first, _) => Ok(first.map(|(_, substance)| substance)),
         }
     }

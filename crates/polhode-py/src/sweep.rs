@@ -84,7 +84,11 @@ impl PyPlan {
     }
 
     /// The rows, each with what becomes of its member.
-    fn simulate<'py>(&self, py: Python<'py>, inputs: Vec<(String, Bound<'py, PyAny>)>) -> PyResult<Vec<Given<'py>>> {
+    fn simulate<'py>(
+        &self,
+        py: Python<'py>,
+        inputs: Vec<(String, Bound<'py, PyAny>)>,
+    ) -> PyResult<Vec<Given<'py>>> {
         let inputs = self.taken(inputs)?;
         let rows = py.detach(|| polhode_sweep::simulate(&self.plan, &inputs)).map_err(Raise::raise)?;
         Ok(given(py, rows))

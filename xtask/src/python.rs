@@ -14,8 +14,8 @@ const PYTHON: (u32, u32) = (3, 10);
 /// What the tests need besides the package: what it uses where it is there, and Dask for the cluster.
 const NEEDED: [&str; 6] = ["pytest", "scipy", "matplotlib", "mypy", "pyarrow", "distributed"];
 
-/// Builds the wheel, installs it into an environment of its own, and runs the tests, the examples in its documentation, its types
-/// and `examples/python/` from an empty folder: what is imported there is the wheel's, not the tree's.
+/// Builds the wheel, installs it into an environment of its own, and runs the tests, the documentation's examples, the book's, a check of
+/// types, and `examples/python/` from an empty folder: what is imported there is the wheel's, not the tree's.
 pub(crate) fn check() -> Outcome {
     let folder = empty_folder("python")?;
     let python = environment(&folder)?;
@@ -45,6 +45,8 @@ pub(crate) fn check() -> Outcome {
     // The one that needs Ray is imported by nobody here.
     let documented = ["--doctest-modules", "--pyargs", "polhode", "--ignore-glob=*_ray.py"];
     run(here(&["-m", "pytest", "-q", "-c"]).arg(&settings).args(documented))?;
+    let pages = ["python.md", "clusters.md"].map(|page| root().join("book").join(page));
+    run(here(&["-m", "pytest", "-q", "--doctest-glob=*.md", "-c"]).arg(&settings).args(pages))?;
     run(here(&["-m", "mypy", "--config-file"]).arg(&settings).args(["-p", "polhode"]))?;
     for example in files(&root().join("examples/python"), "py")? {
         println!("   {}", crate::short(&example));

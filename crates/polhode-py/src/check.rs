@@ -8,7 +8,7 @@ use polhode_robot::read::{ReadOptions, read_model};
 use polhode_robot::report::CheckReport;
 use pyo3::prelude::*;
 
-use crate::error::Raise as _;
+use crate::error::Raise;
 
 /// A checked model as JSON, as text, and as a table of its links.
 ///
@@ -21,7 +21,7 @@ pub(crate) fn check_file(
     roots: Vec<PathBuf>,
 ) -> PyResult<(String, String, String)> {
     py.detach(|| {
-        let model = read_model(Path::new(path), &ReadOptions { roots }).map_err(|error| error.raise())?;
+        let model = read_model(Path::new(path), &ReadOptions { roots }).map_err(Raise::raise)?;
         let Inspection { geometry, findings } = inspect(&model, &mut Shapes::default());
         let report = CheckReport { model, geometry, findings, fixed: None };
         Ok((report.to_json().to_string(), report.to_text(), report.to_table()))

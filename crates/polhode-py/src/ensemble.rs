@@ -13,8 +13,9 @@ use polhode_formats::scenario;
 use pyo3::prelude::*;
 
 use crate::arrays::{numbers, rows};
-use crate::error::{Raise as _, refused};
+use crate::error::{Raise, refused};
 use crate::free_motion::signed;
+use crate::interrupt::signal;
 
 /// A row for each member and time, t, w, x, y, z, ω1, ω2, ω3 (n, t, 8), and those that could go no further: the member, when it was
 /// last good (s), and why.
@@ -42,13 +43,13 @@ impl PyEnsemble {
         let (tensors, omega, attitude) = (rows::<9>(&tensors)?, rows::<3>(&omega)?, rows::<4>(&attitude)?);
         let torques = read_torques(torques)?;
         py.detach(|| {
-            let member = |(k, ((tensor, omega), wxyz)): (usize, ((&[f64; 9], &[f64; 3]), &[f64; 4]))| {
+            let each = tensors.iter().zip(omega).zip(attitude).enumerate();
+            let members = each.map(|(k, ((tensor, omega), wxyz))| {
                 let attitude = Attitude::from_quaternion(*wxyz).map_err(|error| of_member(k, &error))?;
                 let start = State { time: 0.0, attitude, omega: AngularVelocity::from_array(*omega) };
                 Ok(Member { rotor: rotor(k, tensor)?, torques: torques.clone(), start })
-            };
-            let each = tensors.iter().zip(omega).zip(attitude).enumerate();
-            let members = each.map(member).collect::<PyResult<_>>()?;
+            });
+            let members = members.collect::<PyResult<_>>()?;
             let ensemble =
                 Ensemble::new(members).map_err(|failure| of_member(failure.member, &failure.cause))?;
             Ok(Self { ensemble })
@@ -71,20 +72,20 @@ impl PyEnsemble {
         let times = numbers(&times)?;
         let advance = step.map_or(Advance::Auto { tolerance }, |step| Advance::RungeKutta4 { step });
         let threads = NonZero::new(threads).unwrap_or(NonZero::<usize>::MIN);
-        let (mut signal, shape) = (None, [self.ensemble.len(), times.len(), 8]);
-        let flown = py.detach(|| {
+        let (mut heard, shape) = (None, [self.ensemble.len(), times.len(), 8]);
+        let flown: Result<_, MotionError> = py.detach(|| {
             let mut rows = vec![[0.0; 8]; self.ensemble.len() * times.len()];
             let failures = self.ensemble.fill(times, advance, threads, &mut rows, &mut |_| {
-                signal = Python::attach(|py| py.check_signals()).err();
-                signal.is_none()
+                heard = signal();
+                heard.is_none()
             })?;
             rows.chunks_mut(times.len().max(1)).for_each(continuous);
             Ok((rows, failures))
         });
-        if let Some(signal) = signal {
+        if let Some(signal) = heard {
             return Err(signal);
         }
-        let (rows, failures) = flown.map_err(|error: MotionError| error.raise())?;
+        let (rows, failures) = flown.map_err(Raise::raise)?;
         let last_good = |member: usize| {
             let last = ((member + 1) * times.len()).checked_sub(1).and_then(|last| rows.get(last));
             last.map_or(0.0, |&[time, ..]| time)
@@ -123,8 +124,7 @@ fn read_torques(text: &str) -> PyResult<Vec<TorqueModel>> {
     if text.trim().is_empty() {
         return Ok(Vec::new());
     }
-    let scenario =
-        scenario::parse(&format!("{text}{BODY}"), Path::new("torques")).map_err(|error| error.raise())?;
+    let scenario = scenario::parse(&format!("{text}{BODY}"), Path::new("torques")).map_err(Raise::raise)?;
     let hint = Some("a scenario's other sections say what an ensemble's arguments say");
     match only_torques(&scenario) {
         true => Ok(scenario.torques),

@@ -11,14 +11,14 @@ use polhode_formats::{read_file, read_text_file, scenario};
 use polhode_report::{Extra, InertiaReport, MoleculeReport, SourceInfo, error_estimate, sign_proof};
 use pyo3::prelude::*;
 
-use crate::error::{Raise as _, refused};
+use crate::error::{Raise, refused};
 use crate::mass_properties::PyMassProperties;
 use crate::shape::in_body;
 
 /// The body of a scenario.
 #[pyfunction]
 pub(crate) fn scenario_file(py: Python<'_>, path: &str) -> PyResult<PyMassProperties> {
-    let scenario = py.detach(|| scenario::read(Path::new(path))).map_err(|error| error.raise())?;
+    let scenario = py.detach(|| scenario::read(Path::new(path))).map_err(Raise::raise)?;
     let title = scenario.title.as_deref().unwrap_or("scenario");
     let source = SourceInfo::new(path, "scenario").described(title).with("title", scenario.title.clone());
     Ok(PyMassProperties::of(InertiaReport::of_scenario(source, &scenario)))
@@ -35,8 +35,8 @@ pub(crate) fn particle_file(
 ) -> PyResult<PyMassProperties> {
     let options = ParticleOptions { mass_unit, length_unit, total_mass: mass };
     let read = py.detach(|| read_file(Path::new(path), |bytes| particles::read(bytes, &options)));
-    let ParticleFile { particles, findings } = read.map_err(|error| error.raise())?;
-    let properties = mass_properties_of_particles(&particles).map_err(|error| error.raise())?;
+    let ParticleFile { particles, findings } = read.map_err(Raise::raise)?;
+    let properties = mass_properties_of_particles(&particles).map_err(Raise::raise)?;
     let source = SourceInfo::new(path, "particles").described(format!("{} particles", particles.len()));
     Ok(PyMassProperties::of(InertiaReport { findings, ..InertiaReport::new(source, properties) }))
 }
@@ -66,7 +66,7 @@ pub(crate) fn cad_file(
         length_unit,
     };
     let CadReport { product, properties, volume, surface_area, density, proof, findings } =
-        read_text_file(Path::new(path), |text| cad::read(text, &options)).map_err(|error| error.raise())?;
+        read_text_file(Path::new(path), |text| cad::read(text, &options)).map_err(Raise::raise)?;
     let source = SourceInfo::new(path, "cad").described(format!("mass properties by {}", product.name()));
     let proof = sign_proof(
         proof.convention.name(),
@@ -111,9 +111,9 @@ pub(crate) fn molecule_file(path: &str, average: bool) -> PyResult<Vec<PyMassPro
         let findings = molecule.findings_with(isotopes);
         Ok(PyMassProperties::of(InertiaReport { extras: vec![extra], findings, ..report }))
     };
-    let molecules = molecule::read(file, format).map_err(|error| error.raise())?;
+    let molecules = molecule::read(file, format).map_err(Raise::raise)?;
     let reports: Result<Vec<_>, BodyError> = molecules.iter().map(report).collect();
-    reports.map_err(|error| error.raise())
+    reports.map_err(Raise::raise)
 }
 
 /// A voxel grid; `per_value` is the density that a value of 1 stands for, kg/m³.
@@ -134,9 +134,9 @@ pub(crate) fn voxel_file(
             Ok((voxels.counts(), grid.mass_properties(|k| per_value * voxels.value(k))))
         })
     });
-    let ([a, b, c], body) = read.map_err(|error| error.raise())?;
-    let body = body.map_err(|error| error.raise())?;
-    let properties = in_body(body.properties).map_err(|error| error.raise())?;
+    let ([a, b, c], body) = read.map_err(Raise::raise)?;
+    let body = body.map_err(Raise::raise)?;
+    let properties = in_body(body.properties).map_err(Raise::raise)?;
     let source = SourceInfo::new(path, "voxels")
         .described(format!("voxels, {a} × {b} × {c}, {} filled", body.filled))
         .with("filled", body.filled);
@@ -158,7 +158,7 @@ pub(crate) fn robot_file(
     use polhode_robot::body::{LinkMass, link_mass};
     use polhode_robot::lump::{Lumping, lump};
     use polhode_robot::read::{ReadOptions, read_model};
-    let model = read_model(Path::new(path), &ReadOptions::default()).map_err(|error| error.raise())?;
+    let model = read_model(Path::new(path), &ReadOptions::default()).map_err(Raise::raise)?;
     let source = SourceInfo::new(path, "robot");
     let Some(name) = link else {
         let lumps =
@@ -192,7 +192,7 @@ pub(crate) fn robot_file(
 #[pyfunction]
 pub(crate) fn robot_links(path: &str) -> PyResult<Vec<String>> {
     use polhode_robot::read::{ReadOptions, read_model};
-    let model = read_model(Path::new(path), &ReadOptions::default()).map_err(|error| error.raise())?;
+    let model = read_model(Path::new(path), &ReadOptions::default()).map_err(Raise::raise)?;
     Ok(model.links.iter().map(|link| link.name.text.clone()).collect())
 }
 

@@ -9,7 +9,7 @@ use polhode_report::{PageInput, PageSubject, SpinReport, VERSION, page};
 use pyo3::prelude::*;
 
 use crate::arrays::{numbers, row, table};
-use crate::error::Raise as _;
+use crate::error::Raise;
 use crate::mass_properties::principal_axes;
 
 /// Times between two looks for Ctrl-C: some milliseconds.
@@ -31,9 +31,9 @@ impl PyFreeMotion {
     #[staticmethod]
     fn of_moments(moments: [f64; 3], omega: [f64; 3], wxyz: [f64; 4], unphysical: bool) -> PyResult<Self> {
         if !unphysical {
-            InertiaTensor::<Body>::diagonal(moments).map_err(|error| error.raise())?;
+            InertiaTensor::<Body>::diagonal(moments).map_err(Raise::raise)?;
         }
-        let motion = FreeMotion::of_moments(moments, start(omega, wxyz)?).map_err(|error| error.raise())?;
+        let motion = FreeMotion::of_moments(moments, start(omega, wxyz)?).map_err(Raise::raise)?;
         Ok(Self { motion })
     }
 
@@ -42,8 +42,8 @@ impl PyFreeMotion {
     fn of_tensor(tensor: [[f64; 3]; 3], omega: [f64; 3], wxyz: [f64; 4]) -> PyResult<Self> {
         let inertia = InertiaTensor::from_matrix(tensor);
         let body = inertia.and_then(|inertia| MassProperties::new(1.0, Position::ZERO, inertia));
-        let rotor = Rotor::free(&body.map_err(|error| error.raise())?);
-        let motion = FreeMotion::of(&rotor, start(omega, wxyz)?).map_err(|error| error.raise())?;
+        let rotor = Rotor::free(&body.map_err(Raise::raise)?);
+        let motion = FreeMotion::of(&rotor, start(omega, wxyz)?).map_err(Raise::raise)?;
         Ok(Self { motion })
     }
 
@@ -124,7 +124,7 @@ impl PyFreeMotion {
         const SAMPLES: usize = 2001;
         py.detach(|| {
             let times = Run::evenly(duration, SAMPLES, Method::Exact, 0.0).times;
-            let trajectory = Trajectory::of_motion(self.motion, &times).map_err(|error| error.raise())?;
+            let trajectory = Trajectory::of_motion(self.motion, &times).map_err(Raise::raise)?;
             Ok(page(&PageInput {
                 title: "Free motion",
                 source: &format!("polhode {VERSION} in Python"),
@@ -138,7 +138,7 @@ impl PyFreeMotion {
 }
 
 fn start(omega: [f64; 3], wxyz: [f64; 4]) -> PyResult<State> {
-    let attitude = Attitude::from_quaternion(wxyz).map_err(|error| error.raise())?;
+    let attitude = Attitude::from_quaternion(wxyz).map_err(Raise::raise)?;
     Ok(State { time: 0.0, attitude, omega: AngularVelocity::from_array(omega) })
 }
 

@@ -12,6 +12,11 @@ use pyo3::prelude::*;
 /// Calls between two looks at the clock of Python: so many steps take some milliseconds.
 const STRIDE: u32 = 1024;
 
+/// What a signal that has come raises, if one has: on any thread, but only the main one hears of signals.
+pub(crate) fn signal() -> Option<PyErr> {
+    Python::attach(|py| py.check_signals().err())
+}
+
 /// What unwinds.
 struct Interrupted(PyErr);
 
@@ -28,7 +33,7 @@ pub(crate) fn watched<T: Send>(
         let mut look = |_time: f64| {
             steps = steps.wrapping_add(1);
             if steps.is_multiple_of(STRIDE)
-                && let Err(signal) = Python::attach(|py| py.check_signals())
+                && let Some(signal) = signal()
             {
                 panic::resume_unwind(Box::new(Interrupted(signal)));
             }

@@ -9,7 +9,7 @@ use polhode_report::{ExportBody, ExportFormat, InertiaReport, SourceInfo, export
 use pyo3::prelude::*;
 
 use crate::arrays::{matrix, numbers, row, rows};
-use crate::error::{Raise as _, refused};
+use crate::error::{Raise, refused};
 
 /// A body's mass properties, and the report about it.
 #[pyclass(frozen, name = "MassProperties", module = "polhode._native")]
@@ -50,7 +50,7 @@ impl PyMassProperties {
             Some(point) => InertiaAbout::from_matrix(Position::from_array(point), tensor)
                 .and_then(|about| MassProperties::from_inertia_about(mass, center, &about)),
         };
-        Ok(Self::plain("mass properties", properties.map_err(|error| error.raise())?))
+        Ok(Self::plain("mass properties", properties.map_err(Raise::raise)?))
     }
 
     /// Of points with masses.
@@ -66,7 +66,7 @@ impl PyMassProperties {
             let particles = each.map(|(&mass, &place)| Particle::new(mass, Position::from_array(place)));
             mass_properties_of_particles::<Body>(&particles.collect::<Result<Vec<_>, _>>()?)
         });
-        let properties = properties.map_err(|error| error.raise())?;
+        let properties = properties.map_err(Raise::raise)?;
         Ok(Self::plain(&format!("{} particles", masses.len()), properties))
     }
 
@@ -75,7 +75,7 @@ impl PyMassProperties {
     fn combined(parts: Vec<PyRef<'_, Self>>) -> PyResult<Self> {
         let bodies: Vec<_> = parts.iter().map(|part| *part.properties()).collect();
         let volumes: Option<Vec<f64>> = parts.iter().map(|part| part.report.volume).collect();
-        let properties = MassProperties::combined(&bodies).map_err(|error| error.raise())?;
+        let properties = MassProperties::combined(&bodies).map_err(Raise::raise)?;
         let volume = volumes.map(|volumes| volumes.iter().sum::<f64>());
         let mut whole = Self::plain(&format!("{} parts", parts.len()), properties);
         whole.report.volume = volume;
@@ -86,10 +86,10 @@ impl PyMassProperties {
 
     /// The same, its origin at a place and its axes turned: a quaternion that takes its own components to the new ones.
     fn placed(&self, position: [f64; 3], wxyz: [f64; 4]) -> PyResult<Self> {
-        let turn = Rotation::<Part, Body>::from_quaternion(wxyz).map_err(|error| error.raise())?;
+        let turn = Rotation::<Part, Body>::from_quaternion(wxyz).map_err(Raise::raise)?;
         let placed = self.properties().placed(Position::<Part>::from_array(position), turn);
         // The new axes are the body's from here on.
-        let properties = placed.map_err(|error| error.raise())?.in_frame::<Body>(Rotation::identity());
+        let properties = placed.map_err(Raise::raise)?.in_frame::<Body>(Rotation::identity());
         Ok(Self::of(InertiaReport {
             properties,
             about: None,
@@ -128,7 +128,7 @@ impl PyMassProperties {
 
     /// The tensor about the centre of mass along turned axes: a quaternion that takes their components to the body's.
     fn along<'py>(&self, py: Python<'py>, wxyz: [f64; 4]) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let turn = Rotation::<Body, Part>::from_quaternion(wxyz).map_err(|error| error.raise())?;
+        let turn = Rotation::<Body, Part>::from_quaternion(wxyz).map_err(Raise::raise)?;
         matrix(py, &self.properties().inertia().in_frame(turn.inverse()).matrix())
     }
 
@@ -203,5 +203,5 @@ pub(crate) fn principal_axes<'py>(
     py: Python<'py>,
     principal: &PrincipalFrame<Body>,
 ) -> PyResult<Bound<'py, PyArray2<f64>>> {
-    matrix(py, &principal.axes().map(|axis| axis.to_array()))
+    matrix(py, &principal.axes().map(polhode::Vector::to_array))
 }

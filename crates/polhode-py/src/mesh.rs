@@ -11,7 +11,7 @@ use polhode_report::{InertiaReport, PartRow, SourceInfo, parts};
 use pyo3::prelude::*;
 
 use crate::arrays::rows;
-use crate::error::{Raise as _, refused};
+use crate::error::{Raise, refused};
 use crate::mass_properties::PyMassProperties;
 use crate::shape::in_body;
 use crate::substance::Given;
@@ -53,7 +53,7 @@ pub(crate) fn mesh_file(
         match large_solid(path, format, &options)? {
             Some(moments) => of_moments(path, &moments, options.unit.unwrap_or(1.0), substance),
             None => {
-                let contents = MeshContents::read(path, format).map_err(|error| error.raise())?;
+                let contents = MeshContents::read(path, format).map_err(Raise::raise)?;
                 let title = format!("{} {}", format.title(), contents.encoding).trim_end().to_owned();
                 let source = SourceInfo::new(path.display().to_string(), format.name());
                 of_contents(contents, path, format, &options, substance, (source, &title))
@@ -80,7 +80,7 @@ pub(crate) fn mesh_arrays(
     let corners = triangles.as_slice().map_err(|error| refused(error.to_string(), None))?;
     let corners = corners.as_chunks().0.to_vec();
     py.detach(|| {
-        let mesh = TriangleMesh::new(points, corners).map_err(|error| error.raise())?;
+        let mesh = TriangleMesh::new(points, corners).map_err(Raise::raise)?;
         let contents = MeshContents {
             encoding: "",
             name: String::new(),
@@ -101,7 +101,7 @@ fn large_solid(path: &Path, format: MeshFormat, options: &MeshOptions) -> PyResu
     if format != MeshFormat::Stl || !large || options.hull || options.shell.is_some() {
         return Ok(None);
     }
-    let found = stl_quick::read(path, &QuickOptions::default()).map_err(|error| error.raise())?;
+    let found = stl_quick::read(path, &QuickOptions::default()).map_err(Raise::raise)?;
     // What is not closed is looked at wholly, to say where.
     Ok(found.filter(|moments| moments.closed != Some(false)))
 }
@@ -112,7 +112,7 @@ fn of_moments(
     unit: f64,
     substance: Option<Substance>,
 ) -> PyResult<PyMassProperties> {
-    let solid = moments.solid(unit).map_err(|error| error.raise())?;
+    let solid = moments.solid(unit).map_err(Raise::raise)?;
     let mut findings = Vec::new();
     if moments.inverted {
         let message = "the normals of the mesh pointed inward and were turned";
@@ -142,15 +142,15 @@ fn of_contents(
         let contents = contents.in_metres(options.unit);
         let shell = |part: &MeshPart| Ok((part.name.clone(), boxed(MeshShell::new(&part.mesh, thickness)?)));
         let pieces: Result<Vec<_>, polhode::BodyError> = contents.parts.iter().map(shell).collect();
-        let pieces = pieces.map_err(|error| error.raise())?;
+        let pieces = pieces.map_err(Raise::raise)?;
         return weighed(described("taken as a sheet"), pieces, substance, contents.findings);
     }
     if options.hull {
         for part in &mut contents.parts {
-            part.mesh = ConvexHull::of(part.mesh.vertices()).map_err(|error| error.raise())?;
+            part.mesh = ConvexHull::of(part.mesh.vertices()).map_err(Raise::raise)?;
         }
     }
-    let solid = MeshSolid::of(contents, path, format, options.unit).map_err(|error| error.raise())?;
+    let solid = MeshSolid::of(contents, path, format, options.unit).map_err(Raise::raise)?;
     let findings = solid.findings_in(&path.display().to_string());
     let what = if options.hull { "taken as its convex hull" } else { "closed, consistently wound" };
     let pieces = solid.parts.into_iter().map(|part| (part.name, boxed(part.mesh)));
@@ -188,11 +188,11 @@ fn weighed(
         Ok(PartRow { name: name.clone(), properties, volume: Some(volume(shape.as_ref())) })
     };
     let rows = pieces.iter().map(row).collect::<Result<Vec<_>, polhode::BodyError>>();
-    let rows = rows.map_err(|error| error.raise())?;
+    let rows = rows.map_err(Raise::raise)?;
     let bodies: Vec<_> = rows.iter().map(|row| row.properties).collect();
     let properties = match bodies.as_slice() {
         [only] => *only,
-        _ => MassProperties::combined(&bodies).map_err(|error| error.raise())?,
+        _ => MassProperties::combined(&bodies).map_err(Raise::raise)?,
     };
     Ok(PyMassProperties::of(InertiaReport {
         volume: Some(whole),

@@ -9,7 +9,7 @@ use polhode_report::{MotionReport, PageInput, PageSubject, SourceInfo, VERSION, 
 use pyo3::prelude::*;
 
 use crate::arrays::{numbers, table};
-use crate::error::{Raise as _, refused};
+use crate::error::{Raise, refused};
 use crate::interrupt::watched;
 
 /// A scenario and the motion that was computed of it.
@@ -37,8 +37,8 @@ pub(crate) fn simulate(
     times: Option<PyReadonlyArray1<'_, f64>>,
 ) -> PyResult<PyMotion> {
     let (mut scenario, text) = match text {
-        None => py.detach(|| scenario::read_with_text(&path)).map_err(|error| error.raise())?,
-        Some(text) => (py.detach(|| scenario::parse(&text, &path)).map_err(|error| error.raise())?, text),
+        None => py.detach(|| scenario::read_with_text(&path)).map_err(Raise::raise)?,
+        Some(text) => (py.detach(|| scenario::parse(&text, &path)).map_err(Raise::raise)?, text),
     };
     let run = match (times, scenario.run.take()) {
         (None, run) => run,
@@ -54,7 +54,7 @@ pub(crate) fn simulate(
             Some("give times, or write [run] with duration = \"10 s\" and samples = 1001"),
         ));
     };
-    Ok(PyMotion { path, text, trajectory: motion.map_err(|error| error.raise())?, scenario })
+    Ok(PyMotion { path, text, trajectory: motion.map_err(Raise::raise)?, scenario })
 }
 
 #[pymethods]

@@ -8,7 +8,7 @@ use polhode::{
 use polhode_report::{InertiaReport, SourceInfo};
 use pyo3::prelude::*;
 
-use crate::error::{Raise as _, refused};
+use crate::error::{Raise, refused};
 use crate::mass_properties::PyMassProperties;
 use crate::substance::Given;
 
@@ -19,10 +19,10 @@ use crate::substance::Given;
 /// `PolhodeError` if there is no such shape.
 #[pyfunction]
 pub(crate) fn shape(kind: &str, lengths: Vec<f64>, ends: bool, given: Given) -> PyResult<PyMassProperties> {
-    let shape = of_name(kind, &lengths, ends)?.map_err(|error| error.raise())?;
-    let part = shape.mass_properties(given.required()?).map_err(|error| error.raise())?;
+    let shape = of_name(kind, &lengths, ends)?.map_err(Raise::raise)?;
+    let part = shape.mass_properties(given.required()?).map_err(Raise::raise)?;
     let extent = shape.spread().extent();
-    let properties = in_body(part).map_err(|error| error.raise())?;
+    let properties = in_body(part).map_err(Raise::raise)?;
     let volume = extent.volume();
     Ok(PyMassProperties::of(InertiaReport {
         volume,

@@ -1,11 +1,12 @@
 //! The built command on every scenario in examples/.
 
+use std::path::Path;
 use std::process::Command;
 
 use crate::process::{empty_folder, output, polhode};
 use crate::{Outcome, files, read, root, short};
 
-/// Runs `inertia` and `explain` on every scenario, and `simulate` on each that has a `[run]`.
+/// Runs `inertia` and `explain` on every scenario, `simulate` on each that has a `[run]`, and `sweep` on each that is a plan.
 pub(crate) fn check() -> Outcome {
     let polhode = polhode()?;
     let results = empty_folder("examples")?;
@@ -26,7 +27,27 @@ pub(crate) fn check() -> Outcome {
         if runs {
             output(call("simulate").arg("-o").arg(results.join(k.to_string())))?;
         }
-        println!("   {scenario}: inertia, explain{}", if runs { ", simulate" } else { "" });
+        let sweeps = read(path)?.lines().any(|line| line.trim() == "[sweep]");
+        if sweeps {
+            sweep(&polhode, path, &results.join(format!("sweep-{k}")))?;
+        }
+        let more =
+            [(runs, ", simulate"), (sweeps, ", sweep")].map(|(done, what)| if done { what } else { "" });
+        println!("   {scenario}: inertia, explain{}", more.concat());
     }
     Ok(())
+}
+
+/// Members of a plan that are tried here: enough for statistics and pictures.
+const TRIED: &str = "members = 32";
+
+/// Runs `sweep` on a copy of a plan with fewer members; a grid, whose members are its values, as it is.
+fn sweep(polhode: &Path, plan: &Path, folder: &Path) -> Outcome {
+    let fewer = |line: &str| if line.starts_with("members = ") { TRIED.to_owned() } else { line.to_owned() };
+    let text: Vec<String> = read(plan)?.lines().map(fewer).collect();
+    let failed = |error| format!("{}: {error}", folder.display());
+    std::fs::create_dir_all(folder).map_err(failed)?;
+    let copy = folder.join("plan.toml");
+    std::fs::write(&copy, text.join("\n")).map_err(failed)?;
+    output(Command::new(polhode).arg("sweep").arg(&copy).arg("-o").arg(folder.join("results"))).map(drop)
 }

@@ -68,7 +68,9 @@ impl Failure {
             Self::Usage { message, hint: advice } => format!("error: {message}\n{}", hint(advice.clone())),
             Self::Output { path, error } => format!("error: cannot write {path}: {error}\n"),
             Self::Sweep(error) => format!("error: {error}\n{}", hint(error.hint().map(str::to_owned))),
-            Self::Stopped { done, hint: advice } => format!("stopped: {done}\n{}", hint(Some(advice.clone()))),
+            Self::Stopped { done, hint: advice } => {
+                format!("stopped: {done}\n{}", hint(Some(advice.clone())))
+            }
             Self::Findings | Self::Status(_) | Self::ClosedPipe => String::new(),
         }
     }

@@ -3,6 +3,7 @@
 mod cluster;
 mod progress;
 
+use std::io::{self, Write as _};
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -10,6 +11,8 @@ use std::sync::atomic::AtomicBool;
 use std::thread::available_parallelism;
 
 use clap::Args;
+use polhode::Severity;
+use polhode_report::plain::printable;
 use polhode_report::pretty;
 use polhode_sweep::{Dataset, Plan};
 
@@ -51,7 +54,7 @@ pub(crate) struct Sweep {
     /// Print the summary as JSON.
     #[arg(long)]
     json: bool,
-    /// Compute on a cluster: ray://HOST:PORT or dask://HOST:PORT. Needs the Python package polhode.
+    /// Compute on a cluster: ray://HOST:PORT or dask://HOST:PORT, or local for processes here. Needs the Python package polhode.
     #[arg(long, value_name = "URL", value_parser = cluster::url)]
     on: Option<String>,
 }
@@ -63,6 +66,7 @@ impl Sweep {
             return cluster::hand_over(&self, url, &target);
         }
         let plan = Plan::read(&self.plan)?;
+        warn(&plan);
         let dataset = match (self.resume, self.force) {
             (true, _) => Dataset::resume(&target, &plan),
             (_, true) => Dataset::replace(&target, &plan),
@@ -95,6 +99,13 @@ impl Sweep {
                 target.display()
             ),
         }
+    }
+}
+
+/// What was noticed about the plan, on standard error.
+fn warn(plan: &Plan) {
+    for finding in plan.findings().iter().filter(|finding| finding.severity != Severity::Info) {
+        let _ = writeln!(io::stderr(), "warning: {}", printable(&finding.message));
     }
 }
 

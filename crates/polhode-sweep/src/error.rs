@@ -70,9 +70,9 @@ impl SweepError {
     /// What to do about it.
     pub fn hint(&self) -> Option<&'static str> {
         match self {
-            Self::Exists { .. } => {
-                Some("continue it with --resume, choose another folder with -o DIR, or replace it with --force")
-            }
+            Self::Exists { .. } => Some(
+                "continue it with --resume, choose another folder with -o DIR, or replace it with --force",
+            ),
             Self::InUse { .. } => Some("wait for it, or choose another folder with -o DIR"),
             Self::Changed { .. } => {
                 Some("choose another folder with -o DIR, or throw the old results away with --force")

@@ -12,6 +12,7 @@ mod outcome;
 mod parquet;
 mod plan;
 mod rows;
+mod sampling;
 mod statistics;
 
 pub use batch::{Batch, BatchError, Column, Values};

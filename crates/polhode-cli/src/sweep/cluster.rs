@@ -7,16 +7,18 @@ use std::process::{Command, Stdio};
 use super::Sweep;
 use crate::failure::Failure;
 
-/// `ray://HOST:PORT` or `dask://HOST:PORT`
+/// `ray://HOST:PORT` or `dask://HOST:PORT`, or `local` for a cluster that is started here.
 pub(super) fn url(text: &str) -> Result<String, String> {
     let place = text.strip_prefix("ray://").or_else(|| text.strip_prefix("dask://"));
     let is_place = |place: &str| {
         let (host, port) = place.rsplit_once(':').unwrap_or((place, ""));
-        !host.is_empty() && port.parse::<u16>().is_ok()
+        place == "local" || !host.is_empty() && port.parse::<u16>().is_ok()
     };
     match place {
         Some(place) if is_place(place) => Ok(text.to_owned()),
-        _ => Err("a cluster is ray://HOST:PORT or dask://HOST:PORT".to_owned()),
+        _ => {
+            Err("a cluster is ray://HOST:PORT or dask://HOST:PORT, or local instead of HOST:PORT".to_owned())
+        }
     }
 }
 
@@ -40,7 +42,8 @@ pub(super) fn hand_over(sweep: &Sweep, url: &str, target: &Path) -> Result<(), F
         }
         Err(error) => return Err(Failure::usage(format!("python3 cannot be run: {error}"), install)),
         Ok(status) if !status.success() => {
-            let message = "a sweep on a cluster needs the Python package polhode, which this python3 does not have";
+            let message =
+                "a sweep on a cluster needs the Python package polhode, which this python3 does not have";
             return Err(Failure::usage(message, install));
         }
         Ok(_) => {}
@@ -55,7 +58,9 @@ pub(super) fn hand_over(sweep: &Sweep, url: &str, target: &Path) -> Result<(), F
     if let Some(threads) = sweep.threads {
         command.arg("--threads").arg(threads.to_string());
     }
-    let status = command.status().map_err(|error| Failure::usage(format!("python3 cannot be run: {error}"), install))?;
+    let status = command
+        .status()
+        .map_err(|error| Failure::usage(format!("python3 cannot be run: {error}"), install))?;
     match status.code() {
         Some(0) => Ok(()),
         code => Err(Failure::Status(code.and_then(|code| u8::try_from(code).ok()).unwrap_or(2))),
@@ -70,7 +75,10 @@ mod tests {
     fn a_cluster_is_an_engine_a_host_and_a_port() {
         assert_eq!(url("ray://127.0.0.1:10001").as_deref(), Ok("ray://127.0.0.1:10001"));
         assert_eq!(url("dask://node-1.example:8786").as_deref(), Ok("dask://node-1.example:8786"));
-        for wrong in ["ray://", "ray://host", "ray://host:port", "http://host:80", "dask://:1", "dask://h:99999"] {
+        assert_eq!(url("dask://local").as_deref(), Ok("dask://local"));
+        for wrong in
+            ["ray://", "ray://host", "ray://host:port", "http://host:80", "dask://:1", "dask://h:99999"]
+        {
             assert!(url(wrong).is_err(), "{wrong}");
         }
     }

@@ -35,6 +35,8 @@ pub(crate) struct Found {
     pub(crate) rotations: BTreeMap<usize, [f64; 4]>,
     /// Without their looks, which no motion depends on.
     pub(crate) parts: Vec<(BodyPart, Vec<Finding>)>,
+    /// All parts together.
+    pub(crate) body: Option<MassProperties<Body>>,
     /// By the place of the value that names the file.
     pub(crate) meshes: BTreeMap<usize, (Arc<ClosedMesh>, Vec<Finding>)>,
     pub(crate) molecules: BTreeMap<usize, Arc<Molecule>>,
@@ -68,10 +70,13 @@ pub(crate) struct Changes {
 }
 
 impl<'a> Reading<'a> {
-    /// The number that stands at `place` now.
-    pub(crate) fn number(self, place: usize) -> Option<f64> {
-        let changes = self.changes()?;
-        changes.numbers.iter().find(|(span, _)| span.start == place).map(|(_, value)| *value)
+    /// The number that stands at `place` now, if it is known without reading it.
+    pub(crate) fn number(self, place: usize, dimension: Dimension) -> Option<f64> {
+        let Self::Again(found, changes) = self else { return None };
+        let changed = changes.numbers.iter().find(|(span, _)| span.start == place);
+        // What is tried in one dimension after the other is read anew in all but the last.
+        let written = || found.numbers.get(&place).filter(|number| number.dimension == dimension);
+        changed.map(|(_, value)| *value).or_else(|| written().map(|number| number.value))
     }
 
     /// The rotation that stands at `place` now.

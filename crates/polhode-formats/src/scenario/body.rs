@@ -1,11 +1,11 @@
 //! The `[body]`: its parts, and the point that is held.
 
-use polhode::{Body, BodyPart, Finding, MassProperties, Position, Severity, Symmetry};
+use polhode::{Body, BodyPart, Finding, MassProperties, Position, PrincipalFrame, Severity, Symmetry};
 
-use super::again::Reading;
+use super::again::{Changes, Found, Reading};
 use super::part::part;
 use super::reader::{Table, Value};
-use crate::error::{FormatError, FormatErrorKind};
+use crate::error::FormatError;
 use crate::unit::Dimension;
 
 /// All parts of a body, alone and together.
@@ -43,14 +43,20 @@ pub(crate) fn body<'a>(root: &Table<'a>, findings: &mut Vec<Finding>) -> Result<
     if parts.is_empty() {
         return Err(table.missing("part", EXAMPLE));
     }
-    let placed: Vec<_> = parts.iter().map(|part| part.properties).collect();
-    let mut body = MassProperties::combined(&placed).map_err(|e| list.error(FormatErrorKind::Body(e)))?;
-    if let Some(other) = list.source().reading.changes().and_then(|changes| changes.body) {
-        body = other;
-        parts = vec![of_properties("body".to_owned(), other)];
-    }
+    let body = match list.source().reading {
+        Reading::Again(_, Changes { body: Some(other), .. }) => {
+            parts = vec![of_properties("body".to_owned(), *other)];
+            *other
+        }
+        Reading::Again(Found { body: Some(body), .. }, changes) if changes.parts.is_empty() => *body,
+        reading => {
+            let placed: Vec<_> = parts.iter().map(|part| part.properties).collect();
+            let body = MassProperties::combined(&placed).map_err(|e| list.body(e))?;
+            reading.leave(|found| found.body = Some(body));
+            body
+        }
+    };
     let pivot = table.get("pivot").map(Pivot::read).transpose()?;
-    findings.extend(thinness(&body));
     Ok(Assembly { parts, body, pivot })
 }
 
@@ -92,8 +98,8 @@ fn of_properties(name: String, properties: MassProperties<Body>) -> BodyPart {
 }
 
 /// A body without inertia about some axis moves, but not every start and torque make sense.
-fn thinness(body: &MassProperties<Body>) -> Option<Finding> {
-    let (code, message) = match body.principal().symmetry() {
+pub(crate) fn thinness(principal: &PrincipalFrame<Body>) -> Option<Finding> {
+    let (code, message) = match principal.symmetry() {
         Symmetry::Point => ("body.point", "all the mass is at one point: the body has no inertia of its own"),
         Symmetry::Rod => (
             "body.rod",

@@ -47,7 +47,6 @@ mod torque;
 mod tree;
 mod wheel;
 
-use std::ops::Range;
 use std::path::Path;
 
 use crate::error::{FormatError, FormatErrorKind, Place};
@@ -112,6 +111,8 @@ fn perhaps_mesh(error: FormatError, bytes: &[u8]) -> FormatError {
 
 /// Reads a scenario from its text; `path` is for messages, and for the files that the scenario names.
 ///
+/// Of a plan, which has a `[sweep]`, it is the scenario as it is written, and a finding says so.
+///
 /// ```
 /// use polhode_formats::scenario;
 /// let text = r#"
@@ -133,19 +134,10 @@ fn perhaps_mesh(error: FormatError, bytes: &[u8]) -> FormatError {
 pub fn parse(text: &str, path: &Path) -> Result<Scenario, FormatError> {
     let source = Source { path, text, reading: Reading::Once };
     let root = document(source)?;
-    match root.get("sweep") {
-        Some(sweep) => Err(many(source, sweep.key.clone())),
-        None => read_root(source, &root, &TOP),
+    if root.contains_key("sweep") {
+        return Template::parse(text.to_owned(), path)?.into_scenario();
     }
-}
-
-/// A plan is no scenario of one motion.
-fn many(source: Source<'_>, place: Range<usize>) -> FormatError {
-    let rule = "left out where one motion is asked for: it makes the file a plan of many";
-    let (key, value) = ("sweep".to_owned(), "...".to_owned());
-    source
-        .error(place, FormatErrorKind::Value { key, value, rule: rule.to_owned() })
-        .with_hint("polhode sweep runs a plan")
+    read_root(source, &root)
 }
 
 /// The tree of a file.
@@ -153,10 +145,10 @@ fn document(source: Source<'_>) -> Result<Entries, FormatError> {
     tree::parse(source.text).map_err(|error| perhaps_mesh(source.syntax(&error), source.text.as_bytes()))
 }
 
-/// The scenario of a file whose tables are `entries`, of these keys.
-fn read_root(source: Source<'_>, entries: &Entries, known: &[&'static str]) -> Result<Scenario, FormatError> {
+/// The scenario of a file whose tables are `entries`.
+fn read_root(source: Source<'_>, entries: &Entries) -> Result<Scenario, FormatError> {
     let root = Table::root(source, entries);
-    root.allow(known)?;
+    root.allow(&TOP)?;
     let exclusive = "a prescribed motion is given, and the torque that it needs is the answer";
     root.at_most_one(&["prescribed", "torque"], exclusive)?;
     root.at_most_one(
@@ -179,6 +171,10 @@ fn read_root(source: Source<'_>, entries: &Entries, known: &[&'static str]) -> R
     let events = event::events(&root, &torques)?;
     let point = pivot.map(|pivot| pivot.point);
     let rotor = point.map_or_else(|| Rotor::free(&body), |point| Rotor::pivoted(&body, point));
+    findings.extend(match point {
+        None => body::thinness(rotor.principal()),
+        Some(_) => body::thinness(&body.principal()),
+    });
     let wheels = wheel::wheels(&root)?;
     let start = start::start(&root, &wheel::locked(&rotor, &wheels)?)?;
     let run = run::run(&root)?;
@@ -216,9 +212,9 @@ fn read_root(source: Source<'_>, entries: &Entries, known: &[&'static str]) -> R
 /// Gravity does not turn a body held at its centre of mass.
 fn idle_gravity(scenario: &Scenario) -> Option<Finding> {
     let has_gravity = scenario.torques.iter().any(|torque| matches!(torque, TorqueModel::Gravity(_)));
-    let (rotor, center) = (scenario.rotor(), scenario.body.center_of_mass());
+    let (center, pivot) = (scenario.body.center_of_mass(), scenario.pivot?);
     // Rounding of the centre of mass is no lever.
-    let balanced = rotor.lever().norm() <= 1e-14 * (center.norm() + (center - rotor.lever()).norm());
+    let balanced = (center - pivot).norm() <= 1e-14 * (center.norm() + pivot.norm());
     (has_gravity && balanced).then(|| Finding {
         code: "gravity.balanced",
         severity: Severity::Info,

@@ -65,8 +65,8 @@ impl Source<'_> {
 }
 
 /// The keys of the file itself.
-pub(crate) const TOP: [&str; 10] =
-    ["title", "body", "start", "torque", "wheel", "event", "prescribed", "shaft", "pendulum", "run"];
+pub(crate) const TOP: [&str; 11] =
+    ["title", "body", "start", "torque", "wheel", "event", "prescribed", "shaft", "pendulum", "run", "sweep"];
 
 /// A table, its place, and what to call it.
 #[derive(Clone, Debug)]
@@ -302,14 +302,14 @@ impl<'a> Value<'a> {
         }
     }
 
-    /// The number that this reading has instead, or the one that is written, which is left for later readings.
+    /// The number that this reading has instead or knows already, or the one that is written, which is left for later readings.
     fn varying(
         &self,
         dimension: Dimension,
         written: impl FnOnce() -> Result<f64, FormatError>,
     ) -> Result<f64, FormatError> {
         let (reading, span) = (self.source.reading, self.span());
-        if let Some(value) = reading.number(span.start) {
+        if let Some(value) = reading.number(span.start, dimension) {
             return Ok(value);
         }
         let value = written()?;

@@ -25,6 +25,8 @@ pub struct Target {
     nominal: Vec<f64>,
     columns: Vec<TargetColumn>,
     dimension: Dimension,
+    /// The places of all values of the file that it takes the place of.
+    covered: Vec<usize>,
 }
 
 /// One number of a target, as a table has it.
@@ -41,8 +43,8 @@ pub struct TargetColumn {
 /// Where the values go.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Varied {
-    /// Numbers of the file, by their places.
-    Numbers(Vec<Range<usize>>),
+    /// Numbers of the file, by their places; an element of a symmetric matrix has two.
+    Numbers(Vec<Vec<Range<usize>>>),
     /// A rotation of the file, by its place.
     Rotation(usize),
     /// Of the body, or of its part; what is not among the values is as it was.
@@ -78,21 +80,15 @@ impl Target {
         self.dimension
     }
 
-    /// What of a scenario differs: the beginning of the place of each number.
+    /// True if the same number would vary by both.
     pub(crate) fn overlaps(&self, other: &Self) -> bool {
-        let of_body =
-            |target: &Self| matches!(target.varied, Varied::MassProperties(_)) && target.part.is_none();
-        let inside = |target: &Self| target.part.is_some();
-        match (&self.varied, &other.varied) {
-            _ if of_body(self) && (of_body(other) || inside(other)) => true,
-            _ if of_body(other) && inside(self) => true,
-            (Varied::MassProperties(_), _) | (_, Varied::MassProperties(_)) => {
-                self.part.is_some() && self.part == other.part
-            }
-            (Varied::Numbers(a), Varied::Numbers(b)) => a.iter().any(|place| b.contains(place)),
-            (Varied::Rotation(a), Varied::Rotation(b)) => a == b,
-            (Varied::Rotation(_), Varied::Numbers(_)) => other.key.starts_with(&self.key),
-            (Varied::Numbers(_), Varied::Rotation(_)) => self.key.starts_with(&other.key),
+        let is_made = |target: &Self| matches!(target.varied, Varied::MassProperties(_));
+        match (is_made(self), is_made(other)) {
+            (false, false) => self.covered.iter().any(|place| other.covered.contains(place)),
+            // Of a part, or of all parts together, what is dispersed is made anew.
+            (true, true) => self.part.is_none() || other.part.is_none() || self.part == other.part,
+            (true, false) => other.part.is_some() && (self.part.is_none() || self.part == other.part),
+            (false, true) => other.overlaps(self),
         }
     }
 }
@@ -127,8 +123,13 @@ impl Catalogue<'_> {
             return Err(error.with_hint(hint));
         }
         let number = self.number_at(key, spot.node)?;
-        let (words, dimension) = (spot.words.join("_"), number.dimension);
-        self.target(key, vec![number], spot.part, dimension, &[words])
+        let mut places = vec![number.span.clone()];
+        if let Some(mirrored) = mirrored(key.string()?) {
+            let other = spot_at(self.entries, &mirrored).map_err(|(rule, hint)| refused(key, &rule, hint))?;
+            places.push(self.number_at(key, other.node)?.span.clone());
+        }
+        let words = spot.words.join("_");
+        Self::target(key, &[(number, places)], spot.part, &[words])
     }
 
     /// Three numbers that are a vector.
@@ -141,23 +142,22 @@ impl Catalogue<'_> {
                 return Err(error.with_hint("write key = \"start.spin.body\""));
             }
         };
-        let numbers: Vec<_> =
-            elements.iter().map(|element| self.number_at(key, element)).collect::<Result<_, _>>()?;
-        let dimension = numbers.first().map_or(Dimension::NONE, |number| number.dimension);
+        let number = |element| self.number_at(key, element).map(|number| (number, vec![number.span.clone()]));
+        let numbers: Vec<_> = elements.iter().map(number).collect::<Result<_, _>>()?;
         let words = ["x", "y", "z"].map(|axis| format!("{}_{axis}", spot.words.join("_")));
-        self.target(key, numbers, spot.part, dimension, &words)
+        Self::target(key, &numbers, spot.part, &words)
     }
 
+    /// Numbers, each with its places, of which each has its words.
     fn target(
-        &self,
         key: &Value<'_>,
-        numbers: Vec<&Number>,
+        numbers: &[(&Number, Vec<Range<usize>>)],
         part: Option<usize>,
-        dimension: Dimension,
         words: &[String],
     ) -> Result<Target, FormatError> {
         let written = key.string()?;
-        let column = |words: &String| {
+        let dimension = numbers.first().map_or(Dimension::NONE, |(number, _)| number.dimension);
+        let described = |words: &String| {
             let axis = words.rsplit('_').next().unwrap_or_default();
             let description = match numbers.len() {
                 1 => written.to_owned(),
@@ -165,14 +165,16 @@ impl Catalogue<'_> {
             };
             column(words, dimension, description)
         };
+        let places: Vec<Vec<Range<usize>>> = numbers.iter().map(|(_, places)| places.clone()).collect();
         Ok(Target {
             key: written.to_owned(),
             place: key.span(),
-            varied: Varied::Numbers(numbers.iter().map(|number| number.span.clone()).collect()),
             part,
-            nominal: numbers.iter().map(|number| number.value).collect(),
-            columns: words.iter().map(column).collect(),
+            nominal: numbers.iter().map(|(number, _)| number.value).collect(),
+            columns: words.iter().map(described).collect(),
             dimension,
+            covered: places.iter().flatten().map(|place| place.start).collect(),
+            varied: Varied::Numbers(places),
         })
     }
 
@@ -198,6 +200,7 @@ impl Catalogue<'_> {
             nominal: quaternion.to_vec(),
             columns: columns.to_vec(),
             dimension: Dimension::NONE,
+            covered: spot.node.places(),
         })
     }
 
@@ -211,7 +214,7 @@ impl Catalogue<'_> {
         let (part, words, properties) = if whole == "body" {
             (None, "body".to_owned(), self.nominal.body)
         } else {
-            let spot = spot(self.entries, whole).map_err(|(rule, hint)| refused(key, &rule, hint))?;
+            let spot = spot_at(self.entries, whole).map_err(|(rule, hint)| refused(key, &rule, hint))?;
             let one_part = matches!(spot.node.kind, Kind::Table(_)) && spot.words.len() == 3;
             match spot.part.and_then(|k| Some((k, self.found.parts.get(k)?))) {
                 Some((k, (part, _))) if one_part => (Some(k), spot.words.join("_"), part.properties),
@@ -249,11 +252,12 @@ impl Catalogue<'_> {
             nominal,
             columns,
             dimension: Dimension::NONE,
+            covered: Vec::new(),
         })
     }
 
     fn spot(&self, key: &Value<'_>) -> Result<Spot<'_>, FormatError> {
-        spot(self.entries, key.string()?).map_err(|(rule, hint)| refused(key, &rule, hint))
+        spot_at(self.entries, key.string()?).map_err(|(rule, hint)| refused(key, &rule, hint))
     }
 
     fn number_at(&self, key: &Value<'_>, node: &Node) -> Result<&Number, FormatError> {
@@ -273,11 +277,18 @@ fn refused(key: &Value<'_>, rule: &str, hint: Option<String>) -> FormatError {
     }
 }
 
+/// The key of the element beyond the diagonal of a tensor, which is the same number.
+fn mirrored(key: &str) -> Option<String> {
+    let (rest, j) = key.strip_suffix(']')?.rsplit_once('[')?;
+    let (matrix, i) = rest.strip_suffix(']')?.rsplit_once('[')?;
+    (matrix.ends_with(".inertia") && i != j).then(|| format!("{matrix}[{j}][{i}]"))
+}
+
 /// Why there is nothing at a key: the rule that it breaks, and a hint.
 type Nowhere = (String, Option<String>);
 
 /// Goes along a key such as `body.part[0].size[2]` or `torque["wind"].from`.
-fn spot<'a>(entries: &'a Entries, key: &str) -> Result<Spot<'a>, Nowhere> {
+fn spot_at<'a>(entries: &'a Entries, key: &str) -> Result<Spot<'a>, Nowhere> {
     let mut rest = key;
     let mut table = Some(entries);
     let mut spot: Option<Spot<'a>> = None;

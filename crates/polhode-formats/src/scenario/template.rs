@@ -3,10 +3,10 @@
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};
 
-use polhode::{Body, InertiaTensor, MassProperties, Position, Scenario};
+use polhode::{Body, Finding, InertiaTensor, MassProperties, Position, Scenario, Severity};
 
 use super::again::{Changes, Found, Reading};
-use super::reader::{Source, TOP};
+use super::reader::Source;
 use super::sweep::{self, Sweep};
 use super::target::{Target, Varied};
 use super::tree::Entries;
@@ -64,13 +64,28 @@ impl Template {
         let found = RefCell::new(Found::default());
         let source = Source { path, text: &text, reading: Reading::First(&found) };
         let entries = document(source)?;
-        let nominal = read_root(source, &entries, &known())?;
+        let nominal = read_root(source, &entries)?;
         Ok(Self { path: path.to_owned(), entries, found: found.into_inner(), nominal, text })
     }
 
     /// The scenario as it is written.
     pub const fn nominal(&self) -> &Scenario {
         &self.nominal
+    }
+
+    /// The scenario as it is written, of a plan whose `[sweep]` is in order, with a finding that says so.
+    pub(super) fn into_scenario(self) -> Result<Scenario, FormatError> {
+        let members = self.sweep()?.members;
+        let mut scenario = self.nominal;
+        scenario.findings.push(Finding {
+            code: "sweep.nominal",
+            severity: Severity::Info,
+            message: format!(
+                "a plan of {members} members: this is the scenario as it is written, polhode sweep runs them"
+            ),
+            place: None,
+        });
+        Ok(scenario)
     }
 
     /// The text of the file.
@@ -108,7 +123,7 @@ impl Template {
         for (target, values) in values {
             self.change(target, values, &mut changes)?;
         }
-        read_root(self.source(Reading::Again(&self.found, &changes)), &self.entries, &known())
+        read_root(self.source(Reading::Again(&self.found, &changes)), &self.entries)
     }
 
     fn source<'a>(&'a self, reading: Reading<'a>) -> Source<'a> {
@@ -131,8 +146,10 @@ impl Template {
         changes.parts.extend(target.part);
         let body = |error| fail(FormatErrorKind::Body(error));
         match (&target.varied, values) {
-            (Varied::Numbers(spans), values) => {
-                changes.numbers.extend(spans.iter().cloned().zip(values.iter().copied()));
+            (Varied::Numbers(numbers), values) => {
+                for (places, value) in numbers.iter().zip(values) {
+                    changes.numbers.extend(places.iter().map(|place| (place.clone(), *value)));
+                }
             }
             (Varied::Rotation(place), &[w, x, y, z]) => changes.rotations.push((*place, [w, x, y, z])),
             (Varied::MassProperties(nominal), values) => {
@@ -165,11 +182,6 @@ fn mass_properties(
     MassProperties::new(mass, center, inertia)
 }
 
-/// The keys of the file itself.
-fn known() -> Vec<&'static str> {
-    TOP.iter().copied().chain(["sweep"]).collect()
-}
-
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
@@ -188,16 +200,9 @@ mod tests {
 
     /// Where the values of each part of the body stand.
     fn parts(template: &Template) -> Vec<Vec<usize>> {
-        fn places(node: &Node) -> Vec<usize> {
-            match &node.kind {
-                Kind::List(elements) => elements.iter().flat_map(places).collect(),
-                Kind::Table(entries) => entries.values().flat_map(|entry| places(&entry.node)).collect(),
-                _ => vec![node.span.start],
-            }
-        }
         let Kind::Table(body) = &template.entries["body"].node.kind else { panic!("no table") };
         let Kind::List(parts) = &body["part"].node.kind else { panic!("no list") };
-        parts.iter().map(places).collect()
+        parts.iter().map(Node::places).collect()
     }
 
     /// Reading again with one number changed is reading a file in which it is written otherwise, for every number of every
@@ -226,7 +231,7 @@ mod tests {
                     ..Changes::default()
                 };
                 let source = template.source(Reading::Again(&template.found, &changes));
-                let again = read_root(source, &template.entries, &known()).map(comparable);
+                let again = read_root(source, &template.entries).map(comparable);
                 match (written, again) {
                     (Ok(written), Ok(again)) => assert!(written == again, "{}: {number:?}", path.display()),
                     (Err(written), Err(again)) => assert_eq!(written.message(), again.message()),

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 
 use toml::Spanned;
-use toml::de::{DeTable, DeValue};
+use toml::de::{DeString, DeTable, DeValue};
 
 /// A value and its place.
 #[derive(Clone, Debug)]
@@ -26,6 +26,17 @@ pub(crate) enum Kind {
     Table(Entries),
 }
 
+impl Node {
+    /// The places of the values in it that have no others in them.
+    pub(crate) fn places(&self) -> Vec<usize> {
+        match &self.kind {
+            Kind::List(elements) => elements.iter().flat_map(Self::places).collect(),
+            Kind::Table(entries) => entries.values().flat_map(|entry| entry.node.places()).collect(),
+            _ => vec![self.span.start],
+        }
+    }
+}
+
 /// The values of a table by their keys.
 pub(crate) type Entries = BTreeMap<String, Entry>;
 
@@ -42,8 +53,7 @@ pub(crate) fn parse(text: &str) -> Result<Entries, toml::de::Error> {
 }
 
 fn entries(table: &DeTable<'_>) -> Entries {
-    let entry = |(key, value): (&Spanned<_>, _)| {
-        let key: &Spanned<std::borrow::Cow<'_, str>> = key;
+    let entry = |(key, value): (&Spanned<DeString<'_>>, _)| {
         (key.get_ref().to_string(), Entry { key: key.span(), node: node(value) })
     };
     table.iter().map(entry).collect()

@@ -67,10 +67,7 @@ impl Axis {
             exponent,
             log: false,
             ticks: Ticks::linear(least, greatest, count),
-            label: match format!("{power}{unit}").trim_end() {
-                "" => name.to_owned(),
-                unit => format!("{name}, {unit}"),
-            },
+            label: joined(name, format!("{power}{unit}").trim_end()),
         }
     }
 
@@ -97,7 +94,7 @@ impl Axis {
             exponent: 0,
             log: true,
             ticks: Ticks::powers(first, last, most),
-            label: if unit.is_empty() { name.to_owned() } else { format!("{name}, {unit}") },
+            label: joined(name, unit),
         }
     }
 
@@ -117,6 +114,15 @@ impl Axis {
 
     fn widest(&self) -> f64 {
         self.ticks.labels.iter().map(|label| font::width(label, SMALL)).fold(0.0, f64::max)
+    }
+}
+
+/// `ω, rad/s`, or the one that there is.
+fn joined(name: &str, unit: &str) -> String {
+    match (name, unit) {
+        (name, "") => name.to_owned(),
+        ("", unit) => unit.to_owned(),
+        (name, unit) => format!("{name}, {unit}"),
     }
 }
 

@@ -70,6 +70,12 @@ impl<'a> SweepFigures<'a> {
         let mut shown: Vec<_> =
             self.summary.outcomes.iter().filter_map(|s| Some((s, s.histogram.as_ref()?))).collect();
         shown.sort_by_key(|(statistic, _)| importance(&statistic.name));
+        // The end of a free motion has the energy of its start: the same picture twice says nothing.
+        let all = shown.clone();
+        let alike = |(k, (a, _)): &(usize, (&SweepStatistic, _))| {
+            all.iter().take(*k).any(|(b, _)| a.mean == b.mean && a.quantiles == b.quantiles)
+        };
+        shown = shown.into_iter().enumerate().filter(|one| !alike(one)).map(|(_, one)| one).collect();
         shown.truncate(MOST_HISTOGRAMS);
         let note = "line: median; dashed: 5 % and 95 %";
         self.panels("Outcomes", note, shown.len(), |sheet, area, k| {
@@ -137,17 +143,24 @@ impl<'a> SweepFigures<'a> {
         let (Some(x), Some(y)) = (statistic(input), statistic(outcome)) else { return };
         let regimes: Vec<&str> =
             self.summary.regimes.iter().take(REGIMES.len()).map(|share| share.name.as_str()).collect();
-        let pen = |k: usize| {
-            Pen::solid(REGIMES.get(k).copied().unwrap_or(Colour::FAINT), 2.2).faint(0.45)
-        };
+        let pen = |k: usize| Pen::solid(REGIMES.get(k).copied().unwrap_or(Colour::FAINT), 2.2).faint(0.45);
         let keys: Vec<Key> = if regimes.len() > 1 {
-            regimes.iter().enumerate().map(|(k, name)| Key::dot(Pen { width: 5.0, opacity: 1.0, ..pen(k) }, *name)).collect()
+            regimes
+                .iter()
+                .enumerate()
+                .map(|(k, name)| Key::dot(Pen { width: 5.0, opacity: 1.0, ..pen(k) }, *name))
+                .collect()
         } else {
             Vec::new()
         };
         let used = heading(sheet, area, &y.name, &format!("r = {value:+.2}").replace('-', "−"), &keys);
         let area = area.below(used);
-        let axes = Axes::within(area, axis_of(x, area.width() / 70.0, &x.name), axis_of(y, area.height() / 34.0, ""), None);
+        let axes = Axes::within(
+            area,
+            axis_of(x, area.width() / 70.0, &x.name),
+            axis_of(y, area.height() / 34.0, ""),
+            None,
+        );
         axes.draw(sheet);
         let mut dots: Vec<Vec<Point>> = vec![Vec::new(); regimes.len() + 1];
         let column = |name: &str| {
@@ -189,7 +202,6 @@ fn axis_of(statistic: &SweepStatistic, marks: f64, name: &str) -> Axis {
     if log {
         Axis::logarithmic(ends, marks as i32, name, &statistic.unit)
     } else {
-        let name = if name.is_empty() && !statistic.unit.is_empty() { "in" } else { name };
         Axis::linear(ends, 0.03, marks.clamp(2.0, 8.0), name, &statistic.unit)
     }
 }
@@ -204,7 +216,7 @@ fn bars(sheet: &mut Sheet, area: Area, statistic: &SweepStatistic, histogram: &S
     let area = area.below(heading(sheet, area, &statistic.name, &outside, &[]));
     let most = histogram.counts.iter().copied().max().unwrap_or(0) as f64;
     let y = Axis::linear([0.0, 1.05 * most], 0.0, (area.height() / 34.0).clamp(2.0, 6.0), "members", "");
-    let axes = Axes::within(area, axis_of(statistic, area.width() / 70.0, "in"), y, None);
+    let axes = Axes::within(area, axis_of(statistic, area.width() / 70.0, ""), y, None);
     axes.draw(sheet);
     let bins = histogram.counts.len() as f64;
     let edge = |k: usize| {

@@ -11,7 +11,8 @@ pub(super) fn of(summary: &SweepSummary) -> Value {
         SweepIntervals::Given { confidence } => (Some(confidence), None),
         SweepIntervals::None { why } => (None, Some(why)),
     };
-    let shares = |shares: &[SweepShare]| object(shares.iter().map(|s| (s.name.clone(), share(s, summary.members))));
+    let shares =
+        |shares: &[SweepShare]| object(shares.iter().map(|s| (s.name.clone(), share(s, summary.members))));
     let statistics = |all: &[SweepStatistic]| object(all.iter().map(|s| (s.name.clone(), statistic(s))));
     json!({
         "polhode": VERSION,
@@ -49,7 +50,9 @@ fn share(share: &SweepShare, members: u64) -> Value {
 }
 
 fn statistic(statistic: &SweepStatistic) -> Value {
-    let quantile = |q: &SweepQuantile| (format!("{}", q.probability), json!({ "value": q.value, "interval": q.interval }));
+    let quantile = |q: &SweepQuantile| {
+        (format!("{}", q.probability), json!({ "value": q.value, "interval": q.interval }))
+    };
     json!({
         "unit": if statistic.unit.is_empty() { "1" } else { &statistic.unit },
         "description": statistic.description,

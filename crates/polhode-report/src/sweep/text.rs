@@ -2,11 +2,14 @@
 
 use super::{SweepIntervals, SweepShare, SweepStatistic, SweepSummary};
 use crate::layout::{columns, labelled, plain_spaces, printable};
-use crate::number::{count, number, ungrouped};
+use crate::number::{count, error, number, ungrouped};
 
 /// Dependencies that are shown: weaker ones say little.
 const LEAST_CORRELATION: f64 = 0.1;
 const MOST_CORRELATIONS: usize = 6;
+
+/// What only its worst says something of.
+const DRIFT: [&str; 2] = ["energy_drift", "momentum_drift"];
 
 pub(super) fn write(summary: &SweepSummary) -> String {
     let title = printable(summary.title.as_deref().unwrap_or("sweep"));
@@ -29,9 +32,16 @@ pub(super) fn write(summary: &SweepSummary) -> String {
         text.push_str(&labelled("at the end", &shares(&summary.end_regimes, summary.members)));
     }
     text.push_str(&table(summary));
+    let worst = |name: &str| summary.outcomes.iter().find(|s| s.name == name).and_then(|s| s.max);
+    if let [Some(energy), Some(momentum)] = DRIFT.map(worst) {
+        let line =
+            format!("energy {}   momentum {}   (relative, worst member)", error(energy), error(momentum));
+        text.push_str(&labelled("drift", &line.replace("   ", "\u{a0}\u{a0} ")));
+    }
     let strong = summary.correlations.iter().filter(|c| c.value.abs() >= LEAST_CORRELATION);
     for (k, pair) in strong.take(MOST_CORRELATIONS).enumerate() {
-        let line = format!("{:+.2}  {} with {}", pair.value, printable(&pair.outcome), printable(&pair.input));
+        let line =
+            format!("{:+.2}  {} with {}", pair.value, printable(&pair.outcome), printable(&pair.input));
         let label = if k == 0 { "rank correlation" } else { "" };
         text.push_str(&labelled(label, &line.replacen("  ", "\u{a0} ", 1)));
     }
@@ -49,7 +59,7 @@ pub(super) fn write(summary: &SweepSummary) -> String {
 /// `complete 998 (99.8 %, 99.3 … 99.9 %), failed 2 (0.2 %)`
 fn shares(shares: &[SweepShare], members: u64) -> String {
     let one = |share: &SweepShare| {
-        let percent = |x: f64| number(100.0 * x, 4);
+        let percent = |x: f64| number(100.0 * x, 5);
         let part = percent(share.count as f64 / members.max(1) as f64);
         let interval = share
             .interval
@@ -59,33 +69,39 @@ fn shares(shares: &[SweepShare], members: u64) -> String {
     shares.iter().map(one).collect::<Vec<_>>().join("; ")
 }
 
-/// A line for each column: what does not vary has one number.
+/// A line for each column; those that do not vary in one.
 fn table(summary: &SweepSummary) -> String {
-    let head = ["", "mean", "", "deviation", "least", "5 %", "median", "95 %", "largest"];
-    let mut rows = vec![head.map(str::to_owned).to_vec()];
-    let (inputs, outcomes) = (&summary.inputs, &summary.outcomes);
-    for (statistic, mark) in inputs.iter().map(|s| (s, "input ")).chain(outcomes.iter().map(|s| (s, ""))) {
-        if statistic.count > 0 {
-            rows.push(row(statistic, mark, summary.members));
+    let head = ["mean", "", "least", "5 %", "median", "95 %", "largest"];
+    let mut text = String::new();
+    for (title, statistics) in [("inputs", &summary.inputs), ("outcomes", &summary.outcomes)] {
+        let (varying, same): (Vec<_>, Vec<_>) = statistics
+            .iter()
+            .filter(|s| s.count > 0 && !DRIFT.contains(&s.name.as_str()))
+            .partition(|s| s.varies());
+        let mut rows: Vec<Vec<String>> =
+            vec![std::iter::once(title).chain(head).map(str::to_owned).collect()];
+        rows.extend(varying.into_iter().map(|statistic| row(statistic, summary.members)));
+        if rows.len() > 1 {
+            text.push_str(&(columns(&rows).join("\n") + "\n"));
+        }
+        let one = |s: &&SweepStatistic| Some(format!("{}\u{a0}{}", printable(&s.name), number(s.min?, 6)));
+        let same: Vec<String> = same.iter().filter_map(one).collect();
+        if !same.is_empty() {
+            text.push_str(&labelled("the same for all", &same.join(", ")));
         }
     }
-    columns(&rows).join("\n") + "\n"
+    text
 }
 
-fn row(statistic: &SweepStatistic, mark: &str, members: u64) -> Vec<String> {
+fn row(statistic: &SweepStatistic, members: u64) -> Vec<String> {
     let shown = |x: Option<f64>| x.map_or_else(String::new, |x| ungrouped(x, 4));
     let of = if statistic.count < members { format!(" ({})", count(statistic.count)) } else { String::new() };
-    let name = format!("{mark}{}{of}", printable(&statistic.name));
-    if !statistic.varies() {
-        return vec![name, shown(statistic.min)];
-    }
     let half = statistic.mean_interval.map(|[low, high]| format!("± {}", ungrouped(0.5 * (high - low), 2)));
     let [low, median, high] = [0.05, 0.5, 0.95].map(|p| shown(statistic.quantile(p)));
     vec![
-        name,
+        format!("  {}{of}", printable(&statistic.name)),
         shown(statistic.mean),
         half.unwrap_or_default(),
-        shown(statistic.standard_deviation),
         shown(statistic.min),
         low,
         median,

@@ -42,6 +42,8 @@ impl Folder {
             io::ErrorKind::AlreadyExists => SweepError::Exists { folder: path.to_owned() },
             _ => SweepError::Write { path: path.to_owned(), error },
         })?;
+        let parent = path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        durable::sync_folder(parent).map_err(SweepError::writing(parent))?;
         Self::lock(path)
     }
 

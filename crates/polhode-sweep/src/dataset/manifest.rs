@@ -7,7 +7,8 @@ use serde_json::{Value, json};
 
 use crate::error::SweepError;
 use crate::outcome::is_stepped;
-use crate::plan::{Plan, Sampling};
+use crate::plan::Plan;
+use crate::sampling;
 
 /// What was asked for, and how it is divided.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -27,7 +28,7 @@ impl Manifest {
         let trajectories = plan.wants_trajectories();
         let rows_per_part =
             rows_per_part(plan.members(), is_stepped(nominal), if trajectories { samples } else { 1 });
-        let sampling = sampling(plan.sampling());
+        let sampling = sampling::name(plan.sampling());
         Ok(Self { digest: plan.digest(), members: plan.members(), sampling, trajectories, rows_per_part })
     }
 
@@ -103,15 +104,6 @@ fn rows_per_part(members: u64, stepped: bool, samples: usize) -> u64 {
     let [least, most] = if stepped { [8, 4096] } else { [512, 1 << 16] };
     let even = members.div_ceil(PARTS).next_power_of_two().clamp(least, most);
     even.min(MOST_SAMPLES / (samples as u64).clamp(1, MOST_SAMPLES)).max(1)
-}
-
-const fn sampling(sampling: Sampling) -> &'static str {
-    match sampling {
-        Sampling::Grid => "grid",
-        Sampling::MonteCarlo => "monte_carlo",
-        Sampling::LatinHypercube => "latin_hypercube",
-        Sampling::Sobol => "sobol",
-    }
 }
 
 #[cfg(test)]

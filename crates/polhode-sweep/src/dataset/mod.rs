@@ -129,7 +129,7 @@ impl Dataset {
     pub fn missing(&self) -> Result<Vec<u64>, SweepError> {
         let mut missing = Vec::new();
         for part in 0..self.parts() {
-            if self.whole(part)?.is_none() {
+            if !self.is_whole(part)? {
                 missing.push(part);
             }
         }
@@ -223,7 +223,7 @@ impl Dataset {
 
     /// Makes a part, unless it is there.
     fn make(&self, plan: &Plan, part: u64) -> Result<(), SweepError> {
-        if self.whole(part)?.is_some() {
+        if self.is_whole(part)? {
             return Ok(());
         }
         let inputs = inputs(plan, self.rows(part));
@@ -235,20 +235,18 @@ impl Dataset {
 
     /// The rows of a part, which has to be there.
     fn read(&self, part: u64) -> Result<Batch, SweepError> {
-        self.rows_in(MEMBERS, part)?.ok_or(SweepError::Incomplete { part })
+        let path = self.place(MEMBERS, part);
+        let rows = parquet::load(&path, &self.manifest.part_metadata(part));
+        rows.map_err(SweepError::reading(&path))?.ok_or(SweepError::Incomplete { part })
     }
 
-    /// The rows of a part, if it is there and whole.
-    fn whole(&self, part: u64) -> Result<Option<Batch>, SweepError> {
-        if self.wants_trajectories() && self.rows_in(TRAJECTORIES, part)?.is_none() {
-            return Ok(None);
-        }
-        self.rows_in(MEMBERS, part)
-    }
-
-    fn rows_in(&self, kind: &str, part: u64) -> Result<Option<Batch>, SweepError> {
-        let path = self.place(kind, part);
-        parquet::load(&path, &self.manifest.part_metadata(part)).map_err(SweepError::reading(&path))
+    /// True if a part is there with all that belongs to it.
+    fn is_whole(&self, part: u64) -> Result<bool, SweepError> {
+        let is_whole = |kind: &str| {
+            let path = self.place(kind, part);
+            parquet::is_whole(&path, &self.manifest.part_metadata(part)).map_err(SweepError::reading(&path))
+        };
+        Ok((!self.wants_trajectories() || is_whole(TRAJECTORIES)?) && is_whole(MEMBERS)?)
     }
 
     fn keep(&self, kind: &str, part: u64, rows: &Batch) -> Result<(), SweepError> {

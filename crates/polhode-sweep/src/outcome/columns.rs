@@ -62,19 +62,28 @@ const NUMBERS: [Number; 33] = [
     number("moment_2_kg_m2", "kg·m²", MOMENT, |o| o.moments.map(|[_, i2, _]| i2)),
     number("moment_3_kg_m2", "kg·m²", MOMENT, |o| o.moments.map(|[_, _, i3]| i3)),
     number("period_s", "s", "free motion: period of omega in the body", |o| o.free?.regime.period),
-    number("precession_period_s", "s", "free motion: mean time of a turn about L", |o| o.free?.periods.precession),
+    number("precession_period_s", "s", "free motion: mean time of a turn about L", |o| {
+        o.free?.periods.precession
+    }),
     number("rotation_period_s", "s", "free motion: period about the axis that L circles", |o| {
         o.free?.periods.rotation
     }),
     number("flip_interval_s", "s", "free motion: time between flips along the intermediate axis", |o| {
         o.free?.regime.flip_interval
     }),
-    number("growth_rate_per_s", "1/s", "free motion near the intermediate axis: growth of a departure", |o| {
-        o.free?.regime.growth_rate
+    number(
+        "growth_rate_per_s",
+        "1/s",
+        "free motion near the intermediate axis: growth of a departure",
+        |o| o.free?.regime.growth_rate,
+    ),
+    number("start_kinetic_energy_j", "J", "rotational kinetic energy at the start", |o| {
+        Some(o.start?.kinetic_energy)
     }),
-    number("start_kinetic_energy_j", "J", "rotational kinetic energy at the start", |o| Some(o.start?.kinetic_energy)),
     number("start_momentum_kg_m2_s", "kg·m²/s", "|L| at the start", |o| Some(o.start?.momentum)),
-    number("end_kinetic_energy_j", "J", "rotational kinetic energy at the end", |o| Some(o.end?.kinetic_energy)),
+    number("end_kinetic_energy_j", "J", "rotational kinetic energy at the end", |o| {
+        Some(o.end?.kinetic_energy)
+    }),
     number("end_momentum_kg_m2_s", "kg·m²/s", "|L| at the end", |o| Some(o.end?.momentum)),
     number("end_time_s", "s", "when it ended", |o| Some(o.end?.state.time)),
     number("end_attitude_w", "", ATTITUDE, |o| Some(o.end?.state.attitude.canonical_quaternion()[0])),
@@ -84,12 +93,18 @@ const NUMBERS: [Number; 33] = [
     number("end_omega_body_x_rad_s", "rad/s", OMEGA, |o| Some(o.end?.state.omega.x)),
     number("end_omega_body_y_rad_s", "rad/s", OMEGA, |o| Some(o.end?.state.omega.y)),
     number("end_omega_body_z_rad_s", "rad/s", OMEGA, |o| Some(o.end?.state.omega.z)),
-    number("least_omega_rad_s", "rad/s", "least |omega|; free motion: of all time, else of the samples", |o| {
-        Some(o.extrema?.omega?[0])
-    }),
-    number("largest_omega_rad_s", "rad/s", "largest |omega|; free motion: of all time, else of the samples", |o| {
-        Some(o.extrema?.omega?[1])
-    }),
+    number(
+        "least_omega_rad_s",
+        "rad/s",
+        "least |omega|; free motion: of all time, else of the samples",
+        |o| Some(o.extrema?.omega?[0]),
+    ),
+    number(
+        "largest_omega_rad_s",
+        "rad/s",
+        "largest |omega|; free motion: of all time, else of the samples",
+        |o| Some(o.extrema?.omega?[1]),
+    ),
     number("least_angle_to_axis_1_rad", "rad", AXIS_1, |o| Some(o.extrema?.from_least?[0])),
     number("largest_angle_to_axis_1_rad", "rad", AXIS_1, |o| Some(o.extrema?.from_least?[1])),
     number("least_angle_to_axis_3_rad", "rad", AXIS_3, |o| Some(o.extrema?.from_greatest?[0])),
@@ -103,14 +118,18 @@ const NUMBERS: [Number; 33] = [
     }),
     number("steps_accepted", "", "steps of the integration", |o| Some(o.steps?.accepted as f64)),
     number("steps_rejected", "", "steps tried again shorter", |o| Some(o.steps?.rejected as f64)),
-    number("evaluations", "", "evaluations of the equations of motion", |o| Some(o.steps?.evaluations as f64)),
+    number("evaluations", "", "evaluations of the equations of motion", |o| {
+        Some(o.steps?.evaluations as f64)
+    }),
 ];
 
 const MOMENT: &str = "principal moment of inertia about the point that the body turns about, ascending";
 const ATTITUDE: &str = "final attitude: R_space_body as a unit quaternion, Hamilton, scalar first, w >= 0";
 const OMEGA: &str = "final angular velocity relative to space, along body axes";
-const AXIS_1: &str = "between L and the principal axis of the least moment; free motion: of all time, else of the samples";
-const AXIS_3: &str = "between L and the principal axis of the greatest moment; free motion: of all time, else of the samples";
+const AXIS_1: &str =
+    "between L and the principal axis of the least moment; free motion: of all time, else of the samples";
+const AXIS_3: &str =
+    "between L and the principal axis of the greatest moment; free motion: of all time, else of the samples";
 
 const fn number(
     name: &'static str,

@@ -46,7 +46,10 @@ pub(super) fn outcome(motion: &FreeMotion, end: f64) -> Option<Found> {
         from_least: angles(motion, 0),
         from_greatest: angles(motion, 2),
         torque: None,
-        energy_drift: Some(relative((last.kinetic_energy - first.kinetic_energy).abs(), first.kinetic_energy)),
+        energy_drift: Some(relative(
+            (last.kinetic_energy - first.kinetic_energy).abs(),
+            first.kinetic_energy,
+        )),
         momentum_drift: Some(relative((l1 - l0).norm(), first.momentum)),
     };
     Some(Found { start: first, end: last, extrema })

@@ -1,8 +1,8 @@
 //! What becomes of one member.
 
 use polhode::{
-    Drift, Ending, Event, FreeMotion, FreeRegime, MotionError, Regime, Rotor, Sample, Scenario, Solution, State,
-    StepStatistics, Trajectory,
+    Drift, Ending, Event, FreeMotion, FreeRegime, MotionError, Regime, Rotor, Sample, Scenario, Solution,
+    State, StepStatistics, Trajectory,
 };
 use polhode_formats::FormatError;
 use polhode_report::Periods;
@@ -112,8 +112,7 @@ impl Outcome {
         let regime = |state: &State| {
             FreeMotion::of(rotor, *state).ok().filter(|_| can_be_free).map(|motion| motion.regime())
         };
-        let start =
-            Self { regime: regime(&first.state), start: Some(Instant::of(first)), ..self };
+        let start = Self { regime: regime(&first.state), start: Some(Instant::of(first)), ..self };
         let is_free = can_be_free && scenario.torques.is_empty();
         let start = match FreeMotion::of(rotor, first.state) {
             Ok(motion) if is_free => start.with_free(&motion),

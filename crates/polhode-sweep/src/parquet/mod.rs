@@ -12,7 +12,6 @@ use std::path::Path;
 use ::parquet::errors::ParquetError;
 
 use crate::batch::Batch;
-use read::read;
 
 pub(crate) use write::write;
 
@@ -35,20 +34,30 @@ const OURS: [&str; 5] = [VERSION, CONVENTIONS, UNITS, DESCRIPTIONS, CHECKSUM];
 /// # Errors
 /// What keeps the file from being read, but that it is not there.
 pub(crate) fn load(path: &Path, metadata: &Pairs) -> io::Result<Option<Batch>> {
+    let rows = |bytes| read::read(bytes).ok();
+    Ok(whole(path, metadata)?.and_then(rows))
+}
+
+/// True if a file is there, is whole, and has this metadata: its rows can be read.
+///
+/// # Errors
+/// As [`load`].
+pub(crate) fn is_whole(path: &Path, metadata: &Pairs) -> io::Result<bool> {
+    Ok(whole(path, metadata)?.is_some())
+}
+
+/// The bytes of such a file.
+fn whole(path: &Path, metadata: &Pairs) -> io::Result<Option<Vec<u8>>> {
     match std::fs::read(path) {
-        Ok(bytes) => Ok(open(bytes, metadata)),
+        Ok(bytes) => Ok(is_sound(&bytes, metadata).then_some(bytes)),
         Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
         Err(error) => Err(error),
     }
 }
 
-/// As [`load`], of the bytes of a file.
-fn open(bytes: Vec<u8>, metadata: &Pairs) -> Option<Batch> {
-    if !seal::is_right(&bytes) {
-        return None;
-    }
-    let (batch, found) = read(bytes).ok()?;
-    (found == *metadata).then_some(batch)
+/// True of bytes with the right checksum and this metadata.
+fn is_sound(bytes: &[u8], metadata: &Pairs) -> bool {
+    seal::is_right(bytes) && read::metadata(bytes.to_vec()).is_ok_and(|found| found == *metadata)
 }
 
 /// The error of the reader or writer below, where that is what it was.

@@ -8,29 +8,44 @@ use ::parquet::data_type::{ByteArray, DataType};
 use ::parquet::errors::ParquetError;
 use ::parquet::file::metadata::KeyValue;
 use ::parquet::file::reader::{FileReader as _, SerializedFileReader};
+use bytes::Bytes;
 use serde_json::{Map, Value};
 
 use super::{DESCRIPTIONS, OURS, PREFIX, Pairs, UNITS, io_error};
 use crate::batch::{Batch, Column, Values};
 
-/// The rows of a file, and the pairs of metadata with which they were written.
+/// The rows of a file.
 ///
 /// # Errors
 /// If these bytes are no such file.
-pub(crate) fn read(bytes: Vec<u8>) -> io::Result<(Batch, Pairs)> {
+pub(super) fn read(bytes: Vec<u8>) -> io::Result<Batch> {
     decode(bytes).map_err(io_error)
 }
 
-fn decode(bytes: Vec<u8>) -> Result<(Batch, Pairs), ParquetError> {
-    let file = SerializedFileReader::new(bytes::Bytes::from(bytes))?;
-    let metadata = file.metadata().file_metadata();
-    let pairs = metadata.key_value_metadata().cloned().unwrap_or_default();
+/// The pairs of metadata with which a file was written.
+///
+/// # Errors
+/// As [`read()`].
+pub(super) fn metadata(bytes: Vec<u8>) -> io::Result<Pairs> {
+    let file = SerializedFileReader::new(Bytes::from(bytes)).map_err(io_error)?;
+    let own = |pair: &KeyValue| pair.key.starts_with(PREFIX) && !OURS.contains(&pair.key.as_str());
+    let pairs = pairs(&file).into_iter().filter(own);
+    Ok(pairs.filter_map(|pair| Some((pair.key, pair.value?))).collect())
+}
+
+fn pairs(file: &SerializedFileReader<Bytes>) -> Vec<KeyValue> {
+    file.metadata().file_metadata().key_value_metadata().cloned().unwrap_or_default()
+}
+
+fn decode(bytes: Vec<u8>) -> Result<Batch, ParquetError> {
+    let file = SerializedFileReader::new(Bytes::from(bytes))?;
+    let pairs = pairs(&file);
     let (units, descriptions) = (texts(&pairs, UNITS), texts(&pairs, DESCRIPTIONS));
     let text = |texts: &Map<String, Value>, name: &str| {
         texts.get(name).and_then(Value::as_str).unwrap_or_default().to_owned()
     };
     let mut columns = Vec::new();
-    for (k, descriptor) in metadata.schema_descr().columns().iter().enumerate() {
+    for (k, descriptor) in file.metadata().file_metadata().schema_descr().columns().iter().enumerate() {
         let name = descriptor.name().to_owned();
         let optional = descriptor.self_type().get_basic_info().repetition() == Repetition::OPTIONAL;
         let mut values = empty(descriptor.physical_type(), optional)?;
@@ -44,10 +59,7 @@ fn decode(bytes: Vec<u8>) -> Result<(Batch, Pairs), ParquetError> {
         let unit = if unit == "1" { String::new() } else { unit };
         columns.push(Column { description: text(&descriptions, &name), unit, name, values });
     }
-    let batch = Batch::new(columns).map_err(|error| ParquetError::General(error.to_string()))?;
-    let own = |pair: &KeyValue| pair.key.starts_with(PREFIX) && !OURS.contains(&pair.key.as_str());
-    let own = pairs.into_iter().filter(own).filter_map(|pair| Some((pair.key, pair.value?))).collect();
-    Ok((batch, own))
+    Batch::new(columns).map_err(|error| ParquetError::General(error.to_string()))
 }
 
 /// The JSON object of texts that stands under a key.
@@ -71,7 +83,8 @@ fn empty(kind: Physical, optional: bool) -> Result<Values, ParquetError> {
 
 /// Reads all rows of a column of a group.
 fn append(values: &mut Values, reader: ColumnReader, rows: usize) -> Result<(), ParquetError> {
-    let wrong = || Err(ParquetError::General("a column holds something else than its schema says".to_owned()));
+    let wrong =
+        || Err(ParquetError::General("a column holds something else than its schema says".to_owned()));
     match (values, reader) {
         (Values::Whole(values), ColumnReader::Int64ColumnReader(reader)) => {
             for value in all(reader, rows)?.0 {

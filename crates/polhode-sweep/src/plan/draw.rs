@@ -102,7 +102,11 @@ impl Draw {
             values.push(drawn.mass);
             values.extend(drawn.center);
         }
-        values.extend(drawn.tensor);
+        match (dispersion, self.nominal.get(4..)) {
+            // As it is written, without the rounding of its root.
+            (Dispersion::Apart { inertia: 0.0, .. }, Some(tensor)) => values.extend_from_slice(tensor),
+            _ => values.extend(drawn.tensor),
+        }
     }
 }
 

@@ -61,6 +61,7 @@ pub struct Plan {
     /// The uniform numbers of a member, those of each variable after those of the one before.
     coordinates: Vec<Coordinate>,
     variables: Vec<Variable>,
+    trajectories: bool,
     digest: String,
 }
 
@@ -127,6 +128,7 @@ impl Plan {
             vary,
             coordinates,
             variables,
+            trajectories: sweep.trajectories,
             digest,
         };
         plan.tried().map(|_| plan)
@@ -144,7 +146,7 @@ impl Plan {
 
     /// True if the motions of members are to be kept too.
     pub const fn wants_trajectories(&self) -> bool {
-        false
+        self.trajectories
     }
 
     /// How many members there are.

@@ -142,3 +142,187 @@ fn inertia<const N: usize>(b: &[Row<N>; 3], y: f64) -> [f64; 6] {
 fn dot<const N: usize>(a: &Row<N>, b: &Row<N>) -> f64 {
     a.iter().zip(b).fold(0.0, |sum, (a, b)| sum + a * b)
 }
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "tests")]
+
+    use polhode::{BodyError, Direction, InertiaTensor, Position, Rotation};
+    use polhode_formats::scenario::Sampling;
+
+    use super::super::uniform::Coordinate;
+    use super::*;
+
+    const DRAWS: u64 = 100_000;
+
+    fn body(moments: [f64; 3]) -> MassProperties<Body> {
+        let tensor = InertiaTensor::diagonal(moments).unwrap();
+        MassProperties::new(3.2, Position::new(0.3, -0.2, 0.7), tensor).unwrap()
+    }
+
+    /// About no axis in particular.
+    fn turn() -> Rotation<Body, Body> {
+        Rotation::about(Direction::new(0.3, -0.8, 0.5), 1.1).unwrap()
+    }
+
+    /// Draws of a body.
+    fn draws(
+        body: &MassProperties<Body>,
+        dispersion: Dispersion,
+        count: usize,
+        seed: u64,
+    ) -> impl Iterator<Item = Drawn> {
+        let root = Root::of(body);
+        let coordinate = |k| Coordinate::new(Sampling::MonteCarlo, DRAWS, seed, "body", k, k);
+        let coordinates: Vec<_> = (0..count).map(coordinate).collect();
+        (0..DRAWS).map(move |member| {
+            let uniform: Vec<f64> = coordinates.iter().map(|c| c.uniform(member)).collect();
+            root.draw(dispersion, &uniform)
+        })
+    }
+
+    fn tensor([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> Result<InertiaTensor<Body>, BodyError> {
+        InertiaTensor::with_negative_products([xx, yy, zz], [xy, xz, yz])
+    }
+
+    /// Mean and standard deviation.
+    fn moments(values: &[f64]) -> (f64, f64) {
+        let n = values.len() as f64;
+        let mean = values.iter().sum::<f64>() / n;
+        (mean, (values.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / (n - 1.0)).sqrt())
+    }
+
+    /// A satellite as flat as most: i1 + i2 − i3 is half of the standard deviation that drawing each moment with 10 % gives it.
+    const FLAT: [f64; 3] = [1.0, 1.9, 2.7265];
+
+    #[test]
+    fn a_flat_satellite_stays_possible_where_elements_drawn_for_themselves_do_not() {
+        let satellite = body(FLAT);
+        let impossible = |drawn: &Drawn| tensor(drawn.tensor).is_err();
+        let together = draws(&satellite, Dispersion::Together(0.1), 9, 1).filter(impossible).count();
+        assert_eq!(together, 0);
+
+        let coordinate = |k| Coordinate::new(Sampling::MonteCarlo, DRAWS, 1, "elements", k, k);
+        let coordinates: Vec<_> = (0..3).map(coordinate).collect();
+        let apart = (0..DRAWS)
+            .filter(|member| {
+                let moment =
+                    |k: usize| FLAT[k] * (1.0 + 0.1 * normal::quantile(coordinates[k].uniform(*member)));
+                InertiaTensor::<Body>::diagonal([moment(0), moment(1), moment(2)]).is_err()
+            })
+            .count();
+        // Φ(−½) = 30.85 %; the standard deviation of the count is 0.15 %
+        let share = apart as f64 / DRAWS as f64;
+        assert!((share - 0.3085).abs() < 0.006, "{share}");
+    }
+
+    #[test]
+    fn plates_and_rods_stay_possible_however_they_are_turned() {
+        for moments in [[1.0, 1.9, 2.9], [0.0, 1.7, 1.7], [1e-9, 1.7, 1.7 + 1e-9], [0.0; 3], [1.0; 3]] {
+            let plate = body(moments);
+            for (body, d) in [(plate, 0.1), (plate.in_frame(turn()), 0.1), (plate.in_frame(turn()), 0.5)] {
+                for (count, dispersion) in [(9, Dispersion::Together(d)), (16, Dispersion::Together(d))] {
+                    for drawn in draws(&body, dispersion, count, 2).take(10_000) {
+                        let made = tensor(drawn.tensor).and_then(|tensor| {
+                            MassProperties::new(drawn.mass, Position::from_array(drawn.center), tensor)
+                        });
+                        assert!(made.is_ok(), "{moments:?}: {made:?}");
+                    }
+                }
+            }
+        }
+    }
+
+    /// Second moments along axes that are the columns of a rotation, from the tensor.
+    fn along(drawn: [f64; 6], axes: Rotation<Body, Body>) -> [[f64; 3]; 3] {
+        let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = tensor(drawn).unwrap().in_frame(axes).matrix();
+        let half = 0.5 * (xx + yy + zz);
+        [[half - xx, -xy, -xz], [-xy, half - yy, -yz], [-xz, -yz, half - zz]]
+    }
+
+    #[test]
+    fn the_mean_is_the_body_and_the_spread_is_what_is_said() {
+        const SIGMA: [f64; 3] = [0.4, 1.1, 2.3];
+        let moments_of = [SIGMA[1] + SIGMA[2], SIGMA[0] + SIGMA[2], SIGMA[0] + SIGMA[1]];
+        let principal = body(moments_of);
+        for (k, (d, turned)) in [(0.1, false), (0.4, false), (0.1, true), (0.4, true)].into_iter().enumerate()
+        {
+            let (body, back) = if turned {
+                (principal.in_frame(turn()), turn().inverse())
+            } else {
+                (principal, Rotation::identity())
+            };
+            let sigma: Vec<_> = draws(&body, Dispersion::Together(d), 9, k as u64)
+                .map(|drawn| along(drawn.tensor, back))
+                .collect();
+            let root = (DRAWS as f64).sqrt();
+            // What (1) gives between different axes: Var A_ij = (2 s² + 3 s⁴)/y², 3 s² = y − 1.
+            let y = 1.0 / (1.0 - 1.5 * d * d).sqrt();
+            let s2 = (y - 1.0) / 3.0;
+            let across = (2.0 * s2 + 3.0 * s2 * s2).sqrt() / y;
+            for i in 0..3 {
+                for j in i..3 {
+                    let element: Vec<f64> = sigma.iter().map(|sigma| sigma[i][j]).collect();
+                    let (mean, sd) = moments(&element);
+                    let size = (SIGMA[i] * SIGMA[j]).sqrt();
+                    let (expected, spread) = if i == j { (size, d) } else { (0.0, across) };
+                    assert!((mean - expected).abs() < 4.0 * sd / root, "{d}: mean {mean} of {i}{j}");
+                    // The standard deviation of a standard deviation is some 0.8 of it by √(2n).
+                    assert!((sd / size - spread).abs() < 0.012 * spread, "{d}: {} of {i}{j}", sd / size);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn mass_and_centre_of_mass_are_dispersed_with_the_tensor() {
+        const SIGMA: [f64; 3] = [0.4, 1.1, 2.3];
+        let body = body([SIGMA[1] + SIGMA[2], SIGMA[0] + SIGMA[2], SIGMA[0] + SIGMA[1]]);
+        let (m, d) = (body.mass(), 0.05);
+        let drawn: Vec<_> = draws(&body, Dispersion::Together(d), 16, 5).collect();
+        let root = (DRAWS as f64).sqrt();
+        let (mean, sd) = moments(&drawn.iter().map(|drawn| drawn.mass).collect::<Vec<_>>());
+        assert!((mean - m).abs() < 4.0 * sd / root && (sd / m - d).abs() < 0.012 * d, "{mean}, {sd}");
+        // To first order the centre of mass moves by (E_i4 + E_4i) k_i, k_i = √(σ_i/m), and s = d/2.
+        let center = body.center_of_mass().to_array();
+        for k in 0..3 {
+            let (mean, sd) = moments(&drawn.iter().map(|drawn| drawn.center[k]).collect::<Vec<_>>());
+            let expected = d * (SIGMA[k] / m).sqrt() / 2.0_f64.sqrt();
+            assert!(
+                (mean - center[k]).abs() < 4.0 * sd / root && (sd / expected - 1.0).abs() < 0.015,
+                "{sd}"
+            );
+            // The second moment about the body's own centre of mass has the mean and the spread that are said.
+            let second: Vec<f64> = drawn
+                .iter()
+                .map(|drawn| {
+                    let offset = drawn.center[k] - center[k];
+                    along(drawn.tensor, Rotation::identity())[k][k] + drawn.mass * offset * offset
+                })
+                .collect();
+            let (mean, sd) = moments(&second);
+            assert!((mean - SIGMA[k]).abs() < 4.0 * sd / root, "{mean}");
+            assert!((sd / SIGMA[k] - d).abs() < 0.012 * d, "{sd}");
+        }
+    }
+
+    #[test]
+    fn mass_place_and_tensor_are_dispersed_each_for_itself() {
+        let body = body([1.5, 2.7, 3.4]).in_frame(turn());
+        let dispersion = Dispersion::Apart { mass: 0.2, center_of_mass: 0.004, inertia: 0.0 };
+        let drawn: Vec<_> = draws(&body, dispersion, 13, 6).collect();
+        let root = (DRAWS as f64).sqrt();
+        let (mean, sd) = moments(&drawn.iter().map(|drawn| drawn.mass).collect::<Vec<_>>());
+        assert!((mean - body.mass()).abs() < 4.0 * sd / root && (sd / body.mass() - 0.2).abs() < 0.004);
+        assert!(drawn.iter().all(|drawn| drawn.mass > 0.0));
+        for (k, c) in body.center_of_mass().to_array().into_iter().enumerate() {
+            let (mean, sd) = moments(&drawn.iter().map(|drawn| drawn.center[k]).collect::<Vec<_>>());
+            assert!((mean - c).abs() < 4.0 * sd / root && (sd / 0.004 - 1.0).abs() < 0.012);
+        }
+        // The tensor is the body's but for the rounding of its root.
+        let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = body.inertia().matrix();
+        for (value, expected) in drawn[17].tensor.into_iter().zip([xx, yy, zz, xy, xz, yz]) {
+            assert!((value - expected).abs() < 1e-14 * 3.4);
+        }
+    }
+}

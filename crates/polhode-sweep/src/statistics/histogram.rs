@@ -22,13 +22,13 @@ pub(super) struct Bins {
 }
 
 impl Bins {
-    /// From the 1 % to the 99 % quantile, or to the ends if they are near; `None` for a column that does not vary.
+    /// From the 1 % to the 99 % quantile, or to the ends if they are no further from it than that range is long; `None` for a column that does not vary.
     pub(super) fn of(moments: &Moments, selection: &Selection) -> Option<Self> {
         let rank = |p: f64| interval::around(moments.count, p);
         let (low, high) = (selection.at(rank(0.01).0)?, selection.at(rank(0.99).1)?);
         let log = low > 0.0 && moments.min > 0.0 && high / low > DECADES;
         let scale = |x: f64| if log { libm::log10(x) } else { x };
-        let near = 0.5 * (scale(high) - scale(low));
+        let near = scale(high) - scale(low);
         let least = if scale(low) - scale(moments.min) <= near { moments.min } else { low };
         let greatest = if scale(moments.max) - scale(high) <= near { moments.max } else { high };
         let [least, greatest] = if least < greatest { [least, greatest] } else { [moments.min, moments.max] };

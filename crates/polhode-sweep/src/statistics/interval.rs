@@ -50,8 +50,7 @@ pub(super) fn of_quantile(n: u64, p: f64, confidence: f64) -> [Option<u64>; 2] {
     let mut k = (size * p - reach).floor().max(0.0);
     // P(B = k) = n! / k! (n − k)! p^k q^(n − k)
     let ln = |x: f64| libm::lgamma(x + 1.0);
-    let mut mass =
-        libm::exp(ln(size) - ln(k) - ln(size - k) + k * libm::log(p) + (size - k) * libm::log(q));
+    let mut mass = libm::exp(ln(size) - ln(k) - ln(size - k) + k * libm::log(p) + (size - k) * libm::log(q));
     let (mut below, mut lower) = (0.0, None);
     while k < size {
         below += mass;
@@ -134,7 +133,13 @@ mod tests {
     fn order_statistics_hold_the_quantile() {
         // By summing the binomial distribution directly.
         let cumulated = |n: u64, p: f64, k: u64| {
-            (0..=k).map(|j| (1..=j).fold((1.0 - p).powi(n as i32), |m, i| m * (n - i + 1) as f64 / i as f64 * p / (1.0 - p))).sum::<f64>()
+            (0..=k)
+                .map(|j| {
+                    (1..=j).fold((1.0 - p).powi(n as i32), |m, i| {
+                        m * (n - i + 1) as f64 / i as f64 * p / (1.0 - p)
+                    })
+                })
+                .sum::<f64>()
         };
         for (n, p) in [(10, 0.5), (100, 0.5), (37, 0.25), (400, 0.05), (90, 0.95)] {
             let [lower, upper] = of_quantile(n, p, 0.95).map(|rank| rank.map(|rank| rank));

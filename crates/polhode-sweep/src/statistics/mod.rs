@@ -17,13 +17,14 @@ mod selection;
 mod tally;
 
 use polhode_report::{
-    SweepCorrelation, SweepIntervals, SweepQuantile, SweepSample, SweepShare, SweepStatistic, SweepSummary,
+    SweepCorrelation, SweepQuantile, SweepSample, SweepShare, SweepStatistic, SweepSummary,
 };
 
 use crate::batch::{Batch, Values};
 use crate::error::SweepError;
 use crate::plan::{Plan, Sampling};
 use crate::rows::MEMBER;
+use crate::sampling;
 use interval::Interval;
 use passes::Parts;
 use selection::Selection;
@@ -33,6 +34,8 @@ use tally::{Moments, Tally};
 const CONFIDENCE: f64 = 0.95;
 /// Which quantiles there are.
 const PROBABILITIES: [f64; 7] = [0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99];
+/// What the computation cost, and how good it is, says nothing about the body.
+const COST: [&str; 5] = ["energy_drift", "momentum_drift", "steps_accepted", "steps_rejected", "evaluations"];
 /// Final attitudes are four numbers that mean nothing one by one.
 const APART: [&str; 4] = ["end_attitude_w", "end_attitude_x", "end_attitude_y", "end_attitude_z"];
 
@@ -46,15 +49,11 @@ pub(crate) fn of(
     let parts = Parts { count: parts, threads, read };
     let heads = read(0)?;
     let names: Vec<&str> = numeric(&heads).map(|(name, ..)| name).collect();
-    let tally = parts.in_order(
-        |part| Tally::of(&read(part)?, &names, plan.members()),
-        Tally::merge,
-    )?;
+    let tally = parts.in_order(|part| Tally::of(&read(part)?, &names, plan.members()), Tally::merge)?;
     let tally = tally.unwrap_or_default();
 
     let independent = plan.sampling() == Sampling::MonteCarlo;
-    let ranks: Vec<Vec<u64>> =
-        tally.moments.iter().map(|moments| ranks(moments, independent)).collect();
+    let ranks: Vec<Vec<u64>> = tally.moments.iter().map(|moments| ranks(moments, independent)).collect();
     let chosen = selection::select(&parts, &names, ranks)?;
     let plans: Vec<_> = tally.moments.iter().zip(&chosen).map(|(m, s)| histogram::Bins::of(m, s)).collect();
     let histograms = histogram::count(&parts, &names, &plans)?;
@@ -76,7 +75,7 @@ pub(crate) fn of(
     }
     let inputs: Vec<String> = plan.variables().iter().map(|variable| variable.name.clone()).collect();
     let sample = tally.sample.finish(&names, &inputs);
-    let correlations = rank_correlation::strongest(&sample, &inputs, &APART)
+    let correlations = rank_correlation::strongest(&sample, &inputs, &COST)
         .into_iter()
         .map(|(input, outcome, value)| SweepCorrelation { input, outcome, value })
         .collect();
@@ -86,8 +85,8 @@ pub(crate) fn of(
         title: plan.nominal().title.clone(),
         digest: plan.digest(),
         members: plan.members(),
-        sampling: sampling(plan.sampling()),
-        intervals: intervals(plan.sampling()),
+        sampling: sampling::name(plan.sampling()),
+        intervals: sampling::intervals(plan.sampling(), CONFIDENCE),
         statuses: shares("status"),
         regimes: shares("regime"),
         end_regimes: shares("end_regime"),
@@ -183,27 +182,5 @@ fn shares(
     shares
 }
 
-const fn sampling(sampling: Sampling) -> &'static str {
-    match sampling {
-        Sampling::Grid => "grid",
-        Sampling::MonteCarlo => "monte_carlo",
-        Sampling::LatinHypercube => "latin_hypercube",
-        Sampling::Sobol => "sobol",
-    }
-}
-
-/// Whether there are intervals, or why there are none.
-const fn intervals(sampling: Sampling) -> SweepIntervals {
-    match sampling {
-        Sampling::MonteCarlo => SweepIntervals::Given { confidence: CONFIDENCE },
-        Sampling::Grid => SweepIntervals::None { why: "a grid is no sample: its members stand for themselves" },
-        Sampling::LatinHypercube => SweepIntervals::None {
-            why: "members of a Latin hypercube are not independent, so that one of them does not show its error; repeat the sweep \
-                  with other seeds to see it",
-        },
-        Sampling::Sobol => SweepIntervals::None {
-            why: "Sobol points are not independent, so that one set of them does not show its error; repeat the sweep with other \
-                  seeds to see it",
-        },
-    }
-}
+#[cfg(test)]
+mod tests;

@@ -2,8 +2,9 @@
 
 use polhode_report::SweepSample;
 
-/// How many pairs are named.
+/// How many pairs are named, and of each input.
 const MOST: usize = 12;
+const MOST_OF_ONE: usize = 4;
 /// Fewer rows say nothing.
 const LEAST_ROWS: usize = 10;
 
@@ -29,8 +30,16 @@ pub(super) fn strongest(
         }
     }
     pairs.sort_by(|a, b| b.2.abs().total_cmp(&a.2.abs()));
-    pairs.truncate(MOST);
-    pairs
+    let mut kept: Vec<(String, String, f64)> = Vec::new();
+    for pair in pairs {
+        let of_one: Vec<_> = kept.iter().filter(|(input, ..)| *input == pair.0).collect();
+        // Two outcomes that are the same number in every member say one thing.
+        let is_new = !of_one.iter().any(|(.., value)| *value == pair.2);
+        if kept.len() < MOST && of_one.len() < MOST_OF_ONE && is_new {
+            kept.push(pair);
+        }
+    }
+    kept
 }
 
 /// The correlation of the ranks of the rows that have both; `None` of few rows, and where one does not vary.

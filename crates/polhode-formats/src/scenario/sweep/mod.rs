@@ -38,6 +38,8 @@ pub struct Sweep {
     pub seed: u64,
     /// What varies, in the file's order; no number twice.
     pub vary: Vec<Vary>,
+    /// Whether the samples of every member are to be kept.
+    pub trajectories: bool,
 }
 
 /// What varies, and how.
@@ -78,7 +80,7 @@ pub(crate) fn sweep(
     let table = root
         .require("sweep", "[sweep], and under it members = 1000 and sampling = \"monte carlo\"")?
         .table()?;
-    table.allow(&["members", "sampling", "seed", "vary"])?;
+    table.allow(&["members", "sampling", "seed", "trajectories", "vary"])?;
     let sampling = match table.require("sampling", "sampling = \"monte carlo\"")?.choice(&SAMPLINGS)? {
         "grid" => Sampling::Grid,
         "monte carlo" => Sampling::MonteCarlo,
@@ -118,7 +120,8 @@ pub(crate) fn sweep(
         return Err(seed.invalid("left out").with_hint("nothing in a grid is drawn"));
     }
     let seed = seed.map_or(Ok(0), |seed| seed.count())?;
-    Ok(Sweep { members: members(&table, sampling, &vary, &list)?, sampling, seed, vary })
+    let trajectories = table.get("trajectories").map_or(Ok(false), |value| value.boolean())?;
+    Ok(Sweep { members: members(&table, sampling, &vary, &list)?, sampling, seed, vary, trajectories })
 }
 
 const SAMPLINGS: [&str; 4] = ["monte carlo", "latin hypercube", "sobol", "grid"];

@@ -1,0 +1,32 @@
+//! What a summary says of each way of drawing members.
+
+use polhode_report::SweepIntervals;
+
+use crate::plan::Sampling;
+
+/// Its name in files.
+pub(crate) const fn name(sampling: Sampling) -> &'static str {
+    match sampling {
+        Sampling::Grid => "grid",
+        Sampling::MonteCarlo => "monte_carlo",
+        Sampling::LatinHypercube => "latin_hypercube",
+        Sampling::Sobol => "sobol",
+    }
+}
+
+/// Whether there are intervals, or why there are none.
+pub(crate) const fn intervals(sampling: Sampling, confidence: f64) -> SweepIntervals {
+    let why = match sampling {
+        Sampling::MonteCarlo => return SweepIntervals::Given { confidence },
+        Sampling::Grid => "a grid is no sample: its members stand for themselves",
+        Sampling::LatinHypercube => {
+            "members of a Latin hypercube are not independent, so that one of them does not show its error; repeat the sweep with \
+             other seeds to see it"
+        }
+        Sampling::Sobol => {
+            "Sobol points are not independent, so that one set of them does not show its error; repeat the sweep with other seeds \
+             to see it"
+        }
+    };
+    SweepIntervals::None { why }
+}

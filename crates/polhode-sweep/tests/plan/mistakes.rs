@@ -1,0 +1,399 @@
+//! What every mistake in a plan is answered with.
+
+use polhode_sweep::Plan;
+
+use super::{SCENARIO, SPIN};
+
+/// Refuses a plan, in which « and » mark the place of the mistake, with that message and a hint that starts so.
+#[track_caller]
+fn refuses(sweep: &str, message: &str, hint: &str) {
+    let marked = format!("{SCENARIO}{sweep}");
+    let start = marked.find('«').unwrap();
+    let end = marked.find('»').unwrap() - '«'.len_utf8();
+    let error = match Plan::parse(marked.replace(['«', '»'], ""), "plan.toml".as_ref()) {
+        Ok(_) => panic!("it is accepted:\n{sweep}"),
+        Err(error) => error,
+    };
+    assert_eq!(error.message(), message, "{sweep}");
+    assert_eq!(error.place().unwrap().span, start..end, "{error}");
+    let given = error.hint().unwrap_or_default();
+    assert!(given.starts_with(hint) && hint.is_empty() == given.is_empty(), "hint: {given}");
+}
+
+/// The same for one variable of a Monte Carlo plan.
+#[track_caller]
+fn refuses_vary(vary: &str, message: &str, hint: &str) {
+    refuses(
+        &format!("[sweep]\nmembers = 10\nsampling = 'monte carlo'\n[[sweep.vary]]\n{vary}"),
+        message,
+        hint,
+    );
+}
+
+#[test]
+fn a_plan_says_how_many_and_how() {
+    let rest = "sampling = 'sobol'\n[[sweep.vary]]\nkey = 'run.duration'\nuniform = { from = 1, to = 2 }\n";
+    refuses(&format!("«[sweep]»\n{rest}"), "the key members is missing in [sweep]", "write members = 1000");
+    refuses(
+        &format!("[sweep]\nmembers = «0»\n{rest}"),
+        "members = 0 must be at least 1",
+        "write members = 1000",
+    );
+    refuses(
+        &format!("[sweep]\nmembers = «'many'»\n{rest}"),
+        "members must be a whole number, not a string",
+        "write members = 1000",
+    );
+    refuses(
+        &format!("[sweep]\nmembers = «5_000_000_000»\n{rest}"),
+        "members = 5_000_000_000 must be at most 4294967296",
+        "Sobol's points repeat beyond",
+    );
+    refuses(
+        "[sweep]\nmembers = 9\nsampling = «'sobal'»\nvary = []\n",
+        "sampling = 'sobal' must be one of monte carlo, latin hypercube, sobol, grid",
+        "did you mean \"sobol\"?",
+    );
+    refuses(
+        "[sweep]\nmembers = 9\nsampling = 'sobol'\n«sede» = 3\nvary = []\n",
+        "unknown key \"sede\" in [sweep]",
+        "did you mean seed?",
+    );
+    refuses(
+        "«[sweep]»\nmembers = 9\nsampling = 'sobol'\n",
+        "the key vary is missing in [sweep]",
+        "write [[sweep.vary]]",
+    );
+    refuses(
+        "«[sweep]»\nmembers = 9\nsampling = 'sobol'\nvary = []\n",
+        "the key vary is missing in [sweep]",
+        "write [[sweep.vary]]",
+    );
+    let scenario = Plan::parse(SCENARIO.to_owned(), "plan.toml".as_ref()).unwrap_err();
+    assert_eq!(scenario.message(), "the key sweep is missing in the file");
+}
+
+#[test]
+fn where_one_motion_is_asked_for_a_plan_is_its_scenario_as_written_and_says_so() {
+    let text = format!("{SCENARIO}[sweep]\nmembers = 10\nsampling = 'monte carlo'\n{SPIN}");
+    let path = "plan.toml".as_ref();
+    let mut scenario = polhode_formats::scenario::parse(&text, path).unwrap();
+    let finding = scenario.findings.pop().unwrap();
+    assert_eq!(finding.code, "sweep.nominal");
+    assert!(finding.message.starts_with("a plan of 10 members: this is the scenario as it is written"));
+    assert_eq!(scenario, polhode_formats::scenario::parse(SCENARIO, path).unwrap());
+    // Nothing in it is ignored.
+    let wrong = polhode_formats::scenario::parse(&text.replace("= 10", "= 0"), path).unwrap_err();
+    assert_eq!(wrong.to_string(), "plan.toml:19:11: members = 0 must be at least 1");
+}
+
+#[test]
+fn keys_lead_to_numbers_of_the_scenario() {
+    let law = "uniform = { from = 0, to = 1 }\n";
+    for (key, rule, hint) in [
+        (
+            "start.spin.bdy[0]",
+            "a key of the scenario, but start.spin has no \"bdy\"",
+            "did you mean \"start.spin.body[0]\"?",
+        ),
+        (
+            "start.omega",
+            "a key of the scenario, but start has no \"omega\"",
+            "the keys of start are attitude, spin; what varies has to stand there",
+        ),
+        (
+            "strat.spin",
+            "a key of the scenario, but the scenario has no \"strat\"",
+            "did you mean \"start.spin\"?",
+        ),
+        ("run.duration.s", "a key of the scenario, but run.duration has no \"s\"", ""),
+        (
+            "start.spin.body[3]",
+            "a key of the scenario, but there is no start.spin.body[3]",
+            "start.spin.body has 3 elements, from start.spin.body[0]",
+        ),
+        ("start.spin[0]", "a key of the scenario, but start.spin is not an array", ""),
+        ("start.spin.body[0", "a key, but its bracket is not closed after start.spin.body", ""),
+        ("start.spin.body[0]x", "a key: write a dot or a bracket after start.spin.body[0]", ""),
+        (
+            "body.part[\"bsu\"].mass",
+            "a key of the scenario, but no body.part is named \"bsu\"",
+            "did you mean body.part[\"bus\"]?",
+        ),
+        ("start.spin.body", "one number of the scenario, not several", "write key = \"start.spin.body[0]\""),
+        ("start.spin", "one number of the scenario, not several", "write key = \"start.spin.body\""),
+        (
+            "title",
+            "a number of the scenario: words, formulas and whole numbers do not vary",
+            "a formula may stand for a number",
+        ),
+        (
+            "run.samples",
+            "a number of the scenario: words, formulas and whole numbers do not vary",
+            "a formula may stand for a number",
+        ),
+        ("", "a key of the scenario", "write key = \"start.spin.body[0]\""),
+        ("[0]", "a key that begins with a table's name", ""),
+    ] {
+        refuses_vary(&format!("key = «'{key}'»\n{law}"), &format!("key = '{key}' must be {rule}"), hint);
+    }
+    refuses_vary(
+        &format!("key = «'start.spin'»\nrandom = 'uniform'\n"),
+        "key = 'start.spin' must be a rotation of the scenario",
+        "write key = \"start.attitude\"",
+    );
+    refuses_vary(
+        "key = «'run.duration'»\ndirection = 'uniform'\n",
+        "key = 'run.duration' must be an array of three numbers: only a vector has a direction",
+        "write key = \"start.spin.body\"",
+    );
+    refuses_vary(
+        "key = «'run'»\ndispersion = '10 %'\n",
+        "key = 'run' must be the body, a part of it, or the inertia of either",
+        "write key = \"body\"",
+    );
+    refuses_vary(
+        "key = «'body.part'»\ndispersion = '10 %'\n",
+        "key = 'body.part' must be the body, a part of it, or the inertia of either",
+        "write key = \"body\"",
+    );
+}
+
+#[test]
+fn a_law_fits_its_number() {
+    let spin = |law: &str| format!("key = 'start.spin.body[0]'\n{law}\n");
+    let cases = [
+        (
+            "normal = { mean = «'3 m/s'», sd = 1 }",
+            "\"m/s\" is a velocity where an angular velocity belongs",
+            "write an angular velocity, such as",
+        ),
+        ("normal = { mean = 1, sd = «-0.1» }", "sd = -0.1 must be positive", "it is a standard deviation"),
+        ("normal = { mean = 1, sd = «0» }", "sd = 0 must be positive", "it is a standard deviation"),
+        ("normal = «{ mean = 1 }»", "the key sd is missing in normal", "write sd = 0.05"),
+        (
+            "normal = { mean = 1, sd = 1, from = 2, to = «1» }",
+            "to = 1 must be greater than from",
+            "the numbers are between them",
+        ),
+        (
+            "normal = { mean = 1, sd = 0.1, from = «9» }",
+            "from = 9 must be within 30 sd of the mean",
+            "next to nothing of the distribution is left",
+        ),
+        (
+            "uniform = { from = 3, to = «2» }",
+            "to = 2 must be greater than from",
+            "the numbers are between them",
+        ),
+        (
+            "uniform = { from = 3, to = «3» }",
+            "to = 3 must be greater than from",
+            "the numbers are between them",
+        ),
+        (
+            "uniform = { from = -1.7e308, to = «1.7e308» }",
+            "to = 1.7e308 must be nearer to from",
+            "their difference is beyond",
+        ),
+        (
+            "log_uniform = { from = «-1», to = 2 }",
+            "from = -1 must be positive",
+            "what is not positive has no logarithm",
+        ),
+        ("log_normal = { median = «0», sigma = 2 }", "median = 0 must be positive", "what is not positive"),
+        (
+            "log_normal = { median = 1, sigma = «'2 rad/s'» }",
+            "\"rad/s\" is an angular velocity where a plain number belongs",
+            "write a plain number, such as",
+        ),
+        (
+            "log_normal = { median = 1, sd = «2» }",
+            "median and sd are both given: median goes with sigma, mean with sd",
+            "leave one of them out",
+        ),
+        (
+            "triangular = { from = 1, to = 2, mode = «3» }",
+            "mode = 3 must be between from and to",
+            "it is the likeliest value",
+        ),
+        ("list = «[]»", "list = [] must be at least one number", "write list = [0.1, 0.2, 0.5]"),
+        (
+            "list = [1, «'2 kg'»]",
+            "\"kg\" is a mass where an angular velocity belongs",
+            "write an angular velocity",
+        ),
+        (
+            "grid = { from = 1, to = 2, count = «1» }",
+            "count = 1 must be from 2 to 1000000",
+            "both ends are among the values",
+        ),
+        (
+            "grid = { from = «-1», to = 2, count = 5, spacing = 'log' }",
+            "from = -1 must be positive",
+            "what is not positive has no logarithm",
+        ),
+        ("relative = «'5 percent'»", "relative = '5 percent' must be a percentage", "write \"5 %\", or 0.05"),
+        ("relative = «'-5 %'»", "relative = '-5 %' must be above 0", "it is a standard deviation"),
+        (
+            "uniform = { from = 0, to = 1 }\nnormal = «{ mean = 0, sd = 1 }»",
+            "uniform and normal are both given: a number varies in one way",
+            "leave one of them out",
+        ),
+        (
+            "uniform = { from = 0, to = 1 }\nmagnitude = «{ list = [3] }»",
+            "uniform and magnitude are both given: only a direction goes with a magnitude",
+            "leave one of them out",
+        ),
+        (
+            "«unifrom» = { from = 0, to = 1 }",
+            "unknown key \"unifrom\" in [[sweep.vary]]",
+            "did you mean uniform?",
+        ),
+        ("uniform = { «form» = 0, to = 1 }", "unknown key \"form\" in uniform", "did you mean from?"),
+    ];
+    for (law, message, hint) in cases {
+        refuses_vary(&spin(law), message, hint);
+    }
+    let zero = SCENARIO.replace("0.1, \"-40 mm\"", "0, \"-40 mm\"");
+    let text = format!(
+        "{zero}[sweep]\nmembers = 3\nsampling = 'sobol'\n[[sweep.vary]]\nkey = 'body.part[0].center_of_mass[0]'\nrelative = 0.1\n"
+    );
+    let error = Plan::parse(text, "plan.toml".as_ref()).unwrap_err();
+    assert_eq!(error.message(), "relative = 0.1 must be left out, since the number is written as zero");
+}
+
+#[test]
+fn what_is_dispersed_stays_within_reason() {
+    for (law, message, hint) in [
+        (
+            "key = 'start.attitude'\nrandom = «'normal'»",
+            "random = 'normal' must be one of uniform",
+            "write random = \"uniform\"",
+        ),
+        (
+            "key = 'start.attitude'\nrandom = { sd = «'-2 deg'» }",
+            "sd = '-2 deg' must be positive",
+            "it is measured to either side",
+        ),
+        (
+            "key = 'start.spin.body'\ndirection = { within = «'200 deg'» }",
+            "within = '200 deg' must be at most 180 deg",
+            "which is direction = \"uniform\"",
+        ),
+        (
+            "key = 'start.spin.body'\ndirection = 'uniform'\nmagnitude = { normal = «{ mean = 1, sd = 0.1 }» }",
+            "normal = { mean = 1, sd = 0.1 } must be of what is not negative: a magnitude has no sign",
+            "add from = 0 to a normal distribution",
+        ),
+        (
+            "key = 'body'\ndispersion = «'60 %'»",
+            "dispersion = '60 %' must be above 0 and at most 50 %",
+            "a standard deviation, relative",
+        ),
+        (
+            "key = 'body.inertia'\ndispersion = «{ mass = '10 %' }»",
+            "dispersion = { mass = '10 %' } must be one number for a tensor alone",
+            "write dispersion = \"10 %\"",
+        ),
+        (
+            "key = 'body'\ndispersion = «{}»",
+            "the key inertia is missing in dispersion",
+            "write dispersion = { mass = \"2 %\"",
+        ),
+    ] {
+        refuses_vary(law, message, hint);
+    }
+}
+
+#[test]
+fn a_number_varies_once() {
+    let part = "[[sweep.vary]]\nkey = 'body.part[0].mass'\nrelative = 0.1\n";
+    for (first, second) in [
+        (SPIN, "key = «'start.spin.body[0]'»\nrelative = 0.1\n"),
+        (SPIN, "key = «'start.spin.body'»\ndirection = 'uniform'\n"),
+        (part, "key = «'body'»\ndispersion = 0.1\n"),
+        (part, "key = «'body.inertia'»\ndispersion = 0.1\n"),
+        (part, "key = «'body.part[0].inertia'»\ndispersion = 0.1\n"),
+        (part, "key = «'body.part[\"bus\"].mass'»\nrelative = 0.2\n"),
+        (
+            "[[sweep.vary]]\nkey = 'start.attitude'\nrandom = 'uniform'\n",
+            "key = «'start.attitude.angle'»\nrelative = 0.1\n",
+        ),
+    ] {
+        let key = second.split(['«', '»']).nth(1).unwrap();
+        refuses(
+            &format!("[sweep]\nmembers = 10\nsampling = 'monte carlo'\n{first}[[sweep.vary]]\n{second}"),
+            &format!("key = {key} must be something else than what varies by line 22 already"),
+            "a number varies once",
+        );
+    }
+}
+
+#[test]
+fn a_grid_has_values_and_no_distributions() {
+    let vary = |key: &str, law: &str| format!("[[sweep.vary]]\nkey = '{key}'\n{law}\n");
+    let list = vary("run.duration", "list = [1, 2]");
+    refuses(
+        &format!("[sweep]\nsampling = 'grid'\n{}", vary("run.duration", "uniform = «{ from = 1, to = 2 }»")),
+        "uniform = { from = 1, to = 2 } must be list or grid: a grid has no distributions",
+        "write grid =",
+    );
+    refuses(
+        &format!("[sweep]\nmembers = «4»\nsampling = 'grid'\n{list}"),
+        "members = 4 must be left out of a grid",
+        "a grid has as many members as its values have combinations",
+    );
+    refuses(
+        &format!("[sweep]\nseed = «4»\nsampling = 'grid'\n{list}"),
+        "seed = 4 must be left out",
+        "nothing in a grid is drawn",
+    );
+    let many = "grid = { from = 1, to = 2, count = 1_000_000 }";
+    let three: String = (0..3).map(|k| vary(&format!("start.spin.body[{k}]"), many)).collect();
+    let message = "sweep.vary = 1000000 × 1000000 × 1000000 must be at most 1000000000000 combinations";
+    let text = format!("{SCENARIO}[sweep]\nsampling = 'grid'\n{three}");
+    let error = Plan::parse(text, "plan.toml".as_ref()).unwrap_err();
+    assert_eq!((error.message().as_str(), error.place().unwrap().line), (message, 20));
+}
+
+#[test]
+fn sobol_has_so_many_dimensions_and_no_more() {
+    // 16 numbers for a body, 3 for an attitude
+    let part = "[[body.part]]\nshape = 'tensor'\nmass = 1\nmoments = [1, 2, 2.5]\n";
+    let body: String = (0..5).map(|_| part).collect();
+    let vary: String =
+        (0..5).map(|k| format!("[[sweep.vary]]\nkey = 'body.part[{k}]'\ndispersion = 0.1\n")).collect();
+    let text = |sampling: &str| format!("{body}[sweep]\nmembers = 8\nsampling = '{sampling}'\n{vary}");
+    let error = Plan::parse(text("sobol"), "plan.toml".as_ref()).unwrap_err();
+    let expected =
+        "plan.toml:37:7: key = 'body.part[4]' must be among the first 64 numbers that are drawn for a member";
+    assert_eq!(error.to_string(), expected);
+    assert!(Plan::parse(text("latin hypercube"), "plan.toml".as_ref()).is_ok());
+}
+
+#[test]
+fn members_that_are_no_bodies_are_a_finding_unless_all_are() {
+    let mass = |from: &str, to: &str| {
+        format!(
+            "{SCENARIO}[sweep]\nmembers = 40\nsampling = 'latin hypercube'\n[[sweep.vary]]\nkey = 'body.part[0].mass'\n\
+             uniform = {{ from = {from}, to = {to} }}\n"
+        )
+    };
+    let plan = Plan::parse(mass("-1", "1"), "plan.toml".as_ref()).unwrap();
+    let finding = plan.findings().pop().unwrap();
+    assert_eq!((finding.code, finding.severity), ("sweep.members", polhode::Severity::Warning));
+    assert!(
+        finding.message.starts_with("20 of 40 members tried are not possible; member "),
+        "{}",
+        finding.message
+    );
+    assert!(finding.message.ends_with("must be positive"), "{}", finding.message);
+    assert_eq!(finding.place.as_deref(), Some("line 7"));
+
+    let error = Plan::parse(mass("-2", "-1"), "plan.toml".as_ref()).unwrap_err();
+    assert!(error.message().starts_with("mass = -1."), "{error}");
+    assert_eq!(error.place().unwrap().line, 7);
+    let good = Plan::parse(mass("1", "2"), "plan.toml".as_ref()).unwrap();
+    assert!(good.findings().is_empty());
+}

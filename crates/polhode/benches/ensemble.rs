@@ -1,10 +1,42 @@
-//! Many bodies. `cargo bench -p polhode --bench ensemble`.
-use polhode::*;
+//! Many bodies in nanoseconds. `cargo bench -p polhode --bench ensemble`; `benches/ensemble.py` runs it beside peers and with narrower
+//! vectors, and writes the numbers of `book/ensembles.md`.
+//!
+//! Each line: what, the number, its unit. Times are the least of many runs so short that some are left undisturbed.
+
+use std::error::Error;
 use std::hint::black_box;
 use std::num::NonZero;
 use std::time::Instant;
 
-fn least(items: usize, mut work: impl FnMut()) -> f64 {
+use polhode::*;
+
+/// Operations of a step of the classical Runge–Kutta method of ω and q as textbooks write it.
+const TEXTBOOK: f64 = 198.0;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let peaks = [1, 2].map(peak);
+    for (threads, peak) in [1, 2].into_iter().zip(peaks) {
+        println!("fused multiply–add, {threads} at a time\t{peak:.1}\tGFLOP/s");
+    }
+    for (name, rotor, torques) in subjects()? {
+        let mut rates = [0.0; 2];
+        for (threads, rate) in [1, 2].into_iter().zip(&mut rates) {
+            *rate = rk4(&rotor, &torques, threads)?;
+            println!("RK4 {name}, {threads} at a time\t{rate:.1}\tmillion body-steps/s");
+        }
+        if torques.is_empty() {
+            println!("RK4 {name}, of the peak\t{:.0}\t%", TEXTBOOK * rates[0] * 1e-3 / peaks[0] * 100.0);
+        }
+    }
+    exact()?;
+    for (name, rotor, torques) in subjects()? {
+        println!("Taylor {name}\t{:.0}\tns per body-step", taylor(&rotor, &torques)?);
+    }
+    Ok(())
+}
+
+/// The least time of many short runs, s.
+fn least(mut work: impl FnMut()) -> f64 {
     let mut least = f64::INFINITY;
     let begin = Instant::now();
     while begin.elapsed().as_secs_f64() < 0.5 {
@@ -12,49 +44,166 @@ fn least(items: usize, mut work: impl FnMut()) -> f64 {
         work();
         least = least.min(start.elapsed().as_secs_f64());
     }
-    least / items as f64 * 1e9
+    least
 }
-fn main() -> Result<(), Box<dyn std::error::Error>> {
+
+fn generic() -> Result<MassProperties<Body>, BodyError> {
     let inertia = InertiaTensor::with_negative_products([3.1, 4.2, 5.3], [0.4, -0.3, 0.2])?;
-    let body = MassProperties::new(2.3, Position::new(0.11, -0.07, 0.23), inertia)?;
-    let start = |k: usize| State {
-        time: 0.0,
-        attitude: Attitude::identity(),
-        omega: AngularVelocity::new(0.3 + 1e-4 * k as f64, 0.5, 0.9),
+    MassProperties::new(2.3, Position::new(0.11, -0.07, 0.23), inertia)
+}
+
+/// A start of its own for each.
+fn start(k: usize) -> State {
+    let omega = AngularVelocity::new(0.3 + 1e-4 * k as f64, 0.5, 0.9);
+    State { time: 0.0, attitude: Attitude::identity(), omega }
+}
+
+fn subjects() -> Result<Vec<(&'static str, Rotor, Vec<TorqueModel>)>, Box<dyn Error>> {
+    let body = generic()?;
+    let (free, held) = (Rotor::free(&body), Rotor::pivoted(&body, Position::new(-0.04, 0.02, 0.01)));
+    let drag = Drag::new(DragLaw::Linear, [[0.11, 0.02, -0.03], [0.02, 0.17, 0.05], [-0.03, 0.05, 0.09]])?;
+    let orbit =
+        Orbit::circular(MU_EARTH, 6.9e6, Direction::new(1.0, 0.0, 0.0), Direction::new(0.0, 0.6, 0.8))?;
+    let gradient = GravityGradient { orbit, attracted: Attracted::Tensor };
+    let magnetic = Magnetic {
+        moment: Direction::new(0.9, -0.4, 1.3),
+        field: MagneticField::Uniform(Direction::new(2e-5, -1.1e-5, 4.3e-5)),
     };
-    let g = TorqueModel::Gravity(UniformGravity::STANDARD);
-    let drag = TorqueModel::Drag(Drag::new(
-        DragLaw::Quadratic,
-        [[0.1, 0.0, 0.0], [0.0, 0.1, 0.0], [0.0, 0.0, 0.2]],
-    )?);
-    for (name, torques) in [
-        ("free", vec![]),
-        ("const", vec![TorqueModel::Constant(ConstantTorque::Body(Torque::new(0.1, 0.2, 0.3)))]),
-        ("gravity", vec![g]),
-        ("drag", vec![drag]),
-    ] {
-        let rotor =
-            if name == "gravity" { Rotor::pivoted(&body, Position::ZERO) } else { Rotor::free(&body) };
-        let members = (0..1024)
-            .map(|k| Member { rotor: rotor.clone(), torques: torques.clone(), start: start(k) })
-            .collect();
-        let all = Ensemble::new(members)?;
-        let mut states = vec![start(0); 1024];
-        for threads in [1, 2] {
-            let ns = least(1024 * 1000, || {
-                black_box(
-                    all.fill(
-                        &[10.0],
-                        Advance::RungeKutta4 { step: 0.01 },
-                        NonZero::new(threads).unwrap(),
-                        &mut states,
-                        &mut |_| true,
-                    )
-                    .ok(),
-                );
-            });
-            println!("{name} {threads}\t{:.1} M/s", 1e3 / ns);
+    let constant = ConstantTorque::Body(Torque::new(0.1, -0.2, 0.3));
+    Ok(vec![
+        ("free", free.clone(), vec![]),
+        ("constant torque", free.clone(), vec![TorqueModel::Constant(constant)]),
+        ("drag", free.clone(), vec![TorqueModel::Drag(drag)]),
+        ("gravity at a pivot", held, vec![TorqueModel::Gravity(UniformGravity::STANDARD)]),
+        ("gravity gradient", free.clone(), vec![TorqueModel::GravityGradient(Box::new(gradient))]),
+        ("magnet", free, vec![TorqueModel::Magnetic(Box::new(magnetic))]),
+    ])
+}
+
+fn ensemble(rotor: &Rotor, torques: &[TorqueModel], count: usize) -> Result<Ensemble, Failure> {
+    let member = |k| Member { rotor: rotor.clone(), torques: torques.to_vec(), start: start(k) };
+    Ensemble::new((0..count).map(member).collect())
+}
+
+/// Million body-steps/s of the whole way from states to states.
+fn rk4(rotor: &Rotor, torques: &[TorqueModel], threads: usize) -> Result<f64, Box<dyn Error>> {
+    let (bodies, steps) = (512 * threads, 400);
+    let all = ensemble(rotor, torques, bodies)?;
+    let mut states = vec![start(0); bodies];
+    let advance = Advance::RungeKutta4 { step: 0.01 };
+    let threads = NonZero::new(threads).ok_or("no thread")?;
+    let times = [0.01 * f64::from(steps)];
+    let seconds = least(|| {
+        let failures = all.fill(black_box(&times), advance, threads, &mut states, &mut |_| true);
+        black_box(failures.ok());
+    });
+    Ok(bodies as f64 * f64::from(steps) / seconds * 1e-6)
+}
+
+/// ns per body and step of its own, in batches of eight and more.
+fn taylor(rotor: &Rotor, torques: &[TorqueModel]) -> Result<f64, Box<dyn Error>> {
+    let (bodies, tolerance, times) = (64, 1e-9, [100.0]);
+    let all = ensemble(rotor, torques, bodies)?;
+    let mut steps = 0;
+    for member in all.members() {
+        let run = Trajectory::compute(rotor, torques, member.start, &times, Method::Taylor, tolerance)?;
+        if let Solution::Integrated { statistics, .. } = run.solution() {
+            steps += statistics.accepted;
         }
     }
+    let mut states = vec![start(0); bodies];
+    let seconds = least(|| {
+        let advance = Advance::Taylor { tolerance };
+        black_box(all.fill(&times, advance, NonZero::<usize>::MIN, &mut states, &mut |_| true).ok());
+    });
+    Ok(seconds / steps as f64 * 1e9)
+}
+
+/// Free motions in closed form.
+fn exact() -> Result<(), Box<dyn Error>> {
+    let rotor = Rotor::free(&generic()?);
+    let times: Vec<f64> = (0..4096).map(|k| f64::from(k) * 0.977 + 0.1).collect();
+    for threads in [1, 2] {
+        let bodies = 128;
+        let all = ensemble(&rotor, &[], bodies)?;
+        let mut rows = vec![start(0); bodies * times.len()];
+        let threads = NonZero::new(threads).ok_or("no thread")?;
+        let advance = Advance::Auto { tolerance: 1e-12 };
+        let seconds = least(|| {
+            black_box(all.fill(&times, advance, threads, &mut rows, &mut |_| true).ok());
+        });
+        let rate = (bodies * times.len()) as f64 / seconds * 1e-6;
+        println!("exact, 4,096 times of each body, {threads} at a time\t{rate:.1}\tmillion states/s");
+    }
+    let motion = FreeMotion::of(&rotor, start(7))?;
+    let few: Vec<f64> = times.iter().copied().take(1024).collect();
+    let mut states = motion.at_times(&few);
+    let seconds = least(|| motion.fill(black_box(&few), black_box(&mut states)));
+    println!("exact, one body, prepared\t{:.1}\tmillion states/s", few.len() as f64 / seconds * 1e-6);
+    for count in [1_000, 1_000_000] {
+        let motions = (0..count).map(|k| FreeMotion::of(&rotor, start(k % 100_000)));
+        let all = FreeMotions::of(&motions.collect::<Result<Vec<_>, _>>()?);
+        let mut states = vec![start(0); count];
+        let mut time = 1234.5;
+        let seconds = least(|| {
+            time += 1.0;
+            all.fill(black_box(time), black_box(&mut states));
+        });
+        let rate = count as f64 / seconds * 1e-6;
+        println!("exact, {count} prepared bodies at a time\t{rate:.1}\tmillion states/s");
+    }
+    println!("a prepared body\t{}\tbytes", size_of::<FreeMotion>());
     Ok(())
+}
+
+/// The rate of fused multiply–adds in registers on so many threads together, GFLOP/s.
+#[cfg(all(feature = "simd", target_arch = "x86_64"))]
+fn peak(threads: usize) -> f64 {
+    let mut best: f64 = 0.0;
+    let begin = Instant::now();
+    while begin.elapsed().as_secs_f64() < 0.5 {
+        let start = Instant::now();
+        let operations: f64 = std::thread::scope(|scope| {
+            let others: Vec<_> = (1..threads).map(|_| scope.spawn(multiply_and_add)).collect();
+            multiply_and_add() + others.into_iter().filter_map(|other| other.join().ok()).sum::<f64>()
+        });
+        best = best.max(operations / start.elapsed().as_secs_f64());
+    }
+    best * 1e-9
+}
+
+/// For about a millisecond, which is much more than a thread takes to start; the number of operations.
+#[cfg(all(feature = "simd", target_arch = "x86_64"))]
+fn multiply_and_add() -> f64 {
+    let level = fearless_simd::Level::new();
+    #[cfg(not(no_avx512))]
+    if let Some(avx512) = level.as_avx512() {
+        return chains::<_, 12>(avx512);
+    }
+    level.as_avx2().map_or(0.0, chains::<_, 6>)
+}
+
+/// So many sums of eight, each of which waits for itself alone.
+#[cfg(all(feature = "simd", target_arch = "x86_64"))]
+fn chains<S: fearless_simd::Simd, const CHAINS: usize>(simd: S) -> f64 {
+    const ROUNDS: usize = 400_000;
+    simd.vectorize(
+        #[inline(always)]
+        || {
+            let (a, b) = (simd.splat_f64x8(black_box(0.999_999)), simd.splat_f64x8(black_box(1e-9)));
+            let mut sums = [a; CHAINS];
+            for _ in 0..ROUNDS {
+                for sum in &mut sums {
+                    *sum = simd.mul_add_f64x8(*sum, a, b);
+                }
+            }
+            black_box(sums.into_iter().fold(a, |all, sum| simd.add_f64x8(all, sum))[0]);
+        },
+    );
+    (8 * 2 * CHAINS * ROUNDS) as f64
+}
+
+#[cfg(not(all(feature = "simd", target_arch = "x86_64")))]
+fn peak(_: usize) -> f64 {
+    f64::NAN
 }

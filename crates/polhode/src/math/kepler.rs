@@ -49,6 +49,10 @@ impl Conic {
     pub(crate) fn anomaly(self, time: f64) -> f64 {
         let Self { e, beta } = self;
         let t = time.abs();
+        if e == 0.0 {
+            // On a circle S is t.
+            return t.min(PI / beta.sqrt()).copysign(time);
+        }
         // S ≤ t as r ≥ 1, and c₃ ≥ 1/π² up to half a period.
         let mut s = t.min(libm::cbrt(PI * PI * t / e));
         if beta > 0.0 {

@@ -1,6 +1,6 @@
 //! Several numbers side by side, in one vector register where the machine has it.
 
-use core::ops::{Add, Mul, Neg, Sub};
+use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::real::Real;
 
@@ -89,85 +89,12 @@ impl<const N: usize> Neg for Lanes<N> {
     }
 }
 
-/// Vectors of four numbers by type: where the compiler's own choice would take them apart.
-pub(crate) trait Fours: Copy {
-    /// Four numbers in a register.
-    type Four: Copy + Add<Output = Self::Four> + Sub<Output = Self::Four> + Mul<Output = Self::Four>;
-
-    fn load(self, numbers: &[f64; 4]) -> Self::Four;
-    fn splat(self, number: f64) -> Self::Four;
-    fn numbers(self, four: Self::Four) -> [f64; 4];
-}
-
-/// Work that wants vectors.
-pub(crate) trait Work {
-    type Output;
-
-    fn run<S: Fours>(self, s: S) -> Self::Output;
-}
-
-#[cfg(feature = "simd")]
-impl<S: fearless_simd::Simd> Fours for S {
-    type Four = fearless_simd::f64x4<S>;
-
+impl<const N: usize> Div for Lanes<N> {
+    type Output = Self;
     #[inline(always)]
-    fn load(self, numbers: &[f64; 4]) -> Self::Four {
-        fearless_simd::SimdFrom::simd_from(self, *numbers)
+    fn div(self, b: Self) -> Self {
+        self.zip(b, |x, y| x / y)
     }
-
-    #[inline(always)]
-    fn splat(self, number: f64) -> Self::Four {
-        self.splat_f64x4(number)
-    }
-
-    #[inline(always)]
-    fn numbers(self, four: Self::Four) -> [f64; 4] {
-        four.into()
-    }
-}
-
-/// Without vectors.
-#[derive(Clone, Copy)]
-pub(crate) struct Plain;
-
-impl Fours for Plain {
-    type Four = Lanes<4>;
-
-    fn load(self, numbers: &[f64; 4]) -> Lanes<4> {
-        Lanes(*numbers)
-    }
-
-    fn splat(self, number: f64) -> Lanes<4> {
-        Lanes([number; 4])
-    }
-
-    fn numbers(self, four: Lanes<4>) -> [f64; 4] {
-        four.0
-    }
-}
-
-/// Runs work with vectors of four, as this machine has them.
-#[inline(always)]
-pub(crate) fn in_fours<W: Work>(work: W) -> W::Output {
-    #[cfg(all(feature = "simd", any(target_arch = "x86_64", target_arch = "x86")))]
-    {
-        use fearless_simd::{Level, Simd as _};
-        let level = Level::new();
-        #[cfg(not(no_avx512))]
-        if let Some(avx512) = level.as_avx512() {
-            return avx512.vectorize(
-                #[inline(always)]
-                || work.run(avx512),
-            );
-        }
-        if let Some(avx2) = level.as_avx2() {
-            return avx2.vectorize(
-                #[inline(always)]
-                || work.run(avx2),
-            );
-        }
-    }
-    work.run(Plain)
 }
 
 /// Runs a loop compiled for the widest vectors of this machine: AVX-512 or AVX2, otherwise what every machine of its kind has.

@@ -1,10 +1,12 @@
 //! Sums and products that carry their rounding errors.
 
+use core::ops::{Add, Sub};
+
 use super::real::Real;
 
 /// a + b as rounded sum and exact error (Knuth, TAOCP 2, §4.2.2, Theorem B).
 #[inline(always)]
-pub(crate) fn two_sum<T: Real>(a: T, b: T) -> (T, T) {
+pub(crate) fn two_sum<T: Copy + Add<Output = T> + Sub<Output = T>>(a: T, b: T) -> (T, T) {
     let s = a + b;
     let bb = s - a;
     (s, (a - (s - bb)) + (b - bb))

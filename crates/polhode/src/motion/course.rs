@@ -175,10 +175,16 @@ impl<'a> Course<'a> {
 
 /// Gives up as soon as it can be seen that the end is too many steps away, or that the motion runs away.
 pub(super) fn look_ahead(stepper: &mut Stepper<'_>, end: f64) -> Result<(), MotionError> {
-    let (done, step, time) = (stepper.statistics().accepted, stepper.next_step(), stepper.time());
+    require_few_steps(stepper.statistics().accepted, stepper.next_step(), stepper.time(), end)?;
+    stepper.require_bounded()
+}
+
+/// # Errors
+/// [`MotionError::TooManySteps`] if that many have been done, and more are left than there should be.
+pub(super) fn require_few_steps(done: u64, step: f64, time: f64, end: f64) -> Result<(), MotionError> {
     let left = (end - time) / step;
     if done >= FIRST_STEPS && done as f64 + left > MOST_STEPS as f64 {
         return Err(MotionError::TooManySteps { time, step, most: MOST_STEPS });
     }
-    stepper.require_bounded()
+    Ok(())
 }

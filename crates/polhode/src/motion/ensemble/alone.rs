@@ -4,8 +4,8 @@ use core::cell::Cell;
 
 use super::Member;
 use super::crew::Share;
-use super::lanes::{Begin, Pace, finished};
-use super::step::{Action, Gait, Law, Moving, STRETCH};
+use super::pace::{Begin, Pace, finished};
+use super::step::{Action, Gait, Law, Moving, STRETCH, step};
 use crate::math::frame::{Body, Principal, Space};
 use crate::math::rotation::Rotation;
 use crate::math::vector::{AngularMomentum, AngularVelocity, Torque};
@@ -95,11 +95,13 @@ impl<'a> Alone<'a> {
 
     /// Steps of one length, looking after each whether it was one.
     fn march(&self, pace: &Pace, omega: &mut [f64; 3], q: &mut [f64; 4]) -> Result<(), MotionError> {
-        let gait = Gait::<f64>::new((), |_| self.rotor.principal().moments(), pace.step);
+        let gait = Gait::new(0.0, |_| self.rotor.principal().moments(), pace.step);
         let mut y = Moving { x: omega.map(|w| w * gait.quarter), q: *q };
         for n in 0..pace.count {
             let [start, middle, end] = [0.0, 0.5, 1.0].map(|part| pace.time(n as f64 + part));
-            let next = gait.step(self, [&start, &middle, &end], &y);
+            let mut next = [y];
+            step(&[gait], &[self], [&[start], &[middle], &[end]], &mut next);
+            let [next] = next;
             if let Some((torque, time)) = self.unbalanced.get() {
                 return Err(MotionError::TorqueWithoutInertia { torque, time });
             }
@@ -154,7 +156,7 @@ impl<'a> Alone<'a> {
     }
 }
 
-impl Law<f64> for Alone<'_> {
+impl Law<f64> for &Alone<'_> {
     const ACTS: bool = true;
     /// The time.
     type Scene = f64;
@@ -177,14 +179,14 @@ impl Law<f64> for Alone<'_> {
             let h = momentum + (rate * (time - since)).as_quantity();
             let gyroscopic: Torque<Principal> = h.cross(omega);
             torque = torque + gyroscopic - rate;
-            l = l + h;
+            l += h;
         }
         // slip α L × ω, and L × of it
         let slip = (self.sink != 0.0).then(|| {
             let bending: Torque<Principal> = l.cross(omega);
             let slip: AngularVelocity<Principal> = (bending * self.sink).as_quantity();
             let pull: Torque<Principal> = l.cross(slip);
-            torque = torque + pull;
+            torque += pull;
             slip.to_array()
         });
         Action { torque: torque.to_array(), slip }

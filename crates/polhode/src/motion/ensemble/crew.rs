@@ -40,6 +40,11 @@ impl Share<'_> {
         for time in reached..self.times {
             self.put(member, time, &[last]);
         }
+        self.give_up(member, cause);
+    }
+
+    /// Writes down that a member can go no further, whose states say so already.
+    pub(super) fn give_up(&mut self, member: usize, cause: MotionError) {
         self.failures.push(Failure { member: self.first + member, cause });
     }
 

@@ -43,7 +43,7 @@ impl<'a> Parts<'a> {
         for torque in &member.torques {
             match torque {
                 TorqueModel::Constant(ConstantTorque::Body(torque)) => {
-                    add(&mut parts.constant, along(*torque))
+                    add(&mut parts.constant, along(*torque));
                 }
                 TorqueModel::Constant(ConstantTorque::Space(torque)) => {
                     add(&mut parts.in_space, torque.to_array());
@@ -122,7 +122,7 @@ fn add<const N: usize>(part: &mut Option<[f64; N]>, more: [f64; N]) {
 
 /// [`Parts`] of a kind, one in every lane.
 pub(super) struct Forces<'a, T: Fused> {
-    machine: T::Machine,
+    zero: T,
     moments: [T; 3],
     constant: Option<[T; 3]>,
     in_space: Option<[T; 3]>,
@@ -147,18 +147,18 @@ pub(super) struct Scene<T> {
 impl<'a, T: Fused> Forces<'a, T> {
     /// The parts of each lane, which are of one kind.
     #[inline(always)]
-    pub(super) fn new(machine: T::Machine, parts: &[&Parts<'a>]) -> Self {
+    pub(super) fn new(zero: T, parts: &[&Parts<'a>]) -> Self {
         Self {
-            machine,
-            moments: from_fn(|k| T::from_fn(machine, |lane| at(parts, lane).moments[k])),
-            constant: side_by_side(machine, parts, |parts| parts.constant),
-            in_space: side_by_side(machine, parts, |parts| parts.in_space),
-            weight: side_by_side(machine, parts, |parts| parts.weight),
-            linear: side_by_side(machine, parts, |parts| parts.linear),
-            quadratic: side_by_side(machine, parts, |parts| parts.quadratic),
-            sink: side_by_side(machine, parts, |parts| parts.sink),
-            wheels: side_by_side(machine, parts, |parts| parts.wheels),
-            magnet: side_by_side(machine, parts, |parts| parts.magnet.map(|(_, moment)| moment)),
+            zero,
+            moments: from_fn(|k| zero.each(|lane| at(parts, lane).moments[k])),
+            constant: side_by_side(zero, parts, |parts| parts.constant),
+            in_space: side_by_side(zero, parts, |parts| parts.in_space),
+            weight: side_by_side(zero, parts, |parts| parts.weight),
+            linear: side_by_side(zero, parts, |parts| parts.linear),
+            quadratic: side_by_side(zero, parts, |parts| parts.quadratic),
+            sink: side_by_side(zero, parts, |parts| parts.sink),
+            wheels: side_by_side(zero, parts, |parts| parts.wheels),
+            magnet: side_by_side(zero, parts, |parts| parts.magnet.map(|(_, moment)| moment)),
             fields: Shared::of(
                 parts.iter().filter_map(|parts| parts.magnet.map(|(magnet, _)| &magnet.field)),
             ),
@@ -174,12 +174,12 @@ fn at<'b, 'a>(parts: &'b [&Parts<'a>], lane: usize) -> &'b Parts<'a> {
 
 #[inline(always)]
 fn side_by_side<T: Fused, const N: usize>(
-    machine: T::Machine,
+    zero: T,
     parts: &[&Parts<'_>],
     get: impl Fn(&Parts<'_>) -> Option<[f64; N]>,
 ) -> Option<[T; N]> {
     get(at(parts, 0))?;
-    Some(from_fn(|k| T::from_fn(machine, |lane| get(at(parts, lane)).map_or(0.0, |numbers| numbers[k]))))
+    Some(from_fn(|k| zero.each(|lane| get(at(parts, lane)).map_or(0.0, |numbers| numbers[k]))))
 }
 
 /// One thing of each lane; often they are all the same.
@@ -198,18 +198,13 @@ impl<P: Copy + PartialEq> Shared<P> {
 
     /// N numbers of each lane, computed once if they are the same.
     #[inline(always)]
-    fn numbers<T: Fused, const N: usize>(
-        &self,
-        machine: T::Machine,
-        numbers: &mut [T; N],
-        of: impl Fn(P) -> [f64; N],
-    ) {
+    fn numbers<T: Fused, const N: usize>(&self, zero: T, numbers: &mut [T; N], of: impl Fn(P) -> [f64; N]) {
         match self.each.as_slice() {
             [] => {}
             [one] => {
                 let all = of(*one);
                 for k in 0..N {
-                    numbers[k] = T::splat(machine, all[k]);
+                    numbers[k] = zero.like(all[k]);
                 }
             }
             [first, ..] => {
@@ -218,8 +213,7 @@ impl<P: Copy + PartialEq> Shared<P> {
                     *all = of(*self.each.get(lane).unwrap_or(first));
                 }
                 for k in 0..N {
-                    numbers[k] = T::from_fn(
-                        machine,
+                    numbers[k] = zero.each(
                         #[inline(always)]
                         |lane| all[lane][k],
                     );
@@ -239,7 +233,7 @@ impl<T: Fused> Law<T> for Forces<'_, T> {
 
     #[inline(always)]
     fn scene(&self, time: f64) -> Scene<T> {
-        let zero = T::splat(self.machine, 0.0);
+        let zero = self.zero;
         let mut scene = Scene { field: [zero; 3], ray: [zero; 4], wheels: [zero; 3] };
         self.change(&mut scene, time);
         scene
@@ -248,19 +242,19 @@ impl<T: Fused> Law<T> for Forces<'_, T> {
     #[inline(always)]
     fn change(&self, scene: &mut Scene<T>, time: f64) {
         self.fields.numbers(
-            self.machine,
+            self.zero,
             &mut scene.field,
             #[inline(always)]
             |field| field.at(time).to_array(),
         );
         self.orbits.numbers(
-            self.machine,
+            self.zero,
             &mut scene.ray,
             #[inline(always)]
             |orbit| ray(orbit, time),
         );
         if let Some([a, b, c, x, y, z]) = &self.wheels {
-            let time = T::splat(self.machine, time);
+            let time = self.zero.like(time);
             scene.wheels = [x.mul_add(time, *a), y.mul_add(time, *b), z.mul_add(time, *c)];
         }
     }
@@ -269,11 +263,11 @@ impl<T: Fused> Law<T> for Forces<'_, T> {
     fn act(&self, scene: &Scene<T>, q: &[T; 4], omega: &[T; 3]) -> Action<T> {
         let mut torque = match &self.constant {
             Some(torque) => *torque,
-            None => [T::splat(self.machine, 0.0); 3],
+            None => [self.zero; 3],
         };
         let (is_magnetic, is_orbiting) = (!self.fields.is_empty(), !self.orbits.is_empty());
         if self.in_space.is_some() || self.weight.is_some() || is_magnetic || is_orbiting {
-            let seen = Seen::new(self.machine, q);
+            let seen = Seen::new(self.zero, q);
             if let Some(fixed) = &self.in_space {
                 torque = plus(torque, seen.from(fixed));
             }
@@ -319,7 +313,7 @@ impl<T: Fused> Law<T> for Forces<'_, T> {
             if self.wheels.is_some() {
                 l = plus(l, scene.wheels);
             }
-            let [a, b, c] = cross_add(&l, omega, [T::splat(self.machine, 0.0); 3]);
+            let [a, b, c] = cross_add(&l, omega, [self.zero; 3]);
             let slipping = [alpha * a, alpha * b, alpha * c];
             torque = cross_add(&l, &slipping, torque);
             slip = Some(slipping);
@@ -341,8 +335,8 @@ struct Seen<T>([[T; 3]; 3]);
 
 impl<T: Fused> Seen<T> {
     #[inline(always)]
-    fn new(machine: T::Machine, &[w, x, y, z]: &[T; 4]) -> Self {
-        let one = T::splat(machine, 1.0);
+    fn new(zero: T, &[w, x, y, z]: &[T; 4]) -> Self {
+        let one = zero.like(1.0);
         let norm2 = w.mul_add(w, x.mul_add(x, y.mul_add(y, z * z)));
         let scale = (one + one) / norm2;
         let [a, b, c] = [scale * x, scale * y, scale * z];

@@ -6,12 +6,10 @@ use super::Member;
 use super::alone::Alone;
 use super::crew::Share;
 use super::forces::{Forces, Parts};
-use super::step::{Free, Gait, Law, Moving, STRETCH};
-use crate::math::frame::{Principal, Space};
-use crate::math::fused::{Fused, Task, in_widest};
-use crate::math::rotation::Rotation;
-use crate::math::vector::Vector;
-use crate::motion::course::MOST_STEPS;
+use super::pace::{Begin, Pace, finished};
+use super::step::{self, Free, Gait, Law, Moving, STRETCH};
+use crate::math::fused::Fused;
+use crate::math::machine::{Machine, Work, in_vectors};
 use crate::motion::error::MotionError;
 use crate::motion::propagate::THIN;
 use crate::motion::state::State;
@@ -39,7 +37,7 @@ pub(super) fn fly(share: &mut Share<'_>, times: &[f64], step: f64) {
             continue;
         }
         let kin: Vec<_> = kin.iter().filter_map(|(k, parts)| Some((*k, parts.as_ref()?))).collect();
-        if !in_widest(Flight { share, bodies: &kin, times, step }) {
+        if !in_vectors(Flight { share, bodies: &kin, times, step }) {
             return;
         }
     }
@@ -66,24 +64,31 @@ struct Flight<'a, 'b, 'c> {
 /// Vectors that take their steps in turn: while one waits for its own numbers, the other goes on.
 const ABREAST: usize = 2;
 
-impl Task for Flight<'_, '_, '_> {
+impl Work for Flight<'_, '_, '_> {
     /// False if the work is to end.
     type Output = bool;
 
     #[inline(always)]
-    fn run<T: Fused>(self, machine: T::Machine) -> bool {
+    fn run<S: Machine>(self, s: S) -> bool {
+        self.fly(s.eight(0.0))
+    }
+}
+
+impl Flight<'_, '_, '_> {
+    #[inline(always)]
+    fn fly<T: Fused>(self, zero: T) -> bool {
         let Self { share, bodies, times, step } = self;
         for bodies in bodies.chunks(ABREAST * T::LANES) {
             let is_free = bodies.iter().all(|(_, parts)| parts.kind() == [false; 9]);
             if is_free {
                 let laws = [Free; ABREAST];
-                Wing::<T, Free> { machine, bodies, laws }.fly(share, times, step);
+                Wing::<T, Free> { zero, bodies, laws }.fly(share, times, step);
             } else {
                 let laws = from_fn(|k| {
                     let row = bodies.chunks(T::LANES).nth(k).unwrap_or(bodies);
-                    Forces::new(machine, &row.iter().map(|(_, parts)| *parts).collect::<Vec<_>>())
+                    Forces::new(zero, &row.iter().map(|(_, parts)| *parts).collect::<Vec<_>>())
                 });
-                Wing::<T, Forces<'_, T>> { machine, bodies, laws }.fly(share, times, step);
+                Wing::<T, Forces<'_, T>> { zero, bodies, laws }.fly(share, times, step);
             }
             if !share.done(bodies.len()) {
                 return false;
@@ -95,7 +100,7 @@ impl Task for Flight<'_, '_, '_> {
 
 /// As many bodies as go abreast. Lanes without a body follow the first.
 struct Wing<'a, 'b, T: Fused, L> {
-    machine: T::Machine,
+    zero: T,
     bodies: &'a [(usize, &'a Parts<'b>)],
     laws: [L; ABREAST],
 }
@@ -119,7 +124,7 @@ impl<T: Fused, L: Law<T>> Wing<'_, '_, T, L> {
             {
                 let moments = |k: usize| member(k).rotor.principal().moments();
                 let gaits =
-                    from_fn(|row| Gait::new(self.machine, |lane| moments(row * T::LANES + lane), pace.step));
+                    from_fn(|row| Gait::new(self.zero, |lane| moments(row * T::LANES + lane), pace.step));
                 self.march(&gaits, pace, &mut omega, &mut q);
             }
             for ((k, (index, _)), last) in self.bodies.iter().enumerate().zip(&mut last) {
@@ -167,8 +172,8 @@ impl<T: Fused, L: Law<T>> Wing<'_, '_, T, L> {
                 let law = &self.laws[row];
                 law.change(&mut middle[row], half);
                 law.change(&mut end[row], whole);
-                y[row] = gaits[row].step(law, [&start[row], &middle[row], &end[row]], &y[row]);
             }
+            step::step(gaits, &self.laws, [start, middle, end], &mut y);
             core::mem::swap(&mut start, &mut end);
             if (n + 1) % STRETCH == 0 {
                 y = y.map(Moving::with_unit);
@@ -184,68 +189,6 @@ impl<T: Fused, L: Law<T>> Wing<'_, '_, T, L> {
     /// Number c of each body.
     #[inline(always)]
     fn rows<const N: usize>(&self, number: impl Fn(usize, usize) -> f64) -> [[T; N]; ABREAST] {
-        from_fn(|row| from_fn(|c| T::from_fn(self.machine, |lane| number(row * T::LANES + lane, c))))
-    }
-}
-
-/// A start along principal axes.
-pub(super) struct Begin {
-    pub(super) omega: [f64; 3],
-    pub(super) q: [f64; 4],
-}
-
-impl Begin {
-    pub(super) fn of(member: &Member) -> Self {
-        let r = member.rotor.principal().rotation();
-        let attitude: Rotation<Space, Principal> = member.start.attitude * r;
-        Self { omega: (r.inverse() * member.start.omega).to_array(), q: attitude.quaternion() }
-    }
-}
-
-/// The state of q and ω along principal axes; `None` if they are not finite.
-pub(super) fn finished(member: &Member, time: f64, q: [f64; 4], omega: [f64; 3]) -> Option<State> {
-    let r = member.rotor.principal().rotation();
-    let attitude = Rotation::<Space, Principal>::from_quaternion(q).ok()? * r.inverse();
-    let omega = r * Vector::from_array(omega);
-    omega.is_finite().then_some(State { time, attitude, omega })
-}
-
-/// Steps of one length from one time to another.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Pace {
-    start: f64,
-    pub(super) count: u64,
-    pub(super) step: f64,
-}
-
-impl Pace {
-    /// The longest that are not longer than a step, but for rounding.
-    ///
-    /// # Errors
-    /// [`MotionError::TooManySteps`] from the `start` of all to the last of its times, [`MotionError::StepTooSmall`] beside the time.
-    pub(super) fn new(
-        time: f64,
-        until: f64,
-        longest: f64,
-        start: f64,
-        times: &[f64],
-    ) -> Result<Self, MotionError> {
-        let end = times.last().copied().unwrap_or(until);
-        if (end - start) / longest > MOST_STEPS as f64 {
-            return Err(MotionError::TooManySteps { time, step: longest, most: MOST_STEPS });
-        }
-        // A quotient that is whole but for rounding is whole.
-        let count = ((until - time) / longest * (1.0 - 1e-12)).ceil().max(0.0);
-        let step = if count > 0.0 { (until - time) / count } else { longest };
-        if count > 0.0 && !(time + 0.5 * step > time) {
-            return Err(MotionError::StepTooSmall { time, step });
-        }
-        Ok(Self { start: time, count: count as u64, step })
-    }
-
-    /// After so many steps.
-    #[inline(always)]
-    pub(super) fn time(&self, steps: f64) -> f64 {
-        self.start + steps * self.step
+        from_fn(|row| from_fn(|c| self.zero.each(|lane| number(row * T::LANES + lane, c))))
     }
 }

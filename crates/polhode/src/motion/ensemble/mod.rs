@@ -1,13 +1,14 @@
 //! Many bodies, each with its own start and its own torques, at the same times.
 //!
-//! `crew` gives threads their share; `exact` evaluates closed forms; `lanes` steps bodies side by side with the torques of `forces`, and
-//! `alone` one body with any torque, both by the `step`.
+//! `crew` gives threads their share; `auto` takes closed forms and integrators of high order; `lanes` steps bodies side by side with the torques of `forces`, and
+//! `alone` one body with any torque, both by the `step`, at the `pace` that brings them to the next time.
 
 mod alone;
+mod auto;
 mod crew;
-mod exact;
 mod forces;
 mod lanes;
+mod pace;
 mod step;
 
 use core::fmt;
@@ -19,7 +20,7 @@ use super::rotor::Rotor;
 use super::simulation::require_finite;
 use super::state::State;
 use super::torque::TorqueModel;
-use super::trajectory::require_ascending;
+use super::trajectory::{Method, require_ascending};
 use crew::Crew;
 
 /// A body of an ensemble, and its motion.
@@ -43,6 +44,12 @@ pub enum Advance {
         /// As [`Simulation::tolerance`](super::simulation::Simulation::tolerance).
         tolerance: f64,
     },
+    /// Taylor's method for all, with the bits of [`Simulation::states`](super::simulation::Simulation::states) by
+    /// [`Method::Taylor`](super::trajectory::Method::Taylor).
+    Taylor {
+        /// As [`Simulation::tolerance`](super::simulation::Simulation::tolerance).
+        tolerance: f64,
+    },
     /// Steps of the classical Runge–Kutta method: as accurate as the step is short.
     ///
     /// From each time to the next, and to where a schedule begins or ends, all steps have one length. Their error falls as the fourth
@@ -56,8 +63,8 @@ pub enum Advance {
 /// Where the members of an ensemble were at some times.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Flights {
-    /// Member by member, and time by time within each. A member that could go no further stays at the last of these states that was
-    /// good, or at its start: the state's own time says so.
+    /// Member by member, and time by time within each. A member that could go no further repeats a good state from shortly before: the
+    /// state's own time says when.
     pub states: Vec<State>,
     /// Those that could go no further, ascending.
     pub failures: Vec<Failure>,
@@ -187,7 +194,8 @@ impl Ensemble {
             return Ok(Vec::new());
         }
         Crew::new(threads).fill(&self.members, times.len(), states, progress, &|share| match advance {
-            Advance::Auto { tolerance } => exact::fly(share, times, tolerance),
+            Advance::Auto { tolerance } => auto::fly(share, times, tolerance, Method::Auto),
+            Advance::Taylor { tolerance } => auto::fly(share, times, tolerance, Method::Taylor),
             Advance::RungeKutta4 { step } => lanes::fly(share, times, step),
         })
     }
@@ -197,7 +205,9 @@ impl Advance {
     fn require_possible(self) -> Result<(), MotionError> {
         let parameter = |what, value, rule| Err(MotionError::Parameter { what, value, rule });
         match self {
-            Self::Auto { tolerance: value } if !(TIGHTEST_TOLERANCE..=LOOSEST_TOLERANCE).contains(&value) => {
+            Self::Auto { tolerance: value } | Self::Taylor { tolerance: value }
+                if !(TIGHTEST_TOLERANCE..=LOOSEST_TOLERANCE).contains(&value) =>
+            {
                 parameter("the tolerance", value, "between 1e-15 and 1e-2")
             }
             Self::RungeKutta4 { step: value } if !(value > 0.0 && value.is_finite()) => {

@@ -12,6 +12,6 @@ mod runge_kutta;
 pub(crate) mod splitting;
 pub(crate) mod stepper;
 mod tableau;
-mod taylor;
+pub(super) mod taylor;
 
 pub(crate) use chart::{ROUNDING, THIN};

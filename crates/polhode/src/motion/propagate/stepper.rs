@@ -57,8 +57,7 @@ pub(crate) struct Stepper<'a> {
     switched_on: Vec<bool>,
     /// The first time at which something begins or ends by itself.
     until: f64,
-    /// What |ω| is compared with, rad/s: see [`Stepper::require_bounded`].
-    usual_rate: f64,
+    bound: Bound,
     tolerance: f64,
     /// True if a spring or wire is among the torques: its twist is watched.
     is_sprung: bool,
@@ -89,19 +88,10 @@ impl<'a> Stepper<'a> {
         tolerance: f64,
         with_evidence: bool,
     ) -> Result<Self, MotionError> {
-        let has_tolerance = !matches!(rule, Rule::Splitting { .. });
-        if has_tolerance && !(TIGHTEST_TOLERANCE..=LOOSEST_TOLERANCE).contains(&tolerance) {
-            let rule = "between 1e-15 and 1e-2";
-            return Err(MotionError::Parameter { what: "the tolerance", value: tolerance, rule });
-        }
-        if !rotor.is_spinnable() {
-            return Err(MotionError::NotSpinnable);
-        }
         let switched_on: Vec<bool> = (0..torques.len()).map(|k| !switched_off.contains(&k)).collect();
-        let piece = Rc::new(Piece::new(rotor, acting(torques, &switched_on), &start));
-        piece.require_balanced_sink(&start)?;
+        let piece = Rc::new(first_piece(rule, rotor, acting(torques, &switched_on), &start, tolerance)?);
         let until = piece.until;
-        let usual_rate = start.omega.norm().max(torque_rate(&piece));
+        let bound = Bound::new(&piece, &start);
         let is_sprung = torques.iter().any(|torque| torque.name() == "torsion");
         let steps = match rule {
             Rule::Taylor => Steps::Taylor(Box::new(Taylor::new(piece, start, tolerance, with_evidence)?)),
@@ -110,7 +100,7 @@ impl<'a> Stepper<'a> {
                 Steps::Splitting(Box::new(Splitting::new(piece, torques, start, order, step)?))
             }
         };
-        Ok(Self { rotor, torques, switched_on, until, usual_rate, tolerance, is_sprung, rule, steps })
+        Ok(Self { rotor, torques, switched_on, until, bound, tolerance, is_sprung, rule, steps })
     }
 
     /// Looks again at what acts now.
@@ -122,7 +112,7 @@ impl<'a> Stepper<'a> {
         let piece = Rc::new(Piece::new(self.rotor, acting(self.torques, &self.switched_on), &state));
         piece.require_balanced_sink(&state)?;
         self.until = piece.until;
-        self.usual_rate = self.usual_rate.max(torque_rate(&piece));
+        self.bound.usual_rate = self.bound.usual_rate.max(torque_rate(&piece));
         match &mut self.steps {
             Steps::Taylor(taylor) => taylor.change(piece),
             Steps::Dop853(dop853) => dop853.change(piece),
@@ -156,21 +146,13 @@ impl<'a> Stepper<'a> {
         }
     }
 
-    /// Refuses to go on with a motion that runs away.
-    ///
-    /// Nothing that is meant turns 10⁹ times faster than |ω| at the start and every √(N/I) at which something begins to act, I the
-    /// least moment; where all of these are zero, than at the end of the first step.
+    /// Refuses to go on with a motion that runs away: see [`Bound`].
     ///
     /// # Errors
     /// [`MotionError::RunAway`].
     pub(crate) fn require_bounded(&mut self) -> Result<(), MotionError> {
         let State { time, omega, .. } = self.now().state;
-        let rate = omega.norm();
-        if self.usual_rate == 0.0 {
-            self.usual_rate = rate;
-        }
-        let most = 1e9 * self.usual_rate;
-        if rate > most { Err(MotionError::RunAway { time, rate, most }) } else { Ok(()) }
+        self.bound.require(time, omega.norm())
     }
 
     /// `None` for steps of a given length.
@@ -198,19 +180,7 @@ impl<'a> Stepper<'a> {
             Steps::Dop853(dop853) => dop853.step(until),
             Steps::Splitting(splitting) => splitting.step(until),
         }?;
-        before.map_or(Ok(()), |before| self.require_untwisted(&before))
-    }
-
-    /// # Errors
-    /// [`MotionError::HalfTurn`] if a spring or wire that acts has been twisted beyond half a turn.
-    fn require_untwisted(&self, before: &State) -> Result<(), MotionError> {
-        let after = self.now().state.attitude;
-        let acting = self.switched_on().filter_map(|torque| torque.acting(before.time));
-        let is_beyond = acting.into_iter().any(|torque| match torque {
-            TorqueModel::Torsion(torsion) => torsion.passes_half_turn(before.attitude, after),
-            _ => false,
-        });
-        if is_beyond { Err(MotionError::HalfTurn { time: before.time }) } else { Ok(()) }
+        before.map_or(Ok(()), |before| require_untwisted(self.switched_on(), &before, &self.now().state))
     }
 
     pub(crate) fn time(&self) -> f64 {
@@ -254,6 +224,77 @@ impl<'a> Stepper<'a> {
             Steps::Dop853(dop853) => dop853.at(time),
             Steps::Splitting(splitting) => splitting.at(time),
         }
+    }
+}
+
+/// What acts at the start.
+///
+/// # Errors
+/// As [`Stepper::new`].
+pub(super) fn first_piece<'a>(
+    rule: Rule,
+    rotor: &'a Rotor,
+    torques: impl Iterator<Item = &'a TorqueModel> + Clone,
+    start: &State,
+    tolerance: f64,
+) -> Result<Piece<'a>, MotionError> {
+    let has_tolerance = !matches!(rule, Rule::Splitting { .. });
+    if has_tolerance && !(TIGHTEST_TOLERANCE..=LOOSEST_TOLERANCE).contains(&tolerance) {
+        let rule = "between 1e-15 and 1e-2";
+        return Err(MotionError::Parameter { what: "the tolerance", value: tolerance, rule });
+    }
+    if !rotor.is_spinnable() {
+        return Err(MotionError::NotSpinnable);
+    }
+    let piece = Piece::new(rotor, torques, start);
+    piece.require_balanced_sink(start)?;
+    Ok(piece)
+}
+
+/// # Errors
+/// [`MotionError::HalfTurn`] if a spring or wire that acts has been twisted beyond half a turn.
+pub(super) fn require_untwisted<'a>(
+    mut torques: impl Iterator<Item = &'a TorqueModel>,
+    before: &State,
+    after: &State,
+) -> Result<(), MotionError> {
+    let is_beyond = torques.any(|torque| match torque.acting(before.time) {
+        Some(TorqueModel::Torsion(torsion)) => torsion.passes_half_turn(before.attitude, after.attitude),
+        _ => false,
+    });
+    if is_beyond { Err(MotionError::HalfTurn { time: before.time }) } else { Ok(()) }
+}
+
+/// How fast a motion may become.
+///
+/// Nothing that is meant turns 10⁹ times faster than |ω| at the start and every √(N/I) at which something begins to act, I the
+/// least moment; where all of these are zero, than at the end of the first step.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Bound {
+    /// rad/s
+    usual_rate: f64,
+}
+
+impl Bound {
+    pub(super) fn new(piece: &Piece<'_>, start: &State) -> Self {
+        Self { usual_rate: start.omega.norm().max(torque_rate(piece)) }
+    }
+
+    /// |ω| that it must not have, rad/s; zero while it is not known.
+    pub(super) fn most(&self) -> f64 {
+        1e9 * self.usual_rate
+    }
+
+    /// Looks at |ω| after a step.
+    ///
+    /// # Errors
+    /// [`MotionError::RunAway`].
+    pub(super) fn require(&mut self, time: f64, rate: f64) -> Result<(), MotionError> {
+        if self.usual_rate == 0.0 {
+            self.usual_rate = rate;
+        }
+        let most = self.most();
+        if rate > most { Err(MotionError::RunAway { time, rate, most }) } else { Ok(()) }
     }
 }
 

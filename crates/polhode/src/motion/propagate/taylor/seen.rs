@@ -1,36 +1,39 @@
 //! A vector of space as the turning body sees it.
 
-use crate::math::lanes::Fours;
-
-use super::row::{Row, Series, Vectors, cross};
+use super::row::{Row, Series, Vectors};
+use super::sums::Sums;
+use crate::math::number::Number;
 
 /// The series of a vector along principal axes, which turn at Ω: v̇ = v × Ω + s, s its rate in space, seen from the body too.
 #[derive(Clone, Debug)]
-pub(super) struct Seen(Series);
+pub(super) struct Seen<N = f64>(Series<N>);
 
-impl Seen {
-    pub(super) const ZERO: Self = Self(Series::ZERO);
+impl<N: Number> Seen<N> {
+    pub(super) fn all(x: N) -> Self {
+        Self(Series::all(x))
+    }
 
-    pub(super) fn start(&mut self, v: Row) {
-        self.0.set(0, v);
+    #[inline(always)]
+    pub(super) fn start(&mut self, v: Row<N>) {
+        self.0.set(0, v.vector());
     }
 
     /// The coefficients known so far.
     #[inline(always)]
-    pub(super) fn series(&self) -> &Series {
+    pub(super) fn series(&self) -> &Series<N> {
         &self.0
     }
 
     /// Coefficient n.
     #[inline(always)]
-    pub(super) fn coefficient(&self, n: usize) -> Row {
+    pub(super) fn coefficient(&self, n: usize) -> Row<N> {
         self.0.at(n)
     }
 
     /// Finds coefficient n + 1 from those up to n; `source` is coefficient n of s.
     #[inline(always)]
-    pub(super) fn extend<S: Fours>(&mut self, s: S, n: usize, turning: &Vectors, source: Row) {
-        let next = (cross(s, &self.0, turning, n) + source).over(n + 1);
-        self.0.set(n + 1, next);
+    pub(super) fn extend<M: Sums<N = N>>(&mut self, s: M, n: usize, turning: &Vectors<N>, source: Row<N>) {
+        let next = (s.cross(&self.0, turning, n) + source).over(n + 1);
+        self.0.set(n + 1, next.vector());
     }
 }

@@ -2,14 +2,12 @@
 
 use std::rc::Rc;
 
-use super::torque::StepStart;
+use super::base::{Base, carried};
 use super::{Expansion, Increment};
 use crate::math::frame::{Body, Principal, Space};
 use crate::math::rotation::Rotation;
-use crate::math::sum::two_sum;
-use crate::math::vector::{AngularMomentum, AngularVelocity, Vector};
+use crate::math::vector::{AngularMomentum, Vector};
 use crate::motion::error::MotionError;
-use crate::motion::propagate::orientation::Orientation;
 use crate::motion::propagate::piece::Piece;
 use crate::motion::propagate::stepper::{Balanced, StepStatistics};
 use crate::motion::state::State;
@@ -34,14 +32,6 @@ pub(in crate::motion::propagate) struct Taylor<'a> {
     statistics: StepStatistics,
 }
 
-/// A place on the trajectory; what rounding took from each sum is carried.
-#[derive(Clone, Copy, Debug)]
-struct Base {
-    time: f64,
-    orientation: Orientation,
-    omega: [[f64; 2]; 3],
-}
-
 /// ∫ N · ω dt and ∫ N dt; what rounding took is carried.
 #[derive(Clone, Copy, Debug, Default)]
 struct Evidence {
@@ -57,14 +47,9 @@ impl<'a> Taylor<'a> {
         with_evidence: bool,
     ) -> Result<Self, MotionError> {
         let to_body = piece.rotor.principal().rotation();
-        let omega = (to_body.inverse() * start.omega).to_array();
-        let head = Base {
-            time: start.time,
-            orientation: Orientation::new(start.attitude * to_body),
-            omega: omega.map(|w| [w, 0.0]),
-        };
+        let head = Base::new(&start, to_body);
         let mut taylor = Self {
-            expansion: Box::new(Expansion::new(&piece, tolerance, with_evidence)),
+            expansion: Box::new(Expansion::of_one(&piece, tolerance, with_evidence)),
             // A body at rest is measured by how fast the torque makes it.
             omega_scale: start.omega.norm().max(torque_rate(&piece)),
             piece,
@@ -86,6 +71,7 @@ impl<'a> Taylor<'a> {
     pub(in crate::motion::propagate) fn change(&mut self, piece: Rc<Piece<'a>>) -> Result<(), MotionError> {
         self.omega_scale = self.omega_scale.max(torque_rate(&piece));
         self.expansion.act(&piece);
+        self.expansion.set(0, &piece);
         self.piece = piece;
         self.expand()
     }
@@ -107,17 +93,17 @@ impl<'a> Taylor<'a> {
         if !(time + h > time) {
             return Err(MotionError::StepTooSmall { time, step: h });
         }
-        let more = self.expansion.at(h);
+        let more = self.expansion.after(h);
         let end = if wanted >= rest { until } else { time + h };
         let head = self.base.plus(&more, end);
-        if !head.is_finite() {
+        if head.flaw() != 0.0 {
             return Err(MotionError::NotFinite { time });
         }
         self.head = head;
         if let Some([base, head]) = &mut self.evidence {
             *head = base.plus(&more, self.head.orientation.rotation());
         }
-        self.omega_scale = self.omega_scale.max(head.omega().norm());
+        self.omega_scale = self.omega_scale.max(head.rate());
         self.statistics.accepted += 1;
         Ok(())
     }
@@ -125,7 +111,7 @@ impl<'a> Taylor<'a> {
     /// Goes back to a time within the last step.
     pub(in crate::motion::propagate) fn cut(&mut self, time: f64) {
         if time != self.head.time {
-            let more = self.expansion.at(time - self.base.time);
+            let more = self.expansion.after(time - self.base.time);
             self.head = self.base.plus(&more, time);
             if let Some([base, head]) = &mut self.evidence {
                 *head = base.plus(&more, self.head.orientation.rotation());
@@ -140,10 +126,8 @@ impl<'a> Taylor<'a> {
         if let Some([base, head]) = &mut self.evidence {
             *base = *head;
         }
-        let Base { time, orientation, .. } = self.base;
-        let start = StepStart { time, attitude: orientation.rotation(), omega: self.base.omega() };
-        self.expansion.expand(&start, &self.piece);
-        if let Some(torque) = self.expansion.unbalanced() {
+        self.expansion.expand_about(&self.base.start(), &self.piece);
+        if let Some(torque) = self.expansion.unbalanced(0) {
             return Err(MotionError::TorqueWithoutInertia { torque, time: self.base.time });
         }
         self.h = self.expansion.step(self.omega_scale);
@@ -170,41 +154,22 @@ impl<'a> Taylor<'a> {
 
     /// The state at a time within the last step.
     pub(in crate::motion::propagate) fn at(&self, time: f64) -> Balanced {
-        let more = self.expansion.at(time - self.base.time);
+        let more = self.expansion.after(time - self.base.time);
         let there = self.base.plus(&more, time);
         let evidence = self.evidence.map(|[base, _]| base.plus(&more, there.orientation.rotation()));
         self.balanced(&there, evidence)
     }
 
     fn balanced(&self, base: &Base, evidence: Option<Evidence>) -> Balanced {
-        let attitude = base.orientation.rotation() * self.to_body.inverse();
-        let omega = self.to_body * base.omega();
-        let state = State { time: base.time, attitude, omega };
+        let state = base.state(self.to_body);
         let Evidence { work, impulse } = evidence.unwrap_or_default();
         Balanced { state, work: work[0], impulse: Vector::from_array(impulse.map(|[high, _]| high)) }
     }
 }
 
 /// √(N/I), rad/s.
-fn torque_rate(piece: &Piece<'_>) -> f64 {
+pub(super) fn torque_rate(piece: &Piece<'_>) -> f64 {
     (piece.largest_torque / piece.rotor.principal().moments()[2]).sqrt()
-}
-
-impl Base {
-    fn omega(&self) -> AngularVelocity<Principal> {
-        Vector::from_array(self.omega.map(|[high, _]| high))
-    }
-
-    fn is_finite(&self) -> bool {
-        self.omega().is_finite() && self.orientation.rotation().quaternion().iter().all(|c| c.is_finite())
-    }
-
-    fn plus(&self, more: &Increment, time: f64) -> Self {
-        let mut orientation = self.orientation;
-        orientation.add(more.turn);
-        let omega = core::array::from_fn(|k| carried(self.omega[k], more.omega[k]));
-        Self { time, orientation, omega }
-    }
 }
 
 impl Evidence {
@@ -216,9 +181,4 @@ impl Evidence {
             impulse: core::array::from_fn(|k| carried(self.impulse[k], impulse[k])),
         }
     }
-}
-
-fn carried([high, carry]: [f64; 2], more: f64) -> [f64; 2] {
-    let (high, carry) = two_sum(high, more + carry);
-    [high, carry]
 }

@@ -9,9 +9,10 @@
 
 use super::super::row::{Row, TERMS};
 use super::super::scalar::{self, Scalars};
-use super::linear::cleaned;
+use super::super::sums::Sums;
+use super::linear::{cleaned, times};
 use super::{Known, StepStart};
-use crate::math::lanes::Fours;
+use crate::math::number::Number;
 use crate::motion::rotor::Rotor;
 use crate::motion::torque::{Drag, DragLaw};
 
@@ -26,65 +27,77 @@ const REST: f64 = 1e-150;
 
 /// The series of drag.
 #[derive(Clone, Debug)]
-pub(in super::super) struct DragSeries {
+pub(in super::super) struct DragSeries<N> {
     /// Columns of −C or −D, principal axes.
-    columns: [Row; 3],
-    speed: Option<Box<Speed>>,
+    columns: [Row<N>; 3],
+    speed: Option<Box<Speed<N>>>,
 }
 
 /// The series of |ω|.
 #[derive(Clone, Debug)]
-struct Speed {
+struct Speed<N> {
     /// −D ω
-    bent: [Row; TERMS],
-    /// m, once it is known: the first coefficient of ω that is not zero.
-    lead: Option<usize>,
+    bent: [Row<N>; TERMS],
+    /// m, the first coefficient of ω that is not zero, and the lanes where it is, a bit for each. Almost always 0 in all lanes.
+    leads: Vec<(usize, u8)>,
+    /// The lanes where m is not known yet.
+    waiting: u8,
     /// v · v and |v|, v = ω/tᵐ, both without their unit.
-    square: Scalars,
-    root: Scalars,
+    square: Scalars<N>,
+    root: Scalars<N>,
     /// |v| at the start, which the others are over.
-    unit: f64,
+    unit: N,
     /// |ω| up to here is rest.
-    rest: f64,
+    rest: N,
     /// |ω̇| where the step before this one began.
-    rate: f64,
+    rate: N,
 }
 
-impl DragSeries {
-    pub(super) fn of(model: &Drag, rotor: &Rotor) -> Self {
-        // Rᵀ C R, and C is symmetric: its columns are its rows.
-        let columns = model.matrix_along(&rotor.principal().rotation().inverse().matrix());
+impl<N: Number> DragSeries<N> {
+    pub(super) fn of(zero: N, model: &Drag) -> Self {
         let speed = match model.law() {
             DragLaw::Linear => None,
-            DragLaw::Quadratic => Some(Box::new(Speed::NONE)),
+            DragLaw::Quadratic => Some(Box::new(Speed::all(zero))),
         };
-        Self { columns: cleaned(columns, rotor).map(|column| Row::ZERO - column), speed }
+        Self { columns: [Row::splat(zero); 3], speed }
     }
 
-    pub(super) fn start(&mut self, at: &StepStart) {
-        if let Some(speed) = &mut self.speed {
-            speed.lead = None;
-            speed.rest = REST.max(CLOSEST * at.time.abs() * speed.rate);
-            speed.square[1] = 0.0;
+    pub(super) fn set(&mut self, lane: usize, model: &Drag, rotor: &Rotor) {
+        // Rᵀ C R, and C is symmetric: its columns are its rows.
+        let columns = cleaned(model.matrix_along(&rotor.principal().rotation().inverse().matrix()), rotor);
+        for (place, column) in self.columns.iter_mut().zip(columns) {
+            place.put(lane, Row::ZERO - column);
         }
-    }
-
-    /// The longest step that the series is good for, s.
-    pub(super) fn reach(&self) -> f64 {
-        match &self.speed {
-            // v · v = a (τ − t)² near a corner: τ = −2 (v · v)₀/(v · v)₁
-            Some(speed) if speed.lead.is_some() && speed.square[1] < 0.0 => {
-                REACH * -2.0 * speed.square[0] / speed.square[1]
-            }
-            _ => f64::INFINITY,
+        if let Some(speed) = &mut self.speed {
+            speed.rate.put(lane, 0.0);
         }
     }
 
     #[inline(always)]
-    pub(super) fn coefficient<S: Fours>(&mut self, n: usize, known: &Known<'_, S>) -> Row {
-        let [x, y, z, _] = known.omega.rows[n].0;
-        let [a, b, c] = self.columns;
-        let bent = a * Row::splat(x) + (b * Row::splat(y) + c * Row::splat(z));
+    pub(super) fn start(&mut self, at: &StepStart<N>) {
+        if let Some(speed) = &mut self.speed {
+            speed.leads.clear();
+            speed.waiting = all_lanes::<N>();
+            speed.rest = at.time.zip(speed.rate, |time, rate| REST.max(CLOSEST * time.abs() * rate));
+            speed.square[1] = at.time.like(0.0);
+        }
+    }
+
+    /// The longest step that the series is good for, s.
+    #[inline(always)]
+    pub(super) fn reach(&self, endless: N) -> N {
+        let Some(speed) = &self.speed else { return endless };
+        // v · v = a (τ − t)² near a corner: τ = −2 (v · v)₀/(v · v)₁
+        let mut reach = speed.square[0].zip(speed.square[1], |square, slope| {
+            if slope < 0.0 { REACH * -2.0 * square / slope } else { f64::INFINITY }
+        });
+        exchange(&mut reach, endless, speed.waiting);
+        reach
+    }
+
+    #[inline(always)]
+    pub(super) fn coefficient<M: Sums<N = N>>(&mut self, n: usize, known: &Known<'_, M>) -> Row<N> {
+        let bent = times(&self.columns, known.omega.rows[n]);
         match &mut self.speed {
             None => bent,
             Some(speed) => speed.times(n, known, bent),
@@ -92,49 +105,87 @@ impl DragSeries {
     }
 }
 
-impl Speed {
-    const NONE: Self = Self {
-        bent: [Row::ZERO; TERMS],
-        lead: None,
-        square: [0.0; TERMS],
-        root: [0.0; TERMS],
-        unit: 0.0,
-        rest: REST,
-        rate: 0.0,
-    };
+impl<N: Number> Speed<N> {
+    fn all(zero: N) -> Self {
+        Self {
+            bent: [Row::splat(zero); TERMS],
+            leads: Vec::new(),
+            waiting: all_lanes::<N>(),
+            square: [zero; TERMS],
+            root: [zero; TERMS],
+            unit: zero,
+            rest: zero,
+            rate: zero,
+        }
+    }
 
     /// Coefficient n of −|ω| D ω; `bent` is that of −D ω.
     #[inline(always)]
-    fn times<S: Fours>(&mut self, n: usize, known: &Known<'_, S>, bent: Row) -> Row {
+    fn times<M: Sums<N = N>>(&mut self, n: usize, known: &Known<'_, M>, bent: Row<N>) -> Row<N> {
         self.bent[n] = bent;
         let omega = &known.omega.rows[..=n];
         if n == 1 {
             self.rate = omega[1].largest();
         }
-        if self.lead.is_none() && omega[n].largest() > if n == 0 { self.rest } else { REST } {
-            self.lead = Some(n);
-            let [x, y, z, _] = omega[n].0;
-            self.unit = (x * x + y * y + z * z).sqrt();
+        if self.waiting != 0 {
+            self.look_for_lead(n, omega[n]);
         }
-        let Some(lead) = self.lead else { return Row::ZERO };
-        // (v · v)ⱼ, j = n − m
-        let (v, j) = (&omega[lead..], n - lead);
-        let over = 1.0 / self.unit;
-        let dots = v
-            .iter()
-            .zip(v.iter().rev())
-            .fold(Row::ZERO, |sum, (&a, &b)| sum + (a * Row::splat(over)) * (b * Row::splat(over)));
-        let [x, y, z, _] = dots.0;
-        self.square[j] = x + y + z;
-        if j == 0 {
-            self.root[0] = self.square[0].sqrt();
-        } else {
-            self.root[j] = scalar::power(&self.square, 0.5, &self.root, j);
+        let none = Row::splat(bent.0[0].like(0.0));
+        let over = Row::splat(self.unit.like(1.0) / self.unit);
+        let mut torque = none;
+        for &(lead, lanes) in &self.leads {
+            // (v · v)ⱼ, j = n − m
+            let (v, j) = (&omega[lead..], n - lead);
+            let dots = v.iter().zip(v.iter().rev()).fold(none, |sum, (&a, &b)| sum + (a * over) * (b * over));
+            let [x, y, z, _] = dots.0;
+            exchange(&mut self.square[j], x + y + z, lanes);
+            let root = if j == 0 {
+                self.square[0].map(f64::sqrt)
+            } else {
+                scalar::power(&self.square, 0.5, &self.root, j)
+            };
+            exchange(&mut self.root[j], root, lanes);
+            // sₙ = |v|ₙ₋ₘ: (s D ω)ₙ = Σ |v|ₖ (D ω)ₙ₋ₘ₋ₖ
+            let roots = self.root[..=j].iter();
+            let sum =
+                roots.zip(self.bent[..=j].iter().rev()).fold(none, |sum, (&s, &b)| sum + Row::splat(s) * b);
+            for (place, sum) in torque.0.iter_mut().zip((sum * Row::splat(self.unit)).0) {
+                exchange(place, sum, lanes);
+            }
         }
-        // sₙ = |v|ₙ₋ₘ: (s D ω)ₙ = Σ |v|ₖ (D ω)ₙ₋ₘ₋ₖ
-        let roots = self.root[..=j].iter();
-        let sum =
-            roots.zip(self.bent[..=j].iter().rev()).fold(Row::ZERO, |sum, (&s, &b)| sum + Row::splat(s) * b);
-        sum * Row::splat(self.unit)
+        torque
+    }
+
+    /// Is coefficient n of ω the first that is not zero?
+    fn look_for_lead(&mut self, n: usize, omega: Row<N>) {
+        let size = omega.largest();
+        let is_first = |lane: &usize| {
+            let least = if n == 0 { self.rest.lane(*lane) } else { REST };
+            self.waiting >> lane & 1 == 1 && size.lane(*lane) > least
+        };
+        let lanes = (0..N::LANES).filter(is_first).fold(0, |lanes, lane| lanes | 1 << lane);
+        if lanes != 0 {
+            let [x, y, z, _] = omega.0;
+            exchange(&mut self.unit, (x * x + y * y + z * z).map(f64::sqrt), lanes);
+            self.leads.push((n, lanes));
+            self.waiting &= !lanes;
+        }
+    }
+}
+
+/// A bit for each lane.
+fn all_lanes<N: Number>() -> u8 {
+    u8::MAX >> (8 - N::LANES)
+}
+
+/// Puts new numbers into these lanes.
+#[inline(always)]
+fn exchange<N: Number>(old: &mut N, new: N, lanes: u8) {
+    if lanes == all_lanes::<N>() {
+        *old = new;
+        return;
+    }
+    for lane in (0..N::LANES).filter(|lane| lanes >> lane & 1 == 1) {
+        old.put(lane, new.lane(lane));
     }
 }

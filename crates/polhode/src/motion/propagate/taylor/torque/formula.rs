@@ -4,9 +4,8 @@ mod graph;
 
 use super::super::row::{Row, TERMS};
 use super::super::scalar::Scalars;
-use super::{Known, StepStart};
-use crate::math::frame::Principal;
-use crate::math::lanes::Fours;
+use crate::math::frame::{Principal, Space};
+use crate::math::rotation::Rotation;
 use crate::math::vector::{Torque, Vector};
 use crate::motion::propagate::chart::{ROUNDING, THIN};
 use crate::motion::rotor::Rotor;
@@ -56,10 +55,10 @@ impl FormulaSeries {
         }
     }
 
-    pub(super) fn start(&mut self, at: &StepStart) {
-        self.time = at.time;
+    pub(super) fn start(&mut self, time: f64, attitude: Rotation<Space, Principal>) {
+        self.time = time;
         // q = (q at the start) ∘ turn ∘ (principal ← body), one column for each component of the turn
-        let before = at.attitude.quaternion();
+        let before = attitude.quaternion();
         let after = self.rotor.principal().rotation().inverse().quaternion();
         for column in 0..4 {
             let mut unit = [0.0; 4];
@@ -67,15 +66,16 @@ impl FormulaSeries {
             let image = quaternion_product(quaternion_product(before, unit), after);
             self.attitude.iter_mut().zip(image).for_each(|(row, value)| row[column] = value);
         }
-        let (momentum, rate) = (self.rotor.wheel_momentum(at.time), self.rotor.motor_torque(at.time));
+        let (momentum, rate) = (self.rotor.wheel_momentum(time), self.rotor.motor_torque(time));
         self.wheels = [momentum.to_array(), rate.to_array()];
     }
 
+    /// Coefficient n of N, of those of ω and of the turn.
     #[inline(never)]
-    pub(super) fn coefficient<S: Fours>(&mut self, n: usize, known: &Known<'_, S>) -> Row {
+    pub(super) fn coefficient(&mut self, n: usize, omega: Row, turn: Row) -> Row {
         for place in 0..self.nodes.len() {
             let value = match self.nodes[place] {
-                Node::Input(input) => self.input(input, n, known),
+                Node::Input(input) => self.input(input, n, omega, turn),
                 node if n == 0 => node.start(&self.rows),
                 node => node.coefficient(place, &self.rows, n),
             };
@@ -87,9 +87,9 @@ impl FormulaSeries {
 
     /// Coefficient n of what the motion gives.
     #[inline(always)]
-    fn input<S: Fours>(&self, input: Input, n: usize, known: &Known<'_, S>) -> f64 {
+    fn input(&self, input: Input, n: usize, omega: Row, turn: Row) -> f64 {
         let linear = |row: [f64; 3]| {
-            let [x, y, z, _] = known.omega.rows[n].0;
+            let [x, y, z, _] = omega.0;
             row[0] * x + row[1] * y + row[2] * z
         };
         match input {
@@ -102,7 +102,7 @@ impl FormulaSeries {
             Input::Carrier(k) => linear(self.carrier[k]),
             Input::Wheels(k) => self.wheels.get(n).map_or(0.0, |h| h[k]),
             Input::Attitude(k) => {
-                let ([w, x, y, z], row) = (known.turn[n].0, self.attitude[k]);
+                let ([w, x, y, z], row) = (turn.0, self.attitude[k]);
                 row[0] * w + row[1] * x + (row[2] * y + row[3] * z)
             }
         }
@@ -132,12 +132,8 @@ fn quaternion_product([a, b, c, d]: [f64; 4], [w, x, y, z]: [f64; 4]) -> [f64; 4
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::row::{Series, Vectors};
     use super::*;
     use crate::math::formula::{Binary, Formula, Instruction, Unary};
-    use crate::math::lanes::Plain;
-    use crate::math::rotation::Rotation;
-    use crate::math::vector::AngularVelocity;
     use crate::{InertiaTensor, MassProperties, Position};
 
     const T: Instruction = Instruction::Variable(0);
@@ -152,11 +148,9 @@ mod tests {
         let zero = Formula::constant(0.0);
         let model = FormulaTorque::Body([formula.clone(), zero.clone(), zero]);
         let mut series = FormulaSeries::of(&model, &rotor());
-        series.start(&StepStart { time, attitude: Rotation::identity(), omega: AngularVelocity::ZERO });
-        let at_rest = Vectors::ZERO;
-        let known = Known { s: Plain, omega: &at_rest, turning: &at_rest, turn: &Series::ZERO };
+        series.start(time, Rotation::identity());
         for n in 0..TERMS {
-            series.coefficient(n, &known);
+            series.coefficient(n, Row::ZERO, Row::ZERO);
         }
         series.rows[series.components[0]]
     }

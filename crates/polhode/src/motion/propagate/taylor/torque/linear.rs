@@ -2,9 +2,10 @@
 
 use super::super::row::Row;
 use super::super::seen::Seen;
+use super::super::sums::Sums;
 use super::{Known, StepStart, row};
 use crate::math::frame::{Body, Principal, Space};
-use crate::math::lanes::Fours;
+use crate::math::number::Number;
 use crate::math::vector::{Direction, Torque};
 use crate::motion::propagate::chart::{ROUNDING, THIN};
 use crate::motion::rotor::Rotor;
@@ -12,49 +13,67 @@ use crate::motion::torque::UniformGravity;
 
 /// N = A v, v̇ = v × Ω: v is constant in space and seen from the body.
 #[derive(Clone, Debug)]
-pub(in super::super) struct LinearSeries {
-    in_space: Direction<Space>,
+pub(in super::super) struct LinearSeries<N> {
+    in_space: Row<N>,
     /// Columns of A.
-    columns: [Row; 3],
-    v: Seen,
+    columns: [Row<N>; 3],
+    v: Seen<N>,
 }
 
-impl LinearSeries {
-    pub(super) fn constant(torque: Torque<Space>, rotor: &Rotor) -> Self {
-        Self::new(torque.as_quantity(), |v| v, rotor)
+impl<N: Number> LinearSeries<N> {
+    pub(super) fn all(zero: N) -> Self {
+        Self { in_space: Row::splat(zero), columns: [Row::splat(zero); 3], v: Seen::all(zero) }
+    }
+
+    pub(super) fn set_constant(&mut self, lane: usize, torque: Torque<Space>, rotor: &Rotor) {
+        self.set(lane, torque.as_quantity(), |v| v, rotor);
     }
 
     /// N = l × M g
-    pub(super) fn gravity(gravity: &UniformGravity, rotor: &Rotor) -> Self {
+    pub(super) fn set_gravity(&mut self, lane: usize, gravity: &UniformGravity, rotor: &Rotor) {
         let lever: Direction<Body> = (rotor.lever() * rotor.mass()).as_quantity();
         let lever = rotor.principal().rotation().inverse() * lever;
-        Self::new(gravity.acceleration.as_quantity(), |v| lever.cross(v), rotor)
+        self.set(lane, gravity.acceleration.as_quantity(), |v| lever.cross(v), rotor);
     }
 
-    fn new(
+    fn set(
+        &mut self,
+        lane: usize,
         in_space: Direction<Space>,
         a: impl Fn(Direction<Principal>) -> Direction<Principal>,
         rotor: &Rotor,
-    ) -> Self {
+    ) {
         let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Direction::from_array);
-        Self { in_space, columns: cleaned(axes.map(|axis| a(axis).to_array()), rotor), v: Seen::ZERO }
-    }
-
-    pub(super) fn start(&mut self, at: &StepStart) {
-        self.v.start(row(at.attitude.inverse() * self.in_space));
-    }
-
-    #[inline(always)]
-    pub(super) fn coefficient(&self, n: usize) -> Row {
-        let [x, y, z, _] = self.v.coefficient(n).0;
-        let [a, b, c] = self.columns;
-        a * Row::splat(x) + (b * Row::splat(y) + c * Row::splat(z))
+        let columns = cleaned(axes.map(|axis| a(axis).to_array()), rotor);
+        self.in_space.put(lane, row(in_space));
+        for (place, column) in self.columns.iter_mut().zip(columns) {
+            place.put(lane, column);
+        }
     }
 
     #[inline(always)]
-    pub(super) fn extend<S: Fours>(&mut self, n: usize, known: &Known<'_, S>) {
-        self.v.extend(known.s, n, known.turning, Row::ZERO);
+    pub(super) fn start(&mut self, at: &StepStart<N>) {
+        self.v.start(at.seen(self.in_space));
     }
+
+    #[inline(always)]
+    pub(super) fn coefficient(&self, n: usize) -> Row<N> {
+        times(&self.columns, self.v.coefficient(n))
+    }
+
+    #[inline(always)]
+    pub(super) fn extend<M: Sums<N = N>>(&mut self, n: usize, known: &Known<'_, M>) {
+        let none = Row::splat(self.in_space.0[0].like(0.0));
+        self.v.extend(known.s, n, known.turning, none);
+    }
+}
+
+/// A v, of A's columns.
+#[inline(always)]
+pub(super) fn times<N: Number>(columns: &[Row<N>; 3], v: Row<N>) -> Row<N> {
+    let [x, y, z, _] = v.0;
+    let [a, b, c] = *columns;
+    a * Row::splat(x) + (b * Row::splat(y) + c * Row::splat(z))
 }
 
 /// Columns without what is only rounding along the axis of a needle: divided by so small a moment, it would spin it.

@@ -1,7 +1,8 @@
 //! Taylor coefficients of torques, principal axes: each model's from those of the motion before it.
 //!
-//! A model's series has three duties, which the expansion asks for in this order: `start` a step at a state; for each n, give
-//! `coefficient` n of the torque, from coefficients up to n of everything that is known; and `extend` its own series to n + 1.
+//! A model's series has four duties: `set` what the model of a lane's body says; then, as the expansion asks for them, `start` a step of a
+//! lane at a state; for each n, give `coefficient` n of the torque, from coefficients up to n of everything that is known; and `extend`
+//! its own series to n + 1.
 
 mod drag;
 mod formula;
@@ -12,12 +13,13 @@ mod orbit;
 mod torsion;
 
 use super::row::{Row, Series, Vectors};
+use super::sums::Sums;
 use crate::math::frame::{Principal, Space};
-use crate::math::lanes::{Fours, Plain};
+use crate::math::number::Number;
 use crate::math::rotation::Rotation;
-use crate::math::vector::{AngularVelocity, Vector};
+use crate::math::vector::Vector;
 use crate::motion::rotor::Rotor;
-use crate::motion::torque::{ConstantTorque, TorqueModel};
+use crate::motion::torque::{Attracted, ConstantTorque, DragLaw, MagneticField, TorqueModel};
 
 use drag::DragSeries;
 use formula::FormulaSeries;
@@ -28,72 +30,176 @@ use torsion::TorsionSeries;
 
 /// The series of one torque over one step.
 #[derive(Clone, Debug)]
-pub(super) enum TorqueSeries {
+pub(super) enum TorqueSeries<N = f64> {
     /// Constant along the body's axes.
-    Body(Row),
+    Body(Row<N>),
     /// Linear in a vector that is constant in space.
-    Linear(Box<LinearSeries>),
-    GravityGradient(Box<GravityGradientSeries>),
-    Drag(Box<DragSeries>),
-    Torsion(Box<TorsionSeries>),
-    Magnetic(Box<MagneticSeries>),
-    Formula(Box<FormulaSeries>),
+    Linear(Box<LinearSeries<N>>),
+    GravityGradient(Box<GravityGradientSeries<N>>),
+    Drag(Box<DragSeries<N>>),
+    Torsion(Box<TorsionSeries<N>>),
+    Magnetic(Box<MagneticSeries<N>>),
+    /// Lane by lane: formulas have branches.
+    Formula(Vec<Option<FormulaSeries>>),
 }
 
 /// The state that a step starts from.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct StepStart {
-    pub(super) time: f64,
-    pub(super) attitude: Rotation<Space, Principal>,
-    pub(super) omega: AngularVelocity<Principal>,
+pub(super) struct StepStart<N = f64> {
+    pub(super) time: N,
+    /// The quaternion of the principal axes.
+    pub(super) attitude: Row<N>,
+    /// Principal axes.
+    pub(super) omega: Row<N>,
+}
+
+impl<N: Number> StepStart<N> {
+    /// Time and attitude of a lane.
+    fn lane(&self, lane: usize) -> (f64, Rotation<Space, Principal>) {
+        (self.time.lane(lane), Rotation::from_unit(self.attitude.lane(lane).0))
+    }
+
+    /// A vector of space along the principal axes, v + 2w (u × v) + 2 u × (u × v): as the product with a [`Rotation`] has it.
+    #[inline(always)]
+    fn seen(&self, v: Row<N>) -> Row<N> {
+        let [w, x, y, z] = self.attitude.0;
+        let two = Row::splat(w.like(2.0));
+        let u = Row([-x, -y, -z, w.like(0.0)]);
+        let t = cross(u, v) * two;
+        v + t * Row::splat(w) + cross(u, t)
+    }
+}
+
+/// a × b
+#[inline(always)]
+fn cross<N: Number>(a: Row<N>, b: Row<N>) -> Row<N> {
+    let ([a1, a2, a3, zero], [b1, b2, b3, _]) = (a.0, b.0);
+    Row([a2 * b3 - a3 * b2, a3 * b1 - a1 * b3, a1 * b2 - a2 * b1, zero])
 }
 
 /// Coefficients up to n, principal axes.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Known<'a, S> {
-    /// The machine's vectors.
-    pub(super) s: S,
+#[derive(Clone, Copy)]
+pub(super) struct Known<'a, M: Sums> {
+    /// How sums are done.
+    pub(super) s: M,
     /// ω
-    pub(super) omega: &'a Vectors,
+    pub(super) omega: &'a Vectors<M::N>,
     /// Ω, at which the axes turn: ω unless friction inside the body makes a difference.
-    pub(super) turning: &'a Vectors,
+    pub(super) turning: &'a Vectors<M::N>,
     /// The turn since the start of the step, (w, x, y, z).
-    pub(super) turn: &'a Series,
+    pub(super) turn: &'a Series<M::N>,
 }
 
-impl<'a, S> Known<'a, S> {
-    /// The same without vectors.
+impl<'a, M: Sums> Known<'a, M> {
+    /// Runs what is long apart.
     #[inline(always)]
-    fn plain(&self) -> Known<'a, Plain> {
-        Known { s: Plain, omega: self.omega, turning: self.turning, turn: self.turn }
+    fn apart<R>(&self, work: impl FnOnce(&Known<'a, M::Apart>) -> R) -> R {
+        let Self { omega, turning, turn, .. } = *self;
+        self.s.apart(
+            #[inline(always)]
+            |s| work(&Known { s, omega, turning, turn }),
+        )
     }
 }
 
-impl TorqueSeries {
-    /// `None` for what is no torque from outside.
-    pub(super) fn of(model: &TorqueModel, rotor: &Rotor) -> Option<Self> {
-        let to_principal = rotor.principal().rotation().inverse();
-        Some(match model {
-            TorqueModel::Constant(ConstantTorque::Body(n)) => Self::Body(row(to_principal * *n)),
-            TorqueModel::Thruster(thruster) => Self::Body(row(to_principal * thruster.torque(rotor))),
-            TorqueModel::Constant(ConstantTorque::Space(n)) => {
-                Self::Linear(Box::new(LinearSeries::constant(*n, rotor)))
+/// What the torques of bodies side by side have in common.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) enum Shape {
+    Body,
+    Linear,
+    GravityGradient { is_circular: bool, points: Option<usize>, has_wheels: bool },
+    Drag { is_quadratic: bool },
+    Torsion { is_wire: bool },
+    Magnetic { orbit_is_circular: Option<bool> },
+    Formula,
+}
+
+impl Shape {
+    /// That of a torque from outside, without a schedule.
+    pub(super) fn of(model: &TorqueModel, rotor: &Rotor) -> Self {
+        match model {
+            TorqueModel::Constant(ConstantTorque::Space(_)) | TorqueModel::Gravity(_) => Self::Linear,
+            TorqueModel::GravityGradient(model) => Self::GravityGradient {
+                is_circular: model.orbit.is_circular(),
+                points: match &model.attracted {
+                    Attracted::Tensor => None,
+                    Attracted::Points(points) => Some(points.len()),
+                },
+                has_wheels: gravity_gradient::has_wheels(rotor),
+            },
+            TorqueModel::Drag(model) => Self::Drag { is_quadratic: model.law() == DragLaw::Quadratic },
+            TorqueModel::Torsion(model) => Self::Torsion { is_wire: model.axis().is_some() },
+            TorqueModel::Magnetic(model) => Self::Magnetic {
+                orbit_is_circular: match &model.field {
+                    MagneticField::Uniform(_) => None,
+                    MagneticField::Dipole { orbit, .. } => Some(orbit.is_circular()),
+                },
+            },
+            TorqueModel::Formula(_) => Self::Formula,
+            TorqueModel::Constant(ConstantTorque::Body(_))
+            | TorqueModel::Thruster(_)
+            | TorqueModel::EnergySink(_)
+            | TorqueModel::Scheduled(_) => Self::Body,
+        }
+    }
+}
+
+/// The torques from outside: friction inside the body is none. (And a piece holds no schedules.)
+pub(super) fn from_outside<'a>(torques: &[&'a TorqueModel]) -> impl Iterator<Item = &'a TorqueModel> {
+    torques.iter().copied().filter(|model| !matches!(model, TorqueModel::EnergySink(_)))
+}
+
+impl<N: Number> TorqueSeries<N> {
+    /// For all bodies with a model of this kind.
+    pub(super) fn of(zero: N, model: &TorqueModel, rotor: &Rotor) -> Self {
+        match model {
+            TorqueModel::Constant(ConstantTorque::Space(_)) | TorqueModel::Gravity(_) => {
+                Self::Linear(Box::new(LinearSeries::all(zero)))
             }
-            TorqueModel::Gravity(gravity) => Self::Linear(Box::new(LinearSeries::gravity(gravity, rotor))),
             TorqueModel::GravityGradient(model) => {
-                Self::GravityGradient(Box::new(GravityGradientSeries::of(model, rotor)))
+                Self::GravityGradient(Box::new(GravityGradientSeries::of(zero, model, rotor)))
             }
-            TorqueModel::Drag(model) => Self::Drag(Box::new(DragSeries::of(model, rotor))),
-            TorqueModel::Torsion(model) => Self::Torsion(Box::new(TorsionSeries::of(model, rotor))),
-            TorqueModel::Magnetic(model) => Self::Magnetic(Box::new(MagneticSeries::of(model, rotor))),
-            TorqueModel::Formula(model) => Self::Formula(Box::new(FormulaSeries::of(model, rotor))),
-            // A piece holds no schedules, and friction inside is no torque.
-            TorqueModel::EnergySink(_) | TorqueModel::Scheduled(_) => return None,
-        })
+            TorqueModel::Drag(model) => Self::Drag(Box::new(DragSeries::of(zero, model))),
+            TorqueModel::Torsion(model) => Self::Torsion(Box::new(TorsionSeries::of(zero, model))),
+            TorqueModel::Magnetic(model) => Self::Magnetic(Box::new(MagneticSeries::of(zero, model))),
+            TorqueModel::Formula(_) => Self::Formula(vec![None; N::LANES]),
+            TorqueModel::Constant(ConstantTorque::Body(_))
+            | TorqueModel::Thruster(_)
+            | TorqueModel::EnergySink(_)
+            | TorqueModel::Scheduled(_) => Self::Body(Row::splat(zero)),
+        }
+    }
+
+    /// What a lane's body has; a model of this kind.
+    pub(super) fn set(&mut self, lane: usize, model: &TorqueModel, rotor: &Rotor) {
+        let to_principal = rotor.principal().rotation().inverse();
+        match (self, model) {
+            (Self::Body(torque), TorqueModel::Constant(ConstantTorque::Body(n))) => {
+                torque.put(lane, row(to_principal * *n));
+            }
+            (Self::Body(torque), TorqueModel::Thruster(thruster)) => {
+                torque.put(lane, row(to_principal * thruster.torque(rotor)));
+            }
+            (Self::Linear(series), TorqueModel::Constant(ConstantTorque::Space(n))) => {
+                series.set_constant(lane, *n, rotor);
+            }
+            (Self::Linear(series), TorqueModel::Gravity(model)) => series.set_gravity(lane, model, rotor),
+            (Self::GravityGradient(series), TorqueModel::GravityGradient(model)) => {
+                series.set(lane, model, rotor);
+            }
+            (Self::Drag(series), TorqueModel::Drag(model)) => series.set(lane, model, rotor),
+            (Self::Torsion(series), TorqueModel::Torsion(model)) => series.set(lane, model, rotor),
+            (Self::Magnetic(series), TorqueModel::Magnetic(model)) => series.set(lane, model, rotor),
+            (Self::Formula(series), TorqueModel::Formula(model)) => {
+                series[lane] = Some(FormulaSeries::of(model, rotor));
+            }
+            _ => {}
+        }
     }
 
     /// Starts a step.
-    pub(super) fn start(&mut self, at: &StepStart) {
+    #[inline(always)]
+    pub(super) fn start(&mut self, at: &StepStart<N>) {
         match self {
             Self::Body(_) => {}
             Self::Linear(series) => series.start(at),
@@ -101,48 +207,73 @@ impl TorqueSeries {
             Self::Drag(series) => series.start(at),
             Self::Torsion(series) => series.start(at),
             Self::Magnetic(series) => series.start(at),
-            Self::Formula(series) => series.start(at),
+            Self::Formula(series) => {
+                for (lane, series) in series.iter_mut().enumerate() {
+                    let (time, attitude) = at.lane(lane);
+                    series.iter_mut().for_each(|series| series.start(time, attitude));
+                }
+            }
         }
     }
 
     /// The longest step that the series is good for, s, where its coefficients do not show it.
-    pub(super) fn reach(&self) -> f64 {
+    #[inline(always)]
+    pub(super) fn reach(&self, endless: N) -> N {
         match self {
-            Self::Drag(series) => series.reach(),
-            _ => f64::INFINITY,
+            Self::Drag(series) => series.reach(endless),
+            _ => endless,
         }
     }
 
     /// Coefficient n of N, once everything that is known is so up to n.
     #[inline(always)]
-    pub(super) fn coefficient<S: Fours>(&mut self, n: usize, known: &Known<'_, S>) -> Row {
+    pub(super) fn coefficient<M: Sums<N = N>>(&mut self, n: usize, known: &Known<'_, M>) -> Row<N> {
         match self {
             Self::Body(torque) if n == 0 => *torque,
-            Self::Body(_) => Row::ZERO,
+            Self::Body(torque) => Row::splat(torque.0[0].like(0.0)),
             Self::Linear(series) => series.coefficient(n),
             Self::GravityGradient(series) => series.coefficient(n, known),
             Self::Drag(series) => series.coefficient(n, known),
-            // What is long stays out of the loop over n: all of it would be prepared for each n.
-            Self::Torsion(series) => series.coefficient(n, &known.plain()),
-            Self::Magnetic(series) => series.coefficient(n, &known.plain()),
-            Self::Formula(series) => series.coefficient(n, &known.plain()),
+            Self::Torsion(series) => known.apart(
+                #[inline(always)]
+                |known| series.coefficient(n, known),
+            ),
+            Self::Magnetic(series) => known.apart(
+                #[inline(always)]
+                |known| series.coefficient(n, known),
+            ),
+            Self::Formula(series) => {
+                let mut torque = Row::splat(known.omega.rows[n].0[0].like(0.0));
+                for (lane, series) in series.iter_mut().enumerate() {
+                    if let Some(series) = series {
+                        torque.put(
+                            lane,
+                            series.coefficient(n, known.omega.rows[n].lane(lane), known.turn[n].lane(lane)),
+                        );
+                    }
+                }
+                torque
+            }
         }
     }
 
     /// Finds what coefficient n + 1 needs beside the motion.
     #[inline(always)]
-    pub(super) fn extend<S: Fours>(&mut self, n: usize, known: &Known<'_, S>) {
+    pub(super) fn extend<M: Sums<N = N>>(&mut self, n: usize, known: &Known<'_, M>) {
         match self {
             // All that these need is the motion.
             Self::Body(_) | Self::Drag(_) | Self::Torsion(_) | Self::Formula(_) => {}
             Self::Linear(series) => series.extend(n, known),
             Self::GravityGradient(series) => series.extend(n, known),
-            Self::Magnetic(series) => series.extend(n, &known.plain()),
+            Self::Magnetic(series) => known.apart(
+                #[inline(always)]
+                |known| series.extend(n, known),
+            ),
         }
     }
 }
 
-pub(super) fn row<Q>(v: Vector<Q, Principal>) -> Row {
+pub(super) fn row<Q, F>(v: Vector<Q, F>) -> Row {
     let [x, y, z] = v.to_array();
     Row([x, y, z, 0.0])
 }

@@ -6,72 +6,93 @@
 //!
 //! On a circle |ρ| is 1, and all of this is linear.
 
-use super::super::row::{Row, Series, TERMS, Vectors, cross, product};
+use super::super::row::{Row, Series, TERMS, Vectors};
 use super::super::scalar::{Scalars, power};
 use super::super::seen::Seen;
+use super::super::sums::Sums;
 use super::{Known, StepStart, row};
-use crate::math::lanes::Fours;
-use crate::math::vector::{Direction, quantity::Number};
+use crate::math::number::Number;
 use crate::motion::orbit::Orbit;
 
 /// The series of an orbit over one step.
 #[derive(Clone, Debug)]
-pub(super) struct OrbitSeries {
-    orbit: Orbit,
+pub(super) struct OrbitSeries<N> {
+    /// One for each lane.
+    orbits: Vec<Orbit>,
+    /// Of all lanes alike.
+    is_circular: bool,
+    /// µ, m³/s².
+    mu: N,
     /// r₀, m.
-    pub(super) distance: f64,
+    pub(super) distance: N,
     /// µ/r₀³, 1/s².
-    pub(super) strength: f64,
-    pub(super) rho: Vectors,
-    nu: Seen,
+    pub(super) strength: N,
+    pub(super) rho: Vectors<N>,
+    nu: Seen<N>,
     /// |ρ|²
-    pub(super) square: Scalars,
+    pub(super) square: Scalars<N>,
     /// |ρ|⁻³
-    pub(super) cube: Scalars,
+    pub(super) cube: Scalars<N>,
     /// The same in every place of a row.
-    cube_rows: Series,
+    cube_rows: Series<N>,
 }
 
-impl OrbitSeries {
-    pub(super) fn of(orbit: &Orbit) -> Self {
-        let mut one = [0.0; TERMS];
-        one[0] = 1.0;
+impl<N: Number> OrbitSeries<N> {
+    pub(super) fn of(zero: N, orbit: &Orbit) -> Self {
+        let mut one = [zero; TERMS];
+        one[0] = zero.like(1.0);
         Self {
-            orbit: orbit.clone(),
-            distance: 0.0,
-            strength: 0.0,
-            rho: Vectors::ZERO,
-            nu: Seen::ZERO,
+            orbits: vec![orbit.clone(); N::LANES],
+            is_circular: orbit.is_circular(),
+            mu: zero,
+            distance: zero,
+            strength: zero,
+            rho: Vectors::all(zero),
+            nu: Seen::all(zero),
             square: one,
             cube: one,
-            cube_rows: Series::constant(Row::splat(1.0)),
+            cube_rows: Series::constant(Row::splat(one[0])),
+        }
+    }
+
+    pub(super) fn set(&mut self, lane: usize, orbit: &Orbit) {
+        self.orbits[lane] = orbit.clone();
+        self.mu.put(lane, orbit.mu());
+        if orbit.is_circular() {
+            self.strength.put(lane, orbit.strength(orbit.periapsis()));
         }
     }
 
     pub(super) fn is_circular(&self) -> bool {
-        self.orbit.is_circular()
+        self.is_circular
     }
 
-    pub(super) fn start(&mut self, at: &StepStart) {
-        let (position, velocity) = self.orbit.position_and_velocity(at.time);
-        self.distance = position.norm();
-        self.strength = self.orbit.strength(self.distance);
-        let to_principal = at.attitude.inverse();
-        let rho: Direction<_> = (position / self.distance).as_quantity::<Number>();
-        let nu: Direction<_> = (velocity / self.distance).as_quantity::<Number>();
-        self.rho.set(0, row(to_principal * rho));
-        self.nu.start(row(to_principal * nu));
+    #[inline(always)]
+    pub(super) fn start(&mut self, at: &StepStart<N>) {
+        let (mut position, mut velocity) = (at.omega, at.omega);
+        for (lane, orbit) in self.orbits.iter().enumerate() {
+            let (r, v) = orbit.position_and_velocity(at.time.lane(lane));
+            position.put(lane, row(r));
+            velocity.put(lane, row(v));
+        }
+        let r = position.norm();
+        if !self.is_circular {
+            self.strength = self.mu / r / r / r;
+        }
+        self.distance = r;
+        self.rho.set(0, at.seen(position.divided(r)));
+        self.nu.start(at.seen(velocity.divided(r)));
     }
 
     /// Finds coefficient n of |ρ|² and |ρ|⁻³.
     #[inline(always)]
-    pub(super) fn measure<S: Fours>(&mut self, s: S, n: usize) {
+    pub(super) fn measure<M: Sums<N = N>>(&mut self, s: M, n: usize) {
         // The first is 1 because r₀ is chosen so, and a circle has no others.
-        if n == 0 || self.is_circular() {
+        if n == 0 || self.is_circular {
             return;
         }
         let rho = &self.rho.rows;
-        let [x, y, z, _] = product(s, rho, rho, n).0;
+        let [x, y, z, _] = s.product(rho, rho, n).0;
         self.square[n] = x + y + z;
         self.cube[n] = power(&self.square, -1.5, &self.cube, n);
         self.cube_rows.set(n, Row::splat(self.cube[n]));
@@ -79,15 +100,15 @@ impl OrbitSeries {
 
     /// Coefficient n of |ρ|⁻³ times a vector.
     #[inline(always)]
-    pub(super) fn over_cube<S: Fours>(&self, s: S, vector: &Series, n: usize) -> Row {
-        if self.is_circular() { vector[n] } else { product(s, &self.cube_rows, vector, n) }
+    pub(super) fn over_cube<M: Sums<N = N>>(&self, s: M, vector: &Series<N>, n: usize) -> Row<N> {
+        if self.is_circular { vector[n] } else { s.product(&self.cube_rows, vector, n) }
     }
 
     /// Finds coefficient n + 1 of ρ and ν.
     #[inline(always)]
-    pub(super) fn extend<S: Fours>(&mut self, n: usize, known: &Known<'_, S>) {
+    pub(super) fn extend<M: Sums<N = N>>(&mut self, n: usize, known: &Known<'_, M>) {
         let pull = self.over_cube(known.s, &self.rho.rows, n) * Row::splat(-self.strength);
-        let rate = cross(known.s, &self.rho.rows, known.turning, n) + self.nu.coefficient(n);
+        let rate = known.s.cross(&self.rho.rows, known.turning, n) + self.nu.coefficient(n);
         self.rho.set(n + 1, rate.over(n + 1));
         self.nu.extend(known.s, n, known.turning, pull);
     }

@@ -7,11 +7,12 @@
 //!   by zero. So f(w) is composed from its own Taylor coefficients at the w that the step starts from;
 //! - a wire has N = −κ ψ b, and ψ̇ = b · Ω gives its twist.
 
-use super::super::row::{Row, Series, TERMS, Vectors, product};
+use super::super::row::{Row, Series, TERMS, Vectors};
 use super::super::scalar::{self, Composition, Scalars};
+use super::super::sums::Sums;
 use super::{Known, StepStart, row};
 use crate::math::frame::{Principal, Space};
-use crate::math::lanes::Fours;
+use crate::math::number::Number;
 use crate::math::rotation::Rotation;
 use crate::math::vector::Direction;
 use crate::motion::rotor::Rotor;
@@ -19,72 +20,91 @@ use crate::motion::torque::{Torsion, half_angle_over_sine};
 
 /// The series of a torsion spring or wire.
 #[derive(Clone, Debug)]
-pub(in super::super) struct TorsionSeries {
-    stiffness: f64,
-    rest: Rotation<Space, Principal>,
+pub(in super::super) struct TorsionSeries<N> {
+    stiffness: N,
+    /// The attitude at rest, of each lane.
+    rest: Vec<Rotation<Space, Principal>>,
     /// p at the start of the step.
-    start: [f64; 4],
+    start: Row<N>,
     /// Those of p.
-    w: Scalars,
-    v: Vectors,
-    law: Law,
+    w: Scalars<N>,
+    v: Vectors<N>,
+    law: Law<N>,
 }
 
 #[derive(Clone, Debug)]
-enum Law {
-    Spring(Box<Spring>),
-    Wire(Box<Wire>),
+enum Law<N> {
+    Spring(Box<Spring<N>>),
+    Wire(Box<Wire<N>>),
 }
 
 #[derive(Clone, Debug)]
-struct Spring {
+struct Spring<N> {
     /// f(w)
-    f: Composition,
+    f: Composition<N>,
 }
 
 #[derive(Clone, Debug)]
-struct Wire {
+struct Wire<N> {
     /// ê in the axes of the body at rest.
-    axis: Row,
+    axis: Row<N>,
     /// ê × v
-    across: [Row; TERMS],
+    across: [Row<N>; TERMS],
     /// s = v · ê
-    s: Scalars,
+    s: Scalars<N>,
     /// d = w² + s²
-    square: Scalars,
+    square: Scalars<N>,
     /// b = (w² ê + w ê × v + s v)/d
-    b: Series,
-    twist: Scalars,
+    b: Series<N>,
+    twist: Scalars<N>,
 }
 
-impl TorsionSeries {
-    pub(super) fn of(model: &Torsion, rotor: &Rotor) -> Self {
-        let rest = model.rest() * rotor.principal().rotation();
+impl<N: Number> TorsionSeries<N> {
+    pub(super) fn of(zero: N, model: &Torsion) -> Self {
         let law = match model.axis() {
-            None => Law::Spring(Box::new(Spring { f: Composition::none() })),
-            Some(axis) => Law::Wire(Box::new(Wire::along(rest.inverse() * axis))),
+            None => Law::Spring(Box::new(Spring { f: Composition::all(zero) })),
+            Some(_) => Law::Wire(Box::new(Wire::all(zero))),
         };
-        Self { stiffness: model.stiffness(), rest, start: [0.0; 4], w: [0.0; TERMS], v: Vectors::ZERO, law }
-    }
-
-    pub(super) fn start(&mut self, at: &StepStart) {
-        let turn: Rotation<Principal, Principal> = self.rest.inverse() * at.attitude;
-        self.start = turn.canonical_quaternion();
-        let [w, x, y, z] = self.start;
-        let sine = Direction::<Principal>::new(x, y, z).norm();
-        match &mut self.law {
-            Law::Spring(spring) => spring.f.start(half_angle_over_sine(w, sine), w, sine),
-            Law::Wire(wire) => wire.start(w, Row([x, y, z, 0.0])),
+        Self {
+            stiffness: zero,
+            rest: vec![Rotation::identity(); N::LANES],
+            start: Row::splat(zero),
+            w: [zero; TERMS],
+            v: Vectors::all(zero),
+            law,
         }
     }
 
-    #[inline(never)]
-    pub(super) fn coefficient<S: Fours>(&mut self, n: usize, known: &Known<'_, S>) -> Row {
+    pub(super) fn set(&mut self, lane: usize, model: &Torsion, rotor: &Rotor) {
+        let rest = model.rest() * rotor.principal().rotation();
+        self.stiffness.put(lane, model.stiffness());
+        self.rest[lane] = rest;
+        if let (Law::Wire(wire), Some(axis)) = (&mut self.law, model.axis()) {
+            wire.axis.put(lane, row(rest.inverse() * axis));
+        }
+    }
+
+    pub(super) fn start(&mut self, at: &StepStart<N>) {
+        for (lane, rest) in self.rest.iter().enumerate() {
+            let (_, attitude) = at.lane(lane);
+            let turn: Rotation<Principal, Principal> = rest.inverse() * attitude;
+            let start @ [w, x, y, z] = turn.canonical_quaternion();
+            self.start.put(lane, Row(start));
+            let sine = Direction::<Principal>::new(x, y, z).norm();
+            match &mut self.law {
+                Law::Spring(spring) => spring.f.start(lane, half_angle_over_sine(w, sine), w, sine),
+                Law::Wire(wire) => wire.start(lane, w, Row([x, y, z, 0.0])),
+            }
+        }
+    }
+
+    #[inline(always)]
+    pub(super) fn coefficient<M: Sums<N = N>>(&mut self, n: usize, known: &Known<'_, M>) -> Row<N> {
         // p = p₀ ∘ turn
-        let ([w, x, y, z], [a, b, c, d]) = (self.start, known.turn[n].0);
+        let ([w, x, y, z], [a, b, c, d]) = (self.start.0, known.turn[n].0);
         self.w[n] = w * a - x * b - y * c - z * d;
         let v = [w * b + x * a + y * d - z * c, w * c - x * d + y * a + z * b, w * d + x * c - y * b + z * a];
-        self.v.set(n, Row([v[0], v[1], v[2], 0.0]));
+        self.v.set(n, Row([v[0], v[1], v[2], w.like(0.0)]));
         let lever = match &mut self.law {
             Law::Spring(spring) => spring.coefficient(n, &self.w, &self.v),
             Law::Wire(wire) => wire.coefficient(n, &self.w, &self.v, known),
@@ -93,38 +113,44 @@ impl TorsionSeries {
     }
 }
 
-impl Spring {
+impl<N: Number> Spring<N> {
     /// 2 f(w) v
     #[inline(always)]
-    fn coefficient(&mut self, n: usize, w: &Scalars, v: &Vectors) -> Row {
+    fn coefficient(&mut self, n: usize, w: &Scalars<N>, v: &Vectors<N>) -> Row<N> {
         self.f.extend(w, n);
-        scaled(self.f.series(), &v.rows, n) * Row::splat(2.0)
+        scaled(self.f.series(), &v.rows, n) * Row::splat(w[0].like(2.0))
     }
 }
 
-impl Wire {
-    fn along(axis: Direction<Principal>) -> Self {
+impl<N: Number> Wire<N> {
+    fn all(zero: N) -> Self {
         Self {
-            axis: row(axis),
-            across: [Row::ZERO; TERMS],
-            s: [0.0; TERMS],
-            square: [0.0; TERMS],
-            b: Series::ZERO,
-            twist: [0.0; TERMS],
+            axis: Row::splat(zero),
+            across: [Row::splat(zero); TERMS],
+            s: [zero; TERMS],
+            square: [zero; TERMS],
+            b: Series::all(zero),
+            twist: [zero; TERMS],
         }
     }
 
-    fn start(&mut self, w: f64, v: Row) {
-        self.twist[0] = 2.0 * libm::atan2(dot(v, self.axis), w);
+    fn start(&mut self, lane: usize, w: f64, v: Row) {
+        self.twist[0].put(lane, 2.0 * libm::atan2(dot(v, self.axis.lane(lane)), w));
     }
 
     /// ψ b
     #[inline(always)]
-    fn coefficient<S: Fours>(&mut self, n: usize, w: &Scalars, v: &Vectors, known: &Known<'_, S>) -> Row {
-        let [e1, e2, e3, _] = self.axis.0;
+    fn coefficient<M: Sums<N = N>>(
+        &mut self,
+        n: usize,
+        w: &Scalars<N>,
+        v: &Vectors<N>,
+        known: &Known<'_, M>,
+    ) -> Row<N> {
+        let [e1, e2, e3, zero] = self.axis.0;
         let [x, y, z, _] = v.rows[n].0;
         self.s[n] = e1 * x + e2 * y + e3 * z;
-        self.across[n] = Row([e2 * z - e3 * y, e3 * x - e1 * z, e1 * y - e2 * x, 0.0]);
+        self.across[n] = Row([e2 * z - e3 * y, e3 * x - e1 * z, e1 * y - e2 * x, zero]);
         let square = scalar::product(w, w, n);
         self.square[n] = square + scalar::product(&self.s, &self.s, n);
         let over =
@@ -133,12 +159,12 @@ impl Wire {
         let known_part = self.square[1..=n].iter().zip(self.b[..n].iter().rev());
         let rest = known_part.fold(over, |rest, (&d, &b)| rest - Row::splat(d) * b);
         // Turned over, across its axis, a body has no twist.
-        let over_square = if self.square[0] == 0.0 { 0.0 } else { 1.0 / self.square[0] };
+        let over_square = self.square[0].map(|square| if square == 0.0 { 0.0 } else { 1.0 / square });
         self.b.set(n, rest * Row::splat(over_square));
         let torque = scaled(&self.twist, &self.b, n);
         if let Some(next) = self.twist.get_mut(n + 1) {
-            let [x, y, z, _] = product(known.s, &self.b, &known.turning.rows, n).0;
-            *next = (x + y + z) / (n + 1) as f64;
+            let [x, y, z, _] = known.s.product(&self.b, &known.turning.rows, n).0;
+            *next = (x + y + z) / x.like((n + 1) as f64);
         }
         torque
     }
@@ -146,8 +172,9 @@ impl Wire {
 
 /// Coefficient n of a v.
 #[inline(always)]
-fn scaled(a: &Scalars, v: &[Row], n: usize) -> Row {
-    a[..=n].iter().zip(v[..=n].iter().rev()).fold(Row::ZERO, |sum, (&a, &v)| sum + Row::splat(a) * v)
+fn scaled<N: Number>(a: &Scalars<N>, v: &[Row<N>], n: usize) -> Row<N> {
+    let none = Row::splat(a[0].like(0.0));
+    a[..=n].iter().zip(v[..=n].iter().rev()).fold(none, |sum, (&a, &v)| sum + Row::splat(a) * v)
 }
 
 fn dot(a: Row, b: Row) -> f64 {

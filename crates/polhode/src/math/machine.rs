@@ -1,0 +1,114 @@
+//! The vectors that a machine has, by type: where the compiler's own choice would take plain arrays apart.
+
+use core::ops::{Add, Mul, Sub};
+
+use super::fused::Fused;
+use super::lanes::Lanes;
+
+/// The vectors of a machine.
+pub(crate) trait Machine: Copy {
+    /// Four numbers in a register.
+    type Four: Copy + Add<Output = Self::Four> + Sub<Output = Self::Four> + Mul<Output = Self::Four>;
+    /// Eight, in as few registers as hold them.
+    type Eight: Fused;
+
+    fn load(self, numbers: &[f64; 4]) -> Self::Four;
+    fn splat(self, number: f64) -> Self::Four;
+    fn numbers(self, four: Self::Four) -> [f64; 4];
+    fn eight(self, number: f64) -> Self::Eight;
+
+    /// Runs work as a function of its own, compiled for this machine.
+    fn apart<R>(self, work: impl FnOnce() -> R) -> R;
+}
+
+/// Work that wants vectors.
+pub(crate) trait Work {
+    type Output;
+
+    fn run<S: Machine>(self, s: S) -> Self::Output;
+}
+
+#[cfg(feature = "simd")]
+impl<S: fearless_simd::Simd> Machine for S {
+    type Four = fearless_simd::f64x4<S>;
+    type Eight = fearless_simd::f64x8<S>;
+
+    #[inline(always)]
+    fn load(self, numbers: &[f64; 4]) -> Self::Four {
+        fearless_simd::SimdFrom::simd_from(self, *numbers)
+    }
+
+    #[inline(always)]
+    fn splat(self, number: f64) -> Self::Four {
+        self.splat_f64x4(number)
+    }
+
+    #[inline(always)]
+    fn numbers(self, four: Self::Four) -> [f64; 4] {
+        four.into()
+    }
+
+    #[inline(always)]
+    fn eight(self, number: f64) -> Self::Eight {
+        self.splat_f64x8(number)
+    }
+
+    #[inline(always)]
+    fn apart<R>(self, work: impl FnOnce() -> R) -> R {
+        self.vectorize(work)
+    }
+}
+
+/// Without vectors.
+#[derive(Clone, Copy)]
+pub(crate) struct Plain;
+
+impl Machine for Plain {
+    type Four = Lanes<4>;
+    type Eight = Lanes<8>;
+
+    fn load(self, numbers: &[f64; 4]) -> Lanes<4> {
+        Lanes(*numbers)
+    }
+
+    fn splat(self, number: f64) -> Lanes<4> {
+        Lanes([number; 4])
+    }
+
+    fn numbers(self, four: Lanes<4>) -> [f64; 4] {
+        four.0
+    }
+
+    fn eight(self, number: f64) -> Lanes<8> {
+        Lanes([number; 8])
+    }
+
+    #[inline(never)]
+    fn apart<R>(self, work: impl FnOnce() -> R) -> R {
+        work()
+    }
+}
+
+/// Runs work with the vectors that this machine has.
+#[inline(always)]
+pub(crate) fn in_vectors<W: Work>(work: W) -> W::Output {
+    #[cfg(all(feature = "simd", any(target_arch = "x86_64", target_arch = "x86")))]
+    {
+        use fearless_simd::{Level, Simd as _};
+        let level = Level::new();
+        #[cfg(not(no_avx512))]
+        if let Some(avx512) = level.as_avx512() {
+            return avx512.vectorize(
+                #[inline(always)]
+                || work.run(avx512),
+            );
+        }
+        if let Some(avx2) = level.as_avx2() {
+            return avx2.vectorize(
+                #[inline(always)]
+                || work.run(avx2),
+            );
+        }
+    }
+    work.run(Plain)
+}

@@ -1,0 +1,106 @@
+//! Closed forms at many times, and the integrators of high order for what has none.
+
+use super::Member;
+use super::crew::Share;
+use crate::motion::closed_form::ClosedForm;
+use crate::motion::propagate::taylor;
+use crate::motion::simulation::Simulation;
+use crate::motion::state::State;
+use crate::motion::trajectory::Method;
+
+/// States that are computed before they are put down, of a closed form: they stay in the nearest memory.
+const BATCH: usize = 256;
+
+/// States of bodies side by side: some megabytes.
+const MANY: usize = 1 << 16;
+
+/// Fewer bodies than that leave lanes idle.
+const FEWEST: usize = 8;
+
+/// Flies each member of a share by a method: the best for it, or Taylor's.
+///
+/// Those that Taylor's method takes side by side come last.
+pub(super) fn fly(share: &mut Share<'_>, times: &[f64], tolerance: f64, method: Method) {
+    let members = share.members;
+    let mut states = Vec::new();
+    let mut kinds: Vec<(taylor::Kind, Vec<usize>)> = Vec::new();
+    for (k, Member { rotor, torques, start }) in members.iter().enumerate() {
+        let closed = (method == Method::Auto).then(|| ClosedForm::of(rotor, torques, *start));
+        if let Some(Ok(motion)) = closed {
+            states.resize(BATCH, *start);
+            evaluate(share, k, &motion, times, &mut states);
+        } else if let Some(kind) = taylor::kind(rotor, torques, tolerance) {
+            match kinds.iter_mut().find(|(other, _)| *other == kind) {
+                Some((_, bodies)) => bodies.push(k),
+                None => kinds.push((kind, vec![k])),
+            }
+            continue;
+        } else {
+            integrate(share, k, times, tolerance, method, &mut states);
+        }
+        if !share.done(1) {
+            return;
+        }
+    }
+    for (_, bodies) in kinds {
+        for bodies in bodies.chunks((MANY / times.len()).max(FEWEST)) {
+            expand(share, bodies, times, tolerance, &mut states);
+            if !share.done(bodies.len()) {
+                return;
+            }
+        }
+    }
+}
+
+fn evaluate(share: &mut Share<'_>, k: usize, motion: &ClosedForm, times: &[f64], states: &mut [State]) {
+    let mut from = 0;
+    for times in times.chunks(BATCH) {
+        if let ClosedForm::Free(motion) = motion {
+            motion.fill(times, states);
+        } else {
+            states.iter_mut().zip(times).for_each(|(state, &time)| *state = motion.at(time));
+        }
+        share.put(k, from, states.get(..times.len()).unwrap_or_default());
+        from += times.len();
+    }
+}
+
+/// By Taylor's method, side by side.
+fn expand(share: &mut Share<'_>, bodies: &[usize], times: &[f64], tolerance: f64, states: &mut Vec<State>) {
+    let members = share.members;
+    let subjects: Vec<_> = bodies
+        .iter()
+        .filter_map(|k| members.get(*k))
+        .map(|Member { rotor, torques, start }| taylor::Body { rotor, torques, start: *start })
+        .collect();
+    let Some(first) = subjects.first() else { return };
+    states.resize(subjects.len() * times.len(), first.start);
+    let mut failures = taylor::advance(&subjects, times, tolerance, states).into_iter().peekable();
+    for (n, (&k, states)) in bodies.iter().zip(states.chunks(times.len())).enumerate() {
+        share.put(k, 0, states);
+        if let Some((_, cause)) = failures.next_if(|(body, _)| *body == n) {
+            share.give_up(k, cause);
+        }
+    }
+    states.clear();
+}
+
+/// Alone.
+fn integrate(
+    share: &mut Share<'_>,
+    k: usize,
+    times: &[f64],
+    tolerance: f64,
+    method: Method,
+    states: &mut Vec<State>,
+) {
+    let Member { rotor, torques, start } = &share.members[k];
+    let (switched_off, events, start) = (&[], &[], *start);
+    let simulation = Simulation { rotor, torques, switched_off, start, events, times, method, tolerance };
+    states.clear();
+    let result = simulation.fill(states);
+    share.put(k, 0, states);
+    if let Err(cause) = result {
+        share.fail(k, states.len(), states.last().copied().unwrap_or(start), cause);
+    }
+}

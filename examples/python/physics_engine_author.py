@@ -69,3 +69,14 @@ for step in (semi_implicit_euler, rk4):
 # %%
 coarse, fine = error(rk4, 0.04), error(rk4, 0.02)
 assert all(14.0 < a / b < 18.0 for a, b in zip(coarse[:2], fine[:2])), (coarse, fine)
+
+# %% [markdown]
+# Many bodies with one call: the same Runge-Kutta, side by side in vectors, against the exact states.
+
+# %%
+starts = np.random.default_rng(3).normal(size=(2000, 3))
+ensemble = polhode.Ensemble(moments=MOMENTS, omega=starts)
+true, _ = ensemble.at([END])
+errors = [np.abs(ensemble.at([END], step=dt).omega - true).max() for dt in (0.02, 0.01)]
+print(f"worst error in ω of 2000 bodies: {errors[0]:.1e} at 0.02 s, {errors[1]:.1e} at 0.01 s")
+assert 12.0 < errors[0] / errors[1] < 20.0

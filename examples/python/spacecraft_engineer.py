@@ -23,6 +23,19 @@ print("ω in a year:", omega)
 np.testing.assert_allclose(np.linalg.norm(omega @ spinner.axes.T * spinner.moments), np.linalg.norm(spinner.momentum), rtol=1e-13)
 
 # %% [markdown]
+# Ten thousand of them: how far does the spin axis wander in an hour, if the separation leaves tip-off rates of 1 deg/s?
+
+# %%
+rng = np.random.default_rng(11)
+rates = np.array([0.0, 0.0, 0.5]) + np.radians(1.0) * rng.normal(size=(10_000, 3)) * [1, 1, 0]
+tensor = [[92, 1.5, -0.8], [1.5, 105, 2.1], [-0.8, 2.1, 130]]
+_, attitude = polhode.Ensemble(inertia=tensor, omega=rates).at(np.linspace(0.0, 3600.0, 61))
+w, x, y, z = np.moveaxis(attitude, -1, 0)
+tilt = np.degrees(np.arccos(np.clip(1 - 2 * (x * x + y * y), -1.0, 1.0))).max(axis=1)
+print(f"largest tilt of z: median {np.median(tilt):.1f}°, 99 % below {np.percentile(tilt, 99):.1f}°")
+assert 0.0 < np.median(tilt) < 90.0
+
+# %% [markdown]
 # Explorer 1: a spinner about its axis of least inertia loses energy inside, and ends in a flat spin.
 
 # %%

@@ -3,13 +3,13 @@
 use std::time::Instant;
 
 use crate::process::{self, cargo};
-use crate::{Outcome, dependencies, examples, layers, readme, viewer};
+use crate::{Outcome, dependencies, examples, layers, python, readme, viewer};
 
 /// A name and a chore.
 type Step = (&'static str, fn() -> Outcome);
 
 /// The steps, cheapest first.
-const STEPS: [Step; 9] = [
+const STEPS: [Step; 10] = [
     ("format", || process::run(&mut cargo(&["fmt", "--all", "--check"]))),
     ("layers", layers::check),
     ("licences", dependencies::check),
@@ -25,6 +25,7 @@ const STEPS: [Step; 9] = [
     ("examples", examples::check),
     ("README", readme::check),
     ("viewer", viewer::check),
+    ("Python", python::check),
 ];
 
 /// Runs every step, up to the first that fails.

@@ -6,6 +6,7 @@ mod gate;
 mod layers;
 mod licence;
 mod process;
+mod python;
 mod readme;
 mod speed;
 mod viewer;
@@ -25,7 +26,8 @@ usage: cargo xtask CHORE
   examples   the built command on every scenario in examples/
   readme     the README's commands
   speed      measures anew what book/speed.md, work-precision.md and mass-properties.md say; needs python3 and what it compares with
-  viewer     the page's viewer: its bundle is the build of its source, and its tests pass in a browser";
+  viewer     the page's viewer: its bundle is the build of its source, and its tests pass in a browser
+  python     the Python package: its wheel is built, and its tests and examples pass from there";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -37,6 +39,7 @@ fn main() -> ExitCode {
         ["readme"] => readme::check(),
         ["speed"] => speed::measure(),
         ["viewer"] => viewer::check(),
+        ["python"] => python::check(),
         ["help" | "--help" | "-h"] => {
             println!("{USAGE}");
             Ok(())

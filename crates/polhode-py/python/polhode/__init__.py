@@ -1,0 +1,72 @@
+"""Rigid-body dynamics: from mass to motion, exact wherever an exact answer exists.
+
+- :func:`inertia`, :class:`MassProperties`, :class:`Body`, :mod:`shapes`, :func:`particles`: how much mass, where
+- :class:`FreeMotion`: a free motion at any time, in closed form
+- :func:`simulate`: the motion of a scenario
+- :class:`Ensemble`: many bodies at once; :mod:`polhode.batch` and :mod:`polhode.sweep`: plans of many motions, here and on clusters
+- :func:`check`: are the inertias of a robot right?
+- :mod:`plot`: figures, for those who have Matplotlib
+
+SI units: m, kg, s, rad, N·m, J. Quaternions are scalar first (w, x, y, z), Hamilton, and take body components to space components. ω is
+along body axes. Off-diagonal elements of an inertia tensor are minus the integrals, so that L = I ω. Arguments are by keyword, and arrays of
+any kind that has an exact float64.
+"""
+
+from __future__ import annotations
+
+from . import plot, shapes
+from ._body import Body
+from ._check import CheckReport, ModelFinding, check
+from ._ensemble import Ensemble, Failure, Flights
+from ._error import PolhodeError, PolhodeWarning
+from ._free_motion import FreeMotion, States
+from ._inertia import inertia
+from ._mass_properties import Finding, MassProperties, particles
+from ._motion import Ending, Event, Motion, simulate
+from ._native import VERSION as __version__
+
+__all__ = [
+    "Body",
+    "CheckReport",
+    "Ending",
+    "Ensemble",
+    "Event",
+    "Failure",
+    "Finding",
+    "Flights",
+    "FreeMotion",
+    "MassProperties",
+    "ModelFinding",
+    "Motion",
+    "PolhodeError",
+    "PolhodeWarning",
+    "States",
+    "__version__",
+    "check",
+    "inertia",
+    "particles",
+    "plot",
+    "shapes",
+    "simulate",
+]
+
+# Messages and copies in other processes name them as users do.
+for _public in (
+    Body,
+    CheckReport,
+    Ending,
+    Ensemble,
+    Event,
+    Failure,
+    Finding,
+    Flights,
+    FreeMotion,
+    MassProperties,
+    ModelFinding,
+    Motion,
+    PolhodeError,
+    PolhodeWarning,
+    States,
+):
+    _public.__module__ = __name__
+del _public

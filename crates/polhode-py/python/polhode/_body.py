@@ -1,0 +1,56 @@
+"""A body of named parts."""
+
+from __future__ import annotations
+
+from typing import Mapping
+
+from . import _html
+from ._error import PolhodeError
+from ._mass_properties import MassProperties, joined
+
+
+class Body:
+    """Parts with names, rigidly joined.
+
+    >>> import polhode
+    >>> from polhode import shapes
+    >>> hammer = polhode.Body({
+    ...     "head": shapes.box(size=[0.10, 0.03, 0.03], material="steel").placed(position=[0, 0, 0.3]),
+    ...     "handle": shapes.cylinder(radius=0.012, length=0.3, material="oak").placed(position=[0, 0, 0.15]),
+    ... })
+    >>> round(hammer.mass_properties.mass, 4)
+    0.8083
+    >>> hammer["head"].mass > hammer["handle"].mass
+    True
+    """
+
+    __slots__ = ("_parts", "_whole")
+
+    def __init__(self, parts: Mapping[str, MassProperties]) -> None:
+        for name, part in parts.items():
+            if not isinstance(part, MassProperties):
+                raise TypeError(f"part {name!r} must be MassProperties, not {type(part).__name__}")
+        if not parts:
+            raise PolhodeError("a body has at least one part")
+        self._parts = dict(parts)
+        self._whole = joined(list(self._parts.values()))
+
+    @property
+    def parts(self) -> dict[str, MassProperties]:
+        """The parts by name, where they are placed."""
+        return dict(self._parts)
+
+    @property
+    def mass_properties(self) -> MassProperties:
+        """All parts together."""
+        return self._whole
+
+    def __getitem__(self, name: str) -> MassProperties:
+        """The part of a name."""
+        return self._parts[name]
+
+    def __repr__(self) -> str:
+        return f"Body({', '.join(map(repr, self._parts))}; mass={self._whole.mass:.6g})"
+
+    def _repr_html_(self) -> str:
+        return _html.body(self)

@@ -1,0 +1,88 @@
+"""Are the inertias of a robot or simulation model right?"""
+
+from __future__ import annotations
+
+import json
+import os
+from typing import Any, Iterator, NamedTuple, Sequence
+
+from . import _native
+
+
+class ModelFinding(NamedTuple):
+    """Something wrong with a model."""
+
+    #: A stable name for programs, such as ``"inertia.triangle"``.
+    code: str
+    #: ``impossible`` (no body has it), ``suspect`` (hardly meant) or ``note``.
+    severity: str
+    #: The link or joint; empty if it is about the whole model.
+    link: str
+    #: Where in the file, from 1.
+    line: int
+    column: int
+    #: What is wrong, with the numbers.
+    message: str
+    #: The rule that it breaks.
+    rule: str
+    #: The numbers by name, SI.
+    numbers: dict[str, float]
+    #: What would repair it, if that can be proved: a description, and edits of the text.
+    repair: dict[str, Any] | None
+
+
+class CheckReport:
+    """What was found in a model, in the order of the file. It has the length and the elements of ``findings``."""
+
+    def __init__(self, path: str, report: dict[str, Any], text: str, table: str) -> None:
+        self.path = path
+        self._report = report
+        self._text = text
+        self._table = table
+
+    @property
+    def findings(self) -> list[ModelFinding]:
+        """All findings."""
+        return [ModelFinding(**finding) for finding in self._report["findings"]]
+
+    @property
+    def ok(self) -> bool:
+        """True if nothing is impossible or suspect."""
+        return all(finding.severity == "note" for finding in self.findings)
+
+    def to_dict(self) -> dict[str, Any]:
+        """The object that ``polhode check --json`` prints: its keys are stable."""
+        return dict(self._report)
+
+    def table(self) -> str:
+        """A line for each link: mass, centre, principal moments, equivalent box, density, verdict."""
+        return self._table
+
+    def __iter__(self) -> Iterator[ModelFinding]:
+        return iter(self.findings)
+
+    def __len__(self) -> int:
+        return len(self._report["findings"])
+
+    def __repr__(self) -> str:
+        counts = ", ".join(f"{count} {kind}" for kind, count in self._report["counts"].items())
+        return f"CheckReport({self.path!r}: {counts})"
+
+    def __str__(self) -> str:
+        return self._text
+
+
+def check(path: str | os.PathLike[str], *, roots: Sequence[str | os.PathLike[str]] = ()) -> CheckReport:
+    """Checks the inertias of a URDF, SDF or MJCF file; ``roots`` are folders that hold its packages.
+
+    >>> import pathlib, tempfile, polhode
+    >>> path = pathlib.Path(tempfile.mkdtemp()) / "arm.urdf"
+    >>> _ = path.write_text('''<robot name="arm"><link name="hand"><inertial><mass value="2"/>
+    ...     <inertia ixx="0.1" iyy="0.1" izz="0.9" ixy="0" ixz="0" iyz="0"/></inertial></link></robot>''')
+    >>> for finding in polhode.check(path):
+    ...     print(finding.severity, finding.link, finding.code)
+    impossible hand inertia.triangle
+    """
+    name = os.fspath(path)
+    report, text, table = _native.check_file(name, [os.fspath(root) for root in roots])
+    return CheckReport(name, json.loads(report), text, table)

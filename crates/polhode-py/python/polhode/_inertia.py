@@ -1,0 +1,186 @@
+"""The mass properties of a file, or of triangles."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import Any, Mapping
+
+import numpy.typing as npt
+
+from . import _arrays, _native
+from ._error import PolhodeError
+from ._mass_properties import MassProperties
+from ._substance import given
+
+#: What files are, by how their names end.
+_KINDS = {
+    **dict.fromkeys(["stl", "obj", "ply", "off", "gltf", "glb", "3mf"], "mesh"),
+    **dict.fromkeys(["xyz", "extxyz", "mol", "sdf", "sd", "pdb", "ent"], "molecule"),
+    **dict.fromkeys(["csv", "tsv"], "particles"),
+    **dict.fromkeys(["npy", "nrrd", "nhdr"], "voxels"),
+    "toml": "scenario",
+    "txt": "cad",
+    "urdf": "robot",
+}
+
+#: What each kind may be told, and what it is called.
+_OPTIONS = {
+    "scenario": ("a scenario", set[str]()),
+    "mesh": ("a mesh", {"density", "mass", "material", "unit", "hull", "shell"}),
+    "particles": ("a table of particles", {"mass", "unit", "mass_unit"}),
+    "cad": ("a CAD report", {"unit", "mass_unit", "products", "decimal"}),
+    "molecule": ("a molecule", {"isotopes", "molecule"}),
+    "voxels": ("a voxel grid", {"unit", "spacing", "origin", "per_value"}),
+    "robot": ("a robot model", {"link", "joints"}),
+}
+
+
+def inertia(
+    source: str | os.PathLike[str] | tuple[npt.ArrayLike, npt.ArrayLike],
+    *,
+    density: float | None = None,
+    mass: float | None = None,
+    material: str | None = None,
+    unit: str | float | None = None,
+    hull: bool = False,
+    shell: float | None = None,
+    mass_unit: str | float | None = None,
+    products: str | None = None,
+    decimal: str | None = None,
+    isotopes: str | None = None,
+    molecule: int | None = None,
+    spacing: npt.ArrayLike | None = None,
+    origin: npt.ArrayLike | None = None,
+    per_value: float | None = None,
+    link: str | None = None,
+    joints: Mapping[str, float] | None = None,
+    kind: str | None = None,
+) -> MassProperties:
+    """Mass, centre of mass and inertia tensor of a file, or of a mesh ``(vertices, triangles)``.
+
+    What a file is, its ending says, or ``kind``:
+
+    ``mesh`` (.stl .obj .ply .off .gltf .glb .3mf)
+        ``density`` (kg/m³), ``mass`` (kg) or ``material``, at most one; ``unit`` of length, as ``"mm"`` or in m; ``hull=True`` for its
+        convex hull; ``shell`` for a sheet of that thickness, m. Arrays: vertices (n, 3), m unless ``unit`` says otherwise, and the
+        numbers of three of them for each triangle (m, 3), from 0, counter-clockwise as seen from outside.
+    ``scenario`` (.toml)
+        Nothing: a scenario says it all.
+    ``particles`` (.csv)
+        ``unit`` and ``mass_unit`` where the header names none; ``mass`` that points without masses share.
+    ``molecule`` (.xyz .mol .sdf .pdb)
+        ``isotopes``: ``"abundant"`` (default) or ``"average"``; ``molecule``: which of several, from 0.
+    ``voxels`` (.npy .nrrd)
+        ``spacing`` and ``origin`` (3,), m, and ``unit``, where the file does not say; ``per_value``, the density of a value of 1, kg/m³.
+    ``cad`` (.txt, a CAD program's report)
+        ``products`` ``"negative"`` or ``"positive"``, ``decimal`` ``"point"`` or ``"comma"``, ``unit``, ``mass_unit``, where it leaves that open.
+    ``robot`` (.urdf, or .sdf and .xml of a model)
+        ``link`` by name; without it all links as one body, with ``joints`` at values by name (rad or m), others at zero.
+
+    An option that means nothing for the file is an error. What had to be assumed or turned is a :class:`PolhodeWarning`.
+
+    >>> import polhode
+    >>> vertices = [[0, 0, 0], [30, 0, 0], [0, 20, 0], [0, 0, 10]]
+    >>> triangles = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]
+    >>> wedge = polhode.inertia((vertices, triangles), unit="mm", material="aluminium")
+    >>> round(1e3 * wedge.mass, 6)
+    2.7
+    """
+    options = {
+        "density": density,
+        "mass": mass,
+        "material": material,
+        "unit": unit,
+        "hull": hull or None,
+        "shell": shell,
+        "mass_unit": mass_unit,
+        "products": products,
+        "decimal": decimal,
+        "isotopes": isotopes,
+        "molecule": molecule,
+        "spacing": spacing,
+        "origin": origin,
+        "per_value": per_value,
+        "link": link,
+        "joints": joints,
+    }
+    path = None if isinstance(source, tuple) else os.fspath(source)
+    kind = "mesh" if path is None else _kind(path, kind)
+    _refuse_options(kind, path or "the source", options)
+    return _read(kind, path, source, options)._heard()
+
+
+def _kind(path: str, kind: str | None) -> str:
+    """What a file is: as the user says, as its ending says, or as its root element says."""
+    if kind is not None:
+        if kind not in _OPTIONS:
+            raise PolhodeError(f"kind = {kind!r} must be one of {', '.join(_OPTIONS)}")
+        return kind
+    ending = Path(path).suffix.lower().lstrip(".")
+    if ending in ("sdf", "xml", "world") and _native.is_robot(path):
+        return "robot"
+    if ending not in _KINDS:
+        raise PolhodeError(f"{path} has no ending that polhode knows", f"say what it is by kind: {', '.join(_OPTIONS)}")
+    return _KINDS[ending]
+
+
+def _refuse_options(kind: str, path: str, options: Mapping[str, object]) -> None:
+    words, known = _OPTIONS[kind]
+    for name, value in options.items():
+        if value is not None and name not in known:
+            hint = f"it may have {', '.join(sorted(known))}" if known else "it says all of it itself"
+            raise PolhodeError(f"{name} means nothing for {path}, which is {words}", hint)
+
+
+def _read(kind: str, path: str | None, source: Any, options: Mapping[str, Any]) -> MassProperties:
+    def number(name: str) -> float | None:
+        return None if options[name] is None else _arrays.positive(name, options[name])
+
+    def triple(name: str) -> list[float] | None:
+        return None if options[name] is None else _arrays.triple(name, options[name])
+
+    length, weight = _unit(options["unit"], "unit", False), _unit(options["mass_unit"], "mass_unit", True)
+    if kind == "mesh":
+        substance = given(density=options["density"], mass=options["mass"], material=options["material"])
+        how: _native.MeshOptions = {"unit": length, "hull": bool(options["hull"]), "shell": number("shell")}
+        if path is None:
+            vertices = _arrays.numbers("vertices", source[0], ("n", 3))
+            triangles = _arrays.indices("triangles", source[1], ("m", 3), len(vertices))
+            return MassProperties._of(_native.mesh_arrays(vertices, triangles, how, substance))
+        ending = Path(path).suffix.lower().lstrip(".")
+        return MassProperties._of(_native.mesh_file(path, "gltf" if ending == "glb" else ending, how, substance))
+    assert path is not None
+    if kind == "scenario":
+        return MassProperties._of(_native.scenario_file(path))
+    if kind == "particles":
+        return MassProperties._of(_native.particle_file(path, number("mass"), length, weight))
+    if kind == "cad":
+        return MassProperties._of(_native.cad_file(path, options["products"], options["decimal"], length, weight))
+    if kind == "voxels":
+        per_value = number("per_value") or 1.0
+        return MassProperties._of(_native.voxel_file(path, triple("spacing"), triple("origin"), length, per_value))
+    if kind == "molecule":
+        return _molecule(path, options["isotopes"], options["molecule"])
+    joints = [(name, _arrays.number(f"joints[{name!r}]", value)) for name, value in (options["joints"] or {}).items()]
+    if options["link"] is not None and joints:
+        raise PolhodeError("link and joints are both given: a link in its own frame does not know of its joints")
+    return MassProperties._of(_native.robot_file(path, options["link"], joints))
+
+
+def _molecule(path: str, isotopes: str | None, which: int | None) -> MassProperties:
+    if isotopes not in (None, "abundant", "average"):
+        raise PolhodeError(f"isotopes = {isotopes!r} must be 'abundant' or 'average'")
+    molecules = _native.molecule_file(path, isotopes == "average")
+    if which is None and len(molecules) > 1:
+        raise PolhodeError(f"{path} holds {len(molecules)} molecules", "say which by molecule, from 0")
+    if which is not None and not 0 <= which < len(molecules):
+        raise PolhodeError(f"molecule = {which} must be from 0 to {len(molecules) - 1}")
+    return MassProperties._of(molecules[which or 0])
+
+
+def _unit(unit: str | float | None, name: str, of_mass: bool) -> float | None:
+    """A unit in m or kg."""
+    if unit is None:
+        return None
+    return _native.unit(unit, of_mass) if isinstance(unit, str) else _arrays.positive(name, unit)

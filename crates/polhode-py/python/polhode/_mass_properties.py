@@ -1,0 +1,223 @@
+"""Mass, centre of mass and inertia."""
+
+from __future__ import annotations
+
+import json
+import warnings
+from typing import Any, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _arrays, _html, _native
+from ._arrays import Floats
+from ._error import PolhodeError, PolhodeWarning
+
+#: No turn, as a quaternion.
+IDENTITY = (1.0, 0.0, 0.0, 0.0)
+
+
+class Finding(NamedTuple):
+    """Something that was noticed on the way to a body's mass properties."""
+
+    #: A stable name for programs, such as ``"mass.assumed"``.
+    code: str
+    #: ``"info"``, ``"warning"`` or ``"error"``.
+    severity: str
+    #: What it is, in a sentence.
+    message: str
+    #: Where, if it has a place.
+    place: str | None
+
+
+class MassProperties:
+    """A body's mass, centre of mass and inertia tensor.
+
+    ``inertia`` is the tensor (3, 3), or three moments about the body's axes, in kg·m²: about the centre of mass, or about the point
+    ``about``. Its off-diagonal elements are *minus* the integrals, I_xy = -∫xy dm, so that L = I ω. A tensor that no body has is refused.
+
+    >>> import polhode
+    >>> body = polhode.MassProperties(
+    ...     mass=12.5,
+    ...     center_of_mass=[-0.5, 0.5, 0.25],
+    ...     inertia=[[10, 1, -1], [1, 5, 1], [-1, 1, 8]],
+    ... )
+    >>> body.moments.round(3)
+    array([ 4.413,  8.113, 10.474])
+    >>> body.about([0, 0, 0])[0, 1]
+    np.float64(4.125)
+
+    Bodies add up: ``a + b`` is both rigidly joined, ``a.placed(position=…)`` moves one first.
+    """
+
+    __slots__ = ("_native",)
+
+    def __init__(
+        self,
+        *,
+        mass: float,
+        inertia: npt.ArrayLike,
+        center_of_mass: npt.ArrayLike = (0.0, 0.0, 0.0),
+        about: npt.ArrayLike | None = None,
+    ) -> None:
+        self._native = _native.MassProperties.of_tensor(
+            _arrays.positive("mass", mass),
+            _arrays.triple("center_of_mass", center_of_mass),
+            _arrays.tensor("inertia", inertia),
+            None if about is None else _arrays.triple("about", about),
+        )
+
+    @classmethod
+    def _of(cls, native: _native.MassProperties) -> MassProperties:
+        """What Rust made; says aloud what was decided on the way."""
+        self = object.__new__(cls)
+        self._native = native
+        return self
+
+    def _heard(self, stacklevel: int = 3) -> MassProperties:
+        """The same, with a warning for each of its findings that is worth one."""
+        for finding in self.findings:
+            if finding.severity != "info":
+                warnings.warn(f"{finding.message} [{finding.code}]", PolhodeWarning, stacklevel=stacklevel)
+        return self
+
+    @property
+    def mass(self) -> float:
+        """Mass, kg."""
+        return self._native.mass
+
+    @property
+    def center_of_mass(self) -> Floats:
+        """Centre of mass from the origin, along body axes (3,), m."""
+        return self._native.center_of_mass
+
+    @property
+    def inertia(self) -> Floats:
+        """Inertia tensor about the centre of mass, along body axes (3, 3), kg·m²."""
+        return self._native.inertia
+
+    @property
+    def moments(self) -> Floats:
+        """Principal moments about the centre of mass (3,), ascending, kg·m²."""
+        return self._native.moments
+
+    @property
+    def axes(self) -> Floats:
+        """Principal axes as rows (3, 3): ``axes[k]`` is a unit vector in body components and belongs to ``moments[k]``; right-handed."""
+        return self._native.axes
+
+    @property
+    def symmetry(self) -> str:
+        """``spherical``, ``oblate``, ``prolate``, ``asymmetric``, ``rod`` or ``point``."""
+        return self._native.symmetry
+
+    @property
+    def gyration_radii(self) -> Floats:
+        """Radii of gyration about the principal axes, √(i/m) (3,), m."""
+        return self._native.gyration_radii
+
+    @property
+    def volume(self) -> float | None:
+        """Volume, m³, where it is known."""
+        return self._native.volume
+
+    @property
+    def surface_area(self) -> float | None:
+        """Surface area, m², where it is known."""
+        return self._native.surface_area
+
+    @property
+    def density(self) -> float | None:
+        """Mass per volume, kg/m³, where it is known."""
+        return self._native.density
+
+    @property
+    def findings(self) -> list[Finding]:
+        """What was noticed on the way: normals that were turned, a density that was assumed."""
+        return [Finding(*finding) for finding in self._native.findings]
+
+    def about(self, point: npt.ArrayLike) -> Floats:
+        """The inertia tensor about a point, along body axes (3, 3), kg·m²: parallel axes.
+
+        >>> import polhode
+        >>> ball = polhode.shapes.sphere(radius=0.1, mass=2.0)
+        >>> ball.about([0.5, 0, 0]).diagonal().round(6)
+        array([0.008, 0.508, 0.508])
+        """
+        return self._native.about(_arrays.triple("point", point))
+
+    def along(self, rotation: object) -> Floats:
+        """The inertia tensor about the centre of mass along turned axes (3, 3), kg·m².
+
+        ``rotation`` takes components along those axes to body components: a quaternion (w, x, y, z) or a
+        ``scipy.spatial.transform.Rotation``.
+        """
+        return self._native.along(_arrays.quaternions("rotation", rotation, (4,)).tolist())
+
+    def placed(self, *, position: npt.ArrayLike = (0.0, 0.0, 0.0), rotation: object = IDENTITY) -> MassProperties:
+        """The body described in a frame in which its origin is at ``position`` and its axes are turned by ``rotation``.
+
+        ``rotation`` takes the body's present components to the new ones: a quaternion (w, x, y, z) or a
+        ``scipy.spatial.transform.Rotation``.
+        """
+        turn = _arrays.quaternions("rotation", rotation, (4,)).tolist()
+        return MassProperties._of(self._native.placed(_arrays.triple("position", position), turn))
+
+    def __add__(self, other: object) -> MassProperties:
+        """Both rigidly joined."""
+        if not isinstance(other, MassProperties):
+            return NotImplemented
+        return joined([self, other])
+
+    def __radd__(self, other: object) -> MassProperties:
+        """``sum(parts)`` begins with 0."""
+        return self if isinstance(other, int) and other == 0 else NotImplemented
+
+    def to_dict(self) -> dict[str, Any]:
+        """The object that ``polhode inertia --json`` prints: its keys are stable."""
+        return dict(json.loads(self._native.json()))
+
+    def export(self, format: str, *, name: str = "body") -> str:
+        """As another program reads it: ``urdf``, ``sdf``, ``mjcf``, ``mjcf-principal``, ``usd``, ``solidworks`` or ``csv``."""
+        return self._native.export(format, name)
+
+    def __repr__(self) -> str:
+        moments = ", ".join(f"{moment:.6g}" for moment in self.moments)
+        return f"MassProperties(mass={self.mass:.6g}, moments=[{moments}], symmetry={self.symmetry!r})"
+
+    def __str__(self) -> str:
+        return self._native.text()
+
+    def _repr_html_(self) -> str:
+        return _html.mass_properties(self)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        # The numbers travel; where they came from does not.
+        return _rebuilt, (self.mass, self.center_of_mass, self.inertia)
+
+
+def _rebuilt(mass: float, center_of_mass: Floats, inertia: Floats) -> MassProperties:
+    return MassProperties(mass=mass, center_of_mass=center_of_mass, inertia=inertia)
+
+
+def joined(parts: list[MassProperties]) -> MassProperties:
+    """Several bodies rigidly joined, all of them at once: the sums are about a local point, so that no place costs digits."""
+    return MassProperties._of(_native.MassProperties.combined([part._native for part in parts]))
+
+
+def particles(*, masses: npt.ArrayLike, positions: npt.ArrayLike) -> MassProperties:
+    """The mass properties of points: ``masses`` (n,), kg, at ``positions`` (n, 3), m.
+
+    >>> import polhode
+    >>> dumbbell = polhode.particles(masses=[1.0, 3.0], positions=[[0, 0, 0], [0, 0.4, 0]])
+    >>> dumbbell.center_of_mass
+    array([0. , 0.3, 0. ])
+    >>> dumbbell.symmetry
+    'rod'
+    """
+    masses = _arrays.numbers("masses", masses, ("n",))
+    positions = _arrays.numbers("positions", positions, ("n", 3))
+    if len(masses) != len(positions):
+        raise PolhodeError(f"masses has {len(masses)} elements and positions {len(positions)} rows: one mass for each point")
+    _arrays.refuse("masses", masses, np.asarray(masses <= 0.0), "positive")
+    return MassProperties._of(_native.MassProperties.of_particles(masses, positions))

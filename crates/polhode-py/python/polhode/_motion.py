@@ -1,0 +1,191 @@
+"""The motion of a scenario."""
+
+from __future__ import annotations
+
+import json
+import os
+import warnings
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy.typing as npt
+
+from . import _arrays, _html, _native
+from ._arrays import Floats
+from ._error import PolhodeWarning
+from ._free_motion import rotations
+
+if TYPE_CHECKING:
+    from scipy.spatial.transform import Rotation
+
+
+class Event(NamedTuple):
+    """Something that happened on the way."""
+
+    #: The event's name in the scenario.
+    name: str
+    #: When, s.
+    time: float
+    #: True if what it watches was rising.
+    rising: bool
+    #: ω along body axes, rad/s.
+    omega: tuple[float, ...]
+    #: The attitude as a unit quaternion w, x, y, z.
+    attitude: tuple[float, ...]
+
+
+class Ending(NamedTuple):
+    """How a motion ended."""
+
+    #: ``complete``, ``stopped`` (by an event) or ``failed``: what comes before is good.
+    kind: str
+    #: The event that stopped it, or the cause of the failure.
+    cause: str | None
+    #: When, s.
+    time: float | None
+
+
+class Motion:
+    """A computed motion: arrays with a row for each of ``times``. :func:`simulate` makes one."""
+
+    def __init__(self, native: _native.Motion) -> None:
+        self._native = native
+
+    @cached_property
+    def times(self) -> Floats:
+        """Times (n,), s."""
+        return self._native.times
+
+    @cached_property
+    def attitude(self) -> Floats:
+        """R_space_body as unit quaternions (n, 4): w, x, y, z, continuous."""
+        return self._native.attitude
+
+    @cached_property
+    def omega(self) -> Floats:
+        """ω relative to space, along body axes (n, 3), rad/s."""
+        return self._native.omega
+
+    @cached_property
+    def omega_space(self) -> Floats:
+        """ω relative to space, along space axes (n, 3), rad/s."""
+        return self._native.omega_space
+
+    @cached_property
+    def momentum(self) -> Floats:
+        """L about the point that the body turns about, along space axes (n, 3), kg·m²/s."""
+        return self._native.momentum
+
+    @cached_property
+    def torque(self) -> Floats:
+        """The torque about that point, along body axes (n, 3), N·m."""
+        return self._native.torque
+
+    @cached_property
+    def kinetic_energy(self) -> Floats:
+        """Kinetic energy of rotation about that point (n,), J."""
+        return self._native.kinetic_energy
+
+    @cached_property
+    def potential_energy(self) -> Floats | None:
+        """Potential energy of the torques (n,), J; ``None`` if one has no potential."""
+        return self._native.potential_energy
+
+    @cached_property
+    def work(self) -> Floats:
+        """Work of the torque since the start (n,), J."""
+        return self._native.work
+
+    @cached_property
+    def events(self) -> list[Event]:
+        """What happened, in the order of time."""
+        events = self._native.events
+        return [Event(name, time, rising, tuple(omega), tuple(wxyz)) for name, time, rising, omega, wxyz in events]
+
+    @cached_property
+    def ending(self) -> Ending:
+        """How it ended."""
+        return Ending(*self._native.ending)
+
+    @property
+    def title(self) -> str | None:
+        """The scenario's title."""
+        return self._native.title
+
+    @cached_property
+    def summary(self) -> dict[str, Any]:
+        """The object that is ``summary.json``: mass properties, the kind of motion, the error of the numbers; its keys are stable."""
+        return dict(json.loads(self._native.json()))
+
+    def columns(self) -> dict[str, Floats]:
+        """The trajectory by columns, as the tables of the command name them: what a ``DataFrame`` takes."""
+        table = {"time_s": self.times}
+        table |= {f"attitude_{c}": self.attitude[:, k] for k, c in enumerate("wxyz")}
+        for name, unit, rows in (
+            ("omega_body", "rad_s", self.omega),
+            ("omega_space", "rad_s", self.omega_space),
+            ("momentum_space", "kg_m2_s", self.momentum),
+            ("torque_body", "n_m", self.torque),
+        ):
+            table |= {f"{name}_{c}_{unit}": rows[:, k] for k, c in enumerate("xyz")}
+        table["kinetic_energy_j"] = self.kinetic_energy
+        if self.potential_energy is not None:
+            table["potential_energy_j"] = self.potential_energy
+        return table
+
+    def rotations(self) -> Rotation:
+        """The attitudes as a ``scipy.spatial.transform.Rotation``: it takes body components to space components."""
+        return rotations(self.attitude)
+
+    def page(self) -> str:
+        """The page that shows the motion in three dimensions, with the worked solution, for a browser."""
+        return self._native.page()
+
+    def __len__(self) -> int:
+        return len(self.times)
+
+    def __repr__(self) -> str:
+        return f"Motion({self.title or 'a scenario'}: {len(self)} times, {self.ending.kind})"
+
+    def __str__(self) -> str:
+        return self._native.text()
+
+    def _repr_html_(self) -> str:
+        return _html.frame(self.page())
+
+
+def simulate(scenario: str | os.PathLike[str], *, times: npt.ArrayLike | None = None) -> Motion:
+    """Computes the motion of a scenario: of a file, or of its text.
+
+    A ``str`` of more than one line is a text; the files that it names are found from the current folder. ``times`` (n,), ascending, s,
+    take the place of the times of its ``[run]``. A motion that cannot be computed to its end is returned as far as it is good, with a
+    :class:`PolhodeWarning`; Ctrl-C ends the computation.
+
+    >>> import polhode
+    >>> motion = polhode.simulate('''
+    ... [[body.part]]
+    ... shape = "box"
+    ... size = ["20 cm", "13 cm", "3 cm"]
+    ... mass = "0.6 kg"
+    ...
+    ... [start]
+    ... spin = { body = ["0.01 rad/s", "5 rad/s", "0.02 rad/s"] }
+    ...
+    ... [run]
+    ... duration = "4 s"
+    ... samples = 401
+    ... ''')
+    >>> motion.omega.shape, motion.attitude.shape
+    ((401, 3), (401, 4))
+    >>> bool(abs(motion.momentum - motion.momentum[0]).max() < 1e-16)
+    True
+    """
+    if isinstance(scenario, str) and "\n" in scenario:
+        path, text = "scenario.toml", scenario
+    else:
+        path, text = os.fspath(scenario), None
+    sampled = None if times is None else _arrays.numbers("times", times, ("n",))
+    motion = Motion(_native.simulate(path, text, sampled))
+    if motion.ending.kind == "failed":
+        warnings.warn(f"the motion ends at t = {motion.ending.time} s: {motion.ending.cause}", PolhodeWarning, stacklevel=2)
+    return motion

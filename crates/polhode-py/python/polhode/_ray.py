@@ -1,0 +1,56 @@
+"""Parts of a sweep on a Ray cluster."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Iterator
+
+import pyarrow as pa
+import ray
+import ray.data
+
+from .batch import Plan, compute
+
+if TYPE_CHECKING:
+    from .sweep import Done, Parts
+
+
+def parts(address: str, plan: Plan, missing: Parts, workers: int) -> Iterator[Done]:
+    """The missing parts as they are done. A part that is lost with its worker is computed again: by Ray, which knows how."""
+    if address == "local":
+        ray.init(num_cpus=workers, include_dashboard=False, log_to_driver=False, _node_ip_address="127.0.0.1")
+    else:
+        ray.init(f"ray://{address}", log_to_driver=False)
+    try:
+        listed = [{"part": part, "start": start, "stop": stop} for part, (start, stop) in missing.items()]
+        work = ray.data.from_items(listed, override_num_blocks=len(listed))
+        done = work.map_batches(lambda rows: _parts(plan, rows), batch_size=1, batch_format="pyarrow")
+        for rows in done.iter_batches(batch_size=1, batch_format="pyarrow"):
+            for row in rows.to_pylist():
+                motions = row["trajectories"]
+                yield row["part"], _unpacked(row["rows"]), None if motions is None else _unpacked(motions)
+    finally:
+        ray.shutdown()
+
+
+def _parts(plan: Plan, rows: pa.Table) -> pa.Table:
+    """Parts by their members; each is packed whole, so that Ray neither cuts it nor forgets what its columns are."""
+    packed = []
+    for row in rows.to_pylist():
+        members, motions = compute(plan, row["start"], row["stop"])
+        packed.append(
+            {"part": row["part"], "rows": _packed(members), "trajectories": None if motions is None else _packed(motions)}
+        )
+    schema = pa.schema([("part", pa.int64()), ("rows", pa.large_binary()), ("trajectories", pa.large_binary())])
+    return pa.Table.from_pylist(packed, schema=schema)
+
+
+def _packed(rows: pa.RecordBatch) -> bytes:
+    sink = pa.BufferOutputStream()
+    with pa.ipc.new_stream(sink, rows.schema) as stream:
+        stream.write_batch(rows)
+    return bytes(sink.getvalue())
+
+
+def _unpacked(packed: bytes) -> pa.RecordBatch:
+    with pa.ipc.open_stream(packed) as stream:
+        return stream.read_next_batch()

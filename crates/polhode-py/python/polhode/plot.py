@@ -1,0 +1,118 @@
+"""Figures of motions, for those who have Matplotlib: each function returns a ``matplotlib.figure.Figure``.
+
+They do not touch ``pyplot``: a figure is shown where a notebook returns it, or written by ``figure.savefig("omega.png")``.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Sequence
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _arrays
+from ._arrays import Floats
+from ._error import PolhodeError
+from ._free_motion import FreeMotion
+from ._motion import Motion
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+#: Samples of a curve that is drawn of a closed form.
+SAMPLES = 2001
+
+
+def omega(motion: FreeMotion | Motion, *, times: npt.ArrayLike | None = None) -> Figure:
+    """ω along body axes over time. ``times`` are for a free motion, which has none of its own; else it is drawn for some periods.
+
+    >>> import polhode
+    >>> from polhode import plot
+    >>> motion = polhode.FreeMotion(moments=[1, 2, 3], omega=[0.01, 1, 0.01])
+    >>> figure = plot.omega(motion)
+    >>> figure.axes[0].get_ylabel()
+    'ω in the body, rad/s'
+    """
+    at, rates, _ = _sampled(motion, times)
+    figure, axes = _axes()
+    _lines(axes, at, rates, ["$ω_x$", "$ω_y$", "$ω_z$"], "ω in the body, rad/s")
+    return figure
+
+
+def attitude(motion: FreeMotion | Motion, *, times: npt.ArrayLike | None = None) -> Figure:
+    """The attitude's quaternion over time."""
+    at, _, quaternions = _sampled(motion, times)
+    figure, axes = _axes()
+    _lines(axes, at, quaternions, ["w", "x", "y", "z"], "attitude, R_space_body")
+    return figure
+
+
+def momentum(motion: Motion) -> Figure:
+    """L along space axes over time: constant where no torque acts."""
+    figure, axes = _axes()
+    _lines(axes, motion.times, motion.momentum, ["$L_x$", "$L_y$", "$L_z$"], "L in space, kg·m²/s")
+    return figure
+
+
+def energy(motion: Motion) -> Figure:
+    """Kinetic energy over time, and where every torque has a potential, potential and total energy."""
+    figure, axes = _axes()
+    columns, names = [motion.kinetic_energy], ["T"]
+    if motion.potential_energy is not None:
+        columns += [motion.potential_energy, motion.kinetic_energy + motion.potential_energy]
+        names += ["U", "T + U"]
+    _lines(axes, motion.times, np.column_stack(columns), names, "energy, J")
+    return figure
+
+
+def polhode(motion: FreeMotion) -> Figure:
+    """The path of ω along the principal axes, on the ellipsoid of all ω with the motion's kinetic energy."""
+    at, rates, _ = _sampled(motion, None)
+    figure = _figure(6.0, 6.0)
+    axes = figure.add_subplot(projection="3d")
+    moments = motion.moments
+    if not (moments > 0.0).all() or motion.kinetic_energy == 0.0:
+        raise PolhodeError("a body at rest, or without inertia about an axis, has no inertia ellipsoid")
+    radii = np.sqrt(2.0 * motion.kinetic_energy / moments)
+    around, down = np.meshgrid(np.linspace(0.0, 2.0 * np.pi, 49), np.linspace(0.0, np.pi, 25))
+    sphere = np.stack([np.cos(around) * np.sin(down), np.sin(around) * np.sin(down), np.cos(down)])
+    axes.plot_wireframe(*(sphere * radii[:, None, None]), color="0.85", linewidth=0.5)
+    axes.plot(*(rates @ motion.axes.T).T, color="C3")
+    axes.set_box_aspect(radii)
+    axes.set_xlabel("$ω_1$, rad/s")
+    axes.set_ylabel("$ω_2$, rad/s")
+    axes.set_zlabel("$ω_3$, rad/s")
+    return figure
+
+
+def _sampled(motion: FreeMotion | Motion, times: npt.ArrayLike | None) -> tuple[Floats, Floats, Floats]:
+    """Times, ω and attitudes."""
+    if isinstance(motion, Motion):
+        if times is not None:
+            raise PolhodeError("times are for a free motion: a computed one has its own")
+        return motion.times, motion.omega, motion.attitude
+    at = np.linspace(0.0, motion._sensible(), SAMPLES) if times is None else _arrays.numbers("times", times, ("n",))
+    states = motion.at(at)
+    return at, states.omega, states.attitude
+
+
+def _figure(width: float, height: float) -> Figure:
+    try:
+        from matplotlib.figure import Figure
+    except ImportError as error:
+        raise ImportError("plots need Matplotlib: pip install 'polhode[plot]'") from error
+    return Figure(figsize=(width, height), layout="constrained")
+
+
+def _axes() -> tuple[Figure, Axes]:
+    figure = _figure(8.0, 4.0)
+    return figure, figure.add_subplot()
+
+
+def _lines(axes: Axes, times: Floats, rows: Floats, names: Sequence[str], label: str) -> None:
+    axes.plot(times, rows, label=list(names))
+    axes.set_xlabel("t, s")
+    axes.set_ylabel(label)
+    axes.grid(True, color="0.9")
+    axes.legend(loc="upper right")

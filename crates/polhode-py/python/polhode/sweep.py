@@ -1,0 +1,133 @@
+"""Sweeps: all members of a plan, in this process or on a cluster, into a folder; it needs PyArrow.
+
+``python -m polhode.sweep PLAN.toml -o DIR --on dask://HOST:PORT`` is what ``polhode sweep --on`` calls.
+
+The folder is divided into parts by the plan alone. A cluster computes the parts that are missing, each a pure function of the plan and the
+part's members, and this process writes them, durably and through the same code as the program without a cluster: so the files have the
+same bytes, whatever happens to workers on the way. Which worker does what, what waits, and what is done again because a worker was lost, is
+the engine's business: Dask's or Ray's.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import sys
+from typing import Any, Callable, Iterator, NamedTuple, Sequence
+
+import pyarrow as pa
+
+from . import _native, batch
+from ._error import PolhodeError
+from .batch import Plan
+
+#: Numbers of parts, with their first members and the ones after their last.
+Parts = dict[int, tuple[int, int]]
+
+#: A part that is done: its number, its rows, and its trajectories if the plan wants them.
+Done = tuple[int, pa.RecordBatch, "pa.RecordBatch | None"]
+
+
+class Summary(NamedTuple):
+    """What a sweep came to."""
+
+    #: The object that is ``summary.json``.
+    summary: dict[str, Any]
+    #: The same for people.
+    text: str
+
+    def __str__(self) -> str:
+        return self.text
+
+
+def run(
+    plan: Plan | str | os.PathLike[str],
+    output: str | os.PathLike[str],
+    *,
+    on: str | None = None,
+    workers: int | None = None,
+    resume: bool = False,
+    force: bool = False,
+    progress: Callable[[int, int], object] = lambda done, members: None,
+) -> Summary:
+    """Computes a plan into the folder ``output``.
+
+    ``on`` is where: ``None`` for threads of this process, ``"dask://HOST:PORT"`` or ``"ray://HOST:PORT"`` for a cluster, ``"dask://local"`` or
+    ``"ray://local"`` for one that is started here and ends with the sweep. ``workers``: how many threads, or processes of a local cluster;
+    all of the machine's processors unless you say otherwise. ``resume`` goes on with what is there, ``force`` throws it away. ``progress`` is
+    told how many members are done, and of how many.
+    """
+    plan = plan if isinstance(plan, Plan) else Plan(plan)
+    if resume and force:
+        raise PolhodeError("resume and force are both given: one goes on with what is there, the other throws it away")
+    count = workers if workers is not None else os.cpu_count() or 1
+    if count < 1:
+        raise PolhodeError(f"workers = {count} must be at least 1")
+    engine = None if on is None else _engine(on)
+    dataset = _native.Dataset.open(os.fspath(output), plan._native, "resume" if resume else "replace" if force else "create")
+    if engine is None:
+        dataset.compute(plan._native, count, progress)
+    else:
+        parts = {part: dataset.rows(part) for part in dataset.missing()}
+        done = plan.members - sum(stop - start for start, stop in parts.values())
+        for part, rows, motions in engine(plan, parts, count) if parts else ():
+            if motions is not None:
+                dataset.write_trajectories(part, batch._columns(motions))
+            dataset.write(part, batch._columns(rows))
+            done += rows.num_rows
+            progress(done, plan.members)
+    summary, text = dataset.finish(plan._native, os.cpu_count() or 1)
+    return Summary(json.loads(summary), text)
+
+
+def _engine(on: str) -> Callable[[Plan, Parts, int], Iterator[Done]]:
+    """The engine of an address: what computes parts, in any order."""
+    kind, _, address = on.partition("://")
+    if kind not in ("dask", "ray") or not address:
+        raise PolhodeError(f"on = {on!r} is no cluster", "write dask://HOST:PORT, ray://HOST:PORT, dask://local or ray://local")
+    try:
+        if kind == "dask":
+            from ._dask import parts
+        else:
+            from ._ray import parts
+    except ImportError as error:
+        raise ImportError(f"{on} needs {error.name}: pip install 'polhode[{kind}]'") from error
+    return lambda plan, missing, workers: parts(address, plan, missing, workers)
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """The command; gives its exit status."""
+    parser = argparse.ArgumentParser(prog="python -m polhode.sweep", description="Compute a plan, on a cluster or here.")
+    parser.add_argument("plan", metavar="PLAN", help="a TOML file with a [sweep] and a [run] section")
+    parser.add_argument("-o", "--output", metavar="DIR", help="the folder to write [default: the plan's name, here]")
+    parser.add_argument("--on", metavar="URL", help="dask://HOST:PORT, ray://HOST:PORT, dask://local or ray://local")
+    parser.add_argument("--workers", "--threads", type=int, metavar="N", help="processes of a local cluster, or threads [default: all]")
+    parser.add_argument("--resume", action="store_true", help="go on with an interrupted sweep; begin it if there is none")
+    parser.add_argument("--force", action="store_true", help="throw away the results of an earlier sweep")
+    parser.add_argument("--json", action="store_true", help="print the summary as JSON")
+    given = parser.parse_args(arguments)
+    output = given.output or os.path.splitext(os.path.basename(given.plan))[0]
+
+    def show(done: int, members: int) -> None:
+        if sys.stderr.isatty():
+            print(f"\r\x1b[K{100 * done // members:3} %   {done} of {members} members", end="", file=sys.stderr, flush=True)
+
+    try:
+        found = run(
+            given.plan, output, on=given.on, workers=given.workers, resume=given.resume, force=given.force, progress=show
+        )
+    except (PolhodeError, OSError, ImportError) as error:
+        print(f"error: {error}", file=sys.stderr)
+        return 2
+    except KeyboardInterrupt:
+        print(f"\nstopped: what is done is in {output}, and --resume goes on from there", file=sys.stderr)
+        return 130
+    if sys.stderr.isatty():
+        print("\r\x1b[K", end="", file=sys.stderr)
+    print(json.dumps(found.summary, indent=2, ensure_ascii=False) if given.json else found.text)
+    return 0
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())

@@ -1,0 +1,49 @@
+//! Numbers of Rust as arrays of NumPy.
+//!
+//! What comes in is checked in Python (`_arrays.py`): here an array has its shape, its numbers are finite and lie in order. What
+//! goes out gives its memory away, and is not copied.
+
+use numpy::ndarray::{Array1, Array2};
+use numpy::{IntoPyArray as _, PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2};
+use pyo3::prelude::*;
+
+use crate::error::refused;
+
+/// A vector, or a quaternion.
+pub(crate) fn row<'py, const N: usize>(py: Python<'py>, row: [f64; N]) -> Bound<'py, PyArray1<f64>> {
+    Array1::from_vec(row.to_vec()).into_pyarray(py)
+}
+
+/// A matrix.
+pub(crate) fn matrix<'py, const N: usize>(
+    py: Python<'py>,
+    rows: &[[f64; N]],
+) -> PyResult<Bound<'py, PyArray2<f64>>> {
+    table(py, rows.as_flattened().to_vec(), N)
+}
+
+/// Rows of so many columns.
+pub(crate) fn table<'py>(
+    py: Python<'py>,
+    numbers: Vec<f64>,
+    columns: usize,
+) -> PyResult<Bound<'py, PyArray2<f64>>> {
+    let rows = numbers.len() / columns;
+    let table =
+        Array2::from_shape_vec((rows, columns), numbers).map_err(|error| refused(error.to_string(), None))?;
+    Ok(table.into_pyarray(py))
+}
+
+/// The numbers of an array, where they lie.
+pub(crate) fn numbers<'a>(array: &'a PyReadonlyArray1<'_, f64>) -> PyResult<&'a [f64]> {
+    array.as_slice().map_err(|error| refused(error.to_string(), None))
+}
+
+/// The rows of an array, where they lie.
+pub(crate) fn rows<'a, const N: usize>(array: &'a PyReadonlyArray2<'_, f64>) -> PyResult<&'a [[f64; N]]> {
+    let numbers = array.as_slice().map_err(|error| refused(error.to_string(), None))?;
+    match numbers.as_chunks() {
+        (rows, []) => Ok(rows),
+        _ => Err(refused(format!("rows of {N} numbers belong here"), None)),
+    }
+}

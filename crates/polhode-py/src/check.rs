@@ -1,0 +1,29 @@
+//! Are the inertias of a robot right?
+
+use std::path::{Path, PathBuf};
+
+use polhode_robot::geometry::Shapes;
+use polhode_robot::inspect::{Inspection, inspect};
+use polhode_robot::read::{ReadOptions, read_model};
+use polhode_robot::report::CheckReport;
+use pyo3::prelude::*;
+
+use crate::error::Raise;
+
+/// A checked model as JSON, as text, and as a table of its links.
+///
+/// # Errors
+/// `PolhodeError` if it cannot be read.
+#[pyfunction]
+pub(crate) fn check_file(
+    py: Python<'_>,
+    path: &str,
+    roots: Vec<PathBuf>,
+) -> PyResult<(String, String, String)> {
+    py.detach(|| {
+        let model = read_model(Path::new(path), &ReadOptions { roots }).map_err(Raise::raise)?;
+        let Inspection { geometry, findings } = inspect(&model, &mut Shapes::default());
+        let report = CheckReport { model, geometry, findings, fixed: None };
+        Ok((report.to_json().to_string(), report.to_text(), report.to_table()))
+    })
+}

@@ -1,0 +1,146 @@
+//! Many bodies, each with its own start, under the same torques.
+
+use std::num::NonZero;
+use std::path::Path;
+
+use numpy::ndarray::Array3;
+use numpy::{IntoPyArray as _, PyArray3, PyReadonlyArray1, PyReadonlyArray2};
+use polhode::{
+    Advance, AngularVelocity, Attitude, Body, Ensemble, Failure, InertiaTensor, MassProperties, Member,
+    MotionError, Position, Rotor, Scenario, State, TorqueModel,
+};
+use polhode_formats::scenario;
+use pyo3::prelude::*;
+
+use crate::arrays::{numbers, rows};
+use crate::error::{Raise, refused};
+use crate::free_motion::signed;
+use crate::interrupt::signal;
+
+/// A row for each member and time, t, w, x, y, z, ω1, ω2, ω3 (n, t, 8), and those that could go no further: the member, when it was
+/// last good (s), and why.
+type Flights<'py> = (Bound<'py, PyArray3<f64>>, Vec<(usize, f64, String)>);
+
+/// Many bodies, each with its own start, under the same torques.
+#[pyclass(frozen, name = "Ensemble", module = "polhode._native")]
+#[derive(Clone, Debug)]
+pub(crate) struct PyEnsemble {
+    ensemble: Ensemble,
+}
+
+#[pymethods]
+impl PyEnsemble {
+    /// Free bodies with these tensors (n, 9) about their centres of mass, ω (n, 3) and attitudes (n, 4), and `[[torque]]`s as a
+    /// scenario has them.
+    #[staticmethod]
+    fn of(
+        py: Python<'_>,
+        tensors: PyReadonlyArray2<'_, f64>,
+        omega: PyReadonlyArray2<'_, f64>,
+        attitude: PyReadonlyArray2<'_, f64>,
+        torques: &str,
+    ) -> PyResult<Self> {
+        let (tensors, omega, attitude) = (rows::<9>(&tensors)?, rows::<3>(&omega)?, rows::<4>(&attitude)?);
+        let torques = read_torques(torques)?;
+        py.detach(|| {
+            let each = tensors.iter().zip(omega).zip(attitude).enumerate();
+            let members = each.map(|(k, ((tensor, omega), wxyz))| {
+                let attitude = Attitude::from_quaternion(*wxyz).map_err(|error| of_member(k, &error))?;
+                let start = State { time: 0.0, attitude, omega: AngularVelocity::from_array(*omega) };
+                Ok(Member { rotor: rotor(k, tensor)?, torques: torques.clone(), start })
+            });
+            let members = members.collect::<PyResult<_>>()?;
+            let ensemble =
+                Ensemble::new(members).map_err(|failure| of_member(failure.member, &failure.cause))?;
+            Ok(Self { ensemble })
+        })
+    }
+
+    fn __len__(&self) -> usize {
+        self.ensemble.len()
+    }
+
+    /// All members at all times, on so many threads; `step` (s) asks for Runge–Kutta, else the best method for each at `tolerance`.
+    fn at<'py>(
+        &self,
+        py: Python<'py>,
+        times: PyReadonlyArray1<'py, f64>,
+        threads: usize,
+        step: Option<f64>,
+        tolerance: f64,
+    ) -> PyResult<Flights<'py>> {
+        let times = numbers(&times)?;
+        let advance = step.map_or(Advance::Auto { tolerance }, |step| Advance::RungeKutta4 { step });
+        let threads = NonZero::new(threads).unwrap_or(NonZero::<usize>::MIN);
+        let (mut heard, shape) = (None, [self.ensemble.len(), times.len(), 8]);
+        let flown: Result<_, MotionError> = py.detach(|| {
+            let mut rows = vec![[0.0; 8]; self.ensemble.len() * times.len()];
+            let failures = self.ensemble.fill(times, advance, threads, &mut rows, &mut |_| {
+                heard = signal();
+                heard.is_none()
+            })?;
+            rows.chunks_mut(times.len().max(1)).for_each(continuous);
+            Ok((rows, failures))
+        });
+        if let Some(signal) = heard {
+            return Err(signal);
+        }
+        let (rows, failures) = flown.map_err(Raise::raise)?;
+        let last_good = |member: usize| {
+            let last = ((member + 1) * times.len()).checked_sub(1).and_then(|last| rows.get(last));
+            last.map_or(0.0, |&[time, ..]| time)
+        };
+        let failed = |f: &Failure| (f.member, last_good(f.member), f.cause.to_string());
+        let failed = failures.iter().map(failed).collect();
+        let rows = Array3::from_shape_vec(shape, rows.into_flattened());
+        Ok((rows.map_err(|error| refused(error, None))?.into_pyarray(py), failed))
+    }
+}
+
+/// q and −q are one attitude: the first has w ≥ 0, each of the others the sign nearest to the one before it.
+fn continuous(rows: &mut [[f64; 8]]) {
+    let mut before = None;
+    for [_, w, x, y, z, ..] in rows {
+        [*w, *x, *y, *z] = signed([*w, *x, *y, *z], &mut before);
+    }
+}
+
+fn rotor(member: usize, tensor: &[f64; 9]) -> PyResult<Rotor> {
+    let [xx, xy, xz, yx, yy, yz, zx, zy, zz] = *tensor;
+    let inertia = InertiaTensor::<Body>::from_matrix([[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]]);
+    // Of a free body the mass does not matter.
+    let body = inertia.and_then(|inertia| MassProperties::new(1.0, Position::ZERO, inertia));
+    body.map(|body| Rotor::free(&body)).map_err(|error| of_member(member, &error))
+}
+
+fn of_member(member: usize, error: &dyn std::error::Error) -> PyErr {
+    refused(format!("member {member}: {error}"), None)
+}
+
+/// The torques of a text that holds nothing else.
+fn read_torques(text: &str) -> PyResult<Vec<TorqueModel>> {
+    /// A body for them to act on. It comes last, so that lines count as the user's do.
+    const BODY: &str = "\n[[body.part]]\nshape = \"tensor\"\nmass = 1\nmoments = [1, 1, 1]\n";
+    if text.trim().is_empty() {
+        return Ok(Vec::new());
+    }
+    let scenario = scenario::parse(&format!("{text}{BODY}"), Path::new("torques")).map_err(Raise::raise)?;
+    let hint = Some("a scenario's other sections say what an ensemble's arguments say");
+    match only_torques(&scenario) {
+        true => Ok(scenario.torques),
+        false => {
+            Err(refused("torques may hold [[torque]] tables only, of free bodies, all switched on", hint))
+        }
+    }
+}
+
+fn only_torques(scenario: &Scenario) -> bool {
+    let Scenario {
+        parts, start, pivot, switched_off, wheels, events, prescribed, hanging, shaft, run, ..
+    } = scenario;
+    parts.len() == 1
+        && start.omega == AngularVelocity::ZERO
+        && start.attitude == Attitude::identity()
+        && (pivot.is_none() && hanging.is_none() && shaft.is_none() && prescribed.is_none())
+        && (switched_off.is_empty() && wheels.is_empty() && events.is_empty() && run.is_none())
+}

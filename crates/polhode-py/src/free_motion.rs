@@ -1,0 +1,155 @@
+//! Free motion in closed form.
+
+use numpy::{PyArray1, PyArray2, PyReadonlyArray1};
+use polhode::{
+    AngularVelocity, Attitude, Body, FreeMotion, FreeRegime, InertiaTensor, MassProperties, Method, Position,
+    Rotor, Run, State, Trajectory,
+};
+use polhode_report::{PageInput, PageSubject, SpinReport, VERSION, page};
+use pyo3::prelude::*;
+
+use crate::arrays::{numbers, row, table};
+use crate::error::Raise;
+use crate::mass_properties::principal_axes;
+
+/// Times between two looks for Ctrl-C: some milliseconds.
+const PIECE: usize = 1 << 16;
+
+/// Angular velocities, a row each, and attitudes.
+pub(crate) type States<'py> = (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<f64>>);
+
+/// The torque-free motion of a body.
+#[pyclass(frozen, name = "FreeMotion", module = "polhode._native")]
+#[derive(Clone, Debug)]
+pub(crate) struct PyFreeMotion {
+    motion: FreeMotion,
+}
+
+#[pymethods]
+impl PyFreeMotion {
+    /// Of moments along the body's axes; those of no body only if `unphysical`.
+    #[staticmethod]
+    fn of_moments(moments: [f64; 3], omega: [f64; 3], wxyz: [f64; 4], unphysical: bool) -> PyResult<Self> {
+        if !unphysical {
+            InertiaTensor::<Body>::diagonal(moments).map_err(Raise::raise)?;
+        }
+        let motion = FreeMotion::of_moments(moments, start(omega, wxyz)?).map_err(Raise::raise)?;
+        Ok(Self { motion })
+    }
+
+    /// Of a tensor about the centre of mass.
+    #[staticmethod]
+    fn of_tensor(tensor: [[f64; 3]; 3], omega: [f64; 3], wxyz: [f64; 4]) -> PyResult<Self> {
+        let inertia = InertiaTensor::from_matrix(tensor);
+        let body = inertia.and_then(|inertia| MassProperties::new(1.0, Position::ZERO, inertia));
+        let rotor = Rotor::free(&body.map_err(Raise::raise)?);
+        let motion = FreeMotion::of(&rotor, start(omega, wxyz)?).map_err(Raise::raise)?;
+        Ok(Self { motion })
+    }
+
+    /// ω (n, 3) and the attitude (n, 4) at times.
+    fn at<'py>(&self, py: Python<'py>, times: PyReadonlyArray1<'py, f64>) -> PyResult<States<'py>> {
+        let times = numbers(&times)?;
+        let (mut omega, mut attitude) =
+            (Vec::with_capacity(3 * times.len()), Vec::with_capacity(4 * times.len()));
+        let mut before = None;
+        let mut states = vec![self.motion.start(); times.len().min(PIECE)];
+        for piece in times.chunks(PIECE) {
+            py.check_signals()?;
+            py.detach(|| {
+                self.motion.fill(piece, &mut states);
+                for (state, _) in states.iter().zip(piece) {
+                    omega.extend(state.omega.to_array());
+                    attitude.extend(signed(state.attitude.quaternion(), &mut before));
+                }
+            });
+        }
+        Ok((table(py, omega, 3)?, table(py, attitude, 4)?))
+    }
+
+    #[getter]
+    fn regime(&self) -> &'static str {
+        self.motion.regime().name()
+    }
+
+    #[getter]
+    fn regime_in_words(&self) -> &'static str {
+        self.motion.regime().description()
+    }
+
+    #[getter]
+    fn period(&self) -> Option<f64> {
+        self.motion.period()
+    }
+
+    #[getter]
+    fn flip_interval(&self) -> Option<f64> {
+        FreeRegime::of_motion(&self.motion).flip_interval
+    }
+
+    #[getter]
+    fn kinetic_energy(&self) -> f64 {
+        self.motion.kinetic_energy()
+    }
+
+    /// L in space.
+    #[getter]
+    fn momentum<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        row(py, self.motion.momentum().to_array())
+    }
+
+    #[getter]
+    fn moments<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        row(py, self.motion.principal().moments())
+    }
+
+    #[getter]
+    fn axes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        principal_axes(py, self.motion.principal())
+    }
+
+    /// The object that `polhode spin --json` prints.
+    fn json(&self, py: Python<'_>) -> String {
+        py.detach(|| SpinReport::new(None, self.motion).to_json().to_string())
+    }
+
+    /// The text that `polhode spin` prints.
+    fn text(&self, py: Python<'_>) -> String {
+        py.detach(|| SpinReport::new(None, self.motion).to_text())
+    }
+
+    /// The page that shows the motion for so long, s.
+    fn page(&self, py: Python<'_>, duration: f64) -> PyResult<String> {
+        /// As many as the page shows.
+        const SAMPLES: usize = 2001;
+        py.detach(|| {
+            let times = Run::evenly(duration, SAMPLES, Method::Exact, 0.0).times;
+            let trajectory = Trajectory::of_motion(self.motion, &times).map_err(Raise::raise)?;
+            Ok(page(&PageInput {
+                title: "Free motion",
+                source: &format!("polhode {VERSION} in Python"),
+                scenario_text: None,
+                subject: PageSubject::Moments(self.motion.principal()),
+                trajectory: &trajectory,
+                explanation: None,
+            }))
+        })
+    }
+}
+
+fn start(omega: [f64; 3], wxyz: [f64; 4]) -> PyResult<State> {
+    let attitude = Attitude::from_quaternion(wxyz).map_err(Raise::raise)?;
+    Ok(State { time: 0.0, attitude, omega: AngularVelocity::from_array(omega) })
+}
+
+/// q and −q are one attitude: the first has w ≥ 0, each of the others the sign nearest to the one before it.
+pub(crate) fn signed(wxyz: [f64; 4], before: &mut Option<[f64; 4]>) -> [f64; 4] {
+    let along = match before {
+        // The first component that is not zero decides.
+        None => wxyz.into_iter().find(|c| *c != 0.0).unwrap_or_default(),
+        Some(last) => last.iter().zip(wxyz).map(|(a, b)| a * b).sum(),
+    };
+    let signed = if along < 0.0 { wxyz.map(|c| 0.0 - c) } else { wxyz };
+    *before = Some(signed);
+    signed
+}

@@ -1,0 +1,56 @@
+//! The Python package `polhode`, from the side of Rust: what `python/polhode` calls `_native`.
+//!
+//! Python checks what it is given and makes arrays of it (`_arrays.py`), has the classes that users see, and their documentation.
+//! Here are plain functions on arrays and texts, which compute detached from Python. Nothing is computed here that the library does
+//! not compute.
+
+mod arrays;
+mod check;
+mod ensemble;
+mod error;
+mod files;
+mod free_motion;
+mod interrupt;
+mod mass_properties;
+mod mesh;
+mod motion;
+mod shape;
+mod substance;
+mod sweep;
+mod unit;
+
+use pyo3::prelude::*;
+
+/// The module `polhode._native`.
+#[pymodule]
+mod _native {
+    use pyo3::prelude::*;
+
+    #[pymodule_export]
+    use crate::check::check_file;
+    #[pymodule_export]
+    use crate::ensemble::PyEnsemble;
+    #[pymodule_export]
+    use crate::files::{
+        cad_file, is_robot, molecule_file, particle_file, robot_file, robot_links, scenario_file, voxel_file,
+    };
+    #[pymodule_export]
+    use crate::free_motion::PyFreeMotion;
+    #[pymodule_export]
+    use crate::mass_properties::PyMassProperties;
+    #[pymodule_export]
+    use crate::mesh::{mesh_arrays, mesh_file};
+    #[pymodule_export]
+    use crate::motion::{PyMotion, simulate};
+    #[pymodule_export]
+    use crate::shape::shape;
+    #[pymodule_export]
+    use crate::sweep::{PyDataset, PyPlan};
+    #[pymodule_export]
+    use crate::unit::unit;
+
+    #[pymodule_init]
+    fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        module.add("VERSION", polhode_report::VERSION)
+    }
+}

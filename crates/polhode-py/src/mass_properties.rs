@@ -1,0 +1,207 @@
+//! Mass, centre of mass and inertia, with all that is known of where they came from.
+
+use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2};
+use polhode::{
+    Body, InertiaAbout, InertiaTensor, MassProperties, Part, Particle, Position, PrincipalFrame, Rotation,
+    mass_properties_of_particles,
+};
+use polhode_report::{ExportBody, ExportFormat, InertiaReport, SourceInfo, export};
+use pyo3::prelude::*;
+
+use crate::arrays::{matrix, numbers, row, rows};
+use crate::error::{Raise, refused};
+
+/// A body's mass properties, and the report about it.
+#[pyclass(frozen, name = "MassProperties", module = "polhode._native")]
+#[derive(Clone, Debug)]
+pub(crate) struct PyMassProperties {
+    report: InertiaReport,
+}
+
+impl PyMassProperties {
+    pub(crate) const fn of(report: InertiaReport) -> Self {
+        Self { report }
+    }
+
+    fn plain(what: &str, properties: MassProperties<Body>) -> Self {
+        Self::of(InertiaReport::new(SourceInfo::new(what, "python"), properties))
+    }
+
+    /// Of the body alone.
+    pub(crate) const fn properties(&self) -> &MassProperties<Body> {
+        &self.report.properties
+    }
+}
+
+#[pymethods]
+impl PyMassProperties {
+    /// Of numbers; the tensor is about the centre of mass, or about a point.
+    #[staticmethod]
+    fn of_tensor(
+        mass: f64,
+        center: [f64; 3],
+        tensor: [[f64; 3]; 3],
+        about: Option<[f64; 3]>,
+    ) -> PyResult<Self> {
+        let center = Position::<Body>::from_array(center);
+        let properties = match about {
+            None => InertiaTensor::from_matrix(tensor)
+                .and_then(|tensor| MassProperties::new(mass, center, tensor)),
+            Some(point) => InertiaAbout::from_matrix(Position::from_array(point), tensor)
+                .and_then(|about| MassProperties::from_inertia_about(mass, center, &about)),
+        };
+        Ok(Self::plain("mass properties", properties.map_err(Raise::raise)?))
+    }
+
+    /// Of points with masses.
+    #[staticmethod]
+    fn of_particles(
+        py: Python<'_>,
+        masses: PyReadonlyArray1<'_, f64>,
+        positions: PyReadonlyArray2<'_, f64>,
+    ) -> PyResult<Self> {
+        let (masses, positions) = (numbers(&masses)?, rows::<3>(&positions)?);
+        let properties = py.detach(|| {
+            let each = masses.iter().zip(positions);
+            let particles = each.map(|(&mass, &place)| Particle::new(mass, Position::from_array(place)));
+            mass_properties_of_particles::<Body>(&particles.collect::<Result<Vec<_>, _>>()?)
+        });
+        let properties = properties.map_err(Raise::raise)?;
+        Ok(Self::plain(&format!("{} particles", masses.len()), properties))
+    }
+
+    /// Bodies rigidly joined.
+    #[staticmethod]
+    fn combined(parts: Vec<PyRef<'_, Self>>) -> PyResult<Self> {
+        let bodies: Vec<_> = parts.iter().map(|part| *part.properties()).collect();
+        let volumes: Option<Vec<f64>> = parts.iter().map(|part| part.report.volume).collect();
+        let properties = MassProperties::combined(&bodies).map_err(Raise::raise)?;
+        let volume = volumes.map(|volumes| volumes.iter().sum::<f64>());
+        let mut whole = Self::plain(&format!("{} parts", parts.len()), properties);
+        whole.report.volume = volume;
+        whole.report.density = volume.map(|volume| properties.mass() / volume);
+        whole.report.findings = parts.iter().flat_map(|part| part.report.findings.clone()).collect();
+        Ok(whole)
+    }
+
+    /// The same, its origin at a place and its axes turned: a quaternion that takes its own components to the new ones.
+    fn placed(&self, position: [f64; 3], wxyz: [f64; 4]) -> PyResult<Self> {
+        let turn = Rotation::<Part, Body>::from_quaternion(wxyz).map_err(Raise::raise)?;
+        let placed = self.properties().placed(Position::<Part>::from_array(position), turn);
+        // The new axes are the body's from here on.
+        let properties = placed.map_err(Raise::raise)?.in_frame::<Body>(Rotation::identity());
+        Ok(Self::of(InertiaReport {
+            properties,
+            about: None,
+            axes: None,
+            extras: Vec::new(),
+            ..self.report.clone()
+        }))
+    }
+
+    #[getter]
+    fn mass(&self) -> f64 {
+        self.properties().mass()
+    }
+
+    #[getter]
+    fn center_of_mass<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        row(py, self.properties().center_of_mass().to_array())
+    }
+
+    #[getter]
+    fn inertia<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        matrix(py, &self.properties().inertia().matrix())
+    }
+
+    /// The tensor about a point.
+    fn about<'py>(&self, py: Python<'py>, point: [f64; 3]) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let about = self.properties().inertia_about(Position::from_array(point)).matrix();
+        if about.iter().flatten().any(|element| !element.is_finite()) {
+            return Err(refused(
+                "the tensor about that point is too large for a number",
+                Some("check point"),
+            ));
+        }
+        matrix(py, &about)
+    }
+
+    /// The tensor about the centre of mass along turned axes: a quaternion that takes their components to the body's.
+    fn along<'py>(&self, py: Python<'py>, wxyz: [f64; 4]) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let turn = Rotation::<Body, Part>::from_quaternion(wxyz).map_err(Raise::raise)?;
+        matrix(py, &self.properties().inertia().in_frame(turn.inverse()).matrix())
+    }
+
+    #[getter]
+    fn moments<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        row(py, self.properties().principal().moments())
+    }
+
+    #[getter]
+    fn axes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        principal_axes(py, &self.properties().principal())
+    }
+
+    #[getter]
+    fn symmetry(&self) -> &'static str {
+        self.properties().principal().symmetry().name()
+    }
+
+    #[getter]
+    fn gyration_radii<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        row(py, self.properties().gyration_radii())
+    }
+
+    #[getter]
+    const fn volume(&self) -> Option<f64> {
+        self.report.volume
+    }
+
+    #[getter]
+    const fn surface_area(&self) -> Option<f64> {
+        self.report.surface_area
+    }
+
+    #[getter]
+    const fn density(&self) -> Option<f64> {
+        self.report.density
+    }
+
+    /// What was noticed on the way: code, severity, message, place.
+    #[getter]
+    fn findings(&self) -> Vec<(&'static str, &'static str, String, Option<String>)> {
+        let one = |f: &polhode::Finding| (f.code, f.severity.name(), f.message.clone(), f.place.clone());
+        self.report.findings.iter().map(one).collect()
+    }
+
+    /// The object that `polhode inertia --json` prints.
+    fn json(&self) -> String {
+        self.report.to_json().to_string()
+    }
+
+    /// The text that `polhode inertia --axes` prints.
+    fn text(&self) -> String {
+        InertiaReport { show_axes: true, ..self.report.clone() }.to_text()
+    }
+
+    /// As another program reads it.
+    fn export(&self, format: &str, name: &str) -> PyResult<String> {
+        let Some(format) = ExportFormat::named(format) else {
+            let names: Vec<_> = ExportFormat::ALL.iter().map(|format| format.name()).collect();
+            return Err(refused(
+                format!("no format is called {format:?}"),
+                Some(&format!("known are {}", names.join(", "))),
+            ));
+        };
+        export(format, &[ExportBody::of_report(name, &self.report)])
+            .map_err(|error| refused(&error, Some(error.hint())))
+    }
+}
+
+/// One axis a row, in body components.
+pub(crate) fn principal_axes<'py>(
+    py: Python<'py>,
+    principal: &PrincipalFrame<Body>,
+) -> PyResult<Bound<'py, PyArray2<f64>>> {
+    matrix(py, &principal.axes().map(polhode::Vector::to_array))
+}

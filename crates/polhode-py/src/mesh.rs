@@ -1,0 +1,209 @@
+//! Meshes: of files, and of arrays.
+
+use std::fs;
+use std::path::Path;
+
+use numpy::{PyReadonlyArray2, PyUntypedArrayMethods as _};
+use polhode::{ConvexHull, Finding, MassProperties, MeshShell, Severity, Shape, Substance, TriangleMesh};
+use polhode_formats::mesh::stl_quick::{self, QuickMoments, QuickOptions};
+use polhode_formats::mesh::{MeshContents, MeshFormat, MeshPart, MeshSolid};
+use polhode_report::{InertiaReport, PartRow, SourceInfo, parts};
+use pyo3::prelude::*;
+
+use crate::arrays::rows;
+use crate::error::{Raise, refused};
+use crate::mass_properties::PyMassProperties;
+use crate::shape::in_body;
+use crate::substance::Given;
+
+/// How a mesh is taken.
+#[derive(Clone, Debug, FromPyObject)]
+#[pyo3(from_item_all)]
+pub(crate) struct MeshOptions {
+    /// Metres in the file's unit of length.
+    unit: Option<f64>,
+    /// The convex hull of each part instead of the mesh.
+    hull: bool,
+    /// A sheet of this thickness instead of the solid, m.
+    shell: Option<f64>,
+}
+
+/// From this size on, in bytes, a binary STL file is not diagnosed: it would be waited for.
+const LARGE: u64 = 10_000_000;
+
+/// The mass properties of a mesh file.
+///
+/// # Errors
+/// `PolhodeError` if it cannot be read, or bounds no solid.
+#[pyfunction]
+pub(crate) fn mesh_file(
+    py: Python<'_>,
+    path: &str,
+    format: &str,
+    options: MeshOptions,
+    given: Given,
+) -> PyResult<PyMassProperties> {
+    let format = MeshFormat::ALL
+        .into_iter()
+        .find(|known| known.name() == format)
+        .ok_or_else(|| refused(format!("no mesh format is called {format:?}"), None))?;
+    let substance = given.substance()?;
+    py.detach(|| {
+        let path = Path::new(path);
+        match large_solid(path, format, &options)? {
+            Some(moments) => of_moments(path, &moments, options.unit.unwrap_or(1.0), substance),
+            None => {
+                let contents = MeshContents::read(path, format).map_err(Raise::raise)?;
+                let title = format!("{} {}", format.title(), contents.encoding).trim_end().to_owned();
+                let source = SourceInfo::new(path.display().to_string(), format.name());
+                of_contents(contents, path, format, &options, substance, (source, &title))
+            }
+        }
+    })
+}
+
+/// The mass properties of triangles: vertices (n, 3), m, and the numbers of three of them for each triangle (m, 3).
+///
+/// # Errors
+/// `PolhodeError` if they bound no solid.
+#[pyfunction]
+pub(crate) fn mesh_arrays(
+    py: Python<'_>,
+    vertices: PyReadonlyArray2<'_, f64>,
+    triangles: PyReadonlyArray2<'_, u32>,
+    options: MeshOptions,
+    given: Given,
+) -> PyResult<PyMassProperties> {
+    let substance = given.substance()?;
+    let points = rows::<3>(&vertices)?.to_vec();
+    let [count, _] = [triangles.shape()[0], triangles.shape()[1]];
+    let corners = triangles.as_slice().map_err(|error| refused(error.to_string(), None))?;
+    let corners = corners.as_chunks().0.to_vec();
+    py.detach(|| {
+        let mesh = TriangleMesh::new(points, corners).map_err(Raise::raise)?;
+        let contents = MeshContents {
+            encoding: "",
+            name: String::new(),
+            unit: None,
+            parts: vec![MeshPart { name: String::new(), mesh }],
+            findings: Vec::new(),
+        };
+        let source = SourceInfo::new("arrays", "python").with("triangles", count);
+        // The format only names the file that there is not.
+        let path = Path::new("the arrays");
+        of_contents(contents, path, MeshFormat::Off, &options, substance, (source, "arrays"))
+    })
+}
+
+/// The moments of a large binary STL file, if nothing but its solid is asked for.
+fn large_solid(path: &Path, format: MeshFormat, options: &MeshOptions) -> PyResult<Option<QuickMoments>> {
+    let large = fs::metadata(path).is_ok_and(|file| file.is_file() && file.len() >= LARGE);
+    if format != MeshFormat::Stl || !large || options.hull || options.shell.is_some() {
+        return Ok(None);
+    }
+    let found = stl_quick::read(path, &QuickOptions::default()).map_err(Raise::raise)?;
+    // What is not closed is looked at wholly, to say where.
+    Ok(found.filter(|moments| moments.closed != Some(false)))
+}
+
+fn of_moments(
+    path: &Path,
+    moments: &QuickMoments,
+    unit: f64,
+    substance: Option<Substance>,
+) -> PyResult<PyMassProperties> {
+    let solid = moments.solid(unit).map_err(Raise::raise)?;
+    let mut findings = Vec::new();
+    if moments.inverted {
+        let message = "the normals of the mesh pointed inward and were turned";
+        findings.push(remark(path, "mesh.inverted", Severity::Warning, message));
+    }
+    let message = "closed and consistently wound; of a file as large, overlaps, nesting and duplicates were not looked for";
+    findings.push(remark(path, "mesh.not_diagnosed", Severity::Info, message));
+    let words = format!("STL binary, {} triangles, closed, consistently wound", moments.triangles);
+    let source = SourceInfo::new(path.display().to_string(), "stl")
+        .described(words)
+        .with("triangles", moments.triangles)
+        .with("unit_m", unit);
+    weighed(source, vec![(String::new(), Box::new(solid))], substance, findings)
+}
+
+fn of_contents(
+    mut contents: MeshContents,
+    path: &Path,
+    format: MeshFormat,
+    options: &MeshOptions,
+    substance: Option<Substance>,
+    (source, title): (SourceInfo, &str),
+) -> PyResult<PyMassProperties> {
+    let triangles = contents.triangles();
+    let described = |what: &str| source.described(format!("{title}, {triangles} triangles, {what}"));
+    if let Some(thickness) = options.shell {
+        let contents = contents.in_metres(options.unit);
+        let shell = |part: &MeshPart| Ok((part.name.clone(), boxed(MeshShell::new(&part.mesh, thickness)?)));
+        let pieces: Result<Vec<_>, polhode::BodyError> = contents.parts.iter().map(shell).collect();
+        let pieces = pieces.map_err(Raise::raise)?;
+        return weighed(described("taken as a sheet"), pieces, substance, contents.findings);
+    }
+    if options.hull {
+        for part in &mut contents.parts {
+            part.mesh = ConvexHull::of(part.mesh.vertices()).map_err(Raise::raise)?;
+        }
+    }
+    let solid = MeshSolid::of(contents, path, format, options.unit).map_err(Raise::raise)?;
+    let findings = solid.findings_in(&path.display().to_string());
+    let what = if options.hull { "taken as its convex hull" } else { "closed, consistently wound" };
+    let pieces = solid.parts.into_iter().map(|part| (part.name, boxed(part.mesh)));
+    weighed(described(what), pieces.collect(), substance, findings)
+}
+
+fn boxed<S: Shape + 'static>(shape: S) -> Box<dyn Shape> {
+    Box::new(shape)
+}
+
+/// The parts with their masses, together.
+fn weighed(
+    source: SourceInfo,
+    pieces: Vec<(String, Box<dyn Shape>)>,
+    substance: Option<Substance>,
+    mut findings: Vec<Finding>,
+) -> PyResult<PyMassProperties> {
+    let volume = |shape: &dyn Shape| shape.spread().extent().measure();
+    let whole: f64 = pieces.iter().map(|(_, shape)| volume(shape.as_ref())).sum();
+    let substance = match substance {
+        Some(Substance::Mass(mass)) if pieces.len() > 1 => Substance::Density(mass / whole),
+        Some(substance) => substance,
+        None => {
+            findings.push(Finding {
+                code: "mass.assumed",
+                severity: Severity::Warning,
+                message: "neither density, mass nor material is given: 1 kg/m³ is assumed".to_owned(),
+                place: None,
+            });
+            Substance::Density(1.0)
+        }
+    };
+    let row = |(name, shape): &(String, Box<dyn Shape>)| {
+        let properties = in_body(shape.mass_properties(substance)?)?;
+        Ok(PartRow { name: name.clone(), properties, volume: Some(volume(shape.as_ref())) })
+    };
+    let rows = pieces.iter().map(row).collect::<Result<Vec<_>, polhode::BodyError>>();
+    let rows = rows.map_err(Raise::raise)?;
+    let bodies: Vec<_> = rows.iter().map(|row| row.properties).collect();
+    let properties = match bodies.as_slice() {
+        [only] => *only,
+        _ => MassProperties::combined(&bodies).map_err(Raise::raise)?,
+    };
+    Ok(PyMassProperties::of(InertiaReport {
+        volume: Some(whole),
+        surface_area: Some(pieces.iter().map(|(_, shape)| shape.surface_area()).sum()),
+        density: Some(properties.mass() / whole),
+        extras: if rows.len() > 1 { vec![parts(&rows)] } else { Vec::new() },
+        findings,
+        ..InertiaReport::new(source, properties)
+    }))
+}
+
+fn remark(path: &Path, code: &'static str, severity: Severity, message: &str) -> Finding {
+    Finding { code, severity, message: message.to_owned(), place: Some(path.display().to_string()) }
+}

@@ -1,0 +1,185 @@
+//! The motion of a scenario.
+
+use std::path::PathBuf;
+
+use numpy::{PyArray1, PyArray2, PyReadonlyArray1};
+use polhode::{Ending, Method, Run, Sample, Scenario, Trajectory};
+use polhode_formats::scenario;
+use polhode_report::{MotionReport, PageInput, PageSubject, SourceInfo, VERSION, explain_motion, page};
+use pyo3::prelude::*;
+
+use crate::arrays::{numbers, table};
+use crate::error::{Raise, refused};
+use crate::interrupt::watched;
+
+/// A scenario and the motion that was computed of it.
+#[pyclass(frozen, name = "Motion", module = "polhode._native")]
+#[derive(Debug)]
+pub(crate) struct PyMotion {
+    path: PathBuf,
+    text: String,
+    scenario: Scenario,
+    trajectory: Trajectory,
+}
+
+/// An event: its name, when (s), whether what it watches was rising, ω and attitude there.
+type Happened = (String, f64, bool, [f64; 3], [f64; 4]);
+
+/// Computes the motion of a scenario: of a file, or of a text, whose files are found beside `path`. `times` take the place of its run's.
+///
+/// # Errors
+/// `PolhodeError` if there is no such motion, `KeyboardInterrupt`.
+#[pyfunction]
+pub(crate) fn simulate(
+    py: Python<'_>,
+    path: PathBuf,
+    text: Option<String>,
+    times: Option<PyReadonlyArray1<'_, f64>>,
+) -> PyResult<PyMotion> {
+    let (mut scenario, text) = match text {
+        None => py.detach(|| scenario::read_with_text(&path)).map_err(Raise::raise)?,
+        Some(text) => (py.detach(|| scenario::parse(&text, &path)).map_err(Raise::raise)?, text),
+    };
+    let run = match (times, scenario.run.take()) {
+        (None, run) => run,
+        (Some(times), Some(run)) => Some(Run { times: numbers(&times)?.to_vec(), ..run }),
+        (Some(times), None) => {
+            Some(Run { times: numbers(&times)?.to_vec(), ..Run::evenly(0.0, 0, Method::Auto, 1e-13) })
+        }
+    };
+    scenario.run = run;
+    let Some(motion) = watched(py, |look| scenario.simulate_watched(look))? else {
+        return Err(refused(
+            format!("{} has no [run] section, so there is no time to simulate", path.display()),
+            Some("give times, or write [run] with duration = \"10 s\" and samples = 1001"),
+        ));
+    };
+    Ok(PyMotion { path, text, trajectory: motion.map_err(Raise::raise)?, scenario })
+}
+
+#[pymethods]
+impl PyMotion {
+    #[getter]
+    fn times<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        self.column(py, |sample| sample.state.time)
+    }
+
+    #[getter]
+    fn attitude<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        self.rows(py, |sample| sample.state.attitude.quaternion())
+    }
+
+    #[getter]
+    fn omega<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        self.rows(py, |sample| sample.state.omega.to_array())
+    }
+
+    #[getter]
+    fn omega_space<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        self.rows(py, |sample| sample.state.omega_space().to_array())
+    }
+
+    #[getter]
+    fn momentum<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        self.rows(py, |sample| sample.momentum.to_array())
+    }
+
+    #[getter]
+    fn torque<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        self.rows(py, |sample| sample.torque.to_array())
+    }
+
+    #[getter]
+    fn kinetic_energy<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        self.column(py, |sample| sample.kinetic_energy)
+    }
+
+    /// `None` where some torque has no potential.
+    #[getter]
+    fn potential_energy<'py>(&self, py: Python<'py>) -> Option<Bound<'py, PyArray1<f64>>> {
+        let samples = self.trajectory.samples().iter();
+        let potential: Option<Vec<f64>> = samples.map(|sample| sample.potential_energy).collect();
+        potential.filter(|all| !all.is_empty()).map(|all| PyArray1::from_vec(py, all))
+    }
+
+    #[getter]
+    fn work<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        self.column(py, |sample| sample.work)
+    }
+
+    #[getter]
+    fn events(&self) -> Vec<Happened> {
+        let events = self.trajectory.events().iter();
+        events
+            .map(|event| {
+                let state = event.state;
+                let (omega, attitude) = (state.omega.to_array(), state.attitude.canonical_quaternion());
+                (event.name.clone(), state.time, event.rising, omega, attitude)
+            })
+            .collect()
+    }
+
+    /// `complete`, `stopped` or `failed`, the event that stopped it or the cause of failure, and when (s).
+    #[getter]
+    fn ending(&self) -> (&'static str, Option<String>, Option<f64>) {
+        match self.trajectory.ending() {
+            Ending::Complete => ("complete", None, None),
+            Ending::Stopped { event, time } => {
+                let name = self.scenario.events.get(*event).map(|event| event.name().to_owned());
+                ("stopped", name, Some(*time))
+            }
+            Ending::Failed { time, cause } => ("failed", Some(cause.to_string()), Some(*time)),
+        }
+    }
+
+    #[getter]
+    fn title(&self) -> Option<&str> {
+        self.scenario.title.as_deref()
+    }
+
+    /// The object that is `summary.json`.
+    fn json(&self, py: Python<'_>) -> String {
+        py.detach(|| self.report().summary_json().to_string())
+    }
+
+    /// The text that `polhode simulate` prints.
+    fn text(&self, py: Python<'_>) -> String {
+        py.detach(|| self.report().to_text())
+    }
+
+    /// The page that `polhode simulate` writes.
+    fn page(&self, py: Python<'_>) -> String {
+        py.detach(|| {
+            // What cannot be explained, as a pendulum whose axis cannot hold it, can still be shown.
+            let explanation = explain_motion(&self.scenario, &self.trajectory).ok();
+            page(&PageInput {
+                title: self.scenario.title.as_deref().unwrap_or("motion"),
+                source: &format!("polhode {VERSION} in Python"),
+                scenario_text: Some(&self.text),
+                subject: PageSubject::Scenario(&self.scenario),
+                trajectory: &self.trajectory,
+                explanation: explanation.as_ref(),
+            })
+        })
+    }
+}
+
+impl PyMotion {
+    fn report(&self) -> MotionReport<'_> {
+        let title = self.scenario.title.as_deref().unwrap_or("scenario");
+        let source = SourceInfo::new(self.path.display().to_string(), "scenario").described(title);
+        MotionReport::new(source, &self.scenario, &self.trajectory)
+    }
+
+    fn column<'py>(&self, py: Python<'py>, value: impl Fn(&Sample) -> f64) -> Bound<'py, PyArray1<f64>> {
+        PyArray1::from_vec(py, self.trajectory.samples().iter().map(value).collect())
+    }
+
+    fn rows<'py, const N: usize>(
+        &self,
+        py: Python<'py>,
+        row: impl Fn(&Sample) -> [f64; N],
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        table(py, self.trajectory.samples().iter().flat_map(row).collect(), N)
+    }
+}

@@ -1,0 +1,64 @@
+//! Shapes with closed-form integrals, by name.
+
+use polhode::{
+    Body, BodyError, BoxShape, BoxShell, Capsule, Cone, Cylinder, CylinderShell, Disk, Ellipsoid,
+    MassProperties, Part, PlacedPart, Plate, Position, Rod, Rotation, Shape, Sphere, SphereShell,
+    Tetrahedron, Torus,
+};
+use polhode_report::{InertiaReport, SourceInfo};
+use pyo3::prelude::*;
+
+use crate::error::{Raise, refused};
+use crate::mass_properties::PyMassProperties;
+use crate::substance::Given;
+
+/// The mass properties of a shape: its name, its lengths (m) in the order of the function of that name in `shapes.py`, and what
+/// it is made of.
+///
+/// # Errors
+/// `PolhodeError` if there is no such shape.
+#[pyfunction]
+pub(crate) fn shape(kind: &str, lengths: Vec<f64>, ends: bool, given: Given) -> PyResult<PyMassProperties> {
+    let shape = of_name(kind, &lengths, ends)?.map_err(Raise::raise)?;
+    let part = shape.mass_properties(given.required()?).map_err(Raise::raise)?;
+    let extent = shape.spread().extent();
+    let properties = in_body(part).map_err(Raise::raise)?;
+    let volume = extent.volume();
+    Ok(PyMassProperties::of(InertiaReport {
+        volume,
+        surface_area: Some(shape.surface_area()).filter(|area| *area > 0.0),
+        density: volume.map(|volume| properties.mass() / volume),
+        ..InertiaReport::new(SourceInfo::new(kind, "shape"), properties)
+    }))
+}
+
+/// A shape's own axes are the body's.
+pub(crate) fn in_body(part: MassProperties<Part>) -> Result<MassProperties<Body>, BodyError> {
+    Ok(PlacedPart::new(part, Position::ZERO, Rotation::identity())?.in_body())
+}
+
+fn of_name(kind: &str, lengths: &[f64], ends: bool) -> PyResult<Result<Box<dyn Shape>, BodyError>> {
+    fn boxed<S: Shape + 'static>(shape: Result<S, BodyError>) -> Result<Box<dyn Shape>, BodyError> {
+        shape.map(|shape| Box::new(shape) as Box<dyn Shape>)
+    }
+    Ok(match (kind, lengths) {
+        ("box", &[a, b, c]) => boxed(BoxShape::new([a, b, c])),
+        ("box_shell", &[a, b, c]) => boxed(BoxShell::new([a, b, c])),
+        ("capsule", &[radius, length]) => boxed(Capsule::new(radius, length)),
+        ("cone", &[base, top, height]) => boxed(Cone::new(base, top, height)),
+        ("cylinder", &[radius, length]) => boxed(Cylinder::new(radius, length)),
+        ("cylinder_shell", &[radius, length]) => boxed(CylinderShell::new(radius, length, ends)),
+        ("disk", &[radius]) => boxed(Disk::new(radius)),
+        ("ellipsoid", &[a, b, c]) => boxed(Ellipsoid::new([a, b, c])),
+        ("plate", &[a, b]) => boxed(Plate::new([a, b])),
+        ("rod", &[length]) => boxed(Rod::new(length)),
+        ("sphere", &[radius]) => boxed(Sphere::new(radius)),
+        ("sphere_shell", &[radius]) => boxed(SphereShell::new(radius)),
+        ("tetrahedron", lengths) => match lengths.as_chunks().0 {
+            &[a, b, c, d] => boxed(Tetrahedron::new([a, b, c, d])),
+            _ => return Err(refused("a tetrahedron has four vertices", None)),
+        },
+        ("torus", &[ring, tube]) => boxed(Torus::new(ring, tube)),
+        _ => return Err(refused(format!("no shape {kind} has {} lengths", lengths.len()), None)),
+    })
+}

@@ -1,0 +1,59 @@
+//! What a body is made of, as keyword arguments say it.
+
+use polhode::{Material, Substance};
+use pyo3::prelude::*;
+
+use crate::error::refused;
+
+/// `density=`, `mass=`, `material=`, `area_density=` and `line_density=`: at most one.
+#[derive(Clone, Debug, FromPyObject)]
+#[pyo3(from_item_all)]
+pub(crate) struct Given {
+    density: Option<f64>,
+    mass: Option<f64>,
+    material: Option<String>,
+    area_density: Option<f64>,
+    line_density: Option<f64>,
+}
+
+impl Given {
+    /// The one that is given, if one is.
+    ///
+    /// # Errors
+    /// `PolhodeError` if two are, or if there is no such material.
+    pub(crate) fn substance(&self) -> PyResult<Option<Substance>> {
+        let material = self.material.as_deref().map(density_of).transpose()?;
+        let all = [
+            ("density", self.density.map(Substance::Density)),
+            ("mass", self.mass.map(Substance::Mass)),
+            ("material", material.map(Substance::Density)),
+            ("area_density", self.area_density.map(Substance::AreaDensity)),
+            ("line_density", self.line_density.map(Substance::LineDensity)),
+        ];
+        let mut given = all.into_iter().filter_map(|(name, substance)| Some((name, substance?)));
+        match (given.next(), given.next()) {
+            (Some((a, _)), Some((b, _))) => Err(refused(
+                format!("{a} and {b} are both given: one of them says what the body is made of"),
+                None,
+            )),
+            (first, _) => Ok(first.map(|(_, substance)| substance)),
+        }
+    }
+
+    /// The one that is given.
+    ///
+    /// # Errors
+    /// As [`Self::substance`], and if none is.
+    pub(crate) fn required(&self) -> PyResult<Substance> {
+        self.substance()?.ok_or_else(|| {
+            refused("nothing says what the body is made of", Some("give density, mass or material"))
+        })
+    }
+}
+
+fn density_of(name: &str) -> PyResult<f64> {
+    Material::named(name).map(|material| material.density).ok_or_else(|| {
+        let names: Vec<_> = Material::ALL.iter().map(|material| material.name).collect();
+        refused(format!("no material is called {name:?}"), Some(&format!("known are {}", names.join(", "))))
+    })
+}

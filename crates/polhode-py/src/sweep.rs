@@ -1,0 +1,265 @@
+//! Plans, their members, and what becomes of them: tables, column by column.
+
+use std::path::{Path, PathBuf};
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use numpy::{PyArray1, PyArrayMethods as _, PyReadonlyArray1};
+use polhode_sweep::{Batch, BatchError, Column, Dataset, Plan, SweepError, Values};
+use pyo3::exceptions::PyOSError;
+use pyo3::prelude::*;
+
+use crate::arrays::numbers;
+use crate::error::{Raise, refused};
+
+/// A column for Python: its name, unit and description, its values, and where these are there, unless all are.
+type Given<'py> = (String, String, String, Bound<'py, PyAny>, Option<Bound<'py, PyArray1<bool>>>);
+
+/// A scenario, and what differs from member to member.
+#[pyclass(frozen, name = "Plan", module = "polhode._native")]
+#[derive(Clone, Debug)]
+pub(crate) struct PyPlan {
+    plan: Plan,
+    path: PathBuf,
+}
+
+#[pymethods]
+impl PyPlan {
+    #[staticmethod]
+    fn read(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
+        let plan = py.detach(|| Plan::read(&path)).map_err(Raise::raise)?;
+        Ok(Self { plan, path })
+    }
+
+    /// Of a text; the files that it names are found beside `path`.
+    #[staticmethod]
+    fn parse(py: Python<'_>, text: String, path: PathBuf) -> PyResult<Self> {
+        let plan = py.detach(|| Plan::parse(text, &path)).map_err(Raise::raise)?;
+        Ok(Self { plan, path })
+    }
+
+    #[getter]
+    fn text(&self) -> &str {
+        self.plan.text()
+    }
+
+    #[getter]
+    fn path(&self) -> &Path {
+        &self.path
+    }
+
+    #[getter]
+    fn members(&self) -> u64 {
+        self.plan.members()
+    }
+
+    #[getter]
+    fn digest(&self) -> String {
+        self.plan.digest()
+    }
+
+    #[getter]
+    fn wants_trajectories(&self) -> bool {
+        self.plan.wants_trajectories()
+    }
+
+    /// Name, unit and description of each.
+    #[getter]
+    fn variables(&self) -> Vec<(String, String, String)> {
+        let variables = self.plan.variables().iter();
+        variables.map(|v| (v.name.clone(), v.unit.clone(), v.description.clone())).collect()
+    }
+
+    /// What was noticed: code, severity, message, place.
+    #[getter]
+    fn findings(&self) -> Vec<(&'static str, &'static str, String, Option<String>)> {
+        let one = |f: polhode::Finding| (f.code, f.severity.name(), f.message, f.place);
+        self.plan.findings().into_iter().map(one).collect()
+    }
+
+    /// The inputs of the members from `start` up to `stop`.
+    fn inputs<'py>(&self, py: Python<'py>, start: u64, stop: u64) -> Vec<Given<'py>> {
+        let rows = py.detach(|| polhode_sweep::inputs(&self.plan, start..stop));
+        given(py, rows)
+    }
+
+    /// The rows, each with what becomes of its member.
+    fn simulate<'py>(
+        &self,
+        py: Python<'py>,
+        inputs: Vec<(String, Bound<'py, PyAny>)>,
+    ) -> PyResult<Vec<Given<'py>>> {
+        let inputs = self.taken(inputs)?;
+        let rows = py.detach(|| polhode_sweep::simulate(&self.plan, &inputs)).map_err(Raise::raise)?;
+        Ok(given(py, rows))
+    }
+
+    /// The motions of the rows' members.
+    fn trajectories<'py>(
+        &self,
+        py: Python<'py>,
+        inputs: Vec<(String, Bound<'py, PyAny>)>,
+    ) -> PyResult<Vec<Given<'py>>> {
+        let inputs = self.taken(inputs)?;
+        let rows = py.detach(|| polhode_sweep::trajectories(&self.plan, &inputs)).map_err(Raise::raise)?;
+        Ok(given(py, rows))
+    }
+}
+
+impl PyPlan {
+    /// Inputs by name: whole numbers or numbers. What the columns are, the plan says.
+    fn taken(&self, columns: Vec<(String, Bound<'_, PyAny>)>) -> PyResult<Batch> {
+        let known = polhode_sweep::inputs(&self.plan, 0..0);
+        let column = |(name, values): (String, Bound<'_, PyAny>)| {
+            let values = plain_values(&name, &values)?;
+            let column = known.column(&name).map_err(Raise::raise)?;
+            Ok(Column { values, ..column.clone() })
+        };
+        let columns = columns.into_iter().map(column).collect::<PyResult<_>>()?;
+        Batch::new(columns).map_err(Raise::raise)
+    }
+}
+
+/// The results of a sweep in a folder, locked for as long as this lives.
+#[pyclass(frozen, name = "Dataset", module = "polhode._native")]
+#[derive(Debug)]
+pub(crate) struct PyDataset {
+    dataset: Dataset,
+}
+
+#[pymethods]
+impl PyDataset {
+    /// `mode` is `create`, `resume` or `replace`.
+    #[staticmethod]
+    fn open(py: Python<'_>, folder: PathBuf, plan: &PyPlan, mode: &str) -> PyResult<Self> {
+        let dataset = py.detach(|| match mode {
+            "resume" => Dataset::resume(&folder, &plan.plan),
+            "replace" => Dataset::replace(&folder, &plan.plan),
+            _ => Dataset::create(&folder, &plan.plan),
+        });
+        Ok(Self { dataset: dataset.map_err(Raise::raise)? })
+    }
+
+    /// The first member of a part, and the one after its last.
+    fn rows(&self, part: u64) -> (u64, u64) {
+        let rows = self.dataset.rows(part);
+        (rows.start, rows.end)
+    }
+
+    #[getter]
+    fn parts(&self) -> u64 {
+        self.dataset.parts()
+    }
+
+    fn missing(&self, py: Python<'_>) -> PyResult<Vec<u64>> {
+        py.detach(|| self.dataset.missing()).map_err(Raise::raise)
+    }
+
+    /// Keeps the rows of a part; `columns` with their units and descriptions.
+    fn write(&self, py: Python<'_>, part: u64, columns: Vec<Given<'_>>) -> PyResult<()> {
+        let rows = whole(columns)?;
+        py.detach(|| self.dataset.write(part, &rows)).map_err(Raise::raise)
+    }
+
+    /// Keeps the trajectories of a part.
+    fn write_trajectories(&self, py: Python<'_>, part: u64, columns: Vec<Given<'_>>) -> PyResult<()> {
+        let rows = whole(columns)?;
+        py.detach(|| self.dataset.write_trajectories(part, &rows)).map_err(Raise::raise)
+    }
+
+    /// Computes what is missing in threads of this process, and tells `progress` how many members are there.
+    fn compute(&self, py: Python<'_>, plan: &PyPlan, threads: usize, progress: Py<PyAny>) -> PyResult<()> {
+        let (stop, why) = (AtomicBool::new(false), Mutex::new(None));
+        let told = |reached: polhode_sweep::Progress| {
+            let heard = Python::attach(|py| {
+                py.check_signals()?;
+                progress.call1(py, (reached.done, reached.members)).map(|_| ())
+            });
+            if let (Err(error), Ok(mut why)) = (heard, why.lock()) {
+                stop.store(true, Ordering::Relaxed);
+                why.get_or_insert(error);
+            }
+        };
+        py.detach(|| self.dataset.compute(&plan.plan, threads, &stop, &told)).map_err(Raise::raise)?;
+        match why.into_inner() {
+            Ok(Some(error)) => Err(error),
+            _ => Ok(()),
+        }
+    }
+
+    /// Writes what all parts come to; gives it as JSON and as text.
+    fn finish(&self, py: Python<'_>, plan: &PyPlan, threads: usize) -> PyResult<(String, String)> {
+        let summary = py.detach(|| self.dataset.finish(&plan.plan, threads)).map_err(Raise::raise)?;
+        Ok((summary.to_json().to_string(), summary.to_text()))
+    }
+}
+
+impl Raise for BatchError {
+    fn raise(self) -> PyErr {
+        refused(self, None)
+    }
+}
+
+impl Raise for SweepError {
+    /// What the system refuses is Python's own `OSError`.
+    fn raise(self) -> PyErr {
+        match &self {
+            Self::Read { .. } | Self::Write { .. } => PyOSError::new_err(self.to_string()),
+            _ => refused(&self, self.hint()),
+        }
+    }
+}
+
+fn given(py: Python<'_>, batch: Batch) -> Vec<Given<'_>> {
+    batch.columns().iter().map(|column| column_given(py, column)).collect()
+}
+
+fn column_given<'py>(py: Python<'py>, column: &Column) -> Given<'py> {
+    let (values, there) = match &column.values {
+        Values::Whole(values) => (PyArray1::from_slice(py, values).into_any(), None),
+        Values::Numbers(values) => (PyArray1::from_slice(py, values).into_any(), None),
+        Values::Perhaps(values) => {
+            let there = PyArray1::from_iter(py, values.iter().map(Option::is_some));
+            // What is not there is marked, so that this zero is never seen.
+            let numbers = PyArray1::from_iter(py, values.iter().map(|value| value.unwrap_or_default()));
+            (numbers.into_any(), Some(there))
+        }
+        Values::Text(values) => match values.into_pyobject(py) {
+            Ok(list) => (list, None),
+            Err(_) => (py.None().into_bound(py), None),
+        },
+    };
+    (column.name.clone(), column.unit.clone(), column.description.clone(), values, there)
+}
+
+/// Whole rows: what `given` gave.
+fn whole(columns: Vec<Given<'_>>) -> PyResult<Batch> {
+    let column = |(name, unit, description, values, there): Given<'_>| {
+        let values = match there {
+            Some(there) => {
+                let (values, there) = (values.extract::<PyReadonlyArray1<'_, f64>>()?, there.readonly());
+                let there = there.as_slice().map_err(|error| refused(error.to_string(), None))?;
+                let each = numbers(&values)?.iter().zip(there);
+                Values::Perhaps(each.map(|(value, there)| there.then_some(*value)).collect())
+            }
+            None => plain_values(&name, &values)?,
+        };
+        Ok(Column { name, unit, description, values })
+    };
+    let columns = columns.into_iter().map(column).collect::<PyResult<_>>()?;
+    Batch::new(columns).map_err(Raise::raise)
+}
+
+fn plain_values(name: &str, values: &Bound<'_, PyAny>) -> PyResult<Values> {
+    if let Ok(whole) = values.extract::<PyReadonlyArray1<'_, u64>>() {
+        let whole = whole.as_slice().map_err(|error| refused(error.to_string(), None))?;
+        return Ok(Values::Whole(whole.to_vec()));
+    }
+    if let Ok(array) = values.extract::<PyReadonlyArray1<'_, f64>>() {
+        return Ok(Values::Numbers(numbers(&array)?.to_vec()));
+    }
+    values
+        .extract::<Vec<Option<String>>>()
+        .map(Values::Text)
+        .map_err(|_| refused(format!("column {name} must hold whole numbers, numbers or text"), None))
+}

@@ -1,0 +1,19 @@
+//! Units by name.
+
+use polhode_formats::unit::{Dimension, parse};
+use pyo3::prelude::*;
+
+use crate::error::refused;
+
+/// The length that the name of a unit stands for, m, or the mass, kg.
+///
+/// # Errors
+/// `PolhodeError` if there is no such unit.
+#[pyfunction]
+pub(crate) fn unit(name: &str, of_mass: bool) -> PyResult<f64> {
+    let dimension = if of_mass { Dimension::MASS } else { Dimension::LENGTH };
+    if !name.starts_with(char::is_alphabetic) {
+        return Err(refused(format!("{name:?} is no unit"), Some("a name belongs here, such as \"mm\"")));
+    }
+    parse(&format!("1 {name}"), dimension).map_err(|error| refused(&error, error.hint().as_deref()))
+}

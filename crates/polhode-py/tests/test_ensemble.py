@@ -1,0 +1,120 @@
+"""Ensembles: each member's bits are its own, whatever is beside it."""
+
+from __future__ import annotations
+
+import _thread
+import threading
+
+import numpy as np
+import polhode
+import pytest
+from scipy.spatial.transform import Rotation
+
+RNG = np.random.default_rng(20)
+COUNT = 37
+OMEGA = RNG.normal(size=(COUNT, 3))
+#: Of random boxes: i1 + i2 ≥ i3.
+SQUARES = RNG.uniform(0.1, 2.0, size=(COUNT, 3))
+MOMENTS = SQUARES[:, [1, 2, 0]] + SQUARES[:, [2, 0, 1]]
+TURNS = Rotation.from_rotvec(RNG.normal(size=(COUNT, 3)))
+TENSORS = np.einsum("nij,nj,nkj->nik", TURNS.as_matrix(), MOMENTS, TURNS.as_matrix())
+TENSORS = 0.5 * (TENSORS + TENSORS.transpose(0, 2, 1))
+TIMES = [0.0, 0.7, 40.0, 1e5]
+
+DRAG = """
+[[torque]]
+model = "formula"
+axes = "body"
+torque = ["-0.3[N m s]*wx", "0.1[N m]*sin(2[rad/s]*t)", "-0.2[N m s]*wz"]
+"""
+
+
+def test_free_members_have_the_bits_of_one_motion() -> None:
+    ensemble = polhode.Ensemble(inertia=TENSORS, omega=OMEGA, attitude=TURNS)
+    omega, attitude = flights = ensemble.at(TIMES)
+    assert omega.shape == (COUNT, 4, 3) and attitude.shape == (COUNT, 4, 4) and len(ensemble) == COUNT
+    assert not flights.failures and np.array_equal(flights.reached, np.tile(TIMES, (COUNT, 1)))
+    for k in range(COUNT):
+        one = polhode.FreeMotion(inertia=TENSORS[k], omega=OMEGA[k], attitude=TURNS[k]).at(TIMES)
+        assert np.array_equal(omega[k], one.omega) and np.array_equal(attitude[k], one.attitude)
+    in_space = flights.rotations(5).apply(omega[5] @ TENSORS[5])
+    assert np.abs(in_space - in_space[0]).max() < 1e-13
+
+
+@pytest.mark.parametrize("step", [None, 0.01])
+def test_threads_and_neighbours_change_no_bit(step: float | None) -> None:
+    times = [0.5, 3.0]
+    whole = polhode.Ensemble(moments=MOMENTS, omega=OMEGA, torques=DRAG).at(times, threads=1, step=step)
+    many = polhode.Ensemble(moments=MOMENTS, omega=OMEGA, torques=DRAG).at(times, threads=5, step=step)
+    some = polhode.Ensemble(moments=MOMENTS[7:12], omega=OMEGA[7:12], torques=DRAG).at(times, step=step)
+    assert np.array_equal(whole.omega, many.omega) and np.array_equal(whole.attitude, many.attitude)
+    assert np.array_equal(whole.omega[7:12], some.omega) and np.array_equal(whole.attitude[7:12], some.attitude)
+
+
+def test_runge_kutta_converges_to_the_best_method() -> None:
+    ensemble = polhode.Ensemble(moments=MOMENTS, omega=OMEGA, torques=DRAG)
+    best = ensemble.at([2.0]).omega
+    errors = [np.abs(ensemble.at([2.0], step=step).omega - best).max() for step in (0.04, 0.02)]
+    assert 12.0 < errors[0] / errors[1] < 20.0
+
+
+def test_what_all_share_is_given_once() -> None:
+    one = polhode.Ensemble(moments=[1.0, 2.0, 2.5], omega=OMEGA, attitude=[0.4, -0.7, 1.1, 0.3])
+    each = polhode.Ensemble(
+        moments=np.tile([1.0, 2.0, 2.5], (COUNT, 1)), omega=OMEGA, attitude=np.tile([0.4, -0.7, 1.1, 0.3], (COUNT, 1))
+    )
+    assert np.array_equal(one.at(TIMES).attitude, each.at(TIMES).attitude)
+    assert len(polhode.Ensemble(moments=[1, 2, 2.5], omega=[1, 2, 3])) == 1
+    assert len(polhode.Ensemble(moments=MOMENTS, omega=[1, 2, 3])) == COUNT
+
+
+@pytest.mark.parametrize(
+    ("changed", "says"),
+    [
+        ({"omega": OMEGA[:5]}, "omega has 5, moments has 37"),
+        ({"omega": np.where(np.arange(3 * COUNT).reshape(-1, 3) == 20, np.nan, OMEGA)}, r"omega\[6, 2\] = nan must be finite"),
+        ({"moments": np.where(np.arange(COUNT)[:, None] == 9, [1.0, 1.0, 3.0], MOMENTS)}, "member 9: .*i1 .* i2 = 2 "),
+        ({"moments": None}, "exactly one"),
+        ({"torques": "[[torque]]\nmodel = 'friction'"}, "torques:2:"),
+        ({"torques": DRAG + "[run]\nduration = 1\n"}, r"\[\[torque\]\] tables only"),
+        ({"attitude": np.zeros((COUNT, 4))}, r"attitude\[0, 0\]"),
+        ({"omega": np.zeros((2, COUNT, 3))}, r"omega must have the shape \(n, 3\)"),
+    ],
+)
+def test_mistakes_are_refused(changed: dict[str, object], says: str) -> None:
+    with pytest.raises(polhode.PolhodeError, match=says):
+        polhode.Ensemble(**({"moments": MOMENTS, "omega": OMEGA} | changed))
+
+
+def test_mistakes_in_times_are_refused() -> None:
+    ensemble = polhode.Ensemble(moments=MOMENTS, omega=OMEGA)
+    for times, options, says in (
+        ([1.0, 0.5], {}, "not before the time that precedes it"),
+        ([-1.0], {}, "not before the start"),
+        ([1.0], {"threads": 0}, "threads = 0 must be"),
+        ([1.0], {"threads": 1.5}, "threads = 1.5 must be"),
+        ([1.0], {"step": 0.0}, "step = 0.0 must be positive"),
+    ):
+        with pytest.raises(polhode.PolhodeError, match=says):
+            ensemble.at(times, **options)
+
+
+def test_a_member_that_cannot_go_on_is_said() -> None:
+    spins = np.array([[0.0, 0.0, 0.1], [0.0, 0.0, 50.0]])
+    ensemble = polhode.Ensemble(
+        moments=[1.0, 2.0, 2.5], omega=spins, torques='[[torque]]\nmodel = "formula"\naxes = "body"\ntorque = ["0", "0", "1[kg m^2 s]*wz^3"]\n'
+    )
+    with pytest.warns(polhode.PolhodeWarning, match="1 of 2 members cannot go on, the first is 1"):
+        flights = ensemble.at([0.0, 1.0])
+    ((member, time, cause),) = flights.failures
+    assert member == 1 and time == 0.0 and "steps" in cause
+    assert np.isfinite(flights.omega).all() and flights.reached[0, 1] == 1.0
+
+
+def test_ctrl_c_ends_an_ensemble() -> None:
+    ensemble = polhode.Ensemble(moments=MOMENTS[0], omega=np.tile(OMEGA, (1000, 1)), torques=DRAG)
+    timer = threading.Timer(0.2, _thread.interrupt_main)
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):
+        ensemble.at([20.0], step=1e-4, threads=1)
+    timer.join()

@@ -1,0 +1,106 @@
+"""Files of every kind."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import polhode
+import pytest
+from polhode import shapes
+
+
+@pytest.mark.parametrize("name", ["bracket.stl", "meshes/bracket.obj", "meshes/bracket.ply", "meshes/bracket.off"])
+def test_one_mesh_in_every_format_has_one_tensor(examples: Path, name: str) -> None:
+    wanted = polhode.inertia(examples / "bracket.stl", unit="mm", material="aluminium")
+    unit = None if polhode.inertia(examples / name, density=2700.0).volume < 1.0 else "mm"
+    found = polhode.inertia(examples / name, unit=unit, density=2700.0)
+    assert np.allclose(found.inertia, wanted.inertia, rtol=1e-6) and np.isclose(found.mass, wanted.mass, rtol=1e-6)
+
+
+def test_hulls_and_sheets(examples: Path) -> None:
+    solid = polhode.inertia(examples / "bracket.stl", unit="mm", density=1000.0)
+    hull = polhode.inertia(examples / "bracket.stl", unit="mm", density=1000.0, hull=True)
+    sheet = polhode.inertia(examples / "bracket.stl", unit="mm", density=1000.0, shell=1e-4)
+    assert hull.mass > solid.mass > sheet.mass > 0.0
+    assert np.isclose(sheet.mass, 1000.0 * 1e-4 * solid.surface_area, rtol=1e-12)
+
+
+def test_an_assumed_density_is_said(examples: Path) -> None:
+    with pytest.warns(polhode.PolhodeWarning, match=r"1 kg/m³ is assumed \[mass.assumed\]"):
+        body = polhode.inertia(examples / "bracket.stl")
+    assert [finding.code for finding in body.findings if finding.severity == "warning"] == ["mass.assumed"]
+
+
+def test_molecules_and_their_constants(examples: Path) -> None:
+    bodies = [polhode.inertia(examples / f"water.{ending}") for ending in ("xyz", "mol", "pdb")]
+    assert all(np.allclose(body.moments, bodies[0].moments, rtol=2e-2) for body in bodies)
+    molecule = bodies[0].to_dict()["molecule"]
+    assert molecule["top"] == "asymmetric" and len(molecule["rotational_constants_ghz"]) == 3
+    average = polhode.inertia(examples / "water.xyz", isotopes="average")
+    assert average.mass > bodies[0].mass
+
+
+def test_several_molecules_are_chosen_from(examples: Path, tmp_path: Path) -> None:
+    mol = (examples / "water.mol").read_text()
+    path = tmp_path / "two.sdf"
+    path.write_text(f"{mol.rstrip()}\n$$$$\n{mol.rstrip()}\n$$$$\n")
+    with pytest.raises(polhode.PolhodeError, match="holds 2 molecules\nhint: say which by molecule, from 0"):
+        polhode.inertia(path)
+    assert polhode.inertia(path, molecule=1).mass == polhode.inertia(examples / "water.mol").mass
+    with pytest.raises(polhode.PolhodeError, match="molecule = 2 must be from 0 to 1"):
+        polhode.inertia(path, molecule=2)
+
+
+def test_particles_and_voxels(tmp_path: Path) -> None:
+    rng = np.random.default_rng(7)
+    masses, positions = rng.uniform(0.1, 2.0, 20), rng.normal(size=(20, 3))
+    table = tmp_path / "points.csv"
+    np.savetxt(table, np.column_stack([masses, positions]), delimiter=",", header="mass_kg,x_m,y_m,z_m", fmt="%.17g")
+    wanted = polhode.particles(masses=masses, positions=positions)
+    assert np.array_equal(polhode.inertia(table).inertia, wanted.inertia)
+
+    grid = tmp_path / "grid.npy"
+    np.save(grid, np.ones((4, 3, 2)))
+    body = polhode.inertia(grid, spacing=[0.01, 0.02, 0.03], per_value=1800.0)
+    brick = shapes.box(size=[0.04, 0.06, 0.06], density=1800.0)
+    assert np.isclose(body.mass, brick.mass) and np.allclose(body.inertia, brick.inertia, rtol=1e-12)
+
+
+def test_scenarios_and_robots(examples: Path) -> None:
+    handle = polhode.inertia(examples / "t-handle.toml")
+    assert handle.mass > 0.0 and handle.symmetry == "asymmetric"
+    arm = examples / "robots" / "arm.urdf"
+    straight = polhode.inertia(arm)
+    bent = polhode.inertia(arm, joints={"elbow": 0.5})
+    assert np.isclose(bent.mass, straight.mass) and not np.allclose(bent.inertia, straight.inertia)
+    forearm = polhode.inertia(arm, link="forearm")
+    assert 0.0 < forearm.mass < straight.mass
+    assert np.isclose(polhode.inertia(examples / "robots" / "arm.sdf").mass, straight.mass)
+    with pytest.raises(polhode.PolhodeError, match='has no link "claw"\nhint: its links are'):
+        polhode.inertia(arm, link="claw")
+
+
+def test_what_means_nothing_is_refused(examples: Path) -> None:
+    for name, options, says in (
+        ("t-handle.toml", {"density": 1.0}, "density means nothing for .* which is a scenario"),
+        ("bracket.stl", {"link": "arm"}, "link means nothing for .* which is a mesh"),
+        ("water.xyz", {"hull": True}, "hull means nothing for .* which is a molecule"),
+        ("bracket.stl", {"unit": "kg"}, "mass where a length belongs"),
+        ("bracket.stl", {"unit": -1.0}, "unit = -1.0 must be positive"),
+        ("make_bracket.py", {}, "no ending that polhode knows"),
+        ("bracket.stl", {"kind": "stl"}, "kind = 'stl' must be one of"),
+        ("water.xyz", {"isotopes": "all"}, "isotopes = 'all' must be"),
+    ):
+        with pytest.raises(polhode.PolhodeError, match=says):
+            polhode.inertia(examples / name, **options)
+
+
+def test_errors_in_files_have_their_place(tmp_path: Path) -> None:
+    path = tmp_path / "ball.toml"
+    path.write_text('[[body.part]]\nshape = "sphere"\nradius = "20 kg"\nmass = "1 kg"\n')
+    with pytest.raises(polhode.PolhodeError, match='"kg" is a mass where a length belongs') as error:
+        polhode.inertia(path)
+    assert (error.value.path, error.value.line, error.value.column) == (str(path), 3, 10)
+    with pytest.raises(FileNotFoundError):
+        polhode.inertia(tmp_path / "none.stl", density=1.0)

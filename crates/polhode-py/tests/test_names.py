@@ -1,0 +1,51 @@
+"""The public names: documented, typed, with an example; and the stub of what Rust computes."""
+
+from __future__ import annotations
+
+import ast
+import inspect
+from pathlib import Path
+
+import polhode
+from polhode import _native
+
+HERE = Path(polhode.__file__).parent
+
+
+def test_every_public_name_is_documented() -> None:
+    for name in polhode.__all__:
+        value = getattr(polhode, name)
+        if name == "__version__":
+            continue
+        assert inspect.getdoc(value), name
+        if inspect.isclass(value):
+            members = {k: v for k, v in vars(value).items() if not k.startswith("_") and (callable(v) or isinstance(v, property))}
+            for member, what in members.items():
+                assert inspect.getdoc(what), f"{name}.{member}"
+
+
+def test_types_are_announced() -> None:
+    assert (HERE / "py.typed").exists()
+    for source in HERE.glob("*.py"):
+        for node in ast.walk(ast.parse(source.read_text())):
+            if isinstance(node, ast.FunctionDef):
+                arguments = [*node.args.args, *node.args.kwonlyargs]
+                typed = node.returns is not None and all(a.annotation or a.arg in ("self", "cls") for a in arguments)
+                assert typed, f"{source.name}: {node.name}"
+
+
+def test_the_stub_has_what_rust_has() -> None:
+    stub = ast.parse((HERE / "_native.pyi").read_text())
+    functions = {node.name for node in stub.body if isinstance(node, ast.FunctionDef)}
+    classes = {
+        node.name: {member.name for member in node.body if isinstance(member, ast.FunctionDef)} - {"__len__"}
+        for node in stub.body
+        if isinstance(node, ast.ClassDef) and node.name in vars(_native)
+    }
+    there = {name: value for name, value in vars(_native).items() if not name.startswith("__")}
+    assert functions == {name for name, value in there.items() if inspect.isbuiltin(value)}
+    assert classes == {
+        name: {member for member in vars(value) if not member.startswith("__")}
+        for name, value in there.items()
+        if inspect.isclass(value)
+    }

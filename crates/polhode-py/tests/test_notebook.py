@@ -1,0 +1,82 @@
+"""What notebooks show, and figures."""
+
+from __future__ import annotations
+
+from html.parser import HTMLParser
+from pathlib import Path
+
+import numpy as np
+import polhode
+import pytest
+from polhode import plot, shapes
+
+
+class Reader(HTMLParser):
+    """Tags that close as they open, and the attributes of frames."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.open: list[str] = []
+        self.frames: list[dict[str, str | None]] = []
+        self.text = ""
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.open.append(tag)
+        if tag == "iframe":
+            self.frames.append(dict(attrs))
+
+    def handle_endtag(self, tag: str) -> None:
+        assert self.open.pop() == tag
+
+    def handle_data(self, data: str) -> None:
+        self.text += data
+
+
+def read(html: str) -> Reader:
+    reader = Reader()
+    reader.feed(html)
+    reader.close()
+    assert not reader.open
+    return reader
+
+
+def test_a_body_is_a_table(generic: polhode.MassProperties) -> None:
+    shown = read(generic._repr_html_()).text
+    for number in (*generic.inertia.ravel(), *generic.moments, generic.mass):
+        assert f"{number:.6g}" in shown
+    body = polhode.Body({"<script>": generic, "ball": shapes.sphere(radius=0.1, mass=1.0)})
+    assert "<script>" in read(body._repr_html_()).text
+
+
+def test_a_motion_is_a_page_in_a_frame(examples: Path) -> None:
+    for motion in (
+        polhode.FreeMotion(moments=[1, 2, 3], omega=[0.01, 1, 0.01]),
+        polhode.simulate(examples / "t-handle.toml"),
+    ):
+        (frame,) = read(motion._repr_html_()).frames
+        assert frame["sandbox"] == "allow-scripts"
+        assert frame["srcdoc"] == motion.page() and "polhode-data" in motion.page()
+
+
+def test_figures_show_the_numbers(examples: Path, tmp_path: Path) -> None:
+    motion = polhode.simulate(examples / "heavy-top.toml")
+    for figure, columns in (
+        (plot.omega(motion), motion.omega),
+        (plot.attitude(motion), motion.attitude),
+        (plot.momentum(motion), motion.momentum),
+        (plot.energy(motion), np.column_stack([motion.kinetic_energy, motion.potential_energy])),
+    ):
+        (axes,) = figure.axes
+        for line, column in zip(axes.lines, columns.T):
+            assert np.array_equal(line.get_xdata(), motion.times) and np.array_equal(line.get_ydata(), column)
+        figure.savefig(tmp_path / "figure.png")
+        assert (tmp_path / "figure.png").stat().st_size > 5000
+
+
+def test_a_polhode_lies_on_its_ellipsoid(generic: polhode.MassProperties) -> None:
+    motion = polhode.FreeMotion(inertia=generic, omega=[0.9, -1.3, 0.7])
+    (axes,) = plot.polhode(motion).axes
+    path = np.array(axes.lines[0].get_data_3d())
+    assert np.allclose(0.5 * motion.moments @ path**2, motion.kinetic_energy, rtol=1e-12)
+    with pytest.raises(polhode.PolhodeError, match="inertia ellipsoid"):
+        plot.polhode(polhode.FreeMotion(moments=[1, 2, 3], omega=[0, 0, 0]))

@@ -1,0 +1,50 @@
+"""The same on Ray: two processes, one of which is killed in the middle.
+
+No part of the gate, as Ray is large: `pip install 'ray[data]'`, and `pytest tests/test_ray.py`.
+"""
+
+from __future__ import annotations
+
+import os
+import signal
+from pathlib import Path
+
+import pytest
+from conftest import PLAN, digest
+from polhode import batch, sweep
+
+MEMBERS = 20_000
+
+
+def parent(pid: int) -> int:
+    return int(Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()[1])
+
+
+def workers() -> list[int]:
+    """The processes of this process's cluster that compute."""
+    found = []
+    for folder in Path("/proc").iterdir():
+        try:
+            if folder.name.isdigit() and b"ray::MapBatches" in (folder / "cmdline").read_bytes():
+                if parent(parent(int(folder.name))) == os.getpid():
+                    found.append(int(folder.name))
+        except (FileNotFoundError, ProcessLookupError):
+            continue
+    return found
+
+
+@pytest.mark.filterwarnings("default")
+def test_a_killed_worker_changes_no_byte(tmp_path: Path) -> None:
+    plan = batch.Plan(PLAN.format(members=MEMBERS))
+    sweep.run(plan, tmp_path / "alone")
+    killed: list[int] = []
+
+    def kill(done: int, members: int) -> None:
+        if not killed and members // 5 < done < members:
+            for pid in workers()[:1]:
+                os.kill(pid, signal.SIGKILL)
+                killed.append(pid)
+
+    sweep.run(plan, tmp_path / "cluster", on="ray://local", workers=2, progress=kill)
+    assert killed
+    assert digest(tmp_path / "cluster") == digest(tmp_path / "alone")

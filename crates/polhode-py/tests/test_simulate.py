@@ -1,0 +1,124 @@
+"""Scenarios: arrays, events, endings, Ctrl-C."""
+
+from __future__ import annotations
+
+import _thread
+import json
+import threading
+from pathlib import Path
+
+import numpy as np
+import polhode
+import pytest
+
+def test_arrays_agree_with_each_other(examples: Path) -> None:
+    motion = polhode.simulate(examples / "heavy-top.toml")
+    n = len(motion)
+    assert n == 2001 and motion.times[-1] == 2.0 and motion.ending.kind == "complete"
+    assert motion.attitude.shape == (n, 4) and motion.torque.shape == (n, 3) and motion.work.shape == (n,)
+    r = motion.rotations()
+    assert np.abs(r.apply(motion.omega) - motion.omega_space).max() < 1e-12
+    inertia = polhode.inertia(examples / "heavy-top.toml")
+    about = inertia.about([0, 0, 0])
+    assert np.abs(r.apply(motion.omega @ about) - motion.momentum).max() < 1e-15
+    assert np.allclose(0.5 * (motion.omega * (motion.omega @ about)).sum(axis=1), motion.kinetic_energy, rtol=1e-13)
+    weight = np.array([0, 0, -9.80665]) * inertia.mass
+    torque = np.cross(inertia.center_of_mass, r.inv().apply(weight))
+    assert np.abs(torque - motion.torque).max() < 1e-15
+    total = motion.kinetic_energy + motion.potential_energy
+    assert np.ptp(total) < 1e-12 * abs(total[0])
+    columns = motion.columns()
+    assert list(columns)[:6] == ["time_s", "attitude_w", "attitude_x", "attitude_y", "attitude_z", "omega_body_x_rad_s"]
+    assert np.array_equal(columns["momentum_space_z_kg_m2_s"], motion.momentum[:, 2]) and len(columns) == 19
+
+
+def test_times_take_the_place_of_the_runs(examples: Path) -> None:
+    whole = polhode.simulate(examples / "heavy-top.toml")
+    some = polhode.simulate(examples / "heavy-top.toml", times=[0.5, 1.25])
+    assert np.array_equal(some.times, [0.5, 1.25])
+    assert np.abs(some.omega - whole.omega[[500, 1250]]).max() < 1e-9
+    with pytest.raises(polhode.PolhodeError, match="not before the time that precedes it"):
+        polhode.simulate(examples / "heavy-top.toml", times=[1.0, 0.5])
+
+
+def test_a_summary_is_that_of_the_command(examples: Path) -> None:
+    motion = polhode.simulate(examples / "t-handle.toml")
+    assert motion.summary["motion"]["regime"] is not None
+    assert json.dumps(motion.summary)
+    assert motion.title in str(motion) and motion.title in repr(motion)
+
+
+@pytest.mark.parametrize("kind", ["text", "file"])
+def test_events_stop_a_motion(kind: str, tmp_path: Path, examples: Path) -> None:
+    text = (examples / "events.toml").read_text()
+    (tmp_path / "events.toml").write_text(text)
+    motion = polhode.simulate(text if kind == "text" else str(tmp_path / "events.toml"))
+    assert motion.events and all(event.time <= motion.times[-1] for event in motion.events)
+    first = motion.events[0]
+    assert first.name and np.isclose(np.linalg.norm(first.attitude), 1.0)
+    if motion.ending.kind == "stopped":
+        assert motion.ending.time == motion.times[-1]
+
+
+def test_mistakes_have_their_place() -> None:
+    with pytest.raises(polhode.PolhodeError, match="scenario.toml:3:10") as error:
+        polhode.simulate('[[body.part]]\nshape = "sphere"\nradius = "20 kg"\nmass = "1 kg"\n')
+    assert error.value.line == 3
+    with pytest.raises(polhode.PolhodeError, match=r"no \[run\] section.*\nhint: give times"):
+        polhode.simulate('[[body.part]]\nshape = "sphere"\nradius = "20 mm"\nmass = "1 kg"\n')
+    with pytest.raises(FileNotFoundError):
+        polhode.simulate("nowhere.toml")
+
+
+def test_ctrl_c_ends_a_long_computation(examples: Path) -> None:
+    text = (examples / "formula.toml").read_text().replace('"4 min"', '"1e8 s"').replace("samples = 961", "samples = 2")
+    timer = threading.Timer(0.3, _thread.interrupt_main)
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):
+        polhode.simulate(text)
+    timer.join()
+    # and the library is as it was
+    assert polhode.simulate(examples / "heavy-top.toml", times=[0.1]).ending.kind == "complete"
+
+
+def test_other_threads_run_meanwhile(examples: Path) -> None:
+    text = (examples / "formula.toml").read_text().replace('"4 min"', '"1e5 s"').replace("samples = 961", "samples = 2")
+    counted, done = [0], threading.Event()
+
+    def count() -> None:
+        while not done.is_set():
+            counted[0] += 1
+            done.wait(0.0001)
+
+    thread = threading.Thread(target=count)
+    thread.start()
+    before = counted[0]
+    polhode.simulate(text)
+    after = counted[0]
+    done.set()
+    thread.join()
+    assert after > before + 1
+
+
+def test_a_motion_that_fails_keeps_what_is_good() -> None:
+    text = """
+[[body.part]]
+shape = "box"
+size = ["0.3 m", "0.2 m", "0.1 m"]
+mass = "1 kg"
+
+[start]
+spin = { body = ["0.1 rad/s", "0.2 rad/s", "1 rad/s"] }
+
+[[torque]]
+model = "formula"
+axes = "body"
+torque = ["0", "0", "1[kg m^2 s]*wz^3"]
+
+[run]
+duration = "1000 s"
+samples = 11
+"""
+    with pytest.warns(polhode.PolhodeWarning, match="the motion ends at t = "):
+        motion = polhode.simulate(text)
+    assert motion.ending.kind == "failed" and motion.ending.time < 1000.0 and np.isfinite(motion.omega).all()

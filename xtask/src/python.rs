@@ -1,0 +1,101 @@
+//! The Python package: its wheel is built and installed as a user would, and tested from there.
+//!
+//! Nobody who builds the command needs what this needs: Python and its package index.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use crate::process::{empty_folder, output, run};
+use crate::{Outcome, files, root};
+
+/// The oldest Python that the tests run with; the package is for 3.10 too.
+const PYTHON: (u32, u32) = (3, 11);
+
+/// What the tests need besides the package: what it uses where it is there, and Dask for the cluster.
+const NEEDED: [&str; 6] = ["pytest", "scipy", "matplotlib", "mypy", "pyarrow", "distributed"];
+
+/// Builds the wheel, installs it into an environment of its own, and runs the tests, the documentation's examples, the book's, a check of
+/// types, and `examples/python/` from an empty folder: what is imported there is the wheel's, not the tree's.
+pub(crate) fn check() -> Outcome {
+    let folder = empty_folder("python")?;
+    let python = environment(&folder)?;
+    let package = root().join("crates/polhode-py");
+    let wheels = folder.join("wheels");
+    run(Command::new(&python)
+        .args(["-m", "pip", "wheel", "--quiet", "--no-deps", "--wheel-dir"])
+        .args([&wheels, &package]))?;
+    let wheel = files(&wheels, "whl")?.pop().ok_or("pip made no wheel")?;
+    let mut install = Command::new(&python);
+    run(install.args(["-m", "pip", "install", "--quiet"]).arg(&wheel).args(NEEDED))?;
+
+    let empty = folder.join("empty");
+    std::fs::create_dir(&empty).map_err(|error| format!("{}: {error}", empty.display()))?;
+    let here = |arguments: &[&str]| {
+        let mut command = Command::new(&python);
+        command.args(arguments).current_dir(&empty).env("MPLBACKEND", "Agg");
+        command
+    };
+    let settings = package.join("pyproject.toml");
+    let where_from = output(&mut here(&["-c", "import polhode; print(polhode.__file__)"]))?;
+    if !Path::new(where_from.trim()).starts_with(&folder) {
+        return Err(format!("{} is imported, not the wheel", where_from.trim()));
+    }
+    println!("   {}", wheel.file_name().unwrap_or_default().to_string_lossy());
+    // Ray is large, and its test is for those who have it.
+    let tests = package.join("tests");
+    let ray = format!("--ignore={}", tests.join("test_ray.py").display());
+    run(here(&["-m", "pytest", "-q", &ray, "-c"]).args([&settings, &tests]))?;
+    let documented = ["--doctest-modules", "--doctest-ignore-import-errors", "--pyargs", "polhode"];
+    run(here(&["-m", "pytest", "-q", "-c"]).arg(&settings).args(documented))?;
+    let pages = ["python.md", "clusters.md"].map(|page| root().join("book").join(page));
+    run(here(&["-m", "pytest", "-q", "--doctest-glob=*.md", "-c"]).arg(&settings).args(pages))?;
+    run(here(&["-m", "mypy", "--config-file"]).arg(&settings).args(["-p", "polhode"]))?;
+    for example in files(&root().join("examples/python"), "py")? {
+        println!("   {}", crate::short(&example));
+        output(here(&["-W", "error"]).arg(&example))?;
+    }
+    Ok(())
+}
+
+/// An environment with pip in the folder; gives its Python.
+fn environment(folder: &Path) -> Result<PathBuf, String> {
+    let hint = "the Python package is tested with Python 3.11 or later with venv, https://python.org";
+    let system = if cfg!(windows) { "python" } else { "python3" };
+    let version = output(Command::new(system).arg("--version")).map_err(|why| format!("{why}\n{hint}"))?;
+    if version_of(&version).is_none_or(|version| version < PYTHON) {
+        return Err(format!("{}: {hint}", version.trim()));
+    }
+    let environment = folder.join("venv");
+    let make = || output(Command::new(system).args(["-m", "venv"]).arg(&environment));
+    // Debian's Python has no venv until it is asked for.
+    make().or_else(|_| install_venv().and_then(|()| make())).map_err(|why| format!("{why}\n{hint}"))?;
+    Ok(environment.join(if cfg!(windows) { "Scripts/python.exe" } else { "bin/python" }))
+}
+
+fn install_venv() -> Outcome {
+    println!("   no venv: installing it");
+    let apt = |arguments: &[&str]| {
+        run(Command::new("apt-get").args(arguments).env("DEBIAN_FRONTEND", "noninteractive"))
+    };
+    apt(&["update", "-qq"])?;
+    apt(&["install", "-qq", "-y", "--no-install-recommends", "python3-venv"])
+}
+
+/// (3, 11) of `Python 3.11.7`.
+fn version_of(said: &str) -> Option<(u32, u32)> {
+    let mut numbers = said.trim().strip_prefix("Python ")?.split('.').map(str::parse);
+    Some((numbers.next()?.ok()?, numbers.next()?.ok()?))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::version_of;
+
+    #[test]
+    fn the_version_of_python_is_read() {
+        assert_eq!(version_of("Python 3.11.7\n"), Some((3, 11)));
+        assert_eq!(version_of("Python 3.9.2"), Some((3, 9)));
+        assert_eq!(version_of("Python 4.0.0rc1"), Some((4, 0)));
+        assert_eq!(version_of("python: not found"), None);
+    }
+}

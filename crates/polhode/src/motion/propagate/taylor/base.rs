@@ -91,6 +91,7 @@ impl Base {
         Vector::new(x, y, z)
     }
 
+    #[inline(always)]
     pub(super) fn state(&self, to_body: Rotation<Body, Principal>) -> State {
         let attitude = self.orientation.rotation() * to_body.inverse();
         State { time: self.time, attitude, omega: to_body * self.omega() }

@@ -180,7 +180,8 @@ fn the_book_has_every_key_and_no_other() {
     let pulses = "[[torque]]\nmodel = 'constant'\naxes = 'body'\ntorque = [1, 0, 0]\npulses = { zzz = 1 }";
     same(in_book("### Pulses"), known(&format!("{BALL}{pulses}")), "### Pulses");
     let top = known(&format!("zzz = 1\n{BALL}"));
-    for key in top.iter().filter(|key| **key != "title") {
+    // A sweep has a page of its own, which is held to the reader in its own crate.
+    for key in top.iter().filter(|key| !["title", "sweep"].contains(key)) {
         assert!(tables.iter().any(|(table, ..)| table == key), "the test has no probe for {key}");
     }
     same(in_book("## The file"), top, "## The file");

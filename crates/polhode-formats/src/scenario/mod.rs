@@ -26,6 +26,7 @@ mod again;
 mod body;
 mod event;
 mod formula;
+mod key;
 mod molecule;
 mod motion_table;
 mod part;

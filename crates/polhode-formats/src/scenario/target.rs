@@ -5,8 +5,8 @@ use std::ops::Range;
 use polhode::{Body, MassProperties, Scenario};
 
 use super::again::{Found, Number};
+use super::key::{Spot, mirrored};
 use super::reader::Value;
-use super::suggestion::nearest;
 use super::tree::{Entries, Kind, Node};
 use crate::error::FormatError;
 use crate::unit::Dimension;
@@ -101,14 +101,6 @@ pub(crate) struct Catalogue<'a> {
     pub(crate) nominal: &'a Scenario,
 }
 
-/// A place in the tree.
-struct Spot<'a> {
-    node: &'a Node,
-    /// The words of its name.
-    words: Vec<String>,
-    part: Option<usize>,
-}
-
 impl Catalogue<'_> {
     /// One number.
     pub(crate) fn number(&self, key: &Value<'_>) -> Result<Target, FormatError> {
@@ -125,7 +117,8 @@ impl Catalogue<'_> {
         let number = self.number_at(key, spot.node)?;
         let mut places = vec![number.span.clone()];
         if let Some(mirrored) = mirrored(key.string()?) {
-            let other = spot_at(self.entries, &mirrored).map_err(|(rule, hint)| refused(key, &rule, hint))?;
+            let other =
+                Spot::at(self.entries, &mirrored).map_err(|(rule, hint)| refused(key, &rule, hint))?;
             places.push(self.number_at(key, other.node)?.span.clone());
         }
         let words = spot.words.join("_");
@@ -214,7 +207,7 @@ impl Catalogue<'_> {
         let (part, words, properties) = if whole == "body" {
             (None, "body".to_owned(), self.nominal.body)
         } else {
-            let spot = spot_at(self.entries, whole).map_err(|(rule, hint)| refused(key, &rule, hint))?;
+            let spot = Spot::at(self.entries, whole).map_err(|(rule, hint)| refused(key, &rule, hint))?;
             let one_part = matches!(spot.node.kind, Kind::Table(_)) && spot.words.len() == 3;
             match spot.part.and_then(|k| Some((k, self.found.parts.get(k)?))) {
                 Some((k, (part, _))) if one_part => (Some(k), spot.words.join("_"), part.properties),
@@ -257,7 +250,7 @@ impl Catalogue<'_> {
     }
 
     fn spot(&self, key: &Value<'_>) -> Result<Spot<'_>, FormatError> {
-        spot_at(self.entries, key.string()?).map_err(|(rule, hint)| refused(key, &rule, hint))
+        Spot::at(self.entries, key.string()?).map_err(|(rule, hint)| refused(key, &rule, hint))
     }
 
     fn number_at(&self, key: &Value<'_>, node: &Node) -> Result<&Number, FormatError> {
@@ -275,118 +268,6 @@ fn refused(key: &Value<'_>, rule: &str, hint: Option<String>) -> FormatError {
         Some(hint) => error.with_hint(hint),
         None => error,
     }
-}
-
-/// The key of the element beyond the diagonal of a tensor, which is the same number.
-fn mirrored(key: &str) -> Option<String> {
-    let (rest, j) = key.strip_suffix(']')?.rsplit_once('[')?;
-    let (matrix, i) = rest.strip_suffix(']')?.rsplit_once('[')?;
-    (matrix.ends_with(".inertia") && i != j).then(|| format!("{matrix}[{j}][{i}]"))
-}
-
-/// Why there is nothing at a key: the rule that it breaks, and a hint.
-type Nowhere = (String, Option<String>);
-
-/// Goes along a key such as `body.part[0].size[2]` or `torque["wind"].from`.
-fn spot_at<'a>(entries: &'a Entries, key: &str) -> Result<Spot<'a>, Nowhere> {
-    let mut rest = key;
-    let mut table = Some(entries);
-    let mut spot: Option<Spot<'a>> = None;
-    while !rest.is_empty() {
-        let done = &key[..key.len() - rest.len()];
-        if let Some(inside) = rest.strip_prefix('[') {
-            let Some((index, after)) = inside.split_once(']') else {
-                return Err((format!("a key, but its bracket is not closed after {done}"), None));
-            };
-            let from =
-                spot.take().ok_or_else(|| ("a key that begins with a table's name".to_owned(), None))?;
-            spot = Some(element(from, done, index)?);
-            rest = after;
-        } else {
-            let rest_of = if done.is_empty() { Some(rest) } else { rest.strip_prefix('.') };
-            let Some(word_on) = rest_of else {
-                return Err((format!("a key: write a dot or a bracket after {done}"), None));
-            };
-            let end = word_on.find(['.', '[']).unwrap_or(word_on.len());
-            let (word, after) = word_on.split_at(end);
-            let here = if done.is_empty() { "the scenario".to_owned() } else { done.to_owned() };
-            let known = || table.into_iter().flatten().map(|(key, _)| key.as_str());
-            let Some(entry) = table.and_then(|table| table.get(word)) else {
-                let keys = known().filter(|key| *key != "sweep").collect::<Vec<_>>().join(", ");
-                let hint = match (nearest(word, known()), keys.is_empty()) {
-                    (Some(near), _) => Some(format!(
-                        "did you mean \"{done}{}{near}{after}\"?",
-                        if done.is_empty() { "" } else { "." }
-                    )),
-                    (None, false) => {
-                        Some(format!("the keys of {here} are {keys}; what varies has to stand there"))
-                    }
-                    (None, true) => None,
-                };
-                return Err((format!("a key of the scenario, but {here} has no \"{word}\""), hint));
-            };
-            let mut words = spot.as_ref().map_or_else(Vec::new, |spot| spot.words.clone());
-            words.push(word.to_owned());
-            spot = Some(Spot { node: &entry.node, words, part: spot.and_then(|spot| spot.part) });
-            rest = after;
-        }
-        table = match spot.as_ref().map(|spot| &spot.node.kind) {
-            Some(Kind::Table(entries)) => Some(entries),
-            _ => None,
-        };
-    }
-    spot.ok_or_else(|| {
-        ("a key of the scenario".to_owned(), Some("write key = \"start.spin.body[0]\"".to_owned()))
-    })
-}
-
-/// The element of an array by its index, from 0, or by its `name`.
-fn element<'a>(from: Spot<'a>, done: &str, index: &str) -> Result<Spot<'a>, Nowhere> {
-    let Kind::List(elements) = &from.node.kind else {
-        return Err((format!("a key of the scenario, but {done} is not an array"), None));
-    };
-    let name_of = |node: &'a Node| match &node.kind {
-        Kind::Table(entries) => match &entries.get("name")?.node.kind {
-            Kind::Text(name) => Some(name.as_str()),
-            _ => None,
-        },
-        _ => None,
-    };
-    let quoted = index.trim().strip_prefix(['"', '\'']).and_then(|name| name.strip_suffix(['"', '\'']));
-    let k = match quoted {
-        Some(name) => {
-            let names = || elements.iter().filter_map(name_of);
-            elements.iter().position(|node| name_of(node) == Some(name)).ok_or_else(|| {
-                let hint = match nearest(name, names()) {
-                    Some(near) => format!("did you mean {done}[\"{near}\"]?"),
-                    None => format!("write {done}[0], or give it a name = \"...\""),
-                };
-                (format!("a key of the scenario, but no {done} is named \"{name}\""), Some(hint))
-            })?
-        }
-        None => index.trim().parse::<usize>().ok().filter(|k| *k < elements.len()).ok_or_else(|| {
-            let hint = format!("{done} has {} elements, from {done}[0]", elements.len());
-            (format!("a key of the scenario, but there is no {done}[{index}]"), Some(hint))
-        })?,
-    };
-    let node = elements.get(k).unwrap_or(from.node);
-    let Spot { mut words, part, .. } = from;
-    let is_part = words == ["body", "part"];
-    let axis = match (elements.len(), &node.kind) {
-        (3, _) => ["x", "y", "z"].get(k),
-        (4, Kind::List(_)) => None,
-        (4, _) => ["w", "x", "y", "z"].get(k),
-        _ => None,
-    };
-    match (&node.kind, axis) {
-        (Kind::Table(_), _) | (_, None) => words.push(quoted.map_or_else(|| k.to_string(), str::to_owned)),
-        // The element xy of a matrix.
-        (_, Some(axis)) if words.last().is_some_and(|last| ["x", "y", "z"].contains(&last.as_str())) => {
-            words.last_mut().into_iter().for_each(|last| last.push_str(axis));
-        }
-        (_, Some(axis)) => words.push((*axis).to_owned()),
-    }
-    Ok(Spot { node, words, part: if is_part { Some(k) } else { part } })
 }
 
 fn column(words: &str, dimension: Dimension, description: String) -> TargetColumn {

@@ -9,7 +9,8 @@ use sha2::{Digest, Sha256};
 /// Counted up when members of the same plan become others.
 const FORMAT: &str = "polhode plan 1";
 
-/// SHA-256 of the format, the program's version, the text, and the files that the text names, each with its length before it.
+/// SHA-256 of the format, the program's version, the text, and the files that the text names, each with its length before it; and of
+/// the mass properties of each part, which know what is in the files that those files name.
 pub(crate) fn digest(template: &Template) -> Result<String, FormatError> {
     let mut hash = Sha256::new();
     let mut put = |bytes: &[u8]| {
@@ -24,6 +25,13 @@ pub(crate) fn digest(template: &Template) -> Result<String, FormatError> {
             put(bytes);
             Ok(())
         })?;
+    }
+    for part in &template.nominal().parts {
+        let [x, y, z] = part.properties.center_of_mass().to_array();
+        let tensor = part.properties.inertia().matrix();
+        for number in [part.properties.mass(), x, y, z].into_iter().chain(tensor.into_iter().flatten()) {
+            put(&number.to_bits().to_le_bytes());
+        }
     }
     let mut name = String::new();
     for byte in hash.finalize() {

@@ -63,7 +63,7 @@ impl Draw {
 
     /// A unit vector: cos θ is uniform from that of the widest angle to 1, φ all around.
     fn direction(&self, spread: Spread, u: f64, v: f64) -> [f64; 3] {
-        let around = Direction::<Body>::from_array(self.vector()).direction().map(|n| n.to_array());
+        let around = Direction::<Body>::from_array(self.vector()).direction().map(polhode::Vector::to_array);
         // 1 − cos θ, of which 1 − cos α = 2 sin²(α/2) is the greatest
         let (versine, axis) = match (spread, around) {
             (Spread::Within(angle), Some(axis)) => {

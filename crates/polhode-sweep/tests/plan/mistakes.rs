@@ -138,7 +138,7 @@ fn keys_lead_to_numbers_of_the_scenario() {
         refuses_vary(&format!("key = «'{key}'»\n{law}"), &format!("key = '{key}' must be {rule}"), hint);
     }
     refuses_vary(
-        &format!("key = «'start.spin'»\nrandom = 'uniform'\n"),
+        "key = «'start.spin'»\nrandom = 'uniform'\n",
         "key = 'start.spin' must be a rotation of the scenario",
         "write key = \"start.attitude\"",
     );
@@ -328,6 +328,19 @@ fn a_number_varies_once() {
             "a number varies once",
         );
     }
+}
+
+#[test]
+fn a_column_has_one_name() {
+    let part =
+        |name: &str| format!("[[body.part]]\nname = '{name}'\nshape = 'sphere'\nradius = 1\nmass = 1\n");
+    let vary = |name: &str| format!("[[sweep.vary]]\nkey = 'body.part[\"{name}\"].mass'\nrelative = 0.1\n");
+    let parts = format!("{}{}", part("tank 1"), part("tank-1"));
+    let sweep = format!("[sweep]\nmembers = 3\nsampling = 'sobol'\n{}{}", vary("tank 1"), vary("tank-1"));
+    let error = Plan::parse(format!("{parts}{sweep}"), "plan.toml".as_ref()).unwrap_err();
+    let expected = "plan.toml:18:7: key = 'body.part[\"tank-1\"].mass' must be of another name: line 15 has the column \
+                    body_part_tank_1_mass_kg already";
+    assert_eq!(error.to_string(), expected);
 }
 
 #[test]

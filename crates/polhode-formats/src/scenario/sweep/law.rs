@@ -101,7 +101,7 @@ pub(super) fn law(
         "random" => (catalogue.rotation(key)?, Law::Rotation(rotation(&form)?)),
         "direction" => {
             let target = catalogue.vector(key)?;
-            let direction = direction(&form, &target)?;
+            let direction = direction(&form)?;
             let magnitude = table.get("magnitude").map(|value| magnitude(&value, &target)).transpose()?;
             let is_zero = target.nominal().iter().all(|value| *value == 0.0);
             if is_zero && (magnitude.is_none() || direction != Spread::Uniform) {
@@ -137,7 +137,7 @@ fn rotation(value: &Value<'_>) -> Result<Spread, FormatError> {
 }
 
 /// `direction = "uniform"`, or `{ within = "5 deg" }`
-fn direction(value: &Value<'_>, _target: &Target) -> Result<Spread, FormatError> {
+fn direction(value: &Value<'_>) -> Result<Spread, FormatError> {
     if value.string().is_ok() {
         return value.choice(&["uniform"]).map(|_| Spread::Uniform);
     }

@@ -108,10 +108,19 @@ pub(crate) fn sweep(
                 "a vector draws up to 3, a rotation 3, a tensor 9, a body up to 16: take \"latin hypercube\"";
             return Err(key.invalid(rule).with_hint(hint));
         }
-        if let Some((other, _)) = vary.iter().take(k).find(|(other, _)| other.target.overlaps(&one.target)) {
+        for (other, _) in vary.iter().take(k) {
             let line = other.place.line;
-            let rule = format!("something else than what varies by line {line} already");
-            return Err(key.invalid(rule).with_hint("a number varies once: leave one of them out"));
+            if other.target.overlaps(&one.target) {
+                let rule = format!("something else than what varies by line {line} already");
+                return Err(key.invalid(rule).with_hint("a number varies once: leave one of them out"));
+            }
+            let named = |name: &str| other.target.columns().iter().any(|column| column.name == name);
+            if let Some(twice) = one.target.columns().iter().find(|column| named(&column.name)) {
+                let rule = format!("of another name: line {line} has the column {} already", twice.name);
+                return Err(key
+                    .invalid(rule)
+                    .with_hint("a column's name has letters, digits and underscores"));
+            }
         }
     }
     let vary: Vec<Vary> = vary.into_iter().map(|(vary, _)| vary).collect();

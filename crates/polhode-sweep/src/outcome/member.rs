@@ -80,24 +80,21 @@ impl Outcome {
             moments: Some(rotor.principal().moments()),
             ..Self::default()
         };
-        body.moved(scenario, &rotor).unwrap_or_else(|(body, error)| body.failed(&error))
+        body.moved(scenario, &rotor)
     }
 
-    /// With what becomes of it; as it is, and the reason, if nothing does.
-    fn moved(self, scenario: &Scenario, rotor: &Rotor) -> Result<Self, (Self, MotionError)> {
+    /// With what becomes of it, or why nothing does.
+    fn moved(self, scenario: &Scenario, rotor: &Rotor) -> Self {
         if let Some((motion, end)) = free::motion(scenario, rotor) {
             return match free::outcome(&motion, end) {
-                Some(found) => Ok(self.with_free(&motion).with_found(found)),
-                None => Err((self, MotionError::NotFinite { time: end })),
+                Some(found) => self.with_free(&motion).with_found(&found),
+                None => self.failed(&MotionError::NotFinite { time: end }),
             };
         }
         match scenario.simulate() {
-            Some(Ok(trajectory)) => Ok(self.with(scenario, rotor, &trajectory)),
-            Some(Err(error)) => Err((self, error)),
-            None => {
-                let cause = Some("it has no [run] section".to_owned());
-                Ok(Self { cause, ..self })
-            }
+            Some(Ok(trajectory)) => self.with(scenario, rotor, &trajectory),
+            Some(Err(error)) => self.failed(&error),
+            None => Self { cause: Some("it has no [run] section".to_owned()), ..self },
         }
     }
 
@@ -149,7 +146,7 @@ impl Outcome {
     }
 
     /// With the ends and the extrema of a free motion.
-    fn with_found(self, found: free::Found) -> Self {
+    fn with_found(self, found: &free::Found) -> Self {
         Self {
             status: Status::Complete,
             end_regime: self.regime,

@@ -142,7 +142,7 @@ mod tests {
                 .sum::<f64>()
         };
         for (n, p) in [(10, 0.5), (100, 0.5), (37, 0.25), (400, 0.05), (90, 0.95)] {
-            let [lower, upper] = of_quantile(n, p, 0.95).map(|rank| rank.map(|rank| rank));
+            let [lower, upper] = of_quantile(n, p, 0.95);
             if let Some(lower) = lower {
                 assert!(cumulated(n, p, lower) <= 0.025 && cumulated(n, p, lower + 1) > 0.025, "{n} {p}");
             }

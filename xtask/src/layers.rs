@@ -72,7 +72,10 @@ pub(crate) fn check() -> Outcome {
     for folder in ["crates", "xtask"] {
         for path in files(&root().join(folder), "rs")? {
             let (file, text) = (short(&path), read(&path)?);
-            violations.extend(scan(&file, &text));
+            // A file of tests is no part of a room.
+            if !file.ends_with("/tests.rs") {
+                violations.extend(scan(&file, &text));
+            }
             violations.extend(too_long(&file, text.lines().count()));
             count += 1;
         }

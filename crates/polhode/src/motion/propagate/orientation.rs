@@ -20,6 +20,7 @@ impl Orientation {
         Self { q: rotation.quaternion(), carry: [0.0; 4] }
     }
 
+    #[inline(always)]
     pub(super) fn rotation(&self) -> Rotation<Space, Principal> {
         Rotation::from_unit(self.quaternion())
     }

@@ -70,7 +70,7 @@ impl<N: Number> Base<N> {
     #[inline(always)]
     pub(super) fn flaw(&self) -> N {
         let StepStart { attitude, omega, .. } = self.start();
-        let none = |x: N| x - x;
+        let none = |x: N| x * x.like(0.0);
         let ([x, y, z, _], [a, b, c, d]) = (omega.0, attitude.0);
         none(x) + none(y) + none(z) + (none(a) + none(b)) + (none(c) + none(d))
     }
@@ -91,6 +91,7 @@ impl Base {
         Vector::new(x, y, z)
     }
 
+    #[inline(always)]
     pub(super) fn state(&self, to_body: Rotation<Body, Principal>) -> State {
         let attitude = self.orientation.rotation() * to_body.inverse();
         State { time: self.time, attitude, omega: to_body * self.omega() }

@@ -42,7 +42,7 @@ pub(super) fn power<N: Number>(a: &Scalars<N>, p: f64, c: &Scalars<N>, n: usize)
 pub(super) struct Composition<N = f64> {
     outer: Scalars<N>,
     /// (w − w₀)ᵏ
-    powers: Box<[Scalars<N>]>,
+    powers: Box<[Scalars<N>; TERMS]>,
     result: Scalars<N>,
 }
 
@@ -50,7 +50,7 @@ impl<N: Number> Composition<N> {
     /// Of nothing yet.
     pub(super) fn all(zero: N) -> Self {
         let none = [zero; TERMS];
-        Self { outer: none, powers: vec![none; TERMS].into(), result: none }
+        Self { outer: none, powers: Box::new([none; TERMS]), result: none }
     }
 
     /// Starts a lane at w₀ ≥ 0 with f(w₀), and √(1 − w₀²).

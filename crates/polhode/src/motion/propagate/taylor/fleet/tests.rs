@@ -40,7 +40,7 @@ fn member(name: &str, k: usize) -> Member {
     }
     let rest = Attitude::from_quaternion([0.8, 0.1 + 0.2 * f, -0.4, 0.5]).unwrap();
     let mut omega = AngularVelocity::new(0.3 + f, 0.5 - 2.0 * f, 0.2 * (1 + k % 5) as f64);
-    if name.contains("at rest") && k % 3 == 0 {
+    if name.contains("at rest") && k.is_multiple_of(3) {
         omega = AngularVelocity::ZERO;
     }
     if name == "spring" || name == "wire" {

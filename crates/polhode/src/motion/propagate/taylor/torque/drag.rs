@@ -157,6 +157,7 @@ impl<N: Number> Speed<N> {
     }
 
     /// Is coefficient n of ω the first that is not zero?
+    #[inline(always)]
     fn look_for_lead(&mut self, n: usize, omega: Row<N>) {
         let size = omega.largest();
         let is_first = |lane: &usize| {

@@ -58,7 +58,10 @@ fn start(k: usize) -> State {
     State { time: 0.0, attitude: Attitude::identity(), omega }
 }
 
-fn subjects() -> Result<Vec<(&'static str, Rotor, Vec<TorqueModel>)>, Box<dyn Error>> {
+/// A name, a body, and what turns it.
+type Subject = (&'static str, Rotor, Vec<TorqueModel>);
+
+fn subjects() -> Result<Vec<Subject>, Box<dyn Error>> {
     let body = generic()?;
     let (free, held) = (Rotor::free(&body), Rotor::pivoted(&body, Position::new(-0.04, 0.02, 0.01)));
     let drag = Drag::new(DragLaw::Linear, [[0.11, 0.02, -0.03], [0.02, 0.17, 0.05], [-0.03, 0.05, 0.09]])?;

@@ -58,7 +58,10 @@ fn start(k: usize) -> State {
     State { time: 0.0, attitude: Attitude::identity(), omega }
 }
 
-fn subjects() -> Result<Vec<(&'static str, Rotor, Vec<TorqueModel>)>, Box<dyn Error>> {
+/// A name, a body, and what turns it.
+type Subject = (&'static str, Rotor, Vec<TorqueModel>);
+
+fn subjects() -> Result<Vec<Subject>, Box<dyn Error>> {
     let body = generic()?;
     let (free, held) = (Rotor::free(&body), Rotor::pivoted(&body, Position::new(-0.04, 0.02, 0.01)));
     let drag = Drag::new(DragLaw::Linear, [[0.11, 0.02, -0.03], [0.02, 0.17, 0.05], [-0.03, 0.05, 0.09]])?;
@@ -87,7 +90,8 @@ fn ensemble(rotor: &Rotor, torques: &[TorqueModel], count: usize) -> Result<Ense
 
 /// Million body-steps/s of the whole way from states to states.
 fn rk4(rotor: &Rotor, torques: &[TorqueModel], threads: usize) -> Result<f64, Box<dyn Error>> {
-    let (bodies, steps) = (512 * threads, 400);
+    let steps = if torques.is_empty() { 400 } else { 100 };
+    let bodies = 256 * threads;
     let all = ensemble(rotor, torques, bodies)?;
     let mut states = vec![start(0); bodies];
     let advance = Advance::RungeKutta4 { step: 0.01 };
@@ -122,9 +126,9 @@ fn taylor(rotor: &Rotor, torques: &[TorqueModel]) -> Result<f64, Box<dyn Error>>
 /// Free motions in closed form.
 fn exact() -> Result<(), Box<dyn Error>> {
     let rotor = Rotor::free(&generic()?);
-    let times: Vec<f64> = (0..4096).map(|k| f64::from(k) * 0.977 + 0.1).collect();
+    let times: Vec<f64> = (0..1024).map(|k| f64::from(k) * 0.977 + 0.1).collect();
     for threads in [1, 2] {
-        let bodies = 128;
+        let bodies = 64 * threads;
         let all = ensemble(&rotor, &[], bodies)?;
         let mut rows = vec![start(0); bodies * times.len()];
         let threads = NonZero::new(threads).ok_or("no thread")?;
@@ -133,25 +137,33 @@ fn exact() -> Result<(), Box<dyn Error>> {
             black_box(all.fill(&times, advance, threads, &mut rows, &mut |_| true).ok());
         });
         let rate = (bodies * times.len()) as f64 / seconds * 1e-6;
-        println!("exact, 4,096 times of each body, {threads} at a time\t{rate:.1}\tmillion states/s");
+        println!("exact, 1,024 times of each body, {threads} at a time\t{rate:.1}\tmillion states/s");
     }
     let motion = FreeMotion::of(&rotor, start(7))?;
-    let few: Vec<f64> = times.iter().copied().take(1024).collect();
-    let mut states = motion.at_times(&few);
-    let seconds = least(|| motion.fill(black_box(&few), black_box(&mut states)));
-    println!("exact, one body, prepared\t{:.1}\tmillion states/s", few.len() as f64 / seconds * 1e-6);
-    for count in [1_000, 1_000_000] {
-        let motions = (0..count).map(|k| FreeMotion::of(&rotor, start(k % 100_000)));
-        let all = FreeMotions::of(&motions.collect::<Result<Vec<_>, _>>()?);
-        let mut states = vec![start(0); count];
-        let mut time = 1234.5;
+    let mut states = motion.at_times(&times);
+    let seconds = least(|| motion.fill(black_box(&times), black_box(&mut states)));
+    println!("exact, one body, prepared\t{:.1}\tmillion states/s", times.len() as f64 / seconds * 1e-6);
+    // The latter come from memory: each of ten fleets waits for the others to have passed.
+    for (fleets, count) in [(1, 1_000), (10, 100_000)] {
+        let motion = |k: usize| FreeMotion::of(&rotor, start(k));
+        let fleet =
+            |f: usize| Ok(FreeMotions::of(&(f..f + count).map(motion).collect::<Result<Vec<_>, _>>()?));
+        let all = (0..fleets).map(fleet).collect::<Result<Vec<_>, MotionError>>()?;
+        let mut states = vec![vec![start(0); count]; fleets];
+        let (mut time, mut turn) = (1234.5, (0..fleets).cycle());
         let seconds = least(|| {
             time += 1.0;
-            all.fill(black_box(time), black_box(&mut states));
+            if let Some((fleet, states)) = turn.next().and_then(|f| all.get(f).zip(states.get_mut(f))) {
+                fleet.fill(black_box(time), black_box(states));
+            }
         });
         let rate = count as f64 / seconds * 1e-6;
-        println!("exact, {count} prepared bodies at a time\t{rate:.1}\tmillion states/s");
+        println!("exact, {} prepared bodies at a time\t{rate:.1}\tmillion states/s", fleets * count);
     }
+    let seconds = least(|| {
+        black_box(FreeMotion::of(black_box(&rotor), start(7)).ok());
+    });
+    println!("exact, to prepare a body\t{:.1}\tµs", seconds * 1e6);
     println!("a prepared body\t{}\tbytes", size_of::<FreeMotion>());
     Ok(())
 }

@@ -151,8 +151,8 @@ impl<N: Number> Speed<N> {
         torque
     }
 
-    /// Is coefficient n of ω the first that is not zero?
-    #[inline(always)]
+    /// Is coefficient n of ω the first that is not zero? Not inlined: it is seldom asked, and the loop over n is long enough.
+    #[inline(never)]
     fn look_for_lead(&mut self, n: usize, omega: Row<N>) {
         let size = omega.largest();
         let is_first = |lane: &usize| {

@@ -55,8 +55,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
+/// A name, a body, and what turns it.
+type Problem = (&'static str, Rotor, Vec<TorqueModel>);
+
 /// Nothing acts; gravity at a pivot, M g l = 1 N·m; the gravity gradient on a circle at 0.5 rad/s.
-fn problems() -> Result<[(&'static str, Rotor, Vec<TorqueModel>); 3], Box<dyn Error>> {
+fn problems() -> Result<[Problem; 3], Box<dyn Error>> {
     let free = Rotor::free(&MassProperties::new(1.0, Position::ZERO, InertiaTensor::diagonal(MOMENTS)?)?);
     // A mass so small that its place hardly matters to the tensor, and gravity as much larger.
     let (mass, g, [i1, i2, i3]) = (1e-3, 1e3, MOMENTS);

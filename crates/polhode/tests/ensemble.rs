@@ -188,7 +188,7 @@ fn every_torque_is_stepped_as_the_textbook_does() {
     for (name, rotor, torques) in zoo() {
         let member = Member { rotor, torques, start: start(3) };
         // Coarse steps, so that the method's own error is 1e-4 and a fault of its coefficients would show.
-        let flights = ensemble(&[member.clone()]).at(&[1.0, 2.25], rk4(0.05), ONE).unwrap();
+        let flights = ensemble(std::slice::from_ref(&member)).at(&[1.0, 2.25], rk4(0.05), ONE).unwrap();
         assert_eq!(flights.failures, [], "{name}");
         for state in &flights.states {
             let want = textbook(&member, state.time, ((state.time - 0.25) / 0.05).round() as usize);
@@ -291,7 +291,7 @@ fn other_members_have_the_bits_of_a_simulation() {
             (Method::Auto, Advance::Auto { tolerance: 1e-11 }),
             (Method::Taylor, Advance::Taylor { tolerance: 1e-11 }),
         ] {
-            let flights = ensemble(&[member.clone()]).at(&times, advance, ONE).unwrap();
+            let flights = ensemble(std::slice::from_ref(&member)).at(&times, advance, ONE).unwrap();
             let simulation = Simulation {
                 rotor: &member.rotor,
                 torques: &member.torques,

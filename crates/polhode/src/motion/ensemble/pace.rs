@@ -4,8 +4,8 @@ use super::Member;
 use crate::math::frame::{Principal, Space};
 use crate::math::rotation::Rotation;
 use crate::math::vector::Vector;
-use crate::motion::propagate::bound::MOST_STEPS;
 use crate::motion::error::MotionError;
+use crate::motion::propagate::bound::MOST_STEPS;
 use crate::motion::state::State;
 
 /// A start along principal axes.

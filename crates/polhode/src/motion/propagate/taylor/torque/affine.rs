@@ -61,7 +61,7 @@ impl<N: Number> Affine<N> {
         for model in models {
             match model {
                 TorqueModel::Constant(ConstantTorque::Body(n)) => {
-                    constant = constant + row(to_principal * *n)
+                    constant = constant + row(to_principal * *n);
                 }
                 TorqueModel::Thruster(thruster) => {
                     constant = constant + row(to_principal * thruster.torque(rotor));

@@ -254,6 +254,22 @@ fn a_member_has_the_bits_that_it_has_alone() {
     }
 }
 
+/// The FNV hash of all bits.
+fn hash(states: &[State]) -> u64 {
+    let bytes = bits(states).into_iter().flatten().flat_map(u64::to_le_bytes);
+    bytes.fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
+        (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
+    })
+}
+
+#[test]
+fn the_bits_are_those_of_every_machine() {
+    // The same with AVX-512, with AVX2 (`--cfg no_avx512`) and without vectors (`--no-default-features`).
+    let members = crowd(160);
+    let flights = ensemble(&members).at(&[0.5, 1.1], rk4(0.04), ONE).unwrap();
+    assert_eq!(hash(&flights.states), 408_812_157_932_001_747);
+}
+
 #[test]
 fn many_of_a_kind_are_what_each_is() {
     for torque in [0, 3, 9] {
@@ -348,6 +364,49 @@ fn one_that_fails_leaves_the_others_alone() {
             assert_eq!(bits(&bad.states[3 * k..][..3]), bits(&good.states[3 * k..][..3]));
         }
     }
+}
+
+#[test]
+fn rods_keep_their_spin_and_take_no_torque_along_it() {
+    let rod = MassProperties::new(
+        1.3,
+        Position::new(0.6, 0.0, 0.0),
+        InertiaTensor::diagonal([0.0, 0.2, 0.2]).unwrap(),
+    );
+    let rod = rod.unwrap();
+    let weight = TorqueModel::Gravity(UniformGravity { acceleration: Acceleration::new(0.3, -0.4, -1.1) });
+    let torque = |x: f64| TorqueModel::Constant(ConstantTorque::Body(Torque::new(x, 0.2, -0.1)));
+    let member =
+        |rotor: &Rotor, torques: Vec<TorqueModel>| Member { rotor: rotor.clone(), torques, start: start(4) };
+    let (free, held) = (Rotor::free(&rod), Rotor::pivoted(&rod, Position::ZERO));
+    let good = [member(&free, vec![]), member(&held, vec![weight]), member(&free, vec![torque(0.0)])];
+    for member in good {
+        let one = ensemble(&[member]);
+        let truth = one.at(&[1.25], Advance::Auto { tolerance: 1e-13 }, ONE).unwrap();
+        let stepped = one.at(&[1.25], rk4(0.005), ONE).unwrap();
+        assert_eq!((&truth.failures, &stepped.failures), (&vec![], &vec![]));
+        assert!(distance(&stepped.states[0], &truth.states[0]) < 1e-9);
+    }
+    let bad = ensemble(&[member(&free, vec![torque(0.01)])]).at(&[1.25], rk4(0.005), ONE).unwrap();
+    let cause = &bad.failures[0].cause;
+    assert!(
+        matches!(cause, MotionError::TorqueWithoutInertia { torque, .. } if *torque == 0.01),
+        "{cause:?}"
+    );
+}
+
+#[test]
+fn what_overflows_ends_there() {
+    // Steps beyond the stability of the method, of a drag that is that strong.
+    let matrix = [[900.0, 0.0, 0.0], [0.0, 700.0, 0.0], [0.0, 0.0, 800.0]];
+    let drag = TorqueModel::Drag(Drag::new(DragLaw::Linear, matrix).unwrap());
+    let mut members = crowd(9);
+    members[4] = Member { rotor: Rotor::free(&body()), torques: vec![drag], start: start(4) };
+    let flights = ensemble(&members).at(&[0.5, 300.0, 400.0], rk4(0.25), ONE).unwrap();
+    let found = flights.failures.iter().find(|failure| failure.member == 4).unwrap();
+    assert_eq!(found.cause, MotionError::NotFinite { time: 0.5 });
+    assert!(flights.states[13].time == 0.5 && flights.states[14] == flights.states[13]);
+    assert!(flights.states.iter().all(|state| <[f64; 8]>::from(*state).iter().all(|x| x.is_finite())));
 }
 
 #[test]

@@ -9,6 +9,7 @@ use super::step::{Action, Gait, Law, Moving, STRETCH, step};
 use crate::math::frame::{Body, Principal, Space};
 use crate::math::rotation::Rotation;
 use crate::math::vector::{AngularMomentum, AngularVelocity, Torque};
+use crate::motion::course::MOST_STEPS;
 use crate::motion::error::MotionError;
 use crate::motion::propagate::{ROUNDING, THIN};
 use crate::motion::rotor::Rotor;
@@ -44,14 +45,20 @@ impl<'a> Alone<'a> {
         let member = &members[k];
         let start = member.start;
         let Begin { mut omega, mut q } = Begin::of(member);
-        let (mut time, mut last) = (start.time, start);
+        let (mut time, mut last, mut steps) = (start.time, start, 0);
         for (n, &wanted) in times.iter().enumerate() {
             while time < wanted {
                 let here = finished(member, time, q, omega).unwrap_or(last);
                 let (alone, change) = Self::acting(member, &here);
                 let until = wanted.min(change);
-                let arrived = Pace::new(time, until, step, start.time, times)
-                    .and_then(|pace| alone.march(&pace, &mut omega, &mut q));
+                let arrived = Pace::new(time, until, step, start.time, times).and_then(|pace| {
+                    // Pieces may be shorter than steps, and many.
+                    steps += pace.count;
+                    if steps > MOST_STEPS {
+                        return Err(MotionError::TooManySteps { time, step: pace.step, most: MOST_STEPS });
+                    }
+                    alone.march(&pace, &mut omega, &mut q)
+                });
                 if let Err(cause) = arrived {
                     return share.fail(k, n, last, cause);
                 }

@@ -74,7 +74,7 @@ impl Crew {
     ) -> Result<Vec<Failure>, MotionError> {
         let done = AtomicUsize::new(0);
         let goes_on = AtomicBool::new(true);
-        let shares = members.chunks(SHARE).zip(states.chunks_mut(SHARE * times)).enumerate();
+        let shares = members.chunks(SHARE).zip(states.chunks_mut(SHARE.saturating_mul(times))).enumerate();
         let shares = Mutex::new(shares);
         let failures = Mutex::new(Vec::new());
         let work = |report: &mut dyn FnMut(usize) -> bool| {

@@ -57,7 +57,7 @@ impl Pace {
         // A quotient that is whole but for rounding is whole.
         let count = ((until - time) / longest * (1.0 - 1e-12)).ceil().max(0.0);
         let step = if count > 0.0 { (until - time) / count } else { longest };
-        if count > 0.0 && !(time + 0.5 * step > time) {
+        if count > 0.0 && !(time + step > time) {
             return Err(MotionError::StepTooSmall { time, step });
         }
         Ok(Self { start: time, count: count as u64, step })

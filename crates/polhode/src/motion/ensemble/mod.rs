@@ -167,7 +167,7 @@ impl Ensemble {
     /// As [`Ensemble::at`], into states that are there already, in the same order; as rows (t, w, x, y, z, ω1, ω2, ω3) if they are
     /// `[f64; 8]`. Gives those that could go no further, ascending.
     ///
-    /// `progress` is told now and then, on the thread that called, how many members are done; `false` ends the work.
+    /// `progress` is told now and then and at the end, on the thread that called, how many members are done; `false` ends the work.
     ///
     /// # Errors
     /// As [`Ensemble::at`]; [`MotionError::Parameter`] if there are not as many states as members times times;

@@ -103,7 +103,7 @@ impl core::error::Error for Failure {}
 /// let ensemble = Ensemble::new((0..100).map(|k| member(f64::from(k))).collect())?;
 /// let flights = ensemble.at(&[1.0, 2.0], Advance::RungeKutta4 { step: 0.01 }, NonZero::<usize>::MIN)?;
 /// // Two times each: ω of member 41 at t = 2 s is 41 rad/s + N t/i3.
-/// assert!((flights.states[2 * 41 + 1].omega.z - (41.0 + 0.5 * 2.0 / 2.5)).abs() < 1e-13);
+/// assert!((flights.states[2 * 41 + 1].omega.z - (41.0 + 0.5 * 2.0 / 2.5)).abs() < 1e-12);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]

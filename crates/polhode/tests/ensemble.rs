@@ -461,7 +461,7 @@ fn work_tells_how_far_it_is_and_can_be_ended() {
         let threads = NonZero::new(threads).unwrap();
         let ended = all.fill(&[1.0], rk4(0.05), threads, &mut rows, &mut |done| done < 100);
         assert!(
-            matches!(ended, Err(MotionError::Cancelled { done }) if (100..300).contains(&done)),
+            matches!(ended, Err(MotionError::Cancelled { done }) if (100..=300).contains(&done)),
             "{ended:?}"
         );
     }

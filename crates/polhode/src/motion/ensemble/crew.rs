@@ -100,6 +100,7 @@ impl Crew {
                 }
             }
         };
+        let mut told = 0;
         let count = |members: usize| done.fetch_add(members, Ordering::Relaxed) + members;
         thread::scope(|scope| {
             for _ in 1..self.threads.get().min(members.len().div_ceil(SHARE)) {
@@ -115,14 +116,16 @@ impl Crew {
                 }
             }
             work(&mut |members| {
-                let all = count(members);
-                let goes = progress(all);
+                told = count(members);
+                let goes = progress(told);
                 goes_on.fetch_and(goes, Ordering::Relaxed);
                 goes
             });
         });
-        if !goes_on.into_inner() {
-            return Err(MotionError::Cancelled { done: done.into_inner() });
+        let (done, goes_on) = (done.into_inner(), goes_on.into_inner());
+        // What others did last.
+        if !goes_on || told < done && !progress(done) {
+            return Err(MotionError::Cancelled { done });
         }
         let mut failures = failures.into_inner().unwrap_or_else(PoisonError::into_inner);
         failures.sort_by_key(|failure: &Failure| failure.member);

@@ -335,13 +335,13 @@ fn a_run_away_leaves_the_plot_where_it_says_so() {
     let trajectory = scenario.simulate().unwrap().unwrap();
     assert!(!trajectory.ending().is_complete());
     let last = trajectory.samples().last().unwrap();
-    assert!(last.state.omega.z > 1e6);
+    assert!(last.state.omega.z > 300.0 * scenario.start.omega.z, "{:?}", last.state.omega);
     let figures = MotionFigures::of_scenario(&scenario, &trajectory);
     for figure in [Figure::Omega, Figure::Energy, Figure::Momentum, Figure::Torque] {
         let picture = figures.draw(figure).unwrap();
         readable(&picture, figure.name());
         let texts = boxes(&picture);
-        assert!(texts.iter().any(|(text, _)| text.starts_with("to ") && text.contains("×10")), "{texts:?}");
+        assert!(texts.iter().any(|(text, _)| text.starts_with("to ")), "{texts:?}");
         assert!(picture.sheet.marks.iter().any(|mark| matches!(mark, Mark::Polygon { .. })));
     }
     // The plot is as high as ω(t) = 1/(2 s − t) at its last regular sample, 20 rad/s, needs.

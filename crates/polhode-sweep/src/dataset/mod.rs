@@ -45,7 +45,7 @@ use manifest::Manifest;
 /// for part in dataset.missing()? {
 ///     dataset.write(part, &simulate(&plan, &inputs(&plan, dataset.rows(part)))?)?;
 /// }
-/// println!("{}", dataset.finish(&plan)?.to_text());
+/// println!("{}", dataset.finish(&plan, 2)?.to_text());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug)]

@@ -107,7 +107,8 @@ def test_a_member_that_cannot_go_on_is_said() -> None:
     with pytest.warns(polhode.PolhodeWarning, match="1 of 2 members cannot go on, the first is 1"):
         flights = ensemble.at([0.0, 1.0])
     ((member, time, cause),) = flights.failures
-    assert member == 1 and time == 0.0 and "steps" in cause
+    # ω̇ = ω³/I grows beyond all bounds at t = I/(2 ω₀²).
+    assert member == 1 and 0.0 < time < 2.5 / (2.0 * 50.0**2) and "runs away" in cause, cause
     assert np.isfinite(flights.omega).all() and flights.reached[0, 1] == 1.0
 
 

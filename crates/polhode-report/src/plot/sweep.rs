@@ -7,13 +7,7 @@ use super::sheet::{Anchor, Colour, LARGE, Mark, Pen, Point, Sheet, Text};
 use crate::layout::printable;
 use crate::sweep::{SweepHistogram, SweepSample, SweepStatistic, SweepSummary};
 
-/// The figures of a sweep.
-///
-/// ```no_run
-/// # fn of(summary: &polhode_report::SweepSummary, sample: &polhode_report::SweepSample) -> String {
-/// polhode_report::SweepFigures::new(summary, sample).histograms().to_svg()
-/// # }
-/// ```
+/// The figures of a sweep: [`SweepFigures::histograms`] of its outcomes, and [`SweepFigures::pairs`] of inputs and outcomes.
 #[derive(Clone, Copy, Debug)]
 pub struct SweepFigures<'a> {
     summary: &'a SweepSummary,

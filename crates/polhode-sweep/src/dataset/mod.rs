@@ -38,14 +38,33 @@ use manifest::Manifest;
 
 /// The results of a sweep in a folder, which nobody else writes to while this lives.
 ///
-/// ```no_run
+/// ```
 /// use polhode_sweep::{Dataset, Plan, inputs, simulate};
-/// let plan = Plan::read("plan.toml".as_ref())?;
-/// let dataset = Dataset::resume("results".as_ref(), &plan)?;
+/// let text = r#"
+/// [[body.part]]
+/// shape = "tensor"
+/// mass = "3 kg"
+/// moments = ["1 kg m^2", "2 kg m^2", "2.5 kg m^2"]
+/// [start]
+/// spin = { body = [0.1, 2, -0.3] }
+/// [run]
+/// duration = "60 s"
+/// [sweep]
+/// sampling = "grid"
+/// [[sweep.vary]]
+/// key = "start.spin.body[1]"
+/// list = ["1 rad/s", "2 rad/s"]
+/// "#;
+/// let plan = Plan::parse(text.to_owned(), "plan.toml".as_ref())?;
+/// let folder = std::env::temp_dir().join(format!("polhode-dataset-{}", std::process::id()));
+/// let dataset = Dataset::create(&folder, &plan)?;
 /// for part in dataset.missing()? {
 ///     dataset.write(part, &simulate(&plan, &inputs(&plan, dataset.rows(part)))?)?;
 /// }
+/// assert!(dataset.missing()?.is_empty());
 /// println!("{}", dataset.finish(&plan, 2)?.to_text());
+/// # drop(dataset);
+/// # std::fs::remove_dir_all(&folder)?;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug)]

@@ -2,15 +2,15 @@
 
 use core::ops::{Add, Mul, Sub};
 
-use super::fused::Fused;
 use super::lanes::Lanes;
+use super::number::{MulAdd, Number};
 
 /// The vectors of a machine.
 pub(crate) trait Machine: Copy {
     /// Four numbers in a register.
-    type Four: Copy + Add<Output = Self::Four> + Sub<Output = Self::Four> + Mul<Output = Self::Four>;
+    type Four: MulAdd + Add<Output = Self::Four> + Sub<Output = Self::Four> + Mul<Output = Self::Four>;
     /// Eight, in as few registers as hold them.
-    type Eight: Fused;
+    type Eight: Number;
 
     fn load(self, numbers: &[f64; 4]) -> Self::Four;
     fn splat(self, number: f64) -> Self::Four;

@@ -7,7 +7,6 @@ pub(crate) mod elementary;
 pub(crate) mod elliptic;
 pub(crate) mod formula;
 pub(crate) mod frame;
-pub(crate) mod fused;
 pub(crate) mod jet;
 pub(crate) mod kepler;
 pub(crate) mod landen;

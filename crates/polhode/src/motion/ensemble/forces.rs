@@ -5,7 +5,7 @@ use core::array::from_fn;
 use super::Member;
 use super::step::{Action, Law};
 use crate::math::frame::{Body, Space};
-use crate::math::fused::Fused;
+use crate::math::number::Number;
 use crate::math::vector::Vector;
 use crate::motion::orbit::Orbit;
 use crate::motion::torque::{Attracted, ConstantTorque, DragLaw, Magnetic, MagneticField, TorqueModel};
@@ -121,7 +121,7 @@ fn add<const N: usize>(part: &mut Option<[f64; N]>, more: [f64; N]) {
 }
 
 /// [`Parts`] of a kind, one in every lane.
-pub(super) struct Forces<'a, T: Fused> {
+pub(super) struct Forces<'a, T: Number> {
     zero: T,
     moments: [T; 3],
     constant: Option<[T; 3]>,
@@ -144,7 +144,7 @@ pub(super) struct Scene<T> {
     wheels: [T; 3],
 }
 
-impl<'a, T: Fused> Forces<'a, T> {
+impl<'a, T: Number> Forces<'a, T> {
     /// The parts of each lane, which are of one kind.
     #[inline(always)]
     pub(super) fn new(zero: T, parts: &[&Parts<'a>]) -> Self {
@@ -173,7 +173,7 @@ fn at<'b, 'a>(parts: &'b [&Parts<'a>], lane: usize) -> &'b Parts<'a> {
 }
 
 #[inline(always)]
-fn side_by_side<T: Fused, const N: usize>(
+fn side_by_side<T: Number, const N: usize>(
     zero: T,
     parts: &[&Parts<'_>],
     get: impl Fn(&Parts<'_>) -> Option<[f64; N]>,
@@ -198,7 +198,7 @@ impl<P: Copy + PartialEq> Shared<P> {
 
     /// N numbers of each lane, computed once if they are the same.
     #[inline(always)]
-    fn numbers<T: Fused, const N: usize>(&self, zero: T, numbers: &mut [T; N], of: impl Fn(P) -> [f64; N]) {
+    fn numbers<T: Number, const N: usize>(&self, zero: T, numbers: &mut [T; N], of: impl Fn(P) -> [f64; N]) {
         match self.each.as_slice() {
             [] => {}
             [one] => {
@@ -227,7 +227,7 @@ impl<P: Copy + PartialEq> Shared<P> {
     }
 }
 
-impl<T: Fused> Law<T> for Forces<'_, T> {
+impl<T: Number> Law<T> for Forces<'_, T> {
     const ACTS: bool = true;
     type Scene = Scene<T>;
 
@@ -333,7 +333,7 @@ fn ray(orbit: &Orbit, time: f64) -> [f64; 4] {
 /// What is fixed in space, from the body: R_body_space of a quaternion of any length, by rows.
 struct Seen<T>([[T; 3]; 3]);
 
-impl<T: Fused> Seen<T> {
+impl<T: Number> Seen<T> {
     #[inline(always)]
     fn new(zero: T, &[w, x, y, z]: &[T; 4]) -> Self {
         let one = zero.like(1.0);
@@ -356,24 +356,24 @@ impl<T: Fused> Seen<T> {
 }
 
 #[inline(always)]
-fn dot<T: Fused>(a: &[T; 3], b: &[T; 3]) -> T {
+fn dot<T: Number>(a: &[T; 3], b: &[T; 3]) -> T {
     a[0].mul_add(b[0], a[1].mul_add(b[1], a[2] * b[2]))
 }
 
 /// M v of rows one after the other.
 #[inline(always)]
-fn apply<T: Fused>(m: &[T; 9], v: &[T; 3]) -> [T; 3] {
+fn apply<T: Number>(m: &[T; 9], v: &[T; 3]) -> [T; 3] {
     [dot(&[m[0], m[1], m[2]], v), dot(&[m[3], m[4], m[5]], v), dot(&[m[6], m[7], m[8]], v)]
 }
 
 #[inline(always)]
-fn plus<T: Fused>(a: [T; 3], b: [T; 3]) -> [T; 3] {
+fn plus<T: Number>(a: [T; 3], b: [T; 3]) -> [T; 3] {
     [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
 }
 
 /// a × b + c
 #[inline(always)]
-fn cross_add<T: Fused>(a: &[T; 3], b: &[T; 3], c: [T; 3]) -> [T; 3] {
+fn cross_add<T: Number>(a: &[T; 3], b: &[T; 3], c: [T; 3]) -> [T; 3] {
     [
         (-a[2]).mul_add(b[1], a[1].mul_add(b[2], c[0])),
         (-a[0]).mul_add(b[2], a[2].mul_add(b[0], c[1])),

@@ -8,7 +8,7 @@ use super::crew::Share;
 use super::forces::{Forces, Parts};
 use super::pace::{Begin, Pace, finished};
 use super::step::{self, Free, Gait, Law, Moving, STRETCH};
-use crate::math::fused::Fused;
+use crate::math::number::Number;
 use crate::math::machine::{Machine, Work, in_vectors};
 use crate::motion::error::MotionError;
 use crate::motion::propagate::THIN;
@@ -76,7 +76,7 @@ impl Work for Flight<'_, '_, '_> {
 
 impl Flight<'_, '_, '_> {
     #[inline(always)]
-    fn fly<T: Fused>(self, zero: T) -> bool {
+    fn fly<T: Number>(self, zero: T) -> bool {
         let Self { share, bodies, times, step } = self;
         for bodies in bodies.chunks(ABREAST * T::LANES) {
             let is_free = bodies.iter().all(|(_, parts)| parts.kind() == [false; 9]);
@@ -99,13 +99,13 @@ impl Flight<'_, '_, '_> {
 }
 
 /// As many bodies as go abreast. Lanes without a body follow the first.
-struct Wing<'a, 'b, T: Fused, L> {
+struct Wing<'a, 'b, T: Number, L> {
     zero: T,
     bodies: &'a [(usize, &'a Parts<'b>)],
     laws: [L; ABREAST],
 }
 
-impl<T: Fused, L: Law<T>> Wing<'_, '_, T, L> {
+impl<T: Number, L: Law<T>> Wing<'_, '_, T, L> {
     #[inline(always)]
     fn fly(&self, share: &mut Share<'_>, times: &[f64], step: f64) {
         let members = share.members;

@@ -18,7 +18,7 @@
 
 use core::array::from_fn;
 
-use crate::math::fused::Fused;
+use crate::math::number::Number;
 
 /// Steps after which |q| = 1 again.
 pub(super) const STRETCH: u64 = 256;
@@ -31,7 +31,7 @@ pub(super) struct Moving<T> {
 }
 
 /// What acts on a body, along principal axes.
-pub(super) trait Law<T: Fused> {
+pub(super) trait Law<T: Number> {
     /// False if nothing does.
     const ACTS: bool;
     /// What depends on the time alone.
@@ -68,7 +68,7 @@ pub(super) struct Gait<T> {
     pub(super) third: T,
 }
 
-impl<T: Fused> Gait<T> {
+impl<T: Number> Gait<T> {
     /// Steps of h; an axis without inertia keeps its ω.
     #[inline(always)]
     pub(super) fn new(zero: T, moments: impl Fn(usize) -> [f64; 3], h: f64) -> Self {
@@ -113,7 +113,7 @@ impl<T: Fused> Gait<T> {
 /// One step of bodies abreast, stage by stage: while one waits for its own numbers, the others go on. The scenes are those at its start,
 /// its middle and its end.
 #[inline(always)]
-pub(super) fn step<T: Fused, L: Law<T>, const ABREAST: usize>(
+pub(super) fn step<T: Number, L: Law<T>, const ABREAST: usize>(
     gaits: &[Gait<T>; ABREAST],
     laws: &[L; ABREAST],
     [start, middle, end]: [&[L::Scene; ABREAST]; 3],
@@ -147,7 +147,7 @@ pub(super) fn step<T: Fused, L: Law<T>, const ABREAST: usize>(
 
 /// q ∘ (0, v)
 #[inline(always)]
-fn product<T: Fused>(&[w, x, y, z]: &[T; 4], &[a, b, c]: &[T; 3]) -> [T; 4] {
+fn product<T: Number>(&[w, x, y, z]: &[T; 4], &[a, b, c]: &[T; 3]) -> [T; 4] {
     [
         -z.mul_add(c, y.mul_add(b, x * a)),
         (-z).mul_add(b, y.mul_add(c, w * a)),
@@ -156,7 +156,7 @@ fn product<T: Fused>(&[w, x, y, z]: &[T; 4], &[a, b, c]: &[T; 3]) -> [T; 4] {
     ]
 }
 
-impl<T: Fused> Moving<T> {
+impl<T: Number> Moving<T> {
     /// self + other
     #[inline(always)]
     fn plus(&self, other: &Self) -> Self {
@@ -188,7 +188,7 @@ impl<T: Fused> Moving<T> {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Free;
 
-impl<T: Fused> Law<T> for Free {
+impl<T: Number> Law<T> for Free {
     const ACTS: bool = false;
     type Scene = ();
 

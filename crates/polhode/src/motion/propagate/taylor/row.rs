@@ -30,11 +30,28 @@ impl<N: Number> Row<N> {
         Self([y, z, x, w])
     }
 
-    /// Divided by a whole number. To multiply by its rounded inverse would be off the same way in every step, and errors that do not
-    /// change sign add up.
+    /// Divided by a whole number. To multiply by its rounded inverse r would be off the same way in every step, and errors that do not
+    /// change sign add up: so the quotient y = x r takes in what is left, y + (x − n y) r. Vectors are divided five times as slowly.
+    ///
+    /// Source: P. Markstein, IBM J. Res. Dev. 34 (1990) 111.
     #[inline(always)]
     pub(super) fn over(self, n: usize) -> Self {
-        self.divided(self.0[0].like(n as f64))
+        let like = |x: f64| Self::splat(self.0[0].like(x));
+        let (number, inverse) = (like(-(n as f64)), like(INVERSES[n]));
+        let y = self * inverse;
+        y.mul_add(number, self).mul_add(inverse, y)
+    }
+
+    /// self · b + c, each rounded once.
+    #[inline(always)]
+    pub(super) fn mul_add(self, b: Self, c: Self) -> Self {
+        let (a, b, c) = (self.0, b.0, c.0);
+        Self([
+            a[0].mul_add(b[0], c[0]),
+            a[1].mul_add(b[1], c[1]),
+            a[2].mul_add(b[2], c[2]),
+            a[3].mul_add(b[3], c[3]),
+        ])
     }
 
     #[inline(always)]
@@ -111,6 +128,17 @@ impl<N: Number> Mul for Row<N> {
 
 /// The most terms of a series: a constant and whole groups of four.
 pub(super) const TERMS: usize = 25;
+
+/// 1/n
+const INVERSES: [f64; 2 * TERMS] = {
+    let mut inverses = [f64::INFINITY; 2 * TERMS];
+    let mut n = 1;
+    while n < 2 * TERMS {
+        inverses[n] = 1.0 / n as f64;
+        n += 1;
+    }
+    inverses
+};
 
 /// Zeros before the first coefficient: as many as a loop by fours may read too far.
 pub(super) const MARGIN: usize = 3;

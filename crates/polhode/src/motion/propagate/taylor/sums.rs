@@ -9,8 +9,8 @@
 
 use super::row::{Row, Series, Vectors};
 use super::turned::{Newest, Pair, Turned};
-use crate::math::machine::{Machine, Plain};
-use crate::math::number::Number;
+use crate::math::machine::Machine;
+use crate::math::number::{MulAdd as _, Number};
 
 /// How sums are done, and of what.
 pub(super) trait Sums: Copy {
@@ -74,11 +74,14 @@ pub(super) struct ByFours<S>(pub(super) S);
 impl<S: Machine> Sums for ByFours<S> {
     type N = f64;
     type Before = (S::Four, [S::Eight; 3]);
-    type Apart = ByFours<Plain>;
+    type Apart = Self;
 
-    #[inline(never)]
-    fn apart<R>(self, work: impl FnOnce(Self::Apart) -> R) -> R {
-        work(ByFours(Plain))
+    #[inline(always)]
+    fn apart<R>(self, work: impl FnOnce(Self) -> R) -> R {
+        self.0.apart(
+            #[inline(always)]
+            || work(self),
+        )
     }
 
     #[inline(always)]
@@ -87,10 +90,10 @@ impl<S: Machine> Sums for ByFours<S> {
         let mut sum = s.splat(0.0);
         for (a, b) in a.forward().zip(b.backward(n)) {
             for k in 0..4 {
-                sum = sum + s.load(&a[k].0) * s.load(&b[3 - k].0);
+                sum = s.load(&a[k].0).mul_add(s.load(&b[3 - k].0), sum);
             }
         }
-        Row(s.numbers(sum + s.load(&a.at(0).0) * s.load(&b.at(n).0)))
+        Row(s.numbers(s.load(&a.at(0).0).mul_add(s.load(&b.at(n).0), sum)))
     }
 
     #[inline(always)]
@@ -100,15 +103,15 @@ impl<S: Machine> Sums for ByFours<S> {
         for (x, b) in x.forward().zip(b.rows.backward(n)) {
             for k in 0..4 {
                 let (x, [b1, b2, b3, _]) = (s.load(&x[k].0), b[3 - k].0);
-                p = p + x * s.splat(b1);
-                q = q + x * s.splat(b2);
-                r = r + x * s.splat(b3);
+                p = x.mul_add(s.splat(b1), p);
+                q = x.mul_add(s.splat(b2), q);
+                r = x.mul_add(s.splat(b3), r);
             }
         }
         let (x, [b1, b2, b3, _]) = (s.load(&x.at(0).0), b.rows.at(n).0);
-        p = p + x * s.splat(b1);
-        q = q + x * s.splat(b2);
-        r = r + x * s.splat(b3);
+        p = x.mul_add(s.splat(b1), p);
+        q = x.mul_add(s.splat(b2), q);
+        r = x.mul_add(s.splat(b3), r);
         [p, q, r].map(|sum| Row(s.numbers(sum)))
     }
 
@@ -127,11 +130,11 @@ impl<S: Machine> Sums for ByFours<S> {
         let backward = turning.rows.backward(n).zip(omega.turned.backward(n));
         for ((w, pairs), (turning, back)) in forward.zip(backward) {
             for k in 0..4 {
-                others = others + s.load(&w[k].0) * s.load(&back[3 - k].0);
+                others = s.load(&w[k].0).mul_add(s.load(&back[3 - k].0), others);
                 let (pair, [x, y, z, _]) = (s.load_eight(&pairs[k].0), turning[3 - k].0);
-                p = p + pair * s.eight(x);
-                q = q + pair * s.eight(y);
-                r = r + pair * s.eight(z);
+                p = pair.mul_add(s.eight(x), p);
+                q = pair.mul_add(s.eight(y), q);
+                r = pair.mul_add(s.eight(z), r);
             }
         }
         (others, [p, q, r])
@@ -148,17 +151,17 @@ impl<S: Machine> Sums for ByFours<S> {
     ) -> (Row, [Pair; 3]) {
         let s = self.0;
         if n > 0 {
-            others = others + s.load(&newest.omega.0) * s.load(&omega.turned.at(0).0);
+            others = s.load(&newest.omega.0).mul_add(s.load(&omega.turned.at(0).0), others);
             let (pair, [x, y, z, _]) = (s.load_eight(&newest.pair.0), first.0);
-            p = p + pair * s.eight(x);
-            q = q + pair * s.eight(y);
-            r = r + pair * s.eight(z);
+            p = pair.mul_add(s.eight(x), p);
+            q = pair.mul_add(s.eight(y), q);
+            r = pair.mul_add(s.eight(z), r);
         }
-        others = others + s.load(&omega.rows.at(0).0) * s.load(&newest.omega.turned().0);
+        others = s.load(&omega.rows.at(0).0).mul_add(s.load(&newest.omega.turned().0), others);
         let (pair, [x, y, z, _]) = (s.load_eight(&turned.at(0).0), last.0);
-        p = p + pair * s.eight(x);
-        q = q + pair * s.eight(y);
-        r = r + pair * s.eight(z);
+        p = pair.mul_add(s.eight(x), p);
+        q = pair.mul_add(s.eight(y), q);
+        r = pair.mul_add(s.eight(z), r);
         // ω and ω turned: turning once more brings (ω1 ω2, ω2 ω3, ω3 ω1) there.
         (Row(s.numbers(others)).turned(), [p, q, r].map(|sum| Pair(s.eight_numbers(sum))))
     }
@@ -188,10 +191,10 @@ impl<S: Machine> ByFours<S> {
             odd = s.load(&row(last));
         }
         for [first, second] in pairs.iter().rev() {
-            odd = odd * square + s.load(&row(first));
-            even = even * square + s.load(&row(second));
+            odd = odd.mul_add(square, s.load(&row(first)));
+            even = even.mul_add(square, s.load(&row(second)));
         }
-        Row(s.numbers((odd + even * h) * h))
+        Row(s.numbers(even.mul_add(h, odd) * h))
     }
 }
 
@@ -216,9 +219,9 @@ impl<S: Machine> Sums for SideBySide<S> {
     fn product(self, a: &Series<S::Eight>, b: &Series<S::Eight>, n: usize) -> Row<S::Eight> {
         let mut sum = self.zero();
         for (&a, &b) in a[1..=n].iter().zip(b[..n].iter().rev()) {
-            sum = sum + a * b;
+            sum = a.mul_add(b, sum);
         }
-        sum + a[0] * b[n]
+        a[0].mul_add(b[n], sum)
     }
 
     #[inline(always)]
@@ -236,9 +239,9 @@ impl<S: Machine> Sums for SideBySide<S> {
         let a = &a.rows;
         let mut sum = self.zero();
         for (&a, &b) in a[1..=n].iter().zip(a[..n].iter().rev()) {
-            sum = sum + a * b.turned();
+            sum = a.mul_add(b.turned(), sum);
         }
-        (sum + a[0] * a[n].turned()).turned().vector()
+        a[0].mul_add(a[n].turned(), sum).turned().vector()
     }
 
     #[inline(always)]
@@ -265,10 +268,10 @@ impl<S: Machine> Sums for SideBySide<S> {
         let forward = omega[1..=n].iter().zip(&pairs[1..=n]);
         let backward = omega[..n].iter().rev().zip(turning[..n].iter().rev());
         for ((&w, x), (&back, b)) in forward.zip(backward) {
-            others = others + w * back.turned();
+            others = w.mul_add(back.turned(), others);
             turns = plus_outer(turns, x.turn(), b);
         }
-        others = (others + omega[0] * omega[n].turned()).turned().vector();
+        others = omega[0].mul_add(omega[n].turned(), others).turned().vector();
         let [p, q, r] = plus_outer(turns, pairs[0].turn(), &turning[n]);
         let mut seen = [self.zero(); 3];
         if turned.carries {
@@ -309,10 +312,10 @@ impl<S: Machine> SideBySide<S> {
             odd = row(last);
         }
         for [first, second] in pairs.iter().rev() {
-            odd = odd * square + row(first);
-            even = even * square + row(second);
+            odd = odd.mul_add(square, row(first));
+            even = even.mul_add(square, row(second));
         }
-        (odd + even * h) * h
+        even.mul_add(h, odd) * h
     }
 }
 
@@ -320,5 +323,5 @@ impl<S: Machine> SideBySide<S> {
 #[inline(always)]
 fn plus_outer<N: Number>([p, q, r]: [Row<N>; 3], x: Row<N>, b: &Row<N>) -> [Row<N>; 3] {
     let [b1, b2, b3, _] = b.0;
-    [p + x * Row::splat(b1), q + x * Row::splat(b2), r + x * Row::splat(b3)]
+    [x.mul_add(Row::splat(b1), p), x.mul_add(Row::splat(b2), q), x.mul_add(Row::splat(b3), r)]
 }

@@ -90,7 +90,7 @@ impl<N: Number> LinearSeries<N> {
 pub(super) fn times<N: Number>(columns: &[Row<N>; 3], v: Row<N>) -> Row<N> {
     let [x, y, z, _] = v.0;
     let [a, b, c] = *columns;
-    a * Row::splat(x) + (b * Row::splat(y) + c * Row::splat(z))
+    a.mul_add(Row::splat(x), b.mul_add(Row::splat(y), c * Row::splat(z)))
 }
 
 /// Columns without what is only rounding along the axis of a needle: divided by so small a moment, it would spin it.

@@ -60,7 +60,7 @@ fn free() -> Result<Problem, Box<dyn Error>> {
 /// B: a heavy top about its tip, I = (1, 1, 0.5) there, M g l = 1, ω = (0, 0, 5), tilted by 60°.
 fn heavy_top() -> Result<Problem, Box<dyn Error>> {
     // A mass so small that the tensor about its centre is possible too, and gravity as much larger.
-    let (mass, g) = (1e-3, 1e3);
+    let (mass, g) = (1.0 / 1024.0, 1024.0);
     let inertia = InertiaTensor::diagonal([1.0 - mass, 1.0 - mass, 0.5])?;
     let rotor =
         Rotor::pivoted(&MassProperties::new(mass, Position::new(0.0, 0.0, 1.0), inertia)?, Position::ZERO);

@@ -224,7 +224,7 @@ impl<'a, 'b, N: Number> Fleet<'a, 'b, N> {
         let is_last = wanted.zip(rest, |wanted, rest| f64::from(u8::from(wanted >= rest)));
         let until =
             is_last.zip3(self.end, time + h, |is_last, end, until| if is_last == 1.0 { end } else { until });
-        let head = self.base.plus(&self.expansion.at(s, h), until);
+        let head = self.base.plus(&self.expansion.at(s, until - time), until);
         let is_good = (time + h)
             .zip3(time, head.flaw(), |until, time, flaw| f64::from(u8::from((until > time) & (flaw == 0.0))));
         for k in (0..N::LANES).filter(|k| is_good.lane(*k) == 0.0) {

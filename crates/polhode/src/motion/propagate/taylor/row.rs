@@ -30,16 +30,11 @@ impl<N: Number> Row<N> {
         Self([y, z, x, w])
     }
 
-    /// Divided by a whole number. To multiply by its rounded inverse r would be off the same way in every step, and errors that do not
-    /// change sign add up: so the quotient y = x r takes in what is left, y + (x − n y) r. Vectors are divided five times as slowly.
-    ///
-    /// Source: P. Markstein, IBM J. Res. Dev. 34 (1990) 111.
+    /// Divided by a whole number, as [`INVERSES`] has it.
     #[inline(always)]
     pub(super) fn over(self, n: usize) -> Self {
-        let like = |x: f64| Self::splat(self.0[0].like(x));
-        let (number, inverse) = (like(-(n as f64)), like(INVERSES[n]));
-        let y = self * inverse;
-        y.mul_add(number, self).mul_add(inverse, y)
+        let [inverse, rest] = INVERSES[n].map(|x| Self::splat(self.0[0].like(x)));
+        self.mul_add(inverse, self * rest)
     }
 
     /// self · b + c, each rounded once.
@@ -129,12 +124,17 @@ impl<N: Number> Mul for Row<N> {
 /// The most terms of a series: a constant and whole groups of four.
 pub(super) const TERMS: usize = 25;
 
-/// 1/n
-const INVERSES: [f64; 2 * TERMS] = {
-    let mut inverses = [f64::INFINITY; 2 * TERMS];
+/// 1/n in two words. By the first alone quotients would be off the same way in every step, and errors that do not change sign add up; a
+/// division takes twice as long, and of vectors many times.
+pub(super) const INVERSES: [[f64; 2]; 2 * TERMS] = {
+    let mut inverses = [[f64::INFINITY, 0.0]; 2 * TERMS];
     let mut n = 1;
     while n < 2 * TERMS {
-        inverses[n] = 1.0 / n as f64;
+        let number = n as f64;
+        let inverse = 1.0 / number;
+        // In halves, whose products with n are exact.
+        let high = f64::from_bits(inverse.to_bits() & !0x3ff_ffff);
+        inverses[n] = [inverse, ((1.0 - number * high) - number * (inverse - high)) / number];
         n += 1;
     }
     inverses
@@ -176,6 +176,18 @@ impl<N: Number> Series<N> {
         self.0[MARGIN + 1..].as_chunks().0.iter()
     }
 
+    /// Coefficients 2, 3, … by fours.
+    #[inline(always)]
+    pub(super) fn forward_from_second(&self) -> impl Iterator<Item = &[Row<N>; 4]> {
+        self.0[MARGIN + 2..].as_chunks().0.iter()
+    }
+
+    /// Coefficients n − 2, n − 3, … 2 and at most four zeros by fours, each four in ascending order, of a series that has zeros before them.
+    #[inline(always)]
+    pub(super) fn backward_to_second(&self, n: usize) -> impl Iterator<Item = &[Row<N>; 4]> {
+        self.0[MARGIN - 2..MARGIN + n.max(1) - 1].as_rchunks().1.iter().rev()
+    }
+
     /// Coefficients n − 1, n − 2, … 0 and zeros by fours, each four in ascending order.
     #[inline(always)]
     pub(super) fn backward(&self, n: usize) -> impl Iterator<Item = &[Row<N>; 4]> {
@@ -195,33 +207,32 @@ impl<N: Number> Deref for Series<N> {
 
 /// Taylor coefficients of a vector, with what its products need.
 ///
-/// What comes after the rows is a copy of them. Eight bodies need none: their components lie apart.
+/// What comes after the rows is copies of them. Eight bodies need none: their components lie apart, and their sums end where they should.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Vectors<N = f64> {
     pub(super) rows: Series<N>,
     /// The same turned, as (a2 a3, a3 a1, a1 a2) needs it.
     pub(super) turned: Series<N>,
+    /// Both from coefficient 2 on, after zeros.
+    pub(super) later: [Series<N>; 2],
 }
 
 impl<N: Number> Vectors<N> {
     pub(super) fn all(x: N) -> Self {
-        Self { rows: Series::all(x), turned: Series::all(x) }
+        Self { rows: Series::all(x), turned: Series::all(x), later: [Series::all(x); 2] }
     }
 
     #[inline(always)]
     pub(super) fn set(&mut self, n: usize, row: Row<N>) {
         self.rows.set(n, row.vector());
         if N::LANES == 1 {
-            self.turned.set(n, row.turned());
-        }
-    }
-
-    /// The newest coefficient; the place of the next row is cleared, for sums that do without it.
-    #[inline(always)]
-    pub(super) fn learn(&mut self, n: usize, row: Row<N>) {
-        self.set(n, row);
-        if N::LANES == 1 {
-            self.rows.set(n + 1, Row::splat(row.0[0].like(0.0)));
+            let turned = row.turned();
+            self.turned.set(n, turned);
+            if n >= 2 {
+                let [rows, turns] = &mut self.later;
+                rows.set(n, row);
+                turns.set(n, turned);
+            }
         }
     }
 }

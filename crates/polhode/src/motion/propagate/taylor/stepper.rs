@@ -93,8 +93,9 @@ impl<'a> Taylor<'a> {
         if !(time + h > time) {
             return Err(MotionError::StepTooSmall { time, step: h });
         }
-        let more = self.expansion.after(h);
         let end = if wanted >= rest { until } else { time + h };
+        // What rounding makes of the time is part of the step: a hundred thousand turns later it would be seen.
+        let more = self.expansion.after(end - time);
         let head = self.base.plus(&more, end);
         if head.flaw() != 0.0 {
             return Err(MotionError::NotFinite { time });

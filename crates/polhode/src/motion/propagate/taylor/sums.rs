@@ -7,15 +7,17 @@
 //! Of eight bodies ([`SideBySide`]) there is enough to do meanwhile, and loops end where they should. The order of the terms is the same,
 //! and a sum that begins with +0 does not change by zeros: so each lane has the bits that its body has alone.
 
-use super::row::{Row, Series, Vectors};
-use super::turned::{Newest, Pair, Turned};
+use super::row::{INVERSES, Row, Series, Vectors};
+use super::turned::{Newest, Pair, SIGNS, Turned};
 use crate::math::machine::Machine;
-use crate::math::number::{MulAdd as _, Number};
+use crate::math::number::{MulAdd, Number};
 
 /// How sums are done, and of what.
 pub(super) trait Sums: Copy {
     /// What is added up.
     type N: Number;
+    /// Sums of products of coefficients that have long been known.
+    type Middle;
     /// Sums that are not complete yet.
     type Before;
     /// How they are done in a function of its own.
@@ -33,25 +35,38 @@ pub(super) trait Sums: Copy {
     /// Coefficient n of (a2 a3, a3 a1, a1 a2).
     fn others(self, a: &Vectors<Self::N>, n: usize) -> Row<Self::N>;
 
-    /// Coefficients n of (ω2 ω3 …) and of what turns times each component of Ω, without the products that coefficients n have a part in:
-    /// sums that the processor works on while those are still being made.
+    /// Coefficients n and n + 1 of (ω2 ω3 …) and of what turns times each component of Ω, without two products at each end: all that is in
+    /// them is known before coefficients n. Two at once need half as many numbers from memory.
+    fn middles(
+        self,
+        omega: &Vectors<Self::N>,
+        turned: &Turned<Self::N>,
+        turning: &Vectors<Self::N>,
+        n: usize,
+    ) -> [Self::Middle; 2];
+
+    /// Coefficients n without the products that coefficients n have a part in: what the processor works on while those are still being made.
     fn before(
         self,
+        middle: Self::Middle,
         omega: &Vectors<Self::N>,
         turned: &Turned<Self::N>,
         turning: &Vectors<Self::N>,
         n: usize,
     ) -> Self::Before;
 
-    /// With those products too; by now coefficients n are in their places, and those 0 and n of Ω are given.
+    /// (ω2 ω3 …) and (q ∘ Ω, v × Ω) with those products too; by now coefficients n are in their places, and those 0 and n of Ω are given.
     fn with(
         self,
         before: Self::Before,
         omega: &Vectors<Self::N>,
         turned: &Turned<Self::N>,
-        turning: (&Vectors<Self::N>, [Row<Self::N>; 2]),
+        turning: [Row<Self::N>; 2],
         newest: (usize, &Newest<Self::N>),
-    ) -> (Row<Self::N>, [Pair<Self::N>; 3]);
+    ) -> (Row<Self::N>, Pair<Self::N>);
+
+    /// Half of what turns, and the vector, over n.
+    fn shared(self, pair: Pair<Self::N>, n: usize) -> Pair<Self::N>;
 
     /// What the turn's series adds to its constant.
     fn turn_increment(self, turned: &Turned<Self::N>, order: usize, h: Self::N) -> Row<Self::N>;
@@ -73,7 +88,8 @@ pub(super) struct ByFours<S>(pub(super) S);
 
 impl<S: Machine> Sums for ByFours<S> {
     type N = f64;
-    type Before = (S::Four, [S::Eight; 3]);
+    type Middle = (S::Four, [S::Eight; 3]);
+    type Before = Self::Middle;
     type Apart = Self;
 
     #[inline(always)]
@@ -122,48 +138,92 @@ impl<S: Machine> Sums for ByFours<S> {
     }
 
     #[inline(always)]
-    fn before(self, omega: &Vectors, turned: &Turned, turning: &Vectors, n: usize) -> Self::Before {
+    fn middles(
+        self,
+        omega: &Vectors,
+        turned: &Turned,
+        turning: &Vectors,
+        n: usize,
+    ) -> [Self::Middle; 2] {
         let s = self.0;
-        let mut others = s.splat(0.0);
-        let [mut p, mut q, mut r] = [s.eight(0.0); 3];
-        let forward = omega.rows.forward().zip(turned.forward());
-        let backward = turning.rows.backward(n).zip(omega.turned.backward(n));
-        for ((w, pairs), (turning, back)) in forward.zip(backward) {
+        let (turning, others) = (&turning.later[0], &omega.later[1]);
+        let [mut one, mut two] = [(s.splat(0.0), [s.eight(0.0); 3]); 2];
+        // What coefficient n + 1 needs of them here coefficient n needed one further back.
+        let last = n.max(1) - 1;
+        let (mut next, mut next_turned) = (self.broadcast(turning.at(last)), s.load(&others.at(last).0));
+        let forward = omega.rows.forward_from_second().zip(turned.forward_from_second());
+        let backward = turning.backward_to_second(n).zip(others.backward_to_second(n));
+        for ((w, pairs), (turning, others)) in forward.zip(backward) {
             for k in 0..4 {
-                others = s.load(&w[k].0).mul_add(s.load(&back[3 - k].0), others);
-                let (pair, [x, y, z, _]) = (s.load_eight(&pairs[k].0), turning[3 - k].0);
-                p = pair.mul_add(s.eight(x), p);
-                q = pair.mul_add(s.eight(y), q);
-                r = pair.mul_add(s.eight(z), r);
+                let (w, pair) = (s.load(&w[k].0), s.load_eight(&pairs[k].0));
+                two = plus_products(two, (w, pair), (next_turned, next));
+                (next, next_turned) = (self.broadcast(turning[3 - k]), s.load(&others[3 - k].0));
+                one = plus_products(one, (w, pair), (next_turned, next));
             }
         }
-        (others, [p, q, r])
+        [one, two]
+    }
+
+    #[inline(always)]
+    fn before(
+        self,
+        mut sums: Self::Middle,
+        omega: &Vectors,
+        turned: &Turned,
+        turning: &Vectors,
+        n: usize,
+    ) -> Self::Before {
+        let s = self.0;
+        let forward = |k: usize| (s.load(&omega.rows.at(k).0), s.load_eight(&turned.at(k).0));
+        let backward = |k: usize| (s.load(&omega.turned.at(k).0), self.broadcast(turning.rows.at(k)));
+        if n > 1 {
+            let last = n - 1;
+            sums = plus_products(sums, forward(1), backward(last));
+            if last > 1 {
+                sums = plus_products(sums, forward(last), backward(1));
+            }
+        }
+        sums
     }
 
     #[inline(always)]
     fn with(
         self,
-        (mut others, [mut p, mut q, mut r]): Self::Before,
+        (mut others, [p, q, r]): Self::Before,
         omega: &Vectors,
         turned: &Turned,
-        (_, [first, last]): (&Vectors, [Row; 2]),
+        [first, last]: [Row; 2],
         (n, newest): (usize, &Newest),
-    ) -> (Row, [Pair; 3]) {
+    ) -> (Row, Pair) {
         let s = self.0;
+        let mut sum = self.turned([p, q, r]);
+        let [pair, start] = [newest.pair, turned.at(0)].map(|pair| s.load_eight(&pair.0));
         if n > 0 {
             others = s.load(&newest.omega.0).mul_add(s.load(&omega.turned.at(0).0), others);
-            let (pair, [x, y, z, _]) = (s.load_eight(&newest.pair.0), first.0);
-            p = pair.mul_add(s.eight(x), p);
-            q = pair.mul_add(s.eight(y), q);
-            r = pair.mul_add(s.eight(z), r);
+            for axis in 0..3 {
+                let turning = s.load_eight(&SIGNS[axis]) * s.eight(first.0[axis]);
+                sum = self.about(pair, axis).mul_add(turning, sum);
+            }
         }
         others = s.load(&omega.rows.at(0).0).mul_add(s.load(&newest.omega.turned().0), others);
-        let (pair, [x, y, z, _]) = (s.load_eight(&turned.at(0).0), last.0);
-        p = pair.mul_add(s.eight(x), p);
-        q = pair.mul_add(s.eight(y), q);
-        r = pair.mul_add(s.eight(z), r);
+        // A chain of its own: both are as new.
+        let mut more = s.eight(0.0);
+        for axis in 0..3 {
+            let turned = s.load_eight(&SIGNS[axis]) * self.about(start, axis);
+            more = turned.mul_add(s.eight(last.0[axis]), more);
+        }
+        let sum = sum + more;
         // ω and ω turned: turning once more brings (ω1 ω2, ω2 ω3, ω3 ω1) there.
-        (Row(s.numbers(others)).turned(), [p, q, r].map(|sum| Pair(s.eight_numbers(sum))))
+        (Row(s.numbers(others)).turned(), Pair(s.eight_numbers(sum)))
+    }
+
+    #[inline(always)]
+    fn shared(self, pair: Pair, n: usize) -> Pair {
+        let s = self.0;
+        let ([h, k], [i, l]) = (INVERSES[2 * n], INVERSES[n]);
+        let (inverse, rest) = ([h, h, h, h, i, i, i, i], [k, k, k, k, l, l, l, l]);
+        let pair = s.load_eight(&pair.0);
+        Pair(s.eight_numbers(pair.mul_add(s.load_eight(&inverse), pair * s.load_eight(&rest))))
     }
 
     #[inline(always)]
@@ -177,7 +237,40 @@ impl<S: Machine> Sums for ByFours<S> {
     }
 }
 
+/// Adds the products of two coefficients: ω and ω turned; what turns, and each component of Ω.
+#[inline(always)]
+fn plus_products<W: MulAdd, P: MulAdd>(
+    (others, [p, q, r]): (W, [P; 3]),
+    (w, pair): (W, P),
+    (turned, [x, y, z]): (W, [P; 3]),
+) -> (W, [P; 3]) {
+    let outer = [pair.mul_add(x, p), pair.mul_add(y, q), pair.mul_add(z, r)];
+    (w.mul_add(turned, others), outer)
+}
+
 impl<S: Machine> ByFours<S> {
+    /// Each component of a vector in all places.
+    #[inline(always)]
+    fn broadcast(self, row: Row) -> [S::Eight; 3] {
+        let [x, y, z, _] = row.0;
+        [self.0.eight(x), self.0.eight(y), self.0.eight(z)]
+    }
+
+    /// The numbers of (q ∘ eᵢ, v × eᵢ), to be multiplied by [`SIGNS`].
+    #[inline(always)]
+    fn about(self, pair: S::Eight, axis: usize) -> S::Eight {
+        self.0.load_eight(&Pair(self.0.eight_numbers(pair)).about(axis).0)
+    }
+
+    /// (q ∘ e1, v × e1) of the first, and so on, together: zeros add nothing.
+    #[inline(always)]
+    fn turned(self, [p, q, r]: [S::Eight; 3]) -> S::Eight {
+        let s = self.0;
+        let sum = self.about(p, 0).mul_add(s.load_eight(&SIGNS[0]), s.eight(0.0));
+        let sum = self.about(q, 1).mul_add(s.load_eight(&SIGNS[1]), sum);
+        self.about(r, 2).mul_add(s.load_eight(&SIGNS[2]), sum)
+    }
+
     /// c₁ h + c₂ h² + …
     #[inline(always)]
     fn polynomial<T>(self, c: &[T], row: impl Fn(&T) -> [f64; 4], h: f64) -> Row {
@@ -204,7 +297,8 @@ pub(super) struct SideBySide<S>(pub(super) S);
 
 impl<S: Machine> Sums for SideBySide<S> {
     type N = S::Eight;
-    type Before = ();
+    type Middle = ();
+    type Before = (Row<S::Eight>, Pair<S::Eight>);
     type Apart = Self;
 
     #[inline(always)]
@@ -244,45 +338,63 @@ impl<S: Machine> Sums for SideBySide<S> {
         a[0].mul_add(a[n].turned(), sum).turned().vector()
     }
 
+    /// Nothing yet: there are no more registers.
     #[inline(always)]
-    fn before(
+    fn middles(
         self,
         _: &Vectors<S::Eight>,
         _: &Turned<S::Eight>,
         _: &Vectors<S::Eight>,
         _: usize,
+    ) -> [Self::Middle; 2] {
+        [(); 2]
+    }
+
+    #[inline(always)]
+    fn before(
+        self,
+        (): Self::Middle,
+        omega: &Vectors<S::Eight>,
+        turned: &Turned<S::Eight>,
+        turning: &Vectors<S::Eight>,
+        n: usize,
     ) -> Self::Before {
+        let (others, turns, seen) = if turned.carries {
+            self.outer_without_ends::<true>(omega, turned, turning, n)
+        } else {
+            self.outer_without_ends::<false>(omega, turned, turning, n)
+        };
+        let ([p, q, r], [a, b, c]) = (turns.map(|row| row.0), seen.map(|row| row.0));
+        // [`SIGNS`] says how they come together.
+        let turn =
+            [-p[1] - q[2] - r[3], p[0] - q[3] + r[2], p[3] + q[0] - r[1], q[1] - p[2] + r[0]];
+        let seen = [c[1] - b[2], a[2] - c[0], b[0] - a[1], self.0.eight(0.0)];
+        (others, Pair::new(Row(turn), Row(seen)))
     }
 
     #[inline(always)]
     fn with(
         self,
-        (): Self::Before,
+        (mut others, mut sum): Self::Before,
         omega: &Vectors<S::Eight>,
         turned: &Turned<S::Eight>,
-        (turning, _): (&Vectors<S::Eight>, [Row<S::Eight>; 2]),
-        (n, _): (usize, &Newest<S::Eight>),
-    ) -> (Row<S::Eight>, [Pair<S::Eight>; 3]) {
-        let (omega, turning, pairs) = (&omega.rows, &turning.rows, turned.pairs());
-        let (mut others, mut turns) = (self.zero(), [self.zero(); 3]);
-        let forward = omega[1..=n].iter().zip(&pairs[1..=n]);
-        let backward = omega[..n].iter().rev().zip(turning[..n].iter().rev());
-        for ((&w, x), (&back, b)) in forward.zip(backward) {
-            others = w.mul_add(back.turned(), others);
-            turns = plus_outer(turns, x.turn(), b);
+        [first, last]: [Row<S::Eight>; 2],
+        (n, newest): (usize, &Newest<S::Eight>),
+    ) -> (Row<S::Eight>, Pair<S::Eight>) {
+        let (zero, start) = (self.0.eight(0.0), omega.rows.at(0));
+        if n > 0 {
+            others = newest.omega.mul_add(start.turned(), others);
+            sum = sum.plus_turned(newest.pair, first);
         }
-        others = omega[0].mul_add(omega[n].turned(), others).turned().vector();
-        let [p, q, r] = plus_outer(turns, pairs[0].turn(), &turning[n]);
-        let mut seen = [self.zero(); 3];
-        if turned.carries {
-            // A loop of its own: there are no more registers.
-            for (x, b) in pairs[1..=n].iter().zip(turning[..n].iter().rev()) {
-                seen = plus_outer(seen, x.seen(), b);
-            }
-            seen = plus_outer(seen, pairs[0].seen(), &turning[n]);
-        }
-        let [a, b, c] = seen;
-        (others, [Pair::new(p, a), Pair::new(q, b), Pair::new(r, c)])
+        others = start.mul_add(newest.omega.turned(), others);
+        let new = Pair([zero; 8]).plus_turned(turned.at(0), last);
+        let [turn, seen] = [sum.turn() + new.turn(), sum.seen() + new.seen()];
+        (others.turned().vector(), Pair::new(turn, seen.vector()))
+    }
+
+    #[inline(always)]
+    fn shared(self, pair: Pair<S::Eight>, n: usize) -> Pair<S::Eight> {
+        Pair::new(pair.turn().over(2 * n), pair.seen().over(n).vector())
     }
 
     #[inline(always)]
@@ -296,7 +408,39 @@ impl<S: Machine> Sums for SideBySide<S> {
     }
 }
 
+/// (ω2 ω3 …), and what turns and the vector, each times the components of Ω.
+type Outer<N> = (Row<N>, [Row<N>; 3], [Row<N>; 3]);
+
 impl<S: Machine> SideBySide<S> {
+    /// Products of coefficients 1 … n − 1, the first and the last at the end.
+    #[inline(always)]
+    fn outer_without_ends<const CARRIES: bool>(
+        self,
+        omega: &Vectors<S::Eight>,
+        turned: &Turned<S::Eight>,
+        turning: &Vectors<S::Eight>,
+        n: usize,
+    ) -> Outer<S::Eight> {
+        let none = self.zero();
+        let mut sums = (none, [none; 3], [none; 3]);
+        let (omega, turning, pairs) = (&omega.rows, &turning.rows, turned.pairs());
+        let middle = 2..n.max(3) - 1;
+        let forward = omega[middle.clone()].iter().zip(&pairs[middle.clone()]);
+        let backward = omega[middle.clone()].iter().rev().zip(turning[middle].iter().rev());
+        for (forward, backward) in forward.zip(backward) {
+            sums = plus_outers::<_, CARRIES>(sums, forward, backward);
+        }
+        if n > 1 {
+            let last = n - 1;
+            let [one, end] = [1, last].map(|k| ((&omega[k], &pairs[k]), (&omega[k], &turning[k])));
+            sums = plus_outers::<_, CARRIES>(sums, one.0, end.1);
+            if last > 1 {
+                sums = plus_outers::<_, CARRIES>(sums, end.0, one.1);
+            }
+        }
+        sums
+    }
+
     #[inline(always)]
     fn zero(self) -> Row<S::Eight> {
         Row::splat(self.0.eight(0.0))
@@ -317,6 +461,18 @@ impl<S: Machine> SideBySide<S> {
         }
         even.mul_add(h, odd) * h
     }
+}
+
+/// Adds the products of two coefficients.
+#[inline(always)]
+fn plus_outers<N: Number, const CARRIES: bool>(
+    (others, turns, seen): Outer<N>,
+    (w, pair): (&Row<N>, &Pair<N>),
+    (back, turning): (&Row<N>, &Row<N>),
+) -> Outer<N> {
+    let others = w.mul_add(back.turned(), others);
+    let turns = plus_outer(turns, pair.turn(), turning);
+    (others, turns, if CARRIES { plus_outer(seen, pair.seen(), turning) } else { seen })
 }
 
 /// Adds x times each component of b.

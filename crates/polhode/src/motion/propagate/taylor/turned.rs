@@ -48,15 +48,6 @@ impl<N: Number> Turned<N> {
         self.pairs[MARGIN + n] = pair;
     }
 
-    /// The newest coefficient; the place of the next is cleared, for sums that do without it.
-    #[inline(always)]
-    pub(super) fn learn(&mut self, n: usize, pair: Pair<N>) {
-        self.set(n, pair);
-        if N::LANES == 1 {
-            self.set(n + 1, Pair([pair.0[0].like(0.0); 8]));
-        }
-    }
-
     /// Coefficient n.
     #[inline(always)]
     pub(super) fn at(&self, n: usize) -> Pair<N> {
@@ -69,10 +60,10 @@ impl<N: Number> Turned<N> {
         &self.pairs[MARGIN..]
     }
 
-    /// Coefficients 1, 2, … by fours; what is beyond the known ones is zero, or meets a zero of `backward`.
+    /// Coefficients 2, 3, … by fours.
     #[inline(always)]
-    pub(super) fn forward(&self) -> impl Iterator<Item = &[Pair<N>; 4]> {
-        self.pairs[MARGIN + 1..].as_chunks().0.iter()
+    pub(super) fn forward_from_second(&self) -> impl Iterator<Item = &[Pair<N>; 4]> {
+        self.pairs[MARGIN + 2..].as_chunks().0.iter()
     }
 }
 
@@ -83,14 +74,43 @@ pub(super) struct Newest<N = f64> {
     pub(super) pair: Pair<N>,
 }
 
-/// q ∘ Ω and v × Ω, of each component of Ω times (q, v).
-#[inline(always)]
-pub(super) fn turned_at<N: Number>([p, q, r]: [Pair<N>; 3]) -> [Row<N>; 2] {
-    let ([pw, px, py, pz, p1, p2, p3, _], [qw, qx, qy, qz, q1, _, q3, _]) = (p.0, q.0);
-    let [rw, rx, ry, rz, r1, r2, ..] = r.0;
-    // q ∘ e1 = (−x, w, z, −y), q ∘ e2 = (−y, −z, w, x), q ∘ e3 = (−z, y, −x, w)
-    let turn = Row([-px - qy - rz, pw - qz + ry, pz + qw - rx, qx - py + rw]);
-    // v × Ω = Σ Ωᵢ v × eᵢ
-    let seen = Row([r2 - q3, p3 - r1, q1 - p2, p1.like(0.0)]);
-    [turn, seen]
+impl Pair {
+    /// The numbers of (q ∘ eᵢ, v × eᵢ) in their places; [`SIGNS`] has their signs, and zeros.
+    #[inline(always)]
+    pub(super) fn about(self, axis: usize) -> Self {
+        let [w, x, y, z, a, b, c, d] = self.0;
+        Self(match axis {
+            0 => [x, w, z, y, a, c, b, d],
+            1 => [y, z, w, x, c, b, a, d],
+            _ => [z, y, x, w, b, a, c, d],
+        })
+    }
+}
+
+/// q ∘ e1 = (−x, w, z, −y), q ∘ e2 = (−y, −z, w, x), q ∘ e3 = (−z, y, −x, w); v × e1 = (0, v3, −v2) and so on.
+pub(super) const SIGNS: [[f64; 8]; 3] = [
+    [-1.0, 1.0, 1.0, -1.0, 0.0, 1.0, -1.0, 0.0],
+    [-1.0, -1.0, 1.0, 1.0, -1.0, 0.0, 1.0, 0.0],
+    [-1.0, 1.0, -1.0, 1.0, 1.0, -1.0, 0.0, 0.0],
+];
+
+impl<N: Number> Pair<N> {
+    /// Plus (q ∘ Ω, v × Ω) of another one, component of Ω by component.
+    #[inline(always)]
+    pub(super) fn plus_turned(self, pair: Self, turning: Row<N>) -> Self {
+        let [w, x, y, z, a, b, c, _] = pair.0;
+        let [o1, o2, o3, _] = turning.0;
+        let add = |sum: N, [p, q, r]: [N; 3]| r.mul_add(o3, q.mul_add(o2, p.mul_add(o1, sum)));
+        let [sw, sx, sy, sz, sa, sb, sc, zero] = self.0;
+        Self([
+            add(sw, [-x, -y, -z]),
+            add(sx, [w, -z, y]),
+            add(sy, [z, w, -x]),
+            add(sz, [-y, x, w]),
+            b.mul_add(o3, (-c).mul_add(o2, sa)),
+            (-a).mul_add(o3, c.mul_add(o1, sb)),
+            a.mul_add(o2, (-b).mul_add(o1, sc)),
+            zero,
+        ])
+    }
 }

@@ -13,11 +13,21 @@ use crate::motion::torque::{ConstantTorque, TorqueModel};
 /// N = c + A v + B ω.
 #[derive(Clone, Debug)]
 pub(in super::super) struct Affine<N> {
-    constant: Row<N>,
     seen: Option<LinearSeries<N>>,
+    torque: Parts<N>,
+    /// The same of N/I.
+    acceleration: Parts<N>,
+    is_none: bool,
+}
+
+/// c + A v + B ω
+#[derive(Clone, Copy, Debug)]
+struct Parts<N> {
+    constant: Row<N>,
+    /// Columns of A.
+    seen: Option<[Row<N>; 3]>,
     /// Columns of B.
     omega: Option<[Row<N>; 3]>,
-    is_none: bool,
 }
 
 /// The models that are affine, and all others; only the first vector of space can be.
@@ -39,23 +49,36 @@ pub(in super::super) fn split<'a>(
 
 impl<N: Number> Affine<N> {
     pub(in super::super) fn none(zero: N) -> Self {
-        Self { constant: Row::splat(zero), seen: None, omega: None, is_none: true }
+        let nothing = Parts { constant: Row::splat(zero), seen: None, omega: None };
+        Self { seen: None, torque: nothing, acceleration: nothing, is_none: true }
     }
 
     /// For bodies with models of these kinds.
     pub(in super::super) fn of(zero: N, models: &[&TorqueModel], rotor: &Rotor) -> Self {
+        let none = Row::splat(zero);
         let has = |shape: Shape| models.iter().any(|model| Shape::of(model, rotor) == shape);
-        let damped = has(Shape::Drag { is_quadratic: false });
+        let (carries, damped) = (has(Shape::Linear), has(Shape::Drag { is_quadratic: false }));
+        let parts = Parts {
+            constant: none,
+            seen: carries.then_some([none; 3]),
+            omega: damped.then_some([none; 3]),
+        };
         Self {
-            constant: Row::splat(zero),
-            seen: has(Shape::Linear).then(|| LinearSeries::all(zero)),
-            omega: damped.then_some([Row::splat(zero); 3]),
+            seen: carries.then(|| LinearSeries::all(zero)),
+            torque: parts,
+            acceleration: parts,
             is_none: models.is_empty(),
         }
     }
 
-    /// What a lane's body has.
-    pub(in super::super) fn set(&mut self, lane: usize, models: &[&TorqueModel], rotor: &Rotor) {
+    /// What a lane's body has, and the inverses of its moments.
+    pub(in super::super) fn set(
+        &mut self,
+        lane: usize,
+        models: &[&TorqueModel],
+        rotor: &Rotor,
+        inverses: Row,
+    ) {
         let to_principal = rotor.principal().rotation().inverse();
         let (mut constant, mut omega) = (Row::ZERO, [Row::ZERO; 3]);
         for model in models {
@@ -74,10 +97,11 @@ impl<N: Number> Affine<N> {
                 model => self.seen.iter_mut().for_each(|seen| seen.set_model(lane, model, rotor)),
             }
         }
-        self.constant.put(lane, constant);
-        for (place, column) in self.omega.iter_mut().flatten().zip(omega) {
-            place.put(lane, column);
-        }
+        let columns = self.seen.as_ref().map(|seen| seen.columns().map(|column| column.lane(lane)));
+        let columns = columns.unwrap_or([Row::ZERO; 3]);
+        self.torque.put(lane, constant, columns, omega);
+        let over = |column: Row| inverses * column;
+        self.acceleration.put(lane, over(constant), columns.map(over), omega.map(over));
     }
 
     pub(in super::super) fn is_none(&self) -> bool {
@@ -98,14 +122,35 @@ impl<N: Number> Affine<N> {
 
     /// Coefficient n of N.
     #[inline(always)]
-    pub(in super::super) fn coefficient(&self, n: usize, v: Row<N>, omega: Row<N>) -> Row<N> {
-        let mut torque = if n == 0 { self.constant } else { Row::splat(v.0[0].like(0.0)) };
-        if let Some(seen) = &self.seen {
-            torque = torque + seen.torque(v);
+    pub(in super::super) fn torque(&self, n: usize, v: Row<N>, omega: Row<N>) -> Row<N> {
+        self.torque.coefficient(n, v, omega)
+    }
+
+    /// Coefficient n of N/I.
+    #[inline(always)]
+    pub(in super::super) fn acceleration(&self, n: usize, v: Row<N>, omega: Row<N>) -> Row<N> {
+        self.acceleration.coefficient(n, v, omega)
+    }
+}
+
+impl<N: Number> Parts<N> {
+    fn put(&mut self, lane: usize, constant: Row, seen: [Row; 3], omega: [Row; 3]) {
+        self.constant.put(lane, constant);
+        let places = self.seen.iter_mut().flatten().zip(seen);
+        for (place, column) in places.chain(self.omega.iter_mut().flatten().zip(omega)) {
+            place.put(lane, column);
+        }
+    }
+
+    #[inline(always)]
+    fn coefficient(&self, n: usize, v: Row<N>, omega: Row<N>) -> Row<N> {
+        let mut sum = if n == 0 { self.constant } else { Row::splat(v.0[0].like(0.0)) };
+        if let Some(columns) = &self.seen {
+            sum = sum + times(columns, v);
         }
         if let Some(columns) = &self.omega {
-            torque = torque + times(columns, omega);
+            sum = sum + times(columns, omega);
         }
-        torque
+        sum
     }
 }

@@ -69,13 +69,12 @@ impl<N: Number> LinearSeries<N> {
 
     #[inline(always)]
     pub(super) fn coefficient(&self, n: usize) -> Row<N> {
-        self.torque(self.v.coefficient(n))
+        times(&self.columns, self.v.coefficient(n))
     }
 
-    /// A v
-    #[inline(always)]
-    pub(super) fn torque(&self, v: Row<N>) -> Row<N> {
-        times(&self.columns, v)
+    /// Columns of A.
+    pub(super) fn columns(&self) -> &[Row<N>; 3] {
+        &self.columns
     }
 
     #[inline(always)]

@@ -212,18 +212,12 @@ impl<N: Number> Expansion<N> {
     fn expand<M: Sums<N = N>>(&mut self, s: M) {
         let mut newest = Newest { omega: self.omega.rows.at(0), pair: self.turned.at(0) };
         if self.is_plain() {
-            for n in (0..self.order).step_by(2) {
-                let [one, two] = s.middles(&self.omega, &self.turned, &self.omega, n);
-                newest = self.extend::<M, true>(s, n, one, &newest);
-                if n + 1 < self.order {
-                    newest = self.extend::<M, true>(s, n + 1, two, &newest);
-                }
+            for n in 0..self.order {
+                newest = self.extend::<M, true>(s, n, &newest);
             }
         } else {
             for n in 0..self.order {
-                let turning = self.inside.as_ref().map_or(&self.omega, |inside| &inside.turning);
-                let [middle, _] = s.middles(&self.omega, &self.turned, turning, n);
-                newest = self.extend::<M, false>(s, n, middle, &newest);
+                newest = self.extend::<M, false>(s, n, &newest);
             }
         }
         self.omega.set(self.order, newest.omega);
@@ -232,18 +226,12 @@ impl<N: Number> Expansion<N> {
 
     /// Coefficients n + 1 of all that is unknown, from those up to n.
     #[inline(always)]
-    fn extend<M: Sums<N = N>, const PLAIN: bool>(
-        &mut self,
-        s: M,
-        n: usize,
-        middle: M::Middle,
-        newest: &Newest<N>,
-    ) -> Newest<N> {
+    fn extend<M: Sums<N = N>, const PLAIN: bool>(&mut self, s: M, n: usize, newest: &Newest<N>) -> Newest<N> {
         let (next, none) = (n + 1, Row::splat(newest.omega.0[0].like(0.0)));
         let mut rate = self.affine.acceleration(n, newest.pair.seen(), newest.omega);
         let (turned, turning, mut power);
         if let (false, Some(inside)) = (PLAIN, &mut self.inside) {
-            let before = s.before(middle, &self.omega, &self.turned, &inside.turning, n);
+            let before = s.before(&self.omega, &self.turned, &inside.turning, n);
             self.omega.set(n, newest.omega);
             self.turned.set(n, newest.pair);
             let own;
@@ -253,7 +241,7 @@ impl<N: Number> Expansion<N> {
             let ends = [turning.rows.at(0), turning.rows.at(n)];
             (_, turned) = s.with(before, &self.omega, &self.turned, ends, (n, newest));
         } else {
-            let before = s.before(middle, &self.omega, &self.turned, &self.omega, n);
+            let before = s.before(&self.omega, &self.turned, &self.omega, n);
             self.omega.set(n, newest.omega);
             self.turned.set(n, newest.pair);
             turning = &self.omega;

@@ -182,10 +182,10 @@ impl<N: Number> Series<N> {
         self.0[MARGIN + 2..].as_chunks().0.iter()
     }
 
-    /// Coefficients n − 2, n − 3, … 2 and at most four zeros by fours, each four in ascending order, of a series that has zeros before them.
+    /// Coefficients n − 2, n − 3, … 2 by fours, each four in ascending order, of a series that has zeros before them.
     #[inline(always)]
     pub(super) fn backward_to_second(&self, n: usize) -> impl Iterator<Item = &[Row<N>; 4]> {
-        self.0[MARGIN - 2..MARGIN + n.max(1) - 1].as_rchunks().1.iter().rev()
+        self.0[MARGIN - 1..MARGIN + n.max(1) - 1].as_rchunks().1.iter().rev()
     }
 
     /// Coefficients n − 1, n − 2, … 0 and zeros by fours, each four in ascending order.

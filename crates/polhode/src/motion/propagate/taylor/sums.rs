@@ -16,8 +16,6 @@ use crate::math::number::{MulAdd, Number};
 pub(super) trait Sums: Copy {
     /// What is added up.
     type N: Number;
-    /// Sums of products of coefficients that have long been known.
-    type Middle;
     /// Sums that are not complete yet.
     type Before;
     /// How they are done in a function of its own.
@@ -35,20 +33,10 @@ pub(super) trait Sums: Copy {
     /// Coefficient n of (a2 a3, a3 a1, a1 a2).
     fn others(self, a: &Vectors<Self::N>, n: usize) -> Row<Self::N>;
 
-    /// Coefficients n and n + 1 of (ω2 ω3 …) and of what turns times each component of Ω, without two products at each end: all that is in
-    /// them is known before coefficients n. Two at once need half as many numbers from memory.
-    fn middles(
-        self,
-        omega: &Vectors<Self::N>,
-        turned: &Turned<Self::N>,
-        turning: &Vectors<Self::N>,
-        n: usize,
-    ) -> [Self::Middle; 2];
-
-    /// Coefficients n without the products that coefficients n have a part in: what the processor works on while those are still being made.
+    /// Coefficients n of (ω2 ω3 …) and of what turns times each component of Ω, without the products that coefficients n have a part in:
+    /// sums that the processor works on while those are still being made. What coefficients n − 1 have a part in comes last.
     fn before(
         self,
-        middle: Self::Middle,
         omega: &Vectors<Self::N>,
         turned: &Turned<Self::N>,
         turning: &Vectors<Self::N>,
@@ -88,8 +76,7 @@ pub(super) struct ByFours<S>(pub(super) S);
 
 impl<S: Machine> Sums for ByFours<S> {
     type N = f64;
-    type Middle = (S::Four, [S::Eight; 3]);
-    type Before = Self::Middle;
+    type Before = (S::Four, [S::Eight; 3]);
     type Apart = Self;
 
     #[inline(always)]
@@ -138,46 +125,23 @@ impl<S: Machine> Sums for ByFours<S> {
     }
 
     #[inline(always)]
-    fn middles(
-        self,
-        omega: &Vectors,
-        turned: &Turned,
-        turning: &Vectors,
-        n: usize,
-    ) -> [Self::Middle; 2] {
+    fn before(self, omega: &Vectors, turned: &Turned, turning: &Vectors, n: usize) -> Self::Before {
         let s = self.0;
-        let (turning, others) = (&turning.later[0], &omega.later[1]);
-        let [mut one, mut two] = [(s.splat(0.0), [s.eight(0.0); 3]); 2];
-        // What coefficient n + 1 needs of them here coefficient n needed one further back.
-        let last = n.max(1) - 1;
-        let (mut next, mut next_turned) = (self.broadcast(turning.at(last)), s.load(&others.at(last).0));
+        let load = |w: &Row, pair: &Pair| (s.load(&w.0), s.load_eight(&pair.0));
+        let spread = |w: &Row, b: &Row| (s.load(&w.0), [s.eight(b.0[0]), s.eight(b.0[1]), s.eight(b.0[2])]);
+        let mut sums = (s.splat(0.0), [s.eight(0.0); 3]);
         let forward = omega.rows.forward_from_second().zip(turned.forward_from_second());
-        let backward = turning.backward_to_second(n).zip(others.backward_to_second(n));
-        for ((w, pairs), (turning, others)) in forward.zip(backward) {
+        let [rows, turns] = [&turning.later[0], &omega.later[1]];
+        let backward = turns.backward_to_second(n).zip(rows.backward_to_second(n));
+        for ((w, pairs), (turns, rows)) in forward.zip(backward) {
             for k in 0..4 {
-                let (w, pair) = (s.load(&w[k].0), s.load_eight(&pairs[k].0));
-                two = plus_products(two, (w, pair), (next_turned, next));
-                (next, next_turned) = (self.broadcast(turning[3 - k]), s.load(&others[3 - k].0));
-                one = plus_products(one, (w, pair), (next_turned, next));
+                sums = plus_products(sums, load(&w[k], &pairs[k]), spread(&turns[3 - k], &rows[3 - k]));
             }
         }
-        [one, two]
-    }
-
-    #[inline(always)]
-    fn before(
-        self,
-        mut sums: Self::Middle,
-        omega: &Vectors,
-        turned: &Turned,
-        turning: &Vectors,
-        n: usize,
-    ) -> Self::Before {
-        let s = self.0;
-        let forward = |k: usize| (s.load(&omega.rows.at(k).0), s.load_eight(&turned.at(k).0));
-        let backward = |k: usize| (s.load(&omega.turned.at(k).0), self.broadcast(turning.rows.at(k)));
         if n > 1 {
             let last = n - 1;
+            let forward = |k: usize| load(&omega.rows.at(k), &turned.at(k));
+            let backward = |k: usize| spread(&omega.turned.at(k), &turning.rows.at(k));
             sums = plus_products(sums, forward(1), backward(last));
             if last > 1 {
                 sums = plus_products(sums, forward(last), backward(1));
@@ -249,13 +213,6 @@ fn plus_products<W: MulAdd, P: MulAdd>(
 }
 
 impl<S: Machine> ByFours<S> {
-    /// Each component of a vector in all places.
-    #[inline(always)]
-    fn broadcast(self, row: Row) -> [S::Eight; 3] {
-        let [x, y, z, _] = row.0;
-        [self.0.eight(x), self.0.eight(y), self.0.eight(z)]
-    }
-
     /// The numbers of (q ∘ eᵢ, v × eᵢ), to be multiplied by [`SIGNS`].
     #[inline(always)]
     fn about(self, pair: S::Eight, axis: usize) -> S::Eight {
@@ -297,7 +254,6 @@ pub(super) struct SideBySide<S>(pub(super) S);
 
 impl<S: Machine> Sums for SideBySide<S> {
     type N = S::Eight;
-    type Middle = ();
     type Before = (Row<S::Eight>, Pair<S::Eight>);
     type Apart = Self;
 
@@ -338,22 +294,9 @@ impl<S: Machine> Sums for SideBySide<S> {
         a[0].mul_add(a[n].turned(), sum).turned().vector()
     }
 
-    /// Nothing yet: there are no more registers.
-    #[inline(always)]
-    fn middles(
-        self,
-        _: &Vectors<S::Eight>,
-        _: &Turned<S::Eight>,
-        _: &Vectors<S::Eight>,
-        _: usize,
-    ) -> [Self::Middle; 2] {
-        [(); 2]
-    }
-
     #[inline(always)]
     fn before(
         self,
-        (): Self::Middle,
         omega: &Vectors<S::Eight>,
         turned: &Turned<S::Eight>,
         turning: &Vectors<S::Eight>,

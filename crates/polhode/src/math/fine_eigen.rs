@@ -90,9 +90,9 @@ impl FineEigen {
         }
         let mut size: f64 = 0.0;
         let mut corrections = [[0.0; 3]; 3];
-        for j in 0..3 {
-            corrections[j][j] = 0.5 * defect(j, j);
-            size = size.max(corrections[j][j].abs());
+        for (j, row) in corrections.iter_mut().enumerate() {
+            row[j] = 0.5 * defect(j, j);
+            size = size.max(row[j].abs());
         }
         for [i, j] in PAIRS {
             let off = 0.5 * (dot(&one[i], &residuals[j]) + dot(&one[j], &residuals[i]));

@@ -13,7 +13,7 @@ struct Script {
     packages: &'static [(&'static str, &'static str)],
 }
 
-const SCRIPTS: [Script; 3] = [
+const SCRIPTS: [Script; 4] = [
     Script {
         path: "crates/polhode/benches/speed.py",
         page: "book/speed.md",
@@ -29,6 +29,11 @@ const SCRIPTS: [Script; 3] = [
             ("mpmath", "mpmath"),
             ("numpy", "numpy"),
         ],
+    },
+    Script {
+        path: "crates/polhode/benches/ensemble.py",
+        page: "book/ensembles.md",
+        packages: &[("heyoka", "heyoka"), ("mujoco", "mujoco"), ("numpy", "numpy"), ("scipy", "scipy")],
     },
     Script {
         path: "benches/mass.py",

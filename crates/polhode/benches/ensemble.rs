@@ -1,7 +1,8 @@
 //! Many bodies in nanoseconds. `cargo bench -p polhode --bench ensemble`; `benches/ensemble.py` runs it beside peers and with narrower
 //! vectors, and writes the numbers of `book/ensembles.md`.
 //!
-//! Each line: what, the number, its unit. Times are the least of many runs so short that some are left undisturbed.
+//! Each line: what, the number, its unit. Times are the least of many runs so short that some are left undisturbed; those of one and two
+//! threads are of 10 ms a thread, beside which a thread begins at once.
 
 use std::error::Error;
 use std::hint::black_box;
@@ -10,22 +11,19 @@ use std::time::Instant;
 
 use polhode::*;
 
+/// A run of one thread or two, s: some hundred times what a thread takes to begin.
+const LONG: f64 = 0.01;
+
 /// Operations of a step of the classical Runge–Kutta method of ω and q as textbooks write it.
 const TEXTBOOK: f64 = 198.0;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let peaks = [1, 2].map(peak);
-    for (threads, peak) in [1, 2].into_iter().zip(peaks) {
-        println!("fused multiply–add, {threads} at a time\t{peak:.1}\tGFLOP/s");
-    }
+    let of_one = scaling("fused multiply–add", "GFLOP/s", |threads| Ok(peak(threads)))?;
     for (name, rotor, torques) in subjects()? {
-        let mut rates = [0.0; 2];
-        for (threads, rate) in [1, 2].into_iter().zip(&mut rates) {
-            *rate = rk4(&rotor, &torques, threads)?;
-            println!("RK4 {name}, {threads} at a time\t{rate:.1}\tmillion body-steps/s");
-        }
+        let name = format!("RK4 {name}");
+        let rate = scaling(&name, "million body-steps/s", |threads| rk4(&rotor, &torques, threads))?;
         if torques.is_empty() {
-            println!("RK4 {name}, of the peak\t{:.0}\t%", TEXTBOOK * rates[0] * 1e-3 / peaks[0] * 100.0);
+            println!("{name}, of the peak\t{:.0}\t%", TEXTBOOK * rate * 1e-3 / of_one * 100.0);
         }
     }
     exact()?;
@@ -33,6 +31,19 @@ fn main() -> Result<(), Box<dyn Error>> {
         println!("Taylor {name}\t{:.0}\tns per body-step", taylor(&rotor, &torques)?);
     }
     Ok(())
+}
+
+/// A rate on one thread and on two, and how many times the one the other is; that of one thread.
+fn scaling(
+    name: &str,
+    unit: &str,
+    rate: impl Fn(usize) -> Result<f64, Box<dyn Error>>,
+) -> Result<f64, Box<dyn Error>> {
+    let (one, two) = (rate(1)?, rate(2)?);
+    println!("{name}, 1 at a time\t{one:.1}\t{unit}");
+    println!("{name}, 2 at a time\t{two:.1}\t{unit}");
+    println!("{name}, two threads\t{:.2}\ttimes one", two / one);
+    Ok(one)
 }
 
 /// The least time of many short runs, s.
@@ -90,18 +101,22 @@ fn ensemble(rotor: &Rotor, torques: &[TorqueModel], count: usize) -> Result<Ense
 
 /// Million body-steps/s of the whole way from states to states.
 fn rk4(rotor: &Rotor, torques: &[TorqueModel], threads: usize) -> Result<f64, Box<dyn Error>> {
-    let steps = if torques.is_empty() { 400 } else { 100 };
-    let bodies = 256 * threads;
+    let bodies = 1024 * threads;
     let all = ensemble(rotor, torques, bodies)?;
     let mut states = vec![start(0); bodies];
     let advance = Advance::RungeKutta4 { step: 0.01 };
     let threads = NonZero::new(threads).ok_or("no thread")?;
-    let times = [0.01 * f64::from(steps)];
-    let seconds = least(|| {
+    let mut fly = |steps: f64| {
+        let times = [0.01 * steps];
         let failures = all.fill(black_box(&times), advance, threads, &mut states, &mut |_| true);
         black_box(failures.ok());
-    });
-    Ok(bodies as f64 * f64::from(steps) / seconds * 1e-6)
+    };
+    fly(100.0);
+    let begin = Instant::now();
+    fly(100.0);
+    let steps = (100.0 * LONG / begin.elapsed().as_secs_f64()).ceil();
+    let seconds = least(|| fly(steps));
+    Ok(bodies as f64 * steps / seconds * 1e-6)
 }
 
 /// ns per body and step of its own, in batches of eight and more.
@@ -127,8 +142,8 @@ fn taylor(rotor: &Rotor, torques: &[TorqueModel]) -> Result<f64, Box<dyn Error>>
 fn exact() -> Result<(), Box<dyn Error>> {
     let rotor = Rotor::free(&generic()?);
     let times: Vec<f64> = (0..1024).map(|k| f64::from(k) * 0.977 + 0.1).collect();
-    for threads in [1, 2] {
-        let bodies = 64 * threads;
+    scaling("exact, 1,024 times of each body", "million states/s", |threads| {
+        let bodies = 512 * threads;
         let all = ensemble(&rotor, &[], bodies)?;
         let mut rows = vec![start(0); bodies * times.len()];
         let threads = NonZero::new(threads).ok_or("no thread")?;
@@ -136,9 +151,8 @@ fn exact() -> Result<(), Box<dyn Error>> {
         let seconds = least(|| {
             black_box(all.fill(&times, advance, threads, &mut rows, &mut |_| true).ok());
         });
-        let rate = (bodies * times.len()) as f64 / seconds * 1e-6;
-        println!("exact, 1,024 times of each body, {threads} at a time\t{rate:.1}\tmillion states/s");
-    }
+        Ok((bodies * times.len()) as f64 / seconds * 1e-6)
+    })?;
     let motion = FreeMotion::of(&rotor, start(7))?;
     let mut states = motion.at_times(&times);
     let seconds = least(|| motion.fill(black_box(&times), black_box(&mut states)));
@@ -184,7 +198,7 @@ fn peak(threads: usize) -> f64 {
     best * 1e-9
 }
 
-/// For about a millisecond, which is much more than a thread takes to start; the number of operations.
+/// For about ten milliseconds; the number of operations.
 #[cfg(all(feature = "simd", target_arch = "x86_64"))]
 fn multiply_and_add() -> f64 {
     let level = fearless_simd::Level::new();
@@ -198,7 +212,7 @@ fn multiply_and_add() -> f64 {
 /// So many sums of eight, each of which waits for itself alone.
 #[cfg(all(feature = "simd", target_arch = "x86_64"))]
 fn chains<S: fearless_simd::Simd, const CHAINS: usize>(simd: S) -> f64 {
-    const ROUNDS: usize = 400_000;
+    const ROUNDS: usize = 6_000_000;
     simd.vectorize(
         #[inline(always)]
         || {

@@ -22,8 +22,10 @@ pub(super) fn motion(scenario: &Scenario, rotor: &Rotor) -> Option<(FreeMotion, 
         && scenario.events.is_empty()
         && scenario.prescribed.is_none();
     let exact = matches!(run.method, Method::Auto | Method::Exact);
-    let motion = FreeMotion::of(rotor, scenario.start).ok()?;
-    (alone && exact && end >= motion.start().time).then_some((motion, end))
+    if !(alone && exact && end >= scenario.start.time) {
+        return None;
+    }
+    FreeMotion::of(rotor, scenario.start).ok().map(|motion| (motion, end))
 }
 
 /// Its ends and its extrema; `None` where energy or momentum leave the range of f64.

@@ -106,13 +106,15 @@ impl Outcome {
     fn with(self, scenario: &Scenario, rotor: &Rotor, trajectory: &Trajectory) -> Self {
         let (first, last) = (trajectory.start(), trajectory.samples().last());
         let can_be_free = scenario.prescribed.is_none() && scenario.wheels.is_empty();
-        let regime = |state: &State| {
-            FreeMotion::of(rotor, *state).ok().filter(|_| can_be_free).map(|motion| motion.regime())
+        let free = |state: &State| if can_be_free { FreeMotion::of(rotor, *state).ok() } else { None };
+        let at_start = free(&first.state);
+        let start = Self {
+            regime: at_start.as_ref().map(FreeMotion::regime),
+            start: Some(Instant::of(first)),
+            ..self
         };
-        let start = Self { regime: regime(&first.state), start: Some(Instant::of(first)), ..self };
-        let is_free = can_be_free && scenario.torques.is_empty();
-        let start = match FreeMotion::of(rotor, first.state) {
-            Ok(motion) if is_free => start.with_free(&motion),
+        let start = match at_start {
+            Some(motion) if scenario.torques.is_empty() => start.with_free(&motion),
             _ => start,
         };
         let happened = Self {
@@ -133,7 +135,7 @@ impl Outcome {
         Self {
             status,
             end: last.map(Instant::of),
-            end_regime: last.and_then(|last| regime(&last.state)),
+            end_regime: last.and_then(|last| free(&last.state)).map(|motion| motion.regime()),
             extrema: Some(Extrema::of(rotor, trajectory, Drift::of(trajectory))),
             ..happened
         }

@@ -5,6 +5,7 @@ pub(crate) mod double;
 pub(crate) mod eigenvalues;
 pub(crate) mod elementary;
 pub(crate) mod elliptic;
+pub(crate) mod fine_eigen;
 pub(crate) mod formula;
 pub(crate) mod frame;
 pub(crate) mod jet;

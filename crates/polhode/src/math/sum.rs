@@ -27,6 +27,13 @@ pub(crate) fn halves<T: Real>(a: T) -> (T, T) {
     (high, a - high)
 }
 
+/// A word and its halves.
+#[inline(always)]
+pub(crate) fn with_halves<T: Real>(a: T) -> [T; 3] {
+    let (high, low) = halves(a);
+    [a, high, low]
+}
+
 /// 2²⁷ + 1
 const SPLITTER: f64 = 134_217_729.0;
 

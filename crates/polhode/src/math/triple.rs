@@ -4,7 +4,7 @@
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::double::Double;
-use super::sum::{two_product, two_sum};
+use super::sum::{quick_two_sum, two_product_of_halves, two_sum, with_halves};
 
 /// A sum of three words of falling size, each below an ulp of the one before.
 #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
@@ -23,42 +23,55 @@ impl Triple {
         Double::sum(self.0[0], self.0[1])
     }
 
-    /// Words of any sizes, added: passes of exact additions until the leading three carry the sum.
-    fn of<const N: usize>(mut words: [f64; N]) -> Self {
-        for _pass in 0..3 {
-            for k in (1..N).rev() {
-                (words[k - 1], words[k]) = two_sum(words[k - 1], words[k]);
-            }
-        }
-        // Leading words that cancelled to zero give way to the next.
-        let mut leading = [0.0; 3];
-        let mut place = 0;
-        for word in words {
-            if word == 0.0 {
-                continue;
-            }
-            if place == 3 {
-                break;
-            }
-            leading[place] = word;
-            place += 1;
-        }
-        let [a, b, c] = leading;
+    /// Words of falling size, but for leading ones that cancelled: what is left moves up.
+    #[inline(always)]
+    fn of([a, b, c, d]: [f64; 4]) -> Self {
+        let (c, d) = two_sum(c, d);
+        let (b, c) = two_sum(b, c);
+        let (a, b) = two_sum(a, b);
+        let (c, d) = two_sum(c, d);
         let (b, c) = two_sum(b, c);
         let (a, b) = two_sum(a, b);
         let (b, c) = two_sum(b, c);
-        Self([a, b, c])
+        Self([a, b, c + d])
     }
 
-    /// √x for x ≥ 0: two Newton steps.
+    /// The same of a product, whose first word did not cancel.
+    #[inline(always)]
+    fn of_product([a, b, c, d]: [f64; 4]) -> Self {
+        let (c, d) = two_sum(c, d);
+        let (b, c) = two_sum(b, c);
+        let (a, b) = quick_two_sum(a, b);
+        let (b, c) = two_sum(b, c);
+        Self([a, b, c + d])
+    }
+
+    /// × one word.
+    pub(crate) fn times(self, word: f64) -> Self {
+        let word = with_halves(word);
+        let [(high, e), (b, f), (c, rest)] = self.0.map(|x| two_product_of_halves(with_halves(x), word));
+        let (middle, g) = two_sum(b, e);
+        let (low, lost) = summed([c, f, g]);
+        Self::of_product([high, middle, low, rest + lost])
+    }
+
+    /// + one word.
+    pub(crate) fn plus(self, word: f64) -> Self {
+        let [a, b, c] = self.0;
+        let (a, word) = two_sum(a, word);
+        let (b, word) = two_sum(b, word);
+        Self::of([a, b, c, word])
+    }
+
+    /// √x for x ≥ 0: a Newton step from the root in two words.
     pub(crate) fn sqrt(self) -> Self {
-        let first = self.double().sqrt();
-        if first.is_zero() {
+        let root = self.double().sqrt();
+        if root.is_zero() {
             return Self::default();
         }
-        let root = Self::from(first);
-        let residual = self - root * root;
-        root + Self::from(residual.double() / first.scaled(2.0))
+        let first = Self::from(root);
+        let residual = self - first.square();
+        first + Self::from(residual.double() / root.scaled(2.0))
     }
 
     pub(crate) fn square(self) -> Self {
@@ -91,7 +104,11 @@ impl Add for Triple {
     type Output = Self;
     fn add(self, other: Self) -> Self {
         let ([a, b, c], [d, e, f]) = (self.0, other.0);
-        Self::of([a, d, b, e, c, f])
+        let (high, g) = two_sum(a, d);
+        let (middle, h) = two_sum(b, e);
+        let (middle, k) = two_sum(middle, g);
+        let (low, lost) = summed([c, f, h, k]);
+        Self::of([high, middle, low, lost])
     }
 }
 
@@ -111,17 +128,17 @@ impl Sub for Triple {
 
 impl Mul for Triple {
     type Output = Self;
-    /// Error about 2⁻¹⁵⁶ |a b|.
+    /// Error about 2⁻¹⁵⁸ |a b|.
     fn mul(self, other: Self) -> Self {
-        let ([a, b, c], [d, e, f]) = (self.0, other.0);
-        let (ad, ad1) = two_product(a, d);
-        let (ae, ae1) = two_product(a, e);
-        let (bd, bd1) = two_product(b, d);
-        let (be, be1) = two_product(b, e);
-        let (af, af1) = two_product(a, f);
-        let (cd, cd1) = two_product(c, d);
-        let tail = af1 + cd1 + be1 + b * f + c * e;
-        Self::of([ad, ae, bd, ad1, be, af, cd, ae1, bd1, tail])
+        let ([a, b, c], [d, e, f]) = (self.0.map(with_halves), other.0.map(with_halves));
+        let (ad, g) = two_product_of_halves(a, d);
+        let [(ae, h), (bd, k)] = [two_product_of_halves(a, e), two_product_of_halves(b, d)];
+        let (middle, l) = two_sum(ae, bd);
+        let (middle, m) = two_sum(middle, g);
+        let [(af, n), (be, o), (cd, p)] = [(a, f), (b, e), (c, d)].map(|(x, y)| two_product_of_halves(x, y));
+        let (low, lost) = summed([be, af, cd, h, k, l, m]);
+        let least = (n + o + p) + (b[0] * f[0] + c[0] * e[0]);
+        Self::of_product([ad, middle, low, lost + least])
     }
 }
 
@@ -129,14 +146,24 @@ impl Div for Triple {
     type Output = Self;
     /// Long division: three quotients, each of an exact remainder.
     fn div(self, divisor: Self) -> Self {
-        let mut rest = self;
-        let mut quotient = [0.0; 3];
-        for word in &mut quotient {
-            *word = rest.value() / divisor.value();
-            rest = rest - divisor * Self::from(*word);
-        }
-        Self::of(quotient)
+        let first = self.0[0] / divisor.0[0];
+        let rest = self - divisor.times(first);
+        let second = rest.0[0] / divisor.0[0];
+        let rest = rest - divisor.times(second);
+        Self::of_product([first, second, rest.0[0] / divisor.0[0], 0.0])
     }
+}
+
+/// The sum of words of about one size, and what rounding takes of it.
+#[inline(always)]
+fn summed<const N: usize>(words: [f64; N]) -> (f64, f64) {
+    let (mut sum, mut lost) = (0.0, 0.0);
+    for word in words {
+        let (next, error) = two_sum(sum, word);
+        sum = next;
+        lost += error;
+    }
+    (sum, lost)
 }
 
 #[cfg(test)]
@@ -152,6 +179,8 @@ mod tests {
         small(root.square() - Triple::from(0.7));
         small(root * third / third - root);
         small((third + root) - root - third);
+        small(root.times(0.3) - root * Triple::from(0.3));
+        small(root.plus(-0.3) - root + Triple::from(0.3));
         // a product that needs three words, and the cancellation that leaves only the third
         let a = Triple::from(1.0 + 2f64.powi(-52));
         let cube = a * a * a;

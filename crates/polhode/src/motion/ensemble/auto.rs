@@ -1,5 +1,7 @@
 //! Closed forms at many times, and the integrators of high order for what has none.
 
+use std::sync::OnceLock;
+
 use super::Member;
 use super::crew::Share;
 use crate::motion::closed_form::ClosedForm;
@@ -11,24 +13,40 @@ use crate::motion::trajectory::Method;
 /// States that are computed before they are put down, of a closed form: they stay in the nearest memory.
 const BATCH: usize = 256;
 
+/// So many states of a free motion are computed sooner one by one.
+const FEW: usize = 4;
+
 /// States of bodies side by side: some megabytes.
 const MANY: usize = 1 << 16;
 
 /// Fewer bodies than that leave lanes idle.
 const FEWEST: usize = 8;
 
+/// The closed form of a member, once it was prepared, if there is one.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Closed(OnceLock<Option<ClosedForm>>);
+
+impl Closed {
+    fn of(&self, Member { rotor, torques, start }: &Member) -> Option<&ClosedForm> {
+        self.0.get_or_init(|| ClosedForm::of(rotor, torques, *start).ok()).as_ref()
+    }
+}
+
 /// Flies each member of a share by a method: the best for it, or Taylor's.
 ///
 /// Those that Taylor's method takes side by side come last.
 pub(super) fn fly(share: &mut Share<'_>, times: &[f64], tolerance: f64, method: Method) {
-    let members = share.members;
+    let (members, closed) = (share.members, share.closed);
     let mut states = Vec::new();
     let mut kinds: Vec<(taylor::Kind, Vec<usize>)> = Vec::new();
-    for (k, Member { rotor, torques, start }) in members.iter().enumerate() {
-        let closed = (method == Method::Auto).then(|| ClosedForm::of(rotor, torques, *start));
-        if let Some(Ok(motion)) = closed {
+    for (k, member) in members.iter().enumerate() {
+        let Member { rotor, torques, start } = member;
+        let anew = Closed::default();
+        let closed = closed.get(k).unwrap_or(&anew);
+        let closed = if method == Method::Auto { closed.of(member) } else { None };
+        if let Some(motion) = closed {
             states.resize(BATCH, *start);
-            evaluate(share, k, &motion, times, &mut states);
+            evaluate(share, k, motion, times, &mut states);
         } else if let Some(kind) = taylor::kind(rotor, torques, tolerance) {
             match kinds.iter_mut().find(|(other, _)| *other == kind) {
                 Some((_, bodies)) => bodies.push(k),
@@ -55,10 +73,9 @@ pub(super) fn fly(share: &mut Share<'_>, times: &[f64], tolerance: f64, method: 
 fn evaluate(share: &mut Share<'_>, k: usize, motion: &ClosedForm, times: &[f64], states: &mut [State]) {
     let mut from = 0;
     for times in times.chunks(BATCH) {
-        if let ClosedForm::Free(motion) = motion {
-            motion.fill(times, states);
-        } else {
-            states.iter_mut().zip(times).for_each(|(state, &time)| *state = motion.at(time));
+        match motion {
+            ClosedForm::Free(motion) if times.len() > FEW => motion.fill(times, states),
+            _ => states.iter_mut().zip(times).for_each(|(state, &time)| *state = motion.at(time)),
         }
         share.put(k, from, states.get(..times.len()).unwrap_or_default());
         from += times.len();

@@ -5,6 +5,7 @@ use core::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::thread;
 
+use super::auto::Closed;
 use super::{Failure, Member};
 use crate::motion::error::MotionError;
 use crate::motion::state::State;
@@ -22,6 +23,8 @@ pub(super) struct Share<'a> {
     /// The first of them.
     first: usize,
     pub(super) members: &'a [Member],
+    /// Their closed forms, where those are kept.
+    pub(super) closed: &'a [Closed],
     /// Times for each.
     times: usize,
     write: &'a mut dyn FnMut(usize, &[State]),
@@ -66,7 +69,7 @@ impl Crew {
     /// [`MotionError::Cancelled`] if `progress` gave false.
     pub(super) fn fill<S: From<State> + Send>(
         &self,
-        members: &[Member],
+        (members, closed): (&[Member], &[Closed]),
         times: usize,
         states: &mut [S],
         progress: &mut dyn FnMut(usize) -> bool,
@@ -84,6 +87,7 @@ impl Crew {
                 let mut share = Share {
                     first: k * SHARE,
                     members,
+                    closed: closed.get(k * SHARE..).unwrap_or_default(),
                     times,
                     write: &mut |from, states| {
                         for (place, state) in places.iter_mut().skip(from).zip(states) {

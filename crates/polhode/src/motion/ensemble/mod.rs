@@ -13,6 +13,7 @@ mod step;
 
 use core::fmt;
 use core::num::NonZero;
+use std::sync::OnceLock;
 
 use super::error::MotionError;
 use super::propagate::stepper::{LOOSEST_TOLERANCE, TIGHTEST_TOLERANCE};
@@ -91,6 +92,10 @@ impl core::error::Error for Failure {}
 ///
 /// Every state has the same bits on any number of threads, with any vectors, and whichever members there are beside it.
 ///
+/// A closed form takes microseconds to prepare. The first call with [`Advance::Auto`] does not keep it; the second does, about 1 kB of
+/// each member that has one, so that an ensemble that is asked again and again gives its states at once, and one that is asked once
+/// stays small. [`FreeMotions`](super::free::FreeMotions) have all bodies of one time side by side, several times as fast again.
+///
 /// ```
 /// use polhode::*;
 /// use std::num::NonZero;
@@ -109,6 +114,10 @@ impl core::error::Error for Failure {}
 #[derive(Clone, Debug)]
 pub struct Ensemble {
     members: Vec<Member>,
+    /// One for each, used from the second call on.
+    closed: Vec<auto::Closed>,
+    /// Whether closed forms were asked for.
+    asked: OnceLock<()>,
     /// The latest start, s.
     latest: f64,
 }
@@ -127,7 +136,8 @@ impl Ensemble {
             }
         }
         let latest = members.iter().map(|member| member.start.time).fold(f64::NEG_INFINITY, f64::max);
-        Ok(Self { members, latest })
+        let closed = vec![auto::Closed::default(); members.len()];
+        Ok(Self { members, closed, asked: OnceLock::new(), latest })
     }
 
     /// The bodies and their starts, as they were given.
@@ -193,11 +203,19 @@ impl Ensemble {
         if states.is_empty() {
             return Ok(Vec::new());
         }
-        Crew::new(threads).fill(&self.members, times.len(), states, progress, &|share| match advance {
-            Advance::Auto { tolerance } => auto::fly(share, times, tolerance, Method::Auto),
-            Advance::Taylor { tolerance } => auto::fly(share, times, tolerance, Method::Taylor),
-            Advance::RungeKutta4 { step } => lanes::fly(share, times, step),
-        })
+        let again = matches!(advance, Advance::Auto { .. }) && self.asked.set(()).is_err();
+        let closed = if again { self.closed.as_slice() } else { &[] };
+        Crew::new(threads).fill(
+            (&self.members, closed),
+            times.len(),
+            states,
+            progress,
+            &|share| match advance {
+                Advance::Auto { tolerance } => auto::fly(share, times, tolerance, Method::Auto),
+                Advance::Taylor { tolerance } => auto::fly(share, times, tolerance, Method::Taylor),
+                Advance::RungeKutta4 { step } => lanes::fly(share, times, step),
+            },
+        )
     }
 }
 

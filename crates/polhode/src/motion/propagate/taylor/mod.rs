@@ -26,7 +26,7 @@ mod turned;
 pub(in crate::motion) use fleet::{Body, Kind, advance, kind};
 pub(super) use stepper::Taylor;
 
-use row::{Row, Series, TERMS, Vectors};
+use row::{INVERSES, Row, Series, TERMS, Vectors};
 use seen::Seen;
 use sums::{ByFours, Sums};
 use torque::{Affine, Known, StepStart, TorqueSeries, from_outside, row, split};
@@ -285,16 +285,18 @@ impl<N: Number> Expansion<N> {
     #[inline(always)]
     fn step(&self, scale: N) -> N {
         let p = self.order;
-        let (last, before) = (self.log_radius(p, scale), self.log_radius(p - 1, scale));
+        let unit = scale.like(1.0) / scale;
+        let (last, before) = (self.log_radius(p, unit), self.log_radius(p - 1, unit));
         last.zip(before, |a, b| rough_exp2(a.min(b) + self.reach))
     }
 
     /// log₂ of 1/|xₙ|^(1/n): digits beyond the third do not matter.
     #[inline(always)]
-    fn log_radius(&self, n: usize, scale: N) -> N {
+    fn log_radius(&self, n: usize, unit: N) -> N {
         // ω = 0 has none, even where nothing turns: the larger of NaN and a number is the number.
-        let size = (self.omega.rows[n].largest() / scale).zip(self.turned.at(n).turn().largest(), f64::max);
-        size.map(|size| -rough_log2(size) / n as f64)
+        let size = (self.omega.rows[n].largest() * unit).zip(self.turned.at(n).turn().largest(), f64::max);
+        let [inverse, _] = INVERSES[n];
+        size.map(|size| rough_log2(size) * -inverse)
     }
 
     /// The longest step to which the series hold, where their last terms do not show it.
@@ -424,7 +426,8 @@ fn rough_log2(x: f64) -> f64 {
     // The integer n < 2⁵² is the mantissa of 2⁵² + n.
     let exponent = f64::from_bits(TWO_52.to_bits() | bits >> 52) - TWO_52 - 1023.0;
     let m = f64::from_bits((bits & 0x000f_ffff_ffff_ffff) | 0x3ff0_0000_0000_0000) - 1.0;
-    let log = exponent + m * (1.43856 + m * (-0.67811 + m * (0.32366 - m * 0.08411)));
+    let square = m * m;
+    let log = (exponent + m * 1.43856) + square * ((m * 0.32366 - 0.67811) - square * 0.08411);
     let log = if x >= f64::MIN_POSITIVE { log } else { f64::NEG_INFINITY };
     if x.is_nan() { x } else { log }
 }
@@ -438,7 +441,7 @@ fn rough_exp2(x: f64) -> f64 {
     let floor = if nearest > shifted { nearest - 1.0 } else { nearest };
     let m = shifted - floor;
     let power = f64::from_bits((floor + TWO_52).to_bits() << 52);
-    let exp = power * (1.0 + m * (0.69556 + m * (0.22676 + m * 0.07768)));
+    let exp = power * ((1.0 + m * 0.69556) + (m * m) * (0.22676 + m * 0.07768));
     let end = if x > 0.0 { f64::INFINITY } else { x.abs() * 0.0 };
     if x.abs() < 1022.0 { exp } else { end }
 }

@@ -1,5 +1,7 @@
 //! One motion at many times.
 
+use core::hint::black_box;
+
 use crate::math::lanes::{Lanes, in_widest_vectors};
 use crate::motion::state::State;
 
@@ -40,18 +42,19 @@ fn fill<N: Family>(
         || {
             let seed =
                 Seed::<f64, N>::assembled(&|get: &dyn Fn(&Seed<f64, N>) -> f64| Lanes([get(seed); WIDTH]));
-            let flow = seed.flow(Lanes([third; WIDTH]));
+            // In memory: the compiler is not to make some of it anew for each block.
+            let flow = &black_box(seed.flow(Lanes([third; WIDTH])));
             let mut block = Block::new();
             for (times, states) in times.chunks(GROUPS * WIDTH).zip(states.chunks_mut(GROUPS * WIDTH)) {
                 if motion.start.time == 0.0 {
-                    start::<true, _>(&mut block, motion, &flow, times);
+                    start::<true, _>(&mut block, motion, flow, times);
                 } else {
-                    start::<false, _>(&mut block, motion, &flow, times);
+                    start::<false, _>(&mut block, motion, flow, times);
                 }
                 block.finish(
                     times.len().div_ceil(WIDTH),
                     #[inline(always)]
-                    |_| &flow,
+                    |_| flow,
                 );
                 for (k, (&time, state)) in times.iter().zip(states.iter_mut()).enumerate() {
                     *state = block.state(k / WIDTH, k % WIDTH, time);

@@ -1,12 +1,13 @@
 //! Many bodies at one time: a body in every lane.
 
+use core::hint::black_box;
+
 use crate::math::lanes::{Lanes, in_widest_vectors};
-use crate::math::real::Real;
 use crate::motion::state::State;
 
 use super::FreeMotion;
-use super::block::{Block, GROUPS, Vectors, WIDTH};
-use super::flow::{Phases, Raw, Stages, Turned};
+use super::block::{Block, GROUPS, Vectors, WIDTH, one};
+use super::flow::{Pace, Phases, Raw, Stages, Turned};
 use super::hyperbolic::Pulse;
 use super::kernel::Kernel;
 use super::phase::Elapsed;
@@ -166,15 +167,21 @@ impl<N: Nucleus<Vectors>> Kin<N> {
             #[inline(always)]
             || {
                 let mut block = Block::new();
+                let mut paces = [Pace::none(); GROUPS];
+                let at = black_box(Lanes([time; WIDTH]));
                 for first in (0..self.courses.len()).step_by(GROUPS) {
                     let groups = GROUPS.min(self.courses.len() - first);
                     let group = |g: usize| Group { kin: self, index: first + g };
-                    let at = Lanes([time; WIDTH]);
                     if time.abs() <= self.reach {
+                        let elapsed = Elapsed::since::<true>(at, at, Lanes([1.0; WIDTH]));
+                        // In a loop of its own: the compiler would make vectors of the halves of both factors, lane by lane.
+                        for (g, pace) in paces.iter_mut().enumerate().take(groups) {
+                            *pace = group(one(g)).near_pace();
+                        }
                         block.start(
                             groups,
                             #[inline(always)]
-                            |g| group(g).near_phases(at),
+                            |g| paces[g].phases::<true, false>(&elapsed),
                         );
                     } else {
                         block.start(
@@ -201,13 +208,10 @@ impl<N: Nucleus<Vectors>> Kin<N> {
 }
 
 impl<N: Nucleus<Vectors>> Group<'_, N> {
-    /// Of a time within the reach of all.
+    /// For times within the reach of all.
     #[inline(always)]
-    fn near_phases(&self, time: Vectors) -> Phases<Vectors> {
-        let splat = Vectors::splat;
-        let elapsed = Elapsed::since::<true>(splat(0.0), time, splat(1.0));
-        let pace = self.kin.courses[self.index].pace(&self.kin.shapes[self.index], splat(0.0));
-        pace.phases::<true, false>(&elapsed)
+    fn near_pace(&self) -> Pace<Vectors> {
+        self.kin.courses[self.index].near_pace(&self.kin.shapes[self.index])
     }
 
     #[inline(always)]

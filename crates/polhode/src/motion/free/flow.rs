@@ -137,6 +137,14 @@ impl<T: Real> Pace<T> {
         Self { precession, polhode, start, reach }
     }
 
+    /// Of what does not move.
+    #[inline(always)]
+    pub(super) fn none() -> Self {
+        let zero = T::splat(0.0);
+        let rate = Rate::of([zero; 2], zero);
+        Self { precession: rate, polhode: rate, start: [zero; 2], reach: zero }
+    }
+
     /// Both phases, reduced; `WHOLE` if the time has one word, `LONG` if it may be beyond reach.
     #[inline(always)]
     pub(super) fn phases<const WHOLE: bool, const LONG: bool>(&self, elapsed: &Elapsed<T>) -> Phases<T> {

@@ -157,6 +157,18 @@ impl<T: Real> Course<T> {
             [self.start, shape.nucleus.low_start()],
         )
     }
+
+    /// For times within its reach.
+    #[inline(always)]
+    pub(super) fn near_pace<N: Nucleus<T>>(&self, shape: &Shape<T, N>) -> Pace<T> {
+        let zero = T::splat(0.0);
+        Pace {
+            precession: Rate::of(self.precession, zero),
+            polhode: Rate::of(self.polhode, zero),
+            start: [self.start, shape.nucleus.low_start()],
+            reach: zero,
+        }
+    }
 }
 
 impl<T: Real, N: Nucleus<T>> Shape<T, N> {

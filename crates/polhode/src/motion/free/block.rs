@@ -6,6 +6,7 @@ use crate::math::vector::Vector;
 use crate::motion::state::State;
 
 use super::flow::{Phases, Raw, Stages, Turned};
+use super::phase::Phase;
 
 /// States in a group: a vector of AVX-512, two of AVX2.
 pub(super) const WIDTH: usize = 8;
@@ -45,6 +46,22 @@ impl Block {
     pub(super) fn start(&mut self, groups: usize, phases: impl Fn(usize) -> Phases<Vectors>) {
         for (g, place) in self.phases.iter_mut().enumerate().take(groups) {
             *place = phases(one(g));
+        }
+    }
+
+    /// As [`Block::start`], one phase after the other.
+    #[inline(always)]
+    pub(super) fn start_apart(
+        &mut self,
+        groups: usize,
+        polhode: impl Fn(usize) -> Phase<Vectors>,
+        precession: impl Fn(usize) -> Phase<Vectors>,
+    ) {
+        for (g, phases) in self.phases.iter_mut().enumerate().take(groups) {
+            phases.polhode = polhode(one(g));
+        }
+        for (g, phases) in self.phases.iter_mut().enumerate().take(groups) {
+            phases.precession = precession(one(g));
         }
     }
 

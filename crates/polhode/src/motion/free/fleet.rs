@@ -178,10 +178,12 @@ impl<N: Nucleus<Vectors>> Kin<N> {
                         for (g, pace) in paces.iter_mut().enumerate().take(groups) {
                             *pace = group(one(g)).near_pace();
                         }
-                        block.start(
+                        block.start_apart(
                             groups,
                             #[inline(always)]
-                            |g| paces[g].phases::<true, false>(&elapsed),
+                            |g| paces[g].polhode_phase::<true, false>(&elapsed),
+                            #[inline(always)]
+                            |g| paces[g].precession_phase::<true, false>(&elapsed),
                         );
                     } else {
                         block.start(

@@ -66,8 +66,8 @@ pub(super) struct Frame<T> {
 /// Both angles of a time.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Phases<T> {
-    polhode: Phase<T>,
-    precession: Phase<T>,
+    pub(super) polhode: Phase<T>,
+    pub(super) precession: Phase<T>,
 }
 
 /// What the time is to the series.
@@ -148,9 +148,24 @@ impl<T: Real> Pace<T> {
     /// Both phases, reduced; `WHOLE` if the time has one word, `LONG` if it may be beyond reach.
     #[inline(always)]
     pub(super) fn phases<const WHOLE: bool, const LONG: bool>(&self, elapsed: &Elapsed<T>) -> Phases<T> {
-        let polhode = self.polhode.quarters::<WHOLE, LONG>(elapsed, self.reach);
-        let precession = self.precession.quarters::<WHOLE, LONG>(elapsed, self.reach);
-        Phases { polhode: Phase::of(polhode, Some(self.start)), precession: Phase::of(precession, None) }
+        let polhode = self.polhode_phase::<WHOLE, LONG>(elapsed);
+        Phases { polhode, precession: self.precession_phase::<WHOLE, LONG>(elapsed) }
+    }
+
+    #[inline(always)]
+    pub(super) fn polhode_phase<const WHOLE: bool, const LONG: bool>(
+        &self,
+        elapsed: &Elapsed<T>,
+    ) -> Phase<T> {
+        Phase::of(self.polhode.quarters::<WHOLE, LONG>(elapsed, self.reach), Some(self.start))
+    }
+
+    #[inline(always)]
+    pub(super) fn precession_phase<const WHOLE: bool, const LONG: bool>(
+        &self,
+        elapsed: &Elapsed<T>,
+    ) -> Phase<T> {
+        Phase::of(self.precession.quarters::<WHOLE, LONG>(elapsed, self.reach), None)
     }
 }
 

@@ -157,22 +157,25 @@ fn exact() -> Result<(), Box<dyn Error>> {
     let mut states = motion.at_times(&times);
     let seconds = least(|| motion.fill(black_box(&times), black_box(&mut states)));
     println!("exact, one body, prepared\t{:.1}\tmillion states/s", times.len() as f64 / seconds * 1e-6);
-    // The latter come from memory: each of ten fleets waits for the others to have passed.
-    for (fleets, count) in [(1, 1_000), (10, 100_000)] {
+    // The latter come from memory: each of many fleets waits for the others to have passed. Their states go to memory too, each to a
+    // place of its own, or to places that stay near, as of one who reduces them on the way.
+    for (fleets, count, places, whither) in
+        [(1, 1_000, 1, ""), (10, 100_000, 10, ""), (100, 10_000, 1, ", states that stay near")]
+    {
         let motion = |k: usize| FreeMotion::of(&rotor, start(k));
         let fleet =
             |f: usize| Ok(FreeMotions::of(&(f..f + count).map(motion).collect::<Result<Vec<_>, _>>()?));
         let all = (0..fleets).map(fleet).collect::<Result<Vec<_>, MotionError>>()?;
-        let mut states = vec![vec![start(0); count]; fleets];
+        let mut states = vec![vec![start(0); count]; places];
         let (mut time, mut turn) = (1234.5, (0..fleets).cycle());
         let seconds = least(|| {
             time += 1.0;
-            if let Some((fleet, states)) = turn.next().and_then(|f| all.get(f).zip(states.get_mut(f))) {
-                fleet.fill(black_box(time), black_box(states));
+            if let Some((f, fleet)) = turn.next().and_then(|f| Some((f, all.get(f)?))) {
+                fleet.fill(black_box(time), black_box(&mut states[f % places]));
             }
         });
         let rate = count as f64 / seconds * 1e-6;
-        println!("exact, {} prepared bodies at a time\t{rate:.1}\tmillion states/s", fleets * count);
+        println!("exact, {} prepared bodies at a time{whither}\t{rate:.1}\tmillion states/s", fleets * count);
     }
     let seconds = least(|| {
         black_box(FreeMotion::of(black_box(&rotor), start(7)).ok());

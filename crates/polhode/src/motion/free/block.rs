@@ -5,8 +5,8 @@ use crate::math::rotation::Rotation;
 use crate::math::vector::Vector;
 use crate::motion::state::State;
 
-use super::flow::{Flow, Phases, Raw, Series, Turned};
-use super::phase::Elapsed;
+use super::flow::{Phases, Raw, Stages, Turned};
+use super::phase::Phase;
 
 /// States in a group: a vector of AVX-512, two of AVX2.
 pub(super) const WIDTH: usize = 8;
@@ -41,44 +41,41 @@ impl Block {
         }
     }
 
-    /// The phases of so many groups, each of its flow after its time.
+    /// The phases of so many groups.
     #[inline(always)]
-    pub(super) fn start<'a, const WHOLE: bool, S: Series<Vectors> + 'a>(
+    pub(super) fn start(&mut self, groups: usize, phases: impl Fn(usize) -> Phases<Vectors>) {
+        for (g, place) in self.phases.iter_mut().enumerate().take(groups) {
+            *place = phases(one(g));
+        }
+    }
+
+    /// As [`Block::start`], one phase after the other.
+    #[inline(always)]
+    pub(super) fn start_apart(
         &mut self,
         groups: usize,
-        flow: impl Fn(usize) -> &'a Flow<Vectors, S>,
-        elapsed: impl Fn(usize) -> Elapsed<Vectors>,
+        polhode: impl Fn(usize) -> Phase<Vectors>,
+        precession: impl Fn(usize) -> Phase<Vectors>,
     ) {
-        let mut near = true;
-        for g in 0..groups {
-            near &= elapsed(g).is_within(flow(g).reach);
+        for (g, phases) in self.phases.iter_mut().enumerate().take(groups) {
+            phases.polhode = polhode(one(g));
         }
-        if near {
-            for (g, phases) in self.phases.iter_mut().enumerate().take(groups) {
-                *phases = flow(one(g)).phases::<WHOLE, false>(&elapsed(g));
-            }
-        } else {
-            for (g, phases) in self.phases.iter_mut().enumerate().take(groups) {
-                *phases = flow(one(g)).phases::<WHOLE, true>(&elapsed(g));
-            }
+        for (g, phases) in self.phases.iter_mut().enumerate().take(groups) {
+            phases.precession = precession(one(g));
         }
     }
 
     /// The states of the phases.
     #[inline(always)]
-    pub(super) fn finish<'a, S: Series<Vectors> + 'a>(
-        &mut self,
-        groups: usize,
-        flow: impl Fn(usize) -> &'a Flow<Vectors, S>,
-    ) {
+    pub(super) fn finish<S: Stages<Vectors>>(&mut self, groups: usize, stages: impl Fn(usize) -> S) {
         for (g, turned) in self.turned.iter_mut().enumerate().take(groups) {
-            *turned = flow(one(g)).turned(&self.phases[g]);
+            *turned = stages(one(g)).turned(&self.phases[g]);
         }
         for (g, raw) in self.raw.iter_mut().enumerate().take(groups) {
-            *raw = flow(one(g)).raw(&self.turned[g]);
+            *raw = stages(one(g)).raw(&self.turned[g]);
         }
         for (g, raw) in self.raw.iter().enumerate().take(groups) {
-            (self.attitude[g], self.omega[g]) = flow(one(g)).state(raw);
+            (self.attitude[g], self.omega[g]) = stages(one(g)).state(raw);
         }
     }
 
@@ -96,7 +93,7 @@ impl Block {
 
 /// The group itself. The compiler is not to see that the next is beside it, or it makes vectors across groups, lane by lane.
 #[inline(always)]
-fn one(group: usize) -> usize {
+pub(super) fn one(group: usize) -> usize {
     core::hint::black_box(());
     group
 }

@@ -1,15 +1,18 @@
 //! Many bodies at one time: a body in every lane.
 
+use core::hint::black_box;
+
 use crate::math::lanes::{Lanes, in_widest_vectors};
 use crate::motion::state::State;
 
 use super::FreeMotion;
-use super::block::{Block, GROUPS, Vectors, WIDTH};
-use super::flow::{Family, Flow, Series};
-use super::hyperbolic::Hyperbolic;
+use super::block::{Block, GROUPS, Vectors, WIDTH, one};
+use super::flow::{Pace, Phases, Raw, Stages, Turned};
+use super::hyperbolic::Pulse;
 use super::kernel::Kernel;
 use super::phase::Elapsed;
-use super::trigonometric::Trigonometric;
+use super::seed::{Course, Family, Labels, Left, Nucleus, Seed, Shape};
+use super::trigonometric::Nomes;
 
 /// Many free motions, arranged so that all their states at a time are computed side by side.
 ///
@@ -29,20 +32,46 @@ use super::trigonometric::Trigonometric;
 #[derive(Clone, Debug)]
 pub struct FreeMotions {
     starts: Vec<State>,
-    /// Whether all start at t = 0.
-    whole: bool,
-    trigonometric: Vec<Group<Trigonometric<Vectors>>>,
-    hyperbolic: Vec<Group<Hyperbolic<Vectors>>>,
+    /// The first and the last time at which one starts.
+    started: [f64; 2],
+    trigonometric: Kin<Nomes<Vectors>>,
+    hyperbolic: Kin<Pulse<Vectors>>,
 }
 
-/// Bodies whose motions have the same kind of series; the last group repeats its first body in the lanes left over.
+/// Bodies whose motions have the same kind of series, in groups; the last group repeats its first body in the lanes left over.
+///
+/// What each stage asks for lies side by side: the processor reads four such rows from memory while it computes, where of one it
+/// waits for each group.
 #[derive(Clone, Debug)]
-struct Group<S> {
-    flow: Flow<Vectors, S>,
+struct Kin<N> {
+    count: usize,
+    courses: Vec<Course<Vectors>>,
+    shapes: Vec<Shape<Vectors, N>>,
+    lefts: Vec<Left<Vectors>>,
+    bodies: Vec<Labels<Vectors>>,
+    rests: Vec<Rest>,
+    /// The place of each among the states, where these are not in the same order.
+    places: Vec<usize>,
+    /// Where all start at t = 0 and count time in seconds, the longest time that is short for all; otherwise no time is.
+    reach: f64,
+}
+
+/// A group, stage by stage: each makes only what it needs.
+struct Group<'a, N> {
+    kin: &'a Kin<N>,
+    index: usize,
+}
+
+/// What only long times ask for, or bodies that do not start at t = 0.
+#[derive(Clone, Copy, Debug)]
+struct Rest {
+    third: Vectors,
     start: Vectors,
     unit: Vectors,
-    members: [usize; WIDTH],
 }
+
+/// A body's index, its motion, its seed and the third word of its precession.
+type Body<'a, N> = (usize, &'a FreeMotion, &'a Seed<f64, N>, f64);
 
 impl FreeMotions {
     /// The motions of a slice, in its order.
@@ -51,15 +80,20 @@ impl FreeMotions {
         let mut hyperbolic = Vec::new();
         for (index, motion) in motions.iter().enumerate() {
             match &motion.kernel {
-                Kernel::Trigonometric(flow) => trigonometric.push((index, motion, flow)),
-                Kernel::Hyperbolic(flow) => hyperbolic.push((index, motion, flow)),
+                Kernel::Trigonometric(seed, flow) => {
+                    trigonometric.push((index, motion, seed, flow.pace.precession.third));
+                }
+                Kernel::Hyperbolic(seed, flow) => {
+                    hyperbolic.push((index, motion, seed, flow.pace.precession.third));
+                }
             }
         }
+        let times = || motions.iter().map(|motion| motion.start.time);
         Self {
+            started: [times().fold(f64::INFINITY, f64::min), times().fold(f64::NEG_INFINITY, f64::max)],
             starts: motions.iter().map(|motion| motion.start).collect(),
-            whole: motions.iter().all(|motion| motion.start.time == 0.0),
-            trigonometric: trigonometric.chunks(WIDTH).map(grouped).collect(),
-            hyperbolic: hyperbolic.chunks(WIDTH).map(grouped).collect(),
+            trigonometric: Kin::of(&trigonometric),
+            hyperbolic: Kin::of(&hyperbolic),
         }
     }
 
@@ -88,19 +122,10 @@ impl FreeMotions {
         if states.len() < self.len() {
             return;
         }
-        in_widest_vectors(
-            #[inline(always)]
-            || {
-                let mut block = Block::new();
-                for groups in self.trigonometric.chunks(GROUPS) {
-                    compute(&mut block, groups, time, states, self.whole);
-                }
-                for groups in self.hyperbolic.chunks(GROUPS) {
-                    compute(&mut block, groups, time, states, self.whole);
-                }
-            },
-        );
-        if self.whole && time != 0.0 {
+        self.trigonometric.fill(time, states);
+        self.hyperbolic.fill(time, states);
+        let [first, last] = self.started;
+        if !(first..=last).contains(&time) {
             return;
         }
         for (state, start) in states.iter_mut().zip(&self.starts).filter(|(_, start)| start.time == time) {
@@ -109,50 +134,126 @@ impl FreeMotions {
     }
 }
 
-fn grouped<S: Family>(bodies: &[(usize, &FreeMotion, &Flow<f64, S>)]) -> Group<S::Of<Vectors>> {
-    let body = |lane: usize| bodies[if lane < bodies.len() { lane } else { 0 }];
-    Group {
-        flow: Flow::assembled(&|get: &dyn Fn(&Flow<f64, S>) -> f64| Lanes::from_fn(|lane| get(body(lane).2))),
-        start: Lanes::from_fn(|lane| body(lane).1.start.time),
-        unit: Lanes::from_fn(|lane| body(lane).1.unit),
-        members: core::array::from_fn(|lane| body(lane).0),
+impl<N: Nucleus<Vectors>> Kin<N> {
+    fn of<F: Family<Of<Vectors> = N>>(bodies: &[Body<'_, F>]) -> Self {
+        let plain = |motion: &FreeMotion| motion.start.time == 0.0 && motion.unit == 1.0;
+        let reach = |&(_, motion, seed, third): &Body<'_, F>| {
+            if plain(motion) { seed.flow(third).pace.reach } else { -1.0 }
+        };
+        let in_order = bodies.iter().enumerate().all(|(k, body)| k == body.0);
+        let mut kin = Self {
+            count: bodies.len(),
+            courses: Vec::new(),
+            shapes: Vec::new(),
+            lefts: Vec::new(),
+            bodies: Vec::new(),
+            rests: Vec::new(),
+            places: if in_order { Vec::new() } else { bodies.iter().map(|body| body.0).collect() },
+            reach: bodies.iter().map(reach).fold(f64::INFINITY, f64::min),
+        };
+        for bodies in bodies.chunks(WIDTH) {
+            let (seed, rest) = grouped(bodies);
+            kin.courses.push(seed.course);
+            kin.shapes.push(seed.shape);
+            kin.lefts.push(seed.left);
+            kin.bodies.push(seed.body);
+            kin.rests.push(rest);
+        }
+        kin
+    }
+
+    fn fill(&self, time: f64, states: &mut [State]) {
+        in_widest_vectors(
+            #[inline(always)]
+            || {
+                let mut block = Block::new();
+                let mut paces = [Pace::none(); GROUPS];
+                let at = black_box(Lanes([time; WIDTH]));
+                for first in (0..self.courses.len()).step_by(GROUPS) {
+                    let groups = GROUPS.min(self.courses.len() - first);
+                    let group = |g: usize| Group { kin: self, index: first + g };
+                    if time.abs() <= self.reach {
+                        let elapsed = Elapsed::since::<true>(at, at, Lanes([1.0; WIDTH]));
+                        // In a loop of its own: the compiler would make vectors of the halves of both factors, lane by lane.
+                        for (g, pace) in paces.iter_mut().enumerate().take(groups) {
+                            *pace = group(one(g)).near_pace();
+                        }
+                        block.start_apart(
+                            groups,
+                            #[inline(always)]
+                            |g| paces[g].polhode_phase::<true, false>(&elapsed),
+                            #[inline(always)]
+                            |g| paces[g].precession_phase::<true, false>(&elapsed),
+                        );
+                    } else {
+                        block.start(
+                            groups,
+                            #[inline(always)]
+                            |g| group(g).phases(at),
+                        );
+                    }
+                    block.finish(groups, group);
+                    let bodies = first * WIDTH..self.count.min((first + GROUPS) * WIDTH);
+                    if self.places.is_empty() {
+                        for (k, state) in states[bodies].iter_mut().enumerate() {
+                            *state = block.state(k / WIDTH, k % WIDTH, time);
+                        }
+                    } else {
+                        for (k, &place) in self.places[bodies].iter().enumerate() {
+                            states[place] = block.state(k / WIDTH, k % WIDTH, time);
+                        }
+                    }
+                }
+            },
+        );
     }
 }
 
-#[inline(always)]
-fn compute<S: Series<Vectors>>(
-    block: &mut Block,
-    groups: &[Group<S>],
-    time: f64,
-    states: &mut [State],
-    whole: bool,
-) {
-    let at = Lanes([time; WIDTH]);
-    if whole {
-        block.start::<true, _>(
-            groups.len(),
-            #[inline(always)]
-            |g| &groups[g].flow,
-            #[inline(always)]
-            |g| Elapsed::since::<true>(groups[g].start, at, groups[g].unit),
-        );
-    } else {
-        block.start::<false, _>(
-            groups.len(),
-            #[inline(always)]
-            |g| &groups[g].flow,
-            #[inline(always)]
-            |g| Elapsed::since::<false>(groups[g].start, at, groups[g].unit),
-        );
+impl<N: Nucleus<Vectors>> Group<'_, N> {
+    /// For times within the reach of all.
+    #[inline(always)]
+    fn near_pace(&self) -> Pace<Vectors> {
+        self.kin.courses[self.index].near_pace(&self.kin.shapes[self.index])
     }
-    block.finish(
-        groups.len(),
-        #[inline(always)]
-        |g| &groups[g].flow,
-    );
-    for (g, group) in groups.iter().enumerate() {
-        for (lane, &member) in group.members.iter().enumerate() {
-            states[member] = block.state(g, lane, time);
+
+    #[inline(always)]
+    fn phases(&self, time: Vectors) -> Phases<Vectors> {
+        let Rest { third, start, unit } = self.kin.rests[self.index];
+        let pace = self.kin.courses[self.index].pace(&self.kin.shapes[self.index], third);
+        let elapsed = Elapsed::since::<false>(start, time, unit);
+        if elapsed.is_within(pace.reach) {
+            pace.phases::<false, false>(&elapsed)
+        } else {
+            pace.phases::<false, true>(&elapsed)
         }
     }
+}
+
+impl<N: Nucleus<Vectors>> Stages<Vectors> for Group<'_, N> {
+    #[inline(always)]
+    fn turned(&self, phases: &Phases<Vectors>) -> Turned<Vectors> {
+        self.kin.shapes[self.index].curve().turned(phases)
+    }
+
+    #[inline(always)]
+    fn raw(&self, turned: &Turned<Vectors>) -> Raw<Vectors> {
+        self.kin.shapes[self.index].curve().raw(turned)
+    }
+
+    #[inline(always)]
+    fn state(&self, raw: &Raw<Vectors>) -> ([Vectors; 4], [Vectors; 3]) {
+        self.kin.lefts[self.index].frame(&self.kin.bodies[self.index]).state(raw)
+    }
+}
+
+fn grouped<N: Family>(bodies: &[Body<'_, N>]) -> (Seed<Vectors, N::Of<Vectors>>, Rest) {
+    let body = |lane: usize| bodies[if lane < bodies.len() { lane } else { 0 }];
+    let seed =
+        Seed::assembled(&|get: &dyn Fn(&Seed<f64, N>) -> f64| Lanes::from_fn(|lane| get(body(lane).2)));
+    let rest = Rest {
+        third: Lanes::from_fn(|lane| body(lane).3),
+        start: Lanes::from_fn(|lane| body(lane).1.start.time),
+        unit: Lanes::from_fn(|lane| body(lane).1.unit),
+    };
+    (seed, rest)
 }

@@ -1,7 +1,5 @@
 //! One kernel for every free motion: two phases, a few terms of a theta series, a quaternion.
 
-use core::array::from_fn;
-
 use super::phase::{Elapsed, Phase, Rate};
 use crate::math::complex::Complex;
 use crate::math::elementary::sin_cos_quarters;
@@ -18,7 +16,7 @@ pub(super) struct Point<T> {
     pub(super) below: T,
 }
 
-/// The constants of a motion, in the form that is evaluated.
+/// The constants of a motion, in the form that is evaluated: all follow from a [`Seed`](super::seed::Seed).
 ///
 /// With z = π(u0 + λt)/2K, the unit vector along L is e = (A1 cn, A2 sn, A3 dn)/L in the labelled axes, and the quaternion
 /// from them to axes along L is w + iz = α, x + iy = β,
@@ -30,28 +28,46 @@ pub(super) struct Point<T> {
 /// Source: Klein & Sommerfeld, Über die Theorie des Kreisels, ch. VI; derived in `book/free-motion.md`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Flow<T, S> {
+    pub(super) pace: Pace<T>,
+    pub(super) curve: Curve<T, S>,
+    pub(super) frame: Frame<T>,
+}
+
+/// What makes phases of the time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Pace<T> {
     /// ½(Ωt − z), quarter turns.
     pub(super) precession: Rate<T>,
     /// λ/K: 2z/π, quarter turns.
     pub(super) polhode: Rate<T>,
-    /// The longest time that needs no more than two words of either.
-    pub(super) reach: T,
     /// 2z/π at the start, quarter turns.
     pub(super) start: [T; 2],
+    /// The longest time that needs no more than two words of either.
+    pub(super) reach: T,
+}
+
+/// What makes a quaternion and ω of phases, in the labelled axes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Curve<T, S> {
+    pub(super) series: S,
     /// What makes theta functions the components of e.
     pub(super) direction: [T; 3],
-    /// Columns: the axes times the amplitudes of ω along them, and the constants that make theta functions cn, sn and dn.
-    pub(super) omega: [[T; 3]; 3],
+}
+
+/// What turns them into the axes that they are wanted in.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Frame<T> {
     /// From what the quaternion is in the labelled axes to the attitude's, of norm 1/`scale`.
     pub(super) attitude: [[T; 4]; 4],
-    pub(super) series: S,
+    /// Columns: the axes times the amplitudes of ω along them, and the constants that make theta functions cn, sn and dn.
+    pub(super) omega: [[T; 3]; 3],
 }
 
 /// Both angles of a time.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Phases<T> {
-    polhode: Phase<T>,
-    precession: Phase<T>,
+    pub(super) polhode: Phase<T>,
+    pub(super) precession: Phase<T>,
 }
 
 /// What the time is to the series.
@@ -74,24 +90,23 @@ pub(super) struct Raw<T> {
     rates: [T; 3],
 }
 
+/// The way from phases to a state, in three stages: of a flow, or of what becomes one as it is needed.
+pub(super) trait Stages<T> {
+    fn turned(&self, phases: &Phases<T>) -> Turned<T>;
+
+    /// Quaternion and ω of the phases, in the labelled axes.
+    fn raw(&self, turned: &Turned<T>) -> Raw<T>;
+
+    /// Quaternion and ω of the phases.
+    fn state(&self, raw: &Raw<T>) -> ([T; 4], [T; 3]);
+}
+
 /// Theta functions of one kind.
 pub(super) trait Series<T> {
     /// z as the series takes it, and b′z in quarter turns if there is a bend.
     fn place(&self, z: Phase<T>) -> ([T; 2], Option<T>);
 
     fn at(&self, place: [T; 2]) -> Point<T>;
-}
-
-/// A series that also comes in other numbers.
-pub(super) trait Family: Series<f64> {
-    /// What makes the three quotients cn, sn and dn.
-    fn scale(&self) -> [f64; 3];
-
-    /// The same series in numbers T.
-    type Of<T: Real>: Series<T>;
-
-    /// The series in which each constant is what `pick` makes of the way to it.
-    fn assembled<T: Real>(pick: &impl Fn(&dyn Fn(&Self) -> f64) -> T) -> Self::Of<T>;
 }
 
 // Places for them, all numbers the same.
@@ -115,15 +130,63 @@ impl<T: Copy> Raw<T> {
     }
 }
 
-impl<T: Real, S: Series<T>> Flow<T, S> {
+impl<T: Real> Pace<T> {
+    #[inline(always)]
+    pub(super) fn of(precession: Rate<T>, polhode: Rate<T>, start: [T; 2]) -> Self {
+        let reach = precession.reach().zip(polhode.reach(), f64::min);
+        Self { precession, polhode, start, reach }
+    }
+
+    /// Of what does not move.
+    #[inline(always)]
+    pub(super) fn none() -> Self {
+        let zero = T::splat(0.0);
+        let rate = Rate::of([zero; 2], zero);
+        Self { precession: rate, polhode: rate, start: [zero; 2], reach: zero }
+    }
+
     /// Both phases, reduced; `WHOLE` if the time has one word, `LONG` if it may be beyond reach.
     #[inline(always)]
     pub(super) fn phases<const WHOLE: bool, const LONG: bool>(&self, elapsed: &Elapsed<T>) -> Phases<T> {
-        let polhode = self.polhode.quarters::<WHOLE, LONG>(elapsed, self.reach);
-        let precession = self.precession.quarters::<WHOLE, LONG>(elapsed, self.reach);
-        Phases { polhode: Phase::of(polhode, Some(self.start)), precession: Phase::of(precession, None) }
+        let polhode = self.polhode_phase::<WHOLE, LONG>(elapsed);
+        Phases { polhode, precession: self.precession_phase::<WHOLE, LONG>(elapsed) }
     }
 
+    #[inline(always)]
+    pub(super) fn polhode_phase<const WHOLE: bool, const LONG: bool>(
+        &self,
+        elapsed: &Elapsed<T>,
+    ) -> Phase<T> {
+        Phase::of(self.polhode.quarters::<WHOLE, LONG>(elapsed, self.reach), Some(self.start))
+    }
+
+    #[inline(always)]
+    pub(super) fn precession_phase<const WHOLE: bool, const LONG: bool>(
+        &self,
+        elapsed: &Elapsed<T>,
+    ) -> Phase<T> {
+        Phase::of(self.precession.quarters::<WHOLE, LONG>(elapsed, self.reach), None)
+    }
+}
+
+impl<T: Real, S: Series<T>> Stages<T> for &Flow<T, S> {
+    #[inline(always)]
+    fn turned(&self, phases: &Phases<T>) -> Turned<T> {
+        self.curve.turned(phases)
+    }
+
+    #[inline(always)]
+    fn raw(&self, turned: &Turned<T>) -> Raw<T> {
+        self.curve.raw(turned)
+    }
+
+    #[inline(always)]
+    fn state(&self, raw: &Raw<T>) -> ([T; 4], [T; 3]) {
+        self.frame.state(raw)
+    }
+}
+
+impl<T: Real, S: Series<T>> Curve<T, S> {
     #[inline(always)]
     pub(super) fn turned(&self, phases: &Phases<T>) -> Turned<T> {
         let (place, bend) = self.series.place(phases.polhode);
@@ -132,7 +195,6 @@ impl<T: Real, S: Series<T>> Flow<T, S> {
         Turned { place, phase: Complex { re, im } }
     }
 
-    /// Quaternion and ω of the phases, in the labelled axes.
     #[inline(always)]
     pub(super) fn raw(&self, turned: &Turned<T>) -> Raw<T> {
         let Point { f, theta, below } = self.series.at(turned.place);
@@ -150,8 +212,9 @@ impl<T: Real, S: Series<T>> Flow<T, S> {
             rates: [theta[0] * over, theta[1] * over, theta[2] * over],
         }
     }
+}
 
-    /// Quaternion and ω of the phases.
+impl<T: Real> Frame<T> {
     #[inline(always)]
     pub(super) fn state(&self, raw: &Raw<T>) -> ([T; 4], [T; 3]) {
         let Raw { quaternion: labelled, scale, rates } = *raw;
@@ -162,30 +225,6 @@ impl<T: Real, S: Series<T>> Flow<T, S> {
         let norm2 = (scale * scale) * ((qw * qw + qx * qx) + (qy * qy + qz * qz));
         let k = scale * (T::splat(1.5) - T::splat(0.5) * norm2);
         ([qw * k, qx * k, qy * k, qz * k], [dot3(&w[0], &rates), dot3(&w[1], &rates), dot3(&w[2], &rates)])
-    }
-}
-
-impl<S: Family> Flow<f64, S> {
-    /// The flow in other numbers: one body in every lane, or a body in each.
-    pub(super) fn assembled<T: Real>(pick: &impl Fn(&dyn Fn(&Self) -> f64) -> T) -> Flow<T, S::Of<T>> {
-        Flow {
-            precession: rate(&|get: &dyn Fn(&Rate<f64>) -> f64| pick(&|f: &Self| get(&f.precession))),
-            polhode: rate(&|get: &dyn Fn(&Rate<f64>) -> f64| pick(&|f: &Self| get(&f.polhode))),
-            reach: pick(&|f| f.reach),
-            start: from_fn(|k| pick(&|f| f.start[k])),
-            direction: from_fn(|k| pick(&|f| f.direction[k])),
-            omega: from_fn(|i| from_fn(|k| pick(&|f| f.omega[i][k]))),
-            attitude: from_fn(|i| from_fn(|k| pick(&|f| f.attitude[i][k]))),
-            series: S::assembled(&|get: &dyn Fn(&S) -> f64| pick(&|f: &Self| get(&f.series))),
-        }
-    }
-}
-
-fn rate<T>(pick: &impl Fn(&dyn Fn(&Rate<f64>) -> f64) -> T) -> Rate<T> {
-    Rate {
-        first: from_fn(|k| pick(&|rate| rate.first[k])),
-        second: from_fn(|k| pick(&|rate| rate.second[k])),
-        third: pick(&|rate| rate.third),
     }
 }
 

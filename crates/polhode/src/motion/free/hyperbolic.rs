@@ -1,17 +1,16 @@
 //! The motion as a few travelling pulses: for a nome near 1, up to the separatrix itself.
 
-use core::array::from_fn;
-
 use crate::math::complex::Complex;
 use crate::math::double::Double;
-use crate::math::elementary::exp_both;
+use crate::math::elementary::{exp_both, sin_cos_quarters};
 use crate::math::landen::{Landen, log_of};
 use crate::math::real::{PI, Real};
 use crate::math::symmetric3::power_of_two_near;
 
 use super::elements::Elements;
-use super::flow::{Family, Point, Series};
+use super::flow::{Point, Series};
 use super::phase::Phase;
+use super::seed::{Family, Nucleus};
 
 /// Coefficients of the theta functions in the complementary nome: constants of a motion.
 ///
@@ -33,15 +32,27 @@ pub(super) struct Hyperbolic<T> {
     squares: [T; 3],
 }
 
-impl Hyperbolic<f64> {
-    /// The series, and where on them the motion starts: 2z/π, quarter turns.
-    pub(super) fn of(elements: &Elements) -> (Self, [f64; 2]) {
+/// What the series is made of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Pulse<T> {
+    /// Of where on it the motion starts, the second word.
+    low_start: T,
+    /// πκ
+    stretch: T,
+    /// ½ − 2b/π
+    bend: T,
+    /// Q
+    nome: T,
+}
+
+impl Pulse<f64> {
+    /// The series, and where on it the motion starts: 2z/π, quarter turns, the first word.
+    pub(super) fn of(elements: &Elements) -> (Self, f64) {
         // The roles of m and 1 − m are exchanged.
         let landen = Landen::new(elements.m1().value(), elements.m.value());
-        let squared = landen.nome();
         // q′ = m₁/16 + … leaves the range of f64 before its root does.
         let k1 = elements.k1.value();
-        let nome = if k1 < TINY { 0.25 * k1 } else { squared.sqrt() };
+        let nome = if k1 < TINY { 0.25 * k1 } else { landen.nome().sqrt() };
         // K′ = π / 2 agm(1, √m):  κ = K / 2K′
         let other_quarter = Double::TAU.scaled(0.25) / mean(elements.m.sqrt());
         let kappa = elements.quarter / other_quarter.scaled(2.0);
@@ -49,17 +60,66 @@ impl Hyperbolic<f64> {
         let [a1, _, a3] = elements.amplitudes.map(Double::value);
         let l = elements.momentum.value();
         let b = 0.5 * landen.angle(a3 / l, a1 / l);
-        let angle = |n: usize| libm::sincos((2 * n + 1) as f64 * (0.25 * PI - b));
-        let power = |n: usize| (0..n).fold(1.0, |p, _| p * nome);
-        let series = Self {
-            stretch: (Double::TAU * kappa).scaled(0.5).value(),
-            bend: 0.5 - 2.0 * b / PI,
-            nome,
-            rising: [from_fn(|n| power(n * n) * angle(n).1), from_fn(|n| power(n * n) * angle(n).0)],
-            falling: [from_fn(|n| power(n * n + n) * angle(n).1), from_fn(|n| power(n * n + n) * angle(n).0)],
-            squares: [squared, squared * squared, (squared * squared) * (squared * squared)],
-        };
-        (series, start(elements, &landen, kappa))
+        let [start, low_start] = start(elements, &landen, kappa);
+        let stretch = (Double::TAU * kappa).scaled(0.5).value();
+        (Self { low_start, stretch, bend: 0.5 - 2.0 * b / PI, nome }, start)
+    }
+}
+
+impl Family for Pulse<f64> {
+    type Of<T: Real> = Pulse<T>;
+
+    /// cn and dn are 1 at u = 0, sn at u = K.
+    fn scale(&self) -> [f64; 3] {
+        let series = self.series();
+        let ([cn, _, dn], at_zero) = series.elliptic(1.0, self.nome);
+        let ([_, sn, _], at_quarter) = series.elliptic(self.nome, 1.0);
+        [at_zero / cn, at_quarter / sn, at_zero / dn]
+    }
+
+    fn assembled<T: Real>(pick: &impl Fn(&dyn Fn(&Self) -> f64) -> T) -> Pulse<T> {
+        Pulse {
+            low_start: pick(&|p| p.low_start),
+            stretch: pick(&|p| p.stretch),
+            bend: pick(&|p| p.bend),
+            nome: pick(&|p| p.nome),
+        }
+    }
+}
+
+impl<T: Real> Nucleus<T> for Pulse<T> {
+    type Series = Hyperbolic<T>;
+
+    #[inline(always)]
+    fn low_start(&self) -> T {
+        self.low_start
+    }
+
+    #[inline(always)]
+    fn series(&self) -> Hyperbolic<T> {
+        // e^ia, a = ¼π − b, and by products its odd powers
+        let (s, c) = sin_cos_quarters(T::splat(0.0), self.bend);
+        let first = Complex { re: c, im: s };
+        let square = Complex { re: c * c - s * s, im: T::splat(2.0) * (c * s) };
+        let third = first.times(square);
+        let fifth = third.times(square);
+        let seventh = fifth.times(square);
+        let q = self.nome;
+        let q2 = q * q;
+        let q4 = q2 * q2;
+        let (q6, q8) = (q4 * q2, q4 * q4);
+        let q9 = q8 * q;
+        Hyperbolic {
+            stretch: self.stretch,
+            bend: self.bend,
+            nome: q,
+            rising: [
+                [first.re, q * third.re, q4 * fifth.re, q9 * seventh.re],
+                [first.im, q * third.im, q4 * fifth.im, q9 * seventh.im],
+            ],
+            falling: [[first.re, q2 * third.re, q6 * fifth.re], [first.im, q2 * third.im, q6 * fifth.im]],
+            squares: [q2, q4, q8],
+        }
     }
 }
 
@@ -107,28 +167,6 @@ fn argument(sin: Double, cos: Double, landen: &Landen) -> Double {
     let correction = landen.hyperbolic_correction((s / h).value(), (c.square() / h2).value());
     let y = (log_of((s + h) / c) - Double::from(correction)).scaled(0.5);
     if (sin.high < 0.0) == (cos.high < 0.0) { y } else { -y }
-}
-
-impl Family for Hyperbolic<f64> {
-    type Of<T: Real> = Hyperbolic<T>;
-
-    /// cn and dn are 1 at u = 0, sn at u = K.
-    fn scale(&self) -> [f64; 3] {
-        let ([cn, _, dn], at_zero) = self.elliptic(1.0, self.nome);
-        let ([_, sn, _], at_quarter) = self.elliptic(self.nome, 1.0);
-        [at_zero / cn, at_quarter / sn, at_zero / dn]
-    }
-
-    fn assembled<T: Real>(pick: &impl Fn(&dyn Fn(&Self) -> f64) -> T) -> Hyperbolic<T> {
-        Hyperbolic {
-            stretch: pick(&|s| s.stretch),
-            bend: pick(&|s| s.bend),
-            nome: pick(&|s| s.nome),
-            rising: from_fn(|i| from_fn(|k| pick(&|s| s.rising[i][k]))),
-            falling: from_fn(|i| from_fn(|k| pick(&|s| s.falling[i][k]))),
-            squares: from_fn(|k| pick(&|s| s.squares[k])),
-        }
-    }
 }
 
 impl<T: Real> Series<T> for Hyperbolic<T> {

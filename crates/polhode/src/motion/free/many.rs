@@ -1,12 +1,16 @@
 //! One motion at many times.
 
+use core::hint::black_box;
+
 use crate::math::lanes::{Lanes, in_widest_vectors};
 use crate::motion::state::State;
 
 use super::FreeMotion;
 use super::block::{Block, GROUPS, Vectors, WIDTH};
-use super::flow::{Family, Flow, Series};
+use super::flow::{Flow, Series};
 use super::kernel::Kernel;
+use super::phase::Elapsed;
+use super::seed::{Family, Seed};
 
 impl FreeMotion {
     /// The states at many times, in their order: each with the bits that [`FreeMotion::at`] gives, several times as fast.
@@ -20,28 +24,37 @@ impl FreeMotion {
     /// As [`FreeMotion::at_times`], into states that are there already; as many as there are both times and states.
     pub fn fill(&self, times: &[f64], states: &mut [State]) {
         match &self.kernel {
-            Kernel::Trigonometric(flow) => fill(self, flow, times, states),
-            Kernel::Hyperbolic(flow) => fill(self, flow, times, states),
+            Kernel::Trigonometric(seed, flow) => fill(self, seed, flow.pace.precession.third, times, states),
+            Kernel::Hyperbolic(seed, flow) => fill(self, seed, flow.pace.precession.third, times, states),
         }
     }
 }
 
-fn fill<S: Family>(motion: &FreeMotion, flow: &Flow<f64, S>, times: &[f64], states: &mut [State]) {
-    let flow = Flow::<f64, S>::assembled(&|get: &dyn Fn(&Flow<f64, S>) -> f64| Lanes([get(flow); WIDTH]));
+fn fill<N: Family>(
+    motion: &FreeMotion,
+    seed: &Seed<f64, N>,
+    third: f64,
+    times: &[f64],
+    states: &mut [State],
+) {
     in_widest_vectors(
         #[inline(always)]
         || {
+            let seed =
+                Seed::<f64, N>::assembled(&|get: &dyn Fn(&Seed<f64, N>) -> f64| Lanes([get(seed); WIDTH]));
+            // In memory: the compiler is not to make some of it anew for each block.
+            let flow = &black_box(seed.flow(Lanes([third; WIDTH])));
             let mut block = Block::new();
             for (times, states) in times.chunks(GROUPS * WIDTH).zip(states.chunks_mut(GROUPS * WIDTH)) {
                 if motion.start.time == 0.0 {
-                    start::<true, _>(&mut block, motion, &flow, times);
+                    start::<true, _>(&mut block, motion, flow, times);
                 } else {
-                    start::<false, _>(&mut block, motion, &flow, times);
+                    start::<false, _>(&mut block, motion, flow, times);
                 }
                 block.finish(
                     times.len().div_ceil(WIDTH),
                     #[inline(always)]
-                    |_| &flow,
+                    |_| flow,
                 );
                 for (k, (&time, state)) in times.iter().zip(states.iter_mut()).enumerate() {
                     *state = block.state(k / WIDTH, k % WIDTH, time);
@@ -61,13 +74,29 @@ fn start<const WHOLE: bool, S: Series<Vectors>>(
     flow: &Flow<Vectors, S>,
     times: &[f64],
 ) {
-    block.start::<WHOLE, _>(
-        times.len().div_ceil(WIDTH),
-        #[inline(always)]
-        |_| flow,
-        #[inline(always)]
-        |g| motion.elapsed::<WHOLE, _>(group_of(&times[g * WIDTH..], motion.start.time)),
-    );
+    let groups = times.len().div_ceil(WIDTH);
+    let mut near = true;
+    for g in 0..groups {
+        near &= elapsed::<WHOLE>(motion, times, g).is_within(flow.pace.reach);
+    }
+    if near {
+        block.start(
+            groups,
+            #[inline(always)]
+            |g| flow.pace.phases::<WHOLE, false>(&elapsed::<WHOLE>(motion, times, g)),
+        );
+    } else {
+        block.start(
+            groups,
+            #[inline(always)]
+            |g| flow.pace.phases::<WHOLE, true>(&elapsed::<WHOLE>(motion, times, g)),
+        );
+    }
+}
+
+#[inline(always)]
+fn elapsed<const WHOLE: bool>(motion: &FreeMotion, times: &[f64], group: usize) -> Elapsed<Vectors> {
+    motion.elapsed::<WHOLE, _>(group_of(&times[group * WIDTH..], motion.start.time))
 }
 
 /// The next times. The last group may be short: its lanes without a time stand still.

@@ -16,6 +16,7 @@ mod labelled;
 mod many;
 mod phase;
 mod regime;
+mod seed;
 mod trigonometric;
 
 use crate::body::principal::PrincipalFrame;
@@ -68,10 +69,13 @@ pub struct FreeMotion {
     principal: PrincipalFrame<Body>,
     regime: Regime,
     constants: Constants,
-    /// rad/s per unit of the kernel's rates: a power of two.
+    /// rad/s per unit of the kernel's rates: a power of two, and 1 but for rates near the ends of the range of f64.
     unit: f64,
     kernel: Kernel,
 }
+
+/// Up to this, or its inverse, the fastest component of ω is no reason to have units: no word of its rates leaves the range of f64.
+const MODERATE: f64 = 18_446_744_073_709_551_616.0;
 
 /// Products of three moments have to stay in the range of f64.
 const THINNEST: f64 = 1e-120;
@@ -153,6 +157,8 @@ impl FreeMotion {
         } else {
             (labelled, Elements::of(&labelled))
         };
+        let moderate = unit.max(1.0 / unit) <= MODERATE;
+        let (kernel_unit, pace) = if moderate { (1.0, unit) } else { (unit, 1.0) };
         Ok(Self {
             start,
             principal: *principal,
@@ -162,8 +168,8 @@ impl FreeMotion {
                 Regime::of_rounded(&labelled, principal, start.omega)
             },
             constants: Constants::of(&elements, &labelled, fine.unit, unit),
-            unit,
-            kernel: Kernel::of(&elements, &labelled, unit, start.attitude),
+            unit: kernel_unit,
+            kernel: Kernel::of(&elements, &labelled, [unit, pace], start.attitude),
         })
     }
 

@@ -8,9 +8,9 @@ use crate::math::sum::{halves, two_product_of_halves, two_sum};
 /// turn after 10²⁴ of them; of other bodies f itself is known to 10⁻³¹ of their wobble.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Rate<T> {
-    /// The first two words and their halves.
-    pub(super) first: [T; 3],
-    pub(super) second: [T; 3],
+    /// The first word and its halves.
+    first: [T; 3],
+    second: T,
     pub(super) third: T,
 }
 
@@ -92,24 +92,24 @@ fn with_halves<T: Real>(a: T) -> [T; 3] {
     [a, high, low]
 }
 
-impl Rate<f64> {
-    pub(super) fn new([first, second, third]: [f64; 3]) -> Self {
-        Self { first: with_halves(first), second: with_halves(second), third }
-    }
-
-    /// The longest time that counts as short.
-    pub(super) fn reach(&self) -> f64 {
-        (MANY / self.first[0].abs()).min(LONGEST)
-    }
-}
-
 impl<T: Real> Rate<T> {
+    #[inline(always)]
+    pub(super) fn of([first, second]: [T; 2], third: T) -> Self {
+        Self { first: with_halves(first), second, third }
+    }
+
+    /// The longest time that counts as short: what it turns needs no more than two words.
+    #[inline(always)]
+    pub(super) fn reach(&self) -> T {
+        self.first[0].map(|first| (MANY / first.abs()).min(LONGEST))
+    }
+
     /// f t in two words: of times within [`Rate::reach`]; `LONG` for others too.
     #[inline(always)]
     pub(super) fn quarters<const WHOLE: bool, const LONG: bool>(&self, t: &Elapsed<T>, reach: T) -> (T, T) {
         // Of the third word and of the second product's error nothing would be seen.
         let (high, error) = two_product_of_halves(with_halves(t.high), self.first);
-        let mut low = error + t.high * self.second[0];
+        let mut low = error + t.high * self.second;
         if !WHOLE {
             low = low + t.low * self.first[0];
         }
@@ -129,9 +129,9 @@ impl<T: Real> Rate<T> {
     fn of_long_times(&self, t: &Elapsed<T>) -> (T, T) {
         let t = t.with_digits();
         let (p0, e0) = two_product_of_halves(with_halves(t.high), self.first);
-        let (p1, e1) = two_product_of_halves(with_halves(t.high), self.second);
+        let (p1, e1) = two_product_of_halves(with_halves(t.high), with_halves(self.second));
         let (p2, e2) = two_product_of_halves(with_halves(t.low), self.first);
-        let rest = (e1 + e2) + (t.high * self.third + t.low * self.second[0]);
+        let rest = (e1 + e2) + (t.high * self.third + t.low * self.second);
         let (s, r0) = two_sum(modulo_turn(p0), modulo_turn(e0));
         let (s, r1) = two_sum(s, modulo_turn(p1));
         let (s, r2) = two_sum(s, modulo_turn(p2));

@@ -9,8 +9,9 @@ use crate::math::landen::Landen;
 use crate::math::real::{PI, Real};
 
 use super::elements::Elements;
-use super::flow::{Family, Point, Series};
+use super::flow::{Point, Series};
 use super::phase::Phase;
+use super::seed::{Family, Nucleus};
 
 /// Coefficients of the theta functions at z: constants of a motion.
 ///
@@ -29,17 +30,65 @@ pub(super) struct Trigonometric<T> {
     even: [T; 5],
 }
 
-impl Trigonometric<f64> {
-    /// The series, and where on them the motion starts: 2z/π, quarter turns.
-    pub(super) fn of(elements: &Elements) -> (Self, [f64; 2]) {
+/// What the series is made of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Nomes<T> {
+    /// q
+    nome: T,
+    /// Y² and (q/Y)².
+    squares: [T; 2],
+}
+
+impl Nomes<f64> {
+    /// The series, and where on it the motion starts: 2z/π, quarter turns.
+    pub(super) fn of(elements: &Elements) -> (Self, f64) {
         let landen = Landen::new(elements.m.value(), elements.m1().value());
-        let q = landen.nome();
-        let y = half_nutation(elements, &landen);
-        let (real, imaginary) =
-            attitude_polynomials(q, y * y, if y == 0.0 { 0.0 } else { (q / y) * (q / y) });
-        let series = Self { real, imaginary, odd: odd_polynomial(q), even: even_polynomial(q) };
+        let (q, y) = (landen.nome(), half_nutation(elements, &landen));
+        let x = if y == 0.0 { 0.0 } else { q / y };
         let [c, s] = elements.start.map(Double::value);
-        (series, [landen.angle(s, c) * (2.0 / PI), 0.0])
+        (Self { nome: q, squares: [y * y, x * x] }, landen.angle(s, c) * (2.0 / PI))
+    }
+}
+
+impl Family for Nomes<f64> {
+    type Of<T: Real> = Nomes<T>;
+
+    /// cn and dn are 1 at u = 0, sn at u = K.
+    fn scale(&self) -> [f64; 3] {
+        let series = self.series();
+        let Point { theta: [cn, _, dn], below: at_zero, .. } = series.at([1.0, 0.0]);
+        let Point { theta: [_, sn, _], below: at_quarter, .. } = series.at([0.0, 1.0]);
+        [at_zero / cn, at_quarter / sn, at_zero / dn]
+    }
+
+    fn assembled<T: Real>(pick: &impl Fn(&dyn Fn(&Self) -> f64) -> T) -> Nomes<T> {
+        Nomes { nome: pick(&|n| n.nome), squares: from_fn(|k| pick(&|n| n.squares[k])) }
+    }
+}
+
+impl<T: Real> Nucleus<T> for Nomes<T> {
+    type Series = Trigonometric<T>;
+
+    #[inline(always)]
+    fn low_start(&self) -> T {
+        T::splat(0.0)
+    }
+
+    #[inline(always)]
+    fn series(&self) -> Trigonometric<T> {
+        let q = self.nome;
+        let q2 = q * q;
+        let q4 = q2 * q2;
+        let (q6, q8) = (q4 * q2, q4 * q4);
+        let (q9, q12, q16) = (q8 * q, q6 * q6, q8 * q8);
+        let [y2, x2] = self.squares;
+        let (real, imaginary) = attitude_polynomials([q, q6, q9 * q6], y2, x2);
+        Trigonometric {
+            real,
+            imaginary,
+            odd: odd_polynomial([q2, q6, q12, q16 * q4]),
+            even: even_polynomial([q, q4, q9, q16]),
+        }
     }
 }
 
@@ -65,51 +114,31 @@ fn half_nutation(elements: &Elements, landen: &Landen) -> f64 {
 /// Re f and Im f / sin 2z, to q¹⁵: with f = 1 + Σ (fₙ e^2inz + gₙ e^−2inz),
 ///
 /// Re f = 1 + Σ (fₙ + gₙ) cos 2nz,  Im f = Σ (fₙ − gₙ) sin 2nz,  fₙ = (−1)ⁿ q^(2n²−n) Y²ⁿ,  gₙ = (−1)ⁿ q^(2n²−n) (q/Y)²ⁿ
-fn attitude_polynomials(q: f64, y2: f64, x2: f64) -> ([f64; 4], [f64; 3]) {
-    let [a, b, c] = [1, 2, 3].map(|n| power(-1.0, n) * power(q, n * (2 * n - 1)));
-    let [f1, f2, f3] = [a * y2, b * y2 * y2, c * y2 * y2 * y2];
-    let [g1, g2, g3] = [a * x2, b * x2 * x2, c * x2 * x2 * x2];
+#[inline(always)]
+fn attitude_polynomials<T: Real>([q, q6, q15]: [T; 3], y2: T, x2: T) -> ([T; 4], [T; 3]) {
+    let (y4, x4) = (y2 * y2, x2 * x2);
+    let [f1, f2, f3] = [q * y2, q6 * y4, q15 * (y4 * y2)]; // but for signs
+    let [g1, g2, g3] = [q * x2, q6 * x4, q15 * (x4 * x2)];
     // cos 4z = ½C² − 1, cos 6z = ½C³ − 1½C; sin 4z = C sin 2z, sin 6z = (C² − 1) sin 2z
     let [s1, s2, s3] = [f1 + g1, f2 + g2, f3 + g3];
     let [d1, d2, d3] = [f1 - g1, f2 - g2, f3 - g3];
-    ([1.0 - s2, 0.5 * (s1 - 3.0 * s3), 0.5 * s2, 0.5 * s3], [d1 - d3, d2, d3])
+    let (one, half) = (T::splat(1.0), T::splat(0.5));
+    ([one - s2, T::splat(1.5) * s3 - half * s1, half * s2, -(half * s3)], [d3 - d1, d2, -d3])
 }
 
 /// 1 + q² (C − 1) + q⁶ (C² − C − 1) + q¹² (C³ − C² − 2C + 1) + q²⁰ (C⁴ − C³ − 3C² + 2C + 1), C = 2 cos 2z: the sum of
 /// q^(n(n+1)) cos (2n+1)z / cos z. That of ±q^(n(n+1)) sin (2n+1)z / sin z has −C.
-fn odd_polynomial(q: f64) -> [f64; 5] {
-    let [a, b, c, d] = [2, 6, 12, 20].map(|n| power(q, n));
-    [1.0 - a - b + c + d, a - b - 2.0 * c + 2.0 * d, b - c - 3.0 * d, c - d, d]
+#[inline(always)]
+fn odd_polynomial<T: Real>([a, b, c, d]: [T; 4]) -> [T; 5] {
+    let two = T::splat(2.0);
+    [(T::splat(1.0) - a) - (b - (c + d)), (a - b) - two * (c - d), (b - c) - T::splat(3.0) * d, c - d, d]
 }
 
 /// 1 + q C + q⁴ (C² − 2) + q⁹ (C³ − 3C) + q¹⁶ (C⁴ − 4C² + 2), C = 2 cos 2z: 1 + Σ 2q^(n²) cos 2nz.
-fn even_polynomial(q: f64) -> [f64; 5] {
-    let [a, b, c] = [4, 9, 16].map(|n| power(q, n));
-    [1.0 - 2.0 * a + 2.0 * c, q - 3.0 * b, a - 4.0 * c, b, c]
-}
-
-fn power(x: f64, n: usize) -> f64 {
-    (0..n).fold(1.0, |product, _| product * x)
-}
-
-impl Family for Trigonometric<f64> {
-    type Of<T: Real> = Trigonometric<T>;
-
-    /// cn and dn are 1 at u = 0, sn at u = K.
-    fn scale(&self) -> [f64; 3] {
-        let Point { theta: [cn, _, dn], below: at_zero, .. } = self.at([1.0, 0.0]);
-        let Point { theta: [_, sn, _], below: at_quarter, .. } = self.at([0.0, 1.0]);
-        [at_zero / cn, at_quarter / sn, at_zero / dn]
-    }
-
-    fn assembled<T: Real>(pick: &impl Fn(&dyn Fn(&Self) -> f64) -> T) -> Trigonometric<T> {
-        Trigonometric {
-            real: from_fn(|k| pick(&|s| s.real[k])),
-            imaginary: from_fn(|k| pick(&|s| s.imaginary[k])),
-            odd: from_fn(|k| pick(&|s| s.odd[k])),
-            even: from_fn(|k| pick(&|s| s.even[k])),
-        }
-    }
+#[inline(always)]
+fn even_polynomial<T: Real>([q, a, b, c]: [T; 4]) -> [T; 5] {
+    let two = T::splat(2.0);
+    [T::splat(1.0) - two * (a - c), q - T::splat(3.0) * b, a - T::splat(4.0) * c, b, c]
 }
 
 impl<T: Real> Series<T> for Trigonometric<T> {

@@ -53,7 +53,7 @@ fn free_asymmetric_bodies_follow_the_reference() {
             );
             // The errors of phase grow with t; each passage of the separatrix multiplies them.
             let bound = match name {
-                "dzhanibekov_1e-6" if t.abs() > 10.0 => 5e-13 * t.abs().powi(3),
+                "dzhanibekov_1e-6" if t.abs() > 10.0 => 2e-12 * t.abs().powi(3),
                 "dzhanibekov_1e-3" if t.abs() > 10.0 => 1e-11 * t.abs(),
                 _ => 2e-14 * (1.0 + t.abs()),
             };

@@ -19,7 +19,12 @@ pub(crate) trait MulAdd: Copy {
 ///
 /// Vectors by type know which machine they are for, so that there is none without another one: [`Number::like`].
 pub(crate) trait Number:
-    MulAdd + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
+    MulAdd
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
 {
     /// How many there are side by side.
     const LANES: usize;

@@ -164,16 +164,16 @@ impl<S: Machine> Sums for ByFours<S> {
         let [pair, start] = [newest.pair, turned.at(0)].map(|pair| s.load_eight(&pair.0));
         if n > 0 {
             others = s.load(&newest.omega.0).mul_add(s.load(&omega.turned.at(0).0), others);
-            for axis in 0..3 {
-                let turning = s.load_eight(&SIGNS[axis]) * s.eight(first.0[axis]);
+            for (axis, signs) in SIGNS.iter().enumerate() {
+                let turning = s.load_eight(signs) * s.eight(first.0[axis]);
                 sum = self.about(pair, axis).mul_add(turning, sum);
             }
         }
         others = s.load(&omega.rows.at(0).0).mul_add(s.load(&newest.omega.turned().0), others);
         // A chain of its own: both are as new.
         let mut more = s.eight(0.0);
-        for axis in 0..3 {
-            let turned = s.load_eight(&SIGNS[axis]) * self.about(start, axis);
+        for (axis, signs) in SIGNS.iter().enumerate() {
+            let turned = s.load_eight(signs) * self.about(start, axis);
             more = turned.mul_add(s.eight(last.0[axis]), more);
         }
         let sum = sum + more;
@@ -309,8 +309,7 @@ impl<S: Machine> Sums for SideBySide<S> {
         };
         let ([p, q, r], [a, b, c]) = (turns.map(|row| row.0), seen.map(|row| row.0));
         // [`SIGNS`] says how they come together.
-        let turn =
-            [-p[1] - q[2] - r[3], p[0] - q[3] + r[2], p[3] + q[0] - r[1], q[1] - p[2] + r[0]];
+        let turn = [-p[1] - q[2] - r[3], p[0] - q[3] + r[2], p[3] + q[0] - r[1], q[1] - p[2] + r[0]];
         let seen = [c[1] - b[2], a[2] - c[0], b[0] - a[1], self.0.eight(0.0)];
         (others, Pair::new(Row(turn), Row(seen)))
     }

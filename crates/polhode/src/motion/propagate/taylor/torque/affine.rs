@@ -58,11 +58,8 @@ impl<N: Number> Affine<N> {
         let none = Row::splat(zero);
         let has = |shape: Shape| models.iter().any(|model| Shape::of(model, rotor) == shape);
         let (carries, damped) = (has(Shape::Linear), has(Shape::Drag { is_quadratic: false }));
-        let parts = Parts {
-            constant: none,
-            seen: carries.then_some([none; 3]),
-            omega: damped.then_some([none; 3]),
-        };
+        let parts =
+            Parts { constant: none, seen: carries.then_some([none; 3]), omega: damped.then_some([none; 3]) };
         Self {
             seen: carries.then(|| LinearSeries::all(zero)),
             torque: parts,

@@ -11,16 +11,13 @@ use super::phase::Phase;
 /// States in a group: a vector of AVX-512, two of AVX2.
 pub(super) const WIDTH: usize = 8;
 
-/// Groups in a block: their numbers stay in the nearest memory from stage to stage.
-pub(super) const GROUPS: usize = 4;
-
 pub(super) type Vectors = Lanes<WIDTH>;
 
 /// The stages of some groups of states.
 ///
 /// Each is a loop of its own, so short that the processor is in several of its turns at once: in one long loop it would wait, as every
 /// number of a state waits for the one before.
-pub(super) struct Block {
+pub(super) struct Block<const GROUPS: usize> {
     phases: [Phases<Vectors>; GROUPS],
     turned: [Turned<Vectors>; GROUPS],
     raw: [Raw<Vectors>; GROUPS],
@@ -28,7 +25,7 @@ pub(super) struct Block {
     omega: [[Vectors; 3]; GROUPS],
 }
 
-impl Block {
+impl<const GROUPS: usize> Block<GROUPS> {
     #[inline(always)]
     pub(super) fn new() -> Self {
         let zero = Lanes([0.0; WIDTH]);

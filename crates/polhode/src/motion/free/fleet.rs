@@ -6,13 +6,16 @@ use crate::math::lanes::{Lanes, in_widest_vectors};
 use crate::motion::state::State;
 
 use super::FreeMotion;
-use super::block::{Block, GROUPS, Vectors, WIDTH, one};
+use super::block::{Block, Vectors, WIDTH, one};
 use super::flow::{Pace, Phases, Raw, Stages, Turned};
 use super::hyperbolic::Pulse;
 use super::kernel::Kernel;
 use super::phase::Elapsed;
 use super::seed::{Course, Family, Labels, Left, Nucleus, Seed, Shape};
 use super::trigonometric::Nomes;
+
+/// Groups in a block: so few that the processor asks for the next bodies' numbers while it computes; four took a fifth more time.
+const GROUPS: usize = 2;
 
 /// Many free motions, arranged so that all their states at a time are computed side by side.
 ///
@@ -166,7 +169,7 @@ impl<N: Nucleus<Vectors>> Kin<N> {
         in_widest_vectors(
             #[inline(always)]
             || {
-                let mut block = Block::new();
+                let mut block = Block::<GROUPS>::new();
                 let mut paces = [Pace::none(); GROUPS];
                 let at = black_box(Lanes([time; WIDTH]));
                 for first in (0..self.courses.len()).step_by(GROUPS) {

@@ -6,11 +6,14 @@ use crate::math::lanes::{Lanes, in_widest_vectors};
 use crate::motion::state::State;
 
 use super::FreeMotion;
-use super::block::{Block, GROUPS, Vectors, WIDTH};
+use super::block::{Block, Vectors, WIDTH};
 use super::flow::{Flow, Series};
 use super::kernel::Kernel;
 use super::phase::Elapsed;
 use super::seed::{Family, Seed};
+
+/// Groups in a block: as many as the nearest memory has room for, all of whose numbers but the times are there already.
+const GROUPS: usize = 4;
 
 impl FreeMotion {
     /// The states at many times, in their order: each with the bits that [`FreeMotion::at`] gives, several times as fast.
@@ -44,7 +47,7 @@ fn fill<N: Family>(
                 Seed::<f64, N>::assembled(&|get: &dyn Fn(&Seed<f64, N>) -> f64| Lanes([get(seed); WIDTH]));
             // In memory: the compiler is not to make some of it anew for each block.
             let flow = &black_box(seed.flow(Lanes([third; WIDTH])));
-            let mut block = Block::new();
+            let mut block = Block::<GROUPS>::new();
             for (times, states) in times.chunks(GROUPS * WIDTH).zip(states.chunks_mut(GROUPS * WIDTH)) {
                 if motion.start.time == 0.0 {
                     start::<true, _>(&mut block, motion, flow, times);
@@ -69,7 +72,7 @@ fn fill<N: Family>(
 
 #[inline(always)]
 fn start<const WHOLE: bool, S: Series<Vectors>>(
-    block: &mut Block,
+    block: &mut Block<GROUPS>,
     motion: &FreeMotion,
     flow: &Flow<Vectors, S>,
     times: &[f64],

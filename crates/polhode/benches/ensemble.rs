@@ -2,7 +2,7 @@
 //! vectors, and writes the numbers of `book/ensembles.md`.
 //!
 //! Each line: what, the number, its unit. Times are the least of many runs so short that some are left undisturbed; those of one and two
-//! threads are of 10 ms a thread, beside which a thread begins at once.
+//! threads are of 40 ms a thread and of many shares for each, beside which a thread begins at once and none waits long for the other.
 
 use std::error::Error;
 use std::hint::black_box;
@@ -11,8 +11,8 @@ use std::time::Instant;
 
 use polhode::*;
 
-/// A run of one thread or two, s: some hundred times what a thread takes to begin.
-const LONG: f64 = 0.01;
+/// A run of one thread or two, s: several hundred times what a thread takes to begin.
+const LONG: f64 = 0.04;
 
 /// Operations of a step of the classical Runge–Kutta method of ω and q as textbooks write it.
 const TEXTBOOK: f64 = 198.0;
@@ -101,7 +101,7 @@ fn ensemble(rotor: &Rotor, torques: &[TorqueModel], count: usize) -> Result<Ense
 
 /// Million body-steps/s of the whole way from states to states.
 fn rk4(rotor: &Rotor, torques: &[TorqueModel], threads: usize) -> Result<f64, Box<dyn Error>> {
-    let bodies = 1024 * threads;
+    let bodies = 4096 * threads;
     let all = ensemble(rotor, torques, bodies)?;
     let mut states = vec![start(0); bodies];
     let advance = Advance::RungeKutta4 { step: 0.01 };
@@ -143,7 +143,7 @@ fn exact() -> Result<(), Box<dyn Error>> {
     let rotor = Rotor::free(&generic()?);
     let times: Vec<f64> = (0..1024).map(|k| f64::from(k) * 0.977 + 0.1).collect();
     scaling("exact, 1,024 times of each body", "million states/s", |threads| {
-        let bodies = 512 * threads;
+        let bodies = 1024 * threads;
         let all = ensemble(&rotor, &[], bodies)?;
         let mut rows = vec![start(0); bodies * times.len()];
         let threads = NonZero::new(threads).ok_or("no thread")?;

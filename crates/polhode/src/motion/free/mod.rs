@@ -175,7 +175,7 @@ impl FreeMotion {
 
     /// The state at a time, s; any time, before the start too.
     ///
-    /// A time so far away that no digit of its phase is left (10²⁸⁰ turns, or not finite) counts as the start.
+    /// A time so far away that no digit of its phase is left (10²⁸⁰ s where rates are moderate, or not finite) counts as the start.
     #[must_use]
     pub fn at(&self, time: f64) -> State {
         if time == self.start.time {

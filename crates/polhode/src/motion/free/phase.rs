@@ -2,7 +2,7 @@
 
 use crate::math::elementary::split;
 use crate::math::real::Real;
-use crate::math::sum::{halves, two_product_of_halves, two_sum};
+use crate::math::sum::{two_product_of_halves, two_sum, with_halves};
 
 /// f in quarter turns per unit of time, in three words: of a sphere or a permanent rotation the error is still below 10⁻²² of a
 /// turn after 10²⁴ of them; of other bodies f itself is known to 10⁻³¹ of their wobble.
@@ -84,12 +84,6 @@ impl<T: Real> Phase<T> {
         let (_, whole) = split(sum);
         Self { quarters: self.quarters + whole, rest: sum - whole }
     }
-}
-
-#[inline(always)]
-fn with_halves<T: Real>(a: T) -> [T; 3] {
-    let (high, low) = halves(a);
-    [a, high, low]
 }
 
 impl<T: Real> Rate<T> {

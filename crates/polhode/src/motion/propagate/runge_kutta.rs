@@ -128,6 +128,9 @@ impl<'a> RungeKutta<'a> {
             if !(self.time + h > self.time) {
                 return Err(MotionError::StepTooSmall { time: self.time, step: h });
             }
+            // What rounding makes of the time is part of the step.
+            let end_time = if wanted >= rest { until } else { self.time + h };
+            let h = end_time - self.time;
             let chart = self.chart.clone();
             let f = |t: f64, y: &Y| chart.derivative(t, y);
             let stages = dop853::step(&f, self.time, &self.y, &self.k0, h);
@@ -152,7 +155,6 @@ impl<'a> RungeKutta<'a> {
                 was_rejected = true;
                 continue;
             }
-            let end_time = if wanted >= rest { until } else { self.time + h };
             chart.require_determined(end_time, &end)?;
             let k_end = f(end_time, &end);
             let (orientation, carry) = (self.orientation, self.carry);

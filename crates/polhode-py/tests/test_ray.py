@@ -1,12 +1,15 @@
-"""The same on Ray: two processes, one of which is killed in the middle.
+"""The same on Ray: two processes, one of which is killed in the middle; and a cluster that this process is only a client of.
 
-No part of the gate, as Ray is large: `pip install 'ray[data]'`, and `pytest tests/test_ray.py`.
+No part of the gate, as Ray is large: `pip install 'ray[data,client]'`, and `pytest tests/test_ray.py`.
 """
 
 from __future__ import annotations
 
 import os
 import signal
+import socket
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -47,4 +50,21 @@ def test_a_killed_worker_changes_no_byte(tmp_path: Path) -> None:
 
     sweep.run(plan, tmp_path / "cluster", on="ray://local", workers=2, progress=kill)
     assert killed
+    assert digest(tmp_path / "cluster") == digest(tmp_path / "alone")
+
+
+@pytest.mark.filterwarnings("default")
+def test_a_client_outside_the_cluster_gets_the_same_bytes(tmp_path: Path) -> None:
+    plan = batch.Plan(PLAN.format(members=MEMBERS))
+    sweep.run(plan, tmp_path / "alone")
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        port = free.getsockname()[1]
+    ray = Path(sys.executable).with_name("ray")
+    start = [ray, "start", "--head", "--num-cpus=2", "--node-ip-address=127.0.0.1", f"--ray-client-server-port={port}"]
+    subprocess.run([*start, "--include-dashboard=false", "--disable-usage-stats"], check=True, capture_output=True)
+    try:
+        sweep.run(plan, tmp_path / "cluster", on=f"ray://127.0.0.1:{port}")
+    finally:
+        subprocess.run([ray, "stop", "--force"], check=True, capture_output=True)
     assert digest(tmp_path / "cluster") == digest(tmp_path / "alone")

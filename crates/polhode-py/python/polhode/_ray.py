@@ -22,14 +22,25 @@ def parts(address: str, plan: Plan, missing: Parts, workers: int) -> Iterator[Do
         ray.init(f"ray://{address}", log_to_driver=False)
     try:
         listed = [{"part": part, "start": start, "stop": stop} for part, (start, stop) in missing.items()]
-        work = ray.data.from_items(listed, override_num_blocks=len(listed))
-        done = work.map_batches(lambda rows: _parts(plan, rows), batch_size=1, batch_format="pyarrow")
-        for rows in done.iter_batches(batch_size=1, batch_format="pyarrow"):
+        reader = ray.remote(num_cpus=0)(_Reader).remote(plan, listed)
+        while (rows := ray.get(reader.next.remote())) is not None:
             for row in rows.to_pylist():
                 motions = row["trajectories"]
                 yield row["part"], _unpacked(row["rows"]), None if motions is None else _unpacked(motions)
     finally:
         ray.shutdown()
+
+
+class _Reader:
+    """Lives in the cluster, as Ray Data has no results for a client outside it; hands them out as they are done."""
+
+    def __init__(self, plan: Plan, listed: list[dict[str, int]]) -> None:
+        work = ray.data.from_items(listed, override_num_blocks=len(listed))
+        done = work.map_batches(lambda rows: _parts(plan, rows), batch_size=1, batch_format="pyarrow")
+        self._done = iter(done.iter_batches(batch_size=1, batch_format="pyarrow"))
+
+    def next(self) -> pa.Table | None:
+        return next(self._done, None)
 
 
 def _parts(plan: Plan, rows: pa.Table) -> pa.Table:

@@ -2,7 +2,7 @@
 //!
 //! Almost all the time of a step is spent in these sums. Of one body ([`ByFours`]) three things count: what needs the newest coefficients
 //! comes last, so that the processor works on all else while those are still being made; loops have few, foreseeable ends: they go by
-//! fours, over coefficients that are not known yet and therefore zero; and what is multiplied by the same numbers is in one register.
+//! fours, beyond the coefficients that are known too, where they meet zeros; and what is multiplied by the same numbers is in one register.
 //!
 //! Of eight bodies ([`SideBySide`]) there is enough to do meanwhile, and loops end where they should. The order of the terms is the same,
 //! and a sum that begins with +0 does not change by zeros: so each lane has the bits that its body has alone.
@@ -18,11 +18,9 @@ pub(super) trait Sums: Copy {
     type N: Number;
     /// Sums that are not complete yet.
     type Before;
-    /// How they are done in a function of its own.
-    type Apart: Sums<N = Self::N>;
 
     /// Runs what is long as a function of its own: inside the loop over n all of it would be prepared for each n.
-    fn apart<R>(self, work: impl FnOnce(Self::Apart) -> R) -> R;
+    fn apart<R>(self, work: impl FnOnce(Self) -> R) -> R;
 
     /// Σ aₖ bₙ₋ₖ, k = 0 … n: coefficient n of a product.
     fn product(self, a: &Series<Self::N>, b: &Series<Self::N>, n: usize) -> Row<Self::N>;
@@ -77,7 +75,6 @@ pub(super) struct ByFours<S>(pub(super) S);
 impl<S: Machine> Sums for ByFours<S> {
     type N = f64;
     type Before = (S::Four, [S::Eight; 3]);
-    type Apart = Self;
 
     #[inline(always)]
     fn apart<R>(self, work: impl FnOnce(Self) -> R) -> R {
@@ -255,7 +252,6 @@ pub(super) struct SideBySide<S>(pub(super) S);
 impl<S: Machine> Sums for SideBySide<S> {
     type N = S::Eight;
     type Before = (Row<S::Eight>, Pair<S::Eight>);
-    type Apart = Self;
 
     #[inline(always)]
     fn apart<R>(self, work: impl FnOnce(Self) -> R) -> R {

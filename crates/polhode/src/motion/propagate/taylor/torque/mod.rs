@@ -94,7 +94,7 @@ pub(super) struct Known<'a, M: Sums> {
 impl<'a, M: Sums> Known<'a, M> {
     /// Runs what is long apart.
     #[inline(always)]
-    fn apart<R>(&self, work: impl FnOnce(&Known<'a, M::Apart>) -> R) -> R {
+    fn apart<R>(&self, work: impl FnOnce(&Known<'a, M>) -> R) -> R {
         let Self { omega, turning, turned, .. } = *self;
         self.s.apart(
             #[inline(always)]

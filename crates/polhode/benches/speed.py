@@ -138,7 +138,7 @@ What brought most, each measured on the machine of this page, whose own vector t
   half angle goes with the precession (380 to 290 operations).
 - Below some 10⁹ turns a phase needs two words, and no reduction but one to quarter turns; longer times take a way of their own (290 to 240).
 - The quaternion is multiplied through before the division that scales it is done (one state: 60 to 42 ns with the line above).
-- Four short loops over four vectors each, in place of two over 16 lanes: while one turn waits, the processor is in the next. In a long loop
+- Four short loops over four vectors each (a fleet: two), in place of two over 16 lanes: while one turn waits, the processor is in the next. In a long loop
   fewer operations were no gain at all.
 - The stages live in one place that is never moved, and rows are written within the vectors' code (64 bodies: a tenth).
 - No closure that is not inlined, no branch among vectors, and nothing that lets the compiler gather across groups: each cost a factor.

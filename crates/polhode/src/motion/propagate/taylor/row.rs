@@ -124,8 +124,7 @@ impl<N: Number> Mul for Row<N> {
 /// The most terms of a series: a constant and whole groups of four.
 pub(super) const TERMS: usize = 25;
 
-/// 1/n in two words. By the first alone quotients would be off the same way in every step, and errors that do not change sign add up; a
-/// division takes twice as long, and of vectors many times.
+/// 1/n in two words. By the first alone quotients would be off the same way in every step, and errors that do not change sign add up.
 pub(super) const INVERSES: [[f64; 2]; 2 * TERMS] = {
     let mut inverses = [[f64::INFINITY, 0.0]; 2 * TERMS];
     let mut n = 1;

@@ -30,6 +30,10 @@ impl Conic {
     /// The place at a time; on an ellipse |t| has to be within half a period.
     pub(crate) fn at(self, t: f64) -> Place {
         let s = self.anomaly(t);
+        if self.e == 0.0 {
+            let (sin, cos) = sin_cos(s);
+            return Place { position: [cos, sin], velocity: [-sin, cos] };
+        }
         let [c0, c1, c2, _] = stumpff(self.beta * s * s);
         let (along, across) = (s * s * c2, (1.0 + self.e).sqrt());
         let r = 1.0 + self.e * along;

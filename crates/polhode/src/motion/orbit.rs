@@ -230,6 +230,13 @@ impl Orbit {
         (self.in_space(position) * self.periapsis, self.in_space(velocity) * (self.periapsis / self.unit))
     }
 
+    /// On a circle, the direction towards the body, and its rate, rad/s.
+    #[inline]
+    pub(crate) fn around(&self, time: f64) -> [Direction<Space>; 2] {
+        let Place { position, velocity } = self.place(time);
+        [self.in_space(position), self.in_space(velocity) * (1.0 / self.unit)]
+    }
+
     /// µ, m³/s².
     pub const fn mu(&self) -> f64 {
         self.mu
@@ -281,7 +288,11 @@ impl Orbit {
                 // M = M₀ + n (t − t₀), less whole turns
                 let m = rate * Double::sum(time, -epoch) + Double::from(anomaly);
                 let m = m - Double::TAU * Double::from((m.high / Double::TAU.high).round());
-                m.value() / (self.conic.beta * self.conic.beta.sqrt())
+                if self.is_circular() {
+                    m.value()
+                } else {
+                    m.value() / (self.conic.beta * self.conic.beta.sqrt())
+                }
             }
         })
     }

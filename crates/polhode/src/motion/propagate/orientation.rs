@@ -1,7 +1,6 @@
 //! An attitude that many small turns can be added to.
 
 use crate::math::frame::{Principal, Space};
-use crate::math::number::Number;
 use crate::math::real::sin_cos;
 use crate::math::rotation::Rotation;
 use crate::math::sum::two_sum;
@@ -10,9 +9,9 @@ use crate::math::vector::Direction;
 /// A unit quaternion as a sum with its rounding carried along: a product of n turns of d rad each is then off by
 /// about ε d √n instead of ε √n.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Orientation<N = f64> {
-    q: [N; 4],
-    carry: [N; 4],
+pub(super) struct Orientation {
+    q: [f64; 4],
+    carry: [f64; 4],
 }
 
 impl Orientation {
@@ -36,36 +35,16 @@ impl Orientation {
         let [dx, dy, dz] = (theta * (sin_cos(0.5 * angle).0 / angle)).to_array();
         self.add([dw, dx, dy, dz]);
     }
-}
-
-impl<N: Number> Orientation<N> {
-    /// The same in every place: of nothing yet.
-    pub(super) fn all(x: N) -> Self {
-        Self { q: [x; 4], carry: [x; 4] }
-    }
-
-    pub(super) fn put(&mut self, lane: usize, one: &Orientation) {
-        for (place, value) in self.q.iter_mut().chain(&mut self.carry).zip(one.q.iter().chain(&one.carry)) {
-            place.put(lane, *value);
-        }
-    }
-
-    pub(super) fn lane(&self, lane: usize) -> Orientation {
-        let at = |[w, x, y, z]: &[N; 4]| [w.lane(lane), x.lane(lane), y.lane(lane), z.lane(lane)];
-        Orientation { q: at(&self.q), carry: at(&self.carry) }
-    }
 
     /// q/|q|, where |q| is 1 but for rounding: as [`Rotation::near_unit`] has it.
-    #[inline(always)]
-    pub(super) fn quaternion(&self) -> [N; 4] {
+    fn quaternion(&self) -> [f64; 4] {
         let [w, x, y, z] = self.q;
-        let s = w.like(1.5) - w.like(0.5) * (w * w + x * x + y * y + z * z);
+        let s = 1.5 - 0.5 * (w * w + x * x + y * y + z * z);
         [s * w, s * x, s * y, s * z]
     }
 
     /// q ← q ⊗ (1 + d) = q + q ⊗ d
-    #[inline(always)]
-    pub(super) fn add(&mut self, [dw, dx, dy, dz]: [N; 4]) {
+    pub(super) fn add(&mut self, [dw, dx, dy, dz]: [f64; 4]) {
         let [w, x, y, z] = self.q;
         let increment = [
             w * dw - x * dx - y * dy - z * dz,

@@ -5,6 +5,7 @@
 
 use super::Expansion;
 use super::base::Base;
+use super::recurrence::Recurrence;
 use super::stepper::torque_rate;
 use super::sums::{SideBySide, Sums};
 use super::torque::{Shape, from_outside};
@@ -146,7 +147,7 @@ impl<'a, 'b, N: Number> Fleet<'a, 'b, N> {
     }
 
     #[inline(always)]
-    fn run<M: Sums<N = N>>(&mut self, s: M) {
+    fn run<M: Recurrence<N = N>>(&mut self, s: M) {
         loop {
             self.board();
             if self.lanes.iter().all(Option::is_none) {

@@ -15,22 +15,26 @@
 mod base;
 mod fleet;
 mod function;
+mod many;
+mod one;
+mod pair;
+mod recurrence;
 mod row;
 mod scalar;
 mod seen;
 mod stepper;
 mod sums;
 mod torque;
-mod turned;
 
 pub(in crate::motion) use fleet::{Body, Kind, advance, kind};
 pub(super) use stepper::Taylor;
 
+use pair::Pair;
+use recurrence::{ALONE, CARRYING, Coefficient, GENERAL, MOVING, Motion, Recurrence, Terms};
 use row::{INVERSES, Row, Series, TERMS, Vectors};
 use seen::Seen;
 use sums::{ByFours, Sums};
 use torque::{Affine, Known, StepStart, TorqueSeries, from_outside, row, split};
-use turned::{Newest, Pair, Turned};
 
 use super::piece::Piece;
 use crate::math::machine::{Machine, Work, in_vectors};
@@ -40,10 +44,16 @@ use crate::math::number::Number;
 #[derive(Clone, Debug)]
 struct Expansion<N = f64> {
     moments: Row<N>,
-    /// (i2 − i3)/i1 …
-    ratios: Row<N>,
     /// 1/i; zero along an axis without inertia.
     inverses: Row<N>,
+    /// True if there is such an axis.
+    is_thin: bool,
+    /// What expands together: see [`recurrence`].
+    layout: u8,
+    terms: Terms<N>,
+    motion: Box<Motion<N>>,
+    /// What ω at the start of the step is beyond its rounding.
+    low: Row<N>,
     /// What is affine in ω and in a vector of space, which is expanded beside the turn.
     affine: Affine<N>,
     /// All other torques.
@@ -52,17 +62,20 @@ struct Expansion<N = f64> {
     rider: Option<usize>,
     /// What acts inside the body, if anything does.
     inside: Option<Box<Inside<N>>>,
+    /// ω once more, where others need it.
     omega: Vectors<N>,
-    turned: Turned<N>,
     torque: Series<N>,
-    impulse: Seen<N>,
-    /// The work, component by component.
-    work: Series<N>,
-    /// Are K and W wanted?
-    evidence: bool,
+    evidence: Option<Box<Evidence<N>>>,
     order: usize,
     /// log₂ of the part of the radius of convergence that a step may go.
     reach: f64,
+}
+
+/// The angular impulse as the turning body sees it, and the work, component by component.
+#[derive(Clone, Debug)]
+struct Evidence<N> {
+    impulse: Seen<N>,
+    work: Series<N>,
 }
 
 /// Wheels and friction.
@@ -78,15 +91,17 @@ struct Inside<N> {
     bending: Series<N>,
     /// Ω
     turning: Vectors<N>,
+    /// −ḣ · ω − α |L × ω|², component by component.
+    power: Series<N>,
 }
 
 /// What a step adds, after so much time.
 #[derive(Clone, Copy, Debug)]
 struct Increment<N = f64> {
     /// Of ω, principal axes.
-    omega: [N; 3],
+    omega: Row<N>,
     /// The turn less the identity: (w − 1, x, y, z).
-    turn: [N; 4],
+    turn: Row<N>,
     /// ∫ N dt since the start of the step, along the principal axes at its end.
     impulse: [N; 3],
     work: N,
@@ -96,24 +111,26 @@ impl<N: Number> Expansion<N> {
     /// Of bodies with what acts in this piece, each lane to be [`Expansion::set`].
     fn of(zero: N, piece: &Piece<'_>, tolerance: f64, evidence: bool) -> Self {
         let order = order(tolerance);
-        let remainder = (CAUTION * tolerance).max(SMALLEST_REMAINDER);
         let none = Row::splat(zero);
+        let evidence =
+            evidence.then(|| Box::new(Evidence { impulse: Seen::all(zero), work: Series::all(zero) }));
         let mut expansion = Self {
             moments: none,
-            ratios: none,
             inverses: none,
+            is_thin: false,
+            layout: ALONE,
+            terms: Terms::none(zero),
+            motion: Box::new([Coefficient::all(zero); TERMS]),
+            low: none,
             affine: Affine::none(zero),
             torques: Vec::new(),
             rider: None,
             inside: None,
             omega: Vectors::all(zero),
-            turned: Turned::all(zero),
             torque: Series::all(zero),
-            impulse: Seen::all(zero),
-            work: Series::all(zero),
             evidence,
             order,
-            reach: reach(order, remainder),
+            reach: reach(order, remainder(tolerance)),
         };
         expansion.act(piece);
         expansion
@@ -126,12 +143,21 @@ impl<N: Number> Expansion<N> {
         self.affine = Affine::of(zero, &affine, piece.rotor);
         self.torques =
             others.into_iter().filter_map(|model| TorqueSeries::of(zero, model, piece.rotor)).collect();
+        let is_plain = piece.rotor.wheels().is_empty() && piece.sink == 0.0;
+        self.layout = match self.torques.as_slice() {
+            _ if !is_plain => GENERAL,
+            [] if self.affine.carries() => CARRYING,
+            [] => ALONE,
+            [one] if one.moves() && !self.affine.carries() => MOVING,
+            _ => GENERAL,
+        };
         let rider = self.torques.iter().position(TorqueSeries::can_ride);
         self.rider = rider.filter(|_| !self.affine.carries());
-        self.turned.carries = self.affine.carries() || self.rider.is_some();
         // Nothing of a torque that has ended.
-        (self.torque, self.impulse) = (Series::all(zero), Seen::all(zero));
-        let is_plain = piece.rotor.wheels().is_empty() && piece.sink == 0.0;
+        (self.torque, self.terms) = (Series::all(zero), Terms::none(zero));
+        if let Some(evidence) = &mut self.evidence {
+            evidence.impulse = Seen::all(zero);
+        }
         self.inside = (!is_plain).then(|| {
             Box::new(Inside {
                 wheels: [Row::splat(zero); 2],
@@ -139,6 +165,7 @@ impl<N: Number> Expansion<N> {
                 momentum: Series::all(zero),
                 bending: Series::all(zero),
                 turning: Vectors::all(zero),
+                power: Series::all(zero),
             })
         });
     }
@@ -147,13 +174,25 @@ impl<N: Number> Expansion<N> {
     fn set(&mut self, lane: usize, piece: &Piece<'_>) {
         let [i1, i2, i3] = piece.rotor.principal().moments();
         let over = |numerator: f64, i: f64| if i == 0.0 { 0.0 } else { numerator / i };
+        let inverses = Row([over(1.0, i1), over(1.0, i2), over(1.0, i3), 0.0]);
         self.moments.put(lane, Row([i1, i2, i3, 0.0]));
-        self.ratios.put(lane, Row([over(i2 - i3, i1), over(i3 - i1, i2), over(i1 - i2, i3), 0.0]));
-        self.inverses.put(lane, Row([over(1.0, i1), over(1.0, i2), over(1.0, i3), 0.0]));
+        self.inverses.put(lane, inverses);
+        self.is_thin |= i1 == 0.0;
+        // With wheels and friction it is [`Inside`] that finds ω̇.
+        if self.inside.is_none() {
+            let ratios = Row([over(i2 - i3, i1), over(i3 - i1, i2), over(i1 - i2, i3), 0.0]);
+            self.terms.ratios.put(lane, ratios);
+        }
         let [affine, others] = split(from_outside(&piece.torques), piece.rotor);
-        self.affine.set(lane, &affine, piece.rotor, self.inverses.lane(lane));
+        self.affine.set(lane, &affine, piece.rotor, inverses);
         for (series, model) in self.torques.iter_mut().zip(others) {
             series.set(lane, model, piece.rotor);
+        }
+        if self.layout != GENERAL {
+            self.affine.give(&mut self.terms, lane);
+        }
+        if let (MOVING, [one]) = (self.layout, self.torques.as_slice()) {
+            one.give(&mut self.terms, lane, inverses);
         }
         if let Some(inside) = &mut self.inside {
             inside.sink.put(lane, piece.sink);
@@ -170,10 +209,6 @@ impl<N: Number> Expansion<N> {
         (inverse == 0.0 && torque != 0.0).then_some(torque)
     }
 
-    const fn order(&self) -> usize {
-        self.order
-    }
-
     /// True if nothing has to be added up as evidence.
     fn is_free(&self) -> bool {
         self.affine.is_none() && self.torques.is_empty() && self.inside.is_none()
@@ -185,11 +220,19 @@ impl<N: Number> Expansion<N> {
         for torque in &mut self.torques {
             torque.start(at);
         }
-        self.omega.set(0, at.omega);
-        let [one, none] = [1.0, 0.0].map(|x| at.time.like(x));
+        let [one, zero] = [1.0, 0.0].map(|x| at.time.like(x));
+        let none = Row::splat(zero);
         let rider = || self.torques.get(self.rider?)?.carried();
-        let seen = self.affine.carried(at).or_else(rider).unwrap_or(Row::splat(none));
-        self.turned.set(0, Pair::new(Row([one, none, none, none]), seen));
+        let [u, v] = self.affine.carried(at).map(|u| [u, none]).or_else(rider).unwrap_or([none; 2]);
+        let turn = Row([one, zero, zero, zero]);
+        let pairs = match self.layout {
+            ALONE => [Pair::new(turn, at.omega); 2],
+            MOVING => [Pair::new(turn, u), Pair::new(at.omega, v)],
+            _ => [Pair::new(turn, u), Pair::new(at.omega, at.omega.turned())],
+        };
+        self.motion[0].set::<GENERAL>(pairs);
+        // Wheels and friction know but what is rounded.
+        self.low = if self.inside.is_some() { none } else { at.omega_low };
     }
 
     /// What wheels have at the start of a step of a lane.
@@ -202,81 +245,147 @@ impl<N: Number> Expansion<N> {
         }
     }
 
-    /// True if no more is asked for than the motion under torques of the affine kind, or none.
-    fn is_plain(&self) -> bool {
-        self.torques.is_empty() && self.inside.is_none() && !self.evidence
-    }
-
     /// Expands the motion about where it starts.
     #[inline(always)]
-    fn expand<M: Sums<N = N>>(&mut self, s: M) {
-        let mut newest = Newest { omega: self.omega.rows.at(0), pair: self.turned.at(0) };
-        if self.is_plain() {
-            for n in 0..self.order {
-                newest = self.extend::<M, true>(s, n, &newest);
-            }
-        } else {
-            for n in 0..self.order {
-                newest = self.extend::<M, false>(s, n, &newest);
-            }
+    fn expand<M: Recurrence<N = N>>(&mut self, s: M) {
+        match self.layout {
+            ALONE => self.expand_by_itself::<M, ALONE>(s),
+            CARRYING => self.expand_by_itself::<M, CARRYING>(s),
+            MOVING => self.expand_by_itself::<M, MOVING>(s),
+            _ => self.expand_with_others(s),
         }
-        self.omega.set(self.order, newest.omega);
-        self.turned.set(self.order, newest.pair);
+        if self.evidence.is_some() && !self.is_free() {
+            s.apart(
+                #[inline(always)]
+                |s| self.account(s),
+            );
+        }
     }
 
-    /// Coefficients n + 1 of all that is unknown, from those up to n.
+    /// Where the recurrence has all.
     #[inline(always)]
-    fn extend<M: Sums<N = N>, const PLAIN: bool>(&mut self, s: M, n: usize, newest: &Newest<N>) -> Newest<N> {
-        let (next, none) = (n + 1, Row::splat(newest.omega.0[0].like(0.0)));
-        let mut rate = self.affine.acceleration(n, newest.pair.seen(), newest.omega);
-        let (turned, turning, mut power);
-        if let (false, Some(inside)) = (PLAIN, &mut self.inside) {
-            let before = s.before(&self.omega, &self.turned, &inside.turning, n);
-            self.omega.set(n, newest.omega);
-            self.turned.set(n, newest.pair);
-            let own;
-            (own, power) = inside.extend(s, n, self.moments, self.inverses, &self.omega);
-            rate = rate + own;
-            turning = &inside.turning;
-            let ends = [turning.rows.at(0), turning.rows.at(n)];
-            (_, turned) = s.with(before, &self.omega, &self.turned, ends, (n, newest));
-        } else {
-            let before = s.before(&self.omega, &self.turned, &self.omega, n);
-            self.omega.set(n, newest.omega);
-            self.turned.set(n, newest.pair);
-            turning = &self.omega;
-            let ends = [turning.rows.at(0), newest.omega];
-            let others;
-            (others, turned) = s.with(before, &self.omega, &self.turned, ends, (n, newest));
-            rate = self.ratios.mul_add(others, rate);
-            power = none;
+    fn expand_by_itself<M: Recurrence<N = N>, const LAYOUT: u8>(&mut self, s: M) {
+        let none = Row::splat(self.zero());
+        let law = s.law::<LAYOUT>(&self.motion, &self.terms);
+        let mut newest = s.first::<LAYOUT>(&law, &self.motion, &self.terms, [self.low, none]);
+        let mut previous = newest;
+        for n in 1..self.order {
+            let next = s.next::<LAYOUT>(&law, &mut self.motion, n, [previous, newest], none);
+            (previous, newest) = (newest, next);
         }
-        let mut pair = s.shared(turned, next);
-        if !PLAIN {
-            let known = Known { s, omega: &self.omega, turning, turned: &self.turned };
-            let mut torque = none;
+        let [x, y] = newest;
+        self.motion[self.order].set::<LAYOUT>([s.pair(x), s.pair(y)]);
+        if self.is_thin {
+            self.know_omega(0);
+            let torque = self.own_torque(s, 0);
+            self.torque.set(0, torque);
+        }
+    }
+
+    /// Where other torques, or wheels and friction, have their part in every coefficient.
+    #[inline(always)]
+    fn expand_with_others<M: Recurrence<N = N>>(&mut self, s: M) {
+        let more = self.other_acceleration(s, 0);
+        let law = s.law::<GENERAL>(&self.motion, &self.terms);
+        let mut newest = s.first::<GENERAL>(&law, &self.motion, &self.terms, [self.low, more]);
+        let mut previous = newest;
+        for n in 1..=self.order {
+            newest = self.carried_on(s, n - 1, newest);
+            let [x, y] = newest;
+            self.motion[n].set::<GENERAL>([s.pair(x), s.pair(y)]);
+            if n < self.order {
+                let more = self.other_acceleration(s, n);
+                let next = s.next::<GENERAL>(&law, &mut self.motion, n, [previous, newest], more);
+                (previous, newest) = (newest, next);
+            }
+        }
+    }
+
+    /// Coefficient n of what is not in the recurrence of ω̇.
+    #[inline(always)]
+    fn other_acceleration<M: Recurrence<N = N>>(&mut self, s: M, n: usize) -> Row<N> {
+        self.know_omega(n);
+        let (x, omega) = (self.motion[n].x, self.omega.rows.at(n));
+        let none = Row::splat(omega.0[0].like(0.0));
+        let mut rate = self.affine.acceleration(n, x.second(), omega);
+        let turning = if let Some(inside) = &mut self.inside {
+            rate = rate + inside.extend(s, n, self.moments, self.inverses, &self.omega);
+            &inside.turning
+        } else {
+            &self.omega
+        };
+        self.motion[n].turning = Pair::new(turning.rows.at(n), none);
+        let known = Known { s, omega: &self.omega, turning, motion: &self.motion };
+        let mut torque = none;
+        for series in &mut self.torques {
+            torque = torque + series.coefficient(n, &known);
+        }
+        self.torque.set(n, torque + self.affine.torque(n, x.second(), omega));
+        rate + self.inverses * torque
+    }
+
+    /// What torques need for coefficient n + 1 beside the motion; with the vector that is expanded beside the turn.
+    #[inline(always)]
+    fn carried_on<M: Recurrence<N = N>>(&mut self, s: M, n: usize, newest: [M::Places; 2]) -> [M::Places; 2] {
+        let turning = self.inside.as_ref().map_or(&self.omega, |inside| &inside.turning);
+        let known = Known { s, omega: &self.omega, turning, motion: &self.motion };
+        let [mut x, y] = newest;
+        for (k, series) in self.torques.iter_mut().enumerate() {
+            let pair = s.pair(x);
+            let rides = self.rider == Some(k);
+            let next = series.extend(n, &known, if rides { Some(pair.second()) } else { None });
+            if let (true, Some(next)) = (rides, next) {
+                x = s.places(&Pair::new(pair.first(), next));
+            }
+        }
+        [x, y]
+    }
+
+    /// ω for those that need it by itself.
+    #[inline(always)]
+    fn know_omega(&mut self, n: usize) {
+        self.omega.set(n, self.omega_at(n));
+    }
+
+    #[inline(always)]
+    fn omega_at(&self, n: usize) -> Row<N> {
+        if self.layout == ALONE { self.motion[n].x.second() } else { self.motion[n].y.first() }
+    }
+
+    /// Coefficient n of the torque where the recurrence has all.
+    #[inline(always)]
+    fn own_torque<M: Recurrence<N = N>>(&mut self, s: M, n: usize) -> Row<N> {
+        let (x, omega) = (self.motion[n].x, self.omega.rows.at(n));
+        let mut torque = self.affine.torque(n, x.second(), omega);
+        if self.layout == MOVING {
+            let known = Known { s, omega: &self.omega, turning: &self.omega, motion: &self.motion };
             for series in &mut self.torques {
+                series.know(n, x.second());
                 torque = torque + series.coefficient(n, &known);
             }
-            for (k, series) in self.torques.iter_mut().enumerate() {
-                let rides = self.rider == Some(k);
-                let next = series.extend(n, &known, if rides { Some(turned.seen()) } else { None });
-                if let (true, Some(next)) = (rides, next) {
-                    pair = Pair::new(pair.turn(), next);
-                }
-            }
-            rate = rate + self.inverses * torque;
-            torque = torque + self.affine.torque(n, newest.pair.seen(), newest.omega);
-            self.torque.set(n, torque);
-            if self.evidence {
-                self.impulse.extend(s, n, turning, torque);
-                power = power + s.product(&self.torque, &self.omega.rows, n);
-                self.work.set(next, power.over(next));
-            }
-        } else if n == 0 {
-            self.torque.set(0, self.affine.torque(0, newest.pair.seen(), newest.omega));
         }
-        Newest { omega: rate.over(next).vector(), pair }
+        torque
+    }
+
+    /// Finds the series of impulse and work.
+    #[inline(always)]
+    fn account<M: Recurrence<N = N>>(&mut self, s: M) {
+        let none = Row::splat(self.zero());
+        for n in 0..self.order {
+            if self.layout != GENERAL {
+                self.know_omega(n);
+                let torque = self.own_torque(s, n);
+                self.torque.set(n, torque);
+            }
+            let (turning, power) = match &self.inside {
+                Some(inside) => (&inside.turning, inside.power.at(n)),
+                None => (&self.omega, none),
+            };
+            let Some(Evidence { impulse, work }) = self.evidence.as_deref_mut() else { return };
+            impulse.extend(s, n, turning, self.torque.at(n));
+            let power = power + s.product(&self.torque, &self.omega.rows, n);
+            work.set(n + 1, power.over(n + 1));
+        }
     }
 
     /// The longest step at which the terms that are left out are as small as they should be; `scale` is what ω is measured with.
@@ -287,16 +396,25 @@ impl<N: Number> Expansion<N> {
         let p = self.order;
         let unit = scale.like(1.0) / scale;
         let (last, before) = (self.log_radius(p, unit), self.log_radius(p - 1, unit));
-        last.zip(before, |a, b| rough_exp2(a.min(b) + self.reach))
+        let mut radius = last.zip(before, f64::min);
+        let flaw = last + before;
+        for lane in (0..N::LANES).filter(|lane| flaw.lane(*lane).is_nan()) {
+            // Coefficients that are beyond all numbers: the last two that are not.
+            let pair = |n: usize| [n, n - 1].map(|n| self.log_radius(n, unit).lane(lane));
+            let sound = (2..=p).rev().map(pair).find(|[a, b]| a.is_finite() && b.is_finite());
+            radius.put(lane, sound.map_or(radius.lane(lane), |[a, b]| a.min(b)));
+        }
+        radius.map(|radius| rough_exp2(radius + self.reach))
     }
 
-    /// log₂ of 1/|xₙ|^(1/n): digits beyond the third do not matter.
+    /// log₂ of 1/|xₙ|^(1/n): digits beyond the third do not matter. No number, if xₙ has one that is not finite.
     #[inline(always)]
     fn log_radius(&self, n: usize, unit: N) -> N {
         // ω = 0 has none, even where nothing turns: the larger of NaN and a number is the number.
-        let size = (self.omega.rows[n].largest() * unit).zip(self.turned.at(n).turn().largest(), f64::max);
-        let [inverse, _] = INVERSES[n];
-        size.map(|size| rough_log2(size) * -inverse)
+        let (omega, turn) = (self.omega_at(n), self.motion[n].x.first());
+        let size = (omega.largest() * unit).zip(turn.largest(), f64::max);
+        let ([inverse, _], [x, y, z, w]) = (INVERSES[n], (omega - omega + (turn - turn)).0);
+        size.map(|size| rough_log2(size) * -inverse) + ((x + y) + (z + w))
     }
 
     /// The longest step to which the series hold, where their last terms do not show it.
@@ -310,12 +428,16 @@ impl<N: Number> Expansion<N> {
     #[inline(always)]
     fn at<M: Sums<N = N>>(&self, s: M, h: N) -> Increment<N> {
         let (p, zero) = (self.order, self.zero());
-        let [x, y, z, _] = s.increment(&self.omega.rows, p, h).0;
-        let turn = s.turn_increment(&self.turned, p, h).0;
-        let mut sum = Increment { omega: [x, y, z], turn, impulse: [zero; 3], work: zero };
-        if self.evidence && !self.is_free() {
-            let [a, b, c, _] = s.increment(self.impulse.series(), p, h).0;
-            let [x, y, z, w] = s.increment(&self.work, p, h).0;
+        let x = s.pair_increment(&self.motion, |c| &c.x, p, h);
+        let omega = if self.layout == ALONE {
+            x.second()
+        } else {
+            s.pair_increment(&self.motion, |c| &c.y, p, h).first()
+        };
+        let mut sum = Increment { omega: omega.vector(), turn: x.first(), impulse: [zero; 3], work: zero };
+        if let (Some(evidence), false) = (&self.evidence, self.is_free()) {
+            let [a, b, c, _] = s.increment(evidence.impulse.series(), p, h).0;
+            let [x, y, z, w] = s.increment(&evidence.work, p, h).0;
             sum.impulse = [a, b, c];
             sum.work = (x + y) + (z + w);
         }
@@ -357,9 +479,8 @@ impl Expansion {
         expansion
     }
 
-    fn expand_about(&mut self, start: &StepStart, piece: &Piece<'_>) {
+    fn expand_about(&mut self, start: &StepStart) {
         self.start(start);
-        self.start_wheels(0, start.time, piece);
         in_vectors(Expand(self));
     }
 
@@ -369,7 +490,7 @@ impl Expansion {
 }
 
 impl<N: Number> Inside<N> {
-    /// Coefficient n of (L × Ω − ḣ)/I, and of the power −ḣ · ω − α |L × ω|², component by component; those of Ω on the way.
+    /// Coefficient n of (L × Ω − ḣ)/I; those of Ω and of the power on the way.
     #[inline(always)]
     fn extend<M: Sums<N = N>>(
         &mut self,
@@ -378,7 +499,7 @@ impl<N: Number> Inside<N> {
         moments: Row<N>,
         inverses: Row<N>,
         omega: &Vectors<N>,
-    ) -> (Row<N>, Row<N>) {
+    ) -> Row<N> {
         let none = Row::splat(self.sink.like(0.0));
         let [h, rate] = self.wheels;
         let wheels = match n {
@@ -393,7 +514,8 @@ impl<N: Number> Inside<N> {
         let reaction = if n == 0 { rate } else { none };
         let torque = s.cross(&self.momentum, &self.turning, n) - reaction;
         let loss = s.product(&self.bending, &self.bending, n) * Row::splat(self.sink);
-        (inverses * torque, none - rate * omega.rows.at(n) - loss)
+        self.power.set(n, none - rate * omega.rows.at(n) - loss);
+        inverses * torque
     }
 }
 
@@ -402,19 +524,21 @@ fn order(tolerance: f64) -> usize {
     ((14.0 - 0.3 * tolerance.ln()).ceil() as usize).min(TERMS - 1)
 }
 
-/// The terms that are left out, over the tolerance: the errors of all steps add up.
-const CAUTION: f64 = 4e-4;
+/// The terms that are left out at a tolerance: the errors of all steps add up, and less where steps are long.
+fn remainder(tolerance: f64) -> f64 {
+    let loosely = rough_exp2(0.2 * rough_log2(tolerance / 1e-9)).max(1.0);
+    (4e-4 * tolerance * loosely).max(SMALLEST_REMAINDER)
+}
 
 /// Less is lost in rounding.
 const SMALLEST_REMAINDER: f64 = 5e-18;
 
 /// log₂ x of x^(p+1)/(1 − x) = the remainder.
 fn reach(order: usize, remainder: f64) -> f64 {
-    let power = 1.0 / (order + 1) as f64;
-    // From x = 0, a few rounds are enough: the right-hand side hardly changes.
-    (0..8).fold(0.0, |x: f64, _| {
-        libm::log2(remainder * (1.0 - if x == 0.0 { 0.0 } else { libm::exp2(x) })) * power
-    })
+    let (power, remainder) = (1.0 / (order + 1) as f64, rough_log2(remainder));
+    // From x = 0, a few rounds are enough: each leaves a hundredth of the error, as the right-hand side hardly changes.
+    let log = |x: f64| (remainder + rough_log2(1.0 - x)) * power;
+    (0..3).fold(log(0.0), |x, _| log(rough_exp2(x)))
 }
 
 /// log₂ of a number that is not negative, to 2e-4.

@@ -5,7 +5,7 @@
 
 use core::ops::{Add, Deref, Mul, Sub};
 
-use crate::math::number::Number;
+use crate::math::number::{MulAdd, Number};
 
 /// Four numbers, added and multiplied place by place.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,18 +37,6 @@ impl<N: Number> Row<N> {
         self.mul_add(inverse, self * rest)
     }
 
-    /// self · b + c, each rounded once.
-    #[inline(always)]
-    pub(super) fn mul_add(self, b: Self, c: Self) -> Self {
-        let (a, b, c) = (self.0, b.0, c.0);
-        Self([
-            a[0].mul_add(b[0], c[0]),
-            a[1].mul_add(b[1], c[1]),
-            a[2].mul_add(b[2], c[2]),
-            a[3].mul_add(b[3], c[3]),
-        ])
-    }
-
     #[inline(always)]
     pub(super) fn divided(self, by: N) -> Self {
         let [x, y, z, w] = self.0;
@@ -75,13 +63,17 @@ impl<N: Number> Row<N> {
         if N::LANES > 1 { Self([x, y, z, w.like(0.0)]) } else { self }
     }
 
-    /// The length of a vector, as [`Vector::norm`](crate::Vector::norm) has it; only of what is finite.
+    /// The length of a vector; only of what is finite.
     #[inline(always)]
     pub(super) fn norm(self) -> N {
-        let scale = self.largest();
-        let [x, y, z] = [self.0[0] / scale, self.0[1] / scale, self.0[2] / scale];
-        let norm = scale * (x * x + y * y + z * z).map(f64::sqrt);
-        norm.zip(scale, |norm, scale| if scale == 0.0 { 0.0 } else { norm })
+        // Over a power of two near the largest, so that no square overflows or vanishes.
+        let power = self
+            .largest()
+            .map(|size| f64::from_bits((size.to_bits() & EXPONENT).clamp(LEAST, EXPONENT - 2 * LEAST)));
+        let inverse = power.map(|power| f64::from_bits(EXPONENT - LEAST - power.to_bits()));
+        let scaled = self * Self::splat(inverse);
+        let [x, y, z, _] = (scaled * scaled).0;
+        ((x + y) + z).sqrt() * power
     }
 
     #[inline(always)]
@@ -94,6 +86,23 @@ impl<N: Number> Row<N> {
     #[inline(always)]
     pub(super) fn lane(&self, lane: usize) -> Row {
         Row([self.0[0].lane(lane), self.0[1].lane(lane), self.0[2].lane(lane), self.0[3].lane(lane)])
+    }
+}
+
+/// The bits of an exponent, and of its least that is normal.
+const EXPONENT: u64 = 0x7ff << 52;
+const LEAST: u64 = 1 << 52;
+
+impl<N: Number> MulAdd for Row<N> {
+    #[inline(always)]
+    fn mul_add(self, b: Self, c: Self) -> Self {
+        let (a, b, c) = (self.0, b.0, c.0);
+        Self([
+            a[0].mul_add(b[0], c[0]),
+            a[1].mul_add(b[1], c[1]),
+            a[2].mul_add(b[2], c[2]),
+            a[3].mul_add(b[3], c[3]),
+        ])
     }
 }
 
@@ -175,18 +184,6 @@ impl<N: Number> Series<N> {
         self.0[MARGIN + 1..].as_chunks().0.iter()
     }
 
-    /// Coefficients 2, 3, … by fours.
-    #[inline(always)]
-    pub(super) fn forward_from_second(&self) -> impl Iterator<Item = &[Row<N>; 4]> {
-        self.0[MARGIN + 2..].as_chunks().0.iter()
-    }
-
-    /// Coefficients n − 2, n − 3, … 2 by fours, each four in ascending order, of a series that has zeros before them.
-    #[inline(always)]
-    pub(super) fn backward_to_second(&self, n: usize) -> impl Iterator<Item = &[Row<N>; 4]> {
-        self.0[MARGIN - 1..MARGIN + n.max(1) - 1].as_rchunks().1.iter().rev()
-    }
-
     /// Coefficients n − 1, n − 2, … 0 and zeros by fours, each four in ascending order.
     #[inline(always)]
     pub(super) fn backward(&self, n: usize) -> impl Iterator<Item = &[Row<N>; 4]> {
@@ -205,33 +202,36 @@ impl<N: Number> Deref for Series<N> {
 }
 
 /// Taylor coefficients of a vector, with what its products need.
-///
-/// What comes after the rows is copies of them. Eight bodies need none: their components lie apart, and their sums end where they should.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Vectors<N = f64> {
     pub(super) rows: Series<N>,
-    /// The same turned, as (a2 a3, a3 a1, a1 a2) needs it.
+    /// The same turned, as (a2 a3, a3 a1, a1 a2) needs it. Eight bodies need no copy: their components lie apart.
     pub(super) turned: Series<N>,
-    /// Both from coefficient 2 on, after zeros.
-    pub(super) later: [Series<N>; 2],
 }
 
 impl<N: Number> Vectors<N> {
     pub(super) fn all(x: N) -> Self {
-        Self { rows: Series::all(x), turned: Series::all(x), later: [Series::all(x); 2] }
+        Self { rows: Series::all(x), turned: Series::all(x) }
     }
 
     #[inline(always)]
     pub(super) fn set(&mut self, n: usize, row: Row<N>) {
         self.rows.set(n, row.vector());
         if N::LANES == 1 {
-            let turned = row.turned();
-            self.turned.set(n, turned);
-            if n >= 2 {
-                let [rows, turns] = &mut self.later;
-                rows.set(n, row);
-                turns.set(n, turned);
-            }
+            self.turned.set(n, row.turned());
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_length_is_one_at_any_size() {
+        for size in [0.0, 5e-324, 3e-310, 1e-200, 0.7, 1.0, 2.0, 1e200, 4e307] {
+            let norm = Row([2.0 * size, -size, 2.0 * size, 0.0]).norm();
+            assert!((norm - 3.0 * size).abs() <= 4.0 * f64::EPSILON * size + 5e-324, "{size:e}: {norm:e}");
         }
     }
 }

@@ -2,10 +2,13 @@
 
 use std::rc::Rc;
 
-use super::base::{Base, carried};
+use super::base::Base;
+use super::sums::ByFours;
 use super::{Expansion, Increment};
 use crate::math::frame::{Body, Principal, Space};
+use crate::math::machine::{Machine, Work, in_vectors};
 use crate::math::rotation::Rotation;
+use crate::math::sum::two_sum;
 use crate::math::vector::{AngularMomentum, Vector};
 use crate::motion::error::MotionError;
 use crate::motion::propagate::piece::Piece;
@@ -29,6 +32,8 @@ pub(in crate::motion::propagate) struct Taylor<'a> {
     evidence: Option<[Evidence; 2]>,
     h: f64,
     omega_scale: f64,
+    /// |ω| now.
+    rate: f64,
     statistics: StepStatistics,
 }
 
@@ -58,6 +63,7 @@ impl<'a> Taylor<'a> {
             head,
             evidence: with_evidence.then(Default::default),
             h: 0.0,
+            rate: head.rate(),
             statistics: StepStatistics::default(),
         };
         taylor.expand()?;
@@ -81,30 +87,33 @@ impl<'a> Taylor<'a> {
     /// # Errors
     /// As [`crate::motion::propagate::stepper::Stepper::step`].
     pub(in crate::motion::propagate) fn step(&mut self, until: f64) -> Result<(), MotionError> {
-        if self.base.time != self.head.time {
-            self.expand()?;
+        let expands = self.base.time != self.head.time;
+        if expands {
+            self.begin();
         }
-        let (time, rest) = (self.base.time, until - self.base.time);
-        let wanted = self.h.min(self.expansion.reach());
-        let h = if wanted >= rest { rest } else { wanted };
-        if h.is_nan() {
+        let time = self.base.time;
+        let Self { expansion, base, h, omega_scale, .. } = self;
+        let landing = in_vectors(Leap { expansion, base, expands, h: *h, scale: *omega_scale, until });
+        if expands {
+            self.statistics.evaluations += self.expansion.order as u64;
+            self.require_balance()?;
+        }
+        self.h = landing.allowed;
+        if landing.h.is_nan() {
             return Err(MotionError::NotFinite { time });
         }
-        if !(time + h > time) {
-            return Err(MotionError::StepTooSmall { time, step: h });
+        if !(time + landing.h > time) {
+            return Err(MotionError::StepTooSmall { time, step: landing.h });
         }
-        let end = if wanted >= rest { until } else { time + h };
-        // What rounding makes of the time is part of the step: left out, it was most of the error of a free body after 100 s at 1e-15.
-        let more = self.expansion.after(end - time);
-        let head = self.base.plus(&more, end);
-        if head.flaw() != 0.0 {
+        if landing.flaw != 0.0 {
             return Err(MotionError::NotFinite { time });
         }
-        self.head = head;
+        self.head = landing.head;
         if let Some([base, head]) = &mut self.evidence {
-            *head = base.plus(&more, self.head.orientation.rotation());
+            *head = base.plus(&landing.more, self.head.rotation());
         }
-        self.omega_scale = self.omega_scale.max(head.rate());
+        self.omega_scale = self.omega_scale.max(landing.rate);
+        self.rate = landing.rate;
         self.statistics.accepted += 1;
         Ok(())
     }
@@ -114,8 +123,9 @@ impl<'a> Taylor<'a> {
         if time != self.head.time {
             let more = self.expansion.after(time - self.base.time);
             self.head = self.base.plus(&more, time);
+            self.rate = self.head.rate();
             if let Some([base, head]) = &mut self.evidence {
-                *head = base.plus(&more, self.head.orientation.rotation());
+                *head = base.plus(&more, self.head.rotation());
             }
         }
     }
@@ -123,22 +133,33 @@ impl<'a> Taylor<'a> {
     /// # Errors
     /// [`MotionError::TorqueWithoutInertia`] if nothing would balance the torque.
     fn expand(&mut self) -> Result<(), MotionError> {
+        self.begin();
+        self.expansion.expand_about(&self.base.start());
+        self.require_balance()?;
+        self.h = self.expansion.step(self.omega_scale);
+        self.statistics.evaluations += self.expansion.order as u64;
+        Ok(())
+    }
+
+    /// A step begins where the last one has led.
+    fn begin(&mut self) {
         self.base = self.head;
         if let Some([base, head]) = &mut self.evidence {
             *base = *head;
         }
-        self.expansion.expand_about(&self.base.start(), &self.piece);
-        if let Some(torque) = self.expansion.unbalanced(0) {
-            return Err(MotionError::TorqueWithoutInertia { torque, time: self.base.time });
+        self.expansion.start_wheels(0, self.base.time, &self.piece);
+    }
+
+    fn require_balance(&self) -> Result<(), MotionError> {
+        match self.expansion.unbalanced(0) {
+            Some(torque) => Err(MotionError::TorqueWithoutInertia { torque, time: self.base.time }),
+            None => Ok(()),
         }
-        self.h = self.expansion.step(self.omega_scale);
-        self.statistics.evaluations += self.expansion.order() as u64;
-        Ok(())
     }
 
     /// |ω|, rad/s.
     pub(in crate::motion::propagate) fn rate(&self) -> f64 {
-        self.head.rate()
+        self.rate
     }
 
     pub(in crate::motion::propagate) fn time(&self) -> f64 {
@@ -162,7 +183,7 @@ impl<'a> Taylor<'a> {
     pub(in crate::motion::propagate) fn at(&self, time: f64) -> Balanced {
         let more = self.expansion.after(time - self.base.time);
         let there = self.base.plus(&more, time);
-        let evidence = self.evidence.map(|[base, _]| base.plus(&more, there.orientation.rotation()));
+        let evidence = self.evidence.map(|[base, _]| base.plus(&more, there.rotation()));
         self.balanced(&there, evidence)
     }
 
@@ -170,6 +191,53 @@ impl<'a> Taylor<'a> {
         let state = base.state(self.to_body);
         let Evidence { work, impulse } = evidence.unwrap_or_default();
         Balanced { state, work: work[0], impulse: Vector::from_array(impulse.map(|[high, _]| high)) }
+    }
+}
+
+/// A step of one body: the series, unless they are there, and where they lead.
+struct Leap<'a> {
+    expansion: &'a mut Expansion,
+    base: &'a Base,
+    expands: bool,
+    /// The step that the tolerance allows, where the series are there.
+    h: f64,
+    scale: f64,
+    until: f64,
+}
+
+/// Where a step leads.
+struct Landing {
+    /// The step that the tolerance allows.
+    allowed: f64,
+    h: f64,
+    more: Increment,
+    head: Base,
+    /// Zero of what is finite.
+    flaw: f64,
+    /// |ω|
+    rate: f64,
+}
+
+impl Work for Leap<'_> {
+    type Output = Landing;
+
+    #[inline(always)]
+    fn run<S: Machine>(self, s: S) -> Landing {
+        let Self { expansion, base, expands, h, scale, until } = self;
+        let allowed = if expands {
+            expansion.start(&base.start());
+            expansion.expand(ByFours(s));
+            expansion.step(scale)
+        } else {
+            h
+        };
+        let (time, rest) = (base.time, until - base.time);
+        let wanted = allowed.min(expansion.reach());
+        let (h, end) = if wanted >= rest { (rest, until) } else { (wanted, time + wanted) };
+        // What rounding makes of the time is part of the step: left out, it was most of the error of a free body after 100 s at 1e-15.
+        let more = expansion.at(ByFours(s), end - time);
+        let head = base.plus(&more, end);
+        Landing { allowed, h, more, flaw: head.flaw(), rate: head.rate(), head }
     }
 }
 
@@ -187,4 +255,9 @@ impl Evidence {
             impulse: core::array::from_fn(|k| carried(self.impulse[k], impulse[k])),
         }
     }
+}
+
+fn carried([high, low]: [f64; 2], more: f64) -> [f64; 2] {
+    let (high, low) = two_sum(high, more + low);
+    [high, low]
 }

@@ -3,6 +3,7 @@
 //! N = c + A v + B ω, v̇ = v × Ω. Constant torques, thrusters, gravity and linear drag are of this kind: most motions need no more, and
 //! v is expanded beside the turn.
 
+use super::super::recurrence::Terms;
 use super::super::row::Row;
 use super::linear::{LinearSeries, times};
 use super::{Shape, StepStart, drag, row};
@@ -99,6 +100,25 @@ impl<N: Number> Affine<N> {
         self.torque.put(lane, constant, columns, omega);
         let over = |column: Row| inverses * column;
         self.acceleration.put(lane, over(constant), columns.map(over), omega.map(over));
+    }
+
+    /// What the recurrence needs of a lane.
+    pub(in super::super) fn give(&self, terms: &mut Terms<N>, lane: usize) {
+        let Parts { constant, seen, omega } = &self.acceleration;
+        terms.constant.put(lane, constant.lane(lane));
+        if let Some(columns) = seen {
+            let column = columns.map(|column| column.lane(lane).0);
+            for (diagonal, place) in terms.seen.iter_mut().enumerate() {
+                let entry = |row: usize| column[(row + diagonal) % 3][row];
+                place.put(lane, Row([entry(0), entry(1), entry(2), 0.0]));
+            }
+        }
+        if let Some(columns) = omega {
+            terms.is_damped = true;
+            for (place, column) in terms.damping.iter_mut().zip(columns) {
+                place.put(lane, column.lane(lane));
+            }
+        }
     }
 
     pub(in super::super) fn is_none(&self) -> bool {

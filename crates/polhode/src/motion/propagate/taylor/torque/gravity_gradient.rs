@@ -7,6 +7,7 @@
 //!
 //! (A + δ) ḟ = δ ȧ + (3/2)(δ̇ a − (Ȧ + δ̇) f)
 
+use super::super::recurrence::Terms;
 use super::super::row::{Row, Series, TERMS, Vectors};
 use super::super::scalar::{Scalars, power};
 use super::super::sums::Sums;
@@ -85,10 +86,30 @@ impl<N: Number> GravityGradientSeries<N> {
         self.orbit.extend(n, known, turned)
     }
 
-    /// ρ at the start of a step.
+    /// ρ and ν at the start of a step.
     #[inline(always)]
-    pub(super) fn carried(&self) -> Row<N> {
-        self.orbit.rho.rows.at(0)
+    pub(super) fn carried(&self) -> [Row<N>; 2] {
+        [self.orbit.rho.rows.at(0), self.orbit.nu.coefficient(0)]
+    }
+
+    /// True if all is linear or square: on a circle, of a tensor that has the principal axes.
+    pub(super) fn is_simple(&self) -> bool {
+        let is_plain = matches!(&self.attracted, AttractedSeries::Tensor(tensor) if tensor.wheels.is_none());
+        is_plain && self.orbit.is_circular()
+    }
+
+    /// µ/r³, and 3 µ/r³ (i3 − i2)/i1 and so on.
+    pub(super) fn give(&self, terms: &mut Terms<N>, lane: usize, inverses: Row) {
+        if let AttractedSeries::Tensor(tensor) = &self.attracted {
+            let strength = self.orbit.strength.lane(lane);
+            terms.pull.put(lane, strength);
+            terms.bending.put(lane, tensor.differences.lane(lane) * Row::splat(3.0 * strength) * inverses);
+        }
+    }
+
+    /// Coefficient n of ρ, found elsewhere.
+    pub(super) fn know(&mut self, n: usize, rho: Row<N>) {
+        self.orbit.rho.set(n, rho);
     }
 }
 

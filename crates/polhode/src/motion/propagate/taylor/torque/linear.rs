@@ -5,7 +5,7 @@ use super::super::seen::Seen;
 use super::super::sums::Sums;
 use super::{Known, StepStart, row};
 use crate::math::frame::{Body, Principal, Space};
-use crate::math::number::Number;
+use crate::math::number::{MulAdd, Number};
 use crate::math::vector::Direction;
 use crate::motion::propagate::chart::{ROUNDING, THIN};
 use crate::motion::rotor::Rotor;

@@ -13,9 +13,9 @@ mod magnetic;
 mod orbit;
 mod torsion;
 
+use super::recurrence::{Motion, Terms};
 use super::row::{Row, Vectors};
 use super::sums::Sums;
-use super::turned::Turned;
 use crate::math::frame::{Principal, Space};
 use crate::math::number::Number;
 use crate::math::rotation::Rotation;
@@ -50,8 +50,9 @@ pub(super) struct StepStart<N = f64> {
     pub(super) time: N,
     /// The quaternion of the principal axes.
     pub(super) attitude: Row<N>,
-    /// Principal axes.
+    /// Principal axes; and what rounding left of it.
     pub(super) omega: Row<N>,
+    pub(super) omega_low: Row<N>,
 }
 
 impl<N: Number> StepStart<N> {
@@ -87,18 +88,24 @@ pub(super) struct Known<'a, M: Sums> {
     pub(super) omega: &'a Vectors<M::N>,
     /// Ω, at which the axes turn: ω unless friction inside the body makes a difference.
     pub(super) turning: &'a Vectors<M::N>,
-    /// The turn since the start of the step.
-    pub(super) turned: &'a Turned<M::N>,
+    /// With the turn since the start of the step.
+    pub(super) motion: &'a Motion<M::N>,
 }
 
 impl<'a, M: Sums> Known<'a, M> {
+    /// Coefficient n of the turn since the start of the step.
+    #[inline(always)]
+    fn turn(&self, n: usize) -> Row<M::N> {
+        self.motion[n].x.first()
+    }
+
     /// Runs what is long apart.
     #[inline(always)]
     fn apart<R>(&self, work: impl FnOnce(&Known<'a, M>) -> R) -> R {
-        let Self { omega, turning, turned, .. } = *self;
+        let Self { omega, turning, motion, .. } = *self;
         self.s.apart(
             #[inline(always)]
-            |s| work(&Known { s, omega, turning, turned }),
+            |s| work(&Known { s, omega, turning, motion }),
         )
     }
 }
@@ -211,9 +218,28 @@ impl<N: Number> TorqueSeries<N> {
         matches!(self, Self::GravityGradient(_))
     }
 
-    /// That vector at the start of a step.
+    /// True if it and its vector, which moves in space, can be left to the recurrence.
+    pub(super) fn moves(&self) -> bool {
+        matches!(self, Self::GravityGradient(series) if series.is_simple())
+    }
+
+    /// What the recurrence then needs.
+    pub(super) fn give(&self, terms: &mut Terms<N>, lane: usize, inverses: Row) {
+        if let Self::GravityGradient(series) = self {
+            series.give(terms, lane, inverses);
+        }
+    }
+
+    /// Coefficient n of the vector, from the recurrence.
+    pub(super) fn know(&mut self, n: usize, vector: Row<N>) {
+        if let Self::GravityGradient(series) = self {
+            series.know(n, vector);
+        }
+    }
+
+    /// That vector at the start of a step, and its rate in space.
     #[inline(always)]
-    pub(super) fn carried(&self) -> Option<Row<N>> {
+    pub(super) fn carried(&self) -> Option<[Row<N>; 2]> {
         match self {
             Self::GravityGradient(series) => Some(series.carried()),
             _ => None,
@@ -245,7 +271,7 @@ impl<N: Number> TorqueSeries<N> {
                 |known| series.coefficient(n, known),
             ),
             Self::Formula(series) => {
-                let (omega, turn) = (known.omega.rows[n], known.turned.at(n).turn());
+                let (omega, turn) = (known.omega.rows[n], known.turn(n));
                 let mut torque = Row::splat(omega.0[0].like(0.0));
                 for (lane, series) in series.iter_mut().enumerate() {
                     if let Some(series) = series {
@@ -257,8 +283,8 @@ impl<N: Number> TorqueSeries<N> {
         }
     }
 
-    /// Finds what coefficient n + 1 needs beside the motion. If its vector of space is expanded beside the turn, coefficient n of v × Ω is
-    /// given, and coefficient n + 1 of v returned.
+    /// Finds what coefficient n + 1 needs beside the motion. If its vector of space is expanded beside the turn, it is given with
+    /// coefficient n + 1 as v × Ω alone makes it, and returned as it is.
     #[inline(always)]
     pub(super) fn extend<M: Sums<N = N>>(
         &mut self,

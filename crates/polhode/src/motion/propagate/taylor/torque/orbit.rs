@@ -28,7 +28,7 @@ pub(super) struct OrbitSeries<N> {
     /// µ/r₀³, 1/s².
     pub(super) strength: N,
     pub(super) rho: Vectors<N>,
-    nu: Seen<N>,
+    pub(super) nu: Seen<N>,
     /// |ρ|²
     pub(super) square: Scalars<N>,
     /// |ρ|⁻³
@@ -59,6 +59,7 @@ impl<N: Number> OrbitSeries<N> {
         self.orbits[lane] = orbit.clone();
         self.mu.put(lane, orbit.mu());
         if orbit.is_circular() {
+            self.distance.put(lane, orbit.periapsis());
             self.strength.put(lane, orbit.strength(orbit.periapsis()));
         }
     }
@@ -70,15 +71,23 @@ impl<N: Number> OrbitSeries<N> {
     #[inline(always)]
     pub(super) fn start(&mut self, at: &StepStart<N>) {
         let (mut position, mut velocity) = (at.omega, at.omega);
+        if self.is_circular {
+            for (lane, orbit) in self.orbits.iter().enumerate() {
+                let [toward, rate] = orbit.around(at.time.lane(lane));
+                position.put(lane, row(toward));
+                velocity.put(lane, row(rate));
+            }
+            self.rho.set(0, at.seen(position));
+            self.nu.start(at.seen(velocity));
+            return;
+        }
         for (lane, orbit) in self.orbits.iter().enumerate() {
             let (r, v) = orbit.position_and_velocity(at.time.lane(lane));
             position.put(lane, row(r));
             velocity.put(lane, row(v));
         }
         let r = position.norm();
-        if !self.is_circular {
-            self.strength = self.mu / r / r / r;
-        }
+        self.strength = self.mu / r / r / r;
         self.distance = r;
         self.rho.set(0, at.seen(position.divided(r)));
         self.nu.start(at.seen(velocity.divided(r)));
@@ -104,7 +113,7 @@ impl<N: Number> OrbitSeries<N> {
         if self.is_circular { vector[n] } else { s.product(&self.cube_rows, vector, n) }
     }
 
-    /// Finds coefficient n + 1 of ρ and ν; coefficient n of ρ × Ω may be there already. Gives that of ρ.
+    /// Finds coefficient n + 1 of ρ and ν; that of ρ may be there already but for ν. Gives that of ρ.
     #[inline(always)]
     pub(super) fn extend<M: Sums<N = N>>(
         &mut self,
@@ -115,9 +124,9 @@ impl<N: Number> OrbitSeries<N> {
         let pull = self.over_cube(known.s, &self.rho.rows, n) * Row::splat(-self.strength);
         let turned = match turned {
             Some(turned) => turned,
-            None => known.s.cross(&self.rho.rows, known.turning, n),
+            None => known.s.cross(&self.rho.rows, known.turning, n).over(n + 1),
         };
-        let next = (turned + self.nu.coefficient(n)).over(n + 1);
+        let next = turned + self.nu.coefficient(n).over(n + 1);
         self.rho.set(n + 1, next);
         self.nu.extend(known.s, n, known.turning, pull);
         next

@@ -101,7 +101,7 @@ impl<N: Number> TorsionSeries<N> {
     #[inline(always)]
     pub(super) fn coefficient<M: Sums<N = N>>(&mut self, n: usize, known: &Known<'_, M>) -> Row<N> {
         // p = p₀ ∘ turn
-        let ([w, x, y, z], [a, b, c, d]) = (self.start.0, known.turned.at(n).turn().0);
+        let ([w, x, y, z], [a, b, c, d]) = (self.start.0, known.turn(n).0);
         self.w[n] = w * a - x * b - y * c - z * d;
         let v = [w * b + x * a + y * d - z * c, w * c - x * d + y * a + z * b, w * d + x * c - y * b + z * a];
         self.v.set(n, Row([v[0], v[1], v[2], w.like(0.0)]));

@@ -1,0 +1,421 @@
+//! The recurrence of eight bodies, a number of each in a register.
+//!
+//! There is enough to do while the newest coefficients are made, and loops end where they should. Products with what is zero by the layout
+//! are left out; all else is in the order of one body (`one.rs`), and a sum that begins with +0 does not change by zeros: so each lane
+//! has the bits that its body has alone.
+
+use super::pair::Pair;
+use super::recurrence::{
+    ALONE, CARRYING, Coefficient, GENERAL, MOVING, Motion, Recurrence, Terms, mirrored, over,
+};
+use super::row::Row;
+use super::sums::SideBySide;
+use crate::math::machine::Machine;
+use crate::math::number::{MulAdd, Number};
+
+/// What newest coefficients are multiplied by: what a step starts from, and the terms.
+#[derive(Clone, Copy)]
+pub(super) struct Law<N> {
+    terms: Terms<N>,
+    turn: Row<N>,
+    omega: Row<N>,
+    /// u and v.
+    seen: [Row<N>; 2],
+    /// Ω
+    turning: Row<N>,
+}
+
+impl<S: Machine> Recurrence for SideBySide<S> {
+    type Places = Pair<S::Eight>;
+    type Law = Law<S::Eight>;
+
+    #[inline(always)]
+    fn places(self, pair: &Pair<S::Eight>) -> Pair<S::Eight> {
+        *pair
+    }
+
+    #[inline(always)]
+    fn pair(self, places: Pair<S::Eight>) -> Pair<S::Eight> {
+        places
+    }
+
+    #[inline(always)]
+    fn law<const LAYOUT: u8>(self, motion: &Motion<S::Eight>, terms: &Terms<S::Eight>) -> Law<S::Eight> {
+        let Parts { turn, omega, seen } = Parts::of::<LAYOUT>([motion[0].x, motion[0].y]);
+        Law { terms: *terms, turn, omega, seen, turning: turning::<LAYOUT, _>(&motion[0]) }
+    }
+
+    #[inline(always)]
+    fn first<const LAYOUT: u8>(
+        self,
+        law: &Law<S::Eight>,
+        _: &Motion<S::Eight>,
+        terms: &Terms<S::Eight>,
+        [low, more]: [Row<S::Eight>; 2],
+    ) -> [Pair<S::Eight>; 2] {
+        let none = self.none();
+        let mut next = law.plus_starts::<LAYOUT>(none, law.turning);
+        next.omega = next.omega + if LAYOUT == GENERAL { more } else { terms.constant };
+        let [u, v] = law.seen;
+        if LAYOUT == CARRYING {
+            for (diagonal, factors) in terms.seen.iter().enumerate() {
+                next.omega = factors.mul_add(across(u, diagonal), next.omega);
+            }
+        }
+        if LAYOUT == MOVING {
+            let bent = terms.bending * across(u, 2);
+            next.omega = bent.mul_add(across(u, 1), next.omega);
+            let pull = Row::splat(-terms.pull);
+            next.seen = [next.seen[0] + v, pull.mul_add(u, next.seen[1])];
+        }
+        self.with::<LAYOUT>(law, next, &Parts { omega: low, ..none }, low).pairs::<LAYOUT>()
+    }
+
+    #[inline(always)]
+    fn next<const LAYOUT: u8>(
+        self,
+        law: &Law<S::Eight>,
+        motion: &mut Motion<S::Eight>,
+        n: usize,
+        [_, newest]: [[Pair<S::Eight>; 2]; 2],
+        more: Row<S::Eight>,
+    ) -> [Pair<S::Eight>; 2] {
+        let (terms, next) = (&law.terms, n + 1);
+        let sums = self.before::<LAYOUT>(motion, n);
+        motion[n].set::<LAYOUT>(newest);
+        let mut sum = sums.turned(&terms.ratios);
+        if LAYOUT == MOVING {
+            sum.omega = terms.bending.mul_add(sums.square.turned(), sum.omega);
+        }
+        if LAYOUT == GENERAL {
+            sum.omega = sum.omega + more;
+        }
+        let sum = sum.over::<LAYOUT>(next);
+        let new = Parts::of::<LAYOUT>(newest).over::<LAYOUT>(next);
+        let turning = match LAYOUT {
+            GENERAL => row_over(turning::<LAYOUT, _>(&motion[n]), next),
+            _ => new.omega,
+        };
+        self.with::<LAYOUT>(law, sum, &new, turning).pairs::<LAYOUT>()
+    }
+}
+
+#[inline(always)]
+fn turning<const LAYOUT: u8, N: Number>(coefficient: &Coefficient<N>) -> Row<N> {
+    let [a, b, c] = coefficient.turning::<LAYOUT>();
+    Row([a, b, c, a.like(0.0)])
+}
+
+/// (u1, u2, u3), (u2, u3, u1), (u3, u1, u2)
+#[inline(always)]
+fn across<N: Number>(u: Row<N>, diagonal: usize) -> Row<N> {
+    match diagonal {
+        0 => u,
+        1 => u.turned(),
+        _ => u.turned().turned(),
+    }
+}
+
+/// What expands, vector by vector.
+#[derive(Clone, Copy)]
+struct Parts<N> {
+    turn: Row<N>,
+    omega: Row<N>,
+    /// u and v.
+    seen: [Row<N>; 2],
+}
+
+impl<N: Number> Parts<N> {
+    #[inline(always)]
+    fn of<const LAYOUT: u8>([x, y]: [Pair<N>; 2]) -> Self {
+        let none = Row::splat(x.0[0].like(0.0));
+        let (turn, second) = (x.first(), x.second());
+        match LAYOUT {
+            ALONE => Self { turn, omega: second, seen: [none; 2] },
+            MOVING => Self { turn, omega: y.first(), seen: [second, y.second()] },
+            _ => Self { turn, omega: y.first(), seen: [second, none] },
+        }
+    }
+
+    #[inline(always)]
+    fn pairs<const LAYOUT: u8>(self) -> [Pair<N>; 2] {
+        let Self { turn, omega, seen: [u, v] } = self;
+        let none = Row::splat(turn.0[0].like(0.0));
+        let omega = omega.vector();
+        match LAYOUT {
+            ALONE => [Pair::new(turn, omega); 2],
+            MOVING => [Pair::new(turn, u.vector()), Pair::new(omega, v.vector())],
+            _ => [Pair::new(turn, u.vector()), Pair::new(omega, none)],
+        }
+    }
+
+    #[inline(always)]
+    fn over<const LAYOUT: u8>(self, n: usize) -> Self {
+        let Self { turn, omega, seen: [u, v] } = self;
+        let [u, v] = match LAYOUT {
+            ALONE => [u, v],
+            MOVING => [row_over(u, n), row_over(v, n)],
+            _ => [row_over(u, n), v],
+        };
+        Self { turn: row_over(turn, n), omega: row_over(omega, n), seen: [u, v] }
+    }
+
+    #[inline(always)]
+    fn plus<const LAYOUT: u8>(self, b: &Self) -> Self {
+        let [u, v] = self.seen;
+        let seen = match LAYOUT {
+            ALONE => [u, v],
+            MOVING => [u + b.seen[0], v + b.seen[1]],
+            _ => [u + b.seen[0], v],
+        };
+        Self { turn: self.turn + b.turn, omega: self.omega + b.omega, seen }
+    }
+}
+
+#[inline(always)]
+fn row_over<N: Number>(row: Row<N>, n: usize) -> Row<N> {
+    let [x, y, z, w] = row.0;
+    Row([over(x, n), over(y, n), over(z, n), over(w, n)])
+}
+
+impl<N: Number> Law<N> {
+    /// The same where there is no vector of space; the turn starts from 1.
+    #[inline(always)]
+    fn with_alone(&self, sum: Parts<N>, new: &Parts<N>) -> Parts<N> {
+        let Terms { ratios: Row([r1, r2, r3, _]), damping: [b1, b2, b3], is_damped, .. } = self.terms;
+        let ([b1, b2, b3], Row([o1, o2, o3, _]), Row([w1, w2, w3, _])) =
+            ([b1.0, b2.0, b3.0], self.turning, new.omega);
+        let Row([x, y, z, zero]) = sum.omega;
+        let (mut own, mut first, mut second) =
+            ([x, y, z], [o3 * r1, o1 * r2, o2 * r3], [o2 * r1, o3 * r2, o1 * r3]);
+        if is_damped {
+            own = [b1[0].mul_add(w1, x), b2[1].mul_add(w2, y), b3[2].mul_add(w3, z)];
+            first = [o3.mul_add(r1, b2[0]), o1.mul_add(r2, b3[1]), o2.mul_add(r3, b1[2])];
+            second = [o2.mul_add(r1, b3[0]), o3.mul_add(r2, b1[1]), o1.mul_add(r3, b2[2])];
+        }
+        let omega = Row([
+            first[0].mul_add(w2, own[0]) + second[0] * w3,
+            first[1].mul_add(w3, own[1]) + second[1] * w1,
+            first[2].mul_add(w1, own[2]) + second[2] * w2,
+            zero,
+        ]);
+        let ([w, x, y, z], [h1, h2, h3, _], [a, b, c, d]) = (new.turn.0, half(self.turning).0, sum.turn.0);
+        // Half of ω, and q ∘ e3 Ω3.
+        let [k1, k2, k3, _] = half(new.omega).0;
+        let turn = Row([
+            (-y).mul_add(h2, (-x).mul_add(h1, a)) + -z * h3,
+            (-z).mul_add(h2, w.mul_add(h1, b)) + y.mul_add(h3, k1),
+            w.mul_add(h2, z.mul_add(h1, c)) + (-x).mul_add(h3, k2),
+            x.mul_add(h2, (-y).mul_add(h1, d)) + w.mul_add(h3, k3),
+        ]);
+        Parts { turn, omega, seen: sum.seen }
+    }
+
+    /// Plus Tᵢ of what a step starts from times the components of Ω.
+    #[inline(always)]
+    fn plus_starts<const LAYOUT: u8>(&self, sum: Parts<N>, turning: Row<N>) -> Parts<N> {
+        let Row([o1, o2, o3, _]) = turning;
+        let Row([w1, w2, w3, _]) = self.omega;
+        let Row([r1, r2, r3, _]) = self.terms.ratios;
+        let starts = [(r1, w2), (r2, w3), (r3, w1)];
+        let Row([x, y, z, rest]) = sum.omega;
+        let omega = if self.terms.is_damped {
+            let damping = self.terms.damping.map(|column| column.0);
+            let place = |sum: N, k: usize| {
+                let (ratio, start) = starts[k];
+                let factor = |axis: usize| {
+                    let damping = damping[axis][k];
+                    if (k + 2) % 3 == axis { start.mul_add(ratio, damping) } else { damping }
+                };
+                factor(2).mul_add(o3, factor(1).mul_add(o2, factor(0).mul_add(o1, sum)))
+            };
+            [place(x, 0), place(y, 1), place(z, 2)]
+        } else {
+            let [a, b, c] = starts.map(|(ratio, start)| start * ratio);
+            [a.mul_add(o3, x), b.mul_add(o1, y), c.mul_add(o2, z)]
+        };
+        let seen = match LAYOUT {
+            ALONE => sum.seen,
+            MOVING => [0, 1].map(|k| crossed(sum.seen[k], self.seen[k], turning)),
+            _ => [crossed(sum.seen[0], self.seen[0], turning), sum.seen[1]],
+        };
+        let [x, y, z] = omega;
+        Parts { turn: turned(sum.turn, half(self.turn), turning), omega: Row([x, y, z, rest]), seen }
+    }
+
+    /// Plus Tᵢ of the newest coefficients times the components of Ω at the start.
+    #[inline(always)]
+    fn plus_turned<const LAYOUT: u8>(&self, sum: Parts<N>, new: &Parts<N>) -> Parts<N> {
+        let Row([o1, o2, o3, _]) = self.turning;
+        let Row([r1, r2, r3, _]) = self.terms.ratios;
+        let (Row([x, y, z, rest]), Row([w1, w2, w3, _])) = (sum.omega, new.omega);
+        let omega = [(r1 * o3).mul_add(w2, x), (r2 * o1).mul_add(w3, y), (r3 * o2).mul_add(w1, z)];
+        let seen = match LAYOUT {
+            ALONE => sum.seen,
+            MOVING => [0, 1].map(|k| crossed(sum.seen[k], new.seen[k], self.turning)),
+            _ => [crossed(sum.seen[0], new.seen[0], self.turning), sum.seen[1]],
+        };
+        let [x, y, z] = omega;
+        Parts { turn: turned(sum.turn, new.turn, half(self.turning)), omega: Row([x, y, z, rest]), seen }
+    }
+}
+
+#[inline(always)]
+fn half<N: Number>(row: Row<N>) -> Row<N> {
+    let [x, y, z, w] = row.0;
+    let half = x.like(0.5);
+    Row([x * half, y * half, z * half, w * half])
+}
+
+/// Plus q ∘ Ω, component of Ω by component.
+#[inline(always)]
+fn turned<N: Number>(sum: Row<N>, q: Row<N>, turning: Row<N>) -> Row<N> {
+    let ([w, x, y, z], [o1, o2, o3, _]) = (q.0, turning.0);
+    let add = |sum: N, [p, q, r]: [N; 3]| r.mul_add(o3, q.mul_add(o2, p.mul_add(o1, sum)));
+    let [sw, sx, sy, sz] = sum.0;
+    Row([add(sw, [-x, -y, -z]), add(sx, [w, -z, y]), add(sy, [z, w, -x]), add(sz, [-y, x, w])])
+}
+
+/// Plus v × Ω, component of Ω by component.
+#[inline(always)]
+fn crossed<N: Number>(sum: Row<N>, v: Row<N>, turning: Row<N>) -> Row<N> {
+    let ([a, b, c, _], [o1, o2, o3, _]) = (v.0, turning.0);
+    let [x, y, z, zero] = sum.0;
+    Row([
+        b.mul_add(o3, (-c).mul_add(o2, x)),
+        (-a).mul_add(o3, c.mul_add(o1, y)),
+        a.mul_add(o2, (-b).mul_add(o1, z)),
+        zero,
+    ])
+}
+
+/// Sums of products: of the turn with each component of Ω; of ω as (ω3 Ω1, ω1 Ω2, ω2 Ω3); of u and v with components that are not their own, by the
+/// component of Ω; of u and u turned.
+#[derive(Clone, Copy)]
+struct Outer<N> {
+    turn: [Row<N>; 3],
+    omega: Row<N>,
+    seen: [[[N; 2]; 3]; 2],
+    square: Row<N>,
+}
+
+impl<S: Machine> SideBySide<S> {
+    /// Sums with what comes of new numbers by way of those at the start: Σ Ωᵢ Tᵢ x, Σ (Tᵢ x₀) Ωᵢ, and what is linear.
+    #[inline(always)]
+    fn with<const LAYOUT: u8>(
+        self,
+        law: &Law<S::Eight>,
+        sum: Parts<S::Eight>,
+        new: &Parts<S::Eight>,
+        turning: Row<S::Eight>,
+    ) -> Parts<S::Eight> {
+        if LAYOUT == ALONE {
+            return law.with_alone(sum, new);
+        }
+        let terms = &law.terms;
+        let starts = law.plus_starts::<LAYOUT>(self.none(), turning);
+        let mut sum = law.plus_turned::<LAYOUT>(sum, new).plus::<LAYOUT>(&starts);
+        let [u, v] = new.seen;
+        if LAYOUT == CARRYING {
+            let [a, b, c] = terms.seen;
+            let across = c.mul_add(across(u, 2), b.mul_add(across(u, 1), a * across(u, 0)));
+            sum.omega = sum.omega + across;
+        }
+        if LAYOUT == MOVING {
+            let [to_first, to_second] =
+                [across(law.seen[0], 2), across(law.seen[0], 1)].map(|u| terms.bending * u);
+            let across = to_second.mul_add(across(u, 2), to_first * across(u, 1));
+            sum.omega = sum.omega + across;
+            let pull = Row::splat(-terms.pull);
+            sum.seen = [sum.seen[0] + v, sum.seen[1] + pull * u];
+        }
+        sum
+    }
+
+    #[inline(always)]
+    fn none(self) -> Parts<S::Eight> {
+        let none = Row::splat(self.0.eight(0.0));
+        Parts { turn: none, omega: none, seen: [none; 2] }
+    }
+
+    /// Products of coefficients 1 … n − 1.
+    #[inline(always)]
+    fn before<const LAYOUT: u8>(self, motion: &Motion<S::Eight>, n: usize) -> Outer<S::Eight> {
+        let zero = self.0.eight(0.0);
+        let none = Row::splat(zero);
+        let none = Outer { turn: [none; 3], omega: none, seen: [[[zero; 2]; 3]; 2], square: none };
+        let (mut up, mut down) = (none, none);
+        let (middle, [ups, downs]) = mirrored(motion, n);
+        if let Some(middle) = middle {
+            up = up.plus::<LAYOUT>(middle, middle);
+        }
+        for (a, b) in ups.iter().zip(downs.iter().rev()) {
+            up = up.plus::<LAYOUT>(a, b);
+        }
+        for (a, b) in ups.iter().zip(downs.iter().rev()) {
+            down = down.plus::<LAYOUT>(b, a);
+        }
+        up.and::<LAYOUT>(&down)
+    }
+}
+
+impl<N: Number> Outer<N> {
+    #[inline(always)]
+    fn plus<const LAYOUT: u8>(mut self, a: &Coefficient<N>, b: &Coefficient<N>) -> Self {
+        let ([o1, o2, o3], other) = (b.turning::<LAYOUT>(), b.x.second());
+        let Coefficient { x, y, .. } = a;
+        let q = x.first();
+        let omega = if LAYOUT == ALONE { x.second() } else { y.first() };
+        for (sum, o) in self.turn.iter_mut().zip([o1, o2, o3]) {
+            *sum = q.mul_add(Row::splat(o), *sum);
+        }
+        let ([w1, w2, w3, _], [a, b, c, zero]) = (omega.0, self.omega.0);
+        self.omega = Row([w3.mul_add(o1, a), w1.mul_add(o2, b), w2.mul_add(o3, c), zero]);
+        let vectors = match LAYOUT {
+            ALONE => 0,
+            MOVING => 2,
+            _ => 1,
+        };
+        for (sums, v) in self.seen.iter_mut().zip([x.second(), y.second()]).take(vectors) {
+            let [a, b, c, _] = v.0;
+            for ((sums, others), o) in sums.iter_mut().zip([[b, c], [a, c], [a, b]]).zip([o1, o2, o3]) {
+                *sums = [others[0].mul_add(o, sums[0]), others[1].mul_add(o, sums[1])];
+            }
+        }
+        if LAYOUT == MOVING {
+            self.square = x.second().mul_add(other.turned(), self.square);
+        }
+        self
+    }
+
+    /// Both together.
+    #[inline(always)]
+    fn and<const LAYOUT: u8>(mut self, b: &Self) -> Self {
+        for (sum, b) in self.turn.iter_mut().zip(b.turn) {
+            *sum = *sum + b;
+        }
+        self.omega = self.omega + b.omega;
+        if LAYOUT != ALONE {
+            let all = self.seen.iter_mut().flatten().flatten();
+            for (sum, b) in all.zip(b.seen.iter().flatten().flatten()) {
+                *sum = *sum + *b;
+            }
+        }
+        if LAYOUT == MOVING {
+            self.square = self.square + b.square;
+        }
+        self
+    }
+
+    /// Σ Tᵢ of the sums.
+    #[inline(always)]
+    fn turned(&self, ratios: &Row<N>) -> Parts<N> {
+        let [p, q, r] = self.turn.map(|row| half(row).0);
+        let turn = [-p[1] - q[2] - r[3], p[0] - q[3] + r[2], p[3] + q[0] - r[1], q[1] - p[2] + r[0]];
+        // c of ω is (ω3 Ω1, ω1 Ω2, ω2 Ω3): the places of ω̇2, ω̇3, ω̇1.
+        let omega = *ratios * self.omega.turned().turned();
+        let seen =
+            self.seen.map(|[[b1, c1], [a2, c2], [a3, b3]]| Row([b3 - c2, c1 - a3, a2 - b1, b1.like(0.0)]));
+        Parts { turn: Row(turn), omega, seen }
+    }
+}

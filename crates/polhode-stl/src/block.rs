@@ -51,15 +51,22 @@ impl Block {
         }
     }
 
-    /// Adds records: a whole number of chunks, but for the last of the block.
-    pub(crate) fn add(&mut self, level: Level, records: &[Record], reference: [f64; 3], with_edges: bool) {
+    /// Adds records: a whole number of chunks, but for the last of the block. What lies behind them in memory is asked for only.
+    pub(crate) fn add(
+        &mut self,
+        level: Level,
+        records: &[Record],
+        after: &[Record],
+        reference: [f64; 3],
+        with_edges: bool,
+    ) {
         dispatch!(level, simd => simd.vectorize(
             #[inline(always)]
             || {
                 if with_edges {
-                    self.add_in_vectors::<_, true>(simd, records, reference);
+                    self.add_in_vectors::<_, true>(simd, records, after, reference);
                 } else {
-                    self.add_in_vectors::<_, false>(simd, records, reference);
+                    self.add_in_vectors::<_, false>(simd, records, after, reference);
                 }
             }
         ));
@@ -70,11 +77,12 @@ impl Block {
         &mut self,
         simd: S,
         records: &[Record],
+        after: &[Record],
         reference: [f64; 3],
     ) {
         let reference = reference.map(|c| f64x8::splat(simd, c));
         let mut stage = Stage::<S>::new(simd);
-        let mut soon = records.as_chunks::<STAGE>().0.iter().skip(AHEAD);
+        let mut soon = records.as_chunks::<STAGE>().0.iter().chain(after.as_chunks::<STAGE>().0).skip(AHEAD);
         for chunk in records.chunks(CHUNK) {
             let (whole, rest) = chunk.as_chunks::<STAGE>();
             for records in whole {

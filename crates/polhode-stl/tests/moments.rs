@@ -43,7 +43,7 @@ fn spheres_agree_with_exact_integers() {
 fn one_and_many_threads_memory_and_file_have_the_same_bits() {
     let triangles = icosphere(6, [3.0, -2.5, 1.75]);
     // Not a whole number of groups, stages, chunks or blocks.
-    for length in [1, 15, 17, 63, 65, 1023, 4097, 4096 * 3 + 77, 81_920] {
+    for length in [1, 15, 17, 63, 65, 1023, 4097, 4096 * 3 + 77, 16_384 * 2 + 77, 81_920] {
         let records = records(&triangles[..length]);
         let one = moments_of_records(&records, &options(1));
         let path = std::env::temp_dir().join(format!("polhode-stl-{}-{length}", std::process::id()));
@@ -153,7 +153,7 @@ fn triangles_of_a_lattice_add_different_areas() {
 fn vertices_that_are_not_finite_are_counted_and_the_first_is_named() {
     let mesh = icosphere(5, [1.0, 2.0, 3.0]);
     for value in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
-        for at in [0, 1, 4095, 4096, 12_345, 20_477] {
+        for at in [0, 1, 4095, 4096, 12_345, 16_383, 16_384, 20_477] {
             let mut bad = mesh.clone();
             bad[at][1][2] = value;
             bad[20_478][2] = [value; 3];

@@ -217,27 +217,22 @@ impl<N: Number> Law<N> {
         let Row([o1, o2, o3, _]) = turning;
         let Row([w1, w2, w3, _]) = self.omega;
         let Row([r1, r2, r3, _]) = self.terms.ratios;
-        let starts = [(r1, w2), (r2, w3), (r3, w1)];
         let Row([x, y, z, rest]) = sum.omega;
         let omega = if self.terms.is_damped {
-            let damping = self.terms.damping.map(|column| column.0);
-            let place = |sum: N, k: usize| {
-                let (ratio, start) = starts[k];
-                let factor = |axis: usize| {
-                    let damping = damping[axis][k];
-                    if (k + 2) % 3 == axis { start.mul_add(ratio, damping) } else { damping }
-                };
-                factor(2).mul_add(o3, factor(1).mul_add(o2, factor(0).mul_add(o1, sum)))
-            };
-            [place(x, 0), place(y, 1), place(z, 2)]
+            let [Row([a1, a2, a3, _]), Row([b1, b2, b3, _]), Row([c1, c2, c3, _])] = self.terms.damping;
+            [
+                w2.mul_add(r1, c1).mul_add(o3, b1.mul_add(o2, a1.mul_add(o1, x))),
+                c2.mul_add(o3, b2.mul_add(o2, w3.mul_add(r2, a2).mul_add(o1, y))),
+                c3.mul_add(o3, w1.mul_add(r3, b3).mul_add(o2, a3.mul_add(o1, z))),
+            ]
         } else {
-            let [a, b, c] = starts.map(|(ratio, start)| start * ratio);
-            [a.mul_add(o3, x), b.mul_add(o1, y), c.mul_add(o2, z)]
+            [(w2 * r1).mul_add(o3, x), (w3 * r2).mul_add(o1, y), (w1 * r3).mul_add(o2, z)]
         };
+        let [u, v] = sum.seen;
         let seen = match LAYOUT {
-            ALONE => sum.seen,
-            MOVING => [0, 1].map(|k| crossed(sum.seen[k], self.seen[k], turning)),
-            _ => [crossed(sum.seen[0], self.seen[0], turning), sum.seen[1]],
+            ALONE => [u, v],
+            MOVING => [crossed(u, self.seen[0], turning), crossed(v, self.seen[1], turning)],
+            _ => [crossed(u, self.seen[0], turning), v],
         };
         let [x, y, z] = omega;
         Parts { turn: turned(sum.turn, half(self.turn), turning), omega: Row([x, y, z, rest]), seen }
@@ -250,10 +245,11 @@ impl<N: Number> Law<N> {
         let Row([r1, r2, r3, _]) = self.terms.ratios;
         let (Row([x, y, z, rest]), Row([w1, w2, w3, _])) = (sum.omega, new.omega);
         let omega = [(r1 * o3).mul_add(w2, x), (r2 * o1).mul_add(w3, y), (r3 * o2).mul_add(w1, z)];
+        let [u, v] = sum.seen;
         let seen = match LAYOUT {
-            ALONE => sum.seen,
-            MOVING => [0, 1].map(|k| crossed(sum.seen[k], new.seen[k], self.turning)),
-            _ => [crossed(sum.seen[0], new.seen[0], self.turning), sum.seen[1]],
+            ALONE => [u, v],
+            MOVING => [crossed(u, new.seen[0], self.turning), crossed(v, new.seen[1], self.turning)],
+            _ => [crossed(u, new.seen[0], self.turning), v],
         };
         let [x, y, z] = omega;
         Parts { turn: turned(sum.turn, new.turn, half(self.turning)), omega: Row([x, y, z, rest]), seen }
@@ -270,10 +266,13 @@ fn half<N: Number>(row: Row<N>) -> Row<N> {
 /// Plus q ∘ Ω, component of Ω by component.
 #[inline(always)]
 fn turned<N: Number>(sum: Row<N>, q: Row<N>, turning: Row<N>) -> Row<N> {
-    let ([w, x, y, z], [o1, o2, o3, _]) = (q.0, turning.0);
-    let add = |sum: N, [p, q, r]: [N; 3]| r.mul_add(o3, q.mul_add(o2, p.mul_add(o1, sum)));
-    let [sw, sx, sy, sz] = sum.0;
-    Row([add(sw, [-x, -y, -z]), add(sx, [w, -z, y]), add(sy, [z, w, -x]), add(sz, [-y, x, w])])
+    let ([w, x, y, z], [o1, o2, o3, _], [a, b, c, d]) = (q.0, turning.0, sum.0);
+    Row([
+        (-z).mul_add(o3, (-y).mul_add(o2, (-x).mul_add(o1, a))),
+        y.mul_add(o3, (-z).mul_add(o2, w.mul_add(o1, b))),
+        (-x).mul_add(o3, w.mul_add(o2, z.mul_add(o1, c))),
+        w.mul_add(o3, x.mul_add(o2, (-y).mul_add(o1, d))),
+    ])
 }
 
 /// Plus v × Ω, component of Ω by component.
@@ -322,8 +321,8 @@ impl<S: Machine> SideBySide<S> {
             sum.omega = sum.omega + across;
         }
         if LAYOUT == MOVING {
-            let [to_first, to_second] =
-                [across(law.seen[0], 2), across(law.seen[0], 1)].map(|u| terms.bending * u);
+            let (to_first, to_second) =
+                (terms.bending * across(law.seen[0], 2), terms.bending * across(law.seen[0], 1));
             let across = to_second.mul_add(across(u, 2), to_first * across(u, 1));
             sum.omega = sum.omega + across;
             let pull = Row::splat(-terms.pull);
@@ -366,21 +365,16 @@ impl<N: Number> Outer<N> {
         let Coefficient { x, y, .. } = a;
         let q = x.first();
         let omega = if LAYOUT == ALONE { x.second() } else { y.first() };
-        for (sum, o) in self.turn.iter_mut().zip([o1, o2, o3]) {
-            *sum = q.mul_add(Row::splat(o), *sum);
-        }
+        let [q1, q2, q3] = self.turn;
+        self.turn =
+            [q.mul_add(Row::splat(o1), q1), q.mul_add(Row::splat(o2), q2), q.mul_add(Row::splat(o3), q3)];
         let ([w1, w2, w3, _], [a, b, c, zero]) = (omega.0, self.omega.0);
         self.omega = Row([w3.mul_add(o1, a), w1.mul_add(o2, b), w2.mul_add(o3, c), zero]);
-        let vectors = match LAYOUT {
-            ALONE => 0,
-            MOVING => 2,
-            _ => 1,
-        };
-        for (sums, v) in self.seen.iter_mut().zip([x.second(), y.second()]).take(vectors) {
-            let [a, b, c, _] = v.0;
-            for ((sums, others), o) in sums.iter_mut().zip([[b, c], [a, c], [a, b]]).zip([o1, o2, o3]) {
-                *sums = [others[0].mul_add(o, sums[0]), others[1].mul_add(o, sums[1])];
-            }
+        if LAYOUT != ALONE {
+            self.seen[0] = plus_others(self.seen[0], x.second(), [o1, o2, o3]);
+        }
+        if LAYOUT == MOVING {
+            self.seen[1] = plus_others(self.seen[1], y.second(), [o1, o2, o3]);
         }
         if LAYOUT == MOVING {
             self.square = x.second().mul_add(other.turned(), self.square);
@@ -391,16 +385,17 @@ impl<N: Number> Outer<N> {
     /// Both together.
     #[inline(always)]
     fn and<const LAYOUT: u8>(mut self, b: &Self) -> Self {
-        for (sum, b) in self.turn.iter_mut().zip(b.turn) {
-            *sum = *sum + b;
-        }
-        self.omega = self.omega + b.omega;
-        if LAYOUT != ALONE {
-            let all = self.seen.iter_mut().flatten().flatten();
-            for (sum, b) in all.zip(b.seen.iter().flatten().flatten()) {
-                *sum = *sum + *b;
+        for axis in 0..3 {
+            self.turn[axis] = self.turn[axis] + b.turn[axis];
+            for part in 0..2 {
+                if LAYOUT == MOVING || LAYOUT != ALONE && part == 0 {
+                    for k in 0..2 {
+                        self.seen[part][axis][k] = self.seen[part][axis][k] + b.seen[part][axis][k];
+                    }
+                }
             }
         }
+        self.omega = self.omega + b.omega;
         if LAYOUT == MOVING {
             self.square = self.square + b.square;
         }
@@ -410,12 +405,28 @@ impl<N: Number> Outer<N> {
     /// Σ Tᵢ of the sums.
     #[inline(always)]
     fn turned(&self, ratios: &Row<N>) -> Parts<N> {
-        let [p, q, r] = self.turn.map(|row| half(row).0);
+        let (p, q, r) = (half(self.turn[0]).0, half(self.turn[1]).0, half(self.turn[2]).0);
         let turn = [-p[1] - q[2] - r[3], p[0] - q[3] + r[2], p[3] + q[0] - r[1], q[1] - p[2] + r[0]];
-        // c of ω is (ω3 Ω1, ω1 Ω2, ω2 Ω3): the places of ω̇2, ω̇3, ω̇1.
+        // The sums are (ω3 Ω1, ω1 Ω2, ω2 Ω3): the places of ω̇2, ω̇3, ω̇1.
         let omega = *ratios * self.omega.turned().turned();
-        let seen =
-            self.seen.map(|[[b1, c1], [a2, c2], [a3, b3]]| Row([b3 - c2, c1 - a3, a2 - b1, b1.like(0.0)]));
-        Parts { turn: Row(turn), omega, seen }
+        let [u, v] = self.seen;
+        Parts { turn: Row(turn), omega, seen: [cross(u), cross(v)] }
     }
+}
+
+/// Plus the components of v that Ωᵢ does not belong to, times Ωᵢ.
+#[inline(always)]
+fn plus_others<N: Number>(sums: [[N; 2]; 3], v: Row<N>, [o1, o2, o3]: [N; 3]) -> [[N; 2]; 3] {
+    let ([a, b, c, _], [p, q, r]) = (v.0, sums);
+    [
+        [b.mul_add(o1, p[0]), c.mul_add(o1, p[1])],
+        [a.mul_add(o2, q[0]), c.mul_add(o2, q[1])],
+        [a.mul_add(o3, r[0]), b.mul_add(o3, r[1])],
+    ]
+}
+
+/// v × Ω of these sums.
+#[inline(always)]
+fn cross<N: Number>([[b1, c1], [a2, c2], [a3, b3]]: [[N; 2]; 3]) -> Row<N> {
+    Row([b3 - c2, c1 - a3, a2 - b1, b1.like(0.0)])
 }

@@ -413,7 +413,8 @@ impl<N: Number> Expansion<N> {
         // ω = 0 has none, even where nothing turns: the larger of NaN and a number is the number.
         let (omega, turn) = (self.omega_at(n), self.motion[n].x.first());
         let size = (omega.largest() * unit).zip(turn.largest(), f64::max);
-        let ([inverse, _], [x, y, z, w]) = (INVERSES[n], (omega - omega + (turn - turn)).0);
+        let none = Row::splat(self.zero());
+        let ([inverse, _], [x, y, z, w]) = (INVERSES[n], (omega * none + turn * none).0);
         size.map(|size| rough_log2(size) * -inverse) + ((x + y) + (z + w))
     }
 

@@ -99,7 +99,7 @@ pub(super) type Motion<N = f64> = [Coefficient<N>; TERMS];
 #[inline(always)]
 pub(super) fn mirrored<N>(motion: &Motion<N>, n: usize) -> (Option<&Coefficient<N>>, [&[Coefficient<N>]; 2]) {
     let count = (n - 1) / 2;
-    let middle = if n % 2 == 0 { Some(&motion[n / 2]) } else { None };
+    let middle = if n.is_multiple_of(2) { Some(&motion[n / 2]) } else { None };
     (middle, [&motion[n - count..n], &motion[1..=count]])
 }
 

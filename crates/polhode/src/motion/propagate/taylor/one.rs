@@ -243,14 +243,14 @@ impl<S: Machine> ByFours<S> {
         // Chains of their own: all are as new.
         let mut more_x = law.starts[0][0] * omega[0];
         let mut more_y = law.starts[1][0] * omega[0];
-        for axis in 0..3 {
+        for (axis, omega) in omega.into_iter().enumerate() {
             x = law.turned[0][axis].mul_add(self.turn(new_x, axis), x);
             if LAYOUT == MOVING {
                 y = law.turned[1][axis].mul_add(self.vector(new_y, axis), y);
             }
             if axis > 0 {
-                more_x = law.starts[0][axis].mul_add(omega[axis], more_x);
-                more_y = law.starts[1][axis].mul_add(omega[axis], more_y);
+                more_x = law.starts[0][axis].mul_add(omega, more_x);
+                more_y = law.starts[1][axis].mul_add(omega, more_y);
             }
         }
         if LAYOUT == CARRYING || LAYOUT == GENERAL {

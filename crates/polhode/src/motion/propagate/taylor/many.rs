@@ -6,7 +6,7 @@
 
 use super::pair::Pair;
 use super::recurrence::{
-    ALONE, CARRYING, Coefficient, GENERAL, MOVING, Motion, Recurrence, Terms, mirrored, over,
+    ALONE, CARRYING, Coefficient, GENERAL, MOVING, Motion, Recurrence, Terms, mirrored, moving_start, over,
 };
 use super::row::Row;
 use super::sums::SideBySide;
@@ -49,24 +49,21 @@ impl<S: Machine> Recurrence for SideBySide<S> {
     fn first<const LAYOUT: u8>(
         self,
         law: &Law<S::Eight>,
-        _: &Motion<S::Eight>,
+        motion: &Motion<S::Eight>,
         terms: &Terms<S::Eight>,
         [low, more]: [Row<S::Eight>; 2],
     ) -> [Pair<S::Eight>; 2] {
         let none = self.none();
+        if LAYOUT == MOVING {
+            let sum = Parts::of::<LAYOUT>(moving_start(&motion[0], terms));
+            return law.with_moving(sum, &Parts { omega: low, ..none }).pairs::<LAYOUT>();
+        }
         let mut next = law.plus_starts::<LAYOUT>(none, law.turning);
         next.omega = next.omega + if LAYOUT == GENERAL { more } else { terms.constant };
-        let [u, v] = law.seen;
         if LAYOUT == CARRYING {
             for (diagonal, factors) in terms.seen.iter().enumerate() {
-                next.omega = factors.mul_add(across(u, diagonal), next.omega);
+                next.omega = factors.mul_add(across(law.seen[0], diagonal), next.omega);
             }
-        }
-        if LAYOUT == MOVING {
-            let bent = terms.bending * across(u, 2);
-            next.omega = bent.mul_add(across(u, 1), next.omega);
-            let pull = Row::splat(-terms.pull);
-            next.seen = [next.seen[0] + v, pull.mul_add(u, next.seen[1])];
         }
         self.with::<LAYOUT>(law, next, &Parts { omega: low, ..none }, low).pairs::<LAYOUT>()
     }
@@ -86,6 +83,9 @@ impl<S: Machine> Recurrence for SideBySide<S> {
         let mut sum = sums.turned(&terms.ratios);
         if LAYOUT == MOVING {
             sum.omega = terms.bending.mul_add(sums.square.turned(), sum.omega);
+            sum.seen[0] = (sums.crossing[1] - sums.crossing[0]).turned();
+            let next_parts = law.with_moving(sum, &Parts::of::<LAYOUT>(newest));
+            return next_parts.over::<LAYOUT>(next).pairs::<LAYOUT>();
         }
         if LAYOUT == GENERAL {
             sum.omega = sum.omega + more;
@@ -132,7 +132,7 @@ impl<N: Number> Parts<N> {
         let (turn, second) = (x.first(), x.second());
         match LAYOUT {
             ALONE => Self { turn, omega: second, seen: [none; 2] },
-            MOVING => Self { turn, omega: y.first(), seen: [second, y.second()] },
+            MOVING => Self { turn, omega: y.first(), seen: [y.second(), second] },
             _ => Self { turn, omega: y.first(), seen: [second, none] },
         }
     }
@@ -144,7 +144,7 @@ impl<N: Number> Parts<N> {
         let omega = omega.vector();
         match LAYOUT {
             ALONE => [Pair::new(turn, omega); 2],
-            MOVING => [Pair::new(turn, u.vector()), Pair::new(omega, v.vector())],
+            MOVING => [Pair::new(turn, v.vector()), Pair::new(omega, u.vector())],
             _ => [Pair::new(turn, u.vector()), Pair::new(omega, none)],
         }
     }
@@ -165,7 +165,6 @@ impl<N: Number> Parts<N> {
         let [u, v] = self.seen;
         let seen = match LAYOUT {
             ALONE => [u, v],
-            MOVING => [u + b.seen[0], v + b.seen[1]],
             _ => [u + b.seen[0], v],
         };
         Self { turn: self.turn + b.turn, omega: self.omega + b.omega, seen }
@@ -211,6 +210,43 @@ impl<N: Number> Law<N> {
         Parts { turn, omega, seen: sum.seen }
     }
 
+    /// The same where a vector moves.
+    #[inline(always)]
+    fn with_moving(&self, sum: Parts<N>, new: &Parts<N>) -> Parts<N> {
+        let Terms { ratios, damping: [Row(b1), Row(b2), Row(b3)], bending, pull, is_damped, .. } = self.terms;
+        let ([w, x, y, z], [h1, h2, h3, _]) = (new.turn.0, half(self.turning).0);
+        let ([k1, k2, k3, zero], [a, b, c, d]) = (half(new.omega).0, sum.turn.0);
+        let turn = Row([
+            (-y).mul_add(h2, (-x).mul_add(h1, a)) + -z * h3,
+            (-z).mul_add(h2, w.mul_add(h1, b + k1)) + y * h3,
+            w.mul_add(h2, z.mul_add(h1, c + k2)) + -x * h3,
+            x.mul_add(h2, (-y).mul_add(h1, d + k3)) + w * h3,
+        ]);
+        let none = Row::splat(zero.like(0.0));
+        let ([u, v], [start_u, start_v], omega) = (new.seen, self.seen, new.omega);
+        let [ahead, behind] = [self.turning.turned(), self.turning.turned().turned()];
+        let (mut own, mut first, mut second) = (sum.omega, behind * ratios, ahead * ratios);
+        if is_damped {
+            own = Row([b1[0], b2[1], b3[2], zero]).mul_add(omega, own);
+            first = behind.mul_add(ratios, Row([b2[0], b3[1], b1[2], zero]));
+            second = ahead.mul_add(ratios, Row([b3[0], b1[1], b2[2], zero]));
+        }
+        let own = first.mul_add(across(omega, 1), own);
+        let more = second * across(omega, 2);
+        let more = (bending * across(start_u, 2)).mul_add(across(u, 1), more);
+        let more = (bending * across(start_u, 1)).mul_add(across(u, 2), more);
+        let next_u = behind.mul_add(across(u, 1), sum.seen[0] + v);
+        let more_u = (none - ahead) * across(u, 2);
+        let more_u = (none - across(start_u, 2)).mul_add(across(omega, 1), more_u);
+        let more_u = across(start_u, 1).mul_add(across(omega, 2), more_u);
+        let next_v = Row::splat(-pull).mul_add(u, sum.seen[1]);
+        let next_v = behind.mul_add(across(v, 1), next_v);
+        let next_v = (none - ahead).mul_add(across(v, 2), next_v);
+        let more_v = (none - across(start_v, 2)) * across(omega, 1);
+        let more_v = across(start_v, 1).mul_add(across(omega, 2), more_v);
+        Parts { turn, omega: own + more, seen: [next_u + more_u, next_v + more_v] }
+    }
+
     /// Plus Tᵢ of what a step starts from times the components of Ω.
     #[inline(always)]
     fn plus_starts<const LAYOUT: u8>(&self, sum: Parts<N>, turning: Row<N>) -> Parts<N> {
@@ -231,7 +267,6 @@ impl<N: Number> Law<N> {
         let [u, v] = sum.seen;
         let seen = match LAYOUT {
             ALONE => [u, v],
-            MOVING => [crossed(u, self.seen[0], turning), crossed(v, self.seen[1], turning)],
             _ => [crossed(u, self.seen[0], turning), v],
         };
         let [x, y, z] = omega;
@@ -248,7 +283,6 @@ impl<N: Number> Law<N> {
         let [u, v] = sum.seen;
         let seen = match LAYOUT {
             ALONE => [u, v],
-            MOVING => [crossed(u, new.seen[0], self.turning), crossed(v, new.seen[1], self.turning)],
             _ => [crossed(u, new.seen[0], self.turning), v],
         };
         let [x, y, z] = omega;
@@ -289,13 +323,14 @@ fn crossed<N: Number>(sum: Row<N>, v: Row<N>, turning: Row<N>) -> Row<N> {
 }
 
 /// Sums of products: of the turn with each component of Ω; of ω as (ω3 Ω1, ω1 Ω2, ω2 Ω3); of u and v with components that are not their own, by the
-/// component of Ω; of u and u turned.
+/// component of Ω; of u and u turned, and of ω and u turned, u and ω turned, where u moves.
 #[derive(Clone, Copy)]
 struct Outer<N> {
     turn: [Row<N>; 3],
     omega: Row<N>,
     seen: [[[N; 2]; 3]; 2],
     square: Row<N>,
+    crossing: [Row<N>; 2],
 }
 
 impl<S: Machine> SideBySide<S> {
@@ -314,19 +349,10 @@ impl<S: Machine> SideBySide<S> {
         let terms = &law.terms;
         let starts = law.plus_starts::<LAYOUT>(self.none(), turning);
         let mut sum = law.plus_turned::<LAYOUT>(sum, new).plus::<LAYOUT>(&starts);
-        let [u, v] = new.seen;
         if LAYOUT == CARRYING {
-            let [a, b, c] = terms.seen;
+            let (u, [a, b, c]) = (new.seen[0], terms.seen);
             let across = c.mul_add(across(u, 2), b.mul_add(across(u, 1), a * across(u, 0)));
             sum.omega = sum.omega + across;
-        }
-        if LAYOUT == MOVING {
-            let (to_first, to_second) =
-                (terms.bending * across(law.seen[0], 2), terms.bending * across(law.seen[0], 1));
-            let across = to_second.mul_add(across(u, 2), to_first * across(u, 1));
-            sum.omega = sum.omega + across;
-            let pull = Row::splat(-terms.pull);
-            sum.seen = [sum.seen[0] + v, sum.seen[1] + pull * u];
         }
         sum
     }
@@ -342,7 +368,8 @@ impl<S: Machine> SideBySide<S> {
     fn before<const LAYOUT: u8>(self, motion: &Motion<S::Eight>, n: usize) -> Outer<S::Eight> {
         let zero = self.0.eight(0.0);
         let none = Row::splat(zero);
-        let none = Outer { turn: [none; 3], omega: none, seen: [[[zero; 2]; 3]; 2], square: none };
+        let seen = [[[zero; 2]; 3]; 2];
+        let none = Outer { turn: [none; 3], omega: none, seen, square: none, crossing: [none; 2] };
         let (mut up, mut down) = (none, none);
         let (middle, [ups, downs]) = mirrored(motion, n);
         if let Some(middle) = middle {
@@ -361,7 +388,7 @@ impl<S: Machine> SideBySide<S> {
 impl<N: Number> Outer<N> {
     #[inline(always)]
     fn plus<const LAYOUT: u8>(mut self, a: &Coefficient<N>, b: &Coefficient<N>) -> Self {
-        let ([o1, o2, o3], other) = (b.turning::<LAYOUT>(), b.x.second());
+        let ([o1, o2, o3], [other_omega, other_u]) = (b.turning::<LAYOUT>(), [b.y.first(), b.y.second()]);
         let Coefficient { x, y, .. } = a;
         let q = x.first();
         let omega = if LAYOUT == ALONE { x.second() } else { y.first() };
@@ -371,13 +398,14 @@ impl<N: Number> Outer<N> {
         let ([w1, w2, w3, _], [a, b, c, zero]) = (omega.0, self.omega.0);
         self.omega = Row([w3.mul_add(o1, a), w1.mul_add(o2, b), w2.mul_add(o3, c), zero]);
         if LAYOUT != ALONE {
-            self.seen[0] = plus_others(self.seen[0], x.second(), [o1, o2, o3]);
+            let part = if LAYOUT == MOVING { 1 } else { 0 };
+            self.seen[part] = plus_others(self.seen[part], x.second(), [o1, o2, o3]);
         }
         if LAYOUT == MOVING {
-            self.seen[1] = plus_others(self.seen[1], y.second(), [o1, o2, o3]);
-        }
-        if LAYOUT == MOVING {
-            self.square = x.second().mul_add(other.turned(), self.square);
+            let u = y.second();
+            self.square = u.mul_add(other_u.turned(), self.square);
+            let [first, second] = self.crossing;
+            self.crossing = [omega.mul_add(other_u.turned(), first), u.mul_add(other_omega.turned(), second)];
         }
         self
     }
@@ -388,7 +416,7 @@ impl<N: Number> Outer<N> {
         for axis in 0..3 {
             self.turn[axis] = self.turn[axis] + b.turn[axis];
             for part in 0..2 {
-                if LAYOUT == MOVING || LAYOUT != ALONE && part == 0 {
+                if LAYOUT == MOVING && part == 1 || (LAYOUT == CARRYING || LAYOUT == GENERAL) && part == 0 {
                     for k in 0..2 {
                         self.seen[part][axis][k] = self.seen[part][axis][k] + b.seen[part][axis][k];
                     }
@@ -398,6 +426,7 @@ impl<N: Number> Outer<N> {
         self.omega = self.omega + b.omega;
         if LAYOUT == MOVING {
             self.square = self.square + b.square;
+            self.crossing = [self.crossing[0] + b.crossing[0], self.crossing[1] + b.crossing[1]];
         }
         self
     }

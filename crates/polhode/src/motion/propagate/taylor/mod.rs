@@ -227,7 +227,7 @@ impl<N: Number> Expansion<N> {
         let turn = Row([one, zero, zero, zero]);
         let pairs = match self.layout {
             ALONE => [Pair::new(turn, at.omega); 2],
-            MOVING => [Pair::new(turn, u), Pair::new(at.omega, v)],
+            MOVING => [Pair::new(turn, v), Pair::new(at.omega, u)],
             _ => [Pair::new(turn, u), Pair::new(at.omega, at.omega.turned())],
         };
         self.motion[0].set::<GENERAL>(pairs);
@@ -355,12 +355,12 @@ impl<N: Number> Expansion<N> {
     /// Coefficient n of the torque where the recurrence has all.
     #[inline(always)]
     fn own_torque<M: Recurrence<N = N>>(&mut self, s: M, n: usize) -> Row<N> {
-        let (x, omega) = (self.motion[n].x, self.omega.rows.at(n));
+        let (Coefficient { x, y, .. }, omega) = (self.motion[n], self.omega.rows.at(n));
         let mut torque = self.affine.torque(n, x.second(), omega);
         if self.layout == MOVING {
             let known = Known { s, omega: &self.omega, turning: &self.omega, motion: &self.motion };
             for series in &mut self.torques {
-                series.know(n, x.second());
+                series.know(n, y.second());
                 torque = torque + series.coefficient(n, &known);
             }
         }

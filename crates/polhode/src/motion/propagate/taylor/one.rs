@@ -6,7 +6,7 @@
 use super::pair::Pair;
 use super::recurrence::{
     ALONE, CARRYING, CROSS, Coefficient, EULER, GENERAL, MOVING, Motion, Recurrence, TURN, Terms, mirrored,
-    over,
+    moving_start, over,
 };
 use super::row::Row;
 use super::sums::ByFours;
@@ -16,18 +16,16 @@ use crate::math::number::MulAdd;
 /// What newest coefficients of one body are multiplied by.
 #[derive(Clone, Copy)]
 pub(super) struct Law<E> {
-    /// Tᵢ: of x, and of y.
+    /// Tᵢ: of x, and of y; of products where a vector moves.
     maps: [[E; 3]; 2],
     /// Ωᵢ Tᵢ, Ω at the start.
     turned: [[E; 3]; 2],
     /// Tᵢ x and Tᵢ y at the start, with B.
     starts: [[E; 3]; 2],
-    /// What goes from u to ω̇: A, or G times what it meets; from ω to q where there is no u.
+    /// What goes from u to ω̇; from ω to q where there is no u.
     across: [E; 3],
-    /// G
-    bending: E,
-    /// −s
-    pull: E,
+    /// What goes to x and to y where a vector moves, in the order of [`ByFours::with_moving`].
+    moving: [[E; 5]; 2],
 }
 
 impl<S: Machine> Recurrence for ByFours<S> {
@@ -57,8 +55,7 @@ impl<S: Machine> Recurrence for ByFours<S> {
             turned: [[zero; 3]; 2],
             starts: [[zero; 3]; 2],
             across: [zero; 3],
-            bending: zero,
-            pull: zero,
+            moving: [[zero; 5]; 2],
         };
         for axis in 0..3 {
             let (euler, damping) = (Row(EULER[axis]) * ratios, terms.damping[axis]);
@@ -68,24 +65,19 @@ impl<S: Machine> Recurrence for ByFours<S> {
             law.turned[0][axis] = map * omega[axis];
             let damped = if LAYOUT == ALONE { self.both(none, damping) } else { zero };
             law.starts[0][axis] = self.turn(x, axis).mul_add(map, damped);
-            if LAYOUT == MOVING {
-                let map = self.both(euler, Row(CROSS[axis]));
-                law.maps[1][axis] = map;
-                law.turned[1][axis] = map * omega[axis];
-                law.starts[1][axis] = self.vector(y, axis).mul_add(map, self.both(damping, none));
-            } else if LAYOUT != ALONE {
+            if LAYOUT == CARRYING || LAYOUT == GENERAL {
                 law.starts[1][axis] = self.euler(y, axis).mul_add(self.twice(euler), self.twice(damping));
             }
         }
+        // ∂ω̇/∂ω, diagonal by diagonal: (ω2 ω3)ₙ has ω3 of the start times ω2, and ω2 of the start times ω3.
+        let [b1, b2, b3] = terms.damping.map(|column| column.0);
+        let (first, second) = (Row([o3, o1, o2, 0.0]), Row([o2, o3, o1, 0.0]));
+        let diagonals = [
+            Row([b1[0], b2[1], b3[2], 0.0]),
+            first.mul_add(ratios, Row([b2[0], b3[1], b1[2], 0.0])),
+            second.mul_add(ratios, Row([b3[0], b1[1], b2[2], 0.0])),
+        ];
         if LAYOUT == ALONE {
-            // ∂ω̇/∂ω, diagonal by diagonal: (ω2 ω3)ₙ has ω3 of the start times ω2, and ω2 of the start times ω3.
-            let [b1, b2, b3] = terms.damping.map(|column| column.0);
-            let (first, second) = (Row([o3, o1, o2, 0.0]), Row([o2, o3, o1, 0.0]));
-            let diagonals = [
-                Row([b1[0], b2[1], b3[2], 0.0]),
-                first.mul_add(ratios, Row([b2[0], b3[1], b1[2], 0.0])),
-                second.mul_add(ratios, Row([b3[0], b1[1], b2[2], 0.0])),
-            ];
             for (axis, diagonal) in diagonals.into_iter().enumerate() {
                 law.turned[0][axis] =
                     self.both(Row(TURN[axis]), none).mul_add(omega[axis], self.both(none, diagonal));
@@ -104,12 +96,26 @@ impl<S: Machine> Recurrence for ByFours<S> {
             }
         }
         if LAYOUT == MOVING {
-            // (u2 u3)ₙ has u3 of the start times u2, and u2 of the start times u3.
-            law.bending = self.both(terms.bending, none);
-            law.across[1] = law.bending * self.across::<LAYOUT>(x, 2);
-            law.across[2] = law.bending * self.across::<LAYOUT>(x, 1);
-            let pull = -terms.pull;
-            law.pull = self.both(none, Row([pull, pull, pull, 0.0]));
+            let (ones, pull) = (Row([1.0, 1.0, 1.0, 0.0]), -terms.pull);
+            let (u, v, bending) =
+                (motion[0].y.second().turned(), motion[0].x.second().turned(), terms.bending);
+            law.maps[1][0] = self.both(ratios, ones);
+            law.maps[1][1] = self.both(bending, none - ones);
+            let turn = |axis: usize, o: f64| Row(TURN[axis]) * Row([o; 4]);
+            law.moving[0] = [
+                self.both(Row([0.0, 0.5, 0.5, 0.5]), Row([pull, pull, pull, 0.0])),
+                self.both(turn(0, o1), first),
+                self.both(turn(1, o2), none - second),
+                self.both(turn(2, o3), none - v.turned()),
+                self.both(none, v),
+            ];
+            law.moving[1] = [
+                self.both(diagonals[0], ones),
+                self.both(diagonals[1], first),
+                self.both(diagonals[2], none - second),
+                self.both(bending * u.turned(), none - u.turned()),
+                self.both(bending * u, u),
+            ];
         }
         law
     }
@@ -123,31 +129,29 @@ impl<S: Machine> Recurrence for ByFours<S> {
         [low, more]: [Row; 2],
     ) -> [S::Eight; 2] {
         let s = self.0;
+        if LAYOUT == MOVING {
+            let [x, y] = moving_start(&motion[0], terms);
+            let new = [s.eight(0.0), self.both(low, Row::ZERO)];
+            return self.with_moving(law, [self.places(&x), self.places(&y)], new);
+        }
         let [l1, l2, l3, _] = low.0;
         let low_omega = [s.eight(l1), s.eight(l2), s.eight(l3)];
         let [o1, o2, o3] = motion[0].turning::<LAYOUT>();
         let omega = [s.eight(o1), s.eight(o2), s.eight(o3)];
         let (none, constant) = (Row::ZERO, if LAYOUT == GENERAL { more } else { terms.constant });
-        let mut x = self.sum(&law.starts[0], omega);
+        let x = self.sum(&law.starts[0], omega);
         if LAYOUT == ALONE {
-            x = x + self.both(none, constant);
+            let x = x + self.both(none, constant);
             return self.with::<LAYOUT>(law, [x, x], [self.both(none, low), s.eight(0.0)], low_omega);
         }
-        let constant = if LAYOUT == MOVING { self.both(constant, none) } else { self.twice(constant) };
-        let mut y = self.sum(&law.starts[1], omega) + constant;
-        let (x0, y0) = (self.places(&motion[0].x), self.places(&motion[0].y));
+        let mut y = self.sum(&law.starts[1], omega) + self.twice(constant);
         if LAYOUT == CARRYING {
+            let x0 = self.places(&motion[0].x);
             for diagonal in 0..3 {
-                y = law.across[diagonal].mul_add(self.across::<LAYOUT>(x0, diagonal), y);
+                y = law.across[diagonal].mul_add(self.across(x0, diagonal), y);
             }
         }
-        if LAYOUT == MOVING {
-            y = law.across[1].mul_add(self.across::<LAYOUT>(x0, 1), y);
-            y = law.pull.mul_add(x0, y);
-            x = self.second().mul_add(y0, x);
-        }
-        let low = if LAYOUT == MOVING { self.both(low, none) } else { self.twice(low) };
-        self.with::<LAYOUT>(law, [x, y], [s.eight(0.0), low], low_omega)
+        self.with::<LAYOUT>(law, [x, y], [s.eight(0.0), self.twice(low)], low_omega)
     }
 
     #[inline(always)]
@@ -163,16 +167,23 @@ impl<S: Machine> Recurrence for ByFours<S> {
         let sums = self.before::<LAYOUT>(motion, n, previous);
         let [new_x, new_y] = newest;
         motion[n].set::<LAYOUT>([self.pair(new_x), self.pair(new_y)]);
+        if LAYOUT == MOVING {
+            motion[n].turning = self.pair(self.turned(new_y));
+        }
         let [mut x, mut y] = [s.eight(0.0); 2];
         for axis in 0..3 {
             x = self.turn(sums.x[axis], axis).mul_add(law.maps[0][axis], x);
-            if LAYOUT == MOVING {
-                y = self.vector(sums.y[axis], axis).mul_add(law.maps[1][axis], y);
-            }
         }
         if LAYOUT == MOVING {
-            y = law.bending.mul_add(self.across::<LAYOUT>(sums.square, 1), y);
-        } else if LAYOUT != ALONE {
+            // (ω1 ω2 … | u1 u2 …) and (ω1 u2 … | u1 ω2 …), turned once more.
+            let [a, b, c, d, e, f, g, h] = s.eight_numbers(sums.square);
+            let [i, j, k, l, o, p, q, r] = s.eight_numbers(sums.crossing);
+            y = law.maps[1][0] * s.load_eight(&[b, c, a, d, p, q, o, r]);
+            y = law.maps[1][1].mul_add(s.load_eight(&[f, g, e, h, j, k, i, l]), y);
+            let [x, y] = self.with_moving(law, [x, y], newest);
+            return [over(x, next), over(y, next)];
+        }
+        if LAYOUT != ALONE {
             // ω times ω turned: turning once more brings (ω1 ω2, ω2 ω3, ω3 ω1) there.
             let others = Row(s.numbers(sums.others));
             y = law.maps[1][0] * self.twice(others.turned());
@@ -199,9 +210,9 @@ impl<S: Machine> Recurrence for ByFours<S> {
 struct Outer<F, E> {
     /// x times each component of Ω.
     x: [E; 3],
-    /// The same of y, and u times u turned, where v moves.
-    y: [E; 3],
+    /// y times y turned, row by row and crosswise, where v moves.
     square: E,
+    crossing: E,
     /// ω times ω turned elsewhere.
     others: F,
 }
@@ -212,7 +223,7 @@ struct Factors<F, E> {
     y: E,
     /// The components of Ω.
     omega: [E; 3],
-    /// u turned, in the second row.
+    /// Both rows of y turned.
     turned: E,
     /// ω, and that turned.
     row: F,
@@ -245,9 +256,6 @@ impl<S: Machine> ByFours<S> {
         let mut more_y = law.starts[1][0] * omega[0];
         for (axis, omega) in omega.into_iter().enumerate() {
             x = law.turned[0][axis].mul_add(self.turn(new_x, axis), x);
-            if LAYOUT == MOVING {
-                y = law.turned[1][axis].mul_add(self.vector(new_y, axis), y);
-            }
             if axis > 0 {
                 more_x = law.starts[0][axis].mul_add(omega, more_x);
                 more_y = law.starts[1][axis].mul_add(omega, more_y);
@@ -256,26 +264,48 @@ impl<S: Machine> ByFours<S> {
         if LAYOUT == CARRYING || LAYOUT == GENERAL {
             y = law.turned[1][0].mul_add(self.turned(new_y), y);
         }
-        let [mut x, mut y] = [x + more_x, y + more_y];
+        let [x, mut y] = [x + more_x, y + more_y];
         if LAYOUT == CARRYING {
-            let across = law.across[0] * self.across::<LAYOUT>(new_x, 0);
-            let across = law.across[1].mul_add(self.across::<LAYOUT>(new_x, 1), across);
-            y = y + law.across[2].mul_add(self.across::<LAYOUT>(new_x, 2), across);
-        }
-        if LAYOUT == MOVING {
-            let across = law.across[1] * self.across::<LAYOUT>(new_x, 1);
-            let across = law.across[2].mul_add(self.across::<LAYOUT>(new_x, 2), across);
-            y = y + law.pull.mul_add(new_x, across);
-            x = self.second().mul_add(new_y, x);
+            let across = law.across[0] * self.across(new_x, 0);
+            let across = law.across[1].mul_add(self.across(new_x, 1), across);
+            y = y + law.across[2].mul_add(self.across(new_x, 2), across);
         }
         [x, y]
+    }
+
+    /// The same where a vector moves. The turn starts from 1: q ∘ ω has half of ω.
+    #[inline(always)]
+    fn with_moving(
+        self,
+        law: &Law<S::Eight>,
+        [x, y]: [S::Eight; 2],
+        [new_x, new_y]: [S::Eight; 2],
+    ) -> [S::Eight; 2] {
+        let s = self.0;
+        let ([q0, q1, q2, q3, v1, v2, v3, v4], [w1, w2, w3, w4, u1, u2, u3, u4]) =
+            (s.eight_numbers(new_x), s.eight_numbers(new_y));
+        let (once, twice) = (self.turned(new_y), s.load_eight(&[w3, w1, w2, w4, u3, u1, u2, u4]));
+        let twice_crossed = s.load_eight(&[u3, u1, u2, u4, w3, w1, w2, w4]);
+        let [first, second, third, fourth, fifth] = law.moving[1];
+        let y = first.mul_add(s.load_eight(&[w1, w2, w3, w4, v1, v2, v3, v4]), y);
+        let y = second.mul_add(once, y);
+        let more_y = third * twice;
+        let more_y = fourth.mul_add(self.exchanged(once), more_y);
+        let more_y = fifth.mul_add(twice_crossed, more_y);
+        let [first, second, third, fourth, fifth] = law.moving[0];
+        let x = first.mul_add(s.load_eight(&[w4, w1, w2, w3, u1, u2, u3, u4]), x);
+        let x = second.mul_add(s.load_eight(&[q1, q0, q3, q2, v2, v3, v1, v4]), x);
+        let x = third.mul_add(s.load_eight(&[q2, q3, q0, q1, v3, v1, v2, v4]), x);
+        let more_x = fourth * s.load_eight(&[q3, q2, q1, q0, w2, w3, w1, w4]);
+        let more_x = fifth.mul_add(twice_crossed, more_x);
+        [x + more_x, y + more_y]
     }
 
     /// Products of coefficients 1 … n − 1; those of n − 1 itself are in registers still.
     #[inline(always)]
     fn before<const LAYOUT: u8>(self, motion: &Motion, n: usize, previous: [S::Eight; 2]) -> OuterOf<S> {
         let none = self.0.eight(0.0);
-        let none = Outer { x: [none; 3], y: [none; 3], square: none, others: self.0.splat(0.0) };
+        let none = Outer { x: [none; 3], square: none, crossing: none, others: self.0.splat(0.0) };
         let (mut up, mut down) = (none, none);
         let (middle, [ups, downs]) = mirrored(motion, n);
         if let Some(middle) = middle {
@@ -289,7 +319,7 @@ impl<S: Machine> ByFours<S> {
                 down = self.products::<LAYOUT>(down, &b, &a);
             }
             let mut a = self.held::<LAYOUT>(previous);
-            if LAYOUT == GENERAL {
+            if LAYOUT == GENERAL || LAYOUT == MOVING {
                 a.omega = self.loaded::<LAYOUT>(&motion[n - 1]).omega;
             }
             let b = self.loaded::<LAYOUT>(first);
@@ -298,8 +328,8 @@ impl<S: Machine> ByFours<S> {
         }
         for axis in 0..3 {
             up.x[axis] = up.x[axis] + down.x[axis];
-            up.y[axis] = up.y[axis] + down.y[axis];
         }
+        up.crossing = up.crossing + down.crossing;
         up.square = up.square + down.square;
         up.others = up.others + down.others;
         up
@@ -315,12 +345,10 @@ impl<S: Machine> ByFours<S> {
     ) -> OuterOf<S> {
         for axis in 0..3 {
             sums.x[axis] = a.x.mul_add(b.omega[axis], sums.x[axis]);
-            if LAYOUT == MOVING {
-                sums.y[axis] = a.y.mul_add(b.omega[axis], sums.y[axis]);
-            }
         }
         if LAYOUT == MOVING {
-            sums.square = a.x.mul_add(b.turned, sums.square);
+            sums.square = a.y.mul_add(b.turned, sums.square);
+            sums.crossing = a.y.mul_add(self.exchanged(b.turned), sums.crossing);
         } else if LAYOUT != ALONE {
             sums.others = a.row.mul_add(b.row_turned, sums.others);
         }
@@ -331,12 +359,11 @@ impl<S: Machine> ByFours<S> {
     fn loaded<const LAYOUT: u8>(self, of: &Coefficient) -> FactorsOf<S> {
         let s = self.0;
         let [o1, o2, o3] = of.turning::<LAYOUT>();
-        let [w, i, j, k, a, b, c, d] = of.x.0;
         Factors {
             x: self.places(&of.x),
             y: self.places(&of.y),
             omega: [s.eight(o1), s.eight(o2), s.eight(o3)],
-            turned: self.places(&Pair([w, i, j, k, b, c, a, d])),
+            turned: self.places(&of.turning),
             row: s.load(&of.y.first().0),
             row_turned: s.load(&of.y.second().0),
         }
@@ -350,10 +377,15 @@ impl<S: Machine> ByFours<S> {
         } else {
             [self.each::<0>(y), self.each::<1>(y), self.each::<2>(y)]
         };
-        let [w, i, j, k, a, b, c, d] = s.eight_numbers(x);
-        let turned = self.places(&Pair([w, i, j, k, b, c, a, d]));
         let rows = self.pair(y);
-        Factors { x, y, omega, turned, row: s.load(&rows.first().0), row_turned: s.load(&rows.second().0) }
+        Factors {
+            x,
+            y,
+            omega,
+            turned: self.turned(y),
+            row: s.load(&rows.first().0),
+            row_turned: s.load(&rows.second().0),
+        }
     }
 
     /// The numbers of (q ∘ eᵢ, v × eᵢ), to be multiplied by their signs; of ω in the second row too.
@@ -379,17 +411,6 @@ impl<S: Machine> ByFours<S> {
         })
     }
 
-    /// The same of (ω, v).
-    #[inline(always)]
-    fn vector(self, pair: S::Eight, axis: usize) -> S::Eight {
-        let [x, y, z, w, a, b, c, d] = self.0.eight_numbers(pair);
-        self.0.load_eight(&match axis {
-            0 => [x, z, y, w, a, c, b, d],
-            1 => [z, y, x, w, c, b, a, d],
-            _ => [y, x, z, w, b, a, c, d],
-        })
-    }
-
     /// The same of ω, and that turned.
     #[inline(always)]
     fn euler(self, pair: S::Eight, axis: usize) -> S::Eight {
@@ -408,17 +429,21 @@ impl<S: Machine> ByFours<S> {
         self.0.load_eight(&[y, z, x, w, b, c, a, d])
     }
 
-    /// u in the first row, (u1, u2, u3), (u2, u3, u1) or (u3, u1, u2), and that turned in the second, if it is ω's too.
+    /// The second row first.
     #[inline(always)]
-    fn across<const LAYOUT: u8>(self, pair: S::Eight, diagonal: usize) -> S::Eight {
+    fn exchanged(self, pair: S::Eight) -> S::Eight {
         let [w, x, y, z, a, b, c, d] = self.0.eight_numbers(pair);
-        self.0.load_eight(&match (LAYOUT, diagonal) {
-            (CARRYING, 0) => [a, b, c, d, b, c, a, d],
-            (CARRYING, 1) => [b, c, a, d, c, a, b, d],
-            (CARRYING, _) => [c, a, b, d, a, b, c, d],
-            (_, 0) => [a, b, c, d, w, x, y, z],
-            (_, 1) => [b, c, a, d, w, x, y, z],
-            _ => [c, a, b, d, w, x, y, z],
+        self.0.load_eight(&[a, b, c, d, w, x, y, z])
+    }
+
+    /// u in the first row, (u1, u2, u3), (u2, u3, u1) or (u3, u1, u2), and that turned in the second.
+    #[inline(always)]
+    fn across(self, pair: S::Eight, diagonal: usize) -> S::Eight {
+        let [.., a, b, c, d] = self.0.eight_numbers(pair);
+        self.0.load_eight(&match diagonal {
+            0 => [a, b, c, d, b, c, a, d],
+            1 => [b, c, a, d, c, a, b, d],
+            _ => [c, a, b, d, a, b, c, d],
         })
     }
 
@@ -437,12 +462,6 @@ impl<S: Machine> ByFours<S> {
     #[inline(always)]
     fn sum(self, a: &[S::Eight; 3], b: [S::Eight; 3]) -> S::Eight {
         a[2].mul_add(b[2], a[1].mul_add(b[1], a[0].mul_add(b[0], self.0.eight(0.0))))
-    }
-
-    /// 1 in the places of the second row's vector.
-    #[inline(always)]
-    fn second(self) -> S::Eight {
-        self.0.load_eight(&[0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 0.0])
     }
 
     /// The number of a place in every place.

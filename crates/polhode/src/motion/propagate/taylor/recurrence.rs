@@ -12,13 +12,14 @@
 use super::pair::Pair;
 use super::row::{INVERSES, Row, TERMS};
 use super::sums::Sums;
-use crate::math::number::Number;
+use crate::math::number::{MulAdd, Number};
 
 /// x = (q, ω), and no y: there is no vector of space. ω̇ = Tω + c + B ω.
 pub(super) const ALONE: u8 = 0;
 /// x = (q, u), y = (ω, ω turned), u constant in space: u̇ = u × ω, ω̇ = Tω + c + A u + B ω.
 pub(super) const CARRYING: u8 = 1;
-/// x = (q, u), y = (ω, v), u = ρ on a circular orbit: u̇ = u × ω + v, v̇ = v × ω − s u, ω̇ = Tω + c + B ω + G (u2 u3, u3 u1, u1 u2).
+/// x = (q, v), y = (ω, u), and y turned: so ω with ω, u with u and ω with u, row by row, are all that ω̇ and u̇ need. u = ρ on a circular orbit:
+/// u̇ = u × ω + v, v̇ = v × ω − s u, ω̇ = Tω + c + B ω + G (u2 u3, u3 u1, u1 u2).
 pub(super) const MOVING: u8 = 2;
 /// x = (q, u), y = (ω, ω turned), u̇ = u × Ω; all of ω̇ but Tω is found elsewhere, and Ω may be another one.
 pub(super) const GENERAL: u8 = 3;
@@ -61,7 +62,7 @@ impl<N: Number> Terms<N> {
 pub(super) struct Coefficient<N = f64> {
     pub(super) x: Pair<N>,
     pub(super) y: Pair<N>,
-    /// (Ω, 0) of the general layout.
+    /// (Ω, 0) of the general layout; both rows of y turned where a vector moves.
     pub(super) turning: Pair<N>,
 }
 
@@ -89,6 +90,27 @@ impl<N: Number> Coefficient<N> {
         };
         if LAYOUT == ALONE { [d, e, f] } else { [a, b, c] }
     }
+}
+
+/// Coefficients 1 where a vector moves, but for what ω at the start is beyond its rounding.
+#[inline(always)]
+pub(super) fn moving_start<N: Number>(start: &Coefficient<N>, terms: &Terms<N>) -> [Pair<N>; 2] {
+    let (v, omega, u) = (start.x.second(), start.y.first(), start.y.second());
+    let [o1, o2, o3, zero] = omega.0;
+    let (half, none) = (o1.like(0.5), Row::splat(o1.like(0.0)));
+    let cross = |v: Row<N>| {
+        let ahead = v.turned();
+        ahead.mul_add(omega.turned().turned(), none - ahead.turned() * omega.turned())
+    };
+    let mut rate = terms.constant;
+    for (column, o) in terms.damping.into_iter().zip([o1, o2, o3]) {
+        rate = column.mul_add(Row::splat(o), rate);
+    }
+    rate = (terms.ratios * omega.turned()).mul_add(omega.turned().turned(), rate);
+    rate = (terms.bending * u.turned()).mul_add(u.turned().turned(), rate);
+    let pulled = Row::splat(-terms.pull).mul_add(u, cross(v));
+    let turn = Row([zero, half * o1, half * o2, half * o3]);
+    [Pair::new(turn, pulled), Pair::new(rate, cross(u) + v)]
 }
 
 /// The Taylor coefficients of what turns, from the constants on.

@@ -56,7 +56,7 @@ impl<S: Machine> Recurrence for SideBySide<S> {
         let none = self.none();
         if LAYOUT == MOVING {
             let sum = Parts::of::<LAYOUT>(moving_start(&motion[0], terms));
-            return law.with_moving(sum, &Parts { omega: low, ..none }).pairs::<LAYOUT>();
+            return self.with::<LAYOUT>(law, sum, &Parts { omega: low, ..none }, low).pairs::<LAYOUT>();
         }
         let mut next = law.plus_starts::<LAYOUT>(none, law.turning);
         next.omega = next.omega + if LAYOUT == GENERAL { more } else { terms.constant };
@@ -84,19 +84,13 @@ impl<S: Machine> Recurrence for SideBySide<S> {
         if LAYOUT == MOVING {
             sum.omega = terms.bending.mul_add(sums.square.turned(), sum.omega);
             sum.seen[0] = (sums.crossing[1] - sums.crossing[0]).turned();
-            let next_parts = law.with_moving(sum, &Parts::of::<LAYOUT>(newest));
-            return next_parts.over::<LAYOUT>(next).pairs::<LAYOUT>();
         }
         if LAYOUT == GENERAL {
             sum.omega = sum.omega + more;
         }
-        let sum = sum.over::<LAYOUT>(next);
-        let new = Parts::of::<LAYOUT>(newest).over::<LAYOUT>(next);
-        let turning = match LAYOUT {
-            GENERAL => row_over(turning::<LAYOUT, _>(&motion[n]), next),
-            _ => new.omega,
-        };
-        self.with::<LAYOUT>(law, sum, &new, turning).pairs::<LAYOUT>()
+        let new = Parts::of::<LAYOUT>(newest);
+        let turning = if LAYOUT == GENERAL { turning::<LAYOUT, _>(&motion[n]) } else { new.omega };
+        self.with::<LAYOUT>(law, sum, &new, turning).over::<LAYOUT>(next).pairs::<LAYOUT>()
     }
 }
 
@@ -345,6 +339,9 @@ impl<S: Machine> SideBySide<S> {
     ) -> Parts<S::Eight> {
         if LAYOUT == ALONE {
             return law.with_alone(sum, new);
+        }
+        if LAYOUT == MOVING {
+            return law.with_moving(sum, new);
         }
         let terms = &law.terms;
         let starts = law.plus_starts::<LAYOUT>(self.none(), turning);

@@ -62,13 +62,25 @@ struct Expansion<N = f64> {
     rider: Option<usize>,
     /// What acts inside the body, if anything does.
     inside: Option<Box<Inside<N>>>,
-    /// ω once more, where others need it.
-    omega: Vectors<N>,
-    torque: Series<N>,
+    /// What others than the recurrence need, if there are any.
+    beside: Option<Box<Beside<N>>>,
     evidence: Option<Box<Evidence<N>>>,
     order: usize,
     /// log₂ of the part of the radius of convergence that a step may go.
     reach: f64,
+}
+
+/// ω once more, and the torque.
+#[derive(Clone, Debug)]
+struct Beside<N> {
+    omega: Vectors<N>,
+    torque: Series<N>,
+}
+
+impl<N: Number> Beside<N> {
+    fn all(zero: N) -> Box<Self> {
+        Box::new(Self { omega: Vectors::all(zero), torque: Series::all(zero) })
+    }
 }
 
 /// The angular impulse as the turning body sees it, and the work, component by component.
@@ -126,8 +138,7 @@ impl<N: Number> Expansion<N> {
             torques: Vec::new(),
             rider: None,
             inside: None,
-            omega: Vectors::all(zero),
-            torque: Series::all(zero),
+            beside: None,
             evidence,
             order,
             reach: reach(order, remainder(tolerance)),
@@ -154,7 +165,9 @@ impl<N: Number> Expansion<N> {
         let rider = self.torques.iter().position(TorqueSeries::can_ride);
         self.rider = rider.filter(|_| !self.affine.carries());
         // Nothing of a torque that has ended.
-        (self.torque, self.terms) = (Series::all(zero), Terms::none(zero));
+        let has_beside = self.layout == GENERAL || self.evidence.is_some() || self.is_thin;
+        self.beside = has_beside.then(|| Beside::all(zero));
+        self.terms = Terms::none(zero);
         if let Some(evidence) = &mut self.evidence {
             evidence.impulse = Seen::all(zero);
         }
@@ -177,7 +190,10 @@ impl<N: Number> Expansion<N> {
         let inverses = Row([over(1.0, i1), over(1.0, i2), over(1.0, i3), 0.0]);
         self.moments.put(lane, Row([i1, i2, i3, 0.0]));
         self.inverses.put(lane, inverses);
-        self.is_thin |= i1 == 0.0;
+        if i1 == 0.0 {
+            self.is_thin = true;
+            self.beside.get_or_insert_with(|| Beside::all(self.moments.0[0].like(0.0)));
+        }
         // With wheels and friction it is [`Inside`] that finds ω̇.
         if self.inside.is_none() {
             let ratios = Row([over(i2 - i3, i1), over(i3 - i1, i2), over(i1 - i2, i3), 0.0]);
@@ -205,7 +221,8 @@ impl<N: Number> Expansion<N> {
 
     /// The torque along an axis without inertia; only a rod has one, and it is the first.
     fn unbalanced(&self, lane: usize) -> Option<f64> {
-        let (inverse, torque) = (self.inverses.0[0].lane(lane), self.torque[0].0[0].lane(lane));
+        let torque = self.beside.as_ref()?.torque[0].0[0].lane(lane);
+        let inverse = self.inverses.0[0].lane(lane);
         (inverse == 0.0 && torque != 0.0).then_some(torque)
     }
 
@@ -277,8 +294,7 @@ impl<N: Number> Expansion<N> {
         self.motion[self.order].set::<LAYOUT>([s.pair(x), s.pair(y)]);
         if self.is_thin {
             self.know_omega(0);
-            let torque = self.own_torque(s, 0);
-            self.torque.set(0, torque);
+            self.know_torque(s, 0);
         }
     }
 
@@ -305,30 +321,32 @@ impl<N: Number> Expansion<N> {
     #[inline(always)]
     fn other_acceleration<M: Recurrence<N = N>>(&mut self, s: M, n: usize) -> Row<N> {
         self.know_omega(n);
-        let (x, omega) = (self.motion[n].x, self.omega.rows.at(n));
-        let none = Row::splat(omega.0[0].like(0.0));
+        let none = Row::splat(self.zero());
+        let Some(Beside { omega: series, torque: place }) = self.beside.as_deref_mut() else { return none };
+        let (x, omega) = (self.motion[n].x, series.rows.at(n));
         let mut rate = self.affine.acceleration(n, x.second(), omega);
         let turning = if let Some(inside) = &mut self.inside {
-            rate = rate + inside.extend(s, n, self.moments, self.inverses, &self.omega);
+            rate = rate + inside.extend(s, n, self.moments, self.inverses, series);
             &inside.turning
         } else {
-            &self.omega
+            &*series
         };
         self.motion[n].turning = Pair::new(turning.rows.at(n), none);
-        let known = Known { s, omega: &self.omega, turning, motion: &self.motion };
+        let known = Known { s, omega: series, turning, motion: &self.motion };
         let mut torque = none;
         for series in &mut self.torques {
             torque = torque + series.coefficient(n, &known);
         }
-        self.torque.set(n, torque + self.affine.torque(n, x.second(), omega));
+        place.set(n, torque + self.affine.torque(n, x.second(), omega));
         rate + self.inverses * torque
     }
 
     /// What torques need for coefficient n + 1 beside the motion; with the vector that is expanded beside the turn.
     #[inline(always)]
     fn carried_on<M: Recurrence<N = N>>(&mut self, s: M, n: usize, newest: [M::Places; 2]) -> [M::Places; 2] {
-        let turning = self.inside.as_ref().map_or(&self.omega, |inside| &inside.turning);
-        let known = Known { s, omega: &self.omega, turning, motion: &self.motion };
+        let Some(Beside { omega, .. }) = self.beside.as_deref() else { return newest };
+        let turning = self.inside.as_ref().map_or(omega, |inside| &inside.turning);
+        let known = Known { s, omega, turning, motion: &self.motion };
         let [mut x, y] = newest;
         for (k, series) in self.torques.iter_mut().enumerate() {
             let pair = s.pair(x);
@@ -344,7 +362,10 @@ impl<N: Number> Expansion<N> {
     /// ω for those that need it by itself.
     #[inline(always)]
     fn know_omega(&mut self, n: usize) {
-        self.omega.set(n, self.omega_at(n));
+        let omega = self.omega_at(n);
+        if let Some(beside) = &mut self.beside {
+            beside.omega.set(n, omega);
+        }
     }
 
     #[inline(always)]
@@ -352,19 +373,20 @@ impl<N: Number> Expansion<N> {
         if self.layout == ALONE { self.motion[n].x.second() } else { self.motion[n].y.first() }
     }
 
-    /// Coefficient n of the torque where the recurrence has all.
+    /// Finds coefficient n of the torque where the recurrence has all.
     #[inline(always)]
-    fn own_torque<M: Recurrence<N = N>>(&mut self, s: M, n: usize) -> Row<N> {
-        let (Coefficient { x, y, .. }, omega) = (self.motion[n], self.omega.rows.at(n));
+    fn know_torque<M: Recurrence<N = N>>(&mut self, s: M, n: usize) {
+        let Some(Beside { omega: series, torque: place }) = self.beside.as_deref_mut() else { return };
+        let (Coefficient { x, y, .. }, omega) = (self.motion[n], series.rows.at(n));
         let mut torque = self.affine.torque(n, x.second(), omega);
         if self.layout == MOVING {
-            let known = Known { s, omega: &self.omega, turning: &self.omega, motion: &self.motion };
+            let known = Known { s, omega: series, turning: series, motion: &self.motion };
             for series in &mut self.torques {
                 series.know(n, y.second());
                 torque = torque + series.coefficient(n, &known);
             }
         }
-        torque
+        place.set(n, torque);
     }
 
     /// Finds the series of impulse and work.
@@ -374,16 +396,16 @@ impl<N: Number> Expansion<N> {
         for n in 0..self.order {
             if self.layout != GENERAL {
                 self.know_omega(n);
-                let torque = self.own_torque(s, n);
-                self.torque.set(n, torque);
+                self.know_torque(s, n);
             }
+            let Some(Beside { omega, torque }) = self.beside.as_deref() else { return };
             let (turning, power) = match &self.inside {
                 Some(inside) => (&inside.turning, inside.power.at(n)),
-                None => (&self.omega, none),
+                None => (omega, none),
             };
             let Some(Evidence { impulse, work }) = self.evidence.as_deref_mut() else { return };
-            impulse.extend(s, n, turning, self.torque.at(n));
-            let power = power + s.product(&self.torque, &self.omega.rows, n);
+            impulse.extend(s, n, turning, torque.at(n));
+            let power = power + s.product(torque, &omega.rows, n);
             work.set(n + 1, power.over(n + 1));
         }
     }

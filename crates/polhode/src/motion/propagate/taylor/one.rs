@@ -180,10 +180,7 @@ impl<S: Machine> Recurrence for ByFours<S> {
             let [i, j, k, l, o, p, q, r] = s.eight_numbers(sums.crossing);
             y = law.maps[1][0] * s.load_eight(&[b, c, a, d, p, q, o, r]);
             y = law.maps[1][1].mul_add(s.load_eight(&[f, g, e, h, j, k, i, l]), y);
-            let [x, y] = self.with_moving(law, [x, y], newest);
-            return [over(x, next), over(y, next)];
-        }
-        if LAYOUT != ALONE {
+        } else if LAYOUT != ALONE {
             // ω times ω turned: turning once more brings (ω1 ω2, ω2 ω3, ω3 ω1) there.
             let others = Row(s.numbers(sums.others));
             y = law.maps[1][0] * self.twice(others.turned());
@@ -191,17 +188,18 @@ impl<S: Machine> Recurrence for ByFours<S> {
         if LAYOUT == GENERAL {
             y = y + self.twice(more);
         }
-        let [x, y] = [over(x, next), over(y, next)];
-        let [new_x, new_y] = [over(new_x, next), over(new_y, next)];
-        let omega = if LAYOUT == ALONE {
-            [s.eight(0.0); 3]
-        } else if LAYOUT == GENERAL {
-            let [o1, o2, o3] = motion[n].turning::<LAYOUT>();
-            [over(s.eight(o1), next), over(s.eight(o2), next), over(s.eight(o3), next)]
-        } else {
+        let omega = if LAYOUT == CARRYING {
             [self.each::<0>(new_y), self.each::<1>(new_y), self.each::<2>(new_y)]
+        } else {
+            let [o1, o2, o3] = motion[n].turning::<LAYOUT>();
+            [s.eight(o1), s.eight(o2), s.eight(o3)]
         };
-        self.with::<LAYOUT>(law, [x, y], [new_x, new_y], omega)
+        let [x, y] = if LAYOUT == MOVING {
+            self.with_moving(law, [x, y], newest)
+        } else {
+            self.with::<LAYOUT>(law, [x, y], newest, omega)
+        };
+        [over(x, next), over(y, next)]
     }
 }
 

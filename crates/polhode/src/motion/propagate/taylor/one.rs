@@ -324,9 +324,8 @@ impl<S: Machine> ByFours<S> {
             up = self.products::<LAYOUT>(up, &a, &b);
             down = self.products::<LAYOUT>(down, &b, &a);
         }
-        for axis in 0..3 {
-            up.x[axis] = up.x[axis] + down.x[axis];
-        }
+        let ([a, b, c], [d, e, f]) = (up.x, down.x);
+        up.x = [a + d, b + e, c + f];
         up.crossing = up.crossing + down.crossing;
         up.square = up.square + down.square;
         up.others = up.others + down.others;

@@ -48,6 +48,12 @@ fn main() -> Result<(), Box<dyn Error>> {
             }
         }
     }
+    // What is left is rounding, and one start is one draw of it.
+    for k in 0..12 {
+        let mut problem = Problem { name: "tops", ..heavy_top()? };
+        problem.start.omega = AngularVelocity::new(0.0, 0.0, 5.0 + 0.01 * f64::from(k));
+        run(&problem, "taylor", TIGHTEST_TOLERANCE, Method::Taylor)?;
+    }
     Ok(())
 }
 

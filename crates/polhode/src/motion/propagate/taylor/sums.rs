@@ -1,8 +1,7 @@
 //! Sums of products of Taylor coefficients, as the machine does them best.
 //!
-//! Almost all the time of a step is spent in these sums. Of one body ([`ByFours`]) three things count: what needs the newest coefficients
-//! comes last, so that the processor works on all else while those are still being made; loops have few, foreseeable ends: they go by
-//! fours, beyond the coefficients that are known too, where they meet zeros; and what is multiplied by the same numbers is in one register.
+//! Those of the motion itself are in `one.rs` and `many.rs`. Of one body ([`ByFours`]) loops have few, foreseeable ends: they go by fours, beyond
+//! the coefficients that are known too, where they meet zeros.
 //!
 //! Of eight bodies ([`SideBySide`]) there is enough to do meanwhile, and loops end where they should. The order of the terms is the same,
 //! and a sum that begins with +0 does not change by zeros: so each lane has the bits that its body has alone.

@@ -136,7 +136,7 @@ impl<'a, 'b, N: Number> Fleet<'a, 'b, N> {
             failures: Vec::new(),
             lanes: (0..N::LANES).map(|_| None).collect(),
             rounds: 0,
-            expansion: Box::new(Expansion::of(zero, &piece, work.tolerance, false)),
+            expansion: Expansion::of(zero, &piece, work.tolerance, false),
             base: Base::all(zero),
             omega_scale: zero,
             end: zero,

@@ -49,11 +49,11 @@ impl<N: Number> Row<N> {
         Self([f(a[0], b[0]), f(a[1], b[1]), f(a[2], b[2]), f(a[3], b[3])])
     }
 
-    /// The largest magnitude; what is no number has none.
+    /// The largest magnitude, if none is no number.
     #[inline(always)]
     pub(super) fn largest(self) -> N {
-        let zero = self.0[0].like(0.0);
-        self.0.into_iter().fold(zero, |most, x| most.zip(x, |most, x| most.max(x.abs())))
+        let [x, y, z, w] = self.0.map(|x| x.map(f64::abs));
+        larger(larger(x, y), larger(z, w))
     }
 
     /// A vector. Of eight bodies w, a register of its own, is known to be zero.
@@ -87,6 +87,12 @@ impl<N: Number> Row<N> {
     pub(super) fn lane(&self, lane: usize) -> Row {
         Row([self.0[0].lane(lane), self.0[1].lane(lane), self.0[2].lane(lane), self.0[3].lane(lane)])
     }
+}
+
+/// The larger of two numbers: one instruction, where f64::max has a few for what is no number.
+#[inline(always)]
+pub(super) fn larger<N: Number>(a: N, b: N) -> N {
+    a.zip(b, |a, b| if a > b { a } else { b })
 }
 
 /// The bits of an exponent, and of its least that is normal.

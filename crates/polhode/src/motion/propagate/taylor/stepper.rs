@@ -24,10 +24,12 @@ pub(in crate::motion::propagate) struct Taylor<'a> {
     expansion: Box<Expansion>,
     /// Body axes from principal ones.
     to_body: Rotation<Body, Principal>,
-    /// What the expansion is about.
-    base: Base,
-    /// Now.
-    head: Base,
+    /// Where the last step began and where it ended, in turn: what a step starts from stays where it is.
+    places: [Base; 2],
+    /// Which of them is now.
+    now: usize,
+    /// The series are about now: there is no last step.
+    is_expanded: bool,
     /// Work and impulse at the base and now, if they are wanted.
     evidence: Option<[Evidence; 2]>,
     h: f64,
@@ -54,13 +56,14 @@ impl<'a> Taylor<'a> {
         let to_body = piece.rotor.principal().rotation();
         let head = Base::new(&start, to_body);
         let mut taylor = Self {
-            expansion: Box::new(Expansion::of_one(&piece, tolerance, with_evidence)),
+            expansion: Expansion::of_one(&piece, tolerance, with_evidence),
             // A body at rest is measured by how fast the torque makes it.
             omega_scale: start.omega.norm().max(torque_rate(&piece)),
             piece,
             to_body,
-            base: head,
-            head,
+            places: [head; 2],
+            now: 0,
+            is_expanded: false,
             evidence: with_evidence.then(Default::default),
             h: 0.0,
             rate: head.rate(),
@@ -87,14 +90,16 @@ impl<'a> Taylor<'a> {
     /// # Errors
     /// As [`crate::motion::propagate::stepper::Stepper::step`].
     pub(in crate::motion::propagate) fn step(&mut self, until: f64) -> Result<(), MotionError> {
-        let expands = self.base.time != self.head.time;
+        let expands = !self.is_expanded;
         if expands {
             self.begin();
         }
-        let time = self.base.time;
-        let Self { expansion, base, h, omega_scale, .. } = self;
-        let landing = in_vectors(Leap { expansion, base, expands, h: *h, scale: *omega_scale, until });
+        let Self { expansion, places: [first, second], now, h, omega_scale, .. } = self;
+        let (base, head) = if *now == 0 { (&*first, second) } else { (&*second, first) };
+        let time = base.time;
+        let landing = in_vectors(Leap { expansion, base, head, expands, h: *h, scale: *omega_scale, until });
         if expands {
+            self.is_expanded = true;
             self.statistics.evaluations += self.expansion.order as u64;
             self.require_balance()?;
         }
@@ -108,9 +113,10 @@ impl<'a> Taylor<'a> {
         if landing.flaw != 0.0 {
             return Err(MotionError::NotFinite { time });
         }
-        self.head = landing.head;
+        self.now = 1 - self.now;
+        self.is_expanded = false;
         if let Some([base, head]) = &mut self.evidence {
-            *head = base.plus(&landing.more, self.head.rotation());
+            *head = base.plus(&landing.more, self.places[self.now].rotation());
         }
         self.omega_scale = self.omega_scale.max(landing.rate);
         self.rate = landing.rate;
@@ -120,21 +126,32 @@ impl<'a> Taylor<'a> {
 
     /// Goes back to a time within the last step.
     pub(in crate::motion::propagate) fn cut(&mut self, time: f64) {
-        if time != self.head.time {
-            let more = self.expansion.after(time - self.base.time);
-            self.head = self.base.plus(&more, time);
-            self.rate = self.head.rate();
-            if let Some([base, head]) = &mut self.evidence {
-                *head = base.plus(&more, self.head.rotation());
+        if time != self.head().time {
+            let more = self.expansion.after(time - self.base().time);
+            let head = self.base().plus(&more, time);
+            self.rate = head.rate();
+            if let Some([base, there]) = &mut self.evidence {
+                *there = base.plus(&more, head.rotation());
             }
+            self.places[self.now] = head;
         }
+    }
+
+    /// What the series are about.
+    fn base(&self) -> &Base {
+        &self.places[if self.is_expanded { self.now } else { 1 - self.now }]
+    }
+
+    fn head(&self) -> &Base {
+        &self.places[self.now]
     }
 
     /// # Errors
     /// [`MotionError::TorqueWithoutInertia`] if nothing would balance the torque.
     fn expand(&mut self) -> Result<(), MotionError> {
         self.begin();
-        self.expansion.expand_about(&self.base.start());
+        self.is_expanded = true;
+        self.expansion.expand_about(&self.head().start());
         self.require_balance()?;
         self.h = self.expansion.step(self.omega_scale);
         self.statistics.evaluations += self.expansion.order as u64;
@@ -143,16 +160,16 @@ impl<'a> Taylor<'a> {
 
     /// A step begins where the last one has led.
     fn begin(&mut self) {
-        self.base = self.head;
         if let Some([base, head]) = &mut self.evidence {
             *base = *head;
         }
-        self.expansion.start_wheels(0, self.base.time, &self.piece);
+        let time = self.head().time;
+        self.expansion.start_wheels(0, time, &self.piece);
     }
 
     fn require_balance(&self) -> Result<(), MotionError> {
         match self.expansion.unbalanced(0) {
-            Some(torque) => Err(MotionError::TorqueWithoutInertia { torque, time: self.base.time }),
+            Some(torque) => Err(MotionError::TorqueWithoutInertia { torque, time: self.head().time }),
             None => Ok(()),
         }
     }
@@ -163,7 +180,7 @@ impl<'a> Taylor<'a> {
     }
 
     pub(in crate::motion::propagate) fn time(&self) -> f64 {
-        self.head.time
+        self.head().time
     }
 
     /// The step that the tolerance allows, s: that of the last step until the next.
@@ -176,13 +193,13 @@ impl<'a> Taylor<'a> {
     }
 
     pub(in crate::motion::propagate) fn now(&self) -> Balanced {
-        self.balanced(&self.head, self.evidence.map(|[_, head]| head))
+        self.balanced(self.head(), self.evidence.map(|[_, head]| head))
     }
 
     /// The state at a time within the last step.
     pub(in crate::motion::propagate) fn at(&self, time: f64) -> Balanced {
-        let more = self.expansion.after(time - self.base.time);
-        let there = self.base.plus(&more, time);
+        let more = self.expansion.after(time - self.base().time);
+        let there = self.base().plus(&more, time);
         let evidence = self.evidence.map(|[base, _]| base.plus(&more, there.rotation()));
         self.balanced(&there, evidence)
     }
@@ -198,6 +215,7 @@ impl<'a> Taylor<'a> {
 struct Leap<'a> {
     expansion: &'a mut Expansion,
     base: &'a Base,
+    head: &'a mut Base,
     expands: bool,
     /// The step that the tolerance allows, where the series are there.
     h: f64,
@@ -211,7 +229,6 @@ struct Landing {
     allowed: f64,
     h: f64,
     more: Increment,
-    head: Base,
     /// Zero of what is finite.
     flaw: f64,
     /// |ω|
@@ -223,7 +240,7 @@ impl Work for Leap<'_> {
 
     #[inline(always)]
     fn run<S: Machine>(self, s: S) -> Landing {
-        let Self { expansion, base, expands, h, scale, until } = self;
+        let Self { expansion, base, head, expands, h, scale, until } = self;
         let allowed = if expands {
             expansion.start(&base.start());
             expansion.expand(ByFours(s));
@@ -236,8 +253,8 @@ impl Work for Leap<'_> {
         let (h, end) = if wanted >= rest { (rest, until) } else { (wanted, time + wanted) };
         // What rounding makes of the time is part of the step: left out, it was most of the error of a free body after 100 s at 1e-15.
         let more = expansion.at(ByFours(s), end - time);
-        let head = base.plus(&more, end);
-        Landing { allowed, h, more, flaw: head.flaw(), rate: head.rate(), head }
+        *head = base.plus(&more, end);
+        Landing { allowed, h, more, flaw: head.flaw(), rate: head.rate() }
     }
 }
 

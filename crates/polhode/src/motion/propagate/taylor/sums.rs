@@ -118,19 +118,28 @@ impl<S: Machine> Sums for ByFours<S> {
 
 /// c₁ h + c₂ h² + …
 #[inline(always)]
-fn polynomial<T, N: MulAdd + Mul<Output = N>>(c: &[T], load: impl Fn(&T) -> N, none: N, h: N) -> N {
-    // Odd and even powers by themselves: two short chains instead of a long one.
+fn polynomial<T, N: MulAdd + Mul<Output = N>>(
+    c: &[T],
+    load: impl Fn(&T) -> N,
+    none: N,
+    h: N,
+) -> N {
+    // Every fourth power by itself: four short chains instead of a long one.
     let square = h * h;
-    let (mut odd, mut even) = (none, none);
-    let (pairs, last) = c.as_chunks();
-    if let [last] = last {
-        odd = load(last);
+    let fourth = square * square;
+    let mut sums = [none; 4];
+    let (fours, last) = c.as_chunks::<4>();
+    for (sum, c) in sums.iter_mut().zip(last) {
+        *sum = load(c);
     }
-    for [first, second] in pairs.iter().rev() {
-        odd = odd.mul_add(square, load(first));
-        even = even.mul_add(square, load(second));
+    for [first, second, third, last] in fours.iter().rev() {
+        sums[0] = sums[0].mul_add(fourth, load(first));
+        sums[1] = sums[1].mul_add(fourth, load(second));
+        sums[2] = sums[2].mul_add(fourth, load(third));
+        sums[3] = sums[3].mul_add(fourth, load(last));
     }
-    even.mul_add(h, odd) * h
+    let [first, second, third, last] = sums;
+    last.mul_add(h, third).mul_add(square, second.mul_add(h, first)) * h
 }
 
 /// Eight bodies, a row in four registers.

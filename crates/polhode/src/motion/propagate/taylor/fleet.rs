@@ -6,6 +6,7 @@
 use super::Expansion;
 use super::base::Base;
 use super::recurrence::Recurrence;
+use super::row::smaller;
 use super::stepper::torque_rate;
 use super::sums::{SideBySide, Sums};
 use super::torque::{Shape, from_outside};
@@ -220,7 +221,7 @@ impl<'a, 'b, N: Number> Fleet<'a, 'b, N> {
     fn step<M: Sums<N = N>>(&mut self, s: M) {
         let time = self.base.time;
         let (allowed, rest) = (self.expansion.step(self.omega_scale), self.end - time);
-        let wanted = allowed.zip(self.expansion.reach(), f64::min);
+        let wanted = smaller(allowed, self.expansion.reach());
         let h = wanted.zip(rest, |wanted, rest| if wanted >= rest { rest } else { wanted });
         let is_last = wanted.zip(rest, |wanted, rest| f64::from(u8::from(wanted >= rest)));
         let until =

@@ -125,7 +125,7 @@ impl<N: Number> Parts<N> {
         let none = Row::splat(x.0[0].like(0.0));
         let (turn, second) = (x.first(), x.second());
         match LAYOUT {
-            ALONE => Self { turn, omega: second, seen: [none; 2] },
+            ALONE => Self { turn, omega: second.imaginary(), seen: [none; 2] },
             MOVING => Self { turn, omega: y.first(), seen: [y.second(), second] },
             _ => Self { turn, omega: y.first(), seen: [second, none] },
         }
@@ -137,7 +137,7 @@ impl<N: Number> Parts<N> {
         let none = Row::splat(turn.0[0].like(0.0));
         let omega = omega.vector();
         match LAYOUT {
-            ALONE => [Pair::new(turn, omega); 2],
+            ALONE => [Pair::new(turn, omega.pure()); 2],
             MOVING => [Pair::new(turn, v.vector()), Pair::new(omega, u.vector())],
             _ => [Pair::new(turn, u.vector()), Pair::new(omega, none)],
         }
@@ -179,27 +179,29 @@ impl<N: Number> Law<N> {
         let ([b1, b2, b3], Row([o1, o2, o3, _]), Row([w1, w2, w3, _])) =
             ([b1.0, b2.0, b3.0], self.turning, new.omega);
         let Row([x, y, z, zero]) = sum.omega;
-        let (mut own, mut first, mut second) =
-            ([x, y, z], [o3 * r1, o1 * r2, o2 * r3], [o2 * r1, o3 * r2, o1 * r3]);
+        // ∂ω̇ᵢ/∂ωⱼ
+        let (mut d12, mut d13, mut d21) = (o3 * r1, o2 * r1, o3 * r2);
+        let (mut d23, mut d31, mut d32) = (o1 * r2, o2 * r3, o1 * r3);
+        let mut own = [zero; 3];
         if is_damped {
-            own = [b1[0].mul_add(w1, x), b2[1].mul_add(w2, y), b3[2].mul_add(w3, z)];
-            first = [o3.mul_add(r1, b2[0]), o1.mul_add(r2, b3[1]), o2.mul_add(r3, b1[2])];
-            second = [o2.mul_add(r1, b3[0]), o3.mul_add(r2, b1[1]), o1.mul_add(r3, b2[2])];
+            (d12, d13, d21) = (o3.mul_add(r1, b2[0]), o2.mul_add(r1, b3[0]), o3.mul_add(r2, b1[1]));
+            (d23, d31, d32) = (o1.mul_add(r2, b3[1]), o2.mul_add(r3, b1[2]), o1.mul_add(r3, b2[2]));
+            own = [b1[0] * w1, b2[1] * w2, b3[2] * w3];
         }
         let omega = Row([
-            first[0].mul_add(w2, own[0]) + second[0] * w3,
-            first[1].mul_add(w3, own[1]) + second[1] * w1,
-            first[2].mul_add(w1, own[2]) + second[2] * w2,
+            (d13 * w3 + x) + d12.mul_add(w2, own[0]),
+            (d23 * w3 + y) + d21.mul_add(w1, own[1]),
+            (d31.mul_add(w1, d32 * w2) + z) + own[2],
             zero,
         ]);
         let ([w, x, y, z], [h1, h2, h3, _], [a, b, c, d]) = (new.turn.0, half(self.turning).0, sum.turn.0);
         // Half of ω, and q ∘ e3 Ω3.
         let [k1, k2, k3, _] = half(new.omega).0;
         let turn = Row([
-            (-y).mul_add(h2, (-x).mul_add(h1, a)) + -z * h3,
-            (-z).mul_add(h2, w.mul_add(h1, b)) + y.mul_add(h3, k1),
-            w.mul_add(h2, z.mul_add(h1, c)) + (-x).mul_add(h3, k2),
-            x.mul_add(h2, (-y).mul_add(h1, d)) + w.mul_add(h3, k3),
+            ((-y).mul_add(h2, -x * h1) + a) + -z * h3,
+            ((-z).mul_add(h2, w * h1) + b) + y.mul_add(h3, k1),
+            (w.mul_add(h2, z * h1) + c) + (-x).mul_add(h3, k2),
+            (x.mul_add(h2, -y * h1) + d) + w.mul_add(h3, k3),
         ]);
         Parts { turn, omega, seen: sum.seen }
     }
@@ -388,7 +390,7 @@ impl<N: Number> Outer<N> {
         let ([o1, o2, o3], [other_omega, other_u]) = (b.turning::<LAYOUT>(), [b.y.first(), b.y.second()]);
         let Coefficient { x, y, .. } = a;
         let q = x.first();
-        let omega = if LAYOUT == ALONE { x.second() } else { y.first() };
+        let omega = if LAYOUT == ALONE { x.second().imaginary() } else { y.first() };
         let [q1, q2, q3] = self.turn;
         self.turn =
             [q.mul_add(Row::splat(o1), q1), q.mul_add(Row::splat(o2), q2), q.mul_add(Row::splat(o3), q3)];

@@ -31,7 +31,7 @@ pub(super) use stepper::Taylor;
 
 use pair::Pair;
 use recurrence::{ALONE, CARRYING, Coefficient, GENERAL, MOVING, Motion, Recurrence, Terms};
-use row::{INVERSES, Row, Series, TERMS, Vectors, larger};
+use row::{INVERSES, Row, Series, TERMS, Vectors, larger, smaller};
 use seen::Seen;
 use sums::{ByFours, Sums};
 use torque::{Affine, Known, StepStart, TorqueSeries, from_outside, row, split};
@@ -243,7 +243,7 @@ impl<N: Number> Expansion<N> {
         let [u, v] = self.affine.carried(at).map(|u| [u, none]).or_else(rider).unwrap_or([none; 2]);
         let turn = Row([one, zero, zero, zero]);
         let pairs = match self.layout {
-            ALONE => [Pair::new(turn, at.omega); 2],
+            ALONE => [Pair::new(turn, at.omega.pure()); 2],
             MOVING => [Pair::new(turn, v), Pair::new(at.omega, u)],
             _ => [Pair::new(turn, u), Pair::new(at.omega, at.omega.turned())],
         };
@@ -370,7 +370,7 @@ impl<N: Number> Expansion<N> {
 
     #[inline(always)]
     fn omega_at(&self, n: usize) -> Row<N> {
-        if self.layout == ALONE { self.motion[n].x.second() } else { self.motion[n].y.first() }
+        if self.layout == ALONE { self.motion[n].x.second().imaginary() } else { self.motion[n].y.first() }
     }
 
     /// Finds coefficient n of the torque where the recurrence has all.
@@ -412,18 +412,19 @@ impl<N: Number> Expansion<N> {
 
     /// The longest step at which the terms that are left out are as small as they should be; `scale` is what ω is measured with.
     ///
-    /// With a radius ρ = min (1/|xₚ|^(1/p), 1/|xₚ₋₁|^(1/(p−1))) they are about (h/ρ)^(p+1) / (1 − h/ρ).
+    /// With a radius ρ = min (1/|xₙ|^(1/n), 1/|xₙ₋₁|^(1/(n−1))) they are about (h/ρ)^(p+1) / (1 − h/ρ). n is less than p by [`EARLY`], so that ρ is found
+    /// while the last coefficients are.
     #[inline(always)]
     fn step(&self, scale: N) -> N {
-        let p = self.order;
+        let n = self.order - EARLY;
         let unit = scale.like(1.0) / scale;
-        let (last, before) = (self.log_radius(p, unit), self.log_radius(p - 1, unit));
-        let mut radius = last.zip(before, f64::min);
+        let (last, before) = (self.log_radius(n, unit), self.log_radius(n - 1, unit));
+        let mut radius = smaller(last, before);
         let flaw = last + before;
         for lane in (0..N::LANES).filter(|lane| flaw.lane(*lane).is_nan()) {
             // Coefficients that are beyond all numbers: the last two that are not.
             let pair = |n: usize| [n, n - 1].map(|n| self.log_radius(n, unit).lane(lane));
-            let sound = (2..=p).rev().map(pair).find(|[a, b]| a.is_finite() && b.is_finite());
+            let sound = (2..=n).rev().map(pair).find(|[a, b]| a.is_finite() && b.is_finite());
             radius.put(lane, sound.map_or(radius.lane(lane), |[a, b]| a.min(b)));
         }
         radius.map(|radius| rough_exp2(radius + self.reach))
@@ -444,7 +445,7 @@ impl<N: Number> Expansion<N> {
     #[inline(always)]
     fn reach(&self) -> N {
         let endless = self.zero().like(f64::INFINITY);
-        self.torques.iter().fold(endless, |least, torque| least.zip(torque.reach(endless), f64::min))
+        self.torques.iter().fold(endless, |least, torque| smaller(least, torque.reach(endless)))
     }
 
     /// What the motion adds until a time after the start.
@@ -453,7 +454,7 @@ impl<N: Number> Expansion<N> {
         let (p, zero) = (self.order, self.zero());
         let x = s.pair_increment(&self.motion, |c| &c.x, p, h);
         let omega = if self.layout == ALONE {
-            x.second()
+            x.second().imaginary()
         } else {
             s.pair_increment(&self.motion, |c| &c.y, p, h).first()
         };
@@ -555,7 +556,7 @@ fn order(tolerance: f64) -> usize {
 
 /// The terms that are left out at a tolerance: the errors of all steps add up, and less where steps are long.
 fn remainder(tolerance: f64) -> f64 {
-    let loosely = rough_exp2(0.3 * rough_log2(tolerance / 1e-9)).max(1.0);
+    let loosely = rough_exp2(0.35 * rough_log2(tolerance / 1e-9)).max(1.0);
     (4e-4 * tolerance * loosely).max(SMALLEST_REMAINDER)
 }
 
@@ -569,6 +570,9 @@ fn reach(order: usize, remainder: f64) -> f64 {
     let log = |x: f64| (remainder + rough_log2(1.0 - x)) * power;
     (0..3).fold(log(0.0), |x, _| log(rough_exp2(x)))
 }
+
+/// How many of the last coefficients the length of a step does not wait for.
+const EARLY: usize = 2;
 
 /// log₂ of a number that is not negative, to 0.043: a part in 600 of a step.
 ///

@@ -59,12 +59,12 @@ impl<S: Machine> Recurrence for ByFours<S> {
         };
         for axis in 0..3 {
             let (euler, damping) = (Row(EULER[axis]) * ratios, terms.damping[axis]);
-            let beside = if LAYOUT == ALONE { euler } else { Row(CROSS[axis]) };
+            let beside = if LAYOUT == ALONE { euler.pure() } else { Row(CROSS[axis]) };
             let map = self.both(Row(TURN[axis]), beside);
             law.maps[0][axis] = map;
             law.turned[0][axis] = map * omega[axis];
-            let damped = if LAYOUT == ALONE { self.both(none, damping) } else { zero };
-            law.starts[0][axis] = self.turn(x, axis).mul_add(map, damped);
+            let damped = if LAYOUT == ALONE { self.both(none, damping.pure()) } else { zero };
+            law.starts[0][axis] = self.turn::<LAYOUT>(x, axis).mul_add(map, damped);
             if LAYOUT == CARRYING || LAYOUT == GENERAL {
                 law.starts[1][axis] = self.euler(y, axis).mul_add(self.twice(euler), self.twice(damping));
             }
@@ -78,12 +78,19 @@ impl<S: Machine> Recurrence for ByFours<S> {
             second.mul_add(ratios, Row([b3[0], b1[1], b2[2], 0.0])),
         ];
         if LAYOUT == ALONE {
-            for (axis, diagonal) in diagonals.into_iter().enumerate() {
-                law.turned[0][axis] =
-                    self.both(Row(TURN[axis]), none).mul_add(omega[axis], self.both(none, diagonal));
+            // (ω2 ω3)ₙ has ω2 of the start times ω3 and ω3 times ω2: row 1 of what Ω2 and Ω3 are multiplied by.
+            let [r1, r2, r3, _] = ratios.0;
+            let columns = [
+                self.both(Row(TURN[0]), Row([0.0, 0.0, r2, r3])),
+                self.both(Row(TURN[1]), Row([0.0, r1, 0.0, r3])),
+                self.both(Row(TURN[2]), Row([0.0, r1, r2, 0.0])),
+            ];
+            let damping = [[0.0, 0.0, b3[1], b2[2]], [0.0, b3[0], 0.0, b1[2]], [0.0, b2[0], b1[1], 0.0]];
+            for (axis, damping) in damping.into_iter().enumerate() {
+                law.turned[0][axis] = columns[axis].mul_add(omega[axis], self.both(none, Row(damping)));
             }
             // The turn starts from 1: q ∘ ω has half of ω.
-            law.across[0] = self.both(Row([0.0, 0.5, 0.5, 0.5]), none);
+            law.across[0] = self.both(Row([0.0, 0.5, 0.5, 0.5]), Row([0.0, b1[0], b2[1], b3[2]]));
         }
         if LAYOUT == CARRYING || LAYOUT == GENERAL {
             // (ω2 Ω3 …) at once.
@@ -141,8 +148,8 @@ impl<S: Machine> Recurrence for ByFours<S> {
         let (none, constant) = (Row::ZERO, if LAYOUT == GENERAL { more } else { terms.constant });
         let x = self.sum(&law.starts[0], omega);
         if LAYOUT == ALONE {
-            let x = x + self.both(none, constant);
-            return self.with::<LAYOUT>(law, [x, x], [self.both(none, low), s.eight(0.0)], low_omega);
+            let x = x + self.both(none, constant.pure());
+            return self.with::<LAYOUT>(law, [x, x], [self.both(none, low.pure()), s.eight(0.0)], low_omega);
         }
         let mut y = self.sum(&law.starts[1], omega) + self.twice(constant);
         if LAYOUT == CARRYING {
@@ -170,10 +177,10 @@ impl<S: Machine> Recurrence for ByFours<S> {
         if LAYOUT == MOVING {
             motion[n].turning = self.pair(self.turned(new_y));
         }
-        let [mut x, mut y] = [s.eight(0.0); 2];
-        for axis in 0..3 {
-            x = self.turn(sums.x[axis], axis).mul_add(law.maps[0][axis], x);
-        }
+        let ([first, second, third], mut y) = (law.maps[0], s.eight(0.0));
+        let x = first * self.turn::<LAYOUT>(sums.x[0], 0);
+        let x = second.mul_add(self.turn::<LAYOUT>(sums.x[1], 1), x);
+        let x = x + third * self.turn::<LAYOUT>(sums.x[2], 2);
         if LAYOUT == MOVING {
             // (ω1 ω2 … | u1 u2 …) and (ω1 u2 … | u1 ω2 …), turned once more.
             let [a, b, c, d, e, f, g, h] = s.eight_numbers(sums.square);
@@ -243,17 +250,18 @@ impl<S: Machine> ByFours<S> {
     ) -> [S::Eight; 2] {
         if LAYOUT == ALONE {
             let [first, second, third] = law.turned[0];
-            let x = first.mul_add(self.alone(new_x, 0), x);
-            let more = law.across[0] * self.alone(new_x, 3);
-            let [x, more] =
-                [second.mul_add(self.alone(new_x, 1), x), third.mul_add(self.alone(new_x, 2), more)];
-            return [x + more; 2];
+            // What is known before comes in when the rest is nearly there.
+            let new = first * self.turn::<LAYOUT>(new_x, 0);
+            let more = law.across[0] * self.second_twice(new_x);
+            let new = second.mul_add(self.turn::<LAYOUT>(new_x, 1), new);
+            let more = third.mul_add(self.turn::<LAYOUT>(new_x, 2), more);
+            return [(new + x) + more; 2];
         }
         // Chains of their own: all are as new.
         let mut more_x = law.starts[0][0] * omega[0];
         let mut more_y = law.starts[1][0] * omega[0];
         for (axis, omega) in omega.into_iter().enumerate() {
-            x = law.turned[0][axis].mul_add(self.turn(new_x, axis), x);
+            x = law.turned[0][axis].mul_add(self.turn::<LAYOUT>(new_x, axis), x);
             if axis > 0 {
                 more_x = law.starts[0][axis].mul_add(omega, more_x);
                 more_y = law.starts[1][axis].mul_add(omega, more_y);
@@ -356,8 +364,9 @@ impl<S: Machine> ByFours<S> {
     fn loaded<const LAYOUT: u8>(self, of: &Coefficient) -> FactorsOf<S> {
         let s = self.0;
         let [o1, o2, o3] = of.turning::<LAYOUT>();
+        let x = self.places(&of.x);
         Factors {
-            x: self.places(&of.x),
+            x,
             y: self.places(&of.y),
             omega: [s.eight(o1), s.eight(o2), s.eight(o3)],
             turned: self.places(&of.turning),
@@ -370,7 +379,7 @@ impl<S: Machine> ByFours<S> {
     fn held<const LAYOUT: u8>(self, [x, y]: [S::Eight; 2]) -> FactorsOf<S> {
         let s = self.0;
         let omega = if LAYOUT == ALONE {
-            [self.each::<4>(x), self.each::<5>(x), self.each::<6>(x)]
+            [self.each::<5>(x), self.each::<6>(x), self.each::<7>(x)]
         } else {
             [self.each::<0>(y), self.each::<1>(y), self.each::<2>(y)]
         };
@@ -387,25 +396,23 @@ impl<S: Machine> ByFours<S> {
 
     /// The numbers of (q ∘ eᵢ, v × eᵢ), to be multiplied by their signs; of ω in the second row too.
     #[inline(always)]
-    fn turn(self, pair: S::Eight, axis: usize) -> S::Eight {
+    fn turn<const LAYOUT: u8>(self, pair: S::Eight, axis: usize) -> S::Eight {
         let [w, x, y, z, a, b, c, d] = self.0.eight_numbers(pair);
-        self.0.load_eight(&match axis {
-            0 => [x, w, z, y, a, c, b, d],
-            1 => [y, z, w, x, c, b, a, d],
-            _ => [z, y, x, w, b, a, c, d],
+        self.0.load_eight(&match (axis, LAYOUT == ALONE) {
+            (0, true) => [x, w, z, y, b, a, d, c],
+            (0, false) => [x, w, z, y, a, c, b, d],
+            (1, true) => [y, z, w, x, c, d, a, b],
+            (1, false) => [y, z, w, x, c, b, a, d],
+            (_, true) => [z, y, x, w, d, c, b, a],
+            (_, false) => [z, y, x, w, b, a, c, d],
         })
     }
 
-    /// Of (q, ω), the numbers of q ∘ eᵢ, and ω turned so many times; then ω in the places of q.
+    /// The second row in both places.
     #[inline(always)]
-    fn alone(self, pair: S::Eight, part: usize) -> S::Eight {
-        let [w, x, y, z, a, b, c, d] = self.0.eight_numbers(pair);
-        self.0.load_eight(&match part {
-            0 => [x, w, z, y, a, b, c, d],
-            1 => [y, z, w, x, b, c, a, d],
-            2 => [z, y, x, w, c, a, b, d],
-            _ => [d, a, b, c, w, x, y, z],
-        })
+    fn second_twice(self, pair: S::Eight) -> S::Eight {
+        let [.., a, b, c, d] = self.0.eight_numbers(pair);
+        self.0.load_eight(&[a, b, c, d, a, b, c, d])
     }
 
     /// The same of ω, and that turned.

@@ -14,7 +14,8 @@ use super::row::{INVERSES, Row, TERMS};
 use super::sums::Sums;
 use crate::math::number::{MulAdd, Number};
 
-/// x = (q, ω), and no y: there is no vector of space. ω̇ = Tω + c + B ω.
+/// x = (q, ω), and no y: there is no vector of space. ω̇ = Tω + c + B ω. ω is a quaternion, (0, ω1, ω2, ω3), so that the places of both change alike:
+/// eᵢ exchanges each with the one whose number differs in the bits of i, which takes the processor the least time.
 pub(super) const ALONE: u8 = 0;
 /// x = (q, u), y = (ω, ω turned), u constant in space: u̇ = u × ω, ω̇ = Tω + c + A u + B ω.
 pub(super) const CARRYING: u8 = 1;
@@ -83,7 +84,7 @@ impl<N: Number> Coefficient<N> {
     /// Ω
     #[inline(always)]
     pub(super) fn turning<const LAYOUT: u8>(&self) -> [N; 3] {
-        let [a, b, c, _, d, e, f, _] = match LAYOUT {
+        let [a, b, c, .., d, e, f] = match LAYOUT {
             ALONE => self.x.0,
             GENERAL => self.turning.0,
             _ => self.y.0,

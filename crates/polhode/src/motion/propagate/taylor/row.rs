@@ -30,6 +30,20 @@ impl<N: Number> Row<N> {
         Self([y, z, x, w])
     }
 
+    /// A vector as a quaternion: (w, x, y, z) of (x, y, z, w), where w is zero.
+    #[inline(always)]
+    pub(super) fn pure(self) -> Self {
+        let [x, y, z, w] = self.0;
+        Self([w, x, y, z])
+    }
+
+    /// The vector of such a quaternion.
+    #[inline(always)]
+    pub(super) fn imaginary(self) -> Self {
+        let [w, x, y, z] = self.0;
+        Self([x, y, z, w])
+    }
+
     /// Divided by a whole number, as [`INVERSES`] has it.
     #[inline(always)]
     pub(super) fn over(self, n: usize) -> Self {
@@ -89,10 +103,16 @@ impl<N: Number> Row<N> {
     }
 }
 
-/// The larger of two numbers: one instruction, where f64::max has a few for what is no number.
+/// The larger of two numbers: one instruction, where f64::max has a few for what is no number. Here that gives way if it is the first.
 #[inline(always)]
 pub(super) fn larger<N: Number>(a: N, b: N) -> N {
     a.zip(b, |a, b| if a > b { a } else { b })
+}
+
+/// The smaller of two, in the same way.
+#[inline(always)]
+pub(super) fn smaller<N: Number>(a: N, b: N) -> N {
+    a.zip(b, |a, b| if a < b { a } else { b })
 }
 
 /// The bits of an exponent, and of its least that is normal.

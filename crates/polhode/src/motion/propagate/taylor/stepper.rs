@@ -3,6 +3,7 @@
 use std::rc::Rc;
 
 use super::base::Base;
+use super::row::smaller;
 use super::sums::ByFours;
 use super::{Expansion, Increment};
 use crate::math::frame::{Body, Principal, Space};
@@ -249,7 +250,7 @@ impl Work for Leap<'_> {
             h
         };
         let (time, rest) = (base.time, until - base.time);
-        let wanted = allowed.min(expansion.reach());
+        let wanted = smaller(allowed, expansion.reach());
         let (h, end) = if wanted >= rest { (rest, until) } else { (wanted, time + wanted) };
         // What rounding makes of the time is part of the step: left out, it was most of the error of a free body after 100 s at 1e-15.
         let more = expansion.at(ByFours(s), end - time);

@@ -118,12 +118,7 @@ impl<S: Machine> Sums for ByFours<S> {
 
 /// c₁ h + c₂ h² + …
 #[inline(always)]
-fn polynomial<T, N: MulAdd + Mul<Output = N>>(
-    c: &[T],
-    load: impl Fn(&T) -> N,
-    none: N,
-    h: N,
-) -> N {
+fn polynomial<T, N: MulAdd + Mul<Output = N>>(c: &[T], load: impl Fn(&T) -> N, none: N, h: N) -> N {
     // Every fourth power by itself: four short chains instead of a long one.
     let square = h * h;
     let fourth = square * square;

@@ -29,7 +29,7 @@ pub(crate) fn map_soon(bytes: &[u8]) {
 /// Linux maps the 64 KiB around an address that was missing.
 const MAPPED_AT_ONCE: usize = 1 << 16;
 
-/// Bytes asked for at once: a sixteenth of a stage.
+/// Bytes asked for at once: those of eight records.
 const SHARE: usize = 400;
 
 /// Bytes of a line of the cache.

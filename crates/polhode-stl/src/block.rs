@@ -14,13 +14,9 @@ const AHEAD: usize = 2;
 
 /// Triangles in a stage: their numbers stay in the nearest memory between its loops.
 ///
-/// Each loop is so short that the processor is in several of its turns at once. One loop from bytes to sums took 2.4 ns a
-/// triangle, three in turn 1.9, these two a fifth less than the three (AVX-512, records in the second cache).
-const STAGE: usize = 128;
-
-/// How many octets of triangles lie between one's terms and their sums. Terms are a chain of some 50 cycles, and products that
-/// wait for its end would fill the queues of the processor: the loop took 35 cycles a turn without a lag, 27 with one.
-const LAG: usize = 2;
+/// Each loop is so short that the processor is in several of its turns at once. One loop from bytes to sums takes an eighth longer
+/// than these two, as the registers do not suffice for it (AVX-512, records in the second cache).
+const STAGE: usize = 256;
 
 /// Triangles that are summed without compensation: 128 a lane.
 const CHUNK: usize = 1024;
@@ -155,7 +151,7 @@ fn padded(records: &[Record]) -> Option<[Record; STAGE]> {
 struct Stage<S: Simd> {
     columns: [Columns<S>; STAGE / GROUP],
     /// What waits to be added.
-    terms: [sums::Terms<S>; LAG],
+    terms: sums::Terms<S>,
     sums: [f64x8<S>; SUMS],
     low: [f32x16<S>; 3],
     high: [f32x16<S>; 3],
@@ -168,7 +164,7 @@ impl<S: Simd> Stage<S> {
         let zero = f64x8::splat(simd, 0.0);
         Self {
             columns: [Columns::zero(simd); STAGE / GROUP],
-            terms: [sums::nothing(simd); LAG],
+            terms: sums::nothing(simd),
             sums: [zero; SUMS],
             low: [f32x16::splat(simd, f32::INFINITY); 3],
             high: [f32x16::splat(simd, f32::NEG_INFINITY); 3],
@@ -206,23 +202,21 @@ impl<S: Simd> Stage<S> {
         }
         // Asked for little by little: the processor can wait for some tens of lines at a time.
         let mut soon = soon.as_flattened().as_chunks().0.iter();
-        let mut all = self.sums;
+        let (mut all, mut terms) = (self.sums, self.terms);
         for k in 0..STAGE / LANES {
             core::hint::black_box(());
             soon.next().map(ask_for);
-            let terms = &mut self.terms[k % LAG];
-            sums::add(&mut all, terms);
-            *terms = sums::terms(simd, &self.columns[k / 2].half(simd, k % 2), reference);
+            // Added a turn later: sums that wait for their terms, a chain of some 50 cycles, would fill the queues of the processor.
+            sums::add(&mut all, &terms);
+            terms = sums::terms(simd, &self.columns[k / 2].half(simd, k % 2), reference);
         }
-        self.sums = all;
+        (self.sums, self.terms) = (all, terms);
     }
 
     /// Adds the terms that wait, and leaves such as add nothing.
     #[inline(always)]
     fn finish(&mut self, simd: S) {
-        for terms in &mut self.terms {
-            sums::add(&mut self.sums, terms);
-            *terms = sums::nothing(simd);
-        }
+        sums::add(&mut self.sums, &self.terms);
+        self.terms = sums::nothing(simd);
     }
 }

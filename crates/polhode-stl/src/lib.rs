@@ -28,6 +28,8 @@
 mod ahead;
 mod block;
 mod columns;
+#[cfg(target_arch = "x86_64")]
+mod columns512;
 mod edges;
 mod mapped;
 mod moments;

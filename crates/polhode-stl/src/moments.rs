@@ -103,8 +103,7 @@ impl Moments {
             reference,
             six_volume: value[0],
             first: core::array::from_fn(|k| value[1 + k]),
-            // a aᵀ + b bᵀ + c cᵀ + s sᵀ = (8 s sᵀ + u uᵀ + 3 v vᵀ) / 6
-            second: core::array::from_fn(|k| (8.0 * value[4 + k] + value[10 + k]) / 6.0),
+            second: core::array::from_fn(|k| value[4 + k]),
             area: 0.5 * value[AREA],
             low: low.map(|c| f64::from(c) + 0.0),
             high: high.map(|c| f64::from(c) + 0.0),

@@ -210,7 +210,7 @@ mod tests {
     fn plain(records: &[Record], r: [f64; 3]) -> Block {
         let mut block = Block::new();
         for chunk in records.chunks(1024) {
-            let mut sums = [[0.0; 8]; 17];
+            let mut sums = [[0.0; 8]; 11];
             for (k, record) in chunk.iter().enumerate() {
                 let words = record[VERTICES..].as_chunks::<4>().0;
                 let vertex = |v: usize| -> [f64; 3] {
@@ -219,25 +219,24 @@ mod tests {
                 let (a, b, c) = (vertex(0), vertex(1), vertex(2));
                 let e: [f64; 3] = core::array::from_fn(|k| b[k] - a[k]);
                 let f: [f64; 3] = core::array::from_fn(|k| c[k] - a[k]);
-                let a: [f64; 3] = core::array::from_fn(|k| a[k] - r[k]);
                 let less = |i: usize, j: usize| e[i].mul_add(f[j], -(e[j] * f[i]));
                 let n = [less(1, 2), less(2, 0), less(0, 1)];
                 let dot = |a: [f64; 3]| a[2].mul_add(n[2], a[1].mul_add(n[1], a[0] * n[0]));
+                let [a, b, c] = [a, b, c].map(|v| -> [f64; 3] { core::array::from_fn(|k| v[k] - r[k]) });
                 let d = dot(a);
-                let u: [f64; 3] = core::array::from_fn(|k| e[k] + f[k]);
-                let v: [f64; 3] = core::array::from_fn(|k| e[k] - f[k]);
-                let s: [f64; 3] = core::array::from_fn(|k| a[k].mul_add(3.0, u[k]));
-                let lane = k % 8;
+                let sum = |a: [f64; 3], b: [f64; 3]| -> [f64; 3] { core::array::from_fn(|k| a[k] + b[k]) };
+                let (p, q, r) = (sum(a, b), sum(b, c), sum(c, a));
+                let s = sum(p, c);
+                let lane = k % 2 * 4 + k % 8 / 2;
                 sums[0][lane] += d;
                 for k in 0..3 {
-                    sums[1 + k][lane] += d * s[k];
+                    sums[1 + k][lane] = d.mul_add(s[k], sums[1 + k][lane]);
                 }
                 for (k, (i, j)) in [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)].into_iter().enumerate() {
-                    sums[4 + k][lane] = (d * s[i]).mul_add(s[j], sums[4 + k][lane]);
-                    let sum = (d * u[i]).mul_add(u[j], sums[10 + k][lane]);
-                    sums[10 + k][lane] = ((d * 3.0) * v[i]).mul_add(v[j], sum);
+                    let product = r[i].mul_add(r[j], q[i].mul_add(q[j], p[i] * p[j]));
+                    sums[4 + k][lane] = d.mul_add(product, sums[4 + k][lane]);
                 }
-                sums[16][lane] += dot(n).sqrt();
+                sums[10][lane] += dot(n).sqrt();
             }
             for (k, sums) in sums.iter().enumerate() {
                 for (lane, &b) in sums.iter().enumerate() {

@@ -16,7 +16,7 @@ const AHEAD: usize = 2;
 ///
 /// Each loop is so short that the processor is in several of its turns at once. One loop from bytes to sums takes an eighth longer
 /// than these two, as the registers do not suffice for it (AVX-512, records in the second cache).
-const STAGE: usize = 256;
+const STAGE: usize = 128;
 
 /// Triangles that are summed without compensation: 128 a lane.
 const CHUNK: usize = 1024;

@@ -4,7 +4,7 @@
 //! does a store, each with nothing beside it. So a pair of records, 100 bytes, is loaded twice and not four times: 32 bytes of its first
 //! record, and 64 bytes with the end of that and all of its second one, which lies two bytes off the words of the first; a shuffle
 //! of 16-bit words does not mind. The round after it stays inside the 128-bit parts of the vectors, where four shuffles a cycle
-//! are done instead of two. With the unzips of `columns.rs` the loop over the records takes half as long again.
+//! are done instead of two. With the unzips of `columns.rs` the moments take 8 % longer.
 
 use core::arch::x86_64::{
     __m512, __m512i, _mm512_castpd_ps, _mm512_castps_pd, _mm512_castsi256_si512, _mm512_castsi512_ps,

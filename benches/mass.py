@@ -3,6 +3,7 @@
 
     pip install numpy trimesh scipy cadquery-ocp
     python3 benches/mass.py
+    python3 benches/mass.py kernel     # only the table of the STL kernel
 
 Accuracy: a deformed icosphere whose vertices are integers, so that exact rational arithmetic gives the truth; moved by 0, 1e3 and
 1e6 of its sizes, which f64 coordinates still carry exactly. Error: that of the central inertia tensor, in units of half its trace.
@@ -169,6 +170,45 @@ def processor():
     return platform.processor()
 
 
+KERNEL = "`cargo bench -p polhode-stl --bench quick` compares"
+
+
+def kernel(rounds=5):
+    """How the STL kernel compares with the sum of the same bytes: medians of so many runs."""
+    command = ["cargo", "bench", "-q", "-p", "polhode-stl", "--bench", "quick"]
+    floors, ratios = {}, {}
+    for _ in range(rounds):
+        for line in subprocess.run(command, cwd=ROOT, check=True, capture_output=True, text=True).stdout.splitlines():
+            cells = [cell.strip() for cell in line.strip("| ").split("|")]
+            if len(cells) == 6 and cells[0].isdigit():
+                triangles, threads, what, _, ns, times = cells
+                ratios.setdefault((int(triangles), int(threads), what), []).append(float(times))
+                if what == "sum of the bytes, mapped":
+                    floors.setdefault((int(triangles), int(threads)), []).append(float(ns))
+    columns = [f"{what}, {how}" for how in ("mapped", "read") for what in ("moments", "moments and edges")]
+    middle = lambda key: f"{sorted(ratios[key])[rounds // 2]:.2f} ({min(ratios[key]):.2f}–{max(ratios[key]):.2f})"
+    rows = "\n".join(f"| {(n * 50 + 84) / 1e6:.0f} MB, {threads} | {sorted(ns)[rounds // 2]:.2f} | "
+                     + " | ".join(middle((n, threads, column)) for column in columns) + " |" for (n, threads), ns in floors.items())
+    return f"""{KERNEL} the moments with the sum of the same bytes of a memory-mapped file, the
+floor, in one process and in turn, the least of many rounds each. Times the floor of as many threads: the middle of {rounds} such runs, and all of them.
+
+| file, threads | floor, ns a triangle | mapped | with the verdict | read in 200 KiB | with the verdict |
+|---|---|---|---|---|---|
+{rows}
+
+The floor depends on how the system keeps the file: these are pages of megabytes, as after one long write or read of a quiet machine. In pages of
+4 KiB, as after memory was short, mapping them is most of the time, of the floor too.
+
+From the cache the moments take some 5 cycles a triangle (AVX-512): a part of the floor's own time, which waits for memory, so they hide behind it.
+Through `read` they do not: the system copies, 1.5 to 1.7 ns a triangle, and only then are there sums, 1.3 ns; one thread cannot do both.
+Two loops, columns of 128 triangles and then their sums, an octet's terms added a turn after they were found, are faster than one (its registers
+do not suffice). Loads are scarcer than shuffles: a pair of records is loaded twice, not four times. Records are asked for two stages ahead,
+beyond the end of a block too, and the stretch of pages that they are in is touched first: a line of a page that is not mapped cannot be
+had in advance. Tried and left: asking further ahead, having the system map blocks at once, larger buffers for `read`.
+
+"""
+
+
 def main():
     import importlib.metadata as metadata
 
@@ -240,30 +280,7 @@ A whole answer from a binary STL file, seconds: start of the process, reading, i
 |---|---|---|---|---|---|---|---|
 {speed}
 
-`cargo bench -p polhode-stl` compares the moments with the sum of the same bytes in memory-mapped files, the floor, in one process, least of
-many runs. The floor depends on how the system keeps the file: in pages of 4 KiB (as after memory was short, or a read here and there; then
-mapping them is most of the time), or in pages of megabytes (as after one long write or read of a quiet machine). Times the floor of as many
-threads, on the machine of this page:
-
-| file, threads | pages | floor, ns a triangle | mapped | with the verdict | read in 200 KiB | with the verdict |
-|---|---|---|---|---|---|---|
-| 66 MB, 1 | small | 12.7 | 1.08 | 1.14 | 1.03 | 1.09 |
-| 66 MB, 2 | small | 6.8 | 1.13 | 1.16 | 0.82 | 0.84 |
-| 262 MB, 1 | small | 8.0 | 1.10 | 1.19 | 0.88 | 0.96 |
-| 262 MB, 2 | small | 5.3 | 1.17 | 1.24 | 0.80 | 0.78 |
-| 66 MB, 1 | large | 2.2 | 1.37 | 1.67 | 2.03 | 2.33 |
-| 66 MB, 2 | large | 1.9 | 1.14 | 1.33 | 1.60 | 1.78 |
-| 262 MB, 1 | large | 1.9 | 1.44 | 1.81 | 2.25 | 2.61 |
-| 262 MB, 2 | large | 1.4 | 1.32 | 1.49 | 1.77 | 1.95 |
-
-The moments alone take 2.06 ns a triangle from the cache: with large pages and one thread that is more than the floor, and no waiting is left to
-hide it behind. Columns of 64 triangles, then their terms, then their sums, each in a loop of its own, took 1.9 ns where one long loop took
-2.4. Records are asked for three stages ahead, a few lines at a time, and the stretch of pages that they are in is touched first: a line of a page
-that is not mapped cannot be had in advance, and asking for it costs a walk through the tables (a tenth of the time). Fused operations
-save 5 %. Tried and left: asking further ahead (each stage more was slower until pages were touched first, and no faster then), having the system
-map blocks at once (a tenth slower with large pages, as fast with small ones), the ninth column by plain loads.
-
-The full diagnosis of 1.3 million triangles (edges, components, cavities, duplicates, overlaps; `cargo bench -p polhode --bench mesh`) takes 0.25 s
+{kernel()}The full diagnosis of 1.3 million triangles (edges, components, cavities, duplicates, overlaps; `cargo bench -p polhode --bench mesh`) takes 0.25 s
 on one thread and 0.17 s on two; without indices 0.34 and 0.24 s. OBJ is read at 0.77 to 1.05 GB/s on one thread
 (`cargo bench -p polhode-formats --bench obj`).
 """
@@ -272,4 +289,9 @@ on one thread and 0.17 s on two; without indices 0.34 and 0.24 s. OBJ is read at
 
 
 if __name__ == "__main__":
-    main()
+    if sys.argv[1:] == ["kernel"]:
+        path = ROOT / "book/mass-properties.md"
+        before, rest = path.read_text().split(KERNEL)
+        path.write_text(before + kernel() + rest[rest.index("The full diagnosis"):])
+    else:
+        main()

@@ -112,6 +112,7 @@ def test_a_member_that_cannot_go_on_is_said() -> None:
     assert np.isfinite(flights.omega).all() and flights.reached[0, 1] == 1.0
 
 
+@pytest.mark.usefixtures("ctrl_c")
 def test_ctrl_c_ends_an_ensemble() -> None:
     ensemble = polhode.Ensemble(moments=MOMENTS[0], omega=np.tile(OMEGA, (1000, 1)), torques=DRAG)
     timer = threading.Timer(0.2, _thread.interrupt_main)

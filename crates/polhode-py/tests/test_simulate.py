@@ -70,6 +70,7 @@ def test_mistakes_have_their_place() -> None:
         polhode.simulate("nowhere.toml")
 
 
+@pytest.mark.usefixtures("ctrl_c")
 def test_ctrl_c_ends_a_long_computation(examples: Path) -> None:
     text = (examples / "formula.toml").read_text().replace('"4 min"', '"1e8 s"').replace("samples = 961", "samples = 2")
     timer = threading.Timer(0.3, _thread.interrupt_main)

@@ -1,7 +1,7 @@
 //! How long a step may be, and of which order.
 //!
 //! Source: À. Jorba, M. Zou, Exp. Math. 14 (2005) 99. Their order, 1 − ½ ln ε, is best where the time of a step grows with its square. Here
-//! it grows less, so that higher orders and longer steps are faster; between 17 and 23 it hardly matters at 1e-6 (4 % at most, AMD Zen 5).
+//! it grows less, so that higher orders and longer steps are faster; between 17 and 23 it hardly matters at 1e-6 (5 % at most, AMD Zen 5).
 
 use super::Expansion;
 use super::row::{INVERSES, Row, TERMS, larger, smaller};

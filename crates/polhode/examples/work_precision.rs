@@ -14,7 +14,7 @@ const PATIENCE: Duration = Duration::from_millis(60);
 
 /// A body, what turns it, where it starts, and when it ends.
 struct Problem {
-    name: &'static str,
+    name: String,
     rotor: Rotor,
     torques: Vec<TorqueModel>,
     start: State,
@@ -50,9 +50,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     // What is left is rounding, and one start is one draw of it.
     for k in 0..12 {
-        let mut problem = Problem { name: "tops", ..heavy_top()? };
+        let mut problem = Problem { name: format!("top {k}"), ..heavy_top()? };
         problem.start.omega = AngularVelocity::new(0.0, 0.0, 5.0 + 0.01 * f64::from(k));
-        run(&problem, "taylor", TIGHTEST_TOLERANCE, Method::Taylor)?;
+        for exponent in [6, 9, 12, 15] {
+            run(&problem, "taylor", 10_f64.powi(-exponent), Method::Taylor)?;
+        }
     }
     Ok(())
 }
@@ -60,7 +62,8 @@ fn main() -> Result<(), Box<dyn Error>> {
 /// A: I = (1, 2, 3), ω = (0.3, 0.5, 0.9), nothing acts.
 fn free() -> Result<Problem, Box<dyn Error>> {
     let rotor = Rotor::free(&body([1.0, 2.0, 3.0])?);
-    Ok(Problem { name: "A", rotor, torques: Vec::new(), start: start([0.3, 0.5, 0.9]), end: 100.0 })
+    let start = start([0.3, 0.5, 0.9]);
+    Ok(Problem { name: "A".to_owned(), rotor, torques: Vec::new(), start, end: 100.0 })
 }
 
 /// B: a heavy top about its tip, I = (1, 1, 0.5) there, M g l = 1, ω = (0, 0, 5), tilted by 60°.
@@ -74,7 +77,7 @@ fn heavy_top() -> Result<Problem, Box<dyn Error>> {
     let torques =
         vec![TorqueModel::Gravity(UniformGravity { acceleration: Acceleration::new(0.0, 0.0, -g) })];
     let start = State { attitude, ..start([0.0, 0.0, 5.0]) };
-    Ok(Problem { name: "B", rotor, torques, start, end: 100.0 })
+    Ok(Problem { name: "B".to_owned(), rotor, torques, start, end: 100.0 })
 }
 
 /// C-gg: I = (1, 2, 2.5), ω = (0.3, 0.5, 0.9), N = 3n² r × I r on the circle r = (cos nt, sin nt, 0), n = 0.5.
@@ -82,7 +85,7 @@ fn gravity_gradient() -> Result<Problem, Box<dyn Error>> {
     let orbit = Orbit::through(0.25, Position::new(1.0, 0.0, 0.0), Velocity::new(0.0, 0.5, 0.0), 0.0)?;
     let torque = GravityGradient { orbit, attracted: Attracted::Tensor };
     Ok(Problem {
-        name: "C-gg",
+        name: "C-gg".to_owned(),
         rotor: Rotor::free(&body([1.0, 2.0, 2.5])?),
         torques: vec![TorqueModel::GravityGradient(Box::new(torque))],
         start: start([0.3, 0.5, 0.9]),
@@ -96,7 +99,7 @@ fn damped() -> Result<Problem, Box<dyn Error>> {
     let drag = Drag::new(DragLaw::Linear, [[c, 0.0, 0.0], [0.0, c, 0.0], [0.0, 0.0, c]])?;
     let rotor = Rotor::free(&body([1.0, 2.0, 3.0])?);
     let torques = vec![TorqueModel::Drag(drag)];
-    Ok(Problem { name: "C-damp", rotor, torques, start: start([0.3, 0.5, 0.9]), end: 100.0 })
+    Ok(Problem { name: "C-damp".to_owned(), rotor, torques, start: start([0.3, 0.5, 0.9]), end: 100.0 })
 }
 
 fn body(moments: [f64; 3]) -> Result<MassProperties<Body>, BodyError> {

@@ -180,15 +180,16 @@ def kernel(rounds=5):
     for _ in range(rounds):
         for line in subprocess.run(command, cwd=ROOT, check=True, capture_output=True, text=True).stdout.splitlines():
             cells = [cell.strip() for cell in line.strip("| ").split("|")]
-            if len(cells) == 6 and cells[0].isdigit():
-                triangles, threads, what, _, ns, times = cells
-                ratios.setdefault((int(triangles), int(threads), what), []).append(float(times))
+            if len(cells) == 7 and cells[0].isdigit():
+                triangles, written, threads, what, _, ns, times = cells
+                case = (int(triangles), written, int(threads))
+                ratios.setdefault((*case, what), []).append(float(times))
                 if what == "sum of the bytes, mapped":
-                    floors.setdefault((int(triangles), int(threads)), []).append(float(ns))
+                    floors.setdefault(case, []).append(float(ns))
     columns = [f"{what}, {how}" for how in ("mapped", "read") for what in ("moments", "moments and edges")]
     middle = lambda key: f"{sorted(ratios[key])[rounds // 2]:.2f} ({min(ratios[key]):.2f}–{max(ratios[key]):.2f})"
-    rows = "\n".join(f"| {(n * 50 + 84) / 1e6:.0f} MB, {threads} | {sorted(ns)[rounds // 2]:.2f} | "
-                     + " | ".join(middle((n, threads, column)) for column in columns) + " |" for (n, threads), ns in floors.items())
+    rows = "\n".join(f"| {(case[0] * 50 + 84) / 1e6:.0f} MB, {case[1]}, {case[2]} | {sorted(ns)[rounds // 2]:.2f} | "
+                     + " | ".join(middle((*case, column)) for column in columns) + " |" for case, ns in floors.items())
     return f"""{KERNEL} the moments with the sum of the same bytes of a memory-mapped file, the
 floor, in one process and in turn, the least of many rounds each. Times the floor of as many threads: the middle of {rounds} such runs, and all of them.
 

@@ -1,7 +1,8 @@
 //! From a binary STL file to its moments, beside summing the bytes of the same file, in one run.
 //!
 //! `cargo bench -p polhode-stl` makes spheres of 1.3 and 5.2 million triangles in the system's folder for temporary
-//! files, measures, and prints a table. Each number is the least of many turns in which everything has its turn, so that a
+//! files, written at once, which the system then keeps in pages of megabytes, and in pieces, as most programs write, which
+//! it keeps in smaller pages; measures, and prints a table. Each number is the least of many turns in which everything has its turn, so that a
 //! busy machine slows all alike. Every turn opens the file anew. `-- cache` measures one page of records in the second
 //! cache only; `-- table FILE` takes a file of yours; `-- read` and `-- map` do one thing once, for somebody who watches memory from
 //! outside.
@@ -27,14 +28,19 @@ fn main() -> io::Result<()> {
         ["cache"] => in_cache(4096),
         ["memory"] => in_cache(20 << 18),
         ["read", path] => once(|| read(Path::new(path), options(1, true))),
-        ["table", path] => table(Path::new(path)),
+        ["table", path] => table(Path::new(path), "as it is"),
         ["sum", path] => once(|| sum_mapped(Path::new(path), 1)),
         ["map", path] => once(|| mapped(Path::new(path), options(1, true))),
         _ => {
             println!(
-                "| triangles | threads | what | ms | ns a triangle | times the floor |\n|---|---|---|---|---|---|"
+                "| triangles | written | threads | what | ms | ns a triangle | times the floor |\n|---|---|---|---|---|---|---|"
             );
-            [8, 9].into_iter().try_for_each(|levels| table(&sphere(levels)?))
+            for (piece, written) in [(usize::MAX, "at once"), (1 << 16, "in pieces")] {
+                for levels in [8, 9] {
+                    table(&sphere(levels, piece)?.0, written)?;
+                }
+            }
+            Ok(())
         }
     }
 }
@@ -52,7 +58,7 @@ fn once(work: impl Fn() -> io::Result<f64>) -> io::Result<()> {
 /// A piece of work and its name.
 type Case<'a> = (&'static str, Box<dyn Fn() -> io::Result<f64> + 'a>);
 
-fn table(path: &Path) -> io::Result<()> {
+fn table(path: &Path, written: &str) -> io::Result<()> {
     let triangles = (path.metadata()?.len() as usize - HEADER) / 50;
     for threads in [1, 2] {
         let cases: Vec<Case> = vec![
@@ -74,14 +80,18 @@ fn table(path: &Path) -> io::Result<()> {
         for (seconds, (name, _)) in least.iter().zip(&cases) {
             let each = seconds * 1e9 / triangles as f64;
             let ratio = seconds / least[0];
-            println!("| {triangles} | {threads} | {name} | {:.2} | {each:.2} | {ratio:.2} |", seconds * 1e3);
+            println!(
+                "| {triangles} | {written} | {threads} | {name} | {:.2} | {each:.2} | {ratio:.2} |",
+                seconds * 1e3
+            );
         }
     }
     Ok(())
 }
 
 fn in_cache(count: usize) -> io::Result<()> {
-    let map = Mapped::new(&File::open(sphere(9)?)?)?;
+    let sphere = sphere(9, usize::MAX)?;
+    let map = Mapped::new(&File::open(&sphere.0)?)?;
     let records: &[Record] = &map[HEADER..].as_chunks::<50>().0[..count];
     let cases: Vec<Case> = vec![
         ("sum of the bytes", Box::new(|| Ok(sum(records.as_flattened()) as f64))),
@@ -164,14 +174,19 @@ fn sum_read(path: &Path, threads: usize) -> io::Result<f64> {
     Ok(total as f64)
 }
 
-/// The file of an icosahedron divided so many times, on an ellipsoid off the origin.
-fn sphere(levels: u32) -> io::Result<PathBuf> {
-    let path = std::env::temp_dir().join(format!("polhode-bench-{levels}.stl"));
-    let triangles = 20 * 4_usize.pow(levels);
-    let length = HEADER + 50 * triangles;
-    if path.metadata().is_ok_and(|file| file.len() == length as u64) {
-        return Ok(path);
+/// A file that is removed when it has been measured: while it lies there the system may take its pages apart.
+struct Temporary(PathBuf);
+
+impl Drop for Temporary {
+    fn drop(&mut self) {
+        // Somebody else has removed it.
+        let _ = std::fs::remove_file(&self.0);
     }
+}
+
+/// The file of an icosahedron divided so many times, on an ellipsoid off the origin, written in pieces of so many bytes.
+fn sphere(levels: u32, piece: usize) -> io::Result<Temporary> {
+    let triangles = 20 * 4_usize.pow(levels);
     let mut bytes = vec![b' '; 80];
     bytes.extend((triangles as u32).to_le_bytes());
     let t = 0.5 + 0.5 * 5.0_f64.sqrt();
@@ -185,9 +200,13 @@ fn sphere(levels: u32) -> io::Result<PathBuf> {
     for face in faces {
         divide(face.map(|k: usize| unit(corners[k])), levels, &mut bytes);
     }
-    // In one piece: the system then keeps the file in large pages, and the floor is as low as it can be.
-    File::create(&path)?.write_all(&bytes)?;
-    Ok(path)
+    let path = std::env::temp_dir().join(format!("polhode-bench-{}-{levels}.stl", std::process::id()));
+    let file = Temporary(path);
+    let mut writer = File::create(&file.0)?;
+    for piece in bytes.chunks(piece) {
+        writer.write_all(piece)?;
+    }
+    Ok(file)
 }
 
 fn unit(v: [f64; 3]) -> [f64; 3] {

@@ -6,9 +6,10 @@
 //!
 //! 6 V = Σ d,  24 V c = Σ d s,  120 V ⟨x xᵀ⟩ = Σ d (p pᵀ + q qᵀ + r rᵀ),  2 A = Σ |e × f|
 //!
-//! as a aᵀ + b bᵀ + c cᵀ + s sᵀ = p pᵀ + q qᵀ + r rᵀ. The volume comes last in each product: what waits for it, the longest
-//! chain, is one sum each. (With 8 s sᵀ + u uᵀ + 3 v vᵀ, u = e + f, v = e − f, there are 17 sums instead of 11, and the
-//! terms do not fit into the registers beside them: 2 % slower on a quiet core of AMD Zen 5, 14 % on a busy one.)
+//! as a aᵀ + b bᵀ + c cᵀ + s sᵀ = p pᵀ + q qᵀ + r rᵀ. As p = 2 a + e, r = 2 a + f and q = p + f, b and c are not needed from the
+//! reference point. The volume comes last in each product: what waits for it, the longest chain, is one sum each. (With
+//! 8 s sᵀ + u uᵀ + 3 v vᵀ, u = e + f, v = e − f, there are 17 sums instead of 11, and the terms do not fit into the registers beside
+//! them: 2 % slower on a quiet core of AMD Zen 5, 14 % on a busy one.)
 //!
 //! e and f are exact: differences of `f32` in `f64`, if their exponents are within 29 of each other.
 
@@ -41,20 +42,19 @@ pub(crate) fn terms<S: Simd>(simd: S, columns: &[f32x8<S>; 9], reference: &[f64x
     let (fx, fy, fz) = (cx - ax, cy - ay, cz - az);
     let (nx, ny, nz) = (less(ey, fz, ez * fy), less(ez, fx, ex * fz), less(ex, fy, ey * fx));
     let (ax, ay, az) = (ax - reference[0], ay - reference[1], az - reference[2]);
-    let (bx, by, bz) = (bx - reference[0], by - reference[1], bz - reference[2]);
-    let (cx, cy, cz) = (cx - reference[0], cy - reference[1], cz - reference[2]);
     let d = plus(az, nz, plus(ay, ny, ax * nx));
     let square = plus(nz, nz, plus(ny, ny, nx * nx));
-    let (px, py, pz) = (ax + bx, ay + by, az + bz);
-    let (qx, qy, qz) = (bx + cx, by + cy, bz + cz);
-    let (rx, ry, rz) = (cx + ax, cy + ay, cz + az);
+    let (twice_ax, twice_ay, twice_az) = (ax + ax, ay + ay, az + az);
+    let (px, py, pz) = (twice_ax + ex, twice_ay + ey, twice_az + ez);
+    let (rx, ry, rz) = (twice_ax + fx, twice_ay + fy, twice_az + fz);
+    let (qx, qy, qz) = (px + fx, py + fy, pz + fz);
     let xx = plus(rx, rx, plus(qx, qx, px * px));
     let yy = plus(ry, ry, plus(qy, qy, py * py));
     let zz = plus(rz, rz, plus(qz, qz, pz * pz));
     let xy = plus(rx, ry, plus(qx, qy, px * py));
     let xz = plus(rx, rz, plus(qx, qz, px * pz));
     let yz = plus(ry, rz, plus(qy, qz, py * pz));
-    [d, px + cx, py + cy, pz + cz, xx, yy, zz, xy, xz, yz, square]
+    [d, qx + ax, qy + ay, qz + az, xx, yy, zz, xy, xz, yz, square]
 }
 
 /// Adds the terms of eight triangles.

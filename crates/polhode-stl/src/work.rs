@@ -19,8 +19,8 @@ const PAGE: usize = 4096;
 /// The fewest triangles of a block that is not the last: whole pages. To begin and end one takes half a microsecond.
 const BLOCK: u64 = 4 * PAGE as u64;
 
-/// The most blocks of a file, so that what is kept of them is at most 400 KiB however long the file is.
-const MOST_BLOCKS: u64 = 1024;
+/// The most blocks of a file: each thread has long stretches of it, and what is kept of them is at most 50 KiB however long it is.
+const MOST_BLOCKS: u64 = 128;
 
 /// Triangles whose corners are averaged for the reference point.
 const SAMPLES: u64 = 64;
@@ -222,11 +222,12 @@ mod tests {
                 let less = |i: usize, j: usize| e[i].mul_add(f[j], -(e[j] * f[i]));
                 let n = [less(1, 2), less(2, 0), less(0, 1)];
                 let dot = |a: [f64; 3]| a[2].mul_add(n[2], a[1].mul_add(n[1], a[0] * n[0]));
-                let [a, b, c] = [a, b, c].map(|v| -> [f64; 3] { core::array::from_fn(|k| v[k] - r[k]) });
+                let a: [f64; 3] = core::array::from_fn(|k| a[k] - r[k]);
                 let d = dot(a);
                 let sum = |a: [f64; 3], b: [f64; 3]| -> [f64; 3] { core::array::from_fn(|k| a[k] + b[k]) };
-                let (p, q, r) = (sum(a, b), sum(b, c), sum(c, a));
-                let s = sum(p, c);
+                let (p, r) = (sum(sum(a, a), e), sum(sum(a, a), f));
+                let q = sum(p, f);
+                let s = sum(q, a);
                 let lane = k % 2 * 4 + k % 8 / 2;
                 sums[0][lane] += d;
                 for k in 0..3 {

@@ -11,6 +11,8 @@ pub(crate) trait Machine: Copy {
     type Four: MulAdd + Add<Output = Self::Four> + Sub<Output = Self::Four> + Mul<Output = Self::Four>;
     /// Eight, in as few registers as hold them.
     type Eight: Number;
+    /// As many as one register holds.
+    type Many: Number;
 
     fn load(self, numbers: &[f64; 4]) -> Self::Four;
     fn splat(self, number: f64) -> Self::Four;
@@ -18,6 +20,7 @@ pub(crate) trait Machine: Copy {
     fn eight(self, number: f64) -> Self::Eight;
     fn load_eight(self, numbers: &[f64; 8]) -> Self::Eight;
     fn eight_numbers(self, eight: Self::Eight) -> [f64; 8];
+    fn many(self, number: f64) -> Self::Many;
 
     /// Runs work as a function of its own, compiled for this machine.
     fn apart<R>(self, work: impl FnOnce() -> R) -> R;
@@ -28,12 +31,22 @@ pub(crate) trait Work {
     type Output;
 
     fn run<S: Machine>(self, s: S) -> Self::Output;
+
+    /// Runs it where there are no vectors.
+    #[inline(always)]
+    fn run_plainly(self) -> Self::Output
+    where
+        Self: Sized,
+    {
+        self.run(Plain)
+    }
 }
 
 #[cfg(feature = "simd")]
-impl<S: fearless_simd::Simd> Machine for S {
+impl<S: fearless_simd::Simd<f64s: Number>> Machine for S {
     type Four = fearless_simd::f64x4<S>;
     type Eight = fearless_simd::f64x8<S>;
+    type Many = S::f64s;
 
     #[inline(always)]
     fn load(self, numbers: &[f64; 4]) -> Self::Four {
@@ -66,6 +79,11 @@ impl<S: fearless_simd::Simd> Machine for S {
     }
 
     #[inline(always)]
+    fn many(self, number: f64) -> Self::Many {
+        fearless_simd::SimdBase::splat(self, number)
+    }
+
+    #[inline(always)]
     fn apart<R>(self, work: impl FnOnce() -> R) -> R {
         self.vectorize(work)
     }
@@ -78,6 +96,7 @@ pub(crate) struct Plain;
 impl Machine for Plain {
     type Four = Lanes<4>;
     type Eight = Lanes<8>;
+    type Many = Lanes<8>;
 
     fn load(self, numbers: &[f64; 4]) -> Lanes<4> {
         Lanes(*numbers)
@@ -101,6 +120,10 @@ impl Machine for Plain {
 
     fn eight_numbers(self, eight: Lanes<8>) -> [f64; 8] {
         eight.0
+    }
+
+    fn many(self, number: f64) -> Lanes<8> {
+        self.eight(number)
     }
 
     #[inline(never)]
@@ -130,5 +153,5 @@ pub(crate) fn in_vectors<W: Work>(work: W) -> W::Output {
             );
         }
     }
-    work.run(Plain)
+    work.run_plainly()
 }

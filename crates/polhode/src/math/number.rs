@@ -78,23 +78,6 @@ impl<const N: usize> MulAdd for Lanes<N> {
     }
 }
 
-#[cfg(feature = "simd")]
-impl<S: fearless_simd::Simd> MulAdd for fearless_simd::f64x8<S> {
-    #[inline(always)]
-    fn mul_add(self, b: Self, c: Self) -> Self {
-        // not `mul_add`, which rounds twice where there is no instruction for it
-        self.simd.mul_add_precise_f64x8(self, b, c)
-    }
-}
-
-#[cfg(feature = "simd")]
-impl<S: fearless_simd::Simd> MulAdd for fearless_simd::f64x4<S> {
-    #[inline(always)]
-    fn mul_add(self, b: Self, c: Self) -> Self {
-        self.simd.mul_add_precise_f64x4(self, b, c)
-    }
-}
-
 impl Number for f64 {
     const LANES: usize = 1;
 
@@ -173,53 +156,72 @@ impl<const N: usize> Number for Lanes<N> {
     }
 }
 
+/// Vectors by type: how many numbers, and the names of what has no operator.
 #[cfg(feature = "simd")]
-impl<S: fearless_simd::Simd> Number for fearless_simd::f64x8<S> {
-    const LANES: usize = 8;
-
-    #[inline(always)]
-    fn like(self, x: f64) -> Self {
-        self.simd.splat_f64x8(x)
-    }
-
-    #[inline(always)]
-    fn lane(&self, lane: usize) -> f64 {
-        self[lane]
-    }
-
-    #[inline(always)]
-    fn put(&mut self, lane: usize, x: f64) {
-        self[lane] = x;
-    }
-
-    #[inline(always)]
-    fn map(mut self, f: impl Fn(f64) -> f64) -> Self {
-        for x in self.iter_mut() {
-            *x = f(*x);
+macro_rules! vectors {
+    ($($vector:ident: $lanes:literal, $splat:ident, $mul_add:ident, $sqrt:ident;)*) => {$(
+        impl<S: fearless_simd::Simd> MulAdd for fearless_simd::$vector<S> {
+            #[inline(always)]
+            fn mul_add(self, b: Self, c: Self) -> Self {
+                // not `mul_add`, which rounds twice where there is no instruction for it
+                self.simd.$mul_add(self, b, c)
+            }
         }
-        self
-    }
 
-    #[inline(always)]
-    fn zip(mut self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
-        for lane in 0..8 {
-            self[lane] = f(self[lane], other[lane]);
+        impl<S: fearless_simd::Simd> Number for fearless_simd::$vector<S> {
+            const LANES: usize = $lanes;
+
+            #[inline(always)]
+            fn like(self, x: f64) -> Self {
+                self.simd.$splat(x)
+            }
+
+            #[inline(always)]
+            fn lane(&self, lane: usize) -> f64 {
+                self[lane]
+            }
+
+            #[inline(always)]
+            fn put(&mut self, lane: usize, x: f64) {
+                self[lane] = x;
+            }
+
+            #[inline(always)]
+            fn map(mut self, f: impl Fn(f64) -> f64) -> Self {
+                for x in self.iter_mut() {
+                    *x = f(*x);
+                }
+                self
+            }
+
+            #[inline(always)]
+            fn zip(mut self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
+                for lane in 0..$lanes {
+                    self[lane] = f(self[lane], other[lane]);
+                }
+                self
+            }
+
+            #[inline(always)]
+            fn zip3(mut self, b: Self, c: Self, f: impl Fn(f64, f64, f64) -> f64) -> Self {
+                for lane in 0..$lanes {
+                    self[lane] = f(self[lane], b[lane], c[lane]);
+                }
+                self
+            }
+
+            #[inline(always)]
+            fn sqrt(self) -> Self {
+                self.simd.$sqrt(self)
+            }
         }
-        self
-    }
+    )*};
+}
 
-    #[inline(always)]
-    fn zip3(mut self, b: Self, c: Self, f: impl Fn(f64, f64, f64) -> f64) -> Self {
-        for lane in 0..8 {
-            self[lane] = f(self[lane], b[lane], c[lane]);
-        }
-        self
-    }
-
-    #[inline(always)]
-    fn sqrt(self) -> Self {
-        self.simd.sqrt_f64x8(self)
-    }
+#[cfg(feature = "simd")]
+vectors! {
+    f64x4: 4, splat_f64x4, mul_add_precise_f64x4, sqrt_f64x4;
+    f64x8: 8, splat_f64x8, mul_add_precise_f64x8, sqrt_f64x8;
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! The recurrence of eight bodies, a number of each in a register.
+//! The recurrence of several bodies, a number of each in a register.
 //!
 //! There is enough to do while the newest coefficients are made, and loops end where they should. Products with what is zero by the layout
 //! are left out; all else is in the order of one body (`one.rs`), and a sum that begins with +0 does not change by zeros: so each lane
@@ -26,21 +26,21 @@ pub(super) struct Law<N> {
 }
 
 impl<S: Machine> Recurrence for SideBySide<S> {
-    type Places = Pair<S::Eight>;
-    type Law = Law<S::Eight>;
+    type Places = Pair<S::Many>;
+    type Law = Law<S::Many>;
 
     #[inline(always)]
-    fn places(self, pair: &Pair<S::Eight>) -> Pair<S::Eight> {
+    fn places(self, pair: &Pair<S::Many>) -> Pair<S::Many> {
         *pair
     }
 
     #[inline(always)]
-    fn pair(self, places: Pair<S::Eight>) -> Pair<S::Eight> {
+    fn pair(self, places: Pair<S::Many>) -> Pair<S::Many> {
         places
     }
 
     #[inline(always)]
-    fn law<const LAYOUT: u8>(self, motion: &Motion<S::Eight>, terms: &Terms<S::Eight>) -> Law<S::Eight> {
+    fn law<const LAYOUT: u8>(self, motion: &Motion<S::Many>, terms: &Terms<S::Many>) -> Law<S::Many> {
         let Parts { turn, omega, seen } = Parts::of::<LAYOUT>([motion[0].x, motion[0].y]);
         Law { terms: *terms, turn, omega, seen, turning: turning::<LAYOUT, _>(&motion[0]) }
     }
@@ -48,11 +48,11 @@ impl<S: Machine> Recurrence for SideBySide<S> {
     #[inline(always)]
     fn first<const LAYOUT: u8>(
         self,
-        law: &Law<S::Eight>,
-        motion: &Motion<S::Eight>,
-        terms: &Terms<S::Eight>,
-        [low, more]: [Row<S::Eight>; 2],
-    ) -> [Pair<S::Eight>; 2] {
+        law: &Law<S::Many>,
+        motion: &Motion<S::Many>,
+        terms: &Terms<S::Many>,
+        [low, more]: [Row<S::Many>; 2],
+    ) -> [Pair<S::Many>; 2] {
         let none = self.none();
         if LAYOUT == MOVING {
             let sum = Parts::of::<LAYOUT>(moving_start(&motion[0], terms));
@@ -71,12 +71,12 @@ impl<S: Machine> Recurrence for SideBySide<S> {
     #[inline(always)]
     fn next<const LAYOUT: u8>(
         self,
-        law: &Law<S::Eight>,
-        motion: &mut Motion<S::Eight>,
+        law: &Law<S::Many>,
+        motion: &mut Motion<S::Many>,
         n: usize,
-        [_, newest]: [[Pair<S::Eight>; 2]; 2],
-        more: Row<S::Eight>,
-    ) -> [Pair<S::Eight>; 2] {
+        [_, newest]: [[Pair<S::Many>; 2]; 2],
+        more: Row<S::Many>,
+    ) -> [Pair<S::Many>; 2] {
         let (terms, next) = (&law.terms, n + 1);
         let sums = self.before::<LAYOUT>(motion, n);
         motion[n].set::<LAYOUT>(newest);
@@ -334,11 +334,11 @@ impl<S: Machine> SideBySide<S> {
     #[inline(always)]
     fn with<const LAYOUT: u8>(
         self,
-        law: &Law<S::Eight>,
-        sum: Parts<S::Eight>,
-        new: &Parts<S::Eight>,
-        turning: Row<S::Eight>,
-    ) -> Parts<S::Eight> {
+        law: &Law<S::Many>,
+        sum: Parts<S::Many>,
+        new: &Parts<S::Many>,
+        turning: Row<S::Many>,
+    ) -> Parts<S::Many> {
         if LAYOUT == ALONE {
             return law.with_alone(sum, new);
         }
@@ -357,15 +357,15 @@ impl<S: Machine> SideBySide<S> {
     }
 
     #[inline(always)]
-    fn none(self) -> Parts<S::Eight> {
-        let none = Row::splat(self.0.eight(0.0));
+    fn none(self) -> Parts<S::Many> {
+        let none = Row::splat(self.0.many(0.0));
         Parts { turn: none, omega: none, seen: [none; 2] }
     }
 
     /// Products of coefficients 1 … n − 1.
     #[inline(always)]
-    fn before<const LAYOUT: u8>(self, motion: &Motion<S::Eight>, n: usize) -> Outer<S::Eight> {
-        let zero = self.0.eight(0.0);
+    fn before<const LAYOUT: u8>(self, motion: &Motion<S::Many>, n: usize) -> Outer<S::Many> {
+        let zero = self.0.many(0.0);
         let none = Row::splat(zero);
         let seen = [[[zero; 2]; 3]; 2];
         let none = Outer { turn: [none; 3], omega: none, seen, square: none, crossing: [none; 2] };

@@ -1,6 +1,6 @@
 //! Rows of four numbers, a vector or a quaternion, and their Taylor coefficients.
 //!
-//! The numbers N are f64, so that a row is a register and a series is of one body; or vectors with a number of each of eight bodies. The
+//! The numbers N are f64, so that a row is a register and a series is of one body; or vectors with a number of each of several bodies. The
 //! equations are written once, over N, and each lane has the bits that its body has alone.
 
 use core::ops::{Add, Deref, Mul, Sub};
@@ -70,7 +70,7 @@ impl<N: Number> Row<N> {
         larger(larger(x, y), larger(z, w))
     }
 
-    /// A vector. Of eight bodies w, a register of its own, is known to be zero.
+    /// A vector. Of several bodies w, a register of its own, is known to be zero.
     #[inline(always)]
     pub(super) fn vector(self) -> Self {
         let [x, y, z, w] = self.0;
@@ -231,7 +231,7 @@ impl<N: Number> Deref for Series<N> {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Vectors<N = f64> {
     pub(super) rows: Series<N>,
-    /// The same turned, as (a2 a3, a3 a1, a1 a2) needs it. Eight bodies need no copy: their components lie apart.
+    /// The same turned, as (a2 a3, a3 a1, a1 a2) needs it. Several bodies need no copy: their components lie apart.
     pub(super) turned: Series<N>,
 }
 

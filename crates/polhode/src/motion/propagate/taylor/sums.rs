@@ -3,7 +3,7 @@
 //! Those of the motion itself are in `one.rs` and `many.rs`. Of one body ([`ByFours`]) loops have few, foreseeable ends: they go by fours, beyond
 //! the coefficients that are known too, where they meet zeros.
 //!
-//! Of eight bodies ([`SideBySide`]) there is enough to do meanwhile, and loops end where they should. The order of the terms is the same,
+//! Of several bodies ([`SideBySide`]) there is enough to do meanwhile, and loops end where they should. The order of the terms is the same,
 //! and a sum that begins with +0 does not change by zeros: so each lane has the bits that its body has alone.
 
 use core::ops::Mul;
@@ -137,12 +137,12 @@ fn polynomial<T, N: MulAdd + Mul<Output = N>>(c: &[T], load: impl Fn(&T) -> N, n
     last.mul_add(h, third).mul_add(square, second.mul_add(h, first)) * h
 }
 
-/// Eight bodies, a row in four registers.
+/// As many bodies as a register holds numbers, a row in four registers.
 #[derive(Clone, Copy)]
 pub(super) struct SideBySide<S>(pub(super) S);
 
 impl<S: Machine> Sums for SideBySide<S> {
-    type N = S::Eight;
+    type N = S::Many;
 
     #[inline(always)]
     fn apart<R>(self, work: impl FnOnce(Self) -> R) -> R {
@@ -153,7 +153,7 @@ impl<S: Machine> Sums for SideBySide<S> {
     }
 
     #[inline(always)]
-    fn product(self, a: &Series<S::Eight>, b: &Series<S::Eight>, n: usize) -> Row<S::Eight> {
+    fn product(self, a: &Series<S::Many>, b: &Series<S::Many>, n: usize) -> Row<S::Many> {
         let mut sum = self.zero();
         for (&a, &b) in a[1..=n].iter().zip(b[..n].iter().rev()) {
             sum = a.mul_add(b, sum);
@@ -162,7 +162,7 @@ impl<S: Machine> Sums for SideBySide<S> {
     }
 
     #[inline(always)]
-    fn outer(self, x: &Series<S::Eight>, b: &Vectors<S::Eight>, n: usize) -> [Row<S::Eight>; 3] {
+    fn outer(self, x: &Series<S::Many>, b: &Vectors<S::Many>, n: usize) -> [Row<S::Many>; 3] {
         let b = &b.rows;
         let mut sums = [self.zero(); 3];
         for (&x, b) in x[1..=n].iter().zip(b[..n].iter().rev()) {
@@ -172,7 +172,7 @@ impl<S: Machine> Sums for SideBySide<S> {
     }
 
     #[inline(always)]
-    fn others(self, a: &Vectors<S::Eight>, n: usize) -> Row<S::Eight> {
+    fn others(self, a: &Vectors<S::Many>, n: usize) -> Row<S::Many> {
         let a = &a.rows;
         let mut sum = self.zero();
         for (&a, &b) in a[1..=n].iter().zip(a[..n].iter().rev()) {
@@ -185,25 +185,25 @@ impl<S: Machine> Sums for SideBySide<S> {
     fn pair_increment<T>(
         self,
         c: &[T; TERMS],
-        pair: impl Fn(&T) -> &Pair<S::Eight>,
+        pair: impl Fn(&T) -> &Pair<S::Many>,
         order: usize,
-        h: S::Eight,
-    ) -> Pair<S::Eight> {
+        h: S::Many,
+    ) -> Pair<S::Many> {
         let (c, h) = (&c[1..=order], Row::splat(h));
         let first = polynomial(c, |c| pair(c).first(), self.zero(), h);
         Pair::new(first, polynomial(c, |c| pair(c).second(), self.zero(), h))
     }
 
     #[inline(always)]
-    fn increment(self, c: &Series<S::Eight>, order: usize, h: S::Eight) -> Row<S::Eight> {
+    fn increment(self, c: &Series<S::Many>, order: usize, h: S::Many) -> Row<S::Many> {
         polynomial(&c[1..=order], |row| *row, self.zero(), Row::splat(h))
     }
 }
 
 impl<S: Machine> SideBySide<S> {
     #[inline(always)]
-    fn zero(self) -> Row<S::Eight> {
-        Row::splat(self.0.eight(0.0))
+    fn zero(self) -> Row<S::Many> {
+        Row::splat(self.0.many(0.0))
     }
 }
 

@@ -2,7 +2,6 @@
 
 use super::*;
 use crate::math::formula::{Binary, Formula, Instruction, Unary};
-use crate::math::machine::Plain;
 use crate::math::rotation::Attitude;
 use crate::math::vector::{AngularVelocity, Direction, Position, Torque, Velocity};
 use crate::motion::orbit::Orbit;
@@ -241,7 +240,7 @@ fn a_tolerance_out_of_range_fails_every_body() {
 }
 
 #[test]
-fn lanes_without_vectors_have_the_same_bits() {
+fn without_vectors_the_bits_are_the_same() {
     for name in ["free", "pivoted, four torques", "gradient", "quadratic drag at rest", "spring"] {
         let members: Vec<Member> = (0..20).map(|k| member(name, k)).collect();
         let bodies = bodies(&members);
@@ -249,7 +248,7 @@ fn lanes_without_vectors_have_the_same_bits() {
         let [with, without] = &mut states;
         let one = advance(&bodies, &TIMES, 1e-10, with);
         let (times, tolerance, states) = (&TIMES[..], 1e-10, &mut without[..]);
-        let mut two = Advance { bodies: &bodies, times, tolerance, states }.run(Plain);
+        let mut two = Advance { bodies: &bodies, times, tolerance, states }.run_plainly();
         two.sort_by_key(|(body, _)| *body);
         assert_eq!(format!("{one:?}"), format!("{two:?}"));
         for (a, b) in with.iter().zip(without) {

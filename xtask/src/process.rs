@@ -28,9 +28,9 @@ pub(crate) fn output(command: &mut Command) -> Result<String, String> {
     Err(format!("`{}` ended with {}\n{}", line(command), output.status, diagnostics.trim_end()))
 }
 
-/// Builds `polhode` and says where it is.
+/// Builds `polhode` as for its tests, and says where it is.
 pub(crate) fn polhode() -> Result<PathBuf, String> {
-    run(&mut cargo(&["build", "--quiet", "--locked", "--package", "polhode-cli"]))?;
+    run(&mut cargo(&["build", "--profile", "test", "--quiet", "--locked", "--package", "polhode-cli"]))?;
     Ok(beside_xtask()?.join(format!("polhode{}", std::env::consts::EXE_SUFFIX)))
 }
 

@@ -15,7 +15,7 @@ pub(crate) trait MulAdd: Copy {
 ///
 /// The law is that of [`Real`]: every lane has the bits that the f64 would have. a·b + c is rounded once where it is written
 /// [`MulAdd::mul_add`], and nowhere else: IEEE 754 says what that is to the last bit, on every machine. One without the instruction
-/// computes it by the platform's library, up to 75 times as slowly (`book/ensembles.md`).
+/// computes it by the platform's library, up to 150 times as slowly (`book/ensembles.md`).
 ///
 /// Vectors by type know which machine they are for, so that there is none without another one: [`Number::like`].
 pub(crate) trait Number:

@@ -155,3 +155,18 @@ pub(crate) fn in_vectors<W: Work>(work: W) -> W::Output {
     }
     work.run_plainly()
 }
+
+/// Runs work with AVX2, on a machine that has it, and that may have more: what narrower machines do.
+#[cfg(test)]
+pub(crate) fn in_narrower_vectors<W: Work>(work: W) -> Option<W::Output> {
+    #[cfg(all(feature = "simd", any(target_arch = "x86_64", target_arch = "x86")))]
+    if let Some(avx2) = fearless_simd::Level::new().as_avx2() {
+        return Some(fearless_simd::Simd::vectorize(
+            avx2,
+            #[inline(always)]
+            || work.run(avx2),
+        ));
+    }
+    drop(work);
+    None
+}

@@ -227,7 +227,7 @@ vectors! {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math::machine::{Machine, Work, in_vectors};
+    use crate::math::machine::{Machine, Work, in_narrower_vectors, in_vectors};
 
     /// a·b + c, √a and a/b of eight numbers.
     struct All([[f64; 8]; 3]);
@@ -238,8 +238,22 @@ mod tests {
         #[inline(always)]
         fn run<S: Machine>(self, s: S) -> Self::Output {
             let [a, b, c] = self.0.map(|x| s.eight(0.0).each(|lane| x[lane]));
-            [a.mul_add(b, c), a.sqrt(), a / b].map(|x| core::array::from_fn(|lane| x.lane(lane)))
+            let eight = all(a, b, c).map(|x| core::array::from_fn(|lane| x.lane(lane)));
+            for first in (0..8).step_by(S::Many::LANES) {
+                let [a, b, c] = self.0.map(|x| s.many(0.0).each(|lane| x[first + lane]));
+                for (many, eight) in all(a, b, c).iter().zip(&eight) {
+                    for lane in 0..S::Many::LANES {
+                        assert_eq!(many.lane(lane).to_bits(), eight[first + lane].to_bits());
+                    }
+                }
+            }
+            eight
         }
+    }
+
+    #[inline(always)]
+    fn all<N: Number>(a: N, b: N, c: N) -> [N; 3] {
+        [a.mul_add(b, c), a.sqrt(), a / b]
     }
 
     #[test]
@@ -248,11 +262,14 @@ mod tests {
         let b = [-0.3, 7e4, 1e-99, 1.9, -2.7, 3.0, 1e300, 0.4];
         // What is left of a·b is its rounding: fused or not is seen.
         let c: [f64; 8] = core::array::from_fn(|k| -(a[k] * b[k]));
-        let wide = in_vectors(All([a, b, c]));
-        for k in 0..8 {
-            let one = [MulAdd::mul_add(a[k], b[k], c[k]), Number::sqrt(a[k]), a[k] / b[k]];
-            assert_eq!([0, 1, 2].map(|n| wide[n][k].to_bits()), one.map(f64::to_bits), "{k}");
+        for wide in
+            [Some(in_vectors(All([a, b, c]))), in_narrower_vectors(All([a, b, c]))].into_iter().flatten()
+        {
+            for k in 0..8 {
+                let one = all(a[k], b[k], c[k]);
+                assert_eq!([0, 1, 2].map(|n| wide[n][k].to_bits()), one.map(f64::to_bits), "{k}");
+            }
+            assert_ne!(wide[0][0], 0.0);
         }
-        assert_ne!(wide[0][0], 0.0);
     }
 }

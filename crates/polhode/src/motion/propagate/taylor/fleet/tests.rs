@@ -240,10 +240,12 @@ fn a_tolerance_out_of_range_fails_every_body() {
     }
 }
 
+/// What advances a fleet, if this machine has it.
+type Vehicle = fn(Advance<'_, '_>) -> Option<Vec<(usize, MotionError)>>;
+
 #[test]
 fn narrower_vectors_and_none_have_the_same_bits() {
-    let narrower: [fn(Advance<'_, '_>) -> Option<Vec<(usize, MotionError)>>; 2] =
-        [|work| in_narrower_vectors(work), |work| Some(work.run_plainly())];
+    let narrower: [Vehicle; 2] = [|work| in_narrower_vectors(work), |work| Some(work.run_plainly())];
     for name in ["free", "pivoted, four torques", "gradient", "quadratic drag at rest", "spring"] {
         let members: Vec<Member> = (0..20).map(|k| member(name, k)).collect();
         let bodies = bodies(&members);

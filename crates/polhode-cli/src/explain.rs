@@ -29,7 +29,7 @@ pub(crate) struct Explain {
     #[arg(long)]
     json: bool,
     /// Characters in a line of the text.
-    #[arg(long, value_name = "N", default_value_t = 100, value_parser = clap::value_parser!(u16).range(40..=400))]
+    #[arg(long, value_name = "N", default_value_t = 100, conflicts_with_all = ["markdown", "json"], value_parser = clap::value_parser!(u16).range(40..=400))]
     width: u16,
 }
 

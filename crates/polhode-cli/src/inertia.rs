@@ -31,7 +31,7 @@ use self::robot::RobotFlags;
 use self::substance::SubstanceFlags;
 use self::voxel::VoxelFlags;
 use crate::failure::Failure;
-use crate::numbers::{numbers, positive, quantity, rotation};
+use crate::numbers::{numbers, positive, rotation, unit_named};
 use crate::progress::FileProgress;
 use crate::stdout::print;
 
@@ -75,13 +75,13 @@ pub(crate) struct Inertia {
     #[arg(long, value_name = "KIND")]
     format: Option<Kind>,
     /// Also the tensor about this point: x,y,z from the origin, each with its unit or in metres.
-    #[arg(long, value_name = "X,Y,Z", value_parser = point, allow_hyphen_values = true)]
+    #[arg(long, value_name = "X,Y,Z", value_parser = point, allow_hyphen_values = true, conflicts_with_all = ["csv", "as_format"])]
     about: Option<Position<Body>>,
     /// Also the tensor along axes turned by this unit quaternion (scalar first, turned axes to body axes).
-    #[arg(long, value_name = "W,X,Y,Z", value_parser = rotation::<Body, Part>, allow_hyphen_values = true)]
+    #[arg(long, value_name = "W,X,Y,Z", value_parser = rotation::<Body, Part>, allow_hyphen_values = true, conflicts_with_all = ["csv", "as_format"])]
     along: Option<Rotation<Body, Part>>,
-    /// Print the principal axes too.
-    #[arg(long)]
+    /// Print the principal axes too; JSON and tables have them always.
+    #[arg(long, conflicts_with = "as_format")]
     axes: bool,
     #[command(flatten)]
     output: OutputFlags,
@@ -214,14 +214,14 @@ fn length_unit(text: &str) -> Result<f64, String> {
     if !text.starts_with(char::is_alphabetic) {
         return Err("the name of a unit of length belongs here, such as mm".to_owned());
     }
-    positive(quantity(&format!("1 {text}"), Dimension::LENGTH)?)
+    positive(unit_named(text, Dimension::LENGTH)?)
 }
 
 fn mass_unit(text: &str) -> Result<f64, String> {
     if !text.starts_with(char::is_alphabetic) {
         return Err("the name of a unit of mass belongs here, such as g".to_owned());
     }
-    positive(quantity(&format!("1 {text}"), Dimension::MASS)?)
+    positive(unit_named(text, Dimension::MASS)?)
 }
 
 fn point(text: &str) -> Result<Position<Body>, String> {

@@ -25,7 +25,13 @@ use clap::Parser as _;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    match args::Polhode::parse().command.run() {
+    let done = match args::Polhode::try_parse() {
+        Ok(polhode) => polhode.command.run(),
+        // Help and the version are answers: where they cannot be written that is a failure.
+        Err(answer) if !answer.use_stderr() => stdout::print_styled(&answer.render()),
+        Err(refusal) => refusal.exit(),
+    };
+    match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => failure.report(),
     }

@@ -11,24 +11,39 @@ pub(crate) fn quantity(text: &str, dimension: Dimension) -> Result<f64, String> 
     })
 }
 
-/// Numbers with commas between, each with its unit; `(1, 2, 3) deg/s` gives all of them one.
-///
-/// A list in which some have a unit and others, not zero, have none is refused: the unit of the last is often meant for all.
+/// One of a unit of this name, in SI.
+pub(crate) fn unit_named(name: &str, dimension: Dimension) -> Result<f64, String> {
+    unit::factor(name, dimension).map_err(|error| match error.hint() {
+        Some(hint) => format!("{error} (hint: {hint})"),
+        None => error.to_string(),
+    })
+}
+
+/// Numbers with commas between, as many as there are, each with its unit; `(1, 2, 3) deg/s` gives all of them one.
 pub(crate) fn list(text: &str, dimension: Dimension) -> Result<Vec<f64>, String> {
+    let without = text.trim().trim_start_matches('(').replace(')', " ");
+    match without.split(',').find(|part| unit::may_be_several(part)) {
+        Some(part) => Err(format!(
+            "{part:?} may be several numbers (hint: a comma stands between two numbers, and no space within one)"
+        )),
+        None => each(text, dimension),
+    }
+}
+
+/// The numbers of a list. One in which some have a unit and others, not zero, have none is refused: the unit of the last is often
+/// meant for all.
+fn each(text: &str, dimension: Dimension) -> Result<Vec<f64>, String> {
     let (inside, unit) = match text.trim().strip_prefix('(').and_then(|rest| rest.split_once(')')) {
         Some((inside, unit)) => (inside, unit),
         None => (text, ""),
     };
     let parts: Vec<_> = inside.split(',').map(|part| format!("{part} {unit}").trim().to_owned()).collect();
     let numbers = parts.iter().map(|part| quantity(part, dimension)).collect::<Result<Vec<_>, _>>()?;
-    let has_unit =
-        |part: &&String| part.contains(|c: char| c == '°' || c.is_alphabetic() && !"eE".contains(c));
-    let bare = parts.iter().zip(&numbers).find(|(part, number)| !has_unit(part) && **number != 0.0);
-    match (parts.iter().find(has_unit), bare) {
-        (Some(with), Some((without, _))) => Err(format!(
+    match unit::bare_beside_units(parts.iter().map(String::as_str)) {
+        Some((without, with)) => Err(format!(
             "{with:?} has a unit and {without:?} has none (hint: give each its own, or one to all: \"(1, 2) unit\")"
         )),
-        _ => Ok(numbers),
+        None => Ok(numbers),
     }
 }
 
@@ -42,7 +57,7 @@ pub(crate) fn numbers<const N: usize>(
     if found != N {
         return Err(format!("{N} numbers belong here ({form}), not {found}"));
     }
-    list(text, dimension)?.try_into().map_err(|_| format!("{N} numbers belong here ({form})"))
+    each(text, dimension)?.try_into().map_err(|_| format!("{N} numbers belong here ({form})"))
 }
 
 /// A quaternion, scalar first, of any length but zero.
@@ -66,6 +81,7 @@ mod tests {
         assert_eq!(list("1, -2e-3,3"), Ok([1.0, -2e-3, 3.0]));
         assert_eq!(list("0,0,-2 1/s"), Ok([0.0, 0.0, -2.0]));
         assert_eq!(list(" (1, 0.5, 0) rev/s"), list("1 rev/s, 0.5 rev/s, 0"));
+        assert_eq!(list("12 345.6, −4.5×10⁻⁵, 8.273 333e-5"), Ok([12_345.6, -4.5e-5, 8.273_333e-5]));
         for (wrong, says) in [
             ("1,2,3 deg/s", "\"1\" has none"),
             ("1 deg/s,2,0", "\"2\" has none"),
@@ -78,6 +94,16 @@ mod tests {
         ] {
             let error = list(wrong).unwrap_err();
             assert!(error.contains(says), "{wrong}: {error}");
+        }
+    }
+
+    #[test]
+    fn a_space_does_not_stand_between_the_numbers_of_a_list() {
+        let times = |text: &str| super::list(text, Dimension::TIME);
+        assert_eq!(times("8.273 333 h, 1 234.5 s"), Ok(vec![29_783.998_8, 1234.5]));
+        assert_eq!(times("8.273 333e5, 0, 12\u{a0}345"), Ok(vec![827_333.3, 0.0, 12_345.0]));
+        for wrong in ["100 200", "100 200 300", "0.125 250", "100 200 s"] {
+            assert!(times(wrong).unwrap_err().contains("several"), "{wrong}");
         }
     }
 }

@@ -2,6 +2,8 @@
 
 use std::io::{self, IsTerminal as _, Write as _};
 
+use clap::builder::StyledStr;
+
 use crate::failure::Failure;
 
 /// Writes data to standard output.
@@ -11,6 +13,14 @@ pub(crate) fn print(data: &[u8]) -> Result<(), Failure> {
         io::ErrorKind::BrokenPipe => Failure::ClosedPipe,
         _ => Failure::Output { path: "standard output".to_owned(), error },
     })
+}
+
+/// Writes what clap says, with its colours where a terminal reads it and nobody has asked for none.
+pub(crate) fn print_styled(text: &StyledStr) -> Result<(), Failure> {
+    let plain =
+        !io::stdout().is_terminal() || std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
+    let text = if plain { text.to_string() } else { text.ansi().to_string() };
+    print(text.as_bytes())
 }
 
 /// The columns of the terminal that reads standard output; `None` where it is a pipe or a file.

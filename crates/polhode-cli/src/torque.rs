@@ -9,7 +9,7 @@ use polhode::{Body, Particle, Position, Scenario};
 use polhode_formats::scenario;
 use polhode_formats::table::parquet;
 use polhode_formats::table::required::RequiredTable;
-use polhode_formats::unit::Dimension;
+use polhode_formats::unit::{self, Dimension};
 use polhode_report::{RequiredReport, SourceInfo, pretty};
 
 use crate::failure::Failure;
@@ -170,6 +170,9 @@ fn point(text: &str) -> Result<Particle<Body>, String> {
         ));
     }
     let mass = positive(quantity(mass, Dimension::MASS)?)?;
+    if let Some((bare, with)) = unit::bare_beside_units(parts.iter().copied()) {
+        return Err(format!("{with:?} has a unit and {bare:?} has none (hint: give each its own, or none)"));
+    }
     let mut at = [0.0; 3];
     for (slot, text) in at.iter_mut().zip(place) {
         *slot = quantity(text, Dimension::LENGTH)?;

@@ -142,7 +142,7 @@ fn thousands_of_times_from_a_file_or_a_pipe() {
         writeln!(list, "{}{}", f64::from(k - 1500) * 0.37, if k % 7 == 0 { "  # a Sunday" } else { "" })
             .unwrap();
     }
-    scratch.write("times.txt", &(list.clone() + "\n1 d\n"));
+    scratch.write("times.txt", &(list.clone() + "\n86400\n"));
     let from_file = json(&spin(&scratch, &plate(&["--at-file", "times.txt", "--json"])));
     let states = from_file["motion"]["states"].as_array().unwrap();
     assert_eq!(states.len(), 3001);

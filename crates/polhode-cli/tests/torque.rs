@@ -45,7 +45,7 @@ fn a_slew_begins_and_ends_without_torque() {
     let scratch = Scratch::new("torque-slew");
     let file = example("slew.toml");
     let text =
-        stdout(&scratch.run(&["torque", &file, "-o", "slew.csv", "--point", "0.5 kg, 1, -20 cm, 0.3"]));
+        stdout(&scratch.run(&["torque", &file, "-o", "slew.csv", "--point", "0.5 kg, 1 m, -20 cm, 0.3 m"]));
     assert!(text.ends_with("wrote slew.csv\n"), "{text}");
     let table = fs::read_to_string(scratch.0.join("slew.csv")).unwrap();
     let mut lines = table.lines();

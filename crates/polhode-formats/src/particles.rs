@@ -169,7 +169,7 @@ impl Table {
             let told = if role == MASS { options.mass_unit } else { options.length_unit };
             let dimension = if role == MASS { Dimension::MASS } else { Dimension::LENGTH };
             let factor = match unit {
-                Some(unit) => unit::parse(&format!("1 {unit}"), dimension).map_err(|wrong| {
+                Some(unit) => unit::factor(&unit, dimension).map_err(|wrong| {
                     let what = format!("the unit of {}", NAMES[role]);
                     let rule = format!("a unit that polhode knows: {wrong}");
                     let hinted = error(ContentErrorKind::Value { what, value: unit, rule });

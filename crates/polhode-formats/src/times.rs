@@ -7,6 +7,7 @@ use std::path::Path;
 
 use crate::error::{FormatError, FormatErrorKind, Place};
 use crate::file;
+use crate::text::cut;
 use crate::unit::{self, Dimension};
 
 /// More times than this would not fit the memory of a small machine: at 240 bytes a sample, 2.4 GB.
@@ -56,16 +57,32 @@ pub fn read_from(stream: impl Read, path: &Path) -> Result<Vec<f64>, FormatError
 /// As [`read`].
 pub fn parse(text: &str, path: &Path) -> Result<Vec<f64>, FormatError> {
     let (mut times, mut start) = (Vec::new(), 0);
+    let mut nonzero: Option<&str> = None;
     for line in text.split_inclusive('\n') {
         let before_comment = line.split('#').next().unwrap_or_default();
         // A byte order mark is no part of the first time.
         let time = before_comment.trim_start_matches('\u{feff}').trim();
         if !time.is_empty() {
-            let value = unit::parse(time, Dimension::TIME).map_err(|error| {
-                let from = start + line.find(time).unwrap_or_default();
-                let place = Place::in_text(text, from..from + time.len());
-                FormatError::new(path, Some(place), FormatErrorKind::Unit(error))
-            })?;
+            let from = start + line.find(time).unwrap_or_default();
+            let failed =
+                |kind| FormatError::new(path, Some(Place::in_text(text, from..from + time.len())), kind);
+            let refused = |rule: String| {
+                let (key, value) = ("time".to_owned(), cut(time));
+                failed(FormatErrorKind::Value { key, value, rule })
+            };
+            let value =
+                unit::parse(time, Dimension::TIME).map_err(|error| failed(FormatErrorKind::Unit(error)))?;
+            if unit::may_be_several(time) {
+                let hint = "write each time on a line of its own, and its digits in one piece";
+                return Err(refused("one number".to_owned()).with_hint(hint));
+            }
+            // The first line that is not zero decides for those after it: with units, or in s.
+            let first = *nonzero.get_or_insert(time);
+            if let Some((bare, with)) = unit::bare_beside_units([first, time]) {
+                let rule = format!("as the others: {with:?} has a unit and {bare:?} has none");
+                return Err(refused(rule).with_hint("give each time its unit, or write all in s"));
+            }
+            nonzero = nonzero.filter(|_| value != 0.0 || times.iter().any(|time| *time != 0.0));
             times.push(value);
         }
         start += line.len();

@@ -2,7 +2,10 @@
 //!
 //! Every quantity a user writes comes through [`parse`], with the [`Dimension`] that its place
 //! demands: `"982 slug ft^2"` where a moment of inertia belongs, `"30 deg/s"` where an angular
-//! velocity does. A length in a mass's place is an error, not a number. A bare number is SI.
+//! velocity does. A length in a mass's place is an error, not a number. A bare number is SI; among
+//! numbers with units it is refused where they are read together ([`bare_beside_units`]).
+//!
+//! A number is read as people write it and as polhode prints it: `8.273 333e-5`, `−4.5×10⁻⁵`.
 //!
 //! A unit is a product: names joined by a space, `*`, `·` or nothing, divided by `/`, raised by
 //! `^2`, `^-1`, `²` or `⁻¹`, grouped by parentheses. A slash divides by the one factor after it,
@@ -13,6 +16,7 @@
 
 mod dimension;
 mod exact;
+mod number;
 mod table;
 
 use std::error::Error;
@@ -20,6 +24,7 @@ use std::fmt;
 
 pub use dimension::Dimension;
 use exact::Exact;
+use number::{Split, split};
 use table::Unit;
 
 use crate::text::cut;
@@ -51,6 +56,68 @@ pub fn parse(text: &str, expected: Dimension) -> Result<f64, UnitError> {
     read(text, accepts).map(|(value, _)| value)
 }
 
+/// One of a unit, in SI: of `mm` 0.001.
+///
+/// ```
+/// use polhode_formats::unit::{Dimension, factor};
+/// assert_eq!(factor("mm", Dimension::LENGTH), Ok(0.001));
+/// assert!(factor("kg", Dimension::LENGTH).is_err());
+/// ```
+///
+/// # Errors
+///
+/// As [`parse`], for the unit.
+pub fn factor(unit: &str, expected: Dimension) -> Result<f64, UnitError> {
+    let accepts = |unit: &str, found| match expected.accepts(found) {
+        true => Ok(()),
+        false => Err(UnitError::WrongDimension { unit: unit.to_owned(), found, expected }),
+    };
+    let unit = unit.trim();
+    if unit.is_empty() {
+        return Err(UnitError::Malformed { unit: String::new(), rule: "it has no name" });
+    }
+    value("1", unit, unit, accepts).map(|(value, _)| value)
+}
+
+/// Of numbers in a list, the first without a unit, which is not zero, beside the first that has one: whoever wrote them meant the unit
+/// for all, or forgot it. What is no quantity is not looked at.
+///
+/// ```
+/// use polhode_formats::unit::bare_beside_units;
+/// assert_eq!(bare_beside_units(["0 mm", "0", "150"]), Some(("150", "0 mm")));
+/// assert_eq!(bare_beside_units(["0", "2 deg", "−3.5 rad"]), None);
+/// ```
+pub fn bare_beside_units<'a>(texts: impl IntoIterator<Item = &'a str> + Clone) -> Option<(&'a str, &'a str)> {
+    let is_bare = |text: &&str| {
+        split(text.trim()).is_some_and(|split| {
+            split.unit.is_empty() && !Exact::new(split.number.trim_start_matches('-')).is_zero()
+        })
+    };
+    let bare = texts.clone().into_iter().find(is_bare)?;
+    Some((bare, texts.into_iter().find(|text| has_unit(text))?))
+}
+
+/// The unit of a number; empty if it has none.
+pub(crate) fn unit_of(text: &str) -> &str {
+    split(text.trim()).map_or("", |split| split.unit)
+}
+
+/// True of a number with a unit; a formula such as `3*t` is none.
+fn has_unit(text: &str) -> bool {
+    split(text.trim()).is_some_and(|Split { unit, .. }| {
+        !unit.is_empty() && !unit.starts_with(['*', '·', '⋅']) && Product::read(unit).is_ok()
+    })
+}
+
+/// True where ordinary spaces part the digits of what may be several numbers: `100 200`, but not `8.273 333e-5`.
+///
+/// As the only one of its place such a text is one number; where any count of numbers may stand it could be two.
+pub fn may_be_several(text: &str) -> bool {
+    split(text.trim()).is_some_and(|Split { number, unit, spaced }| {
+        spaced && (!number.contains('.') || unit.is_empty() && !number.contains('e'))
+    })
+}
+
 /// Reads a number with an optional unit of any dimension: its value in SI units, and what it measures.
 ///
 /// ```
@@ -66,13 +133,28 @@ pub fn measured(text: &str) -> Result<(f64, Dimension), UnitError> {
     read(text, |_, _| Ok(()))
 }
 
+/// As [`measured`], of a number in one piece and the unit that stands apart from it.
+pub(crate) fn measured_apart(number: &str, unit: &str) -> Result<(f64, Dimension), UnitError> {
+    value(number, unit.trim(), &format!("{number} {unit}"), |_, _| Ok(()))
+}
+
 /// A number and what its unit measures, if that is accepted; a bare number is.
 fn read(
     text: &str,
     accepts: impl FnOnce(&str, Dimension) -> Result<(), UnitError>,
 ) -> Result<(f64, Dimension), UnitError> {
     let text = text.trim();
-    let (number, unit) = split(text).ok_or_else(|| UnitError::NotANumber { text: text.to_owned() })?;
+    let split = split(text).ok_or_else(|| UnitError::NotANumber { text: text.to_owned() })?;
+    value(&split.number, split.unit, text, accepts)
+}
+
+/// The value of a number, in one piece, and its unit, which `text` has for messages.
+fn value(
+    number: &str,
+    unit: &str,
+    text: &str,
+    accepts: impl FnOnce(&str, Dimension) -> Result<(), UnitError>,
+) -> Result<(f64, Dimension), UnitError> {
     let mut exact = Exact::new(number.trim_start_matches(['+', '-']));
     let nonzero = !exact.is_zero();
     let mut dimension = Dimension::NONE;
@@ -184,37 +266,22 @@ fn quoted(text: &str) -> String {
 }
 
 fn number_hint(text: &str) -> String {
-    let point = text.replacen(',', ".", 1);
-    match split(&point) {
-        Some((number, _)) => {
-            format!("write {number:.60}: the decimal sign is a point, and thousands are not separated")
+    let replaced = |mark| text.replacen(',', mark, 1);
+    match (split(&replaced(".")), split(&replaced(""))) {
+        (Some(pointed), joined) => {
+            // 1,234 is more than a thousand for some, and a little more than one for others.
+            let decimals = text
+                .split_once(',')
+                .map_or(0, |(_, rest)| rest.bytes().take_while(u8::is_ascii_digit).count());
+            let thousands = joined.filter(|_| decimals == 3);
+            let or = thousands.map_or(String::new(), |joined| format!(" or {:.60}", joined.number));
+            format!(
+                "write {:.60}{or}: the decimal sign is a point, and no comma parts thousands",
+                pointed.number
+            )
         }
-        None if text.contains('\u{2212}') => "write the minus sign as \"-\"".to_owned(),
-        None => "write a decimal number and a unit, such as \"25.4 mm\" or \"-3.5e-2 rad/s\"".to_owned(),
+        _ => "write a decimal number and a unit, such as \"25.4 mm\" or \"-3.5e-2 rad/s\"".to_owned(),
     }
-}
-
-/// The number at the start of a text and the unit after it; `None` if the number does not end cleanly.
-fn split(text: &str) -> Option<(&str, &str)> {
-    let digits = |from: usize| text[from..].bytes().take_while(u8::is_ascii_digit).count();
-    let start = usize::from(text.starts_with(['+', '-']));
-    let mut end = start + digits(start);
-    let mut count = end - start;
-    if text[end..].starts_with('.') {
-        count += digits(end + 1);
-        end += 1 + digits(end + 1);
-    }
-    if text[end..].starts_with(['e', 'E']) {
-        let sign = usize::from(text[end + 1..].starts_with(['+', '-']));
-        match digits(end + 1 + sign) {
-            0 => return None,
-            exponent => end += 1 + sign + exponent,
-        }
-    }
-    let unit = text[end..].trim_start();
-    let glued = text[end..].starts_with(['.', ',', '_', 'x', 'X', 'e', 'E']);
-    let second_number = unit.starts_with(char::is_numeric) && inverse(unit).is_none();
-    (count > 0 && !glued && !second_number).then_some((&text[..end], unit))
 }
 
 /// The `/s` of `1/s`.
@@ -321,7 +388,7 @@ impl<'a> Product<'a> {
         let digits = match self.rest.strip_prefix('^') {
             Some(rest) => {
                 self.rest = rest;
-                self.take(|c| c.is_ascii_digit() || c == '-').to_owned()
+                self.take(|c| c.is_ascii_digit() || matches!(c, '-' | '\u{2212}')).replace('\u{2212}', "-")
             }
             None => match self.take(|c| RAISED.contains(&c) || c == '⁻') {
                 "" => return Ok(1),

@@ -15,7 +15,7 @@ fn read(text: &str) -> Scenario {
     parse(text).unwrap_or_else(|e| panic!("{e}\n{text}"))
 }
 
-const BOX: &str = "[[body.part]]\nshape = 'box'\nsize = [0.3, '20 cm', 0.5]\n";
+const BOX: &str = "[[body.part]]\nshape = 'box'\nsize = ['0.3 m', '20 cm', '0.5 m']\n";
 
 fn near(got: f64, want: f64, scale: f64) {
     assert!((got - want).abs() <= 4e-15 * scale, "{got} is not {want}");
@@ -26,7 +26,7 @@ fn near(got: f64, want: f64, scale: f64) {
 fn a_density_may_grow_along_a_slanted_direction() {
     let (sides, slope) = ([0.3, 0.2, 0.5], [0.7, -1.1, 0.4]);
     let text = format!(
-        "{BOX}density = '2700*(1 + 0.7*x - 1.1*y + 0.4*z)'\nposition = [1.5, '-40 cm', 0.25]\n\
+        "{BOX}density = '2700*(1 + 0.7*x - 1.1*y + 0.4*z)'\nposition = ['1.5 m', '-40 cm', '0.25 m']\n\
          rotate = {{ quaternion = [0.4, -0.7, 1.1, 0.3] }}\n"
     );
     let read = read(&text);

@@ -16,7 +16,7 @@ fn body(text: &str) -> Scenario {
 #[test]
 fn a_shape_is_what_its_table_says() {
     let expected: [(&str, Box<dyn Shape>); 15] = [
-        ("shape='box'\nsize=['30 mm',0.02,'1 cm']", Box::new(BoxShape::new([0.03, 0.02, 0.01]).unwrap())),
+        ("shape='box'\nsize=['30 mm','0.02 m','1 cm']", Box::new(BoxShape::new([0.03, 0.02, 0.01]).unwrap())),
         ("shape='sphere'\nradius='2 cm'", Box::new(Sphere::new(0.02).unwrap())),
         ("shape='ellipsoid'\nsemi_axes=[3,2,1]", Box::new(Ellipsoid::new([3.0, 2.0, 1.0]).unwrap())),
         ("shape='cylinder'\nradius=2\nlength=3", Box::new(Cylinder::new(2.0, 3.0).unwrap())),
@@ -25,7 +25,7 @@ fn a_shape_is_what_its_table_says() {
         ("shape='cone'\nradius=2\ntop_radius=1\nheight=3", Box::new(Cone::new(2.0, 1.0, 3.0).unwrap())),
         ("shape='torus'\nring_radius=2\ntube_radius=0.5", Box::new(Torus::new(2.0, 0.5).unwrap())),
         (
-            "shape='tetrahedron'\nvertices=[[0,0,0],[2,0,0],[0,3,0],[0,0,'1 m']]",
+            "shape='tetrahedron'\nvertices=[[0,0,0],[2,0,0],[0,3,0],[0,0,1]]",
             Box::new(
                 Tetrahedron::new([[0.0; 3], [2.0, 0.0, 0.0], [0.0, 3.0, 0.0], [0.0, 0.0, 1.0]]).unwrap(),
             ),
@@ -76,7 +76,7 @@ fn a_part_stands_where_it_is_put() {
         let read = body(&format!(
             "[[body.part]]\nshape='cone'\nname='tip'\nradius=1\nheight=4\nmass=1\nposition=[1,2,3]\n\
              [[body.part]]\nshape='particles'\nrotate={turn}\nposition=[1,0,0]\n\
-             particles=[{{mass='2 kg',position=[1,0,'50 cm']}}]"
+             particles=[{{mass='2 kg',position=['1 m',0,'50 cm']}}]"
         ));
         let particle = read.particles()[0];
         assert!((particle.position() - Position::new(1.0, 1.0, 0.5)).norm() < 1e-15, "{turn}");
@@ -91,17 +91,20 @@ fn a_part_stands_where_it_is_put() {
 fn a_tensor_keeps_its_convention_and_its_point() {
     let read = |text: &str| body(&format!("[[body.part]]\nshape='tensor'\nmass='2.3 kg'\n{text}")).body;
     let center = "center_of_mass=[0.11,-0.07,0.23]\n";
-    let negative = "inertia=[[3.1,0.4,-0.3],[0.4,4.2,0.2],[-0.3,0.2,'5.3 kg m^2']]\n";
+    let negative = "inertia=[[3.1,0.4,-0.3],[0.4,4.2,0.2],[-0.3,0.2,5.3]]\n";
     let wanted = [[3.1, 0.4, -0.3], [0.4, 4.2, 0.2], [-0.3, 0.2, 5.3]];
     assert_eq!(read(&format!("{center}{negative}")).inertia().matrix(), wanted);
     let positive = "products='positive_integral'\ninertia=[[3.1,-0.4,0.3],[-0.4,4.2,-0.2],[0.3,-0.2,5.3]]\n";
     assert_eq!(read(positive).inertia().matrix(), wanted);
-    let moved = read(&format!("{center}{negative}about=[1,'-40 cm',0.7]"));
+    let moved = read(&format!("{center}{negative}about=['1 m','-40 cm','0.7 m']"));
     let again = moved.inertia_about(Position::new(1.0, -0.4, 0.7)).matrix();
     for (a, b) in again.iter().flatten().zip(wanted.iter().flatten()) {
         assert!((a - b).abs() < 5e-15);
     }
-    assert_eq!(read("moments=[1,2,'2.5 kg m^2']\nabout='center_of_mass'").inertia().matrix()[2][2], 2.5);
+    assert_eq!(
+        read("moments=['1 kg m^2','2 kg m^2','2.5 kg m^2']\nabout='center_of_mass'").inertia().matrix()[2][2],
+        2.5
+    );
 }
 
 #[test]
@@ -110,12 +113,12 @@ fn a_start_is_a_spin_or_a_momentum() {
         "[[body.part]]\nshape='tensor'\nmass=2\ninertia=[[3.1,0.4,-0.3],[0.4,4.2,0.2],[-0.3,0.2,5.3]]\n";
     let attitude = "[start]\nattitude={quaternion=[0.4,-0.7,1.1,0.3]}\nvelocity=['36 km/h',0,0]\n";
     let read = |spin: &str| body(&format!("{tensor}{attitude}spin={spin}"));
-    let body_spin = read("{body=['30 deg/s',-0.2,0.7]}");
+    let body_spin = read("{body=['30 deg/s','-0.2 rad/s','0.7 rad/s']}");
     assert_eq!(body_spin.start.omega.to_array(), [std::f64::consts::FRAC_PI_6, -0.2, 0.7]);
     assert_eq!(body_spin.velocity.to_array(), [10.0, 0.0, 0.0]);
     let space = read("{space=[0.1,-0.2,0.7]}");
     assert!((space.start.omega_space() - AngularVelocity::new(0.1, -0.2, 0.7)).norm() < 1e-15);
-    let momentum = read("{momentum=[1,-2,'3 N m s']}");
+    let momentum = read("{momentum=['1 N m s','-2 N m s','3 N m s']}");
     let l = momentum.rotor().angular_momentum_space(&momentum.start);
     assert!((l - AngularMomentum::new(1.0, -2.0, 3.0)).norm() < 4e-15);
     // About a pivot, L is that about the pivot.
@@ -145,7 +148,7 @@ fn torques_pivots_and_prescribed_motions_are_read() {
     ));
     assert_eq!(turn.start.omega.to_array(), [0.0, 0.0, 3.0]);
     assert!((turn.start.attitude.angle() - 1.0).abs() < 1e-15);
-    let coin = body(&format!("{BALL}[prescribed]\neuler313=[0,'90 deg',0]\nrates=[2,0,'5 rad/s']"));
+    let coin = body(&format!("{BALL}[prescribed]\neuler313=[0,'90 deg',0]\nrates=['2 rad/s',0,'5 rad/s']"));
     assert!((coin.start.omega - AngularVelocity::new(0.0, 2.0, 5.0)).norm() < 1e-15);
 }
 

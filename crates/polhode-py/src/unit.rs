@@ -1,6 +1,6 @@
 //! Units by name.
 
-use polhode_formats::unit::{Dimension, parse};
+use polhode_formats::unit::{Dimension, factor};
 use pyo3::prelude::*;
 
 use crate::error::refused;
@@ -15,5 +15,5 @@ pub(crate) fn unit(name: &str, of_mass: bool) -> PyResult<f64> {
     if !name.starts_with(char::is_alphabetic) {
         return Err(refused(format!("{name:?} is no unit"), Some("a name belongs here, such as \"mm\"")));
     }
-    parse(&format!("1 {name}"), dimension).map_err(|error| refused(&error, error.hint().as_deref()))
+    factor(name, dimension).map_err(|error| refused(&error, error.hint().as_deref()))
 }

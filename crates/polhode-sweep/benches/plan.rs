@@ -14,7 +14,7 @@ mass = "3.2 kg"
 inertia = [[1.1, 0.13, -0.21], [0.13, 1.7, 0.08], [-0.21, 0.08, 2.3]]
 [start]
 attitude = { axis = [1, -2, 3], angle = "50 deg" }
-spin = { body = ["0.3 rad/s", -1.2, "40 deg/s"] }
+spin = { body = ["0.3 rad/s", "-1.2 rad/s", "40 deg/s"] }
 [run]
 duration = "20 s"
 samples = 11

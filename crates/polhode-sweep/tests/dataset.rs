@@ -40,7 +40,7 @@ shape = "tensor"
 mass = "3.2 kg"
 inertia = [[1.1, 0.13, -0.21], [0.13, 1.7, 0.08], [-0.21, 0.08, 2.3]]
 [start]
-spin = {{ body = ["0.3 rad/s", -1.2, "40 deg/s"] }}
+spin = {{ body = ["0.3 rad/s", "-1.2 rad/s", "40 deg/s"] }}
 [run]
 duration = "37 s"
 samples = 5

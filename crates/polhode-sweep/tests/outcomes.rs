@@ -10,11 +10,11 @@ title = "a tumbling box"
 [[body.part]]
 shape = "tensor"
 mass = "3.2 kg"
-center_of_mass = [0.1, "-40 mm", 0.07]
+center_of_mass = ["0.1 m", "-40 mm", "0.07 m"]
 inertia = [[1.1, 0.13, -0.21], [0.13, 1.7, 0.08], [-0.21, 0.08, 2.3]]
 [start]
 attitude = { axis = [1, -2, 3], angle = "50 deg" }
-spin = { body = ["0.3 rad/s", -1.2, "40 deg/s"] }
+spin = { body = ["0.3 rad/s", "-1.2 rad/s", "40 deg/s"] }
 "#;
 
 const FREE: &str = r#"
@@ -42,7 +42,7 @@ samples = 25
 [[torque]]
 model = "constant"
 axes = "body"
-torque = [0.4, -0.7, "1.1 N m"]
+torque = ["0.4 N m", "-0.7 N m", "1.1 N m"]
 [[event]]
 name = "Fast enough!"
 measure = "omega_body_z"

@@ -49,8 +49,8 @@ pub(super) struct FileFlags {
     /// Write a page that shows the motion, up to --duration or the last --at, else for some periods.
     #[arg(long, value_name = "FILE", num_args = 0..=1, require_equals = true, default_missing_value = PAGE)]
     html: Option<PathBuf>,
-    /// Leave report.html out of the folder.
-    #[arg(long)]
+    /// Leave report.html out of the folder that --duration, --curves or -o writes.
+    #[arg(long, requires = "folder", conflicts_with = "periods")]
     no_page: bool,
     /// The folder to write [default: the scenario's name, else spin, here].
     #[arg(short, long, value_name = "DIR")]

@@ -22,7 +22,7 @@ const NAMES: &[(&str, &str)] = &[
 /// The unit in the grammar of [`unit::parse`], if it measures `dimension`.
 pub(super) fn read(phrase: &str, dimension: Dimension) -> Option<String> {
     let unit = rewritten(phrase)?;
-    unit::parse(&format!("1 {unit}"), dimension).is_ok().then_some(unit)
+    unit::factor(&unit, dimension).is_ok().then_some(unit)
 }
 
 /// Word by word: a name for each word, `square` and `cubic` behind the next one, `per` as a slash.
@@ -66,7 +66,7 @@ mod tests {
     fn words_are_units() {
         let value = |phrase: &str, dimension| {
             let unit = read(phrase, dimension)?;
-            unit::parse(&format!("1 {unit}"), dimension).ok()
+            unit::factor(&unit, dimension).ok()
         };
         let pound_inch = 0.453_592_37 * 0.0254 * 0.0254;
         for (phrase, want) in [

@@ -294,7 +294,7 @@ impl<'a> Parser<'a> {
             return Err(self.expected("a unit"));
         }
         self.at += length + 1;
-        let (value, dimension) = unit::measured(&format!("{number} {unit}"))
+        let (value, dimension) = unit::measured_apart(number, &unit)
             .map_err(|e| ExpressionError { kind: ExpressionErrorKind::Unit(e), column: unit_column })?;
         let (instruction, dimension) = (Instruction::Constant(value), dimension.without_angle());
         self.steps.push(Step { instruction, column, dimension });

@@ -27,7 +27,7 @@ impl<'a> Spot<'a> {
                 let (index, after) = inside
                     .split_once(']')
                     .ok_or_else(|| (format!("a key, but its bracket is not closed after {done}"), None))?;
-                spot = Some(element(from, done, index)?);
+                spot = Some(element(from, done, index, after)?);
                 rest = after;
                 continue;
             }
@@ -67,7 +67,7 @@ fn no_key(table: Option<&Entries>, done: &str, word: &str, after: &str) -> Nowhe
 }
 
 /// The element of an array by its index, from 0, or by its `name`.
-fn element<'a>(from: Spot<'a>, done: &str, index: &str) -> Result<Spot<'a>, Nowhere> {
+fn element<'a>(from: Spot<'a>, done: &str, index: &str, after: &str) -> Result<Spot<'a>, Nowhere> {
     let Kind::List(elements) = &from.node.kind else {
         return Err((format!("a key of the scenario, but {done} is not an array"), None));
     };
@@ -84,7 +84,7 @@ fn element<'a>(from: Spot<'a>, done: &str, index: &str) -> Result<Spot<'a>, Nowh
             let names = || elements.iter().filter_map(name_of);
             elements.iter().position(|node| name_of(node) == Some(name)).ok_or_else(|| {
                 let hint = match nearest(name, names()) {
-                    Some(near) => format!("did you mean {done}[\"{near}\"]?"),
+                    Some(near) => format!("did you mean '{done}[\"{near}\"]{after}'?"),
                     None => format!("write {done}[0], or give it a name = \"...\""),
                 };
                 (format!("a key of the scenario, but no {done} is named \"{name}\""), Some(hint))

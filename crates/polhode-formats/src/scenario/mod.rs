@@ -27,6 +27,8 @@ mod body;
 mod event;
 mod formula;
 mod key;
+mod list_units;
+mod meant;
 mod molecule;
 mod motion_table;
 mod part;
@@ -54,10 +56,7 @@ use crate::error::{FormatError, FormatErrorKind, Place};
 use crate::file;
 use crate::mesh::stl;
 use again::Reading;
-use polhode::{
-    EventAction, Finding, MU_EARTH, MagneticField, MotionError, Orbit, Rotor, Scenario, Severity,
-    TorqueModel, Velocity, Wheel,
-};
+use polhode::{EventAction, Finding, MotionError, Rotor, Scenario, Severity, TorqueModel, Velocity, Wheel};
 use reader::{Source, TOP, Table};
 pub use sweep::{Dispersion, Distribution, Law, SOBOL_DIMENSIONS, Sampling, Spread, Sweep, Vary};
 pub use target::{Target, TargetColumn};
@@ -146,7 +145,10 @@ pub fn parse(text: &str, path: &Path) -> Result<Scenario, FormatError> {
 
 /// The tree of a file.
 fn document(source: Source<'_>) -> Result<Entries, FormatError> {
-    tree::parse(source.text).map_err(|error| perhaps_mesh(source.syntax(&error), source.text.as_bytes()))
+    let entries = tree::parse(source.text)
+        .map_err(|error| perhaps_mesh(source.syntax(&error), source.text.as_bytes()))?;
+    list_units::check(source, &entries)?;
+    Ok(entries)
 }
 
 /// The scenario of a file whose tables are `entries`.
@@ -183,6 +185,7 @@ fn read_root(source: Source<'_>, entries: &Entries) -> Result<Scenario, FormatEr
     let start = start::start(&root, &wheel::locked(&rotor, &wheels)?)?;
     let run = run::run(&root)?;
     let prescribed = prescribed::prescribed(&root, &start, run.as_ref(), &mut findings)?;
+    let orbit = torques.orbit;
     let mut scenario = Scenario {
         title,
         parts,
@@ -210,7 +213,7 @@ fn read_root(source: Source<'_>, entries: &Entries) -> Result<Scenario, FormatEr
     scenario.findings.extend(idle_gravity(&scenario));
     scenario.findings.extend(idle_motion(&scenario));
     scenario.findings.extend(idle_torques(&scenario));
-    scenario.findings.extend(underground(&scenario));
+    scenario.findings.extend(orbit.and_then(|orbit| orbit.underground()));
     Ok(scenario)
 }
 
@@ -296,36 +299,6 @@ fn idle_torques(scenario: &Scenario) -> Option<Finding> {
         code: "torque.off",
         severity: Severity::Warning,
         message: format!("the torque \"{name}\" is off, and no event switches it on"),
-        place: None,
-    })
-}
-
-/// An orbit about the Earth that goes through it: a height where a radius belongs.
-fn underground(scenario: &Scenario) -> Option<Finding> {
-    /// The Earth's least radius, at the poles, m (WGS 84).
-    const POLES: f64 = 6_356_752.3;
-    let orbit = |torque: &TorqueModel| match torque {
-        TorqueModel::GravityGradient(gradient) => Some(gradient.orbit.clone()),
-        TorqueModel::Magnetic(magnet) => match &magnet.field {
-            MagneticField::Dipole { orbit, .. } => Some(orbit.clone()),
-            _ => None,
-        },
-        _ => None,
-    };
-    let mut orbits = scenario.torques.iter().filter_map(|torque| match torque {
-        TorqueModel::Scheduled(scheduled) => orbit(&scheduled.torque),
-        torque => orbit(torque),
-    });
-    let is_earth = |orbit: &Orbit| (orbit.mu() / MU_EARTH - 1.0).abs() < 1e-2;
-    let orbit = orbits.find(|orbit| is_earth(orbit) && orbit.periapsis() < POLES)?;
-    Some(Finding {
-        code: "orbit.underground",
-        severity: Severity::Warning,
-        message: format!(
-            "the orbit comes within {:.1} km of the centre of what has the Earth's µ, and the Earth reaches to 6356.8 km: is a height given as \
-             a radius?",
-            orbit.periapsis() / 1e3
-        ),
         place: None,
     })
 }

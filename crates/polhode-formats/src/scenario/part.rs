@@ -201,7 +201,7 @@ fn length_unit(value: &Value<'_>) -> Result<f64, FormatError> {
     if !name.trim().starts_with(char::is_alphabetic) {
         return Err(value.invalid("the name of a unit of length").with_hint(hint));
     }
-    unit::parse(&format!("1 {name}"), Dimension::LENGTH).map_err(|error| {
+    unit::factor(name, Dimension::LENGTH).map_err(|error| {
         let known = error.hint();
         let error = value.error(FormatErrorKind::Unit(error));
         if known.is_some() { error } else { error.with_hint(hint) }

@@ -4,6 +4,7 @@ use std::ops::Range;
 use std::path::Path;
 
 use super::again::{Number, Reading};
+use super::meant;
 use super::suggestion::nearest;
 use super::tree::{Entries, Kind, Node};
 use crate::error::{FormatError, FormatErrorKind, Place};
@@ -97,7 +98,8 @@ impl<'a> Table<'a> {
         let unknown = self.entries.iter().filter(|(key, _)| !known.contains(&key.as_str()));
         let Some((key, entry)) = unknown.min_by_key(|(_, entry)| entry.key.start) else { return Ok(()) };
         let key = key.clone();
-        let suggestion = nearest(&key, known.iter().copied());
+        let advice = meant::key(&key, known).map(str::to_owned);
+        let suggestion = if advice.is_some() { None } else { nearest(&key, known.iter().copied()) };
         let misplaced = match key.as_str() {
             "title" => Some("title stands above the first table".to_owned()),
             "torque" | "wheel" | "event" => Some(format!("write [[{key}]] on a line of its own")),
@@ -107,7 +109,7 @@ impl<'a> Table<'a> {
         let kind =
             FormatErrorKind::UnknownKey { key, table: self.name.clone(), suggestion, known: known.to_vec() };
         let error = self.source.error(entry.key.clone(), kind);
-        Err(match misplaced {
+        Err(match misplaced.or(advice) {
             Some(hint) => error.with_hint(hint),
             None => error,
         })
@@ -145,6 +147,14 @@ impl<'a> Table<'a> {
     }
 
     pub(crate) fn missing(&self, key: &'static str, example: &'static str) -> FormatError {
+        // A key that is nearly the missing one is a slip of the pen.
+        let slip = self.entries.iter().find(|(other, _)| *other != key && nearest(other, [key]).is_some());
+        if let Some((other, entry)) = slip {
+            let (table, suggestion) = (self.name.clone(), Some(key));
+            let kind =
+                FormatErrorKind::UnknownKey { key: other.clone(), table, suggestion, known: vec![key] };
+            return self.source.error(entry.key.clone(), kind).with_hint(format!("did you mean {key}?"));
+        }
         self.error(FormatErrorKind::MissingKey { key, table: self.name.clone(), example })
     }
 
@@ -192,9 +202,21 @@ impl<'a> Value<'a> {
                 let name = if text.starts_with('[') { cut(text) } else { self.key.to_owned() };
                 Ok(Table { source: self.source, entries, span: self.span(), name })
             }
-            _ if self.is_element => Err(self.wrong_type("a table", &self.write("{ ... }"))),
-            _ => Err(self
-                .wrong_type("a table", &format!("{}, or [{}] on a line", self.write("{ ... }"), self.key))),
+            _ => Err(self.wrong_type("a table", &self.as_table())),
+        }
+    }
+
+    /// The advice to write a table in the place of the value.
+    fn as_table(&self) -> String {
+        let elements = if let Kind::List(elements) = &self.value.kind { elements.len() } else { 0 };
+        let text = self.source.text.get(self.span()).unwrap_or_default();
+        match meant::table(self.key, text, elements) {
+            _ if self.is_element => meant::element(self.key, text, elements),
+            Some(advice) => advice,
+            None if TOP.contains(&self.key) => {
+                format!("write [{}] on a line of its own, and its keys below", self.key)
+            }
+            None => self.write("{ key = value }"),
         }
     }
 
@@ -246,12 +268,18 @@ impl<'a> Value<'a> {
         let text = self.string()?;
         match names.iter().find(|name| **name == text) {
             Some(name) => Ok(name),
-            None => Err(self.invalid(format!("one of {}", names.join(", "))).with_hint(
-                match nearest(text, names.iter().copied()) {
-                    Some(name) => format!("did you mean \"{name}\"?"),
-                    None => self.write(&format!("\"{}\"", names.first().unwrap_or(&""))),
-                },
-            )),
+            None => {
+                let error = self.invalid(format!("one of {}", names.join(", ")));
+                let near =
+                    || nearest(text, names.iter().copied()).map(|name| format!("did you mean \"{name}\"?"));
+                let only = || {
+                    names.first().filter(|_| names.len() == 1).map(|name| self.write(&format!("\"{name}\"")))
+                };
+                Err(match meant::name(text, names).or_else(near).or_else(only) {
+                    Some(hint) => error.with_hint(hint),
+                    None => error,
+                })
+            }
         }
     }
 

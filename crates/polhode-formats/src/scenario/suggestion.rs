@@ -1,6 +1,6 @@
 //! What was probably meant.
 
-/// The candidate nearest to a word, if it is near enough to be a slip of the pen.
+/// The candidate nearest to a word, if it is near enough to be a slip of the pen and no other is as near.
 pub(crate) fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let letters = |text: &str| -> Vec<char> {
         text.chars()
@@ -8,13 +8,29 @@ pub(crate) fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a s
             .map(|c| if c == '-' || c == ' ' { '_' } else { c.to_ascii_lowercase() })
             .collect()
     };
+    // Another digit is another thing: euler321 is not euler313.
+    let digits = |text: &str| text.chars().filter(char::is_ascii_digit).collect::<String>();
+    let number = digits(word);
     let word = letters(word);
-    candidates
+    let mut near: Vec<(usize, &str)> = candidates
         .into_iter()
+        .filter(|candidate| {
+            let other = digits(candidate);
+            number.is_empty() || other.is_empty() || number == other
+        })
         .map(|candidate| (edits(&word, &letters(candidate)), candidate))
-        .filter(|&(edits, candidate)| edits <= candidate.chars().count().div_ceil(3).min(2))
-        .min_by_key(|&(edits, _)| edits)
-        .map(|(_, candidate)| candidate)
+        .filter(|&(edits, candidate)| {
+            let length = candidate.chars().count();
+            edits < length && edits <= length.div_ceil(3).min(2)
+        })
+        .collect();
+    near.sort_by_key(|&(edits, _)| edits);
+    match near[..] {
+        // Two that are as near are no answer: w2 is neither wx nor wy.
+        [(least, one), (edits, other), ..] if edits == least && one != other => None,
+        [(_, candidate), ..] => Some(candidate),
+        [] => None,
+    }
 }
 
 /// Letters inserted, left out, replaced or swapped with their neighbour, at the least, to make `a` into `b`.
@@ -47,6 +63,7 @@ mod tests {
         {
             assert_eq!(nearest(word, keys), Some(meant), "{word}");
         }
+        assert_eq!(nearest("euler321", ["axis", "euler313"]), None);
         for word in ["", "x", "colour", "long", "diameter"] {
             assert_eq!(nearest(word, keys), None, "{word}");
         }

@@ -222,7 +222,12 @@ mod tests {
             for number in template.found.numbers.values() {
                 let value = 1.0625 * number.value + 0.0078125;
                 let mut text = template.text.clone();
-                text.replace_range(number.span.clone(), &format!("{value:?}"));
+                // A number alone is refused beside others with units.
+                let written = match number.dimension.unit().0 {
+                    unit if unit.is_empty() => format!("{value:?}"),
+                    unit => format!("\"{value:?} {unit}\""),
+                };
+                text.replace_range(number.span.clone(), &written);
                 let written = scenario::parse(&text, &path).map(comparable);
                 let part = parts(&template).iter().position(|part| part.contains(&number.span.start));
                 let changes = Changes {

@@ -360,7 +360,7 @@ impl Field<'_> {
         if name != second || name != third {
             return Err(self.unsupported("axes with different units"));
         }
-        match unit::parse(&format!("1 {name}"), Dimension::LENGTH) {
+        match unit::factor(name, Dimension::LENGTH) {
             Ok(metres) if !name.trim().is_empty() => Ok((name.to_owned(), metres)),
             _ => Err(self.expected("a unit of length, such as \"mm\"")),
         }

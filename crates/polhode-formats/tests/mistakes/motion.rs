@@ -8,7 +8,7 @@ use super::{BALL, RUN, parse, refuses};
 fn orbits_are_given_once_and_are_orbits() {
     let orbit = |text: &str| format!("{BALL}[[torque]]\nmodel='gravity_gradient'\norbit={text}");
     assert!(parse(&orbit("{rate=0.001}")).is_ok());
-    assert!(parse(&orbit("{position=[7e6,0,0],velocity=[0,'11 km/s',1],mu='4e5 km^3/s^2'}")).is_ok());
+    assert!(parse(&orbit("{position=[7e6,0,0],velocity=[0,'11 km/s','1 m/s'],mu='4e5 km^3/s^2'}")).is_ok());
     assert!(parse(&orbit("{semi_major_axis=7e6,true_anomaly=1}")).is_ok());
     refuses(
         &format!("{BALL}«[[torque]]»\nmodel='gravity_gradient'"),
@@ -166,7 +166,7 @@ fn drag_springs_and_thrusters_are_possible() {
     refuses(
         &torque("drag", "law=«'cubic'»\ncoefficient=1"),
         "law = 'cubic' must be one of linear, quadratic",
-        "write law",
+        "",
     );
     refuses(
         &torque("torsion", "stiffness=«'1 N m'»"),
@@ -205,7 +205,13 @@ fn coefficients_come_in_every_shape_and_unit() {
         }
     };
     let twice = [[2.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 2.0]];
-    for text in ["2", "'2 N m s'", "'2 N m s/rad'", "[2, '2000 mN m s', 2]", "[[2,0,0],[0,2,0],[0,0,2]]"] {
+    for text in [
+        "2",
+        "'2 N m s'",
+        "'2 N m s/rad'",
+        "['2 N m s', '2000 mN m s', '2 N m s']",
+        "[[2,0,0],[0,2,0],[0,0,2]]",
+    ] {
         assert_eq!(coefficient("linear", text), twice, "{text}");
     }
     for text in ["2", "'2 N m s^2'", "'2 N m s^2/rad^2'", "'2 kg m^2'"] {
@@ -390,7 +396,7 @@ fn events_that_cannot_be_are_refused() {
     refuses(
         &event("measure='time'\nvalue=1\nthen=«'halt'»"),
         "then = 'halt' must be one of record, stop",
-        "write then = \"record\"",
+        "",
     );
     refuses(
         &format!("{BALL}{torque}[[torque]]\nname=«'jet'»\nmodel='constant'\naxes='body'\ntorque=[1,0,0]"),
@@ -415,7 +421,7 @@ fn a_torque_s_formula_is_answered_at_its_place() {
     assert!(parse(&with("0, '0.1 [N m]', '-2[N m s]*wx'")).is_ok());
     let message = "+ joins a torque and a plain number";
     refuses(&with("0, '1[N m] «+» 2', 0"), message, "a number has its unit in brackets, such as 0.1[N m]");
-    refuses(&with("0, 0, \"\"\"2[Nm]*«w1»\"\"\""), "there is no variable w1", "did you mean wx?");
+    refuses(&with("0, 0, \"\"\"2[Nm]*«w1»\"\"\""), "there is no variable w1", "the variables are t, wx");
     let message = "the value is an angular velocity, where a torque belongs";
     refuses(&with("' «wx»', 0, 0"), message, "a factor is missing, such as 12[N m s]");
     refuses(&with("'2[«Nn»]*t', 0, 0"), "there is no unit \"Nn\"", "did you mean");

@@ -14,12 +14,12 @@ title = "a tumbling box"
 name = "bus"
 shape = "tensor"
 mass = "3.2 kg"
-center_of_mass = [0.1, "-40 mm", 0.07]
+center_of_mass = ["0.1 m", "-40 mm", "0.07 m"]
 inertia = [[1.1, 0.13, -0.21], [0.13, 1.7, 0.08], [-0.21, 0.08, 2.3]]
 
 [start]
 attitude = { axis = [1, -2, 3], angle = "50 deg" }
-spin = { body = ["0.3 rad/s", -1.2, "40 deg/s"] }
+spin = { body = ["0.3 rad/s", "-1.2 rad/s", "40 deg/s"] }
 
 [run]
 duration = "20 s"
@@ -43,10 +43,10 @@ key = "start.spin.body[0]"
 normal = { mean = "0.3 rad/s", sd = "0.05 rad/s" }
 [[sweep.vary]]
 key = "start.spin.body[2]"
-uniform = { from = "30 deg/s", to = 1 }
+uniform = { from = "30 deg/s", to = "1 rad/s" }
 [[sweep.vary]]
 key = "run.duration"
-uniform = { from = 10, to = "1 min" }
+uniform = { from = "10 s", to = "1 min" }
 [[sweep.vary]]
 key = 'body.part["bus"].center_of_mass[1]'
 relative = "10 %"
@@ -122,10 +122,10 @@ fn a_grid_is_every_combination_and_the_last_variable_changes_first() {
         r#"
 [[sweep.vary]]
 key = "body.part[0].mass"
-list = ["2 kg", 5.5]
+list = ["2 kg", "5.5 kg"]
 [[sweep.vary]]
 key = "start.spin.body[1]"
-grid = { from = -1, to = "2 rad/s", count = 4 }
+grid = { from = "-1 rad/s", to = "2 rad/s", count = 4 }
 [[sweep.vary]]
 key = "run.duration"
 grid = { from = 1, to = 100, count = 3, spacing = "log" }
@@ -216,7 +216,7 @@ relative = 0.1
 fn the_first_members_spin_depends_on_their_own_attitude_and_body() {
     // L is given in space: ω follows from the member's own attitude and tensor.
     let scenario =
-        SCENARIO.replace(r#"body = ["0.3 rad/s", -1.2, "40 deg/s"]"#, "momentum = [0.7, -0.4, 2.1]");
+        SCENARIO.replace(r#"body = ["0.3 rad/s", "-1.2 rad/s", "40 deg/s"]"#, "momentum = [0.7, -0.4, 2.1]");
     let sweep = r#"
 [sweep]
 members = 50

@@ -118,7 +118,7 @@ fn keys_lead_to_numbers_of_the_scenario() {
         (
             "body.part[\"bsu\"].mass",
             "a key of the scenario, but no body.part is named \"bsu\"",
-            "did you mean body.part[\"bus\"]?",
+            "did you mean 'body.part[\"bus\"].mass'?",
         ),
         ("start.spin.body", "one number of the scenario, not several", "write key = \"start.spin.body[0]\""),
         ("start.spin", "one number of the scenario, not several", "write key = \"start.spin.body\""),
@@ -164,7 +164,7 @@ fn a_law_fits_its_number() {
     let spin = |law: &str| format!("key = 'start.spin.body[0]'\n{law}\n");
     let cases = [
         (
-            "normal = { mean = «'3 m/s'», sd = 1 }",
+            "normal = { mean = «'3 m/s'», sd = '1 m/s' }",
             "\"m/s\" is a velocity where an angular velocity belongs",
             "write an angular velocity, such as",
         ),
@@ -219,7 +219,7 @@ fn a_law_fits_its_number() {
         ),
         ("list = «[]»", "list = [] must be at least one number", "write list = [0.1, 0.2, 0.5]"),
         (
-            "list = [1, «'2 kg'»]",
+            "list = [«'2 kg'»]",
             "\"kg\" is a mass where an angular velocity belongs",
             "write an angular velocity",
         ),
@@ -255,7 +255,7 @@ fn a_law_fits_its_number() {
     for (law, message, hint) in cases {
         refuses_vary(&spin(law), message, hint);
     }
-    let zero = SCENARIO.replace("0.1, \"-40 mm\"", "0, \"-40 mm\"");
+    let zero = SCENARIO.replace("\"0.1 m\", \"-40 mm\"", "0, \"-40 mm\"");
     let text = format!(
         "{zero}[sweep]\nmembers = 3\nsampling = 'sobol'\n[[sweep.vary]]\nkey = 'body.part[0].center_of_mass[0]'\nrelative = 0.1\n"
     );

@@ -30,7 +30,7 @@ pub(super) fn gravity<'a>(
 }
 
 fn no_pivot(table: &Table<'_>) -> FormatError {
-    let hint = "uniform gravity does not turn a free body: write pivot = [\"0 mm\", \"0 mm\", \"0 mm\"], a point of the body";
+    let hint = "write pivot = [\"0 mm\", \"0 mm\", \"0 mm\"]: uniform gravity does not turn a free body, so it is held at a point";
     table.missing("pivot", "").with_hint(hint)
 }
 

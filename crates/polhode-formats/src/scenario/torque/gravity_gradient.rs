@@ -3,15 +3,19 @@
 use polhode::{Attracted, BodyPart, GravityGradient, TorqueModel};
 
 use super::allow;
-use super::orbit::{self, orbit};
+use super::orbit::{SharedOrbit, orbit_of};
 use crate::error::FormatError;
 use crate::scenario::body::Pivot;
 use crate::scenario::reader::Table;
 
-/// `orbit = { … }`; `mass = "tensor" | "points"`, the latter for a body that is all particles.
-pub(super) fn gravity_gradient(table: &Table<'_>, parts: &[BodyPart]) -> Result<TorqueModel, FormatError> {
+/// `orbit = { … }`, if no torque before it has one; `mass = "tensor" | "points"`, the latter for a body that is all particles.
+pub(super) fn gravity_gradient(
+    table: &Table<'_>,
+    parts: &[BodyPart],
+    shared: &mut Option<SharedOrbit>,
+) -> Result<TorqueModel, FormatError> {
     allow(table, &["orbit", "mass"])?;
-    let orbit = orbit(&table.require("orbit", orbit::EXAMPLE)?)?;
+    let orbit = orbit_of(table, shared)?;
     let attracted = match table.get("mass") {
         Some(mass) if mass.choice(&["tensor", "points"])? == "points" => {
             if parts.iter().any(|part| part.particles.is_empty()) {

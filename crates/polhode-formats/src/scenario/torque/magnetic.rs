@@ -3,13 +3,16 @@
 use polhode::{Direction, Magnetic, MagneticField, TorqueModel};
 
 use super::allow;
-use super::orbit::{self, orbit};
+use super::orbit::{SharedOrbit, orbit_of};
 use crate::error::FormatError;
 use crate::scenario::reader::Table;
 use crate::unit::Dimension;
 
-/// `moment = [3]` in the body; `field = [3]` in space, or `dipole = [3]` in space with `orbit = { … }`.
-pub(super) fn magnetic(table: &Table<'_>) -> Result<TorqueModel, FormatError> {
+/// `moment = [3]` in the body; `field = [3]` in space, or `dipole = [3]` in space with `orbit = { … }`, if no torque before it has one.
+pub(super) fn magnetic(
+    table: &Table<'_>,
+    shared: &mut Option<SharedOrbit>,
+) -> Result<TorqueModel, FormatError> {
     allow(table, &["moment", "field", "dipole", "orbit"])?;
     let moment = table.require("moment", "moment = [0, 0, \"5 A m^2\"]")?;
     let moment = Direction::from_array(moment.quantities(Dimension::MAGNETIC_MOMENT)?);
@@ -21,7 +24,7 @@ pub(super) fn magnetic(table: &Table<'_>) -> Result<TorqueModel, FormatError> {
         MagneticField::Uniform(Direction::from_array(given.quantities(Dimension::MAGNETIC_FIELD)?))
     } else {
         let dipole = Direction::from_array(given.quantities(Dimension::MAGNETIC_MOMENT)?);
-        MagneticField::Dipole { dipole, orbit: orbit(&table.require("orbit", orbit::EXAMPLE)?)? }
+        MagneticField::Dipole { dipole, orbit: orbit_of(table, shared)? }
     };
     Ok(TorqueModel::Magnetic(Box::new(Magnetic { moment, field })))
 }

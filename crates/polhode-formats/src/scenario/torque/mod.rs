@@ -7,13 +7,14 @@ mod formula;
 mod gravity;
 mod gravity_gradient;
 mod magnetic;
-mod orbit;
+pub(super) mod orbit;
 pub(super) mod schedule;
 mod thruster;
 mod torsion;
 
 use polhode::{BodyPart, TorqueModel};
 
+use self::orbit::SharedOrbit;
 use super::body::Pivot;
 use super::reader::Table;
 use crate::error::FormatError;
@@ -39,6 +40,8 @@ pub(crate) struct Torques {
     pub(crate) names: Vec<Option<String>>,
     /// Those that wait for an event to switch them on.
     pub(crate) switched_off: Vec<usize>,
+    /// The orbit that all act on which ask for one.
+    pub(crate) orbit: Option<SharedOrbit>,
 }
 
 /// The keys that every torque may have, beside those of its schedule.
@@ -57,10 +60,10 @@ pub(crate) fn torques<'a>(
         let table = table.called(format!("[[torque]] of model \"{name}\""));
         let model = match name {
             "constant" => constant::constant(&table)?,
-            "gravity_gradient" => gravity_gradient::gravity_gradient(&table, parts)?,
+            "gravity_gradient" => gravity_gradient::gravity_gradient(&table, parts, &mut torques.orbit)?,
             "drag" => drag::drag(&table)?,
             "torsion" => torsion::torsion(&table)?,
-            "magnetic" => magnetic::magnetic(&table)?,
+            "magnetic" => magnetic::magnetic(&table, &mut torques.orbit)?,
             "thruster" => thruster::thruster(&table)?,
             "energy_sink" => energy_sink::energy_sink(&table)?,
             "formula" => formula::formula(&table)?,

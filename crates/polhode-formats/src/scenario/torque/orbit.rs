@@ -1,9 +1,14 @@
-//! An `orbit` about a point mass, as torques that depend on the place have one.
+//! The `orbit` about a point mass that torques which depend on the place act on: one body, one orbit.
 
-use polhode::{Anomaly, Direction, MU_EARTH, MotionError, Orbit, OrbitalElements, Position, Velocity};
+use std::ops::Range;
+
+use polhode::{
+    Anomaly, Direction, Finding, MU_EARTH, MotionError, Orbit, OrbitalElements, Position, Severity, Velocity,
+};
 
 use crate::error::FormatError;
 use crate::scenario::reader::{Table, Value};
+use crate::scenario::tree::{Entries, Kind};
 use crate::unit::Dimension;
 
 /// What to write where an orbit is missing.
@@ -19,6 +24,90 @@ const FORMS: [(&str, &[&str]); 4] = [
         &["eccentricity", "inclination", "node", "periapsis", "mean_anomaly", "true_anomaly"],
     ),
 ];
+
+/// The orbit of the torques of a scenario, as the first of them that has one gives it.
+#[derive(Debug)]
+pub(crate) struct SharedOrbit {
+    orbit: Orbit,
+    place: Range<usize>,
+    /// Given by its rate: nothing but that matters to the gravity gradient on a circle.
+    by_rate: bool,
+}
+
+/// The orbit that a torque acts on: that of the torques before it, or its own, which must be the same.
+pub(super) fn orbit_of(table: &Table<'_>, shared: &mut Option<SharedOrbit>) -> Result<Orbit, FormatError> {
+    let Some(value) = table.get("orbit") else {
+        let first = shared.as_ref().map(|shared| shared.orbit.clone());
+        return first.ok_or_else(|| table.missing("orbit", EXAMPLE));
+    };
+    let own = orbit(&value)?;
+    match shared {
+        Some(first) if !same(&first.orbit, &own) => {
+            let line = value.source().place(first.place.clone()).line;
+            let rule = format!("the orbit that line {line} gives: a body is on one");
+            return Err(value
+                .invalid(rule)
+                .with_hint("leave out this one: the torque acts on that of the other"));
+        }
+        Some(_) => {}
+        None => {
+            let by_rate = value.table()?.get("rate").is_some();
+            *shared = Some(SharedOrbit { orbit: own.clone(), place: value.span(), by_rate });
+        }
+    }
+    Ok(own)
+}
+
+/// True of one orbit given twice, perhaps in two forms.
+fn same(a: &Orbit, b: &Orbit) -> bool {
+    /// Relative; what two forms of the same numbers differ by is rounding.
+    const ROUNDING: f64 = 1e-9;
+    let near = |difference: f64, size: f64| difference <= ROUNDING * size;
+    let (position, velocity) = (a.position(0.0), a.velocity(0.0));
+    near((a.mu() - b.mu()).abs(), a.mu())
+        && near((position - b.position(0.0)).norm(), position.norm())
+        && near((velocity - b.velocity(0.0)).norm(), velocity.norm())
+}
+
+impl SharedOrbit {
+    /// An orbit about the Earth that goes through it: a height where a radius belongs, or a rate in another unit.
+    pub(crate) fn underground(&self) -> Option<Finding> {
+        /// The Earth's least radius, at the poles, m (WGS 84).
+        const POLES: f64 = 6_356_752.3;
+        let is_earth = (self.orbit.mu() / MU_EARTH - 1.0).abs() < 1e-2;
+        let least = self.orbit.periapsis();
+        let km = least / 1e3;
+        let message = match self.orbit.mean_motion().filter(|_| self.by_rate) {
+            Some(rate) => format!(
+                "no orbit about the Earth has the rate {rate} rad/s: its radius would be {km:.1} km, and the Earth reaches to 6356.8 km; is \
+                 its unit right, or is mu another body's?"
+            ),
+            None => format!(
+                "the orbit comes within {km:.1} km of the centre of what has the Earth's µ, and the Earth reaches to 6356.8 km: is a \
+                 height given as a radius?"
+            ),
+        };
+        let severity = Severity::Warning;
+        (is_earth && least < POLES).then_some(Finding {
+            code: "orbit.underground",
+            severity,
+            message,
+            place: None,
+        })
+    }
+}
+
+/// The places of the values of each orbit that a torque gives.
+pub(crate) fn places(entries: &Entries) -> Vec<Vec<usize>> {
+    let Some(Kind::List(torques)) = entries.get("torque").map(|torques| &torques.node.kind) else {
+        return Vec::new();
+    };
+    let of = |torque: &crate::scenario::tree::Node| match &torque.kind {
+        Kind::Table(torque) => torque.get("orbit").map(|orbit| orbit.node.places()),
+        _ => None,
+    };
+    torques.iter().filter_map(of).collect()
+}
 
 /// Reads an orbit from one of its four forms.
 ///

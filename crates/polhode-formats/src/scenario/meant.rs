@@ -1,0 +1,159 @@
+//! What was probably meant: words that books and other programs have, and what a scenario says instead.
+
+use crate::text::cut;
+
+/// A key of others, a key that has to be known in its place, and the advice.
+const KEYS: [(&str, &str, &str); 34] = [
+    ("euler321", "euler313", EULER),
+    ("euler", "euler313", EULER),
+    ("euler_angles", "euler313", EULER),
+    ("rpy", "euler313", EULER),
+    ("ypr", "euler313", EULER),
+    ("yaw", "euler313", EULER),
+    ("altitude", "semi_major_axis", ALTITUDE),
+    ("height", "semi_major_axis", ALTITUDE),
+    ("raan", "node", "write node: the longitude of the ascending node"),
+    ("mean_motion", "rate", "write rate = \"0.0011 rad/s\", of a circle"),
+    ("diameter", "radius", "write radius, half of the diameter"),
+    ("scale", "unit", "write unit = \"mm\", the unit of length of the file"),
+    ("units", "unit", "write unit = \"mm\", the unit of length of the file"),
+    ("orientation", "rotate", "write rotate = { axis = [0, 0, 1], angle = \"90 deg\" }"),
+    ("rotation", "rotate", "write rotate = { axis = [0, 0, 1], angle = \"90 deg\" }"),
+    ("orientation", "attitude", "write attitude = { axis = [0, 0, 1], angle = \"90 deg\" }"),
+    ("rotation", "attitude", "write attitude = { axis = [0, 0, 1], angle = \"90 deg\" }"),
+    ("omega", "spin", SPIN),
+    ("angular_velocity", "spin", SPIN),
+    ("angular_momentum", "spin", "write spin = { momentum = [0, 0, \"4 N m s\"] }, along the axes of space"),
+    ("com", "center_of_mass", "write center_of_mass = [0, 0, \"10 mm\"]"),
+    ("principal_moments", "moments", "write moments = [\"1 kg m^2\", \"2 kg m^2\", \"2.5 kg m^2\"]"),
+    ("tensor", "inertia", "write inertia, a matrix of three rows"),
+    ("t_end", "duration", "write duration = \"20 s\""),
+    ("time", "duration", "write duration = \"20 s\""),
+    ("dt", "every", "write every = \"10 ms\": when it is sampled; its steps the method chooses"),
+    ("time_step", "every", "write every = \"10 ms\": when it is sampled; its steps the method chooses"),
+    ("integrator", "method", "write method = \"auto\""),
+    ("type", "model", "write model = \"constant\", or another model"),
+    ("kind", "model", "write model = \"constant\", or another model"),
+    ("type", "shape", "write shape = \"box\", or another shape"),
+    ("kind", "shape", "write shape = \"box\", or another shape"),
+    ("runs", "members", "write members = 1000"),
+    ("samples", "members", "write members = 1000"),
+];
+
+const EULER: &str = "three angles are read about z, x and z in turn: euler313 = [\"30 deg\", \"20 deg\", \"10 deg\"]; what other \
+                     sequences, yaw, pitch and roll among them, come to, give as quaternion = [w, x, y, z] or as a matrix";
+const ALTITUDE: &str = "write radius = \"6778 km\": from the centre, not a height above the ground (the Earth's radius is 6378 km)";
+const SPIN: &str = "write spin = { body = [0, 0, \"12 rad/s\"] }, or spin = { space = [0, 0, \"12 rad/s\"] } along the axes of space";
+
+/// A name of others, a name that has to be among the choices, and the advice.
+const NAMES: [(&str, &str, &str); 32] = [
+    ("lhs", "latin hypercube", ""),
+    ("lhc", "latin hypercube", ""),
+    ("latin", "latin hypercube", ""),
+    ("mc", "monte carlo", ""),
+    ("random", "monte carlo", ""),
+    ("montecarlo", "monte carlo", ""),
+    ("qmc", "sobol", ""),
+    ("factorial", "grid", ""),
+    ("full factorial", "grid", ""),
+    ("rk4", "dop853", RUNGE_KUTTA),
+    ("rk45", "dop853", RUNGE_KUTTA),
+    ("runge-kutta", "dop853", RUNGE_KUTTA),
+    ("dopri5", "dop853", RUNGE_KUTTA),
+    ("symplectic", "splitting", ""),
+    ("leapfrog", "splitting", ""),
+    ("damping", "drag", DAMPING),
+    ("friction", "drag", DAMPING),
+    ("viscous", "drag", DAMPING),
+    ("spring", "torsion", ""),
+    ("weight", "gravity", ""),
+    ("jet", "thruster", ""),
+    ("dipole", "magnetic", ""),
+    ("cube", "box", ""),
+    ("cuboid", "box", ""),
+    ("brick", "box", ""),
+    ("ball", "sphere", ""),
+    ("tube", "cylinder_shell", ""),
+    ("pipe", "cylinder_shell", ""),
+    ("ring", "torus", ""),
+    ("point", "particles", ""),
+    ("stl", "mesh", ""),
+    ("inertia", "tensor", ""),
+];
+
+const RUNGE_KUTTA: &str =
+    "the method of Runge and Kutta here is \"dop853\", of order 8; \"auto\" takes what suits the motion";
+const DAMPING: &str =
+    "what the air damps is model = \"drag\"; what friction inside the body does, \"energy_sink\"";
+
+/// Advice for an unknown key where these are known.
+pub(super) fn key(word: &str, known: &[&str]) -> Option<&'static str> {
+    let meant = KEYS.iter().find(|(others, ours, _)| same(word, others) && known.contains(ours));
+    meant.map(|(.., advice)| *advice)
+}
+
+/// Advice for an unknown name where these are known.
+pub(super) fn name(word: &str, known: &[&str]) -> Option<String> {
+    let (_, ours, advice) =
+        NAMES.iter().find(|(others, ours, _)| same(word, others) && known.contains(ours))?;
+    Some(if advice.is_empty() { format!("did you mean \"{ours}\"?") } else { (*advice).to_owned() })
+}
+
+/// What to write in the place of a value that ought to be a table; `text` is what stands there, and how many elements it has.
+pub(super) fn table(key: &str, text: &str, elements: usize) -> Option<String> {
+    let text = cut(text);
+    let whole = !text.contains(['…', '\n']);
+    Some(match (key, elements) {
+        ("spin", 3) if whole => format!(
+            "write spin = {{ body = {text} }}, or spin = {{ space = {text} }} along the axes of space"
+        ),
+        ("omega", 3) if whole => format!(
+            "write omega = {{ body = {text} }}, or omega = {{ space = {text} }} along the axes of space"
+        ),
+        ("attitude" | "rotate", 4) if whole => {
+            format!("write {key} = {{ quaternion = {text} }}: the scalar comes first")
+        }
+        _ => {
+            let example = TABLES.iter().find(|(keys, _)| keys.split(' ').any(|other| other == key))?.1;
+            format!("write {key} = {example}")
+        }
+    })
+}
+
+/// What to write in the place of an element that ought to be a table.
+pub(super) fn element(key: &str, text: &str, elements: usize) -> String {
+    let text = cut(text);
+    match (key, elements) {
+        ("between", 3) if !text.contains(['…', '\n']) => {
+            format!("write {{ body = {text} }}, or {{ space = {text} }} along the axes of space")
+        }
+        ("between", _) => "write { body = [0, 0, 1] }, or \"momentum\"".to_owned(),
+        ("particles", _) => "write { mass = \"1 kg\", position = [0, 0, \"0.5 m\"] }".to_owned(),
+        _ => "write { ... }".to_owned(),
+    }
+}
+
+/// Keys, and a table that may stand there.
+const TABLES: [(&str, &str); 16] = [
+    ("then", "\"stop\", or { switch = \"thruster\", on = false }"),
+    ("spin", "{ body = [0, 0, \"12 rad/s\"] }"),
+    ("omega", "{ body = [\"0\", \"0\", \"2*t\"] }"),
+    ("attitude rotate", "{ axis = [0, 0, 1], angle = \"90 deg\" }"),
+    ("orbit", "{ radius = \"6778 km\" }"),
+    ("pulses", "{ width = \"0.2 s\", period = \"5 s\" }"),
+    ("balance", "{ planes = [0, \"0.2 m\"], radii = [\"50 mm\", \"50 mm\"] }"),
+    ("normal", "{ mean = 3, sd = 0.1 }"),
+    ("uniform log_uniform", "{ from = 0.1, to = 0.5 }"),
+    ("log_normal", "{ median = 0.3, sigma = 0.5 }"),
+    ("triangular", "{ from = 0.1, mode = 0.2, to = 0.5 }"),
+    ("grid", "{ from = 0, to = 1, count = 11 }"),
+    ("magnitude", "{ uniform = { from = 0, to = 1 } }"),
+    ("random", "\"uniform\", or { sd = \"2 deg\" }"),
+    ("direction", "\"uniform\", or { within = \"5 deg\" }"),
+    ("particles", "[{ mass = \"1 kg\", position = [0, 0, \"0.5 m\"] }]"),
+];
+
+fn same(word: &str, other: &str) -> bool {
+    let letters = |text: &str| text.to_lowercase().replace(['-', ' '], "_");
+    letters(word) == letters(other)
+}

@@ -1,0 +1,107 @@
+//! What stands together goes together: units in a list, and the orbit of several torques.
+
+use super::{BALL, RUN, parse, refuses};
+
+#[test]
+fn numbers_of_a_list_have_their_units_all_or_none() {
+    refuses(
+        &format!("[body]\npivot = ['0 mm', '0 mm', «'150'»]\n{BALL}"),
+        "pivot = '150' must be given with its unit, as \"0 mm\" beside it is",
+        "write \"150 mm\", or \"150 m\"",
+    );
+    refuses(
+        &format!("{BALL}position = ['1 mm', «2», 0]"),
+        "position = 2 must be given with its unit, as \"1 mm\" beside it is",
+        "write \"2 mm\", or \"2 m\"",
+    );
+    refuses(
+        "[[body.part]]\nshape='tensor'\nmass='2 kg'\ninertia=[['3 kg m^2','0.1 kg m^2',0],['0.1 kg m^2',«4»,0],[0,0,'5 kg m^2']]",
+        "inertia = 4 must be given with its unit, as \"3 kg m^2\" beside it is",
+        "write \"4 kg m^2\"",
+    );
+    let plan = "[sweep]\nmembers=3\nsampling='monte carlo'\n[[sweep.vary]]\nkey='body.part[0].radius'\n";
+    refuses(
+        &format!("{BALL}{plan}uniform={{from='10 mm',to=«20»}}"),
+        "to = 20 must be given with its unit, as \"10 mm\" beside it is",
+        "write \"20 mm\", or \"20 m\"",
+    );
+    refuses(
+        &format!("{BALL}{plan}list=['10 mm',«2.5e1»]"),
+        "list = 2.5e1 must be given with its unit, as \"10 mm\" beside it is",
+        "write \"2.5e1 mm\", or \"2.5e1 m\"",
+    );
+    // Zero is zero in every unit, and a formula says its units itself.
+    for right in
+        ["position = ['1 mm', 0, '0']", "position = [0.001, 2, 3]", "position = ['1 mm', '-0.0', '2 in']"]
+    {
+        assert!(parse(&format!("{BALL}{right}")).is_ok(), "{right}");
+    }
+    let formulas = "[[torque]]\nmodel='formula'\naxes='body'\ntorque=['3[N m/s]*t', 2, 0]\n";
+    assert!(parse(&format!("{BALL}{formulas}{RUN}")).is_ok());
+}
+
+#[test]
+fn numbers_are_read_as_they_are_printed() {
+    let place = |text: &str| {
+        parse(&format!("{BALL}position=['{text}',0,0]")).unwrap().body.center_of_mass().to_array()[0]
+    };
+    for (text, want) in [
+        ("8.273 333e-5", 8.273_333e-5),
+        ("12 345.678 9 mm", 12.345_678_9),
+        ("−4.5×10⁻⁵ m", -4.5e-5),
+        ("123\u{a0}456\u{202f}mm", 123.456),
+    ] {
+        assert_eq!(place(text).to_bits(), f64::to_bits(want), "{text}");
+    }
+}
+
+const GRADIENT: &str = "[[torque]]\nmodel='gravity_gradient'\norbit={radius='7000 km'}\n";
+const MAGNET: &str = "[[torque]]\nmodel='magnetic'\nmoment=[0,0,1]\ndipole=[0,0,-7.8e22]\n";
+
+#[test]
+fn a_satellite_has_one_orbit() {
+    let both = |orbit: &str| parse(&format!("{BALL}{GRADIENT}{MAGNET}{orbit}\n{RUN}"));
+    let alone = both("").unwrap();
+    // Given again, in the same form or another, or not at all.
+    assert_eq!(both("orbit={radius=7000e3}").unwrap().torques, alone.torques);
+    assert!(both("orbit={semi_major_axis='7e6 m',eccentricity=0}").is_ok());
+    refuses(
+        &format!("{BALL}{GRADIENT}{MAGNET}orbit=«{{radius='6900 km'}}»\n{RUN}"),
+        "orbit = {radius='6900 km'} must be the orbit that line 7 gives: a body is on one",
+        "leave out this one: the torque acts on that of the other",
+    );
+    let incline = both("orbit={radius=7000e3,motion=[0,0,1]}");
+    assert!(incline.unwrap_err().message().contains("line 7"));
+    let plan = "[sweep]\nmembers=3\nsampling='monte carlo'\n[[sweep.vary]]\n";
+    let uniform = "uniform={from='6900 km',to='7100 km'}";
+    refuses(
+        &format!(
+            "{BALL}{GRADIENT}{MAGNET}orbit={{radius=7000e3}}\n{RUN}{plan}key=«'torque[0].orbit.radius'»\n{uniform}"
+        ),
+        "key = 'torque[0].orbit.radius' must be of an orbit that is given once: lines 7 and 12 give it, and they would differ",
+        "leave out the orbit in all torques but the first",
+    );
+    // Given once it varies for both.
+    let plan = format!("{BALL}{GRADIENT}{MAGNET}{RUN}{plan}key='torque[0].orbit.radius'\n{uniform}");
+    let template = polhode_formats::scenario::Template::parse(plan, "plan.toml".as_ref()).unwrap();
+    let target = template.sweep().unwrap().vary[0].target.clone();
+    let member = template.scenario([(&target, &[6.95e6][..])]).unwrap();
+    let shown = format!("{:?}", member.torques);
+    assert_eq!(shown.matches("periapsis: 6950000.0").count(), 2, "{shown}");
+}
+
+#[test]
+fn a_rate_that_no_orbit_about_the_earth_has_is_asked_for_its_unit() {
+    let gradient =
+        |orbit: &str| parse(&format!("{BALL}[[torque]]\nmodel='gravity_gradient'\norbit={{{orbit}}}\n{RUN}"));
+    let findings = gradient("rate='0.002 rad/s'").unwrap().findings;
+    assert_eq!(findings[0].code, "orbit.underground");
+    assert!(
+        findings[0].message.contains("has the rate 0.002 rad/s: its radius would be 4636.2 km"),
+        "{}",
+        findings[0].message
+    );
+    assert!(!findings[0].message.contains("height"));
+    assert!(gradient("rate='0.0011 rad/s'").unwrap().findings.is_empty());
+    assert!(gradient("rate='0.002 rad/s',mu='4.9e12 m^3/s^2'").unwrap().findings.is_empty());
+}

@@ -9,11 +9,13 @@ mod check;
 mod ensemble;
 mod error;
 mod files;
+mod finding;
 mod free_motion;
 mod interrupt;
 mod mass_properties;
 mod mesh;
 mod motion;
+mod pickle;
 mod shape;
 mod substance;
 mod sweep;
@@ -41,7 +43,7 @@ mod _native {
     #[pymodule_export]
     use crate::mesh::{mesh_arrays, mesh_file};
     #[pymodule_export]
-    use crate::motion::{PyMotion, simulate};
+    use crate::motion::{PyMotion, motion_page, simulate};
     #[pymodule_export]
     use crate::shape::shape;
     #[pymodule_export]

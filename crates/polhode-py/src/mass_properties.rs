@@ -10,6 +10,8 @@ use pyo3::prelude::*;
 
 use crate::arrays::{matrix, numbers, row, rows};
 use crate::error::{Raise, refused};
+use crate::finding::{Remark, remarks};
+use crate::pickle;
 
 /// A body's mass properties, and the report about it.
 #[pyclass(frozen, name = "MassProperties", module = "polhode._native")]
@@ -84,19 +86,27 @@ impl PyMassProperties {
         Ok(whole)
     }
 
+    /// All that it is, by value: what [`Self::of_state`] takes.
+    fn state(&self) -> pickle::Values {
+        pickle::values(&self.report)
+    }
+
+    /// Of what [`Self::state`] gave.
+    #[staticmethod]
+    fn of_state(state: pickle::Values) -> PyResult<Self> {
+        pickle::report(state).map(Self::of)
+    }
+
     /// The same, its origin at a place and its axes turned: a quaternion that takes its own components to the new ones.
     fn placed(&self, position: [f64; 3], wxyz: [f64; 4]) -> PyResult<Self> {
         let turn = Rotation::<Part, Body>::from_quaternion(wxyz).map_err(Raise::raise)?;
         let placed = self.properties().placed(Position::<Part>::from_array(position), turn);
         // The new axes are the body's from here on.
         let properties = placed.map_err(Raise::raise)?.in_frame::<Body>(Rotation::identity());
-        Ok(Self::of(InertiaReport {
-            properties,
-            about: None,
-            axes: None,
-            extras: Vec::new(),
-            ..self.report.clone()
-        }))
+        let mut report = InertiaReport { properties, about: None, axes: None, ..self.report.clone() };
+        // Rotational constants know of no axes; what else there is, is told along the old ones.
+        report.extras.retain(|extra| extra.key == "molecule");
+        Ok(Self::of(report))
     }
 
     #[getter]
@@ -169,9 +179,8 @@ impl PyMassProperties {
 
     /// What was noticed on the way: code, severity, message, place.
     #[getter]
-    fn findings(&self) -> Vec<(&'static str, &'static str, String, Option<String>)> {
-        let one = |f: &polhode::Finding| (f.code, f.severity.name(), f.message.clone(), f.place.clone());
-        self.report.findings.iter().map(one).collect()
+    fn findings(&self) -> Vec<Remark> {
+        remarks(&self.report.findings)
     }
 
     /// The object that `polhode inertia --json` prints.

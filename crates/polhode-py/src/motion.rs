@@ -5,12 +5,18 @@ use std::path::PathBuf;
 use numpy::{PyArray1, PyArray2, PyReadonlyArray1};
 use polhode::{Ending, Method, Run, Sample, Scenario, Trajectory};
 use polhode_formats::scenario;
-use polhode_report::{MotionReport, PageInput, PageSubject, SourceInfo, VERSION, explain_motion, page};
+use polhode_report::{
+    MotionReport, PageInput, PageSubject, SourceInfo, VERSION, explain_motion, page_data, page_of,
+};
 use pyo3::prelude::*;
 
 use crate::arrays::{numbers, table};
 use crate::error::{Raise, refused};
+use crate::finding::{Remark, remarks};
 use crate::interrupt::watched;
+
+/// What the page of a scenario without a title is called.
+const UNTITLED: &str = "motion";
 
 /// A scenario and the motion that was computed of it.
 #[pyclass(frozen, name = "Motion", module = "polhode._native")]
@@ -132,6 +138,12 @@ impl PyMotion {
         }
     }
 
+    /// What was noticed: code, severity, message, place.
+    #[getter]
+    fn findings(&self) -> Vec<Remark> {
+        remarks(&self.scenario.findings)
+    }
+
     #[getter]
     fn title(&self) -> Option<&str> {
         self.scenario.title.as_deref()
@@ -147,13 +159,13 @@ impl PyMotion {
         py.detach(|| self.report().to_text())
     }
 
-    /// The page that `polhode simulate` writes.
-    fn page(&self, py: Python<'_>) -> String {
+    /// What the page that `polhode simulate` writes holds besides the viewer.
+    fn page_data(&self, py: Python<'_>) -> String {
         py.detach(|| {
             // What cannot be explained, as a pendulum whose axis cannot hold it, can still be shown.
             let explanation = explain_motion(&self.scenario, &self.trajectory).ok();
-            page(&PageInput {
-                title: self.scenario.title.as_deref().unwrap_or("motion"),
+            page_data(&PageInput {
+                title: self.scenario.title.as_deref().unwrap_or(UNTITLED),
                 source: &format!("polhode {VERSION} in Python"),
                 scenario_text: Some(&self.text),
                 subject: PageSubject::Scenario(&self.scenario),
@@ -162,6 +174,12 @@ impl PyMotion {
             })
         })
     }
+}
+
+/// The page of a motion's title and of its `page_data`.
+#[pyfunction]
+pub(crate) fn motion_page(title: Option<&str>, data: &str) -> String {
+    page_of(title.unwrap_or(UNTITLED), data)
 }
 
 impl PyMotion {

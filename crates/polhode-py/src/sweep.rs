@@ -11,6 +11,7 @@ use pyo3::prelude::*;
 
 use crate::arrays::numbers;
 use crate::error::{Raise, refused};
+use crate::finding::{Remark, remarks};
 
 /// A column for Python: its name, unit and description, its values, and where these are there, unless all are.
 type Given<'py> = (String, String, String, Bound<'py, PyAny>, Option<Bound<'py, PyArray1<bool>>>);
@@ -72,9 +73,8 @@ impl PyPlan {
 
     /// What was noticed: code, severity, message, place.
     #[getter]
-    fn findings(&self) -> Vec<(&'static str, &'static str, String, Option<String>)> {
-        let one = |f: polhode::Finding| (f.code, f.severity.name(), f.message, f.place);
-        self.plan.findings().into_iter().map(one).collect()
+    fn findings(&self) -> Vec<Remark> {
+        remarks(&self.plan.findings())
     }
 
     /// The inputs of the members from `start` up to `stop`.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import json
 import os
 from typing import Any, Iterator, NamedTuple, Sequence
@@ -43,7 +44,7 @@ class CheckReport:
     @property
     def findings(self) -> list[ModelFinding]:
         """All findings."""
-        return [ModelFinding(**finding) for finding in self._report["findings"]]
+        return [ModelFinding(**finding) for finding in self.to_dict()["findings"]]
 
     @property
     def ok(self) -> bool:
@@ -52,7 +53,7 @@ class CheckReport:
 
     def to_dict(self) -> dict[str, Any]:
         """The object that ``polhode check --json`` prints: its keys are stable."""
-        return dict(self._report)
+        return copy.deepcopy(self._report)
 
     def table(self) -> str:
         """A line for each link: mass, centre, principal moments, equivalent box, density, verdict."""

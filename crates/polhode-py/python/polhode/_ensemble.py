@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import warnings
-from typing import TYPE_CHECKING, Iterator, NamedTuple
+from typing import TYPE_CHECKING, Any, Iterator, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -119,6 +119,8 @@ class Ensemble:
         self._native = _native.Ensemble.of(
             _rows(tensors.reshape(-1, 9), count), _rows(given["omega"], count), _rows(given["attitude"], count), torques
         )
+        # For copies; of its own, as what was given may change.
+        self._arguments: dict[str, Any] = {name: rows.copy() for name, rows in given.items()} | {"torques": torques}
 
     def at(
         self, times: npt.ArrayLike, *, threads: int | None = None, step: float | None = None, tolerance: float = 1e-13
@@ -147,6 +149,14 @@ class Ensemble:
             message = f"{len(failures)} of {len(self)} members cannot go on, the first is {first.member}: {first.cause}"
             warnings.warn(message, PolhodeWarning, stacklevel=2)
         return flights
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {name: value for name, value in vars(self).items() if name != "_native"}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        # The same arguments are the same bodies, bit for bit.
+        Ensemble.__init__(self, **state["_arguments"])
+        vars(self).update(state)
 
     def __len__(self) -> int:
         return len(self._native)

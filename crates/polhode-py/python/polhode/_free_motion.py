@@ -130,10 +130,14 @@ class FreeMotion:
         """Principal axes as rows (3, 3): ``axes[k]`` is a unit vector in body components and belongs to ``moments[k]``."""
         return self._native.axes
 
-    @cached_property
+    @property
     def summary(self) -> dict[str, Any]:
         """The object that ``polhode spin --json`` prints: its keys are stable."""
-        return dict(json.loads(self._native.json()))
+        return dict(json.loads(self._json))
+
+    @cached_property
+    def _json(self) -> str:
+        return self._native.json()
 
     def at(self, times: npt.ArrayLike) -> States:
         """ω and the attitude at times, s: any, in any order, before the start too.
@@ -184,12 +188,13 @@ class FreeMotion:
     def _repr_html_(self) -> str:
         return _html.frame(self.page())
 
-    def __reduce__(self) -> tuple[Any, ...]:
-        return _rebuilt, (self._arguments,)
+    def __getstate__(self) -> dict[str, Any]:
+        return {name: value for name, value in vars(self).items() if name != "_native"}
 
-
-def _rebuilt(arguments: dict[str, Any]) -> FreeMotion:
-    return FreeMotion(**arguments)
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        # The same arguments are the same motion, bit for bit.
+        FreeMotion.__init__(self, **state["_arguments"])
+        vars(self).update(state)
 
 
 def rotations(attitude: Floats) -> Rotation:

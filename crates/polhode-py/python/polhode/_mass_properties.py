@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import warnings
-from typing import Any, NamedTuple
+from typing import Any, Iterable, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -28,6 +28,13 @@ class Finding(NamedTuple):
     message: str
     #: Where, if it has a place.
     place: str | None
+
+
+def warn_of(findings: Iterable[Finding], stacklevel: int = 3) -> None:
+    """A :class:`PolhodeWarning` for each finding that is worth one."""
+    for finding in findings:
+        if finding.severity != "info":
+            warnings.warn(f"{finding.message} [{finding.code}]", PolhodeWarning, stacklevel=stacklevel)
 
 
 class MassProperties:
@@ -76,9 +83,7 @@ class MassProperties:
 
     def _heard(self, stacklevel: int = 3) -> MassProperties:
         """The same, with a warning for each of its findings that is worth one."""
-        for finding in self.findings:
-            if finding.severity != "info":
-                warnings.warn(f"{finding.message} [{finding.code}]", PolhodeWarning, stacklevel=stacklevel)
+        warn_of(self.findings, stacklevel + 1)
         return self
 
     @property
@@ -192,12 +197,14 @@ class MassProperties:
         return _html.mass_properties(self)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        # The numbers travel; where they came from does not.
-        return _rebuilt, (self.mass, self.center_of_mass, self.inertia)
+        # By value, bit for bit, with all that is known of where the body came from; and what a subclass has added.
+        return _rebuilt, (type(self), self._native.state()), getattr(self, "__dict__", None)
 
 
-def _rebuilt(mass: float, center_of_mass: Floats, inertia: Floats) -> MassProperties:
-    return MassProperties(mass=mass, center_of_mass=center_of_mass, inertia=inertia)
+def _rebuilt(kind: type[MassProperties], state: _native.MassState) -> MassProperties:
+    made = object.__new__(kind)
+    made._native = _native.MassProperties.of_state(state)
+    return made
 
 
 def joined(parts: list[MassProperties]) -> MassProperties:

@@ -14,6 +14,7 @@ from . import _arrays, _html, _native
 from ._arrays import Floats
 from ._error import PolhodeWarning
 from ._free_motion import rotations
+from ._mass_properties import Finding, warn_of
 
 if TYPE_CHECKING:
     from scipy.spatial.transform import Rotation
@@ -46,61 +47,63 @@ class Ending(NamedTuple):
 
 
 class Motion:
-    """A computed motion: arrays with a row for each of ``times``. :func:`simulate` makes one."""
+    """A computed motion: arrays with a row for each of ``times``. :func:`simulate` makes one.
+
+    Each access gives an array of its own. Copies, in other processes too, hold all of the motion by value.
+    """
 
     def __init__(self, native: _native.Motion) -> None:
         self._native = native
 
-    @cached_property
+    @property
     def times(self) -> Floats:
         """Times (n,), s."""
-        return self._native.times
+        return self._rows["times"].copy()
 
-    @cached_property
+    @property
     def attitude(self) -> Floats:
         """R_space_body as unit quaternions (n, 4): w, x, y, z, continuous."""
-        return self._native.attitude
+        return self._rows["attitude"].copy()
 
-    @cached_property
+    @property
     def omega(self) -> Floats:
         """ω relative to space, along body axes (n, 3), rad/s."""
-        return self._native.omega
+        return self._rows["omega"].copy()
 
-    @cached_property
+    @property
     def omega_space(self) -> Floats:
         """ω relative to space, along space axes (n, 3), rad/s."""
-        return self._native.omega_space
+        return self._rows["omega_space"].copy()
 
-    @cached_property
+    @property
     def momentum(self) -> Floats:
         """L about the point that the body turns about, along space axes (n, 3), kg·m²/s."""
-        return self._native.momentum
+        return self._rows["momentum"].copy()
 
-    @cached_property
+    @property
     def torque(self) -> Floats:
         """The torque about that point, along body axes (n, 3), N·m."""
-        return self._native.torque
+        return self._rows["torque"].copy()
 
-    @cached_property
+    @property
     def kinetic_energy(self) -> Floats:
         """Kinetic energy of rotation about that point (n,), J."""
-        return self._native.kinetic_energy
+        return self._rows["kinetic_energy"].copy()
 
-    @cached_property
+    @property
     def potential_energy(self) -> Floats | None:
         """Potential energy of the torques (n,), J; ``None`` if one has no potential."""
-        return self._native.potential_energy
+        return None if self._potential_energy is None else self._potential_energy.copy()
 
-    @cached_property
+    @property
     def work(self) -> Floats:
         """Work of the torque since the start (n,), J."""
-        return self._native.work
+        return self._rows["work"].copy()
 
-    @cached_property
+    @property
     def events(self) -> list[Event]:
         """What happened, in the order of time."""
-        events = self._native.events
-        return [Event(name, time, rising, tuple(omega), tuple(wxyz)) for name, time, rising, omega, wxyz in events]
+        return list(self._events)
 
     @cached_property
     def ending(self) -> Ending:
@@ -108,19 +111,25 @@ class Motion:
         return Ending(*self._native.ending)
 
     @property
+    def findings(self) -> list[Finding]:
+        """What was noticed on the way: what had to be assumed of the body, a torque that nothing switches on."""
+        return list(self._findings)
+
+    @cached_property
     def title(self) -> str | None:
         """The scenario's title."""
         return self._native.title
 
-    @cached_property
+    @property
     def summary(self) -> dict[str, Any]:
         """The object that is ``summary.json``: mass properties, the kind of motion, the error of the numbers; its keys are stable."""
-        return dict(json.loads(self._native.json()))
+        return dict(json.loads(self._json))
 
     def columns(self) -> dict[str, Floats]:
         """The trajectory by columns, as the tables of the command name them: what a ``DataFrame`` takes."""
+        attitude, potential = self.attitude, self.potential_energy
         table = {"time_s": self.times}
-        table |= {f"attitude_{c}": self.attitude[:, k] for k, c in enumerate("wxyz")}
+        table |= {f"attitude_{c}": attitude[:, k] for k, c in enumerate("wxyz")}
         for name, unit, rows in (
             ("omega_body", "rad_s", self.omega),
             ("omega_space", "rad_s", self.omega_space),
@@ -129,8 +138,8 @@ class Motion:
         ):
             table |= {f"{name}_{c}_{unit}": rows[:, k] for k, c in enumerate("xyz")}
         table["kinetic_energy_j"] = self.kinetic_energy
-        if self.potential_energy is not None:
-            table["potential_energy_j"] = self.potential_energy
+        if potential is not None:
+            table["potential_energy_j"] = potential
         return table
 
     def rotations(self) -> Rotation:
@@ -139,19 +148,69 @@ class Motion:
 
     def page(self) -> str:
         """The page that shows the motion in three dimensions, with the worked solution, for a browser."""
-        return self._native.page()
+        return _native.motion_page(self.title, self._page_data)
+
+    @cached_property
+    def _rows(self) -> dict[str, Floats]:
+        # Nobody else has these: what is written into an array that was handed out changes no other answer.
+        native = self._native
+        return {
+            "times": native.times,
+            "attitude": native.attitude,
+            "omega": native.omega,
+            "omega_space": native.omega_space,
+            "momentum": native.momentum,
+            "torque": native.torque,
+            "kinetic_energy": native.kinetic_energy,
+            "work": native.work,
+        }
+
+    @cached_property
+    def _potential_energy(self) -> Floats | None:
+        return self._native.potential_energy
+
+    @cached_property
+    def _events(self) -> tuple[Event, ...]:
+        events = self._native.events
+        return tuple(Event(name, time, rising, tuple(omega), tuple(wxyz)) for name, time, rising, omega, wxyz in events)
+
+    @cached_property
+    def _findings(self) -> tuple[Finding, ...]:
+        return tuple(Finding(*finding) for finding in self._native.findings)
+
+    @cached_property
+    def _json(self) -> str:
+        return self._native.json()
+
+    @cached_property
+    def _text(self) -> str:
+        return self._native.text()
+
+    @cached_property
+    def _page_data(self) -> str:
+        return self._native.page_data()
+
+    def __getstate__(self) -> dict[str, Any]:
+        # By value: where it arrives, neither the scenario's files nor its computation are needed again.
+        for name in _VALUES:
+            getattr(self, name)
+        return {name: value for name, value in vars(self).items() if name != "_native"}
 
     def __len__(self) -> int:
-        return len(self.times)
+        return len(self._rows["times"])
 
     def __repr__(self) -> str:
         return f"Motion({self.title or 'a scenario'}: {len(self)} times, {self.ending.kind})"
 
     def __str__(self) -> str:
-        return self._native.text()
+        return self._text
 
     def _repr_html_(self) -> str:
         return _html.frame(self.page())
+
+
+#: All that a motion is: what its copies have.
+_VALUES = tuple(name for name, value in vars(Motion).items() if isinstance(value, cached_property))
 
 
 def simulate(scenario: str | os.PathLike[str], *, times: npt.ArrayLike | None = None) -> Motion:
@@ -159,7 +218,8 @@ def simulate(scenario: str | os.PathLike[str], *, times: npt.ArrayLike | None = 
 
     A ``str`` of more than one line is a text; the files that it names are found from the current folder. ``times`` (n,), ascending, s,
     take the place of the times of its ``[run]``. A motion that cannot be computed to its end is returned as far as it is good, with a
-    :class:`PolhodeWarning`; Ctrl-C ends the computation.
+    :class:`PolhodeWarning`; what had to be assumed, and a ``[sweep]``, which is not simulated, are warned of too. Ctrl-C ends the
+    computation.
 
     >>> import polhode
     >>> motion = polhode.simulate('''
@@ -186,6 +246,10 @@ def simulate(scenario: str | os.PathLike[str], *, times: npt.ArrayLike | None = 
         path, text = os.fspath(scenario), None
     sampled = None if times is None else _arrays.numbers("times", times, ("n",))
     motion = Motion(_native.simulate(path, text, sampled))
+    warn_of(motion.findings)
+    for finding in motion.findings:
+        if finding.code == "sweep.nominal":
+            warnings.warn(f"{finding.message} [{finding.code}]", PolhodeWarning, stacklevel=2)
     if motion.ending.kind == "failed":
         warnings.warn(f"the motion ends at t = {motion.ending.time} s: {motion.ending.cause}", PolhodeWarning, stacklevel=2)
     return motion

@@ -72,15 +72,23 @@ const DATA: &str = "<!--polhode-data-->";
 
 /// The page as HTML.
 pub fn page(input: &PageInput<'_>) -> String {
+    page_of(input.title, &page_data(input))
+}
+
+/// What a page holds besides the viewer, as JSON: [`page_of`] makes the page of it, here or elsewhere.
+pub fn page_data(input: &PageInput<'_>) -> String {
+    inert(&data::json(input, TEMPLATE.len()).to_string())
+}
+
+/// The page of a title and of what [`page_data`] gave.
+pub fn page_of(title: &str, data: &str) -> String {
     // Only the template is searched: what is put in may say anything.
     let (before, after) = TEMPLATE.split_once(DATA).unwrap_or((TEMPLATE, ""));
     let (head, tail) = before.split_once("<title>").unwrap_or((before, "</title>"));
     let tail = tail.split_once("</title>").map_or(tail, |(_, rest)| rest);
-    let frame = TEMPLATE.len();
-    let data = inert(&data::json(input, frame).to_string());
     format!(
         "{head}<title>{}</title>{tail}<script id=\"polhode-data\" type=\"application/json\">{data}</script>{after}",
-        escaped(input.title)
+        escaped(title)
     )
 }
 

@@ -1,0 +1,280 @@
+"""Copies of every public class, here and in another process: all that they say is the same, bit for bit."""
+
+from __future__ import annotations
+
+import copy
+import inspect
+import multiprocessing
+import pickle
+import struct
+import warnings
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import polhode
+import polhode.batch
+import polhode.sweep
+import pytest
+from conftest import PLAN, ROOT
+from polhode import shapes
+
+TURN = [0.4, -0.7, 1.1, 0.3]
+EXAMPLES = ROOT / "examples"
+
+#: What methods that need arguments are asked; ``export`` has all its formats.
+ASKED: dict[str, list[dict[str, Any]]] = {
+    "about": [{"point": [-1.0, 0.4, 0.7]}],
+    "along": [{"rotation": TURN}],
+    "placed": [{"position": [0.3, -0.2, 1.7], "rotation": TURN}],
+    "export": [{"format": f} for f in ("urdf", "sdf", "mjcf", "mjcf-principal", "usd", "solidworks", "csv")],
+    "at": [{"times": [0.25, 1.5, 40.0]}],
+    "rotations": [{}, {"times": [0.25, 1.5]}, {"member": 1}],
+    "page": [{}],
+}
+
+
+def failed_flights() -> polhode.Flights:
+    """Two of three members go beyond the range of numbers."""
+    torque = '[[torque]]\nmodel = "drag"\nlaw = "linear"\ncoefficient = "0.3 N m s"\n'
+    ensemble = polhode.Ensemble(moments=[1.0, 2.0, 2.5], omega=[[0.1, 0.2, 0.3], [1e3, 2e3, -1e3], [1, 2, -3]], torques=torque)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        flights = ensemble.at([0.0, 0.5, 2.0], step=1.0)
+    return flights
+
+
+def report(tmp_path: Path) -> polhode.CheckReport:
+    path = tmp_path / "arm.urdf"
+    path.write_text(
+        '''<robot name="arm"><link name="hand"><inertial><mass value="2"/>
+        <inertia ixx="0.1" iyy="0.1" izz="0.9" ixy="0" ixz="0" iyz="0"/></inertial></link></robot>'''
+    )
+    return polhode.check(path)
+
+
+def bodies(tmp_path: Path) -> list[polhode.MassProperties]:
+    """Of every source: each knows something that the others do not."""
+    rng = np.random.default_rng(3)
+    np.save(tmp_path / "grid.npy", rng.uniform(0.5, 2.0, (3, 4, 5)))
+    table = np.column_stack([rng.uniform(0.1, 2.0, 5), rng.normal(size=(5, 3))])
+    np.savetxt(tmp_path / "points.csv", table, delimiter=",", header="mass_kg,x_m,y_m,z_m", comments="")
+    vertices = np.array([[0.1, -0.2, 0.3], [1.4, 0.2, -0.1], [0.3, 1.7, 0.2], [-0.2, 0.4, 1.9]])
+    inward = [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]]
+    robot = sorted((EXAMPLES / "robots").rglob("*.urdf"))[0]
+    tensor = [[3.1, 0.4, -0.3], [0.4, 4.2, 0.2], [-0.3, 0.2, 5.3]]
+    numbers = polhode.MassProperties(mass=2.3, center_of_mass=[0.11, -0.07, 0.23], inertia=tensor)
+    with pytest.warns(polhode.PolhodeWarning):
+        mesh = polhode.inertia((vertices, inward), material="aluminium")
+    assert mesh.findings and mesh.volume and mesh.surface_area and mesh.density
+    molecule = polhode.inertia(EXAMPLES / "water.xyz")
+    assert molecule.to_dict()["molecule"]
+    box = shapes.box(size=[0.2, 0.1, 0.06], material="steel")
+    return [
+        numbers,
+        mesh,
+        molecule,
+        molecule.placed(position=[1e-10, 2e-10, -3e-10], rotation=TURN),
+        box,
+        numbers + box.placed(position=[0.5, -0.25, 1.5], rotation=TURN),
+        mesh + box,
+        polhode.inertia(EXAMPLES / "bracket.stl", unit="mm", mass=0.4),
+        polhode.inertia(EXAMPLES / "bracket.toml"),
+        polhode.inertia(EXAMPLES / "heavy-top.toml"),
+        polhode.inertia(tmp_path / "grid.npy", spacing=[0.1, 0.2, 0.3]),
+        polhode.inertia(tmp_path / "points.csv"),
+        polhode.inertia(robot),
+        polhode.particles(masses=[0.3, 1.1, 2.0], positions=[[0.1, -0.4, 0.2], [0.7, 0.1, -0.3], [-0.2, 0.5, 0.9]]),
+        # The smallest numbers there are, and zeros with a sign.
+        polhode.MassProperties(mass=5e-324, center_of_mass=[-0.0, 0.1, 5e-324], inertia=[0.3, 0.4, 0.5]),
+    ]
+
+
+def motions() -> list[polhode.Motion]:
+    """Closed forms, steps, events, a motion that is given, a mesh, what cannot go on."""
+    names = ["t-handle", "heavy-top", "events", "gravity-gradient", "prescribed-table", "shaft", "torsion-pendulum", "bracket"]
+    return [polhode.simulate(EXAMPLES / f"{name}.toml") for name in names]
+
+
+def everything(tmp_path: Path) -> list[object]:
+    """Objects of every public class, filled as generically as can be."""
+    made = bodies(tmp_path)
+    moved = motions()
+    plan = polhode.batch.Plan(PLAN.format(members=40))
+    flights = failed_flights()
+    checked = report(tmp_path)
+    omega = np.random.default_rng(5).normal(size=(4, 3))
+    attitude = np.random.default_rng(6).normal(size=(4, 4))
+    free = polhode.FreeMotion(inertia=made[0], omega=[0.3, -0.5, 0.9], attitude=TURN)
+    shared = polhode.Ensemble(moments=[1.0, 2.0, 2.5], omega=omega, torques='[[torque]]\nmodel = "constant"\ntorque = ["0.1 N m", "0 N m", "0.2 N m"]\naxes = "body"\n')
+    own = polhode.Ensemble(inertia=np.stack([made[0].inertia, made[5].inertia, made[6].inertia, made[0].inertia]), omega=omega, attitude=attitude)
+    error = polhode.PolhodeError("radius is wrong", "mend it", "a.toml", 3, 7)
+    with pytest.warns(polhode.PolhodeWarning) as heard:
+        polhode.inertia(EXAMPLES / "bracket.stl", unit="mm")
+    return [
+        *made,
+        *moved,
+        polhode.Body({"main": made[0], "mesh": made[1], "water": made[2]}),
+        free,
+        polhode.FreeMotion(moments=[1, 2, 9], omega=[0.3, -0.5, 0.9], allow_unphysical=True),
+        free.at([0.0, 2.5, -7.0]),
+        shared,
+        own,
+        flights,
+        polhode.Failure(3, 1.25, "beyond the range of numbers"),
+        checked,
+        *checked.findings[:2],
+        *(motion.events[0] for motion in moved if motion.events),
+        *(motion.ending for motion in moved),
+        *made[1].findings,
+        error,
+        heard[0].message,
+        plan,
+        *plan.variables,
+        polhode.sweep.run(plan, tmp_path / "sweep"),
+    ]
+
+
+def public_classes() -> set[type]:
+    """All that a user can have an object of."""
+    found = set()
+    for module in (polhode, polhode.batch, polhode.sweep, shapes, polhode.plot):
+        for name, value in vars(module).items():
+            if not name.startswith("_") and inspect.isclass(value) and value.__module__ in ("polhode", "polhode.batch", "polhode.sweep"):
+                found.add(value)
+    return found
+
+
+def plain(value: Any) -> Any:
+    """A value of an attribute as something that equals only what has its bits."""
+    if isinstance(value, np.ndarray):
+        return ("array", value.dtype.str, value.shape, value.flags.writeable, value.tobytes())
+    if isinstance(value, (float, np.floating)):
+        return ("float", struct.pack("<d", value))
+    if isinstance(value, dict):
+        return ("dict", [(plain(k), plain(v)) for k, v in value.items()])
+    if isinstance(value, (list, tuple)):
+        return (type(value).__name__, [plain(v) for v in value])
+    if hasattr(value, "as_quat"):
+        return ("rotation", plain(value.as_quat()))
+    if value is None or isinstance(value, (str, bytes, int, bool)):
+        return value
+    if type(value) in public_classes():
+        return (type(value).__name__, said(value, deep=False))
+    raise AssertionError(f"{type(value)} is not compared")
+
+
+def said(thing: object, deep: bool = True) -> dict[str, Any]:
+    """All that an object says: every public attribute, every method, its text, its length, its elements."""
+    found: dict[str, Any] = {"": type(thing).__qualname__}
+    for name in dir(thing):
+        if name.startswith("_") or name == "with_traceback":
+            continue
+        value = getattr(thing, name)
+        if not callable(value):
+            found[name] = plain(value)
+        elif deep and name not in ("add_note", "count", "index"):
+            for given in ASKED.get(name, [{}]):
+                try:
+                    needed = inspect.signature(value).bind(**given)
+                except TypeError:
+                    continue
+                try:
+                    found[f"{name}({given})"] = plain(value(*needed.args, **needed.kwargs))
+                except polhode.PolhodeError as refused:  # a format that cannot hold a molecule's moments
+                    found[f"{name}({given})"] = str(refused)
+    if deep:
+        found |= {"str": str(thing), "repr": repr(thing)}
+        found |= {"len": len(thing)} if hasattr(thing, "__len__") else {}
+        found |= {"list": plain(list(thing))} if hasattr(thing, "__iter__") else {}
+        found |= {"html": thing._repr_html_()} if hasattr(thing, "_repr_html_") else {}
+    return found
+
+
+TRANSPORTS: dict[str, Callable[[Any], Any]] = {
+    "copy": copy.copy,
+    "deepcopy": copy.deepcopy,
+    **{f"pickle {p}": lambda it, p=p: pickle.loads(pickle.dumps(it, protocol=p)) for p in range(2, pickle.HIGHEST_PROTOCOL + 1)},
+}
+
+
+def test_copies_say_all_that_the_original_says(tmp_path: Path) -> None:
+    things = everything(tmp_path)
+    assert {type(thing) for thing in things} == public_classes()
+    for thing in things:
+        before = said(thing)
+        assert any(len(name) > 3 for name in before)
+        for transport, function in TRANSPORTS.items():
+            after = said(function(thing))
+            for name in before.keys() | after.keys():
+                assert before.get(name) == after.get(name), f"{type(thing).__name__}.{name} by {transport}"
+
+
+def test_copies_in_another_process_say_the_same(tmp_path: Path) -> None:
+    things = everything(tmp_path)
+    with multiprocessing.get_context("spawn").Pool(1) as pool:
+        there = pool.map(both, things)
+    for thing, (again, heard) in zip(things, there, strict=True):
+        # What the other process read off it, and what came back.
+        assert said(thing) == heard == said(again), type(thing).__name__
+
+
+def both(thing: object) -> tuple[object, dict[str, Any]]:
+    return thing, said(thing)
+
+
+def test_a_motion_needs_no_file_where_it_arrives(tmp_path: Path) -> None:
+    mesh = (EXAMPLES / "bracket.stl").read_bytes()
+    (tmp_path / "part.stl").write_bytes(mesh)
+    path = tmp_path / "scenario.toml"
+    path.write_text(
+        '[[body.part]]\nshape = "mesh"\nfile = "part.stl"\nunit = "mm"\nmass = "0.4 kg"\n'
+        '[start]\nspin = { body = [0.1, 2, -0.3] }\n[run]\nduration = "3 s"\nsamples = 4\n'
+    )
+    motion = polhode.simulate(path)
+    wanted = said(motion)
+    sent = pickle.dumps(motion)
+    path.unlink()
+    (tmp_path / "part.stl").unlink()
+    assert said(pickle.loads(sent)) == wanted
+
+
+def test_what_a_subclass_adds_is_kept() -> None:
+    body = Named(mass=2.3, inertia=[3.1, 4.2, 5.3])
+    body.name = "trunk"
+    for function in TRANSPORTS.values():
+        again = function(body)
+        assert type(again) is Named and again.name == "trunk" and again.mass == 2.3
+
+
+class Named(polhode.MassProperties):
+    """A body with a name."""
+
+    name: str
+
+
+def test_a_copy_has_the_numbers_that_were_given(tmp_path: Path) -> None:
+    """Not those that the array has by now."""
+    omega = np.random.default_rng(8).normal(size=(3, 3))
+    ensemble = polhode.Ensemble(moments=[1.0, 2.0, 2.5], omega=omega)
+    before = ensemble.at([2.5]).omega.copy()
+    omega[:] = 99.0
+    assert np.array_equal(pickle.loads(pickle.dumps(ensemble)).at([2.5]).omega, before)
+
+
+def test_what_is_written_into_an_answer_changes_no_other(examples: Path, tmp_path: Path) -> None:
+    motion = polhode.simulate(examples / "heavy-top.toml")
+    free = polhode.FreeMotion(moments=[1, 2, 2.5], omega=[0.3, 0.5, 0.9])
+    checked = report(tmp_path)
+    before = said(motion), said(free), said(checked)
+    for value in [getattr(motion, name) for name in dir(motion) if not name.startswith("_")] + [*motion.columns().values()]:
+        if isinstance(value, np.ndarray):
+            value[...] = 99.0
+        elif isinstance(value, (dict, list)):
+            value.clear()
+    motion.summary["motion"].clear()
+    free.summary["motion"].clear()
+    checked.findings[0].numbers.clear()
+    checked.to_dict()["findings"].clear()
+    assert (said(motion), said(free), said(checked)) == before

@@ -170,46 +170,38 @@ def processor():
     return platform.processor()
 
 
-KERNEL = "`cargo bench -p polhode-stl --bench quick` compares"
+KERNEL = "`cargo bench -p polhode-stl --bench quick` measures"
 
 
 def kernel(rounds=5):
-    """How the STL kernel compares with the sum of the same bytes: medians of so many runs."""
+    """The time of the STL kernel: medians of so many runs."""
     command = ["cargo", "bench", "-q", "-p", "polhode-stl", "--bench", "quick"]
-    floors, ratios = {}, {}
+    times = {}
     for _ in range(rounds):
         for line in subprocess.run(command, cwd=ROOT, check=True, capture_output=True, text=True).stdout.splitlines():
             cells = [cell.strip() for cell in line.strip("| ").split("|")]
             if len(cells) == 7 and cells[0].isdigit():
-                triangles, written, threads, what, _, ns, times = cells
-                case = (int(triangles), written, int(threads))
-                ratios.setdefault((*case, what), []).append(float(times))
-                if what == "sum of the bytes, mapped":
-                    floors.setdefault(case, []).append(float(ns))
-    columns = [f"{what}, {how}" for how in ("mapped", "read") for what in ("moments", "moments and edges")]
-    middle = lambda key: f"{sorted(ratios[key])[rounds // 2]:.2f} ({min(ratios[key]):.2f}–{max(ratios[key]):.2f})"
-    rows = "\n".join(f"| {(case[0] * 50 + 84) / 1e6:.0f} MB, {case[1]}, {case[2]} | {sorted(ns)[rounds // 2]:.2f} | "
-                     + " | ".join(middle((*case, column)) for column in columns) + " |" for case, ns in floors.items())
-    return f"""{KERNEL} the moments with the sum of the same bytes of a memory-mapped file, the
-floor, in one process and in turn, the least of many rounds each. Times the floor of as many threads: the middle of {rounds} such runs, and all of them.
+                triangles, written, threads, what, _, ns, _ = cells
+                times.setdefault((int(triangles), written, int(threads)), {}).setdefault(what, []).append(float(ns))
+    middle = lambda values: f"{sorted(values)[rounds // 2]:.1f}"
+    rows = "\n".join(f"| {(case[0] * 50 + 84) / 1e6:.0f} MB, {case[1]}, {case[2]} | {middle(of['moments'])} | {middle(of['moments and edges'])} |"
+                     for case, of in times.items())
+    return f"""{KERNEL} the time of the moments of a file that the system has in its memory, read in pieces of 200 KiB,
+in nanoseconds a triangle, the least of many rounds; the middle of {rounds} such runs.
 
-| file, threads | floor, ns a triangle | mapped | with the verdict | read in 200 KiB | with the verdict |
-|---|---|---|---|---|---|
+| file, threads | moments | with the verdict |
+|---|---|---|
 {rows}
 
-The floor depends on how the system keeps the file. Written at once it lies in pages of megabytes, and to map them costs nothing; written in pieces
-of 64 KiB, as most programs write, in pages so small that mapping them is most of the time, of the floor too.
+How fast a file is read depends on how the system keeps it: written at once it lies in pages of megabytes, written in pieces of 64 KiB, as most
+programs write, in small ones.
 
-From the cache the moments take 1.2 ns a triangle and 0.7 µs a call (AVX-512, AMD Zen 5): a part of the floor's own time, which waits for memory, so they hide behind it.
-Through `read` they do not: the system copies, and only then are there sums; one thread cannot do both. Of a file in large pages the copy
-alone is 1.7 to 2.0 ns, more than the floor (the system copies 4 KiB at a time; a plain copy of a mapped file takes 1.4), so 1.7 times the floor would leave
-0.9 ns for the sums at most. Their hundred vector instructions for eight triangles take 0.9 ns if each of four pipes begins one in every cycle.
+From the cache the moments take 1.2 ns a triangle and 0.7 µs a call (AVX-512, AMD Zen 5). The rest is the system's copy, of a file in large pages
+1.7 to 2.0 ns: it copies, and only then are there sums; one thread cannot do both. A file mapped into memory needs no copy, and took half of the time
+in large pages and a tenth more in small ones; but one that another program shortens meanwhile ends the process by a signal, so files are read.
 Two loops, columns of 128 triangles and then their sums, an octet's terms added a turn after they were found, are faster than one (its registers
-do not suffice). Loads are scarcer than shuffles: a pair of records is loaded twice, not four times. Records are asked for two stages ahead,
-beyond the end of a block too, and the stretch of pages that they are in is touched first: a line of a page that is not mapped cannot be
-had in advance. Tried and left: asking further ahead, having the system map blocks at once; for `read` larger buffers, one in a large page
-and as far from a line's begin as the file's bytes (no change), and asking for what is read next through a mapping that is never looked at
-(no change in large pages, slower with two threads).
+do not suffice). Loads are scarcer than shuffles: a pair of records is loaded twice, not four times. Tried and left: larger buffers, and one in a
+large page as far from a line's begin as the file's bytes (no change).
 
 """
 

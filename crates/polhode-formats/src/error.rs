@@ -250,6 +250,9 @@ impl FormatErrorKind {
                 Some("check the spelling; a relative path starts at the current folder".to_owned())
             }
             Self::Io { kind: io::ErrorKind::IsADirectory, .. } => Some("name a file in it".to_owned()),
+            Self::Io { kind: io::ErrorKind::UnexpectedEof, .. } => {
+                Some("let the program that writes it come to its end first".to_owned())
+            }
             Self::Toml { .. } => {
                 Some("a line is key = value, [table] or [[table]]; text is in quotes".to_owned())
             }

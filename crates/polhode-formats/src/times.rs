@@ -30,10 +30,8 @@ pub fn read(path: &Path) -> Result<Vec<f64>, FormatError> {
 /// # Errors
 /// As [`read`].
 pub fn read_from(stream: impl Read, path: &Path) -> Result<Vec<f64>, FormatError> {
-    let failed = |error: io::Error| {
-        let file = path.to_string_lossy().into_owned();
-        FormatError::new(path, None, FormatErrorKind::Io { file, kind: error.kind(), why: error.to_string() })
-    };
+    let failed =
+        |error: io::Error| FormatError::new(path, None, file::failed(&path.to_string_lossy(), &error));
     let mut bytes = Vec::new();
     stream.take(LARGEST_FILE + 1).read_to_end(&mut bytes).map_err(failed)?;
     if bytes.len() as u64 > LARGEST_FILE {

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use polhode::{BodyError, MassProperties, Part, Shape, Substance};
 use polhode_formats::FormatErrorKind;
 use polhode_formats::mesh::stl::{StlError, StlPlace};
-use polhode_formats::mesh::stl_quick::{Access, QuickMoments, QuickOptions, parse, read};
+use polhode_formats::mesh::stl_quick::{QuickMoments, QuickOptions, parse, read};
 use polhode_formats::mesh::{MeshContents, MeshFormat, MeshSolid};
 
 type Triangle = [[f32; 3]; 3];
@@ -78,16 +78,13 @@ fn the_answer_is_that_of_the_ordinary_reader() {
 }
 
 #[test]
-fn a_file_mapped_or_read_by_any_number_of_threads_gives_the_same_bits() {
+fn a_file_read_by_any_number_of_threads_gives_the_same_bits() {
     let bytes = file(&wedge(6));
     let path = stored("bits", &bytes);
     let expected = quick(&bytes).unwrap();
     for threads in [1, 2, 8] {
-        for access in [Access::Mapped, Access::Read] {
-            let threads = NonZeroUsize::new(threads).unwrap();
-            let options = QuickOptions { threads, verdict: true, access };
-            assert_eq!(read(&path, &options).unwrap(), expected);
-        }
+        let threads = NonZeroUsize::new(threads).unwrap();
+        assert_eq!(read(&path, &QuickOptions { threads, verdict: true }).unwrap(), expected);
     }
     std::fs::remove_file(path).unwrap();
 }
@@ -122,10 +119,8 @@ fn what_is_no_binary_stl_goes_to_the_ordinary_reader_or_is_refused() {
         let expected = StlError::WrongCount { declared, length: bytes.len() };
         assert_eq!(quick(&counted), Err(Box::new(FormatErrorKind::Stl(expected.clone()))));
         let path = stored(&format!("count-{declared}"), &counted);
-        for access in [Access::Mapped, Access::Read] {
-            let error = read(&path, &QuickOptions { access, ..QuickOptions::default() }).unwrap_err();
-            assert_eq!(error.kind(), &FormatErrorKind::Stl(expected.clone()));
-        }
+        let error = read(&path, &QuickOptions::default()).unwrap_err();
+        assert_eq!(error.kind(), &FormatErrorKind::Stl(expected));
         std::fs::remove_file(path).unwrap();
     }
     for length in [bytes.len() - 1, bytes.len() - 50, 84, 83] {

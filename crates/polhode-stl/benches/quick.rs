@@ -4,7 +4,7 @@
 //! files, written at once, which the system then keeps in pages of megabytes, and in pieces, as most programs write, which
 //! it keeps in smaller pages; measures, and prints a table. Each number is the least of many turns in which everything has its turn, so that a
 //! busy machine slows all alike. Every turn opens the file anew. `-- cache` measures one page of records in the second
-//! cache only; `-- table FILE` takes a file of yours; `-- read` and `-- map` do one thing once, for somebody who watches memory from
+//! cache only; `-- table FILE` takes a file of yours; `-- read FILE` does it once, for somebody who watches memory from
 //! outside.
 
 use std::fs::File;
@@ -16,7 +16,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use fearless_simd::{Level, Simd as _, dispatch};
-use polhode_stl::{Mapped, Options, Record, moments_of_file, moments_of_records};
+use polhode_stl::{Options, Record, moments_of_file, moments_of_records};
 
 const HEADER: usize = 84;
 const TURNS: usize = 60;
@@ -29,8 +29,6 @@ fn main() -> io::Result<()> {
         ["memory"] => in_cache(20 << 18),
         ["read", path] => once(|| read(Path::new(path), options(1, true))),
         ["table", path] => table(Path::new(path), "as it is"),
-        ["sum", path] => once(|| sum_mapped(Path::new(path), 1)),
-        ["map", path] => once(|| mapped(Path::new(path), options(1, true))),
         _ => {
             println!(
                 "| triangles | written | threads | what | ms | ns a triangle | times the floor |\n|---|---|---|---|---|---|---|"
@@ -62,12 +60,9 @@ fn table(path: &Path, written: &str) -> io::Result<()> {
     let triangles = (path.metadata()?.len() as usize - HEADER) / 50;
     for threads in [1, 2] {
         let cases: Vec<Case> = vec![
-            ("sum of the bytes, mapped", Box::new(move || sum_mapped(path, threads))),
-            ("sum of the bytes, read", Box::new(move || sum_read(path, threads))),
-            ("moments, mapped", Box::new(move || mapped(path, options(threads, false)))),
-            ("moments, read", Box::new(move || read(path, options(threads, false)))),
-            ("moments and edges, mapped", Box::new(move || mapped(path, options(threads, true)))),
-            ("moments and edges, read", Box::new(move || read(path, options(threads, true)))),
+            ("sum of the bytes", Box::new(move || sum_read(path, threads))),
+            ("moments", Box::new(move || read(path, options(threads, false)))),
+            ("moments and edges", Box::new(move || read(path, options(threads, true)))),
         ];
         let mut least = vec![f64::INFINITY; cases.len()];
         for _ in 0..TURNS {
@@ -91,8 +86,8 @@ fn table(path: &Path, written: &str) -> io::Result<()> {
 
 fn in_cache(count: usize) -> io::Result<()> {
     let sphere = sphere(9, usize::MAX)?;
-    let map = Mapped::new(&File::open(&sphere.0)?)?;
-    let records: &[Record] = &map[HEADER..].as_chunks::<50>().0[..count];
+    let bytes = std::fs::read(&sphere.0)?;
+    let records: &[Record] = &bytes[HEADER..].as_chunks::<50>().0[..count];
     let cases: Vec<Case> = vec![
         ("sum of the bytes", Box::new(|| Ok(sum(records.as_flattened()) as f64))),
         ("moments", Box::new(|| Ok(moments_of_records(records, &options(1, false)).six_volume))),
@@ -112,11 +107,6 @@ fn in_cache(count: usize) -> io::Result<()> {
     Ok(())
 }
 
-fn mapped(path: &Path, options: Options) -> io::Result<f64> {
-    let map = Mapped::new(&File::open(path)?)?;
-    Ok(moments_of_records(map[HEADER..].as_chunks().0, &options).six_volume)
-}
-
 fn read(path: &Path, options: Options) -> io::Result<f64> {
     let file = File::open(path)?;
     let count = (file.metadata()?.len() - HEADER as u64) / 50;
@@ -133,18 +123,6 @@ fn sum(bytes: &[u8]) -> u64 {
         #[inline(always)]
         || plain(bytes)
     ))
-}
-
-fn sum_mapped(path: &Path, threads: usize) -> io::Result<f64> {
-    let map = Mapped::new(&File::open(path)?)?;
-    let total: u64 = std::thread::scope(|scope| {
-        let parts = map.chunks(map.len().div_ceil(threads));
-        let mut parts: Vec<_> = parts.collect();
-        let own = parts.pop().unwrap_or_default();
-        let helpers: Vec<_> = parts.into_iter().map(|part| scope.spawn(move || sum(part))).collect();
-        sum(own) + helpers.into_iter().filter_map(|helper| helper.join().ok()).sum::<u64>()
-    });
-    Ok(total as f64)
 }
 
 fn sum_read(path: &Path, threads: usize) -> io::Result<f64> {

@@ -3,14 +3,10 @@
 use fearless_simd::{Level, Simd, dispatch, f32x16, f64x8, i64x8, prelude::*};
 
 use crate::Record;
-use crate::ahead::{ask_for, map_soon};
 use crate::columns::{Columns, GROUP, VERTICES};
 use crate::edges;
 use crate::moments::NotFinite;
 use crate::sums::{self, LANES, SUMS};
-
-/// Stages between asking for records and using them: the time that memory takes.
-const AHEAD: usize = 2;
 
 /// Triangles in a stage: their numbers stay in the nearest memory between its loops.
 ///
@@ -47,22 +43,15 @@ impl Block {
         }
     }
 
-    /// Adds records: a whole number of chunks, but for the last of the block. What lies behind them in memory is asked for only.
-    pub(crate) fn add(
-        &mut self,
-        level: Level,
-        records: &[Record],
-        after: &[Record],
-        reference: [f64; 3],
-        with_edges: bool,
-    ) {
+    /// Adds records: a whole number of chunks, but for the last of the block.
+    pub(crate) fn add(&mut self, level: Level, records: &[Record], reference: [f64; 3], with_edges: bool) {
         dispatch!(level, simd => simd.vectorize(
             #[inline(always)]
             || {
                 if with_edges {
-                    self.add_in_vectors::<_, true>(simd, records, after, reference);
+                    self.add_in_vectors::<_, true>(simd, records, reference);
                 } else {
-                    self.add_in_vectors::<_, false>(simd, records, after, reference);
+                    self.add_in_vectors::<_, false>(simd, records, reference);
                 }
             }
         ));
@@ -73,21 +62,17 @@ impl Block {
         &mut self,
         simd: S,
         records: &[Record],
-        after: &[Record],
         reference: [f64; 3],
     ) {
         let reference = reference.map(|c| f64x8::splat(simd, c));
         let mut stage = Stage::<S>::new(simd);
-        let mut soon = records.as_chunks::<STAGE>().0.iter().chain(after.as_chunks::<STAGE>().0).skip(AHEAD);
         for chunk in records.chunks(CHUNK) {
             let (whole, rest) = chunk.as_chunks::<STAGE>();
             for records in whole {
-                let soon = soon.next().unwrap_or(records);
-                map_soon(soon.as_flattened());
-                stage.add::<EDGES>(simd, records, &reference, soon);
+                stage.add::<EDGES>(simd, records, &reference);
             }
             if let Some(padded) = padded(rest) {
-                stage.add::<EDGES>(simd, &padded, &reference, &padded);
+                stage.add::<EDGES>(simd, &padded, &reference);
             }
             stage.finish(simd);
             if !self.take(simd, &mut stage) {
@@ -173,13 +158,7 @@ impl<S: Simd> Stage<S> {
     }
 
     #[inline(always)]
-    fn add<const EDGES: bool>(
-        &mut self,
-        simd: S,
-        records: &[Record; STAGE],
-        reference: &[f64x8<S>; 3],
-        soon: &[Record; STAGE],
-    ) {
+    fn add<const EDGES: bool>(&mut self, simd: S, records: &[Record; STAGE], reference: &[f64x8<S>; 3]) {
         let (mut low, mut high) = (self.low, self.high);
         let groups = records.as_chunks::<GROUP>().0;
         for (stored, group) in self.columns.iter_mut().zip(groups) {
@@ -200,12 +179,9 @@ impl<S: Simd> Stage<S> {
             }
             self.edges = edges;
         }
-        // Asked for little by little: the processor can wait for some tens of lines at a time.
-        let mut soon = soon.as_flattened().as_chunks().0.iter();
         let (mut all, mut terms) = (self.sums, self.terms);
         for k in 0..STAGE / LANES {
             core::hint::black_box(());
-            soon.next().map(ask_for);
             // Added a turn later: sums that wait for their terms, a chain of some 50 cycles, would fill the queues of the processor.
             sums::add(&mut all, &terms);
             terms = sums::terms(simd, &self.columns[k / 2].half(simd, k % 2), reference);

@@ -21,22 +21,19 @@
 //! assert_eq!(moments_of_records(&corner[1..], &Options::default()).edge_hash == Some(0), false);
 //! ```
 //!
-//! The result has the same bits with any number of threads, in any width of vectors, from a mapped file or a read one:
+//! The result has the same bits with any number of threads, in any width of vectors, from records in memory or from a file:
 //! the file is cut into blocks that depend on its length only, and what is fused is fused everywhere (slowly, on processors that have no
 //! instruction for it).
 
-mod ahead;
 mod block;
 mod columns;
 #[cfg(target_arch = "x86_64")]
 mod columns512;
 mod edges;
-mod mapped;
 mod moments;
 mod sums;
 mod work;
 
-pub use mapped::Mapped;
 pub use moments::{Moments, NotFinite};
 pub use work::{Options, moments_of_file, moments_of_records};
 

@@ -54,8 +54,7 @@ pub(crate) fn moments_at_level(records: &[Record], options: &Options, level: Lev
         let mut block = Block::new();
         let from = (number * block_length) as usize;
         let length = block_length.min(count - number * block_length) as usize;
-        let (records, after) = records[from..].split_at(length);
-        block.add(level, records, after, reference, options.edges);
+        block.add(level, &records[from..from + length], reference, options.edges);
         Ok(Part::of(&block))
     };
     // Nothing is read, so nothing fails.
@@ -93,7 +92,7 @@ pub fn moments_of_file(file: &File, from: u64, count: u64, options: &Options) ->
         while at < end {
             let records = &mut buffer[..page.min((end - at) as usize)];
             read_exactly(file, records.as_flattened_mut(), from + at * size_of::<Record>() as u64)?;
-            block.add(level, records, &[], reference, options.edges);
+            block.add(level, records, reference, options.edges);
             at += records.len() as u64;
         }
         Ok(Part::of(&block))
@@ -259,7 +258,7 @@ mod tests {
         let plain = plain(&records, reference);
         for level in levels() {
             let mut block = Block::new();
-            block.add(level, &records, &[], reference, true);
+            block.add(level, &records, reference, true);
             assert_eq!((block.sums, block.errors), (plain.sums, plain.errors), "{level:?}");
         }
     }

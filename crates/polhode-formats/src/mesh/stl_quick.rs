@@ -5,15 +5,16 @@
 //! everything that is not binary STL it answers `None`: the ordinary reader is there.
 
 use std::fs::File;
-use std::io::{self, Read};
+use std::io::Read;
 use std::num::NonZeroUsize;
 use std::path::Path;
 
 use polhode::{BodyError, MeasuredSolid, Position};
-use polhode_stl::{Mapped, Moments, NotFinite, Options, Record, moments_of_file, moments_of_records};
+use polhode_stl::{Moments, NotFinite, Options, Record, moments_of_file, moments_of_records};
 
 use super::stl::{StlError, StlPlace};
 use crate::error::{FormatError, FormatErrorKind};
+use crate::file;
 
 const PREAMBLE: u64 = 84;
 const RECORD: u64 = size_of::<Record>() as u64;
@@ -25,25 +26,14 @@ pub struct QuickOptions {
     pub threads: NonZeroUsize,
     /// Whether to find out if the mesh is closed and consistently wound.
     pub verdict: bool,
-    /// How the bytes are reached.
-    pub access: Access,
 }
 
 impl Default for QuickOptions {
-    /// As many threads as the machine has processors, the verdict, and a mapped file.
+    /// As many threads as the machine has processors, and the verdict.
     fn default() -> Self {
         let threads = std::thread::available_parallelism().unwrap_or(NonZeroUsize::MIN);
-        Self { threads, verdict: true, access: Access::Mapped }
+        Self { threads, verdict: true }
     }
-}
-
-/// How the bytes of a file are reached.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Access {
-    /// As memory: the fastest. Nobody may shorten the file meanwhile, or the system ends the process.
-    Mapped,
-    /// Read piece by piece, 200 KiB for each thread.
-    Read,
 }
 
 /// The moments of the solid that a binary STL file bounds, in the file's unit of length.
@@ -140,29 +130,24 @@ impl QuickMoments {
 ///
 /// # Errors
 /// [`FormatError`] if the file cannot be read, is as long as no STL file, has no triangles or a vertex that is not
-/// finite, or bounds no volume. A count that does not fit the file's length is refused before anything else is read.
+/// finite, or bounds no volume, and if it changes while it is read. A count that does not fit the file's length is refused before anything else is read.
 pub fn read(path: &Path, options: &QuickOptions) -> Result<Option<QuickMoments>, FormatError> {
     let fail = |kind| FormatError::new(path, None, kind);
-    let io = |error: &io::Error| fail(io_error(path, error));
-    let mut file = File::open(path).map_err(|e| io(&e))?;
-    let metadata = file.metadata().map_err(|e| io(&e))?;
+    let io = |error| fail(file::failed(&path.to_string_lossy(), &error));
+    let mut file = File::open(path).map_err(io)?;
+    let metadata = file.metadata().map_err(io)?;
     if !metadata.is_file() {
         return Ok(None);
     }
     let mut head = Vec::new();
-    (&mut file).take(HEAD).read_to_end(&mut head).map_err(|e| io(&e))?;
+    (&mut file).take(HEAD).read_to_end(&mut head).map_err(io)?;
     let Some(count) = count(&head, metadata.len()).map_err(|e| fail(FormatErrorKind::Stl(e)))? else {
         return Ok(None);
     };
     let sums = Options { threads: options.threads, edges: options.verdict };
-    let moments = match options.access {
-        Access::Read => moments_of_file(&file, PREAMBLE, count, &sums),
-        Access::Mapped => Mapped::new(&file).and_then(|bytes| match records(&bytes, count) {
-            records if records.len() as u64 == count => Ok(moments_of_records(records, &sums)),
-            _ => Err(io::ErrorKind::UnexpectedEof.into()),
-        }),
-    };
-    QuickMoments::of(&moments.map_err(|e| io(&e))?, path).map(Some)
+    let moments = moments_of_file(&file, PREAMBLE, count, &sums).map_err(io)?;
+    file::unchanged(&file, &metadata).map_err(io)?;
+    QuickMoments::of(&moments, path).map(Some)
 }
 
 /// The moments of the solid in the bytes of a file; `path` is for messages. See [`read`].
@@ -172,11 +157,13 @@ pub fn read(path: &Path, options: &QuickOptions) -> Result<Option<QuickMoments>,
 pub fn parse(bytes: &[u8], path: &Path, options: &QuickOptions) -> Result<Option<QuickMoments>, FormatError> {
     let fail = |kind| FormatError::new(path, None, kind);
     let head = &bytes[..bytes.len().min(HEAD as usize)];
-    let Some(count) = count(head, bytes.len() as u64).map_err(|e| fail(FormatErrorKind::Stl(e)))? else {
+    if count(head, bytes.len() as u64).map_err(|e| fail(FormatErrorKind::Stl(e)))?.is_none() {
         return Ok(None);
-    };
+    }
     let sums = Options { threads: options.threads, edges: options.verdict };
-    QuickMoments::of(&moments_of_records(records(bytes, count), &sums), path).map(Some)
+    // The length fits the count.
+    let records = bytes.get(PREAMBLE as usize..).unwrap_or_default().as_chunks().0;
+    QuickMoments::of(&moments_of_records(records, &sums), path).map(Some)
 }
 
 /// As much of a file as tells binary from text.
@@ -200,25 +187,9 @@ fn is_text(head: &[u8]) -> bool {
     text.get(..5).is_some_and(|word| word.eq_ignore_ascii_case(b"solid")) && !head.contains(&0)
 }
 
-/// The records behind the preamble; fewer than counted if the file was shortened meanwhile.
-fn records(bytes: &[u8], count: u64) -> &[Record] {
-    let records = bytes.get(PREAMBLE as usize..).unwrap_or_default().as_chunks().0;
-    &records[..records.len().min(usize::try_from(count).unwrap_or(usize::MAX))]
-}
-
 fn not_finite(found: &NotFinite) -> StlError {
     let index = usize::try_from(found.triangle).unwrap_or(usize::MAX);
     let offset =
         usize::try_from(PREAMBLE + RECORD * found.triangle + found.offset as u64).unwrap_or(usize::MAX);
     StlError::NotFinite { at: StlPlace::Record { index, offset }, found: found.value.to_string() }
-}
-
-fn io_error(path: &Path, error: &io::Error) -> FormatErrorKind {
-    let why = match error.kind() {
-        io::ErrorKind::NotFound => "there is no such file".to_owned(),
-        io::ErrorKind::PermissionDenied => "permission denied".to_owned(),
-        io::ErrorKind::UnexpectedEof => "it became shorter while it was read".to_owned(),
-        _ => error.to_string(),
-    };
-    FormatErrorKind::Io { file: path.to_string_lossy().into_owned(), kind: error.kind(), why }
 }

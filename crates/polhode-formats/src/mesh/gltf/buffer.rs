@@ -1,12 +1,12 @@
 //! Buffers: bytes beside the document, in the GLB, in the document as base64, or in a file of its folder.
 
 use std::fs::{self, File};
-use std::io::Read;
 use std::path::{Component, Path, PathBuf};
 use std::rc::Rc;
 
 use super::json::Json;
 use crate::content::{ContentError, ContentErrorKind};
+use crate::file;
 
 /// The buffers of a document, each read when it is first needed.
 #[derive(Debug)]
@@ -128,12 +128,13 @@ impl<'a> Buffers<'a> {
         if let Some((_, bytes)) = self.files.iter().find(|(known, _)| *known == path) {
             return Ok(bytes.clone());
         }
-        // A pipe or a device may be endless.
+        // A pipe or a device may be endless, and to open one may wait for ever.
         if !fs::metadata(&path).map_err(|e| failed(&e))?.is_file() {
             return Err(uri.refused("uri", "an ordinary file"));
         }
-        let mut bytes = Vec::new();
-        File::open(&path).and_then(|mut file| file.read_to_end(&mut bytes)).map_err(|e| failed(&e))?;
+        let file = File::open(&path).map_err(|e| failed(&e))?;
+        let bytes =
+            file.metadata().and_then(|before| file::all(&file, u64::MAX, &before)).map_err(|e| failed(&e))?;
         let bytes = Rc::new(bytes);
         self.files.push((path, bytes.clone()));
         Ok(bytes)

@@ -3,6 +3,8 @@
 use polhode::Vector;
 use serde_json::Value;
 
+use crate::layout::is_unseen;
+
 /// JSON indented by two spaces, with lists of numbers on one line: a tensor looks like a matrix.
 ///
 /// ```
@@ -10,10 +12,23 @@ use serde_json::Value;
 /// let text = polhode_report::pretty(&value);
 /// assert_eq!(text, "{\n  \"mass\": 1.5,\n  \"tensor\": [\n    [1.0, 0.0],\n    [0.0, 2.0]\n  ]\n}");
 /// ```
+///
+/// Strings are exact. What would steer a terminal is escaped as JSON has it, `\u009b`, as it can stand in strings alone.
 pub fn pretty(value: &Value) -> String {
     let mut text = String::new();
     write(&mut text, value, 0);
-    text
+    if !text.contains(|c| is_unseen(c) && c != '\n') {
+        return text;
+    }
+    let mut safe = String::with_capacity(text.len());
+    for c in text.chars() {
+        if is_unseen(c) && c != '\n' {
+            safe.extend(c.encode_utf16(&mut [0; 2]).iter().map(|unit| format!("\\u{unit:04x}")));
+        } else {
+            safe.push(c);
+        }
+    }
+    safe
 }
 
 /// The three components.
@@ -70,5 +85,23 @@ fn write(text: &mut String, value: &Value, depth: usize) {
             close(text, '}');
         }
         other => text.push_str(&other.to_string()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_string_is_exact_and_steers_no_terminal() {
+        let value =
+            serde_json::json!({ "a\u{202e}": ["\u{9b}2J\u{1b}[m\r\n\t", "\u{e0041}ω\u{307}"], "b": {} });
+        let text = pretty(&value);
+        assert!(!text.contains(|c| is_unseen(c) && c != '\n'), "{text:?}");
+        assert!(
+            text.contains("\"\\u009b2J\\u001b[m\\r\\n\\t\"") && text.contains("\\udb40\\udc41ω"),
+            "{text}"
+        );
+        assert_eq!(serde_json::from_str::<Value>(&text).ok(), Some(value));
     }
 }

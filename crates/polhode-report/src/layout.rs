@@ -22,15 +22,28 @@ pub fn plain_spaces(text: &str) -> String {
 /// A name or title from outside, on one line: what would steer a terminal or turn the writing around is shown as its
 /// escape.
 pub fn printable(text: &str) -> String {
-    // Marks of direction, separators of lines, and what has no width.
-    let unseen = |c: char| {
-        matches!(c, '\u{ad}' | '\u{61c}' | '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}')
-            || matches!(c, '\u{2060}'..='\u{206f}' | '\u{feff}' | '\u{e0000}'..='\u{e007f}')
-    };
-    let shown = |c: char| {
-        if c.is_control() || unseen(c) { c.escape_default().to_string() } else { c.to_string() }
-    };
-    text.chars().map(shown).collect()
+    escaped(text, |_| false)
+}
+
+/// Whole lines for a terminal: as [`printable`], but for the ends of lines. Everything that the command prints goes through it last.
+pub fn printable_lines(text: &str) -> String {
+    escaped(text, |c| c == '\n')
+}
+
+/// The text with what is unseen as its escape, but for what is to be left alone.
+fn escaped(text: &str, leave: impl Fn(char) -> bool) -> String {
+    let mut shown = String::with_capacity(text.len());
+    for c in text.chars() {
+        if is_unseen(c) && !leave(c) { shown.extend(c.escape_default()) } else { shown.push(c) }
+    }
+    shown
+}
+
+/// Controls, marks of direction, separators of lines, and what has no width.
+pub(crate) fn is_unseen(c: char) -> bool {
+    c.is_control()
+        || matches!(c, '\u{ad}' | '\u{61c}' | '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}')
+        || matches!(c, '\u{2060}'..='\u{206f}' | '\u{feff}' | '\u{e0000}'..='\u{e007f}')
 }
 
 /// The text in lines of at most `columns`, each after `indent`; words are not broken.
@@ -208,6 +221,7 @@ mod tests {
             printable("\u{202e}\u{2066}\u{200b}\u{85}\u{2028}"),
             r"\u{202e}\u{2066}\u{200b}\u{85}\u{2028}"
         );
+        assert_eq!(printable_lines("a\u{1b}[2J\r\n\u{9b}b\n"), "a\\u{1b}[2J\\r\n\\u{9b}b\n");
         assert_eq!(printable("ω\u{307}, Größe, 慣性, 'C:\\x'"), "ω\u{307}, Größe, 慣性, 'C:\\x'");
     }
 

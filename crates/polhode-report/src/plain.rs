@@ -1,4 +1,4 @@
 //! What plain text for people is made of: for reports that are made elsewhere, and look the same.
 
-pub use crate::layout::{WIDTH, columns, plain_spaces, printable, wrap};
+pub use crate::layout::{WIDTH, columns, plain_spaces, printable, printable_lines, wrap};
 pub use crate::number::ungrouped as number;

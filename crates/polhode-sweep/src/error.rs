@@ -4,6 +4,8 @@ use std::fmt;
 use std::io;
 use std::path::{Path, PathBuf};
 
+use polhode_report::plain::printable;
+
 use crate::batch::BatchError;
 
 /// What keeps a sweep from being run or kept.
@@ -66,6 +68,10 @@ pub enum SweepError {
     Batch(BatchError),
 }
 
+/// There is no room.
+const FULL: [io::ErrorKind; 3] =
+    [io::ErrorKind::StorageFull, io::ErrorKind::QuotaExceeded, io::ErrorKind::FileTooLarge];
+
 impl SweepError {
     /// What to do about it.
     pub fn hint(&self) -> Option<&'static str> {
@@ -78,7 +84,7 @@ impl SweepError {
                 Some("choose another folder with -o DIR, or throw the old results away with --force")
             }
             Self::NotASweep { .. } => Some("remove it by hand, or choose another folder with -o DIR"),
-            Self::Write { error, .. } if error.kind() == io::ErrorKind::StorageFull => {
+            Self::Write { error, .. } if FULL.contains(&error.kind()) => {
                 Some("the parts that are written are good: make room, and continue with --resume")
             }
             Self::Incomplete { .. } => Some("continue with --resume"),
@@ -101,16 +107,16 @@ impl SweepError {
 impl fmt::Display for SweepError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Exists { folder } => write!(f, "{} is there already", folder.display()),
-            Self::InUse { folder } => write!(f, "{} is in use: another sweep writes to it", folder.display()),
+            Self::Exists { folder } => write!(f, "{} is there already", shown(folder)),
+            Self::InUse { folder } => write!(f, "{} is in use: another sweep writes to it", shown(folder)),
             Self::Changed { folder, what } => {
-                write!(f, "{} holds the results of another plan: {what}", folder.display())
+                write!(f, "{} holds the results of another plan: {what}", shown(folder))
             }
             Self::NotASweep { folder, why } => {
-                write!(f, "{} is not a folder of a sweep: {why}", folder.display())
+                write!(f, "{} is not a folder of a sweep: {why}", shown(folder))
             }
-            Self::Read { path, error } => write!(f, "cannot read {}: {error}", path.display()),
-            Self::Write { path, error } => write!(f, "cannot write {}: {error}", path.display()),
+            Self::Read { path, error } => write!(f, "cannot read {}: {error}", shown(path)),
+            Self::Write { path, error } => write!(f, "cannot write {}: {error}", shown(path)),
             Self::Incomplete { part } => write!(f, "part {part} is missing or damaged"),
             Self::Rows { part, why } => write!(f, "these rows are not those of part {part}: {why}"),
             Self::NoRun => write!(f, "the plan has no [run] section, so there is no time to simulate"),
@@ -133,4 +139,9 @@ impl From<BatchError> for SweepError {
     fn from(error: BatchError) -> Self {
         Self::Batch(error)
     }
+}
+
+/// A path within a message: on one line, whatever is in it.
+fn shown(path: &Path) -> String {
+    printable(&path.to_string_lossy())
 }

@@ -58,7 +58,36 @@ fn row(body: &ExportBody) -> Vec<String> {
 }
 
 /// The name on one line, quoted where it has to be.
+///
+/// Spreadsheets take a text that begins with one of [`FORMULA`] for a formula, quoted or not, and run it: such a name gets an apostrophe
+/// before it, which they take for the mark of a text. Tabs and line ends, which do the same, are escapes by then.
 fn quoted(name: &str) -> String {
-    let name = printable(name);
+    /// The signs by which a formula begins, and their full-width forms.
+    const FORMULA: [char; 8] = ['=', '+', '-', '@', '\u{ff1d}', '\u{ff0b}', '\u{ff0d}', '\u{ff20}'];
+    let mark = if name.trim_start().starts_with(FORMULA) { "'" } else { "" };
+    let name = mark.to_owned() + &printable(name);
     if name.contains([',', '"']) { format!("\"{}\"", name.replace('"', "\"\"")) } else { name }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::quoted;
+
+    #[test]
+    fn a_name_is_no_formula() {
+        for (name, cell) in [
+            ("wheel", "wheel"),
+            ("a=b-c", "a=b-c"),
+            ("a,b", "\"a,b\""),
+            ("=HYPERLINK(\"x\",\"y\")", "\"'=HYPERLINK(\"\"x\"\",\"\"y\"\")\""),
+            ("+1", "'+1"),
+            ("-1", "'-1"),
+            ("@SUM(A1)", "'@SUM(A1)"),
+            (" \t=1+1", "' \\t=1+1"),
+            ("\r=1", "'\\r=1"),
+            ("\u{ff1d}1", "'\u{ff1d}1"),
+        ] {
+            assert_eq!(quoted(name), cell);
+        }
+    }
 }

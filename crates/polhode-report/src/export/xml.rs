@@ -5,10 +5,11 @@ use std::collections::BTreeSet;
 use polhode::{Body, MassProperties, Symmetry};
 
 use super::{ExportBody, ExportError, ExportFormat};
+use crate::layout::is_unseen;
 
 /// The text as an attribute's value, between double quotes.
 ///
-/// Line breaks, tabs and other controls become references, which read back. XML 1.0 has no way to say the rest of the
+/// Line breaks, tabs, other controls and what turns the writing around become references, which read back. XML 1.0 has no way to say the rest of the
 /// controls: they are shown as in Rust, `\u{7}`.
 pub(super) fn attribute(text: &str) -> String {
     let mut value = String::new();
@@ -18,8 +19,9 @@ pub(super) fn attribute(text: &str) -> String {
             '<' => value.push_str("&lt;"),
             '>' => value.push_str("&gt;"),
             '"' => value.push_str("&quot;"),
-            '\t' | '\n' | '\r' | '\u{7f}'..='\u{9f}' => value.push_str(&format!("&#{};", u32::from(c))),
+            '\t' | '\n' | '\r' => value.push_str(&format!("&#{};", u32::from(c))),
             '\u{0}'..'\u{20}' | '\u{fffe}' | '\u{ffff}' => value.extend(c.escape_unicode()),
+            _ if is_unseen(c) => value.push_str(&format!("&#{};", u32::from(c))),
             _ => value.push(c),
         }
     }

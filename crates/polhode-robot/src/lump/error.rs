@@ -4,6 +4,7 @@ use std::error::Error;
 use std::fmt;
 
 use polhode::BodyError;
+use polhode_report::plain::printable;
 
 use crate::body::LinkError;
 use crate::model::Span;
@@ -106,7 +107,7 @@ impl LumpError {
                 "no joint of this model takes a value".to_owned()
             }
             Self::Joint { movable, .. } => {
-                let names: Vec<_> = movable.iter().map(|name| name.escape_debug().to_string()).collect();
+                let names: Vec<_> = movable.iter().map(|name| printable(name)).collect();
                 format!("those that take a value are {}", names.join(", "))
             }
             Self::Pose { .. } => "give it numbers that are finite, and an axis a length".to_owned(),

@@ -15,8 +15,8 @@ use crate::torque::Torque;
 
 /// Rigid-body dynamics: from mass to motion.
 ///
-/// Exit status: 0 fine, 1 check found something, 2 bad input or usage, 3 the computation could not reach its tolerance. Data
-/// goes to standard output, everything else to standard error.
+/// Exit status: 0 fine, 1 check found something, 2 bad input or usage, 3 the computation could not reach its tolerance; of
+/// several files the worst, 2 before 3 before 1. Data goes to standard output, everything else to standard error.
 #[derive(Debug, Parser)]
 #[command(name = "polhode", version, after_help = EXAMPLES, max_term_width = 100)]
 pub(crate) struct Polhode {

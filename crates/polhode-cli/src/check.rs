@@ -13,11 +13,12 @@ use polhode_robot::geometry::Shapes;
 use polhode_robot::inspect::{Inspection, inspect};
 use polhode_robot::read::{ReadOptions, read_model, read_text};
 use polhode_robot::report::CheckReport;
-use serde_json::{Value, json};
+use serde_json::Value;
 
 use crate::failure::Failure;
 use crate::progress::FileProgress;
 use crate::stdout::print;
+use files::Unread;
 use fix::FixFlags;
 
 /// Are the inertias of a robot or simulation model right? URDF, SDF, MJCF.
@@ -57,26 +58,27 @@ pub(crate) struct Check {
 
 impl Check {
     pub(crate) fn run(self) -> Result<(), Failure> {
-        let inputs = files::models(&self.files)?;
+        let inputs = files::models(&self.files);
         let one = inputs.len() == 1 && !self.files.iter().any(|file| file.is_dir());
-        let target = self.fix.target(&inputs)?;
+        let models: Vec<&Path> = inputs.iter().filter_map(|input| input.as_deref().ok()).collect();
+        let target = self.fix.target(&models)?;
         let (mut texts, mut values) = (Vec::new(), Vec::new());
-        let (mut errors, mut found) = (Vec::new(), false);
+        let (mut failures, mut found) = (Vec::new(), false);
         let mut shapes = Shapes::default();
-        let mut progress = FileProgress::new(inputs.len());
-        for file in &inputs {
-            progress.next(file);
-            let report = match self.report(file, &mut shapes) {
+        let mut progress = FileProgress::new(models.len());
+        for input in inputs {
+            let answer = input.and_then(|file| {
+                progress.next(&file);
+                let report = self.report(&file, target, &mut shapes);
+                report.map_err(|failure| Unread { failure: failure.about(&file), path: file })
+            });
+            let report = match answer {
                 Ok(report) => report,
-                Err(error) => {
-                    values.push(unreadable(&error));
-                    errors.push(error);
+                Err(Unread { path, failure }) => {
+                    values.push(failure.to_json(&path));
+                    failures.push(failure);
                     continue;
                 }
-            };
-            let report = match target {
-                Some(target) => fix::fixed(report, target, |text| self.findings_in(text, file, &mut shapes))?,
-                None => report,
             };
             found |= self.fails(report.fixed.as_ref().map_or(&report.findings, |fixed| &fixed.remaining));
             match (self.json, self.table) {
@@ -91,18 +93,27 @@ impl Check {
             [value] if one => pretty(value) + "\n",
             _ => pretty(&Value::Array(values)) + "\n",
         };
-        print(text.as_bytes())?;
-        match (errors.is_empty(), found) {
-            (false, _) => Err(Failure::Input(errors)),
-            (true, true) => Err(Failure::Findings),
-            (true, false) => Ok(()),
+        print(&text)?;
+        if found {
+            failures.push(Failure::Findings);
         }
+        Failure::unless_empty(failures)
     }
 
-    fn report(&self, file: &Path, shapes: &mut Shapes) -> Result<CheckReport, FormatError> {
+    /// What is found in a file, and repaired if that is asked for.
+    fn report(
+        &self,
+        file: &Path,
+        target: Option<(&Path, bool)>,
+        shapes: &mut Shapes,
+    ) -> Result<CheckReport, Failure> {
         let model = read_model(file, &self.reading())?;
         let Inspection { geometry, findings } = inspect(&model, shapes);
-        Ok(CheckReport { model, geometry, findings, fixed: None })
+        let report = CheckReport { model, geometry, findings, fixed: None };
+        match target {
+            Some(target) => fix::fixed(report, target, |text| self.findings_in(text, file, shapes)),
+            None => Ok(report),
+        }
     }
 
     /// What is found in a text in place of the file's.
@@ -120,18 +131,4 @@ impl Check {
         let least = if self.strict { Severity::Note } else { Severity::Suspect };
         findings.iter().any(|finding| finding.severity >= least)
     }
-}
-
-/// A file that cannot be read, in the array of those that can.
-fn unreadable(error: &FormatError) -> Value {
-    json!({
-        "polhode": polhode_report::VERSION,
-        "file": error.path().to_string_lossy(),
-        "error": {
-            "line": error.place().map(|place| place.line),
-            "column": error.place().map(|place| place.column),
-            "message": error.message(),
-            "hint": error.hint(),
-        },
-    })
 }

@@ -7,7 +7,7 @@ use polhode_formats::scenario;
 use polhode_report::{explain, pretty};
 
 use crate::failure::Failure;
-use crate::stdout::print;
+use crate::stdout::{print, shown};
 
 /// Work a scenario through, step by step, with every formula and number.
 ///
@@ -38,7 +38,7 @@ impl Explain {
         let (scenario, text) = scenario::read_with_text(&self.file)?;
         let failed = |error| match scenario::placed(&text, &self.file, &error) {
             Some(placed) => placed.into(),
-            None => Failure::Motion { path: self.file.display().to_string(), error },
+            None => Failure::Motion { path: shown(&self.file), error },
         };
         let document = explain(&scenario).map_err(failed)?;
         let text = if self.json {
@@ -48,6 +48,6 @@ impl Explain {
         } else {
             document.to_text(usize::from(self.width))
         };
-        print(text.as_bytes())
+        print(&text)
     }
 }

@@ -1,10 +1,12 @@
 //! An output folder that appears complete or not at all.
 
 use std::fs;
-use std::io::{self, BufWriter, Write};
-use std::path::{Path, PathBuf};
+use std::io::{self, BufWriter};
+use std::path::Path;
 
 use crate::failure::Failure;
+use crate::partial::{Partial, exists, output};
+use crate::stdout::shown;
 
 /// The file by which a folder of results is known, and how it begins.
 const SIGNATURE: (&str, &[u8]) = ("summary.json", b"{\n  \"polhode\": ");
@@ -29,16 +31,14 @@ const OURS: [&str; 9] = [
 /// [`Folder::publish`]. Dropped before that, it leaves nothing.
 #[derive(Debug)]
 pub(crate) struct Folder {
-    target: PathBuf,
-    partial: PathBuf,
+    partial: Partial,
     force: bool,
-    published: bool,
 }
 
 impl Folder {
     /// Refuses a target that is there already, unless it holds nothing but old results and `force` is set.
     pub(crate) fn check(target: &Path, force: bool) -> Result<(), Failure> {
-        let shown = target.display();
+        let shown = shown(target);
         if target.file_name().is_none() {
             let hint = "name a folder of its own: -o results/run-1";
             return Err(Failure::usage(format!("{shown} cannot become the output folder"), hint));
@@ -57,15 +57,10 @@ impl Folder {
         }
     }
 
-    /// Starts a folder that is to become `target`.
+    /// Starts a folder that is to become `target`, which nobody else may write at the same time.
     pub(crate) fn create(target: &Path, force: bool) -> Result<Self, Failure> {
-        let name = target.file_name().unwrap_or_default().to_string_lossy();
-        let partial = target.with_file_name(format!(".{name}.partial-{}", std::process::id()));
-        if let Some(parent) = target.parent().filter(|p| !p.as_os_str().is_empty()) {
-            fs::create_dir_all(parent).map_err(|e| output(parent, e))?;
-        }
-        fs::create_dir(&partial).map_err(|e| output(target, e))?;
-        Ok(Self { target: target.to_owned(), partial, force, published: false })
+        Self::check(target, force)?;
+        Ok(Self { partial: Partial::folder(target, remove)?, force })
     }
 
     /// Writes one of [`OURS`].
@@ -74,45 +69,43 @@ impl Folder {
         name: &str,
         write: impl FnOnce(&mut BufWriter<fs::File>) -> io::Result<()>,
     ) -> Result<(), Failure> {
-        let path = self.partial.join(name);
+        let path = self.partial.path().join(name);
         let written = fs::File::create_new(&path).and_then(|file| {
             let mut out = BufWriter::new(file);
             write(&mut out)?;
-            out.flush()
+            // A full disk may not show before.
+            out.into_inner()?.sync_all()
         });
-        written.map_err(|e| output(&self.target.join(name), e))
+        written.map_err(|e| output(&self.partial.target().join(name), e))
     }
 
     /// Moves the folder to its place. What came there in the meantime stays, and is an error; old results go if
     /// they may.
-    pub(crate) fn publish(mut self) -> Result<(), Failure> {
-        let failed = |e| output(&self.target, e);
-        let old = self.partial.with_extension(format!("old-{}", std::process::id()));
-        let replaces = self.force && self.target.exists();
+    pub(crate) fn publish(self) -> Result<(), Failure> {
+        let (target, old) = (self.partial.target().to_owned(), self.partial.old());
+        let replaces = self.force && target.exists();
         if replaces {
-            Self::check(&self.target, true)?;
-            fs::rename(&self.target, &old).map_err(failed)?;
+            Self::check(&target, true)?;
         }
-        // Renaming onto anything but an empty folder fails, so nothing is ever overwritten.
-        if let Err(error) = fs::rename(&self.partial, &self.target) {
+        let published = self.partial.publish(|partial| {
             if replaces {
-                let _ = fs::rename(&old, &self.target);
+                fs::rename(&target, &old)?;
             }
-            return Err(if self.target.exists() { exists(&self.target) } else { failed(error) });
+            // Renaming onto anything but an empty folder fails, so nothing is ever overwritten.
+            fs::rename(partial.path(), &target).inspect_err(|_| {
+                if replaces && fs::rename(&old, &target).is_err() {
+                    // Another was faster: it has replaced them.
+                    let _ = remove(&old);
+                }
+            })
+        });
+        if let Err(error) = published {
+            return Err(if target.exists() { exists(&target) } else { output(&target, error) });
         }
-        self.published = true;
         if replaces {
             remove(&old).map_err(|e| output(&old, e))?;
         }
         Ok(())
-    }
-}
-
-impl Drop for Folder {
-    fn drop(&mut self) {
-        if !self.published {
-            let _ = remove(&self.partial);
-        }
     }
 }
 
@@ -124,7 +117,10 @@ fn remove(folder: &Path) -> io::Result<()> {
             _ => {}
         }
     }
-    fs::remove_dir(folder)
+    match fs::remove_dir(folder) {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(()),
+        other => other,
+    }
 }
 
 /// What a place holds that is not ours; `None` for an empty folder, or one of results and nothing else.
@@ -143,15 +139,4 @@ fn stranger(target: &Path, meta: &fs::Metadata) -> Option<String> {
     let (name, begins) = SIGNATURE;
     let signed = fs::read(target.join(name)).is_ok_and(|summary| summary.starts_with(begins));
     (!signed && !entries.is_empty()).then(|| format!("its {name} is not one of polhode's"))
-}
-
-fn exists(target: &Path) -> Failure {
-    Failure::usage(
-        format!("{} is there already", target.display()),
-        "choose another folder with -o DIR, or replace old results with --force",
-    )
-}
-
-fn output(path: &Path, error: io::Error) -> Failure {
-    Failure::Output { path: path.display().to_string(), error }
 }

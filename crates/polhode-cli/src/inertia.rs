@@ -33,7 +33,7 @@ use self::voxel::VoxelFlags;
 use crate::failure::Failure;
 use crate::numbers::{numbers, positive, rotation, unit_named};
 use crate::progress::FileProgress;
-use crate::stdout::print;
+use crate::stdout::{print, shown};
 
 /// Mass, centre of mass, inertia tensor, principal moments and axes.
 ///
@@ -89,29 +89,23 @@ pub(crate) struct Inertia {
 
 impl Inertia {
     pub(crate) fn run(self) -> Result<(), Failure> {
-        let mut reports = Vec::new();
-        let mut errors = Vec::new();
+        let mut answers = Vec::new();
         let mut progress = FileProgress::new(self.files.len());
         for file in &self.files {
             progress.next(file);
-            match self.reports(file) {
-                Ok(found) => reports.extend(found.into_iter().map(|report| (file.clone(), report))),
-                Err(Failure::Input(found)) => errors.extend(found),
-                Err(other) => return Err(other),
-            }
+            answers.push((file.as_path(), self.reports(file).map_err(|failure| failure.about(file))));
         }
         drop(progress);
-        if !errors.is_empty() {
-            return Err(Failure::Input(errors));
-        }
-        print(self.output.text(&reports)?.as_bytes())
+        print(&self.output.text(&answers)?)?;
+        let failures = answers.into_iter().filter_map(|(_, answer)| answer.err()).collect();
+        Failure::unless_empty(failures)
     }
 
     /// The reports of a file: one, or one for each of its molecules.
     fn reports(&self, file: &Path) -> Result<Vec<InertiaReport>, Failure> {
         let Some(kind) = self.format.or_else(|| Kind::of_path(file)) else {
             return Err(Failure::usage(
-                format!("{} has no ending that polhode knows", file.display()),
+                format!("{} has no ending that polhode knows", shown(file)),
                 "say what it is by --format; scenarios end in .toml, meshes in .stl, .obj, .ply, .off, .gltf, .glb or .3mf",
             ));
         };
@@ -185,7 +179,7 @@ impl Inertia {
         {
             None => Ok(()),
             Some((flag, owner)) => Err(Failure::usage(
-                format!("{flag} is for {owner}, and {} is {}", file.display(), kind.in_words()),
+                format!("{flag} is for {owner}, and {} is {}", shown(file), kind.in_words()),
                 match kind {
                     Kind::Scenario => "a scenario says what each of its parts is made of, and in which units",
                     _ => "leave it out, or say by --format what the file is",

@@ -10,6 +10,7 @@ mod inertia;
 mod model_file;
 mod numbers;
 mod page;
+mod partial;
 mod plot;
 mod progress;
 mod shell;
@@ -25,14 +26,30 @@ use clap::Parser as _;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
+    too_large_is_an_error();
     let done = match args::Polhode::try_parse() {
         Ok(polhode) => polhode.command.run(),
         // Help and the version are answers: where they cannot be written that is a failure.
         Err(answer) if !answer.use_stderr() => stdout::print_styled(&answer.render()),
-        Err(refusal) => refusal.exit(),
+        // What was typed stands in the message.
+        Err(refusal) => {
+            stdout::tell(&refusal.render().to_string());
+            return ExitCode::from(2);
+        }
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => failure.report(),
+    }
+}
+
+/// A file that would pass the limit of `ulimit -f` is an error of the write, as a full disk is, and not the end of the program.
+fn too_large_is_an_error() {
+    #[cfg(unix)]
+    {
+        /// Linux, BSD and macOS number it alike.
+        const SIGXFSZ: i32 = 25;
+        // Nobody looks at the flag: that the signal is caught is all.
+        let _ = signal_hook::flag::register(SIGXFSZ, std::sync::Arc::default());
     }
 }

@@ -9,6 +9,8 @@ use polhode_report::{PageInput, PageSubject, VERSION, explain_motion, page};
 
 use crate::failure::Failure;
 use crate::folder::{Folder, PAGE};
+use crate::partial;
+use crate::stdout::shown;
 
 /// What a page is made of, and by which command.
 #[derive(Debug)]
@@ -63,28 +65,18 @@ impl Page<'_> {
 
 /// Writes a page as a file of its own, which appears complete or not at all and replaces nothing unless `force` is set.
 pub(crate) fn write_file(html: &str, file: &Path, force: bool) -> Result<(), Failure> {
-    let failed = |error| Failure::Output { path: file.display().to_string(), error };
     check_file(file, force)?;
-    let name = file.file_name().unwrap_or_default().to_string_lossy();
-    let partial = file.with_file_name(format!(".{name}.partial-{}", std::process::id()));
-    let written = fs::File::create_new(&partial).and_then(|mut out| {
-        out.write_all(html.as_bytes())?;
-        fs::rename(&partial, file)
-    });
-    written.map_err(|error| {
-        let _ = fs::remove_file(&partial);
-        failed(error)
-    })
+    partial::write(file, force, |out| out.write_all(html.as_bytes()))
 }
 
 /// Refuses a file that is there already, unless `force` is set.
 pub(crate) fn check_file(file: &Path, force: bool) -> Result<(), Failure> {
     match fs::symlink_metadata(file) {
         Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(()),
-        Err(error) => Err(Failure::Output { path: file.display().to_string(), error }),
+        Err(error) => Err(Failure::Output { path: shown(file), error }),
         Ok(meta) if force && meta.is_file() => Ok(()),
         Ok(_) => Err(Failure::usage(
-            format!("{} is there already", file.display()),
+            format!("{} is there already", shown(file)),
             "name another file, as in --html=spin-2.html, or replace an earlier page with --force",
         )),
     }

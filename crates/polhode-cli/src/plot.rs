@@ -1,13 +1,15 @@
 //! Plots: which figure goes into which file.
 
 use std::fs;
-use std::io;
+use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
 use polhode_report::{Figure, MotionFigures, Picture, PlotError};
 
 use crate::failure::Failure;
+use crate::partial;
+use crate::stdout::shown;
 
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Plots")]
@@ -40,14 +42,14 @@ impl PlotFlags {
     /// Refuses files that are there already, unless they may be replaced, and a file for two plots.
     pub(crate) fn check(&self, force: bool) -> Result<(), Failure> {
         for (k, Plot { path, .. }) in self.plot.iter().enumerate() {
-            let shown = path.display();
+            let shown = shown(path);
             if self.plot.iter().take(k).any(|other| other.path == *path) {
                 let hint = "give each plot a file of its own";
                 return Err(Failure::usage(format!("{shown} is to hold two plots"), hint));
             }
             let is_file = match fs::symlink_metadata(path) {
                 Err(error) if error.kind() == io::ErrorKind::NotFound => continue,
-                Err(error) => return Err(Failure::Output { path: shown.to_string(), error }),
+                Err(error) => return Err(Failure::Output { path: shown, error }),
                 Ok(meta) => meta.is_file(),
             };
             if !(force && is_file) {
@@ -63,7 +65,7 @@ impl PlotFlags {
     }
 
     /// Draws everything, and writes nothing yet.
-    pub(crate) fn draw(&self, motion: &MotionFigures<'_>) -> Result<Drawn, Failure> {
+    pub(crate) fn draw(&self, motion: &MotionFigures<'_>, force: bool) -> Result<Drawn, Failure> {
         let failed = |error: &PlotError| Failure::usage(error.to_string(), error.hint());
         let drawn: Result<Vec<_>, Failure> = self
             .plot
@@ -74,7 +76,7 @@ impl PlotFlags {
                 Ok((plot.path.clone(), plot.format.encode(&picture)?))
             })
             .collect();
-        Ok(Drawn { files: drawn? })
+        Ok(Drawn { force, files: drawn? })
     }
 }
 
@@ -99,37 +101,23 @@ impl Format {
 /// Pictures that wait until everything else is written: the folder of results may be where they go.
 #[derive(Debug)]
 pub(crate) struct Drawn {
+    force: bool,
     files: Vec<(PathBuf, Vec<u8>)>,
 }
 
 impl Drawn {
     /// Writes each picture, whole or not at all; gives a line that says which.
     pub(crate) fn publish(self) -> Result<String, Failure> {
-        let mut shown = Vec::new();
+        let mut names = Vec::new();
         for (path, bytes) in &self.files {
-            write(path, bytes).map_err(|error| output(path, error))?;
-            shown.push(path.display().to_string());
+            if let Some(parent) = path.parent() {
+                fs::create_dir_all(parent).map_err(|error| partial::output(path, error))?;
+            }
+            partial::write(path, self.force, |out| out.write_all(bytes))?;
+            names.push(shown(path));
         }
-        Ok(if shown.is_empty() { String::new() } else { format!("wrote {}\n", shown.join("  ")) })
+        Ok(if names.is_empty() { String::new() } else { format!("wrote {}\n", names.join("  ")) })
     }
-}
-
-/// Writes a file beside its place and moves it there.
-fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    let name = path.file_name().unwrap_or_default().to_string_lossy();
-    let partial = path.with_file_name(format!(".{name}.partial-{}", std::process::id()));
-    if let Some(parent) = path.parent().filter(|parent| !parent.as_os_str().is_empty()) {
-        fs::create_dir_all(parent)?;
-    }
-    let written = fs::write(&partial, bytes).and_then(|()| fs::rename(&partial, path));
-    if written.is_err() {
-        let _ = fs::remove_file(&partial);
-    }
-    written
-}
-
-fn output(path: &Path, error: io::Error) -> Failure {
-    Failure::Output { path: path.display().to_string(), error }
 }
 
 /// `omega=fig.svg` or `fig.svg`; a path with a `=` of its own begins with its folder: `./a=b.svg`.

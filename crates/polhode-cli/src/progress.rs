@@ -4,6 +4,8 @@ use std::io::{self, IsTerminal as _, Write as _};
 use std::path::Path;
 use std::time::{Duration, Instant};
 
+use polhode_report::plain::printable;
+
 /// A run shorter than this shows nothing, and the line changes no more often.
 const PATIENCE: Duration = Duration::from_millis(500);
 
@@ -75,7 +77,7 @@ impl FileProgress {
         if self.next.is_some_and(|next| now >= next) {
             let full = Self::WIDTH * done / count;
             let bar = format!("{}{}", "█".repeat(full), "░".repeat(Self::WIDTH - full));
-            let name = file.file_name().map(|name| name.to_string_lossy().escape_debug().to_string());
+            let name = file.file_name().map(|name| printable(&name.to_string_lossy()));
             let _ =
                 write!(io::stderr(), "\r\x1b[K{bar} {} of {count}  {}", done + 1, name.unwrap_or_default());
             self.next = Some(now + PATIENCE / 5);

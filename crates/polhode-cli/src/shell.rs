@@ -3,7 +3,7 @@
 use clap::{Args, Command};
 
 use crate::failure::Failure;
-use crate::stdout::print;
+use crate::stdout::print_script;
 
 /// Print a completion script for a shell.
 ///
@@ -24,7 +24,7 @@ impl Completions {
     pub(crate) fn run(self, mut definitions: Command) -> Result<(), Failure> {
         let mut script = Vec::new();
         clap_complete::generate(self.shell, &mut definitions, "polhode", &mut script);
-        print(&script)
+        print_script(&script)
     }
 }
 
@@ -33,6 +33,6 @@ impl Man {
         let mut page = Vec::new();
         let rendered = clap_mangen::Man::new(definitions).render(&mut page);
         rendered.map_err(|error| Failure::Output { path: "the man page".to_owned(), error })?;
-        print(&page)
+        print_script(&page)
     }
 }

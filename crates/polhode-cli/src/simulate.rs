@@ -13,7 +13,7 @@ use crate::folder::Folder;
 use crate::page::{Page, Shown};
 use crate::plot::PlotFlags;
 use crate::progress::Progress;
-use crate::stdout::{columns, print};
+use crate::stdout::{columns, print, shown};
 use crate::table::{self, Format};
 
 /// Compute the motion of a scenario and write it to a folder.
@@ -57,6 +57,8 @@ impl Simulate {
         let target = self.output.clone().unwrap_or_else(|| default_folder(&self.file));
         Folder::check(&target, self.force)?;
         self.plots.check(self.force)?;
+        // From now on nobody else begins with the same folder.
+        let folder = Folder::create(&target, self.force)?;
         let trajectory = self.trajectory(&scenario, &text)?;
 
         let title = scenario.title.as_deref().unwrap_or("scenario");
@@ -67,26 +69,26 @@ impl Simulate {
             command: format!("simulate {}", self.file.display()),
             shown: Shown::Scenario { scenario: &scenario, text: &text, file: &self.file },
         };
-        let plots = self.plots.draw(&MotionFigures::of_scenario(&scenario, &trajectory))?;
-        let written = self.write(&target, &summary, &scenario, &trajectory, &page)?;
+        let plots = self.plots.draw(&MotionFigures::of_scenario(&scenario, &trajectory), self.force)?;
+        let written = self.write(folder, &target, &summary, &scenario, &trajectory, &page)?;
         let plotted = plots.publish()?;
         if self.json {
-            print(summary.as_bytes())?;
+            print(&summary)?;
         } else {
             let text = columns().map_or_else(|| report.to_text(), |columns| report.to_screen(columns));
-            print(format!("{text}{written}\n{plotted}").as_bytes())?;
+            print(&format!("{text}{written}\n{plotted}"))?;
         }
         // What there is of the motion is written; that it is not all is a failure all the same.
         match trajectory.ending() {
             Ending::Failed { cause, .. } => {
-                Err(Failure::Incomplete { path: self.file.display().to_string(), error: cause.clone() })
+                Err(Failure::Incomplete { path: shown(&self.file), error: cause.clone() })
             }
             _ => Ok(()),
         }
     }
 
     fn trajectory(&self, scenario: &Scenario, text: &str) -> Result<Trajectory, Failure> {
-        let path = self.file.display().to_string();
+        let path = shown(&self.file);
         let end = scenario.run.as_ref().and_then(|run| run.times.last().copied()).unwrap_or_default();
         let mut progress = Progress::new(end);
         match scenario.simulate_watched(&mut |time| progress.reached(time)) {
@@ -104,13 +106,13 @@ impl Simulate {
     /// Writes the folder; says what was written.
     fn write(
         &self,
+        folder: Folder,
         target: &Path,
         summary: &str,
         scenario: &Scenario,
         trajectory: &Trajectory,
         page: &Page<'_>,
     ) -> Result<String, Failure> {
-        let folder = Folder::create(target, self.force)?;
         folder.file("summary.json", |out| out.write_all(summary.as_bytes()))?;
         let metadata = metadata(scenario, trajectory, &self.file);
         let mut names = table::write(&self.table, trajectory, &scenario.wheels, &metadata, &folder)?;
@@ -119,7 +121,7 @@ impl Simulate {
         }
         folder.publish()?;
         let more: String = names.iter().map(|name| format!("  {name}")).collect();
-        Ok(format!("wrote {}{more}", target.join("summary.json").display()))
+        Ok(format!("wrote {}{more}", shown(&target.join("summary.json"))))
     }
 }
 

@@ -123,10 +123,10 @@ impl Spin {
         }
         let plotted = plots.map_or_else(|| Ok(String::new()), Drawn::publish)?;
         if self.json {
-            return print(json.as_bytes());
+            return print(&json);
         }
         let text = columns().map_or_else(|| report.to_text(), |columns| report.to_screen(columns));
-        print((text + &written + &plotted).as_bytes())
+        print(&(text + &written + &plotted))
     }
 
     /// The plots, if there are to be some.
@@ -135,7 +135,9 @@ impl Spin {
             return Ok(None);
         }
         let trajectory = self.files.to_be_drawn(motion)?;
-        self.plots.draw(&MotionFigures::of_motion(&subject.title(), motion, &trajectory)).map(Some)
+        self.plots
+            .draw(&MotionFigures::of_motion(&subject.title(), motion, &trajectory), self.files.force())
+            .map(Some)
     }
 
     fn inverse(
@@ -154,9 +156,9 @@ impl Spin {
                 Failure::usage(error.to_string(), hint)
             })?;
         if self.json {
-            return print((pretty(&report.to_json()) + "\n").as_bytes());
+            return print(&(pretty(&report.to_json()) + "\n"));
         }
-        print(report.to_text().as_bytes())
+        print(&report.to_text())
     }
 }
 

@@ -7,7 +7,7 @@ use polhode_formats::scenario;
 use polhode_report::{SourceInfo, StabilityReport, pretty};
 
 use crate::failure::Failure;
-use crate::stdout::print;
+use crate::stdout::{print, shown};
 
 /// Say which steady motions of a scenario's body last: permanent rotations, and small oscillations about an equilibrium.
 ///
@@ -32,7 +32,7 @@ pub(crate) struct Stability {
 impl Stability {
     pub(crate) fn run(self) -> Result<(), Failure> {
         let scenario = scenario::read(&self.file)?;
-        let path = self.file.display().to_string();
+        let path = shown(&self.file);
         if scenario.prescribed.is_some() {
             let hint = "leave out [prescribed], or ask polhode explain for the torque that the motion needs";
             return Err(Failure::usage(
@@ -41,9 +41,9 @@ impl Stability {
             ));
         }
         let title = scenario.title.as_deref().unwrap_or("scenario");
-        let source = SourceInfo::new(path, "scenario").described(title);
+        let source = SourceInfo::new(self.file.display().to_string(), "scenario").described(title);
         let report = StabilityReport::of_scenario(source, &scenario);
         let text = if self.json { pretty(&report.to_json()) + "\n" } else { report.to_text() };
-        print(text.as_bytes())
+        print(&text)
     }
 }

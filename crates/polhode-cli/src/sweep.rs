@@ -3,11 +3,10 @@
 mod cluster;
 mod progress;
 
-use std::io::{self, Write as _};
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::thread::available_parallelism;
 
 use clap::Args;
@@ -17,7 +16,7 @@ use polhode_report::pretty;
 use polhode_sweep::{Dataset, Plan};
 
 use crate::failure::Failure;
-use crate::stdout::print;
+use crate::stdout::{print, shown, tell};
 use progress::SweepProgress;
 
 /// Compute many motions, and what they come to.
@@ -72,32 +71,34 @@ impl Sweep {
             (_, true) => Dataset::replace(&target, &plan),
             _ => Dataset::create(&target, &plan),
         }?;
-        let stop = stop_on_signals();
+        let (stop, status) = stop_on_signals();
         let threads = self.threads.or_else(|| available_parallelism().ok()).map_or(1, NonZeroUsize::get);
         let progress = SweepProgress::new();
         let reached = dataset.compute(&plan, threads, &stop, &|reached| progress.reached(reached))?;
         drop(progress);
         if reached.done < reached.members {
-            return Err(self.stopped(reached.done, reached.members, &target));
+            let status = status.load(Ordering::Relaxed) as u8;
+            return Err(self.stopped(reached.done, reached.members, &target, status));
         }
         let summary = dataset.finish(&plan, threads)?;
         if self.json {
-            print((pretty(&summary.to_json()) + "\n").as_bytes())
+            print(&(pretty(&summary.to_json()) + "\n"))
         } else {
             let wrote = target.join("summary.json");
             let more = "  members/  histograms.svg  pairs.svg";
-            print(format!("{}wrote {}{more}\n", summary.to_text(), wrote.display()).as_bytes())
+            print(&format!("{}wrote {}{more}\n", summary.to_text(), shown(&wrote)))
         }
     }
 
-    fn stopped(&self, done: u64, members: u64, target: &Path) -> Failure {
+    fn stopped(&self, done: u64, members: u64, target: &Path, status: u8) -> Failure {
         Failure::Stopped {
-            done: format!("{done} of {members} members are in {}", target.display()),
+            done: format!("{done} of {members} members are in {}", shown(target)),
             hint: format!(
                 "polhode sweep {} -o {} --resume goes on from here",
-                self.plan.display(),
-                target.display()
+                shown(&self.plan),
+                shown(target)
             ),
+            status,
         }
     }
 }
@@ -105,19 +106,22 @@ impl Sweep {
 /// What was noticed about the plan, on standard error.
 fn warn(plan: &Plan) {
     for finding in plan.findings().iter().filter(|finding| finding.severity != Severity::Info) {
-        let _ = writeln!(io::stderr(), "warning: {}", printable(&finding.message));
+        tell(&format!("warning: {}\n", printable(&finding.message)));
     }
 }
 
-/// Becomes true with the first Ctrl-C (or SIGTERM), after which the parts in hand are finished; a second one ends the program.
-fn stop_on_signals() -> Arc<AtomicBool> {
-    let stop = Arc::new(AtomicBool::new(false));
+/// Becomes true with the first Ctrl-C (or SIGTERM), after which the parts in hand are finished; a second one ends the program. With it
+/// the exit status, 128 and the signal's number, as shells have it.
+fn stop_on_signals() -> (Arc<AtomicBool>, Arc<AtomicUsize>) {
+    let (stop, status) = (Arc::new(AtomicBool::new(false)), Arc::new(AtomicUsize::new(2)));
     for signal in [signal_hook::consts::SIGINT, signal_hook::consts::SIGTERM] {
+        let code = 128 + signal;
         // In this order: the second signal finds the flag that the first has set. Where it cannot be done, Ctrl-C ends the program.
-        let _ = signal_hook::flag::register_conditional_shutdown(signal, 130, Arc::clone(&stop));
+        let _ = signal_hook::flag::register_conditional_shutdown(signal, code, Arc::clone(&stop));
+        let _ = signal_hook::flag::register_usize(signal, Arc::clone(&status), code as usize);
         let _ = signal_hook::flag::register(signal, Arc::clone(&stop));
     }
-    stop
+    (stop, status)
 }
 
 /// The plan's name, in the current folder.

@@ -1,7 +1,5 @@
 //! `polhode torque`
 
-use std::fs;
-use std::io::{self, BufWriter, Write as _};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -15,7 +13,8 @@ use polhode_report::{RequiredReport, SourceInfo, pretty};
 use crate::failure::Failure;
 use crate::numbers::{list, positive, quantity};
 use crate::page::check_file;
-use crate::stdout::print;
+use crate::partial;
+use crate::stdout::{print, shown};
 use crate::table::Format;
 
 /// The torque, the power and the forces that a given motion needs.
@@ -58,7 +57,7 @@ struct Times(Vec<f64>);
 impl Torque {
     pub(crate) fn run(self) -> Result<(), Failure> {
         let scenario = scenario::read(&self.file)?;
-        let path = self.file.display().to_string();
+        let path = shown(&self.file);
         require_motion(&scenario, &path)?;
         let target = self.target();
         if let Some((file, _)) = &target {
@@ -66,7 +65,7 @@ impl Torque {
             check_file(file, self.force)?;
         }
         let title = scenario.title.as_deref().unwrap_or("scenario");
-        let source = SourceInfo::new(&*path, "scenario").described(title);
+        let source = SourceInfo::new(self.file.display().to_string(), "scenario").described(title);
         let at: Vec<f64> = self.at.iter().flat_map(|Times(times)| times.iter().copied()).collect();
         let report = RequiredReport::new(source, &scenario, &at, &self.point)
             .map_err(|error| Failure::Motion { path, error })?;
@@ -79,12 +78,12 @@ impl Torque {
                 scenario.shaft.as_ref(),
             );
             self.write(&table, file, *format)?;
-            written = format!("wrote {}\n", file.display());
+            written = format!("wrote {}\n", shown(file));
         }
         if self.json {
-            return print((pretty(&report.to_json()) + "\n").as_bytes());
+            return print(&(pretty(&report.to_json()) + "\n"));
         }
-        print((report.to_text() + &written).as_bytes())
+        print(&(report.to_text() + &written))
     }
 
     /// The table to write, if one is wanted.
@@ -104,23 +103,12 @@ impl Torque {
         }
     }
 
-    /// Writes the table beside its place and moves it there when it is complete.
+    /// Writes the table, whole or not at all.
     fn write(&self, table: &RequiredTable, file: &Path, format: Format) -> Result<(), Failure> {
-        let name = file.file_name().unwrap_or_default().to_string_lossy();
-        let partial = file.with_file_name(format!(".{name}.partial-{}", std::process::id()));
         let source = ("polhode.source".to_owned(), self.file.display().to_string());
-        let write = || -> io::Result<()> {
-            let mut out = BufWriter::new(fs::File::create_new(&partial)?);
-            match format {
-                Format::Csv => table.write_csv(&mut out)?,
-                Format::Parquet => parquet::write_required(table, &[source], &mut out)?,
-            }
-            out.flush()?;
-            fs::rename(&partial, file)
-        };
-        write().map_err(|error| {
-            let _ = fs::remove_file(&partial);
-            Failure::Output { path: file.display().to_string(), error }
+        partial::write(file, self.force, |out| match format {
+            Format::Csv => table.write_csv(out),
+            Format::Parquet => parquet::write_required(table, &[source], out),
         })
     }
 }

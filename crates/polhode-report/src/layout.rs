@@ -25,9 +25,9 @@ pub fn printable(text: &str) -> String {
     escaped(text, |_| false)
 }
 
-/// Whole lines for a terminal: as [`printable`], but for the ends of lines. Everything that the command prints goes through it last.
+/// Whole lines for a terminal: as [`printable`], but for the ends of lines and tabs. Everything that the command prints goes through it last.
 pub fn printable_lines(text: &str) -> String {
-    escaped(text, |c| c == '\n')
+    escaped(text, |c| matches!(c, '\n' | '\t'))
 }
 
 /// The text with what is unseen as its escape, but for what is to be left alone.
@@ -221,7 +221,7 @@ mod tests {
             printable("\u{202e}\u{2066}\u{200b}\u{85}\u{2028}"),
             r"\u{202e}\u{2066}\u{200b}\u{85}\u{2028}"
         );
-        assert_eq!(printable_lines("a\u{1b}[2J\r\n\u{9b}b\n"), "a\\u{1b}[2J\\r\n\\u{9b}b\n");
+        assert_eq!(printable_lines("a\u{1b}[2J\r\n\u{9b}b\tc\n"), "a\\u{1b}[2J\\r\n\\u{9b}b\tc\n");
         assert_eq!(printable("ω\u{307}, Größe, 慣性, 'C:\\x'"), "ω\u{307}, Größe, 慣性, 'C:\\x'");
     }
 

@@ -7,50 +7,74 @@ use std::path::{Path, PathBuf};
 
 use crate::failure::Failure;
 use crate::model_file::is_model;
+use crate::stdout::shown;
 
-/// All models, in the order of the command line, those of a folder by name.
+/// A file or folder of which there is no report.
+#[derive(Debug)]
+pub(super) struct Unread {
+    pub(super) path: PathBuf,
+    pub(super) failure: Failure,
+}
+
+impl Unread {
+    fn new(path: &Path, message: String, hint: &str) -> Self {
+        Self { path: path.to_owned(), failure: Failure::usage(message, hint).about(path) }
+    }
+}
+
+/// All models, in the order of the command line, those of a folder by name; a folder that cannot be searched, or is searched in vain,
+/// stands in the place of its models.
 ///
 /// In a folder only files that are models by ending and root element count, and hidden folders are left out. Links are
 /// followed; a folder that has been searched is not searched again, so that links in a circle end.
-pub(super) fn models(named: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
+pub(super) fn models(named: &[PathBuf]) -> Vec<Result<PathBuf, Unread>> {
     let mut models = Vec::new();
     for path in named {
         if !path.is_dir() {
-            models.push(path.clone());
+            models.push(Ok(path.clone()));
             continue;
         }
         let before = models.len();
-        search(path, &mut models)?;
+        search(path, &mut models);
         if models.len() == before {
-            return Err(Failure::usage(
-                format!("{} holds no model", path.display()),
-                "a model ends in .urdf, .sdf, .world or .xml; name a file with another ending by itself",
-            ));
+            let hint =
+                "a model ends in .urdf, .sdf, .world or .xml; name a file with another ending by itself";
+            models.push(Err(Unread::new(path, format!("{} holds no model", shown(path)), hint)));
         }
     }
-    Ok(models)
+    models
 }
 
-fn search(root: &Path, models: &mut Vec<PathBuf>) -> Result<(), Failure> {
+fn search(root: &Path, models: &mut Vec<Result<PathBuf, Unread>>) {
     let mut searched = BTreeSet::new();
     let mut folders = vec![root.to_owned()];
     while let Some(folder) = folders.pop() {
-        let failed = |error: io::Error| {
-            Failure::usage(format!("cannot search {}: {error}", folder.display()), "name the files instead")
+        let is_new = fs::canonicalize(&folder).map(|real| searched.insert(real));
+        let paths = match is_new {
+            Ok(false) => continue,
+            Ok(true) => visible(&folder),
+            Err(error) => Err(error),
         };
-        if !searched.insert(fs::canonicalize(&folder).map_err(failed)?) {
-            continue;
-        }
-        let entries =
-            fs::read_dir(&folder).and_then(Iterator::collect::<io::Result<Vec<_>>>).map_err(failed)?;
-        let mut paths: Vec<PathBuf> =
-            entries.into_iter().filter(|e| !is_hidden(e)).map(|e| e.path()).collect();
-        paths.sort();
+        let paths = match paths {
+            Ok(paths) => paths,
+            Err(error) => {
+                let message = format!("cannot search {}: {error}", shown(&folder));
+                models.push(Err(Unread::new(&folder, message, "name the files instead")));
+                continue;
+            }
+        };
         let (inner, files): (Vec<_>, Vec<_>) = paths.into_iter().partition(|path| path.is_dir());
-        models.extend(files.into_iter().filter(|file| is_model(file)));
+        models.extend(files.into_iter().filter(|file| is_model(file)).map(Ok));
         folders.extend(inner.into_iter().rev());
     }
-    Ok(())
+}
+
+/// What is in a folder and is not hidden, by name.
+fn visible(folder: &Path) -> io::Result<Vec<PathBuf>> {
+    let entries = fs::read_dir(folder)?.collect::<io::Result<Vec<_>>>()?;
+    let mut paths: Vec<PathBuf> = entries.into_iter().filter(|e| !is_hidden(e)).map(|e| e.path()).collect();
+    paths.sort();
+    Ok(paths)
 }
 
 fn is_hidden(entry: &fs::DirEntry) -> bool {

@@ -1,7 +1,7 @@
 //! `--fix OUT`: the model with its repairs, in a file of its own.
 
 use std::fs;
-use std::io::{self, Write as _};
+use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -11,6 +11,8 @@ use polhode_robot::repair::proved;
 use polhode_robot::report::{CheckReport, Fixed};
 
 use crate::failure::Failure;
+use crate::partial;
+use crate::stdout::shown;
 
 /// Flags for repairs.
 #[derive(Debug, Args)]
@@ -25,10 +27,10 @@ pub(super) struct FixFlags {
 
 impl FixFlags {
     /// Where the repaired model goes, if anywhere: a file that is not there yet, or may be replaced.
-    pub(super) fn target(&self, inputs: &[PathBuf]) -> Result<Option<&Path>, Failure> {
+    pub(super) fn target(&self, inputs: &[&Path]) -> Result<Option<(&Path, bool)>, Failure> {
         let Some(out) = self.out.as_deref() else { return Ok(None) };
-        let shown = out.display();
-        let [input] = inputs else {
+        let shown = shown(out);
+        let [input] = *inputs else {
             return Err(Failure::usage(
                 format!("--fix writes one model, and {} are named", inputs.len()),
                 "repair them one by one",
@@ -51,7 +53,7 @@ impl FixFlags {
                 format!("{shown} is there already"),
                 "choose another file, or replace it with --force",
             )),
-            _ => Ok(Some(out)),
+            _ => Ok(Some((out, self.force))),
         }
     }
 }
@@ -62,7 +64,7 @@ impl FixFlags {
 /// left out.
 pub(super) fn fixed(
     report: CheckReport,
-    out: &Path,
+    (out, force): (&Path, bool),
     check: impl FnMut(&str) -> Result<Vec<Finding>, FormatError>,
 ) -> Result<CheckReport, Failure> {
     let unreadable = |error: FormatError| {
@@ -72,21 +74,7 @@ pub(super) fn fixed(
         )
     };
     let (repaired, remaining) = proved(&report.model, &report.findings, check).map_err(unreadable)?;
-    write(out, repaired.text.as_bytes())
-        .map_err(|error| Failure::Output { path: out.display().to_string(), error })?;
+    partial::write(out, force, |file| file.write_all(repaired.text.as_bytes()))?;
     let fixed = Fixed { out: out.display().to_string(), repaired, remaining };
     Ok(CheckReport { fixed: Some(fixed), ..report })
-}
-
-/// Writes a file whole or not at all: beside its place, and then moved there.
-fn write(out: &Path, bytes: &[u8]) -> io::Result<()> {
-    let name = out.file_name().unwrap_or_default().to_string_lossy();
-    let partial = out.with_file_name(format!(".{name}.partial-{}", std::process::id()));
-    let written = fs::File::create_new(&partial)
-        .and_then(|mut file| file.write_all(bytes).and_then(|()| file.sync_all()))
-        .and_then(|()| fs::rename(&partial, out));
-    if written.is_err() {
-        let _ = fs::remove_file(&partial);
-    }
-    written
 }

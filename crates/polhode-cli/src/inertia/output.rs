@@ -1,6 +1,6 @@
 //! In which form the answers are printed.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser as _};
@@ -13,7 +13,7 @@ use crate::failure::Failure;
 #[derive(Debug, Args)]
 #[group(multiple = false)]
 pub(super) struct OutputFlags {
-    /// Print JSON: one object for one file, an array for several.
+    /// Print JSON: one object for one file, an array for several; a file that fails has an object with its error.
     #[arg(long)]
     json: bool,
     /// Print a table, one line a file.
@@ -30,29 +30,42 @@ fn formats() -> impl clap::builder::TypedValueParser<Value = ExportFormat> {
 }
 
 impl OutputFlags {
-    /// The reports as text, in the order of their files.
-    pub(super) fn text(&self, reports: &[(PathBuf, InertiaReport)]) -> Result<String, Failure> {
+    /// The answers as text, in the order of their files. One that failed has an object of its own in JSON, and is left out elsewhere.
+    pub(super) fn text(&self, answers: &[Answer<'_>]) -> Result<String, Failure> {
+        let reports: Vec<(&Path, &InertiaReport)> = answers
+            .iter()
+            .flat_map(|(file, answer)| answer.iter().flatten().map(|report| (*file, report)))
+            .collect();
         let format = if self.csv { Some(ExportFormat::Csv) } else { self.as_format };
         if let Some(format) = format {
+            if reports.is_empty() {
+                return Ok(String::new());
+            }
             let bodies: Vec<_> = reports
                 .iter()
-                .map(|(file, report)| ExportBody::of_report(name(file, report, reports), report))
+                .map(|(file, report)| ExportBody::of_report(name(file, report, &reports), report))
                 .collect();
             return export(format, &bodies).map_err(|error| Failure::usage(error.to_string(), error.hint()));
         }
-        let json = || reports.iter().map(|(_, report)| report.to_json());
-        Ok(match reports {
-            _ if !self.json => {
-                reports.iter().map(|(_, report)| report.to_text()).collect::<Vec<_>>().join("\n")
-            }
-            [(_, report)] => pretty(&report.to_json()) + "\n",
-            _ => pretty(&Value::Array(json().collect())) + "\n",
+        if !self.json {
+            return Ok(reports.iter().map(|(_, report)| report.to_text()).collect::<Vec<_>>().join("\n"));
+        }
+        let values = answers.iter().flat_map(|(file, answer)| match answer {
+            Ok(reports) => reports.iter().map(InertiaReport::to_json).collect(),
+            Err(failure) => vec![failure.to_json(file)],
+        });
+        Ok(match values.collect::<Vec<_>>().as_slice() {
+            [value] => pretty(value) + "\n",
+            values => pretty(&Value::Array(values.to_vec())) + "\n",
         })
     }
 }
 
+/// What becomes of a file: a report for each of its bodies, or why there is none.
+pub(super) type Answer<'a> = (&'a Path, Result<Vec<InertiaReport>, Failure>);
+
 /// What a body is called: its link in a robot, else the file's name without its ending, or all of its path where two have the same.
-fn name(file: &Path, report: &InertiaReport, all: &[(PathBuf, InertiaReport)]) -> String {
+fn name(file: &Path, report: &InertiaReport, all: &[(&Path, &InertiaReport)]) -> String {
     if let Some(Value::String(link)) = report.source.fields.get("link") {
         return link.clone();
     }

@@ -10,6 +10,7 @@ use polhode_report::SourceInfo;
 
 use super::mesh::{Model, Piece, remark, unfit};
 use crate::failure::Failure;
+use crate::stdout::shown;
 
 /// How carefully a file is looked at.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,7 +28,7 @@ const LARGE: u64 = 10_000_000;
 pub(super) fn solid(file: &Path, format: MeshFormat, care: Care) -> Result<Option<QuickMoments>, Failure> {
     let refused = || {
         let hint = "leave it out: other files are read and checked wholly";
-        Err(Failure::usage(format!("--quick is for binary STL, and {} is not", file.display()), hint))
+        Err(Failure::usage(format!("--quick is for binary STL, and {} is not", shown(file)), hint))
     };
     let large = fs::metadata(file).is_ok_and(|file| file.is_file() && file.len() >= LARGE);
     if format != MeshFormat::Stl || care == Care::VerdictIfLarge && !large {

@@ -6,7 +6,7 @@ use std::path::Path;
 use clap::{Args, ValueEnum};
 use polhode::{Body, Rotation};
 use polhode_formats::unit::Dimension;
-use polhode_report::plain::number;
+use polhode_report::plain::{number, printable};
 use polhode_report::{InertiaReport, SourceInfo};
 use polhode_robot::body::{LinkMass, link_mass};
 use polhode_robot::line_index::LineIndex;
@@ -16,6 +16,7 @@ use polhode_robot::read::{ReadOptions, read_model};
 
 use crate::failure::Failure;
 use crate::numbers::quantity;
+use crate::stdout::shown;
 
 /// Flags for robot models.
 #[derive(Debug, Args)]
@@ -61,7 +62,7 @@ pub(super) fn reports(file: &Path, flags: &RobotFlags) -> Result<Vec<InertiaRepo
         )),
         (None, Some(which)) => lumped(&model, which, &flags.joints),
         (None, None) => Err(Failure::usage(
-            format!("{} is a robot of {} links", file.display(), model.links.len()),
+            format!("{} is a robot of {} links", shown(file), model.links.len()),
             format!(
                 "name one by --link, or join them by --lump fixed or --lump all; its links are {}",
                 names(&model)
@@ -73,7 +74,7 @@ pub(super) fn reports(file: &Path, flags: &RobotFlags) -> Result<Vec<InertiaRepo
 fn of_link(model: &RobotModel, name: &str) -> Result<InertiaReport, Failure> {
     let Some(link) = model.links.iter().find(|link| link.name.text == name) else {
         return Err(Failure::usage(
-            format!("{} has no link {name:?}", model.path.display()),
+            format!("{} has no link {name:?}", shown(&model.path)),
             format!("its links are {}", names(model)),
         ));
     };
@@ -195,8 +196,7 @@ fn names(model: &RobotModel) -> String {
     const MOST: usize = 40;
     let (with, without): (Vec<&Link>, Vec<&Link>) =
         model.links.iter().partition(|link| link.inertial.is_some());
-    let names: Vec<_> =
-        with.iter().chain(&without).map(|link| link.name.text.escape_debug().to_string()).collect();
+    let names: Vec<_> = with.iter().chain(&without).map(|link| printable(&link.name.text)).collect();
     let more = if names.len() > MOST { ", …" } else { "" };
     names.iter().take(MOST).map(String::as_str).collect::<Vec<_>>().join(", ") + more
 }
@@ -227,6 +227,5 @@ fn position(model: &RobotModel, name: &str, value: &str) -> Result<(String, f64)
 /// A failure with its place in the model.
 fn located(model: &RobotModel, span: &Span, message: impl fmt::Display, hint: impl Into<String>) -> Failure {
     let (line, column) = LineIndex::new(&model.text).place(span.start);
-    let path = model.path.display().to_string().escape_debug().to_string();
-    Failure::usage(format!("{message}\n  --> {path}:{line}:{column}"), hint)
+    Failure::located(message.to_string(), &model.path, [line, column], hint)
 }

@@ -11,6 +11,7 @@ use polhode_report::SourceInfo;
 
 use crate::failure::Failure;
 use crate::page::{Page, Shown};
+use crate::stdout::shown;
 
 /// Moments of inertia about x, y and z, kg·m².
 #[derive(Clone, Copy, Debug)]
@@ -43,7 +44,7 @@ impl Subject {
             return Ok(Self::Scenario { path, scenario: Box::new(scenario), text });
         };
         Err(Failure::usage(
-            format!("{path} is not a free motion: {why}"),
+            format!("{} is not a free motion: {why}", shown(file)),
             "polhode simulate computes it as it is; polhode spin shows a body that is thrown and left alone",
         ))
     }

@@ -13,6 +13,7 @@ use crate::failure::Failure;
 use crate::folder::{Folder, PAGE};
 use crate::numbers::{positive, quantity};
 use crate::page::{Page, check_file, write_file};
+use crate::stdout::shown;
 use crate::table::{self, Format};
 
 use super::curves::CurveFlags;
@@ -106,7 +107,7 @@ impl FileFlags {
         at: &[f64],
     ) -> Result<String, Failure> {
         let trajectory = self.trajectory(motion)?;
-        let shown = if self.no_page { None } else { Some(self.shown(motion, at)?) };
+        let motion_shown = if self.no_page { None } else { Some(self.shown(motion, at)?) };
         let curves = self.curves.draw(motion, self.duration)?;
         let folder = Folder::create(target, self.force)?;
         folder.file("summary.json", |out| out.write_all(summary.as_bytes()))?;
@@ -118,12 +119,12 @@ impl FileFlags {
         if let Some(curves) = curves {
             names.extend(curves.write(&folder)?);
         }
-        if let Some(shown) = shown {
-            names.push(page.write(&shown, &folder)?);
+        if let Some(trajectory) = motion_shown {
+            names.push(page.write(&trajectory, &folder)?);
         }
         folder.publish()?;
         let more: String = names.iter().map(|name| format!("  {name}")).collect();
-        Ok(format!("wrote {}{more}\n", target.join("summary.json").display()))
+        Ok(format!("wrote {}{more}\n", shown(&target.join("summary.json"))))
     }
 
     /// Refuses a page that is there already, before anything is computed.
@@ -140,7 +141,7 @@ impl FileFlags {
     ) -> Result<String, Failure> {
         let Some(file) = &self.html else { return Ok(String::new()) };
         write_file(&page.html(&self.shown(motion, at)?), file, self.force)?;
-        Ok(format!("wrote {}\n", file.display()))
+        Ok(format!("wrote {}\n", shown(file)))
     }
 
     /// The motion that a page shows: the table's, else up to the last time that is asked for, else some periods.

@@ -1,0 +1,282 @@
+//! Files and folders in the making: written beside their final place, and moved there whole.
+//!
+//! `.NAME.partial-PID` is locked as long as its process lives; the system lets go of the lock when the process ends, however it ends.
+//! So whoever comes next knows what is being written, and says so, from what a killed process has left behind, and removes that.
+//! Ctrl-C and SIGTERM remove what is in the making, and then end the program as they always do.
+
+use std::fs::{self, File, TryLockError};
+use std::io::{self, BufWriter, Write as _};
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, Once, PoisonError};
+
+use crate::failure::Failure;
+use crate::stdout::shown;
+
+/// What this process has in the making. Whoever holds the lock decides whether it is published or removed.
+static IN_THE_MAKING: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+
+/// The names of what is being made, and of old results on their way out, between the target's and the process's number.
+const PARTIAL: &str = "partial";
+pub(crate) const OLD: &str = "old";
+
+/// How a partial target is thrown away: a folder by its owner, who knows what can be in it.
+type Remove = fn(&Path) -> io::Result<()>;
+
+/// A place beside a target. Dropped before it is published, it leaves nothing.
+#[derive(Debug)]
+pub(crate) struct Partial {
+    target: PathBuf,
+    path: PathBuf,
+    /// Folders that were made for it, the outermost first.
+    parents: Vec<PathBuf>,
+    remove: Remove,
+    /// Held until the end; `None` where folders cannot be locked.
+    lock: Option<File>,
+    published: bool,
+}
+
+impl Partial {
+    /// A folder that is to become `target`, the folders above it being made too; `remove` throws one of its kind away.
+    pub(crate) fn folder(target: &Path, remove: Remove) -> Result<Self, Failure> {
+        let parents = make_parents(target).map_err(|error| output(target, error))?;
+        Self::claim(target, parents, remove, &|path| {
+            fs::create_dir(path)?;
+            if cfg!(unix) { File::open(path).map(Some) } else { Ok(None) }
+        })
+    }
+
+    /// A file that is to become `target`.
+    fn file(target: &Path) -> Result<Self, Failure> {
+        Self::claim(target, Vec::new(), |path| fs::remove_file(path), &|path| {
+            File::create_new(path).map(Some)
+        })
+    }
+
+    fn claim(
+        target: &Path,
+        parents: Vec<PathBuf>,
+        remove: Remove,
+        make: &dyn Fn(&Path) -> io::Result<Option<File>>,
+    ) -> Result<Self, Failure> {
+        /// Another that clears up may come between making and locking, once or twice.
+        const TRIES: usize = 8;
+        remove_on_signals();
+        let path = beside(target, PARTIAL, &std::process::id().to_string());
+        let mut error = io::Error::from(io::ErrorKind::ResourceBusy);
+        for _ in 0..TRIES {
+            require_unused(target, remove)?;
+            let mut made = in_the_making();
+            let lock = match make(&path) {
+                Ok(lock) => lock,
+                Err(other) => {
+                    error = other;
+                    continue;
+                }
+            };
+            // Where there are no locks nobody clears up either.
+            let _ = lock.as_ref().map(File::lock);
+            if fs::symlink_metadata(&path).is_ok() {
+                made.push(path.clone());
+                drop(made);
+                return Ok(Self { target: target.to_owned(), path, parents, remove, lock, published: false });
+            }
+        }
+        parents.iter().rev().for_each(|parent| drop(fs::remove_dir(parent)));
+        Err(output(target, error))
+    }
+
+    /// Where it is as long as it is in the making.
+    pub(crate) fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Where it goes.
+    pub(crate) fn target(&self) -> &Path {
+        &self.target
+    }
+
+    /// Where old results are put that it replaces.
+    pub(crate) fn old(&self) -> PathBuf {
+        beside(&self.target, OLD, &std::process::id().to_string())
+    }
+
+    /// Moves it to its place by `rename`, which no signal interrupts.
+    pub(crate) fn publish(mut self, rename: impl FnOnce(&Self) -> io::Result<()>) -> io::Result<()> {
+        let mut made = in_the_making();
+        rename(&self)?;
+        made.retain(|path| *path != self.path);
+        self.published = true;
+        Ok(())
+    }
+}
+
+impl Drop for Partial {
+    fn drop(&mut self) {
+        if self.published {
+            return;
+        }
+        let mut made = in_the_making();
+        let _ = (self.remove)(&self.path);
+        made.retain(|path| *path != self.path);
+        for parent in self.parents.iter().rev() {
+            // It stays if it is not empty.
+            let _ = fs::remove_dir(parent);
+        }
+    }
+}
+
+/// Writes a file that appears whole or not at all, and replaces nothing unless `force` is set.
+pub(crate) fn write(
+    target: &Path,
+    force: bool,
+    write: impl FnOnce(&mut BufWriter<&File>) -> io::Result<()>,
+) -> Result<(), Failure> {
+    let failed = |error: io::Error| match error.kind() {
+        io::ErrorKind::AlreadyExists => exists(target),
+        _ => output(target, error),
+    };
+    let partial = Partial::file(target)?;
+    let written = partial.lock.as_ref().map_or(Ok(()), |file| {
+        let mut out = BufWriter::new(file);
+        write(&mut out)?;
+        out.flush()?;
+        drop(out);
+        // A full disk may not show before.
+        file.sync_all()
+    });
+    written.map_err(failed)?;
+    let publish = |partial: &Partial| {
+        if force {
+            return fs::rename(partial.path(), target);
+        }
+        // A second name is refused where there is a file already; a rename would replace it.
+        match fs::hard_link(partial.path(), target) {
+            Err(error) if error.kind() != io::ErrorKind::AlreadyExists => fs::rename(partial.path(), target),
+            Ok(()) => fs::remove_file(partial.path()),
+            refused => refused,
+        }
+    };
+    partial.publish(publish).map_err(failed)
+}
+
+/// Something is there that is not to be replaced.
+pub(crate) fn exists(target: &Path) -> Failure {
+    Failure::usage(
+        format!("{} is there already", shown(target)),
+        "name another place, or replace what is there with --force",
+    )
+}
+
+/// Something cannot be written.
+pub(crate) fn output(path: &Path, error: io::Error) -> Failure {
+    Failure::Output { path: shown(path), error }
+}
+
+/// Removes what killed processes have left of a target.
+///
+/// # Errors
+/// If a living process writes it.
+fn require_unused(target: &Path, remove: Remove) -> Result<(), Failure> {
+    // A folder that cannot be listed has to be left as it is.
+    let Ok(found) = traces(target) else { return Ok(()) };
+    let mut stale = Vec::new();
+    for (path, kind) in found {
+        let Ok(file) = File::open(&path) else { continue };
+        match file.try_lock() {
+            Ok(()) => stale.push((path, kind, file)),
+            Err(TryLockError::WouldBlock) => {
+                let message = format!("{} is being written by another polhode", shown(target));
+                return Err(Failure::usage(message, "wait for it, or name another place with -o"));
+            }
+            Err(TryLockError::Error(_)) => {}
+        }
+    }
+    for (path, kind, _lock) in stale {
+        // Old results whose successor never came go back.
+        let _ = match kind {
+            OLD if fs::symlink_metadata(target).is_err() => fs::rename(&path, target),
+            _ => remove(&path),
+        };
+    }
+    Ok(())
+}
+
+/// Everything beside a target that has a name of ours, and which.
+fn traces(target: &Path) -> io::Result<Vec<(PathBuf, &'static str)>> {
+    let mut found = Vec::new();
+    for entry in fs::read_dir(parent(target))? {
+        let entry = entry?;
+        let name = entry.file_name();
+        let is_ours = |kind: &&str| {
+            let number = name.to_str().and_then(|name| name.rsplit_once('-')).map(|(_, number)| number);
+            number.is_some_and(|number| {
+                number.parse::<u32>().is_ok() && beside(target, kind, number).file_name() == Some(&name)
+            })
+        };
+        let kind = entry.file_type()?;
+        if let Some(ours) = [PARTIAL, OLD].into_iter().find(is_ours)
+            && (kind.is_file() || kind.is_dir())
+        {
+            found.push((entry.path(), ours));
+        }
+    }
+    Ok(found)
+}
+
+/// `.NAME.KIND-NUMBER` beside a target.
+fn beside(target: &Path, kind: &str, number: &str) -> PathBuf {
+    let mut name = std::ffi::OsString::from(".");
+    name.push(target.file_name().unwrap_or_default());
+    name.push(format!(".{kind}-{number}"));
+    target.with_file_name(name)
+}
+
+fn parent(target: &Path) -> &Path {
+    target.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."))
+}
+
+/// Makes the folders above a target; gives those that were not there.
+fn make_parents(target: &Path) -> io::Result<Vec<PathBuf>> {
+    let parent = parent(target);
+    let mut missing: Vec<PathBuf> = parent
+        .ancestors()
+        .take_while(|folder| !folder.as_os_str().is_empty() && !folder.exists())
+        .map(Path::to_owned)
+        .collect();
+    missing.reverse();
+    fs::create_dir_all(parent)?;
+    Ok(missing)
+}
+
+fn in_the_making() -> MutexGuard<'static, Vec<PathBuf>> {
+    IN_THE_MAKING.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// From now on SIGINT and SIGTERM remove what is in the making before they end the program.
+#[cfg(unix)]
+fn remove_on_signals() {
+    use signal_hook::consts::{SIGINT, SIGTERM};
+    use signal_hook::iterator::Signals;
+    use signal_hook::low_level::emulate_default_handler;
+
+    static ONCE: Once = Once::new();
+    ONCE.call_once(|| {
+        // Where it cannot be done the signals end the program at once, and the next run clears up.
+        let Ok(mut signals) = Signals::new([SIGINT, SIGTERM]) else { return };
+        let watch = move || {
+            let Some(signal) = signals.forever().next() else { return };
+            // Held until the end: nothing is published any more, and nobody else says why it is gone.
+            let made = in_the_making();
+            for path in &*made {
+                let _ = if path.is_dir() { fs::remove_dir_all(path) } else { fs::remove_file(path) };
+            }
+            let _ = emulate_default_handler(signal);
+            std::process::exit(128 + signal);
+        };
+        let _ = std::thread::Builder::new().name("signals".to_owned()).spawn(watch);
+    });
+}
+
+/// Elsewhere the next run clears up.
+#[cfg(not(unix))]
+fn remove_on_signals() {}

@@ -110,6 +110,7 @@ impl Inertia {
             ));
         };
         self.refuse_flags_for(kind, file)?;
+        self.refuse_idle_units(kind, file)?;
         let reports = match kind {
             Kind::Scenario => vec![of_scenario(file)?],
             Kind::Particles => {
@@ -162,8 +163,8 @@ impl Inertia {
             (self.substance.given().and(Some("--density, --mass or --material")), mesh, "a mesh"),
             (
                 self.unit.and(Some("--unit")),
-                mesh || voxels || listed,
-                "a mesh, a grid, particles or a CAD report",
+                mesh || kind == Kind::Nrrd || listed,
+                "a mesh, an NRRD grid, particles or a CAD report",
             ),
             (self.mass_unit.and(Some("--mass-unit")), listed, "particles or a CAD report"),
             (self.mesh.given(), mesh, "a mesh"),
@@ -186,6 +187,29 @@ impl Inertia {
                 },
             )),
         }
+    }
+
+    /// A unit for a file that names its units itself is an error, not ignored.
+    fn refuse_idle_units(&self, kind: Kind, file: &Path) -> Result<(), Failure> {
+        let readable = |unit, mass_unit| match kind {
+            Kind::Particles => particles::report(file, self.substance.mass(), unit, mass_unit).is_ok(),
+            Kind::Cad => cad::report(file, &self.cad, unit, mass_unit).is_ok(),
+            _ => false,
+        };
+        let idle = if self.unit.is_some() && readable(None, self.mass_unit) {
+            "--unit"
+        } else if self.mass_unit.is_some() && readable(self.unit, None) {
+            "--mass-unit"
+        } else {
+            return Ok(());
+        };
+        Err(Failure::usage(
+            format!(
+                "{idle} is for a file that does not name its unit, and {} does, or needs none",
+                file.display()
+            ),
+            "leave it out",
+        ))
     }
 
     /// Points without masses share --mass.

@@ -40,7 +40,8 @@ Examples:
   polhode spin --moments 1,2,3 --omega 0.01,1,0.01 --plot polhodes=polhodes.svg --plot herpolhode=herpolhode.svg
   polhode spin --moments 3.0836,3.235,1 --periods \"7.40 d, 5.38 d\" --convention long",
     group = clap::ArgGroup::new("subject").required(true),
-    group = clap::ArgGroup::new("folder").args(["duration", "curves", "output"]).multiple(true)
+    group = clap::ArgGroup::new("folder").args(["duration", "curves", "output"]).multiple(true),
+    group = clap::ArgGroup::new("written").args(["duration", "curves", "output", "html", "plot"]).multiple(true)
 )]
 pub(crate) struct Spin {
     /// A scenario, a TOML file without torques.

@@ -26,7 +26,9 @@ use crate::table::Format;
 Examples:
   polhode torque examples/notes/11-10-dumbbell.toml
   polhode torque examples/slew.toml --at \"0 s, 30 s\" --table csv -o slew-torque.csv
-  polhode torque examples/shaft.toml --json | jq .shaft.correction_masses")]
+  polhode torque examples/shaft.toml --json | jq .shaft.correction_masses",
+    group = clap::ArgGroup::new("written").args(["table", "output"]).multiple(true)
+)]
 pub(crate) struct Torque {
     /// The scenario, a TOML file with [prescribed] or [shaft].
     file: PathBuf,
@@ -43,7 +45,7 @@ pub(crate) struct Torque {
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
     /// Replace an earlier table.
-    #[arg(long)]
+    #[arg(long, requires = "written")]
     force: bool,
     /// Print JSON.
     #[arg(long)]

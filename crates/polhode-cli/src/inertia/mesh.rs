@@ -1,5 +1,6 @@
 //! The mass properties of a mesh file.
 
+use std::collections::BTreeSet;
 use std::path::Path;
 
 use clap::Args;
@@ -195,10 +196,22 @@ fn weighed(
             format!("its parts are {}", names.join(", ")),
         ));
     }
-    let own = |piece: &Piece| {
-        flags.part.iter().rev().find(|given| given.name == piece.name).map(|given| given.substance)
-    };
+    let own =
+        |piece: &Piece| flags.part.iter().find(|given| given.name == piece.name).map(|given| given.substance);
+    let mut names = BTreeSet::new();
+    if let Some(twice) = flags.part.iter().find(|given| !names.insert(&given.name)) {
+        return Err(Failure::usage(
+            format!("--part {} is given twice", twice.name),
+            "a part is made of one thing: leave one of them out",
+        ));
+    }
     let rest: Vec<_> = pieces.iter().filter(|piece| own(piece).is_none()).collect();
+    if rest.is_empty() && substance.given().is_some() {
+        return Err(Failure::usage(
+            "--density, --mass or --material is for the parts without a --part of their own, and every part has one",
+            "leave it out, or leave out a --part",
+        ));
+    }
     let common = match substance.given() {
         // the mass of all parts that have none of their own, at one density
         Some(Substance::Mass(mass)) if rest.len() > 1 => {

@@ -57,7 +57,7 @@ pub(super) struct FileFlags {
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
     /// Replace the results and the plots of an earlier run.
-    #[arg(long)]
+    #[arg(long, requires = "written")]
     force: bool,
 }
 

@@ -111,6 +111,12 @@ impl Voxels<'_> {
             whole(ContentErrorKind::Value { what: what.to_owned(), value, rule })
         };
         let Placement { steps, origin, unit } = &self.placement;
+        if let (None, None, Some(given)) = (steps, origin, options.unit) {
+            let (what, rule) =
+                ("the unit".to_owned(), "left out, since no length of the file is without one".to_owned());
+            let refused = whole(ContentErrorKind::Value { what, value: given.to_string(), rule });
+            return Err(refused.hint("the spacing and the origin that are given have units of their own"));
+        }
         let unit = match (unit, options.unit) {
             (Some(_), Some(given)) => return Err(twice("the unit", given.to_string())),
             (unit, given) => unit.as_ref().map(|(_, metres)| *metres).or(given),

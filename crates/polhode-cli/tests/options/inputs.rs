@@ -1,0 +1,164 @@
+//! Small files of every kind, on which options have something to do.
+
+use std::fmt::Write as _;
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+use crate::common::Scratch;
+
+/// An L-shaped prism and a tetrahedron, two groups.
+fn two_parts() -> String {
+    let corners = [[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [1.0, 1.0], [1.0, 2.5], [0.0, 2.5]];
+    let mut text = String::new();
+    for z in [0.25, 0.75] {
+        for [x, y] in corners {
+            writeln!(text, "v {x} {y} {z}").unwrap();
+        }
+    }
+    text += "g rod\n";
+    for k in 1..5 {
+        writeln!(text, "f 1 {} {}\nf 7 {} {}", k + 2, k + 1, k + 7, k + 8).unwrap();
+    }
+    for k in 1..=6 {
+        let next = k % 6 + 1;
+        writeln!(text, "f {k} {next} {}\nf {k} {} {}", next + 6, next + 6, k + 6).unwrap();
+    }
+    text + "v 10 0 0\nv 12 0 0\nv 10 3 0\nv 10 0 1\ng grip\nf 13 15 14\nf 13 14 16\nf 13 16 15\nf 14 15 16\n"
+}
+
+/// A tetrahedron, binary.
+fn stl() -> Vec<u8> {
+    let v = [[0.5_f32, 0.0, 0.0], [2.0, 0.25, 0.0], [0.0, 3.0, 0.0], [0.0, 0.0, 1.0]];
+    let mut bytes = vec![b' '; 80];
+    bytes.extend(4_u32.to_le_bytes());
+    for face in [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]] {
+        bytes.extend([0; 12]);
+        bytes.extend(face.iter().flat_map(|k| v[*k]).flat_map(f32::to_le_bytes));
+        bytes.extend([0; 2]);
+    }
+    bytes
+}
+
+/// Two by three by two voxels.
+fn npy() -> Vec<u8> {
+    let header = format!("{:<117}\n", "{'descr': '|u1', 'fortran_order': False, 'shape': (2, 3, 2), }");
+    let mut bytes = b"\x93NUMPY\x01\x00".to_vec();
+    bytes.extend((header.len() as u16).to_le_bytes());
+    bytes.extend(header.as_bytes());
+    bytes.extend([1, 2, 0, 4, 5, 0, 7, 8, 9, 1, 0, 3]);
+    bytes
+}
+
+const BODY: &str = r#"
+[[body.part]]
+name = "brick"
+shape = "box"
+size = ["200 mm", "100 mm", "60 mm"]
+mass = "2.16 kg"
+rotate = { axis = [1, 2, 3], angle = "20 deg" }
+position = ["10 mm", "-20 mm", "30 mm"]
+[start]
+spin = { body = [0.3, 2.0, 0.1] }
+"#;
+const RUN: &str = "[run]\nduration = \"2 s\"\nsamples = 11\n";
+const SWEEP: &str = "[sweep]\nmembers = 3\nsampling = \"monte carlo\"\n[[sweep.vary]]\nkey = \"start.spin.body[0]\"\nuniform = { from = 0.1, to = 0.5 }\n";
+const CAD: &str = "Mass = 2.500\nCenter of mass:\n X = 1.103 Y = -2.204 Z = 1.311\nMoments of inertia:
+Taken at the center of mass and aligned with the output coordinate system.
+ Lxx = 273.500 Lxy = -67.250 Lxz = 32.500\n Lyx = -67.250 Lyy = 419.250 Lyz = 49.750\n Lzx = 32.500 Lzy = 49.750 Lzz = 351.125\n";
+
+fn link(name: &str, mass: &str, center: &str, inertia: &str, geometry: &str) -> String {
+    format!(
+        "<link name=\"{name}\"><inertial><origin xyz=\"{center}\"/><mass value=\"{mass}\"/><inertia {inertia}/></inertial>
+<collision><geometry>{geometry}</geometry></collision></link>\n"
+    )
+}
+
+/// A link whose mesh is found in packages/, of which its numbers are, and another whose mesh is nowhere.
+fn noted() -> String {
+    let tetrahedron =
+        "ixx=\"1290.9375\" ixy=\"275.625\" ixz=\"112.5\" iyy=\"618.75\" iyz=\"146.25\" izz=\"1639.6875\"";
+    let other = "ixx=\"0.015\" ixy=\"0.001\" ixz=\"0\" iyy=\"0.02028\" iyz=\"0\" izz=\"0.02928\"";
+    let mesh = |name| format!("<mesh filename=\"package://{name}/shape.stl\"/>");
+    let joint = "<joint name=\"j\" type=\"fixed\"><parent link=\"found\"/><child link=\"lost\"/></joint>\n";
+    link("found", "3600", "0.625 0.8125 0.25", tetrahedron, &mesh("found"))
+        + &link("lost", "3.6", "0 0 0.05", other, &mesh("lost"))
+        + joint
+}
+
+/// Writes the files of an input.
+pub(crate) fn write(scratch: &Scratch, input: &str) {
+    // In g mm².
+    let grams = "ixx=\"15000000\" ixy=\"0\" ixz=\"0\" iyy=\"20280000\" iyz=\"0\" izz=\"29280000\"";
+    let joint = "<joint name=\"k\" type=\"fixed\"><parent link=\"base\"/><child link=\"found\"/></joint>\n";
+    match input {
+        "parts" | "unnamed" => {
+            scratch.write("two.obj", &two_parts());
+            scratch.write("two.dat", &two_parts());
+        }
+        "stl" => fs::write(scratch.0.join("one.stl"), stl()).unwrap(),
+        "points" => scratch.write("points.csv", "x,y,z\n1,2,3\n4,-5,6\n-7,8,1.5\n2,0.5,-3\n"),
+        "particles" => scratch.write("particles.csv", "m,x,y,z\n1,1,2,3\n2,4,-5,6\n3,-7,8,1.5\n4,2,0.5,-3\n"),
+        "cad" => scratch.write("report.txt", CAD),
+        "molecule" => scratch.write(
+            "water.xyz",
+            "3\nwater\nO 0 0 0.120823\nH 0 0.761688 -0.483292\nH 0 -0.761688 -0.483292\n",
+        ),
+        "grid" => fs::write(scratch.0.join("grid.npy"), npy()).unwrap(),
+        "robot" => {
+            fs::copy(crate::common::example("robots/arm.urdf"), scratch.0.join("arm.urdf")).unwrap();
+        }
+        "noted" | "flawed" | "flawed again" => {
+            fs::create_dir_all(scratch.0.join("packages/found")).unwrap();
+            fs::write(scratch.0.join("packages/found/shape.stl"), stl()).unwrap();
+            let flaw = link("base", "3.6", "0 0 0", grams, "<box size=\"0.24 0.20 0.10\"/>") + joint;
+            let flaw = if input == "noted" { String::new() } else { flaw };
+            scratch.write("model.urdf", &format!("<robot name=\"r\">{flaw}{}</robot>", noted()));
+            if input == "flawed again" {
+                scratch.write("fixed.urdf", "an older one");
+            }
+        }
+        "table there" => {
+            fs::copy(crate::common::example("slew.toml"), scratch.0.join("slew.toml")).unwrap();
+            scratch.write("slew-torque.csv", "older");
+            scratch.write("slew-torque.parquet", "older");
+        }
+        "given" => {
+            fs::copy(crate::common::example("slew.toml"), scratch.0.join("slew.toml")).unwrap();
+        }
+        _ => {
+            scratch.write("body.toml", &format!("{BODY}{RUN}"));
+            scratch.write("plan.toml", &format!("{BODY}{RUN}{SWEEP}"));
+            scratch.write("times.txt", "0.25\n0.5\n");
+        }
+    }
+    // What an earlier run has left.
+    let earlier: &[&str] = match input {
+        "ran before" => &["simulate", "body.toml"],
+        "spun before" => &["spin", "body.toml", "--duration", "1 s"],
+        "swept before" => &["sweep", "plan.toml"],
+        _ => return,
+    };
+    assert_eq!(scratch.run(earlier).status.code(), Some(0));
+}
+
+/// A `python3` that says with which arguments it was run.
+pub(crate) fn with_python(mut command: Command, scratch: &Scratch) -> Command {
+    let folder = scratch.0.join("bin");
+    fs::create_dir_all(&folder).unwrap();
+    let script = folder.join("python3");
+    fs::write(&script, "#!/bin/sh\n[ \"$1\" = -c ] || echo \"$@\"\n").unwrap();
+    executable(&script);
+    let path = std::env::var("PATH").unwrap_or_default();
+    command.env("PATH", format!("{}:{path}", folder.display()));
+    command
+}
+
+#[cfg(unix)]
+fn executable(script: &Path) {
+    use std::os::unix::fs::PermissionsExt as _;
+    fs::set_permissions(script, fs::Permissions::from_mode(0o755)).unwrap();
+}
+
+#[cfg(not(unix))]
+fn executable(_: &Path) {}

@@ -96,7 +96,9 @@ impl Inertia {
             answers.push((file.as_path(), self.reports(file).map_err(|failure| failure.about(file))));
         }
         drop(progress);
-        print(&self.output.text(&answers)?)?;
+        let text = self.output.text(&answers)?;
+        self.output.warn(&answers);
+        print(&text)?;
         let failures = answers.into_iter().filter_map(|(_, answer)| answer.err()).collect();
         Failure::unless_empty(failures)
     }

@@ -181,3 +181,29 @@ fn a_quick_answer_is_the_same_answer() {
     let text = refused(&scratch.run(&["inertia", "through.obj"]), 2);
     assert!(text.contains("triangle"), "{text}");
 }
+
+#[test]
+fn a_mesh_of_no_unit_is_asked_for_it_where_metres_are_absurd() {
+    let scratch = Scratch::new("unit");
+    let bracket = example("bracket.stl");
+    let of = |more: &[&str]| scratch.run(&[&["inertia", &bracket], more].concat());
+    let text = stdout(&of(&["--material", "aluminium"]));
+    assert!(text.contains("in m as no unit is given") && text.contains("[mesh.unit]"), "{text}");
+    let body = json(&of(&["--material", "aluminium", "--json"]));
+    assert_eq!(body["source"]["unit_assumed"], true);
+    assert_eq!(body["findings"][0]["code"], "mesh.unit");
+    for unit in ["mm", "m", "in"] {
+        let body = json(&of(&["--material", "aluminium", "--unit", unit, "--json"]));
+        assert_eq!(
+            (&body["source"]["unit_assumed"], body["findings"].as_array().unwrap().len()),
+            (&Value::Null, 0)
+        );
+    }
+    // A form without findings has them on standard error.
+    for form in [&["--csv"][..], &["--as", "urdf"]] {
+        let output = of(&[&["--material", "aluminium"], form].concat());
+        assert!(String::from_utf8_lossy(&output.stderr).contains("[mesh.unit]"));
+        assert!(!stdout(&output).contains("mesh.unit"));
+    }
+    assert_eq!(json(&of(&["--mass", "85 g", "--json"]))["findings"][0]["code"], "mesh.unit");
+}

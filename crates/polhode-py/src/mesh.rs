@@ -4,9 +4,11 @@ use std::fs;
 use std::path::Path;
 
 use numpy::{PyReadonlyArray2, PyUntypedArrayMethods as _};
-use polhode::{ConvexHull, Finding, MassProperties, MeshShell, Severity, Shape, Substance, TriangleMesh};
+use polhode::{
+    ConvexHull, Extent, Finding, MassProperties, MeshShell, Severity, Shape, Substance, TriangleMesh,
+};
 use polhode_formats::mesh::stl_quick::{self, QuickMoments, QuickOptions};
-use polhode_formats::mesh::{MeshContents, MeshFormat, MeshPart, MeshSolid};
+use polhode_formats::mesh::{AssumedMetres, MeshContents, MeshFormat, MeshPart, MeshSolid};
 use polhode_report::{InertiaReport, PartRow, SourceInfo, parts};
 use pyo3::prelude::*;
 
@@ -51,7 +53,7 @@ pub(crate) fn mesh_file(
     py.detach(|| {
         let path = Path::new(path);
         match large_solid(path, format, &options)? {
-            Some(moments) => of_moments(path, &moments, options.unit.unwrap_or(1.0), substance),
+            Some(moments) => of_moments(path, &moments, options.unit, substance),
             None => {
                 let contents = MeshContents::read(path, format).map_err(Raise::raise)?;
                 let title = format!("{} {}", format.title(), contents.encoding).trim_end().to_owned();
@@ -109,9 +111,11 @@ fn large_solid(path: &Path, format: MeshFormat, options: &MeshOptions) -> PyResu
 fn of_moments(
     path: &Path,
     moments: &QuickMoments,
-    unit: f64,
+    unit: Option<f64>,
     substance: Option<Substance>,
 ) -> PyResult<PyMassProperties> {
+    let in_metres = unit.is_none();
+    let unit = unit.unwrap_or(1.0);
     let solid = moments.solid(unit).map_err(Raise::raise)?;
     let mut findings = Vec::new();
     if moments.inverted {
@@ -125,7 +129,7 @@ fn of_moments(
         .described(words)
         .with("triangles", moments.triangles)
         .with("unit_m", unit);
-    weighed(source, vec![(String::new(), Box::new(solid))], substance, findings)
+    weighed(source, vec![(String::new(), Box::new(solid))], substance, findings, in_metres)
 }
 
 fn of_contents(
@@ -137,13 +141,14 @@ fn of_contents(
     (source, title): (SourceInfo, &str),
 ) -> PyResult<PyMassProperties> {
     let triangles = contents.triangles();
+    let in_metres = options.unit.is_none() && contents.unit.is_none();
     let described = |what: &str| source.described(format!("{title}, {triangles} triangles, {what}"));
     if let Some(thickness) = options.shell {
         let contents = contents.in_metres(options.unit);
         let shell = |part: &MeshPart| Ok((part.name.clone(), boxed(MeshShell::new(&part.mesh, thickness)?)));
         let pieces: Result<Vec<_>, polhode::BodyError> = contents.parts.iter().map(shell).collect();
         let pieces = pieces.map_err(Raise::raise)?;
-        return weighed(described("taken as a sheet"), pieces, substance, contents.findings);
+        return weighed(described("taken as a sheet"), pieces, substance, contents.findings, in_metres);
     }
     if options.hull {
         for part in &mut contents.parts {
@@ -154,7 +159,7 @@ fn of_contents(
     let findings = solid.findings_in(&path.display().to_string());
     let what = if options.hull { "taken as its convex hull" } else { "closed, consistently wound" };
     let pieces = solid.parts.into_iter().map(|part| (part.name, boxed(part.mesh)));
-    weighed(described(what), pieces.collect(), substance, findings)
+    weighed(described(what), pieces.collect(), substance, findings, in_metres)
 }
 
 fn boxed<S: Shape + 'static>(shape: S) -> Box<dyn Shape> {
@@ -167,9 +172,11 @@ fn weighed(
     pieces: Vec<(String, Box<dyn Shape>)>,
     substance: Option<Substance>,
     mut findings: Vec<Finding>,
+    in_metres: bool,
 ) -> PyResult<PyMassProperties> {
     let volume = |shape: &dyn Shape| shape.spread().extent().measure();
     let whole: f64 = pieces.iter().map(|(_, shape)| volume(shape.as_ref())).sum();
+    let mass_given = matches!(substance, Some(Substance::Mass(_)));
     let substance = match substance {
         Some(Substance::Mass(mass)) if pieces.len() > 1 => Substance::Density(mass / whole),
         Some(substance) => substance,
@@ -194,6 +201,12 @@ fn weighed(
         [only] => *only,
         _ => MassProperties::combined(&bodies).map_err(Raise::raise)?,
     };
+    if in_metres {
+        let extent = Some(Extent::Volume(whole));
+        let remedy = "give unit=\"mm\", or unit=\"m\" if it is so";
+        let assumed = AssumedMetres { properties: &properties, extent, mass_given, others: None, remedy };
+        findings.extend(assumed.finding(None));
+    }
     Ok(PyMassProperties::of(InertiaReport {
         volume: Some(whole),
         surface_area: Some(pieces.iter().map(|(_, shape)| shape.surface_area()).sum()),

@@ -4,9 +4,11 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use clap::Args;
-use polhode::{BodyError, ConvexHull, Finding, MassProperties, MeshShell, Severity, Shape, Substance};
+use polhode::{
+    BodyError, ConvexHull, Extent, Finding, MassProperties, MeshShell, Severity, Shape, Substance,
+};
 use polhode_formats::expression::Expression;
-use polhode_formats::mesh::{MeshContents, MeshFormat, MeshSolid};
+use polhode_formats::mesh::{AssumedMetres, MeshContents, MeshFormat, MeshSolid};
 use polhode_formats::unit::Dimension;
 use polhode_report::{InertiaReport, PartRow, SourceInfo, parts};
 
@@ -92,6 +94,19 @@ pub(super) fn report(
         _ => MassProperties::combined(&bodies).map_err(unfit)?,
     };
     let volume: f64 = pieces.iter().map(Piece::volume).sum();
+    let mut source = source;
+    if unit.is_none() && !format.has_unit() {
+        let words = format!("{}, in m as no unit is given", source.description);
+        source = source.described(words).with("unit_assumed", true);
+        let assumed = AssumedMetres {
+            properties: &properties,
+            extent: Some(Extent::Volume(volume)),
+            mass_given: substance.mass().is_some(),
+            others: None,
+            remedy: "--unit mm, or --unit m if it is so",
+        };
+        findings.extend(assumed.finding(Some(file.display().to_string())));
+    }
     let mut extras = if rows.len() > 1 { vec![parts(&rows)] } else { Vec::new() };
     extras.extend(field.map(|found| found.error));
     Ok(InertiaReport {

@@ -4,10 +4,13 @@ use std::path::Path;
 
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser as _};
+use polhode::{Finding, Severity};
+use polhode_report::plain::printable;
 use polhode_report::{ExportBody, ExportFormat, InertiaReport, export, pretty};
 use serde_json::Value;
 
 use crate::failure::Failure;
+use crate::stdout::{shown, tell};
 
 /// Flags for the form of the answer.
 #[derive(Debug, Args)]
@@ -30,6 +33,22 @@ fn formats() -> impl clap::builder::TypedValueParser<Value = ExportFormat> {
 }
 
 impl OutputFlags {
+    /// Says on standard error what was noticed, where the answer's form has no room for it.
+    pub(super) fn warn(&self, answers: &[Answer<'_>]) {
+        if !self.csv && self.as_format.is_none() {
+            return;
+        }
+        for (file, report) in
+            answers.iter().flat_map(|(file, answer)| answer.iter().flatten().map(|r| (*file, r)))
+        {
+            for Finding { message, code, .. } in
+                report.findings.iter().filter(|f| f.severity != Severity::Info)
+            {
+                tell(&format!("warning: {}: {} [{code}]\n", shown(file), printable(message)));
+            }
+        }
+    }
+
     /// The answers as text, in the order of their files. One that failed has an object of its own in JSON, and is left out elsewhere.
     pub(super) fn text(&self, answers: &[Answer<'_>]) -> Result<String, Failure> {
         let reports: Vec<(&Path, &InertiaReport)> = answers

@@ -1,6 +1,7 @@
 //! Triangle meshes: files in, closed solids out.
 
 mod affine;
+mod assumed_unit;
 mod budget;
 pub mod gltf;
 mod notes;
@@ -24,6 +25,7 @@ use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 use crate::error::FormatError;
 use crate::file;
 
+pub use assumed_unit::{AssumedMetres, longest_side};
 pub use solid::{MeshSolid, SolidPart};
 
 /// What a mesh file says: parts and their triangles, in the file's own unit of length.

@@ -3,9 +3,10 @@
 use polhode::{Body, BodyPart, Finding, MassProperties, Position, PrincipalFrame, Severity, Symmetry};
 
 use super::again::{Changes, Found, Reading};
-use super::part::part;
+use super::part::{assumes_metres, part};
 use super::reader::{Table, Value};
 use crate::error::FormatError;
+use crate::mesh::{AssumedMetres, longest_side};
 use crate::unit::Dimension;
 
 /// All parts of a body, alone and together.
@@ -36,13 +37,15 @@ pub(crate) fn body<'a>(root: &Table<'a>, findings: &mut Vec<Finding>) -> Result<
     let table = root.require("body", EXAMPLE)?.table()?;
     table.allow(&["part", "pivot"])?;
     let list = table.require("part", EXAMPLE)?;
-    let mut parts = Vec::new();
+    let (mut parts, mut in_metres) = (Vec::new(), Vec::new());
     for (k, table) in list.tables("body.part")?.into_iter().enumerate() {
+        in_metres.extend(assumes_metres(&table).map(|mass_given| (k, mass_given)));
         parts.push(varying_part(list.source().reading, table, k, findings)?);
     }
     if parts.is_empty() {
         return Err(table.missing("part", EXAMPLE));
     }
+    findings.extend(in_metres.iter().filter_map(|(k, mass_given)| absurd_metres(&parts, *k, *mass_given)));
     let body = match list.source().reading {
         Reading::Again(_, Changes { body: Some(other), .. }) => {
             parts = vec![of_properties("body".to_owned(), *other)];
@@ -58,6 +61,21 @@ pub(crate) fn body<'a>(root: &Table<'a>, findings: &mut Vec<Finding>) -> Result<
     };
     let pivot = table.get("pivot").map(Pivot::read).transpose()?;
     Ok(Assembly { parts, body, pivot })
+}
+
+/// Asks for the unit of part `k`, a mesh of which nobody says it, where metres make no sense beside the other parts or alone.
+fn absurd_metres(parts: &[BodyPart], k: usize, mass_given: bool) -> Option<Finding> {
+    let part = parts.get(k)?;
+    let others = parts.iter().enumerate().filter(|(other, _)| *other != k);
+    let largest = others.map(|(_, part)| longest_side(&part.properties)).fold(0.0, f64::max);
+    let assumed = AssumedMetres {
+        properties: &part.properties,
+        extent: part.extent,
+        mass_given,
+        others: Some(largest).filter(|largest| *largest > 0.0),
+        remedy: "write unit = \"mm\", or unit = \"m\" if it is so",
+    };
+    assumed.finding(Some(format!("part \"{}\"", part.name)))
 }
 
 /// Part `k`, from 0, as it is now: if nothing in it differs, as it was.

@@ -194,6 +194,15 @@ fn read_mesh(table: &Table<'_>, name: &str, findings: &mut Vec<Finding>) -> Resu
     parts.pop().map(|part| part.mesh).ok_or_else(|| file.invalid("a mesh with triangles"))
 }
 
+/// Of a mesh that has no unit and is given none, whether its mass is given; `None` of all other parts.
+pub(super) fn assumes_metres(table: &Table<'_>) -> Option<bool> {
+    let says = |key| table.get(key).is_some();
+    let file =
+        table.get("file").filter(|_| table.get("shape").is_some_and(|shape| shape.string() == Ok("mesh")))?;
+    let format = MeshFormat::of_path(Path::new(file.string().ok()?))?;
+    (!says("unit") && !format.has_unit()).then(|| says("mass"))
+}
+
 /// `unit = "mm"`: what one is, in metres.
 fn length_unit(value: &Value<'_>) -> Result<f64, FormatError> {
     let name = value.string()?;

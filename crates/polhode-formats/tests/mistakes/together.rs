@@ -105,3 +105,41 @@ fn a_rate_that_no_orbit_about_the_earth_has_is_asked_for_its_unit() {
     assert!(gradient("rate='0.0011 rad/s'").unwrap().findings.is_empty());
     assert!(gradient("rate='0.002 rad/s',mu='4.9e12 m^3/s^2'").unwrap().findings.is_empty());
 }
+
+/// A box of three sides as OBJ.
+fn obj([a, b, c]: [f64; 3]) -> String {
+    let vertices: String = (0..8)
+        .map(|k| {
+            format!("v {} {} {}\n", a * f64::from(k & 1), b * f64::from(k >> 1 & 1), c * f64::from(k >> 2))
+        })
+        .collect();
+    vertices + "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n"
+}
+
+#[test]
+fn a_mesh_in_metres_that_nobody_gave_is_asked_beside_the_other_parts() {
+    let folder = std::env::temp_dir().join(format!("polhode-assumed-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    std::fs::write(folder.join("plate.obj"), obj([120.0, 80.0, 9.6])).unwrap();
+    std::fs::write(folder.join("small.obj"), obj([1.2, 0.8, 0.3])).unwrap();
+    let asked = |file: &str, rest: &str| {
+        let part =
+            format!("[[body.part]]\nname='it'\nshape='mesh'\nfile='{file}'\ndensity='700 kg/m^3'\n{rest}");
+        let scenario =
+            polhode_formats::scenario::parse(&format!("{BALL}{part}"), &folder.join("body.toml")).unwrap();
+        let asked = scenario.findings.into_iter().filter(|finding| finding.code == "mesh.unit");
+        asked.map(|finding| (finding.message, finding.place)).collect::<Vec<_>>()
+    };
+    let found = asked("plate.obj", "");
+    assert_eq!(found.len(), 1);
+    let (message, place) = &found[0];
+    assert!(message.contains("some 120 m long, its mass is 64500 t"), "{message}");
+    assert!(message.contains("unit = \"mm\""), "{message}");
+    assert_eq!(place.as_deref(), Some("part \"it\""));
+    for declared in ["mm", "m", "in"] {
+        assert_eq!(asked("plate.obj", &format!("unit='{declared}'")), [], "{declared}");
+    }
+    // The box of the ball's moments has sides of 31 mm: 39 times as long is a body on a ball.
+    assert_eq!(asked("small.obj", ""), []);
+    std::fs::remove_dir_all(&folder).unwrap();
+}

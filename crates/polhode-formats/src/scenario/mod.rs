@@ -243,7 +243,9 @@ fn read_root(source: Source<'_>, entries: &Entries) -> Result<Scenario, FormatEr
 pub fn placed(text: &str, path: &Path, error: &MotionError) -> Option<FormatError> {
     let (torque, value) = match *error {
         MotionError::TorqueNotFinite { torque, value } => (torque, value),
-        MotionError::NotSmooth { torque, .. } => (torque, [0.0; 3]),
+        MotionError::NotSmooth { torque, .. } | MotionError::TooManyPulses { torque: Some(torque), .. } => {
+            (torque, [0.0; 3])
+        }
         _ => return None,
     };
     let source = Source { path, text, reading: Reading::Once };
@@ -251,6 +253,9 @@ pub fn placed(text: &str, path: &Path, error: &MotionError) -> Option<FormatErro
     let root = Table::root(source, &entries);
     let tables = root.get("torque")?.tables("torque").ok()?;
     let table = tables.get(torque)?;
+    if let (MotionError::TooManyPulses { .. }, Some(pulses)) = (error, table.get("pulses")) {
+        return Some(pulses.motion(error.clone()));
+    }
     let Some(formulas) = table.get("torque") else { return Some(table.get("model")?.motion(error.clone())) };
     // The component that is no number, along the axes of the formulas themselves.
     let along_body = table.get("axes").is_some_and(|axes| axes.string() == Ok("body"));

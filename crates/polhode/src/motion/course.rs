@@ -11,7 +11,7 @@ use super::watch::{Found, Watch};
 use crate::math::vector::AngularMomentum;
 
 /// More events than anybody would read.
-const MOST_EVENTS: usize = 1_000_000;
+pub(super) const MOST_EVENTS: usize = 1_000_000;
 
 /// An integration on its way.
 pub(super) struct Course<'a> {

@@ -66,6 +66,15 @@ pub enum MotionError {
         /// The most steps that are tried.
         most: u64,
     },
+    /// More pulses than anybody would wait for: no step goes across the beginning or the end of one.
+    TooManyPulses {
+        /// The torque with the most of them, from 0; `None` for a wheel's motor.
+        torque: Option<usize>,
+        /// How many there are from the start to the end, of all torques and motors.
+        count: f64,
+        /// The most that are gone through.
+        most: u64,
+    },
     /// More events than anybody would read.
     TooManyEvents {
         /// The time of the last, s.
@@ -138,8 +147,11 @@ impl MotionError {
             Self::StepTooSmall { .. } | Self::TooManySteps { .. } => {
                 Some("loosen the tolerance or lengthen the step, or shorten the duration")
             }
+            Self::TooManyPulses { .. } => Some(
+                "shorten the duration, or give the pulses a longer period or a count; pulses so dense act as their mean, width / period of the torque",
+            ),
             Self::TooManyEvents { .. } => Some(
-                "an event that switches what it measures may happen without end: give it a direction, or a dead band",
+                "shorten the duration; an event that switches what it measures may happen without end: give it a direction, or a dead band",
             ),
             Self::NoPotential => Some("measure the kinetic energy"),
             Self::RunAway { .. } => Some("check the sign of the torque: one that grows with ω has no bound"),
@@ -190,6 +202,13 @@ impl fmt::Display for MotionError {
                 f,
                 "at t = {time:e} s steps are of {step:e} s: to the end that is more than {most} steps"
             ),
+            Self::TooManyPulses { torque, count, most } => {
+                let of = match torque {
+                    Some(torque) => format!("torque {}", torque + 1),
+                    None => "a wheel's motor".to_owned(),
+                };
+                write!(f, "to the end there are {count:.3e} pulses, most of {of}: that is more than {most}")
+            }
             Self::TooManyEvents { time, most } => {
                 write!(f, "at t = {time:e} s there are already {most} events")
             }

@@ -1,11 +1,11 @@
 //! Simulations: from a start to a trajectory, by the best method there is.
 
 use super::closed_form::ClosedForm;
-use super::course::{Course, look_ahead};
+use super::course::{Course, MOST_EVENTS, look_ahead};
 use super::ending::{Ending, MethodReason};
 use super::error::MotionError;
 use super::event::{Crossing, Event, EventAction};
-use super::propagate::bound::MOST_STEPS;
+use super::propagate::bound::{MOST_STEPS, PATIENCE};
 use super::propagate::stepper::{Rule, Stepper};
 use super::rotor::Rotor;
 use super::solution::Solution;
@@ -71,6 +71,11 @@ impl Simulation<'_> {
         require_ascending(start.time, times)?;
         require_finite(rotor, torques, switched_off, &start)?;
         events.iter().try_for_each(|event| event.require_possible(rotor, torques, events, &start))?;
+        let stays_off = |k: &usize| {
+            let wakes = EventAction::Switch { torque: *k, on: true };
+            switched_off.contains(k) && !events.iter().any(|event| event.action() == wakes)
+        };
+        require_few_pulses(rotor, torques, &stays_off, [start.time, self.end()])?;
         match self.choose()? {
             (Way::Closed(motion), reason) => self.exact(motion, reason),
             (Way::Steps(rule), reason) => self.integrate(rule, reason, progress),
@@ -111,6 +116,7 @@ impl Simulation<'_> {
         let Self { rotor, torques, start, times, switched_off, tolerance, .. } = *self;
         require_ascending(start.time, times)?;
         require_finite(rotor, torques, switched_off, &start)?;
+        require_few_pulses(rotor, torques, &|k| switched_off.contains(k), [start.time, self.end()])?;
         let rule = match self.choose()? {
             (Way::Closed(ClosedForm::Free(motion)), _) => {
                 states.extend(motion.at_times(times));
@@ -133,6 +139,11 @@ impl Simulation<'_> {
             states.push(there.state);
         }
         Ok(())
+    }
+
+    /// The last of the times, s.
+    fn end(&self) -> f64 {
+        self.times.last().copied().unwrap_or(self.start.time)
     }
 
     /// The method that is asked for, or the best.
@@ -204,28 +215,39 @@ impl Simulation<'_> {
 
     /// The closed form, which has no steps: it is looked at turn by turn.
     fn exact(&self, motion: ClosedForm, reason: MethodReason) -> Result<Trajectory, MotionError> {
-        /// The turn of a stretch, rad.
-        const STRETCH: f64 = 16.0;
-        let end = self.times.last().copied().unwrap_or(self.start.time);
+        /// The turn of a stretch, rad: it counts as so many steps.
+        const STRETCH: u64 = 16;
+        const MOST_LOOKS: u64 = MOST_STEPS / STRETCH;
+        let end = self.end();
+        // Only an event that stops the motion can make the end come nearer.
+        let stops = self.events.iter().any(|event| event.action() == EventAction::Stop);
         let mut watch = Watch::new(self.rotor, self.torques, self.events, &self.start);
         // A body let go at rest is measured by how fast the torque makes it.
         let torque: f64 = self.torques.iter().map(|torque| torque.scale(self.rotor, &self.start)).sum();
         let [_, moment, _] = self.rotor.principal().moments();
         let torque_rate = (torque / moment).sqrt();
-        let (mut time, mut looks) = (self.start.time, 0);
+        let (mut time, mut looks, mut far) = (self.start.time, 0, 0);
         let (mut crossings, mut ending) = (Vec::new(), Ending::Complete);
         while !self.events.is_empty() && time < end && ending == Ending::Complete {
-            let step = STRETCH / (motion.at(time).omega.norm() + torque_rate);
+            let step = STRETCH as f64 / (motion.at(time).omega.norm() + torque_rate);
             let next = if time + step < end { time + step } else { end };
             looks += 1;
+            let is_far = !stops && looks as f64 + (end - time) / step > MOST_LOOKS as f64;
+            far = if is_far { far + 1 } else { 0 };
             if !(next > time) {
                 ending = Ending::Failed { time, cause: MotionError::StepTooSmall { time, step } };
-            } else if looks == MOST_STEPS / 16 {
-                let cause = MotionError::TooManySteps { time, step, most: looks };
+            } else if looks == MOST_LOOKS || far > PATIENCE {
+                let step = step / STRETCH as f64;
+                let cause = MotionError::TooManySteps { time, step, most: MOST_STEPS };
                 ending = Ending::Failed { time, cause };
             } else {
                 for found in watch.look([time, next], &|t| motion.at(t)) {
                     let Some(event) = self.events.get(found.event) else { continue };
+                    if crossings.len() == MOST_EVENTS {
+                        let cause = MotionError::TooManyEvents { time: found.time, most: MOST_EVENTS };
+                        ending = Ending::Failed { time: found.time, cause };
+                        break;
+                    }
                     let (name, state) = (event.name().to_owned(), motion.at(found.time));
                     crossings.push(Crossing { event: found.event, name, state, rising: found.rising });
                     if event.action() == EventAction::Stop {
@@ -253,6 +275,32 @@ impl Simulation<'_> {
 enum Way {
     Closed(ClosedForm),
     Steps(Rule),
+}
+
+/// No step goes across the beginning of a pulse: so many of them would take for ever, and there is no need to begin.
+///
+/// # Errors
+/// [`MotionError::TooManyPulses`] of all torques that do not stay off, and of the wheels' motors.
+pub(super) fn require_few_pulses(
+    rotor: &Rotor,
+    torques: &[TorqueModel],
+    stays_off: &dyn Fn(&usize) -> bool,
+    [start, end]: [f64; 2],
+) -> Result<(), MotionError> {
+    let acting = torques.iter().enumerate().filter(|(k, _)| !stays_off(k));
+    let of_torques = acting.map(|(k, torque)| (Some(k), torque.pulses_between(start, end)));
+    let of_wheels = rotor.wheels().iter().map(|wheel| (None, wheel.pulses_between(start, end)));
+    let (mut sum, mut densest) = (0.0, (None, 0.0));
+    for (torque, pulses) in of_torques.chain(of_wheels) {
+        sum += pulses;
+        if pulses > densest.1 {
+            densest = (torque, pulses);
+        }
+    }
+    if sum <= MOST_STEPS as f64 {
+        return Ok(());
+    }
+    Err(MotionError::TooManyPulses { torque: densest.0, count: sum, most: MOST_STEPS })
 }
 
 /// A start is input: what is wrong with it is not the computation's fault.

@@ -146,6 +146,14 @@ impl Wheel {
         }
     }
 
+    /// How many pulses of its motor begin after a time and no later than another.
+    pub(crate) fn pulses_between(&self, from: f64, to: f64) -> f64 {
+        match self.motor {
+            Motor::Torque { schedule: Some(schedule), .. } => schedule.pulses_between(from, to),
+            _ => 0.0,
+        }
+    }
+
     /// When its motor's torque changes next, s.
     pub(crate) fn next_change(&self, time: f64) -> f64 {
         match self.motor {

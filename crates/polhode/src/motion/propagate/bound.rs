@@ -12,7 +12,7 @@ const FIRST_STEPS: u64 = 64;
 
 /// Steps that are waited for when the end is too many away: they may shrink towards infinity, where DOP853 comes in some 700 at a
 /// tolerance of 1e-14.
-const PATIENCE: u64 = 2000;
+pub(crate) const PATIENCE: u64 = 2000;
 
 /// |ω| beyond which a motion that runs away is not believed, relative to what is usual.
 const BELIEVED: f64 = 1e3;

@@ -127,6 +127,16 @@ impl TorqueModel {
         }
     }
 
+    /// How many pulses begin after a time and no later than another.
+    pub(crate) fn pulses_between(&self, from: f64, to: f64) -> f64 {
+        match self {
+            Self::Scheduled(model) => {
+                model.schedule.pulses_between(from, to) + model.torque.pulses_between(from, to)
+            }
+            _ => 0.0,
+        }
+    }
+
     /// What it is just after a time, without a schedule; `None` if it does not act then.
     pub(crate) fn acting(&self, time: f64) -> Option<&Self> {
         match self {

@@ -119,6 +119,18 @@ impl Schedule {
         }
     }
 
+    /// How many pulses begin after a time and no later than another; none of a window.
+    pub(crate) fn pulses_between(&self, from: f64, to: f64) -> f64 {
+        match self.0 {
+            Kind::Window { .. } => 0.0,
+            Kind::Pulses { first, width, period, count } => {
+                let train = Train { first, width, period, count };
+                let begun = |time: f64| train.pulse(time).map_or(0.0, |k| k + 1.0);
+                begun(to) - begun(from)
+            }
+        }
+    }
+
     /// For how long it has acted from t = 0 to a time, s; for times before 0, minus for how long it acts from then to 0.
     pub fn time_on(&self, time: f64) -> f64 {
         match self.0 {
@@ -254,6 +266,19 @@ mod tests {
         // counted from 0, whatever was before
         let old = Schedule::pulses(-1e9, width, period, None).unwrap();
         assert!((old.time_on(0.15) - 0.02).abs() < 1e-7 * width, "{}", old.time_on(0.15));
+    }
+
+    #[test]
+    fn pulses_are_counted_without_being_gone_through() {
+        let train = Schedule::pulses(2.0, 0.5, 3.0, Some(4)).unwrap(); // from 2, 5, 8 and 11 on
+        for (from, to, count) in
+            [(0.0, 1.9, 0.0), (0.0, 2.0, 1.0), (2.0, 8.1, 2.0), (-1e9, 1e9, 4.0), (11.0, 99.0, 0.0)]
+        {
+            assert_eq!(train.pulses_between(from, to), count, "{from} {to}");
+        }
+        let dense = Schedule::pulses(0.0, 1e-20, 2e-20, None).unwrap();
+        assert!((dense.pulses_between(0.0, 3.0) / 1.5e20 - 1.0).abs() < 1e-12);
+        assert_eq!(Schedule::window(0.0, 1.0).unwrap().pulses_between(-1.0, 9.0), 0.0);
     }
 
     #[test]

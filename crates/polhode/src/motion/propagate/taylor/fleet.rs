@@ -19,7 +19,7 @@ use crate::motion::propagate::bound::{Bound, MOST_STEPS};
 use crate::motion::propagate::piece::Piece;
 use crate::motion::propagate::stepper::{Rule, first_piece, require_untwisted};
 use crate::motion::rotor::Rotor;
-use crate::motion::simulation::require_finite;
+use crate::motion::simulation::{require_few_pulses, require_finite};
 use crate::motion::state::State;
 use crate::motion::torque::TorqueModel;
 use crate::motion::wheel::{Motor, Wheel};
@@ -376,9 +376,11 @@ impl<'a> Lane<'a> {
     fn of(index: usize, body: &Body<'a>, work: &Advance<'_, '_>, rounds: u64) -> Result<Self, MotionError> {
         let Body { rotor, torques, start } = *body;
         require_finite(rotor, torques, &[], &start)?;
+        let end = work.times.last().copied().unwrap_or(start.time);
+        require_few_pulses(rotor, torques, &|_| false, [start.time, end])?;
         let piece = first_piece(Rule::Taylor, rotor, torques.iter(), &start, work.tolerance)?;
         let mut bound = Bound::new(&piece, &start);
-        bound.end(work.times.last().copied().unwrap_or(start.time));
+        bound.end(end);
         Ok(Self {
             body: index,
             start,

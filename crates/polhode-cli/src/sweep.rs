@@ -76,6 +76,10 @@ impl Sweep {
         let progress = SweepProgress::new();
         let reached = dataset.compute(&plan, threads, &stop, &|reached| progress.reached(reached))?;
         drop(progress);
+        if reached.remade > 0 {
+            let parts = if reached.remade == 1 { "part was" } else { "parts were" };
+            tell(&format!("note: {} {parts} damaged, and computed anew\n", reached.remade));
+        }
         if reached.done < reached.members {
             let status = status.load(Ordering::Relaxed) as u8;
             return Err(self.stopped(reached.done, reached.members, &target, status));

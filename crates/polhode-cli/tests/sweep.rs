@@ -175,7 +175,7 @@ fn begun(scratch: &Scratch, folder: &str) {
 #[test]
 fn two_writers_lock_each_other_out() {
     let scratch = Scratch::new("sweep-two");
-    scratch.write("plan.toml", &plan(50_000_000));
+    scratch.write("plan.toml", &plan(800_000));
     let mut first = Running::new(&scratch, &["sweep", "plan.toml", "-o", "out", "--threads", "1"]);
     begun(&scratch, "out");
     for how in ["--resume", "--force"] {
@@ -252,4 +252,73 @@ fn a_cluster_is_handed_the_same_arguments() {
     python("exit 1");
     let error = refused(&run(&[]), 2);
     assert!(error.contains("polhode[dask]"), "{error}");
+}
+
+#[test]
+fn what_is_not_as_it_was_written_is_not_trusted() {
+    let scratch = Scratch::new("sweep-damaged");
+    scratch.write("plan.toml", &plan(1100));
+    let resume = ["sweep", "plan.toml", "-o", "out", "--resume"];
+    stdout(&scratch.run(&resume));
+    let read = |name: &str| fs::read(scratch.0.join("out").join(name)).unwrap();
+    let put = |name: &str, bytes: &[u8]| fs::write(scratch.0.join("out").join(name), bytes).unwrap();
+    for name in ["plan.toml", "sweep.json"] {
+        let whole = read(name);
+        let mut flipped = whole.clone();
+        flipped[whole.len() / 2] ^= 1;
+        let longer = [&whole[..], b"\n"].concat();
+        for damaged in [&whole[..whole.len() - 1], &whole[..whole.len() / 2], b"", &flipped, &longer] {
+            put(name, damaged);
+            let error = refused(&scratch.run(&resume), 2);
+            let is_told = error.contains(&format!("out/{name} is damaged: ")) && error.contains("--force");
+            // A number of the manifest that has become another is the number of another plan.
+            assert!(is_told || name == "sweep.json" && error.contains("another plan"), "{error}");
+            assert_eq!(read(name), damaged);
+        }
+        put(name, &whole);
+        stdout(&scratch.run(&resume));
+    }
+    fs::remove_file(scratch.0.join("out/plan.toml")).unwrap();
+    assert!(refused(&scratch.run(&resume), 2).contains("it is not there"));
+    put("plan.toml", plan(1100).as_bytes());
+    // Parts are made again, and this is told.
+    let name = "members/part-00001.parquet";
+    let whole = read(name);
+    for damaged in [&whole[..whole.len() / 3], b"", &whole.iter().rev().copied().collect::<Vec<_>>()] {
+        put(name, damaged);
+        let output = scratch.run(&resume);
+        stdout(&output);
+        assert_eq!(String::from_utf8_lossy(&output.stderr), "note: 1 part was damaged, and computed anew\n");
+        assert_eq!(read(name), whole);
+    }
+    fs::remove_file(scratch.0.join("out").join(name)).unwrap();
+    assert!(scratch.run(&resume).stderr.is_empty());
+    assert_eq!(read(name), whole);
+}
+
+#[test]
+fn the_seed_stands_in_all_that_is_written() {
+    let scratch = Scratch::new("sweep-seed");
+    scratch.write("seven.toml", &plan(40).replace("seed = 2", "seed = 9_007_199_254_740_993"));
+    scratch.write("none.toml", &plan(40).replace("seed = 2", ""));
+    for (name, seed) in [("seven", 9_007_199_254_740_993_u64), ("none", 0)] {
+        let text = stdout(&scratch.run(&["sweep", &format!("{name}.toml")]));
+        assert!(text.contains(&format!("40 members drawn independently, seed {seed}\n")), "{text}");
+        for file in ["summary.json", "sweep.json"] {
+            let bytes = fs::read(scratch.0.join(name).join(file)).unwrap();
+            assert_eq!(serde_json::from_slice::<serde_json::Value>(&bytes).unwrap()["seed"], seed, "{file}");
+        }
+        let part = fs::read(scratch.0.join(name).join("members/part-00000.parquet")).unwrap();
+        let holds = |text: &str| part.windows(text.len()).any(|window| window == text.as_bytes());
+        assert!(holds("polhode.seed") && holds(&seed.to_string()) && holds("monte_carlo"));
+    }
+    let grid = format!(
+        "{BRICK}[sweep]\nsampling = \"grid\"\n[[sweep.vary]]\nkey = \"start.spin.body[0]\"\nlist = [1, 2]\n"
+    );
+    scratch.write("grid.toml", &grid);
+    let output = scratch.run(&["sweep", "grid.toml", "--json"]);
+    assert_eq!(
+        serde_json::from_slice::<serde_json::Value>(&output.stdout).unwrap()["seed"],
+        serde_json::Value::Null
+    );
 }

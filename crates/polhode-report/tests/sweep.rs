@@ -63,6 +63,7 @@ fn summary() -> (SweepSummary, SweepSample) {
         digest: "0123".to_owned(),
         members: 1000,
         sampling: "monte_carlo",
+        seed: Some(7),
         intervals: SweepIntervals::Given { confidence: 0.95 },
         statuses: vec![share("complete", 998), share("failed", 2)],
         regimes: vec![share("long_axis", 600), share("short_axis", 398)],
@@ -104,7 +105,7 @@ fn text_fits_its_screen_and_says_what_matters() {
         assert!(line.chars().count() <= 110 && !line.contains(['\u{1b}', '\u{202e}']), "{line}");
     }
     for says in [
-        "Debris <script> & \\u{202e}co.   1,000 members drawn independently",
+        "Debris <script> & \\u{202e}co.   1,000 members drawn independently, seed 7\n",
         "complete 998 (99.8 %, 89.82 … 100 %); failed 2 (0.2 %, 0.18 … 0.22 %)",
         "member 17: its \\u{1b}[31mmoments",
         "at the end       long_axis 998",
@@ -130,6 +131,7 @@ fn json_has_every_number_and_no_others() {
     assert_eq!(json["intervals"]["confidence"], 0.95);
     assert_eq!(json["correlations"]["strongest"][0]["value"], -0.754);
     assert_eq!(json["failures"][0]["member"], 17);
+    assert_eq!(json["seed"], 7);
 }
 
 #[test]

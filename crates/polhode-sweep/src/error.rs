@@ -36,6 +36,13 @@ pub enum SweepError {
         /// What is found there, or is not.
         why: String,
     },
+    /// A file of the sweep is not as it was written.
+    Damaged {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        why: &'static str,
+    },
     /// A file cannot be read.
     Read {
         /// The file.
@@ -83,6 +90,9 @@ impl SweepError {
             Self::Changed { .. } => {
                 Some("choose another folder with -o DIR, or throw the old results away with --force")
             }
+            Self::Damaged { .. } => {
+                Some("put the file back as it was, or throw the results away and begin anew with --force")
+            }
             Self::NotASweep { .. } => Some("remove it by hand, or choose another folder with -o DIR"),
             Self::Write { error, .. } if FULL.contains(&error.kind()) => {
                 Some("the parts that are written are good: make room, and continue with --resume")
@@ -115,6 +125,7 @@ impl fmt::Display for SweepError {
             Self::NotASweep { folder, why } => {
                 write!(f, "{} is not a folder of a sweep: {why}", shown(folder))
             }
+            Self::Damaged { path, why } => write!(f, "{} is damaged: {why}", shown(path)),
             Self::Read { path, error } => write!(f, "cannot read {}: {error}", shown(path)),
             Self::Write { path, error } => write!(f, "cannot write {}: {error}", shown(path)),
             Self::Incomplete { part } => write!(f, "part {part} is missing or damaged"),

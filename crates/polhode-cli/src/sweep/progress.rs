@@ -34,7 +34,7 @@ impl SweepProgress {
     }
 
     /// A part is there.
-    pub(super) fn reached(&self, Progress { done, members }: Progress) {
+    pub(super) fn reached(&self, Progress { done, members, .. }: Progress) {
         let Some(Ok(mut line)) = self.line.as_ref().map(Mutex::lock) else { return };
         let now = Instant::now();
         let first = *line.first.get_or_insert(done);

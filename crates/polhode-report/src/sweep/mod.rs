@@ -16,6 +16,8 @@ pub struct SweepSummary {
     pub members: u64,
     /// How they were drawn: `grid`, `monte_carlo`, `latin_hypercube` or `sobol`.
     pub sampling: &'static str,
+    /// What the draws follow from; `None` where nothing is drawn.
+    pub seed: Option<u64>,
     /// Whether there are confidence intervals.
     pub intervals: SweepIntervals,
     /// How the motions ended.

@@ -20,6 +20,7 @@ pub(super) fn of(summary: &SweepSummary) -> Value {
         "digest": summary.digest,
         "members": summary.members,
         "sampling": summary.sampling,
+        "seed": summary.seed,
         "intervals": { "confidence": confidence, "why_none": why },
         "status": shares(&summary.statuses),
         "regime": shares(&summary.regimes),

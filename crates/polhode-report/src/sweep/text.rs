@@ -20,7 +20,8 @@ pub(super) fn write(summary: &SweepSummary) -> String {
         "latin_hypercube" => "in a Latin hypercube",
         _ => "at Sobol points",
     };
-    let mut text = format!("{title}   {} {noun} {drawn}\n", count(summary.members));
+    let seed = summary.seed.map_or_else(String::new, |seed| format!(", seed {seed}"));
+    let mut text = format!("{title}   {} {noun} {drawn}{seed}\n", count(summary.members));
     text.push_str(&labelled("status", &shares(&summary.statuses, summary.members)));
     for (member, cause) in &summary.failures {
         text.push_str(&labelled("", &format!("member {member}: {}", printable(cause))));

@@ -16,6 +16,7 @@ pub(super) struct Manifest {
     digest: String,
     members: u64,
     sampling: &'static str,
+    seed: Option<u64>,
     trajectories: bool,
     rows_per_part: u64,
 }
@@ -29,30 +30,33 @@ impl Manifest {
         let rows_per_part =
             rows_per_part(plan.members(), is_stepped(nominal), if trajectories { samples } else { 1 });
         let sampling = sampling::name(plan.sampling());
-        Ok(Self { digest: plan.digest(), members: plan.members(), sampling, trajectories, rows_per_part })
+        let (digest, members, seed) = (plan.digest(), plan.members(), plan.seed());
+        Ok(Self { digest, members, sampling, seed, trajectories, rows_per_part })
     }
 
     pub(super) fn to_text(&self) -> String {
-        let value = json!({
+        pretty(&self.to_json()) + "\n"
+    }
+
+    fn to_json(&self) -> Value {
+        json!({
             "polhode": env!("CARGO_PKG_VERSION"),
             "digest": self.digest,
             "members": self.members,
             "sampling": self.sampling,
+            "seed": self.seed,
             "trajectories": self.trajectories,
             "rows_per_part": self.rows_per_part,
             "parts": self.parts(),
-        });
-        pretty(&value) + "\n"
+        })
     }
 
-    /// What differs in a manifest that was written: `None` if nothing does.
-    pub(super) fn difference(&self, written: &str) -> Option<String> {
-        if written == self.to_text() {
+    /// What differs in a manifest that was written: `None` if nothing does. It is one that can be read.
+    pub(super) fn difference(&self, written: &Value) -> Option<String> {
+        if *written == self.to_json() {
             return None;
         }
-        let Ok(value) = serde_json::from_str::<Value>(written) else {
-            return Some("its sweep.json cannot be read".to_owned());
-        };
+        let value = written;
         let version = value.get("polhode").and_then(Value::as_str).unwrap_or("another version");
         if version != env!("CARGO_PKG_VERSION") {
             return Some(format!("it was made by polhode {version}, this is {}", env!("CARGO_PKG_VERSION")));
@@ -85,10 +89,12 @@ impl Manifest {
 
     /// What every part says about itself.
     pub(super) fn part_metadata(&self, part: u64) -> Vec<(String, String)> {
-        vec![
+        let seed = self.seed.map(|seed| ("polhode.seed".to_owned(), seed.to_string()));
+        let own = [
             ("polhode.digest".to_owned(), self.digest.clone()),
-            ("polhode.part".to_owned(), part.to_string()),
-        ]
+            ("polhode.sampling".to_owned(), self.sampling.to_owned()),
+        ];
+        own.into_iter().chain(seed).chain([("polhode.part".to_owned(), part.to_string())]).collect()
     }
 }
 
@@ -127,6 +133,7 @@ mod tests {
             digest: String::new(),
             members: 1003,
             sampling: "grid",
+            seed: None,
             trajectories: false,
             rows_per_part: 16,
         };

@@ -80,6 +80,8 @@ pub struct Progress {
     pub done: u64,
     /// Members of the sweep.
     pub members: u64,
+    /// Parts that were there, but damaged or of something else, and were computed anew.
+    pub remade: u64,
 }
 
 impl Dataset {
@@ -95,7 +97,8 @@ impl Dataset {
     /// Goes on with a sweep, or begins it if there is none.
     ///
     /// # Errors
-    /// [`SweepError::Changed`] for results of another plan, [`SweepError::InUse`] while somebody else writes,
+    /// [`SweepError::Changed`] for results of another plan, [`SweepError::Damaged`] where the copy of the plan or the manifest is not as
+    /// it was written, [`SweepError::InUse`] while somebody else writes,
     /// [`SweepError::NotASweep`] for a folder of something else; else as [`Dataset::create`].
     pub fn resume(folder: &Path, plan: &Plan) -> Result<Self, SweepError> {
         let manifest = Manifest::of(plan)?;
@@ -104,14 +107,22 @@ impl Dataset {
         }
         let folder = Folder::open(folder)?;
         let path = folder.join(MANIFEST);
-        let written = match fs::read_to_string(&path) {
+        let written = match fs::read(&path) {
             Ok(written) => written,
             Err(error) if error.kind() == io::ErrorKind::NotFound => return begun(folder, manifest, plan),
             Err(error) => return Err(SweepError::Read { path, error }),
         };
-        if let Some(what) = manifest.difference(&written) {
+        let Ok(value) = serde_json::from_slice(&written) else {
+            return Err(SweepError::Damaged { path, why: "it is no JSON, as if cut short" });
+        };
+        if let Some(what) = manifest.difference(&value) {
             return Err(SweepError::Changed { folder: folder.path().to_owned(), what });
         }
+        // It was written whole, and before everything else.
+        if written != manifest.to_text().as_bytes() {
+            return Err(SweepError::Damaged { path, why: "it is not as polhode wrote it" });
+        }
+        require_copy(&folder, plan)?;
         folder.sweep_out()?;
         Ok(Self { folder, manifest })
     }
@@ -195,6 +206,7 @@ impl Dataset {
         progress: &(dyn Fn(Progress) + Sync),
     ) -> Result<Progress, SweepError> {
         let (next, done, failed) = (AtomicU64::new(0), AtomicU64::new(0), Mutex::new(None));
+        let remade = AtomicU64::new(0);
         let members = self.manifest.members();
         let work = || {
             // In the order of their numbers; a thread has one part in hand at a time.
@@ -203,16 +215,20 @@ impl Dataset {
                 if part >= self.parts() {
                     return;
                 }
-                if let Err(error) = self.make(plan, part) {
-                    stop.store(true, Ordering::Relaxed);
-                    if let Ok(mut failed) = failed.lock() {
-                        failed.get_or_insert(error);
+                match self.make(plan, part) {
+                    Ok(was_damaged) => remade.fetch_add(was_damaged.into(), Ordering::Relaxed),
+                    Err(error) => {
+                        stop.store(true, Ordering::Relaxed);
+                        if let Ok(mut failed) = failed.lock() {
+                            failed.get_or_insert(error);
+                        }
+                        return;
                     }
-                    return;
-                }
+                };
                 let rows = self.rows(part);
                 let before = done.fetch_add(rows.end - rows.start, Ordering::Relaxed);
-                progress(Progress { done: before + (rows.end - rows.start), members });
+                let done = before + (rows.end - rows.start);
+                progress(Progress { done, members, remade: remade.load(Ordering::Relaxed) });
             }
         };
         thread::scope(|scope| {
@@ -223,7 +239,7 @@ impl Dataset {
         });
         match failed.into_inner() {
             Ok(Some(error)) => Err(error),
-            _ => Ok(Progress { done: done.into_inner(), members }),
+            _ => Ok(Progress { done: done.into_inner(), members, remade: remade.into_inner() }),
         }
     }
 
@@ -240,16 +256,18 @@ impl Dataset {
         Ok(summary)
     }
 
-    /// Makes a part, unless it is there.
-    fn make(&self, plan: &Plan, part: u64) -> Result<(), SweepError> {
+    /// Makes a part, unless it is there; true if it was, and is not to be trusted.
+    fn make(&self, plan: &Plan, part: u64) -> Result<bool, SweepError> {
         if self.is_whole(part)? {
-            return Ok(());
+            return Ok(false);
         }
+        let was_damaged = self.place(MEMBERS, part).exists();
         let inputs = inputs(plan, self.rows(part));
         if self.wants_trajectories() {
             self.write_trajectories(part, &outcome::trajectories(plan, &inputs)?)?;
         }
-        self.write(part, &outcome::simulate(plan, &inputs)?)
+        self.write(part, &outcome::simulate(plan, &inputs)?)?;
+        Ok(was_damaged)
     }
 
     /// The rows of a part, which has to be there.
@@ -289,6 +307,19 @@ fn begun(folder: Folder, manifest: Manifest, plan: &Plan) -> Result<Dataset, Swe
     }
     folder.write(MANIFEST, manifest.to_text().as_bytes())?;
     Ok(Dataset { folder, manifest })
+}
+
+/// Refuses to go on where the copy of the plan is not the plan: whoever reads the results would trust it.
+fn require_copy(folder: &Folder, plan: &Plan) -> Result<(), SweepError> {
+    let path = folder.join(PLAN);
+    match fs::read(&path) {
+        Ok(copy) if copy == plan.text().as_bytes() => Ok(()),
+        Ok(_) => Err(SweepError::Damaged { path, why: "it is not the plan that the results are of" }),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => {
+            Err(SweepError::Damaged { path, why: "it is not there" })
+        }
+        Err(error) => Err(SweepError::Read { path, error }),
+    }
 }
 
 fn is_missing(folder: &Path) -> Result<bool, SweepError> {

@@ -57,6 +57,7 @@ pub struct Plan {
     template: Template,
     members: u64,
     sampling: Sampling,
+    seed: u64,
     vary: Vec<(Vary, Draw)>,
     /// The uniform numbers of a member, those of each variable after those of the one before.
     coordinates: Vec<Coordinate>,
@@ -125,6 +126,7 @@ impl Plan {
             template,
             members: sweep.members,
             sampling: sweep.sampling,
+            seed: sweep.seed,
             vary,
             coordinates,
             variables,
@@ -157,6 +159,11 @@ impl Plan {
     /// How they are drawn.
     pub const fn sampling(&self) -> Sampling {
         self.sampling
+    }
+
+    /// What the draws follow from; `None` where nothing is drawn.
+    pub fn seed(&self) -> Option<u64> {
+        (self.sampling != Sampling::Grid).then_some(self.seed)
     }
 
     /// What differs.

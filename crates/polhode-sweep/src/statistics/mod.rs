@@ -96,6 +96,7 @@ pub(crate) fn of(
         digest: plan.digest(),
         members: plan.members(),
         sampling: sampling::name(plan.sampling()),
+        seed: plan.seed(),
         intervals: sampling::intervals(plan.sampling(), CONFIDENCE),
         statuses: shares("status"),
         regimes: shares("regime"),

@@ -1,24 +1,39 @@
-//! Particles and point clouds, as CSV.
+//! Particles, point clouds and parts with tensors, as CSV.
 //!
 //! The header names the columns, with their units: `mass_kg,x_m,y_m,z_m`, or `mass [g]; x [mm]; y [mm]; z
 //! [mm]`. Fields are separated by semicolons, tabs, commas or spaces, whichever of these comes first in this
 //! list and stands in the first line; with semicolons or tabs the decimal mark may be a comma. Thousands are
 //! not separated. Blank lines and what follows a `#` are for people, but a comment line right above the
-//! numbers may be the header, as NumPy writes it.
+//! numbers may be the header, as NumPy writes it, and one above it may declare the sign of products.
+//!
+//! A line is a particle, or a part: then six columns `Ixx`, `Iyy`, `Izz`, `Ixy`, `Ixz`, `Iyz` are its tensor about
+//! its own centre of mass (x, y, z), along the axes of the table. What products are is not guessed: a line
+//! `# products = negative_integral` (elements of the tensor, −∫xy dm) or `# products = positive_integral`
+//! (+∫xy dm) stands above the header, unless all of them are zero.
+//!
+//! A line is one piece: a column `quantity` other than 1 is refused, as pieces have a place each, and so are two parts of
+//! one name at one place. A column that is not read is named in a finding if it is a label, and refused if it
+//! says something of mass, inertia, numbers or units.
 //!
 //! Units are read and not guessed: a column without one, or a file without a header, needs
 //! [`ParticleOptions`].
 
 mod fields;
+mod header;
+mod names;
+mod table;
 
 use std::ops::Range;
 
-use polhode::{Body, Finding, Particle, Position, Severity};
+use polhode::{
+    Body, BodyError, Finding, InertiaTensor, MassProperties, Particle, Position, Severity,
+    mass_properties_of_particles,
+};
 
 use crate::content::{ContentError, ContentErrorKind, ContentPlace, told_unit};
-use crate::text::{cut, escaped};
-use crate::unit::{self, Dimension};
-use fields::{Lines, Separator, fields, line_at, number, text_of};
+use header::{MASS, Products, TENSOR};
+use names::Names;
+use table::{Row, Table};
 
 /// What a file may leave open; by default nothing is answered.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -36,8 +51,32 @@ pub struct ParticleOptions {
 pub struct ParticleFile {
     /// At least one, in the order of the file, in SI.
     pub particles: Vec<Particle<Body>>,
+    /// The tensor of each about its own place; empty if they are points.
+    pub tensors: Vec<InertiaTensor<Body>>,
     /// What was decided on the way.
     pub findings: Vec<Finding>,
+}
+
+impl ParticleFile {
+    /// All of them rigidly joined, with their own tensors where they have some.
+    ///
+    /// # Errors
+    /// [`BodyError::Parameter`] if a sum is not finite.
+    pub fn mass_properties(&self) -> Result<MassProperties<Body>, BodyError> {
+        if self.tensors.is_empty() {
+            return mass_properties_of_particles(&self.particles);
+        }
+        let parts = self.particles.iter().zip(&self.tensors);
+        let parts: Result<Vec<_>, _> =
+            parts.map(|(p, tensor)| MassProperties::new(p.mass(), p.position(), *tensor)).collect();
+        MassProperties::combined(&parts?)
+    }
+
+    /// `"3 particles"`, or `"3 parts"` if they have tensors.
+    pub fn described(&self) -> String {
+        let what = if self.tensors.is_empty() { "particles" } else { "parts with tensors" };
+        format!("{} {what}", self.particles.len())
+    }
 }
 
 /// Reads particles from the bytes of a file.
@@ -55,300 +94,95 @@ pub struct ParticleFile {
 /// let cloud = ParticleOptions { total_mass: Some(3.0), ..ParticleOptions::default() };
 /// let read = particles::read(b"x_m,y_m,z_m\n1,2,3\n-1,0,2\n", &cloud)?;
 /// assert_eq!(read.particles[1].mass(), 1.5);
+///
+/// // Two parts of 10 kg at y = ±1 m: Izz = 2 (2.5 + 10 · 1²)
+/// let parts = b"mass_kg,x_m,y_m,z_m,Ixx_kg_m2,Iyy_kg_m2,Izz_kg_m2,Ixy_kg_m2,Ixz_kg_m2,Iyz_kg_m2
+/// 10,0,1,0,1,2,2.5,0,0,0
+/// 10,0,-1,0,1,2,2.5,0,0,0";
+/// let read = particles::read(parts, &ParticleOptions::default())?;
+/// assert_eq!(read.mass_properties().unwrap().inertia().matrix()[2][2], 25.0);
 /// # Ok::<(), polhode_formats::ContentError>(())
 /// ```
 ///
 /// # Errors
-/// [`ContentError`] with its place if a column or a unit is missing, a line has more or fewer fields than the
-/// first, a field is no finite number, or a mass is not positive.
+/// [`ContentError`] with its place if a column or a unit is missing, a column that is not read says something of mass or
+/// number, the sign of products is not declared, a line has more or fewer fields than the first, a field is no
+/// finite number, a mass is not positive, or a tensor is that of no body.
 pub fn read(bytes: &[u8], options: &ParticleOptions) -> Result<ParticleFile, ContentError> {
     told_unit("the unit of mass", options.mass_unit)?;
     told_unit("the unit of length", options.length_unit)?;
     let start = if bytes.starts_with(b"\xef\xbb\xbf") { 3 } else { 0 };
-    let mut findings = Vec::new();
-    let (table, data) = Table::of(bytes, start, options, &mut findings)?;
-    let mut particles = Vec::new();
-    let mut add = |line: Range<usize>, mass: f64, [x, y, z]: [f64; 3]| {
-        let particle = Particle::new(mass, Position::new(x, y, z));
-        particles.push(particle.map_err(|error| {
-            ContentError::new(ContentErrorKind::Body(Box::new(error)), ContentPlace::Text(line))
-        })?);
-        Ok(())
-    };
-    match (table.roles.contains(&Some(MASS)), options.total_mass) {
-        (true, None) => table.each_point(bytes, data, |line, [mass, place @ ..]| add(line, mass, place))?,
-        (false, Some(total)) => {
-            let mut points = Vec::new();
-            table.each_point(bytes, data, |line, [_, place @ ..]| {
-                points.push((line.start, place));
-                Ok(())
-            })?;
-            let share = total / points.len() as f64;
-            let message = format!("{} points without masses share {total} kg equally", points.len());
-            findings.push(finding("particles.equal-masses", message));
-            points.into_iter().try_for_each(|(line, place)| add(line..line, share, place))?;
-        }
-        (true, Some(total)) => {
-            let rule = "left out, as the file has a column of masses".to_owned();
-            return Err(value("the total mass", total.to_string(), rule, ContentPlace::Whole));
-        }
-        (false, None) => {
-            let hint =
-                "add a column mass_kg, or give the mass of the whole, which the points then share equally";
-            return Err(missing("column of masses", hint));
-        }
+    let (table, data) = Table::of(bytes, start, options)?;
+    let has_masses = table.header.has(MASS);
+    if has_masses && let Some(total) = options.total_mass {
+        let rule = "left out, as the file has a column of masses".to_owned();
+        return Err(value("the total mass", total.to_string(), rule, ContentPlace::Whole));
     }
-    if particles.is_empty() {
+    if !has_masses && (options.total_mass.is_none() || table.header.has_tensors()) {
+        let hint = match table.header.has_tensors() {
+            true => "a part with a tensor has a mass of its own: add a column mass_kg",
+            false => {
+                "add a column mass_kg, or give the mass of the whole, which the points then share equally"
+            }
+        };
+        return Err(missing("column of masses", hint));
+    }
+    let mut names = Names::default();
+    let (mut points, mut tensors) = (Vec::new(), Vec::new());
+    table.each_row(bytes, data, |line, row| {
+        let place = [row.numbers[1], row.numbers[2], row.numbers[3]];
+        if let Some(name) = &row.name {
+            names.add(bytes, name, place)?;
+        }
+        if table.header.has_tensors() {
+            tensors.push(tensor(bytes, &line, row, table.header.products)?);
+        }
+        points.push((line, row.numbers[MASS], place));
+        Ok(())
+    })?;
+    if points.is_empty() {
         return Err(missing("lines of numbers", "a line is a mass and a place, such as 1.5,0,0.2,-3"));
     }
-    Ok(ParticleFile { particles, findings })
+    let mut findings = table.header.findings;
+    findings.extend(names.finding());
+    let share = options.total_mass.map(|total| total / points.len() as f64);
+    if let Some(total) = options.total_mass {
+        let message = format!("{} points without masses share {total} kg equally", points.len());
+        findings.push(finding("particles.equal-masses", message));
+    }
+    let particles = points.into_iter().map(|(line, mass, [x, y, z])| {
+        Particle::new(share.unwrap_or(mass), Position::new(x, y, z)).map_err(|e| body_error(e, line))
+    });
+    Ok(ParticleFile { particles: particles.collect::<Result<_, _>>()?, tensors, findings })
 }
 
-/// The four numbers of a particle, in this order wherever four numbers stand.
-const NAMES: [&str; 4] = ["mass", "x", "y", "z"];
-const MASS: usize = 0;
-
-/// How the lines of a file are built.
-struct Table {
-    separator: Separator,
-    /// Which of the four numbers each column is, if any.
-    roles: Vec<Option<usize>>,
-    scales: [Scale; 4],
-}
-
-impl Table {
-    /// The table that the header describes, and where its numbers begin.
-    fn of(
-        bytes: &[u8],
-        start: usize,
-        options: &ParticleOptions,
-        findings: &mut Vec<Finding>,
-    ) -> Result<(Self, usize), ContentError> {
-        let (mut at, mut comment) = (start, None);
-        while let Some((line, next)) = line_at(bytes, at) {
-            if bytes[line.clone()].starts_with(b"#") {
-                comment = Some(line.start + 1);
-            } else if !line.is_empty() {
-                let separator = Separator::of(&bytes[line.clone()]);
-                let first = fields(bytes, at, separator)?;
-                if first.iter().any(|field| number(&bytes[field.clone()], separator).is_none()) {
-                    return Ok((Self::named(bytes, &first, separator, options, findings)?, next));
-                }
-                // NumPy's header is a comment.
-                if let Some(comment) = comment {
-                    let header = fields(bytes, comment, separator).unwrap_or_default();
-                    let roles: Vec<_> = header.iter().filter_map(|f| column(bytes, f).role).collect();
-                    if header.len() == first.len() && (1..4).all(|k| roles.contains(&k)) {
-                        return Ok((Self::named(bytes, &header, separator, options, findings)?, at));
-                    }
-                }
-                return Ok((Self::nameless(&line, first.len(), separator, options, findings)?, at));
-            }
-            at = next;
+/// The tensor of a line; products other than zero need a declared sign.
+fn tensor(
+    bytes: &[u8],
+    line: &Range<usize>,
+    row: &Row,
+    products: Option<Products>,
+) -> Result<InertiaTensor<Body>, ContentError> {
+    let mut six = [0.0; 6];
+    six.copy_from_slice(&row.numbers[TENSOR]);
+    let [xx, yy, zz, integrals @ ..] = six;
+    let tensor = match products {
+        Some(Products::Positive) => InertiaTensor::with_positive_products([xx, yy, zz], integrals),
+        None if integrals != [0.0; 3] => {
+            let question = "are the products of inertia −∫xy dm or +∫xy dm?".to_owned();
+            let kind = ContentErrorKind::Unclear { question, found: fields::text_of(bytes, line) };
+            return Err(ContentError::new(kind, ContentPlace::Text(line.clone())).hint(
+                "write a line # products = negative_integral (the elements of the tensor) or \
+                 # products = positive_integral above the header",
+            ));
         }
-        Err(missing("lines", "write a header such as mass_kg,x_m,y_m,z_m and a line for each particle"))
-    }
-
-    fn named(
-        bytes: &[u8],
-        header: &[Range<usize>],
-        separator: Separator,
-        options: &ParticleOptions,
-        findings: &mut Vec<Finding>,
-    ) -> Result<Self, ContentError> {
-        let mut scales = [None; 4];
-        let (mut roles, mut ignored) = (Vec::new(), Vec::new());
-        for field in header {
-            let Column { role, unit, name } = column(bytes, field);
-            roles.push(role);
-            let Some(role) = role else {
-                ignored.push(cut(&escaped(&name)));
-                continue;
-            };
-            let error = |kind| ContentError::new(kind, ContentPlace::Text(field.clone()));
-            let told = if role == MASS { options.mass_unit } else { options.length_unit };
-            let dimension = if role == MASS { Dimension::MASS } else { Dimension::LENGTH };
-            let factor = match unit {
-                Some(unit) => unit::factor(&unit, dimension).map_err(|wrong| {
-                    let what = format!("the unit of {}", NAMES[role]);
-                    let rule = format!("a unit that polhode knows: {wrong}");
-                    let hinted = error(ContentErrorKind::Value { what, value: unit, rule });
-                    match wrong.hint() {
-                        Some(hint) => hinted.hint(hint),
-                        None => hinted,
-                    }
-                })?,
-                None => told.ok_or_else(|| {
-                    let question = format!("in which unit is {}?", NAMES[role]);
-                    let hint = ["mass_kg", "x_m", "y_m", "z_m"][role];
-                    error(ContentErrorKind::Unclear { question, found: String::new() })
-                        .hint(format!("name the unit in the header, such as {hint}, or answer with --unit"))
-                })?,
-            };
-            if scales[role].replace(Scale::by(factor)).is_some() {
-                let rule = "named once".to_owned();
-                let what = "the column".to_owned();
-                return Err(error(ContentErrorKind::Value { what, value: NAMES[role].to_owned(), rule }));
-            }
-        }
-        for k in 1..4 {
-            if scales[k].is_none() {
-                let hint = "the header has to name x, y and z with their units, such as x_m,y_m,z_m";
-                return Err(missing(&format!("column {}", NAMES[k]), hint));
-            }
-        }
-        if !ignored.is_empty() {
-            let message = format!("columns not read: {}", ignored.join(", "));
-            findings.push(finding("particles.ignored-columns", message));
-        }
-        Ok(Self { separator, roles, scales: scales.map(|scale| scale.unwrap_or(Scale::Times(1.0))) })
-    }
-
-    /// A file of numbers only: three columns are places, four are masses and places.
-    fn nameless(
-        line: &Range<usize>,
-        columns: usize,
-        separator: Separator,
-        options: &ParticleOptions,
-        findings: &mut Vec<Finding>,
-    ) -> Result<Self, ContentError> {
-        let error = |kind| ContentError::new(kind, ContentPlace::Text(line.clone()));
-        let first = match columns {
-            3 => 1,
-            4 => MASS,
-            _ => {
-                let rule = "x, y, z or mass, x, y, z in a file without a header".to_owned();
-                let kind = ContentErrorKind::Value {
-                    what: "the number of columns".to_owned(),
-                    value: columns.to_string(),
-                    rule,
-                };
-                return Err(error(kind).hint("add a header, such as mass_kg,x_m,y_m,z_m"));
-            }
-        };
-        let unclear = |what: &str| {
-            let question = format!("in which unit is the {what}? There is no header.");
-            error(ContentErrorKind::Unclear { question, found: String::new() })
-                .hint("add a header, such as mass_kg,x_m,y_m,z_m, or answer with --unit")
-        };
-        let length = Scale::by(options.length_unit.ok_or_else(|| unclear("length"))?);
-        let mass = match (first, options.mass_unit) {
-            (MASS, None) => return Err(unclear("mass")),
-            (_, unit) => Scale::by(unit.unwrap_or(1.0)),
-        };
-        let message = format!("there is no header: the columns were read as {}", NAMES[first..].join(", "));
-        findings.push(finding("particles.no-header", message));
-        let roles = (first..4).map(Some).collect();
-        Ok(Self { separator, roles, scales: [mass, length, length, length] })
-    }
-
-    /// Calls `visit` with every line from byte `at` on, and its mass, x, y, z; without a column of masses
-    /// that is 0.
-    fn each_point(
-        &self,
-        bytes: &[u8],
-        at: usize,
-        mut visit: impl FnMut(Range<usize>, [f64; 4]) -> Result<(), ContentError>,
-    ) -> Result<(), ContentError> {
-        let (mut lines, mut mark) = (Lines::new(bytes, at, self.separator), None);
-        loop {
-            let (mut point, mut count) = ([0.0; 4], 0);
-            let line = lines.each_field(|field| {
-                if let Some(Some(role)) = self.roles.get(count) {
-                    point[*role] = self.scales[*role].apply(self.number(bytes, &field, *role, &mut mark)?);
-                }
-                count += 1;
-                Ok(())
-            })?;
-            match line {
-                None => return Ok(()),
-                Some(_) if count == 0 => {}
-                Some(line) if count == self.roles.len() => visit(line, point)?,
-                Some(line) => {
-                    let rule =
-                        format!("{} fields long, as the first line is; it has {count}", self.roles.len());
-                    return Err(value("the line", text_of(bytes, &line), rule, ContentPlace::Text(line)));
-                }
-            }
-        }
-    }
-
-    /// A finite number with the decimal mark of those before it.
-    fn number(
-        &self,
-        bytes: &[u8],
-        field: &Range<usize>,
-        role: usize,
-        mark: &mut Option<u8>,
-    ) -> Result<f64, ContentError> {
-        let (number, found) =
-            number(&bytes[field.clone()], self.separator).ok_or_else(|| not_a_number(bytes, field))?;
-        if found.is_some() && mark.is_some() && *mark != found {
-            let hint = "the file has decimal points and decimal commas; it needs one of them throughout";
-            return Err(not_a_number(bytes, field).hint(hint));
-        }
-        *mark = mark.or(found);
-        if !number.is_finite() {
-            let kind =
-                ContentErrorKind::NotFinite { what: NAMES[role].to_owned(), found: text_of(bytes, field) };
-            return Err(ContentError::new(kind, ContentPlace::Text(field.clone())));
-        }
-        Ok(number)
-    }
-}
-
-/// A unit's value, so that powers of ten below one are divided by and round once only.
-#[derive(Clone, Copy, Debug)]
-enum Scale {
-    Times(f64),
-    Over(f64),
-}
-
-impl Scale {
-    fn by(factor: f64) -> Self {
-        let inverse = (1.0 / factor).round();
-        let exact = factor < 1.0 && 1.0 / inverse == factor;
-        if exact { Self::Over(inverse) } else { Self::Times(factor) }
-    }
-
-    fn apply(self, value: f64) -> f64 {
-        match self {
-            Self::Times(factor) => value * factor,
-            Self::Over(inverse) => value / inverse,
-        }
-    }
-}
-
-/// A column by its header.
-struct Column {
-    role: Option<usize>,
-    unit: Option<String>,
-    name: String,
-}
-
-/// `x_mm`, `x [mm]`, `x (mm)` or `x`; anything else is a column that is not read.
-fn column(bytes: &[u8], field: &Range<usize>) -> Column {
-    let whole = text_of(bytes, field);
-    let name = whole.trim_matches('"').trim();
-    let (base, unit) = match name.split_once(['[', '(']) {
-        Some((base, unit)) => (base, Some(unit.trim_end_matches([']', ')']))),
-        None => name.split_once(['_', ' ']).map_or((name, None), |(base, unit)| (base, Some(unit))),
+        _ => InertiaTensor::with_negative_products([xx, yy, zz], integrals),
     };
-    let role = match base.trim().trim_end_matches('_').to_ascii_lowercase().as_str() {
-        "mass" | "m" => Some(0),
-        "x" => Some(1),
-        "y" => Some(2),
-        "z" => Some(3),
-        _ => None,
-    };
-    let unit = unit.map(|unit| unit.trim().to_owned()).filter(|unit| !unit.is_empty());
-    Column { role, unit, name: name.to_owned() }
+    tensor.map_err(|error| body_error(error, line.clone()))
 }
 
-fn not_a_number(bytes: &[u8], field: &Range<usize>) -> ContentError {
-    let found = if field.is_empty() { "nothing".to_owned() } else { text_of(bytes, field) };
-    let kind = ContentErrorKind::Expected { what: "a number".to_owned(), found };
-    ContentError::new(kind, ContentPlace::Text(field.clone()))
+fn body_error(error: BodyError, line: Range<usize>) -> ContentError {
+    ContentError::new(ContentErrorKind::Body(Box::new(error)), ContentPlace::Text(line))
 }
 
 fn value(what: &str, value: String, rule: String, place: ContentPlace) -> ContentError {

@@ -142,3 +142,160 @@ fn line_and_column_are_those_of_the_file() {
     assert_eq!(error.place, ContentPlace::Text(at..at + 4));
     assert_eq!(error.kind.to_string(), "expected a number, found \"here\"");
 }
+
+/// Two parts at generic places: mass, place, and Ixx, Iyy, Izz, ∫xy dm, ∫xz dm, ∫yz dm about its own centre.
+const PARTS: [[f64; 10]; 2] = [
+    [1.5, 0.25, -3.125, 0.0625, 2.0, 3.5, 4.25, 0.5, -0.375, 0.25],
+    [20.25, 4.0625, 0.125, 7.5, 9.0, 7.0, 5.5, -1.25, 0.75, 2.0],
+];
+
+const PART_HEADER: &str =
+    "name,mass_kg,x_m,y_m,z_m,Ixx_kg_m2,Iyy [kg m^2],I_zz (kg*m^2),ixy_kg_m2,Ixz_kg.m2,Iyz_kg_m^2\n";
+
+fn part_rows(sign: f64) -> String {
+    let mut rows = String::new();
+    for (name, [m, x, y, z, xx, yy, zz, products @ ..]) in ["beam", "motor"].iter().zip(PARTS) {
+        let [xy, xz, yz] = products.map(|p| sign * p);
+        writeln!(rows, "{name},{m},{x},{y},{z},{xx},{yy},{zz},{xy},{xz},{yz}").unwrap();
+    }
+    rows
+}
+
+#[test]
+fn parts_with_tensors_are_bodies_and_not_points() {
+    // I_o = Σ [I_k + m (r² 1 − r rᵀ)], products −∫
+    let mut about_origin = [[0.0; 3]; 3];
+    for [m, x, y, z, xx, yy, zz, xy, xz, yz] in PARTS {
+        let (r, own) = ([x, y, z], [[xx, -xy, -xz], [-xy, yy, -yz], [-xz, -yz, zz]]);
+        for (i, row) in about_origin.iter_mut().enumerate() {
+            for (j, element) in row.iter_mut().enumerate() {
+                let square = if i == j { r.iter().map(|c| c * c).sum() } else { 0.0 };
+                *element += own[i][j] + m * (square - r[i] * r[j]);
+            }
+        }
+    }
+    for (declared, sign) in [
+        ("# products = negative_integral\n", -1.0),
+        ("# products: \"positive_integral\"\n# a comment\n", 1.0),
+    ] {
+        let file = plain(&format!("{declared}{PART_HEADER}{}", part_rows(sign))).unwrap();
+        assert_eq!((file.tensors.len(), file.findings.len()), (2, 0), "{:?}", file.findings);
+        let body = file.mass_properties().unwrap();
+        let found = body.inertia_about(Position::ZERO).matrix();
+        for (found, want) in found.iter().flatten().zip(about_origin.iter().flatten()) {
+            assert!((found - want).abs() < 1e-12, "{declared}: {found} {want}");
+        }
+    }
+}
+
+#[test]
+fn the_sign_of_products_is_declared_and_never_guessed() {
+    let text = format!("{PART_HEADER}{}", part_rows(1.0));
+    let (kind, marked, hint) = refused(&text, &ParticleOptions::default());
+    assert!(matches!(kind, ContentErrorKind::Unclear { .. }) && marked.starts_with("beam"), "{kind}");
+    // The hint, obeyed, is read.
+    let line = hint.split("write a line ").nth(1).and_then(|rest| rest.split(" (").next()).unwrap();
+    assert!(plain(&format!("{line}\n{text}")).is_ok(), "{line}");
+    let (kind, ..) = refused(&format!("# products = minus\n{text}"), &ParticleOptions::default());
+    assert!(kind.to_string().contains("negative_integral"), "{kind}");
+    // Products that are zero have no sign.
+    let header = "mass_kg,x_m,y_m,z_m,Ixx_kg_m2,Iyy_kg_m2,Izz_kg_m2,Ixy_kg_m2,Ixz_kg_m2,Iyz_kg_m2\n";
+    let plates = format!("{header}10,0,1,0,1,2,2.5,0,0,0\n10,0,-1,0,1,2,2.5,0,0,0\n");
+    let body = plain(&plates).unwrap().mass_properties().unwrap();
+    assert_eq!(body.inertia().matrix(), [[22.0, 0.0, 0.0], [0.0, 4.0, 0.0], [0.0, 0.0, 25.0]]);
+}
+
+#[test]
+fn units_of_tensors_are_named_or_follow_from_those_that_are_told() {
+    let rows = "2,3,4,5,6,7,8,0,0,0\n";
+    let header = "mass_g,x_mm,y_mm,z_mm,Ixx_g_mm2,Iyy_g_mm2,Izz_g_mm2,Ixy_g_mm2,Ixz_g_mm2,Iyz_g_mm2\n";
+    let named = plain(&format!("{header}{rows}")).unwrap();
+    let bare = format!("mass,x,y,z,Ixx,Iyy,Izz,Ixy,Ixz,Iyz\n{rows}");
+    let told = ParticleOptions { mass_unit: Some(1e-3), length_unit: Some(1e-3), total_mass: None };
+    let told = read(bare.as_bytes(), &told).unwrap();
+    for file in [&named, &told] {
+        let moments = file.tensors[0].matrix();
+        for (k, want) in [6e-9, 7e-9, 8e-9].into_iter().enumerate() {
+            assert!((moments[k][k] / want - 1.0_f64).abs() < 1e-15);
+        }
+    }
+    let half = "mass_g,x_mm,y_mm,z_mm,Ixx,Iyy,Izz,Ixy,Ixz,Iyz\n";
+    let text = format!("{half}{rows}");
+    let (kind, marked, hint) = refused(&text, &ParticleOptions::default());
+    assert!(matches!(kind, ContentErrorKind::Unclear { .. }) && marked == "Ixx", "{kind}");
+    assert!(hint.contains("Ixx_kg_m2") && hint.contains("--mass-unit and --unit"), "{hint}");
+}
+
+#[test]
+fn hints_for_units_name_the_flag_that_answers() {
+    let told = ParticleOptions { length_unit: Some(1e-3), ..ParticleOptions::default() };
+    for text in ["1,2,3,4\n", "mass,x,y,z\n1,2,3,4\n"] {
+        let (_, _, hint) = refused(text, &told);
+        assert!(hint.contains("--mass-unit"), "{hint}");
+        let both = ParticleOptions { mass_unit: Some(1e-3), ..told };
+        assert_eq!(read(text.as_bytes(), &both).unwrap().particles[0].mass(), 0.001);
+    }
+}
+
+#[test]
+fn columns_that_change_the_body_are_refused() {
+    let points = "mass_kg,x_m,y_m,z_m";
+    for column in [
+        "inertia",
+        "MomentOfInertia_kgm2",
+        "Jxx",
+        "I1",
+        "massKg",
+        "part_mass_g",
+        "weight_N",
+        "density",
+        "volume_mm3",
+        "unit",
+        "Units",
+        "radius_mm",
+        "com_x",
+        "time_s",
+        "Gewicht",
+        "Izz_cad",
+    ] {
+        let text = format!("{points},{column}\n1,2,3,4,5\n");
+        let (kind, marked, hint) = refused(&text, &ParticleOptions::default());
+        assert!(marked == column && !hint.is_empty(), "{column}: {kind} {marked}");
+    }
+    // A tensor needs all six, about the axes of the table.
+    for column in ["Ixx_kg_m2", "Iyz_kg_m2"] {
+        assert!(plain(&format!("{points},{column}\n1,2,3,4,5\n")).is_err(), "{column}");
+    }
+    let turned = format!("{}{}", PART_HEADER.replace("name", "roll_deg"), part_rows(1.0));
+    assert!(refused(&turned, &ParticleOptions::default()).1 == "roll_deg");
+    // Labels are no physics.
+    for column in ["material", "colour", "id", "vx", "supplier", "country", "account", "roll_deg"] {
+        let file = plain(&format!("{points},{column}\n1,2,3,4,5\n")).unwrap();
+        assert_eq!(file.findings[0].code, "particles.ignored-columns");
+    }
+}
+
+#[test]
+fn a_line_is_one_piece() {
+    for column in ["quantity", "Qty", "count", "Anzahl", "pcs"] {
+        let one = plain(&format!("mass_kg,x_m,y_m,z_m,{column}\n1,2,3,4,1\n")).unwrap();
+        assert!(one.findings.is_empty());
+        for quantity in ["4", "0", "1.5", "-1"] {
+            let text = format!("mass_kg,x_m,y_m,z_m,{column}\n1,2,3,4,{quantity}\n");
+            let (kind, marked, _) = refused(&text, &ParticleOptions::default());
+            assert!(marked == quantity && kind.to_string().contains("one piece"), "{kind}");
+        }
+    }
+}
+
+#[test]
+fn parts_of_one_name_count_each_unless_they_are_at_one_place() {
+    let bolts = "name,mass_kg,x_m,y_m,z_m\nbolt,1,2,3,0\nbolt,1,2,3,4\nnut,2,0,0,0\n,1,1,1,1\n,1,1,1,1\n";
+    let file = plain(bolts).unwrap();
+    assert_eq!(file.mass_properties().unwrap().mass(), 6.0);
+    assert_eq!(file.findings[0].code, "particles.repeated-names");
+    assert!(file.findings[0].message.starts_with("\"bolt\" stands in 2 lines"), "{:?}", file.findings);
+    let twice = format!("{bolts}bolt,3,2,3,-0\n");
+    let (kind, marked, _) = refused(&twice, &ParticleOptions::default());
+    assert!(marked == "bolt" && kind.to_string().contains("same place"), "{kind}");
+}

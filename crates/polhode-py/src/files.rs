@@ -2,10 +2,10 @@
 
 use std::path::Path;
 
-use polhode::{Body, BodyError, Rotation, mass_properties_of_particles};
+use polhode::{Body, BodyError, Rotation};
 use polhode_formats::cad::{self, CadOptions, CadReport, DecimalMark, ProductConvention};
 use polhode_formats::molecule::{self, Isotopes, MoleculeFormat};
-use polhode_formats::particles::{self, ParticleFile, ParticleOptions};
+use polhode_formats::particles::{self, ParticleOptions};
 use polhode_formats::voxel::{self, VoxelOptions};
 use polhode_formats::{read_file, read_text_file, scenario};
 use polhode_report::{Extra, InertiaReport, MoleculeReport, SourceInfo, error_estimate, sign_proof};
@@ -35,10 +35,11 @@ pub(crate) fn particle_file(
 ) -> PyResult<PyMassProperties> {
     let options = ParticleOptions { mass_unit, length_unit, total_mass: mass };
     let read = py.detach(|| read_file(Path::new(path), |bytes| particles::read(bytes, &options)));
-    let ParticleFile { particles, findings } = read.map_err(Raise::raise)?;
-    let properties = mass_properties_of_particles(&particles).map_err(Raise::raise)?;
-    let source = SourceInfo::new(path, "particles").described(format!("{} particles", particles.len()));
-    Ok(PyMassProperties::of(InertiaReport { findings, ..InertiaReport::new(source, properties) }))
+    let table = read.map_err(Raise::raise)?;
+    let properties = table.mass_properties().map_err(Raise::raise)?;
+    let source = SourceInfo::new(path, "particles").described(table.described());
+    let report = InertiaReport { findings: table.findings, ..InertiaReport::new(source, properties) };
+    Ok(PyMassProperties::of(report))
 }
 
 /// A CAD program's report.

@@ -2,8 +2,7 @@
 
 use std::path::Path;
 
-use polhode::mass_properties_of_particles;
-use polhode_formats::particles::{self, ParticleFile, ParticleOptions};
+use polhode_formats::particles::{self, ParticleOptions};
 use polhode_formats::read_file;
 use polhode_report::{InertiaReport, SourceInfo};
 
@@ -16,11 +15,13 @@ pub(super) fn report(
     mass_unit: Option<f64>,
 ) -> Result<InertiaReport, Failure> {
     let options = ParticleOptions { mass_unit, length_unit, total_mass };
-    let ParticleFile { particles, findings } = read_file(file, |bytes| particles::read(bytes, &options))?;
-    let properties = mass_properties_of_particles(&particles)
+    let table = read_file(file, |bytes| particles::read(bytes, &options))?;
+    let properties = table
+        .mass_properties()
         .map_err(|error| Failure::usage(error.to_string(), "check the units of the table"))?;
     let source = SourceInfo::new(file.display().to_string(), "particles")
-        .described(format!("{} particles", particles.len()))
-        .with("particles", particles.len());
-    Ok(InertiaReport { findings, ..InertiaReport::new(source, properties) })
+        .described(table.described())
+        .with("particles", table.particles.len())
+        .with("tensors", !table.tensors.is_empty());
+    Ok(InertiaReport { findings: table.findings, ..InertiaReport::new(source, properties) })
 }

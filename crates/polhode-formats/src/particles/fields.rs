@@ -115,7 +115,10 @@ pub(super) fn fields(
     Lines::new(bytes, at, separator).each_field(|field| {
         // Between spaces, a unit in brackets belongs to the name before it.
         match all.last_mut() {
-            Some(last) if separator == Separator::Spaces && bytes[field.clone()].starts_with(b"[") => {
+            Some(last)
+                if separator == Separator::Spaces
+                    && (bytes[field.clone()].starts_with(b"[") || is_open(&bytes[last.clone()])) =>
+            {
                 last.end = field.end;
             }
             _ => all.push(field),
@@ -123,6 +126,11 @@ pub(super) fn fields(
         Ok(())
     })?;
     Ok(all)
+}
+
+/// Whether a bracket has not been closed yet.
+fn is_open(field: &[u8]) -> bool {
+    field.contains(&b'[') && !field.contains(&b']')
 }
 
 /// The line at byte `at`, trimmed, and where the next one starts; `None` at the end.

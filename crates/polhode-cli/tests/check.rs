@@ -38,7 +38,7 @@ fn the_status_says_clean_found_or_unreadable() {
     scratch.write("bad.urdf", &robot(IMPOSSIBLE));
     scratch.write("torn.urdf", "<robot name=\"r\"><link name=\"a\"></robot>");
     let good = printed(&scratch.run(&["check", "good.urdf"]), 0);
-    assert!(good.contains("IMPOSSIBLE 0   SUSPECT 0") && good.contains("OK 1 of 1 link"), "{good}");
+    assert!(good.contains("IMPOSSIBLE 0   SUSPECT 0") && good.contains("OK 1 of 1"), "{good}");
     let bad = printed(&scratch.run(&["check", "bad.urdf"]), 1);
     assert!(bad.contains("✗ arm   bad.urdf:5:") && bad.contains("[inertia.triangle]"), "{bad}");
     assert!(bad.contains("off-diagonal = -∫xy dm") && bad.contains("rule: "), "{bad}");
@@ -94,7 +94,11 @@ fn json_is_a_contract() {
     let counts = &report["counts"];
     let severities = report["findings"].as_array().unwrap().iter().filter(|f| f["severity"] == "impossible");
     assert_eq!(counts["impossible"], severities.count());
-    assert_eq!((&counts["suspect"], &counts["ok"]), (&0.into(), &0.into()));
+    let sum = |of: &Value| of.as_object().unwrap().values().map(|n| n.as_u64().unwrap()).sum::<u64>();
+    assert_eq!(counts["suspect"], 0);
+    assert_eq!(sum(counts), report["findings"].as_array().unwrap().len() as u64);
+    assert_eq!((&report["verdicts"]["impossible"], &report["verdicts"]["ok"]), (&1.into(), &0.into()));
+    assert_eq!(sum(&report["verdicts"]), 1);
 
     scratch.write("good.urdf", &robot(GOOD));
     scratch.write("torn.urdf", "<robot>");

@@ -12,6 +12,8 @@
 //!   geometry has the tensor that a known mistake would have spoilt in just this way (`check/explain.rs`): the mistake undone
 //!   leaves 3 % at most, and a fifth at most of what there was. Six numbers do not agree by chance.
 //! - A repair is offered if it is the only one. Two that would do are none.
+//! - Where programs disagree on how a mesh is turned (glTF, COLLADA with y up), each reading will do, and nothing
+//!   that depends on axes is told or repaired.
 //!
 //! Each rule is a file, and says why its thresholds are what they are.
 
@@ -35,9 +37,10 @@ mod unit;
 mod written;
 
 use crate::finding::{Finding, Repair, Severity};
-use crate::geometry::{Shapes, Volume};
+use crate::geometry::{MeshReading, Shapes, Volume};
 use crate::model::{Link, RobotModel, Role, Span};
 use body::Body;
+use possible::Verdict;
 use print::Print;
 use tree::Tree;
 
@@ -48,6 +51,8 @@ pub struct LinkGeometry {
     pub volumes: Vec<Volume>,
     /// The least and the greatest x, y, z of all of them, in the link's frame; `None` if there are none.
     pub bounds: Option<[[f64; 3]; 2]>,
+    /// True if programs disagree on how a mesh among them is turned: then every reading is a volume, and axes prove nothing.
+    pub is_turned_by_some: bool,
 }
 
 impl LinkGeometry {
@@ -55,13 +60,21 @@ impl LinkGeometry {
     pub fn of(link: &Link, shapes: &mut Shapes) -> Self {
         let mut geometry = Self::default();
         for role in [Role::Visual, Role::Collision] {
-            let set = shapes.link(link, role);
-            let Some(volume) = set.volume.filter(|_| set.left_out.is_empty()) else { continue };
-            geometry.bounds = Some(geometry.bounds.map_or(volume.bounds, |[low, high]| {
-                let [other_low, other_high] = volume.bounds;
-                [[0, 1, 2].map(|k| low[k].min(other_low[k])), [0, 1, 2].map(|k| high[k].max(other_high[k]))]
-            }));
-            geometry.volumes.push(volume);
+            let both = shapes.is_turned_by_some(link, role);
+            geometry.is_turned_by_some |= both;
+            let others = both.then_some(MeshReading::Other);
+            for reading in [MeshReading::Usual].into_iter().chain(others) {
+                let set = shapes.link_as(link, role, reading);
+                let Some(volume) = set.volume.filter(|_| set.left_out.is_empty()) else { continue };
+                geometry.bounds = Some(geometry.bounds.map_or(volume.bounds, |[low, high]| {
+                    let [other_low, other_high] = volume.bounds;
+                    [
+                        [0, 1, 2].map(|k| low[k].min(other_low[k])),
+                        [0, 1, 2].map(|k| high[k].max(other_high[k])),
+                    ]
+                }));
+                geometry.volumes.push(volume);
+            }
         }
         geometry
     }
@@ -103,6 +116,8 @@ pub fn check(model: &RobotModel, geometry: &[LinkGeometry]) -> Vec<Finding> {
             let mut found = of_body(body, tree.is_carried(k));
             leave_one_repair(&mut found);
             findings.append(&mut found);
+        } else if let Some(inertial) = &link.inertial {
+            findings.extend(possible::of_moments(link, inertial));
         }
         bodies.push(body);
     }
@@ -119,21 +134,27 @@ pub fn check(model: &RobotModel, geometry: &[LinkGeometry]) -> Vec<Finding> {
 /// What is wrong with one body's mass and tensor.
 fn of_body(body: &Body, carried: bool) -> Vec<Finding> {
     let mut findings = Vec::new();
-    if possible::check(body, carried, &mut findings) {
-        // One reason for a wrong tensor is enough: the surest is asked first.
-        let rules = [explain::check, placeholder::check, gyration::check];
-        for rule in rules {
-            if findings.iter().all(|f| f.severity < Severity::Suspect) {
-                rule(body, &mut findings);
+    match possible::check(body, carried, &mut findings) {
+        Verdict::Possible => {
+            // One reason for a wrong tensor is enough: the surest is asked first.
+            let rules = [explain::check, placeholder::check, gyration::check];
+            for rule in rules {
+                if findings.iter().all(|f| f.severity < Severity::Suspect) {
+                    rule(body, &mut findings);
+                }
+            }
+            density::check(body, &mut findings);
+        }
+        Verdict::Impossible => {
+            let told = findings.len();
+            if body.mass > 0.0 {
+                explain::check(body, &mut findings);
+            }
+            if findings.len() == told {
+                order::check_alone(body, &mut findings);
             }
         }
-        density::check(body, &mut findings);
-    } else if body.mass > 0.0 {
-        let told = findings.len();
-        explain::check(body, &mut findings);
-        if findings.len() == told {
-            order::check_alone(body, &mut findings);
-        }
+        Verdict::Nothing => {}
     }
     findings
 }
@@ -170,6 +191,7 @@ fn finding(
         code,
         severity,
         subject: link.name.text.clone(),
+        others: Vec::new(),
         span,
         message,
         rule: rule.to_owned(),

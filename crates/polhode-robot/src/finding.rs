@@ -22,6 +22,8 @@ pub struct Finding {
     pub severity: Severity,
     /// The link or joint; empty if it is about the whole model.
     pub subject: String,
+    /// Further links that it is about.
+    pub others: Vec<String>,
     /// Where in the model's text.
     pub span: Span,
     /// What is wrong, with the numbers and their units, in a line: `"i1 + i2 = 0.00496 < i3 = 1.67636 kg·m²"`.

@@ -6,6 +6,10 @@
 //! V' = |det S| V,  c' = S c,  ∫x'x'ᵀ dV' = |det S| S (∫x xᵀ dV) S,
 //!
 //! so a mirror turns the signs of two products and leaves the volume positive. The hull of a scaled mesh is the scaled hull.
+//!
+//! glTF has +y up and +z forward (glTF 2.0, 3.4), and robots have +z up. Drake, Genesis and RViz (from 2025 on) turn such a mesh by a
+//! quarter about x, (x, y, z) → (x, −z, y), before it is scaled and placed; others, and RViz before, take it as it is. COLLADA's
+//! `<up_axis>` is ignored by Gazebo and RViz, and applied by others. [`MeshReading`] names both.
 
 mod collada;
 mod primitive;
@@ -59,6 +63,15 @@ pub struct LinkVolume {
     pub left_out: Vec<(Span, String)>,
 }
 
+/// How a mesh is read whose up axis programs treat in two ways.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MeshReading {
+    /// glTF turned from y up to z up, COLLADA as it is.
+    Usual,
+    /// glTF as it is, COLLADA turned.
+    Other,
+}
+
 /// Measures shapes; each mesh file is read once.
 ///
 /// ```
@@ -83,6 +96,8 @@ struct Mesh {
     solid: Solid,
     vertices: Vec<[f64; 3]>,
     kind: VolumeKind,
+    /// The reading in which it is turned from y up to z up, if there is one.
+    turned_in: Option<MeshReading>,
 }
 
 /// Volume and moments of a solid in its own frame.
@@ -97,9 +112,25 @@ struct Solid {
 impl Shapes {
     /// All shapes of a link that have this role, as one.
     pub fn link(&mut self, link: &Link, role: Role) -> LinkVolume {
+        self.link_as(link, role, MeshReading::Usual)
+    }
+
+    /// True if programs disagree on how one of these shapes is turned.
+    pub fn is_turned_by_some(&mut self, link: &Link, role: Role) -> bool {
+        let mut shapes = link.geometry.iter().filter(|geometry| geometry.role == role);
+        shapes.any(|geometry| match &geometry.shape {
+            GeometryShape::Mesh { path: Ok(path), .. } => {
+                self.mesh(path).is_ok_and(|mesh| mesh.turned_in.is_some())
+            }
+            _ => false,
+        })
+    }
+
+    /// All shapes of a link that have this role, as one, with its meshes read in this way.
+    pub fn link_as(&mut self, link: &Link, role: Role, reading: MeshReading) -> LinkVolume {
         let mut set = LinkVolume::default();
         for geometry in link.geometry.iter().filter(|geometry| geometry.role == role) {
-            match self.geometry(geometry) {
+            match self.geometry_as(geometry, reading) {
                 Ok(volume) => {
                     set.volume = Some(match set.volume.take() {
                         Some(others) => others.joined(&volume),
@@ -117,14 +148,23 @@ impl Shapes {
     /// # Errors
     /// In words, why it has no volume: a size that is none, a mesh that cannot be found or read or is flat, a plane.
     pub fn geometry(&mut self, geometry: &Geometry) -> Result<Volume, String> {
+        self.geometry_as(geometry, MeshReading::Usual)
+    }
+
+    fn geometry_as(&mut self, geometry: &Geometry, reading: MeshReading) -> Result<Volume, String> {
         let (solid, reach, kind) = match &geometry.shape {
             GeometryShape::Other(what) => return Err(format!("{what} has no volume")),
             GeometryShape::Mesh { uri, path, scale } => {
                 let path = path.as_ref().map_err(|why| format!("{:?}: {why}", uri.text))?;
                 let mesh = self.mesh(path).map_err(|why| format!("{:?}: {why}", uri.text))?;
-                let scaled = |v: &[f64; 3]| geometry.pose.placed([0, 1, 2].map(|k| scale[k] * v[k]));
+                let turns = mesh.turned_in == Some(reading);
+                let scaled = |v: &[f64; 3]| {
+                    let v = if turns { z_up(*v) } else { *v };
+                    geometry.pose.placed([0, 1, 2].map(|k| scale[k] * v[k]))
+                };
                 let reach = Reach::of(mesh.vertices.iter().map(scaled));
-                (mesh.solid.scaled(*scale)?, reach, mesh.kind)
+                let solid = if turns { mesh.solid.z_up() } else { mesh.solid };
+                (solid.scaled(*scale)?, reach, mesh.kind)
             }
             shape => {
                 let primitive = Primitive::of(shape).map_err(|error| error.to_string())?;
@@ -206,6 +246,14 @@ impl Solid {
         Self { volume: body.mass(), centroid, tensor: body.inertia().matrix() }
     }
 
+    /// A quarter of a turn about x, R I Rᵀ.
+    fn z_up(self) -> Self {
+        let [row_x, row_y, row_z] = self.tensor.map(z_up);
+        let [x, y, z] = [0, 1, 2].map(|k| z_up([row_x[k], row_y[k], row_z[k]]));
+        let tensor = [0, 1, 2].map(|i| [x[i], y[i], z[i]]);
+        Self { volume: self.volume, centroid: z_up(self.centroid), tensor }
+    }
+
     fn scaled(self, scale: [f64; 3]) -> Result<Self, String> {
         let factor = (scale[0] * scale[1] * scale[2]).abs();
         if !(factor > 0.0 && factor.is_finite()) {
@@ -230,16 +278,32 @@ impl Solid {
     }
 }
 
+/// From +y up and +z forward to +z up: a quarter of a turn about x.
+const fn z_up([x, y, z]: [f64; 3]) -> [f64; 3] {
+    [x, -z, y]
+}
+
 impl Mesh {
     fn read(path: &Path) -> Result<Self, String> {
         let ending =
             path.extension().map_or_else(String::new, |ending| ending.to_string_lossy().to_lowercase());
-        let contents = match MeshFormat::of_path(path) {
-            Some(format) => MeshContents::read(path, format),
-            None if ending == "dae" => read_text_file(path, collada::read),
+        let (contents, turned_in) = match MeshFormat::of_path(path) {
+            Some(format) => {
+                let turned_in = (format == MeshFormat::Gltf).then_some(MeshReading::Usual);
+                (MeshContents::read(path, format), turned_in)
+            }
+            None if ending == "dae" => {
+                let read = read_text_file(path, |text| Ok((collada::read(text)?, collada::is_y_up(text))));
+                let turned_in = matches!(read, Ok((_, true))).then_some(MeshReading::Other);
+                (read.map(|(contents, _)| contents), turned_in)
+            }
             None => return Err(format!("polhode reads no .{ending} meshes")),
         };
         let contents = contents.map_err(|error| error.message())?.in_metres(None);
+        Ok(Self { turned_in, ..Self::of(contents)? })
+    }
+
+    fn of(contents: MeshContents) -> Result<Self, String> {
         let parts = contents.parts.iter().map(|part| ClosedMesh::of(&part.mesh));
         if let Ok(parts) = parts.collect::<Result<Vec<_>, _>>()
             && !parts.is_empty()
@@ -260,7 +324,7 @@ impl Mesh {
         let bodies: Vec<_> = bodies.collect::<Result<_, _>>().map_err(|error| error.to_string())?;
         let body = MassProperties::combined(&bodies).map_err(|error| error.to_string())?;
         let vertices = parts.iter().flat_map(|part| part.surface().vertices().iter().copied()).collect();
-        Ok(Self { solid: Solid::of(&body), vertices, kind: VolumeKind::Closed })
+        Ok(Self { solid: Solid::of(&body), vertices, kind: VolumeKind::Closed, turned_in: None })
     }
 
     /// The convex hull of the corners of all triangles.

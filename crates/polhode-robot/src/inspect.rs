@@ -41,7 +41,8 @@ pub fn inspect(model: &RobotModel, shapes: &mut Shapes) -> Inspection {
 fn unmeasured_shapes(link: &Link, geometry: &LinkGeometry, shapes: &mut Shapes) -> Vec<Finding> {
     let has = |role: &Role| link.geometry.iter().any(|geometry| geometry.role == *role);
     let roles = [Role::Visual, Role::Collision];
-    if geometry.volumes.len() == roles.iter().filter(|role| has(role)).count() {
+    let read_twice = geometry.is_turned_by_some;
+    if !read_twice && geometry.volumes.len() == roles.iter().filter(|role| has(role)).count() {
         return Vec::new();
     }
     let flat = |span: &Span| {
@@ -62,7 +63,12 @@ fn unmeasured(link: &Link, span: &Span, why: &str) -> Finding {
 }
 
 fn of_note(note: &Note) -> Finding {
-    self::note(note.code, &note.subject, &note.span, &note.message, "what is not read is not checked")
+    let rule = match note.severity {
+        Severity::Note => "what is not read is not checked",
+        _ => "a file says each thing once, and in the words that programs read",
+    };
+    let found = self::note(note.code, &note.subject, &note.span, &note.message, rule);
+    Finding { severity: note.severity, ..found }
 }
 
 fn note(code: &'static str, subject: &str, span: &Span, message: &str, rule: &str) -> Finding {
@@ -70,6 +76,7 @@ fn note(code: &'static str, subject: &str, span: &Span, message: &str, rule: &st
         code,
         severity: Severity::Note,
         subject: subject.to_owned(),
+        others: Vec::new(),
         span: span.clone(),
         message: message.to_owned(),
         rule: rule.to_owned(),

@@ -8,11 +8,13 @@ use crate::repair::Left;
 use crate::report::{CheckReport, Counts, Fixed, format_name, place, severity_name};
 
 impl CheckReport {
-    /// One object: `file`, `format`, `links`, `inertials`, `counts`, `findings`; `fix` where repairs were asked for.
+    /// One object: `file`, `format`, `links`, `inertials`, `counts` (of findings), `verdicts` (of links), `findings`; `fix` where repairs were asked for.
     ///
     /// Lines and columns count from 1, columns in characters.
     pub fn to_json(&self) -> Value {
-        let Counts { impossible, suspect, note, ok } = self.counts();
+        let Counts { impossible, suspect, note } = self.counts();
+        let by_link = self.link_counts();
+        let ok = self.model.links.len().saturating_sub(by_link.sum());
         let lines = LineIndex::new(&self.model.text);
         let finding = |f: &Finding| finding(&lines, &self.model.text, f);
         let mut object = Map::new();
@@ -25,7 +27,9 @@ impl CheckReport {
         insert("inertials", self.inertials().into());
         insert("inertia_about", "center_of_mass".into());
         insert("products", "negative_integral".into());
-        insert("counts", json!({ "impossible": impossible, "suspect": suspect, "note": note, "ok": ok }));
+        insert("counts", json!({ "impossible": impossible, "suspect": suspect, "note": note }));
+        let Counts { impossible, suspect, note } = by_link;
+        insert("verdicts", json!({ "impossible": impossible, "suspect": suspect, "note": note, "ok": ok }));
         insert("findings", self.findings.iter().map(finding).collect());
         if let Some(fixed) = &self.fixed {
             insert("fix", fix(&self.findings, fixed));
@@ -42,6 +46,7 @@ fn finding(lines: &LineIndex<'_>, text: &str, finding: &Finding) -> Value {
         "code": finding.code,
         "severity": severity_name(finding.severity),
         "link": finding.subject,
+        "others": finding.others,
         "line": line,
         "column": column,
         "message": finding.message,

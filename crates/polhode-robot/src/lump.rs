@@ -112,7 +112,7 @@ impl Group {
             LinkMass::Body(body) => {
                 let rotation = place.rotation * Rotation::identity();
                 let part = PlacedPart::new(body.properties, place.position, rotation);
-                self.parts.push(part.map_err(LumpError::Body)?);
+                self.parts.push(part.map_err(|error| LumpError::Joined { link: name.clone(), error })?);
                 self.links.push(name.clone());
                 self.rounding = self.rounding.max(body.rounding);
             }
@@ -122,7 +122,14 @@ impl Group {
 
     fn joined(self) -> Result<Lump, LumpError> {
         let Self { frame, links, massless, rounding, parts } = self;
-        let properties = assemble(&parts).map_err(LumpError::Body)?;
+        let properties = assemble(&parts).map_err(|error| {
+            // The first that the first cannot be joined to, or the last of a sum that is too large.
+            let fails =
+                |part: &&PlacedPart| parts.first().is_some_and(|first| assemble(&[*first, **part]).is_err());
+            let culprit = parts.iter().skip(1).position(|part| fails(&part)).map_or(links.len(), |k| k + 2);
+            let link = links.get(culprit.saturating_sub(1)).cloned().unwrap_or_default();
+            LumpError::Joined { link, error }
+        })?;
         Ok(Lump { frame, links, massless, rounding, properties })
     }
 }

@@ -3,6 +3,8 @@
 use std::ops::Range;
 use std::path::PathBuf;
 
+use crate::finding::Severity;
+
 /// The languages of models.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ModelFormat {
@@ -47,6 +49,15 @@ pub struct Note {
     pub span: Span,
     /// What, in a line.
     pub message: String,
+    /// How much that matters.
+    pub severity: Severity,
+}
+
+impl Note {
+    /// A note that is no reason to fail.
+    pub(crate) fn new(code: &'static str, subject: &str, span: Span, message: String) -> Self {
+        Self { code, subject: subject.to_owned(), span, message, severity: Severity::Note }
+    }
 }
 
 /// A name, and where it stands.

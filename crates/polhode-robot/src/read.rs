@@ -15,6 +15,7 @@ mod mjcf;
 mod plain;
 mod pose;
 mod sdf;
+mod unread;
 mod urdf;
 mod uri;
 pub(crate) mod xml;
@@ -124,12 +125,8 @@ fn keep_finite(model: &mut RobotModel) {
     for (name, span, pose) in links.chain(joints) {
         if !pose.position.iter().all(|c| c.is_finite()) {
             pose.position = [0.0; 3];
-            model.notes.push(Note {
-                code: "read.pose",
-                subject: name.text.clone(),
-                span: span.clone(),
-                message: "its place is beyond the largest double: it is taken at the origin".to_owned(),
-            });
+            let message = "its place is beyond the largest double: it is taken at the origin".to_owned();
+            model.notes.push(Note::new("read.pose", &name.text, span.clone(), message));
         }
     }
 }

@@ -33,39 +33,55 @@ pub struct Fixed {
     pub remaining: Vec<Finding>,
 }
 
-/// How many findings and links there are of each kind.
+/// How many there are of each kind.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Counts {
-    /// Findings: [`Severity::Impossible`].
+    /// [`Severity::Impossible`]
     pub impossible: usize,
-    /// Findings: [`Severity::Suspect`].
+    /// [`Severity::Suspect`]
     pub suspect: usize,
-    /// Findings: [`Severity::Note`].
+    /// [`Severity::Note`]
     pub note: usize,
-    /// Links about which nothing was found, or notes only.
-    pub ok: usize,
+}
+
+impl Counts {
+    fn of(severities: impl Iterator<Item = Severity>) -> Self {
+        severities.fold(Self::default(), |mut counts, severity| {
+            match severity {
+                Severity::Impossible => counts.impossible += 1,
+                Severity::Suspect => counts.suspect += 1,
+                Severity::Note => counts.note += 1,
+            }
+            counts
+        })
+    }
+
+    /// All together.
+    pub const fn sum(self) -> usize {
+        self.impossible + self.suspect + self.note
+    }
 }
 
 impl CheckReport {
-    /// How many findings and links there are of each kind.
+    /// Findings by their severity.
     pub fn counts(&self) -> Counts {
-        let of = |severity| self.findings.iter().filter(|f| f.severity == severity).count();
+        Counts::of(self.findings.iter().map(|f| f.severity))
+    }
+
+    /// Links by the worst that was found about each; the others are without findings.
+    pub fn link_counts(&self) -> Counts {
         let verdicts = self.verdicts();
-        let good = |name: &str| verdicts.get(name).copied().unwrap_or(Severity::Note) == Severity::Note;
-        Counts {
-            impossible: of(Severity::Impossible),
-            suspect: of(Severity::Suspect),
-            note: of(Severity::Note),
-            ok: self.model.links.iter().filter(|link| good(&link.name.text)).count(),
-        }
+        Counts::of(self.model.links.iter().filter_map(|link| verdicts.get(link.name.text.as_str()).copied()))
     }
 
     /// The worst that was found, of each subject about which something was.
     pub(crate) fn verdicts(&self) -> BTreeMap<&str, Severity> {
         let mut verdicts: BTreeMap<&str, Severity> = BTreeMap::new();
-        for Finding { subject, severity, .. } in &self.findings {
-            let worst = verdicts.entry(subject).or_insert(*severity);
-            *worst = (*worst).max(*severity);
+        for Finding { subject, others, severity, .. } in &self.findings {
+            for name in [subject].into_iter().chain(others) {
+                let worst = verdicts.entry(name).or_insert(*severity);
+                *worst = (*worst).max(*severity);
+            }
         }
         verdicts
     }

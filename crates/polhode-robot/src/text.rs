@@ -46,17 +46,22 @@ impl CheckReport {
     }
 
     fn heading(&self) -> String {
-        let Counts { impossible, suspect, note, ok } = self.counts();
         let (links, inertials) = (self.model.links.len(), self.inertials());
+        let row = |of: &str, Counts { impossible, suspect, note }: Counts| {
+            format!("{of:<10} IMPOSSIBLE {impossible}   SUSPECT {suspect}   NOTE {note}")
+        };
+        let by_link = self.link_counts();
         format!(
             "{}   {}, {}, {}\n\
              tensors about the centre of mass, along the inertial frame's axes, off-diagonal = -∫xy dm\n\
-             IMPOSSIBLE {impossible}   SUSPECT {suspect}   NOTE {note}   OK {ok} of {}\n",
+             {}\n{}   OK {} of {links}\n",
             printable(&self.model.path.to_string_lossy()),
             format_name(self.model.format),
             many(links, "link"),
             many(inertials, "inertial"),
-            many(links, "link"),
+            row("findings", self.counts()),
+            row("links", by_link),
+            links.saturating_sub(by_link.sum()),
         )
     }
 

@@ -4,9 +4,10 @@
 
 mod check_common;
 
-use check_common::{SLAB, findings, findings_with, link, number, only, repaired, robot, solid};
-use polhode_robot::finding::Severity;
-use polhode_robot::geometry::VolumeKind;
+use check_common::{SLAB, findings, findings_with, link, number, only, read, repaired, robot, solid};
+use polhode_robot::finding::{Finding, Severity};
+use polhode_robot::geometry::{Shapes, VolumeKind};
+use polhode_robot::inspect::inspect;
 
 const GOOD: [&str; 6] = ["0.0123", "0.0171", "0.0219", "-0.0011", "0.0007", "0.0013"];
 
@@ -226,4 +227,88 @@ fn a_conjugated_attitude_is_found_by_the_geometry() {
     assert_eq!((found.severity, all.len()), (Severity::Suspect, 1));
     assert!(number(found, "misfit") > 0.1 && number(found, "misfit_repaired") < 1e-9, "{found:?}");
     assert!(found.message.contains("conjugated"), "{}", found.message);
+}
+
+/// What is found in a text, with what its reader noticed.
+fn inspected(text: &str) -> Vec<Finding> {
+    inspect(&read(text), &mut Shapes::default()).findings
+}
+
+#[test]
+fn a_mass_that_is_missing_hides_no_other_rule() {
+    let triangle = robot(&link("arm", "1.5", ["0.01", "0.01", "0.03", "0", "0", "0"]));
+    let negative = robot(&link("arm", "1.5", ["-0.01", "0.02", "0.03", "0", "0", "0"]));
+    let masses = [
+        (r#"<mass value="1.5"/>"#, "", "mass.missing"),
+        ("1.5", "1,5", "number.malformed"),
+        ("1.5", "-1.5", "mass.not_positive"),
+        ("1.5", "0", "mass.not_positive"),
+    ];
+    for (old, new, code) in masses {
+        for (document, rule) in [(&triangle, "inertia.triangle"), (&negative, "inertia.negative")] {
+            let all = findings(&document.replacen(old, new, 1));
+            let codes: Vec<_> = all.iter().map(|f| f.code).collect();
+            assert!(codes.contains(&code) && codes.contains(&rule), "{new}: {codes:?}");
+        }
+    }
+    // A product that is missing hides neither the moments' triangle nor their sign.
+    for (document, rule) in [(&triangle, "inertia.triangle"), (&negative, "inertia.negative")] {
+        let all = findings(&document.replace("ixy=\"0\" ", ""));
+        only(&all, "number.missing");
+        only(&all, rule);
+    }
+    // A possible tensor without mass is no row-major one.
+    let all = findings(&robot(&link("arm", "", GOOD)));
+    assert_eq!(all.iter().map(|f| f.code).collect::<Vec<_>>(), ["number.malformed"]);
+}
+
+#[test]
+fn a_tensor_of_nine_numbers_is_symmetric() {
+    let nine = |below: [&str; 3]| {
+        let [yx, zx, zy] = below;
+        let six = robot(&link("arm", "1.5", GOOD));
+        six.replace("ixx=", &format!("iyx=\"{yx}\" izx=\"{zx}\" izy=\"{zy}\" ixx="))
+    };
+    assert_eq!(inspected(&nine(["-0.0011", "7e-4", "0.00130"])), []);
+    for wrong in [["0.0011", "0.0007", "0.0013"], ["-0.0011", "0.0013", "0.0013"], ["-0.0011", "0.0007", "x"]]
+    {
+        let text = nine(wrong);
+        let all = inspected(&text);
+        let found = only(&all, "inertia.asymmetric");
+        assert_eq!(found.severity, Severity::Suspect);
+        assert!(wrong.contains(&&text[found.span.clone()]), "{found:?}");
+    }
+    let sdf = |extra: &str| {
+        format!(
+            "<sdf version='1.9'><model name='m'><link name='a'><inertial><mass>1.5</mass><inertia><ixx>0.0123</ixx>\
+             <iyy>0.0171</iyy><izz>0.0219</izz>{extra}</inertia></inertial></link></model></sdf>"
+        )
+    };
+    assert_eq!(inspected(&sdf("<ixy>0.001</ixy><iyx>0.001</iyx><izx>0</izx>")), []);
+    only(&inspected(&sdf("<iyx>0.001</iyx>")), "inertia.asymmetric");
+}
+
+#[test]
+fn what_is_written_beside_an_inertial_is_not_passed_over() {
+    let good = robot(&link("arm", "1.5", GOOD));
+    for (old, new, code) in [
+        ("<mass value=\"1.5\"/>", "<mass value=\"1.5\"/><mass value=\"2\"/>", "read.twice"),
+        ("<mass value=\"1.5\"/>", "<mass value=\"1.5\" unit=\"g\"/>", "read.unknown"),
+        ("<inertial>", "<inertial><density value=\"2700\"/>", "read.unknown"),
+        ("<inertial>", "<inertial><origin xyz=\"0 0 0.1\" quat=\"0 1 0 0\"/>", "read.unknown"),
+        ("<inertia ", "<inertia iyyx=\"1\" unit=\"g mm^2\" ", "read.unknown"),
+        ("</inertial>", "</inertial><inertial><mass value=\"2\"/></inertial>", "read.inertials"),
+    ] {
+        let all = inspected(&good.replacen(old, new, 1));
+        assert!(all.iter().any(|f| f.code == code && f.severity == Severity::Suspect), "{new}: {all:#?}");
+    }
+    let mjcf = |attributes: &str| {
+        format!(
+            "<mujoco><worldbody><body name='a'><inertial pos='0 0 0.1' mass='1.5' {attributes}/></body></worldbody></mujoco>"
+        )
+    };
+    assert_eq!(inspected(&mjcf("fullinertia='0.0123 0.0171 0.0219 -0.0011 0.0007 0.0013'")), []);
+    let two = mjcf("fullinertia='0.0123 0.0171 0.0219 0 0 0' diaginertia='1 2 2.5'");
+    only(&inspected(&two), "inertia.two_forms");
+    only(&inspected(&mjcf("diaginertia='0.0123 0.0171 0.0219' inertia='1'")), "read.unknown");
 }

@@ -5,7 +5,7 @@
 mod check_common;
 
 use check_common::*;
-use polhode_robot::check::LinkGeometry;
+use polhode_robot::check::{LinkGeometry, check};
 use polhode_robot::finding::{Finding, Severity};
 use polhode_robot::geometry::VolumeKind;
 
@@ -272,4 +272,61 @@ fn one_tensor_for_links_that_differ() {
 fn no_geometry_is_no_finding() {
     let [xx, yy, zz, xy, xz, yz] = SLAB.tensor();
     assert_eq!(findings_with(&SLAB.robot([xx, yy, zz, -xy, -xz, -yz]), LinkGeometry::default()), []);
+}
+
+#[test]
+fn nine_numbers_cut_at_six_may_have_no_products() {
+    // xx 0 0 0 yy 0 in the places of xx xy xz yy yz zz.
+    let all = findings(&robot(&link("bar", "0.9", ["0.0126", "0", "0", "0", "0", "0.0122"])));
+    let found = only(&all, "inertia.order");
+    assert!(found.message.contains("first six of nine"), "{}", found.message);
+}
+
+#[test]
+fn a_placeholder_on_link_after_link_is_one_finding() {
+    for (moment, reach) in [("0.01", 0.02), ("1e-3", 0.01), ("0.0001", 0.004)] {
+        let names: Vec<String> = (0..40).map(|k| format!("finger{k}")).collect();
+        let links: String =
+            names.iter().map(|name| link(name, "0.2", [moment, moment, moment, "0", "0", "0"])).collect();
+        let geometry: Vec<_> = names.iter().map(|_| bounds([0.0; 3], reach)).collect();
+        let model = read(&robot(&links));
+        let found = check(&model, &geometry);
+        let found: Vec<_> = found.iter().filter(|f| !f.code.starts_with("tree")).collect();
+        assert_eq!((found.len(), found[0].code), (1, "inertia.placeholder"), "{moment}: {found:#?}");
+        assert_eq!((found[0].severity, number(found[0], "links")), (Severity::Suspect, 40.0));
+        assert_eq!((&found[0].subject, &found[0].others), (&names[0], &names[1..].to_vec()));
+        assert!(found[0].message.contains("finger0, finger1") && found[0].message.contains("and 28 more"));
+    }
+    // Two are no habit: what is wrong with each is told of each.
+    let two: String =
+        ["a", "b"].iter().map(|n| link(n, "0.2", ["0.01", "0.01", "0.01", "0", "0", "0"])).collect();
+    let found = check(&read(&robot(&two)), &[bounds([0.0; 3], 0.02), bounds([0.0; 3], 0.02)]);
+    assert_eq!(found.iter().filter(|f| f.code == "gyration.too_large").count(), 2, "{found:#?}");
+}
+
+#[test]
+fn a_mesh_that_programs_turn_in_two_ways_accuses_no_axes() {
+    let solids = |edges: [[f64; 3]; 2]| {
+        let [a, b] = edges.map(|edges| block(edges, VolumeKind::Closed));
+        LinkGeometry {
+            volumes: [a.volumes, b.volumes].concat(),
+            bounds: Some([[-0.2; 3], [0.2; 3]]),
+            is_turned_by_some: true,
+        }
+    };
+    let geometry = solids([[0.05, 0.08, 0.4], [0.05, 0.4, 0.08]]);
+    let moment = |a: f64, b: f64| format!("{:.6}", 0.9 * (a * a + b * b) / 12.0);
+    let [x, y, z] = [moment(0.08, 0.4), moment(0.05, 0.4), moment(0.05, 0.08)];
+    // Either reading is right, and so is none of the other orders an accusation.
+    for six in [[&x, &y, &z], [&x, &z, &y], [&z, &y, &x], [&y, &x, &z]] {
+        let [a, b, c] = six.map(String::as_str);
+        let all = findings_with(&robot(&link("bar", "0.9", [a, b, c, "0", "0", "0"])), geometry.clone());
+        assert_eq!(all, []);
+    }
+    // A unit is one whatever the axes are; it is told and not repaired.
+    let milli = |text: &str| format!("{}e9", text);
+    let six = [&x, &z, &y].map(|text| milli(text));
+    let wrong = robot(&link("bar", "0.9", [&six[0], &six[1], &six[2], "0", "0", "0"]));
+    let all = findings_with(&wrong, geometry);
+    assert!(only(&all, "inertia.unit").repair.is_none());
 }

@@ -7,6 +7,8 @@ mod check_common;
 use check_common::{findings, link, number, only, read, robot};
 use polhode_robot::check::check;
 use polhode_robot::finding::Severity;
+use polhode_robot::geometry::Shapes;
+use polhode_robot::inspect::inspect;
 
 const TENSOR: [&str; 6] = ["0.0123", "0.0171", "0.0219", "-0.0011", "0.0007", "0.0013"];
 
@@ -122,4 +124,55 @@ fn findings_are_in_the_order_of_the_file() {
     let all = findings(&document);
     assert!(all.len() > 4);
     assert!(all.windows(2).all(|w| w[0].span.start <= w[1].span.start), "{all:#?}");
+}
+
+#[test]
+fn loops_of_sdf_joints_are_legal_whichever_way_they_go() {
+    // A four-bar linkage, once against itself and once round.
+    for joints in
+        [[("a", "b"), ("b", "c"), ("a", "d"), ("d", "c")], [("a", "b"), ("b", "c"), ("c", "d"), ("d", "a")]]
+    {
+        let mut text = String::from("<sdf version=\"1.9\"><model name=\"m\">");
+        for link in ["a", "b", "c", "d"] {
+            text += &format!(
+                "<link name=\"{link}\"><inertial><mass>1.5</mass><inertia><ixx>0.0123</ixx><iyy>0.0171</iyy>\
+                 <izz>0.0219</izz></inertia></inertial></link>"
+            );
+        }
+        for (k, (parent, child)) in joints.iter().enumerate() {
+            text += &format!(
+                "<joint name=\"j{k}\" type=\"revolute\"><parent>{parent}</parent><child>{child}</child></joint>"
+            );
+        }
+        let all = findings(&(text + "</model></sdf>"));
+        assert_eq!((all.len(), all[0].severity), (1, Severity::Note), "{all:#?}");
+    }
+}
+
+#[test]
+fn a_parent_called_world_is_the_world() {
+    let fixed = model(&["base", "arm"], &[("world", "base"), ("base", "arm")]);
+    let read = read(&fixed);
+    assert!(read.joints[0].parent.is_none() && read.joints[1].parent.is_some());
+    let found = inspect(&read, &mut Shapes::default()).findings;
+    assert_eq!(
+        (found.len(), found[0].code, found[0].severity),
+        (1, "read.world", Severity::Note),
+        "{found:#?}"
+    );
+    assert_eq!(&fixed[found[0].span.clone()], "world");
+    // With a link of that name it is that link, and of another name there is none.
+    assert_eq!(findings(&model(&["world", "base"], &[("world", "base")])), []);
+    only(&findings(&model(&["base"], &[("earth", "base")])), "tree.unknown_link");
+}
+
+#[test]
+fn a_link_and_a_joint_of_one_name() {
+    let text = model(&["a", "b"], &[("a", "b")]).replace("j0", "b");
+    let all = findings(&text);
+    let found = only(&all, "tree.shared_name");
+    assert_eq!((found.severity, all.len()), (Severity::Note, 1));
+    let sdf = "<sdf version=\"1.9\"><model name=\"m\"><link name=\"a\"/><link name=\"b\"/>\
+               <joint name=\"b\" type=\"fixed\"><parent>a</parent><child>b</child></joint></model></sdf>";
+    assert_eq!(only(&findings(sdf), "tree.shared_name").severity, Severity::Suspect);
 }

@@ -8,7 +8,8 @@ use std::fs;
 use std::path::PathBuf;
 
 use common::{Matrix, applied, assert_close, assert_near, matrix_about_axis, plus, times, transposed};
-use polhode_robot::geometry::{Shapes, Volume, VolumeKind};
+use polhode_robot::check::LinkGeometry;
+use polhode_robot::geometry::{MeshReading, Shapes, Volume, VolumeKind};
 use polhode_robot::model::{Geometry, GeometryShape, Link, Name, Pose, Role};
 
 /// A pose about a generic axis, and the same as a place and a matrix.
@@ -298,4 +299,40 @@ fn shapes_of_a_link_are_one_body() {
     assert_close(got.bounds[1], whole.bounds[1], 1e-15);
     assert_eq!(set.left_out.len(), 1);
     assert_eq!(Shapes::default().link(&link(Vec::new()), Role::Visual).volume, None);
+}
+
+#[test]
+fn a_gltf_mesh_has_y_up_and_stands_on_z_in_a_robot() {
+    let root = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../examples");
+    let scale = [0.7, 1.3, 2.1];
+    let (pose, ..) = generic(0);
+    let placed = |path: &str| geometry(mesh(&root.join(path), scale), pose.clone());
+    let glb = placed("meshes/bracket.glb");
+    // The same triangles without a convention, in mm: R (x, y, z) = (x, −z, y), then the scale.
+    let plain = one(mesh(&root.join("bracket.stl"), [1e-3; 3]), Pose::IDENTITY);
+    let r = [[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]];
+    let mut shapes = Shapes::default();
+    let unscaled = geometry(mesh(&root.join("meshes/bracket.glb"), [1.0; 3]), Pose::IDENTITY);
+    let up = shapes.geometry(&unscaled).unwrap();
+    assert_close(up.centroid, applied(r, plain.centroid), 1e-15);
+    assert_near(&up.tensor_per_density, &times(times(r, plain.tensor_per_density), transposed(r)), 1e-18);
+    let factor = scale.iter().product::<f64>();
+    let whole = shapes.geometry(&glb).unwrap();
+    assert!((whole.volume / (factor * plain.volume) - 1.0).abs() < 1e-12);
+    let [x, y, z] = applied(r, plain.centroid);
+    assert_close(whole.centroid, pose_of(0, [scale[0] * x, scale[1] * y, scale[2] * z]), 1e-14);
+    // The other reading leaves it as it is.
+    let link = link(vec![unscaled]);
+    assert!(shapes.is_turned_by_some(&link, Role::Collision));
+    let other = shapes.link_as(&link, Role::Collision, MeshReading::Other).volume.unwrap();
+    assert_near(&other.tensor_per_density, &plain.tensor_per_density, 1e-18);
+    let both = LinkGeometry::of(&link, &mut shapes);
+    assert!(both.is_turned_by_some && both.volumes.len() == 2);
+    assert!(!shapes.is_turned_by_some(&self::link(vec![placed("bracket.stl")]), Role::Collision));
+}
+
+/// A point of the frame of `generic(k)`, outside.
+fn pose_of(k: usize, point: [f64; 3]) -> [f64; 3] {
+    let (_, place, r) = generic(k);
+    plus(place, applied(r, point))
 }

@@ -292,6 +292,11 @@ fn what_has_no_position_is_refused() {
         };
         assert_eq!(movable, ["slide", "shoulder"]);
     }
+    // A link that is too far away to be added is named.
+    let mut far = arm();
+    far.joints[3].pose.position = [1e200, 0.0, 0.0];
+    let named = far.joints[3].child.text.clone();
+    assert!(matches!(error(&far, &[]), LumpError::Joined { link, .. } if link == named));
     let empty = model(vec![frame("base")], Vec::new());
     assert_eq!(error(&empty, &[]), LumpError::Massless);
     let mut given = arm();

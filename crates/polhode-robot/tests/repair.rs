@@ -27,6 +27,7 @@ fn finding(code: &'static str, edits: Vec<(std::ops::Range<usize>, &str)>) -> Fi
     let edits = edits.into_iter().map(|(span, new)| (span, new.to_owned())).collect();
     Finding {
         code,
+        others: Vec::new(),
         severity: Severity::Impossible,
         subject: "link".to_owned(),
         span: 0..0,

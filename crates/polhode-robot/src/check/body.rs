@@ -11,13 +11,13 @@ use crate::moments::{
 /// The names of a tensor's elements, in the order of [`Elements`].
 pub(super) const NAMES: [&str; 6] = ["ixx", "iyy", "izz", "ixy", "ixz", "iyz"];
 
-/// Mass, centre and tensor of a link, all finite, and what its geometry says.
+/// Mass, centre and tensor of a link, all but the mass finite, and what its geometry says.
 #[derive(Debug)]
 pub(super) struct Body<'m> {
     pub(super) link: &'m Link,
     pub(super) inertial: &'m Inertial,
     pub(super) geometry: &'m LinkGeometry,
-    /// kg; it may be negative or zero.
+    /// kg; it may be negative or zero, and is NaN if it is not there.
     pub(super) mass: f64,
     /// In the link's frame, m.
     pub(super) centre: [f64; 3],
@@ -42,7 +42,7 @@ impl<'m> Body<'m> {
         print: Print,
     ) -> Option<Self> {
         let inertial = link.inertial.as_ref()?;
-        let mass = inertial.mass.finite()?;
+        let mass = inertial.mass.finite().unwrap_or(f64::NAN);
         let mut written = [0.0; 6];
         for (k, slot) in slots(&inertial.tensor)?.enumerate() {
             written[k] = match slot {

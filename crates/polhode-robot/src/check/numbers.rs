@@ -124,6 +124,7 @@ fn number(subject: &str, number: &Number, what: &str, findings: &mut Vec<Finding
         code,
         severity: Severity::Impossible,
         subject: subject.to_owned(),
+        others: Vec::new(),
         span: number.span.clone(),
         message,
         rule: rule.to_owned(),

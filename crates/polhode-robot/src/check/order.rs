@@ -72,8 +72,10 @@ pub(super) fn check_alone(body: &Body, findings: &mut Vec<Finding>) {
     if !matches!(body.inertial.tensor, Tensor::Six(_)) || body.written == [0.0; 6] {
         return;
     }
-    let [_, iyy, _, ixy, _, _] = body.written;
-    if iyy == ixy && iyy != 0.0 {
+    let [ixx, iyy, _, ixy, ixz, iyz] = body.written;
+    // Nine by rows in the places xx xy xz yy yz zz: yx is where iyy is, yy where iyz is. Products may be zero.
+    let bare = [iyy, ixy, ixz] == [0.0; 3] && ixx > 0.0 && iyz > 0.0;
+    if iyy == ixy && (iyy != 0.0 || bare) {
         let message = format!(
             "iyy = ixy = {iyy} kg·m²: xx xy xz yx yy yz, the first six of nine, in the places of six"
         );

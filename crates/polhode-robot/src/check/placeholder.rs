@@ -2,7 +2,8 @@
 //!
 //! The identity is what templates have. It is right for nothing but a metre of cube of 6 kg, so it is a finding where
 //! the geometry contradicts, and a note where none can. Other round tensors are common and often meant (1e-3 is what
-//! ROS teaches for links of a hand's size): they are one where three links or more that differ share one.
+//! ROS teaches for links of a hand's size): they are one where three links or more that differ share one, or that are too small for
+//! it. Then it is one finding that names them all, not one for each.
 
 use std::collections::{HashMap, HashSet};
 
@@ -56,15 +57,16 @@ pub(super) fn check(body: &Body, findings: &mut Vec<Finding>) {
     findings.push(found);
 }
 
-/// One round tensor on links that differ.
+/// One round tensor on links that differ, or that cannot all have it: one finding for all of them, in place of those that say of each
+/// alone how far off it is.
 pub(super) fn repeated(bodies: &[Option<Body>], findings: &mut Vec<Finding>) {
-    let told: HashSet<String> =
-        findings.iter().filter(|f| f.severity >= Severity::Suspect).map(|f| f.subject.clone()).collect();
     let mut groups: HashMap<u64, Vec<&Body>> = HashMap::new();
     let mut order = Vec::new();
+    let told: HashSet<&str> =
+        findings.iter().filter(|f| is_other_reason(f)).map(|f| f.subject.as_str()).collect();
     for body in bodies.iter().flatten() {
-        if body.mass > 0.0 && body.written[0] > 0.0 && is_round(body) && !told.contains(&body.link.name.text)
-        {
+        let wrong = told.contains(body.link.name.text.as_str());
+        if body.mass > 0.0 && body.written[0] > 0.0 && is_round(body) && !wrong {
             let group = groups.entry(body.written[0].to_bits()).or_default();
             if group.is_empty() {
                 order.push(body.written[0].to_bits());
@@ -73,26 +75,63 @@ pub(super) fn repeated(bodies: &[Option<Body>], findings: &mut Vec<Finding>) {
         }
     }
     for group in order.iter().filter_map(|key| groups.get(key)) {
-        let differ = |values: &mut dyn Iterator<Item = f64>| {
-            let (low, high) = values.fold((f64::INFINITY, 0.0), |(l, h), x| (f64::min(l, x), f64::max(h, x)));
-            high > DIFFER * low
-        };
-        let masses = differ(&mut group.iter().map(|b| b.mass));
-        let reaches = differ(&mut group.iter().filter_map(|b| b.reach()));
-        let Some(first) = group.first().filter(|_| group.len() >= 3 && (masses || reaches)) else { continue };
-        let moment = first.written[0];
-        let severity = if moment >= FELT { Severity::Suspect } else { Severity::Note };
-        let names: Vec<&str> = group.iter().take(4).map(|b| b.link.name.text.as_str()).collect();
-        let more = if group.len() > 4 { ", …" } else { "" };
-        let message = format!(
-            "{} kg·m² about each axis on {} links that differ: {}{more}",
-            short(moment, 4),
-            group.len(),
-            names.join(", ")
-        );
-        let mut found =
-            finding("inertia.placeholder", severity, first.link, first.tensor_place(), message, RULE);
-        found.numbers = vec![("moment", moment), ("links", group.len() as f64)];
-        findings.push(found);
+        if let Some(found) = of_group(group, findings) {
+            let names: HashSet<&str> = group.iter().map(|body| body.link.name.text.as_str()).collect();
+            findings.retain(|f| !(stands_for(f) && names.contains(f.subject.as_str())));
+            findings.push(found);
+        }
     }
+}
+
+/// What is said of one link's round tensor alone.
+fn stands_for(finding: &Finding) -> bool {
+    matches!(finding.code, "gyration.too_large" | "inertia.unit" | "inertia.placeholder")
+}
+
+/// Something else that is wrong with a tensor.
+fn is_other_reason(finding: &Finding) -> bool {
+    finding.severity >= Severity::Suspect && finding.code.starts_with("inertia.") && !stands_for(finding)
+}
+
+/// Names that a message lists.
+const LISTED: usize = 12;
+
+fn of_group(group: &[&Body], findings: &[Finding]) -> Option<Finding> {
+    let first = group.first().filter(|_| group.len() >= 3)?;
+    let differ = |values: &mut dyn Iterator<Item = f64>| {
+        let (low, high) = values.fold((f64::INFINITY, 0.0), |(l, h), x| (f64::min(l, x), f64::max(h, x)));
+        high > DIFFER * low
+    };
+    let masses = differ(&mut group.iter().map(|b| b.mass));
+    let reaches = differ(&mut group.iter().filter_map(|b| b.reach()));
+    let names: Vec<&str> = group.iter().map(|b| b.link.name.text.as_str()).collect();
+    let all: HashSet<&str> = names.iter().copied().collect();
+    let alone = findings.iter().filter(|f| stands_for(f) && all.contains(f.subject.as_str()));
+    let worst = alone.clone().map(|f| f.severity).max();
+    let off = alone.filter(|f| f.severity >= Severity::Suspect).count();
+    if !masses && !reaches && worst.is_none() {
+        return None;
+    }
+    let moment = first.written[0];
+    let felt = if moment >= FELT && (masses || reaches) { Severity::Suspect } else { Severity::Note };
+    let severity = worst.unwrap_or(felt).max(felt);
+    let more = match names.len().saturating_sub(LISTED) {
+        0 => String::new(),
+        more => format!(" and {more} more"),
+    };
+    let that_differ = if masses || reaches { " that differ" } else { "" };
+    let too_large = match off {
+        0 => String::new(),
+        off => format!("; of {off} of them no body of that mass and size has it"),
+    };
+    let message = format!(
+        "{} kg·m² about each axis on {} links{that_differ}: {}{more}{too_large}",
+        short(moment, 4),
+        group.len(),
+        names.get(..LISTED).unwrap_or(&names).join(", ")
+    );
+    let mut found = finding("inertia.placeholder", severity, first.link, first.tensor_place(), message, RULE);
+    found.others = names.iter().skip(1).map(|name| (*name).to_owned()).collect();
+    found.numbers = vec![("moment", moment), ("links", group.len() as f64)];
+    Some(found)
 }

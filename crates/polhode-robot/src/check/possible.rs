@@ -9,10 +9,11 @@
 //!
 //! and what is negative even then is impossible for certain, however the digits were rounded.
 
-use super::body::Body;
+use super::body::{Body, slots};
 use super::written::short;
 use super::{finding, power};
 use crate::finding::{Finding, Severity};
+use crate::model::{Inertial, Link, Slot};
 use crate::moments::Elements;
 
 /// The part of i3 that rounding of a tensor's own digits may explain: what two written digits can be off by, half a unit
@@ -22,14 +23,25 @@ const TYPED: f64 = 0.08;
 /// The part of i3 that single precision leaves of a flat plate's i1 + i2 = i3, printed with however many digits.
 const SINGLE_PRECISION: f64 = 1e-6;
 
-/// True if the tensor is possible, and not zero; what is wrong is told otherwise. `carried`: fixed to another link.
-pub(super) fn check(body: &Body, carried: bool, findings: &mut Vec<Finding>) -> bool {
-    if body.mass <= 0.0 {
-        return false; // The mass is the finding.
-    }
+/// What a link's mass and tensor are good for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Verdict {
+    /// Possible, of a positive mass: it can be compared with the geometry.
+    Possible,
+    /// A tensor that no body has.
+    Impossible,
+    /// Without a mass or a tensor that says anything: that is a finding of its own.
+    Nothing,
+}
+
+/// Tells what is wrong with a tensor, whatever is wrong with the mass. `carried`: fixed to another link.
+pub(super) fn check(body: &Body, carried: bool, findings: &mut Vec<Finding>) -> Verdict {
+    let weighs = body.mass > 0.0;
     if body.written.iter().all(|x| *x == 0.0) {
-        zero(body, carried, findings);
-        return false;
+        if weighs {
+            zero(body, carried, findings);
+        }
+        return Verdict::Nothing;
     }
     let [i1, i2, i3] = body.moments.values;
     let negative = slack(body, body.moments.axes[0], 0.0);
@@ -44,7 +56,7 @@ pub(super) fn check(body: &Body, carried: bool, findings: &mut Vec<Finding>) -> 
         found.numbers = vec![("i1", i1), ("i2", i2), ("i3", i3), ("rounding", negative)];
         found.repair = power::repair(body);
         findings.push(found);
-        return false;
+        return Verdict::Impossible;
     }
     if gap < -triangle {
         // As many digits as show the gap.
@@ -63,7 +75,7 @@ pub(super) fn check(body: &Body, carried: bool, findings: &mut Vec<Finding>) -> 
         found.numbers = vec![("i1", i1), ("i2", i2), ("i3", i3), ("excess", -gap), ("rounding", triangle)];
         found.repair = power::repair(body);
         findings.push(found);
-        return false;
+        return Verdict::Impossible;
     }
     let floor = SINGLE_PRECISION * i3;
     if gap < -floor || i1 < -floor {
@@ -78,7 +90,33 @@ pub(super) fn check(body: &Body, carried: bool, findings: &mut Vec<Finding>) -> 
         found.numbers = vec![("i1", i1), ("i2", i2), ("i3", i3), ("excess", -gap), ("rounding", triangle)];
         findings.push(found);
     }
-    true
+    if weighs { Verdict::Possible } else { Verdict::Nothing }
+}
+
+/// What the moments alone tell of a tensor of which another number cannot be read. They obey the same rules about any axes.
+pub(super) fn of_moments(link: &Link, inertial: &Inertial) -> Option<Finding> {
+    let slots: Vec<&Slot> = slots(&inertial.tensor)?.take(3).collect();
+    let negative = slots.iter().find_map(|slot| slot.finite().filter(|x| *x < 0.0).map(|x| (slot.span(), x)));
+    if let Some((span, moment)) = negative {
+        let message = format!("a moment of {} kg·m²", short(moment, 5));
+        let rule = "no moment of inertia of a body is negative";
+        let mut found = finding("inertia.negative", Severity::Impossible, link, span, message, rule);
+        found.numbers = vec![("moment", moment)];
+        return Some(found);
+    }
+    let moments: Vec<f64> = slots.iter().filter_map(|slot| slot.finite()).collect();
+    let greatest = moments.iter().copied().fold(0.0, f64::max);
+    let others = moments.iter().sum::<f64>() - greatest;
+    if moments.len() < 3 || greatest - others <= TYPED * greatest {
+        return None;
+    }
+    let message =
+        format!("two moments are together {} < {} kg·m², the third", short(others, 6), short(greatest, 6));
+    let rule = "two moments of a body about any axes are together no less than the third";
+    let span = slots.iter().find(|slot| slot.finite() == Some(greatest)).map(|slot| slot.span())?;
+    let mut found = finding("inertia.triangle", Severity::Impossible, link, span, message, rule);
+    found.numbers = vec![("excess", greatest - others)];
+    Some(found)
 }
 
 /// How much of a negative λ(I), or of i1 + i2 − i3 (`trace` = 1), rounding may explain; v is the axis.
@@ -98,7 +136,7 @@ fn slack(body: &Body, v: [f64; 3], trace: f64) -> f64 {
 /// What else is absurd, to help to see why.
 fn beyond(body: &Body) -> String {
     let (k, Some(reach)) = (body.gyration(), body.reach()) else { return String::new() };
-    if k <= reach {
+    if !(k > reach) {
         return String::new();
     }
     let [k, m, reach] = [k, body.mass, reach].map(|x| short(x, 4));

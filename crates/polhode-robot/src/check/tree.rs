@@ -1,5 +1,5 @@
 //! How links hang together: `tree.cycle`, `tree.no_root`, `tree.two_roots`, `tree.two_parents`, `tree.unknown_link`,
-//! `tree.duplicate_link`, `tree.duplicate_joint`, `tree.empty`.
+//! `tree.shared_name`, `tree.duplicate_link`, `tree.duplicate_joint`, `tree.empty`.
 //!
 //! Links are taken off in the order of Kahn (Comm. ACM 5 (1962) 558): one whose parents are all taken can be taken.
 //! What is left hangs on a cycle, and going from parent to parent there must come round. Each joint is looked at a
@@ -191,6 +191,8 @@ fn sorted(
     (order, cycles)
 }
 
+const CLOSED_LOOPS: &str = "SDF may close loops; not every engine can";
+
 /// What is wrong with the tree.
 pub(super) fn check(model: &RobotModel, tree: &Tree) -> Vec<Finding> {
     let mut findings = Vec::new();
@@ -234,7 +236,8 @@ fn finding(
     rule: &str,
 ) -> Finding {
     let (subject, rule) = (subject.to_owned(), rule.to_owned());
-    Finding { code, severity, subject, span, message, rule, numbers: Vec::new(), repair: None }
+    let (others, numbers) = (Vec::new(), Vec::new());
+    Finding { code, severity, subject, others, span, message, rule, numbers, repair: None }
 }
 
 fn duplicates(model: &RobotModel, findings: &mut Vec<Finding>) {
@@ -257,6 +260,26 @@ fn duplicates(model: &RobotModel, findings: &mut Vec<Finding>) {
     };
     twice(&mut model.links.iter().map(|l| &l.name), "tree.duplicate_link", "link");
     twice(&mut model.joints.iter().map(|j| &j.name), "tree.duplicate_joint", "joint");
+    shared(model, findings);
+}
+
+/// A link and a joint of one name: SDF has one space of names, URDF and MJCF have two.
+fn shared(model: &RobotModel, findings: &mut Vec<Finding>) {
+    let (severity, rule) = match model.format {
+        ModelFormat::Sdf => {
+            (Severity::Suspect, "libsdformat refuses this since SDF 1.7: names in a model are unique")
+        }
+        ModelFormat::Urdf => (Severity::Note, "URDF allows it; as SDF the model is refused"),
+        ModelFormat::Mjcf => return,
+    };
+    let links = index(&model.links);
+    for name in model.joints.iter().map(|joint| &joint.name).filter(|name| !name.text.is_empty()) {
+        if links.contains_key(name.text.as_str()) {
+            let message = format!("a link and a joint are both named {:?}", name.text);
+            let span = name.span.clone();
+            findings.push(finding("tree.shared_name", severity, &name.text, span, message, rule));
+        }
+    }
 }
 
 fn unknown(model: &RobotModel, findings: &mut Vec<Finding>) {
@@ -304,9 +327,11 @@ fn round(model: &RobotModel, tree: &Tree, cycle: &[usize]) -> Option<Finding> {
             .collect()
     };
     let message = format!("joints go round: {} → {}", shown.join(" → "), name(&first));
-    let rule = "the links of a robot make a tree";
-    let mut found =
-        finding("tree.cycle", Severity::Impossible, &link.name.text, joint.span.clone(), message, rule);
+    let (severity, rule) = match model.format {
+        ModelFormat::Sdf => (Severity::Note, CLOSED_LOOPS),
+        _ => (Severity::Impossible, "the links of a robot make a tree"),
+    };
+    let mut found = finding("tree.cycle", severity, &link.name.text, joint.span.clone(), message, rule);
     found.numbers = vec![("links", cycle.len() as f64)];
     Some(found)
 }
@@ -323,7 +348,7 @@ fn two_parents(model: &RobotModel, tree: &Tree, k: usize, link: &Link, findings:
     let first = parent(tree.holders.get(k).and_then(|h| h.first()).map(|(j, _)| j));
     let other = joint.parent.as_ref().map_or("the world", |p| p.text.as_str());
     let (severity, rule) = match model.format {
-        ModelFormat::Sdf => (Severity::Note, "SDF may close loops; not every engine can"),
+        ModelFormat::Sdf => (Severity::Note, CLOSED_LOOPS),
         _ => (Severity::Impossible, "a link hangs on one other: loops are not a tree"),
     };
     let message = format!("{:?} hangs on {first:?} and on {other:?}", link.name.text);
@@ -342,7 +367,10 @@ fn roots(model: &RobotModel, tree: &Tree, findings: &mut Vec<Finding>) {
         .links
         .iter()
         .zip(&tree.holders)
-        .filter(|(_, holders)| holders.is_empty())
+        // None, or the world.
+        .filter(|(_, holders)| {
+            holders.iter().all(|(joint, _)| model.joints.get(*joint).is_some_and(|j| j.parent.is_none()))
+        })
         .map(|(link, _)| link)
         .collect();
     let rule = "one link, the root, hangs on no other";

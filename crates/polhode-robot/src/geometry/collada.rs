@@ -1,7 +1,7 @@
 //! The triangles of a COLLADA file (.dae).
 //!
 //! Meshes by `<triangles>`, `<polylist>` and `<polygons>`, each placed as the nodes of the scene place it, in the file's unit. `<up_axis>` is
-//! not applied: the readers of robots do not apply it either. Polygons are fans. What it does not read, skins, nodes of a
+//! not applied, as RViz and Gazebo do not apply it; [`is_y_up`] says where others would. Polygons are fans. What it does not read, skins, nodes of a
 //! library, strips, is an error.
 //!
 //! Source: COLLADA 1.4.1 specification, Khronos Group 2008.
@@ -46,6 +46,12 @@ pub(super) fn read(text: &str) -> Result<MeshContents, ContentError> {
             findings: Vec::new(),
         })
     })
+}
+
+/// Whether a text that has been read says `<up_axis>Y_UP</up_axis>`.
+pub(super) fn is_y_up(text: &str) -> bool {
+    let said = text.split_once("<up_axis>").map(|(_, rest)| rest.trim_start());
+    said.is_some_and(|rest| rest.starts_with("Y_UP"))
 }
 
 /// x' = L x + t

@@ -74,8 +74,13 @@ pub enum LumpError {
         /// Where.
         span: Span,
     },
-    /// Numbers too large to be added.
-    Body(BodyError),
+    /// A link whose numbers are too large to be added to the others.
+    Joined {
+        /// The link.
+        link: String,
+        /// Why not.
+        error: BodyError,
+    },
 }
 
 impl LumpError {
@@ -89,7 +94,7 @@ impl LumpError {
             | Self::TwoRoots { span, .. }
             | Self::Circle { span, .. }
             | Self::Pose { span, .. } => Some(span.clone()),
-            Self::Massless | Self::Joint { .. } | Self::Body(_) => None,
+            Self::Massless | Self::Joint { .. } | Self::Joined { .. } => None,
         }
     }
 
@@ -111,7 +116,7 @@ impl LumpError {
                 format!("those that take a value are {}", names.join(", "))
             }
             Self::Pose { .. } => "give it numbers that are finite, and an axis a length".to_owned(),
-            Self::Body(_) => "check the units of the poses".to_owned(),
+            Self::Joined { .. } => "check the units of its mass and of the poses above it".to_owned(),
         }
     }
 }
@@ -134,7 +139,9 @@ impl fmt::Display for LumpError {
             Self::Circle { link, .. } => write!(f, "the joints above the link {link:?} run in a circle"),
             Self::Joint { joint, .. } => write!(f, "there is no joint {joint:?} that takes a value"),
             Self::Pose { subject, .. } => write!(f, "the pose or axis of {subject:?} is none"),
-            Self::Body(error) => error.fmt(f),
+            Self::Joined { link, error } => {
+                write!(f, "the link {link:?} cannot be joined to the others: {error}")
+            }
         }
     }
 }

@@ -19,6 +19,7 @@ use crate::model::{
 };
 use crate::pose::{direction, of_z_axis};
 use crate::read::pose::Reading;
+use crate::read::unread;
 use crate::read::uri::Roots;
 use crate::read::xml::{Element, Written, slot};
 use defaults::{Classes, Source};
@@ -153,6 +154,7 @@ impl<'a> Reader<'a, '_> {
         let pose = parent
             .map_or(Pose::IDENTITY, |parent| Pose::new(parent.pose.position, parent.pose.rotation))
             .then(&in_parent);
+        unread::mjcf(element, &name.text, &mut self.model.notes);
         let given = element.child("inertial");
         let computed = match self.settings.from_geometry {
             FromGeometry::Never => false,
@@ -338,7 +340,7 @@ impl<'a> Reader<'a, '_> {
     }
 
     fn note(&mut self, code: &'static str, subject: &str, span: Span, message: String) {
-        self.model.notes.push(Note { code, subject: subject.to_owned(), span, message });
+        self.model.notes.push(Note::new(code, subject, span, message));
     }
 }
 

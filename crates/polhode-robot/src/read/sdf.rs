@@ -16,6 +16,7 @@ use crate::model::{
 };
 use crate::pose::of_roll_pitch_yaw;
 use crate::read::pose::Reading;
+use crate::read::unread;
 use crate::read::uri::Roots;
 use crate::read::xml::{Element, child_slot, is_true};
 use frames::{FrameKind, Frames, Scope};
@@ -130,12 +131,8 @@ fn require_short(name_bytes: usize, element: Element<'_>) -> Result<(), ContentE
 
 fn include(element: Element<'_>) -> Note {
     let uri = element.child_text("uri").map_or("", |text| text.value);
-    Note {
-        code: "read.include",
-        subject: String::new(),
-        span: element.span(),
-        message: format!("<include> of {uri:?} is not read: check that model by itself"),
-    }
+    let message = format!("<include> of {uri:?} is not read: check that model by itself");
+    Note::new("read.include", "", element.span(), message)
 }
 
 fn says_static(model: Element<'_>) -> bool {
@@ -176,6 +173,7 @@ fn link(
     notes: &mut Vec<Note>,
 ) -> Link {
     let name = full_name(element, scope, frames);
+    unread::sdf(element, &name.text, notes);
     let given = element.child("inertial");
     let automatic = given.is_some_and(|inertial| inertial.says_true("auto"));
     let own = frames.in_root(frame);

@@ -12,6 +12,7 @@ use crate::model::{
 };
 use crate::pose::of_roll_pitch_yaw;
 use crate::read::pose::Reading;
+use crate::read::unread;
 use crate::read::uri::Roots;
 use crate::read::xml::{Element, slot};
 
@@ -24,7 +25,11 @@ pub(super) fn read(root: Element<'_>, roots: &Roots, model: &mut RobotModel) -> 
                 let link = link(child, roots, &mut model.notes);
                 model.links.push(link);
             }
-            "joint" => model.joints.push(joint(child)),
+            "joint" => {
+                let joint = joint(child);
+                unread::origin(child, &joint.name.text, &mut model.notes);
+                model.joints.push(joint);
+            }
             name if name.starts_with("xacro_") => return Err(xacro(child.span())),
             _ => {}
         }
@@ -35,8 +40,26 @@ pub(super) fn read(root: Element<'_>, roots: &Roots, model: &mut RobotModel) -> 
     {
         return Err(xacro(start..start + 2));
     }
+    hang_on_world(model);
     Ok(())
 }
+
+/// A parent `world` that is no link is the world itself, as Drake reads it; other programs refuse it.
+fn hang_on_world(model: &mut RobotModel) {
+    if model.links.iter().any(|link| link.name.text == WORLD) {
+        return;
+    }
+    for joint in &mut model.joints {
+        if let Some(parent) = joint.parent.take_if(|parent| parent.text == WORLD) {
+            let message = "hangs on \"world\", which is no link: Drake takes the world, other programs want \
+                           <link name=\"world\"/>"
+                .to_owned();
+            model.notes.push(Note::new("read.world", &joint.name.text, parent.span, message));
+        }
+    }
+}
+
+const WORLD: &str = "world";
 
 /// A macro file is not the model yet.
 fn xacro(span: Span) -> ContentError {
@@ -47,16 +70,8 @@ fn xacro(span: Span) -> ContentError {
 
 fn link(element: Element<'_>, roots: &Roots, notes: &mut Vec<Note>) -> Link {
     let name = name(element, "name");
-    let mut inertials = element.named("inertial");
-    let inertial = inertials.next().map(inertial);
-    if let Some(second) = inertials.next() {
-        notes.push(Note {
-            code: "read.inertials",
-            subject: name.text.clone(),
-            span: second.span(),
-            message: "a second <inertial> of the same link: only the first counts".to_owned(),
-        });
-    }
+    unread::urdf(element, &name.text, notes);
+    let inertial = element.child("inertial").map(inertial);
     let geometry = element.children().filter_map(|child| {
         let role = match child.name() {
             "visual" => Role::Visual,

@@ -128,6 +128,11 @@ impl<'a> Element<'a> {
         })
     }
 
+    /// The names of all attributes.
+    pub(crate) fn attribute_names(self) -> impl Iterator<Item = &'a str> {
+        self.0.attributes().map(|attribute| attribute.name())
+    }
+
     /// The words of an attribute, if it is there.
     pub(crate) fn word(self, name: &str) -> Option<&'a str> {
         self.attribute(name).map(|written| written.value)

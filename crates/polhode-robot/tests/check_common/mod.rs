@@ -158,7 +158,8 @@ pub(crate) fn robot(parts: &str) -> String {
 
 /// A ball's worth of reach around a point.
 pub(crate) fn bounds(centre: [f64; 3], half: f64) -> LinkGeometry {
-    LinkGeometry { volumes: Vec::new(), bounds: Some([centre.map(|x| x - half), centre.map(|x| x + half)]) }
+    let bounds = Some([centre.map(|x| x - half), centre.map(|x| x + half)]);
+    LinkGeometry { bounds, ..LinkGeometry::default() }
 }
 
 /// A solid with this tensor for each kilogram.
@@ -172,7 +173,7 @@ pub(crate) fn solid(
     let tensor_per_density = per_mass.map(|row| row.map(|x| x * volume));
     let extent = bounds.iter().flatten().map(|x| x * x).sum::<f64>().sqrt();
     let solid = Volume { volume, centroid, tensor_per_density, extent, bounds, kind };
-    LinkGeometry { volumes: vec![solid], bounds: Some(bounds) }
+    LinkGeometry { volumes: vec![solid], bounds: Some(bounds), is_turned_by_some: false }
 }
 
 /// A box of these edges at a link's origin.

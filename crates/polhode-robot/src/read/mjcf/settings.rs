@@ -43,15 +43,11 @@ impl<'a> Settings<'a> {
             match element.name() {
                 "compiler" => {}
                 "include" => {
-                    notes.push(Note {
-                        code: "read.include",
-                        subject: String::new(),
-                        span: element.span(),
-                        message: format!(
-                            "<include> of {:?} is not read: defaults, meshes and bodies in it are not known here",
-                            element.word("file").unwrap_or("")
-                        ),
-                    });
+                    let message = format!(
+                        "<include> of {:?} is not read: defaults, meshes and bodies in it are not known here",
+                        element.word("file").unwrap_or("")
+                    );
+                    notes.push(Note::new("read.include", "", element.span(), message));
                     continue;
                 }
                 _ => continue,
@@ -90,7 +86,7 @@ impl<'a> Settings<'a> {
                     "coordinate" => "global coordinates are read as local ones".to_owned(),
                     _ => format!("{name}: MuJoCo changes what it reads; here it stands as it is written"),
                 };
-                Some(Note { code: "read.compiler", subject: String::new(), span: written.span, message })
+                Some(Note::new("read.compiler", "", written.span, message))
             },
         )
     }

@@ -141,12 +141,9 @@ impl<'a> Frames<'a> {
                     break known.clone();
                 }
                 if std::mem::replace(&mut walk[at], first) == first {
-                    notes.push(Note {
-                        code: "read.frame_circle",
-                        subject: self.frames[at].name.to_owned(),
-                        span: self.frames[at].span.clone(),
-                        message: "frames name each other in a circle: it is taken in the root's".to_owned(),
-                    });
+                    let frame = &self.frames[at];
+                    let message = "frames name each other in a circle: it is taken in the root's".to_owned();
+                    notes.push(Note::new("read.frame_circle", frame.name, frame.span.clone(), message));
                     break Pose::IDENTITY;
                 }
                 chain.push(at);
@@ -232,10 +229,6 @@ impl<'a> Frames<'a> {
 
 /// A frame that no element has.
 pub(super) fn unknown(frame: &str, subject: &str, span: Span) -> Note {
-    Note {
-        code: "read.frame",
-        subject: subject.to_owned(),
-        span,
-        message: format!("there is no frame {frame:?}: the pose is taken in the frame around it"),
-    }
+    let message = format!("there is no frame {frame:?}: the pose is taken in the frame around it");
+    Note::new("read.frame", subject, span, message)
 }

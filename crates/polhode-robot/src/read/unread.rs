@@ -1,0 +1,177 @@
+//! What a reader would pass over in silence though it may be meant: `read.inertials`, `read.twice`, `read.unknown`,
+//! `inertia.asymmetric`, `inertia.two_forms`.
+//!
+//! Programs read the first of two elements, the elements of a tensor above its diagonal, and no attribute that their language does
+//! not have. Where something else stands beside these, the file says more than programs read, and may say something else.
+
+use crate::finding::Severity;
+use crate::model::{Note, Span};
+use crate::read::xml::{Element, Written};
+
+/// Elements of a tensor above the diagonal, and those below it.
+const MIRRORED: [[&str; 2]; 3] = [["ixy", "iyx"], ["ixz", "izx"], ["iyz", "izy"]];
+const MOMENTS: [&str; 3] = ["ixx", "iyy", "izz"];
+
+/// Equal numbers of a tensor differ by no more than this part of the larger: the last of a program's digits.
+const EQUAL: f64 = 1e-6;
+
+/// Words that make an unknown name one that says something of mass.
+const PHYSICS: [&str; 10] =
+    ["mass", "inertia", "density", "com", "cog", "center", "centre", "origin", "pose", "unit"];
+
+/// A URDF link's inertial and the origins of its shapes.
+pub(super) fn urdf(link: Element<'_>, subject: &str, notes: &mut Vec<Note>) {
+    let mut reader = Unread { subject, notes };
+    reader.once(link, "inertial", "read.inertials");
+    for shape in link.children().filter(|child| matches!(child.name(), "visual" | "collision")) {
+        reader.attributes(shape, "origin", &["xyz", "rpy"]);
+    }
+    let Some(inertial) = link.child("inertial") else { return };
+    reader.elements(inertial, &["origin", "mass", "inertia"]);
+    reader.attributes(inertial, "origin", &["xyz", "rpy"]);
+    reader.attributes(inertial, "mass", &["value"]);
+    let Some(inertia) = inertial.child("inertia") else { return };
+    let tensor: Vec<&str> = MOMENTS.into_iter().chain(MIRRORED.into_iter().flatten()).collect();
+    reader.attributes(inertial, "inertia", &tensor);
+    reader.symmetric(|name| inertia.attribute(name));
+}
+
+/// The origin of a URDF joint.
+pub(super) fn origin(joint: Element<'_>, subject: &str, notes: &mut Vec<Note>) {
+    Unread { subject, notes }.attributes(joint, "origin", &["xyz", "rpy"]);
+}
+
+/// An SDF link's inertial.
+pub(super) fn sdf(link: Element<'_>, subject: &str, notes: &mut Vec<Note>) {
+    let mut reader = Unread { subject, notes };
+    reader.once(link, "inertial", "read.inertials");
+    let Some(inertial) = link.child("inertial") else { return };
+    reader.elements(
+        inertial,
+        &["pose", "mass", "inertia", "density", "auto_inertia_params", "fluid_added_mass", "frame"],
+    );
+    reader.own_attributes(inertial, &["auto"]);
+    reader.attributes(inertial, "pose", &["relative_to", "frame", "degrees", "rotation_format"]);
+    reader.attributes(inertial, "mass", &[]);
+    if let Some(frame) = inertial.child("pose").and_then(|pose| pose.attribute("relative_to"))
+        && !frame.value.is_empty()
+    {
+        let message =
+            format!("an inertial's pose is in its link's frame: relative_to={:?} is not read", frame.value);
+        reader.suspect("read.unknown", frame.span, message);
+    }
+    let Some(inertia) = inertial.child("inertia") else { return };
+    let tensor: Vec<&str> = MOMENTS.into_iter().chain(MIRRORED.into_iter().flatten()).collect();
+    reader.elements(inertia, &tensor);
+    reader.own_attributes(inertia, &[]);
+    reader.symmetric(|name| inertia.child_text(name));
+}
+
+/// An MJCF body's inertial.
+pub(super) fn mjcf(body: Element<'_>, subject: &str, notes: &mut Vec<Note>) {
+    const ATTITUDES: [&str; 5] = ["quat", "axisangle", "euler", "xyaxes", "zaxis"];
+    let mut reader = Unread { subject, notes };
+    reader.once(body, "inertial", "read.inertials");
+    let Some(inertial) = body.child("inertial") else { return };
+    let known = ["pos", "mass", "diaginertia", "fullinertia"].into_iter().chain(ATTITUDES);
+    reader.own_attributes(inertial, &known.collect::<Vec<_>>());
+    let Some(full) = inertial.attribute("fullinertia") else { return };
+    let others = ["diaginertia"].into_iter().chain(ATTITUDES);
+    for other in others.filter(|name| inertial.attribute(name).is_some()) {
+        let message =
+            format!("fullinertia beside {other}: MuJoCo refuses both together; fullinertia is read");
+        reader.suspect("inertia.two_forms", full.span.clone(), message);
+    }
+}
+
+/// Notes about one link or joint.
+struct Unread<'n> {
+    subject: &'n str,
+    notes: &'n mut Vec<Note>,
+}
+
+impl Unread<'_> {
+    fn suspect(&mut self, code: &'static str, span: Span, message: String) {
+        let note = Note::new(code, self.subject, span, message);
+        self.notes.push(Note { severity: Severity::Suspect, ..note });
+    }
+
+    /// An element that there is one of.
+    fn once(&mut self, parent: Element<'_>, name: &str, code: &'static str) {
+        if let Some(second) = parent.children().filter(|child| child.name() == name).nth(1) {
+            let message = format!("a second <{name}> in <{}>: only the first is read", parent.name());
+            self.suspect(code, second.span(), message);
+        }
+    }
+
+    /// Elements that each are there once at most, and no others.
+    fn elements(&mut self, parent: Element<'_>, known: &[&str]) {
+        for name in known {
+            self.once(parent, name, "read.twice");
+        }
+        for child in parent.children().filter(|child| !known.contains(&child.name())) {
+            let message = format!(
+                "<{}> in <{}> is not read; what is, is {}",
+                child.name(),
+                parent.name(),
+                known.join(", ")
+            );
+            self.unknown(child.name(), child.span(), message);
+        }
+    }
+
+    /// No attributes but these on the first child of that name.
+    fn attributes(&mut self, parent: Element<'_>, name: &str, known: &[&str]) {
+        if let Some(child) = parent.child(name) {
+            self.own_attributes(child, known);
+        }
+    }
+
+    /// No attributes but these.
+    fn own_attributes(&mut self, element: Element<'_>, known: &[&str]) {
+        for name in element.attribute_names().filter(|name| !known.contains(name)) {
+            let span = element.attribute(name).map_or_else(|| element.span(), |written| written.span);
+            let message = match known {
+                [] => format!("{name}=… of <{}> is not read", element.name()),
+                _ => {
+                    format!("{name}=… of <{}> is not read; what is, is {}", element.name(), known.join(", "))
+                }
+            };
+            self.unknown(name, span, message);
+        }
+    }
+
+    /// A name that no program reads: suspect if it says something of mass, else worth knowing.
+    fn unknown(&mut self, name: &str, span: Span, message: String) {
+        let lower = name.to_ascii_lowercase();
+        let element =
+            lower.len() == 3 && lower.starts_with('i') && lower[1..].bytes().all(|b| b"xyz".contains(&b));
+        let attitude = ["quat", "rpy", "xyz", "euler", "ypr"].iter().any(|word| lower.contains(word));
+        // A prefix of another program's own elements: drake_…, gz_….
+        let foreign = lower.starts_with("xmlns") || lower.starts_with("drake_") || lower.starts_with("gz_");
+        if !foreign && (element || attitude || PHYSICS.iter().any(|word| lower.contains(word))) {
+            self.suspect("read.unknown", span, message);
+        } else if !foreign {
+            self.notes.push(Note::new("read.unknown", self.subject, span, message));
+        }
+    }
+
+    /// Elements below the diagonal that are there say what those above it say. An element that is left out counts as zero.
+    fn symmetric<'a>(&mut self, element: impl Fn(&'static str) -> Option<Written<'a>>) {
+        for [upper, lower] in MIRRORED {
+            let Some(below) = element(lower) else { continue };
+            let above = element(upper);
+            let value = |written: &Written<'_>| written.number().value;
+            let (a, b) = (above.as_ref().map_or(Some(0.0), value), value(&below));
+            let equal = a.zip(b).is_some_and(|(a, b)| (a - b).abs() <= EQUAL * a.abs().max(b.abs()));
+            if !equal {
+                let written = above.map_or("left out".to_owned(), |above| above.value.to_owned());
+                let message = format!(
+                    "{upper} is {written} and {lower} is {}: a tensor is symmetric, and programs read {upper} alone",
+                    below.value
+                );
+                self.suspect("inertia.asymmetric", below.span, message);
+            }
+        }
+    }
+}

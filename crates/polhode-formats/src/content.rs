@@ -146,6 +146,10 @@ impl fmt::Display for ContentErrorKind {
             }
             Self::Expected { what, found } => write!(f, "expected {what}, found {:?}", cut(found)),
             Self::NotFinite { what, found } => write!(f, "{what} {} is not finite", cut(found)),
+            // As large as indices are read: the file's is larger.
+            Self::Index { what, index: i64::MAX | -9_223_372_036_854_775_807, count } => {
+                write!(f, "a {what} of 18 digits or more does not exist: there are {count}")
+            }
             Self::Index { what, index, count } => {
                 write!(f, "{what} {index} does not exist: there are {count}")
             }

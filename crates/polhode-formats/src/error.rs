@@ -11,7 +11,7 @@ use polhode::{BodyError, MotionError, RotationError};
 use crate::content::{ContentError, ContentPlace};
 use crate::expression::ExpressionError;
 use crate::mesh::stl::{StlError, StlPlace};
-use crate::text::{cut, escaped, visible};
+use crate::text::{cut, escaped, is_utf16, visible};
 use crate::unit::UnitError;
 
 /// Why a file could not be read: which file, where in it, what stands there, the rule that it breaks, and what to
@@ -48,6 +48,8 @@ pub enum FormatErrorKind {
         /// The first byte that does not belong.
         byte: u8,
     },
+    /// Text in UTF-16, where UTF-8 belongs.
+    Utf16,
     /// The text does not follow TOML's grammar.
     Toml {
         /// What the parser says.
@@ -143,11 +145,25 @@ impl FormatError {
 
     /// An error in the contents, with its line if they are text.
     pub fn of_content(path: &Path, bytes: &[u8], error: ContentError) -> Self {
+        if is_utf16(bytes) {
+            return Self::new(path, None, FormatErrorKind::Utf16);
+        }
         let place = match &error.place {
             ContentPlace::Text(span) => Some(Place::in_bytes(bytes, span.clone())),
             _ => None,
         };
         Self::new(path, place, FormatErrorKind::Content(error))
+    }
+
+    /// Text that is not UTF-8, from some byte on.
+    pub(crate) fn not_utf8(path: &Path, bytes: &[u8], valid: usize) -> Self {
+        if is_utf16(bytes) {
+            return Self::new(path, None, FormatErrorKind::Utf16);
+        }
+        let byte = bytes.get(valid).copied().unwrap_or_default();
+        // What stands before it is text, and shows the place.
+        let place = Place::in_text(&String::from_utf8_lossy(bytes), valid..valid);
+        Self::new(path, Some(place), FormatErrorKind::NotUtf8 { byte })
     }
 
     /// The same with a hint that knows more than its kind does.
@@ -219,6 +235,7 @@ impl fmt::Display for FormatErrorKind {
             Self::NotUtf8 { byte } => {
                 write!(f, "the file is not UTF-8 text: the byte 0x{byte:02X} does not belong")
             }
+            Self::Utf16 => f.write_str("the file is text in UTF-16; polhode reads UTF-8"),
             Self::Toml { message } => f.write_str(message),
             Self::UnknownKey { key, table, .. } => write!(f, "unknown key {:?} in {table}", cut(key)),
             Self::MissingKey { key, table, .. } => write!(f, "the key {key} is missing in {table}"),
@@ -258,6 +275,7 @@ impl FormatErrorKind {
             }
             Self::Io { .. } | Self::WrongType { .. } | Self::Value { .. } => None,
             Self::NotUtf8 { .. } => Some("save the file as UTF-8".to_owned()),
+            Self::Utf16 => Some("save the file as UTF-8, or iconv -f UTF-16 -t UTF-8 FILE > NEW".to_owned()),
             Self::UnknownKey { suggestion, known, .. } => {
                 let meant = suggestion.map_or(String::new(), |key| format!("did you mean {key}? "));
                 let (shown, more) = known.split_at(known.len().min(MOST_KEYS));
@@ -271,6 +289,11 @@ impl FormatErrorKind {
             Self::Mesh { error: BodyError::OpenMesh { .. } | BodyError::Unorientable { .. }, .. } => Some(
                 "close the surface in the tool that made it (vertices that only nearly coincide count as \
                  different); or take its convex hull by --hull, or a sheet along it by --shell"
+                    .to_owned(),
+            ),
+            Self::Mesh { error: BodyError::OverlappingMesh { .. }, .. } => Some(
+                "unite the solids in the tool that made the mesh (boolean union); or take the convex hull of all of \
+                 it by --hull"
                     .to_owned(),
             ),
             Self::Body(e) | Self::Mesh { error: e, .. } => {

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use crate::content::ContentError;
-use crate::error::{FormatError, FormatErrorKind, Place};
+use crate::error::FormatError;
 use crate::file;
 
 /// Reads a file with a parser of bytes: an error in the contents gets its line.
@@ -39,10 +39,7 @@ pub fn read_text_file<T>(
 ) -> Result<T, FormatError> {
     let bytes = file::bytes(path, &path.to_string_lossy(), u64::MAX)
         .map_err(|kind| FormatError::new(path, None, kind))?;
-    let text = str::from_utf8(&bytes).map_err(|error| {
-        let at = error.valid_up_to();
-        let place = Place::in_bytes(&bytes, at..at + 1);
-        FormatError::new(path, Some(place), FormatErrorKind::NotUtf8 { byte: bytes[at] })
-    })?;
+    let text =
+        str::from_utf8(&bytes).map_err(|error| FormatError::not_utf8(path, &bytes, error.valid_up_to()))?;
     parse(text).map_err(|error| FormatError::of_content(path, &bytes, error))
 }

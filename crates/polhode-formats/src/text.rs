@@ -16,6 +16,20 @@ pub(crate) fn cut(text: &str) -> String {
     text.chars().take(MOST).chain(more).collect()
 }
 
+/// Whether bytes are UTF-16 text: by their mark, or as every other one of the first is zero.
+pub(crate) fn is_utf16(bytes: &[u8]) -> bool {
+    const LOOKED_AT: usize = 64;
+    if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") {
+        return true;
+    }
+    let pairs: Vec<[u8; 2]> =
+        bytes.chunks_exact(2).take(LOOKED_AT / 2).filter_map(|p| p.try_into().ok()).collect();
+    let ascii = |byte: u8| byte.is_ascii_graphic() || byte.is_ascii_whitespace();
+    pairs.len() >= 2
+        && (pairs.iter().all(|[a, b]| ascii(*a) && *b == 0)
+            || pairs.iter().all(|[a, b]| *a == 0 && ascii(*b)))
+}
+
 /// The whole text on one line: what cannot be seen is escaped.
 pub(crate) fn escaped(text: &str) -> String {
     let mut shown = String::new();

@@ -7,7 +7,7 @@ use std::path::Path;
 
 use crate::error::{FormatError, FormatErrorKind, Place};
 use crate::file;
-use crate::text::cut;
+use crate::text::{cut, is_utf16};
 use crate::unit::{self, Dimension};
 
 /// More times than this would not fit the memory of a small machine: at 240 bytes a sample, 2.4 GB.
@@ -117,12 +117,11 @@ pub fn every(every: f64, duration: f64) -> Option<Vec<f64>> {
 }
 
 fn from_bytes(bytes: &[u8], path: &Path) -> Result<Vec<f64>, FormatError> {
-    let text = str::from_utf8(bytes).map_err(|error| {
-        let valid = error.valid_up_to();
-        let byte = bytes.get(valid).copied().unwrap_or_default();
-        let place = Place::in_text(&String::from_utf8_lossy(bytes), valid..valid);
-        FormatError::new(path, Some(place), FormatErrorKind::NotUtf8 { byte })
-    })?;
+    if is_utf16(bytes) {
+        return Err(FormatError::new(path, None, FormatErrorKind::Utf16));
+    }
+    let text =
+        str::from_utf8(bytes).map_err(|error| FormatError::not_utf8(path, bytes, error.valid_up_to()))?;
     parse(text, path)
 }
 

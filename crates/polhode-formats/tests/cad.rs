@@ -585,3 +585,51 @@ fn comments_and_tables_around_a_report_do_no_harm() {
         assert_eq!(read(&decorated, &options).unwrap().properties, read(&text, &options).unwrap().properties);
     }
 }
+
+#[test]
+fn a_tensor_about_the_centre_of_mass_needs_no_centre() {
+    let body = generic();
+    let print =
+        Print { words: ["KILOGRAM", "MM"], units: [1.0, 1e-3], number: |v| creo_number(v, 7), sign: BOTH[0] };
+    let whole = creo(&body, print);
+    let block = |point: &str| {
+        let from = whole.find(&format!("INERTIA {point}with")).unwrap();
+        let end = whole[from + 1..].find("INERTIA at").map_or(whole.len(), |k| from + 1 + k);
+        let mass = whole.lines().find(|line| line.starts_with("MASS")).unwrap();
+        format!("{mass}\n\n{}", &whole[from..end])
+    };
+    let told = CadOptions { products: Some(BOTH[0]), ..CadOptions::default() };
+    let report = read(&block("at CENTER OF GRAVITY "), &told).unwrap();
+    assert_eq!(report.findings.iter().map(|f| f.code).collect::<Vec<_>>(), ["cad.no-center"]);
+    for (found, want) in
+        report.properties.inertia().matrix().iter().flatten().zip(body.inertia().matrix().iter().flatten())
+    {
+        assert!((found - want).abs() < 1e-6 * body.inertia().matrix()[0][0]);
+    }
+    // About the origin it says nothing without the centre, nor does a centre without numbers say that it is the origin.
+    let error = read(&block(""), &told).unwrap_err();
+    assert!(error.to_string().contains("centre of mass"), "{error}");
+    let named = format!("Center of mass: see drawing\n{}", block("at CENTER OF GRAVITY "));
+    assert!(read(&named, &told).is_err());
+}
+
+#[test]
+fn headings_of_other_languages_are_named() {
+    let german = "Masse = 2347.00 Gramm\nVolumen = 1.0 Kubikmillimeter\nMassenschwerpunkt: ( Millimeter )\n\tX = 1.0\n\
+                  Trägheitsmomente: ( Gramm * Quadratmillimeter )\nLxx = 1 Lxy = 0 Lxz = 0\n";
+    let error = refused(german);
+    assert!(error.to_string().contains("German headings"), "{error}");
+    let hint = error.hint.unwrap();
+    assert!(
+        ["Mass", "Density", "Center of mass", "Moments of inertia"].iter().all(|word| hint.contains(word))
+    );
+    // One line translated is not the whole.
+    let half = german.replace("Masse", "Mass").replace("Gramm", "grams");
+    assert!(refused(&half).to_string().contains("German"));
+    for (text, language) in [
+        ("质量 = 1.2 克\n重心: ( 毫米 )\n惯性张量", "Chinese"),
+        ("Masse = 1.2 grammes\nCentre de gravité: ( millimètres )\nMoments d'inertie", "French"),
+    ] {
+        assert!(refused(text).to_string().contains(language));
+    }
+}

@@ -5,7 +5,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use polhode::Position;
-use polhode_formats::scenario;
+use polhode_formats::mesh::{MeshContents, MeshFormat};
+use polhode_formats::molecule::{self, MoleculeFormat};
+use polhode_formats::{FormatErrorKind, cad, particles, read_file, read_text_file, scenario, times};
 
 /// A folder of this test's own.
 fn folder(name: &str) -> PathBuf {
@@ -113,4 +115,35 @@ fn files_that_cannot_be_read_say_so() {
     assert_eq!(latin.hint().as_deref(), Some("save the file as UTF-8"));
     fs::write(folder.join("empty.toml"), b"").unwrap();
     assert_eq!(read("empty.toml").place().map(|p| (p.line, p.column)), Some((1, 1)));
+}
+
+#[test]
+fn text_in_utf16_is_named_as_such_in_every_format() {
+    let folder = folder("utf16");
+    let text = "mass_kg,x_m,y_m,z_m\n1,2,3,4\n";
+    let little: Vec<u8> = text.encode_utf16().flat_map(u16::to_le_bytes).collect();
+    let big: Vec<u8> = text.encode_utf16().flat_map(u16::to_be_bytes).collect();
+    let files =
+        [[vec![0xff, 0xfe], little.clone()].concat(), [vec![0xfe, 0xff], big.clone()].concat(), little, big];
+    for bytes in files {
+        let path = folder.join("file");
+        fs::write(&path, &bytes).unwrap();
+        let mut errors = vec![
+            scenario::read(&path).unwrap_err(),
+            read_text_file(&path, |text| cad::read(text, &cad::CadOptions::default())).unwrap_err(),
+            read_file(&path, |bytes| particles::read(bytes, &particles::ParticleOptions::default()))
+                .unwrap_err(),
+            times::read(&path).unwrap_err(),
+        ];
+        for format in MeshFormat::ALL {
+            errors.push(MeshContents::read(&path, format).unwrap_err());
+        }
+        for format in [MoleculeFormat::Xyz, MoleculeFormat::Mol, MoleculeFormat::Sdf, MoleculeFormat::Pdb] {
+            errors.push(molecule::read(&path, format).unwrap_err());
+        }
+        for error in errors {
+            assert_eq!(error.kind(), &FormatErrorKind::Utf16, "{error}");
+            assert!(error.hint().unwrap().contains("UTF-8"));
+        }
+    }
 }

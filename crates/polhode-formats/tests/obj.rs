@@ -253,3 +253,17 @@ fn a_vast_dented_face_comes_to_an_end() {
     assert_eq!(contents.parts[0].mesh.triangles().len(), n);
     assert_eq!(contents.findings[0].code, "mesh.crossed_polygons");
 }
+
+#[test]
+fn an_index_of_twenty_digits_is_not_told_as_another_number() {
+    let corner = "v 0 0 0\nv 2 0 0\nv 0 3 0\nv 0 0 5\nf 1 3 2\nf 1 2 4\nf 1 4 3\n";
+    for index in ["12345678901234567890", "-12345678901234567890", "18446744073709551620"] {
+        let text = format!("{corner}f 2 3 {index}\n");
+        let error = read(text.as_bytes()).unwrap_err();
+        let ContentPlace::Text(span) = error.place.clone() else { panic!("{error}") };
+        assert!(!error.to_string().contains("9223372036854775807"), "{error}");
+        assert_eq!(&text[span], index, "{error}");
+    }
+    let zeros = format!("{corner}f 2 3 00000000000000000000004\n");
+    assert!(read(zeros.as_bytes()).is_ok());
+}

@@ -166,7 +166,8 @@ fn whole(
         let named = contents.parts.iter().map(|part| part.name.clone()).zip(shells);
         let pieces = named.map(|(name, shell)| Piece { name, shape: Box::new(shell) as Box<dyn Shape> });
         findings.extend(contents.findings);
-        let source = described("taken as a sheet", count, contents.unit.unwrap_or(1.0));
+        let source =
+            described("taken as a sheet", count, contents.unit.unwrap_or(1.0)).with("taken_as", "sheet");
         return Ok(Model { source, pieces: pieces.collect(), field: None });
     }
     if flags.hull {
@@ -183,7 +184,9 @@ fn whole(
         (false, false) => "closed, consistently wound",
     };
     let vertices: usize = solid.parts.iter().map(|part| part.mesh.vertices()).sum();
-    let source = described(what, solid.parts.len(), solid.unit).with("vertices", vertices);
+    let taken_as = if flags.hull { "convex_hull" } else { "solid" };
+    let source =
+        described(what, solid.parts.len(), solid.unit).with("vertices", vertices).with("taken_as", taken_as);
     let field = match &flags.field {
         Some(formula) => Some(field::found(&solid.parts, formula, flags.tolerance)?),
         None => None,

@@ -1,5 +1,6 @@
 //! Mass-property reports of CAD programs, pasted as text: SolidWorks, Fusion, Creo, Onshape, and others that
-//! label their numbers alike. The words are English ones; numbers and units are those of any country.
+//! label their numbers alike. The words are English ones; numbers and units are those of any country. Headings of other languages
+//! are recognised, and refused by name.
 //!
 //! Three things are read or proved, and never guessed:
 //!
@@ -9,6 +10,7 @@
 //!
 //! What the report leaves open is refused with a question, and [`CadOptions`] answers it.
 
+mod language;
 mod numbers;
 mod proof;
 mod scan;
@@ -171,15 +173,29 @@ pub fn read(text: &str, options: &CadOptions) -> Result<CadReport, ContentError>
     let reader = Reader { text, mark, options };
 
     let (_, mass_name, mass_dimension) = SCALARS[0];
-    let [mass] = reader.whole(&scan.scalars[0], mass_dimension, |_| mass_name.to_owned())?;
-    let center = reader.whole(&scan.center, Dimension::LENGTH, |k| scan::center_name(k).to_owned())?;
-    let central = reader.tensor(&scan.tensors[CENTRAL], CENTRAL)?;
-    let origin = reader.tensor(&scan.tensors[ORIGIN], ORIGIN)?;
+    let untold = |error: ContentError| in_its_language(text, error);
+    let [mass] = reader.whole(&scan.scalars[0], mass_dimension, |_| mass_name.to_owned()).map_err(untold)?;
+    let central = reader.tensor(&scan.tensors[CENTRAL], CENTRAL).map_err(untold)?;
+    let origin = reader.tensor(&scan.tensors[ORIGIN], ORIGIN).map_err(untold)?;
     if central.is_none() && origin.is_none() {
         let what = "moments of inertia".to_owned();
-        return Err(ContentError::new(ContentErrorKind::Missing { what }, ContentPlace::Whole)
-            .hint("paste the whole report, from the mass to the last moment of inertia"));
+        let error = ContentError::new(ContentErrorKind::Missing { what }, ContentPlace::Whole);
+        return Err(untold(
+            error.hint("paste the whole report, from the mass to the last moment of inertia"),
+        ));
     }
+    // The tensor about the centre of mass is one wherever that is: a block of Creo's alone, say.
+    let nowhere = !scan.center.is_some()
+        && central.is_some()
+        && origin.is_none()
+        && !scan.names_center
+        && language::foreign(text).is_none();
+    let center = match nowhere {
+        true => [Printed::default(); 3],
+        false => reader
+            .whole(&scan.center, Dimension::LENGTH, |k| scan::center_name(k).to_owned())
+            .map_err(untold)?,
+    };
     let evidence = Evidence {
         mass,
         center,
@@ -193,6 +209,10 @@ pub fn read(text: &str, options: &CadOptions) -> Result<CadReport, ContentError>
     let proof = proof::prove(&evidence)?;
     let properties = body(&evidence, proof.convention).map_err(impossible)?;
     let mut findings = findings(&evidence, &proof);
+    if nowhere {
+        let message = "the report has no centre of mass: it is taken as the origin, and only the tensor about it is known";
+        findings.push(finding("cad.no-center", Severity::Warning, message.to_owned()));
+    }
     let mut scalar = |k: usize| -> Result<Option<f64>, ContentError> {
         let (group, (_, name, dimension)) = (&scan.scalars[k], SCALARS[k]);
         let value: Option<[Printed; 1]> = reader.if_whole(group, dimension)?;
@@ -400,6 +420,17 @@ impl Reader<'_> {
             _ => length_unit.map(|l| l * l), // the surface area
         }
     }
+}
+
+/// What is missing may stand there in another language.
+fn in_its_language(text: &str, error: ContentError) -> ContentError {
+    let foreign = language::foreign(text).filter(|_| matches!(error.kind, ContentErrorKind::Missing { .. }));
+    let Some((language, heading)) = foreign else { return error };
+    let what = format!("{language} headings such as {heading:?}");
+    ContentError::new(ContentErrorKind::Unsupported { what }, ContentPlace::Whole).hint(format!(
+        "let the program print in English, or translate; headings that are read: {}",
+        language::KNOWN
+    ))
 }
 
 fn missing(what: String) -> ContentError {

@@ -43,6 +43,8 @@ pub(super) struct Scan {
     /// Mass, volume, surface area, density.
     pub(super) scalars: [Group<1>; 4],
     pub(super) center: Group<3>,
+    /// Whether a heading announces the centre of mass, with or without numbers that are read.
+    pub(super) names_center: bool,
     /// Row by row, about the centre of mass and about the origin.
     pub(super) tensors: [Group<9>; 2],
     pub(super) moments: Group<3>,
@@ -94,6 +96,7 @@ pub(super) fn scan(text: &str) -> Result<Scan, ContentError> {
             stated: None,
             scalars: [Group::EMPTY; 4],
             center: Group::EMPTY,
+            names_center: false,
             tensors: [Group::EMPTY; 2],
             moments: Group::EMPTY,
             axes: Group::EMPTY,
@@ -163,6 +166,7 @@ impl Scanner<'_> {
         }
         let Some(section) = heading(&lower, self.section) else { return self.numbers(start, content, 0) };
         self.nothing_waits(start)?;
+        self.scan.names_center |= section == Section::Center;
         self.section = section;
         let dimension = if section == Section::Center { Dimension::LENGTH } else { Dimension::INERTIA };
         // The lines "INERTIA TENSOR:" of Creo stand between the heading with the unit and the numbers.

@@ -18,6 +18,7 @@ use polhode::TriangleMesh;
 
 use super::{MeshContents, MeshPart};
 use crate::error::{FormatError, FormatErrorKind, Place};
+use crate::text::is_utf16;
 
 const HEADER: usize = 80;
 const PREAMBLE: usize = HEADER + 4;
@@ -219,8 +220,7 @@ impl fmt::Display for StlPlace {
 
 /// What the bytes of an STL file say; `path` is for messages.
 pub(super) fn contents(bytes: &[u8], path: &Path) -> Result<MeshContents, FormatError> {
-    let Stl { kind, name, triangles, .. } = read(bytes)
-        .map_err(|error| FormatError::new(path, place(bytes, &error), FormatErrorKind::Stl(error)))?;
+    let Stl { kind, name, triangles, .. } = read(bytes).map_err(|error| refused(path, bytes, error))?;
     let mesh = TriangleMesh::of_triangles(&triangles)
         .map_err(|error| FormatError::new(path, None, FormatErrorKind::Body(error)))?;
     let encoding = match kind {
@@ -229,6 +229,14 @@ pub(super) fn contents(bytes: &[u8], path: &Path) -> Result<MeshContents, Format
     };
     let parts = vec![MeshPart { name: String::new(), mesh }];
     Ok(MeshContents { encoding, name, unit: None, parts, findings: Vec::new() })
+}
+
+/// The error of a file that starts with these bytes.
+pub(super) fn refused(path: &Path, bytes: &[u8], error: StlError) -> FormatError {
+    match is_utf16(bytes) {
+        true => FormatError::new(path, None, FormatErrorKind::Utf16),
+        false => FormatError::new(path, place(bytes, &error), FormatErrorKind::Stl(error)),
+    }
 }
 
 /// Where in an ASCII file an error is: its column counts characters, not bytes.

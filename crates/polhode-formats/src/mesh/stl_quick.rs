@@ -12,7 +12,7 @@ use std::path::Path;
 use polhode::{BodyError, MeasuredSolid, Position};
 use polhode_stl::{Moments, NotFinite, Options, Record, moments_of_file, moments_of_records};
 
-use super::stl::{StlError, StlPlace};
+use super::stl::{self, StlError, StlPlace};
 use crate::error::{FormatError, FormatErrorKind};
 use crate::file;
 
@@ -132,8 +132,7 @@ impl QuickMoments {
 /// [`FormatError`] if the file cannot be read, is as long as no STL file, has no triangles or a vertex that is not
 /// finite, or bounds no volume, and if it changes while it is read. A count that does not fit the file's length is refused before anything else is read.
 pub fn read(path: &Path, options: &QuickOptions) -> Result<Option<QuickMoments>, FormatError> {
-    let fail = |kind| FormatError::new(path, None, kind);
-    let io = |error| fail(file::failed(&path.to_string_lossy(), &error));
+    let io = |error| FormatError::new(path, None, file::failed(&path.to_string_lossy(), &error));
     let mut file = File::open(path).map_err(io)?;
     let metadata = file.metadata().map_err(io)?;
     if !metadata.is_file() {
@@ -141,7 +140,7 @@ pub fn read(path: &Path, options: &QuickOptions) -> Result<Option<QuickMoments>,
     }
     let mut head = Vec::new();
     (&mut file).take(HEAD).read_to_end(&mut head).map_err(io)?;
-    let Some(count) = count(&head, metadata.len()).map_err(|e| fail(FormatErrorKind::Stl(e)))? else {
+    let Some(count) = count(&head, metadata.len()).map_err(|e| stl::refused(path, &head, e))? else {
         return Ok(None);
     };
     let sums = Options { threads: options.threads, edges: options.verdict };
@@ -155,9 +154,8 @@ pub fn read(path: &Path, options: &QuickOptions) -> Result<Option<QuickMoments>,
 /// # Errors
 /// As [`read`], without what is about reading.
 pub fn parse(bytes: &[u8], path: &Path, options: &QuickOptions) -> Result<Option<QuickMoments>, FormatError> {
-    let fail = |kind| FormatError::new(path, None, kind);
     let head = &bytes[..bytes.len().min(HEAD as usize)];
-    if count(head, bytes.len() as u64).map_err(|e| fail(FormatErrorKind::Stl(e)))?.is_none() {
+    if count(head, bytes.len() as u64).map_err(|e| stl::refused(path, head, e))?.is_none() {
         return Ok(None);
     }
     let sums = Options { threads: options.threads, edges: options.verdict };

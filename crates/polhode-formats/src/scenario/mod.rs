@@ -52,9 +52,10 @@ mod wheel;
 
 use std::path::Path;
 
-use crate::error::{FormatError, FormatErrorKind, Place};
+use crate::error::{FormatError, FormatErrorKind};
 use crate::file;
 use crate::mesh::stl;
+use crate::text::is_utf16;
 use again::Reading;
 use polhode::{EventAction, Finding, MotionError, Rotor, Scenario, Severity, TorqueModel, Velocity, Wheel};
 use reader::{Source, TOP, Table};
@@ -87,16 +88,14 @@ pub fn read_with_text(path: &Path) -> Result<(Scenario, String), FormatError> {
 fn text_of(path: &Path) -> Result<String, FormatError> {
     let fail = |kind| FormatError::new(path, None, kind);
     let bytes = file::bytes(path, &path.to_string_lossy(), LARGEST_FILE).map_err(fail)?;
+    if is_utf16(&bytes) {
+        return Err(fail(FormatErrorKind::Utf16));
+    }
     match String::from_utf8(bytes) {
         Ok(text) => Ok(text),
         Err(error) => {
             let (bytes, error) = (error.as_bytes().to_vec(), error.utf8_error());
-            let valid = error.valid_up_to();
-            let byte = bytes.get(valid).copied().unwrap_or_default();
-            // What stands before it is text, and shows the place.
-            let text = String::from_utf8_lossy(&bytes);
-            let place = Place::in_text(&text, valid..valid);
-            let error = FormatError::new(path, Some(place), FormatErrorKind::NotUtf8 { byte });
+            let error = FormatError::not_utf8(path, &bytes, error.valid_up_to());
             Err(perhaps_mesh(error, &bytes))
         }
     }

@@ -21,7 +21,8 @@ pub(crate) fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a s
         .map(|candidate| (edits(&word, &letters(candidate)), candidate))
         .filter(|&(edits, candidate)| {
             let length = candidate.chars().count();
-            edits < length && edits <= length.div_ceil(3).min(2)
+            // Up to a third of the letters: wood is not gold.
+            edits <= (length.max(word.len()) / 3).min(2)
         })
         .collect();
     near.sort_by_key(|&(edits, _)| edits);
@@ -64,6 +65,8 @@ mod tests {
             assert_eq!(nearest(word, keys), Some(meant), "{word}");
         }
         assert_eq!(nearest("euler321", ["axis", "euler313"]), None);
+        assert_eq!(nearest("wood", ["gold", "lead", "oak"]), None);
+        assert_eq!(nearest("silvr", ["gold", "silver"]), Some("silver"));
         for word in ["", "x", "colour", "long", "diameter"] {
             assert_eq!(nearest(word, keys), None, "{word}");
         }

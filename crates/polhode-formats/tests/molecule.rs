@@ -461,3 +461,24 @@ fn no_bytes_make_a_reader_panic() {
     }
     assert!(read > 500, "{read}");
 }
+
+#[test]
+fn what_would_change_the_mass_is_not_passed_over() {
+    let masses = "1\nProperties=species:S:1:pos:R:3:masses:R:1\nC 0 0 0 13.0\n";
+    let (error, hint) = refused(MoleculeFormat::Xyz, masses);
+    assert!(error.contains("the masses of single atoms") && hint.contains("13C"), "{error}");
+
+    // Ethanol as programs draw it, without its hydrogen atoms, and with them.
+    let atoms: [Place; 3] = [("C", [0.0, 0.1, 0.2]), ("C", [1.5, 0.0, 0.1]), ("O", [2.0, 1.3, -0.1])];
+    let bare = v2000_text(&atoms).replace("  3  1  0", "  3  2  0").replace("M  END", "  2  3  1  0\nM  END");
+    let read = |text: &str| parse(text.as_bytes(), MoleculeFormat::Mol, Path::new("f")).unwrap().remove(0);
+    let codes = |text: &str| read(text).findings.iter().map(|f| f.code).collect::<Vec<_>>();
+    assert_eq!(codes(&bare), ["molecule.no_hydrogen"]);
+    // O=C=O has none to leave out.
+    let dioxide: [Place; 3] = [("O", [-1.2, 0.1, 0.2]), ("C", [0.0, 0.0, 0.1]), ("O", [1.2, 0.3, -0.1])];
+    let whole = v2000_text(&dioxide).replace("  3  1  0", "  3  2  0").replace("  1  2  1", "  1  2  2");
+    let whole = whole.replace("M  END", "  2  3  2  0\nM  END");
+    assert_eq!(codes(&whole), [""; 0]);
+    let named = whole.replace("M  END", "A    1\nPh\nM  END");
+    assert_eq!(codes(&named), ["molecule.abbreviations"]);
+}

@@ -323,6 +323,9 @@ fn every_wrong_nrrd_header_is_named_in_its_line() {
         ("encoding: raw", "encoding: raw\nbyte skip: -2", "a whole number, or -1"),
         ("encoding: raw", "encoding: raw\nencoding: raw", "must be there once"),
         ("encoding: raw", "encoding: raw\naxis mins: 1 2 3", "the field axis mins"),
+        ("encoding: raw", "encoding: raw\nkinds: domain domain 3-color", "an axis of the kind 3-color"),
+        ("encoding: raw", "encoding: raw\nsample units: \"g/cm^3\"", "values in g/cm^3"),
+        ("encoding: raw", "encoding: raw\nspacings: 1 2 3", "spacings beside space directions"),
         ("encoding: raw", "encoding: raw\nnonsense", "field: value, or an empty line"),
         ("(2,0,0) (0", "none (0", "an axis that is none of space"),
         ("(2,0,0) (0", "(2,0) (0", "three vectors"),
@@ -385,5 +388,15 @@ fn no_truncation_and_no_flipped_byte_panics() {
             }
         }
         assert!(read_on > 500, "{read_on}");
+    }
+}
+
+#[test]
+fn what_a_voxel_is_called_does_no_harm() {
+    for field in ["kinds: domain space ???", "sample units: HU", "sample units: kg/m^3", "sample units: \"\""]
+    {
+        let bytes = nrrd(&format!("{FIELDS}{field}\n"), &numbers(true));
+        let voxels = read(&bytes).unwrap_or_else(|e| panic!("{field}: {e}"));
+        assert_eq!(voxels.counts(), COUNTS);
     }
 }

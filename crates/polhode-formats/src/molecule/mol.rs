@@ -1,7 +1,7 @@
 //! MDL's connection tables, V2000 and V3000: one in a MOL file, several with data in an SDF. Lengths are ångström.
 //!
 //! Isotopes are those of `M  ISO` lines and `MASS=`; without any `M  ISO`, the differences in columns 35 and 36. Bonds are
-//! not needed; they are looked at only to notice a wrong number of atoms.
+//! not needed; they are looked at only to notice a wrong number of atoms, and hydrogen atoms that they imply and the file leaves out.
 //!
 //! Source: CTfile Formats, BIOVIA, 2020.
 
@@ -101,10 +101,20 @@ fn v2000(
         let line = lines.next().ok_or_else(|| count_error(&atom_count, "atoms", n, done))?;
         atoms.push(atom_line(&line)?);
     }
+    // Of each atom, twice the sum of its bonds' orders.
+    let mut valence = vec![0_u32; n];
     for done in 0..bonds {
         let line = lines.next().ok_or_else(|| count_error(&bond_count, "bonds", bonds, done))?;
+        let order = match line.columns(6..9).bytes {
+            b"2" => 4,
+            b"3" => 6,
+            b"4" => 3, // aromatic
+            _ => 2,
+        };
         for columns in [0..3, 3..6] {
             let index: Option<usize> = line.columns(columns).integer("").ok();
+            let slot = index.and_then(|k| valence.get_mut(k.checked_sub(1)?));
+            slot.into_iter().for_each(|sum| *sum += order);
             if index.is_none_or(|k| k == 0 || k > n) {
                 let hint = if atom_line(&line).is_ok() {
                     "this is one more atom than the number in columns 1 to 3 of the counts"
@@ -115,7 +125,13 @@ fn v2000(
             }
         }
     }
-    let isotopes = properties(lines, n, old)?;
+    let Properties { isotopes, abbreviations } = properties(lines, n, old)?;
+    if abbreviations > 0 {
+        let message = format!(
+            "{abbreviations} atoms have an abbreviation, such as Ph, beside their symbol: they count as one atom each"
+        );
+        builder.notice("molecule.abbreviations", Severity::Warning, message);
+    }
     for (k, (symbol, difference, place)) in atoms.iter().enumerate() {
         let named = isotopes.as_ref().and_then(|named| named.get(&k));
         let species = match (builder.species(symbol)?, named) {
@@ -129,7 +145,21 @@ fn v2000(
         };
         builder.push(species, *place, ANGSTROM)?;
     }
+    no_hydrogen(&atoms, &valence, builder);
     Ok(())
+}
+
+/// Tables leave hydrogen atoms out where valence implies them, and a body without them is lighter.
+fn no_hydrogen(atoms: &[AtomLine<'_>], valence: &[u32], builder: &mut Builder) {
+    const FOUR_BONDS: u32 = 8;
+    let number = |atom: &super::Atom| atom.species.element().number();
+    let open = |((symbol, ..), sum): (&AtomLine<'_>, &u32)| symbol.bytes == b"C" && *sum < FOUR_BONDS;
+    let any = atoms.iter().zip(valence).any(open);
+    if any && atoms.len() > 2 && !builder.atoms.iter().any(|atom| number(atom) == 1) {
+        let message =
+            "the file has no hydrogen atoms, and carbon with free valences: the body is without them";
+        builder.notice("molecule.no_hydrogen", Severity::Warning, message.to_owned());
+    }
 }
 
 /// Symbol, mass difference and place of a V2000 atom.
@@ -179,22 +209,31 @@ fn shifted(species: Species, difference: &Field<'_>, builder: &mut Builder) -> R
 /// By atom, from 0: the mass number of its last `M  ISO` entry, and where it says so.
 type Named<'a> = BTreeMap<usize, (u16, Field<'a>)>;
 
-/// The isotopes of a V2000 property block, which is read to its end; `None` without an `M  ISO`.
-fn properties<'a>(lines: &mut Lines<'a>, atoms: usize, old: bool) -> Result<Option<Named<'a>>, ContentError> {
+/// What a V2000 property block says.
+struct Properties<'a> {
+    /// `None` without an `M  ISO`.
+    isotopes: Option<Named<'a>>,
+    /// Atoms that stand for a group with a name.
+    abbreviations: usize,
+}
+
+/// A V2000 property block, which is read to its end.
+fn properties<'a>(lines: &mut Lines<'a>, atoms: usize, old: bool) -> Result<Properties<'a>, ContentError> {
     let mut isotopes: Option<Named<'a>> = None;
+    let mut abbreviations = 0;
     loop {
         let before = lines.clone();
         let line = match lines.next() {
             Some(line) if !line.bytes.starts_with(b"$$$$") => line,
             _ if old => {
                 *lines = before;
-                return Ok(isotopes);
+                return Ok(Properties { isotopes, abbreviations });
             }
             Some(line) => return Err(line.expected("M  END")),
             None => return Err(lines.ended("M  END")),
         };
         match line.bytes {
-            [b'M', b' ', b' ', b'E', b'N', b'D', ..] => return Ok(isotopes),
+            [b'M', b' ', b' ', b'E', b'N', b'D', ..] => return Ok(Properties { isotopes, abbreviations }),
             [b'M', b' ', b' ', b'I', b'S', b'O', ..] => {
                 let named = isotopes.get_or_insert_default();
                 let count: usize = line.columns(6..9).integer("the number of isotopes")?;
@@ -213,6 +252,7 @@ fn properties<'a>(lines: &mut Lines<'a>, atoms: usize, old: bool) -> Result<Opti
             }
             // The text of an abbreviation is on the next line.
             [b'A' | b'G', b' ', b' ', ..] => {
+                abbreviations += 1;
                 lines.next();
             }
             _ => {}

@@ -1,7 +1,7 @@
 //! XYZ: the number of atoms, a comment, and a line for each atom: symbol, x, y, z in ångström.
 //!
 //! A symbol may be an atomic number or an isotope (`13C`, `D`). What stands behind the coordinates is not read. In extended
-//! XYZ the comment says `Properties=species:S:1:pos:R:3:…`, and the columns follow it. Of several frames the first is
+//! XYZ the comment says `Properties=species:S:1:pos:R:3:…`, and the columns follow it; one of masses is refused. Of several frames the first is
 //! read. The number of atoms may be followed by the unit, `au` or `bohr`, as some programs write it.
 
 use polhode::Severity;
@@ -108,6 +108,13 @@ impl Columns {
                 ("Z", 1) => number = Some(at),
                 ("pos", 3) => position = Some(at),
                 ("species" | "pos", _) => return Err(wrong()),
+                // They would make other masses than those of the species.
+                ("masses" | "mass" | "isotopes" | "isotope", _) => {
+                    let what = format!("the masses of single atoms, in the column {name}");
+                    let place = ContentPlace::Text(word.span());
+                    return Err(ContentError::new(ContentErrorKind::Unsupported { what }, place)
+                        .hint("name isotopes by their symbols, such as 13C or D, and leave the column out"));
+                }
                 _ => {}
             }
             at = at.saturating_add(width);

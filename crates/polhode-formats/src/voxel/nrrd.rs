@@ -17,7 +17,7 @@ use crate::unit::{self, Dimension};
 pub(super) const MAGIC: &[u8] = b"NRRD";
 
 /// Fields without a bearing on mass: what the numbers look like, or are called.
-const PASSED_OVER: [&str; 21] = [
+const PASSED_OVER: [&str; 18] = [
     "content",
     "number",
     "block size",
@@ -28,10 +28,7 @@ const PASSED_OVER: [&str; 21] = [
     "oldmin",
     "old max",
     "oldmax",
-    "sample units",
-    "sampleunits",
     "labels",
-    "kinds",
     "thicknesses",
     "centers",
     "centerings",
@@ -43,6 +40,7 @@ const PASSED_OVER: [&str; 21] = [
 
 pub(super) fn read(bytes: &[u8]) -> Result<Voxels<'_>, ContentError> {
     let header = Header::read(bytes)?;
+    header.require_density()?;
     let scalar = header.scalar()?;
     let counts = header.counts()?;
     let big_endian = header.big_endian(scalar)?;
@@ -135,6 +133,28 @@ impl<'a> Header<'a> {
 
     fn need(&self, name: &str) -> Result<&Field<'a>, ContentError> {
         self.find(&[name])?.ok_or_else(|| missing(&format!("field {name}")))
+    }
+
+    /// Refuses numbers that are none of a density in kg/m³: values along an axis, or in another unit of density. What else they are, as
+    /// of a scanner, the caller says.
+    fn require_density(&self) -> Result<(), ContentError> {
+        if let Some(field) = self.find(&["kinds"])?
+            && let Some(kind) =
+                field.value.split_whitespace().find(|kind| !["domain", "space", "???", "none"].contains(kind))
+        {
+            let error = field.unsupported(&format!("an axis of the kind {kind}"));
+            return Err(error.hint("a density is one number for each voxel of space"));
+        }
+        let Some(field) = self.find(&["sample units", "sampleunits"])? else { return Ok(()) };
+        let unit = field.value.trim_matches('"').trim();
+        match unit::factor(unit, Dimension::DENSITY) {
+            Ok(factor) if factor != 1.0 && !unit.is_empty() => {
+                let error =
+                    field.unsupported(&format!("values in {unit}: they are kg/m³, or times --per-value"));
+                Err(error.hint(format!("take the field out, and say what a value is worth: {factor} kg/m³")))
+            }
+            _ => Ok(()),
+        }
     }
 
     fn scalar(&self) -> Result<Scalar, ContentError> {
@@ -254,6 +274,9 @@ impl<'a> Header<'a> {
     fn placement(&self) -> Result<Placement, ContentError> {
         let directions = self.find(&["space directions"])?;
         let spacings = self.find(&["spacings"])?;
+        if let (Some(_), Some(field)) = (directions, spacings) {
+            return Err(field.unsupported("spacings beside space directions, which say the same"));
+        }
         let (steps, units) = match (directions, spacings) {
             (Some(field), _) => {
                 if field.value.contains("none") {
@@ -290,7 +313,7 @@ fn require_version(line: &str, place: ContentPlace) -> Result<(), ContentError> 
 
 /// `name: value`; nothing of `key:=value`, which means what its user likes.
 fn field(line: &str, start: usize) -> Result<Option<Field<'_>>, ContentError> {
-    const READ: [&str; 15] = [
+    const READ: [&str; 18] = [
         "type",
         "dimension",
         "sizes",
@@ -306,6 +329,9 @@ fn field(line: &str, start: usize) -> Result<Option<Field<'_>>, ContentError> {
         "space directions",
         "space origin",
         "space units",
+        "sample units",
+        "sampleunits",
+        "kinds",
     ];
     let expected = |what: &str, found: &str| {
         let kind = ContentErrorKind::Expected { what: what.to_owned(), found: found.to_owned() };

@@ -243,3 +243,24 @@ fn what_is_left_out_is_found() {
     let file = File::plain().with(|doc| doc["nodes"][1]["rotation"] = json!([0.5, 0.5, 0.5, 0.501]));
     assert_eq!(file.read().unwrap().findings[0].code, "mesh.rotation_normalised");
 }
+
+#[test]
+fn weights_of_morph_targets_are_refused_unless_they_are_zero() {
+    let with = |(holder, k): (&str, usize), weights: &[f64]| {
+        File::plain().with(|doc| {
+            doc["meshes"][0]["primitives"][0]["targets"] = json!([{"POSITION": 0}, {"POSITION": 0}]);
+            doc[holder][k]["weights"] = json!(weights);
+        })
+    };
+    for holder in [("meshes", 0), ("nodes", 1)] {
+        assert!(with(holder, &[0.0, 0.0]).read().is_ok());
+        let error = with(holder, &[0.0, 0.25]).error();
+        assert!(
+            error.starts_with(&format!(
+                "{}[{}].weights[1]: polhode does not read morph targets",
+                holder.0, holder.1
+            )),
+            "{error}"
+        );
+    }
+}

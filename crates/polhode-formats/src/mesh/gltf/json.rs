@@ -95,6 +95,11 @@ impl<'a> Json<'a> {
         self.get(key).map_or(Ok(""), |text| text.text())
     }
 
+    /// One finite number.
+    pub(super) fn number(&self) -> Result<f64, ContentError> {
+        self.value.as_f64().ok_or_else(|| self.expected("a number"))
+    }
+
     /// Exactly N finite numbers.
     pub(super) fn numbers<const N: usize>(&self) -> Result<[f64; N], ContentError> {
         let expected = || self.expected(&format!("{N} numbers"));

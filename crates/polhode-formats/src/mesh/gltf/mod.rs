@@ -9,7 +9,7 @@
 //! or not. A placement that mirrors turns the winding, so that outside stays outside.
 //!
 //! Compressed meshes (Draco, meshopt) are refused by name. Animation has no part in a rigid body: skinned meshes
-//! are taken as they were bound, morph targets are ignored, and both are findings.
+//! are taken as they were bound, morph targets without a weight are ignored, and both are findings; weights are refused.
 //!
 //! Source: Khronos Group, glTF 2.0 Specification, version 2.0.1.
 
@@ -142,6 +142,7 @@ impl<'a> Scene<'a> {
             "" => mesh.text_or_empty("name")?,
             name => name,
         };
+        primitive::is_unmorphed(node)?;
         let maps = match node.get("skin") {
             Some(_) => {
                 const SENTENCE: [&str; 2] = [

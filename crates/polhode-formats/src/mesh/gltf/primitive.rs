@@ -18,6 +18,20 @@ pub(super) struct Surface {
     pub(super) triangles: Vec<[u32; 3]>,
 }
 
+/// Refuses weights that change the shape before anything moves.
+pub(super) fn is_unmorphed(holder: &Json<'_>) -> Result<(), ContentError> {
+    let weights = holder.list("weights")?;
+    for weight in weights {
+        if weight.number()? != 0.0 {
+            let what = "morph targets with a weight: the shape is another than its vertices".to_owned();
+            return Err(weight
+                .error(ContentErrorKind::Unsupported { what })
+                .hint("apply the shape keys in the tool that made the file, and export again"));
+        }
+    }
+    Ok(())
+}
+
 impl Surface {
     pub(super) fn of<'a>(
         mesh: &Json<'a>,
@@ -39,6 +53,7 @@ impl Surface {
                 continue;
             };
             if primitive.get("targets").is_some() {
+                is_unmorphed(mesh)?;
                 const SENTENCE: [&str; 2] = [
                     "a primitive has morph targets, which were ignored",
                     "primitives have morph targets, which were ignored",

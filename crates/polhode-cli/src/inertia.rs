@@ -96,10 +96,13 @@ impl Inertia {
             answers.push((file.as_path(), self.reports(file).map_err(|failure| failure.about(file))));
         }
         drop(progress);
-        let text = self.output.text(&answers)?;
+        let text = self.output.text(&answers);
         self.output.warn(&answers);
-        print(&text)?;
-        let failures = answers.into_iter().filter_map(|(_, answer)| answer.err()).collect();
+        let mut failures: Vec<_> = answers.into_iter().filter_map(|(_, answer)| answer.err()).collect();
+        match text {
+            Ok(text) => print(&text)?,
+            Err(failure) => failures.push(failure),
+        }
         Failure::unless_empty(failures)
     }
 

@@ -12,6 +12,8 @@ use std::time::{Duration, Instant};
 
 use common::{Scratch, example, refused, stdout};
 
+const SWEEP: &str = "[sweep]\nmembers = 100\nsampling = \"sobol\"\n[[sweep.vary]]\nkey = \"start.spin.body[0]\"\nuniform = { from = 0, to = 1 }\n";
+
 const SIGINT: i32 = 2;
 const SIGTERM: i32 = 15;
 
@@ -207,6 +209,24 @@ fn of_two_starts_one_wins_and_the_other_says_so() {
     }
 }
 
+#[test]
+fn of_two_sweeps_one_wins_and_the_other_says_so() {
+    let scratch = Scratch::new("sweep-twice");
+    scratch.write("plan.toml", &format!("{}{SWEEP}", LONG.replace("1 d", "1 s")));
+    let start = |_| {
+        let mut command = scratch.command(&["sweep", "plan.toml", "-o", "out"]);
+        command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap()
+    };
+    let children: Vec<Child> = (0..4).map(start).collect();
+    let outputs: Vec<_> = children.into_iter().map(|child| child.wait_with_output().unwrap()).collect();
+    assert_eq!(outputs.iter().filter(|output| output.status.success()).count(), 1);
+    for output in outputs.iter().filter(|output| !output.status.success()) {
+        let text = refused(output, 2);
+        assert!(text.contains("is there already") || text.contains("in use"), "{text}");
+    }
+    assert!(scratch.0.join("out/summary.json").exists());
+}
+
 /// polhode where no file may become larger than a few blocks, as on a disk that is nearly full.
 fn without_room(scratch: &Scratch, blocks: u32, arguments: &[&str]) -> std::process::Output {
     let mut command = Command::new("sh");
@@ -242,10 +262,7 @@ fn without_room_nothing_is_left_half_written() {
 #[test]
 fn a_sweep_without_room_goes_on_when_there_is_some() {
     let scratch = Scratch::new("full-sweep");
-    let plan = format!(
-        "{}[sweep]\nmembers = 100\nsampling = \"sobol\"\n[[sweep.vary]]\nkey = \"start.spin.body[0]\"\nuniform = {{ from = 0, to = 1 }}\n",
-        LONG.replace("1 d", "1 s")
-    );
+    let plan = format!("{}{SWEEP}", LONG.replace("1 d", "1 s"));
     scratch.write("plan.toml", &plan);
     let text = refused(&without_room(&scratch, 4, &["sweep", "plan.toml", "-o", "out"]), 2);
     assert!(text.contains("cannot write") && text.contains("hint: "), "{text}");

@@ -137,3 +137,30 @@ fn what_is_asked_of_a_formula_a_list_or_a_sweep_is_bounded() {
         );
     }
 }
+
+#[test]
+fn many_lists_are_counted_together_and_threads_are_no_more_than_parts() {
+    let scratch = Scratch::new("lists");
+    let count = 40;
+    let mut plan = "[start]\nspin = { body = [0.4, 2.1, -0.3] }\n[run]\nduration = 1\n".to_owned();
+    for k in 0..count {
+        plan += &format!(
+            "[[body.part]]\nshape = \"sphere\"\nradius = 1\nmass = 1\nposition = [{k}, {}, 0]\n",
+            k * k
+        );
+    }
+    let sweep = |values: u32| {
+        let vary = |k| {
+            format!(
+                "[[sweep.vary]]\nkey = 'body.part[{k}].mass'\ngrid = {{ from = 1, to = 2, count = {values} }}\n"
+            )
+        };
+        let lists: String = (0..count).map(vary).collect();
+        format!("{plan}[sweep]\nmembers = 3\nsampling = \"monte carlo\"\n{lists}")
+    };
+    scratch.write("many.toml", &sweep(1_000_000));
+    let text = refused(&bounded(&scratch, &["sweep", "many.toml"]), 2);
+    assert!(text.contains("up to 10000000 values in all") && text.contains("many.toml:"), "{text}");
+    scratch.write("few.toml", &sweep(10));
+    common::stdout(&bounded(&scratch, &["sweep", "few.toml", "--threads", "4000000000"]));
+}

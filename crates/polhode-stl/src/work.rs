@@ -128,7 +128,9 @@ fn shared<B>(
     };
     let helpers = threads.get().min(blocks as usize).saturating_sub(1);
     let mut done = thread::scope(|scope| {
-        let helpers: Vec<_> = (0..helpers).map(|_| scope.spawn(work)).collect();
+        // Where the system gives no more threads, those that there are do it all.
+        let helper = |_| thread::Builder::new().spawn_scoped(scope, work).ok();
+        let helpers: Vec<_> = (0..helpers).filter_map(helper).collect();
         let mut done = work()?;
         for helper in helpers {
             done.extend(helper.join().map_err(|_| io::Error::other("a thread of the sums ended early"))??);

@@ -232,8 +232,11 @@ impl Dataset {
             }
         };
         thread::scope(|scope| {
-            for _ in 1..threads.max(1) {
-                scope.spawn(work);
+            for _ in 1..statistics::most_threads(threads, self.parts()) {
+                // Where the system gives no more threads, those that there are do it all.
+                if thread::Builder::new().spawn_scoped(scope, work).is_err() {
+                    break;
+                }
             }
             work();
         });

@@ -27,6 +27,7 @@ use crate::rows::MEMBER;
 use crate::sampling;
 use interval::Interval;
 use passes::Parts;
+pub(crate) use passes::most_threads;
 use selection::Selection;
 use tally::{Moments, Tally};
 

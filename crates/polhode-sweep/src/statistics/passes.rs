@@ -93,8 +93,11 @@ impl Parts<'_> {
             }
         };
         thread::scope(|scope| {
-            for _ in 1..self.threads.max(1) {
-                scope.spawn(turn);
+            for _ in 1..most_threads(self.threads, self.count) {
+                // Where the system gives no more threads, those that there are do it all.
+                if thread::Builder::new().spawn_scoped(scope, turn).is_err() {
+                    break;
+                }
             }
             turn();
         });
@@ -103,4 +106,9 @@ impl Parts<'_> {
             _ => Ok(()),
         }
     }
+}
+
+/// As many threads as are wanted, but no more than there are parts.
+pub(crate) fn most_threads(wanted: usize, parts: u64) -> usize {
+    wanted.min(usize::try_from(parts).unwrap_or(usize::MAX)).max(1)
 }

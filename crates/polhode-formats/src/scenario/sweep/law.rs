@@ -27,6 +27,15 @@ pub enum Law {
 }
 
 impl Law {
+    /// How many values it lists.
+    pub(super) const fn listed(&self) -> usize {
+        match self {
+            Self::Number(Distribution::List(list))
+            | Self::Vector { magnitude: Some(Distribution::List(list)), .. } => list.len(),
+            _ => 0,
+        }
+    }
+
     /// How many independent numbers it draws; `columns` of values come of them.
     pub const fn coordinates(&self, columns: usize) -> usize {
         match self {

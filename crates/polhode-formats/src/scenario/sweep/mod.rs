@@ -67,6 +67,9 @@ pub const SOBOL_DIMENSIONS: usize = 64;
 /// More members than this are a slip of the pen.
 const MOST_MEMBERS: u64 = 1_000_000_000_000;
 
+/// Values of all lists: 80 MB.
+const MOST_LISTED: usize = 10_000_000;
+
 /// Sobol's points have 32 binary digits.
 const MOST_SOBOL: u64 = 1 << 32;
 
@@ -92,11 +95,18 @@ pub(crate) fn sweep(
         "[[sweep.vary]], and under it key = \"start.spin.body[0]\" and uniform = { from = 0, to = 1 }";
     let list = table.require("vary", example)?;
     let catalogue = Catalogue { entries, found, nominal };
-    let vary = list
-        .tables("sweep.vary")?
-        .into_iter()
-        .map(|table| vary(&table.called("[[sweep.vary]]".to_owned()), &catalogue, sampling))
-        .collect::<Result<Vec<_>, _>>()?;
+    let mut listed = 0;
+    let mut vary = Vec::new();
+    for table in list.tables("sweep.vary")? {
+        let (one, key) = self::vary(&table.called("[[sweep.vary]]".to_owned()), &catalogue, sampling)?;
+        listed += one.law.listed();
+        if listed > MOST_LISTED {
+            let rule = format!("such that the plan lists up to {MOST_LISTED} values in all");
+            let hint = "all lists are held in memory: draw from uniform = { from, to } instead";
+            return Err(key.invalid(rule).with_hint(hint));
+        }
+        vary.push((one, key));
+    }
     if vary.is_empty() {
         return Err(table.missing("vary", example));
     }

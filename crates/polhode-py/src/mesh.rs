@@ -142,13 +142,21 @@ fn of_contents(
 ) -> PyResult<PyMassProperties> {
     let triangles = contents.triangles();
     let in_metres = options.unit.is_none() && contents.unit.is_none();
-    let described = |what: &str| source.described(format!("{title}, {triangles} triangles, {what}"));
+    let described = |what: &str, taken_as: &str| {
+        source.described(format!("{title}, {triangles} triangles, {what}")).with("taken_as", taken_as)
+    };
     if let Some(thickness) = options.shell {
         let contents = contents.in_metres(options.unit);
         let shell = |part: &MeshPart| Ok((part.name.clone(), boxed(MeshShell::new(&part.mesh, thickness)?)));
         let pieces: Result<Vec<_>, polhode::BodyError> = contents.parts.iter().map(shell).collect();
         let pieces = pieces.map_err(Raise::raise)?;
-        return weighed(described("taken as a sheet"), pieces, substance, contents.findings, in_metres);
+        return weighed(
+            described("taken as a sheet", "sheet"),
+            pieces,
+            substance,
+            contents.findings,
+            in_metres,
+        );
     }
     if options.hull {
         for part in &mut contents.parts {
@@ -157,9 +165,12 @@ fn of_contents(
     }
     let solid = MeshSolid::of(contents, path, format, options.unit).map_err(Raise::raise)?;
     let findings = solid.findings_in(&path.display().to_string());
-    let what = if options.hull { "taken as its convex hull" } else { "closed, consistently wound" };
+    let (what, taken_as) = match options.hull {
+        true => ("taken as its convex hull", "convex_hull"),
+        false => ("closed, consistently wound", "solid"),
+    };
     let pieces = solid.parts.into_iter().map(|part| (part.name, boxed(part.mesh)));
-    weighed(described(what), pieces.collect(), substance, findings, in_metres)
+    weighed(described(what, taken_as), pieces.collect(), substance, findings, in_metres)
 }
 
 fn boxed<S: Shape + 'static>(shape: S) -> Box<dyn Shape> {

@@ -298,6 +298,9 @@ fn what_is_written_beside_an_inertial_is_not_passed_over() {
         ("<inertial>", "<inertial><origin xyz=\"0 0 0.1\" quat=\"0 1 0 0\"/>", "read.unknown"),
         ("<inertia ", "<inertia iyyx=\"1\" unit=\"g mm^2\" ", "read.unknown"),
         ("</inertial>", "</inertial><inertial><mass value=\"2\"/></inertial>", "read.inertials"),
+        ("</inertial>", "</inertial><mass value=\"2\"/>", "read.unknown"),
+        ("<inertial>", "<Inertial/><inertial>", "read.unknown"),
+        ("<inertial>", "<inertial><com xyz=\"0 0 1\"/>", "read.unknown"),
     ] {
         let all = inspected(&good.replacen(old, new, 1));
         assert!(all.iter().any(|f| f.code == code && f.severity == Severity::Suspect), "{new}: {all:#?}");

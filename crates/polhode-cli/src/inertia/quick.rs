@@ -68,6 +68,7 @@ pub(super) fn model(
         .with("encoding", "binary")
         .with("triangles", moments.triangles)
         .with("parts", 1)
-        .with("unit_m", unit);
+        .with("unit_m", unit)
+        .with("taken_as", "solid");
     Ok(Model { source, pieces: vec![Piece { name: String::new(), shape: Box::new(solid) }], field: None })
 }

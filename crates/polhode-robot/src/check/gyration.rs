@@ -47,17 +47,22 @@ pub(super) fn check(body: &Body, findings: &mut Vec<Finding>) {
         return;
     }
     let [moment, mass, radius] = [i3, body.mass, k].map(|x| short(x, 4));
-    let unit = nearest(trace(&body.written) / 3.0 / size, sure);
-    let padded = body.mass <= PADDED_MASS && i3 <= PADDED_MOMENT && super::placeholder::is_round(body);
+    // A round number was typed, and never was one of CAD's.
+    let round = super::placeholder::is_round(body);
+    let unit = nearest(trace(&body.written) / 3.0 / size, sure).filter(|_| !round);
+    let padded = body.mass <= PADDED_MASS && i3 <= PADDED_MOMENT && round;
     let (code, severity) = match unit {
-        Some(_) if !padded => ("inertia.unit", Severity::Suspect),
+        Some(_) => ("inertia.unit", Severity::Suspect),
         _ => ("gyration.too_large", if padded { Severity::Note } else { Severity::Suspect }),
     };
     let guess = match unit {
-        Some(unit) if !padded => {
+        Some(unit) => {
             format!("; some {} kg·m² would be expected: {} written as kg·m²?", short(size, 1), unit.name)
         }
-        _ => String::new(),
+        None if round && !padded => {
+            format!("; some {} kg·m² would be expected: a placeholder?", short(size, 1))
+        }
+        None => String::new(),
     };
     let message = format!("{moment} kg·m² on {mass} kg: gyration radius {radius} m, {seen}{guess}");
     let rule = "the radius of gyration √(i3/m) is no longer than the body";

@@ -15,14 +15,15 @@ const MOMENTS: [&str; 3] = ["ixx", "iyy", "izz"];
 /// Equal numbers of a tensor differ by no more than this part of the larger: the last of a program's digits.
 const EQUAL: f64 = 1e-6;
 
-/// Words that make an unknown name one that says something of mass.
-const PHYSICS: [&str; 10] =
-    ["mass", "inertia", "density", "com", "cog", "center", "centre", "origin", "pose", "unit"];
+/// What makes an unknown name one that says something of mass: in it, or as a word of it.
+const PHYSICS: [&str; 8] = ["mass", "inertia", "density", "center", "centre", "origin", "pose", "unit"];
+const WORDS: [&str; 2] = ["com", "cog"];
 
 /// A URDF link's inertial and the origins of its shapes.
 pub(super) fn urdf(link: Element<'_>, subject: &str, notes: &mut Vec<Note>) {
     let mut reader = Unread { subject, notes };
     reader.once(link, "inertial", "read.inertials");
+    reader.astray(link);
     for shape in link.children().filter(|child| matches!(child.name(), "visual" | "collision")) {
         reader.attributes(shape, "origin", &["xyz", "rpy"]);
     }
@@ -45,6 +46,7 @@ pub(super) fn origin(joint: Element<'_>, subject: &str, notes: &mut Vec<Note>) {
 pub(super) fn sdf(link: Element<'_>, subject: &str, notes: &mut Vec<Note>) {
     let mut reader = Unread { subject, notes };
     reader.once(link, "inertial", "read.inertials");
+    reader.astray(link);
     let Some(inertial) = link.child("inertial") else { return };
     reader.elements(
         inertial,
@@ -104,6 +106,20 @@ impl Unread<'_> {
         }
     }
 
+    /// What belongs into the inertial and stands beside it, or a name that is nearly its own.
+    fn astray(&mut self, link: Element<'_>) {
+        let is_astray = |name: &str| {
+            let lower = name.to_ascii_lowercase();
+            name != "inertial"
+                && ["mass", "inertia", "density", "inertial", "inertials"].contains(&lower.as_str())
+        };
+        for child in link.children().filter(|child| is_astray(child.name())) {
+            let message =
+                format!("<{}> in <link> is not read: mass and tensor stand in <inertial>", child.name());
+            self.suspect("read.unknown", child.span(), message);
+        }
+    }
+
     /// Elements that each are there once at most, and no others.
     fn elements(&mut self, parent: Element<'_>, known: &[&str]) {
         for name in known {
@@ -146,10 +162,12 @@ impl Unread<'_> {
         let lower = name.to_ascii_lowercase();
         let element =
             lower.len() == 3 && lower.starts_with('i') && lower[1..].bytes().all(|b| b"xyz".contains(&b));
+        let mut words = lower.split(|c: char| !c.is_ascii_alphabetic());
+        let word = words.any(|word| WORDS.contains(&word));
         let attitude = ["quat", "rpy", "xyz", "euler", "ypr"].iter().any(|word| lower.contains(word));
         // A prefix of another program's own elements: drake_…, gz_….
         let foreign = lower.starts_with("xmlns") || lower.starts_with("drake_") || lower.starts_with("gz_");
-        if !foreign && (element || attitude || PHYSICS.iter().any(|word| lower.contains(word))) {
+        if !foreign && (element || word || attitude || PHYSICS.iter().any(|word| lower.contains(word))) {
             self.suspect("read.unknown", span, message);
         } else if !foreign {
             self.notes.push(Note::new("read.unknown", self.subject, span, message));

@@ -328,3 +328,29 @@ fn meshes_are_found_under_the_roots_that_are_given() {
     let table = printed(&scratch.run(&[&with[..], &["--table"]].concat()), 0);
     assert!(table.contains(" 1700 "), "{table}"); // 1.7 kg in a litre
 }
+
+#[test]
+fn what_a_model_says_twice_is_no_body_and_what_was_not_read_is_told() {
+    let scratch = Scratch::new("check-twice");
+    scratch.write("twice.urdf", &robot(&format!("{GOOD} iyx=\"-0.004\"")));
+    for flags in [["--link", "arm"], ["--lump", "all"]] {
+        let text = refused(&scratch.run(&[&["inertia", "twice.urdf"], &flags[..]].concat()), 2);
+        assert!(text.contains("symmetric") && text.contains("twice.urdf:5:"), "{text}");
+    }
+    scratch.write("same.urdf", &robot(&format!("{GOOD} iyx=\"0.0040\"")));
+    let same = parsed(&scratch.run(&["inertia", "same.urdf", "--link", "arm", "--json"]), 0);
+    assert_eq!(same["findings"].as_array().unwrap().len(), 0);
+    scratch.write("unit.urdf", &robot(GOOD).replace("\"1.7\"", "\"1.7\" unit=\"g\""));
+    let unit = parsed(&scratch.run(&["inertia", "unit.urdf", "--link", "arm", "--json"]), 0);
+    assert_eq!(unit["findings"][0]["code"], "read.unknown");
+    assert_eq!(unit["findings"][0]["severity"], "warning");
+    let link = "<link name='a'><inertial><mass>2</mass><inertia><ixx>1</ixx><iyy>2</iyy><izz>2.5</izz></inertia></inertial></link>";
+    scratch.write(
+        "part.sdf",
+        &format!(
+            "<sdf version='1.9'><model name='m'>{link}<include><uri>model://arm</uri></include></model></sdf>"
+        ),
+    );
+    let part = parsed(&scratch.run(&["inertia", "part.sdf", "--lump", "--json"]), 0);
+    assert_eq!(part["findings"][0]["code"], "read.include");
+}

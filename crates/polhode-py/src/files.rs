@@ -161,6 +161,8 @@ pub(crate) fn robot_file(
     use polhode_robot::read::{ReadOptions, read_model};
     let model = read_model(Path::new(path), &ReadOptions::default()).map_err(Raise::raise)?;
     let source = SourceInfo::new(path, "robot");
+    let findings =
+        polhode_robot::remarks::remarks(&model, link).map_err(|twice| refused(&twice, Some(twice.hint())))?;
     let Some(name) = link else {
         let lumps =
             lump(&model, Lumping::All, &joints).map_err(|error| refused(&error, Some(&error.hint())))?;
@@ -168,7 +170,8 @@ pub(crate) fn robot_file(
             return Err(refused(format!("no link of {path} has a mass"), None));
         };
         let source = source.described(format!("all {} links", whole.links.len()));
-        return Ok(PyMassProperties::of(InertiaReport::new(source, whole.properties)));
+        let report = InertiaReport { findings, ..InertiaReport::new(source, whole.properties) };
+        return Ok(PyMassProperties::of(report));
     };
     let Some(link) = model.links.iter().find(|link| link.name.text == name) else {
         let names: Vec<_> = model.links.iter().map(|link| link.name.text.as_str()).collect();
@@ -182,7 +185,7 @@ pub(crate) fn robot_file(
             // The link's axes are the body's.
             let properties = body.properties.in_frame::<Body>(Rotation::identity());
             let source = source.described(format!("link {name}, in the link's frame"));
-            Ok(PyMassProperties::of(InertiaReport::new(source, properties)))
+            Ok(PyMassProperties::of(InertiaReport { findings, ..InertiaReport::new(source, properties) }))
         }
         Ok(LinkMass::None) => Err(refused(format!("the link {name:?} has no mass"), None)),
         Err(error) => Err(refused(format!("the link {name:?} is no body: {error}"), Some(error.hint()))),

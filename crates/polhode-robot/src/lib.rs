@@ -10,6 +10,7 @@
 //! - [`report`]: all that for people and for programs
 //! - [`body`]: a link's mass properties in its own frame
 //! - [`mod@lump`]: links joined to one body
+//! - [`mod@remarks`]: what a reader noticed, beside a link's mass properties
 //! - [`moments`]: tensors that may be impossible, taken apart
 //! - [`line_index`]: lines and columns of places
 
@@ -26,6 +27,7 @@ pub mod moments;
 mod placement;
 mod pose;
 pub mod read;
+pub mod remarks;
 pub mod repair;
 pub mod report;
 mod table;

@@ -4,7 +4,7 @@ use std::fmt;
 use std::path::Path;
 
 use clap::{Args, ValueEnum};
-use polhode::{Body, Rotation};
+use polhode::{Body, Finding, Rotation};
 use polhode_formats::unit::Dimension;
 use polhode_report::plain::{number, printable};
 use polhode_report::{InertiaReport, SourceInfo};
@@ -13,6 +13,7 @@ use polhode_robot::line_index::LineIndex;
 use polhode_robot::lump::{Lump, Lumping, lump};
 use polhode_robot::model::{JointKind, Link, ModelFormat, RobotModel, Span};
 use polhode_robot::read::{ReadOptions, read_model};
+use polhode_robot::remarks::remarks;
 
 use crate::failure::Failure;
 use crate::numbers::quantity;
@@ -78,6 +79,7 @@ fn of_link(model: &RobotModel, name: &str) -> Result<InertiaReport, Failure> {
             format!("its links are {}", names(model)),
         ));
     };
+    let findings = noticed(model, Some(name))?;
     let body = match link_mass(model.format, link) {
         Ok(LinkMass::Body(body)) => body,
         Ok(LinkMass::None) => {
@@ -95,7 +97,7 @@ fn of_link(model: &RobotModel, name: &str) -> Result<InertiaReport, Failure> {
         .described(format!("link {name} {}, in the link's frame", of_model(model)))
         .with("link", name)
         .with("frame", "link");
-    Ok(InertiaReport::new(rounded(source, body.rounding), properties))
+    Ok(InertiaReport { findings, ..InertiaReport::new(rounded(source, body.rounding), properties) })
 }
 
 fn lumped(
@@ -116,7 +118,12 @@ fn lumped(
             None => Failure::usage(message, hint),
         }
     })?;
-    Ok(lumps.into_iter().map(|lump| of_lump(model, which, &positions, lump)).collect())
+    let findings = noticed(model, None)?;
+    let report = |lump| {
+        let report = of_lump(model, which, &positions, lump);
+        InertiaReport { findings: findings.clone(), ..report }
+    };
+    Ok(lumps.into_iter().map(report).collect())
 }
 
 fn of_lump(model: &RobotModel, which: Which, positions: &[(String, f64)], lump: Lump) -> InertiaReport {
@@ -222,6 +229,11 @@ fn position(model: &RobotModel, name: &str, value: &str) -> Result<(String, f64)
             },
         )),
     }
+}
+
+/// What the reader noticed of a link, or of all; what says a number twice is no body.
+fn noticed(model: &RobotModel, link: Option<&str>) -> Result<Vec<Finding>, Failure> {
+    remarks(model, link).map_err(|twice| located(model, &twice.span, &twice, twice.hint()))
 }
 
 /// A failure with its place in the model.

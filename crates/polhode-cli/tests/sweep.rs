@@ -223,7 +223,10 @@ fn without_python_a_cluster_is_explained() {
     scratch.write("plan.toml", &plan(10));
     let mut command = scratch.command(&["sweep", "plan.toml", "--on", "ray://127.0.0.1:10001"]);
     let error = refused(&command.env("PATH", "").output().unwrap(), 2);
-    assert!(error.contains("no python3 in the PATH") && error.contains("polhode[ray]"), "{error}");
+    assert!(
+        error.contains("no python3 in the PATH") && error.contains("'ray[data,client]' ./crates/polhode-py"),
+        "{error}"
+    );
     assert_eq!(scratch.entries(), ["plan.toml"]);
 }
 
@@ -249,9 +252,19 @@ fn a_cluster_is_handed_the_same_arguments() {
     assert_eq!(asked, "-m polhode.sweep plan.toml -o out --on dask://h:8786 --resume --json\n");
     python("[ \"$1\" = -c ] || exit 3");
     assert_eq!(run(&[]).status.code(), Some(3));
-    python("exit 1");
+    // What is missing is named, and nothing else.
+    python("[ \"$1\" = -c ] && echo pyarrow");
     let error = refused(&run(&[]), 2);
-    assert!(error.contains("polhode[dask]"), "{error}");
+    assert!(
+        error.contains("this python3 does not have: pyarrow\n") && error.contains("pip install pyarrow\n"),
+        "{error}"
+    );
+    python("[ \"$1\" = -c ] && echo distributed polhode");
+    let error = refused(&run(&[]), 2);
+    assert!(
+        error.contains("distributed, polhode\n") && error.contains("distributed ./crates/polhode-py\n"),
+        "{error}"
+    );
 }
 
 #[test]

@@ -1,14 +1,22 @@
-"""A sweep on a Dask cluster of two processes, one of which is killed in the middle."""
+"""Sweeps on a Dask cluster: a worker that is killed, a scheduler that is, a cluster without workers; and engines that fail in other ways."""
 
 from __future__ import annotations
 
+import json
 import os
+import re
 import signal
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
+from typing import Any
 
 import pytest
 from conftest import PLAN, digest
-from polhode import batch, sweep
+from polhode import PolhodeError, _cluster, batch, sweep
 
 MEMBERS = 100_000
 
@@ -35,3 +43,111 @@ def test_a_killed_worker_changes_no_byte(tmp_path: Path) -> None:
         sweep.run(plan, tmp_path / "cluster", on=f"dask://{address}", progress=kill)
     assert killed and killed[0] in before
     assert digest(tmp_path / "cluster") == digest(tmp_path / "alone")
+
+
+@contextmanager
+def scheduler(folder: Path) -> Iterator[tuple[subprocess.Popen[bytes], str]]:
+    """One without workers, in a process of its own, and its address."""
+    told = folder / "scheduler.json"
+    command = [sys.executable, "-m", "distributed.cli.dask_scheduler", "--host", "127.0.0.1", "--port", "0", "--no-dashboard", "--no-show"]
+    process = subprocess.Popen([*command, "--scheduler-file", str(told)], stderr=subprocess.DEVNULL)
+    try:
+        until = time.monotonic() + 60.0
+        while not (told.exists() and told.read_text()):
+            assert time.monotonic() < until and process.poll() is None
+            time.sleep(0.05)
+        yield process, json.loads(told.read_text())["address"].removeprefix("tcp://")
+    finally:
+        process.kill()
+        process.wait()
+
+
+@contextmanager
+def worker(address: str) -> Iterator[None]:
+    command = [sys.executable, "-m", "distributed.cli.dask_worker", f"tcp://{address}", "--nthreads", "1", "--no-dashboard", "--no-nanny"]
+    process = subprocess.Popen(command, stderr=subprocess.DEVNULL)
+    try:
+        yield
+    finally:
+        process.kill()
+        process.wait()
+
+
+@pytest.mark.filterwarnings("default")
+def test_a_scheduler_that_dies_is_an_error_and_what_is_done_is_kept(tmp_path: Path) -> None:
+    plan = batch.Plan(PLAN.format(members=12_000))
+    sweep.run(plan, tmp_path / "alone")
+    with scheduler(tmp_path) as (process, address), worker(address):
+        with pytest.raises(ConnectionError, match=f"^dask://{address} was lost on the way: .*go on with resume$"):
+            sweep.run(plan, tmp_path / "cluster", on=f"dask://{address}", progress=lambda done, members: process.kill())
+    assert list((tmp_path / "cluster").rglob("*.parquet"))
+    sweep.run(plan, tmp_path / "cluster", resume=True)
+    assert digest(tmp_path / "cluster") == digest(tmp_path / "alone")
+
+
+@pytest.mark.filterwarnings("default")
+def test_a_cluster_without_workers_is_told_and_given_up(tmp_path: Path) -> None:
+    path = tmp_path / "plan.toml"
+    path.write_text(PLAN.format(members=40))
+    with scheduler(tmp_path) as (_, address):
+        url, command = f"dask://{address}", [sys.executable, "-m", "polhode.sweep", str(path), "-o", str(tmp_path / "out")]
+        ended = subprocess.run([*command, "--on", url, "--worker-timeout", "3"], capture_output=True, text=True, timeout=120)
+    warned, error = ended.stderr.splitlines()
+    assert warned == f"warning: {url} has no worker: waiting for one for 3 s at most"
+    assert re.fullmatch(f"error: {url} has had no worker for [3-9] s; what is done is kept: start workers, and go on with resume", error)
+    assert ended.returncode == 2 and not ended.stdout
+
+
+def test_no_worker_is_told_again_and_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    now, workers = [1000.0], [0]
+    monkeypatch.setattr(_cluster.time, "monotonic", lambda: now[0])
+    watch = _cluster.Watch("dask://here:1", 200.0, lambda: workers[0])
+    heard: list[str] = []
+    monkeypatch.setattr(_cluster.warnings, "warn", lambda text, kind, stacklevel: heard.append(f"{now[0]:.0f}: {text}"))
+    for now[0], workers[0] in [(1000, 0), (1001, 0), (1030, 0), (1062, 0), (1070, 2), (1100, 2), (1110, 0), (1200, 0)]:
+        watch.look()
+    assert heard == [
+        "1000: dask://here:1 has no worker: waiting for one for 200 s at most",
+        "1062: dask://here:1 has no worker, for 62 s by now: waiting for one for 200 s at most",
+        "1110: dask://here:1 has no worker: waiting for one for 200 s at most",
+        "1200: dask://here:1 has no worker, for 90 s by now: waiting for one for 200 s at most",
+    ]
+    now[0] = 1310.0
+    with pytest.raises(TimeoutError, match="has had no worker for 200 s"):
+        watch.look()
+
+
+@pytest.mark.parametrize(
+    ("raised", "wanted", "says"),
+    [
+        (RuntimeError("KilledWorker"), PolhodeError, "^dask://local cannot compute the plan: RuntimeError: KilledWorker\nhint: what is done"),
+        (ConnectionError("refused"), ConnectionError, "^refused$"),
+        (PolhodeError("the plan is another one"), PolhodeError, "^the plan is another one$"),
+        (KeyboardInterrupt(), KeyboardInterrupt, "^$"),
+    ],
+)
+def test_what_an_engine_raises_is_put_into_words(
+    raised: BaseException, wanted: type[BaseException], says: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """And the folder is not in use any more, whoever remembers the error."""
+    plan = batch.Plan(PLAN.format(members=12_000))
+
+    def parts(address: str, plan: batch.Plan, missing: sweep.Parts, *_: Any) -> Iterator[sweep.Done]:
+        number, (start, stop) = next(iter(missing.items()))
+        yield (number, *batch.compute(plan, start, stop))
+        raise raised
+
+    monkeypatch.setattr("polhode._dask.parts", parts)
+    told: list[int] = []
+    with pytest.raises(wanted, match=says):
+        sweep.run(plan, tmp_path / "out", on="dask://local", progress=lambda done, members: told.append(done))
+    assert told and 0 < told[0] < 12_000
+    sweep.run(plan, tmp_path / "out", resume=True)
+
+
+def test_a_mistake_in_progress_is_the_users(tmp_path: Path) -> None:
+    def progress(done: int, members: int) -> None:
+        raise ZeroDivisionError
+
+    with pytest.raises(ZeroDivisionError):
+        sweep.run(batch.Plan(PLAN.format(members=40)), tmp_path / "out", progress=progress)

@@ -10,11 +10,13 @@ import signal
 import socket
 import subprocess
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
 from conftest import PLAN, digest
-from polhode import batch, sweep
+from polhode import PolhodeError, PolhodeWarning, batch, sweep
 
 MEMBERS = 20_000
 
@@ -53,18 +55,51 @@ def test_a_killed_worker_changes_no_byte(tmp_path: Path) -> None:
     assert digest(tmp_path / "cluster") == digest(tmp_path / "alone")
 
 
-@pytest.mark.filterwarnings("default")
-def test_a_client_outside_the_cluster_gets_the_same_bytes(tmp_path: Path) -> None:
-    plan = batch.Plan(PLAN.format(members=MEMBERS))
-    sweep.run(plan, tmp_path / "alone")
+@contextmanager
+def head(processors: int) -> Iterator[tuple[Path, str]]:
+    """A cluster that runs already: its program, and its address for clients."""
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))
         port = free.getsockname()[1]
     ray = Path(sys.executable).with_name("ray")
-    start = [ray, "start", "--head", "--num-cpus=2", "--node-ip-address=127.0.0.1", f"--ray-client-server-port={port}"]
+    start = [ray, "start", "--head", f"--num-cpus={processors}", "--node-ip-address=127.0.0.1", f"--ray-client-server-port={port}"]
     subprocess.run([*start, "--include-dashboard=false", "--disable-usage-stats"], check=True, capture_output=True)
     try:
-        sweep.run(plan, tmp_path / "cluster", on=f"ray://127.0.0.1:{port}")
+        yield ray, f"ray://127.0.0.1:{port}"
     finally:
         subprocess.run([ray, "stop", "--force"], check=True, capture_output=True)
+
+
+@pytest.mark.filterwarnings("default")
+def test_a_client_outside_the_cluster_gets_the_same_bytes(tmp_path: Path) -> None:
+    plan = batch.Plan(PLAN.format(members=MEMBERS))
+    sweep.run(plan, tmp_path / "alone")
+    with head(2) as (_, address):
+        sweep.run(plan, tmp_path / "cluster", on=address)
+    assert digest(tmp_path / "cluster") == digest(tmp_path / "alone")
+
+
+@pytest.mark.filterwarnings("default")
+def test_a_cluster_without_processors_is_told_and_given_up(tmp_path: Path) -> None:
+    plan = batch.Plan(PLAN.format(members=40))
+    with head(0) as (_, address), pytest.warns(PolhodeWarning, match="has no worker"):
+        with pytest.raises(TimeoutError, match=f"^{address} has had no worker for"):
+            sweep.run(plan, tmp_path / "out", on=address, worker_timeout=3.0)
+
+
+@pytest.mark.filterwarnings("default")
+def test_a_cluster_that_dies_is_an_error_and_what_is_done_is_kept(tmp_path: Path) -> None:
+    plan = batch.Plan(PLAN.format(members=MEMBERS))
+    stopped: list[int] = []
+
+    def stop(done: int, members: int) -> None:
+        if not stopped:
+            stopped.append(done)
+            subprocess.run([ray, "stop", "--force"], check=True, capture_output=True)
+
+    with head(2) as (ray, address):
+        with pytest.raises((ConnectionError, PolhodeError), match=f"^{address} (was lost on the way|cannot compute the plan)"):
+            sweep.run(plan, tmp_path / "cluster", on=address, progress=stop)
+    sweep.run(plan, tmp_path / "cluster", resume=True)
+    sweep.run(plan, tmp_path / "alone")
     assert digest(tmp_path / "cluster") == digest(tmp_path / "alone")

@@ -22,31 +22,55 @@ pub(super) fn url(text: &str) -> Result<String, String> {
     }
 }
 
+/// What the Python package needs for an engine: the module, and what installs it.
+fn needed(engine: &str) -> [(&'static str, &'static str); 3] {
+    // Of a checkout of polhode.
+    let polhode = ("polhode", "./crates/polhode-py");
+    let cluster =
+        if engine == "ray" { ("ray", "'ray[data,client]'") } else { ("distributed", "distributed") };
+    [("pyarrow", "pyarrow"), cluster, polhode]
+}
+
 /// Runs `python3 -m polhode.sweep` with the same arguments, and ends as it does.
 pub(super) fn hand_over(sweep: &Sweep, url: &str, target: &Path) -> Result<(), Failure> {
     let engine = if url.starts_with("ray") { "ray" } else { "dask" };
-    let install = format!("install it with: python3 -m pip install 'polhode[{engine}]'");
-    // With what it says thrown away: a missing package is told in our words.
-    let found = Command::new("python3")
-        .args(["-c", "import polhode.sweep"])
-        .stdin(Stdio::null())
-        .stdout(Stdio::null())
-        .stderr(Stdio::null())
-        .status();
-    match found {
+    let needed = needed(engine);
+    let install = |packages: &[&str]| {
+        format!("in a checkout of polhode: python3 -m pip install {}", packages.join(" "))
+    };
+    let cannot = |error: &io::Error| {
+        let hint = "polhode sweep --on runs `python3 -m polhode.sweep`: look what python3 is in the PATH";
+        Failure::usage(format!("python3 cannot be run: {error}"), hint)
+    };
+    // Found, not loaded: what is there and cannot be loaded says itself why.
+    let names = needed.map(|(module, _)| format!("'{module}'")).join(", ");
+    let look = format!(
+        "from importlib.util import find_spec\nprint(*(m for m in ({names}) if find_spec(m) is None))"
+    );
+    let found = Command::new("python3").args(["-c", &look]).stdin(Stdio::null()).output();
+    let found = match found {
         Err(error) if error.kind() == io::ErrorKind::NotFound => {
             return Err(Failure::usage(
                 "a sweep on a cluster needs Python, and there is no python3 in the PATH",
-                format!("install Python 3.10 or later, and then polhode: {install}"),
+                format!(
+                    "install Python 3.10 or later, and then {}",
+                    install(&needed.map(|(_, package)| package))
+                ),
             ));
         }
-        Err(error) => return Err(Failure::usage(format!("python3 cannot be run: {error}"), install)),
-        Ok(status) if !status.success() => {
-            let message =
-                "a sweep on a cluster needs the Python package polhode, which this python3 does not have";
-            return Err(Failure::usage(message, install));
-        }
-        Ok(_) => {}
+        Err(error) => return Err(cannot(&error)),
+        Ok(found) => String::from_utf8_lossy(&found.stdout).into_owned(),
+    };
+    let is_missing = |module: &str| found.split_whitespace().any(|name| name == module);
+    let missing: Vec<_> = needed.into_iter().filter(|(module, _)| is_missing(module)).collect();
+    if !missing.is_empty() {
+        let modules: Vec<_> = missing.iter().map(|(module, _)| *module).collect();
+        let packages: Vec<_> = missing.iter().map(|(_, package)| *package).collect();
+        let message = format!(
+            "a sweep on {engine} needs the Python packages that this python3 does not have: {}",
+            modules.join(", ")
+        );
+        return Err(Failure::usage(message, install(&packages)));
     }
     let mut command = Command::new("python3");
     command.args(["-m", "polhode.sweep"]).arg(&sweep.plan).arg("-o").arg(target).args(["--on", url]);
@@ -58,9 +82,7 @@ pub(super) fn hand_over(sweep: &Sweep, url: &str, target: &Path) -> Result<(), F
     if let Some(threads) = sweep.threads {
         command.arg("--threads").arg(threads.to_string());
     }
-    let status = command
-        .status()
-        .map_err(|error| Failure::usage(format!("python3 cannot be run: {error}"), install))?;
+    let status = command.status().map_err(|error| cannot(&error))?;
     match status.code() {
         Some(0) => Ok(()),
         code => Err(Failure::Status(code.and_then(|code| u8::try_from(code).ok()).unwrap_or(2))),

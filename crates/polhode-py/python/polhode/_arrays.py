@@ -6,7 +6,8 @@ either byte order, any strides, lists of lists. Everything else is refused, with
 
 from __future__ import annotations
 
-from typing import Any
+import os
+from typing import Any, Iterable, Sequence
 
 import numpy as np
 import numpy.typing as npt
@@ -18,6 +19,9 @@ Floats = npt.NDArray[np.float64]
 #: Integers beyond it are not all float64.
 EXACT = 2**53
 
+#: The rule for them.
+INEXACT = "a float64 exactly: give a float, or an integer up to 2**53"
+
 
 def numbers(name: str, value: object, shape: tuple[int | str, ...]) -> Floats:
     """The numbers of an argument; ``shape`` has a number where a length is given, and a letter where it is free.
@@ -28,40 +32,73 @@ def numbers(name: str, value: object, shape: tuple[int | str, ...]) -> Floats:
     Traceback (most recent call last):
     polhode.PolhodeError: omega[1] = nan must be finite
     """
-    array = real(name, value)
+    array = real(name, value, "real numbers" if shape else "a real number")
     if len(array.shape) != len(shape) or any(
         isinstance(wanted, int) and found != wanted for found, wanted in zip(array.shape, shape)
     ):
-        wanted = "(" + ", ".join(map(str, shape)) + ("," if len(shape) == 1 else "") + ")"
-        raise PolhodeError(f"{name} must have the shape {wanted}, not {array.shape}")
+        raise PolhodeError(f"{name} must {_having(shape)}, not {array.shape}")
     refuse(name, array, ~np.isfinite(array), "finite")
     return array
 
 
-def real(name: str, value: object) -> Floats:
+def _having(shape: tuple[int | str, ...]) -> str:
+    return f"have the shape ({', '.join(map(str, shape))}{',' if len(shape) == 1 else ''})" if shape else "be one number, of shape ()"
+
+
+def real(name: str, value: object, what: str = "real numbers") -> Floats:
     """Any real numbers as float64, exactly."""
-    for word in ("unit", "units"):
-        if hasattr(value, word):
-            raise TypeError(f"{name} has a unit of its own, which would be lost: give plain numbers in SI units")
+    array = _array(name, value, what)
+    kind, size = array.dtype.kind, array.dtype.itemsize
+    if kind == "f" and size <= 8 or kind in "iu":
+        if kind in "iu" and size == 8:
+            refuse(name, array, (array > EXACT) | (array < -EXACT if kind == "i" else False), INEXACT)
+        return np.require(array, np.float64, ["C", "A"]).reshape(array.shape)
+    if kind == "O":
+        _look(name, array.flat, ())
+    raise TypeError(f"{name} must be {what}, not {described(array)}")
+
+
+def _array(name: str, value: object, what: str) -> npt.NDArray[Any]:
+    """An array of what is given, which need not be numbers; nothing is rounded or dropped on the way."""
+    # A table has a unit among its columns if it likes.
+    if not hasattr(value, "iloc") and any(hasattr(value, word) for word in ("unit", "units")):
+        raise TypeError(f"{name} has a unit of its own, which would be lost: give plain numbers in SI units")
     if isinstance(value, np.ma.MaskedArray) and np.ma.is_masked(value):
         raise PolhodeError(f"{name} has masked elements: give all of them, or leave their rows out")
+    if isinstance(value, (list, tuple)):
+        _look(name, value, ())
     try:
-        array = np.asarray(value)
+        return np.asarray(value)
+    except (TypeError, OverflowError) as error:
+        raise TypeError(f"{name} must be {what} ({error})") from None
     except ValueError as error:
         raise PolhodeError(f"{name} must have rows of one length ({error})") from None
-    kind, size = array.dtype.kind, array.dtype.itemsize
-    if array.size == 0 and kind == "f" or kind == "f" and size <= 8 or kind in "iu":
-        if kind in "iu" and size == 8:
-            refuse(name, array, (array > EXACT) | (array < -EXACT if kind == "i" else False), "a float64 exactly")
-        return np.require(array, np.float64, ["C", "A"]).reshape(array.shape)
-    raise TypeError(f"{name} must be real numbers, not {described(array)}")
+
+
+def _look(name: str, value: Iterable[Any], place: tuple[int, ...]) -> None:
+    """Looks into lists for what NumPy would make numbers of in silence: truth values, whole numbers that it rounds, lost units."""
+    if isinstance(value, (list, tuple)) and set(map(type, value)) <= {float, np.float64}:
+        return
+    for k, element in enumerate(value):
+        index = (*place, k)
+        here = f"{name}[{', '.join(map(str, index))}]" if not isinstance(value, np.flatiter) else name
+        if isinstance(element, (list, tuple)):
+            _look(name, element, index)
+        elif isinstance(element, np.ndarray) or hasattr(element, "unit") or hasattr(element, "units"):
+            real(here, element)
+        elif isinstance(element, (bool, np.bool_)):
+            raise TypeError(f"{here} = {element} must be a real number, not a truth value")
+        elif isinstance(element, (int, np.integer)) and not -EXACT <= element <= EXACT:
+            raise PolhodeError(f"{here} = {element} must be {INEXACT}")
 
 
 def described(array: npt.NDArray[Any]) -> str:
     """What an array holds instead of numbers."""
     if array.dtype.kind == "O":
-        odd = (element for element in array.flat if not isinstance(element, (int, float)))
-        return f"{type(next(odd, None)).__name__} among others (dtype object)"
+        odd = [type(element).__name__ for element in array.flat if not isinstance(element, (int, float, np.number))]
+        if not array.ndim and odd:
+            return odd[0]
+        return f"{odd[0]} among others (dtype object)" if odd else "objects (dtype object): convert them, as by .astype(float)"
     if array.dtype.kind == "f":
         return f"{array.dtype}, which has more digits than float64"
     return {"c": "complex numbers", "U": "text", "S": "bytes", "b": "truth values"}.get(array.dtype.kind, str(array.dtype))
@@ -94,7 +131,9 @@ def triple(name: str, value: object) -> list[float]:
 def tensor(name: str, value: object) -> list[list[float]]:
     """An inertia tensor: (3, 3), or three moments about the body's own axes."""
     given = real(name, value)
-    array = numbers(name, given, (3,)) if given.shape == (3,) else numbers(name, given, (3, 3))
+    if given.shape not in ((3, 3), (3,)):
+        raise PolhodeError(f"{name} must have the shape (3, 3), or (3,) for moments about the body's axes, not {given.shape}")
+    array = numbers(name, given, given.shape)
     rows: list[list[float]] = (np.diag(array) if array.ndim == 1 else array).tolist()
     return rows
 
@@ -114,10 +153,52 @@ def positive(name: str, value: object) -> float:
 
 def indices(name: str, value: object, shape: tuple[int | str, ...], below: int) -> npt.NDArray[np.uint32]:
     """Whole numbers from 0 up to ``below``."""
-    array = np.asarray(value)
-    if array.dtype.kind not in "iu":
+    array = _array(name, value, "whole numbers")
+    if array.size and array.dtype.kind not in "iu":
+        if array.dtype.kind == "O":
+            _look(name, array.flat, ())
         raise TypeError(f"{name} must be whole numbers, not {described(array) if array.dtype.kind != 'f' else array.dtype}")
     if array.ndim != len(shape) or array.shape[-1] != shape[-1]:
-        raise PolhodeError(f"{name} must have the shape ({', '.join(map(str, shape))}), not {array.shape}")
+        raise PolhodeError(f"{name} must {_having(shape)}, not {array.shape}")
     refuse(name, array, (array < 0) | (array >= below), f"from 0 to {below - 1}")
     return np.require(array, np.uint32, ["C", "A"])
+
+
+def count(name: str, value: object, least: int = 1) -> int:
+    """A whole number from ``least`` on."""
+    if isinstance(value, (bool, np.bool_)) or not isinstance(value, (int, np.integer)):
+        raise TypeError(f"{name} must be a whole number, not {type(value).__name__}")
+    if not least <= value <= EXACT:
+        raise PolhodeError(f"{name} = {value} must be a whole number from {least} to 2**53")
+    return int(value)
+
+
+def truth(name: str, value: object) -> bool:
+    """True or False: a text that says no is no False."""
+    if not isinstance(value, (bool, np.bool_)):
+        raise TypeError(f"{name} must be True or False, not {type(value).__name__}")
+    return bool(value)
+
+
+def text(name: str, value: object) -> str:
+    """A text."""
+    if not isinstance(value, str):
+        raise TypeError(f"{name} must be text, not {type(value).__name__}")
+    return value
+
+
+def choice(name: str, value: object, known: Sequence[str]) -> str:
+    """One of some words."""
+    if text(name, value) not in known:
+        raise PolhodeError(f"{name} = {value!r} must be one of {', '.join(known)}")
+    return str(value)
+
+
+def path(name: str, value: object) -> str:
+    """A path of a file or of a folder."""
+    found = os.fspath(value) if isinstance(value, (str, os.PathLike)) else None
+    if not isinstance(found, str):
+        raise TypeError(f"{name} must be a path, as a str or a pathlib.Path, not {type(value).__name__}")
+    if not found or "\0" in found:
+        raise PolhodeError(f"{name} = {found!r} must be a path")
+    return found

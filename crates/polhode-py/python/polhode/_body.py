@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Mapping
+from typing import Iterator, Mapping
 
-from . import _html
+from . import _arrays, _html
 from ._error import PolhodeError
 from ._mass_properties import MassProperties, joined
 
@@ -27,7 +27,10 @@ class Body:
     __slots__ = ("_parts", "_whole")
 
     def __init__(self, parts: Mapping[str, MassProperties]) -> None:
+        if not isinstance(parts, Mapping):
+            raise TypeError(f"parts must be a dict of MassProperties by name, not {type(parts).__name__}")
         for name, part in parts.items():
+            _arrays.text("the name of a part", name)
             if not isinstance(part, MassProperties):
                 raise TypeError(f"part {name!r} must be MassProperties, not {type(part).__name__}")
         if not parts:
@@ -48,6 +51,15 @@ class Body:
     def __getitem__(self, name: str) -> MassProperties:
         """The part of a name."""
         return self._parts[name]
+
+    def __contains__(self, name: object) -> bool:
+        return name in self._parts
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._parts)
+
+    def __len__(self) -> int:
+        return len(self._parts)
 
     def __repr__(self) -> str:
         return f"Body({', '.join(map(repr, self._parts))}; mass={self._whole.mass:.6g})"

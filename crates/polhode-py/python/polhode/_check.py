@@ -5,9 +5,10 @@ from __future__ import annotations
 import copy
 import json
 import os
-from typing import Any, Iterator, NamedTuple, Sequence
+from typing import Any, Iterable, Iterator, NamedTuple, Sequence
 
-from . import _native
+from . import _arrays, _native
+from ._error import in_python
 
 
 class ModelFinding(NamedTuple):
@@ -84,6 +85,9 @@ def check(path: str | os.PathLike[str], *, roots: Sequence[str | os.PathLike[str
     ...     print(finding.severity, finding.link, finding.code)
     impossible hand inertia.triangle
     """
-    name = os.fspath(path)
-    report, text, table = _native.check_file(name, [os.fspath(root) for root in roots])
-    return CheckReport(name, json.loads(report), text, table)
+    name = _arrays.path("path", path)
+    if isinstance(roots, (str, os.PathLike)) or not isinstance(roots, Iterable):
+        raise TypeError(f"roots must be a list of folders, not {type(roots).__name__}")
+    folders = [_arrays.path(f"roots[{k}]", root) for k, root in enumerate(roots)]
+    report, text, table = _native.check_file(name, folders)
+    return CheckReport(name, json.loads(report), in_python(text), table)

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import os
 import warnings
 from typing import TYPE_CHECKING, Any, Iterator, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
-from . import _arrays, _native
+from . import _arrays, _native, _threads
 from ._arrays import Floats
 from ._error import PolhodeError, PolhodeWarning
 from ._free_motion import rotations
@@ -114,10 +113,8 @@ class Ensemble:
             tensors = given["moments"][:, :, None] * np.eye(3)
         else:
             tensors = given["inertia"]
-        if not isinstance(torques, str):
-            raise TypeError(f"torques must be a text of [[torque]] tables, not {type(torques).__name__}")
         self._native = _native.Ensemble.of(
-            _rows(tensors.reshape(-1, 9), count), _rows(given["omega"], count), _rows(given["attitude"], count), torques
+            _rows(tensors.reshape(-1, 9), count), _rows(given["omega"], count), _rows(given["attitude"], count), _arrays.text("torques", torques)
         )
         # For copies; of its own, as what was given may change.
         self._arguments: dict[str, Any] = {name: rows.copy() for name, rows in given.items()} | {"torques": torques}
@@ -128,18 +125,15 @@ class Ensemble:
         """All members at times (t,), ascending, s, none before the start.
 
         Without ``step`` each member is computed by the best method there is: a closed form, else Taylor's method, else DOP853, within
-        ``tolerance`` a step. With ``step``, s, by the classical Runge–Kutta method in steps of that length at most: less accurate, and many
-        members together are much faster. ``threads``: all of the machine's unless you say otherwise.
+        ``tolerance`` a step. With ``step``, s, by the classical Runge–Kutta method in steps of that length at most, side by side: as accurate
+        as the step is short, and faster only where that is enough and there is no closed form. ``threads``: all processors that this process
+        may use unless you say otherwise.
 
         A member that cannot go on stays where it was last good; it is among ``failures``, and there is a :class:`PolhodeWarning`.
         """
-        if threads is None:
-            threads = os.cpu_count() or 1
-        if isinstance(threads, bool) or not isinstance(threads, int) or threads < 1:
-            raise PolhodeError(f"threads = {threads!r} must be a whole number from 1 on")
         rows, failures = self._native.at(
             _arrays.numbers("times", times, ("t",)),
-            threads,
+            _threads.available() if threads is None else _arrays.count("threads", threads),
             None if step is None else _arrays.positive("step", step),
             _arrays.positive("tolerance", tolerance),
         )

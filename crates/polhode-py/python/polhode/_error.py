@@ -2,6 +2,39 @@
 
 from __future__ import annotations
 
+import re
+
+#: Options of the command that are switches, those that have another name here, and those of the same name.
+_SWITCHES = {"hull", "resume", "force"}
+_RENAMED = {"root": "roots", "joint": "joints", "threads": "workers"}
+_SAME = {"unit", "mass-unit", "products", "decimal", "shell", "density", "mass", "material", "isotopes", "molecule"}
+_SAME |= {"spacing", "origin", "per-value", "link", "workers", "worker-timeout"}
+
+#: A flag, and a value that stands beside it as an example or a placeholder.
+_FLAG = re.compile(r"(?<![\w-])--([a-z]+(?:-[a-z]+)*)( (?:negative|positive|point|comma|mm|cm|m|in|g|kg|lb)\b| [A-Z]+\b)?")
+
+
+def in_python(text: str) -> str:
+    """What the library says to users of the command, who have flags, to those of Python, who have keywords.
+
+    >>> in_python("paste the line with the unit, or answer with --unit, such as --unit mm")
+    'paste the line with the unit, or answer with unit, such as unit="mm"'
+    >>> in_python("take its convex hull by --hull")
+    'take its convex hull by hull=True'
+    """
+
+    def keyword(found: re.Match[str]) -> str:
+        flag, value = found[1], (found[2] or "").strip()
+        if flag in _SWITCHES:
+            return f"{flag}=True"
+        if flag not in _SAME and flag not in _RENAMED:
+            return f"the command's {found[0]}"
+        name = _RENAMED.get(flag, flag).replace("-", "_")
+        return f'{name}="{value}"' if value.islower() else name
+
+    return _FLAG.sub(keyword, text.replace(" with -o DIR", "")) if "-" in text else text
+
+
 
 class PolhodeError(ValueError):
     """What is wrong with an input, in the words of the library.
@@ -26,11 +59,16 @@ class PolhodeError(ValueError):
     ) -> None:
         # All of them, so that a copy in another process has them too.
         super().__init__(message, hint, path, line, column)
-        self.message = message
-        self.hint = hint
+        self.message = in_python(message)
+        self.hint = None if hint is None else in_python(hint)
         self.path = path
         self.line = line
         self.column = column
+
+    def _as_command(self) -> str:
+        """The same in the words of the command: options as its flags."""
+        message, hint = self.args[:2]
+        return f"{message}" if hint is None else f"{message}\nhint: {hint}"
 
     def __str__(self) -> str:
         return self.message if self.hint is None else f"{self.message}\nhint: {self.hint}"

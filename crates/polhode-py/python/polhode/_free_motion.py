@@ -59,10 +59,11 @@ class FreeMotion:
     ) -> None:
         start = _arrays.triple("omega", omega)
         wxyz = _arrays.quaternions("attitude", IDENTITY if attitude is None else attitude, (4,)).tolist()
+        unphysical = _arrays.truth("allow_unphysical", allow_unphysical)
         if (moments is None) == (inertia is None):
             raise PolhodeError("a body is given by moments or by inertia, exactly one of them")
         if moments is not None:
-            self._native = _native.FreeMotion.of_moments(_arrays.triple("moments", moments), start, wxyz, allow_unphysical)
+            self._native = _native.FreeMotion.of_moments(_arrays.triple("moments", moments), start, wxyz, unphysical)
         else:
             tensor = inertia.inertia if isinstance(inertia, MassProperties) else inertia
             self._native = _native.FreeMotion.of_tensor(_arrays.tensor("inertia", tensor), start, wxyz)
@@ -71,7 +72,7 @@ class FreeMotion:
             "moments": None if moments is None else _arrays.triple("moments", moments),
             "inertia": None if moments is not None else _arrays.tensor("inertia", tensor),
             "attitude": wxyz,
-            "allow_unphysical": allow_unphysical,
+            "allow_unphysical": unphysical,
         }
 
     @property
@@ -199,6 +200,8 @@ class FreeMotion:
 
 def rotations(attitude: Floats) -> Rotation:
     """Quaternions, scalar first, as SciPy has them, scalar last."""
-    from scipy.spatial.transform import Rotation
-
+    try:
+        from scipy.spatial.transform import Rotation
+    except ImportError as error:
+        raise ImportError("rotations need SciPy: pip install scipy") from error
     return Rotation.from_quat(attitude[..., [1, 2, 3, 0]])

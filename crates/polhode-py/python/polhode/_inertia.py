@@ -92,7 +92,7 @@ def inertia(
         "mass": mass,
         "material": material,
         "unit": unit,
-        "hull": hull or None,
+        "hull": _arrays.truth("hull", hull) or None,
         "shell": shell,
         "mass_unit": mass_unit,
         "products": products,
@@ -105,7 +105,13 @@ def inertia(
         "link": link,
         "joints": joints,
     }
-    path = None if isinstance(source, tuple) else os.fspath(source)
+    if isinstance(source, tuple) and len(source) != 2:
+        raise PolhodeError(f"source is a tuple of {len(source)}: a mesh is (vertices, triangles)")
+    if not isinstance(source, (tuple, str, os.PathLike)):
+        raise TypeError(f"source must be a path, or a mesh as the tuple (vertices, triangles), not {type(source).__name__}")
+    path = None if isinstance(source, tuple) else _arrays.path("source", source)
+    if path is None and kind not in (None, "mesh"):
+        raise PolhodeError(f"kind = {kind!r} means nothing for arrays, which are a mesh")
     kind = "mesh" if path is None else _kind(path, kind)
     _refuse_options(kind, path or "the source", options)
     return _read(kind, path, source, options)._heard()
@@ -114,9 +120,7 @@ def inertia(
 def _kind(path: str, kind: str | None) -> str:
     """What a file is: as the user says, as its ending says, or as its root element says."""
     if kind is not None:
-        if kind not in _OPTIONS:
-            raise PolhodeError(f"kind = {kind!r} must be one of {', '.join(_OPTIONS)}")
-        return kind
+        return _arrays.choice("kind", kind, list(_OPTIONS))
     ending = Path(path).suffix.lower().lstrip(".")
     if ending in ("sdf", "xml", "world") and _native.is_robot(path):
         return "robot"
@@ -140,6 +144,9 @@ def _read(kind: str, path: str | None, source: Any, options: Mapping[str, Any]) 
     def triple(name: str) -> list[float] | None:
         return None if options[name] is None else _arrays.triple(name, options[name])
 
+    def word(name: str, known: list[str]) -> str | None:
+        return None if options[name] is None else _arrays.choice(name, options[name], known)
+
     length, weight = _unit(options["unit"], "unit", False), _unit(options["mass_unit"], "mass_unit", True)
     if kind == "mesh":
         substance = given(density=options["density"], mass=options["mass"], material=options["material"])
@@ -156,25 +163,32 @@ def _read(kind: str, path: str | None, source: Any, options: Mapping[str, Any]) 
     if kind == "particles":
         return MassProperties._of(_native.particle_file(path, number("mass"), length, weight))
     if kind == "cad":
-        return MassProperties._of(_native.cad_file(path, options["products"], options["decimal"], length, weight))
+        products = word("products", ["negative", "positive"])
+        decimal = word("decimal", ["point", "comma"])
+        return MassProperties._of(_native.cad_file(path, products, decimal, length, weight))
     if kind == "voxels":
         per_value = number("per_value") or 1.0
         return MassProperties._of(_native.voxel_file(path, triple("spacing"), triple("origin"), length, per_value))
     if kind == "molecule":
-        return _molecule(path, options["isotopes"], options["molecule"])
-    joints = [(name, _arrays.number(f"joints[{name!r}]", value)) for name, value in (options["joints"] or {}).items()]
-    if options["link"] is not None and joints:
+        return _molecule(path, word("isotopes", ["abundant", "average"]), options["molecule"])
+    if not isinstance(options["joints"], (Mapping, type(None))):
+        raise TypeError(f"joints must be a dict of numbers by name, not {type(options['joints']).__name__}")
+    link = None if options["link"] is None else _arrays.text("link", options["link"])
+    joints = [
+        (_arrays.text("the name of a joint", name), _arrays.number(f"joints[{name!r}]", value))
+        for name, value in (options["joints"] or {}).items()
+    ]
+    if link is not None and joints:
         raise PolhodeError("link and joints are both given: a link in its own frame does not know of its joints")
-    return MassProperties._of(_native.robot_file(path, options["link"], joints))
+    return MassProperties._of(_native.robot_file(path, link, joints))
 
 
 def _molecule(path: str, isotopes: str | None, which: int | None) -> MassProperties:
-    if isotopes not in (None, "abundant", "average"):
-        raise PolhodeError(f"isotopes = {isotopes!r} must be 'abundant' or 'average'")
     molecules = _native.molecule_file(path, isotopes == "average")
     if which is None and len(molecules) > 1:
         raise PolhodeError(f"{path} holds {len(molecules)} molecules", "say which by molecule, from 0")
-    if which is not None and not 0 <= which < len(molecules):
+    which = None if which is None else _arrays.count("molecule", which, 0)
+    if which is not None and which >= len(molecules):
         raise PolhodeError(f"molecule = {which} must be from 0 to {len(molecules) - 1}")
     return MassProperties._of(molecules[which or 0])
 

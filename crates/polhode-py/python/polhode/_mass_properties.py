@@ -11,7 +11,7 @@ import numpy.typing as npt
 
 from . import _arrays, _html, _native
 from ._arrays import Floats
-from ._error import PolhodeError, PolhodeWarning
+from ._error import PolhodeError, PolhodeWarning, in_python
 
 #: No turn, as a quaternion.
 IDENTITY = (1.0, 0.0, 0.0, 0.0)
@@ -28,6 +28,11 @@ class Finding(NamedTuple):
     message: str
     #: Where, if it has a place.
     place: str | None
+
+
+def findings_of(remarks: Iterable[_native.Remark]) -> list[Finding]:
+    """What Rust noticed, in the words of Python."""
+    return [Finding(code, severity, in_python(message), place) for code, severity, message, place in remarks]
 
 
 def warn_of(findings: Iterable[Finding], stacklevel: int = 3) -> None:
@@ -139,7 +144,7 @@ class MassProperties:
     @property
     def findings(self) -> list[Finding]:
         """What was noticed on the way: normals that were turned, a density that was assumed."""
-        return [Finding(*finding) for finding in self._native.findings]
+        return findings_of(self._native.findings)
 
     def about(self, point: npt.ArrayLike) -> Floats:
         """The inertia tensor about a point, along body axes (3, 3), kg·m²: parallel axes.
@@ -184,7 +189,7 @@ class MassProperties:
 
     def export(self, format: str, *, name: str = "body") -> str:
         """As another program reads it: ``urdf``, ``sdf``, ``mjcf``, ``mjcf-principal``, ``usd``, ``solidworks`` or ``csv``."""
-        return self._native.export(format, name)
+        return self._native.export(_arrays.text("format", format), _arrays.text("name", name))
 
     def __repr__(self) -> str:
         moments = ", ".join(f"{moment:.6g}" for moment in self.moments)

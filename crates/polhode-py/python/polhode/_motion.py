@@ -14,7 +14,7 @@ from . import _arrays, _html, _native
 from ._arrays import Floats
 from ._error import PolhodeWarning
 from ._free_motion import rotations
-from ._mass_properties import Finding, warn_of
+from ._mass_properties import Finding, findings_of, warn_of
 
 if TYPE_CHECKING:
     from scipy.spatial.transform import Rotation
@@ -176,7 +176,7 @@ class Motion:
 
     @cached_property
     def _findings(self) -> tuple[Finding, ...]:
-        return tuple(Finding(*finding) for finding in self._native.findings)
+        return tuple(findings_of(self._native.findings))
 
     @cached_property
     def _json(self) -> str:
@@ -243,7 +243,7 @@ def simulate(scenario: str | os.PathLike[str], *, times: npt.ArrayLike | None = 
     if isinstance(scenario, str) and "\n" in scenario:
         path, text = "scenario.toml", scenario
     else:
-        path, text = os.fspath(scenario), None
+        path, text = _arrays.path("scenario", scenario), None
     sampled = None if times is None else _arrays.numbers("times", times, ("n",))
     motion = Motion(_native.simulate(path, text, sampled))
     warn_of(motion.findings)

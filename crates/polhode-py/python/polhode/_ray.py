@@ -7,28 +7,43 @@ from typing import TYPE_CHECKING, Iterator
 import pyarrow as pa
 import ray
 import ray.data
+import ray.exceptions
 
+from ._cluster import LOOK, Watch, lost
 from .batch import Plan, compute
 
 if TYPE_CHECKING:
     from .sweep import Done, Parts
 
 
-def parts(address: str, plan: Plan, missing: Parts, workers: int) -> Iterator[Done]:
+def parts(address: str, plan: Plan, missing: Parts, workers: int, worker_timeout: float | None) -> Iterator[Done]:
     """The missing parts as they are done. A part that is lost with its worker is computed again: by Ray, which knows how."""
+    on = f"ray://{address}"
     if address == "local":
         ray.init(num_cpus=workers, include_dashboard=False, log_to_driver=False, _node_ip_address="127.0.0.1")
     else:
-        ray.init(f"ray://{address}", log_to_driver=False)
+        ray.init(on, log_to_driver=False)
     try:
         listed = [{"part": part, "start": start, "stop": stop} for part, (start, stop) in missing.items()]
         reader = ray.remote(num_cpus=0)(_Reader).remote(plan, listed)
-        while (rows := ray.get(reader.next.remote())) is not None:
+        watch = Watch(on, worker_timeout, lambda: int(ray.cluster_resources().get("CPU", 0)))
+        while (rows := _waited(reader.next.remote(), watch)) is not None:
             for row in rows.to_pylist():
                 motions = row["trajectories"]
                 yield row["part"], _unpacked(row["rows"]), None if motions is None else _unpacked(motions)
+    except (ray.exceptions.ActorDiedError, ray.exceptions.ActorUnavailableError, ray.exceptions.RaySystemError) as error:
+        raise lost(on, type(error).__name__) from error
     finally:
         ray.shutdown()
+
+
+def _waited(answer: ray.ObjectRef, watch: Watch) -> pa.Table | None:
+    """An answer of the cluster, with a look at its workers now and then."""
+    while True:
+        try:
+            return ray.get(answer, timeout=LOOK)
+        except ray.exceptions.GetTimeoutError:
+            watch.look()
 
 
 class _Reader:

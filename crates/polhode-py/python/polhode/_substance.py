@@ -30,12 +30,10 @@ def given(
     def checked(name: str, value: float | None) -> float | None:
         return None if value is None else _arrays.positive(name, value)
 
-    if not (material is None or isinstance(material, str)):
-        raise TypeError(f"material must be a name, not {type(material).__name__}")
     return {
         "density": checked("density", density),
         "mass": checked("mass", mass),
-        "material": material,
+        "material": None if material is None else _arrays.text("material", material),
         "area_density": checked("area_density", area_density),
         "line_density": checked("line_density", line_density),
     }

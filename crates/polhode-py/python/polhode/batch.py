@@ -44,14 +44,14 @@ from typing import Any, Iterable, NamedTuple, TypeVar
 
 import numpy as np
 
-from . import _native
+from . import _arrays, _native
 from ._error import PolhodeError
-from ._mass_properties import Finding
+from ._mass_properties import Finding, findings_of
 
 try:
     import pyarrow as pa
 except ImportError as error:
-    raise ImportError("record batches need PyArrow: pip install 'polhode[batch]'") from error
+    raise ImportError("record batches need PyArrow: pip install pyarrow") from error
 
 #: Rows that are computed without a look for Ctrl-C.
 PIECE = 256
@@ -84,7 +84,7 @@ class Plan:
         if isinstance(source, str) and "\n" in source:
             self._native = _native.Plan.parse(source, "plan.toml")
         else:
-            self._native = _native.Plan.read(os.fspath(source))
+            self._native = _native.Plan.read(_arrays.path("source", source))
 
     @property
     def text(self) -> str:
@@ -114,7 +114,7 @@ class Plan:
     @property
     def findings(self) -> list[Finding]:
         """What was noticed, about members that are not possible too."""
-        return [Finding(*finding) for finding in self._native.findings]
+        return findings_of(self._native.findings)
 
     def __repr__(self) -> str:
         return f"Plan({self.members} members, {', '.join(variable.name for variable in self.variables) or 'nothing'} varied)"
@@ -138,7 +138,9 @@ def _arrived(text: str, path: str, digest: str) -> Plan:
 
 def inputs(plan: Plan, members: range | None = None) -> pa.RecordBatch:
     """The inputs of some members, or of all: ``member``, and a column for each variable, in SI."""
-    chosen = range(plan.members) if members is None else members
+    chosen = range(_plan(plan).members) if members is None else members
+    if not isinstance(chosen, range):
+        raise TypeError(f"members must be a range, not {type(chosen).__name__}")
     if chosen.step != 1 or not 0 <= chosen.start <= chosen.stop <= plan.members:
         raise PolhodeError(f"members = {chosen} must be a range of step 1 within range({plan.members})")
     return _arrow(plan._native.inputs(chosen.start, chosen.stop))
@@ -149,12 +151,12 @@ def simulate(rows: Rows, plan: Plan) -> Rows:
 
     A member without a body or a motion, and one whose computation fails, is a row that says so in ``status`` and ``cause``.
     """
-    return _mapped(rows, plan, plan._native.simulate)
+    return _mapped(rows, plan, _plan(plan)._native.simulate)
 
 
 def trajectories(rows: Rows, plan: Plan) -> Rows:
     """The motions of the rows' members: a row for each sample time."""
-    return _mapped(rows, plan, plan._native.trajectories)
+    return _mapped(rows, plan, _plan(plan)._native.trajectories)
 
 
 def compute(plan: Plan, start: int, stop: int) -> tuple[pa.RecordBatch, pa.RecordBatch | None]:
@@ -163,8 +165,19 @@ def compute(plan: Plan, start: int, stop: int) -> tuple[pa.RecordBatch, pa.Recor
     return simulate(members, plan), trajectories(members, plan) if plan.wants_trajectories else None
 
 
+def _plan(plan: Plan) -> Plan:
+    if not isinstance(plan, Plan):
+        raise TypeError(f"plan must be a Plan, not {type(plan).__name__}: polhode.batch.Plan reads one")
+    return plan
+
+
 def _mapped(rows: Any, plan: Plan, function: Any) -> Any:
     """A function of columns, piece by piece: Python looks for signals between them."""
+    if not isinstance(rows, (pa.RecordBatch, pa.Table)):
+        raise TypeError(
+            f"rows must be a pyarrow RecordBatch or Table, not {type(rows).__module__}.{type(rows).__name__}: "
+            "pyarrow.Table.from_pandas and DataFrame.to_arrow make one"
+        )
     names = ["member", *(variable.name for variable in plan.variables)]
     missing = [name for name in names if name not in rows.schema.names]
     if missing:

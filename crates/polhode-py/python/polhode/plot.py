@@ -50,6 +50,7 @@ def attitude(motion: FreeMotion | Motion, *, times: npt.ArrayLike | None = None)
 
 def momentum(motion: Motion) -> Figure:
     """L along space axes over time: constant where no torque acts."""
+    _computed(motion)
     figure, axes = _axes()
     _lines(axes, motion.times, motion.momentum, ["$L_x$", "$L_y$", "$L_z$"], "L in space, kg·m²/s")
     return figure
@@ -57,6 +58,7 @@ def momentum(motion: Motion) -> Figure:
 
 def energy(motion: Motion) -> Figure:
     """Kinetic energy over time, and where every torque has a potential, potential and total energy."""
+    _computed(motion)
     figure, axes = _axes()
     columns, names = [motion.kinetic_energy], ["T"]
     if motion.potential_energy is not None:
@@ -68,6 +70,8 @@ def energy(motion: Motion) -> Figure:
 
 def polhode(motion: FreeMotion) -> Figure:
     """The path of ω along the principal axes, on the ellipsoid of all ω with the motion's kinetic energy."""
+    if not isinstance(motion, FreeMotion):
+        raise TypeError(f"motion must be a FreeMotion, whose ω stays on an ellipsoid, not {type(motion).__name__}")
     at, rates, _ = _sampled(motion, None)
     figure = _figure(6.0, 6.0)
     axes = figure.add_subplot(projection="3d")
@@ -86,12 +90,20 @@ def polhode(motion: FreeMotion) -> Figure:
     return figure
 
 
+def _computed(motion: Motion) -> None:
+    if not isinstance(motion, Motion):
+        free = ": of a free motion it is constant" if isinstance(motion, FreeMotion) else ""
+        raise TypeError(f"motion must be a Motion, not {type(motion).__name__}{free}")
+
+
 def _sampled(motion: FreeMotion | Motion, times: npt.ArrayLike | None) -> tuple[Floats, Floats, Floats]:
     """Times, ω and attitudes."""
     if isinstance(motion, Motion):
         if times is not None:
             raise PolhodeError("times are for a free motion: a computed one has its own")
         return motion.times, motion.omega, motion.attitude
+    if not isinstance(motion, FreeMotion):
+        raise TypeError(f"motion must be a FreeMotion or a Motion, not {type(motion).__name__}")
     at = np.linspace(0.0, motion._sensible(), SAMPLES) if times is None else _arrays.numbers("times", times, ("n",))
     states = motion.at(at)
     return at, states.omega, states.attitude
@@ -101,7 +113,7 @@ def _figure(width: float, height: float) -> Figure:
     try:
         from matplotlib.figure import Figure
     except ImportError as error:
-        raise ImportError("plots need Matplotlib: pip install 'polhode[plot]'") from error
+        raise ImportError("plots need Matplotlib: pip install matplotlib") from error
     return Figure(figsize=(width, height), layout="constrained")
 
 

@@ -79,7 +79,7 @@ def cylinder_shell(
 ) -> MassProperties:
     """The thin wall of a cylinder along z, with its ends or open, about its centre."""
     lengths = [_arrays.number("radius", radius), _arrays.number("length", length)]
-    return _shape("cylinder_shell", lengths, given(mass=mass, area_density=area_density), ends=bool(ends))
+    return _shape("cylinder_shell", lengths, given(mass=mass, area_density=area_density), ends=_arrays.truth("ends", ends))
 
 
 def disk(*, radius: float, mass: float | None = None, area_density: float | None = None) -> MassProperties:

@@ -14,19 +14,24 @@ import argparse
 import json
 import os
 import sys
+import warnings
 from typing import Any, Callable, Iterator, NamedTuple, Sequence
 
-import pyarrow as pa
-
-from . import _native, batch
-from ._error import PolhodeError
+from . import _arrays, _cluster, _native, _threads, batch
+from ._error import PolhodeError, PolhodeWarning
 from .batch import Plan
+
+import pyarrow as pa  # after batch, which says how to install it
 
 #: Numbers of parts, with their first members and the ones after their last.
 Parts = dict[int, tuple[int, int]]
 
 #: A part that is done: its number, its rows, and its trajectories if the plan wants them.
 Done = tuple[int, pa.RecordBatch, "pa.RecordBatch | None"]
+
+
+#: Engines, and what installs them.
+_ENGINES = {"dask": "distributed", "ray": "ray[data,client]"}
 
 
 class Summary(NamedTuple):
@@ -50,41 +55,51 @@ def run(
     resume: bool = False,
     force: bool = False,
     progress: Callable[[int, int], object] = lambda done, members: None,
+    worker_timeout: float | None = 600.0,
 ) -> Summary:
     """Computes a plan into the folder ``output``.
 
     ``on`` is where: ``None`` for threads of this process, ``"dask://HOST:PORT"`` or ``"ray://HOST:PORT"`` for a cluster, ``"dask://local"`` or
     ``"ray://local"`` for one that is started here and ends with the sweep. ``workers``: how many threads, or processes of a local cluster;
-    all of the machine's processors unless you say otherwise. ``resume`` goes on with what is there, ``force`` throws it away. ``progress`` is
-    told how many members are done, and of how many.
+    all processors that this process may use unless you say otherwise. ``resume`` goes on with what is there, ``force`` throws it away.
+    ``progress`` is told how many members are done, and of how many.
+
+    A cluster that is lost is a ``ConnectionError``; one that has no worker is warned of, and after ``worker_timeout`` seconds (``None``: never)
+    a ``TimeoutError``. What is done by then is kept.
     """
     plan = plan if isinstance(plan, Plan) else Plan(plan)
-    if resume and force:
+    if all([_arrays.truth("resume", resume), _arrays.truth("force", force)]):
         raise PolhodeError("resume and force are both given: one goes on with what is there, the other throws it away")
-    count = workers if workers is not None else os.cpu_count() or 1
-    if count < 1:
-        raise PolhodeError(f"workers = {count} must be at least 1")
-    engine = None if on is None else _engine(on)
-    dataset = _native.Dataset.open(os.fspath(output), plan._native, "resume" if resume else "replace" if force else "create")
-    if engine is None:
-        dataset.compute(plan._native, count, progress)
-    else:
-        parts = {part: dataset.rows(part) for part in dataset.missing()}
-        done = plan.members - sum(stop - start for start, stop in parts.values())
-        for part, rows, motions in engine(plan, parts, count) if parts else ():
-            if motions is not None:
-                dataset.write_trajectories(part, batch._columns(motions))
-            dataset.write(part, batch._columns(rows))
-            done += rows.num_rows
-            progress(done, plan.members)
-    summary, text = dataset.finish(plan._native, os.cpu_count() or 1)
+    count = _threads.available() if workers is None else _arrays.count("workers", workers)
+    timeout = None if worker_timeout is None else _arrays.positive("worker_timeout", worker_timeout)
+    if not callable(progress):
+        raise TypeError(f"progress must be a function of two numbers, not {type(progress).__name__}")
+    engine = None if on is None else _engine(on, timeout)
+    folder = _arrays.path("output", output)
+    dataset = _native.Dataset.open(folder, plan._native, "resume" if resume else "replace" if force else "create")
+    try:
+        if engine is None:
+            dataset.compute(plan._native, count, progress)
+        else:
+            parts = {part: dataset.rows(part) for part in dataset.missing()}
+            done = plan.members - sum(stop - start for start, stop in parts.values())
+            for part, rows, motions in engine(plan, parts, count) if parts else ():
+                if motions is not None:
+                    dataset.write_trajectories(part, batch._columns(motions))
+                dataset.write(part, batch._columns(rows))
+                done += rows.num_rows
+                progress(done, plan.members)
+        summary, text = dataset.finish(plan._native, _threads.available())
+    finally:
+        # Else what an error remembers would keep the folder locked.
+        del dataset
     return Summary(json.loads(summary), text)
 
 
-def _engine(on: str) -> Callable[[Plan, Parts, int], Iterator[Done]]:
+def _engine(on: str, timeout: float | None) -> Callable[[Plan, Parts, int], Iterator[Done]]:
     """The engine of an address: what computes parts, in any order."""
-    kind, _, address = on.partition("://")
-    if kind not in ("dask", "ray") or not address:
+    kind, _, address = _arrays.text("on", on).partition("://")
+    if kind not in _ENGINES or not address:
         raise PolhodeError(f"on = {on!r} is no cluster", "write dask://HOST:PORT, ray://HOST:PORT, dask://local or ray://local")
     try:
         if kind == "dask":
@@ -92,8 +107,8 @@ def _engine(on: str) -> Callable[[Plan, Parts, int], Iterator[Done]]:
         else:
             from ._ray import parts
     except ImportError as error:
-        raise ImportError(f"{on} needs {error.name}: pip install 'polhode[{kind}]'") from error
-    return lambda plan, missing, workers: parts(address, plan, missing, workers)
+        raise ImportError(f"{on} needs {error.name or kind}: pip install '{_ENGINES[kind]}'") from error
+    return lambda plan, missing, workers: _cluster.in_words(on, parts(address, plan, missing, workers, timeout))
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -103,6 +118,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("-o", "--output", metavar="DIR", help="the folder to write [default: the plan's name, here]")
     parser.add_argument("--on", metavar="URL", help="dask://HOST:PORT, ray://HOST:PORT, dask://local or ray://local")
     parser.add_argument("--workers", "--threads", type=int, metavar="N", help="processes of a local cluster, or threads [default: all]")
+    parser.add_argument(
+        "--worker-timeout", type=float, default=600.0, metavar="S", help="give a cluster up that has had no worker for so long [default: 600]"
+    )
     parser.add_argument("--resume", action="store_true", help="go on with an interrupted sweep; begin it if there is none")
     parser.add_argument("--force", action="store_true", help="throw away the results of an earlier sweep")
     parser.add_argument("--json", action="store_true", help="print the summary as JSON")
@@ -113,18 +131,35 @@ def main(arguments: Sequence[str] | None = None) -> int:
         if sys.stderr.isatty():
             print(f"\r\x1b[K{100 * done // members:3} %   {done} of {members} members", end="", file=sys.stderr, flush=True)
 
+    clear = "\r\x1b[K" if sys.stderr.isatty() else ""
+
+    def say(message: Warning | str, *_: object, **__: object) -> None:
+        print(f"{clear}warning: {message}", file=sys.stderr, flush=True)
+
     try:
-        found = run(
-            given.plan, output, on=given.on, workers=given.workers, resume=given.resume, force=given.force, progress=show
-        )
-    except (PolhodeError, OSError, ImportError) as error:
-        print(f"error: {error}", file=sys.stderr)
+        with warnings.catch_warnings():
+            warnings.simplefilter("always", PolhodeWarning)
+            warnings.showwarning = say
+            found = run(
+                given.plan,
+                output,
+                on=given.on,
+                workers=given.workers,
+                resume=given.resume,
+                force=given.force,
+                progress=show,
+                worker_timeout=given.worker_timeout,
+            )
+    except PolhodeError as error:
+        print(f"{clear}error: {error._as_command()}", file=sys.stderr)
+        return 2
+    except (OSError, ImportError) as error:
+        print(f"{clear}error: {error}", file=sys.stderr)
         return 2
     except KeyboardInterrupt:
         print(f"\nstopped: what is done is in {output}, and --resume goes on from there", file=sys.stderr)
         return 130
-    if sys.stderr.isatty():
-        print("\r\x1b[K", end="", file=sys.stderr)
+    print(clear, end="", file=sys.stderr)
     print(json.dumps(found.summary, indent=2, ensure_ascii=False) if given.json else found.text)
     return 0
 

@@ -72,7 +72,7 @@ def test_no_times_give_no_states() -> None:
         ({"omega": [1.0, 0.0, -np.inf]}, r"omega\[2\] = -inf must be finite"),
         ({"omega": [1.0, 2.0]}, r"omega must have the shape \(3,\), not \(2,\)"),
         ({"omega": [[1.0, 2.0, 3.0]]}, r"omega must have the shape \(3,\), not \(1, 3\)"),
-        ({"omega": [1.0, 2.0, 2**53 + 1]}, None),
+        ({"omega": [1.0, 2.0, 2**53 + 1]}, r"omega\[2\] = 9007199254740993 must be a float64 exactly"),
         ({"omega": [1, 2, 2**53 + 1]}, r"omega\[2\] = 9007199254740993 must be a float64 exactly"),
         ({"omega": [[1.0], [2.0, 3.0]]}, "omega must have rows of one length"),
         ({"omega": np.ma.masked_equal([1.0, 2.0, 3.0], 2.0)}, "omega has masked elements"),
@@ -85,10 +85,7 @@ def test_no_times_give_no_states() -> None:
         ({"moments": None, "inertia": [[1, 0.1, 0], [0.2, 1, 0], [0, 0, 1]]}, "symmetric"),
     ],
 )
-def test_values_are_refused_with_their_place(changed: dict[str, object], says: str | None) -> None:
-    if says is None:
-        motion(**changed)
-        return
+def test_values_are_refused_with_their_place(changed: dict[str, object], says: str) -> None:
     with pytest.raises(polhode.PolhodeError, match=says) as error:
         motion(**changed)
     assert isinstance(error.value, ValueError)
@@ -99,7 +96,8 @@ def test_values_are_refused_with_their_place(changed: dict[str, object], says: s
     [
         (["1", "2", "3"], "omega must be real numbers, not text"),
         (np.array([1.0, 2.0, 3.0j]), "omega must be real numbers, not complex numbers"),
-        ([True, False, True], "omega must be real numbers, not truth values"),
+        ([True, False, True], r"omega\[0\] = True must be a real number, not a truth value"),
+        (np.array([True, False, True]), "omega must be real numbers, not truth values"),
         ([1.0, None, 3.0], "NoneType among others"),
         ([1.0, {}, 3.0], "dict among others"),
         (np.array([1.0, 2.0, 3.0], dtype=np.longdouble), "more digits than float64"),

@@ -13,8 +13,7 @@ from polhode import shapes
 @pytest.mark.parametrize("name", ["bracket.stl", "meshes/bracket.obj", "meshes/bracket.ply", "meshes/bracket.off"])
 def test_one_mesh_in_every_format_has_one_tensor(examples: Path, name: str) -> None:
     wanted = polhode.inertia(examples / "bracket.stl", unit="mm", material="aluminium")
-    unit = None if polhode.inertia(examples / name, density=2700.0).volume < 1.0 else "mm"
-    found = polhode.inertia(examples / name, unit=unit, density=2700.0)
+    found = polhode.inertia(examples / name, unit="mm", density=2700.0)
     assert np.allclose(found.inertia, wanted.inertia, rtol=1e-6) and np.isclose(found.mass, wanted.mass, rtol=1e-6)
 
 
@@ -28,8 +27,23 @@ def test_hulls_and_sheets(examples: Path) -> None:
 
 def test_an_assumed_density_is_said(examples: Path) -> None:
     with pytest.warns(polhode.PolhodeWarning, match=r"1 kg/m³ is assumed \[mass.assumed\]"):
-        body = polhode.inertia(examples / "bracket.stl")
+        body = polhode.inertia(examples / "bracket.stl", unit="mm")
     assert [finding.code for finding in body.findings if finding.severity == "warning"] == ["mass.assumed"]
+
+
+def test_a_mesh_that_is_absurd_in_metres_is_asked_for_its_unit(examples: Path) -> None:
+    vertices, triangles = [[0, 0, 0], [30, 0, 0], [0, 20, 0], [0, 0, 10]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]
+    for source, options in (
+        ((vertices, triangles), {"density": 2700.0}),
+        ((vertices, triangles), {"density": 2700.0, "hull": True}),
+        (examples / "bracket.stl", {"density": 2700.0}),
+        (examples / "bracket.stl", {"density": 2700.0, "shell": 0.1}),
+    ):
+        with pytest.warns(polhode.PolhodeWarning, match=r'is it in mm\? \(give unit="mm", or unit="m" if it is so\) \[mesh.unit\]'):
+            body = polhode.inertia(source, **options)
+        assert [finding.code for finding in body.findings if finding.severity == "warning"] == ["mesh.unit"]
+        for unit in ("m", "mm", 1.0):
+            assert "mesh.unit" not in [finding.code for finding in polhode.inertia(source, unit=unit, **options).findings]
 
 
 def test_molecules_and_their_constants(examples: Path) -> None:

@@ -48,6 +48,15 @@ def test_a_summary_is_that_of_the_command(examples: Path) -> None:
     assert motion.title in str(motion) and motion.title in repr(motion)
 
 
+def test_what_was_assumed_is_said() -> None:
+    text = '[[body.part]]\nshape = "sphere"\nradius = "20 mm"\nmass = "1 kg"\n[start]\nspin = { body = [0.1, 2, -0.3] }\n[run]\nduration = "2 s"\n'
+    assert polhode.simulate(text).findings == []
+    sweep = '[sweep]\nmembers = 9\nseed = 7\nsampling = "monte carlo"\n[[sweep.vary]]\nkey = "start.spin.body[1]"\nuniform = { from = 1, to = 3 }\n'
+    with pytest.warns(polhode.PolhodeWarning, match=r"\[sweep.nominal\]"):
+        motion = polhode.simulate(text + sweep)
+    assert [finding.code for finding in motion.findings] == ["sweep.nominal"]
+
+
 @pytest.mark.parametrize("kind", ["text", "file"])
 def test_events_stop_a_motion(kind: str, tmp_path: Path, examples: Path) -> None:
     text = (examples / "events.toml").read_text()

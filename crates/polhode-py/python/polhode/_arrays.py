@@ -166,9 +166,9 @@ def indices(name: str, value: object, shape: tuple[int | str, ...], below: int) 
 
 def count(name: str, value: object, least: int = 1) -> int:
     """A whole number from ``least`` on."""
-    if isinstance(value, (bool, np.bool_)) or not isinstance(value, (int, np.integer)):
+    if isinstance(value, (bool, np.bool_)) or not isinstance(value, (int, np.integer, float, np.floating)):
         raise TypeError(f"{name} must be a whole number, not {type(value).__name__}")
-    if not least <= value <= EXACT:
+    if isinstance(value, (float, np.floating)) or not least <= value <= EXACT:
         raise PolhodeError(f"{name} = {value} must be a whole number from {least} to 2**53")
     return int(value)
 

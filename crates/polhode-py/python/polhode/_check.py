@@ -5,7 +5,7 @@ from __future__ import annotations
 import copy
 import json
 import os
-from typing import Any, Iterable, Iterator, NamedTuple, Sequence
+from typing import Any, Iterable, Iterator, Mapping, NamedTuple, Sequence
 
 from . import _arrays, _native
 from ._error import in_python
@@ -86,7 +86,7 @@ def check(path: str | os.PathLike[str], *, roots: Sequence[str | os.PathLike[str
     impossible hand inertia.triangle
     """
     name = _arrays.path("path", path)
-    if isinstance(roots, (str, os.PathLike)) or not isinstance(roots, Iterable):
+    if isinstance(roots, (str, os.PathLike, Mapping)) or not isinstance(roots, Iterable):
         raise TypeError(f"roots must be a list of folders, not {type(roots).__name__}")
     folders = [_arrays.path(f"roots[{k}]", root) for k, root in enumerate(roots)]
     report, text, table = _native.check_file(name, folders)

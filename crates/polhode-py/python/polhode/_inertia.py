@@ -110,6 +110,7 @@ def inertia(
     if not isinstance(source, (tuple, str, os.PathLike)):
         raise TypeError(f"source must be a path, or a mesh as the tuple (vertices, triangles), not {type(source).__name__}")
     path = None if isinstance(source, tuple) else _arrays.path("source", source)
+    kind = None if kind is None else _arrays.choice("kind", kind, list(_OPTIONS))
     if path is None and kind not in (None, "mesh"):
         raise PolhodeError(f"kind = {kind!r} means nothing for arrays, which are a mesh")
     kind = "mesh" if path is None else _kind(path, kind)
@@ -120,7 +121,7 @@ def inertia(
 def _kind(path: str, kind: str | None) -> str:
     """What a file is: as the user says, as its ending says, or as its root element says."""
     if kind is not None:
-        return _arrays.choice("kind", kind, list(_OPTIONS))
+        return kind
     ending = Path(path).suffix.lower().lstrip(".")
     if ending in ("sdf", "xml", "world") and _native.is_robot(path):
         return "robot"
@@ -197,4 +198,9 @@ def _unit(unit: str | float | None, name: str, of_mass: bool) -> float | None:
     """A unit in m or kg."""
     if unit is None:
         return None
-    return _native.unit(unit, of_mass) if isinstance(unit, str) else _arrays.positive(name, unit)
+    if not isinstance(unit, str):
+        return _arrays.positive(name, unit)
+    try:
+        return _native.unit(unit, of_mass)
+    except PolhodeError as error:
+        raise PolhodeError(f"{name} = {unit!r}: {error.message}", error.hint) from None

@@ -31,8 +31,8 @@ def parts(address: str, plan: Plan, missing: Parts, workers: int, worker_timeout
             for row in rows.to_pylist():
                 motions = row["trajectories"]
                 yield row["part"], _unpacked(row["rows"]), None if motions is None else _unpacked(motions)
-    except (ray.exceptions.ActorDiedError, ray.exceptions.ActorUnavailableError, ray.exceptions.RaySystemError) as error:
-        raise lost(on, type(error).__name__) from error
+    except (ConnectionError, ray.exceptions.ActorDiedError, ray.exceptions.RaySystemError) as error:
+        raise lost(on, f"it does not answer ({type(error).__name__})") from error
     finally:
         ray.shutdown()
 

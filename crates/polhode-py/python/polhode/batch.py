@@ -138,7 +138,8 @@ def _arrived(text: str, path: str, digest: str) -> Plan:
 
 def inputs(plan: Plan, members: range | None = None) -> pa.RecordBatch:
     """The inputs of some members, or of all: ``member``, and a column for each variable, in SI."""
-    chosen = range(_plan(plan).members) if members is None else members
+    plan = _plan(plan)
+    chosen = range(plan.members) if members is None else members
     if not isinstance(chosen, range):
         raise TypeError(f"members must be a range, not {type(chosen).__name__}")
     if chosen.step != 1 or not 0 <= chosen.start <= chosen.stop <= plan.members:
@@ -147,11 +148,15 @@ def inputs(plan: Plan, members: range | None = None) -> pa.RecordBatch:
 
 
 def simulate(rows: Rows, plan: Plan) -> Rows:
-    """The rows, each with what becomes of its member: how it ended, periods, final state, extrema, events.
+    """The rows, each with what becomes of its member: how it ended, periods, final state, extrema, events; further columns go along.
 
     A member without a body or a motion, and one whose computation fails, is a row that says so in ``status`` and ``cause``.
     """
-    return _mapped(rows, plan, _plan(plan)._native.simulate)
+    found: Any = _mapped(rows, plan, _plan(plan)._native.simulate)
+    for field, column in zip(rows.schema, rows.columns):
+        if field.name not in found.schema.names:
+            found = found.append_column(field, column)
+    return found
 
 
 def trajectories(rows: Rows, plan: Plan) -> Rows:
@@ -185,23 +190,23 @@ def _mapped(rows: Any, plan: Plan, function: Any) -> Any:
     chosen = rows.select(names)
     pieces = [chosen.slice(k, PIECE) for k in range(0, max(chosen.num_rows, 1), PIECE)]
     done = [_arrow(function([(name, _numbers(name, piece)) for name in names])) for piece in pieces]
-    if isinstance(rows, pa.Table):
-        return pa.Table.from_batches(done)
-    return pa.concat_batches(done)
+    return pa.Table.from_batches(done) if isinstance(rows, pa.Table) else pa.concat_batches(done)
 
 
 def _numbers(name: str, rows: Any) -> Any:
     """A column of inputs as an array."""
     column = rows.column(name)
-    wanted = np.uint64 if name == "member" else np.float64
-    if not (pa.types.is_integer(column.type) if name == "member" else pa.types.is_floating(column.type)):
-        raise TypeError(f"column {name} must hold {'whole numbers' if name == 'member' else 'numbers'}, not {column.type}")
+    is_whole, is_member = pa.types.is_integer(column.type), name == "member"
+    if not (is_whole or pa.types.is_floating(column.type) and not is_member):
+        raise TypeError(f"column {name} must hold {'whole numbers' if is_member else 'numbers'}, not {column.type}")
     if column.null_count:
         raise PolhodeError(f"column {name} has rows without a value")
     array = column.to_numpy(zero_copy_only=False) if isinstance(column, pa.Array) else column.to_numpy()
-    if name == "member" and (array < 0).any():
+    if not is_member:
+        return _arrays.real(f"column {name}", array)
+    if (array < 0).any():
         raise PolhodeError(f"column {name} has negative numbers")
-    return np.require(array, wanted, ["C", "A"])
+    return np.require(array, np.uint64, ["C", "A"])
 
 
 def _arrow(columns: Iterable[_native.Column]) -> pa.RecordBatch:

@@ -67,7 +67,7 @@ def run(
     A cluster that is lost is a ``ConnectionError``; one that has no worker is warned of, and after ``worker_timeout`` seconds (``None``: never)
     a ``TimeoutError``. What is done by then is kept.
     """
-    plan = plan if isinstance(plan, Plan) else Plan(plan)
+    plan = plan if isinstance(plan, Plan) else Plan(_arrays.path("plan", plan))
     if all([_arrays.truth("resume", resume), _arrays.truth("force", force)]):
         raise PolhodeError("resume and force are both given: one goes on with what is there, the other throws it away")
     count = _threads.available() if workers is None else _arrays.count("workers", workers)

@@ -1,0 +1,203 @@
+"""Every argument of every public function, given what it cannot be: refused by its name, in its kind, in the words of Python."""
+
+from __future__ import annotations
+
+import contextlib
+import decimal
+import fractions
+import inspect
+import io
+import re
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import polhode
+import polhode.batch
+import polhode.sweep
+import pyarrow as pa
+import pytest
+from conftest import PLAN, ROOT
+from polhode import plot, shapes
+from polhode._error import in_python
+
+VERTICES = [[0, 0, 0], [30, 0, 0], [0, 20, 0], [0, 0, 10]]
+TRIANGLES = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]
+
+
+class Quantity(np.ndarray):
+    """An array with a unit of its own."""
+
+    unit = "m"
+
+
+#: What no argument can be: neither a number, nor an array of any shape, nor a text, a path or a function.
+NEVER: list[Any] = [
+    b"x",
+    10**20,
+    -(10**30),
+    [10**20] * 3,
+    float("nan"),
+    float("inf"),
+    [[]],
+    {1, 2},
+    object(),
+    (x for x in []),
+    np.zeros((3, 0)),
+    np.ones((3, 4, 5)),
+    np.array([1, 2, 3], object),
+    np.array([1, None, 3], object),
+    np.ones(3, np.longdouble),
+    np.ones(3, complex),
+    np.ma.masked_equal([1.0, 2.0, 3.0], 2.0),
+    [1.0, np.ma.masked, 2.0],
+    [True, 2.0, 3.0],
+    [2.0, 1.0, 2**53 + 1],
+    [1.0, [2.0]],
+    [fractions.Fraction(1, 3)] * 3,
+    [decimal.Decimal(1)] * 3,
+    [np.array([True]), np.array([1.0])],
+    np.array([1.0, 2.0, 3.0]).view(Quantity),
+    [np.array(1.0).view(Quantity)] * 3,
+    np.zeros(3, "M8[s]"),
+    np.zeros(2, [("a", float)]),
+    1 + 2j,
+    pa.array([1, None]),
+    Ellipsis,
+]
+
+#: Arguments that take such a thing all the same: folders may come from a generator, and a class is a function.
+TAKEN = {("check", "roots")}
+
+
+def functions() -> dict[Callable[..., object], dict[str, Any]]:
+    """All public functions, with arguments that are right."""
+    body = shapes.sphere(radius=1.0, mass=2.0)
+    free = polhode.FreeMotion(moments=[1, 2, 2.5], omega=[0.3, 0.5, 0.9])
+    motion = polhode.simulate(ROOT / "examples" / "t-handle.toml")
+    ensemble = polhode.Ensemble(moments=[1, 2, 2.5], omega=[[0.3, 0.5, 0.9]] * 2)
+    plan = polhode.batch.Plan(PLAN.format(members=10))
+    rows = polhode.batch.inputs(plan)
+    found: dict[Callable[..., object], dict[str, Any]] = {
+        polhode.MassProperties: {"mass": 1.0, "inertia": [1.0, 1.0, 1.0], "center_of_mass": [0, 0, 0], "about": [0, 0, 0]},
+        polhode.particles: {"masses": [1.0, 2.0], "positions": [[0, 0, 0], [1, 1, 1]]},
+        polhode.inertia: {"source": (VERTICES, TRIANGLES), "density": 1.0, "unit": "mm", "hull": False, "shell": None, "kind": None},
+        polhode.FreeMotion: {"omega": [1.0, 2, 3], "moments": [1.0, 2, 2.5], "attitude": [1, 0, 0, 0], "allow_unphysical": False},
+        polhode.Ensemble: {"omega": [[1.0, 2, 3]] * 2, "moments": [1.0, 2, 2.5], "attitude": [1, 0, 0, 0], "torques": ""},
+        polhode.simulate: {"scenario": ROOT / "examples" / "t-handle.toml", "times": [0.0, 1.0]},
+        polhode.check: {"path": ROOT / "examples" / "robots" / "arm.urdf", "roots": []},
+        polhode.Body: {"parts": {"a": body}},
+        body.about: {"point": [1, 2, 3]},
+        body.along: {"rotation": [1, 0, 0, 0]},
+        body.placed: {"position": [0, 0, 0], "rotation": [1, 0, 0, 0]},
+        body.export: {"format": "urdf", "name": "x"},
+        free.at: {"times": [1.0, 2.0]},
+        free.page: {"duration": 3.0},
+        ensemble.at: {"times": [0.0, 1.0], "threads": 1, "step": 0.1, "tolerance": 1e-9},
+        plot.omega: {"motion": free, "times": [0.0, 1.0]},
+        plot.attitude: {"motion": free, "times": [0.0, 1.0]},
+        plot.momentum: {"motion": motion},
+        plot.energy: {"motion": motion},
+        plot.polhode: {"motion": free},
+        polhode.batch.Plan: {"source": PLAN.format(members=10)},
+        polhode.batch.inputs: {"plan": plan, "members": range(3)},
+        polhode.batch.simulate: {"rows": rows, "plan": plan},
+        polhode.batch.trajectories: {"rows": rows, "plan": plan},
+        polhode.sweep.run: {"plan": plan, "output": "x", "on": None, "workers": 1, "resume": False, "force": True, "progress": max, "worker_timeout": 3.0},
+    }
+    values = {"size": [1, 2, 3], "semi_axes": [1, 2, 3], "vertices": VERTICES, "mass": 1.0, "ends": False, "tube_radius": 0.1, "top_radius": 0.1}
+    unset = {"density", "material", "area_density", "line_density"}
+    for name, function in vars(shapes).items():
+        if inspect.isfunction(function) and function.__module__ == "polhode.shapes" and not name.startswith("_"):
+            found[function] = {n: None if n in unset else values.get(n, 1.0) for n in inspect.signature(function).parameters}
+    found[shapes.plate]["size"] = [1, 2]
+    return found
+
+
+def test_every_argument_is_refused_by_its_name(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    count = 0
+    for function, right in functions().items():
+        with contextlib.redirect_stdout(io.StringIO()):
+            function(**right)
+        for name, wrong in ((name, wrong) for name in right for wrong in NEVER):
+            what = f"{function.__qualname__}({name}={wrong!r:.50})"
+            if (function.__qualname__, name) in TAKEN and not isinstance(wrong, (str, bytes)):
+                continue
+            count += 1
+            with pytest.raises((polhode.PolhodeError, TypeError)) as error:
+                function(**right | {name: wrong})
+                pytest.fail(f"{what} is taken")
+            assert str(error.value).startswith((name, f"the {name}")), f"{what}: {error.value}"
+            assert not re.search(r"NoneType(?! among)|'.*' object|argument '|-- ?[a-z]", str(error.value)), f"{what}: {error.value}"
+    assert count > 2500
+
+
+@pytest.mark.parametrize(
+    ("value", "error", "says"),
+    [
+        ([1, 2, 10**20], polhode.PolhodeError, r"^omega\[2\] = 100000000000000000000 must be a float64 exactly: give a float, or an integer up to 2"),
+        (np.array([1, 2, 3], object), TypeError, r"^omega must be real numbers, not objects \(dtype object\): convert them"),
+        ([1.0, True, 3.0], TypeError, r"^omega\[1\] = True must be a real number, not a truth value$"),
+        ([np.array(1.0).view(Quantity)] * 3, TypeError, r"^omega\[0\] has a unit of its own, which would be lost"),
+        ([[1.0], [2.0, 3.0]], polhode.PolhodeError, r"^omega must have rows of one length"),
+        (None, TypeError, "^omega must be real numbers, not NoneType$"),
+    ],
+)
+def test_messages_say_what_is_there(value: object, error: type[Exception], says: str) -> None:
+    with pytest.raises(error, match=says):
+        polhode.FreeMotion(moments=[1, 2, 2.5], omega=value)
+
+
+def test_a_text_is_no_truth_value_and_a_third_element_no_part_of_a_mesh() -> None:
+    mesh = (VERTICES, TRIANGLES)
+    for call, says in (
+        (lambda: polhode.inertia(mesh, density=1.0, hull="no"), "hull must be True or False, not str"),
+        (lambda: shapes.cylinder_shell(radius=1.0, length=2.0, ends="no", mass=1.0), "ends must be True or False, not str"),
+        (lambda: polhode.FreeMotion(moments=[1, 2, 9], omega=[1, 2, 3], allow_unphysical="no"), "allow_unphysical must be True or False"),
+        (lambda: polhode.inertia((*mesh, [[0, 0, 1]] * 4), density=1.0), r"source is a tuple of 3: a mesh is \(vertices, triangles\)"),
+        (lambda: polhode.inertia((VERTICES, np.ma.masked_equal(TRIANGLES, 3)), density=1.0), "triangles has masked elements"),
+        (lambda: polhode.inertia(mesh, density=1.0, kind="voxels"), "kind = 'voxels' means nothing for arrays"),
+        (lambda: polhode.inertia(mesh, density=1.0, unit="kg"), 'unit = \'kg\': "kg" is a mass'),
+        (lambda: polhode.check("arm.urdf", roots="models"), "roots must be a list of folders, not str"),
+        (lambda: polhode.MassProperties(mass=1.0, inertia=[1.0, 2.0]), r"inertia must have the shape \(3, 3\), or \(3,\) for moments"),
+    ):
+        with pytest.raises((TypeError, polhode.PolhodeError), match=says):
+            call()
+
+
+def test_batches_say_what_they_are_given() -> None:
+    plan = polhode.batch.Plan(PLAN.format(members=4))
+    rows = polhode.batch.inputs(plan)
+    own = pa.Table.from_batches([rows]).append_column("name", pa.array(list("abcd")))
+    assert polhode.batch.simulate(own, plan)["name"].to_pylist() == list("abcd")
+    whole = rows.set_column(1, rows.schema.names[1], pa.array([1, 0, -1, 2]))
+    floats = rows.set_column(1, rows.schema.names[1], pa.array([1.0, 0.0, -1.0, 2.0]))
+    assert polhode.batch.simulate(whole, plan).equals(polhode.batch.simulate(floats, plan))
+    huge = rows.set_column(1, rows.schema.names[1], pa.array([1, 0, -1, 2**60]))
+    for call, says in (
+        (lambda: polhode.batch.simulate(rows.to_pydict(), plan), "rows must be a pyarrow RecordBatch or Table, not builtins.dict"),
+        (lambda: polhode.batch.simulate(huge, plan), r"column start_spin_body_x_rad_s\[3\] = 1152921504606846976 must be a float64 exactly"),
+        (lambda: polhode.batch.inputs(plan, [1, 2]), "members must be a range, not list"),
+    ):
+        with pytest.raises((TypeError, polhode.PolhodeError), match=says):
+            call()
+
+
+def test_hints_name_keywords(tmp_path: Path) -> None:
+    """Of every hint that the library's crates hold, and of two that are really given."""
+    crates = [ROOT / "crates" / name / "src" for name in ("polhode", "polhode-formats", "polhode-robot", "polhode-sweep")]
+    sources = [path.read_text() for crate in crates for path in crate.rglob("*.rs")]
+    lines = [line for source in sources for line in source.splitlines() if re.search(r"(?<![\w-])--[a-z]", line) and not line.strip().startswith("//")]
+    assert len(lines) > 10
+    for line in lines:
+        assert not re.search(r"(?<!the command's )(?<![\w-])--[a-z]", in_python(line)), in_python(line)
+    with pytest.raises(polhode.PolhodeError, match=r"hull=True.*by shell") as error:
+        polhode.inertia((VERTICES, TRIANGLES[:3]), density=1.0)
+    assert "--" not in str(error.value)
+    table = tmp_path / "points.csv"
+    table.write_text("mass,x,y,z\n1,0,0,0\n2,1,0,0\n3,0,1,2\n")
+    with pytest.raises(polhode.PolhodeError, match="answer with (unit|mass_unit)") as error:
+        polhode.inertia(table)
+    assert "--" not in str(error.value)

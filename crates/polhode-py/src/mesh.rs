@@ -1,13 +1,11 @@
 //! Meshes: of files, and of arrays.
 
-use std::fs;
 use std::path::Path;
 
 use numpy::{PyReadonlyArray2, PyUntypedArrayMethods as _};
 use polhode::{
     ConvexHull, Extent, Finding, MassProperties, MeshShell, Severity, Shape, Substance, TriangleMesh,
 };
-use polhode_formats::mesh::stl_quick::{self, QuickMoments, QuickOptions};
 use polhode_formats::mesh::{AssumedMetres, MeshContents, MeshFormat, MeshPart, MeshSolid};
 use polhode_report::{InertiaReport, PartRow, SourceInfo, parts};
 use pyo3::prelude::*;
@@ -30,9 +28,6 @@ pub(crate) struct MeshOptions {
     shell: Option<f64>,
 }
 
-/// From this size on, in bytes, a binary STL file is not diagnosed: it would be waited for.
-const LARGE: u64 = 10_000_000;
-
 /// The mass properties of a mesh file.
 ///
 /// # Errors
@@ -52,15 +47,10 @@ pub(crate) fn mesh_file(
     let substance = given.substance()?;
     py.detach(|| {
         let path = Path::new(path);
-        match large_solid(path, format, &options)? {
-            Some(moments) => of_moments(path, &moments, options.unit, substance),
-            None => {
-                let contents = MeshContents::read(path, format).map_err(Raise::raise)?;
-                let title = format!("{} {}", format.title(), contents.encoding).trim_end().to_owned();
-                let source = SourceInfo::new(path.display().to_string(), format.name());
-                of_contents(contents, path, format, &options, substance, (source, &title))
-            }
-        }
+        let contents = MeshContents::read(path, format).map_err(Raise::raise)?;
+        let title = format!("{} {}", format.title(), contents.encoding).trim_end().to_owned();
+        let source = SourceInfo::new(path.display().to_string(), format.name());
+        of_contents(contents, path, format, &options, substance, (source, &title))
     })
 }
 
@@ -95,41 +85,6 @@ pub(crate) fn mesh_arrays(
         let path = Path::new("the arrays");
         of_contents(contents, path, MeshFormat::Off, &options, substance, (source, "arrays"))
     })
-}
-
-/// The moments of a large binary STL file, if nothing but its solid is asked for.
-fn large_solid(path: &Path, format: MeshFormat, options: &MeshOptions) -> PyResult<Option<QuickMoments>> {
-    let large = fs::metadata(path).is_ok_and(|file| file.is_file() && file.len() >= LARGE);
-    if format != MeshFormat::Stl || !large || options.hull || options.shell.is_some() {
-        return Ok(None);
-    }
-    let found = stl_quick::read(path, &QuickOptions::default()).map_err(Raise::raise)?;
-    // What is not closed is looked at wholly, to say where.
-    Ok(found.filter(|moments| moments.closed != Some(false)))
-}
-
-fn of_moments(
-    path: &Path,
-    moments: &QuickMoments,
-    unit: Option<f64>,
-    substance: Option<Substance>,
-) -> PyResult<PyMassProperties> {
-    let in_metres = unit.is_none();
-    let unit = unit.unwrap_or(1.0);
-    let solid = moments.solid(unit).map_err(Raise::raise)?;
-    let mut findings = Vec::new();
-    if moments.inverted {
-        let message = "the normals of the mesh pointed inward and were turned";
-        findings.push(remark(path, "mesh.inverted", Severity::Warning, message));
-    }
-    let message = "closed and consistently wound; of a file as large, overlaps, nesting and duplicates were not looked for";
-    findings.push(remark(path, "mesh.not_diagnosed", Severity::Info, message));
-    let words = format!("STL binary, {} triangles, closed, consistently wound", moments.triangles);
-    let source = SourceInfo::new(path.display().to_string(), "stl")
-        .described(words)
-        .with("triangles", moments.triangles)
-        .with("unit_m", unit);
-    weighed(source, vec![(String::new(), Box::new(solid))], substance, findings, in_metres)
 }
 
 fn of_contents(

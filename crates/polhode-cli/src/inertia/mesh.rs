@@ -13,7 +13,7 @@ use polhode_formats::unit::Dimension;
 use polhode_report::{InertiaReport, PartRow, SourceInfo, parts};
 
 use super::field;
-use super::quick::{self, Care};
+use super::quick;
 use super::substance::{PartSubstance, SubstanceFlags, assumed, part};
 use super::voxel::in_body;
 use crate::failure::Failure;
@@ -37,12 +37,9 @@ pub(super) struct MeshFlags {
     /// The estimated relative error that is good enough for --field [default: 1e-10].
     #[arg(long, value_name = "ERROR", requires = "field", value_parser = tolerance)]
     tolerance: Option<f64>,
-    /// Leave out all checks of a binary STL file: as fast as its bytes are read.
-    #[arg(long, conflicts_with_all = ["diagnose", "hull", "shell", "field", "part"])]
+    /// Leave out all checks of a binary STL file, as fast as its bytes are read; the answer's first line says what was not looked at.
+    #[arg(long, conflicts_with_all = ["hull", "shell", "field", "part"])]
     quick: bool,
-    /// Check a large binary STL file wholly: overlaps, nesting and duplicates too.
-    #[arg(long)]
-    diagnose: bool,
 }
 
 impl MeshFlags {
@@ -54,19 +51,8 @@ impl MeshFlags {
             (self.shell.is_some(), "--shell"),
             (self.field.is_some(), "--field"),
             (self.quick, "--quick"),
-            (self.diagnose, "--diagnose"),
         ];
         flags.into_iter().find(|(given, _)| *given).map(|(_, flag)| flag)
-    }
-
-    /// How carefully a binary STL file is looked at, if nothing else is asked of it.
-    fn care(&self) -> Option<Care> {
-        match self {
-            Self { quick: true, .. } => Some(Care::None),
-            Self { diagnose: true, .. } | Self { hull: true, .. } => None,
-            Self { shell: Some(_), .. } | Self { field: Some(_), .. } => None,
-            _ => Some(Care::VerdictIfLarge),
-        }
     }
 }
 
@@ -78,10 +64,10 @@ pub(super) fn report(
     flags: &MeshFlags,
 ) -> Result<InertiaReport, Failure> {
     let mut findings = Vec::new();
-    let quick = flags.care().map(|care| quick::solid(file, format, care)).transpose()?.flatten();
-    let Model { source, pieces, field } = match quick {
-        Some(moments) => quick::model(file, &moments, unit.unwrap_or(1.0), &mut findings)?,
-        None => whole(file, format, unit, flags, &mut findings)?,
+    let Model { source, pieces, field } = if flags.quick {
+        quick::model(file, format, unit.unwrap_or(1.0), &mut findings)?
+    } else {
+        whole(file, format, unit, flags, &mut findings)?
     };
     let rows = weighed(&pieces, substance, flags, &mut findings, field.is_some())?;
     let rows = match &field {
@@ -115,6 +101,7 @@ pub(super) fn report(
         density: Some(properties.mass() / volume),
         extras,
         findings,
+        not_checked: if flags.quick { quick::NOT_CHECKED } else { &[] },
         ..InertiaReport::new(source, properties)
     })
 }

@@ -35,9 +35,14 @@ const COLUMNS: [&str; 24] = [
 
 /// The whole table.
 pub(super) fn write(bodies: &[ExportBody]) -> String {
-    let mut text = COLUMNS.join(",") + "\n";
+    // What was not looked at stands in the first line, as the name of a column that other tables lack.
+    let unchecked = bodies.iter().map(|body| body.not_checked).find(|checks| !checks.is_empty());
+    let column = unchecked.map(|checks| format!("not_checked_{}", checks.join("_")));
+    let mut text = COLUMNS.into_iter().chain(column.as_deref()).collect::<Vec<_>>().join(",") + "\n";
     for body in bodies {
-        text += &(row(body).join(",") + "\n");
+        let mut cells = row(body);
+        cells.extend(column.as_ref().map(|_| (!body.not_checked.is_empty()).to_string()));
+        text += &(cells.join(",") + "\n");
     }
     text
 }

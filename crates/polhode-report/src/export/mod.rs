@@ -106,12 +106,15 @@ pub struct ExportBody {
     pub surface_area: Option<f64>,
     /// Mass per volume, kg/m³.
     pub density: Option<f64>,
+    /// What was not looked at because the user said so: `closed`, `overlaps`, …
+    pub not_checked: &'static [&'static str],
 }
 
 impl ExportBody {
     /// A body of which nothing else is known.
     pub fn new(name: impl Into<String>, properties: MassProperties<Body>) -> Self {
-        Self { name: name.into(), properties, volume: None, surface_area: None, density: None }
+        let (volume, surface_area, density) = (None, None, None);
+        Self { name: name.into(), properties, volume, surface_area, density, not_checked: &[] }
     }
 
     /// The body of a report.
@@ -120,6 +123,7 @@ impl ExportBody {
             volume: report.volume,
             surface_area: report.surface_area,
             density: report.density,
+            not_checked: report.not_checked,
             ..Self::new(name, report.properties)
         }
     }

@@ -166,6 +166,17 @@ fn a_quick_answer_is_the_same_answer() {
         near(&quick["principal"]["moments"][k], number(&whole["principal"]["moments"][k]));
     }
     assert_eq!(quick["findings"][0]["code"], "mesh.not_checked");
+    // what was not looked at comes first, in every form
+    let left_out = ["closed", "winding", "duplicates", "nesting", "overlaps"];
+    assert_eq!(quick.as_object().unwrap().iter().next().unwrap().1, &Value::from(left_out.to_vec()));
+    for form in [&["--quick"][..], &["--quick", "--csv"], &["--quick", "--as", "csv"]] {
+        let text = stdout(&scratch.run(&[&flags[..6], form].concat()));
+        let first = text.lines().next().unwrap();
+        assert!(left_out.iter().all(|what| first.contains(what)) && first.contains("not"), "{first}");
+    }
+    assert!(!stdout(&scratch.run(&[&flags[..6], &["--csv"]].concat())).contains("not_checked"));
+    let text = refused(&scratch.run(&[&flags[..6], &["--quick", "--as", "urdf"]].concat()), 2);
+    assert!(text.contains("--quick"), "{text}");
     scratch.write("two.obj", TWO);
     let text = refused(&scratch.run(&["inertia", "two.obj", "--quick"]), 2);
     assert!(text.contains("binary STL"), "{text}");
@@ -206,4 +217,59 @@ fn a_mesh_of_no_unit_is_asked_for_it_where_metres_are_absurd() {
         assert!(!stdout(&output).contains("mesh.unit"));
     }
     assert_eq!(json(&of(&["--mass", "85 g", "--json"]))["findings"][0]["code"], "mesh.unit");
+}
+
+/// A binary STL file of boxes whose sides are divided into n × n squares, and some of its triangles again.
+fn boxes(lows: &[[f32; 3]], n: u16, again: usize) -> Vec<u8> {
+    let mut records: Vec<u8> = Vec::new();
+    for low in lows {
+        for (axis, high) in (0..3).flat_map(|axis| [(axis, false), (axis, true)]) {
+            let corner = |i: u16, j: u16| {
+                let mut p = *low;
+                p[axis] += f32::from(u8::from(high));
+                p[(axis + 1) % 3] += f32::from(i) / f32::from(n);
+                p[(axis + 2) % 3] += f32::from(j) / f32::from(n);
+                p
+            };
+            for (i, j) in (0..n).flat_map(|i| (0..n).map(move |j| (i, j))) {
+                let mut square = [corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)];
+                if !high {
+                    square.reverse();
+                }
+                let [a, b, c, d] = square;
+                for triangle in [[a, b, c], [a, c, d]] {
+                    records.extend([0; 12]);
+                    records.extend(triangle.as_flattened().iter().flat_map(|c| c.to_le_bytes()));
+                    records.extend([0; 2]);
+                }
+            }
+        }
+    }
+    records.extend_from_within(..50 * again);
+    let count = (records.len() / 50) as u32;
+    [&[0; 80][..], &count.to_le_bytes(), &records].concat()
+}
+
+#[test]
+fn a_verdict_is_the_same_at_every_size() {
+    let scratch = Scratch::new("sizes");
+    // 6,144 and 393,216 triangles, 0.3 and 19.7 MB
+    for n in [16, 128] {
+        let say = |name: &str, lows: &[[f32; 3]], again: usize| {
+            std::fs::write(scratch.0.join(name), boxes(lows, n, again)).unwrap();
+            scratch.run(&["inertia", name, "--density", "1 kg/m^3", "--json"])
+        };
+        let offsets = [[0.47, 0.53, 0.51], [0.5; 3], [0.25; 3], [0.0, 0.25, 0.5]];
+        for offset in &offsets[..if n == 16 { 4 } else { 2 }] {
+            let text = refused(&say("overlap.stl", &[[0.0; 3], *offset], 0), 2);
+            assert!(text.contains("overlap"), "{n} {offset:?}: {text}");
+        }
+        let text = refused(&say("twice.stl", &[[0.0; 3]], 1024), 2);
+        assert!(text.contains("1024 such pairs"), "{n}: {text}");
+        let touching = [[1.0, 0.25, 0.5], [1.0, 1.0, 0.5], [1.0; 3]];
+        for touching in &touching[..if n == 16 { 3 } else { 1 }] {
+            let report = json(&say("touch.stl", &[[0.0; 3], *touching], 0));
+            near(&report["mass"], 2.0);
+        }
+    }
 }

@@ -1,6 +1,9 @@
 //! What a mesh is said to be: each fault with its count and place, and how parts lie in each other.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may")]
 
+#[path = "mesh_diagnosis/grids.rs"]
+mod grids;
+
 use polhode::{BodyError, ClosedMesh, ComponentRole, MeshDiagnosis, Triangle, TriangleMesh};
 
 type Point = [f64; 3];

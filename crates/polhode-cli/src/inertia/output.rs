@@ -60,6 +60,13 @@ impl OutputFlags {
             if reports.is_empty() {
                 return Ok(String::new());
             }
+            if format != ExportFormat::Csv && reports.iter().any(|(_, report)| !report.not_checked.is_empty())
+            {
+                return Err(Failure::usage(
+                    "--quick's answer is not written as another program's file, which would not say that the mesh was not checked",
+                    "leave --quick out",
+                ));
+            }
             let bodies: Vec<_> = reports
                 .iter()
                 .map(|(file, report)| ExportBody::of_report(name(file, report, &reports), report))

@@ -36,7 +36,6 @@ static INERTIA: Subcommand = Subcommand {
         choice("--field", &["--field", "2700 + 300*hypot(x, y)"], &["parts", "stl", "unnamed"], &[]),
         choice("--tolerance", &["--tolerance", "1e-3"], &["parts", "stl", "unnamed"], &["--field"]),
         choice("--quick", &["--quick"], &["stl"], &[]),
-        choice("--diagnose", &["--diagnose"], &["stl", "parts", "unnamed"], &[]),
         choice("--unit", &["--unit", "mm"], &["parts", "stl", "unnamed"], &[]),
         choice("--mass-unit", &["--mass-unit", "g"], &["particles", "cad"], &["--unit"]),
         choice("--isotopes", &["--isotopes", "average"], &["molecule"], &[]),
@@ -57,7 +56,6 @@ static INERTIA: Subcommand = Subcommand {
         choice("--as", &["--as", "mjcf"], ANY, &[]),
     ],
     independent: &[
-        ("--diagnose", "*", "a small file is checked wholly with and without it"),
         ("--mass", "--mass-unit", "refused: the mass is shared by points that have none of their own"),
         ("--axes", "--json", "JSON has the principal axes always"),
         ("--axes", "--csv", "the table has the principal axes always"),

@@ -84,7 +84,7 @@ impl MeshSolid {
             })?;
         let mut findings = contents.findings;
         findings.extend(joined);
-        findings.extend(overlap(&contents.parts));
+        findings.extend(overlap(&contents.parts, &parts));
         for part in &parts {
             let place = (!part.name.is_empty()).then(|| format!("part \"{}\"", escaped(&part.name)));
             findings.extend(part.mesh.findings().iter().map(|finding| Finding {
@@ -148,12 +148,23 @@ fn solids(parts: &[MeshPart]) -> Result<(Vec<SolidPart>, Option<Finding>), NoSol
 }
 
 /// Parts that go through each other, or lie in each other: what they share counts for each of them.
-fn overlap(parts: &[MeshPart]) -> Option<Finding> {
-    if parts.len() < 2 {
+fn overlap(parts: &[MeshPart], solids: &[SolidPart]) -> Option<Finding> {
+    if parts.len() < 2 || solids.len() < 2 {
         return None;
     }
-    let error = joined(parts).and_then(|all| ClosedMesh::of(&all)).err()?;
-    matches!(error, BodyError::OverlappingMesh { .. } | BodyError::NestedSolid { .. }).then(|| Finding {
+    // One that was turned is a solid like the others, not a cavity in them.
+    let outward = solids.iter().zip(parts).map(|(solid, part)| MeshPart {
+        name: String::new(),
+        mesh: if solid.mesh.inverted() { solid.mesh.surface().clone() } else { part.mesh.clone() },
+    });
+    let error = joined(&outward.collect::<Vec<_>>()).and_then(|all| ClosedMesh::of(&all)).err()?;
+    let twice = matches!(
+        error,
+        BodyError::OverlappingMesh { .. }
+            | BodyError::NestedSolid { .. }
+            | BodyError::DuplicateTriangle { .. }
+    );
+    twice.then(|| Finding {
         code: "mesh.parts_overlap",
         severity: Severity::Warning,
         message: format!(

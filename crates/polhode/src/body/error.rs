@@ -2,6 +2,8 @@
 
 use core::fmt;
 
+use super::mesh::COUNTED;
+
 /// Why something is not a body: each variant carries the value and the rule that it breaks.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
@@ -95,7 +97,7 @@ pub enum BodyError {
     },
     /// A mesh of parts that go through each other: what they have in common would count twice.
     OverlappingMesh {
-        /// Pairs of triangles of different parts that cross.
+        /// Pairs of triangles that cross, or show that parts overlap at an edge; 10,001 for any number above 10,000.
         pairs: usize,
         /// The first of these, from 1.
         triangles: [usize; 2],
@@ -187,8 +189,9 @@ impl fmt::Display for BodyError {
             ),
             Self::OverlappingMesh { pairs, triangles: [t, u], point } => write!(
                 f,
-                "parts of the mesh overlap, so what they share counts twice: {pairs} pairs of triangles cross, \
-                 the first triangles {t} and {u} near {point:?}"
+                "parts of the mesh overlap, so what they share counts twice: {} of triangles, \
+                 the first triangles {t} and {u} near {point:?}",
+                counted(*pairs)
             ),
             Self::NestedSolid { parts, triangle, volume } => write!(
                 f,
@@ -213,6 +216,15 @@ impl fmt::Display for BodyError {
                  more than the tolerance of {tolerance:.1e}"
             ),
         }
+    }
+}
+
+/// How many pairs there are, as far as they are counted.
+pub(crate) fn counted(pairs: usize) -> String {
+    match pairs {
+        1 => "1 pair".to_owned(),
+        ..=COUNTED => format!("{pairs} pairs"),
+        _ => format!("more than {COUNTED} pairs"),
     }
 }
 

@@ -6,7 +6,7 @@ use super::integral::Polyhedron;
 use super::threads::Threads;
 use super::weld::NONE;
 use super::{Triangle, TriangleMesh};
-use crate::body::error::BodyError;
+use crate::body::error::{BodyError, counted};
 use crate::body::finding::{Finding, Severity};
 use crate::body::form::Form;
 use crate::body::shape::{Extent, Shape, Spread};
@@ -255,9 +255,12 @@ fn findings(diagnosis: &MeshDiagnosis, inverted: bool) -> Vec<Finding> {
     }
     if let Some(pair) = diagnosis.self_overlaps.first {
         let message = format!(
-            "the surface goes through itself at {} pairs of triangles, first triangles {} and {} at {:?}: \
+            "the surface goes through itself at {} of triangles, first triangles {} and {} at {:?}: \
              what it encloses twice counts twice",
-            diagnosis.self_overlaps.count, pair.triangles[0], pair.triangles[1], pair.point
+            counted(diagnosis.self_overlaps.count),
+            pair.triangles[0],
+            pair.triangles[1],
+            pair.point
         );
         say("mesh.overlap", Severity::Warning, message, Some(pair.triangles[0]));
     }
@@ -277,7 +280,7 @@ fn findings(diagnosis: &MeshDiagnosis, inverted: bool) -> Vec<Finding> {
     }
     let touching = diagnosis.back_to_back.count + diagnosis.contacts.count;
     if let Some(pair) = diagnosis.back_to_back.first.or(diagnosis.contacts.first) {
-        let message = format!("{touching} pairs of triangles lie on each other, back to back");
+        let message = format!("{} of triangles lie on each other, back to back", counted(touching));
         say("mesh.touching", Severity::Info, message, Some(pair.triangles[0]));
     }
     findings

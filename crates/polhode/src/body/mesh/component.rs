@@ -1,6 +1,6 @@
 //! The parts of a mesh that hang together, and what each is.
 
-use super::inside::{Nesting, Windings};
+use super::inside::Windings;
 use super::patches::{Patch, Patches};
 use super::threads::Threads;
 use super::weld::{NONE, Welded};
@@ -110,17 +110,8 @@ impl Measured {
         if components.len() < 2 {
             return;
         }
-        let members = Members::of(&windings.patches.component, components.len());
         let nestings = threads.map_pieces(components.len(), COMPONENTS, |piece| {
-            let nesting = |k: usize| {
-                if volume(k).is_none() {
-                    return Nesting::default();
-                }
-                // From a triangle that lies on no other, if there is one among a few.
-                let some = members.some(k).map(|t| t as usize);
-                let mut tried = core::iter::once(self.largest[k]).chain(some);
-                tried.find_map(|t| windings.nesting(t, volume)).unwrap_or_default()
-            };
+            let nesting = |k: usize| windings.nesting(self.largest[k], volume);
             piece.map(nesting).collect::<Vec<_>>()
         });
         for (component, nesting) in self.components.iter_mut().zip(nestings.into_iter().flatten()) {
@@ -136,37 +127,6 @@ impl Measured {
 
 /// Components in a piece of work.
 const COMPONENTS: usize = 16;
-
-/// The triangles of each component.
-struct Members {
-    start: Vec<usize>,
-    triangles: Vec<u32>,
-}
-
-impl Members {
-    fn of(component: &[u32], count: usize) -> Self {
-        let mut start = vec![0; count + 1];
-        for &k in component.iter().filter(|&&k| k != NONE) {
-            start[k as usize + 1] += 1;
-        }
-        for k in 0..count {
-            start[k + 1] += start[k];
-        }
-        let mut triangles = vec![0; start[count]];
-        let mut next = start.clone();
-        for (t, &k) in component.iter().enumerate().filter(|(_, k)| **k != NONE) {
-            triangles[next[k as usize]] = t as u32;
-            next[k as usize] += 1;
-        }
-        Self { start, triangles }
-    }
-
-    /// A few of a component, from all over it.
-    fn some(&self, k: usize) -> impl Iterator<Item = u32> {
-        let all = &self.triangles[self.start[k]..self.start[k + 1]];
-        all.iter().step_by(all.len().div_ceil(16).max(1)).copied()
-    }
-}
 
 /// Sums over a component as its triangles come by, from its first corner, in the mesh's units.
 #[derive(Default)]

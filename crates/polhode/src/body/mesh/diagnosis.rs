@@ -15,7 +15,7 @@ use super::weld::{NONE, Welded, is_proper};
 ///
 /// Corners are the same vertex when their coordinates are equal, exactly, and whether triangles cross is decided by exact signs: there is
 /// no tolerance. The numbers are the same for any number of threads. Time and memory go with the triangles, and with the pairs of them
-/// that meet.
+/// that are near each other; of those that overlap no more are looked at than are counted.
 ///
 /// ```
 /// use polhode::{ComponentRole, MeshDiagnosis, TriangleMesh};
@@ -55,9 +55,10 @@ pub struct MeshDiagnosis {
     pub duplicates: Faults<PairPlace>,
     /// Triangles that are there again, the other way round: a wall without thickness, or where two bodies touch.
     pub back_to_back: Faults<PairPlace>,
-    /// Pairs of triangles of different components that cross, or that show that these overlap.
+    /// Pairs of triangles that cross, or that show that bodies overlap, of surfaces that do not hang together but by edges of more than two
+    /// triangles. Of these and the next two 10,000 are counted: 10,001 stands for any larger number.
     pub overlaps: Faults<PairPlace>,
-    /// Pairs of triangles of one component that do.
+    /// Pairs of triangles of one surface that do.
     pub self_overlaps: Faults<PairPlace>,
     /// Pairs of faces that lie on each other, back to back, but are not the same triangle: where bodies touch.
     pub contacts: Faults<PairPlace>,
@@ -70,7 +71,7 @@ pub struct MeshDiagnosis {
 pub struct Faults<P> {
     /// How often.
     pub count: usize,
-    /// Where first.
+    /// Where first; of more than are counted, where first of those.
     pub first: Option<P>,
 }
 
@@ -149,16 +150,17 @@ impl Analysis {
         measured.nest(&windings, threads);
         let layers = Layers::of(&welded, &tree, &edges, &measured.collinear);
         let doubtful = tree.part(&welded, layers.doubtful(threads), threads);
-        let meetings = Meetings::of(&windings, &doubtful, inner_winding(&measured.components), threads);
+        let meetings =
+            Meetings::of(&windings, &edges, &doubtful, lowest_winding(&measured.components), threads);
         let diagnosis = Findings { welded: &welded, edges: &edges }.diagnosis(measured, &meetings);
         Self { welded, patches, diagnosis }
     }
 }
 
-/// How often a sound mesh winds about what is behind its triangles: once, or, if all of it is wound inward, not at all.
-fn inner_winding(components: &[MeshComponent]) -> Option<i32> {
+/// How often a sound mesh winds about what is before its triangles: not at all, or, if all of it is wound inward, −1 times.
+fn lowest_winding(components: &[MeshComponent]) -> Option<i32> {
     let volume: f64 = components.iter().map(|component| component.volume).sum();
-    components.iter().all(|component| component.role.is_closed()).then_some(i32::from(volume > 0.0))
+    components.iter().all(|component| component.role.is_closed()).then_some(if volume > 0.0 { 0 } else { -1 })
 }
 
 /// What was found, by numbers within the mesh.

@@ -130,6 +130,6 @@ pub(crate) fn end_of(corners: &[[u32; 3]], half: u32) -> u32 {
 }
 
 /// The corner of its triangle that it does not touch.
-fn opposite(corners: &[[u32; 3]], half: u32) -> u32 {
+pub(crate) fn opposite(corners: &[[u32; 3]], half: u32) -> u32 {
     corners[half as usize / 3][(half as usize % 3 + 2) % 3]
 }

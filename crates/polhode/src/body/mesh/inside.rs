@@ -1,4 +1,7 @@
-//! Inside and outside: how often a mesh winds about a point.
+//! Inside and outside: how often a mesh winds about a place, exactly.
+//!
+//! Places are beside triangles, infinitely near to points that are given exactly: a [`Germ`]. So nothing is rounded, no place lies on an
+//! edge, and there is always an answer.
 
 use super::patches::Patches;
 use super::predicate::{across, facing, side, turn};
@@ -13,6 +16,12 @@ pub(crate) struct Windings<'a> {
     pub(crate) patches: &'a Patches,
 }
 
+/// A place in a triangle: from its first point infinitely little toward the second, and from there infinitely less toward the third. The
+/// three lie in the triangle's plane, and on no line.
+///
+/// What is affine has the sign there that it has at the first of the points where it is not zero.
+pub(crate) type Germ = [[f64; 3]; 3];
+
 /// Which components are about a component.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Nesting {
@@ -22,70 +31,116 @@ pub(crate) struct Nesting {
     pub(crate) inside: Option<usize>,
 }
 
+/// A triangle that a ray goes through.
+struct Hit {
+    triangle: usize,
+    /// The ray leaves there what is inside.
+    leaves: bool,
+    /// It lies on the triangle that the ray begins at.
+    coplanar: bool,
+}
+
 impl Windings<'_> {
-    /// How often the mesh winds about what is just behind a triangle, where it is at this point of it, each component wound as most of it
-    /// is; `None` where another triangle lies on the point.
-    pub(crate) fn behind(&self, triangle: usize, point: [f64; 3]) -> Option<i32> {
-        let (axis, facing) = self.facing(triangle)?;
-        let mut winding = i32::from(facing > 0.0);
-        let clear = self.hits(triangle, axis, point, |_, leaving| winding += if leaving { 1 } else { -1 });
-        clear.then_some(winding)
+    /// Does a mesh that is to wind about everything `lowest` times or once more do so on both sides of a triangle?
+    pub(crate) fn is_sound(&self, triangle: usize, germ: &Germ, lowest: i32) -> bool {
+        self.beside(triangle, germ).is_none_or(|sides| sides.iter().all(|&w| w == lowest || w == lowest + 1))
     }
 
-    /// Which of the closed components are about this one, seen from one of its triangles; `None` where the triangle lies on another.
-    pub(crate) fn nesting(&self, triangle: usize, volume: impl Fn(usize) -> Option<f64>) -> Option<Nesting> {
-        let (axis, _) = self.facing(triangle)?;
-        let own = self.patches.component[triangle];
-        let mut hits = Vec::new();
-        let point = centroid(self.welded.triangle(triangle));
-        let clear = self.hits(triangle, axis, point, |t, _| hits.push(self.patches.component[t]));
-        hits.retain(|&component| component != own && component != NONE);
-        hits.sort_unstable();
-        // Inside what the ray meets an odd number of times.
-        let odd = hits.chunk_by(|a, b| a == b).filter(|hits| hits.len() % 2 == 1);
-        let around = odd.filter_map(|hits| volume(hits[0] as usize).map(|v| (v.abs(), hits[0] as usize)));
-        let (mut nesting, mut smallest) = (Nesting::default(), f64::INFINITY);
-        for (volume, component) in around {
-            nesting.depth += 1;
-            if volume < smallest {
-                (smallest, nesting.inside) = (volume, Some(component));
-            }
+    /// How often the mesh winds about what is just behind and just before a triangle, each component wound as most of it is; `None` if the
+    /// triangle has no area, or the germ is not in it or is none.
+    fn beside(&self, triangle: usize, germ: &Germ) -> Option<[i32; 2]> {
+        let (axis, along) = self.facing(triangle)?;
+        let [at, toward, beside] = germ.map(|p| across(axis, p));
+        if turn(at, toward, beside) == 0.0 {
+            return None;
         }
-        clear.then_some(nesting)
+        seen_at(self.welded.triangle(triangle), axis, germ)?;
+        let (mut ahead, mut coplanar) = (0, 0);
+        self.hits(axis, germ, |hit| {
+            *(if hit.coplanar { &mut coplanar } else { &mut ahead }) += if hit.leaves { 1 } else { -1 };
+        });
+        Some(if along { [ahead + coplanar, ahead] } else { [ahead, ahead + coplanar] })
     }
 
-    fn facing(&self, triangle: usize) -> Option<(usize, f64)> {
-        let (axis, sign) = facing(self.welded.triangle(triangle))?;
-        Some((axis, if self.patches.against[triangle] { -sign } else { sign }))
-    }
-
-    /// Calls `hit` for all triangles but one that the ray from a point along an axis goes through; true if that is where they are left
-    /// by what is inside. False if the point lies on one of them.
-    fn hits(&self, but: usize, axis: usize, point: [f64; 3], mut hit: impl FnMut(usize, bool)) -> bool {
-        let mut clear = true;
-        self.tree.along(self.welded, point, axis, |t| {
-            let t = t as usize;
-            let triangle = self.welded.triangle(t);
-            if t == but {
-                return;
-            }
-            let Some(left) = seen_at(triangle, axis, across(axis, point)) else { return };
-            let height = side(triangle, point);
-            clear &= height != 0.0;
-            // Ahead of the point: behind the plane if its normal points along the ray, before it if against.
-            if (height < 0.0) == left && height != 0.0 {
-                hit(t, left != self.patches.against[t]);
+    /// Which of the closed components are about this one, by the volumes of components, negative if wound inward: seen from the side of one
+    /// of its triangles that it encloses.
+    ///
+    /// What encloses that too, and does not go through it, is about it if it is larger. A solid may fill a cavity.
+    pub(crate) fn nesting(&self, triangle: usize, volume: impl Fn(usize) -> Option<f64>) -> Nesting {
+        let own = self.patches.component[triangle];
+        let (Some((axis, along)), Some(own_volume)) = (self.facing(triangle), volume(own as usize)) else {
+            return Nesting::default();
+        };
+        let outward = own_volume > 0.0;
+        let mut hits = Vec::new();
+        self.hits(axis, &self.welded.triangle(triangle), |hit| {
+            let component = self.patches.component[hit.triangle];
+            if component != own && component != NONE && (!hit.coplanar || along == outward) {
+                hits.push(component);
             }
         });
-        clear
+        hits.sort_unstable();
+        let is_larger = |v: f64| {
+            let same = if outward && v < 0.0 { -SAME } else { SAME };
+            v.abs() > own_volume.abs() * (1.0 + same)
+        };
+        // Inside what the ray meets an odd number of times.
+        let odd = hits.chunk_by(|a, b| a == b).filter(|hits| hits.len() % 2 == 1);
+        let around = odd.filter_map(|hits| volume(hits[0] as usize).map(|v| (v, hits[0] as usize)));
+        let (mut nesting, mut smallest) = (Nesting::default(), f64::INFINITY);
+        for (volume, component) in around.filter(|around| is_larger(around.0)) {
+            nesting.depth += 1;
+            if volume.abs() < smallest {
+                (smallest, nesting.inside) = (volume.abs(), Some(component));
+            }
+        }
+        nesting
+    }
+
+    /// An axis along which a triangle is seen, and whether its outer side faces along it.
+    fn facing(&self, triangle: usize) -> Option<(usize, bool)> {
+        let (axis, sign) = facing(self.welded.triangle(triangle))?;
+        Some((axis, (sign > 0.0) != self.patches.against[triangle]))
+    }
+
+    /// Calls `hit` for all triangles that the ray from a germ along an axis goes through, those that the germ lies on among them.
+    fn hits(&self, axis: usize, germ: &Germ, mut hit: impl FnMut(Hit)) {
+        self.tree.along(self.welded, germ[0], axis, |t| {
+            let t = t as usize;
+            let triangle = self.welded.triangle(t);
+            let Some(left) = seen_at(triangle, axis, germ) else { return };
+            let height = first_sign(germ.iter().map(|&p| side(triangle, p)));
+            // Ahead of the germ: behind the plane if its normal points along the ray, before it if against.
+            if height == 0.0 || (height < 0.0) == left {
+                hit(Hit { triangle: t, leaves: left != self.patches.against[t], coplanar: height == 0.0 });
+            }
+        });
     }
 }
 
-/// Does the line along an axis through a point of the plane across it meet the triangle? If so, whether its normal points along it.
+/// Volumes that differ by no larger part are the same, but for rounding.
+const SAME: f64 = 1e-12;
+
+/// Does the line along an axis through a germ meet the triangle? If so, whether its normal points along it.
+///
+/// It meets no edge, but for those that are seen as points, if the germ's three points are not seen on a line.
+fn seen_at(triangle: [[f64; 3]; 3], axis: usize, germ: &Germ) -> Option<bool> {
+    let [a, b, c] = triangle.map(|p| across(axis, p));
+    let turned = |a, b| first_sign(germ.iter().map(|&p| turn(a, b, across(axis, p))));
+    let turns = [turned(a, b), turned(b, c), turned(c, a)];
+    let (left, right) = (turns.iter().all(|&s| s > 0.0), turns.iter().all(|&s| s < 0.0));
+    (left || right).then_some(left)
+}
+
+fn first_sign(mut values: impl Iterator<Item = f64>) -> f64 {
+    values.find(|&value| value != 0.0).unwrap_or(0.0)
+}
+
+/// Does the line along an axis through a point of the plane across it meet the triangle?
 ///
 /// The line runs beside the point, by an infinitely small ε along the next axis and ε² along the one after that: it never meets an edge,
 /// and meets one of the two triangles at each.
-pub(crate) fn seen_at(triangle: [[f64; 3]; 3], axis: usize, q: [f64; 2]) -> Option<bool> {
+pub(crate) fn is_seen_at(triangle: [[f64; 3]; 3], axis: usize, q: [f64; 2]) -> bool {
     let turned = |a: [f64; 2], b: [f64; 2]| {
         let turn = turn(a, b, q);
         let beside = if a[1] == b[1] { b[0] - a[0] } else { a[1] - b[1] };
@@ -93,8 +148,7 @@ pub(crate) fn seen_at(triangle: [[f64; 3]; 3], axis: usize, q: [f64; 2]) -> Opti
     };
     let [a, b, c] = triangle.map(|p| across(axis, p));
     let turns = [turned(a, b), turned(b, c), turned(c, a)];
-    let (left, right) = (turns.iter().all(|&s| s > 0.0), turns.iter().all(|&s| s < 0.0));
-    (left || right).then_some(left)
+    turns.iter().all(|&s| s > 0.0) || turns.iter().all(|&s| s < 0.0)
 }
 
 pub(crate) fn centroid([a, b, c]: [[f64; 3]; 3]) -> [f64; 3] {

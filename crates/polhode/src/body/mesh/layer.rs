@@ -15,7 +15,7 @@
 //! its triangles are compared one by one. Nearly all of a finely divided surface needs no more than this.
 
 use super::edges::Edges;
-use super::inside::seen_at;
+use super::inside::is_seen_at;
 use super::patches::is_balanced;
 use super::predicate::across;
 use super::threads::Threads;
@@ -112,7 +112,7 @@ impl<'a> Layers<'a> {
         let open = |_: usize, _: &Bounds| true;
         self.tree.all_within(self.welded, &line, open, |t, _| {
             let triangle = self.welded.triangle(t as usize);
-            layers += usize::from(seen_at(triangle, axis, across(axis, point)).is_some());
+            layers += usize::from(is_seen_at(triangle, axis, across(axis, point)));
             true
         });
         layers

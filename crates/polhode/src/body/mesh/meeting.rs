@@ -7,10 +7,12 @@ use super::predicate::{across, facing, side, turn};
 /// How two triangles meet, beyond the corners that they share.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Meeting {
+    /// They have nothing in common, or but a point within an edge of each: if surfaces go through each other there, they do so at another
+    /// pair of triangles too (`overlap.rs`).
     Apart,
-    /// An edge or a corner of one lies on the other, near this point.
-    Touching([f64; 3]),
-    /// An edge of one goes through the inside of the other at this point.
+    /// These corners of the first lie on the second, and these of the second on the first, without the shared ones.
+    Touching([[bool; 3]; 2]),
+    /// The insides of the two go through each other along a line, about this point.
     Crossing([f64; 3]),
     /// They lie in one plane and have an area in common; true if they are the same way round.
     Overlapping(bool),
@@ -44,63 +46,65 @@ impl Meeting {
         if common == 2 || apart(of_t, t_shared) {
             return Self::Apart;
         }
-        let first = edges_through(a, of_t, b);
-        if matches!(first, Self::Crossing(_)) {
-            return first;
+        if let Some(point) = crossing((a, of_t), (b, of_u)) {
+            return Self::Crossing(point);
         }
-        let second = edges_through(b, of_u, a);
-        if matches!(second, Self::Crossing(_)) || first == Self::Apart {
-            return second.or(|| corners_on(a, of_t, t_shared, b)).or(|| corners_on(b, of_u, u_shared, a));
-        }
-        first
-    }
-
-    fn or(self, other: impl FnOnce() -> Self) -> Self {
-        if self == Self::Apart { other() } else { self }
+        let on = [corners_on(a, of_t, t_shared, b), corners_on(b, of_u, u_shared, a)];
+        if on.as_flattened().contains(&true) { Self::Touching(on) } else { Self::Apart }
     }
 }
 
-/// Do edges of a triangle, whose corners are on these sides of another's plane, go through the other?
-fn edges_through(p: [[f64; 3]; 3], sides: [f64; 3], other: [[f64; 3]; 3]) -> Meeting {
-    let mut meeting = Meeting::Apart;
-    for k in 0..3 {
-        let l = (k + 1) % 3;
-        if !(sides[k] < 0.0 && sides[l] > 0.0 || sides[k] > 0.0 && sides[l] < 0.0) {
-            continue;
-        }
-        // The edge turns the same way about all three edges of the other.
-        let [a, b, c] = other;
-        let turns = [side([p[k], p[l], a], b), side([p[k], p[l], b], c), side([p[k], p[l], c], a)];
-        let (some_left, some_right) = (turns.iter().any(|&s| s > 0.0), turns.iter().any(|&s| s < 0.0));
-        if some_left && some_right {
-            continue;
-        }
-        let part = sides[k].abs() / (sides[k].abs() + sides[l].abs());
-        let point = core::array::from_fn(|i| p[k][i] + part * (p[l][i] - p[k][i]));
-        if turns.iter().all(|&s| s != 0.0) {
-            return Meeting::Crossing(point);
-        }
-        meeting = Meeting::Touching(point);
+/// Do the insides of two triangles go through each other, whose corners are on these sides of each other's planes? If so, a point of both.
+///
+/// Each triangle that has corners on both sides of the other's plane meets the line that the planes have in common between the points where two
+/// edges from one corner p go through it. With p and q these corners and p e and q f such edges, the determinant of p, e, q, f has the sign
+/// with which the points of e and f follow each other on the line, or always the opposite one (after P. Guigue, O. Devillers, J. Graph. Tools
+/// 8 (2003) 25). The two stretches have a length in common if not all points of one come before all of the other.
+fn crossing((a, of_a): ([[f64; 3]; 3], [f64; 3]), (b, of_b): ([[f64; 3]; 3], [f64; 3])) -> Option<[f64; 3]> {
+    let ([p, q], ends) = ([apex(of_a)?, apex(of_b)?], |k: usize| [(k + 1) % 3, (k + 2) % 3]);
+    let order = |e: usize, f: usize| side([a[p], a[e], b[q]], b[f]);
+    let orders = ends(p).map(|e| ends(q).map(|f| order(e, f)));
+    let orders = orders.as_flattened();
+    if !(orders.iter().any(|&s| s > 0.0) && orders.iter().any(|&s| s < 0.0)) {
+        return None;
     }
-    meeting
+    let through = |t: [[f64; 3]; 3], sides: [f64; 3], k: usize| {
+        ends(k).map(|l| {
+            let part = sides[k].abs() / (sides[k].abs() + sides[l].abs());
+            core::array::from_fn::<f64, 3, _>(|i| t[k][i] + part * (t[l][i] - t[k][i]))
+        })
+    };
+    // Between the second and the third of the four points along the line.
+    let [mut points, others] = [through(a, of_a, p), through(b, of_b, q)].map(|points| points.to_vec());
+    points.extend(others);
+    let along: [f64; 3] = core::array::from_fn(|i| points[1][i] - points[0][i]);
+    let place = |p: &[f64; 3]| p[0] * along[0] + p[1] * along[1] + p[2] * along[2];
+    points.sort_by(|p, q| place(p).total_cmp(&place(q)));
+    Some(core::array::from_fn(|i| 0.5 * (points[1][i] + points[2][i])))
 }
 
-/// Do corners of a triangle lie on another?
-fn corners_on(p: [[f64; 3]; 3], sides: [f64; 3], shared: [bool; 3], other: [[f64; 3]; 3]) -> Meeting {
+/// A corner on a side of a plane where neither of the others is, if these are not both in the plane.
+fn apex(sides: [f64; 3]) -> Option<usize> {
+    let signs = sides.map(|s| i32::from(s > 0.0) - i32::from(s < 0.0));
+    (0..3).find(|&k| {
+        signs.contains(&-signs[k]) && signs[k] != 0 && signs.iter().filter(|&&s| s == signs[k]).count() == 1
+    })
+}
+
+/// Which corners of a triangle that are not shared lie on another triangle?
+fn corners_on(p: [[f64; 3]; 3], sides: [f64; 3], shared: [bool; 3], other: [[f64; 3]; 3]) -> [bool; 3] {
     let in_plane = |k: usize| !shared[k] && sides[k] == 0.0;
     if !(0..3).any(in_plane) {
-        return Meeting::Apart;
+        return [false; 3];
     }
-    let Some((axis, _)) = facing(other) else { return Meeting::Apart };
+    let Some((axis, _)) = facing(other) else { return [false; 3] };
     let [a, b, c] = other.map(|q| across(axis, q));
     let on = |k: usize| {
         let q = across(axis, p[k]);
         let turns = [turn(a, b, q), turn(b, c, q), turn(c, a, q)];
         !(turns.iter().any(|&s| s > 0.0) && turns.iter().any(|&s| s < 0.0))
     };
-    (0..3)
-        .find(|&k| !shared[k] && sides[k] == 0.0 && on(k))
-        .map_or(Meeting::Apart, |k| Meeting::Touching(p[k]))
+    [0, 1, 2].map(|k| in_plane(k) && on(k))
 }
 
 /// Two triangles in one plane have no area in common if an edge of one has the other on its outer side.
@@ -148,12 +152,29 @@ mod tests {
         assert_eq!(at([0, 1, 2], [0, 3, 5]), Meeting::Apart); // one corner in common
         assert_eq!(at([0, 1, 2], [1, 0, 3]), Meeting::Apart); // one edge
         assert_eq!(at([0, 1, 2], [0, 1, 2]), Meeting::Apart);
-        assert_eq!(at([0, 1, 2], [6, 8, 3]), Meeting::Touching(points[6]));
+        let touching = |on: [usize; 2]| {
+            let mut corners = [[false; 3]; 2];
+            corners[on[0]][on[1]] = true;
+            Meeting::Touching(corners)
+        };
+        assert_eq!(at([0, 1, 2], [6, 8, 3]), touching([1, 0]));
         assert!(matches!(at([0, 6, 2], [0, 1, 2]), Meeting::Overlapping(true))); // folded over their edge
         assert!(matches!(at([0, 7, 1], [1, 2, 0]), Meeting::Overlapping(false)));
         assert_eq!(at([0, 7, 1], [7, 0, 2]), Meeting::Apart); // side by side
-        assert!(matches!(at([0, 1, 2], [0, 3, 7]), Meeting::Touching(_))); // from a common corner on
+        assert_eq!(at([0, 1, 2], [0, 3, 7]), touching([1, 2])); // from a common corner on
+        assert_eq!(at([8, 3, 6], [1, 2, 0]), touching([0, 2]));
         let crossed = at([0, 1, 2], [0, 3, 4]);
         assert!(matches!(crossed, Meeting::Crossing(_)), "{crossed:?}"); // beyond a common corner
+        // Their insides cross from edge to edge, though no edge goes through an inside: the common line ends on edges of both.
+        let grid = [
+            [0.0, -1.0, 0.0],
+            [0.0, 1.0, 0.0],
+            [4.0, 0.0, 0.0],
+            [0.0, 0.0, -1.0],
+            [0.0, 0.0, 1.0],
+            [4.0, 0.0, 0.5],
+        ];
+        assert!(matches!(meeting(&grid, [0, 1, 2], [3, 4, 5]), Meeting::Crossing(_)));
+        assert!(matches!(meeting(&grid, [2, 0, 1], [5, 3, 4]), Meeting::Crossing(_)));
     }
 }

@@ -4,6 +4,7 @@ pub(crate) mod closed;
 pub(crate) mod component;
 pub(crate) mod diagnosis;
 mod edges;
+mod fan;
 pub(crate) mod hull;
 mod inside;
 mod integral;
@@ -18,6 +19,9 @@ mod tree;
 mod weld;
 
 use super::error::BodyError;
+
+/// Pairs of triangles that overlap or touch are counted up to here: one more stands for any larger number.
+pub(crate) const COUNTED: usize = 10_000;
 
 /// A triangle by its three corners, m, seen from outside counter-clockwise.
 pub type Triangle = [[f64; 3]; 3];

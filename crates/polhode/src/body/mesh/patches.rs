@@ -14,6 +14,8 @@ pub(crate) struct Patches {
     /// True if the triangle is wound against most of its component.
     pub(crate) against: Vec<bool>,
     pub(crate) components: Vec<Patch>,
+    /// What each triangle hangs together with by edges of two triangles, where that is less than its component.
+    sheet: Vec<u32>,
 }
 
 /// What is known of a component from its edges alone.
@@ -56,6 +58,7 @@ impl Patches {
             patch.orientable &= sheet.orientable;
             patch.against = patch.against.max(sheet.against.min(sheet.triangles - sheet.against));
         }
+        let sheet = if edges.crowded.is_empty() { vec![] } else { sheets.label.clone() };
         for (label, against) in sheets.label.iter_mut().zip(&mut sheets.against) {
             if *label != NONE {
                 let sheet = &sheets.sheets[*label as usize];
@@ -63,9 +66,14 @@ impl Patches {
                 *label = number[*label as usize];
             }
         }
-        let mut all = Self { component: sheets.label, against: sheets.against, components };
+        let mut all = Self { component: sheets.label, against: sheets.against, components, sheet };
         all.judge(corners, edges);
         all
+    }
+
+    /// The number of what a triangle hangs together with by edges of two triangles.
+    pub(crate) fn surface(&self, t: usize) -> u32 {
+        *self.sheet.get(t).unwrap_or(&self.component[t])
     }
 
     fn judge(&mut self, corners: &[[u32; 3]], edges: &Edges) {

@@ -1,6 +1,6 @@
 //! Boxes about triangles, and boxes about boxes: what is far apart is not looked at.
 
-use core::ops::Range;
+use core::ops::{ControlFlow, Range};
 
 use super::predicate::{across, certain_turn};
 use super::threads::Threads;
@@ -171,15 +171,20 @@ impl Tree {
         x | y << 1 | z << 2
     }
 
-    /// Calls `pair` for every two triangles whose [`Tree::boxes`] meet and the first of which is in one of the leaves.
-    pub(crate) fn pairs(&self, boxes: &[Bounds], leaves: Range<usize>, mut pair: impl FnMut(u32, u32)) {
+    /// Calls `pair` for every two triangles whose [`Tree::boxes`] meet and the first of which is in one of the leaves, until it breaks.
+    pub(crate) fn pairs(
+        &self,
+        boxes: &[Bounds],
+        leaves: Range<usize>,
+        mut pair: impl FnMut(u32, u32) -> ControlFlow<()>,
+    ) {
         let mut waiting = Vec::with_capacity(64);
         for leaf in leaves {
             let own = leaf * LEAF..((leaf + 1) * LEAF).min(self.order.len());
             for i in own.clone() {
                 for j in i + 1..own.end {
-                    if boxes[i].meets(&boxes[j]) {
-                        pair(self.order[i], self.order[j]);
+                    if boxes[i].meets(&boxes[j]) && pair(self.order[i], self.order[j]).is_break() {
+                        return;
                     }
                 }
             }
@@ -199,8 +204,8 @@ impl Tree {
                 for j in first..(first + LEAF).min(self.order.len()) {
                     if boxes[j].meets(&about) {
                         for i in own.clone() {
-                            if boxes[i].meets(&boxes[j]) {
-                                pair(self.order[i], self.order[j]);
+                            if boxes[i].meets(&boxes[j]) && pair(self.order[i], self.order[j]).is_break() {
+                                return;
                             }
                         }
                     }

@@ -182,7 +182,3 @@ fn weighed(
         ..InertiaReport::new(source, properties)
     }))
 }
-
-fn remark(path: &Path, code: &'static str, severity: Severity, message: &str) -> Finding {
-    Finding { code, severity, message: message.to_owned(), place: Some(path.display().to_string()) }
-}

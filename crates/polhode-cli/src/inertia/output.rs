@@ -63,7 +63,7 @@ impl OutputFlags {
             if format != ExportFormat::Csv && reports.iter().any(|(_, report)| !report.not_checked.is_empty())
             {
                 return Err(Failure::usage(
-                    "--quick's answer is not written as another program's file, which would not say that the mesh was not checked",
+                    "--as does not go with --quick: another program's file would not say that the mesh was not checked",
                     "leave --quick out",
                 ));
             }

@@ -122,3 +122,16 @@ fn what_has_no_hull_is_refused() {
         assert_eq!(hull.triangles().len(), 4);
     }
 }
+
+#[test]
+fn a_face_with_thousands_of_corners_is_not_made_anew_for_each() {
+    // A parabola of lattice points is a polygon without three corners in a line; under one apex, and under a copy of itself.
+    let base = |z: i64| (-5000..5000).map(move |k: i64| [k, k * k, z].map(|c| c as f64));
+    let apex = [3.0, 12_000_000.0, 700.0];
+    let pyramid: Vec<_> = base(0).chain([apex]).collect();
+    let hull = ConvexHull::of(&pyramid).unwrap();
+    assert_eq!((hull.vertices().len(), hull.triangles().len()), (10_001, 19_998));
+    let prism: Vec<_> = base(0).chain(base(900)).collect();
+    let hull = ConvexHull::of(&prism).unwrap();
+    assert_eq!((hull.vertices().len(), hull.triangles().len()), (20_000, 39_996));
+}

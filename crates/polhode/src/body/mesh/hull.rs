@@ -81,9 +81,16 @@ struct Face {
     /// Points above this face, each in the list of one face only.
     above: Vec<u32>,
     removed: bool,
-    /// The last point that it was looked at from.
-    seen: u32,
-    visible: bool,
+    /// The last point that it was looked at from, and where that is.
+    seen: (u32, Seen),
+}
+
+/// Where a point is that a face is looked at from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Seen {
+    Above,
+    InPlane,
+    Below,
 }
 
 /// A hull of some of the points; the others are above one of its faces, or in it.
@@ -94,11 +101,14 @@ struct Growing<'a> {
     waiting: Vec<u32>,
     /// By vertex: the new face whose edge from the horizon begins there.
     fan: Vec<u32>,
+    /// By vertex: the last apex for which it was found out whether it stays a corner.
+    examined: Vec<u32>,
 }
 
 impl<'a> Growing<'a> {
     fn of(points: &'a [[f64; 3]], [a, b, c, d]: [u32; 4]) -> Self {
-        let mut hull = Self { points, faces: vec![], waiting: vec![], fan: vec![NONE; points.len()] };
+        let none = || vec![NONE; points.len()];
+        let mut hull = Self { points, faces: vec![], waiting: vec![], fan: none(), examined: none() };
         for (corners, neighbours) in
             [([a, b, c], [1, 2, 3]), ([b, a, d], [0, 3, 2]), ([c, b, d], [0, 1, 3]), ([a, c, d], [0, 2, 1])]
         {
@@ -109,14 +119,8 @@ impl<'a> Growing<'a> {
     }
 
     fn push(&mut self, corners: [u32; 3], neighbours: [u32; 3]) -> u32 {
-        self.faces.push(Face {
-            corners,
-            neighbours,
-            above: vec![],
-            removed: false,
-            seen: NONE,
-            visible: false,
-        });
+        let seen = (NONE, Seen::Below);
+        self.faces.push(Face { corners, neighbours, above: vec![], removed: false, seen });
         self.faces.len() as u32 - 1
     }
 
@@ -146,12 +150,11 @@ impl<'a> Growing<'a> {
         let farther =
             |&&i: &&u32, &&j: &&u32| self.height(face, i).total_cmp(&self.height(face, j)).then(j.cmp(&i));
         let Some(&apex) = above.iter().max_by(farther) else { return };
-        let (visible, horizon) = self.visible_from(apex, face);
+        let covered = self.covered_from(apex, face);
+        let horizon = self.horizon(&covered);
         let mut orphans = Vec::new();
-        for &face in &visible {
-            let face = &mut self.faces[face as usize];
-            face.removed = true;
-            orphans.append(&mut face.above);
+        for &face in &covered {
+            orphans.append(&mut self.faces[face as usize].above);
         }
         orphans.retain(|&point| point != apex);
         let first = self.faces.len();
@@ -172,33 +175,103 @@ impl<'a> Growing<'a> {
         self.hand_out(orphans, first);
     }
 
-    /// The faces that a point is above, and those in whose plane it lies, connected with this one; and the edges around them, each by the
-    /// face beyond it.
+    /// Removes the faces that a point is above, which are connected with this one, and of those in whose plane it lies the ones with a
+    /// corner that is none any more; all of them.
     ///
-    /// With the faces in whose plane it lies, no new triangle is without an area, and no corner is left in the middle of a face.
-    fn visible_from(&mut self, apex: u32, face: u32) -> (Vec<u32>, Vec<(u32, usize)>) {
-        let (mut visible, mut horizon) = (vec![face], Vec::new());
-        (self.faces[face as usize].seen, self.faces[face as usize].visible) = (apex, true);
+    /// So no new triangle is without an area, and no corner is left in the middle of a face or an edge; and a face of many triangles, as
+    /// at the end of a cylinder, is not made anew for each of its corners.
+    fn covered_from(&mut self, apex: u32, face: u32) -> Vec<u32> {
+        let mut covered = vec![face];
+        self.faces[face as usize].removed = true;
         let mut k = 0;
-        while k < visible.len() {
-            let face = visible[k];
+        while let Some(&face) = covered.get(k) {
             for neighbour in self.faces[face as usize].neighbours {
-                if self.faces[neighbour as usize].seen != apex {
-                    let is_visible = self.height(neighbour, apex) >= 0.0;
-                    let neighbouring = &mut self.faces[neighbour as usize];
-                    (neighbouring.seen, neighbouring.visible) = (apex, is_visible);
-                    if is_visible {
-                        visible.push(neighbour);
-                    }
-                }
-                if !self.faces[neighbour as usize].visible {
-                    let back = self.faces[neighbour as usize].neighbours.iter().position(|&n| n == face);
-                    horizon.extend(back.map(|edge| (neighbour, edge)));
+                if self.seen_from(apex, neighbour) == Seen::Above {
+                    self.remove(neighbour, &mut covered);
                 }
             }
             k += 1;
         }
-        (visible, horizon)
+        for k in 0..covered.len() {
+            let face = covered[k];
+            for vertex in self.faces[face as usize].corners {
+                let examined = &mut self.examined[vertex as usize];
+                if *examined == apex {
+                    continue;
+                }
+                *examined = apex;
+                if self.covers(apex, vertex, face) {
+                    let mut around = self.around(vertex, face, 0);
+                    while around != face {
+                        self.remove(around, &mut covered);
+                        around = self.around(vertex, around, 0);
+                    }
+                }
+            }
+        }
+        covered
+    }
+
+    fn remove(&mut self, face: u32, covered: &mut Vec<u32>) {
+        if !self.faces[face as usize].removed {
+            self.faces[face as usize].removed = true;
+            covered.push(face);
+        }
+    }
+
+    fn seen_from(&mut self, apex: u32, face: u32) -> Seen {
+        let (from, seen) = self.faces[face as usize].seen;
+        if from == apex {
+            return seen;
+        }
+        let height = self.height(face, apex);
+        let seen = match height {
+            _ if height > 0.0 => Seen::Above,
+            _ if height < 0.0 => Seen::Below,
+            _ => Seen::InPlane,
+        };
+        self.faces[face as usize].seen = (apex, seen);
+        seen
+    }
+
+    /// Whether a corner v of this face will be none when the apex p is: whether no face at v has p below it.
+    ///
+    /// If nᵢ · (p − v) ≥ 0 with all normals nᵢ at v, a little way from v against p lies in the hull: v is between p and a point of it. If v
+    /// is between p and a point q of the hull, nᵢ · (q − v) ≤ 0 says the same. Around v both ways at once: whichever comes to a face
+    /// below first has the answer, however many faces there are the other way.
+    fn covers(&mut self, apex: u32, vertex: u32, face: u32) -> bool {
+        let mut ways = [face; 2];
+        loop {
+            for (way, turn) in [2, 0].into_iter().enumerate() {
+                ways[way] = self.around(vertex, ways[way], turn);
+                if self.seen_from(apex, ways[way]) == Seen::Below {
+                    return false;
+                }
+                if ways[0] == ways[1] {
+                    return true;
+                }
+            }
+        }
+    }
+
+    /// The next face around a corner: across the edge that starts there (0), or the one that ends there (2).
+    fn around(&self, vertex: u32, face: u32, turn: usize) -> u32 {
+        let Face { corners, neighbours, .. } = &self.faces[face as usize];
+        let corner = corners.iter().position(|&corner| corner == vertex).unwrap_or_default();
+        neighbours[(corner + turn) % 3]
+    }
+
+    /// The edges around faces that were removed, each by the face beyond it.
+    fn horizon(&self, removed: &[u32]) -> Vec<(u32, usize)> {
+        let mut horizon = Vec::new();
+        for &face in removed {
+            for beyond in self.faces[face as usize].neighbours {
+                let Face { neighbours, removed, .. } = &self.faces[beyond as usize];
+                let back = neighbours.iter().position(|&n| n == face);
+                horizon.extend(back.filter(|_| !removed).map(|edge| (beyond, edge)));
+            }
+        }
+        horizon
     }
 
     fn mesh(&self, points: &[[f64; 3]]) -> TriangleMesh {

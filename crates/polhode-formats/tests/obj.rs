@@ -238,7 +238,7 @@ fn no_bytes_make_it_panic() {
 }
 
 #[test]
-fn a_vast_dented_face_comes_to_an_end() {
+fn a_vast_dented_face_is_split_without_overlaps() {
     // A comb with 10000 teeth: every second corner is a dent.
     let n = 20_000;
     let mut text = String::from("v -3 0 0.5\nv 20003 -0.25 0.5\n");
@@ -251,7 +251,7 @@ fn a_vast_dented_face_comes_to_an_end() {
     }
     let contents = read(text.as_bytes()).unwrap();
     assert_eq!(contents.parts[0].mesh.triangles().len(), n);
-    assert_eq!(contents.findings[0].code, "mesh.crossed_polygons");
+    assert!(contents.findings.is_empty(), "{:?}", contents.findings);
 }
 
 #[test]

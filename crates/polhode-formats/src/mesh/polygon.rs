@@ -1,17 +1,24 @@
-//! Polygons into triangles.
-//!
-//! A polygon of n corners gives n − 2 triangles between them: each of its edges is an edge of one triangle, in the same
-//! direction, and each diagonal is an edge of two, in both. So a surface of polygons is closed exactly if that of the
-//! triangles is.
-//!
-//! A convex polygon is a fan from its first corner. Of any other the ears are cut, in its own plane: an ear is a
-//! triangle of three consecutive corners that turns left and has no corner of the rest in it. A polygon that crosses
-//! itself runs out of ears, and one with thousands of dents out of patience. The triangles overlap then; in a plane
+//! A small convex polygon is a fan from its first corner. Of any other the ears are cut, in its own plane: an ear is a
+//! triangle of three consecutive corners that turns left and has no corner of the rest in it. Signs are exact. A polygon that crosses
+//! itself runs out of ears, and one made to do harm out of patience. The triangles overlap then; in a plane
 //! their signed areas and moments still sum to those of the polygon.
+//!
+//! For n corners this takes some n log n steps: every second ear of a row is cut in one round, so that the triangles grow evenly and no corner
+//! has many; the corners that do not turn left, the only ones that can be in an ear, are found by a tree; and what such a corner hides is
+//! looked at again when it is gone, not before.
+
+mod dents;
+mod ears;
 
 use std::mem;
 
 use polhode::{Finding, Severity};
+use robust::{Coord, orient2d};
+
+use ears::Ears;
+
+/// Corners of the largest polygon that is made a fan.
+const SMALL: usize = 16;
 
 /// Splits polygons; keeps its lists from one to the next.
 #[derive(Debug, Default)]
@@ -20,10 +27,7 @@ pub(super) struct Polygons {
     pub(super) crossed: usize,
     /// The corners in the plane.
     points: Vec<[f64; 2]>,
-    /// Of each corner that is left, the one before and the one after.
-    ring: Vec<[usize; 2]>,
-    /// Those that do not turn left.
-    dents: Vec<usize>,
+    ears: Ears,
 }
 
 impl Polygons {
@@ -35,13 +39,14 @@ impl Polygons {
             _ => {}
         }
         self.project(vertices, corners);
+        let Self { points, ears, crossed } = self;
         let n = corners.len();
-        let turns_left =
-            |k: usize| turn(self.points[(k + n - 1) % n], self.points[k], self.points[(k + 1) % n]) > 0.0;
-        if (0..n).all(turns_left) {
+        let turns_left = |k: usize| turn(points[(k + n - 1) % n], points[k], points[(k + 1) % n]) > 0.0;
+        if n <= SMALL && (0..n).all(turns_left) {
             triangles.extend(corners[1..].windows(2).map(|edge| [corners[0], edge[0], edge[1]]));
         } else {
-            self.cut_ears(corners, triangles);
+            let is_clean = ears.cut(points, |triangle| triangles.push(triangle.map(|k| corners[k as usize])));
+            *crossed += usize::from(!is_clean);
         }
     }
 
@@ -91,70 +96,12 @@ impl Polygons {
             [p[u], p[v]]
         }));
     }
-
-    /// Cuts ears until a triangle is left.
-    fn cut_ears(&mut self, corners: &[u32], triangles: &mut Vec<[u32; 3]>) {
-        /// Points compared per corner: far more than real faces need, and few enough for hostile ones to end.
-        const PATIENCE: usize = 4096;
-        let Self { points, ring, dents, crossed } = self;
-        let n = corners.len();
-        let mut push = |triangle: [usize; 3]| triangles.push(triangle.map(|k| corners[k]));
-        let is_dent = |ring: &[[usize; 2]], k: usize| {
-            let [a, c] = ring[k];
-            !(turn(points[a], points[k], points[c]) > 0.0)
-        };
-        ring.clear();
-        ring.extend((0..n).map(|k| [(k + n - 1) % n, (k + 1) % n]));
-        dents.clear();
-        dents.extend((0..n).filter(|&k| is_dent(ring, k)));
-
-        let mut patience = PATIENCE.saturating_mul(n);
-        let (mut left, mut k, mut failures, mut is_crossed) = (n, 1, 0, false);
-        while left > 3 && patience > 0 {
-            patience = patience.saturating_sub(1 + dents.len());
-            let [a, c] = ring[k];
-            let is_forced = failures > left;
-            if is_forced || is_ear(points, dents, [a, k, c]) {
-                push([a, k, c]);
-                is_crossed |= is_forced;
-                (ring[a][1], ring[c][0]) = (c, a);
-                // The neighbours may turn left now. They never stop to, unless the polygon crosses itself.
-                dents.retain(|&dent| dent != k && ((dent != a && dent != c) || is_dent(ring, dent)));
-                (left, failures) = (left - 1, 0);
-            } else {
-                failures += 1;
-            }
-            k = c;
-        }
-        *crossed += usize::from(is_crossed || left > 3);
-        // What is left, a triangle as a rule, is a fan.
-        let [_, mut b] = ring[k];
-        for _ in 2..left {
-            let [_, c] = ring[b];
-            push([k, b, c]);
-            b = c;
-        }
-    }
 }
 
-/// Twice the signed area of a triangle: (b − a) × (c − a), positive if it turns left.
+/// Twice the signed area of a triangle: (b − a) × (c − a), positive if it turns left; its sign is exact.
 fn turn(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> f64 {
-    (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
-}
-
-/// Whether the triangle turns left and has no dent in it or on its edge. A dent on its first corner is no obstacle:
-/// there a polygon touches itself, as one with a hole does along its cut.
-fn is_ear(points: &[[f64; 2]], dents: &[usize], corners: [usize; 3]) -> bool {
-    let [a, b, c] = corners.map(|k| points[k]);
-    turn(a, b, c) > 0.0
-        && !dents.iter().any(|&dent| {
-            let p = points[dent];
-            !corners.contains(&dent)
-                && p != a
-                && turn(a, b, p) >= 0.0
-                && turn(b, c, p) >= 0.0
-                && turn(c, a, p) >= 0.0
-        })
+    let coord = |[x, y]: [f64; 2]| Coord { x, y };
+    orient2d(coord(a), coord(b), coord(c))
 }
 
 #[cfg(test)]
@@ -199,7 +146,9 @@ mod tests {
         assert_eq!(crossed, 0);
         for triangle in triangles {
             let [a, b, c] = triangle.map(|k| points[k as usize]);
-            assert!(turn(a, b, c) > 0.0, "{triangle:?} of {points:?}");
+            // But for the rounding of the corners in space.
+            let rounding = 1e-14 * points.as_flattened().iter().fold(0.0_f64, |max, c| max.max(c * c));
+            assert!(turn(a, b, c) > -rounding, "{triangle:?} of {points:?}");
         }
     }
 
@@ -301,5 +250,50 @@ mod tests {
         let mut triangles = Vec::new();
         Polygons::default().split(&vast, &[0, 1, 2, 3], &mut triangles);
         keeps_the_boundary(4, &triangles);
+    }
+
+    #[test]
+    fn thousands_of_corners_end_without_a_corner_that_has_them_all() {
+        let n = 20_000;
+        let on = |r: f64, turns: f64| {
+            let angle = std::f64::consts::TAU * turns;
+            [r * angle.cos(), r * angle.sin()]
+        };
+        let part = |k: u32| f64::from(k) / f64::from(n);
+        let circle: Vec<_> = (0..n).map(|k| on(1.7, part(k))).collect();
+        let star: Vec<_> = (0..n).map(|k| on(1.3 + f64::from(k * 7919 % 101), part(k))).collect();
+        let arm = |r: f64, k: u32| on(r + 30.0 * part(k), 31.0 * part(k));
+        let spiral = (0..n / 2).map(|k| arm(1.5, k)).chain((0..n / 2).rev().map(|k| arm(1.1, k))).collect();
+        let comb = |k: u32| {
+            [-f64::from(k), if k.is_multiple_of(2) { 1e5 + 3.0 * f64::from(k) } else { 0.7 * f64::from(k) }]
+        };
+        let comb = (0..n).map(comb).chain([[-f64::from(n), -1.0], [0.0, -1.0]]).collect();
+        // Straight sides of thousands of corners
+        let walls = |k: u32| {
+            let along = f64::from(k % 5000);
+            match k / 5000 {
+                0 => [along, 0.0],
+                1 => [5000.0, along],
+                2 => [5000.0 - along, 5000.0],
+                _ => [0.0, 5000.0 - along],
+            }
+        };
+        for points in [circle, star, spiral, comb, (0..n).map(walls).collect()] {
+            let vertices: Vec<_> = points.iter().map(|p| [p[0], p[1], 0.75]).collect();
+            let mut triangles = Vec::new();
+            let corners: Vec<u32> = (0..points.len() as u32).collect();
+            let mut polygons = Polygons::default();
+            polygons.split(&vertices, &corners, &mut triangles);
+            keeps_the_boundary(points.len(), &triangles);
+            assert_eq!(polygons.crossed, 0);
+            assert!(triangles.iter().all(|t| {
+                let [a, b, c] = t.map(|k| points[k as usize]);
+                turn(a, b, c) > 0.0
+            }));
+            let mut count = vec![0; points.len()];
+            triangles.as_flattened().iter().for_each(|&k| count[k as usize] += 1);
+            let several = count.iter().filter(|&&count| count > 100).count();
+            assert!(several < 5, "{several}");
+        }
     }
 }

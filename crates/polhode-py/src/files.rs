@@ -7,7 +7,7 @@ use polhode_formats::cad::{self, CadOptions, CadReport, DecimalMark, ProductConv
 use polhode_formats::molecule::{self, Isotopes, MoleculeFormat};
 use polhode_formats::particles::{self, ParticleOptions};
 use polhode_formats::voxel::{self, VoxelOptions};
-use polhode_formats::{read_file, read_text_file, scenario};
+use polhode_formats::{FormatError, read_file, read_text_file, scenario};
 use polhode_report::{Extra, InertiaReport, MoleculeReport, SourceInfo, error_estimate, sign_proof};
 use pyo3::prelude::*;
 
@@ -129,11 +129,11 @@ pub(crate) fn voxel_file(
 ) -> PyResult<PyMassProperties> {
     let options = VoxelOptions { spacing, unit, origin };
     let read = py.detach(|| {
-        read_file(Path::new(path), |bytes| {
-            let voxels = voxel::read(bytes)?;
-            let grid = voxels.grid(&options)?;
-            Ok((voxels.counts(), grid.mass_properties(|k| per_value * voxels.value(k))))
-        })
+        let path = Path::new(path);
+        let misread = |error| FormatError::of_content(path, &[], error);
+        let mut voxels = voxel::open(path)?;
+        let grid = voxels.grid(&options).map_err(misread)?;
+        Ok::<_, FormatError>((voxels.counts(), voxels.mass_properties(&grid, per_value).map_err(misread)?))
     });
     let ([a, b, c], body) = read.map_err(Raise::raise)?;
     let body = body.map_err(Raise::raise)?;

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use clap::Args;
 use polhode::{Body, BodyError, MassProperties, Part, PlacedPart, Position, Rotation};
-use polhode_formats::read_file;
+use polhode_formats::FormatError;
 use polhode_formats::unit::Dimension;
 use polhode_formats::voxel::{self, VoxelOptions};
 use polhode_report::{InertiaReport, SourceInfo, error_estimate};
@@ -46,11 +46,11 @@ pub(super) fn report(
 ) -> Result<InertiaReport, Failure> {
     let options = VoxelOptions { spacing: flags.spacing, unit, origin: flags.origin };
     let scale = flags.per_value.unwrap_or(1.0);
-    let (counts, kind, result) = read_file(file, |bytes| {
-        let voxels = voxel::read(bytes)?;
-        let grid = voxels.grid(&options)?;
-        Ok((voxels.counts(), voxels.type_name(), grid.mass_properties(|k| scale * voxels.value(k))))
-    })?;
+    let misread = |error| FormatError::of_content(file, &[], error);
+    let mut voxels = voxel::open(file)?;
+    let grid = voxels.grid(&options).map_err(misread)?;
+    let (counts, kind) = (voxels.counts(), voxels.type_name());
+    let result = voxels.mass_properties(&grid, scale).map_err(misread)?;
     let unfit = |error: BodyError| {
         Failure::usage(error.to_string(), "a voxel's value is a density, zero or positive: check --per-value")
     };

@@ -1,7 +1,7 @@
 //! Voxel grids: one number for each box of a lattice, as NPY and NRRD.
 //!
-//! A file is read where it lies: the numbers are decoded one by one as they are asked for, and never copied, unless the
-//! file is compressed. NRRD says where its voxels are, mostly; NPY never does, so the spacing has to be given.
+//! The numbers are read and decoded in blocks as they are asked for, and never kept: a few bytes can be compressed from very many. NRRD says
+//! where its voxels are, mostly; NPY never does, so the spacing has to be given.
 //!
 //! ```
 //! use polhode_formats::voxel::{self, VoxelOptions};
@@ -11,32 +11,51 @@
 //! let voxels = voxel::read(file)?;
 //! let grid = voxels.grid(&VoxelOptions::default())?;
 //! // A value of 1 is 1000 kg/m³ here.
-//! let body = grid.mass_properties(|voxel| 1000.0 * voxels.value(voxel)).unwrap();
+//! let body = voxels.mass_properties(&grid, 1000.0)?.unwrap();
 //! assert!((body.properties.mass() - 4000.0 * 8e-6).abs() < 1e-17);
 //! # Ok::<(), polhode_formats::ContentError>(())
 //! ```
 
-mod gzip;
+mod data;
 mod npy;
 mod nrrd;
 
-use std::borrow::Cow;
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::Path;
 
-use polhode::{BodyError, VoxelGrid};
+use polhode::{BodyError, VoxelGrid, VoxelMassProperties};
 
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
+use crate::error::FormatError;
+use crate::file;
+use data::Source;
 
-/// The numbers of a voxel file, still in its bytes, or in those that were compressed there.
-#[derive(Clone, Debug)]
+pub use data::VoxelValues;
+
+/// A voxel file: what its header says, and its numbers, which are read when they are asked for.
+#[derive(Debug)]
 pub struct Voxels<'a> {
+    layout: Layout,
+    source: Source<'a>,
+}
+
+/// What a header says.
+#[derive(Clone, Debug, PartialEq)]
+struct Layout {
     /// Along the axes in the file's order.
     counts: [usize; 3],
     /// The file's axes in the order of memory: the first varies fastest.
     order: [usize; 3],
     scalar: Scalar,
     big_endian: bool,
-    data: Cow<'a, [u8]>,
     placement: Placement,
+    /// The first byte of the numbers, or of what they are compressed to.
+    start: u64,
+    /// Bytes in front of the numbers that are compressed with them, if they are compressed.
+    compressed: Option<u64>,
+    /// Bytes of the numbers.
+    declared: u64,
 }
 
 /// Where a file says that its voxels are, in its own unit.
@@ -61,17 +80,54 @@ pub struct VoxelOptions {
     pub origin: Option<[f64; 3]>,
 }
 
+/// As much of a file as its header may have.
+const HEAD: u64 = 1 << 20;
+
 /// Reads the bytes of an NPY or NRRD file; which one it is, its first bytes say.
 ///
 /// # Errors
-/// [`ContentError`] for anything that is not exactly such a file of three dimensions: what, where, and a hint.
+/// [`ContentError`] for anything that is not exactly such a file of three dimensions: what, where, and a hint. Whether numbers that are
+/// compressed are as many as declared comes out when they are asked for.
 pub fn read(bytes: &[u8]) -> Result<Voxels<'_>, ContentError> {
-    if bytes.starts_with(npy::MAGIC) {
-        npy::read(bytes)
-    } else if bytes.starts_with(nrrd::MAGIC) {
-        nrrd::read(bytes)
+    let layout = layout(bytes, bytes.len() as u64)?;
+    Ok(Voxels { layout, source: Source::Memory(bytes.into()) })
+}
+
+/// Opens an NPY or NRRD file, and reads its header.
+///
+/// # Errors
+/// [`FormatError`] if it cannot be read, and as [`read()`].
+pub fn open(path: &Path) -> Result<Voxels<'static>, FormatError> {
+    let written = path.to_string_lossy();
+    let failed = |error| FormatError::new(path, None, file::failed(&written, &error));
+    let before = std::fs::metadata(path).map_err(failed)?;
+    if !before.is_file() {
+        // A pipe is read once, the numbers are twice.
+        let bytes =
+            file::bytes(path, &written, u64::MAX).map_err(|kind| FormatError::new(path, None, kind))?;
+        let layout =
+            layout(&bytes, bytes.len() as u64).map_err(|e| FormatError::of_content(path, &bytes, e))?;
+        return Ok(Voxels { layout, source: Source::Memory(bytes.into()) });
+    }
+    let file = File::open(path).map_err(failed)?;
+    let before = file.metadata().map_err(failed)?;
+    let mut head = Vec::new();
+    (&file).take(HEAD).read_to_end(&mut head).map_err(failed)?;
+    if (head.len() as u64) < before.len().min(HEAD) {
+        return Err(failed(io::ErrorKind::UnexpectedEof.into()));
+    }
+    let layout = layout(&head, before.len()).map_err(|e| FormatError::of_content(path, &head, e))?;
+    Ok(Voxels { layout, source: Source::File(file, Box::new(before)) })
+}
+
+/// What the first bytes of a file of this length say.
+fn layout(head: &[u8], length: u64) -> Result<Layout, ContentError> {
+    if head.starts_with(npy::MAGIC) {
+        npy::read(head, length)
+    } else if head.starts_with(nrrd::MAGIC) {
+        nrrd::read(head, length)
     } else {
-        let found = String::from_utf8_lossy(&bytes[..bytes.len().min(6)]).into_owned();
+        let found = String::from_utf8_lossy(&head[..head.len().min(6)]).into_owned();
         let kind = ContentErrorKind::Expected { what: "the start of an NPY or NRRD file".to_owned(), found };
         Err(ContentError::new(kind, ContentPlace::Whole).hint("voxels are read from .npy, .nrrd"))
     }
@@ -80,25 +136,47 @@ pub fn read(bytes: &[u8]) -> Result<Voxels<'_>, ContentError> {
 impl Voxels<'_> {
     /// How many voxels there are along each of the file's axes.
     pub const fn counts(&self) -> [usize; 3] {
-        self.counts
+        self.layout.counts
     }
 
     /// The file's word for the type of its numbers: `float`, `uint8`.
     pub const fn type_name(&self) -> &'static str {
-        self.scalar.name()
+        self.layout.scalar.name()
     }
 
-    /// The value of a voxel by its number in the grid; NaN beyond the last.
-    pub fn value(&self, voxel: usize) -> f64 {
-        let size = self.scalar.size();
-        let start = voxel.saturating_mul(size);
-        let Some(bytes) = start.checked_add(size).and_then(|end| self.data.get(start..end)) else {
-            return f64::NAN;
-        };
-        self.scalar.decode(bytes, self.big_endian)
+    /// The values of the voxels by their numbers, which are those in the grid. One at a time reads an open file, so it is borrowed whole.
+    pub fn values(&mut self) -> VoxelValues<'_> {
+        VoxelValues::of(self)
     }
 
-    /// Where the voxels are, numbered as [`Voxels::value`] numbers them.
+    /// The mass properties of the voxels, if a value of 1 stands for the density `per_value`, kg/m³; or why they are no body.
+    ///
+    /// # Errors
+    /// [`ContentError`] if the file does not have as many numbers as it declares, or more, or cannot be decompressed.
+    pub fn mass_properties(
+        &mut self,
+        grid: &VoxelGrid,
+        per_value: f64,
+    ) -> Result<Result<VoxelMassProperties, BodyError>, ContentError> {
+        /// What ends the sums.
+        enum End {
+            Content(ContentError),
+            Body(BodyError),
+        }
+        impl From<BodyError> for End {
+            fn from(error: BodyError) -> Self {
+                Self::Body(error)
+            }
+        }
+        let mut values = self.values();
+        match grid.try_mass_properties(|voxel| Ok(per_value * values.at(voxel).map_err(End::Content)?)) {
+            Ok(body) => Ok(Ok(body)),
+            Err(End::Body(error)) => Ok(Err(error)),
+            Err(End::Content(error)) => Err(error),
+        }
+    }
+
+    /// Where the voxels are, numbered as [`Voxels::values`] numbers them.
     ///
     /// # Errors
     /// [`ContentErrorKind::Missing`], with a question as its hint, if neither the file nor the options say the spacing or
@@ -110,7 +188,7 @@ impl Voxels<'_> {
             let rule = "left out, since the file says it itself".to_owned();
             whole(ContentErrorKind::Value { what: what.to_owned(), value, rule })
         };
-        let Placement { steps, origin, unit } = &self.placement;
+        let Layout { placement: Placement { steps, origin, unit }, order, counts, .. } = &self.layout;
         if let (None, None, Some(given)) = (steps, origin, options.unit) {
             let (what, rule) =
                 ("the unit".to_owned(), "left out, since no length of the file is without one".to_owned());
@@ -149,12 +227,11 @@ impl Voxels<'_> {
         let refused = |error: BodyError| {
             let (what, value, rule) = match error {
                 BodyError::Parameter { what, value, rule } => (what, value.to_string(), rule.to_owned()),
-                other => ("the grid", format!("{:?}", self.counts), other.to_string()),
+                other => ("the grid", format!("{counts:?}"), other.to_string()),
             };
             whole(ContentErrorKind::Value { what: what.to_owned(), value, rule })
         };
-        VoxelGrid::new(origin, self.order.map(|axis| steps[axis]), self.order.map(|axis| self.counts[axis]))
-            .map_err(refused)
+        VoxelGrid::new(origin, order.map(|axis| steps[axis]), order.map(|axis| counts[axis])).map_err(refused)
     }
 }
 
@@ -239,23 +316,19 @@ fn declared_bytes(counts: [usize; 3], scalar: Scalar) -> Result<u64, ContentErro
     })
 }
 
-/// The voxels must take the bytes that are there.
-fn require_length(counts: [usize; 3], scalar: Scalar, data: &[u8], start: usize) -> Result<(), ContentError> {
-    let place = || ContentPlace::Byte { offset: start as u64, what: "the first voxel".to_owned() };
-    let declared = declared_bytes(counts, scalar)?;
-    let present = data.len() as u64;
+/// The voxels must be there, and take the bytes that are there, if those are known.
+fn require_length(declared: u64, present: Option<u64>, start: u64) -> Result<(), ContentError> {
     if declared == 0 {
         let kind = ContentErrorKind::Missing { what: "voxels".to_owned() };
         return Err(ContentError::new(kind, ContentPlace::Whole));
     }
-    if declared != present {
-        let kind = ContentErrorKind::Count { what: "bytes of voxels".to_owned(), declared, present };
-        let hint = if present < declared {
-            "the file is cut short"
-        } else {
-            "the file has bytes that belong to no voxel"
-        };
-        return Err(ContentError::new(kind, place()).hint(hint));
-    }
-    Ok(())
+    let Some(present) = present.filter(|&present| present != declared) else { return Ok(()) };
+    let kind = ContentErrorKind::Count { what: "bytes of voxels".to_owned(), declared, present };
+    let hint = if present < declared {
+        "the file is cut short"
+    } else {
+        "the file has bytes that belong to no voxel"
+    };
+    let place = ContentPlace::Byte { offset: start, what: "the first voxel".to_owned() };
+    Err(ContentError::new(kind, place).hint(hint))
 }

@@ -5,12 +5,13 @@
 
 use std::ops::Range;
 
-use super::{Placement, Scalar, Voxels, require_length};
+use super::{Layout, Placement, Scalar, declared_bytes, require_length};
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 
 pub(super) const MAGIC: &[u8] = b"\x93NUMPY";
 
-pub(super) fn read(bytes: &[u8]) -> Result<Voxels<'_>, ContentError> {
+/// What the header says of a file of this length that begins with these bytes.
+pub(super) fn read(bytes: &[u8], file_length: u64) -> Result<Layout, ContentError> {
     let version = bytes.get(6..8).ok_or_else(|| cut("the version", bytes.len()))?;
     let (start, length) = match version[0] {
         1 => (10, bytes.get(8..10).map(|b| usize::from(b[0]) | usize::from(b[1]) << 8)),
@@ -26,16 +27,21 @@ pub(super) fn read(bytes: &[u8]) -> Result<Voxels<'_>, ContentError> {
     };
     let length = length.ok_or_else(|| cut("the length of the header", bytes.len()))?;
     let end = length.checked_add(start).filter(|&end| end <= bytes.len()).ok_or_else(|| {
-        let (declared, present) = (length as u64, bytes.len().saturating_sub(start) as u64);
-        let kind = ContentErrorKind::Count { what: "bytes of header".to_owned(), declared, present };
+        let (declared, present) = (length as u64, file_length.saturating_sub(start as u64));
+        let kind = if present < declared {
+            ContentErrorKind::Count { what: "bytes of header".to_owned(), declared, present }
+        } else {
+            ContentErrorKind::Unsupported { what: format!("a header of {declared} bytes") }
+        };
         ContentError::new(kind, ContentPlace::Byte { offset: 8, what: "the length of the header".to_owned() })
     })?;
     let header = Header::read(bytes, start..end)?;
-    let data = bytes.get(end..).unwrap_or_default();
-    require_length(header.counts, header.scalar, data, end)?;
-    let order = if header.fortran { [0, 1, 2] } else { [2, 1, 0] };
-    let Header { counts, scalar, big_endian, .. } = header;
-    Ok(Voxels { counts, order, scalar, big_endian, data: data.into(), placement: Placement::default() })
+    let Header { counts, scalar, big_endian, fortran } = header;
+    let (declared, start) = (declared_bytes(counts, scalar)?, end as u64);
+    require_length(declared, Some(file_length - start), start)?;
+    let order = if fortran { [0, 1, 2] } else { [2, 1, 0] };
+    let placement = Placement::default();
+    Ok(Layout { counts, order, scalar, big_endian, placement, start, compressed: None, declared })
 }
 
 fn cut(what: &str, length: usize) -> ContentError {

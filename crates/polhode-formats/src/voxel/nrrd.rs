@@ -6,11 +6,9 @@
 //!
 //! Source: Gordon Kindlmann, "Definition of NRRD File Format", teem.sourceforge.net/nrrd/format.html.
 
-use std::borrow::Cow;
 use std::ops::Range;
 
-use super::gzip::inflated;
-use super::{Placement, Scalar, Voxels, declared_bytes, require_length};
+use super::{Layout, Placement, Scalar, declared_bytes, require_length};
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 use crate::unit::{self, Dimension};
 
@@ -38,25 +36,24 @@ const PASSED_OVER: [&str; 18] = [
     "modality",
 ];
 
-pub(super) fn read(bytes: &[u8]) -> Result<Voxels<'_>, ContentError> {
+/// What the header says of a file of this length that begins with these bytes.
+pub(super) fn read(bytes: &[u8], length: u64) -> Result<Layout, ContentError> {
     let header = Header::read(bytes)?;
     header.require_density()?;
     let scalar = header.scalar()?;
     let counts = header.counts()?;
     let big_endian = header.big_endian(scalar)?;
     let encoding = header.encoding()?;
-    let data = header.after_lines(bytes)?;
-    let data = match encoding {
-        Encoding::Raw => Cow::Borrowed(header.after_bytes(data, declared_bytes(counts, scalar).ok())?),
-        Encoding::Gzip => header.decompressed(data, bytes.len() - data.len(), counts, scalar)?,
+    let declared = declared_bytes(counts, scalar)?;
+    let after_lines = header.after_lines(bytes)?;
+    let (start, compressed) = match encoding {
+        Encoding::Raw => (header.after_bytes(after_lines, length, declared)?, None),
+        Encoding::Gzip => (after_lines, Some(header.compressed_skip()?)),
     };
-    let start = match data {
-        Cow::Borrowed(data) => bytes.len() - data.len(),
-        Cow::Owned(_) => header.end,
-    };
-    require_length(counts, scalar, &data, start)?;
+    let present = length.saturating_sub(start);
+    require_length(declared, compressed.is_none().then_some(present), start)?;
     let placement = header.placement()?;
-    Ok(Voxels { counts, order: [0, 1, 2], scalar, big_endian, data, placement })
+    Ok(Layout { counts, order: [0, 1, 2], scalar, big_endian, placement, start, compressed, declared })
 }
 
 /// How the numbers are written.
@@ -219,22 +216,22 @@ impl<'a> Header<'a> {
         }
     }
 
-    /// What is behind the header, and behind the lines to be skipped.
-    fn after_lines<'b>(&self, bytes: &'b [u8]) -> Result<&'b [u8], ContentError> {
-        let mut data = bytes.get(self.end..).unwrap_or_default();
+    /// The first byte behind the header and the lines to be skipped.
+    fn after_lines(&self, bytes: &[u8]) -> Result<u64, ContentError> {
+        let mut at = self.end;
         if let Some(field) = self.find(&["line skip", "lineskip"])? {
             let lines: usize = field.value.parse().map_err(|_| field.expected("a whole number"))?;
             for _ in 0..lines {
-                let end = data.iter().position(|&b| b == b'\n');
-                let end = end.ok_or_else(|| field.expected("no more lines than there are"))?;
-                data = &data[end + 1..];
+                let end = bytes.get(at..).and_then(|rest| rest.iter().position(|&b| b == b'\n'));
+                at +=
+                    1 + end.ok_or_else(|| field.expected("no more lines than there are at the beginning"))?;
             }
         }
-        Ok(data)
+        Ok(at as u64)
     }
 
     /// How many bytes in front of the numbers are to be skipped; all but the numbers if −1 says so.
-    fn byte_skip(&self) -> Result<Option<(&Field<'a>, Option<usize>)>, ContentError> {
+    fn byte_skip(&self) -> Result<Option<(&Field<'a>, Option<u64>)>, ContentError> {
         let Some(field) = self.find(&["byte skip", "byteskip"])? else { return Ok(None) };
         let skip = match field.value {
             "-1" => None,
@@ -243,32 +240,25 @@ impl<'a> Header<'a> {
         Ok(Some((field, skip)))
     }
 
-    /// The bytes of the numbers as they are, behind those to be skipped.
-    fn after_bytes<'b>(&self, data: &'b [u8], declared: Option<u64>) -> Result<&'b [u8], ContentError> {
-        let Some((field, skip)) = self.byte_skip()? else { return Ok(data) };
-        let all_but = || data.len().checked_sub(usize::try_from(declared?).ok()?);
-        let rest = skip.or_else(all_but).and_then(|skip| data.get(skip..));
-        rest.ok_or_else(|| field.expected("no more bytes than there are"))
+    /// The first of the numbers as they are, behind the bytes to be skipped.
+    fn after_bytes(&self, from: u64, length: u64, declared: u64) -> Result<u64, ContentError> {
+        let Some((field, skip)) = self.byte_skip()? else { return Ok(from) };
+        let start = match skip {
+            Some(skip) => from.checked_add(skip),
+            None => length.checked_sub(declared).filter(|&start| start >= from),
+        };
+        start.filter(|&start| start <= length).ok_or_else(|| field.expected("no more bytes than there are"))
     }
 
-    /// The bytes of the numbers that were compressed. What is to be skipped was compressed with them.
-    fn decompressed(
-        &self,
-        data: &[u8],
-        start: usize,
-        counts: [usize; 3],
-        scalar: Scalar,
-    ) -> Result<Cow<'static, [u8]>, ContentError> {
-        let skip = match self.byte_skip()? {
-            None => 0,
-            Some((_, Some(skip))) => skip,
-            Some((field, None)) => {
-                return Err(field
-                    .unsupported("a byte skip of -1 in compressed data")
-                    .hint("write how many bytes, after decompression, are to be skipped"));
-            }
-        };
-        inflated(data, start, skip as u64, declared_bytes(counts, scalar)?).map(Cow::Owned)
+    /// How many bytes in front of the numbers were compressed with them, and are to be skipped.
+    fn compressed_skip(&self) -> Result<u64, ContentError> {
+        match self.byte_skip()? {
+            None => Ok(0),
+            Some((_, Some(skip))) => Ok(skip),
+            Some((field, None)) => Err(field
+                .unsupported("a byte skip of -1 in compressed data")
+                .hint("write how many bytes, after decompression, are to be skipped")),
+        }
     }
 
     fn placement(&self) -> Result<Placement, ContentError> {

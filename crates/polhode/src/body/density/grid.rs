@@ -114,13 +114,24 @@ impl VoxelGrid {
     /// [`BodyError::Density`] for a density that is negative or not finite; [`BodyError::Parameter`] if all are zero,
     /// or f64 does not hold the result.
     pub fn mass_properties(&self, density: impl Fn(usize) -> f64) -> Result<VoxelMassProperties, BodyError> {
+        self.try_mass_properties(|voxel| Ok(density(voxel)))
+    }
+
+    /// The same for densities that are read from somewhere, which may fail.
+    ///
+    /// # Errors
+    /// The first of `density`, and as [`VoxelGrid::mass_properties`].
+    pub fn try_mass_properties<E: From<BodyError>>(
+        &self,
+        mut density: impl FnMut(usize) -> Result<f64, E>,
+    ) -> Result<VoxelMassProperties, E> {
         let middle = self.counts.map(|n| (n / 2) as f64);
-        let first = self.sum(&density, middle)?;
+        let first = self.sum(&mut density, middle)?;
         // Sums about a place far from the body would cancel.
         let near: [f64; 3] =
             core::array::from_fn(|k| middle[k] + (first.boxes[k + 1] / first.boxes[0]).round());
         let near = if near.iter().all(|i| i.is_finite()) { near } else { middle };
-        let sums = self.sum(&density, near)?;
+        let sums = self.sum(&mut density, near)?;
         let properties = self.body(&sums.boxes, near)?;
         let trilinear = self.body(&sums.trilinear, near)?;
         let (a, b) = (*properties.inertia().symmetric(), *trilinear.inertia().symmetric());
@@ -136,7 +147,11 @@ impl VoxelGrid {
     }
 
     /// Index moments about the index `reference`.
-    fn sum(&self, density: &impl Fn(usize) -> f64, reference: [f64; 3]) -> Result<IndexSums, BodyError> {
+    fn sum<E: From<BodyError>>(
+        &self,
+        density: &mut impl FnMut(usize) -> Result<f64, E>,
+        reference: [f64; 3],
+    ) -> Result<IndexSums, E> {
         let [n1, n2, n3] = self.counts;
         let mut boxes = [Sum::default(); 10];
         let mut trilinear = [Sum::default(); 10];
@@ -151,9 +166,9 @@ impl VoxelGrid {
                     if i % FEW == 0 {
                         row.iter_mut().zip(core::mem::take(&mut few)).for_each(|(sum, term)| sum.add(term));
                     }
-                    let rho = density(voxel);
+                    let rho = density(voxel)?;
                     if !(rho >= 0.0 && rho.is_finite()) {
-                        return Err(BodyError::Density { at: self.center(voxel), value: rho });
+                        return Err(BodyError::Density { at: self.center(voxel), value: rho }.into());
                     }
                     voxel += 1;
                     if i == 0 {

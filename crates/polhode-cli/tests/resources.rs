@@ -5,11 +5,14 @@
 mod common;
 
 use std::fs::{self, File};
-use std::process::Stdio;
+use std::io::Write as _;
+use std::process::{Command, Output, Stdio};
 use std::thread::sleep;
 use std::time::Duration;
 
-use common::Scratch;
+use common::{Scratch, json, number, refused};
+use flate2::Compression;
+use flate2::write::{DeflateEncoder, GzEncoder};
 
 /// A binary STL file of so many triangles, all of them at the origin.
 fn empty_triangles(count: u32) -> Vec<u8> {
@@ -81,4 +84,92 @@ fn a_file_that_is_shortened_while_it_is_read_is_refused_and_no_signal_ends_the_p
             assert!(error.starts_with("error: ") && error.contains(name), "{error}");
         }
     }
+}
+
+/// polhode with these arguments, in a process that may have so much memory, KiB.
+#[cfg(target_os = "linux")]
+fn within(kib: u32, scratch: &Scratch, arguments: &[&str]) -> Output {
+    let mut shell = Command::new("sh");
+    shell.args(["-c", &format!("ulimit -v {kib} && exec \"$0\" \"$@\""), env!("CARGO_BIN_EXE_polhode")]);
+    shell.current_dir(&scratch.0).args(arguments).output().unwrap()
+}
+
+/// More than the program itself takes, its threads and what of them is never touched too.
+#[cfg(target_os = "linux")]
+const KIB: u32 = 80 << 10;
+
+#[test]
+#[cfg(target_os = "linux")]
+fn voxels_take_no_memory_compressed_or_not() {
+    let scratch = Scratch::new("voxels");
+    // 96 MiB of ones in 64-bit integers, big-endian
+    let (counts, layer) = ([256, 256, 192], [0, 0, 0, 0, 0, 0, 0, 1].repeat(256 * 256));
+    let header = |encoding: &str, layers: usize| {
+        format!(
+            "NRRD0004\ntype: int64\nendian: big\ndimension: 3\nsizes: 256 256 {layers}\nencoding: {encoding}\n\
+             spacings: 1 2 3\nunits: \"mm\" \"mm\" \"mm\"\n\n"
+        )
+    };
+    let mut raw = File::create(scratch.0.join("raw.nrrd")).unwrap();
+    raw.write_all(header("raw", counts[2]).as_bytes()).unwrap();
+    (0..counts[2]).for_each(|_| raw.write_all(&layer).unwrap());
+    let compressed = |name: &str, declared: usize| {
+        let mut file = File::create(scratch.0.join(name)).unwrap();
+        file.write_all(header("gzip", declared).as_bytes()).unwrap();
+        let mut encoder = GzEncoder::new(file, Compression::fast());
+        (0..counts[2]).for_each(|_| encoder.write_all(&layer).unwrap());
+        encoder.finish().unwrap();
+    };
+    compressed("gzip.nrrd", counts[2]);
+    compressed("more.nrrd", 1);
+    for name in ["raw.nrrd", "gzip.nrrd"] {
+        let body = json(&within(KIB, &scratch, &["inertia", name, "--json"]));
+        let mass = 6e-9 * counts.iter().product::<usize>() as f64;
+        assert!((number(&body["mass"]) / mass - 1.0).abs() < 1e-12, "{name}");
+    }
+    let more = refused(&within(KIB, &scratch, &["inertia", "more.nrrd"]), 2);
+    assert!(more.contains("524288 bytes of voxels are declared") && more.contains("more.nrrd"), "{more}");
+}
+
+/// A 3MF package with a model of so many MiB of vertices, which deflate packs a thousand to one.
+fn bomb(mebibytes: usize, declared: Option<u32>) -> Vec<u8> {
+    let mut encoder = DeflateEncoder::new(Vec::new(), Compression::fast());
+    let mut sum = flate2::Crc::new();
+    let mut write = |bytes: &[u8]| {
+        sum.update(bytes);
+        encoder.write_all(bytes).unwrap();
+    };
+    write(b"<model xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\"><resources><object id=\"1\">\
+        <mesh><vertices>");
+    let many = b"<vertex x=\"0\" y=\"0\" z=\"0\"/>    ".repeat(1 << 15);
+    (0..mebibytes).for_each(|_| write(&many));
+    let (check, length) = (sum.sum(), sum.amount());
+    let data = encoder.finish().unwrap();
+    let name = b"3D/3dmodel.model";
+    let four = u32::to_le_bytes;
+    let common = [
+        [20, 0, 0, 0, 8, 0, 0, 0, 33, 0].as_slice(),
+        &four(check),
+        &four(data.len() as u32),
+        &four(declared.unwrap_or(length)),
+        &[name.len() as u8, 0, 0, 0],
+    ]
+    .concat();
+    let start = [b"PK\x03\x04", common.as_slice(), name, &data].concat();
+    let directory = [b"PK\x01\x02\x14\0", common.as_slice(), &[0; 10], &four(0), name].concat();
+    let size = [four(directory.len() as u32), four(start.len() as u32)].concat();
+    [&start, directory.as_slice(), b"PK\x05\x06\0\0\0\0\x01\0\x01\0", &size, &[0; 2]].concat()
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn a_package_that_unfolds_too_far_takes_no_memory() {
+    let scratch = Scratch::new("bomb");
+    fs::write(scratch.0.join("bomb.3mf"), bomb(1 << 10, None)).unwrap();
+    let error = refused(&within(KIB, &scratch, &["inertia", "bomb.3mf", "--density", "2 kg/m^3"]), 2);
+    assert!(error.contains("unfolds to more than") && error.contains("bomb.3mf"), "{error}");
+    // It says that it has little.
+    fs::write(scratch.0.join("liar.3mf"), bomb(1 << 10, Some(1 << 16))).unwrap();
+    let error = refused(&within(KIB, &scratch, &["inertia", "liar.3mf", "--density", "2 kg/m^3"]), 2);
+    assert!(error.contains("the entry = ") && error.contains("liar.3mf"), "{error}");
 }

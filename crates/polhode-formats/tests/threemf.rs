@@ -348,6 +348,42 @@ fn archives_that_are_broken() {
     assert!(error(&damaged).contains("the entry = "), "{}", error(&damaged));
 }
 
+/// The directory at the end is what is read by; other programs go by what stands in front of the bytes.
+#[test]
+fn both_descriptions_of_an_entry_say_the_same() {
+    let text = plain();
+    let whole = stored(&[(MODEL, text.as_bytes()), ("a.txt", b"abc")], |_, at| at);
+    assert!(read(&whole).is_ok());
+    for (at, what) in [(8, "method"), (14, "check sum"), (18, "packed size"), (22, "size"), (31, "name")] {
+        let mut bytes = whole.clone();
+        bytes[at] ^= 4;
+        let error = read(&bytes).unwrap_err();
+        assert!(error.to_string().contains(&format!("the {what} in front of the entry = ")), "{error}");
+        assert!(
+            error.to_string().contains("that of the archive's directory") && error.hint.is_some(),
+            "{error}"
+        );
+    }
+    // As a program writes it that does not know the size before: zeros here, the sizes behind.
+    let mut later = whole;
+    later[6] |= 8;
+    later[14..26].fill(0);
+    let directory = later.windows(4).position(|w| w == b"PK\x01\x02").unwrap();
+    later[directory + 8] |= 8;
+    assert!(read(&later).is_ok(), "{:?}", read(&later));
+    // Fewer bytes declared, in both places, than come out of it.
+    let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
+    zip.start_file(MODEL, SimpleFileOptions::default()).unwrap();
+    zip.write_all(text.as_bytes()).unwrap();
+    let mut bytes = zip.finish().unwrap().into_inner();
+    let directory = bytes.windows(4).position(|w| w == b"PK\x01\x02").unwrap();
+    let declared = (text.len() as u32 - 20).to_le_bytes();
+    bytes[22..26].copy_from_slice(&declared);
+    bytes[directory + 24..directory + 28].copy_from_slice(&declared);
+    let error = read(&bytes).unwrap_err();
+    assert!(error.to_string().contains("the entry = "), "{error}");
+}
+
 /// 80 MiB of blanks in 80 kB, and a tree of components whose leaves would be 10¹².
 #[test]
 fn a_file_that_unfolds_too_far_is_refused() {

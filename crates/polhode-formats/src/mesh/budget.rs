@@ -21,10 +21,10 @@ impl Budget {
         Self::new(present.saturating_mul(100), 256 << 20)
     }
 
-    /// For text that is inflated: 200 times the bytes of the archive, or 64 MiB. A model of real coordinates
+    /// For text that is inflated: 60 times the bytes of the archive, or 64 MiB. A model of real coordinates
     /// deflates 4 to 10 times, and one of short integers in order 30 times.
     pub(super) fn inflating(present: u64) -> Self {
-        Self::new(present.saturating_mul(200), 64 << 20)
+        Self::new(present.saturating_mul(60), 64 << 20)
     }
 
     fn new(multiple: u64, floor: u64) -> Self {

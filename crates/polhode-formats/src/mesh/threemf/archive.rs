@@ -3,9 +3,9 @@
 use std::collections::HashMap;
 use std::io::{self, BufRead, BufReader, Cursor, Read};
 
-use zip::ZipArchive;
 use zip::read::ZipFile;
 use zip::result::ZipError;
+use zip::{CompressionMethod, ZipArchive};
 
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 use crate::mesh::budget::Budget;
@@ -23,6 +23,8 @@ pub(super) struct Archive<'a> {
 pub(super) struct Stream<'s, 'a> {
     file: BufReader<ZipFile<'s, Cursor<&'a [u8]>>>,
     budget: &'s mut Budget,
+    /// Bytes that the entry may still have, by its own header.
+    declared: u64,
     /// The line of the next byte, from 1.
     pub(super) line: usize,
 }
@@ -57,6 +59,9 @@ impl<'a> Archive<'a> {
             let hint = "the file is damaged or made to do harm";
             return Err(ContentError::new(kind, ContentPlace::Whole).hint(hint));
         }
+        for k in 0..zip.len() {
+            require_agreement(bytes, &zip.by_index_raw(k).map_err(fail)?)?;
+        }
         Ok(Self { zip, numbers, budget: Budget::inflating(bytes.len() as u64) })
     }
 
@@ -73,14 +78,12 @@ impl<'a> Archive<'a> {
         };
         let place = ContentPlace::Within(path.to_owned());
         let file = self.zip.by_index(number).map_err(|e| failed(&e, place))?;
-        Ok(Stream { file: BufReader::new(file), budget: &mut self.budget, line: 1 })
-    }
-}
-
-impl Stream<'_, '_> {
-    /// Whether the archive has unfolded too far.
-    pub(super) fn exhausted(&self, place: &str) -> Option<ContentError> {
-        (self.budget.left() == 0).then(|| self.budget.exhausted(place.to_owned()))
+        let declared = file.size();
+        if declared > self.budget.left() {
+            // Before a byte of it is unpacked.
+            return Err(self.budget.exhausted(path.to_owned()));
+        }
+        Ok(Stream { file: BufReader::new(file), budget: &mut self.budget, declared, line: 1 })
     }
 }
 
@@ -94,22 +97,67 @@ impl Read for Stream<'_, '_> {
 
 impl BufRead for Stream<'_, '_> {
     fn fill_buf(&mut self) -> io::Result<&[u8]> {
-        let left = self.budget.left();
         let bytes = self.file.fill_buf()?;
-        if left == 0 && !bytes.is_empty() {
-            return Err(io::Error::other("too much"));
+        if self.declared == 0 && !bytes.is_empty() {
+            return Err(io::Error::other("more bytes than the archive's directory says"));
         }
-        let most = usize::try_from(left).unwrap_or(usize::MAX);
+        let most = usize::try_from(self.declared).unwrap_or(usize::MAX);
         Ok(&bytes[..bytes.len().min(most)])
     }
 
     fn consume(&mut self, count: usize) {
         let taken = self.file.buffer().get(..count).unwrap_or_default();
         self.line += taken.iter().filter(|&&b| b == b'\n').count();
-        // fill_buf gave no more than is left.
+        // fill_buf gave no more than is declared, and that is no more than there is.
+        self.declared -= count as u64;
         let _ = self.budget.spend(count, 1, String::new);
         self.file.consume(count);
     }
+}
+
+/// An entry is described twice: in the directory at the end of the archive, and in front of its bytes. Programs go by the one or the other, so
+/// both have to say the same.
+fn require_agreement(bytes: &[u8], entry: &ZipFile<'_, Cursor<&[u8]>>) -> Result<(), ContentError> {
+    const LENGTH: usize = 30;
+    /// Whether sizes and check sum follow the bytes.
+    const LATER: u16 = 8;
+    let start = usize::try_from(entry.header_start()).unwrap_or(usize::MAX);
+    let rest = bytes.get(start..).unwrap_or_default();
+    let refuse = |what: &str, value: String, rule: String| {
+        let what = format!("the {what} in front of the entry");
+        let place = ContentPlace::Within(String::from_utf8_lossy(entry.name_raw()).into_owned());
+        Err(ContentError::new(ContentErrorKind::Value { what, value, rule }, place)
+            .hint("the file is damaged or made to do harm; export it again"))
+    };
+    let Some(header) = rest.first_chunk::<LENGTH>() else {
+        return refuse("header", "cut short".to_owned(), format!("{LENGTH} bytes long"));
+    };
+    let short = |at: usize| u16::from_le_bytes([header[at], header[at + 1]]);
+    let long = |at: usize| u64::from(short(at)) | u64::from(short(at + 2)) << 16;
+    let name = &rest[LENGTH..rest.len().min(LENGTH + usize::from(short(26)))];
+    if name != entry.name_raw() {
+        let value = format!("{:?}", String::from_utf8_lossy(name));
+        return refuse("name", value, "that of the archive's directory".to_owned());
+    }
+    let method = match entry.compression() {
+        CompressionMethod::Stored => 0,
+        CompressionMethod::Deflated => 8,
+        _ => short(8),
+    };
+    let is_later = short(6) & LATER != 0;
+    for (what, value, central) in [
+        ("method", short(8).into(), u64::from(method)),
+        ("check sum", long(14), entry.crc32().into()),
+        ("packed size", long(18), entry.compressed_size()),
+        ("size", long(22), entry.size()),
+    ] {
+        // 2³² − 1 stands for a size that is in another field, as it has more than four bytes.
+        let is_elsewhere = value == u64::from(u32::MAX) || is_later && value == 0;
+        if value != central && !is_elsewhere {
+            return refuse(what, value.to_string(), format!("{central}, that of the archive's directory"));
+        }
+    }
+    Ok(())
 }
 
 /// The name of a part, one for all its spellings.

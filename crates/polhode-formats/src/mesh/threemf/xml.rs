@@ -133,9 +133,6 @@ impl<'s, 'a> Xml<'s, 'a> {
     }
 
     fn broken(&self, error: &Error) -> ContentError {
-        if let Some(exhausted) = self.reader.get_ref().exhausted(&self.place()) {
-            return exhausted;
-        }
         let (what, rule) = match error {
             Error::Io(_) => ("the entry", "one that unpacks to the end"),
             Error::Encoding(_) => ("the text", "UTF-8"),

@@ -185,3 +185,52 @@ fn the_iss_turns_as_in_jeod() {
         }
     }
 }
+
+#[test]
+fn more_pulses_than_steps_are_refused_before_the_first() {
+    let dense = Schedule::pulses(0.0, 1e-20, 2e-20, None).unwrap();
+    let few = Schedule::pulses(0.0, 0.1, 0.3, None).unwrap();
+    let wheel = |schedule| {
+        let motor = Motor::Torque { inertia: 0.02, torque: 0.003, schedule: Some(schedule) };
+        Wheel::new(Direction::new(0.0, 0.6, 0.8), 0.4, motor).unwrap()
+    };
+    let plain = free_body(MOMENTS);
+    let wheeled = |schedule| plain.clone().with_wheels(&[wheel(schedule)]).unwrap();
+    for (rotor, schedules, want) in [
+        (plain.clone(), vec![few, dense], Some(Some(1))),
+        (wheeled(dense), vec![few], Some(None)),
+        (wheeled(few), vec![few], None),
+    ] {
+        let torques: Vec<_> = schedules.into_iter().map(at_times).collect();
+        let (start, times) = (start([0.3, -0.2, 0.9]), [0.5, 3.0]);
+        let simulation = |switched_off| Simulation {
+            rotor: &rotor,
+            torques: &torques,
+            switched_off,
+            start,
+            events: &[],
+            times: &times,
+            method: Method::Auto,
+            tolerance: 1e-13,
+        };
+        let found = |error: MotionError| match error {
+            MotionError::TooManyPulses { torque, count, most: 100_000_000 } if count > 1e20 => torque,
+            other => panic!("{other}"),
+        };
+        let all = simulation(&[]);
+        assert_eq!(all.run(&mut |_| {}).err().map(found), want);
+        assert_eq!(all.states().err().map(found), want);
+        // One that stays off has none.
+        let off = if want == Some(Some(1)) { None } else { want };
+        assert_eq!(simulation(&[1]).run(&mut |_| {}).err().map(found), off);
+        let member = Member { rotor: rotor.clone(), torques: torques.clone(), start };
+        let ensemble = Ensemble::new(vec![member.clone(), member]).unwrap();
+        for advance in [Advance::Taylor { tolerance: 1e-13 }, Advance::RungeKutta4 { step: 0.01 }] {
+            let flights = ensemble.at(&times, advance, std::num::NonZero::<usize>::MIN).unwrap();
+            assert_eq!(flights.failures.len(), if want.is_some() { 2 } else { 0 });
+            for failure in flights.failures {
+                assert_eq!(Some(found(failure.cause)), want);
+            }
+        }
+    }
+}

@@ -13,6 +13,7 @@ use crate::motion::error::MotionError;
 use crate::motion::propagate::bound::MOST_STEPS;
 use crate::motion::propagate::{ROUNDING, THIN};
 use crate::motion::rotor::Rotor;
+use crate::motion::simulation::require_few_pulses;
 use crate::motion::state::State;
 use crate::motion::torque::TorqueModel;
 
@@ -44,6 +45,10 @@ impl<'a> Alone<'a> {
         let members = share.members;
         let member = &members[k];
         let start = member.start;
+        let span = [start.time, times.last().copied().unwrap_or(start.time)];
+        if let Err(cause) = require_few_pulses(&member.rotor, &member.torques, &|_| false, span) {
+            return share.fail(k, 0, start, cause);
+        }
         let Begin { mut omega, mut q } = Begin::of(member);
         let (mut time, mut last, mut steps) = (start.time, start, 0);
         for (n, &wanted) in times.iter().enumerate() {

@@ -4,7 +4,7 @@ use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use polhode::{Ending, Scenario, Trajectory};
+use polhode::{Ending, ErrorEffort, Scenario, Trajectory};
 use polhode_formats::scenario;
 use polhode_report::{MotionFigures, MotionReport, SourceInfo, pretty};
 
@@ -44,6 +44,10 @@ pub(crate) struct Simulate {
     /// Leave out report.html.
     #[arg(long)]
     no_page: bool,
+    /// Estimate the error thoroughly however long that takes, twelve times as long as the motion: without it, motions of more than
+    /// some 10,000 steps and samples have a cheap estimate.
+    #[arg(long)]
+    error: bool,
     /// Print the summary as JSON.
     #[arg(long)]
     json: bool,
@@ -91,7 +95,8 @@ impl Simulate {
         let path = shown(&self.file);
         let end = scenario.run.as_ref().and_then(|run| run.times.last().copied()).unwrap_or_default();
         let mut progress = Progress::new(end);
-        match scenario.simulate_watched(&mut |time| progress.reached(time)) {
+        let effort = if self.error { ErrorEffort::Thorough } else { ErrorEffort::Auto };
+        match scenario.simulate_with_error(effort, &mut |time| progress.reached(time)) {
             Some(motion) => motion.map_err(|error| match scenario::placed(text, &self.file, &error) {
                 Some(placed) => placed.into(),
                 None => Failure::Motion { path, error },

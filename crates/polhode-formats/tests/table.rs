@@ -44,7 +44,9 @@ fn trajectories() -> [(Trajectory, Vec<Wheel>); 3] {
 /// The bits of every number, row by row.
 fn bits(trajectory: &Trajectory, wheels: &[Wheel]) -> Vec<Vec<u64>> {
     let columns = columns(trajectory, wheels);
-    trajectory.samples().iter().map(|s| columns.iter().map(|c| c.value(s).to_bits()).collect()).collect()
+    (0..trajectory.samples().len())
+        .map(|row| columns.iter().map(|c| c.value(trajectory, row).to_bits()).collect())
+        .collect()
 }
 
 #[test]

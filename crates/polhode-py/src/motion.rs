@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use numpy::{PyArray1, PyArray2, PyReadonlyArray1};
-use polhode::{Ending, Method, Run, Sample, Scenario, Trajectory};
+use polhode::{Ending, ErrorEffort, Method, Run, Sample, Scenario, StateError, Trajectory};
 use polhode_formats::scenario;
 use polhode_report::{
     MotionReport, PageInput, PageSubject, SourceInfo, VERSION, explain_motion, page_data, page_of,
@@ -41,7 +41,13 @@ pub(crate) fn simulate(
     path: PathBuf,
     text: Option<String>,
     times: Option<PyReadonlyArray1<'_, f64>>,
+    error: &str,
 ) -> PyResult<PyMotion> {
+    let effort = match error {
+        "thorough" => ErrorEffort::Thorough,
+        "cheap" => ErrorEffort::Cheap,
+        _ => ErrorEffort::Auto,
+    };
     let (mut scenario, text) = match text {
         None => py.detach(|| scenario::read_with_text(&path)).map_err(Raise::raise)?,
         Some(text) => (py.detach(|| scenario::parse(&text, &path)).map_err(Raise::raise)?, text),
@@ -54,7 +60,7 @@ pub(crate) fn simulate(
         }
     };
     scenario.run = run;
-    let Some(motion) = watched(py, |look| scenario.simulate_watched(look))? else {
+    let Some(motion) = watched(py, |look| scenario.simulate_with_error(effort, look))? else {
         return Err(refused(
             format!("{} has no [run] section, so there is no time to simulate", path.display()),
             Some("give times, or write [run] with duration = \"10 s\" and samples = 1001"),
@@ -123,6 +129,17 @@ impl PyMotion {
                 (event.name.clone(), state.time, event.rising, omega, attitude)
             })
             .collect()
+    }
+
+    /// Of the computation and of the last bit of the inputs: the attitude's, rad, and ω's, relative. `None` of a prescribed motion.
+    #[getter]
+    fn error<'py>(&self, py: Python<'py>) -> Option<[[Bound<'py, PyArray1<f64>>; 2]; 2]> {
+        let estimate = self.trajectory.error()?;
+        Some([estimate.computation(), estimate.inputs()].map(|errors| {
+            let column =
+                |value: fn(&StateError) -> f64| PyArray1::from_vec(py, errors.iter().map(value).collect());
+            [column(|e| e.attitude), column(|e| e.omega)]
+        }))
     }
 
     /// `complete`, `stopped` or `failed`, the event that stopped it or the cause of failure, and when (s).

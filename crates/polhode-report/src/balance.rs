@@ -32,8 +32,17 @@ pub(crate) struct Balance {
     pub(crate) values: Vec<f64>,
 }
 
-/// The balances that a motion keeps, and that say something of how it was computed; none of a prescribed one.
+/// The balances that a motion keeps, and that say something of how it was computed; with the estimated error of the attitude, if
+/// there is one. None of a prescribed motion.
 pub(crate) fn balances(trajectory: &Trajectory, driven: Driven) -> Vec<Balance> {
+    let error = trajectory.error().map(|error| Balance {
+        name: "attitude error, rad (estimate)",
+        values: error.computation().iter().map(|e| e.attitude).collect(),
+    });
+    kept(trajectory, driven).into_iter().chain(error).collect()
+}
+
+fn kept(trajectory: &Trajectory, driven: Driven) -> Vec<Balance> {
     let Some(drift) = Drift::along(trajectory) else { return Vec::new() };
     let one = |name: &'static str, value: fn(&Drift) -> f64| Balance {
         name,

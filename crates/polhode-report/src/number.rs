@@ -68,6 +68,21 @@ pub(crate) fn vector(values: [f64; 3], digits: usize) -> String {
     format!("({x}, {y}, {z})")
 }
 
+/// A number with an error: no digit beyond the first that the error changes, at most `digits`; 0 where the error is larger.
+pub(crate) fn within(x: f64, error: f64, digits: usize) -> String {
+    if !(error > 0.0) || x == 0.0 || !x.is_finite() {
+        return number(x, digits);
+    }
+    let spare = (x.abs() / error).log10().floor();
+    if spare < 0.0 { "0".to_owned() } else { number(x, digits.min(spare as usize + 1)) }
+}
+
+/// `(x, y, z)`, each with the same error.
+pub(crate) fn vector_within(values: [f64; 3], error: f64, digits: usize) -> String {
+    let [x, y, z] = values.map(|x| within(x, error, digits));
+    format!("({x}, {y}, {z})")
+}
+
 /// A whole number with a comma between thousands.
 pub(crate) fn count(n: u64) -> String {
     let digits = n.to_string();

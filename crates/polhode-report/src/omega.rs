@@ -2,14 +2,19 @@
 
 use polhode::{AngularVelocity, Body};
 
-use crate::number::{tidy, vector};
-use crate::unit::{DIGITS, rate};
+use crate::number::{tidy, vector_within};
+use crate::unit::{DIGITS, rate_within};
 
 /// `ω = (0.01, 1, 0.01) rad/s in body axes, |ω| = 1.0001 rad/s (57.3015 deg/s)`
 pub(crate) fn in_words(omega: AngularVelocity<Body>) -> String {
+    in_words_within(omega, 0.0)
+}
+
+/// The same with the digits that an error (rad/s) leaves.
+pub(crate) fn in_words_within(omega: AngularVelocity<Body>, error: f64) -> String {
     if omega.norm() == 0.0 {
         return "at rest: ω = 0".to_owned();
     }
-    let shown = vector(tidy(omega.to_array()), DIGITS);
-    format!("ω = {shown} rad/s in body axes, |ω|\u{a0}=\u{a0}{}", rate(omega.norm()))
+    let shown = vector_within(tidy(omega.to_array()), error, DIGITS);
+    format!("ω = {shown} rad/s in body axes, |ω|\u{a0}=\u{a0}{}", rate_within(omega.norm(), error))
 }

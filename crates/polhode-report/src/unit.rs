@@ -1,6 +1,6 @@
 //! Units for people: the size that fits, from SI.
 
-use crate::number::{alike, number};
+use crate::number::{alike, number, within};
 
 /// A unit and how many SI units it is.
 #[derive(Clone, Copy, Debug)]
@@ -102,7 +102,13 @@ pub(crate) const CLOSED: f64 = 1e-13;
 
 /// `3 rad/s (171.887 deg/s)`
 pub(crate) fn rate(rad_per_s: f64) -> String {
-    format!("{} rad/s ({} deg/s)", number(rad_per_s, DIGITS), number(rad_per_s.to_degrees(), 6))
+    rate_within(rad_per_s, 0.0)
+}
+
+/// The same with the digits that an error (rad/s) leaves.
+pub(crate) fn rate_within(rad_per_s: f64, error: f64) -> String {
+    let degrees = within(rad_per_s.to_degrees(), error.to_degrees(), 6);
+    format!("{} rad/s ({degrees} deg/s)", within(rad_per_s, error, DIGITS))
 }
 
 fn one(units: &[Unit], si: f64) -> String {

@@ -108,6 +108,7 @@ pub use motion::ensemble::{Advance, Ensemble, Failure, Flights, Member};
 pub use motion::error::MotionError;
 pub use motion::event::{Crossing, Event, EventAction, Measure, Sense};
 pub use motion::free::{FreeMotion, FreeMotions, PermanentAxis, Regime};
+pub use motion::global_error::{ErrorEffort, GlobalError, StateError};
 pub use motion::heavy_top::{HeavyTop, SteadyPrecession, TopPath};
 pub use motion::inverse::{ParticleForce, Required};
 pub use motion::kinematics::{

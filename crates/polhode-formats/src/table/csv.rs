@@ -15,8 +15,8 @@ pub fn write(trajectory: &Trajectory, wheels: &[Wheel], out: impl Write) -> io::
     let mut out = BufWriter::new(out);
     let columns = columns(trajectory, wheels);
     separated(&mut out, &columns, |out, column| write!(out, "{}", column.name))?;
-    for sample in trajectory.samples() {
-        separated(&mut out, &columns, |out, column| write!(out, "{:?}", column.value(sample)))?;
+    for row in 0..trajectory.samples().len() {
+        separated(&mut out, &columns, |out, column| write!(out, "{:?}", column.value(trajectory, row)))?;
     }
     out.flush()
 }

@@ -10,7 +10,7 @@ pub mod required;
 
 use std::borrow::Cow;
 
-use polhode::{Sample, Trajectory, Wheel};
+use polhode::{Sample, StateError, Trajectory, Wheel};
 
 /// One column of the trajectory table.
 #[derive(Clone, Debug)]
@@ -28,24 +28,29 @@ pub struct Column {
 #[derive(Clone, Copy, Debug)]
 enum Source {
     Sample(fn(&Sample) -> f64),
+    Error(fn(&StateError) -> f64),
     WheelMomentum(Wheel),
     WheelSpeed(Wheel),
 }
 
 impl Column {
-    /// The number of this column in the row of `sample`.
-    pub fn value(&self, sample: &Sample) -> f64 {
+    /// The number of this column for a sample of the trajectory, from 0.
+    pub fn value(&self, trajectory: &Trajectory, row: usize) -> f64 {
+        let Some(sample) = trajectory.samples().get(row) else { return f64::NAN };
         let state = &sample.state;
         match self.source {
             Source::Sample(value) => value(sample),
+            Source::Error(value) => {
+                trajectory.error().and_then(|error| error.computation().get(row)).map_or(f64::NAN, value)
+            }
             Source::WheelMomentum(wheel) => wheel.momentum_at(state.time),
             Source::WheelSpeed(wheel) => wheel.speed_at(state.time, state.omega).unwrap_or(f64::NAN),
         }
     }
 }
 
-/// The columns of a trajectory, in order: after those of every motion the potential energy where every torque has a potential, then
-/// what each of the body's wheels does, numbered from 1; of one whose speed is held only its momentum, for its inertia is not known.
+/// The columns of a trajectory, in order: after those of every motion the potential energy where every torque has a potential, the
+/// estimates of the error where there are any, then what each of the body's wheels does, numbered from 1; of one whose speed is held only its momentum, for its inertia is not known.
 pub fn columns(trajectory: &Trajectory, wheels: &[Wheel]) -> Vec<Column> {
     let has_potential = trajectory.samples().first().is_some_and(|s| s.potential_energy.is_some());
     let mut columns = Vec::from(COLUMNS);
@@ -53,6 +58,9 @@ pub fn columns(trajectory: &Trajectory, wheels: &[Wheel]) -> Vec<Column> {
         columns.push(column("potential_energy_j", "J", "potential energy of the torques", |s| {
             s.potential_energy.unwrap_or(f64::NAN)
         }));
+    }
+    if trajectory.error().is_some() {
+        columns.extend(ERRORS);
     }
     let zero = polhode::AngularVelocity::ZERO;
     for (k, wheel) in wheels.iter().enumerate() {
@@ -97,6 +105,11 @@ const COLUMNS: [Column; 18] = [
     column("kinetic_energy_j", "J", "rotational kinetic energy", |s| s.kinetic_energy),
 ];
 
+const ERRORS: [Column; 2] = [
+    error("attitude_error_rad", "rad", "estimated error of the attitude, an angle", |e| e.attitude),
+    error("omega_error", "1", "estimated error of omega, relative to |omega|", |e| e.omega),
+];
+
 const ATTITUDE: &str = "R_space_body as a unit quaternion, Hamilton, scalar first";
 const OMEGA_BODY: &str = "angular velocity relative to space, along body axes";
 const OMEGA_SPACE: &str = "angular velocity relative to space, along space axes";
@@ -112,4 +125,13 @@ const fn column(
     value: fn(&Sample) -> f64,
 ) -> Column {
     Column { name: Cow::Borrowed(name), unit, description, source: Source::Sample(value) }
+}
+
+const fn error(
+    name: &'static str,
+    unit: &'static str,
+    description: &'static str,
+    value: fn(&StateError) -> f64,
+) -> Column {
+    Column { name: Cow::Borrowed(name), unit, description, source: Source::Error(value) }
 }

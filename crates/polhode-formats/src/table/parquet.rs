@@ -65,12 +65,11 @@ fn encode(
     metadata: &[(String, String)],
     out: impl Write + Send,
 ) -> Result<(), ParquetError> {
-    let (columns, samples) = (columns(trajectory, wheels), trajectory.samples());
+    let (columns, rows) = (columns(trajectory, wheels), trajectory.samples().len());
     let heads: Vec<Head<'_>> = columns.iter().map(|c| [&*c.name, c.unit, c.description]).collect();
-    let values = |column: usize, rows: Range<usize>| {
-        samples[rows].iter().map(|sample| columns[column].value(sample)).collect()
-    };
-    encode_columns("trajectory", &heads, samples.len(), values, metadata, out)
+    let values =
+        |column: usize, rows: Range<usize>| rows.map(|row| columns[column].value(trajectory, row)).collect();
+    encode_columns("trajectory", &heads, rows, values, metadata, out)
 }
 
 fn encode_columns(

@@ -22,7 +22,7 @@ from ._error import PolhodeError, PolhodeWarning
 from ._free_motion import FreeMotion, States
 from ._inertia import inertia
 from ._mass_properties import Finding, MassProperties, particles
-from ._motion import Ending, Event, Motion, simulate
+from ._motion import Ending, Event, Motion, MotionError, simulate
 from ._native import VERSION as __version__
 
 __all__ = [
@@ -38,6 +38,7 @@ __all__ = [
     "MassProperties",
     "ModelFinding",
     "Motion",
+    "MotionError",
     "PolhodeError",
     "PolhodeWarning",
     "States",

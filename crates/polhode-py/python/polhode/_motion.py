@@ -12,7 +12,7 @@ import numpy.typing as npt
 
 from . import _arrays, _html, _native
 from ._arrays import Floats
-from ._error import PolhodeWarning
+from ._error import PolhodeError, PolhodeWarning
 from ._free_motion import rotations
 from ._mass_properties import Finding, findings_of, warn_of
 
@@ -44,6 +44,19 @@ class Ending(NamedTuple):
     cause: str | None
     #: When, s.
     time: float | None
+
+
+class MotionError(NamedTuple):
+    """How far each state may be from the true one: arrays (n,), estimates."""
+
+    #: Of the computation: the angle between the attitudes, rad. It grows along the way.
+    attitude: Floats
+    #: Of the computation: |δω| / |ω|.
+    omega: Floats
+    #: What half a unit in the last place of the moments and the start is worth: the angle between the attitudes, rad.
+    inputs_attitude: Floats
+    #: The same of ω, relative.
+    inputs_omega: Floats
 
 
 class Motion:
@@ -105,6 +118,11 @@ class Motion:
         """What happened, in the order of time."""
         return list(self._events)
 
+    @property
+    def error(self) -> MotionError | None:
+        """Estimates of its error at each time; ``None`` of a prescribed motion."""
+        return None if self._error is None else MotionError(*(errors.copy() for errors in self._error))
+
     @cached_property
     def ending(self) -> Ending:
         """How it ended."""
@@ -140,6 +158,10 @@ class Motion:
         table["kinetic_energy_j"] = self.kinetic_energy
         if potential is not None:
             table["potential_energy_j"] = potential
+        error = self.error
+        if error is not None:
+            table["attitude_error_rad"] = error.attitude
+            table["omega_error"] = error.omega
         return table
 
     def rotations(self) -> Rotation:
@@ -168,6 +190,11 @@ class Motion:
     @cached_property
     def _potential_energy(self) -> Floats | None:
         return self._native.potential_energy
+
+    @cached_property
+    def _error(self) -> MotionError | None:
+        estimate = self._native.error
+        return None if estimate is None else MotionError(*estimate[0], *estimate[1])
 
     @cached_property
     def _events(self) -> tuple[Event, ...]:
@@ -213,13 +240,16 @@ class Motion:
 _VALUES = tuple(name for name, value in vars(Motion).items() if isinstance(value, cached_property))
 
 
-def simulate(scenario: str | os.PathLike[str], *, times: npt.ArrayLike | None = None) -> Motion:
+def simulate(scenario: str | os.PathLike[str], *, times: npt.ArrayLike | None = None, error: str = "auto") -> Motion:
     """Computes the motion of a scenario: of a file, or of its text.
 
     A ``str`` of more than one line is a text; the files that it names are found from the current folder. ``times`` (n,), ascending, s,
     take the place of the times of its ``[run]``. A motion that cannot be computed to its end is returned as far as it is good, with a
     :class:`PolhodeWarning`; what had to be assumed, and a ``[sweep]``, which is not simulated, are warned of too. Ctrl-C ends the
     computation.
+
+    ``error`` says how much work :attr:`Motion.error` is worth: ``"thorough"`` takes twelve times as long as the motion, ``"cheap"`` as
+    long as the motion, ``"auto"`` is thorough where that takes a moment.
 
     >>> import polhode
     >>> motion = polhode.simulate('''
@@ -244,8 +274,10 @@ def simulate(scenario: str | os.PathLike[str], *, times: npt.ArrayLike | None = 
         path, text = "scenario.toml", scenario
     else:
         path, text = _arrays.path("scenario", scenario), None
+    if error not in ("auto", "cheap", "thorough"):
+        raise PolhodeError(f'error = {error!r} must be "auto", "cheap" or "thorough"')
     sampled = None if times is None else _arrays.numbers("times", times, ("n",))
-    motion = Motion(_native.simulate(path, text, sampled))
+    motion = Motion(_native.simulate(path, text, sampled, error))
     warn_of(motion.findings)
     for finding in motion.findings:
         if finding.code == "sweep.nominal":

@@ -1,6 +1,6 @@
 //! Step 6: the attitude.
 
-use polhode::{Drift, FreeMotion, Regime, State, SymmetricTop, Symmetry};
+use polhode::{Drift, FreeMotion, Regime, State, SymmetricTop, Symmetry, Trajectory};
 
 use super::document::Section;
 use super::working::{Working, n, v};
@@ -81,5 +81,13 @@ fn evidence(w: &Working<'_>, s: &mut Section) {
         if let Some(total) = drift.total_energy {
             s.line(format!("T + U constant to {}", error(total)));
         }
+    }
+    if let Some(estimate) = w.trajectory.as_deref().and_then(Trajectory::error) {
+        let end = estimate.end();
+        s.line(format!(
+            "estimated error at the end: attitude {} rad, ω {} of itself",
+            error(end.attitude),
+            error(end.omega)
+        ));
     }
 }

@@ -3,9 +3,9 @@
 use std::borrow::Cow;
 
 use polhode::{
-    AngularAcceleration, Body, Ending, MassProperties, MotionError, MovingParticle, Particle, Pendulum,
-    Position, Required, Rotor, Sample, Scenario, Space, State, Torque, TorqueModel, Trajectory, Velocity,
-    rigid_velocity,
+    AngularAcceleration, Body, Ending, ErrorEffort, MassProperties, MotionError, MovingParticle, Particle,
+    Pendulum, Position, Required, Rotor, Sample, Scenario, Space, State, Torque, TorqueModel, Trajectory,
+    Velocity, rigid_velocity,
 };
 
 use crate::number::{alike, number, tidy_beside};
@@ -28,7 +28,7 @@ pub(super) struct Working<'a> {
 
 impl<'a> Working<'a> {
     pub(super) fn of(scenario: &'a Scenario) -> Result<Self, MotionError> {
-        let trajectory = match scenario.simulate() {
+        let trajectory = match scenario.simulate_with_error(ErrorEffort::Auto, &mut |_| {}) {
             // A point has no rotation to compute; all else about it can be told.
             None | Some(Err(MotionError::NotSpinnable)) => None,
             Some(result) => Some(Cow::Owned(result?)),

@@ -12,7 +12,7 @@ use crate::block::{self, Geometry};
 use crate::json::{numbers, vector};
 use crate::periods::Periods;
 use crate::torque::Description;
-use crate::{VERSION, event, finding, heavy_top, symmetric_top};
+use crate::{VERSION, event, finding, global_error, heavy_top, symmetric_top};
 
 pub(super) fn of(report: &MotionReport<'_>) -> Value {
     let (scenario, samples) = (report.scenario, report.trajectory.samples());
@@ -32,6 +32,7 @@ pub(super) fn of(report: &MotionReport<'_>) -> Value {
     put("motion", motion(&facts));
     put("energy", energy(samples));
     put("drift", facts.drift.map_or(Value::Null, |drift| drift_json(&drift, facts.is_free)));
+    put("error", global_error::to_json(report.trajectory));
     put("required", facts.needed.as_ref().map_or(Value::Null, needed));
     put("pendulum", facts.hanging.as_ref().map_or(Value::Null, pendulum));
     put("heavy_top", heavy_top::of(scenario, facts.start).as_ref().map_or(Value::Null, heavy_top::to_json));
@@ -39,7 +40,7 @@ pub(super) fn of(report: &MotionReport<'_>) -> Value {
     put("torques", torques(scenario));
     put("wheels", wheels(report));
     put("events", event::json(report.trajectory, scenario));
-    put("findings", finding::to_json(&scenario.findings));
+    put("findings", finding::to_json(&global_error::findings(scenario, report.trajectory)));
     Value::Object(object)
 }
 

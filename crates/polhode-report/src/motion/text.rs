@@ -5,11 +5,11 @@ use polhode::{FreeRegime, Method, Pendulum, Sample, Scenario, Solution, State, S
 use super::MotionReport;
 use super::facts::{Facts, Needed, Top};
 use crate::layout::{WIDTH, broken, columns, labelled, plain_spaces, printable};
-use crate::number::{count, error, number, tidy, ungrouped, vector};
+use crate::number::{count, error, number, tidy, ungrouped, vector, within};
 use crate::sparkline::Sparkline;
 use crate::torque::{Description, off_at_start};
 use crate::unit::{self, CLOSED, DIGITS, cone, rate};
-use crate::{event, finding, heavy_top, intermediate, omega};
+use crate::{event, finding, global_error, heavy_top, intermediate, omega};
 
 /// Forces on more particles than this fill the screen: JSON has them all.
 const MOST_PARTICLES: usize = 8;
@@ -37,6 +37,7 @@ pub(super) fn write(report: &MotionReport<'_>, picture: usize) -> String {
     text.push_str(&what_acts(report.scenario));
     text.push_str(&event::table(report.trajectory, report.scenario));
     text.push_str(&evidence(report, &facts));
+    text.push_str(&global_error::to_text(report.trajectory));
     text.push_str(&curve(&facts, samples, picture));
     text.push_str(&ends(report, &facts));
     if let Solution::Integrated { method, tolerance, statistics } = report.trajectory.solution() {
@@ -55,7 +56,7 @@ pub(super) fn write(report: &MotionReport<'_>, picture: usize) -> String {
         );
         text.push_str(&labelled("steps", &line));
     }
-    text.push_str(&finding::to_text(&report.scenario.findings));
+    text.push_str(&finding::to_text(&global_error::findings(report.scenario, report.trajectory)));
     plain_spaces(&text)
 }
 
@@ -261,10 +262,15 @@ fn ends(report: &MotionReport<'_>, facts: &Facts) -> String {
     );
     text.push_str(&labelled("", &line));
     if samples.len() > 1 {
-        text.push_str(&labelled("end", &omega::in_words(last.state.omega)));
-        let q = last.state.attitude.canonical_quaternion().map(|x| number(x, 6)).join(", ");
+        let error = global_error::of_omega(report.trajectory);
+        text.push_str(&labelled("end", &omega::in_words_within(last.state.omega, error)));
+        // An angle δ changes the components of a quaternion by δ/2 at most.
+        let error = 0.5 * global_error::of_attitude(report.trajectory);
+        let q = last.state.attitude.canonical_quaternion().map(|x| within(x, error, 6)).join(", ");
         text.push_str(&labelled("", &format!("attitude w, x, y, z = {q}")));
         if !facts.is_free {
+            // T goes with the square of ω.
+            let omega_error = report.trajectory.error().map_or(0.0, |estimate| estimate.end().omega);
             let potential = match (first.potential_energy, last.potential_energy) {
                 (Some(u0), Some(u)) => format!(", U {} → {} J", number(u0, 6), number(u, 6)),
                 _ => String::new(),
@@ -272,7 +278,7 @@ fn ends(report: &MotionReport<'_>, facts: &Facts) -> String {
             let line = format!(
                 "T {} → {} J{potential}, work done {} J",
                 number(first.kinetic_energy, 6),
-                number(last.kinetic_energy, 6),
+                within(last.kinetic_energy, 2.0 * last.kinetic_energy * omega_error, 6),
                 number(last.work, 6)
             );
             text.push_str(&labelled("energy", &line));

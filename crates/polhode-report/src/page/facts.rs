@@ -291,6 +291,15 @@ fn evidence(input: &PageInput<'_>, is_free: bool) -> Vec<Row> {
         vec![row("T − work", drift.work_energy), row("L − impulse", drift.momentum)]
     };
     rows.extend(drift.total_energy.map(|total| row("T + U stays to", total)));
+    if let Some(estimate) = input.trajectory.error() {
+        let [end, inputs] = [estimate.end(), estimate.inputs_end()];
+        rows.push(Row::new("attitude is right to", error(end.attitude), "rad").note("estimate, at the end"));
+        rows.push(Row::new("ω is right to", error(end.omega), "").note("of itself, at the end"));
+        rows.push(
+            Row::new("last bit of the inputs", error(inputs.attitude), "rad")
+                .note("turns the attitude at the end"),
+        );
+    }
     if let Solution::Integrated { tolerance, statistics, .. } = input.trajectory.solution() {
         rows.extend(tolerance.map(|tolerance| Row::new("tolerance", error(tolerance), "").note("of a step")));
         rows.push(Row::new("steps", count(statistics.accepted), ""));

@@ -2,6 +2,7 @@
 
 use super::error::MotionError;
 use super::free::FreeMotion;
+use super::global_error::StateError;
 use super::heavy_top::HeavyTop;
 use super::rotor::Rotor;
 use super::state::State;
@@ -62,6 +63,19 @@ impl ClosedForm {
             Self::Free(motion) => motion.at(time),
             Self::HeavyTop(motion) => motion.at(time),
             Self::Swinging(motion) => motion.at(time),
+        }
+    }
+
+    /// The error of the formulas so long after the start: measured, see `book/accuracy.md`.
+    pub(crate) fn formula_error(&self, after: f64) -> StateError {
+        let start = self.start();
+        let turns = after.abs() * start.omega.norm() / core::f64::consts::TAU;
+        match self {
+            // 1e-31 rad for every turn beside what rounding a state takes
+            Self::Free(_) => StateError { attitude: 8e-16 + 1e-31 * turns, omega: 5e-16 + 1e-31 * turns },
+            Self::HeavyTop(_) | Self::Swinging(_) => {
+                StateError { attitude: 2e-15 + 1e-16 * turns, omega: 2e-15 + 1e-16 * turns }
+            }
         }
     }
 

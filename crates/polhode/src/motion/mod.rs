@@ -1,7 +1,7 @@
 //! Motion: states in time, and what moves them. This room reads and writes no files.
 //!
 //! `state` and `rotor` say what turns; `euler` how; `torque` what turns it; `free` has the closed forms; `propagate`
-//! integrates everything else; `event` and `watch` look out on the way; `trajectory` puts these together; `inverse` goes from motion
+//! integrates everything else; `event` and `watch` look out on the way; `global_error` says how right it is; `trajectory` puts these together; `inverse` goes from motion
 //! to torque.
 
 pub(crate) mod closed_form;
@@ -12,6 +12,7 @@ pub(crate) mod error;
 pub(crate) mod euler;
 pub(crate) mod event;
 pub(crate) mod free;
+pub(crate) mod global_error;
 pub(crate) mod heavy_top;
 pub(crate) mod inverse;
 pub(crate) mod kinematics;

@@ -2,6 +2,7 @@
 
 use super::error::MotionError;
 use super::event::Event;
+use super::global_error::ErrorEffort;
 use super::pendulum::Pendulum;
 use super::prescribed::Prescribed;
 use super::rotor::Rotor;
@@ -156,14 +157,26 @@ impl Scenario {
     /// # Errors
     /// [`MotionError`] as [`Simulation::run`].
     pub fn simulate(&self) -> Option<Result<Trajectory, MotionError>> {
-        self.simulate_watched(&mut |_| {})
+        self.trajectory(|simulation| simulation.run(&mut |_| {}))
     }
 
-    /// [`Scenario::simulate`], telling `progress` the time (s) that an integration has reached after each step.
+    /// [`Scenario::simulate`] with the estimate of its error, telling `progress` the time (s) that an integration has reached after
+    /// each step.
     ///
     /// # Errors
     /// [`MotionError`] as [`Simulation::run`].
-    pub fn simulate_watched(&self, progress: &mut dyn FnMut(f64)) -> Option<Result<Trajectory, MotionError>> {
+    pub fn simulate_with_error(
+        &self,
+        effort: ErrorEffort,
+        progress: &mut dyn FnMut(f64),
+    ) -> Option<Result<Trajectory, MotionError>> {
+        self.trajectory(|simulation| simulation.run_with_error(effort, progress))
+    }
+
+    fn trajectory(
+        &self,
+        run_by: impl FnOnce(&Simulation<'_>) -> Result<Trajectory, MotionError>,
+    ) -> Option<Result<Trajectory, MotionError>> {
         let run = self.run.as_ref()?;
         let rotor = match self.carrier().with_wheels(&self.wheels) {
             Ok(rotor) => rotor,
@@ -172,7 +185,7 @@ impl Scenario {
         if let Some(motion) = &self.prescribed {
             return Some(Trajectory::prescribed(&rotor, motion, &run.times));
         }
-        let simulation = Simulation {
+        Some(run_by(&Simulation {
             rotor: &rotor,
             torques: &self.torques,
             switched_off: &self.switched_off,
@@ -181,8 +194,7 @@ impl Scenario {
             times: &run.times,
             method: run.method,
             tolerance: run.tolerance,
-        };
-        Some(simulation.run(progress))
+        }))
     }
 
     /// The pendulum that hangs from the scenario's axis under its gravity; `None` without an axis or without gravity.

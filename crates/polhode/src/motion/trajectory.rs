@@ -5,6 +5,7 @@ use super::ending::{Ending, MethodReason};
 use super::error::MotionError;
 use super::event::Crossing;
 use super::free::FreeMotion;
+use super::global_error::GlobalError;
 use super::prescribed::Prescribed;
 use super::propagate::splitting::SplittingOrder;
 use super::propagate::stepper::Balanced;
@@ -71,6 +72,7 @@ pub struct Trajectory {
     reason: MethodReason,
     events: Vec<Crossing>,
     ending: Ending,
+    error: Option<GlobalError>,
 }
 
 impl Trajectory {
@@ -153,6 +155,11 @@ impl Trajectory {
         &self.ending
     }
 
+    /// The estimate of its error, if it was asked for: [`Simulation::run_with_error`].
+    pub const fn error(&self) -> Option<&GlobalError> {
+        self.error.as_ref()
+    }
+
     /// A free motion at each of `times` (ascending, s; before its start too).
     ///
     /// # Errors
@@ -199,7 +206,13 @@ impl Trajectory {
             reason: MethodReason::Asked,
             events: Vec::new(),
             ending: Ending::Complete,
+            error: None,
         }
+    }
+
+    /// The estimate of its error comes with it.
+    pub(crate) fn with_error(self, error: Option<GlobalError>) -> Self {
+        Self { error, ..self }
     }
 
     /// Says why the method is what it is.

@@ -7,6 +7,7 @@
 pub(crate) mod bound;
 mod chart;
 mod dop853;
+pub(crate) mod noise;
 mod orientation;
 mod piece;
 mod runge_kutta;

@@ -4,6 +4,7 @@ use std::rc::Rc;
 
 use super::chart::{self, Chart, N, Y};
 use super::dop853::{self, Stages};
+use super::noise::Noise;
 use super::orientation::Orientation;
 use super::piece::Piece;
 use super::stepper::{Balanced, StepStatistics};
@@ -193,6 +194,18 @@ impl<'a> RungeKutta<'a> {
         self.chart = step.chart.clone();
         self.accept(&increment, time, &k_end);
         self.statistics.evaluations += 12;
+    }
+
+    /// Perturbs the end of the last step.
+    pub(super) fn perturb(&mut self, noise: &mut Noise) {
+        let Some(last) = &self.last else { return };
+        let (before, after) = (chart::omega(&last.y).to_array(), chart::omega(&self.y).to_array());
+        self.orientation.turn(Vector::from_array(noise.turn(self.time - last.start, before, after)));
+        self.chart.center = self.orientation.rotation();
+        for (y, more) in self.y[3..6].iter_mut().zip(noise.rate(before, after)) {
+            *y += more;
+        }
+        self.k0 = self.chart.derivative(self.time, &self.y);
     }
 
     /// Moves to the end of the step, and the chart with it.

@@ -3,6 +3,7 @@
 use std::rc::Rc;
 
 use super::bound::Bound;
+use super::noise::Noise;
 use super::piece::Piece;
 use super::runge_kutta::RungeKutta;
 use super::splitting::{Splitting, SplittingOrder};
@@ -66,6 +67,8 @@ pub(crate) struct Stepper<'a> {
     is_sprung: bool,
     rule: Rule,
     steps: Steps<'a>,
+    /// What a perturbed run adds to each step.
+    noise: Option<Noise>,
 }
 
 #[derive(Debug)]
@@ -104,7 +107,13 @@ impl<'a> Stepper<'a> {
             }
         };
         let from = start.time;
-        Ok(Self { rotor, torques, switched_on, until, bound, from, tolerance, is_sprung, rule, steps })
+        let noise = None;
+        Ok(Self { rotor, torques, switched_on, until, bound, from, tolerance, is_sprung, rule, steps, noise })
+    }
+
+    /// The same, perturbed after each step.
+    pub(crate) fn with_noise(self, noise: Noise) -> Self {
+        Self { noise: Some(noise), ..self }
     }
 
     /// Looks again at what acts now.
@@ -202,6 +211,13 @@ impl<'a> Stepper<'a> {
             Steps::Splitting(splitting) => splitting.step(until),
         };
         stepped.map_err(|cause| self.explained(cause))?;
+        if let Some(noise) = &mut self.noise {
+            match &mut self.steps {
+                Steps::Taylor(taylor) => taylor.perturb(noise),
+                Steps::Dop853(dop853) => dop853.perturb(noise),
+                Steps::Splitting(splitting) => splitting.perturb(noise),
+            }
+        }
         before.map_or(Ok(()), |before| require_untwisted(self.switched_on(), &before, &self.now().state))
     }
 

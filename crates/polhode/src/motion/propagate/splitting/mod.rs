@@ -19,6 +19,7 @@ mod scheme;
 use std::rc::Rc;
 
 use super::chart::{ROUNDING, THIN};
+use super::noise::Noise;
 use super::orientation::Orientation;
 use super::piece::Piece;
 use super::stepper::{Balanced, StepStatistics};
@@ -154,6 +155,21 @@ impl<'a> Splitting<'a> {
         self.statistics.accepted += 1;
         self.statistics.evaluations += self.scheme.stages.len() as u64;
         self.require_determined()
+    }
+
+    /// Perturbs the end of the last step.
+    pub(super) fn perturb(&mut self, noise: &mut Noise) {
+        let in_body = |head: &Head| head.orientation.rotation().inverse() * head.momentum();
+        let [before, after] = [&self.base, &self.head].map(in_body);
+        let [p, q] = [before, after].map(|l| self.flow.omega(l, self.spin).to_array());
+        let [x, y, z] = noise.turn(self.head.time - self.base.time, p, q);
+        let more = noise.rate(before.to_array(), after.to_array());
+        let more: AngularMomentum<Space> =
+            self.head.orientation.rotation() * AngularMomentum::from_array(more);
+        self.head.orientation.add([0.0, 0.5 * x, 0.5 * y, 0.5 * z]);
+        for (l, more) in self.head.momentum.iter_mut().zip(more.to_array()) {
+            l[0] += more;
+        }
     }
 
     /// One step of any length from a place.

@@ -3,7 +3,7 @@
 use std::rc::Rc;
 
 use super::base::Base;
-use super::row::smaller;
+use super::row::{Row, smaller};
 use super::sums::ByFours;
 use super::{Expansion, Increment};
 use crate::math::frame::{Body, Principal, Space};
@@ -12,6 +12,7 @@ use crate::math::rotation::Rotation;
 use crate::math::sum::two_sum;
 use crate::math::vector::{AngularMomentum, Vector};
 use crate::motion::error::MotionError;
+use crate::motion::propagate::noise::Noise;
 use crate::motion::propagate::piece::Piece;
 use crate::motion::propagate::stepper::{Balanced, StepStatistics};
 use crate::motion::state::State;
@@ -136,6 +137,18 @@ impl<'a> Taylor<'a> {
             }
             self.places[self.now] = head;
         }
+    }
+
+    /// Perturbs the end of the last step.
+    pub(in crate::motion::propagate) fn perturb(&mut self, noise: &mut Noise) {
+        let (base, head) = (self.base(), self.head());
+        let (before, after) = (base.omega().to_array(), head.omega().to_array());
+        let [x, y, z] = noise.turn(head.time - base.time, before, after);
+        let [p, q, r] = noise.rate(before, after);
+        // 1 + ½ δ is the turn by a small δ.
+        let turn = Row([0.0, 0.5 * x, 0.5 * y, 0.5 * z]);
+        let more = Increment { omega: Row([p, q, r, 0.0]), turn, impulse: [0.0; 3], work: 0.0 };
+        self.places[self.now] = head.plus(&more, head.time);
     }
 
     /// What the series are about.

@@ -1,0 +1,46 @@
+//! The estimated error of a motion, for people and for programs.
+
+use polhode::{Finding, GlobalError, Scenario, StateError, Trajectory};
+use serde_json::{Value, json};
+
+use crate::layout::labelled;
+use crate::number::error;
+
+/// What was noticed about the scenario, and about the error of its motion.
+pub(crate) fn findings(scenario: &Scenario, trajectory: &Trajectory) -> Vec<Finding> {
+    scenario.findings.iter().cloned().chain(trajectory.findings()).collect()
+}
+
+/// The error at the end, in a line; and what the last bit of the inputs is worth. Nothing without an estimate.
+pub(crate) fn to_text(trajectory: &Trajectory) -> String {
+    let Some(estimate) = trajectory.error() else { return String::new() };
+    let [computation, inputs] = [estimate.end(), estimate.inputs_end()].map(in_words);
+    labelled("error", &format!("{computation}, at the end (estimate)"))
+        + &labelled("", &format!("the last bit of the inputs is worth {inputs}"))
+}
+
+/// `attitude 2.3e-14 rad, ω 1.2e-14 of itself`
+fn in_words(StateError { attitude, omega }: StateError) -> String {
+    format!("attitude {} rad, ω {} of itself", error(attitude), error(omega))
+}
+
+/// `null` without an estimate, and in place of what is not known.
+pub(crate) fn to_json(trajectory: &Trajectory) -> Value {
+    let Some(estimate) = trajectory.error() else { return Value::Null };
+    let one = |e: StateError| json!({ "attitude_rad": e.attitude, "omega": e.omega.is_finite().then_some(e.omega) });
+    let mut object = one(estimate.end());
+    object["effort"] = if estimate.is_thorough() { "thorough" } else { "cheap" }.into();
+    object["inputs"] = one(estimate.inputs_end());
+    object
+}
+
+/// The error of the components of ω at the end, rad/s; zero without an estimate.
+pub(crate) fn of_omega(trajectory: &Trajectory) -> f64 {
+    let rate = trajectory.samples().last().map_or(0.0, |sample| sample.state.omega.norm());
+    trajectory.error().map_or(0.0, |estimate| estimate.end().omega * rate)
+}
+
+/// The error of the attitude at the end, rad; zero without an estimate.
+pub(crate) fn of_attitude(trajectory: &Trajectory) -> f64 {
+    trajectory.error().map_or(0.0, |estimate: &GlobalError| estimate.end().attitude)
+}

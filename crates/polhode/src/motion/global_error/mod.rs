@@ -1,0 +1,267 @@
+//! The global error of a computed motion: an estimate of how far its states are from the true ones.
+//!
+//! Balances of energy and momentum cannot see it: a motion that amplifies small errors keeps them and still goes astray. What carries
+//! errors along is the motion itself, so it is asked: the motion is computed again with a tighter tolerance and with every rounding made
+//! larger (of the body's numbers, of the start, and of each step), and the distance between the two is the estimate. It holds the
+//! truncation error of the steps as it is, and a sample of what rounding does, each error amplified from where it arises to the end
+//! by the full equations: with events, schedules and friction, far from linearity too.
+//!
+//! Rounding is amplified so much more in these runs than it is ([`noise`]) that a sample by chance small is still no smaller than the
+//! error; what is left is the chance that all samples of an effort are. [`ErrorEffort`] says what that costs.
+//!
+//! A closed form has no steps. Its error is that of its formulas, which are measured: `book/accuracy.md`.
+//!
+//! What the last bit of the inputs is worth is found in the same way, with the inputs alone made different: it is no error of the
+//! computation, but nobody knows a body better than that.
+//!
+//! # Sources
+//! Kenney, Laub, SIAM J. Sci. Comput. 15 (1994) 36 (condition from few random samples); Vignes, Math. Comput. Simul. 35 (1993) 233
+//! (rounding by random perturbation); Hairer, Nørsett, Wanner, Solving Ordinary Differential Equations I, II.4 (global error).
+
+mod finding;
+mod inputs;
+mod perturbed;
+
+use super::error::MotionError;
+use super::propagate::noise::Noise;
+use super::propagate::stepper::{LOOSEST_TOLERANCE, Rule, TIGHTEST_TOLERANCE};
+use super::sample::Sample;
+use super::simulation::Simulation;
+use super::solution::Solution;
+use super::trajectory::{Method, Trajectory};
+use inputs::Inputs;
+use perturbed::{Distance, Perturbed};
+
+/// How far a state may be from the true one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StateError {
+    /// The angle between the attitudes, rad; π, the largest that there is, where nothing is known.
+    pub attitude: f64,
+    /// |δω| / |ω|; infinite where nothing is known, or ω = 0 and δω is not.
+    pub omega: f64,
+}
+
+/// How much work an estimate is worth.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[non_exhaustive]
+pub enum ErrorEffort {
+    /// [`ErrorEffort::Thorough`] where that takes a few hundredths of a second at most, [`ErrorEffort::Cheap`] elsewhere.
+    #[default]
+    Auto,
+    /// One perturbed run with coarser steps: no more than the motion's own time. Where a motion has one direction in which errors grow, the
+    /// sample may by chance (4 in 100) be along another one, and the estimate too small.
+    Cheap,
+    /// Eight perturbed runs, and four from other inputs.
+    Thorough,
+}
+
+/// Estimates of the error of each sample of a trajectory.
+///
+/// The attitude's grow along the way: an angle that happens to be right between two times that are not is no merit.
+///
+/// # Accuracy
+/// Of the motions of `fixtures/motion_errors.toml`, all torque models, chaotic, damped and stiff ones among them, none has more than
+/// twice the error that is estimated, with either effort; the median ratio of estimate to error is in `book/accuracy.md`.
+///
+/// ```
+/// use polhode::*;
+/// // A satellite that tumbles in the gravity gradient is chaotic: an error grows five million times within 100 s.
+/// let body = MassProperties::new(1.0, Position::ZERO, InertiaTensor::diagonal([1.0, 2.0, 2.5])?)?;
+/// let rotor = Rotor::free(&body);
+/// let orbit = Orbit::circular_at_rate(1.0, 0.5, Direction::new(1.0, 0.0, 0.0), Direction::new(0.0, 1.0, 0.0))?;
+/// let torques = [TorqueModel::GravityGradient(Box::new(GravityGradient { orbit, attracted: Attracted::Tensor }))];
+/// let simulation = Simulation {
+///     rotor: &rotor,
+///     torques: &torques,
+///     switched_off: &[],
+///     start: State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.3, 0.5, 0.9) },
+///     events: &[],
+///     times: &[50.0, 100.0],
+///     method: Method::Auto,
+///     tolerance: 1e-13,
+/// };
+/// let motion = simulation.run(&mut |_| {})?;
+/// let error = simulation.global_error(&motion, ErrorEffort::Cheap).ok_or("it is computed")?;
+/// assert!(error.end().attitude > 1e-9);
+/// assert!(Drift::of(&motion).ok_or("it has samples")?.momentum < 1e-13); // which drift does not see
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct GlobalError {
+    is_thorough: bool,
+    computation: Vec<StateError>,
+    inputs: Vec<StateError>,
+}
+
+/// Amplitude of the rounding of a step in a perturbed run, in units of ε.
+const STEP_NOISE: f64 = 2.0;
+/// Of the constants that steps are made with, in units of half an ε.
+const CONSTANT_NOISE: f64 = 3.0;
+/// What rounding a state to doubles leaves, attitude in rad and ω relative.
+const ROUNDING: StateError = StateError { attitude: 5e-16, omega: 3e-16 };
+/// The last bit of the inputs, times: a power of two, so large that what steps do is nothing beside it …
+const INPUT_AMPLITUDES: [f64; 3] = [4096.0, 64.0, 1.0];
+/// … and so small that its effect stays linear: it is tried again with less beyond this angle, rad.
+const LINEAR: f64 = 0.05;
+/// Perturbed runs of a thorough estimate, with larger rounding and from other inputs.
+const RUNS: [u64; 2] = [8, 4];
+/// Up to so many steps and samples a thorough estimate is made without being asked for.
+const FEW: u64 = 10_000;
+
+impl GlobalError {
+    /// True if it was [`ErrorEffort::Thorough`].
+    pub const fn is_thorough(&self) -> bool {
+        self.is_thorough
+    }
+
+    /// Estimates of the error of the computation, at each sample.
+    pub fn computation(&self) -> &[StateError] {
+        &self.computation
+    }
+
+    /// What the last bit of the inputs (the body's moments, lever, ω and attitude at the start) is worth, at each sample: half a unit in
+    /// the last place of each, rounded either way at random.
+    pub fn inputs(&self) -> &[StateError] {
+        &self.inputs
+    }
+
+    /// The error of the computation at the last sample.
+    pub fn end(&self) -> StateError {
+        self.computation.last().copied().unwrap_or(ROUNDING)
+    }
+
+    /// What the last bit of the inputs is worth at the last sample.
+    pub fn inputs_end(&self) -> StateError {
+        self.inputs.last().copied().unwrap_or(StateError { attitude: 0.0, omega: 0.0 })
+    }
+}
+
+impl Simulation<'_> {
+    /// [`Simulation::run`], with the estimate of its error: [`Trajectory::error`].
+    ///
+    /// # Errors
+    /// As [`Simulation::run`].
+    pub fn run_with_error(
+        &self,
+        effort: ErrorEffort,
+        progress: &mut dyn FnMut(f64),
+    ) -> Result<Trajectory, MotionError> {
+        let trajectory = self.run(progress)?;
+        let error = self.global_error(&trajectory, effort);
+        Ok(trajectory.with_error(error))
+    }
+
+    /// Estimates of the error of a trajectory that this simulation has computed; `None` of one that was prescribed.
+    pub fn global_error(&self, trajectory: &Trajectory, effort: ErrorEffort) -> Option<GlobalError> {
+        let (method, steps) = match trajectory.solution() {
+            Solution::Prescribed(_) => return None,
+            Solution::Exact(motion) => {
+                // Formulas have no steps whose errors add up.
+                let error = |s: &Sample| motion.formula_error(s.state.time - self.start.time);
+                let computation = trajectory.samples().iter().map(error).collect();
+                let runs = if effort == ErrorEffort::Cheap { 1 } else { RUNS[1] };
+                let inputs = self.input_error(None, trajectory, runs);
+                return Some(GlobalError { is_thorough: effort != ErrorEffort::Cheap, computation, inputs });
+            }
+            Solution::Integrated { method, statistics, .. } => (*method, statistics.accepted),
+        };
+        let rule = rule(method)?;
+        let is_short = steps + trajectory.samples().len() as u64 <= FEW;
+        if effort == ErrorEffort::Thorough || effort == ErrorEffort::Auto && is_short {
+            let computation = self.step_error(Refinement::finer(rule, self.tolerance), trajectory, RUNS[0]);
+            let inputs = self.input_error(Some(rule), trajectory, RUNS[1]);
+            Some(GlobalError { is_thorough: true, computation, inputs })
+        } else {
+            let computation = self.step_error(Refinement::coarser(rule, self.tolerance), trajectory, 1);
+            // The inputs were made different too, so that what they are worth is no more than this part of it.
+            let part = |e: &StateError| StateError {
+                attitude: e.attitude / CONSTANT_NOISE,
+                omega: e.omega / CONSTANT_NOISE,
+            };
+            let inputs = computation.iter().map(part).collect();
+            Some(GlobalError { is_thorough: false, computation, inputs })
+        }
+    }
+
+    /// The error of steps: truncation, and rounding made larger.
+    fn step_error(&self, refinement: Refinement, trajectory: &Trajectory, runs: u64) -> Vec<StateError> {
+        let Refinement { rule, tolerance, gain } = refinement;
+        let distances = (0..runs).map(|run| {
+            let noise = Noise::new(2 * run + 1, gain * STEP_NOISE);
+            let inputs = Inputs::of(self, 2 * run, gain * CONSTANT_NOISE);
+            Perturbed { simulation: self, inputs, rule: Some(rule), tolerance, noise: Some(noise) }
+                .distance(trajectory)
+                .over(gain)
+        });
+        let worst = distances.reduce(Distance::worse).unwrap_or_default();
+        worst.relative_to(trajectory, ROUNDING)
+    }
+
+    /// What the last bit of the inputs does, by what many times as much does.
+    fn input_error(&self, rule: Option<Rule>, trajectory: &Trajectory, runs: u64) -> Vec<StateError> {
+        // Steps are not taken again for less: where errors grow so much, rounding has eaten all digits anyway.
+        let amplitudes = if rule.is_some() { &INPUT_AMPLITUDES[..1] } else { &INPUT_AMPLITUDES };
+        let distances = (0..runs).map(|run| {
+            let distance = |amplitude: f64| {
+                let inputs = Inputs::of(self, 1_000 + run, amplitude);
+                let tolerance = self.tolerance;
+                let perturbed = Perturbed { simulation: self, inputs, rule, tolerance, noise: None };
+                perturbed.distance(trajectory).over(amplitude)
+            };
+            let mut found = distance(amplitudes[0]);
+            for pair in amplitudes.windows(2) {
+                let limit = LINEAR / pair[0];
+                if found.is_within(limit) {
+                    break;
+                }
+                found = found.or_beyond(limit, &distance(pair[1]));
+            }
+            found
+        });
+        let worst = distances.reduce(Distance::worse).unwrap_or_default();
+        worst.relative_to(trajectory, StateError { attitude: 0.0, omega: 0.0 })
+    }
+}
+
+/// Other steps than those of a motion: the distance between the two is so many times (or more) the motion's own truncation error.
+#[derive(Clone, Copy, Debug)]
+struct Refinement {
+    rule: Rule,
+    tolerance: f64,
+    gain: f64,
+}
+
+impl Refinement {
+    /// Steps with so small an error that the distance is nearly that of the motion.
+    fn finer(rule: Rule, tolerance: f64) -> Self {
+        let rule = match rule {
+            Rule::Splitting { order, step } => Rule::Splitting { order, step: 0.5 * step },
+            other => other,
+        };
+        Self { rule, tolerance: (tolerance / 16.0).max(TIGHTEST_TOLERANCE), gain: 1.0 }
+    }
+
+    /// Steps with a larger error.
+    fn coarser(rule: Rule, tolerance: f64) -> Self {
+        match rule {
+            // 2ᵖ − 1 times as far off as the steps themselves; half of that, as steps so long may do better than their order.
+            Rule::Splitting { order, step } => {
+                let gain = 0.5 * (f64::from(order.number()).exp2() - 1.0);
+                Self { rule: Rule::Splitting { order, step: 2.0 * step }, tolerance, gain }
+            }
+            _ if 8.0 * tolerance > LOOSEST_TOLERANCE => Self::finer(rule, tolerance),
+            // seven times
+            _ => Self { rule, tolerance: 8.0 * tolerance, gain: 3.5 },
+        }
+    }
+}
+
+/// The integrator of a method; `None` of what has no steps.
+fn rule(method: Method) -> Option<Rule> {
+    match method {
+        Method::Taylor => Some(Rule::Taylor),
+        Method::Dop853 => Some(Rule::Dop853),
+        Method::Splitting { order, step } => Some(Rule::Splitting { order, step }),
+        Method::Auto | Method::Exact => None,
+    }
+}

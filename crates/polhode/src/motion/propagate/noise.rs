@@ -1,0 +1,49 @@
+//! Rounding made larger: what perturbed runs add to the state after each step.
+
+/// Random numbers with mean 0 and variance 1, from a seed: the same on every machine.
+#[derive(Clone, Debug)]
+pub(crate) struct Random(u64);
+
+impl Random {
+    pub(crate) const fn new(seed: u64) -> Self {
+        Self(seed)
+    }
+
+    /// Uniform between −√3 and √3.
+    pub(crate) fn next(&mut self) -> f64 {
+        // SplitMix64: G. L. Steele, D. Lea, C. H. Flood, OOPSLA 2014.
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        let unit = ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64;
+        12_f64.sqrt() * (unit - 0.5)
+    }
+}
+
+/// What rounding does to a step, times an amplitude.
+///
+/// Each component is perturbed in proportion to its own size: what is exactly zero, because a symmetry keeps it so, stays zero in the
+/// run and in the perturbed run.
+#[derive(Clone, Debug)]
+pub(crate) struct Noise {
+    random: Random,
+    amplitude: f64,
+}
+
+impl Noise {
+    pub(crate) const fn new(seed: u64, amplitude: f64) -> Self {
+        Self { random: Random::new(seed), amplitude }
+    }
+
+    /// δ of a turn by h ω, ω the mean of those before and after a step, as a rotation vector.
+    pub(super) fn turn(&mut self, h: f64, before: [f64; 3], after: [f64; 3]) -> [f64; 3] {
+        let h = 0.5 * h * f64::EPSILON * self.amplitude;
+        core::array::from_fn(|k| h * (before[k].abs() + after[k].abs()) * self.random.next())
+    }
+
+    /// δ of what a step has led to, component by component: of ω, or of L.
+    pub(super) fn rate(&mut self, before: [f64; 3], after: [f64; 3]) -> [f64; 3] {
+        let scale = 0.5 * f64::EPSILON * self.amplitude;
+        core::array::from_fn(|k| scale * (before[k].abs() + after[k].abs()) * self.random.next())
+    }
+}

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use polhode::{Material, Required, Scenario};
+use polhode::{ErrorEffort, Material, Required, Scenario};
 use polhode_formats::table::columns;
 use polhode_formats::table::required::RequiredTable;
 use polhode_formats::unit::{self, Dimension};
@@ -319,7 +319,7 @@ fn the_book_has_every_column_with_its_unit() {
         Path::new("probe.toml"),
     )
     .unwrap();
-    let motion = top.simulate().unwrap().unwrap();
+    let motion = top.simulate_with_error(ErrorEffort::Auto, &mut |_| {}).unwrap().unwrap();
     let rows = rows(section(&page, "## Trajectory"));
     let in_book: Vec<_> =
         rows.iter().flat_map(|row| names(row[0]).map(|name| (name.to_owned(), row[1]))).collect();

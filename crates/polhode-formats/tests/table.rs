@@ -9,8 +9,9 @@ use parquet::basic::{Compression, Encoding, Repetition};
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::RowAccessor;
 use polhode::{
-    AngularMomentum, AngularVelocity, Attitude, Direction, InertiaTensor, MassProperties, Method, Motor,
-    Position, Rotation, Rotor, State, TorqueModel, Trajectory, UniformGravity, Wheel,
+    AngularMomentum, AngularVelocity, Attitude, Direction, ErrorEffort, InertiaTensor, MassProperties,
+    Method, Motor, Position, Rotation, Rotor, Simulation, State, TorqueModel, Trajectory, UniformGravity,
+    Wheel,
 };
 use polhode_formats::table::{self, columns};
 
@@ -66,6 +67,34 @@ fn the_columns_have_the_agreed_names_in_the_agreed_order() {
     assert_eq!(names(&wheeled), format!("{agreed},{spinning}"));
 }
 
+#[test]
+fn estimated_errors_are_columns_of_their_own() {
+    let inertia = InertiaTensor::diagonal([1.3, 2.1, 2.9]).unwrap();
+    let rotor = Rotor::free(&MassProperties::new(1.7, Position::ZERO, inertia).unwrap());
+    let simulation = Simulation {
+        rotor: &rotor,
+        torques: &[],
+        switched_off: &[],
+        start: State {
+            time: 0.0,
+            attitude: Attitude::identity(),
+            omega: AngularVelocity::new(0.4, 1.1, -0.7),
+        },
+        events: &[],
+        times: &[0.0, 5.0, 9.0],
+        method: Method::Taylor,
+        tolerance: 1e-9,
+    };
+    let motion = simulation.run_with_error(ErrorEffort::Cheap, &mut |_| {}).unwrap();
+    let columns = columns(&motion, &[]);
+    let [.., attitude, omega] = columns.as_slice() else { unreachable!() };
+    assert_eq!([&*attitude.name, &*omega.name], ["attitude_error_rad", "omega_error"]);
+    for (row, error) in motion.error().unwrap().computation().iter().enumerate() {
+        assert_eq!([attitude.value(&motion, row), omega.value(&motion, row)], [error.attitude, error.omega]);
+    }
+    assert!(attitude.value(&motion, 2) > attitude.value(&motion, 0));
+}
+
 /// L = R (I ω + Σ h a) in space stays what it is, and a wheel's momentum is J (a·ω + Ω).
 #[test]
 fn the_columns_of_wheels_balance_those_of_the_body() {
@@ -76,15 +105,15 @@ fn the_columns_of_wheels_balance_those_of_the_body() {
     let inertia = InertiaTensor::with_negative_products([3.1, 4.2, 5.3], [0.4, -0.3, 0.2]).unwrap();
     let body = MassProperties::new(2.0, Position::new(0.1, -0.2, 0.5), inertia).unwrap();
     let carrier = Rotor::free(&body).with_wheels(&wheels).unwrap();
-    for sample in motion.samples() {
+    for (row, sample) in motion.samples().iter().enumerate() {
         let along = |wheel: &Wheel, h: f64| AngularMomentum::from_array(wheel.axis().to_array()) * h;
-        let h = along(&held, of_held.value(sample)) + along(&turned, of_turned.value(sample));
+        let h = along(&held, of_held.value(&motion, row)) + along(&turned, of_turned.value(&motion, row));
         let total = sample.state.attitude * (carrier.angular_momentum(sample.state.omega) + h);
         assert!((total - motion.start().momentum).norm() < 1e-12);
-        let relative = 0.31 * (turned.axis().dot(sample.state.omega) + speed.value(sample));
-        assert!((relative - of_turned.value(sample)).abs() < 1e-14);
+        let relative = 0.31 * (turned.axis().dot(sample.state.omega) + speed.value(&motion, row));
+        assert!((relative - of_turned.value(&motion, row)).abs() < 1e-14);
     }
-    assert!((of_turned.value(&motion.samples()[100]) - (0.9 - 0.42 * 5.0)).abs() < 1e-14);
+    assert!((of_turned.value(&motion, 100) - (0.9 - 0.42 * 5.0)).abs() < 1e-14);
 }
 
 #[test]
@@ -96,7 +125,7 @@ fn every_column_tells_its_own_number() {
     let vectors = [b.to_array(), o.to_array(), l.to_array(), n.to_array()].concat();
     let wanted =
         [&[s.state.time], &q[..], &vectors, &[s.kinetic_energy, s.potential_energy.unwrap()]].concat();
-    let found: Vec<f64> = columns(&swinging, &[]).iter().map(|c| c.value(s)).collect();
+    let found: Vec<f64> = columns(&swinging, &[]).iter().map(|c| c.value(&swinging, 7)).collect();
     assert_eq!(found, wanted);
     for (k, value) in found.iter().enumerate() {
         assert!(!found[..k].contains(value), "two columns of a generic sample are equal: {k}");

@@ -124,7 +124,7 @@ impl PyFreeMotion {
         const SAMPLES: usize = 2001;
         py.detach(|| {
             let times = Run::evenly(duration, SAMPLES, Method::Exact, 0.0).times;
-            let trajectory = Trajectory::of_motion(self.motion, &times).map_err(Raise::raise)?;
+            let trajectory = Trajectory::of_motion_with_error(self.motion, &times).map_err(Raise::raise)?;
             Ok(page(&PageInput {
                 title: "Free motion",
                 source: &format!("polhode {VERSION} in Python"),

@@ -27,11 +27,15 @@ fn in_words(StateError { attitude, omega }: StateError) -> String {
 /// `null` without an estimate, and in place of what is not known.
 pub(crate) fn to_json(trajectory: &Trajectory) -> Value {
     let Some(estimate) = trajectory.error() else { return Value::Null };
-    let one = |e: StateError| json!({ "attitude_rad": e.attitude, "omega": e.omega.is_finite().then_some(e.omega) });
-    let mut object = one(estimate.end());
+    let mut object = state_json(estimate.end());
     object["effort"] = if estimate.is_thorough() { "thorough" } else { "cheap" }.into();
-    object["inputs"] = one(estimate.inputs_end());
+    object["inputs"] = state_json(estimate.inputs_end());
     object
+}
+
+/// `{"attitude_rad": …, "omega": …}`
+pub(crate) fn state_json(e: StateError) -> Value {
+    json!({ "attitude_rad": e.attitude, "omega": e.omega.is_finite().then_some(e.omega) })
 }
 
 /// The error of the components of ω at the end, rad/s; zero without an estimate.

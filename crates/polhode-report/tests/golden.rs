@@ -17,7 +17,7 @@ use polhode_report::{
 };
 
 /// Lines that tell of rounding or of the integrator's steps: they change with the core, and other tests bound them.
-const EVIDENCE: [&str; 10] = [
+const EVIDENCE: [&str; 11] = [
     "drift ",
     "steps ",
     "coplanarity ",
@@ -26,6 +26,7 @@ const EVIDENCE: [&str; 10] = [
     "T - T(t0)",
     "L - L(t0)",
     "T + U constant",
+    "estimated error",
     "cross ",
     "e · (ω × L)",
 ];

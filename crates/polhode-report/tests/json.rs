@@ -131,6 +131,7 @@ fn the_summary_has_the_same_keys_for_every_motion() {
         "motion",
         "energy",
         "drift",
+        "error",
         "required",
         "pendulum",
         "heavy_top",

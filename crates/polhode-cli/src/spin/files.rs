@@ -93,7 +93,7 @@ impl FileFlags {
         let samples = fine.clamp(2001.0, 100_001.0) as usize;
         let times: Vec<f64> = Run::evenly(span, samples, Method::Exact, 0.0).times;
         let failed = |error| Failure::Motion { path: "the plot".to_owned(), error };
-        Trajectory::of_motion(*motion, &times).map_err(failed)
+        Trajectory::of_motion_with_error(*motion, &times).map_err(failed)
     }
 
     /// Writes the folder; says what was written.
@@ -154,7 +154,7 @@ impl FileFlags {
         let duration = if asked > 0.0 && asked <= most { asked } else { sensible(motion).min(most) };
         let times = Run::evenly(duration, PAGE_SAMPLES, Method::Exact, 0.0).times;
         let failed = |error| Failure::Motion { path: "the page".to_owned(), error };
-        Trajectory::of_motion(*motion, &times).map_err(failed)
+        Trajectory::of_motion_with_error(*motion, &times).map_err(failed)
     }
 
     fn trajectory(&self, motion: &FreeMotion) -> Result<Option<Trajectory>, Failure> {
@@ -172,7 +172,7 @@ impl FileFlags {
             }
         };
         let failed = |error| Failure::Motion { path: "the table".to_owned(), error };
-        Trajectory::of_motion(*motion, &times).map(Some).map_err(failed)
+        Trajectory::of_motion_with_error(*motion, &times).map(Some).map_err(failed)
     }
 }
 

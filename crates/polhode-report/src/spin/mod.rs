@@ -56,12 +56,14 @@ impl SpinReport {
     /// # Errors
     /// [`MotionError::NotFinite`] for a state that is not a number.
     pub fn at(mut self, times: &[f64]) -> Result<Self, MotionError> {
-        for &time in times {
+        let estimate = self.motion.global_error(times);
+        let errors = estimate.computation().iter().zip(estimate.inputs());
+        for (&time, (&computation, &inputs)) in times.iter().zip(errors) {
             let state = self.motion.at(time);
             if !(state.omega.is_finite() && state.attitude.quaternion().iter().all(|c| c.is_finite())) {
                 return Err(MotionError::NotFinite { time });
             }
-            self.states.push(Printed::new(&state, self.states.last()));
+            self.states.push(Printed::new(&state, [computation, inputs], self.states.last()));
         }
         Ok(self)
     }

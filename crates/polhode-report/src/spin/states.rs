@@ -1,11 +1,12 @@
 //! The motion at the times that were asked for.
 
-use polhode::{AngularVelocity, Body, State};
+use polhode::{AngularVelocity, Body, State, StateError};
 use serde_json::{Value, json};
 
+use crate::global_error;
 use crate::json::{numbers, vector};
 use crate::layout::columns;
-use crate::number::exact;
+use crate::number::{error, exact};
 
 /// A state with the sign that its quaternion is printed with.
 #[derive(Clone, Copy, Debug)]
@@ -13,20 +14,26 @@ pub(super) struct Printed {
     time: f64,
     omega: AngularVelocity<Body>,
     wxyz: [f64; 4],
+    /// Of the computation, and of the last bit of the inputs.
+    errors: [StateError; 2],
 }
 
 impl Printed {
     /// Standing alone, or the first of a list, w ≥ 0; after another, the sign nearest to that one's.
-    pub(super) fn new(state: &State, before: Option<&Self>) -> Self {
+    pub(super) fn new(state: &State, errors: [StateError; 2], before: Option<&Self>) -> Self {
         let q = state.attitude.canonical_quaternion();
         let cosine = before.map_or(1.0, |before| q.iter().zip(before.wxyz).map(|(a, b)| a * b).sum());
         let wxyz = if cosine < 0.0 { q.map(|c| 0.0 - c) } else { q };
-        Self { time: state.time, omega: state.omega, wxyz }
+        Self { time: state.time, omega: state.omega, wxyz, errors }
     }
 }
 
 pub(super) fn to_json(states: &[Printed]) -> Value {
-    let one = |s: &Printed| json!({ "time_s": s.time, "omega_body": vector(s.omega), "attitude_wxyz": numbers(&s.wxyz) });
+    let one = |s: &Printed| {
+        let [mut error, inputs] = s.errors.map(global_error::state_json);
+        error["inputs"] = inputs;
+        json!({ "time_s": s.time, "omega_body": vector(s.omega), "attitude_wxyz": numbers(&s.wxyz), "error": error })
+    };
     states.iter().map(one).collect()
 }
 
@@ -42,7 +49,13 @@ pub(super) fn to_text(states: &[Printed]) -> String {
     };
     let omega = table(&|s| s.omega.to_array().to_vec());
     let attitude = table(&|s| s.wxyz.to_vec());
+    let row = |s: &Printed| {
+        [exact(s.time)].into_iter().chain(s.errors.map(|e| error(e.attitude))).collect::<Vec<String>>()
+    };
+    let rows: Vec<Vec<String>> = states.iter().map(row).collect();
+    let errors: String = columns(&rows).into_iter().map(|line| format!("    {line}\n")).collect();
     format!(
-        "\nt in s, ω in body axes in rad/s: t, x, y, z\n{omega}\nt in s, attitude R_space_body: t, w, x, y, z\n{attitude}"
+        "\nt in s, ω in body axes in rad/s: t, x, y, z\n{omega}\nt in s, attitude R_space_body: t, w, x, y, z\n{attitude}\n\
+         t in s, estimated error of the attitude in rad: t, of the computation, worth of the last bit of the inputs\n{errors}"
     )
 }

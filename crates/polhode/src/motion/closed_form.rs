@@ -68,12 +68,10 @@ impl ClosedForm {
 
     /// The error of the formulas so long after the start: measured, see `book/accuracy.md`.
     pub(crate) fn formula_error(&self, after: f64) -> StateError {
-        let start = self.start();
-        let turns = after.abs() * start.omega.norm() / core::f64::consts::TAU;
         match self {
-            // 1e-31 rad for every turn beside what rounding a state takes
-            Self::Free(_) => StateError { attitude: 8e-16 + 1e-31 * turns, omega: 5e-16 + 1e-31 * turns },
+            Self::Free(motion) => motion.formula_error(after),
             Self::HeavyTop(_) | Self::Swinging(_) => {
+                let turns = after.abs() * self.start().omega.norm() / core::f64::consts::TAU;
                 StateError { attitude: 2e-15 + 1e-16 * turns, omega: 2e-15 + 1e-16 * turns }
             }
         }

@@ -122,8 +122,12 @@ impl FreeMotion {
             let rule = "positive, or zero with two equal others (a rod)";
             return Err(MotionError::Parameter { what: "a principal moment", value: 0.0, rule });
         }
-        let tensor = Symmetric3::diagonal(moments);
-        Self::of_tensor(&tensor, &PrincipalFrame::of_symmetric(&tensor), start)
+        Self::of_symmetric(&Symmetric3::diagonal(moments), start)
+    }
+
+    /// [`FreeMotion::of`] of a tensor, which need not be that of a possible body.
+    pub(super) fn of_symmetric(tensor: &Symmetric3, start: State) -> Result<Self, MotionError> {
+        Self::of_tensor(tensor, &PrincipalFrame::of_symmetric(tensor), start)
     }
 
     fn of_tensor(

@@ -23,43 +23,64 @@ pub(super) struct Inputs {
 
 impl Inputs {
     pub(super) fn of(simulation: &Simulation<'_>, seed: u64, amplitude: f64) -> Self {
-        let (mut random, delta) = (Random::new(seed), amplitude * HALF_BIT);
-        let mut factor = || if random.next() < 0.0 { 1.0 - delta } else { 1.0 + delta };
-        let Simulation { rotor, start, .. } = simulation;
-        let scale: [f64; 3] = core::array::from_fn(|_| factor());
-        let lever = rotor.lever().to_array().map(|x| x * factor());
-        let inertia = scaled(rotor, scale);
-        let rotor =
-            rotor.with_inertia(inertia, Vector::from_array(lever)).unwrap_or_else(|| (*rotor).clone());
-        let quaternion = start.attitude.quaternion().map(|c| c * factor());
-        let omega = start.omega.to_array().map(|w| w * factor());
-        // Normalising a quaternion that is all but unit cannot fail.
-        let attitude = Rotation::from_quaternion(quaternion).unwrap_or(start.attitude);
-        Self { rotor, start: State { attitude, omega: Vector::from_array(omega), ..*start } }
+        let mut change = Change::new(seed, amplitude);
+        let Simulation { rotor, start, .. } = *simulation;
+        let inertia = change.inertia(rotor.inertia().symmetric());
+        let lever = Vector::from_array(change.each(rotor.lever().to_array()));
+        let start = change.start(start);
+        Self { rotor: rotor.with_inertia(inertia, lever).unwrap_or_else(|| rotor.clone()), start }
     }
 }
 
-/// I of second moments D S D, D = diag(d): S = ½ tr(I) 1 − I stays positive semi-definite, so that a body stays one.
-fn scaled(rotor: &Rotor, [a, b, c]: [f64; 3]) -> Symmetric3 {
-    let i = rotor.inertia().symmetric();
-    let half = 0.5 * (i.xx + i.yy + i.zz);
-    let [sx, sy, sz] = [half - i.xx, half - i.yy, half - i.zz];
-    let near = |p: f64, q: f64| (p - q).abs() <= 1e-12 * half;
-    let b = if near(sx, sy) { a } else { b };
-    let c = if near(sx, sz) {
-        a
-    } else if near(sy, sz) {
-        b
-    } else {
-        c
-    };
-    Symmetric3 {
-        xx: a * a * sx,
-        yy: b * b * sy,
-        zz: c * c * sz,
-        xy: -a * b * i.xy,
-        xz: -a * c * i.xz,
-        yz: -b * c * i.yz,
+/// Numbers changed by so many times what their rounding may be, to either side at random.
+#[derive(Clone, Debug)]
+pub(super) struct Change {
+    random: Random,
+    delta: f64,
+}
+
+impl Change {
+    pub(super) const fn new(seed: u64, amplitude: f64) -> Self {
+        Self { random: Random::new(seed), delta: amplitude * HALF_BIT }
     }
-    .inertia_of_second_moments()
+
+    fn factor(&mut self) -> f64 {
+        if self.random.next() < 0.0 { 1.0 - self.delta } else { 1.0 + self.delta }
+    }
+
+    fn each<const N: usize>(&mut self, numbers: [f64; N]) -> [f64; N] {
+        numbers.map(|x| x * self.factor())
+    }
+
+    pub(super) fn start(&mut self, start: State) -> State {
+        let quaternion = self.each(start.attitude.quaternion());
+        let omega = Vector::from_array(self.each(start.omega.to_array()));
+        // A quaternion that is all but unit can be normalised.
+        State { attitude: Rotation::from_quaternion(quaternion).unwrap_or(start.attitude), omega, ..start }
+    }
+
+    /// I of second moments D S D, D = diag(d): S = ½ tr(I) 1 − I stays positive semi-definite, so that a body stays one.
+    pub(super) fn inertia(&mut self, i: &Symmetric3) -> Symmetric3 {
+        let [a, b, c] = self.each([1.0; 3]);
+        let half = 0.5 * (i.xx + i.yy + i.zz);
+        let [sx, sy, sz] = [half - i.xx, half - i.yy, half - i.zz];
+        let near = |p: f64, q: f64| (p - q).abs() <= 1e-12 * half;
+        let b = if near(sx, sy) { a } else { b };
+        let c = if near(sx, sz) {
+            a
+        } else if near(sy, sz) {
+            b
+        } else {
+            c
+        };
+        Symmetric3 {
+            xx: a * a * sx,
+            yy: b * b * sy,
+            zz: c * c * sz,
+            xy: -a * b * i.xy,
+            xz: -a * c * i.xz,
+            yz: -b * c * i.yz,
+        }
+        .inertia_of_second_moments()
+    }
 }

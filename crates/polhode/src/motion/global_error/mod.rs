@@ -19,15 +19,17 @@
 //! (rounding by random perturbation); Hairer, Nørsett, Wanner, Solving Ordinary Differential Equations I, II.4 (global error).
 
 mod finding;
+mod free;
 mod inputs;
 mod perturbed;
 
+use super::closed_form::ClosedForm;
 use super::error::MotionError;
 use super::propagate::noise::Noise;
 use super::propagate::stepper::{LOOSEST_TOLERANCE, Rule, TIGHTEST_TOLERANCE};
-use super::sample::Sample;
 use super::simulation::Simulation;
 use super::solution::Solution;
+use super::state::State;
 use super::trajectory::{Method, Trajectory};
 use inputs::Inputs;
 use perturbed::{Distance, Perturbed};
@@ -103,6 +105,9 @@ const ROUNDING: StateError = StateError { attitude: 5e-16, omega: 3e-16 };
 const INPUT_AMPLITUDES: [f64; 3] = [4096.0, 64.0, 1.0];
 /// … and so small that its effect stays linear: it is tried again with less beyond this angle, rad.
 const LINEAR: f64 = 0.05;
+const NONE: StateError = StateError { attitude: 0.0, omega: 0.0 };
+/// Where the seeds of other inputs begin.
+const INPUT_SEED: u64 = 1_000;
 /// Perturbed runs of a thorough estimate, with larger rounding and from other inputs.
 const RUNS: [u64; 2] = [8, 4];
 /// Up to so many steps and samples a thorough estimate is made without being asked for.
@@ -132,7 +137,7 @@ impl GlobalError {
 
     /// What the last bit of the inputs is worth at the last sample.
     pub fn inputs_end(&self) -> StateError {
-        self.inputs.last().copied().unwrap_or(StateError { attitude: 0.0, omega: 0.0 })
+        self.inputs.last().copied().unwrap_or(NONE)
     }
 }
 
@@ -155,21 +160,14 @@ impl Simulation<'_> {
     pub fn global_error(&self, trajectory: &Trajectory, effort: ErrorEffort) -> Option<GlobalError> {
         let (method, steps) = match trajectory.solution() {
             Solution::Prescribed(_) => return None,
-            Solution::Exact(motion) => {
-                // Formulas have no steps whose errors add up.
-                let error = |s: &Sample| motion.formula_error(s.state.time - self.start.time);
-                let computation = trajectory.samples().iter().map(error).collect();
-                let runs = if effort == ErrorEffort::Cheap { 1 } else { RUNS[1] };
-                let inputs = self.input_error(None, trajectory, runs);
-                return Some(GlobalError { is_thorough: effort != ErrorEffort::Cheap, computation, inputs });
-            }
+            Solution::Exact(motion) => return Some(self.exact_error(motion, trajectory, effort)),
             Solution::Integrated { method, statistics, .. } => (*method, statistics.accepted),
         };
         let rule = rule(method)?;
         let is_short = steps + trajectory.samples().len() as u64 <= FEW;
         if effort == ErrorEffort::Thorough || effort == ErrorEffort::Auto && is_short {
             let computation = self.step_error(Refinement::finer(rule, self.tolerance), trajectory, RUNS[0]);
-            let inputs = self.input_error(Some(rule), trajectory, RUNS[1]);
+            let inputs = self.input_error_of_steps(rule, trajectory);
             Some(GlobalError { is_thorough: true, computation, inputs })
         } else {
             let computation = self.step_error(Refinement::coarser(rule, self.tolerance), trajectory, 1);
@@ -183,44 +181,71 @@ impl Simulation<'_> {
         }
     }
 
+    /// Of a closed form, which has no steps whose errors add up.
+    fn exact_error(&self, motion: &ClosedForm, trajectory: &Trajectory, effort: ErrorEffort) -> GlobalError {
+        let (reference, times) = states_and_times(trajectory);
+        let computation = times.iter().map(|time| motion.formula_error(time - self.start.time)).collect();
+        let runs = if effort == ErrorEffort::Cheap { 1 } else { RUNS[1] };
+        let inputs = input_error(&reference, runs, |seed, amplitude| {
+            let Inputs { rotor, start } = Inputs::of(self, seed, amplitude);
+            // Not every change of a body keeps the symmetry that a closed form needs.
+            ClosedForm::of(&rotor, self.torques, start)
+                .or_else(|_| ClosedForm::of(self.rotor, self.torques, start))
+                .map_or_else(|_| Vec::new(), |motion| times.iter().map(|&time| motion.at(time)).collect())
+        });
+        GlobalError { is_thorough: effort != ErrorEffort::Cheap, computation, inputs }
+    }
+
     /// The error of steps: truncation, and rounding made larger.
     fn step_error(&self, refinement: Refinement, trajectory: &Trajectory, runs: u64) -> Vec<StateError> {
         let Refinement { rule, tolerance, gain } = refinement;
+        let (reference, times) = states_and_times(trajectory);
         let distances = (0..runs).map(|run| {
             let noise = Noise::new(2 * run + 1, gain * STEP_NOISE);
             let inputs = Inputs::of(self, 2 * run, gain * CONSTANT_NOISE);
-            Perturbed { simulation: self, inputs, rule: Some(rule), tolerance, noise: Some(noise) }
-                .distance(trajectory)
-                .over(gain)
+            let perturbed = Perturbed { simulation: self, inputs, rule, tolerance, noise: Some(noise) };
+            Distance::between(&reference, &perturbed.states(&times)).over(gain)
         });
-        let worst = distances.reduce(Distance::worse).unwrap_or_default();
-        worst.relative_to(trajectory, ROUNDING)
+        distances.reduce(Distance::worse).unwrap_or_default().relative_to(&reference, ROUNDING)
     }
 
-    /// What the last bit of the inputs does, by what many times as much does.
-    fn input_error(&self, rule: Option<Rule>, trajectory: &Trajectory, runs: u64) -> Vec<StateError> {
-        // Steps are not taken again for less: where errors grow so much, rounding has eaten all digits anyway.
-        let amplitudes = if rule.is_some() { &INPUT_AMPLITUDES[..1] } else { &INPUT_AMPLITUDES };
-        let distances = (0..runs).map(|run| {
-            let distance = |amplitude: f64| {
-                let inputs = Inputs::of(self, 1_000 + run, amplitude);
-                let tolerance = self.tolerance;
-                let perturbed = Perturbed { simulation: self, inputs, rule, tolerance, noise: None };
-                perturbed.distance(trajectory).over(amplitude)
-            };
-            let mut found = distance(amplitudes[0]);
-            for pair in amplitudes.windows(2) {
-                let limit = LINEAR / pair[0];
-                if found.is_within(limit) {
-                    break;
-                }
-                found = found.or_beyond(limit, &distance(pair[1]));
-            }
-            found
+    /// What the last bit of the inputs does to a motion by steps.
+    ///
+    /// Steps are not taken again for less where that is too much to be linear: rounding has eaten all digits there anyway.
+    fn input_error_of_steps(&self, rule: Rule, trajectory: &Trajectory) -> Vec<StateError> {
+        let (reference, times) = states_and_times(trajectory);
+        let [amplitude, ..] = INPUT_AMPLITUDES;
+        let distances = (0..RUNS[1]).map(|run| {
+            let inputs = Inputs::of(self, INPUT_SEED + run, amplitude);
+            let tolerance = self.tolerance;
+            let perturbed = Perturbed { simulation: self, inputs, rule, tolerance, noise: None };
+            Distance::between(&reference, &perturbed.states(&times)).over(amplitude)
         });
-        let worst = distances.reduce(Distance::worse).unwrap_or_default();
-        worst.relative_to(trajectory, StateError { attitude: 0.0, omega: 0.0 })
+        distances.reduce(Distance::worse).unwrap_or_default().relative_to(&reference, NONE)
     }
+}
+
+/// What the last bit of the inputs does, by what many times as much does: `states` of a seed and an amplitude.
+fn input_error(reference: &[State], runs: u64, states: impl Fn(u64, f64) -> Vec<State>) -> Vec<StateError> {
+    let distances = (0..runs).map(|run| {
+        let distance = |amplitude: f64| {
+            Distance::between(reference, &states(INPUT_SEED + run, amplitude)).over(amplitude)
+        };
+        let mut found = distance(INPUT_AMPLITUDES[0]);
+        for pair in INPUT_AMPLITUDES.windows(2) {
+            let limit = LINEAR / pair[0];
+            if found.is_within(limit) {
+                break;
+            }
+            found = found.or_beyond(limit, &distance(pair[1]));
+        }
+        found
+    });
+    distances.reduce(Distance::worse).unwrap_or_default().relative_to(reference, NONE)
+}
+
+fn states_and_times(trajectory: &Trajectory) -> (Vec<State>, Vec<f64>) {
+    trajectory.samples().iter().map(|sample| (sample.state, sample.state.time)).unzip()
 }
 
 /// Other steps than those of a motion: the distance between the two is so many times (or more) the motion's own truncation error.

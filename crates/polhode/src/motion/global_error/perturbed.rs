@@ -4,16 +4,13 @@ use core::f64::consts::PI;
 
 use super::StateError;
 use super::inputs::Inputs;
-use crate::motion::closed_form::ClosedForm;
 use crate::motion::course::Course;
 use crate::motion::error::MotionError;
 use crate::motion::event::Event;
 use crate::motion::propagate::noise::Noise;
 use crate::motion::propagate::stepper::{Rule, Stepper};
-use crate::motion::sample::Sample;
 use crate::motion::simulation::Simulation;
 use crate::motion::state::State;
-use crate::motion::trajectory::Trajectory;
 
 /// How much the error of ω at one time may be raised, as that of the attitude has been larger before.
 const MOST_RAISED: f64 = 30.0;
@@ -22,13 +19,12 @@ const MOST_RAISED: f64 = 30.0;
 pub(super) struct Perturbed<'a> {
     pub(super) simulation: &'a Simulation<'a>,
     pub(super) inputs: Inputs,
-    /// `None` for a closed form.
-    pub(super) rule: Option<Rule>,
+    pub(super) rule: Rule,
     pub(super) tolerance: f64,
     pub(super) noise: Option<Noise>,
 }
 
-/// How far the states of two motions are from one another, at each sample.
+/// How far the states of two motions are from one another, one by one.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Distance {
     /// The angle between the attitudes, rad.
@@ -38,43 +34,16 @@ pub(super) struct Distance {
 }
 
 impl Perturbed<'_> {
-    /// From the samples of a trajectory; infinite where the perturbed motion does not get to.
-    pub(super) fn distance(&self, trajectory: &Trajectory) -> Distance {
-        let samples = trajectory.samples();
-        let times: Vec<f64> = samples.iter().map(|sample| sample.state.time).collect();
-        let states = self.states(&times);
-        let mut states = states.iter();
-        let apart = |sample: &Sample| match states.next() {
-            None => [f64::INFINITY; 2],
-            Some(state) => {
-                let delta = (state.omega - sample.state.omega).norm();
-                [state.attitude.angle_to(sample.state.attitude), delta]
-            }
-        };
-        let (attitude, omega) = samples.iter().map(apart).map(|[angle, delta]| (angle, delta)).unzip();
-        Distance { attitude, omega }
-    }
-
     /// The states at the times, as far as the motion gets.
-    fn states(&self, times: &[f64]) -> Vec<State> {
-        let Inputs { rotor, start } = &self.inputs;
-        match self.rule {
-            Some(rule) => self.integrated(rule, times).unwrap_or_default(),
-            None => {
-                let torques = self.simulation.torques;
-                let other = ClosedForm::of(rotor, torques, *start)
-                    // Not every change keeps the symmetry that a closed form needs.
-                    .or_else(|_| ClosedForm::of(self.simulation.rotor, torques, *start));
-                other
-                    .map_or_else(|_| Vec::new(), |motion| times.iter().map(|&time| motion.at(time)).collect())
-            }
-        }
+    pub(super) fn states(&self, times: &[f64]) -> Vec<State> {
+        self.integrated(times).unwrap_or_default()
     }
 
-    fn integrated(&self, rule: Rule, times: &[f64]) -> Result<Vec<State>, MotionError> {
+    fn integrated(&self, times: &[f64]) -> Result<Vec<State>, MotionError> {
         let Simulation { torques, switched_off, events, .. } = *self.simulation;
         let Inputs { rotor, start } = &self.inputs;
-        let mut stepper = Stepper::new(rule, rotor, torques, switched_off, *start, self.tolerance, false)?;
+        let mut stepper =
+            Stepper::new(self.rule, rotor, torques, switched_off, *start, self.tolerance, false)?;
         if let Some(noise) = &self.noise {
             stepper = stepper.with_noise(noise.clone());
         }
@@ -82,17 +51,24 @@ impl Perturbed<'_> {
         let switches: Vec<Event> = events.iter().filter(|event| event.switches()).cloned().collect();
         let mut course = Course::new(stepper, &switches, *start, times);
         course.run(*start, &mut |_| {})?;
-        Ok(course
-            .samples
-            .iter()
-            .zip(times)
-            .take_while(|(s, t)| s.state.time == **t)
-            .map(|(s, _)| s.state)
-            .collect())
+        let got_there = course.samples.iter().zip(times).take_while(|(s, time)| s.state.time == **time);
+        Ok(got_there.map(|(sample, _)| sample.state).collect())
     }
 }
 
 impl Distance {
+    /// Of `states` from `reference`; infinite where there is none.
+    pub(super) fn between(reference: &[State], states: &[State]) -> Self {
+        let mut states = states.iter();
+        let apart = |reference: &State| {
+            states.next().map_or((f64::INFINITY, f64::INFINITY), |state| {
+                (state.attitude.angle_to(reference.attitude), (state.omega - reference.omega).norm())
+            })
+        };
+        let (attitude, omega) = reference.iter().map(apart).unzip();
+        Self { attitude, omega }
+    }
+
     /// The larger of each.
     pub(super) fn worse(self, other: Self) -> Self {
         let worse = |a: Vec<f64>, b: Vec<f64>| a.into_iter().zip(b).map(|(a, b)| a.max(b)).collect();
@@ -123,14 +99,14 @@ impl Distance {
     }
 
     /// The error along the way: the attitude's is the largest so far, and ω's is raised by as much, as both come from the same phase.
-    pub(super) fn relative_to(&self, trajectory: &Trajectory, floor: StateError) -> Vec<StateError> {
+    pub(super) fn relative_to(&self, reference: &[State], floor: StateError) -> Vec<StateError> {
         let mut largest = 0.0_f64;
-        let samples = trajectory.samples().iter().zip(self.attitude.iter().zip(&self.omega));
-        samples
-            .map(|(sample, (&angle, &delta))| {
+        let states = reference.iter().zip(self.attitude.iter().zip(&self.omega));
+        states
+            .map(|(state, (&angle, &delta))| {
                 largest = largest.max(angle);
                 let raised = if angle > 0.0 { (largest / angle).min(MOST_RAISED) } else { 1.0 };
-                let (delta, rate) = (raised * delta, sample.state.omega.norm());
+                let (delta, rate) = (raised * delta, state.omega.norm());
                 let omega = if delta == 0.0 { 0.0 } else { delta / rate };
                 StateError { attitude: (largest + floor.attitude).min(PI), omega: omega + floor.omega }
             })

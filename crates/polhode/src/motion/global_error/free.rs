@@ -1,0 +1,60 @@
+//! The error of a free motion, which needs no simulation.
+
+use super::inputs::Change;
+use super::{GlobalError, RUNS, StateError, input_error};
+use crate::math::symmetric3::Symmetric3;
+use crate::motion::error::MotionError;
+use crate::motion::free::FreeMotion;
+use crate::motion::trajectory::Trajectory;
+
+impl FreeMotion {
+    /// Estimates of the error of the states at some times: that of the formulas, which is measured (`book/accuracy.md`), and what the last
+    /// bit of moments and start is worth, which grows with time as t ∂Ω/∂I.
+    ///
+    /// ```
+    /// use polhode::{AngularVelocity, Attitude, FreeMotion, State};
+    /// let start = State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.3, 0.5, 0.9) };
+    /// let motion = FreeMotion::of_moments([1.0, 2.0, 3.0], start)?;
+    /// let error = motion.global_error(&[1e3, 1e9]);
+    /// assert!(error.end().attitude < 1e-15); // right for these numbers
+    /// assert!(error.inputs_end().attitude > 1e-8); // which nobody knows so well
+    /// # Ok::<(), polhode::MotionError>(())
+    /// ```
+    pub fn global_error(&self, times: &[f64]) -> GlobalError {
+        let (start, after) = (self.start(), |time: &f64| time - self.start().time);
+        let computation = times.iter().map(|time| self.formula_error(after(time))).collect();
+        let inputs = input_error(&self.at_times(times), RUNS[1], |seed, amplitude| {
+            let mut change = Change::new(seed, amplitude);
+            let tensor = change.inertia(&self.tensor());
+            Self::of_symmetric(&tensor, change.start(start))
+                .map_or_else(|_| Vec::new(), |motion| motion.at_times(times))
+        });
+        GlobalError { is_thorough: true, computation, inputs }
+    }
+
+    /// Of states so long after the start: some rounding, and 1e-31 rad for every turn.
+    pub(crate) fn formula_error(&self, after: f64) -> StateError {
+        let turns = after.abs() * self.start().omega.norm() / core::f64::consts::TAU;
+        StateError {
+            attitude: (8e-16 + 1e-31 * turns).min(core::f64::consts::PI),
+            omega: 5e-16 + 1e-31 * turns,
+        }
+    }
+
+    /// R diag(i) Rᵀ
+    fn tensor(&self) -> Symmetric3 {
+        let principal = self.principal();
+        Symmetric3::diagonal(principal.moments()).rotated(&principal.rotation().matrix())
+    }
+}
+
+impl Trajectory {
+    /// [`Trajectory::of_motion`] with the estimate of its error.
+    ///
+    /// # Errors
+    /// As [`Trajectory::of_motion`].
+    pub fn of_motion_with_error(motion: FreeMotion, times: &[f64]) -> Result<Self, MotionError> {
+        let error = motion.global_error(times);
+        Ok(Self::of_motion(motion, times)?.with_error(Some(error)))
+    }
+}

@@ -66,14 +66,17 @@ impl ClosedForm {
         }
     }
 
-    /// The error of the formulas so long after the start: measured, see `book/accuracy.md`.
-    pub(crate) fn formula_error(&self, after: f64) -> StateError {
+    /// The error of the formulas so long after the start, where the last bit of the inputs is worth so much: measured, see
+    /// `book/error.md`.
+    ///
+    /// Those of a free motion have constants of three words; those of the others are rounded as the inputs are.
+    pub(crate) fn formula_error(&self, after: f64, inputs: StateError) -> StateError {
         match self {
             Self::Free(motion) => motion.formula_error(after),
-            Self::HeavyTop(_) | Self::Swinging(_) => {
-                let turns = after.abs() * self.start().omega.norm() / core::f64::consts::TAU;
-                StateError { attitude: 2e-15 + 1e-16 * turns, omega: 2e-15 + 1e-16 * turns }
-            }
+            Self::HeavyTop(_) | Self::Swinging(_) => StateError {
+                attitude: (1e-15 + 0.7 * inputs.attitude).min(core::f64::consts::PI),
+                omega: 1e-15 + 0.7 * inputs.omega,
+            },
         }
     }
 

@@ -103,8 +103,8 @@ const CONSTANT_NOISE: f64 = 3.0;
 const ROUNDING: StateError = StateError { attitude: 5e-16, omega: 3e-16 };
 /// The last bit of the inputs, times: a power of two, so large that what steps do is nothing beside it …
 const INPUT_AMPLITUDES: [f64; 3] = [4096.0, 64.0, 1.0];
-/// … and so small that its effect stays linear: it is tried again with less beyond this angle, rad.
-const LINEAR: f64 = 0.05;
+/// … and so small that its effect stays linear: beyond this angle, rad, it is tried again with less, and two motions tell nothing of a third.
+const LINEAR: f64 = 0.1;
 const NONE: StateError = StateError { attitude: 0.0, omega: 0.0 };
 /// Where the seeds of other inputs begin.
 const INPUT_SEED: u64 = 1_000;
@@ -170,11 +170,12 @@ impl Simulation<'_> {
             let inputs = self.input_error_of_steps(rule, trajectory);
             Some(GlobalError { is_thorough: true, computation, inputs })
         } else {
-            let computation = self.step_error(Refinement::coarser(rule, self.tolerance), trajectory, 1);
+            let refinement = Refinement::cheap(rule, self.tolerance);
+            let computation = self.step_error(refinement, trajectory, 1);
             // The inputs were made different too, so that what they are worth is no more than this part of it.
             let part = |e: &StateError| StateError {
-                attitude: e.attitude / CONSTANT_NOISE,
-                omega: e.omega / CONSTANT_NOISE,
+                attitude: e.attitude / (refinement.noise * CONSTANT_NOISE),
+                omega: e.omega / (refinement.noise * CONSTANT_NOISE),
             };
             let inputs = computation.iter().map(part).collect();
             Some(GlobalError { is_thorough: false, computation, inputs })
@@ -184,7 +185,6 @@ impl Simulation<'_> {
     /// Of a closed form, which has no steps whose errors add up.
     fn exact_error(&self, motion: &ClosedForm, trajectory: &Trajectory, effort: ErrorEffort) -> GlobalError {
         let (reference, times) = states_and_times(trajectory);
-        let computation = times.iter().map(|time| motion.formula_error(time - self.start.time)).collect();
         let runs = if effort == ErrorEffort::Cheap { 1 } else { RUNS[1] };
         let inputs = input_error(&reference, runs, |seed, amplitude| {
             let Inputs { rotor, start } = Inputs::of(self, seed, amplitude);
@@ -193,17 +193,19 @@ impl Simulation<'_> {
                 .or_else(|_| ClosedForm::of(self.rotor, self.torques, start))
                 .map_or_else(|_| Vec::new(), |motion| times.iter().map(|&time| motion.at(time)).collect())
         });
+        let error = |(time, worth): (&f64, &StateError)| motion.formula_error(time - self.start.time, *worth);
+        let computation = times.iter().zip(&inputs).map(error).collect();
         GlobalError { is_thorough: effort != ErrorEffort::Cheap, computation, inputs }
     }
 
     /// The error of steps: truncation, and rounding made larger.
     fn step_error(&self, refinement: Refinement, trajectory: &Trajectory, runs: u64) -> Vec<StateError> {
-        let Refinement { rule, tolerance, gain } = refinement;
+        let Refinement { rule, tolerance, stretch, gain, noise } = refinement;
         let (reference, times) = states_and_times(trajectory);
         let distances = (0..runs).map(|run| {
-            let noise = Noise::new(2 * run + 1, gain * STEP_NOISE);
-            let inputs = Inputs::of(self, 2 * run, gain * CONSTANT_NOISE);
-            let perturbed = Perturbed { simulation: self, inputs, rule, tolerance, noise: Some(noise) };
+            let inputs = Inputs::of(self, 2 * run, noise * gain * CONSTANT_NOISE);
+            let noise = Some((Noise::new(2 * run + 1, noise * gain * STEP_NOISE), stretch));
+            let perturbed = Perturbed { simulation: self, inputs, rule, tolerance, noise };
             Distance::between(&reference, &perturbed.states(&times)).over(gain)
         });
         distances.reduce(Distance::worse).unwrap_or_default().relative_to(&reference, ROUNDING)
@@ -253,31 +255,43 @@ fn states_and_times(trajectory: &Trajectory) -> (Vec<State>, Vec<f64>) {
 struct Refinement {
     rule: Rule,
     tolerance: f64,
+    /// How many times as long steps are whose length is no matter of the tolerance; of Taylor's method all.
+    stretch: f64,
     gain: f64,
+    /// Amplitude of the noise, times: a single sample has to be larger.
+    noise: f64,
 }
 
 impl Refinement {
     /// Steps with so small an error that the distance is nearly that of the motion.
     fn finer(rule: Rule, tolerance: f64) -> Self {
-        let rule = match rule {
-            Rule::Splitting { order, step } => Rule::Splitting { order, step: 0.5 * step },
-            other => other,
+        let (rule, tolerance, stretch) = match rule {
+            // 0.8ⁿ is 0.01 of order 20
+            Rule::Taylor => (rule, tolerance, 0.8),
+            // 0.7⁸ is 1/16
+            Rule::Dop853 => (rule, (tolerance / 16.0).max(TIGHTEST_TOLERANCE), 0.7),
+            Rule::Splitting { order, step } => (Rule::Splitting { order, step: 0.5 * step }, tolerance, 1.0),
         };
-        Self { rule, tolerance: (tolerance / 16.0).max(TIGHTEST_TOLERANCE), gain: 1.0 }
+        // Twelve stages of DOP853 round more than one series.
+        let noise = if rule == Rule::Dop853 { 2.0 } else { 1.0 };
+        Self { rule, tolerance, stretch, gain: 1.0, noise }
     }
 
-    /// Steps with a larger error.
-    fn coarser(rule: Rule, tolerance: f64) -> Self {
-        match rule {
-            // 2ᵖ − 1 times as far off as the steps themselves; half of that, as steps so long may do better than their order.
+    /// Steps that take no longer than the motion's own.
+    fn cheap(rule: Rule, tolerance: f64) -> Self {
+        let (rule, tolerance, stretch, gain) = match rule {
+            // 1 − 0.9ⁿ is 0.85 of order 18
+            Rule::Taylor => (rule, tolerance, 0.9, 0.8),
+            Rule::Dop853 if 8.0 * tolerance > LOOSEST_TOLERANCE => return Self::finer(rule, tolerance),
+            // 1.3⁸ is 8: the error is seven times as large, or half of that where it does not go with the tolerance
+            Rule::Dop853 => (rule, 8.0 * tolerance, 1.3, 3.5),
+            // 2ᵖ − 1 times as large; half of that, as steps so long may do better than their order
             Rule::Splitting { order, step } => {
                 let gain = 0.5 * (f64::from(order.number()).exp2() - 1.0);
-                Self { rule: Rule::Splitting { order, step: 2.0 * step }, tolerance, gain }
+                (Rule::Splitting { order, step: 2.0 * step }, tolerance, 1.0, gain)
             }
-            _ if 8.0 * tolerance > LOOSEST_TOLERANCE => Self::finer(rule, tolerance),
-            // seven times
-            _ => Self { rule, tolerance: 8.0 * tolerance, gain: 3.5 },
-        }
+        };
+        Self { rule, tolerance, stretch, gain, noise: 2.5 }
     }
 }
 

@@ -2,8 +2,8 @@
 
 use core::f64::consts::PI;
 
-use super::StateError;
 use super::inputs::Inputs;
+use super::{LINEAR, StateError};
 use crate::motion::course::Course;
 use crate::motion::error::MotionError;
 use crate::motion::event::Event;
@@ -21,7 +21,8 @@ pub(super) struct Perturbed<'a> {
     pub(super) inputs: Inputs,
     pub(super) rule: Rule,
     pub(super) tolerance: f64,
-    pub(super) noise: Option<Noise>,
+    /// The noise of each step, and how many times as long steps are.
+    pub(super) noise: Option<(Noise, f64)>,
 }
 
 /// How far the states of two motions are from one another, one by one.
@@ -44,8 +45,8 @@ impl Perturbed<'_> {
         let Inputs { rotor, start } = &self.inputs;
         let mut stepper =
             Stepper::new(self.rule, rotor, torques, switched_off, *start, self.tolerance, false)?;
-        if let Some(noise) = &self.noise {
-            stepper = stepper.with_noise(noise.clone());
+        if let Some((noise, stretch)) = &self.noise {
+            stepper = stepper.perturbed(noise.clone(), *stretch);
         }
         // What stops the motion, or is only written down, does not change it.
         let switches: Vec<Event> = events.iter().filter(|event| event.switches()).cloned().collect();
@@ -107,9 +108,17 @@ impl Distance {
                 largest = largest.max(angle);
                 let raised = if angle > 0.0 { (largest / angle).min(MOST_RAISED) } else { 1.0 };
                 let (delta, rate) = (raised * delta, state.omega.norm());
-                let omega = if delta == 0.0 { 0.0 } else { delta / rate };
-                StateError { attitude: (largest + floor.attitude).min(PI), omega: omega + floor.omega }
+                let omega = if delta == 0.0 { 0.0 } else { known(delta / rate, f64::INFINITY) };
+                StateError {
+                    attitude: (known(largest, PI) + floor.attitude).min(PI),
+                    omega: omega + floor.omega,
+                }
             })
             .collect()
     }
+}
+
+/// Two motions that are so far apart tell nothing of where a third one is: the error is the largest that there is.
+fn known(error: f64, largest: f64) -> f64 {
+    if error <= LINEAR { error } else { largest }
 }

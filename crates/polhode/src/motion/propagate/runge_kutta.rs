@@ -34,6 +34,8 @@ pub(super) struct RungeKutta<'a> {
     omega_scale: f64,
     /// What rounding of the torque alone does to ω, rad/s: no error control reaches below it.
     omega_noise: f64,
+    /// How many times as long steps are whose length is no matter of the tolerance: the first, and those of the largest turn.
+    stretch: f64,
     statistics: StepStatistics,
     last: Option<Step<'a>>,
 }
@@ -74,6 +76,7 @@ impl<'a> RungeKutta<'a> {
             tolerance,
             omega_scale,
             omega_noise: NOISE * torque_rate,
+            stretch: 1.0,
             statistics: StepStatistics { evaluations: 1, ..StepStatistics::default() },
             last: None,
         })
@@ -92,7 +95,7 @@ impl<'a> RungeKutta<'a> {
         self.statistics.evaluations += 1;
         // The step that suited what acted before says nothing.
         let rate = chart::omega(&self.y).norm() + omega_rate(&self.k0).norm().sqrt();
-        self.h = if rate > 0.0 { 0.02 / rate } else { f64::INFINITY };
+        self.h = if rate > 0.0 { self.stretch * 0.02 / rate } else { f64::INFINITY };
         Ok(())
     }
 
@@ -103,7 +106,7 @@ impl<'a> RungeKutta<'a> {
     /// The step that the tolerance allows next, s.
     pub(super) fn next_step(&self) -> f64 {
         let speed = chart::omega(&self.y).norm();
-        if speed > 0.0 { self.h.min(chart::LARGEST_TURN / speed) } else { self.h }
+        if speed > 0.0 { self.h.min(self.stretch * chart::LARGEST_TURN / speed) } else { self.h }
     }
 
     pub(super) fn statistics(&self) -> StepStatistics {
@@ -194,6 +197,12 @@ impl<'a> RungeKutta<'a> {
         self.chart = step.chart.clone();
         self.accept(&increment, time, &k_end);
         self.statistics.evaluations += 12;
+    }
+
+    /// Makes the steps whose length is no matter of the tolerance so many times as long.
+    pub(super) fn stretch(&mut self, factor: f64) {
+        self.h *= factor;
+        self.stretch = factor;
     }
 
     /// Perturbs the end of the last step.

@@ -111,8 +111,13 @@ impl<'a> Stepper<'a> {
         Ok(Self { rotor, torques, switched_on, until, bound, from, tolerance, is_sprung, rule, steps, noise })
     }
 
-    /// The same, perturbed after each step.
-    pub(crate) fn with_noise(self, noise: Noise) -> Self {
+    /// The same with steps so many times as long, and perturbed after each of them. Steps of a given length keep it.
+    pub(crate) fn perturbed(mut self, noise: Noise, stretch: f64) -> Self {
+        match &mut self.steps {
+            Steps::Taylor(taylor) => taylor.stretch(stretch),
+            Steps::Dop853(dop853) => dop853.stretch(stretch),
+            Steps::Splitting(_) => {}
+        }
         Self { noise: Some(noise), ..self }
     }
 

@@ -139,6 +139,12 @@ impl<'a> Taylor<'a> {
         }
     }
 
+    /// Makes all steps to come so many times as long as the tolerance allows.
+    pub(in crate::motion::propagate) fn stretch(&mut self, factor: f64) {
+        self.expansion.reach += libm::log2(factor);
+        self.h = self.expansion.step(self.omega_scale);
+    }
+
     /// Perturbs the end of the last step.
     pub(in crate::motion::propagate) fn perturb(&mut self, noise: &mut Noise) {
         let (base, head) = (self.base(), self.head());

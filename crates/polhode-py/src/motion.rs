@@ -158,7 +158,8 @@ impl PyMotion {
     /// What was noticed: code, severity, message, place.
     #[getter]
     fn findings(&self) -> Vec<Remark> {
-        remarks(&self.scenario.findings)
+        let found = self.trajectory.findings();
+        remarks(&self.scenario.findings.iter().cloned().chain(found).collect::<Vec<_>>())
     }
 
     #[getter]

@@ -2,6 +2,8 @@
 //! texts and shares no code with the program.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may")]
 
+mod estimate;
+
 use std::path::Path;
 
 use polhode::*;
@@ -10,6 +12,7 @@ use polhode_formats::scenario;
 /// A motion and what it truly is.
 struct Case {
     name: String,
+    kind: String,
     scenario: Scenario,
     /// How many times further apart two motions get that begin near to each other; `None` of a long free motion.
     growth: Option<f64>,
@@ -40,7 +43,7 @@ impl Case {
     }
 
     fn read(case: &toml::Value) -> Self {
-        let name = case["name"].as_str().unwrap().to_owned();
+        let [name, kind] = ["name", "kind"].map(|key| case[key].as_str().unwrap().to_owned());
         let text = case["scenario"].as_str().unwrap();
         let scenario = scenario::parse(text, Path::new(&name)).unwrap_or_else(|e| panic!("{name}: {e}"));
         let truth = case["truth"].as_array().unwrap().iter().map(|row| Truth {
@@ -50,7 +53,7 @@ impl Case {
         });
         let growth =
             case.get("growth").map(|x| x.as_float().unwrap_or_else(|| x.as_integer().unwrap() as f64));
-        Self { truth: truth.collect(), name, scenario, growth }
+        Self { truth: truth.collect(), name, kind, scenario, growth }
     }
 
     fn simulated(&self) -> Trajectory {

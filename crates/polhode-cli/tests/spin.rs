@@ -219,6 +219,27 @@ fn moments_of_no_body_are_refused_or_allowed() {
 }
 
 #[test]
+fn a_time_beyond_reach_is_refused_by_its_name() {
+    let scratch = Scratch::new("spin-far");
+    let arguments = ["--moments", "1.37,2.09,2.91", "--omega", "0.3,-0.5,0.9"];
+    for times in ["1e28", "1e40", "1,1e300,2", "-1e40"] {
+        let times = format!("--at={times}");
+        let text = refused(&spin(&scratch, &[&arguments[..], &[&times]].concat()));
+        assert!(text.contains("known up to 2.") && text.contains("e25 s"), "{text}");
+    }
+    // The longest times that are known have the digits of the library.
+    let all = json(&spin(&scratch, &[&arguments[..], &["--json", "--at", "1e22"]].concat()));
+    let library = motion([1.37, 2.09, 2.91], [0.3, -0.5, 0.9]).at(1e22).omega;
+    assert_eq!(numbers(&all["motion"]["states"][0]["omega_body"]), library.to_array());
+    let body = "[[body.part]]\nshape = 'tensor'\nmass = 1\nmoments = [1.37, 2.09, 2.91]\n[start]\n\
+                spin = { body = [0.3, -0.5, 0.9] }\n[run]\nduration = '1e30 s'\nsamples = 3\n";
+    scratch.write("long.toml", body);
+    let text = refused(&scratch.run(&["simulate", "long.toml", "-o", "out"]));
+    assert!(text.contains("5e29 s") && text.contains("e25 s"), "{text}");
+    assert_eq!(scratch.entries(), ["long.toml"]);
+}
+
+#[test]
 fn bad_input_says_what_is_wrong() {
     let scratch = Scratch::new("spin-bad");
     scratch.write("times.txt", "0\n1.5\n\n 3 kg # late\n");

@@ -50,6 +50,7 @@ impl PyFreeMotion {
     /// ω (n, 3) and the attitude (n, 4) at times.
     fn at<'py>(&self, py: Python<'py>, times: PyReadonlyArray1<'py, f64>) -> PyResult<States<'py>> {
         let times = numbers(&times)?;
+        self.motion.require(times).map_err(Raise::raise)?;
         let (mut omega, mut attitude) =
             (Vec::with_capacity(3 * times.len()), Vec::with_capacity(4 * times.len()));
         let mut before = None;

@@ -36,6 +36,24 @@ def test_states_have_the_digits_of_the_references(fixtures: Path) -> None:
             assert 1.0 - abs(wxyz @ [float(q) for q in row["attitude"]]) <= max(bound**2, 1e-15)
 
 
+def test_a_time_beyond_reach_is_refused() -> None:
+    motion = polhode.FreeMotion(moments=[1.37, 2.09, 2.91], omega=[0.3, -0.5, 0.9], attitude=TURN)
+    assert np.isfinite(motion.at(1e22).omega).all()
+    for times in (1e40, [0.0, -1e30, 2.0], 1e300):
+        with pytest.raises(polhode.PolhodeError, match=r"too far away: this motion is known up to 2\.\de25 s"):
+            motion.at(times)
+    with pytest.raises(polhode.PolhodeError, match="finite"):
+        motion.at([1.0, float("nan")])
+
+
+def test_a_start_that_is_unit_to_rounding_keeps_its_bits() -> None:
+    for k in range(1000):
+        q = np.random.default_rng(k).normal(size=4)
+        q = q / np.linalg.norm(q) * np.sign(q[0])
+        motion = polhode.FreeMotion(moments=[1, 2, 3], omega=[0.3, 0.5, 0.9], attitude=q)
+        assert (motion.at(0.0).attitude == q).all()
+
+
 def test_a_tensor_with_products_moves_as_euler_says(generic: polhode.MassProperties) -> None:
     inertia, start = generic.inertia, np.array([0.9, -1.3, 0.7])
     times = np.linspace(0.0, 12.0, 7)

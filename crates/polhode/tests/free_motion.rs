@@ -59,14 +59,18 @@ fn many_states_have_the_bits_of_one() {
     for case in cases(&table("free_motion"), "case") {
         let motion = FreeMotion::of_moments(numbers(&case["moments"]), start(case)).unwrap();
         let unit = motion.period().unwrap_or(1.0);
-        // 0 … 139: full blocks, full groups and rests, the start among them, and times without digits
+        // 0 … 139: full blocks, full groups and rests, the start among them, and times that are too far away
         let times: Vec<f64> =
             (0..140).map(|k| unit * (f64::from(k) - 7.0) * 0.0917 * 3f64.powi(k / 10)).collect();
-        let times: Vec<f64> = times.into_iter().chain([1e300, -f64::MAX, 1e40]).collect();
-        for count in [0, 1, 15, 16, 17, 64, 80, 143] {
+        let times: Vec<f64> = times.into_iter().chain([1e300, -f64::MAX, f64::NAN, 1e20 * unit]).collect();
+        for count in [0, 1, 15, 16, 17, 64, 80, 144] {
             let many = motion.at_times(&times[..count]);
             assert_eq!(many.len(), count);
             for (&time, state) in times.iter().zip(many) {
+                if !(time.abs() <= motion.reach()) {
+                    assert!(is_unknown(&state) && is_unknown(&motion.at(time)), "{time} {state:?}");
+                    continue;
+                }
                 assert_eq!(state, motion.at(time), "{} at {time}", case["name"].as_str().unwrap());
                 assert!(
                     state.omega.is_finite()
@@ -76,6 +80,81 @@ fn many_states_have_the_bits_of_one() {
             }
         }
     }
+}
+
+fn is_unknown(state: &State) -> bool {
+    state.omega.to_array().iter().chain(&state.attitude.quaternion()).all(|x| x.is_nan())
+}
+
+#[test]
+fn beyond_reach_nothing_is_said() {
+    let attitude = Attitude::from_quaternion([0.4, -0.7, 1.1, 0.3]).unwrap();
+    let start = State { time: -7.5, attitude, omega: AngularVelocity::new(0.31117, -0.49321, 0.87113) };
+    let rotor = turned_body([1.3, 2.1, 2.9]);
+    let motion = FreeMotion::of(&rotor, start).unwrap();
+    let reach = motion.reach();
+    assert!((1e24..1e26).contains(&reach), "{reach:e}");
+    let far = [2.0 * reach, -2.0 * reach, 1e40, 1e300, f64::INFINITY, f64::NAN];
+    for time in far {
+        let refused = motion.require(&[1.0, 0.5 * reach, time]);
+        match refused {
+            Err(MotionError::BeyondReach { time: said, reach: known }) => {
+                assert!(said.to_bits() == time.to_bits() && known == reach, "{said} {known}");
+            }
+            other => panic!("{other:?}"),
+        }
+        assert!(is_unknown(&motion.at(time)));
+        let all = FreeMotions::of(&[motion; 11]).at(time);
+        assert!(all.len() == 11 && all.iter().all(is_unknown));
+        let simulation = Simulation {
+            rotor: &rotor,
+            torques: &[],
+            switched_off: &[],
+            start,
+            events: &[],
+            times: &[time.abs()],
+            method: Method::Auto,
+            tolerance: 1e-13,
+        };
+        if time.is_finite() {
+            assert!(matches!(simulation.states(), Err(MotionError::BeyondReach { .. })));
+            assert!(matches!(simulation.run(&mut |_| {}), Err(MotionError::BeyondReach { .. })));
+            let refused = Trajectory::of_motion(motion, &[time]);
+            assert!(matches!(refused, Err(MotionError::BeyondReach { .. })));
+        }
+    }
+    // One motion far away, the others near: each for itself.
+    let slow = FreeMotion::of(&rotor, State { omega: start.omega * 1e-9, ..start }).unwrap();
+    let states = FreeMotions::of(&[motion, slow, motion]).at(2.0 * reach);
+    assert!(is_unknown(&states[0]) && is_unknown(&states[2]) && states[1] == slow.at(2.0 * reach));
+    assert!(motion.require(&[0.9 * reach, -0.9 * reach]).is_ok());
+    // What is at rest is known for ever.
+    let rest = FreeMotion::of(&rotor, State { omega: AngularVelocity::ZERO, ..start }).unwrap();
+    assert_eq!(rest.at(1e300).attitude.quaternion().map(f64::is_nan), [false; 4]);
+}
+
+#[test]
+fn a_start_that_is_unit_to_rounding_keeps_its_bits() {
+    let mut seed = 1_u64;
+    let mut changed = 0;
+    for _ in 0..20_000 {
+        let mut component = || {
+            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (seed >> 11) as f64 / 2f64.powi(52) - 1.0
+        };
+        let q: [f64; 4] = std::array::from_fn(|_| component());
+        let length = q.iter().map(|c| c * c).sum::<f64>().sqrt();
+        let unit = q.map(|c| c / length);
+        let attitude = Attitude::from_quaternion(unit).unwrap();
+        assert_eq!(attitude.quaternion(), unit);
+        let start = State { time: 0.0, attitude, omega: AngularVelocity::new(0.3, 0.5, 0.9) };
+        let motion = FreeMotion::of_moments([1.0, 2.0, 3.0], start).unwrap();
+        assert_eq!(motion.at(0.0).attitude.quaternion(), unit);
+        // once more than rounding
+        let longer = unit.map(|c| c * (1.0 + 1e-14));
+        changed += usize::from(Attitude::from_quaternion(longer).unwrap().quaternion() != longer);
+    }
+    assert_eq!(changed, 20_000);
 }
 
 #[test]
@@ -88,6 +167,10 @@ fn a_motion_starts_where_it_starts() {
             // and next to it no jump
             let beside = motion.at(if time == 0.0 { f64::MIN_POSITIVE } else { time.next_up() });
             let step = (beside.time - time) * start.omega.norm();
+            if motion.require(&[beside.time]).is_err() {
+                assert!(step > 1e24 && is_unknown(&beside));
+                continue;
+            }
             assert!(
                 (beside.omega - start.omega).norm() <= (4e-15 + 4.0 * step) * start.omega.norm(),
                 "{}",
@@ -120,7 +203,9 @@ fn many_bodies_have_the_bits_of_one() {
             let states = all.at(time);
             assert_eq!(states.len(), count);
             for (motion, state) in motions.iter().zip(states) {
-                assert_eq!(state, motion.at(time));
+                let one = motion.at(time);
+                assert!(state == one || is_unknown(&state) && is_unknown(&one), "{time} {state:?} {one:?}");
+                assert_eq!(is_unknown(&one), motion.require(&[time]).is_err());
             }
         }
     }
@@ -250,8 +335,13 @@ fn nothing_is_ever_undefined() {
                         let motion = FreeMotion::of_moments(moments, start).unwrap();
                         let period = motion.period();
                         assert!(period.is_none_or(|p| p > 0.0 && p.is_finite()));
+                        assert!(motion.reach() >= 2e9 / scale, "{moments:?} {omega:?}: {:e}", motion.reach());
                         for time in [0.0, 1.0 / scale, -1e9 / scale, 1e300, f64::MAX, f64::INFINITY] {
                             let state = motion.at(time);
+                            if !((time - 0.1).abs() <= motion.reach()) {
+                                assert!(is_unknown(&state));
+                                continue;
+                            }
                             let norm: f64 = state.attitude.quaternion().iter().map(|c| c * c).sum();
                             assert!(
                                 state.omega.is_finite() && (norm - 1.0).abs() < 1e-15,

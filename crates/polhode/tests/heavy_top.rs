@@ -40,7 +40,7 @@ fn thousand_nutations_have_the_digits_of_the_reference() {
             Position::ZERO,
         );
         let gravity = UniformGravity { acceleration: Acceleration::from_array(numbers(&case["gravity"])) };
-        let attitude = Attitude::from_quaternion(numbers(&case["quaternion"])).unwrap();
+        let attitude = Attitude::from_quaternion(numbers(&case["attitude0"])).unwrap();
         assert_eq!(attitude.quaternion(), numbers::<4>(&case["attitude0"]));
         let omega = AngularVelocity::from_array(numbers(&case["omega0"]));
         let motion = HeavyTop::of(&rotor, &gravity, State { time: 0.0, attitude, omega }).unwrap();
@@ -76,6 +76,82 @@ fn thousand_nutations_have_the_digits_of_the_reference() {
     }
     println!("{seen} rows; worst {worst:?}");
     assert!(seen > 130);
+}
+
+#[test]
+fn far_away_it_is_where_it_should_be_or_nowhere() {
+    // By `legendre` and `state` of fixtures/heavy_tops.py in 110 digits: some 10⁹, 10¹³ and 2 · 10¹⁵ nutations.
+    let inertia = InertiaTensor::diagonal([0.625, 0.09375, 0.625]).unwrap();
+    let prolate = MassProperties::new(2.25, Position::new(0.0, -0.4375, 0.0), inertia).unwrap();
+    let tops = [
+        (
+            top(),
+            DOWN,
+            [0.8212150138980858, 0.3182208178855082, -0.23609931649569965, 0.4106075069490429],
+            [-0.6, 0.35, 31.5],
+            [
+                (
+                    514873126.35308045,
+                    [-0.06787013585851093, 0.6912985198758874, 31.5],
+                    [0.15339078222932703, 0.3169027522211713, -0.23786555403124174, 0.9052424491632795],
+                ),
+                (
+                    5148731263530.805,
+                    [-0.4816920806209979, -0.49891909480834323, 31.5],
+                    [0.9163265481427757, 0.37976563683222037, 0.11290979197551344, 0.05809558611641412],
+                ),
+                (
+                    1029746252706160.9,
+                    [0.7823754656921708, -0.4365126257437204, 31.5],
+                    [0.4156878478328935, -0.3603525264080267, -0.18640206148733976, 0.8140048779636887],
+                ),
+            ],
+        ),
+        (
+            Rotor::pivoted(&prolate, Position::ZERO),
+            UniformGravity { acceleration: Acceleration::new(1.1, -2.2, -8.7) },
+            [0.5157106231293968, -0.4125684985035174, 0.7219948723811553, 0.2062842492517587],
+            [0.8, 21.5, -0.7],
+            [
+                (
+                    1254959823.289051,
+                    [1.0615542673222935, 21.5, -0.05570616001069399],
+                    [0.4027358694143378, 0.24192170070103286, 0.8734419282495637, -0.1279722946292723],
+                ),
+                (
+                    12549598232890.512,
+                    [-1.0578539117415646, 21.5, -0.012112000884623886],
+                    [0.8693799501168262, -0.1299150780886442, -0.37823874588276274, -0.2902344327145232],
+                ),
+                (
+                    2509919646578102.0,
+                    [1.8208128828994319, 21.5, -1.664706218182573],
+                    [-0.6861975562530713, -0.3940360135850957, -0.5898637958751707, 0.1610255759375333],
+                ),
+            ],
+        ),
+    ];
+    for (rotor, gravity, attitude, omega, rows) in tops {
+        let attitude = Attitude::from_quaternion(attitude).unwrap();
+        let start = State { time: 0.0, attitude, omega: AngularVelocity::from_array(omega) };
+        let motion = HeavyTop::of(&rotor, &gravity, start).unwrap();
+        for (time, omega, attitude) in rows {
+            assert!(motion.reach() > time, "{:e}", motion.reach());
+            let state = motion.at(time);
+            let error = (state.omega - AngularVelocity::from_array(omega)).norm() / state.omega.norm();
+            let turned = state.attitude.angle_to(Attitude::from_quaternion(attitude).unwrap());
+            let law = 4e-15 + 1e-23 * time / motion.nutation_period().unwrap();
+            assert!(error.max(turned) < law, "{time}: {error:e} {turned:e}");
+        }
+        for far in [1.01 * motion.reach(), -1e300, f64::INFINITY, f64::NAN] {
+            let state = motion.at(far);
+            assert!(state.omega.x.is_nan() && state.attitude.quaternion().iter().all(|c| c.is_nan()));
+        }
+        let torques = [TorqueModel::Gravity(gravity)];
+        let closed = ClosedForm::of(&rotor, &torques, start).unwrap();
+        let refused = closed.require(&[1.0, 1e30]);
+        assert_eq!(refused, Err(MotionError::BeyondReach { time: 1e30, reach: motion.reach() }));
+    }
 }
 
 #[test]

@@ -46,6 +46,7 @@ class FreeMotion:
     array([-0.01, -1.  ,  0.01])
 
     Accuracy: 4e-15 (ω relative, attitude in rad) for |t| up to 1e9 periods; the measured errors are in the book's ``accuracy.md``.
+    Beyond some 1e25 turns, where the phase has no six digits left, :meth:`at` refuses a time.
     """
 
     def __init__(
@@ -143,7 +144,8 @@ class FreeMotion:
     def at(self, times: npt.ArrayLike) -> States:
         """ω and the attitude at times, s: any, in any order, before the start too.
 
-        Of a single time ω is (3,) and the attitude (4,). The first quaternion has w ≥ 0.
+        Of a single time ω is (3,) and the attitude (4,). The first quaternion has w ≥ 0. A :exc:`PolhodeError` names the first time that is
+        too far away for any to be known.
         """
         given = _arrays.real("times", times)
         if given.ndim > 1:

@@ -93,13 +93,17 @@ impl core::error::Error for RotationError {}
 /// A direction-cosine matrix may be this far from orthogonal: eight printed digits.
 const MATRIX_TOLERANCE: f64 = 1e-7;
 
+/// |q|² of a quaternion that was divided by its length in doubles, summed in doubles, is within 3 ε of 1 (20 000 at random).
+const UNIT: f64 = 4.0 * f64::EPSILON;
+
 impl<A, B> Rotation<A, B> {
     /// The rotation that changes nothing: both frames coincide.
     pub const fn identity() -> Self {
         Self::unit(1.0, 0.0, 0.0, 0.0)
     }
 
-    /// The rotation of a quaternion (w, x, y, z), Hamilton, scalar first; normalised here.
+    /// The rotation of a quaternion (w, x, y, z), Hamilton, scalar first; normalised here, but for one that is unit to rounding
+    /// already, which keeps its bits.
     ///
     /// # Errors
     /// [`RotationError::Quaternion`] if it is zero or not finite.
@@ -108,6 +112,9 @@ impl<A, B> Rotation<A, B> {
         let finite = [w, x, y, z].iter().all(|c| c.is_finite());
         if !finite || scale == 0.0 {
             return Err(RotationError::Quaternion { wxyz: [w, x, y, z] });
+        }
+        if (w * w + x * x + y * y + z * z - 1.0).abs() <= UNIT {
+            return Ok(Self::unit(w, x, y, z));
         }
         Ok(Self::normalised([w / scale, x / scale, y / scale, z / scale]))
     }

@@ -4,6 +4,7 @@ use super::error::MotionError;
 use super::free::FreeMotion;
 use super::global_error::StateError;
 use super::heavy_top::HeavyTop;
+use super::reach::require;
 use super::rotor::Rotor;
 use super::state::State;
 use super::swinging_body::SwingingBody;
@@ -11,7 +12,7 @@ use super::torque::TorqueModel;
 
 /// A motion in closed form: the state at any time at once.
 ///
-/// Each of them is right to some 10⁻¹⁵ at any time, for the numbers given: no worse than the integrators at their tightest
+/// Each of them is right to some 10⁻¹⁵ for as long as anything turns 10¹⁵ times, for the numbers given: no worse than the integrators at their tightest
 /// tolerance, so that `auto` takes a closed form wherever there is one.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
@@ -56,7 +57,7 @@ impl ClosedForm {
         }
     }
 
-    /// The state at a time, s; any time, before the start too.
+    /// The state at a time, s, before the start too; not a number beyond [`ClosedForm::reach`], and at a time that is none.
     #[must_use]
     pub fn at(&self, time: f64) -> State {
         match self {
@@ -78,6 +79,23 @@ impl ClosedForm {
                 omega: 1e-15 + 0.7 * inputs.omega,
             },
         }
+    }
+
+    /// For how long before and after its start the motion is known, s, to 1e-6 rad for inputs that are exact.
+    pub fn reach(&self) -> f64 {
+        match self {
+            Self::Free(motion) => motion.reach(),
+            Self::HeavyTop(motion) => motion.reach(),
+            Self::Swinging(motion) => motion.reach(),
+        }
+    }
+
+    /// That the motion is known at each of the times, s.
+    ///
+    /// # Errors
+    /// [`MotionError::BeyondReach`] for the first that is beyond [`ClosedForm::reach`], or no number.
+    pub fn require(&self, times: &[f64]) -> Result<(), MotionError> {
+        require(&self.start(), self.reach(), times)
     }
 
     /// In words, for a summary.

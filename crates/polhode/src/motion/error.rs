@@ -43,6 +43,13 @@ pub enum MotionError {
         /// Why.
         why: &'static str,
     },
+    /// A time so far from the start that the phase of a closed form is not known there, or one that is no number.
+    BeyondReach {
+        /// The time, s.
+        time: f64,
+        /// How far from its start the motion is known, s.
+        reach: f64,
+    },
     /// A torque that splitting cannot take: it is no function of attitude and time alone.
     NotSplittable {
         /// The torque's model.
@@ -143,6 +150,9 @@ impl MotionError {
                 "start nearer to an equilibrium, at rest or turning about an axis along which all torques stay as they are",
             ),
             Self::NoClosedForm { .. } => Some("use method = \"auto\" or \"dop853\""),
+            Self::BeyondReach { .. } => {
+                Some("give an earlier time; the last bit of what is measured decides the phase long before")
+            }
             Self::NotSplittable { .. } => Some("use method = \"taylor\" or \"dop853\""),
             Self::StepTooSmall { .. } | Self::TooManySteps { .. } => {
                 Some("loosen the tolerance or lengthen the step, or shorten the duration")
@@ -192,6 +202,14 @@ impl fmt::Display for MotionError {
                 "this is no equilibrium, and none was found near it: of torques of {scale:.3e} N·m in all, {torque:.3e} N·m is left over"
             ),
             Self::NoClosedForm { why } => write!(f, "there is no closed form of this motion: {why}"),
+            Self::BeyondReach { time, .. } if !time.is_finite() => {
+                write!(f, "t = {time} s is no time")
+            }
+            Self::BeyondReach { time, reach } => write!(
+                f,
+                "t = {time:e} s is too far away: this motion is known up to {reach:.1e} s from its start, where rounding \
+                 leaves its phase six digits"
+            ),
             Self::NotSplittable { what, why } => {
                 write!(f, "splitting cannot take the torque \"{what}\": {why}")
             }

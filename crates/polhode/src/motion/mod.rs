@@ -22,6 +22,7 @@ pub(crate) mod pendulum;
 pub(crate) mod pendulum_motion;
 pub(crate) mod prescribed;
 pub(crate) mod propagate;
+pub(crate) mod reach;
 pub(crate) mod rotor;
 pub(crate) mod sample;
 pub(crate) mod scenario;

@@ -1,10 +1,12 @@
 //! The state of a turning body.
 
 use crate::math::frame::{Body, Space};
-use crate::math::rotation::Attitude;
+use crate::math::rotation::{Attitude, Rotation};
 use crate::math::vector::AngularVelocity;
 
 /// Where a body points, how it turns, and when.
+///
+/// Of a time at which a closed form is not known attitude and ω are not numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct State {
     /// Time, s.
@@ -16,6 +18,13 @@ pub struct State {
 }
 
 impl State {
+    /// Of a time at which nothing is known.
+    #[cold]
+    pub(crate) fn unknown(time: f64) -> Self {
+        let omega = AngularVelocity::from_array([f64::NAN; 3]);
+        Self { time, attitude: Rotation::from_unit([f64::NAN; 4]), omega }
+    }
+
     /// ω in space axes, rad/s.
     pub fn omega_space(&self) -> AngularVelocity<Space> {
         self.attitude * self.omega

@@ -9,6 +9,7 @@ use crate::math::vector::{AngularVelocity, Direction};
 
 use super::error::MotionError;
 use super::pendulum_motion::PendulumMotion;
+use super::reach::is_within;
 use super::rotor::Rotor;
 use super::state::State;
 use super::torque::gravity::UniformGravity;
@@ -17,7 +18,7 @@ use super::torque::gravity::UniformGravity;
 /// the arm of the centre of mass: the torque is along n, and so ω stays along it.
 ///
 /// # Accuracy
-/// 5·10⁻¹⁶ rad at any time, for a body that meets these conditions exactly. What meets them to rounding only (4 ε) is taken
+/// 5·10⁻¹⁶ rad within a hundredth of [`SwingingBody::reach`] and less, for a body that meets these conditions exactly. What meets them to rounding only (4 ε) is taken
 /// to meet them; a turn about the intermediate axis is unstable, and the true motion then leaves the plane in time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SwingingBody {
@@ -110,11 +111,19 @@ impl SwingingBody {
         self.start
     }
 
-    /// The state at a time, s; any time, before the start too. One that is not finite counts as the start.
+    /// For how long before and after its start the motion is known, s: as [`PendulumMotion::reach`].
+    pub fn reach(&self) -> f64 {
+        self.motion.reach()
+    }
+
+    /// The state at a time, s, before the start too; not a number beyond [`SwingingBody::reach`], and at a time that is none.
     #[must_use]
     pub fn at(&self, time: f64) -> State {
-        if time == self.start.time || !time.is_finite() {
+        if time == self.start.time {
             return self.start;
+        }
+        if !is_within(&self.start, self.reach(), time) {
+            return State::unknown(time);
         }
         let elapsed = Double::sum(time, -self.start.time);
         let Some((half, rate)) = self.motion.half_angle(elapsed) else { return State { time, ..self.start } };

@@ -163,10 +163,12 @@ impl Trajectory {
     /// A free motion at each of `times` (ascending, s; before its start too).
     ///
     /// # Errors
-    /// [`MotionError::Parameter`] if times are out of order, [`MotionError::NotFinite`] where energy or momentum leave the range
+    /// [`MotionError::Parameter`] if times are out of order, [`MotionError::BeyondReach`] for one too far away,
+    /// [`MotionError::NotFinite`] where energy or momentum leave the range
     /// of f64.
     pub fn of_motion(motion: FreeMotion, times: &[f64]) -> Result<Self, MotionError> {
         require_ascending(f64::NEG_INFINITY, times)?;
+        motion.require(times)?;
         let samples = motion.at_times(times).into_iter().map(|state| Sample::of_free(&motion, state));
         let samples = samples.collect::<Result<_, _>>()?;
         let start = Sample::of_free(&motion, motion.start())?;
@@ -184,6 +186,7 @@ impl Trajectory {
         if let ClosedForm::Free(motion) = motion {
             return Self::of_motion(*motion, times);
         }
+        motion.require(times)?;
         let start = motion.start();
         let (potential, momentum) =
             (total_potential(torques, rotor, &start), rotor.angular_momentum_space(&start));

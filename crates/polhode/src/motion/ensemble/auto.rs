@@ -71,14 +71,25 @@ pub(super) fn fly(share: &mut Share<'_>, times: &[f64], tolerance: f64, method: 
 }
 
 fn evaluate(share: &mut Share<'_>, k: usize, motion: &ClosedForm, times: &[f64], states: &mut [State]) {
+    let (known, beyond) = match motion.require(times) {
+        Ok(()) => (times, None),
+        Err(cause) => {
+            let is_known = |time: &&f64| motion.require(core::slice::from_ref(*time)).is_ok();
+            (times.get(..times.iter().take_while(is_known).count()).unwrap_or_default(), Some(cause))
+        }
+    };
     let mut from = 0;
-    for times in times.chunks(BATCH) {
+    for times in known.chunks(BATCH) {
         match motion {
             ClosedForm::Free(motion) if times.len() > FEW => motion.fill(times, states),
             _ => states.iter_mut().zip(times).for_each(|(state, &time)| *state = motion.at(time)),
         }
         share.put(k, from, states.get(..times.len()).unwrap_or_default());
         from += times.len();
+    }
+    if let Some(cause) = beyond {
+        let last = known.last().map_or(motion.start(), |&time| motion.at(time));
+        share.fail(k, from, last, cause);
     }
 }
 

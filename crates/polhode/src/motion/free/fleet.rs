@@ -3,6 +3,7 @@
 use core::hint::black_box;
 
 use crate::math::lanes::{Lanes, in_widest_vectors};
+use crate::motion::reach::is_within;
 use crate::motion::state::State;
 
 use super::FreeMotion;
@@ -37,6 +38,10 @@ pub struct FreeMotions {
     starts: Vec<State>,
     /// The first and the last time at which one starts.
     started: [f64; 2],
+    /// How far from its start each is known, s.
+    reaches: Vec<f64>,
+    /// The longest time from 0 that all know.
+    known: f64,
     trigonometric: Kin<Nomes<Vectors>>,
     hyperbolic: Kin<Pulse<Vectors>>,
 }
@@ -95,6 +100,8 @@ impl FreeMotions {
         Self {
             started: [times().fold(f64::INFINITY, f64::min), times().fold(f64::NEG_INFINITY, f64::max)],
             starts: motions.iter().map(|motion| motion.start).collect(),
+            reaches: motions.iter().map(|motion| motion.reach).collect(),
+            known: motions.iter().map(known).fold(f64::INFINITY, f64::min),
             trigonometric: Kin::of(&trigonometric),
             hyperbolic: Kin::of(&hyperbolic),
         }
@@ -110,7 +117,7 @@ impl FreeMotions {
         self.starts.is_empty()
     }
 
-    /// The state of every body at a time, s.
+    /// The state of every body at a time, s; not a number where it is not known, as of [`FreeMotion::at`].
     #[must_use]
     pub fn at(&self, time: f64) -> Vec<State> {
         let mut states = self.starts.clone();
@@ -127,6 +134,13 @@ impl FreeMotions {
         }
         self.trigonometric.fill(time, states);
         self.hyperbolic.fill(time, states);
+        if !(time.abs() <= self.known) {
+            for ((state, start), &reach) in states.iter_mut().zip(&self.starts).zip(&self.reaches) {
+                if !is_within(start, reach, time) {
+                    *state = State::unknown(time);
+                }
+            }
+        }
         let [first, last] = self.started;
         if !(first..=last).contains(&time) {
             return;
@@ -135,6 +149,11 @@ impl FreeMotions {
             *state = *start;
         }
     }
+}
+
+/// The longest time from 0 that is within a motion's reach.
+fn known(motion: &FreeMotion) -> f64 {
+    motion.reach - motion.start.time.abs()
 }
 
 impl<N: Nucleus<Vectors>> Kin<N> {

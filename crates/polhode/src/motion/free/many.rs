@@ -3,6 +3,7 @@
 use core::hint::black_box;
 
 use crate::math::lanes::{Lanes, in_widest_vectors};
+use crate::motion::reach::is_within;
 use crate::motion::state::State;
 
 use super::FreeMotion;
@@ -65,8 +66,12 @@ fn fill<N: Family>(
             }
         },
     );
-    for (state, _) in states.iter_mut().zip(times).filter(|(_, time)| **time == motion.start.time) {
-        *state = motion.start;
+    for (state, &time) in states.iter_mut().zip(times) {
+        if time == motion.start.time {
+            *state = motion.start;
+        } else if !is_within(&motion.start, motion.reach, time) {
+            *state = State::unknown(time);
+        }
     }
 }
 

@@ -15,6 +15,7 @@ mod kernel;
 mod labelled;
 mod many;
 mod phase;
+mod reach;
 mod regime;
 mod seed;
 mod trigonometric;
@@ -27,6 +28,7 @@ use crate::math::triple::Triple;
 use crate::math::vector::{AngularAcceleration, AngularMomentum};
 
 use super::error::MotionError;
+use super::reach::{is_within, require};
 use super::rotor::Rotor;
 use super::state::State;
 use axes::FineAxes;
@@ -71,6 +73,7 @@ pub struct FreeMotion {
     constants: Constants,
     /// rad/s per unit of the kernel's rates: a power of two, and 1 but for rates near the ends of the range of f64.
     unit: f64,
+    reach: f64,
     kernel: Kernel,
 }
 
@@ -173,23 +176,43 @@ impl FreeMotion {
             },
             constants: Constants::of(&elements, &labelled, fine.unit, unit),
             unit: kernel_unit,
+            reach: reach::of(&elements, &labelled, fine.given, unit),
             kernel: Kernel::of(&elements, &labelled, [unit, pace], start.attitude),
         })
     }
 
-    /// The state at a time, s; any time, before the start too.
+    /// The state at a time, s, before the start too.
     ///
-    /// A time so far away that no digit of its phase is left (10²⁸⁰ s where rates are moderate, or not finite) counts as the start.
+    /// Further from the start than [`FreeMotion::reach`], and at a time that is no number, ω and attitude are not numbers either:
+    /// [`FreeMotion::require`] tells.
     #[must_use]
     pub fn at(&self, time: f64) -> State {
         if time == self.start.time {
             return self.start;
+        }
+        if !is_within(&self.start, self.reach, time) {
+            return State::unknown(time);
         }
         if self.start.time == 0.0 {
             self.kernel.at::<true>(time, &self.elapsed::<true, f64>(time))
         } else {
             self.kernel.at::<false>(time, &self.elapsed::<false, f64>(time))
         }
+    }
+
+    /// For how long before and after its start the motion is known, s: there the attitude may be wrong by up to 1e-6 rad, by the
+    /// rounding of the constants that time multiplies, for inputs that are exact. Some 10²⁵ turns; less where the period hangs on
+    /// differences of which few digits are left, next to the separatrix.
+    pub const fn reach(&self) -> f64 {
+        self.reach
+    }
+
+    /// That the motion is known at each of the times, s.
+    ///
+    /// # Errors
+    /// [`MotionError::BeyondReach`] for the first that is beyond [`FreeMotion::reach`], or no number.
+    pub fn require(&self, times: &[f64]) -> Result<(), MotionError> {
+        require(&self.start, self.reach, times)
     }
 
     #[inline(always)]

@@ -52,14 +52,14 @@ impl<T: Real> Elapsed<T> {
         self.high.within(reach)
     }
 
-    /// A span too long for any digit of its phase counts as none.
+    /// A span so long that only what is at rest is known there counts as none.
     fn with_digits(&self) -> Self {
         let within = |span: f64, word: f64| if span.abs() < LONGEST { word } else { 0.0 };
         Self { high: self.high.zip(self.high, within), low: self.high.zip(self.low, within) }
     }
 }
 
-/// A phase has long lost its digits here, and no product overflows yet.
+/// No product overflows yet.
 const LONGEST: f64 = 1e280;
 
 impl<T: Real> Phase<T> {

@@ -5,6 +5,7 @@ use super::{GlobalError, RUNS, StateError, input_error};
 use crate::math::symmetric3::Symmetric3;
 use crate::motion::error::MotionError;
 use crate::motion::free::FreeMotion;
+use crate::motion::reach::ALLOWED;
 use crate::motion::trajectory::Trajectory;
 
 impl FreeMotion {
@@ -32,13 +33,10 @@ impl FreeMotion {
         GlobalError { is_thorough: true, computation, inputs }
     }
 
-    /// Of states so long after the start: some rounding, and 1e-31 rad for every turn.
+    /// Of states so long after the start: some rounding, and what the phase has drifted by ([`FreeMotion::reach`]).
     pub(crate) fn formula_error(&self, after: f64) -> StateError {
-        let turns = after.abs() * self.start().omega.norm() / core::f64::consts::TAU;
-        StateError {
-            attitude: (8e-16 + 1e-31 * turns).min(core::f64::consts::PI),
-            omega: 5e-16 + 1e-31 * turns,
-        }
+        let drift = ALLOWED * (after.abs() / self.reach()).min(1.0);
+        StateError { attitude: 8e-16 + drift, omega: 5e-16 + drift }
     }
 
     /// R diag(i) Rᵀ

@@ -63,7 +63,7 @@ pub enum ErrorEffort {
 ///
 /// # Accuracy
 /// Of the motions of `fixtures/motion_errors.toml`, all torque models, chaotic, damped and stiff ones among them, none has more than
-/// twice the error that is estimated, with either effort; the median ratio of estimate to error is in `book/accuracy.md`.
+/// twice the error that a thorough estimate says, and few of a cheap one: `book/error.md`.
 ///
 /// ```
 /// use polhode::*;

@@ -63,7 +63,8 @@ impl Distance {
         let mut states = states.iter();
         let apart = |reference: &State| {
             states.next().map_or((f64::INFINITY, f64::INFINITY), |state| {
-                (state.attitude.angle_to(reference.attitude), (state.omega - reference.omega).norm())
+                let angle = state.attitude.angle_to(reference.attitude);
+                (number_or_infinite(angle), number_or_infinite((state.omega - reference.omega).norm()))
             })
         };
         let (attitude, omega) = reference.iter().map(apart).unzip();
@@ -116,6 +117,11 @@ impl Distance {
             })
             .collect()
     }
+}
+
+/// A state beyond the reach of a closed form is no number: then nothing is known.
+const fn number_or_infinite(x: f64) -> f64 {
+    if x.is_nan() { f64::INFINITY } else { x }
 }
 
 /// Two motions that are so far apart tell nothing of where a third one is: the error is the largest that there is.

@@ -75,6 +75,11 @@ impl CayleyKlein {
         Self { form, h, linear, third, n1, complete }
     }
 
+    /// Of its phase, per unit of x, what is linear.
+    pub(super) fn linear_rate(&self) -> f64 {
+        self.linear.value()
+    }
+
     /// Z at x, whose amplitude is `at`.
     pub(super) fn at(&self, parameter: &EllipticParameter, x: Double, at: &Amplitude) -> Jet {
         let mut phase = self.linear * x;

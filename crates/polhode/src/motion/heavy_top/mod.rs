@@ -13,11 +13,13 @@ use crate::math::complex::Complex;
 use crate::math::double::Double;
 use crate::math::elliptic::unit;
 use crate::math::quaternion::Quaternion;
+use crate::math::real::PI;
 use crate::math::rotation::Rotation;
 use crate::math::triple::Triple;
 use crate::math::vector::AngularVelocity;
 
 use super::error::MotionError;
+use super::reach::{Drift, is_within};
 use super::rotor::Rotor;
 use super::state::State;
 use super::torque::gravity::UniformGravity;
@@ -78,6 +80,7 @@ pub struct HeavyTop {
     /// ½(ω3 − a): P turns with it and Q against it, beside what nutation gives.
     turning: Double,
     nods: Option<Nods>,
+    reach: f64,
 }
 
 /// A motion whose axis is not always vertical.
@@ -111,6 +114,9 @@ impl HeavyTop {
         let still = top.across.norm_squared().is_zero();
         let vertical = top.from_top.is_zero() || top.from_bottom.is_zero();
         let nods = (!(still && vertical)).then(|| Nods::of(&top, turning));
+        let spin = top.spin.double();
+        let turns = (turning.value().abs() + spin.value().abs()) / (2.0 * PI);
+        let reach = nods.as_ref().map_or(Drift(TWO_WORDS * turns).reach(), |nods| nods.reach(turns));
         Ok(Self {
             start,
             path: TopPath::of(&top, nods.as_ref().map(|nods| &nods.nutation)),
@@ -119,17 +125,21 @@ impl HeavyTop {
             unit: top.unit,
             vertical: double(top.vertical),
             axis: double(top.axis),
-            spin: top.spin.double(),
+            spin,
             turning,
             nods,
+            reach: (reach / top.unit).min(f64::MAX),
         })
     }
 
-    /// The state at a time, s; any time, before the start too. One that is not finite counts as the start.
+    /// The state at a time, s, before the start too; not a number beyond [`HeavyTop::reach`], and at a time that is none.
     #[must_use]
     pub fn at(&self, time: f64) -> State {
-        if time == self.start.time || !time.is_finite() {
+        if time == self.start.time {
             return self.start;
+        }
+        if !is_within(&self.start, self.reach, time) {
+            return State::unknown(time);
         }
         let elapsed = Double::sum(time, -self.start.time) * Double::from(self.unit);
         let Some(nods) = &self.nods else { return self.turned(time, elapsed) };
@@ -142,6 +152,12 @@ impl HeavyTop {
             attitude: Rotation::near_unit(attitude.map(Double::value)),
             omega: AngularVelocity::from_array(omega.map(|w| w.value() * self.unit)),
         }
+    }
+
+    /// For how long before and after its start the motion is known, s, to 1e-6 rad for inputs that are exact: 2⁵² nutations, and less
+    /// next to the separatrix.
+    pub const fn reach(&self) -> f64 {
+        self.reach
     }
 
     /// Of a vertical top: turned about its axis.
@@ -244,7 +260,36 @@ impl HeavyTop {
     }
 }
 
+/// Of a turn, by rates of two words.
+const TWO_WORDS: f64 = 1e-30;
+
+/// Of what a nutation gains, rad: integrals of the third kind have 24 digits.
+const INTEGRALS: f64 = 1e-23;
+
+/// Of roots of the cubic, which three words of coefficients have.
+const ROOTS: f64 = 1e-45;
+
+/// More nutations are not counted one by one.
+const MOST_NUTATIONS: f64 = 4_503_599_627_370_496.0;
+
 impl Nods {
+    /// For how long the motion is known, beside what turns so often in a unit of time.
+    fn reach(&self, turns: f64) -> f64 {
+        let Nutation { rate, ref parameter, ref spread, .. } = self.nutation;
+        let rate = rate.value();
+        let half_period = parameter.quarter().value() / rate;
+        if !half_period.is_finite() {
+            let linear: f64 = self.halves.iter().map(|(half, _)| half.linear_rate().abs()).sum();
+            return Drift(TWO_WORDS * (turns + (1.0 + linear) * rate)).reach();
+        }
+        let gained: f64 = self.halves.iter().map(|(half, _)| half.gain(parameter).value().abs()).sum();
+        let turns = turns + (PI + gained) / (2.0 * half_period);
+        // K ≈ ½ ln(16/(1 − m)): what is uncertain of 1 − m = (v₂ − v₃)/(v₁ − v₃) is in every nutation
+        let uncertain = ROOTS / (parameter.complement() * spread.value());
+        let law = Drift(TWO_WORDS * turns + (INTEGRALS + uncertain) / (2.0 * half_period)).reach();
+        law.min(2.0 * half_period * MOST_NUTATIONS).max(half_period)
+    }
+
     fn of(top: &Constants, turning: Double) -> Self {
         let nutation = Nutation::of(top);
         let half_by_rate = |c: Triple| c.double().scaled(0.5) / nutation.rate;

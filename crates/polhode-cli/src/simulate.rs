@@ -93,6 +93,12 @@ impl Simulate {
 
     fn trajectory(&self, scenario: &Scenario, text: &str) -> Result<Trajectory, Failure> {
         let path = shown(&self.file);
+        if self.error && scenario.prescribed.is_some() {
+            return Err(Failure::usage(
+                format!("{path} prescribes its motion: there is no error to estimate"),
+                "leave out --error, or write [start] and torques in place of the prescribed motion",
+            ));
+        }
         let end = scenario.run.as_ref().and_then(|run| run.times.last().copied()).unwrap_or_default();
         let mut progress = Progress::new(end);
         let effort = if self.error { ErrorEffort::Thorough } else { ErrorEffort::Auto };

@@ -315,3 +315,14 @@ fn explain_speaks_text_markdown_and_json() {
     assert!(document["sections"].as_array().unwrap().len() >= 6);
     refused(&scratch.run(&["explain", &dumbbell, "--json", "--markdown"]), 2);
 }
+
+#[test]
+fn an_error_is_estimated_of_what_is_computed() {
+    let scratch = Scratch::new("command-error");
+    let text = refused(&scratch.run(&["simulate", &example("notes/11-10-dumbbell.toml"), "--error"]), 2);
+    assert!(text.contains("prescribes its motion: there is no error to estimate"), "{text}");
+    let summary = json(&scratch.run(&["simulate", &example("heavy-top.toml"), "--error", "--json"]));
+    assert_eq!(summary["error"]["effort"], "thorough");
+    let attitude = summary["error"]["attitude_rad"].as_f64().unwrap();
+    assert!((1e-16..1e-9).contains(&attitude), "{attitude:e}");
+}

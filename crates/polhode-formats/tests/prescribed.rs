@@ -222,7 +222,7 @@ fn a_shaft_is_a_motion_about_its_point() {
 #[test]
 fn a_shaft_that_cannot_be_is_refused() {
     refuses(
-        &SHAFT.replace("'20 cm'", "-0.1"),
+        &SHAFT.replace("'20 cm'", "'-0.1 m'"),
         "the distance between the bearings = 0 must be finite and not zero",
         "",
     );

@@ -62,6 +62,7 @@ position = ["10 mm", "-20 mm", "30 mm"]
 spin = { body = [0.3, 2.0, 0.1] }
 "#;
 const RUN: &str = "[run]\nduration = \"2 s\"\nsamples = 11\n";
+const LONG_RUN: &str = "[run]\nduration = \"2 s\"\nsamples = 10001\nmethod = \"taylor\"\n";
 const SWEEP: &str = "[sweep]\nmembers = 3\nsampling = \"monte carlo\"\n[[sweep.vary]]\nkey = \"start.spin.body[0]\"\nuniform = { from = 0.1, to = 0.5 }\n";
 const CAD: &str = "Mass = 2.500\nCenter of mass:\n X = 1.103 Y = -2.204 Z = 1.311\nMoments of inertia:
 Taken at the center of mass and aligned with the output coordinate system.
@@ -126,6 +127,7 @@ pub(crate) fn write(scratch: &Scratch, input: &str) {
         "given" => {
             fs::copy(crate::common::example("slew.toml"), scratch.0.join("slew.toml")).unwrap();
         }
+        "long" | "long before" => scratch.write("body.toml", &format!("{BODY}{LONG_RUN}")),
         _ => {
             scratch.write("body.toml", &format!("{BODY}{RUN}"));
             scratch.write("plan.toml", &format!("{BODY}{RUN}{SWEEP}"));
@@ -134,7 +136,7 @@ pub(crate) fn write(scratch: &Scratch, input: &str) {
     }
     // What an earlier run has left.
     let earlier: &[&str] = match input {
-        "ran before" => &["simulate", "body.toml"],
+        "ran before" | "long before" => &["simulate", "body.toml"],
         "spun before" => &["spin", "body.toml", "--duration", "1 s"],
         "swept before" => &["sweep", "plan.toml"],
         _ => return,

@@ -11,17 +11,24 @@ const fn choice(
     Choice { option, arguments, inputs, needs }
 }
 
-const RUNS: &[&str] = &["fresh", "ran before"];
+/// Those of many samples have a cheap estimate of their error.
+const RUNS: &[&str] = &["fresh", "ran before", "long", "long before"];
 const OLD_FOLDER: &str = "a folder that is not there is written with and without it";
 
 static SIMULATE: Subcommand = Subcommand {
     name: "simulate",
-    inputs: &[("fresh", &["body.toml"]), ("ran before", &["body.toml"])],
+    inputs: &[
+        ("fresh", &["body.toml"]),
+        ("ran before", &["body.toml"]),
+        ("long", &["body.toml"]),
+        ("long before", &["body.toml"]),
+    ],
     options: &[
         choice("--output", &["--output", "other"], RUNS, &[]),
-        choice("--force", &["--force"], &["ran before"], &[]),
+        choice("--force", &["--force"], &["ran before", "long before"], &[]),
         choice("--table", &["--table", "csv"], RUNS, &[]),
         choice("--no-page", &["--no-page"], RUNS, &[]),
+        choice("--error", &["--error"], &["long", "long before"], &[]),
         choice("--json", &["--json"], RUNS, &[]),
         choice("--plot", &["--plot", "omega=omega.svg"], RUNS, &[]),
     ],

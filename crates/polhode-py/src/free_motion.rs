@@ -11,6 +11,7 @@ use pyo3::prelude::*;
 use crate::arrays::{numbers, row, table};
 use crate::error::Raise;
 use crate::mass_properties::principal_axes;
+use crate::motion::{ErrorColumns, error_columns};
 
 /// Times between two looks for Ctrl-C: some milliseconds.
 const PIECE: usize = 1 << 16;
@@ -66,6 +67,13 @@ impl PyFreeMotion {
             });
         }
         Ok((table(py, omega, 3)?, table(py, attitude, 4)?))
+    }
+
+    /// Estimates of the error of the states at the times.
+    fn error<'py>(&self, py: Python<'py>, times: PyReadonlyArray1<'py, f64>) -> PyResult<ErrorColumns<'py>> {
+        let times = numbers(&times)?;
+        self.motion.require(times).map_err(Raise::raise)?;
+        Ok(error_columns(py, &py.detach(|| self.motion.global_error(times))))
     }
 
     #[getter]

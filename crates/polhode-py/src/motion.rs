@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use numpy::{PyArray1, PyArray2, PyReadonlyArray1};
-use polhode::{Ending, ErrorEffort, Method, Run, Sample, Scenario, StateError, Trajectory};
+use polhode::{Ending, ErrorEffort, GlobalError, Method, Run, Sample, Scenario, StateError, Trajectory};
 use polhode_formats::scenario;
 use polhode_report::{
     MotionReport, PageInput, PageSubject, SourceInfo, VERSION, explain_motion, page_data, page_of,
@@ -133,13 +133,8 @@ impl PyMotion {
 
     /// Of the computation and of the last bit of the inputs: the attitude's, rad, and ω's, relative. `None` of a prescribed motion.
     #[getter]
-    fn error<'py>(&self, py: Python<'py>) -> Option<[[Bound<'py, PyArray1<f64>>; 2]; 2]> {
-        let estimate = self.trajectory.error()?;
-        Some([estimate.computation(), estimate.inputs()].map(|errors| {
-            let column =
-                |value: fn(&StateError) -> f64| PyArray1::from_vec(py, errors.iter().map(value).collect());
-            [column(|e| e.attitude), column(|e| e.omega)]
-        }))
+    fn error<'py>(&self, py: Python<'py>) -> Option<ErrorColumns<'py>> {
+        Some(error_columns(py, self.trajectory.error()?))
     }
 
     /// `complete`, `stopped` or `failed`, the event that stopped it or the cause of failure, and when (s).
@@ -218,4 +213,15 @@ impl PyMotion {
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
         table(py, self.trajectory.samples().iter().flat_map(row).collect(), N)
     }
+}
+
+/// Of the computation and of the last bit of the inputs: the attitude's error, rad, and ω's, relative.
+pub(crate) type ErrorColumns<'py> = [[Bound<'py, PyArray1<f64>>; 2]; 2];
+
+pub(crate) fn error_columns<'py>(py: Python<'py>, estimate: &GlobalError) -> ErrorColumns<'py> {
+    [estimate.computation(), estimate.inputs()].map(|errors| {
+        let column =
+            |value: fn(&StateError) -> f64| PyArray1::from_vec(py, errors.iter().map(value).collect());
+        [column(|e| e.attitude), column(|e| e.omega)]
+    })
 }

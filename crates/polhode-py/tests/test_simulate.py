@@ -29,7 +29,9 @@ def test_arrays_agree_with_each_other(examples: Path) -> None:
     assert np.ptp(total) < 1e-12 * abs(total[0])
     columns = motion.columns()
     assert list(columns)[:6] == ["time_s", "attitude_w", "attitude_x", "attitude_y", "attitude_z", "omega_body_x_rad_s"]
-    assert np.array_equal(columns["momentum_space_z_kg_m2_s"], motion.momentum[:, 2]) and len(columns) == 19
+    assert np.array_equal(columns["momentum_space_z_kg_m2_s"], motion.momentum[:, 2]) and len(columns) == 21
+    assert np.array_equal(columns["attitude_error_rad"], motion.error.attitude)
+    assert np.array_equal(columns["omega_error"], motion.error.omega)
 
 
 def test_times_take_the_place_of_the_runs(examples: Path) -> None:
@@ -132,3 +134,46 @@ samples = 11
     with pytest.warns(polhode.PolhodeWarning, match="the motion ends at t = "):
         motion = polhode.simulate(text)
     assert motion.ending.kind == "failed" and motion.ending.time < 1000.0 and np.isfinite(motion.omega).all()
+
+
+CHAOTIC = """
+[[body.part]]
+shape = "tensor"
+mass = "1 kg"
+inertia = [[1, 0, 0], [0, 2, 0], [0, 0, 2.5]]
+[start]
+spin = { body = [0.3, 0.5, 0.9] }
+[[torque]]
+model = "gravity_gradient"
+orbit = { rate = "0.5 rad/s", radial = [1, 0, 0], motion = [0, 1, 0] }
+[run]
+duration = "100 s"
+samples = 11
+"""
+
+
+def test_a_motion_knows_how_far_it_may_be_off() -> None:
+    thorough = polhode.simulate(CHAOTIC, error="thorough")
+    cheap = polhode.simulate(CHAOTIC, error="cheap")
+    for motion in (thorough, cheap):
+        error = motion.error
+        assert error is not None and all(column.shape == (11,) for column in error)
+        # 2.5e-9 rad off at 100 s, held against 40 digits.
+        assert 1.2e-9 < error.attitude[-1] < 1e-6 and error.attitude[1] < 1e-13
+        assert (np.diff(error.attitude) >= 0).all()
+    assert thorough.summary["error"]["effort"] == "thorough" and cheap.summary["error"]["effort"] == "cheap"
+    with pytest.raises(polhode.PolhodeError, match='must be "auto", "cheap" or "thorough"'):
+        polhode.simulate(CHAOTIC, error="good")
+
+
+def test_a_free_motion_knows_what_its_inputs_are_worth() -> None:
+    motion = polhode.FreeMotion(moments=[1, 2, 2.5], omega=[0.3, -0.5, 0.9], attitude=[0.4, -0.7, 1.1, 0.3])
+    times = [1e6, -1e3, 1.0]
+    error = motion.error(times)
+    assert error.attitude.max() < 1e-15 and (error.inputs_attitude[:2] / error.inputs_attitude[2] > [1e4, 1e2]).all()
+    # A moment that differs in its last bit, in the same way.
+    other = polhode.FreeMotion(moments=[1, np.nextafter(2, 3), 2.5], omega=[0.3, -0.5, 0.9], attitude=[0.4, -0.7, 1.1, 0.3])
+    apart = np.linalg.norm(other.at(times).attitude - motion.at(times).attitude, axis=1)
+    assert (apart < 4 * error.inputs_attitude).all() and (apart > 0.05 * error.inputs_attitude)[:2].all()
+    with pytest.raises(polhode.PolhodeError, match="too far away"):
+        motion.error([1e40])

@@ -19,10 +19,10 @@ from ._body import Body
 from ._check import CheckReport, ModelFinding, check
 from ._ensemble import Ensemble, Failure, Flights
 from ._error import PolhodeError, PolhodeWarning
-from ._free_motion import FreeMotion, States
+from ._free_motion import FreeMotion, MotionError, States
 from ._inertia import inertia
 from ._mass_properties import Finding, MassProperties, particles
-from ._motion import Ending, Event, Motion, MotionError, simulate
+from ._motion import Ending, Event, Motion, simulate
 from ._native import VERSION as __version__
 
 __all__ = [

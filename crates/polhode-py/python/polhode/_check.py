@@ -20,6 +20,8 @@ class ModelFinding(NamedTuple):
     severity: str
     #: The link or joint; empty if it is about the whole model.
     link: str
+    #: More links or joints of which the same is to be said.
+    others: list[str]
     #: Where in the file, from 1.
     line: int
     column: int

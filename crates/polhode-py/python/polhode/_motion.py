@@ -13,7 +13,7 @@ import numpy.typing as npt
 from . import _arrays, _html, _native
 from ._arrays import Floats
 from ._error import PolhodeError, PolhodeWarning
-from ._free_motion import rotations
+from ._free_motion import MotionError, rotations
 from ._mass_properties import Finding, findings_of, warn_of
 
 if TYPE_CHECKING:
@@ -44,19 +44,6 @@ class Ending(NamedTuple):
     cause: str | None
     #: When, s.
     time: float | None
-
-
-class MotionError(NamedTuple):
-    """How far each state may be from the true one: arrays (n,), estimates."""
-
-    #: Of the computation: the angle between the attitudes, rad. It grows along the way.
-    attitude: Floats
-    #: Of the computation: |δω| / |ω|.
-    omega: Floats
-    #: What half a unit in the last place of the moments and the start is worth: the angle between the attitudes, rad.
-    inputs_attitude: Floats
-    #: The same of ω, relative.
-    inputs_omega: Floats
 
 
 class Motion:

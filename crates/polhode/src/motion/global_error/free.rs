@@ -10,7 +10,7 @@ use crate::motion::trajectory::Trajectory;
 
 impl FreeMotion {
     /// Estimates of the error of the states at some times: that of the formulas, which is measured (`book/accuracy.md`), and what the last
-    /// bit of moments and start is worth, which grows with time as t ∂Ω/∂I.
+    /// bit of moments and start is worth, which grows with time as t ∂Ω/∂I. The times may be in any order.
     ///
     /// ```
     /// use polhode::{AngularVelocity, Attitude, FreeMotion, State};
@@ -22,14 +22,22 @@ impl FreeMotion {
     /// # Ok::<(), polhode::MotionError>(())
     /// ```
     pub fn global_error(&self, times: &[f64]) -> GlobalError {
-        let (start, after) = (self.start(), |time: &f64| time - self.start().time);
-        let computation = times.iter().map(|time| self.formula_error(after(time))).collect();
-        let inputs = input_error(&self.at_times(times), RUNS[1], |seed, amplitude| {
+        let (start, after) = (self.start(), |time: f64| (time - self.start().time).abs());
+        let computation = times.iter().map(|time| self.formula_error(after(*time))).collect();
+        // What grows along the way does so from the start on, whatever the order of the times.
+        let mut order: Vec<usize> = (0..times.len()).collect();
+        order.sort_by(|&a, &b| after(times[a]).total_cmp(&after(times[b])));
+        let outward: Vec<f64> = order.iter().map(|&k| times[k]).collect();
+        let found = input_error(&self.at_times(&outward), RUNS[1], |seed, amplitude| {
             let mut change = Change::new(seed, amplitude);
             let tensor = change.inertia(&self.tensor());
             Self::of_symmetric(&tensor, change.start(start))
-                .map_or_else(|_| Vec::new(), |motion| motion.at_times(times))
+                .map_or_else(|_| Vec::new(), |motion| motion.at_times(&outward))
         });
+        let mut inputs = found.clone();
+        for (k, error) in order.into_iter().zip(found) {
+            inputs[k] = error;
+        }
         GlobalError { is_thorough: true, computation, inputs }
     }
 

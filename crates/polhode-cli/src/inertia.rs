@@ -89,6 +89,12 @@ pub(crate) struct Inertia {
 
 impl Inertia {
     pub(crate) fn run(self) -> Result<(), Failure> {
+        if self.mesh.is_quick() && self.output.is_for_another_program() {
+            return Err(Failure::usage(
+                "--as does not go with --quick: another program's file would not say that the mesh was not checked",
+                "leave --quick out",
+            ));
+        }
         let mut answers = Vec::new();
         let mut progress = FileProgress::new(self.files.len());
         for file in &self.files {

@@ -43,6 +43,10 @@ pub(super) struct MeshFlags {
 }
 
 impl MeshFlags {
+    pub(super) const fn is_quick(&self) -> bool {
+        self.quick
+    }
+
     /// The first that is given.
     pub(super) fn given(&self) -> Option<&'static str> {
         let flags = [

@@ -33,6 +33,11 @@ fn formats() -> impl clap::builder::TypedValueParser<Value = ExportFormat> {
 }
 
 impl OutputFlags {
+    /// Is the answer for another program, whose files have no room for remarks?
+    pub(super) fn is_for_another_program(&self) -> bool {
+        self.as_format.is_some_and(|format| format != ExportFormat::Csv)
+    }
+
     /// Says on standard error what was noticed, where the answer's form has no room for it.
     pub(super) fn warn(&self, answers: &[Answer<'_>]) {
         if !self.csv && self.as_format.is_none() {
@@ -59,13 +64,6 @@ impl OutputFlags {
         if let Some(format) = format {
             if reports.is_empty() {
                 return Ok(String::new());
-            }
-            if format != ExportFormat::Csv && reports.iter().any(|(_, report)| !report.not_checked.is_empty())
-            {
-                return Err(Failure::usage(
-                    "--as does not go with --quick: another program's file would not say that the mesh was not checked",
-                    "leave --quick out",
-                ));
             }
             let bodies: Vec<_> = reports
                 .iter()

@@ -221,7 +221,7 @@ impl fmt::Display for StlPlace {
 /// What the bytes of an STL file say; `path` is for messages.
 pub(super) fn contents(bytes: &[u8], path: &Path) -> Result<MeshContents, FormatError> {
     let Stl { kind, name, triangles, .. } = read(bytes).map_err(|error| refused(path, bytes, error))?;
-    let mesh = TriangleMesh::of_triangles(&triangles)
+    let mesh = TriangleMesh::of_soup(triangles)
         .map_err(|error| FormatError::new(path, None, FormatErrorKind::Body(error)))?;
     let encoding = match kind {
         StlKind::Binary => "binary",

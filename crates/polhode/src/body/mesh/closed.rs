@@ -74,9 +74,7 @@ impl ClosedMesh {
     /// # Errors
     /// [`BodyError::Vertex`] for a vertex that is not finite, and as [`ClosedMesh::of`].
     pub fn from_triangles(triangles: Vec<Triangle>) -> Result<Self, BodyError> {
-        let mesh = TriangleMesh::of_triangles(&triangles)?;
-        drop(triangles);
-        Self::of(&mesh)
+        Self::of(&TriangleMesh::of_soup(triangles)?)
     }
 
     fn on(mesh: &TriangleMesh, threads: Threads) -> Result<Self, BodyError> {

@@ -7,8 +7,9 @@ use super::patches::Patches;
 use super::predicate::{across, facing, side, turn};
 use super::weld::Welded;
 
-/// Two triangles of a crowded edge whose bodies overlap at it: the mesh winds more than once more often about one place beside the edge
-/// than about another. The least such pair; `None` if there is none, or if one of the triangles has no area.
+/// Two triangles of a crowded edge whose bodies overlap at it, if nothing but its triangles goes through it: the mesh winds more than once
+/// more often about one place beside the edge than about another. The least such pair; `None` if there is none, or if one of the triangles
+/// has no area.
 ///
 /// Going around the edge, the winding number falls by one at a triangle that is passed the way its normal points, and rises by one at one
 /// that is passed against it. What lies on each other is one step: bodies that touch there have nothing in between.

@@ -73,9 +73,17 @@ impl TriangleMesh {
     /// # Errors
     /// [`BodyError::Vertex`] for a vertex that is not finite; [`BodyError::Parameter`] for more than 32 bits can number.
     pub fn of_triangles(triangles: &[Triangle]) -> Result<Self, BodyError> {
+        Self::of_soup(triangles.to_vec())
+    }
+
+    /// The same of triangles that are no longer needed: without a copy.
+    ///
+    /// # Errors
+    /// As [`TriangleMesh::of_triangles`].
+    pub fn of_soup(triangles: Vec<Triangle>) -> Result<Self, BodyError> {
         numbered(3 * triangles.len())?;
         let indices = (0..).step_by(3).take(triangles.len()).map(|k: u32| [k, k + 1, k + 2]).collect();
-        Self::new(triangles.iter().flatten().copied().collect(), indices)
+        Self::new(triangles.into_flattened(), indices)
     }
 
     /// The vertices, m.

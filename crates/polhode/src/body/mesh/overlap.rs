@@ -4,8 +4,9 @@
 //!
 //! 1. No two triangles go through each other: where they do, the winding number has three values in the four corners between them. None lie
 //!    on each other the same way round.
-//! 2. Around each edge of more than two triangles the winding number has two values (`fan.rs`). So a component has one pair of
-//!    values on its two sides wherever nothing else touches it.
+//! 2. Around each edge of more than two triangles the winding number has two values. So a component has one pair of
+//!    values on its two sides wherever nothing else touches it. The edge may lie on further triangles, so that its own do not tell:
+//!    they only say which of them overlap (`fan.rs`).
 //! 3. Where a corner lies within another triangle or its edge, the winding number is right on both sides of both, next to each edge that
 //!    begins there. Other ways to touch need no look: two edges that meet in a point within both either go through the surfaces of each
 //!    other, and so do triangles there (1), or one lies on the other's triangles up to its end, a corner (3), or until the surface
@@ -109,18 +110,16 @@ impl Meetings {
         let Windings { welded, patches, .. } = windings;
         let ends = [start_of(&welded.corners, edge[0]), end_of(&welded.corners, edge[0])];
         let [a, b] = ends.map(|v| welded.points[v as usize]);
-        let pair = overlapping(welded, patches, edge).or_else(|| {
-            let sound = |half: u32| {
-                let tip = welded.points[opposite(&welded.corners, half) as usize];
-                windings.is_sound(half as usize / 3, &[a, b, tip], lowest)
-            };
-            let at = edge.iter().position(|&half| !sound(half))?;
+        let sound = |half: u32| {
+            let tip = welded.points[opposite(&welded.corners, half) as usize];
+            windings.is_sound(half as usize / 3, &[a, b, tip], lowest)
+        };
+        let Some(at) = edge.iter().position(|&half| !sound(half)) else { return };
+        let pair = overlapping(welded, patches, edge).unwrap_or_else(|| {
             let other = usize::from(at == 0);
-            Some([edge[at].min(edge[other]) / 3, edge[at].max(edge[other]) / 3])
+            [edge[at].min(edge[other]) / 3, edge[at].max(edge[other]) / 3]
         });
-        if let Some(pair) = pair {
-            self.between.add(pair, core::array::from_fn(|k| 0.5 * (a[k] + b[k])));
-        }
+        self.between.add(pair, core::array::from_fn(|k| 0.5 * (a[k] + b[k])));
     }
 
     #[inline]

@@ -326,3 +326,52 @@ fn an_error_is_estimated_of_what_is_computed() {
     let attitude = summary["error"]["attitude_rad"].as_f64().unwrap();
     assert!((1e-16..1e-9).contains(&attitude), "{attitude:e}");
 }
+
+#[test]
+fn an_energy_below_the_range_of_numbers_is_said() {
+    let scratch = Scratch::new("underflow");
+    let ball = "[[body.part]]\nshape = 'sphere'\nradius = '20 mm'\nmass = '0.5 kg'\n";
+    let push = "[[torque]]\nmodel = 'constant'\naxes = 'body'\ntorque = ['1e-160 N m', 0, '-2e-160 N m']\n";
+    let spun = |rate: &str| format!("{ball}[start]\nspin = {{ body = [{rate}, 0, {rate}] }}\n");
+    let run = "[run]\nduration = '40 s'\nsamples = 41\n";
+    scratch.write("slow.toml", &format!("{}{run}", spun("1e-300")));
+    scratch.write("pushed.toml", &format!("{}{push}{run}", spun("0")));
+    for (name, code) in [("slow", "start.underflow"), ("pushed", "motion.underflow")] {
+        let file = format!("{name}.toml");
+        let findings = json(&scratch.run(&["simulate", &file, "--no-page", "--json"]))["findings"].clone();
+        let codes: Vec<_> =
+            findings.as_array().unwrap().iter().map(|finding| finding["code"].clone()).collect();
+        assert_eq!(codes, [code], "{findings}");
+    }
+    let text = stdout(&scratch.run(&["stability", "slow.toml"]));
+    assert!(text.contains("[start.underflow]"), "{text}");
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn what_cannot_be_written_is_a_failure() {
+    let scratch = Scratch::new("full");
+    scratch.write("ball.toml", "[[body.part]]\nshape = 'sphere'\nradius = '20 mm'\nmass = '0.5 kg'\n");
+    for arguments in [
+        &["--help"][..],
+        &["--version"],
+        &["help"],
+        &["inertia", "--help"],
+        &["man"],
+        &["completions", "bash"],
+        &["inertia", "ball.toml"],
+        &["inertia", "ball.toml", "--json"],
+        &["inertia", "ball.toml", "--csv"],
+        &["stability", "ball.toml"],
+    ] {
+        let full = std::fs::File::options().write(true).open("/dev/full").unwrap();
+        let output = scratch.command(arguments).stdout(full).output().unwrap();
+        let said = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+        assert!(said.starts_with("error: cannot write standard output"), "{arguments:?}: {said}");
+        // Nobody reads it any more: that is no failure.
+        let mut child = scratch.command(arguments).stdout(std::process::Stdio::piped()).spawn().unwrap();
+        drop(child.stdout.take());
+        assert_eq!(child.wait().unwrap().code(), Some(0), "{arguments:?}");
+    }
+}

@@ -186,6 +186,9 @@ fn findings_say_what_was_noticed() {
         ["gravity.balanced"]
     );
     assert_eq!(codes(&format!("{BALL}{RUN}")), ["start.rest"]);
+    let spun = |rate: &str| format!("{BALL}[start]\nspin={{body=[0,{rate},{rate}]}}\n{RUN}");
+    assert_eq!(codes(&spun("-2e-300")), ["start.underflow"]);
+    assert_eq!(codes(&spun("-2e-150")), [""; 0]);
     // Its spin is across the pendulum's axis.
     let off = "[start]\nspin={body=[0,1,0]}\n[[torque]]\nmodel='gravity'\npivot=[0,0,1]\n[pendulum]\naxis=[1,0,0]\n";
     assert_eq!(codes(&format!("{BALL}{off}{RUN}")), ["pendulum.axis"]);

@@ -153,8 +153,7 @@ impl PyMotion {
     /// What was noticed: code, severity, message, place.
     #[getter]
     fn findings(&self) -> Vec<Remark> {
-        let found = self.trajectory.findings();
-        remarks(&self.scenario.findings.iter().cloned().chain(found).collect::<Vec<_>>())
+        remarks(&self.report().findings())
     }
 
     #[getter]

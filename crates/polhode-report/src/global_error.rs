@@ -1,15 +1,10 @@
 //! The estimated error of a motion, for people and for programs.
 
-use polhode::{Finding, GlobalError, Scenario, StateError, Trajectory};
+use polhode::{GlobalError, StateError, Trajectory};
 use serde_json::{Value, json};
 
 use crate::layout::labelled;
 use crate::number::error;
-
-/// What was noticed about the scenario, and about the error of its motion.
-pub(crate) fn findings(scenario: &Scenario, trajectory: &Trajectory) -> Vec<Finding> {
-    scenario.findings.iter().cloned().chain(trajectory.findings()).collect()
-}
 
 /// The error at the end, in a line; and what the last bit of the inputs is worth. Nothing without an estimate.
 pub(crate) fn to_text(trajectory: &Trajectory) -> String {

@@ -211,6 +211,7 @@ fn read_root(source: Source<'_>, entries: &Entries) -> Result<Scenario, FormatEr
     }
     scenario.findings.extend(idle_gravity(&scenario));
     scenario.findings.extend(idle_motion(&scenario));
+    scenario.findings.extend(start::underflow(&scenario));
     scenario.findings.extend(idle_torques(&scenario));
     scenario.findings.extend(orbit.and_then(|orbit| orbit.underground()));
     Ok(scenario)

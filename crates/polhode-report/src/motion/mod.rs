@@ -3,8 +3,9 @@
 mod facts;
 mod summary;
 mod text;
+mod underflow;
 
-use polhode::{Scenario, Trajectory};
+use polhode::{Finding, Scenario, Trajectory};
 use serde_json::Value;
 
 use crate::source::SourceInfo;
@@ -64,8 +65,19 @@ impl<'a> MotionReport<'a> {
         text::write(self, sparkline::fitting(columns))
     }
 
+    /// What was noticed about the scenario and its motion.
+    pub fn findings(&self) -> Vec<Finding> {
+        findings(self.scenario, self.trajectory)
+    }
+
     /// The content of `summary.json`: the body, the start, the run, the kind of motion, its error, its end.
     pub fn summary_json(&self) -> Value {
         summary::of(self)
     }
+}
+
+/// What was noticed about a scenario, its motion, and the error of that.
+pub(crate) fn findings(scenario: &Scenario, trajectory: &Trajectory) -> Vec<Finding> {
+    let of_motion = underflow::finding(scenario, trajectory).into_iter().chain(trajectory.findings());
+    scenario.findings.iter().cloned().chain(of_motion).collect()
 }

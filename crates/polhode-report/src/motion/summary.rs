@@ -40,7 +40,7 @@ pub(super) fn of(report: &MotionReport<'_>) -> Value {
     put("torques", torques(scenario));
     put("wheels", wheels(report));
     put("events", event::json(report.trajectory, scenario));
-    put("findings", finding::to_json(&global_error::findings(scenario, report.trajectory)));
+    put("findings", finding::to_json(&report.findings()));
     Value::Object(object)
 }
 

@@ -56,7 +56,7 @@ pub(super) fn write(report: &MotionReport<'_>, picture: usize) -> String {
         );
         text.push_str(&labelled("steps", &line));
     }
-    text.push_str(&finding::to_text(&global_error::findings(report.scenario, report.trajectory)));
+    text.push_str(&finding::to_text(&report.findings()));
     plain_spaces(&text)
 }
 

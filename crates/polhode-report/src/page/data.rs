@@ -6,7 +6,7 @@ use super::body::Turning;
 use super::motion::Shown;
 use super::shapes::Budget;
 use super::{PageInput, PageSubject, body, explanation, facts, free, motion};
-use crate::global_error;
+use crate::motion::findings as motion_findings;
 
 /// What a page of many triangles may have, bytes.
 const PAGE: usize = 2_000_000;
@@ -47,7 +47,7 @@ fn findings(input: &PageInput<'_>) -> Value {
         let place = f.place.as_ref().map_or_else(String::new, |place| format!(" ({place})"));
         json!({ "severity": f.severity.name(), "message": format!("{}{place}", f.message) })
     };
-    global_error::findings(scenario, input.trajectory).iter().map(one).collect()
+    motion_findings(scenario, input.trajectory).iter().map(one).collect()
 }
 
 /// A number, which JSON has none for if it is not finite.

@@ -162,4 +162,24 @@ impl Rotor {
     pub fn kinetic_energy(&self, omega: AngularVelocity<Body>) -> f64 {
         0.5 * omega.dot(self.angular_momentum(omega))
     }
+
+    /// True if T_rot is less than 2.2e-308 J, the least number with all its digits, and is not zero: 0 is what comes of ω = 1e-200 rad/s.
+    ///
+    /// ```
+    /// use polhode::{AngularVelocity, InertiaTensor, MassProperties, Position, Rotor};
+    /// let inertia = InertiaTensor::diagonal([2.0, 3.0, 4.0])?;
+    /// let rotor = Rotor::free(&MassProperties::new(1.3, Position::ZERO, inertia)?);
+    /// let turning = |rate: f64| AngularVelocity::new(0.3 * rate, -rate, 0.7 * rate);
+    /// assert!(rotor.kinetic_energy_underflows(turning(1e-200)) && !rotor.kinetic_energy_underflows(turning(1e-150)));
+    /// assert!(!rotor.kinetic_energy_underflows(AngularVelocity::ZERO));
+    /// # Ok::<(), polhode::BodyError>(())
+    /// ```
+    pub fn kinetic_energy_underflows(&self, omega: AngularVelocity<Body>) -> bool {
+        // Of a rod that turns about its own line T is zero at every rate.
+        let [x, y, z] = omega.to_array();
+        let size = omega.max_abs();
+        let unit = AngularVelocity::from_array([x / size, y / size, z / size]);
+        let small = |omega| self.kinetic_energy(omega) < f64::MIN_POSITIVE;
+        size > 0.0 && small(omega) && !small(unit)
+    }
 }

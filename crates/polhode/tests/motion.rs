@@ -267,3 +267,32 @@ fn pendulums_of_any_amplitude_have_their_period() {
     assert!(matches!(pendulum.swing(0.0, 0.0), Swing::Rest));
     assert!(pendulum.period(std::f64::consts::PI).is_infinite());
 }
+
+/// An estimate may take twelve times as long as the motion: whoever waits for it can hear of it, and end it.
+#[test]
+fn an_estimate_of_the_error_tells_that_it_is_made() {
+    let rotor = free_body([1.3, 2.1, 2.9]);
+    let start =
+        State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.3, -0.5, 0.9) };
+    for method in METHODS {
+        let simulation = Simulation {
+            rotor: &rotor,
+            torques: &[],
+            switched_off: &[],
+            start,
+            events: &[],
+            times: &[4.0, 30.0],
+            method,
+            tolerance: 1e-13,
+        };
+        let (mut steps, mut told) = (0, Vec::new());
+        let motion = simulation.run(&mut |_| steps += 1).unwrap();
+        let with_error =
+            simulation.run_with_error(ErrorEffort::Thorough, &mut |time| told.push(time)).unwrap();
+        assert_eq!(motion.samples(), with_error.samples());
+        // Twelve runs of about as many steps, all of them after the motion's own.
+        assert!(told.len() > 10 * steps && steps > 10, "{} of {steps}", told.len());
+        assert!(told.iter().skip(steps).all(|time| *time == 30.0));
+        assert_eq!(simulation.global_error(&motion, ErrorEffort::Thorough).as_ref(), with_error.error());
+    }
+}

@@ -142,7 +142,8 @@ impl GlobalError {
 }
 
 impl Simulation<'_> {
-    /// [`Simulation::run`], with the estimate of its error: [`Trajectory::error`].
+    /// [`Simulation::run`], with the estimate of its error: [`Trajectory::error`]. `progress` is told the end again and again while that is
+    /// made.
     ///
     /// # Errors
     /// As [`Simulation::run`].
@@ -152,12 +153,23 @@ impl Simulation<'_> {
         progress: &mut dyn FnMut(f64),
     ) -> Result<Trajectory, MotionError> {
         let trajectory = self.run(progress)?;
-        let error = self.global_error(&trajectory, effort);
+        let end = self.times.last().copied().unwrap_or(self.start.time);
+        let error = self.estimate(&trajectory, effort, &mut |_| progress(end));
         Ok(trajectory.with_error(error))
     }
 
     /// Estimates of the error of a trajectory that this simulation has computed; `None` of one that was prescribed.
     pub fn global_error(&self, trajectory: &Trajectory, effort: ErrorEffort) -> Option<GlobalError> {
+        self.estimate(trajectory, effort, &mut |_| {})
+    }
+
+    /// `progress` is told the time that each of the runs has reached.
+    fn estimate(
+        &self,
+        trajectory: &Trajectory,
+        effort: ErrorEffort,
+        progress: &mut dyn FnMut(f64),
+    ) -> Option<GlobalError> {
         let (method, steps) = match trajectory.solution() {
             Solution::Prescribed(_) => return None,
             Solution::Exact(motion) => return Some(self.exact_error(motion, trajectory, effort)),
@@ -166,12 +178,13 @@ impl Simulation<'_> {
         let rule = rule(method)?;
         let is_short = steps + trajectory.samples().len() as u64 <= FEW;
         if effort == ErrorEffort::Thorough || effort == ErrorEffort::Auto && is_short {
-            let computation = self.step_error(Refinement::finer(rule, self.tolerance), trajectory, RUNS[0]);
-            let inputs = self.input_error_of_steps(rule, trajectory);
+            let finer = Refinement::finer(rule, self.tolerance);
+            let computation = self.step_error(finer, trajectory, RUNS[0], progress);
+            let inputs = self.input_error_of_steps(rule, trajectory, progress);
             Some(GlobalError { is_thorough: true, computation, inputs })
         } else {
             let refinement = Refinement::cheap(rule, self.tolerance);
-            let computation = self.step_error(refinement, trajectory, 1);
+            let computation = self.step_error(refinement, trajectory, 1, progress);
             // The inputs were made different too, so that what they are worth is no more than this part of it.
             let part = |e: &StateError| StateError {
                 attitude: e.attitude / (refinement.noise * CONSTANT_NOISE),
@@ -199,14 +212,20 @@ impl Simulation<'_> {
     }
 
     /// The error of steps: truncation, and rounding made larger.
-    fn step_error(&self, refinement: Refinement, trajectory: &Trajectory, runs: u64) -> Vec<StateError> {
+    fn step_error(
+        &self,
+        refinement: Refinement,
+        trajectory: &Trajectory,
+        runs: u64,
+        progress: &mut dyn FnMut(f64),
+    ) -> Vec<StateError> {
         let Refinement { rule, tolerance, stretch, gain, noise } = refinement;
         let (reference, times) = states_and_times(trajectory);
         let distances = (0..runs).map(|run| {
             let inputs = Inputs::of(self, 2 * run, noise * gain * CONSTANT_NOISE);
             let noise = Some((Noise::new(2 * run + 1, noise * gain * STEP_NOISE), stretch));
             let perturbed = Perturbed { simulation: self, inputs, rule, tolerance, noise };
-            Distance::between(&reference, &perturbed.states(&times)).over(gain)
+            Distance::between(&reference, &perturbed.states(&times, progress)).over(gain)
         });
         distances.reduce(Distance::worse).unwrap_or_default().relative_to(&reference, ROUNDING)
     }
@@ -214,14 +233,19 @@ impl Simulation<'_> {
     /// What the last bit of the inputs does to a motion by steps.
     ///
     /// Steps are not taken again for less where that is too much to be linear: rounding has eaten all digits there anyway.
-    fn input_error_of_steps(&self, rule: Rule, trajectory: &Trajectory) -> Vec<StateError> {
+    fn input_error_of_steps(
+        &self,
+        rule: Rule,
+        trajectory: &Trajectory,
+        progress: &mut dyn FnMut(f64),
+    ) -> Vec<StateError> {
         let (reference, times) = states_and_times(trajectory);
         let [amplitude, ..] = INPUT_AMPLITUDES;
         let distances = (0..RUNS[1]).map(|run| {
             let inputs = Inputs::of(self, INPUT_SEED + run, amplitude);
             let tolerance = self.tolerance;
             let perturbed = Perturbed { simulation: self, inputs, rule, tolerance, noise: None };
-            Distance::between(&reference, &perturbed.states(&times)).over(amplitude)
+            Distance::between(&reference, &perturbed.states(&times, progress)).over(amplitude)
         });
         distances.reduce(Distance::worse).unwrap_or_default().relative_to(&reference, NONE)
     }

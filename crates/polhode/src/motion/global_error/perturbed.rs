@@ -36,11 +36,11 @@ pub(super) struct Distance {
 
 impl Perturbed<'_> {
     /// The states at the times, as far as the motion gets.
-    pub(super) fn states(&self, times: &[f64]) -> Vec<State> {
-        self.integrated(times).unwrap_or_default()
+    pub(super) fn states(&self, times: &[f64], progress: &mut dyn FnMut(f64)) -> Vec<State> {
+        self.integrated(times, progress).unwrap_or_default()
     }
 
-    fn integrated(&self, times: &[f64]) -> Result<Vec<State>, MotionError> {
+    fn integrated(&self, times: &[f64], progress: &mut dyn FnMut(f64)) -> Result<Vec<State>, MotionError> {
         let Simulation { torques, switched_off, events, .. } = *self.simulation;
         let Inputs { rotor, start } = &self.inputs;
         let mut stepper =
@@ -51,7 +51,7 @@ impl Perturbed<'_> {
         // What stops the motion, or is only written down, does not change it.
         let switches: Vec<Event> = events.iter().filter(|event| event.switches()).cloned().collect();
         let mut course = Course::new(stepper, &switches, *start, times);
-        course.run(*start, &mut |_| {})?;
+        course.run(*start, progress)?;
         let got_there = course.samples.iter().zip(times).take_while(|(s, time)| s.state.time == **time);
         Ok(got_there.map(|(sample, _)| sample.state).collect())
     }

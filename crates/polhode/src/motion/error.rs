@@ -179,6 +179,12 @@ impl MotionError {
 impl fmt::Display for MotionError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
+            // 1e300 has no three hundred digits.
+            Self::Parameter { what, value, rule }
+                if *value != 0.0 && !(1e-9..1e16).contains(&value.abs()) =>
+            {
+                write!(f, "{what} = {value:e} must be {rule}")
+            }
             Self::Parameter { what, value, rule } => write!(f, "{what} = {value} must be {rule}"),
             Self::NotSpinnable => {
                 write!(

@@ -5,9 +5,21 @@
 
 use numpy::ndarray::{Array1, Array2};
 use numpy::{IntoPyArray as _, PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2};
+use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
 
 use crate::error::refused;
+
+/// Says whether there is memory for so many elements, as an allocation that fails ends the process.
+///
+/// # Errors
+/// `MemoryError`, as NumPy raises it.
+pub(crate) fn room<T>(what: &str, count: Option<usize>) -> PyResult<()> {
+    match count.map(|count| Vec::<T>::new().try_reserve_exact(count)) {
+        Some(Ok(())) => Ok(()),
+        _ => Err(PyMemoryError::new_err(format!("there is no memory for {what}: ask for fewer at once"))),
+    }
+}
 
 /// A vector, or a quaternion.
 pub(crate) fn row<'py, const N: usize>(py: Python<'py>, row: [f64; N]) -> Bound<'py, PyArray1<f64>> {

@@ -1,6 +1,6 @@
 //! Are the inertias of a robot right?
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use polhode_robot::geometry::Shapes;
 use polhode_robot::inspect::{Inspection, inspect};
@@ -17,11 +17,11 @@ use crate::error::Raise;
 #[pyfunction]
 pub(crate) fn check_file(
     py: Python<'_>,
-    path: &str,
+    path: PathBuf,
     roots: Vec<PathBuf>,
 ) -> PyResult<(String, String, String)> {
     py.detach(|| {
-        let model = read_model(Path::new(path), &ReadOptions { roots }).map_err(Raise::raise)?;
+        let model = read_model(&path, &ReadOptions { roots }).map_err(Raise::raise)?;
         let Inspection { geometry, findings } = inspect(&model, &mut Shapes::default());
         let report = CheckReport { model, geometry, findings, fixed: None };
         Ok((report.to_json().to_string(), report.to_text(), report.to_table()))

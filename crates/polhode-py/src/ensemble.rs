@@ -6,14 +6,15 @@ use std::path::Path;
 use numpy::ndarray::Array3;
 use numpy::{IntoPyArray as _, PyArray3, PyReadonlyArray1, PyReadonlyArray2};
 use polhode::{
-    Advance, AngularVelocity, Attitude, Body, Ensemble, Failure, InertiaTensor, MassProperties, Member,
-    MotionError, Position, Rotor, Scenario, State, TorqueModel,
+    Advance, AngularVelocity, Attitude, Body, Ensemble, Failure, Finding, InertiaTensor, MassProperties,
+    Member, MotionError, Position, Rotor, Scenario, State, TorqueModel,
 };
 use polhode_formats::scenario;
 use pyo3::prelude::*;
 
-use crate::arrays::{numbers, rows};
+use crate::arrays::{numbers, room, rows};
 use crate::error::{Raise, refused};
+use crate::finding::{Remark, remarks};
 use crate::free_motion::signed;
 use crate::interrupt::signal;
 
@@ -26,6 +27,7 @@ type Flights<'py> = (Bound<'py, PyArray3<f64>>, Vec<(usize, f64, String)>);
 #[derive(Clone, Debug)]
 pub(crate) struct PyEnsemble {
     ensemble: Ensemble,
+    findings: Vec<Finding>,
 }
 
 #[pymethods]
@@ -41,23 +43,30 @@ impl PyEnsemble {
         torques: &str,
     ) -> PyResult<Self> {
         let (tensors, omega, attitude) = (rows::<9>(&tensors)?, rows::<3>(&omega)?, rows::<4>(&attitude)?);
-        let torques = read_torques(torques)?;
+        let (torques, findings) = read_torques(torques)?;
         py.detach(|| {
             let each = tensors.iter().zip(omega).zip(attitude).enumerate();
             let members = each.map(|(k, ((tensor, omega), wxyz))| {
-                let attitude = Attitude::from_quaternion(*wxyz).map_err(|error| of_member(k, &error))?;
+                let attitude =
+                    Attitude::from_quaternion(*wxyz).map_err(|error| of_member(k, &error, None))?;
                 let start = State { time: 0.0, attitude, omega: AngularVelocity::from_array(*omega) };
                 Ok(Member { rotor: rotor(k, tensor)?, torques: torques.clone(), start })
             });
             let members = members.collect::<PyResult<_>>()?;
-            let ensemble =
-                Ensemble::new(members).map_err(|failure| of_member(failure.member, &failure.cause))?;
-            Ok(Self { ensemble })
+            let ensemble = Ensemble::new(members)
+                .map_err(|failure| of_member(failure.member, &failure.cause, failure.cause.hint()))?;
+            Ok(Self { ensemble, findings })
         })
     }
 
     fn __len__(&self) -> usize {
         self.ensemble.len()
+    }
+
+    /// What was noticed about the torques: code, severity, message, place.
+    #[getter]
+    fn findings(&self) -> Vec<Remark> {
+        remarks(&self.findings)
     }
 
     /// All members at all times, on so many threads; `step` (s) asks for Runge–Kutta, else the best method for each at `tolerance`.
@@ -73,6 +82,10 @@ impl PyEnsemble {
         let advance = step.map_or(Advance::Auto { tolerance }, |step| Advance::RungeKutta4 { step });
         let threads = NonZero::new(threads).unwrap_or(NonZero::<usize>::MIN);
         let (mut heard, shape) = (None, [self.ensemble.len(), times.len(), 8]);
+        room::<[f64; 8]>(
+            &format!("the states of {} members at {} times", shape[0], shape[1]),
+            shape[0].checked_mul(shape[1]),
+        )?;
         let flown: Result<_, MotionError> = py.detach(|| {
             let mut rows = vec![[0.0; 8]; self.ensemble.len() * times.len()];
             let failures = self.ensemble.fill(times, advance, threads, &mut rows, &mut |_| {
@@ -110,24 +123,24 @@ fn rotor(member: usize, tensor: &[f64; 9]) -> PyResult<Rotor> {
     let inertia = InertiaTensor::<Body>::from_matrix([[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]]);
     // Of a free body the mass does not matter.
     let body = inertia.and_then(|inertia| MassProperties::new(1.0, Position::ZERO, inertia));
-    body.map(|body| Rotor::free(&body)).map_err(|error| of_member(member, &error))
+    body.map(|body| Rotor::free(&body)).map_err(|error| of_member(member, &error, error.hint()))
 }
 
-fn of_member(member: usize, error: &dyn std::error::Error) -> PyErr {
-    refused(format!("member {member}: {error}"), None)
+fn of_member(member: usize, error: &dyn std::error::Error, hint: Option<&str>) -> PyErr {
+    refused(format!("member {member}: {error}"), hint)
 }
 
-/// The torques of a text that holds nothing else.
-fn read_torques(text: &str) -> PyResult<Vec<TorqueModel>> {
+/// The torques of a text that holds nothing else, and what was noticed about them.
+fn read_torques(text: &str) -> PyResult<(Vec<TorqueModel>, Vec<Finding>)> {
     /// A body for them to act on. It comes last, so that lines count as the user's do.
     const BODY: &str = "\n[[body.part]]\nshape = \"tensor\"\nmass = 1\nmoments = [1, 1, 1]\n";
     if text.trim().is_empty() {
-        return Ok(Vec::new());
+        return Ok((Vec::new(), Vec::new()));
     }
     let scenario = scenario::parse(&format!("{text}{BODY}"), Path::new("torques")).map_err(Raise::raise)?;
     let hint = Some("a scenario's other sections say what an ensemble's arguments say");
     match only_torques(&scenario) {
-        true => Ok(scenario.torques),
+        true => Ok((scenario.torques, scenario.findings)),
         false => {
             Err(refused("torques may hold [[torque]] tables only, of free bodies, all switched on", hint))
         }
@@ -136,11 +149,23 @@ fn read_torques(text: &str) -> PyResult<Vec<TorqueModel>> {
 
 fn only_torques(scenario: &Scenario) -> bool {
     let Scenario {
-        parts, start, pivot, switched_off, wheels, events, prescribed, hanging, shaft, run, ..
+        title,
+        parts,
+        start,
+        pivot,
+        switched_off,
+        wheels,
+        events,
+        prescribed,
+        hanging,
+        shaft,
+        run,
+        findings,
+        ..
     } = scenario;
-    parts.len() == 1
-        && start.omega == AngularVelocity::ZERO
-        && start.attitude == Attitude::identity()
+    // A [sweep] leaves nothing in the scenario but a finding.
+    (parts.len() == 1 && title.is_none() && !findings.iter().any(|finding| finding.code == "sweep.nominal"))
+        && (start.omega == AngularVelocity::ZERO && start.attitude == Attitude::identity())
         && (pivot.is_none() && hanging.is_none() && shaft.is_none() && prescribed.is_none())
         && (switched_off.is_empty() && wheels.is_empty() && events.is_empty() && run.is_none())
 }

@@ -1,6 +1,6 @@
 //! Bodies in files other than meshes, each kind with the options that it may need.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use polhode::{Body, BodyError, Rotation};
 use polhode_formats::cad::{self, CadOptions, CadReport, DecimalMark, ProductConvention};
@@ -17,10 +17,10 @@ use crate::shape::in_body;
 
 /// The body of a scenario.
 #[pyfunction]
-pub(crate) fn scenario_file(py: Python<'_>, path: &str) -> PyResult<PyMassProperties> {
-    let scenario = py.detach(|| scenario::read(Path::new(path))).map_err(Raise::raise)?;
+pub(crate) fn scenario_file(py: Python<'_>, path: PathBuf) -> PyResult<PyMassProperties> {
+    let scenario = py.detach(|| scenario::read(&path)).map_err(Raise::raise)?;
     let title = scenario.title.as_deref().unwrap_or("scenario");
-    let source = SourceInfo::new(path, "scenario").described(title).with("title", scenario.title.clone());
+    let source = of_file(&path, "scenario").described(title).with("title", scenario.title.clone());
     Ok(PyMassProperties::of(InertiaReport::of_scenario(source, &scenario)))
 }
 
@@ -28,16 +28,16 @@ pub(crate) fn scenario_file(py: Python<'_>, path: &str) -> PyResult<PyMassProper
 #[pyfunction]
 pub(crate) fn particle_file(
     py: Python<'_>,
-    path: &str,
+    path: PathBuf,
     mass: Option<f64>,
     length_unit: Option<f64>,
     mass_unit: Option<f64>,
 ) -> PyResult<PyMassProperties> {
     let options = ParticleOptions { mass_unit, length_unit, total_mass: mass };
-    let read = py.detach(|| read_file(Path::new(path), |bytes| particles::read(bytes, &options)));
+    let read = py.detach(|| read_file(&path, |bytes| particles::read(bytes, &options)));
     let table = read.map_err(Raise::raise)?;
     let properties = table.mass_properties().map_err(Raise::raise)?;
-    let source = SourceInfo::new(path, "particles").described(table.described());
+    let source = of_file(&path, "particles").described(table.described());
     let report = InertiaReport { findings: table.findings, ..InertiaReport::new(source, properties) };
     Ok(PyMassProperties::of(report))
 }
@@ -45,7 +45,7 @@ pub(crate) fn particle_file(
 /// A CAD program's report.
 #[pyfunction]
 pub(crate) fn cad_file(
-    path: &str,
+    path: PathBuf,
     products: Option<&str>,
     decimal: Option<&str>,
     length_unit: Option<f64>,
@@ -67,8 +67,8 @@ pub(crate) fn cad_file(
         length_unit,
     };
     let CadReport { product, properties, volume, surface_area, density, proof, findings } =
-        read_text_file(Path::new(path), |text| cad::read(text, &options)).map_err(Raise::raise)?;
-    let source = SourceInfo::new(path, "cad").described(format!("mass properties by {}", product.name()));
+        read_text_file(&path, |text| cad::read(text, &options)).map_err(Raise::raise)?;
+    let source = of_file(&path, "cad").described(format!("mass properties by {}", product.name()));
     let proof = sign_proof(
         proof.convention.name(),
         proof.by.name(),
@@ -88,10 +88,9 @@ pub(crate) fn cad_file(
 
 /// The molecules of a file.
 #[pyfunction]
-pub(crate) fn molecule_file(path: &str, average: bool) -> PyResult<Vec<PyMassProperties>> {
+pub(crate) fn molecule_file(path: PathBuf, average: bool) -> PyResult<Vec<PyMassProperties>> {
     let isotopes = if average { Isotopes::Average } else { Isotopes::Abundant };
-    let file = Path::new(path);
-    let ending = file.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
+    let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
     let format = match ending.to_ascii_lowercase().as_str() {
         "xyz" | "extxyz" => MoleculeFormat::Xyz,
         "pdb" | "ent" => MoleculeFormat::Pdb,
@@ -106,13 +105,13 @@ pub(crate) fn molecule_file(path: &str, average: bool) -> PyResult<Vec<PyMassPro
             constants: molecule.rotational_constants(isotopes)?,
         };
         let name = if molecule.name.is_empty() { &block.formula } else { &molecule.name };
-        let source = SourceInfo::new(path, format.name()).described(format!("molecule {name}"));
+        let source = of_file(&path, format.name()).described(format!("molecule {name}"));
         let extra = Extra { key: "molecule", json: block.to_json(), text: block.to_text() };
         let report = InertiaReport::new(source, molecule.mass_properties(isotopes)?);
         let findings = molecule.findings_with(isotopes);
         Ok(PyMassProperties::of(InertiaReport { extras: vec![extra], findings, ..report }))
     };
-    let molecules = molecule::read(file, format).map_err(Raise::raise)?;
+    let molecules = molecule::read(&path, format).map_err(Raise::raise)?;
     let reports: Result<Vec<_>, BodyError> = molecules.iter().map(report).collect();
     reports.map_err(Raise::raise)
 }
@@ -121,7 +120,7 @@ pub(crate) fn molecule_file(path: &str, average: bool) -> PyResult<Vec<PyMassPro
 #[pyfunction]
 pub(crate) fn voxel_file(
     py: Python<'_>,
-    path: &str,
+    path: PathBuf,
     spacing: Option<[f64; 3]>,
     origin: Option<[f64; 3]>,
     unit: Option<f64>,
@@ -129,16 +128,15 @@ pub(crate) fn voxel_file(
 ) -> PyResult<PyMassProperties> {
     let options = VoxelOptions { spacing, unit, origin };
     let read = py.detach(|| {
-        let path = Path::new(path);
-        let misread = |error| FormatError::of_content(path, &[], error);
-        let mut voxels = voxel::open(path)?;
+        let misread = |error| FormatError::of_content(&path, &[], error);
+        let mut voxels = voxel::open(&path)?;
         let grid = voxels.grid(&options).map_err(misread)?;
         Ok::<_, FormatError>((voxels.counts(), voxels.mass_properties(&grid, per_value).map_err(misread)?))
     });
     let ([a, b, c], body) = read.map_err(Raise::raise)?;
     let body = body.map_err(Raise::raise)?;
     let properties = in_body(body.properties).map_err(Raise::raise)?;
-    let source = SourceInfo::new(path, "voxels")
+    let source = of_file(&path, "voxels")
         .described(format!("voxels, {a} × {b} × {c}, {} filled", body.filled))
         .with("filled", body.filled);
     Ok(PyMassProperties::of(InertiaReport {
@@ -152,22 +150,22 @@ pub(crate) fn voxel_file(
 /// A link of a robot, or all its links at some values of its joints.
 #[pyfunction]
 pub(crate) fn robot_file(
-    path: &str,
+    path: PathBuf,
     link: Option<&str>,
     joints: Vec<(String, f64)>,
 ) -> PyResult<PyMassProperties> {
     use polhode_robot::body::{LinkMass, link_mass};
     use polhode_robot::lump::{Lumping, lump};
     use polhode_robot::read::{ReadOptions, read_model};
-    let model = read_model(Path::new(path), &ReadOptions::default()).map_err(Raise::raise)?;
-    let source = SourceInfo::new(path, "robot");
+    let model = read_model(&path, &ReadOptions::default()).map_err(Raise::raise)?;
+    let source = of_file(&path, "robot");
     let findings =
         polhode_robot::remarks::remarks(&model, link).map_err(|twice| refused(&twice, Some(twice.hint())))?;
     let Some(name) = link else {
         let lumps =
             lump(&model, Lumping::All, &joints).map_err(|error| refused(&error, Some(&error.hint())))?;
         let Some(whole) = lumps.first() else {
-            return Err(refused(format!("no link of {path} has a mass"), None));
+            return Err(refused(format!("no link of {} has a mass", path.display()), None));
         };
         let source = source.described(format!("all {} links", whole.links.len()));
         let report = InertiaReport { findings, ..InertiaReport::new(source, whole.properties) };
@@ -176,7 +174,7 @@ pub(crate) fn robot_file(
     let Some(link) = model.links.iter().find(|link| link.name.text == name) else {
         let names: Vec<_> = model.links.iter().map(|link| link.name.text.as_str()).collect();
         return Err(refused(
-            format!("{path} has no link {name:?}"),
+            format!("{} has no link {name:?}", path.display()),
             Some(&format!("its links are {}", names.join(", "))),
         ));
     };
@@ -194,16 +192,24 @@ pub(crate) fn robot_file(
 
 /// The links of a robot, in the file's order.
 #[pyfunction]
-pub(crate) fn robot_links(path: &str) -> PyResult<Vec<String>> {
+pub(crate) fn robot_links(path: PathBuf) -> PyResult<Vec<String>> {
     use polhode_robot::read::{ReadOptions, read_model};
-    let model = read_model(Path::new(path), &ReadOptions::default()).map_err(Raise::raise)?;
+    let model = read_model(&path, &ReadOptions::default()).map_err(Raise::raise)?;
     Ok(model.links.iter().map(|link| link.name.text.clone()).collect())
 }
 
 /// True if the file's root element is that of URDF, SDF or MJCF.
 #[pyfunction]
-pub(crate) fn is_robot(path: &str) -> bool {
-    let bytes = std::fs::read(path).unwrap_or_default();
-    let start = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&bytes).trim_ascii_start();
-    start.first() == Some(&b'<') && polhode_robot::read::format_of(&String::from_utf8_lossy(&bytes)).is_some()
+pub(crate) fn is_robot(path: PathBuf) -> PyResult<bool> {
+    let is_robot = |bytes: &[u8]| {
+        let start = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes).trim_ascii_start();
+        let is_xml = start.first() == Some(&b'<');
+        Ok(is_xml && polhode_robot::read::format_of(&String::from_utf8_lossy(bytes)).is_some())
+    };
+    read_file(&path, is_robot).map_err(Raise::raise)
+}
+
+/// A file of a format, in the words of reports.
+fn of_file(path: &Path, format: &str) -> SourceInfo {
+    SourceInfo::new(path.display().to_string(), format)
 }

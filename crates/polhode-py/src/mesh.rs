@@ -1,6 +1,6 @@
 //! Meshes: of files, and of arrays.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use numpy::{PyReadonlyArray2, PyUntypedArrayMethods as _};
 use polhode::{
@@ -35,7 +35,7 @@ pub(crate) struct MeshOptions {
 #[pyfunction]
 pub(crate) fn mesh_file(
     py: Python<'_>,
-    path: &str,
+    path: PathBuf,
     format: &str,
     options: MeshOptions,
     given: Given,
@@ -46,11 +46,10 @@ pub(crate) fn mesh_file(
         .ok_or_else(|| refused(format!("no mesh format is called {format:?}"), None))?;
     let substance = given.substance()?;
     py.detach(|| {
-        let path = Path::new(path);
-        let contents = MeshContents::read(path, format).map_err(Raise::raise)?;
+        let contents = MeshContents::read(&path, format).map_err(Raise::raise)?;
         let title = format!("{} {}", format.title(), contents.encoding).trim_end().to_owned();
         let source = SourceInfo::new(path.display().to_string(), format.name());
-        of_contents(contents, path, format, &options, substance, (source, &title))
+        of_contents(contents, &path, format, &options, substance, (source, &title))
     })
 }
 

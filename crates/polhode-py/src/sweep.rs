@@ -9,7 +9,7 @@ use polhode_sweep::{Batch, BatchError, Column, Dataset, Plan, SweepError, Values
 use pyo3::exceptions::PyOSError;
 use pyo3::prelude::*;
 
-use crate::arrays::numbers;
+use crate::arrays::{numbers, room};
 use crate::error::{Raise, refused};
 use crate::finding::{Remark, remarks};
 
@@ -78,9 +78,14 @@ impl PyPlan {
     }
 
     /// The inputs of the members from `start` up to `stop`.
-    fn inputs<'py>(&self, py: Python<'py>, start: u64, stop: u64) -> Vec<Given<'py>> {
+    fn inputs<'py>(&self, py: Python<'py>, start: u64, stop: u64) -> PyResult<Vec<Given<'py>>> {
+        let count = stop.saturating_sub(start);
+        let columns = 1 + self.plan.variables().len();
+        // Once in columns of Rust, and once in arrays.
+        let both = usize::try_from(count).ok().and_then(|count| count.checked_mul(2 * columns));
+        room::<f64>(&format!("the inputs of {count} members"), both)?;
         let rows = py.detach(|| polhode_sweep::inputs(&self.plan, start..stop));
-        given(py, rows)
+        Ok(given(py, rows))
     }
 
     /// The rows, each with what becomes of its member.

@@ -7,6 +7,7 @@ import decimal
 import fractions
 import inspect
 import io
+import os
 import re
 from collections.abc import Callable
 from pathlib import Path
@@ -85,7 +86,7 @@ def functions() -> dict[Callable[..., object], dict[str, Any]]:
         polhode.inertia: {"source": (VERTICES, TRIANGLES), "density": 1.0, "unit": "mm", "hull": False, "shell": None, "kind": None},
         polhode.FreeMotion: {"omega": [1.0, 2, 3], "moments": [1.0, 2, 2.5], "attitude": [1, 0, 0, 0], "allow_unphysical": False},
         polhode.Ensemble: {"omega": [[1.0, 2, 3]] * 2, "moments": [1.0, 2, 2.5], "attitude": [1, 0, 0, 0], "torques": ""},
-        polhode.simulate: {"scenario": ROOT / "examples" / "t-handle.toml", "times": [0.0, 1.0]},
+        polhode.simulate: {"scenario": ROOT / "examples" / "t-handle.toml", "times": [0.0, 1.0], "error": "cheap"},
         polhode.check: {"path": ROOT / "examples" / "robots" / "arm.urdf", "roots": []},
         polhode.Body: {"parts": {"a": body}},
         body.about: {"point": [1, 2, 3]},
@@ -93,6 +94,7 @@ def functions() -> dict[Callable[..., object], dict[str, Any]]:
         body.placed: {"position": [0, 0, 0], "rotation": [1, 0, 0, 0]},
         body.export: {"format": "urdf", "name": "x"},
         free.at: {"times": [1.0, 2.0]},
+        free.error: {"times": [1.0, 2.0]},
         free.page: {"duration": 3.0},
         ensemble.at: {"times": [0.0, 1.0], "threads": 1, "step": 0.1, "tolerance": 1e-9},
         plot.omega: {"motion": free, "times": [0.0, 1.0]},
@@ -201,3 +203,54 @@ def test_hints_name_keywords(tmp_path: Path) -> None:
     with pytest.raises(polhode.PolhodeError, match="answer with (unit|mass_unit)") as error:
         polhode.inertia(table)
     assert "--" not in str(error.value)
+
+
+def test_options_that_exclude_each_other_are_refused(tmp_path: Path) -> None:
+    """None of them is left out in silence."""
+    torque = '[[torque]]\nmodel = "drag"\nlaw = "linear"\ncoefficient = "0.3 N m s"\n'
+    sweep = '[sweep]\nmembers = 9\nseed = 7\nsampling = "monte carlo"\n[[sweep.vary]]\nkey = "torque[0].coefficient"\nuniform = { from = 1, to = 3 }\n'
+    bodies: dict[str, Any] = {"moments": [1, 2, 2.5], "omega": [[1, 2, 3]]}
+    assert len(polhode.Ensemble(**bodies, torques=torque)) == 1
+    for call, says in (
+        (lambda: polhode.inertia((VERTICES, TRIANGLES), density=1.0, hull=True, shell=0.1), "hull and shell are both given"),
+        (lambda: polhode.FreeMotion(inertia=[1, 2, 2.5], omega=[1, 2, 3], allow_unphysical=True), "allow_unphysical = True means nothing for inertia"),
+        (lambda: polhode.Ensemble(**bodies, torques=torque + sweep), r"torques may hold \[\[torque\]\] tables only"),
+        (lambda: polhode.Ensemble(**bodies, torques='title = "drag"\n' + torque), r"torques may hold \[\[torque\]\] tables only"),
+        (lambda: polhode.Ensemble(inertia=[[1, 0.1, 0], [0, 2, 0], [0, 0, 2.5]], omega=[[1, 2, 3]]), "member 0: .*not symmetric.*\nhint: give each product"),
+        (lambda: polhode.Ensemble(**bodies).at([1.0], tolerance=1e300), "the tolerance = 1e300 must be between"),
+    ):
+        with pytest.raises(polhode.PolhodeError, match=says):
+            call()
+
+
+def test_paths_of_any_bytes_are_read(tmp_path: Path) -> None:
+    """Names of files are bytes on most systems, and need not be UTF-8."""
+    path = tmp_path / os.fsdecode(b"caf\xe9.stl")
+    try:
+        path.write_bytes((ROOT / "examples" / "bracket.stl").read_bytes())
+    except (OSError, UnicodeError):
+        return  # a system of other names has no such file
+    assert polhode.inertia(path, unit="mm", density=1.0).mass == polhode.inertia(ROOT / "examples" / "bracket.stl", unit="mm", density=1.0).mass
+    for call in (
+        lambda: polhode.inertia(path.with_suffix(".csv")),
+        lambda: polhode.check(path.with_suffix(".urdf")),
+        lambda: polhode.simulate(path.with_suffix(".toml")),
+        lambda: polhode.batch.Plan(path.with_suffix(".toml")),
+        lambda: polhode.inertia(tmp_path / "nowhere.xml"),
+        lambda: polhode.inertia(tmp_path / "nowhere.world"),
+    ):
+        with pytest.raises(FileNotFoundError):
+            call()
+    for call in (
+        lambda: polhode.simulate("title = '\udce9'\n"),
+        lambda: polhode.batch.Plan("title = '\udce9'\n"),
+        lambda: shapes.sphere(radius=1.0, material="\udce9"),
+    ):
+        with pytest.raises(polhode.PolhodeError, match="a lone surrogate: that is no text"):
+            call()
+
+
+def test_a_kind_of_many_formats_needs_an_ending(tmp_path: Path) -> None:
+    for kind, known in (("mesh", ".stl .obj .ply"), ("molecule", ".xyz .extxyz .mol")):
+        with pytest.raises(polhode.PolhodeError, match=f"does not say by its ending which format of a {kind} it is\nhint: known are {known}"):
+            polhode.inertia(tmp_path / "body.dat", kind=kind)

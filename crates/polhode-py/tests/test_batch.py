@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import _thread
 import hashlib
 import json
 import pickle
+import threading
 from pathlib import Path
 
 import numpy as np
@@ -82,7 +84,7 @@ def test_what_are_no_rows_is_refused(plan: batch.Plan) -> None:
 
 def test_a_plan_travels_as_its_text(plan: batch.Plan, tmp_path: Path, examples: Path) -> None:
     arrived = pickle.loads(pickle.dumps(plan))
-    assert arrived.digest == plan.digest and pickle.loads(pickle.dumps(plan)) is arrived
+    assert arrived.digest == plan.digest and pickle.loads(pickle.dumps(plan))._native is arrived._native
     # one that names a file, which is another one where it arrives
     (tmp_path / "part.stl").write_bytes((examples / "bracket.stl").read_bytes())
     body = '[[body.part]]\nshape = "mesh"\nfile = "part.stl"\nunit = "mm"\nmass = "1 kg"\n'
@@ -91,7 +93,7 @@ def test_a_plan_travels_as_its_text(plan: batch.Plan, tmp_path: Path, examples: 
     path.write_text(body + PLAN.format(members=4)[start:])
     sent = pickle.dumps(batch.Plan(path))
     assert pickle.loads(sent).members == 4
-    batch._arrived.cache_clear()
+    batch._read.cache_clear()
     (tmp_path / "part.stl").write_bytes((examples / "bracket.stl").read_bytes().replace(b"\0\0\0\0", b"\0\0\0\0", 1) + b"\0")
     with pytest.raises(polhode.PolhodeError):
         pickle.loads(sent)
@@ -149,3 +151,54 @@ def test_the_command(plan: batch.Plan, tmp_path: Path, capsys: pytest.CaptureFix
     assert sweep.main(arguments) == 2
     assert "is there already" in capsys.readouterr().err
     assert sweep.main([*arguments, "--resume"]) == 0
+
+
+def test_what_rows_hold_is_kept_or_refused(plan: batch.Plan) -> None:
+    rows = batch.inputs(plan, range(600))
+    name = rows.schema.names[1]
+    own = rows.append_column("status", pa.array(["mine"] * 600))
+    degrees = rows.set_column(1, pa.field(name, pa.float64(), metadata={"unit": "deg/s"}), rows.column(1))
+    numbers = [0.5] * 600
+    numbers[417] = 2**60
+    for wrong, says in (
+        (own, "rows have a column status already"),
+        (batch.simulate(rows, plan), "rows have a column status already"),
+        (rows.append_column(name, rows.column(1)), f"there are 2 columns {name}"),
+        (degrees, f"column {name} is in deg/s, as its field says, and must be in rad/s"),
+        # counted in the table, not in a piece of it
+        (rows.set_column(1, name, pa.array([int(x) for x in numbers])), r"\[417\] = 1152921504606846976"),
+    ):
+        with pytest.raises(polhode.PolhodeError, match=says):
+            batch.simulate(wrong, plan)
+    named = batch.simulate(rows.append_column("name", pa.array([f"body {k}" for k in range(600)])), plan)
+    assert named["name"].to_pylist() == [f"body {k}" for k in range(600)]
+    whole = pa.Table.from_batches([rows.slice(0, 100), rows.slice(100)])
+    assert batch.simulate(whole, plan).equals(pa.Table.from_batches([batch.simulate(rows, plan)]))
+
+
+def test_what_there_is_no_memory_for_is_refused(plan: batch.Plan) -> None:
+    """More than addresses have bits for: an allocation that fails would end the process."""
+    more = [f"start.spin.body[{k}]" for k in (2,)] + [f"body.part[0].moments[{k}]" for k in range(3)]
+    more += [f"start.attitude.axis[{k}]" for k in range(3)]
+    each = "".join(f'[[sweep.vary]]\nkey = "{key}"\nuniform = {{ from = 1.9, to = 2 }}\n' for key in more)
+    with pytest.raises(MemoryError, match="no memory for the inputs of 1000000000000 members"):
+        batch.inputs(batch.Plan(PLAN.format(members=10**12) + each))
+    bodies = polhode.Ensemble(moments=[1, 2, 2.5], omega=np.ones((300_000, 3)))
+    with pytest.raises(MemoryError, match="no memory for the states of 300000 members at 10000000 times"):
+        bodies.at(np.zeros(10_000_000))
+
+
+@pytest.mark.usefixtures("ctrl_c")
+def test_ctrl_c_ends_rows_that_take_long(examples: Path) -> None:
+    """A table of few rows, each of them a long motion."""
+    text = (examples / "formula.toml").read_text().replace('"4 min"', '"2e4 s"').replace("samples = 961", "samples = 2")
+    text += '[sweep]\nmembers = 40\nseed = 7\nsampling = "monte carlo"\n[[sweep.vary]]\nkey = "start.spin.body[1]"\nuniform = { from = 1, to = 3 }\n'
+    long = batch.Plan(text)
+    rows = batch.inputs(long)
+    done: list[int] = []
+    timer = threading.Timer(0.2, _thread.interrupt_main)
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):
+        batch._mapped(rows, long, batch._names(long), lambda columns: (done.append(len(columns[0][1])), long._native.simulate(columns))[1])
+    timer.join()
+    assert sum(done) < 40

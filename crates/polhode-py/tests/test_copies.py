@@ -30,6 +30,7 @@ ASKED: dict[str, list[dict[str, Any]]] = {
     "placed": [{"position": [0.3, -0.2, 1.7], "rotation": TURN}],
     "export": [{"format": f} for f in ("urdf", "sdf", "mjcf", "mjcf-principal", "usd", "solidworks", "csv")],
     "at": [{"times": [0.25, 1.5, 40.0]}],
+    "error": [{"times": [0.25, 1.5, 40.0]}],
     "rotations": [{}, {"times": [0.25, 1.5]}, {"member": 1}],
     "page": [{}],
 }
@@ -127,6 +128,8 @@ def everything(tmp_path: Path) -> list[object]:
         *checked.findings[:2],
         *(motion.events[0] for motion in moved if motion.events),
         *(motion.ending for motion in moved),
+        *(motion.error for motion in moved if motion.error),
+        free.error([0.5, -1e6, 3.0]),
         *made[1].findings,
         error,
         heard[0].message,
@@ -195,7 +198,7 @@ def said(thing: object, deep: bool = True) -> dict[str, Any]:
 TRANSPORTS: dict[str, Callable[[Any], Any]] = {
     "copy": copy.copy,
     "deepcopy": copy.deepcopy,
-    **{f"pickle {p}": lambda it, p=p: pickle.loads(pickle.dumps(it, protocol=p)) for p in range(2, pickle.HIGHEST_PROTOCOL + 1)},
+    **{f"pickle {p}": lambda it, p=p: pickle.loads(pickle.dumps(it, protocol=p)) for p in range(pickle.HIGHEST_PROTOCOL + 1)},
 }
 
 
@@ -246,10 +249,23 @@ def test_what_a_subclass_adds_is_kept() -> None:
     for function in TRANSPORTS.values():
         again = function(body)
         assert type(again) is Named and again.name == "trunk" and again.mass == 2.3
+    plan = NamedPlan(PLAN.format(members=7))
+    plan.name = "spring"
+    for function in TRANSPORTS.values():
+        sent = function(plan)
+        assert type(sent) is NamedPlan and sent.name == "spring" and sent.members == 7
+        sent.name = "autumn"
+    assert plan.name == "spring"
 
 
 class Named(polhode.MassProperties):
     """A body with a name."""
+
+    name: str
+
+
+class NamedPlan(polhode.batch.Plan):
+    """A plan with a name."""
 
     name: str
 

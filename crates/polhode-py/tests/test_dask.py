@@ -103,7 +103,7 @@ def test_no_worker_is_told_again_and_again(monkeypatch: pytest.MonkeyPatch) -> N
     monkeypatch.setattr(_cluster.time, "monotonic", lambda: now[0])
     watch = _cluster.Watch("dask://here:1", 200.0, lambda: workers[0])
     heard: list[str] = []
-    monkeypatch.setattr(_cluster.warnings, "warn", lambda text, kind, stacklevel: heard.append(f"{now[0]:.0f}: {text}"))
+    monkeypatch.setattr(_cluster, "warn", lambda text: heard.append(f"{now[0]:.0f}: {text}"))
     for now[0], workers[0] in [(1000, 0), (1001, 0), (1030, 0), (1062, 0), (1070, 2), (1100, 2), (1110, 0), (1200, 0)]:
         watch.look()
     assert heard == [

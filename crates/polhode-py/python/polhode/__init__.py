@@ -65,6 +65,7 @@ for _public in (
     MassProperties,
     ModelFinding,
     Motion,
+    MotionError,
     PolhodeError,
     PolhodeWarning,
     States,

@@ -184,6 +184,10 @@ def text(name: str, value: object) -> str:
     """A text."""
     if not isinstance(value, str):
         raise TypeError(f"{name} must be text, not {type(value).__name__}")
+    try:
+        value.encode()
+    except UnicodeEncodeError as error:
+        raise PolhodeError(f"{name} has half a character at {error.start}, a lone surrogate: that is no text") from None
     return value
 
 

@@ -24,8 +24,6 @@ class Body:
     True
     """
 
-    __slots__ = ("_parts", "_whole")
-
     def __init__(self, parts: Mapping[str, MassProperties]) -> None:
         if not isinstance(parts, Mapping):
             raise TypeError(f"parts must be a dict of MassProperties by name, not {type(parts).__name__}")

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import time
-import warnings
 from typing import Callable, Iterator, TypeVar
 
-from ._error import PolhodeError, PolhodeWarning
+from ._error import PolhodeError, warn
 
 #: Seconds between two looks at a cluster from which nothing comes.
 LOOK = 2.0
@@ -47,7 +46,7 @@ class Watch:
             self._said = now
             until = "for as long as it takes" if self._timeout is None else f"for {self._timeout:.0f} s at most"
             since = f", for {waited:.0f} s by now" if waited >= LOOK else ""
-            warnings.warn(f"{self.on} has no worker{since}: waiting for one {until}", PolhodeWarning, stacklevel=2)
+            warn(f"{self.on} has no worker{since}: waiting for one {until}")
 
 
 def lost(on: str, why: str) -> ConnectionError:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import warnings
 from typing import TYPE_CHECKING, Any, Iterator, NamedTuple
 
 import numpy as np
@@ -10,8 +9,9 @@ import numpy.typing as npt
 
 from . import _arrays, _native, _threads
 from ._arrays import Floats
-from ._error import PolhodeError, PolhodeWarning
+from ._error import PolhodeError, warn
 from ._free_motion import rotations
+from ._mass_properties import findings_of, warn_of
 
 if TYPE_CHECKING:
     from scipy.spatial.transform import Rotation
@@ -108,16 +108,11 @@ class Ensemble:
         if len(set(counts.values())) > 1:
             said = ", ".join(f"{name} has {count}" for name, count in counts.items())
             raise PolhodeError(f"{said}: there must be as many of each as members, or one for all")
-        count = next(iter(counts.values()), 1)
-        if moments is not None:
-            tensors = given["moments"][:, :, None] * np.eye(3)
-        else:
-            tensors = given["inertia"]
-        self._native = _native.Ensemble.of(
-            _rows(tensors.reshape(-1, 9), count), _rows(given["omega"], count), _rows(given["attitude"], count), _arrays.text("torques", torques)
-        )
         # For copies; of its own, as what was given may change.
-        self._arguments: dict[str, Any] = {name: rows.copy() for name, rows in given.items()} | {"torques": torques}
+        self._arguments = {name: rows.copy() for name, rows in given.items()}
+        self._torques = _arrays.text("torques", torques)
+        self._native = _of(self._arguments, self._torques)
+        warn_of(findings_of(self._native.findings))
 
     def at(
         self, times: npt.ArrayLike, *, threads: int | None = None, step: float | None = None, tolerance: float = 1e-13
@@ -141,16 +136,16 @@ class Ensemble:
         if flights.failures:
             first = flights.failures[0]
             message = f"{len(failures)} of {len(self)} members cannot go on, the first is {first.member}: {first.cause}"
-            warnings.warn(message, PolhodeWarning, stacklevel=2)
+            warn(message)
         return flights
 
     def __getstate__(self) -> dict[str, Any]:
         return {name: value for name, value in vars(self).items() if name != "_native"}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
-        # The same arguments are the same bodies, bit for bit.
-        Ensemble.__init__(self, **state["_arguments"])
         vars(self).update(state)
+        # The same arguments are the same bodies, bit for bit.
+        self._native = _of(self._arguments, self._torques)
 
     def __len__(self) -> int:
         return len(self._native)
@@ -168,5 +163,12 @@ def _each(name: str, value: object, shape: tuple[int, ...]) -> Floats:
     return check(name, value, ("n", *shape))
 
 
-def _rows(rows: Floats, count: int) -> Floats:
-    return rows if len(rows) == count else np.repeat(rows, count, axis=0)
+def _of(given: dict[str, Floats], torques: str) -> _native.Ensemble:
+    """Of rows for each member, or of one for all."""
+    count = next((len(rows) for rows in given.values() if len(rows) != 1), 1)
+    tensors = given["moments"][:, :, None] * np.eye(3) if "moments" in given else given["inertia"]
+
+    def each(rows: Floats) -> Floats:
+        return rows if len(rows) == count else np.repeat(rows, count, axis=0)
+
+    return _native.Ensemble.of(each(tensors.reshape(-1, 9)), each(given["omega"]), each(given["attitude"]), torques)

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import os
 import re
+import sys
+import warnings
 
 #: Options of the command that are switches, those that have another name here, and those of the same name.
 _SWITCHES = {"hull", "resume", "force"}
@@ -33,7 +36,6 @@ def in_python(text: str) -> str:
         return f'{name}="{value}"' if value.islower() else name
 
     return _FLAG.sub(keyword, text.replace(" with -o DIR", "")) if "-" in text else text
-
 
 
 class PolhodeError(ValueError):
@@ -76,3 +78,15 @@ class PolhodeError(ValueError):
 
 class PolhodeWarning(UserWarning):
     """Something that was decided on the way, and that the user should know: a density that was assumed, normals that were turned."""
+
+
+#: Where the package's own modules are.
+_PACKAGE = os.path.dirname(__file__) + os.sep
+
+
+def warn(message: str) -> None:
+    """A :class:`PolhodeWarning` that points at the user's line, however many lines of the package are between."""
+    level, frame = 2, sys._getframe(1)
+    while frame.f_back is not None and frame.f_code.co_filename.startswith(_PACKAGE):
+        level, frame = level + 1, frame.f_back
+    warnings.warn(message, PolhodeWarning, stacklevel=level)

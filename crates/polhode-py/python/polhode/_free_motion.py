@@ -29,7 +29,7 @@ class States(NamedTuple):
 
 
 class MotionError(NamedTuple):
-    """How far each state may be from the true one: arrays (n,), estimates."""
+    """How far each state may be from the true one: arrays (n,), estimates. Where nothing is known, π of an attitude, and ``inf`` of ω."""
 
     #: Of the computation: the angle between the attitudes, rad. It grows along the way.
     attitude: Floats
@@ -76,6 +76,8 @@ class FreeMotion:
         unphysical = _arrays.truth("allow_unphysical", allow_unphysical)
         if (moments is None) == (inertia is None):
             raise PolhodeError("a body is given by moments or by inertia, exactly one of them")
+        if unphysical and moments is None:
+            raise PolhodeError("allow_unphysical = True means nothing for inertia: it is for moments")
         if moments is not None:
             self._native = _native.FreeMotion.of_moments(_arrays.triple("moments", moments), start, wxyz, unphysical)
         else:

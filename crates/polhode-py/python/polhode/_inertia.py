@@ -120,14 +120,24 @@ def inertia(
 
 def _kind(path: str, kind: str | None) -> str:
     """What a file is: as the user says, as its ending says, or as its root element says."""
+    if kind in ("mesh", "molecule"):
+        # There are many formats of these.
+        endings = [f".{ending}" for ending, known in _KINDS.items() if known == kind]
+        if f".{_ending(path)}" not in endings:
+            words, _ = _OPTIONS[kind]
+            raise PolhodeError(f"{path} does not say by its ending which format of {words} it is", f"known are {' '.join(endings)}")
     if kind is not None:
         return kind
-    ending = Path(path).suffix.lower().lstrip(".")
+    ending = _ending(path)
     if ending in ("sdf", "xml", "world") and _native.is_robot(path):
         return "robot"
     if ending not in _KINDS:
         raise PolhodeError(f"{path} has no ending that polhode knows", f"say what it is by kind: {', '.join(_OPTIONS)}")
     return _KINDS[ending]
+
+
+def _ending(path: str) -> str:
+    return Path(path).suffix.lower().lstrip(".")
 
 
 def _refuse_options(kind: str, path: str, options: Mapping[str, object]) -> None:
@@ -136,6 +146,8 @@ def _refuse_options(kind: str, path: str, options: Mapping[str, object]) -> None
         if value is not None and name not in known:
             hint = f"it may have {', '.join(sorted(known))}" if known else "it says all of it itself"
             raise PolhodeError(f"{name} means nothing for {path}, which is {words}", hint)
+    if options["hull"] and options["shell"] is not None:
+        raise PolhodeError("hull and shell are both given: a mesh is taken as its convex hull, or as a sheet")
 
 
 def _read(kind: str, path: str | None, source: Any, options: Mapping[str, Any]) -> MassProperties:
@@ -156,7 +168,7 @@ def _read(kind: str, path: str | None, source: Any, options: Mapping[str, Any]) 
             vertices = _arrays.numbers("vertices", source[0], ("n", 3))
             triangles = _arrays.indices("triangles", source[1], ("m", 3), len(vertices))
             return MassProperties._of(_native.mesh_arrays(vertices, triangles, how, substance))
-        ending = Path(path).suffix.lower().lstrip(".")
+        ending = _ending(path)
         return MassProperties._of(_native.mesh_file(path, "gltf" if ending == "glb" else ending, how, substance))
     assert path is not None
     if kind == "scenario":

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import warnings
 from typing import Any, Iterable, NamedTuple
 
 import numpy as np
@@ -11,7 +10,7 @@ import numpy.typing as npt
 
 from . import _arrays, _html, _native
 from ._arrays import Floats
-from ._error import PolhodeError, PolhodeWarning, in_python
+from ._error import PolhodeError, in_python, warn
 
 #: No turn, as a quaternion.
 IDENTITY = (1.0, 0.0, 0.0, 0.0)
@@ -35,11 +34,11 @@ def findings_of(remarks: Iterable[_native.Remark]) -> list[Finding]:
     return [Finding(code, severity, in_python(message), place) for code, severity, message, place in remarks]
 
 
-def warn_of(findings: Iterable[Finding], stacklevel: int = 3) -> None:
+def warn_of(findings: Iterable[Finding]) -> None:
     """A :class:`PolhodeWarning` for each finding that is worth one."""
     for finding in findings:
         if finding.severity != "info":
-            warnings.warn(f"{finding.message} [{finding.code}]", PolhodeWarning, stacklevel=stacklevel)
+            warn(f"{finding.message} [{finding.code}]")
 
 
 class MassProperties:
@@ -81,14 +80,14 @@ class MassProperties:
 
     @classmethod
     def _of(cls, native: _native.MassProperties) -> MassProperties:
-        """What Rust made; says aloud what was decided on the way."""
+        """What Rust made."""
         self = object.__new__(cls)
         self._native = native
         return self
 
-    def _heard(self, stacklevel: int = 3) -> MassProperties:
+    def _heard(self) -> MassProperties:
         """The same, with a warning for each of its findings that is worth one."""
-        warn_of(self.findings, stacklevel + 1)
+        warn_of(self.findings)
         return self
 
     @property

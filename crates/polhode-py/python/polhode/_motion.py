@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import os
-import warnings
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -12,7 +11,7 @@ import numpy.typing as npt
 
 from . import _arrays, _html, _native
 from ._arrays import Floats
-from ._error import PolhodeError, PolhodeWarning
+from ._error import warn
 from ._free_motion import MotionError, rotations
 from ._mass_properties import Finding, findings_of, warn_of
 
@@ -258,17 +257,16 @@ def simulate(scenario: str | os.PathLike[str], *, times: npt.ArrayLike | None = 
     True
     """
     if isinstance(scenario, str) and "\n" in scenario:
-        path, text = "scenario.toml", scenario
+        path, text = "scenario.toml", _arrays.text("scenario", scenario)
     else:
         path, text = _arrays.path("scenario", scenario), None
-    if error not in ("auto", "cheap", "thorough"):
-        raise PolhodeError(f'error = {error!r} must be "auto", "cheap" or "thorough"')
+    error = _arrays.choice("error", error, ["auto", "cheap", "thorough"])
     sampled = None if times is None else _arrays.numbers("times", times, ("n",))
     motion = Motion(_native.simulate(path, text, sampled, error))
     warn_of(motion.findings)
     for finding in motion.findings:
         if finding.code == "sweep.nominal":
-            warnings.warn(f"{finding.message} [{finding.code}]", PolhodeWarning, stacklevel=2)
+            warn(f"{finding.message} [{finding.code}]")
     if motion.ending.kind == "failed":
-        warnings.warn(f"the motion ends at t = {motion.ending.time} s: {motion.ending.cause}", PolhodeWarning, stacklevel=2)
+        warn(f"the motion ends at t = {motion.ending.time} s: {motion.ending.cause}")
     return motion

@@ -39,6 +39,7 @@ True
 from __future__ import annotations
 
 import os
+import time
 from functools import lru_cache
 from typing import Any, Iterable, NamedTuple, TypeVar
 
@@ -46,15 +47,16 @@ import numpy as np
 
 from . import _arrays, _native
 from ._error import PolhodeError
-from ._mass_properties import Finding, findings_of
+from ._mass_properties import Finding, findings_of, warn_of
 
 try:
     import pyarrow as pa
 except ImportError as error:
     raise ImportError("record batches need PyArrow: pip install pyarrow") from error
 
-#: Rows that are computed without a look for Ctrl-C.
+#: Rows that are computed without a look for Ctrl-C, at most, and for how long that may be, s, where a row does not take longer.
 PIECE = 256
+LOOK = 0.1
 
 #: A record batch, or a table of several.
 Rows = TypeVar("Rows", pa.RecordBatch, pa.Table)
@@ -75,16 +77,18 @@ class Plan:
     """A scenario, and what differs from member to member: of a file, or of its text (a ``str`` of more than one line).
 
     A plan travels to other processes as its text. The files that it names, if there are any, have to be at the same path there, with
-    the same contents: a plan that arrives as another is refused.
+    the same contents: a plan that arrives as another is refused. What had to be assumed, and members that are not possible, are a
+    :class:`polhode.PolhodeWarning` where a plan is read, and in ``findings``.
     """
 
     __slots__ = ("_native",)
 
     def __init__(self, source: str | os.PathLike[str]) -> None:
         if isinstance(source, str) and "\n" in source:
-            self._native = _native.Plan.parse(source, "plan.toml")
+            self._native = _native.Plan.parse(_arrays.text("source", source), "plan.toml")
         else:
             self._native = _native.Plan.read(_arrays.path("source", source))
+        warn_of(self.findings)
 
     @property
     def text(self) -> str:
@@ -120,14 +124,21 @@ class Plan:
         return f"Plan({self.members} members, {', '.join(variable.name for variable in self.variables) or 'nothing'} varied)"
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _arrived, (self.text, os.path.abspath(self._native.path), self.digest)
+        sent = self.text, os.path.abspath(self._native.path), self.digest
+        return _arrived, (type(self), *sent), getattr(self, "__dict__", None)
+
+
+def _arrived(kind: type[Plan], text: str, path: str, digest: str) -> Plan:
+    """A plan that was sent, and what a subclass has added comes later."""
+    plan = object.__new__(kind)
+    plan._native = _read(text, path, digest)
+    return plan
 
 
 @lru_cache(maxsize=8)
-def _arrived(text: str, path: str, digest: str) -> Plan:
-    """A plan that was sent; a process reads it once."""
-    plan: Plan = object.__new__(Plan)
-    plan._native = _native.Plan.parse(text, path)
+def _read(text: str, path: str, digest: str) -> _native.Plan:
+    """A process reads a plan once."""
+    plan = _native.Plan.parse(text, path)
     if plan.digest != digest:
         raise PolhodeError(
             f"the plan {path} is another one on this machine",
@@ -150,18 +161,30 @@ def inputs(plan: Plan, members: range | None = None) -> pa.RecordBatch:
 def simulate(rows: Rows, plan: Plan) -> Rows:
     """The rows, each with what becomes of its member: how it ended, periods, final state, extrema, events; further columns go along.
 
-    A member without a body or a motion, and one whose computation fails, is a row that says so in ``status`` and ``cause``.
+    A member without a body or a motion, and one whose computation fails, is a row that says so in ``status`` and ``cause``. A further
+    column with the name of one of these is refused.
     """
-    found: Any = _mapped(rows, plan, _plan(plan)._native.simulate)
+    plan = _plan(plan)
+    names = _names(plan)
+    _require(rows, plan, names)
+    none = [(name, np.empty(0, np.float64 if name != "member" else np.uint64)) for name in names]
+    results = [name for name, *_ in plan._native.simulate(none)]
+    for name in rows.schema.names:
+        if name in results and name not in names:
+            hint = f"rename it, or leave it out: rows.select({names})"
+            raise PolhodeError(f"rows have a column {name} already, and it is what becomes of them that is called so", hint)
+    found: Any = _mapped(rows, plan, names, plan._native.simulate)
     for field, column in zip(rows.schema, rows.columns):
-        if field.name not in found.schema.names:
+        if field.name not in names:
             found = found.append_column(field, column)
     return found
 
 
 def trajectories(rows: Rows, plan: Plan) -> Rows:
     """The motions of the rows' members: a row for each sample time."""
-    return _mapped(rows, plan, _plan(plan)._native.trajectories)
+    names = _names(_plan(plan))
+    _require(rows, plan, names)
+    return _mapped(rows, plan, names, plan._native.trajectories)
 
 
 def compute(plan: Plan, start: int, stop: int) -> tuple[pa.RecordBatch, pa.RecordBatch | None]:
@@ -176,21 +199,42 @@ def _plan(plan: Plan) -> Plan:
     return plan
 
 
-def _mapped(rows: Any, plan: Plan, function: Any) -> Any:
-    """A function of columns, piece by piece: Python looks for signals between them."""
+def _names(plan: Plan) -> list[str]:
+    """The columns of inputs."""
+    return ["member", *(variable.name for variable in plan.variables)]
+
+
+def _require(rows: Any, plan: Plan, names: list[str]) -> None:
+    """Refuses what is no table of a plan's inputs."""
     if not isinstance(rows, (pa.RecordBatch, pa.Table)):
         raise TypeError(
             f"rows must be a pyarrow RecordBatch or Table, not {type(rows).__module__}.{type(rows).__name__}: "
             "pyarrow.Table.from_pandas and DataFrame.to_arrow make one"
         )
-    names = ["member", *(variable.name for variable in plan.variables)]
-    missing = [name for name in names if name not in rows.schema.names]
-    if missing:
-        raise PolhodeError(f"there is no column {missing[0]}", f"a row has {', '.join(names)}")
-    chosen = rows.select(names)
-    pieces = [chosen.slice(k, PIECE) for k in range(0, max(chosen.num_rows, 1), PIECE)]
-    done = [_arrow(function([(name, _numbers(name, piece)) for name in names])) for piece in pieces]
-    return pa.Table.from_batches(done) if isinstance(rows, pa.Table) else pa.concat_batches(done)
+    for name, unit in zip(names, ["", *(variable.unit for variable in plan.variables)]):
+        found = rows.schema.get_all_field_indices(name)
+        if not found:
+            raise PolhodeError(f"there is no column {name}", f"a row has {', '.join(names)}")
+        if len(found) > 1:
+            raise PolhodeError(f"there are {len(found)} columns {name}")
+        said = ((rows.schema.field(found[0]).metadata or {}).get(b"unit") or b"").decode(errors="replace")
+        if said and said != unit:
+            raise PolhodeError(f"column {name} is in {said}, as its field says, and must be in {unit or 'no unit'}")
+
+
+def _mapped(rows: Any, plan: Plan, names: list[str], function: Any) -> Any:
+    """A function of columns, piece by piece: Python looks for signals between them."""
+    columns = [(name, _numbers(name, rows)) for name in names]
+    start, size = 0, 1
+    done: list[pa.RecordBatch] = []
+    while start < rows.num_rows or not done:
+        began = time.monotonic()
+        done.append(_arrow(function([(name, numbers[start : start + size]) for name, numbers in columns])))
+        start += size
+        size = min(2 * size, PIECE) if time.monotonic() - began < 0.5 * LOOK else max(size // 2, 1)
+    # Where the pieces are cut is a matter of time, and nobody's result.
+    whole = pa.concat_batches(done)
+    return pa.Table.from_batches([whole]) if isinstance(rows, pa.Table) else whole
 
 
 def _numbers(name: str, rows: Any) -> Any:

@@ -2,7 +2,6 @@
 
 use super::document::{Block, Document};
 use super::text::DIGITS;
-use crate::finding;
 use crate::layout::{broken, plain_spaces, printable};
 use crate::number::{alike, tidy_matrix};
 
@@ -26,9 +25,6 @@ impl Document {
                 text.push_str(&render_block(block));
                 text.push('\n');
             }
-        }
-        for found in &self.findings {
-            text.push_str(&format!("\n> {}\n", escaped(&finding::sentence(found))));
         }
         text
     }

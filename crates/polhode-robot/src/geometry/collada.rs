@@ -20,7 +20,7 @@ use crate::read::xml::{Element, with_root};
 ///
 /// # Errors
 /// [`ContentError`] for what is no XML, lacks what it names, or has what is not read.
-pub(super) fn read(text: &str) -> Result<MeshContents, ContentError> {
+pub fn read(text: &str) -> Result<MeshContents, ContentError> {
     with_root(text, |root| {
         let named = named(root);
         let unit = root

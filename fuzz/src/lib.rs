@@ -1,0 +1,49 @@
+//! What has to hold of every input of every reader: one function for each, which panics where it does not.
+//!
+//! libFuzzer runs them (`fuzz_targets/all.rs`), and so does an ordinary test on the stored corpora
+//! (`crates/polhode-cli/tests/corpus.rs`). A refusal is always right here; what counts is what is accepted.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a broken property ends the run")]
+#![allow(unreachable_pub, reason = "the test includes this file as a module")]
+
+pub mod mesh;
+pub mod motion;
+mod physical;
+pub mod robot;
+pub mod table;
+pub mod text;
+
+/// A function that takes any input, and panics if a property does not hold.
+pub type Target = fn(&[u8]);
+
+/// All targets by name: what the folders of the corpora are called.
+pub const TARGETS: [(&str, Target); 23] = [
+    ("stl", mesh::stl),
+    ("obj", mesh::obj),
+    ("ply", mesh::ply),
+    ("off", mesh::off),
+    ("gltf", mesh::gltf),
+    ("threemf", mesh::threemf),
+    ("collada", mesh::collada),
+    ("xyz", table::xyz),
+    ("mol", table::mol),
+    ("pdb", table::pdb),
+    ("particles", table::particles),
+    ("voxel", table::voxel),
+    ("times", table::times),
+    ("motion_table", motion::motion_table),
+    ("cad", text::cad),
+    ("unit", text::unit),
+    ("expression", text::expression),
+    ("formula", text::formula),
+    ("urdf", robot::urdf),
+    ("sdf", robot::sdf),
+    ("mjcf", robot::mjcf),
+    ("scenario", motion::scenario),
+    ("plan", motion::plan),
+];
+
+/// The target of this name.
+pub fn target(name: &str) -> Option<Target> {
+    TARGETS.iter().find(|(own, _)| *own == name).map(|(_, target)| *target)
+}

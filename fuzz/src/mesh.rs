@@ -1,0 +1,119 @@
+//! Meshes: what is accepted is finite, is the same when it is read again or from another format, and bounds a possible body.
+
+use std::fmt::Write as _;
+use std::num::NonZeroUsize;
+use std::path::Path;
+
+use polhode::{ConvexHull, Rotation, Shape as _, Substance, TriangleMesh};
+use polhode_formats::mesh::stl_quick::{self, QuickOptions};
+use polhode_formats::mesh::{MeshContents, MeshFormat, MeshSolid};
+
+use super::physical::{assert_physical, assert_written_is_read};
+
+/// More triangles than this are read but not diagnosed, and more corners have no hull: that takes longer than an input should.
+const MOST: usize = 2000;
+
+pub fn stl(data: &[u8]) {
+    mesh(data, MeshFormat::Stl);
+    let options = QuickOptions { threads: NonZeroUsize::MIN, verdict: true };
+    let quick = stl_quick::parse(data, Path::new("a.stl"), &options);
+    assert_eq!(quick, stl_quick::parse(data, Path::new("a.stl"), &options));
+    if let Ok(Some(quick)) = quick
+        && quick.closed == Some(true)
+        && let Ok(solid) = quick.solid(0.001)
+        && let Ok(body) = solid.mass_properties(Substance::Density(2.5))
+    {
+        assert_physical(&body);
+    }
+}
+
+pub fn obj(data: &[u8]) {
+    mesh(data, MeshFormat::Obj);
+}
+
+pub fn ply(data: &[u8]) {
+    mesh(data, MeshFormat::Ply);
+}
+
+pub fn off(data: &[u8]) {
+    mesh(data, MeshFormat::Off);
+}
+
+pub fn gltf(data: &[u8]) {
+    mesh(data, MeshFormat::Gltf);
+}
+
+pub fn threemf(data: &[u8]) {
+    mesh(data, MeshFormat::ThreeMf);
+}
+
+pub fn collada(data: &[u8]) {
+    let Ok(text) = str::from_utf8(data) else { return };
+    let read = || polhode_robot::geometry::collada::read(text);
+    if let Ok(contents) = read() {
+        assert_eq!(Ok(&contents), read().as_ref());
+        accepted(contents, MeshFormat::Obj);
+    }
+}
+
+fn mesh(data: &[u8], format: MeshFormat) {
+    let read = || MeshContents::parse(data, Path::new("/nowhere/mesh"), format);
+    match read() {
+        Ok(contents) => {
+            assert_eq!(Ok(&contents), read().as_ref());
+            accepted(contents, format);
+        }
+        Err(error) => assert!(!error.to_string().is_empty()),
+    }
+}
+
+/// The triangles of a file that has been read.
+fn accepted(contents: MeshContents, format: MeshFormat) {
+    for part in &contents.parts {
+        assert!(part.mesh.vertices().as_flattened().iter().all(|c| c.is_finite()));
+        assert!(
+            part.mesh.triangles().as_flattened().iter().all(|&v| (v as usize) < part.mesh.vertices().len())
+        );
+    }
+    if contents.triangles() > MOST {
+        return;
+    }
+    let Ok(one) = contents.clone().as_one() else { return };
+    let Some(all) = one.parts.first().map(|part| part.mesh.clone()) else { return };
+    let same = |a: &TriangleMesh, b: &TriangleMesh| a.corners().eq(b.corners());
+    let again =
+        MeshContents::parse(as_off(&all).as_bytes(), Path::new("a.off"), MeshFormat::Off).and_then(|again| {
+            assert!(same(&again.parts[0].mesh, &all), "OFF says something else");
+            MeshSolid::of(again, Path::new("a.off"), MeshFormat::Off, Some(0.001))
+        });
+    let solid = |contents| MeshSolid::of(contents, Path::new("a.mesh"), format, Some(0.001));
+    if let Ok(whole) = solid(one) {
+        let weigh = |solid: &MeshSolid| solid.parts[0].mesh.mass_properties(Substance::Density(2.5));
+        assert_eq!(weigh(&whole), weigh(&again.unwrap()), "OFF gives another body");
+    }
+    if let Ok(solid) = solid(contents) {
+        for part in &solid.parts {
+            if let Ok(body) = part.mesh.mass_properties(Substance::Density(2.5)) {
+                assert_physical(&body);
+                assert_written_is_read(&body.in_frame(Rotation::identity()));
+            }
+        }
+    }
+    if all.vertices().len() <= MOST
+        && let Ok(hull) = ConvexHull::of(all.vertices())
+    {
+        assert!(hull.triangles().len() >= 4);
+    }
+}
+
+/// The mesh in the simplest of formats, every number with all of its digits.
+fn as_off(mesh: &TriangleMesh) -> String {
+    let mut text = format!("OFF\n{} {} 0\n", mesh.vertices().len(), mesh.triangles().len());
+    for [x, y, z] in mesh.vertices() {
+        let _ = writeln!(text, "{x:?} {y:?} {z:?}");
+    }
+    for [a, b, c] in mesh.triangles() {
+        let _ = writeln!(text, "3 {a} {b} {c}");
+    }
+    text
+}

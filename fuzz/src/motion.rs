@@ -1,0 +1,111 @@
+//! Scenarios and plans: what is accepted is simulated a little, and every number of its table is finite.
+
+use std::any::Any;
+use std::fs;
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
+use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
+
+use polhode::{ErrorEffort, Scenario, Trajectory};
+use polhode_formats::{scenario, table};
+use polhode_sweep::Plan;
+
+use super::physical::assert_physical;
+
+/// Samples, and steps between them: more take longer than an input should.
+const MOST_SAMPLES: usize = 5;
+const MOST_STEPS: usize = 300;
+
+pub fn scenario(data: &[u8]) {
+    let Ok(text) = str::from_utf8(data) else { return };
+    let path = Path::new("/nowhere/scenario.toml");
+    match scenario::parse(text, path) {
+        Ok(read) => {
+            assert_eq!(
+                format!("{:?}", Ok::<_, ()>(&read)),
+                format!("{:?}", scenario::parse(text, path).map_err(|_| ()))
+            );
+            accepted(read);
+        }
+        Err(error) => assert!(!error.to_string().is_empty() && error.hint() != Some(String::new())),
+    }
+}
+
+pub fn motion_table(data: &[u8]) {
+    const BODY: &str = "[[body.part]]\nshape = \"box\"\nsize = [1.1, 2, 3]\nmass = 1.7\n[prescribed]\ntable = \"table.csv\"\n\
+        [run]\nduration = 0.5\nsamples = 3\n";
+    let folder = folder();
+    if fs::write(folder.join("table.csv"), data).is_ok()
+        && let Ok(scenario) = scenario::parse(BODY, &folder.join("a.toml"))
+    {
+        accepted(scenario);
+    }
+}
+
+pub fn plan(data: &[u8]) {
+    let Ok(text) = str::from_utf8(data) else { return };
+    let Ok(plan) = Plan::parse(text.to_owned(), Path::new("/nowhere/plan.toml")) else { return };
+    for member in [0, 1, plan.members() / 2, plan.members().saturating_sub(1)] {
+        let values = plan.values(member);
+        assert_eq!(values.len(), plan.variables().len());
+        assert!(values.iter().all(|value| value.is_finite()), "{values:?}");
+        assert_eq!(values, plan.values(member));
+        if let Ok(scenario) = plan.scenario(&values) {
+            assert_physical(&scenario.body);
+        }
+    }
+}
+
+/// A scenario's body, and the first of its motion.
+fn accepted(mut scenario: Scenario) {
+    assert_physical(&scenario.body);
+    let Some(run) = &mut scenario.run else { return };
+    assert!(run.times.iter().all(|time| time.is_finite()));
+    run.times.truncate(MOST_SAMPLES);
+    if let Some(Some(Ok(motion))) =
+        within_steps(|progress| scenario.simulate_with_error(ErrorEffort::Cheap, progress))
+    {
+        finite(&motion, &scenario);
+    }
+}
+
+/// Every number of the table.
+fn finite(motion: &Trajectory, scenario: &Scenario) {
+    let mut csv = Vec::new();
+    table::csv::write(motion, &scenario.wheels, &mut csv).unwrap();
+    let csv = String::from_utf8(csv).unwrap();
+    for cell in csv.lines().skip(1).flat_map(|line| line.split(',')) {
+        assert!(cell.parse::<f64>().is_ok_and(f64::is_finite), "{cell} in\n{csv}");
+    }
+}
+
+/// What a computation gives, unless it takes more steps than it should. It is ended by unwinding past it, which is no panic.
+fn within_steps<T>(compute: impl FnOnce(&mut dyn FnMut(f64)) -> T) -> Option<T> {
+    struct Enough;
+    let mut steps = 0;
+    let mut progress = |_: f64| {
+        steps += 1;
+        if steps > MOST_STEPS {
+            resume_unwind(Box::new(Enough));
+        }
+    };
+    catch_unwind(AssertUnwindSafe(|| compute(&mut progress)))
+        .map_err(|why: Box<dyn Any + Send>| {
+            if !why.is::<Enough>() {
+                resume_unwind(why)
+            }
+        })
+        .ok()
+}
+
+/// A folder of this process, in memory where the system has such.
+fn folder() -> &'static Path {
+    static FOLDER: OnceLock<PathBuf> = OnceLock::new();
+    FOLDER.get_or_init(|| {
+        let memory = Path::new("/dev/shm");
+        let parent = if memory.is_dir() { memory.to_owned() } else { std::env::temp_dir() };
+        let folder = parent.join(format!("polhode-fuzz-{}", std::process::id()));
+        fs::create_dir_all(&folder).unwrap();
+        folder
+    })
+}

@@ -1,0 +1,61 @@
+//! Robot models: every place lies in the text, a repaired model is read and has no new errors, and links are possible bodies.
+
+use std::path::Path;
+
+use polhode_robot::finding::Finding;
+use polhode_robot::geometry::Shapes;
+use polhode_robot::inspect::{Inspection, inspect};
+use polhode_robot::lump::{Lumping, lump};
+use polhode_robot::model::{ModelFormat, RobotModel};
+use polhode_robot::read::{ReadOptions, read_text};
+use polhode_robot::repair::proved;
+use polhode_robot::report::CheckReport;
+
+use super::physical::{assert_physical, assert_written_is_read};
+
+pub fn urdf(data: &[u8]) {
+    model(data, ModelFormat::Urdf);
+}
+
+pub fn sdf(data: &[u8]) {
+    model(data, ModelFormat::Sdf);
+}
+
+pub fn mjcf(data: &[u8]) {
+    model(data, ModelFormat::Mjcf);
+}
+
+fn read(text: &str) -> Option<RobotModel> {
+    read_text(text, Path::new("/nowhere/model.xml"), &ReadOptions::default()).ok()
+}
+
+/// What a model says, as text: in it NaN is NaN.
+fn contents(model: &RobotModel) -> String {
+    format!("{:?}", (&model.links, &model.joints, &model.notes))
+}
+
+fn model(data: &[u8], format: ModelFormat) {
+    let Some(model) = str::from_utf8(data).ok().and_then(read) else { return };
+    if model.format != format {
+        return;
+    }
+    assert_eq!(Some(contents(&model)), read(&model.text).as_ref().map(contents), "read twice");
+    let Inspection { geometry, findings } = inspect(&model, &mut Shapes::default());
+    for finding in &findings {
+        assert!(model.text.get(finding.span.clone()).is_some(), "{finding:?}");
+    }
+    for lumping in [Lumping::Fixed, Lumping::All] {
+        for lump in lump(&model, lumping, &[]).unwrap_or_default() {
+            assert_physical(&lump.properties);
+            assert_written_is_read(&lump.properties);
+        }
+    }
+    let check = |text: &str| -> Result<Vec<Finding>, ()> {
+        Ok(inspect(&read(text).ok_or(())?, &mut Shapes::default()).findings)
+    };
+    let (repaired, remaining) = proved(&model, &findings, check).unwrap();
+    assert!(repaired.applied.is_empty() || remaining.len() <= findings.len(), "{}", repaired.text);
+    let report = CheckReport { model, geometry, findings, fixed: None };
+    assert!(!report.to_text().contains('\u{1b}') && !report.to_table().contains('\u{1b}'));
+    assert!(report.to_json().is_object());
+}

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use polhode::{Body, BodyError, Rotation};
+use polhode::BodyError;
 use polhode_formats::cad::{self, CadOptions, CadReport, DecimalMark, ProductConvention};
 use polhode_formats::molecule::{self, Isotopes, MoleculeFormat};
 use polhode_formats::particles::{self, ParticleOptions};
@@ -20,7 +20,10 @@ use crate::shape::in_body;
 pub(crate) fn scenario_file(py: Python<'_>, path: PathBuf) -> PyResult<PyMassProperties> {
     let scenario = py.detach(|| scenario::read(&path)).map_err(Raise::raise)?;
     let title = scenario.title.as_deref().unwrap_or("scenario");
-    let source = of_file(&path, "scenario").described(title).with("title", scenario.title.clone());
+    let source = of_file(&path, "scenario")
+        .described(title)
+        .with("title", scenario.title.clone())
+        .with("parts", scenario.parts.len());
     Ok(PyMassProperties::of(InertiaReport::of_scenario(source, &scenario)))
 }
 
@@ -37,7 +40,10 @@ pub(crate) fn particle_file(
     let read = py.detach(|| read_file(&path, |bytes| particles::read(bytes, &options)));
     let table = read.map_err(Raise::raise)?;
     let properties = table.mass_properties().map_err(Raise::raise)?;
-    let source = of_file(&path, "particles").described(table.described());
+    let source = of_file(&path, "particles")
+        .described(table.described())
+        .with("particles", table.particles.len())
+        .with("tensors", !table.tensors.is_empty());
     let report = InertiaReport { findings: table.findings, ..InertiaReport::new(source, properties) };
     Ok(PyMassProperties::of(report))
 }
@@ -68,7 +74,9 @@ pub(crate) fn cad_file(
     };
     let CadReport { product, properties, volume, surface_area, density, proof, findings } =
         read_text_file(&path, |text| cad::read(text, &options)).map_err(Raise::raise)?;
-    let source = of_file(&path, "cad").described(format!("mass properties by {}", product.name()));
+    let source = of_file(&path, "cad")
+        .described(format!("mass properties by {}", product.name()))
+        .with("product", product.name());
     let proof = sign_proof(
         proof.convention.name(),
         proof.by.name(),
@@ -97,7 +105,8 @@ pub(crate) fn molecule_file(path: PathBuf, average: bool) -> PyResult<Vec<PyMass
         "mol" => MoleculeFormat::Mol,
         _ => MoleculeFormat::Sdf,
     };
-    let report = |molecule: &molecule::Molecule| {
+    let molecules = molecule::read(&path, format).map_err(Raise::raise)?;
+    let report = |(number, molecule): (usize, &molecule::Molecule)| {
         let block = MoleculeReport {
             formula: molecule.formula(),
             atoms: molecule.atoms.len(),
@@ -105,14 +114,20 @@ pub(crate) fn molecule_file(path: PathBuf, average: bool) -> PyResult<Vec<PyMass
             constants: molecule.rotational_constants(isotopes)?,
         };
         let name = if molecule.name.is_empty() { &block.formula } else { &molecule.name };
-        let source = of_file(&path, format.name()).described(format!("molecule {name}"));
+        let source = of_file(&path, format.name())
+            .with("name", molecule.name.clone())
+            .with("atoms", molecule.atoms.len());
+        // Reports count from 1.
+        let source = match molecules.len() {
+            1 => source.described(format!("molecule {name}")),
+            _ => source.described(format!("molecule {}, {name}", number + 1)).with("molecule", number + 1),
+        };
         let extra = Extra { key: "molecule", json: block.to_json(), text: block.to_text() };
         let report = InertiaReport::new(source, molecule.mass_properties(isotopes)?);
         let findings = molecule.findings_with(isotopes);
         Ok(PyMassProperties::of(InertiaReport { extras: vec![extra], findings, ..report }))
     };
-    let molecules = molecule::read(&path, format).map_err(Raise::raise)?;
-    let reports: Result<Vec<_>, BodyError> = molecules.iter().map(report).collect();
+    let reports: Result<Vec<_>, BodyError> = molecules.iter().enumerate().map(report).collect();
     reports.map_err(Raise::raise)
 }
 
@@ -131,13 +146,22 @@ pub(crate) fn voxel_file(
         let misread = |error| FormatError::of_content(&path, &[], error);
         let mut voxels = voxel::open(&path)?;
         let grid = voxels.grid(&options).map_err(misread)?;
-        Ok::<_, FormatError>((voxels.counts(), voxels.mass_properties(&grid, per_value).map_err(misread)?))
+        let kind = voxels.type_name();
+        Ok::<_, FormatError>((
+            voxels.counts(),
+            kind,
+            voxels.mass_properties(&grid, per_value).map_err(misread)?,
+        ))
     });
-    let ([a, b, c], body) = read.map_err(Raise::raise)?;
+    let (counts, kind, body) = read.map_err(Raise::raise)?;
     let body = body.map_err(Raise::raise)?;
     let properties = in_body(body.properties).map_err(Raise::raise)?;
-    let source = of_file(&path, "voxels")
-        .described(format!("voxels, {a} × {b} × {c}, {} filled", body.filled))
+    let is_npy = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("npy"));
+    let [a, b, c] = counts;
+    let source = of_file(&path, if is_npy { "npy" } else { "nrrd" })
+        .described(format!("voxels, {a} × {b} × {c} of {kind}, {} filled", body.filled))
+        .with("voxels", counts.to_vec())
+        .with("type", kind)
         .with("filled", body.filled);
     Ok(PyMassProperties::of(InertiaReport {
         volume: Some(body.volume),
@@ -147,69 +171,7 @@ pub(crate) fn voxel_file(
     }))
 }
 
-/// A link of a robot, or all its links at some values of its joints.
-#[pyfunction]
-pub(crate) fn robot_file(
-    path: PathBuf,
-    link: Option<&str>,
-    joints: Vec<(String, f64)>,
-) -> PyResult<PyMassProperties> {
-    use polhode_robot::body::{LinkMass, link_mass};
-    use polhode_robot::lump::{Lumping, lump};
-    use polhode_robot::read::{ReadOptions, read_model};
-    let model = read_model(&path, &ReadOptions::default()).map_err(Raise::raise)?;
-    let source = of_file(&path, "robot");
-    let findings =
-        polhode_robot::remarks::remarks(&model, link).map_err(|twice| refused(&twice, Some(twice.hint())))?;
-    let Some(name) = link else {
-        let lumps =
-            lump(&model, Lumping::All, &joints).map_err(|error| refused(&error, Some(&error.hint())))?;
-        let Some(whole) = lumps.first() else {
-            return Err(refused(format!("no link of {} has a mass", path.display()), None));
-        };
-        let source = source.described(format!("all {} links", whole.links.len()));
-        let report = InertiaReport { findings, ..InertiaReport::new(source, whole.properties) };
-        return Ok(PyMassProperties::of(report));
-    };
-    let Some(link) = model.links.iter().find(|link| link.name.text == name) else {
-        let names: Vec<_> = model.links.iter().map(|link| link.name.text.as_str()).collect();
-        return Err(refused(
-            format!("{} has no link {name:?}", path.display()),
-            Some(&format!("its links are {}", names.join(", "))),
-        ));
-    };
-    match link_mass(model.format, link) {
-        Ok(LinkMass::Body(body)) => {
-            // The link's axes are the body's.
-            let properties = body.properties.in_frame::<Body>(Rotation::identity());
-            let source = source.described(format!("link {name}, in the link's frame"));
-            Ok(PyMassProperties::of(InertiaReport { findings, ..InertiaReport::new(source, properties) }))
-        }
-        Ok(LinkMass::None) => Err(refused(format!("the link {name:?} has no mass"), None)),
-        Err(error) => Err(refused(format!("the link {name:?} is no body: {error}"), Some(error.hint()))),
-    }
-}
-
-/// The links of a robot, in the file's order.
-#[pyfunction]
-pub(crate) fn robot_links(path: PathBuf) -> PyResult<Vec<String>> {
-    use polhode_robot::read::{ReadOptions, read_model};
-    let model = read_model(&path, &ReadOptions::default()).map_err(Raise::raise)?;
-    Ok(model.links.iter().map(|link| link.name.text.clone()).collect())
-}
-
-/// True if the file's root element is that of URDF, SDF or MJCF.
-#[pyfunction]
-pub(crate) fn is_robot(path: PathBuf) -> PyResult<bool> {
-    let is_robot = |bytes: &[u8]| {
-        let start = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes).trim_ascii_start();
-        let is_xml = start.first() == Some(&b'<');
-        Ok(is_xml && polhode_robot::read::format_of(&String::from_utf8_lossy(bytes)).is_some())
-    };
-    read_file(&path, is_robot).map_err(Raise::raise)
-}
-
 /// A file of a format, in the words of reports.
-fn of_file(path: &Path, format: &str) -> SourceInfo {
+pub(crate) fn of_file(path: &Path, format: &str) -> SourceInfo {
     SourceInfo::new(path.display().to_string(), format)
 }

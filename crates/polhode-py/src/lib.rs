@@ -16,6 +16,7 @@ mod mass_properties;
 mod mesh;
 mod motion;
 mod pickle;
+mod robot;
 mod shape;
 mod substance;
 mod sweep;
@@ -33,9 +34,7 @@ mod _native {
     #[pymodule_export]
     use crate::ensemble::PyEnsemble;
     #[pymodule_export]
-    use crate::files::{
-        cad_file, is_robot, molecule_file, particle_file, robot_file, robot_links, scenario_file, voxel_file,
-    };
+    use crate::files::{cad_file, molecule_file, particle_file, scenario_file, voxel_file};
     #[pymodule_export]
     use crate::free_motion::PyFreeMotion;
     #[pymodule_export]
@@ -44,6 +43,8 @@ mod _native {
     use crate::mesh::{mesh_arrays, mesh_file};
     #[pymodule_export]
     use crate::motion::{PyMotion, motion_page, simulate};
+    #[pymodule_export]
+    use crate::robot::{is_robot, robot_file, robot_links};
     #[pymodule_export]
     use crate::shape::shape;
     #[pymodule_export]

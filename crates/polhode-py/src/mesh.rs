@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use numpy::{PyReadonlyArray2, PyUntypedArrayMethods as _};
+use numpy::PyReadonlyArray2;
 use polhode::{
     ConvexHull, Extent, Finding, MassProperties, MeshShell, Severity, Shape, Substance, TriangleMesh,
 };
@@ -67,7 +67,6 @@ pub(crate) fn mesh_arrays(
 ) -> PyResult<PyMassProperties> {
     let substance = given.substance()?;
     let points = rows::<3>(&vertices)?.to_vec();
-    let [count, _] = [triangles.shape()[0], triangles.shape()[1]];
     let corners = triangles.as_slice().map_err(|error| refused(error.to_string(), None))?;
     let corners = corners.as_chunks().0.to_vec();
     py.detach(|| {
@@ -79,7 +78,7 @@ pub(crate) fn mesh_arrays(
             parts: vec![MeshPart { name: String::new(), mesh }],
             findings: Vec::new(),
         };
-        let source = SourceInfo::new("arrays", "python").with("triangles", count);
+        let source = SourceInfo::new("arrays", "python");
         // The format only names the file that there is not.
         let path = Path::new("the arrays");
         of_contents(contents, path, MeshFormat::Off, &options, substance, (source, "arrays"))
@@ -94,18 +93,25 @@ fn of_contents(
     substance: Option<Substance>,
     (source, title): (SourceInfo, &str),
 ) -> PyResult<PyMassProperties> {
-    let triangles = contents.triangles();
+    let (triangles, encoding) = (contents.triangles(), contents.encoding);
     let in_metres = options.unit.is_none() && contents.unit.is_none();
-    let described = |what: &str, taken_as: &str| {
-        source.described(format!("{title}, {triangles} triangles, {what}")).with("taken_as", taken_as)
+    let described = |what: &str, parts: usize, unit: f64| {
+        let several = if parts > 1 { format!(", {parts} parts") } else { String::new() };
+        let assumed = if in_metres { ", in m as no unit is given" } else { "" };
+        let words = format!("{title}, {triangles} triangles{several}, {what}{assumed}");
+        let source = source.described(words);
+        let source = if encoding.is_empty() { source } else { source.with("encoding", encoding) };
+        let source = source.with("triangles", triangles).with("parts", parts).with("unit_m", unit);
+        if in_metres { source.with("unit_assumed", true) } else { source }
     };
     if let Some(thickness) = options.shell {
         let contents = contents.in_metres(options.unit);
         let shell = |part: &MeshPart| Ok((part.name.clone(), boxed(MeshShell::new(&part.mesh, thickness)?)));
         let pieces: Result<Vec<_>, polhode::BodyError> = contents.parts.iter().map(shell).collect();
         let pieces = pieces.map_err(Raise::raise)?;
+        let unit = contents.unit.unwrap_or(1.0);
         return weighed(
-            described("taken as a sheet", "sheet"),
+            described("taken as a sheet", pieces.len(), unit).with("taken_as", "sheet"),
             pieces,
             substance,
             contents.findings,
@@ -119,12 +125,17 @@ fn of_contents(
     }
     let solid = MeshSolid::of(contents, path, format, options.unit).map_err(Raise::raise)?;
     let findings = solid.findings_in(&path.display().to_string());
-    let (what, taken_as) = match options.hull {
-        true => ("taken as its convex hull", "convex_hull"),
-        false => ("closed, consistently wound", "solid"),
+    let turned = solid.parts.iter().any(|part| part.mesh.inverted());
+    let (what, taken_as) = match (options.hull, turned) {
+        (true, _) => ("taken as its convex hull", "convex_hull"),
+        (false, true) => ("closed, wound inward (turned)", "solid"),
+        (false, false) => ("closed, consistently wound", "solid"),
     };
+    let vertices: usize = solid.parts.iter().map(|part| part.mesh.vertices()).sum();
+    let source = described(what, solid.parts.len(), solid.unit);
+    let source = source.with("vertices", vertices).with("taken_as", taken_as);
     let pieces = solid.parts.into_iter().map(|part| (part.name, boxed(part.mesh)));
-    weighed(described(what, taken_as), pieces.collect(), substance, findings, in_metres)
+    weighed(source, pieces.collect(), substance, findings, in_metres)
 }
 
 fn boxed<S: Shape + 'static>(shape: S) -> Box<dyn Shape> {

@@ -28,10 +28,21 @@ pub(crate) type Values = (Numbers, Source, Geometry, Vec<Block>, Vec<Remark>);
 
 /// The values of a report.
 pub(crate) fn values(report: &InertiaReport) -> Values {
-    // All fields by name, so that a new one is not forgotten. Other axes, and axes in the text, are for the command only.
-    let InertiaReport { source, properties, volume, surface_area, density, about, extras, findings, .. } =
-        report;
-    let InertiaReport { axes: _, show_axes: _, .. } = report;
+    // All fields by name, so that a new one is not forgotten. Other axes, axes in the text, and files that are looked at in part, are
+    // for the command only.
+    let InertiaReport {
+        source,
+        properties,
+        volume,
+        surface_area,
+        density,
+        about,
+        extras,
+        findings,
+        axes: _,
+        show_axes: _,
+        not_checked: _,
+    } = report;
     let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = properties.inertia().matrix();
     let SourceInfo { path, format, description, fields } = source.clone();
     let block = |Extra { key, json, text }: &Extra| ((*key).to_owned(), json.to_string(), text.clone());

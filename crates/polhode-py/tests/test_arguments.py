@@ -38,6 +38,7 @@ NEVER: list[Any] = [
     b"x",
     10**20,
     -(10**30),
+    10**400,
     [10**20] * 3,
     float("nan"),
     float("inf"),
@@ -141,10 +142,11 @@ def test_every_argument_is_refused_by_its_name(tmp_path: Path, monkeypatch: pyte
     [
         ([1, 2, 10**20], polhode.PolhodeError, r"^omega\[2\] = 100000000000000000000 must be a float64 exactly: give a float, or an integer up to 2"),
         (np.array([1, 2, 3], object), TypeError, r"^omega must be real numbers, not objects \(dtype object\): convert them"),
-        ([1.0, True, 3.0], TypeError, r"^omega\[1\] = True must be a real number, not a truth value$"),
+        ([1.0, True, 3.0], TypeError, r"^omega\[1\] = True must be a number, not a truth value$"),
         ([np.array(1.0).view(Quantity)] * 3, TypeError, r"^omega\[0\] has a unit of its own, which would be lost"),
         ([[1.0], [2.0, 3.0]], polhode.PolhodeError, r"^omega must have rows of one length"),
         (None, TypeError, "^omega must be real numbers, not NoneType$"),
+        ([1, 2, -(10**5000)], polhode.PolhodeError, r"^omega\[2\] = an integer of some 5000 digits must be a float64 exactly"),
     ],
 )
 def test_messages_say_what_is_there(value: object, error: type[Exception], says: str) -> None:
@@ -163,6 +165,10 @@ def test_a_text_is_no_truth_value_and_a_third_element_no_part_of_a_mesh() -> Non
         (lambda: polhode.inertia(mesh, density=1.0, kind="voxels"), "kind = 'voxels' means nothing for arrays"),
         (lambda: polhode.inertia(mesh, density=1.0, unit="kg"), 'unit = \'kg\': "kg" is a mass'),
         (lambda: polhode.check("arm.urdf", roots="models"), "roots must be a list of folders, not str"),
+        (lambda: polhode.inertia((VERTICES, [[0, 2, 10**20]]), density=1.0), r"triangles\[0, 2\] = 100000000000000000000 must be from 0 to 3"),
+        (lambda: polhode.inertia((VERTICES, [[0, 2, True]]), density=1.0), r"triangles\[0, 2\] = True must be a number, not a truth value"),
+        (lambda: polhode.inertia((VERTICES, np.array(TRIANGLES, object)), density=1.0), r"convert them, as by .astype\(int\)"),
+        (lambda: polhode.inertia((np.zeros((0, 3)), TRIANGLES), density=1.0), "vertices has no rows"),
         (lambda: polhode.MassProperties(mass=1.0, inertia=[1.0, 2.0]), r"inertia must have the shape \(3, 3\), or \(3,\) for moments"),
     ):
         with pytest.raises((TypeError, polhode.PolhodeError), match=says):

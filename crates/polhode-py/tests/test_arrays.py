@@ -96,7 +96,7 @@ def test_values_are_refused_with_their_place(changed: dict[str, object], says: s
     [
         (["1", "2", "3"], "omega must be real numbers, not text"),
         (np.array([1.0, 2.0, 3.0j]), "omega must be real numbers, not complex numbers"),
-        ([True, False, True], r"omega\[0\] = True must be a real number, not a truth value"),
+        ([True, False, True], r"omega\[0\] = True must be a number, not a truth value"),
         (np.array([True, False, True]), "omega must be real numbers, not truth values"),
         ([1.0, None, 3.0], "NoneType among others"),
         ([1.0, {}, 3.0], "dict among others"),

@@ -118,3 +118,53 @@ def test_errors_in_files_have_their_place(tmp_path: Path) -> None:
     assert (error.value.path, error.value.line, error.value.column) == (str(path), 3, 10)
     with pytest.raises(FileNotFoundError):
         polhode.inertia(tmp_path / "none.stl", density=1.0)
+
+
+def test_where_a_body_came_from_is_told_as_the_command_tells_it(examples: Path, tmp_path: Path) -> None:
+    """The object that ``polhode inertia --json`` prints has the same keys: what was read, in which unit, along which joints."""
+    np.save(tmp_path / "grid.npy", np.random.default_rng(0).uniform(0.5, 2.0, (3, 4, 5)))
+    atom = "%10.4f%10.4f%10.4f %-3s 0  0\n"
+    counts = "\n\n\n%3d  0  0  0  0  0              1 V2000\n"
+    helium = "helium" + counts % 1 + atom % (0, 0, 0, "He") + "M  END\n$$$$\n"
+    nitrogen = "nitrogen" + counts % 2 + atom % (0, 0, 0, "N") + atom % (0, 0.3, 1.05, "N") + "M  END\n$$$$\n"
+    (tmp_path / "two.sdf").write_text(helium + nitrogen)
+    robot = examples / "robots" / "arm.urdf"
+    links = ["base", "upper_arm", "forearm", "camera", "hand"]
+    mesh = {"encoding": "binary", "triangles": 216, "parts": 1}
+    with pytest.warns(polhode.PolhodeWarning, match="is it in mm"):
+        in_metres = polhode.inertia(examples / "bracket.stl", mass=0.4)
+    for body, path, wanted in (
+        (in_metres, examples / "bracket.stl", {"format": "stl", **mesh, "unit_m": 1.0, "vertices": 108, "taken_as": "solid", "unit_assumed": True}),
+        (
+            polhode.inertia(examples / "bracket.stl", mass=0.4, unit="mm", shell=1e-3),
+            examples / "bracket.stl",
+            {"format": "stl", **mesh, "unit_m": 0.001, "taken_as": "sheet"},
+        ),
+        (
+            polhode.inertia(tmp_path / "grid.npy", spacing=[0.1, 0.2, 0.3]),
+            tmp_path / "grid.npy",
+            {"format": "npy", "voxels": [3, 4, 5], "type": "double", "filled": 60},
+        ),
+        (polhode.inertia(tmp_path / "two.sdf", molecule=1), tmp_path / "two.sdf", {"format": "sdf", "name": "nitrogen", "atoms": 2, "molecule": 2}),
+        (polhode.inertia(robot, link="hand"), robot, {"format": "urdf", "link": "hand", "frame": "link"}),
+        (
+            polhode.inertia(robot, joints={"elbow": 0.3}),
+            robot,
+            {"format": "urdf", "link": "base", "frame": "link", "links": links, "massless": ["tool"], "joints": {"elbow": 0.3}},
+        ),
+    ):
+        assert body.to_dict()["source"] == {"path": str(path)} | wanted
+    assert "all 5 links of arm, elbow = 0.3 rad and other joints at zero, in the frame of base" in str(polhode.inertia(robot, joints={"elbow": 0.3}))
+    with pytest.raises(polhode.PolhodeError, match='the link "tool" has no mass\nhint: name another, or leave link out'):
+        polhode.inertia(robot, link="tool")
+
+
+def test_digits_too_few_for_a_tensor_are_said(tmp_path: Path) -> None:
+    """A rod's moments, rounded up: no body has them, but one within the digits that are written."""
+    path = tmp_path / "rod.urdf"
+    path.write_text(
+        '''<robot name="rod"><link name="rod"><inertial><mass value="1"/>
+        <inertia ixx="0.0833" iyy="0.0833" izz="0.1667" ixy="0" ixz="0" iyz="0"/></inertial></link></robot>'''
+    )
+    for body in (polhode.inertia(path), polhode.inertia(path, link="rod")):
+        assert body.to_dict()["source"]["rounding"] > 0.0 and "brought to the edge of the possible" in str(body)

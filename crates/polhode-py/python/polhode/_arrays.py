@@ -55,10 +55,10 @@ def real(name: str, value: object, what: str = "real numbers") -> Floats:
         return np.require(array, np.float64, ["C", "A"]).reshape(array.shape)
     if kind == "O":
         _look(name, array.flat, ())
-    raise TypeError(f"{name} must be {what}, not {described(array)}")
+    raise TypeError(f"{name} must be {what}, not {described(array, 'float')}")
 
 
-def _array(name: str, value: object, what: str) -> npt.NDArray[Any]:
+def _array(name: str, value: object, what: str, rule: str = INEXACT) -> npt.NDArray[Any]:
     """An array of what is given, which need not be numbers; nothing is rounded or dropped on the way."""
     # A table has a unit among its columns if it likes.
     if not hasattr(value, "iloc") and any(hasattr(value, word) for word in ("unit", "units")):
@@ -66,7 +66,7 @@ def _array(name: str, value: object, what: str) -> npt.NDArray[Any]:
     if isinstance(value, np.ma.MaskedArray) and np.ma.is_masked(value):
         raise PolhodeError(f"{name} has masked elements: give all of them, or leave their rows out")
     if isinstance(value, (list, tuple)):
-        _look(name, value, ())
+        _look(name, value, (), rule)
     try:
         return np.asarray(value)
     except (TypeError, OverflowError) as error:
@@ -75,7 +75,7 @@ def _array(name: str, value: object, what: str) -> npt.NDArray[Any]:
         raise PolhodeError(f"{name} must have rows of one length ({error})") from None
 
 
-def _look(name: str, value: Iterable[Any], place: tuple[int, ...]) -> None:
+def _look(name: str, value: Iterable[Any], place: tuple[int, ...], rule: str = INEXACT) -> None:
     """Looks into lists for what NumPy would make numbers of in silence: truth values, whole numbers that it rounds, lost units."""
     if isinstance(value, (list, tuple)) and set(map(type, value)) <= {float, np.float64}:
         return
@@ -83,22 +83,29 @@ def _look(name: str, value: Iterable[Any], place: tuple[int, ...]) -> None:
         index = (*place, k)
         here = f"{name}[{', '.join(map(str, index))}]" if not isinstance(value, np.flatiter) else name
         if isinstance(element, (list, tuple)):
-            _look(name, element, index)
+            _look(name, element, index, rule)
         elif isinstance(element, np.ndarray) or hasattr(element, "unit") or hasattr(element, "units"):
             real(here, element)
         elif isinstance(element, (bool, np.bool_)):
-            raise TypeError(f"{here} = {element} must be a real number, not a truth value")
+            raise TypeError(f"{here} = {element} must be a number, not a truth value")
         elif isinstance(element, (int, np.integer)) and not -EXACT <= element <= EXACT:
-            raise PolhodeError(f"{here} = {element} must be {INEXACT}")
+            raise PolhodeError(f"{here} = {shown(element)} must be {rule}")
 
 
-def described(array: npt.NDArray[Any]) -> str:
+def shown(number: Any) -> str:
+    """A number as it is; an integer of hundreds of digits by how many these are."""
+    if isinstance(number, int) and number.bit_length() > 128:
+        return f"an integer of some {round(0.30103 * number.bit_length())} digits"
+    return str(number)
+
+
+def described(array: npt.NDArray[Any], wanted: str) -> str:
     """What an array holds instead of numbers."""
     if array.dtype.kind == "O":
         odd = [type(element).__name__ for element in array.flat if not isinstance(element, (int, float, np.number))]
         if not array.ndim and odd:
             return odd[0]
-        return f"{odd[0]} among others (dtype object)" if odd else "objects (dtype object): convert them, as by .astype(float)"
+        return f"{odd[0]} among others (dtype object)" if odd else f"objects (dtype object): convert them, as by .astype({wanted})"
     if array.dtype.kind == "f":
         return f"{array.dtype}, which has more digits than float64"
     return {"c": "complex numbers", "U": "text", "S": "bytes", "b": "truth values"}.get(array.dtype.kind, str(array.dtype))
@@ -153,14 +160,15 @@ def positive(name: str, value: object) -> float:
 
 def indices(name: str, value: object, shape: tuple[int | str, ...], below: int) -> npt.NDArray[np.uint32]:
     """Whole numbers from 0 up to ``below``."""
-    array = _array(name, value, "whole numbers")
+    rule = f"from 0 to {below - 1}"
+    array = _array(name, value, "whole numbers", rule)
     if array.size and array.dtype.kind not in "iu":
         if array.dtype.kind == "O":
-            _look(name, array.flat, ())
-        raise TypeError(f"{name} must be whole numbers, not {described(array) if array.dtype.kind != 'f' else array.dtype}")
+            _look(name, array.flat, (), rule)
+        raise TypeError(f"{name} must be whole numbers, not {described(array, 'int') if array.dtype.kind != 'f' else array.dtype}")
     if array.ndim != len(shape) or array.shape[-1] != shape[-1]:
         raise PolhodeError(f"{name} must {_having(shape)}, not {array.shape}")
-    refuse(name, array, (array < 0) | (array >= below), f"from 0 to {below - 1}")
+    refuse(name, array, (array < 0) | (array >= below), rule)
     return np.require(array, np.uint32, ["C", "A"])
 
 
@@ -169,7 +177,7 @@ def count(name: str, value: object, least: int = 1) -> int:
     if isinstance(value, (bool, np.bool_)) or not isinstance(value, (int, np.integer, float, np.floating)):
         raise TypeError(f"{name} must be a whole number, not {type(value).__name__}")
     if isinstance(value, (float, np.floating)) or not least <= value <= EXACT:
-        raise PolhodeError(f"{name} = {value} must be a whole number from {least} to 2**53")
+        raise PolhodeError(f"{name} = {shown(value)} must be a whole number from {least} to 2**53")
     return int(value)
 
 

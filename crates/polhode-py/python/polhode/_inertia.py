@@ -166,6 +166,8 @@ def _read(kind: str, path: str | None, source: Any, options: Mapping[str, Any]) 
         how: _native.MeshOptions = {"unit": length, "hull": bool(options["hull"]), "shell": number("shell")}
         if path is None:
             vertices = _arrays.numbers("vertices", source[0], ("n", 3))
+            if not len(vertices):
+                raise PolhodeError("vertices has no rows")
             triangles = _arrays.indices("triangles", source[1], ("m", 3), len(vertices))
             return MassProperties._of(_native.mesh_arrays(vertices, triangles, how, substance))
         ending = _ending(path)

@@ -268,6 +268,23 @@ fn a_collada_mesh_is_placed_by_its_nodes_in_its_unit() {
     assert!(says(&text.replace("<p>0 7", "<p>4 7")).contains("vertex of that number"));
     assert!(says(&text.replace("3 3 3", "3 3 4")).contains("corner of the last face"));
     assert!(says(&text.replace("<instance_geometry", "<instance_node")).contains("<instance_node>"));
+    for (right, wrong, said) in [
+        ("meter='0.5'", "meter='0,5'", "a finite number"),
+        ("meter='0.5'", "meter='-0.5'", "a positive number"),
+        ("count='12'", "count='13'", "13"),
+        ("stride='3'", "stride='three'", "a whole number"),
+        ("offset='0'", "offset='0.0'", "a whole number"),
+        ("<translate>1 2 3", "<translate>1 2 nan", "a finite number"),
+        ("<translate>1 2 3", "<translate>1 2", "3 numbers"),
+        ("<scale>1 -2 1.5", "<scale>1 -1e400 1.5", "a finite number"),
+        ("<scale>1 -2", "<scale>1e200 1 1</scale><scale>1e200 -2", "where the scene places it"),
+        ("0.3 -0.5 0.8 50", "0 0 0 50", "axis of the rotation"),
+    ] {
+        let message = says(&text.replacen(right, wrong, 1));
+        assert!(text.contains(right) && message.contains(said), "{wrong}: {message}");
+    }
+    let unreadable = text.replacen(&positions, &format!("{positions} /.0"), 1);
+    assert!(says(&unreadable).contains("a finite number"));
     let often = "<instance_geometry url='#g'/>".repeat(40);
     let longer = text.replacen("<p>", &format!("<p>{}", "0 7 2 7 1 7 ".repeat(500)), 1);
     assert!(says(&longer.replace("<instance_geometry url='#g'/>", &often)).contains("so often"));

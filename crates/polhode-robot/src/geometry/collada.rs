@@ -12,9 +12,9 @@ use polhode::TriangleMesh;
 use polhode_formats::mesh::{MeshContents, MeshPart};
 use polhode_formats::{ContentError, ContentErrorKind, ContentPlace};
 
-use crate::model::Pose;
+use crate::model::{Pose, Span};
 use crate::pose::{about_axis, sum};
-use crate::read::xml::{Element, with_root};
+use crate::read::xml::{Element, Written, with_root};
 
 /// Reads the triangles of the scene, one part for each mesh in it.
 ///
@@ -23,10 +23,8 @@ use crate::read::xml::{Element, with_root};
 pub fn read(text: &str) -> Result<MeshContents, ContentError> {
     with_root(text, |root| {
         let named = named(root);
-        let unit = root
-            .child("asset")
-            .and_then(|asset| asset.child("unit"))
-            .and_then(|unit| unit.attribute("meter"));
+        let unit = root.child("asset").and_then(|asset| asset.child("unit"));
+        let unit = unit.and_then(|unit| unit.attribute("meter")).map(|meter| positive(&meter)).transpose()?;
         let mut reader = Reader { named, meshes: HashMap::new(), parts: Vec::new(), left: text.len() };
         let scene = root.child("scene").and_then(|scene| scene.child("instance_visual_scene"));
         let scene = match scene.and_then(|instance| instance.attribute("url")) {
@@ -38,10 +36,7 @@ pub fn read(text: &str) -> Result<MeshContents, ContentError> {
         Ok(MeshContents {
             encoding: "xml",
             name: String::new(),
-            unit: unit
-                .and_then(|meter| meter.array())
-                .map(|[meter]| meter)
-                .filter(|meter| *meter > 0.0 && meter.is_finite()),
+            unit,
             parts: reader.parts,
             findings: Vec::new(),
         })
@@ -85,28 +80,29 @@ impl Affine {
     }
 
     /// What an element of a node says, if it says how the node is placed.
-    fn of(element: Element<'_>) -> Option<Result<Self, ContentError>> {
-        let numbers = element.text();
-        let placed = match element.name() {
-            "matrix" => numbers.and_then(|text| text.array()).map(|m: [f64; 16]| Self {
-                linear: [[m[0], m[1], m[2]], [m[4], m[5], m[6]], [m[8], m[9], m[10]]],
-                shift: [m[3], m[7], m[11]],
-            }),
-            "translate" => {
-                numbers.and_then(|text| text.array()).map(|shift| Self { shift, ..Self::IDENTITY })
+    fn of(element: Element<'_>) -> Result<Option<Self>, ContentError> {
+        Ok(Some(match element.name() {
+            "matrix" => {
+                let [a, b, c, x, d, e, f, y, g, h, i, z, ..] = array::<16>(element)?;
+                Self { linear: [[a, b, c], [d, e, f], [g, h, i]], shift: [x, y, z] }
             }
-            "scale" => numbers.and_then(|text| text.array()).map(|[x, y, z]| Self {
-                linear: [[x, 0.0, 0.0], [0.0, y, 0.0], [0.0, 0.0, z]],
-                shift: [0.0; 3],
-            }),
-            "rotate" => numbers.and_then(|text| text.array()).map(|[x, y, z, degrees]: [f64; 4]| {
-                let turn = about_axis([x, y, z], degrees.to_radians()).unwrap_or(Pose::IDENTITY.rotation);
+            "translate" => Self { shift: array(element)?, ..Self::IDENTITY },
+            "scale" => {
+                let [x, y, z] = array(element)?;
+                Self { linear: [[x, 0.0, 0.0], [0.0, y, 0.0], [0.0, 0.0, z]], shift: [0.0; 3] }
+            }
+            "rotate" => {
+                let [x, y, z, degrees] = array(element)?;
+                let turn = match about_axis([x, y, z], degrees.to_radians()) {
+                    Some(turn) => turn,
+                    None if degrees == 0.0 => Pose::IDENTITY.rotation,
+                    None => return Err(missing("axis of the rotation", element)),
+                };
                 Self { linear: Pose::new([0.0; 3], turn).matrix(), shift: [0.0; 3] }
-            }),
-            "skew" | "lookat" => return Some(Err(unsupported(element))),
-            _ => return None,
-        };
-        Some(placed.ok_or_else(|| missing("numbers", element)))
+            }
+            "skew" | "lookat" => return Err(unsupported(element)),
+            _ => return Ok(None),
+        }))
     }
 }
 
@@ -135,8 +131,8 @@ impl<'a> Reader<'a> {
                     "instance_node" | "instance_controller" => return Err(unsupported(child)),
                     // they stand before what they place
                     _ => {
-                        if let Some(inner) = Affine::of(child) {
-                            place = place.then(&inner?);
+                        if let Some(inner) = Affine::of(child)? {
+                            place = place.then(&inner);
                         }
                     }
                 }
@@ -163,7 +159,12 @@ impl<'a> Reader<'a> {
                     "scenes that hold a mesh so often that its copies are longer than the file".to_owned();
                 ContentError::new(ContentErrorKind::Unsupported { what }, ContentPlace::Text(instance.span()))
             })?;
-        let vertices = surface.vertices.iter().map(|v| place.placed(*v)).collect();
+        let vertices: Vec<_> = surface.vertices.iter().map(|v| place.placed(*v)).collect();
+        if let Some(vertex) = vertices.iter().find(|vertex| vertex.iter().any(|c| !c.is_finite())) {
+            let (what, found) = ("a vertex where the scene places it".to_owned(), format!("{vertex:?}"));
+            let place = ContentPlace::Text(instance.span());
+            return Err(ContentError::new(ContentErrorKind::NotFinite { what, found }, place));
+        }
         let turn = |[a, b, c]: [u32; 3]| if place.mirrors() { [a, c, b] } else { [a, b, c] };
         let triangles: Vec<_> = surface.triangles.iter().copied().map(turn).collect();
         if triangles.is_empty() {
@@ -186,8 +187,9 @@ impl<'a> Reader<'a> {
                 _ => continue, // lines and sources
             };
             let inputs: Vec<_> = faces.named("input").collect();
-            let offset = |input: &Element<'a>| number(*input, "offset").unwrap_or(0);
-            let stride = inputs.iter().map(offset).max().unwrap_or(0).saturating_add(1);
+            let offset = |input: &Element<'a>| whole(*input, "offset", 0);
+            let offsets = inputs.iter().map(offset).collect::<Result<Vec<_>, _>>()?;
+            let stride = offsets.into_iter().max().unwrap_or(0).saturating_add(1);
             let input = inputs.iter().find(|input| input.word("semantic") == Some("VERTEX"));
             let input = *input.ok_or_else(|| missing("input of vertices", faces))?;
             // all faces of a mesh have the same vertices
@@ -198,7 +200,7 @@ impl<'a> Reader<'a> {
             let mut counts = counts.iter().flat_map(|counts| counts.value.split_ascii_whitespace());
             for list in faces.named("p") {
                 let Some(text) = list.text() else { continue };
-                let corners = text.value.split_ascii_whitespace().skip(offset(&input)).step_by(stride);
+                let corners = text.value.split_ascii_whitespace().skip(offset(&input)?).step_by(stride);
                 let corners: Option<Vec<u32>> = corners
                     .map(|word| word.parse().ok().filter(|index| (*index as usize) < vertices.len()))
                     .collect();
@@ -235,13 +237,20 @@ impl<'a> Reader<'a> {
         let source = follow(position.ok_or_else(|| missing("positions", vertices))?)?;
         let accessor = source.child("technique_common").and_then(|technique| technique.child("accessor"));
         let of =
-            |name: &str, default| accessor.and_then(|accessor| number(accessor, name)).unwrap_or(default);
-        let (stride, offset) = (of("stride", 3), of("offset", 0));
-        let numbers = source.child_text("float_array").ok_or_else(|| missing("float_array", source))?;
-        let values: Vec<f64> = numbers.values().skip(offset).collect();
+            |name: &str, default| accessor.map_or(Ok(default), |accessor| whole(accessor, name, default));
+        let (stride, offset) = (of("stride", 3)?, of("offset", 0)?);
+        let array = source.child("float_array").ok_or_else(|| missing("float_array", source))?;
+        let values = finite(&array.text().ok_or_else(|| missing("numbers", array))?)?;
+        let declared = whole(array, "count", values.len())?;
+        if declared != values.len() {
+            let (what, declared, present) =
+                ("numbers of <float_array>".to_owned(), declared as u64, values.len() as u64);
+            return Err(ContentError::new(ContentErrorKind::Count { what, declared, present }, start(array)));
+        }
         if stride < 3 {
             return Err(missing("three coordinates", source));
         }
+        let values = values.get(offset..).unwrap_or_default();
         Ok(values.chunks(stride).filter_map(|point| point.first_chunk().copied()).collect())
     }
 }
@@ -259,20 +268,56 @@ fn named(root: Element<'_>) -> HashMap<&str, Element<'_>> {
     named
 }
 
-fn number(element: Element<'_>, name: &str) -> Option<usize> {
-    element.word(name).and_then(|word| word.parse().ok())
+/// What an attribute counts; the default if it is not there.
+fn whole(element: Element<'_>, name: &str, default: usize) -> Result<usize, ContentError> {
+    let Some(written) = element.attribute(name) else { return Ok(default) };
+    written.value.parse().map_err(|_| expected("a whole number", written.value, written.span))
+}
+
+fn positive(written: &Written<'_>) -> Result<f64, ContentError> {
+    match finite(written)?[..] {
+        [number] if number > 0.0 => Ok(number),
+        _ => Err(expected("a positive number", written.value, written.span.clone())),
+    }
+}
+
+/// As many numbers as are asked for, in an element.
+fn array<const N: usize>(element: Element<'_>) -> Result<[f64; N], ContentError> {
+    let written = element.text().ok_or_else(|| missing("numbers", element))?;
+    let values = finite(&written)?;
+    let unlike =
+        |values: Vec<f64>| expected(&format!("{N} numbers"), &format!("{}", values.len()), written.span);
+    values.try_into().map_err(unlike)
+}
+
+/// Numbers with blanks between them.
+fn finite(written: &Written<'_>) -> Result<Vec<f64>, ContentError> {
+    let values: Vec<f64> = written.values().collect();
+    if values.iter().all(|value| value.is_finite()) {
+        return Ok(values);
+    }
+    let wrong = written.numbers().find(|number| !number.value.is_some_and(f64::is_finite));
+    let (found, at) =
+        wrong.map_or((String::new(), written.span.clone()), |number| (number.text, number.span));
+    Err(expected("a finite number", &found, at))
+}
+
+fn expected(what: &str, found: &str, at: Span) -> ContentError {
+    let (what, found) = (what.to_owned(), found.to_owned());
+    ContentError::new(ContentErrorKind::Expected { what, found }, ContentPlace::Text(at))
 }
 
 fn missing(what: &str, at: Element<'_>) -> ContentError {
-    let start = at.span().start;
-    ContentError::new(
-        ContentErrorKind::Missing { what: what.to_owned() },
-        ContentPlace::Text(start..start + 1),
-    )
+    ContentError::new(ContentErrorKind::Missing { what: what.to_owned() }, start(at))
 }
 
 fn unsupported(element: Element<'_>) -> ContentError {
-    let start = element.span().start;
     let what = format!("<{}> of COLLADA", element.name());
-    ContentError::new(ContentErrorKind::Unsupported { what }, ContentPlace::Text(start..start + 1))
+    ContentError::new(ContentErrorKind::Unsupported { what }, start(element))
+}
+
+/// Where an element begins.
+fn start(element: Element<'_>) -> ContentPlace {
+    let start = element.span().start;
+    ContentPlace::Text(start..start + 1)
 }

@@ -27,6 +27,7 @@ use std::process::ExitCode;
 
 fn main() -> ExitCode {
     too_large_is_an_error();
+    out_of_memory_is_an_error();
     let done = match args::Polhode::try_parse() {
         Ok(polhode) => polhode.command.run(),
         // Help and the version are answers: where they cannot be written that is a failure.
@@ -51,5 +52,21 @@ fn too_large_is_an_error() {
         const SIGXFSZ: i32 = 25;
         // Nobody looks at the flag: that the signal is caught is all.
         let _ = signal_hook::flag::register(SIGXFSZ, std::sync::Arc::default());
+    }
+}
+
+/// Memory that cannot be had ends the program as an error does, after the runtime has said how much it was: an allocation that fails
+/// in the middle of a vector has nobody to return to, and aborts. Nothing is half-written then: what was begun is beside its place.
+fn out_of_memory_is_an_error() {
+    #[cfg(unix)]
+    {
+        use std::sync::Arc;
+        use std::sync::atomic::AtomicBool;
+
+        /// Linux, BSD and macOS number it alike.
+        const SIGABRT: i32 = 6;
+        let always = Arc::new(AtomicBool::new(true));
+        // Where it cannot be caught the status is that of an abort.
+        let _ = signal_hook::flag::register_conditional_shutdown(SIGABRT, 2, always);
     }
 }

@@ -19,13 +19,19 @@ pub(crate) fn is_model(path: &Path) -> bool {
     }
 }
 
-/// True if the file's root element is a model's. Only a file that begins with `<` is read to its end.
+/// True if the file's root element is a model's. Only a file that begins with `<` is read to its end. One in UTF-16 is a model too: its
+/// reader says what is wrong with it.
 fn has_model_root(path: &Path) -> bool {
-    const MARK: &[u8] = "\u{feff}".as_bytes();
-    let begins = File::open(path).map(BufReader::new).and_then(|mut file| {
-        let start = file.fill_buf()?;
-        Ok(start.strip_prefix(MARK).unwrap_or(start).trim_ascii_start().first() == Some(&b'<'))
-    });
-    begins.unwrap_or(false)
-        && fs::read(path).is_ok_and(|bytes| format_of(&String::from_utf8_lossy(&bytes)).is_some())
+    // The marks of both encodings, and half of each ASCII character in UTF-16.
+    const UNSEEN: [u8; 6] = [0xef, 0xbb, 0xbf, 0xfe, 0xff, 0];
+    let seen = |byte: &u8| !UNSEEN.contains(byte) && !byte.is_ascii_whitespace();
+    let begins = File::open(path)
+        .map(BufReader::new)
+        .and_then(|mut file| Ok(file.fill_buf()?.iter().find(|byte| seen(byte)) == Some(&b'<')));
+    let root = |mut bytes: Vec<u8>| {
+        bytes.retain(|byte| *byte != 0);
+        let start = bytes.iter().position(seen).unwrap_or(bytes.len());
+        format_of(&String::from_utf8_lossy(&bytes[start..])).is_some()
+    };
+    begins.unwrap_or(false) && fs::read(path).is_ok_and(root)
 }

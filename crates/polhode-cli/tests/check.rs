@@ -354,3 +354,17 @@ fn what_a_model_says_twice_is_no_body_and_what_was_not_read_is_told() {
     let part = parsed(&scratch.run(&["inertia", "part.sdf", "--lump", "--json"]), 0);
     assert_eq!(part["findings"][0]["code"], "read.include");
 }
+
+#[test]
+fn a_model_in_utf16_is_named_as_such_whatever_it_ends_in() {
+    let scratch = Scratch::new("check-utf16");
+    let text = robot("ixx=\"1\" iyy=\"2\" izz=\"2.5\" ixy=\"0.1\" ixz=\"0\" iyz=\"0\"");
+    let bytes: Vec<u8> = format!("\u{feff}{text}").encode_utf16().flat_map(u16::to_le_bytes).collect();
+    for name in ["a.urdf", "a.xml", "a.sdf"] {
+        fs::write(scratch.0.join(name), &bytes).unwrap();
+        for command in ["inertia", "check"] {
+            let error = refused(&scratch.run(&[command, name]), 2);
+            assert!(error.contains("UTF-16"), "{command} {name}: {error}");
+        }
+    }
+}

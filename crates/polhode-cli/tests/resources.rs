@@ -173,3 +173,66 @@ fn a_package_that_unfolds_too_far_takes_no_memory() {
     let error = refused(&within(KIB, &scratch, &["inertia", "liar.3mf", "--density", "2 kg/m^3"]), 2);
     assert!(error.contains("the entry = ") && error.contains("liar.3mf"), "{error}");
 }
+
+/// A scenario of so many boxes in a row.
+#[cfg(target_os = "linux")]
+fn boxes(count: usize) -> Vec<u8> {
+    let part = |k: usize| {
+        format!("[[body.part]]\nshape = 'box'\nsize = [1, 2, 3]\nmass = 1\nposition = [{}, 0, 0]\n", 2 * k)
+    };
+    (0..count).map(part).collect::<String>().into_bytes()
+}
+
+/// Carbon atoms on a grid.
+#[cfg(target_os = "linux")]
+fn atoms(count: usize) -> Vec<u8> {
+    let atom = |k: usize| format!("C {} {} {}\n", k % 100 * 2, k / 100 % 100 * 2, k / 10_000 * 2);
+    format!("{count}\n\n{}", (0..count).map(atom).collect::<String>()).into_bytes()
+}
+
+/// A chain of links with the same inertial.
+#[cfg(target_os = "linux")]
+fn links(count: usize) -> Vec<u8> {
+    let link = |k: usize| {
+        let joint = format!(
+            "<joint name=\"j{k}\" type=\"fixed\"><parent link=\"l{}\"/><child link=\"l{k}\"/></joint>",
+            k.saturating_sub(1)
+        );
+        format!(
+            "<link name=\"l{k}\"><inertial><mass value=\"1\"/><inertia ixx=\"1\" iyy=\"1\" izz=\"1\" ixy=\"0\" ixz=\"0\" \
+             iyz=\"0\"/></inertial></link>{}\n",
+            if k == 0 { "" } else { &joint }
+        )
+    };
+    format!("<robot name=\"r\">{}</robot>", (0..count).map(link).collect::<String>()).into_bytes()
+}
+
+/// Wherever memory ends, in the reader or in what is computed of it, the status is that of an error.
+#[test]
+#[cfg(target_os = "linux")]
+fn memory_that_cannot_be_had_is_an_error_and_no_abort() {
+    let scratch = Scratch::new("no-memory");
+    let runs = |kib: &u32| within(*kib, &scratch, &["--version"]).status.success();
+    let least = (8 << 10..1 << 20).step_by(4 << 10).find(runs).unwrap();
+    let plan = fs::read("../../examples/sweeps/tumbling-debris.toml").unwrap();
+    let files: [(&str, Vec<u8>, &[&str]); 6] = [
+        ("a.stl", empty_triangles(400_000), &["inertia", "--unit", "mm", "--density", "1"]),
+        ("a.ply", vertices(2_000_000), &["inertia", "--unit", "mm", "--density", "1"]),
+        ("a.xyz", atoms(400_000), &["inertia"]),
+        ("a.toml", boxes(60_000), &["inertia"]),
+        ("a.urdf", links(60_000), &["inertia", "--lump=all"]),
+        ("b.toml", plan, &["sweep", "--threads", "8"]),
+    ];
+    for (name, bytes, arguments) in files {
+        fs::write(scratch.0.join(name), bytes).unwrap();
+        let arguments = [arguments, &[name]].concat();
+        let mut ended = 0;
+        for more in [4 << 10, 12 << 10, 24 << 10] {
+            let output = within(least + more, &scratch, &arguments);
+            let error = String::from_utf8_lossy(&output.stderr);
+            assert!(matches!(output.status.code(), Some(0 | 2)), "{name}, {more} KiB: {output:?}");
+            ended += usize::from(error.contains("memory"));
+        }
+        assert!(ended > 0, "{name}");
+    }
+}

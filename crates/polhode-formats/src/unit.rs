@@ -97,6 +97,11 @@ pub fn bare_beside_units<'a>(texts: impl IntoIterator<Item = &'a str> + Clone) -
     Some((bare, texts.into_iter().find(|text| has_unit(text))?))
 }
 
+/// A number without a unit, as it is printed: `8.273 333e-5`, `−2.5`.
+pub(crate) fn bare(text: &str) -> Option<f64> {
+    split(text.trim()).filter(|split| split.unit.is_empty()).and_then(|split| split.number.parse().ok())
+}
+
 /// The unit of a number; empty if it has none.
 pub(crate) fn unit_of(text: &str) -> &str {
     split(text.trim()).map_or("", |split| split.unit)

@@ -632,4 +632,12 @@ fn headings_of_other_languages_are_named() {
     ] {
         assert!(refused(text).to_string().contains(language));
     }
+    // A language that is not known: what is known is said.
+    let hungarian = "T\u{f6}meg = 2 kg\nT\u{f6}megk\u{f6}z\u{e9}ppont\n";
+    let error = read(hungarian, &CadOptions::default()).unwrap_err();
+    assert_eq!(error.to_string(), "the file has no mass");
+    assert!(
+        error.hint.as_deref().unwrap().contains("in English; headings that are read: Mass, Volume"),
+        "{error}"
+    );
 }

@@ -257,6 +257,11 @@ fn columns_that_change_the_body_are_refused() {
         "time_s",
         "Gewicht",
         "Izz_cad",
+        "I xx",
+        "J (zz)",
+        "J",
+        "peso",
+        "质量 kg",
     ] {
         let text = format!("{points},{column}\n1,2,3,4,5\n");
         let (kind, marked, hint) = refused(&text, &ParticleOptions::default());
@@ -298,4 +303,26 @@ fn parts_of_one_name_count_each_unless_they_are_at_one_place() {
     let twice = format!("{bolts}bolt,3,2,3,-0\n");
     let (kind, marked, _) = refused(&twice, &ParticleOptions::default());
     assert!(marked == "bolt" && kind.to_string().contains("same place"), "{kind}");
+}
+
+#[test]
+fn numbers_are_read_as_they_are_printed() {
+    let first = |text: &str| {
+        let file = plain(text).unwrap();
+        let particle = &file.particles[0];
+        (particle.mass(), particle.position().to_array())
+    };
+    let want = (8.273_333e-5, [1234.5, -2.093_33, 4e-9]);
+    for (separator, text) in [
+        (",", "8.273 333e-5,1 234.5,\u{2212}2.093 33,4×10⁻⁹"),
+        (";", "8.273\u{202f}333e-5;1\u{2009}234.5;-2.093 33;4e-9"),
+        (";", "8,273 333e-5;1 234,5;\u{2212}2,093 33;4e-9"),
+    ] {
+        let header = ["mass_kg", "x_m", "y_m", "z_m"].join(separator);
+        assert_eq!(first(&format!("{header}\n{text}\n")), want, "{text}");
+    }
+    for several in ["1 2", "12 34.5", "1 kg", "1.234,5"] {
+        let text = format!("mass_kg;x_m;y_m;z_m\n{several};2;3;4\n");
+        assert_eq!(refused(&text, &ParticleOptions::default()).1, several);
+    }
 }

@@ -13,15 +13,24 @@ pub(crate) fn to_json(findings: &[Finding]) -> Value {
 
 /// One paragraph each: `warning: … (where) [code]`; nothing at all where nothing was found.
 pub(crate) fn to_text(findings: &[Finding]) -> String {
+    within(findings, WIDTH)
+}
+
+/// The same in so many columns.
+pub(crate) fn within(findings: &[Finding], columns: usize) -> String {
     let mut text = String::new();
     for f in findings {
-        let place = f.place.as_ref().map_or_else(String::new, |place| format!(" ({place})"));
-        let sentence = format!("{}: {}{place} [{}]", f.severity.name(), f.message, f.code);
-        for (k, line) in wrap(&printable(&sentence), "", WIDTH - 2).into_iter().enumerate() {
+        for (k, line) in wrap(&sentence(f), "", columns.saturating_sub(2)).into_iter().enumerate() {
             text.push_str(if k == 0 { "" } else { "  " });
             text.push_str(&line);
             text.push('\n');
         }
     }
     text
+}
+
+/// `warning: … (where) [code]` on one line.
+pub(crate) fn sentence(found: &Finding) -> String {
+    let place = found.place.as_ref().map_or_else(String::new, |place| format!(" ({place})"));
+    printable(&format!("{}: {}{place} [{}]", found.severity.name(), found.message, found.code))
 }

@@ -431,3 +431,23 @@ fn a_run_says_what_did_not_happen_and_how_a_top_would_precess_steadily() {
     let fast = after(&text, "the slow one and ")[0];
     assert!(rest(fast).abs() < 1e-3 && fast > slow, "{text}");
 }
+
+#[test]
+fn what_was_noticed_is_said_in_every_form() {
+    let mut scenario = common::symmetric_top();
+    scenario.findings.push(polhode::Finding {
+        code: "mesh.unit",
+        severity: polhode::Severity::Warning,
+        message: "nobody says the unit".to_owned(),
+        place: Some("part \"plate\"".to_owned()),
+    });
+    let document = explain(&scenario).unwrap();
+    let said = "warning: nobody says the unit (part \"plate\") [mesh.unit]";
+    assert!(document.to_text(100).ends_with(&format!("\n{said}\n")), "{}", document.to_text(100));
+    assert_eq!(document.to_json()["findings"][0]["code"], "mesh.unit");
+    assert!(
+        document.to_markdown().contains("\n> warning: nobody says the unit"),
+        "{}",
+        document.to_markdown()
+    );
+}

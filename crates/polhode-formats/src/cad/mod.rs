@@ -324,7 +324,7 @@ impl Reader<'_> {
         let numbers = self.group(group, dimension, &name)?;
         let mut all = [Printed::default(); N];
         for (k, (slot, number)) in all.iter_mut().zip(numbers).enumerate() {
-            *slot = number.ok_or_else(|| missing(name(k)))?;
+            *slot = number.ok_or_else(|| missing(&name(k)))?;
         }
         Ok(all)
     }
@@ -352,7 +352,7 @@ impl Reader<'_> {
         let mut tensor = Tensor::default();
         for (slot, [i, j]) in tensor.iter_mut().zip(PLACES) {
             let (above, below) = (numbers[3 * i + j], numbers[3 * j + i]);
-            *slot = above.or(below).ok_or_else(|| missing(scan::element_name(which, 3 * i + j)))?;
+            *slot = above.or(below).ok_or_else(|| missing(&scan::element_name(which, 3 * i + j)))?;
             let (Some(a), Some(b), Some(found)) = (above, below, &group.numbers[3 * j + i]) else { continue };
             if (a.value - b.value).abs() > 2.0 * (a.half + b.half) {
                 let what = scan::element_name(which, 3 * j + i);
@@ -433,9 +433,12 @@ fn in_its_language(text: &str, error: ContentError) -> ContentError {
     ))
 }
 
-fn missing(what: String) -> ContentError {
-    ContentError::new(ContentErrorKind::Missing { what }, ContentPlace::Whole)
-        .hint("paste the whole report, from the mass to the last moment of inertia")
+fn missing(name: &str) -> ContentError {
+    let what = name.strip_prefix("the ").unwrap_or(name).to_owned();
+    ContentError::new(ContentErrorKind::Missing { what }, ContentPlace::Whole).hint(format!(
+        "paste the whole report, from the mass to the last moment of inertia, in English; headings that are read: {}",
+        language::KNOWN
+    ))
 }
 
 fn no_unit(name: &str, dimension: Dimension, place: ContentPlace) -> ContentError {

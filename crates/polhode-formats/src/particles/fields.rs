@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
+use crate::unit;
 
 /// What stands between the fields of a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -149,15 +150,17 @@ fn trimmed(bytes: &[u8], span: Range<usize>) -> Range<usize> {
 /// A number, and its decimal mark where that may be either.
 pub(super) fn number(field: &[u8], separator: Separator) -> Option<(f64, Option<u8>)> {
     let text = std::str::from_utf8(field).ok()?;
+    // What is printed in groups of digits is read where nothing but a separator parts two numbers.
+    let parsed = |text: &str| text.parse().ok().or_else(|| unit::bare(text));
     if !separator.leaves_the_comma() {
-        return text.parse().ok().map(|value| (value, None));
+        return parsed(text).map(|value| (value, None));
     }
     if field.contains(&b',') {
         // 1.234,5 keeps its point and is no number.
-        return text.replacen(',', ".", 1).parse().ok().map(|value| (value, Some(b',')));
+        return parsed(&text.replacen(',', ".", 1)).map(|value| (value, Some(b',')));
     }
     let point = field.contains(&b'.').then_some(b'.');
-    text.parse().ok().map(|value| (value, point))
+    parsed(text).map(|value| (value, point))
 }
 
 pub(super) fn text_of(bytes: &[u8], span: &Range<usize>) -> String {

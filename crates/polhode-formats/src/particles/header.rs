@@ -218,19 +218,19 @@ pub(super) struct Column {
 }
 
 /// Words for how many pieces a line stands for, and for what a part is called.
-const COUNTS: &str = "quantity qty count counts pcs pieces copies instances multiplicity anzahl menge stück stueck \
-                      stk quantité quantite nombre cantidad quantità 数量 個数 个数";
+const COUNTS: &str = "quantity qty count counts pcs pieces copies instances multiplicity amount times anzahl menge stück \
+                      stueck stk quantité quantite nombre cantidad quantità 数量 個数 个数";
 const PART_NAMES: &str = "name part component";
 
 /// Words of names that say something of a mass, and what to do with such a column.
 const PHYSICS: [(&str, &str); 5] = [
     (
-        "mass masse masa massa weight gewicht poids density dichte rho volume volumen",
+        "mass masse masa massa weight gewicht peso poids density dichte rho volume volumen kg 质量 質量 重量 密度",
         "polhode takes the mass of each line: name its column mass, with its unit, such as mass_kg, and delete this one",
     ),
     (
-        "inertia moment moments trägheit tensor gyration ixx iyy izz ixy ixz iyz iyx izx izy i1 i2 i3 jxx jyy jzz kxx \
-         kyy kzz lxx lyy lzz",
+        "inertia moment moments trägheit inertie inercia inerzia tensor gyration i j ixx iyy izz ixy ixz iyz iyx izx izy i1 \
+         i2 i3 jxx jyy jzz kxx kyy kzz lxx lyy lzz 惯性 惯量 慣性",
         "a tensor has six columns, Ixx, Iyy, Izz, Ixy, Ixz and Iyz, about the part's own centre of mass",
     ),
     (
@@ -326,7 +326,9 @@ impl Column {
         let lower = self.name.to_lowercase();
         let words: Vec<&str> =
             lower.split(|c: char| !c.is_alphanumeric()).filter(|w| !w.is_empty()).collect();
-        let says = |list: &str| words.iter().any(|word| has_word(list, word));
+        // I xx, I(x,x)
+        let joined: String = words.concat();
+        let says = |list: &str| words.iter().any(|word| has_word(list, word)) || has_word(list, &joined);
         // massKg, MomentOfInertia
         let within = |long: &str| lower.contains(long);
         if within("inertia") || within("momentof") {

@@ -3,16 +3,17 @@
 use crate::text::cut;
 
 /// A key of others, a key that has to be known in its place, and the advice.
-const KEYS: [(&str, &str, &str); 34] = [
-    ("euler321", "euler313", EULER),
+const KEYS: [(&str, &str, &str); 35] = [
     ("euler", "euler313", EULER),
-    ("euler_angles", "euler313", EULER),
+    ("roll", "euler313", EULER),
     ("rpy", "euler313", EULER),
     ("ypr", "euler313", EULER),
     ("yaw", "euler313", EULER),
     ("altitude", "semi_major_axis", ALTITUDE),
     ("height", "semi_major_axis", ALTITUDE),
+    ("central_body", "mu", "write mu = \"398600.44 km^3/s^2\", of the body that it goes round"),
     ("raan", "node", "write node: the longitude of the ascending node"),
+    ("period", "semi_major_axis", "write rate = \"0.0011 rad/s\", of a circle: 2π over the period"),
     ("mean_motion", "rate", "write rate = \"0.0011 rad/s\", of a circle"),
     ("diameter", "radius", "write radius, half of the diameter"),
     ("scale", "unit", "write unit = \"mm\", the unit of length of the file"),
@@ -88,6 +89,8 @@ const DAMPING: &str =
 
 /// Advice for an unknown key where these are known.
 pub(super) fn key(word: &str, known: &[&str]) -> Option<&'static str> {
+    // Whatever the sequence is, euler123 or euler_zyx, it is one of the three angles that are not read.
+    let word = if word.to_lowercase().starts_with("euler") { "euler" } else { word };
     let meant = KEYS.iter().find(|(others, ours, _)| same(word, others) && known.contains(ours));
     meant.map(|(.., advice)| *advice)
 }

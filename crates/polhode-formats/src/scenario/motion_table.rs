@@ -11,7 +11,7 @@ use polhode::{Attitude, Finding, RateAxes, Severity, Uncertainty};
 use super::reader::Value;
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 use crate::error::{FormatError, FormatErrorKind};
-use crate::file;
+use crate::{file, unit};
 
 /// A larger table has more rows than a spline has any use for.
 const LARGEST_FILE: u64 = 256 << 20;
@@ -183,13 +183,13 @@ fn fields(text: &str) -> impl Iterator<Item = (Range<usize>, Vec<Range<usize>>)>
 fn number(text: &str, field: Range<usize>) -> Result<f64, ContentError> {
     let written = &text[field.clone()];
     let fail = |kind| Err(ContentError::new(kind, ContentPlace::Text(field.clone())));
-    match written.parse::<f64>() {
-        Ok(number) if number.is_finite() => Ok(number),
-        Ok(_) => {
+    match written.parse::<f64>().ok().or_else(|| unit::bare(written)) {
+        Some(number) if number.is_finite() => Ok(number),
+        Some(_) => {
             let (what, found) = ("the number".to_owned(), written.to_owned());
             fail(ContentErrorKind::NotFinite { what, found })
         }
-        Err(_) => {
+        None => {
             let found = if written.is_empty() { "nothing".to_owned() } else { written.to_owned() };
             fail(ContentErrorKind::Expected { what: "a number".to_owned(), found })
         }

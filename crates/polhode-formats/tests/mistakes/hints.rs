@@ -325,6 +325,15 @@ fn words_of_others_are_told_ours() {
     }
     for (wrong, says) in [
         (spun("attitude = { euler321 = [1, 2, 3] }"), "about z, x and z in turn"),
+        (spun("attitude = { euler_zyx = [1, 2, 3] }"), "about z, x and z in turn"),
+        (
+            turned("model = 'gravity_gradient'\norbit = { period = '90 min' }"),
+            "write rate = \"0.0011 rad/s\"",
+        ),
+        (
+            turned("model = 'gravity_gradient'\norbit = { radius = '3790 km', central_body = 'mars' }"),
+            "write mu = \"398600.44 km^3/s^2\"",
+        ),
         (
             turned("model = 'gravity_gradient'\norbit = { altitude = '400 km' }"),
             "write radius = \"6778 km\": from the centre",

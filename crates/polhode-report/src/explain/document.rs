@@ -1,9 +1,10 @@
 //! A worked solution as a document: sections of paragraphs, formulas, numbers and tables, to be rendered.
 
+use polhode::Finding;
 use serde_json::{Value, json};
 
-use crate::VERSION;
 use crate::json::matrix;
+use crate::{VERSION, finding};
 
 /// A worked solution.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,6 +15,8 @@ pub struct Document {
     pub answer: Vec<String>,
     /// The steps, in order.
     pub sections: Vec<Section>,
+    /// What was noticed about the scenario and its motion.
+    pub findings: Vec<Finding>,
 }
 
 /// One step of the solution.
@@ -61,7 +64,7 @@ pub enum Block {
 }
 
 impl Document {
-    /// `{"polhode": …, "title": …, "answer": […], "sections": [{"number": …, "title": …, "blocks": […]}]}`
+    /// `{"polhode": …, "title": …, "answer": […], "sections": [{"number": …, "title": …, "blocks": […]}], "findings": […]}`
     pub fn to_json(&self) -> Value {
         let sections: Value = self.sections.iter().map(Section::to_json).collect();
         let plain = |s: &String| crate::layout::plain_spaces(s);
@@ -70,6 +73,7 @@ impl Document {
             "title": self.title,
             "answer": self.answer.iter().map(plain).collect::<Vec<_>>(),
             "sections": sections,
+            "findings": finding::to_json(&self.findings),
         })
     }
 }

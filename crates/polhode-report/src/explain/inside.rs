@@ -25,6 +25,7 @@ pub(super) fn solved(w: &Working<'_>) -> Option<Document> {
         section.number = number;
     }
     Some(Document {
+        findings: w.findings(),
         title: w.scenario.title.clone().unwrap_or_else(|| "A rigid body".to_owned()),
         answer: vec![inside.answer()],
         sections,

@@ -2,6 +2,7 @@
 
 use super::document::{Block, Document};
 use super::text::DIGITS;
+use crate::finding;
 use crate::layout::{broken, plain_spaces, printable};
 use crate::number::{alike, tidy_matrix};
 
@@ -25,6 +26,9 @@ impl Document {
                 text.push_str(&render_block(block));
                 text.push('\n');
             }
+        }
+        for found in &self.findings {
+            text.push_str(&format!("\n> {}\n", escaped(&finding::sentence(found))));
         }
         text
     }

@@ -87,6 +87,7 @@ fn solved(w: &Working<'_>) -> Document {
         return document;
     }
     Document {
+        findings: w.findings(),
         title: w.scenario.title.clone().unwrap_or_else(|| "A rigid body".to_owned()),
         answer: answer::lines(w),
         sections: vec![

@@ -1,6 +1,7 @@
 //! A document as plain text.
 
 use super::document::{Block, Document};
+use crate::finding;
 use crate::layout::{broken, columns, matrix_rows, plain_spaces, printable, width, wrap};
 use crate::number::tidy_matrix;
 
@@ -33,6 +34,10 @@ impl Document {
                     text.push('\n');
                 }
             }
+        }
+        if !self.findings.is_empty() {
+            text.push('\n');
+            text.push_str(&finding::within(&self.findings, columns));
         }
         plain_spaces(&text)
     }

@@ -3,11 +3,12 @@
 use std::borrow::Cow;
 
 use polhode::{
-    AngularAcceleration, Body, Ending, ErrorEffort, MassProperties, MotionError, MovingParticle, Particle,
-    Pendulum, Position, Required, Rotor, Sample, Scenario, Space, State, Torque, TorqueModel, Trajectory,
-    Velocity, rigid_velocity,
+    AngularAcceleration, Body, Ending, ErrorEffort, Finding, MassProperties, MotionError, MovingParticle,
+    Particle, Pendulum, Position, Required, Rotor, Sample, Scenario, Space, State, Torque, TorqueModel,
+    Trajectory, Velocity, rigid_velocity,
 };
 
+use crate::motion;
 use crate::number::{alike, number, tidy_beside};
 
 /// The state of the solution at t0, and the motion after it where there is one.
@@ -27,6 +28,14 @@ pub(super) struct Working<'a> {
 }
 
 impl<'a> Working<'a> {
+    /// What was noticed about the scenario, and about its motion if that is known.
+    pub(super) fn findings(&self) -> Vec<Finding> {
+        match self.trajectory.as_deref() {
+            Some(trajectory) => motion::findings(self.scenario, trajectory),
+            None => self.scenario.findings.clone(),
+        }
+    }
+
     pub(super) fn of(scenario: &'a Scenario) -> Result<Self, MotionError> {
         let trajectory = match scenario.simulate_with_error(ErrorEffort::Auto, &mut |_| {}) {
             // A point has no rotation to compute; all else about it can be told.

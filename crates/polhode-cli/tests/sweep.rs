@@ -151,6 +151,21 @@ impl Running {
         let mut command = scratch.command(arguments);
         Self(command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap())
     }
+
+    /// Waits for a part, however long that takes while it is computed.
+    fn until(&mut self, scratch: &Scratch, part: &str) {
+        let part = scratch.0.join("out/members").join(part);
+        while !part.exists() {
+            assert_eq!(self.0.try_wait().unwrap(), None, "it is over without {part:?}");
+            sleep(Duration::from_millis(10));
+        }
+    }
+
+    #[cfg(unix)]
+    fn signal(&self, name: &str) {
+        let pid = self.0.id().to_string();
+        assert!(std::process::Command::new("kill").args([name, &pid]).status().unwrap().success());
+    }
 }
 
 impl Drop for Running {
@@ -160,24 +175,15 @@ impl Drop for Running {
     }
 }
 
-/// Waits for the file that a sweep makes when it has begun.
-fn begun(scratch: &Scratch, folder: &str) {
-    let first = scratch.0.join(folder).join("members/part-00000.parquet");
-    for _ in 0..600 {
-        if first.exists() {
-            return;
-        }
-        sleep(Duration::from_millis(50));
-    }
-    panic!("it has not begun");
-}
-
 #[test]
 fn two_writers_lock_each_other_out() {
     let scratch = Scratch::new("sweep-two");
     scratch.write("plan.toml", &plan(800_000));
     let mut first = Running::new(&scratch, &["sweep", "plan.toml", "-o", "out", "--threads", "1"]);
-    begun(&scratch, "out");
+    first.until(&scratch, "part-00000.parquet");
+    // Stopped, it cannot be over before the others have tried, and holds what it has.
+    #[cfg(unix)]
+    first.signal("-STOP");
     for how in ["--resume", "--force"] {
         let error = refused(&scratch.run(&["sweep", "plan.toml", "-o", "out", how]), 2);
         assert!(error.contains("out is in use: another sweep writes to it"), "{error}");
@@ -185,16 +191,9 @@ fn two_writers_lock_each_other_out() {
     // The lock goes with the process, however it ends; then another may.
     first.0.kill().unwrap();
     first.0.wait().unwrap();
-    let second = Running::new(&scratch, &["sweep", "plan.toml", "-o", "out", "--resume", "--threads", "1"]);
-    let next = scratch.0.join("out/members/part-00001.parquet");
-    for _ in 0..600 {
-        if next.exists() {
-            break;
-        }
-        sleep(Duration::from_millis(50));
-    }
-    assert!(next.exists());
-    drop(second);
+    let mut second =
+        Running::new(&scratch, &["sweep", "plan.toml", "-o", "out", "--resume", "--threads", "1"]);
+    second.until(&scratch, "part-00001.parquet");
 }
 
 #[test]
@@ -202,11 +201,9 @@ fn two_writers_lock_each_other_out() {
 fn ctrl_c_finishes_the_parts_in_hand() {
     let scratch = Scratch::new("sweep-stop");
     scratch.write("plan.toml", &plan(2_000_000));
-    let first = Running::new(&scratch, &["sweep", "plan.toml", "-o", "out"]);
-    begun(&scratch, "out");
-    let pid = first.0.id().to_string();
-    assert!(std::process::Command::new("kill").args(["-INT", &pid]).status().unwrap().success());
-    let mut running = first;
+    let mut running = Running::new(&scratch, &["sweep", "plan.toml", "-o", "out"]);
+    running.until(&scratch, "part-00000.parquet");
+    running.signal("-INT");
     let status = running.0.wait().unwrap();
     assert_eq!(status.code(), Some(130));
     let mut said = String::new();

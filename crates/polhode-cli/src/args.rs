@@ -1,5 +1,6 @@
 //! What the command line can say. Help, completions and the man page come from here.
 
+use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{CommandFactory as _, Parser, Subcommand};
 
 use crate::check::Check;
@@ -71,4 +72,37 @@ mod tests {
         use clap::CommandFactory as _;
         super::Polhode::command().debug_assert();
     }
+}
+
+/// What is refused, with a tip that helps. Of a value that begins with `-` clap says to put `--` before it: that is right of a file, and
+/// wrong of what belongs to an option.
+pub(crate) fn with_tip(mut refusal: clap::Error) -> clap::Error {
+    let Some(ContextValue::String(found)) = refusal.get(ContextKind::InvalidArg).cloned() else {
+        return refusal;
+    };
+    let given: Vec<String> = std::env::args_os().map(|text| text.to_string_lossy().into_owned()).collect();
+    let joined = given.windows(2).find_map(|pair| match pair {
+        [option, value] if value.starts_with(&found) && takes_value(&given, option) => {
+            let quote = if value.contains(char::is_whitespace) { "\"" } else { "" };
+            Some(format!(
+                "a value that begins with '-' is joined to its option: {option}={quote}{value}{quote}"
+            ))
+        }
+        _ => None,
+    });
+    if let Some(tip) = joined.filter(|_| refusal.kind() == ErrorKind::UnknownArgument) {
+        refusal.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![tip.into()]));
+    }
+    refusal
+}
+
+/// Whether this is an option of the subcommand that is called, and has a value.
+fn takes_value(given: &[String], option: &str) -> bool {
+    let polhode = Polhode::command();
+    let subcommand = given.get(1).and_then(|name| polhode.find_subcommand(name));
+    subcommand.is_some_and(|subcommand| {
+        let mut options = subcommand.get_arguments().filter(|argument| argument.get_action().takes_values());
+        options
+            .any(|argument| argument.get_long().is_some_and(|long| option.strip_prefix("--") == Some(long)))
+    })
 }

@@ -34,7 +34,7 @@ fn main() -> ExitCode {
         Err(answer) if !answer.use_stderr() => stdout::print_styled(&answer.render()),
         // What was typed stands in the message.
         Err(refusal) => {
-            stdout::tell(&refusal.render().to_string());
+            stdout::tell(&args::with_tip(refusal).render().to_string());
             return ExitCode::from(2);
         }
     };

@@ -13,7 +13,7 @@ pub(crate) fn quantity(text: &str, dimension: Dimension) -> Result<f64, String> 
 
 /// One of a unit of this name, in SI.
 pub(crate) fn unit_named(name: &str, dimension: Dimension) -> Result<f64, String> {
-    unit::factor(name, dimension).map_err(|error| match error.hint() {
+    unit::factor(name, dimension).map_err(|error| match error.hint_for_name() {
         Some(hint) => format!("{error} (hint: {hint})"),
         None => error.to_string(),
     })

@@ -57,7 +57,7 @@ pub(crate) struct Spin {
     #[arg(long, value_name = "W,X,Y,Z", value_parser = rotation::<Space, Body>, allow_hyphen_values = true)]
     attitude: Option<Attitude>,
     /// Compute the motion of moments that no body has, i1 + i2 < i3, all the same.
-    #[arg(long, conflicts_with_all = ["file", "periods"])]
+    #[arg(long, conflicts_with = "file")]
     allow_unphysical: bool,
     #[command(flatten)]
     times: TimeFlags,
@@ -68,11 +68,11 @@ pub(crate) struct Spin {
         value_parser = periods,
         allow_hyphen_values = true,
         requires = "convention",
-        conflicts_with_all = ["omega", "attitude", "at", "at_file", "duration", "curves", "html", "output", "plot"]
+        conflicts_with_all = FORWARD
     )]
     periods: Option<TumblingPeriods>,
     /// The axis that --periods speak of.
-    #[arg(long, value_enum, value_name = "AXIS", requires = "periods")]
+    #[arg(long, value_enum, value_name = "AXIS", requires = "periods", conflicts_with_all = FORWARD)]
     convention: Option<Convention>,
     /// Print JSON: the same keys for every motion.
     #[arg(long)]
@@ -82,6 +82,26 @@ pub(crate) struct Spin {
     #[command(flatten)]
     plots: PlotFlags,
 }
+
+/// What a motion needs whose start is known. Of an option that requires another clap asks nothing where that other conflicts with
+/// what is given: what goes with --duration or --curves stands here too.
+const FORWARD: [&str; 15] = [
+    "allow_unphysical",
+    "omega",
+    "attitude",
+    "at",
+    "at_file",
+    "duration",
+    "samples",
+    "every",
+    "table",
+    "curves",
+    "chord_error",
+    "html",
+    "output",
+    "plot",
+    "force",
+];
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
 enum Convention {

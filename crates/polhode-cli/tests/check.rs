@@ -368,3 +368,13 @@ fn a_model_in_utf16_is_named_as_such_whatever_it_ends_in() {
         }
     }
 }
+
+#[test]
+fn a_joint_has_one_value_and_a_link_in_its_own_frame_has_none() {
+    let scratch = Scratch::new("check-joint");
+    let arm = example("robots/arm.urdf");
+    let twice = ["inertia", &arm, "--lump", "--joint", "elbow=1", "--joint", "elbow=2"];
+    assert!(refused(&scratch.run(&twice), 2).contains("--joint elbow is given twice"));
+    let own = ["inertia", &arm, "--link", "forearm", "--joint", "elbow=1"];
+    assert!(refused(&scratch.run(&own), 2).contains("'--joint <NAME=VALUE>'"));
+}

@@ -385,3 +385,41 @@ fn what_cannot_be_written_is_a_failure() {
         assert_eq!(child.wait().unwrap().code(), Some(0), "{arguments:?}");
     }
 }
+
+#[test]
+fn a_value_that_begins_with_a_minus_is_told_how_it_is_given() {
+    let scratch = Scratch::new("command-minus");
+    scratch.write("f.stl", "");
+    for (arguments, joined) in [
+        (&["inertia", "f.stl", "--density", "-5"][..], "--density=-5"),
+        (&["inertia", "f.stl", "--part", "-a=2 kg"], "--part=\"-a=2 kg\""),
+        (&["inertia", "f.stl", "--link", "-a"], "--link=-a"),
+        (&["sweep", "f.toml", "--threads", "-1"], "--threads=-1"),
+    ] {
+        let error = refused(&scratch.run(arguments), 2);
+        assert!(error.contains(&format!("is joined to its option: {joined}\n")), "{error}");
+        // Obeyed, it is read as the option's value.
+        let obeyed = joined.replace('"', "");
+        let error = refused(&scratch.run(&[&arguments[..2], &[obeyed.as_str()]].concat()), 2);
+        assert!(!error.contains("unexpected argument"), "{error}");
+    }
+    // Of a file it is as clap says.
+    let error = refused(&scratch.run(&["inertia", "-5.stl"]), 2);
+    assert!(error.contains("use '-- -5"), "{error}");
+}
+
+#[test]
+fn the_name_of_a_unit_is_asked_for_by_a_name() {
+    let scratch = Scratch::new("command-units");
+    scratch.write("f.stl", "");
+    scratch.write("f.csv", "mass_mm,x_m,y_m,z_m\n1,2,3,4\n");
+    for (arguments, hint) in [
+        (&["inertia", "f.stl", "--unit", "kg"][..], "name a unit of a length, such as mm"),
+        (&["inertia", "f.csv", "--mass-unit", "mm"], "name a unit of a mass, such as kg"),
+        (&["inertia", "f.csv"], "name a unit of a mass, such as kg"),
+        (&["inertia", "f.stl", "--unit", "millimetre"], "did you mean mm?"),
+    ] {
+        let error = refused(&scratch.run(arguments), 2);
+        assert!(error.contains(hint), "{error}");
+    }
+}

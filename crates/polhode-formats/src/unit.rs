@@ -240,6 +240,16 @@ impl UnitError {
             Self::NotFinite { .. } | Self::Underflow { .. } | Self::Malformed { .. } => None,
         }
     }
+
+    /// The same where the name of a unit belongs, without a number, as [`factor`] takes it.
+    pub fn hint_for_name(&self) -> Option<String> {
+        match self {
+            Self::WrongDimension { expected, .. } => expected
+                .example()
+                .map(|example| format!("name a unit of {expected}, such as {}", unit_of(example))),
+            _ => self.hint(),
+        }
+    }
 }
 
 impl fmt::Display for UnitError {

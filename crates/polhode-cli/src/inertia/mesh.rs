@@ -19,6 +19,10 @@ use super::voxel::in_body;
 use crate::failure::Failure;
 use crate::numbers::{positive, quantity};
 
+/// What says a mesh's density otherwise than --field, or leaves no solid for it, and so for --tolerance: of an option that requires
+/// another, clap asks nothing where that other conflicts with what is given.
+const WITHOUT_FIELD: [&str; 6] = ["density", "mass", "material", "part", "shell", "quick"];
+
 /// Flags for meshes.
 #[derive(Debug, Args)]
 pub(super) struct MeshFlags {
@@ -32,13 +36,13 @@ pub(super) struct MeshFlags {
     #[arg(long, value_name = "THICKNESS", value_parser = thickness)]
     shell: Option<f64>,
     /// Density of a mesh as a formula of x, y, z in metres, in kg/m³, such as "2700 - 300*hypot(x, y)".
-    #[arg(long, value_name = "FORMULA", value_parser = formula, conflicts_with_all = ["density", "mass", "material", "part", "shell"])]
+    #[arg(long, value_name = "FORMULA", value_parser = formula, conflicts_with_all = WITHOUT_FIELD, allow_hyphen_values = true)]
     field: Option<Expression>,
     /// The estimated relative error that is good enough for --field [default: 1e-10].
-    #[arg(long, value_name = "ERROR", requires = "field", value_parser = tolerance)]
+    #[arg(long, value_name = "ERROR", requires = "field", conflicts_with_all = WITHOUT_FIELD, value_parser = tolerance)]
     tolerance: Option<f64>,
     /// Leave out all checks of a binary STL file, as fast as its bytes are read; the answer's first line says what was not looked at.
-    #[arg(long, conflicts_with_all = ["hull", "shell", "field", "part"])]
+    #[arg(long, conflicts_with_all = ["hull", "shell", "part"])]
     quick: bool,
 }
 

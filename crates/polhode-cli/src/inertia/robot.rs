@@ -29,7 +29,7 @@ pub(super) struct RobotFlags {
     #[arg(long, value_name = "WHICH", num_args = 0..=1, default_missing_value = "all")]
     lump: Option<Which>,
     /// The value of a joint, in rad or m or with its unit: elbow="30 deg"; others are at zero.
-    #[arg(long = "joint", value_name = "NAME=VALUE", requires = "lump", value_parser = joint, allow_hyphen_values = true)]
+    #[arg(long = "joint", value_name = "NAME=VALUE", requires = "lump", conflicts_with = "link", value_parser = joint, allow_hyphen_values = true)]
     joints: Vec<(String, String)>,
 }
 
@@ -105,6 +105,11 @@ fn lumped(
     which: Which,
     joints: &[(String, String)],
 ) -> Result<Vec<InertiaReport>, Failure> {
+    let twice = (1..joints.len()).find(|&k| joints[..k].iter().any(|(name, _)| *name == joints[k].0));
+    if let Some(twice) = twice {
+        let message = format!("--joint {} is given twice", joints[twice].0);
+        return Err(Failure::usage(message, "a joint has one value: leave one of them out"));
+    }
     let positions =
         joints.iter().map(|(name, value)| position(model, name, value)).collect::<Result<Vec<_>, _>>()?;
     let lumping = match which {

@@ -2,7 +2,8 @@
 //!
 //! The options are those of `--help`, which comes from the definitions that the command line is read by: one that is not in the
 //! tables here fails the test. Each pair is run on an input on which both have something to do, and is refused with both named,
-//! or gives another output than either alone. Where one has nothing to do beside the other a table says why.
+//! or gives another output than either alone. Where one has nothing to do beside the other a table says why. What does not go without
+//! a third is refused without it beside every other too.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may")]
 
 #[path = "../common/mod.rs"]
@@ -118,6 +119,22 @@ impl Runs {
     }
 }
 
+impl Runs {
+    /// Why an option is let pass without what it needs beside another, if it is: neither refused nor anything comes of it.
+    fn slip(&mut self, a: &Choice, b: &Choice) -> Option<String> {
+        let needs: Vec<&str> = a.needs.iter().copied().filter(|name| !name.starts_with('+')).collect();
+        // Whatever is written can be replaced.
+        let writes = a.option == "--force" && ["--output", "--html", "--plot"].contains(&b.option);
+        let helps = writes || needs.iter().any(|name| *name == b.option || b.needs.contains(name));
+        let input = b.inputs.iter().find(|input| a.inputs.contains(input)).or(b.inputs.first());
+        let (false, false, Some(input)) = (needs.is_empty(), helps, input) else { return None };
+        let bare = Choice { needs: &[], ..*a };
+        let (both, alone) = (self.of(input, &[&bare, b], &[], ""), self.of(input, &[b], &[], ""));
+        let nothing = both.code != Some(2) && both.printed == alone.printed && both.files == alone.files;
+        nothing.then(|| format!("on {input}: {} is let pass without {}", a.option, needs.join(" and ")))
+    }
+}
+
 fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     let mut found = BTreeMap::new();
     for entry in fs::read_dir(folder).unwrap().map(|entry| entry.unwrap()) {
@@ -160,6 +177,9 @@ pub(crate) fn every_pair_is_honoured_or_refused(subcommand: &'static Subcommand)
                 [(a.option, b.option), (b.option, a.option), (a.option, "*"), (b.option, "*")]
                     .contains(&(*x, *y))
             });
+            for (a, b) in [(a, b), (b, a)] {
+                faults.extend(runs.slip(a, b).map(|slip| format!("{} {}: {slip}", a.option, b.option)));
+            }
             let always = listed.is_some_and(|(_, other, _)| *other == "*");
             let without =
                 [(a, b), (b, a)].into_iter().find(|(other, needed)| other.needs.contains(&needed.option));

@@ -314,7 +314,7 @@ impl Column {
             let what = format!("the unit of {}", NAMES[number]);
             let rule = format!("a unit that polhode knows: {wrong}");
             let hinted = error(ContentErrorKind::Value { what, value: unit.clone(), rule });
-            match wrong.hint() {
+            match wrong.hint_for_name() {
                 Some(hint) => hinted.hint(hint),
                 None => hinted,
             }

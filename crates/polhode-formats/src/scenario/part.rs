@@ -16,7 +16,7 @@ use super::substance::{self, Matter, matter};
 use super::tensor;
 use crate::error::{FormatError, FormatErrorKind};
 use crate::mesh::{MeshContents, MeshFormat, MeshSolid};
-use crate::unit::{self, Dimension};
+use crate::unit::{self, Dimension, UnitError};
 
 /// Keys that every part may have.
 const COMMON: [&str; 4] = ["name", "shape", "position", "rotate"];
@@ -211,8 +211,9 @@ fn length_unit(value: &Value<'_>) -> Result<f64, FormatError> {
         return Err(value.invalid("the name of a unit of length").with_hint(hint));
     }
     unit::factor(name, Dimension::LENGTH).map_err(|error| {
-        let known = error.hint();
+        // What the unit's own hint says is of a quantity, unless it knows a name.
+        let known = matches!(error, UnitError::UnknownUnit { suggestion: Some(_), .. });
         let error = value.error(FormatErrorKind::Unit(error));
-        if known.is_some() { error } else { error.with_hint(hint) }
+        if known { error } else { error.with_hint(hint) }
     })
 }

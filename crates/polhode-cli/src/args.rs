@@ -65,15 +65,6 @@ impl Command {
     }
 }
 
-#[cfg(test)]
-mod tests {
-    #[test]
-    fn the_definitions_are_consistent() {
-        use clap::CommandFactory as _;
-        super::Polhode::command().debug_assert();
-    }
-}
-
 /// What is refused, with a tip that helps. Of a value that begins with `-` clap says to put `--` before it: that is right of a file, and
 /// wrong of what belongs to an option.
 pub(crate) fn with_tip(mut refusal: clap::Error) -> clap::Error {
@@ -105,4 +96,13 @@ fn takes_value(given: &[String], option: &str) -> bool {
         options
             .any(|argument| argument.get_long().is_some_and(|long| option.strip_prefix("--") == Some(long)))
     })
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn the_definitions_are_consistent() {
+        use clap::CommandFactory as _;
+        super::Polhode::command().debug_assert();
+    }
 }

@@ -77,7 +77,7 @@ pub(crate) fn check_file(file: &Path, force: bool) -> Result<(), Failure> {
         Ok(meta) if force && meta.is_file() => Ok(()),
         Ok(_) => Err(Failure::usage(
             format!("{} is there already", shown(file)),
-            "name another file, as in --html=spin-2.html, or replace an earlier page with --force",
+            "name another file, or replace what an earlier run wrote there with --force",
         )),
     }
 }

@@ -272,6 +272,9 @@ fn a_collada_mesh_is_placed_by_its_nodes_in_its_unit() {
         ("meter='0.5'", "meter='0,5'", "a finite number"),
         ("meter='0.5'", "meter='-0.5'", "a positive number"),
         ("count='12'", "count='13'", "13"),
+        ("count='4'", "count='5'", "5"),
+        ("triangles count='1'", "triangles count='2'", "faces"),
+        ("polylist count='3'", "polylist count='4'", "faces"),
         ("stride='3'", "stride='three'", "a whole number"),
         ("offset='0'", "offset='0.0'", "a whole number"),
         ("<translate>1 2 3", "<translate>1 2 nan", "a finite number"),
@@ -286,7 +289,11 @@ fn a_collada_mesh_is_placed_by_its_nodes_in_its_unit() {
     let unreadable = text.replacen(&positions, &format!("{positions} /.0"), 1);
     assert!(says(&unreadable).contains("a finite number"));
     let often = "<instance_geometry url='#g'/>".repeat(40);
-    let longer = text.replacen("<p>", &format!("<p>{}", "0 7 2 7 1 7 ".repeat(500)), 1);
+    let longer = text.replace("triangles count='1'", "triangles count='501'").replacen(
+        "<p>",
+        &format!("<p>{}", "0 7 2 7 1 7 ".repeat(500)),
+        1,
+    );
     assert!(says(&longer.replace("<instance_geometry url='#g'/>", &often)).contains("so often"));
     fs::remove_file(path).unwrap();
 }

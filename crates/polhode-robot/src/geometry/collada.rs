@@ -197,6 +197,7 @@ impl<'a> Reader<'a> {
                 Some(surface) => surface,
                 none => none.insert(Surface { vertices: self.positions(input)?, triangles: Vec::new() }),
             };
+            let mut present = 0;
             let mut counts = counts.iter().flat_map(|counts| counts.value.split_ascii_whitespace());
             for list in faces.named("p") {
                 let Some(text) = list.text() else { continue };
@@ -220,8 +221,10 @@ impl<'a> Reader<'a> {
                         triangles.extend(others.windows(2).map(|edge| [*first, edge[0], edge[1]]));
                     }
                     rest = later;
+                    present += 1;
                 }
             }
+            declared(faces, "faces", present)?;
         }
         surface.ok_or_else(|| missing("triangles", geometry))
     }
@@ -241,17 +244,16 @@ impl<'a> Reader<'a> {
         let (stride, offset) = (of("stride", 3)?, of("offset", 0)?);
         let array = source.child("float_array").ok_or_else(|| missing("float_array", source))?;
         let values = finite(&array.text().ok_or_else(|| missing("numbers", array))?)?;
-        let declared = whole(array, "count", values.len())?;
-        if declared != values.len() {
-            let (what, declared, present) =
-                ("numbers of <float_array>".to_owned(), declared as u64, values.len() as u64);
-            return Err(ContentError::new(ContentErrorKind::Count { what, declared, present }, start(array)));
-        }
+        declared(array, "numbers of <float_array>", values.len())?;
         if stride < 3 {
             return Err(missing("three coordinates", source));
         }
         let values = values.get(offset..).unwrap_or_default();
-        Ok(values.chunks(stride).filter_map(|point| point.first_chunk().copied()).collect())
+        let points: Vec<_> = values.chunks(stride).filter_map(|point| point.first_chunk().copied()).collect();
+        if let Some(accessor) = accessor {
+            declared(accessor, "points", points.len())?;
+        }
+        Ok(points)
     }
 }
 
@@ -272,6 +274,16 @@ fn named(root: Element<'_>) -> HashMap<&str, Element<'_>> {
 fn whole(element: Element<'_>, name: &str, default: usize) -> Result<usize, ContentError> {
     let Some(written) = element.attribute(name) else { return Ok(default) };
     written.value.parse().map_err(|_| expected("a whole number", written.value, written.span))
+}
+
+/// What an element declares as its `count` is what it has: a file that was cut short, or edited, has something else.
+fn declared(element: Element<'_>, what: &str, present: usize) -> Result<(), ContentError> {
+    let declared = whole(element, "count", present)?;
+    if declared == present {
+        return Ok(());
+    }
+    let (what, declared, present) = (what.to_owned(), declared as u64, present as u64);
+    Err(ContentError::new(ContentErrorKind::Count { what, declared, present }, start(element)))
 }
 
 fn positive(written: &Written<'_>) -> Result<f64, ContentError> {

@@ -93,6 +93,25 @@ fn a_child_with_two_parents() {
 }
 
 #[test]
+fn an_axis_without_a_direction() {
+    let axis = |kind: &str, xyz: &str| {
+        let text = model(&["a", "b"], &[("a", "b")]).replace("revolute", kind);
+        findings(&text.replace("</joint>", &format!("<axis xyz=\"{xyz}\"/></joint>")))
+    };
+    for kind in ["revolute", "continuous", "prismatic"] {
+        assert_eq!(axis(kind, "0 -0.3 1e-9"), []);
+        for (xyz, severity) in
+            [("0 0 -0", Severity::Suspect), ("0 A 1", Severity::Impossible), ("1 0", Severity::Impossible)]
+        {
+            let all = axis(kind, xyz);
+            let found = only(&all, "joint.axis");
+            assert_eq!((found.severity, &*found.subject, all.len()), (severity, "j0", 1), "{kind} {xyz}");
+        }
+    }
+    assert_eq!(axis("fixed", "0 0 0"), []);
+}
+
+#[test]
 fn names_twice_and_names_of_nothing() {
     let document = model(&["a", "b", "b"], &[("a", "b")]);
     let all = findings(&document);

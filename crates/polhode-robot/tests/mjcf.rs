@@ -189,3 +189,17 @@ fn what_is_not_read_is_noted() {
         ]
     );
 }
+
+#[test]
+fn ends_of_a_shape_that_are_no_six_numbers_give_no_length() {
+    for ends in ["0 0 0 0 0", "0 0 0 0 0 A", "0 0 0 0 0 1 2"] {
+        let text = format!(
+            "<mujoco><worldbody><body name=\"a\"><geom type=\"capsule\" size=\"0.1 0.2\" fromto=\"{ends}\"/></body></worldbody></mujoco>"
+        );
+        let shape = &read(&text).links[0].geometry[0].shape;
+        assert!(
+            matches!(shape, GeometryShape::Capsule { length, .. } if length.is_nan()),
+            "{ends}: {shape:?}"
+        );
+    }
+}

@@ -1,4 +1,5 @@
-//! Numbers that are not there, are none, or are not finite: `number.missing`, `number.malformed`, `number.not_finite`.
+//! Numbers that are not there, are none, or are not finite: `number.missing`, `number.malformed`, `number.not_finite`; axes without a
+//! direction: `joint.axis`.
 
 use std::collections::HashSet;
 
@@ -7,7 +8,10 @@ use super::finding;
 use super::tree::Tree;
 use super::written::complaint;
 use crate::finding::{Finding, Repair, Severity};
-use crate::model::{GeometryShape, Link, ModelFormat, Name, Number, Pose, RobotModel, Slot, Tensor};
+use crate::model::{
+    GeometryShape, JointKind, Link, ModelFormat, Name, Number, Pose, RobotModel, Slot, Tensor,
+};
+use crate::pose::direction;
 
 pub(super) fn check(model: &RobotModel, link: &Link, tree: &Tree, k: usize, findings: &mut Vec<Finding>) {
     let Some(inertial) = &link.inertial else { return };
@@ -56,6 +60,23 @@ pub(super) fn elsewhere(model: &RobotModel, findings: &mut Vec<Finding>) {
     }
     for joint in &model.joints {
         tell(&joint.name, &joint.pose, "the joint's place or attitude");
+    }
+    for joint in &model.joints {
+        let has_axis = matches!(joint.kind, JointKind::Revolute | JointKind::Prismatic);
+        if has_axis && direction(joint.axis).is_none() {
+            let zero = joint.axis == [0.0; 3];
+            findings.push(Finding {
+                code: "joint.axis",
+                severity: if zero { Severity::Suspect } else { Severity::Impossible },
+                subject: joint.name.text.clone(),
+                others: Vec::new(),
+                span: joint.span.clone(),
+                message: format!("its axis is {}", if zero { "zero" } else { "no three finite numbers" }),
+                rule: "a joint turns about, or slides along, an axis that has a direction".to_owned(),
+                numbers: Vec::new(),
+                repair: None,
+            });
+        }
     }
     // MuJoCo fits the sizes of primitives to meshes, and takes defaults.
     let links = model.links.iter().filter(|_| model.format != ModelFormat::Mjcf);

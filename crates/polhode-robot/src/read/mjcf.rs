@@ -214,7 +214,7 @@ impl<'a> Reader<'a, '_> {
         let source = self.classes.geom(element, branch.class);
         let zero = |name: &str| source.word(name).is_some_and(|word| word.parse() == Ok(0_i64));
         let role = if zero("contype") && zero("conaffinity") { Role::Visual } else { Role::Collision };
-        let ends = source.written("fromto").and_then(|written| written.array());
+        let ends = source.written("fromto").map(|written| written.array().unwrap_or([f64::NAN; 6]));
         let pose = match ends {
             Some(ends) => along(ends),
             None => self.pose(element, &source),

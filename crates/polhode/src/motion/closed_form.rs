@@ -67,6 +67,15 @@ impl ClosedForm {
         }
     }
 
+    /// The states at some times, in any order, as [`ClosedForm::at`]; those of a free motion in vectors.
+    #[must_use]
+    pub fn at_times(&self, times: &[f64]) -> Vec<State> {
+        match self {
+            Self::Free(motion) => motion.at_times(times),
+            Self::HeavyTop(_) | Self::Swinging(_) => times.iter().map(|&time| self.at(time)).collect(),
+        }
+    }
+
     /// The error of the formulas so long after the start, where the last bit of the inputs is worth so much: measured, see
     /// `book/error.md`.
     ///

@@ -118,14 +118,9 @@ impl Simulation<'_> {
         require_finite(rotor, torques, switched_off, &start)?;
         require_few_pulses(rotor, torques, &|k| switched_off.contains(k), [start.time, self.end()])?;
         let rule = match self.choose()? {
-            (Way::Closed(ClosedForm::Free(motion)), _) => {
-                motion.require(times)?;
-                states.extend(motion.at_times(times));
-                return Ok(());
-            }
             (Way::Closed(motion), _) => {
                 motion.require(times)?;
-                states.extend(times.iter().map(|&time| motion.at(time)));
+                states.extend(motion.at_times(times));
                 return Ok(());
             }
             (Way::Steps(rule), _) => rule,

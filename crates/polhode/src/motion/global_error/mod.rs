@@ -110,8 +110,20 @@ const NONE: StateError = StateError { attitude: 0.0, omega: 0.0 };
 const INPUT_SEED: u64 = 1_000;
 /// Perturbed runs of a thorough estimate, with larger rounding and from other inputs.
 const RUNS: [u64; 2] = [8, 4];
-/// Up to so many steps and samples a thorough estimate is made without being asked for.
+/// Up to so many steps and samples a thorough estimate is made without being asked for: some hundredths of a second.
 const FEW: u64 = 10_000;
+/// Steps of DOP853 and of splitting take several times as long as Taylor's for the same accuracy.
+const FEW_OF_MANY_STAGES: u64 = 3_000;
+
+impl ErrorEffort {
+    const fn is_thorough(self, work: u64, few: u64) -> bool {
+        match self {
+            Self::Thorough => true,
+            Self::Cheap => false,
+            Self::Auto => work <= few,
+        }
+    }
+}
 
 impl GlobalError {
     /// True if it was [`ErrorEffort::Thorough`].
@@ -176,8 +188,8 @@ impl Simulation<'_> {
             Solution::Integrated { method, statistics, .. } => (*method, statistics.accepted),
         };
         let rule = rule(method)?;
-        let is_short = steps + trajectory.samples().len() as u64 <= FEW;
-        if effort == ErrorEffort::Thorough || effort == ErrorEffort::Auto && is_short {
+        let few = if rule == Rule::Taylor { FEW } else { FEW_OF_MANY_STAGES };
+        if effort.is_thorough(steps + trajectory.samples().len() as u64, few) {
             let finer = Refinement::finer(rule, self.tolerance);
             let computation = self.step_error(finer, trajectory, RUNS[0], progress);
             let inputs = self.input_error_of_steps(rule, trajectory, progress);
@@ -198,17 +210,18 @@ impl Simulation<'_> {
     /// Of a closed form, which has no steps whose errors add up.
     fn exact_error(&self, motion: &ClosedForm, trajectory: &Trajectory, effort: ErrorEffort) -> GlobalError {
         let (reference, times) = states_and_times(trajectory);
-        let runs = if effort == ErrorEffort::Cheap { 1 } else { RUNS[1] };
+        let is_thorough = effort.is_thorough(times.len() as u64, FEW);
+        let runs = if is_thorough { RUNS[1] } else { 1 };
         let inputs = input_error(&reference, runs, |seed, amplitude| {
             let Inputs { rotor, start } = Inputs::of(self, seed, amplitude);
             // Not every change of a body keeps the symmetry that a closed form needs.
             ClosedForm::of(&rotor, self.torques, start)
                 .or_else(|_| ClosedForm::of(self.rotor, self.torques, start))
-                .map_or_else(|_| Vec::new(), |motion| times.iter().map(|&time| motion.at(time)).collect())
+                .map_or_else(|_| Vec::new(), |motion| motion.at_times(&times))
         });
         let error = |(time, worth): (&f64, &StateError)| motion.formula_error(time - self.start.time, *worth);
         let computation = times.iter().zip(&inputs).map(error).collect();
-        GlobalError { is_thorough: effort != ErrorEffort::Cheap, computation, inputs }
+        GlobalError { is_thorough, computation, inputs }
     }
 
     /// The error of steps: truncation, and rounding made larger.

@@ -63,7 +63,7 @@ impl Distance {
         let mut states = states.iter();
         let apart = |reference: &State| {
             states.next().map_or((f64::INFINITY, f64::INFINITY), |state| {
-                let angle = state.attitude.angle_to(reference.attitude);
+                let angle = angle_between(state.attitude.quaternion(), reference.attitude.quaternion());
                 (number_or_infinite(angle), number_or_infinite((state.omega - reference.omega).norm()))
             })
         };
@@ -117,6 +117,13 @@ impl Distance {
             })
             .collect()
     }
+}
+
+/// The angle θ of the rotation from one attitude to another: unit quaternions are 2 sin(θ/4) apart, or their negatives are.
+fn angle_between(p: [f64; 4], q: [f64; 4]) -> f64 {
+    let distance = |sign: f64| p.iter().zip(q).map(|(p, q)| (p - sign * q) * (p - sign * q)).sum::<f64>();
+    let sine = 0.5 * distance(1.0).min(distance(-1.0)).sqrt();
+    if sine < 1e-4 { 4.0 * sine } else { 4.0 * libm::asin(sine.min(1.0)) }
 }
 
 /// A state beyond the reach of a closed form is no number: then nothing is known.

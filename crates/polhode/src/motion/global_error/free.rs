@@ -1,6 +1,7 @@
 //! The error of a free motion, which needs no simulation.
 
 use super::inputs::Change;
+use super::watched::Watched;
 use super::{GlobalError, RUNS, StateError, input_error};
 use crate::math::symmetric3::Symmetric3;
 use crate::motion::error::MotionError;
@@ -28,11 +29,12 @@ impl FreeMotion {
         let mut order: Vec<usize> = (0..times.len()).collect();
         order.sort_by(|&a, &b| after(times[a]).total_cmp(&after(times[b])));
         let outward: Vec<f64> = order.iter().map(|&k| times[k]).collect();
-        let found = input_error(&self.at_times(&outward), RUNS[1], |seed, amplitude| {
+        let watched = Watched::of(self.at_times(&outward));
+        let found = input_error(&watched, RUNS[1], |seed, amplitude| {
             let mut change = Change::new(seed, amplitude);
             let tensor = change.inertia(&self.tensor());
             Self::of_symmetric(&tensor, change.start(start))
-                .map_or_else(|_| Vec::new(), |motion| motion.at_times(&outward))
+                .map_or_else(|_| Vec::new(), |motion| motion.at_times(&watched.times))
         });
         let mut inputs = found.clone();
         for (k, error) in order.into_iter().zip(found) {

@@ -22,17 +22,20 @@ mod finding;
 mod free;
 mod inputs;
 mod perturbed;
+mod watched;
 
 use super::closed_form::ClosedForm;
 use super::error::MotionError;
 use super::propagate::noise::Noise;
 use super::propagate::stepper::{LOOSEST_TOLERANCE, Rule, TIGHTEST_TOLERANCE};
+use super::sample::Sample;
 use super::simulation::Simulation;
 use super::solution::Solution;
 use super::state::State;
 use super::trajectory::{Method, Trajectory};
 use inputs::Inputs;
 use perturbed::{Distance, Perturbed};
+use watched::Watched;
 
 /// How far a state may be from the true one.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -209,18 +212,21 @@ impl Simulation<'_> {
 
     /// Of a closed form, which has no steps whose errors add up.
     fn exact_error(&self, motion: &ClosedForm, trajectory: &Trajectory, effort: ErrorEffort) -> GlobalError {
-        let (reference, times) = states_and_times(trajectory);
-        let is_thorough = effort.is_thorough(times.len() as u64, FEW);
+        let samples = trajectory.samples();
+        let is_thorough = effort.is_thorough(samples.len() as u64, FEW);
         let runs = if is_thorough { RUNS[1] } else { 1 };
-        let inputs = input_error(&reference, runs, |seed, amplitude| {
+        let watched = Watched::of_trajectory(trajectory);
+        let inputs = input_error(&watched, runs, |seed, amplitude| {
             let Inputs { rotor, start } = Inputs::of(self, seed, amplitude);
             // Not every change of a body keeps the symmetry that a closed form needs.
             ClosedForm::of(&rotor, self.torques, start)
                 .or_else(|_| ClosedForm::of(self.rotor, self.torques, start))
-                .map_or_else(|_| Vec::new(), |motion| motion.at_times(&times))
+                .map_or_else(|_| Vec::new(), |motion| motion.at_times(&watched.times))
         });
-        let error = |(time, worth): (&f64, &StateError)| motion.formula_error(time - self.start.time, *worth);
-        let computation = times.iter().zip(&inputs).map(error).collect();
+        let error = |(sample, worth): (&Sample, &StateError)| {
+            motion.formula_error(sample.state.time - self.start.time, *worth)
+        };
+        let computation = samples.iter().zip(&inputs).map(error).collect();
         GlobalError { is_thorough, computation, inputs }
     }
 
@@ -233,14 +239,14 @@ impl Simulation<'_> {
         progress: &mut dyn FnMut(f64),
     ) -> Vec<StateError> {
         let Refinement { rule, tolerance, stretch, gain, noise } = refinement;
-        let (reference, times) = states_and_times(trajectory);
+        let watched = Watched::of_trajectory(trajectory);
         let distances = (0..runs).map(|run| {
             let inputs = Inputs::of(self, 2 * run, noise * gain * CONSTANT_NOISE);
             let noise = Some((Noise::new(2 * run + 1, noise * gain * STEP_NOISE), stretch));
             let perturbed = Perturbed { simulation: self, inputs, rule, tolerance, noise };
-            Distance::between(&reference, &perturbed.states(&times, progress)).over(gain)
+            Distance::between(&watched.states, &perturbed.states(&watched.times, progress)).over(gain)
         });
-        distances.reduce(Distance::worse).unwrap_or_default().relative_to(&reference, ROUNDING)
+        watched.errors(&distances.reduce(Distance::worse).unwrap_or_default(), ROUNDING)
     }
 
     /// What the last bit of the inputs does to a motion by steps.
@@ -252,23 +258,23 @@ impl Simulation<'_> {
         trajectory: &Trajectory,
         progress: &mut dyn FnMut(f64),
     ) -> Vec<StateError> {
-        let (reference, times) = states_and_times(trajectory);
+        let watched = Watched::of_trajectory(trajectory);
         let [amplitude, ..] = INPUT_AMPLITUDES;
         let distances = (0..RUNS[1]).map(|run| {
             let inputs = Inputs::of(self, INPUT_SEED + run, amplitude);
             let tolerance = self.tolerance;
             let perturbed = Perturbed { simulation: self, inputs, rule, tolerance, noise: None };
-            Distance::between(&reference, &perturbed.states(&times, progress)).over(amplitude)
+            Distance::between(&watched.states, &perturbed.states(&watched.times, progress)).over(amplitude)
         });
-        distances.reduce(Distance::worse).unwrap_or_default().relative_to(&reference, NONE)
+        watched.errors(&distances.reduce(Distance::worse).unwrap_or_default(), NONE)
     }
 }
 
 /// What the last bit of the inputs does, by what many times as much does: `states` of a seed and an amplitude.
-fn input_error(reference: &[State], runs: u64, states: impl Fn(u64, f64) -> Vec<State>) -> Vec<StateError> {
+fn input_error(watched: &Watched, runs: u64, states: impl Fn(u64, f64) -> Vec<State>) -> Vec<StateError> {
     let distances = (0..runs).map(|run| {
         let distance = |amplitude: f64| {
-            Distance::between(reference, &states(INPUT_SEED + run, amplitude)).over(amplitude)
+            Distance::between(&watched.states, &states(INPUT_SEED + run, amplitude)).over(amplitude)
         };
         let mut found = distance(INPUT_AMPLITUDES[0]);
         for pair in INPUT_AMPLITUDES.windows(2) {
@@ -280,11 +286,7 @@ fn input_error(reference: &[State], runs: u64, states: impl Fn(u64, f64) -> Vec<
         }
         found
     });
-    distances.reduce(Distance::worse).unwrap_or_default().relative_to(reference, NONE)
-}
-
-fn states_and_times(trajectory: &Trajectory) -> (Vec<State>, Vec<f64>) {
-    trajectory.samples().iter().map(|sample| (sample.state, sample.state.time)).unzip()
+    watched.errors(&distances.reduce(Distance::worse).unwrap_or_default(), NONE)
 }
 
 /// Other steps than those of a motion: the distance between the two is so many times (or more) the motion's own truncation error.

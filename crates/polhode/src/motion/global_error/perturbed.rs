@@ -100,6 +100,22 @@ impl Distance {
         self
     }
 
+    /// The distance at all samples, where this one is that at these: linear between them.
+    pub(super) fn at_all(&self, at: &[usize]) -> Self {
+        let mut all = Self::default();
+        let values = self.attitude.iter().zip(&self.omega).zip(at);
+        for (((&a, &w), &k), ((&next_a, &next_w), &next)) in values.clone().zip(values.skip(1)) {
+            for part in (0..next - k).map(|j| j as f64 / (next - k) as f64) {
+                let between = |x: f64, next: f64| if part == 0.0 { x } else { x + part * (next - x) };
+                all.attitude.push(number_or_infinite(between(a, next_a)));
+                all.omega.push(number_or_infinite(between(w, next_w)));
+            }
+        }
+        all.attitude.extend(self.attitude.last());
+        all.omega.extend(self.omega.last());
+        all
+    }
+
     /// The error along the way: the attitude's is the largest so far, and ω's is raised by as much, as both come from the same phase.
     pub(super) fn relative_to(&self, reference: &[State], floor: StateError) -> Vec<StateError> {
         let mut largest = 0.0_f64;

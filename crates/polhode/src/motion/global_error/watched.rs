@@ -1,0 +1,39 @@
+//! The samples at which a motion is compared with others: all of them, or some hundreds of many.
+
+use super::StateError;
+use super::perturbed::Distance;
+use crate::motion::state::State;
+use crate::motion::trajectory::Trajectory;
+
+/// What is compared costs as much as what is computed; between so many samples the distance is taken as linear.
+const MOST: usize = 512;
+
+/// Samples in the order of their distance from the start.
+pub(super) struct Watched {
+    /// All samples.
+    samples: Vec<State>,
+    /// Which of them are compared: every so many, and the last.
+    at: Vec<usize>,
+    pub(super) states: Vec<State>,
+    pub(super) times: Vec<f64>,
+}
+
+impl Watched {
+    pub(super) fn of(samples: Vec<State>) -> Self {
+        let last = samples.len().saturating_sub(1);
+        let every = samples.len().div_ceil(MOST).max(1);
+        let at: Vec<usize> = (0..last).step_by(every).chain((!samples.is_empty()).then_some(last)).collect();
+        let states: Vec<State> = at.iter().map(|&k| samples[k]).collect();
+        let times = states.iter().map(|state| state.time).collect();
+        Self { samples, at, states, times }
+    }
+
+    pub(super) fn of_trajectory(trajectory: &Trajectory) -> Self {
+        Self::of(trajectory.samples().iter().map(|sample| sample.state).collect())
+    }
+
+    /// The error of all samples from the distance at those that were compared.
+    pub(super) fn errors(&self, distance: &Distance, floor: StateError) -> Vec<StateError> {
+        distance.at_all(&self.at).relative_to(&self.samples, floor)
+    }
+}

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Builds the targets as cargo-fuzz does without a sanitizer (there is no unsafe code to check), with any toolchain and a C++ compiler.
+# Builds the targets as cargo-fuzz does without a sanitizer (the crates have no unsafe code of their own), with any toolchain and a C++ compiler.
 set -e
 cd "$(dirname "$0")"
 export RUSTFLAGS="--cfg fuzzing -Cpasses=sancov-module -Cllvm-args=-sanitizer-coverage-level=4 \

@@ -4,7 +4,6 @@ use std::any::Any;
 use std::fs;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::path::{Path, PathBuf};
-use std::sync::OnceLock;
 
 use polhode::{ErrorEffort, Scenario, Trajectory};
 use polhode_formats::{scenario, table};
@@ -32,12 +31,15 @@ pub fn scenario(data: &[u8]) {
 }
 
 pub fn motion_table(data: &[u8]) {
-    const BODY: &str = "[[body.part]]\nshape = \"box\"\nsize = [1.1, 2, 3]\nmass = 1.7\n[prescribed]\ntable = \"table.csv\"\n\
-        [run]\nduration = 0.5\nsamples = 3\n";
-    let folder = folder();
-    if fs::write(folder.join("table.csv"), data).is_ok()
-        && let Ok(scenario) = scenario::parse(BODY, &folder.join("a.toml"))
-    {
+    let table = table_file();
+    let text = format!(
+        "[[body.part]]\nshape = \"box\"\nsize = [1.1, 2, 3]\nmass = 1.7\n[prescribed]\ntable = '{}'\n\
+         [run]\nduration = 0.5\nsamples = 3\n",
+        table.display()
+    );
+    let read = fs::write(&table, data).map(|()| scenario::parse(&text, &table.with_extension("toml")));
+    let _ = fs::remove_file(&table);
+    if let Ok(Ok(scenario)) = read {
         accepted(scenario);
     }
 }
@@ -98,14 +100,9 @@ fn within_steps<T>(compute: impl FnOnce(&mut dyn FnMut(f64)) -> T) -> Option<T> 
         .ok()
 }
 
-/// A folder of this process, in memory where the system has such.
-fn folder() -> &'static Path {
-    static FOLDER: OnceLock<PathBuf> = OnceLock::new();
-    FOLDER.get_or_init(|| {
-        let memory = Path::new("/dev/shm");
-        let parent = if memory.is_dir() { memory.to_owned() } else { std::env::temp_dir() };
-        let folder = parent.join(format!("polhode-fuzz-{}", std::process::id()));
-        fs::create_dir_all(&folder).unwrap();
-        folder
-    })
+/// A file of this thread, in memory where the system has such.
+fn table_file() -> PathBuf {
+    let memory = Path::new("/dev/shm");
+    let parent = if memory.is_dir() { memory.to_owned() } else { std::env::temp_dir() };
+    parent.join(format!("polhode-fuzz-{}-{:?}.csv", std::process::id(), std::thread::current().id()))
 }

@@ -29,7 +29,7 @@ impl FreeMotion {
         let mut order: Vec<usize> = (0..times.len()).collect();
         order.sort_by(|&a, &b| after(times[a]).total_cmp(&after(times[b])));
         let outward: Vec<f64> = order.iter().map(|&k| times[k]).collect();
-        let watched = Watched::of(self.at_times(&outward));
+        let watched = Watched::of(self.at_times(&outward), 1);
         let found = input_error(&watched, RUNS[1], |seed, amplitude| {
             let mut change = Change::new(seed, amplitude);
             let tensor = change.inertia(&self.tensor());

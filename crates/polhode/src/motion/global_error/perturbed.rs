@@ -100,13 +100,15 @@ impl Distance {
         self
     }
 
-    /// The distance at all samples, where this one is that at these: linear between them.
-    pub(super) fn at_all(&self, at: &[usize]) -> Self {
+    /// The distance at all samples, where this one is that at these: linear in time between them.
+    pub(super) fn at_all(&self, at: &[usize], samples: &[State]) -> Self {
         let mut all = Self::default();
         let values = self.attitude.iter().zip(&self.omega).zip(at);
         for (((&a, &w), &k), ((&next_a, &next_w), &next)) in values.clone().zip(values.skip(1)) {
-            for part in (0..next - k).map(|j| j as f64 / (next - k) as f64) {
-                let between = |x: f64, next: f64| if part == 0.0 { x } else { x + part * (next - x) };
+            for sample in &samples[k..next] {
+                let [begin, end] = [samples[k].time, samples[next].time];
+                let part = (sample.time - begin) / (end - begin);
+                let between = |x: f64, next: f64| if part > 0.0 { x + part * (next - x) } else { x };
                 all.attitude.push(number_or_infinite(between(a, next_a)));
                 all.omega.push(number_or_infinite(between(w, next_w)));
             }

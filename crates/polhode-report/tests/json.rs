@@ -265,7 +265,7 @@ fn a_permanent_rotation_has_a_rotation_period_only() {
 #[test]
 fn an_explanation_as_json_keeps_its_numbers() {
     let json = explain(&common::cube()).unwrap().to_json();
-    assert_eq!(keys(&json), ["polhode", "title", "answer", "sections"]);
+    assert_eq!(keys(&json), ["polhode", "title", "answer", "sections", "findings"]);
     let numbers: Vec<_> =
         json["sections"].as_array().unwrap().iter().map(|s| s["number"].as_u64().unwrap()).collect();
     assert_eq!(numbers, [0, 1, 2, 3, 4, 5, 6]);

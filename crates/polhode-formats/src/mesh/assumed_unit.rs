@@ -47,15 +47,14 @@ impl<F: Frame> AssumedMetres<'_, F> {
     /// ```
     /// use polhode::{InertiaTensor, MassProperties, Part, Position};
     /// use polhode_formats::mesh::AssumedMetres;
-    /// let cube = |side: f64, mass: f64| {
-    ///     let inertia = InertiaTensor::<Part>::diagonal([mass * side * side / 6.0; 3]);
-    ///     inertia.and_then(|inertia| MassProperties::new(mass, Position::ZERO, inertia))
+    /// let is_asked = |side: f64, mass: f64| {
+    ///     let inertia = InertiaTensor::<Part>::diagonal([mass * side * side / 6.0; 3])?;
+    ///     let properties = &MassProperties::new(mass, Position::ZERO, inertia)?;
+    ///     let cube = AssumedMetres { properties, extent: None, mass_given: false, others: None, remedy: "--unit mm" };
+    ///     Ok::<_, polhode::BodyError>(cube.finding(None).is_some())
     /// };
-    /// let asked = |properties| {
-    ///     AssumedMetres { properties, extent: None, mass_given: false, others: None, remedy: "--unit mm" }.finding(None).is_some()
-    /// };
-    /// assert!(!asked(&cube(0.12, 4.7)?));
-    /// assert!(asked(&cube(120.0, 4.7e9)?));
+    /// assert!(!is_asked(0.12, 4.7)?);
+    /// assert!(is_asked(120.0, 4.7e9)?);
     /// # Ok::<(), polhode::BodyError>(())
     /// ```
     pub fn finding(&self, place: Option<String>) -> Option<Finding> {

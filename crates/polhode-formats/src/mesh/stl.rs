@@ -11,10 +11,12 @@
 
 use std::error::Error;
 use std::fmt;
-
+use std::panic::resume_unwind;
 use std::path::Path;
+use std::sync::Mutex;
+use std::thread;
 
-use polhode::TriangleMesh;
+use polhode::{Triangle, TriangleMesh};
 
 use super::{MeshContents, MeshPart};
 use crate::error::{FormatError, FormatErrorKind, Place};
@@ -23,6 +25,8 @@ use crate::text::is_utf16;
 const HEADER: usize = 80;
 const PREAMBLE: usize = HEADER + 4;
 const RECORD: usize = 50;
+/// Bytes of the normal, with which a record begins.
+const NORMAL: usize = 12;
 
 /// The contents of an STL file.
 #[derive(Clone, Debug, PartialEq)]
@@ -265,25 +269,60 @@ fn is_text(bytes: &[u8]) -> bool {
 
 /// A binary file whose length fits its count.
 fn binary(bytes: &[u8]) -> Result<Stl, StlError> {
-    const NORMAL: usize = 12;
     let (header, records) = (&bytes[..HEADER], bytes[PREAMBLE..].as_chunks::<RECORD>().0);
-    let mut triangles = Vec::with_capacity(records.len());
-    for (index, record) in records.iter().enumerate() {
-        let mut triangle = [[0.0; 3]; 3];
-        let words = record[NORMAL..].as_chunks::<4>().0;
-        for (k, (coordinate, &word)) in triangle.as_flattened_mut().iter_mut().zip(words).enumerate() {
-            let value = f32::from_le_bytes(word);
-            if !value.is_finite() {
-                let offset = PREAMBLE + RECORD * index + NORMAL + 4 * k;
-                let at = StlPlace::Record { index, offset };
-                return Err(StlError::NotFinite { at, found: value.to_string() });
-            }
-            *coordinate = f64::from(value);
-        }
-        triangles.push(triangle);
-    }
+    let triangles = decoded(records)?;
     let name = lossy(header.split(|&b| b == 0).next().unwrap_or_default());
     Ok(Stl { kind: StlKind::Binary, name, solids: 1, triangles })
+}
+
+/// Records in a piece of work.
+const PIECE: usize = 1 << 14;
+
+/// The triangles of binary records, on as many threads as the machine has: most of the time goes to memory that is new.
+fn decoded(records: &[[u8; RECORD]]) -> Result<Vec<Triangle>, StlError> {
+    let mut triangles = vec![[[0.0; 3]; 3]; records.len()];
+    let pieces = Mutex::new(records.chunks(PIECE).zip(triangles.chunks_mut(PIECE)).enumerate());
+    let next = || pieces.lock().ok()?.next();
+    // The first triangle that is not finite, of the pieces that a thread takes.
+    let work = || {
+        let mut wrong: Option<usize> = None;
+        while let Some((k, (records, triangles))) = next() {
+            let mut all = records.iter().zip(triangles);
+            if let Some(at) = all.position(|(record, triangle)| !decode(record, triangle)) {
+                wrong = Some(wrong.map_or(k * PIECE + at, |first| first.min(k * PIECE + at)));
+            }
+        }
+        wrong
+    };
+    let others = thread::available_parallelism().map_or(1, usize::from).min(records.len().div_ceil(PIECE));
+    let wrong = thread::scope(|scope| {
+        // A thread that cannot be had is done without.
+        let spawn = |_| thread::Builder::new().spawn_scoped(scope, work).ok();
+        let others: Vec<_> = (1..others).filter_map(spawn).collect();
+        let own = work();
+        let joined =
+            others.into_iter().map(|other| other.join().unwrap_or_else(|panic| resume_unwind(panic)));
+        joined.flatten().chain(own).min()
+    });
+    wrong.map_or(Ok(triangles), |index| Err(not_finite(index, &records[index])))
+}
+
+/// False if a coordinate is not finite.
+fn decode(record: &[u8; RECORD], triangle: &mut Triangle) -> bool {
+    let words = record[NORMAL..].as_chunks::<4>().0;
+    let coordinates = triangle.as_flattened_mut().iter_mut();
+    coordinates.zip(words).fold(true, |finite, (coordinate, &word)| {
+        *coordinate = f64::from(f32::from_le_bytes(word));
+        finite & coordinate.is_finite()
+    })
+}
+
+fn not_finite(index: usize, record: &[u8; RECORD]) -> StlError {
+    let words = record[NORMAL..].as_chunks::<4>().0;
+    let mut values = words.iter().map(|&word| f32::from_le_bytes(word)).enumerate();
+    let (k, value) = values.find(|(_, value)| !value.is_finite()).unwrap_or_default();
+    let offset = PREAMBLE + RECORD * index + NORMAL + 4 * k;
+    StlError::NotFinite { at: StlPlace::Record { index, offset }, found: value.to_string() }
 }
 
 /// The parser of an ASCII file: `at` is the offset of the next byte.

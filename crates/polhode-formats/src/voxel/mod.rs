@@ -8,7 +8,7 @@
 //!
 //! let file = b"NRRD0004\ntype: uchar\ndimension: 3\nsizes: 2 1 1\nencoding: raw\n\
 //!     space directions: (2,0,0) (0,2,0) (0,0,2)\nspace dimension: 3\nspace units: \"cm\" \"cm\" \"cm\"\n\n\x03\x01";
-//! let voxels = voxel::read(file)?;
+//! let mut voxels = voxel::read(file)?;
 //! let grid = voxels.grid(&VoxelOptions::default())?;
 //! // A value of 1 is 1000 kg/m³ here.
 //! let body = voxels.mass_properties(&grid, 1000.0)?.unwrap();

@@ -82,8 +82,13 @@ impl TriangleMesh {
     /// As [`TriangleMesh::of_triangles`].
     pub fn of_soup(triangles: Vec<Triangle>) -> Result<Self, BodyError> {
         numbered(3 * triangles.len())?;
-        let indices = (0..).step_by(3).take(triangles.len()).map(|k: u32| [k, k + 1, k + 2]).collect();
-        Self::new(triangles.into_flattened(), indices)
+        let is_finite = |t: &Triangle| t.as_flattened().iter().fold(true, |all, c| all & c.is_finite());
+        if let Some(k) = triangles.iter().position(|triangle| !is_finite(triangle)) {
+            let vertex = triangles[k].into_iter().find(|vertex| vertex.iter().any(|c| !c.is_finite()));
+            return Err(BodyError::Vertex { triangle: k + 1, vertex: vertex.unwrap_or_default() });
+        }
+        let indices = (0..triangles.len() as u32).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect();
+        Ok(Self { vertices: triangles.into_flattened(), triangles: indices })
     }
 
     /// The vertices, m.

@@ -1,7 +1,7 @@
 //! What has to hold of every input of every reader: one function for each, which panics where it does not.
 //!
 //! libFuzzer runs them (`fuzz_targets/all.rs`), and so does an ordinary test on the stored corpora
-//! (`crates/polhode-cli/tests/corpus.rs`). A refusal is always right here; what counts is what is accepted.
+//! (`crates/polhode-cli/tests/all/corpus.rs`). A refusal is always right here; what counts is what is accepted.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a broken property ends the run")]
 #![allow(unreachable_pub, reason = "the test includes this file as a module")]

@@ -3,6 +3,7 @@
 //! A scanner of lines, not a compiler: it reads code in the house style, tests at the end of the file and left out.
 
 use std::fmt;
+use std::path::{Path, PathBuf};
 
 use crate::{Outcome, files, read, root, short};
 
@@ -77,6 +78,9 @@ pub(crate) fn check() -> Outcome {
                 violations.extend(scan(&file, &text));
             }
             violations.extend(too_long(&file, text.lines().count()));
+            if let Some((list, module)) = test_module(&path) {
+                violations.extend(left_out(&file, &module, &read(&list)?));
+            }
             count += 1;
         }
     }
@@ -86,6 +90,25 @@ pub(crate) fn check() -> Outcome {
     }
     let lines = violations.iter().map(|v| format!("\n  {v}"));
     Err(format!("{} lines break the order of the house:{}", violations.len(), lines.collect::<String>()))
+}
+
+/// Of a file of `tests/all/`, the list of modules that it has to stand in, and its name there.
+fn test_module(path: &Path) -> Option<(PathBuf, String)> {
+    let of_all = |folder: &Path| folder.ends_with("tests/all").then(|| folder.join("main.rs"));
+    let (folder, name) = (path.parent()?, path.file_stem()?.to_str()?);
+    match (name, of_all(folder)) {
+        ("main", Some(_)) => None,
+        (_, Some(list)) => Some((list, name.to_owned())),
+        ("mod", None) => Some((of_all(folder.parent()?)?, folder.file_name()?.to_str()?.to_owned())),
+        _ => None,
+    }
+}
+
+/// A file of tests that no list of modules names is never compiled, and nobody says so.
+fn left_out(file: &str, module: &str, list: &str) -> Option<Violation> {
+    let is_listed = list.lines().any(|line| line == format!("mod {module};"));
+    let rule = "tests are listed in tests/all/main.rs".to_owned();
+    (!is_listed).then(|| Violation { file: file.to_owned(), line: 1, found: module.to_owned(), rule })
 }
 
 fn too_long(file: &str, lines: usize) -> Option<Violation> {
@@ -197,6 +220,21 @@ mod tests {
         for text in ["use crate::{State, Rotor};\n", "let x = crate::State::new();\n"] {
             assert_eq!(scan("crates/polhode/src/math/vector.rs", text).len(), 1, "{text}");
         }
+    }
+
+    #[test]
+    fn tests_that_are_not_listed_are_found() {
+        let of =
+            |path: &str| test_module(Path::new(path)).map(|(list, name)| (list.display().to_string(), name));
+        let list = "crates/a/tests/all/main.rs".to_owned();
+        assert_eq!(of("crates/a/tests/all/spin.rs"), Some((list.clone(), "spin".to_owned())));
+        assert_eq!(of("crates/a/tests/all/plan/mod.rs"), Some((list.clone(), "plan".to_owned())));
+        assert_eq!(
+            (of("crates/a/tests/all/plan/one.rs"), of(&list), of("crates/a/src/b/mod.rs")),
+            (None, None, None)
+        );
+        assert_eq!(left_out("spin.rs", "spin", "mod plan;\nmod spin;\n"), None);
+        assert!(left_out("pin.rs", "pin", "mod plan;\nmod spin;\n").is_some());
     }
 
     #[test]

@@ -64,7 +64,7 @@ The parts a and b of a step h, and so the order, are those of three methods:
 
 (S. Blanes, P. C. Moan, J. Comput. Appl. Math. 142 (2002) 313: the coefficients are cited from memory, their orders are tested.) They are Runge–Kutta–Nyström methods: a kick depends on the attitude alone
 and the free motion turns the body in proportion to L, so that with [A, B] for what flow and kick fail to commute, [B, [B, [B, A]]] = 0, and
-fewer conditions make an order. `tests/splitting.rs` proves each order on a heavy body without any symmetry.
+fewer conditions make an order. `tests/all/splitting.rs` proves each order on a heavy body without any symmetry.
 
 **What it is for.** Long runs under torques with a potential. Every step is then a symplectic map and, as each is the same backwards as
 forwards, a reversible one. It keeps not the energy E but a quantity near to it: the error of E stays what it is in the first turns, where that

@@ -31,7 +31,7 @@ use super::reach::Drift;
 /// # Accuracy
 /// 4·10⁻¹⁶ of the amplitude and of the largest rate, or of the angle itself once it has gone round, against references of 32
 /// digits, the same after thousands of periods. Exactly on the separatrix (k = 1, where the least push decides) the
-/// hyperbolic functions have one word. Measured by `tests/pendulum_motion.rs`.
+/// hyperbolic functions have one word. Measured by `tests/all/pendulum_motion.rs`.
 ///
 /// Source: Whittaker, Analytical Dynamics, §44; DLMF 22.19(i).
 #[derive(Clone, Copy, Debug, PartialEq)]

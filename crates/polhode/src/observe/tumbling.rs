@@ -50,7 +50,7 @@ pub enum AxisConvention {
 ///
 /// # Source
 /// Samarasinha & A'Hearn, Icarus 93 (1991) 194; Kaasalainen, Astron. Astrophys. 376 (2001) 302. The relation between the
-/// conventions is derived above and tested by following the axes through whole motions (`tests/tumbling.rs`).
+/// conventions is derived above and tested by following the axes through whole motions (`tests/all/tumbling.rs`).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TumblingPeriods {
     /// P_φ: the mean time of one turn of the axis about L, in space, s.

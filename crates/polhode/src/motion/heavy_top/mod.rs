@@ -61,7 +61,7 @@ pub use path::{SteadyPrecession, TopPath};
 /// references of 32 digits, the same after 1000 nutations and down to 1 − m = 2·10⁻¹⁵; set-up has three words, evaluation two, and
 /// the integrals of the third kind have 22 digits: what limits it is the last rounding, up to some 10⁵ nutations. On the separatrix itself (1 − m = 0) the hyperbolic functions have one word. Constants that differ from the
 /// separatrix's by less than 10⁻⁴⁵ of their terms count as equal. A tensor that is symmetric only to rounding (16 ε of its
-/// greatest moment) is taken as symmetric, which is a change of the problem that grows with time. Measured by `tests/heavy_top.rs`.
+/// greatest moment) is taken as symmetric, which is a change of the problem that grows with time. Measured by `tests/all/heavy_top.rs`.
 ///
 /// # Source
 /// Landau & Lifshitz, Mechanics, §35, problem 1; Goldstein, Classical Mechanics, §5.7; `book/tops.md`.

@@ -51,7 +51,7 @@ impl Scheme {
     /// those of Runge–Kutta–Nyström methods, fewer than for two arbitrary flows.
     ///
     /// Source: orders 4 and 6 are SRKN₆ᵇ and SRKN₁₁ᵇ of S. Blanes, P. C. Moan, J. Comput. Appl. Math. 142 (2002) 313. Their orders are
-    /// proved by `tests/splitting.rs`.
+    /// proved by `tests/all/splitting.rs`.
     pub(super) fn of(order: SplittingOrder) -> Self {
         match order {
             SplittingOrder::Two => Self::symmetric(&[0.5], &[1.0], Middle::Flow),

@@ -1,0 +1,81 @@
+//! The stored corpora of the fuzz targets (`fuzz/README.md`), with each input cut short and with single bits turned over.
+
+#[path = "../../../../fuzz/src/lib.rs"]
+mod targets;
+
+use std::fs;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use targets::{TARGETS, Target};
+
+/// Truncations of each input, and copies with one bit turned over.
+const CUTS: usize = 20;
+const FLIPS: usize = 20;
+
+#[test]
+fn every_stored_input_holds_cut_short_and_with_a_bit_turned_over() {
+    let corpus = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz/corpus");
+    let mut inputs: Vec<(&str, Target, PathBuf)> = Vec::new();
+    for (name, target) in TARGETS {
+        let stored = files(&corpus.join(name));
+        assert!(!stored.is_empty(), "fuzz/corpus/{name} is empty");
+        let all = stored.into_iter().chain(files(&corpus.join("regressions").join(name)));
+        inputs.extend(all.map(|path| (name, target, path)));
+    }
+    let next = AtomicUsize::new(0);
+    let work = || {
+        while let Some((name, target, path)) = inputs.get(next.fetch_add(1, Ordering::Relaxed)) {
+            for_variants(&fs::read(path).unwrap(), &mut |what, data| {
+                let outcome = catch_unwind(AssertUnwindSafe(|| target(data)));
+                assert!(outcome.is_ok(), "{name}, {}{what}", path.display());
+            });
+        }
+    };
+    std::thread::scope(|scope| (0..2).for_each(|_| drop(scope.spawn(work))));
+}
+
+#[test]
+fn corpora_and_programs_have_the_names_of_targets() {
+    let fuzz = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz");
+    for folder in ["corpus", "corpus/regressions", "fuzz_targets"] {
+        for path in files(&fuzz.join(folder)) {
+            let name = path.file_stem().and_then(|name| name.to_str()).unwrap();
+            assert!(name == "regressions" || targets::target(name).is_some(), "{name} is no target");
+        }
+    }
+    let manifest = fs::read_to_string(fuzz.join("Cargo.toml")).unwrap();
+    for (name, _) in TARGETS {
+        assert!(fuzz.join("fuzz_targets").join(name).with_extension("rs").is_file(), "{name} has no program");
+        assert!(manifest.contains(&format!("name = \"{name}\"")), "cargo fuzz does not know {name}");
+    }
+}
+
+/// The input, its first k/20, and copies with one bit turned over at places that depend on nothing but the input's length.
+fn for_variants(data: &[u8], run: &mut dyn FnMut(String, &[u8])) {
+    run(String::new(), data);
+    for k in 0..CUTS {
+        let length = data.len() * k / CUTS;
+        run(format!(", first {length} bytes"), &data[..length]);
+    }
+    let mut random = 0x9e37_79b9_7f4a_7c15_u64 ^ data.len() as u64;
+    let mut turned = data.to_vec();
+    for _ in 0..FLIPS.min(8 * data.len()) {
+        // xorshift64
+        random ^= random << 13;
+        random ^= random >> 7;
+        random ^= random << 17;
+        let (byte, bit) = (random as usize % data.len(), random >> 61);
+        turned[byte] ^= 1 << bit;
+        run(format!(", bit {bit} of byte {byte}"), &turned);
+        turned[byte] ^= 1 << bit;
+    }
+}
+
+fn files(folder: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder).into_iter().flatten();
+    let mut files: Vec<PathBuf> = entries.map(|entry| entry.unwrap().path()).collect();
+    files.sort();
+    files
+}

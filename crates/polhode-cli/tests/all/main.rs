@@ -1,0 +1,23 @@
+//! The integration tests of `polhode-cli`, as one program: each links the whole library.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may")]
+
+mod check;
+mod command;
+mod common;
+mod corpus;
+mod example_files;
+mod inertia;
+mod interrupted;
+mod limits;
+mod names;
+mod options;
+mod page;
+mod picture;
+mod plot;
+mod resources;
+mod spin;
+mod stability;
+mod sweep;
+mod sweep_kill;
+mod torque;
+mod truncated;

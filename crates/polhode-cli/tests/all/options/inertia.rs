@@ -1,0 +1,89 @@
+//! The pairs of `polhode inertia` and `polhode check`.
+
+use crate::options::{Choice, Subcommand, every_pair_is_honoured_or_refused};
+
+const fn choice(
+    option: &'static str,
+    arguments: &'static [&'static str],
+    inputs: &'static [&'static str],
+    needs: &'static [&'static str],
+) -> Choice {
+    Choice { option, arguments, inputs, needs }
+}
+
+const ANY: &[&str] = &["parts", "stl", "points", "particles", "cad", "molecule", "robot", "grid", "unnamed"];
+
+static INERTIA: Subcommand = Subcommand {
+    name: "inertia",
+    inputs: &[
+        ("parts", &["two.obj"]),
+        ("unnamed", &["two.dat"]),
+        ("stl", &["one.stl"]),
+        ("points", &["points.csv"]),
+        ("particles", &["particles.csv"]),
+        ("cad", &["report.txt"]),
+        ("molecule", &["water.xyz"]),
+        ("robot", &["arm.urdf"]),
+        ("grid", &["grid.npy"]),
+    ],
+    options: &[
+        choice("--density", &["--density", "2.7 g/cm^3"], &["parts", "stl", "unnamed"], &[]),
+        choice("--mass", &["--mass", "85 g"], &["parts", "stl", "unnamed"], &[]),
+        choice("--material", &["--material", "steel"], &["parts", "stl", "unnamed"], &[]),
+        choice("--part", &["--part", "rod=oak"], &["parts", "unnamed"], &[]),
+        choice("--hull", &["--hull"], &["parts", "stl", "unnamed"], &[]),
+        choice("--shell", &["--shell", "2 mm"], &["parts", "stl", "unnamed"], &[]),
+        choice("--field", &["--field", "2700 + 300*hypot(x, y)"], &["parts", "stl", "unnamed"], &[]),
+        choice("--tolerance", &["--tolerance", "1e-3"], &["parts", "stl", "unnamed"], &["--field"]),
+        choice("--quick", &["--quick"], &["stl"], &[]),
+        choice("--unit", &["--unit", "mm"], &["parts", "stl", "unnamed"], &[]),
+        choice("--mass-unit", &["--mass-unit", "g"], &["particles", "cad"], &["--unit"]),
+        choice("--isotopes", &["--isotopes", "average"], &["molecule"], &[]),
+        choice("--products", &["--products", "positive"], &["cad"], &["--unit", "--mass-unit", "--decimal"]),
+        choice("--decimal", &["--decimal", "comma"], &["cad"], &["--unit", "--mass-unit", "--products"]),
+        choice("--link", &["--link", "forearm"], &["robot"], &[]),
+        choice("--lump", &["--lump", "all"], &["robot"], &[]),
+        choice("--joint", &["--joint", "elbow=30 deg"], &["robot"], &["--lump"]),
+        choice("--spacing", &["--spacing", "1 mm, 2 mm, 3 mm"], &["grid"], &[]),
+        choice("--origin", &["--origin", "5 mm, 0, 7 mm"], &["grid"], &["--spacing"]),
+        choice("--per-value", &["--per-value", "2 g/cm^3"], &["grid"], &["--spacing"]),
+        choice("--format", &["--format", "obj"], &["unnamed"], &[]),
+        choice("--about", &["--about", "5 mm, 0, 8 mm"], ANY, &[]),
+        choice("--along", &["--along", "0.9,0.1,-0.2,0.3"], ANY, &[]),
+        choice("--axes", &["--axes"], ANY, &[]),
+        choice("--json", &["--json"], ANY, &[]),
+        choice("--csv", &["--csv"], ANY, &[]),
+        choice("--as", &["--as", "mjcf"], ANY, &[]),
+    ],
+    independent: &[
+        ("--mass", "--mass-unit", "refused: the mass is shared by points that have none of their own"),
+        ("--axes", "--json", "JSON has the principal axes always"),
+        ("--axes", "--csv", "the table has the principal axes always"),
+    ],
+};
+
+const MODELS: &[&str] = &["noted", "flawed", "flawed again"];
+
+static CHECK: Subcommand = Subcommand {
+    name: "check",
+    inputs: &[("noted", &["model.urdf"]), ("flawed", &["model.urdf"]), ("flawed again", &["model.urdf"])],
+    options: &[
+        choice("--root", &["--root", "packages"], MODELS, &[]),
+        choice("--json", &["--json"], MODELS, &[]),
+        choice("--table", &["--table"], MODELS, &[]),
+        choice("--strict", &["--strict"], MODELS, &[]),
+        choice("--fix", &["--fix", "fixed.urdf"], &["flawed"], &[]),
+        choice("--force", &["--force"], &["flawed again"], &["--fix"]),
+    ],
+    independent: &[],
+};
+
+#[test]
+fn pairs_of_inertia() {
+    every_pair_is_honoured_or_refused(&INERTIA);
+}
+
+#[test]
+fn pairs_of_check() {
+    every_pair_is_honoured_or_refused(&CHECK);
+}

@@ -1,0 +1,172 @@
+//! `polhode stability` as its users meet it.
+
+use crate::common::{Scratch, example, json, number, refused, stdout};
+
+const ROD: &str = r#"
+title = "A rod that hangs, and a wheel in it"
+[[body.part]]
+shape = "cylinder"
+radius = "20 mm"
+length = "1.2 m"
+mass = "0.8 kg"
+position = [0, 0, "-0.6 m"]
+[[torque]]
+model = "gravity"
+pivot = [0, 0, 0]
+"#;
+
+#[test]
+fn the_t_handle_has_its_unstable_axis() {
+    let scratch = Scratch::new("stability");
+    let text = stdout(&scratch.run(&["stability", &example("t-handle.toml")]));
+    assert_eq!(text.matches("unstable: a departure grows at").count(), 2, "{text}");
+    assert_eq!(text.matches("stable: a departure goes round it in").count(), 4, "{text}");
+    assert!(!text.contains("small swings"), "{text}");
+    let answer = json(&scratch.run(&["stability", &example("t-handle.toml"), "--json"]));
+    let names: Vec<_> = answer["permanent_rotations"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|r| r["stability"].as_str().unwrap())
+        .collect();
+    assert_eq!(names, ["stable", "stable", "unstable", "unstable", "stable", "stable"]);
+    assert!(answer["small_oscillations"].is_null());
+    assert!(scratch.entries().is_empty());
+}
+
+#[test]
+fn a_hanging_rod_swings_as_a_pendulum_does() {
+    let scratch = Scratch::new("stability-rod");
+    scratch.write("rod.toml", ROD);
+    let answer = json(&scratch.run(&["stability", "rod.toml", "--json"]));
+    let small = &answer["small_oscillations"];
+    assert_eq!((small["equilibrium"].as_str(), small["neutral"].as_u64()), (Some("start"), Some(2)));
+    let moment = 0.8 * (3.0 * 4e-4 + 1.44) / 12.0 + 0.8 * 0.36;
+    let frequency = f64::sqrt(0.8 * 9.80665 * 0.6 / moment);
+    for mode in small["modes"].as_array().unwrap() {
+        assert!((number(&mode["frequency"]) / frequency - 1.0).abs() < 1e-9, "{mode}");
+    }
+    // Away from the equilibrium the nearest one is found, and said to be so.
+    scratch.write(
+        "away.toml",
+        &format!("{ROD}[start]\nattitude = {{ axis = [1, 2, 0], angle = \"25 deg\" }}\n"),
+    );
+    let text = stdout(&scratch.run(&["stability", "away.toml"]));
+    assert!(text.contains("about the nearest equilibrium, 25° from the start: nothing grows"), "{text}");
+    // A wheel along the rod makes two frequencies of the one.
+    scratch.write("wheel.toml", &format!("{ROD}[[wheel]]\naxis = [0, 0, 1]\nmomentum = 0.9\n"));
+    let answer = json(&scratch.run(&["stability", "wheel.toml", "--json"]));
+    let modes = answer["small_oscillations"]["modes"].as_array().unwrap();
+    let product = number(&modes[0]["frequency"]) * number(&modes[1]["frequency"]);
+    assert!(
+        (product / (frequency * frequency) - 1.0).abs() < 1e-9 && answer["wheel_momentum_body"][2] == 0.9
+    );
+}
+
+/// The examples as they are: what is meant is found, though no start is exactly there.
+#[test]
+fn the_steady_motion_that_is_meant_is_found() {
+    let scratch = Scratch::new("stability-meant");
+    let of = |name: &str| json(&scratch.run(&["stability", &example(name), "--json"]));
+    // The satellite turns as its orbit does only to the digits that its file has.
+    let satellite = &of("gravity-gradient.toml")["small_oscillations"];
+    assert_eq!(
+        (satellite["equilibrium"].as_str(), satellite["stable"].as_bool()),
+        (Some("on_orbit"), Some(true))
+    );
+    let all = satellite["on_orbit"].as_array().unwrap();
+    assert_eq!((all.len(), all.iter().filter(|one| one["stable"] == true).count()), (24, 4));
+    let n = number(&satellite["omega_body"][1]);
+    assert!((n / 1.10682e-3 - 1.0).abs() < 1e-5, "{n}");
+    // √3 k in the plane and 2 across, for the smallest swings, k next to 1.
+    let has = |ratio: f64| {
+        let modes = satellite["modes"].as_array().unwrap();
+        modes.iter().any(|mode| (number(&mode["frequency"]) / n - ratio).abs() < 0.05)
+    };
+    assert!(has(3f64.sqrt()) && has(2.0), "{satellite}");
+    // Both tops spin, and nod or tremble a little.
+    let sleeping = &of("sleeping-top.toml")["small_oscillations"];
+    assert_eq!(
+        (sleeping["top"]["path"].as_str(), sleeping["stable"].as_bool()),
+        (Some("sleeping"), Some(true))
+    );
+    assert!(
+        (number(&sleeping["omega_from_start"]) / 2.0 / (std::f64::consts::TAU / 60.0) - 1.0).abs() < 1e-9
+    );
+    let heavy = &of("heavy-top.toml")["small_oscillations"];
+    assert_eq!((heavy["top"]["path"].as_str(), heavy["stable"].as_bool()), (Some("steady_slow"), Some(true)));
+    let lean = number(&heavy["top"]["nutation_rad"]).to_degrees();
+    assert!(lean > 30.0 && lean < 32.9, "{lean}");
+    let text = stdout(&scratch.run(&["stability", &example("heavy-top.toml")]));
+    assert!(text.contains("steady precession, the slower of two: leaning 31.4196°"), "{text}");
+}
+
+#[test]
+fn wheels_are_judged_before_and_after_their_motors() {
+    let scratch = Scratch::new("stability-motors");
+    let answer = json(&scratch.run(&["stability", &example("gyrostat.toml"), "--json"]));
+    assert_eq!((number(&answer["judged_at_s"]), number(&answer["wheel_momentum_body"][2])), (0.0, 0.0));
+    let [after] = answer["later"].as_array().unwrap().as_slice() else { panic!("{answer}") };
+    assert_eq!(number(&after["judged_at_s"]), 25.0);
+    assert!((number(&after["wheel_momentum_body"][2]) - 0.3).abs() < 1e-15);
+    let text = stdout(&scratch.run(&["stability", &example("gyrostat.toml")]));
+    assert!(
+        text.contains("at t = 0, before a motor changes it") && text.contains("from t = 25 s on"),
+        "{text}"
+    );
+}
+
+/// Moments 0.2 and 5 kg·m²: τ = 1/(α L² (1/0.2 − 1/5)).
+#[test]
+fn friction_inside_has_a_word_in_it() {
+    let scratch = Scratch::new("stability-friction");
+    let answer = json(&scratch.run(&["stability", &example("flat-spin.toml"), "--json"]));
+    let last = answer["permanent_rotations"].as_array().unwrap().last().unwrap().clone();
+    assert_eq!((last["stability"].as_str(), last["with_sink"].as_str()), (Some("stable"), Some("leaves")));
+    let l = number(&answer["momentum"]);
+    assert!((number(&last["with_sink_rate"]) / (0.002 * l * l * 4.8) - 1.0).abs() < 1e-12, "{last}");
+    let text = stdout(&scratch.run(&["stability", &example("flat-spin.toml")]));
+    assert_eq!(text.matches("with the sink drifts away: e-fold in 26.0397 s").count(), 2, "{text}");
+    assert!(text.contains("such as ω = (0.400 015, 0, 0) rad/s, of least energy"), "{text}");
+    // Without a sink in the file it is said of what would.
+    let text = stdout(&scratch.run(&["stability", &example("t-handle.toml")]));
+    assert!(text.contains("ends those of most energy too"), "{text}");
+}
+
+#[test]
+fn modes_of_one_frequency_are_told_as_a_plane() {
+    let scratch = Scratch::new("stability-plane");
+    let text = stdout(&scratch.run(&["stability", &example("magnet.toml")]));
+    assert!(text.contains("2 ways, about any axis in the plane of (1, 0, 0) and (0, 1, 0)"), "{text}");
+}
+
+/// A formula that is no number at the start is shown in its line.
+#[test]
+fn a_torque_that_is_no_number_is_shown_in_its_line() {
+    let scratch = Scratch::new("stability-nan");
+    let text = format!(
+        "{ROD}[[torque]]\nmodel = \"formula\"\naxes = \"body\"\ntorque = [\"0\", \"1[N m s]/t\", \"0\"]\n[run]\nduration = \"1 s\"\n"
+    );
+    scratch.write("nan.toml", &text);
+    let text = refused(&scratch.run(&["simulate", "nan.toml"]), 2);
+    assert!(
+        text.contains("torque 2 is not finite at the start") && text.contains("nan.toml:15:16"),
+        "{text}"
+    );
+    assert!(scratch.entries() == ["nan.toml"], "{:?}", scratch.entries());
+}
+
+#[test]
+fn what_cannot_depart_is_refused() {
+    let scratch = Scratch::new("stability-prescribed");
+    let text = refused(&scratch.run(&["stability", &example("notes/11-10-dumbbell.toml")]), 2);
+    assert!(text.contains("is prescribed") && text.contains("hint:"), "{text}");
+    // and what only wheels turn is no free motion
+    scratch.write(
+        "wheel.toml",
+        &format!("{ROD}[[wheel]]\naxis = [0, 0, 1]\nmomentum = 0.9\n")
+            .replace("[[torque]]\nmodel = \"gravity\"\npivot = [0, 0, 0]\n", ""),
+    );
+    let text = refused(&scratch.run(&["spin", "wheel.toml"]), 2);
+    assert!(text.contains("wheels spin in the body"), "{text}");
+}

@@ -1,0 +1,249 @@
+//! Formulas: values against plain Rust, every error with its column, and texts that no stack would survive.
+
+use polhode::{BoxShape, Cubature, DensityField, Solid, mass_properties_of_field};
+use polhode_formats::expression::{
+    Expression, ExpressionErrorKind, formula_of_state, formula_of_time, measured,
+};
+use polhode_formats::unit::Dimension;
+
+const XYZ: [&str; 3] = ["x", "y", "z"];
+
+fn value(text: &str, point: [f64; 3]) -> f64 {
+    Expression::parse(text, &XYZ).unwrap_or_else(|e| panic!("{text}: {e}")).evaluate(point)
+}
+
+#[test]
+fn formulas_have_the_values_that_rust_gives_them() {
+    let [x, y, z] = [0.7_f64, -1.3, 2.9];
+    for (text, expected) in [
+        ("2700", 2700.0),
+        (" .5 + 1.5e-3*2E+1 ", 0.5 + 1.5e-3 * 2e1),
+        ("x - y - z", x - y - z),
+        ("x / y / z", x / y / z),
+        ("x - y * z", x - y * z),
+        ("(x - y) * z", (x - y) * z),
+        ("2^3^2", 512.0),
+        ("-x^2", -(x * x)),
+        ("(-x)^2", x * x),
+        ("2^-1", 0.5),
+        ("2^-x^2", 2_f64.powf(-(x * x))),
+        ("-2^-x*3", -(2_f64.powf(-x)) * 3.0),
+        ("--x", x),
+        ("x - -+-y", x - y),
+        ("x*-y", x * -y),
+        ("z^0.5", z.sqrt()),
+        ("z^-3", 1.0 / (z * z * z)),
+        ("z^5", z * z * z * z * z),
+        ("0^0 + (x - x)^0", 2.0),
+        ("2*pi", std::f64::consts::TAU),
+        ("sqrt(z) + exp(x) + log(z)", z.sqrt() + x.exp() + z.ln()),
+        ("sin(x) - cos(y)*tan(z)", x.sin() - y.cos() * z.tan()),
+        ("asin(x) + acos(x) + atan(z)", x.asin() + x.acos() + z.atan()),
+        ("atan2(y, x)", y.atan2(x)),
+        ("hypot(x, y) + abs(y)", x.hypot(y) + y.abs()),
+        ("min(x, y) - max(y, z)", y - z),
+        ("pow(z, x)", z.powf(x)),
+        ("pow(y, 3)", y * y * y),
+        ("if(x < y, 3, 8)", 8.0),
+        ("if(x > y, 3, 8)", 3.0),
+        ("if(x + 1 >= y * z, x^2, y)", x * x),
+        ("if(z <= 2.9, 1, 2)", 1.0),
+        ("if(y < 0, 0, log(y))", 0.0),
+        ("if(x < z, if(y > 0, 1, if(z > 3, 2, x - 4)), 5)", x - 4.0),
+        ("(x < z) + 10*(z < x)", 1.0),
+        ("3·x × y − z", 3.0 * x * y - z),
+        ("((((x))))", x),
+    ] {
+        let got = value(text, [x, y, z]);
+        assert!((got - expected).abs() <= 4e-16 * expected.abs(), "{text}: {got}, {expected}");
+    }
+    assert!(value("if(log(y), 1, 2)", [x, y, z]).is_nan());
+    assert!(value("max(log(y), 1) + min(1, log(y))", [x, y, z]).is_nan());
+    assert_eq!(value("1/(x - x)", [x, y, z]), f64::INFINITY);
+}
+
+#[test]
+fn many_points_have_the_values_of_one() {
+    let formula = "if(hypot(x, y) < 0.8, 1900 - 300*z^2, 7 + exp(-x*y))*sqrt(abs(z)) + atan2(y, x)";
+    let expression = Expression::parse(formula, &XYZ).unwrap();
+    let points: Vec<[f64; 3]> = (0..1003)
+        .map(|k| {
+            let t = f64::from(k);
+            [(1.3 * t).sin(), (0.7 * t).cos(), (0.11 * t).sin()]
+        })
+        .collect();
+    let mut values = vec![0.0; points.len()];
+    expression.densities(&points, &mut values);
+    for (point, value) in points.iter().zip(&values) {
+        assert_eq!(value.to_bits(), expression.evaluate(*point).to_bits());
+    }
+    // Other names, in other numbers
+    let torque = Expression::parse("-k*omega_x + sin(t)", &["t", "omega_x", "k"]).unwrap();
+    assert_eq!(torque.evaluate([0.0, 3.0, 0.25]), -0.75);
+    assert_eq!(torque.text(), "-k*omega_x + sin(t)");
+    assert!(torque.evaluate([0.0, 3.0]).is_nan());
+}
+
+#[test]
+fn every_mistake_is_named_with_its_column() {
+    for (text, message, hint) in [
+        ("", "column 1: expected a number, a name or (, found the end of the formula", ""),
+        ("  ", "column 3: expected a number, a name or (, found the end of the formula", ""),
+        ("x +", "column 4: expected a number, a name or (, found the end of the formula", ""),
+        ("x + * y", "column 5: expected a number, a name or (, found \"*\"", "x^2"),
+        ("x ** 2", "column 4: expected a number, a name or (, found \"*\"", "x^2"),
+        ("2x", "column 2: expected an operator, ) or the end, found \"x\"", "*"),
+        ("(x + 1)(y)", "column 8: expected an operator, ) or the end, found \"(\"", "*"),
+        ("x y", "column 3: expected an operator, ) or the end, found \"y\"", "*"),
+        ("0,5 * x", "column 2: expected an operator, ) or the end, found \",\"", "point"),
+        ("1.2.3", "column 4: expected an operator, ) or the end, found \".3\"", ""),
+        (".", "column 1: expected a number, found \".\"", ""),
+        ("1e400", "column 1: 1e400 is beyond the range of a double", ""),
+        ("(x + 1", "column 7: expected an operator or ), found the end of the formula", ""),
+        ("x + 1)", "column 6: expected an operator or the end, found \")\"", ""),
+        ("()", "column 2: expected a number, a name or (, found \")\"", ""),
+        ("3 + sine(x)", "column 5: there is no function sine", "sin"),
+        ("3 + foo(x)", "column 5: there is no function foo", "sqrt, exp"),
+        ("3 + x(y)", "column 5: there is no function x", "x*"),
+        ("rho", "column 1: there is no variable rho", "x, y, z"),
+        ("X + 1", "column 1: there is no variable X", "did you mean x?"),
+        ("sin", "column 4: expected ( after a function, found the end of the formula", ""),
+        ("sin x", "column 5: expected ( after a function, found \"x\"", ""),
+        ("if(x > 0, 1)", "column 1: if takes 3 arguments, not 2", ""),
+        ("2 + atan2(x)", "column 5: atan2 takes 2 arguments, not 1", ""),
+        ("sqrt(x, y)", "column 1: sqrt takes 1 arguments, not 2", ""),
+        ("sqrt()", "column 6: expected a number, a name or (, found \")\"", ""),
+        ("max(x,)", "column 7: expected a number, a name or (, found \")\"", ""),
+        ("0 < x < 1", "column 7: a comparison cannot be compared", "if("),
+        ("if(x = 1, 2, 3)", "column 6: expected an operator, ) or the end, found \"=\"", "<="),
+        ("x == 1", "column 3: expected an operator, ) or the end, found \"=\"", "<="),
+        ("x > 0 && y > 0", "column 7: expected an operator, ) or the end, found \"&\"", "if("),
+        ("Δ + µ", "column 1: there is no variable Δ", "x, y, z"),
+        ("x + $", "column 5: expected a number, a name or (, found \"$\"", ""),
+    ] {
+        let error = Expression::parse(text, &XYZ).unwrap_err();
+        assert_eq!(error.to_string(), message, "{text}");
+        assert!(error.hint().unwrap_or_default().contains(hint), "{text}: {:?}", error.hint());
+        assert!(!hint.is_empty() || error.hint().is_none_or(|h| !h.is_empty()), "{text}");
+    }
+    let none = Expression::parse("x", &[]).unwrap_err();
+    assert!(matches!(none.kind, ExpressionErrorKind::UnknownVariable { ref known, .. } if known.is_empty()));
+}
+
+#[test]
+fn deep_and_long_texts_cost_memory_in_proportion_and_no_stack() {
+    const DEEP: usize = 300_000;
+    let nested = format!("{}x{}", "(".repeat(DEEP), ")".repeat(DEEP));
+    assert_eq!(value(&nested, [2.5, 0.0, 0.0]), 2.5);
+    let sums = format!("{}x{}", "1+(".repeat(DEEP), ")".repeat(DEEP));
+    assert_eq!(value(&sums, [2.5, 0.0, 0.0]), 2.5 + DEEP as f64);
+    let roots = format!("{}x{}", "sqrt(".repeat(DEEP), ")".repeat(DEEP));
+    assert_eq!(value(&roots, [1.0, 0.0, 0.0]), 1.0);
+    assert_eq!(value(&format!("{}x", "-".repeat(DEEP + 1)), [2.5, 0.0, 0.0]), -2.5);
+    assert_eq!(value(&format!("{}1", "1^".repeat(DEEP)), [0.0; 3]), 1.0);
+    let open = Expression::parse(&"(".repeat(DEEP), &XYZ).unwrap_err();
+    assert_eq!(open.column, DEEP + 1);
+}
+
+#[test]
+fn no_text_panics() {
+    let parts = [
+        "x", "y", "7", "1e3", "(", ")", ",", "+", "-", "*", "/", "^", "<", ">=", "if(", "min(", "sqrt(",
+        "pi", " ", ".", "é", "e", "=", "\u{202e}",
+    ];
+    let mut state = 9_u64;
+    let mut below = |n: usize| {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        ((u128::from(state) * n as u128) >> 64) as usize
+    };
+    let mut read = 0;
+    for _ in 0..100_000 {
+        let text: String = (0..=below(9)).map(|_| parts[below(parts.len())]).collect();
+        match Expression::parse(&text, &XYZ) {
+            Ok(expression) => {
+                read += 1;
+                let _ = expression.evaluate([0.3, -0.4, 0.5]);
+            }
+            Err(error) => assert!(error.column <= text.chars().count() + 1 && !error.to_string().is_empty()),
+        }
+    }
+    assert!(read > 1000, "{read}");
+}
+
+#[test]
+fn a_formula_is_a_density() {
+    let wood = Expression::parse("650*(1 + 0.3*x) - 200*y^2 + 80*x*z", &XYZ).unwrap();
+    let beam = BoxShape::new([0.4, 0.2, 1.0]).unwrap();
+    let body = mass_properties_of_field(Solid::Shape(&beam), &wood, Cubature::default()).unwrap();
+    // ∫ = 650 V − 200 V b²/12
+    let exact = 0.08 * (650.0 - 200.0 * 0.04 / 12.0);
+    assert!((body.properties.mass() - exact).abs() <= body.error_estimate.mass);
+    // M c_x = 650 · 0.3 V a²/12
+    let moment = body.properties.mass() * body.properties.center_of_mass().x;
+    assert!((moment - 0.08 * 195.0 * 0.16 / 12.0).abs() < 1e-14);
+}
+
+#[test]
+fn units_make_si_and_dimensions_are_found() {
+    for (text, value, dimension) in [
+        ("30[deg/s]*2[s]", std::f64::consts::FRAC_PI_3, Dimension::NONE),
+        ("-1.5e-1 [ mN m ]", -1.5e-4, Dimension::TORQUE),
+        ("t/1[min]", 0.5, Dimension::NONE),
+        ("2[kg m^2]*wx^2", 4.5, Dimension::TORQUE),
+        ("sqrt(wx^2 + 4[rad^2/s^2])", 2.5, Dimension::ANGULAR_VELOCITY),
+        ("(wx^2)^1.5", 3.375, Dimension::new(0, 0, -3, 0)),
+        ("hypot(Lx, 0)*wx", 0.3, Dimension::TORQUE),
+        ("if(t > 20[s], min(wx, 1[1/s]), 0)", 1.0, Dimension::ANGULAR_VELOCITY),
+        ("max(0, -wx)", 0.0, Dimension::ANGULAR_VELOCITY),
+        ("atan2(wx, wx)*4", std::f64::consts::PI, Dimension::NONE),
+        ("wx/t", 0.05, Dimension::ANGULAR_ACCELERATION),
+        ("0*wx + 0", 0.0, Dimension::NONE),
+        ("2^(t/10[s]) + pow(2, wx*2[s])", 16.0, Dimension::NONE),
+    ] {
+        let variables = [
+            ("t", Dimension::TIME),
+            ("wx", Dimension::ANGULAR_VELOCITY),
+            ("Lx", Dimension::ANGULAR_MOMENTUM),
+        ];
+        let (formula, found) = measured(text, &variables, None).unwrap_or_else(|e| panic!("{text}: {e}"));
+        let got = formula.evaluate(&[30.0, 1.5, 0.2]);
+        assert!((got - value).abs() <= 4e-16 * value.abs(), "{text}: {got}");
+        assert_eq!(found, dimension, "{text}");
+    }
+    assert!(formula_of_time("30[deg]*sin(t/2[s])", Dimension::ANGLE).is_ok());
+    assert!(formula_of_time("wx", Dimension::ANGULAR_VELOCITY).is_err());
+}
+
+#[test]
+fn every_wrong_dimension_is_named_with_its_column() {
+    for (text, message, hint) in [
+        ("wx + t", "column 4: + joins an angular velocity and a time", ""),
+        ("1 - 2*wx", "column 3: - joins a plain number and an angular velocity", "such as 30[deg/s]"),
+        ("t < 3", "column 3: < joins a time and a plain number", "such as 90[s]"),
+        ("min(t, wx)", "column 1: min joins a time and an angular velocity", ""),
+        ("if(t, 1, 2)", "column 1: if takes a plain number, not a time", "a comparison"),
+        ("if(t < 1[s], 1, t)", "column 1: if joins a plain number and a time", "90[s]"),
+        ("2 + exp(-t)", "column 5: exp takes a plain number, not a time", "divide by"),
+        ("2^t", "column 2: ^ takes a plain number, not a time", "divide by"),
+        ("t^qw", "column 2: ^ takes a plain number, not a time", "divide by"),
+        (
+            "sqrt(wx)",
+            "column 1: sqrt of an angular velocity leaves no whole powers of kg, m and s",
+            "divide by",
+        ),
+        ("  Lx", "column 3: the value is an angular momentum, where a torque belongs", "such as 30[deg/s]"),
+        ("qw", "column 1: the value is a plain number, where a torque belongs", "such as 0.1[N m]"),
+        ("1[N mm", "column 7: expected ] after a unit, found the end of the formula", ""),
+        ("1[ ]", "column 4: expected a unit, found \"]\"", ""),
+        ("1[Nmn]", "column 3: there is no unit \"Nmn\"", ""),
+        ("wx[N m s]", "column 3: expected an operator, ) or the end, found \"[\"", "after a number"),
+    ] {
+        let error = formula_of_state(text, Some(Dimension::TORQUE)).unwrap_err();
+        assert_eq!(error.to_string(), message, "{text}");
+        assert!(error.hint().unwrap_or_default().contains(hint), "{text}: {:?}", error.hint());
+    }
+    let long = formula_of_state(&"1+".repeat(3000), None).unwrap_err();
+    assert_eq!((long.kind, long.column), (ExpressionErrorKind::TooLong { most: 4096 }, 4097));
+    // A density has no units.
+    assert!(Expression::parse("2700[kg/m^3]", &XYZ).is_err());
+}

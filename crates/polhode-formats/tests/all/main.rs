@@ -1,0 +1,26 @@
+//! The integration tests of `polhode-formats`, as one program: each links the whole library.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test may")]
+
+mod book;
+mod cad;
+mod examples;
+mod expression;
+mod files;
+mod formula;
+mod gltf;
+mod mistakes;
+mod molecule;
+mod motion_errors;
+mod obj;
+mod off;
+mod particles;
+mod ply;
+mod prescribed;
+mod scenario;
+mod stl;
+mod stl_quick;
+mod table;
+mod threemf;
+mod torque_formula;
+mod unit;
+mod voxel;

@@ -1,0 +1,10 @@
+//! The integration tests of `polhode-report`, as one program: each links the whole library.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may")]
+
+mod common;
+mod explain;
+mod export;
+mod golden;
+mod json;
+mod page;
+mod sweep;

@@ -1,0 +1,533 @@
+//! The page as a viewer meets it: what its script holds, and that nothing from outside gets out of it.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
+
+use polhode::ClosedForm;
+use polhode::*;
+use polhode_report::{PageInput, PageSubject, explain_motion, page};
+use serde_json::Value;
+
+const OPEN: &str = "<script id=\"polhode-data\" type=\"application/json\">";
+
+fn html_of(scenario: &Scenario, trajectory: &Trajectory, text: &str) -> String {
+    let explanation = explain_motion(scenario, trajectory).unwrap();
+    page(&PageInput {
+        title: scenario.title.as_deref().unwrap(),
+        source: "polhode simulate",
+        scenario_text: Some(text),
+        subject: PageSubject::Scenario(scenario),
+        trajectory,
+        explanation: Some(&explanation),
+    })
+}
+
+/// What a browser reads in the page's data block: up to the first end of a script.
+fn data(html: &str) -> Value {
+    let (before, rest) = html.split_once(OPEN).unwrap();
+    assert!(!rest.contains(OPEN) && !before.contains(OPEN));
+    serde_json::from_str(rest.split_once("</script").unwrap().0).unwrap()
+}
+
+fn page_of(scenario: &Scenario) -> (Value, Trajectory) {
+    let trajectory = scenario.simulate().unwrap().unwrap();
+    (data(&html_of(scenario, &trajectory, "title = \"x\"")), trajectory)
+}
+
+/// Base64 by the definition: six bits a digit, most significant first.
+fn bytes(text: &Value) -> Vec<u8> {
+    let mut bits: Vec<bool> = Vec::new();
+    for c in text.as_str().unwrap().bytes().filter(|c| *c != b'=') {
+        let digit = match c {
+            b'A'..=b'Z' => c - b'A',
+            b'a'..=b'z' => c - b'a' + 26,
+            b'0'..=b'9' => c - b'0' + 52,
+            b'+' => 62,
+            b'/' => 63,
+            other => panic!("{other} is no digit of base64"),
+        };
+        bits.extend((0..6).rev().map(|k| digit >> k & 1 == 1));
+    }
+    bits.chunks_exact(8).map(|byte| byte.iter().fold(0, |sum, bit| sum << 1 | u8::from(*bit))).collect()
+}
+
+fn doubles(text: &Value) -> Vec<f64> {
+    bytes(text).chunks_exact(8).map(|b| f64::from_le_bytes(b.try_into().unwrap())).collect()
+}
+
+fn floats(text: &Value) -> Vec<f32> {
+    bytes(text).chunks_exact(4).map(|b| f32::from_le_bytes(b.try_into().unwrap())).collect()
+}
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap_or_else(|| panic!("{value} is no number"))
+}
+
+#[test]
+fn the_rows_are_the_trajectory_bit_for_bit() {
+    for scenario in [crate::common::t_handle(), crate::common::thruster(), crate::common::pendulum()] {
+        let (data, trajectory) = page_of(&scenario);
+        let motion = &data["motion"];
+        let samples = trajectory.samples();
+        assert_eq!(number(&motion["count"]), samples.len() as f64);
+        let rows: [(&str, Vec<f64>); 6] = [
+            ("times", samples.iter().map(|s| s.state.time).collect()),
+            ("attitude", samples.iter().flat_map(|s| s.state.attitude.quaternion()).collect()),
+            ("omega", samples.iter().flat_map(|s| s.state.omega.to_array()).collect()),
+            ("momentum", samples.iter().flat_map(|s| s.momentum.to_array()).collect()),
+            ("torque", samples.iter().flat_map(|s| s.torque.to_array()).collect()),
+            ("kinetic", samples.iter().map(|s| s.kinetic_energy).collect()),
+        ];
+        for (key, wanted) in rows {
+            if key == "torque" && scenario.torques.is_empty() {
+                assert_eq!(motion[key], Value::Null);
+                continue;
+            }
+            let bits = |numbers: Vec<f64>| numbers.into_iter().map(f64::to_bits).collect::<Vec<_>>();
+            assert_eq!(bits(doubles(&motion[key])), bits(wanted), "{key}");
+        }
+        // The worst sample of each line is the drift that the reports print.
+        let drift = Drift::of(&trajectory).unwrap();
+        let lines = motion["drift"].as_array().unwrap();
+        let worst = |name: &str| {
+            let line = lines.iter().find(|line| line["name"] == name).unwrap();
+            doubles(&line["values"]).into_iter().fold(0.0, f64::max)
+        };
+        // Of a closed form under torque the impulse is what L has gained: it says nothing.
+        match (scenario.torques.is_empty(), trajectory.solution()) {
+            (true, _) => assert_eq!(worst("L in space"), drift.momentum),
+            (false, Solution::Exact(_)) => assert_eq!(worst("T + U"), drift.total_energy.unwrap()),
+            (false, _) => assert_eq!(worst("L − impulse"), drift.momentum),
+        }
+        assert!(motion["wheels"].as_array().unwrap().is_empty() && motion["complete"] == true);
+    }
+}
+
+#[test]
+fn wheels_events_and_switches_are_on_the_page() {
+    let (data, trajectory) = page_of(&crate::common::gyrostat());
+    let wheels = data["motion"]["wheels"].as_array().unwrap();
+    let [held, turned] = &wheels[..] else { panic!("{wheels:?}") };
+    assert_eq!((&held["name"], &held["speed"]), (&"wheel 1".into(), &Value::Null));
+    let [inertia, torque, from] = crate::common::MOTOR;
+    let h = doubles(&turned["momentum"]);
+    assert!((h[60] - h[0] - torque * (6.0 - from)).abs() < 1e-12);
+    assert_eq!(doubles(&turned["speed"])[0], 12.0);
+    // Without a torque from outside it is L itself that stays.
+    let lines = data["motion"]["drift"].as_array().unwrap();
+    let names: Vec<&str> = lines.iter().filter_map(|line| line["name"].as_str()).collect();
+    assert_eq!(names, ["T − work", "L in space"]);
+    let (first, last) = (trajectory.start().state, trajectory.samples().last().unwrap().state);
+    assert!(first.time == 0.0 && last.time == 6.0 && inertia > 0.0);
+    let rows = |data: &Value, group: &str| -> Vec<[String; 3]> {
+        let groups = data["facts"].as_array().unwrap();
+        let group = groups.iter().find(|g| g["title"] == group).unwrap();
+        let row = |row: &Value| ["label", "value", "note"].map(|key| row[key].as_str().unwrap().to_owned());
+        group["rows"].as_array().unwrap().iter().map(row).collect()
+    };
+    let motion = rows(&data, "Motion");
+    let speed = motion.iter().find(|[label, ..]| label == "Ω of the wheel").unwrap();
+    assert!(speed[1].starts_with("12 → ") && speed[2] == "in the body", "{speed:?}");
+
+    let mut scenario = crate::common::thruster();
+    scenario.torques.push(TorqueModel::Constant(ConstantTorque::Body(Torque::new(0.0, 0.0, -0.9))));
+    scenario.torque_names = vec![None, Some("brake".to_owned())];
+    scenario.switched_off = vec![1];
+    let along = Measure::OmegaBody(Direction::new(0.0, 0.0, 1.0));
+    let action = EventAction::Switch { torque: 1, on: true };
+    scenario.events = vec![Event::new("too fast", along, 0.45, Sense::Rising, action).unwrap()];
+    let (data, trajectory) = page_of(&scenario);
+    let events = data["motion"]["events"].as_array().unwrap();
+    assert_eq!(events.len(), trajectory.events().len());
+    assert!(
+        events[0]["name"] == "too fast" && number(&events[0]["time"]) == trajectory.events()[0].state.time
+    );
+    let motion = rows(&data, "Motion");
+    let brake =
+        motion.iter().find(|[_, value, _]| value.starts_with("brake: constant in body axes")).unwrap();
+    assert_eq!(brake[2], "constant, off until the event \"too fast\"");
+}
+
+#[test]
+fn hostile_text_is_inert() {
+    let evil =
+        "</script><script>alert(1)</script><!--polhode-data--><!-- \" ' & \u{2028} <title>x</title>\\\u{0}";
+    let mut scenario = crate::common::t_handle();
+    scenario.title = Some(evil.to_owned());
+    scenario.parts[0].name = evil.to_owned();
+    scenario.findings[0].message = evil.to_owned();
+    let trajectory = scenario.simulate().unwrap().unwrap();
+    let html = html_of(&scenario, &trajectory, evil);
+    let tame = html_of(&crate::common::t_handle(), &trajectory, "");
+    for mark in ["<script", "</script", "<!--", "-->", "<title>", "</title>"] {
+        assert_eq!(html.matches(mark).count(), tame.matches(mark).count(), "{mark}");
+    }
+    let data = data(&html);
+    for text in [&data["title"], &data["scenario"], &data["body"]["shapes"][0]["name"]] {
+        assert_eq!(*text, evil);
+    }
+    assert!(data["findings"][0]["message"].as_str().unwrap().contains(evil));
+    assert!(html.contains("<title>&lt;/script&gt;&lt;script&gt;alert(1)"));
+    for block in data["explanation"].as_array().unwrap().iter().filter(|b| b["kind"] == "formula") {
+        let markup = block["mathml"].as_str().unwrap();
+        assert!(markup.starts_with("<math ") && !markup.contains("script"), "{markup}");
+    }
+}
+
+#[test]
+fn every_formula_is_set() {
+    for scenario in crate::common::all() {
+        let Some(Ok(trajectory)) = scenario.simulate() else { continue };
+        let data = data(&html_of(&scenario, &trajectory, ""));
+        for block in data["explanation"].as_array().unwrap().iter().filter(|b| b["kind"] == "formula") {
+            let (markup, text) = (block["mathml"].as_str().unwrap(), block["text"].as_str().unwrap());
+            roxmltree::Document::parse(markup).unwrap_or_else(|e| panic!("{markup}: {e}"));
+            // A formula that was not read would stand as text and nothing else.
+            assert!(markup.contains("<mo"), "{text}: {markup}");
+        }
+    }
+}
+
+#[test]
+fn every_scenario_has_a_page_without_a_hole() {
+    for scenario in crate::common::all().into_iter().chain([crate::common::gyrostat()]) {
+        let Some(Ok(trajectory)) = scenario.simulate() else { continue };
+        let data = data(&html_of(&scenario, &trajectory, ""));
+        let title = scenario.title.as_deref().unwrap();
+        let numbers = |value: &Value| doubles(value).into_iter().all(f64::is_finite);
+        for key in ["times", "attitude", "omega", "momentum", "kinetic"] {
+            assert!(numbers(&data["motion"][key]), "{title}: {key}");
+        }
+        for line in data["motion"]["drift"].as_array().unwrap() {
+            assert!(numbers(&line["values"]), "{title}");
+        }
+        if let Some(free) = data["free"].as_object() {
+            for key in ["polhode", "herpolhode", "trace"] {
+                assert!(numbers(&free[key]) && !doubles(&free[key]).is_empty(), "{title}: {key}");
+            }
+        }
+        for x in data["body"]["ellipsoid"].as_array().unwrap() {
+            assert!(number(x) >= 0.0, "{title}");
+        }
+    }
+}
+
+#[test]
+fn the_geometry_is_that_of_the_motion() {
+    let (data, trajectory) = page_of(&crate::common::t_handle());
+    let Solution::Exact(ClosedForm::Free(motion)) = trajectory.solution() else { panic!("not exact") };
+    let free = &data["free"];
+    let l = motion.momentum().norm();
+    assert_eq!(number(&free["momentum"]), l);
+    assert_eq!(number(&free["period"]), motion.period().unwrap());
+    let triples = |value: &Value| -> Vec<[f64; 3]> {
+        doubles(value).chunks_exact(3).map(|p| p.try_into().unwrap()).collect()
+    };
+    let norm = |p: &[f64; 3]| p.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let moments = motion.principal().moments();
+    // On the sphere: this motion keeps 2T/L² = Σ n_k² / i_k, a separatrix has that of the axis 2.
+    let inverse = |p: &[f64; 3]| p.iter().zip(moments).map(|(n, i)| n * n / i).sum::<f64>();
+    let energy = 2.0 * motion.kinetic_energy() / (l * l);
+    for point in triples(&free["trace"]) {
+        assert!((norm(&point) - 1.0).abs() < 1e-14 && (inverse(&point) / energy - 1.0).abs() < 1e-12);
+    }
+    let separatrices = free["separatrix"].as_array().unwrap();
+    assert_eq!(separatrices.len(), 2);
+    for line in separatrices {
+        let points = triples(line);
+        assert_eq!(points.first(), points.last());
+        assert!(points.iter().all(|p| (inverse(p) * moments[1] - 1.0).abs() < 1e-12));
+        let jump = |pair: &[[f64; 3]]| norm(&std::array::from_fn(|k| pair[1][k] - pair[0][k]));
+        assert!(points.windows(2).map(jump).fold(0.0, f64::max) < 0.15);
+    }
+    assert_eq!(free["family"].as_array().unwrap().len(), 20);
+    // The herpolhode is ω in space: in the plane across L at the height 2T/|L|.
+    let normal = motion.momentum().to_array().map(|x| x / l);
+    let height = 2.0 * motion.kinetic_energy() / l;
+    for point in triples(&free["herpolhode"]) {
+        let along: f64 = point.iter().zip(normal).map(|(a, b)| a * b).sum();
+        assert!((along / height - 1.0).abs() < 1e-12);
+    }
+    let polhode = triples(&free["polhode"]);
+    assert_eq!(polhode.first(), polhode.last());
+}
+
+#[test]
+fn parts_are_where_they_are() {
+    let scenario = crate::common::t_handle();
+    let (data, _) = page_of(&scenario);
+    let shapes = data["body"]["shapes"].as_array().unwrap();
+    assert_eq!(shapes.len(), 2);
+    assert_eq!((&shapes[0]["kind"], &shapes[0]["height"]), (&"cylinder".into(), &0.04.into()));
+    let center = scenario.body.center_of_mass().to_array();
+    let part = scenario.parts[1].properties.center_of_mass().to_array();
+    for k in 0..3 {
+        assert!((number(&shapes[1]["position"][k]) - (part[k] - center[k])).abs() < 1e-17);
+    }
+    // Turned by 0.2 rad about z.
+    let q = &shapes[1]["quaternion"];
+    assert!((number(&q[0]) - 0.1_f64.cos()).abs() < 1e-15 && (number(&q[3]) - 0.1_f64.sin()).abs() < 1e-15);
+
+    // A cone's origin is the middle of its base, a tetrahedron's is where it is; both are turned and moved.
+    let cone = Cone::new(0.3, 0.1, 0.8).unwrap();
+    let corners = [[0.1, 0.2, 0.3], [1.1, 0.0, 0.4], [0.3, 0.9, 0.2], [0.2, 0.1, 1.3]];
+    let four = Tetrahedron::new(corners).unwrap();
+    let parts = vec![
+        crate::common::solid("cone", "cone", &cone, 1.3, [0.5, -0.2, 0.7], 0.4),
+        crate::common::solid("four", "tetrahedron", &four, 0.9, [-1.0, 0.3, 0.1], 0.4),
+        crate::common::particles(&[(1.0, [0.0; 3]), (8.0, [0.0, 0.0, 2.0]), (1.0, [0.0, 1.0, 2.0])]),
+    ];
+    let mut scenario = crate::common::scenario("Parts", parts);
+    scenario.pivot = Some(Position::new(0.25, 0.5, -1.0));
+    scenario.start.omega = AngularVelocity::new(0.1, 0.2, 0.3);
+    scenario.run = crate::common::run(1.0, 3);
+    let (data, _) = page_of(&scenario);
+    assert_eq!(data["body"]["about"], "pivot");
+    let shapes = data["body"]["shapes"].as_array().unwrap();
+    let position = |shape: &Value| -> [f64; 3] { std::array::from_fn(|k| number(&shape["position"][k])) };
+    assert_eq!(position(&shapes[0]), [0.25, -0.7, 2.1]);
+    // Triangles look outward: from the middle of the solid each has a positive volume.
+    let points = floats(&shapes[1]["vertices"]);
+    let indices: Vec<u32> = bytes(&shapes[1]["triangles"])
+        .chunks_exact(4)
+        .map(|b| u32::from_le_bytes(b.try_into().unwrap()))
+        .collect();
+    let corner = |k: u32| -> [f32; 3] { points[3 * k as usize..][..3].try_into().unwrap() };
+    let middle: [f32; 3] = std::array::from_fn(|k| (0..4).map(|v| corner(v)[k]).sum::<f32>() / 4.0);
+    for triangle in indices.chunks_exact(3) {
+        let [a, b, c] = [0, 1, 2].map(|k| {
+            let p = corner(triangle[k]);
+            [p[0] - middle[0], p[1] - middle[1], p[2] - middle[2]]
+        });
+        let volume = a[0] * (b[1] * c[2] - b[2] * c[1])
+            + a[1] * (b[2] * c[0] - b[0] * c[2])
+            + a[2] * (b[0] * c[1] - b[1] * c[0]);
+        assert!(volume > 0.0, "{volume}");
+    }
+    // The first vertex, through the shape's place and turn, is the corner of the tetrahedron in the body, from the pivot.
+    let (sin, cos) = 0.4_f64.sin_cos();
+    let local = corner(0).map(f64::from);
+    let [px, py, pz] = position(&shapes[1]);
+    let found = [px + cos * local[0] - sin * local[1], py + sin * local[0] + cos * local[1], pz + local[2]];
+    let [x, y, z] = corners[0];
+    let wanted = [-1.0 + cos * x - sin * y - 0.25, 0.3 + sin * x + cos * y - 0.5, 0.1 + z + 1.0];
+    for (found, wanted) in found.into_iter().zip(wanted) {
+        assert!((found - wanted).abs() < 1e-6, "{found} {wanted}");
+    }
+    // Balls: volumes as masses, sticks as short as may be.
+    let balls = &shapes[2];
+    assert_eq!(floats(&balls["centers"])[..3], [-0.25, -0.5, 1.0]);
+    let radii = floats(&balls["radii"]);
+    assert!((radii[1] / radii[0] - 2.0).abs() < 1e-6);
+    assert_eq!(balls["sticks"].to_string(), "[[0,1],[1,2]]");
+}
+
+/// A wavy ball of n × 2n quadrilaterals, a hundred thousand triangles and more.
+fn potato(n: u32) -> TriangleMesh {
+    let (pi, m) = (std::f64::consts::PI, 2 * n);
+    let point = |i: u32, j: u32| {
+        let (theta, phi) = (pi * f64::from(i) / f64::from(n), 2.0 * pi * f64::from(j) / f64::from(m));
+        let r = 1.0 + 0.1 * (3.0 * phi).sin() * theta.sin().powi(3);
+        [r * theta.sin() * phi.cos() + 5.0, 0.7 * r * theta.sin() * phi.sin(), 1.4 * r * theta.cos()]
+    };
+    // One vertex at each pole, so that the surface is closed.
+    let mut vertices = vec![point(0, 0)];
+    vertices.extend((1..n).flat_map(|i| (0..m).map(move |j| point(i, j))));
+    vertices.push(point(n, 0));
+    let at = |i: u32, j: u32| match i {
+        0 => 0,
+        i if i == n => (n - 1) * m + 1,
+        i => 1 + (i - 1) * m + j % m,
+    };
+    let quads = (0..n).flat_map(|i| (0..m).map(move |j| (i, j)));
+    let triangles = quads
+        .flat_map(|(i, j)| {
+            let [a, b, c, d] = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
+            [[a, b, c], [a, c, d]]
+        })
+        .filter(|[a, b, c]| a != b && b != c && c != a)
+        .collect();
+    TriangleMesh::new(vertices, triangles).unwrap()
+}
+
+#[test]
+fn a_page_of_many_triangles_and_samples_has_two_megabytes() {
+    let mesh = ClosedMesh::of(&potato(230)).unwrap();
+    let triangles = mesh.surface().triangles().len();
+    assert!(triangles > 200_000);
+    let mut scenario = crate::common::scenario(
+        "A potato",
+        vec![crate::common::solid("potato", "mesh", &mesh, 3.0, [0.4, 0.0, -7.0], 0.3)],
+    );
+    scenario.start.omega = AngularVelocity::new(0.3, 0.1, 2.0);
+    for samples in [2_001, 30_000] {
+        scenario.run = crate::common::run(60.0, samples);
+        let trajectory = scenario.simulate().unwrap().unwrap();
+        let html = html_of(&scenario, &trajectory, "");
+        assert!(html.len() <= 2_000_000, "{} bytes", html.len());
+        let data = data(&html);
+        assert_eq!(number(&data["motion"]["count"]), 2001.0);
+        let times = doubles(&data["motion"]["times"]);
+        assert_eq!((times[0], times[2000]), (0.0, 60.0));
+        let shape = &data["body"]["shapes"][0];
+        assert_eq!(number(&shape["of"]), triangles as f64);
+        let shown = bytes(&shape["triangles"]).len() / 12;
+        assert!(shown > 15_000 && shown < triangles, "{shown}");
+        let page = data["facts"].as_array().unwrap().last().unwrap().to_string();
+        assert!(page.contains("potato") && page.contains("made coarser"), "{page}");
+        assert_eq!(page.contains("of 30,000, evenly chosen"), samples == 30_000, "{page}");
+    }
+}
+
+#[test]
+fn moments_alone_have_a_page() {
+    let start =
+        State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.01, 1.0, 0.02) };
+    let motion = FreeMotion::of_moments([3.0, 1.0, 2.5], start).unwrap();
+    let trajectory = Trajectory::of_motion(motion, &[0.0, 1.0, 2.0]).unwrap();
+    let html = page(&PageInput {
+        title: "Moments",
+        source: "polhode spin",
+        scenario_text: None,
+        subject: PageSubject::Moments(motion.principal()),
+        trajectory: &trajectory,
+        explanation: None,
+    });
+    let data = data(&html);
+    assert_eq!(data["body"]["mass"], Value::Null);
+    assert_eq!(data["body"]["inertia"].to_string(), "[[3.0,0.0,0.0],[0.0,1.0,0.0],[0.0,0.0,2.5]]");
+    assert_eq!(data["scenario"], Value::Null);
+    assert_eq!(data["explanation"].to_string(), "[]");
+    assert!(data["free"].is_object());
+}
+
+/// The fields of each interface of `viewer/src/data.ts`, and of each `kind` of its unions.
+fn contract() -> BTreeMap<String, BTreeSet<String>> {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../viewer/src/data.ts");
+    let source = std::fs::read_to_string(path).unwrap();
+    // Without comments: what is left are names, braces and types.
+    let mut code = String::new();
+    let mut rest = source.as_str();
+    while let Some((before, after)) = rest.split_once("/*") {
+        code.push_str(before);
+        rest = after.split_once("*/").unwrap().1;
+    }
+    code.push_str(rest);
+    let mut found = BTreeMap::new();
+    let mut open: Vec<(String, BTreeSet<String>)> = Vec::new();
+    let mut word = String::new();
+    let mut last = String::new();
+    for c in code.chars() {
+        match c {
+            c if c.is_alphanumeric() || c == '"' => word.push(c),
+            _ => {
+                if !word.is_empty() {
+                    let previous = std::mem::replace(&mut last, std::mem::take(&mut word));
+                    if let (Some((name, _)), true) = (open.last_mut(), previous == "kind") {
+                        *name = last.trim_matches('"').to_owned();
+                    }
+                }
+                match c {
+                    '{' => open.push((last.clone(), BTreeSet::new())),
+                    '}' => {
+                        let (name, fields) = open.pop().unwrap();
+                        found.insert(name, fields);
+                    }
+                    ':' => {
+                        if let Some((_, fields)) = open.last_mut() {
+                            fields.insert(last.clone());
+                        }
+                    }
+                    _ => {}
+                }
+            }
+        }
+    }
+    found
+}
+
+#[test]
+fn keys_are_those_of_the_contract() {
+    let contract = contract();
+    let agree = |name: &str, value: &Value, inherited: &[&str]| {
+        let mut wanted = contract.get(name).unwrap_or_else(|| panic!("{name} is not in data.ts")).clone();
+        wanted.extend(inherited.iter().map(|field| (*field).to_owned()));
+        let found: BTreeSet<String> = value.as_object().unwrap().keys().cloned().collect();
+        assert_eq!(found, wanted, "{name}");
+    };
+    let mut kinds = BTreeSet::new();
+    let mesh = ClosedMesh::of(&potato(4)).unwrap();
+    let one = |kind: &'static str, shape: &dyn Shape| {
+        crate::common::solid(kind, kind, shape, 1.5, [0.1, 0.2, 0.3], 0.5)
+    };
+    let mut all = crate::common::all();
+    let mut every = crate::common::scenario(
+        "Every shape",
+        vec![
+            one("box", &BoxShape::new([1.0, 2.0, 3.0]).unwrap()),
+            one("sphere", &Sphere::new(1.0).unwrap()),
+            one("cylinder", &CylinderShell::new(1.0, 2.0, false).unwrap()),
+            one("capsule", &Capsule::new(1.0, 2.0).unwrap()),
+            one("cone", &Cone::new(1.0, 0.0, 2.0).unwrap()),
+            one("torus", &Torus::new(1.0, 0.2).unwrap()),
+            one("rod", &Rod::new(1.0).unwrap()),
+            one("disk", &Disk::new(1.0).unwrap()),
+            one("plate", &Plate::new([1.0, 2.0]).unwrap()),
+            one("mesh", &mesh),
+            crate::common::particles(&[(1.0, [0.0; 3]), (2.0, [1.0, 0.0, 0.0])]),
+        ],
+    );
+    every.start.omega = AngularVelocity::new(0.1, 0.2, 0.3);
+    every.run = crate::common::run(1.0, 3);
+    all.push(every);
+    all.push(crate::common::gyrostat());
+    for scenario in all {
+        let Some(Ok(trajectory)) = scenario.simulate() else { continue };
+        let data = data(&html_of(&scenario, &trajectory, ""));
+        agree("PageData", &data, &["findings"]);
+        agree("BodyData", &data["body"], &[]);
+        agree("principal", &data["body"]["principal"], &[]);
+        agree("MotionData", &data["motion"], &[]);
+        if !data["free"].is_null() {
+            agree("FreeData", &data["free"], &[]);
+        }
+        for line in data["motion"]["drift"].as_array().unwrap() {
+            agree("drift", line, &[]);
+        }
+        for (key, list) in [("wheels", &data["motion"]["wheels"]), ("events", &data["motion"]["events"])] {
+            list.as_array().unwrap().iter().for_each(|one| agree(key, one, &[]));
+        }
+        for group in data["facts"].as_array().unwrap() {
+            agree("FactGroup", group, &[]);
+            group["rows"].as_array().unwrap().iter().for_each(|row| agree("rows", row, &[]));
+        }
+        data["findings"].as_array().unwrap().iter().for_each(|finding| agree("findings", finding, &[]));
+        for shape in data["body"]["shapes"].as_array().unwrap() {
+            let kind = shape["kind"].as_str().unwrap();
+            agree(kind, shape, &["name", "position", "quaternion"]);
+            kinds.insert(kind.to_owned());
+        }
+        for block in data["explanation"].as_array().unwrap() {
+            let kind = block["kind"].as_str().unwrap();
+            agree(kind, block, &[]);
+            kinds.insert(kind.to_owned());
+        }
+    }
+    let shown: Vec<&str> = kinds.iter().map(String::as_str).collect();
+    let every = [
+        "balls",
+        "box",
+        "capsule",
+        "cone",
+        "cylinder",
+        "ellipsoid",
+        "formula",
+        "heading",
+        "lines",
+        "mesh",
+        "table",
+        "text",
+        "torus",
+    ];
+    assert_eq!(shown, every);
+}

@@ -1,0 +1,21 @@
+//! The integration tests of `polhode-robot`, as one program: each links the whole library.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may")]
+
+mod bad_inertials;
+mod check_common;
+mod check_geometry;
+mod check_hostile;
+mod check_languages;
+mod check_mass;
+mod check_pairs;
+mod check_tree;
+mod common;
+mod geometry;
+mod hostile;
+mod lump;
+mod mjcf;
+mod repair;
+mod round_trip;
+mod sdf;
+mod urdf;
+mod valid_models;

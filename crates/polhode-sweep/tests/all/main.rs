@@ -1,0 +1,8 @@
+//! The integration tests of `polhode-sweep`, as one program: each links the whole library.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may")]
+
+mod book;
+mod dataset;
+mod examples;
+mod outcomes;
+mod plan;

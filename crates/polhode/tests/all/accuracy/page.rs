@@ -1,0 +1,112 @@
+//! The page: its words in `page.md`, and the numbers in their places.
+
+use std::fmt::Write as _;
+
+use crate::accuracy::Measured;
+use crate::accuracy::distant::DISTANT;
+use crate::accuracy::elliptic::{FUNCTIONS, Function};
+use crate::accuracy::free_motion::{self, Worst};
+use crate::accuracy::meshes;
+use crate::accuracy::principal_axes;
+
+/// The page, but for its numbers.
+const PAGE: &str = include_str!("page.md");
+
+/// The page with its numbers.
+pub(crate) fn page(measured: &Measured) -> String {
+    let Measured { groups, distant, functions, meshes, axes } = measured;
+    let mut group_list = String::new();
+    for (name, what) in free_motion::GROUPS {
+        writeln!(group_list, "- *{name}*: {what}").unwrap();
+    }
+    let mut far = String::new();
+    for (case, error) in DISTANT.iter().zip(distant) {
+        far += &row([case.what.into(), case.periods.into(), up(*error)]);
+    }
+    let mut elliptic = String::new();
+    for (name, function) in FUNCTIONS.iter().zip(functions) {
+        let Function { values, nearest, ulps } = function;
+        elliptic +=
+            &row([(*name).into(), values.to_string(), (values - nearest).to_string(), ulps.to_string()]);
+    }
+    let spans = free_motion::SPANS.map(|span| span.0).join(" | ");
+    let (cases, rows): (usize, usize) =
+        groups.iter().fold((0, 0), |(c, r), w| (c + w.cases, r + w.rows.iter().sum::<usize>()));
+    PAGE.replace("{cases}", &cases.to_string())
+        .replace("{rows}", &rows.to_string())
+        .replace("{spans}", &spans)
+        .replace("{groups}", &group_list)
+        .replace("{attitude}", &errors(groups, true, |w| w.attitude))
+        .replace("{omega}", &errors(groups, false, |w| w.omega))
+        .replace("{constants}", &constants(groups))
+        .replace("{far}", &far)
+        .replace("{elliptic}", &elliptic)
+        .replace("{meshes}", &mesh_rows(meshes))
+        .replace("{tensors}", &(principal_axes::TENSORS * axes.len()).to_string())
+        .replace("{axes}", &axes_rows(axes))
+}
+
+fn mesh_rows(meshes: &[meshes::Row]) -> String {
+    let line = |mesh: &meshes::Row| {
+        let errors = mesh.errors.map(|error| error.map_or("–".into(), up));
+        let counts = [mesh.triangles.to_string(), mesh.meshes.to_string()];
+        row(counts.into_iter().chain(errors).chain([bound(meshes::PROMISED)]))
+    };
+    meshes.iter().map(line).collect()
+}
+
+fn axes_rows(axes: &[principal_axes::Worst]) -> String {
+    let line = |((name, _), worst): (&principal_axes::Group, &principal_axes::Worst)| {
+        let errors = [worst.rebuilt, worst.orthonormal].map(up);
+        let counts = [(*name).to_owned(), principal_axes::TENSORS.to_string()];
+        row(counts.into_iter().chain(errors).chain([bound(principal_axes::PROMISED)]))
+    };
+    principal_axes::GROUPS.iter().zip(axes).map(line).collect()
+}
+
+fn bound(promised: f64) -> String {
+    format!("{promised:e}")
+}
+
+/// Two significant digits, rounded up; below what a double can tell, only that.
+pub(crate) fn up(x: f64) -> String {
+    if x < 1e-17 {
+        return "< 1e-17".into();
+    }
+    let mut exponent = x.log10().floor() as i32;
+    let mut digits = (x / 10f64.powi(exponent - 1)).ceil();
+    if digits >= 100.0 {
+        (digits, exponent) = (10.0, exponent + 1);
+    }
+    format!("{:.1}e{exponent}", digits / 10.0)
+}
+
+fn row(cells: impl IntoIterator<Item = String>) -> String {
+    format!("| {} |\n", cells.into_iter().collect::<Vec<_>>().join(" | "))
+}
+
+/// Group, cases, rows, and an error for each span.
+fn errors(groups: &[Worst], rows: bool, of: impl Fn(&Worst) -> [f64; free_motion::SPANS.len()]) -> String {
+    let mut text = String::new();
+    let sum = |w: &Worst| w.rows.iter().sum::<usize>().to_string();
+    for ((name, _), worst) in free_motion::GROUPS.iter().zip(groups) {
+        let counts = if rows { vec![worst.cases.to_string(), sum(worst)] } else { Vec::new() };
+        let spans =
+            of(worst).into_iter().zip(worst.rows).map(|(e, n)| if n == 0 { "–".into() } else { up(e) });
+        text += &row([(*name).to_string()].into_iter().chain(counts).chain(spans));
+    }
+    text
+}
+
+fn constants(groups: &[Worst]) -> String {
+    let cells = |worst: &Worst| worst.constants.map(|error| error.map_or("–".into(), up));
+    let line =
+        |(group, worst): (&(&str, &str), &Worst)| row([group.0.to_string()].into_iter().chain(cells(worst)));
+    free_motion::GROUPS.iter().zip(groups).map(line).collect()
+}
+
+#[test]
+fn errors_are_rounded_up_to_two_digits() {
+    let texts = [1.01e-16, 9.91e-16, 2.45e-9, 1.0, 2e-304].map(up);
+    assert_eq!(texts, ["1.1e-16", "1.0e-15", "2.5e-9", "1.0e0", "< 1e-17"]);
+}

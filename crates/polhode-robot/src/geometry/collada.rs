@@ -1,7 +1,7 @@
 //! The triangles of a COLLADA file (.dae).
 //!
 //! Meshes by `<triangles>`, `<polylist>` and `<polygons>`, each placed as the nodes of the scene place it, in the file's unit. `<up_axis>` is
-//! not applied, as RViz and Gazebo do not apply it; [`is_y_up`] says where others would. Polygons are fans. What it does not read, skins, nodes of a
+//! not applied, as RViz and Gazebo do not apply it; `is_y_up` says where others would. Polygons are fans. What it does not read, skins, nodes of a
 //! library, strips, is an error.
 //!
 //! Source: COLLADA 1.4.1 specification, Khronos Group 2008.

@@ -134,3 +134,21 @@ fn a_face_with_thousands_of_corners_is_not_made_anew_for_each() {
     let hull = ConvexHull::of(&prism).unwrap();
     assert_eq!((hull.vertices().len(), hull.triangles().len()), (20_000, 39_996));
 }
+
+#[test]
+fn a_corner_of_twenty_thousand_faces_is_no_work_for_each_pair_of_them() {
+    // On the moment curve (t, t², t³) every point is a corner, and its two ends belong to every other face (Gale's evenness).
+    let n = 20_000;
+    let points: Vec<[f64; 3]> = (0..n)
+        .map(|k| {
+            let t = 2.0 * f64::from(k) / f64::from(n - 1) - 1.0;
+            [t, t * t, t * t * t]
+        })
+        .collect();
+    let hull = ConvexHull::of(&points).unwrap();
+    assert_eq!((hull.vertices().len(), hull.triangles().len()), (20_000, 39_996));
+    let solid = ClosedMesh::of(&hull).unwrap();
+    // Of the whole curve Π B(k, k), k = 1, 2, 3, for 0 ≤ t ≤ 1 (Karlin & Shapley 1953), times 2 · 4 · 8.
+    assert!((solid.volume() - 16.0 / 45.0).abs() < 1e-7, "{}", solid.volume());
+    assert!(solid.diagnosis().overlaps.is_empty());
+}

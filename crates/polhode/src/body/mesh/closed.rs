@@ -89,7 +89,7 @@ impl ClosedMesh {
         let triangles = turned.collect();
         let mut vertices = welded.points;
         vertices.as_flattened_mut().iter_mut().for_each(|c| *c *= welded.unit);
-        let surface = TriangleMesh { vertices, triangles };
+        let surface = TriangleMesh { vertices, triangles, is_hull: mesh.is_hull };
         let polyhedron = Polyhedron { points: &surface.vertices, corners: &surface.triangles, threads };
         let integrals = polyhedron.integrate()?;
         let mut spread = integrals.spread;

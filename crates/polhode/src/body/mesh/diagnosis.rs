@@ -148,10 +148,14 @@ impl Analysis {
         let tree = Tree::of(&welded, has_area, threads);
         let windings = Windings { welded: &welded, tree: &tree, patches: &patches };
         measured.nest(&windings, threads);
-        let layers = Layers::of(&welded, &tree, &edges, &measured.collinear);
-        let doubtful = tree.part(&welded, layers.doubtful(threads), threads);
-        let meetings =
-            Meetings::of(&windings, &edges, &doubtful, lowest_winding(&measured.components), threads);
+        let meetings = if mesh.is_hull {
+            // A corner of many faces has as many pairs as their square, and none of them meet elsewhere.
+            Meetings::default()
+        } else {
+            let layers = Layers::of(&welded, &tree, &edges, &measured.collinear);
+            let doubtful = tree.part(&welded, layers.doubtful(threads), threads);
+            Meetings::of(&windings, &edges, &doubtful, lowest_winding(&measured.components), threads)
+        };
         let diagnosis = Findings { welded: &welded, edges: &edges }.diagnosis(measured, &meetings);
         Self { welded, patches, diagnosis }
     }

@@ -286,6 +286,6 @@ impl<'a> Growing<'a> {
             vertices.push(*point);
         }
         let triangles = faces.map(|face| face.corners.map(|v| number[v as usize])).collect();
-        TriangleMesh { vertices, triangles }
+        TriangleMesh { vertices, triangles, is_hull: true }
     }
 }

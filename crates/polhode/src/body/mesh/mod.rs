@@ -43,6 +43,8 @@ pub type Triangle = [[f64; 3]; 3];
 pub struct TriangleMesh {
     vertices: Vec<[f64; 3]>,
     triangles: Vec<[u32; 3]>,
+    /// It was made as a convex hull, by exact signs: nothing of it goes through itself.
+    is_hull: bool,
 }
 
 impl TriangleMesh {
@@ -65,7 +67,7 @@ impl TriangleMesh {
                 }
             }
         }
-        Ok(Self { vertices, triangles })
+        Ok(Self { vertices, triangles, is_hull: false })
     }
 
     /// Triangles that share nothing by index, as STL has them.
@@ -88,7 +90,7 @@ impl TriangleMesh {
             return Err(BodyError::Vertex { triangle: k + 1, vertex: vertex.unwrap_or_default() });
         }
         let indices = (0..triangles.len() as u32).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect();
-        Ok(Self { vertices: triangles.into_flattened(), triangles: indices })
+        Ok(Self { vertices: triangles.into_flattened(), triangles: indices, is_hull: false })
     }
 
     /// The vertices, m.
@@ -115,6 +117,7 @@ impl TriangleMesh {
         let first = self.vertices.len() as u32;
         self.triangles.extend(other.triangles.iter().map(|corners| corners.map(|index| index + first)));
         self.vertices.extend_from_slice(&other.vertices);
+        self.is_hull = false;
         Ok(self)
     }
 

@@ -78,8 +78,8 @@ impl MeshSolid {
         let (parts, joined) =
             solids(&contents.parts).map_err(|NoSolid { part: MeshPart { name, mesh }, error }| {
                 // the numbers of the complaint as they stand in the file
-                let error = ClosedMesh::of(&mesh.scaled(1.0 / unit)).err().unwrap_or(error);
-                let part = (!name.is_empty()).then(|| escaped(&name));
+                let error = ClosedMesh::of(&mesh.clone().scaled(1.0 / unit)).err().unwrap_or(error);
+                let part = (!name.is_empty()).then(|| escaped(name));
                 FormatError::new(path, None, FormatErrorKind::Mesh { part, error })
             })?;
         let mut findings = contents.findings;
@@ -115,13 +115,13 @@ impl MeshSolid {
 }
 
 /// A part that bounds no solid, and why not.
-struct NoSolid {
-    part: MeshPart,
+struct NoSolid<'a> {
+    part: &'a MeshPart,
     error: BodyError,
 }
 
 /// Each part's solid, or that of all together.
-fn solids(parts: &[MeshPart]) -> Result<(Vec<SolidPart>, Option<Finding>), NoSolid> {
+fn solids(parts: &[MeshPart]) -> Result<(Vec<SolidPart>, Option<Finding>), NoSolid<'_>> {
     let mut solids = Vec::new();
     for part in parts {
         match ClosedMesh::of(&part.mesh) {
@@ -133,7 +133,7 @@ fn solids(parts: &[MeshPart]) -> Result<(Vec<SolidPart>, Option<Finding>), NoSol
                 } else {
                     None
                 };
-                let Some(mesh) = one else { return Err(NoSolid { part: part.clone(), error }) };
+                let Some(mesh) = one else { return Err(NoSolid { part, error }) };
                 let finding = Finding {
                     code: "mesh.joined",
                     severity: Severity::Info,

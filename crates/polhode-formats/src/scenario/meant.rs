@@ -3,7 +3,7 @@
 use crate::text::cut;
 
 /// A key of others, a key that has to be known in its place, and the advice.
-const KEYS: [(&str, &str, &str); 35] = [
+const KEYS: [(&str, &str, &str); 41] = [
     ("euler", "euler313", EULER),
     ("roll", "euler313", EULER),
     ("rpy", "euler313", EULER),
@@ -39,7 +39,18 @@ const KEYS: [(&str, &str, &str); 35] = [
     ("kind", "shape", "write shape = \"box\", or another shape"),
     ("runs", "members", "write members = 1000"),
     ("samples", "members", "write members = 1000"),
+    ("altitude", "attitude", ORBIT_OF_TORQUE),
+    ("height", "attitude", ORBIT_OF_TORQUE),
+    ("euler", "attitude", IN_ATTITUDE),
+    ("roll", "attitude", IN_ATTITUDE),
+    ("damping", "attitude", DAMPING_OF_TORQUE),
+    ("damping", "coefficient", "how much a torque damps is its coefficient"),
 ];
+
+const ORBIT_OF_TORQUE: &str = "a height belongs to the orbit of a torque, as its radius from the centre: orbit = { radius = \"6778 km\", … }";
+const IN_ATTITUDE: &str = "angles stand in attitude = { … }: euler313, about z, x and z in turn; what other sequences, yaw, pitch and roll among \
+                           them, come to, give there as quaternion = [w, x, y, z] or as a matrix";
+const DAMPING_OF_TORQUE: &str = "damping is a torque: a [[torque]] with model = \"drag\" and its coefficient, or \"energy_sink\" for friction inside the body";
 
 const EULER: &str = "three angles are read about z, x and z in turn: euler313 = [\"30 deg\", \"20 deg\", \"10 deg\"]; what other \
                      sequences, yaw, pitch and roll among them, come to, give as quaternion = [w, x, y, z] or as a matrix";

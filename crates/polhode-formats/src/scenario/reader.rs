@@ -49,9 +49,9 @@ impl Source<'_> {
     pub(crate) fn syntax(&self, error: &toml::de::Error) -> FormatError {
         let message = error.message().to_owned();
         let hint = match message.as_str() {
-            "duplicate key" => {
-                Some("a key stands once in its table; for one more part write another [[body.part]]")
-            }
+            "duplicate key" => Some(
+                "a key stands once in its table; one more part, torque or event begins with its own [[body.part]], [[torque]] or [[event]]",
+            ),
             m if m.starts_with("string values must be quoted") => {
                 Some("a quantity with a unit is a string in quotes, such as \"25 mm\"")
             }

@@ -325,6 +325,9 @@ fn words_of_others_are_told_ours() {
     }
     for (wrong, says) in [
         (spun("attitude = { euler321 = [1, 2, 3] }"), "about z, x and z in turn"),
+        (spun("euler321 = [1, 2, 3]"), "angles stand in attitude = { … }"),
+        (spun("altitude = '500 km'"), "belongs to the orbit of a torque"),
+        (spun("damping = 0.1"), "damping is a torque"),
         (spun("attitude = { euler_zyx = [1, 2, 3] }"), "about z, x and z in turn"),
         (
             turned("model = 'gravity_gradient'\norbit = { period = '90 min' }"),

@@ -158,19 +158,21 @@ fn overlap(parts: &[MeshPart], solids: &[SolidPart]) -> Option<Finding> {
         mesh: if solid.mesh.inverted() { solid.mesh.surface().clone() } else { part.mesh.clone() },
     });
     let error = joined(&outward.collect::<Vec<_>>()).and_then(|all| ClosedMesh::of(&all)).err()?;
+    let say =
+        |message| Finding { code: "mesh.parts_overlap", severity: Severity::Warning, message, place: None };
+    if matches!(error, BodyError::OverlapsUndecided { .. }) {
+        return Some(say(error.to_string()));
+    }
     let twice = matches!(
         error,
         BodyError::OverlappingMesh { .. }
             | BodyError::NestedSolid { .. }
             | BodyError::DuplicateTriangle { .. }
     );
-    twice.then(|| Finding {
-        code: "mesh.parts_overlap",
-        severity: Severity::Warning,
-        message: format!(
+    twice.then(|| {
+        say(format!(
             "what parts share counts for each of them: {error} (triangles numbered through all parts)"
-        ),
-        place: None,
+        ))
     })
 }
 

@@ -104,6 +104,13 @@ pub enum BodyError {
         /// Where they cross, in the mesh's own units.
         point: [f64; 3],
     },
+    /// A mesh of so many triangles so near each other that it cannot be found out whether parts of it overlap.
+    OverlapsUndecided {
+        /// How many triangles it has.
+        triangles: usize,
+        /// Steps that were not enough.
+        steps: u64,
+    },
     /// A mesh with a part that is wound outward within another: as a solid it would count twice, as a cavity it is wound wrong.
     NestedSolid {
         /// How many there are.
@@ -193,6 +200,11 @@ impl fmt::Display for BodyError {
                  the first triangles {t} and {u} near {point:?}",
                 counted(*pairs)
             ),
+            Self::OverlapsUndecided { triangles, steps } => write!(
+                f,
+                "so many of the mesh's {triangles} triangles are so near each other that it was not found out whether parts of it \
+                 overlap: that would take more than {steps} steps"
+            ),
             Self::NestedSolid { parts, triangle, volume } => write!(
                 f,
                 "a part of the mesh lies in another and is wound outward as that one is, so its volume ({volume:e}) counts twice: \
@@ -252,6 +264,9 @@ impl BodyError {
             Self::OverlappingMesh { .. } => {
                 Some("unite the solids in the tool that made the mesh (boolean union)")
             }
+            Self::OverlapsUndecided { .. } => Some(
+                "divide long thin triangles, and corners or edges of very many triangles, in the tool that made the mesh",
+            ),
             Self::NestedSolid { .. } => Some(
                 "a cavity is wound inward: turn its normals; a solid within a solid is to be united with it",
             ),

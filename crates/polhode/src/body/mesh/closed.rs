@@ -29,7 +29,8 @@ use crate::body::shape::{Extent, Shape, Spread};
 ///
 /// What is refused: a shell wound *outward* within a solid ([`BodyError::NestedSolid`]), as it may be a cavity that was wound wrong or a solid
 /// that counts twice; parts that go through each other ([`BodyError::OverlappingMesh`]); parts wound inward beside others wound outward
-/// ([`BodyError::InvertedPart`]); what is open, one-sided, there twice, or flat.
+/// ([`BodyError::InvertedPart`]); what is open, one-sided, there twice, or flat; and what has so many triangles so near each other that all
+/// this cannot be found out ([`BodyError::OverlapsUndecided`]).
 ///
 /// ```
 /// use polhode::{ClosedMesh, Shape, Substance};
@@ -55,8 +56,8 @@ impl ClosedMesh {
     ///
     /// # Errors
     /// [`BodyError::Empty`], [`BodyError::OpenMesh`], [`BodyError::Unorientable`], [`BodyError::InconsistentWinding`],
-    /// [`BodyError::DuplicateTriangle`], [`BodyError::NestedSolid`], [`BodyError::InvertedPart`], [`BodyError::OverlappingMesh`] or
-    /// [`BodyError::FlatMesh`]; [`BodyError::Parameter`] if f64 does not hold its volume.
+    /// [`BodyError::DuplicateTriangle`], [`BodyError::NestedSolid`], [`BodyError::InvertedPart`], [`BodyError::OverlappingMesh`],
+    /// [`BodyError::OverlapsUndecided`] or [`BodyError::FlatMesh`]; [`BodyError::Parameter`] if f64 does not hold its volume.
     pub fn of(mesh: &TriangleMesh) -> Result<Self, BodyError> {
         Self::on(mesh, Threads::of_machine())
     }
@@ -78,7 +79,7 @@ impl ClosedMesh {
     }
 
     fn on(mesh: &TriangleMesh, threads: Threads) -> Result<Self, BodyError> {
-        let Analysis { welded, patches, diagnosis } = Analysis::of(mesh, threads);
+        let Analysis { welded, patches, diagnosis, .. } = Analysis::of(mesh, threads);
         require_closed(&diagnosis)?;
         let inverted = require_nested(&diagnosis)?;
         let proper = (0..welded.corners.len()).filter(|&t| patches.component[t] != NONE);
@@ -194,8 +195,11 @@ fn require_closed(diagnosis: &MeshDiagnosis) -> Result<(), BodyError> {
 }
 
 /// Refuses parts that count twice or negative; true if all of the mesh is wound inward.
-fn require_nested(diagnosis: &MeshDiagnosis) -> Result<bool, BodyError> {
+pub(super) fn require_nested(diagnosis: &MeshDiagnosis) -> Result<bool, BodyError> {
     let components = &diagnosis.components;
+    if let Some(steps) = diagnosis.undecided {
+        return Err(BodyError::OverlapsUndecided { triangles: diagnosis.triangles, steps });
+    }
     let first = |role| components.iter().find(|component| component.role == role);
     let (inverted, inner) = (first(ComponentRole::Inverted), first(ComponentRole::InnerSolid));
     let (solid, cavity) = (first(ComponentRole::Solid), first(ComponentRole::Cavity));

@@ -1,9 +1,10 @@
 //! The parts of a mesh that hang together, and what each is.
 
-use super::inside::Windings;
+use super::inside::{Nesting, Windings};
 use super::patches::{Patch, Patches};
 use super::threads::Threads;
 use super::weld::{NONE, Welded};
+use super::work::Work;
 use crate::math::sum::Sum;
 use crate::math::symmetric3::power_of_two_near;
 
@@ -110,8 +111,12 @@ impl Measured {
         if components.len() < 2 {
             return;
         }
+        let within = BoxesWithin::of(components);
         let nestings = threads.map_pieces(components.len(), COMPONENTS, |piece| {
-            let nesting = |k: usize| windings.nesting(self.largest[k], volume);
+            let nesting = |k: usize| {
+                let may_be = within.is_in_another(k, windings.work);
+                if may_be { windings.nesting(self.largest[k], volume) } else { Nesting::default() }
+            };
             piece.map(nesting).collect::<Vec<_>>()
         });
         for (component, nesting) in self.components.iter_mut().zip(nestings.into_iter().flatten()) {
@@ -122,6 +127,72 @@ impl Measured {
                 (role, _) => role,
             };
         }
+    }
+}
+
+/// Which boxes of components lie in others: what lies in another has its box in that one's.
+struct BoxesWithin<'a> {
+    components: &'a [MeshComponent],
+    /// The axis along which they overlap least.
+    axis: usize,
+    /// By where they begin along it.
+    order: Vec<usize>,
+    /// A complete binary tree over the order: the farthest that a box of a node reaches.
+    farthest: Vec<f64>,
+}
+
+impl<'a> BoxesWithin<'a> {
+    fn of(components: &'a [MeshComponent]) -> Self {
+        let spread = |axis: usize| {
+            let ends = components.iter().map(|c| [c.bounds[0][axis], c.bounds[1][axis]]);
+            let none = (f64::INFINITY, f64::NEG_INFINITY, 0.0);
+            let add = |(low, high, sum): (f64, f64, f64), [from, to]: [f64; 2]| {
+                (low.min(from), high.max(to), sum + (to - from))
+            };
+            let (low, high, sum) = ends.fold(none, add);
+            (high - low) / sum
+        };
+        let axis = (0..3).max_by(|&i, &j| spread(i).total_cmp(&spread(j))).unwrap_or(0);
+        let [low, high] = [0, 1].map(|end| move |k: usize| components[k].bounds[end][axis]);
+        let mut order: Vec<usize> = (0..components.len()).collect();
+        order.sort_by(|&i, &j| low(i).total_cmp(&low(j)));
+        let leaves = order.len().next_power_of_two();
+        let mut farthest = vec![f64::NEG_INFINITY; 2 * leaves];
+        farthest[leaves..].iter_mut().zip(&order).for_each(|(node, &k)| *node = high(k));
+        for node in (1..leaves).rev() {
+            farthest[node] = farthest[2 * node].max(farthest[2 * node + 1]);
+        }
+        Self { components, axis, order, farthest }
+    }
+
+    fn is_in_another(&self, k: usize, work: &Work) -> bool {
+        let [low, high] = self.components[k].bounds;
+        let around = |j: usize| {
+            let bounds = &self.components[j].bounds;
+            j != k && (0..3).all(|i| bounds[0][i] <= low[i] && high[i] <= bounds[1][i])
+        };
+        let begin_before =
+            self.order.partition_point(|&j| self.components[j].bounds[0][self.axis] <= low[self.axis]);
+        let leaves = self.farthest.len() / 2;
+        let (mut waiting, mut steps) = (vec![(1, leaves)], 0);
+        let found = loop {
+            let Some((node, covered)) = waiting.pop() else { break false };
+            if work.is_spent() {
+                break false;
+            }
+            steps += 1;
+            let first = node * covered - leaves;
+            if first >= begin_before || self.farthest[node] < high[self.axis] {
+                continue;
+            }
+            if covered > 1 {
+                waiting.extend([(2 * node, covered / 2), (2 * node + 1, covered / 2)]);
+            } else if around(self.order[first]) {
+                break true;
+            }
+        };
+        work.take(steps);
+        found
     }
 }
 

@@ -10,12 +10,14 @@ use super::patches::{Patches, is_balanced, join};
 use super::threads::Threads;
 use super::tree::Tree;
 use super::weld::{NONE, Welded, is_proper};
+use super::work::Work;
 
 /// What is right and wrong with a mesh, and where: everything that [`ClosedMesh`](crate::ClosedMesh) refuses, corrects or mentions.
 ///
 /// Corners are the same vertex when their coordinates are equal, exactly, and whether triangles cross is decided by exact signs: there is
 /// no tolerance. The numbers are the same for any number of threads. Time and memory go with the triangles, and with the pairs of them
-/// that are near each other; of those that overlap no more are looked at than are counted.
+/// that are near each other; of those that overlap no more are looked at than are counted. Of triangles that are there again, the same way
+/// round, only one is compared with others.
 ///
 /// ```
 /// use polhode::{ComponentRole, MeshDiagnosis, TriangleMesh};
@@ -64,6 +66,9 @@ pub struct MeshDiagnosis {
     pub contacts: Faults<PairPlace>,
     /// Parts that hang together by their edges, by their first triangles.
     pub components: Vec<MeshComponent>,
+    /// So many triangles are so near each other that it was not found out which of them overlap, and which parts lie in which: more steps
+    /// would be needed than this, 300 million and 2,000 for each triangle.
+    pub undecided: Option<u64>,
 }
 
 /// How often something was found, and the first in the mesh's order.
@@ -133,10 +138,18 @@ pub(crate) struct Analysis {
     pub(crate) welded: Welded,
     pub(crate) patches: Patches,
     pub(crate) diagnosis: MeshDiagnosis,
+    /// What it took to look for what meets.
+    #[cfg(test)]
+    pub(super) steps: u64,
 }
 
 impl Analysis {
     pub(crate) fn of(mesh: &TriangleMesh, threads: Threads) -> Self {
+        Self::within(STEPS + STEPS_EACH * mesh.triangles().len() as u64, mesh, threads)
+    }
+
+    /// With so many steps for what is looked for among the triangles.
+    pub(super) fn within(steps: u64, mesh: &TriangleMesh, threads: Threads) -> Self {
         let welded = Welded::of(mesh, threads);
         let corners = &welded.corners;
         let edges = Edges::of(corners, welded.points.len(), threads);
@@ -146,20 +159,38 @@ impl Analysis {
         let has_area =
             |t: usize| patches.component[t] != NONE && measured.collinear.binary_search(&(t as u32)).is_err();
         let tree = Tree::of(&welded, has_area, threads);
-        let windings = Windings { welded: &welded, tree: &tree, patches: &patches };
+        let work = Work::of(steps);
+        let windings = Windings { welded: &welded, tree: &tree, patches: &patches, work: &work };
         measured.nest(&windings, threads);
         let meetings = if mesh.is_hull {
             // A corner of many faces has as many pairs as their square, and none of them meet elsewhere.
             Meetings::default()
         } else {
             let layers = Layers::of(&welded, &tree, &edges, &measured.collinear);
-            let doubtful = tree.part(&welded, layers.doubtful(threads), threads);
+            let (mut doubtful, again) = (layers.doubtful(threads), edges.again());
+            doubtful.retain(|t| again.binary_search(t).is_err());
+            let doubtful = tree.part(&welded, doubtful, threads);
             Meetings::of(&windings, &edges, &doubtful, lowest_winding(&measured.components), threads)
         };
-        let diagnosis = Findings { welded: &welded, edges: &edges }.diagnosis(measured, &meetings);
-        Self { welded, patches, diagnosis }
+        let undecided = work.is_spent().then_some(steps);
+        // What was found until then depends on the threads.
+        let meetings = if undecided.is_some() { Meetings::default() } else { meetings };
+        let findings = Findings { welded: &welded, edges: &edges };
+        let diagnosis = MeshDiagnosis { undecided, ..findings.diagnosis(measured, &meetings) };
+        Self {
+            welded,
+            patches,
+            diagnosis,
+            #[cfg(test)]
+            steps: work.done(),
+        }
     }
 }
+
+/// Steps for a mesh, and more for each of its triangles: most are visits of a line at a triangle. Walls of touching bricks take some 400 for
+/// each.
+const STEPS: u64 = 300_000_000;
+const STEPS_EACH: u64 = 2_000;
 
 /// How often a sound mesh winds about what is before its triangles: not at all, or, if all of it is wound inward, −1 times.
 fn lowest_winding(components: &[MeshComponent]) -> Option<i32> {
@@ -197,6 +228,7 @@ impl Findings<'_> {
             self_overlaps: self.at_pairs(&meetings.within),
             contacts: self.at_pairs(&meetings.contacts),
             components: measured.components,
+            undecided: None,
         }
     }
 

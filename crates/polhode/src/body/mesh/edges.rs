@@ -1,5 +1,6 @@
 //! Which triangles meet along which edge.
 
+use std::collections::{HashMap, HashSet};
 use std::sync::atomic::{AtomicU32, Ordering};
 
 use super::threads::Threads;
@@ -47,6 +48,24 @@ impl Edges {
 
     const fn none() -> Self {
         Self { twin: vec![], boundary: vec![], inconsistent: vec![], crowded: vec![], duplicates: vec![] }
+    }
+
+    /// Triangles with the same corners as an earlier one, the same way round, ascending.
+    pub(crate) fn again(&self) -> Vec<u32> {
+        // Of each, the first with its corners and whether it is the other way round. A list of pairs goes from each one to the next.
+        let mut first: HashMap<u32, (u32, bool)> = HashMap::new();
+        let mut turned = HashSet::new();
+        let mut again = Vec::new();
+        for &(t, u, same_way) in &self.duplicates {
+            let (root, is_turned) = *first.entry(t).or_insert((t, false));
+            let is_turned = is_turned == same_way;
+            first.insert(u, (root, is_turned));
+            if !is_turned || !turned.insert(root) {
+                again.push(u);
+            }
+        }
+        again.sort_unstable();
+        again
     }
 
     /// The other half-edge of an edge with two triangles, or [`NONE`].

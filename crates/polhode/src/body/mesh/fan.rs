@@ -20,15 +20,15 @@ pub(crate) fn overlapping(welded: &Welded, patches: &Patches, edge: &[u32]) -> O
     let mut wings: Vec<Wing> = Vec::with_capacity(edge.len());
     for &half in edge {
         let tip = welded.points[opposite(corners, half) as usize];
-        let first = wings.first().map_or(tip, |wing| wing.tip);
+        let first = wings.first().map_or(tip, |wing| wing.angle.tip);
         let triangle = half / 3;
         let forward = (start_of(corners, half) == start) != patches.against[triangle as usize];
         // A triangle without an area has no place in the order; beside it nothing can be said.
-        let quarter = fan.quarter(first, tip)?;
-        wings.push(Wing { triangle, tip, quarter, step: if forward { -1 } else { 1 } });
+        let angle = fan.angle(first, tip)?;
+        wings.push(Wing { triangle, angle, step: if forward { -1 } else { 1 } });
     }
-    wings.sort_by(|a, b| fan.order(a, b));
-    let steps: Vec<&[Wing]> = wings.chunk_by(|a, b| fan.order(a, b).is_eq()).collect();
+    wings.sort_by(|a, b| fan.order(&a.angle, &b.angle));
+    let steps: Vec<&[Wing]> = wings.chunk_by(|a, b| fan.order(&a.angle, &b.angle).is_eq()).collect();
     let height = |wings: &[Wing]| wings.iter().map(|wing| wing.step).sum::<i32>();
     let (mut winding, mut lowest, mut highest) = (0, 0, 0);
     for wings in &steps {
@@ -55,14 +55,17 @@ pub(crate) fn overlapping(welded: &Welded, patches: &Patches, edge: &[u32]) -> O
 /// A triangle of the edge.
 struct Wing {
     triangle: u32,
-    /// Its corner off the edge.
-    tip: [f64; 3],
-    quarter: Quarter,
+    angle: Angle,
     /// By how much the winding number rises there.
     step: i32,
 }
 
-/// Where a wing is, from the first one on.
+/// Where a half-plane from the edge to a point is, from the first one on.
+pub(crate) struct Angle {
+    tip: [f64; 3],
+    quarter: Quarter,
+}
+
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Quarter {
     Along,
@@ -71,11 +74,15 @@ enum Quarter {
     Right,
 }
 
-/// Around this edge.
-struct Fan([[f64; 3]; 2]);
+/// Around the line through two points.
+pub(crate) struct Fan(pub(crate) [[f64; 3]; 2]);
 
 impl Fan {
-    /// `None` if a tip is on the line of the edge.
+    /// `None` if a point is on the line.
+    pub(crate) fn angle(&self, first: [f64; 3], tip: [f64; 3]) -> Option<Angle> {
+        Some(Angle { tip, quarter: self.quarter(first, tip)? })
+    }
+
     fn quarter(&self, first: [f64; 3], tip: [f64; 3]) -> Option<Quarter> {
         let [a, b] = self.0;
         let (axis, of_first) = facing([a, b, first])?;
@@ -89,7 +96,8 @@ impl Fan {
         }
     }
 
-    fn order(&self, p: &Wing, q: &Wing) -> Ordering {
+    /// Of two points with the same first one.
+    pub(crate) fn order(&self, p: &Angle, q: &Angle) -> Ordering {
         let [a, b] = self.0;
         let turned = || match side([a, b, p.tip], q.tip) {
             0.0 => Ordering::Equal,

@@ -7,6 +7,7 @@ use super::patches::Patches;
 use super::predicate::{across, facing, side, turn};
 use super::tree::Tree;
 use super::weld::{NONE, Welded};
+use super::work::Work;
 
 /// A mesh whose triangles can be found by rays.
 #[derive(Clone, Copy, Debug)]
@@ -14,6 +15,8 @@ pub(crate) struct Windings<'a> {
     pub(crate) welded: &'a Welded,
     pub(crate) tree: &'a Tree,
     pub(crate) patches: &'a Patches,
+    /// What rays may cost, and whatever else is looked for.
+    pub(crate) work: &'a Work,
 }
 
 /// A place in a triangle: from its first point infinitely little toward the second, and from there infinitely less toward the third. The
@@ -34,34 +37,11 @@ pub(crate) struct Nesting {
 /// A triangle that a ray goes through.
 struct Hit {
     triangle: usize,
-    /// The ray leaves there what is inside.
-    leaves: bool,
     /// It lies on the triangle that the ray begins at.
     coplanar: bool,
 }
 
 impl Windings<'_> {
-    /// Does a mesh that is to wind about everything `lowest` times or once more do so on both sides of a triangle?
-    pub(crate) fn is_sound(&self, triangle: usize, germ: &Germ, lowest: i32) -> bool {
-        self.beside(triangle, germ).is_none_or(|sides| sides.iter().all(|&w| w == lowest || w == lowest + 1))
-    }
-
-    /// How often the mesh winds about what is just behind and just before a triangle, each component wound as most of it is; `None` if the
-    /// triangle has no area, or the germ is not in it or is none.
-    fn beside(&self, triangle: usize, germ: &Germ) -> Option<[i32; 2]> {
-        let (axis, along) = self.facing(triangle)?;
-        let [at, toward, beside] = germ.map(|p| across(axis, p));
-        if turn(at, toward, beside) == 0.0 {
-            return None;
-        }
-        seen_at(self.welded.triangle(triangle), axis, germ)?;
-        let (mut ahead, mut coplanar) = (0, 0);
-        self.hits(axis, germ, |hit| {
-            *(if hit.coplanar { &mut coplanar } else { &mut ahead }) += if hit.leaves { 1 } else { -1 };
-        });
-        Some(if along { [ahead + coplanar, ahead] } else { [ahead, ahead + coplanar] })
-    }
-
     /// Which of the closed components are about this one, by the volumes of components, negative if wound inward: seen from the side of one
     /// of its triangles that it encloses.
     ///
@@ -105,16 +85,22 @@ impl Windings<'_> {
 
     /// Calls `hit` for all triangles that the ray from a germ along an axis goes through, those that the germ lies on among them.
     fn hits(&self, axis: usize, germ: &Germ, mut hit: impl FnMut(Hit)) {
+        if self.work.is_spent() {
+            return;
+        }
+        let mut visits = 0;
         self.tree.along(self.welded, germ[0], axis, |t| {
+            visits += 1;
             let t = t as usize;
             let triangle = self.welded.triangle(t);
             let Some(left) = seen_at(triangle, axis, germ) else { return };
             let height = first_sign(germ.iter().map(|&p| side(triangle, p)));
             // Ahead of the germ: behind the plane if its normal points along the ray, before it if against.
             if height == 0.0 || (height < 0.0) == left {
-                hit(Hit { triangle: t, leaves: left != self.patches.against[t], coplanar: height == 0.0 });
+                hit(Hit { triangle: t, coplanar: height == 0.0 });
             }
         });
+        self.work.take(visits);
     }
 }
 
@@ -132,7 +118,7 @@ fn seen_at(triangle: [[f64; 3]; 3], axis: usize, germ: &Germ) -> Option<bool> {
     (left || right).then_some(left)
 }
 
-fn first_sign(mut values: impl Iterator<Item = f64>) -> f64 {
+pub(crate) fn first_sign(mut values: impl Iterator<Item = f64>) -> f64 {
     values.find(|&value| value != 0.0).unwrap_or(0.0)
 }
 

@@ -10,13 +10,17 @@ mod inside;
 mod integral;
 mod layer;
 mod meeting;
+mod neighborhood;
+mod oriented;
 mod overlap;
 mod patches;
 mod predicate;
 pub(crate) mod shell;
 mod threads;
 mod tree;
+mod umbrella;
 mod weld;
+mod work;
 
 use super::error::BodyError;
 

@@ -16,13 +16,19 @@
 use core::ops::ControlFlow;
 
 use super::COUNTED;
-use super::edges::{Edges, end_of, opposite, start_of};
+use super::edges::{Edges, end_of, start_of};
 use super::fan::overlapping;
-use super::inside::{Germ, Windings, centroid};
+use super::inside::{Windings, centroid};
 use super::meeting::Meeting;
+use super::neighborhood::Neighborhoods;
+use super::oriented::OrientedTree;
+use super::patches::Patches;
 use super::predicate::side;
 use super::threads::Threads;
 use super::tree::Tree;
+use super::umbrella::umbrellas;
+use super::weld::Welded;
+use super::work::Work;
 
 /// Pairs of triangles where something counts twice: how many, and the first in the mesh's order of those that were looked at, with a point
 /// where they meet. One more than are counted stands for any larger number.
@@ -64,7 +70,9 @@ pub(crate) struct Meetings {
 
 impl Meetings {
     /// Of the triangles of a tree, and those about edges. `lowest` is how often a sound mesh winds about what is before its triangles;
-    /// `None` if it is not closed.
+    /// `None` if it is not closed. Of a mesh of one surface no more is looked at once enough was found in it.
+    ///
+    /// What was found before the work was spent is not all, and depends on the threads.
     pub(crate) fn of(
         windings: &Windings<'_>,
         edges: &Edges,
@@ -72,31 +80,19 @@ impl Meetings {
         lowest: Option<i32>,
         threads: Threads,
     ) -> Self {
-        let mut all = Self::default();
+        let mut at_edges = Self::default();
         if let Some(lowest) = lowest {
-            let at_edges = threads.map_pieces(edges.crowded.len(), EDGES, |piece| {
-                let mut meetings = Self::default();
-                edges.crowded[piece].iter().for_each(|edge| meetings.look_around(windings, edge, lowest));
+            let parts = threads.map_pieces(edges.crowded.len(), EDGES, |piece| {
+                let (mut meetings, mut beside) = (Self::default(), Neighborhoods::of(windings, lowest));
+                let edges = edges.crowded[piece].iter();
+                edges.for_each(|edge| meetings.look_around(windings, &mut beside, edge));
                 meetings
             });
-            at_edges.iter().for_each(|part| all.join(part));
+            parts.iter().for_each(|part| at_edges.join(part));
         }
-        let boxes = tree.boxes(windings.welded, threads);
-        // Some pieces at once, the same ones for any number of threads: where enough was found, the others are left.
-        let mut begin = 0;
-        while begin < tree.leaves() && !all.between.is_full() {
-            let some = begin..(begin + SOME * LEAVES).min(tree.leaves());
-            let parts = threads.map_pieces(some.len(), LEAVES, |leaves| {
-                let mut meetings = Self::default();
-                tree.pairs(&boxes, some.start + leaves.start..some.start + leaves.end, |t, u| {
-                    meetings.look_at(windings, lowest, t.min(u), t.max(u))
-                });
-                meetings
-            });
-            parts.iter().for_each(|part| all.join(part));
-            begin = some.end;
-        }
-        all
+        let search = Search { windings, lowest, threads, found: at_edges };
+        let near = FEW + NEIGHBOURS * tree.order().len() as u64;
+        search.by_boxes(tree, near).unwrap_or_else(|| search.by_oriented_boxes(tree))
     }
 
     fn join(&mut self, other: &Self) {
@@ -105,16 +101,17 @@ impl Meetings {
         self.contacts.join(&other.contacts);
     }
 
+    /// Was so much found that no more is looked for?
+    fn is_full(&self, patches: &Patches) -> bool {
+        self.between.is_full() || self.within.is_full() && patches.is_one_surface()
+    }
+
     /// The triangles of an edge of more than two.
-    fn look_around(&mut self, windings: &Windings<'_>, edge: &[u32], lowest: i32) {
+    fn look_around(&mut self, windings: &Windings<'_>, beside: &mut Neighborhoods<'_>, edge: &[u32]) {
         let Windings { welded, patches, .. } = windings;
-        let ends = [start_of(&welded.corners, edge[0]), end_of(&welded.corners, edge[0])];
-        let [a, b] = ends.map(|v| welded.points[v as usize]);
-        let sound = |half: u32| {
-            let tip = welded.points[opposite(&welded.corners, half) as usize];
-            windings.is_sound(half as usize / 3, &[a, b, tip], lowest)
-        };
-        let Some(at) = edge.iter().position(|&half| !sound(half)) else { return };
+        let [start, end] = [start_of(&welded.corners, edge[0]), end_of(&welded.corners, edge[0])];
+        let [a, b] = [start, end].map(|v| welded.points[v as usize]);
+        let Some(at) = edge.iter().position(|&half| !beside.is_sound(half / 3, start, end)) else { return };
         let pair = overlapping(welded, patches, edge).unwrap_or_else(|| {
             let other = usize::from(at == 0);
             [edge[at].min(edge[other]) / 3, edge[at].max(edge[other]) / 3]
@@ -123,7 +120,12 @@ impl Meetings {
     }
 
     #[inline]
-    fn look_at(&mut self, windings: &Windings<'_>, lowest: Option<i32>, t: u32, u: u32) -> ControlFlow<()> {
+    fn look_at(
+        &mut self,
+        windings: &Windings<'_>,
+        beside: &mut Option<Neighborhoods<'_>>,
+        [t, u]: [u32; 2],
+    ) -> ControlFlow<()> {
         let Windings { welded, patches, .. } = windings;
         let [i, j] = [t as usize, u as usize];
         let one_surface = patches.surface(i) == patches.surface(j);
@@ -141,39 +143,123 @@ impl Meetings {
                 return ControlFlow::Continue(());
             }
             Meeting::Touching([of_t, of_u]) => {
-                let Some(lowest) = lowest else { return ControlFlow::Continue(()) };
-                let wrong = |on: [bool; 3], i: usize, j: usize| {
-                    (0..3)
-                        .find(|&k| on[k] && !is_sound_at(windings, i, k, j, lowest))
-                        .map(|k| welded.triangle(i)[k])
+                let Some(beside) = beside else { return ControlFlow::Continue(()) };
+                let mut wrong = |on: [bool; 3], t: u32, u: u32| {
+                    let corner = (0..3).find(|&k| on[k] && !is_sound_at(welded, beside, t, k, u))?;
+                    Some(welded.triangle(t as usize)[corner])
                 };
-                let Some(point) = wrong(of_t, i, j).or_else(|| wrong(of_u, j, i)) else {
+                let Some(point) = wrong(of_t, t, u).or_else(|| wrong(of_u, u, t)) else {
                     return ControlFlow::Continue(());
                 };
                 point
             }
         };
         if one_surface { &mut self.within } else { &mut self.between }.add([t, u], point);
-        if self.between.is_full() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        if self.is_full(patches) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+}
+
+/// For pairs of triangles that meet, some pieces at once, the same ones for any number of threads: where enough was found, the others are
+/// left.
+struct Search<'a> {
+    windings: &'a Windings<'a>,
+    lowest: Option<i32>,
+    threads: Threads,
+    /// At edges.
+    found: Meetings,
+}
+
+impl Search<'_> {
+    /// Those whose boxes along the axes meet; `None` if they are more than that, and it is better to make other boxes.
+    fn by_boxes(&self, tree: &Tree, near: u64) -> Option<Meetings> {
+        let near = Work::of(near);
+        let boxes = tree.boxes(self.windings.welded, self.threads);
+        let all = self.pieces(tree.leaves().div_ceil(LEAVES), |piece, look_at| {
+            let leaves = piece * LEAVES..((piece + 1) * LEAVES).min(tree.leaves());
+            let mut pairs = 0;
+            tree.pairs(&boxes, leaves, |t, u| {
+                pairs += 1;
+                if pairs % SOME_PAIRS == 0 && !near.take(SOME_PAIRS) {
+                    return ControlFlow::Break(());
+                }
+                look_at(t, u)
+            });
+            near.take(pairs % SOME_PAIRS);
+        });
+        (!near.is_spent()).then_some(all)
+    }
+
+    /// Those whose oriented boxes meet, and that are not side by side about a corner.
+    fn by_oriented_boxes(&self, tree: &Tree) -> Meetings {
+        let Windings { welded, patches, work, .. } = self.windings;
+        let umbrellas = umbrellas(welded, tree.order(), &patches.component);
+        let tree = OrientedTree::of(welded, tree.order(), &umbrellas);
+        let tasks = tree.tasks();
+        self.pieces(tasks.len(), |piece, look_at| {
+            tree.pairs(tasks[piece], work, |t, u| {
+                if work.take(PAIR) { look_at(t, u) } else { ControlFlow::Break(()) }
+            });
+        })
+    }
+
+    fn pieces(
+        &self,
+        pieces: usize,
+        work: impl Fn(usize, &mut dyn FnMut(u32, u32) -> ControlFlow<()>) + Sync,
+    ) -> Meetings {
+        let mut all = self.found;
+        let mut begin = 0;
+        while begin < pieces && !all.is_full(self.windings.patches) {
+            let parts = self.threads.map((pieces - begin).min(SOME), |piece| {
+                let mut meetings = Meetings::default();
+                let mut beside = self.lowest.map(|lowest| Neighborhoods::of(self.windings, lowest));
+                work(begin + piece, &mut |t, u| {
+                    meetings.look_at(self.windings, &mut beside, [t.min(u), t.max(u)])
+                });
+                meetings
+            });
+            parts.iter().for_each(|part| all.join(part));
+            begin += SOME;
+        }
+        all
     }
 }
 
 /// Is the winding number right beside a corner of a triangle that lies on another triangle, on both sides of both?
-fn is_sound_at(windings: &Windings<'_>, triangle: usize, corner: usize, other: usize, lowest: i32) -> bool {
-    let [own, on] = [triangle, other].map(|t| windings.welded.triangle(t));
+fn is_sound_at(
+    welded: &Welded,
+    beside: &mut Neighborhoods<'_>,
+    triangle: u32,
+    corner: usize,
+    other: u32,
+) -> bool {
+    let [own, on] = [triangle, other].map(|t| welded.corners[t as usize]);
     let [p, q, r] = [0, 1, 2].map(|k| own[(corner + k) % 3]);
-    let sound = |t: usize, germ: Germ| windings.is_sound(t, &germ, lowest);
     // Next to its own edges; and next to whatever may divide the other: its edges in that one's plane, and edges to that one's corners.
-    let in_plane = [q, r].into_iter().filter(|&end| side(on, end) == 0.0);
+    let plane = welded.triangle(other as usize);
+    let in_plane = [q, r].into_iter().filter(|&end| side(plane, welded.points[end as usize]) == 0.0);
     let mut directions = on.into_iter().chain(in_plane);
-    sound(triangle, [p, q, r])
-        && sound(triangle, [p, r, q])
-        && directions.all(|toward| on.into_iter().all(|beside| sound(other, [p, toward, beside])))
+    beside.is_sound(triangle, p, q)
+        && beside.is_sound(triangle, p, r)
+        && directions.all(|toward| beside.is_sound(other, p, toward))
 }
 
 /// Edges in a piece of work.
 const EDGES: usize = 1 << 10;
 
-/// Leaves in a piece of work, and such pieces at once.
+/// Leaves in a piece of work, and pieces at once.
 const LEAVES: usize = 1 << 9;
 const SOME: usize = 64;
+
+/// Pairs of triangles whose boxes meet: up to here they are near each other, with more for each triangle.
+const FEW: u64 = 1 << 16;
+const NEIGHBOURS: u64 = 128;
+
+/// Pairs that are counted together.
+const SOME_PAIRS: u64 = 1 << 8;
+
+/// What comparing two triangles costs, in visits of a ray.
+const PAIR: u64 = 8;
+
+#[cfg(test)]
+mod tests;

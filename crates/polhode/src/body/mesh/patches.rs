@@ -76,6 +76,11 @@ impl Patches {
         *self.sheet.get(t).unwrap_or(&self.component[t])
     }
 
+    /// Does all of the mesh hang together by edges of two triangles?
+    pub(crate) fn is_one_surface(&self) -> bool {
+        self.components.len() == 1 && self.sheet.is_empty()
+    }
+
     fn judge(&mut self, corners: &[[u32; 3]], edges: &Edges) {
         let of = |half: u32| self.component[half as usize / 3] as usize;
         let components = &mut self.components;

@@ -1,5 +1,6 @@
 //! Boxes about triangles, and boxes about boxes: what is far apart is not looked at.
 
+use core::f64::consts::SQRT_2;
 use core::ops::{ControlFlow, Range};
 
 use super::predicate::{across, certain_turn};
@@ -264,7 +265,45 @@ impl Tree {
             true
         });
     }
+
+    /// Is something so of every triangle whose box the line from a point of the mesh to one outside may meet?
+    pub(crate) fn between(
+        &self,
+        welded: &Welded,
+        point: [f64; 3],
+        outside: [f64; 3],
+        mut so: impl FnMut(u32) -> bool,
+    ) -> bool {
+        let [from, to] = [self.reduced(point), self.reduced(outside)];
+        let way: [f32; 3] = core::array::from_fn(|k| 1.0 / (to[k] - from[k]));
+        // The parts of the line between the two sides of the box have one in common.
+        let meets = |bounds: &Bounds| {
+            let (mut enters, mut leaves) = (0.0_f32, 1.0_f32);
+            for k in 0..3 {
+                let [low, high] =
+                    [bounds.low[k] - NEAR, bounds.high[k] + NEAR].map(|c| (c - from[k]) * way[k]);
+                enters = enters.max(low.min(high));
+                leaves = leaves.min(low.max(high));
+            }
+            enters <= leaves
+        };
+        let everywhere = Bounds { low: [f32::MIN; 4], high: [f32::MAX; 4] };
+        let open = |_: usize, bounds: &Bounds| meets(bounds);
+        self.all_within(welded, &everywhere, open, |t, bounds| !meets(bounds) || so(t))
+    }
+
+    /// Points about the mesh in no special place, beyond its lowest and highest coordinates along all axes.
+    pub(crate) fn outside(&self, k: u32) -> [f64; 3] {
+        // Multiples of roots of 2, 3 and 5, by their last parts.
+        let part = |root: f64| (root * f64::from(k + 1)).fract();
+        let [x, y, z] = [part(SQRT_2), part(1.732_050_807_568_877_2), part(2.236_067_977_499_79)];
+        let corner = [x, y, z].map(|part| if part < 0.5 { part - 2.0 } else { part + 1.0 });
+        core::array::from_fn(|i| self.middle[i] + corner[i] / self.scale)
+    }
 }
+
+/// Rounding of what is between −3 and 3, and more.
+const NEAR: f32 = 1.0 / 262_144.0;
 
 /// Triangles in a piece of work.
 const PIECE: usize = 1 << 16;

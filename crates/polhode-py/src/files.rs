@@ -164,10 +164,8 @@ pub(crate) fn voxel_file(
         .with("type", kind)
         .with("filled", body.filled);
     Ok(PyMassProperties::of(InertiaReport {
-        volume: Some(body.volume),
-        density: Some(properties.mass() / body.volume),
         extras: vec![error_estimate(&body.error_estimate, "what a voxel's value leaves open within it")],
-        ..InertiaReport::new(source, properties)
+        ..InertiaReport::new(source, properties).with_volume(Some(body.volume))
     }))
 }
 

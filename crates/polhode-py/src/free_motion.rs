@@ -9,7 +9,7 @@ use polhode_report::{PageInput, PageSubject, SpinReport, VERSION, page};
 use pyo3::prelude::*;
 
 use crate::arrays::{numbers, row, table};
-use crate::error::Raise;
+use crate::error::{Raise, refused};
 use crate::mass_properties::principal_axes;
 use crate::motion::{ErrorColumns, error_columns};
 
@@ -35,7 +35,7 @@ impl PyFreeMotion {
             InertiaTensor::<Body>::diagonal(moments).map_err(Raise::raise)?;
         }
         let motion = FreeMotion::of_moments(moments, start(omega, wxyz)?).map_err(Raise::raise)?;
-        Ok(Self { motion })
+        Self::in_range(motion)
     }
 
     /// Of a tensor about the centre of mass.
@@ -45,7 +45,7 @@ impl PyFreeMotion {
         let body = inertia.and_then(|inertia| MassProperties::new(1.0, Position::ZERO, inertia));
         let rotor = Rotor::free(&body.map_err(Raise::raise)?);
         let motion = FreeMotion::of(&rotor, start(omega, wxyz)?).map_err(Raise::raise)?;
-        Ok(Self { motion })
+        Self::in_range(motion)
     }
 
     /// ω (n, 3) and the attitude (n, 4) at times.
@@ -143,6 +143,17 @@ impl PyFreeMotion {
                 explanation: None,
             }))
         })
+    }
+}
+
+impl PyFreeMotion {
+    /// A motion whose constants are numbers.
+    fn in_range(motion: FreeMotion) -> PyResult<Self> {
+        if motion.kinetic_energy().is_finite() && motion.momentum().norm().is_finite() {
+            return Ok(Self { motion });
+        }
+        let message = "the energy or |L| of this motion is beyond the range of numbers, 1.8e308";
+        Err(refused(message, Some("check the units and the exponents")))
     }
 }
 

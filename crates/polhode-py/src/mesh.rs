@@ -184,11 +184,9 @@ fn weighed(
         findings.extend(assumed.finding(None));
     }
     Ok(PyMassProperties::of(InertiaReport {
-        volume: Some(whole),
         surface_area: Some(pieces.iter().map(|(_, shape)| shape.surface_area()).sum()),
-        density: Some(properties.mass() / whole),
         extras: if rows.len() > 1 { vec![parts(&rows)] } else { Vec::new() },
         findings,
-        ..InertiaReport::new(source, properties)
+        ..InertiaReport::new(source, properties).with_volume(Some(whole))
     }))
 }

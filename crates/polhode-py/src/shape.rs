@@ -25,10 +25,8 @@ pub(crate) fn shape(kind: &str, lengths: Vec<f64>, ends: bool, given: Given) -> 
     let properties = in_body(part).map_err(Raise::raise)?;
     let volume = extent.volume();
     Ok(PyMassProperties::of(InertiaReport {
-        volume,
         surface_area: Some(shape.surface_area()).filter(|area| *area > 0.0),
-        density: volume.map(|volume| properties.mass() / volume),
-        ..InertiaReport::new(SourceInfo::new(kind, "shape"), properties)
+        ..InertiaReport::new(SourceInfo::new(kind, "shape"), properties).with_volume(volume)
     }))
 }
 

@@ -36,6 +36,14 @@ def test_states_have_the_digits_of_the_references(fixtures: Path) -> None:
             assert 1.0 - abs(wxyz @ [float(q) for q in row["attitude"]]) <= max(bound**2, 1e-15)
 
 
+def test_energy_beyond_the_range_of_numbers_is_refused() -> None:
+    for given in ({"moments": [1.37, 2.09, 2.91]}, {"inertia": np.diag([1.37, 2.09, 2.91])}):
+        with pytest.raises(polhode.PolhodeError, match="beyond the range of numbers"):
+            polhode.FreeMotion(**given, omega=[3e160, -5e160, 9e160], attitude=TURN)
+        motion = polhode.FreeMotion(**given, omega=[3e150, -5e150, 9e150], attitude=TURN)
+        assert np.isfinite(motion.kinetic_energy)
+
+
 def test_a_time_beyond_reach_is_refused() -> None:
     motion = polhode.FreeMotion(moments=[1.37, 2.09, 2.91], omega=[0.3, -0.5, 0.9], attitude=TURN)
     assert np.isfinite(motion.at(1e22).omega).all()

@@ -93,6 +93,12 @@ def test_shapes_are_their_formulas(shape: polhode.MassProperties, diagonal: list
     assert np.allclose(np.diag(shape.inertia), diagonal, rtol=1e-13, atol=1e-15)
 
 
+def test_a_density_beyond_the_range_of_numbers_is_none() -> None:
+    heavy = shapes.box(size=[3e-90, 4e-90, 5e-90], mass=1e50)
+    assert heavy.density is None and heavy.volume > 0.0
+    assert shapes.box(size=[3.0, 4.0, 5.0], mass=120.0).density == 2.0
+
+
 def test_a_tetrahedron_is_the_mesh_of_its_faces() -> None:
     vertices = np.array([[0.1, -0.2, 0.3], [1.4, 0.2, -0.1], [0.3, 1.7, 0.2], [-0.2, 0.4, 1.9]])
     solid = shapes.tetrahedron(vertices=vertices, density=1234.5)

@@ -55,6 +55,19 @@ pub struct InertiaReport {
 }
 
 impl InertiaReport {
+    /// With the volume of what has one, m³, and so its mean density, where f64 holds it.
+    #[must_use]
+    pub fn with_volume(self, volume: Option<f64>) -> Self {
+        let density =
+            volume.map(|volume| self.properties.mass() / volume).filter(|density| density.is_finite());
+        Self { volume, density, ..self }
+    }
+
+    /// What a mesh was taken for other than the solid that it bounds: `convex_hull`, `sheet`.
+    pub fn taken_as(&self) -> Option<&str> {
+        self.source.fields.get("taken_as")?.as_str().filter(|&taken_as| taken_as != "solid")
+    }
+
     /// The report of a body of which nothing else is known.
     pub fn new(source: SourceInfo, properties: MassProperties<Body>) -> Self {
         Self {

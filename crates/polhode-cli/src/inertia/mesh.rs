@@ -104,13 +104,11 @@ pub(super) fn report(
     let mut extras = if rows.len() > 1 { vec![parts(&rows)] } else { Vec::new() };
     extras.extend(field.map(|found| found.error));
     Ok(InertiaReport {
-        volume: Some(volume),
         surface_area: Some(pieces.iter().map(|piece| piece.shape.surface_area()).sum()),
-        density: Some(properties.mass() / volume),
         extras,
         findings,
         not_checked: if flags.quick { quick::NOT_CHECKED } else { &[] },
-        ..InertiaReport::new(source, properties)
+        ..InertiaReport::new(source, properties).with_volume(Some(volume))
     })
 }
 

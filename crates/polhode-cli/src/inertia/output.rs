@@ -4,7 +4,7 @@ use std::path::Path;
 
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser as _};
-use polhode::{Finding, Severity};
+use polhode::Finding;
 use polhode_report::plain::printable;
 use polhode_report::{ExportBody, ExportFormat, InertiaReport, export, pretty};
 use serde_json::Value;
@@ -43,13 +43,11 @@ impl OutputFlags {
         if !self.csv && self.as_format.is_none() {
             return;
         }
-        for (file, report) in
-            answers.iter().flat_map(|(file, answer)| answer.iter().flatten().map(|r| (*file, r)))
-        {
-            for Finding { message, code, .. } in
-                report.findings.iter().filter(|f| f.severity != Severity::Info)
-            {
-                tell(&format!("warning: {}: {} [{code}]\n", shown(file), printable(message)));
+        let reports = answers.iter().flat_map(|(file, answer)| answer.iter().flatten().map(|r| (*file, r)));
+        for (file, report) in reports {
+            for Finding { severity, message, code, .. } in &report.findings {
+                let severity = severity.name();
+                tell(&format!("{severity}: {}: {} [{code}]\n", shown(file), printable(message)));
             }
         }
     }

@@ -63,10 +63,8 @@ pub(super) fn report(
         .with("filled", body.filled);
     let error = error_estimate(&body.error_estimate, "what a voxel's value leaves open within it");
     Ok(InertiaReport {
-        volume: Some(body.volume),
-        density: Some(body.properties.mass() / body.volume),
         extras: vec![error],
-        ..InertiaReport::new(source, in_body(body.properties).map_err(unfit)?)
+        ..InertiaReport::new(source, in_body(body.properties).map_err(unfit)?).with_volume(Some(body.volume))
     })
 }
 

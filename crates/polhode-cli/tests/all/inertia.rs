@@ -216,6 +216,22 @@ fn a_mesh_of_no_unit_is_asked_for_it_where_metres_are_absurd() {
     assert_eq!(json(&of(&["--mass", "85 g", "--json"]))["findings"][0]["code"], "mesh.unit");
 }
 
+#[test]
+fn every_form_of_the_answer_says_that_a_mesh_was_taken_as_its_hull_or_as_a_sheet() {
+    let scratch = Scratch::new("taken-as");
+    let bracket = example("bracket.stl");
+    let given = ["inertia", &bracket, "--unit", "mm", "--material", "aluminium"];
+    let forms =
+        ["urdf", "sdf", "mjcf", "mjcf-principal", "usd", "solidworks", "csv"].map(|name| ["--as", name]);
+    let forms = forms.iter().map(|form| &form[..]).chain([&[][..], &["--csv"], &["--json"]]);
+    for form in forms {
+        let of = |more: &[&str]| stdout(&scratch.run(&[&given[..], form, more].concat())).replace('_', " ");
+        assert!(of(&["--hull"]).contains("convex hull"), "{form:?}");
+        assert!(of(&["--shell", "2 mm"]).contains("sheet"), "{form:?}");
+        assert!(!of(&[]).contains("hull") && !of(&[]).contains("sheet"), "{form:?}");
+    }
+}
+
 /// A binary STL file of boxes whose sides are divided into n × n squares, and some of its triangles again.
 fn boxes(lows: &[[f32; 3]], n: u16, again: usize) -> Vec<u8> {
     let mut records: Vec<u8> = Vec::new();

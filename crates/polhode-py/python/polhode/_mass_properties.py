@@ -137,7 +137,7 @@ class MassProperties:
 
     @property
     def density(self) -> float | None:
-        """Mass per volume, kg/m³, where it is known."""
+        """Mass per volume, kg/m³, where it is known and a number below 1.8e308."""
         return self._native.density
 
     @property

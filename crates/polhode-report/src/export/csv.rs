@@ -35,12 +35,15 @@ const COLUMNS: [&str; 24] = [
 
 /// The whole table.
 pub(super) fn write(bodies: &[ExportBody]) -> String {
-    // What was not looked at stands in the first line, as the name of a column that other tables lack.
+    // What a mesh was taken for, and what was not looked at, stand in columns that other tables lack.
     let unchecked = bodies.iter().map(|body| body.not_checked).find(|checks| !checks.is_empty());
     let column = unchecked.map(|checks| format!("not_checked_{}", checks.join("_")));
-    let mut text = COLUMNS.into_iter().chain(column.as_deref()).collect::<Vec<_>>().join(",") + "\n";
+    let taken_as = bodies.iter().any(|body| body.taken_as.is_some()).then_some("mesh_taken_as");
+    let columns: Vec<_> = COLUMNS.into_iter().chain(taken_as).chain(column.as_deref()).collect();
+    let mut text = columns.join(",") + "\n";
     for body in bodies {
         let mut cells = row(body);
+        cells.extend(taken_as.map(|_| body.taken_as.clone().unwrap_or_default()));
         cells.extend(column.as_ref().map(|_| (!body.not_checked.is_empty()).to_string()));
         text += &(cells.join(",") + "\n");
     }

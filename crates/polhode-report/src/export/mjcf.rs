@@ -32,7 +32,7 @@ fn element(format: ExportFormat, body: &ExportBody) -> String {
     let name = attribute(&body.name);
     let mass = number(properties.mass());
     let center = numbers(&properties.center_of_mass().to_array(), " ");
-    let warning = warning("      ", properties);
+    let warning = warning("      ", body);
     format!(
         r#"    <body name="{name}">
       <!-- pos: centre of mass from the body's origin, along the body's axes -->

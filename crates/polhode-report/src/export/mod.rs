@@ -108,13 +108,23 @@ pub struct ExportBody {
     pub density: Option<f64>,
     /// What was not looked at because the user said so: `closed`, `overlaps`, …
     pub not_checked: &'static [&'static str],
+    /// What a mesh was taken for other than the solid that it bounds: `convex_hull`, `sheet`.
+    pub taken_as: Option<String>,
 }
 
 impl ExportBody {
     /// A body of which nothing else is known.
     pub fn new(name: impl Into<String>, properties: MassProperties<Body>) -> Self {
         let (volume, surface_area, density) = (None, None, None);
-        Self { name: name.into(), properties, volume, surface_area, density, not_checked: &[] }
+        Self {
+            name: name.into(),
+            properties,
+            volume,
+            surface_area,
+            density,
+            not_checked: &[],
+            taken_as: None,
+        }
     }
 
     /// The body of a report.
@@ -124,8 +134,17 @@ impl ExportBody {
             surface_area: report.surface_area,
             density: report.density,
             not_checked: report.not_checked,
+            taken_as: report.taken_as().map(str::to_owned),
             ..Self::new(name, report.properties)
         }
+    }
+}
+
+impl ExportBody {
+    /// What its numbers are of, where that is not the solid that a mesh bounds.
+    fn remark(&self) -> Option<String> {
+        let taken_as = self.taken_as.as_ref()?.replace('_', " ");
+        Some(format!("the mesh was taken as a {taken_as}, not as a solid"))
     }
 }
 

@@ -36,7 +36,7 @@ fn link(body: &ExportBody) -> String {
     let mass = number(properties.mass());
     let center = numbers(&properties.center_of_mass().to_array(), " ");
     let [ixx, ixy, ixz, iyy, iyz, izz] = elements(properties).map(number);
-    let warning = warning("        ", properties);
+    let warning = warning("        ", body);
     format!(
         r#"    <link name="{name}">
       <inertial>

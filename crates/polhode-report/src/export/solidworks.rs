@@ -35,6 +35,7 @@ fn report(body: &ExportBody) -> Result<String, ExportError> {
         _ => String::new(),
     };
     let name = printable(&body.name);
+    let remark = body.remark().map(|text| format!("     Note: {text}\n")).unwrap_or_default();
     let density = known("Density", body.density, "kilograms per cubic meter");
     let mass = known("Mass", Some(properties.mass()), "kilograms");
     let volume = known("Volume", body.volume, "cubic meters");
@@ -46,7 +47,7 @@ fn report(body: &ExportBody) -> Result<String, ExportError> {
     Ok(format!(
         "Mass properties of {name}
      Coordinate system: -- default --
-
+{remark}
 {density}{mass}{volume}{area}Center of mass: ( meters )
 \tX = {x}
 \tY = {y}

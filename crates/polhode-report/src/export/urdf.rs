@@ -16,7 +16,7 @@ pub(super) fn write(bodies: &[ExportBody]) -> Result<String, ExportError> {
     let mass = number(properties.mass());
     let center = numbers(&properties.center_of_mass().to_array(), " ");
     let [ixx, ixy, ixz, iyy, iyz, izz] = elements(properties).map(number);
-    let warning = warning("      ", properties);
+    let warning = warning("      ", body);
     Ok(format!(
         r#"<?xml version="1.0"?>
 <!-- polhode {VERSION}: mass properties of one body as a URDF link, in kg, m, kg m^2 -->

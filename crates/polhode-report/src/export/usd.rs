@@ -40,6 +40,7 @@ fn prim(body: &ExportBody, identifier: &str) -> String {
     let principal = properties.principal();
     let name = quoted(&body.name);
     let mass = number(properties.mass());
+    let remark = body.remark().map(|text| format!("    # {text}\n")).unwrap_or_default();
     let center = numbers(&properties.center_of_mass().to_array(), ", ");
     let moments = numbers(&principal.moments(), ", ");
     // R_body_principal
@@ -51,7 +52,7 @@ def Xform "{identifier}" (
     displayName = "{name}"
 )
 {{
-    float physics:mass = {mass}
+{remark}    float physics:mass = {mass}
     # from the prim's origin, along its axes
     point3f physics:centerOfMass = ({center})
     # principal moments about the centre of mass; along principal axes there are no products

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use polhode::{Body, MassProperties, Symmetry};
+use polhode::Symmetry;
 
 use super::{ExportBody, ExportError, ExportFormat};
 use crate::layout::is_unseen;
@@ -51,12 +51,13 @@ pub(super) fn check_names(format: ExportFormat, bodies: &[ExportBody]) -> Result
     Ok(())
 }
 
-/// What a simulator may stumble over, as a comment on a line of its own; most bodies have no such thing.
-pub(super) fn warning(indent: &str, body: &MassProperties<Body>) -> String {
-    let text = match body.principal().symmetry() {
-        Symmetry::Point => "a point: it has no moments of inertia",
-        Symmetry::Rod => "a rod: it has no moment of inertia about its own line",
-        _ => return String::new(),
+/// What the numbers are of, and what a simulator may stumble over, as comments on lines of their own; most bodies have no such thing.
+pub(super) fn warning(indent: &str, body: &ExportBody) -> String {
+    let refused = |what| format!("{what}, and many simulators refuse that");
+    let stumbles = match body.properties.principal().symmetry() {
+        Symmetry::Point => Some(refused("a point: it has no moments of inertia")),
+        Symmetry::Rod => Some(refused("a rod: it has no moment of inertia about its own line")),
+        _ => None,
     };
-    format!("{indent}<!-- {text}, and many simulators refuse that -->\n")
+    body.remark().into_iter().chain(stumbles).map(|text| format!("{indent}<!-- {text} -->\n")).collect()
 }

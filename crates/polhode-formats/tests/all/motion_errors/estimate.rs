@@ -92,9 +92,7 @@ fn down(x: f64) -> String {
 fn no_estimate_is_below_half_of_the_error() {
     let cases = Case::all();
     let mut page = PAGE.replace("{motions}", &cases.len().to_string());
-    for (effort, place, most_low) in
-        [(ErrorEffort::Thorough, "thorough", 0), (ErrorEffort::Cheap, "cheap", cases.len() / 20)]
-    {
+    for (effort, place) in [(ErrorEffort::Thorough, "thorough"), (ErrorEffort::Cheap, "cheap")] {
         let [mut kinds, mut methods, mut all] = measured(&cases, effort);
         let total = all.get_mut("all").unwrap();
         let middle = [quantile(&mut total.attitude, 0.5), quantile(&mut total.omega, 0.5)];
@@ -103,10 +101,9 @@ fn no_estimate_is_below_half_of_the_error() {
             rows += &ratios.row(name);
         }
         let low = all["all"].low;
-        assert!(low <= most_low, "{effort:?}: {low} motions are worse than they say\n{rows}");
+        assert!(low == 0, "{effort:?}: {low} motions are worse than they say\n{rows}");
         assert!(middle.iter().all(|ratio| *ratio <= 10.0), "{effort:?}: {middle:?}\n{rows}");
         page = page.replace(&format!("{{{place}}}"), rows.trim_end());
-        page = page.replace(&format!("{{{place}_low}}"), &low.to_string());
     }
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../book/error.md");
     if std::env::var_os("POLHODE_GOLDEN").is_some() {

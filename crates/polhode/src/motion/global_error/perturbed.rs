@@ -77,6 +77,14 @@ impl Distance {
         Self { attitude: worse(self.attitude, other.attitude), omega: worse(self.omega, other.omega) }
     }
 
+    /// Infinite from an angle on that is too large to tell anything: multiplied or divided, it would be any number.
+    pub(super) fn within_linear(mut self) -> Self {
+        for (a, w) in self.attitude.iter_mut().zip(&mut self.omega).filter(|(a, _)| !(**a <= LINEAR)) {
+            (*a, *w) = (f64::INFINITY, f64::INFINITY);
+        }
+        self
+    }
+
     /// Divided by a number.
     pub(super) fn over(mut self, by: f64) -> Self {
         self.attitude.iter_mut().chain(&mut self.omega).for_each(|x| *x /= by);

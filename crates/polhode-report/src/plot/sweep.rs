@@ -36,13 +36,14 @@ const FIRST: [&str; 9] = [
     "end_time_s",
 ];
 /// How the names of outcomes begin that say little in a histogram.
-const LAST: [&str; 11] = [
+const LAST: [&str; 12] = [
     "mass_",
     "moment_",
     "steps_",
     "evaluations",
     "energy_drift",
     "momentum_drift",
+    "error_",
     "flip_interval",
     "start_",
     "least_angle_to_axis_1",

@@ -10,6 +10,7 @@ const MOST_CORRELATIONS: usize = 6;
 
 /// What only its worst says something of.
 const DRIFT: [&str; 2] = ["energy_drift", "momentum_drift"];
+const ERROR: [&str; 2] = ["error_attitude_rad", "error_omega"];
 
 pub(super) fn write(summary: &SweepSummary) -> String {
     let title = printable(summary.title.as_deref().unwrap_or("sweep"));
@@ -38,6 +39,12 @@ pub(super) fn write(summary: &SweepSummary) -> String {
         let line =
             format!("energy {}   momentum {}   (relative, worst member)", error(energy), error(momentum));
         text.push_str(&labelled("drift", &line.replace("   ", "\u{a0}\u{a0} ")));
+    }
+    if let [Some(attitude), omega] = ERROR.map(worst) {
+        let omega = omega.map_or_else(String::new, |omega| format!("   ω {} of itself", error(omega)));
+        let line =
+            format!("attitude {} rad{omega}   (estimate, at the end of the worst member)", error(attitude));
+        text.push_str(&labelled("error", &line.replace("   ", "\u{a0}\u{a0} ")));
     }
     let strong = summary.correlations.iter().filter(|c| c.value.abs() >= LEAST_CORRELATION);
     for (k, pair) in strong.take(MOST_CORRELATIONS).enumerate() {

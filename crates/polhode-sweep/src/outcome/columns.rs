@@ -56,7 +56,7 @@ const REGIME: &str = "the kind of the free motion that the start has: at_rest, p
     separatrix; none with wheels, or if the motion is prescribed";
 const END_REGIME: &str = "the same of the final state";
 
-const NUMBERS: [Number; 33] = [
+const NUMBERS: [Number; 35] = [
     number("mass_kg", "kg", "mass", |o| o.mass),
     number("moment_1_kg_m2", "kg·m²", MOMENT, |o| o.moments.map(|[i1, _, _]| i1)),
     number("moment_2_kg_m2", "kg·m²", MOMENT, |o| o.moments.map(|[_, i2, _]| i2)),
@@ -116,6 +116,18 @@ const NUMBERS: [Number; 33] = [
     number("momentum_drift", "", "impulse-momentum theorem: departure relative to the largest |L|", |o| {
         o.extrema?.momentum_drift
     }),
+    number(
+        "error_attitude_rad",
+        "rad",
+        "estimated error of the final attitude; pi where nothing is known",
+        |o| Some(o.error?.attitude),
+    ),
+    number(
+        "error_omega",
+        "",
+        "estimated error of the final omega, of its length; none where nothing is known",
+        |o| Some(o.error?.omega).filter(|omega| omega.is_finite()),
+    ),
     number("steps_accepted", "", "steps of the integration", |o| Some(o.steps?.accepted as f64)),
     number("steps_rejected", "", "steps tried again shorter", |o| Some(o.steps?.rejected as f64)),
     number("evaluations", "", "evaluations of the equations of motion", |o| {

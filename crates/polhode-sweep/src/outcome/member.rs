@@ -1,8 +1,8 @@
 //! What becomes of one member.
 
 use polhode::{
-    Drift, Ending, Event, FreeMotion, FreeRegime, MotionError, Regime, Rotor, Sample, Scenario, Solution,
-    State, StepStatistics, Trajectory,
+    Drift, Ending, ErrorEffort, Event, FreeMotion, FreeRegime, GlobalError, MotionError, Regime, Rotor,
+    Sample, Scenario, Solution, State, StateError, StepStatistics, Trajectory,
 };
 use polhode_formats::FormatError;
 use polhode_report::Periods;
@@ -26,6 +26,8 @@ pub(super) struct Outcome {
     pub(super) start: Option<Instant>,
     pub(super) end: Option<Instant>,
     pub(super) extrema: Option<Extrema>,
+    /// Estimated, of the end.
+    pub(super) error: Option<StateError>,
     /// One for each event of the scenario.
     pub(super) events: Vec<Happened>,
     pub(super) steps: Option<StepStatistics>,
@@ -87,11 +89,11 @@ impl Outcome {
     fn moved(self, scenario: &Scenario, rotor: &Rotor) -> Self {
         if let Some((motion, end)) = free::motion(scenario, rotor) {
             return match free::outcome(&motion, end) {
-                Some(found) => self.with_free(&motion).with_found(&found),
+                Some(found) => self.with_free(&motion).with_found(&motion, &found),
                 None => self.failed(&MotionError::NotFinite { time: end }),
             };
         }
-        match scenario.simulate() {
+        match scenario.simulate_with_error(ErrorEffort::Cheap, &mut |_| {}) {
             Some(Ok(trajectory)) => self.with(scenario, rotor, &trajectory),
             Some(Err(error)) => self.failed(&error),
             None => Self { cause: Some("it has no [run] section".to_owned()), ..self },
@@ -137,6 +139,7 @@ impl Outcome {
             end: last.map(Instant::of),
             end_regime: last.and_then(|last| free(&last.state)).map(|motion| motion.regime()),
             extrema: Some(Extrema::of(rotor, trajectory, Drift::of(trajectory))),
+            error: trajectory.error().map(GlobalError::end),
             ..happened
         }
     }
@@ -148,13 +151,14 @@ impl Outcome {
     }
 
     /// With the ends and the extrema of a free motion.
-    fn with_found(self, found: &free::Found) -> Self {
+    fn with_found(self, motion: &FreeMotion, found: &free::Found) -> Self {
         Self {
             status: Status::Complete,
             end_regime: self.regime,
             start: Some(found.start),
             end: Some(found.end),
             extrema: Some(found.extrema),
+            error: Some(motion.formula_error(found.end.state.time - found.start.state.time)),
             ..self
         }
     }

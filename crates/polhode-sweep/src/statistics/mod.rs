@@ -36,13 +36,15 @@ const CONFIDENCE: f64 = 0.95;
 /// Which quantiles there are.
 const PROBABILITIES: [f64; 7] = [0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99];
 /// Outcomes whose dependence on inputs says nothing: what the body is, what its motion cost to compute, and how good that is.
-const PLAIN: [&str; 9] = [
+const PLAIN: [&str; 11] = [
     "mass_kg",
     "moment_1_kg_m2",
     "moment_2_kg_m2",
     "moment_3_kg_m2",
     "energy_drift",
     "momentum_drift",
+    "error_attitude_rad",
+    "error_omega",
     "steps_accepted",
     "steps_rejected",
     "evaluations",

@@ -1,6 +1,6 @@
 //! What becomes of members: rows of outcomes against the motions themselves.
 
-use polhode::{FreeMotion, Trajectory};
+use polhode::{ErrorEffort, FreeMotion, Trajectory};
 use polhode_sweep::{Batch, BatchError, Column, Plan, Values, inputs, simulate, trajectories};
 
 const BODY: &str = r#"
@@ -123,6 +123,8 @@ fn a_free_member_is_its_motion() {
         assert_eq!(texts(&rows, "regime")[k].as_deref(), Some(motion.regime().name()));
         assert_eq!(texts(&rows, "end_regime")[k], texts(&rows, "regime")[k]);
         assert!(number("momentum_drift", k) < 2e-14 && number("energy_drift", k) < 2e-14);
+        let [attitude, omega] = ["error_attitude_rad", "error_omega"].map(|name| number(name, k));
+        assert!(attitude > 1e-16 && attitude < 1e-14 && omega > 1e-16 && omega < 1e-14);
 
         // Extrema in closed form against a look at every thousandth of a period.
         let times: Vec<f64> = (0..=1000).map(|j| motion.period().unwrap() * f64::from(j) / 1000.0).collect();
@@ -164,7 +166,11 @@ fn a_driven_member_has_events_steps_and_an_end() {
     let (count, end) = (numbers(&rows, "event_one_second_count"), numbers(&rows, "end_time_s"));
     for k in 0..20 {
         let scenario = plan.scenario(&plan.values(k as u64)).unwrap();
-        let trajectory = scenario.simulate().unwrap().unwrap();
+        let trajectory = scenario.simulate_with_error(ErrorEffort::Cheap, &mut |_| {}).unwrap().unwrap();
+        let error = trajectory.error().unwrap().end();
+        assert_eq!(numbers(&rows, "error_attitude_rad")[k], Some(error.attitude));
+        assert_eq!(numbers(&rows, "error_omega")[k], Some(error.omega));
+        assert!(error.attitude > 1e-16 && error.attitude < 1e-11 && error.omega < 1e-11, "{error:?}");
         let stop = trajectory.events().iter().find(|crossing| crossing.event == 0);
         assert_eq!(first[k], stop.map(|crossing| crossing.state.time));
         match stop {

@@ -43,8 +43,9 @@ impl FreeMotion {
         GlobalError { is_thorough: true, computation, inputs }
     }
 
-    /// Of states so long after the start: some rounding, and what the phase has drifted by ([`FreeMotion::reach`]).
-    pub(crate) fn formula_error(&self, after: f64) -> StateError {
+    /// That of the formulas alone, of states so long after the start, s: some rounding, and what the phase has drifted by
+    /// ([`FreeMotion::reach`]).
+    pub fn formula_error(&self, after: f64) -> StateError {
         let drift = ALLOWED * (after.abs() / self.reach()).min(1.0);
         StateError { attitude: 8e-16 + drift, omega: 5e-16 + drift }
     }

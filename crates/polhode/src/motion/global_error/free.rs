@@ -2,7 +2,7 @@
 
 use super::inputs::Change;
 use super::watched::Watched;
-use super::{GlobalError, RUNS, StateError, input_error};
+use super::{GlobalError, StateError, input_error};
 use crate::math::symmetric3::Symmetric3;
 use crate::motion::error::MotionError;
 use crate::motion::free::FreeMotion;
@@ -30,7 +30,7 @@ impl FreeMotion {
         order.sort_by(|&a, &b| after(times[a]).total_cmp(&after(times[b])));
         let outward: Vec<f64> = order.iter().map(|&k| times[k]).collect();
         let watched = Watched::of(self.at_times(&outward), 1);
-        let found = input_error(&watched, RUNS[1], |seed, amplitude| {
+        let found = input_error(&watched, |seed, amplitude| {
             let mut change = Change::new(seed, amplitude);
             let tensor = change.inertia(&self.tensor());
             Self::of_symmetric(&tensor, change.start(start))

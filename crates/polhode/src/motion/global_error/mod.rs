@@ -187,7 +187,7 @@ impl Simulation<'_> {
     ) -> Option<GlobalError> {
         let (method, steps) = match trajectory.solution() {
             Solution::Prescribed(_) => return None,
-            Solution::Exact(motion) => return Some(self.exact_error(motion, trajectory, effort)),
+            Solution::Exact(motion) => return Some(self.exact_error(motion, trajectory)),
             Solution::Integrated { method, statistics, .. } => (*method, statistics.accepted),
         };
         let rule = rule(method)?;
@@ -210,13 +210,11 @@ impl Simulation<'_> {
         }
     }
 
-    /// Of a closed form, which has no steps whose errors add up.
-    fn exact_error(&self, motion: &ClosedForm, trajectory: &Trajectory, effort: ErrorEffort) -> GlobalError {
+    /// Of a closed form, which has no steps whose errors add up: of some hundreds of states, so that it is always thorough.
+    fn exact_error(&self, motion: &ClosedForm, trajectory: &Trajectory) -> GlobalError {
         let samples = trajectory.samples();
-        let is_thorough = effort.is_thorough(samples.len() as u64, FEW);
-        let runs = if is_thorough { RUNS[1] } else { 2 };
         let watched = Watched::of_trajectory(trajectory);
-        let inputs = input_error(&watched, runs, |seed, amplitude| {
+        let inputs = input_error(&watched, |seed, amplitude| {
             let Inputs { rotor, start } = Inputs::of(self, seed, amplitude);
             // Not every change of a body keeps the symmetry that a closed form needs.
             ClosedForm::of(&rotor, self.torques, start)
@@ -227,7 +225,7 @@ impl Simulation<'_> {
             motion.formula_error(sample.state.time - self.start.time, *worth)
         };
         let computation = samples.iter().zip(&inputs).map(error).collect();
-        GlobalError { is_thorough, computation, inputs }
+        GlobalError { is_thorough: true, computation, inputs }
     }
 
     /// The error of steps: truncation, and rounding made larger.
@@ -273,8 +271,8 @@ impl Simulation<'_> {
 }
 
 /// What the last bit of the inputs does, by what many times as much does: `states` of a seed and an amplitude.
-fn input_error(watched: &Watched, runs: u64, states: impl Fn(u64, f64) -> Vec<State>) -> Vec<StateError> {
-    let distances = (0..runs).map(|run| {
+fn input_error(watched: &Watched, states: impl Fn(u64, f64) -> Vec<State>) -> Vec<StateError> {
+    let distances = (0..RUNS[1]).map(|run| {
         let distance = |amplitude: f64| {
             Distance::between(&watched.states, &states(INPUT_SEED + run, amplitude)).over(amplitude)
         };

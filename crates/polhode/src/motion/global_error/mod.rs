@@ -322,8 +322,8 @@ impl Refinement {
             // 1 − 0.9ⁿ is 0.87 of order 19, and as little as a quarter where steps end at other places.
             Rule::Taylor => (rule, tolerance, 0.9, 0.25),
             Rule::Dop853 if 4.0 * tolerance > LOOSEST_TOLERANCE => return Self::finer(rule, tolerance),
-            // 1.19⁸ is 4: the distance is three times the error, and as little as an eighth of that where it has another direction.
-            Rule::Dop853 => (rule, 4.0 * tolerance, 1.19, 0.36),
+            // 1.19⁸ is 4: the distance is three times the error, and as little as a sixth of that where it has another direction.
+            Rule::Dop853 => (rule, 4.0 * tolerance, 1.19, 0.5),
             // 2ᵖ − 1 times as large; half of that, as steps so long may do better than their order
             Rule::Splitting { order, step } => {
                 let gain = 0.5 * (f64::from(order.number()).exp2() - 1.0);

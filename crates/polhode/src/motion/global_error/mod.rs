@@ -66,7 +66,7 @@ pub enum ErrorEffort {
 ///
 /// # Accuracy
 /// Of the motions of `fixtures/motion_errors.toml`, all torque models, chaotic, damped and stiff ones among them, none has more than
-/// twice the error that an estimate says; with other random numbers one of 400 has, of a cheap one: `book/error.md`.
+/// twice the error that an estimate says; with other random numbers one of 300 has, of a cheap one: `book/error.md`.
 ///
 /// ```
 /// use polhode::*;

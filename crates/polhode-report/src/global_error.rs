@@ -10,8 +10,9 @@ use crate::number::error;
 pub(crate) fn to_text(trajectory: &Trajectory) -> String {
     let Some(estimate) = trajectory.error() else { return String::new() };
     let [computation, inputs] = [estimate.end(), estimate.inputs_end()].map(in_words);
+    let at_most = if estimate.is_thorough() { "" } else { "at most " };
     labelled("error", &format!("{computation}, at the end (estimate)"))
-        + &labelled("", &format!("the last bit of the inputs is worth {inputs}"))
+        + &labelled("", &format!("the last bit of the inputs is worth {at_most}{inputs}"))
 }
 
 /// `attitude 2.3e-14 rad, ω 1.2e-14 of itself`

@@ -295,9 +295,10 @@ fn evidence(input: &PageInput<'_>, is_free: bool) -> Vec<Row> {
         let [end, inputs] = [estimate.end(), estimate.inputs_end()];
         rows.push(Row::new("attitude is right to", error(end.attitude), "rad").note("estimate, at the end"));
         rows.push(Row::new("ω is right to", error(end.omega), "").note("of itself, at the end"));
+        let or_less = if estimate.is_thorough() { "" } else { ", or by less" };
         rows.push(
             Row::new("last bit of the inputs", error(inputs.attitude), "rad")
-                .note("turns the attitude at the end"),
+                .note(format!("turns the attitude at the end{or_less}")),
         );
     }
     if let Solution::Integrated { tolerance, statistics, .. } = input.trajectory.solution() {

@@ -16,7 +16,7 @@ const LOST: f64 = 0.1;
 
 impl Trajectory {
     /// What was noticed about its error: `motion.error` where errors have grown beyond what steps were asked for,
-    /// `motion.inputs` where the last bit of the inputs is worth more than anybody would think. Nothing without an estimate.
+    /// `motion.inputs` where the last bit of the inputs is worth more than anybody would think, of a thorough estimate. Nothing without one.
     pub fn findings(&self) -> Vec<Finding> {
         let Some(error) = self.error() else { return Vec::new() };
         self.computation_finding(error).into_iter().chain(self.input_finding(error)).collect()
@@ -47,7 +47,8 @@ impl Trajectory {
 
     fn input_finding(&self, error: &GlobalError) -> Option<Finding> {
         let StateError { attitude, .. } = error.inputs_end();
-        if attitude <= SMALL {
+        // A cheap estimate has a bound only: no evidence that they matter.
+        if attitude <= SMALL || !error.is_thorough() {
             return None;
         }
         let (severity, message) = match self.time_beyond(error.inputs(), LOST) {

@@ -140,7 +140,7 @@ impl GlobalError {
     }
 
     /// What the last bit of the inputs (the body's moments, lever, ω and attitude at the start) is worth, at each sample: half a unit in
-    /// the last place of each, rounded either way at random.
+    /// the last place of each, rounded either way at random. Of a cheap estimate, at most so much.
     pub fn inputs(&self) -> &[StateError] {
         &self.inputs
     }

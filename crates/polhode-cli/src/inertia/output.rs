@@ -45,6 +45,11 @@ impl OutputFlags {
         }
         let reports = answers.iter().flat_map(|(file, answer)| answer.iter().flatten().map(|r| (*file, r)));
         for (file, report) in reports {
+            let source = &report.source;
+            // What was assumed or joined stands in the heading of the text.
+            if ["unit_assumed", "joints"].iter().any(|key| source.fields.contains_key(*key)) {
+                tell(&format!("info: {}: {}\n", shown(file), printable(&source.description)));
+            }
             for Finding { severity, message, code, .. } in &report.findings {
                 let severity = severity.name();
                 tell(&format!("{severity}: {}: {} [{code}]\n", shown(file), printable(message)));

@@ -210,7 +210,11 @@ fn a_mesh_of_no_unit_is_asked_for_it_where_metres_are_absurd() {
     // A form without findings has them on standard error.
     for form in [&["--csv"][..], &["--as", "urdf"]] {
         let output = of(&[&["--material", "aluminium"], form].concat());
-        assert!(String::from_utf8_lossy(&output.stderr).contains("[mesh.unit]"));
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(said.contains("[mesh.unit]") && said.contains("in m as no unit is given"), "{said}");
+        let lumped =
+            scratch.run(&[&["inertia", &example("robots/arm.urdf"), "--lump", "all"], form].concat());
+        assert!(String::from_utf8_lossy(&lumped.stderr).contains("joints at zero"), "{form:?}");
         assert!(!stdout(&output).contains("mesh.unit"));
     }
     assert_eq!(json(&of(&["--mass", "85 g", "--json"]))["findings"][0]["code"], "mesh.unit");

@@ -110,7 +110,7 @@ impl Sweep {
 /// What was noticed about the plan, on standard error.
 fn warn(plan: &Plan) {
     for finding in plan.findings().iter().filter(|finding| finding.severity != Severity::Info) {
-        tell(&format!("warning: {}\n", printable(&finding.message)));
+        tell(&format!("{}: {}\n", finding.severity.name(), printable(&finding.message)));
     }
 }
 

@@ -34,6 +34,20 @@ pub(crate) fn matrix<'py, const N: usize>(
     table(py, rows.as_flattened().to_vec(), N)
 }
 
+/// The same, or a refusal where an element overflowed: what the matrix is said to be, and a hint.
+pub(crate) fn finite_matrix<'py>(
+    py: Python<'py>,
+    rows: &[[f64; 3]],
+    otherwise: &str,
+    hint: &str,
+) -> PyResult<Bound<'py, PyArray2<f64>>> {
+    if rows.as_flattened().iter().all(|element| element.is_finite()) {
+        matrix(py, rows)
+    } else {
+        Err(refused(otherwise, Some(hint)))
+    }
+}
+
 /// Rows of so many columns.
 pub(crate) fn table<'py>(
     py: Python<'py>,

@@ -8,7 +8,7 @@ use polhode::{
 use polhode_report::{ExportBody, ExportFormat, InertiaReport, SourceInfo, export};
 use pyo3::prelude::*;
 
-use crate::arrays::{matrix, numbers, row, rows};
+use crate::arrays::{finite_matrix, matrix, numbers, row, rows};
 use crate::error::{Raise, refused};
 use crate::finding::{Remark, remarks};
 use crate::pickle;
@@ -127,19 +127,14 @@ impl PyMassProperties {
     /// The tensor about a point.
     fn about<'py>(&self, py: Python<'py>, point: [f64; 3]) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let about = self.properties().inertia_about(Position::from_array(point)).matrix();
-        if about.iter().flatten().any(|element| !element.is_finite()) {
-            return Err(refused(
-                "the tensor about that point is too large for a number",
-                Some("check point"),
-            ));
-        }
-        matrix(py, &about)
+        finite_matrix(py, &about, "the tensor about that point is too large for a number", "check point")
     }
 
     /// The tensor about the centre of mass along turned axes: a quaternion that takes their components to the body's.
     fn along<'py>(&self, py: Python<'py>, wxyz: [f64; 4]) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let turn = Rotation::<Body, Part>::from_quaternion(wxyz).map_err(Raise::raise)?;
-        matrix(py, &self.properties().inertia().in_frame(turn.inverse()).matrix())
+        let along = self.properties().inertia().in_frame(turn.inverse()).matrix();
+        finite_matrix(py, &along, "the tensor along those axes is too large for a number", "check the body")
     }
 
     #[getter]

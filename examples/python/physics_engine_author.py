@@ -71,12 +71,23 @@ coarse, fine = error(rk4, 0.04), error(rk4, 0.02)
 assert all(14.0 < a / b < 18.0 for a, b in zip(coarse[:2], fine[:2])), (coarse, fine)
 
 # %% [markdown]
-# Many bodies with one call: the same Runge-Kutta, side by side in vectors, against the exact states.
+# Many bodies with one call: 2000 exact states, to hold 2000 runs of an engine against. Here RK4 of ω, all bodies in one array.
 
 # %%
 starts = np.random.default_rng(3).normal(size=(2000, 3))
-ensemble = polhode.Ensemble(moments=MOMENTS, omega=starts)
-true, _ = ensemble.at([END])
-errors = [np.abs(ensemble.at([END], step=dt).omega - true).max() for dt in (0.02, 0.01)]
+true, _ = polhode.Ensemble(moments=MOMENTS, omega=starts).at([END])
+
+
+def worst(dt):
+    w = starts
+    for _ in range(round(END / dt)):
+        k1 = acceleration(w)
+        k2 = acceleration(w + dt / 2 * k1)
+        k3 = acceleration(w + dt / 2 * k2)
+        w = w + dt / 6 * (k1 + 2 * k2 + 2 * k3 + acceleration(w + dt * k3))
+    return np.abs(w - true[:, 0]).max()
+
+
+errors = worst(0.02), worst(0.01)
 print(f"worst error in ω of 2000 bodies: {errors[0]:.1e} at 0.02 s, {errors[1]:.1e} at 0.01 s")
 assert 12.0 < errors[0] / errors[1] < 20.0

@@ -6,8 +6,8 @@ use std::path::Path;
 use numpy::ndarray::Array3;
 use numpy::{IntoPyArray as _, PyArray3, PyReadonlyArray1, PyReadonlyArray2};
 use polhode::{
-    Advance, AngularVelocity, Attitude, Body, Ensemble, Failure, Finding, InertiaTensor, MassProperties,
-    Member, MotionError, Position, Rotor, Scenario, State, TorqueModel,
+    AngularVelocity, Attitude, Body, Ensemble, Finding, InertiaTensor, MassProperties, Member, MemberFailure,
+    Method, MotionError, Position, Rotor, Scenario, State, TorqueModel,
 };
 use polhode_formats::scenario;
 use pyo3::prelude::*;
@@ -20,7 +20,7 @@ use crate::interrupt::signal;
 
 /// A row for each member and time, t, w, x, y, z, ω1, ω2, ω3 (n, t, 8), and those that could go no further: the member, when it was
 /// last good (s), and why.
-type Flights<'py> = (Bound<'py, PyArray3<f64>>, Vec<(usize, f64, String)>);
+type States<'py> = (Bound<'py, PyArray3<f64>>, Vec<(usize, f64, String)>);
 
 /// Many bodies, each with its own start, under the same torques.
 #[pyclass(frozen, name = "Ensemble", module = "polhode._native")]
@@ -69,41 +69,40 @@ impl PyEnsemble {
         remarks(&self.findings)
     }
 
-    /// All members at all times, on so many threads; `step` (s) asks for Runge–Kutta, else the best method for each at `tolerance`.
+    /// All members at all times, on so many threads, by the best method for each at `tolerance`.
     fn at<'py>(
         &self,
         py: Python<'py>,
         times: PyReadonlyArray1<'py, f64>,
         threads: usize,
-        step: Option<f64>,
         tolerance: f64,
-    ) -> PyResult<Flights<'py>> {
+    ) -> PyResult<States<'py>> {
         let times = numbers(&times)?;
-        let advance = step.map_or(Advance::Auto { tolerance }, |step| Advance::RungeKutta4 { step });
         let threads = NonZero::new(threads).unwrap_or(NonZero::<usize>::MIN);
         let (mut heard, shape) = (None, [self.ensemble.len(), times.len(), 8]);
         room::<[f64; 8]>(
             &format!("the states of {} members at {} times", shape[0], shape[1]),
             shape[0].checked_mul(shape[1]),
         )?;
-        let flown: Result<_, MotionError> = py.detach(|| {
+        let computed: Result<_, MotionError> = py.detach(|| {
             let mut rows = vec![[0.0; 8]; self.ensemble.len() * times.len()];
-            let failures = self.ensemble.fill(times, advance, threads, &mut rows, &mut |_| {
-                heard = signal();
-                heard.is_none()
-            })?;
+            let failures =
+                self.ensemble.fill(times, (Method::Auto, tolerance), threads, &mut rows, &mut |_| {
+                    heard = signal();
+                    heard.is_none()
+                })?;
             rows.chunks_mut(times.len().max(1)).for_each(continuous);
             Ok((rows, failures))
         });
         if let Some(signal) = heard {
             return Err(signal);
         }
-        let (rows, failures) = flown.map_err(Raise::raise)?;
+        let (rows, failures) = computed.map_err(Raise::raise)?;
         let last_good = |member: usize| {
             let last = ((member + 1) * times.len()).checked_sub(1).and_then(|last| rows.get(last));
             last.map_or(0.0, |&[time, ..]| time)
         };
-        let failed = |f: &Failure| (f.member, last_good(f.member), f.cause.to_string());
+        let failed = |f: &MemberFailure| (f.member, last_good(f.member), f.cause.to_string());
         let failed = failures.iter().map(failed).collect();
         let rows = Array3::from_shape_vec(shape, rows.into_flattened());
         Ok((rows.map_err(|error| refused(error, None))?.into_pyarray(py), failed))

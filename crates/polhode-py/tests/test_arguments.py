@@ -97,7 +97,7 @@ def functions() -> dict[Callable[..., object], dict[str, Any]]:
         free.at: {"times": [1.0, 2.0]},
         free.error: {"times": [1.0, 2.0]},
         free.page: {"duration": 3.0},
-        ensemble.at: {"times": [0.0, 1.0], "threads": 1, "step": 0.1, "tolerance": 1e-9},
+        ensemble.at: {"times": [0.0, 1.0], "threads": 1, "tolerance": 1e-9},
         plot.omega: {"motion": free, "times": [0.0, 1.0]},
         plot.attitude: {"motion": free, "times": [0.0, 1.0]},
         plot.momentum: {"motion": motion},

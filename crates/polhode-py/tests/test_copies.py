@@ -36,14 +36,13 @@ ASKED: dict[str, list[dict[str, Any]]] = {
 }
 
 
-def failed_flights() -> polhode.Flights:
-    """Two of three members go beyond the range of numbers."""
-    torque = '[[torque]]\nmodel = "drag"\nlaw = "linear"\ncoefficient = "0.3 N m s"\n'
+def failed_states() -> polhode.EnsembleStates:
+    """Two of three members run away."""
+    torque = '[[torque]]\nmodel = "formula"\naxes = "body"\ntorque = ["0", "0", "0.1[kg m^2 s]*wz^3"]\n'
     ensemble = polhode.Ensemble(moments=[1.0, 2.0, 2.5], omega=[[0.1, 0.2, 0.3], [1e3, 2e3, -1e3], [1, 2, -3]], torques=torque)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
-        flights = ensemble.at([0.0, 0.5, 2.0], step=1.0)
-    return flights
+        return ensemble.at([0.0, 0.5, 2.0])
 
 
 def report(tmp_path: Path) -> polhode.CheckReport:
@@ -103,7 +102,7 @@ def everything(tmp_path: Path) -> list[object]:
     made = bodies(tmp_path)
     moved = motions()
     plan = polhode.batch.Plan(PLAN.format(members=40))
-    flights = failed_flights()
+    states = failed_states()
     checked = report(tmp_path)
     omega = np.random.default_rng(5).normal(size=(4, 3))
     attitude = np.random.default_rng(6).normal(size=(4, 4))
@@ -122,7 +121,7 @@ def everything(tmp_path: Path) -> list[object]:
         free.at([0.0, 2.5, -7.0]),
         shared,
         own,
-        flights,
+        states,
         polhode.Failure(3, 1.25, "beyond the range of numbers"),
         checked,
         *checked.findings[:2],

@@ -63,12 +63,12 @@ def test_warnings_point_at_the_line_of_the_user(examples: Path, tmp_path: Path) 
     path = tmp_path / "plan.toml"
     path.write_text(MESH.format(file=examples / "bracket.stl") + SWEEP)
     bodies = {"moments": [1.0, 2.0, 2.5], "omega": [[1e3, 2e3, -1e3]]}
-    drag = polhode.Ensemble(**bodies, torques='[[torque]]\nmodel = "drag"\nlaw = "linear"\ncoefficient = "0.3 N m s"\n')
+    runaway = polhode.Ensemble(**bodies, torques='[[torque]]\nmodel = "formula"\naxes = "body"\ntorque = ["0", "0", "1[kg m^2 s]*wz^3"]\n')
     calls: dict[str, Callable[[], object]] = {
         "[mesh.unit]": lambda: polhode.inertia(path),
         "[mass.assumed]": lambda: polhode.inertia(examples / "meshes" / "bracket.3mf"),
         "[sweep.nominal]": lambda: polhode.simulate(path),
-        "cannot go on": lambda: drag.at([2.0], step=1.0),
+        "cannot go on": lambda: runaway.at([2.0]),
         "[orbit.underground]": lambda: polhode.Ensemble(**bodies, torques=UNDERGROUND),
         "is it in mm?": lambda: batch.Plan(path),
         "some 68.8 m long": lambda: sweep.run(path, tmp_path / "out"),

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Measures ensembles beside other programs in one run and writes the numbers of book/ensembles.md.
 
-    pip install heyoka mujoco numpy scipy
+    pip install heyoka numpy scipy
     python3 crates/polhode/benches/ensemble.py
 
 Every rate is the best of many runs; each program has one core, unless it says otherwise.
@@ -18,7 +18,6 @@ ROOT = Path(__file__).resolve().parents[3]
 PAGE = ROOT / "book/ensembles.md"
 BEGIN, END = "<!-- written by crates/polhode/benches/ensemble.py -->", "<!-- end of what is written -->"
 MOMENTS, OMEGA = (1.0, 2.0, 3.0), (0.3, 0.5, 0.9)
-BOUND = {"widest vectors": 313.0, "AVX2": 178.0}
 
 
 def bench(flags="", features=()):
@@ -66,50 +65,6 @@ def heyoka():
     return best(work) / (100 * width) * 1e9, width, hy.__version__
 
 
-def mujoco():
-    """Million body-steps/s of RK4 by rollouts of a free body, on one thread."""
-    import mujoco as mj
-    import numpy as np
-    from mujoco import rollout
-
-    model = mj.MjModel.from_xml_string(
-        """<mujoco><option gravity="0 0 0" timestep="0.01" integrator="RK4"/><worldbody><body><freejoint/>
-        <inertial pos="0 0 0" mass="1" diaginertia="1 2 2.5"/></body></worldbody></mujoco>""")
-    data = mj.MjData(model)
-    data.qvel[3:] = OMEGA
-    state = np.empty(mj.mj_stateSize(model, mj.mjtState.mjSTATE_FULLPHYSICS))
-    mj.mj_getState(model, data, state, mj.mjtState.mjSTATE_FULLPHYSICS)
-    bodies, steps = 16, 500
-    starts = np.tile(state, (bodies, 1))
-    seconds = best(lambda: rollout.rollout(model, [data], starts, nstep=steps))
-    return bodies * steps / seconds * 1e-6, mj.__version__
-
-
-def numpy_loop():
-    """Million body-steps/s of RK4 written with arrays, 10,000 bodies side by side."""
-    import numpy as np
-
-    i1, i2, i3 = MOMENTS
-    y = np.array([*OMEGA, 1.0, 0.0, 0.0, 0.0])[:, None] * np.ones((7, 10_000))
-
-    def slope(y):
-        a, b, c, w, p, q, r = y
-        return np.stack([(i2 - i3) / i1 * b * c, (i3 - i1) / i2 * c * a, (i1 - i2) / i3 * a * b,
-                         -0.5 * (p * a + q * b + r * c), 0.5 * (w * a + q * c - r * b),
-                         0.5 * (w * b + r * a - p * c), 0.5 * (w * c + p * b - q * a)])
-
-    def work(h=0.01):
-        z = y
-        for _ in range(10):
-            k1 = slope(z)
-            k2 = slope(z + 0.5 * h * k1)
-            k3 = slope(z + 0.5 * h * k2)
-            k4 = slope(z + h * k3)
-            z = z + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
-
-    return 10 * 10_000 / best(work) * 1e-6, np.__version__
-
-
 def scipy_loop():
     """µs per body and unit of time by solve_ivp, DOP853 at 1e-9, one body after the other."""
     import scipy
@@ -144,11 +99,7 @@ def main():
     widest = own["widest vectors"]
     rows = "\n".join(f"| {name} | {unit} | " + " | ".join(lines.get(name, ("–", ""))[0].replace("NaN", "–") for lines in own.values()) + " |"
                      for name, (_, unit) in widest.items())
-    free = {kind: float(lines["RK4 free, 1 at a time"][0]) for kind, lines in own.items()}
-    bound = ", ".join(f"{free[kind] / rate * 100:.0f} % of {rate:.0f} with {kind}" for kind, rate in BOUND.items())
     taylor_ns, width, heyoka_version = heyoka()
-    mujoco_rate, mujoco_version = mujoco()
-    numpy_rate, numpy_version = numpy_loop()
     scipy_us, scipy_version = scipy_loop()
     own_taylor = float(widest["Taylor free"][0])
     text = f"""{BEGIN}
@@ -158,16 +109,11 @@ def main():
 |---|---|{"---|" * len(own)}
 {rows}
 
-A step of the textbook's form is 198 operations, 119 instructions where multiplications and additions are fused. Two of those in
-each cycle would be 313 million steps a second here with AVX-512, 178 with AVX2: free bodies go at {bound}.
-
 Other programs in the same run:
 
 | | | polhode | ratio |
 |---|---|---|---|
 | heyoka {heyoka_version}, order 20, {width} bodies a batch | {taylor_ns:.0f} ns per body-step | {own_taylor:.0f} | {taylor_ns / own_taylor:.1f} |
-| MuJoCo {mujoco_version}, rollout, RK4 | {mujoco_rate:.2f} million body-steps/s | {free["widest vectors"]:.0f} | {free["widest vectors"] / mujoco_rate:.0f} |
-| NumPy {numpy_version}, RK4 of 10,000 bodies | {numpy_rate:.2f} million body-steps/s | {free["widest vectors"]:.0f} | {free["widest vectors"] / numpy_rate:.0f} |
 | SciPy {scipy_version}, DOP853 at 1e-9 | {scipy_us:.1f} µs per body and s of motion | | |
 {END}"""
     page = PAGE.read_text()

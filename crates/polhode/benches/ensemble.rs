@@ -1,8 +1,7 @@
 //! Many bodies in nanoseconds. `cargo bench -p polhode --bench ensemble`; `benches/ensemble.py` runs it beside peers and with narrower
 //! vectors, and writes the numbers of `book/ensembles.md`.
 //!
-//! Each line: what, the number, its unit. Times are the least of many runs so short that some are left undisturbed; those of one and two
-//! threads are of 40 ms a thread and of many shares for each, beside which a thread begins at once and none waits long for the other.
+//! Each line: what, the number, its unit. Times are the least of many runs so short that some are left undisturbed.
 
 use std::error::Error;
 use std::hint::black_box;
@@ -11,21 +10,8 @@ use std::time::Instant;
 
 use polhode::*;
 
-/// A run of one thread or two, s: several hundred times what a thread takes to begin.
-const LONG: f64 = 0.04;
-
-/// Operations of a step of the classical Runge–Kutta method of ω and q as textbooks write it.
-const TEXTBOOK: f64 = 198.0;
-
 fn main() -> Result<(), Box<dyn Error>> {
-    let of_one = scaling("fused multiply–add", "GFLOP/s", |threads| Ok(peak(threads)))?;
-    for (name, rotor, torques) in subjects()? {
-        let name = format!("RK4 {name}");
-        let rate = scaling(&name, "million body-steps/s", |threads| rk4(&rotor, &torques, threads))?;
-        if torques.is_empty() {
-            println!("{name}, of the peak\t{:.0}\t%", TEXTBOOK * rate * 1e-3 / of_one * 100.0);
-        }
-    }
+    scaling("fused multiply–add", "GFLOP/s", |threads| Ok(peak(threads)))?;
     exact()?;
     for (name, rotor, torques) in subjects()? {
         println!("Taylor {name}\t{:.0}\tns per body-step", taylor(&rotor, &torques)?);
@@ -94,29 +80,9 @@ fn subjects() -> Result<Vec<Subject>, Box<dyn Error>> {
     ])
 }
 
-fn ensemble(rotor: &Rotor, torques: &[TorqueModel], count: usize) -> Result<Ensemble, Failure> {
+fn ensemble(rotor: &Rotor, torques: &[TorqueModel], count: usize) -> Result<Ensemble, MemberFailure> {
     let member = |k| Member { rotor: rotor.clone(), torques: torques.to_vec(), start: start(k) };
     Ensemble::new((0..count).map(member).collect())
-}
-
-/// Million body-steps/s of the whole way from states to states.
-fn rk4(rotor: &Rotor, torques: &[TorqueModel], threads: usize) -> Result<f64, Box<dyn Error>> {
-    let bodies = 4096 * threads;
-    let all = ensemble(rotor, torques, bodies)?;
-    let mut states = vec![start(0); bodies];
-    let advance = Advance::RungeKutta4 { step: 0.01 };
-    let threads = NonZero::new(threads).ok_or("no thread")?;
-    let mut fly = |steps: f64| {
-        let times = [0.01 * steps];
-        let failures = all.fill(black_box(&times), advance, threads, &mut states, &mut |_| true);
-        black_box(failures.ok());
-    };
-    fly(100.0);
-    let begin = Instant::now();
-    fly(100.0);
-    let steps = (100.0 * LONG / begin.elapsed().as_secs_f64()).ceil();
-    let seconds = least(|| fly(steps));
-    Ok(bodies as f64 * steps / seconds * 1e-6)
 }
 
 /// ns per body and step of its own, in batches of eight and more.
@@ -132,8 +98,8 @@ fn taylor(rotor: &Rotor, torques: &[TorqueModel]) -> Result<f64, Box<dyn Error>>
     }
     let mut states = vec![start(0); bodies];
     let seconds = least(|| {
-        let advance = Advance::Taylor { tolerance };
-        black_box(all.fill(&times, advance, NonZero::<usize>::MIN, &mut states, &mut |_| true).ok());
+        let method = (Method::Taylor, tolerance);
+        black_box(all.fill(&times, method, NonZero::<usize>::MIN, &mut states, &mut |_| true).ok());
     });
     Ok(seconds / steps as f64 * 1e9)
 }
@@ -147,9 +113,9 @@ fn exact() -> Result<(), Box<dyn Error>> {
         let all = ensemble(&rotor, &[], bodies)?;
         let mut rows = vec![start(0); bodies * times.len()];
         let threads = NonZero::new(threads).ok_or("no thread")?;
-        let advance = Advance::Auto { tolerance: 1e-12 };
+        let method = (Method::Auto, 1e-12);
         let seconds = least(|| {
-            black_box(all.fill(&times, advance, threads, &mut rows, &mut |_| true).ok());
+            black_box(all.fill(&times, method, threads, &mut rows, &mut |_| true).ok());
         });
         Ok((bodies * times.len()) as f64 / seconds * 1e-6)
     })?;

@@ -36,9 +36,14 @@ fn main() -> Result<(), Box<dyn Error>> {
                 }
             }
             let mut states = vec![start(0); count];
-            let method = Advance::Taylor { tolerance };
             let together = least(|| {
-                let all = ensemble.fill(&[END], method, NonZero::<usize>::MIN, &mut states, &mut |_| true);
+                let all = ensemble.fill(
+                    &[END],
+                    (Method::Taylor, tolerance),
+                    NonZero::<usize>::MIN,
+                    &mut states,
+                    &mut |_| true,
+                );
                 black_box(all.is_ok());
             });
             let few = ensemble.members().get(..8).unwrap_or_default();

@@ -104,7 +104,7 @@ pub use math::vector::{
 // motion: states in time, and what moves them
 pub use motion::closed_form::ClosedForm;
 pub use motion::ending::{Ending, MethodReason};
-pub use motion::ensemble::{Advance, Ensemble, Failure, Flights, Member};
+pub use motion::ensemble::{Ensemble, EnsembleStates, Member, MemberFailure};
 pub use motion::error::MotionError;
 pub use motion::event::{Crossing, Event, EventAction, Measure, Sense};
 pub use motion::free::{FreeMotion, FreeMotions, PermanentAxis, Regime};

@@ -17,7 +17,7 @@ from __future__ import annotations
 from . import plot, shapes
 from ._body import Body
 from ._check import CheckReport, ModelFinding, check
-from ._ensemble import Ensemble, Failure, Flights
+from ._ensemble import Ensemble, Failure, EnsembleStates
 from ._error import PolhodeError, PolhodeWarning
 from ._free_motion import FreeMotion, MotionError, States
 from ._inertia import inertia
@@ -33,7 +33,7 @@ __all__ = [
     "Event",
     "Failure",
     "Finding",
-    "Flights",
+    "EnsembleStates",
     "FreeMotion",
     "MassProperties",
     "ModelFinding",
@@ -60,7 +60,7 @@ for _public in (
     Event,
     Failure,
     Finding,
-    Flights,
+    EnsembleStates,
     FreeMotion,
     MassProperties,
     ModelFinding,

@@ -28,7 +28,7 @@ class Failure(NamedTuple):
     cause: str
 
 
-class Flights:
+class EnsembleStates:
     """Where the members of an ensemble were: it unpacks as ``omega, attitude``.
 
     Both are views of one array, in which each state lies together.
@@ -62,7 +62,7 @@ class Flights:
 
     def __repr__(self) -> str:
         members, times, _ = self._rows.shape
-        return f"Flights({members} members, {times} times, {len(self.failures)} failures)"
+        return f"EnsembleStates({members} members, {times} times, {len(self.failures)} failures)"
 
 
 class Ensemble:
@@ -77,11 +77,11 @@ class Ensemble:
     >>> import numpy as np, polhode
     >>> omega = np.random.default_rng(1).normal(size=(1000, 3))
     >>> ensemble = polhode.Ensemble(moments=[1.0, 2.0, 2.5], omega=omega)
-    >>> flights = ensemble.at([0.0, 10.0, 1e6])
-    >>> flights.omega.shape, flights.attitude.shape
+    >>> states = ensemble.at([0.0, 10.0, 1e6])
+    >>> states.omega.shape, states.attitude.shape
     ((1000, 3, 3), (1000, 3, 4))
     >>> one = polhode.FreeMotion(moments=[1.0, 2.0, 2.5], omega=omega[417])
-    >>> bool((flights.omega[417] == one.at([0.0, 10.0, 1e6]).omega).all())
+    >>> bool((states.omega[417] == one.at([0.0, 10.0, 1e6]).omega).all())
     True
     """
 
@@ -115,29 +115,27 @@ class Ensemble:
         warn_of(findings_of(self._native.findings))
 
     def at(
-        self, times: npt.ArrayLike, *, threads: int | None = None, step: float | None = None, tolerance: float = 1e-13
-    ) -> Flights:
+        self, times: npt.ArrayLike, *, threads: int | None = None, tolerance: float = 1e-13
+    ) -> EnsembleStates:
         """All members at times (t,), ascending, s, none before the start.
 
-        Without ``step`` each member is computed by the best method there is: a closed form, else Taylor's method, else DOP853, within
-        ``tolerance`` a step. With ``step``, s, by the classical Runge–Kutta method in steps of that length at most, side by side: as accurate
-        as the step is short, and faster only where that is enough and there is no closed form. ``threads``: all processors that this process
-        may use unless you say otherwise.
+        Each member is computed by the best method there is: a closed form, else Taylor's method, else DOP853, within ``tolerance`` a step.
+        ``threads``: all processors that this process may use unless you say otherwise. There is no estimate of the error: :func:`simulate`
+        has one for each of its motions.
 
         A member that cannot go on stays where it was last good; it is among ``failures``, and there is a :class:`PolhodeWarning`.
         """
         rows, failures = self._native.at(
             _arrays.numbers("times", times, ("t",)),
             _threads.available() if threads is None else _arrays.count("threads", threads),
-            None if step is None else _arrays.positive("step", step),
             _arrays.positive("tolerance", tolerance),
         )
-        flights = Flights(rows, [Failure(*failure) for failure in failures])
-        if flights.failures:
-            first = flights.failures[0]
+        states = EnsembleStates(rows, [Failure(*failure) for failure in failures])
+        if states.failures:
+            first = states.failures[0]
             message = f"{len(failures)} of {len(self)} members cannot go on, the first is {first.member}: {first.cause}"
             warn(message)
-        return flights
+        return states
 
     def __getstate__(self) -> dict[str, Any]:
         return {name: value for name, value in vars(self).items() if name != "_native"}

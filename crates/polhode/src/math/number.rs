@@ -49,16 +49,6 @@ pub(crate) trait Number:
 
     /// √self
     fn sqrt(self) -> Self;
-
-    /// The number of each lane.
-    #[inline(always)]
-    fn each(self, number: impl Fn(usize) -> f64) -> Self {
-        let mut all = self;
-        for lane in 0..Self::LANES {
-            all.put(lane, number(lane));
-        }
-        all
-    }
 }
 
 impl MulAdd for f64 {
@@ -237,10 +227,10 @@ mod tests {
 
         #[inline(always)]
         fn run<S: Machine>(self, s: S) -> Self::Output {
-            let [a, b, c] = self.0.map(|x| s.eight(0.0).each(|lane| x[lane]));
+            let [a, b, c] = self.0.map(|x| each(s.eight(0.0), |lane| x[lane]));
             let eight = all(a, b, c).map(|x| core::array::from_fn(|lane| x.lane(lane)));
             for first in (0..8).step_by(S::Many::LANES) {
-                let [a, b, c] = self.0.map(|x| s.many(0.0).each(|lane| x[first + lane]));
+                let [a, b, c] = self.0.map(|x| each(s.many(0.0), |lane| x[first + lane]));
                 for (many, eight) in all(a, b, c).iter().zip(&eight) {
                     for lane in 0..S::Many::LANES {
                         assert_eq!(many.lane(lane).to_bits(), eight[first + lane].to_bits());
@@ -249,6 +239,12 @@ mod tests {
             }
             eight
         }
+    }
+
+    /// The number of each lane.
+    fn each<N: Number>(mut all: N, number: impl Fn(usize) -> f64) -> N {
+        (0..N::LANES).for_each(|lane| all.put(lane, number(lane)));
+        all
     }
 
     #[inline(always)]

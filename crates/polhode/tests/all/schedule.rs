@@ -222,10 +222,10 @@ fn more_pulses_than_steps_are_refused_before_the_first() {
         assert_eq!(simulation(&[1]).run(&mut |_| {}).err().map(found), off);
         let member = Member { rotor: rotor.clone(), torques: torques.clone(), start };
         let ensemble = Ensemble::new(vec![member.clone(), member]).unwrap();
-        for advance in [Advance::Taylor { tolerance: 1e-13 }, Advance::RungeKutta4 { step: 0.01 }] {
-            let flights = ensemble.at(&times, advance, std::num::NonZero::<usize>::MIN).unwrap();
-            assert_eq!(flights.failures.len(), if want.is_some() { 2 } else { 0 });
-            for failure in flights.failures {
+        for method in [Method::Taylor, Method::Dop853] {
+            let found_states = ensemble.at(&times, method, 1e-13, std::num::NonZero::<usize>::MIN).unwrap();
+            assert_eq!(found_states.failures.len(), if want.is_some() { 2 } else { 0 });
+            for failure in found_states.failures {
                 assert_eq!(Some(found(failure.cause)), want);
             }
         }

@@ -1,15 +1,10 @@
 //! Many bodies, each with its own start and its own torques, at the same times.
 //!
-//! `crew` gives threads their share; `auto` takes closed forms and integrators of high order; `lanes` steps bodies side by side with the torques of `forces`, and
-//! `alone` one body with any torque, both by the `step`, at the `pace` that brings them to the next time.
+//! `workers` hands portions of the members to threads; `advance` computes a portion: closed forms, Taylor's method for several bodies at a
+//! time, and one body after the other by what is left.
 
-mod alone;
-mod auto;
-mod crew;
-mod forces;
-mod lanes;
-mod pace;
-mod step;
+mod advance;
+mod workers;
 
 use core::fmt;
 use core::num::NonZero;
@@ -22,7 +17,7 @@ use super::simulation::require_finite;
 use super::state::State;
 use super::torque::TorqueModel;
 use super::trajectory::{Method, require_ascending};
-use crew::Crew;
+use workers::Workers;
 
 /// A body of an ensemble, and its motion.
 #[derive(Clone, Debug)]
@@ -35,64 +30,38 @@ pub struct Member {
     pub start: State,
 }
 
-/// How to compute the motions of an ensemble.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum Advance {
-    /// The best for each: a closed form, else Taylor's method, else DOP853; with the bits of
-    /// [`Simulation::states`](super::simulation::Simulation::states).
-    Auto {
-        /// As [`Simulation::tolerance`](super::simulation::Simulation::tolerance).
-        tolerance: f64,
-    },
-    /// Taylor's method for all, with the bits of [`Simulation::states`](super::simulation::Simulation::states) by
-    /// [`Method::Taylor`](super::trajectory::Method::Taylor).
-    Taylor {
-        /// As [`Simulation::tolerance`](super::simulation::Simulation::tolerance).
-        tolerance: f64,
-    },
-    /// Steps of the classical Runge–Kutta method: as accurate as the step is short.
-    ///
-    /// From each time to the next, and to where a schedule begins or ends, all steps have one length. Their error falls as the fourth
-    /// power of the step.
-    RungeKutta4 {
-        /// The longest step, s.
-        step: f64,
-    },
-}
-
 /// Where the members of an ensemble were at some times.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Flights {
+pub struct EnsembleStates {
     /// Member by member, and time by time within each. A member that could go no further repeats a good state from shortly before: the
     /// state's own time says when.
     pub states: Vec<State>,
     /// Those that could go no further, ascending.
-    pub failures: Vec<Failure>,
+    pub failures: Vec<MemberFailure>,
 }
 
 /// Why a member could go no further.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Failure {
+pub struct MemberFailure {
     /// The member, from 0.
     pub member: usize,
     /// The cause.
     pub cause: MotionError,
 }
 
-impl fmt::Display for Failure {
+impl fmt::Display for MemberFailure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "member {}: {}", self.member, self.cause)
     }
 }
 
-impl core::error::Error for Failure {}
+impl core::error::Error for MemberFailure {}
 
 /// Many bodies that move independently of each other, side by side in the lanes of vectors and on several threads.
 ///
 /// Every state has the same bits on any number of threads, with any vectors, and whichever members there are beside it.
 ///
-/// A closed form takes microseconds to prepare. The first call with [`Advance::Auto`] does not keep it; the second does, about 1 kB of
+/// A closed form takes microseconds to prepare. The first call with [`Method::Auto`] does not keep it; the second does, about 1 kB of
 /// each member that has one, so that an ensemble that is asked again and again gives its states at once, and one that is asked once
 /// stays small. [`FreeMotions`](super::free::FreeMotions) have all bodies of one time side by side, several times as fast again.
 ///
@@ -106,16 +75,16 @@ impl core::error::Error for Failure {}
 ///     start: State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.0, 0.0, spin) },
 /// };
 /// let ensemble = Ensemble::new((0..100).map(|k| member(f64::from(k))).collect())?;
-/// let flights = ensemble.at(&[1.0, 2.0], Advance::RungeKutta4 { step: 0.01 }, NonZero::<usize>::MIN)?;
+/// let found = ensemble.at(&[1.0, 2.0], Method::Auto, 1e-12, NonZero::<usize>::MIN)?;
 /// // Two times each: ω of member 41 at t = 2 s is 41 rad/s + N t/i3.
-/// assert!((flights.states[2 * 41 + 1].omega.z - (41.0 + 0.5 * 2.0 / 2.5)).abs() < 1e-12);
+/// assert!((found.states[2 * 41 + 1].omega.z - (41.0 + 0.5 * 2.0 / 2.5)).abs() < 1e-12);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct Ensemble {
     members: Vec<Member>,
     /// One for each, used from the second call on.
-    closed: Vec<auto::Closed>,
+    closed: Vec<advance::Closed>,
     /// Whether closed forms were asked for.
     asked: OnceLock<()>,
     /// The latest start, s.
@@ -128,15 +97,15 @@ impl Ensemble {
     /// # Errors
     /// The first member that cannot start: [`MotionError::Parameter`] for a start or a torque that is not finite,
     /// [`MotionError::NotSpinnable`] for a body without inertia.
-    pub fn new(members: Vec<Member>) -> Result<Self, Failure> {
+    pub fn new(members: Vec<Member>) -> Result<Self, MemberFailure> {
         for (member, Member { rotor, torques, start }) in members.iter().enumerate() {
-            require_finite(rotor, torques, &[], start).map_err(|cause| Failure { member, cause })?;
+            require_finite(rotor, torques, &[], start).map_err(|cause| MemberFailure { member, cause })?;
             if !rotor.is_spinnable() {
-                return Err(Failure { member, cause: MotionError::NotSpinnable });
+                return Err(MemberFailure { member, cause: MotionError::NotSpinnable });
             }
         }
         let latest = members.iter().map(|member| member.start.time).fold(f64::NEG_INFINITY, f64::max);
-        let closed = vec![auto::Closed::default(); members.len()];
+        let closed = vec![advance::Closed::default(); members.len()];
         Ok(Self { members, closed, asked: OnceLock::new(), latest })
     }
 
@@ -155,23 +124,25 @@ impl Ensemble {
         self.members.is_empty()
     }
 
-    /// Every member at each of the times (s, ascending, none before a start), on so many threads.
+    /// Every member at each of the times (s, ascending, none before a start), on so many threads: the bits of
+    /// [`Simulation::states`](super::simulation::Simulation::states) with this method and tolerance.
     ///
     /// # Errors
-    /// [`MotionError::Parameter`] if times are out of order, or a step or tolerance is out of its range. What goes wrong with one member
+    /// [`MotionError::Parameter`] if times are out of order, or the tolerance is out of its range. What goes wrong with one member
     /// is among the failures.
     pub fn at(
         &self,
         times: &[f64],
-        advance: Advance,
+        method: Method,
+        tolerance: f64,
         threads: NonZero<usize>,
-    ) -> Result<Flights, MotionError> {
+    ) -> Result<EnsembleStates, MotionError> {
         let Some(first) = self.members.first() else {
-            return Ok(Flights { states: Vec::new(), failures: Vec::new() });
+            return Ok(EnsembleStates { states: Vec::new(), failures: Vec::new() });
         };
         let mut states = vec![first.start; self.members.len() * times.len()];
-        let failures = self.fill(times, advance, threads, &mut states, &mut |_| true)?;
-        Ok(Flights { states, failures })
+        let failures = self.fill(times, (method, tolerance), threads, &mut states, &mut |_| true)?;
+        Ok(EnsembleStates { states, failures })
     }
 
     /// As [`Ensemble::at`], into states that are there already, in the same order; as rows (t, w, x, y, z, ω1, ω2, ω3) if they are
@@ -185,12 +156,15 @@ impl Ensemble {
     pub fn fill<S: From<State> + Send>(
         &self,
         times: &[f64],
-        advance: Advance,
+        (method, tolerance): (Method, f64),
         threads: NonZero<usize>,
         states: &mut [S],
         progress: &mut dyn FnMut(usize) -> bool,
-    ) -> Result<Vec<Failure>, MotionError> {
-        advance.require_possible()?;
+    ) -> Result<Vec<MemberFailure>, MotionError> {
+        if !(TIGHTEST_TOLERANCE..=LOOSEST_TOLERANCE).contains(&tolerance) {
+            let (what, rule) = ("the tolerance", "between 1e-15 and 1e-2");
+            return Err(MotionError::Parameter { what, value: tolerance, rule });
+        }
         require_ascending(f64::NEG_INFINITY, times)?;
         if let Some(&value) = times.first().filter(|first| **first < self.latest) {
             let rule = "not before the start of any member";
@@ -203,36 +177,11 @@ impl Ensemble {
         if states.is_empty() {
             return Ok(Vec::new());
         }
-        let again = matches!(advance, Advance::Auto { .. }) && self.asked.set(()).is_err();
+        let again = method == Method::Auto && self.asked.set(()).is_err();
         let closed = if again { self.closed.as_slice() } else { &[] };
-        Crew::new(threads).fill(
-            (&self.members, closed),
-            times.len(),
-            states,
-            progress,
-            &|share| match advance {
-                Advance::Auto { tolerance } => auto::fly(share, times, tolerance, Method::Auto),
-                Advance::Taylor { tolerance } => auto::fly(share, times, tolerance, Method::Taylor),
-                Advance::RungeKutta4 { step } => lanes::fly(share, times, step),
-            },
-        )
-    }
-}
-
-impl Advance {
-    fn require_possible(self) -> Result<(), MotionError> {
-        let parameter = |what, value, rule| Err(MotionError::Parameter { what, value, rule });
-        match self {
-            Self::Auto { tolerance: value } | Self::Taylor { tolerance: value }
-                if !(TIGHTEST_TOLERANCE..=LOOSEST_TOLERANCE).contains(&value) =>
-            {
-                parameter("the tolerance", value, "between 1e-15 and 1e-2")
-            }
-            Self::RungeKutta4 { step: value } if !(value > 0.0 && value.is_finite()) => {
-                parameter("the step", value, "positive and finite")
-            }
-            _ => Ok(()),
-        }
+        Workers::new(threads).fill((&self.members, closed), times.len(), states, progress, &|portion| {
+            advance::compute(portion, times, tolerance, method);
+        })
     }
 }
 

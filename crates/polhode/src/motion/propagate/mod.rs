@@ -15,5 +15,3 @@ pub(crate) mod splitting;
 pub(crate) mod stepper;
 mod tableau;
 pub(super) mod taylor;
-
-pub(crate) use chart::{ROUNDING, THIN};

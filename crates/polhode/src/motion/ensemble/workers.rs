@@ -1,25 +1,25 @@
-//! Threads that share the members out among themselves.
+//! Worker threads: each takes the next portion of the members until none is left.
 
 use core::num::NonZero;
 use core::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::thread;
 
-use super::auto::Closed;
-use super::{Failure, Member};
+use super::advance::Closed;
+use super::{Member, MemberFailure};
 use crate::motion::error::MotionError;
 use crate::motion::state::State;
 
 /// Members that a thread takes at a time: enough to fill vectors with members of a kind, and little to wait for.
-const SHARE: usize = 64;
+const PORTION: usize = 64;
 
 /// So many threads, the caller's own among them.
-pub(super) struct Crew {
+pub(super) struct Workers {
     threads: NonZero<usize>,
 }
 
 /// Some members, and the place for their states.
-pub(super) struct Share<'a> {
+pub(super) struct Portion<'a> {
     /// The first of them.
     first: usize,
     pub(super) members: &'a [Member],
@@ -28,12 +28,12 @@ pub(super) struct Share<'a> {
     /// Times for each.
     times: usize,
     write: &'a mut dyn FnMut(usize, &[State]),
-    failures: Vec<Failure>,
+    failures: Vec<MemberFailure>,
     report: &'a mut dyn FnMut(usize) -> bool,
 }
 
-impl Share<'_> {
-    /// Puts down states of a member (of the share, from 0), from one of its times on.
+impl Portion<'_> {
+    /// Puts down states of a member (of the portion, from 0), from one of its times on.
     pub(super) fn put(&mut self, member: usize, from: usize, states: &[State]) {
         (self.write)(member * self.times + from, states);
     }
@@ -48,7 +48,7 @@ impl Share<'_> {
 
     /// Writes down that a member can go no further, whose states say so already.
     pub(super) fn give_up(&mut self, member: usize, cause: MotionError) {
-        self.failures.push(Failure { member: self.first + member, cause });
+        self.failures.push(MemberFailure { member: self.first + member, cause });
     }
 
     /// Says that so many more members are done; false if the others need not be.
@@ -58,12 +58,12 @@ impl Share<'_> {
     }
 }
 
-impl Crew {
+impl Workers {
     pub(super) const fn new(threads: NonZero<usize>) -> Self {
         Self { threads }
     }
 
-    /// Has all states filled, in place: nothing depends on who does which share, nor when.
+    /// Has all states filled, in place: nothing depends on who does which portion, nor when.
     ///
     /// # Errors
     /// [`MotionError::Cancelled`] if `progress` gave false.
@@ -73,21 +73,22 @@ impl Crew {
         times: usize,
         states: &mut [S],
         progress: &mut dyn FnMut(usize) -> bool,
-        fly: &(dyn Fn(&mut Share<'_>) + Sync),
-    ) -> Result<Vec<Failure>, MotionError> {
+        compute: &(dyn Fn(&mut Portion<'_>) + Sync),
+    ) -> Result<Vec<MemberFailure>, MotionError> {
         let done = AtomicUsize::new(0);
         let goes_on = AtomicBool::new(true);
-        let shares = members.chunks(SHARE).zip(states.chunks_mut(SHARE.saturating_mul(times))).enumerate();
-        let shares = Mutex::new(shares);
+        let portions =
+            members.chunks(PORTION).zip(states.chunks_mut(PORTION.saturating_mul(times))).enumerate();
+        let portions = Mutex::new(portions);
         let failures = Mutex::new(Vec::new());
         let work = |report: &mut dyn FnMut(usize) -> bool| {
             while goes_on.load(Ordering::Relaxed) {
-                let next = shares.lock().unwrap_or_else(PoisonError::into_inner).next();
+                let next = portions.lock().unwrap_or_else(PoisonError::into_inner).next();
                 let Some((k, (members, places))) = next else { break };
-                let mut share = Share {
-                    first: k * SHARE,
+                let mut portion = Portion {
+                    first: k * PORTION,
                     members,
-                    closed: closed.get(k * SHARE..).unwrap_or_default(),
+                    closed: closed.get(k * PORTION..).unwrap_or_default(),
                     times,
                     write: &mut |from, states| {
                         for (place, state) in places.iter_mut().skip(from).zip(states) {
@@ -97,8 +98,8 @@ impl Crew {
                     failures: Vec::new(),
                     report,
                 };
-                fly(&mut share);
-                let found = share.failures;
+                compute(&mut portion);
+                let found = portion.failures;
                 if !found.is_empty() {
                     failures.lock().unwrap_or_else(PoisonError::into_inner).extend(found);
                 }
@@ -107,7 +108,7 @@ impl Crew {
         let mut told = 0;
         let count = |members: usize| done.fetch_add(members, Ordering::Relaxed) + members;
         thread::scope(|scope| {
-            for _ in 1..self.threads.get().min(members.len().div_ceil(SHARE)) {
+            for _ in 1..self.threads.get().min(members.len().div_ceil(PORTION)) {
                 let helper = || {
                     work(&mut |members| {
                         count(members);
@@ -132,7 +133,7 @@ impl Crew {
             return Err(MotionError::Cancelled { done });
         }
         let mut failures = failures.into_inner().unwrap_or_else(PoisonError::into_inner);
-        failures.sort_by_key(|failure: &Failure| failure.member);
+        failures.sort_by_key(|failure: &MemberFailure| failure.member);
         Ok(failures)
     }
 }

@@ -3,7 +3,7 @@
 use std::sync::OnceLock;
 
 use super::Member;
-use super::crew::Share;
+use super::workers::Portion;
 use crate::motion::closed_form::ClosedForm;
 use crate::motion::propagate::taylor;
 use crate::motion::simulation::Simulation;
@@ -32,11 +32,9 @@ impl Closed {
     }
 }
 
-/// Flies each member of a share by a method: the best for it, or Taylor's.
-///
-/// Those that Taylor's method takes side by side come last.
-pub(super) fn fly(share: &mut Share<'_>, times: &[f64], tolerance: f64, method: Method) {
-    let (members, closed) = (share.members, share.closed);
+/// Computes each member of a portion by a method. Those that Taylor's method takes several at a time come last.
+pub(super) fn compute(portion: &mut Portion<'_>, times: &[f64], tolerance: f64, method: Method) {
+    let (members, closed) = (portion.members, portion.closed);
     let mut states = Vec::new();
     let mut kinds: Vec<(taylor::Kind, Vec<usize>)> = Vec::new();
     for (k, member) in members.iter().enumerate() {
@@ -46,31 +44,33 @@ pub(super) fn fly(share: &mut Share<'_>, times: &[f64], tolerance: f64, method: 
         let closed = if method == Method::Auto { closed.of(member) } else { None };
         if let Some(motion) = closed {
             states.resize(BATCH, *start);
-            evaluate(share, k, motion, times, &mut states);
-        } else if let Some(kind) = taylor::kind(rotor, torques, tolerance) {
+            evaluate(portion, k, motion, times, &mut states);
+        } else if let (Method::Auto | Method::Taylor, Some(kind)) =
+            (method, taylor::kind(rotor, torques, tolerance))
+        {
             match kinds.iter_mut().find(|(other, _)| *other == kind) {
                 Some((_, bodies)) => bodies.push(k),
                 None => kinds.push((kind, vec![k])),
             }
             continue;
         } else {
-            integrate(share, k, times, tolerance, method, &mut states);
+            integrate(portion, k, times, tolerance, method, &mut states);
         }
-        if !share.done(1) {
+        if !portion.done(1) {
             return;
         }
     }
     for (_, bodies) in kinds {
         for bodies in bodies.chunks((MANY / times.len()).max(FEWEST)) {
-            expand(share, bodies, times, tolerance, &mut states);
-            if !share.done(bodies.len()) {
+            expand(portion, bodies, times, tolerance, &mut states);
+            if !portion.done(bodies.len()) {
                 return;
             }
         }
     }
 }
 
-fn evaluate(share: &mut Share<'_>, k: usize, motion: &ClosedForm, times: &[f64], states: &mut [State]) {
+fn evaluate(portion: &mut Portion<'_>, k: usize, motion: &ClosedForm, times: &[f64], states: &mut [State]) {
     let (known, beyond) = match motion.require(times) {
         Ok(()) => (times, None),
         Err(cause) => {
@@ -84,18 +84,24 @@ fn evaluate(share: &mut Share<'_>, k: usize, motion: &ClosedForm, times: &[f64],
             ClosedForm::Free(motion) if times.len() > FEW => motion.fill(times, states),
             _ => states.iter_mut().zip(times).for_each(|(state, &time)| *state = motion.at(time)),
         }
-        share.put(k, from, states.get(..times.len()).unwrap_or_default());
+        portion.put(k, from, states.get(..times.len()).unwrap_or_default());
         from += times.len();
     }
     if let Some(cause) = beyond {
         let last = known.last().map_or(motion.start(), |&time| motion.at(time));
-        share.fail(k, from, last, cause);
+        portion.fail(k, from, last, cause);
     }
 }
 
 /// By Taylor's method, side by side.
-fn expand(share: &mut Share<'_>, bodies: &[usize], times: &[f64], tolerance: f64, states: &mut Vec<State>) {
-    let members = share.members;
+fn expand(
+    portion: &mut Portion<'_>,
+    bodies: &[usize],
+    times: &[f64],
+    tolerance: f64,
+    states: &mut Vec<State>,
+) {
+    let members = portion.members;
     let subjects: Vec<_> = bodies
         .iter()
         .filter_map(|k| members.get(*k))
@@ -105,9 +111,9 @@ fn expand(share: &mut Share<'_>, bodies: &[usize], times: &[f64], tolerance: f64
     states.resize(subjects.len() * times.len(), first.start);
     let mut failures = taylor::advance(&subjects, times, tolerance, states).into_iter().peekable();
     for (n, (&k, states)) in bodies.iter().zip(states.chunks(times.len())).enumerate() {
-        share.put(k, 0, states);
+        portion.put(k, 0, states);
         if let Some((_, cause)) = failures.next_if(|(body, _)| *body == n) {
-            share.give_up(k, cause);
+            portion.give_up(k, cause);
         }
     }
     states.clear();
@@ -115,20 +121,20 @@ fn expand(share: &mut Share<'_>, bodies: &[usize], times: &[f64], tolerance: f64
 
 /// Alone.
 fn integrate(
-    share: &mut Share<'_>,
+    portion: &mut Portion<'_>,
     k: usize,
     times: &[f64],
     tolerance: f64,
     method: Method,
     states: &mut Vec<State>,
 ) {
-    let Member { rotor, torques, start } = &share.members[k];
+    let Member { rotor, torques, start } = &portion.members[k];
     let (switched_off, events, start) = (&[], &[], *start);
     let simulation = Simulation { rotor, torques, switched_off, start, events, times, method, tolerance };
     states.clear();
     let result = simulation.fill(states);
-    share.put(k, 0, states);
+    portion.put(k, 0, states);
     if let Err(cause) = result {
-        share.fail(k, states.len(), states.last().copied().unwrap_or(start), cause);
+        portion.fail(k, states.len(), states.last().copied().unwrap_or(start), cause);
     }
 }

@@ -33,7 +33,7 @@ const SCRIPTS: [Script; 4] = [
     Script {
         path: "crates/polhode/benches/ensemble.py",
         page: "book/ensembles.md",
-        packages: &[("heyoka", "heyoka"), ("mujoco", "mujoco"), ("numpy", "numpy"), ("scipy", "scipy")],
+        packages: &[("heyoka", "heyoka"), ("numpy", "numpy"), ("scipy", "scipy")],
     },
     Script {
         path: "benches/mass.py",

@@ -11,10 +11,19 @@ use std::time::Instant;
 use polhode::*;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    scaling("fused multiply–add", "GFLOP/s", |threads| Ok(peak(threads)))?;
-    exact()?;
+    // Only the torques whose names have what is given, if something is.
+    let wanted = std::env::args().skip(1).find(|argument| !argument.starts_with('-'));
+    if wanted.is_none() {
+        scaling("fused multiply–add", "GFLOP/s", |threads| Ok(peak(threads)))?;
+        exact()?;
+    }
     for (name, rotor, torques) in subjects()? {
-        println!("Taylor {name}\t{:.0}\tns per body-step", taylor(&rotor, &torques)?);
+        if wanted.as_ref().is_some_and(|wanted| !name.contains(wanted)) {
+            continue;
+        }
+        let [together, alone] = taylor(&rotor, &torques)?;
+        println!("Taylor {name}\t{together:.0}\tns per body-step");
+        println!("Taylor {name}, alone\t{alone:.0}\tns per step");
     }
     Ok(())
 }
@@ -70,14 +79,58 @@ fn subjects() -> Result<Vec<Subject>, Box<dyn Error>> {
         field: MagneticField::Uniform(Direction::new(2e-5, -1.1e-5, 4.3e-5)),
     };
     let constant = ConstantTorque::Body(Torque::new(0.1, -0.2, 0.3));
+    let quadratic = Drag::new(DragLaw::Quadratic, drag.matrix())?;
+    let ellipse =
+        Orbit::through(MU_EARTH, Position::new(6.9e6, 1e5, -8e5), Velocity::new(0.4e3, 6.3e3, 4.5e3), 0.0)?;
+    let of_ellipse = |attracted| GravityGradient { orbit: ellipse.clone(), attracted };
+    let points: Vec<_> =
+        [(0.5, [0.9, -0.2, 0.4]), (0.7, [-0.6, 1.1, 0.3]), (0.4, [0.1, 0.5, -1.3]), (0.7, [-0.8, -0.9, 0.2])]
+            .into_iter()
+            .map(|(m, p)| Particle::new(m, Position::from_array(p)))
+            .collect::<Result<_, _>>()?;
+    let dipole = Magnetic {
+        moment: Direction::new(0.9, -0.4, 1.3),
+        field: MagneticField::Dipole { dipole: Direction::new(-3e21, 2e21, -7.5e22), orbit: ellipse.clone() },
+    };
+    let rest = Attitude::from_quaternion([0.5, -0.5, 0.8, 0.6])?;
+    let spring = Torsion::spring(0.07, rest)?;
+    let wire = Torsion::wire(0.07, rest, Direction::new(0.3, -0.5, 0.9))?;
     Ok(vec![
         ("free", free.clone(), vec![]),
         ("constant torque", free.clone(), vec![TorqueModel::Constant(constant)]),
         ("drag", free.clone(), vec![TorqueModel::Drag(drag)]),
         ("gravity at a pivot", held, vec![TorqueModel::Gravity(UniformGravity::STANDARD)]),
         ("gravity gradient", free.clone(), vec![TorqueModel::GravityGradient(Box::new(gradient))]),
-        ("magnet", free, vec![TorqueModel::Magnetic(Box::new(magnetic))]),
+        ("magnet", free.clone(), vec![TorqueModel::Magnetic(Box::new(magnetic))]),
+        ("quadratic drag", free.clone(), vec![TorqueModel::Drag(quadratic)]),
+        (
+            "gravity gradient on an ellipse",
+            free.clone(),
+            vec![TorqueModel::GravityGradient(Box::new(of_ellipse(Attracted::Tensor)))],
+        ),
+        (
+            "gravity gradient of four points",
+            free.clone(),
+            vec![TorqueModel::GravityGradient(Box::new(of_ellipse(Attracted::Points(points))))],
+        ),
+        ("dipole", free.clone(), vec![TorqueModel::Magnetic(Box::new(dipole))]),
+        ("spring", free.clone(), vec![TorqueModel::Torsion(spring)]),
+        ("wire", free.clone(), vec![TorqueModel::Torsion(wire)]),
+        ("formulas", free, vec![TorqueModel::Formula(Box::new(formulas()?))]),
     ])
+}
+
+/// (0.2 sin(2 t) − 0.1 ωx, 0.3 r31 ωy, −0.05 ωz²)
+fn formulas() -> Result<FormulaTorque, FormulaError> {
+    use Instruction as I;
+    let place = |name| StateVariables::NAMES.iter().position(|known| *known == name).unwrap_or_default();
+    let variable = |name| I::Variable(place(name));
+    let times = I::Binary(Binary::Multiply);
+    let x = [I::Constant(0.2), I::Constant(2.0), variable("t"), times, I::Unary(Unary::Sin), times];
+    let damping = [I::Constant(0.1), variable("wx"), times, I::Binary(Binary::Subtract)];
+    let y = [I::Constant(0.3), variable("r31"), times, variable("wy"), times];
+    let z = [I::Constant(-0.05), variable("wz"), variable("wz"), times, times];
+    Ok(FormulaTorque::Body([Formula::new(x.into_iter().chain(damping))?, Formula::new(y)?, Formula::new(z)?]))
 }
 
 fn ensemble(rotor: &Rotor, torques: &[TorqueModel], count: usize) -> Result<Ensemble, MemberFailure> {
@@ -86,7 +139,7 @@ fn ensemble(rotor: &Rotor, torques: &[TorqueModel], count: usize) -> Result<Ense
 }
 
 /// ns per body and step of its own, in batches of eight and more.
-fn taylor(rotor: &Rotor, torques: &[TorqueModel]) -> Result<f64, Box<dyn Error>> {
+fn taylor(rotor: &Rotor, torques: &[TorqueModel]) -> Result<[f64; 2], Box<dyn Error>> {
     let (bodies, tolerance, times) = (64, 1e-9, [100.0]);
     let all = ensemble(rotor, torques, bodies)?;
     let mut steps = 0;
@@ -101,7 +154,17 @@ fn taylor(rotor: &Rotor, torques: &[TorqueModel]) -> Result<f64, Box<dyn Error>>
         let method = (Method::Taylor, tolerance);
         black_box(all.fill(&times, method, NonZero::<usize>::MIN, &mut states, &mut |_| true).ok());
     });
-    Ok(seconds / steps as f64 * 1e9)
+    let one = least(|| {
+        for member in all.members().iter().take(8) {
+            let (switched_off, events, start) = (&[], &[], member.start);
+            let (times, method) = (&times, Method::Taylor);
+            let run =
+                Simulation { rotor, torques, switched_off, start, events, times, method, tolerance }.states();
+            black_box(run.is_ok());
+        }
+    });
+    let per_body = steps as f64 / bodies as f64;
+    Ok([seconds / steps as f64 * 1e9, one / (8.0 * per_body) * 1e9])
 }
 
 /// Free motions in closed form.

@@ -91,6 +91,7 @@ pub use body::shape::{Extent, Shape, Spread, Substance};
 pub use body::solid::MeasuredSolid;
 
 // math: frames, vectors, rotations, formulas
+pub use math::algebra::{Scalar, VectorAlgebra};
 pub use math::elliptic::{EllipticError, EllipticParameter, JacobiFunctions};
 pub use math::formula::{Binary, Formula, FormulaError, Instruction, Unary};
 pub use math::frame::{Body, Frame, Part, Principal, Space};
@@ -131,8 +132,9 @@ pub use motion::state::State;
 pub use motion::state_variables::StateVariables;
 pub use motion::swinging_body::SwingingBody;
 pub use motion::torque::{
-    Attracted, ConstantTorque, Drag, DragLaw, EnergySink, FormulaTorque, GravityGradient, Magnetic,
-    MagneticField, Schedule, Scheduled, Thruster, TorqueModel, Torsion, UniformGravity,
+    Attracted, ConstantTorque, Drag, DragLaw, EnergySink, FormulaTorque, GravityGradient, Law, LawInput,
+    Magnetic, MagneticField, OrbitPosition, OwnTorque, Schedule, Scheduled, Thruster, TorqueModel, Torsion,
+    UniformGravity,
 };
 pub use motion::trajectory::{Method, Trajectory};
 pub use motion::wheel::{Motor, Wheel};

@@ -1,5 +1,6 @@
 //! Numbers, vectors and rotations. This room knows no physics: nothing here has a mass.
 
+pub(crate) mod algebra;
 pub(crate) mod complex;
 pub(crate) mod double;
 pub(crate) mod eigenvalues;

@@ -68,6 +68,11 @@ impl Symmetric3 {
         }
     }
 
+    /// Of xx, yy, zz, xy, xz, yz.
+    pub(crate) const fn from_elements([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> Self {
+        Self { xx, yy, zz, xy, xz, yz }
+    }
+
     pub(crate) fn elements(&self) -> [f64; 6] {
         [self.xx, self.yy, self.zz, self.xy, self.xz, self.yz]
     }

@@ -19,8 +19,8 @@ pub(super) struct Course<'a> {
     events: &'a [Event],
     watch: Watch<'a>,
     has_potential: bool,
-    /// True if a formula, which may be no number, is among the torques: each step's end is looked at.
-    has_formula: bool,
+    /// True if a torque may be NaN in some states: the end of each step is looked at.
+    has_partial: bool,
     wanted: &'a [f64],
     pub(super) samples: Vec<Sample>,
     pub(super) crossings: Vec<Crossing>,
@@ -39,7 +39,7 @@ impl<'a> Course<'a> {
             stepper,
             events,
             has_potential,
-            has_formula: torques.iter().any(|torque| torque.name() == "formula"),
+            has_partial: torques.iter().any(|torque| torque.model().is_partial()),
             wanted,
         }
     }
@@ -96,7 +96,7 @@ impl<'a> Course<'a> {
             return Err(cause);
         }
         // A step may reach a little beyond where its torque is a number.
-        if self.has_formula && self.sample(self.stepper.now()).is_err() {
+        if self.has_partial && self.sample(self.stepper.now()).is_err() {
             self.stepper.cut(from);
             return Err(self.stepper.explained(MotionError::NotFinite { time: from }));
         }

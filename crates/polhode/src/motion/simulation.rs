@@ -145,7 +145,8 @@ impl Simulation<'_> {
 
     /// The method that is asked for, or the best.
     fn choose(&self) -> Result<(Way, MethodReason), MotionError> {
-        let rough = self.torques.iter().enumerate().find_map(|(k, torque)| Some((k, torque.roughness()?)));
+        let rough =
+            self.torques.iter().enumerate().find_map(|(k, torque)| Some((k, torque.model().roughness()?)));
         let steps = |rule| Ok((Way::Steps(rule), MethodReason::Asked));
         match self.method {
             Method::Exact => Ok((Way::Closed(self.closed_form()?), MethodReason::Asked)),

@@ -2,6 +2,10 @@
 
 use super::rotor::Rotor;
 use super::state::State;
+use super::torque::law::LawInput;
+use crate::math::algebra::{Scalar, VectorAlgebra};
+use crate::math::formula::Binary;
+use crate::math::vector::Direction;
 
 /// The variables of formulas of a state, in SI units: their names, and their values.
 ///
@@ -65,4 +69,62 @@ impl StateVariables {
             r12, r13, r21, r22, r23, r31, r32, r33, phi, theta, psi,
         ]
     }
+
+    /// One of them, of anything that a law can be a function of.
+    pub(crate) fn variable<I: LawInput>(k: usize, at: &I) -> I::Scalar {
+        let momentum = || at.inertia(at.omega()) + at.wheel_momentum();
+        let quaternion = || {
+            let (w, v) = at.attitude();
+            let [x, y, z] = at.components(v);
+            [w, x, y, z]
+        };
+        // φ = atan2(z, w) + atan2(y, x), ψ = atan2(z, w) − atan2(y, x)
+        let half_angles = || {
+            let [w, x, y, z] = quaternion();
+            [z.atan2(w), y.atan2(x)]
+        };
+        match Self::NAMES.get(k).copied().unwrap_or_default() {
+            "t" => at.time(),
+            "T_rot" => at.omega().dot(at.inertia(at.omega())).scaled(0.5),
+            "phi" => {
+                let [sum, difference] = half_angles();
+                (sum + difference).wrapped()
+            }
+            "psi" => {
+                let [sum, difference] = half_angles();
+                (sum - difference).wrapped()
+            }
+            "theta" => {
+                // θ = 2 atan2(√(x² + y²), √(w² + z²))
+                let [w, x, y, z] = quaternion();
+                x.binary(Binary::Hypot, y).atan2(w.binary(Binary::Hypot, z)).scaled(2.0)
+            }
+            name => match *name.as_bytes() {
+                [b'w', axis @ b'x'..=b'z'] => component(at, at.omega(), axis - b'x'),
+                [b'L', axis @ b'x'..=b'z'] => component(at, momentum(), axis - b'x'),
+                [b'w', axis @ b'X'..=b'Z'] => at.omega().dot(space_axis(at, axis - b'X')),
+                [b'L', axis @ b'X'..=b'Z'] => momentum().dot(space_axis(at, axis - b'X')),
+                [b'q', b'w'] => at.attitude().0,
+                [b'q', axis @ b'x'..=b'z'] => component(at, at.attitude().1, axis - b'x'),
+                // A row of R_space_body has an axis of space along the body's.
+                [b'r', row @ b'1'..=b'3', column @ b'1'..=b'3'] => {
+                    component(at, space_axis(at, row - b'1'), column - b'1')
+                }
+                _ => at.number(f64::NAN),
+            },
+        }
+    }
+}
+
+fn component<I: LawInput>(at: &I, v: I::Vector, axis: u8) -> I::Scalar {
+    let [x, y, z] = at.components(v);
+    match axis {
+        0 => x,
+        1 => y,
+        _ => z,
+    }
+}
+
+fn space_axis<I: LawInput>(at: &I, axis: u8) -> I::Vector {
+    at.in_space(Direction::from_array([0, 1, 2].map(|k| f64::from(u8::from(k == axis)))))
 }

@@ -21,6 +21,7 @@ mod mesh_hull;
 mod mesh_shapes;
 mod motion;
 mod orbits;
+mod own_torque;
 mod pendulum_motion;
 mod properties;
 mod published;

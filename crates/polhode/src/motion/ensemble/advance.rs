@@ -36,21 +36,21 @@ impl Closed {
 pub(super) fn compute(portion: &mut Portion<'_>, times: &[f64], tolerance: f64, method: Method) {
     let (members, closed) = (portion.members, portion.closed);
     let mut states = Vec::new();
-    let mut kinds: Vec<(taylor::Kind, Vec<usize>)> = Vec::new();
+    let mut kinds: Vec<(taylor::Kind, Vec<(usize, taylor::Body<'_>)>)> = Vec::new();
     for (k, member) in members.iter().enumerate() {
         let Member { rotor, torques, start } = member;
         let anew = Closed::default();
         let closed = closed.get(k).unwrap_or(&anew);
         let closed = if method == Method::Auto { closed.of(member) } else { None };
+        let in_lanes = closed.is_none() && matches!(method, Method::Auto | Method::Taylor);
         if let Some(motion) = closed {
             states.resize(BATCH, *start);
             evaluate(portion, k, motion, times, &mut states);
-        } else if let (Method::Auto | Method::Taylor, Some(kind)) =
-            (method, taylor::kind(rotor, torques, tolerance))
-        {
+        } else if let Some(body) = in_lanes.then(|| taylor::Body::of(rotor, torques, *start)).flatten() {
+            let kind = body.kind(tolerance);
             match kinds.iter_mut().find(|(other, _)| *other == kind) {
-                Some((_, bodies)) => bodies.push(k),
-                None => kinds.push((kind, vec![k])),
+                Some((_, bodies)) => bodies.push((k, body)),
+                None => kinds.push((kind, vec![(k, body)])),
             }
             continue;
         } else {
@@ -96,24 +96,19 @@ fn evaluate(portion: &mut Portion<'_>, k: usize, motion: &ClosedForm, times: &[f
 /// By Taylor's method, side by side.
 fn expand(
     portion: &mut Portion<'_>,
-    bodies: &[usize],
+    bodies: &[(usize, taylor::Body<'_>)],
     times: &[f64],
     tolerance: f64,
     states: &mut Vec<State>,
 ) {
-    let members = portion.members;
-    let subjects: Vec<_> = bodies
-        .iter()
-        .filter_map(|k| members.get(*k))
-        .map(|Member { rotor, torques, start }| taylor::Body { rotor, torques, start: *start })
-        .collect();
-    let Some(first) = subjects.first() else { return };
-    states.resize(subjects.len() * times.len(), first.start);
-    let mut failures = taylor::advance(&subjects, times, tolerance, states).into_iter().peekable();
-    for (n, (&k, states)) in bodies.iter().zip(states.chunks(times.len())).enumerate() {
-        portion.put(k, 0, states);
+    let Some((first, _)) = bodies.first() else { return };
+    states.resize(bodies.len() * times.len(), portion.members[*first].start);
+    let subjects = || bodies.iter().map(|(_, body)| body);
+    let mut failures = taylor::advance(subjects(), times, tolerance, states).into_iter().peekable();
+    for (n, ((k, _), states)) in bodies.iter().zip(states.chunks(times.len())).enumerate() {
+        portion.put(*k, 0, states);
         if let Some((_, cause)) = failures.next_if(|(body, _)| *body == n) {
-            portion.give_up(k, cause);
+            portion.give_up(*k, cause);
         }
     }
     states.clear();

@@ -45,8 +45,8 @@ impl<'a> Piece<'a> {
         let wheels = rotor.wheels().iter().map(|wheel| wheel.next_change(time));
         Self {
             rotor,
-            sink: acting.iter().map(|torque| torque.sink()).sum(),
-            largest_torque: acting.iter().map(|torque| torque.scale(rotor, state)).sum::<f64>()
+            sink: acting.iter().map(|torque| torque.model().sink()).sum(),
+            largest_torque: acting.iter().map(|torque| torque.model().scale(rotor, state)).sum::<f64>()
                 + rotor.motor_torque(time).norm(),
             torques: acting,
             until: changes.chain(wheels).fold(f64::INFINITY, f64::min),

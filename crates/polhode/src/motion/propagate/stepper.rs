@@ -98,7 +98,7 @@ impl<'a> Stepper<'a> {
         let piece = Rc::new(first_piece(rule, rotor, acting(torques, &switched_on), &start, tolerance)?);
         let until = piece.until;
         let bound = Bound::new(&piece, &start);
-        let is_sprung = torques.iter().any(|torque| torque.name() == "torsion");
+        let is_sprung = torques.iter().any(|torque| torque.model().has_twist());
         let steps = match rule {
             Rule::Taylor => Steps::Taylor(Box::new(Taylor::new(piece, start, tolerance, with_evidence)?)),
             Rule::Dop853 => Steps::Dop853(Box::new(RungeKutta::new(piece, start, tolerance)?)),
@@ -316,9 +316,9 @@ pub(super) fn require_untwisted<'a>(
     before: &State,
     after: &State,
 ) -> Result<(), MotionError> {
-    let is_beyond = torques.any(|torque| match torque.acting(before.time) {
-        Some(TorqueModel::Torsion(torsion)) => torsion.passes_half_turn(before.attitude, after.attitude),
-        _ => false,
+    let is_beyond = torques.any(|torque| {
+        let acting = torque.acting(before.time);
+        acting.is_some_and(|torque| torque.model().passes_half_turn(before.attitude, after.attitude))
     });
     if is_beyond { Err(MotionError::HalfTurn { time: before.time }) } else { Ok(()) }
 }

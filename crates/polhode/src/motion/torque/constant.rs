@@ -1,8 +1,11 @@
 //! A constant torque, in body or in space axes.
 
+use super::law::{Law, LawInput};
+use super::model::Model;
 use crate::math::frame::{Body, Space};
-use crate::math::rotation::Attitude;
 use crate::math::vector::Torque;
+use crate::motion::rotor::Rotor;
+use crate::motion::state::State;
 
 /// A torque that keeps its components along one set of axes, N·m.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -13,21 +16,24 @@ pub enum ConstantTorque {
     Space(Torque<Space>),
 }
 
-impl ConstantTorque {
-    /// |N|, N·m.
-    pub(crate) fn scale(&self) -> f64 {
+impl Law for ConstantTorque {
+    fn torque<I: LawInput>(&self, at: &I) -> I::Vector {
+        match *self {
+            Self::Body(n) => at.in_body(n.as_quantity()),
+            Self::Space(n) => at.in_space(n.as_quantity()),
+        }
+    }
+}
+
+impl Model for ConstantTorque {
+    fn name(&self) -> &'static str {
+        "constant"
+    }
+
+    fn scale(&self, _: &Rotor, _: &State) -> f64 {
         match self {
             Self::Body(n) => n.norm(),
             Self::Space(n) => n.norm(),
-        }
-    }
-
-    /// N in body axes.
-    pub fn torque(&self, attitude: Attitude) -> Torque<Body> {
-        match *self {
-            Self::Body(n) => n,
-            // N_body = R_body_space N_space
-            Self::Space(n) => attitude.inverse() * n,
         }
     }
 }

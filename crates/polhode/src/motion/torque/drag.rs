@@ -1,23 +1,24 @@
 //! Drag: a torque against ω.
 
-use crate::math::frame::Body;
+use super::law::{Law, LawInput};
+use super::model::Model;
+use crate::math::algebra::VectorAlgebra;
 use crate::math::symmetric3::Symmetric3;
-use crate::math::vector::Torque;
 use crate::motion::error::MotionError;
-use crate::motion::rotor::Rotor;
-use crate::motion::state::State;
 
 /// A torque that resists turning, in proportion to ω or to its square, and not alike about every axis.
 ///
 /// Its matrix stands along body axes. It is symmetric and positive semi-definite, so that the power N · ω is never positive.
 ///
 /// ```
-/// use polhode::{Attitude, AngularVelocity, Drag, DragLaw, State};
+/// use polhode::{Attitude, AngularVelocity, Drag, DragLaw, InertiaTensor, Law, MassProperties, Position, Rotor, State};
 /// let drag = Drag::new(DragLaw::Quadratic, [[0.5, 0.25, 0.0], [0.25, 0.5, 0.0], [0.0, 0.0, 0.5]])?;
 /// let omega = AngularVelocity::new(0.0, 3.0, 4.0);
-/// let torque = drag.torque(&State { time: 0.0, attitude: Attitude::identity(), omega });
+/// # let inertia = InertiaTensor::diagonal([1.0, 2.0, 2.5])?;
+/// # let rotor = Rotor::free(&MassProperties::new(1.0, Position::ZERO, inertia)?);
+/// let torque = drag.at(&rotor, &State { time: 0.0, attitude: Attitude::identity(), omega });
 /// assert_eq!(torque.to_array(), [-3.75, -7.5, -10.0]);
-/// # Ok::<(), polhode::MotionError>(())
+/// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Drag {
@@ -36,6 +37,17 @@ pub enum DragLaw {
 
 /// How far rounding may leave a matrix from symmetric and positive, relative to its largest element.
 const TOLERANCE: f64 = 1e-12;
+
+impl Law for Drag {
+    fn torque<I: LawInput>(&self, at: &I) -> I::Vector {
+        let omega = at.omega();
+        let resistance = at.symmetric(self.matrix.elements(), omega);
+        match self.law {
+            DragLaw::Linear => -resistance,
+            DragLaw::Quadratic => -(resistance * omega.norm()),
+        }
+    }
+}
 
 impl Drag {
     /// Drag with its matrix along body axes: C or D of its law.
@@ -75,24 +87,15 @@ impl Drag {
     pub fn matrix(&self) -> [[f64; 3]; 3] {
         self.matrix.rows()
     }
+}
 
-    /// The same along axes that R takes to the body's: Rᵀ C R, the rows of Rᵀ given.
-    pub(crate) fn matrix_along(&self, rows: &[[f64; 3]; 3]) -> [[f64; 3]; 3] {
-        self.matrix.rotated(rows).rows()
+impl Model for Drag {
+    fn name(&self) -> &'static str {
+        "drag"
     }
 
-    /// N in body axes, N·m.
-    pub fn torque(&self, state: &State) -> Torque<Body> {
-        let rate = match self.law {
-            DragLaw::Linear => 1.0,
-            DragLaw::Quadratic => state.omega.norm(),
-        };
-        Torque::from_array(self.matrix.apply(state.omega.to_array())) * -rate
-    }
-
-    /// Its size at a state, N·m.
-    pub(crate) fn scale(&self, _rotor: &Rotor, state: &State) -> f64 {
-        self.torque(state).norm()
+    fn unsplittable(&self) -> Option<&'static str> {
+        Some("it depends on the angular velocity")
     }
 }
 

@@ -1,5 +1,8 @@
 //! Energy lost inside a body: L is kept, T is not.
 
+use super::law::{Law, LawInput};
+use super::model::Model;
+use crate::math::vector::Direction;
 use crate::motion::error::MotionError;
 
 /// Dissipation inside a body that bends, sloshes or carries a damper, whose angular momentum it cannot change: an *energy sink*.
@@ -29,6 +32,12 @@ use crate::motion::error::MotionError;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EnergySink {
     coefficient: f64,
+}
+
+impl Law for EnergySink {
+    fn torque<I: LawInput>(&self, at: &I) -> I::Vector {
+        at.in_body(Direction::ZERO)
+    }
 }
 
 impl EnergySink {
@@ -79,6 +88,20 @@ impl EnergySink {
 
     /// α, 1/(N·m·s).
     pub const fn coefficient(&self) -> f64 {
+        self.coefficient
+    }
+}
+
+impl Model for EnergySink {
+    fn name(&self) -> &'static str {
+        "energy_sink"
+    }
+
+    fn unsplittable(&self) -> Option<&'static str> {
+        Some("it acts inside the body")
+    }
+
+    fn sink(&self) -> f64 {
         self.coefficient
     }
 }

@@ -1,9 +1,13 @@
 //! Uniform gravity on a body held at a pivot.
 
-use crate::math::frame::{Body, Space};
+use super::law::{Law, LawInput};
+use super::model::Model;
+use crate::math::algebra::VectorAlgebra;
+use crate::math::frame::Space;
 use crate::math::rotation::Attitude;
-use crate::math::vector::{Acceleration, Force, Torque};
+use crate::math::vector::Acceleration;
 use crate::motion::rotor::Rotor;
+use crate::motion::state::State;
 
 /// Uniform gravity: N = l × M g, l from the pivot to the centre of mass; U = −M g · l.
 ///
@@ -14,15 +18,16 @@ pub struct UniformGravity {
     pub acceleration: Acceleration<Space>,
 }
 
+impl Law for UniformGravity {
+    fn torque<I: LawInput>(&self, at: &I) -> I::Vector {
+        let weight = at.in_space(self.acceleration.as_quantity()).scaled(at.rotor().mass());
+        at.in_body(at.rotor().lever().as_quantity()).cross(weight)
+    }
+}
+
 impl UniformGravity {
     /// Standard gravity 9.80665 m/s² along −z (3rd CGPM, 1901).
     pub const STANDARD: Self = Self { acceleration: Acceleration::new(0.0, 0.0, -9.80665) };
-
-    /// N in body axes.
-    pub fn torque(&self, rotor: &Rotor, attitude: Attitude) -> Torque<Body> {
-        let weight: Force<Body> = (attitude.inverse() * self.acceleration * rotor.mass()).as_quantity();
-        rotor.lever().cross(weight)
-    }
 
     /// U = −M g · l, J: zero with the centre of mass level with the pivot.
     pub fn potential(&self, rotor: &Rotor, attitude: Attitude) -> f64 {
@@ -30,9 +35,24 @@ impl UniformGravity {
     }
 }
 
+impl Model for UniformGravity {
+    fn name(&self) -> &'static str {
+        "gravity"
+    }
+
+    fn potential(&self, rotor: &Rotor, state: &State) -> Option<f64> {
+        Some(self.potential(rotor, state.attitude))
+    }
+
+    fn scale(&self, rotor: &Rotor, _: &State) -> f64 {
+        rotor.mass() * self.acceleration.norm() * rotor.lever().norm()
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math::frame::Body;
     use crate::math::rotation::Rotation;
     use crate::math::vector::{Direction, Vector};
     use crate::{InertiaTensor, MassProperties, Position};
@@ -53,6 +73,7 @@ mod tests {
         let x = slope(Vector::new(1.0, 0.0, 0.0));
         let y = slope(Vector::new(0.0, 1.0, 0.0));
         let z = slope(Vector::new(0.0, 0.0, 1.0));
-        assert!((gravity.torque(&rotor, attitude) + Vector::new(x, y, z)).norm() < 1e-8);
+        let state = State { time: 0.0, attitude, omega: Vector::ZERO };
+        assert!((gravity.at(&rotor, &state) + Vector::new(x, y, z)).norm() < 1e-8);
     }
 }

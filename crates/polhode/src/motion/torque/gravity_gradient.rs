@@ -5,18 +5,19 @@
 //!
 //! N = Σ x × m (g(r + x) − g(r)),  g(r) = −µ r/r³
 //!
-//! The difference is written so that nothing cancels, however small the body is beside r: with u = (2 r·x + x²)/r² and w = √(1 + u),
-//!
-//! N = (µ/r³) Σ m (x × r) (w − 1)(1 + w + w²)/w³,  w − 1 = u/(1 + w)
+//! The difference is written so that nothing cancels, however small the body is beside r.
 //!
 //! To first order in x/r this is N = 3 (µ/r³) r̂ × I r̂.
 //!
 //! Source of the latter: P. C. Hughes, Spacecraft Attitude Dynamics (1986), ch. 8.1.
 
+use super::law::{Law, LawInput, OrbitPosition};
+use super::model::Model;
 use crate::body::particles::Particle;
+use crate::math::algebra::{Scalar, VectorAlgebra};
 use crate::math::frame::Body;
 use crate::math::symmetric3::Symmetric3;
-use crate::math::vector::{Direction, Position, Torque, Vector, quantity::Number};
+use crate::math::vector::{Direction, Position};
 use crate::motion::orbit::Orbit;
 use crate::motion::rotor::Rotor;
 use crate::motion::state::State;
@@ -44,25 +45,36 @@ pub enum Attracted {
     Points(Vec<Particle<Body>>),
 }
 
-impl GravityGradient {
-    /// N in body axes, to a few ε of 3 (µ/r³) i3.
-    pub fn torque(&self, rotor: &Rotor, state: &State) -> Torque<Body> {
-        let r = state.attitude.inverse() * self.orbit.position(state.time);
-        let distance = r.norm();
-        let r: Direction<Body> = (r / distance).as_quantity();
-        let strength = self.orbit.strength(distance);
+/// N to a few ε of 3 (µ/r³) i3.
+impl Law for GravityGradient {
+    fn torque<I: LawInput>(&self, at: &I) -> I::Vector {
+        let OrbitPosition { direction: rho, square, inverse_cube, distance, strength } =
+            at.orbit(&self.orbit);
         match &self.attracted {
-            Attracted::Tensor => (r.cross(times(&whole(rotor), r)) * (3.0 * strength)).as_quantity(),
+            Attracted::Tensor => {
+                // N = 3 (µ/r₀³) |ρ|⁻⁵ ρ × I ρ
+                let mut product = at.inertia(rho);
+                if let Some(wheels) = of_wheels(at.rotor()) {
+                    product = product + at.symmetric(wheels.elements(), rho);
+                }
+                rho.cross(product) * (inverse_cube / square * strength).scaled(3.0)
+            }
             Attracted::Points(points) => {
-                let sum = points.iter().fold(Direction::ZERO, |sum, point| {
-                    let x = (point.position() - rotor.point()) / distance;
-                    sum + Vector::as_quantity::<Number>(x).cross(r) * (point.mass() * excess(x, r))
+                // N = (µ/r₀³) r₀² Σ m f ξ × ρ, f = |ρ|⁻³ − |ρ + ξ|⁻³ = |ρ|⁻³ − (|ρ|² + δ)^(−3/2)
+                let per_distance = at.number(1.0) / distance;
+                let sum = points.iter().fold(at.in_body(Direction::ZERO), |sum, point| {
+                    let x: Direction<Body> = (point.position() - at.rotor().point()).as_quantity();
+                    let xi = at.in_body(x) * per_distance;
+                    let delta = rho.dot(xi).scaled(2.0) + xi.dot(xi);
+                    sum + xi * square.power_difference(delta, -1.5).scaled(point.mass())
                 });
-                (sum * (strength * distance * distance)).as_quantity()
+                sum.cross(rho) * (strength * distance * distance)
             }
         }
     }
+}
 
+impl GravityGradient {
     /// The potential energy of the attitude at one time, J: U = −½ (µ/r³)(tr I − 3 r̂·I r̂), or for mass points exactly what they
     /// have beyond one of their mass at the centre. N = −∂U/∂θ while r stands still.
     ///
@@ -87,9 +99,14 @@ impl GravityGradient {
             }),
         }
     }
+}
 
-    /// The largest that it can be, N·m.
-    pub(crate) fn scale(&self, rotor: &Rotor) -> f64 {
+impl Model for GravityGradient {
+    fn name(&self) -> &'static str {
+        "gravity_gradient"
+    }
+
+    fn scale(&self, rotor: &Rotor, _: &State) -> f64 {
         // |r̂ × I r̂| ≤ ½ (i3 − i1), but rounding is relative to i3, which is at most half the trace.
         let inertia = whole(rotor);
         0.75 * self.orbit.strength(self.orbit.periapsis()) * (inertia.xx + inertia.yy + inertia.zz)
@@ -97,21 +114,21 @@ impl GravityGradient {
 }
 
 /// The body's tensor with the inertia of its wheels: gravity acts on all of it.
-pub(crate) fn whole(rotor: &Rotor) -> Symmetric3 {
-    rotor.wheels().iter().fold(*rotor.inertia().symmetric(), |sum, wheel| match wheel.motor() {
-        Motor::Torque { inertia, .. } => sum + Symmetric3::outer(wheel.axis().to_array()) * inertia,
-        Motor::HeldSpeed => sum,
-    })
+fn whole(rotor: &Rotor) -> Symmetric3 {
+    of_wheels(rotor).map_or(*rotor.inertia().symmetric(), |wheels| *rotor.inertia().symmetric() + wheels)
+}
+
+/// What wheels add to the tensor of the body, if there are any that are not part of it.
+fn of_wheels(rotor: &Rotor) -> Option<Symmetric3> {
+    let inertias = rotor.wheels().iter().filter_map(|wheel| match wheel.motor() {
+        Motor::Torque { inertia, .. } => Some(Symmetric3::outer(wheel.axis().to_array()) * inertia),
+        Motor::HeldSpeed => None,
+    });
+    inertias.reduce(|sum, wheel| sum + wheel)
 }
 
 fn times(inertia: &Symmetric3, v: Direction<Body>) -> Direction<Body> {
     Direction::from_array(inertia.apply(v.to_array()))
-}
-
-/// 1 − (r/|r + x|)³ = (w − 1)(1 + w + w²)/w³, in units of r.
-fn excess(x: Position<Body>, r: Direction<Body>) -> f64 {
-    let (w, less) = root(x, r);
-    less * (1.0 + w + w * w) / (w * w * w)
 }
 
 /// w = |r + x|/r and w − 1, in units of r.
@@ -126,7 +143,7 @@ mod tests {
     use super::*;
     use crate::math::rotation::{Attitude, Rotation};
     use crate::math::vector::AngularVelocity;
-    use crate::{MassProperties, mass_properties_of_particles};
+    use crate::{MassProperties, State, Torque, mass_properties_of_particles};
 
     fn points(size: f64) -> Vec<Particle<Body>> {
         [(1.5, [0.9, -0.2, 0.4]), (0.7, [-0.6, 1.1, 0.3]), (2.2, [0.1, 0.5, -1.3]), (1.1, [-0.8, -0.9, 0.2])]
@@ -160,9 +177,9 @@ mod tests {
             };
             let unit = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
             let want = Torque::from_array(unit.map(|axis| -slope(Direction::from_array(axis))));
-            let torque = gradient.torque(&rotor, &state);
+            let torque = gradient.at(&rotor, &state);
             assert!((torque - want).norm() < 1e-9 && torque.norm() > 1e-3, "{torque:?} {want:?}");
-            assert!(torque.norm() <= gradient.scale(&rotor));
+            assert!(torque.norm() <= gradient.scale(&rotor, &state));
         }
     }
 
@@ -171,10 +188,10 @@ mod tests {
         // The next term is (x/r)³ of a body without symmetry: relative to the torque it falls as the size does.
         let difference = |size: f64| {
             let (rotor, [tensor, points], state) = gradients(size);
-            let want = tensor.torque(&rotor, &state);
+            let want = tensor.at(&rotor, &state);
             let potential = tensor.potential(&rotor, &state);
             (
-                (points.torque(&rotor, &state) - want).norm() / want.norm(),
+                (points.at(&rotor, &state) - want).norm() / want.norm(),
                 (points.potential(&rotor, &state) / potential - 1.0).abs(),
             )
         };
@@ -192,7 +209,7 @@ mod tests {
         let axis = Direction::new(0.5, -0.3, 0.9);
         let motor = Motor::Torque { inertia: 0.2, torque: 0.0, schedule: None };
         let wheeled = rotor.clone().with_wheels(&[Wheel::new(axis, 3.0, motor).unwrap()]).unwrap();
-        let (with, without) = (tensor.torque(&wheeled, &state), tensor.torque(&rotor, &state));
-        assert!((with - without).norm() < 4e-16 * tensor.scale(&rotor));
+        let (with, without) = (tensor.at(&wheeled, &state), tensor.at(&rotor, &state));
+        assert!((with - without).norm() < 4e-16 * tensor.scale(&rotor, &state));
     }
 }

@@ -1,9 +1,13 @@
 //! A magnet in a field.
 
+use super::law::{Law, LawInput, OrbitPosition};
+use super::model::Model;
+use crate::math::algebra::{Scalar, VectorAlgebra};
 use crate::math::frame::{Body, Space};
 use crate::math::rotation::Attitude;
-use crate::math::vector::{Direction, Torque, Vector, quantity::Number};
+use crate::math::vector::Direction;
 use crate::motion::orbit::Orbit;
+use crate::motion::rotor::Rotor;
 use crate::motion::state::State;
 
 /// A magnetic moment fixed in the body: N = m × B.
@@ -44,21 +48,42 @@ impl MagneticField {
             Self::Dipole { dipole, orbit } => {
                 let r = orbit.position(time);
                 let distance = r.norm();
-                let r = Vector::as_quantity::<Number>(r / distance);
-                let strength = MU_0_OVER_4_PI / distance / distance / distance;
-                (r * (3.0 * dipole.dot(r)) - *dipole) * strength
+                let direction = (r / distance).as_quantity();
+                field_of_dipole(
+                    *dipole,
+                    &OrbitPosition {
+                        direction,
+                        square: 1.0,
+                        inverse_cube: 1.0,
+                        distance,
+                        strength: orbit.strength(distance),
+                    },
+                )
             }
         }
     }
 }
 
-impl Magnetic {
-    /// N in body axes.
-    pub fn torque(&self, state: &State) -> Torque<Body> {
-        let field = state.attitude.inverse() * self.field.at(state.time);
-        self.moment.cross(field).as_quantity()
+impl Law for Magnetic {
+    fn torque<I: LawInput>(&self, at: &I) -> I::Vector {
+        let field = match &self.field {
+            MagneticField::Uniform(field) => at.in_space(*field),
+            MagneticField::Dipole { dipole, orbit } => {
+                field_of_dipole(at.in_space(*dipole), &at.orbit(orbit))
+            }
+        };
+        at.in_body(self.moment).cross(field)
     }
+}
 
+/// B = (µ₀/4π r₀³)(3 (M·ρ) ρ/|ρ|² − M)/|ρ|³ at r = r₀ ρ.
+fn field_of_dipole<S: Scalar, V: VectorAlgebra<S>>(dipole: V, at: &OrbitPosition<S, V>) -> V {
+    let OrbitPosition { direction, square, inverse_cube, distance, .. } = *at;
+    let pattern = direction * (dipole.dot(direction).scaled(3.0) / square) - dipole;
+    pattern * (inverse_cube.scaled(MU_0_OVER_4_PI) / distance / distance / distance)
+}
+
+impl Magnetic {
     /// U = −m · B, J; `None` where the field changes along an orbit.
     pub fn potential(&self, attitude: Attitude) -> Option<f64> {
         match self.field {
@@ -66,9 +91,18 @@ impl Magnetic {
             MagneticField::Dipole { .. } => None,
         }
     }
+}
 
-    /// The largest that it can be, N·m.
-    pub(crate) fn scale(&self) -> f64 {
+impl Model for Magnetic {
+    fn name(&self) -> &'static str {
+        "magnetic"
+    }
+
+    fn potential(&self, _: &Rotor, state: &State) -> Option<f64> {
+        self.potential(state.attitude)
+    }
+
+    fn scale(&self, _: &Rotor, _: &State) -> f64 {
         self.moment.norm()
             * match &self.field {
                 MagneticField::Uniform(field) => field.norm(),
@@ -82,7 +116,9 @@ impl Magnetic {
 
 #[cfg(test)]
 mod tests {
+    use super::super::law::generic_rotor;
     use super::*;
+    use crate::Torque;
     use crate::math::rotation::Rotation;
     use crate::math::vector::{AngularVelocity, Position};
 
@@ -98,8 +134,12 @@ mod tests {
         };
         let unit = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
         let want = Torque::from_array(unit.map(|axis| -slope(Direction::from_array(axis))));
-        let torque = magnet.torque(&State { time: 3.0, attitude, omega: AngularVelocity::ZERO });
-        assert!((torque - want).norm() < 1e-9 * magnet.scale() && torque.norm() < magnet.scale());
+        let state = State { time: 3.0, attitude, omega: AngularVelocity::ZERO };
+        let torque = magnet.at(&generic_rotor(), &state);
+        assert!(
+            (torque - want).norm() < 1e-9 * magnet.scale(&generic_rotor(), &state)
+                && torque.norm() < magnet.scale(&generic_rotor(), &state)
+        );
     }
 
     #[test]

@@ -4,13 +4,22 @@ pub(crate) mod constant;
 pub(crate) mod drag;
 pub(crate) mod energy_sink;
 pub(crate) mod formula;
+pub(crate) mod graph;
 pub(crate) mod gravity;
 pub(crate) mod gravity_gradient;
+pub(crate) mod law;
 pub(crate) mod magnetic;
+pub(crate) mod model;
+pub(crate) mod own;
+pub(crate) mod polynomial;
 pub(crate) mod schedule;
 pub(crate) mod scheduled;
 pub(crate) mod thruster;
 pub(crate) mod torsion;
+
+use core::fmt;
+
+use model::Model;
 
 use super::rotor::Rotor;
 use super::state::State;
@@ -24,99 +33,99 @@ pub use energy_sink::EnergySink;
 pub use formula::FormulaTorque;
 pub use gravity::UniformGravity;
 pub use gravity_gradient::{Attracted, GravityGradient};
+pub use law::{Law, LawInput, OrbitPosition};
 pub use magnetic::{Magnetic, MagneticField};
+pub use own::OwnTorque;
 pub use schedule::Schedule;
 pub use scheduled::Scheduled;
 pub use thruster::Thruster;
 pub use torsion::Torsion;
-pub(crate) use torsion::half_angle_over_sine;
 
-/// One cause of torque about the point that the body turns about.
-#[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum TorqueModel {
+/// The list of all models: the type, and what the solvers ask of each.
+macro_rules! models {
+    ($($(#[$doc:meta])* $variant:ident($type:ty): $model:ty,)*) => {
+        /// One cause of torque about the point that the body turns about.
+        #[derive(Clone, Debug, PartialEq)]
+        #[non_exhaustive]
+        pub enum TorqueModel {
+            $($(#[$doc])* $variant($type),)*
+        }
+
+        impl TorqueModel {
+            pub(in crate::motion) fn model(&self) -> &dyn Model {
+                match self {
+                    $(Self::$variant(model) => {
+                        let model: &$model = model;
+                        model
+                    })*
+                }
+            }
+        }
+    };
+}
+
+models! {
     /// Constant along body or space axes.
-    Constant(ConstantTorque),
+    Constant(ConstantTorque): ConstantTorque,
     /// The weight of a body held at a pivot.
-    Gravity(UniformGravity),
+    Gravity(UniformGravity): UniformGravity,
     /// Gravity that differs from one end of an orbiting body to the other.
-    GravityGradient(Box<GravityGradient>),
+    GravityGradient(Box<GravityGradient>): GravityGradient,
     /// Resistance to turning.
-    Drag(Drag),
+    Drag(Drag): Drag,
     /// A torsion spring or wire.
-    Torsion(Torsion),
+    Torsion(Torsion): Torsion,
     /// A magnet in a field.
-    Magnetic(Box<Magnetic>),
+    Magnetic(Box<Magnetic>): Magnetic,
     /// A force fixed to the body.
-    Thruster(Thruster),
+    Thruster(Thruster): Thruster,
     /// Energy lost inside the body.
-    EnergySink(EnergySink),
+    EnergySink(EnergySink): EnergySink,
     /// Given by formulas.
-    Formula(Box<FormulaTorque>),
+    Formula(Box<FormulaTorque>): FormulaTorque,
+    /// A law or a function of the user of this crate.
+    Own(OwnTorque): OwnTorque,
     /// Another one, at its times only.
-    Scheduled(Box<Scheduled>),
+    Scheduled(Box<Scheduled>): Scheduled,
 }
 
 impl TorqueModel {
+    /// A law of the user of this crate, by a name.
+    pub fn own(name: &'static str, law: impl Law + fmt::Debug + Send + Sync + 'static) -> Self {
+        Self::Own(OwnTorque::law(name, law))
+    }
+
+    /// Any function of the body and its state that gives N in body axes, N·m, by a name. It has no power series: DOP853 integrates it.
+    pub fn function(
+        name: &'static str,
+        torque: impl Fn(&Rotor, &State) -> Torque<Body> + Send + Sync + 'static,
+    ) -> Self {
+        Self::Own(OwnTorque::function(name, torque))
+    }
+
     /// The torque on the body in a state, body axes, N·m. What acts inside the body only is none.
     pub fn torque(&self, rotor: &Rotor, state: &State) -> Torque<Body> {
-        match self {
-            Self::Constant(model) => model.torque(state.attitude),
-            Self::Gravity(model) => model.torque(rotor, state.attitude),
-            Self::GravityGradient(model) => model.torque(rotor, state),
-            Self::Drag(model) => model.torque(state),
-            Self::Torsion(model) => model.torque(state),
-            Self::Magnetic(model) => model.torque(state),
-            Self::Thruster(model) => model.torque(rotor),
-            Self::EnergySink(_) => Torque::ZERO,
-            Self::Formula(model) => model.torque(rotor, state),
-            Self::Scheduled(model) if model.schedule.is_on(state.time) => model.torque.torque(rotor, state),
-            Self::Scheduled(_) => Torque::ZERO,
-        }
+        self.model().value(rotor, state)
     }
 
     /// The potential energy whose loss is this torque's work, J; `None` if it has none.
     pub fn potential(&self, rotor: &Rotor, state: &State) -> Option<f64> {
-        match self {
-            Self::Gravity(model) => Some(model.potential(rotor, state.attitude)),
-            Self::Torsion(model) => Some(model.potential(state.attitude)),
-            Self::Magnetic(model) => model.potential(state.attitude),
-            // In general: a torque that follows the body, or that changes with time, has none.
-            _ => None,
-        }
+        self.model().potential(rotor, state)
     }
 
-    /// Its greatest size, or where there is none its size in a state, N·m: what its rounding is relative to.
+    /// The size that its rounding is relative to, N·m.
     pub(crate) fn scale(&self, rotor: &Rotor, state: &State) -> f64 {
-        match self {
-            Self::Constant(model) => model.scale(),
-            Self::Gravity(model) => rotor.mass() * model.acceleration.norm() * rotor.lever().norm(),
-            Self::GravityGradient(model) => model.scale(rotor),
-            Self::Drag(model) => model.scale(rotor, state),
-            Self::Torsion(model) => model.scale(),
-            Self::Magnetic(model) => model.scale(),
-            Self::Thruster(model) => model.scale(rotor),
-            Self::EnergySink(_) => 0.0,
-            Self::Formula(model) => model.scale(rotor, state),
-            Self::Scheduled(model) => model.torque.scale(rotor, state),
-        }
+        self.model().scale(rotor, state)
     }
 
     /// α of an energy sink, 1/(N·m·s); zero for everything else.
-    pub(crate) const fn sink(&self) -> f64 {
-        match self {
-            Self::EnergySink(model) => model.coefficient(),
-            _ => 0.0,
-        }
+    pub(crate) fn sink(&self) -> f64 {
+        self.model().sink()
     }
 
-    /// Why it cannot be expanded into a power series, if it cannot.
-    pub(crate) fn roughness(&self) -> Option<&'static str> {
-        match self {
-            Self::Formula(model) => model.roughness(),
-            Self::Scheduled(model) => model.torque.roughness(),
-            _ => None,
-        }
+    /// The name in scenario files and summaries.
+    pub fn name(&self) -> &'static str {
+        self.model().name()
     }
 
     /// When it begins or ends next after a time, s; infinite if it does not.
@@ -143,22 +152,6 @@ impl TorqueModel {
             Self::Scheduled(model) if model.schedule.is_on(time) => model.torque.acting(time),
             Self::Scheduled(_) => None,
             model => Some(model),
-        }
-    }
-
-    /// The name in scenario files and summaries.
-    pub const fn name(&self) -> &'static str {
-        match self {
-            Self::Constant(_) => "constant",
-            Self::Gravity(_) => "gravity",
-            Self::GravityGradient(_) => "gravity_gradient",
-            Self::Drag(_) => "drag",
-            Self::Torsion(_) => "torsion",
-            Self::Magnetic(_) => "magnetic",
-            Self::Thruster(_) => "thruster",
-            Self::EnergySink(_) => "energy_sink",
-            Self::Formula(_) => "formula",
-            Self::Scheduled(model) => model.torque.name(),
         }
     }
 }

@@ -1,5 +1,7 @@
 //! A force fixed to the body.
 
+use super::law::{Law, LawInput};
+use super::model::Model;
 use crate::math::frame::Body;
 use crate::math::vector::{Force, Position, Torque};
 use crate::motion::rotor::Rotor;
@@ -15,15 +17,22 @@ pub struct Thruster {
     pub force: Force<Body>,
 }
 
+impl Law for Thruster {
+    fn torque<I: LawInput>(&self, at: &I) -> I::Vector {
+        at.in_body(self.about(at.rotor()).as_quantity())
+    }
+}
+
 impl Thruster {
     /// N in body axes.
-    pub fn torque(&self, rotor: &Rotor) -> Torque<Body> {
+    fn about(&self, rotor: &Rotor) -> Torque<Body> {
         (self.position - rotor.point()).cross(self.force)
     }
+}
 
-    /// |N|, N·m.
-    pub(crate) fn scale(&self, rotor: &Rotor) -> f64 {
-        self.torque(rotor).norm()
+impl Model for Thruster {
+    fn name(&self) -> &'static str {
+        "thruster"
     }
 }
 
@@ -40,7 +49,7 @@ mod tests {
             Thruster { position: Position::new(1.5, 0.75, -1.0), force: Force::new(2.0, -3.0, 5.0) };
         // (1, 1, −2) × (2, −3, 5) and (2, −1, 3) × (2, −3, 5), by hand
         let pivot = Position::new(-0.5, 1.75, -4.0);
-        assert_eq!(thruster.torque(&Rotor::free(&body)), Torque::new(-1.0, -9.0, -5.0));
-        assert_eq!(thruster.torque(&Rotor::pivoted(&body, pivot)), Torque::new(4.0, -4.0, -4.0));
+        assert_eq!(thruster.about(&Rotor::free(&body)), Torque::new(-1.0, -9.0, -5.0));
+        assert_eq!(thruster.about(&Rotor::pivoted(&body, pivot)), Torque::new(4.0, -4.0, -4.0));
     }
 }

@@ -1,9 +1,13 @@
 //! A spring that is twisted as the body turns.
 
+use super::law::{Law, LawInput};
+use super::model::Model;
+use crate::math::algebra::{Scalar, VectorAlgebra};
 use crate::math::frame::{Body, Space};
 use crate::math::rotation::{Attitude, Rotation};
-use crate::math::vector::{Direction, Torque};
+use crate::math::vector::Direction;
 use crate::motion::error::MotionError;
+use crate::motion::rotor::Rotor;
 use crate::motion::state::State;
 
 /// A torsion spring or wire between the body and space.
@@ -22,6 +26,23 @@ pub struct Torsion {
     stiffness: f64,
     rest: Attitude,
     axis: Option<Direction<Space>>,
+}
+
+impl Law for Torsion {
+    fn torque<I: LawInput>(&self, at: &I) -> I::Vector {
+        let (w, v) = at.turn_from(self.rest);
+        let Some(axis) = self.wire_at_rest() else {
+            // θ n̂ = 2 (arccos w/√(1 − w²)) v
+            return -(v * w.half_angle_over_sine().scaled(2.0 * self.stiffness));
+        };
+        // N = −κ ψ b, b = (w² ê + w ê × v + s v)/(w² + s²), s = v · ê
+        let e = at.in_body(axis);
+        let s = v.dot(e);
+        // Turned over, across its axis, a body has no twist.
+        let twist_over_square = s.atan2(w).over_or_zero(w * w + s * s).scaled(2.0);
+        let b = (e * w + e.cross(v)) * w + v * s;
+        -(b * twist_over_square.scaled(self.stiffness))
+    }
 }
 
 impl Torsion {
@@ -75,40 +96,10 @@ impl Torsion {
         }
     }
 
-    /// N in body axes, N·m.
-    pub fn torque(&self, state: &State) -> Torque<Body> {
-        let (w, v) = self.turn(state.attitude);
-        let lever: Direction<Body> = match self.wire_at_rest() {
-            None => v * (2.0 * half_angle_over_sine(w, v.norm())),
-            Some(e) => {
-                let s = v.dot(e);
-                let square = w * w + s * s;
-                // Turned over, across its axis, a body has no twist.
-                if square == 0.0 {
-                    return Torque::ZERO;
-                }
-                let b = (e * w + e.cross(v)) * w + v * s;
-                b * (2.0 * libm::atan2(s, w) / square)
-            }
-        };
-        (lever * -self.stiffness).as_quantity()
-    }
-
     /// U, J: zero at rest.
     pub fn potential(&self, attitude: Attitude) -> f64 {
         let twist = self.twist(attitude);
         0.5 * self.stiffness * twist * twist
-    }
-
-    /// The largest that it can be, N·m; a wire's, unless the body is tilted.
-    pub(crate) fn scale(&self) -> f64 {
-        self.stiffness * core::f64::consts::PI
-    }
-
-    /// True if between two attitudes of a motion, whose quaternion is continuous, the twist passes half a turn.
-    pub(crate) fn passes_half_turn(&self, before: Attitude, after: Attitude) -> bool {
-        let w = |attitude: Attitude| (self.rest.inverse() * attitude).quaternion()[0];
-        w(before) * w(after) < 0.0
     }
 
     /// (w, v) of the turn from rest, w ≥ 0: v has the same components along the body's axes now and at rest.
@@ -124,14 +115,35 @@ impl Torsion {
     }
 }
 
-/// (θ/2)/sin(θ/2), cos(θ/2) and sin(θ/2) given.
-pub(crate) fn half_angle_over_sine(cosine: f64, sine: f64) -> f64 {
-    if sine == 0.0 { 1.0 } else { libm::atan2(sine, cosine) / sine }
+impl Model for Torsion {
+    fn name(&self) -> &'static str {
+        "torsion"
+    }
+
+    fn potential(&self, _: &Rotor, state: &State) -> Option<f64> {
+        Some(self.potential(state.attitude))
+    }
+
+    /// A wire's, unless the body is tilted.
+    fn scale(&self, _: &Rotor, _: &State) -> f64 {
+        self.stiffness * core::f64::consts::PI
+    }
+
+    fn has_twist(&self) -> bool {
+        true
+    }
+
+    fn passes_half_turn(&self, before: Attitude, after: Attitude) -> bool {
+        let w = |attitude: Attitude| (self.rest.inverse() * attitude).quaternion()[0];
+        w(before) * w(after) < 0.0
+    }
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::law::generic_rotor;
     use super::*;
+    use crate::Torque;
     use crate::math::vector::{AngularVelocity, Vector};
 
     fn generic() -> [Torsion; 2] {
@@ -155,9 +167,10 @@ mod tests {
                 let x = slope(Vector::new(1.0, 0.0, 0.0));
                 let y = slope(Vector::new(0.0, 1.0, 0.0));
                 let z = slope(Vector::new(0.0, 0.0, 1.0));
-                let torque = torsion.torque(&State { time: 0.0, attitude, omega: AngularVelocity::ZERO });
+                let state = State { time: 0.0, attitude, omega: AngularVelocity::ZERO };
+                let torque = torsion.at(&generic_rotor(), &state);
                 assert!((torque + Vector::new(x, y, z)).norm() < 2e-9, "{torsion:?} {attitude:?}");
-                let most = torsion.scale();
+                let most = torsion.scale(&generic_rotor(), &state);
                 assert!(torsion.axis().is_some() || torque.norm() <= most);
             }
         }
@@ -183,8 +196,9 @@ mod tests {
         for torsion in generic() {
             let q = [0.4, -0.7, 1.1, 0.3];
             let [a, b] = [q, q.map(|c| -c)].map(|q| Attitude::from_quaternion(q).unwrap());
-            let [n, m] = [a, b]
-                .map(|attitude| torsion.torque(&State { time: 0.0, attitude, omega: AngularVelocity::ZERO }));
+            let [n, m] = [a, b].map(|attitude| {
+                torsion.at(&generic_rotor(), &State { time: 0.0, attitude, omega: AngularVelocity::ZERO })
+            });
             assert_eq!(n, m);
             assert_eq!(torsion.potential(a), torsion.potential(b));
         }
@@ -203,6 +217,6 @@ mod tests {
         let wire = Torsion::wire(1.0, rest, Direction::new(0.0, 0.0, 1.0)).unwrap();
         let over = Attitude::from_quaternion([0.0, 1.0, 0.0, 0.0]).unwrap();
         let state = State { time: 0.0, attitude: over, omega: AngularVelocity::ZERO };
-        assert_eq!(wire.torque(&state), Torque::ZERO);
+        assert_eq!(wire.at(&generic_rotor(), &state), Torque::ZERO);
     }
 }

@@ -295,22 +295,6 @@ fn require_splittable(piece: &Piece<'_>, torques: &[TorqueModel]) -> Result<(), 
     if !piece.rotor.wheels().is_empty() {
         return Err(MotionError::NotSplittable { what: "wheel", why: "it acts inside the body" });
     }
-    let refused = torques.iter().find_map(|torque| Some((torque.name(), unsplittable(torque)?)));
+    let refused = torques.iter().find_map(|torque| Some((torque.name(), torque.model().unsplittable()?)));
     refused.map_or(Ok(()), |(what, why)| Err(MotionError::NotSplittable { what, why }))
-}
-
-/// Why a torque is no kick, if it is none.
-fn unsplittable(torque: &TorqueModel) -> Option<&'static str> {
-    match torque {
-        TorqueModel::Constant(_)
-        | TorqueModel::Gravity(_)
-        | TorqueModel::GravityGradient(_)
-        | TorqueModel::Torsion(_)
-        | TorqueModel::Magnetic(_)
-        | TorqueModel::Thruster(_) => None,
-        TorqueModel::Drag(_) => Some("it depends on the angular velocity"),
-        TorqueModel::EnergySink(_) => Some("it acts inside the body"),
-        TorqueModel::Formula(_) => Some("its formulas may depend on the angular velocity"),
-        TorqueModel::Scheduled(model) => unsplittable(&model.torque),
-    }
 }

@@ -9,7 +9,7 @@ use super::recurrence::Recurrence;
 use super::row::smaller;
 use super::stepper::torque_rate;
 use super::sums::{SideBySide, Sums};
-use super::torque::{Shape, from_outside};
+use super::torque::{Decomposition, TorqueKind};
 use crate::math::frame::{Body as BodyFrame, Principal};
 use crate::math::machine::{Machine, Work, in_vectors};
 use crate::math::number::Number;
@@ -27,53 +27,62 @@ use crate::motion::wheel::{Motor, Wheel};
 /// What bodies that are expanded side by side have in common: their numbers differ, and nothing else.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(in crate::motion) struct Kind {
-    torques: Vec<Shape>,
+    torques: TorqueKind,
     /// Wheels or friction.
     has_inside: bool,
     tolerance: u64,
 }
 
-/// The kind of a body; `None` for what is computed body by body: schedules, and what has no series.
-pub(in crate::motion) fn kind(rotor: &Rotor, torques: &[TorqueModel], tolerance: f64) -> Option<Kind> {
-    let has_series =
-        |torque: &TorqueModel| torque.roughness().is_none() && !matches!(torque, TorqueModel::Scheduled(_));
-    let is_steady = |wheel: &Wheel| !matches!(wheel.motor(), Motor::Torque { schedule: Some(_), .. });
-    if !torques.iter().all(has_series) || !rotor.wheels().iter().all(is_steady) {
-        return None;
-    }
-    let models: Vec<_> = torques.iter().collect();
-    Some(Kind {
-        torques: from_outside(&models).map(|model| Shape::of(model, rotor)).collect(),
-        has_inside: !rotor.wheels().is_empty() || torques.iter().any(|torque| torque.sink() != 0.0),
-        tolerance: tolerance.to_bits(),
-    })
+/// A body, what turns it, and where it starts.
+#[derive(Clone, Debug)]
+pub(in crate::motion) struct Body<'a> {
+    rotor: &'a Rotor,
+    torques: &'a [TorqueModel],
+    start: State,
+    decomposition: Decomposition,
+    has_inside: bool,
 }
 
-/// A body, what turns it, and where it starts.
-#[derive(Clone, Copy, Debug)]
-pub(in crate::motion) struct Body<'a> {
-    pub(in crate::motion) rotor: &'a Rotor,
-    pub(in crate::motion) torques: &'a [TorqueModel],
-    pub(in crate::motion) start: State,
+impl<'a> Body<'a> {
+    /// `None` for what is computed body by body: schedules, and what has no series.
+    pub(in crate::motion) fn of(rotor: &'a Rotor, torques: &'a [TorqueModel], start: State) -> Option<Self> {
+        let has_series = |torque: &TorqueModel| {
+            torque.model().roughness().is_none() && !matches!(torque, TorqueModel::Scheduled(_))
+        };
+        let is_steady = |wheel: &Wheel| !matches!(wheel.motor(), Motor::Torque { schedule: Some(_), .. });
+        if !torques.iter().all(has_series) || !rotor.wheels().iter().all(is_steady) {
+            return None;
+        }
+        let has_inside =
+            !rotor.wheels().is_empty() || torques.iter().any(|torque| torque.model().sink() != 0.0);
+        let decomposition = Decomposition::of(rotor, torques.iter(), !has_inside);
+        Some(Self { rotor, torques, start, decomposition, has_inside })
+    }
+
+    pub(in crate::motion) fn kind(&self, tolerance: f64) -> Kind {
+        let torques = self.decomposition.kind();
+        Kind { torques, has_inside: self.has_inside, tolerance: tolerance.to_bits() }
+    }
 }
 
 /// The states of bodies of one kind at the times, which are ascending, none before any start: body by body, each at all times.
 ///
 /// A body that can go no further repeats its last good state from there on, which keeps its time; it is among those that are returned,
 /// with the cause.
-pub(in crate::motion) fn advance(
-    bodies: &[Body<'_>],
+pub(in crate::motion) fn advance<'a: 'b, 'b>(
+    bodies: impl Iterator<Item = &'b Body<'a>>,
     times: &[f64],
     tolerance: f64,
     states: &mut [State],
 ) -> Vec<(usize, MotionError)> {
-    let mut failures = in_vectors(Advance { bodies, times, tolerance, states });
+    let bodies: Vec<_> = bodies.collect();
+    let mut failures = in_vectors(Advance { bodies: &bodies, times, tolerance, states });
     failures.sort_by_key(|(body, _)| *body);
     failures
 }
 
 struct Advance<'a, 'b> {
-    bodies: &'b [Body<'a>],
+    bodies: &'b [&'b Body<'a>],
     times: &'b [f64],
     tolerance: f64,
     states: &'b mut [State],
@@ -157,7 +166,7 @@ impl<'a, 'b, N: Number> Fleet<'a, 'b, N> {
             failures: Vec::new(),
             lanes: (0..N::LANES).map(|_| None).collect(),
             rounds: 0,
-            expansion: Expansion::of(zero, &piece, work.tolerance, false),
+            expansion: Expansion::of(zero, &piece, &first.decomposition, work.tolerance, false),
             base: Base::all(zero),
             omega_scale: zero,
             end: zero,
@@ -188,10 +197,10 @@ impl<'a, 'b, N: Number> Fleet<'a, 'b, N> {
             while self.lanes[k].is_none() && self.waiting < self.work.bodies.len() {
                 let index = self.waiting;
                 self.waiting += 1;
-                let body = self.work.bodies[index];
-                match Lane::of(index, &body, &self.work, self.rounds) {
+                let body = &self.work.bodies[index];
+                match Lane::of(index, body, &self.work, self.rounds) {
                     Ok(lane) => {
-                        self.expansion.set(k, &lane.piece);
+                        self.expansion.set(k, &lane.piece, &body.decomposition);
                         self.base.put(k, &Base::new(&body.start, lane.to_body));
                         self.omega_scale.put(k, body.start.omega.norm().max(torque_rate(&lane.piece)));
                         self.end.put(k, self.work.times.last().copied().unwrap_or(body.start.time));
@@ -374,7 +383,7 @@ impl Advance<'_, '_> {
 
 impl<'a> Lane<'a> {
     fn of(index: usize, body: &Body<'a>, work: &Advance<'_, '_>, rounds: u64) -> Result<Self, MotionError> {
-        let Body { rotor, torques, start } = *body;
+        let Body { rotor, torques, start, .. } = *body;
         require_finite(rotor, torques, &[], &start)?;
         let end = work.times.last().copied().unwrap_or(start.time);
         require_few_pulses(rotor, torques, &|_| false, [start.time, end])?;
@@ -385,7 +394,7 @@ impl<'a> Lane<'a> {
             body: index,
             start,
             bound,
-            is_sprung: torques.iter().any(|torque| torque.name() == "torsion"),
+            is_sprung: torques.iter().any(|torque| torque.model().has_twist()),
             piece,
             to_body: rotor.principal().rotation(),
             sampled: 0,

@@ -23,20 +23,21 @@ mod stepper;
 mod sums;
 mod torque;
 
-pub(in crate::motion) use fleet::{Body, Kind, advance, kind};
+pub(in crate::motion) use fleet::{Body, Kind, advance};
 pub(super) use stepper::Taylor;
 
 use length::{order, reach, remainder};
 use pair::Pair;
 use recurrence::{ALONE, CARRYING, Coefficient, GENERAL, MOVING, Motion, Recurrence, Terms};
-use row::{Row, Series, TERMS, Vectors, smaller};
+use row::{Row, Series, TERMS, Vectors};
 use seen::Seen;
 use sums::{ByFours, Sums};
-use torque::{Affine, Known, StepStart, TorqueSeries, from_outside, row, split};
+use torque::{Decomposition, Known, Quadratic, StepStart, Tape, row};
 
 use super::piece::Piece;
 use crate::math::machine::{Machine, Work, in_vectors};
 use crate::math::number::Number;
+use crate::motion::torque::polynomial::JointVector;
 
 /// The series of everything over one step: of one body, or of one in each lane.
 #[derive(Clone, Debug)]
@@ -52,12 +53,10 @@ struct Expansion<N = f64> {
     motion: Box<Motion<N>>,
     /// What ω at the start of the step is beyond its rounding.
     low: Row<N>,
-    /// What is affine in ω and in a vector of space, which is expanded beside the turn.
-    affine: Affine<N>,
+    /// The torques that are linear or quadratic in ω and in a vector u, which is expanded beside the turn.
+    quadratic: Option<Box<Quadratic<N>>>,
     /// All other torques.
-    torques: Vec<TorqueSeries<N>>,
-    /// Where there is no such vector: the first torque whose vector of space is expanded beside the turn.
-    rider: Option<usize>,
+    tape: Option<Box<Tape<N>>>,
     /// What acts inside the body, if anything does.
     inside: Option<Box<Inside<N>>>,
     /// What others than the recurrence need, if there are any.
@@ -68,16 +67,17 @@ struct Expansion<N = f64> {
     reach: f64,
 }
 
-/// ω once more, and the torque.
+/// ω and u once more, and the torque.
 #[derive(Clone, Debug)]
 struct Beside<N> {
     omega: Vectors<N>,
+    joint: Vectors<N>,
     torque: Series<N>,
 }
 
 impl<N: Number> Beside<N> {
     fn all(zero: N) -> Box<Self> {
-        Box::new(Self { omega: Vectors::all(zero), torque: Series::all(zero) })
+        Box::new(Self { omega: Vectors::all(zero), joint: Vectors::all(zero), torque: Series::all(zero) })
     }
 }
 
@@ -118,8 +118,8 @@ struct Increment<N = f64> {
 }
 
 impl<N: Number> Expansion<N> {
-    /// Of bodies with what acts in this piece, each lane to be [`Expansion::set`].
-    fn of(zero: N, piece: &Piece<'_>, tolerance: f64, evidence: bool) -> Box<Self> {
+    /// Of bodies with torques such as these, each lane to be [`Expansion::set`].
+    fn of(zero: N, piece: &Piece<'_>, torques: &Decomposition, tolerance: f64, evidence: bool) -> Box<Self> {
         let order = order(tolerance);
         let none = Row::splat(zero);
         let evidence =
@@ -132,36 +132,33 @@ impl<N: Number> Expansion<N> {
             terms: Terms::none(zero),
             motion: all_zero(zero),
             low: none,
-            affine: Affine::none(zero),
-            torques: Vec::new(),
-            rider: None,
+            quadratic: None,
+            tape: None,
             inside: None,
             beside: None,
             evidence,
             order,
             reach: reach(order, remainder(tolerance)),
         });
-        expansion.act(piece);
+        expansion.act(piece, torques);
         expansion
     }
 
     /// What kind of things act from now on.
-    fn act(&mut self, piece: &Piece<'_>) {
+    fn act(&mut self, piece: &Piece<'_>, torques: &Decomposition) {
         let zero = self.zero();
-        let [affine, others] = split(from_outside(&piece.torques), piece.rotor);
-        self.affine = Affine::of(zero, &affine, piece.rotor);
-        self.torques =
-            others.into_iter().filter_map(|model| TorqueSeries::of(zero, model, piece.rotor)).collect();
-        let is_plain = piece.rotor.wheels().is_empty() && piece.sink == 0.0;
-        self.layout = match self.torques.as_slice() {
+        let Decomposition { quadratic, joint, graph } = torques;
+        self.quadratic =
+            quadratic.as_ref().map(|torque| Box::new(Quadratic::of(zero, torque, joint.as_deref())));
+        self.tape = graph.as_ref().map(|graph| Box::new(Tape::of(zero, graph)));
+        let is_plain = is_plain(piece);
+        self.layout = match (&self.tape, joint.as_deref()) {
             _ if !is_plain => GENERAL,
-            [] if self.affine.carries() => CARRYING,
-            [] => ALONE,
-            [one] if one.moves() && !self.affine.carries() => MOVING,
-            _ => GENERAL,
+            (Some(_), _) => GENERAL,
+            (None, None) => ALONE,
+            (None, Some(JointVector::Fixed(_))) => CARRYING,
+            (None, Some(JointVector::Circular(_))) => MOVING,
         };
-        let rider = self.torques.iter().position(TorqueSeries::can_ride);
-        self.rider = rider.filter(|_| !self.affine.carries());
         // Nothing of a torque that has ended.
         let has_beside = self.layout == GENERAL || self.evidence.is_some() || self.is_thin;
         self.beside = has_beside.then(|| Beside::all(zero));
@@ -182,7 +179,7 @@ impl<N: Number> Expansion<N> {
     }
 
     /// The body of a lane, and what acts on it from now on.
-    fn set(&mut self, lane: usize, piece: &Piece<'_>) {
+    fn set(&mut self, lane: usize, piece: &Piece<'_>, torques: &Decomposition) {
         let [i1, i2, i3] = piece.rotor.principal().moments();
         let over = |numerator: f64, i: f64| if i == 0.0 { 0.0 } else { numerator / i };
         let inverses = Row([over(1.0, i1), over(1.0, i2), over(1.0, i3), 0.0]);
@@ -197,16 +194,13 @@ impl<N: Number> Expansion<N> {
             let ratios = Row([over(i2 - i3, i1), over(i3 - i1, i2), over(i1 - i2, i3), 0.0]);
             self.terms.ratios.put(lane, ratios);
         }
-        let [affine, others] = split(from_outside(&piece.torques), piece.rotor);
-        self.affine.set(lane, &affine, piece.rotor, inverses);
-        for (series, model) in self.torques.iter_mut().zip(others) {
-            series.set(lane, model, piece.rotor);
+        let Decomposition { quadratic, joint, graph } = torques;
+        if let (Some(series), Some(torque)) = (&mut self.quadratic, quadratic) {
+            let terms = (self.layout != GENERAL).then_some(&mut self.terms);
+            series.set(lane, torque, joint.as_deref(), inverses, terms);
         }
-        if self.layout != GENERAL {
-            self.affine.give(&mut self.terms, lane);
-        }
-        if let (MOVING, [one]) = (self.layout, self.torques.as_slice()) {
-            one.give(&mut self.terms, lane, inverses);
+        if let (Some(tape), Some(graph)) = (&mut self.tape, graph) {
+            tape.set(lane, graph, piece.rotor);
         }
         if let Some(inside) = &mut self.inside {
             inside.sink.put(lane, piece.sink);
@@ -226,19 +220,18 @@ impl<N: Number> Expansion<N> {
 
     /// True if nothing has to be added up as evidence.
     fn is_free(&self) -> bool {
-        self.affine.is_none() && self.torques.is_empty() && self.inside.is_none()
+        self.quadratic.is_none() && self.tape.is_none() && self.inside.is_none()
     }
 
     /// Starts a step.
     #[inline(always)]
     fn start(&mut self, at: &StepStart<N>) {
-        for torque in &mut self.torques {
-            torque.start(at);
+        if let Some(tape) = &mut self.tape {
+            tape.start(at);
         }
         let [one, zero] = [1.0, 0.0].map(|x| at.time.like(x));
         let none = Row::splat(zero);
-        let rider = || self.torques.get(self.rider?)?.carried();
-        let [u, v] = self.affine.carried(at).map(|u| [u, none]).or_else(rider).unwrap_or([none; 2]);
+        let [u, v] = self.quadratic.as_ref().and_then(|torques| torques.start(at)).unwrap_or([none; 2]);
         let turn = Row([one, zero, zero, zero]);
         let pairs = match self.layout {
             ALONE => [Pair::new(turn, at.omega.pure()); 2],
@@ -256,6 +249,9 @@ impl<N: Number> Expansion<N> {
             let wheels = [row(piece.wheel_momentum(time)), row(piece.motor_torque())];
             for (place, wheels) in inside.wheels.iter_mut().zip(wheels) {
                 place.put(lane, wheels);
+            }
+            if let Some(tape) = &mut self.tape {
+                tape.start_wheels(lane, wheels);
             }
         }
     }
@@ -291,8 +287,7 @@ impl<N: Number> Expansion<N> {
         let [x, y] = newest;
         self.motion[self.order].set::<LAYOUT>([s.pair(x), s.pair(y)]);
         if self.is_thin {
-            self.know_omega(0);
-            self.know_torque(s, 0);
+            self.find_torque(s, 0);
         }
     }
 
@@ -304,7 +299,7 @@ impl<N: Number> Expansion<N> {
         let mut newest = s.first::<GENERAL>(&law, &self.motion, &self.terms, [self.low, more]);
         let mut previous = newest;
         for n in 1..=self.order {
-            newest = self.carried_on(s, n - 1, newest);
+            self.extend_torques(s, n - 1);
             let [x, y] = newest;
             self.motion[n].set::<GENERAL>([s.pair(x), s.pair(y)]);
             if n < self.order {
@@ -318,11 +313,17 @@ impl<N: Number> Expansion<N> {
     /// Coefficient n of what is not in the recurrence of ω̇.
     #[inline(always)]
     fn other_acceleration<M: Recurrence<N = N>>(&mut self, s: M, n: usize) -> Row<N> {
-        self.know_omega(n);
-        let none = Row::splat(self.zero());
-        let Some(Beside { omega: series, torque: place }) = self.beside.as_deref_mut() else { return none };
-        let (x, omega) = (self.motion[n].x, series.rows.at(n));
-        let mut rate = self.affine.acceleration(n, x.second(), omega);
+        let (none, omega, u) = (Row::splat(self.zero()), self.omega_at(n), self.motion[n].x.second());
+        let Some(Beside { omega: series, torque: place, joint }) = self.beside.as_deref_mut() else {
+            return none;
+        };
+        series.set(n, omega);
+        let (mut rate, mut linear) = (none, none);
+        if let Some(quadratic) = &self.quadratic {
+            joint.set(n, u);
+            rate = quadratic.acceleration(n, u, omega);
+            linear = quadratic.torque(s, n, joint, omega);
+        }
         let turning = if let Some(inside) = &mut self.inside {
             rate = rate + inside.extend(s, n, self.moments, self.inverses, series);
             &inside.turning
@@ -331,39 +332,28 @@ impl<N: Number> Expansion<N> {
         };
         self.motion[n].turning = Pair::new(turning.rows.at(n), none);
         let known = Known { s, omega: series, turning, motion: &self.motion };
-        let mut torque = none;
-        for series in &mut self.torques {
-            torque = torque + series.coefficient(n, &known);
-        }
-        place.set(n, torque + self.affine.torque(n, x.second(), omega));
+        let torque = self.tape.as_mut().map_or(none, |tape| {
+            known.apart(
+                #[inline(always)]
+                |known| tape.coefficient(n, known),
+            )
+        });
+        place.set(n, torque + linear);
         rate + self.inverses * torque
     }
 
-    /// What torques need for coefficient n + 1 beside the motion; with the vector that is expanded beside the turn.
+    /// What torques need for coefficient n + 1 beside the motion.
     #[inline(always)]
-    fn carried_on<M: Recurrence<N = N>>(&mut self, s: M, n: usize, newest: [M::Places; 2]) -> [M::Places; 2] {
-        let Some(Beside { omega, .. }) = self.beside.as_deref() else { return newest };
+    fn extend_torques<M: Recurrence<N = N>>(&mut self, s: M, n: usize) {
+        let (Some(Beside { omega, .. }), Some(tape)) = (self.beside.as_deref(), &mut self.tape) else {
+            return;
+        };
         let turning = self.inside.as_ref().map_or(omega, |inside| &inside.turning);
         let known = Known { s, omega, turning, motion: &self.motion };
-        let [mut x, y] = newest;
-        for (k, series) in self.torques.iter_mut().enumerate() {
-            let pair = s.pair(x);
-            let rides = self.rider == Some(k);
-            let next = series.extend(n, &known, if rides { Some(pair.second()) } else { None });
-            if let (true, Some(next)) = (rides, next) {
-                x = s.places(&Pair::new(pair.first(), next));
-            }
-        }
-        [x, y]
-    }
-
-    /// ω for those that need it by itself.
-    #[inline(always)]
-    fn know_omega(&mut self, n: usize) {
-        let omega = self.omega_at(n);
-        if let Some(beside) = &mut self.beside {
-            beside.omega.set(n, omega);
-        }
+        known.apart(
+            #[inline(always)]
+            |known| tape.extend(n, known),
+        );
     }
 
     #[inline(always)]
@@ -371,20 +361,16 @@ impl<N: Number> Expansion<N> {
         if self.layout == ALONE { self.motion[n].x.second().imaginary() } else { self.motion[n].y.first() }
     }
 
-    /// Finds coefficient n of the torque where the recurrence has all.
+    /// Finds coefficient n of ω and of the torque where the recurrence has all.
     #[inline(always)]
-    fn know_torque<M: Recurrence<N = N>>(&mut self, s: M, n: usize) {
-        let Some(Beside { omega: series, torque: place }) = self.beside.as_deref_mut() else { return };
-        let (Coefficient { x, y, .. }, omega) = (self.motion[n], series.rows.at(n));
-        let mut torque = self.affine.torque(n, x.second(), omega);
-        if self.layout == MOVING {
-            let known = Known { s, omega: series, turning: series, motion: &self.motion };
-            for series in &mut self.torques {
-                series.know(n, y.second());
-                torque = torque + series.coefficient(n, &known);
-            }
+    fn find_torque<M: Recurrence<N = N>>(&mut self, s: M, n: usize) {
+        let (omega, Coefficient { x, y, .. }) = (self.omega_at(n), self.motion[n]);
+        let Some(Beside { omega: series, torque, joint }) = self.beside.as_deref_mut() else { return };
+        series.set(n, omega);
+        joint.set(n, if self.layout == MOVING { y.second() } else { x.second() });
+        if let Some(quadratic) = &self.quadratic {
+            torque.set(n, quadratic.torque(s, n, joint, omega));
         }
-        place.set(n, torque);
     }
 
     /// Finds the series of impulse and work.
@@ -393,16 +379,15 @@ impl<N: Number> Expansion<N> {
         let none = Row::splat(self.zero());
         for n in 0..self.order {
             if self.layout != GENERAL {
-                self.know_omega(n);
-                self.know_torque(s, n);
+                self.find_torque(s, n);
             }
-            let Some(Beside { omega, torque }) = self.beside.as_deref() else { return };
+            let Some(Beside { omega, torque, .. }) = self.beside.as_deref() else { return };
             let (turning, power) = match &self.inside {
                 Some(inside) => (&inside.turning, inside.power.at(n)),
                 None => (omega, none),
             };
             let Some(Evidence { impulse, work }) = self.evidence.as_deref_mut() else { return };
-            impulse.extend(s, n, turning, torque.at(n));
+            impulse.extend(s, n, &turning.rows, torque.at(n));
             let power = power + s.product(torque, &omega.rows, n);
             work.set(n + 1, power.over(n + 1));
         }
@@ -412,7 +397,7 @@ impl<N: Number> Expansion<N> {
     #[inline(always)]
     fn reach(&self) -> N {
         let endless = self.zero().like(f64::INFINITY);
-        self.torques.iter().fold(endless, |least, torque| smaller(least, torque.reach(endless)))
+        self.tape.as_ref().map_or(endless, |tape| tape.reach(endless))
     }
 
     /// What the motion adds until a time after the start.
@@ -434,6 +419,15 @@ impl<N: Number> Expansion<N> {
         }
         sum
     }
+}
+
+/// True without wheels and friction.
+fn is_plain(piece: &Piece<'_>) -> bool {
+    piece.rotor.wheels().is_empty() && piece.sink == 0.0
+}
+
+fn decomposed(piece: &Piece<'_>) -> Decomposition {
+    Decomposition::of(piece.rotor, piece.torques.iter().copied(), is_plain(piece))
 }
 
 /// Made where it stays: a copy of some kilobytes would be a part of a short run's time.
@@ -471,8 +465,9 @@ impl Work for Sum<'_> {
 
 impl Expansion {
     fn of_one(piece: &Piece<'_>, tolerance: f64, evidence: bool) -> Box<Self> {
-        let mut expansion = Self::of(0.0, piece, tolerance, evidence);
-        expansion.set(0, piece);
+        let torques = decomposed(piece);
+        let mut expansion = Self::of(0.0, piece, &torques, tolerance, evidence);
+        expansion.set(0, piece, &torques);
         expansion
     }
 
@@ -505,11 +500,11 @@ impl<N: Number> Inside<N> {
             _ => none,
         };
         self.momentum.set(n, (moments * omega.rows.at(n) + wheels).vector());
-        let bending = s.cross(&self.momentum, omega, n);
+        let bending = s.cross(&self.momentum, &omega.rows, n);
         self.bending.set(n, bending);
         self.turning.set(n, omega.rows.at(n) + Row::splat(self.sink) * bending);
         let reaction = if n == 0 { rate } else { none };
-        let torque = s.cross(&self.momentum, &self.turning, n) - reaction;
+        let torque = s.cross(&self.momentum, &self.turning.rows, n) - reaction;
         let loss = s.product(&self.bending, &self.bending, n) * Row::splat(self.sink);
         self.power.set(n, none - rate * omega.rows.at(n) - loss);
         inverses * torque

@@ -4,36 +4,140 @@
 //!
 //! Source: L. B. Rall, Automatic Differentiation (1981), ch. 3.3; À. Jorba, M. Zou, Exp. Math. 14 (2005) 99, prop. 2.1.
 
-use super::row::TERMS;
-use crate::math::number::Number;
+use core::ops::{Deref, DerefMut};
 
-/// Taylor coefficients of a number, from the constant on.
-pub(super) type Scalars<N = f64> = [N; TERMS];
+use super::row::{MARGIN, Row, Series, TERMS};
+use crate::math::number::{MulAdd, Number};
+
+/// Taylor coefficients of a number, from the constant on; before it zeros, as many as a loop by fours may read too far.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Scalars<N = f64>([N; MARGIN + TERMS]);
+
+impl<N: Number> Scalars<N> {
+    pub(super) fn all(x: N) -> Self {
+        Self([x; MARGIN + TERMS])
+    }
+
+    /// A series of nothing but its constant.
+    pub(super) fn constant(x: N) -> Self {
+        let mut series = Self::all(x.like(0.0));
+        series[0] = x;
+        series
+    }
+}
+
+impl<N> Deref for Scalars<N> {
+    type Target = [N];
+
+    #[inline(always)]
+    fn deref(&self) -> &[N] {
+        &self.0[MARGIN..]
+    }
+}
+
+impl<N> DerefMut for Scalars<N> {
+    #[inline(always)]
+    fn deref_mut(&mut self) -> &mut [N] {
+        &mut self.0[MARGIN..]
+    }
+}
+
+/// Σ f(k, aₖ, bₙ₋ₖ), k = 1 … last, where f is a product with each of both, and zero for k = n if last is n − 1.
+///
+/// Of one body the loop goes by fours, so that it has few, foreseeable ends: beyond n it meets the zeros before b₀. Of several it ends where it
+/// should, as others may have left what is not finite there. The order of the terms is the same, and zeros do not change a sum that
+/// begins with +0.
+#[inline(always)]
+pub(super) fn convolution<N: Number>(
+    a: &Scalars<N>,
+    b: &Scalars<N>,
+    n: usize,
+    last: usize,
+    term: impl Fn(usize, N, N) -> N,
+) -> N {
+    let mut sum = a[0].like(0.0);
+    if N::LANES > 1 {
+        for (k, (&a, &b)) in a[1..=last].iter().zip(b[n - last..n].iter().rev()).enumerate() {
+            sum = sum + term(k + 1, a, b);
+        }
+        return sum;
+    }
+    let (ahead, back) = (a[1..].as_chunks::<4>().0, b.0[..MARGIN + n].as_rchunks::<4>().1);
+    let mut k = 1;
+    for (a, b) in ahead.iter().zip(back.iter().rev()) {
+        for i in 0..4 {
+            sum = sum + term(k + i, a[i], b[3 - i]);
+        }
+        k += 4;
+    }
+    sum
+}
+
+/// Coefficient n of a times a vector: in the same way.
+#[inline(always)]
+pub(super) fn times_vector<N: Number>(a: &Scalars<N>, v: &Series<N>, n: usize) -> Row<N> {
+    let mut sum = Row::splat(a[0].like(0.0));
+    if N::LANES > 1 {
+        for (&a, &v) in a[1..=n].iter().zip(v[..n].iter().rev()) {
+            sum = Row::splat(a).mul_add(v, sum);
+        }
+    } else {
+        for (a, v) in a[1..].as_chunks::<4>().0.iter().zip(v.backward(n)) {
+            for i in 0..4 {
+                sum = Row::splat(a[i]).mul_add(v[3 - i], sum);
+            }
+        }
+    }
+    Row::splat(a[0]).mul_add(v.at(n), sum)
+}
 
 /// (a b)ₙ = Σ aₖ bₙ₋ₖ
 #[inline(always)]
 pub(super) fn product<N: Number>(a: &Scalars<N>, b: &Scalars<N>, n: usize) -> N {
-    let zero = a[0].like(0.0);
-    a[..=n].iter().zip(b[..=n].iter().rev()).fold(zero, |sum, (&a, &b)| sum + a * b)
+    convolution(a, b, n, n, |_, a, b| a * b) + a[0] * b[n]
 }
 
 /// c = a / b: cₙ = (aₙ − Σ_{k≥1} bₖ cₙ₋ₖ) / b₀
 #[inline(always)]
 pub(super) fn quotient<N: Number>(a: &Scalars<N>, b: &Scalars<N>, c: &Scalars<N>, n: usize) -> N {
-    let zero = a[0].like(0.0);
-    let known = b[1..=n].iter().zip(c[..n].iter().rev()).fold(zero, |sum, (&b, &c)| sum + b * c);
-    (a[n] - known) / b[0]
+    (a[n] - convolution(b, c, n, n, |_, b, c| b * c)) / b[0]
 }
 
-/// c = a^p, n ≥ 1: cₙ = Σ_{k<n} (p (n − k) − k) aₙ₋ₖ cₖ / (n a₀); c₀ is the caller's.
+/// c = a^p, n ≥ 1: cₙ = Σ_{k≥1} (p k − (n − k)) aₖ cₙ₋ₖ / (n a₀); c₀ is the caller's.
 #[inline(always)]
 pub(super) fn power<N: Number>(a: &Scalars<N>, p: f64, c: &Scalars<N>, n: usize) -> N {
-    let zero = a[0].like(0.0);
-    let terms = c[..n].iter().zip(a[1..=n].iter().rev()).enumerate();
-    let weight = |k: usize| zero.like(p * (n - k) as f64 - k as f64);
-    let sum = terms.fold(zero, |sum, (k, (&c, &a))| sum + weight(k) * a * c);
-    sum / (zero.like(n as f64) * a[0])
+    let whole = a[0].like(n as f64);
+    let weight = |k: usize| whole.like((p + 1.0) * WHOLE[k] - n as f64);
+    convolution(a, c, n, n, |k, a, c| weight(k) * a * c) / (whole * a[0])
 }
+
+/// f = aᵖ − (a + δ)ᵖ where δ may be small, n ≥ 1, of b = aᵖ and s = a + δ; f₀ is the caller's.
+///
+/// s f' = δ b' − p (δ' b − s' f): n s₀ fₙ = n δ₀ bₙ + Σ_{k≥1} ((n − k) − p k) (δₖ bₙ₋ₖ − sₖ fₙ₋ₖ)
+#[inline(always)]
+pub(super) fn power_difference<N: Number>(
+    [delta, s, b]: [&Scalars<N>; 3],
+    p: f64,
+    f: &Scalars<N>,
+    n: usize,
+) -> N {
+    let whole = delta[0].like(n as f64);
+    let weight = |k: usize| whole.like(n as f64 - (p + 1.0) * WHOLE[k]);
+    let ahead = convolution(delta, b, n, n, |k, delta, b| weight(k) * delta * b);
+    let known = convolution(s, f, n, n, |k, s, f| weight(k) * s * f);
+    (whole * delta[0] * b[n] + (ahead - known)) / (whole * s[0])
+}
+
+/// Whole numbers.
+pub(super) const WHOLE: [f64; TERMS + MARGIN] = {
+    let mut numbers = [0.0; TERMS + MARGIN];
+    let mut k = 0;
+    while k < numbers.len() {
+        numbers[k] = k as f64;
+        k += 1;
+    }
+    numbers
+};
 
 /// Coefficients of f(w(t)), f(w) = arccos w/√(1 − w²), from those of w: half an angle over its sine, by the cosine.
 ///
@@ -49,7 +153,7 @@ pub(super) struct Composition<N = f64> {
 impl<N: Number> Composition<N> {
     /// Of nothing yet.
     pub(super) fn all(zero: N) -> Self {
-        let none = [zero; TERMS];
+        let none = Scalars::all(zero);
         Self { outer: none, powers: Box::new([none; TERMS]), result: none }
     }
 
@@ -145,7 +249,7 @@ mod tests {
             let mut composition = Composition::all(0.0);
             composition.start(0, value, w0, sine);
             // w = w₀ + 0.3 t − 0.7 t² + 0.2 t³
-            let mut w = [0.0; TERMS];
+            let mut w = Scalars::all(0.0);
             w[..4].copy_from_slice(&[w0, 0.3, -0.7, 0.2]);
             for n in 0..TERMS {
                 composition.extend(&w, n);

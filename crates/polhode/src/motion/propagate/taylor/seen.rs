@@ -1,6 +1,6 @@
 //! A vector of space as the turning body sees it.
 
-use super::row::{Row, Series, Vectors};
+use super::row::{Row, Series};
 use super::sums::Sums;
 use crate::math::number::Number;
 
@@ -32,7 +32,7 @@ impl<N: Number> Seen<N> {
 
     /// Finds coefficient n + 1 from those up to n; `source` is coefficient n of s.
     #[inline(always)]
-    pub(super) fn extend<M: Sums<N = N>>(&mut self, s: M, n: usize, turning: &Vectors<N>, source: Row<N>) {
+    pub(super) fn extend<M: Sums<N = N>>(&mut self, s: M, n: usize, turning: &Series<N>, source: Row<N>) {
         let next = (s.cross(&self.0, turning, n) + source).over(n + 1);
         self.0.set(n + 1, next.vector());
     }

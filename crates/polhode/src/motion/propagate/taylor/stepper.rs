@@ -5,7 +5,7 @@ use std::rc::Rc;
 use super::base::Base;
 use super::row::{Row, smaller};
 use super::sums::ByFours;
-use super::{Expansion, Increment};
+use super::{Expansion, Increment, decomposed};
 use crate::math::frame::{Body, Principal, Space};
 use crate::math::machine::{Machine, Work, in_vectors};
 use crate::math::rotation::Rotation;
@@ -81,8 +81,9 @@ impl<'a> Taylor<'a> {
     /// As [`Taylor::new`].
     pub(in crate::motion::propagate) fn change(&mut self, piece: Rc<Piece<'a>>) -> Result<(), MotionError> {
         self.omega_scale = self.omega_scale.max(torque_rate(&piece));
-        self.expansion.act(&piece);
-        self.expansion.set(0, &piece);
+        let torques = decomposed(&piece);
+        self.expansion.act(&piece, &torques);
+        self.expansion.set(0, &piece, &torques);
         self.piece = piece;
         self.expand()
     }

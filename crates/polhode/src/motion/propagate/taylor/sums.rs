@@ -25,7 +25,7 @@ pub(super) trait Sums: Copy {
     fn product(self, a: &Series<Self::N>, b: &Series<Self::N>, n: usize) -> Row<Self::N>;
 
     /// Coefficients n of the rows x times each component of b.
-    fn outer(self, x: &Series<Self::N>, b: &Vectors<Self::N>, n: usize) -> [Row<Self::N>; 3];
+    fn outer(self, x: &Series<Self::N>, b: &Series<Self::N>, n: usize) -> [Row<Self::N>; 3];
 
     /// Coefficient n of (a2 a3, a3 a1, a1 a2).
     fn others(self, a: &Vectors<Self::N>, n: usize) -> Row<Self::N>;
@@ -44,7 +44,7 @@ pub(super) trait Sums: Copy {
 
     /// Coefficient n of v × b = Σ bᵢ v × eᵢ.
     #[inline(always)]
-    fn cross(self, v: &Series<Self::N>, b: &Vectors<Self::N>, n: usize) -> Row<Self::N> {
+    fn cross(self, v: &Series<Self::N>, b: &Series<Self::N>, n: usize) -> Row<Self::N> {
         let [p, q, r] = self.outer(v, b, n).map(|sum| sum.0);
         Row([r[1] - q[2], p[2] - r[0], q[0] - p[1], p[0].like(0.0)])
     }
@@ -78,10 +78,10 @@ impl<S: Machine> Sums for ByFours<S> {
     }
 
     #[inline(always)]
-    fn outer(self, x: &Series, b: &Vectors, n: usize) -> [Row; 3] {
+    fn outer(self, x: &Series, b: &Series, n: usize) -> [Row; 3] {
         let s = self.0;
         let [mut p, mut q, mut r] = [s.splat(0.0); 3];
-        for (x, b) in x.forward().zip(b.rows.backward(n)) {
+        for (x, b) in x.forward().zip(b.backward(n)) {
             for k in 0..4 {
                 let (x, [b1, b2, b3, _]) = (s.load(&x[k].0), b[3 - k].0);
                 p = x.mul_add(s.splat(b1), p);
@@ -89,7 +89,7 @@ impl<S: Machine> Sums for ByFours<S> {
                 r = x.mul_add(s.splat(b3), r);
             }
         }
-        let (x, [b1, b2, b3, _]) = (s.load(&x.at(0).0), b.rows.at(n).0);
+        let (x, [b1, b2, b3, _]) = (s.load(&x.at(0).0), b.at(n).0);
         p = x.mul_add(s.splat(b1), p);
         q = x.mul_add(s.splat(b2), q);
         r = x.mul_add(s.splat(b3), r);
@@ -162,8 +162,7 @@ impl<S: Machine> Sums for SideBySide<S> {
     }
 
     #[inline(always)]
-    fn outer(self, x: &Series<S::Many>, b: &Vectors<S::Many>, n: usize) -> [Row<S::Many>; 3] {
-        let b = &b.rows;
+    fn outer(self, x: &Series<S::Many>, b: &Series<S::Many>, n: usize) -> [Row<S::Many>; 3] {
         let mut sums = [self.zero(); 3];
         for (&x, b) in x[1..=n].iter().zip(b[..n].iter().rev()) {
             sums = plus_outer(sums, x, b);

@@ -6,7 +6,7 @@
 //!
 //! On a circle |ρ| is 1, and all of this is linear.
 
-use super::super::row::{Row, Series, TERMS, Vectors};
+use super::super::row::{Row, Series};
 use super::super::scalar::{Scalars, power};
 use super::super::seen::Seen;
 use super::super::sums::Sums;
@@ -27,8 +27,8 @@ pub(super) struct OrbitSeries<N> {
     pub(super) distance: N,
     /// µ/r₀³, 1/s².
     pub(super) strength: N,
-    pub(super) rho: Vectors<N>,
-    pub(super) nu: Seen<N>,
+    pub(super) rho: Series<N>,
+    nu: Seen<N>,
     /// |ρ|²
     pub(super) square: Scalars<N>,
     /// |ρ|⁻³
@@ -39,15 +39,14 @@ pub(super) struct OrbitSeries<N> {
 
 impl<N: Number> OrbitSeries<N> {
     pub(super) fn of(zero: N, orbit: &Orbit) -> Self {
-        let mut one = [zero; TERMS];
-        one[0] = zero.like(1.0);
+        let one = Scalars::constant(zero.like(1.0));
         Self {
             orbits: vec![orbit.clone(); N::LANES],
             is_circular: orbit.is_circular(),
             mu: zero,
             distance: zero,
             strength: zero,
-            rho: Vectors::all(zero),
+            rho: Series::all(zero),
             nu: Seen::all(zero),
             square: one,
             cube: one,
@@ -64,10 +63,6 @@ impl<N: Number> OrbitSeries<N> {
         }
     }
 
-    pub(super) fn is_circular(&self) -> bool {
-        self.is_circular
-    }
-
     #[inline(always)]
     pub(super) fn start(&mut self, at: &StepStart<N>) {
         let (mut position, mut velocity) = (at.omega, at.omega);
@@ -77,7 +72,7 @@ impl<N: Number> OrbitSeries<N> {
                 position.put(lane, row(toward));
                 velocity.put(lane, row(rate));
             }
-            self.rho.set(0, at.seen(position));
+            self.rho.set(0, at.seen(position).vector());
             self.nu.start(at.seen(velocity));
             return;
         }
@@ -89,7 +84,7 @@ impl<N: Number> OrbitSeries<N> {
         let r = position.norm();
         self.strength = self.mu / r / r / r;
         self.distance = r;
-        self.rho.set(0, at.seen(position.divided(r)));
+        self.rho.set(0, at.seen(position.divided(r)).vector());
         self.nu.start(at.seen(velocity.divided(r)));
     }
 
@@ -100,35 +95,22 @@ impl<N: Number> OrbitSeries<N> {
         if n == 0 || self.is_circular {
             return;
         }
-        let rho = &self.rho.rows;
+        let rho = &self.rho;
         let [x, y, z, _] = s.product(rho, rho, n).0;
         self.square[n] = x + y + z;
         self.cube[n] = power(&self.square, -1.5, &self.cube, n);
         self.cube_rows.set(n, Row::splat(self.cube[n]));
     }
 
-    /// Coefficient n of |ρ|⁻³ times a vector.
+    /// Finds coefficient n + 1 of ρ and ν.
     #[inline(always)]
-    pub(super) fn over_cube<M: Sums<N = N>>(&self, s: M, vector: &Series<N>, n: usize) -> Row<N> {
-        if self.is_circular { vector[n] } else { s.product(&self.cube_rows, vector, n) }
-    }
-
-    /// Finds coefficient n + 1 of ρ and ν; that of ρ may be there already but for ν. Gives that of ρ.
-    #[inline(always)]
-    pub(super) fn extend<M: Sums<N = N>>(
-        &mut self,
-        n: usize,
-        known: &Known<'_, M>,
-        turned: Option<Row<N>>,
-    ) -> Row<N> {
-        let pull = self.over_cube(known.s, &self.rho.rows, n) * Row::splat(-self.strength);
-        let turned = match turned {
-            Some(turned) => turned,
-            None => known.s.cross(&self.rho.rows, known.turning, n).over(n + 1),
-        };
-        let next = turned + self.nu.coefficient(n).over(n + 1);
-        self.rho.set(n + 1, next);
-        self.nu.extend(known.s, n, known.turning, pull);
-        next
+    pub(super) fn extend<M: Sums<N = N>>(&mut self, n: usize, known: &Known<'_, M>) {
+        let turning = &known.turning.rows;
+        let over_cube =
+            if self.is_circular { self.rho[n] } else { known.s.product(&self.cube_rows, &self.rho, n) };
+        let pull = over_cube * Row::splat(-self.strength);
+        let next = (known.s.cross(&self.rho, turning, n) + self.nu.coefficient(n)).over(n + 1);
+        self.rho.set(n + 1, next.vector());
+        self.nu.extend(known.s, n, turning, pull);
     }
 }

@@ -1,0 +1,132 @@
+//! Numbers and vectors of which only the operations are known.
+//!
+//! A law that is written with them can be evaluated (f64), recognised as a polynomial, or recorded as a graph whose Taylor coefficients
+//! follow: `motion/torque/law.rs`.
+
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+use super::formula::{Binary, Unary};
+use super::vector::{Direction, Vector};
+
+/// A number, or what stands for one: an expression, a polynomial.
+pub trait Scalar:
+    Copy + Neg<Output = Self> + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
+{
+    /// The product with a constant.
+    #[must_use]
+    fn scaled(self, by: f64) -> Self;
+
+    /// A function of it.
+    #[must_use]
+    fn unary(self, function: Unary) -> Self;
+
+    /// A function of it and another one; constant exponents are found out.
+    #[must_use]
+    fn binary(self, function: Binary, b: Self) -> Self;
+
+    /// selfᵖ for a constant p.
+    #[must_use]
+    fn power(self, p: f64) -> Self;
+
+    /// selfᵖ − (self + δ)ᵖ for a constant p, to as many digits as δ has.
+    #[must_use]
+    fn power_difference(self, delta: Self, p: f64) -> Self;
+
+    /// self/d, zero where d is.
+    #[must_use]
+    fn over_or_zero(self, d: Self) -> Self;
+
+    /// An angle brought between −π and π.
+    #[must_use]
+    fn wrapped(self) -> Self;
+
+    /// arccos w/√(1 − w²), w > −1: half an angle over its sine, smooth at w = 1.
+    #[must_use]
+    fn half_angle_over_sine(self) -> Self;
+
+    /// √self
+    #[must_use]
+    fn sqrt(self) -> Self {
+        self.unary(Unary::Sqrt)
+    }
+
+    /// The angle of the point (x, self) from the first axis.
+    #[must_use]
+    fn atan2(self, x: Self) -> Self {
+        self.binary(Binary::Atan2, x)
+    }
+}
+
+/// A vector along the axes of a body, with such numbers as components.
+pub trait VectorAlgebra<S>:
+    Copy + Neg<Output = Self> + Add<Output = Self> + Sub<Output = Self> + Mul<S, Output = Self>
+{
+    /// The product with a constant.
+    #[must_use]
+    fn scaled(self, by: f64) -> Self;
+
+    /// self · b
+    #[must_use]
+    fn dot(self, b: Self) -> S;
+
+    /// self × b
+    #[must_use]
+    fn cross(self, b: Self) -> Self;
+
+    /// |self|
+    #[must_use]
+    fn norm(self) -> S;
+}
+
+impl Scalar for f64 {
+    fn scaled(self, by: f64) -> Self {
+        self * by
+    }
+
+    fn unary(self, function: Unary) -> Self {
+        function.of(self)
+    }
+
+    fn binary(self, function: Binary, b: Self) -> Self {
+        function.of(self, b)
+    }
+
+    fn power(self, p: f64) -> Self {
+        libm::pow(self, p)
+    }
+
+    fn power_difference(self, delta: Self, p: f64) -> Self {
+        -self.power(p) * libm::expm1(p * libm::log1p(delta / self))
+    }
+
+    fn over_or_zero(self, d: Self) -> Self {
+        if d == 0.0 { 0.0 } else { self / d }
+    }
+
+    fn wrapped(self) -> Self {
+        super::rotation::wrap(self)
+    }
+
+    fn half_angle_over_sine(self) -> Self {
+        let sine = ((1.0 - self) * (1.0 + self)).max(0.0).sqrt();
+        if sine == 0.0 { 1.0 } else { libm::atan2(sine, self) / sine }
+    }
+}
+
+impl<F> VectorAlgebra<f64> for Direction<F> {
+    fn scaled(self, by: f64) -> Self {
+        self * by
+    }
+
+    fn dot(self, b: Self) -> f64 {
+        Vector::dot(self, b)
+    }
+
+    fn cross(self, b: Self) -> Self {
+        Vector::cross(self, b)
+    }
+
+    fn norm(self) -> f64 {
+        Vector::norm(self)
+    }
+}

@@ -21,7 +21,7 @@ pub(super) struct FineAxes {
 }
 
 impl FineAxes {
-    /// Of a tensor; along the frame's own axes it is exact.
+    /// Of a tensor; along the to_body's own axes it is exact.
     pub(super) fn of(tensor: &Symmetric3, principal: &PrincipalFrame<Body>) -> Self {
         let unit = power_of_two_near(principal.moments()[2]);
         let scaled = *tensor * (1.0 / unit);
@@ -35,7 +35,7 @@ impl FineAxes {
                 given: true,
             };
         }
-        // Where moments are equal, the frame's axes are the nearest to the body's own, and not those of the last digits.
+        // Where moments are equal, the to_body's axes are the nearest to the body's own, and not those of the last digits.
         let known =
             (principal.symmetry() == Symmetry::Asymmetric).then(|| principal.axes().map(Direction::to_array));
         let FineEigen { values: [a, b, c], vectors: axes } = FineEigen::of(&scaled, known);

@@ -5,7 +5,7 @@ use crate::math::rotation::Rotation;
 use crate::math::vector::Vector;
 use crate::motion::state::State;
 
-use super::flow::{Phases, Raw, Stages, Turned};
+use super::flow::{Phases, Stages, ThetaArgument, UnnormalisedState};
 use super::phase::Phase;
 
 /// States in a group: a vector of AVX-512, two of AVX2.
@@ -19,8 +19,8 @@ pub(super) type Vectors = Lanes<WIDTH>;
 /// number of a state waits for the one before.
 pub(super) struct Block<const GROUPS: usize> {
     phases: [Phases<Vectors>; GROUPS],
-    turned: [Turned<Vectors>; GROUPS],
-    raw: [Raw<Vectors>; GROUPS],
+    argument: [ThetaArgument<Vectors>; GROUPS],
+    unnormalised: [UnnormalisedState<Vectors>; GROUPS],
     attitude: [[Vectors; 4]; GROUPS],
     omega: [[Vectors; 3]; GROUPS],
 }
@@ -31,8 +31,8 @@ impl<const GROUPS: usize> Block<GROUPS> {
         let zero = Lanes([0.0; WIDTH]);
         Self {
             phases: [Phases::of(zero); GROUPS],
-            turned: [Turned::of(zero); GROUPS],
-            raw: [Raw::of(zero); GROUPS],
+            argument: [ThetaArgument::of(zero); GROUPS],
+            unnormalised: [UnnormalisedState::of(zero); GROUPS],
             attitude: [[zero; 4]; GROUPS],
             omega: [[zero; 3]; GROUPS],
         }
@@ -65,14 +65,14 @@ impl<const GROUPS: usize> Block<GROUPS> {
     /// The states of the phases.
     #[inline(always)]
     pub(super) fn finish<S: Stages<Vectors>>(&mut self, groups: usize, stages: impl Fn(usize) -> S) {
-        for (g, turned) in self.turned.iter_mut().enumerate().take(groups) {
-            *turned = stages(one(g)).turned(&self.phases[g]);
+        for (g, argument) in self.argument.iter_mut().enumerate().take(groups) {
+            *argument = stages(one(g)).theta_argument(&self.phases[g]);
         }
-        for (g, raw) in self.raw.iter_mut().enumerate().take(groups) {
-            *raw = stages(one(g)).raw(&self.turned[g]);
+        for (g, unnormalised) in self.unnormalised.iter_mut().enumerate().take(groups) {
+            *unnormalised = stages(one(g)).unnormalised(&self.argument[g]);
         }
-        for (g, raw) in self.raw.iter().enumerate().take(groups) {
-            (self.attitude[g], self.omega[g]) = stages(one(g)).state(raw);
+        for (g, unnormalised) in self.unnormalised.iter().enumerate().take(groups) {
+            (self.attitude[g], self.omega[g]) = stages(one(g)).state(unnormalised);
         }
     }
 

@@ -16,7 +16,7 @@ pub(super) struct Point<T> {
     pub(super) below: T,
 }
 
-/// The constants of a motion, in the form that is evaluated: all follow from a [`Seed`](super::seed::Seed).
+/// The constants of a motion, in the form that is evaluated: all follow from a [`CompactConstants`](super::compact::CompactConstants).
 ///
 /// With z = π(u0 + λt)/2K, the unit vector along L is e = (A1 cn, A2 sn, A3 dn)/L in the labelled axes, and the quaternion
 /// from them to axes along L is w + iz = α, x + iy = β,
@@ -28,14 +28,14 @@ pub(super) struct Point<T> {
 /// Source: Klein & Sommerfeld, Über die Theorie des Kreisels, ch. VI; derived in `book/free-motion.md`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Flow<T, S> {
-    pub(super) pace: Pace<T>,
+    pub(super) phase_rates: PhaseRates<T>,
     pub(super) curve: Curve<T, S>,
-    pub(super) frame: Frame<T>,
+    pub(super) to_body: ToBodyMap<T>,
 }
 
 /// What makes phases of the time.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Pace<T> {
+pub(super) struct PhaseRates<T> {
     /// ½(Ωt − z), quarter turns.
     pub(super) precession: Rate<T>,
     /// λ/K: 2z/π, quarter turns.
@@ -56,7 +56,7 @@ pub(super) struct Curve<T, S> {
 
 /// What turns them into the axes that they are wanted in.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Frame<T> {
+pub(super) struct ToBodyMap<T> {
     /// From what the quaternion is in the labelled axes to the attitude's, of norm 1/`scale`.
     pub(super) attitude: [[T; 4]; 4],
     /// Columns: the axes times the amplitudes of ω along them, and the constants that make theta functions cn, sn and dn.
@@ -72,16 +72,16 @@ pub(super) struct Phases<T> {
 
 /// What the time is to the series.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Turned<T> {
+pub(super) struct ThetaArgument<T> {
     /// z, as the series takes it.
     place: [T; 2],
     /// e^iφ
     phase: Complex<T>,
 }
 
-/// A state before it is scaled and turned into the axes that it is wanted in.
+/// A state before it is scaled and argument into the axes that it is wanted in.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Raw<T> {
+pub(super) struct UnnormalisedState<T> {
     /// (Re α, Re β, Im β, Im α), all times one number.
     pub(super) quaternion: [T; 4],
     /// Makes its norm one, or a constant.
@@ -92,13 +92,13 @@ pub(super) struct Raw<T> {
 
 /// The way from phases to a state, in three stages: of a flow, or of what becomes one as it is needed.
 pub(super) trait Stages<T> {
-    fn turned(&self, phases: &Phases<T>) -> Turned<T>;
+    fn theta_argument(&self, phases: &Phases<T>) -> ThetaArgument<T>;
 
     /// Quaternion and ω of the phases, in the labelled axes.
-    fn raw(&self, turned: &Turned<T>) -> Raw<T>;
+    fn unnormalised(&self, argument: &ThetaArgument<T>) -> UnnormalisedState<T>;
 
     /// Quaternion and ω of the phases.
-    fn state(&self, raw: &Raw<T>) -> ([T; 4], [T; 3]);
+    fn state(&self, unnormalised: &UnnormalisedState<T>) -> ([T; 4], [T; 3]);
 }
 
 /// Theta functions of one kind.
@@ -118,19 +118,19 @@ impl<T: Copy> Phases<T> {
     }
 }
 
-impl<T: Copy> Turned<T> {
+impl<T: Copy> ThetaArgument<T> {
     pub(super) fn of(x: T) -> Self {
         Self { place: [x; 2], phase: Complex { re: x, im: x } }
     }
 }
 
-impl<T: Copy> Raw<T> {
+impl<T: Copy> UnnormalisedState<T> {
     pub(super) fn of(x: T) -> Self {
         Self { quaternion: [x; 4], scale: x, rates: [x; 3] }
     }
 }
 
-impl<T: Real> Pace<T> {
+impl<T: Real> PhaseRates<T> {
     #[inline(always)]
     pub(super) fn of(precession: Rate<T>, polhode: Rate<T>, start: [T; 2]) -> Self {
         let reach = precession.reach().zip(polhode.reach(), f64::min);
@@ -171,42 +171,42 @@ impl<T: Real> Pace<T> {
 
 impl<T: Real, S: Series<T>> Stages<T> for &Flow<T, S> {
     #[inline(always)]
-    fn turned(&self, phases: &Phases<T>) -> Turned<T> {
-        self.curve.turned(phases)
+    fn theta_argument(&self, phases: &Phases<T>) -> ThetaArgument<T> {
+        self.curve.theta_argument(phases)
     }
 
     #[inline(always)]
-    fn raw(&self, turned: &Turned<T>) -> Raw<T> {
-        self.curve.raw(turned)
+    fn unnormalised(&self, argument: &ThetaArgument<T>) -> UnnormalisedState<T> {
+        self.curve.unnormalised(argument)
     }
 
     #[inline(always)]
-    fn state(&self, raw: &Raw<T>) -> ([T; 4], [T; 3]) {
-        self.frame.state(raw)
+    fn state(&self, unnormalised: &UnnormalisedState<T>) -> ([T; 4], [T; 3]) {
+        self.to_body.state(unnormalised)
     }
 }
 
 impl<T: Real, S: Series<T>> Curve<T, S> {
     #[inline(always)]
-    pub(super) fn turned(&self, phases: &Phases<T>) -> Turned<T> {
+    pub(super) fn theta_argument(&self, phases: &Phases<T>) -> ThetaArgument<T> {
         let (place, bend) = self.series.place(phases.polhode);
         let phase = bend.map_or(phases.precession, |bend| phases.precession.plus(bend));
         let (im, re) = sin_cos_quarters(phase.quarters, phase.rest);
-        Turned { place, phase: Complex { re, im } }
+        ThetaArgument { place, phase: Complex { re, im } }
     }
 
     #[inline(always)]
-    pub(super) fn raw(&self, turned: &Turned<T>) -> Raw<T> {
-        let Point { f, theta, below } = self.series.at(turned.place);
+    pub(super) fn unnormalised(&self, argument: &ThetaArgument<T>) -> UnnormalisedState<T> {
+        let Point { f, theta, below } = self.series.at(argument.place);
         let d = &self.direction;
         let (e1, e2, e3) = (d[0] * theta[0], d[1] * theta[1], d[2] * theta[2]); // times below
         let sum = below + e3;
-        let alpha = f.times(turned.phase);
+        let alpha = f.times(argument.phase);
         let beta = alpha.times(Complex { re: e2, im: -e1 });
         // |β|² + |sum α|² = constant · below · sum², as |α|² = constant · sum
         let both = (below * sum).map(|product| 1.0 / product);
         let over = sum * both;
-        Raw {
+        UnnormalisedState {
             quaternion: [sum * alpha.re, beta.re, beta.im, sum * alpha.im],
             scale: (below * both) * over.map(f64::sqrt),
             rates: [theta[0] * over, theta[1] * over, theta[2] * over],
@@ -214,10 +214,10 @@ impl<T: Real, S: Series<T>> Curve<T, S> {
     }
 }
 
-impl<T: Real> Frame<T> {
+impl<T: Real> ToBodyMap<T> {
     #[inline(always)]
-    pub(super) fn state(&self, raw: &Raw<T>) -> ([T; 4], [T; 3]) {
-        let Raw { quaternion: labelled, scale, rates } = *raw;
+    pub(super) fn state(&self, unnormalised: &UnnormalisedState<T>) -> ([T; 4], [T; 3]) {
+        let UnnormalisedState { quaternion: labelled, scale, rates } = *unnormalised;
         let (a, w) = (&self.attitude, &self.omega);
         let [qw, qx, qy, qz] =
             [dot4(&a[0], &labelled), dot4(&a[1], &labelled), dot4(&a[2], &labelled), dot4(&a[3], &labelled)];

@@ -7,10 +7,10 @@ use crate::math::landen::{Landen, log_of};
 use crate::math::real::{PI, Real};
 use crate::math::symmetric3::power_of_two_near;
 
+use super::compact::{ScalarThetaParameters, ThetaParameters};
 use super::elements::Elements;
 use super::flow::{Point, Series};
 use super::phase::Phase;
-use super::seed::{Family, Nucleus};
 
 /// Coefficients of the theta functions in the complementary nome: constants of a motion.
 ///
@@ -66,7 +66,7 @@ impl Pulse<f64> {
     }
 }
 
-impl Family for Pulse<f64> {
+impl ScalarThetaParameters for Pulse<f64> {
     type Of<T: Real> = Pulse<T>;
 
     /// cn and dn are 1 at u = 0, sn at u = K.
@@ -87,7 +87,7 @@ impl Family for Pulse<f64> {
     }
 }
 
-impl<T: Real> Nucleus<T> for Pulse<T> {
+impl<T: Real> ThetaParameters<T> for Pulse<T> {
     type Series = Hyperbolic<T>;
 
     #[inline(always)]

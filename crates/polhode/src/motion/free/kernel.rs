@@ -4,19 +4,19 @@ use crate::math::rotation::{Attitude, Rotation};
 use crate::math::vector::Vector;
 use crate::motion::state::State;
 
+use super::compact::{CompactConstants, ScalarThetaParameters};
 use super::elements::Elements;
 use super::flow::{Flow, Phases, Series, Stages};
 use super::hyperbolic::{Hyperbolic, Pulse};
 use super::labelled::Labelled;
 use super::phase::Elapsed;
-use super::seed::{Family, Seed};
 use super::trigonometric::{Nomes, Trigonometric};
 
-/// A seed, and the flow that it becomes.
+/// A compact, and the flow that it becomes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Kernel {
-    Trigonometric(Seed<f64, Nomes<f64>>, Flow<f64, Trigonometric<f64>>),
-    Hyperbolic(Seed<f64, Pulse<f64>>, Flow<f64, Hyperbolic<f64>>),
+    Trigonometric(CompactConstants<f64, Nomes<f64>>, Flow<f64, Trigonometric<f64>>),
+    Hyperbolic(CompactConstants<f64, Pulse<f64>>, Flow<f64, Hyperbolic<f64>>),
 }
 
 /// Below this 1 − m the hyperbolic series is the shorter: K = 2K′.
@@ -26,11 +26,11 @@ impl Kernel {
     /// `units`: rad/s per unit of the elements' rates, and per unit of the kernel's.
     pub(super) fn of(elements: &Elements, labelled: &Labelled, units: [f64; 2], attitude: Attitude) -> Self {
         if elements.m1().value() > BALANCE {
-            let (seed, flow) = grown(elements, labelled, units, Nomes::of(elements), attitude);
-            Self::Trigonometric(seed, flow)
+            let (compact, flow) = constants_of(elements, labelled, units, Nomes::of(elements), attitude);
+            Self::Trigonometric(compact, flow)
         } else {
-            let (seed, flow) = grown(elements, labelled, units, Pulse::of(elements), attitude);
-            Self::Hyperbolic(seed, flow)
+            let (compact, flow) = constants_of(elements, labelled, units, Pulse::of(elements), attitude);
+            Self::Hyperbolic(compact, flow)
         }
     }
 
@@ -44,32 +44,32 @@ impl Kernel {
     }
 }
 
-fn grown<N: Family>(
+fn constants_of<N: ScalarThetaParameters>(
     elements: &Elements,
     labelled: &Labelled,
     units: [f64; 2],
-    nucleus: (N, f64),
+    parameters: (N, f64),
     attitude: Attitude,
-) -> (Seed<f64, N>, Flow<f64, N::Series>) {
-    let (seed, third) = Seed::of(elements, labelled, units, nucleus, attitude);
-    let flow = seed.flow(third);
-    (seed, flow)
+) -> (CompactConstants<f64, N>, Flow<f64, N::Series>) {
+    let (compact, third) = CompactConstants::of(elements, labelled, units, parameters, attitude);
+    let flow = compact.flow(third);
+    (compact, flow)
 }
 
 impl<S: Series<f64>> Flow<f64, S> {
     /// Quaternion and ω.
     #[inline(always)]
     fn at<const WHOLE: bool>(&self, elapsed: &Elapsed<f64>) -> ([f64; 4], [f64; 3]) {
-        let phases = if elapsed.is_within(self.pace.reach) {
-            self.pace.phases::<WHOLE, false>(elapsed)
+        let phases = if elapsed.is_within(self.phase_rates.reach) {
+            self.phase_rates.phases::<WHOLE, false>(elapsed)
         } else {
             self.phases_of_long_time(elapsed)
         };
-        self.state(&self.raw(&self.turned(&phases)))
+        self.state(&self.unnormalised(&self.theta_argument(&phases)))
     }
 
     #[cold]
     fn phases_of_long_time(&self, elapsed: &Elapsed<f64>) -> Phases<f64> {
-        self.pace.phases::<false, true>(elapsed)
+        self.phase_rates.phases::<false, true>(elapsed)
     }
 }

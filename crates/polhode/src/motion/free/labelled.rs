@@ -25,7 +25,7 @@ pub(super) struct Labelled {
     pub(super) mode: Mode,
     pub(super) moments: [Triple; 3],
     pub(super) omega: [Triple; 3],
-    /// Each axis in the components of the frame that the moments came in.
+    /// Each axis in the components of the to_body that the moments came in.
     pub(super) axes: [[f64; 3]; 3],
     /// L² − 2T i2 = i1 (i1 − i2) ω1² + i3 (i3 − i2) ω3²; its sign is the mode's. Zero on the separatrix.
     ///
@@ -49,7 +49,7 @@ impl Labelled {
         if labelled.omega[2].value() < 0.0 { labelled.half_turned() } else { labelled }
     }
 
-    /// From labelled components to those of the frame that the moments came in.
+    /// From labelled components to those of the to_body that the moments came in.
     pub(super) fn rotation(&self) -> Rotation<Body, Body> {
         Rotation::from_axes(self.axes.map(Vector::from_array))
     }

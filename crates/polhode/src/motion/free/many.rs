@@ -8,10 +8,10 @@ use crate::motion::state::State;
 
 use super::FreeMotion;
 use super::block::{Block, Vectors, WIDTH};
+use super::compact::{CompactConstants, ScalarThetaParameters};
 use super::flow::{Flow, Series};
 use super::kernel::Kernel;
 use super::phase::Elapsed;
-use super::seed::{Family, Seed};
 
 /// Groups in a block: as many as the nearest memory has room for, all of whose numbers but the times are there already.
 const GROUPS: usize = 4;
@@ -28,15 +28,19 @@ impl FreeMotion {
     /// As [`FreeMotion::at_times`], into states that are there already; as many as there are both times and states.
     pub fn fill(&self, times: &[f64], states: &mut [State]) {
         match &self.kernel {
-            Kernel::Trigonometric(seed, flow) => fill(self, seed, flow.pace.precession.third, times, states),
-            Kernel::Hyperbolic(seed, flow) => fill(self, seed, flow.pace.precession.third, times, states),
+            Kernel::Trigonometric(compact, flow) => {
+                fill(self, compact, flow.phase_rates.precession.third, times, states)
+            }
+            Kernel::Hyperbolic(compact, flow) => {
+                fill(self, compact, flow.phase_rates.precession.third, times, states)
+            }
         }
     }
 }
 
-fn fill<N: Family>(
+fn fill<N: ScalarThetaParameters>(
     motion: &FreeMotion,
-    seed: &Seed<f64, N>,
+    compact: &CompactConstants<f64, N>,
     third: f64,
     times: &[f64],
     states: &mut [State],
@@ -44,10 +48,12 @@ fn fill<N: Family>(
     in_widest_vectors(
         #[inline(always)]
         || {
-            let seed =
-                Seed::<f64, N>::assembled(&|get: &dyn Fn(&Seed<f64, N>) -> f64| Lanes([get(seed); WIDTH]));
+            let compact =
+                CompactConstants::<f64, N>::assembled(&|get: &dyn Fn(&CompactConstants<f64, N>) -> f64| {
+                    Lanes([get(compact); WIDTH])
+                });
             // In memory: the compiler is not to make some of it anew for each block.
-            let flow = &black_box(seed.flow(Lanes([third; WIDTH])));
+            let flow = &black_box(compact.flow(Lanes([third; WIDTH])));
             let mut block = Block::<GROUPS>::new();
             for (times, states) in times.chunks(GROUPS * WIDTH).zip(states.chunks_mut(GROUPS * WIDTH)) {
                 if motion.start.time == 0.0 {
@@ -85,19 +91,19 @@ fn start<const WHOLE: bool, S: Series<Vectors>>(
     let groups = times.len().div_ceil(WIDTH);
     let mut near = true;
     for g in 0..groups {
-        near &= elapsed::<WHOLE>(motion, times, g).is_within(flow.pace.reach);
+        near &= elapsed::<WHOLE>(motion, times, g).is_within(flow.phase_rates.reach);
     }
     if near {
         block.start(
             groups,
             #[inline(always)]
-            |g| flow.pace.phases::<WHOLE, false>(&elapsed::<WHOLE>(motion, times, g)),
+            |g| flow.phase_rates.phases::<WHOLE, false>(&elapsed::<WHOLE>(motion, times, g)),
         );
     } else {
         block.start(
             groups,
             #[inline(always)]
-            |g| flow.pace.phases::<WHOLE, true>(&elapsed::<WHOLE>(motion, times, g)),
+            |g| flow.phase_rates.phases::<WHOLE, true>(&elapsed::<WHOLE>(motion, times, g)),
         );
     }
 }

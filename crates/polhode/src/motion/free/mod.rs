@@ -5,10 +5,11 @@
 //! rates without cancellation (`elements.rs`), phases that lose no digit over 10⁹ periods (`phase.rs`).
 
 mod axes;
+mod batch;
 mod block;
+mod compact;
 mod constants;
 mod elements;
-mod fleet;
 mod flow;
 mod hyperbolic;
 mod kernel;
@@ -17,7 +18,6 @@ mod many;
 mod phase;
 mod reach;
 mod regime;
-mod seed;
 mod trigonometric;
 
 use crate::body::principal::PrincipalFrame;
@@ -38,7 +38,7 @@ use kernel::Kernel;
 use labelled::Labelled;
 use phase::Elapsed;
 
-pub use fleet::FreeMotions;
+pub use batch::FreeMotions;
 pub use regime::{PermanentAxis, Regime};
 
 /// The torque-free motion of a body: ω and attitude at any time, past or future, in constant time.
@@ -165,7 +165,7 @@ impl FreeMotion {
             (labelled, Elements::of(&labelled))
         };
         let moderate = unit.max(1.0 / unit) <= MODERATE;
-        let (kernel_unit, pace) = if moderate { (1.0, unit) } else { (unit, 1.0) };
+        let (kernel_unit, phase_rates) = if moderate { (1.0, unit) } else { (unit, 1.0) };
         Ok(Self {
             start,
             principal: *principal,
@@ -177,7 +177,7 @@ impl FreeMotion {
             constants: Constants::of(&elements, &labelled, fine.unit, unit),
             unit: kernel_unit,
             reach: reach::of(&elements, &labelled, fine.given, unit),
-            kernel: Kernel::of(&elements, &labelled, [unit, pace], start.attitude),
+            kernel: Kernel::of(&elements, &labelled, [unit, phase_rates], start.attitude),
         })
     }
 

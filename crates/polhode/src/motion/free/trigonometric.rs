@@ -8,10 +8,10 @@ use crate::math::elementary::sin_cos_quarters;
 use crate::math::landen::Landen;
 use crate::math::real::{PI, Real};
 
+use super::compact::{ScalarThetaParameters, ThetaParameters};
 use super::elements::Elements;
 use super::flow::{Point, Series};
 use super::phase::Phase;
-use super::seed::{Family, Nucleus};
 
 /// Coefficients of the theta functions at z: constants of a motion.
 ///
@@ -50,7 +50,7 @@ impl Nomes<f64> {
     }
 }
 
-impl Family for Nomes<f64> {
+impl ScalarThetaParameters for Nomes<f64> {
     type Of<T: Real> = Nomes<T>;
 
     /// cn and dn are 1 at u = 0, sn at u = K.
@@ -66,7 +66,7 @@ impl Family for Nomes<f64> {
     }
 }
 
-impl<T: Real> Nucleus<T> for Nomes<T> {
+impl<T: Real> ThetaParameters<T> for Nomes<T> {
     type Series = Trigonometric<T>;
 
     #[inline(always)]

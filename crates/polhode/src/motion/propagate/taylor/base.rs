@@ -1,4 +1,4 @@
-//! Places on a trajectory, that steps lead from and to.
+//! Packed on a trajectory, that steps lead from and to.
 
 use super::Increment;
 use super::row::Row;
@@ -12,7 +12,7 @@ use crate::motion::state::State;
 
 /// A place on the trajectory of each lane; what rounding took from each sum is carried.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Base<N = f64> {
+pub(super) struct ExpansionPoint<N = f64> {
     pub(super) time: N,
     /// The quaternion from principal axes to space, near 1.
     turn: Carried<N>,
@@ -35,7 +35,7 @@ impl<N: Number> Carried<N> {
     }
 }
 
-impl<N: Number> Base<N> {
+impl<N: Number> ExpansionPoint<N> {
     pub(super) fn all(zero: N) -> Self {
         let none = Carried { row: Row::splat(zero), low: Row::splat(zero) };
         Self { time: zero, turn: none, omega: none }
@@ -53,7 +53,7 @@ impl<N: Number> Base<N> {
     }
 
     /// Sets a lane.
-    pub(super) fn put(&mut self, lane: usize, one: &Base) {
+    pub(super) fn put(&mut self, lane: usize, one: &ExpansionPoint) {
         self.time.put(lane, one.time);
         for (place, one) in [(&mut self.turn, &one.turn), (&mut self.omega, &one.omega)] {
             place.row.put(lane, one.row);
@@ -61,9 +61,9 @@ impl<N: Number> Base<N> {
         }
     }
 
-    pub(super) fn lane(&self, lane: usize) -> Base {
+    pub(super) fn lane(&self, lane: usize) -> ExpansionPoint {
         let at = |of: &Carried<N>| Carried { row: of.row.lane(lane), low: of.low.lane(lane) };
-        Base { time: self.time.lane(lane), turn: at(&self.turn), omega: at(&self.omega) }
+        ExpansionPoint { time: self.time.lane(lane), turn: at(&self.turn), omega: at(&self.omega) }
     }
 
     /// What a step starts from.
@@ -90,14 +90,14 @@ impl<N: Number> Base<N> {
 
     /// Zero of what is finite, and no number otherwise.
     #[inline(always)]
-    pub(super) fn flaw(&self) -> N {
+    pub(super) fn not_finite(&self) -> N {
         let none = Row::splat(self.time.like(0.0));
         let [x, y, z, w] = (self.turn.row * none + self.omega.row * none).0;
         (x + y) + (z + w)
     }
 }
 
-impl Base {
+impl ExpansionPoint {
     pub(super) fn new(start: &State, to_body: Rotation<Body, Principal>) -> Self {
         let [x, y, z] = (to_body.inverse() * start.omega).to_array();
         let exact = |row: [f64; 4]| Carried { row: Row(row), low: Row::ZERO };

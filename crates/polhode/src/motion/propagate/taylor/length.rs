@@ -21,8 +21,8 @@ impl<N: Number> Expansion<N> {
         let unit = scale.like(1.0) / scale;
         let (last, before) = (self.log_radius(n, unit), self.log_radius(n - 1, unit));
         let mut radius = smaller(last, before);
-        let flaw = last + before;
-        for lane in (0..N::LANES).filter(|lane| flaw.lane(*lane).is_nan()) {
+        let not_finite = last + before;
+        for lane in (0..N::LANES).filter(|lane| not_finite.lane(*lane).is_nan()) {
             // Coefficients that are beyond all numbers: the last two that are not.
             let pair = |n: usize| [n, n - 1].map(|n| self.log_radius(n, unit).lane(lane));
             let sound = (2..=n).rev().map(pair).find(|[a, b]| a.is_finite() && b.is_finite());

@@ -6,107 +6,114 @@
 
 use super::pair::Pair;
 use super::recurrence::{
-    ALONE, CARRYING, Coefficient, GENERAL, MOVING, Motion, Recurrence, Terms, mirrored, moving_start, over,
+    ATTITUDE, Coefficient, EquationConstants, GENERAL, Layout, Motion, Recurrence, WITH_FIXED_VECTOR,
+    WITH_ORBIT, mirrored, over, start_on_orbit,
 };
 use super::row::Row;
-use super::sums::SideBySide;
+use super::sums::SeveralBodies;
 use crate::math::machine::Machine;
 use crate::math::number::{MulAdd, Number};
 
-/// What newest coefficients are multiplied by: what a step starts from, and the terms.
+/// The linear part of the recurrence of a step: what it starts from, and the constants of the equations.
 #[derive(Clone, Copy)]
-pub(super) struct Law<N> {
-    terms: Terms<N>,
+pub(super) struct StepJacobian<N> {
+    terms: EquationConstants<N>,
     turn: Row<N>,
     omega: Row<N>,
     /// u and v.
-    seen: [Row<N>; 2],
+    joint: [Row<N>; 2],
     /// Ω
     turning: Row<N>,
 }
 
-impl<S: Machine> Recurrence for SideBySide<S> {
-    type Places = Pair<S::Many>;
-    type Law = Law<S::Many>;
+impl<S: Machine> Recurrence for SeveralBodies<S> {
+    type Packed = Pair<S::Many>;
+    type StepJacobian = StepJacobian<S::Many>;
 
     #[inline(always)]
-    fn places(self, pair: &Pair<S::Many>) -> Pair<S::Many> {
+    fn pack(self, pair: &Pair<S::Many>) -> Pair<S::Many> {
         *pair
     }
 
     #[inline(always)]
-    fn pair(self, places: Pair<S::Many>) -> Pair<S::Many> {
-        places
+    fn unpack(self, pack: Pair<S::Many>) -> Pair<S::Many> {
+        pack
     }
 
     #[inline(always)]
-    fn law<const LAYOUT: u8>(self, motion: &Motion<S::Many>, terms: &Terms<S::Many>) -> Law<S::Many> {
-        let Parts { turn, omega, seen } = Parts::of::<LAYOUT>([motion[0].x, motion[0].y]);
-        Law { terms: *terms, turn, omega, seen, turning: turning::<LAYOUT, _>(&motion[0]) }
-    }
-
-    #[inline(always)]
-    fn first<const LAYOUT: u8>(
+    fn jacobian<const LAYOUT: Layout>(
         self,
-        law: &Law<S::Many>,
         motion: &Motion<S::Many>,
-        terms: &Terms<S::Many>,
+        terms: &EquationConstants<S::Many>,
+    ) -> StepJacobian<S::Many> {
+        let Parts { turn, omega, joint } = Parts::of::<LAYOUT>([motion[0].x, motion[0].y]);
+        StepJacobian { terms: *terms, turn, omega, joint, turning: turning::<LAYOUT, _>(&motion[0]) }
+    }
+
+    #[inline(always)]
+    fn first<const LAYOUT: Layout>(
+        self,
+        jacobian: &StepJacobian<S::Many>,
+        motion: &Motion<S::Many>,
+        terms: &EquationConstants<S::Many>,
         [low, more]: [Row<S::Many>; 2],
     ) -> [Pair<S::Many>; 2] {
         let none = self.none();
-        if LAYOUT == MOVING {
-            let sum = Parts::of::<LAYOUT>(moving_start(&motion[0], terms));
-            return self.with::<LAYOUT>(law, sum, &Parts { omega: low, ..none }, low).pairs::<LAYOUT>();
+        if LAYOUT == WITH_ORBIT {
+            let sum = Parts::of::<LAYOUT>(start_on_orbit(&motion[0], terms));
+            return self
+                .plus_newest::<LAYOUT>(jacobian, sum, &Parts { omega: low, ..none }, low)
+                .pairs::<LAYOUT>();
         }
-        let mut next = law.plus_starts::<LAYOUT>(none, law.turning);
+        let mut next = jacobian.plus_start::<LAYOUT>(none, jacobian.turning);
         next.omega = next.omega + if LAYOUT == GENERAL { more } else { terms.constant };
-        if LAYOUT == CARRYING {
-            for (diagonal, factors) in terms.seen.iter().enumerate() {
-                next.omega = factors.mul_add(across(law.seen[0], diagonal), next.omega);
+        if LAYOUT == WITH_FIXED_VECTOR {
+            for (diagonal, factors) in terms.of_joint.iter().enumerate() {
+                next.omega = factors.mul_add(diagonal_of(jacobian.joint[0], diagonal), next.omega);
             }
         }
-        self.with::<LAYOUT>(law, next, &Parts { omega: low, ..none }, low).pairs::<LAYOUT>()
+        self.plus_newest::<LAYOUT>(jacobian, next, &Parts { omega: low, ..none }, low).pairs::<LAYOUT>()
     }
 
     #[inline(always)]
-    fn next<const LAYOUT: u8>(
+    fn next<const LAYOUT: Layout>(
         self,
-        law: &Law<S::Many>,
+        jacobian: &StepJacobian<S::Many>,
         motion: &mut Motion<S::Many>,
         n: usize,
         [_, newest]: [[Pair<S::Many>; 2]; 2],
         more: Row<S::Many>,
     ) -> [Pair<S::Many>; 2] {
-        let (terms, next) = (&law.terms, n + 1);
-        let sums = self.before::<LAYOUT>(motion, n);
+        let (terms, next) = (&jacobian.terms, n + 1);
+        let sums = self.sums_before::<LAYOUT>(motion, n);
         motion[n].set::<LAYOUT>(newest);
-        let mut sum = sums.turned(&terms.ratios);
-        if LAYOUT == MOVING {
-            sum.omega = terms.bending.mul_add(sums.square.turned(), sum.omega);
-            sum.seen[0] = (sums.crossing[1] - sums.crossing[0]).turned();
+        let mut sum = sums.rates(&terms.ratios);
+        if LAYOUT == WITH_ORBIT {
+            sum.omega = terms.products.mul_add(sums.square.cycled(), sum.omega);
+            sum.joint[0] = (sums.crossing[1] - sums.crossing[0]).cycled();
         }
         if LAYOUT == GENERAL {
             sum.omega = sum.omega + more;
         }
         let new = Parts::of::<LAYOUT>(newest);
         let turning = if LAYOUT == GENERAL { turning::<LAYOUT, _>(&motion[n]) } else { new.omega };
-        self.with::<LAYOUT>(law, sum, &new, turning).over::<LAYOUT>(next).pairs::<LAYOUT>()
+        self.plus_newest::<LAYOUT>(jacobian, sum, &new, turning).over::<LAYOUT>(next).pairs::<LAYOUT>()
     }
 }
 
 #[inline(always)]
-fn turning<const LAYOUT: u8, N: Number>(coefficient: &Coefficient<N>) -> Row<N> {
+fn turning<const LAYOUT: Layout, N: Number>(coefficient: &Coefficient<N>) -> Row<N> {
     let [a, b, c] = coefficient.turning::<LAYOUT>();
     Row([a, b, c, a.like(0.0)])
 }
 
 /// (u1, u2, u3), (u2, u3, u1), (u3, u1, u2)
 #[inline(always)]
-fn across<N: Number>(u: Row<N>, diagonal: usize) -> Row<N> {
+fn diagonal_of<N: Number>(u: Row<N>, diagonal: usize) -> Row<N> {
     match diagonal {
         0 => u,
-        1 => u.turned(),
-        _ => u.turned().turned(),
+        1 => u.cycled(),
+        _ => u.cycled().cycled(),
     }
 }
 
@@ -116,52 +123,52 @@ struct Parts<N> {
     turn: Row<N>,
     omega: Row<N>,
     /// u and v.
-    seen: [Row<N>; 2],
+    joint: [Row<N>; 2],
 }
 
 impl<N: Number> Parts<N> {
     #[inline(always)]
-    fn of<const LAYOUT: u8>([x, y]: [Pair<N>; 2]) -> Self {
+    fn of<const LAYOUT: Layout>([x, y]: [Pair<N>; 2]) -> Self {
         let none = Row::splat(x.0[0].like(0.0));
         let (turn, second) = (x.first(), x.second());
         match LAYOUT {
-            ALONE => Self { turn, omega: second.imaginary(), seen: [none; 2] },
-            MOVING => Self { turn, omega: y.first(), seen: [y.second(), second] },
-            _ => Self { turn, omega: y.first(), seen: [second, none] },
+            ATTITUDE => Self { turn, omega: second.imaginary(), joint: [none; 2] },
+            WITH_ORBIT => Self { turn, omega: y.first(), joint: [y.second(), second] },
+            _ => Self { turn, omega: y.first(), joint: [second, none] },
         }
     }
 
     #[inline(always)]
-    fn pairs<const LAYOUT: u8>(self) -> [Pair<N>; 2] {
-        let Self { turn, omega, seen: [u, v] } = self;
+    fn pairs<const LAYOUT: Layout>(self) -> [Pair<N>; 2] {
+        let Self { turn, omega, joint: [u, v] } = self;
         let none = Row::splat(turn.0[0].like(0.0));
         let omega = omega.vector();
         match LAYOUT {
-            ALONE => [Pair::new(turn, omega.pure()); 2],
-            MOVING => [Pair::new(turn, v.vector()), Pair::new(omega, u.vector())],
+            ATTITUDE => [Pair::new(turn, omega.pure()); 2],
+            WITH_ORBIT => [Pair::new(turn, v.vector()), Pair::new(omega, u.vector())],
             _ => [Pair::new(turn, u.vector()), Pair::new(omega, none)],
         }
     }
 
     #[inline(always)]
-    fn over<const LAYOUT: u8>(self, n: usize) -> Self {
-        let Self { turn, omega, seen: [u, v] } = self;
+    fn over<const LAYOUT: Layout>(self, n: usize) -> Self {
+        let Self { turn, omega, joint: [u, v] } = self;
         let [u, v] = match LAYOUT {
-            ALONE => [u, v],
-            MOVING => [row_over(u, n), row_over(v, n)],
+            ATTITUDE => [u, v],
+            WITH_ORBIT => [row_over(u, n), row_over(v, n)],
             _ => [row_over(u, n), v],
         };
-        Self { turn: row_over(turn, n), omega: row_over(omega, n), seen: [u, v] }
+        Self { turn: row_over(turn, n), omega: row_over(omega, n), joint: [u, v] }
     }
 
     #[inline(always)]
-    fn plus<const LAYOUT: u8>(self, b: &Self) -> Self {
-        let [u, v] = self.seen;
-        let seen = match LAYOUT {
-            ALONE => [u, v],
-            _ => [u + b.seen[0], v],
+    fn plus<const LAYOUT: Layout>(self, b: &Self) -> Self {
+        let [u, v] = self.joint;
+        let joint = match LAYOUT {
+            ATTITUDE => [u, v],
+            _ => [u + b.joint[0], v],
         };
-        Self { turn: self.turn + b.turn, omega: self.omega + b.omega, seen }
+        Self { turn: self.turn + b.turn, omega: self.omega + b.omega, joint }
     }
 }
 
@@ -171,11 +178,12 @@ fn row_over<N: Number>(row: Row<N>, n: usize) -> Row<N> {
     Row([over(x, n), over(y, n), over(z, n), over(w, n)])
 }
 
-impl<N: Number> Law<N> {
+impl<N: Number> StepJacobian<N> {
     /// The same where there is no vector of space; the turn starts from 1.
     #[inline(always)]
-    fn with_alone(&self, sum: Parts<N>, new: &Parts<N>) -> Parts<N> {
-        let Terms { ratios: Row([r1, r2, r3, _]), damping: [b1, b2, b3], is_damped, .. } = self.terms;
+    fn plus_newest_of_attitude(&self, sum: Parts<N>, new: &Parts<N>) -> Parts<N> {
+        let EquationConstants { ratios: Row([r1, r2, r3, _]), of_omega: [b1, b2, b3], has_omega, .. } =
+            self.terms;
         let ([b1, b2, b3], Row([o1, o2, o3, _]), Row([w1, w2, w3, _])) =
             ([b1.0, b2.0, b3.0], self.turning, new.omega);
         let Row([x, y, z, zero]) = sum.omega;
@@ -183,7 +191,7 @@ impl<N: Number> Law<N> {
         let (mut d12, mut d13, mut d21) = (o3 * r1, o2 * r1, o3 * r2);
         let (mut d23, mut d31, mut d32) = (o1 * r2, o2 * r3, o1 * r3);
         let mut own = [zero; 3];
-        if is_damped {
+        if has_omega {
             (d12, d13, d21) = (o3.mul_add(r1, b2[0]), o2.mul_add(r1, b3[0]), o3.mul_add(r2, b1[1]));
             (d23, d31, d32) = (o1.mul_add(r2, b3[1]), o2.mul_add(r3, b1[2]), o1.mul_add(r3, b2[2]));
             own = [b1[0] * w1, b2[1] * w2, b3[2] * w3];
@@ -203,13 +211,20 @@ impl<N: Number> Law<N> {
             (w.mul_add(h2, z * h1) + c) + (-x).mul_add(h3, k2),
             (x.mul_add(h2, -y * h1) + d) + w.mul_add(h3, k3),
         ]);
-        Parts { turn, omega, seen: sum.seen }
+        Parts { turn, omega, joint: sum.joint }
     }
 
     /// The same where a vector moves.
     #[inline(always)]
-    fn with_moving(&self, sum: Parts<N>, new: &Parts<N>) -> Parts<N> {
-        let Terms { ratios, damping: [Row(b1), Row(b2), Row(b3)], bending, pull, is_damped, .. } = self.terms;
+    fn plus_newest_on_orbit(&self, sum: Parts<N>, new: &Parts<N>) -> Parts<N> {
+        let EquationConstants {
+            ratios,
+            of_omega: [Row(b1), Row(b2), Row(b3)],
+            products,
+            strength,
+            has_omega,
+            ..
+        } = self.terms;
         let ([w, x, y, z], [h1, h2, h3, _]) = (new.turn.0, half(self.turning).0);
         let ([k1, k2, k3, zero], [a, b, c, d]) = (half(new.omega).0, sum.turn.0);
         let turn = Row([
@@ -219,39 +234,39 @@ impl<N: Number> Law<N> {
             x.mul_add(h2, (-y).mul_add(h1, d + k3)) + w * h3,
         ]);
         let none = Row::splat(zero.like(0.0));
-        let ([u, v], [start_u, start_v], omega) = (new.seen, self.seen, new.omega);
-        let [ahead, behind] = [self.turning.turned(), self.turning.turned().turned()];
+        let ([u, v], [start_u, start_v], omega) = (new.joint, self.joint, new.omega);
+        let [ahead, behind] = [self.turning.cycled(), self.turning.cycled().cycled()];
         let (mut own, mut first, mut second) = (sum.omega, behind * ratios, ahead * ratios);
-        if is_damped {
+        if has_omega {
             own = Row([b1[0], b2[1], b3[2], zero]).mul_add(omega, own);
             first = behind.mul_add(ratios, Row([b2[0], b3[1], b1[2], zero]));
             second = ahead.mul_add(ratios, Row([b3[0], b1[1], b2[2], zero]));
         }
-        let own = first.mul_add(across(omega, 1), own);
-        let more = second * across(omega, 2);
-        let more = (bending * across(start_u, 2)).mul_add(across(u, 1), more);
-        let more = (bending * across(start_u, 1)).mul_add(across(u, 2), more);
-        let next_u = behind.mul_add(across(u, 1), sum.seen[0] + v);
-        let more_u = (none - ahead) * across(u, 2);
-        let more_u = (none - across(start_u, 2)).mul_add(across(omega, 1), more_u);
-        let more_u = across(start_u, 1).mul_add(across(omega, 2), more_u);
-        let next_v = Row::splat(-pull).mul_add(u, sum.seen[1]);
-        let next_v = behind.mul_add(across(v, 1), next_v);
-        let next_v = (none - ahead).mul_add(across(v, 2), next_v);
-        let more_v = (none - across(start_v, 2)) * across(omega, 1);
-        let more_v = across(start_v, 1).mul_add(across(omega, 2), more_v);
-        Parts { turn, omega: own + more, seen: [next_u + more_u, next_v + more_v] }
+        let own = first.mul_add(diagonal_of(omega, 1), own);
+        let more = second * diagonal_of(omega, 2);
+        let more = (products * diagonal_of(start_u, 2)).mul_add(diagonal_of(u, 1), more);
+        let more = (products * diagonal_of(start_u, 1)).mul_add(diagonal_of(u, 2), more);
+        let next_u = behind.mul_add(diagonal_of(u, 1), sum.joint[0] + v);
+        let more_u = (none - ahead) * diagonal_of(u, 2);
+        let more_u = (none - diagonal_of(start_u, 2)).mul_add(diagonal_of(omega, 1), more_u);
+        let more_u = diagonal_of(start_u, 1).mul_add(diagonal_of(omega, 2), more_u);
+        let next_v = Row::splat(-strength).mul_add(u, sum.joint[1]);
+        let next_v = behind.mul_add(diagonal_of(v, 1), next_v);
+        let next_v = (none - ahead).mul_add(diagonal_of(v, 2), next_v);
+        let more_v = (none - diagonal_of(start_v, 2)) * diagonal_of(omega, 1);
+        let more_v = diagonal_of(start_v, 1).mul_add(diagonal_of(omega, 2), more_v);
+        Parts { turn, omega: own + more, joint: [next_u + more_u, next_v + more_v] }
     }
 
     /// Plus Tᵢ of what a step starts from times the components of Ω.
     #[inline(always)]
-    fn plus_starts<const LAYOUT: u8>(&self, sum: Parts<N>, turning: Row<N>) -> Parts<N> {
+    fn plus_start<const LAYOUT: Layout>(&self, sum: Parts<N>, turning: Row<N>) -> Parts<N> {
         let Row([o1, o2, o3, _]) = turning;
         let Row([w1, w2, w3, _]) = self.omega;
         let Row([r1, r2, r3, _]) = self.terms.ratios;
         let Row([x, y, z, rest]) = sum.omega;
-        let omega = if self.terms.is_damped {
-            let [Row([a1, a2, a3, _]), Row([b1, b2, b3, _]), Row([c1, c2, c3, _])] = self.terms.damping;
+        let omega = if self.terms.has_omega {
+            let [Row([a1, a2, a3, _]), Row([b1, b2, b3, _]), Row([c1, c2, c3, _])] = self.terms.of_omega;
             [
                 w2.mul_add(r1, c1).mul_add(o3, b1.mul_add(o2, a1.mul_add(o1, x))),
                 c2.mul_add(o3, b2.mul_add(o2, w3.mul_add(r2, a2).mul_add(o1, y))),
@@ -260,29 +275,29 @@ impl<N: Number> Law<N> {
         } else {
             [(w2 * r1).mul_add(o3, x), (w3 * r2).mul_add(o1, y), (w1 * r3).mul_add(o2, z)]
         };
-        let [u, v] = sum.seen;
-        let seen = match LAYOUT {
-            ALONE => [u, v],
-            _ => [crossed(u, self.seen[0], turning), v],
+        let [u, v] = sum.joint;
+        let joint = match LAYOUT {
+            ATTITUDE => [u, v],
+            _ => [plus_cross(u, self.joint[0], turning), v],
         };
         let [x, y, z] = omega;
-        Parts { turn: turned(sum.turn, half(self.turn), turning), omega: Row([x, y, z, rest]), seen }
+        Parts { turn: plus_turn(sum.turn, half(self.turn), turning), omega: Row([x, y, z, rest]), joint }
     }
 
     /// Plus Tᵢ of the newest coefficients times the components of Ω at the start.
     #[inline(always)]
-    fn plus_turned<const LAYOUT: u8>(&self, sum: Parts<N>, new: &Parts<N>) -> Parts<N> {
+    fn plus_turned<const LAYOUT: Layout>(&self, sum: Parts<N>, new: &Parts<N>) -> Parts<N> {
         let Row([o1, o2, o3, _]) = self.turning;
         let Row([r1, r2, r3, _]) = self.terms.ratios;
         let (Row([x, y, z, rest]), Row([w1, w2, w3, _])) = (sum.omega, new.omega);
         let omega = [(r1 * o3).mul_add(w2, x), (r2 * o1).mul_add(w3, y), (r3 * o2).mul_add(w1, z)];
-        let [u, v] = sum.seen;
-        let seen = match LAYOUT {
-            ALONE => [u, v],
-            _ => [crossed(u, new.seen[0], self.turning), v],
+        let [u, v] = sum.joint;
+        let joint = match LAYOUT {
+            ATTITUDE => [u, v],
+            _ => [plus_cross(u, new.joint[0], self.turning), v],
         };
         let [x, y, z] = omega;
-        Parts { turn: turned(sum.turn, new.turn, half(self.turning)), omega: Row([x, y, z, rest]), seen }
+        Parts { turn: plus_turn(sum.turn, new.turn, half(self.turning)), omega: Row([x, y, z, rest]), joint }
     }
 }
 
@@ -295,7 +310,7 @@ fn half<N: Number>(row: Row<N>) -> Row<N> {
 
 /// Plus q ∘ Ω, component of Ω by component.
 #[inline(always)]
-fn turned<N: Number>(sum: Row<N>, q: Row<N>, turning: Row<N>) -> Row<N> {
+fn plus_turn<N: Number>(sum: Row<N>, q: Row<N>, turning: Row<N>) -> Row<N> {
     let ([w, x, y, z], [o1, o2, o3, _], [a, b, c, d]) = (q.0, turning.0, sum.0);
     Row([
         (-z).mul_add(o3, (-y).mul_add(o2, (-x).mul_add(o1, a))),
@@ -307,7 +322,7 @@ fn turned<N: Number>(sum: Row<N>, q: Row<N>, turning: Row<N>) -> Row<N> {
 
 /// Plus v × Ω, component of Ω by component.
 #[inline(always)]
-fn crossed<N: Number>(sum: Row<N>, v: Row<N>, turning: Row<N>) -> Row<N> {
+fn plus_cross<N: Number>(sum: Row<N>, v: Row<N>, turning: Row<N>) -> Row<N> {
     let ([a, b, c, _], [o1, o2, o3, _]) = (v.0, turning.0);
     let [x, y, z, zero] = sum.0;
     Row([
@@ -319,39 +334,40 @@ fn crossed<N: Number>(sum: Row<N>, v: Row<N>, turning: Row<N>) -> Row<N> {
 }
 
 /// Sums of products: of the turn with each component of Ω; of ω as (ω3 Ω1, ω1 Ω2, ω2 Ω3); of u and v with components that are not their own, by the
-/// component of Ω; of u and u turned, and of ω and u turned, u and ω turned, where u moves.
+/// component of Ω; of u and u cycled, and of ω and u cycled, u and ω cycled, where u moves.
 #[derive(Clone, Copy)]
-struct Outer<N> {
+struct ProductSums<N> {
     turn: [Row<N>; 3],
     omega: Row<N>,
-    seen: [[[N; 2]; 3]; 2],
+    joint: [[[N; 2]; 3]; 2],
     square: Row<N>,
     crossing: [Row<N>; 2],
 }
 
-impl<S: Machine> SideBySide<S> {
+impl<S: Machine> SeveralBodies<S> {
     /// Sums with what comes of new numbers by way of those at the start: Σ Ωᵢ Tᵢ x, Σ (Tᵢ x₀) Ωᵢ, and what is linear.
     #[inline(always)]
-    fn with<const LAYOUT: u8>(
+    fn plus_newest<const LAYOUT: Layout>(
         self,
-        law: &Law<S::Many>,
+        jacobian: &StepJacobian<S::Many>,
         sum: Parts<S::Many>,
         new: &Parts<S::Many>,
         turning: Row<S::Many>,
     ) -> Parts<S::Many> {
-        if LAYOUT == ALONE {
-            return law.with_alone(sum, new);
+        if LAYOUT == ATTITUDE {
+            return jacobian.plus_newest_of_attitude(sum, new);
         }
-        if LAYOUT == MOVING {
-            return law.with_moving(sum, new);
+        if LAYOUT == WITH_ORBIT {
+            return jacobian.plus_newest_on_orbit(sum, new);
         }
-        let terms = &law.terms;
-        let starts = law.plus_starts::<LAYOUT>(self.none(), turning);
-        let mut sum = law.plus_turned::<LAYOUT>(sum, new).plus::<LAYOUT>(&starts);
-        if LAYOUT == CARRYING {
-            let (u, [a, b, c]) = (new.seen[0], terms.seen);
-            let across = c.mul_add(across(u, 2), b.mul_add(across(u, 1), a * across(u, 0)));
-            sum.omega = sum.omega + across;
+        let terms = &jacobian.terms;
+        let starts = jacobian.plus_start::<LAYOUT>(self.none(), turning);
+        let mut sum = jacobian.plus_turned::<LAYOUT>(sum, new).plus::<LAYOUT>(&starts);
+        if LAYOUT == WITH_FIXED_VECTOR {
+            let (u, [a, b, c]) = (new.joint[0], terms.of_joint);
+            let diagonal_of =
+                c.mul_add(diagonal_of(u, 2), b.mul_add(diagonal_of(u, 1), a * diagonal_of(u, 0)));
+            sum.omega = sum.omega + diagonal_of;
         }
         sum
     }
@@ -359,16 +375,16 @@ impl<S: Machine> SideBySide<S> {
     #[inline(always)]
     fn none(self) -> Parts<S::Many> {
         let none = Row::splat(self.0.many(0.0));
-        Parts { turn: none, omega: none, seen: [none; 2] }
+        Parts { turn: none, omega: none, joint: [none; 2] }
     }
 
     /// Products of coefficients 1 … n − 1.
     #[inline(always)]
-    fn before<const LAYOUT: u8>(self, motion: &Motion<S::Many>, n: usize) -> Outer<S::Many> {
+    fn sums_before<const LAYOUT: Layout>(self, motion: &Motion<S::Many>, n: usize) -> ProductSums<S::Many> {
         let zero = self.0.many(0.0);
         let none = Row::splat(zero);
-        let seen = [[[zero; 2]; 3]; 2];
-        let none = Outer { turn: [none; 3], omega: none, seen, square: none, crossing: [none; 2] };
+        let joint = [[[zero; 2]; 3]; 2];
+        let none = ProductSums { turn: [none; 3], omega: none, joint, square: none, crossing: [none; 2] };
         let (mut up, mut down) = (none, none);
         let (middle, [ups, downs]) = mirrored(motion, n);
         if let Some(middle) = middle {
@@ -384,46 +400,48 @@ impl<S: Machine> SideBySide<S> {
     }
 }
 
-impl<N: Number> Outer<N> {
+impl<N: Number> ProductSums<N> {
     #[inline(always)]
-    fn plus<const LAYOUT: u8>(mut self, a: &Coefficient<N>, b: &Coefficient<N>) -> Self {
+    fn plus<const LAYOUT: Layout>(mut self, a: &Coefficient<N>, b: &Coefficient<N>) -> Self {
         let ([o1, o2, o3], [other_omega, other_u]) = (b.turning::<LAYOUT>(), [b.y.first(), b.y.second()]);
         let Coefficient { x, y, .. } = a;
         let q = x.first();
-        let omega = if LAYOUT == ALONE { x.second().imaginary() } else { y.first() };
+        let omega = if LAYOUT == ATTITUDE { x.second().imaginary() } else { y.first() };
         let [q1, q2, q3] = self.turn;
         self.turn =
             [q.mul_add(Row::splat(o1), q1), q.mul_add(Row::splat(o2), q2), q.mul_add(Row::splat(o3), q3)];
         let ([w1, w2, w3, _], [a, b, c, zero]) = (omega.0, self.omega.0);
         self.omega = Row([w3.mul_add(o1, a), w1.mul_add(o2, b), w2.mul_add(o3, c), zero]);
-        if LAYOUT != ALONE {
-            let part = if LAYOUT == MOVING { 1 } else { 0 };
-            self.seen[part] = plus_others(self.seen[part], x.second(), [o1, o2, o3]);
+        if LAYOUT != ATTITUDE {
+            let part = if LAYOUT == WITH_ORBIT { 1 } else { 0 };
+            self.joint[part] = plus_others(self.joint[part], x.second(), [o1, o2, o3]);
         }
-        if LAYOUT == MOVING {
+        if LAYOUT == WITH_ORBIT {
             let u = y.second();
-            self.square = u.mul_add(other_u.turned(), self.square);
+            self.square = u.mul_add(other_u.cycled(), self.square);
             let [first, second] = self.crossing;
-            self.crossing = [omega.mul_add(other_u.turned(), first), u.mul_add(other_omega.turned(), second)];
+            self.crossing = [omega.mul_add(other_u.cycled(), first), u.mul_add(other_omega.cycled(), second)];
         }
         self
     }
 
     /// Both together.
     #[inline(always)]
-    fn and<const LAYOUT: u8>(mut self, b: &Self) -> Self {
+    fn and<const LAYOUT: Layout>(mut self, b: &Self) -> Self {
         for axis in 0..3 {
             self.turn[axis] = self.turn[axis] + b.turn[axis];
             for part in 0..2 {
-                if LAYOUT == MOVING && part == 1 || (LAYOUT == CARRYING || LAYOUT == GENERAL) && part == 0 {
+                if LAYOUT == WITH_ORBIT && part == 1
+                    || (LAYOUT == WITH_FIXED_VECTOR || LAYOUT == GENERAL) && part == 0
+                {
                     for k in 0..2 {
-                        self.seen[part][axis][k] = self.seen[part][axis][k] + b.seen[part][axis][k];
+                        self.joint[part][axis][k] = self.joint[part][axis][k] + b.joint[part][axis][k];
                     }
                 }
             }
         }
         self.omega = self.omega + b.omega;
-        if LAYOUT == MOVING {
+        if LAYOUT == WITH_ORBIT {
             self.square = self.square + b.square;
             self.crossing = [self.crossing[0] + b.crossing[0], self.crossing[1] + b.crossing[1]];
         }
@@ -432,13 +450,13 @@ impl<N: Number> Outer<N> {
 
     /// Σ Tᵢ of the sums.
     #[inline(always)]
-    fn turned(&self, ratios: &Row<N>) -> Parts<N> {
+    fn rates(&self, ratios: &Row<N>) -> Parts<N> {
         let (p, q, r) = (half(self.turn[0]).0, half(self.turn[1]).0, half(self.turn[2]).0);
         let turn = [-p[1] - q[2] - r[3], p[0] - q[3] + r[2], p[3] + q[0] - r[1], q[1] - p[2] + r[0]];
-        // The sums are (ω3 Ω1, ω1 Ω2, ω2 Ω3): the places of ω̇2, ω̇3, ω̇1.
-        let omega = *ratios * self.omega.turned().turned();
-        let [u, v] = self.seen;
-        Parts { turn: Row(turn), omega, seen: [cross(u), cross(v)] }
+        // The sums are (ω3 Ω1, ω1 Ω2, ω2 Ω3): the pack of ω̇2, ω̇3, ω̇1.
+        let omega = *ratios * self.omega.cycled().cycled();
+        let [u, v] = self.joint;
+        Parts { turn: Row(turn), omega, joint: [cross(u), cross(v)] }
     }
 }
 

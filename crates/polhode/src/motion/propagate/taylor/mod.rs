@@ -9,7 +9,8 @@
 //! With wheels of angular momentum h and with friction inside, L = I ω + h, the axes turn at Ω = ω + α L × ω, I ω̇ = L × Ω + N − ḣ.
 
 mod base;
-mod fleet;
+mod batch;
+mod body_resolved;
 mod function;
 mod length;
 mod many;
@@ -18,20 +19,22 @@ mod pair;
 mod recurrence;
 mod row;
 mod scalar;
-mod seen;
 mod stepper;
 mod sums;
 mod torque;
 
-pub(in crate::motion) use fleet::{Body, Kind, advance};
+pub(in crate::motion) use batch::{Body, Kind, advance};
 pub(super) use stepper::Taylor;
 
+use body_resolved::BodyResolved;
 use length::{order, reach, remainder};
 use pair::Pair;
-use recurrence::{ALONE, CARRYING, Coefficient, GENERAL, MOVING, Motion, Recurrence, Terms};
+use recurrence::{
+    ATTITUDE, Coefficient, EquationConstants, GENERAL, Layout, Motion, Recurrence, WITH_FIXED_VECTOR,
+    WITH_ORBIT,
+};
 use row::{Row, Series, TERMS, Vectors};
-use seen::Seen;
-use sums::{ByFours, Sums};
+use sums::{OneBody, Sums};
 use torque::{Decomposition, Known, Quadratic, StepStart, Tape, row};
 
 use super::piece::Piece;
@@ -48,8 +51,8 @@ struct Expansion<N = f64> {
     /// True if there is such an axis.
     is_thin: bool,
     /// What expands together: see [`recurrence`].
-    layout: u8,
-    terms: Terms<N>,
+    layout: Layout,
+    terms: EquationConstants<N>,
     motion: Box<Motion<N>>,
     /// What ω at the start of the step is beyond its rounding.
     low: Row<N>,
@@ -58,7 +61,7 @@ struct Expansion<N = f64> {
     /// All other torques.
     tape: Option<Box<Tape<N>>>,
     /// What acts inside the body, if anything does.
-    inside: Option<Box<Inside<N>>>,
+    inside: Option<Box<Internal<N>>>,
     /// What others than the recurrence need, if there are any.
     beside: Option<Box<Beside<N>>>,
     evidence: Option<Box<Evidence<N>>>,
@@ -84,13 +87,13 @@ impl<N: Number> Beside<N> {
 /// The angular impulse as the turning body sees it, and the work, component by component.
 #[derive(Clone, Debug)]
 struct Evidence<N> {
-    impulse: Seen<N>,
+    impulse: BodyResolved<N>,
     work: Series<N>,
 }
 
 /// Wheels and friction.
 #[derive(Clone, Debug)]
-struct Inside<N> {
+struct Internal<N> {
     /// h at the start of the step, and ḣ.
     wheels: [Row<N>; 2],
     /// α
@@ -122,14 +125,14 @@ impl<N: Number> Expansion<N> {
     fn of(zero: N, piece: &Piece<'_>, torques: &Decomposition, tolerance: f64, evidence: bool) -> Box<Self> {
         let order = order(tolerance);
         let none = Row::splat(zero);
-        let evidence =
-            evidence.then(|| Box::new(Evidence { impulse: Seen::all(zero), work: Series::all(zero) }));
+        let evidence = evidence
+            .then(|| Box::new(Evidence { impulse: BodyResolved::all(zero), work: Series::all(zero) }));
         let mut expansion = Box::new(Self {
             moments: none,
             inverses: none,
             is_thin: false,
-            layout: ALONE,
-            terms: Terms::none(zero),
+            layout: ATTITUDE,
+            terms: EquationConstants::none(zero),
             motion: all_zero(zero),
             low: none,
             quadratic: None,
@@ -155,19 +158,19 @@ impl<N: Number> Expansion<N> {
         self.layout = match (&self.tape, joint.as_deref()) {
             _ if !is_plain => GENERAL,
             (Some(_), _) => GENERAL,
-            (None, None) => ALONE,
-            (None, Some(JointVector::Fixed(_))) => CARRYING,
-            (None, Some(JointVector::Circular(_))) => MOVING,
+            (None, None) => ATTITUDE,
+            (None, Some(JointVector::Fixed(_))) => WITH_FIXED_VECTOR,
+            (None, Some(JointVector::Circular(_))) => WITH_ORBIT,
         };
         // Nothing of a torque that has ended.
         let has_beside = self.layout == GENERAL || self.evidence.is_some() || self.is_thin;
         self.beside = has_beside.then(|| Beside::all(zero));
-        self.terms = Terms::none(zero);
+        self.terms = EquationConstants::none(zero);
         if let Some(evidence) = &mut self.evidence {
-            evidence.impulse = Seen::all(zero);
+            evidence.impulse = BodyResolved::all(zero);
         }
         self.inside = (!is_plain).then(|| {
-            Box::new(Inside {
+            Box::new(Internal {
                 wheels: [Row::splat(zero); 2],
                 sink: zero,
                 momentum: Series::all(zero),
@@ -189,7 +192,7 @@ impl<N: Number> Expansion<N> {
             self.is_thin = true;
             self.beside.get_or_insert_with(|| Beside::all(self.moments.0[0].like(0.0)));
         }
-        // With wheels and friction it is [`Inside`] that finds ω̇.
+        // With wheels and friction it is [`Internal`] that finds ω̇.
         if self.inside.is_none() {
             let ratios = Row([over(i2 - i3, i1), over(i3 - i1, i2), over(i1 - i2, i3), 0.0]);
             self.terms.ratios.put(lane, ratios);
@@ -234,9 +237,9 @@ impl<N: Number> Expansion<N> {
         let [u, v] = self.quadratic.as_ref().and_then(|torques| torques.start(at)).unwrap_or([none; 2]);
         let turn = Row([one, zero, zero, zero]);
         let pairs = match self.layout {
-            ALONE => [Pair::new(turn, at.omega.pure()); 2],
-            MOVING => [Pair::new(turn, v), Pair::new(at.omega, u)],
-            _ => [Pair::new(turn, u), Pair::new(at.omega, at.omega.turned())],
+            ATTITUDE => [Pair::new(turn, at.omega.pure()); 2],
+            WITH_ORBIT => [Pair::new(turn, v), Pair::new(at.omega, u)],
+            _ => [Pair::new(turn, u), Pair::new(at.omega, at.omega.cycled())],
         };
         self.motion[0].set::<GENERAL>(pairs);
         // Wheels and friction know but what is rounded.
@@ -260,9 +263,9 @@ impl<N: Number> Expansion<N> {
     #[inline(always)]
     fn expand<M: Recurrence<N = N>>(&mut self, s: M) {
         match self.layout {
-            ALONE => self.expand_by_itself::<M, ALONE>(s),
-            CARRYING => self.expand_by_itself::<M, CARRYING>(s),
-            MOVING => self.expand_by_itself::<M, MOVING>(s),
+            ATTITUDE => self.expand_by_itself::<M, ATTITUDE>(s),
+            WITH_FIXED_VECTOR => self.expand_by_itself::<M, WITH_FIXED_VECTOR>(s),
+            WITH_ORBIT => self.expand_by_itself::<M, WITH_ORBIT>(s),
             _ => self.expand_with_others(s),
         }
         if self.evidence.is_some() && !self.is_free() {
@@ -275,17 +278,17 @@ impl<N: Number> Expansion<N> {
 
     /// Where the recurrence has all.
     #[inline(always)]
-    fn expand_by_itself<M: Recurrence<N = N>, const LAYOUT: u8>(&mut self, s: M) {
+    fn expand_by_itself<M: Recurrence<N = N>, const LAYOUT: Layout>(&mut self, s: M) {
         let none = Row::splat(self.zero());
-        let law = s.law::<LAYOUT>(&self.motion, &self.terms);
-        let mut newest = s.first::<LAYOUT>(&law, &self.motion, &self.terms, [self.low, none]);
+        let jacobian = s.jacobian::<LAYOUT>(&self.motion, &self.terms);
+        let mut newest = s.first::<LAYOUT>(&jacobian, &self.motion, &self.terms, [self.low, none]);
         let mut previous = newest;
         for n in 1..self.order {
-            let next = s.next::<LAYOUT>(&law, &mut self.motion, n, [previous, newest], none);
+            let next = s.next::<LAYOUT>(&jacobian, &mut self.motion, n, [previous, newest], none);
             (previous, newest) = (newest, next);
         }
         let [x, y] = newest;
-        self.motion[self.order].set::<LAYOUT>([s.pair(x), s.pair(y)]);
+        self.motion[self.order].set::<LAYOUT>([s.unpack(x), s.unpack(y)]);
         if self.is_thin {
             self.find_torque(s, 0);
         }
@@ -295,16 +298,16 @@ impl<N: Number> Expansion<N> {
     #[inline(always)]
     fn expand_with_others<M: Recurrence<N = N>>(&mut self, s: M) {
         let more = self.other_acceleration(s, 0);
-        let law = s.law::<GENERAL>(&self.motion, &self.terms);
-        let mut newest = s.first::<GENERAL>(&law, &self.motion, &self.terms, [self.low, more]);
+        let jacobian = s.jacobian::<GENERAL>(&self.motion, &self.terms);
+        let mut newest = s.first::<GENERAL>(&jacobian, &self.motion, &self.terms, [self.low, more]);
         let mut previous = newest;
         for n in 1..=self.order {
             self.extend_torques(s, n - 1);
             let [x, y] = newest;
-            self.motion[n].set::<GENERAL>([s.pair(x), s.pair(y)]);
+            self.motion[n].set::<GENERAL>([s.unpack(x), s.unpack(y)]);
             if n < self.order {
                 let more = self.other_acceleration(s, n);
-                let next = s.next::<GENERAL>(&law, &mut self.motion, n, [previous, newest], more);
+                let next = s.next::<GENERAL>(&jacobian, &mut self.motion, n, [previous, newest], more);
                 (previous, newest) = (newest, next);
             }
         }
@@ -358,7 +361,7 @@ impl<N: Number> Expansion<N> {
 
     #[inline(always)]
     fn omega_at(&self, n: usize) -> Row<N> {
-        if self.layout == ALONE { self.motion[n].x.second().imaginary() } else { self.motion[n].y.first() }
+        if self.layout == ATTITUDE { self.motion[n].x.second().imaginary() } else { self.motion[n].y.first() }
     }
 
     /// Finds coefficient n of ω and of the torque where the recurrence has all.
@@ -367,7 +370,7 @@ impl<N: Number> Expansion<N> {
         let (omega, Coefficient { x, y, .. }) = (self.omega_at(n), self.motion[n]);
         let Some(Beside { omega: series, torque, joint }) = self.beside.as_deref_mut() else { return };
         series.set(n, omega);
-        joint.set(n, if self.layout == MOVING { y.second() } else { x.second() });
+        joint.set(n, if self.layout == WITH_ORBIT { y.second() } else { x.second() });
         if let Some(quadratic) = &self.quadratic {
             torque.set(n, quadratic.torque(s, n, joint, omega));
         }
@@ -405,7 +408,7 @@ impl<N: Number> Expansion<N> {
     fn at<M: Sums<N = N>>(&self, s: M, h: N) -> Increment<N> {
         let (p, zero) = (self.order, self.zero());
         let x = s.pair_increment(&self.motion, |c| &c.x, p, h);
-        let omega = if self.layout == ALONE {
+        let omega = if self.layout == ATTITUDE {
             x.second().imaginary()
         } else {
             s.pair_increment(&self.motion, |c| &c.y, p, h).first()
@@ -444,7 +447,7 @@ impl Work for Expand<'_> {
 
     #[inline(always)]
     fn run<S: Machine>(self, s: S) {
-        self.0.expand(ByFours(s));
+        self.0.expand(OneBody(s));
     }
 }
 
@@ -459,7 +462,7 @@ impl Work for Sum<'_> {
 
     #[inline(always)]
     fn run<S: Machine>(self, s: S) -> Increment {
-        self.expansion.at(ByFours(s), self.h)
+        self.expansion.at(OneBody(s), self.h)
     }
 }
 
@@ -481,7 +484,7 @@ impl Expansion {
     }
 }
 
-impl<N: Number> Inside<N> {
+impl<N: Number> Internal<N> {
     /// Coefficient n of (L × Ω − ḣ)/I; those of Ω and of the power on the way.
     #[inline(always)]
     fn extend<M: Sums<N = N>>(

@@ -25,7 +25,7 @@ impl<N: Number> Row<N> {
     /// (y, z, x, w) of (x, y, z, w). A vector's w is zero; it is carried along, as a place that nobody reads is one that the compiler
     /// takes out of the register.
     #[inline(always)]
-    pub(super) fn turned(self) -> Self {
+    pub(super) fn cycled(self) -> Self {
         let [x, y, z, w] = self.0;
         Self([y, z, x, w])
     }
@@ -217,7 +217,7 @@ impl<N: Number> Series<N> {
     }
 }
 
-/// The coefficients that there are places for.
+/// The coefficients that there are pack for.
 impl<N: Number> Deref for Series<N> {
     type Target = [Row<N>];
 
@@ -231,20 +231,20 @@ impl<N: Number> Deref for Series<N> {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Vectors<N = f64> {
     pub(super) rows: Series<N>,
-    /// The same turned, as (a2 a3, a3 a1, a1 a2) needs it. Several bodies need no copy: their components lie apart.
-    pub(super) turned: Series<N>,
+    /// The same cycled, as (a2 a3, a3 a1, a1 a2) needs it. Several bodies need no copy: their components lie apart.
+    pub(super) cycled: Series<N>,
 }
 
 impl<N: Number> Vectors<N> {
     pub(super) fn all(x: N) -> Self {
-        Self { rows: Series::all(x), turned: Series::all(x) }
+        Self { rows: Series::all(x), cycled: Series::all(x) }
     }
 
     #[inline(always)]
     pub(super) fn set(&mut self, n: usize, row: Row<N>) {
         self.rows.set(n, row.vector());
         if N::LANES == 1 {
-            self.turned.set(n, row.turned());
+            self.cycled.set(n, row.cycled());
         }
     }
 }

@@ -2,9 +2,9 @@
 
 use std::rc::Rc;
 
-use super::base::Base;
+use super::base::ExpansionPoint;
 use super::row::{Row, smaller};
-use super::sums::ByFours;
+use super::sums::OneBody;
 use super::{Expansion, Increment, decomposed};
 use crate::math::frame::{Body, Principal, Space};
 use crate::math::machine::{Machine, Work, in_vectors};
@@ -27,7 +27,7 @@ pub(in crate::motion::propagate) struct Taylor<'a> {
     /// Body axes from principal ones.
     to_body: Rotation<Body, Principal>,
     /// Where the last step began and where it ended, in turn: what a step starts from stays where it is.
-    places: [Base; 2],
+    pack: [ExpansionPoint; 2],
     /// Which of them is now.
     now: usize,
     /// The series are about now: there is no last step.
@@ -56,14 +56,14 @@ impl<'a> Taylor<'a> {
         with_evidence: bool,
     ) -> Result<Self, MotionError> {
         let to_body = piece.rotor.principal().rotation();
-        let head = Base::new(&start, to_body);
+        let head = ExpansionPoint::new(&start, to_body);
         let mut taylor = Self {
             expansion: Expansion::of_one(&piece, tolerance, with_evidence),
             // A body at rest is measured by how fast the torque makes it.
             omega_scale: start.omega.norm().max(torque_rate(&piece)),
             piece,
             to_body,
-            places: [head; 2],
+            pack: [head; 2],
             now: 0,
             is_expanded: false,
             evidence: with_evidence.then(Default::default),
@@ -97,7 +97,7 @@ impl<'a> Taylor<'a> {
         if expands {
             self.begin();
         }
-        let Self { expansion, places: [first, second], now, h, omega_scale, .. } = self;
+        let Self { expansion, pack: [first, second], now, h, omega_scale, .. } = self;
         let (base, head) = if *now == 0 { (&*first, second) } else { (&*second, first) };
         let time = base.time;
         let landing = in_vectors(Leap { expansion, base, head, expands, h: *h, scale: *omega_scale, until });
@@ -113,13 +113,13 @@ impl<'a> Taylor<'a> {
         if !(time + landing.h > time) {
             return Err(MotionError::StepTooSmall { time, step: landing.h });
         }
-        if landing.flaw != 0.0 {
+        if landing.not_finite != 0.0 {
             return Err(MotionError::NotFinite { time });
         }
         self.now = 1 - self.now;
         self.is_expanded = false;
         if let Some([base, head]) = &mut self.evidence {
-            *head = base.plus(&landing.more, self.places[self.now].rotation());
+            *head = base.plus(&landing.more, self.pack[self.now].rotation());
         }
         self.omega_scale = self.omega_scale.max(landing.rate);
         self.rate = landing.rate;
@@ -136,7 +136,7 @@ impl<'a> Taylor<'a> {
             if let Some([base, there]) = &mut self.evidence {
                 *there = base.plus(&more, head.rotation());
             }
-            self.places[self.now] = head;
+            self.pack[self.now] = head;
         }
     }
 
@@ -155,16 +155,16 @@ impl<'a> Taylor<'a> {
         // 1 + ½ δ is the turn by a small δ.
         let turn = Row([0.0, 0.5 * x, 0.5 * y, 0.5 * z]);
         let more = Increment { omega: Row([p, q, r, 0.0]), turn, impulse: [0.0; 3], work: 0.0 };
-        self.places[self.now] = head.plus(&more, head.time);
+        self.pack[self.now] = head.plus(&more, head.time);
     }
 
     /// What the series are about.
-    fn base(&self) -> &Base {
-        &self.places[if self.is_expanded { self.now } else { 1 - self.now }]
+    fn base(&self) -> &ExpansionPoint {
+        &self.pack[if self.is_expanded { self.now } else { 1 - self.now }]
     }
 
-    fn head(&self) -> &Base {
-        &self.places[self.now]
+    fn head(&self) -> &ExpansionPoint {
+        &self.pack[self.now]
     }
 
     /// # Errors
@@ -225,7 +225,7 @@ impl<'a> Taylor<'a> {
         self.balanced(&there, evidence)
     }
 
-    fn balanced(&self, base: &Base, evidence: Option<Evidence>) -> Balanced {
+    fn balanced(&self, base: &ExpansionPoint, evidence: Option<Evidence>) -> Balanced {
         let state = base.state(self.to_body);
         let Evidence { work, impulse } = evidence.unwrap_or_default();
         Balanced { state, work: work[0], impulse: Vector::from_array(impulse.map(|[high, _]| high)) }
@@ -235,8 +235,8 @@ impl<'a> Taylor<'a> {
 /// A step of one body: the series, unless they are there, and where they lead.
 struct Leap<'a> {
     expansion: &'a mut Expansion,
-    base: &'a Base,
-    head: &'a mut Base,
+    base: &'a ExpansionPoint,
+    head: &'a mut ExpansionPoint,
     expands: bool,
     /// The step that the tolerance allows, where the series are there.
     h: f64,
@@ -251,7 +251,7 @@ struct Landing {
     h: f64,
     more: Increment,
     /// Zero of what is finite.
-    flaw: f64,
+    not_finite: f64,
     /// |ω|
     rate: f64,
 }
@@ -264,7 +264,7 @@ impl Work for Leap<'_> {
         let Self { expansion, base, head, expands, h, scale, until } = self;
         let allowed = if expands {
             expansion.start(&base.start());
-            expansion.expand(ByFours(s));
+            expansion.expand(OneBody(s));
             expansion.step(scale)
         } else {
             h
@@ -273,9 +273,9 @@ impl Work for Leap<'_> {
         let wanted = smaller(allowed, expansion.reach());
         let (h, end) = if wanted >= rest { (rest, until) } else { (wanted, time + wanted) };
         // What rounding makes of the time is part of the step: left out, it was most of the error of a free body after 100 s at 1e-15.
-        let more = expansion.at(ByFours(s), end - time);
+        let more = expansion.at(OneBody(s), end - time);
         *head = base.plus(&more, end);
-        Landing { allowed, h, more, flaw: head.flaw(), rate: head.rate() }
+        Landing { allowed, h, more, not_finite: head.not_finite(), rate: head.rate() }
     }
 }
 

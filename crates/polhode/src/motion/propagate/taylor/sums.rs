@@ -1,9 +1,9 @@
 //! Sums of products of Taylor coefficients, as the machine does them best.
 //!
-//! Those of the motion itself are in `one.rs` and `many.rs`. Of one body ([`ByFours`]) loops have few, foreseeable ends: they go by fours, beyond
+//! Those of the motion itself are in `one.rs` and `many.rs`. Of one body ([`OneBody`]) loops have few, foreseeable ends: they go by fours, beyond
 //! the coefficients that are known too, where they meet zeros.
 //!
-//! Of several bodies ([`SideBySide`]) there is enough to do meanwhile, and loops end where they should. The order of the terms is the same,
+//! Of several bodies ([`SeveralBodies`]) there is enough to do meanwhile, and loops end where they should. The order of the terms is the same,
 //! and a sum that begins with +0 does not change by zeros: so each lane has the bits that its body has alone.
 
 use core::ops::Mul;
@@ -52,9 +52,9 @@ pub(super) trait Sums: Copy {
 
 /// One body, a row in a register.
 #[derive(Clone, Copy)]
-pub(super) struct ByFours<S>(pub(super) S);
+pub(super) struct OneBody<S>(pub(super) S);
 
-impl<S: Machine> Sums for ByFours<S> {
+impl<S: Machine> Sums for OneBody<S> {
     type N = f64;
 
     #[inline(always)]
@@ -98,8 +98,8 @@ impl<S: Machine> Sums for ByFours<S> {
 
     #[inline(always)]
     fn others(self, a: &Vectors, n: usize) -> Row {
-        // a and a turned: turning once more brings (a1 a2, a2 a3, a3 a1) there
-        self.product(&a.rows, &a.turned, n).turned()
+        // a and a cycled: turning once more brings (a1 a2, a2 a3, a3 a1) there
+        self.product(&a.rows, &a.cycled, n).cycled()
     }
 
     #[inline(always)]
@@ -139,9 +139,9 @@ fn polynomial<T, N: MulAdd + Mul<Output = N>>(c: &[T], load: impl Fn(&T) -> N, n
 
 /// As many bodies as a register holds numbers, a row in four registers.
 #[derive(Clone, Copy)]
-pub(super) struct SideBySide<S>(pub(super) S);
+pub(super) struct SeveralBodies<S>(pub(super) S);
 
-impl<S: Machine> Sums for SideBySide<S> {
+impl<S: Machine> Sums for SeveralBodies<S> {
     type N = S::Many;
 
     #[inline(always)]
@@ -175,9 +175,9 @@ impl<S: Machine> Sums for SideBySide<S> {
         let a = &a.rows;
         let mut sum = self.zero();
         for (&a, &b) in a[1..=n].iter().zip(a[..n].iter().rev()) {
-            sum = a.mul_add(b.turned(), sum);
+            sum = a.mul_add(b.cycled(), sum);
         }
-        a[0].mul_add(a[n].turned(), sum).turned().vector()
+        a[0].mul_add(a[n].cycled(), sum).cycled().vector()
     }
 
     #[inline(always)]
@@ -199,7 +199,7 @@ impl<S: Machine> Sums for SideBySide<S> {
     }
 }
 
-impl<S: Machine> SideBySide<S> {
+impl<S: Machine> SeveralBodies<S> {
     #[inline(always)]
     fn zero(self) -> Row<S::Many> {
         Row::splat(self.0.many(0.0))

@@ -38,7 +38,7 @@ impl<N: Number> StepStart<N> {
 
     /// A vector of space along the principal axes, v + 2w (u × v) + 2 u × (u × v): as the product with a [`Rotation`] has it.
     #[inline(always)]
-    fn seen(&self, v: Row<N>) -> Row<N> {
+    fn resolved(&self, v: Row<N>) -> Row<N> {
         let [w, x, y, z] = self.attitude.0;
         let two = Row::splat(w.like(2.0));
         let u = Row([-x, -y, -z, w.like(0.0)]);

@@ -6,9 +6,9 @@
 //!
 //! On a circle |ρ| is 1, and all of this is linear.
 
+use super::super::body_resolved::BodyResolved;
 use super::super::row::{Row, Series};
 use super::super::scalar::{Scalars, power};
-use super::super::seen::Seen;
 use super::super::sums::Sums;
 use super::{Known, StepStart, row};
 use crate::math::number::Number;
@@ -28,7 +28,7 @@ pub(super) struct OrbitSeries<N> {
     /// µ/r₀³, 1/s².
     pub(super) strength: N,
     pub(super) rho: Series<N>,
-    nu: Seen<N>,
+    nu: BodyResolved<N>,
     /// |ρ|²
     pub(super) square: Scalars<N>,
     /// |ρ|⁻³
@@ -47,7 +47,7 @@ impl<N: Number> OrbitSeries<N> {
             distance: zero,
             strength: zero,
             rho: Series::all(zero),
-            nu: Seen::all(zero),
+            nu: BodyResolved::all(zero),
             square: one,
             cube: one,
             cube_rows: Series::constant(Row::splat(one[0])),
@@ -72,8 +72,8 @@ impl<N: Number> OrbitSeries<N> {
                 position.put(lane, row(toward));
                 velocity.put(lane, row(rate));
             }
-            self.rho.set(0, at.seen(position).vector());
-            self.nu.start(at.seen(velocity));
+            self.rho.set(0, at.resolved(position).vector());
+            self.nu.start(at.resolved(velocity));
             return;
         }
         for (lane, orbit) in self.orbits.iter().enumerate() {
@@ -84,8 +84,8 @@ impl<N: Number> OrbitSeries<N> {
         let r = position.norm();
         self.strength = self.mu / r / r / r;
         self.distance = r;
-        self.rho.set(0, at.seen(position.divided(r)).vector());
-        self.nu.start(at.seen(velocity.divided(r)));
+        self.rho.set(0, at.resolved(position.divided(r)).vector());
+        self.nu.start(at.resolved(velocity.divided(r)));
     }
 
     /// Finds coefficient n of |ρ|² and |ρ|⁻³.

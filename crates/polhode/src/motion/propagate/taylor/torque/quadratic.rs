@@ -3,7 +3,7 @@
 //! Constant torques, thrusters, gravity, magnets in uniform fields, linear drag and the gravity gradient of a circular orbit are of this kind: most
 //! motions need no more, and u is expanded in the same recurrence as the turn.
 
-use super::super::recurrence::Terms;
+use super::super::recurrence::EquationConstants;
 use super::super::row::{Row, Vectors};
 use super::super::sums::Sums;
 use super::tape::times;
@@ -166,34 +166,34 @@ impl<N: Number> Quadratic<N> {
         torque: &QuadraticTorque,
         joint: Option<&JointVector>,
         inverses: Row,
-        terms: Option<&mut Terms<N>>,
+        terms: Option<&mut EquationConstants<N>>,
     ) {
         let whole = |v: [f64; 3]| Row([v[0], v[1], v[2], 0.0]);
         let over = |v: [f64; 3]| inverses * whole(v);
         self.torque.put(lane, torque, whole);
         self.acceleration.put(lane, torque, over);
-        let mut pull = 0.0;
+        let mut strength = 0.0;
         match (&mut self.joint, joint) {
             (Some(Joint::Fixed(place)), Some(JointVector::Fixed(v))) => place.put(lane, row(*v)),
             (Some(Joint::Circular(orbits)), Some(JointVector::Circular(orbit))) => {
                 orbits[lane] = orbit.clone();
-                pull = orbit.strength(orbit.periapsis());
+                strength = orbit.strength(orbit.periapsis());
             }
             _ => {}
         }
         let Some(terms) = terms else { return };
         terms.constant.put(lane, over(torque.constant));
         let columns = torque.of_joint.map(|column| over(column).0);
-        for (diagonal, place) in terms.seen.iter_mut().enumerate() {
+        for (diagonal, place) in terms.of_joint.iter_mut().enumerate() {
             let entry = |row: usize| columns[(row + diagonal) % 3][row];
             place.put(lane, Row([entry(0), entry(1), entry(2), 0.0]));
         }
-        terms.is_damped = self.has_omega;
-        for (place, column) in terms.damping.iter_mut().zip(torque.of_omega) {
+        terms.has_omega = self.has_omega;
+        for (place, column) in terms.of_omega.iter_mut().zip(torque.of_omega) {
             place.put(lane, over(column));
         }
-        terms.pull.put(lane, pull);
-        terms.bending.put(lane, over(torque.products));
+        terms.strength.put(lane, strength);
+        terms.products.put(lane, over(torque.products));
     }
 
     /// True if u is on a circular orbit.
@@ -205,7 +205,7 @@ impl<N: Number> Quadratic<N> {
     #[inline(always)]
     pub(in super::super) fn start(&self, at: &StepStart<N>) -> Option<[Row<N>; 2]> {
         match self.joint.as_ref()? {
-            Joint::Fixed(v) => Some([at.seen(*v), Row::splat(at.time.like(0.0))]),
+            Joint::Fixed(v) => Some([at.resolved(*v), Row::splat(at.time.like(0.0))]),
             Joint::Circular(orbits) => {
                 let (mut position, mut velocity) = (at.omega, at.omega);
                 for (lane, orbit) in orbits.iter().enumerate() {
@@ -213,7 +213,7 @@ impl<N: Number> Quadratic<N> {
                     position.put(lane, row(toward));
                     velocity.put(lane, row(rate));
                 }
-                Some([at.seen(position), at.seen(velocity)])
+                Some([at.resolved(position), at.resolved(velocity)])
             }
         }
     }

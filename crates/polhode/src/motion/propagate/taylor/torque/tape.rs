@@ -165,7 +165,7 @@ impl<N: Number> Tape<N> {
         }
         for &Step { operation, place, .. } in &self.steps[1] {
             if let Operation::Vector(VectorOperation::Fixed(k)) = operation {
-                self.vectors[place].set(0, at.seen(self.fixed[k]).vector());
+                self.vectors[place].set(0, at.resolved(self.fixed[k]).vector());
             }
         }
     }
@@ -459,7 +459,7 @@ mod tests {
     use crate::motion::propagate::taylor::all_zero;
     use crate::motion::propagate::taylor::row::TERMS;
     use crate::motion::propagate::taylor::row::Vectors;
-    use crate::motion::propagate::taylor::sums::{ByFours, SideBySide};
+    use crate::motion::propagate::taylor::sums::{OneBody, SeveralBodies};
     use crate::{FormulaTorque, InertiaTensor, MassProperties, Position, TorqueModel};
 
     const T: Instruction = Instruction::Variable(0);
@@ -490,7 +490,7 @@ mod tests {
 
     /// One body's.
     fn series_of_one(formula: &Formula, time: f64) -> Scalars {
-        series(ByFours(Plain), formula, time)
+        series(OneBody(Plain), formula, time)
     }
 
     /// 0.3 + 0.2 t − 0.1 t²
@@ -529,7 +529,7 @@ mod tests {
         formulas.push(("t^-1.7".to_owned(), Formula::new(quadratic().into_iter().chain(power)).unwrap()));
         for (name, formula) in formulas {
             let starts = [0.4, -0.7, 0.1, 0.5, -0.2, 0.3, 0.0, -0.4];
-            let together = series(SideBySide(Plain), &formula, Lanes(starts));
+            let together = series(SeveralBodies(Plain), &formula, Lanes(starts));
             for (lane, start) in starts.into_iter().enumerate() {
                 let coefficients = series_of_one(&formula, start);
                 let same = |(one, all): (&f64, &Lanes<8>)| one.to_bits() == all.lane(lane).to_bits();

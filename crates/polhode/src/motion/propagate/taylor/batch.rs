@@ -4,11 +4,11 @@
 //! what a lane does never depends on its neighbours: every body has the bits that it has alone.
 
 use super::Expansion;
-use super::base::Base;
+use super::base::ExpansionPoint;
 use super::recurrence::Recurrence;
 use super::row::smaller;
 use super::stepper::torque_rate;
-use super::sums::{SideBySide, Sums};
+use super::sums::{SeveralBodies, Sums};
 use super::torque::{Decomposition, TorqueKind};
 use crate::math::frame::{Body as BodyFrame, Principal};
 use crate::math::machine::{Machine, Work, in_vectors};
@@ -93,15 +93,15 @@ impl Work for Advance<'_, '_> {
 
     #[inline(always)]
     fn run<S: Machine>(self, s: S) -> Self::Output {
-        let Some(mut fleet) = Fleet::of(self, s.many(0.0)) else { return Vec::new() };
-        fleet.run(SideBySide(s));
-        fleet.failures
+        let Some(mut batch) = Batch::of(self, s.many(0.0)) else { return Vec::new() };
+        batch.run(SeveralBodies(s));
+        batch.failures
     }
 
     /// One after the other: numbers side by side in plain loops double the time of a build, for processors older than AVX2.
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
     fn run_plainly(self) -> Self::Output {
-        use super::sums::ByFours;
+        use super::sums::OneBody;
         use crate::math::machine::Plain;
 
         let Self { bodies, times, tolerance, states } = self;
@@ -109,10 +109,10 @@ impl Work for Advance<'_, '_> {
         for (k, body) in bodies.iter().enumerate() {
             let states = states.get_mut(k * times.len()..(k + 1) * times.len()).unwrap_or_default();
             let alone = Advance { bodies: core::slice::from_ref(body), times, tolerance, states };
-            // A fleet of its own: sums of one body go beyond the coefficients that are known, where others must not have left theirs.
-            if let Some(mut fleet) = Fleet::of(alone, 0.0) {
-                fleet.run(ByFours(Plain));
-                failures.extend(fleet.failures.into_iter().map(|(_, cause)| (k, cause)));
+            // A batch of its own: sums of one body go beyond the coefficients that are known, where others must not have left theirs.
+            if let Some(mut batch) = Batch::of(alone, 0.0) {
+                batch.run(OneBody(Plain));
+                failures.extend(batch.failures.into_iter().map(|(_, cause)| (k, cause)));
             }
         }
         failures
@@ -120,7 +120,7 @@ impl Work for Advance<'_, '_> {
 }
 
 /// The bodies under way, and those that wait.
-struct Fleet<'a, 'b, N> {
+struct Batch<'a, 'b, N> {
     work: Advance<'a, 'b>,
     /// The first of the bodies that wait.
     waiting: usize,
@@ -130,7 +130,7 @@ struct Fleet<'a, 'b, N> {
     rounds: u64,
     expansion: Box<Expansion<N>>,
     /// What the expansion is about.
-    base: Base<N>,
+    base: ExpansionPoint<N>,
     omega_scale: N,
     /// The last of the times of each lane's body, or its start where there is none.
     end: N,
@@ -149,14 +149,14 @@ struct Lane<'a> {
     to_body: Rotation<BodyFrame, Principal>,
     /// How many of the times it has come to.
     sampled: usize,
-    bound: Bound<Base>,
+    bound: Bound<ExpansionPoint>,
     /// True if a spring or wire is among the torques: its twist is watched.
     is_sprung: bool,
     /// The rounds before it came aboard.
     rounds: u64,
 }
 
-impl<'a, 'b, N: Number> Fleet<'a, 'b, N> {
+impl<'a, 'b, N: Number> Batch<'a, 'b, N> {
     /// `None` if there is nobody to go.
     fn of(work: Advance<'a, 'b>, zero: N) -> Option<Self> {
         let first = work.bodies.first()?;
@@ -167,7 +167,7 @@ impl<'a, 'b, N: Number> Fleet<'a, 'b, N> {
             lanes: (0..N::LANES).map(|_| None).collect(),
             rounds: 0,
             expansion: Expansion::of(zero, &piece, &first.decomposition, work.tolerance, false),
-            base: Base::all(zero),
+            base: ExpansionPoint::all(zero),
             omega_scale: zero,
             end: zero,
             next: zero.like(f64::INFINITY),
@@ -201,7 +201,7 @@ impl<'a, 'b, N: Number> Fleet<'a, 'b, N> {
                 match Lane::of(index, body, &self.work, self.rounds) {
                     Ok(lane) => {
                         self.expansion.set(k, &lane.piece, &body.decomposition);
-                        self.base.put(k, &Base::new(&body.start, lane.to_body));
+                        self.base.put(k, &ExpansionPoint::new(&body.start, lane.to_body));
                         self.omega_scale.put(k, body.start.omega.norm().max(torque_rate(&lane.piece)));
                         self.end.put(k, self.work.times.last().copied().unwrap_or(body.start.time));
                         self.next.put(k, self.work.next(&lane));
@@ -256,8 +256,9 @@ impl<'a, 'b, N: Number> Fleet<'a, 'b, N> {
         let until =
             is_last.zip3(self.end, time + h, |is_last, end, until| if is_last == 1.0 { end } else { until });
         let head = self.base.plus(&self.expansion.at(s, until - time), until);
-        let is_good = (time + h)
-            .zip3(time, head.flaw(), |until, time, flaw| f64::from(u8::from((until > time) & (flaw == 0.0))));
+        let is_good = (time + h).zip3(time, head.not_finite(), |until, time, not_finite| {
+            f64::from(u8::from((until > time) & (not_finite == 0.0)))
+        });
         for k in (0..N::LANES).filter(|k| is_good.lane(*k) == 0.0) {
             let (time, step) = (time.lane(k), h.lane(k));
             let is_stuck = !step.is_nan() && !(time + step > time);
@@ -273,7 +274,7 @@ impl<'a, 'b, N: Number> Fleet<'a, 'b, N> {
         self.look_ahead(allowed, &before);
     }
 
-    fn require_untwisted(&mut self, head: &Base<N>) {
+    fn require_untwisted(&mut self, head: &ExpansionPoint<N>) {
         for k in 0..N::LANES {
             let Some(lane) = self.lanes[k].as_ref().filter(|lane| lane.is_sprung) else { continue };
             let [before, after] = [self.base.lane(k), head.lane(k)].map(|base| base.state(lane.to_body));
@@ -304,7 +305,7 @@ impl<'a, 'b, N: Number> Fleet<'a, 'b, N> {
 
     /// Looks at where a step has led: what comes to its end makes room, and what will not come there gives up.
     #[inline(always)]
-    fn look_ahead(&mut self, allowed: N, before: &Base<N>) {
+    fn look_ahead(&mut self, allowed: N, before: &ExpansionPoint<N>) {
         let (time, rate) = (self.base.time, self.base.rate());
         self.omega_scale = self.omega_scale.zip(rate, f64::max);
         let is_far = (self.end - time)
@@ -335,7 +336,7 @@ impl<'a, 'b, N: Number> Fleet<'a, 'b, N> {
     }
 
     /// Writes a place of a lane down for all times that are its own, or that come before the start.
-    fn sample(&mut self, k: usize, place: &Base) {
+    fn sample(&mut self, k: usize, place: &ExpansionPoint) {
         let Some(lane) = &mut self.lanes[k] else { return };
         while self.work.next(lane) <= place.time {
             self.work.write(lane.body, lane.sampled, place.state(lane.to_body));

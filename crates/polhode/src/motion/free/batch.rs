@@ -8,11 +8,14 @@ use crate::motion::state::State;
 
 use super::FreeMotion;
 use super::block::{Block, Vectors, WIDTH, one};
-use super::flow::{Pace, Phases, Raw, Stages, Turned};
+use super::compact::{
+    CompactConstants, Frequencies, LabelledAxes, LeftFactor, ScalarThetaParameters, ThetaConstants,
+    ThetaParameters,
+};
+use super::flow::{PhaseRates, Phases, Stages, ThetaArgument, UnnormalisedState};
 use super::hyperbolic::Pulse;
 use super::kernel::Kernel;
 use super::phase::Elapsed;
-use super::seed::{Course, Family, Labels, Left, Nucleus, Seed, Shape};
 use super::trigonometric::Nomes;
 
 /// Groups in a block: so few that the processor asks for the next bodies' numbers while it computes; four took a fifth more time.
@@ -42,8 +45,8 @@ pub struct FreeMotions {
     reaches: Vec<f64>,
     /// The longest time from 0 that all know.
     known: f64,
-    trigonometric: Kin<Nomes<Vectors>>,
-    hyperbolic: Kin<Pulse<Vectors>>,
+    trigonometric: SeriesBatch<Nomes<Vectors>>,
+    hyperbolic: SeriesBatch<Pulse<Vectors>>,
 }
 
 /// Bodies whose motions have the same kind of series, in groups; the last group repeats its first body in the lanes left over.
@@ -51,13 +54,13 @@ pub struct FreeMotions {
 /// What each stage asks for lies side by side: the processor reads four such rows from memory while it computes, where of one it
 /// waits for each group.
 #[derive(Clone, Debug)]
-struct Kin<N> {
+struct SeriesBatch<N> {
     count: usize,
-    courses: Vec<Course<Vectors>>,
-    shapes: Vec<Shape<Vectors, N>>,
-    lefts: Vec<Left<Vectors>>,
-    bodies: Vec<Labels<Vectors>>,
-    rests: Vec<Rest>,
+    frequencies: Vec<Frequencies<Vectors>>,
+    thetas: Vec<ThetaConstants<Vectors, N>>,
+    left: Vec<LeftFactor<Vectors>>,
+    axes: Vec<LabelledAxes<Vectors>>,
+    long_times: Vec<LongTimes>,
     /// The place of each among the states, where these are not in the same order.
     places: Vec<usize>,
     /// Where all start at t = 0 and count time in seconds, the longest time that is short for all; otherwise no time is.
@@ -66,20 +69,20 @@ struct Kin<N> {
 
 /// A group, stage by stage: each makes only what it needs.
 struct Group<'a, N> {
-    kin: &'a Kin<N>,
+    batch: &'a SeriesBatch<N>,
     index: usize,
 }
 
 /// What only long times ask for, or bodies that do not start at t = 0.
 #[derive(Clone, Copy, Debug)]
-struct Rest {
+struct LongTimes {
     third: Vectors,
     start: Vectors,
     unit: Vectors,
 }
 
-/// A body's index, its motion, its seed and the third word of its precession.
-type Body<'a, N> = (usize, &'a FreeMotion, &'a Seed<f64, N>, f64);
+/// A body's index, its motion, its compact and the third word of its precession.
+type Body<'a, N> = (usize, &'a FreeMotion, &'a CompactConstants<f64, N>, f64);
 
 impl FreeMotions {
     /// The motions of a slice, in its order.
@@ -88,11 +91,11 @@ impl FreeMotions {
         let mut hyperbolic = Vec::new();
         for (index, motion) in motions.iter().enumerate() {
             match &motion.kernel {
-                Kernel::Trigonometric(seed, flow) => {
-                    trigonometric.push((index, motion, seed, flow.pace.precession.third));
+                Kernel::Trigonometric(compact, flow) => {
+                    trigonometric.push((index, motion, compact, flow.phase_rates.precession.third));
                 }
-                Kernel::Hyperbolic(seed, flow) => {
-                    hyperbolic.push((index, motion, seed, flow.pace.precession.third));
+                Kernel::Hyperbolic(compact, flow) => {
+                    hyperbolic.push((index, motion, compact, flow.phase_rates.precession.third));
                 }
             }
         }
@@ -102,8 +105,8 @@ impl FreeMotions {
             starts: motions.iter().map(|motion| motion.start).collect(),
             reaches: motions.iter().map(|motion| motion.reach).collect(),
             known: motions.iter().map(known).fold(f64::INFINITY, f64::min),
-            trigonometric: Kin::of(&trigonometric),
-            hyperbolic: Kin::of(&hyperbolic),
+            trigonometric: SeriesBatch::of(&trigonometric),
+            hyperbolic: SeriesBatch::of(&hyperbolic),
         }
     }
 
@@ -156,32 +159,32 @@ fn known(motion: &FreeMotion) -> f64 {
     motion.reach - motion.start.time.abs()
 }
 
-impl<N: Nucleus<Vectors>> Kin<N> {
-    fn of<F: Family<Of<Vectors> = N>>(bodies: &[Body<'_, F>]) -> Self {
+impl<N: ThetaParameters<Vectors>> SeriesBatch<N> {
+    fn of<F: ScalarThetaParameters<Of<Vectors> = N>>(bodies: &[Body<'_, F>]) -> Self {
         let plain = |motion: &FreeMotion| motion.start.time == 0.0 && motion.unit == 1.0;
-        let reach = |&(_, motion, seed, third): &Body<'_, F>| {
-            if plain(motion) { seed.flow(third).pace.reach } else { -1.0 }
+        let reach = |&(_, motion, compact, third): &Body<'_, F>| {
+            if plain(motion) { compact.flow(third).phase_rates.reach } else { -1.0 }
         };
         let in_order = bodies.iter().enumerate().all(|(k, body)| k == body.0);
-        let mut kin = Self {
+        let mut batch = Self {
             count: bodies.len(),
-            courses: Vec::new(),
-            shapes: Vec::new(),
-            lefts: Vec::new(),
-            bodies: Vec::new(),
-            rests: Vec::new(),
+            frequencies: Vec::new(),
+            thetas: Vec::new(),
+            left: Vec::new(),
+            axes: Vec::new(),
+            long_times: Vec::new(),
             places: if in_order { Vec::new() } else { bodies.iter().map(|body| body.0).collect() },
             reach: bodies.iter().map(reach).fold(f64::INFINITY, f64::min),
         };
         for bodies in bodies.chunks(WIDTH) {
-            let (seed, rest) = grouped(bodies);
-            kin.courses.push(seed.course);
-            kin.shapes.push(seed.shape);
-            kin.lefts.push(seed.left);
-            kin.bodies.push(seed.body);
-            kin.rests.push(rest);
+            let (compact, rest) = grouped(bodies);
+            batch.frequencies.push(compact.frequencies);
+            batch.thetas.push(compact.theta);
+            batch.left.push(compact.left);
+            batch.axes.push(compact.axes);
+            batch.long_times.push(rest);
         }
-        kin
+        batch
     }
 
     fn fill(&self, time: f64, states: &mut [State]) {
@@ -189,23 +192,23 @@ impl<N: Nucleus<Vectors>> Kin<N> {
             #[inline(always)]
             || {
                 let mut block = Block::<GROUPS>::new();
-                let mut paces = [Pace::none(); GROUPS];
+                let mut phase_rates = [PhaseRates::none(); GROUPS];
                 let at = black_box(Lanes([time; WIDTH]));
-                for first in (0..self.courses.len()).step_by(GROUPS) {
-                    let groups = GROUPS.min(self.courses.len() - first);
-                    let group = |g: usize| Group { kin: self, index: first + g };
+                for first in (0..self.frequencies.len()).step_by(GROUPS) {
+                    let groups = GROUPS.min(self.frequencies.len() - first);
+                    let group = |g: usize| Group { batch: self, index: first + g };
                     if time.abs() <= self.reach {
                         let elapsed = Elapsed::since::<true>(at, at, Lanes([1.0; WIDTH]));
                         // In a loop of its own: the compiler would make vectors of the halves of both factors, lane by lane.
-                        for (g, pace) in paces.iter_mut().enumerate().take(groups) {
-                            *pace = group(one(g)).near_pace();
+                        for (g, phase_rates) in phase_rates.iter_mut().enumerate().take(groups) {
+                            *phase_rates = group(one(g)).near_phase_rates();
                         }
                         block.start_apart(
                             groups,
                             #[inline(always)]
-                            |g| paces[g].polhode_phase::<true, false>(&elapsed),
+                            |g| phase_rates[g].polhode_phase::<true, false>(&elapsed),
                             #[inline(always)]
-                            |g| paces[g].precession_phase::<true, false>(&elapsed),
+                            |g| phase_rates[g].precession_phase::<true, false>(&elapsed),
                         );
                     } else {
                         block.start(
@@ -231,51 +234,55 @@ impl<N: Nucleus<Vectors>> Kin<N> {
     }
 }
 
-impl<N: Nucleus<Vectors>> Group<'_, N> {
+impl<N: ThetaParameters<Vectors>> Group<'_, N> {
     /// For times within the reach of all.
     #[inline(always)]
-    fn near_pace(&self) -> Pace<Vectors> {
-        self.kin.courses[self.index].near_pace(&self.kin.shapes[self.index])
+    fn near_phase_rates(&self) -> PhaseRates<Vectors> {
+        self.batch.frequencies[self.index].near_phase_rates(&self.batch.thetas[self.index])
     }
 
     #[inline(always)]
     fn phases(&self, time: Vectors) -> Phases<Vectors> {
-        let Rest { third, start, unit } = self.kin.rests[self.index];
-        let pace = self.kin.courses[self.index].pace(&self.kin.shapes[self.index], third);
+        let LongTimes { third, start, unit } = self.batch.long_times[self.index];
+        let phase_rates =
+            self.batch.frequencies[self.index].phase_rates(&self.batch.thetas[self.index], third);
         let elapsed = Elapsed::since::<false>(start, time, unit);
-        if elapsed.is_within(pace.reach) {
-            pace.phases::<false, false>(&elapsed)
+        if elapsed.is_within(phase_rates.reach) {
+            phase_rates.phases::<false, false>(&elapsed)
         } else {
-            pace.phases::<false, true>(&elapsed)
+            phase_rates.phases::<false, true>(&elapsed)
         }
     }
 }
 
-impl<N: Nucleus<Vectors>> Stages<Vectors> for Group<'_, N> {
+impl<N: ThetaParameters<Vectors>> Stages<Vectors> for Group<'_, N> {
     #[inline(always)]
-    fn turned(&self, phases: &Phases<Vectors>) -> Turned<Vectors> {
-        self.kin.shapes[self.index].curve().turned(phases)
+    fn theta_argument(&self, phases: &Phases<Vectors>) -> ThetaArgument<Vectors> {
+        self.batch.thetas[self.index].curve().theta_argument(phases)
     }
 
     #[inline(always)]
-    fn raw(&self, turned: &Turned<Vectors>) -> Raw<Vectors> {
-        self.kin.shapes[self.index].curve().raw(turned)
+    fn unnormalised(&self, argument: &ThetaArgument<Vectors>) -> UnnormalisedState<Vectors> {
+        self.batch.thetas[self.index].curve().unnormalised(argument)
     }
 
     #[inline(always)]
-    fn state(&self, raw: &Raw<Vectors>) -> ([Vectors; 4], [Vectors; 3]) {
-        self.kin.lefts[self.index].frame(&self.kin.bodies[self.index]).state(raw)
+    fn state(&self, unnormalised: &UnnormalisedState<Vectors>) -> ([Vectors; 4], [Vectors; 3]) {
+        self.batch.left[self.index].to_body(&self.batch.axes[self.index]).state(unnormalised)
     }
 }
 
-fn grouped<N: Family>(bodies: &[Body<'_, N>]) -> (Seed<Vectors, N::Of<Vectors>>, Rest) {
+fn grouped<N: ScalarThetaParameters>(
+    bodies: &[Body<'_, N>],
+) -> (CompactConstants<Vectors, N::Of<Vectors>>, LongTimes) {
     let body = |lane: usize| bodies[if lane < bodies.len() { lane } else { 0 }];
-    let seed =
-        Seed::assembled(&|get: &dyn Fn(&Seed<f64, N>) -> f64| Lanes::from_fn(|lane| get(body(lane).2)));
-    let rest = Rest {
+    let compact = CompactConstants::assembled(&|get: &dyn Fn(&CompactConstants<f64, N>) -> f64| {
+        Lanes::from_fn(|lane| get(body(lane).2))
+    });
+    let rest = LongTimes {
         third: Lanes::from_fn(|lane| body(lane).3),
         start: Lanes::from_fn(|lane| body(lane).1.start.time),
         unit: Lanes::from_fn(|lane| body(lane).1.unit),
     };
-    (seed, rest)
+    (compact, rest)
 }

@@ -10,12 +10,12 @@ use crate::math::rotation::Attitude;
 use crate::math::triple::Triple;
 
 use super::elements::Elements;
-use super::flow::{Curve, Flow, Frame, Pace, Raw, Series};
+use super::flow::{Curve, Flow, PhaseRates, Series, ToBodyMap, UnnormalisedState};
 use super::labelled::Labelled;
 use super::phase::{Elapsed, Rate};
 
 /// What a series is made of.
-pub(super) trait Nucleus<T> {
+pub(super) trait ThetaParameters<T> {
     type Series: Series<T>;
 
     fn series(&self) -> Self::Series;
@@ -24,30 +24,30 @@ pub(super) trait Nucleus<T> {
     fn low_start(&self) -> T;
 }
 
-/// A nucleus that also comes in other numbers.
-pub(super) trait Family: Nucleus<f64> {
+/// A parameters that also comes in other numbers.
+pub(super) trait ScalarThetaParameters: ThetaParameters<f64> {
     /// What makes the three quotients of theta functions cn, sn and dn.
     fn scale(&self) -> [f64; 3];
 
     /// The same in numbers T.
-    type Of<T: Real>: Nucleus<T>;
+    type Of<T: Real>: ThetaParameters<T>;
 
-    /// The nucleus in which each number is what `pick` makes of the way to it.
+    /// The parameters in which each number is what `pick` makes of the way to it.
     fn assembled<T: Real>(pick: &impl Fn(&dyn Fn(&Self) -> f64) -> T) -> Self::Of<T>;
 }
 
 /// The numbers of a motion, but for the third word of its precession: in four parts, as they are asked for.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Seed<T, N> {
-    pub(super) course: Course<T>,
-    pub(super) shape: Shape<T, N>,
-    pub(super) left: Left<T>,
-    pub(super) body: Labels<T>,
+pub(super) struct CompactConstants<T, N> {
+    pub(super) frequencies: Frequencies<T>,
+    pub(super) theta: ThetaConstants<T, N>,
+    pub(super) left: LeftFactor<T>,
+    pub(super) axes: LabelledAxes<T>,
 }
 
 /// What phases are made of.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Course<T> {
+pub(super) struct Frequencies<T> {
     /// ½(Ωt − z), quarter turns, in two words.
     precession: [T; 2],
     /// λ/K: 2z/π, quarter turns, in two words.
@@ -58,133 +58,148 @@ pub(super) struct Course<T> {
 
 /// What theta functions are made of.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Shape<T, N> {
-    nucleus: N,
+pub(super) struct ThetaConstants<T, N> {
+    parameters: N,
     /// What makes theta functions the components of e.
     direction: [T; 3],
 }
 
 /// A quaternion: attitude = left · q · labels⁻¹, q in the labelled axes, of norm 1/`scale`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Left<T>([T; 4]);
+pub(super) struct LeftFactor<T>([T; 4]);
 
 /// The axes in the body, and how fast it turns about them.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Labels<T> {
+pub(super) struct LabelledAxes<T> {
     /// A quaternion from the labelled axes to the body's. Of any norm: where the axes are the same but for their names it is of whole
     /// numbers.
-    labels: [T; 4],
-    /// The amplitudes of ω along the labelled axes, over |labels|², times what makes theta functions cn, sn and dn.
+    rotation: [T; 4],
+    /// The amplitudes of ω along the labelled axes, over |rotation|², times what makes theta functions cn, sn and dn.
     rates: [T; 3],
 }
 
-impl<N: Family> Seed<f64, N> {
-    /// The seed, and the third word of its precession, of a nucleus and where on its series the motion starts.
+impl<N: ScalarThetaParameters> CompactConstants<f64, N> {
+    /// The compact, and the third word of its precession, of a parameters and where on its series the motion starts.
     ///
-    /// `units`: rad/s per unit of the elements' rates, and by how much to multiply them to be the seed's.
+    /// `units`: rad/s per unit of the elements' rates, and by how much to multiply them to be the compact's.
     pub(super) fn of(
         elements: &Elements,
         labelled: &Labelled,
-        [unit, pace]: [f64; 2],
-        (nucleus, start): (N, f64),
+        [unit, factor]: [f64; 2],
+        (parameters, start): (N, f64),
         attitude: Attitude,
     ) -> (Self, f64) {
         let polhode = elements.lambda / elements.quarter;
         let [first, second, third] =
-            (elements.half_precession.scaled(4.0) - Triple::from(polhode.scaled(0.5))).scaled(pace).0;
-        let polhode = polhode.scaled(pace);
-        let (towards, scale) = (elements.direction(), nucleus.scale());
-        let turned = labelled.rotation().quaternion();
-        let greatest = turned.iter().fold(0.0, |max: f64, c| max.max(c.abs()));
-        let labels = turned.map(|c| c / greatest);
-        let norm2 = labels.iter().fold(Double::default(), |sum, &c| sum + Double::from(c).square());
-        let course = Course { precession: [first, second], polhode: [polhode.high, polhode.low], start };
-        let shape = Shape { nucleus, direction: from_fn(|k| towards[k] * scale[k]) };
-        let body =
-            Labels { labels, rates: from_fn(|k| (elements.rates[k] / norm2).value() * unit * scale[k]) };
+            (elements.half_precession.scaled(4.0) - Triple::from(polhode.scaled(0.5))).scaled(factor).0;
+        let polhode = polhode.scaled(factor);
+        let (towards, scale) = (elements.direction(), parameters.scale());
+        let to_body = labelled.rotation().quaternion();
+        let greatest = to_body.iter().fold(0.0, |max: f64, c| max.max(c.abs()));
+        let rotation = to_body.map(|c| c / greatest);
+        let norm2 = rotation.iter().fold(Double::default(), |sum, &c| sum + Double::from(c).square());
+        let frequencies =
+            Frequencies { precession: [first, second], polhode: [polhode.high, polhode.low], start };
+        let theta = ThetaConstants { parameters, direction: from_fn(|k| towards[k] * scale[k]) };
+        let axes = LabelledAxes {
+            rotation,
+            rates: from_fn(|k| (elements.rates[k] / norm2).value() * unit * scale[k]),
+        };
         // attitude(t) = attitude(0) · P · q(0)⁻¹ · q(t) · P⁻¹, P the labelled axes in the body; |q| scale is constant
-        let phases = course.pace(&shape, 0.0).phases::<true, false>(&Elapsed::none());
-        let curve = shape.curve();
-        let Raw { quaternion: q, scale, .. } = curve.raw(&curve.turned(&phases));
+        let phases = frequencies.phase_rates(&theta, 0.0).phases::<true, false>(&Elapsed::none());
+        let curve = theta.curve();
+        let UnnormalisedState { quaternion: q, scale, .. } =
+            curve.unnormalised(&curve.theta_argument(&phases));
         let unit = greatest / (((q[0] * q[0] + q[1] * q[1]) + (q[2] * q[2] + q[3] * q[3])) * scale);
         let left = quaternion_product(
-            quaternion_product(attitude.quaternion(), turned),
+            quaternion_product(attitude.quaternion(), to_body),
             [q[0] * unit, -q[1] * unit, -q[2] * unit, -q[3] * unit],
         );
-        (Self { course, shape, left: Left(left), body }, third)
+        (Self { frequencies, theta, left: LeftFactor(left), axes }, third)
     }
 
-    /// The seed in other numbers: one body in every lane, or a body in each.
-    pub(super) fn assembled<T: Real>(pick: &impl Fn(&dyn Fn(&Self) -> f64) -> T) -> Seed<T, N::Of<T>> {
-        Seed {
-            course: Course {
-                precession: from_fn(|k| pick(&|s| s.course.precession[k])),
-                polhode: from_fn(|k| pick(&|s| s.course.polhode[k])),
-                start: pick(&|s| s.course.start),
+    /// The compact in other numbers: one body in every lane, or a body in each.
+    pub(super) fn assembled<T: Real>(
+        pick: &impl Fn(&dyn Fn(&Self) -> f64) -> T,
+    ) -> CompactConstants<T, N::Of<T>> {
+        CompactConstants {
+            frequencies: Frequencies {
+                precession: from_fn(|k| pick(&|s| s.frequencies.precession[k])),
+                polhode: from_fn(|k| pick(&|s| s.frequencies.polhode[k])),
+                start: pick(&|s| s.frequencies.start),
             },
-            shape: Shape {
-                nucleus: N::assembled(&|get: &dyn Fn(&N) -> f64| pick(&|s: &Self| get(&s.shape.nucleus))),
-                direction: from_fn(|k| pick(&|s| s.shape.direction[k])),
+            theta: ThetaConstants {
+                parameters: N::assembled(&|get: &dyn Fn(&N) -> f64| {
+                    pick(&|s: &Self| get(&s.theta.parameters))
+                }),
+                direction: from_fn(|k| pick(&|s| s.theta.direction[k])),
             },
-            left: Left(from_fn(|k| pick(&|s| s.left.0[k]))),
-            body: Labels {
-                labels: from_fn(|k| pick(&|s| s.body.labels[k])),
-                rates: from_fn(|k| pick(&|s| s.body.rates[k])),
+            left: LeftFactor(from_fn(|k| pick(&|s| s.left.0[k]))),
+            axes: LabelledAxes {
+                rotation: from_fn(|k| pick(&|s| s.axes.rotation[k])),
+                rates: from_fn(|k| pick(&|s| s.axes.rates[k])),
             },
         }
     }
 }
 
-impl<T: Real, N: Nucleus<T>> Seed<T, N> {
+impl<T: Real, N: ThetaParameters<T>> CompactConstants<T, N> {
     /// The whole flow, with the third word of its precession.
     #[inline(always)]
     pub(super) fn flow(&self, third: T) -> Flow<T, N::Series> {
         Flow {
-            pace: self.course.pace(&self.shape, third),
-            curve: self.shape.curve(),
-            frame: self.left.frame(&self.body),
+            phase_rates: self.frequencies.phase_rates(&self.theta, third),
+            curve: self.theta.curve(),
+            to_body: self.left.to_body(&self.axes),
         }
     }
 }
 
-impl<T: Real> Course<T> {
+impl<T: Real> Frequencies<T> {
     /// With the third word of the precession: only long times ask for it.
     #[inline(always)]
-    pub(super) fn pace<N: Nucleus<T>>(&self, shape: &Shape<T, N>, third: T) -> Pace<T> {
-        Pace::of(
+    pub(super) fn phase_rates<N: ThetaParameters<T>>(
+        &self,
+        theta: &ThetaConstants<T, N>,
+        third: T,
+    ) -> PhaseRates<T> {
+        PhaseRates::of(
             Rate::of(self.precession, third),
             Rate::of(self.polhode, T::splat(0.0)),
-            [self.start, shape.nucleus.low_start()],
+            [self.start, theta.parameters.low_start()],
         )
     }
 
     /// For times within its reach.
     #[inline(always)]
-    pub(super) fn near_pace<N: Nucleus<T>>(&self, shape: &Shape<T, N>) -> Pace<T> {
+    pub(super) fn near_phase_rates<N: ThetaParameters<T>>(
+        &self,
+        theta: &ThetaConstants<T, N>,
+    ) -> PhaseRates<T> {
         let zero = T::splat(0.0);
-        Pace {
+        PhaseRates {
             precession: Rate::of(self.precession, zero),
             polhode: Rate::of(self.polhode, zero),
-            start: [self.start, shape.nucleus.low_start()],
+            start: [self.start, theta.parameters.low_start()],
             reach: zero,
         }
     }
 }
 
-impl<T: Real, N: Nucleus<T>> Shape<T, N> {
+impl<T: Real, N: ThetaParameters<T>> ThetaConstants<T, N> {
     #[inline(always)]
     pub(super) fn curve(&self) -> Curve<T, N::Series> {
-        Curve { series: self.nucleus.series(), direction: self.direction }
+        Curve { series: self.parameters.series(), direction: self.direction }
     }
 }
 
-impl<T: Real> Left<T> {
+impl<T: Real> LeftFactor<T> {
     #[inline(always)]
-    pub(super) fn frame(&self, body: &Labels<T>) -> Frame<T> {
-        let [r1, r2, r3] = body.rates;
-        Frame {
-            attitude: matrix_of(self.0, body.labels),
-            omega: axes_of(body.labels).map(|[e1, e2, e3]| [e1 * r1, e2 * r2, e3 * r3]),
+    pub(super) fn to_body(&self, axes: &LabelledAxes<T>) -> ToBodyMap<T> {
+        let [r1, r2, r3] = axes.rates;
+        ToBodyMap {
+            attitude: matrix_of(self.0, axes.rotation),
+            omega: axes_of(axes.rotation).map(|[e1, e2, e3]| [e1 * r1, e2 * r2, e3 * r3]),
         }
     }
 }

@@ -87,9 +87,9 @@ fn torques(name: &str, f: f64, rest: Attitude) -> Vec<TorqueModel> {
     };
     let gradient =
         |orbit, attracted| TorqueModel::GravityGradient(Box::new(GravityGradient { orbit, attracted }));
-    let drag = |law| {
+    let drag = |jacobian| {
         let matrix = [[0.05 + 0.1 * f, 0.01, 0.0], [0.01, 0.07, -0.02], [0.0, -0.02, 0.04]];
-        TorqueModel::Drag(Drag::new(law, matrix).unwrap())
+        TorqueModel::Drag(Drag::new(jacobian, matrix).unwrap())
     };
     let magnet = |field| {
         TorqueModel::Magnetic(Box::new(Magnetic { moment: Direction::new(0.3, -0.2, 0.5 + f), field }))
@@ -240,7 +240,7 @@ fn a_tolerance_out_of_range_fails_every_body() {
     }
 }
 
-/// What advances a fleet, if this machine has it.
+/// What advances a batch, if this machine has it.
 type Vehicle = fn(Advance<'_, '_>) -> Option<Vec<(usize, MotionError)>>;
 
 #[test]

@@ -6,9 +6,9 @@ use crate::math::number::Number;
 
 /// The series of a vector along principal axes, which turn at Ω: v̇ = v × Ω + s, s its rate in space, seen from the body too.
 #[derive(Clone, Debug)]
-pub(super) struct Seen<N = f64>(Series<N>);
+pub(super) struct BodyResolved<N = f64>(Series<N>);
 
-impl<N: Number> Seen<N> {
+impl<N: Number> BodyResolved<N> {
     pub(super) fn all(x: N) -> Self {
         Self(Series::all(x))
     }

@@ -268,7 +268,7 @@ impl<N: ThetaParameters<Vectors>> Stages<Vectors> for Group<'_, N> {
 
     #[inline(always)]
     fn state(&self, unnormalised: &UnnormalisedState<Vectors>) -> ([Vectors; 4], [Vectors; 3]) {
-        self.batch.left[self.index].to_body(&self.batch.axes[self.index]).state(unnormalised)
+        self.batch.left[self.index].body_map(&self.batch.axes[self.index]).state(unnormalised)
     }
 }
 

@@ -150,7 +150,7 @@ impl<T: Real, N: ThetaParameters<T>> CompactConstants<T, N> {
         Flow {
             phase_rates: self.frequencies.phase_rates(&self.theta, third),
             curve: self.theta.curve(),
-            to_body: self.left.to_body(&self.axes),
+            to_body: self.left.body_map(&self.axes),
         }
     }
 }
@@ -195,7 +195,7 @@ impl<T: Real, N: ThetaParameters<T>> ThetaConstants<T, N> {
 
 impl<T: Real> LeftFactor<T> {
     #[inline(always)]
-    pub(super) fn to_body(&self, axes: &LabelledAxes<T>) -> ToBodyMap<T> {
+    pub(super) fn body_map(&self, axes: &LabelledAxes<T>) -> ToBodyMap<T> {
         let [r1, r2, r3] = axes.rates;
         ToBodyMap {
             attitude: matrix_of(self.0, axes.rotation),

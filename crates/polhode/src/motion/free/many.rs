@@ -29,10 +29,10 @@ impl FreeMotion {
     pub fn fill(&self, times: &[f64], states: &mut [State]) {
         match &self.kernel {
             Kernel::Trigonometric(compact, flow) => {
-                fill(self, compact, flow.phase_rates.precession.third, times, states)
+                fill(self, compact, flow.phase_rates.precession.third, times, states);
             }
             Kernel::Hyperbolic(compact, flow) => {
-                fill(self, compact, flow.phase_rates.precession.third, times, states)
+                fill(self, compact, flow.phase_rates.precession.third, times, states);
             }
         }
     }

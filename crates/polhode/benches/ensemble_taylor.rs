@@ -29,9 +29,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         for tolerance in TOLERANCES {
             let mut steps = 0;
             for member in ensemble.members() {
-                if let Solution::Integrated { statistics, .. } =
-                    alone(member, tolerance).run(&mut |_| {})?.solution()
-                {
+                if let Solution::Integrated { statistics, .. } = alone(member, tolerance).run()?.solution() {
                     steps += statistics.accepted;
                 }
             }

@@ -123,7 +123,7 @@ fn run(problem: &Problem, name: &str, size: f64, method: Method) -> Result<(), M
         method,
         tolerance,
     };
-    let motion = simulation.run(&mut |_| {})?;
+    let motion = simulation.run()?;
     let (mut least, begin) = (f64::INFINITY, Instant::now());
     while begin.elapsed() < PATIENCE {
         let once = Instant::now();

@@ -3,7 +3,7 @@
 use super::error::{BodyError, finite, positive};
 use super::inertia::{InertiaAbout, InertiaTensor};
 use super::principal::PrincipalFrame;
-use crate::math::frame::Frame;
+use crate::math::frame::{Body, Frame};
 use crate::math::rotation::Rotation;
 use crate::math::sum::Sum;
 use crate::math::symmetric3::Symmetric3;
@@ -121,6 +121,19 @@ impl<F: Frame> MassProperties<F> {
     /// The same body described along the axes of `A`, about the same origin.
     pub fn in_frame<A: Frame>(&self, r: Rotation<A, F>) -> MassProperties<A> {
         self.moved(Position::ZERO, r)
+    }
+
+    /// The same numbers as those of a body: of a part that is all of it, whose axes are the body's.
+    ///
+    /// ```
+    /// use polhode::{InertiaTensor, MassProperties, Part, Position, Rotor};
+    /// let inertia = InertiaTensor::<Part>::diagonal([1.0, 2.0, 2.5])?;
+    /// let part = MassProperties::new(3.0, Position::new(0.1, 0.2, -0.3), inertia)?;
+    /// assert_eq!(Rotor::free(&part.into_body()).principal().moments(), [1.0, 2.0, 2.5]);
+    /// # Ok::<(), polhode::BodyError>(())
+    /// ```
+    pub fn into_body(self) -> MassProperties<Body> {
+        self.in_frame(Rotation::identity())
     }
 
     /// The body described in a frame `A` in which this frame's origin is at `position` and its axes are turned by `r`.

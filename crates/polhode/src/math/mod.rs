@@ -2,6 +2,7 @@
 
 pub(crate) mod algebra;
 pub(crate) mod complex;
+pub(crate) mod display;
 pub(crate) mod double;
 pub(crate) mod eigenvalues;
 pub(crate) mod elementary;

@@ -66,6 +66,13 @@ pub enum RotationError {
     },
 }
 
+/// The quaternion w, x, y, z.
+impl<A, B> fmt::Display for Rotation<A, B> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        super::display::row(f, &self.quaternion())
+    }
+}
+
 impl fmt::Display for RotationError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

@@ -193,6 +193,38 @@ impl<Q, F> PartialEq for Vector<Q, F> {
     }
 }
 
+impl<Q, F> From<[f64; 3]> for Vector<Q, F> {
+    fn from(components: [f64; 3]) -> Self {
+        Self::from_array(components)
+    }
+}
+
+impl<Q, F> From<Vector<Q, F>> for [f64; 3] {
+    fn from(v: Vector<Q, F>) -> Self {
+        v.to_array()
+    }
+}
+
+impl<Q, F> core::iter::Sum for Vector<Q, F> {
+    fn sum<I: Iterator<Item = Self>>(vectors: I) -> Self {
+        vectors.fold(Self::ZERO, |sum, v| sum + v)
+    }
+}
+
+/// (x, y, z) and the unit; a precision is that of each number.
+///
+/// ```
+/// use polhode::{AngularVelocity, Body, Torque};
+/// assert_eq!(AngularVelocity::<Body>::new(0.25, -3.0, 1.0).to_string(), "(0.25, -3, 1) rad/s");
+/// assert_eq!(format!("{:.2}", Torque::<Body>::new(0.0, 2e-9, 12.3456)), "(0.00, 2.00e-9, 12.35) N·m");
+/// ```
+impl<Q: quantity::Quantity, F> fmt::Display for Vector<Q, F> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        super::display::row(f, &self.to_array())?;
+        if Q::UNIT.is_empty() { Ok(()) } else { write!(f, " {}", Q::UNIT) }
+    }
+}
+
 impl<Q, F> fmt::Debug for Vector<Q, F> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "({:?}, {:?}, {:?})", self.x, self.y, self.z)
@@ -207,35 +239,45 @@ pub trait CrossProduct<P> {
 
 /// The quantities that a [`Vector`] can be.
 pub mod quantity {
+    /// A quantity, and the unit of its components.
+    pub trait Quantity {
+        /// The SI unit; empty for pure numbers.
+        const UNIT: &'static str;
+    }
+
     macro_rules! quantities {
-        ($($(#[$doc:meta])* $name:ident;)*) => {$(
+        ($($(#[$doc:meta])* $name:ident: $unit:literal;)*) => {$(
             $(#[$doc])*
             #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
             pub enum $name {}
+
+            impl Quantity for $name {
+                const UNIT: &'static str = $unit;
+            }
         )*};
     }
 
     quantities! {
         /// A pure direction or ratio, unit 1.
-        Number;
+        Number: "";
         /// Displacement, m.
-        Length;
+        Length: "m";
         /// dr/dt, m/s.
-        Velocity;
+        Velocity: "m/s";
         /// d²r/dt², m/s².
-        Acceleration;
+        Acceleration: "m/s²";
         /// m v, kg·m/s.
-        Momentum;
+        Momentum: "kg·m/s";
         /// m a, N.
-        Force;
+        Force: "N";
         /// ω, rad/s.
-        AngularVelocity;
+        AngularVelocity: "rad/s";
         /// dω/dt, rad/s².
-        AngularAcceleration;
+        AngularAcceleration: "rad/s²";
         /// L = I ω, kg·m²/s.
-        AngularMomentum;
+        AngularMomentum: "kg·m²/s";
         /// N = dL/dt, N·m.
-        Torque;
+        Torque: "N·m";
     }
 }
 

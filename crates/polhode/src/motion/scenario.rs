@@ -157,7 +157,7 @@ impl Scenario {
     /// # Errors
     /// [`MotionError`] as [`Simulation::run`].
     pub fn simulate(&self) -> Option<Result<Trajectory, MotionError>> {
-        self.trajectory(|simulation| simulation.run(&mut |_| {}))
+        self.trajectory(|simulation| simulation.run())
     }
 
     /// [`Scenario::simulate`] with the estimate of its error, telling `progress` the time (s) that an integration has reached after

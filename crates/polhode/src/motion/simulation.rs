@@ -23,17 +23,9 @@ use super::watch::Watch;
 /// let torque = TorqueModel::Constant(ConstantTorque::Body(Torque::new(0.0, 0.0, 0.5)));
 /// let rate = Measure::OmegaBody(Direction::new(0.0, 0.0, 1.0));
 /// let fast = Event::new("fast enough", rate, 3.0, Sense::Rising, EventAction::Stop)?;
-/// let motion = Simulation {
-///     rotor: &Rotor::free(&body),
-///     torques: &[torque],
-///     switched_off: &[],
-///     start: State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::ZERO },
-///     events: &[fast],
-///     times: &[0.0, 100.0],
-///     method: Method::Auto,
-///     tolerance: 1e-13,
-/// }
-/// .run(&mut |_| {})?;
+/// let start = State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::ZERO };
+/// let (rotor, torques, events) = (Rotor::free(&body), [torque], [fast]);
+/// let motion = Simulation::new(&rotor, &torques, start, &[0.0, 100.0]).events(&events).run()?;
 /// let Ending::Stopped { time, .. } = *motion.ending() else { return Err("it does not stop".into()) };
 /// assert!((time - 2.5 * 3.0 / 0.5).abs() < 1e-13);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -58,7 +50,45 @@ pub struct Simulation<'a> {
     pub tolerance: f64,
 }
 
-impl Simulation<'_> {
+impl<'a> Simulation<'a> {
+    /// A body under torques, all of which act, from a start to times: by the best method at a tolerance of 1e-13, without events.
+    pub const fn new(rotor: &'a Rotor, torques: &'a [TorqueModel], start: State, times: &'a [f64]) -> Self {
+        let (switched_off, events, method, tolerance) = (&[], &[], Method::Auto, 1e-13);
+        Self { rotor, torques, switched_off, start, events, times, method, tolerance }
+    }
+
+    /// Looks out for these events.
+    #[must_use]
+    pub const fn events(self, events: &'a [Event]) -> Self {
+        Self { events, ..self }
+    }
+
+    /// Leaves these torques, from 0, switched off until an event switches them on.
+    #[must_use]
+    pub const fn switched_off(self, switched_off: &'a [usize]) -> Self {
+        Self { switched_off, ..self }
+    }
+
+    /// By this method.
+    #[must_use]
+    pub const fn method(self, method: Method) -> Self {
+        Self { method, ..self }
+    }
+
+    /// With this bound on the error of each step.
+    #[must_use]
+    pub const fn tolerance(self, tolerance: f64) -> Self {
+        Self { tolerance, ..self }
+    }
+
+    /// The motion at each of the times, as [`Simulation::run_watched`] has it.
+    ///
+    /// # Errors
+    /// As [`Simulation::run_watched`].
+    pub fn run(&self) -> Result<Trajectory, MotionError> {
+        self.run_watched(&mut |_| {})
+    }
+
     /// The motion at each of the times, as far as it goes: [`Trajectory::ending`] says where and why it ended. An event that stops it,
     /// and a computation that cannot go on, end it with a sample of their own. `progress` is told the time (s) after each step.
     ///
@@ -66,7 +96,7 @@ impl Simulation<'_> {
     /// [`MotionError`] for what is wrong before the motion begins: times out of order, a start or a torque that is not finite, an
     /// event that cannot be measured, no closed form for [`Method::Exact`], a torque without a power series for
     /// [`Method::Taylor`], a body that cannot spin.
-    pub fn run(&self, progress: &mut dyn FnMut(f64)) -> Result<Trajectory, MotionError> {
+    pub fn run_watched(&self, progress: &mut dyn FnMut(f64)) -> Result<Trajectory, MotionError> {
         let Self { rotor, torques, switched_off, start, events, times, .. } = *self;
         require_ascending(start.time, times)?;
         require_finite(rotor, torques, switched_off, &start)?;
@@ -91,17 +121,10 @@ impl Simulation<'_> {
     /// use polhode::*;
     /// let inertia = InertiaTensor::diagonal([1.0, 1.1, 0.5])?;
     /// let top = Rotor::pivoted(&MassProperties::new(1.0, Position::new(0.0, 0.0, 0.1), inertia)?, Position::ZERO);
-    /// let simulation = Simulation {
-    ///     rotor: &top,
-    ///     torques: &[TorqueModel::Gravity(UniformGravity::STANDARD)],
-    ///     switched_off: &[],
-    ///     start: State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.3, 0.0, 9.0) },
-    ///     events: &[],
-    ///     times: &[0.5, 1.0],
-    ///     method: Method::Auto,
-    ///     tolerance: 1e-13,
-    /// };
-    /// let (states, run) = (simulation.states()?, simulation.run(&mut |_| {})?);
+    /// let start = State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.3, 0.0, 9.0) };
+    /// let gravity = [TorqueModel::Gravity(UniformGravity::STANDARD)];
+    /// let simulation = Simulation::new(&top, &gravity, start, &[0.5, 1.0]);
+    /// let (states, run) = (simulation.states()?, simulation.run()?);
     /// assert!(states[1].attitude.angle_to(run.samples()[1].state.attitude) < 1e-12);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```

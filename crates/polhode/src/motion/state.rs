@@ -1,5 +1,8 @@
 //! The state of a turning body.
 
+use core::fmt;
+
+use crate::math::display::Shown;
 use crate::math::frame::{Body, Space};
 use crate::math::rotation::{Attitude, Rotation};
 use crate::math::vector::AngularVelocity;
@@ -15,6 +18,24 @@ pub struct State {
     pub attitude: Attitude,
     /// ω relative to space, in body axes, rad/s.
     pub omega: AngularVelocity<Body>,
+}
+
+/// The time, the attitude's quaternion, and ω.
+///
+/// ```
+/// let omega = polhode::AngularVelocity::new(0.1, 0.0, 2.0);
+/// let state = polhode::State { time: 1.5, attitude: polhode::Attitude::identity(), omega };
+/// assert_eq!(state.to_string(), "t = 1.5 s, attitude (1, 0, 0, 0), ω = (0.1, 0, 2) rad/s");
+/// ```
+impl fmt::Display for State {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("t = ")?;
+        Shown(self.time).fmt(f)?;
+        f.write_str(" s, attitude ")?;
+        self.attitude.fmt(f)?;
+        f.write_str(", ω = ")?;
+        self.omega.fmt(f)
+    }
 }
 
 impl State {

@@ -105,7 +105,7 @@ impl Trajectory {
     ) -> Result<Self, MotionError> {
         let simulation =
             Simulation { rotor, torques, switched_off: &[], start, events: &[], times, method, tolerance };
-        simulation.run(&mut |_| {})
+        simulation.run()
     }
 
     /// A prescribed motion at each of `times` (ascending, s), with the torque that it needs.

@@ -20,7 +20,7 @@ fn simulation<'a>(
 }
 
 fn run(simulation: Simulation<'_>) -> Trajectory {
-    simulation.run(&mut |_| {}).unwrap()
+    simulation.run().unwrap()
 }
 
 fn event(measure: Measure, value: f64, sense: Sense, action: EventAction) -> Event {
@@ -313,7 +313,7 @@ fn events_that_cannot_be_are_refused() {
     let ends = [0.0, 5.0];
     let refused = |torques: &[TorqueModel], event: Event| {
         Simulation { events: &[event], ..simulation(&rotor, torques, [0.1, 0.2, 3.0], &ends) }
-            .run(&mut |_| {})
+            .run()
             .unwrap_err()
     };
     let switch = event(Measure::Time, 1.0, Sense::Either, EventAction::Switch { torque: 1, on: false });
@@ -467,7 +467,7 @@ fn what_has_corners_is_integrated_by_dop853() {
     };
     assert_eq!((motion.solution().name(), *motion.reason()), ("dop853", rough));
     assert!(rough.to_string().ends_with("torque 2 has abs"));
-    let refused = at(Method::Taylor).run(&mut |_| {}).unwrap_err();
+    let refused = at(Method::Taylor).run().unwrap_err();
     assert_eq!(refused, MotionError::NotSmooth { torque: 1, why: "abs" });
     assert!(!refused.is_numerical());
 }

@@ -115,7 +115,7 @@ fn beyond_reach_nothing_is_said() {
         };
         if time.is_finite() {
             assert!(matches!(simulation.states(), Err(MotionError::BeyondReach { .. })));
-            assert!(matches!(simulation.run(&mut |_| {}), Err(MotionError::BeyondReach { .. })));
+            assert!(matches!(simulation.run(), Err(MotionError::BeyondReach { .. })));
             let refused = Trajectory::of_motion(motion, &[time]);
             assert!(matches!(refused, Err(MotionError::BeyondReach { .. })));
         }

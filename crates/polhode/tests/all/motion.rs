@@ -283,7 +283,7 @@ fn an_estimate_of_the_error_tells_that_it_is_made() {
             tolerance: 1e-13,
         };
         let (mut steps, mut told) = (0, Vec::new());
-        let motion = simulation.run(&mut |_| steps += 1).unwrap();
+        let motion = simulation.run_watched(&mut |_| steps += 1).unwrap();
         let with_error =
             simulation.run_with_error(ErrorEffort::Thorough, &mut |time| told.push(time)).unwrap();
         assert_eq!(motion.samples(), with_error.samples());

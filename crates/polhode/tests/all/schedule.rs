@@ -215,11 +215,11 @@ fn more_pulses_than_steps_are_refused_before_the_first() {
             other => panic!("{other}"),
         };
         let all = simulation(&[]);
-        assert_eq!(all.run(&mut |_| {}).err().map(found), want);
+        assert_eq!(all.run().err().map(found), want);
         assert_eq!(all.states().err().map(found), want);
         // One that stays off has none.
         let off = if want == Some(Some(1)) { None } else { want };
-        assert_eq!(simulation(&[1]).run(&mut |_| {}).err().map(found), off);
+        assert_eq!(simulation(&[1]).run().err().map(found), off);
         let member = Member { rotor: rotor.clone(), torques: torques.clone(), start };
         let ensemble = Ensemble::new(vec![member.clone(), member]).unwrap();
         for method in [Method::Taylor, Method::Dop853] {

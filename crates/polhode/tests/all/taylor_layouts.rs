@@ -33,7 +33,7 @@ fn at_end(rotor: &Rotor, torques: &[TorqueModel], method: Method, tolerance: f64
     let (switched_off, events, times) = (&[], &[], &[3.0]);
     let simulation = Simulation { rotor, torques, switched_off, start, events, times, method, tolerance };
     // With evidence and without it: the same motion.
-    let (states, run) = (simulation.states().unwrap(), simulation.run(&mut |_| {}).unwrap());
+    let (states, run) = (simulation.states().unwrap(), simulation.run().unwrap());
     let sample = run.samples()[0].state;
     assert_eq!(states[0].attitude.quaternion(), sample.attitude.quaternion());
     states[0]

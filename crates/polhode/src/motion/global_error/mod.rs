@@ -85,7 +85,7 @@ pub enum ErrorEffort {
 ///     method: Method::Auto,
 ///     tolerance: 1e-13,
 /// };
-/// let motion = simulation.run(&mut |_| {})?;
+/// let motion = simulation.run()?;
 /// let error = simulation.global_error(&motion, ErrorEffort::Cheap).ok_or("it is computed")?;
 /// assert!(error.end().attitude > 1e-9);
 /// assert!(Drift::of(&motion).ok_or("it has samples")?.momentum < 1e-13); // which drift does not see
@@ -167,7 +167,7 @@ impl Simulation<'_> {
         effort: ErrorEffort,
         progress: &mut dyn FnMut(f64),
     ) -> Result<Trajectory, MotionError> {
-        let trajectory = self.run(progress)?;
+        let trajectory = self.run_watched(progress)?;
         let end = self.times.last().copied().unwrap_or(self.start.time);
         let error = self.estimate(&trajectory, effort, &mut |_| progress(end));
         Ok(trajectory.with_error(error))

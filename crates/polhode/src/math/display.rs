@@ -1,0 +1,29 @@
+//! Numbers as people read them.
+
+use core::fmt;
+
+/// A number in as many digits as tell it apart from all others, or as many as the formatter asks for; very large and very small ones with
+/// a power of ten.
+pub(crate) struct Shown(pub(crate) f64);
+
+impl fmt::Display for Shown {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.0 == 0.0 || !self.0.is_finite() || (1e-4..1e16).contains(&self.0.abs()) {
+            fmt::Display::fmt(&self.0, f)
+        } else {
+            fmt::LowerExp::fmt(&self.0, f)
+        }
+    }
+}
+
+/// Numbers in parentheses.
+pub(crate) fn row(f: &mut fmt::Formatter<'_>, numbers: &[f64]) -> fmt::Result {
+    f.write_str("(")?;
+    for (k, number) in numbers.iter().enumerate() {
+        if k > 0 {
+            f.write_str(", ")?;
+        }
+        fmt::Display::fmt(&Shown(*number), f)?;
+    }
+    f.write_str(")")
+}

@@ -4,7 +4,9 @@ use std::fmt::Write as _;
 use std::num::NonZeroUsize;
 use std::path::Path;
 
-use polhode::{ConvexHull, Rotation, Shape as _, Substance, TriangleMesh};
+use polhode::body::mesh::{ConvexHull, TriangleMesh};
+use polhode::body::shape::{Shape as _, Substance};
+use polhode::math::Rotation;
 use polhode_formats::mesh::stl_quick::{self, QuickOptions};
 use polhode_formats::mesh::{MeshContents, MeshFormat, MeshSolid};
 

@@ -5,7 +5,7 @@ use std::fs;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::path::{Path, PathBuf};
 
-use polhode::{ErrorEffort, Scenario, Trajectory};
+use polhode::motion::{ErrorEffort, Scenario, Trajectory};
 use polhode_formats::{scenario, table};
 use polhode_sweep::Plan;
 

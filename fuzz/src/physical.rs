@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use polhode::{Body, Frame, MassProperties};
+use polhode::body::MassProperties;
+use polhode::math::{Body, Frame};
 use polhode_formats::cad::{self, CadOptions};
 use polhode_report::{ExportBody, ExportFormat, export};
 use polhode_robot::lump::{Lumping, lump};

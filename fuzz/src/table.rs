@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use polhode::mass_properties_of_particles;
+use polhode::body::mass_properties_of_particles;
 use polhode_formats::molecule::{self, Isotopes, MoleculeFormat};
 use polhode_formats::particles::{self, ParticleOptions};
 use polhode_formats::voxel::{self, VoxelOptions};
@@ -34,7 +34,7 @@ fn molecule(data: &[u8], format: MoleculeFormat) {
         let average = molecule.mass_properties(Isotopes::Average);
         assert!(average.is_ok_and(|average| (average.mass() / body.mass() - 1.0).abs() < 1.0));
         let constants = molecule.rotational_constants(Isotopes::Abundant).unwrap();
-        for hertz in constants.iter().flat_map(polhode::RotationalConstants::hertz).flatten() {
+        for hertz in constants.iter().flat_map(polhode::observe::RotationalConstants::hertz).flatten() {
             assert!(hertz > 0.0, "{hertz:e} Hz");
         }
         assert!(!molecule.formula().is_empty());
@@ -52,7 +52,7 @@ pub fn particles(data: &[u8]) {
         if let Ok(body) = mass_properties_of_particles(&file.particles) {
             assert_physical(&body);
             assert_written_is_read(&body);
-            let total = file.particles.iter().map(polhode::Particle::mass).sum::<f64>();
+            let total = file.particles.iter().map(polhode::body::Particle::mass).sum::<f64>();
             assert!((body.mass() - total).abs() <= 1e-9 * total);
         }
     }

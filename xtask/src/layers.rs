@@ -1,4 +1,4 @@
-//! The rooms of the house: who may import whom, who may do what, and how long a file may be.
+//! The modules' order: which may import which, what each may do, and how long a file may be.
 //!
 //! A scanner of lines, not a compiler: it reads code in the house style, tests at the end of the file and left out.
 
@@ -7,8 +7,18 @@ use std::path::{Path, PathBuf};
 
 use crate::{Outcome, files, read, root, short};
 
-/// The rooms of the core crate, in order: each may import itself and those before it.
-const ROOMS: [&str; 4] = ["math", "body", "motion", "observe"];
+/// The modules of the core crate, in order: each may import itself and those before it.
+const MODULES: [&str; 9] = [
+    "math",
+    "body",
+    "motion/error",
+    "motion/model",
+    "motion/solve",
+    "motion/inverse",
+    "motion/run",
+    "motion/task",
+    "observe",
+];
 
 /// What files below a path may not say, and why.
 const FORBIDDEN: [(&str, &[&str], &str); 4] = [
@@ -73,7 +83,7 @@ pub(crate) fn check() -> Outcome {
     for folder in ["crates", "xtask"] {
         for path in files(&root().join(folder), "rs")? {
             let (file, text) = (short(&path), read(&path)?);
-            // A file of tests is no part of a room.
+            // A file of tests is no part of a module.
             if !file.ends_with("/tests.rs") {
                 violations.extend(scan(&file, &text));
             }
@@ -85,11 +95,11 @@ pub(crate) fn check() -> Outcome {
         }
     }
     if violations.is_empty() {
-        println!("   {count} files keep to their rooms");
+        println!("   {count} files keep the modules' order");
         return Ok(());
     }
     let lines = violations.iter().map(|v| format!("\n  {v}"));
-    Err(format!("{} lines break the order of the house:{}", violations.len(), lines.collect::<String>()))
+    Err(format!("{} lines break the modules' order:{}", violations.len(), lines.collect::<String>()))
 }
 
 /// Of a file of `tests/all/`, the list of modules that it has to stand in, and its name there.
@@ -137,39 +147,47 @@ fn scan(file: &str, text: &str) -> Vec<Violation> {
                 report(code, rule.to_owned());
             }
         }
-        if let Some(rule) = room_of(file).and_then(|room| wrong_import(room, file, code)) {
+        if let Some(rule) = wrong_import(file, code) {
             report(code, rule);
         }
     }
     violations
 }
 
-/// The room of a file of the core, as its number.
-fn room_of(file: &str) -> Option<usize> {
-    let inside = file.strip_prefix("crates/polhode/src/")?;
-    let (first, _) = inside.split_once('/')?;
-    ROOMS.iter().position(|room| *room == first)
-}
-
-/// Why a line's paths are wrong in a room, if one is.
-fn wrong_import(room: usize, file: &str, code: &str) -> Option<String> {
-    targets(file, code).into_iter().find_map(|target| match ROOMS.iter().position(|r| *r == target) {
-        Some(other) if other <= room => None,
-        Some(other) => Some(format!("{} knows nothing of {}", ROOMS[room], ROOMS[other])),
-        None => Some(format!("name the room: `crate::<room>::…`, not `crate::{target}`")),
+/// The module of a path inside the core crate, as its place in the order.
+fn module_of(path: &[String]) -> Option<usize> {
+    MODULES.iter().position(|module| {
+        let names: Vec<&str> = module.split('/').collect();
+        path.len() >= names.len() && names.iter().zip(path).all(|(a, b)| a == b)
     })
 }
 
-/// The first name after the root of the crate in each path `crate::…` or `super::…` of a line of a file.
-fn targets(file: &str, code: &str) -> Vec<String> {
-    let inside =
-        file.trim_start_matches("crates/polhode/src/").trim_end_matches(".rs").trim_end_matches("/mod");
-    let module: Vec<&str> = inside.split('/').collect();
+/// A file's path inside the core crate: `motion`, `model`, `rotor`.
+fn inside(file: &str) -> Option<Vec<String>> {
+    let inside = file.strip_prefix("crates/polhode/src/")?.trim_end_matches(".rs").trim_end_matches("/mod");
+    Some(inside.split('/').map(str::to_owned).collect())
+}
+
+/// Why a line's paths are wrong in a file, if one is.
+fn wrong_import(file: &str, code: &str) -> Option<String> {
+    let here = inside(file)?;
+    let module = module_of(&here)?;
+    targets(&here, code).into_iter().find_map(|target| match module_of(&target) {
+        Some(other) if other <= module => None,
+        Some(other) => Some(format!("{} knows nothing of {}", MODULES[module], MODULES[other])),
+        None => Some(format!("name the module: `crate::<module>::…`, not `crate::{}`", target.join("::"))),
+    })
+}
+
+/// The first two names after the root of the crate in each path `crate::…` or `super::…` of a line of a module.
+fn targets(module: &[String], code: &str) -> Vec<Vec<String>> {
     let mut found = Vec::new();
-    let mut rest = code;
+    // A visibility imports nothing.
+    let code = code.replace("pub(in crate::", "pub(in ");
+    let mut rest = code.as_str();
     while let Some(start) = rest.find("crate::").into_iter().chain(rest.find("super::")).min() {
         let mut path = &rest[start..];
-        let mut here = module.as_slice();
+        let mut here = module;
         loop {
             if let Some(after) = path.strip_prefix("crate::") {
                 (here, path) = (&[], after);
@@ -179,8 +197,9 @@ fn targets(file: &str, code: &str) -> Vec<String> {
                 break;
             }
         }
-        let name: String = path.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect();
-        found.push(here.first().map_or(name, |room| (*room).to_owned()));
+        let end = path.find(|c: char| !(c.is_alphanumeric() || c == '_' || c == ':')).unwrap_or(path.len());
+        let names = path[..end].split("::").filter(|name| !name.is_empty()).map(str::to_owned);
+        found.push(here.iter().cloned().chain(names).take(2).collect());
         rest = path;
     }
     found
@@ -195,19 +214,22 @@ mod tests {
     }
 
     #[test]
-    fn rooms_import_only_what_lies_below() {
-        let text = "use crate::math::vector::Torque;\nuse super::error::BodyError;\nuse crate::motion::state::State;\n";
-        let rule = "body knows nothing of motion".to_owned();
+    fn modules_import_only_what_comes_before_them() {
+        let text = "use crate::math::vector::Torque;\nuse super::error::BodyError;\nuse crate::motion::model::state::State;\n";
+        let rule = "body knows nothing of motion/model".to_owned();
         assert_eq!(rules("crates/polhode/src/body/inertia.rs", text), [(3, rule)]);
         assert_eq!(rules("crates/polhode/src/observe/drift.rs", text), []);
     }
 
     #[test]
-    fn relative_paths_are_followed_to_their_room() {
-        let rule = "body knows nothing of motion".to_owned();
-        let up = "use super::super::super::motion::state::State;\n";
+    fn relative_paths_are_followed_to_their_module() {
+        let rule = "body knows nothing of motion/model".to_owned();
+        let up = "use super::super::super::motion::model::state::State;\n";
         assert_eq!(rules("crates/polhode/src/body/shape/box.rs", up), [(1, rule.clone())]);
-        assert_eq!(rules("crates/polhode/src/body/mod.rs", "use super::motion::Rotor;\n"), [(1, rule)]);
+        assert_eq!(
+            rules("crates/polhode/src/body/mod.rs", "use super::motion::model::rotor::Rotor;\n"),
+            [(1, rule)]
+        );
         assert_eq!(
             rules("crates/polhode/src/body/shape/box.rs", "use super::super::error::BodyError;\n"),
             []
@@ -216,8 +238,21 @@ mod tests {
     }
 
     #[test]
+    fn motion_has_an_order_of_its_own() {
+        let text =
+            "use crate::motion::run::trajectory::Trajectory;\nuse super::super::run::sample::Sample;\n";
+        let rule = "motion/solve knows nothing of motion/run".to_owned();
+        let expected = [(1, rule.clone()), (2, rule)];
+        assert_eq!(rules("crates/polhode/src/motion/solve/free/flow.rs", text)[..1], expected[..1]);
+        assert_eq!(rules("crates/polhode/src/motion/solve/closed_form.rs", text), expected);
+        assert_eq!(rules("crates/polhode/src/motion/task/scenario.rs", text), []);
+    }
+
+    #[test]
     fn the_flat_names_of_the_front_page_are_no_way_around() {
-        for text in ["use crate::{State, Rotor};\n", "let x = crate::State::new();\n"] {
+        for text in
+            ["use crate::{State, Rotor};\n", "let x = crate::State::new();\n", "use crate::motion::State;\n"]
+        {
             assert_eq!(scan("crates/polhode/src/math/vector.rs", text).len(), 1, "{text}");
         }
     }
@@ -251,9 +286,9 @@ mod tests {
     #[test]
     fn comments_tests_and_other_crates_are_free() {
         let text = "/// println! is for others\nfn f() {}\n#[cfg(test)]\nuse std::fs;\n";
-        assert_eq!(scan("crates/polhode/src/motion/state.rs", text), []);
+        assert_eq!(scan("crates/polhode/src/motion/model/state.rs", text), []);
         assert_eq!(scan("crates/polhode-cli/src/main.rs", "use std::fs;\nprintln!();\n"), []);
-        let types_only = "use crate::motion::propagate::stepper::StepStatistics;\n";
+        let types_only = "use crate::motion::solve::propagate::stepper::StepStatistics;\n";
         assert_eq!(scan("crates/polhode/src/observe/drift.rs", types_only), []);
     }
 

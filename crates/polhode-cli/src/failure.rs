@@ -5,7 +5,7 @@ use std::io;
 use std::path::Path;
 use std::process::ExitCode;
 
-use polhode::MotionError;
+use polhode::motion::MotionError;
 use polhode_formats::{FormatError, Place};
 use polhode_report::VERSION;
 use polhode_sweep::SweepError;

@@ -15,7 +15,7 @@ mod voxel;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use polhode::{Body, Part, Position, Rotation};
+use polhode::math::{Body, Part, Position, Rotation};
 use polhode_formats::mesh::MeshFormat;
 use polhode_formats::molecule::MoleculeFormat;
 use polhode_formats::scenario;

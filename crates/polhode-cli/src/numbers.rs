@@ -1,6 +1,6 @@
 //! Numbers in flags: quantities with their units, and lists of them.
 
-use polhode::{Frame, Rotation};
+use polhode::math::{Frame, Rotation};
 use polhode_formats::unit::{self, Dimension};
 
 /// A number, with its unit or in SI.

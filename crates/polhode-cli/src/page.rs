@@ -4,7 +4,9 @@ use std::fs;
 use std::io::{self, Write as _};
 use std::path::Path;
 
-use polhode::{Body, PrincipalFrame, Scenario, Trajectory};
+use polhode::body::PrincipalFrame;
+use polhode::math::Body;
+use polhode::motion::{Scenario, Trajectory};
 use polhode_report::{PageInput, PageSubject, VERSION, explain_motion, page};
 
 use crate::failure::Failure;

@@ -4,7 +4,7 @@ use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use polhode::{Ending, ErrorEffort, Scenario, Trajectory};
+use polhode::motion::{Ending, ErrorEffort, Scenario, Trajectory};
 use polhode_formats::scenario;
 use polhode_report::{MotionFigures, MotionReport, SourceInfo, pretty};
 

@@ -8,7 +8,9 @@ mod when;
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use polhode::{Attitude, AxisConvention, Body, FreeMotion, Space, TumblingPeriods};
+use polhode::math::{Attitude, Body, Space};
+use polhode::motion::FreeMotion;
+use polhode::observe::{AxisConvention, TumblingPeriods};
 use polhode_formats::unit::Dimension;
 use polhode_report::{MotionFigures, SpinReport, TumblerReport, pretty};
 

@@ -10,7 +10,7 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::thread::available_parallelism;
 
 use clap::Args;
-use polhode::Severity;
+use polhode::body::Severity;
 use polhode_report::plain::printable;
 use polhode_report::pretty;
 use polhode_sweep::{Dataset, Plan};

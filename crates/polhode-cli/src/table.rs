@@ -1,7 +1,7 @@
 //! The formats of the trajectory table.
 
 use clap::ValueEnum;
-use polhode::{Trajectory, Wheel};
+use polhode::motion::{Trajectory, Wheel};
 use polhode_formats::table;
 
 use crate::failure::Failure;

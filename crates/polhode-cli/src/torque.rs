@@ -3,7 +3,9 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use polhode::{Body, Particle, Position, Scenario};
+use polhode::body::Particle;
+use polhode::math::{Body, Position};
+use polhode::motion::Scenario;
 use polhode_formats::scenario;
 use polhode_formats::table::parquet;
 use polhode_formats::table::required::RequiredTable;

@@ -6,7 +6,7 @@ use std::hint::black_box;
 use std::path::Path;
 use std::time::Instant;
 
-use polhode::*;
+use polhode::motion::ErrorEffort;
 use polhode_formats::scenario;
 
 const BODY: &str = "[[body.part]]\nshape = 'tensor'\nmass = '2.3 kg'\ncenter_of_mass = [0.02, -0.03, 0.11]

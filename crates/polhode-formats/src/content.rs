@@ -4,7 +4,7 @@ use std::error::Error;
 use std::fmt;
 use std::ops::Range;
 
-use polhode::BodyError;
+use polhode::body::BodyError;
 
 use crate::text::cut;
 

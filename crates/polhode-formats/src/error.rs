@@ -6,7 +6,9 @@ use std::io;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use polhode::{BodyError, MotionError, RotationError};
+use polhode::body::BodyError;
+use polhode::math::RotationError;
+use polhode::motion::MotionError;
 
 use crate::content::{ContentError, ContentPlace};
 use crate::expression::ExpressionError;

@@ -25,10 +25,10 @@ mod table;
 
 use std::ops::Range;
 
-use polhode::{
-    Body, BodyError, Finding, InertiaTensor, MassProperties, Particle, Position, Severity,
-    mass_properties_of_particles,
+use polhode::body::{
+    BodyError, Finding, InertiaTensor, MassProperties, Particle, Severity, mass_properties_of_particles,
 };
+use polhode::math::{Body, Position};
 
 use crate::content::{ContentError, ContentErrorKind, ContentPlace, told_unit};
 use header::{MASS, Products, TENSOR};

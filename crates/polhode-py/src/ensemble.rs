@@ -5,10 +5,10 @@ use std::path::Path;
 
 use numpy::ndarray::Array3;
 use numpy::{IntoPyArray as _, PyArray3, PyReadonlyArray1, PyReadonlyArray2};
-use polhode::{
-    AngularVelocity, Attitude, Body, Ensemble, Finding, InertiaTensor, MassProperties, Member, MemberFailure,
-    Method, MotionError, Position, Rotor, Scenario, State, TorqueModel,
-};
+use polhode::body::{Finding, InertiaTensor, MassProperties};
+use polhode::math::{AngularVelocity, Attitude, Body, Position};
+use polhode::motion::torque::TorqueModel;
+use polhode::motion::{Ensemble, Member, MemberFailure, Method, MotionError, Rotor, Scenario, State};
 use polhode_formats::scenario;
 use pyo3::prelude::*;
 

@@ -1,6 +1,8 @@
 //! What Rust refuses, as Python's exceptions.
 
-use polhode::{BodyError, MotionError, RotationError};
+use polhode::body::BodyError;
+use polhode::math::RotationError;
+use polhode::motion::MotionError;
 use polhode_formats::{FormatError, FormatErrorKind, Place};
 use pyo3::PyErr;
 use pyo3::exceptions::PyFileNotFoundError;

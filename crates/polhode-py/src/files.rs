@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use polhode::BodyError;
+use polhode::body::BodyError;
 use polhode_formats::cad::{self, CadOptions, CadReport, DecimalMark, ProductConvention};
 use polhode_formats::molecule::{self, Isotopes, MoleculeFormat};
 use polhode_formats::particles::{self, ParticleOptions};

@@ -1,6 +1,6 @@
 //! What was noticed on the way, as Python's tuples.
 
-use polhode::Finding;
+use polhode::body::Finding;
 
 /// Code, severity, message, place.
 pub(crate) type Remark = (String, String, String, Option<String>);

@@ -1,10 +1,10 @@
 //! Free motion in closed form.
 
 use numpy::{PyArray1, PyArray2, PyReadonlyArray1};
-use polhode::{
-    AngularVelocity, Attitude, Body, FreeMotion, FreeRegime, InertiaTensor, MassProperties, Method, Position,
-    Rotor, Run, State, Trajectory,
-};
+use polhode::body::{InertiaTensor, MassProperties};
+use polhode::math::{AngularVelocity, Attitude, Body, Position};
+use polhode::motion::{FreeMotion, Method, Rotor, Run, State, Trajectory};
+use polhode::observe::FreeRegime;
 use polhode_report::{PageInput, PageSubject, SpinReport, VERSION, page};
 use pyo3::prelude::*;
 

@@ -1,10 +1,10 @@
 //! Mass, centre of mass and inertia, with all that is known of where they came from.
 
 use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2};
-use polhode::{
-    Body, InertiaAbout, InertiaTensor, MassProperties, Part, Particle, Position, PrincipalFrame, Rotation,
-    mass_properties_of_particles,
+use polhode::body::{
+    InertiaAbout, InertiaTensor, MassProperties, Particle, PrincipalFrame, mass_properties_of_particles,
 };
+use polhode::math::{Body, Part, Position, Rotation};
 use polhode_report::{ExportBody, ExportFormat, InertiaReport, SourceInfo, export};
 use pyo3::prelude::*;
 
@@ -207,5 +207,5 @@ pub(crate) fn principal_axes<'py>(
     py: Python<'py>,
     principal: &PrincipalFrame<Body>,
 ) -> PyResult<Bound<'py, PyArray2<f64>>> {
-    matrix(py, &principal.axes().map(polhode::Vector::to_array))
+    matrix(py, &principal.axes().map(polhode::math::Vector::to_array))
 }

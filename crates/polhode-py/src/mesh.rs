@@ -3,9 +3,9 @@
 use std::path::{Path, PathBuf};
 
 use numpy::PyReadonlyArray2;
-use polhode::{
-    ConvexHull, Extent, Finding, MassProperties, MeshShell, Severity, Shape, Substance, TriangleMesh,
-};
+use polhode::body::mesh::{ConvexHull, MeshShell, TriangleMesh};
+use polhode::body::shape::{Extent, Shape, Substance};
+use polhode::body::{Finding, MassProperties, Severity};
 use polhode_formats::mesh::{AssumedMetres, MeshContents, MeshFormat, MeshPart, MeshSolid};
 use polhode_report::{InertiaReport, PartRow, SourceInfo, parts};
 use pyo3::prelude::*;
@@ -107,7 +107,7 @@ fn of_contents(
     if let Some(thickness) = options.shell {
         let contents = contents.in_metres(options.unit);
         let shell = |part: &MeshPart| Ok((part.name.clone(), boxed(MeshShell::new(&part.mesh, thickness)?)));
-        let pieces: Result<Vec<_>, polhode::BodyError> = contents.parts.iter().map(shell).collect();
+        let pieces: Result<Vec<_>, polhode::body::BodyError> = contents.parts.iter().map(shell).collect();
         let pieces = pieces.map_err(Raise::raise)?;
         let unit = contents.unit.unwrap_or(1.0);
         return weighed(
@@ -170,7 +170,7 @@ fn weighed(
         let properties = in_body(shape.mass_properties(substance)?)?;
         Ok(PartRow { name: name.clone(), properties, volume: Some(volume(shape.as_ref())) })
     };
-    let rows = pieces.iter().map(row).collect::<Result<Vec<_>, polhode::BodyError>>();
+    let rows = pieces.iter().map(row).collect::<Result<Vec<_>, polhode::body::BodyError>>();
     let rows = rows.map_err(Raise::raise)?;
     let bodies: Vec<_> = rows.iter().map(|row| row.properties).collect();
     let properties = match bodies.as_slice() {

@@ -3,7 +3,9 @@
 use std::path::PathBuf;
 
 use numpy::{PyArray1, PyArray2, PyReadonlyArray1};
-use polhode::{Ending, ErrorEffort, GlobalError, Method, Run, Sample, Scenario, StateError, Trajectory};
+use polhode::motion::{
+    Ending, ErrorEffort, GlobalError, Method, Run, Sample, Scenario, StateError, Trajectory,
+};
 use polhode_formats::scenario;
 use polhode_report::{
     MotionReport, PageInput, PageSubject, SourceInfo, VERSION, explain_motion, page_data, page_of,

@@ -3,7 +3,8 @@
 use std::collections::BTreeSet;
 use std::sync::{Mutex, PoisonError};
 
-use polhode::{Finding, InertiaTensor, MassProperties, Position, Severity};
+use polhode::body::{Finding, InertiaTensor, MassProperties, Severity};
+use polhode::math::Position;
 use polhode_report::{Extra, InertiaReport, SourceInfo};
 use pyo3::prelude::*;
 use serde_json::Value;
@@ -49,7 +50,7 @@ pub(crate) fn values(report: &InertiaReport) -> Values {
     (
         (properties.mass(), properties.center_of_mass().to_array(), [[xx, yy, zz], [xy, xz, yz]]),
         (path, format, description, Value::Object(fields).to_string()),
-        (*volume, *surface_area, *density, about.map(polhode::Vector::to_array)),
+        (*volume, *surface_area, *density, about.map(polhode::math::Vector::to_array)),
         extras.iter().map(block).collect(),
         remarks(findings),
     )

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use polhode::{Body, Rotation};
+use polhode::math::{Body, Rotation};
 use polhode_formats::read_file;
 use polhode_report::plain::number;
 use polhode_report::{InertiaReport, SourceInfo};

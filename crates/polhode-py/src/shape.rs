@@ -1,10 +1,11 @@
 //! Shapes with closed-form integrals, by name.
 
-use polhode::{
-    Body, BodyError, BoxShape, BoxShell, Capsule, Cone, Cylinder, CylinderShell, Disk, Ellipsoid,
-    MassProperties, Part, PlacedPart, Plate, Position, Rod, Rotation, Shape, Sphere, SphereShell,
-    Tetrahedron, Torus,
+use polhode::body::shape::{
+    BoxShape, BoxShell, Capsule, Cone, Cylinder, CylinderShell, Disk, Ellipsoid, Plate, Rod, Shape, Sphere,
+    SphereShell, Tetrahedron, Torus,
 };
+use polhode::body::{BodyError, MassProperties, PlacedPart};
+use polhode::math::{Body, Part, Position, Rotation};
 use polhode_report::{InertiaReport, SourceInfo};
 use pyo3::prelude::*;
 

@@ -1,6 +1,7 @@
 //! What a body is made of, as keyword arguments say it.
 
-use polhode::{Material, Substance};
+use polhode::body::Material;
+use polhode::body::shape::Substance;
 use pyo3::prelude::*;
 
 use crate::error::refused;

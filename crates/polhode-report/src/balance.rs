@@ -1,6 +1,7 @@
 //! What a computed motion should keep, by name: the lines of its drift.
 
-use polhode::{Drift, Scenario, Solution, Trajectory};
+use polhode::motion::{Scenario, Solution, Trajectory};
+use polhode::observe::Drift;
 
 /// What turns a body.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -1,6 +1,7 @@
 //! The mass properties of a body: the part that every report has.
 
-use polhode::{Body, BodyPart, Frame, MassProperties, PrincipalFrame};
+use polhode::body::{BodyPart, MassProperties, PrincipalFrame};
+use polhode::math::{Body, Frame};
 use serde_json::{Map, Value, json};
 
 use crate::json::{matrix, numbers, vector};

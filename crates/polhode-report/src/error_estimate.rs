@@ -1,6 +1,6 @@
 //! How far computed mass properties may be off.
 
-use polhode::FieldError;
+use polhode::body::density::FieldError;
 use serde_json::json;
 
 use crate::extra::Extra;

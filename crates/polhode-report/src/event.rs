@@ -1,6 +1,6 @@
 //! Events, and how a motion ended, as reports show them.
 
-use polhode::{Crossing, Ending, Event, EventAction, Measure, Scenario, Trajectory};
+use polhode::motion::{Crossing, Ending, Event, EventAction, Measure, Scenario, Trajectory};
 use serde_json::{Value, json};
 
 use crate::json::{numbers, vector};

@@ -1,6 +1,6 @@
 //! Findings, for people and for programs.
 
-use polhode::Finding;
+use polhode::body::Finding;
 use serde_json::{Value, json};
 
 use crate::layout::{WIDTH, printable, wrap};

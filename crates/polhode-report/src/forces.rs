@@ -1,6 +1,6 @@
 //! The forces on the particles of a prescribed motion.
 
-use polhode::{ParticleForce, Required, Scenario};
+use polhode::motion::{ParticleForce, Required, Scenario};
 
 /// The force on each particle; empty unless particles are all that the body is made of.
 pub(crate) fn on_particles(scenario: &Scenario, needed: &Required) -> Vec<ParticleForce> {

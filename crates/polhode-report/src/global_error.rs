@@ -1,6 +1,6 @@
 //! The estimated error of a motion, for people and for programs.
 
-use polhode::{GlobalError, StateError, Trajectory};
+use polhode::motion::{GlobalError, StateError, Trajectory};
 use serde_json::{Value, json};
 
 use crate::layout::labelled;

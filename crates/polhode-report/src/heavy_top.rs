@@ -1,6 +1,7 @@
 //! The results of Lagrange's top, beside its motion: bounds, periods, rates and kind, in text, JSON and on the page.
 
-use polhode::{HeavyTop, Scenario, State, SteadyPrecession, TopPath, TorqueModel};
+use polhode::motion::torque::TorqueModel;
+use polhode::motion::{HeavyTop, Scenario, State, SteadyPrecession, TopPath};
 use serde_json::{Value, json};
 
 use crate::layout::labelled;

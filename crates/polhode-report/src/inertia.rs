@@ -2,9 +2,9 @@
 
 use std::fmt::Write as _;
 
-use polhode::{
-    Body, Finding, Frame, MassProperties, Part, Position, PrincipalFrame, Rotation, Scenario, Symmetry,
-};
+use polhode::body::{Finding, MassProperties, PrincipalFrame, Symmetry};
+use polhode::math::{Body, Frame, Part, Position, Rotation};
+use polhode::motion::Scenario;
 use serde_json::{Map, Value, json};
 
 use crate::block::{self, Geometry};
@@ -19,14 +19,15 @@ use crate::{VERSION, finding};
 /// A body's mass properties, ready to be read.
 ///
 /// ```
-/// use polhode::{InertiaTensor, MassProperties, Position};
+/// use polhode::body::{InertiaTensor, MassProperties};
+/// use polhode::math::Position;
 /// use polhode_report::{InertiaReport, SourceInfo};
 /// let inertia = InertiaTensor::with_negative_products([3.1, 4.2, 5.3], [0.4, -0.3, 0.2])?;
 /// let body = MassProperties::new(2.3, Position::new(0.11, -0.07, 0.23), inertia)?;
 /// let report = InertiaReport::new(SourceInfo::new("body.toml", "scenario"), body);
 /// assert_eq!(report.to_json()["inertia"]["tensor"][0][1], 0.4);
 /// assert!(report.to_text().contains("inertia about the centre of mass, along body axes"));
-/// # Ok::<(), polhode::BodyError>(())
+/// # Ok::<(), polhode::body::BodyError>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct InertiaReport {
@@ -206,8 +207,9 @@ impl InertiaReport {
     fn write_axes(&self, text: &mut String) {
         let Some(turn) = self.axes else { return };
         let [_, x, y, z] = turn.canonical_quaternion();
-        let axis =
-            Position::<Body>::new(x, y, z).direction().map_or([0.0, 0.0, 1.0], polhode::Vector::to_array);
+        let axis = Position::<Body>::new(x, y, z)
+            .direction()
+            .map_or([0.0, 0.0, 1.0], polhode::math::Vector::to_array);
         let axis = alike(&tidy(axis), 6).join(",\u{a0}");
         text.push_str(&heading(&format!(
             "inertia about the centre of mass, along axes turned from the body's by {}° about ({axis}), in kg·m²",

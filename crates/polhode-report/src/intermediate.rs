@@ -1,6 +1,8 @@
 //! How near a start is to the intermediate axis.
 
-use polhode::{Body, PrincipalFrame, State};
+use polhode::body::PrincipalFrame;
+use polhode::math::Body;
+use polhode::motion::State;
 
 use crate::number::number;
 

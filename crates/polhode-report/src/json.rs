@@ -1,6 +1,6 @@
 //! JSON values, and how they print.
 
-use polhode::Vector;
+use polhode::math::Vector;
 use serde_json::Value;
 
 use crate::layout::is_unseen;

@@ -1,6 +1,6 @@
 //! A molecule: what spectroscopists ask of its moments.
 
-use polhode::{RotationalConstants, Top};
+use polhode::observe::{RotationalConstants, Top};
 use serde_json::{Value, json};
 
 use crate::layout::{labelled, printable};
@@ -10,7 +10,9 @@ use crate::unit::DIGITS;
 /// The part of a report that only a molecule has: rotational constants, and what they are those of.
 ///
 /// ```
-/// use polhode::{Body, InertiaTensor, MassProperties, Position, RotationalConstants};
+/// use polhode::body::{InertiaTensor, MassProperties};
+/// use polhode::math::{Body, Position};
+/// use polhode::observe::RotationalConstants;
 /// use polhode_report::MoleculeReport;
 /// let inertia = InertiaTensor::<Body>::diagonal([1.0e-46, 1.8e-46, 2.8e-46])?;
 /// let body = MassProperties::new(3e-26, Position::ZERO, inertia)?;
@@ -22,7 +24,7 @@ use crate::unit::DIGITS;
 /// };
 /// assert_eq!(report.to_json()["top"], "asymmetric");
 /// assert!(report.to_text().starts_with("formula          H2O, 3 atoms\n"));
-/// # Ok::<(), polhode::BodyError>(())
+/// # Ok::<(), polhode::body::BodyError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct MoleculeReport {
@@ -110,7 +112,8 @@ fn constants_text(values: [Option<f64>; 3], unit: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use polhode::{Body, InertiaTensor, MassProperties, Position};
+    use polhode::body::{InertiaTensor, MassProperties};
+    use polhode::math::{Body, Position};
 
     fn report(moments: [f64; 3]) -> MoleculeReport {
         let inertia = InertiaTensor::<Body>::diagonal(moments).unwrap();

@@ -1,6 +1,6 @@
 //! An angular velocity in words.
 
-use polhode::{AngularVelocity, Body};
+use polhode::math::{AngularVelocity, Body};
 
 use crate::number::{tidy, vector_within};
 use crate::unit::{DIGITS, rate_within};

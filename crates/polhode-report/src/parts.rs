@@ -1,6 +1,7 @@
 //! The parts of a body, each with its own mass.
 
-use polhode::{Body, MassProperties};
+use polhode::body::MassProperties;
+use polhode::math::Body;
 use serde_json::{Value, json};
 
 use crate::extra::Extra;

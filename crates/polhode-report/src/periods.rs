@@ -2,7 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use polhode::{AxisConvention, Cones, FreeMotion, Regime, SymmetricTop, TumblingPeriods};
+use polhode::motion::{FreeMotion, Regime};
+use polhode::observe::{AxisConvention, Cones, SymmetricTop, TumblingPeriods};
 
 /// How long the axis that L circles takes about L, on average, and how long the body takes about that axis, s.
 #[derive(Clone, Copy, Debug, PartialEq)]

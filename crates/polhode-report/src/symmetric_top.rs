@@ -1,6 +1,6 @@
 //! The constants of a free symmetric top, for programs.
 
-use polhode::{Cones, SymmetricTop};
+use polhode::observe::{Cones, SymmetricTop};
 use serde_json::{Map, Value};
 
 use crate::json::vector;

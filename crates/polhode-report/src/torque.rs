@@ -1,9 +1,9 @@
 //! Torques as reports show them: one description of each model, from which text, JSON and the page are made.
 
-use polhode::{
-    Attracted, ConstantTorque, Drag, DragLaw, EventAction, FormulaTorque, MagneticField, Motor, Orbit,
-    Scenario, Schedule, TorqueModel, Wheel,
+use polhode::motion::torque::{
+    Attracted, ConstantTorque, Drag, DragLaw, FormulaTorque, MagneticField, Schedule, TorqueModel,
 };
+use polhode::motion::{EventAction, Motor, Orbit, Scenario, Wheel};
 use serde_json::{Map, Value, json};
 
 use crate::json;

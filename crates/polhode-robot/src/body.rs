@@ -11,7 +11,8 @@
 use std::error::Error;
 use std::fmt;
 
-use polhode::{BodyError, InertiaTensor, MassProperties, Part, Position, Principal, Rotation};
+use polhode::body::{BodyError, InertiaTensor, MassProperties};
+use polhode::math::{Part, Position, Principal, Rotation};
 
 use crate::model::{Inertial, Link, ModelFormat, Number, Slot, Span, Tensor};
 use crate::moments::{Moments, transposed};

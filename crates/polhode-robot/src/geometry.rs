@@ -18,7 +18,10 @@ use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use polhode::{ClosedMesh, ConvexHull, MassProperties, Part, Shape, Substance, TriangleMesh};
+use polhode::body::MassProperties;
+use polhode::body::mesh::{ClosedMesh, ConvexHull, TriangleMesh};
+use polhode::body::shape::{Shape, Substance};
+use polhode::math::Part;
 use polhode_formats::mesh::{MeshContents, MeshFormat};
 use polhode_formats::read_text_file;
 

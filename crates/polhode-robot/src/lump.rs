@@ -5,12 +5,13 @@
 //! T_parent_child(q) = T_joint · M(q),   M: x ↦ a + R(n, q)(x − a) of a turn,   x ↦ x + q n of a way,
 //!
 //! axis n and anchor a in the child's frame. Several joints between the same two links follow each other: T · M₁ · M₂ ….
-//! The composite is [`polhode::assemble`]'s: masses and moments summed by parallel axes about a local point.
+//! The composite is [`polhode::body::assemble`]'s: masses and moments summed by parallel axes about a local point.
 
 mod error;
 mod tree;
 
-use polhode::{Body, BodyError, MassProperties, PlacedPart, Rotation, assemble};
+use polhode::body::{BodyError, MassProperties, PlacedPart, assemble};
+use polhode::math::{Body, Rotation};
 
 pub use self::error::LumpError;
 use self::tree::{Above, Tree};

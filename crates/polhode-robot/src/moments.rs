@@ -1,6 +1,6 @@
 //! Tensors that may be impossible: their elements, their moments, and how they change with axes and points.
 //!
-//! [`polhode::InertiaTensor`] refuses a tensor that no body has. Here such tensors are the subject: what a file says is
+//! [`polhode::body::InertiaTensor`] refuses a tensor that no body has. Here such tensors are the subject: what a file says is
 //! taken apart as it stands, and the verdict comes later.
 
 /// The elements xx, yy, zz, xy, xz, yz of a symmetric matrix; of an inertia tensor, in kg·m², xy = −∫xy dm.
@@ -32,7 +32,7 @@ impl Moments {
         if !(largest > 0.0 && largest.is_finite()) {
             return Self { values: [0.0; 3], axes: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]] };
         }
-        let (values, vectors) = polhode::symmetric_eigen(*elements);
+        let (values, vectors) = polhode::math::symmetric_eigen(*elements);
         let [first, second, _] = vectors.map(positive);
         Self { values, axes: [first, second, cross(first, second)] }
     }
@@ -153,7 +153,9 @@ mod tests {
         let elements = [0.268209, 0.359486, 0.225659, 0.011284, 0.0635697, -0.00106685];
         let moments = Moments::of(&elements);
         let columns = transposed(&moments.axes);
-        let rotation = polhode::Rotation::<polhode::Body, polhode::Principal>::from_matrix(columns).unwrap();
+        let rotation =
+            polhode::math::Rotation::<polhode::math::Body, polhode::math::Principal>::from_matrix(columns)
+                .unwrap();
         let [w, x, y, z] = rotation.canonical_quaternion();
         let [a, b, c] = moments.values;
         let along = [a, b, c, 0.0, 0.0, 0.0];

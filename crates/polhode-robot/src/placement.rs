@@ -1,6 +1,7 @@
 //! Where an inner frame stands in an outer one: poses as types.
 
-use polhode::{BodyError, Direction, Frame, Position, Rotation};
+use polhode::body::BodyError;
+use polhode::math::{Direction, Frame, Position, Rotation};
 
 use crate::model::{Joint, JointKind, Pose};
 

@@ -3,7 +3,7 @@
 use std::error::Error;
 use std::fmt;
 
-use polhode::{Finding, Severity};
+use polhode::body::{Finding, Severity};
 
 use crate::finding::Severity as NoteSeverity;
 use crate::line_index::LineIndex;

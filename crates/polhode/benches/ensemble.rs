@@ -8,7 +8,14 @@ use std::hint::black_box;
 use std::num::NonZero;
 use std::time::Instant;
 
-use polhode::*;
+use polhode::math::formula::{Binary, Formula, FormulaError, Instruction, Unary};
+use polhode::motion::torque::{
+    Attracted, Drag, DragLaw, FormulaTorque, GravityGradient, Magnetic, MagneticField, Torsion,
+};
+use polhode::motion::{
+    Ensemble, FreeMotions, MU_EARTH, Member, MemberFailure, Orbit, Solution, StateVariables,
+};
+use polhode::prelude::*;
 
 fn main() -> Result<(), Box<dyn Error>> {
     // Only the torques whose names have what is given, if something is.

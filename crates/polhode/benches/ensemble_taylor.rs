@@ -10,7 +10,9 @@ use std::hint::black_box;
 use std::num::NonZero;
 use std::time::Instant;
 
-use polhode::*;
+use polhode::motion::torque::{Attracted, GravityGradient};
+use polhode::motion::{Ensemble, Member, Orbit, Solution};
+use polhode::prelude::*;
 
 /// Moments about the point that the bodies turn about, kg·m².
 const MOMENTS: [f64; 3] = [3.1, 4.2, 5.3];

@@ -6,7 +6,8 @@
 use std::hint::black_box;
 use std::time::Instant;
 
-use polhode::*;
+use polhode::motion::FreeMotions;
+use polhode::prelude::*;
 
 /// The least time of many short runs, ns per item: what the machine can do when nothing disturbs it.
 fn least(items: usize, mut work: impl FnMut()) -> f64 {

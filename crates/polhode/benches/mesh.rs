@@ -6,7 +6,8 @@ use std::collections::HashMap;
 use std::hint::black_box;
 use std::time::Instant;
 
-use polhode::*;
+use polhode::body::mesh::{ConvexHull, MeshDiagnosis, MeshShell};
+use polhode::prelude::*;
 
 /// The least time of a few runs, s.
 fn least<T>(mut work: impl FnMut() -> T) -> f64 {

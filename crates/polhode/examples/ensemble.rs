@@ -6,7 +6,9 @@ use std::error::Error;
 use std::num::NonZero;
 use std::thread::available_parallelism;
 
-use polhode::*;
+use polhode::motion::torque::{Attracted, GravityGradient};
+use polhode::motion::{Ensemble, EnsembleStates, MU_EARTH, Member, Orbit};
+use polhode::prelude::*;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let inertia = InertiaTensor::with_negative_products([0.031, 0.042, 0.053], [0.004, -0.003, 0.002])?;

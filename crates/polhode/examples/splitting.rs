@@ -5,7 +5,9 @@
 use std::error::Error;
 use std::time::Instant;
 
-use polhode::*;
+use polhode::motion::torque::{Attracted, GravityGradient};
+use polhode::motion::{Orbit, SplittingOrder, TIGHTEST_TOLERANCE};
+use polhode::prelude::*;
 
 /// Stretches that a run is divided into.
 const STRETCHES: usize = 10;
@@ -79,7 +81,7 @@ of a torque is shortened; where that happens often, the error of E is no longer 
 impulse hold to rounding whatever the step. What tells whether the step is short enough is the drift of T + U, or a run with half the step.
 
 **Its rounding.** L in space is carried, so free motion does not touch it; L and attitude carry what rounding takes from each sum. The free motion
-of a short time is found anew each time (`motion/propagate/splitting/flow.rs`): in closed form for a body with two equal moments, else
+of a short time is found anew each time (`motion/solve/propagate/splitting/flow.rs`): in closed form for a body with two equal moments, else
 by power series as long as rounding can see, in a fraction of the time that `FreeMotion` takes to set up.
 
 ";

@@ -7,7 +7,9 @@
 use std::error::Error;
 use std::time::{Duration, Instant};
 
-use polhode::*;
+use polhode::motion::torque::{Attracted, Drag, DragLaw, GravityGradient};
+use polhode::motion::{Orbit, Solution, SplittingOrder, TIGHTEST_TOLERANCE};
+use polhode::prelude::*;
 
 /// For how long each run is repeated.
 const PATIENCE: Duration = Duration::from_millis(60);

@@ -2,7 +2,7 @@
 
 use std::cell::RefCell;
 
-use polhode::{Cubature, DensityField, FieldError, Solid, mass_properties_of_field};
+use polhode::body::density::{Cubature, DensityField, FieldError, Solid, mass_properties_of_field};
 use polhode_formats::expression::Expression;
 use polhode_formats::mesh::SolidPart;
 use polhode_report::{Extra, PartRow, error_estimate};
@@ -61,6 +61,6 @@ impl DensityField for Watched<'_> {
     }
 }
 
-fn hint(error: &polhode::BodyError) -> &'static str {
+fn hint(error: &polhode::body::BodyError) -> &'static str {
     error.hint().unwrap_or("check --field and --tolerance")
 }

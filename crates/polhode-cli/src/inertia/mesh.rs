@@ -4,9 +4,9 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use clap::Args;
-use polhode::{
-    BodyError, ConvexHull, Extent, Finding, MassProperties, MeshShell, Severity, Shape, Substance,
-};
+use polhode::body::mesh::{ConvexHull, MeshShell};
+use polhode::body::shape::{Extent, Shape, Substance};
+use polhode::body::{BodyError, Finding, MassProperties, Severity};
 use polhode_formats::expression::Expression;
 use polhode_formats::mesh::{AssumedMetres, MeshContents, MeshFormat, MeshSolid};
 use polhode_formats::unit::Dimension;

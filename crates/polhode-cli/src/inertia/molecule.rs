@@ -57,7 +57,8 @@ fn report(
     number: Option<usize>,
     isotopes: Isotopes,
 ) -> Result<InertiaReport, Failure> {
-    let unfit = |error: polhode::BodyError| Failure::usage(error.to_string(), "check the atoms' places");
+    let unfit =
+        |error: polhode::body::BodyError| Failure::usage(error.to_string(), "check the atoms' places");
     let properties = molecule.mass_properties(isotopes).map_err(unfit)?;
     let block = MoleculeReport {
         formula: molecule.formula(),

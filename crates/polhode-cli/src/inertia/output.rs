@@ -4,7 +4,7 @@ use std::path::Path;
 
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser as _};
-use polhode::Finding;
+use polhode::body::Finding;
 use polhode_report::plain::printable;
 use polhode_report::{ExportBody, ExportFormat, InertiaReport, export, pretty};
 use serde_json::Value;

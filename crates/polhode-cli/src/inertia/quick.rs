@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use polhode::{Finding, Severity};
+use polhode::body::{Finding, Severity};
 use polhode_formats::mesh::MeshFormat;
 use polhode_formats::mesh::stl_quick::{self, QuickOptions};
 use polhode_report::SourceInfo;

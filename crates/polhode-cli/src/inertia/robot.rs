@@ -4,7 +4,8 @@ use std::fmt;
 use std::path::Path;
 
 use clap::{Args, ValueEnum};
-use polhode::{Body, Finding, Rotation};
+use polhode::body::Finding;
+use polhode::math::{Body, Rotation};
 use polhode_formats::unit::Dimension;
 use polhode_report::plain::{number, printable};
 use polhode_report::{InertiaReport, SourceInfo};

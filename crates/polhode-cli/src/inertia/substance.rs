@@ -1,7 +1,8 @@
 //! What a body in a file that does not say so is made of.
 
 use clap::Args;
-use polhode::{Finding, Material, Severity, Substance};
+use polhode::body::shape::Substance;
+use polhode::body::{Finding, Material, Severity};
 use polhode_formats::unit::Dimension;
 
 use crate::numbers::{positive, quantity};

@@ -3,7 +3,8 @@
 use std::path::Path;
 
 use clap::Args;
-use polhode::{Body, BodyError, MassProperties, Part, PlacedPart, Position, Rotation};
+use polhode::body::{BodyError, MassProperties, PlacedPart};
+use polhode::math::{Body, Part, Position, Rotation};
 use polhode_formats::FormatError;
 use polhode_formats::unit::Dimension;
 use polhode_formats::voxel::{self, VoxelOptions};

@@ -2,10 +2,9 @@
 
 use std::path::Path;
 
-use polhode::{
-    AngularMomentum, AngularVelocity, Attitude, Body, BodyError, Finding, FreeMotion, InertiaTensor,
-    PrincipalFrame, Rotor, Scenario, State, Symmetry,
-};
+use polhode::body::{BodyError, Finding, InertiaTensor, PrincipalFrame, Symmetry};
+use polhode::math::{AngularMomentum, AngularVelocity, Attitude, Body};
+use polhode::motion::{FreeMotion, Rotor, Scenario, State};
 use polhode_formats::scenario;
 use polhode_report::SourceInfo;
 

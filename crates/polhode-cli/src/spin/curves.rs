@@ -1,7 +1,8 @@
 //! The curves that a spin draws.
 
 use clap::Args;
-use polhode::{CurveError, FreeMotion, Herpolhode, MomentumTrace, Polhode, RollingCones};
+use polhode::motion::FreeMotion;
+use polhode::observe::{CurveError, Herpolhode, MomentumTrace, Polhode, RollingCones};
 use polhode_formats::table::curve;
 use polhode_formats::unit::Dimension;
 

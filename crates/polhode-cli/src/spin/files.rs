@@ -5,7 +5,7 @@ use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use polhode::{FreeMotion, Method, Regime, Run, Trajectory};
+use polhode::motion::{FreeMotion, Method, Regime, Run, Trajectory};
 use polhode_formats::times;
 use polhode_formats::unit::Dimension;
 

@@ -277,8 +277,12 @@ fn numbers_in_json_are_those_of_the_library() {
     let scratch = Scratch::new("bits");
     scratch.write("brick.toml", BRICK);
     let inertia = json(&scratch.run(&["inertia", "brick.toml", "--json"]));
-    let shape = polhode::BoxShape::new([0.2, 0.1, 0.06]).unwrap();
-    let part = polhode::Shape::mass_properties(&shape, polhode::Substance::Density(1800.0)).unwrap();
+    let shape = polhode::body::shape::BoxShape::new([0.2, 0.1, 0.06]).unwrap();
+    let part = polhode::body::shape::Shape::mass_properties(
+        &shape,
+        polhode::body::shape::Substance::Density(1800.0),
+    )
+    .unwrap();
     assert_eq!(number(&inertia["mass"]).to_bits(), part.mass().to_bits());
     for (i, row) in part.inertia().matrix().iter().enumerate() {
         for (j, element) in row.iter().enumerate() {

@@ -5,7 +5,8 @@ use std::fs;
 use std::io::Write as _;
 use std::process::{Output, Stdio};
 
-use polhode::{AngularVelocity, Attitude, FreeMotion, State};
+use polhode::math::{AngularVelocity, Attitude};
+use polhode::motion::{FreeMotion, State};
 use serde_json::Value;
 
 use crate::common::{Scratch, entries, example, json, number, numbers, stdout};

@@ -16,7 +16,8 @@ mod proof;
 mod scan;
 mod units;
 
-use polhode::{Body, BodyError, Finding, InertiaAbout, InertiaTensor, MassProperties, Position, Severity};
+use polhode::body::{BodyError, Finding, InertiaAbout, InertiaTensor, MassProperties, Severity};
+use polhode::math::{Body, Position};
 
 use crate::content::{ContentError, ContentErrorKind, ContentPlace, told_unit};
 use crate::unit::{self, Dimension, UnitError};

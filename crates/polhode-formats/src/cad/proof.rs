@@ -14,7 +14,8 @@
 //! off, in units of what these halves add up to at worst: at most 1 for the right sign, if the numbers are
 //! what they say.
 
-use polhode::{Body, InertiaTensor, PrincipalFrame};
+use polhode::body::{InertiaTensor, PrincipalFrame};
+use polhode::math::Body;
 
 use super::ProductConvention;
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};

@@ -1,6 +1,6 @@
 //! What the parts of a formula measure: from its variables and units to its value.
 
-use polhode::{Binary, Instruction, Unary};
+use polhode::math::formula::{Binary, Instruction, Unary};
 
 use super::parse::FUNCTIONS;
 use super::{ExpressionError, ExpressionErrorKind};

@@ -21,7 +21,7 @@ mod error;
 mod parse;
 mod state;
 
-use polhode::Formula;
+use polhode::math::formula::Formula;
 
 use crate::unit::Dimension;
 
@@ -77,7 +77,7 @@ impl Expression {
 }
 
 /// A density, kg/m³, of x, y and z, m, which must be its variables in this order.
-impl polhode::DensityField for Expression {
+impl polhode::body::density::DensityField for Expression {
     fn density(&self, point: [f64; 3]) -> f64 {
         self.evaluate(point)
     }

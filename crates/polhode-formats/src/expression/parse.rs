@@ -3,7 +3,7 @@
 
 use std::f64::consts::PI;
 
-use polhode::{Binary, Formula, Instruction, Unary};
+use polhode::math::formula::{Binary, Formula, Instruction, Unary};
 
 use super::dimensions::{Measured, Step, measure};
 use super::{ExpressionError, ExpressionErrorKind};

@@ -1,6 +1,7 @@
 //! Formulas of the state of a turning body: of torques and of events; and of time alone.
 
-use polhode::{Formula, StateVariables};
+use polhode::math::formula::Formula;
+use polhode::motion::StateVariables;
 
 use super::{ExpressionError, measured};
 use crate::unit::Dimension;

@@ -1,6 +1,7 @@
 //! Where a file places a mesh: an affine map.
 
-use polhode::{BodyError, TriangleMesh};
+use polhode::body::BodyError;
+use polhode::body::mesh::TriangleMesh;
 
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 

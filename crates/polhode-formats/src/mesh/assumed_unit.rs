@@ -3,7 +3,9 @@
 //! STL, OBJ, PLY and OFF have no unit. The size of a body is the longest side of the box of its moments: of a box its own side, of
 //! other bodies something near. A mesh in metres that was drawn in mm is a thousand times too long, and 10⁹ times too heavy.
 
-use polhode::{Extent, Finding, Frame, MassProperties, Severity};
+use polhode::body::shape::Extent;
+use polhode::body::{Finding, MassProperties, Severity};
+use polhode::math::Frame;
 
 use super::MeshFormat;
 
@@ -45,17 +47,18 @@ impl<F: Frame> AssumedMetres<'_, F> {
     /// `mesh.unit`, if what comes of metres is absurd.
     ///
     /// ```
-    /// use polhode::{InertiaTensor, MassProperties, Part, Position};
+    /// use polhode::body::{InertiaTensor, MassProperties};
+    /// use polhode::math::{Part, Position};
     /// use polhode_formats::mesh::AssumedMetres;
     /// let is_asked = |side: f64, mass: f64| {
     ///     let inertia = InertiaTensor::<Part>::diagonal([mass * side * side / 6.0; 3])?;
     ///     let properties = &MassProperties::new(mass, Position::ZERO, inertia)?;
     ///     let cube = AssumedMetres { properties, extent: None, mass_given: false, others: None, remedy: "--unit mm" };
-    ///     Ok::<_, polhode::BodyError>(cube.finding(None).is_some())
+    ///     Ok::<_, polhode::body::BodyError>(cube.finding(None).is_some())
     /// };
     /// assert!(!is_asked(0.12, 4.7)?);
     /// assert!(is_asked(120.0, 4.7e9)?);
-    /// # Ok::<(), polhode::BodyError>(())
+    /// # Ok::<(), polhode::body::BodyError>(())
     /// ```
     pub fn finding(&self, place: Option<String>) -> Option<Finding> {
         let (side, mass) = (longest_side(self.properties), self.properties.mass());
@@ -104,7 +107,8 @@ fn rounded(x: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use polhode::{InertiaTensor, Part, Position};
+    use polhode::body::InertiaTensor;
+    use polhode::math::{Part, Position};
 
     /// A box of three sides, m, and a density, off the origin.
     fn block(sides: [f64; 3], density: f64) -> (MassProperties<Part>, Option<Extent>) {

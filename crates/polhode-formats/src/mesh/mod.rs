@@ -19,7 +19,8 @@ pub mod threemf;
 
 use std::path::Path;
 
-use polhode::{BodyError, Finding, Severity, TriangleMesh};
+use polhode::body::mesh::TriangleMesh;
+use polhode::body::{BodyError, Finding, Severity};
 
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 use crate::error::FormatError;

@@ -1,6 +1,6 @@
 //! What was noticed while a file was read, counted: a file may repeat itself a million times.
 
-use polhode::{Finding, Severity};
+use polhode::body::{Finding, Severity};
 
 use crate::text::escaped;
 

@@ -8,7 +8,7 @@
 use std::collections::HashMap;
 use std::ops::Range;
 
-use polhode::{Finding, Severity};
+use polhode::body::{Finding, Severity};
 
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 

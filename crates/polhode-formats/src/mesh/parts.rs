@@ -1,6 +1,6 @@
 //! Parts of a mesh file from vertices that they share.
 
-use polhode::TriangleMesh;
+use polhode::body::mesh::TriangleMesh;
 
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 

@@ -7,7 +7,7 @@
 mod header;
 mod values;
 
-use polhode::{Finding, Severity};
+use polhode::body::{Finding, Severity};
 
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 

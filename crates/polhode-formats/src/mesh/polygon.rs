@@ -12,7 +12,7 @@ mod ears;
 
 use std::mem;
 
-use polhode::{Finding, Severity};
+use polhode::body::{Finding, Severity};
 use robust::{Coord, orient2d};
 
 use ears::Ears;

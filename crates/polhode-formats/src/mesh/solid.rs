@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use polhode::{BodyError, ClosedMesh, Finding, Severity, TriangleMesh};
+use polhode::body::mesh::{ClosedMesh, TriangleMesh};
+use polhode::body::{BodyError, Finding, Severity};
 
 use super::{MeshContents, MeshFormat, MeshPart};
 use crate::error::{FormatError, FormatErrorKind};

@@ -16,7 +16,7 @@ use std::path::Path;
 use std::sync::Mutex;
 use std::thread;
 
-use polhode::{Triangle, TriangleMesh};
+use polhode::body::mesh::{Triangle, TriangleMesh};
 
 use super::{MeshContents, MeshPart};
 use crate::error::{FormatError, FormatErrorKind, Place};

@@ -9,7 +9,8 @@ use std::io::Read;
 use std::num::NonZeroUsize;
 use std::path::Path;
 
-use polhode::{BodyError, MeasuredSolid, Position};
+use polhode::body::{BodyError, MeasuredSolid};
+use polhode::math::Position;
 use polhode_stl::{Moments, NotFinite, Options, Record, moments_of_file, moments_of_records};
 
 use super::stl::{self, StlError, StlPlace};
@@ -62,7 +63,7 @@ impl QuickMoments {
     /// The solid, for a unit of length of so many metres.
     ///
     /// ```
-    /// use polhode::{Shape, Substance};
+    /// use polhode::body::shape::{Shape, Substance};
     /// use polhode_formats::mesh::stl_quick::{QuickOptions, parse};
     /// let [o, x, y, z] = [[0.0_f32, 0.0, 0.0], [20.0, 0.0, 0.0], [0.0, 30.0, 0.0], [0.0, 0.0, 10.0]];
     /// let mut bytes = vec![0; 80];

@@ -18,10 +18,9 @@ pub mod xyz;
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use polhode::{
-    Body, BodyError, Finding, MassProperties, Particle, Position, RotationalConstants, Severity,
-    mass_properties_of_particles,
-};
+use polhode::body::{BodyError, Finding, MassProperties, Particle, Severity, mass_properties_of_particles};
+use polhode::math::{Body, Position};
+use polhode::observe::RotationalConstants;
 
 use crate::content::ContentError;
 use crate::error::{FormatError, FormatErrorKind};
@@ -40,7 +39,7 @@ pub(crate) const ATOMIC_MASS: f64 = 1.660_539_066_60e-27;
 /// Atoms rigidly joined, as a file has them.
 ///
 /// ```
-/// use polhode::Top;
+/// use polhode::observe::Top;
 /// use polhode_formats::molecule::{Isotopes, xyz};
 /// let text = b"3\nwater, calculated\nO 0 0 0.120823\nH 0 0.761688 -0.483292\nH 0 -0.761688 -0.483292\n";
 /// let water = xyz::read(text)?;

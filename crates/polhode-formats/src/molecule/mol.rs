@@ -7,7 +7,7 @@
 
 use std::collections::BTreeMap;
 
-use polhode::Severity;
+use polhode::body::Severity;
 
 use super::isotope::{Isotope, Species};
 use super::line::{Field, Lines};

@@ -9,7 +9,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use polhode::Severity;
+use polhode::body::Severity;
 
 use super::isotope::{Label, Species, label};
 use super::line::{Field, Lines};

@@ -4,7 +4,7 @@
 //! XYZ the comment says `Properties=species:S:1:pos:R:3:…`, and the columns follow it; one of masses is refused. Of several frames the first is
 //! read. The number of atoms may be followed by the unit, `au` or `bohr`, as some programs write it.
 
-use polhode::Severity;
+use polhode::body::Severity;
 
 use super::isotope::Species;
 use super::line::{Field, Lines};

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use polhode::Finding;
+use polhode::body::Finding;
 
 use super::fields::text_of;
 use super::{ParticleOptions, finding, missing};

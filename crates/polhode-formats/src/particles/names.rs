@@ -3,7 +3,7 @@
 use std::collections::{HashMap, HashSet};
 use std::ops::Range;
 
-use polhode::Finding;
+use polhode::body::Finding;
 
 use super::fields::text_of;
 use super::{finding, value};

@@ -10,7 +10,9 @@ use std::ops::Range;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use polhode::{Body, BodyPart, ClosedMesh, Finding, MassProperties};
+use polhode::body::mesh::ClosedMesh;
+use polhode::body::{BodyPart, Finding, MassProperties};
+use polhode::math::Body;
 
 use super::motion_table::Rows;
 use crate::molecule::Molecule;

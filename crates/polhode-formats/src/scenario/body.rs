@@ -1,6 +1,7 @@
 //! The `[body]`: its parts, and the point that is held.
 
-use polhode::{Body, BodyPart, Finding, MassProperties, Position, PrincipalFrame, Severity, Symmetry};
+use polhode::body::{BodyPart, Finding, MassProperties, PrincipalFrame, Severity, Symmetry};
+use polhode::math::{Body, Position};
 
 use super::again::{Changes, Found, Reading};
 use super::part::{assumes_metres, part};

@@ -2,7 +2,8 @@
 
 use std::f64::consts::PI;
 
-use polhode::{Direction, Event, EventAction, Measure, Sense};
+use polhode::math::Direction;
+use polhode::motion::{Event, EventAction, Measure, Sense};
 
 use super::reader::{Table, Value};
 use super::suggestion::nearest;
@@ -157,8 +158,8 @@ fn formula(table: &Table<'_>) -> Result<(Measure, Dimension), FormatError> {
 
 /// What an angle is measured from.
 enum Line {
-    Body(Direction<polhode::Body>),
-    Space(Direction<polhode::Space>),
+    Body(Direction<polhode::math::Body>),
+    Space(Direction<polhode::math::Space>),
     Omega,
     Momentum,
 }
@@ -178,7 +179,7 @@ impl Line {
             return Err(table.missing("body", "{ body = [0, 0, 1] }"));
         };
         let numbers = given.numbers()?;
-        if Direction::<polhode::Body>::from_array(numbers).direction().is_none() {
+        if Direction::<polhode::math::Body>::from_array(numbers).direction().is_none() {
             return Err(given
                 .invalid("a direction: not all zero")
                 .with_hint("the z axis is [0, 0, 1]; any length will do"));

@@ -1,9 +1,9 @@
 //! A density that is a formula of the place: `density = "2700*(1 + 0.1*x)"`.
 
-use polhode::{
-    BodyError, Cubature, Extent, FieldError, Finding, MassProperties, Part, Severity,
-    mass_properties_of_field,
-};
+use polhode::body::density::{Cubature, FieldError, mass_properties_of_field};
+use polhode::body::shape::Extent;
+use polhode::body::{BodyError, Finding, MassProperties, Severity};
+use polhode::math::Part;
 
 use super::reader::{Table, Value};
 use super::shape::Geometry;

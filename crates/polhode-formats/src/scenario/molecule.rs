@@ -3,7 +3,8 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use polhode::{BodyPart, Finding, Form, Part, Particle, Position, mass_properties_of_particles};
+use polhode::body::{BodyPart, Finding, Form, Particle, mass_properties_of_particles};
+use polhode::math::{Part, Position};
 
 use super::part::Placement;
 use super::reader::Table;

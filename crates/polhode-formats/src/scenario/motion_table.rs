@@ -6,7 +6,9 @@
 use std::ops::Range;
 use std::path::Path;
 
-use polhode::{Attitude, Finding, RateAxes, Severity, Uncertainty};
+use polhode::body::{Finding, Severity};
+use polhode::math::Attitude;
+use polhode::motion::{RateAxes, Uncertainty};
 
 use super::reader::Value;
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};

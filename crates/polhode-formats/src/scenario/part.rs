@@ -3,10 +3,12 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use polhode::{
-    Body, BodyPart, ClosedMesh, Extent, Finding, Form, MassProperties, Part, Particle, PlacedForm,
-    PlacedPart, Position, Rotation, mass_properties_of_particles,
+use polhode::body::mesh::ClosedMesh;
+use polhode::body::shape::Extent;
+use polhode::body::{
+    BodyPart, Finding, Form, MassProperties, Particle, PlacedForm, PlacedPart, mass_properties_of_particles,
 };
+use polhode::math::{Body, Part, Position, Rotation};
 
 use super::molecule::molecule;
 use super::reader::{Table, Value};

@@ -2,7 +2,10 @@
 
 use std::f64::consts::PI;
 
-use polhode::{Direction, Finding, Hanging, Pendulum, Scenario, Severity, Swing, TorqueModel};
+use polhode::body::{Finding, Severity};
+use polhode::math::Direction;
+use polhode::motion::torque::TorqueModel;
+use polhode::motion::{Hanging, Pendulum, Scenario, Swing};
 
 use super::reader::Table;
 use crate::error::FormatError;
@@ -89,13 +92,13 @@ fn degrees(angle: f64) -> String {
 }
 
 /// A run holds the body at a point, not at an axis: it stays on the axis only if nothing pulls it off.
-fn leaves_its_axis(scenario: &Scenario, axis: Direction<polhode::Body>) -> Option<Finding> {
+fn leaves_its_axis(scenario: &Scenario, axis: Direction<polhode::math::Body>) -> Option<Finding> {
     /// Angles below this are rounding, rad.
     const ROUNDING: f64 = 1e-9;
     scenario.run.as_ref()?;
     let n = axis.direction()?;
     let rotor = scenario.rotor();
-    let omega = polhode::AngularVelocity::from_array(n.to_array());
+    let omega = polhode::math::AngularVelocity::from_array(n.to_array());
     let along = |v: [f64; 3]| {
         let v = Direction::from_array(v);
         let across = v - n * n.dot(v);

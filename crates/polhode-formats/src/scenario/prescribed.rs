@@ -2,7 +2,10 @@
 
 use std::sync::Arc;
 
-use polhode::{Attitude, Direction, Finding, Formula, MotionError, Prescribed, RateAxes, Run, Severity};
+use polhode::body::{Finding, Severity};
+use polhode::math::formula::Formula;
+use polhode::math::{Attitude, Direction};
+use polhode::motion::{MotionError, Prescribed, RateAxes, Run};
 
 use super::motion_table::{self, Rows};
 use super::reader::{Table, Value};

@@ -11,7 +11,9 @@ use crate::error::{FormatError, FormatErrorKind, Place};
 use crate::expression::ExpressionError;
 use crate::text::{cut, visible};
 use crate::unit::{self, Dimension};
-use polhode::{BodyError, MotionError, RotationError};
+use polhode::body::BodyError;
+use polhode::math::RotationError;
+use polhode::motion::MotionError;
 
 /// The text of a file, the path for messages and for the files that it names, and which reading of it this is.
 #[derive(Clone, Copy, Debug)]

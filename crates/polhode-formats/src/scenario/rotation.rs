@@ -1,6 +1,6 @@
 //! A rotation: `rotate` of a part, `attitude` of the start.
 
-use polhode::{Direction, Frame, Rotation};
+use polhode::math::{Direction, Frame, Rotation};
 
 use super::reader::{Table, Value, each};
 use crate::error::FormatError;

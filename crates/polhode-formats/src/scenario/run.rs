@@ -1,6 +1,6 @@
 //! The `[run]`: for how long, at which times, and how.
 
-use polhode::{LOOSEST_TOLERANCE, Method, Run, SplittingOrder, TIGHTEST_TOLERANCE};
+use polhode::motion::{LOOSEST_TOLERANCE, Method, Run, SplittingOrder, TIGHTEST_TOLERANCE};
 
 use super::reader::{Table, Value};
 use crate::error::FormatError;

@@ -1,6 +1,7 @@
 //! A `[shaft]`: a body that turns on two bearings.
 
-use polhode::{Acceleration, Direction, Mounted, Position, Prescribed, Scenario, Shaft};
+use polhode::math::{Acceleration, Direction, Position};
+use polhode::motion::{Mounted, Prescribed, Scenario, Shaft};
 
 use super::reader::{Table, Value};
 use super::start::Start;

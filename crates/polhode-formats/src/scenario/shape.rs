@@ -2,9 +2,11 @@
 
 use std::sync::Arc;
 
-use polhode::{
-    BoxShape, BoxShell, Capsule, ClosedMesh, Cone, Cylinder, CylinderShell, Disk, Ellipsoid, Parametrised,
-    Plate, Rod, Shape, Solid, Sphere, SphereShell, Tetrahedron, Torus,
+use polhode::body::density::{Parametrised, Solid};
+use polhode::body::mesh::ClosedMesh;
+use polhode::body::shape::{
+    BoxShape, BoxShell, Capsule, Cone, Cylinder, CylinderShell, Disk, Ellipsoid, Plate, Rod, Shape, Sphere,
+    SphereShell, Tetrahedron, Torus,
 };
 
 use super::reader::{Table, Value, each};
@@ -132,7 +134,7 @@ pub(crate) fn shape(name: &str, table: &Table<'_>) -> Result<Geometry, FormatErr
 
 fn measured<S>(
     value: &Value<'_>,
-    new: impl Fn(f64) -> Result<S, polhode::BodyError>,
+    new: impl Fn(f64) -> Result<S, polhode::body::BodyError>,
 ) -> Result<S, FormatError> {
     new(value.positive(Dimension::LENGTH)?).map_err(|e| value.body(e))
 }
@@ -141,7 +143,7 @@ fn measured<S>(
 fn measured_by_two<S>(
     first: &Value<'_>,
     second: &Value<'_>,
-    new: impl Fn(f64, f64) -> Result<S, polhode::BodyError>,
+    new: impl Fn(f64, f64) -> Result<S, polhode::body::BodyError>,
 ) -> Result<S, FormatError> {
     new(first.positive(Dimension::LENGTH)?, second.positive(Dimension::LENGTH)?).map_err(|e| second.body(e))
 }

@@ -1,9 +1,8 @@
 //! The `[start]`: attitude, spin and velocity at t = 0.
 
-use polhode::{
-    AngularMomentum, AngularVelocity, Attitude, Body, Finding, Rotor, Scenario, Severity, Space, State,
-    Velocity,
-};
+use polhode::body::{Finding, Severity};
+use polhode::math::{AngularMomentum, AngularVelocity, Attitude, Body, Space, Velocity};
+use polhode::motion::{Rotor, Scenario, State};
 
 use super::reader::{Table, Value};
 use super::rotation::rotation;
@@ -115,6 +114,7 @@ fn of_momentum(
     if omega.is_finite() {
         return Ok(omega);
     }
-    let error = polhode::BodyError::Parameter { what: "the spin", value: omega.max_abs(), rule: "finite" };
+    let error =
+        polhode::body::BodyError::Parameter { what: "the spin", value: omega.max_abs(), rule: "finite" };
     Err(given.error(FormatErrorKind::Body(error)))
 }

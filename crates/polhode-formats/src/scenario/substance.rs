@@ -1,6 +1,7 @@
 //! What a part is made of: a density, a mass, or a material by name.
 
-use polhode::{Extent, Material, Substance};
+use polhode::body::Material;
+use polhode::body::shape::{Extent, Substance};
 
 use super::formula::{self, Formula};
 use super::reader::{Table, Value};

@@ -2,7 +2,9 @@
 
 use std::ops::Range;
 
-use polhode::{Body, MassProperties, Scenario};
+use polhode::body::MassProperties;
+use polhode::math::Body;
+use polhode::motion::Scenario;
 
 use super::again::{Found, Number};
 use super::key::{Spot, mirrored};

@@ -3,7 +3,9 @@
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};
 
-use polhode::{Body, Finding, InertiaTensor, MassProperties, Position, Scenario, Severity};
+use polhode::body::{Finding, InertiaTensor, MassProperties, Severity};
+use polhode::math::{Body, Position};
+use polhode::motion::Scenario;
 
 use super::again::{Changes, Found, Reading};
 use super::reader::Source;
@@ -16,7 +18,7 @@ use crate::error::{FormatError, FormatErrorKind};
 /// A scenario that is read many times, with some of its numbers changed.
 ///
 /// The file is parsed once. A later reading opens no file: meshes, molecules and tables are those of the first. Parts of the body
-/// in which nothing changes are not computed again, and have no [`form`](polhode::BodyPart::form).
+/// in which nothing changes are not computed again, and have no [`form`](polhode::body::BodyPart::form).
 ///
 /// ```
 /// use polhode_formats::scenario::Template;
@@ -170,7 +172,7 @@ impl Template {
 fn mass_properties(
     nominal: &MassProperties<Body>,
     values: &[f64],
-) -> Result<MassProperties<Body>, polhode::BodyError> {
+) -> Result<MassProperties<Body>, polhode::body::BodyError> {
     let (mass, center, tensor) = match *values {
         [mass, x, y, z, ref tensor @ ..] if tensor.len() == 6 => (mass, Position::new(x, y, z), tensor),
         _ => (nominal.mass(), nominal.center_of_mass(), values),

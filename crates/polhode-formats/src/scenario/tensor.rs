@@ -1,6 +1,7 @@
 //! A part given by its mass and inertia tensor.
 
-use polhode::{BodyError, InertiaAbout, InertiaTensor, MassProperties, Part, Position};
+use polhode::body::{BodyError, InertiaAbout, InertiaTensor, MassProperties};
+use polhode::math::{Part, Position};
 
 use super::reader::{Table, Value, each};
 use crate::error::{FormatError, FormatErrorKind};

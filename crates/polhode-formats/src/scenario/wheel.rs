@@ -1,6 +1,8 @@
 //! The `[[wheel]]`s: what spins inside the body.
 
-use polhode::{AngularVelocity, Body, Direction, MotionError, Motor, Rotor, Schedule, Wheel};
+use polhode::math::{AngularVelocity, Body, Direction};
+use polhode::motion::torque::Schedule;
+use polhode::motion::{MotionError, Motor, Rotor, Wheel};
 
 use super::reader::{Table, Value};
 use crate::error::FormatError;

@@ -5,7 +5,7 @@
 use std::io::{self, BufWriter, Write};
 
 use super::columns;
-use polhode::{Trajectory, Wheel};
+use polhode::motion::{Trajectory, Wheel};
 
 /// Writes a trajectory of a body with these wheels: a line of column names, then a line per sample.
 ///

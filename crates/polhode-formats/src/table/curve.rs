@@ -4,7 +4,7 @@
 
 use std::io::{self, BufWriter, Write};
 
-use polhode::{Curve, Herpolhode, MomentumTrace, Polhode, RollingCones};
+use polhode::observe::{Curve, Herpolhode, MomentumTrace, Polhode, RollingCones};
 
 use super::csv::separated;
 

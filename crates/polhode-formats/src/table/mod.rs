@@ -10,7 +10,7 @@ pub mod required;
 
 use std::borrow::Cow;
 
-use polhode::{Sample, StateError, Trajectory, Wheel};
+use polhode::motion::{Sample, StateError, Trajectory, Wheel};
 
 /// One column of the trajectory table.
 #[derive(Clone, Debug)]
@@ -62,7 +62,7 @@ pub fn columns(trajectory: &Trajectory, wheels: &[Wheel]) -> Vec<Column> {
     if trajectory.error().is_some() {
         columns.extend(ERRORS);
     }
-    let zero = polhode::AngularVelocity::ZERO;
+    let zero = polhode::math::AngularVelocity::ZERO;
     for (k, wheel) in wheels.iter().enumerate() {
         let named = |what: &str| Cow::Owned(format!("wheel_{}_{what}", k + 1));
         let held = wheel.speed_at(0.0, zero).is_none();

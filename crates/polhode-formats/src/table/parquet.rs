@@ -17,7 +17,7 @@ use ::parquet::schema::types::{Type, TypePtr};
 
 use super::required::RequiredTable;
 use super::{CONVENTIONS, columns};
-use polhode::{Trajectory, Wheel};
+use polhode::motion::{Trajectory, Wheel};
 
 /// Writes a trajectory of a body with these wheels: one row per sample.
 ///

@@ -5,7 +5,9 @@
 
 use std::io::{self, BufWriter, Write};
 
-use polhode::{Body, Mounted, Particle, Required, Rotor};
+use polhode::body::Particle;
+use polhode::math::Body;
+use polhode::motion::{Mounted, Required, Rotor};
 
 use super::csv::separated;
 
@@ -54,7 +56,7 @@ impl RequiredTable {
             let force = |s: &Required| {
                 let rate = |mounted: &Mounted| mounted.shaft.axis().dot(s.state.omega);
                 let held = shaft.map(|mounted| mounted.reactions(rate(mounted), s.state.attitude).bearings);
-                held.and_then(|held| held.get(k).copied()).map_or([0.0; 3], polhode::Force::to_array)
+                held.and_then(|held| held.get(k).copied()).map_or([0.0; 3], polhode::math::Force::to_array)
             };
             table.vector(samples, &name, "_n", "N", BEARING, force);
         }

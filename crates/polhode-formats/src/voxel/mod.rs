@@ -24,7 +24,8 @@ use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 
-use polhode::{BodyError, VoxelGrid, VoxelMassProperties};
+use polhode::body::BodyError;
+use polhode::body::density::{VoxelGrid, VoxelMassProperties};
 
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 use crate::error::FormatError;

@@ -4,7 +4,8 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use polhode::{ErrorEffort, Material, Required, Scenario};
+use polhode::body::Material;
+use polhode::motion::{ErrorEffort, Required, Scenario};
 use polhode_formats::table::columns;
 use polhode_formats::table::required::RequiredTable;
 use polhode_formats::unit::{self, Dimension};
@@ -113,7 +114,7 @@ fn the_scenarios_of_the_pages_run() {
             }
             let scenario =
                 scenario::parse(&text, &root().join(place)).unwrap_or_else(|e| panic!("{at}: {e}"));
-            let worse = scenario.findings.iter().filter(|f| f.severity != polhode::Severity::Info);
+            let worse = scenario.findings.iter().filter(|f| f.severity != polhode::body::Severity::Info);
             assert_eq!(worse.count(), 0, "{at}: {:?}", scenario.findings);
             if let Some(motion) = scenario.simulate() {
                 motion.unwrap_or_else(|e| panic!("{at}: {e}"));

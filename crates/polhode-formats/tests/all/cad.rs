@@ -2,7 +2,8 @@
 
 use std::fmt::Write;
 
-use polhode::{Body, InertiaTensor, MassProperties, Position};
+use polhode::body::{InertiaTensor, MassProperties};
+use polhode::math::{Body, Position};
 use polhode_formats::cad::{
     CadOptions, CadProduct, CadReport, DecimalMark, ProductConvention, SignSource, read,
 };

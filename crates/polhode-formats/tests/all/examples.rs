@@ -4,7 +4,10 @@ use std::f64::consts::PI;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use polhode::*;
+use polhode::body::Symmetry;
+use polhode::math::elliptic::EllipticParameter;
+use polhode::motion::Run;
+use polhode::prelude::*;
 use polhode_formats::scenario;
 
 fn examples() -> PathBuf {

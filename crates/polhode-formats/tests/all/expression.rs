@@ -1,6 +1,7 @@
 //! Formulas: values against plain Rust, every error with its column, and texts that no stack would survive.
 
-use polhode::{BoxShape, Cubature, DensityField, Solid, mass_properties_of_field};
+use polhode::body::density::{Cubature, DensityField, Solid, mass_properties_of_field};
+use polhode::body::shape::BoxShape;
 use polhode_formats::expression::{
     Expression, ExpressionErrorKind, formula_of_state, formula_of_time, measured,
 };

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use polhode::Position;
+use polhode::math::Position;
 use polhode_formats::mesh::{MeshContents, MeshFormat};
 use polhode_formats::molecule::{self, MoleculeFormat};
 use polhode_formats::{FormatErrorKind, cad, particles, read_file, read_text_file, scenario, times};

@@ -3,7 +3,8 @@
 use std::f64::consts::PI;
 use std::path::Path;
 
-use polhode::*;
+use polhode::body::Severity;
+use polhode::prelude::*;
 use polhode_formats::{FormatError, scenario};
 
 fn parse(text: &str) -> Result<Scenario, FormatError> {

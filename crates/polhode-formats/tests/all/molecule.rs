@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use polhode::{RotationalConstants, Severity, Top};
+use polhode::body::Severity;
+use polhode::observe::{RotationalConstants, Top};
 use polhode_formats::FormatError;
 use polhode_formats::molecule::{
     Atom, Element, Isotope, Isotopes, Molecule, MoleculeFormat, Species, mol, parse, pdb, xyz,

@@ -2,7 +2,8 @@
 
 use std::fmt::Write;
 
-use polhode::{Body, Particle, Position};
+use polhode::body::Particle;
+use polhode::math::{Body, Position};
 use polhode_formats::particles::{ParticleFile, ParticleOptions, read};
 use polhode_formats::{ContentError, ContentErrorKind, ContentPlace};
 

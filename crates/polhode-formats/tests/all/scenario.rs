@@ -2,7 +2,12 @@
 
 use std::path::Path;
 
-use polhode::*;
+use polhode::body::Severity;
+use polhode::body::shape::{
+    BoxShell, Capsule, Cone, CylinderShell, Disk, Ellipsoid, Plate, SphereShell, Tetrahedron, Torus,
+};
+use polhode::motion::{Run, SplittingOrder};
+use polhode::prelude::*;
 use polhode_formats::scenario;
 
 const BALL: &str = "[[body.part]]\nshape = 'sphere'\nradius = '20 mm'\nmass = '0.5 kg'\n";

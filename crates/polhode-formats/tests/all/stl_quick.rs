@@ -3,7 +3,9 @@
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 
-use polhode::{BodyError, MassProperties, Part, Shape, Substance};
+use polhode::body::shape::{Shape, Substance};
+use polhode::body::{BodyError, MassProperties};
+use polhode::math::Part;
 use polhode_formats::FormatErrorKind;
 use polhode_formats::mesh::stl::{StlError, StlPlace};
 use polhode_formats::mesh::stl_quick::{QuickMoments, QuickOptions, parse, read};

@@ -7,11 +7,10 @@ use std::path::Path;
 use parquet::basic::{Compression, Encoding, Repetition};
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::RowAccessor;
-use polhode::{
-    AngularMomentum, AngularVelocity, Attitude, Direction, ErrorEffort, InertiaTensor, MassProperties,
-    Method, Motor, Position, Rotation, Rotor, Simulation, State, TorqueModel, Trajectory, UniformGravity,
-    Wheel,
-};
+use polhode::body::{InertiaTensor, MassProperties};
+use polhode::math::{AngularMomentum, AngularVelocity, Attitude, Direction, Position, Rotation};
+use polhode::motion::torque::{TorqueModel, UniformGravity};
+use polhode::motion::{ErrorEffort, Method, Motor, Rotor, Simulation, State, Trajectory, Wheel};
 use polhode_formats::table::{self, columns};
 
 /// One wheel whose speed is held, and one that a motor turns.

@@ -2,7 +2,8 @@
 
 use std::io::{Cursor, Write};
 
-use polhode::{ClosedMesh, Severity};
+use polhode::body::Severity;
+use polhode::body::mesh::ClosedMesh;
 use polhode_formats::ContentError;
 use polhode_formats::mesh::MeshContents;
 use polhode_formats::mesh::threemf::read;

@@ -1,6 +1,9 @@
 //! Torques that are formulas: against built-in torques, closed forms and each other, by both integrators.
 
-use polhode::*;
+use polhode::math::formula::Formula;
+use polhode::motion::torque::{Drag, DragLaw, FormulaTorque};
+use polhode::motion::{Ending, Motor};
+use polhode::prelude::*;
 use polhode_formats::expression::formula_of_state;
 use polhode_formats::unit::Dimension;
 

@@ -4,7 +4,9 @@ use std::io::Write;
 
 use flate2::Compression;
 use flate2::write::GzEncoder;
-use polhode::{BoxShape, MassProperties, Part, PlacedPart, Position, Rotation, Shape, Substance, assemble};
+use polhode::body::shape::{BoxShape, Shape, Substance};
+use polhode::body::{MassProperties, PlacedPart, assemble};
+use polhode::math::{Part, Position, Rotation};
 use polhode_formats::voxel::{VoxelOptions, Voxels, read};
 use polhode_formats::{ContentError, ContentErrorKind, ContentPlace};
 
@@ -52,7 +54,7 @@ const FIELDS: &str = "type: uchar\ndimension: 3\nsizes: 2 3 4\nencoding: raw\nsp
     key with spaces:=value\n";
 
 /// The body that the numbers are in kg/m³, with its first voxel's middle at `origin`, as an assembly of boxes.
-fn exact(origin: [f64; 3]) -> MassProperties<polhode::Body> {
+fn exact(origin: [f64; 3]) -> MassProperties<polhode::math::Body> {
     let brick = BoxShape::new(SIZE).unwrap();
     let mut parts = Vec::new();
     for i in 0..2 {

@@ -1,6 +1,8 @@
 //! The answer, before the working.
 
-use polhode::{Cones, FreeMotion, FreeRegime, SymmetricTop, Symmetry};
+use polhode::body::Symmetry;
+use polhode::motion::FreeMotion;
+use polhode::observe::{Cones, FreeRegime, SymmetricTop};
 
 use super::working::{Working, exactly, n, v};
 use crate::forces;

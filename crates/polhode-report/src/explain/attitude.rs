@@ -1,6 +1,8 @@
 //! Step 6: the attitude.
 
-use polhode::{Drift, FreeMotion, Regime, State, SymmetricTop, Symmetry, Trajectory};
+use polhode::body::Symmetry;
+use polhode::motion::{FreeMotion, Regime, State, Trajectory};
+use polhode::observe::{Drift, SymmetricTop};
 
 use super::document::Section;
 use super::working::{Working, n, v};

@@ -1,6 +1,6 @@
 //! Step 1: the axes.
 
-use polhode::Attitude;
+use polhode::math::Attitude;
 
 use super::document::Section;
 use super::working::{Working, v};

@@ -1,6 +1,6 @@
 //! Step 0: the body.
 
-use polhode::Particle;
+use polhode::body::Particle;
 
 use super::document::Section;
 use super::working::{Working, cells, n, v};

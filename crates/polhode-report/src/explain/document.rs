@@ -1,6 +1,6 @@
 //! A worked solution as a document: sections of paragraphs, formulas, numbers and tables, to be rendered.
 
-use polhode::Finding;
+use polhode::body::Finding;
 use serde_json::{Value, json};
 
 use crate::json::matrix;

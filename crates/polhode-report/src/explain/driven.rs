@@ -1,6 +1,7 @@
 //! Step 5 with torque, or with the motion given.
 
-use polhode::{Method, Sample, Solution, Symmetry};
+use polhode::body::Symmetry;
+use polhode::motion::{Method, Sample, Solution};
 
 use super::document::Section;
 use super::working::{Working, cells, n, v};

@@ -1,6 +1,8 @@
 //! Step 4: Euler's equations.
 
-use polhode::{Body, Particle, ParticleForce, Principal, Symmetry, Torque, Vector};
+use polhode::body::{Particle, Symmetry};
+use polhode::math::{Body, Principal, Torque, Vector};
+use polhode::motion::ParticleForce;
 
 use super::body::numbered;
 use super::document::Section;
@@ -110,7 +112,7 @@ fn torque_needed(w: &Working<'_>, s: &mut Section) {
     s.say(format!("The torque that keeps this motion, about {}, back in body axes:", w.point_name()));
     let body = tidy_beside(needed.torque.to_array(), scale);
     s.line(format!("N = {} N·m,  |N| = {} N·m", exactly(body), n(needed.torque.norm())));
-    if w.start.attitude != polhode::Attitude::identity() {
+    if w.start.attitude != polhode::math::Attitude::identity() {
         let space = (w.start.attitude * needed.torque).to_array();
         s.line(format!("  = {} N·m in space axes", exactly(tidy_beside(space, scale))));
     }
@@ -181,7 +183,7 @@ fn particles(w: &Working<'_>, s: &mut Section) {
     let largest = forces.iter().map(|f| f.torque.norm()).fold(0.0, f64::max);
     let total = forces.iter().fold(Torque::ZERO, |sum, f| sum + f.torque);
     s.line(format!("Σ rα × Fα = {} N·m: the torque above", exactly(tidy_beside(total.to_array(), largest))));
-    let force = forces.iter().fold(polhode::Force::ZERO, |sum, f| sum + f.force);
+    let force = forces.iter().fold(polhode::math::Force::ZERO, |sum, f| sum + f.force);
     let scale = forces.iter().map(|f| f.force.norm()).fold(0.0, f64::max);
     let force = tidy_beside(force.to_array(), scale);
     if force == [0.0; 3] {

@@ -2,7 +2,9 @@
 
 use std::f64::consts::TAU;
 
-use polhode::{Cones, FreeMotion, FreeRegime, Regime, Sample, SymmetricTop, Symmetry};
+use polhode::body::Symmetry;
+use polhode::motion::{FreeMotion, Regime, Sample};
+use polhode::observe::{Cones, FreeRegime, SymmetricTop};
 
 use super::document::Section;
 use super::driven;
@@ -51,7 +53,7 @@ fn symmetric(w: &Working<'_>, motion: &FreeMotion, top: &SymmetricTop, s: &mut S
     let [axial, transverse] = top.moments();
     let e = top.axis();
     let along = e * top.spin();
-    let omega = polhode::Direction::from_array(w.start.omega.to_array());
+    let omega = polhode::math::Direction::from_array(w.start.omega.to_array());
     let across = omega - along;
     if across.norm() <= CLOSED * omega.norm() {
         along_axis(w, top, s);

@@ -1,9 +1,9 @@
 //! A body with wheels or friction inside, worked out: the steps for one rigid body would leave out what moves in it.
 
-use polhode::{
-    AngularMomentum, AngularVelocity, Body, EnergySink, Motor, PermanentRotation, Settling, Torque,
-    TorqueModel, Wheel,
-};
+use polhode::math::{AngularMomentum, AngularVelocity, Body, Torque};
+use polhode::motion::torque::{EnergySink, TorqueModel};
+use polhode::motion::{Motor, Wheel};
+use polhode::observe::{PermanentRotation, Settling};
 
 use super::document::{Document, Section};
 use super::driven;
@@ -153,7 +153,7 @@ impl<'a, 'w> Inside<'a, 'w> {
         let rate =
             [0, 1, 2].map(|k| if [i1, i2, i3][k] > 0.0 { along_axes[k] / [i1, i2, i3][k] } else { 0.0 });
         let rate = w.rotor.principal().rotation()
-            * polhode::Vector::<polhode::quantity::AngularAcceleration, _>::from_array(rate);
+            * polhode::math::Vector::<polhode::math::quantity::AngularAcceleration, _>::from_array(rate);
         s.line(format!(
             "dω/dt = {} rad/s²",
             v(tidy_beside(rate.to_array(), self.omega.norm() * self.omega.norm()))

@@ -21,7 +21,7 @@ mod working;
 
 use std::borrow::Cow;
 
-use polhode::{MotionError, Scenario, Trajectory};
+use polhode::motion::{MotionError, Scenario, Trajectory};
 
 use document::Document;
 use working::Working;
@@ -30,7 +30,9 @@ use working::Working;
 /// inertia tensor and its principal axes; 4 Euler's equations; 5 their solution; 6 the attitude.
 ///
 /// ```
-/// use polhode::*;
+/// use polhode::prelude::*;
+/// use polhode::motion::Prescribed;
+/// use polhode::body::BodyPart;
 /// let particles = vec![
 ///     Particle::new(1.2, Position::new(0.0, 0.0, 0.5))?,
 ///     Particle::new(0.7, Position::new(0.0, 0.0, -0.5))?,

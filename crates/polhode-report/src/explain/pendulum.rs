@@ -1,6 +1,8 @@
 //! Step 5 of a body hung from a fixed axis.
 
-use polhode::{AngularVelocity, Body, Direction, Particle, Pendulum, Swing};
+use polhode::body::Particle;
+use polhode::math::{AngularVelocity, Body, Direction};
+use polhode::motion::{Pendulum, Swing};
 
 use super::document::Section;
 use super::working::{Working, factor, n, v};

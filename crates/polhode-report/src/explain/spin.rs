@@ -1,8 +1,8 @@
 //! Step 2: ω and N at t0, and what moves how fast.
 
-use polhode::{
-    ConstantTorque, KineticEnergySplit, MovingParticle, Prescribed, Rotor, Space, TorqueModel, Velocity,
-};
+use polhode::math::{Space, Velocity};
+use polhode::motion::torque::{ConstantTorque, TorqueModel};
+use polhode::motion::{KineticEnergySplit, MovingParticle, Prescribed, Rotor};
 
 use super::document::Section;
 use super::working::{Working, acting, cells, exactly, n, v};
@@ -31,7 +31,7 @@ fn omega(w: &Working<'_>, s: &mut Section) {
     }
     s.line(format!("t0 = {} s", n(w.start.time)));
     s.line(format!("ω  = {} rad/s in body axes", exactly(omega.to_array())));
-    if w.start.attitude != polhode::Attitude::identity() {
+    if w.start.attitude != polhode::math::Attitude::identity() {
         s.line(format!("   = {} rad/s in space axes", v(w.start.omega_space().to_array())));
     }
     s.line(format!("|ω| = {}", rate(omega.norm())));

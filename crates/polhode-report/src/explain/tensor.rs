@@ -1,6 +1,8 @@
 //! Step 3: the inertia tensor, its principal moments and axes, and L = {I} ω.
 
-use polhode::{Body, Particle, Symmetry, angular_momentum};
+use polhode::body::{Particle, Symmetry};
+use polhode::math::Body;
+use polhode::motion::angular_momentum;
 
 use super::document::Section;
 use super::working::{Working, cells, exactly, factor, n, v};
@@ -208,7 +210,7 @@ fn momentum(w: &Working<'_>, m: [[f64; 3]; 3], s: &mut Section) {
         s.sum(&format!("L{}", i + 1), &terms, &format!("{} kg·m²/s", n(shown[i])));
     }
     s.line(format!("L  = {} kg·m²/s, |L| = {} kg·m²/s, body axes", v(l.to_array()), n(l.norm())));
-    if w.start.attitude != polhode::Attitude::identity() {
+    if w.start.attitude != polhode::math::Attitude::identity() {
         s.line(format!(
             "   = {} kg·m²/s, space axes",
             v(w.rotor.angular_momentum_space(&w.start).to_array())
@@ -234,8 +236,8 @@ fn by_particles(w: &Working<'_>, s: &mut Section) {
     // Places are seen from the centre of mass, so the pivot stands at −l.
     let attitude = w.start.attitude;
     let (point, velocity) = match w.scenario.pivot {
-        Some(_) => (attitude * -w.rotor.lever(), polhode::Velocity::ZERO),
-        None => (polhode::Position::ZERO, w.center_velocity()),
+        Some(_) => (attitude * -w.rotor.lever(), polhode::math::Velocity::ZERO),
+        None => (polhode::math::Position::ZERO, w.center_velocity()),
     };
     let l = angular_momentum(&moving, point, velocity);
     let gap = (l - w.rotor.angular_momentum_space(&w.start)).norm();

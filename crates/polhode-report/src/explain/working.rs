@@ -2,10 +2,12 @@
 
 use std::borrow::Cow;
 
-use polhode::{
-    AngularAcceleration, Body, Ending, ErrorEffort, Finding, MassProperties, MotionError, MovingParticle,
-    Particle, Pendulum, Position, Required, Rotor, Sample, Scenario, Space, State, Torque, TorqueModel,
-    Trajectory, Velocity, rigid_velocity,
+use polhode::body::{Finding, MassProperties, Particle};
+use polhode::math::{AngularAcceleration, Body, Position, Space, Torque, Velocity};
+use polhode::motion::torque::TorqueModel;
+use polhode::motion::{
+    Ending, ErrorEffort, MotionError, MovingParticle, Pendulum, Required, Rotor, Sample, Scenario, State,
+    Trajectory, rigid_velocity,
 };
 
 use crate::motion;

@@ -24,7 +24,8 @@ mod xml;
 
 pub use error::ExportError;
 
-use polhode::{Body, MassProperties};
+use polhode::body::MassProperties;
+use polhode::math::Body;
 
 use crate::InertiaReport;
 use crate::number::exact;
@@ -154,7 +155,8 @@ impl ExportBody {
 /// but what the format itself asks for.
 ///
 /// ```
-/// use polhode::{InertiaTensor, MassProperties, Position};
+/// use polhode::body::{InertiaTensor, MassProperties};
+/// use polhode::math::Position;
 /// use polhode_report::{ExportBody, ExportFormat, export};
 /// let inertia = InertiaTensor::with_negative_products([3.1, 4.2, 5.3], [0.4, -0.3, 0.2])?;
 /// let body = MassProperties::new(2.3, Position::new(0.11, -0.07, 0.23), inertia)?;

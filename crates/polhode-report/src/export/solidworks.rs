@@ -4,7 +4,7 @@
 //! line above them; so does this. The report has two tensors: with the mass and the centre they prove the sign by the
 //! parallel-axis theorem, Ixy = Lxy + M x y.
 
-use polhode::Position;
+use polhode::math::Position;
 
 use super::{ExportBody, ExportError, ExportFormat, number, numbers};
 use crate::VERSION;
@@ -69,7 +69,7 @@ Taken at the output coordinate system. (Using positive tensor notation.)
 fn principal(body: &ExportBody) -> String {
     let principal = body.properties.principal();
     let rows = ["x", "y", "z"].into_iter().zip(principal.axes()).zip(principal.moments());
-    let row = |((label, axis), moment): ((&str, polhode::Direction<polhode::Body>), f64)| {
+    let row = |((label, axis), moment): ((&str, polhode::math::Direction<polhode::math::Body>), f64)| {
         let axis = numbers(&axis.to_array(), ",  ");
         format!("\t I{label} = ({axis})   \tP{label} = {}\n", number(moment))
     };

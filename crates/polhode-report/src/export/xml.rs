@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use polhode::Symmetry;
+use polhode::body::Symmetry;
 
 use super::{ExportBody, ExportError, ExportFormat};
 use crate::layout::is_unseen;

@@ -1,9 +1,10 @@
 //! What a motion's reports say, gathered once from the core.
 
-use polhode::{
-    ClosedForm, Cones, Drift, FreeRegime, ParticleForce, Pendulum, Prescribed, Regime, Required, Rotor,
-    Sample, Scenario, Solution, State, Swing, SymmetricTop, Trajectory,
+use polhode::motion::{
+    ClosedForm, ParticleForce, Pendulum, Prescribed, Regime, Required, Rotor, Sample, Scenario, Solution,
+    State, Swing, Trajectory,
 };
+use polhode::observe::{Cones, Drift, FreeRegime, SymmetricTop};
 
 /// Everything that is asked of the core for one motion.
 #[derive(Clone, Debug)]

@@ -5,7 +5,8 @@ mod summary;
 mod text;
 mod underflow;
 
-use polhode::{Finding, Scenario, Trajectory};
+use polhode::body::Finding;
+use polhode::motion::{Scenario, Trajectory};
 use serde_json::Value;
 
 use crate::source::SourceInfo;
@@ -14,7 +15,8 @@ use crate::sparkline;
 /// A motion, ready to be read.
 ///
 /// ```
-/// use polhode::*;
+/// use polhode::prelude::*;
+/// use polhode::motion::Run;
 /// use polhode_report::{MotionReport, SourceInfo};
 /// let inertia = InertiaTensor::diagonal([1.0, 2.0, 3.0])?;
 /// let scenario = Scenario {

@@ -1,9 +1,10 @@
 //! `summary.json`.
 
-use polhode::{
-    Drift, FreeMotion, FreeRegime, Method, ParticleForce, Pendulum, Sample, Scenario, Solution, State, Swing,
-    TorqueModel, Wheel,
+use polhode::motion::torque::TorqueModel;
+use polhode::motion::{
+    FreeMotion, Method, ParticleForce, Pendulum, Sample, Scenario, Solution, State, Swing, Wheel,
 };
+use polhode::observe::{Drift, FreeRegime};
 use serde_json::{Map, Value, json};
 
 use super::MotionReport;

@@ -1,6 +1,7 @@
 //! The motion on one screen.
 
-use polhode::{FreeRegime, Method, Pendulum, Sample, Scenario, Solution, State, Swing, Wheel};
+use polhode::motion::{Method, Pendulum, Sample, Scenario, Solution, State, Swing, Wheel};
+use polhode::observe::FreeRegime;
 
 use super::MotionReport;
 use super::facts::{Facts, Needed, Top};
@@ -183,7 +184,7 @@ fn torque_needed(needed: &Needed) -> String {
     text
 }
 
-fn force_row(k: usize, f: &polhode::ParticleForce) -> Vec<String> {
+fn force_row(k: usize, f: &polhode::motion::ParticleForce) -> Vec<String> {
     let scale = f.force.norm();
     let shown = |v: [f64; 3]| vector(crate::number::tidy_beside(v, scale), 6);
     vec![

@@ -1,6 +1,7 @@
 //! Energies of a motion that are below the range of numbers, though the body turns.
 
-use polhode::{Finding, Sample, Scenario, Severity, Trajectory};
+use polhode::body::{Finding, Severity};
+use polhode::motion::{Sample, Scenario, Trajectory};
 
 /// `motion.underflow`: T of some sample is below the range of numbers, and not that of the start, of which the scenario's findings tell.
 pub(super) fn finding(scenario: &Scenario, trajectory: &Trajectory) -> Option<Finding> {

@@ -1,6 +1,7 @@
 //! Atoms as balls in the colours that chemists know, bonds as sticks.
 
-use polhode::{Body, BodyPart, Position};
+use polhode::body::BodyPart;
+use polhode::math::{Body, Position};
 use serde_json::{Value, json};
 
 use super::base64::f32s;

@@ -1,6 +1,7 @@
 //! The body: its mass, its inertia about the point that it turns about, and its looks.
 
-use polhode::{Body, BodyPart, Direction, Position, PrincipalFrame};
+use polhode::body::{BodyPart, PrincipalFrame};
+use polhode::math::{Body, Direction, Position};
 use serde_json::{Value, json};
 
 use super::PageSubject;

@@ -43,7 +43,7 @@ pub(super) fn json(input: &PageInput<'_>, frame: usize) -> Value {
 
 fn findings(input: &PageInput<'_>) -> Value {
     let PageSubject::Scenario(scenario) = input.subject else { return json!([]) };
-    let one = |f: &polhode::Finding| {
+    let one = |f: &polhode::body::Finding| {
         let place = f.place.as_ref().map_or_else(String::new, |place| format!(" ({place})"));
         json!({ "severity": f.severity.name(), "message": format!("{}{place}", f.message) })
     };

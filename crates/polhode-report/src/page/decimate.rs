@@ -6,7 +6,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use polhode::TriangleMesh;
+use polhode::body::mesh::TriangleMesh;
 
 /// A mesh of at most `most` triangles, or of none; the same for the same mesh.
 pub(super) fn decimated(mesh: &TriangleMesh, most: usize) -> TriangleMesh {

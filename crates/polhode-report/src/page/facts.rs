@@ -1,9 +1,8 @@
 //! The numbers beside the picture, ready to read.
 
-use polhode::{
-    Cones, Crossing, Drift, FreeMotion, FreeRegime, GeometricPhase, Herpolhode, LeastEnergySpin, Regime,
-    Scenario, Solution, Swing, SymmetricTop, TorqueModel, Wheel,
-};
+use polhode::motion::torque::TorqueModel;
+use polhode::motion::{Crossing, FreeMotion, Regime, Scenario, Solution, Swing, Wheel};
+use polhode::observe::{Cones, Drift, FreeRegime, GeometricPhase, Herpolhode, LeastEnergySpin, SymmetricTop};
 use serde_json::{Value, json};
 
 use super::body::Turning;

@@ -1,8 +1,8 @@
 //! The geometry of a free motion: the curves that ω and L draw.
 
-use polhode::{
-    ClosedForm, CurveError, FreeMotion, Herpolhode, MomentumTrace, Polhode, Regime, Solution, Vector,
-};
+use polhode::math::Vector;
+use polhode::motion::{ClosedForm, FreeMotion, Regime, Solution};
+use polhode::observe::{CurveError, Herpolhode, MomentumTrace, Polhode};
 use serde_json::{Value, json};
 
 use super::base64::f64s;
@@ -59,7 +59,7 @@ fn curves(motion: &FreeMotion, shown: &Shown<'_>) -> Result<Value, CurveError> {
 
 /// ω in space over the time that is shown, from one period to [`MOST_PERIODS`].
 fn herpolhode(motion: &FreeMotion, shown: &Shown<'_>) -> Result<Vec<[f64; 3]>, CurveError> {
-    let time = |sample: Option<&&polhode::Sample>| sample.map_or(0.0, |s| s.state.time);
+    let time = |sample: Option<&&polhode::motion::Sample>| sample.map_or(0.0, |s| s.state.time);
     let duration = time(shown.samples.last()) - time(shown.samples.first());
     let wanted = motion.period().map_or(1.0, |period| (duration / period).clamp(1.0, MOST_PERIODS));
     // Where ω goes round L far oftener than in the body even a period is too much to draw.
@@ -69,7 +69,7 @@ fn herpolhode(motion: &FreeMotion, shown: &Shown<'_>) -> Result<Vec<[f64; 3]>, C
         curve => curve?,
     };
     let along = curve.normal * curve.height;
-    let point = |p: &polhode::AngularVelocity<polhode::Space>| {
+    let point = |p: &polhode::math::AngularVelocity<polhode::math::Space>| {
         let ([x, y, z], [a, b, c]) = (p.to_array(), along.to_array());
         [x + a, y + b, z + c]
     };
@@ -105,14 +105,14 @@ fn circle(there: &[[f64; 3]], back: &[[f64; 3]]) -> Vec<[f64; 3]> {
 }
 
 /// L/|L| of an angular velocity in the body, principal axes: (i1 ω1, i2 ω2, i3 ω3) / |…|.
-fn direction(motion: &FreeMotion, omega: polhode::AngularVelocity<polhode::Body>) -> [f64; 3] {
+fn direction(motion: &FreeMotion, omega: polhode::math::AngularVelocity<polhode::math::Body>) -> [f64; 3] {
     let principal = motion.principal();
     let omega = (principal.rotation().inverse() * omega).to_array();
     let [i1, i2, i3] = principal.moments();
     unit([i1 * omega[0], i2 * omega[1], i3 * omega[2]])
 }
 
-fn in_principal_axes<Q>(motion: &FreeMotion, l: Vector<Q, polhode::Body>) -> [f64; 3] {
+fn in_principal_axes<Q>(motion: &FreeMotion, l: Vector<Q, polhode::math::Body>) -> [f64; 3] {
     let to_principal = motion.principal().rotation().inverse();
     unit((to_principal * l).to_array())
 }

@@ -15,7 +15,9 @@ mod mathml;
 mod motion;
 mod shapes;
 
-use polhode::{Body, PrincipalFrame, Scenario, Trajectory};
+use polhode::body::PrincipalFrame;
+use polhode::math::Body;
+use polhode::motion::{Scenario, Trajectory};
 
 use crate::explain::document::Document;
 use mathml::escaped;
@@ -23,7 +25,8 @@ use mathml::escaped;
 /// What a page shows.
 ///
 /// ```
-/// use polhode::{AngularVelocity, Attitude, FreeMotion, State, Trajectory};
+/// use polhode::math::{AngularVelocity, Attitude};
+/// use polhode::motion::{FreeMotion, State, Trajectory};
 /// use polhode_report::{PageInput, PageSubject, page};
 /// let start = State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.01, 1.0, 0.02) };
 /// let motion = FreeMotion::of_moments([1.0, 2.0, 3.0], start)?;
@@ -37,7 +40,7 @@ use mathml::escaped;
 ///     explanation: None,
 /// });
 /// assert!(html.contains("<title>1 &lt; 2 &lt; 3</title>"));
-/// # Ok::<(), polhode::MotionError>(())
+/// # Ok::<(), polhode::motion::MotionError>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct PageInput<'a> {

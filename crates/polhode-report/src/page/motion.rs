@@ -1,6 +1,6 @@
 //! The motion as rows of numbers.
 
-use polhode::{Crossing, Sample, Trajectory, Wheel};
+use polhode::motion::{Crossing, Sample, Trajectory, Wheel};
 use serde_json::{Value, json};
 
 use super::PageSubject;

@@ -1,8 +1,8 @@
 //! What the body looks like: its parts at their places, seen from the point that it turns about.
 
-use polhode::{
-    BodyPart, Direction, Form, Part, Particle, PlacedForm, Position, PrincipalFrame, TriangleMesh,
-};
+use polhode::body::mesh::TriangleMesh;
+use polhode::body::{BodyPart, Form, Particle, PlacedForm, PrincipalFrame};
+use polhode::math::{Direction, Part, Position};
 use serde_json::{Value, json};
 
 use super::atoms;

@@ -6,7 +6,9 @@
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use polhode::{Body, Direction, Position, Rotor, Sample, Scenario, Space, TorqueModel};
+use polhode::math::{Body, Direction, Position, Space};
+use polhode::motion::torque::TorqueModel;
+use polhode::motion::{Rotor, Sample, Scenario};
 
 use super::axes::{Area, Axes, Axis, Key};
 use super::error::PlotError;

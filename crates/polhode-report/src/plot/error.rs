@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use polhode::CurveError;
+use polhode::observe::CurveError;
 
 use super::figure::Figure;
 

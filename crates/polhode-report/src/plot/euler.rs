@@ -6,7 +6,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use polhode::Sample;
+use polhode::motion::Sample;
 
 use super::axes::{Area, Axes, Key};
 use super::error::PlotError;
@@ -227,7 +227,8 @@ fn followed(angles: impl Iterator<Item = (f64, Option<f64>)>) -> Pieces {
 
 #[cfg(test)]
 mod tests {
-    use polhode::{AngularVelocity, Attitude, FreeMotion, State, Trajectory};
+    use polhode::math::{AngularVelocity, Attitude};
+    use polhode::motion::{FreeMotion, State, Trajectory};
 
     use super::*;
 
@@ -253,7 +254,7 @@ mod tests {
     /// A sphere turns about an axis in the x-z plane of space: what its angles are is known wherever they exist.
     #[test]
     fn sums_and_differences_go_on_through_the_ends() {
-        let turning = |omega: AngularVelocity<polhode::Body>| {
+        let turning = |omega: AngularVelocity<polhode::math::Body>| {
             let start = State { time: 0.0, attitude: Attitude::identity(), omega };
             let motion = FreeMotion::of_moments([1.7; 3], start).unwrap();
             let times: Vec<f64> = (0..=300).map(|k| 0.018 * f64::from(k)).collect();

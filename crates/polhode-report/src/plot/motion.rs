@@ -1,6 +1,7 @@
 //! The figures of a motion: which there are, and each on a sheet.
 
-use polhode::{FreeMotion, PrincipalFrame, Regime, Sample, Scenario, Solution, Trajectory, Wheel};
+use polhode::body::PrincipalFrame;
+use polhode::motion::{FreeMotion, Regime, Sample, Scenario, Solution, Trajectory, Wheel};
 
 use super::axes::{Area, heading};
 use super::axis_path::TopAxis;
@@ -14,7 +15,8 @@ use crate::layout::printable;
 /// A motion, ready to be drawn.
 ///
 /// ```
-/// use polhode::{AngularVelocity, Attitude, FreeMotion, State, Trajectory};
+/// use polhode::math::{AngularVelocity, Attitude};
+/// use polhode::motion::{FreeMotion, State, Trajectory};
 /// use polhode_report::{Figure, MotionFigures};
 /// let start = State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.01, 1.0, 0.01) };
 /// let motion = FreeMotion::of_moments([1.0, 2.0, 3.0], start)?;
@@ -30,7 +32,7 @@ pub struct MotionFigures<'a> {
     pub(super) title: String,
     pub(super) trajectory: &'a Trajectory,
     /// About the point that the body turns about.
-    pub(super) principal: PrincipalFrame<polhode::Body>,
+    pub(super) principal: PrincipalFrame<polhode::math::Body>,
     pub(super) free: Option<FreeMotion>,
     pub(super) driven: Driven,
     pub(super) wheels: Vec<Wheel>,

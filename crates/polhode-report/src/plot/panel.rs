@@ -4,7 +4,7 @@
 //! low, and its axis has no numbers. A motion that runs away is drawn up to where it leaves the plot, which is as high as the rest
 //! of it needs.
 
-use polhode::Ending;
+use polhode::motion::Ending;
 
 use super::axes::{Area, Axes, Axis, Key};
 use super::font;

@@ -1,6 +1,7 @@
 //! The herpolhode in the invariable plane.
 
-use polhode::{CurveError, FreeMotion, Herpolhode, Regime};
+use polhode::motion::{FreeMotion, Regime};
+use polhode::observe::{CurveError, Herpolhode};
 
 use super::axes::{Axes, Axis, Key};
 use super::series::{Heading, unit_of_time};

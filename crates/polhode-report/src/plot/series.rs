@@ -1,6 +1,8 @@
 //! Curves against time.
 
-use polhode::{Principal, Sample, Symmetry, Vector};
+use polhode::body::Symmetry;
+use polhode::math::{Principal, Vector};
+use polhode::motion::Sample;
 
 use super::axes::{Area, Axes, Axis, Key};
 use super::figure::Figure;
@@ -135,7 +137,7 @@ fn components(
 
 fn along_principal<Q>(
     motion: &MotionFigures<'_>,
-    vector: impl Fn(&Sample) -> Vector<Q, polhode::Body>,
+    vector: impl Fn(&Sample) -> Vector<Q, polhode::math::Body>,
     letter: &str,
 ) -> Vec<Series> {
     let into = motion.principal.rotation().inverse();

@@ -5,7 +5,10 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-use polhode::{CurveError, Direction, FreeMotion, MomentumTrace, Principal, Symmetry};
+use polhode::body::Symmetry;
+use polhode::math::{Direction, Principal};
+use polhode::motion::FreeMotion;
+use polhode::observe::{CurveError, MomentumTrace};
 
 use super::axes::{Area, Key};
 use super::series::Heading;

@@ -1,6 +1,9 @@
 //! Figures of every kind of motion, read back from their SVG and PNG.
 
-use polhode::*;
+use polhode::math::formula::{Binary, Formula, Instruction, Unary};
+use polhode::motion::torque::{EnergySink, FormulaTorque};
+use polhode::motion::{EventAction, Measure, Motor, Prescribed, Run, Sense, StateVariables};
+use polhode::prelude::*;
 
 use super::axes::{Area, Axes, Axis};
 use super::line::{SEEN, distance};

@@ -1,6 +1,6 @@
 //! A unit sphere seen from far away.
 
-use polhode::{Direction, Frame};
+use polhode::math::{Direction, Frame};
 
 use super::sheet::Point;
 

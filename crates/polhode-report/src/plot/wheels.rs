@@ -1,6 +1,6 @@
 //! The wheels inside a body: their momenta above, below the speeds of those that a motor turns.
 
-use polhode::{Sample, Wheel};
+use polhode::motion::{Sample, Wheel};
 
 use super::axes::{Area, Axes};
 use super::motion::MotionFigures;

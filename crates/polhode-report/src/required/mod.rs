@@ -4,7 +4,9 @@ mod shaft;
 mod summary;
 mod text;
 
-use polhode::{Body, MotionError, Particle, Required, Rotor, Scenario, Torque};
+use polhode::body::Particle;
+use polhode::math::{Body, Torque};
+use polhode::motion::{MotionError, Required, Rotor, Scenario};
 use serde_json::Value;
 
 use crate::source::SourceInfo;
@@ -13,7 +15,9 @@ use shaft::ShaftReport;
 /// The torque, the power, the work and the forces that a prescribed motion needs.
 ///
 /// ```
-/// # use polhode::*;
+/// # use polhode::prelude::*;
+/// # use polhode::motion::Prescribed;
+/// # use polhode::body::BodyPart;
 /// # let inertia = InertiaTensor::diagonal([1.0, 2.0, 2.5])?;
 /// # let body = MassProperties::new(1.0, Position::ZERO, inertia)?;
 /// # let part = BodyPart {

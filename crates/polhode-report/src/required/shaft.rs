@@ -1,8 +1,7 @@
 //! What holds and drives a shaft.
 
-use polhode::{
-    Acceleration, Attitude, CorrectionMass, Force, MotionError, Mounted, Reactions, Required, Shaft, Space,
-};
+use polhode::math::{Acceleration, Attitude, Force, Space};
+use polhode::motion::{CorrectionMass, MotionError, Mounted, Reactions, Required, Shaft};
 use serde_json::{Value, json};
 
 use crate::json::vector;
@@ -146,7 +145,7 @@ impl ShaftReport {
     pub(super) fn to_json(&self) -> Value {
         let shaft = &self.mounted.shaft;
         let center = shaft.axis().dot(shaft.body().center_of_mass() - shaft.point());
-        let space = |f: Force<polhode::Body>| -> Force<Space> { self.attitude * f };
+        let space = |f: Force<polhode::math::Body>| -> Force<Space> { self.attitude * f };
         let bearing = |k: usize| {
             json!({
                 "place_m": shaft.bearings()[k],

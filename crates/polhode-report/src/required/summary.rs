@@ -1,6 +1,6 @@
 //! The report as JSON.
 
-use polhode::{ParticleForce, Required};
+use polhode::motion::{ParticleForce, Required};
 use serde_json::{Value, json};
 
 use super::RequiredReport;

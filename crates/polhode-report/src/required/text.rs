@@ -1,6 +1,6 @@
 //! The report as text.
 
-use polhode::{ParticleForce, Required};
+use polhode::motion::{ParticleForce, Required};
 
 use super::{RequiredReport, tidy};
 use crate::finding;

@@ -1,6 +1,7 @@
 //! The body: its principal moments, along which axes, and whether a body can have them.
 
-use polhode::{Body, Direction, InertiaTensor, PrincipalFrame, Symmetry};
+use polhode::body::{InertiaTensor, PrincipalFrame, Symmetry};
+use polhode::math::{Body, Direction};
 
 use crate::number::{GROUP, number};
 use crate::unit::DIGITS;

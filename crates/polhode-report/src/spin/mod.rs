@@ -6,7 +6,9 @@ mod summary;
 mod text;
 mod tumbler;
 
-use polhode::{Finding, FreeMotion, Herpolhode, MotionError};
+use polhode::body::Finding;
+use polhode::motion::{FreeMotion, MotionError};
+use polhode::observe::Herpolhode;
 use serde_json::Value;
 
 use crate::source::SourceInfo;
@@ -18,14 +20,15 @@ pub use tumbler::TumblerReport;
 /// A free motion, ready to be read.
 ///
 /// ```
-/// use polhode::{AngularVelocity, Attitude, FreeMotion, State};
+/// use polhode::math::{AngularVelocity, Attitude};
+/// use polhode::motion::{FreeMotion, State};
 /// use polhode_report::SpinReport;
 /// let start = State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.01, 1.0, 0.01) };
 /// let motion = FreeMotion::of_moments([1.0, 2.0, 3.0], start)?;
 /// let report = SpinReport::new(None, motion).at(&[10.0, -3.5e9])?;
 /// assert!(report.to_text().contains("flips every 19.55286709863436 s"));
 /// assert_eq!(report.to_json()["motion"]["states"][0]["omega_body"][1], motion.at(10.0).omega.y);
-/// # Ok::<(), polhode::MotionError>(())
+/// # Ok::<(), polhode::motion::MotionError>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct SpinReport {

@@ -1,6 +1,7 @@
 //! The motion at the times that were asked for.
 
-use polhode::{AngularVelocity, Body, State, StateError};
+use polhode::math::{AngularVelocity, Body};
+use polhode::motion::{State, StateError};
 use serde_json::{Value, json};
 
 use crate::global_error;

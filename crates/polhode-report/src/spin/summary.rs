@@ -1,8 +1,9 @@
 //! The motion as JSON: what `motion` in `summary.json` says too has the same name here.
 
-use polhode::{
-    AxisConvention, Cones, FreeMotion, FreeRegime, GeometricPhase, Herpolhode, LeastEnergySpin,
-    PermanentAxis, Regime, State, SymmetricTop, TumblingPeriods,
+use polhode::motion::{FreeMotion, PermanentAxis, Regime, State};
+use polhode::observe::{
+    AxisConvention, Cones, FreeRegime, GeometricPhase, Herpolhode, LeastEnergySpin, SymmetricTop,
+    TumblingPeriods,
 };
 use serde_json::{Map, Value, json};
 

@@ -1,8 +1,9 @@
 //! The motion on one screen: what it is, how long it takes, how it would end.
 
-use polhode::{
-    AxisConvention, Cones, FreeMotion, FreeRegime, GeometricPhase, LeastEnergySpin, PermanentAxis, Regime,
-    SymmetricTop, Symmetry, TumblingPeriods,
+use polhode::body::Symmetry;
+use polhode::motion::{FreeMotion, PermanentAxis, Regime};
+use polhode::observe::{
+    AxisConvention, Cones, FreeRegime, GeometricPhase, LeastEnergySpin, SymmetricTop, TumblingPeriods,
 };
 
 use super::{SpinReport, body, invariable_plane, states};

@@ -1,8 +1,8 @@
 //! The report of `polhode spin --periods`: which spins have the two periods of a tumbling body.
 
-use polhode::{
-    AngularVelocity, AxisConvention, Body, PrincipalFrame, TumblerError, TumblingPeriods, TumblingSolution,
-};
+use polhode::body::PrincipalFrame;
+use polhode::math::{AngularVelocity, Body};
+use polhode::observe::{AxisConvention, TumblerError, TumblingPeriods, TumblingSolution};
 use serde_json::{Value, json};
 
 use super::summary::tumbling;
@@ -18,7 +18,8 @@ use crate::{VERSION, block, omega};
 /// All spins of a body that have two periods, ready to be read.
 ///
 /// ```
-/// use polhode::{AxisConvention, InertiaTensor, PrincipalFrame, TumblingPeriods};
+/// use polhode::body::{InertiaTensor, PrincipalFrame};
+/// use polhode::observe::{AxisConvention, TumblingPeriods};
 /// use polhode_report::TumblerReport;
 /// let toutatis = PrincipalFrame::of(&InertiaTensor::diagonal([3.0836, 3.235, 1.0])?);
 /// let periods = TumblingPeriods { precession: 7.40 * 86_400.0, rotation: 5.38 * 86_400.0 };

@@ -3,10 +3,11 @@
 mod summary;
 mod text;
 
-use polhode::{
-    AngularVelocity, Direction, EnergySink, Finding, MotionError, OrbitalEquilibrium, PermanentRotation,
-    Rotor, Scenario, SmallOscillations, Space, State, SteadyTop, TorqueModel,
-};
+use polhode::body::Finding;
+use polhode::math::{AngularVelocity, Direction, Space};
+use polhode::motion::torque::{EnergySink, TorqueModel};
+use polhode::motion::{MotionError, Rotor, Scenario, State};
+use polhode::observe::{OrbitalEquilibrium, PermanentRotation, SmallOscillations, SteadyTop};
 use serde_json::Value;
 
 use crate::source::SourceInfo;
@@ -14,7 +15,7 @@ use crate::source::SourceInfo;
 /// Whether steady motions of a scenario's body last, ready to be read.
 ///
 /// ```
-/// use polhode::*;
+/// use polhode::prelude::*;
 /// use polhode_report::{SourceInfo, StabilityReport};
 /// let inertia = InertiaTensor::diagonal([1.0, 2.0, 3.0])?;
 /// let body = Rotor::free(&MassProperties::new(1.0, Position::ZERO, inertia)?);

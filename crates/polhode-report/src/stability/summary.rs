@@ -1,6 +1,6 @@
 //! Stability as JSON.
 
-use polhode::{
+use polhode::observe::{
     OrbitalEquilibrium, OscillationMode, PermanentRotation, Settling, SmallOscillations, Stability, SteadyTop,
 };
 use serde_json::{Value, json};

@@ -4,7 +4,8 @@ mod equilibrium;
 
 use std::f64::consts::TAU;
 
-use polhode::{MotionError, PermanentRotation, Settling, Stability};
+use polhode::motion::MotionError;
+use polhode::observe::{PermanentRotation, Settling, Stability};
 
 use super::{Judged, StabilityReport};
 use crate::finding;
@@ -40,7 +41,7 @@ fn wheels(report: &StabilityReport, judged: &Judged, k: usize) -> String {
         () if report.is_always_driven => format!("at t = {time} s, and a motor changes it all the time"),
         () if judged.time > 0.0 => format!("from t = {time} s on, when the last motor has stopped"),
         () if is_first && !is_only => "at t = 0, before a motor changes it".to_owned(),
-        () if report.rotor.wheels().iter().any(polhode::Wheel::is_driven) => {
+        () if report.rotor.wheels().iter().any(polhode::motion::Wheel::is_driven) => {
             "at t = 0, before a motor changes it; the motors never stop for good".to_owned()
         }
         () => "at all times".to_owned(),

@@ -1,6 +1,7 @@
 //! The worked solutions: their numbers against formulas computed here, and their form.
 
-use polhode::{Direction, Hanging, Position, Rotation};
+use polhode::math::{Direction, Position, Rotation};
+use polhode::motion::Hanging;
 use polhode_report::{Block, Document, InertiaReport, MotionReport, SourceInfo, explain, pretty};
 
 /// All text of one section.
@@ -281,7 +282,7 @@ fn the_elliptic_period_can_be_checked_by_hand() {
             .sum();
         let period = after(&solved, "period of ω = ")[0];
         assert!((4.0 * quadrature / lambda / period - 1.0).abs() < 2e-5, "{quadrature}: {solved}");
-        let core = polhode::FreeRegime::of(&scenario.rotor(), &scenario.start).period.unwrap();
+        let core = polhode::observe::FreeRegime::of(&scenario.rotor(), &scenario.start).period.unwrap();
         assert!((period / core - 1.0).abs() < 1e-5);
     }
 }
@@ -360,7 +361,10 @@ fn markdown_is_well_formed() {
 /// A wheel and friction in a body of 2, 3, 4 kg·m² that turns at (1, 2, 3) rad/s: every number by hand.
 #[test]
 fn what_moves_inside_is_worked_out() {
-    use polhode::{AngularVelocity, EnergySink, InertiaTensor, MassProperties, Motor, TorqueModel, Wheel};
+    use polhode::body::{InertiaTensor, MassProperties};
+    use polhode::math::AngularVelocity;
+    use polhode::motion::torque::{EnergySink, TorqueModel};
+    use polhode::motion::{Motor, Wheel};
     let mut scenario = crate::common::t_handle();
     let inertia = InertiaTensor::diagonal([2.0, 3.0, 4.0]).unwrap();
     scenario.body = MassProperties::new(5.0, Position::ZERO, inertia).unwrap();
@@ -389,7 +393,7 @@ fn what_moves_inside_is_worked_out() {
     // Without friction, and with a motor that stops: L = 0 stays, and the body turns back.
     scenario.torques.clear();
     scenario.start.omega = AngularVelocity::ZERO;
-    let schedule = Some(polhode::Schedule::window(1.0, 3.0).unwrap());
+    let schedule = Some(polhode::motion::torque::Schedule::window(1.0, 3.0).unwrap());
     let motor = Motor::Torque { inertia: 0.5, torque: 0.7, schedule };
     scenario.wheels = vec![Wheel::new(Direction::new(0.0, 0.0, 1.0), 0.0, motor).unwrap()];
     let text = explain(&scenario).unwrap().to_text(200);
@@ -399,13 +403,13 @@ fn what_moves_inside_is_worked_out() {
 /// What was looked out for in vain, and the steady rates of a top, stand on the screen and not in the JSON only.
 #[test]
 fn a_run_says_what_did_not_happen_and_how_a_top_would_precess_steadily() {
-    use polhode::{
-        AngularVelocity, Attitude, Event, EventAction, Measure, Sense, TorqueModel, UniformGravity, Wheel,
-    };
+    use polhode::math::{AngularVelocity, Attitude};
+    use polhode::motion::torque::{TorqueModel, UniformGravity};
+    use polhode::motion::{Event, EventAction, Measure, Sense, Wheel};
     let mut scenario = crate::common::symmetric_top();
     scenario.pivot = Some(Position::ZERO);
-    let inertia = polhode::InertiaTensor::diagonal([0.3, 0.3, 0.2]).unwrap();
-    scenario.body = polhode::MassProperties::new(1.5, Position::new(0.0, 0.0, 0.4), inertia).unwrap();
+    let inertia = polhode::body::InertiaTensor::diagonal([0.3, 0.3, 0.2]).unwrap();
+    scenario.body = polhode::body::MassProperties::new(1.5, Position::new(0.0, 0.0, 0.4), inertia).unwrap();
     scenario.torques = vec![TorqueModel::Gravity(UniformGravity::STANDARD)];
     scenario.start.attitude = Attitude::from_euler313([0.3, 0.6, 0.1]).unwrap();
     scenario.start.omega = AngularVelocity::new(0.0, 0.0, 60.0);
@@ -432,9 +436,9 @@ fn a_run_says_what_did_not_happen_and_how_a_top_would_precess_steadily() {
 #[test]
 fn what_was_noticed_is_said_in_every_form() {
     let mut scenario = crate::common::symmetric_top();
-    scenario.findings.push(polhode::Finding {
+    scenario.findings.push(polhode::body::Finding {
         code: "mesh.unit",
-        severity: polhode::Severity::Warning,
+        severity: polhode::body::Severity::Warning,
         message: "nobody says the unit".to_owned(),
         place: Some("part \"plate\"".to_owned()),
     });

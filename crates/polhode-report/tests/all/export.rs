@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use polhode::*;
+use polhode::prelude::*;
 use polhode_report::{ExportBody, ExportError, ExportFormat, InertiaReport, SourceInfo, export};
 use roxmltree::{Document, Node};
 

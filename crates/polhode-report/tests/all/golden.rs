@@ -4,10 +4,10 @@
 
 use std::path::Path;
 
-use polhode::{
-    AngularVelocity, Attitude, AxisConvention, Body, FreeMotion, InertiaTensor, MassProperties, Position,
-    PrincipalFrame, Rotation, Scenario, State, TumblingPeriods,
-};
+use polhode::body::{InertiaTensor, MassProperties, PrincipalFrame};
+use polhode::math::{AngularVelocity, Attitude, Body, Position, Rotation};
+use polhode::motion::{FreeMotion, Scenario, State};
+use polhode::observe::{AxisConvention, TumblingPeriods};
 use polhode_report::{
     ExportBody, ExportFormat, InertiaReport, MotionReport, SourceInfo, SpinReport, TumblerReport, explain,
     export, pretty,
@@ -77,7 +77,7 @@ fn inertia_of_a_mesh() {
     report.show_axes = false;
     check("inertia.txt", &report.to_text());
     report.about = Some(Position::<Body>::new(0.01, 0.0, -0.02));
-    report.axes = Some(Rotation::about(polhode::Direction::new(0.0, 1.0, 1.0), 0.5).unwrap());
+    report.axes = Some(Rotation::about(polhode::math::Direction::new(0.0, 1.0, 1.0), 0.5).unwrap());
     report.show_axes = true;
     check("inertia_axes.txt", &report.to_text());
     check("inertia.json", &pretty(&report.to_json()));

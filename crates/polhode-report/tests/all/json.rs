@@ -1,6 +1,8 @@
 //! The JSON that others build on: keys, their order, and every bit of every number.
 
-use polhode::*;
+use polhode::body::{Finding, Severity};
+use polhode::motion::{Run, SplittingOrder};
+use polhode::prelude::*;
 use polhode_report::{InertiaReport, MotionReport, SourceInfo, explain, pretty};
 use serde_json::Value;
 

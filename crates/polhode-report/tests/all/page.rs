@@ -3,8 +3,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
-use polhode::ClosedForm;
-use polhode::*;
+use polhode::body::shape::{Capsule, Cone, CylinderShell, Disk, Plate, Tetrahedron, Torus};
+use polhode::motion::{ClosedForm, EventAction, Measure, Sense, Solution};
+use polhode::prelude::*;
 use polhode_report::{PageInput, PageSubject, explain_motion, page};
 use serde_json::Value;
 

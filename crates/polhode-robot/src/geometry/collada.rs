@@ -8,7 +8,7 @@
 
 use std::collections::HashMap;
 
-use polhode::TriangleMesh;
+use polhode::body::mesh::TriangleMesh;
 use polhode_formats::mesh::{MeshContents, MeshPart};
 use polhode_formats::{ContentError, ContentErrorKind, ContentPlace};
 

@@ -1,6 +1,7 @@
 //! Boxes, spheres, cylinders, capsules and ellipsoids of a model.
 
-use polhode::{BodyError, BoxShape, Capsule, Cylinder, Ellipsoid, Shape, Sphere};
+use polhode::body::BodyError;
+use polhode::body::shape::{BoxShape, Capsule, Cylinder, Ellipsoid, Shape, Sphere};
 
 use super::Reach;
 use crate::model::{GeometryShape, Pose};

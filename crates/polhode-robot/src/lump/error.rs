@@ -3,7 +3,7 @@
 use std::error::Error;
 use std::fmt;
 
-use polhode::BodyError;
+use polhode::body::BodyError;
 use polhode_report::plain::printable;
 
 use crate::body::LinkError;

@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use polhode::{Body, Frame, InertiaTensor, MassProperties, Part, Position, Rotation};
+use polhode::body::{InertiaTensor, MassProperties};
+use polhode::math::{Body, Frame, Part, Position, Rotation};
 use polhode_report::{ExportBody, ExportFormat, export};
 use polhode_robot::body::{LinkMass, link_mass};
 use polhode_robot::read::{ReadOptions, read_text};

@@ -1,6 +1,6 @@
 //! The columns of outcomes: what each is called, its unit, what it is.
 
-use polhode::Event;
+use polhode::motion::Event;
 
 use super::member::{Outcome, Status};
 use crate::batch::{Column, Values};

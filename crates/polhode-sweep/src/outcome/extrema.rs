@@ -1,6 +1,8 @@
 //! The extrema of a motion.
 
-use polhode::{AngularMomentum, Body, Direction, Drift, Rotor, Sample, Solution, Trajectory};
+use polhode::math::{AngularMomentum, Body, Direction};
+use polhode::motion::{Rotor, Sample, Solution, Trajectory};
+use polhode::observe::Drift;
 
 use super::free::is_determined;
 
@@ -31,7 +33,7 @@ impl Extrema {
             let angle = |s: &Sample| angle(axis, s.state.attitude.inverse() * s.momentum);
             range(samples().filter_map(angle)).filter(|_| is_determined(principal.symmetry(), k))
         };
-        let exact = matches!(trajectory.solution(), Solution::Exact(polhode::ClosedForm::Free(_)));
+        let exact = matches!(trajectory.solution(), Solution::Exact(polhode::motion::ClosedForm::Free(_)));
         Self {
             omega: range(samples().map(|s| s.state.omega.norm())),
             from_least: from(0),

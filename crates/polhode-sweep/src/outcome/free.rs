@@ -1,6 +1,7 @@
 //! A free motion, of which everything is known in closed form: no samples are needed.
 
-use polhode::{FreeMotion, Method, Regime, Rotor, Scenario, Symmetry};
+use polhode::body::Symmetry;
+use polhode::motion::{FreeMotion, Method, Regime, Rotor, Scenario};
 
 use super::extrema::{Extrema, angle};
 use super::member::Instant;
@@ -32,7 +33,7 @@ pub(super) fn motion(scenario: &Scenario, rotor: &Rotor) -> Option<(FreeMotion, 
 pub(super) fn outcome(motion: &FreeMotion, end: f64) -> Option<Found> {
     let (start, last) = (motion.start(), motion.at(end));
     let [l0, l1] = [start, last].map(|state| state.attitude * motion.angular_momentum(&state));
-    let instant = |state: polhode::State, momentum: f64| Instant {
+    let instant = |state: polhode::motion::State, momentum: f64| Instant {
         state,
         kinetic_energy: 0.5 * state.omega.dot(motion.angular_momentum(&state)),
         momentum,

@@ -1,9 +1,10 @@
 //! What becomes of one member.
 
-use polhode::{
-    Drift, Ending, ErrorEffort, Event, FreeMotion, FreeRegime, GlobalError, MotionError, Regime, Rotor,
-    Sample, Scenario, Solution, State, StateError, StepStatistics, Trajectory,
+use polhode::motion::{
+    Ending, ErrorEffort, Event, FreeMotion, GlobalError, MotionError, Regime, Rotor, Sample, Scenario,
+    Solution, State, StateError, StepStatistics, Trajectory,
 };
+use polhode::observe::{Drift, FreeRegime};
 use polhode_formats::FormatError;
 use polhode_report::Periods;
 

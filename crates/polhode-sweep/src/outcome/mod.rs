@@ -9,7 +9,7 @@ mod free;
 mod member;
 mod trajectory;
 
-use polhode::{Method, Scenario};
+use polhode::motion::{Method, Scenario};
 use polhode_formats::FormatError;
 
 use crate::batch::{Batch, BatchError, Column, Values};

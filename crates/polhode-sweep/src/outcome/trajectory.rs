@@ -1,6 +1,6 @@
 //! The motions of members: a row for each sample.
 
-use polhode::{Scenario, State};
+use polhode::motion::{Scenario, State};
 
 use crate::batch::{Batch, BatchError, Column, Values};
 use crate::rows::MEMBER;

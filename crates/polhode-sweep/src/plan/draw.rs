@@ -2,7 +2,7 @@
 
 use core::f64::consts::TAU;
 
-use polhode::{Attitude, Body, Direction, Rotation};
+use polhode::math::{Attitude, Body, Direction, Rotation};
 use polhode_formats::scenario::{Dispersion, Law, Spread, Vary};
 
 use super::second_moments::Root;
@@ -63,7 +63,8 @@ impl Draw {
 
     /// A unit vector: cos θ is uniform from that of the widest angle to 1, φ all around.
     fn direction(&self, spread: Spread, u: f64, v: f64) -> [f64; 3] {
-        let around = Direction::<Body>::from_array(self.vector()).direction().map(polhode::Vector::to_array);
+        let around =
+            Direction::<Body>::from_array(self.vector()).direction().map(polhode::math::Vector::to_array);
         // 1 − cos θ, of which 1 − cos α = 2 sin²(α/2) is the greatest
         let (versine, axis) = match (spread, around) {
             (Spread::Within(angle), Some(axis)) => {

@@ -15,7 +15,8 @@ mod uniform;
 
 use std::path::Path;
 
-use polhode::{Finding, Scenario, Severity};
+use polhode::body::{Finding, Severity};
+use polhode::motion::Scenario;
 use polhode_formats::FormatError;
 use polhode_formats::scenario::{Distribution, Law, Template, Vary};
 

@@ -14,7 +14,8 @@
 //! where mass and centre of mass are dispersed with the tensor: then (1) is done to the pseudo-inertia about the centre of mass,
 //! J = ∫ (x, 1)(x, 1)ᵀ dm, whose last row has the first moments and the mass.
 
-use polhode::{Body, MassProperties, PrincipalFrame};
+use polhode::body::{MassProperties, PrincipalFrame};
+use polhode::math::Body;
 
 use super::normal;
 use polhode_formats::scenario::Dispersion;
@@ -147,7 +148,8 @@ fn dot<const N: usize>(a: &Row<N>, b: &Row<N>) -> f64 {
 mod tests {
     #![allow(clippy::unwrap_used, reason = "tests")]
 
-    use polhode::{BodyError, Direction, InertiaTensor, Position, Rotation};
+    use polhode::body::{BodyError, InertiaTensor};
+    use polhode::math::{Direction, Position, Rotation};
     use polhode_formats::scenario::Sampling;
 
     use super::super::uniform::Coordinate;

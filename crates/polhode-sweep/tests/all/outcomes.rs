@@ -1,6 +1,6 @@
 //! What becomes of members: rows of outcomes against the motions themselves.
 
-use polhode::{ErrorEffort, FreeMotion, Trajectory};
+use polhode::motion::{ErrorEffort, FreeMotion, Trajectory};
 use polhode_sweep::{Batch, BatchError, Column, Plan, Values, inputs, simulate, trajectories};
 
 const BODY: &str = r#"
@@ -129,13 +129,13 @@ fn a_free_member_is_its_motion() {
         // Extrema in closed form against a look at every thousandth of a period.
         let times: Vec<f64> = (0..=1000).map(|j| motion.period().unwrap() * f64::from(j) / 1000.0).collect();
         let dense = Trajectory::of_motion(motion, &times).unwrap();
-        let look = |of: &dyn Fn(&polhode::Sample) -> f64| {
+        let look = |of: &dyn Fn(&polhode::motion::Sample) -> f64| {
             let values = || dense.samples().iter().map(of);
             [values().fold(f64::INFINITY, f64::min), values().fold(0.0, f64::max)]
         };
         let angle = |axis: usize| {
             let axis = rotor.principal().axis(axis);
-            move |s: &polhode::Sample| {
+            move |s: &polhode::motion::Sample| {
                 let momentum = s.state.attitude.inverse() * s.momentum;
                 (axis.dot(momentum) / momentum.norm()).clamp(-1.0, 1.0).acos()
             }

@@ -20,13 +20,14 @@ use crate::math::vector::{
 /// 64 ε of i3, the rounding of a sum of many parts). Elements cannot be changed.
 ///
 /// ```
-/// use polhode::{AngularVelocity, Body, InertiaTensor};
+/// use polhode::body::InertiaTensor;
+/// use polhode::math::{AngularVelocity, Body};
 /// // Thornton & Marion, problem 11-13, in units of m b²
 /// let tensor = InertiaTensor::<Body>::with_negative_products([13.0, 16.0, 15.0], [-2.0, 1.0, 4.0])?;
 /// let l = tensor * AngularVelocity::new(1.0, 2.0, 3.0);
 /// assert_eq!(l.to_array(), [12.0, 42.0, 54.0]);
 /// assert!(InertiaTensor::<Body>::diagonal([1.0, 1.0, 3.0]).is_err()); // i1 + i2 < i3
-/// # Ok::<(), polhode::BodyError>(())
+/// # Ok::<(), polhode::body::BodyError>(())
 /// ```
 ///
 /// Source: the lecture notes on Thornton & Marion, Classical Dynamics, chapter 11, "The inertia tensor".
@@ -37,7 +38,7 @@ pub struct InertiaTensor<F> {
 
 /// A body's inertia tensor about a point other than its centre of mass, along the axes of `F`, in kg·m².
 ///
-/// Made by [`MassProperties::inertia_about`](crate::MassProperties::inertia_about), or from numbers to be moved
+/// Made by [`MassProperties::inertia_about`](crate::body::MassProperties::inertia_about), or from numbers to be moved
 /// to the centre of mass. Possible in the same sense as [`InertiaTensor`].
 pub struct InertiaAbout<F> {
     point: Position<F>,

@@ -12,14 +12,15 @@ use crate::math::vector::Position;
 /// A body's mass, centre of mass and inertia tensor about it, along the axes of `F`.
 ///
 /// ```
-/// use polhode::{Body, InertiaTensor, MassProperties, Position};
+/// use polhode::body::{InertiaTensor, MassProperties};
+/// use polhode::math::{Body, Position};
 /// // Schaub & Junkins: a tensor about the centre of mass, moved to another point by parallel axes
 /// let inertia = InertiaTensor::<Body>::with_negative_products([10.0, 5.0, 8.0], [1.0, -1.0, 1.0])?;
 /// let body = MassProperties::new(12.5, Position::new(-0.5, 0.5, 0.25), inertia)?;
 /// let about_origin = body.inertia_about(Position::ZERO).matrix();
 /// assert!((about_origin[0][0] - (10.0 + 12.5 * (0.25 + 0.0625))).abs() < 1e-14);
 /// assert!((about_origin[0][1] - (1.0 + 12.5 * 0.25)).abs() < 1e-14);
-/// # Ok::<(), polhode::BodyError>(())
+/// # Ok::<(), polhode::body::BodyError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MassProperties<F: Frame> {
@@ -126,11 +127,13 @@ impl<F: Frame> MassProperties<F> {
     /// The same numbers as those of a body: of a part that is all of it, whose axes are the body's.
     ///
     /// ```
-    /// use polhode::{InertiaTensor, MassProperties, Part, Position, Rotor};
+    /// use polhode::body::{InertiaTensor, MassProperties};
+    /// use polhode::math::{Part, Position};
+    /// use polhode::motion::Rotor;
     /// let inertia = InertiaTensor::<Part>::diagonal([1.0, 2.0, 2.5])?;
     /// let part = MassProperties::new(3.0, Position::new(0.1, 0.2, -0.3), inertia)?;
     /// assert_eq!(Rotor::free(&part.into_body()).principal().moments(), [1.0, 2.0, 2.5]);
-    /// # Ok::<(), polhode::BodyError>(())
+    /// # Ok::<(), polhode::body::BodyError>(())
     /// ```
     pub fn into_body(self) -> MassProperties<Body> {
         self.in_frame(Rotation::identity())
@@ -227,7 +230,7 @@ mod tests {
 
     #[test]
     fn plates_and_rods_come_back_from_far_points() {
-        use crate::{Plate, Rod, Shape, Substance};
+        use crate::body::shape::{Plate, Rod, Shape, Substance};
         let plate = Plate::new([0.7, 1.3]).unwrap().mass_properties(Substance::Mass(2.3)).unwrap();
         let rod = Rod::new(1.0).unwrap().mass_properties(Substance::Mass(0.6)).unwrap();
         for body in [plate, rod] {

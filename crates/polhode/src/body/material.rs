@@ -6,7 +6,7 @@
 /// percents. For a budget give the measured density or the mass.
 ///
 /// ```
-/// use polhode::Material;
+/// use polhode::body::Material;
 /// assert_eq!(Material::named("Aluminium").map(|m| m.density), Some(2700.0));
 /// assert!(Material::named("unobtainium").is_none());
 /// ```

@@ -1,15 +1,42 @@
-//! Bodies: how much mass, where, and how it resists being turned. This room knows no time.
+//! Bodies: how much mass, where, and how it resists being turned. This module knows no time.
+//!
+//! Whatever a body is made of gives [`MassProperties`]: mass m, centre of mass c, and the [`InertiaTensor`] about it,
+//!
+//! I = ∫ (|r|² 1 − r rᵀ) dm,  r from the centre of mass.
+//!
+//! | made of | by |
+//! |---|---|
+//! | particles, atoms | [`mass_properties_of_particles`] |
+//! | a box, a sphere, a rod … | [`shape`]: closed forms |
+//! | a triangle mesh | [`mesh`]: diagnosis, then exact integrals; or its convex hull, or a shell |
+//! | a density that varies, voxels | [`density`]: cubature with an error bound, exact sums |
+//! | parts | [`assemble`]: each turned to its place, by the parallel-axis theorem |
+//! | numbers from elsewhere | [`InertiaTensor::with_negative_products`] and its like; [`InertiaAbout`] for another point |
+//!
+//! Off-diagonal elements are minus the products of inertia, I_xy = −∫ x y dm. [`PrincipalFrame`] has the principal moments, ascending,
+//! and axes. A tensor that no mass could have (the triangle inequality I₁ + I₂ ≥ I₃ fails) is a [`BodyError`].
 
 pub(crate) mod assembly;
-pub(crate) mod density;
+pub mod density;
 pub(crate) mod error;
 pub(crate) mod finding;
 pub(crate) mod form;
 pub(crate) mod inertia;
 pub(crate) mod mass_properties;
 pub(crate) mod material;
-pub(crate) mod mesh;
+pub mod mesh;
 pub(crate) mod particles;
 pub(crate) mod principal;
-pub(crate) mod shape;
+pub mod shape;
 pub(crate) mod solid;
+
+pub use assembly::{BodyPart, PlacedPart, assemble};
+pub use error::BodyError;
+pub use finding::{Finding, Severity};
+pub use form::{Form, PlacedForm};
+pub use inertia::{InertiaAbout, InertiaTensor};
+pub use mass_properties::MassProperties;
+pub use material::Material;
+pub use particles::{Particle, mass_properties_of_particles};
+pub use principal::{PrincipalFrame, Symmetry};
+pub use solid::MeasuredSolid;

@@ -41,7 +41,8 @@ impl<F: Frame> Particle<F> {
 /// M = Σ m_α,  M c = Σ m_α r_α,  I_ij = Σ m_α [δ_ij Σ_k x²_{α,k} − x_{α,i} x_{α,j}],  x_α = r_α − c
 ///
 /// ```
-/// use polhode::{Body, Particle, Position, mass_properties_of_particles};
+/// use polhode::body::{Particle, mass_properties_of_particles};
+/// use polhode::math::{Body, Position};
 /// let particles = [
 ///     Particle::<Body>::new(3.0, Position::new(1.0, 0.0, 1.0))?,
 ///     Particle::new(4.0, Position::new(1.0, 1.0, -1.0))?,
@@ -54,7 +55,7 @@ impl<F: Frame> Particle<F> {
 /// for (row, want) in about_origin.iter().flatten().zip(expected.iter().flatten()) {
 ///     assert!((row - want).abs() < 1e-14);
 /// }
-/// # Ok::<(), polhode::BodyError>(())
+/// # Ok::<(), polhode::body::BodyError>(())
 /// ```
 ///
 /// # Errors

@@ -16,7 +16,8 @@ use crate::math::vector::Direction;
 /// moments; where they differ, to 3e-16.
 ///
 /// ```
-/// use polhode::{Body, InertiaTensor, PrincipalFrame, Symmetry};
+/// use polhode::body::{InertiaTensor, PrincipalFrame, Symmetry};
+/// use polhode::math::Body;
 /// // A cube about its corner, in units of M b²: Thornton & Marion, example 11.5
 /// let corner = InertiaTensor::<Body>::with_negative_products([2.0 / 3.0; 3], [-0.25; 3])?;
 /// let principal = PrincipalFrame::of(&corner);
@@ -24,7 +25,7 @@ use crate::math::vector::Direction;
 /// assert!((i1 - 1.0 / 6.0).abs() < 1e-15 && (i2 - 11.0 / 12.0).abs() < 1e-15 && (i3 - i2).abs() < 1e-15);
 /// assert_eq!(principal.symmetry(), Symmetry::Prolate); // axes 2 and 3 are free in a plane
 /// assert!((principal.axis(0).x - 1.0 / 3.0_f64.sqrt()).abs() < 1e-15); // the diagonal
-/// # Ok::<(), polhode::BodyError>(())
+/// # Ok::<(), polhode::body::BodyError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PrincipalFrame<F: Frame> {

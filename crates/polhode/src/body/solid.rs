@@ -11,14 +11,16 @@ use crate::math::vector::Position;
 /// triangles can say of a mesh.
 ///
 /// ```
-/// use polhode::{Position, Shape, MeasuredSolid, Substance};
+/// use polhode::body::MeasuredSolid;
+/// use polhode::body::shape::{Shape, Substance};
+/// use polhode::math::Position;
 /// // A brick of 2 m × 3 m × 1 m: ⟨x²⟩ = a²/12.
 /// let covariance = [4.0 / 12.0, 9.0 / 12.0, 1.0 / 12.0, 0.0, 0.0, 0.0];
 /// let brick = MeasuredSolid::from_moments(6.0, 22.0, Position::new(5.0, 0.0, -1.0), covariance)?;
 /// let body = brick.mass_properties(Substance::Density(0.5))?;
 /// assert_eq!(body.mass(), 3.0);
 /// assert!((body.inertia().matrix()[0][0] - 3.0 * 10.0 / 12.0).abs() < 1e-15);
-/// # Ok::<(), polhode::BodyError>(())
+/// # Ok::<(), polhode::body::BodyError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MeasuredSolid {

@@ -11,7 +11,7 @@ use core::fmt;
 /// A function of numbered variables, written down as instructions.
 ///
 /// ```
-/// use polhode::{Binary, Formula, Instruction, Unary};
+/// use polhode::math::formula::{Binary, Formula, Instruction, Unary};
 /// // 3 sin(x) − y, of the variables x and y
 /// let formula = Formula::new([
 ///     Instruction::Constant(3.0),
@@ -24,7 +24,7 @@ use core::fmt;
 /// assert_eq!(formula.evaluate(&[0.0, 0.25]), -0.25);
 /// assert!(formula.evaluate(&[0.0]).is_nan()); // y is not given
 /// assert!(Formula::new([Instruction::Unary(Unary::Sin)]).is_err());
-/// # Ok::<(), polhode::FormulaError>(())
+/// # Ok::<(), polhode::math::formula::FormulaError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Formula {

@@ -157,7 +157,7 @@ impl Formula {
     /// Where the formula has a corner (`abs`, `min`, `max`, `if`) they are those of one side.
     ///
     /// ```
-    /// use polhode::{Formula, Instruction, Unary};
+    /// use polhode::math::formula::{Formula, Instruction, Unary};
     /// // sin(t²)
     /// let formula = Formula::new([
     ///     Instruction::Variable(0),
@@ -168,7 +168,7 @@ impl Formula {
     /// let (s, c) = 0.25_f64.sin_cos();
     /// assert!((value - s).abs() < 1e-16 && (first - c).abs() < 1e-15);
     /// assert!((second - (2.0 * c - s)).abs() < 1e-15);
-    /// # Ok::<(), polhode::FormulaError>(())
+    /// # Ok::<(), polhode::math::formula::FormulaError>(())
     /// ```
     pub fn derivatives(&self, variable: f64) -> [f64; 3] {
         let nothing = Jet::constant(f64::NAN);

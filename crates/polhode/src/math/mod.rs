@@ -1,4 +1,11 @@
-//! Numbers, vectors and rotations. This room knows no physics: nothing here has a mass.
+//! Numbers, vectors and rotations. This module knows no physics: nothing here has a mass.
+//!
+//! A [`Vector`] has a quantity and a frame as its type, so that what does not belong together does not compile; a [`Rotation<A, B>`] turns
+//! components along the axes of B into those along A, v_A = R_AB v_B. There are four frames: [`Space`], [`Body`], [`Principal`] and
+//! [`Part`], in which a part of a body is described before it is put in its place.
+//!
+//! [`elliptic`] has Jacobi's functions and Legendre's integrals, [`formula`] expressions as text, and [`Scalar`] and [`VectorAlgebra`] the
+//! operations that a law may use ([`crate::motion::torque::Law`]).
 
 pub(crate) mod algebra;
 pub(crate) mod complex;
@@ -6,9 +13,9 @@ pub(crate) mod display;
 pub(crate) mod double;
 pub(crate) mod eigenvalues;
 pub(crate) mod elementary;
-pub(crate) mod elliptic;
+pub mod elliptic;
 pub(crate) mod fine_eigen;
-pub(crate) mod formula;
+pub mod formula;
 pub(crate) mod frame;
 pub(crate) mod jet;
 pub(crate) mod kepler;
@@ -26,3 +33,12 @@ pub(crate) mod sum;
 pub(crate) mod symmetric3;
 pub(crate) mod triple;
 pub(crate) mod vector;
+
+pub use algebra::{Scalar, VectorAlgebra};
+pub use frame::{Body, Frame, Part, Principal, Space};
+pub use rotation::{Attitude, Rotation, RotationError};
+pub use symmetric3::symmetric_eigen;
+pub use vector::{
+    Acceleration, AngularAcceleration, AngularMomentum, AngularVelocity, CrossProduct, Direction, Force,
+    Momentum, Position, Torque, Vector, Velocity, quantity,
+};

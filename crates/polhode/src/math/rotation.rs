@@ -15,16 +15,16 @@ use super::vector::{Direction, Vector, quantity};
 /// Inside is a unit quaternion (Hamilton, scalar first); q and −q are the same rotation.
 ///
 /// ```
-/// use polhode::{Attitude, Body, Direction, Rotation, Space};
+/// use polhode::math::{Attitude, Body, Direction, Rotation, Space};
 /// let attitude: Attitude = Rotation::about(Direction::new(0.0, 0.0, 2.0), 0.5)?;
 /// let x_body = Direction::<Body>::new(1.0, 0.0, 0.0);
 /// let x_space: Direction<Space> = attitude * x_body;
 /// assert!((x_space.x - 0.5_f64.cos()).abs() < 1e-15);
-/// # Ok::<(), polhode::RotationError>(())
+/// # Ok::<(), polhode::math::RotationError>(())
 /// ```
 ///
 /// ```compile_fail
-/// use polhode::{Attitude, Direction, Space};
+/// use polhode::math::{Attitude, Direction, Space};
 /// let wrong = Attitude::identity() * Direction::<Space>::new(1.0, 0.0, 0.0); // wants a body vector
 /// ```
 pub struct Rotation<A, B> {

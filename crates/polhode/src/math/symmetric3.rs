@@ -111,11 +111,11 @@ impl Symmetric3 {
 /// Eigenvalues, ascending, and unit eigenvectors of a symmetric matrix with the elements xx, yy, zz, xy, xz, yz, of any signs; of
 /// elements that are not finite, all values are NaN.
 ///
-/// For matrices that are no body's tensor: [`crate::InertiaTensor`] has principal axes of its own, polished and right-handed. Values
+/// For matrices that are no body's tensor: [`crate::body::InertiaTensor`] has principal axes of its own, polished and right-handed. Values
 /// are good to a few ε of the largest; the handedness of the vectors is left open.
 ///
 /// ```
-/// let (values, vectors) = polhode::symmetric_eigen([2.0, -1.0, 5.0, 2.0, 0.0, 0.0]);
+/// let (values, vectors) = polhode::math::symmetric_eigen([2.0, -1.0, 5.0, 2.0, 0.0, 0.0]);
 /// assert_eq!(values, [-2.0, 3.0, 5.0]);
 /// // M v = −2 v
 /// let [x, y, _] = vectors[0];

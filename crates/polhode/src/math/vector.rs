@@ -10,14 +10,14 @@ use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 /// product has in physics (`AngularVelocity × Position = Velocity`). Anything else does not compile:
 ///
 /// ```compile_fail,E0308
-/// use polhode::{Body, Position, Space};
+/// use polhode::math::{Body, Position, Space};
 /// let a = Position::<Space>::new(1.0, 0.0, 0.0);
 /// let b = Position::<Body>::new(0.0, 1.0, 0.0);
 /// let c = a + b; // two frames
 /// ```
 ///
 /// ```compile_fail
-/// use polhode::{AngularMomentum, Space, Torque};
+/// use polhode::math::{AngularMomentum, Space, Torque};
 /// let l = AngularMomentum::<Space>::new(1.0, 0.0, 0.0);
 /// let n = Torque::<Space>::new(0.0, 1.0, 0.0);
 /// let c = l + n; // two quantities
@@ -59,7 +59,7 @@ impl<Q, F> Vector<Q, F> {
     /// Vector product `a × b`, for the pairs of quantities that physics multiplies.
     ///
     /// ```
-    /// use polhode::{AngularVelocity, Body, Position, Velocity};
+    /// use polhode::math::{AngularVelocity, Body, Position, Velocity};
     /// let omega = AngularVelocity::<Body>::new(0.0, 0.0, 2.0);
     /// let r = Position::<Body>::new(1.5, -0.5, 4.0);
     /// assert_eq!(omega.cross(r), Velocity::new(1.0, 3.0, 0.0));
@@ -214,7 +214,7 @@ impl<Q, F> core::iter::Sum for Vector<Q, F> {
 /// (x, y, z) and the unit; a precision is that of each number.
 ///
 /// ```
-/// use polhode::{AngularVelocity, Body, Torque};
+/// use polhode::math::{AngularVelocity, Body, Torque};
 /// assert_eq!(AngularVelocity::<Body>::new(0.25, -3.0, 1.0).to_string(), "(0.25, -3, 1) rad/s");
 /// assert_eq!(format!("{:.2}", Torque::<Body>::new(0.0, 2e-9, 12.3456)), "(0.00, 2.00e-9, 12.35) N·m");
 /// ```

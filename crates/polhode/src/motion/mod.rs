@@ -1,38 +1,61 @@
-//! Motion: states in time, and what moves them. This room reads and writes no files.
+//! Motion: states in time, and what moves them. This module reads and writes no files.
 //!
-//! `state` and `rotor` say what turns; `euler` how; `torque` what turns it; `free` has the closed forms; `propagate`
-//! integrates everything else; `event` and `watch` look out on the way; `global_error` says how right it is; `trajectory` puts these together; `inverse` goes from motion
-//! to torque.
+//! A [`Rotor`] is a body with the point that it turns about: its centre of mass, or a pivot. With L = I ω + h, I about that point and h the
+//! momentum of its wheels, Euler's equations are
+//!
+//! L̇ = L × ω + N,  q̇ = ½ q ω,
+//!
+//! in body axes, q the attitude. The torque N is a sum of [`torque::TorqueModel`]s.
+//!
+//! # From torque to motion
+//! [`Simulation`] takes a start to a [`Trajectory`]; [`Trajectory::compute`] is its short form. [`Method::Auto`] takes a closed form where
+//! one is known ([`FreeMotion`], [`HeavyTop`], [`SwingingBody`]), which gives the state at any time at once; Taylor's method where all
+//! torques are analytic; DOP853 elsewhere. [`Event`]s are found on the way, a [`GlobalError`] is estimated, and an [`Ensemble`] computes
+//! many bodies at once.
+//!
+//! # From motion to torque
+//! [`Prescribed`] motions have the torque N = L̇ − L × ω that they need ([`Required`]), and the force that each particle needs
+//! ([`ParticleForce`]). A [`Shaft`] is a motion about a fixed axis with the reactions of its bearings; a [`Pendulum`] swings about one.
+//!
+//! # A body and its motion in one value
+//! A [`Scenario`] is what a scenario file describes.
 
-pub(crate) mod closed_form;
-pub(crate) mod course;
-pub(crate) mod ending;
-pub(crate) mod ensemble;
 pub(crate) mod error;
-pub(crate) mod euler;
-pub(crate) mod event;
-pub(crate) mod free;
-pub(crate) mod global_error;
-pub(crate) mod heavy_top;
 pub(crate) mod inverse;
-pub(crate) mod kinematics;
-pub(crate) mod orbit;
-pub(crate) mod orbital_elements;
-pub(crate) mod pendulum;
-pub(crate) mod pendulum_motion;
-pub(crate) mod prescribed;
-pub(crate) mod propagate;
-pub(crate) mod reach;
-pub(crate) mod rotor;
-pub(crate) mod sample;
-pub(crate) mod scenario;
-pub(crate) mod shaft;
-pub(crate) mod simulation;
-pub(crate) mod solution;
-pub(crate) mod state;
-pub(crate) mod state_variables;
-pub(crate) mod swinging_body;
-pub(crate) mod torque;
-pub(crate) mod trajectory;
-pub(crate) mod watch;
-pub(crate) mod wheel;
+pub(crate) mod model;
+pub(crate) mod run;
+pub(crate) mod solve;
+pub(crate) mod task;
+
+pub use error::MotionError;
+pub use inverse::prescribed::{AttitudeTable, Prescribed, RateAxes, Turning, Uncertainty};
+pub use inverse::required::{ParticleForce, Required};
+pub use model::event::{Crossing, Event, EventAction, Measure, Sense};
+pub use model::kinematics::{
+    KineticEnergySplit, MovingParticle, angular_momentum, momentum, rigid_acceleration, rigid_velocity,
+};
+pub use model::orbit::{MU_EARTH, Orbit};
+pub use model::orbital_elements::{Anomaly, OrbitalElements};
+pub use model::rotor::Rotor;
+pub use model::state::{State, StateError};
+pub use model::state_variables::StateVariables;
+pub use model::torque;
+pub use model::wheel::{Motor, Wheel};
+pub use run::ending::{Ending, MethodReason};
+pub use run::ensemble::{Ensemble, EnsembleStates, Member, MemberFailure};
+pub use run::global_error::{ErrorEffort, GlobalError};
+pub use run::sample::Sample;
+pub use run::simulation::Simulation;
+pub use run::solution::Solution;
+pub use run::trajectory::Trajectory;
+pub use solve::closed_form::ClosedForm;
+pub use solve::free::{FreeMotion, FreeMotions, PermanentAxis, Regime};
+pub use solve::heavy_top::{HeavyTop, SteadyPrecession, TopPath};
+pub use solve::method::Method;
+pub use solve::pendulum_motion::PendulumMotion;
+pub use solve::propagate::splitting::SplittingOrder;
+pub use solve::propagate::stepper::{LOOSEST_TOLERANCE, StepStatistics, TIGHTEST_TOLERANCE};
+pub use solve::swinging_body::SwingingBody;
+pub use task::pendulum::{Pendulum, Swing};
+pub use task::scenario::{Hanging, Mounted, Run, Scenario};
+pub use task::shaft::{CorrectionMass, Reactions, Shaft, Unbalance};

@@ -3,7 +3,7 @@
 use crate::math::frame::{Body, Space};
 use crate::math::symmetric3::power_of_two_near;
 use crate::math::vector::{AngularVelocity, Direction};
-use crate::motion::state::State;
+use crate::motion::model::state::State;
 
 use super::symmetric_top::SymmetricTop;
 

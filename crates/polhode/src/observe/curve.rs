@@ -4,7 +4,7 @@ use core::fmt;
 
 use crate::math::vector::Vector;
 use crate::motion::error::MotionError;
-use crate::motion::state::State;
+use crate::motion::model::state::State;
 
 /// Points of a path in their order, with their times: no straight line from one to the next is farther from the path than was
 /// asked.
@@ -15,7 +15,9 @@ use crate::motion::state::State;
 /// Distances are relative to the largest magnitude on the path, [`Curve::largest`].
 ///
 /// ```
-/// use polhode::{AngularVelocity, Attitude, FreeMotion, Polhode, State};
+/// use polhode::math::{AngularVelocity, Attitude};
+/// use polhode::motion::{FreeMotion, State};
+/// use polhode::observe::Polhode;
 /// let start = State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.01, 1.0, 0.02) };
 /// let motion = FreeMotion::of_moments([1.0, 2.0, 3.0], start)?;
 /// let curve = Polhode::of(&motion, 1e-4)?.curve;

@@ -1,9 +1,9 @@
 //! The evidence of a run's own error.
 
 use crate::math::sum::Sum;
-use crate::motion::sample::Sample;
-use crate::motion::solution::Solution;
-use crate::motion::trajectory::Trajectory;
+use crate::motion::run::sample::Sample;
+use crate::motion::run::solution::Solution;
+use crate::motion::run::trajectory::Trajectory;
 
 /// How far a computed motion departs from the balances that the true one keeps, at its worst sample.
 ///

@@ -3,7 +3,7 @@
 use crate::math::double::Double;
 use crate::math::means::quarter_and_share;
 use crate::math::real::PI;
-use crate::motion::free::{FreeMotion, Regime};
+use crate::motion::solve::free::{FreeMotion, Regime};
 
 /// The turn about L in one period of ω, in its two parts: total = dynamic + geometric.
 ///
@@ -25,7 +25,8 @@ use crate::motion::free::{FreeMotion, Regime};
 /// positive, with L = (A1 cn, A2 sn, A3 dn) and R by arithmetic-geometric means.
 ///
 /// ```
-/// use polhode::*;
+/// use polhode::prelude::*;
+/// use polhode::observe::GeometricPhase;
 /// // A coin-like body whose symmetry axis is at 0.3 rad from L: S is a cap.
 /// let omega = AngularVelocity::new(0.3_f64.sin() / 1.0, 0.0, 0.3_f64.cos() / 2.0);
 /// let start = State { time: 0.0, attitude: Attitude::identity(), omega };

@@ -2,8 +2,8 @@
 
 use crate::math::frame::Space;
 use crate::math::vector::{AngularVelocity, Direction, Vector, quantity};
-use crate::motion::free::FreeMotion;
-use crate::motion::state::State;
+use crate::motion::model::state::State;
+use crate::motion::solve::free::FreeMotion;
 
 use super::curve::{Curve, CurveError};
 use super::sampling::{Span, allowed, largest_rate};
@@ -25,7 +25,9 @@ use super::sampling::{Span, allowed, largest_rate};
 /// relative to ρ_max, but no nearer than the points are right.
 ///
 /// ```
-/// use polhode::{AngularVelocity, Attitude, FreeMotion, Herpolhode, State};
+/// use polhode::math::{AngularVelocity, Attitude};
+/// use polhode::motion::{FreeMotion, State};
+/// use polhode::observe::Herpolhode;
 /// let start = State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.5, 0.0, 1.0) };
 /// let motion = FreeMotion::of_moments([1.0, 2.0, 3.0], start)?;
 /// let herpolhode = Herpolhode::of(&motion, 3.0, 1e-3)?;

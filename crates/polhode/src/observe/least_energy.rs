@@ -2,7 +2,7 @@
 
 use crate::math::frame::Body;
 use crate::math::vector::Direction;
-use crate::motion::free::FreeMotion;
+use crate::motion::solve::free::FreeMotion;
 
 /// The spin of least energy for the angular momentum that a body has: about the axis of greatest moment.
 ///
@@ -15,7 +15,7 @@ use crate::motion::free::FreeMotion;
 /// T/T_min lies between 1 and i3/i1, and is i3/i2 on the separatrix, which a body in long-axis mode has to cross.
 ///
 /// Where the greatest moment is not one axis's alone the end is not unique either: of a prolate body or a rod
-/// it is some axis across the symmetry axis, and `axis` is one of them ([`crate::PrincipalFrame`] says which); a body with three
+/// it is some axis across the symmetry axis, and `axis` is one of them ([`crate::body::PrincipalFrame`] says which); a body with three
 /// equal moments keeps its spin and loses nothing.
 ///
 /// # Accuracy
@@ -24,7 +24,8 @@ use crate::motion::free::FreeMotion;
 /// of their difference.
 ///
 /// ```
-/// use polhode::*;
+/// use polhode::prelude::*;
+/// use polhode::observe::LeastEnergySpin;
 /// let omega = AngularVelocity::new(5.0, 0.0, 1e-9); // thrown about the long axis
 /// let start = State { time: 0.0, attitude: Attitude::identity(), omega };
 /// let motion = FreeMotion::of_moments([1.0, 2.0, 2.5], start)?;

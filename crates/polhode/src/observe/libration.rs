@@ -14,10 +14,10 @@ use crate::motion::error::MotionError;
 /// ```
 /// // A pencil that points at the Earth: √3 swings in an orbit in its plane, 2 across.
 /// let n = 1.1e-3;
-/// let pencil = polhode::Libration::of([1000.0, 1000.0, 1e-6], n)?;
+/// let pencil = polhode::observe::Libration::of([1000.0, 1000.0, 1e-6], n)?;
 /// assert!((pencil.pitch.unwrap() / n - 3f64.sqrt()).abs() < 1e-8);
 /// assert!((pencil.roll_yaw.unwrap()[1] / n - 2.0).abs() < 1e-8);
-/// # Ok::<(), polhode::MotionError>(())
+/// # Ok::<(), polhode::motion::MotionError>(())
 /// ```
 ///
 /// # Source

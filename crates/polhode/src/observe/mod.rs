@@ -1,4 +1,12 @@
-//! What can be read off a motion. This room never integrates.
+//! What can be read off a motion. This module never integrates.
+//!
+//! - How good a computed motion is: [`Drift`] of energy and momentum.
+//! - Free motion: [`FreeRegime`] (kind, periods, flips), [`GeometricPhase`], [`SymmetricTop`], [`Cones`], and curves to draw: [`Polhode`],
+//!   [`Herpolhode`], [`MomentumTrace`], [`RollingCones`].
+//! - Which steady motions last: [`Stability`] of permanent rotations, with friction inside; [`SmallOscillations`] about equilibria under
+//!   torque, on orbits and of tops; [`Libration`]; [`LeastEnergySpin`], where dissipation leads.
+//! - What observers measure: [`TumblingPeriods`] of an asteroid and back to its motion ([`TumblingSolution`]); [`RotationalConstants`] of a
+//!   molecule.
 
 pub(crate) mod cone;
 pub(crate) mod curve;
@@ -19,3 +27,21 @@ pub(crate) mod stability;
 pub(crate) mod symmetric_top;
 pub(crate) mod tumbler;
 pub(crate) mod tumbling;
+
+pub use cone::Cones;
+pub use curve::{Curve, CurveError};
+pub use drift::Drift;
+pub use geometric_phase::GeometricPhase;
+pub use herpolhode::Herpolhode;
+pub use least_energy::LeastEnergySpin;
+pub use libration::Libration;
+pub use momentum_trace::MomentumTrace;
+pub use polhode::Polhode;
+pub use regime::FreeRegime;
+pub use rolling_cones::RollingCones;
+pub use rotational_constants::{RotationalConstants, Top};
+pub use small_oscillations::{OrbitalEquilibrium, OscillationMode, SmallOscillations, SteadyTop};
+pub use stability::{PermanentRotation, Settling, Stability};
+pub use symmetric_top::{SymmetricTop, SymmetricTopKind};
+pub use tumbler::{TumblerError, TumblingSolution};
+pub use tumbling::{AxisConvention, TumblingPeriods};

@@ -2,17 +2,19 @@
 
 use crate::math::frame::Body;
 use crate::math::vector::{AngularMomentum, quantity};
-use crate::motion::free::FreeMotion;
-use crate::motion::state::State;
+use crate::motion::model::state::State;
+use crate::motion::solve::free::FreeMotion;
 
 use super::curve::{Curve, CurveError};
 use super::sampling::{Span, allowed};
 
 /// The path of L = Iω on the sphere |L| = constant, in body axes, kg·m²/s: closed, a point or half of a circle as the polhode
-/// is ([`crate::Polhode`]).
+/// is ([`crate::observe::Polhode`]).
 ///
 /// ```
-/// use polhode::{AngularVelocity, Attitude, FreeMotion, MomentumTrace, State};
+/// use polhode::math::{AngularVelocity, Attitude};
+/// use polhode::motion::{FreeMotion, State};
+/// use polhode::observe::MomentumTrace;
 /// let start = State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.5, 1.0, -0.7) };
 /// let motion = FreeMotion::of_moments([1.0, 2.0, 3.0], start)?;
 /// let trace = MomentumTrace::of(&motion, 1e-3)?.curve;
@@ -29,7 +31,7 @@ impl MomentumTrace {
     /// The path of L in the body; the tolerance of its chords is relative to |L|, 1e-10 … 0.1.
     ///
     /// # Errors
-    /// As [`crate::Polhode::of`].
+    /// As [`crate::observe::Polhode::of`].
     pub fn of(motion: &FreeMotion, tolerance: f64) -> Result<Self, CurveError> {
         let largest = motion.momentum().norm();
         let momentum = |state: &State| -> AngularMomentum<Body> { motion.angular_momentum(state) };

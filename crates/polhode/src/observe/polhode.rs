@@ -2,8 +2,8 @@
 
 use crate::math::frame::Body;
 use crate::math::vector::quantity;
-use crate::motion::free::{FreeMotion, Regime};
-use crate::motion::state::State;
+use crate::motion::model::state::State;
+use crate::motion::solve::free::{FreeMotion, Regime};
 
 use super::curve::{Curve, CurveError};
 use super::sampling::{Span, allowed, largest_rate};
@@ -19,7 +19,9 @@ use super::sampling::{Span, allowed, largest_rate};
 /// The number of points grows as 1/√tolerance.
 ///
 /// ```
-/// use polhode::{AngularVelocity, Attitude, FreeMotion, Polhode, Regime, State};
+/// use polhode::math::{AngularVelocity, Attitude};
+/// use polhode::motion::{FreeMotion, Regime, State};
+/// use polhode::observe::Polhode;
 /// let start = State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.01, 1.0, 0.02) };
 /// let motion = FreeMotion::of_moments([1.0, 2.0, 3.0], start)?;
 /// let polhode = Polhode::of(&motion, 1e-3)?;

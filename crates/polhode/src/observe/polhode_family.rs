@@ -4,8 +4,8 @@ use crate::body::principal::Symmetry;
 use crate::math::frame::{Body, Principal};
 use crate::math::rotation::Rotation;
 use crate::math::vector::AngularVelocity;
-use crate::motion::free::{FreeMotion, Regime};
-use crate::motion::state::State;
+use crate::motion::model::state::State;
+use crate::motion::solve::free::{FreeMotion, Regime};
 
 use super::curve::CurveError;
 use super::polhode::{Polhode, drawn};
@@ -20,7 +20,9 @@ impl Polhode {
     /// Each has its own time, from 0 s.
     ///
     /// ```
-    /// use polhode::{AngularVelocity, Attitude, FreeMotion, Polhode, State};
+    /// use polhode::math::{AngularVelocity, Attitude};
+    /// use polhode::motion::{FreeMotion, State};
+    /// use polhode::observe::Polhode;
     /// let start = State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.5, 1.0, -0.7) };
     /// let motion = FreeMotion::of_moments([1.0, 2.0, 3.0], start)?;
     /// let family = Polhode::family(&motion, 3, 1e-3)?;

@@ -3,9 +3,9 @@
 use crate::body::principal::Symmetry;
 use crate::math::frame::Principal;
 use crate::math::vector::AngularVelocity;
-use crate::motion::free::{FreeMotion, Regime};
-use crate::motion::rotor::Rotor;
-use crate::motion::state::State;
+use crate::motion::model::rotor::Rotor;
+use crate::motion::model::state::State;
+use crate::motion::solve::free::{FreeMotion, Regime};
 
 /// The free motion of a state, classified, with its period.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,14 +28,15 @@ impl FreeRegime {
     /// L² − 2 T i2 = i1 (i1 − i2) ω1² + i3 (i3 − i2) ω3², and the period of ω is 4 K(m) / λ.
     ///
     /// ```
-    /// use polhode::*;
+    /// use polhode::prelude::*;
+    /// use polhode::motion::Regime;
     /// let inertia = InertiaTensor::diagonal([1.0, 2.0, 3.0])?;
     /// let body = Rotor::free(&MassProperties::new(1.0, Position::ZERO, inertia)?);
     /// let start = State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.01, 1.0, 0.01) };
     /// let free = FreeRegime::of(&body, &start);
     /// assert_eq!(free.regime, Regime::ShortAxis);
     /// assert!((free.period.unwrap() / 39.105_734_197_268_72 - 1.0).abs() < 1e-15);
-    /// # Ok::<(), polhode::BodyError>(())
+    /// # Ok::<(), polhode::body::BodyError>(())
     /// ```
     ///
     /// Source: Landau & Lifshitz, Mechanics, §37, with 1 − m formed from the sum above, which does not cancel.

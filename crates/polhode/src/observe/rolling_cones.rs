@@ -2,8 +2,8 @@
 
 use crate::math::frame::{Body, Space};
 use crate::math::vector::quantity;
-use crate::motion::free::FreeMotion;
-use crate::motion::state::State;
+use crate::motion::model::state::State;
+use crate::motion::solve::free::FreeMotion;
 
 use super::curve::{Curve, CurveError};
 use super::sampling::{Span, allowed, largest_rate};
@@ -15,14 +15,16 @@ use super::sampling::{Span, allowed, largest_rate};
 /// since dω/dt is the same vector in the body and in space: ω × ω = 0. [`Curve::fan`] has the triangles.
 ///
 /// The rim of the body cone is the polhode, closed after a period; that of the space cone is the herpolhode at its
-/// height. Cones of a symmetric top are circular, and [`crate::Cones`] has their angles. A permanent rotation has one ruling.
-/// On the separatrix both are cut off near the intermediate axis and near L, as [`crate::Polhode`] is.
+/// height. Cones of a symmetric top are circular, and [`crate::observe::Cones`] has their angles. A permanent rotation has one ruling.
+/// On the separatrix both are cut off near the intermediate axis and near L, as [`crate::observe::Polhode`] is.
 ///
 /// # Accuracy
 /// Rulings are states of [`FreeMotion::at`]; chords of both rims keep within the tolerance, relative to the largest |ω|.
 ///
 /// ```
-/// use polhode::{AngularVelocity, Attitude, FreeMotion, RollingCones, State};
+/// use polhode::math::{AngularVelocity, Attitude};
+/// use polhode::motion::{FreeMotion, State};
+/// use polhode::observe::RollingCones;
 /// let start = State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.5, 1.0, -0.7) };
 /// let motion = FreeMotion::of_moments([1.0, 2.0, 3.0], start)?;
 /// let cones = RollingCones::of(&motion, 2.0, 1e-3)?;
@@ -48,7 +50,7 @@ impl RollingCones {
     /// The number of periods does not matter to a separatrix and to a permanent rotation.
     ///
     /// # Errors
-    /// As [`crate::Herpolhode::of`].
+    /// As [`crate::observe::Herpolhode::of`].
     pub fn of(motion: &FreeMotion, periods: f64, tolerance: f64) -> Result<Self, CurveError> {
         let Some(span) = Span::of(motion, periods, motion.precession_rate().abs(), tolerance)? else {
             let start = motion.start();

@@ -25,7 +25,9 @@ const ATOMIC_MASS: f64 = 1.660_539_066_60e-27;
 /// A few ε of the moments. h and c are exact; u, in which masses are given, has an uncertainty of 3e-10 (CODATA 2018).
 ///
 /// ```
-/// use polhode::{Body, Particle, Position, RotationalConstants, Top, mass_properties_of_particles};
+/// use polhode::body::{Particle, mass_properties_of_particles};
+/// use polhode::math::{Body, Position};
+/// use polhode::observe::{RotationalConstants, Top};
 /// // HCN along its axis: masses in u, places in ångström
 /// let atoms = [(12.0, -0.506397), (14.00307400425, 0.66016), (1.007825031898, -1.582739)];
 /// let mut particles = Vec::new();

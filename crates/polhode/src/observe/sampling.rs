@@ -1,7 +1,7 @@
 //! Which times a path needs, for its chords to keep near it.
 
-use crate::motion::free::{FreeMotion, Regime};
-use crate::motion::state::State;
+use crate::motion::model::state::State;
+use crate::motion::solve::free::{FreeMotion, Regime};
 
 use super::curve::CurveError;
 

@@ -14,9 +14,9 @@ pub use steady_top::SteadyTop;
 use crate::math::complex::Complex;
 use crate::math::eigenvalues::{Matrix, eigenvalues};
 use crate::motion::error::MotionError;
-use crate::motion::rotor::Rotor;
-use crate::motion::state::State;
-use crate::motion::torque::{TorqueModel, total_torque};
+use crate::motion::model::rotor::Rotor;
+use crate::motion::model::state::State;
+use crate::motion::model::torque::{TorqueModel, total_torque};
 use steady::Steady;
 
 /// What a body does near an equilibrium under its torques: frequencies, damping and shapes.
@@ -31,7 +31,8 @@ use steady::Steady;
 /// of N are central differences, extrapolated until they stop improving (Ridders): good to some 1e-11 for smooth torques.
 ///
 /// ```
-/// use polhode::*;
+/// use polhode::prelude::*;
+/// use polhode::observe::SmallOscillations;
 /// // A stick of 1.2 m and 0.8 kg hangs by its end.
 /// let stick = MassProperties::new(0.8, Position::ZERO, InertiaTensor::diagonal([0.096, 0.096, 1e-4])?)?;
 /// let body = Rotor::pivoted(&stick, Position::new(0.0, 0.0, 0.6));

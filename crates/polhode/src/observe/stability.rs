@@ -8,7 +8,7 @@ pub use friction::Settling;
 use crate::math::frame::{Body, Principal};
 use crate::math::vector::{AngularMomentum, AngularVelocity, Torque};
 use crate::motion::error::MotionError;
-use crate::motion::rotor::Rotor;
+use crate::motion::model::rotor::Rotor;
 
 /// What becomes of a small departure from a steady motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -58,7 +58,9 @@ impl Stability {
 /// [`PermanentRotation::with_friction`]: where the energy is greatest, it ends what is stable without it.
 ///
 /// ```
-/// use polhode::*;
+/// use polhode::prelude::*;
+/// use polhode::motion::Motor;
+/// use polhode::observe::{PermanentRotation, Stability};
 /// let inertia = InertiaTensor::diagonal([1.0, 2.0, 3.0])?;
 /// let body = Rotor::free(&MassProperties::new(1.0, Position::ZERO, inertia)?);
 /// let spin = PermanentRotation::about(&body, AngularVelocity::new(0.0, 5.0, 0.0))?;
@@ -140,7 +142,10 @@ impl PermanentRotation {
     /// and the last time at which one stops. None if a motor never stops; of pulses, after 10⁴ of them.
     ///
     /// ```
-    /// use polhode::*;
+    /// use polhode::prelude::*;
+    /// use polhode::motion::Motor;
+    /// use polhode::motion::torque::Schedule;
+    /// use polhode::observe::PermanentRotation;
     /// let inertia = InertiaTensor::diagonal([4.0, 5.0, 7.0])?;
     /// let body = Rotor::free(&MassProperties::new(10.0, Position::ZERO, inertia)?);
     /// let motor = Motor::Torque { inertia: 0.5, torque: 0.2, schedule: Some(Schedule::window(3.0, 8.0)?) };

@@ -3,8 +3,8 @@
 use crate::body::principal::{PrincipalFrame, Symmetry};
 use crate::math::frame::{Body, Space};
 use crate::math::vector::{AngularVelocity, Direction};
-use crate::motion::free::{FreeMotion, Regime};
-use crate::motion::state::State;
+use crate::motion::model::state::State;
+use crate::motion::solve::free::{FreeMotion, Regime};
 
 /// The free motion of a body with a symmetry axis e.
 ///

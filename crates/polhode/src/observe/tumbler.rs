@@ -12,8 +12,8 @@ use crate::math::real::PI;
 use crate::math::rotation::Attitude;
 use crate::math::symmetric3::power_of_two_near;
 use crate::math::vector::AngularVelocity;
-use crate::motion::free::{FreeMotion, Regime};
-use crate::motion::state::State;
+use crate::motion::model::state::State;
+use crate::motion::solve::free::{FreeMotion, Regime};
 
 use super::tumbling::{AxisConvention, TumblingPeriods};
 
@@ -23,7 +23,7 @@ use super::tumbling::{AxisConvention, TumblingPeriods};
 /// one energy E/E0, because in each the ratio P_ψ/P_φ grows strictly towards the separatrix, from a least
 /// value that the permanent rotation has to infinity ([`TumblingPeriods::ratio`] says from which). *Proof.* Let |L| = 1 and e =
 /// 2T; from the permanent rotation outwards e varies by σ (+1 in short-axis mode, −1 in long-axis mode). The axis that L circles
-/// advances in one period P by e P − σS + 2πσ ([`crate::GeometricPhase`]), S the solid angle round which L goes, and
+/// advances in one period P by e P − σS + 2πσ ([`crate::observe::GeometricPhase`]), S the solid angle round which L goes, and
 /// P = 2σ dS/de, since |L| S is the area of phase space. So 2π d(P_ψ/P_φ)/de = P + e P′ − P/2 = √e d(√e P)/de, and √e P is the
 /// period at constant *energy*. This is 4K(m)/λ, and towards the separatrix K rises while λ, at constant T proportional to
 /// √(L² − 2T i1) or √(2T i3 − L²), falls. ∎
@@ -37,7 +37,9 @@ use super::tumbling::{AxisConvention, TumblingPeriods};
 /// Near the separatrix ω is rounded more coarsely than the periods can bear: `periods` shows it.
 ///
 /// ```
-/// use polhode::*;
+/// use polhode::prelude::*;
+/// use polhode::motion::Regime;
+/// use polhode::observe::{AxisConvention, TumblerError, TumblingPeriods, TumblingSolution};
 /// // Toutatis in days: the periods of Zhao et al. 2015, the moments of Takahashi, Busch & Scheeres 2013
 /// let periods = TumblingPeriods { precession: 7.40, rotation: 5.38 };
 /// let spins = TumblingSolution::all([3.0836, 3.235, 1.0], periods, AxisConvention::LongAxis)?;
@@ -230,7 +232,7 @@ impl Family {
     /// nothing cancels anywhere between the permanent rotation (z → 0) and the separatrix (z → ∞), nor as the body becomes
     /// symmetric (ν → 0).
     ///
-    /// As in `motion/free/elements.rs`, λ = cos θ √((1/i1 − 1/i3)(1/i2 − 1/i3)) and Ω = 1/i2 + ½ (1/i1 − 1/i2) R.
+    /// As in `motion/solve/free/elements.rs`, λ = cos θ √((1/i1 − 1/i3)(1/i2 − 1/i3)) and Ω = 1/i2 + ½ (1/i1 − 1/i2) R.
     fn at(&self, y: f64) -> Wobble {
         let [i1, i2, i3] = self.moments;
         let (d21, d31, d32) = (i2 - i1, i3 - i1, i3 - i2);

@@ -1,7 +1,7 @@
 //! The two periods of a tumbling body, as observers of asteroids and comets give them.
 
 use crate::math::real::PI;
-use crate::motion::free::FreeMotion;
+use crate::motion::solve::free::FreeMotion;
 
 /// The axis of the body whose motion about L is described.
 ///
@@ -35,7 +35,8 @@ pub enum AxisConvention {
 /// A few ε of P_φ and P_ψ each, for moments and ω exactly as given. Near the separatrix both are ill-conditioned in ω.
 ///
 /// ```
-/// use polhode::*;
+/// use polhode::prelude::*;
+/// use polhode::observe::{AxisConvention, TumblingPeriods};
 /// // Toutatis: long axis along z, moments relative to the least, deg/day (Takahashi, Busch & Scheeres 2013)
 /// let unit = std::f64::consts::PI / 180.0 / 86_400.0;
 /// let omega = AngularVelocity::new(14.51, 33.529, -98.709) * unit;

@@ -1,6 +1,8 @@
 //! Polhode, momentum trace, herpolhode and cones: on their quadrics, in their plane, and near their chords.
 
-use polhode::*;
+use polhode::motion::Regime;
+use polhode::observe::{Curve, CurveError, Herpolhode, MomentumTrace, Polhode, RollingCones};
+use polhode::prelude::*;
 
 /// A free motion, and its tensor in units that keep squares within f64.
 struct Case {

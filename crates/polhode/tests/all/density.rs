@@ -1,6 +1,11 @@
 //! Bodies of varying density against closed forms, exact rational integrals and assemblies of boxes.
 
-use polhode::*;
+use polhode::body::density::{
+    Cubature, DensityField, FieldError, FieldMassProperties, Parametrised, Solid, VoxelGrid,
+    mass_properties_of_field,
+};
+use polhode::body::shape::{Capsule, Cone, Ellipsoid, Tetrahedron, Torus};
+use polhode::prelude::*;
 
 /// Numbers in [0, 1) that look random (Knuth's MMIX generator).
 struct Random(u64);

@@ -1,7 +1,9 @@
 //! Drag against closed forms, and against fixtures/damping.toml.
 
 use crate::common::*;
-use polhode::*;
+use polhode::motion::Solution;
+use polhode::motion::torque::{Drag, DragLaw};
+use polhode::prelude::*;
 
 const METHODS: [Method; 2] = [Method::Taylor, Method::Dop853];
 

@@ -3,7 +3,13 @@
 use std::f64::consts::{PI, TAU};
 
 use crate::common::free_body;
-use polhode::*;
+use polhode::body::Symmetry;
+use polhode::body::shape::{
+    BoxShell, Capsule, Cone, CylinderShell, Disk, Ellipsoid, Plate, SphereShell, Tetrahedron, Torus,
+};
+use polhode::motion::{Pendulum, Prescribed, Regime, Solution, Swing, TIGHTEST_TOLERANCE};
+use polhode::observe::{Cones, SymmetricTop};
+use polhode::prelude::*;
 
 const TURN: [f64; 4] = [0.4, -0.7, 1.1, 0.3];
 

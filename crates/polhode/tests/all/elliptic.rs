@@ -2,7 +2,7 @@
 #![allow(clippy::excessive_precision, clippy::approx_constant, reason = "the tables' digits, as they are")]
 
 use crate::common::{cases, number, table};
-use polhode::{EllipticError, EllipticParameter, JacobiFunctions};
+use polhode::math::elliptic::{EllipticError, EllipticParameter, JacobiFunctions};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use std::f64::consts::{FRAC_PI_2, PI};

@@ -1,6 +1,8 @@
 //! Energy lost inside a body, against what defines it and a closed form.
 
-use polhode::*;
+use polhode::motion::Motor;
+use polhode::motion::torque::EnergySink;
+use polhode::prelude::*;
 
 const METHODS: [Method; 2] = [Method::Taylor, Method::Dop853];
 

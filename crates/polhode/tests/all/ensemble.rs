@@ -2,7 +2,13 @@
 
 use std::num::NonZero;
 
-use polhode::*;
+use polhode::math::formula::{Binary, Formula, Instruction};
+use polhode::motion::torque::{
+    Attracted, Drag, DragLaw, EnergySink, FormulaTorque, GravityGradient, Magnetic, MagneticField, Thruster,
+    Torsion,
+};
+use polhode::motion::{Ensemble, Member, MemberFailure, Motor, Orbit, StateVariables};
+use polhode::prelude::*;
 
 const ONE: NonZero<usize> = NonZero::<usize>::MIN;
 

@@ -1,6 +1,11 @@
 //! The steady motions that a start is meant to be near: on a circular orbit, of a heavy top, with friction inside.
 
-use polhode::*;
+use polhode::motion::torque::{Attracted, EnergySink, GravityGradient, Schedule, Torsion};
+use polhode::motion::{HeavyTop, MU_EARTH, Motor, Orbit, TopPath};
+use polhode::observe::{
+    Libration, OrbitalEquilibrium, PermanentRotation, Settling, SmallOscillations, SteadyTop,
+};
+use polhode::prelude::*;
 
 fn turned() -> Rotation<Body, Body> {
     Rotation::about(Direction::new(0.3, -0.8, 0.5), 1.1).unwrap()

@@ -1,7 +1,12 @@
 //! Events against closed forms, and motions that cannot go on.
 
 use crate::common::free_body;
-use polhode::*;
+use polhode::math::formula::{Binary, Formula, Instruction, Unary};
+use polhode::motion::torque::FormulaTorque;
+use polhode::motion::{
+    Crossing, Ending, EventAction, Measure, MethodReason, Pendulum, Sense, SplittingOrder, StateVariables,
+};
+use polhode::prelude::*;
 
 const METHODS: [Method; 2] = [Method::Taylor, Method::Dop853];
 const TAU: f64 = std::f64::consts::TAU;

@@ -1,7 +1,8 @@
 //! Free motion against 40-digit references, in every regime.
 
 use crate::common::{cases, number, numbers, start, table};
-use polhode::*;
+use polhode::motion::FreeMotions;
+use polhode::prelude::*;
 
 /// What the worst row of a case is off by, and when.
 #[derive(Default)]
@@ -262,7 +263,7 @@ fn a_turned_tensor_loses_nothing() {
             let angle = q.attitude.angle_to(expected);
             assert!(angle < 6e-15, "{name} at {periods} periods: attitude {angle:e}");
             assert!(error < 6e-15, "{name} at {periods} periods: omega {error:e}");
-            let [l, m] = [&along, &across].map(polhode::FreeMotion::momentum);
+            let [l, m] = [&along, &across].map(polhode::motion::FreeMotion::momentum);
             assert!((l.norm() / m.norm() - 1.0).abs() < 1e-14);
         }
     }

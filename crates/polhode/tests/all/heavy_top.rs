@@ -1,7 +1,8 @@
 //! Lagrange's top in closed form: references of 32 digits, the integrators, and what a top can do.
 
 use crate::common::{cases, number, numbers, table};
-use polhode::*;
+use polhode::motion::{ClosedForm, HeavyTop, TopPath};
+use polhode::prelude::*;
 use std::f64::consts::PI;
 
 const DOWN: UniformGravity = UniformGravity { acceleration: Acceleration::new(0.0, 0.0, -9.81) };

@@ -1,6 +1,9 @@
 //! From motion to torque: every way to give a motion, against the others and against motions that torques make.
 
-use polhode::*;
+use polhode::math::AngularAcceleration;
+use polhode::math::formula::{Binary, Formula, Instruction, Unary};
+use polhode::motion::{Motor, Prescribed, RateAxes, Required, Run};
+use polhode::prelude::*;
 
 /// A body without symmetry, about a point that is not its centre of mass.
 fn rotor() -> Rotor {

@@ -2,7 +2,9 @@
 
 use std::collections::HashMap;
 
-use polhode::{BodyError, ClosedMesh, Shape, Substance, Triangle, TriangleMesh};
+use polhode::body::BodyError;
+use polhode::body::mesh::{ClosedMesh, Triangle, TriangleMesh};
+use polhode::body::shape::{Shape, Substance};
 
 type Point = [i64; 3];
 

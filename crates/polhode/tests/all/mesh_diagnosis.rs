@@ -3,7 +3,8 @@
 #[path = "mesh_diagnosis/grids.rs"]
 mod grids;
 
-use polhode::{BodyError, ClosedMesh, ComponentRole, MeshDiagnosis, Triangle, TriangleMesh};
+use polhode::body::BodyError;
+use polhode::body::mesh::{ClosedMesh, ComponentRole, MeshDiagnosis, Triangle, TriangleMesh};
 
 type Point = [f64; 3];
 

@@ -2,7 +2,8 @@
 
 use std::collections::HashSet;
 
-use polhode::{BodyError, ClosedMesh, ConvexHull};
+use polhode::body::BodyError;
+use polhode::body::mesh::{ClosedMesh, ConvexHull};
 
 /// Numbers that look random (Knuth's MMIX generator).
 struct Random(u64);

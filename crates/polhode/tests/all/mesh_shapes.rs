@@ -2,7 +2,11 @@
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use polhode::*;
+use polhode::body::mesh::{ConvexHull, MeshShell, Triangle};
+use polhode::body::shape::{
+    BoxShell, Capsule, Cone, CylinderShell, Disk, Ellipsoid, Plate, SphereShell, Tetrahedron, Torus,
+};
+use polhode::prelude::*;
 
 /// Numbers that look random (Knuth's MMIX generator).
 struct Random(u64);

@@ -1,7 +1,8 @@
 //! Motions against 40-digit references (fixtures/, which says how they were made).
 
 use crate::common::*;
-use polhode::*;
+use polhode::motion::{ErrorEffort, Pendulum, Regime, Swing, TIGHTEST_TOLERANCE};
+use polhode::prelude::*;
 
 /// Errors of ω (relative) and attitude (rad) at one row of a case.
 fn errors(row: &toml::Table, state: &State) -> (f64, f64) {

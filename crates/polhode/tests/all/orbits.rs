@@ -2,7 +2,12 @@
 //! closed forms (fixtures/, which says how they were made).
 
 use crate::common::*;
-use polhode::*;
+use polhode::body::Symmetry;
+use polhode::math::AngularAcceleration;
+use polhode::math::elliptic::EllipticParameter;
+use polhode::motion::torque::{Attracted, GravityGradient, Magnetic, MagneticField};
+use polhode::motion::{MU_EARTH, Motor, Orbit};
+use polhode::prelude::*;
 
 const METHODS: [Method; 2] = [Method::Dop853, Method::Taylor];
 

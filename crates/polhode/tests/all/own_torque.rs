@@ -1,6 +1,10 @@
 //! Torques of the user: laws and functions from outside the crate.
 
-use polhode::*;
+use polhode::math::formula::Unary;
+use polhode::math::{Scalar, VectorAlgebra};
+use polhode::motion::Orbit;
+use polhode::motion::torque::{Drag, DragLaw, Law, LawInput, OrbitPosition};
+use polhode::prelude::*;
 
 /// N = −|ω| C ω, as the crate has it too.
 #[derive(Debug)]

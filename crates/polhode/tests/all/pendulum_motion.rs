@@ -1,8 +1,9 @@
 //! The pendulum's exact motion, against references of 32 digits.
 
 use crate::common::{cases, number, table};
-use polhode::{Acceleration, Direction, InertiaTensor, MassProperties, Position, Rotor};
-use polhode::{Pendulum, PendulumMotion, Swing};
+use polhode::body::{InertiaTensor, MassProperties};
+use polhode::math::{Acceleration, Direction, Position};
+use polhode::motion::{Pendulum, PendulumMotion, Rotor, Swing};
 
 #[test]
 fn every_kind_of_swing_has_the_digits_of_the_reference() {

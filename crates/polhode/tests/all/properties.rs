@@ -1,6 +1,7 @@
 //! Laws that hold for every body and every motion, tried on many, with generators that hug the edges.
 
-use polhode::*;
+use polhode::math::{Frame, quantity};
+use polhode::prelude::*;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 

@@ -1,7 +1,11 @@
 //! Published results: other people's numbers, at the tolerance that their printed digits allow.
 
 use crate::common::*;
-use polhode::*;
+use polhode::body::Symmetry;
+use polhode::body::shape::{CylinderShell, Plate};
+use polhode::motion::{KineticEnergySplit, MovingParticle, angular_momentum, momentum};
+use polhode::observe::{Cones, SymmetricTop};
+use polhode::prelude::*;
 
 const DEG: f64 = std::f64::consts::PI / 180.0;
 

@@ -1,7 +1,8 @@
 //! Rotational constants: published geometries, limits, and κ against exact arithmetic.
 
 use crate::common::{cases, number, numbers, table};
-use polhode::*;
+use polhode::observe::{RotationalConstants, Top};
+use polhode::prelude::*;
 
 /// kg (CODATA 2018)
 const U: f64 = 1.660_539_066_60e-27;

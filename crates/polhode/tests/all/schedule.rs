@@ -1,7 +1,9 @@
 //! Torques that begin and end: each change is stepped on exactly.
 
 use crate::common::*;
-use polhode::*;
+use polhode::motion::torque::{Schedule, Scheduled, Thruster};
+use polhode::motion::{Ensemble, Member, Motor, Solution};
+use polhode::prelude::*;
 
 const METHODS: [Method; 2] = [Method::Taylor, Method::Dop853];
 const MOMENTS: [f64; 3] = [1.1, 2.3, 3.1];

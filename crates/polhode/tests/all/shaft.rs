@@ -1,6 +1,7 @@
 //! Shafts: bearing reactions and balance, against sums over mass points.
 
-use polhode::*;
+use polhode::motion::{Prescribed, Required, Shaft, Unbalance};
+use polhode::prelude::*;
 
 /// Mass points without any symmetry.
 fn points() -> Vec<Particle<Body>> {

@@ -3,10 +3,13 @@
 use std::f64::consts::{PI, TAU};
 use std::ops::Add;
 
-use polhode::{
-    BodyError, BoxShape, BoxShell, Capsule, ClosedMesh, Cone, Cylinder, CylinderShell, Disk, Ellipsoid,
-    Extent, Part, Plate, Position, Rod, Shape, Sphere, SphereShell, Substance, Tetrahedron, Torus, Triangle,
+use polhode::body::BodyError;
+use polhode::body::mesh::{ClosedMesh, Triangle};
+use polhode::body::shape::{
+    BoxShape, BoxShell, Capsule, Cone, Cylinder, CylinderShell, Disk, Ellipsoid, Extent, Plate, Rod, Shape,
+    Sphere, SphereShell, Substance, Tetrahedron, Torus,
 };
+use polhode::math::{Part, Position};
 
 /// ∫ dm, ∫ x dm and ∫ (r² 1 − x xᵀ) dm at unit density, the last about [`POINT`].
 #[derive(Clone, Copy)]

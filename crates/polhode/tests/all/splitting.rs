@@ -1,6 +1,8 @@
 //! Splitting: its orders, its bounded energy error, and what it refuses.
 
-use polhode::*;
+use polhode::motion::torque::{Attracted, EnergySink, GravityGradient, Schedule, Scheduled};
+use polhode::motion::{Ending, Motor, Orbit, SplittingOrder};
+use polhode::prelude::*;
 
 /// A body with three distinct moments, products of inertia and an offset centre, held at a generic pivot.
 fn heavy() -> Rotor {

@@ -1,6 +1,9 @@
 //! Permanent rotations and small oscillations, against closed forms and simulated perturbations.
 
-use polhode::*;
+use polhode::motion::torque::EnergySink;
+use polhode::motion::{Motor, Pendulum};
+use polhode::observe::{Libration, PermanentRotation, SmallOscillations, Stability};
+use polhode::prelude::*;
 
 fn tensor(moments: [f64; 3], r: Rotation<Body, Body>) -> InertiaTensor<Body> {
     InertiaTensor::diagonal(moments).unwrap().in_frame(r)

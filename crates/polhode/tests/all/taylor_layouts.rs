@@ -1,6 +1,8 @@
 //! Taylor's recurrence has a layout for each kind of motion; every layout with all its terms at once, against DOP853, which has the laws.
 
-use polhode::*;
+use polhode::motion::Orbit;
+use polhode::motion::torque::{Attracted, Drag, DragLaw, GravityGradient};
+use polhode::prelude::*;
 
 /// Three distinct moments, all products, mass not 1, the centre of mass off the origin.
 fn body() -> MassProperties<Body> {

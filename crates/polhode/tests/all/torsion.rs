@@ -1,6 +1,8 @@
 //! Torsion springs and wires: pendulums that swing alike at every amplitude, and energy that is kept.
 
-use polhode::*;
+use polhode::motion::Ending;
+use polhode::motion::torque::Torsion;
+use polhode::prelude::*;
 
 const METHODS: [Method; 2] = [Method::Taylor, Method::Dop853];
 

@@ -2,7 +2,11 @@
 
 use crate::common::{number, numbers, table};
 use core::f64::consts::{PI, TAU};
-use polhode::*;
+use polhode::motion::Regime;
+use polhode::observe::{
+    AxisConvention, GeometricPhase, LeastEnergySpin, TumblerError, TumblingPeriods, TumblingSolution,
+};
+use polhode::prelude::*;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 

@@ -1,6 +1,8 @@
 //! Bodies with momentum wheels: conservation, a larger system without any of the library's equations, and closed forms.
 
-use polhode::*;
+use polhode::motion::Motor;
+use polhode::motion::torque::{Schedule, Scheduled};
+use polhode::prelude::*;
 
 const METHODS: [Method; 2] = [Method::Taylor, Method::Dop853];
 

@@ -23,7 +23,7 @@ mod primitive;
 use std::collections::HashMap;
 use std::path::Path;
 
-use polhode::Severity;
+use polhode::body::Severity;
 use serde_json::Value;
 
 use super::affine::Affine;

@@ -1,6 +1,6 @@
 //! Nodes: a forest, and where each of them is.
 
-use polhode::Severity;
+use polhode::body::Severity;
 
 use super::accessor;
 use super::buffer::Buffers;

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use polhode::Severity;
+use polhode::body::Severity;
 
 use super::accessor;
 use super::buffer::{Buffers, UNPACK, compressed};

@@ -21,7 +21,7 @@ mod xml;
 use std::collections::{HashMap, HashSet};
 use std::rc::Rc;
 
-use polhode::Severity;
+use polhode::body::Severity;
 
 use super::affine::Affine;
 use super::budget::Budget;

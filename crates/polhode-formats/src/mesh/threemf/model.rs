@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::collections::HashMap;
 use std::rc::Rc;
 
-use polhode::Severity;
+use polhode::body::Severity;
 use quick_xml::events::BytesStart;
 use quick_xml::events::attributes::Attribute;
 

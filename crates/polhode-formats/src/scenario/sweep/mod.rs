@@ -3,7 +3,7 @@
 mod distribution;
 mod law;
 
-use polhode::Scenario;
+use polhode::motion::Scenario;
 
 pub use distribution::Distribution;
 pub use law::{Dispersion, Law, Spread};

@@ -1,6 +1,7 @@
 //! A constant `[[torque]]`.
 
-use polhode::{ConstantTorque, Torque, TorqueModel};
+use polhode::math::Torque;
+use polhode::motion::torque::{ConstantTorque, TorqueModel};
 
 use super::allow;
 use crate::error::FormatError;

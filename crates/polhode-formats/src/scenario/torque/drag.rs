@@ -1,6 +1,6 @@
 //! A `[[torque]]` of model `drag`.
 
-use polhode::{Drag, DragLaw, TorqueModel};
+use polhode::motion::torque::{Drag, DragLaw, TorqueModel};
 
 use super::allow;
 use crate::error::FormatError;

@@ -1,6 +1,6 @@
 //! A `[[torque]]` of model `energy_sink`: what the inside of the body loses.
 
-use polhode::{EnergySink, TorqueModel};
+use polhode::motion::torque::{EnergySink, TorqueModel};
 
 use super::allow;
 use crate::error::FormatError;

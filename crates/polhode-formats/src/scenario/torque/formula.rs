@@ -1,6 +1,7 @@
 //! A `[[torque]]` of model `formula`.
 
-use polhode::{Formula, FormulaTorque, TorqueModel};
+use polhode::math::formula::Formula;
+use polhode::motion::torque::{FormulaTorque, TorqueModel};
 
 use super::allow;
 use crate::error::FormatError;

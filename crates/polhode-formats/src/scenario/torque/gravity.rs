@@ -1,6 +1,7 @@
 //! A `[[torque]]` of gravity at a pivot.
 
-use polhode::{Acceleration, TorqueModel, UniformGravity};
+use polhode::math::Acceleration;
+use polhode::motion::torque::{TorqueModel, UniformGravity};
 
 use super::allow;
 use crate::error::FormatError;

@@ -1,6 +1,7 @@
 //! A `[[torque]]` of model `gravity_gradient`.
 
-use polhode::{Attracted, BodyPart, GravityGradient, TorqueModel};
+use polhode::body::BodyPart;
+use polhode::motion::torque::{Attracted, GravityGradient, TorqueModel};
 
 use super::allow;
 use super::orbit::{SharedOrbit, orbit_of};

@@ -1,6 +1,7 @@
 //! A `[[torque]]` of model `magnetic`.
 
-use polhode::{Direction, Magnetic, MagneticField, TorqueModel};
+use polhode::math::Direction;
+use polhode::motion::torque::{Magnetic, MagneticField, TorqueModel};
 
 use super::allow;
 use super::orbit::{SharedOrbit, orbit_of};

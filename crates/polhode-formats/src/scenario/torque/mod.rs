@@ -12,7 +12,8 @@ pub(super) mod schedule;
 mod thruster;
 mod torsion;
 
-use polhode::{BodyPart, TorqueModel};
+use polhode::body::BodyPart;
+use polhode::motion::torque::TorqueModel;
 
 use self::orbit::SharedOrbit;
 use super::body::Pivot;

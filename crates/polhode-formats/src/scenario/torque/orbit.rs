@@ -2,9 +2,9 @@
 
 use std::ops::Range;
 
-use polhode::{
-    Anomaly, Direction, Finding, MU_EARTH, MotionError, Orbit, OrbitalElements, Position, Severity, Velocity,
-};
+use polhode::body::{Finding, Severity};
+use polhode::math::{Direction, Position, Velocity};
+use polhode::motion::{Anomaly, MU_EARTH, MotionError, Orbit, OrbitalElements};
 
 use crate::error::FormatError;
 use crate::scenario::reader::{Table, Value};

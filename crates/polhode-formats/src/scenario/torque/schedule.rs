@@ -1,6 +1,6 @@
 //! When a `[[torque]]` acts: keys of every model.
 
-use polhode::{Schedule, Scheduled, TorqueModel};
+use polhode::motion::torque::{Schedule, Scheduled, TorqueModel};
 
 use crate::error::FormatError;
 use crate::scenario::reader::{Table, Value};

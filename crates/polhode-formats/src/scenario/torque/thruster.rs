@@ -1,6 +1,7 @@
 //! A `[[torque]]` of model `thruster`.
 
-use polhode::{Force, Position, Thruster, TorqueModel};
+use polhode::math::{Force, Position};
+use polhode::motion::torque::{Thruster, TorqueModel};
 
 use super::allow;
 use crate::error::FormatError;

@@ -1,6 +1,7 @@
 //! A `[[torque]]` of model `torsion`.
 
-use polhode::{Attitude, Direction, TorqueModel, Torsion};
+use polhode::math::{Attitude, Direction};
+use polhode::motion::torque::{TorqueModel, Torsion};
 
 use super::allow;
 use crate::error::FormatError;

@@ -3,7 +3,8 @@
 mod broken;
 mod file;
 
-use polhode::{ClosedMesh, Severity};
+use polhode::body::Severity;
+use polhode::body::mesh::ClosedMesh;
 use serde_json::json;
 
 use file::{F32, FACES, File, I8, I16, POINTS, U8, U16, U32, corners, expected};

@@ -6,7 +6,8 @@ mod together;
 
 use std::path::Path;
 
-use polhode::{BodyError, Material, Scenario};
+use polhode::body::{BodyError, Material};
+use polhode::motion::Scenario;
 use polhode_formats::{FormatError, FormatErrorKind, scenario};
 
 const BALL: &str = "[[body.part]]\nshape = 'sphere'\nradius = '20 mm'\nmass = '0.5 kg'\n";

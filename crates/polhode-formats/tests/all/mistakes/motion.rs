@@ -200,7 +200,7 @@ fn coefficients_come_in_every_shape_and_unit() {
     let coefficient = |law: &str, text: &str| {
         let text = format!("{BALL}[[torque]]\nmodel='drag'\nlaw='{law}'\ncoefficient={text}");
         match parse(&text).unwrap().torques[0] {
-            polhode::TorqueModel::Drag(drag) => drag.matrix(),
+            polhode::motion::torque::TorqueModel::Drag(drag) => drag.matrix(),
             ref other => panic!("{other:?}"),
         }
     };

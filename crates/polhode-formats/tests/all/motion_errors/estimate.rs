@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::Path;
 
-use polhode::{ErrorEffort, Solution};
+use polhode::motion::{ErrorEffort, Solution};
 
 use super::Case;
 

@@ -5,7 +5,8 @@ mod estimate;
 
 use std::path::Path;
 
-use polhode::*;
+use polhode::motion::Solution;
+use polhode::prelude::*;
 use polhode_formats::scenario;
 
 /// A motion and what it truly is.

@@ -2,7 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use polhode::{OrbitalEquilibrium, OscillationMode, SmallOscillations, SteadyTop, TopPath};
+use polhode::motion::TopPath;
+use polhode::observe::{OrbitalEquilibrium, OscillationMode, SmallOscillations, SteadyTop};
 
 use super::indented;
 use crate::layout::labelled;

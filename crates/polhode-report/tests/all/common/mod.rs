@@ -1,7 +1,10 @@
 //! Scenarios that the tests report on.
 #![allow(dead_code, unreachable_pub, reason = "each test file uses some of them")]
 
-use polhode::*;
+use polhode::body::{BodyPart, Finding, PlacedForm, Severity};
+use polhode::motion::torque::Schedule;
+use polhode::motion::{Hanging, Motor, Prescribed, Run};
+use polhode::prelude::*;
 
 /// A body of particles.
 pub fn particles(list: &[(f64, [f64; 3])]) -> BodyPart {

@@ -109,7 +109,7 @@ fn attitudes_are_uniform() {
 
 #[test]
 fn an_attitude_about_the_written_one_turns_about_all_axes_alike() {
-    use polhode::Attitude;
+    use polhode::math::Attitude;
     let columns = columns("start.attitude", "random = { sd = \"2 deg\" }", 4);
     let nominal =
         plan(&format!("[sweep]\nmembers = 1\nsampling = 'sobol'\n{}", super::SPIN)).nominal().start.attitude;

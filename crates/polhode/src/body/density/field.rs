@@ -113,7 +113,8 @@ pub struct FieldError {
 /// Time goes with that; of memory a piece takes some 0.3 kB, and none if no division would improve it.
 ///
 /// ```
-/// use polhode::{Cubature, Solid, Sphere, mass_properties_of_field};
+/// use polhode::body::density::{Cubature, Solid, mass_properties_of_field};
+/// use polhode::body::shape::Sphere;
 /// // A planet of radius 1, 5000 kg/m³ in the middle and 3000 at the surface: M = 4π (5000/3 − 2000/4)
 /// let planet = Sphere::new(1.0)?;
 /// let density = |[x, y, z]: [f64; 3]| 5000.0 - 2000.0 * (x * x + y * y + z * z).sqrt();
@@ -121,7 +122,7 @@ pub struct FieldError {
 /// let exact = 4.0 * std::f64::consts::PI * (5000.0 / 3.0 - 500.0);
 /// assert!((body.properties.mass() - exact).abs() < body.error_estimate.mass);
 /// assert!(body.error_estimate.mass < 1e-10 * exact);
-/// # Ok::<(), polhode::BodyError>(())
+/// # Ok::<(), polhode::body::BodyError>(())
 /// ```
 ///
 /// # Errors

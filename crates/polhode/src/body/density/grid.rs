@@ -15,14 +15,14 @@ use crate::math::vector::{Direction, Position};
 /// i + n₁ (j + n₂ k). The order of the axes and their handedness do not matter.
 ///
 /// ```
-/// use polhode::VoxelGrid;
+/// use polhode::body::density::VoxelGrid;
 /// // Two voxels of 1 m, of 3 and 1 kg/m³, side by side
 /// let grid = VoxelGrid::new([0.5, 0.0, 0.0], [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], [2, 1, 1])?;
 /// let body = grid.mass_properties(|voxel| [3.0, 1.0][voxel])?;
 /// assert_eq!(body.properties.mass(), 4.0);
 /// assert_eq!(body.properties.center_of_mass().x, 0.75);
 /// assert_eq!(body.properties.inertia().matrix()[0][0], 4.0 / 6.0); // a box's, M (1² + 1²) / 12
-/// # Ok::<(), polhode::BodyError>(())
+/// # Ok::<(), polhode::body::BodyError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct VoxelGrid {

@@ -17,11 +17,12 @@ use crate::math::real::PI;
 /// convergence, and is never asked for outside of the solid.
 ///
 /// ```
-/// use polhode::{Cylinder, Parametrised};
+/// use polhode::body::density::Parametrised;
+/// use polhode::body::shape::Cylinder;
 /// let ([x, y, z], jacobian) = Cylinder::new(2.0, 3.0)?.point(0, [0.5, 0.25, 0.75]);
 /// assert!(x.abs() < 1e-15 && (y - 1.0).abs() < 1e-15 && z == 0.75);
 /// assert!((jacobian - std::f64::consts::PI * 2.0 * 2.0 * 3.0).abs() < 1e-13); // m³ per unit of the cube
-/// # Ok::<(), polhode::BodyError>(())
+/// # Ok::<(), polhode::body::BodyError>(())
 /// ```
 pub trait Parametrised: Shape {
     /// How many charts there are.

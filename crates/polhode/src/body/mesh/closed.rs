@@ -33,13 +33,14 @@ use crate::body::shape::{Extent, Shape, Spread};
 /// this cannot be found out ([`BodyError::OverlapsUndecided`]).
 ///
 /// ```
-/// use polhode::{ClosedMesh, Shape, Substance};
+/// use polhode::body::mesh::ClosedMesh;
+/// use polhode::body::shape::{Shape, Substance};
 /// let [o, x, y, z] = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 3.0, 0.0], [0.0, 0.0, 1.0]];
 /// let corner = ClosedMesh::from_triangles(vec![[o, y, x], [o, x, z], [o, z, y], [x, y, z]])?;
 /// assert_eq!(corner.volume(), 1.0);
 /// let body = corner.mass_properties(Substance::Density(4.0))?;
-/// assert!((body.center_of_mass() - polhode::Position::new(0.5, 0.75, 0.25)).norm() < 1e-15);
-/// # Ok::<(), polhode::BodyError>(())
+/// assert!((body.center_of_mass() - polhode::math::Position::new(0.5, 0.75, 0.25)).norm() < 1e-15);
+/// # Ok::<(), polhode::body::BodyError>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct ClosedMesh {

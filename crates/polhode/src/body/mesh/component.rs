@@ -26,7 +26,7 @@ pub struct MeshComponent {
     pub role: ComponentRole,
     /// How many other closed components it lies in.
     pub depth: usize,
-    /// The smallest of these, by its place in [`MeshDiagnosis::components`](crate::MeshDiagnosis::components).
+    /// The smallest of these, by its place in [`MeshDiagnosis::components`](crate::body::mesh::MeshDiagnosis::components).
     pub inside: Option<usize>,
     /// Triangles that are wound against most of the others, if that is clear.
     pub flipped: usize,

@@ -12,7 +12,7 @@ use super::tree::Tree;
 use super::weld::{NONE, Welded, is_proper};
 use super::work::Work;
 
-/// What is right and wrong with a mesh, and where: everything that [`ClosedMesh`](crate::ClosedMesh) refuses, corrects or mentions.
+/// What is right and wrong with a mesh, and where: everything that [`ClosedMesh`](crate::body::mesh::ClosedMesh) refuses, corrects or mentions.
 ///
 /// Corners are the same vertex when their coordinates are equal, exactly, and whether triangles cross is decided by exact signs: there is
 /// no tolerance. The numbers are the same for any number of threads. Time and memory go with the triangles, and with the pairs of them
@@ -20,7 +20,7 @@ use super::work::Work;
 /// round, only one is compared with others.
 ///
 /// ```
-/// use polhode::{ComponentRole, MeshDiagnosis, TriangleMesh};
+/// use polhode::body::mesh::{ComponentRole, MeshDiagnosis, TriangleMesh};
 /// let [o, x, y, z] = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 3.0, 0.0], [0.0, 0.0, 1.0]];
 /// let tetrahedron = TriangleMesh::of_triangles(&[[o, y, x], [o, x, z], [o, z, y], [x, y, z]])?;
 /// let diagnosis = MeshDiagnosis::of(&tetrahedron);
@@ -30,7 +30,7 @@ use super::work::Work;
 /// let torn = TriangleMesh::of_triangles(&[[o, y, x], [o, x, z], [o, z, y]])?;
 /// let boundary = MeshDiagnosis::of(&torn).boundary;
 /// assert_eq!((boundary.count, boundary.first.map(|edge| edge.triangle)), (3, Some(1)));
-/// # Ok::<(), polhode::BodyError>(())
+/// # Ok::<(), polhode::body::BodyError>(())
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]

@@ -17,13 +17,13 @@ use crate::math::symmetric3::power_of_two_near;
 /// Source: Barber, Dobkin & Huhdanpaa, ACM Trans. Math. Softw. 22 (1996) 469.
 ///
 /// ```
-/// use polhode::{ClosedMesh, ConvexHull};
+/// use polhode::body::mesh::{ClosedMesh, ConvexHull};
 /// let corners = (0..8).map(|k| [k & 1, k >> 1 & 1, k >> 2].map(f64::from));
 /// let points: Vec<_> = corners.chain([[0.5, 0.2, 0.7], [1.0, 0.5, 0.5]]).collect();
 /// let hull = ConvexHull::of(&points)?;
 /// assert_eq!((hull.vertices().len(), hull.triangles().len()), (8, 12));
 /// assert_eq!(ClosedMesh::of(&hull)?.volume(), 1.0);
-/// # Ok::<(), polhode::BodyError>(())
+/// # Ok::<(), polhode::body::BodyError>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct ConvexHull;

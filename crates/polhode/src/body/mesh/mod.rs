@@ -22,6 +22,12 @@ mod umbrella;
 mod weld;
 mod work;
 
+pub use closed::ClosedMesh;
+pub use component::{ComponentRole, MeshComponent};
+pub use diagnosis::{EdgePlace, Faults, MeshDiagnosis, PairPlace, TrianglePlace};
+pub use hull::ConvexHull;
+pub use shell::MeshShell;
+
 use super::error::BodyError;
 
 /// Pairs of triangles that overlap or touch are counted up to here: one more stands for any larger number.
@@ -32,16 +38,16 @@ pub type Triangle = [[f64; 3]; 3];
 
 /// Triangles and their corners as a file has them: not yet known to bound anything.
 ///
-/// [`ClosedMesh`](crate::ClosedMesh) is the solid that they bound, if they do. Vertices may be there more than once: corners are the
+/// [`ClosedMesh`] is the solid that they bound, if they do. Vertices may be there more than once: corners are the
 /// same point when their coordinates are equal, exactly.
 ///
 /// ```
-/// use polhode::TriangleMesh;
+/// use polhode::body::mesh::TriangleMesh;
 /// let vertices = vec![[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 3.0, 0.0]];
 /// let flake = TriangleMesh::new(vertices.clone(), vec![[0, 1, 2]])?;
 /// assert_eq!(flake.corners().next(), Some([[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 3.0, 0.0]]));
 /// assert!(TriangleMesh::new(vertices, vec![[0, 1, 3]]).is_err());
-/// # Ok::<(), polhode::BodyError>(())
+/// # Ok::<(), polhode::body::BodyError>(())
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct TriangleMesh {

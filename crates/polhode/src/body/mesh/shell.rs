@@ -17,13 +17,14 @@ use crate::math::vector::Position;
 /// A t (a aᵀ + b bᵀ + c cᵀ + s sᵀ)/12 + A t · t²/12 n nᵀ,  s = a + b + c
 ///
 /// ```
-/// use polhode::{MeshShell, Shape, Substance, TriangleMesh};
+/// use polhode::body::mesh::{MeshShell, TriangleMesh};
+/// use polhode::body::shape::{Shape, Substance};
 /// let [a, b, c, d] = [[0.0, 0.0, 0.0], [3.0, 0.0, 0.0], [3.0, 2.0, 0.0], [0.0, 2.0, 0.0]];
 /// let sheet = MeshShell::new(&TriangleMesh::of_triangles(&[[a, b, c], [a, c, d]])?, 0.5)?;
 /// let body = sheet.mass_properties(Substance::Density(4.0))?; // as a brick of 3 × 2 × 0.5
 /// assert!((body.mass() - 12.0).abs() < 1e-14);
 /// assert!((body.inertia().matrix()[0][0] - (2.0 * 2.0 + 0.5 * 0.5)).abs() < 1e-14);
-/// # Ok::<(), polhode::BodyError>(())
+/// # Ok::<(), polhode::body::BodyError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MeshShell {

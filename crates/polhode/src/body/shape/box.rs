@@ -9,11 +9,11 @@ use crate::body::form::Form;
 /// I = M/12 diag(b² + c², a² + c², a² + b²) for edges a, b, c
 ///
 /// ```
-/// use polhode::{BoxShape, Shape, Substance};
+/// use polhode::body::shape::{BoxShape, Shape, Substance};
 /// let brick = BoxShape::new([0.2, 0.1, 0.06])?.mass_properties(Substance::Density(1800.0))?;
 /// assert!((brick.mass() - 2.16).abs() < 1e-15);
 /// assert!((brick.inertia().matrix()[2][2] - 2.16 / 12.0 * (0.04 + 0.01)).abs() < 1e-17);
-/// # Ok::<(), polhode::BodyError>(())
+/// # Ok::<(), polhode::body::BodyError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BoxShape {

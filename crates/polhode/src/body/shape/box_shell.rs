@@ -10,11 +10,11 @@ use crate::math::vector::Position;
 /// I_zz = M [ab (a² + b²) + bc (3a² + b²) + ca (a² + 3b²)] / 12 (ab + bc + ca) for edges a, b, c
 ///
 /// ```
-/// use polhode::{BoxShell, Shape, Substance};
+/// use polhode::body::shape::{BoxShell, Shape, Substance};
 /// // a hollow cube: I = 5/18 M a²
 /// let tank = BoxShell::new([3.0; 3])?.mass_properties(Substance::Mass(2.0))?;
 /// assert!((tank.inertia().matrix()[0][0] - 5.0).abs() < 1e-14);
-/// # Ok::<(), polhode::BodyError>(())
+/// # Ok::<(), polhode::body::BodyError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BoxShell {

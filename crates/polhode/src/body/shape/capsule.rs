@@ -13,13 +13,13 @@ use crate::math::vector::Position;
 /// I_xx = M_cylinder (r²/4 + l²/12) + M_caps (2/5 r² + 3/8 l r + l²/4)
 ///
 /// ```
-/// use polhode::{Capsule, Shape, Substance};
+/// use polhode::body::shape::{Capsule, Shape, Substance};
 /// let pill = Capsule::new(0.5, 2.0)?;
 /// assert!((pill.spread().extent().measure() - std::f64::consts::PI * (0.5 + 1.0 / 6.0)).abs() < 1e-15);
 /// // caps weigh a quarter of it
 /// let pill = pill.mass_properties(Substance::Mass(1.0))?;
 /// assert!((pill.inertia().matrix()[2][2] - (0.75 / 2.0 + 0.4 * 0.25) * 0.25).abs() < 1e-16);
-/// # Ok::<(), polhode::BodyError>(())
+/// # Ok::<(), polhode::body::BodyError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Capsule {

@@ -13,12 +13,13 @@ use crate::math::vector::Position;
 /// a cone about its apex: I = 3/5 M diag(r²/4 + h², r²/4 + h², r²/2)
 ///
 /// ```
-/// use polhode::{Cone, Position, Shape, Substance};
+/// use polhode::body::shape::{Cone, Shape, Substance};
+/// use polhode::math::Position;
 /// let cone = Cone::new(0.5, 0.0, 2.0)?.mass_properties(Substance::Mass(5.0))?;
 /// assert!((cone.center_of_mass().z - 0.5).abs() < 1e-15);
 /// let about_apex = cone.inertia_about(Position::new(0.0, 0.0, 2.0)).matrix();
 /// assert!((about_apex[0][0] - 3.0 * (0.0625 + 4.0)).abs() < 1e-14);
-/// # Ok::<(), polhode::BodyError>(())
+/// # Ok::<(), polhode::body::BodyError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cone {

@@ -10,10 +10,10 @@ use crate::math::real::PI;
 /// I = M diag(r²/4 + l²/12, r²/4 + l²/12, r²/2)
 ///
 /// ```
-/// use polhode::{Cylinder, Shape, Substance};
+/// use polhode::body::shape::{Cylinder, Shape, Substance};
 /// let wheel = Cylinder::new(0.5, 0.1)?.mass_properties(Substance::Mass(8.0))?;
 /// assert!((wheel.inertia().matrix()[2][2] - 1.0).abs() < 1e-15);
-/// # Ok::<(), polhode::BodyError>(())
+/// # Ok::<(), polhode::body::BodyError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cylinder {

@@ -12,12 +12,12 @@ use crate::math::vector::Position;
 /// open: I = M diag(r²/2 + l²/12, r²/2 + l²/12, r²)
 ///
 /// ```
-/// use polhode::{CylinderShell, Shape, Substance};
+/// use polhode::body::shape::{CylinderShell, Shape, Substance};
 /// // Curtis, Orbital Mechanics for Engineering Students, 2nd ed., example 10.2
 /// let tube = CylinderShell::new(1.0, 3.0, false)?.mass_properties(Substance::Mass(100.0))?;
 /// assert!((tube.inertia().matrix()[0][0] - 125.0).abs() < 1e-13);
 /// assert!((tube.inertia().matrix()[2][2] - 100.0).abs() < 1e-13);
-/// # Ok::<(), polhode::BodyError>(())
+/// # Ok::<(), polhode::body::BodyError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CylinderShell {

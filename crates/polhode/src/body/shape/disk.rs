@@ -10,10 +10,10 @@ use crate::math::real::PI;
 /// I = M r² diag(1/4, 1/4, 1/2)
 ///
 /// ```
-/// use polhode::{Disk, Shape, Substance};
+/// use polhode::body::shape::{Disk, Shape, Substance};
 /// let coin = Disk::new(0.5)?.mass_properties(Substance::Mass(8.0))?;
 /// assert!((coin.inertia().matrix()[2][2] - 1.0).abs() < 1e-15);
-/// # Ok::<(), polhode::BodyError>(())
+/// # Ok::<(), polhode::body::BodyError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Disk {

@@ -10,10 +10,10 @@ use crate::math::real::PI;
 /// I = M/5 diag(b² + c², a² + c², a² + b²) for semi-axes a, b, c
 ///
 /// ```
-/// use polhode::{Ellipsoid, Shape, Substance};
+/// use polhode::body::shape::{Ellipsoid, Shape, Substance};
 /// let egg = Ellipsoid::new([0.02, 0.02, 0.03])?.mass_properties(Substance::Mass(0.06))?;
 /// assert!((egg.inertia().matrix()[2][2] - 0.06 / 5.0 * 0.0008).abs() < 1e-20);
-/// # Ok::<(), polhode::BodyError>(())
+/// # Ok::<(), polhode::body::BodyError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ellipsoid {

@@ -17,6 +17,21 @@ pub(crate) mod sphere_shell;
 pub(crate) mod tetrahedron;
 pub(crate) mod torus;
 
+pub use r#box::BoxShape;
+pub use box_shell::BoxShell;
+pub use capsule::Capsule;
+pub use cone::Cone;
+pub use cylinder::Cylinder;
+pub use cylinder_shell::CylinderShell;
+pub use disk::Disk;
+pub use ellipsoid::Ellipsoid;
+pub use plate::Plate;
+pub use rod::Rod;
+pub use sphere::Sphere;
+pub use sphere_shell::SphereShell;
+pub use tetrahedron::Tetrahedron;
+pub use torus::Torus;
+
 use core::fmt;
 
 use super::error::{BodyError, positive};

@@ -9,11 +9,11 @@ use crate::body::form::Form;
 /// I = M/12 diag(b², a², a² + b²) for edges a, b
 ///
 /// ```
-/// use polhode::{Plate, Shape, Substance};
+/// use polhode::body::shape::{Plate, Shape, Substance};
 /// let panel = Plate::new([2.0, 1.0])?.mass_properties(Substance::AreaDensity(6.0))?;
 /// assert_eq!(panel.mass(), 12.0);
 /// assert!((panel.inertia().matrix()[2][2] - 5.0).abs() < 1e-15);
-/// # Ok::<(), polhode::BodyError>(())
+/// # Ok::<(), polhode::body::BodyError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plate {

@@ -9,12 +9,12 @@ use crate::body::form::Form;
 /// I = M l²/12 diag(1, 1, 0)
 ///
 /// ```
-/// use polhode::{Rod, Shape, Substance};
+/// use polhode::body::shape::{Rod, Shape, Substance};
 /// let stick = Rod::new(2.0)?.mass_properties(Substance::LineDensity(1.5))?;
 /// assert_eq!(stick.mass(), 3.0);
 /// assert!((stick.inertia().matrix()[0][0] - 1.0).abs() < 1e-15);
 /// assert_eq!(stick.inertia().matrix()[2][2], 0.0);
-/// # Ok::<(), polhode::BodyError>(())
+/// # Ok::<(), polhode::body::BodyError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rod {

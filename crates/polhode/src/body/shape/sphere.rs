@@ -10,10 +10,10 @@ use crate::math::real::PI;
 /// I = 2/5 M r²
 ///
 /// ```
-/// use polhode::{Shape, Sphere, Substance};
+/// use polhode::body::shape::{Shape, Sphere, Substance};
 /// let ball = Sphere::new(0.5)?.mass_properties(Substance::Mass(4.0))?;
 /// assert!((ball.inertia().matrix()[0][0] - 0.4).abs() < 1e-16);
-/// # Ok::<(), polhode::BodyError>(())
+/// # Ok::<(), polhode::body::BodyError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sphere {

@@ -10,10 +10,10 @@ use crate::math::real::PI;
 /// I = 2/3 M r²
 ///
 /// ```
-/// use polhode::{Shape, SphereShell, Substance};
+/// use polhode::body::shape::{Shape, SphereShell, Substance};
 /// let balloon = SphereShell::new(0.5)?.mass_properties(Substance::Mass(6.0))?;
 /// assert!((balloon.inertia().matrix()[0][0] - 1.0).abs() < 1e-15);
-/// # Ok::<(), polhode::BodyError>(())
+/// # Ok::<(), polhode::body::BodyError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SphereShell {

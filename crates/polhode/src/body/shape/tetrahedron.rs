@@ -13,12 +13,12 @@ use crate::math::vector::{Direction, Position};
 /// ⟨x xᵀ⟩ = 1/20 Σ (p_k − p̄)(p_k − p̄)ᵀ: as of its corners, each with a twentieth of the mass
 ///
 /// ```
-/// use polhode::{Shape, Substance, Tetrahedron};
+/// use polhode::body::shape::{Shape, Substance, Tetrahedron};
 /// let corner = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 3.0, 0.0], [0.0, 0.0, 1.0]];
 /// let body = Tetrahedron::new(corner)?.mass_properties(Substance::Density(4.0))?;
 /// assert!((body.mass() - 4.0).abs() < 1e-15);
 /// assert!((body.inertia().matrix()[2][2] - 3.0 / 80.0 * 4.0 * (4.0 + 9.0)).abs() < 1e-15);
-/// # Ok::<(), polhode::BodyError>(())
+/// # Ok::<(), polhode::body::BodyError>(())
 /// ```
 ///
 /// Source: Tonon, J. Math. Stat. 1 (2005) 8.

@@ -10,11 +10,11 @@ use crate::math::real::PI;
 /// I_zz = M (R² + 3/4 r²),  I_xx = I_yy = M (R²/2 + 5/8 r²)
 ///
 /// ```
-/// use polhode::{Shape, Substance, Torus};
+/// use polhode::body::shape::{Shape, Substance, Torus};
 /// let tyre = Torus::new(2.0, 1.0)?.mass_properties(Substance::Mass(4.0))?;
 /// assert!((tyre.inertia().matrix()[2][2] - 19.0).abs() < 1e-14);
 /// assert!((tyre.inertia().matrix()[0][0] - 10.5).abs() < 1e-14);
-/// # Ok::<(), polhode::BodyError>(())
+/// # Ok::<(), polhode::body::BodyError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Torus {

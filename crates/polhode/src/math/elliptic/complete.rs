@@ -18,9 +18,9 @@ impl EllipticParameter {
     ///
     /// ```
     /// // The perimeter of an ellipse of semi-axes 5 and 3, by the square of its eccentricity.
-    /// let m = polhode::EllipticParameter::from_complement(9.0 / 25.0)?;
+    /// let m = polhode::math::elliptic::EllipticParameter::from_complement(9.0 / 25.0)?;
     /// assert!((4.0 * 5.0 * m.e() - 25.526998863398124).abs() < 1e-14);
-    /// # Ok::<(), polhode::EllipticError>(())
+    /// # Ok::<(), polhode::math::elliptic::EllipticError>(())
     /// ```
     ///
     /// Source: DLMF 19.2.8, 19.25.1.

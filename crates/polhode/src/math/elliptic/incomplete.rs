@@ -23,9 +23,9 @@ impl EllipticParameter {
     /// Infinite beyond ±π/2 at m = 1; as infinite as φ; NaN for NaN.
     ///
     /// ```
-    /// let m = polhode::EllipticParameter::new(0.8)?;
+    /// let m = polhode::math::elliptic::EllipticParameter::new(0.8)?;
     /// assert!((m.incomplete_f(m.jacobi(17.0).am) - 17.0).abs() < 1e-14);
-    /// # Ok::<(), polhode::EllipticError>(())
+    /// # Ok::<(), polhode::math::elliptic::EllipticError>(())
     /// ```
     ///
     /// Source: DLMF 19.2.4.

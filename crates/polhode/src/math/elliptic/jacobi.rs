@@ -34,13 +34,13 @@ impl EllipticParameter {
     /// the phase is taken as 0. NaN for a u that is not finite.
     ///
     /// ```
-    /// let m = polhode::EllipticParameter::new(0.36)?;
+    /// let m = polhode::math::elliptic::EllipticParameter::new(0.36)?;
     /// let at = m.jacobi(m.k() / 2.0);
     /// // sn² K/2 = 1/(1 + k′), dn² K/2 = k′ (DLMF 22.5, table)
     /// assert!((at.sn.powi(2) - 1.0 / 1.8).abs() < 1e-15);
     /// assert!((at.dn.powi(2) - 0.8).abs() < 1e-15);
     /// assert!((m.jacobi(20.0 * m.k()).am - 10.0 * std::f64::consts::PI).abs() < 1e-13);
-    /// # Ok::<(), polhode::EllipticError>(())
+    /// # Ok::<(), polhode::math::elliptic::EllipticError>(())
     /// ```
     ///
     /// Source: DLMF 22.7(i), 22.16(i).

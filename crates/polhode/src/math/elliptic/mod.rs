@@ -38,7 +38,7 @@ pub(crate) use reduced::unit;
 /// near the zeros of sn and cn and after 10⁵ periods too. Only at m = 1 itself sn, cn, dn have 2 ulp and am has 3.
 ///
 /// ```
-/// use polhode::EllipticParameter;
+/// use polhode::math::elliptic::EllipticParameter;
 /// // The pendulum released at 90°: m = sin²(90°/2), period 4 K / 2π of the small one.
 /// let m = EllipticParameter::new(0.5)?;
 /// assert_eq!(m.k() / std::f64::consts::FRAC_PI_2, 1.1803405990160963);
@@ -46,7 +46,7 @@ pub(crate) use reduced::unit;
 /// let m = EllipticParameter::from_complement(1e-300)?;
 /// assert_eq!(m.m(), 1.0);
 /// assert!((m.k() - (4.0 / m.complement().sqrt()).ln()).abs() < 1e-13);
-/// # Ok::<(), polhode::EllipticError>(())
+/// # Ok::<(), polhode::math::elliptic::EllipticError>(())
 /// ```
 ///
 /// Source: DLMF, chapters 19 and 22, with k² = m and α² = n.

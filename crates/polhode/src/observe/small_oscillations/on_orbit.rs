@@ -9,15 +9,18 @@ use crate::math::frame::{Body, Principal, Space};
 use crate::math::rotation::Rotation;
 use crate::math::vector::{AngularVelocity, Direction};
 use crate::motion::error::MotionError;
-use crate::motion::orbit::Orbit;
-use crate::motion::rotor::Rotor;
-use crate::motion::state::State;
-use crate::motion::torque::TorqueModel;
+use crate::motion::model::orbit::Orbit;
+use crate::motion::model::rotor::Rotor;
+use crate::motion::model::state::State;
+use crate::motion::model::torque::TorqueModel;
 
 /// A steady motion of a body on a circular orbit: at rest relative to the radius, the flight and the orbit's normal.
 ///
 /// ```
-/// use polhode::*;
+/// use polhode::prelude::*;
+/// use polhode::motion::{MU_EARTH, Orbit};
+/// use polhode::motion::torque::{Attracted, GravityGradient};
+/// use polhode::observe::OrbitalEquilibrium;
 /// let inertia = InertiaTensor::diagonal([5.1, 6.2, 1.7])?;
 /// let body = Rotor::free(&MassProperties::new(7.0, Position::ZERO, inertia)?);
 /// let orbit = Orbit::circular(MU_EARTH, 6878e3, Direction::new(1.0, 0.0, 0.0), Direction::new(0.0, 1.0, 0.0))?;

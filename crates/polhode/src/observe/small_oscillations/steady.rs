@@ -7,9 +7,9 @@ use crate::math::rotation::Rotation;
 use crate::math::symmetric3::Symmetric3;
 use crate::math::vector::{AngularMomentum, AngularVelocity, Direction, Torque};
 use crate::motion::error::MotionError;
-use crate::motion::rotor::Rotor;
-use crate::motion::state::State;
-use crate::motion::torque::TorqueModel;
+use crate::motion::model::rotor::Rotor;
+use crate::motion::model::state::State;
+use crate::motion::model::torque::TorqueModel;
 
 /// The torque from outside in a state.
 type Field<'a> = dyn Fn(&State) -> Torque<Body> + 'a;

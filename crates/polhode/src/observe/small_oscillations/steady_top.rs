@@ -19,16 +19,18 @@ use crate::math::root::root;
 use crate::math::rotation::Rotation;
 use crate::math::vector::{AngularVelocity, Direction};
 use crate::motion::error::MotionError;
-use crate::motion::heavy_top::{HeavyTop, TopPath};
-use crate::motion::rotor::Rotor;
-use crate::motion::state::State;
-use crate::motion::torque::{TorqueModel, UniformGravity};
-use crate::motion::wheel::{Motor, Wheel};
+use crate::motion::model::rotor::Rotor;
+use crate::motion::model::state::State;
+use crate::motion::model::torque::{TorqueModel, UniformGravity};
+use crate::motion::model::wheel::{Motor, Wheel};
+use crate::motion::solve::heavy_top::{HeavyTop, TopPath};
 
 /// A steady motion of a heavy symmetric top: its axis precesses at a constant angle, sleeps upright, or hangs.
 ///
 /// ```
-/// use polhode::*;
+/// use polhode::prelude::*;
+/// use polhode::motion::{HeavyTop, TopPath};
+/// use polhode::observe::SteadyTop;
 /// let inertia = InertiaTensor::diagonal([1.0, 1.0, 0.5])?;
 /// let top = Rotor::pivoted(&MassProperties::new(1.0, Position::new(0.0, 0.0, 0.5), inertia)?, Position::ZERO);
 /// // Let go at 40° with spin and nothing else, it nods about the steady precession with its momenta.

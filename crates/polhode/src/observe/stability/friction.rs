@@ -15,7 +15,7 @@
 //! L² tr M = Σ L_k ((L_k − i_i ω_k)/i_i + (L_k − i_j ω_k)/i_j)
 
 use super::{PermanentRotation, Stability};
-use crate::motion::torque::EnergySink;
+use crate::motion::model::torque::EnergySink;
 
 /// What becomes of a small departure from a permanent rotation while friction inside the body costs energy.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -54,7 +54,9 @@ impl PermanentRotation {
     /// A rotation that is one of a circle of them, as a flat spin of a body with two equal moments, settles onto one of the circle.
     ///
     /// ```
-    /// use polhode::*;
+    /// use polhode::prelude::*;
+    /// use polhode::motion::torque::EnergySink;
+    /// use polhode::observe::{PermanentRotation, Settling, Stability};
     /// // Explorer 1: spun about its long axis, of least moment, it goes over to a flat spin.
     /// let inertia = InertiaTensor::diagonal([5.0, 5.0, 0.2])?;
     /// let body = Rotor::free(&MassProperties::new(14.0, Position::ZERO, inertia)?);

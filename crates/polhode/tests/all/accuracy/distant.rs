@@ -1,6 +1,6 @@
 //! Motions beyond the tables.
 
-use polhode::*;
+use polhode::prelude::*;
 
 use crate::accuracy::free_motion::error_of;
 

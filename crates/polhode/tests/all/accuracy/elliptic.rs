@@ -1,6 +1,6 @@
 //! Elliptic functions against the references of 40 digits.
 
-use polhode::*;
+use polhode::math::elliptic::EllipticParameter;
 
 use crate::common::{cases, number, table};
 

@@ -2,7 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use polhode::*;
+use polhode::motion::Regime;
+use polhode::prelude::*;
 
 use crate::common::{cases, number, numbers, start, table};
 

@@ -1,6 +1,6 @@
 //! The central inertia of closed meshes against sums in whole numbers.
 
-use polhode::*;
+use polhode::prelude::*;
 
 use crate::accuracy::exact::{Pair, Whole};
 use crate::accuracy::random::Random;

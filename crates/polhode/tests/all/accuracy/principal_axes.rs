@@ -1,6 +1,6 @@
 //! Principal moments and axes of random tensors: what is rebuilt from them, and that they are always the same.
 
-use polhode::*;
+use polhode::prelude::*;
 
 use crate::accuracy::exact::Pair;
 use crate::accuracy::random::Random;

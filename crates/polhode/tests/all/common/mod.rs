@@ -1,7 +1,7 @@
 //! Reading the reference tables in fixtures/. A table that is missing fails its test.
 #![allow(dead_code, reason = "each test file uses some of it")]
 
-use polhode::*;
+use polhode::prelude::*;
 
 pub(crate) fn table(name: &str) -> toml::Table {
     let path = format!("{}/../../fixtures/{name}.toml", env!("CARGO_MANIFEST_DIR"));

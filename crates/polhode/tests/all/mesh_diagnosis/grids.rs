@@ -5,7 +5,8 @@
 
 use std::collections::HashMap;
 
-use polhode::{BodyError, ClosedMesh, MeshDiagnosis, Triangle, TriangleMesh};
+use polhode::body::BodyError;
+use polhode::body::mesh::{ClosedMesh, MeshDiagnosis, Triangle, TriangleMesh};
 
 type Cell = [i32; 3];
 

@@ -1,0 +1,4 @@
+//! From motion to torque: prescribed motions, and what they need.
+
+pub(crate) mod prescribed;
+pub(crate) mod required;

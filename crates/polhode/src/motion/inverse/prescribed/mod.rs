@@ -1,0 +1,255 @@
+//! Prescribed motions: given, not computed.
+//!
+//! `euler` and `quaternion` have the kinematics of the ways in which an attitude can be given; `turning` finds the attitude
+//! where ω is given, by formulas or by a table (`rates`); `table` makes a table smooth.
+
+mod euler;
+mod quaternion;
+mod rates;
+mod table;
+mod turning;
+
+use crate::math::formula::Formula;
+use crate::math::frame::Body;
+use crate::math::rotation::{Attitude, Rotation};
+use crate::math::vector::{AngularAcceleration, AngularVelocity, Direction};
+use crate::motion::error::MotionError;
+use crate::motion::model::state::State;
+use rates::Rates;
+
+pub use table::{AttitudeTable, Uncertainty};
+pub use turning::{RateAxes, Turning};
+
+/// A motion that is prescribed; the question is what torque it needs.
+///
+/// ```
+/// use polhode::math::{Attitude, Direction};
+/// use polhode::motion::Prescribed;
+/// // A shaft along the body's (0, 1, 1), speeding up from 3 rad/s by 0.5 rad/s².
+/// let motion = Prescribed::fixed_axis(Attitude::identity(), Direction::new(0.0, 1.0, 1.0), 3.0, 0.5)?;
+/// let (state, acceleration) = motion.at(2.0)?;
+/// assert!((state.omega.norm() - 4.0).abs() < 1e-15);
+/// assert!((acceleration.norm() - 0.5).abs() < 1e-15);
+/// # Ok::<(), polhode::motion::MotionError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Prescribed {
+    /// Rotation about an axis fixed in the body and in space: ω(t) = n (rate + acceleration t).
+    #[non_exhaustive]
+    FixedAxis {
+        /// The attitude at t = 0.
+        attitude: Attitude,
+        /// The axis n, a unit vector.
+        axis: Direction<Body>,
+        /// ω at t = 0, rad/s.
+        rate: f64,
+        /// dω/dt, rad/s².
+        acceleration: f64,
+    },
+    /// 3-1-3 Euler angles that change uniformly: φ = φ₀ + φ̇ t and so on.
+    #[non_exhaustive]
+    EulerRates {
+        /// φ, θ, ψ at t = 0, rad.
+        angles: [f64; 3],
+        /// φ̇, θ̇, ψ̇, rad/s.
+        rates: [f64; 3],
+    },
+    /// 3-1-3 Euler angles φ, θ, ψ, rad, that are formulas of t.
+    EulerAngles([Formula; 3]),
+    /// An attitude q/|q| whose four components w, x, y, z are formulas of t.
+    Quaternion([Formula; 4]),
+    /// ω(t) is given, and an attitude to start from.
+    Turning(Box<Turning>),
+    /// A table of attitudes, made smooth.
+    Table(Box<AttitudeTable>),
+}
+
+impl Prescribed {
+    /// A rotation about a fixed axis.
+    ///
+    /// # Errors
+    /// [`MotionError::Parameter`] if the axis has no direction or a number is not finite.
+    pub fn fixed_axis(
+        attitude: Attitude,
+        axis: Direction<Body>,
+        rate: f64,
+        acceleration: f64,
+    ) -> Result<Self, MotionError> {
+        let Some(axis) = axis.direction() else {
+            let rule = "a direction: finite and not zero";
+            return Err(MotionError::Parameter { what: "the length of the axis", value: axis.norm(), rule });
+        };
+        finite("the rate", rate)?;
+        finite("the acceleration", acceleration)?;
+        Ok(Self::FixedAxis { attitude, axis, rate, acceleration })
+    }
+
+    /// Uniformly changing 3-1-3 Euler angles: steady precession, a coin's roll, a gyroscope's sweep.
+    ///
+    /// # Errors
+    /// [`MotionError::Parameter`] if a number is not finite.
+    pub fn euler_rates(angles: [f64; 3], rates: [f64; 3]) -> Result<Self, MotionError> {
+        for angle in angles {
+            finite("the Euler angle", angle)?;
+        }
+        for rate in rates {
+            finite("the Euler angle's rate", rate)?;
+        }
+        Ok(Self::EulerRates { angles, rates })
+    }
+
+    /// A motion whose ω is three formulas of t along body or space axes, rad/s, from an attitude at t = 0 up to `end`, s.
+    ///
+    /// The attitude is integrated at once, in 256 steps or more; [`Turning::attitude_error`] says how far it may be off. A pulse
+    /// much shorter than a step may be missed.
+    ///
+    /// # Errors
+    /// [`MotionError::NotFinite`] where ω is not; [`MotionError::StepTooSmall`] and [`MotionError::TooManySteps`] where it cannot
+    /// be followed; [`MotionError::Parameter`] for an end that is negative or not finite.
+    pub fn omega(
+        attitude: Attitude,
+        axes: RateAxes,
+        omega: [Formula; 3],
+        end: f64,
+    ) -> Result<Self, MotionError> {
+        if !(end >= 0.0 && end.is_finite()) {
+            let rule = "finite and not negative";
+            return Err(MotionError::Parameter { what: "the end of the motion", value: end, rule });
+        }
+        let turning = Turning::new(Rates::Formulas(omega), axes, attitude, [0.0, end])?;
+        Ok(Self::Turning(Box::new(turning)))
+    }
+
+    /// A motion through ω, rad/s, at ascending times, s, from an attitude at the first of them: ω by a spline of degree 7, the
+    /// attitude integrated from it.
+    ///
+    /// # Errors
+    /// As [`Prescribed::omega`]; [`MotionError::Parameter`] for fewer than four rows, times that do not ascend, or a number that
+    /// is not finite.
+    pub fn omega_table(
+        attitude: Attitude,
+        axes: RateAxes,
+        times: &[f64],
+        omega: &[[f64; 3]],
+    ) -> Result<(Self, Uncertainty), MotionError> {
+        let (rates, span, uncertainty) = table::rates(times, omega)?;
+        Ok((Self::Turning(Box::new(Turning::new(rates, axes, attitude, span)?)), uncertainty))
+    }
+
+    /// A motion through attitudes at ascending times, s.
+    ///
+    /// ```
+    /// use polhode::math::{Attitude, Direction};
+    /// use polhode::motion::Prescribed;
+    /// // Six attitudes of a body that turns about z at 0.7 rad/s: the motion between them is found.
+    /// let turn = |t: f64| Attitude::about(Direction::new(0.0, 0.0, 1.0), 0.7 * t);
+    /// let times = [0.0, 0.2, 0.4, 0.6, 0.8, 1.0];
+    /// let rows = times.iter().map(|t| turn(*t)).collect::<Result<Vec<_>, _>>()?;
+    /// let (motion, uncertainty) = Prescribed::attitude_table(&times, &rows)?;
+    /// let (state, _) = motion.at(0.5)?;
+    /// assert!((state.omega.z - 0.7).abs() < 1e-6 && uncertainty.omega < 1e-5);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`MotionError::Parameter`] for fewer than four rows, times that do not ascend, or more than a quarter of a turn from a row
+    /// to the next.
+    pub fn attitude_table(times: &[f64], attitudes: &[Attitude]) -> Result<(Self, Uncertainty), MotionError> {
+        let table = AttitudeTable::new(times, attitudes)?;
+        let uncertainty = table.uncertainty();
+        Ok((Self::Table(Box::new(table)), uncertainty))
+    }
+
+    /// From when to when the motion is known, s; `None` where that is always.
+    pub fn span(&self) -> Option<[f64; 2]> {
+        match self {
+            Self::Turning(motion) => Some(motion.span()),
+            Self::Table(table) => Some(table.span()),
+            _ => None,
+        }
+    }
+
+    /// The state and the angular acceleration (body axes) at a time, s.
+    ///
+    /// # Errors
+    /// [`MotionError::Parameter`] for a time outside [`Prescribed::span`], [`MotionError::NotFinite`] where a formula is not
+    /// finite, or a quaternion zero.
+    pub fn at(&self, time: f64) -> Result<(State, AngularAcceleration<Body>), MotionError> {
+        if let Some([first, last]) = self.span()
+            && !(first <= time && time <= last)
+        {
+            let rule = "within the time for which the motion is given";
+            return Err(MotionError::Parameter { what: "the time", value: time, rule });
+        }
+        let nowhere = MotionError::NotFinite { time };
+        let (state, acceleration) = match self {
+            Self::FixedAxis { attitude, axis, rate, acceleration } => {
+                let angle = (rate + 0.5 * acceleration * time) * time;
+                let omega: AngularVelocity<Body> = axis.as_quantity() * (rate + acceleration * time);
+                let attitude = *attitude * Rotation::<Body, Body>::turn(*axis, angle);
+                (State { time, attitude, omega }, axis.as_quantity() * *acceleration)
+            }
+            Self::EulerRates { angles, rates } => {
+                let angles = core::array::from_fn(|k| angles[k] + rates[k] * time);
+                let (omega, acceleration) = euler::kinematics(angles, *rates, [0.0; 3]);
+                (State { time, attitude: euler::turns(angles), omega }, acceleration)
+            }
+            Self::EulerAngles(formulas) => {
+                let jets = formulas.each_ref().map(|formula| formula.derivatives(time));
+                let [angles, rates, second] = core::array::from_fn(|order| jets.map(|jet| jet[order]));
+                let (omega, acceleration) = euler::kinematics(angles, rates, second);
+                (State { time, attitude: euler::turns(angles), omega }, acceleration)
+            }
+            Self::Quaternion(formulas) => {
+                let jets = formulas.each_ref().map(|formula| formula.derivatives(time));
+                let jets = core::array::from_fn(|order| jets.map(|jet| jet[order]));
+                let (attitude, omega, acceleration) = quaternion::kinematics(jets).ok_or(nowhere.clone())?;
+                (State { time, attitude, omega }, acceleration)
+            }
+            Self::Turning(motion) => motion.at(time),
+            Self::Table(table) => table.at(time).ok_or(nowhere.clone())?,
+        };
+        let is_attitude = state.attitude.quaternion().iter().all(|c| c.is_finite());
+        if is_attitude && state.omega.is_finite() && acceleration.is_finite() {
+            Ok((state, acceleration))
+        } else {
+            Err(nowhere)
+        }
+    }
+}
+
+fn finite(what: &'static str, value: f64) -> Result<(), MotionError> {
+    if value.is_finite() { Ok(()) } else { Err(MotionError::Parameter { what, value, rule: "finite" }) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn euler_rates_are_the_derivative_of_the_attitude() {
+        let motion = Prescribed::euler_rates([0.4, 0.9, -1.2], [0.7, -0.3, 2.1]).unwrap();
+        let (t, h) = (0.6, 1e-5);
+        let (before, after) = (motion.at(t - h).unwrap().0, motion.at(t + h).unwrap().0);
+        let (state, acceleration) = motion.at(t).unwrap();
+        let [_, x, y, z] = (before.attitude.inverse() * after.attitude).canonical_quaternion();
+        let omega = AngularVelocity::<Body>::new(x, y, z) / h; // half the angle over h
+        assert!((omega - state.omega).norm() < 1e-9);
+        let rate: AngularAcceleration<Body> = ((after.omega - before.omega) / (2.0 * h)).as_quantity();
+        assert!((rate - acceleration).norm() < 1e-9);
+    }
+
+    #[test]
+    fn a_fixed_axis_turns_as_its_rate_says() {
+        let start = Attitude::from_quaternion([0.4, -0.7, 1.1, 0.3]).unwrap();
+        let motion = Prescribed::fixed_axis(start, Direction::new(1.0, -2.0, 0.5), 3.0, -0.4).unwrap();
+        assert!(motion.at(0.0).unwrap().0.attitude.angle_to(start) < 1e-15);
+        let (t, h) = (1.3, 1e-5);
+        let (before, after) = (motion.at(t - h).unwrap().0, motion.at(t + h).unwrap().0);
+        let [_, x, y, z] = (before.attitude.inverse() * after.attitude).canonical_quaternion();
+        assert!((AngularVelocity::<Body>::new(x, y, z) / h - motion.at(t).unwrap().0.omega).norm() < 1e-9);
+        assert!(Prescribed::fixed_axis(start, Direction::ZERO, 1.0, 0.0).is_err());
+        assert!(Prescribed::euler_rates([0.0; 3], [f64::NAN, 0.0, 0.0]).is_err());
+    }
+}

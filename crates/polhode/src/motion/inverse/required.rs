@@ -1,0 +1,176 @@
+//! From motion to torque, and to the forces that make it.
+
+use super::prescribed::Prescribed;
+use crate::body::particles::Particle;
+use crate::math::frame::{Body, Space};
+use crate::math::vector::{
+    AngularAcceleration, AngularMomentum, AngularVelocity, Direction, Force, Position, Torque,
+};
+use crate::motion::error::MotionError;
+use crate::motion::model::kinematics::rigid_acceleration;
+use crate::motion::model::rotor::Rotor;
+use crate::motion::model::state::State;
+use crate::motion::model::wheel::Wheel;
+
+/// What a motion needs at one time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Required {
+    /// Attitude and ω.
+    pub state: State,
+    /// dω/dt, body axes.
+    pub acceleration: AngularAcceleration<Body>,
+    /// N = I ω̇ + ω × L about the point that the body turns about, L = I ω + h with the momentum h of its wheels, body axes, N·m.
+    pub torque: Torque<Body>,
+    /// N · ω, W.
+    pub power: f64,
+    /// T_rot about that point, J.
+    pub kinetic_energy: f64,
+    /// L about that point, space axes, kg·m²/s.
+    pub momentum: AngularMomentum<Space>,
+}
+
+/// The force that one particle needs to follow a motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ParticleForce {
+    /// F = m a, body axes, N.
+    pub force: Force<Body>,
+    /// The part of F along r, which makes no torque: tension (against r) or thrust (along it) of a rod from the point.
+    pub along: Force<Body>,
+    /// The part of F across r, which makes all the torque.
+    pub across: Force<Body>,
+    /// r × F about the point that the body turns about, N·m.
+    pub torque: Torque<Body>,
+}
+
+impl Required {
+    /// The torque that a prescribed motion needs at a time.
+    ///
+    /// ```
+    /// use polhode::prelude::*;
+    /// use polhode::motion::{Prescribed, Required};
+    /// // Thornton & Marion, example 11.10: a dumbbell turned about an axis tilted by α from its rod
+    /// let (m1, m2, b, omega, alpha) = (1.2, 0.7, 0.5, 3.0, 0.6_f64);
+    /// let masses = [
+    ///     Particle::new(m1, Position::new(0.0, 0.0, b))?,
+    ///     Particle::new(m2, Position::new(0.0, 0.0, -b))?,
+    /// ];
+    /// let dumbbell = Rotor::pivoted(&mass_properties_of_particles(&masses)?, Position::ZERO);
+    /// let axis = Direction::new(0.0, alpha.sin(), alpha.cos());
+    /// let motion = Prescribed::fixed_axis(Attitude::identity(), axis, omega, 0.0)?;
+    /// let needed = Required::by(&dumbbell, &motion, 0.0)?;
+    /// let expected = -(m1 + m2) * b * b * omega * omega * alpha.sin() * alpha.cos();
+    /// assert!((needed.torque - Torque::new(expected, 0.0, 0.0)).norm() < 1e-15);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Prescribed::at`]; [`MotionError::Parameter`] if a motor turns a wheel, whose work is not the torque's;
+    /// [`MotionError::NotFinite`] where torque, power, energy or momentum leave the range of f64.
+    pub fn by(rotor: &Rotor, motion: &Prescribed, time: f64) -> Result<Self, MotionError> {
+        if rotor.wheels().iter().any(Wheel::is_driven) {
+            let (what, rule) = ("the motor's torque on a wheel", "zero where a motion is prescribed");
+            return Err(MotionError::Parameter { what, value: rotor.motor_torque(time).norm(), rule });
+        }
+        let (state, acceleration) = motion.at(time)?;
+        let torque = rotor.torque_for(state.omega, acceleration, time);
+        let needed = Self {
+            state,
+            acceleration,
+            torque,
+            power: torque.dot(state.omega),
+            kinetic_energy: rotor.kinetic_energy(state.omega),
+            momentum: rotor.angular_momentum_space(&state),
+        };
+        let finite = torque.is_finite()
+            && needed.power.is_finite()
+            && needed.kinetic_energy.is_finite()
+            && needed.momentum.is_finite();
+        if finite { Ok(needed) } else { Err(MotionError::NotFinite { time }) }
+    }
+
+    /// N in space axes, N·m.
+    pub fn torque_space(&self) -> Torque<Space> {
+        self.state.attitude * self.torque
+    }
+
+    /// The work of the torque since an earlier time of the same motion, ∫ N · ω dt = T − T₀, J.
+    pub fn work_since(&self, earlier: &Self) -> f64 {
+        self.kinetic_energy - earlier.kinetic_energy
+    }
+
+    /// The angular impulse of the torque since an earlier time of the same motion, ∫ N dt = L − L₀, space axes, N·m·s.
+    pub fn impulse_since(&self, earlier: &Self) -> AngularMomentum<Space> {
+        self.momentum - earlier.momentum
+    }
+
+    /// The force that a particle of the body, or one fixed to it, needs to follow the motion.
+    pub fn force_on(&self, particle: &Particle<Body>, rotor: &Rotor) -> ParticleForce {
+        ParticleForce::on(particle, rotor.point(), self.state.omega, self.acceleration)
+    }
+}
+
+impl ParticleForce {
+    /// The force on one particle of a body that turns about `point`: F = m [ω̇ × r + ω × (ω × r)], r from the point.
+    ///
+    /// Summed over all particles, r × F is the torque that the motion needs. No other set of *external* forces is
+    /// determined: a rigid body passes forces on, so any set with the same sum and the same torque does.
+    pub fn on(
+        particle: &Particle<Body>,
+        point: Position<Body>,
+        omega: AngularVelocity<Body>,
+        acceleration: AngularAcceleration<Body>,
+    ) -> Self {
+        let r = particle.position() - point;
+        let force: Force<Body> = (rigid_acceleration(omega, acceleration, r) * particle.mass()).as_quantity();
+        let unit = r.direction().unwrap_or(Direction::ZERO);
+        let along: Force<Body> = unit.as_quantity() * unit.dot(force);
+        Self { force, along, across: force - along, torque: r.cross(force) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::body::mass_properties_of_particles;
+    use crate::math::rotation::Attitude;
+
+    #[test]
+    fn the_forces_on_the_particles_make_the_torque_that_euler_asks_for() {
+        let particles = [
+            (1.5, [0.5, -1.0, 0.25]),
+            (2.0, [-0.75, 0.5, 2.0]),
+            (0.5, [1.0, 1.5, -0.5]),
+            (0.9, [0.1, 0.2, 0.3]),
+        ]
+        .map(|(m, p)| Particle::new(m, Position::from_array(p)).unwrap());
+        let pivot = Position::new(0.2, -0.4, 0.6);
+        let rotor = Rotor::pivoted(&mass_properties_of_particles(&particles).unwrap(), pivot);
+        let motion = Prescribed::euler_rates([0.4, 0.9, -1.2], [0.7, -0.3, 2.1]).unwrap();
+        let needed = Required::by(&rotor, &motion, 0.8).unwrap();
+        let forces = particles.map(|p| ParticleForce::on(&p, pivot, needed.state.omega, needed.acceleration));
+        let sum = forces.iter().fold(Torque::ZERO, |sum, f| sum + f.torque);
+        assert!((sum - needed.torque).norm() < 1e-13 * needed.torque.norm());
+        for (f, p) in forces.iter().zip(particles) {
+            assert!((f.along + f.across - f.force).norm() < 1e-14);
+            assert!((p.position() - pivot).cross(f.along).norm() < 1e-13);
+        }
+        // The power is the rate of the kinetic energy.
+        let h = 1e-5;
+        let energy = |t: f64| rotor.kinetic_energy(motion.at(t).unwrap().0.omega);
+        assert!(((energy(0.8 + h) - energy(0.8 - h)) / (2.0 * h) - needed.power).abs() < 1e-8);
+    }
+
+    #[test]
+    fn no_torque_is_needed_about_a_principal_axis() {
+        let particles = [(1.0, [1.0, 0.0, 0.0]), (2.0, [0.0, 1.5, 0.0]), (1.5, [-0.5, -2.0, 0.0])]
+            .map(|(m, p)| Particle::new(m, Position::from_array(p)).unwrap());
+        let rotor = Rotor::free(&mass_properties_of_particles(&particles).unwrap());
+        let axis: Direction<Body> = rotor.principal().axis(2);
+        let motion = Prescribed::fixed_axis(Attitude::identity(), axis, 5.0, 0.0).unwrap();
+        assert!(Required::by(&rotor, &motion, 1.0).unwrap().torque.norm() < 1e-14);
+        let spin_up = Prescribed::fixed_axis(Attitude::identity(), axis, 5.0, 0.3).unwrap();
+        let i3 = rotor.principal().moments()[2];
+        let expected: Torque<Body> = axis.as_quantity() * (0.3 * i3);
+        assert!((Required::by(&rotor, &spin_up, 1.0).unwrap().torque - expected).norm() < 1e-13);
+    }
+}

@@ -1,0 +1,12 @@
+//! What turns and what turns it: the state, the body with its pivot and wheels, Euler's equations, torques, orbits, events.
+
+pub(crate) mod euler;
+pub(crate) mod event;
+pub(crate) mod kinematics;
+pub(crate) mod orbit;
+pub(crate) mod orbital_elements;
+pub(crate) mod rotor;
+pub(crate) mod state;
+pub(crate) mod state_variables;
+pub mod torque;
+pub(crate) mod wheel;

@@ -1,0 +1,521 @@
+//! Orbits about a point mass: where a centre of mass is, at any time.
+//!
+//! A circle, or Kepler's ellipse, parabola or hyperbola, in closed form: nothing is integrated, and how the body turns does not
+//! change it. Kepler's equation is in `math/kepler.rs`, for every eccentricity. Time on an ellipse is counted from the passage of
+//! the periapsis that is nearest to it, and the mean motion n has two words, so that many revolutions cost no digits.
+
+use super::orbital_elements::{Anomaly, OrbitalElements};
+use crate::math::double::Double;
+use crate::math::frame::Space;
+use crate::math::kepler::{Conic, Place};
+use crate::math::rotation::Rotation;
+use crate::math::vector::{Direction, Position, Vector, Velocity, quantity::Number};
+use crate::motion::error::MotionError;
+
+/// The Earth's gravitational parameter GM, m³/s²: IERS Conventions (2010), table 1.1, with the atmosphere.
+pub const MU_EARTH: f64 = 3.986_004_418e14;
+
+/// An orbit about a point mass at the origin of space: r̈ = −µ r/r³.
+///
+/// Positions are those of the numbers that made it, to a few ε of the distance, and along the path to a few ε n t₁, t₁ the time
+/// to the nearest periapsis: after 10⁶ revolutions as after one. (A state's own n is a function of six numbers, whose rounding
+/// the orbit takes for true: after N revolutions the last digit of a velocity stands for some 20 N ε rad.)
+///
+/// ```
+/// use polhode::math::{Position, Velocity};
+/// use polhode::motion::{MU_EARTH, Orbit};
+/// let (position, velocity) = (Position::new(-4.3e6, 1.0e6, 5.1e6), Velocity::new(110.0, -7530.0, 1480.0));
+/// let orbit = Orbit::through(MU_EARTH, position, velocity, 0.0)?;
+/// let period = orbit.period().ok_or("it is closed")?;
+/// assert!((period / 60.0 - 92.0).abs() < 1.0);
+/// assert!((orbit.position(1e6 * period) - position).norm() < 1e-1); // 1e6 periods themselves are rounded to 1 µs
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Orbit {
+    mu: f64,
+    conic: Conic,
+    /// q, the least distance, m.
+    periapsis: f64,
+    /// √(q³/µ), s.
+    unit: f64,
+    clock: Clock,
+    /// Towards the periapsis, and the way it moves there.
+    axes: [Direction<Space>; 2],
+}
+
+/// The time since the periapsis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Clock {
+    /// Of an ellipse: the mean anomaly at a time (s), and n, rad/s.
+    Closed { epoch: f64, anomaly: f64, rate: Double },
+    /// Of the others: how long ago it was at a time (s), in units of √(q³/µ).
+    Open { epoch: f64, since: f64 },
+}
+
+impl Orbit {
+    /// A circle of a radius (m). At t = 0 the body is in the direction `radial`; it moves towards the side of `motion`, of which
+    /// only the part across `radial` counts.
+    ///
+    /// # Errors
+    /// [`MotionError::Parameter`] if µ or the radius is not positive, or the directions do not span a plane.
+    pub fn circular(
+        mu: f64,
+        radius: f64,
+        radial: Direction<Space>,
+        motion: Direction<Space>,
+    ) -> Result<Self, MotionError> {
+        positive("the orbit's µ", mu)?;
+        positive("the orbit's radius", radius)?;
+        Self::circle(mu, radius, mean_motion(mu, Double::from(1.0) / Double::from(radius)), radial, motion)
+    }
+
+    /// A circle that is run through at a rate (rad/s); its radius follows, n² r³ = µ. Otherwise as [`Orbit::circular`].
+    ///
+    /// # Errors
+    /// As [`Orbit::circular`].
+    pub fn circular_at_rate(
+        mu: f64,
+        rate: f64,
+        radial: Direction<Space>,
+        motion: Direction<Space>,
+    ) -> Result<Self, MotionError> {
+        positive("the orbit's µ", mu)?;
+        positive("the orbit's rate", rate)?;
+        Self::circle(mu, libm::cbrt(mu / rate / rate), Double::from(rate), radial, motion)
+    }
+
+    fn circle(
+        mu: f64,
+        radius: f64,
+        rate: Double,
+        radial: Direction<Space>,
+        motion: Direction<Space>,
+    ) -> Result<Self, MotionError> {
+        let toward = direction("the length of the radial direction", radial)?;
+        let motion = direction("the length of the direction of motion", motion)?;
+        let normal = toward.cross(motion);
+        let rule = "at least 1e-9 rad off the radial direction";
+        require("the orbit's direction of motion", normal.norm(), normal.norm() > LEAST_ANGLE, rule)?;
+        let clock = Clock::Closed { epoch: 0.0, anomaly: 0.0, rate };
+        Self::new(mu, Conic { e: 0.0, beta: 1.0 }, radius, clock, (toward, normal))
+    }
+
+    /// The orbit through a place at a velocity at a time, in s: an ellipse, a parabola or a hyperbola.
+    ///
+    /// # Errors
+    /// [`MotionError::Parameter`] if µ is not positive, a number not finite, or the velocity along the position: what falls
+    /// straight has no plane.
+    pub fn through(
+        mu: f64,
+        position: Position<Space>,
+        velocity: Velocity<Space>,
+        time: f64,
+    ) -> Result<Self, MotionError> {
+        positive("the orbit's µ", mu)?;
+        let r = position.norm();
+        positive("the orbit's distance", r)?;
+        require("the orbit's speed", velocity.norm(), velocity.is_finite(), "finite")?;
+        require("the orbit's epoch", time, time.is_finite(), "finite")?;
+        // In units of r and √(µ/r): h = u × w, e = w × h − u, p = h²
+        let u = direction("the orbit's distance", position)?;
+        let w: Direction<Space> = velocity.as_quantity::<Number>() * (r / mu).sqrt();
+        let h = u.cross(w);
+        let across = h.norm() / w.norm().max(f64::MIN_POSITIVE);
+        require(
+            "the orbit's velocity",
+            across,
+            across > LEAST_ANGLE,
+            "at least 1e-9 rad off the line to the centre",
+        )?;
+        let normal = direction("the orbit's angular momentum", h)?;
+        let eccentricity = w.cross(h) - u;
+        let in_plane = eccentricity - normal * normal.dot(eccentricity);
+        let (e, toward) = match in_plane.direction() {
+            Some(toward) if in_plane.norm() > CIRCLE => (in_plane.norm(), toward),
+            _ => (0.0, u),
+        };
+        // q = p/(1 + e), 1 − e = q/a; 1/a in two words, so that n is positive where 1 − e is
+        let inverse = inverse_semi_major_axis(mu, position, velocity);
+        let alpha = (inverse * Double::from(r)).value();
+        require("the orbit's r/a", alpha, alpha.is_finite(), "finite")?;
+        let q = h.dot(h) / (1.0 + e);
+        let conic = if e == 0.0 { Conic { e, beta: 1.0 } } else { Conic { e, beta: alpha * q } };
+        let (x, y) = (u.dot(toward), u.dot(normal.cross(toward)));
+        let s = if conic.beta > 0.0 {
+            conic.anomaly_towards(if x > 0.0 { y / (1.0 + x) } else { (1.0 - x) / y })
+        } else {
+            // r · v = e S c₁(β S²): sinh √−β S
+            let (moment, k) = (u.dot(w) / (e * q.sqrt()), (-conic.beta).sqrt());
+            if k == 0.0 { moment } else { libm::asinh(k * moment) / k }
+        };
+        let rate = mean_motion(mu, inverse);
+        let clock = Clock::new(conic, conic.time(s), rate, time);
+        Self::new(mu, conic, q * r, clock, (toward, normal))
+    }
+
+    /// The orbit of classical elements at t = 0.
+    ///
+    /// # Errors
+    /// [`MotionError::Parameter`] if µ is not positive, e is negative or 1, a has the wrong sign, an angle is not finite, or the
+    /// true anomaly is beyond the asymptotes of a hyperbola.
+    pub fn of_elements(mu: f64, elements: &OrbitalElements) -> Result<Self, MotionError> {
+        let &OrbitalElements { semi_major_axis: a, eccentricity: e, inclination, node, periapsis, anomaly } =
+            elements;
+        positive("the orbit's µ", mu)?;
+        let is_conic = e >= 0.0 && e.is_finite() && e != 1.0;
+        require(
+            "the orbit's eccentricity",
+            e,
+            is_conic,
+            "zero or more, finite, and not 1: give a parabola by position and velocity",
+        )?;
+        let rule = "finite, positive for an ellipse and negative for a hyperbola";
+        require("the orbit's semi-major axis", a, a.is_finite() && a * (1.0 - e) > 0.0, rule)?;
+        for (what, angle) in [
+            ("the orbit's inclination", inclination),
+            ("the orbit's node", node),
+            ("the orbit's argument of periapsis", periapsis),
+        ] {
+            require(what, angle, angle.is_finite(), "finite")?;
+        }
+        let conic = Conic { e, beta: 1.0 - e };
+        let time = match anomaly {
+            Anomaly::Mean(m) => m / (conic.beta.abs() * conic.beta.abs().sqrt()),
+            Anomaly::True(nu) => conic.time(conic.anomaly_towards(libm::tan(0.5 * nu))),
+        };
+        let rule = "finite, and between the asymptotes of a hyperbola";
+        let (Anomaly::Mean(given) | Anomaly::True(given)) = anomaly;
+        require("the orbit's anomaly", given, time.is_finite(), rule)?;
+        let rate = mean_motion(mu, Double::from(1.0) / Double::from(a));
+        // R₃(Ω) R₁(i) R₃(ω)
+        let plane = Rotation::<Space, Space>::from_euler313([node, inclination, periapsis])
+            .map_err(|_| MotionError::Parameter { what: "the orbit's node", value: node, rule: "finite" })?;
+        let axis = |x, y, z| plane * Direction::new(x, y, z);
+        let clock = Clock::new(conic, time, rate, 0.0);
+        Self::new(mu, conic, a * conic.beta, clock, (axis(1.0, 0.0, 0.0), axis(0.0, 0.0, 1.0)))
+    }
+
+    /// From valid parts; `plane` is the direction of the periapsis, and the normal.
+    fn new(
+        mu: f64,
+        conic: Conic,
+        periapsis: f64,
+        clock: Clock,
+        (toward, normal): (Direction<Space>, Direction<Space>),
+    ) -> Result<Self, MotionError> {
+        let unit = (periapsis / mu * periapsis).sqrt() * periapsis.sqrt();
+        positive("the orbit's least distance", periapsis)?;
+        positive("the orbit's unit of time", unit)?;
+        if let Clock::Closed { rate, .. } = clock {
+            positive("the orbit's mean motion", rate.value())?;
+        }
+        let ahead = direction("the orbit's angular momentum", normal.cross(toward))?;
+        Ok(Self { mu, conic, periapsis, unit, clock, axes: [toward, ahead] })
+    }
+
+    /// Where it is at a time in s, from the point mass, m.
+    pub fn position(&self, time: f64) -> Position<Space> {
+        let [x, y] = self.place(time).position;
+        self.in_space([x, y]) * self.periapsis
+    }
+
+    /// Its velocity at a time in s, m/s.
+    pub fn velocity(&self, time: f64) -> Velocity<Space> {
+        self.in_space(self.place(time).velocity) * (self.periapsis / self.unit)
+    }
+
+    /// Both at once, which costs no more than one.
+    pub(crate) fn position_and_velocity(&self, time: f64) -> (Position<Space>, Velocity<Space>) {
+        let Place { position, velocity } = self.place(time);
+        (self.in_space(position) * self.periapsis, self.in_space(velocity) * (self.periapsis / self.unit))
+    }
+
+    /// On a circle, the direction towards the body, and its rate, rad/s.
+    #[inline]
+    pub(crate) fn around(&self, time: f64) -> [Direction<Space>; 2] {
+        let Place { position, velocity } = self.place(time);
+        [self.in_space(position), self.in_space(velocity) * (1.0 / self.unit)]
+    }
+
+    /// µ, m³/s².
+    pub const fn mu(&self) -> f64 {
+        self.mu
+    }
+
+    /// e
+    pub const fn eccentricity(&self) -> f64 {
+        self.conic.e
+    }
+
+    /// The least distance from the point mass, m: the radius of a circle.
+    pub const fn periapsis(&self) -> f64 {
+        self.periapsis
+    }
+
+    /// n, rad/s; `None` if the orbit is not closed.
+    pub fn mean_motion(&self) -> Option<f64> {
+        match self.clock {
+            Clock::Closed { rate, .. } => Some(rate.value()),
+            Clock::Open { .. } => None,
+        }
+    }
+
+    /// The time of one revolution, s; `None` if the orbit is not closed.
+    pub fn period(&self) -> Option<f64> {
+        match self.clock {
+            Clock::Closed { rate, .. } => Some((Double::TAU / rate).value()),
+            Clock::Open { .. } => None,
+        }
+    }
+
+    /// True if it is a circle.
+    pub(crate) fn is_circular(&self) -> bool {
+        self.conic.e == 0.0
+    }
+
+    /// µ/r³ at a distance that it has; on a circle n², which may be what is given.
+    pub(crate) fn strength(&self, distance: f64) -> f64 {
+        match self.mean_motion() {
+            Some(rate) if self.is_circular() => rate * rate,
+            _ => self.mu / distance / distance / distance,
+        }
+    }
+
+    fn place(&self, time: f64) -> Place {
+        self.conic.at(match self.clock {
+            Clock::Open { epoch, since } => since + (time - epoch) / self.unit,
+            Clock::Closed { epoch, anomaly, rate } => {
+                // M = M₀ + n (t − t₀), less whole turns
+                let m = rate * Double::sum(time, -epoch) + Double::from(anomaly);
+                let m = m - Double::TAU * Double::from((m.high / Double::TAU.high).round());
+                if self.is_circular() {
+                    m.value()
+                } else {
+                    m.value() / (self.conic.beta * self.conic.beta.sqrt())
+                }
+            }
+        })
+    }
+
+    fn in_space<Q>(&self, [x, y]: [f64; 2]) -> Vector<Q, Space> {
+        let [toward, ahead] = self.axes;
+        (toward * x + ahead * y).as_quantity()
+    }
+}
+
+impl Clock {
+    fn new(conic: Conic, since: f64, rate: Double, epoch: f64) -> Self {
+        if conic.beta > 0.0 {
+            let anomaly = since * (conic.beta * conic.beta.sqrt());
+            Self::Closed { epoch, anomaly, rate }
+        } else {
+            Self::Open { epoch, since }
+        }
+    }
+}
+
+/// An eccentricity that is rounding: the orbit is a circle.
+const CIRCLE: f64 = 4.0 * f64::EPSILON;
+
+/// Directions closer than this, rad, span no plane.
+const LEAST_ANGLE: f64 = 1e-9;
+
+/// n = √(µ/a³) by 1/a; of no use where that is not positive.
+fn mean_motion(mu: f64, inverse: Double) -> Double {
+    (Double::from(mu) * inverse).sqrt() * inverse
+}
+
+/// 1/a = 2/r − v²/µ
+fn inverse_semi_major_axis(mu: f64, position: Position<Space>, velocity: Velocity<Space>) -> Double {
+    let squared = |v: [f64; 3]| v.iter().fold(Double::default(), |sum, &x| sum + Double::product(x, x));
+    let r = squared(position.to_array()).sqrt();
+    Double::from(2.0) / r - squared(velocity.to_array()) / Double::from(mu)
+}
+
+fn positive(what: &'static str, value: f64) -> Result<(), MotionError> {
+    require(what, value, value > 0.0 && value.is_finite(), "positive and finite")
+}
+
+fn direction<Q>(what: &'static str, v: Vector<Q, Space>) -> Result<Direction<Space>, MotionError> {
+    let rule = "a direction: finite and not zero";
+    v.direction().ok_or(MotionError::Parameter { what, value: v.norm(), rule })
+}
+
+fn require(what: &'static str, value: f64, holds: bool, rule: &'static str) -> Result<(), MotionError> {
+    if holds { Ok(()) } else { Err(MotionError::Parameter { what, value, rule }) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn elements(a: f64, e: f64, anomaly: Anomaly) -> Orbit {
+        let elements = OrbitalElements {
+            semi_major_axis: a,
+            eccentricity: e,
+            inclination: 0.9,
+            node: 2.1,
+            periapsis: -0.7,
+            anomaly,
+        };
+        Orbit::of_elements(MU_EARTH, &elements).unwrap()
+    }
+
+    #[test]
+    fn an_orbit_through_its_own_state_is_the_same() {
+        for (a, e) in
+            [(7e6, 0.0), (7e6, 1e-12), (8e6, 0.03), (2.6e7, 0.74), (1e9, 0.992), (-9e6, 1.8), (-1e5, 70.0)]
+        {
+            let orbit = elements(a, e, Anomaly::Mean(0.4));
+            for epoch in [-900.0, 0.0, 2500.0] {
+                let (position, velocity) = orbit.position_and_velocity(epoch);
+                let again = Orbit::through(MU_EARTH, position, velocity, epoch).unwrap();
+                assert!(
+                    (again.eccentricity() - e).abs() < 2e-14 * (1.0 + e) / (1.0 - e).abs().min(1.0),
+                    "{again:?}"
+                );
+                for time in [-1500.0, 100.0, 4000.0] {
+                    let (r, v) = (orbit.position(time), orbit.velocity(time));
+                    let far = 1.0 + r.norm() / orbit.periapsis();
+                    assert!(
+                        (again.position(time) - r).norm() < 1e-13 * far * r.norm(),
+                        "{a} {e} {epoch} {time}"
+                    );
+                    assert!(
+                        (again.velocity(time) - v).norm() < 1e-13 * far * velocity.norm(),
+                        "{a} {e} {epoch} {time}"
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn both_anomalies_are_where_they_say() {
+        for (a, e) in [(7e6, 0.0), (2.6e7, 0.74), (-9e6, 1.8)] {
+            let r = elements(a, e, Anomaly::True(1.1)).position(0.0);
+            // r = a (1 − e²)/(1 + e cos ν), at ω + ν from the node, which is at Ω in the xy plane
+            let (sin, cos) = libm::sincos(1.1 - 0.7);
+            let (s, c) = libm::sincos(2.1);
+            let (si, ci) = libm::sincos(0.9);
+            let want = Position::new(c * cos - s * sin * ci, s * cos + c * sin * ci, sin * si);
+            let want = want * (a * (1.0 - e * e) / (1.0 + e * libm::cos(1.1)));
+            assert!((r - want).norm() < 4e-15 * want.norm(), "{r:?} {want:?}");
+        }
+        // M = E − e sin E at E = 2: x = a (cos E − e) towards the periapsis
+        let orbit = elements(2.6e7, 0.74, Anomaly::Mean(2.0 - 0.74 * libm::sin(2.0)));
+        let toward = elements(2.6e7, 0.74, Anomaly::True(0.0)).position(0.0).direction().unwrap();
+        let x = toward.dot(orbit.position(0.0)) / 2.6e7;
+        assert!((x - (libm::cos(2.0) - 0.74)).abs() < 1e-15);
+    }
+
+    #[test]
+    fn a_circle_goes_round_at_its_rate() {
+        let (radial, motion) = (Direction::new(0.3, -1.2, 0.7), Direction::new(1.0, 0.4, 2.0));
+        let orbit = Orbit::circular_at_rate(MU_EARTH, 1.1e-3, radial, motion).unwrap();
+        let radius = orbit.periapsis();
+        assert!((1.1e-3 * 1.1e-3 * radius.powi(3) / MU_EARTH - 1.0).abs() < 1e-15);
+        let same = Orbit::circular(MU_EARTH, radius, radial * 3.0, motion + radial * 0.8).unwrap();
+        let (u, time) = (radial.direction().unwrap(), 1234.5);
+        let q = u.cross(motion).cross(u).direction().unwrap();
+        let (sin, cos) = libm::sincos(1.1e-3 * time);
+        let want: Position<Space> = (u * cos + q * sin).as_quantity() * radius;
+        assert!((orbit.position(time) - want).norm() < 1e-15 * radius);
+        assert!((same.position(time) - want).norm() < 2e-15 * radius);
+        assert!((orbit.velocity(time).norm() / (1.1e-3 * radius) - 1.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn a_million_revolutions_cost_no_digits() {
+        // a = 1 and µ = 1: n = 1 exactly, and t = 2π N + τ in two words, of which an f64 has the first.
+        let orbit = Orbit::of_elements(
+            1.0,
+            &OrbitalElements {
+                semi_major_axis: 1.0,
+                eccentricity: 0.3,
+                inclination: 0.4,
+                node: 1.0,
+                periapsis: 2.0,
+                anomaly: Anomaly::Mean(0.2),
+            },
+        )
+        .unwrap();
+        for turns in [1.0, 1e3, 1e6] {
+            let time = turns * core::f64::consts::TAU + 0.7;
+            let rest = (Double::from(time) - Double::TAU * Double::from(turns)).value();
+            assert!((orbit.position(time) - orbit.position(rest)).norm() < 4e-15, "{turns}");
+        }
+    }
+
+    #[test]
+    fn a_parabola_is_an_orbit() {
+        // v² = 2µ/r: q = 1, √2 at the nearest point
+        let orbit =
+            Orbit::through(2.0, Position::new(1.0, 0.0, 0.0), Velocity::new(0.0, 2.0, 0.0), 3.0).unwrap();
+        assert_eq!(orbit.period(), None);
+        // Barker: t √(µ/2q³) = D + D³/3, x = q (1 − D²), y = 2 q D
+        let d = 1.7_f64;
+        let r = orbit.position(3.0 + d + d * d * d / 3.0);
+        assert!((r - Position::new(1.0 - d * d, 2.0 * d, 0.0)).norm() < 4e-15, "{r:?}");
+        // Rounding makes it an ellipse or a hyperbola, as long as one likes.
+        for speed in [2.0_f64.next_up(), 2.0_f64.next_down()] {
+            let near = Orbit::through(2.0, Position::new(1.0, 0.0, 0.0), Velocity::new(0.0, speed, 0.0), 3.0)
+                .unwrap();
+            assert!((near.position(10.0) - orbit.position(10.0)).norm() < 1e-13);
+        }
+    }
+
+    #[test]
+    fn what_is_no_orbit_is_refused() {
+        let (x, y) = (Direction::new(1.0, 0.0, 0.0), Direction::new(0.0, 1.0, 0.0));
+        for (mu, radius, radial, motion) in [
+            (0.0, 7e6, x, y),
+            (f64::NAN, 7e6, x, y),
+            (MU_EARTH, -7e6, x, y),
+            (MU_EARTH, f64::INFINITY, x, y),
+            (MU_EARTH, 7e6, x, x * -2.0),
+            (MU_EARTH, 7e6, Direction::ZERO, y),
+        ] {
+            assert!(matches!(
+                Orbit::circular(mu, radius, radial, motion),
+                Err(MotionError::Parameter { .. })
+            ));
+        }
+        let (r, v) = (Position::new(7e6, 0.0, 0.0), Velocity::new(0.0, 7e3, 0.0));
+        assert!(Orbit::through(MU_EARTH, r, v, 0.0).is_ok());
+        for (r, v) in [
+            (Position::ZERO, v),
+            (r, Velocity::ZERO),
+            (r, Velocity::new(-3e3, 0.0, 0.0)),
+            (r, Velocity::new(f64::INFINITY, 1.0, 0.0)),
+            (Position::new(1e200, 0.0, 0.0), Velocity::new(0.0, 1e200, 0.0)),
+        ] {
+            assert!(
+                matches!(Orbit::through(MU_EARTH, r, v, 0.0), Err(MotionError::Parameter { .. })),
+                "{r:?} {v:?}"
+            );
+        }
+        let good = OrbitalElements {
+            semi_major_axis: -7e6,
+            eccentricity: 2.0,
+            inclination: 0.0,
+            node: 0.0,
+            periapsis: 0.0,
+            anomaly: Anomaly::True(2.0),
+        };
+        assert!(Orbit::of_elements(MU_EARTH, &good).is_ok());
+        for bad in [
+            OrbitalElements { anomaly: Anomaly::True(2.2), ..good }, // beyond cos ν = −1/e
+            OrbitalElements { semi_major_axis: 7e6, ..good },
+            OrbitalElements { eccentricity: 1.0, ..good },
+            OrbitalElements { eccentricity: -0.1, ..good },
+            OrbitalElements { node: f64::NAN, ..good },
+        ] {
+            assert!(
+                matches!(Orbit::of_elements(MU_EARTH, &bad), Err(MotionError::Parameter { .. })),
+                "{bad:?}"
+            );
+        }
+    }
+}

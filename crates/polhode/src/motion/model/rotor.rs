@@ -1,0 +1,189 @@
+//! A body and the point that it turns about.
+
+use crate::body::inertia::InertiaAbout;
+use crate::body::mass_properties::MassProperties;
+use crate::body::principal::{PrincipalFrame, Symmetry};
+use crate::math::frame::{Body, Space};
+use crate::math::symmetric3::Symmetric3;
+use crate::math::vector::{AngularMomentum, AngularVelocity, Position, Torque};
+
+use super::state::State;
+use super::wheel::{Motor, Wheel};
+use crate::motion::error::MotionError;
+
+/// A body turning about a point of its own: its centre of mass when it is free, the pivot when it is held.
+///
+/// Inertia, angular momentum, kinetic energy and torque are all about that point.
+///
+/// ```
+/// use polhode::body::{InertiaTensor, MassProperties};
+/// use polhode::math::{AngularVelocity, Position};
+/// use polhode::motion::Rotor;
+/// let inertia = InertiaTensor::with_negative_products([3.1, 4.2, 5.3], [0.4, -0.3, 0.2])?;
+/// let body = MassProperties::new(2.0, Position::new(0.0, 0.0, 0.5), inertia)?;
+/// let omega = AngularVelocity::new(1.0, 0.0, 0.0);
+/// assert_eq!(Rotor::free(&body).kinetic_energy(omega), 0.5 * 3.1);
+/// assert_eq!(Rotor::pivoted(&body, Position::ZERO).kinetic_energy(omega), 0.5 * (3.1 + 2.0 * 0.25));
+/// # Ok::<(), polhode::body::BodyError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Rotor {
+    mass: f64,
+    inertia: InertiaAbout<Body>,
+    lever: Position<Body>,
+    principal: PrincipalFrame<Body>,
+    pivoted: bool,
+    wheels: Vec<Wheel>,
+}
+
+/// What rounding leaves of a moment that the wheels take away, relative to the greatest.
+const MASSLESS: f64 = 1e-13;
+
+impl Rotor {
+    /// A free body, which turns about its centre of mass.
+    pub fn free(body: &MassProperties<Body>) -> Self {
+        Self::about(body, body.center_of_mass(), false)
+    }
+
+    /// A body with the point `pivot` held fixed in space.
+    pub fn pivoted(body: &MassProperties<Body>, pivot: Position<Body>) -> Self {
+        Self::about(body, pivot, true)
+    }
+
+    fn about(body: &MassProperties<Body>, point: Position<Body>, pivoted: bool) -> Self {
+        let inertia = body.inertia_about(point);
+        let principal = PrincipalFrame::about(&inertia);
+        Self {
+            mass: body.mass(),
+            inertia,
+            lever: body.center_of_mass() - point,
+            principal,
+            pivoted,
+            wheels: Vec::new(),
+        }
+    }
+
+    /// The same with momentum wheels inside.
+    ///
+    /// The body's inertia holds the wheels'. What a wheel that a motor turns has about its axis is no longer of the carrier:
+    /// I = I_body − Σ J a aᵀ, and L = I ω + Σ h a.
+    ///
+    /// # Errors
+    /// [`MotionError::Parameter`] if a wheel has more inertia than the body, or as much, so that the carrier has none about some axis.
+    pub fn with_wheels(mut self, wheels: &[Wheel]) -> Result<Self, MotionError> {
+        for wheel in wheels {
+            if let Motor::Torque { inertia: value, .. } = wheel.motor() {
+                let axial = Symmetric3::outer(wheel.axis().to_array()) * value;
+                let rest = *self.inertia.symmetric() - axial;
+                let what = "the wheel's moment of inertia";
+                let rule = "small enough for the rest of the body to be possible";
+                self.inertia = InertiaAbout::from_symmetric(self.inertia.point(), rest)
+                    .map_err(|_| MotionError::Parameter { what, value, rule })?;
+            }
+        }
+        self.principal = PrincipalFrame::about(&self.inertia);
+        let [least, _, greatest] = self.principal.moments();
+        if !wheels.is_empty() && !(least > MASSLESS * greatest) {
+            let what = "the least moment of inertia of a body without its wheels";
+            let rule = "above zero: a wheel turns the body, and a rod has nothing to balance it with";
+            return Err(MotionError::Parameter { what, value: least, rule });
+        }
+        self.wheels = wheels.to_vec();
+        Ok(self)
+    }
+
+    /// The same body with another inertia tensor about the same point and another lever; `None` if no body has it.
+    pub(in crate::motion) fn with_inertia(&self, inertia: Symmetric3, lever: Position<Body>) -> Option<Self> {
+        let inertia = InertiaAbout::from_symmetric(self.inertia.point(), inertia).ok()?;
+        Some(Self { principal: PrincipalFrame::about(&inertia), inertia, lever, ..self.clone() })
+    }
+
+    /// What spins inside.
+    pub fn wheels(&self) -> &[Wheel] {
+        &self.wheels
+    }
+
+    /// Σ h a: the angular momentum of the wheels at a time, body axes, kg·m²/s.
+    pub fn wheel_momentum(&self, time: f64) -> AngularMomentum<Body> {
+        let along = |wheel: &Wheel| wheel.axis().as_quantity() * wheel.momentum_at(time);
+        self.wheels.iter().fold(AngularMomentum::ZERO, |sum, wheel| sum + along(wheel))
+    }
+
+    /// The torque of the motors on the wheels just after a time, body axes, N·m; that on the carrier is the opposite.
+    pub fn motor_torque(&self, time: f64) -> Torque<Body> {
+        let along = |wheel: &Wheel| wheel.axis().as_quantity() * wheel.torque_at(time);
+        self.wheels.iter().fold(Torque::ZERO, |sum, wheel| sum + along(wheel))
+    }
+
+    /// The point that it turns about, in the body, m.
+    pub const fn point(&self) -> Position<Body> {
+        self.inertia.point()
+    }
+
+    /// Mass, kg.
+    pub const fn mass(&self) -> f64 {
+        self.mass
+    }
+
+    /// Inertia tensor about the point that the body turns about, kg·m².
+    pub const fn inertia(&self) -> &InertiaAbout<Body> {
+        &self.inertia
+    }
+
+    /// From the point that the body turns about to its centre of mass, m; zero for a free body.
+    pub const fn lever(&self) -> Position<Body> {
+        self.lever
+    }
+
+    /// Principal moments and axes about the point that the body turns about.
+    pub const fn principal(&self) -> &PrincipalFrame<Body> {
+        &self.principal
+    }
+
+    /// True if the body is held at a pivot.
+    pub const fn is_pivoted(&self) -> bool {
+        self.pivoted
+    }
+
+    /// True if the body has inertia about some axis.
+    pub fn is_spinnable(&self) -> bool {
+        self.principal.symmetry() != Symmetry::Point
+    }
+
+    /// L = I ω, kg·m²/s: that of the carrier, without the wheels'.
+    pub fn angular_momentum(&self, omega: AngularVelocity<Body>) -> AngularMomentum<Body> {
+        self.inertia * omega
+    }
+
+    /// L = I ω + Σ h a in space axes, with the wheels', kg·m²/s.
+    pub fn angular_momentum_space(&self, state: &State) -> AngularMomentum<Space> {
+        state.attitude * (self.angular_momentum(state.omega) + self.wheel_momentum(state.time))
+    }
+
+    /// T_rot = ½ ω · I ω, J: that of the carrier.
+    pub fn kinetic_energy(&self, omega: AngularVelocity<Body>) -> f64 {
+        0.5 * omega.dot(self.angular_momentum(omega))
+    }
+
+    /// True if T_rot is less than 2.2e-308 J, the least number with all its digits, and is not zero: 0 is what comes of ω = 1e-200 rad/s.
+    ///
+    /// ```
+    /// use polhode::body::{InertiaTensor, MassProperties};
+    /// use polhode::math::{AngularVelocity, Position};
+    /// use polhode::motion::Rotor;
+    /// let inertia = InertiaTensor::diagonal([2.0, 3.0, 4.0])?;
+    /// let rotor = Rotor::free(&MassProperties::new(1.3, Position::ZERO, inertia)?);
+    /// let turning = |rate: f64| AngularVelocity::new(0.3 * rate, -rate, 0.7 * rate);
+    /// assert!(rotor.kinetic_energy_underflows(turning(1e-200)) && !rotor.kinetic_energy_underflows(turning(1e-150)));
+    /// assert!(!rotor.kinetic_energy_underflows(AngularVelocity::ZERO));
+    /// # Ok::<(), polhode::body::BodyError>(())
+    /// ```
+    pub fn kinetic_energy_underflows(&self, omega: AngularVelocity<Body>) -> bool {
+        // Of a rod that turns about its own line T is zero at every rate.
+        let [x, y, z] = omega.to_array();
+        let size = omega.max_abs();
+        let unit = AngularVelocity::from_array([x / size, y / size, z / size]);
+        let small = |omega| self.kinetic_energy(omega) < f64::MIN_POSITIVE;
+        size > 0.0 && small(omega) && !small(unit)
+    }
+}

@@ -1,0 +1,39 @@
+//! A constant torque, in body or in space axes.
+
+use super::law::{Law, LawInput};
+use super::model::Model;
+use crate::math::frame::{Body, Space};
+use crate::math::vector::Torque;
+use crate::motion::model::rotor::Rotor;
+use crate::motion::model::state::State;
+
+/// A torque that keeps its components along one set of axes, N·m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ConstantTorque {
+    /// Along the body's axes: a thruster fixed to the body.
+    Body(Torque<Body>),
+    /// Along space axes.
+    Space(Torque<Space>),
+}
+
+impl Law for ConstantTorque {
+    fn torque<I: LawInput>(&self, at: &I) -> I::Vector {
+        match *self {
+            Self::Body(n) => at.in_body(n.as_quantity()),
+            Self::Space(n) => at.in_space(n.as_quantity()),
+        }
+    }
+}
+
+impl Model for ConstantTorque {
+    fn name(&self) -> &'static str {
+        "constant"
+    }
+
+    fn scale(&self, _: &Rotor, _: &State) -> f64 {
+        match self {
+            Self::Body(n) => n.norm(),
+            Self::Space(n) => n.norm(),
+        }
+    }
+}

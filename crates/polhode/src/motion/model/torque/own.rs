@@ -1,0 +1,126 @@
+//! Torques of the user of this crate.
+
+use core::fmt;
+use std::sync::Arc;
+
+use super::graph::{Graph, Recorder, VectorNode};
+use super::law::Law;
+use super::model::{AnyLaw, Model};
+use super::polynomial::{PolynomialVector, Unknowns};
+use crate::body::inertia::InertiaTensor;
+use crate::body::mass_properties::MassProperties;
+use crate::math::frame::Body;
+use crate::math::vector::{Position, Torque};
+use crate::motion::model::rotor::Rotor;
+use crate::motion::model::state::State;
+
+/// A torque of the user: a [`Law`], which is as fast as those of this crate, or a function, which has no power series.
+#[derive(Clone)]
+pub struct OwnTorque {
+    name: &'static str,
+    kind: Kind,
+}
+
+type Function = dyn Fn(&Rotor, &State) -> Torque<Body> + Send + Sync;
+
+/// What it is given by.
+#[derive(Clone)]
+enum Kind {
+    Law { law: Arc<dyn AnyLaw + Send + Sync>, is_smooth: bool },
+    Function(Arc<Function>),
+}
+
+impl OwnTorque {
+    pub(super) fn law(name: &'static str, law: impl Law + fmt::Debug + Send + Sync + 'static) -> Self {
+        let law = Arc::new(law);
+        let is_smooth = !is_rough(law.as_ref());
+        Self { name, kind: Kind::Law { law, is_smooth } }
+    }
+
+    pub(super) fn function(
+        name: &'static str,
+        torque: impl Fn(&Rotor, &State) -> Torque<Body> + Send + Sync + 'static,
+    ) -> Self {
+        Self { name, kind: Kind::Function(Arc::new(torque)) }
+    }
+
+    /// What the user calls it.
+    pub const fn name(&self) -> &'static str {
+        self.name
+    }
+}
+
+/// A user's function is known in states only: nothing is made of it.
+impl AnyLaw for OwnTorque {
+    fn value(&self, rotor: &Rotor, state: &State) -> Torque<Body> {
+        match &self.kind {
+            Kind::Law { law, .. } => law.value(rotor, state),
+            Kind::Function(torque) => torque(rotor, state),
+        }
+    }
+
+    fn polynomial(&self, unknowns: &Unknowns<'_>) -> PolynomialVector {
+        match &self.kind {
+            Kind::Law { law, .. } => law.polynomial(unknowns),
+            Kind::Function(_) => PolynomialVector::NONE,
+        }
+    }
+
+    fn record<'r>(&self, recorder: &Recorder<'r>) -> VectorNode<'r> {
+        match &self.kind {
+            Kind::Law { law, .. } => law.record(recorder),
+            Kind::Function(_) => recorder.rough(),
+        }
+    }
+}
+
+impl Model for OwnTorque {
+    fn name(&self) -> &'static str {
+        self.name
+    }
+
+    fn roughness(&self) -> Option<&'static str> {
+        match self.kind {
+            Kind::Law { is_smooth: true, .. } => None,
+            Kind::Law { is_smooth: false, .. } => Some("a function with a corner or a jump"),
+            Kind::Function(_) => Some("a function that is not written as a law"),
+        }
+    }
+
+    fn is_partial(&self) -> bool {
+        true
+    }
+
+    fn unsplittable(&self) -> Option<&'static str> {
+        Some("it may depend on the angular velocity")
+    }
+}
+
+/// Does a law need what has no power series? That is the same for all bodies.
+fn is_rough(law: &dyn AnyLaw) -> bool {
+    let sphere = InertiaTensor::diagonal([1.0; 3]);
+    let body = sphere.and_then(|inertia| MassProperties::new(1.0, Position::ZERO, inertia));
+    body.is_ok_and(|body| {
+        Graph::recorded(&Rotor::free(&body), |recorder| law.record(recorder).place).is_rough()
+    })
+}
+
+impl fmt::Debug for OwnTorque {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.kind {
+            Kind::Law { law, .. } => write!(f, "{}: {law:?}", self.name),
+            Kind::Function(_) => write!(f, "{}: a function", self.name),
+        }
+    }
+}
+
+/// Two are equal if they are the same one.
+impl PartialEq for OwnTorque {
+    fn eq(&self, other: &Self) -> bool {
+        match (&self.kind, &other.kind) {
+            (Kind::Law { law: a, .. }, Kind::Law { law: b, .. }) => Arc::ptr_eq(a, b),
+            (Kind::Function(a), Kind::Function(b)) => Arc::ptr_eq(a, b),
+            _ => false,
+        }
+    }
+}

@@ -1,0 +1,339 @@
+//! When a torque acts.
+
+use crate::motion::error::MotionError;
+
+/// The times at which a torque acts. Each interval holds its start and not its end.
+///
+/// ```
+/// use polhode::motion::torque::Schedule;
+/// let train = Schedule::pulses(2.0, 0.5, 3.0, Some(4))?; // 2 … 2.5, 5 … 5.5, 8 … 8.5, 11 … 11.5
+/// assert!(train.is_on(5.0) && !train.is_on(5.5));
+/// assert_eq!(train.next_change(5.2), 5.5);
+/// assert_eq!(train.time_on(100.0), 2.0);
+/// # Ok::<(), polhode::motion::MotionError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Schedule(Kind);
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Kind {
+    /// From one time to another; either may be infinite.
+    Window { from: f64, until: f64 },
+    /// Pulses with gaps between them: 0 < width < period.
+    Pulses { first: f64, width: f64, period: f64, count: Option<u64> },
+}
+
+impl Schedule {
+    /// From one time to another, s. Either may be infinite: since ever, or for ever.
+    ///
+    /// # Errors
+    /// [`MotionError::Parameter`] if it does not end after it begins.
+    pub fn window(from: f64, until: f64) -> Result<Self, MotionError> {
+        if from < until {
+            return Ok(Self(Kind::Window { from, until }));
+        }
+        let what = "the time until which a torque acts";
+        Err(MotionError::Parameter { what, value: until, rule: "after the time from which it acts" })
+    }
+
+    /// A train of pulses, the first from `first` on (s): `width` (s) of every `period` (s), `count` times, or for ever.
+    ///
+    /// Pulse k = 0, 1, … begins at first + k period, rounded once, and ends at that + width. Pulses as wide as the period touch, so that
+    /// they are one window.
+    ///
+    /// # Errors
+    /// [`MotionError::Parameter`] if a number is not finite, the width not positive or wider than the period, the count zero, or
+    /// the times so late that their rounding is as wide as a pulse.
+    pub fn pulses(first: f64, width: f64, period: f64, count: Option<u64>) -> Result<Self, MotionError> {
+        let parameter = |what, value, rule| Err(MotionError::Parameter { what, value, rule });
+        if !first.is_finite() {
+            return parameter("the time of the first pulse", first, "finite");
+        }
+        if !(width > 0.0) {
+            return parameter("the width of the pulses", width, "positive");
+        }
+        if !(width <= period) {
+            return parameter("the width of the pulses", width, "no more than their period");
+        }
+        if !period.is_finite() {
+            return parameter("the period of the pulses", period, "finite");
+        }
+        if count == Some(0) {
+            return parameter("the number of pulses", 0.0, "at least 1");
+        }
+        let train = Train { first, width, period, count };
+        let last = train.begin(count.map_or(0.0, |_| train.last()));
+        if !(first + width > first && last + width > last && last.is_finite()) {
+            return parameter("the width of the pulses", width, "more than the rounding of their times");
+        }
+        if width == period {
+            let until = count.map_or(f64::INFINITY, |count| train.begin(count as f64));
+            return Self::window(first, until);
+        }
+        Ok(Self(Kind::Pulses { first, width, period, count }))
+    }
+
+    /// Its window, from and until, s; `None` if it is a train of pulses.
+    pub const fn as_window(&self) -> Option<[f64; 2]> {
+        match self.0 {
+            Kind::Window { from, until } => Some([from, until]),
+            Kind::Pulses { .. } => None,
+        }
+    }
+
+    /// The first time, the width and the period of its pulses, s, and how many there are, if they end; `None` if it is a window.
+    pub const fn as_pulses(&self) -> Option<([f64; 3], Option<u64>)> {
+        match self.0 {
+            Kind::Pulses { first, width, period, count } => Some(([first, width, period], count)),
+            Kind::Window { .. } => None,
+        }
+    }
+
+    /// Does it act at this time?
+    pub fn is_on(&self, time: f64) -> bool {
+        match self.0 {
+            Kind::Window { from, until } => from <= time && time < until,
+            Kind::Pulses { first, width, period, count } => {
+                let train = Train { first, width, period, count };
+                train.pulse(time).is_some_and(|k| time < train.begin(k) + width)
+            }
+        }
+    }
+
+    /// The first time after this one at which it begins or ends; infinite if there is none.
+    pub fn next_change(&self, time: f64) -> f64 {
+        let later = |change: f64| if change > time { change } else { f64::INFINITY };
+        match self.0 {
+            Kind::Window { from, until } => later(from).min(later(until)),
+            Kind::Pulses { first, width, period, count } => {
+                let train = Train { first, width, period, count };
+                let Some(k) = train.pulse(time) else { return later(first) };
+                let end = later(train.begin(k) + width);
+                if k >= train.last() {
+                    return end;
+                }
+                let next = later(train.begin(k + 1.0)).min(end);
+                // Where pulses are denser than the doubles, each double is a change.
+                if next < f64::INFINITY { next } else { later(time.next_up()) }
+            }
+        }
+    }
+
+    /// How many pulses begin after a time and no later than another; none of a window.
+    pub(crate) fn pulses_between(&self, from: f64, to: f64) -> f64 {
+        match self.0 {
+            Kind::Window { .. } => 0.0,
+            Kind::Pulses { first, width, period, count } => {
+                let train = Train { first, width, period, count };
+                let begun = |time: f64| train.pulse(time).map_or(0.0, |k| k + 1.0);
+                begun(to) - begun(from)
+            }
+        }
+    }
+
+    /// For how long it has acted from t = 0 to a time, s; for times before 0, minus for how long it acts from then to 0.
+    pub fn time_on(&self, time: f64) -> f64 {
+        match self.0 {
+            Kind::Window { from, until } if time >= 0.0 => (time.min(until) - from.max(0.0)).max(0.0),
+            Kind::Window { from, until } => -(until.min(0.0) - from.max(time)).max(0.0),
+            Kind::Pulses { first, width, period, count } => {
+                let train = Train { first, width, period, count };
+                let ([k, part], [k0, part0]) = (train.progress(time), train.progress(0.0));
+                // Whole pulses are counted: nothing cancels, however many there were before 0.
+                (k - k0) * width + (part - part0)
+            }
+        }
+    }
+}
+
+/// Pulses that may touch.
+#[derive(Clone, Copy)]
+struct Train {
+    first: f64,
+    width: f64,
+    period: f64,
+    count: Option<u64>,
+}
+
+impl Train {
+    /// first + k period, rounded once: it never falls as k grows.
+    fn begin(&self, k: f64) -> f64 {
+        libm::fma(k, self.period, self.first)
+    }
+
+    /// The index of the last pulse.
+    fn last(&self) -> f64 {
+        self.count.map_or(f64::MAX, |count| count.saturating_sub(1) as f64)
+    }
+
+    /// The last pulse that begins no later than a time; `None` before the first.
+    fn pulse(&self, time: f64) -> Option<f64> {
+        if !(time >= self.first) {
+            return None;
+        }
+        // Halves, so that the difference does not overflow.
+        let guess = ((0.5 * time - 0.5 * self.first) / (0.5 * self.period)).floor().min(self.last());
+        // The division is rounded: the pulse may be one of those beside.
+        let beside = [guess + 1.0, guess, guess - 1.0];
+        let k = beside.into_iter().find(|&k| k <= self.last() && self.begin(k) <= time).unwrap_or(0.0);
+        Some(k.max(0.0))
+    }
+
+    /// How many pulses before that of a time, and for how long that one has acted, s.
+    fn progress(&self, time: f64) -> [f64; 2] {
+        self.pulse(time).map_or([0.0; 2], |k| [k, (time - self.begin(k)).min(self.width)])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Changes one after the other: each alternates, each is later, and what `is_on` says between them agrees.
+    fn walk(schedule: &Schedule, mut time: f64, changes: usize) -> Vec<f64> {
+        let mut seen = Vec::new();
+        for _ in 0..changes {
+            let next = schedule.next_change(time);
+            assert!(next > time, "{schedule:?} at {time}");
+            if next == f64::INFINITY {
+                break;
+            }
+            let on = schedule.is_on(time);
+            assert_eq!(schedule.is_on(next.next_down()), on, "{schedule:?}: {time} to {next}");
+            let middle = 0.5 * time + 0.5 * next;
+            assert!(middle >= next || schedule.is_on(middle) == on, "{schedule:?} at {middle}");
+            // The time on is that of the interval, to the rounding of the times.
+            let grown = schedule.time_on(next) - schedule.time_on(time);
+            let want = if on { next - time } else { 0.0 };
+            let rounding = 8.0 * f64::EPSILON * (next.abs() + time.abs() + schedule.time_on(next).abs());
+            assert!((grown - want).abs() <= rounding, "{schedule:?} at {time}: {grown} {want}");
+            seen.push(next);
+            time = next;
+        }
+        seen
+    }
+
+    #[test]
+    fn a_window_holds_its_start_and_not_its_end() {
+        let window = Schedule::window(-1.5, 2.25).unwrap();
+        assert!(window.is_on(-1.5) && window.is_on(2.25_f64.next_down()));
+        assert!(!window.is_on((-1.5_f64).next_down()) && !window.is_on(2.25));
+        assert_eq!(walk(&window, -7.0, 9), [-1.5, 2.25]);
+        assert_eq!([-9.0, -1.0, 0.0, 1.0, 9.0].map(|t| window.time_on(t)), [-1.5, -1.0, 0.0, 1.0, 2.25]);
+        let early = Schedule::window(-5.0, -2.0).unwrap();
+        assert_eq!([-6.0, -3.0, -1.0, 7.0].map(|t| early.time_on(t)), [-3.0, -1.0, 0.0, 0.0]);
+        let always = Schedule::window(f64::NEG_INFINITY, f64::INFINITY).unwrap();
+        assert!(always.is_on(0.0) && always.next_change(3.0) == f64::INFINITY);
+        assert_eq!([-3.0, 3.0].map(|t| always.time_on(t)), [-3.0, 3.0]);
+    }
+
+    #[test]
+    fn pulses_begin_and_end_where_they_should() {
+        for (first, width, period, count) in [
+            (0.0, 0.1, 0.3, None),
+            (-0.7, 0.1, 0.3, Some(1000)),
+            (-1e6, 1e-3, 0.1, None),
+            (1e9, 0.1, 0.7, None),
+            (1e15, 0.25, 0.75, Some(7)),
+            (0.1, 0.3_f64.next_down(), 0.3, Some(500)),
+            (3.3, 1e-14, 0.1, Some(500)),
+        ] {
+            let train = Schedule::pulses(first, width, period, count).unwrap();
+            let changes = walk(&train, first.next_down(), 700);
+            assert!(changes.len() == 700 || Some(changes.len() as u64) <= count.map(|n| 2 * n));
+            assert_eq!(changes[0], first);
+            // Every begin is first + k period to its rounding, not a sum of roundings.
+            for (k, pair) in changes.chunks(2).enumerate().filter(|_| period - width > 1e-9 && first < 1e14) {
+                assert_eq!(pair[0], libm::fma(k as f64, period, first));
+                assert_eq!(pair[1], pair[0] + width);
+            }
+        }
+    }
+
+    #[test]
+    fn the_billionth_pulse_is_as_exact_as_the_first() {
+        let (first, width, period) = (0.3, 0.01, 0.1);
+        let train = Schedule::pulses(first, width, period, None).unwrap();
+        for k in [1.0, 999_999_999.0, 1e9, 1e9 + 1.0, 3e12] {
+            let begin = libm::fma(k, period, first);
+            assert!(train.is_on(begin) && !train.is_on(begin.next_down()), "{k}");
+            assert_eq!(train.next_change(begin.next_down()), begin);
+            assert_eq!(train.next_change(begin), begin + width);
+            assert!(!train.is_on(begin + width));
+            let on = train.time_on(begin);
+            assert!((on / (k * width) - 1.0).abs() < 1e-15, "{k} {on}");
+        }
+        // counted from 0, whatever was before
+        let old = Schedule::pulses(-1e9, width, period, None).unwrap();
+        assert!((old.time_on(0.15) - 0.02).abs() < 1e-7 * width, "{}", old.time_on(0.15));
+    }
+
+    #[test]
+    fn pulses_are_counted_without_being_gone_through() {
+        let train = Schedule::pulses(2.0, 0.5, 3.0, Some(4)).unwrap(); // from 2, 5, 8 and 11 on
+        for (from, to, count) in
+            [(0.0, 1.9, 0.0), (0.0, 2.0, 1.0), (2.0, 8.1, 2.0), (-1e9, 1e9, 4.0), (11.0, 99.0, 0.0)]
+        {
+            assert_eq!(train.pulses_between(from, to), count, "{from} {to}");
+        }
+        let dense = Schedule::pulses(0.0, 1e-20, 2e-20, None).unwrap();
+        assert!((dense.pulses_between(0.0, 3.0) / 1.5e20 - 1.0).abs() < 1e-12);
+        assert_eq!(Schedule::window(0.0, 1.0).unwrap().pulses_between(-1.0, 9.0), 0.0);
+    }
+
+    #[test]
+    fn pulses_as_wide_as_their_period_are_one_window() {
+        let touching = Schedule::pulses(0.3, 0.1, 0.1, Some(10)).unwrap();
+        assert_eq!(touching, Schedule::window(0.3, libm::fma(10.0, 0.1, 0.3)).unwrap());
+        let for_ever = Schedule::pulses(0.3, 0.1, 0.1, None).unwrap();
+        assert_eq!(for_ever.next_change(0.3), f64::INFINITY);
+    }
+
+    #[test]
+    fn every_double_is_answered() {
+        let dense = Schedule::pulses(0.0, 0.1, 0.3, None).unwrap();
+        let far = Schedule::pulses(-1e308, 1e300, 1e301, Some(15)).unwrap();
+        let many = Schedule::pulses(1.0, 1e-3, 1e-2, Some(1 << 40)).unwrap();
+        for schedule in [dense, far, many] {
+            for t in [0.0, -0.0, 5e-324, 1e-300, 4.5e15, 1e17, 1e300, 1e308, f64::MAX] {
+                for t in [t, -t] {
+                    assert!(schedule.next_change(t) > t, "{schedule:?} {t}");
+                    assert!(!schedule.time_on(t).is_nan(), "{schedule:?} {t}");
+                    let _ = schedule.is_on(t);
+                }
+            }
+            assert!(!schedule.is_on(f64::NAN));
+            assert_eq!(schedule.next_change(f64::NAN), f64::INFINITY);
+            assert_eq!(schedule.next_change(f64::INFINITY), f64::INFINITY);
+        }
+    }
+
+    #[test]
+    fn what_is_no_schedule_is_refused() {
+        let infinity = f64::INFINITY;
+        for (from, until) in [(1.0, 1.0), (2.0, 1.0), (f64::NAN, 1.0), (0.0, f64::NAN), (infinity, infinity)]
+        {
+            assert!(Schedule::window(from, until).is_err(), "{from} {until}");
+        }
+        for (first, width, period, count) in [
+            (f64::NAN, 1.0, 2.0, None),
+            (infinity, 1.0, 2.0, None),
+            (0.0, 0.0, 2.0, None),
+            (0.0, -1.0, 2.0, None),
+            (0.0, f64::NAN, 2.0, None),
+            (0.0, 3.0, 2.0, None),
+            (0.0, 1.0, f64::NAN, None),
+            (0.0, 1.0, infinity, None),
+            (0.0, 1.0, 2.0, Some(0)),
+            // so late that a pulse begins and ends at one double
+            (1e17, 1.0, 2.0, None),
+            (0.0, 1.0, 2.0, Some(u64::MAX)),
+        ] {
+            let refused = Schedule::pulses(first, width, period, count);
+            assert!(
+                matches!(refused, Err(MotionError::Parameter { .. })),
+                "{first} {width} {period} {count:?}"
+            );
+        }
+    }
+}

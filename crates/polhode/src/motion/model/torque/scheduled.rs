@@ -1,0 +1,62 @@
+//! A torque that acts at its times only.
+
+use super::TorqueModel;
+use super::graph::{Recorder, VectorNode};
+use super::model::{AnyLaw, Model};
+use super::polynomial::{PolynomialVector, Unknowns};
+use super::schedule::Schedule;
+use crate::math::frame::Body;
+use crate::math::vector::Torque;
+use crate::motion::model::rotor::Rotor;
+use crate::motion::model::state::State;
+
+/// A torque and when it acts: the integrators stop at each change, so that no step goes across one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scheduled {
+    /// What acts.
+    pub torque: TorqueModel,
+    /// When.
+    pub schedule: Schedule,
+}
+
+/// As a polynomial and in a graph it is what it is while it acts.
+impl AnyLaw for Scheduled {
+    fn value(&self, rotor: &Rotor, state: &State) -> Torque<Body> {
+        if self.schedule.is_on(state.time) { self.torque.torque(rotor, state) } else { Torque::ZERO }
+    }
+
+    fn polynomial(&self, unknowns: &Unknowns<'_>) -> PolynomialVector {
+        self.torque.model().polynomial(unknowns)
+    }
+
+    fn record<'r>(&self, recorder: &Recorder<'r>) -> VectorNode<'r> {
+        self.torque.model().record(recorder)
+    }
+}
+
+/// What is switched has no potential.
+impl Model for Scheduled {
+    fn name(&self) -> &'static str {
+        self.torque.name()
+    }
+
+    fn scale(&self, rotor: &Rotor, state: &State) -> f64 {
+        self.torque.model().scale(rotor, state)
+    }
+
+    fn roughness(&self) -> Option<&'static str> {
+        self.torque.model().roughness()
+    }
+
+    fn is_partial(&self) -> bool {
+        self.torque.model().is_partial()
+    }
+
+    fn unsplittable(&self) -> Option<&'static str> {
+        self.torque.model().unsplittable()
+    }
+
+    fn has_twist(&self) -> bool {
+        self.torque.model().has_twist()
+    }
+}

@@ -1,0 +1,55 @@
+//! A force fixed to the body.
+
+use super::law::{Law, LawInput};
+use super::model::Model;
+use crate::math::frame::Body;
+use crate::math::vector::{Force, Position, Torque};
+use crate::motion::model::rotor::Rotor;
+
+/// A thruster: a force along body axes at a point of the body, N = (r − c) × F.
+///
+/// c is the point that the body turns about.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Thruster {
+    /// Where it acts, in the body, m.
+    pub position: Position<Body>,
+    /// F, N.
+    pub force: Force<Body>,
+}
+
+impl Law for Thruster {
+    fn torque<I: LawInput>(&self, at: &I) -> I::Vector {
+        at.in_body(self.about(at.rotor()).as_quantity())
+    }
+}
+
+impl Thruster {
+    /// N in body axes.
+    fn about(&self, rotor: &Rotor) -> Torque<Body> {
+        (self.position - rotor.point()).cross(self.force)
+    }
+}
+
+impl Model for Thruster {
+    fn name(&self) -> &'static str {
+        "thruster"
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::body::{InertiaTensor, MassProperties};
+
+    #[test]
+    fn a_force_turns_about_the_centre_of_mass_or_about_the_pivot() {
+        let inertia = InertiaTensor::with_negative_products([3.1, 4.2, 5.3], [0.4, -0.3, 0.2]).unwrap();
+        let body = MassProperties::new(2.3, Position::new(0.5, -0.25, 1.0), inertia).unwrap();
+        let thruster =
+            Thruster { position: Position::new(1.5, 0.75, -1.0), force: Force::new(2.0, -3.0, 5.0) };
+        // (1, 1, −2) × (2, −3, 5) and (2, −1, 3) × (2, −3, 5), by hand
+        let pivot = Position::new(-0.5, 1.75, -4.0);
+        assert_eq!(thruster.about(&Rotor::free(&body)), Torque::new(-1.0, -9.0, -5.0));
+        assert_eq!(thruster.about(&Rotor::pivoted(&body, pivot)), Torque::new(4.0, -4.0, -4.0));
+    }
+}

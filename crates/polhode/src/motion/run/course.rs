@@ -1,0 +1,184 @@
+//! The course of an integration: its steps, its samples, its events, and how it ends.
+
+use super::ending::Ending;
+use super::sample::Sample;
+use super::watch::{Found, Watch};
+use crate::math::vector::AngularMomentum;
+use crate::motion::error::MotionError;
+use crate::motion::model::event::{Crossing, Event, EventAction};
+use crate::motion::model::state::State;
+use crate::motion::model::torque::total_potential;
+use crate::motion::solve::propagate::stepper::{Balanced, Stepper};
+
+/// More events than anybody would read.
+pub(super) const MOST_EVENTS: usize = 1_000_000;
+
+/// An integration on its way.
+pub(super) struct Course<'a> {
+    stepper: Stepper<'a>,
+    events: &'a [Event],
+    watch: Watch<'a>,
+    has_potential: bool,
+    /// True if a torque may be NaN in some states: the end of each step is looked at.
+    has_partial: bool,
+    wanted: &'a [f64],
+    pub(super) samples: Vec<Sample>,
+    pub(super) crossings: Vec<Crossing>,
+}
+
+impl<'a> Course<'a> {
+    /// From `start`, to be sampled at the times `wanted`.
+    pub(super) fn new(stepper: Stepper<'a>, events: &'a [Event], start: State, wanted: &'a [f64]) -> Self {
+        let (rotor, torques) = stepper.subject();
+        // Energy that comes and goes with a switch is no potential.
+        let has_potential = !events.iter().any(Event::switches);
+        Self {
+            watch: Watch::new(rotor, torques, events, &start),
+            samples: Vec::with_capacity(wanted.len()),
+            crossings: Vec::new(),
+            stepper,
+            events,
+            has_potential,
+            has_partial: torques.iter().any(|torque| torque.model().is_partial()),
+            wanted,
+        }
+    }
+
+    pub(super) const fn stepper(&self) -> &Stepper<'a> {
+        &self.stepper
+    }
+
+    /// Runs to the last time, as far as it can; gives the sample of the start, and how it ended. `progress` is told the time after
+    /// each step.
+    ///
+    /// # Errors
+    /// [`MotionError::NotFinite`] at the start.
+    pub(super) fn run(
+        &mut self,
+        start: State,
+        progress: &mut dyn FnMut(f64),
+    ) -> Result<(Sample, Ending), MotionError> {
+        // The start as it was given, not as it comes back from principal axes.
+        let given = self.sample(Balanced { state: start, work: 0.0, impulse: AngularMomentum::ZERO })?;
+        while self.next_wanted().is_some_and(|t| t <= start.time) {
+            self.samples.push(given);
+        }
+        let end = self.wanted.last().copied().unwrap_or(start.time);
+        while self.stepper.time() < end {
+            let ended = self.advance(end);
+            progress(self.stepper.time());
+            if ended == Ok(None) {
+                continue;
+            }
+            let now = match ended {
+                Err(MotionError::RunAway { time, .. }) => self.return_to(time),
+                _ => self.stepper.now(),
+            };
+            // The end itself is a sample, if it is one of a finite motion.
+            let time = now.state.time;
+            if self.samples.last().is_none_or(|last| last.state.time < time)
+                && let Ok(last) = if time > start.time { self.sample(now) } else { Ok(given) }
+            {
+                self.samples.push(last);
+            }
+            let time = self.samples.last().map_or(start.time, |last| last.state.time);
+            return Ok((given, Ending::of(ended, time)));
+        }
+        Ok((given, Ending::Complete))
+    }
+
+    /// One step, shortened to a switch on its way; the event that stops the motion, if one does.
+    fn advance(&mut self, end: f64) -> Result<Option<usize>, MotionError> {
+        let from = self.stepper.time();
+        if let Err(cause) = self.stepper.step(end) {
+            // It may have gone too far to see that it should not have.
+            self.stepper.cut(from);
+            return Err(cause);
+        }
+        // A step may reach a little beyond where its torque is a number.
+        if self.has_partial && self.sample(self.stepper.now()).is_err() {
+            self.stepper.cut(from);
+            return Err(self.stepper.explained(MotionError::NotFinite { time: from }));
+        }
+        let found = {
+            let stepper = &self.stepper;
+            self.watch.look([from, stepper.time()], &|time| stepper.at(time).state)
+        };
+        for (k, first) in found.iter().enumerate() {
+            self.fill(first.time, false)?;
+            if self.act(first.event) == EventAction::Record {
+                self.happen(first, self.stepper.at(first.time).state)?;
+                continue;
+            }
+            // The step ends here. What else is due now, but for rounding, happens now.
+            self.stepper.cut(first.time);
+            let state = self.stepper.now().state;
+            let later = found.iter().skip(k + 1);
+            let due: Vec<&Found> =
+                [first].into_iter().chain(later.filter(|f| self.watch.is_due(f.event, &state))).collect();
+            for crossing in &due {
+                self.happen(crossing, state)?;
+                if let EventAction::Switch { torque, on } = self.act(crossing.event) {
+                    self.stepper.switch(torque, on);
+                }
+            }
+            if due.iter().any(|f| self.events.get(f.event).is_some_and(Event::switches)) {
+                self.stepper.change()?;
+            }
+            self.watch.arm(&state, &due.iter().map(|f| f.event).collect::<Vec<_>>());
+            self.fill(first.time, true)?;
+            let stop = due.iter().find(|f| self.act(f.event) == EventAction::Stop);
+            return stop
+                .map_or_else(|| look_ahead(&mut self.stepper, end).map(|()| None), |f| Ok(Some(f.event)));
+        }
+        self.fill(self.stepper.time(), true)?;
+        look_ahead(&mut self.stepper, end).map(|()| None)
+    }
+
+    /// Forgets what came after a time, that of the last state that is believed.
+    fn return_to(&mut self, time: f64) -> Balanced {
+        self.samples.retain(|sample| sample.state.time <= time);
+        self.crossings.retain(|crossing| crossing.state.time <= time);
+        self.stepper.believed().unwrap_or_else(|| self.stepper.now())
+    }
+
+    fn act(&self, event: usize) -> EventAction {
+        self.events.get(event).map_or(EventAction::Record, Event::action)
+    }
+
+    /// Writes an event down.
+    fn happen(&mut self, &Found { time, event, rising }: &Found, state: State) -> Result<(), MotionError> {
+        if self.crossings.len() == MOST_EVENTS {
+            return Err(MotionError::TooManyEvents { time, most: MOST_EVENTS });
+        }
+        let name = self.events.get(event).map_or("", Event::name).to_owned();
+        self.crossings.push(Crossing { event, name, state: State { time, ..state }, rising });
+        Ok(())
+    }
+
+    fn next_wanted(&self) -> Option<f64> {
+        self.wanted.get(self.samples.len()).copied()
+    }
+
+    /// Samples the last step up to a time, or to just before it.
+    fn fill(&mut self, until: f64, included: bool) -> Result<(), MotionError> {
+        while let Some(t) = self.next_wanted().filter(|&t| t < until || included && t == until) {
+            let now = t == self.stepper.time();
+            let sample = self.sample(if now { self.stepper.now() } else { self.stepper.at(t) })?;
+            self.samples.push(sample);
+        }
+        Ok(())
+    }
+
+    fn sample(&self, balanced: Balanced) -> Result<Sample, MotionError> {
+        let (rotor, torques) = self.stepper.subject();
+        let potential =
+            self.has_potential.then(|| total_potential(torques, rotor, &balanced.state)).flatten();
+        Sample::of(rotor, self.stepper.switched_on(), potential, balanced)
+    }
+}
+
+/// Gives up as soon as it can be seen that the motion runs away, or that the end is too many steps away.
+pub(super) fn look_ahead(stepper: &mut Stepper<'_>, end: f64) -> Result<(), MotionError> {
+    stepper.require_bounded(end)
+}

@@ -1,0 +1,91 @@
+//! How a trajectory ended, and why it was computed as it was.
+
+use core::fmt;
+
+use crate::motion::error::MotionError;
+
+/// How a trajectory ended.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Ending {
+    /// At the last of its times.
+    Complete,
+    /// At an event that stops it.
+    Stopped {
+        /// Which of the events, from 0.
+        event: usize,
+        /// When, s: the time of the last sample.
+        time: f64,
+    },
+    /// It could not go on; what comes before is good.
+    Failed {
+        /// The last good time, s: that of the last sample.
+        time: f64,
+        /// Why.
+        cause: MotionError,
+    },
+}
+
+impl Ending {
+    /// At a time: by an event, by a cause, or by neither.
+    pub(crate) fn of(ended: Result<Option<usize>, MotionError>, time: f64) -> Self {
+        match ended {
+            Ok(None) => Self::Complete,
+            Ok(Some(event)) => Self::Stopped { event, time },
+            Err(cause) => Self::Failed { time, cause },
+        }
+    }
+
+    /// True unless the computation failed: a motion that an event stopped is all that was asked for.
+    pub const fn is_complete(&self) -> bool {
+        !matches!(self, Self::Failed { .. })
+    }
+}
+
+/// Why a motion was computed by its method.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum MethodReason {
+    /// It was asked for.
+    Asked,
+    /// The motion was given.
+    Given,
+    /// There is a closed form.
+    ClosedForm {
+        /// Which.
+        title: &'static str,
+    },
+    /// There is no closed form, and all that acts is smooth.
+    Smooth {
+        /// Why there is no closed form.
+        no_closed_form: &'static str,
+    },
+    /// There is no closed form, and what acts has no power series.
+    Rough {
+        /// Why there is no closed form.
+        no_closed_form: &'static str,
+        /// Which of the torques has no series, from 0.
+        torque: usize,
+        /// What it has that has none: a function of a formula.
+        why: &'static str,
+    },
+}
+
+impl fmt::Display for MethodReason {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Asked => f.write_str("it was asked for"),
+            Self::Given => f.write_str("the motion is given"),
+            Self::ClosedForm { title } => write!(f, "there is a closed form: {title}"),
+            Self::Smooth { no_closed_form } => {
+                write!(f, "no closed form, as {no_closed_form}; between its changes all that acts is smooth")
+            }
+            Self::Rough { no_closed_form, torque, why } => {
+                write!(
+                    f,
+                    "no closed form, as {no_closed_form}; no power series, as torque {} has {why}",
+                    torque + 1
+                )
+            }
+        }
+    }
+}

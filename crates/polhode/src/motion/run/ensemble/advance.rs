@@ -1,0 +1,135 @@
+//! Closed forms at many times, and the integrators of high order for what has none.
+
+use std::sync::OnceLock;
+
+use super::Member;
+use super::workers::Portion;
+use crate::motion::model::state::State;
+use crate::motion::run::simulation::Simulation;
+use crate::motion::solve::closed_form::ClosedForm;
+use crate::motion::solve::method::Method;
+use crate::motion::solve::propagate::taylor;
+
+/// States that are computed before they are put down, of a closed form: they stay in the nearest memory.
+const BATCH: usize = 256;
+
+/// So many states of a free motion are computed sooner one by one.
+const FEW: usize = 4;
+
+/// States of bodies side by side: some megabytes.
+const MANY: usize = 1 << 16;
+
+/// Fewer bodies than that leave lanes idle.
+const FEWEST: usize = 8;
+
+/// The closed form of a member, once it was prepared, if there is one.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Closed(OnceLock<Option<ClosedForm>>);
+
+impl Closed {
+    fn of(&self, Member { rotor, torques, start }: &Member) -> Option<&ClosedForm> {
+        self.0.get_or_init(|| ClosedForm::of(rotor, torques, *start).ok()).as_ref()
+    }
+}
+
+/// Computes each member of a portion by a method. Those that Taylor's method takes several at a time come last.
+pub(super) fn compute(portion: &mut Portion<'_>, times: &[f64], tolerance: f64, method: Method) {
+    let (members, closed) = (portion.members, portion.closed);
+    let mut states = Vec::new();
+    let mut kinds: Vec<(taylor::Kind, Vec<(usize, taylor::Body<'_>)>)> = Vec::new();
+    for (k, member) in members.iter().enumerate() {
+        let Member { rotor, torques, start } = member;
+        let anew = Closed::default();
+        let closed = closed.get(k).unwrap_or(&anew);
+        let closed = if method == Method::Auto { closed.of(member) } else { None };
+        let in_lanes = closed.is_none() && matches!(method, Method::Auto | Method::Taylor);
+        if let Some(motion) = closed {
+            states.resize(BATCH, *start);
+            evaluate(portion, k, motion, times, &mut states);
+        } else if let Some(body) = in_lanes.then(|| taylor::Body::of(rotor, torques, *start)).flatten() {
+            let kind = body.kind(tolerance);
+            match kinds.iter_mut().find(|(other, _)| *other == kind) {
+                Some((_, bodies)) => bodies.push((k, body)),
+                None => kinds.push((kind, vec![(k, body)])),
+            }
+            continue;
+        } else {
+            integrate(portion, k, times, tolerance, method, &mut states);
+        }
+        if !portion.done(1) {
+            return;
+        }
+    }
+    for (_, bodies) in kinds {
+        for bodies in bodies.chunks((MANY / times.len()).max(FEWEST)) {
+            expand(portion, bodies, times, tolerance, &mut states);
+            if !portion.done(bodies.len()) {
+                return;
+            }
+        }
+    }
+}
+
+fn evaluate(portion: &mut Portion<'_>, k: usize, motion: &ClosedForm, times: &[f64], states: &mut [State]) {
+    let (known, beyond) = match motion.require(times) {
+        Ok(()) => (times, None),
+        Err(cause) => {
+            let is_known = |time: &&f64| motion.require(core::slice::from_ref(*time)).is_ok();
+            (times.get(..times.iter().take_while(is_known).count()).unwrap_or_default(), Some(cause))
+        }
+    };
+    let mut from = 0;
+    for times in known.chunks(BATCH) {
+        match motion {
+            ClosedForm::Free(motion) if times.len() > FEW => motion.fill(times, states),
+            _ => states.iter_mut().zip(times).for_each(|(state, &time)| *state = motion.at(time)),
+        }
+        portion.put(k, from, states.get(..times.len()).unwrap_or_default());
+        from += times.len();
+    }
+    if let Some(cause) = beyond {
+        let last = known.last().map_or(motion.start(), |&time| motion.at(time));
+        portion.fail(k, from, last, cause);
+    }
+}
+
+/// By Taylor's method, side by side.
+fn expand(
+    portion: &mut Portion<'_>,
+    bodies: &[(usize, taylor::Body<'_>)],
+    times: &[f64],
+    tolerance: f64,
+    states: &mut Vec<State>,
+) {
+    let Some((first, _)) = bodies.first() else { return };
+    states.resize(bodies.len() * times.len(), portion.members[*first].start);
+    let subjects = || bodies.iter().map(|(_, body)| body);
+    let mut failures = taylor::advance(subjects(), times, tolerance, states).into_iter().peekable();
+    for (n, ((k, _), states)) in bodies.iter().zip(states.chunks(times.len())).enumerate() {
+        portion.put(*k, 0, states);
+        if let Some((_, cause)) = failures.next_if(|(body, _)| *body == n) {
+            portion.give_up(*k, cause);
+        }
+    }
+    states.clear();
+}
+
+/// Alone.
+fn integrate(
+    portion: &mut Portion<'_>,
+    k: usize,
+    times: &[f64],
+    tolerance: f64,
+    method: Method,
+    states: &mut Vec<State>,
+) {
+    let Member { rotor, torques, start } = &portion.members[k];
+    let (switched_off, events, start) = (&[], &[], *start);
+    let simulation = Simulation { rotor, torques, switched_off, start, events, times, method, tolerance };
+    states.clear();
+    let result = simulation.fill(states);
+    portion.put(k, 0, states);
+    if let Err(cause) = result {
+        portion.fail(k, states.len(), states.last().copied().unwrap_or(start), cause);
+    }
+}

@@ -1,0 +1,195 @@
+//! Many bodies, each with its own start and its own torques, at the same times.
+//!
+//! `workers` hands portions of the members to threads; `advance` computes a portion: closed forms, Taylor's method for several bodies at a
+//! time, and one body after the other by what is left.
+
+mod advance;
+mod workers;
+
+use core::fmt;
+use core::num::NonZero;
+use std::sync::OnceLock;
+
+use crate::motion::error::MotionError;
+use crate::motion::model::rotor::Rotor;
+use crate::motion::model::state::State;
+use crate::motion::model::torque::TorqueModel;
+use crate::motion::solve::method::Method;
+use crate::motion::solve::propagate::stepper::{LOOSEST_TOLERANCE, TIGHTEST_TOLERANCE};
+use crate::motion::solve::start::{require_ascending, require_finite};
+use workers::Workers;
+
+/// A body of an ensemble, and its motion.
+#[derive(Clone, Debug)]
+pub struct Member {
+    /// The body and the point that it turns about.
+    pub rotor: Rotor,
+    /// What turns it.
+    pub torques: Vec<TorqueModel>,
+    /// Where it starts.
+    pub start: State,
+}
+
+/// Where the members of an ensemble were at some times.
+#[derive(Clone, Debug, PartialEq)]
+pub struct EnsembleStates {
+    /// Member by member, and time by time within each. A member that could go no further repeats a good state from shortly before: the
+    /// state's own time says when.
+    pub states: Vec<State>,
+    /// Those that could go no further, ascending.
+    pub failures: Vec<MemberFailure>,
+}
+
+/// Why a member could go no further.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MemberFailure {
+    /// The member, from 0.
+    pub member: usize,
+    /// The cause.
+    pub cause: MotionError,
+}
+
+impl fmt::Display for MemberFailure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "member {}: {}", self.member, self.cause)
+    }
+}
+
+impl core::error::Error for MemberFailure {}
+
+/// Many bodies that move independently of each other, side by side in the lanes of vectors and on several threads.
+///
+/// Every state has the same bits on any number of threads, with any vectors, and whichever members there are beside it.
+///
+/// A closed form takes microseconds to prepare. The first call with [`Method::Auto`] does not keep it; the second does, about 1 kB of
+/// each member that has one, so that an ensemble that is asked again and again gives its states at once, and one that is asked once
+/// stays small. [`FreeMotions`](crate::motion::solve::free::FreeMotions) have all bodies of one time side by side, several times as fast again.
+///
+/// ```
+/// use polhode::prelude::*;
+/// use polhode::motion::{Ensemble, Member};
+/// use std::num::NonZero;
+/// let body = MassProperties::new(1.0, Position::ZERO, InertiaTensor::diagonal([1.0, 2.0, 2.5])?)?;
+/// let member = |spin: f64| Member {
+///     rotor: Rotor::free(&body),
+///     torques: vec![TorqueModel::Constant(ConstantTorque::Body(Torque::new(0.0, 0.0, 0.5)))],
+///     start: State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.0, 0.0, spin) },
+/// };
+/// let ensemble = Ensemble::new((0..100).map(|k| member(f64::from(k))).collect())?;
+/// let found = ensemble.at(&[1.0, 2.0], Method::Auto, 1e-12, NonZero::<usize>::MIN)?;
+/// // Two times each: ω of member 41 at t = 2 s is 41 rad/s + N t/i3.
+/// assert!((found.states[2 * 41 + 1].omega.z - (41.0 + 0.5 * 2.0 / 2.5)).abs() < 1e-12);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Ensemble {
+    members: Vec<Member>,
+    /// One for each, used from the second call on.
+    closed: Vec<advance::Closed>,
+    /// Whether closed forms were asked for.
+    asked: OnceLock<()>,
+    /// The latest start, s.
+    latest: f64,
+}
+
+impl Ensemble {
+    /// The bodies and their starts.
+    ///
+    /// # Errors
+    /// The first member that cannot start: [`MotionError::Parameter`] for a start or a torque that is not finite,
+    /// [`MotionError::NotSpinnable`] for a body without inertia.
+    pub fn new(members: Vec<Member>) -> Result<Self, MemberFailure> {
+        for (member, Member { rotor, torques, start }) in members.iter().enumerate() {
+            require_finite(rotor, torques, &[], start).map_err(|cause| MemberFailure { member, cause })?;
+            if !rotor.is_spinnable() {
+                return Err(MemberFailure { member, cause: MotionError::NotSpinnable });
+            }
+        }
+        let latest = members.iter().map(|member| member.start.time).fold(f64::NEG_INFINITY, f64::max);
+        let closed = vec![advance::Closed::default(); members.len()];
+        Ok(Self { members, closed, asked: OnceLock::new(), latest })
+    }
+
+    /// The bodies and their starts, as they were given.
+    pub fn members(&self) -> &[Member] {
+        &self.members
+    }
+
+    /// How many they are.
+    pub const fn len(&self) -> usize {
+        self.members.len()
+    }
+
+    /// True if there is none.
+    pub const fn is_empty(&self) -> bool {
+        self.members.is_empty()
+    }
+
+    /// Every member at each of the times (s, ascending, none before a start), on so many threads: the bits of
+    /// [`Simulation::states`](super::simulation::Simulation::states) with this method and tolerance.
+    ///
+    /// # Errors
+    /// [`MotionError::Parameter`] if times are out of order, or the tolerance is out of its range. What goes wrong with one member
+    /// is among the failures.
+    pub fn at(
+        &self,
+        times: &[f64],
+        method: Method,
+        tolerance: f64,
+        threads: NonZero<usize>,
+    ) -> Result<EnsembleStates, MotionError> {
+        let Some(first) = self.members.first() else {
+            return Ok(EnsembleStates { states: Vec::new(), failures: Vec::new() });
+        };
+        let mut states = vec![first.start; self.members.len() * times.len()];
+        let failures = self.fill(times, (method, tolerance), threads, &mut states, &mut |_| true)?;
+        Ok(EnsembleStates { states, failures })
+    }
+
+    /// As [`Ensemble::at`], into states that are there already, in the same order; as rows (t, w, x, y, z, ω1, ω2, ω3) if they are
+    /// `[f64; 8]`. Gives those that could go no further, ascending.
+    ///
+    /// `progress` is told now and then and at the end, on the thread that called, how many members are done; `false` ends the work.
+    ///
+    /// # Errors
+    /// As [`Ensemble::at`]; [`MotionError::Parameter`] if there are not as many states as members times times;
+    /// [`MotionError::Cancelled`] if `progress` said so, and then only some of the states are written.
+    pub fn fill<S: From<State> + Send>(
+        &self,
+        times: &[f64],
+        (method, tolerance): (Method, f64),
+        threads: NonZero<usize>,
+        states: &mut [S],
+        progress: &mut dyn FnMut(usize) -> bool,
+    ) -> Result<Vec<MemberFailure>, MotionError> {
+        if !(TIGHTEST_TOLERANCE..=LOOSEST_TOLERANCE).contains(&tolerance) {
+            let (what, rule) = ("the tolerance", "between 1e-15 and 1e-2");
+            return Err(MotionError::Parameter { what, value: tolerance, rule });
+        }
+        require_ascending(f64::NEG_INFINITY, times)?;
+        if let Some(&value) = times.first().filter(|first| **first < self.latest) {
+            let rule = "not before the start of any member";
+            return Err(MotionError::Parameter { what: "the first time", value, rule });
+        }
+        if self.members.len().checked_mul(times.len()) != Some(states.len()) {
+            let (what, value) = ("the number of states to fill", states.len() as f64);
+            return Err(MotionError::Parameter { what, value, rule: "that of members times that of times" });
+        }
+        if states.is_empty() {
+            return Ok(Vec::new());
+        }
+        let again = method == Method::Auto && self.asked.set(()).is_err();
+        let closed = if again { self.closed.as_slice() } else { &[] };
+        Workers::new(threads).fill((&self.members, closed), times.len(), states, progress, &|portion| {
+            advance::compute(portion, times, tolerance, method);
+        })
+    }
+}
+
+/// (t, w, x, y, z, ω1, ω2, ω3): time, attitude R_space_body as a quaternion, ω in body axes.
+impl From<State> for [f64; 8] {
+    fn from(state: State) -> Self {
+        let ([w, x, y, z], [a, b, c]) = (state.attitude.quaternion(), state.omega.to_array());
+        [state.time, w, x, y, z, a, b, c]
+    }
+}

@@ -1,0 +1,80 @@
+//! What the error of a motion says to the one who reads it.
+
+use super::GlobalError;
+use crate::body::finding::{Finding, Severity};
+use crate::motion::model::state::StateError;
+use crate::motion::run::solution::Solution;
+use crate::motion::run::trajectory::Trajectory;
+use crate::motion::solve::method::Method;
+
+/// Below this error of the attitude, rad, nobody misses a digit.
+const SMALL: f64 = 1e-9;
+/// Nor where it is within this many times the tolerance of a step that was asked for.
+const WITHIN: f64 = 1e4;
+/// Nor for steps of a given length, whose error is the user's choice.
+const SMALL_OF_SPLITTING: f64 = 1e-4;
+/// No digit of an attitude is left, rad.
+const LOST: f64 = 0.1;
+
+impl Trajectory {
+    /// What was noticed about its error: `motion.error` where errors have grown beyond what steps were asked for,
+    /// `motion.inputs` where the last bit of the inputs is worth more than anybody would think, of a thorough estimate. Nothing without one.
+    pub fn findings(&self) -> Vec<Finding> {
+        let Some(error) = self.error() else { return Vec::new() };
+        self.computation_finding(error).into_iter().chain(self.input_finding(error)).collect()
+    }
+
+    fn computation_finding(&self, error: &GlobalError) -> Option<Finding> {
+        let expected = match self.solution() {
+            Solution::Integrated { method: Method::Splitting { .. }, .. } => SMALL_OF_SPLITTING,
+            Solution::Integrated { tolerance, .. } => SMALL.max(WITHIN * tolerance.unwrap_or(0.0)),
+            Solution::Exact(_) | Solution::Prescribed(_) => SMALL,
+        };
+        let StateError { attitude, omega } = error.end();
+        if attitude <= expected {
+            return None;
+        }
+        let message = match self.time_beyond(error.computation(), LOST) {
+            Some(time) => format!(
+                "no digit of the attitude is right from t = {time} s on: the motion amplifies the errors of its computation beyond {LOST} rad \
+                 (estimate)"
+            ),
+            None => format!(
+                "the motion amplifies errors: at the end the attitude may be off by {attitude:.1e} rad and ω by {omega:.1e} of itself \
+                 (estimate)"
+            ),
+        };
+        Some(Finding { code: "motion.error", severity: Severity::Warning, message, place: None })
+    }
+
+    fn input_finding(&self, error: &GlobalError) -> Option<Finding> {
+        let StateError { attitude, .. } = error.inputs_end();
+        // A cheap estimate has a bound only: no evidence that they matter.
+        if attitude <= SMALL || !error.is_thorough() {
+            return None;
+        }
+        let (severity, message) = match self.time_beyond(error.inputs(), LOST) {
+            Some(time) => (
+                Severity::Warning,
+                format!(
+                    "from t = {time} s on the attitude is that of these very numbers: half a unit in the last place of the moments or the start \
+                     turns it by more than {LOST} rad"
+                ),
+            ),
+            None => (
+                Severity::Info,
+                format!(
+                    "half a unit in the last place of the moments and the start turns the attitude at the end by {attitude:.1e} rad: more \
+                     digits than that are those of these very numbers"
+                ),
+            ),
+        };
+        Some(Finding { code: "motion.inputs", severity, message, place: None })
+    }
+
+    /// The time of the first sample whose error of the attitude is beyond an angle.
+    fn time_beyond(&self, errors: &[StateError], angle: f64) -> Option<f64> {
+        let first = errors.iter().position(|error| !(error.attitude <= angle))?;
+        self.samples().get(first).map(|sample| sample.state.time)
+    }
+}

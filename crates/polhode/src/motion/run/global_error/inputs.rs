@@ -1,0 +1,86 @@
+//! The inputs of a simulation, a little different.
+
+use crate::math::rotation::Rotation;
+use crate::math::symmetric3::Symmetric3;
+use crate::math::vector::Vector;
+use crate::motion::model::rotor::Rotor;
+use crate::motion::model::state::State;
+use crate::motion::run::simulation::Simulation;
+use crate::motion::solve::propagate::noise::Random;
+
+/// Half a unit in the last place, relative to the number.
+const HALF_BIT: f64 = 0.5 * f64::EPSILON;
+
+/// A body and a start, each number of which is off by so many times what its rounding may be, to either side.
+///
+/// Each number is changed in proportion to itself, so that what is zero stays zero; and second moments that are equal stay equal, as
+/// a body that is symmetric is so by construction, not by chance.
+#[derive(Clone, Debug)]
+pub(super) struct Inputs {
+    pub(super) rotor: Rotor,
+    pub(super) start: State,
+}
+
+impl Inputs {
+    pub(super) fn of(simulation: &Simulation<'_>, seed: u64, amplitude: f64) -> Self {
+        let mut change = Change::new(seed, amplitude);
+        let Simulation { rotor, start, .. } = *simulation;
+        let inertia = change.inertia(rotor.inertia().symmetric());
+        let lever = Vector::from_array(change.each(rotor.lever().to_array()));
+        let start = change.start(start);
+        Self { rotor: rotor.with_inertia(inertia, lever).unwrap_or_else(|| rotor.clone()), start }
+    }
+}
+
+/// Numbers changed by so many times what their rounding may be, to either side at random.
+#[derive(Clone, Debug)]
+pub(super) struct Change {
+    random: Random,
+    delta: f64,
+}
+
+impl Change {
+    pub(super) const fn new(seed: u64, amplitude: f64) -> Self {
+        Self { random: Random::new(seed), delta: amplitude * HALF_BIT }
+    }
+
+    fn factor(&mut self) -> f64 {
+        if self.random.next() < 0.0 { 1.0 - self.delta } else { 1.0 + self.delta }
+    }
+
+    fn each<const N: usize>(&mut self, numbers: [f64; N]) -> [f64; N] {
+        numbers.map(|x| x * self.factor())
+    }
+
+    pub(super) fn start(&mut self, start: State) -> State {
+        let quaternion = self.each(start.attitude.quaternion());
+        let omega = Vector::from_array(self.each(start.omega.to_array()));
+        // A quaternion that is all but unit can be normalised.
+        State { attitude: Rotation::from_quaternion(quaternion).unwrap_or(start.attitude), omega, ..start }
+    }
+
+    /// I of second moments D S D, D = diag(d): S = ½ tr(I) 1 − I stays positive semi-definite, so that a body stays one.
+    pub(super) fn inertia(&mut self, i: &Symmetric3) -> Symmetric3 {
+        let [a, b, c] = self.each([1.0; 3]);
+        let half = 0.5 * (i.xx + i.yy + i.zz);
+        let [sx, sy, sz] = [half - i.xx, half - i.yy, half - i.zz];
+        let near = |p: f64, q: f64| (p - q).abs() <= 1e-12 * half;
+        let b = if near(sx, sy) { a } else { b };
+        let c = if near(sx, sz) {
+            a
+        } else if near(sy, sz) {
+            b
+        } else {
+            c
+        };
+        Symmetric3 {
+            xx: a * a * sx,
+            yy: b * b * sy,
+            zz: c * c * sz,
+            xy: -a * b * i.xy,
+            xz: -a * c * i.xz,
+            yz: -b * c * i.yz,
+        }
+        .inertia_of_second_moments()
+    }
+}

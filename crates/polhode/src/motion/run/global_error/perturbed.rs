@@ -1,0 +1,164 @@
+//! A motion computed again, a little differently, and how far it is from the first.
+
+use core::f64::consts::PI;
+
+use super::LINEAR;
+use super::inputs::Inputs;
+use crate::motion::error::MotionError;
+use crate::motion::model::event::Event;
+use crate::motion::model::state::State;
+use crate::motion::model::state::StateError;
+use crate::motion::run::course::Course;
+use crate::motion::run::simulation::Simulation;
+use crate::motion::solve::propagate::noise::Noise;
+use crate::motion::solve::propagate::stepper::{Rule, Stepper};
+
+/// How much the error of ω at one time may be raised, as that of the attitude has been larger before.
+const MOST_RAISED: f64 = 30.0;
+
+/// A run from other inputs, with other steps.
+pub(super) struct Perturbed<'a> {
+    pub(super) simulation: &'a Simulation<'a>,
+    pub(super) inputs: Inputs,
+    pub(super) rule: Rule,
+    pub(super) tolerance: f64,
+    /// The noise of each step, and how many times as long steps are.
+    pub(super) noise: Option<(Noise, f64)>,
+}
+
+/// How far the states of two motions are from one another, one by one.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Distance {
+    /// The angle between the attitudes, rad.
+    attitude: Vec<f64>,
+    /// |δω|, rad/s.
+    omega: Vec<f64>,
+}
+
+impl Perturbed<'_> {
+    /// The states at the times, as far as the motion gets.
+    pub(super) fn states(&self, times: &[f64], progress: &mut dyn FnMut(f64)) -> Vec<State> {
+        self.integrated(times, progress).unwrap_or_default()
+    }
+
+    fn integrated(&self, times: &[f64], progress: &mut dyn FnMut(f64)) -> Result<Vec<State>, MotionError> {
+        let Simulation { torques, switched_off, events, .. } = *self.simulation;
+        let Inputs { rotor, start } = &self.inputs;
+        let mut stepper =
+            Stepper::new(self.rule, rotor, torques, switched_off, *start, self.tolerance, false)?;
+        if let Some((noise, stretch)) = &self.noise {
+            stepper = stepper.perturbed(noise.clone(), *stretch);
+        }
+        // What stops the motion, or is only written down, does not change it.
+        let switches: Vec<Event> = events.iter().filter(|event| event.switches()).cloned().collect();
+        let mut course = Course::new(stepper, &switches, *start, times);
+        course.run(*start, progress)?;
+        let got_there = course.samples.iter().zip(times).take_while(|(s, time)| s.state.time == **time);
+        Ok(got_there.map(|(sample, _)| sample.state).collect())
+    }
+}
+
+impl Distance {
+    /// Of `states` from `reference`; infinite where there is none.
+    pub(super) fn between(reference: &[State], states: &[State]) -> Self {
+        let mut states = states.iter();
+        let apart = |reference: &State| {
+            states.next().map_or((f64::INFINITY, f64::INFINITY), |state| {
+                let angle = angle_between(state.attitude.quaternion(), reference.attitude.quaternion());
+                (number_or_infinite(angle), number_or_infinite((state.omega - reference.omega).norm()))
+            })
+        };
+        let (attitude, omega) = reference.iter().map(apart).unzip();
+        Self { attitude, omega }
+    }
+
+    /// The larger of each.
+    pub(super) fn worse(self, other: Self) -> Self {
+        let worse = |a: Vec<f64>, b: Vec<f64>| a.into_iter().zip(b).map(|(a, b)| a.max(b)).collect();
+        Self { attitude: worse(self.attitude, other.attitude), omega: worse(self.omega, other.omega) }
+    }
+
+    /// Infinite from an angle on that is too large to tell anything: multiplied or divided, it would be any number.
+    pub(super) fn within_linear(mut self) -> Self {
+        for (a, w) in self.attitude.iter_mut().zip(&mut self.omega).filter(|(a, _)| !(**a <= LINEAR)) {
+            (*a, *w) = (f64::INFINITY, f64::INFINITY);
+        }
+        self
+    }
+
+    /// Divided by a number.
+    pub(super) fn over(mut self, by: f64) -> Self {
+        self.attitude.iter_mut().chain(&mut self.omega).for_each(|x| *x /= by);
+        self
+    }
+
+    /// True if no attitude is further away than an angle.
+    pub(super) fn is_within(&self, angle: f64) -> bool {
+        self.attitude.iter().all(|a| *a <= angle)
+    }
+
+    /// Another distance where this one is beyond an angle.
+    pub(super) fn or_beyond(mut self, angle: f64, other: &Self) -> Self {
+        for (k, (a, w)) in self.attitude.iter_mut().zip(&mut self.omega).enumerate() {
+            if !(*a <= angle)
+                && let (Some(other_a), Some(other_w)) = (other.attitude.get(k), other.omega.get(k))
+            {
+                (*a, *w) = (*other_a, *other_w);
+            }
+        }
+        self
+    }
+
+    /// The distance at all samples, where this one is that at these: linear in time between them.
+    pub(super) fn at_all(&self, at: &[usize], samples: &[State]) -> Self {
+        let mut all = Self::default();
+        let values = self.attitude.iter().zip(&self.omega).zip(at);
+        for (((&a, &w), &k), ((&next_a, &next_w), &next)) in values.clone().zip(values.skip(1)) {
+            for sample in &samples[k..next] {
+                let [begin, end] = [samples[k].time, samples[next].time];
+                let part = (sample.time - begin) / (end - begin);
+                let between = |x: f64, next: f64| if part > 0.0 { x + part * (next - x) } else { x };
+                all.attitude.push(number_or_infinite(between(a, next_a)));
+                all.omega.push(number_or_infinite(between(w, next_w)));
+            }
+        }
+        all.attitude.extend(self.attitude.last());
+        all.omega.extend(self.omega.last());
+        all
+    }
+
+    /// The error along the way: the attitude's is the largest so far, and ω's is raised by as much, as both come from the same phase.
+    pub(super) fn relative_to(&self, reference: &[State], floor: StateError) -> Vec<StateError> {
+        let mut largest = 0.0_f64;
+        let states = reference.iter().zip(self.attitude.iter().zip(&self.omega));
+        states
+            .map(|(state, (&angle, &delta))| {
+                largest = largest.max(angle);
+                let raised = if angle > 0.0 { (largest / angle).min(MOST_RAISED) } else { 1.0 };
+                let (delta, rate) = (raised * delta, state.omega.norm());
+                let omega = if delta == 0.0 { 0.0 } else { known(delta / rate, f64::INFINITY) };
+                StateError {
+                    attitude: (known(largest, PI) + floor.attitude).min(PI),
+                    omega: omega + floor.omega,
+                }
+            })
+            .collect()
+    }
+}
+
+/// The angle θ of the rotation from one attitude to another: unit quaternions are 2 sin(θ/4) apart, or their negatives are.
+fn angle_between(p: [f64; 4], q: [f64; 4]) -> f64 {
+    let distance = |sign: f64| p.iter().zip(q).map(|(p, q)| (p - sign * q) * (p - sign * q)).sum::<f64>();
+    let sine = 0.5 * distance(1.0).min(distance(-1.0)).sqrt();
+    if sine < 1e-4 { 4.0 * sine } else { 4.0 * libm::asin(sine.min(1.0)) }
+}
+
+/// A state beyond the reach of a closed form is no number: then nothing is known.
+const fn number_or_infinite(x: f64) -> f64 {
+    if x.is_nan() { f64::INFINITY } else { x }
+}
+
+/// Two motions that are so far apart tell nothing of where a third one is: the error is the largest that there is.
+fn known(error: f64, largest: f64) -> f64 {
+    if error <= LINEAR { error } else { largest }
+}

@@ -1,0 +1,84 @@
+//! Samples: the motion at one time, and what is read off it.
+
+use crate::math::frame::{Body, Space};
+use crate::math::vector::{AngularMomentum, Torque};
+use crate::motion::error::MotionError;
+use crate::motion::inverse::prescribed::Prescribed;
+use crate::motion::inverse::required::Required;
+use crate::motion::model::rotor::Rotor;
+use crate::motion::model::state::State;
+use crate::motion::model::torque::{TorqueModel, total_torque};
+use crate::motion::solve::free::FreeMotion;
+use crate::motion::solve::propagate::stepper::Balanced;
+
+/// The motion at one time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sample {
+    /// Time, attitude and ω.
+    pub state: State,
+    /// L about the point that the body turns about, space axes, kg·m²/s.
+    pub momentum: AngularMomentum<Space>,
+    /// The torque about that point, body axes, N·m.
+    pub torque: Torque<Body>,
+    /// T_rot about that point, J.
+    pub kinetic_energy: f64,
+    /// Potential energy of all torques, J; `None` if some torque has none.
+    pub potential_energy: Option<f64>,
+    /// The work that the torque has done since the start, ∫ N · ω dt, J.
+    pub work: f64,
+    /// The angular impulse of the torque since the start, ∫ N dt, space axes, N·m·s.
+    pub impulse: AngularMomentum<Space>,
+}
+
+impl Sample {
+    /// # Errors
+    /// [`MotionError::NotFinite`] where energy or momentum leave the range of f64.
+    pub(crate) fn of<'a>(
+        rotor: &Rotor,
+        torques: impl Iterator<Item = &'a TorqueModel>,
+        potential_energy: Option<f64>,
+        balanced: Balanced,
+    ) -> Result<Self, MotionError> {
+        let Balanced { state, work, impulse } = balanced;
+        let torque = total_torque(torques, rotor, &state);
+        let (momentum, kinetic_energy) =
+            (rotor.angular_momentum_space(&state), rotor.kinetic_energy(state.omega));
+        Self { state, momentum, torque, kinetic_energy, potential_energy, work, impulse }.finite()
+    }
+
+    /// # Errors
+    /// As [`Sample::of`].
+    pub(crate) fn of_free(motion: &FreeMotion, state: State) -> Result<Self, MotionError> {
+        let in_body = motion.angular_momentum(&state);
+        let momentum = state.attitude * in_body;
+        let (torque, kinetic_energy) = (Torque::ZERO, 0.5 * state.omega.dot(in_body));
+        let (work, impulse) = (0.0, AngularMomentum::ZERO);
+        Self { state, momentum, torque, kinetic_energy, potential_energy: None, work, impulse }.finite()
+    }
+
+    /// # Errors
+    /// As [`Sample::of`].
+    pub(crate) fn of_prescribed(rotor: &Rotor, motion: &Prescribed, time: f64) -> Result<Self, MotionError> {
+        let needed = Required::by(rotor, motion, time)?;
+        let balanced = Balanced { state: needed.state, work: 0.0, impulse: AngularMomentum::ZERO };
+        let sample = Self::of(rotor, core::iter::empty(), None, balanced)?;
+        Self { torque: needed.torque, ..sample }.finite()
+    }
+
+    fn finite(self) -> Result<Self, MotionError> {
+        let attitude: f64 = self.state.attitude.quaternion().iter().sum();
+        let finite = attitude.is_finite()
+            && self.momentum.is_finite()
+            && self.torque.is_finite()
+            && self.kinetic_energy.is_finite();
+        if finite { Ok(self) } else { Err(MotionError::NotFinite { time: self.state.time }) }
+    }
+}
+
+/// q and −q are one attitude: each sample takes the sign nearest to the one before it.
+pub(crate) fn continuous(mut samples: Vec<Sample>) -> Vec<Sample> {
+    for k in 1..samples.len() {
+        samples[k].state.attitude = samples[k].state.attitude.continuous_with(samples[k - 1].state.attitude);
+    }
+    samples
+}

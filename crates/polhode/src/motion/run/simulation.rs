@@ -1,0 +1,302 @@
+//! Simulations: from a start to a trajectory, by the best method there is.
+
+use super::course::{Course, MOST_EVENTS, look_ahead};
+use super::ending::{Ending, MethodReason};
+use super::solution::Solution;
+use super::trajectory::Trajectory;
+use super::watch::Watch;
+use crate::motion::error::MotionError;
+use crate::motion::model::event::{Crossing, Event, EventAction};
+use crate::motion::model::rotor::Rotor;
+use crate::motion::model::state::State;
+use crate::motion::model::torque::TorqueModel;
+use crate::motion::solve::closed_form::ClosedForm;
+use crate::motion::solve::method::Method;
+use crate::motion::solve::propagate::bound::{MOST_STEPS, PATIENCE};
+use crate::motion::solve::propagate::stepper::{Rule, Stepper};
+use crate::motion::solve::start::{require_ascending, require_few_pulses, require_finite};
+
+/// A body, what turns it, what to look out for, and how to compute it.
+///
+/// ```
+/// use polhode::prelude::*;
+/// use polhode::motion::{Ending, EventAction, Measure, Sense};
+/// // Spun up from rest by N along z until it turns at 3 rad/s: t = I ω / N.
+/// let body = MassProperties::new(1.0, Position::ZERO, InertiaTensor::diagonal([1.0, 2.0, 2.5])?)?;
+/// let torque = TorqueModel::Constant(ConstantTorque::Body(Torque::new(0.0, 0.0, 0.5)));
+/// let rate = Measure::OmegaBody(Direction::new(0.0, 0.0, 1.0));
+/// let fast = Event::new("fast enough", rate, 3.0, Sense::Rising, EventAction::Stop)?;
+/// let start = State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::ZERO };
+/// let (rotor, torques, events) = (Rotor::free(&body), [torque], [fast]);
+/// let motion = Simulation::new(&rotor, &torques, start, &[0.0, 100.0]).events(&events).run()?;
+/// let Ending::Stopped { time, .. } = *motion.ending() else { return Err("it does not stop".into()) };
+/// assert!((time - 2.5 * 3.0 / 0.5).abs() < 1e-13);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Simulation<'a> {
+    /// The body and the point that it turns about.
+    pub rotor: &'a Rotor,
+    /// What turns it.
+    pub torques: &'a [TorqueModel],
+    /// Which of the torques, from 0, are switched off until an event switches them on.
+    pub switched_off: &'a [usize],
+    /// Where it starts.
+    pub start: State,
+    /// What to look out for.
+    pub events: &'a [Event],
+    /// When to sample it, s: ascending, none before the start.
+    pub times: &'a [f64],
+    /// How to compute it.
+    pub method: Method,
+    /// Bound on the error of each integration step, attitude in rad and ω relative; closed forms and splitting ignore it.
+    pub tolerance: f64,
+}
+
+impl<'a> Simulation<'a> {
+    /// A body under torques, all of which act, from a start to times: by the best method at a tolerance of 1e-13, without events.
+    pub const fn new(rotor: &'a Rotor, torques: &'a [TorqueModel], start: State, times: &'a [f64]) -> Self {
+        let (switched_off, events, method, tolerance) = (&[], &[], Method::Auto, 1e-13);
+        Self { rotor, torques, switched_off, start, events, times, method, tolerance }
+    }
+
+    /// Looks out for these events.
+    #[must_use]
+    pub const fn events(self, events: &'a [Event]) -> Self {
+        Self { events, ..self }
+    }
+
+    /// Leaves these torques, from 0, switched off until an event switches them on.
+    #[must_use]
+    pub const fn switched_off(self, switched_off: &'a [usize]) -> Self {
+        Self { switched_off, ..self }
+    }
+
+    /// By this method.
+    #[must_use]
+    pub const fn method(self, method: Method) -> Self {
+        Self { method, ..self }
+    }
+
+    /// With this bound on the error of each step.
+    #[must_use]
+    pub const fn tolerance(self, tolerance: f64) -> Self {
+        Self { tolerance, ..self }
+    }
+
+    /// The motion at each of the times, as [`Simulation::run_watched`] has it.
+    ///
+    /// # Errors
+    /// As [`Simulation::run_watched`].
+    pub fn run(&self) -> Result<Trajectory, MotionError> {
+        self.run_watched(&mut |_| {})
+    }
+
+    /// The motion at each of the times, as far as it goes: [`Trajectory::ending`] says where and why it ended. An event that stops it,
+    /// and a computation that cannot go on, end it with a sample of their own. `progress` is told the time (s) after each step.
+    ///
+    /// # Errors
+    /// [`MotionError`] for what is wrong before the motion begins: times out of order, a start or a torque that is not finite, an
+    /// event that cannot be measured, no closed form for [`Method::Exact`], a torque without a power series for
+    /// [`Method::Taylor`], a body that cannot spin.
+    pub fn run_watched(&self, progress: &mut dyn FnMut(f64)) -> Result<Trajectory, MotionError> {
+        let Self { rotor, torques, switched_off, start, events, times, .. } = *self;
+        require_ascending(start.time, times)?;
+        require_finite(rotor, torques, switched_off, &start)?;
+        events.iter().try_for_each(|event| event.require_possible(rotor, torques, events, &start))?;
+        let stays_off = |k: &usize| {
+            let wakes = EventAction::Switch { torque: *k, on: true };
+            switched_off.contains(k) && !events.iter().any(|event| event.action() == wakes)
+        };
+        require_few_pulses(rotor, torques, &stays_off, [start.time, self.end()])?;
+        match self.choose()? {
+            (Way::Closed(motion), reason) => self.exact(motion, reason),
+            (Way::Steps(rule), reason) => self.integrate(rule, reason, progress),
+        }
+    }
+
+    /// The states at each of the times and nothing else: no events, no samples, no evidence of the error. What an inner loop wants.
+    ///
+    /// # Errors
+    /// As [`Simulation::run`]; and what ends a run early is an error here.
+    ///
+    /// ```
+    /// use polhode::prelude::*;
+    /// let inertia = InertiaTensor::diagonal([1.0, 1.1, 0.5])?;
+    /// let top = Rotor::pivoted(&MassProperties::new(1.0, Position::new(0.0, 0.0, 0.1), inertia)?, Position::ZERO);
+    /// let start = State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.3, 0.0, 9.0) };
+    /// let gravity = [TorqueModel::Gravity(UniformGravity::STANDARD)];
+    /// let simulation = Simulation::new(&top, &gravity, start, &[0.5, 1.0]);
+    /// let (states, run) = (simulation.states()?, simulation.run()?);
+    /// assert!(states[1].attitude.angle_to(run.samples()[1].state.attitude) < 1e-12);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn states(&self) -> Result<Vec<State>, MotionError> {
+        let mut states = Vec::with_capacity(self.times.len());
+        self.fill(&mut states)?;
+        Ok(states)
+    }
+
+    /// As [`Simulation::states`], after the states that are there already: after an error those before it are left.
+    pub(super) fn fill(&self, states: &mut Vec<State>) -> Result<(), MotionError> {
+        let Self { rotor, torques, start, times, switched_off, tolerance, .. } = *self;
+        require_ascending(start.time, times)?;
+        require_finite(rotor, torques, switched_off, &start)?;
+        require_few_pulses(rotor, torques, &|k| switched_off.contains(k), [start.time, self.end()])?;
+        let rule = match self.choose()? {
+            (Way::Closed(motion), _) => {
+                motion.require(times)?;
+                states.extend(motion.at_times(times));
+                return Ok(());
+            }
+            (Way::Steps(rule), _) => rule,
+        };
+        let mut stepper = Stepper::new(rule, rotor, torques, switched_off, start, tolerance, false)?;
+        let end = times.last().copied().unwrap_or(start.time);
+        for &time in times {
+            while stepper.time() < time {
+                stepper.step(end)?;
+                look_ahead(&mut stepper, end)?;
+            }
+            let there = if time == stepper.time() { stepper.now() } else { stepper.at(time) };
+            states.push(there.state);
+        }
+        Ok(())
+    }
+
+    /// The last of the times, s.
+    fn end(&self) -> f64 {
+        self.times.last().copied().unwrap_or(self.start.time)
+    }
+
+    /// The method that is asked for, or the best.
+    fn choose(&self) -> Result<(Way, MethodReason), MotionError> {
+        let rough =
+            self.torques.iter().enumerate().find_map(|(k, torque)| Some((k, torque.model().roughness()?)));
+        let steps = |rule| Ok((Way::Steps(rule), MethodReason::Asked));
+        match self.method {
+            Method::Exact => Ok((Way::Closed(self.closed_form()?), MethodReason::Asked)),
+            Method::Taylor => match rough {
+                Some((torque, why)) => Err(MotionError::NotSmooth { torque, why }),
+                None => steps(Rule::Taylor),
+            },
+            Method::Dop853 => steps(Rule::Dop853),
+            Method::Splitting { order, step } => steps(Rule::Splitting { order, step }),
+            Method::Auto => match (self.closed_form(), rough) {
+                (Ok(motion), _) => {
+                    let title = motion.title();
+                    Ok((Way::Closed(motion), MethodReason::ClosedForm { title }))
+                }
+                (Err(MotionError::NoClosedForm { why: no_closed_form }), Some((torque, why))) => {
+                    Ok((Way::Steps(Rule::Dop853), MethodReason::Rough { no_closed_form, torque, why }))
+                }
+                (Err(MotionError::NoClosedForm { why: no_closed_form }), None) => {
+                    Ok((Way::Steps(Rule::Taylor), MethodReason::Smooth { no_closed_form }))
+                }
+                (Err(why), _) => Err(why),
+            },
+        }
+    }
+
+    /// # Errors
+    /// [`MotionError::NoClosedForm`], or what makes the motion undetermined.
+    fn closed_form(&self) -> Result<ClosedForm, MotionError> {
+        if self.switched_off.is_empty() && !self.events.iter().any(Event::switches) {
+            return ClosedForm::of(self.rotor, self.torques, self.start);
+        }
+        Err(MotionError::NoClosedForm { why: "torques are switched on and off" })
+    }
+
+    fn integrate(
+        &self,
+        rule: Rule,
+        reason: MethodReason,
+        progress: &mut dyn FnMut(f64),
+    ) -> Result<Trajectory, MotionError> {
+        let stepper = Stepper::new(
+            rule,
+            self.rotor,
+            self.torques,
+            self.switched_off,
+            self.start,
+            self.tolerance,
+            true,
+        )?;
+        let mut course = Course::new(stepper, self.events, self.start, self.times);
+        let (start, ending) = course.run(self.start, progress)?;
+        let stepper = course.stepper();
+        let method = match stepper.rule() {
+            Rule::Taylor => Method::Taylor,
+            Rule::Dop853 => Method::Dop853,
+            Rule::Splitting { order, step } => Method::Splitting { order, step },
+        };
+        let (tolerance, statistics) = (stepper.tolerance(), stepper.statistics());
+        let solution = Solution::Integrated { method, tolerance, statistics };
+        Ok(Trajectory::assembled(start, course.samples, solution)
+            .because(reason)
+            .with_events(course.crossings, ending))
+    }
+
+    /// The closed form, which has no steps: it is looked at turn by turn.
+    fn exact(&self, motion: ClosedForm, reason: MethodReason) -> Result<Trajectory, MotionError> {
+        /// The turn of a stretch, rad: it counts as so many steps.
+        const STRETCH: u64 = 16;
+        const MOST_LOOKS: u64 = MOST_STEPS / STRETCH;
+        let end = self.end();
+        // Only an event that stops the motion can make the end come nearer.
+        let stops = self.events.iter().any(|event| event.action() == EventAction::Stop);
+        let mut watch = Watch::new(self.rotor, self.torques, self.events, &self.start);
+        // A body let go at rest is measured by how fast the torque makes it.
+        let torque: f64 = self.torques.iter().map(|torque| torque.scale(self.rotor, &self.start)).sum();
+        let [_, moment, _] = self.rotor.principal().moments();
+        let torque_rate = (torque / moment).sqrt();
+        let (mut time, mut looks, mut far) = (self.start.time, 0, 0);
+        let (mut crossings, mut ending) = (Vec::new(), Ending::Complete);
+        while !self.events.is_empty() && time < end && ending == Ending::Complete {
+            let step = STRETCH as f64 / (motion.at(time).omega.norm() + torque_rate);
+            let next = if time + step < end { time + step } else { end };
+            looks += 1;
+            let is_far = !stops && looks as f64 + (end - time) / step > MOST_LOOKS as f64;
+            far = if is_far { far + 1 } else { 0 };
+            if !(next > time) {
+                ending = Ending::Failed { time, cause: MotionError::StepTooSmall { time, step } };
+            } else if looks == MOST_LOOKS || far > PATIENCE {
+                let step = step / STRETCH as f64;
+                let cause = MotionError::TooManySteps { time, step, most: MOST_STEPS };
+                ending = Ending::Failed { time, cause };
+            } else {
+                for found in watch.look([time, next], &|t| motion.at(t)) {
+                    let Some(event) = self.events.get(found.event) else { continue };
+                    if crossings.len() == MOST_EVENTS {
+                        let cause = MotionError::TooManyEvents { time: found.time, most: MOST_EVENTS };
+                        ending = Ending::Failed { time: found.time, cause };
+                        break;
+                    }
+                    let (name, state) = (event.name().to_owned(), motion.at(found.time));
+                    crossings.push(Crossing { event: found.event, name, state, rising: found.rising });
+                    if event.action() == EventAction::Stop {
+                        ending = Ending::Stopped { event: found.event, time: found.time };
+                        break;
+                    }
+                }
+                time = next;
+            }
+        }
+        let times = match ending {
+            Ending::Complete => self.times.to_vec(),
+            Ending::Stopped { time, .. } | Ending::Failed { time, .. } => {
+                let before = self.times.iter().copied().filter(|t| *t < time);
+                before.chain([time]).collect()
+            }
+        };
+        Ok(Trajectory::of_closed_form(motion, self.rotor, self.torques, &times)?
+            .because(reason)
+            .with_events(crossings, ending))
+    }
+}
+
+/// How to go about it.
+enum Way {
+    Closed(ClosedForm),
+    Steps(Rule),
+}

@@ -1,0 +1,35 @@
+//! How a trajectory was found.
+
+use crate::motion::inverse::prescribed::Prescribed;
+use crate::motion::solve::closed_form::ClosedForm;
+use crate::motion::solve::method::Method;
+use crate::motion::solve::propagate::stepper::StepStatistics;
+
+/// How a trajectory was found.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Solution {
+    /// In closed form.
+    Exact(ClosedForm),
+    /// It was given.
+    Prescribed(Prescribed),
+    /// By numerical integration.
+    Integrated {
+        /// By which method.
+        method: Method,
+        /// Bound on the error of each step: attitude in rad, ω relative; `None` where steps have a given length.
+        tolerance: Option<f64>,
+        /// What it cost.
+        statistics: StepStatistics,
+    },
+}
+
+impl Solution {
+    /// The method's name in summaries: `exact`, `prescribed`, `taylor`, `dop853` or `splitting`.
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::Exact(_) => Method::Exact.name(),
+            Self::Prescribed(_) => "prescribed",
+            Self::Integrated { method, .. } => method.name(),
+        }
+    }
+}

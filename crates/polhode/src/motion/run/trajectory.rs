@@ -1,0 +1,184 @@
+//! Trajectories: the motion at given times, by the best method there is.
+
+use super::ending::{Ending, MethodReason};
+use super::global_error::GlobalError;
+use super::sample::{Sample, continuous};
+use super::simulation::Simulation;
+use super::solution::Solution;
+use crate::motion::error::MotionError;
+use crate::motion::inverse::prescribed::Prescribed;
+use crate::motion::model::event::Crossing;
+use crate::motion::model::rotor::Rotor;
+use crate::motion::model::state::State;
+use crate::motion::model::torque::{TorqueModel, total_potential};
+use crate::motion::solve::closed_form::ClosedForm;
+use crate::motion::solve::free::FreeMotion;
+use crate::motion::solve::method::Method;
+use crate::motion::solve::propagate::stepper::Balanced;
+use crate::motion::solve::start::require_ascending;
+
+/// The motion of a body at given times, with the evidence of its own error.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Trajectory {
+    start: Sample,
+    samples: Vec<Sample>,
+    solution: Solution,
+    reason: MethodReason,
+    events: Vec<Crossing>,
+    ending: Ending,
+    error: Option<GlobalError>,
+}
+
+impl Trajectory {
+    /// The motion from `start` at each of `times` (ascending, s, none before the start).
+    ///
+    /// `tolerance` bounds the error of each integration step, attitude in rad and ω relative; closed forms and splitting ignore it. A computation
+    /// that cannot go on ends early: [`Trajectory::ending`]. [`Simulation`] is the same with events.
+    ///
+    /// # Errors
+    /// As [`Simulation::run`].
+    ///
+    /// # Example
+    /// ```
+    /// use polhode::prelude::*;
+    /// let inertia = InertiaTensor::diagonal([1.0, 2.0, 3.0])?;
+    /// let body = Rotor::free(&MassProperties::new(1.0, Position::ZERO, inertia)?);
+    /// let start = State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.3, 0.5, 0.9) };
+    /// let motion = Trajectory::compute(&body, &[], start, &[0.0, 10.0], Method::Auto, 1e-13)?;
+    /// // 50-digit reference: fixtures/free_asymmetric.toml
+    /// assert!((motion.samples()[1].state.omega.x - -0.428_074_674_276_547_2).abs() < 1e-12);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn compute(
+        rotor: &Rotor,
+        torques: &[TorqueModel],
+        start: State,
+        times: &[f64],
+        method: Method,
+        tolerance: f64,
+    ) -> Result<Self, MotionError> {
+        let simulation =
+            Simulation { rotor, torques, switched_off: &[], start, events: &[], times, method, tolerance };
+        simulation.run()
+    }
+
+    /// A prescribed motion at each of `times` (ascending, s), with the torque that it needs.
+    ///
+    /// # Errors
+    /// [`MotionError::Parameter`] if times are out of order; else as [`Required::by`](crate::motion::Required::by).
+    pub fn prescribed(rotor: &Rotor, motion: &Prescribed, times: &[f64]) -> Result<Self, MotionError> {
+        require_ascending(f64::NEG_INFINITY, times)?;
+        let first = Sample::of_prescribed(rotor, motion, times.first().copied().unwrap_or(0.0))?;
+        let mut samples: Vec<Sample> =
+            times.iter().map(|&t| Sample::of_prescribed(rotor, motion, t)).collect::<Result<_, _>>()?;
+        for sample in &mut samples {
+            // By the theorems themselves: nothing is integrated here.
+            sample.work = sample.kinetic_energy - first.kinetic_energy;
+            sample.impulse = sample.momentum - first.momentum;
+        }
+        Ok(Self::assembled(first, samples, Solution::Prescribed(motion.clone())).because(MethodReason::Given))
+    }
+
+    /// The motion at the start, which need not be one of the times.
+    pub const fn start(&self) -> &Sample {
+        &self.start
+    }
+
+    /// The motion at each time, in the order of the times.
+    pub fn samples(&self) -> &[Sample] {
+        &self.samples
+    }
+
+    /// How it was found.
+    pub const fn solution(&self) -> &Solution {
+        &self.solution
+    }
+
+    /// Why it was found so.
+    pub const fn reason(&self) -> &MethodReason {
+        &self.reason
+    }
+
+    /// The events that happened, in the order of time.
+    pub fn events(&self) -> &[Crossing] {
+        &self.events
+    }
+
+    /// How it ended.
+    pub const fn ending(&self) -> &Ending {
+        &self.ending
+    }
+
+    /// The estimate of its error, if it was asked for: [`Simulation::run_with_error`].
+    pub const fn error(&self) -> Option<&GlobalError> {
+        self.error.as_ref()
+    }
+
+    /// A free motion at each of `times` (ascending, s; before its start too).
+    ///
+    /// # Errors
+    /// [`MotionError::Parameter`] if times are out of order, [`MotionError::BeyondReach`] for one too far away,
+    /// [`MotionError::NotFinite`] where energy or momentum leave the range
+    /// of f64.
+    pub fn of_motion(motion: FreeMotion, times: &[f64]) -> Result<Self, MotionError> {
+        require_ascending(f64::NEG_INFINITY, times)?;
+        motion.require(times)?;
+        let samples = motion.at_times(times).into_iter().map(|state| Sample::of_free(&motion, state));
+        let samples = samples.collect::<Result<_, _>>()?;
+        let start = Sample::of_free(&motion, motion.start())?;
+        Ok(Self::assembled(start, samples, Solution::Exact(ClosedForm::Free(Box::new(motion)))))
+    }
+
+    /// A motion in closed form at each of `times`. Its work is the potential energy lost and its impulse the momentum gained: so
+    /// T + U is evidence of its error, the balance of impulse is not.
+    pub(crate) fn of_closed_form(
+        motion: ClosedForm,
+        rotor: &Rotor,
+        torques: &[TorqueModel],
+        times: &[f64],
+    ) -> Result<Self, MotionError> {
+        if let ClosedForm::Free(motion) = motion {
+            return Self::of_motion(*motion, times);
+        }
+        motion.require(times)?;
+        let start = motion.start();
+        let (potential, momentum) =
+            (total_potential(torques, rotor, &start), rotor.angular_momentum_space(&start));
+        let sample = |state: State| {
+            let now = total_potential(torques, rotor, &state);
+            let work = now.zip(potential).map_or(0.0, |(now, first)| first - now);
+            let impulse = rotor.angular_momentum_space(&state) - momentum;
+            Sample::of(rotor, torques.iter(), now, Balanced { state, work, impulse })
+        };
+        let samples = times.iter().map(|&time| sample(motion.at(time))).collect::<Result<_, _>>()?;
+        Ok(Self::assembled(sample(start)?, samples, Solution::Exact(motion)))
+    }
+
+    /// A trajectory of samples, whichever way they were found.
+    pub(crate) fn assembled(start: Sample, samples: Vec<Sample>, solution: Solution) -> Self {
+        Self {
+            start,
+            samples: continuous(samples),
+            solution,
+            reason: MethodReason::Asked,
+            events: Vec::new(),
+            ending: Ending::Complete,
+            error: None,
+        }
+    }
+
+    /// The estimate of its error comes with it.
+    pub(crate) fn with_error(self, error: Option<GlobalError>) -> Self {
+        Self { error, ..self }
+    }
+
+    /// Says why the method is what it is.
+    pub(crate) fn because(self, reason: MethodReason) -> Self {
+        Self { reason, ..self }
+    }
+
+    /// What happened on the way, and how it ended.
+    pub(crate) fn with_events(self, events: Vec<Crossing>, ending: Ending) -> Self {
+        Self { events, ending, ..self }
+    }
+}

@@ -1,0 +1,75 @@
+//! The evaluation of one motion: its flow, with the series that is short.
+
+use crate::math::rotation::{Attitude, Rotation};
+use crate::math::vector::Vector;
+use crate::motion::model::state::State;
+
+use super::compact::{CompactConstants, ScalarThetaParameters};
+use super::elements::Elements;
+use super::flow::{Flow, Phases, Series, Stages};
+use super::hyperbolic::{Hyperbolic, Pulse};
+use super::labelled::Labelled;
+use super::phase::Elapsed;
+use super::trigonometric::{Nomes, Trigonometric};
+
+/// A compact, and the flow that it becomes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Kernel {
+    Trigonometric(CompactConstants<f64, Nomes<f64>>, Flow<f64, Trigonometric<f64>>),
+    Hyperbolic(CompactConstants<f64, Pulse<f64>>, Flow<f64, Hyperbolic<f64>>),
+}
+
+/// Below this 1 − m the hyperbolic series is the shorter: K = 2K′.
+const BALANCE: f64 = 0.03;
+
+impl Kernel {
+    /// `units`: rad/s per unit of the elements' rates, and per unit of the kernel's.
+    pub(super) fn of(elements: &Elements, labelled: &Labelled, units: [f64; 2], attitude: Attitude) -> Self {
+        if elements.m1().value() > BALANCE {
+            let (compact, flow) = constants_of(elements, labelled, units, Nomes::of(elements), attitude);
+            Self::Trigonometric(compact, flow)
+        } else {
+            let (compact, flow) = constants_of(elements, labelled, units, Pulse::of(elements), attitude);
+            Self::Hyperbolic(compact, flow)
+        }
+    }
+
+    /// The state at a time; `WHOLE` if `elapsed` has one word.
+    pub(super) fn at<const WHOLE: bool>(&self, time: f64, elapsed: &Elapsed<f64>) -> State {
+        let (q, omega) = match self {
+            Self::Trigonometric(_, flow) => flow.at::<WHOLE>(elapsed),
+            Self::Hyperbolic(_, flow) => flow.at::<WHOLE>(elapsed),
+        };
+        State { time, attitude: Rotation::from_unit(q), omega: Vector::from_array(omega) }
+    }
+}
+
+fn constants_of<N: ScalarThetaParameters>(
+    elements: &Elements,
+    labelled: &Labelled,
+    units: [f64; 2],
+    parameters: (N, f64),
+    attitude: Attitude,
+) -> (CompactConstants<f64, N>, Flow<f64, N::Series>) {
+    let (compact, third) = CompactConstants::of(elements, labelled, units, parameters, attitude);
+    let flow = compact.flow(third);
+    (compact, flow)
+}
+
+impl<S: Series<f64>> Flow<f64, S> {
+    /// Quaternion and ω.
+    #[inline(always)]
+    fn at<const WHOLE: bool>(&self, elapsed: &Elapsed<f64>) -> ([f64; 4], [f64; 3]) {
+        let phases = if elapsed.is_within(self.phase_rates.reach) {
+            self.phase_rates.phases::<WHOLE, false>(elapsed)
+        } else {
+            self.phases_of_long_time(elapsed)
+        };
+        self.state(&self.unnormalised(&self.theta_argument(&phases)))
+    }
+
+    #[cold]
+    fn phases_of_long_time(&self, elapsed: &Elapsed<f64>) -> Phases<f64> {
+        self.phase_rates.phases::<false, true>(elapsed)
+    }
+}

@@ -1,0 +1,123 @@
+//! One motion at many times.
+
+use core::hint::black_box;
+
+use crate::math::lanes::{Lanes, in_widest_vectors};
+use crate::motion::model::state::State;
+use crate::motion::solve::reach::is_within;
+
+use super::FreeMotion;
+use super::block::{Block, Vectors, WIDTH};
+use super::compact::{CompactConstants, ScalarThetaParameters};
+use super::flow::{Flow, Series};
+use super::kernel::Kernel;
+use super::phase::Elapsed;
+
+/// Groups in a block: as many as the nearest memory has room for, all of whose numbers but the times are there already.
+const GROUPS: usize = 4;
+
+impl FreeMotion {
+    /// The states at many times, in their order: each with the bits that [`FreeMotion::at`] gives, several times as fast.
+    #[must_use]
+    pub fn at_times(&self, times: &[f64]) -> Vec<State> {
+        let mut states = vec![self.start; times.len()];
+        self.fill(times, &mut states);
+        states
+    }
+
+    /// As [`FreeMotion::at_times`], into states that are there already; as many as there are both times and states.
+    pub fn fill(&self, times: &[f64], states: &mut [State]) {
+        match &self.kernel {
+            Kernel::Trigonometric(compact, flow) => {
+                fill(self, compact, flow.phase_rates.precession.third, times, states);
+            }
+            Kernel::Hyperbolic(compact, flow) => {
+                fill(self, compact, flow.phase_rates.precession.third, times, states);
+            }
+        }
+    }
+}
+
+fn fill<N: ScalarThetaParameters>(
+    motion: &FreeMotion,
+    compact: &CompactConstants<f64, N>,
+    third: f64,
+    times: &[f64],
+    states: &mut [State],
+) {
+    in_widest_vectors(
+        #[inline(always)]
+        || {
+            let compact =
+                CompactConstants::<f64, N>::assembled(&|get: &dyn Fn(&CompactConstants<f64, N>) -> f64| {
+                    Lanes([get(compact); WIDTH])
+                });
+            // In memory: the compiler is not to make some of it anew for each block.
+            let flow = &black_box(compact.flow(Lanes([third; WIDTH])));
+            let mut block = Block::<GROUPS>::new();
+            for (times, states) in times.chunks(GROUPS * WIDTH).zip(states.chunks_mut(GROUPS * WIDTH)) {
+                if motion.start.time == 0.0 {
+                    start::<true, _>(&mut block, motion, flow, times);
+                } else {
+                    start::<false, _>(&mut block, motion, flow, times);
+                }
+                block.finish(
+                    times.len().div_ceil(WIDTH),
+                    #[inline(always)]
+                    |_| flow,
+                );
+                for (k, (&time, state)) in times.iter().zip(states.iter_mut()).enumerate() {
+                    *state = block.state(k / WIDTH, k % WIDTH, time);
+                }
+            }
+        },
+    );
+    for (state, &time) in states.iter_mut().zip(times) {
+        if time == motion.start.time {
+            *state = motion.start;
+        } else if !is_within(&motion.start, motion.reach, time) {
+            *state = State::unknown(time);
+        }
+    }
+}
+
+#[inline(always)]
+fn start<const WHOLE: bool, S: Series<Vectors>>(
+    block: &mut Block<GROUPS>,
+    motion: &FreeMotion,
+    flow: &Flow<Vectors, S>,
+    times: &[f64],
+) {
+    let groups = times.len().div_ceil(WIDTH);
+    let mut near = true;
+    for g in 0..groups {
+        near &= elapsed::<WHOLE>(motion, times, g).is_within(flow.phase_rates.reach);
+    }
+    if near {
+        block.start(
+            groups,
+            #[inline(always)]
+            |g| flow.phase_rates.phases::<WHOLE, false>(&elapsed::<WHOLE>(motion, times, g)),
+        );
+    } else {
+        block.start(
+            groups,
+            #[inline(always)]
+            |g| flow.phase_rates.phases::<WHOLE, true>(&elapsed::<WHOLE>(motion, times, g)),
+        );
+    }
+}
+
+#[inline(always)]
+fn elapsed<const WHOLE: bool>(motion: &FreeMotion, times: &[f64], group: usize) -> Elapsed<Vectors> {
+    motion.elapsed::<WHOLE, _>(group_of(&times[group * WIDTH..], motion.start.time))
+}
+
+/// The next times. The last group may be short: its lanes without a time stand still.
+#[inline(always)]
+fn group_of(times: &[f64], rest: f64) -> Vectors {
+    match times.first_chunk() {
+        Some(group) => Lanes(*group),
+        None => Lanes::from_fn(|lane| times.get(lane).copied().unwrap_or(rest)),
+    }
+}

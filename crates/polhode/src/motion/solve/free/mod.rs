@@ -1,0 +1,313 @@
+//! Free motion in closed form: constants once, then any time at once.
+//!
+//! One formula serves every body and state (`flow.rs`); which of its two series is short depends on the nome. The rest is
+//! preparation: principal axes in three words (`axes.rs`), labels by what L circles (`labelled.rs`), amplitudes, parameter and
+//! rates without cancellation (`elements.rs`), phases that lose no digit over 10⁹ periods (`phase.rs`).
+
+mod axes;
+mod batch;
+mod block;
+mod compact;
+mod constants;
+mod elements;
+mod flow;
+mod hyperbolic;
+mod kernel;
+mod labelled;
+mod many;
+mod phase;
+mod reach;
+mod regime;
+mod trigonometric;
+
+use crate::body::principal::PrincipalFrame;
+use crate::math::frame::{Body, Space};
+use crate::math::real::Real;
+use crate::math::symmetric3::{Symmetric3, power_of_two_near};
+use crate::math::triple::Triple;
+use crate::math::vector::{AngularAcceleration, AngularMomentum};
+
+use super::reach::{is_within, require};
+use crate::motion::error::MotionError;
+use crate::motion::model::rotor::Rotor;
+use crate::motion::model::state::State;
+use axes::FineAxes;
+use constants::Constants;
+use elements::Elements;
+use kernel::Kernel;
+use labelled::Labelled;
+use phase::Elapsed;
+
+pub use batch::FreeMotions;
+pub use regime::{PermanentAxis, Regime};
+
+/// The torque-free motion of a body: ω and attitude at any time, past or future, in constant time.
+///
+/// ```
+/// use polhode::body::{InertiaTensor, MassProperties};
+/// use polhode::math::{AngularVelocity, Attitude, Position};
+/// use polhode::motion::{FreeMotion, Regime, Rotor, State};
+/// let inertia = InertiaTensor::diagonal([1.0, 2.0, 3.0])?;
+/// let body = Rotor::free(&MassProperties::new(1.0, Position::ZERO, inertia)?);
+/// let start = State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.01, 1.0, 0.01) };
+/// let motion = FreeMotion::of(&body, start)?;
+/// assert_eq!(motion.regime(), Regime::ShortAxis);
+/// let period = motion.period().unwrap();
+/// assert!((period / 39.105_734_197_268_72 - 1.0).abs() < 1e-15);
+/// let flipped = motion.at(0.5 * period).omega;
+/// assert!((flipped.y + 1.0).abs() < 1e-14);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Accuracy
+/// Against 40-digit references, for the moments, ω and attitude exactly as given: 4·10⁻¹⁵ (ω relative, attitude in rad) for |t| up
+/// to 10⁹ periods, down to 1 − m = 5·10⁻²⁴; the laws beyond, and the measured errors, are in `book/free-motion.md` and
+/// `book/accuracy.md`. Of a tensor with products of inertia the principal axes are found to 46 digits first.
+///
+/// # Source
+/// Klein & Sommerfeld, Über die Theorie des Kreisels, ch. VI (Cayley–Klein parameters as theta functions); the constants without
+/// cancellation are derived in `book/free-motion.md`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FreeMotion {
+    start: State,
+    principal: PrincipalFrame<Body>,
+    regime: Regime,
+    constants: Constants,
+    /// rad/s per unit of the kernel's rates: a power of two, and 1 but for rates near the ends of the range of f64.
+    unit: f64,
+    reach: f64,
+    kernel: Kernel,
+}
+
+/// Up to this, or its inverse, the fastest component of ω is no reason to have units: no word of its rates leaves the range of f64.
+const MODERATE: f64 = 18_446_744_073_709_551_616.0;
+
+/// Products of three moments have to stay in the range of f64.
+const THINNEST: f64 = 1e-120;
+
+impl FreeMotion {
+    /// The motion that starts from a state with no torque.
+    ///
+    /// # Errors
+    /// [`MotionError::NotSpinnable`] for a body without inertia; [`MotionError::NoClosedForm`] for one with wheels;
+    /// [`MotionError::Parameter`] for a state that is not finite.
+    pub fn of(rotor: &Rotor, start: State) -> Result<Self, MotionError> {
+        if !rotor.wheels().is_empty() {
+            return Err(MotionError::NoClosedForm { why: "wheels spin in the body" });
+        }
+        Self::of_tensor(rotor.inertia().symmetric(), rotor.principal(), start)
+    }
+
+    /// The motion of principal moments along the body's own x, y and z, which need not be those of a possible body: Euler's
+    /// equations do not ask for i1 + i2 ≥ i3, and textbooks sometimes forget it.
+    ///
+    /// ```
+    /// use polhode::math::{AngularVelocity, Attitude};
+    /// use polhode::motion::{FreeMotion, State};
+    /// let start = State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.1, 0.2, 5.0) };
+    /// let motion = FreeMotion::of_moments([8.0, 4.0, 0.4], start)?; // no body has these
+    /// assert!(motion.period().is_some());
+    /// # Ok::<(), polhode::motion::MotionError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`MotionError::Parameter`] for a moment that is negative or not finite, or zero unless the other two are equal (a rod);
+    /// [`MotionError::NotSpinnable`] for three zeros.
+    pub fn of_moments(moments: [f64; 3], start: State) -> Result<Self, MotionError> {
+        let wrong = moments.iter().find(|i| !(i.is_finite() && **i >= 0.0));
+        if let Some(&value) = wrong {
+            return Err(MotionError::Parameter {
+                what: "a principal moment",
+                value,
+                rule: "finite and not negative",
+            });
+        }
+        let [a, b, c] = moments;
+        let rod = |i: f64, j: f64, k: f64| i == 0.0 && j != k;
+        if rod(a, b, c) || rod(b, c, a) || rod(c, a, b) {
+            let rule = "positive, or zero with two equal others (a rod)";
+            return Err(MotionError::Parameter { what: "a principal moment", value: 0.0, rule });
+        }
+        Self::of_symmetric(&Symmetric3::diagonal(moments), start)
+    }
+
+    /// [`FreeMotion::of`] of a tensor, which need not be that of a possible body.
+    pub(in crate::motion) fn of_symmetric(tensor: &Symmetric3, start: State) -> Result<Self, MotionError> {
+        Self::of_tensor(tensor, &PrincipalFrame::of_symmetric(tensor), start)
+    }
+
+    fn of_tensor(
+        tensor: &Symmetric3,
+        principal: &PrincipalFrame<Body>,
+        start: State,
+    ) -> Result<Self, MotionError> {
+        if principal.moments()[2] == 0.0 {
+            return Err(MotionError::NotSpinnable);
+        }
+        let [wx, wy, wz] = start.omega.to_array();
+        let rate = "a component of the start's angular velocity";
+        for (what, value) in [("the start's time", start.time), (rate, wx), (rate, wy), (rate, wz)] {
+            if !value.is_finite() {
+                return Err(MotionError::Parameter { what, value, rule: "finite" });
+            }
+        }
+        if let Some(&value) =
+            principal.moments().iter().find(|&&i| i > 0.0 && i < THINNEST * principal.moments()[2])
+        {
+            let rule = "zero or at least 1e-120 of the greatest";
+            return Err(MotionError::Parameter { what: "a principal moment", value, rule });
+        }
+        let fine = FineAxes::of(tensor, principal);
+        let unit = power_of_two_near(start.omega.max_abs());
+        let omega = fine.along((start.omega / unit).to_array());
+        let labelled = Labelled::of(fine.moments, omega, fine.axes.map(|axis| axis.map(Triple::value)));
+        let (labelled, elements) = if labelled.is_permanent() {
+            let turned = labelled.about_omega();
+            (turned, Elements::permanent(&turned))
+        } else {
+            (labelled, Elements::of(&labelled))
+        };
+        let moderate = unit.max(1.0 / unit) <= MODERATE;
+        let (kernel_unit, phase_rates) = if moderate { (1.0, unit) } else { (unit, 1.0) };
+        Ok(Self {
+            start,
+            principal: *principal,
+            regime: if fine.given {
+                Regime::of_exact(&labelled)
+            } else {
+                Regime::of_rounded(&labelled, principal, start.omega)
+            },
+            constants: Constants::of(&elements, &labelled, fine.unit, unit),
+            unit: kernel_unit,
+            reach: reach::of(&elements, &labelled, fine.given, unit),
+            kernel: Kernel::of(&elements, &labelled, [unit, phase_rates], start.attitude),
+        })
+    }
+
+    /// The state at a time, s, before the start too.
+    ///
+    /// Further from the start than [`FreeMotion::reach`], and at a time that is no number, ω and attitude are not numbers either:
+    /// [`FreeMotion::require`] tells.
+    #[must_use]
+    pub fn at(&self, time: f64) -> State {
+        if time == self.start.time {
+            return self.start;
+        }
+        if !is_within(&self.start, self.reach, time) {
+            return State::unknown(time);
+        }
+        if self.start.time == 0.0 {
+            self.kernel.at::<true>(time, &self.elapsed::<true, f64>(time))
+        } else {
+            self.kernel.at::<false>(time, &self.elapsed::<false, f64>(time))
+        }
+    }
+
+    /// For how long before and after its start the motion is known, s: there the attitude may be wrong by up to 1e-6 rad, by the
+    /// rounding of the constants that time multiplies, for inputs that are exact. Some 10²⁵ turns; less where the period hangs on
+    /// differences of which few digits are left, next to the separatrix.
+    pub const fn reach(&self) -> f64 {
+        self.reach
+    }
+
+    /// That the motion is known at each of the times, s.
+    ///
+    /// # Errors
+    /// [`MotionError::BeyondReach`] for the first that is beyond [`FreeMotion::reach`], or no number.
+    pub fn require(&self, times: &[f64]) -> Result<(), MotionError> {
+        require(&self.start, self.reach, times)
+    }
+
+    #[inline(always)]
+    fn elapsed<const WHOLE: bool, T: Real>(&self, time: T) -> Elapsed<T> {
+        Elapsed::since::<WHOLE>(T::splat(self.start.time), time, T::splat(self.unit))
+    }
+
+    /// dω/dt in the body at one of the motion's states, rad/s²: i1 ω̇1 = (i2 − i3) ω2 ω3 and so on.
+    pub fn angular_acceleration(&self, state: &State) -> AngularAcceleration<Body> {
+        let ([r1, r2, r3], [w1, w2, w3]) = (self.constants.ratios, self.constants.along(state.omega));
+        self.constants.in_body([r1 * w2 * w3, r2 * w3 * w1, r3 * w1 * w2])
+    }
+
+    /// L = I ω of one of the motion's states, in body axes, kg·m²/s.
+    pub fn angular_momentum(&self, state: &State) -> AngularMomentum<Body> {
+        let ([i1, i2, i3], [w1, w2, w3]) = (self.constants.moments, self.constants.along(state.omega));
+        self.constants.in_body([i1 * w1, i2 * w2, i3 * w3])
+    }
+
+    /// Where it starts.
+    pub const fn start(&self) -> State {
+        self.start
+    }
+
+    /// Principal moments and axes.
+    pub const fn principal(&self) -> &PrincipalFrame<Body> {
+        &self.principal
+    }
+
+    /// Which kind of motion it is.
+    pub const fn regime(&self) -> Regime {
+        self.regime
+    }
+
+    /// True if L circles the axis of least moment or, in a permanent rotation, lies along it.
+    pub fn circles_least(&self) -> bool {
+        self.constants.moments[2] < self.constants.moments[0]
+    }
+
+    /// L in space, kg·m²/s: constant.
+    pub fn momentum(&self) -> AngularMomentum<Space> {
+        let in_body: AngularMomentum<Body> = self.constants.in_body(self.constants.momentum);
+        self.start.attitude * in_body
+    }
+
+    /// T, J: constant.
+    pub const fn kinetic_energy(&self) -> f64 {
+        self.constants.kinetic_energy
+    }
+
+    /// The time after which ω repeats in the body, 4K(m)/λ, s; `None` where it never moves or never repeats.
+    pub fn period(&self) -> Option<f64> {
+        let period = self.constants.period;
+        let moves = !matches!(self.regime, Regime::Permanent(_) | Regime::AtRest);
+        (moves && period.is_finite()).then_some(period)
+    }
+
+    /// Ω: the mean rate at which the axis that L circles precesses about L, rad/s; of a permanent rotation |ω|.
+    ///
+    /// Of the separatrix L/i2, the rate at which it ends.
+    pub const fn precession_rate(&self) -> f64 {
+        self.constants.precession
+    }
+
+    /// |λ|, rad/s: along the labelled axes ω = (a1 cn, a2 sn, a3 dn)(u0 ± λt), with − in long-axis mode.
+    pub const fn polhode_rate(&self) -> f64 {
+        self.constants.polhode_rate
+    }
+
+    /// The parameter m of the elliptic functions and 1 − m, each with its own digits; 1 − m may be too small for an f64.
+    pub const fn parameter(&self) -> [f64; 2] {
+        let k1 = self.constants.complementary_modulus;
+        [self.constants.parameter, k1 * k1]
+    }
+
+    /// k₁ = √(1 − m): zero on the separatrix only.
+    pub const fn complementary_modulus(&self) -> f64 {
+        self.constants.complementary_modulus
+    }
+
+    /// The smallest and the largest angle between L and the axis that it circles, rad.
+    pub const fn nutation_range(&self) -> [f64; 2] {
+        self.constants.nutation
+    }
+
+    /// Moments in the labels of the motion, kg·m²: the third is that of the axis that L circles, the second the intermediate.
+    pub const fn labelled_moments(&self) -> [f64; 3] {
+        self.constants.moments
+    }
+
+    /// The largest |ω| along each labelled axis, rad/s: ω = (a1 cn, a2 sn, a3 dn).
+    pub const fn amplitudes(&self) -> [f64; 3] {
+        self.constants.amplitudes
+    }
+}

@@ -1,0 +1,11 @@
+//! Solvers: closed forms (`free`, `heavy_top`, `swinging_body`, `pendulum_motion`) and integrators (`propagate`).
+
+pub(crate) mod closed_form;
+pub(crate) mod free;
+pub(crate) mod heavy_top;
+pub(crate) mod method;
+pub(crate) mod pendulum_motion;
+pub(crate) mod propagate;
+pub(crate) mod reach;
+pub(crate) mod start;
+pub(crate) mod swinging_body;

@@ -1,0 +1,105 @@
+//! A piece of time in which nothing begins or ends: what acts there.
+
+use super::chart::ROUNDING;
+use crate::math::frame::{Body, Principal};
+use crate::math::vector::{AngularMomentum, AngularVelocity, Torque};
+use crate::motion::error::MotionError;
+use crate::motion::model::rotor::Rotor;
+use crate::motion::model::state::State;
+use crate::motion::model::torque::TorqueModel;
+
+/// What acts from one time until something changes. Within it everything is as smooth as the torques themselves.
+#[derive(Clone, Debug)]
+pub(super) struct Piece<'a> {
+    pub(super) rotor: &'a Rotor,
+    /// The torques that act, without their schedules.
+    pub(super) torques: Vec<&'a TorqueModel>,
+    /// Σ α of the energy sinks.
+    pub(super) sink: f64,
+    /// The largest torque that there can be, with the motors', N·m.
+    pub(super) largest_torque: f64,
+    /// The first time at which something begins or ends; infinite if nothing does.
+    pub(super) until: f64,
+    wheels: Wheels,
+}
+
+/// The wheels' angular momentum: h = `momentum` + `rate` (t − `time`), principal axes.
+#[derive(Clone, Copy, Debug)]
+struct Wheels {
+    time: f64,
+    momentum: AngularMomentum<Principal>,
+    rate: Torque<Principal>,
+}
+
+impl<'a> Piece<'a> {
+    /// What acts just after the time of a state; torques that are switched off are not among `torques`.
+    pub(super) fn new(
+        rotor: &'a Rotor,
+        torques: impl Iterator<Item = &'a TorqueModel> + Clone,
+        state: &State,
+    ) -> Self {
+        let time = state.time;
+        let to_principal = rotor.principal().rotation().inverse();
+        let acting: Vec<_> = torques.clone().filter_map(|torque| torque.acting(time)).collect();
+        let changes = torques.map(|torque| torque.next_change(time));
+        let wheels = rotor.wheels().iter().map(|wheel| wheel.next_change(time));
+        Self {
+            rotor,
+            sink: acting.iter().map(|torque| torque.model().sink()).sum(),
+            largest_torque: acting.iter().map(|torque| torque.model().scale(rotor, state)).sum::<f64>()
+                + rotor.motor_torque(time).norm(),
+            torques: acting,
+            until: changes.chain(wheels).fold(f64::INFINITY, f64::min),
+            wheels: Wheels {
+                time,
+                momentum: to_principal * rotor.wheel_momentum(time),
+                rate: to_principal * rotor.motor_torque(time),
+            },
+        }
+    }
+
+    /// Refuses friction inside a rod that spins about its own line: nothing there has inertia, and ω would stop at once.
+    pub(super) fn require_balanced_sink(&self, state: &State) -> Result<(), MotionError> {
+        let principal = self.rotor.principal();
+        let omega = principal.rotation().inverse() * state.omega;
+        let is_rod = principal.moments()[0] == 0.0;
+        if self.sink == 0.0 || !is_rod || omega.x.abs() <= ROUNDING * omega.norm() {
+            return Ok(());
+        }
+        // (L × Ω)₁ of L = (0, I ω₂, I ω₃)
+        let momentum = self.angular_momentum(state.time, omega);
+        let torque = -self.sink * momentum.dot(momentum) * omega.x;
+        Err(MotionError::TorqueWithoutInertia { torque, time: state.time })
+    }
+
+    /// True if nothing acts: the body moves freely.
+    pub(super) fn is_free(&self) -> bool {
+        self.torques.is_empty() && self.rotor.wheels().is_empty()
+    }
+
+    /// The torque of all that acts from outside, body axes.
+    pub(super) fn torque(&self, state: &State) -> Torque<Body> {
+        self.torques.iter().fold(Torque::ZERO, |sum, model| sum + model.torque(self.rotor, state))
+    }
+
+    /// h, the angular momentum of the wheels, principal axes.
+    pub(super) fn wheel_momentum(&self, time: f64) -> AngularMomentum<Principal> {
+        self.wheels.momentum + (self.wheels.rate * (time - self.wheels.time)).as_quantity()
+    }
+
+    /// ḣ
+    pub(super) fn motor_torque(&self) -> Torque<Principal> {
+        self.wheels.rate
+    }
+
+    /// L = I ω + h, principal axes.
+    pub(super) fn angular_momentum(
+        &self,
+        time: f64,
+        omega: AngularVelocity<Principal>,
+    ) -> AngularMomentum<Principal> {
+        let [i1, i2, i3] = self.rotor.principal().moments();
+        let carrier = AngularMomentum::new(i1 * omega.x, i2 * omega.y, i3 * omega.z);
+        carrier + self.wheel_momentum(time)
+    }
+}

@@ -1,0 +1,269 @@
+//! Steps of DOP853 put together: error control, the carried rounding, and samples between steps.
+
+use std::rc::Rc;
+
+use super::chart::{self, Chart, N, Y};
+use super::dop853::{self, Stages};
+use super::noise::Noise;
+use super::orientation::Orientation;
+use super::piece::Piece;
+use super::stepper::{Balanced, StepStatistics};
+use crate::math::frame::Principal;
+use crate::math::sum::two_sum;
+use crate::math::vector::{AngularVelocity, Vector};
+use crate::motion::error::MotionError;
+use crate::motion::model::state::State;
+
+/// Rounding of a torque N, in units of the rate √(N/I) that it makes.
+const NOISE: f64 = 16.0 * f64::EPSILON;
+
+/// Adaptive DOP853 over the motion of one body.
+///
+/// The error of a step, which `tolerance` bounds, is the root mean square of two: the attitude's (rad) and ω's (relative
+/// to the largest |ω| so far, and not below what the rounding of the torque does to it).
+pub(super) struct RungeKutta<'a> {
+    chart: Chart<'a>,
+    orientation: Orientation,
+    time: f64,
+    y: Y,
+    /// What rounding took from each sum, to be given back at the next step.
+    carry: Y,
+    k0: Y,
+    h: f64,
+    tolerance: f64,
+    omega_scale: f64,
+    /// What rounding of the torque alone does to ω, rad/s: no error control reaches below it.
+    omega_noise: f64,
+    /// How many times as long steps are whose length is no matter of the tolerance: the first, and those of the largest turn.
+    stretch: f64,
+    statistics: StepStatistics,
+    last: Option<Step<'a>>,
+}
+
+/// One accepted step, as it started.
+#[derive(Clone, Debug)]
+struct Step<'a> {
+    chart: Chart<'a>,
+    orientation: Orientation,
+    start: f64,
+    y: Y,
+    carry: Y,
+    k0: Y,
+}
+
+impl<'a> RungeKutta<'a> {
+    /// # Errors
+    /// [`MotionError::TorqueWithoutInertia`] if the torque cannot be balanced.
+    pub(super) fn new(piece: Rc<Piece<'a>>, start: State, tolerance: f64) -> Result<Self, MotionError> {
+        let principal = piece.rotor.principal();
+        let r = principal.rotation();
+        let torque_rate = (piece.largest_torque / principal.moments()[2]).sqrt();
+        let chart = Chart { piece, center: start.attitude * r };
+        let y = chart::at_center(r.inverse() * start.omega, 0.0, Vector::ZERO);
+        chart.require_determined(start.time, &y)?;
+        let k0 = chart.derivative(start.time, &y);
+        let omega_scale = chart::omega(&y).norm();
+        let rate = omega_scale + omega_rate(&k0).norm().sqrt();
+        Ok(Self {
+            orientation: Orientation::new(chart.center),
+            chart,
+            time: start.time,
+            y,
+            carry: [0.0; N],
+            k0,
+            // A fiftieth of a radian: the first step is never far too long, and grows at once.
+            h: if rate > 0.0 { 0.02 / rate } else { f64::INFINITY },
+            tolerance,
+            omega_scale,
+            omega_noise: NOISE * torque_rate,
+            stretch: 1.0,
+            statistics: StepStatistics { evaluations: 1, ..StepStatistics::default() },
+            last: None,
+        })
+    }
+
+    /// Goes on from here with what acts from now on.
+    ///
+    /// # Errors
+    /// As [`RungeKutta::new`].
+    pub(super) fn change(&mut self, piece: Rc<Piece<'a>>) -> Result<(), MotionError> {
+        let torque_rate = (piece.largest_torque / piece.rotor.principal().moments()[2]).sqrt();
+        self.omega_noise = self.omega_noise.max(NOISE * torque_rate);
+        self.chart.piece = piece;
+        self.chart.require_determined(self.time, &self.y)?;
+        self.k0 = self.chart.derivative(self.time, &self.y);
+        self.statistics.evaluations += 1;
+        // The step that suited what acted before says nothing.
+        let rate = chart::omega(&self.y).norm() + omega_rate(&self.k0).norm().sqrt();
+        self.h = if rate > 0.0 { self.stretch * 0.02 / rate } else { f64::INFINITY };
+        Ok(())
+    }
+
+    pub(super) fn time(&self) -> f64 {
+        self.time
+    }
+
+    /// The step that the tolerance allows next, s.
+    pub(super) fn next_step(&self) -> f64 {
+        let speed = chart::omega(&self.y).norm();
+        if speed > 0.0 { self.h.min(self.stretch * chart::LARGEST_TURN / speed) } else { self.h }
+    }
+
+    pub(super) fn statistics(&self) -> StepStatistics {
+        self.statistics
+    }
+
+    /// The state now.
+    pub(super) fn now(&self) -> Balanced {
+        balanced(&self.chart, self.time, &self.y)
+    }
+
+    /// One step forward, not beyond `until`.
+    ///
+    /// # Errors
+    /// [`MotionError::StepTooSmall`], [`MotionError::NotFinite`] or [`MotionError::TorqueWithoutInertia`]; the stepper
+    /// stays at the last good state.
+    pub(super) fn step(&mut self, until: f64) -> Result<(), MotionError> {
+        let mut was_rejected = false;
+        loop {
+            let wanted = self.next_step();
+            let rest = until - self.time;
+            let h = if wanted >= rest { rest } else { wanted };
+            if !(self.time + h > self.time) {
+                return Err(MotionError::StepTooSmall { time: self.time, step: h });
+            }
+            // What rounding makes of the time is part of the step.
+            let end_time = if wanted >= rest { until } else { self.time + h };
+            let h = end_time - self.time;
+            let chart = self.chart.clone();
+            let f = |t: f64, y: &Y| chart.derivative(t, y);
+            let stages = dop853::step(&f, self.time, &self.y, &self.k0, h);
+            self.statistics.evaluations += 11;
+            let increment = stages.increment();
+            let end = sum(&self.y, &increment);
+            let error = self.error(&stages, &end);
+            if error.is_nan() || end.iter().any(|c| !c.is_finite()) {
+                if h <= 1e-12 * self.time.abs().max(1e-300) {
+                    return Err(MotionError::NotFinite { time: self.time });
+                }
+                self.h = 0.1 * h;
+                self.statistics.rejected += 1;
+                was_rejected = true;
+                continue;
+            }
+            // Hairer's constants: safety 0.9, change between 1/3 and 6, exponent 1/8.
+            let factor = (0.9 / error.sqrt().sqrt().sqrt()).clamp(1.0 / 3.0, 6.0);
+            if error > 1.0 {
+                self.h = h * factor.min(1.0);
+                self.statistics.rejected += 1;
+                was_rejected = true;
+                continue;
+            }
+            chart.require_determined(end_time, &end)?;
+            let k_end = f(end_time, &end);
+            let (orientation, carry) = (self.orientation, self.carry);
+            let step = Step { chart, orientation, start: self.time, y: self.y, carry, k0: self.k0 };
+            self.accept(&increment, end_time, &k_end);
+            self.statistics.evaluations += 1;
+            self.statistics.accepted += 1;
+            // A step shortened by `until` says nothing about the next one.
+            let grown = h * if was_rejected { factor.min(1.0) } else { factor };
+            self.h = if wanted >= rest { grown.max(wanted) } else { grown };
+            self.last = Some(step);
+            return Ok(());
+        }
+    }
+
+    /// The state within the last step: dense output, by a shorter step from the same start.
+    ///
+    /// Eleven evaluations each. The polynomial of order 7 that goes with DOP853 costs three a step; on Orekit's test
+    /// (fixtures/free_top.toml, every order and sign of its rates) its samples had up to 57 times the tolerance, these have
+    /// less than 5 times.
+    pub(super) fn at(&self, time: f64) -> Balanced {
+        let Some(step) = &self.last else { return self.now() };
+        let f = |t: f64, y: &Y| step.chart.derivative(t, y);
+        let stages = dop853::step(&f, step.start, &step.y, &step.k0, time - step.start);
+        balanced(&step.chart, time, &sum(&step.y, &stages.increment()))
+    }
+
+    /// Goes back to a time within the last step.
+    pub(super) fn cut(&mut self, time: f64) {
+        let Some(step) = self.last.clone().filter(|_| time != self.time) else { return };
+        let f = |t: f64, y: &Y| step.chart.derivative(t, y);
+        let increment = dop853::step(&f, step.start, &step.y, &step.k0, time - step.start).increment();
+        let end = sum(&step.y, &increment);
+        let k_end = f(time, &end);
+        (self.orientation, self.y, self.carry) = (step.orientation, step.y, step.carry);
+        self.chart = step.chart.clone();
+        self.accept(&increment, time, &k_end);
+        self.statistics.evaluations += 12;
+    }
+
+    /// Makes the steps whose length is no matter of the tolerance so many times as long.
+    pub(super) fn stretch(&mut self, factor: f64) {
+        self.h *= factor;
+        self.stretch = factor;
+    }
+
+    /// Perturbs the end of the last step.
+    pub(super) fn perturb(&mut self, noise: &mut Noise) {
+        let Some(last) = &self.last else { return };
+        let (before, after) = (chart::omega(&last.y).to_array(), chart::omega(&self.y).to_array());
+        self.orientation.turn(Vector::from_array(noise.turn(self.time - last.start, before, after)));
+        self.chart.center = self.orientation.rotation();
+        for (y, more) in self.y[3..6].iter_mut().zip(noise.rate(before, after)) {
+            *y += more;
+        }
+        self.k0 = self.chart.derivative(self.time, &self.y);
+    }
+
+    /// Moves to the end of the step, and the chart with it.
+    fn accept(&mut self, increment: &Y, time: f64, k_end: &Y) {
+        let mut y = self.y;
+        for (i, dy) in increment.iter().enumerate() {
+            (y[i], self.carry[i]) = two_sum(self.y[i], dy + self.carry[i]);
+        }
+        self.orientation.turn(chart::theta(&y));
+        self.chart.center = self.orientation.rotation();
+        self.time = time;
+        self.y = chart::at_center(chart::omega(&y), chart::work(&y), chart::impulse(&y));
+        self.carry[..3].fill(0.0);
+        self.omega_scale = self.omega_scale.max(chart::omega(&y).norm());
+        // In the new chart θ = 0 and θ̇ is the rate of turning; the other rates do not depend on the chart.
+        self.k0 = *k_end;
+        self.k0[..3].copy_from_slice(&self.chart.turning(time, chart::omega(&y)).to_array());
+    }
+
+    /// Error over tolerance: the step is good if it is at most 1.
+    fn error(&self, stages: &Stages<N>, end: &Y) -> f64 {
+        let scale = self.omega_scale.max(chart::omega(end).norm());
+        let squared = |e: &Y| {
+            let attitude = chart::angle(e) / self.tolerance;
+            let omega = omega_rate(e).norm();
+            let omega = if omega == 0.0 { 0.0 } else { omega / (scale * self.tolerance + self.omega_noise) };
+            0.5 * (attitude * attitude + omega * omega)
+        };
+        let (e5, e3) = stages.errors();
+        let (e5, e3) = (squared(&e5), squared(&e3));
+        if e5 == 0.0 { 0.0 } else { e5 / (e5 + 0.01 * e3).sqrt() }
+    }
+}
+
+fn sum(y: &Y, dy: &Y) -> Y {
+    core::array::from_fn(|i| y[i] + dy[i])
+}
+
+fn balanced(chart: &Chart<'_>, time: f64, y: &Y) -> Balanced {
+    Balanced { state: chart.state(time, y), work: chart::work(y), impulse: chart::impulse(y) }
+}
+
+/// The ω part of a derivative or of an error.
+fn omega_rate(dy: &Y) -> AngularVelocity<Principal> {
+    chart::omega(dy)
+}
+
+impl core::fmt::Debug for RungeKutta<'_> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_struct("RungeKutta").field("time", &self.time).field("h", &self.h).finish_non_exhaustive()
+    }
+}

@@ -1,0 +1,332 @@
+//! What steps from one time to the next, whichever method it is.
+
+use std::rc::Rc;
+
+use super::bound::Bound;
+use super::noise::Noise;
+use super::piece::Piece;
+use super::runge_kutta::RungeKutta;
+use super::splitting::{Splitting, SplittingOrder};
+use super::taylor::Taylor;
+use crate::math::frame::Space;
+use crate::math::vector::AngularMomentum;
+use crate::motion::error::MotionError;
+use crate::motion::model::rotor::Rotor;
+use crate::motion::model::state::State;
+use crate::motion::model::torque::TorqueModel;
+
+/// The tightest tolerance that rounding leaves room for.
+pub const TIGHTEST_TOLERANCE: f64 = 1e-15;
+/// The loosest tolerance that still means a solution.
+pub const LOOSEST_TOLERANCE: f64 = 1e-2;
+
+/// What a run cost.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct StepStatistics {
+    /// Steps kept.
+    pub accepted: u64,
+    /// Steps whose error was too large.
+    pub rejected: u64,
+    /// Evaluations of the equations of motion for the steps, by DOP853, whose samples between steps cost eleven more; coefficients of
+    /// all unknowns, by Taylor's method.
+    pub evaluations: u64,
+}
+
+/// A state with the work and the angular impulse that torque has given the body since the start.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Balanced {
+    pub(crate) state: State,
+    /// ∫ N · ω dt, J.
+    pub(crate) work: f64,
+    /// ∫ N dt in space axes, N·m·s.
+    pub(crate) impulse: AngularMomentum<Space>,
+}
+
+/// The integrators.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Rule {
+    Taylor,
+    Dop853,
+    Splitting { order: SplittingOrder, step: f64 },
+}
+
+/// The motion of one body, step by step.
+#[derive(Debug)]
+pub(crate) struct Stepper<'a> {
+    rotor: &'a Rotor,
+    torques: &'a [TorqueModel],
+    /// Which of them are switched on.
+    switched_on: Vec<bool>,
+    /// The first time at which something begins or ends by itself.
+    until: f64,
+    bound: Bound<Balanced>,
+    /// Where the last step began, s.
+    from: f64,
+    tolerance: f64,
+    /// True if a spring or wire is among the torques: its twist is watched.
+    is_sprung: bool,
+    rule: Rule,
+    steps: Steps<'a>,
+    /// What a perturbed run adds to each step.
+    noise: Option<Noise>,
+}
+
+#[derive(Debug)]
+enum Steps<'a> {
+    Taylor(Box<Taylor<'a>>),
+    Dop853(Box<RungeKutta<'a>>),
+    Splitting(Box<Splitting<'a>>),
+}
+
+impl<'a> Stepper<'a> {
+    /// Without evidence Taylor's method leaves out work and impulse, which are zero then.
+    ///
+    /// # Errors
+    /// [`MotionError::Parameter`] if the tolerance is outside 1e-15 … 1e-2, or a given step not positive and finite;
+    /// [`MotionError::NotSplittable`]; [`MotionError::NotSpinnable`]; [`MotionError::TorqueWithoutInertia`] if the torque cannot be
+    /// balanced.
+    pub(crate) fn new(
+        rule: Rule,
+        rotor: &'a Rotor,
+        torques: &'a [TorqueModel],
+        switched_off: &[usize],
+        start: State,
+        tolerance: f64,
+        with_evidence: bool,
+    ) -> Result<Self, MotionError> {
+        let switched_on: Vec<bool> = (0..torques.len()).map(|k| !switched_off.contains(&k)).collect();
+        let piece = Rc::new(first_piece(rule, rotor, acting(torques, &switched_on), &start, tolerance)?);
+        let until = piece.until;
+        let bound = Bound::new(&piece, &start);
+        let is_sprung = torques.iter().any(|torque| torque.model().has_twist());
+        let steps = match rule {
+            Rule::Taylor => Steps::Taylor(Box::new(Taylor::new(piece, start, tolerance, with_evidence)?)),
+            Rule::Dop853 => Steps::Dop853(Box::new(RungeKutta::new(piece, start, tolerance)?)),
+            Rule::Splitting { order, step } => {
+                Steps::Splitting(Box::new(Splitting::new(piece, torques, start, order, step)?))
+            }
+        };
+        let from = start.time;
+        let noise = None;
+        Ok(Self { rotor, torques, switched_on, until, bound, from, tolerance, is_sprung, rule, steps, noise })
+    }
+
+    /// The same with steps so many times as long, and perturbed after each of them. Steps of a given length keep it.
+    pub(crate) fn perturbed(mut self, noise: Noise, stretch: f64) -> Self {
+        match &mut self.steps {
+            Steps::Taylor(taylor) => taylor.stretch(stretch),
+            Steps::Dop853(dop853) => dop853.stretch(stretch),
+            Steps::Splitting(_) => {}
+        }
+        Self { noise: Some(noise), ..self }
+    }
+
+    /// Looks again at what acts now.
+    ///
+    /// # Errors
+    /// [`MotionError::TorqueWithoutInertia`] if it cannot be balanced.
+    pub(crate) fn change(&mut self) -> Result<(), MotionError> {
+        let state = self.now().state;
+        let piece = Rc::new(Piece::new(self.rotor, acting(self.torques, &self.switched_on), &state));
+        piece.require_balanced_sink(&state)?;
+        self.until = piece.until;
+        self.bound.act(&piece);
+        match &mut self.steps {
+            Steps::Taylor(taylor) => taylor.change(piece),
+            Steps::Dop853(dop853) => dop853.change(piece),
+            Steps::Splitting(splitting) => splitting.change(piece),
+        }
+    }
+
+    /// What is stepped: the body, and what turns it.
+    pub(crate) fn subject(&self) -> (&'a Rotor, &'a [TorqueModel]) {
+        (self.rotor, self.torques)
+    }
+
+    /// The torques that are switched on, with their schedules.
+    pub(crate) fn switched_on(&self) -> impl Iterator<Item = &'a TorqueModel> + Clone + use<'a, '_> {
+        acting(self.torques, &self.switched_on)
+    }
+
+    /// Switches a torque on or off, from the next [`Stepper::change`] on.
+    pub(crate) fn switch(&mut self, torque: usize, on: bool) {
+        if let Some(switch) = self.switched_on.get_mut(torque) {
+            *switch = on;
+        }
+    }
+
+    /// Goes back to a time within the last step.
+    pub(crate) fn cut(&mut self, time: f64) {
+        match &mut self.steps {
+            Steps::Taylor(taylor) => taylor.cut(time),
+            Steps::Dop853(dop853) => dop853.cut(time),
+            Steps::Splitting(splitting) => splitting.cut(time),
+        }
+    }
+
+    /// Refuses to go on with a motion that runs away before it comes to `end`, or whose end is too many steps away: see [`Bound`].
+    ///
+    /// # Errors
+    /// [`MotionError::RunAway`], [`MotionError::TooManySteps`].
+    pub(crate) fn require_bounded(&mut self, end: f64) -> Result<(), MotionError> {
+        let (step, allowed, now) = (self.statistics().accepted, self.next_step(), [self.time(), self.rate()]);
+        let Self { bound, steps, from, .. } = self;
+        bound.end(end);
+        bound.require(step, now[1], || {
+            let before = steps.at(*from);
+            (*from, before.state.omega.norm(), before)
+        })?;
+        bound.require_few_steps(step, allowed, now, end)
+    }
+
+    /// What is left of a motion that runs away: the state after the last step that is believed.
+    pub(crate) fn believed(&self) -> Option<Balanced> {
+        self.bound.believed()
+    }
+
+    /// Why it cannot go on: see [`Bound`].
+    pub(crate) fn explained(&self, cause: MotionError) -> MotionError {
+        self.bound.explained(cause, [self.time(), self.rate()])
+    }
+
+    /// `None` for steps of a given length.
+    pub(crate) fn tolerance(&self) -> Option<f64> {
+        (!matches!(self.rule, Rule::Splitting { .. })).then_some(self.tolerance)
+    }
+
+    pub(crate) fn rule(&self) -> Rule {
+        self.rule
+    }
+
+    /// One step forward, not beyond `until`, nor beyond a time at which a torque begins or ends.
+    ///
+    /// # Errors
+    /// [`MotionError::StepTooSmall`], [`MotionError::NotFinite`] or [`MotionError::TorqueWithoutInertia`]; the stepper
+    /// stays at the last good state. [`MotionError::RunAway`] in place of these. [`MotionError::HalfTurn`] after a step that went too far.
+    pub(crate) fn step(&mut self, until: f64) -> Result<(), MotionError> {
+        if self.time() >= self.until {
+            self.change()?;
+        }
+        let until = until.min(self.until);
+        let before = self.is_sprung.then(|| self.now().state);
+        self.from = self.time();
+        let stepped = match &mut self.steps {
+            Steps::Taylor(taylor) => taylor.step(until),
+            Steps::Dop853(dop853) => dop853.step(until),
+            Steps::Splitting(splitting) => splitting.step(until),
+        };
+        stepped.map_err(|cause| self.explained(cause))?;
+        if let Some(noise) = &mut self.noise {
+            match &mut self.steps {
+                Steps::Taylor(taylor) => taylor.perturb(noise),
+                Steps::Dop853(dop853) => dop853.perturb(noise),
+                Steps::Splitting(splitting) => splitting.perturb(noise),
+            }
+        }
+        before.map_or(Ok(()), |before| require_untwisted(self.switched_on(), &before, &self.now().state))
+    }
+
+    pub(crate) fn time(&self) -> f64 {
+        match &self.steps {
+            Steps::Taylor(taylor) => taylor.time(),
+            Steps::Dop853(dop853) => dop853.time(),
+            Steps::Splitting(splitting) => splitting.time(),
+        }
+    }
+
+    /// The step that the tolerance allows next, or the given one, s.
+    pub(crate) fn next_step(&self) -> f64 {
+        match &self.steps {
+            Steps::Taylor(taylor) => taylor.next_step(),
+            Steps::Dop853(dop853) => dop853.next_step(),
+            Steps::Splitting(splitting) => splitting.next_step(),
+        }
+    }
+
+    pub(crate) fn statistics(&self) -> StepStatistics {
+        match &self.steps {
+            Steps::Taylor(taylor) => taylor.statistics(),
+            Steps::Dop853(dop853) => dop853.statistics(),
+            Steps::Splitting(splitting) => splitting.statistics(),
+        }
+    }
+
+    /// The state now.
+    pub(crate) fn now(&self) -> Balanced {
+        match &self.steps {
+            Steps::Taylor(taylor) => taylor.now(),
+            Steps::Dop853(dop853) => dop853.now(),
+            Steps::Splitting(splitting) => splitting.now(),
+        }
+    }
+
+    /// The state at a time within the last step: dense output.
+    pub(crate) fn at(&self, time: f64) -> Balanced {
+        self.steps.at(time)
+    }
+
+    /// |ω|, rad/s.
+    fn rate(&self) -> f64 {
+        match &self.steps {
+            Steps::Taylor(taylor) => taylor.rate(),
+            Steps::Dop853(dop853) => dop853.now().state.omega.norm(),
+            Steps::Splitting(splitting) => splitting.now().state.omega.norm(),
+        }
+    }
+}
+
+impl Steps<'_> {
+    fn at(&self, time: f64) -> Balanced {
+        match self {
+            Self::Taylor(taylor) => taylor.at(time),
+            Self::Dop853(dop853) => dop853.at(time),
+            Self::Splitting(splitting) => splitting.at(time),
+        }
+    }
+}
+
+/// What acts at the start.
+///
+/// # Errors
+/// As [`Stepper::new`].
+pub(super) fn first_piece<'a>(
+    rule: Rule,
+    rotor: &'a Rotor,
+    torques: impl Iterator<Item = &'a TorqueModel> + Clone,
+    start: &State,
+    tolerance: f64,
+) -> Result<Piece<'a>, MotionError> {
+    let has_tolerance = !matches!(rule, Rule::Splitting { .. });
+    if has_tolerance && !(TIGHTEST_TOLERANCE..=LOOSEST_TOLERANCE).contains(&tolerance) {
+        let rule = "between 1e-15 and 1e-2";
+        return Err(MotionError::Parameter { what: "the tolerance", value: tolerance, rule });
+    }
+    if !rotor.is_spinnable() {
+        return Err(MotionError::NotSpinnable);
+    }
+    let piece = Piece::new(rotor, torques, start);
+    piece.require_balanced_sink(start)?;
+    Ok(piece)
+}
+
+/// # Errors
+/// [`MotionError::HalfTurn`] if a spring or wire that acts has been twisted beyond half a turn.
+pub(super) fn require_untwisted<'a>(
+    mut torques: impl Iterator<Item = &'a TorqueModel>,
+    before: &State,
+    after: &State,
+) -> Result<(), MotionError> {
+    let is_beyond = torques.any(|torque| {
+        let acting = torque.acting(before.time);
+        acting.is_some_and(|torque| torque.model().passes_half_turn(before.attitude, after.attitude))
+    });
+    if is_beyond { Err(MotionError::HalfTurn { time: before.time }) } else { Ok(()) }
+}
+
+/// The torques that are switched on.
+fn acting<'a, 'b>(
+    torques: &'a [TorqueModel],
+    switched_on: &'b [bool],
+) -> impl Iterator<Item = &'a TorqueModel> + Clone + use<'a, 'b> {
+    torques.iter().zip(switched_on).filter(|(_, on)| **on).map(|(torque, _)| torque)
+}

@@ -1,0 +1,408 @@
+//! Many bodies of one kind, side by side: one in each lane, each with its own time and step.
+//!
+//! When a body has come to the last time, or can go no further, the next one takes its lane. So no lane is idle until none is left, and
+//! what a lane does never depends on its neighbours: every body has the bits that it has alone.
+
+use super::Expansion;
+use super::base::ExpansionPoint;
+use super::recurrence::Recurrence;
+use super::row::smaller;
+use super::stepper::torque_rate;
+use super::sums::{SeveralBodies, Sums};
+use super::torque::{Decomposition, TorqueKind};
+use crate::math::frame::{Body as BodyFrame, Principal};
+use crate::math::machine::{Machine, Work, in_vectors};
+use crate::math::number::Number;
+use crate::math::rotation::Rotation;
+use crate::motion::error::MotionError;
+use crate::motion::model::rotor::Rotor;
+use crate::motion::model::state::State;
+use crate::motion::model::torque::TorqueModel;
+use crate::motion::model::wheel::{Motor, Wheel};
+use crate::motion::solve::propagate::bound::{Bound, MOST_STEPS};
+use crate::motion::solve::propagate::piece::Piece;
+use crate::motion::solve::propagate::stepper::{Rule, first_piece, require_untwisted};
+use crate::motion::solve::start::{require_few_pulses, require_finite};
+
+/// What bodies that are expanded side by side have in common: their numbers differ, and nothing else.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub(in crate::motion) struct Kind {
+    torques: TorqueKind,
+    /// Wheels or friction.
+    has_inside: bool,
+    tolerance: u64,
+}
+
+/// A body, what turns it, and where it starts.
+#[derive(Clone, Debug)]
+pub(in crate::motion) struct Body<'a> {
+    rotor: &'a Rotor,
+    torques: &'a [TorqueModel],
+    start: State,
+    decomposition: Decomposition,
+    has_inside: bool,
+}
+
+impl<'a> Body<'a> {
+    /// `None` for what is computed body by body: schedules, and what has no series.
+    pub(in crate::motion) fn of(rotor: &'a Rotor, torques: &'a [TorqueModel], start: State) -> Option<Self> {
+        let has_series = |torque: &TorqueModel| {
+            torque.model().roughness().is_none() && !matches!(torque, TorqueModel::Scheduled(_))
+        };
+        let is_steady = |wheel: &Wheel| !matches!(wheel.motor(), Motor::Torque { schedule: Some(_), .. });
+        if !torques.iter().all(has_series) || !rotor.wheels().iter().all(is_steady) {
+            return None;
+        }
+        let has_inside =
+            !rotor.wheels().is_empty() || torques.iter().any(|torque| torque.model().sink() != 0.0);
+        let decomposition = Decomposition::of(rotor, torques.iter(), !has_inside);
+        Some(Self { rotor, torques, start, decomposition, has_inside })
+    }
+
+    pub(in crate::motion) fn kind(&self, tolerance: f64) -> Kind {
+        let torques = self.decomposition.kind();
+        Kind { torques, has_inside: self.has_inside, tolerance: tolerance.to_bits() }
+    }
+}
+
+/// The states of bodies of one kind at the times, which are ascending, none before any start: body by body, each at all times.
+///
+/// A body that can go no further repeats its last good state from there on, which keeps its time; it is among those that are returned,
+/// with the cause.
+pub(in crate::motion) fn advance<'a: 'b, 'b>(
+    bodies: impl Iterator<Item = &'b Body<'a>>,
+    times: &[f64],
+    tolerance: f64,
+    states: &mut [State],
+) -> Vec<(usize, MotionError)> {
+    let bodies: Vec<_> = bodies.collect();
+    let mut failures = in_vectors(Advance { bodies: &bodies, times, tolerance, states });
+    failures.sort_by_key(|(body, _)| *body);
+    failures
+}
+
+struct Advance<'a, 'b> {
+    bodies: &'b [&'b Body<'a>],
+    times: &'b [f64],
+    tolerance: f64,
+    states: &'b mut [State],
+}
+
+impl Work for Advance<'_, '_> {
+    type Output = Vec<(usize, MotionError)>;
+
+    #[inline(always)]
+    fn run<S: Machine>(self, s: S) -> Self::Output {
+        let Some(mut batch) = Batch::of(self, s.many(0.0)) else { return Vec::new() };
+        batch.run(SeveralBodies(s));
+        batch.failures
+    }
+
+    /// One after the other: numbers side by side in plain loops double the time of a build, for processors older than AVX2.
+    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+    fn run_plainly(self) -> Self::Output {
+        use super::sums::OneBody;
+        use crate::math::machine::Plain;
+
+        let Self { bodies, times, tolerance, states } = self;
+        let mut failures = Vec::new();
+        for (k, body) in bodies.iter().enumerate() {
+            let states = states.get_mut(k * times.len()..(k + 1) * times.len()).unwrap_or_default();
+            let alone = Advance { bodies: core::slice::from_ref(body), times, tolerance, states };
+            // A batch of its own: sums of one body go beyond the coefficients that are known, where others must not have left theirs.
+            if let Some(mut batch) = Batch::of(alone, 0.0) {
+                batch.run(OneBody(Plain));
+                failures.extend(batch.failures.into_iter().map(|(_, cause)| (k, cause)));
+            }
+        }
+        failures
+    }
+}
+
+/// The bodies under way, and those that wait.
+struct Batch<'a, 'b, N> {
+    work: Advance<'a, 'b>,
+    /// The first of the bodies that wait.
+    waiting: usize,
+    failures: Vec<(usize, MotionError)>,
+    lanes: Vec<Option<Lane<'a>>>,
+    /// Rounds, in each of which every lane makes a step.
+    rounds: u64,
+    expansion: Box<Expansion<N>>,
+    /// What the expansion is about.
+    base: ExpansionPoint<N>,
+    omega_scale: N,
+    /// The last of the times of each lane's body, or its start where there is none.
+    end: N,
+    /// The first of the times that it has not come to; infinite where there is none.
+    next: N,
+    /// |ω| from which it may run away: half of what is believed.
+    fast: N,
+}
+
+/// The body of a lane.
+#[derive(Debug)]
+struct Lane<'a> {
+    body: usize,
+    start: State,
+    piece: Piece<'a>,
+    to_body: Rotation<BodyFrame, Principal>,
+    /// How many of the times it has come to.
+    sampled: usize,
+    bound: Bound<ExpansionPoint>,
+    /// True if a spring or wire is among the torques: its twist is watched.
+    is_sprung: bool,
+    /// The rounds before it came aboard.
+    rounds: u64,
+}
+
+impl<'a, 'b, N: Number> Batch<'a, 'b, N> {
+    /// `None` if there is nobody to go.
+    fn of(work: Advance<'a, 'b>, zero: N) -> Option<Self> {
+        let first = work.bodies.first()?;
+        let piece = Piece::new(first.rotor, first.torques.iter(), &first.start);
+        Some(Self {
+            waiting: 0,
+            failures: Vec::new(),
+            lanes: (0..N::LANES).map(|_| None).collect(),
+            rounds: 0,
+            expansion: Expansion::of(zero, &piece, &first.decomposition, work.tolerance, false),
+            base: ExpansionPoint::all(zero),
+            omega_scale: zero,
+            end: zero,
+            next: zero.like(f64::INFINITY),
+            fast: zero,
+            work,
+        })
+    }
+
+    #[inline(always)]
+    fn run<M: Recurrence<N = N>>(&mut self, s: M) {
+        loop {
+            self.board();
+            if self.lanes.iter().all(Option::is_none) {
+                return;
+            }
+            self.start();
+            self.expansion.expand(s);
+            self.begin();
+            self.step(s);
+            self.rounds += 1;
+        }
+    }
+
+    /// Bodies that wait take the lanes that are free.
+    fn board(&mut self) {
+        for k in 0..N::LANES {
+            while self.lanes[k].is_none() && self.waiting < self.work.bodies.len() {
+                let index = self.waiting;
+                self.waiting += 1;
+                let body = &self.work.bodies[index];
+                match Lane::of(index, body, &self.work, self.rounds) {
+                    Ok(lane) => {
+                        self.expansion.set(k, &lane.piece, &body.decomposition);
+                        self.base.put(k, &ExpansionPoint::new(&body.start, lane.to_body));
+                        self.omega_scale.put(k, body.start.omega.norm().max(torque_rate(&lane.piece)));
+                        self.end.put(k, self.work.times.last().copied().unwrap_or(body.start.time));
+                        self.next.put(k, self.work.next(&lane));
+                        self.fast.put(k, 0.5 * lane.bound.most());
+                        self.lanes[k] = Some(lane);
+                    }
+                    Err(cause) => {
+                        self.failures.push((index, cause));
+                        self.work.fill(index, 0, body.start);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Starts a step in every lane.
+    #[inline(always)]
+    fn start(&mut self) {
+        self.expansion.start(&self.base.start());
+        if self.expansion.inside.is_some() {
+            for (k, lane) in self.lanes.iter().enumerate() {
+                if let Some(lane) = lane {
+                    self.expansion.start_wheels(k, self.base.time.lane(k), &lane.piece);
+                }
+            }
+        }
+    }
+
+    /// Looks at what is known before the step: is there a torque that nothing balances, and which of the times are the start?
+    fn begin(&mut self) {
+        for k in 0..N::LANES {
+            let time = self.base.time.lane(k);
+            if let Some(torque) = self.expansion.unbalanced(k) {
+                self.give_up(k, MotionError::TorqueWithoutInertia { torque, time });
+            } else if self.lanes[k].as_ref().is_some_and(|lane| lane.rounds == self.rounds) {
+                self.sample(k, &self.base.lane(k));
+                if !(self.end.lane(k) > time) {
+                    self.lanes[k] = None;
+                }
+            }
+        }
+    }
+
+    /// One step of every lane, not beyond its end.
+    #[inline(always)]
+    fn step<M: Sums<N = N>>(&mut self, s: M) {
+        let time = self.base.time;
+        let (allowed, rest) = (self.expansion.step(self.omega_scale), self.end - time);
+        let wanted = smaller(allowed, self.expansion.reach());
+        let h = wanted.zip(rest, |wanted, rest| if wanted >= rest { rest } else { wanted });
+        let is_last = wanted.zip(rest, |wanted, rest| f64::from(u8::from(wanted >= rest)));
+        let until =
+            is_last.zip3(self.end, time + h, |is_last, end, until| if is_last == 1.0 { end } else { until });
+        let head = self.base.plus(&self.expansion.at(s, until - time), until);
+        let is_good = (time + h).zip3(time, head.not_finite(), |until, time, not_finite| {
+            f64::from(u8::from((until > time) & (not_finite == 0.0)))
+        });
+        for k in (0..N::LANES).filter(|k| is_good.lane(*k) == 0.0) {
+            let (time, step) = (time.lane(k), h.lane(k));
+            let is_stuck = !step.is_nan() && !(time + step > time);
+            let stuck = MotionError::StepTooSmall { time, step };
+            let cause = if is_stuck { stuck } else { MotionError::NotFinite { time } };
+            let now = [time, self.base.lane(k).rate()];
+            let explained = self.lanes[k].as_ref().map(|lane| lane.bound.explained(cause.clone(), now));
+            self.give_up(k, explained.unwrap_or(cause));
+        }
+        self.require_untwisted(&head);
+        self.sample_within(s, until);
+        let before = core::mem::replace(&mut self.base, head);
+        self.look_ahead(allowed, &before);
+    }
+
+    fn require_untwisted(&mut self, head: &ExpansionPoint<N>) {
+        for k in 0..N::LANES {
+            let Some(lane) = self.lanes[k].as_ref().filter(|lane| lane.is_sprung) else { continue };
+            let [before, after] = [self.base.lane(k), head.lane(k)].map(|base| base.state(lane.to_body));
+            if let Err(cause) = require_untwisted(lane.piece.torques.iter().copied(), &before, &after) {
+                self.give_up(k, cause);
+            }
+        }
+    }
+
+    /// Samples the step at the times before its end, in every lane at once.
+    #[inline(always)]
+    fn sample_within<M: Sums<N = N>>(&mut self, s: M, until: N) {
+        loop {
+            let start = self.base.time;
+            let time =
+                self.next.zip3(until, start, |next, until, start| if next < until { next } else { start });
+            let is_within = |k: &usize| self.next.lane(*k) < until.lane(*k);
+            let within: Vec<usize> = (0..N::LANES).filter(is_within).collect();
+            if within.is_empty() {
+                return;
+            }
+            let there = self.base.plus(&self.expansion.at(s, time - start), time);
+            for k in within {
+                self.sample(k, &there.lane(k));
+            }
+        }
+    }
+
+    /// Looks at where a step has led: what comes to its end makes room, and what will not come there gives up.
+    #[inline(always)]
+    fn look_ahead(&mut self, allowed: N, before: &ExpansionPoint<N>) {
+        let (time, rate) = (self.base.time, self.base.rate());
+        self.omega_scale = self.omega_scale.zip(rate, f64::max);
+        let is_far = (self.end - time)
+            .zip(allowed, |rest, step| f64::from(u8::from(rest >= 0.5 * MOST_STEPS as f64 * step)));
+        let is_due = self.next.zip(time, |next, time| f64::from(u8::from(next <= time)));
+        let is_fast = rate.zip(self.fast, |rate, fast| f64::from(u8::from(rate >= fast)));
+        let is_long = 2 * self.rounds > MOST_STEPS;
+        let news = is_far + is_due + is_fast;
+        for k in (0..N::LANES).filter(|k| is_long || news.lane(*k) != 0.0) {
+            let base = self.base.lane(k);
+            let end = self.end.lane(k);
+            self.sample(k, &base);
+            let Some(lane) = &mut self.lanes[k] else { continue };
+            let step = self.rounds + 1 - lane.rounds;
+            let now = [base.time, base.rate()];
+            let began = || {
+                let before = before.lane(k);
+                (before.time, before.rate(), before)
+            };
+            let goes_on = (lane.bound.require(step, now[1], began))
+                .and_then(|()| lane.bound.require_few_steps(step, allowed.lane(k), now, end));
+            if let Err(cause) = goes_on {
+                self.give_up(k, cause);
+            } else if !(end > base.time) {
+                self.lanes[k] = None;
+            }
+        }
+    }
+
+    /// Writes a place of a lane down for all times that are its own, or that come before the start.
+    fn sample(&mut self, k: usize, place: &ExpansionPoint) {
+        let Some(lane) = &mut self.lanes[k] else { return };
+        while self.work.next(lane) <= place.time {
+            self.work.write(lane.body, lane.sampled, place.state(lane.to_body));
+            lane.sampled += 1;
+        }
+        self.next.put(k, self.work.next(lane));
+    }
+
+    /// The body of a lane goes no further than the base.
+    fn give_up(&mut self, k: usize, cause: MotionError) {
+        let Some(lane) = self.lanes[k].take() else { return };
+        let mut base = self.base.lane(k);
+        let mut sampled = lane.sampled;
+        if let (MotionError::RunAway { .. }, Some(believed)) = (&cause, lane.bound.believed()) {
+            base = believed;
+            sampled = sampled.min(self.work.times.partition_point(|time| *time <= base.time));
+        }
+        // The start as it was given, not as it comes back from principal axes.
+        let last = if base.time > lane.start.time { base.state(lane.to_body) } else { lane.start };
+        self.work.fill(lane.body, sampled, last);
+        self.next.put(k, f64::INFINITY);
+        self.failures.push((lane.body, cause));
+    }
+}
+
+impl Advance<'_, '_> {
+    /// The first of the times that a body has not come to; infinite if there is none.
+    fn next(&self, lane: &Lane<'_>) -> f64 {
+        self.times.get(lane.sampled).copied().unwrap_or(f64::INFINITY)
+    }
+
+    fn write(&mut self, body: usize, sample: usize, state: State) {
+        if let Some(place) = self.states.get_mut(body * self.times.len() + sample) {
+            *place = state;
+        }
+    }
+
+    /// The same state for all times of a body from one on.
+    fn fill(&mut self, body: usize, from: usize, state: State) {
+        for sample in from..self.times.len() {
+            self.write(body, sample, state);
+        }
+    }
+}
+
+impl<'a> Lane<'a> {
+    fn of(index: usize, body: &Body<'a>, work: &Advance<'_, '_>, rounds: u64) -> Result<Self, MotionError> {
+        let Body { rotor, torques, start, .. } = *body;
+        require_finite(rotor, torques, &[], &start)?;
+        let end = work.times.last().copied().unwrap_or(start.time);
+        require_few_pulses(rotor, torques, &|_| false, [start.time, end])?;
+        let piece = first_piece(Rule::Taylor, rotor, torques.iter(), &start, work.tolerance)?;
+        let mut bound = Bound::new(&piece, &start);
+        bound.end(end);
+        Ok(Self {
+            body: index,
+            start,
+            bound,
+            is_sprung: torques.iter().any(|torque| torque.model().has_twist()),
+            piece,
+            to_body: rotor.principal().rotation(),
+            sampled: 0,
+            rounds,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,515 @@
+//! Taylor's method: the motion of a step as a power series in time, from the equations themselves.
+//!
+//! Coefficient n + 1 of every unknown follows from the coefficients up to n, as the equations have only products in
+//! them. In principal axes, with q the turn since the start of the step,
+//!
+//! i1 ω̇1 = (i2 − i3) ω2 ω3 + N1 …,  q̇ = ½ q ∘ ω,  K̇ = N + K × ω,  Ẇ = N · ω
+//!
+//! K is the angular impulse ∫ N dt as the turning body sees it, W the work: the evidence. The same series is the dense output.
+//! With wheels of angular momentum h and with friction inside, L = I ω + h, the axes turn at Ω = ω + α L × ω, I ω̇ = L × Ω + N − ḣ.
+
+mod base;
+mod batch;
+mod body_resolved;
+mod function;
+mod length;
+mod many;
+mod one;
+mod pair;
+mod recurrence;
+mod row;
+mod scalar;
+mod stepper;
+mod sums;
+mod torque;
+
+pub(in crate::motion) use batch::{Body, Kind, advance};
+pub(super) use stepper::Taylor;
+
+use body_resolved::BodyResolved;
+use length::{order, reach, remainder};
+use pair::Pair;
+use recurrence::{
+    ATTITUDE, Coefficient, EquationConstants, GENERAL, Layout, Motion, Recurrence, WITH_FIXED_VECTOR,
+    WITH_ORBIT,
+};
+use row::{Row, Series, TERMS, Vectors};
+use sums::{OneBody, Sums};
+use torque::{Decomposition, Known, Quadratic, StepStart, Tape, row};
+
+use super::piece::Piece;
+use crate::math::machine::{Machine, Work, in_vectors};
+use crate::math::number::Number;
+use crate::motion::model::torque::polynomial::JointVector;
+
+/// The series of everything over one step: of one body, or of one in each lane.
+#[derive(Clone, Debug)]
+struct Expansion<N = f64> {
+    moments: Row<N>,
+    /// 1/i; zero along an axis without inertia.
+    inverses: Row<N>,
+    /// True if there is such an axis.
+    is_thin: bool,
+    /// What expands together: see [`recurrence`].
+    layout: Layout,
+    terms: EquationConstants<N>,
+    motion: Box<Motion<N>>,
+    /// What ω at the start of the step is beyond its rounding.
+    low: Row<N>,
+    /// The torques that are linear or quadratic in ω and in a vector u, which is expanded beside the turn.
+    quadratic: Option<Box<Quadratic<N>>>,
+    /// All other torques.
+    tape: Option<Box<Tape<N>>>,
+    /// What acts inside the body, if anything does.
+    inside: Option<Box<Internal<N>>>,
+    /// What others than the recurrence need, if there are any.
+    beside: Option<Box<Beside<N>>>,
+    evidence: Option<Box<Evidence<N>>>,
+    order: usize,
+    /// log₂ of the part of the radius of convergence that a step may go.
+    reach: f64,
+}
+
+/// ω and u once more, and the torque.
+#[derive(Clone, Debug)]
+struct Beside<N> {
+    omega: Vectors<N>,
+    joint: Vectors<N>,
+    torque: Series<N>,
+}
+
+impl<N: Number> Beside<N> {
+    fn all(zero: N) -> Box<Self> {
+        Box::new(Self { omega: Vectors::all(zero), joint: Vectors::all(zero), torque: Series::all(zero) })
+    }
+}
+
+/// The angular impulse as the turning body sees it, and the work, component by component.
+#[derive(Clone, Debug)]
+struct Evidence<N> {
+    impulse: BodyResolved<N>,
+    work: Series<N>,
+}
+
+/// Wheels and friction.
+#[derive(Clone, Debug)]
+struct Internal<N> {
+    /// h at the start of the step, and ḣ.
+    wheels: [Row<N>; 2],
+    /// α
+    sink: N,
+    /// L = I ω + h
+    momentum: Series<N>,
+    /// L × ω
+    bending: Series<N>,
+    /// Ω
+    turning: Vectors<N>,
+    /// −ḣ · ω − α |L × ω|², component by component.
+    power: Series<N>,
+}
+
+/// What a step adds, after so much time.
+#[derive(Clone, Copy, Debug)]
+struct Increment<N = f64> {
+    /// Of ω, principal axes.
+    omega: Row<N>,
+    /// The turn less the identity: (w − 1, x, y, z).
+    turn: Row<N>,
+    /// ∫ N dt since the start of the step, along the principal axes at its end.
+    impulse: [N; 3],
+    work: N,
+}
+
+impl<N: Number> Expansion<N> {
+    /// Of bodies with torques such as these, each lane to be [`Expansion::set`].
+    fn of(zero: N, piece: &Piece<'_>, torques: &Decomposition, tolerance: f64, evidence: bool) -> Box<Self> {
+        let order = order(tolerance);
+        let none = Row::splat(zero);
+        let evidence = evidence
+            .then(|| Box::new(Evidence { impulse: BodyResolved::all(zero), work: Series::all(zero) }));
+        let mut expansion = Box::new(Self {
+            moments: none,
+            inverses: none,
+            is_thin: false,
+            layout: ATTITUDE,
+            terms: EquationConstants::none(zero),
+            motion: all_zero(zero),
+            low: none,
+            quadratic: None,
+            tape: None,
+            inside: None,
+            beside: None,
+            evidence,
+            order,
+            reach: reach(order, remainder(tolerance)),
+        });
+        expansion.act(piece, torques);
+        expansion
+    }
+
+    /// What kind of things act from now on.
+    fn act(&mut self, piece: &Piece<'_>, torques: &Decomposition) {
+        let zero = self.zero();
+        let Decomposition { quadratic, joint, graph } = torques;
+        self.quadratic =
+            quadratic.as_ref().map(|torque| Box::new(Quadratic::of(zero, torque, joint.as_deref())));
+        self.tape = graph.as_ref().map(|graph| Box::new(Tape::of(zero, graph)));
+        let is_plain = is_plain(piece);
+        self.layout = match (&self.tape, joint.as_deref()) {
+            _ if !is_plain => GENERAL,
+            (Some(_), _) => GENERAL,
+            (None, None) => ATTITUDE,
+            (None, Some(JointVector::Fixed(_))) => WITH_FIXED_VECTOR,
+            (None, Some(JointVector::Circular(_))) => WITH_ORBIT,
+        };
+        // Nothing of a torque that has ended.
+        let has_beside = self.layout == GENERAL || self.evidence.is_some() || self.is_thin;
+        self.beside = has_beside.then(|| Beside::all(zero));
+        self.terms = EquationConstants::none(zero);
+        if let Some(evidence) = &mut self.evidence {
+            evidence.impulse = BodyResolved::all(zero);
+        }
+        self.inside = (!is_plain).then(|| {
+            Box::new(Internal {
+                wheels: [Row::splat(zero); 2],
+                sink: zero,
+                momentum: Series::all(zero),
+                bending: Series::all(zero),
+                turning: Vectors::all(zero),
+                power: Series::all(zero),
+            })
+        });
+    }
+
+    /// The body of a lane, and what acts on it from now on.
+    fn set(&mut self, lane: usize, piece: &Piece<'_>, torques: &Decomposition) {
+        let [i1, i2, i3] = piece.rotor.principal().moments();
+        let over = |numerator: f64, i: f64| if i == 0.0 { 0.0 } else { numerator / i };
+        let inverses = Row([over(1.0, i1), over(1.0, i2), over(1.0, i3), 0.0]);
+        self.moments.put(lane, Row([i1, i2, i3, 0.0]));
+        self.inverses.put(lane, inverses);
+        if i1 == 0.0 {
+            self.is_thin = true;
+            self.beside.get_or_insert_with(|| Beside::all(self.moments.0[0].like(0.0)));
+        }
+        // With wheels and friction it is [`Internal`] that finds ω̇.
+        if self.inside.is_none() {
+            let ratios = Row([over(i2 - i3, i1), over(i3 - i1, i2), over(i1 - i2, i3), 0.0]);
+            self.terms.ratios.put(lane, ratios);
+        }
+        let Decomposition { quadratic, joint, graph } = torques;
+        if let (Some(series), Some(torque)) = (&mut self.quadratic, quadratic) {
+            let terms = (self.layout != GENERAL).then_some(&mut self.terms);
+            series.set(lane, torque, joint.as_deref(), inverses, terms);
+        }
+        if let (Some(tape), Some(graph)) = (&mut self.tape, graph) {
+            tape.set(lane, graph, piece.rotor);
+        }
+        if let Some(inside) = &mut self.inside {
+            inside.sink.put(lane, piece.sink);
+        }
+    }
+
+    fn zero(&self) -> N {
+        self.moments.0[0].like(0.0)
+    }
+
+    /// The torque along an axis without inertia; only a rod has one, and it is the first.
+    fn unbalanced(&self, lane: usize) -> Option<f64> {
+        let torque = self.beside.as_ref()?.torque[0].0[0].lane(lane);
+        let inverse = self.inverses.0[0].lane(lane);
+        (inverse == 0.0 && torque != 0.0).then_some(torque)
+    }
+
+    /// True if nothing has to be added up as evidence.
+    fn is_free(&self) -> bool {
+        self.quadratic.is_none() && self.tape.is_none() && self.inside.is_none()
+    }
+
+    /// Starts a step.
+    #[inline(always)]
+    fn start(&mut self, at: &StepStart<N>) {
+        if let Some(tape) = &mut self.tape {
+            tape.start(at);
+        }
+        let [one, zero] = [1.0, 0.0].map(|x| at.time.like(x));
+        let none = Row::splat(zero);
+        let [u, v] = self.quadratic.as_ref().and_then(|torques| torques.start(at)).unwrap_or([none; 2]);
+        let turn = Row([one, zero, zero, zero]);
+        let pairs = match self.layout {
+            ATTITUDE => [Pair::new(turn, at.omega.pure()); 2],
+            WITH_ORBIT => [Pair::new(turn, v), Pair::new(at.omega, u)],
+            _ => [Pair::new(turn, u), Pair::new(at.omega, at.omega.cycled())],
+        };
+        self.motion[0].set::<GENERAL>(pairs);
+        // Wheels and friction know but what is rounded.
+        self.low = if self.inside.is_some() { none } else { at.omega_low };
+    }
+
+    /// What wheels have at the start of a step of a lane.
+    fn start_wheels(&mut self, lane: usize, time: f64, piece: &Piece<'_>) {
+        if let Some(inside) = &mut self.inside {
+            let wheels = [row(piece.wheel_momentum(time)), row(piece.motor_torque())];
+            for (place, wheels) in inside.wheels.iter_mut().zip(wheels) {
+                place.put(lane, wheels);
+            }
+            if let Some(tape) = &mut self.tape {
+                tape.start_wheels(lane, wheels);
+            }
+        }
+    }
+
+    /// Expands the motion about where it starts.
+    #[inline(always)]
+    fn expand<M: Recurrence<N = N>>(&mut self, s: M) {
+        match self.layout {
+            ATTITUDE => self.expand_by_itself::<M, ATTITUDE>(s),
+            WITH_FIXED_VECTOR => self.expand_by_itself::<M, WITH_FIXED_VECTOR>(s),
+            WITH_ORBIT => self.expand_by_itself::<M, WITH_ORBIT>(s),
+            _ => self.expand_with_others(s),
+        }
+        if self.evidence.is_some() && !self.is_free() {
+            s.apart(
+                #[inline(always)]
+                |s| self.account(s),
+            );
+        }
+    }
+
+    /// Where the recurrence has all.
+    #[inline(always)]
+    fn expand_by_itself<M: Recurrence<N = N>, const LAYOUT: Layout>(&mut self, s: M) {
+        let none = Row::splat(self.zero());
+        let jacobian = s.jacobian::<LAYOUT>(&self.motion, &self.terms);
+        let mut newest = s.first::<LAYOUT>(&jacobian, &self.motion, &self.terms, [self.low, none]);
+        let mut previous = newest;
+        for n in 1..self.order {
+            let next = s.next::<LAYOUT>(&jacobian, &mut self.motion, n, [previous, newest], none);
+            (previous, newest) = (newest, next);
+        }
+        let [x, y] = newest;
+        self.motion[self.order].set::<LAYOUT>([s.unpack(x), s.unpack(y)]);
+        if self.is_thin {
+            self.find_torque(s, 0);
+        }
+    }
+
+    /// Where other torques, or wheels and friction, have their part in every coefficient.
+    #[inline(always)]
+    fn expand_with_others<M: Recurrence<N = N>>(&mut self, s: M) {
+        let more = self.other_acceleration(s, 0);
+        let jacobian = s.jacobian::<GENERAL>(&self.motion, &self.terms);
+        let mut newest = s.first::<GENERAL>(&jacobian, &self.motion, &self.terms, [self.low, more]);
+        let mut previous = newest;
+        for n in 1..=self.order {
+            self.extend_torques(s, n - 1);
+            let [x, y] = newest;
+            self.motion[n].set::<GENERAL>([s.unpack(x), s.unpack(y)]);
+            if n < self.order {
+                let more = self.other_acceleration(s, n);
+                let next = s.next::<GENERAL>(&jacobian, &mut self.motion, n, [previous, newest], more);
+                (previous, newest) = (newest, next);
+            }
+        }
+    }
+
+    /// Coefficient n of what is not in the recurrence of ω̇.
+    #[inline(always)]
+    fn other_acceleration<M: Recurrence<N = N>>(&mut self, s: M, n: usize) -> Row<N> {
+        let (none, omega, u) = (Row::splat(self.zero()), self.omega_at(n), self.motion[n].x.second());
+        let Some(Beside { omega: series, torque: place, joint }) = self.beside.as_deref_mut() else {
+            return none;
+        };
+        series.set(n, omega);
+        let (mut rate, mut linear) = (none, none);
+        if let Some(quadratic) = &self.quadratic {
+            joint.set(n, u);
+            rate = quadratic.acceleration(n, u, omega);
+            linear = quadratic.torque(s, n, joint, omega);
+        }
+        let turning = if let Some(inside) = &mut self.inside {
+            rate = rate + inside.extend(s, n, self.moments, self.inverses, series);
+            &inside.turning
+        } else {
+            &*series
+        };
+        self.motion[n].turning = Pair::new(turning.rows.at(n), none);
+        let known = Known { s, omega: series, turning, motion: &self.motion };
+        let torque = self.tape.as_mut().map_or(none, |tape| {
+            known.apart(
+                #[inline(always)]
+                |known| tape.coefficient(n, known),
+            )
+        });
+        place.set(n, torque + linear);
+        rate + self.inverses * torque
+    }
+
+    /// What torques need for coefficient n + 1 beside the motion.
+    #[inline(always)]
+    fn extend_torques<M: Recurrence<N = N>>(&mut self, s: M, n: usize) {
+        let (Some(Beside { omega, .. }), Some(tape)) = (self.beside.as_deref(), &mut self.tape) else {
+            return;
+        };
+        let turning = self.inside.as_ref().map_or(omega, |inside| &inside.turning);
+        let known = Known { s, omega, turning, motion: &self.motion };
+        known.apart(
+            #[inline(always)]
+            |known| tape.extend(n, known),
+        );
+    }
+
+    #[inline(always)]
+    fn omega_at(&self, n: usize) -> Row<N> {
+        if self.layout == ATTITUDE { self.motion[n].x.second().imaginary() } else { self.motion[n].y.first() }
+    }
+
+    /// Finds coefficient n of ω and of the torque where the recurrence has all.
+    #[inline(always)]
+    fn find_torque<M: Recurrence<N = N>>(&mut self, s: M, n: usize) {
+        let (omega, Coefficient { x, y, .. }) = (self.omega_at(n), self.motion[n]);
+        let Some(Beside { omega: series, torque, joint }) = self.beside.as_deref_mut() else { return };
+        series.set(n, omega);
+        joint.set(n, if self.layout == WITH_ORBIT { y.second() } else { x.second() });
+        if let Some(quadratic) = &self.quadratic {
+            torque.set(n, quadratic.torque(s, n, joint, omega));
+        }
+    }
+
+    /// Finds the series of impulse and work.
+    #[inline(always)]
+    fn account<M: Recurrence<N = N>>(&mut self, s: M) {
+        let none = Row::splat(self.zero());
+        for n in 0..self.order {
+            if self.layout != GENERAL {
+                self.find_torque(s, n);
+            }
+            let Some(Beside { omega, torque, .. }) = self.beside.as_deref() else { return };
+            let (turning, power) = match &self.inside {
+                Some(inside) => (&inside.turning, inside.power.at(n)),
+                None => (omega, none),
+            };
+            let Some(Evidence { impulse, work }) = self.evidence.as_deref_mut() else { return };
+            impulse.extend(s, n, &turning.rows, torque.at(n));
+            let power = power + s.product(torque, &omega.rows, n);
+            work.set(n + 1, power.over(n + 1));
+        }
+    }
+
+    /// The longest step to which the series hold, where their last terms do not show it.
+    #[inline(always)]
+    fn reach(&self) -> N {
+        let endless = self.zero().like(f64::INFINITY);
+        self.tape.as_ref().map_or(endless, |tape| tape.reach(endless))
+    }
+
+    /// What the motion adds until a time after the start.
+    #[inline(always)]
+    fn at<M: Sums<N = N>>(&self, s: M, h: N) -> Increment<N> {
+        let (p, zero) = (self.order, self.zero());
+        let x = s.pair_increment(&self.motion, |c| &c.x, p, h);
+        let omega = if self.layout == ATTITUDE {
+            x.second().imaginary()
+        } else {
+            s.pair_increment(&self.motion, |c| &c.y, p, h).first()
+        };
+        let mut sum = Increment { omega: omega.vector(), turn: x.first(), impulse: [zero; 3], work: zero };
+        if let (Some(evidence), false) = (&self.evidence, self.is_free()) {
+            let [a, b, c, _] = s.increment(evidence.impulse.series(), p, h).0;
+            let [x, y, z, w] = s.increment(&evidence.work, p, h).0;
+            sum.impulse = [a, b, c];
+            sum.work = (x + y) + (z + w);
+        }
+        sum
+    }
+}
+
+/// True without wheels and friction.
+fn is_plain(piece: &Piece<'_>) -> bool {
+    piece.rotor.wheels().is_empty() && piece.sink == 0.0
+}
+
+fn decomposed(piece: &Piece<'_>) -> Decomposition {
+    Decomposition::of(piece.rotor, piece.torques.iter().copied(), is_plain(piece))
+}
+
+/// Made where it stays: a copy of some kilobytes would be a part of a short run's time.
+fn all_zero<N: Number>(zero: N) -> Box<Motion<N>> {
+    let motion = vec![Coefficient::all(zero); TERMS].into_boxed_slice();
+    motion.try_into().unwrap_or_else(|_| Box::new([Coefficient::all(zero); TERMS]))
+}
+
+/// The expansion of one body.
+struct Expand<'a>(&'a mut Expansion);
+
+impl Work for Expand<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<S: Machine>(self, s: S) {
+        self.0.expand(OneBody(s));
+    }
+}
+
+/// The sums of all series of one body at a time.
+struct Sum<'a> {
+    expansion: &'a Expansion,
+    h: f64,
+}
+
+impl Work for Sum<'_> {
+    type Output = Increment;
+
+    #[inline(always)]
+    fn run<S: Machine>(self, s: S) -> Increment {
+        self.expansion.at(OneBody(s), self.h)
+    }
+}
+
+impl Expansion {
+    fn of_one(piece: &Piece<'_>, tolerance: f64, evidence: bool) -> Box<Self> {
+        let torques = decomposed(piece);
+        let mut expansion = Self::of(0.0, piece, &torques, tolerance, evidence);
+        expansion.set(0, piece, &torques);
+        expansion
+    }
+
+    fn expand_about(&mut self, start: &StepStart) {
+        self.start(start);
+        in_vectors(Expand(self));
+    }
+
+    fn after(&self, h: f64) -> Increment {
+        in_vectors(Sum { expansion: self, h })
+    }
+}
+
+impl<N: Number> Internal<N> {
+    /// Coefficient n of (L × Ω − ḣ)/I; those of Ω and of the power on the way.
+    #[inline(always)]
+    fn extend<M: Sums<N = N>>(
+        &mut self,
+        s: M,
+        n: usize,
+        moments: Row<N>,
+        inverses: Row<N>,
+        omega: &Vectors<N>,
+    ) -> Row<N> {
+        let none = Row::splat(self.sink.like(0.0));
+        let [h, rate] = self.wheels;
+        let wheels = match n {
+            0 => h,
+            1 => rate,
+            _ => none,
+        };
+        self.momentum.set(n, (moments * omega.rows.at(n) + wheels).vector());
+        let bending = s.cross(&self.momentum, &omega.rows, n);
+        self.bending.set(n, bending);
+        self.turning.set(n, omega.rows.at(n) + Row::splat(self.sink) * bending);
+        let reaction = if n == 0 { rate } else { none };
+        let torque = s.cross(&self.momentum, &self.turning.rows, n) - reaction;
+        let loss = s.product(&self.bending, &self.bending, n) * Row::splat(self.sink);
+        self.power.set(n, none - rate * omega.rows.at(n) - loss);
+        inverses * torque
+    }
+}

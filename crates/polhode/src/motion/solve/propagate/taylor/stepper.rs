@@ -1,0 +1,304 @@
+//! Taylor steps put together.
+
+use std::rc::Rc;
+
+use super::base::ExpansionPoint;
+use super::row::{Row, smaller};
+use super::sums::OneBody;
+use super::{Expansion, Increment, decomposed};
+use crate::math::frame::{Body, Principal, Space};
+use crate::math::machine::{Machine, Work, in_vectors};
+use crate::math::rotation::Rotation;
+use crate::math::sum::two_sum;
+use crate::math::vector::{AngularMomentum, Vector};
+use crate::motion::error::MotionError;
+use crate::motion::model::state::State;
+use crate::motion::solve::propagate::noise::Noise;
+use crate::motion::solve::propagate::piece::Piece;
+use crate::motion::solve::propagate::stepper::{Balanced, StepStatistics};
+
+/// Adaptive Taylor steps over the motion of one body.
+///
+/// The series about the state that a step starts from is kept until the next step: it is the dense output. Each sum carries its rounding.
+#[derive(Debug)]
+pub(in crate::motion::solve::propagate) struct Taylor<'a> {
+    piece: Rc<Piece<'a>>,
+    expansion: Box<Expansion>,
+    /// Body axes from principal ones.
+    to_body: Rotation<Body, Principal>,
+    /// Where the last step began and where it ended, in turn: what a step starts from stays where it is.
+    pack: [ExpansionPoint; 2],
+    /// Which of them is now.
+    now: usize,
+    /// The series are about now: there is no last step.
+    is_expanded: bool,
+    /// Work and impulse at the base and now, if they are wanted.
+    evidence: Option<[Evidence; 2]>,
+    h: f64,
+    omega_scale: f64,
+    /// |ω| now.
+    rate: f64,
+    statistics: StepStatistics,
+}
+
+/// ∫ N · ω dt and ∫ N dt; what rounding took is carried.
+#[derive(Clone, Copy, Debug, Default)]
+struct Evidence {
+    work: [f64; 2],
+    impulse: [[f64; 2]; 3],
+}
+
+impl<'a> Taylor<'a> {
+    pub(in crate::motion::solve::propagate) fn new(
+        piece: Rc<Piece<'a>>,
+        start: State,
+        tolerance: f64,
+        with_evidence: bool,
+    ) -> Result<Self, MotionError> {
+        let to_body = piece.rotor.principal().rotation();
+        let head = ExpansionPoint::new(&start, to_body);
+        let mut taylor = Self {
+            expansion: Expansion::of_one(&piece, tolerance, with_evidence),
+            // A body at rest is measured by how fast the torque makes it.
+            omega_scale: start.omega.norm().max(torque_rate(&piece)),
+            piece,
+            to_body,
+            pack: [head; 2],
+            now: 0,
+            is_expanded: false,
+            evidence: with_evidence.then(Default::default),
+            h: 0.0,
+            rate: head.rate(),
+            statistics: StepStatistics::default(),
+        };
+        taylor.expand()?;
+        Ok(taylor)
+    }
+
+    /// Goes on from here with what acts from now on.
+    ///
+    /// # Errors
+    /// As [`Taylor::new`].
+    pub(in crate::motion::solve::propagate) fn change(
+        &mut self,
+        piece: Rc<Piece<'a>>,
+    ) -> Result<(), MotionError> {
+        self.omega_scale = self.omega_scale.max(torque_rate(&piece));
+        let torques = decomposed(&piece);
+        self.expansion.act(&piece, &torques);
+        self.expansion.set(0, &piece, &torques);
+        self.piece = piece;
+        self.expand()
+    }
+
+    /// One step forward, not beyond `until`.
+    ///
+    /// # Errors
+    /// As [`crate::motion::solve::propagate::stepper::Stepper::step`].
+    pub(in crate::motion::solve::propagate) fn step(&mut self, until: f64) -> Result<(), MotionError> {
+        let expands = !self.is_expanded;
+        if expands {
+            self.begin();
+        }
+        let Self { expansion, pack: [first, second], now, h, omega_scale, .. } = self;
+        let (base, head) = if *now == 0 { (&*first, second) } else { (&*second, first) };
+        let time = base.time;
+        let landing = in_vectors(Leap { expansion, base, head, expands, h: *h, scale: *omega_scale, until });
+        if expands {
+            self.is_expanded = true;
+            self.statistics.evaluations += self.expansion.order as u64;
+            self.require_balance()?;
+        }
+        self.h = landing.allowed;
+        if landing.h.is_nan() {
+            return Err(MotionError::NotFinite { time });
+        }
+        if !(time + landing.h > time) {
+            return Err(MotionError::StepTooSmall { time, step: landing.h });
+        }
+        if landing.not_finite != 0.0 {
+            return Err(MotionError::NotFinite { time });
+        }
+        self.now = 1 - self.now;
+        self.is_expanded = false;
+        if let Some([base, head]) = &mut self.evidence {
+            *head = base.plus(&landing.more, self.pack[self.now].rotation());
+        }
+        self.omega_scale = self.omega_scale.max(landing.rate);
+        self.rate = landing.rate;
+        self.statistics.accepted += 1;
+        Ok(())
+    }
+
+    /// Goes back to a time within the last step.
+    pub(in crate::motion::solve::propagate) fn cut(&mut self, time: f64) {
+        if time != self.head().time {
+            let more = self.expansion.after(time - self.base().time);
+            let head = self.base().plus(&more, time);
+            self.rate = head.rate();
+            if let Some([base, there]) = &mut self.evidence {
+                *there = base.plus(&more, head.rotation());
+            }
+            self.pack[self.now] = head;
+        }
+    }
+
+    /// Makes all steps to come so many times as long as the tolerance allows.
+    pub(in crate::motion::solve::propagate) fn stretch(&mut self, factor: f64) {
+        self.expansion.reach += libm::log2(factor);
+        self.h = self.expansion.step(self.omega_scale);
+    }
+
+    /// Perturbs the end of the last step.
+    pub(in crate::motion::solve::propagate) fn perturb(&mut self, noise: &mut Noise) {
+        let (base, head) = (self.base(), self.head());
+        let (before, after) = (base.omega().to_array(), head.omega().to_array());
+        let [x, y, z] = noise.turn(head.time - base.time, before, after);
+        let [p, q, r] = noise.rate(before, after);
+        // 1 + ½ δ is the turn by a small δ.
+        let turn = Row([0.0, 0.5 * x, 0.5 * y, 0.5 * z]);
+        let more = Increment { omega: Row([p, q, r, 0.0]), turn, impulse: [0.0; 3], work: 0.0 };
+        self.pack[self.now] = head.plus(&more, head.time);
+    }
+
+    /// What the series are about.
+    fn base(&self) -> &ExpansionPoint {
+        &self.pack[if self.is_expanded { self.now } else { 1 - self.now }]
+    }
+
+    fn head(&self) -> &ExpansionPoint {
+        &self.pack[self.now]
+    }
+
+    /// # Errors
+    /// [`MotionError::TorqueWithoutInertia`] if nothing would balance the torque.
+    fn expand(&mut self) -> Result<(), MotionError> {
+        self.begin();
+        self.is_expanded = true;
+        self.expansion.expand_about(&self.head().start());
+        self.require_balance()?;
+        self.h = self.expansion.step(self.omega_scale);
+        self.statistics.evaluations += self.expansion.order as u64;
+        Ok(())
+    }
+
+    /// A step begins where the last one has led.
+    fn begin(&mut self) {
+        if let Some([base, head]) = &mut self.evidence {
+            *base = *head;
+        }
+        let time = self.head().time;
+        self.expansion.start_wheels(0, time, &self.piece);
+    }
+
+    fn require_balance(&self) -> Result<(), MotionError> {
+        match self.expansion.unbalanced(0) {
+            Some(torque) => Err(MotionError::TorqueWithoutInertia { torque, time: self.head().time }),
+            None => Ok(()),
+        }
+    }
+
+    /// |ω|, rad/s.
+    pub(in crate::motion::solve::propagate) fn rate(&self) -> f64 {
+        self.rate
+    }
+
+    pub(in crate::motion::solve::propagate) fn time(&self) -> f64 {
+        self.head().time
+    }
+
+    /// The step that the tolerance allows, s: that of the last step until the next.
+    pub(in crate::motion::solve::propagate) fn next_step(&self) -> f64 {
+        self.h
+    }
+
+    pub(in crate::motion::solve::propagate) fn statistics(&self) -> StepStatistics {
+        self.statistics
+    }
+
+    pub(in crate::motion::solve::propagate) fn now(&self) -> Balanced {
+        self.balanced(self.head(), self.evidence.map(|[_, head]| head))
+    }
+
+    /// The state at a time within the last step.
+    pub(in crate::motion::solve::propagate) fn at(&self, time: f64) -> Balanced {
+        let more = self.expansion.after(time - self.base().time);
+        let there = self.base().plus(&more, time);
+        let evidence = self.evidence.map(|[base, _]| base.plus(&more, there.rotation()));
+        self.balanced(&there, evidence)
+    }
+
+    fn balanced(&self, base: &ExpansionPoint, evidence: Option<Evidence>) -> Balanced {
+        let state = base.state(self.to_body);
+        let Evidence { work, impulse } = evidence.unwrap_or_default();
+        Balanced { state, work: work[0], impulse: Vector::from_array(impulse.map(|[high, _]| high)) }
+    }
+}
+
+/// A step of one body: the series, unless they are there, and where they lead.
+struct Leap<'a> {
+    expansion: &'a mut Expansion,
+    base: &'a ExpansionPoint,
+    head: &'a mut ExpansionPoint,
+    expands: bool,
+    /// The step that the tolerance allows, where the series are there.
+    h: f64,
+    scale: f64,
+    until: f64,
+}
+
+/// Where a step leads.
+struct Landing {
+    /// The step that the tolerance allows.
+    allowed: f64,
+    h: f64,
+    more: Increment,
+    /// Zero of what is finite.
+    not_finite: f64,
+    /// |ω|
+    rate: f64,
+}
+
+impl Work for Leap<'_> {
+    type Output = Landing;
+
+    #[inline(always)]
+    fn run<S: Machine>(self, s: S) -> Landing {
+        let Self { expansion, base, head, expands, h, scale, until } = self;
+        let allowed = if expands {
+            expansion.start(&base.start());
+            expansion.expand(OneBody(s));
+            expansion.step(scale)
+        } else {
+            h
+        };
+        let (time, rest) = (base.time, until - base.time);
+        let wanted = smaller(allowed, expansion.reach());
+        let (h, end) = if wanted >= rest { (rest, until) } else { (wanted, time + wanted) };
+        // What rounding makes of the time is part of the step: left out, it was most of the error of a free body after 100 s at 1e-15.
+        let more = expansion.at(OneBody(s), end - time);
+        *head = base.plus(&more, end);
+        Landing { allowed, h, more, not_finite: head.not_finite(), rate: head.rate() }
+    }
+}
+
+/// √(N/I), rad/s.
+pub(super) fn torque_rate(piece: &Piece<'_>) -> f64 {
+    (piece.largest_torque / piece.rotor.principal().moments()[2]).sqrt()
+}
+
+impl Evidence {
+    fn plus(&self, more: &Increment, at_end: Rotation<Space, Principal>) -> Self {
+        let impulse: AngularMomentum<Space> = at_end * AngularMomentum::from_array(more.impulse);
+        let impulse = impulse.to_array();
+        Self {
+            work: carried(self.work, more.work),
+            impulse: core::array::from_fn(|k| carried(self.impulse[k], impulse[k])),
+        }
+    }
+}
+
+fn carried([high, low]: [f64; 2], more: f64) -> [f64; 2] {
+    let (high, low) = two_sum(high, more + low);
+    [high, low]
+}

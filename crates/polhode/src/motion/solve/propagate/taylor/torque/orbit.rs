@@ -1,0 +1,116 @@
+//! The series of an orbit, as the turning body sees it.
+//!
+//! ρ = r/r₀ and ν = ṙ/r₀, with r₀ the distance at the start of the step, which the orbit's closed form begins afresh:
+//!
+//! ρ̇ = ν + ρ × Ω,  ν̇ = −(µ/r₀³) ρ/|ρ|³ + ν × Ω
+//!
+//! On a circle |ρ| is 1, and all of this is linear.
+
+use super::super::body_resolved::BodyResolved;
+use super::super::row::{Row, Series};
+use super::super::scalar::{Scalars, power};
+use super::super::sums::Sums;
+use super::{Known, StepStart, row};
+use crate::math::number::Number;
+use crate::motion::model::orbit::Orbit;
+
+/// The series of an orbit over one step.
+#[derive(Clone, Debug)]
+pub(super) struct OrbitSeries<N> {
+    /// One for each lane.
+    orbits: Vec<Orbit>,
+    /// Of all lanes alike.
+    is_circular: bool,
+    /// µ, m³/s².
+    mu: N,
+    /// r₀, m.
+    pub(super) distance: N,
+    /// µ/r₀³, 1/s².
+    pub(super) strength: N,
+    pub(super) rho: Series<N>,
+    nu: BodyResolved<N>,
+    /// |ρ|²
+    pub(super) square: Scalars<N>,
+    /// |ρ|⁻³
+    pub(super) cube: Scalars<N>,
+    /// The same in every place of a row.
+    cube_rows: Series<N>,
+}
+
+impl<N: Number> OrbitSeries<N> {
+    pub(super) fn of(zero: N, orbit: &Orbit) -> Self {
+        let one = Scalars::constant(zero.like(1.0));
+        Self {
+            orbits: vec![orbit.clone(); N::LANES],
+            is_circular: orbit.is_circular(),
+            mu: zero,
+            distance: zero,
+            strength: zero,
+            rho: Series::all(zero),
+            nu: BodyResolved::all(zero),
+            square: one,
+            cube: one,
+            cube_rows: Series::constant(Row::splat(one[0])),
+        }
+    }
+
+    pub(super) fn set(&mut self, lane: usize, orbit: &Orbit) {
+        self.orbits[lane] = orbit.clone();
+        self.mu.put(lane, orbit.mu());
+        if orbit.is_circular() {
+            self.distance.put(lane, orbit.periapsis());
+            self.strength.put(lane, orbit.strength(orbit.periapsis()));
+        }
+    }
+
+    #[inline(always)]
+    pub(super) fn start(&mut self, at: &StepStart<N>) {
+        let (mut position, mut velocity) = (at.omega, at.omega);
+        if self.is_circular {
+            for (lane, orbit) in self.orbits.iter().enumerate() {
+                let [toward, rate] = orbit.around(at.time.lane(lane));
+                position.put(lane, row(toward));
+                velocity.put(lane, row(rate));
+            }
+            self.rho.set(0, at.resolved(position).vector());
+            self.nu.start(at.resolved(velocity));
+            return;
+        }
+        for (lane, orbit) in self.orbits.iter().enumerate() {
+            let (r, v) = orbit.position_and_velocity(at.time.lane(lane));
+            position.put(lane, row(r));
+            velocity.put(lane, row(v));
+        }
+        let r = position.norm();
+        self.strength = self.mu / r / r / r;
+        self.distance = r;
+        self.rho.set(0, at.resolved(position.divided(r)).vector());
+        self.nu.start(at.resolved(velocity.divided(r)));
+    }
+
+    /// Finds coefficient n of |ρ|² and |ρ|⁻³.
+    #[inline(always)]
+    pub(super) fn measure<M: Sums<N = N>>(&mut self, s: M, n: usize) {
+        // The first is 1 because r₀ is chosen so, and a circle has no others.
+        if n == 0 || self.is_circular {
+            return;
+        }
+        let rho = &self.rho;
+        let [x, y, z, _] = s.product(rho, rho, n).0;
+        self.square[n] = x + y + z;
+        self.cube[n] = power(&self.square, -1.5, &self.cube, n);
+        self.cube_rows.set(n, Row::splat(self.cube[n]));
+    }
+
+    /// Finds coefficient n + 1 of ρ and ν.
+    #[inline(always)]
+    pub(super) fn extend<M: Sums<N = N>>(&mut self, n: usize, known: &Known<'_, M>) {
+        let turning = &known.turning.rows;
+        let over_cube =
+            if self.is_circular { self.rho[n] } else { known.s.product(&self.cube_rows, &self.rho, n) };
+        let pull = over_cube * Row::splat(-self.strength);
+        let next = (known.s.cross(&self.rho, turning, n) + self.nu.coefficient(n)).over(n + 1);
+        self.rho.set(n + 1, next.vector());
+        self.nu.extend(known.s, n, turning, pull);
+    }
+}

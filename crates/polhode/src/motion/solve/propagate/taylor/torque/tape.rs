@@ -1,0 +1,566 @@
+//! The series of torques that a graph states: coefficient n of each value from coefficients up to n of those that it is of.
+
+use super::super::function::{angle, constant_power, hypotenuse, integral_by, integral_over};
+use super::super::row::{Row, Series};
+use super::super::scalar::{Composition, Scalars, power_difference, product, quotient, times_vector};
+use super::super::sums::Sums;
+use super::norm::NormSeries;
+use super::orbit::OrbitSeries;
+use super::{Known, StepStart, cross, row};
+use crate::math::algebra::Scalar as _;
+use crate::math::frame::{Principal, Space};
+use crate::math::number::{MulAdd, Number};
+use crate::math::rotation::{Rotation, wrap};
+use crate::motion::model::rotor::Rotor;
+use crate::motion::model::torque::graph::{Graph, Operation, ScalarOperation, VectorOperation};
+use crate::motion::solve::propagate::chart::{ROUNDING, THIN};
+
+/// The series of the values of a graph over one step.
+#[derive(Clone, Debug)]
+pub(in super::super) struct Tape<N> {
+    /// All, and those whose results change during a step.
+    steps: [Vec<Step>; 2],
+    torque: usize,
+    numbers: Vec<Scalars<N>>,
+    vectors: Vec<Series<N>>,
+    constants: Vec<N>,
+    constant_vectors: Vec<Row<N>>,
+    /// By columns.
+    matrices: Vec<[Row<N>; 3]>,
+    /// Vectors that are fixed in space, along its axes.
+    fixed: Vec<Row<N>>,
+    orbits: Vec<OrbitSeries<N>>,
+    turns: Vec<Turn<N>>,
+    norms: Vec<NormSeries<N>>,
+    compositions: Vec<Composition<N>>,
+    time: N,
+    /// Σ h a of the wheels at the start of the step, and its rate.
+    wheels: [Row<N>; 2],
+    /// Which principal axes are those of a needle, if any of a lane are.
+    thin: Vec<[bool; 3]>,
+}
+
+/// An operation and where its result goes.
+#[derive(Clone, Copy, Debug)]
+struct Step {
+    operation: Operation,
+    place: usize,
+    /// Of a norm or a composition: which one.
+    beside: usize,
+    constant: Constant,
+}
+
+/// Which operands do not change during a step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Constant {
+    None,
+    First,
+    Second,
+    All,
+}
+
+/// The turn from an attitude: p = p₀ ∘ (the turn since the start of the step).
+#[derive(Clone, Debug)]
+struct Turn<N> {
+    /// The principal axes at the attitude that it is from, of each lane.
+    from: Vec<Rotation<Space, Principal>>,
+    is_canonical: bool,
+    start: Row<N>,
+}
+
+impl<N: Number> Tape<N> {
+    /// For all bodies whose graphs have these operations.
+    pub(in super::super) fn of(zero: N, graph: &Graph) -> Self {
+        let (none, [numbers, vectors]) = (Row::splat(zero), graph.counts);
+        let (mut norms, mut compositions) = (Vec::new(), Vec::new());
+        // What of the numbers and vectors so far does not change during a step.
+        let mut constants = [Vec::new(), Vec::new()];
+        let steps = graph.operations.iter().map(|&operation| {
+            let beside = match operation {
+                Operation::Scalar(ScalarOperation::Norm(_)) => {
+                    norms.push(NormSeries::all(zero));
+                    norms.len() - 1
+                }
+                Operation::Scalar(ScalarOperation::HalfAngleOverSine(_)) => {
+                    compositions.push(Composition::all(zero));
+                    compositions.len() - 1
+                }
+                _ => 0,
+            };
+            let constant = Constant::of(operation, &constants);
+            let kind = match operation {
+                Operation::Scalar(_) => &mut constants[0],
+                Operation::Vector(_) => &mut constants[1],
+            };
+            kind.push(constant == Constant::All);
+            Step { operation, place: kind.len() - 1, beside, constant }
+        });
+        let steps: Vec<_> = steps.collect();
+        let changing = steps.iter().filter(|step| step.constant != Constant::All).copied().collect();
+        let turn =
+            |is_canonical| Turn { from: vec![Rotation::identity(); N::LANES], is_canonical, start: none };
+        Self {
+            steps: [steps, changing],
+            torque: graph.torque,
+            numbers: vec![Scalars::all(zero); numbers],
+            vectors: vec![Series::all(zero); vectors],
+            constants: vec![zero; graph.constants.len()],
+            constant_vectors: vec![none; graph.vectors.len()],
+            matrices: vec![[none; 3]; graph.matrices.len()],
+            fixed: vec![none; graph.fixed.len()],
+            orbits: graph.orbits.iter().map(|orbit| OrbitSeries::of(zero, orbit)).collect(),
+            turns: graph.turns.iter().map(|&(_, is_canonical)| turn(is_canonical)).collect(),
+            norms,
+            compositions,
+            time: zero,
+            wheels: [none; 2],
+            thin: Vec::new(),
+        }
+    }
+
+    /// What a lane's body has; a graph with the same operations.
+    pub(in super::super) fn set(&mut self, lane: usize, graph: &Graph, rotor: &Rotor) {
+        for (place, &x) in self.constants.iter_mut().zip(&graph.constants) {
+            place.put(lane, x);
+        }
+        for (place, &[x, y, z]) in self.constant_vectors.iter_mut().zip(&graph.vectors) {
+            place.put(lane, Row([x, y, z, 0.0]));
+        }
+        for (columns, rows) in self.matrices.iter_mut().zip(&graph.matrices) {
+            for (column, place) in columns.iter_mut().enumerate() {
+                place.put(lane, Row([rows[0][column], rows[1][column], rows[2][column], 0.0]));
+            }
+        }
+        for (place, &v) in self.fixed.iter_mut().zip(&graph.fixed) {
+            place.put(lane, row(v));
+        }
+        for (series, orbit) in self.orbits.iter_mut().zip(&graph.orbits) {
+            series.set(lane, orbit);
+        }
+        for (turn, (rest, _)) in self.turns.iter_mut().zip(&graph.turns) {
+            turn.from[lane] = *rest * rotor.principal().rotation();
+        }
+        self.norms.iter_mut().for_each(|norm| norm.set(lane));
+        let moments = rotor.principal().moments();
+        let thin = moments.map(|moment| moment < THIN * moments[2]);
+        if thin != [false; 3] || !self.thin.is_empty() {
+            self.thin.resize(N::LANES, [false; 3]);
+            self.thin[lane] = thin;
+        }
+    }
+
+    /// Starts a step.
+    #[inline(always)]
+    pub(in super::super) fn start(&mut self, at: &StepStart<N>) {
+        self.time = at.time;
+        self.orbits.iter_mut().for_each(|orbit| orbit.start(at));
+        self.norms.iter_mut().for_each(|norm| norm.start(at.time));
+        for turn in &mut self.turns {
+            for (lane, from) in turn.from.iter().enumerate() {
+                let (_, attitude) = at.lane(lane);
+                let p: Rotation<Principal, Principal> = from.inverse() * attitude;
+                let p = if turn.is_canonical { p.canonical_quaternion() } else { p.quaternion() };
+                turn.start.put(lane, Row(p));
+            }
+        }
+        for &Step { operation, place, .. } in &self.steps[1] {
+            if let Operation::Vector(VectorOperation::Fixed(k)) = operation {
+                self.vectors[place].set(0, at.resolved(self.fixed[k]).vector());
+            }
+        }
+    }
+
+    /// What the wheels of a lane have at the start of a step: h and ḣ.
+    pub(in super::super) fn start_wheels(&mut self, lane: usize, wheels: [Row; 2]) {
+        for (place, wheels) in self.wheels.iter_mut().zip(wheels) {
+            place.put(lane, wheels);
+        }
+    }
+
+    /// Coefficient n of N, once everything that is known is so up to n.
+    #[inline(always)]
+    pub(in super::super) fn coefficient<M: Sums<N = N>>(&mut self, n: usize, known: &Known<'_, M>) -> Row<N> {
+        for orbit in &mut self.orbits {
+            orbit.measure(known.s, n);
+        }
+        // Constants have no coefficients but the first.
+        let which = usize::from(n > 0);
+        let steps = core::mem::take(&mut self.steps[which]);
+        for step in &steps {
+            match &step.operation {
+                Operation::Scalar(operation) => {
+                    let value = self.number(operation, step, n, known);
+                    self.numbers[step.place][n] = value;
+                }
+                Operation::Vector(operation) => {
+                    let value = self.vector(operation, step, n, known);
+                    self.vectors[step.place].set(n, value.vector());
+                }
+            }
+        }
+        self.steps[which] = steps;
+        self.without_rounding(self.vectors[self.torque].at(n))
+    }
+
+    /// Finds what coefficient n + 1 needs beside the motion.
+    #[inline(always)]
+    pub(in super::super) fn extend<M: Sums<N = N>>(&mut self, n: usize, known: &Known<'_, M>) {
+        for &Step { operation, place, .. } in &self.steps[1] {
+            if let Operation::Vector(VectorOperation::Fixed(_)) = operation {
+                // v̇ = v × Ω
+                let next = known.s.cross(&self.vectors[place], &known.turning.rows, n).over(n + 1);
+                self.vectors[place].set(n + 1, next.vector());
+            }
+        }
+        for orbit in &mut self.orbits {
+            orbit.extend(n, known);
+        }
+    }
+
+    /// The longest step that the series is good for, s, where its coefficients do not show it.
+    #[inline(always)]
+    pub(in super::super) fn reach(&self, endless: N) -> N {
+        self.norms.iter().fold(endless, |least, norm| super::super::row::smaller(least, norm.reach(endless)))
+    }
+
+    /// Coefficient n of a number.
+    #[inline(always)]
+    fn number<M: Sums<N = N>>(
+        &mut self,
+        operation: &ScalarOperation,
+        &Step { place: own, beside, constant: constants, .. }: &Step,
+        n: usize,
+        known: &Known<'_, M>,
+    ) -> N {
+        use ScalarOperation as Op;
+        let rows = &self.numbers;
+        let zero = self.time.like(0.0);
+        // A constant over the step.
+        let constant = |x: N| if n == 0 { x } else { zero };
+        match *operation {
+            Op::Constant(k) => constant(self.constants[k]),
+            Op::Time if n == 1 => zero.like(1.0),
+            Op::Time => constant(self.time),
+            Op::OrbitSquare(k) => self.orbits[k].square[n],
+            Op::OrbitInverseCube(k) => self.orbits[k].cube[n],
+            Op::OrbitDistance(k) => constant(self.orbits[k].distance),
+            Op::OrbitStrength(k) => constant(self.orbits[k].strength),
+            Op::Negate(a) => zero - rows[a][n],
+            Op::Scale(a, k) => self.constants[k] * rows[a][n],
+            Op::Add(a, b) => rows[a][n] + rows[b][n],
+            Op::Subtract(a, b) => rows[a][n] - rows[b][n],
+            Op::Multiply(a, b) => match constants {
+                Constant::First => rows[a][0] * rows[b][n],
+                Constant::Second => rows[a][n] * rows[b][0],
+                _ => product(&rows[a], &rows[b], n),
+            },
+            Op::Divide(a, b) if constants == Constant::Second => rows[a][n] / rows[b][0],
+            Op::Divide(a, b) => quotient(&rows[a], &rows[b], &rows[own], n),
+            Op::DivideOrZero(a, b) => {
+                let value = quotient(&rows[a], &rows[b], &rows[own], n);
+                value.zip(rows[b][0], |value, divisor| if divisor == 0.0 { 0.0 } else { value })
+            }
+            Op::Component(v, k) => self.vectors[v].at(n).0[k],
+            Op::Dot(a, b) => {
+                let (a, b) = (&self.vectors[a], &self.vectors[b]);
+                let products = match constants {
+                    Constant::First => a.at(0) * b.at(n),
+                    Constant::Second => a.at(n) * b.at(0),
+                    _ => known.s.product(a, b, n),
+                };
+                let [x, y, z, _] = products.0;
+                x + y + z
+            }
+            Op::Norm(v) => self.norms[beside].coefficient(n, &self.vectors[v]),
+            Op::TurnScalar(k) => self.turns[k].coefficient(known.turn(n)).0[0],
+            Op::HalfAngleOverSine(a) => {
+                let composition = &mut self.compositions[beside];
+                if n == 0 {
+                    (0..N::LANES)
+                        .for_each(|lane| start_composition(composition, lane, rows[a][0].lane(lane)));
+                }
+                composition.extend(&rows[a], n);
+                composition.series()[n]
+            }
+            _ if n == 0 => self.function(*operation),
+            Op::Power(a, p) => constant_power(&rows[a], f64::from_bits(p), &rows[own], n),
+            Op::PowerDifference([_, delta, power, sum], p) => {
+                let of = [&rows[delta], &rows[sum], &rows[power]];
+                power_difference(of, f64::from_bits(p), &rows[own], n)
+            }
+            Op::Hypot(a, b) => hypotenuse(&rows[a], &rows[b], &rows[own], n),
+            Op::IntegralBy { of, by, .. } => integral_by(&rows[of], &rows[by], n),
+            Op::IntegralOver { of, over, .. } => integral_over(&rows[of], &rows[over], &rows[own], n),
+            Op::Angle(a, b, square) => angle(&rows[a], &rows[b], &rows[square], &rows[own], n),
+            Op::Wrapped(a) => rows[a][n],
+            Op::GeneralPower(_, _, exponent) => integral_by(&rows[exponent], &rows[own], n),
+            Op::Rough => zero.like(f64::NAN),
+        }
+    }
+
+    /// The value of a function at the start of the step, lane by lane.
+    fn function(&self, operation: ScalarOperation) -> N {
+        use ScalarOperation as Op;
+        let at = |place: usize| self.numbers[place][0];
+        match operation {
+            Op::Power(a, p) => at(a).map(|x| match f64::from_bits(p) {
+                0.5 => x.sqrt(),
+                p => libm::pow(x, p),
+            }),
+            Op::PowerDifference([a, delta, ..], p) => {
+                at(a).zip(at(delta), |a, delta| a.power_difference(delta, f64::from_bits(p)))
+            }
+            Op::Hypot(a, b) => at(a).zip(at(b), libm::hypot),
+            Op::IntegralBy { start, of, .. } | Op::IntegralOver { start, of, .. } => {
+                at(of).map(|x| start.of(x))
+            }
+            Op::Angle(a, b, _) => at(a).zip(at(b), libm::atan2),
+            Op::Wrapped(a) => at(a).map(wrap),
+            Op::GeneralPower(a, b, _) => at(a).zip(at(b), libm::pow),
+            _ => self.time.like(f64::NAN),
+        }
+    }
+
+    /// Coefficient n of a vector.
+    #[inline(always)]
+    fn vector<M: Sums<N = N>>(
+        &self,
+        operation: &VectorOperation,
+        &Step { place: own, constant, .. }: &Step,
+        n: usize,
+        known: &Known<'_, M>,
+    ) -> Row<N> {
+        use VectorOperation as Op;
+        let rows = &self.vectors;
+        let none = Row::splat(self.time.like(0.0));
+        match *operation {
+            Op::Constant(k) if n == 0 => self.constant_vectors[k],
+            Op::Constant(_) => none,
+            Op::Omega => known.omega.rows.at(n),
+            Op::Wheels => self.wheels.get(n).copied().unwrap_or(none),
+            // Known already.
+            Op::Fixed(_) => rows[own].at(n),
+            Op::Orbit(k) => self.orbits[k].rho.at(n),
+            Op::Turn(k) => {
+                let [_, x, y, z] = self.turns[k].coefficient(known.turn(n)).0;
+                Row([x, y, z, none.0[0]])
+            }
+            Op::Negate(a) => none - rows[a].at(n),
+            Op::Scale(a, k) => rows[a].at(n) * Row::splat(self.constants[k]),
+            Op::Add(a, b) => rows[a].at(n) + rows[b].at(n),
+            Op::Subtract(a, b) => rows[a].at(n) - rows[b].at(n),
+            Op::Times(a, b) => match constant {
+                Constant::First => rows[a].at(0) * Row::splat(self.numbers[b][n]),
+                Constant::Second => rows[a].at(n) * Row::splat(self.numbers[b][0]),
+                _ => times_vector(&self.numbers[b], &rows[a], n),
+            },
+            Op::Cross(a, b) => match constant {
+                Constant::First => cross(rows[a].at(0), rows[b].at(n)),
+                Constant::Second => cross(rows[a].at(n), rows[b].at(0)),
+                _ => known.s.cross(&rows[a], &rows[b], n),
+            },
+            Op::Image(k, a) => times(&self.matrices[k], rows[a].at(n)),
+            Op::Of([x, y, z]) => {
+                let [x, y, z] = [x, y, z].map(|place| self.numbers[place][n]);
+                Row([x, y, z, none.0[0]])
+            }
+        }
+    }
+
+    /// N without what is only rounding along the axis of a needle: divided by so small a moment, it would spin it.
+    #[inline(always)]
+    fn without_rounding(&self, mut torque: Row<N>) -> Row<N> {
+        for (lane, thin) in self.thin.iter().enumerate() {
+            let mut one = torque.lane(lane);
+            let [x, y, z, _] = one.0;
+            let least = ROUNDING * (x.abs() + y.abs() + z.abs());
+            for (component, is_thin) in one.0.iter_mut().zip(thin) {
+                if *is_thin && component.abs() < least {
+                    *component = 0.0;
+                }
+            }
+            torque.put(lane, one);
+        }
+        torque
+    }
+}
+
+impl<N: Number> Turn<N> {
+    /// p₀ ∘ (coefficient n of the turn since the start of the step).
+    #[inline(always)]
+    fn coefficient(&self, turn: Row<N>) -> Row<N> {
+        let ([w, x, y, z], [a, b, c, d]) = (self.start.0, turn.0);
+        Row([
+            w * a - x * b - y * c - z * d,
+            w * b + x * a + y * d - z * c,
+            w * c - x * d + y * a + z * b,
+            w * d + x * c - y * b + z * a,
+        ])
+    }
+}
+
+/// A lane of f(w) = arccos w/√(1 − w²) at the w that a step starts from.
+fn start_composition<N: Number>(composition: &mut Composition<N>, lane: usize, w: f64) {
+    let sine = ((1.0 - w) * (1.0 + w)).max(0.0).sqrt();
+    composition.start(lane, w.half_angle_over_sine(), w, sine);
+}
+
+impl Constant {
+    /// Of an operation on numbers and vectors of which it is known whether they change.
+    fn of(operation: Operation, [numbers, vectors]: &[Vec<bool>; 2]) -> Self {
+        use ScalarOperation as S;
+        use VectorOperation as V;
+        let number = |place: usize| numbers.get(place).copied().unwrap_or(false);
+        let vector = |place: usize| vectors.get(place).copied().unwrap_or(false);
+        let one = |is_constant: bool| if is_constant { Self::All } else { Self::None };
+        let two = |first: bool, second: bool| match (first, second) {
+            (true, true) => Self::All,
+            (true, false) => Self::First,
+            (false, true) => Self::Second,
+            (false, false) => Self::None,
+        };
+        match operation {
+            Operation::Scalar(operation) => match operation {
+                S::Constant(_) | S::OrbitDistance(_) | S::OrbitStrength(_) => Self::All,
+                S::Negate(a) | S::Scale(a, _) | S::Power(a, _) => one(number(a)),
+                S::Add(a, b) | S::Subtract(a, b) | S::Multiply(a, b) | S::Divide(a, b) => {
+                    two(number(a), number(b))
+                }
+                S::Component(v, _) => one(vector(v)),
+                S::Dot(a, b) => two(vector(a), vector(b)),
+                _ => Self::None,
+            },
+            Operation::Vector(operation) => match operation {
+                V::Constant(_) => Self::All,
+                V::Negate(a) | V::Scale(a, _) | V::Image(_, a) => one(vector(a)),
+                V::Add(a, b) | V::Subtract(a, b) | V::Cross(a, b) => two(vector(a), vector(b)),
+                V::Times(a, b) => two(vector(a), number(b)),
+                V::Of([x, y, z]) => one(number(x) && number(y) && number(z)),
+                _ => Self::None,
+            },
+        }
+    }
+}
+
+/// A v, of A's columns.
+#[inline(always)]
+pub(super) fn times<N: Number>(columns: &[Row<N>; 3], v: Row<N>) -> Row<N> {
+    let [x, y, z, _] = v.0;
+    let [a, b, c] = *columns;
+    a.mul_add(Row::splat(x), b.mul_add(Row::splat(y), c * Row::splat(z)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::body::{InertiaTensor, MassProperties};
+    use crate::math::Position;
+    use crate::math::formula::{Binary, Formula, Instruction, Unary};
+    use crate::math::lanes::Lanes;
+    use crate::math::machine::Plain;
+    use crate::motion::model::torque::{FormulaTorque, TorqueModel};
+    use crate::motion::solve::propagate::taylor::all_zero;
+    use crate::motion::solve::propagate::taylor::row::TERMS;
+    use crate::motion::solve::propagate::taylor::row::Vectors;
+    use crate::motion::solve::propagate::taylor::sums::{OneBody, SeveralBodies};
+
+    const T: Instruction = Instruction::Variable(0);
+
+    /// Coefficients of a formula of t about the time of each lane.
+    fn series<M: Sums>(s: M, formula: &Formula, times: M::N) -> Scalars<M::N> {
+        let zero = Formula::constant(0.0);
+        let model = FormulaTorque::Body([formula.clone(), zero.clone(), zero]);
+        let model = TorqueModel::Formula(Box::new(model));
+        // Its principal axes are those of the body.
+        let inertia = InertiaTensor::diagonal([1.0, 2.0, 2.5]).unwrap();
+        let rotor = Rotor::free(&MassProperties::new(1.0, Position::ZERO, inertia).unwrap());
+        let graph = Graph::of([&model], &rotor);
+        let zero = times.like(0.0);
+        let mut tape = Tape::of(zero, &graph);
+        (0..M::N::LANES).for_each(|lane| tape.set(lane, &graph, &rotor));
+        let none = Row::splat(zero);
+        let attitude = Row([zero.like(1.0), zero, zero, zero]);
+        tape.start(&StepStart { time: times, attitude, omega: none, omega_low: none });
+        let (omega, motion) = (Vectors::all(zero), all_zero(zero));
+        let known = Known { s, omega: &omega, turning: &omega, motion: &motion };
+        let mut series = Scalars::all(zero);
+        for n in 0..TERMS {
+            series[n] = tape.coefficient(n, &known).0[0];
+        }
+        series
+    }
+
+    /// One body's.
+    fn series_of_one(formula: &Formula, time: f64) -> Scalars {
+        series(OneBody(Plain), formula, time)
+    }
+
+    /// 0.3 + 0.2 t − 0.1 t²
+    fn quadratic() -> Vec<Instruction> {
+        use Binary::{Add, Multiply, Subtract};
+        let [b, c] = [0.2, 0.1].map(Instruction::Constant);
+        let mut of_t = vec![Instruction::Constant(0.3), b, T, Instruction::Binary(Multiply)];
+        of_t.extend([Instruction::Binary(Add), c, T, Instruction::Unary(Unary::Power(2))]);
+        of_t.extend([Instruction::Binary(Multiply), Instruction::Binary(Subtract)]);
+        of_t
+    }
+
+    #[test]
+    fn every_function_has_the_series_of_its_values() {
+        use Unary::{Acos, Asin, Atan, Cos, Exp, Log, Negate, Power, Sin, Sqrt, Tan};
+        let mut formulas = Vec::new();
+        for unary in [Negate, Sqrt, Exp, Log, Sin, Cos, Tan, Asin, Acos, Atan, Power(3), Power(-2), Power(0)]
+        {
+            let of_t = quadratic().into_iter().chain([Instruction::Unary(unary)]);
+            formulas.push((format!("{unary:?}"), Formula::new(of_t).unwrap()));
+        }
+        use Binary::{Add, Atan2, Divide, Hypot, Multiply, Subtract};
+        for binary in [Add, Subtract, Multiply, Divide, Binary::Power, Atan2, Hypot] {
+            // of 0.3 + 0.2 t − 0.1 t² and its cosine, and the other way round
+            let (of_t, cosine) = (quadratic(), Instruction::Unary(Cos));
+            let ahead = of_t.iter().chain(&of_t).copied().chain([cosine, Instruction::Binary(binary)]);
+            formulas.push((format!("{binary:?}"), Formula::new(ahead).unwrap()));
+            let back = of_t.iter().copied().chain([cosine]).chain(of_t.iter().copied());
+            formulas.push((
+                format!("{binary:?}"),
+                Formula::new(back.chain([Instruction::Binary(binary)])).unwrap(),
+            ));
+        }
+        // a constant power that is not whole
+        let power = [Instruction::Constant(-1.7), Instruction::Binary(Binary::Power)];
+        formulas.push(("t^-1.7".to_owned(), Formula::new(quadratic().into_iter().chain(power)).unwrap()));
+        for (name, formula) in formulas {
+            let starts = [0.4, -0.7, 0.1, 0.5, -0.2, 0.3, 0.0, -0.4];
+            let together = series(SeveralBodies(Plain), &formula, Lanes(starts));
+            for (lane, start) in starts.into_iter().enumerate() {
+                let coefficients = series_of_one(&formula, start);
+                let same = |(one, all): (&f64, &Lanes<8>)| one.to_bits() == all.lane(lane).to_bits();
+                assert!(coefficients.iter().zip(together.iter()).all(same), "{name}");
+                for h in [-0.02, 0.015, 0.03] {
+                    let got = coefficients.iter().rev().fold(0.0, |sum, c| sum * h + c);
+                    let want = formula.evaluate(&[start + h]);
+                    assert!((got - want).abs() < 2e-15 * want.abs().max(1.0), "{name}: {got} {want}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn what_has_no_series_is_no_number() {
+        let of = |instructions: &[Instruction]| {
+            series_of_one(&Formula::new(instructions.iter().copied()).unwrap(), 0.0)
+        };
+        let root = of(&[T, Instruction::Unary(Unary::Sqrt)]);
+        assert!(root[0] == 0.0 && root[1].is_nan());
+        let distance = of(&[T, T, Instruction::Binary(Binary::Hypot)]);
+        assert!(distance[1].is_nan());
+        assert!(of(&[T, Instruction::Unary(Unary::Log)])[1..].iter().all(|c| !c.is_finite()));
+        assert!(of(&[T, Instruction::Unary(Unary::Abs)])[0].is_nan());
+        // but what stays zero has a root that does
+        let zero = [T, T, Instruction::Binary(Binary::Subtract), Instruction::Unary(Unary::Sqrt)];
+        assert!(of(&zero).iter().all(|c| *c == 0.0));
+        // and a whole power may pass through zero
+        let cube = of(&[T, Instruction::Unary(Unary::Power(3))]);
+        assert_eq!(cube[..5], [0.0, 0.0, 0.0, 1.0, 0.0]);
+    }
+}

@@ -1,0 +1,77 @@
+//! What must hold before a motion begins.
+
+use super::propagate::bound::MOST_STEPS;
+use crate::motion::error::MotionError;
+use crate::motion::model::rotor::Rotor;
+use crate::motion::model::state::State;
+use crate::motion::model::torque::TorqueModel;
+
+/// # Errors
+/// [`MotionError::Parameter`] if a time is not finite, or before the one that precedes it.
+pub(crate) fn require_ascending(start: f64, times: &[f64]) -> Result<(), MotionError> {
+    let mut last = start;
+    for &value in times {
+        if !value.is_finite() || value < last {
+            let rule = "finite, and not before the time that precedes it";
+            return Err(MotionError::Parameter { what: "the time", value, rule });
+        }
+        last = value;
+    }
+    Ok(())
+}
+
+/// No step goes across the beginning of a pulse: so many of them would take for ever, and there is no need to begin.
+///
+/// # Errors
+/// [`MotionError::TooManyPulses`] of all torques that do not stay off, and of the wheels' motors.
+pub(crate) fn require_few_pulses(
+    rotor: &Rotor,
+    torques: &[TorqueModel],
+    stays_off: &dyn Fn(&usize) -> bool,
+    [start, end]: [f64; 2],
+) -> Result<(), MotionError> {
+    let acting = torques.iter().enumerate().filter(|(k, _)| !stays_off(k));
+    let of_torques = acting.map(|(k, torque)| (Some(k), torque.pulses_between(start, end)));
+    let of_wheels = rotor.wheels().iter().map(|wheel| (None, wheel.pulses_between(start, end)));
+    let (mut sum, mut densest) = (0.0, (None, 0.0));
+    for (torque, pulses) in of_torques.chain(of_wheels) {
+        sum += pulses;
+        if pulses > densest.1 {
+            densest = (torque, pulses);
+        }
+    }
+    if sum <= MOST_STEPS as f64 {
+        return Ok(());
+    }
+    Err(MotionError::TooManyPulses { torque: densest.0, count: sum, most: MOST_STEPS })
+}
+
+/// A start is input: what is wrong with it is not the computation's fault.
+pub(crate) fn require_finite(
+    rotor: &Rotor,
+    torques: &[TorqueModel],
+    switched_off: &[usize],
+    start: &State,
+) -> Result<(), MotionError> {
+    let (energy, momentum) = (rotor.kinetic_energy(start.omega), rotor.angular_momentum(start.omega).norm());
+    for (what, value) in [
+        ("the start's time", start.time),
+        ("the start's attitude", start.attitude.quaternion().iter().sum()),
+        ("the start's angular velocity", start.omega.norm()),
+        ("the start's kinetic energy", energy),
+        ("the start's angular momentum", momentum),
+    ] {
+        if !value.is_finite() {
+            return Err(MotionError::Parameter { what, value, rule: "finite" });
+        }
+    }
+    for (k, torque) in torques.iter().enumerate() {
+        // One that is scheduled for later may still be no number now.
+        let model = torque.acting(start.time).unwrap_or(torque);
+        if !model.scale(rotor, start).is_finite() && !switched_off.contains(&k) {
+            let value = model.torque(rotor, start).to_array();
+            return Err(MotionError::TorqueNotFinite { torque: k, value });
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,5 @@
+//! Tasks: a scenario with its motion, a pendulum, a shaft in its bearings.
+
+pub(crate) mod pendulum;
+pub(crate) mod scenario;
+pub(crate) mod shaft;

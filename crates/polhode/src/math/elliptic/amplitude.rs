@@ -6,7 +6,7 @@ use crate::math::triple::Triple;
 use super::carlson::{rf, rj};
 use super::incomplete::hypotenuse;
 use super::jacobi::{hyperbolic, landen};
-use super::reduced::{Reduced, arc};
+use super::reduced::Reduced;
 use super::{EllipticParameter, root};
 
 /// am u = jπ + φ, |φ| ≤ π/2, by the sine and cosine of φ.
@@ -29,11 +29,6 @@ impl Amplitude {
     pub(crate) fn sign(&self) -> f64 {
         if self.odd { -1.0 } else { 1.0 }
     }
-
-    /// jπ + φ, rad.
-    pub(crate) fn angle(&self) -> Double {
-        Double::from(self.half_turns) * Double::TAU.scaled(0.5) + arc(self.sn, self.cn)
-    }
 }
 
 impl EllipticParameter {
@@ -52,6 +47,11 @@ impl EllipticParameter {
     /// m with both words.
     pub(crate) const fn m_in_words(&self) -> Double {
         self.m
+    }
+
+    /// m and m₁, each with both words.
+    pub(crate) const fn words(&self) -> [Double; 2] {
+        [self.m, self.m1]
     }
 
     /// K; infinite at m = 1.

@@ -150,7 +150,10 @@ impl Trajectory {
             let impulse = rotor.angular_momentum_space(&state) - momentum;
             Sample::of(rotor, torques.iter(), now, Balanced { state, work, impulse })
         };
-        let samples = times.iter().map(|&time| sample(motion.at(time))).collect::<Result<_, _>>()?;
+        let mut samples = Vec::with_capacity(times.len());
+        for state in motion.at_times(times) {
+            samples.push(sample(state)?);
+        }
         Ok(Self::assembled(sample(start)?, samples, Solution::Exact(motion)))
     }
 

@@ -67,12 +67,13 @@ impl ClosedForm {
         }
     }
 
-    /// The states at some times, in any order, as [`ClosedForm::at`]; those of a free motion in vectors.
+    /// The states at some times, in any order, as [`ClosedForm::at`], several times as fast.
     #[must_use]
     pub fn at_times(&self, times: &[f64]) -> Vec<State> {
         match self {
             Self::Free(motion) => motion.at_times(times),
-            Self::HeavyTop(_) | Self::Swinging(_) => times.iter().map(|&time| self.at(time)).collect(),
+            Self::HeavyTop(motion) => motion.at_times(times),
+            Self::Swinging(motion) => motion.at_times(times),
         }
     }
 
@@ -85,7 +86,7 @@ impl ClosedForm {
         match self {
             Self::Free(motion) => motion.formula_error(after),
             Self::HeavyTop(_) | Self::Swinging(_) => StateError {
-                attitude: (1e-15 + 2.8 * inputs.attitude).min(core::f64::consts::PI),
+                attitude: (1.5e-15 + 2.8 * inputs.attitude).min(core::f64::consts::PI),
                 omega: 1e-15 + 2.8 * inputs.omega,
             },
         }

@@ -1,11 +1,14 @@
 //! Solvers: closed forms (`free`, `heavy_top`, `swinging_body`, `pendulum_motion`) and integrators (`propagate`).
 
+mod at_times;
 pub(crate) mod closed_form;
 pub(crate) mod free;
 pub(crate) mod heavy_top;
 pub(crate) mod method;
 pub(crate) mod pendulum_motion;
+mod phase;
 pub(crate) mod propagate;
 pub(crate) mod reach;
 pub(crate) mod start;
 pub(crate) mod swinging_body;
+mod theta;

@@ -10,10 +10,12 @@
 
 use crate::math::complex::Complex;
 use crate::math::double::Double;
-use crate::math::elliptic::{Amplitude, EllipticParameter, unit};
-use crate::math::real::PI;
+use crate::math::elliptic::{EllipticParameter, unit};
+use crate::math::real::{PI, Real, sin_cos};
 
+use super::phase::{Angle, Elapsed};
 use super::reach::Drift;
+use super::theta::Lattice;
 use crate::motion::error::MotionError;
 
 /// A pendulum's angle and rate at any time, θ̈ = −ω₀² sin θ.
@@ -47,6 +49,57 @@ pub struct PendulumMotion {
     phase: Double,
     kind: Kind,
     parameter: EllipticParameter,
+    /// Not at rest, and not on the separatrix.
+    kernel: Option<Kernel>,
+}
+
+/// What is evaluated: sn, cn and dn as quotients of theta functions.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Kernel {
+    lattice: Lattice,
+    /// z = πx/2K
+    angle: Angle,
+    /// What makes theta functions the cosine and the sine of ½θ, but for their length, and the rate: times θ₄ for the first.
+    half: [f64; 2],
+    rate: f64,
+    is_round: bool,
+}
+
+impl Kernel {
+    fn of(motion: &PendulumMotion) -> Self {
+        let lattice = Lattice::of(&motion.parameter);
+        let [sn, cn, dn] = lattice.quotients();
+        let (k, fastest) = (motion.modulus.value(), motion.fastest().value());
+        let (half, rate) = match motion.kind {
+            Kind::Round { sign } => ([cn, sign * sn], sign * fastest * dn),
+            _ => ([dn, k * sn], fastest * cn),
+        };
+        let quarter = motion.parameter.quarter();
+        let angle = Angle::of(motion.argument_rate() / quarter, motion.phase / quarter);
+        Self { lattice, angle, half, rate, is_round: matches!(motion.kind, Kind::Round { .. }) }
+    }
+
+    /// cos ½θ + i sin ½θ and the rate after a time.
+    #[inline(always)]
+    pub(super) fn at<T: Real>(&self, elapsed: &Elapsed<T>) -> (Complex<T>, T) {
+        let phase = if elapsed.is_within(T::splat(self.angle.reach)) {
+            self.angle.at::<T, false>(elapsed)
+        } else {
+            self.angle.at::<T, true>(elapsed)
+        };
+        let place = self.lattice.place(phase);
+        let [sn, cn, dn] = self.lattice.numerators(&place);
+        let (re, im, rate) = if self.is_round { (cn, sn, dn) } else { (dn, sn, cn) };
+        let half = Complex { re: T::splat(self.half[0]) * re, im: T::splat(self.half[1]) * im };
+        // Their squares' sum is that of θ₄
+        let scale = half.norm_squared().map(|square| 1.0 / square.sqrt());
+        (half.scaled(scale), T::splat(self.rate) * rate * scale)
+    }
+
+    /// ½θ of one that goes round, to half a turn, rad.
+    fn round(&self, time: f64) -> f64 {
+        if self.is_round { self.half[1].signum() * self.angle.about(time) } else { 0.0 }
+    }
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -86,8 +139,10 @@ impl PendulumMotion {
         let half = unit((Double::from(angle) - turns).scaled(0.5));
         let motion = Self::of_half_angle(Double::from(frequency), half, Double::from(rate));
         // Half of π in two words is not π: the double nearest to it is as near to upside down as an angle can be said.
-        let kind = if rate == 0.0 && angle.abs() == PI { Kind::Still } else { motion.kind };
-        Ok(Self { start: (angle, rate), turns, kind, ..motion })
+        if rate == 0.0 && angle.abs() == PI {
+            return Ok(Self { start: (angle, rate), turns, kind: Kind::Still, kernel: None, ..motion });
+        }
+        Ok(Self { start: (angle, rate), turns, ..motion })
     }
 
     /// By ω₀, cos ½θ ≥ 0 and sin ½θ, and the rate, in two words; angles from −π … π on.
@@ -104,6 +159,7 @@ impl PendulumMotion {
             phase: Double::default(),
             kind: Kind::Still,
             parameter: EllipticParameter::of(Double::ONE, Double::default()),
+            kernel: None,
         };
         if modulus.is_zero() || (c.is_zero() && r.is_zero()) {
             return motion;
@@ -119,6 +175,8 @@ impl PendulumMotion {
             motion.parameter = EllipticParameter::of(Double::ONE / k2, -rest / k2);
             motion.phase = motion.parameter.first(s, c).scaled(sign);
         }
+        let moves = motion.parameter.complement() > 0.0;
+        motion.kernel = moves.then(|| Kernel::of(&motion));
         motion
     }
 
@@ -132,57 +190,58 @@ impl PendulumMotion {
         if !(time.abs() <= self.reach()) {
             return (f64::NAN, f64::NAN);
         }
-        match self.kind {
-            Kind::Still => self.start,
-            Kind::Oscillation => {
-                let at = self.amplitude(time);
-                // ½θ from its sine k sn and cosine dn
-                let half = libm::atan2((self.modulus * at.sn).value(), at.dn.value());
-                let angle = (self.turns + Double::from(2.0 * at.sign() * half)).value();
-                (angle, at.sign() * (self.fastest() * at.cn).value())
+        if self.is_still() {
+            return self.start;
+        }
+        let elapsed = Elapsed::since::<true>(0.0, time, 1.0);
+        let (half, rate) = self.half_angle(&elapsed);
+        let half = libm::atan2(half.im, half.re);
+        // Whole turns of ½θ: am(x) is less than half a turn from z
+        let about = self.kernel.as_ref().map_or(0.0, |kernel| kernel.round(time));
+        let turns = ((about - half) / (2.0 * PI)).round();
+        let angle = self.turns + Double::from(2.0 * half) + (Double::TAU * Double::from(turns)).scaled(2.0);
+        (angle.value(), rate)
+    }
+
+    /// cos ½θ + i sin ½θ and the rate, after a time.
+    pub(super) fn half_angle(&self, elapsed: &Elapsed<f64>) -> (Complex<f64>, f64) {
+        match (&self.kernel, self.kind) {
+            (Some(kernel), _) => kernel.at(elapsed),
+            // On the separatrix ½θ = ± gd x,  θ̇ = ± 2ω₀ sech x
+            (None, Kind::Round { sign }) => {
+                let x = self.phase + self.argument_rate() * elapsed.double();
+                let decay = libm::exp(-x.value().abs());
+                let sech = 2.0 * decay / (1.0 + decay * decay);
+                let half = Complex { re: sech, im: sign * libm::tanh(x.value()) };
+                (half, sign * self.fastest().value() * sech)
             }
-            Kind::Round { sign } => {
-                let at = self.amplitude(time);
-                let angle = (self.turns + at.angle().scaled(2.0 * sign)).value();
-                (angle, sign * (self.fastest() * at.dn).value())
+            (None, _) => {
+                let (im, re) = sin_cos(0.5 * self.start.0);
+                (Complex { re, im }, 0.0)
             }
         }
     }
 
-    /// cos ½θ + i sin ½θ, of either sign, and the rate, after a time; `None` if it stands still.
-    pub(crate) fn half_angle(&self, time: Double) -> Option<(Complex<Double>, f64)> {
-        let at = self.amplitude_after(time);
-        let sign = at.sign();
-        match self.kind {
-            Kind::Still => None,
-            Kind::Oscillation => {
-                let half = Complex { re: at.dn, im: (self.modulus * at.sn).scaled(sign) };
-                Some((half, sign * (self.fastest() * at.cn).value()))
-            }
-            Kind::Round { sign } => {
-                let half = Complex { re: at.cn, im: at.sn.scaled(sign) };
-                Some((half, sign * (self.fastest() * at.dn).value()))
-            }
-        }
+    /// Hanging, or exactly upside down.
+    pub(super) fn is_still(&self) -> bool {
+        self.kind == Kind::Still
     }
 
-    fn amplitude(&self, time: f64) -> Amplitude {
-        self.amplitude_after(Double::from(time))
+    /// What is evaluated; none at rest and on the separatrix.
+    pub(super) const fn kernel(&self) -> Option<&Kernel> {
+        self.kernel.as_ref()
     }
 
-    fn amplitude_after(&self, time: Double) -> Amplitude {
-        let elapsed = self.frequency * time;
-        let round = matches!(self.kind, Kind::Round { .. });
-        let elapsed = if round { self.modulus * elapsed } else { elapsed };
-        self.parameter.amplitude(self.phase + elapsed)
+    /// x = x₀ + this · t
+    fn argument_rate(&self) -> Double {
+        let is_round = matches!(self.kind, Kind::Round { .. });
+        if is_round { self.modulus * self.frequency } else { self.frequency }
     }
 
     /// For how long before and after its start the motion is known, s, to 1e-6 rad for inputs that are exact: some 10²⁴ turns, and less
     /// next to the separatrix. Whether it is on the separatrix two words decide.
     pub fn reach(&self) -> f64 {
-        let round = matches!(self.kind, Kind::Round { .. });
-        let rate = (if round { self.modulus * self.frequency } else { self.frequency }).value();
-        let half_period = self.parameter.quarter().value() / rate;
+        let half_period = self.parameter.quarter().value() / self.argument_rate().value();
         if self.kind == Kind::Still || !half_period.is_finite() {
             return f64::MAX;
         }

@@ -4,10 +4,13 @@ use crate::math::complex::Complex;
 use crate::math::double::Double;
 use crate::math::frame::Body;
 use crate::math::quaternion::Quaternion;
+use crate::math::real::Real;
 use crate::math::rotation::Rotation;
 use crate::math::vector::{AngularVelocity, Direction};
 
+use super::at_times::at_times;
 use super::pendulum_motion::PendulumMotion;
+use super::phase::Elapsed;
 use super::reach::is_within;
 use crate::motion::error::MotionError;
 use crate::motion::model::rotor::Rotor;
@@ -23,10 +26,10 @@ use crate::motion::model::torque::gravity::UniformGravity;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SwingingBody {
     start: State,
-    axis: [Double; 3],
+    axis: [f64; 3],
     motion: PendulumMotion,
-    /// cos ½θ + i sin ½θ at the start
-    half: Complex<Double>,
+    /// From cos ½θ and sin ½θ to the attitude.
+    attitude: [[f64; 2]; 4],
 }
 
 /// A part of a vector or tensor that is rounding.
@@ -103,7 +106,19 @@ impl SwingingBody {
         let length = (half[0].square() + half[1].square()).sqrt();
         let half = Complex { re: half[0] / length, im: half[1] / length };
         let rate = dot(words(start.omega.to_array()), n);
-        Self { start, axis: n, motion: PendulumMotion::of_half_angle(frequency, half, rate), half }
+        // Turned about n by ½θ less that of the start
+        let turned = |half_turn: Complex<Double>| {
+            let [x, y, z] = scaled(n, half_turn.im);
+            attitude.times(Quaternion([half_turn.re, x, y, z])).0.map(Double::value)
+        };
+        let back = half.conjugate();
+        let (cosine, sine) = (turned(back), turned(back.times_i()));
+        Self {
+            start,
+            axis: n.map(Double::value),
+            motion: PendulumMotion::of_half_angle(frequency, half, rate),
+            attitude: [0, 1, 2, 3].map(|k| [cosine[k], sine[k]]),
+        }
     }
 
     /// The state that it starts from.
@@ -125,23 +140,50 @@ impl SwingingBody {
         if !is_within(&self.start, self.reach(), time) {
             return State::unknown(time);
         }
-        let elapsed = Double::sum(time, -self.start.time);
-        let Some((half, rate)) = self.motion.half_angle(elapsed) else { return State { time, ..self.start } };
-        let turn = half.times(self.half.conjugate());
-        let [x, y, z] = scaled(self.axis, turn.im);
-        let start = Quaternion(self.start.attitude.quaternion().map(Double::from)).unit();
-        let Quaternion(attitude) = start.times(Quaternion([turn.re, x, y, z]));
-        State {
-            time,
-            attitude: Rotation::near_unit(attitude.map(Double::value)),
-            omega: AngularVelocity::from_array(self.axis.map(|n| n.value() * rate)),
+        if self.motion.is_still() {
+            return State { time, ..self.start };
         }
+        let elapsed = Elapsed::since::<false>(self.start.time, time, 1.0);
+        let (attitude, omega) = self.turned(self.motion.half_angle(&elapsed));
+        State { time, attitude: Rotation::from_unit(attitude), omega: AngularVelocity::from_array(omega) }
+    }
+
+    /// The states at some times, in their order: each with the bits of [`SwingingBody::at`], several times as fast.
+    #[must_use]
+    pub fn at_times(&self, times: &[f64]) -> Vec<State> {
+        let Some(kernel) = self.motion.kernel() else {
+            return times.iter().map(|&time| self.at(time)).collect();
+        };
+        at_times(
+            times,
+            &self.start,
+            self.reach(),
+            1.0,
+            #[inline(always)]
+            |elapsed| self.turned(kernel.at(elapsed)),
+        )
+    }
+
+    /// Quaternion and ω by cos ½θ + i sin ½θ and the rate.
+    #[inline(always)]
+    fn turned<T: Real>(&self, (half, rate): (Complex<T>, T)) -> ([T; 4], [T; 3]) {
+        let [a0, a1, a2, a3] = &self.attitude;
+        let (w, x, y, z) = (dot2(a0, half), dot2(a1, half), dot2(a2, half), dot2(a3, half));
+        // The norm's last digits by 1/√n = (3 − n)/2 for n near 1.
+        let k = T::splat(1.5) - T::splat(0.5) * ((w * w + x * x) + (y * y + z * z));
+        let [n0, n1, n2] = self.axis;
+        ([w * k, x * k, y * k, z * k], [T::splat(n0) * rate, T::splat(n1) * rate, T::splat(n2) * rate])
     }
 
     /// The pendulum's angle and rate.
     pub const fn motion(&self) -> &PendulumMotion {
         &self.motion
     }
+}
+
+#[inline(always)]
+fn dot2<T: Real>(a: &[f64; 2], half: Complex<T>) -> T {
+    T::splat(a[0]) * half.re + T::splat(a[1]) * half.im
 }
 
 fn dot([a, b, c]: [Double; 3], [x, y, z]: [Double; 3]) -> Double {

@@ -15,8 +15,8 @@ use super::compact::{
 use super::flow::{PhaseRates, Phases, Stages, ThetaArgument, UnnormalisedState};
 use super::hyperbolic::Pulse;
 use super::kernel::Kernel;
-use super::phase::Elapsed;
 use super::trigonometric::Nomes;
+use crate::motion::solve::phase::Elapsed;
 
 /// Groups in a block: so few that the processor asks for the next bodies' numbers while it computes; four took a fifth more time.
 const GROUPS: usize = 2;

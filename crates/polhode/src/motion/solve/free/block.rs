@@ -6,7 +6,7 @@ use crate::math::vector::Vector;
 use crate::motion::model::state::State;
 
 use super::flow::{Phases, Stages, ThetaArgument, UnnormalisedState};
-use super::phase::Phase;
+use crate::motion::solve::phase::Phase;
 
 /// States in a group: a vector of AVX-512, two of AVX2.
 pub(super) const WIDTH: usize = 8;

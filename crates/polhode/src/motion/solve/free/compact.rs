@@ -12,7 +12,7 @@ use crate::math::triple::Triple;
 use super::elements::Elements;
 use super::flow::{Curve, Flow, PhaseRates, Series, ToBodyMap, UnnormalisedState};
 use super::labelled::Labelled;
-use super::phase::{Elapsed, Rate};
+use crate::motion::solve::phase::{Elapsed, Rate};
 
 /// What a series is made of.
 pub(super) trait ThetaParameters<T> {

@@ -1,9 +1,9 @@
 //! One kernel for every free motion: two phases, a few terms of a theta series, a quaternion.
 
-use super::phase::{Elapsed, Phase, Rate};
 use crate::math::complex::Complex;
 use crate::math::elementary::sin_cos_quarters;
 use crate::math::real::Real;
+use crate::motion::solve::phase::{Elapsed, Phase, Rate};
 
 /// A place on the polhode, as the theta functions give it.
 #[derive(Clone, Copy, Debug)]

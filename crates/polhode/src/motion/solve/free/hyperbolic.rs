@@ -10,7 +10,7 @@ use crate::math::symmetric3::power_of_two_near;
 use super::compact::{ScalarThetaParameters, ThetaParameters};
 use super::elements::Elements;
 use super::flow::{Point, Series};
-use super::phase::Phase;
+use crate::motion::solve::phase::Phase;
 
 /// Coefficients of the theta functions in the complementary nome: constants of a motion.
 ///

@@ -9,8 +9,8 @@ use super::elements::Elements;
 use super::flow::{Flow, Phases, Series, Stages};
 use super::hyperbolic::{Hyperbolic, Pulse};
 use super::labelled::Labelled;
-use super::phase::Elapsed;
 use super::trigonometric::{Nomes, Trigonometric};
+use crate::motion::solve::phase::Elapsed;
 
 /// A compact, and the flow that it becomes.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -11,7 +11,7 @@ use super::block::{Block, Vectors, WIDTH};
 use super::compact::{CompactConstants, ScalarThetaParameters};
 use super::flow::{Flow, Series};
 use super::kernel::Kernel;
-use super::phase::Elapsed;
+use crate::motion::solve::phase::Elapsed;
 
 /// Groups in a block: as many as the nearest memory has room for, all of whose numbers but the times are there already.
 const GROUPS: usize = 4;

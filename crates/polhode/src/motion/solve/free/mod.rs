@@ -15,7 +15,6 @@ mod hyperbolic;
 mod kernel;
 mod labelled;
 mod many;
-mod phase;
 mod reach;
 mod regime;
 mod trigonometric;
@@ -27,6 +26,7 @@ use crate::math::symmetric3::{Symmetric3, power_of_two_near};
 use crate::math::triple::Triple;
 use crate::math::vector::{AngularAcceleration, AngularMomentum};
 
+use super::phase::Elapsed;
 use super::reach::{is_within, require};
 use crate::motion::error::MotionError;
 use crate::motion::model::rotor::Rotor;
@@ -36,7 +36,6 @@ use constants::Constants;
 use elements::Elements;
 use kernel::Kernel;
 use labelled::Labelled;
-use phase::Elapsed;
 
 pub use batch::FreeMotions;
 pub use regime::{PermanentAxis, Regime};

@@ -11,7 +11,7 @@ use crate::math::real::{PI, Real};
 use super::compact::{ScalarThetaParameters, ThetaParameters};
 use super::elements::Elements;
 use super::flow::{Point, Series};
-use super::phase::Phase;
+use crate::motion::solve::phase::Phase;
 
 /// Coefficients of the theta functions at z: constants of a motion.
 ///

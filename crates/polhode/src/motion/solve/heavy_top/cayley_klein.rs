@@ -119,6 +119,29 @@ impl CayleyKlein {
         }
     }
 
+    /// Z and −i dZ/dx at x = 0, both real.
+    pub(super) fn at_lowest(&self) -> [Double; 2] {
+        match self.form {
+            Form::Modulus { y1, .. } => {
+                let root = y1.scaled(0.5).sqrt();
+                [root, self.h / root.scaled(2.0)]
+            }
+            Form::Product { a, g } => [a, g],
+        }
+    }
+
+    /// True if its phase falls with x, apart from what is linear.
+    pub(super) fn winds_backwards(&self) -> bool {
+        self.h.high < 0.0
+    }
+
+    /// What the phase gains in one nutation, half a turn through the vertical counted as the other half turns are; of h = 0 forwards.
+    pub(super) fn whole_gain(&self, parameter: &EllipticParameter) -> Double {
+        let through = matches!(self.form, Form::Product { .. }) && self.h.is_zero();
+        let gain = self.gain(parameter);
+        if through { gain + Double::TAU.scaled(0.5) } else { gain }
+    }
+
     /// What the phase gains in one nutation, x → x + 2K; half a turn either way through the vertical counts as none.
     pub(super) fn gain(&self, parameter: &EllipticParameter) -> Double {
         let half_turn = match self.form {

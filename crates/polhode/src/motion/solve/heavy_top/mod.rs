@@ -6,6 +6,7 @@
 
 mod cayley_klein;
 mod constants;
+mod kernel;
 mod nutation;
 mod path;
 
@@ -23,8 +24,11 @@ use crate::motion::error::MotionError;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 use crate::motion::model::torque::gravity::UniformGravity;
+use crate::motion::solve::at_times::at_times;
+use crate::motion::solve::phase::Elapsed;
 use cayley_klein::CayleyKlein;
 use constants::Constants;
+use kernel::Kernel;
 use nutation::Nutation;
 
 pub use path::{SteadyPrecession, TopPath};
@@ -58,9 +62,10 @@ pub use path::{SteadyPrecession, TopPath};
 /// ```
 ///
 /// # Accuracy
-/// For the pivot's tensor, lever, gravity, ω and attitude exactly as given: 3·10⁻¹⁶ in attitude (rad) and ω (relative) against
-/// references of 32 digits, the same after 1000 nutations and down to 1 − m = 2·10⁻¹⁵; set-up has three words, evaluation two, and
-/// the integrals of the third kind have 22 digits: what limits it is the last rounding, up to some 10⁵ nutations. On the separatrix itself (1 − m = 0) the hyperbolic functions have one word. Constants that differ from the
+/// For the pivot's tensor, lever, gravity, ω and attitude exactly as given: 9·10⁻¹⁶ in attitude (rad) and 6·10⁻¹⁶ in ω (of the greater of |ω|
+/// and √(M g l/A)) against references of 32 digits, the same after 1000 nutations and down to 1 − m = 2·10⁻¹⁵; the constants have three
+/// words, what time multiplies has two, and the integrals of the third kind have 22 digits. A state takes 50 ns, 17 ns of many, after
+/// 33 µs for the constants. On the separatrix itself (1 − m = 0) the hyperbolic functions have one word. Constants that differ from the
 /// separatrix's by less than 10⁻⁴⁵ of their terms count as equal. A tensor that is symmetric only to rounding (16 ε of its
 /// greatest moment) is taken as symmetric, which is a change of the problem that grows with time. Measured by `tests/all/heavy_top.rs`.
 ///
@@ -81,6 +86,8 @@ pub struct HeavyTop {
     /// ½(ω3 − a): P turns with it and Q against it, beside what nutation gives.
     turning: Double,
     nods: Option<Nods>,
+    /// Not on the separatrix, and not of an axis that stays vertical.
+    kernel: Option<Kernel>,
     reach: f64,
 }
 
@@ -118,8 +125,12 @@ impl HeavyTop {
         let spin = top.spin.double();
         let turns = (turning.value().abs() + spin.value().abs()) / (2.0 * PI);
         let reach = nods.as_ref().map_or(Drift(TWO_WORDS * turns).reach(), |nods| nods.reach(turns));
+        let vertical_and_axis = [double(top.vertical), double(top.axis)];
+        let moves = nods.as_ref().filter(|nods| nods.nutation.parameter.complement() > 0.0);
+        let kernel = moves.map(|nods| Kernel::of(nods, vertical_and_axis, [turning, spin], top.unit));
         Ok(Self {
             start,
+            kernel,
             path: TopPath::of(&top, nods.as_ref().map(|nods| &nods.nutation)),
             moments: top.moments,
             weight: top.weight,
@@ -142,9 +153,20 @@ impl HeavyTop {
         if !is_within(&self.start, self.reach, time) {
             return State::unknown(time);
         }
-        let elapsed = Double::sum(time, -self.start.time) * Double::from(self.unit);
-        let Some(nods) = &self.nods else { return self.turned(time, elapsed) };
-        let ([p, q], across) = nods.at(elapsed, self.turning);
+        match (&self.kernel, &self.nods) {
+            (Some(kernel), _) => {
+                let (attitude, omega) = kernel.at(&Elapsed::since::<false>(self.start.time, time, self.unit));
+                let (attitude, omega) = (Rotation::from_unit(attitude), AngularVelocity::from_array(omega));
+                State { time, attitude, omega }
+            }
+            (None, Some(nods)) => self.by_integrals(nods, time),
+            (None, None) => self.turned(time),
+        }
+    }
+
+    /// By Legendre's integrals in two words: on the separatrix, where theta functions have no period.
+    fn by_integrals(&self, nods: &Nods, time: f64) -> State {
+        let ([p, q], across) = nods.at(self.elapsed(time), self.turning);
         let [w, x, y, z] = [p.re, q.re, q.im, p.im];
         let Quaternion(attitude) = self.vertical.times(Quaternion([w, x, y, z])).times(self.axis.conjugate());
         let omega = self.axis.turned([across.re, across.im, self.spin]);
@@ -155,6 +177,24 @@ impl HeavyTop {
         }
     }
 
+    fn elapsed(&self, time: f64) -> Double {
+        Double::sum(time, -self.start.time) * Double::from(self.unit)
+    }
+
+    /// The states at some times, in their order: each with the bits of [`HeavyTop::at`], several times as fast.
+    #[must_use]
+    pub fn at_times(&self, times: &[f64]) -> Vec<State> {
+        let Some(kernel) = &self.kernel else { return times.iter().map(|&time| self.at(time)).collect() };
+        at_times(
+            times,
+            &self.start,
+            self.reach,
+            self.unit,
+            #[inline(always)]
+            |elapsed| kernel.at(elapsed),
+        )
+    }
+
     /// For how long before and after its start the motion is known, s, to 1e-6 rad for inputs that are exact: 2⁵² nutations, and less
     /// next to the separatrix.
     pub const fn reach(&self) -> f64 {
@@ -162,8 +202,8 @@ impl HeavyTop {
     }
 
     /// Of a vertical top: turned about its axis.
-    fn turned(&self, time: f64, elapsed: Double) -> State {
-        let turn = unit((self.spin * elapsed).scaled(0.5));
+    fn turned(&self, time: f64) -> State {
+        let turn = unit((self.spin * self.elapsed(time)).scaled(0.5));
         let zero = Double::default();
         let about_axis = Quaternion([turn.re, zero, zero, turn.im]);
         let start = Quaternion(self.start.attitude.quaternion().map(Double::from)).unit();
@@ -343,4 +383,71 @@ impl Nods {
 
 fn double(z: Complex<Triple>) -> Complex<Double> {
     Complex { re: z.re.double(), im: z.im.double() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::body::{InertiaTensor, MassProperties};
+    use crate::math::rotation::Attitude;
+    use crate::math::vector::{Acceleration, Position};
+
+    /// Numbers in −1 … 1.
+    fn random(seed: &mut u64) -> f64 {
+        *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (*seed >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    }
+
+    /// Tops of every kind: fast and slow, nearly steady, next to the vertical and to the separatrix, planar.
+    #[test]
+    fn theta_functions_agree_with_the_integrals_in_two_words() {
+        let mut seed = 20;
+        let (mut worst, mut kinds) = ([0.0_f64; 2], std::collections::BTreeMap::new());
+        for k in 0..3000 {
+            let mut number = |scale: f64| scale * random(&mut seed);
+            let (across, along) = (0.5 + number(0.45), 0.6 + number(0.5));
+            let along = along.min(2.0 * across);
+            let inertia = InertiaTensor::diagonal([across, across, along]).unwrap();
+            let arm = Position::new(0.0, 0.0, 0.4 + number(0.3));
+            let body = MassProperties::new(1.7, arm, inertia).unwrap();
+            let gravity = UniformGravity { acceleration: Acceleration::new(0.0, 0.0, -9.81) };
+            let rotor = Rotor::pivoted(&body, Position::ZERO);
+            let angle = match k % 8 {
+                0 => 10f64.powf(number(3.0) - 4.0),
+                1 => PI - 10f64.powf(number(3.0) - 4.0),
+                2 => 0.0,
+                3 => PI,
+                _ => 1.55 + number(1.5),
+            };
+            let omega = match k % 5 {
+                0 => [number(1e-3), number(1e-3), number(40.0)],
+                1 => [number(3.0), number(3.0), 0.0],
+                2 => [0.0, 0.0, number(20.0)],
+                3 => [number(9.0), number(9.0), number(9.0)],
+                _ => [number(30.0), number(1.0), number(2.0)],
+            };
+            let attitude = Attitude::from_euler313([number(3.0), angle, number(3.0)]).unwrap();
+            let start = State { time: number(5.0), attitude, omega: AngularVelocity::from_array(omega) };
+            let motion = HeavyTop::of(&rotor, &gravity, start).unwrap();
+            let Some(nods) = &motion.nods else { continue };
+            assert!(motion.kernel.is_some());
+            *kinds.entry(motion.path().name()).or_insert(0) += 1;
+            let times: Vec<f64> = (0..11).map(|_| number(10.0)).collect();
+            let states = motion.at_times(&times);
+            // What a rounding of the attitude is worth: √(M g l/A)
+            let pendulum = (motion.weight / motion.moments[0]).sqrt();
+            let rates = times.iter().map(|&time| motion.by_integrals(nods, time).omega.norm());
+            let fastest = rates.fold(pendulum, f64::max);
+            for (&time, state) in times.iter().zip(&states) {
+                assert_eq!(*state, motion.at(time));
+                let want = motion.by_integrals(nods, time);
+                let error =
+                    [state.attitude.angle_to(want.attitude), (state.omega - want.omega).norm() / fastest];
+                assert!(error[0] < 3e-15 && error[1] < 2e-15, "{k} {time}: {error:?} {start:?}");
+                worst = [worst[0].max(error[0]), worst[1].max(error[1])];
+            }
+        }
+        println!("{worst:?} {kinds:?}");
+        assert!(kinds.len() >= 4, "{kinds:?}");
+    }
 }

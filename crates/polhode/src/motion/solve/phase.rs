@@ -1,17 +1,19 @@
 //! Angles that grow linearly with time, reduced without losing a digit.
 
-use crate::math::elementary::split;
+use crate::math::complex::Complex;
+use crate::math::double::Double;
+use crate::math::elementary::{sin_cos_quarters, split};
 use crate::math::real::Real;
 use crate::math::sum::{two_product_of_halves, two_sum, with_halves};
 
 /// f in quarter turns per unit of time, in three words: of a sphere or a permanent rotation the error is still below 10⁻²² of a
 /// turn after 10²⁴ of them; of other bodies f itself is known to 10⁻³¹ of their wobble.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Rate<T> {
+pub(in crate::motion::solve) struct Rate<T> {
     /// The first word and its halves.
     first: [T; 3],
     second: T,
-    pub(super) third: T,
+    pub(in crate::motion::solve) third: T,
 }
 
 /// A time in two words, the difference of two times.
@@ -19,36 +21,42 @@ pub(super) struct Rate<T> {
 /// Where the second word is known to be zero, as from a start at t = 0, `WHOLE` leaves out what would only add zeros: the
 /// same bits in less time.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Elapsed<T> {
+pub(in crate::motion::solve) struct Elapsed<T> {
     high: T,
     low: T,
 }
 
 /// An angle: a whole number of quarter turns, and the rest.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Phase<T> {
+pub(in crate::motion::solve) struct Phase<T> {
     /// The whole number, modulo 4, in the last two bits.
-    pub(super) quarters: T,
+    pub(in crate::motion::solve) quarters: T,
     /// Quarter turns, within ½ but for the last digits.
-    pub(super) rest: T,
+    pub(in crate::motion::solve) rest: T,
+}
+
+impl Elapsed<f64> {
+    pub(in crate::motion::solve) fn double(&self) -> Double {
+        Double::sum(self.high, self.low)
+    }
 }
 
 impl<T: Real> Elapsed<T> {
     /// time − start, exactly, times `unit`, a power of two.
     #[inline(always)]
-    pub(super) fn since<const WHOLE: bool>(start: T, time: T, unit: T) -> Self {
+    pub(in crate::motion::solve) fn since<const WHOLE: bool>(start: T, time: T, unit: T) -> Self {
         let (high, low) = if WHOLE { (time, T::splat(0.0)) } else { two_sum(time, -start) };
         Self { high: high * unit, low: low * unit }
     }
 
     #[inline(always)]
-    pub(super) fn none() -> Self {
+    pub(in crate::motion::solve) fn none() -> Self {
         Self { high: T::splat(0.0), low: T::splat(0.0) }
     }
 
     /// True if no lane's is longer.
     #[inline(always)]
-    pub(super) fn is_within(&self, reach: T) -> bool {
+    pub(in crate::motion::solve) fn is_within(&self, reach: T) -> bool {
         self.high.within(reach)
     }
 
@@ -65,7 +73,7 @@ const LONGEST: f64 = 1e280;
 impl<T: Real> Phase<T> {
     /// An angle in two words, and a start within a turn.
     #[inline(always)]
-    pub(super) fn of((high, low): (T, T), start: Option<[T; 2]>) -> Self {
+    pub(in crate::motion::solve) fn of((high, low): (T, T), start: Option<[T; 2]>) -> Self {
         let (high, low) = match start {
             None => (high, low),
             Some(start) => {
@@ -77,30 +85,55 @@ impl<T: Real> Phase<T> {
         Self { quarters, rest: (high - whole) + low }
     }
 
-    /// + an angle of at most ½ quarter turn.
+    /// cos + i sin
     #[inline(always)]
-    pub(super) fn plus(self, angle: T) -> Self {
+    pub(in crate::motion::solve) fn unit(self) -> Complex<T> {
+        let (im, re) = sin_cos_quarters(self.quarters, self.rest);
+        Complex { re, im }
+    }
+
+    /// + an angle of some quarter turns.
+    #[inline(always)]
+    pub(in crate::motion::solve) fn plus(self, angle: T) -> Self {
         let sum = self.rest + angle;
         let (_, whole) = split(sum);
         Self { quarters: self.quarters + whole, rest: sum - whole }
     }
 }
 
+impl Rate<f64> {
+    /// The same in every lane.
+    #[inline(always)]
+    pub(in crate::motion::solve) fn splat<T: Real>(&self) -> Rate<T> {
+        let Self { first, second, third } = *self;
+        let [a, b, c] = first;
+        Rate {
+            first: [T::splat(a), T::splat(b), T::splat(c)],
+            second: T::splat(second),
+            third: T::splat(third),
+        }
+    }
+}
+
 impl<T: Real> Rate<T> {
     #[inline(always)]
-    pub(super) fn of([first, second]: [T; 2], third: T) -> Self {
+    pub(in crate::motion::solve) fn of([first, second]: [T; 2], third: T) -> Self {
         Self { first: with_halves(first), second, third }
     }
 
     /// The longest time that counts as short: what it turns needs no more than two words.
     #[inline(always)]
-    pub(super) fn reach(&self) -> T {
+    pub(in crate::motion::solve) fn reach(&self) -> T {
         self.first[0].map(|first| (MANY / first.abs()).min(LONGEST))
     }
 
     /// f t in two words: of times within [`Rate::reach`]; `LONG` for others too.
     #[inline(always)]
-    pub(super) fn quarters<const WHOLE: bool, const LONG: bool>(&self, t: &Elapsed<T>, reach: T) -> (T, T) {
+    pub(in crate::motion::solve) fn quarters<const WHOLE: bool, const LONG: bool>(
+        &self,
+        t: &Elapsed<T>,
+        reach: T,
+    ) -> (T, T) {
         // Of the third word and of the second product's error nothing would be seen.
         let (high, error) = two_product_of_halves(with_halves(t.high), self.first);
         let mut low = error + t.high * self.second;
@@ -140,4 +173,32 @@ const MANY: f64 = 8_589_934_592.0;
 #[inline(always)]
 fn modulo_turn<T: Real>(x: T) -> T {
     x - T::splat(4.0) * (T::splat(0.25) * x).nearest()
+}
+
+/// An angle that is linear in time, in quarter turns.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::motion::solve) struct Angle {
+    rate: Rate<f64>,
+    start: [f64; 2],
+    /// The longest time that needs no more than two words.
+    pub(in crate::motion::solve) reach: f64,
+}
+
+impl Angle {
+    /// Of a rate and a start in quarter turns.
+    pub(in crate::motion::solve) fn of(rate: Double, start: Double) -> Self {
+        let rate = Rate::of([rate.high, rate.low], 0.0);
+        Self { rate, start: [start.high, start.low], reach: rate.reach() }
+    }
+
+    /// To rounding, not reduced, rad.
+    pub(in crate::motion::solve) fn about(&self, time: f64) -> f64 {
+        core::f64::consts::FRAC_PI_2 * (self.rate.first[0] * time + self.start[0])
+    }
+
+    #[inline(always)]
+    pub(in crate::motion::solve) fn at<T: Real, const LONG: bool>(&self, elapsed: &Elapsed<T>) -> Phase<T> {
+        let quarters = self.rate.splat().quarters::<false, LONG>(elapsed, T::splat(self.reach));
+        Phase::of(quarters, Some([T::splat(self.start[0]), T::splat(self.start[1])]))
+    }
 }

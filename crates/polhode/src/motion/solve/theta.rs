@@ -1,0 +1,335 @@
+//! Jacobi's theta functions on a line parallel to the real axis, by the shorter of two series: for motions that are their quotients.
+//!
+//! With E = e^2iz, the nome q = e^−πt, t = K′/K, and s = e^−2w, 0 ≤ w ≤ ½πt,
+//!
+//! N(z) = Σ εⁿ q^(n²+n) s⁻ⁿ Eⁿ over all integers n
+//!
+//! is e^−iz iθ₁(z − iw) for ε = −1 and e^−iz θ₂(z − iw) for ε = 1, but for a constant. It is 1 + εs/E + …, and so does not wind about 0.
+//! Where q is not small, Jacobi's imaginary transformation (DLMF 20.7.30–33) makes of it a series in Q = e^−π/t:
+//!
+//! N(z) ∝ e^−z²/πt e^−2iby/π θ(iy − b | Q),  y = z/t,  b = ½π − w/t,  θ = θ₂ for ε = −1 and θ₃ for ε = 1.
+//!
+//! The Gauss function is left out here, of θ₄(z) too: quotients do not have it.
+
+use crate::math::complex::Complex;
+use crate::math::double::Double;
+use crate::math::elementary::{exp_both, sin_cos_quarters};
+use crate::math::elliptic::EllipticParameter;
+use crate::math::real::Real;
+
+use super::phase::Phase;
+
+/// The theta functions of a parameter m, by the series that is short.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Lattice {
+    /// t = K′/K
+    ratio: Double,
+    /// π/2K
+    scale: Double,
+    /// m₁, for the shifts.
+    complementary: EllipticParameter,
+    series: Series,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Series {
+    /// By q.
+    Trigonometric { nome: f64 },
+    /// By Q; y is `stretch` times the quarter turns of z.
+    Hyperbolic { nome: f64, stretch: f64 },
+}
+
+/// z as the series take it.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Place<T> {
+    /// cos z and sin z; C = 2 cos 2z and sin 2z.
+    Trigonometric { cos: T, sin: T, c: T, s: T },
+    /// x = e^−2|y| and its root, w = Q/x; the sign of y, and that of cos z for |y| counted over several periods.
+    Hyperbolic { root: T, x: T, w: T, sign: T, turned: T, quarters: T },
+}
+
+/// N of one w and ε, or its complex conjugate.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Shifted {
+    coefficients: Coefficients,
+    /// What its phase has besides, in quarter turns per quarter turn of z.
+    bend: f64,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Coefficients {
+    /// Re N and Im N/sin 2z as polynomials of C.
+    Trigonometric { real: [f64; 5], imaginary: [f64; 4] },
+    /// Of Wⁿ and of Xⁿ, for the real and for the imaginary part; whether √X multiplies all, or X the second.
+    Hyperbolic { rising: [[f64; 4]; 2], falling: [[f64; 4]; 2], is_even: bool },
+}
+
+/// The largest nome for which series of five terms have all digits; Q is then below 0.014.
+const BALANCE: f64 = 0.1;
+
+/// A parameter below it is taken for it: of the nome nothing is seen, and K′ is finite.
+const LEAST: f64 = 1e-280;
+
+impl Lattice {
+    /// Of a parameter below 1.
+    pub(super) fn of(parameter: &EllipticParameter) -> Self {
+        let [m, m1] = parameter.words();
+        let m = if m.high > LEAST { m } else { Double::from(LEAST) };
+        let complementary = EllipticParameter::of(m1, m);
+        let ratio = complementary.quarter() / parameter.quarter();
+        let nome = exp_minus(half_turn() * ratio);
+        let series = if nome <= BALANCE {
+            Series::Trigonometric { nome }
+        } else {
+            let stretch = (quarter_turn() / ratio).value();
+            Series::Hyperbolic { nome: exp_minus(half_turn() / ratio), stretch }
+        };
+        Self { ratio, scale: quarter_turn() / parameter.quarter(), complementary, series }
+    }
+
+    /// ½πt, the largest w.
+    pub(super) fn largest_shift(&self) -> Double {
+        self.ratio * quarter_turn()
+    }
+
+    /// w = π F(φ|m₁)/2K by tan φ = sin/cos, 0 ≤ φ ≤ ½π.
+    pub(super) fn shift(&self, sin: Double, cos: Double) -> Double {
+        let length = (sin.square() + cos.square()).sqrt();
+        self.complementary.first(sin / length, cos / length) * self.scale
+    }
+
+    /// N of a w with ε = 1 or, not `is_even`, ε = −1; with `is_conjugate` its complex conjugate.
+    pub(super) fn shifted(&self, w: Double, is_even: bool, is_conjugate: bool) -> Shifted {
+        let sign = if is_conjugate { -1.0 } else { 1.0 };
+        match self.series {
+            Series::Trigonometric { nome } => {
+                let [s, r] = [w, self.largest_shift() - w].map(|w| exp_minus(w.scaled(2.0)));
+                Shifted {
+                    coefficients: trigonometric(nome, [s, r], if is_even { 1.0 } else { -1.0 }, sign),
+                    bend: 0.0,
+                }
+            }
+            Series::Hyperbolic { nome, .. } => {
+                let b = ((self.largest_shift() - w) / self.ratio / quarter_turn()).value();
+                Shifted { coefficients: hyperbolic(nome, b, is_even, sign), bend: -sign * b }
+            }
+        }
+    }
+
+    /// z, in quarter turns.
+    #[inline(always)]
+    pub(super) fn place<T: Real>(&self, z: Phase<T>) -> Place<T> {
+        match self.series {
+            Series::Trigonometric { .. } => {
+                let (sin, cos) = sin_cos_quarters(z.quarters, z.rest);
+                let product = cos * sin;
+                Place::Trigonometric {
+                    cos,
+                    sin,
+                    c: T::splat(2.0) * (cos * cos - sin * sin),
+                    s: product + product,
+                }
+            }
+            Series::Hyperbolic { nome, stretch } => {
+                // z = ½π (x + 2N), |x| ≤ 1
+                let is_odd = |quarters: f64| quarters.to_bits() & 1 == 1;
+                let quarters = z.rest.zip(z.quarters, |rest, quarters| {
+                    if is_odd(quarters) { rest - 1.0_f64.copysign(rest) } else { rest }
+                });
+                let turned = z.rest.zip(z.quarters, |rest, quarters| {
+                    let is_turned =
+                        (quarters.to_bits() & 2 == 2) ^ (is_odd(quarters) & rest.is_sign_positive());
+                    if is_turned { -1.0 } else { 1.0 }
+                });
+                // The exponential from the nearer end of the period; the other by X W = Q
+                let (near, rise) = exp_both(T::splat(stretch) * z.rest.map(f64::abs));
+                let far = T::splat(nome.sqrt()) * rise;
+                let choose = |quarters: f64, a: f64, b: f64| if is_odd(quarters) { b } else { a };
+                let (root, other) = (z.quarters.zip3(near, far, choose), z.quarters.zip3(far, near, choose));
+                Place::Hyperbolic {
+                    root,
+                    x: root * root,
+                    w: other * other,
+                    sign: quarters.map(|x| 1.0_f64.copysign(x)),
+                    turned,
+                    quarters,
+                }
+            }
+        }
+    }
+
+    /// e^2ikz
+    #[inline(always)]
+    pub(super) fn power<T: Real>(&self, place: &Place<T>, k: i8) -> Complex<T> {
+        let first = match *place {
+            Place::Trigonometric { c, s, .. } => Complex { re: T::splat(0.5) * c, im: s },
+            Place::Hyperbolic { quarters, .. } => unit_of_quarters(T::splat(2.0) * quarters),
+        };
+        let first = if k < 0 { first.conjugate() } else { first };
+        if k.abs() > 1 { first.times(first) } else { first }
+    }
+
+    /// θ₁, θ₂ and θ₃ of z, but for constants: over θ₄ they are sn, cn and dn.
+    #[inline(always)]
+    pub(super) fn numerators<T: Real>(&self, place: &Place<T>) -> [T; 3] {
+        match (self.series, *place) {
+            (Series::Trigonometric { nome }, Place::Trigonometric { cos, sin, c, .. }) => {
+                let q2 = nome * nome;
+                let (q6, q12) = (q2 * q2 * q2, q2 * q2 * q2 * q2 * q2 * q2);
+                // Σ q^(n²+n) cos (2n+1)z / cos z; of −C that of ±sin (2n+1)z / sin z
+                let odd = [1.0 - q2 - q6 + q12, q2 - q6 - 2.0 * q12, q6 - q12, q12];
+                [sin * cubic(&odd, -c), cos * cubic(&odd, c), even_sum(nome, c)]
+            }
+            (Series::Hyperbolic { nome, .. }, Place::Hyperbolic { root, x, w, sign, turned, .. }) => {
+                let q2 = nome * nome;
+                let q6 = q2 * q2 * q2;
+                // θ₄ and θ₃ of iy: 1 + Σ (∓1)ⁿ (Q^(n²−n) Wⁿ + Q^(n²) Xⁿ)
+                let even = T::splat(1.0) + (T::splat(q2) * w * w + T::splat(q2 * q2) * x * x);
+                let odd = cubic(&[0.0, 1.0, 0.0, q6], w) + T::splat(nome) * x;
+                let turned_sign = turned * sign;
+                [turned_sign * odd_sum(nome, x, w, -1.0), turned * root * (even - odd), root * (even + odd)]
+            }
+            _ => [T::splat(f64::NAN); 3],
+        }
+    }
+
+    /// What makes quotients of them and θ₄ sn, cn and dn: cn and dn are 1 at z = 0, sn at ½π.
+    pub(super) fn quotients(&self) -> [f64; 3] {
+        let [zero, quarter] = [0.0, 1.0].map(|quarters| self.place(Phase::of((quarters, 0.0), None)));
+        let [sn, ..] = self.numerators(&quarter);
+        let [_, cn, dn] = self.numerators(&zero);
+        let (at_zero, at_quarter) = (self.denominator(&zero), self.denominator(&quarter));
+        [at_quarter / sn, at_zero / cn, at_zero / dn]
+    }
+
+    /// θ₄(z), as N has its constant and its scale.
+    #[inline(always)]
+    pub(super) fn denominator<T: Real>(&self, place: &Place<T>) -> T {
+        match (self.series, *place) {
+            (Series::Trigonometric { nome }, Place::Trigonometric { c, .. }) => even_sum(nome, -c),
+            (Series::Hyperbolic { nome, .. }, Place::Hyperbolic { x, w, .. }) => odd_sum(nome, x, w, 1.0),
+            _ => T::splat(f64::NAN),
+        }
+    }
+}
+
+/// cos ½πx + i sin ½πx, |x| < 2⁵¹.
+#[inline(always)]
+pub(super) fn unit_of_quarters<T: Real>(x: T) -> Complex<T> {
+    Phase::of((x, T::splat(0.0)), None).unit()
+}
+
+/// fₙ = εⁿ q^(n²) rⁿ and gₙ = εⁿ q^(n²−n) sⁿ, r = q/s: N = 1 + Σ (fₙ Eⁿ + gₙ E⁻ⁿ).
+fn trigonometric(q: f64, [s, r]: [f64; 2], epsilon: f64, sign: f64) -> Coefficients {
+    let (mut sums, mut differences) = ([0.0; 4], [0.0; 4]);
+    // εⁿ q^(n²−n), qⁿ, sⁿ, rⁿ
+    let (mut power, mut qn, mut sn, mut rn) = (1.0, 1.0, 1.0, 1.0);
+    for n in 0..4 {
+        power *= epsilon * qn * qn;
+        (qn, sn, rn) = (qn * q, sn * s, rn * r);
+        let (f, g) = (power * qn * rn, power * sn);
+        (sums[n], differences[n]) = (f + g, sign * (f - g));
+    }
+    let ([s1, s2, s3, s4], [d1, d2, d3, d4]) = (sums, differences);
+    // cos 2z = ½C, cos 4z = ½C² − 1, cos 6z = ½C³ − 1½C, cos 8z = ½C⁴ − 2C² + 1;
+    // over sin 2z: sin 4z C, sin 6z C² − 1, sin 8z C³ − 2C
+    Coefficients::Trigonometric {
+        real: [1.0 - s2 + s4, 0.5 * s1 - 1.5 * s3, 0.5 * s2 - 2.0 * s4, 0.5 * s3, 0.5 * s4],
+        imaginary: [d1 - d3, d2 - 2.0 * d4, d3, d4],
+    }
+}
+
+/// Times e^−|y|,
+///
+/// θ₃ = √X (1 + Σ Q^(n²−n) Wⁿ e^2nib + Q^(n²) Xⁿ e^−2nib),  θ₂ = Σ Q^(n²) Wⁿ e^(2n+1)ib + Q^(n²+n) Xⁿ⁺¹ e^−(2n+1)ib,
+///
+/// for y > 0, b in quarter turns.
+fn hyperbolic(q: f64, b: f64, is_even: bool, sign: f64) -> Coefficients {
+    let first = if is_even { 0 } else { 1 };
+    let (mut rising, mut falling) = ([[0.0; 4]; 2], [[0.0; 4]; 2]);
+    for n in 0..4 {
+        let angle = Phase::of((f64::from(2 * n + first) * b, 0.0), None);
+        let (sin, cos) = sin_cos_quarters(angle.quarters, angle.rest);
+        let [up, down] = match (is_even, n) {
+            (true, 0) => [1.0, 0.0],
+            (true, n) => [q.powi(n * n - n), q.powi(n * n)],
+            (false, n) => [q.powi(n * n), q.powi(n * n + n)],
+        };
+        let k = n as usize;
+        (rising[0][k], rising[1][k]) = (up * cos, sign * up * sin);
+        (falling[0][k], falling[1][k]) = (down * cos, sign * down * sin);
+    }
+    Coefficients::Hyperbolic { rising, falling, is_even }
+}
+
+impl Shifted {
+    /// N(z).
+    #[inline(always)]
+    pub(super) fn at<T: Real>(&self, place: &Place<T>) -> Complex<T> {
+        match (&self.coefficients, *place) {
+            (Coefficients::Trigonometric { real, imaginary }, Place::Trigonometric { c, s, .. }) => {
+                let c2 = c * c;
+                Complex { re: cubic(real, c) + (c2 * c2) * T::splat(real[4]), im: s * cubic(imaginary, c) }
+            }
+            (
+                Coefficients::Hyperbolic { rising, falling, is_even },
+                Place::Hyperbolic { root, x, w, sign, .. },
+            ) => {
+                let one = T::splat(1.0);
+                let (all, second) = if *is_even { (root, one) } else { (one, x) };
+                Complex {
+                    re: all * (cubic(&rising[0], w) + second * cubic(&falling[0], x)),
+                    im: (all * sign) * (cubic(&rising[1], w) - second * cubic(&falling[1], x)),
+                }
+            }
+            _ => Complex { re: T::splat(f64::NAN), im: T::splat(f64::NAN) },
+        }
+    }
+
+    /// The quarter turns that N's phase has besides, where z is.
+    #[inline(always)]
+    pub(super) fn bend_at<T: Real>(&self, place: &Place<T>) -> T {
+        match *place {
+            Place::Trigonometric { .. } => T::splat(0.0),
+            Place::Hyperbolic { quarters, .. } => T::splat(self.bend) * quarters,
+        }
+    }
+}
+
+/// The first four terms of a polynomial.
+#[inline(always)]
+fn cubic<T: Real, const N: usize>(c: &[f64; N], x: T) -> T {
+    (T::splat(c[0]) + T::splat(c[1]) * x) + (x * x) * (T::splat(c[2]) + T::splat(c[3]) * x)
+}
+
+/// 1 + 2 Σ q^(n²) cos 2nz: θ₃ of C = 2 cos 2z, θ₄ of −C.
+#[inline(always)]
+fn even_sum<T: Real>(q: f64, c: T) -> T {
+    let q4 = (q * q) * (q * q);
+    let [a, b, d] = [q4, q4 * q4 * q, (q4 * q4) * (q4 * q4)];
+    let coefficients = [1.0 - 2.0 * (a - d), q - 3.0 * b, a - 4.0 * d, b];
+    let c2 = c * c;
+    cubic(&coefficients, c) + (c2 * c2) * T::splat(d)
+}
+
+/// Σ (±1)ⁿ (Q^(n²) Wⁿ ± Q^(n²+n) Xⁿ⁺¹): θ₂ or θ₁ of iy, times e^−|y|.
+#[inline(always)]
+fn odd_sum<T: Real>(q: f64, x: T, w: T, sign: f64) -> T {
+    let q4 = (q * q) * (q * q);
+    let rising = [1.0, sign * q, q4, 0.0];
+    let falling = [sign, q * q, sign * q4 * q * q, 0.0];
+    cubic(&rising, w) + x * cubic(&falling, x)
+}
+
+/// e^−x, x ≥ 0.
+fn exp_minus(x: Double) -> f64 {
+    libm::exp(-x.high) * (1.0 - x.low)
+}
+
+fn quarter_turn() -> Double {
+    Double::TAU.scaled(0.25)
+}
+
+fn half_turn() -> Double {
+    Double::TAU.scaled(0.5)
+}

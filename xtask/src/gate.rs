@@ -3,16 +3,17 @@
 use std::time::Instant;
 
 use crate::process::{self, cargo};
-use crate::{Outcome, dependencies, examples, layers, python, readme, viewer};
+use crate::{Outcome, api, dependencies, examples, layers, packages, python, readme, viewer};
 
 /// A name and a chore.
 type Step = (&'static str, fn() -> Outcome);
 
 /// The steps, cheapest first.
-const STEPS: [Step; 10] = [
+const STEPS: [Step; 12] = [
     ("format", || process::run(&mut cargo(&["fmt", "--all", "--check"]))),
     ("layers", layers::check),
     ("licences", dependencies::check),
+    ("packages", packages::check),
     ("lints", || {
         let clippy = ["clippy", "--workspace", "--all-targets", "--locked", "--", "-D", "warnings"];
         process::run(&mut cargo(&clippy))
@@ -22,6 +23,7 @@ const STEPS: [Step; 10] = [
         let doc = ["doc", "--workspace", "--lib", "--no-deps", "--locked"];
         process::run(cargo(&doc).env("RUSTDOCFLAGS", "-D warnings"))
     }),
+    ("public names", api::check),
     ("examples", examples::check),
     ("README", readme::check),
     ("viewer", viewer::check),

@@ -1,10 +1,12 @@
 //! The chores of this workspace: `cargo xtask test` is everything that has to pass before a change lands.
 
+mod api;
 mod dependencies;
 mod examples;
 mod gate;
 mod layers;
 mod licence;
+mod packages;
 mod process;
 mod python;
 mod readme;
@@ -21,10 +23,12 @@ const USAGE: &str = "\
 usage: cargo xtask CHORE
 
   test       everything, in order, up to the first failure
-  layers     the rooms of the house: who may import whom, who may do what, how long files are
+  layers     the modules' order: which may import which, what each may do, how long files are
   licences   how many crates are linked, and under which licences
   examples   the built command on every scenario in examples/
   readme     the README's commands
+  packages   every crate as a package, with licences and nothing from outside
+  api        the public names of the core crate, compared with crates/polhode/api.txt; --write takes them over
   speed      measures anew what book/speed.md, work-precision.md and mass-properties.md say; needs python3 and what it compares with
   viewer     the page's viewer: its bundle is the build of its source, and its tests pass in a browser
   python     the Python package: its wheel is built, and its tests and examples pass from there";
@@ -37,6 +41,9 @@ fn main() -> ExitCode {
         ["licences"] => dependencies::check(),
         ["examples"] => examples::check(),
         ["readme"] => readme::check(),
+        ["packages"] => packages::check(),
+        ["api"] => api::check(),
+        ["api", "--write"] => api::write(),
         ["speed"] => speed::measure(),
         ["viewer"] => viewer::check(),
         ["python"] => python::check(),

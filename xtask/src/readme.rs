@@ -8,7 +8,9 @@ use crate::{Outcome, read, root, short};
 
 /// Runs every `polhode` command of the README in a copy of examples/; what `cargo run` would build is built already.
 pub(crate) fn check() -> Outcome {
-    let commands = commands(&read(&root().join("README.md"))?);
+    let page = read(&root().join("README.md"))?;
+    programs_are_tested(&page, &read(&root().join("crates/polhode/README.md"))?)?;
+    let commands = commands(&page);
     if commands.is_empty() {
         return Err("README.md has no command in a ```console block".into());
     }
@@ -24,6 +26,19 @@ pub(crate) fn check() -> Outcome {
         println!("   {command}");
     }
     Ok(())
+}
+
+/// The Rust programs of the README stand in the crate's too, where they are tested as documentation is.
+fn programs_are_tested(page: &str, tested: &str) -> Outcome {
+    let programs: Vec<&str> =
+        page.split("```rust\n").skip(1).filter_map(|rest| rest.split("```").next()).collect();
+    match programs.iter().find(|program| !tested.contains(*program)) {
+        _ if programs.is_empty() => Err("README.md has no program in a ```rust block".into()),
+        Some(program) => {
+            Err(format!("crates/polhode/README.md has not this program of README.md:\n{program}"))
+        }
+        None => Ok(()),
+    }
 }
 
 /// The lines `$ polhode …` and `$ cargo run … -- …` of ```console blocks, both as `polhode …`.

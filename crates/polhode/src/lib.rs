@@ -80,5 +80,5 @@ pub mod prelude {
 
 /// The README's program, as a test.
 #[cfg(doctest)]
-#[doc = include_str!("../../../README.md")]
+#[doc = include_str!("../README.md")]
 struct Readme;

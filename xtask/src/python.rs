@@ -21,9 +21,12 @@ pub(crate) fn check() -> Outcome {
     let python = environment(&folder)?;
     let package = root().join("crates/polhode-py");
     let wheels = folder.join("wheels");
+    // Compiled as the tests are, from the same libraries: a release build would compile all of them once more.
     run(Command::new(&python)
         .args(["-m", "pip", "wheel", "--quiet", "--no-deps", "--wheel-dir"])
-        .args([&wheels, &package]))?;
+        .args([&wheels, &package])
+        .env("MATURIN_PEP517_ARGS", "--profile dev")
+        .env("CARGO_PROFILE_DEV_OPT_LEVEL", "1"))?;
     let wheel = files(&wheels, "whl")?.pop().ok_or("pip made no wheel")?;
     let mut install = Command::new(&python);
     run(install.args(["-m", "pip", "install", "--quiet"]).arg(&wheel).args(NEEDED))?;

@@ -53,17 +53,18 @@ pub fn plan(data: &[u8]) {
         assert!(values.iter().all(|value| value.is_finite()), "{values:?}");
         assert_eq!(values, plan.values(member));
         if let Ok(scenario) = plan.scenario(&values) {
-            assert_physical(&scenario.body);
+            assert_physical(scenario.body());
         }
     }
 }
 
 /// A scenario's body, and the first of its motion.
-fn accepted(mut scenario: Scenario) {
-    assert_physical(&scenario.body);
-    let Some(run) = &mut scenario.run else { return };
+fn accepted(scenario: Scenario) {
+    assert_physical(scenario.body());
+    let Some(mut run) = scenario.run().cloned() else { return };
     assert!(run.times.iter().all(|time| time.is_finite()));
     run.times.truncate(MOST_SAMPLES);
+    let scenario = scenario.sampled(run);
     if let Some(Some(Ok(motion))) =
         within_steps(|progress| scenario.simulate_with_error(ErrorEffort::Cheap, progress))
     {
@@ -74,7 +75,7 @@ fn accepted(mut scenario: Scenario) {
 /// Every number of the table.
 fn finite(motion: &Trajectory, scenario: &Scenario) {
     let mut csv = Vec::new();
-    table::csv::write(motion, &scenario.wheels, &mut csv).unwrap();
+    table::csv::write(motion, scenario.wheels(), &mut csv).unwrap();
     let csv = String::from_utf8(csv).unwrap();
     for cell in csv.lines().skip(1).flat_map(|line| line.split(',')) {
         assert!(cell.parse::<f64>().is_ok_and(f64::is_finite), "{cell} in\n{csv}");

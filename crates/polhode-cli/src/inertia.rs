@@ -231,11 +231,11 @@ impl Inertia {
 
 fn of_scenario(file: &Path) -> Result<InertiaReport, Failure> {
     let scenario = scenario::read(file)?;
-    let title = scenario.title.as_deref().unwrap_or("scenario");
+    let title = scenario.title().unwrap_or("scenario");
     let source = SourceInfo::new(file.display().to_string(), "scenario")
         .described(title)
-        .with("title", scenario.title.clone())
-        .with("parts", scenario.parts.len());
+        .with("title", scenario.title().map(str::to_owned))
+        .with("parts", scenario.parts().len());
     Ok(InertiaReport::of_scenario(source, &scenario))
 }
 

@@ -38,7 +38,7 @@ impl Page<'_> {
                 // A scenario that cannot be explained, as a pendulum whose axis cannot hold it, can still be shown.
                 let explanation = explain_motion(scenario, trajectory).ok();
                 page(&PageInput {
-                    title: scenario.title.as_deref().unwrap_or(&name),
+                    title: scenario.title().unwrap_or(&name),
                     source: &source,
                     scenario_text: Some(text),
                     subject: PageSubject::Scenario(scenario),

@@ -65,7 +65,7 @@ impl Simulate {
         let folder = Folder::create(&target, self.force)?;
         let trajectory = self.trajectory(&scenario, &text)?;
 
-        let title = scenario.title.as_deref().unwrap_or("scenario");
+        let title = scenario.title().unwrap_or("scenario");
         let source = SourceInfo::new(self.file.display().to_string(), "scenario").described(title);
         let report = MotionReport::new(source, &scenario, &trajectory);
         let summary = pretty(&report.summary_json()) + "\n";
@@ -93,13 +93,13 @@ impl Simulate {
 
     fn trajectory(&self, scenario: &Scenario, text: &str) -> Result<Trajectory, Failure> {
         let path = shown(&self.file);
-        if self.error && scenario.prescribed.is_some() {
+        if self.error && scenario.prescribed().is_some() {
             return Err(Failure::usage(
                 format!("{path} prescribes its motion: there is no error to estimate"),
                 "leave out --error, or write [start] and torques in place of the prescribed motion",
             ));
         }
-        let end = scenario.run.as_ref().and_then(|run| run.times.last().copied()).unwrap_or_default();
+        let end = scenario.run().and_then(|run| run.times.last().copied()).unwrap_or_default();
         let mut progress = Progress::new(end);
         let effort = if self.error { ErrorEffort::Thorough } else { ErrorEffort::Auto };
         match scenario.simulate_with_error(effort, &mut |time| progress.reached(time)) {
@@ -126,7 +126,7 @@ impl Simulate {
     ) -> Result<String, Failure> {
         folder.file("summary.json", |out| out.write_all(summary.as_bytes()))?;
         let metadata = metadata(scenario, trajectory, &self.file);
-        let mut names = table::write(&self.table, trajectory, &scenario.wheels, &metadata, &folder)?;
+        let mut names = table::write(&self.table, trajectory, scenario.wheels(), &metadata, &folder)?;
         if !self.no_page {
             names.push(page.write(trajectory, &folder)?);
         }
@@ -138,7 +138,7 @@ impl Simulate {
 
 fn metadata(scenario: &Scenario, trajectory: &Trajectory, file: &Path) -> Vec<(String, String)> {
     let pair = |key: &str, value: String| (format!("polhode.{key}"), value);
-    let title = scenario.title.clone().map(|title| pair("title", title));
+    let title = scenario.title().map(str::to_owned).map(|title| pair("title", title));
     let source = pair("source", file.display().to_string());
     let complete = pair("complete", trajectory.ending().is_complete().to_string());
     let cause = match trajectory.ending() {

@@ -138,7 +138,7 @@ impl Spin {
         let report = report.map_err(|error| Failure::Motion { path: "--at".to_owned(), error })?;
         let json = pretty(&report.to_json()) + "\n";
         let plots = self.plots(subject, &motion)?;
-        let page = subject.page(self.file.as_deref(), motion.start(), motion.principal());
+        let page = subject.page(self.file.as_deref(), motion.start(), motion.principal())?;
         let mut written = self.files.write_html(&motion, &page.page(), &times)?;
         if let Some(target) = target {
             written +=

@@ -33,14 +33,14 @@ impl Stability {
     pub(crate) fn run(self) -> Result<(), Failure> {
         let scenario = scenario::read(&self.file)?;
         let path = shown(&self.file);
-        if scenario.prescribed.is_some() {
+        if scenario.prescribed().is_some() {
             let hint = "leave out [prescribed], or ask polhode explain for the torque that the motion needs";
             return Err(Failure::usage(
                 format!("the motion of {path} is prescribed: nothing can depart from it"),
                 hint,
             ));
         }
-        let title = scenario.title.as_deref().unwrap_or("scenario");
+        let title = scenario.title().unwrap_or("scenario");
         let source = SourceInfo::new(self.file.display().to_string(), "scenario").described(title);
         let report = StabilityReport::of_scenario(source, &scenario);
         let text = if self.json { pretty(&report.to_json()) + "\n" } else { report.to_text() };

@@ -68,19 +68,15 @@ impl Torque {
             require_run(&scenario, &path)?;
             check_file(file, self.force)?;
         }
-        let title = scenario.title.as_deref().unwrap_or("scenario");
+        let title = scenario.title().unwrap_or("scenario");
         let source = SourceInfo::new(self.file.display().to_string(), "scenario").described(title);
         let at: Vec<f64> = self.at.iter().flat_map(|Times(times)| times.iter().copied()).collect();
         let report = RequiredReport::new(source, &scenario, &at, &self.point)
             .map_err(|error| Failure::Motion { path, error })?;
         let mut written = String::new();
         if let Some((file, format)) = &target {
-            let table = RequiredTable::new(
-                report.samples(),
-                report.rotor(),
-                report.points(),
-                scenario.shaft.as_ref(),
-            );
+            let table =
+                RequiredTable::new(report.samples(), report.rotor(), report.points(), scenario.shaft());
             self.write(&table, file, *format)?;
             written = format!("wrote {}\n", shown(file));
         }
@@ -119,11 +115,11 @@ impl Torque {
 
 /// Says what is missing where no motion is given.
 fn require_motion(scenario: &Scenario, path: &str) -> Result<(), Failure> {
-    if scenario.prescribed.is_some() {
+    if scenario.prescribed().is_some() {
         return Ok(());
     }
     let hint = "write [prescribed] with axis = [0, 0, 1] and rate = \"3 rad/s\", or [shaft]";
-    Err(if scenario.run.is_some() {
+    Err(if scenario.run().is_some() {
         let message =
             format!("{path} has a [run] but no [prescribed] motion: its motion is computed, not given");
         Failure::usage(
@@ -136,7 +132,7 @@ fn require_motion(scenario: &Scenario, path: &str) -> Result<(), Failure> {
 }
 
 fn require_run(scenario: &Scenario, path: &str) -> Result<(), Failure> {
-    match scenario.run {
+    match scenario.run() {
         Some(_) => Ok(()),
         None => Err(Failure::usage(
             format!("{path} has no [run] section, so a table has no rows"),

@@ -139,7 +139,7 @@ fn read_torques(text: &str) -> PyResult<(Vec<TorqueModel>, Vec<Finding>)> {
     let scenario = scenario::parse(&format!("{text}{BODY}"), Path::new("torques")).map_err(Raise::raise)?;
     let hint = Some("a scenario's other sections say what an ensemble's arguments say");
     match only_torques(&scenario) {
-        true => Ok((scenario.torques, scenario.findings)),
+        true => Ok((scenario.torques().to_vec(), scenario.findings().to_vec())),
         false => {
             Err(refused("torques may hold [[torque]] tables only, of free bodies, all switched on", hint))
         }
@@ -147,24 +147,13 @@ fn read_torques(text: &str) -> PyResult<(Vec<TorqueModel>, Vec<Finding>)> {
 }
 
 fn only_torques(scenario: &Scenario) -> bool {
-    let Scenario {
-        title,
-        parts,
-        start,
-        pivot,
-        switched_off,
-        wheels,
-        events,
-        prescribed,
-        hanging,
-        shaft,
-        run,
-        findings,
-        ..
-    } = scenario;
+    let start = scenario.start();
     // A [sweep] leaves nothing in the scenario but a finding.
-    (parts.len() == 1 && title.is_none() && !findings.iter().any(|finding| finding.code == "sweep.nominal"))
-        && (start.omega == AngularVelocity::ZERO && start.attitude == Attitude::identity())
-        && (pivot.is_none() && hanging.is_none() && shaft.is_none() && prescribed.is_none())
-        && (switched_off.is_empty() && wheels.is_empty() && events.is_empty() && run.is_none())
+    let is_plan = scenario.findings().iter().any(|finding| finding.code == "sweep.nominal");
+    let is_plain = scenario.parts().len() == 1 && scenario.title().is_none() && !is_plan;
+    let is_at_rest = start.omega == AngularVelocity::ZERO && start.attitude == Attitude::identity();
+    let is_free =
+        scenario.pivot().is_none() && scenario.prescribed().is_none() && scenario.hanging().is_none();
+    let acts = scenario.switched_off().is_empty() && scenario.events().is_empty();
+    is_plain && is_at_rest && is_free && acts && scenario.wheels().is_empty() && scenario.run().is_none()
 }

@@ -19,11 +19,11 @@ use crate::shape::in_body;
 #[pyfunction]
 pub(crate) fn scenario_file(py: Python<'_>, path: PathBuf) -> PyResult<PyMassProperties> {
     let scenario = py.detach(|| scenario::read(&path)).map_err(Raise::raise)?;
-    let title = scenario.title.as_deref().unwrap_or("scenario");
+    let title = scenario.title().unwrap_or("scenario");
     let source = of_file(&path, "scenario")
         .described(title)
-        .with("title", scenario.title.clone())
-        .with("parts", scenario.parts.len());
+        .with("title", scenario.title().map(str::to_owned))
+        .with("parts", scenario.parts().len());
     Ok(PyMassProperties::of(InertiaReport::of_scenario(source, &scenario)))
 }
 

@@ -54,14 +54,11 @@ pub(crate) fn simulate(
         None => py.detach(|| scenario::read_with_text(&path)).map_err(Raise::raise)?,
         Some(text) => (py.detach(|| scenario::parse(&text, &path)).map_err(Raise::raise)?, text),
     };
-    let run = match (times, scenario.run.take()) {
-        (None, run) => run,
-        (Some(times), Some(run)) => Some(Run { times: numbers(&times)?.to_vec(), ..run }),
-        (Some(times), None) => {
-            Some(Run { times: numbers(&times)?.to_vec(), ..Run::evenly(0.0, 0, Method::Auto, 1e-13) })
-        }
-    };
-    scenario.run = run;
+    if let Some(times) = times {
+        let times = numbers(&times)?.to_vec();
+        let run = scenario.run().cloned().unwrap_or_else(|| Run::evenly(0.0, 0, Method::Auto, 1e-13));
+        scenario = scenario.sampled(Run { times, ..run });
+    }
     let Some(motion) = watched(py, |look| scenario.simulate_with_error(effort, look))? else {
         return Err(refused(
             format!("{} has no [run] section, so there is no time to simulate", path.display()),
@@ -145,7 +142,7 @@ impl PyMotion {
         match self.trajectory.ending() {
             Ending::Complete => ("complete", None, None),
             Ending::Stopped { event, time } => {
-                let name = self.scenario.events.get(*event).map(|event| event.name().to_owned());
+                let name = self.scenario.events().get(*event).map(|event| event.name().to_owned());
                 ("stopped", name, Some(*time))
             }
             Ending::Failed { time, cause } => ("failed", Some(cause.to_string()), Some(*time)),
@@ -160,7 +157,7 @@ impl PyMotion {
 
     #[getter]
     fn title(&self) -> Option<&str> {
-        self.scenario.title.as_deref()
+        self.scenario.title()
     }
 
     /// The object that is `summary.json`.
@@ -179,7 +176,7 @@ impl PyMotion {
             // What cannot be explained, as a pendulum whose axis cannot hold it, can still be shown.
             let explanation = explain_motion(&self.scenario, &self.trajectory).ok();
             page_data(&PageInput {
-                title: self.scenario.title.as_deref().unwrap_or(UNTITLED),
+                title: self.scenario.title().unwrap_or(UNTITLED),
                 source: &format!("polhode {VERSION} in Python"),
                 scenario_text: Some(&self.text),
                 subject: PageSubject::Scenario(&self.scenario),
@@ -198,7 +195,7 @@ pub(crate) fn motion_page(title: Option<&str>, data: &str) -> String {
 
 impl PyMotion {
     fn report(&self) -> MotionReport<'_> {
-        let title = self.scenario.title.as_deref().unwrap_or("scenario");
+        let title = self.scenario.title().unwrap_or("scenario");
         let source = SourceInfo::new(self.path.display().to_string(), "scenario").described(title);
         MotionReport::new(source, &self.scenario, &self.trajectory)
     }

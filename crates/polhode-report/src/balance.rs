@@ -15,8 +15,8 @@ pub(crate) struct Driven {
 impl Driven {
     pub(crate) fn of(scenario: &Scenario) -> Self {
         Self {
-            by_torques: scenario.prescribed.is_some() || !scenario.torques.is_empty(),
-            by_wheels: !scenario.wheels.is_empty(),
+            by_torques: scenario.prescribed().is_some() || !scenario.torques().is_empty(),
+            by_wheels: !scenario.wheels().is_empty(),
         }
     }
 

@@ -16,7 +16,7 @@ pub(crate) fn ending_in_words(trajectory: &Trajectory, scenario: &Scenario) -> O
     match trajectory.ending() {
         Ending::Complete => None,
         Ending::Stopped { event, time } => {
-            let name = scenario.events.get(*event).map_or("", Event::name);
+            let name = scenario.events().get(*event).map_or("", Event::name);
             Some(format!("stopped at t = {} s by the event \"{name}\"", number(*time, DIGITS)))
         }
         Ending::Failed { time, cause } => {
@@ -31,7 +31,7 @@ pub(crate) fn ending_json(trajectory: &Trajectory, scenario: &Scenario) -> Value
     match trajectory.ending() {
         Ending::Complete => json!({ "time_s": last, "reason": "end_of_run", "event": null, "cause": null }),
         Ending::Stopped { event, time } => {
-            let name = scenario.events.get(*event).map(Event::name);
+            let name = scenario.events().get(*event).map(Event::name);
             json!({ "time_s": time, "reason": "event", "event": name, "cause": null })
         }
         Ending::Failed { time, cause } => {
@@ -48,7 +48,7 @@ pub(crate) fn table(trajectory: &Trajectory, scenario: &Scenario) -> String {
 /// What was looked out for, and did not happen.
 fn never(trajectory: &Trajectory, scenario: &Scenario) -> String {
     let has_happened = |k: usize| trajectory.events().iter().any(|crossing| crossing.event == k);
-    let missing = scenario.events.iter().enumerate().filter(|(k, _)| !has_happened(*k));
+    let missing = scenario.events().iter().enumerate().filter(|(k, _)| !has_happened(*k));
     let names: Vec<String> = missing.map(|(_, event)| format!("\"{}\"", printable(event.name()))).collect();
     let text = match names.as_slice() {
         [] => return String::new(),
@@ -98,7 +98,7 @@ pub(crate) fn json(trajectory: &Trajectory, scenario: &Scenario) -> Value {
             "happened": happened(k),
         })
     };
-    scenario.events.iter().enumerate().map(one).collect()
+    scenario.events().iter().enumerate().map(one).collect()
 }
 
 fn crossing(crossing: &Crossing) -> Value {
@@ -114,7 +114,7 @@ fn crossing(crossing: &Crossing) -> Value {
 fn action(action: EventAction, scenario: &Scenario) -> Value {
     match action {
         EventAction::Switch { torque, on } => {
-            let name = scenario.torque_names.get(torque).cloned().flatten();
+            let name = scenario.torque_names().get(torque).cloned().flatten();
             json!({ "switch": name, "torque": torque, "on": on })
         }
         EventAction::Stop => "stop".into(),

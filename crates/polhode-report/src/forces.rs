@@ -7,7 +7,7 @@ pub(crate) fn on_particles(scenario: &Scenario, needed: &Required) -> Vec<Partic
     if !scenario.is_all_particles() {
         return Vec::new();
     }
-    let point = scenario.pivot.unwrap_or(scenario.body.center_of_mass());
+    let point = scenario.pivot().unwrap_or(scenario.body().center_of_mass());
     let force = |p| ParticleForce::on(p, point, needed.state.omega, needed.acceleration);
     scenario.particles().iter().map(force).collect()
 }

@@ -88,14 +88,14 @@ impl InertiaReport {
 
     /// The report of a scenario's body, about its pivot too if it has one.
     pub fn of_scenario(source: SourceInfo, scenario: &Scenario) -> Self {
-        let geometry = Geometry::of_parts(&scenario.parts, scenario.body.mass());
+        let geometry = Geometry::of_parts(scenario.parts(), scenario.body().mass());
         Self {
             volume: geometry.volume,
             surface_area: geometry.surface_area,
             density: geometry.density,
-            about: scenario.pivot,
-            findings: scenario.findings.clone(),
-            ..Self::new(source, scenario.body)
+            about: scenario.pivot(),
+            findings: scenario.findings().to_vec(),
+            ..Self::new(source, *scenario.body())
         }
     }
 

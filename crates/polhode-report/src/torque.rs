@@ -230,12 +230,12 @@ impl Description {
 
 /// When a torque acts that does not from the start: `off until the event "spun down"`.
 pub(crate) fn off_at_start(scenario: &Scenario, torque: usize) -> Option<String> {
-    if !scenario.switched_off.contains(&torque) {
+    if !scenario.switched_off().contains(&torque) {
         return None;
     }
     let turns_on = EventAction::Switch { torque, on: true };
     let names: Vec<String> = scenario
-        .events
+        .events()
         .iter()
         .filter(|event| event.action() == turns_on)
         .map(|event| format!("\"{}\"", printable(event.name())))

@@ -52,7 +52,7 @@ fn main() {
         let values: Vec<_> = (0..MEMBERS).map(|member| plan.values(member)).collect();
         let drawn = begin.elapsed();
         let begin = Instant::now();
-        let sum: f64 = values.iter().map(|values| plan.scenario(values).unwrap().start.omega.norm()).sum();
+        let sum: f64 = values.iter().map(|values| plan.scenario(values).unwrap().start().omega.norm()).sum();
         let read = begin.elapsed();
         let each = |time: std::time::Duration| time.as_secs_f64() * 1e6 / MEMBERS as f64;
         println!("{what:32} values {:.2} µs, scenario {:.2} µs  ({sum:.3})", each(drawn), each(read));

@@ -31,13 +31,13 @@ impl Subject {
     pub(super) fn of_file(file: &Path) -> Result<Self, Failure> {
         let (scenario, text) = scenario::read_with_text(file)?;
         let path = file.display().to_string();
-        let why = if !scenario.torques.is_empty() {
+        let why = if !scenario.torques().is_empty() {
             "a torque acts on the body"
-        } else if !scenario.wheels.is_empty() {
+        } else if !scenario.wheels().is_empty() {
             "wheels spin in the body"
-        } else if scenario.pivot.is_some() {
+        } else if scenario.pivot().is_some() {
             "the body is held at a pivot"
-        } else if scenario.prescribed.is_some() {
+        } else if scenario.prescribed().is_some() {
             "the motion is prescribed"
         } else {
             return Ok(Self::Scenario { path, scenario: Box::new(scenario), text });
@@ -69,7 +69,7 @@ impl Subject {
     /// The state at t = 0.
     pub(super) fn start(&self, omega: Option<Omega>, attitude: Option<Attitude>) -> Result<State, Failure> {
         let start = match (self, omega) {
-            (Self::Scenario { scenario, .. }, _) => scenario.start,
+            (Self::Scenario { scenario, .. }, _) => scenario.start(),
             (Self::Moments(_), Some(_)) => {
                 State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::ZERO }
             }
@@ -89,7 +89,7 @@ impl Subject {
 
     pub(super) fn motion(&self, start: State) -> Result<FreeMotion, Failure> {
         let motion = match self {
-            Self::Scenario { path, scenario, .. } => FreeMotion::of(&Rotor::free(&scenario.body), start)
+            Self::Scenario { path, scenario, .. } => FreeMotion::of(&Rotor::free(scenario.body()), start)
                 .map_err(|error| Failure::Motion { path: path.clone(), error })?,
             Self::Moments(moments) => FreeMotion::of_moments(*moments, start)
                 .map_err(|error| Failure::usage(error.to_string(), "check --moments and --omega"))?,
@@ -114,7 +114,7 @@ impl Subject {
     /// Principal moments and axes of a body that is possible.
     pub(super) fn principal(&self) -> Result<PrincipalFrame<Body>, Failure> {
         match self {
-            Self::Scenario { scenario, .. } => Ok(scenario.body.principal()),
+            Self::Scenario { scenario, .. } => Ok(scenario.body().principal()),
             Self::Moments(moments) => match InertiaTensor::diagonal(*moments) {
                 Ok(tensor) => Ok(PrincipalFrame::of(&tensor)),
                 Err(error) => Err(Failure::usage(error.to_string(), "check --moments")),
@@ -124,26 +124,28 @@ impl Subject {
 
     pub(super) fn source(&self) -> Option<SourceInfo> {
         let Self::Scenario { path, scenario, .. } = self else { return None };
-        let title = scenario.title.as_deref().unwrap_or("scenario");
+        let title = scenario.title().unwrap_or("scenario");
         Some(
             SourceInfo::new(path.clone(), "scenario")
                 .described(title)
-                .with("title", scenario.title.clone())
-                .with("parts", scenario.parts.len()),
+                .with("title", scenario.title().map(str::to_owned))
+                .with("parts", scenario.parts().len()),
         )
     }
 
     /// What a plot is about.
     pub(super) fn title(&self) -> String {
         match self {
-            Self::Scenario { path, scenario, .. } => scenario.title.clone().unwrap_or_else(|| path.clone()),
+            Self::Scenario { path, scenario, .. } => {
+                scenario.title().map(str::to_owned).unwrap_or_else(|| path.clone())
+            }
             Self::Moments([a, b, c]) => format!("moments {a}, {b}, {c} kg·m²"),
         }
     }
 
     pub(super) fn findings(&self) -> Vec<Finding> {
         match self {
-            Self::Scenario { scenario, .. } => scenario.findings.clone(),
+            Self::Scenario { scenario, .. } => scenario.findings().to_vec(),
             Self::Moments(_) => Vec::new(),
         }
     }
@@ -154,15 +156,16 @@ impl Subject {
         file: Option<&'a Path>,
         start: State,
         principal: &'a PrincipalFrame<Body>,
-    ) -> SpinPage<'a> {
-        match self {
+    ) -> Result<SpinPage<'a>, Failure> {
+        Ok(match self {
             Self::Scenario { path, scenario, text } => {
-                let scenario = Scenario { start, run: None, ..Scenario::clone(scenario) };
+                let started = Scenario::clone(scenario).not_sampled().starting(start);
+                let scenario = started.map_err(|error| Failure::Motion { path: path.clone(), error })?;
                 let file = file.unwrap_or(Path::new(path));
                 SpinPage::Scenario { scenario: Box::new(scenario), text, file }
             }
             Self::Moments(_) => SpinPage::Moments(principal),
-        }
+        })
     }
 
     /// What a table says about where it is from.
@@ -170,7 +173,7 @@ impl Subject {
         let pair = |key: &str, value: &str| (key.to_owned(), value.to_owned());
         match self {
             Self::Scenario { path, scenario, .. } => {
-                let title = scenario.title.as_deref().map(|title| pair("polhode.title", title));
+                let title = scenario.title().map(|title| pair("polhode.title", title));
                 title.into_iter().chain([pair("polhode.source", path)]).collect()
             }
             Self::Moments([a, b, c]) => {

@@ -57,10 +57,7 @@ use crate::file;
 use crate::mesh::stl;
 use crate::text::is_utf16;
 use again::Reading;
-use polhode::body::{Finding, Severity};
-use polhode::math::Velocity;
-use polhode::motion::torque::TorqueModel;
-use polhode::motion::{EventAction, MotionError, Rotor, Scenario, Wheel};
+use polhode::motion::{ActingTorque, MotionError, Rotor, Scenario};
 use reader::{Source, TOP, Table};
 pub use sweep::{Dispersion, Distribution, Law, SOBOL_DIMENSIONS, Sampling, Spread, Sweep, Vary};
 pub use target::{Target, TargetColumn};
@@ -127,7 +124,7 @@ fn perhaps_mesh(error: FormatError, bytes: &[u8]) -> FormatError {
 /// mass = "0.5 kg"
 /// "#;
 /// let scenario = scenario::parse(text, "ball.toml".as_ref())?;
-/// assert!((scenario.body.inertia().matrix()[0][0] - 0.4 * 0.5 * 0.02 * 0.02).abs() < 1e-19);
+/// assert!((scenario.body().inertia().matrix()[0][0] - 0.4 * 0.5 * 0.02 * 0.02).abs() < 1e-19);
 ///
 /// let error = scenario::parse(&text.replace("20 mm", "20 kg"), "ball.toml".as_ref()).unwrap_err();
 /// assert_eq!(error.to_string(), "ball.toml:4:10: \"kg\" is a mass where a length belongs");
@@ -157,19 +154,8 @@ fn document(source: Source<'_>) -> Result<Entries, FormatError> {
 fn read_root(source: Source<'_>, entries: &Entries) -> Result<Scenario, FormatError> {
     let root = Table::root(source, entries);
     root.allow(&TOP)?;
-    let exclusive = "a prescribed motion is given, and the torque that it needs is the answer";
-    root.at_most_one(&["prescribed", "torque"], exclusive)?;
-    root.at_most_one(
-        &["prescribed", "event"],
-        "a prescribed motion is given, and nothing on its way changes it",
-    )?;
-    root.at_most_one(&["prescribed", "pendulum"], "a pendulum swings as gravity moves it")?;
-    let exclusive = "the torque that a prescribed motion needs is that of a body without wheels";
-    root.at_most_one(&["prescribed", "wheel"], exclusive)?;
-    root.at_most_one(&["pendulum", "wheel"], "a pendulum swings as a body without wheels")?;
-    let turning = "a shaft turns at its rate, and what drives and holds it is the answer";
-    for other in ["prescribed", "torque", "wheel", "event", "pendulum"] {
-        root.at_most_one(&["shaft", other], turning)?;
+    for (a, b, why) in Scenario::EXCLUSIVE {
+        root.at_most_one(&[a, b], why)?;
     }
 
     let mut findings = Vec::new();
@@ -188,36 +174,35 @@ fn read_root(source: Source<'_>, entries: &Entries) -> Result<Scenario, FormatEr
     let run = run::run(&root)?;
     let prescribed = prescribed::prescribed(&root, &start, run.as_ref(), &mut findings)?;
     let orbit = torques.orbit;
-    let mut scenario = Scenario {
-        title,
-        parts,
-        body,
-        start: start.state,
-        velocity: start.velocity.unwrap_or(Velocity::ZERO),
-        pivot: point,
-        torques: torques.models,
-        torque_names: torques.names,
-        switched_off: torques.switched_off,
-        wheels: wheel::turning(&rotor, &wheels, start.state.omega)?,
-        events,
-        prescribed,
-        hanging: None,
-        shaft: None,
-        run,
-        findings,
-    };
-    shaft::shaft(&root, &start, &mut scenario)?;
-    pendulum::pendulum(&root, &mut scenario)?;
-    if let Some(motion) = &scenario.prescribed {
-        let first = motion.span().map_or(0.0, |[first, _]| first.max(0.0));
-        scenario.start = motion.at(first).map_or(scenario.start, |(state, _)| state);
+    let named = torques.names.into_iter().enumerate();
+    let acting = torques.models.into_iter().zip(named).map(|(model, (k, name))| {
+        let is_on = !torques.switched_off.contains(&k);
+        ActingTorque { model, name, is_on }
+    });
+    let wheels = wheel::turning(&rotor, &wheels, start.state.omega)?;
+    // What can be wrong has been found above, at its place.
+    let whole = |error: MotionError| root.error(FormatErrorKind::Motion(error));
+    let mut scenario = Scenario::new(body).made_of(parts).starting(start.state).map_err(whole)?;
+    if let Some(title) = title {
+        scenario = scenario.titled(title);
     }
-    scenario.findings.extend(idle_gravity(&scenario));
-    scenario.findings.extend(idle_motion(&scenario));
-    scenario.findings.extend(start::underflow(&scenario));
-    scenario.findings.extend(idle_torques(&scenario));
-    scenario.findings.extend(orbit.and_then(|orbit| orbit.underground()));
-    Ok(scenario)
+    if let Some(point) = point {
+        scenario = scenario.held_at(point).map_err(whole)?;
+    } else if let Some(velocity) = start.velocity {
+        scenario = scenario.moving(velocity).map_err(whole)?;
+    }
+    scenario = scenario.with_wheels(&wheels).and_then(|s| s.under(acting)).map_err(whole)?;
+    scenario = scenario.watching(events).map_err(whole)?;
+    if let Some(motion) = prescribed {
+        scenario = scenario.prescribed_as(motion).map_err(whole)?;
+    }
+    if let Some(run) = run {
+        scenario = scenario.sampled(run);
+    }
+    scenario = shaft::shaft(&root, &start, scenario)?;
+    scenario = pendulum::pendulum(&root, scenario.noting(findings))?;
+    let noticed = scenario.check();
+    Ok(scenario.noting(noticed).noting(orbit.and_then(|orbit| orbit.underground())))
 }
 
 /// An error of the motion of a scenario with its place in the file, if it is about one of its torques; `text` is what the file says.
@@ -265,48 +250,4 @@ pub fn placed(text: &str, path: &Path, error: &MotionError) -> Option<FormatErro
     let wrong = value.iter().position(|c| along_body && !c.is_finite());
     let component = wrong.and_then(|k| formulas.fixed::<3>("formulas").ok()?.into_iter().nth(k));
     Some(component.unwrap_or(formulas).motion(error.clone()))
-}
-
-/// Gravity does not turn a body held at its centre of mass.
-fn idle_gravity(scenario: &Scenario) -> Option<Finding> {
-    let has_gravity = scenario.torques.iter().any(|torque| matches!(torque, TorqueModel::Gravity(_)));
-    let (center, pivot) = (scenario.body.center_of_mass(), scenario.pivot?);
-    // Rounding of the centre of mass is no lever.
-    let balanced = (center - pivot).norm() <= 1e-14 * (center.norm() + pivot.norm());
-    (has_gravity && balanced).then(|| Finding {
-        code: "gravity.balanced",
-        severity: Severity::Info,
-        message: "the centre of mass is at the pivot: gravity does not turn the body".to_owned(),
-        place: None,
-    })
-}
-
-/// A free body at rest stays so.
-fn idle_motion(scenario: &Scenario) -> Option<Finding> {
-    let still = scenario.start.omega.norm() == 0.0
-        && scenario.torques.is_empty()
-        && scenario.prescribed.is_none()
-        && !scenario.wheels.iter().any(Wheel::is_driven);
-    (still && scenario.run.is_some()).then(|| Finding {
-        code: "start.rest",
-        severity: Severity::Warning,
-        message: "the body starts without spin and nothing turns it".to_owned(),
-        place: None,
-    })
-}
-
-/// A torque that is off and that no event switches on does nothing.
-fn idle_torques(scenario: &Scenario) -> Option<Finding> {
-    let is_woken = |k: &usize| {
-        let wakes = EventAction::Switch { torque: *k, on: true };
-        scenario.events.iter().any(|event| event.action() == wakes)
-    };
-    let idle = scenario.switched_off.iter().find(|k| !is_woken(k))?;
-    let name = scenario.torque_names.get(*idle).cloned().flatten().unwrap_or_default();
-    Some(Finding {
-        code: "torque.off",
-        severity: Severity::Warning,
-        message: format!("the torque \"{name}\" is off, and no event switches it on"),
-        place: None,
-    })
 }

@@ -12,8 +12,8 @@ use crate::error::FormatError;
 use crate::unit::Dimension;
 
 /// Reads `[pendulum]` into a scenario that is complete but for it.
-pub(crate) fn pendulum(root: &Table<'_>, scenario: &mut Scenario) -> Result<(), FormatError> {
-    let Some(value) = root.get("pendulum") else { return Ok(()) };
+pub(crate) fn pendulum(root: &Table<'_>, scenario: Scenario) -> Result<Scenario, FormatError> {
+    let Some(value) = root.get("pendulum") else { return Ok(scenario) };
     let table = value.table()?;
     table.allow(&["axis", "amplitude"])?;
     let torques = root.get("torque").map_or(Ok(Vec::new()), |list| list.tables("torque"))?;
@@ -50,23 +50,23 @@ pub(crate) fn pendulum(root: &Table<'_>, scenario: &mut Scenario) -> Result<(), 
         },
     };
     let direction = Direction::from_array(axis.numbers()?);
-    scenario.hanging = Some(Hanging { axis: direction, amplitude });
-    let hung = scenario.pendulum().transpose();
+    let hung = scenario.hanging_from(Hanging { axis: direction, amplitude });
     let hung =
         hung.map_err(|e| axis.motion(e).with_hint("gravity and the centre of mass have to be off the axis"))?;
-    scenario.findings.extend(hung.and_then(|pendulum| swings_otherwise(scenario, &pendulum)));
-    scenario.findings.extend(leaves_its_axis(scenario, direction));
-    Ok(())
+    let pendulum = hung.pendulum().and_then(Result::ok);
+    let otherwise = pendulum.and_then(|pendulum| swings_otherwise(&hung, &pendulum));
+    let leaves = leaves_its_axis(&hung, direction);
+    Ok(hung.noting(otherwise).noting(leaves))
 }
 
 /// A run may start with another amplitude than the one whose period is asked for.
 fn swings_otherwise(scenario: &Scenario, pendulum: &Pendulum) -> Option<Finding> {
     /// Relative difference that is more than rounding and the digits of an angle.
     const TOLERANCE: f64 = 1e-6;
-    scenario.run.as_ref()?;
-    let Hanging { axis, amplitude } = scenario.hanging?;
+    scenario.run()?;
+    let Hanging { axis, amplitude } = scenario.hanging()?;
     let stated = amplitude?;
-    let rate = axis.direction()?.dot(scenario.start.omega);
+    let rate = axis.direction()?.dot(scenario.start().omega);
     let starts = match pendulum.swing(pendulum.angle(), rate) {
         Swing::Oscillation { amplitude, .. } if (amplitude - stated).abs() <= TOLERANCE * stated => {
             return None;
@@ -95,7 +95,7 @@ fn degrees(angle: f64) -> String {
 fn leaves_its_axis(scenario: &Scenario, axis: Direction<polhode::math::Body>) -> Option<Finding> {
     /// Angles below this are rounding, rad.
     const ROUNDING: f64 = 1e-9;
-    scenario.run.as_ref()?;
+    scenario.run()?;
     let n = axis.direction()?;
     let rotor = scenario.rotor();
     let omega = polhode::math::AngularVelocity::from_array(n.to_array());
@@ -104,12 +104,12 @@ fn leaves_its_axis(scenario: &Scenario, axis: Direction<polhode::math::Body>) ->
         let across = v - n * n.dot(v);
         across.norm() <= ROUNDING * v.norm()
     };
-    let start = scenario.start;
+    let start = scenario.start();
     let weightless = |torque: &TorqueModel| along(torque.torque(&rotor, &start).to_array());
     let stays = along(rotor.angular_momentum(omega).to_array())
         && along(start.omega.to_array())
         && n.dot(rotor.lever()).abs() <= ROUNDING * rotor.lever().norm()
-        && scenario.torques.iter().all(weightless);
+        && scenario.torques().iter().all(weightless);
     (!stays).then(|| Finding {
         code: "pendulum.axis",
         severity: Severity::Warning,

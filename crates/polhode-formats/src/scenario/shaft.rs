@@ -1,7 +1,7 @@
 //! A `[shaft]`: a body that turns on two bearings.
 
 use polhode::math::{Acceleration, Direction, Position};
-use polhode::motion::{Mounted, Prescribed, Scenario, Shaft};
+use polhode::motion::{Mounted, Scenario, Shaft};
 
 use super::reader::{Table, Value};
 use super::start::Start;
@@ -9,14 +9,18 @@ use crate::error::FormatError;
 use crate::unit::Dimension;
 
 /// Reads `[shaft]`: the body is held at a point of the line, and turns about it as a prescribed motion.
-pub(crate) fn shaft(root: &Table<'_>, start: &Start<'_>, scenario: &mut Scenario) -> Result<(), FormatError> {
-    let Some(value) = root.get("shaft") else { return Ok(()) };
+pub(crate) fn shaft(
+    root: &Table<'_>,
+    start: &Start<'_>,
+    scenario: Scenario,
+) -> Result<Scenario, FormatError> {
+    let Some(value) = root.get("shaft") else { return Ok(scenario) };
     let table = value.table()?;
     table.allow(&["axis", "point", "bearings", "rate", "acceleration", "gravity", "balance"])?;
     if let Some(spin) = &start.spin {
         return Err(spin.invalid("left out, since the shaft turns at its rate").with_hint("leave out spin"));
     }
-    if scenario.pivot.is_some() {
+    if scenario.pivot().is_some() {
         let rule = "given without a pivot of the body: its bearings hold it";
         return Err(value.invalid(rule).with_hint("leave out pivot: the shaft's point holds the body"));
     }
@@ -37,18 +41,15 @@ pub(crate) fn shaft(root: &Table<'_>, start: &Start<'_>, scenario: &mut Scenario
         return Err(axis.invalid(rule).with_hint("the z axis is [0, 0, 1]; any length will do"));
     }
     let shaft =
-        Shaft::new(scenario.body, point, direction, places).map_err(|error| bearings.motion(error))?;
+        Shaft::new(*scenario.body(), point, direction, places).map_err(|error| bearings.motion(error))?;
     let rate = table.require("rate", "rate = \"3000 rpm\"")?.quantity(Dimension::ANGULAR_VELOCITY)?;
     let acceleration = table.get("acceleration");
     let acceleration = acceleration.map_or(Ok(0.0), |a| a.quantity(Dimension::ANGULAR_ACCELERATION))?;
     let gravity = table.get("gravity").map_or(Ok([0.0; 3]), |g| g.quantities(Dimension::ACCELERATION))?;
     let balance = table.get("balance").map_or(Ok(Vec::new()), |value| balance(&value, &shaft))?;
-    let motion = Prescribed::fixed_axis(start.state.attitude, direction, rate, acceleration);
-    scenario.prescribed = Some(motion.map_err(|error| axis.motion(error))?);
-    scenario.pivot = Some(point);
     let gravity = Acceleration::from_array(gravity);
-    scenario.shaft = Some(Mounted { shaft, rate, acceleration, gravity, balance });
-    Ok(())
+    let mounted = Mounted { shaft, rate, acceleration, gravity, balance };
+    scenario.mounted(mounted).map_err(|error| axis.motion(error))
 }
 
 /// `balance = { planes = [one or two], radii = [as many] }`: each plane with its radius.

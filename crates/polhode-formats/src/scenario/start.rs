@@ -1,8 +1,7 @@
 //! The `[start]`: attitude, spin and velocity at t = 0.
 
-use polhode::body::{Finding, Severity};
 use polhode::math::{AngularMomentum, AngularVelocity, Attitude, Body, Space, Velocity};
-use polhode::motion::{Rotor, Scenario, State};
+use polhode::motion::{Rotor, State};
 
 use super::reader::{Table, Value};
 use super::rotation::rotation;
@@ -16,22 +15,6 @@ pub(crate) struct Start<'a> {
     /// The values that a prescribed motion has no room for.
     pub(crate) spin: Option<Value<'a>>,
     pub(crate) attitude: Option<Value<'a>>,
-}
-
-/// A spin so slow that its energy is below the range of numbers.
-pub(crate) fn underflow(scenario: &Scenario) -> Option<Finding> {
-    let rotor = scenario.rotor();
-    let omega = scenario.start.omega;
-    (scenario.prescribed.is_none() && rotor.kinetic_energy_underflows(omega)).then(|| Finding {
-        code: "start.underflow",
-        severity: Severity::Warning,
-        message: format!(
-            "T at the start is below 2.2e-308 J, the range of numbers with all their digits, and comes out as {:e}: energies, their drift and \
-             all that follows from ω² or L² say nothing. Without torque the motion is that at a greater rate, only slower",
-            rotor.kinetic_energy(omega)
-        ),
-        place: None,
-    })
 }
 
 /// Reads `[start]`; without it the body is at rest with its axes along those of space.

@@ -212,7 +212,7 @@ impl Catalogue<'_> {
             None => (written, false),
         };
         let (part, words, properties) = if whole == "body" {
-            (None, "body".to_owned(), self.nominal.body)
+            (None, "body".to_owned(), *self.nominal.body())
         } else {
             let spot = Spot::at(self.entries, whole).map_err(|(rule, hint)| refused(key, &rule, hint))?;
             let one_part = matches!(spot.node.kind, Kind::Table(_)) && spot.words.len() == 3;

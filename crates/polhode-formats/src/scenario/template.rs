@@ -36,7 +36,7 @@ use crate::error::{FormatError, FormatErrorKind};
 /// let template = Template::parse(plan.to_owned(), "balls.toml".as_ref())?;
 /// let mass = template.sweep()?.vary[0].target.clone();
 /// let heavy = template.scenario([(&mass, &[0.6][..])])?;
-/// assert_eq!(heavy.body.mass(), 0.6);
+/// assert_eq!(heavy.body().mass(), 0.6);
 /// assert!(template.scenario([(&mass, &[-0.6][..])]).is_err());
 /// # Ok::<(), polhode_formats::FormatError>(())
 /// ```
@@ -78,16 +78,15 @@ impl Template {
     /// The scenario as it is written, of a plan whose `[sweep]` is in order, with a finding that says so.
     pub(super) fn into_scenario(self) -> Result<Scenario, FormatError> {
         let members = self.sweep()?.members;
-        let mut scenario = self.nominal;
-        scenario.findings.push(Finding {
+        let nominal = Finding {
             code: "sweep.nominal",
             severity: Severity::Info,
             message: format!(
                 "a plan of {members} members: this is the scenario as it is written, polhode sweep runs them"
             ),
             place: None,
-        });
-        Ok(scenario)
+        };
+        Ok(self.nominal.noting([nominal]))
     }
 
     /// The text of the file.
@@ -190,14 +189,16 @@ mod tests {
 
     use std::fs;
 
+    use polhode::body::BodyPart;
+
     use super::super::tree::{Kind, Node};
     use super::*;
     use crate::scenario;
 
     /// What a motion depends on: everything but what parts look like, and where remarks stand.
-    fn comparable(mut scenario: Scenario) -> Scenario {
-        scenario.parts.iter_mut().for_each(|part| part.form = None);
-        scenario
+    fn comparable(scenario: Scenario) -> Scenario {
+        let without = scenario.parts().iter().map(|part| BodyPart { form: None, ..part.clone() }).collect();
+        scenario.made_of(without)
     }
 
     /// Where the values of each part of the body stand.

@@ -114,8 +114,8 @@ fn the_scenarios_of_the_pages_run() {
             }
             let scenario =
                 scenario::parse(&text, &root().join(place)).unwrap_or_else(|e| panic!("{at}: {e}"));
-            let worse = scenario.findings.iter().filter(|f| f.severity != polhode::body::Severity::Info);
-            assert_eq!(worse.count(), 0, "{at}: {:?}", scenario.findings);
+            let worse = scenario.findings().iter().filter(|f| f.severity != polhode::body::Severity::Info);
+            assert_eq!(worse.count(), 0, "{at}: {:?}", scenario.findings());
             if let Some(motion) = scenario.simulate() {
                 motion.unwrap_or_else(|e| panic!("{at}: {e}"));
             }
@@ -323,7 +323,7 @@ fn the_book_has_every_column_with_its_unit() {
     let rows = rows(section(&page, "## Trajectory"));
     let in_book: Vec<_> =
         rows.iter().flat_map(|row| names(row[0]).map(|name| (name.to_owned(), row[1]))).collect();
-    let known: Vec<_> = columns(&motion, &top.wheels)
+    let known: Vec<_> = columns(&motion, &top.wheels())
         .into_iter()
         .map(|column| (column.name.into_owned(), column.unit))
         .collect();
@@ -339,9 +339,9 @@ fn the_book_has_every_column_of_what_a_motion_needs() {
         Path::new("probe.toml"),
     )
     .unwrap();
-    let motion = rotor.prescribed.as_ref().unwrap();
-    let samples = [Required::by(&rotor.rotor(), motion, 0.0).unwrap()];
-    let table = RequiredTable::new(&samples, &rotor.rotor(), &rotor.particles(), rotor.shaft.as_ref());
+    let motion = rotor.prescribed().unwrap();
+    let samples = [Required::by(rotor.rotor(), motion, 0.0).unwrap()];
+    let table = RequiredTable::new(&samples, rotor.rotor(), &rotor.particles(), rotor.shaft());
     let rows = rows(section(&page, "## Table of `polhode torque`"));
     let in_book: Vec<_> = rows.iter().flat_map(|row| names(row[0]).map(|name| (name, row[1]))).collect();
     let known: Vec<_> = table.columns().iter().map(|column| (column.name.as_str(), column.unit)).collect();

@@ -38,15 +38,15 @@ fn a_mesh_is_found_beside_its_scenario() {
     let path = folder.join("scenario with spaces.toml");
     fs::write(&path, &text).unwrap();
     let read = scenario::read(&path).unwrap();
-    assert!((read.body.mass() - 4e-6).abs() < 1e-20);
-    assert!((read.body.center_of_mass() - Position::new(5e-4, 7.5e-4, 2.5e-4)).norm() < 1e-18);
-    assert!(read.findings.is_empty());
+    assert!((read.body().mass() - 4e-6).abs() < 1e-20);
+    assert!((read.body().center_of_mass() - Position::new(5e-4, 7.5e-4, 2.5e-4)).norm() < 1e-18);
+    assert!(read.findings().is_empty());
 
     let inverted: Vec<_> = CORNER.iter().map(|&[a, b, c]| [a, c, b]).chain([[[1.0; 3]; 3]]).collect();
     fs::write(folder.join(odd), stl(&inverted)).unwrap();
     let again = scenario::read(&path).unwrap();
-    assert!((again.body.mass() - 4e-6).abs() < 1e-20);
-    let found: Vec<_> = again.findings.iter().map(|f| (f.code, f.place.as_deref())).collect();
+    assert!((again.body().mass() - 4e-6).abs() < 1e-20);
+    let found: Vec<_> = again.findings().iter().map(|f| (f.code, f.place.as_deref())).collect();
     let place = format!("part \"mesh 1\", {odd}");
     let triangle = format!("{place}, triangle 5");
     assert_eq!(

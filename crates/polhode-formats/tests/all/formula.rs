@@ -41,15 +41,15 @@ fn a_density_may_grow_along_a_slanted_direction() {
     let alone = MassProperties::<Part>::new(mass, Position::from_array(c), tensor.unwrap()).unwrap();
     let turn = Rotation::from_quaternion([0.4, -0.7, 1.1, 0.3]).unwrap();
     let want = PlacedPart::new(alone, Position::new(1.5, -0.4, 0.25), turn).unwrap().in_body();
-    near(read.body.mass(), want.mass(), mass);
+    near(read.body().mass(), want.mass(), mass);
     for k in 0..3 {
-        let centers = [&read.body, &want].map(|body| body.center_of_mass().to_array()[k]);
+        let centers = [&read.body(), &want].map(|body| body.center_of_mass().to_array()[k]);
         near(centers[0], centers[1], 1.0);
         for j in 0..3 {
-            near(read.body.inertia().matrix()[k][j], want.inertia().matrix()[k][j], mass * trace);
+            near(read.body().inertia().matrix()[k][j], want.inertia().matrix()[k][j], mass * trace);
         }
     }
-    let finding = read.findings.iter().find(|finding| finding.code == "density.cubature").unwrap();
+    let finding = read.findings().iter().find(|finding| finding.code == "density.cubature").unwrap();
     assert_eq!((finding.severity, finding.place.as_deref()), (Severity::Info, Some("part \"box 1\"")));
     assert!(finding.message.contains("mass within") && finding.message.contains("kg"), "{}", finding.message);
 }
@@ -58,7 +58,7 @@ fn a_density_may_grow_along_a_slanted_direction() {
 #[test]
 fn a_density_may_grow_outward() {
     let text = "[[body.part]]\nshape = 'cylinder'\nradius = 0.4\nlength = 0.9\ndensity = '1300 * (1 + 5*(x^2 + y^2))'\n";
-    let body = read(text).body;
+    let body = *read(text).body();
     let (r, l, k) = (0.4_f64, 0.9, 5.0);
     let mass = PI * 1300.0 * l * r * r * (1.0 + k * r * r / 2.0);
     near(body.mass(), mass, mass);
@@ -70,19 +70,19 @@ fn a_density_may_grow_outward() {
 fn a_mesh_may_have_one() {
     let mesh = "[[body.part]]\nshape = 'mesh'\nfile = 'bracket.stl'\nunit = 'mm'\n";
     let [formula, number] =
-        ["'2700 + 0*x'", "2700"].map(|density| read(&format!("{mesh}density = {density}\n")).body);
+        ["'2700 + 0*x'", "2700"].map(|density| *read(&format!("{mesh}density = {density}\n")).body());
     near(formula.mass(), number.mass(), number.mass());
     // 2700 (1 + 10 x): the mass is that of the mean, x at the centroid
-    let body = read(&format!("{mesh}density = '2700*(1 + 10*x)'\n")).body;
+    let body = *read(&format!("{mesh}density = '2700*(1 + 10*x)'\n")).body();
     let mass = number.mass() * (1.0 + 10.0 * number.center_of_mass().x);
     near(body.mass(), mass, mass);
 }
 
 #[test]
 fn what_is_a_quantity_is_one() {
-    let mass = |density: &str| read(&format!("{BOX}density = {density}\n")).body.mass();
+    let mass = |density: &str| read(&format!("{BOX}density = {density}\n")).body().mass();
     for density in ["2700", "'2700'", "'2.7 g/cm^3'", "'2700 kg/m^3'", "'2700 kg m^-3'", "'2.7*g/cm^3'"] {
-        assert!(read(&format!("{BOX}density = {density}\n")).findings.is_empty(), "{density}");
+        assert!(read(&format!("{BOX}density = {density}\n")).findings().is_empty(), "{density}");
         near(mass(density), 81.0, 81.0);
     }
     // arithmetic without a variable is a formula, too
@@ -93,7 +93,7 @@ fn what_is_a_quantity_is_one() {
 #[test]
 fn a_step_needs_a_tolerance() {
     let step = "density = 'if(x + 0.3*y < 0.04, 900, 2700)'\n";
-    let body = read(&format!("{BOX}{step}density_tolerance = 1e-4\n")).body;
+    let body = *read(&format!("{BOX}{step}density_tolerance = 1e-4\n")).body();
     // x + 0.3 y < 0.04 cuts a prism: its mean width in x is 0.15 + 0.04
     let mass = 0.2 * 0.5 * (900.0 * 0.19 + 2700.0 * 0.11);
     assert!((body.mass() / mass - 1.0).abs() < 1e-4, "{} is not {mass}", body.mass());

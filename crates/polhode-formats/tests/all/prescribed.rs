@@ -24,7 +24,7 @@ fn refuses(text: &str, message: &str, hint: &str) {
 }
 
 fn at(text: &str, time: f64) -> State {
-    parse(text).unwrap().prescribed.unwrap().at(time).unwrap().0
+    parse(text).unwrap().prescribed().unwrap().at(time).unwrap().0
 }
 
 #[test]
@@ -52,12 +52,12 @@ fn formulas_of_the_time_are_read() {
     let space = at(&text, 2.0);
     assert!((space.omega_space() - AngularVelocity::new(2_f64.sin(), 0.5, 4.0)).norm() < 1e-14);
     let scenario = parse(&text).unwrap();
-    let codes: Vec<_> = scenario.findings.iter().map(|finding| finding.code).collect();
+    let codes: Vec<_> = scenario.findings().iter().map(|finding| finding.code).collect();
     assert_eq!(codes, ["prescribed.integrated"]);
     // The start of the scenario is that of the motion.
-    assert!(scenario.start.omega.norm() > 0.4);
+    assert!(scenario.start().omega.norm() > 0.4);
     let corner = parse("[prescribed]\nangles = ['abs(t - 1[s])/1[s]', 0.5, 0]").unwrap();
-    assert_eq!(corner.findings.iter().map(|f| f.code).collect::<Vec<_>>(), ["prescribed.corner"]);
+    assert_eq!(corner.findings().iter().map(|f| f.code).collect::<Vec<_>>(), ["prescribed.corner"]);
 }
 
 #[test]
@@ -144,10 +144,10 @@ fn a_trajectory_that_was_written_is_a_motion() {
     for (columns, start) in [("attitude", ""), ("omega_body", start), ("omega_space", start)] {
         let text = format!("columns = '{columns}'\n{start}[run]\nduration = 4\nsamples = 23");
         let again = folder.read(&table, &text).unwrap();
-        let worse = again.findings.iter().filter(|f| f.severity != Severity::Info).count();
-        assert_eq!(worse, 0, "{:?}", again.findings);
+        let worse = again.findings().iter().filter(|f| f.severity != Severity::Info).count();
+        assert_eq!(worse, 0, "{:?}", again.findings());
         for sample in again.simulate().unwrap().unwrap().samples() {
-            let (state, _) = known.prescribed.as_ref().unwrap().at(sample.state.time).unwrap();
+            let (state, _) = known.prescribed().as_ref().unwrap().at(sample.state.time).unwrap();
             assert!(
                 state.attitude.angle_to(sample.state.attitude) < 1e-10,
                 "{columns} {}",
@@ -157,7 +157,7 @@ fn a_trajectory_that_was_written_is_a_motion() {
         }
     }
     // Without a choice the attitudes are the motion.
-    assert!(matches!(folder.read(&table, "").unwrap().prescribed, Some(Prescribed::Table(_))));
+    assert!(matches!(folder.read(&table, "").unwrap().prescribed(), Some(Prescribed::Table(_))));
 }
 
 #[test]
@@ -208,10 +208,10 @@ fn a_shaft_is_a_motion_about_its_point() {
          balance = {{ planes = [0, '5 cm'], radii = ['3 cm', '4 cm'] }}"
     );
     let scenario = parse(&text).unwrap();
-    assert_eq!(scenario.pivot, Some(Position::new(0.0, 0.0, 0.01)));
-    let (state, _) = scenario.prescribed.as_ref().unwrap().at(0.5).unwrap();
+    assert_eq!(scenario.pivot(), Some(Position::new(0.0, 0.0, 0.01)));
+    let (state, _) = scenario.prescribed().unwrap().at(0.5).unwrap();
     assert!((state.omega.norm() - (std::f64::consts::TAU + 1.0)).abs() < 1e-14);
-    let mounted = scenario.shaft.unwrap();
+    let mounted = scenario.shaft().unwrap();
     assert_eq!(mounted.shaft.bearings(), [-0.1, 0.2]);
     assert_eq!(mounted.gravity, Acceleration::new(0.0, 0.0, -9.806_65));
     assert_eq!(mounted.balance, [[0.0, 0.03], [0.05, 0.04]]);

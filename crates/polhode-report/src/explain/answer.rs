@@ -76,8 +76,8 @@ fn free(w: &Working<'_>) -> Option<String> {
     if !w.is_turning() || w.rotor.principal().symmetry() == Symmetry::Point {
         return None;
     }
-    let free = FreeRegime::of(&w.rotor, &w.start);
-    let motion = FreeMotion::of(&w.rotor, w.start).ok();
+    let free = FreeRegime::of(w.rotor, &w.start);
+    let motion = FreeMotion::of(w.rotor, w.start).ok();
     if let Some(top) = motion.as_ref().and_then(SymmetricTop::of_motion) {
         let cones = Cones::of(&top);
         if cones.body_half_angle < CLOSED {

@@ -19,7 +19,7 @@ pub(super) fn section(w: &Working<'_>) -> Section {
         "dx̂i/dt = ω × x̂i   or   dR/dt = R [ω]×   or   dq/dt = ½ q ω      (ω in body axes)",
         r"\frac{d\hat{\mathbf x}_i}{dt} = \boldsymbol\omega \times \hat{\mathbf x}_i \quad\text{or}\quad \dot R = R [\boldsymbol\omega]_\times \quad\text{or}\quad \dot q = \tfrac12 q \boldsymbol\omega",
     );
-    let exact = if w.is_free() { FreeMotion::of(&w.rotor, w.start).ok() } else { None };
+    let exact = if w.is_free() { FreeMotion::of(w.rotor, w.start).ok() } else { None };
     match &exact {
         Some(motion) if motion.regime() == Regime::AtRest => s.say("With ω = 0 it stays R(t0)."),
         Some(motion) if matches!(motion.regime(), Regime::Permanent(_)) => {

@@ -11,7 +11,7 @@ pub(super) fn section(w: &Working<'_>) -> Section {
         "Body axes x, y, z: fixed in the body, so that {I} is constant; they turn with it at ω. Their directions are \
          those of the description; step 3 finds the principal axes, in which Euler's equations are simplest.",
     );
-    match w.scenario.pivot {
+    match w.scenario.pivot() {
         Some(pivot) => {
             s.say(
                 "Origin: the pivot, which is held fixed in space, so V = 0 and nobody has to know the force that \

@@ -14,12 +14,12 @@ const MOST_TERMS: usize = 6;
 
 pub(super) fn section(w: &Working<'_>) -> Section {
     let mut s = Section::new(0, "The body");
-    let masses = if w.scenario.is_all_particles() && !w.scenario.parts.is_empty() {
+    let masses = if w.scenario.is_all_particles() && !w.scenario.parts().is_empty() {
         particles(w, &mut s)
     } else {
         parts(w, &mut s)
     };
-    if !w.scenario.parts.is_empty() {
+    if !w.scenario.parts().is_empty() {
         s.formula(
             "M = Σ mα,   c = Σ mα rα / M",
             r"M = \sum_\alpha m_\alpha, \qquad \mathbf c = \frac{1}{M} \sum_\alpha m_\alpha \mathbf r_\alpha",
@@ -57,7 +57,7 @@ fn particles(w: &Working<'_>, s: &mut Section) -> Vec<f64> {
 }
 
 fn parts(w: &Working<'_>, s: &mut Section) -> Vec<f64> {
-    let parts = &w.scenario.parts;
+    let parts = w.scenario.parts();
     if parts.is_empty() {
         s.say("The body is given by its mass, its centre of mass and its inertia tensor.");
         return Vec::new();

@@ -17,7 +17,7 @@ pub(super) fn solve(w: &Working<'_>, s: &mut Section) {
         s.say("There is nothing to solve: all the mass is in one point, which has no rotation.");
         return;
     }
-    let Ok(motion) = FreeMotion::of(&w.rotor, w.start) else { return };
+    let Ok(motion) = FreeMotion::of(w.rotor, w.start) else { return };
     match (motion.regime(), SymmetricTop::of_motion(&motion)) {
         (Regime::Permanent(_) | Regime::AtRest, _) => permanent(w, s),
         (_, Some(top)) => symmetric(w, &motion, &top, s),
@@ -30,7 +30,7 @@ fn permanent(w: &Working<'_>, s: &mut Section) {
         s.say("At rest and without torque the body stays at rest: ω(t) = 0.");
         return;
     }
-    let free = FreeRegime::of(&w.rotor, &w.start);
+    let free = FreeRegime::of(w.rotor, &w.start);
     s.say(format!(
         "ω lies along a principal axis, so ω × L = 0 and ω\u{307} = 0: {}. It keeps its axis and its rate, in the body \
          and in space.",
@@ -132,7 +132,7 @@ fn cones(w: &Working<'_>, motion: &FreeMotion, top: &SymmetricTop, s: &mut Secti
 }
 
 fn asymmetric(w: &Working<'_>, s: &mut Section) {
-    let free = FreeRegime::of(&w.rotor, &w.start);
+    let free = FreeRegime::of(w.rotor, &w.start);
     let [i1, i2, i3] = w.rotor.principal().moments();
     let l = w.rotor.angular_momentum(w.start.omega);
     let (l2, t) = (l.dot(l), w.rotor.kinetic_energy(w.start.omega));

@@ -13,9 +13,9 @@ use crate::torque::Description;
 
 /// The worked solution, if something moves inside the body.
 pub(super) fn solved(w: &Working<'_>) -> Option<Document> {
-    let sinks = w.scenario.torques.iter().filter(|torque| matches!(torque, TorqueModel::EnergySink(_)));
+    let sinks = w.scenario.torques().iter().filter(|torque| matches!(torque, TorqueModel::EnergySink(_)));
     let sinks: Vec<String> = sinks.map(|sink| Description::of(sink).text()).collect();
-    if w.scenario.wheels.is_empty() && sinks.is_empty() {
+    if w.scenario.wheels().is_empty() && sinks.is_empty() {
         return None;
     }
     let inside = Inside::of(w);
@@ -26,7 +26,7 @@ pub(super) fn solved(w: &Working<'_>) -> Option<Document> {
     }
     Some(Document {
         findings: w.findings(),
-        title: w.scenario.title.clone().unwrap_or_else(|| "A rigid body".to_owned()),
+        title: w.scenario.title().map(str::to_owned).unwrap_or_else(|| "A rigid body".to_owned()),
         answer: vec![inside.answer()],
         sections,
     })
@@ -34,7 +34,7 @@ pub(super) fn solved(w: &Working<'_>) -> Option<Document> {
 
 fn equations(w: &Working<'_>, sinks: &[String]) -> Section {
     let mut s = Section::new(1, "What moves inside");
-    for wheel in &w.scenario.wheels {
+    for wheel in w.scenario.wheels() {
         s.say(format!("Inside is {}.", Description::of_wheel(wheel).text()));
     }
     for sink in sinks {
@@ -73,7 +73,7 @@ impl<'a, 'w> Inside<'a, 'w> {
             TorqueModel::EnergySink(sink) => sink.coefficient(),
             _ => 0.0,
         };
-        let alpha = w.scenario.torques.iter().map(coefficient).sum();
+        let alpha = w.scenario.torques().iter().map(coefficient).sum();
         let (omega, time) = (w.start.omega, w.start.time);
         let h = w.rotor.wheel_momentum(time);
         let momentum = w.rotor.angular_momentum(omega) + h;
@@ -88,7 +88,7 @@ impl<'a, 'w> Inside<'a, 'w> {
 
     /// Torques from outside.
     fn is_free(&self) -> bool {
-        self.w.scenario.torques.iter().all(|torque| matches!(torque, TorqueModel::EnergySink(_)))
+        self.w.scenario.torques().iter().all(|torque| matches!(torque, TorqueModel::EnergySink(_)))
     }
 
     fn is_driven(&self) -> bool {

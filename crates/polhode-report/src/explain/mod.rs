@@ -38,32 +38,18 @@ use working::Working;
 ///     Particle::new(0.7, Position::new(0.0, 0.0, -0.5))?,
 /// ];
 /// let body = mass_properties_of_particles(&particles)?;
-/// let scenario = Scenario {
-///     title: Some("A dumbbell".to_owned()),
-///     parts: vec![BodyPart {
-///         name: "masses".to_owned(),
-///         kind: "particles",
-///         properties: body,
-///         extent: None,
-///         surface_area: None,
-///         particles,
-///         form: None,
-///     }],
-///     body,
-///     start: State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::ZERO },
-///     velocity: Velocity::ZERO,
-///     pivot: Some(Position::ZERO),
-///     torques: Vec::new(),
-///     wheels: Vec::new(),
-///     torque_names: Vec::new(),
-///     switched_off: Vec::new(),
-///     events: Vec::new(),
-///     prescribed: Some(Prescribed::fixed_axis(Attitude::identity(), Direction::new(0.0, 3.0, 4.0), 2.0, 0.0)?),
-///     hanging: None,
-///     shaft: None,
-///     run: None,
-///     findings: Vec::new(),
+/// let part = BodyPart {
+///     name: "masses".to_owned(),
+///     kind: "particles",
+///     properties: body,
+///     extent: None,
+///     surface_area: None,
+///     particles,
+///     form: None,
 /// };
+/// let led = Prescribed::fixed_axis(Attitude::identity(), Direction::new(0.0, 3.0, 4.0), 2.0, 0.0)?;
+/// let scenario =
+///     Scenario::new(body).titled("A dumbbell").made_of(vec![part]).held_at(Position::ZERO)?.prescribed_as(led)?;
 /// let solution = polhode_report::explain(&scenario)?;
 /// // N = −(m1 + m2) b² ω² sin α cos α = −1.9 · 0.25 · 4 · 0.48
 /// assert!(solution.to_text(100).contains("N = (-0.912, 0, 0) N·m"));
@@ -90,7 +76,7 @@ fn solved(w: &Working<'_>) -> Document {
     }
     Document {
         findings: w.findings(),
-        title: w.scenario.title.clone().unwrap_or_else(|| "A rigid body".to_owned()),
+        title: w.scenario.title().map(str::to_owned).unwrap_or_else(|| "A rigid body".to_owned()),
         answer: answer::lines(w),
         sections: vec![
             body::section(w),

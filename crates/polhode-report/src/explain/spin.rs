@@ -23,7 +23,7 @@ pub(super) fn section(w: &Working<'_>) -> Section {
 
 fn omega(w: &Working<'_>, s: &mut Section) {
     let omega = w.start.omega;
-    if let Some(motion) = &w.scenario.prescribed {
+    if let Some(motion) = w.scenario.prescribed() {
         given_motion(motion, s);
     } else if !w.is_turning() {
         s.say("The body does not turn at t0: ω = 0.");
@@ -70,16 +70,16 @@ fn torque(w: &Working<'_>, s: &mut Section) {
         s.line("N  is to be found: step 4");
         return;
     }
-    for wheel in &w.scenario.wheels {
+    for wheel in w.scenario.wheels() {
         s.say(format!("Inside is {}.", Description::of_wheel(wheel).text()));
     }
-    if w.scenario.torques.is_empty() {
+    if w.scenario.torques().is_empty() {
         s.say("No torque acts: N = 0, and L is constant in space.");
         return;
     }
     s.say("Torque at t0, in body axes:");
     for model in acting(w.scenario) {
-        let at_start = v(model.torque(&w.rotor, &w.start).to_array());
+        let at_start = v(model.torque(w.rotor, &w.start).to_array());
         match model {
             TorqueModel::Gravity(g) => {
                 let down = w.start.attitude.inverse() * g.acceleration;
@@ -90,7 +90,7 @@ fn torque(w: &Working<'_>, s: &mut Section) {
                 s.line(format!("l = {} m,  M = {} kg", v(w.rotor.lever().to_array()), n(w.rotor.mass())));
                 s.line(format!("g = {} m/s² in body axes", v(down.to_array())));
                 s.line(format!("N = {at_start} N·m"));
-                if w.scenario.pivot.is_none() {
+                if w.scenario.pivot().is_none() {
                     s.say("About the centre of mass uniform gravity has no torque (l = 0).");
                 }
             }
@@ -116,7 +116,7 @@ fn kinematics(w: &Working<'_>, s: &mut Section) {
     }
     s.say("Every point of the body moves at (V is the velocity of the origin, r leads from it):");
     s.formula("v = V + ω × r", r"\mathbf v = \mathbf V + \boldsymbol\omega \times \mathbf r");
-    if w.scenario.pivot.is_some() {
+    if w.scenario.pivot().is_some() {
         s.line("V  = 0: the pivot is fixed");
         s.line(format!("Vc = ω × l = {} m/s, the centre of mass, in space axes", v(velocity.to_array())));
     } else {
@@ -164,7 +164,7 @@ fn energy(w: &Working<'_>, moving: &[MovingParticle<Space>], velocity: Velocity<
     let how = if exact { "½ Σ mα (ω × rα)²" } else { "½ ω · {I} · ω" };
     s.line(format!("T_rot   = {how} = {} J, about the centre of mass", n(rotation)));
     s.line(format!("T       = {} J", n(total)));
-    if w.scenario.pivot.is_some() {
+    if w.scenario.pivot().is_some() {
         s.say("About the fixed pivot all of T is rotation; step 3 finds the same number with the tensor about the pivot.");
     } else if let Some(first) = moving.first().filter(|_| exact && w.is_turning() && moving.len() > 1) {
         let other = KineticEnergySplit::of(moving, first.velocity);

@@ -24,7 +24,7 @@ pub(super) fn section(w: &Working<'_>) -> Section {
     let particles = w.scenario.particles();
     if w.scenario.is_all_particles() && (1..=MOST_TERMS).contains(&particles.len()) {
         terms(w, &particles, &mut s);
-    } else if !w.scenario.parts.is_empty() {
+    } else if !w.scenario.parts().is_empty() {
         parts(w, &mut s);
     }
     s.say(format!(
@@ -81,14 +81,14 @@ fn parts(w: &Working<'_>, s: &mut Section) {
     );
     let six = |m: [[f64; 3]; 3]| vec![m[0][0], m[1][1], m[2][2], m[0][1], m[0][2], m[1][2]];
     let (mut names, mut rows) = (Vec::new(), Vec::new());
-    for part in w.scenario.parts.iter().take(MOST_PARTS) {
+    for part in w.scenario.parts().iter().take(MOST_PARTS) {
         let own = part.properties.inertia().matrix();
         let moved = part.properties.inertia_about(w.point()).matrix();
         let shift = std::array::from_fn(|i| std::array::from_fn(|j| moved[i][j] - own[i][j]));
         names.extend([format!("{}, own", part.name), "  + shift".to_owned()]);
         rows.extend([six(tidy_matrix(own)), six(tidy_matrix(shift))]);
     }
-    let more = w.scenario.parts.len().saturating_sub(MOST_PARTS);
+    let more = w.scenario.parts().len().saturating_sub(MOST_PARTS);
     names.push(if more == 0 { "sum".to_owned() } else { format!("sum, with {more} more parts") });
     rows.push(six(tidy_matrix(w.rotor.inertia().matrix())));
     let rows = names.into_iter().zip(cells(&rows)).map(|(name, row)| [vec![name], row].concat());
@@ -235,7 +235,7 @@ fn by_particles(w: &Working<'_>, s: &mut Section) {
     }
     // Places are seen from the centre of mass, so the pivot stands at −l.
     let attitude = w.start.attitude;
-    let (point, velocity) = match w.scenario.pivot {
+    let (point, velocity) = match w.scenario.pivot() {
         Some(_) => (attitude * -w.rotor.lever(), polhode::math::Velocity::ZERO),
         None => (polhode::math::Position::ZERO, w.center_velocity()),
     };

@@ -16,7 +16,7 @@ use crate::number::{alike, number, tidy_beside};
 /// The state of the solution at t0, and the motion after it where there is one.
 pub(super) struct Working<'a> {
     pub(super) scenario: &'a Scenario,
-    pub(super) rotor: Rotor,
+    pub(super) rotor: &'a Rotor,
     pub(super) start: State,
     /// At t0, body axes: given, or for a prescribed motion needed.
     pub(super) torque: Torque<Body>,
@@ -34,7 +34,7 @@ impl<'a> Working<'a> {
     pub(super) fn findings(&self) -> Vec<Finding> {
         match self.trajectory.as_deref() {
             Some(trajectory) => motion::findings(self.scenario, trajectory),
-            None => self.scenario.findings.clone(),
+            None => self.scenario.findings().to_vec(),
         }
     }
 
@@ -59,12 +59,11 @@ impl<'a> Working<'a> {
         let rotor = scenario.rotor();
         let pendulum = scenario.pendulum().transpose()?;
         let needed = scenario
-            .prescribed
-            .as_ref()
-            .map(|motion| Required::by(&rotor, motion, scenario.start.time))
+            .prescribed()
+            .map(|motion| Required::by(rotor, motion, scenario.start().time))
             .transpose()?;
-        let start = needed.map_or(scenario.start, |needed| needed.state);
-        let given = || acting(scenario).fold(Torque::ZERO, |sum, model| sum + model.torque(&rotor, &start));
+        let start = needed.map_or(scenario.start(), |needed| needed.state);
+        let given = || acting(scenario).fold(Torque::ZERO, |sum, model| sum + model.torque(rotor, &start));
         let torque = needed.map_or_else(given, |needed| needed.torque);
         let acceleration =
             needed.map_or_else(|| rotor.acceleration(start.omega, torque), |needed| needed.acceleration);
@@ -72,21 +71,21 @@ impl<'a> Working<'a> {
     }
 
     pub(super) const fn body(&self) -> &MassProperties<Body> {
-        &self.scenario.body
+        self.scenario.body()
     }
 
     /// The point that the body turns about.
     pub(super) fn point(&self) -> Position<Body> {
-        self.scenario.pivot.unwrap_or(self.body().center_of_mass())
+        self.scenario.pivot().unwrap_or(self.body().center_of_mass())
     }
 
     pub(super) const fn point_name(&self) -> &'static str {
-        if self.scenario.pivot.is_some() { "the pivot" } else { "the centre of mass" }
+        if self.scenario.pivot().is_some() { "the pivot" } else { "the centre of mass" }
     }
 
     /// True if no torque acts, no wheel spins, and the motion is not given.
-    pub(super) const fn is_free(&self) -> bool {
-        self.needed.is_none() && self.scenario.torques.is_empty() && self.scenario.wheels.is_empty()
+    pub(super) fn is_free(&self) -> bool {
+        self.needed.is_none() && self.scenario.torques().is_empty() && self.scenario.wheels().is_empty()
     }
 
     pub(super) fn is_turning(&self) -> bool {
@@ -95,10 +94,10 @@ impl<'a> Working<'a> {
 
     /// The velocity of the centre of mass at t0.
     pub(super) fn center_velocity(&self) -> Velocity<Space> {
-        if self.scenario.pivot.is_some() {
+        if self.scenario.pivot().is_some() {
             self.start.attitude * self.start.omega.cross(self.rotor.lever())
         } else {
-            self.scenario.velocity
+            self.scenario.velocity()
         }
     }
 
@@ -107,7 +106,7 @@ impl<'a> Working<'a> {
     /// Its own particles where it is made of them, else one for each part, at the part's centre of mass.
     pub(super) fn moving_particles(&self) -> Vec<MovingParticle<Space>> {
         let at_parts =
-            || self.scenario.parts.iter().map(|p| (p.properties.mass(), p.properties.center_of_mass()));
+            || self.scenario.parts().iter().map(|p| (p.properties.mass(), p.properties.center_of_mass()));
         let places: Vec<(f64, Position<Body>)> = if self.scenario.is_all_particles() {
             self.scenario.particles().iter().map(|p| (p.mass(), p.position())).collect()
         } else {
@@ -169,6 +168,6 @@ pub(super) fn cells(rows: &[Vec<f64>]) -> Vec<Vec<String>> {
 
 /// The torques that are not switched off at the start.
 pub(super) fn acting(scenario: &Scenario) -> impl Iterator<Item = &TorqueModel> {
-    let all = scenario.torques.iter().enumerate();
-    all.filter(|(k, _)| !scenario.switched_off.contains(k)).map(|(_, torque)| torque)
+    let all = scenario.torques().iter().enumerate();
+    all.filter(|(k, _)| !scenario.switched_off().contains(k)).map(|(_, torque)| torque)
 }

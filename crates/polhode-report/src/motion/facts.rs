@@ -8,8 +8,8 @@ use polhode::observe::{Cones, Drift, FreeRegime, SymmetricTop};
 
 /// Everything that is asked of the core for one motion.
 #[derive(Clone, Debug)]
-pub(super) struct Facts {
-    pub(super) rotor: Rotor,
+pub(super) struct Facts<'a> {
+    pub(super) rotor: &'a Rotor,
     /// At the first sample; that of the scenario if there is none.
     pub(super) start: State,
     /// The free motion that the start would have without torque.
@@ -42,15 +42,15 @@ pub(super) struct Needed {
     pub(super) forces: Vec<ParticleForce>,
 }
 
-impl Facts {
-    pub(super) fn of(scenario: &Scenario, trajectory: &Trajectory) -> Self {
+impl<'a> Facts<'a> {
+    pub(super) fn of(scenario: &'a Scenario, trajectory: &Trajectory) -> Self {
         let rotor = scenario.rotor();
-        let start = trajectory.samples().first().map_or(scenario.start, |sample| sample.state);
-        let prescribed = scenario.prescribed.as_ref();
-        let is_free = prescribed.is_none() && scenario.torques.is_empty() && scenario.wheels.is_empty();
+        let start = trajectory.samples().first().map_or(scenario.start(), |sample| sample.state);
+        let prescribed = scenario.prescribed();
+        let is_free = prescribed.is_none() && scenario.torques().is_empty() && scenario.wheels().is_empty();
         Self {
-            regime_at_start: FreeRegime::of(&rotor, &start),
-            top: Top::of(&rotor, trajectory).filter(|_| is_free),
+            regime_at_start: FreeRegime::of(rotor, &start),
+            top: Top::of(rotor, trajectory).filter(|_| is_free),
             rotor,
             start,
             is_free,
@@ -80,9 +80,9 @@ impl Top {
 impl Needed {
     fn by(scenario: &Scenario, motion: &Prescribed, trajectory: &Trajectory) -> Option<Self> {
         let rotor = scenario.rotor();
-        let time = trajectory.samples().first().map_or(scenario.start.time, |sample| sample.state.time);
+        let time = trajectory.samples().first().map_or(scenario.start().time, |sample| sample.state.time);
         // A trajectory that was computed has a finite start.
-        let at_start = Required::by(&rotor, motion, time).ok()?;
+        let at_start = Required::by(rotor, motion, time).ok()?;
         let larger = |a: &&Sample, b: &&Sample| a.torque.norm().total_cmp(&b.torque.norm());
         Some(Self {
             at_start,
@@ -94,7 +94,7 @@ impl Needed {
 
 /// The swing of the amplitude that the scenario asks for, else of its start.
 fn swing(scenario: &Scenario, pendulum: &Pendulum, start: &State) -> Swing {
-    let Some(hanging) = scenario.hanging else { return Swing::Rest };
+    let Some(hanging) = scenario.hanging() else { return Swing::Rest };
     match hanging.amplitude {
         Some(amplitude) => pendulum.swing(amplitude, 0.0),
         None => {

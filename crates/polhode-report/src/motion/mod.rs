@@ -19,24 +19,11 @@ use crate::sparkline;
 /// use polhode::motion::Run;
 /// use polhode_report::{MotionReport, SourceInfo};
 /// let inertia = InertiaTensor::diagonal([1.0, 2.0, 3.0])?;
-/// let scenario = Scenario {
-///     title: Some("A tumbling book".to_owned()),
-///     parts: Vec::new(),
-///     body: MassProperties::new(1.0, Position::ZERO, inertia)?,
-///     start: State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.01, 1.0, 0.01) },
-///     velocity: Velocity::ZERO,
-///     pivot: None,
-///     torques: Vec::new(),
-///     wheels: Vec::new(),
-///     torque_names: Vec::new(),
-///     switched_off: Vec::new(),
-///     events: Vec::new(),
-///     prescribed: None,
-///     hanging: None,
-///     shaft: None,
-///     run: Some(Run::evenly(40.0, 401, Method::Auto, 1e-12)),
-///     findings: Vec::new(),
-/// };
+/// let omega = AngularVelocity::new(0.01, 1.0, 0.01);
+/// let scenario = Scenario::new(MassProperties::new(1.0, Position::ZERO, inertia)?)
+///     .titled("A tumbling book")
+///     .starting(State { time: 0.0, attitude: Attitude::identity(), omega })?
+///     .sampled(Run::evenly(40.0, 401, Method::Auto, 1e-12));
 /// let Some(trajectory) = scenario.simulate().transpose()? else { return Ok(()) };
 /// let report = MotionReport::new(SourceInfo::new("book.toml", "scenario"), &scenario, &trajectory);
 /// assert!(report.to_text().contains("short-axis mode"));
@@ -81,5 +68,5 @@ impl<'a> MotionReport<'a> {
 /// What was noticed about a scenario, its motion, and the error of that.
 pub(crate) fn findings(scenario: &Scenario, trajectory: &Trajectory) -> Vec<Finding> {
     let of_motion = underflow::finding(scenario, trajectory).into_iter().chain(trajectory.findings());
-    scenario.findings.iter().cloned().chain(of_motion).collect()
+    scenario.findings().iter().cloned().chain(of_motion).collect()
 }

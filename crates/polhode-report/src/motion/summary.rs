@@ -20,10 +20,10 @@ pub(super) fn of(report: &MotionReport<'_>) -> Value {
     let facts = Facts::of(scenario, report.trajectory);
     let mut object = Map::new();
     object.insert("polhode".to_owned(), VERSION.into());
-    object.insert("title".to_owned(), scenario.title.as_deref().into());
+    object.insert("title".to_owned(), scenario.title().into());
     object.insert("source".to_owned(), report.source.to_json());
-    let geometry = Geometry::of_parts(&scenario.parts, scenario.body.mass());
-    block::insert(&mut object, &scenario.body, geometry);
+    let geometry = Geometry::of_parts(scenario.parts(), scenario.body().mass());
+    block::insert(&mut object, scenario.body(), geometry);
     let mut put = |key: &str, value: Value| object.insert(key.to_owned(), value);
     put("complete", report.trajectory.ending().is_complete().into());
     put("end", event::ending_json(report.trajectory, scenario));
@@ -46,24 +46,24 @@ pub(super) fn of(report: &MotionReport<'_>) -> Value {
 }
 
 /// The point that L, T, N and the tensor of the motion are about.
-fn turns_about(scenario: &Scenario, facts: &Facts) -> Value {
-    let point = scenario.pivot.unwrap_or(scenario.body.center_of_mass());
+fn turns_about(scenario: &Scenario, facts: &Facts<'_>) -> Value {
+    let point = scenario.pivot().unwrap_or(scenario.body().center_of_mass());
     json!({
-        "what": if scenario.pivot.is_some() { "pivot" } else { "center_of_mass" },
+        "what": if scenario.pivot().is_some() { "pivot" } else { "center_of_mass" },
         "point": vector(point),
         "tensor": crate::json::matrix(facts.rotor.inertia().matrix()),
         "principal": block::principal(facts.rotor.principal()),
     })
 }
 
-fn state(facts: &Facts, state: &State, scenario: &Scenario) -> Value {
+fn state(facts: &Facts<'_>, state: &State, scenario: &Scenario) -> Value {
     json!({
         "time_s": state.time,
         "attitude_wxyz": numbers(&state.attitude.canonical_quaternion()),
         "omega_body": vector(state.omega),
         "omega_space": vector(state.omega_space()),
         "momentum_space": vector(facts.rotor.angular_momentum_space(state)),
-        "velocity_space": vector(scenario.velocity),
+        "velocity_space": vector(scenario.velocity()),
     })
 }
 
@@ -86,7 +86,7 @@ fn run(report: &MotionReport<'_>) -> Value {
         Solution::Exact(_) | Solution::Prescribed(_) => (Value::Null, None, Value::Null),
     };
     json!({
-        "method": report.scenario.run.as_ref().map(|run| run.method).map(Method::name),
+        "method": report.scenario.run().map(|run| run.method).map(Method::name),
         "method_used": report.trajectory.solution().name(),
         "method_reason": report.trajectory.reason().to_string(),
         "tolerance": tolerance,
@@ -106,12 +106,12 @@ fn splitting(method: Method) -> Value {
 }
 
 /// The kind of a free motion; for any other the same keys, `null` where only a free motion has them.
-fn motion(facts: &Facts) -> Value {
+fn motion(facts: &Facts<'_>) -> Value {
     let FreeRegime { regime, period, flip_interval, growth_rate } = facts.regime_at_start;
     let free = facts.is_free;
     let omega = facts.start.omega;
     let momentum = facts.rotor.angular_momentum_space(&facts.start);
-    let periods = facts.is_free.then(|| FreeMotion::of(&facts.rotor, facts.start).ok()).flatten();
+    let periods = facts.is_free.then(|| FreeMotion::of(facts.rotor, facts.start).ok()).flatten();
     let periods = periods.map(|motion| Periods::of(&motion));
     json!({
         "regime": free.then(|| regime.name()),
@@ -220,16 +220,16 @@ fn wheels(report: &MotionReport<'_>) -> Value {
         put("final_speed_rad_s", end.and_then(|end| wheel.speed_at(end.time, end.omega)));
         Value::Object(object)
     };
-    report.scenario.wheels.iter().map(one).collect()
+    report.scenario.wheels().iter().map(one).collect()
 }
 
 /// Each torque, with its name, and whether it is on at the start.
 fn torques(scenario: &Scenario) -> Value {
     let one = |(k, model): (usize, &TorqueModel)| {
         let mut object = Description::of(model).json();
-        object.insert("name".to_owned(), scenario.torque_names.get(k).cloned().flatten().into());
-        object.insert("on".to_owned(), (!scenario.switched_off.contains(&k)).into());
+        object.insert("name".to_owned(), scenario.torque_names().get(k).cloned().flatten().into());
+        object.insert("on".to_owned(), (!scenario.switched_off().contains(&k)).into());
         Value::Object(object)
     };
-    scenario.torques.iter().enumerate().map(one).collect()
+    scenario.torques().iter().enumerate().map(one).collect()
 }

@@ -63,7 +63,7 @@ pub(super) fn write(report: &MotionReport<'_>, picture: usize) -> String {
 
 /// `T-handle in free fall   0 … 20 s, 2,001 samples, exact`
 fn heading(report: &MotionReport<'_>, samples: &[Sample]) -> String {
-    let title = printable(report.scenario.title.as_deref().unwrap_or(&report.source.path));
+    let title = printable(report.scenario.title().unwrap_or(&report.source.path));
     let how = match report.trajectory.solution() {
         Solution::Exact(_) => "closed form",
         Solution::Prescribed(_) => "prescribed motion",
@@ -78,7 +78,7 @@ fn heading(report: &MotionReport<'_>, samples: &[Sample]) -> String {
 }
 
 /// What kind of free motion it is, with its periods; for any other motion what turns it.
-fn regime(facts: &Facts) -> String {
+fn regime(facts: &Facts<'_>) -> String {
     let FreeRegime { regime, period, flip_interval, growth_rate } = facts.regime_at_start;
     if !facts.is_free {
         return String::new();
@@ -197,13 +197,13 @@ fn force_row(k: usize, f: &polhode::motion::ParticleForce) -> Vec<String> {
 /// Torques and wheels.
 fn what_acts(scenario: &Scenario) -> String {
     let mut text = String::new();
-    for (k, model) in scenario.torques.iter().enumerate() {
-        let name = scenario.torque_names.get(k).cloned().flatten();
+    for (k, model) in scenario.torques().iter().enumerate() {
+        let name = scenario.torque_names().get(k).cloned().flatten();
         let name = name.map_or_else(String::new, |name| format!("{}: ", printable(&name)));
         let off = off_at_start(scenario, k).map_or_else(String::new, |off| format!(", {off}"));
         text.push_str(&labelled("torque", &format!("{name}{}{off}", Description::of(model).text())));
     }
-    for (k, wheel) in scenario.wheels.iter().enumerate() {
+    for (k, wheel) in scenario.wheels().iter().enumerate() {
         text.push_str(&labelled(&wheel_name(scenario, k), &Description::of_wheel(wheel).text()));
     }
     text
@@ -211,11 +211,11 @@ fn what_acts(scenario: &Scenario) -> String {
 
 /// Wheels are numbered from 1 where there are several.
 fn wheel_name(scenario: &Scenario, k: usize) -> String {
-    if scenario.wheels.len() > 1 { format!("wheel {}", k + 1) } else { "wheel".to_owned() }
+    if scenario.wheels().len() > 1 { format!("wheel {}", k + 1) } else { "wheel".to_owned() }
 }
 
 /// How far the balances fail at the worst sample.
-fn evidence(report: &MotionReport<'_>, facts: &Facts) -> String {
+fn evidence(report: &MotionReport<'_>, facts: &Facts<'_>) -> String {
     let Some(drift) = facts.drift else { return String::new() };
     let line = if facts.is_free {
         format!(
@@ -236,7 +236,7 @@ fn evidence(report: &MotionReport<'_>, facts: &Facts) -> String {
 }
 
 /// The component of ω along a principal axis that varies most.
-fn curve(facts: &Facts, samples: &[Sample], columns: usize) -> String {
+fn curve(facts: &Facts<'_>, samples: &[Sample], columns: usize) -> String {
     let to_principal = facts.rotor.principal().rotation().inverse();
     let omega: Vec<[f64; 3]> = samples.iter().map(|s| (to_principal * s.state.omega).to_array()).collect();
     let Some(Sparkline { axis, line, values }) = Sparkline::of_omega(&omega, columns) else {
@@ -250,7 +250,7 @@ fn curve(facts: &Facts, samples: &[Sample], columns: usize) -> String {
 }
 
 /// The state at the start and at the end, and what energy did.
-fn ends(report: &MotionReport<'_>, facts: &Facts) -> String {
+fn ends(report: &MotionReport<'_>, facts: &Facts<'_>) -> String {
     let samples = report.trajectory.samples();
     let (Some(first), Some(last)) = (samples.first(), samples.last()) else { return String::new() };
     let mut text = labelled("start", &omega::in_words(first.state.omega));
@@ -301,7 +301,7 @@ fn wheels(scenario: &Scenario, ends: [&State; 2]) -> String {
         let line = format!("h {from} → {to} kg·m²/s, Ω in the body {slow} → {fast} rad/s ({rpm} rpm)");
         labelled(&wheel_name(scenario, k), &line)
     };
-    scenario.wheels.iter().enumerate().map(line).collect()
+    scenario.wheels().iter().enumerate().map(line).collect()
 }
 
 /// An upper bound of a rounding error, which may be exactly zero.

@@ -36,8 +36,8 @@ impl<'a> Turning<'a> {
                     tensor: rotor.inertia().matrix(),
                     is_pivoted: rotor.is_pivoted(),
                     lever: rotor.lever(),
-                    point: scenario.pivot.unwrap_or(scenario.body.center_of_mass()),
-                    parts: &scenario.parts,
+                    point: scenario.pivot().unwrap_or(scenario.body().center_of_mass()),
+                    parts: scenario.parts(),
                 }
             }
             PageSubject::Moments(principal) => Self {

@@ -86,8 +86,8 @@ pub(super) fn json(
 }
 
 fn body(scenario: &Scenario, turning: &Turning<'_>) -> Vec<Row> {
-    let body = &scenario.body;
-    let geometry = Geometry::of_parts(&scenario.parts, body.mass());
+    let body = scenario.body();
+    let geometry = Geometry::of_parts(scenario.parts(), body.mass());
     let mut rows = vec![Row::sized("mass", &unit::mass(body.mass()))];
     rows.extend(geometry.volume.map(|volume| Row::sized("volume", &unit::volume(volume))));
     rows.extend(geometry.density.map(|density| Row::of("density", density, "kg/m³").note("mean")));
@@ -146,7 +146,7 @@ fn motion(input: &PageInput<'_>, free: Option<&FreeMotion>, shown: &Shown<'_>) -
 /// Torques with their names, and wheels with what they do at the start and at the end.
 fn driven(scenario: &Scenario, shown: &Shown<'_>) -> Vec<Row> {
     let torque = |(k, model): (usize, &TorqueModel)| {
-        let name = scenario.torque_names.get(k).cloned().flatten();
+        let name = scenario.torque_names().get(k).cloned().flatten();
         let named = name.map(|name| format!("{}: ", printable(&name))).unwrap_or_default();
         let description = Description::of(model);
         let note = [Some(description.model.to_owned()), off_at_start(scenario, k)];
@@ -168,8 +168,8 @@ fn driven(scenario: &Scenario, shown: &Shown<'_>) -> Vec<Row> {
         }
         rows
     };
-    let torques = scenario.torques.iter().enumerate().map(torque);
-    torques.chain(scenario.wheels.iter().flat_map(wheel)).collect()
+    let torques = scenario.torques().iter().enumerate().map(torque);
+    torques.chain(scenario.wheels().iter().flat_map(wheel)).collect()
 }
 
 /// How the motion ended, if not at the end of the run, and the first of its events.
@@ -254,7 +254,7 @@ fn picture(free: &FreeMotion) -> Vec<Row> {
 }
 
 fn pendulum(scenario: &Scenario) -> Vec<Row> {
-    let (Some(hanging), Some(Ok(pendulum))) = (scenario.hanging, scenario.pendulum()) else {
+    let (Some(hanging), Some(Ok(pendulum))) = (scenario.hanging(), scenario.pendulum()) else {
         return Vec::new();
     };
     let small = Row::of("small swing", pendulum.period(0.0), "s").note("period");
@@ -271,7 +271,7 @@ fn pendulum(scenario: &Scenario) -> Vec<Row> {
 }
 
 fn heavy_top(scenario: &Scenario) -> Vec<Row> {
-    let top = crate::heavy_top::of(scenario, scenario.start);
+    let top = crate::heavy_top::of(scenario, scenario.start());
     let facts = top.map_or_else(Vec::new, |top| crate::heavy_top::facts(&top));
     facts.into_iter().map(|fact| Row::new(fact.label, fact.value, fact.unit).note(fact.note)).collect()
 }

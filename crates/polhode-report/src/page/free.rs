@@ -26,9 +26,9 @@ pub(super) fn motion(input: &PageInput<'_>) -> Option<FreeMotion> {
     let motion = match (input.trajectory.solution(), input.subject) {
         (Solution::Exact(ClosedForm::Free(motion)), _) => **motion,
         (Solution::Integrated { .. }, PageSubject::Scenario(scenario))
-            if scenario.torques.is_empty() && scenario.wheels.is_empty() =>
+            if scenario.torques().is_empty() && scenario.wheels().is_empty() =>
         {
-            FreeMotion::of(&scenario.rotor(), input.trajectory.start().state).ok()?
+            FreeMotion::of(scenario.rotor(), input.trajectory.start().state).ok()?
         }
         _ => return None,
     };

@@ -30,7 +30,7 @@ impl<'a> Shown<'a> {
     pub(super) fn of(trajectory: &'a Trajectory, subject: &PageSubject<'a>) -> Self {
         let all = trajectory.samples();
         let (driven, wheels) = match *subject {
-            PageSubject::Scenario(scenario) => (Driven::of(scenario), scenario.wheels.as_slice()),
+            PageSubject::Scenario(scenario) => (Driven::of(scenario), scenario.wheels()),
             PageSubject::Moments(_) => (Driven::default(), &[][..]),
         };
         let mut drift = balances(trajectory, driven);

@@ -52,7 +52,7 @@ pub(super) struct TopAxis {
 impl TopAxis {
     /// `None` for a free body, without gravity, and where gravity has no arm.
     pub(super) fn of(scenario: &Scenario, rotor: &Rotor) -> Option<Self> {
-        let gravity = scenario.torques.iter().find_map(|torque| match torque {
+        let gravity = scenario.torques().iter().find_map(|torque| match torque {
             TorqueModel::Gravity(gravity) => Some(gravity.acceleration),
             _ => None,
         })?;
@@ -62,7 +62,7 @@ impl TopAxis {
         let [x, y] = [Direction::new(1.0, 0.0, 0.0), Direction::new(0.0, 1.0, 0.0)];
         let beside = if up.x.abs() < 0.9 { x } else { y };
         let first = (beside - up * up.dot(beside)).direction()?;
-        let bounds = crate::heavy_top::of(scenario, scenario.start).map(|top| top.nutation_bounds());
+        let bounds = crate::heavy_top::of(scenario, scenario.start()).map(|top| top.nutation_bounds());
         Some(Self { axis, up, across: [first, up.cross(first)], bounds })
     }
 

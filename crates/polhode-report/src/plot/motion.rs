@@ -46,12 +46,12 @@ impl<'a> MotionFigures<'a> {
         let rotor = scenario.rotor();
         let driven = Driven::of(scenario);
         Self {
-            title: printable(scenario.title.as_deref().unwrap_or_default()),
+            title: printable(scenario.title().unwrap_or_default()),
             trajectory,
             principal: *rotor.principal(),
-            free: FreeMotion::of(&rotor, scenario.start).ok().filter(|_| !driven.at_all()),
+            free: FreeMotion::of(&rotor, scenario.start()).ok().filter(|_| !driven.at_all()),
             driven,
-            wheels: scenario.wheels.clone(),
+            wheels: scenario.wheels().to_vec(),
             axis: TopAxis::of(scenario, &rotor),
         }
     }

@@ -19,30 +19,18 @@ fn body() -> MassProperties<Body> {
 
 fn scenario(omega: [f64; 3]) -> Scenario {
     let attitude = Attitude::from_quaternion([0.9, 0.3, -0.2, 0.1]).unwrap();
-    Scenario {
-        title: Some("A <tumbling> \"body\" & 'more'".to_owned()),
-        parts: Vec::new(),
-        body: body(),
-        start: State { time: 0.0, attitude, omega: AngularVelocity::from_array(omega) },
-        velocity: Velocity::ZERO,
-        pivot: None,
-        torques: Vec::new(),
-        wheels: Vec::new(),
-        torque_names: Vec::new(),
-        switched_off: Vec::new(),
-        events: Vec::new(),
-        prescribed: None,
-        hanging: None,
-        shaft: None,
-        run: Some(Run::evenly(13.7, 501, Method::Auto, 1e-12)),
-        findings: Vec::new(),
-    }
+    let omega = AngularVelocity::from_array(omega);
+    Scenario::new(body())
+        .titled("A <tumbling> \"body\" & 'more'")
+        .starting(State { time: 0.0, attitude, omega })
+        .unwrap()
+        .sampled(Run::evenly(13.7, 501, Method::Auto, 1e-12))
 }
 
 fn heavy() -> Scenario {
     let gravity = UniformGravity { acceleration: Acceleration::new(0.3, -0.2, -9.7) };
     let torques = vec![TorqueModel::Gravity(gravity)];
-    Scenario { pivot: Some(Position::ZERO), torques, ..scenario([0.7, -1.1, 2.3]) }
+    scenario([0.7, -1.1, 2.3]).held_at(Position::ZERO).unwrap().under(torques).unwrap()
 }
 
 /// A symmetric top with its tip at the origin, leaning by an angle.
@@ -52,8 +40,8 @@ fn top(tilt: f64, omega: [f64; 3]) -> Scenario {
     let attitude = Attitude::from_euler313([0.4, tilt, -0.3]).unwrap();
     let start = State { time: 0.0, attitude, omega: AngularVelocity::from_array(omega) };
     let torques = vec![TorqueModel::Gravity(UniformGravity::STANDARD)];
-    let run = Some(Run::evenly(2.0, 801, Method::Auto, 1e-12));
-    Scenario { body, start, pivot: Some(Position::ZERO), torques, run, ..scenario([0.0; 3]) }
+    let top = Scenario::new(body).titled("A top").held_at(Position::ZERO).unwrap().starting(start).unwrap();
+    top.under(torques).unwrap().sampled(Run::evenly(2.0, 801, Method::Auto, 1e-12))
 }
 
 /// Two wheels in a body at rest, one of them turned by its motor: L is zero throughout.
@@ -61,7 +49,7 @@ fn gyrostat() -> Scenario {
     let motor = Motor::Torque { inertia: 0.21, torque: 0.35, schedule: None };
     let turned = Wheel::new(Direction::new(0.6, -0.3, 0.8), 0.0, motor).unwrap();
     let held = Wheel::new(Direction::new(0.2, 0.9, -0.4), 0.0, Motor::HeldSpeed).unwrap();
-    Scenario { wheels: vec![held, turned], ..scenario([0.0; 3]) }
+    scenario([0.0; 3]).with_wheels(&[held, turned]).unwrap()
 }
 
 /// ω grows as 1/(t* − t), until the computation gives up.
@@ -75,17 +63,14 @@ fn run_away() -> Scenario {
     let along = Formula::new(square.into_iter().chain(times)).unwrap();
     let torque = FormulaTorque::Body([Formula::constant(0.0), Formula::constant(0.0), along]);
     let torques = vec![TorqueModel::Formula(Box::new(torque))];
-    Scenario {
-        body,
-        torques,
-        run: Some(Run::evenly(4.0, 81, Method::Auto, 1e-12)),
-        ..scenario([0.0, 0.0, 0.5])
-    }
+    let start = scenario([0.0, 0.0, 0.5]).start();
+    let away = Scenario::new(body).starting(start).unwrap().under(torques).unwrap();
+    away.sampled(Run::evenly(4.0, 81, Method::Auto, 1e-12))
 }
 
 fn thrust() -> Scenario {
     let torque = ConstantTorque::Body(Torque::new(0.3, -0.2, 0.5));
-    Scenario { torques: vec![TorqueModel::Constant(torque)], ..scenario([0.7, -1.1, 0.3]) }
+    scenario([0.7, -1.1, 0.3]).under([TorqueModel::Constant(torque)]).unwrap()
 }
 
 fn moments(moments: [f64; 3], omega: [f64; 3], span: f64) -> (FreeMotion, Trajectory) {
@@ -149,11 +134,11 @@ fn every_kind_of_motion_has_its_figures_and_is_refused_the_others() {
     let on_a_pivot = [Omega, Euler, Axis, Energy, Momentum, Torque, Drift];
     let about = Direction::new(0.3, -0.5, 0.8);
     let turn = Prescribed::fixed_axis(Attitude::identity(), about, 2.1, -0.05).unwrap();
-    let prescribed = Scenario { prescribed: Some(turn), ..scenario([0.0; 3]) };
-    let dop853 = Some(Run::evenly(13.7, 501, Method::Dop853, 1e-12));
+    let prescribed = scenario([0.0; 3]).prescribed_as(turn).unwrap();
+    let dop853 = Run::evenly(13.7, 501, Method::Dop853, 1e-12);
     let cases: [(&str, Scenario, &[Figure]); 8] = [
         ("asymmetric", scenario([0.7, -1.1, 0.3]), &free),
-        ("integrated", Scenario { run: dop853, ..scenario([0.1, 0.9, -1.3]) }, &free),
+        ("integrated", scenario([0.1, 0.9, -1.3]).sampled(dop853), &free),
         ("at rest", scenario([0.0; 3]), &[Omega, Euler, Energy, Momentum, Drift]),
         ("heavy", heavy(), &on_a_pivot),
         ("top", top(0.7, [0.3, -0.2, 38.0]), &on_a_pivot),
@@ -311,7 +296,7 @@ fn what_is_rounding_is_drawn_as_nothing() {
         balances(&trajectory, figures.driven).into_iter().map(|d| d.values.into_iter().fold(0.0, f64::max));
     assert!(largest.into_iter().all(|d| d < 1e-12));
     // What is constant has its value beside its name.
-    let steady = Scenario { start: State { omega: AngularVelocity::ZERO, ..scenario.start }, ..thrust() };
+    let steady = thrust().starting(State { omega: AngularVelocity::ZERO, ..scenario.start() }).unwrap();
     let trajectory = steady.simulate().unwrap().unwrap();
     let picture = MotionFigures::of_scenario(&steady, &trajectory).draw(Figure::Torque).unwrap();
     let texts: Vec<String> = boxes(&picture).into_iter().map(|(text, _)| text).collect();
@@ -323,7 +308,7 @@ fn what_is_rounding_is_drawn_as_nothing() {
 #[test]
 fn a_torque_of_nothing_takes_no_room_in_the_overview() {
     let sink = TorqueModel::EnergySink(EnergySink::new(0.01).unwrap());
-    let scenario = Scenario { torques: vec![sink], ..scenario([0.7, -1.1, 0.3]) };
+    let scenario = scenario([0.7, -1.1, 0.3]).under([sink]).unwrap();
     let trajectory = scenario.simulate().unwrap().unwrap();
     let figures = MotionFigures::of_scenario(&scenario, &trajectory);
     assert!(trajectory.samples().iter().all(|s| s.torque == Torque::ZERO));
@@ -338,7 +323,7 @@ fn a_run_away_leaves_the_plot_where_it_says_so() {
     let trajectory = scenario.simulate().unwrap().unwrap();
     assert!(!trajectory.ending().is_complete());
     let last = trajectory.samples().last().unwrap();
-    assert!(last.state.omega.z > 300.0 * scenario.start.omega.z, "{:?}", last.state.omega);
+    assert!(last.state.omega.z > 300.0 * scenario.start().omega.z, "{:?}", last.state.omega);
     let figures = MotionFigures::of_scenario(&scenario, &trajectory);
     for figure in [Figure::Omega, Figure::Energy, Figure::Momentum, Figure::Torque] {
         let picture = figures.draw(figure).unwrap();
@@ -403,7 +388,7 @@ fn events_are_named_where_they_happen() {
         Event::new(name, along.clone(), value, Sense::Either, EventAction::Record).unwrap()
     };
     let events = vec![event("ω_z = 0.6", 0.6), event("ω_z = 0.601", 0.601), event("never", 1e3)];
-    let scenario = Scenario { events, ..thrust() };
+    let scenario = thrust().watching(events).unwrap();
     let trajectory = scenario.simulate().unwrap().unwrap();
     let picture = MotionFigures::of_scenario(&scenario, &trajectory).draw(Figure::Omega).unwrap();
     readable(&picture, "events");
@@ -419,7 +404,7 @@ fn events_are_named_where_they_happen() {
 fn a_hostile_title_is_text() {
     let hostile = "</svg><script>alert('x')</script> & \"q\" \u{1b}[31m \u{202e} ]]> <!-- --> ω";
     let mut scenario = scenario([0.7, -1.1, 0.3]);
-    scenario.title = Some(hostile.repeat(5));
+    scenario = scenario.titled(hostile.repeat(5));
     let trajectory = scenario.simulate().unwrap().unwrap();
     let figures = MotionFigures::of_scenario(&scenario, &trajectory);
     for picture in [figures.draw(Figure::Omega).unwrap(), figures.overview().unwrap()] {
@@ -437,13 +422,13 @@ fn a_hostile_title_is_text() {
 #[test]
 fn fewer_than_two_samples_are_refused() {
     let mut scenario = scenario([0.7, -1.1, 0.3]);
-    scenario.run = Some(Run::evenly(1.0, 1, Method::Auto, 1e-12));
+    scenario = scenario.sampled(Run::evenly(1.0, 1, Method::Auto, 1e-12));
     let trajectory = scenario.simulate().unwrap().unwrap();
     let figures = MotionFigures::of_scenario(&scenario, &trajectory);
     assert_eq!(figures.draw(Figure::Euler), Err(PlotError::TooFewSamples { count: 1 }));
     readable(&figures.draw(Figure::Polhodes).unwrap(), "one sample");
     // 2 rad and more from sample to sample: slower turns would be drawn than there are.
-    scenario.run = Some(Run::evenly(30.0, 21, Method::Auto, 1e-12));
+    scenario = scenario.sampled(Run::evenly(30.0, 21, Method::Auto, 1e-12));
     let trajectory = scenario.simulate().unwrap().unwrap();
     let figures = MotionFigures::of_scenario(&scenario, &trajectory);
     assert!(

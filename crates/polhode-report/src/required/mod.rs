@@ -25,13 +25,8 @@ use shaft::ShaftReport;
 /// #     particles: Vec::new(), form: None,
 /// # };
 /// # let attitude = Attitude::identity();
-/// # let scenario = Scenario {
-/// #     title: None, parts: vec![part], body, start: State { time: 0.0, attitude, omega: AngularVelocity::ZERO },
-/// #     velocity: Velocity::ZERO, pivot: None, torques: Vec::new(), torque_names: Vec::new(),
-/// #     switched_off: Vec::new(), wheels: Vec::new(), events: Vec::new(),
-/// #     prescribed: Some(Prescribed::fixed_axis(attitude, Direction::new(0.0, 3.0, 4.0), 2.0, 0.0)?),
-/// #     hanging: None, shaft: None, run: None, findings: Vec::new(),
-/// # };
+/// # let led = Prescribed::fixed_axis(attitude, Direction::new(0.0, 3.0, 4.0), 2.0, 0.0)?;
+/// # let scenario = Scenario::new(body).made_of(vec![part]).prescribed_as(led)?;
 /// use polhode_report::{RequiredReport, SourceInfo};
 /// let report = RequiredReport::new(SourceInfo::new("body.toml", "scenario"), &scenario, &[], &[])?;
 /// // N = ω × I ω = 4 (3/5) (4/5) (2.5 − 2)
@@ -42,7 +37,6 @@ use shaft::ShaftReport;
 pub struct RequiredReport<'a> {
     source: SourceInfo,
     scenario: &'a Scenario,
-    rotor: Rotor,
     start: Required,
     /// At the times of the run; at the start only without one.
     samples: Vec<Required>,
@@ -67,7 +61,7 @@ impl<'a> RequiredReport<'a> {
         points: &[Particle<Body>],
     ) -> Result<Self, MotionError> {
         let rotor = scenario.rotor();
-        let Some(motion) = &scenario.prescribed else {
+        let Some(motion) = scenario.prescribed() else {
             let rule = "at least 1: [prescribed] or [shaft]";
             return Err(MotionError::Parameter {
                 what: "the number of prescribed motions",
@@ -75,9 +69,9 @@ impl<'a> RequiredReport<'a> {
                 rule,
             });
         };
-        let needed = |time: &f64| Required::by(&rotor, motion, *time);
-        let times = scenario.run.as_ref().map_or(&[][..], |run| &run.times);
-        let start = needed(&scenario.start.time)?;
+        let needed = |time: &f64| Required::by(rotor, motion, *time);
+        let times = scenario.run().map_or(&[][..], |run| &run.times);
+        let start = needed(&scenario.start().time)?;
         let mut samples = times.iter().map(needed).collect::<Result<Vec<_>, _>>()?;
         for k in 1..samples.len() {
             // Along a table the quaternion is continuous.
@@ -90,8 +84,8 @@ impl<'a> RequiredReport<'a> {
         let at = at.iter().map(needed).collect::<Result<_, _>>()?;
         let own = if scenario.is_all_particles() { scenario.particles() } else { Vec::new() };
         let points = [own.as_slice(), points].concat();
-        let shaft = scenario.shaft.as_ref().map(|mounted| ShaftReport::new(mounted, &samples)).transpose()?;
-        Ok(Self { source, scenario, rotor, start, samples, at, points, shaft })
+        let shaft = scenario.shaft().map(|mounted| ShaftReport::new(mounted, &samples)).transpose()?;
+        Ok(Self { source, scenario, start, samples, at, points, shaft })
     }
 
     /// What the motion needs at the times of the run; at the start only without a run.
@@ -106,7 +100,7 @@ impl<'a> RequiredReport<'a> {
 
     /// The body and the point that it turns about.
     pub const fn rotor(&self) -> &Rotor {
-        &self.rotor
+        self.scenario.rotor()
     }
 
     /// One screen for people, and a line for each time that was asked for.
@@ -158,7 +152,7 @@ impl<'a> RequiredReport<'a> {
     /// Sizes below a rounding of this are nothing, N·m.
     fn scale(&self) -> f64 {
         let inertial =
-            |s: &Required| self.rotor.angular_momentum(s.state.omega).norm() * s.state.omega.norm();
+            |s: &Required| self.rotor().angular_momentum(s.state.omega).norm() * s.state.omega.norm();
         self.samples.iter().map(|s| inertial(s).max(s.torque.norm())).fold(0.0, f64::max)
     }
 

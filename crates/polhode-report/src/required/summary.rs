@@ -12,11 +12,11 @@ pub(super) fn of(report: &RequiredReport<'_>) -> Value {
     let [rms_body, rms_space] = report.rms();
     json!({
         "polhode": VERSION,
-        "title": report.scenario.title,
+        "title": report.scenario.title(),
         "source": report.source.to_json(),
         "turns_about": {
-            "what": if report.scenario.pivot.is_some() { "pivot" } else { "center_of_mass" },
-            "point": vector(report.rotor.point()),
+            "what": if report.scenario.pivot().is_some() { "pivot" } else { "center_of_mass" },
+            "point": vector(report.rotor().point()),
         },
         "samples": report.samples.len(),
         "start": state(report, first),
@@ -28,13 +28,13 @@ pub(super) fn of(report: &RequiredReport<'_>) -> Value {
         "impulse_space_n_m_s": vector(last.impulse_since(first)),
         "at": report.at.iter().map(|s| state(report, s)).collect::<Value>(),
         "shaft": report.shaft.as_ref().map(super::ShaftReport::to_json),
-        "findings": finding::to_json(&report.scenario.findings),
+        "findings": finding::to_json(report.scenario.findings()),
     })
 }
 
 fn state(report: &RequiredReport<'_>, s: &Required) -> Value {
     let force = |particle| {
-        let f: ParticleForce = s.force_on(particle, &report.rotor);
+        let f: ParticleForce = s.force_on(particle, report.rotor());
         json!({
             "mass": particle.mass(),
             "position": vector(particle.position()),

@@ -15,8 +15,8 @@ pub(super) fn write(report: &RequiredReport<'_>) -> String {
     let (samples, scale) = (report.samples(), report.scale());
     let first = report.first();
     let mut text = heading(report);
-    let point = unit::place(report.rotor.point().to_array());
-    let what = if report.scenario.pivot.is_some() { "the pivot" } else { "the centre of mass" };
+    let point = unit::place(report.rotor().point().to_array());
+    let what = if report.scenario.pivot().is_some() { "the pivot" } else { "the centre of mass" };
     text.push_str(&labelled("turns about", &format!("{what}, {point} in body axes: N is about it")));
     text.push_str(&labelled("torque at start", &both(first, scale)));
     if samples.len() > 1 {
@@ -43,7 +43,7 @@ pub(super) fn write(report: &RequiredReport<'_>) -> String {
     }
     text.push_str(&forces(report));
     text.push_str(&at(report));
-    text.push_str(&finding::to_text(&report.scenario.findings));
+    text.push_str(&finding::to_text(report.scenario.findings()));
     plain_spaces(&text)
 }
 
@@ -54,7 +54,7 @@ fn heading(report: &RequiredReport<'_>) -> String {
         }
         _ => "at the start".to_owned(),
     };
-    let title = report.scenario.title.as_deref().unwrap_or("Torque of a prescribed motion");
+    let title = report.scenario.title().unwrap_or("Torque of a prescribed motion");
     format!("{}   {what}, prescribed motion\n", crate::layout::printable(title))
 }
 
@@ -93,10 +93,10 @@ fn energy(report: &RequiredReport<'_>) -> f64 {
 fn forces(report: &RequiredReport<'_>) -> String {
     let mut text = String::new();
     for (k, particle) in report.points.iter().enumerate() {
-        let ParticleForce { force, along, across, .. } = report.first().force_on(particle, &report.rotor);
+        let ParticleForce { force, along, across, .. } = report.first().force_on(particle, report.rotor());
         let scale = force.norm();
         let [f, across] = [force, across].map(|f| vector(tidy_beside(f.to_array(), scale), DIGITS));
-        let arm = particle.position() - report.rotor.point();
+        let arm = particle.position() - report.rotor().point();
         let along = small(arm.direction().map_or(0.0, |r| r.dot(along)), scale);
         let line = format!(
             "F{} = {f} N in body axes on {} at {}: {along} N along its arm, {across} N across",

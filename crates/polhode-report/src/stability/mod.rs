@@ -87,8 +87,8 @@ enum Place {
 impl StabilityReport {
     /// The report of a scenario.
     pub fn of_scenario(source: SourceInfo, scenario: &Scenario) -> Self {
-        let report = Self::new(source, &scenario.rotor(), &scenario.torques, scenario.start);
-        Self { findings: scenario.findings.clone(), ..report }
+        let report = Self::new(source, scenario.rotor(), scenario.torques(), scenario.start());
+        Self { findings: scenario.findings().to_vec(), ..report }
     }
 
     /// The report of a body, its torques and its start.

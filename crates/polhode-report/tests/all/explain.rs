@@ -2,6 +2,7 @@
 
 use polhode::math::{Direction, Position, Rotation};
 use polhode::motion::Hanging;
+use polhode::motion::Scenario;
 use polhode_report::{Block, Document, InertiaReport, MotionReport, SourceInfo, explain, pretty};
 
 /// All text of one section.
@@ -135,8 +136,7 @@ fn a_constant_torque_enters_eulers_equations() {
 
 #[test]
 fn a_body_without_start_or_run_is_explained_too() {
-    let mut point_with_a_run = crate::common::point();
-    point_with_a_run.run = crate::common::run(1.0, 3);
+    let point_with_a_run = crate::common::point().sampled(crate::common::run(1.0, 3));
     for scenario in [
         crate::common::cube(),
         crate::common::point(),
@@ -153,7 +153,7 @@ fn a_body_without_start_or_run_is_explained_too() {
 fn faces() -> Vec<(String, String)> {
     let mut faces = Vec::new();
     for scenario in crate::common::all() {
-        let title = scenario.title.clone().unwrap_or_default();
+        let title = scenario.title().map(str::to_owned).unwrap_or_default();
         let document = explain(&scenario).unwrap();
         let source = SourceInfo::new("a.toml", "scenario");
         let inertia =
@@ -236,10 +236,7 @@ fn screens_fit_a_hundred_columns() {
 fn names_from_a_file_stay_on_their_line_and_steer_nothing() {
     const EVIL: &str = "a\u{1b}[31mRED\nx\u{202e}y";
     const SHOWN: &str = "a\\u{1b}[31mRED\\nx\\u{202e}y";
-    let mut scenario = crate::common::t_handle();
-    scenario.title = Some(EVIL.to_owned());
-    scenario.parts[0].name = EVIL.to_owned();
-    scenario.findings[0].place = Some(EVIL.to_owned());
+    let scenario = crate::common::hostile(EVIL);
     let source = SourceInfo::new(EVIL, "scenario").described(EVIL);
     let document = explain(&scenario).unwrap();
     let trajectory = scenario.simulate().unwrap().unwrap();
@@ -282,7 +279,7 @@ fn the_elliptic_period_can_be_checked_by_hand() {
             .sum();
         let period = after(&solved, "period of ω = ")[0];
         assert!((4.0 * quadrature / lambda / period - 1.0).abs() < 2e-5, "{quadrature}: {solved}");
-        let core = polhode::observe::FreeRegime::of(&scenario.rotor(), &scenario.start).period.unwrap();
+        let core = polhode::observe::FreeRegime::of(&scenario.rotor(), &scenario.start()).period.unwrap();
         assert!((period / core - 1.0).abs() < 1e-5);
     }
 }
@@ -291,7 +288,7 @@ fn the_elliptic_period_can_be_checked_by_hand() {
 fn instability_is_spoken_of_near_the_intermediate_axis_only() {
     let spinning = |moments, omega| {
         let mut scenario = crate::common::tensor("Spinning", moments, [0.0; 3], omega);
-        scenario.run = crate::common::run(2.0, 5);
+        scenario = scenario.sampled(crate::common::run(2.0, 5));
         let source = SourceInfo::new("a.toml", "scenario");
         let trajectory = scenario.simulate().unwrap().unwrap();
         explain(&scenario).unwrap().to_text(100)
@@ -314,7 +311,7 @@ fn instability_is_spoken_of_near_the_intermediate_axis_only() {
 fn a_swing_over_the_top_is_told_from_one_just_below() {
     let mut scenario = crate::common::pendulum();
     let amplitude = Some(std::f64::consts::PI - 1e-12);
-    scenario.hanging = Some(Hanging { axis: Direction::new(0.0, 0.0, 1.0), amplitude });
+    scenario = scenario.hanging_from(Hanging { axis: Direction::new(0.0, 0.0, 1.0), amplitude }).unwrap();
     let trajectory = scenario.simulate().unwrap().unwrap();
     let source = SourceInfo::new("a.toml", "scenario");
     for text in [
@@ -365,13 +362,12 @@ fn what_moves_inside_is_worked_out() {
     use polhode::math::AngularVelocity;
     use polhode::motion::torque::{EnergySink, TorqueModel};
     use polhode::motion::{Motor, Wheel};
-    let mut scenario = crate::common::t_handle();
     let inertia = InertiaTensor::diagonal([2.0, 3.0, 4.0]).unwrap();
-    scenario.body = MassProperties::new(5.0, Position::ZERO, inertia).unwrap();
-    scenario.start.omega = AngularVelocity::new(1.0, 2.0, 3.0);
-    scenario.wheels = vec![Wheel::new(Direction::new(0.0, 0.0, 1.0), 5.0, Motor::HeldSpeed).unwrap()];
-    scenario.torques = vec![TorqueModel::EnergySink(EnergySink::new(0.01).unwrap())];
-    scenario.run = None;
+    let held = Wheel::new(Direction::new(0.0, 0.0, 1.0), 5.0, Motor::HeldSpeed).unwrap();
+    let body = Scenario::new(MassProperties::new(5.0, Position::ZERO, inertia).unwrap());
+    let turning = crate::common::spinning(body, AngularVelocity::new(1.0, 2.0, 3.0));
+    let sink = TorqueModel::EnergySink(EnergySink::new(0.01).unwrap());
+    let scenario = turning.with_wheels(&[held]).unwrap().under([sink]).unwrap();
     let document = explain(&scenario).unwrap();
     let text = document.to_text(200);
     for line in [
@@ -391,11 +387,10 @@ fn what_moves_inside_is_worked_out() {
     let end = section(&document, 3);
     near(after(&end, "ω = (0, 0, ")[0], (329_f64.sqrt() - 5.0) / 4.0);
     // Without friction, and with a motor that stops: L = 0 stays, and the body turns back.
-    scenario.torques.clear();
-    scenario.start.omega = AngularVelocity::ZERO;
     let schedule = Some(polhode::motion::torque::Schedule::window(1.0, 3.0).unwrap());
     let motor = Motor::Torque { inertia: 0.5, torque: 0.7, schedule };
-    scenario.wheels = vec![Wheel::new(Direction::new(0.0, 0.0, 1.0), 0.0, motor).unwrap()];
+    let turned = Wheel::new(Direction::new(0.0, 0.0, 1.0), 0.0, motor).unwrap();
+    let scenario = Scenario::new(*scenario.body()).with_wheels(&[turned]).unwrap();
     let text = explain(&scenario).unwrap().to_text(200);
     assert!(text.contains("ω = −{I}⁻¹ h = (0, 0, -0.4) rad/s"), "{text}");
 }
@@ -406,18 +401,18 @@ fn a_run_says_what_did_not_happen_and_how_a_top_would_precess_steadily() {
     use polhode::math::{AngularVelocity, Attitude};
     use polhode::motion::torque::{TorqueModel, UniformGravity};
     use polhode::motion::{Event, EventAction, Measure, Sense, Wheel};
-    let mut scenario = crate::common::symmetric_top();
-    scenario.pivot = Some(Position::ZERO);
     let inertia = polhode::body::InertiaTensor::diagonal([0.3, 0.3, 0.2]).unwrap();
-    scenario.body = polhode::body::MassProperties::new(1.5, Position::new(0.0, 0.0, 0.4), inertia).unwrap();
-    scenario.torques = vec![TorqueModel::Gravity(UniformGravity::STANDARD)];
-    scenario.start.attitude = Attitude::from_euler313([0.3, 0.6, 0.1]).unwrap();
-    scenario.start.omega = AngularVelocity::new(0.0, 0.0, 60.0);
+    let body = polhode::body::MassProperties::new(1.5, Position::new(0.0, 0.0, 0.4), inertia).unwrap();
+    let held = Scenario::new(body).held_at(Position::ZERO).unwrap();
+    let leaning = crate::common::facing(held, Attitude::from_euler313([0.3, 0.6, 0.1]).unwrap());
+    let top = crate::common::spinning(leaning, AngularVelocity::new(0.0, 0.0, 60.0));
+    let scenario = top.under([TorqueModel::Gravity(UniformGravity::STANDARD)]).unwrap();
     let event = |name: &str, value: f64| {
         Event::new(name, Measure::Rate, value, Sense::Either, EventAction::Record).unwrap()
     };
-    scenario.events = vec![event("nods", 60.001), event("too fast", 1e6)];
-    assert_eq!(scenario.wheels, Vec::<Wheel>::new());
+    let scenario = scenario.watching(vec![event("nods", 60.001), event("too fast", 1e6)]).unwrap();
+    let scenario = scenario.sampled(crate::common::run(10.0, 201));
+    assert_eq!(scenario.wheels(), Vec::<Wheel>::new());
     let trajectory = scenario.simulate().unwrap().unwrap();
     let source = SourceInfo::new("a.toml", "scenario");
     let text = MotionReport::new(source, &scenario, &trajectory).to_text();
@@ -435,13 +430,12 @@ fn a_run_says_what_did_not_happen_and_how_a_top_would_precess_steadily() {
 
 #[test]
 fn what_was_noticed_is_said_in_every_form() {
-    let mut scenario = crate::common::symmetric_top();
-    scenario.findings.push(polhode::body::Finding {
+    let scenario = crate::common::symmetric_top().noting([polhode::body::Finding {
         code: "mesh.unit",
         severity: polhode::body::Severity::Warning,
         message: "nobody says the unit".to_owned(),
         place: Some("part \"plate\"".to_owned()),
-    });
+    }]);
     let document = explain(&scenario).unwrap();
     let said = "warning: nobody says the unit (part \"plate\") [mesh.unit]";
     assert!(document.to_text(100).ends_with(&format!("\n{said}\n")), "{}", document.to_text(100));

@@ -283,7 +283,7 @@ fn solidworks_proves_its_sign() {
 
 #[test]
 fn a_table_has_a_row_for_each_body_and_says_what_it_holds() {
-    let second = ExportBody::new("the \"other\", ω", crate::common::t_handle().body);
+    let second = ExportBody::new("the \"other\", ω", *crate::common::t_handle().body());
     let text = export(ExportFormat::Csv, &[generic(), second.clone()]).unwrap();
     assert!(!text.contains('\r') && text.ends_with('\n'));
     let rows = read_csv(&text);
@@ -371,7 +371,7 @@ fn names_stay_on_one_line_in_text_and_become_identifiers_in_usd() {
 
 #[test]
 fn several_bodies_are_several_links() {
-    let bodies = [generic(), ExportBody::new("other", crate::common::t_handle().body)];
+    let bodies = [generic(), ExportBody::new("other", *crate::common::t_handle().body())];
     let sdf = export(ExportFormat::Sdf, &bodies).unwrap();
     let document = Document::parse(&sdf).unwrap();
     let names = |tag: &str| -> Vec<_> {
@@ -437,8 +437,8 @@ fn what_single_precision_cannot_hold_is_not_written_as_usd() {
 
 #[test]
 fn rods_and_points_carry_a_warning() {
-    let rod = ExportBody::new("rod", crate::common::rod().body);
-    let point = ExportBody::new("point", crate::common::point().body);
+    let rod = ExportBody::new("rod", *crate::common::rod().body());
+    let point = ExportBody::new("point", *crate::common::point().body());
     for format in [ExportFormat::Urdf, ExportFormat::Sdf, ExportFormat::Mjcf, ExportFormat::MjcfPrincipal] {
         assert!(write(format, &rod).contains("<!-- a rod: "));
         assert!(write(format, &point).contains("<!-- a point: "));

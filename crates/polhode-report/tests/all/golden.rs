@@ -55,7 +55,7 @@ fn source(name: &str) -> SourceInfo {
 }
 
 fn inertia(scenario: &Scenario) -> InertiaReport {
-    let words = format!("scenario, {} parts", scenario.parts.len());
+    let words = format!("scenario, {} parts", scenario.parts().len());
     InertiaReport {
         show_axes: true,
         ..InertiaReport::of_scenario(source("body.toml").described(words), scenario)
@@ -137,9 +137,9 @@ fn spins() {
         check(&format!("spin_{name}.txt"), &report.to_text());
     }
     let scenario = crate::common::t_handle();
-    let thrown = FreeMotion::of(&scenario.rotor(), scenario.start).unwrap();
+    let thrown = FreeMotion::of(&scenario.rotor(), scenario.start()).unwrap();
     let source = SourceInfo::new("t-handle.toml", "scenario").described("T-handle in free fall");
-    let report = SpinReport::new(Some(source), thrown).found(scenario.findings);
+    let report = SpinReport::new(Some(source), thrown).found(scenario.findings().to_vec());
     check("spin_t_handle.txt", &report.to_text());
 
     let brick = PrincipalFrame::of(&InertiaTensor::diagonal([1.0, 2.0, 2.5]).unwrap());
@@ -154,7 +154,7 @@ fn exports() {
     let bracket = MassProperties::new(2.3, Position::new(0.11, -0.07, 0.23), inertia).unwrap();
     let bracket =
         ExportBody { volume: Some(0.0009), density: Some(2555.5), ..ExportBody::new("bracket", bracket) };
-    let handle = ExportBody::new("T-handle", crate::common::t_handle().body);
+    let handle = ExportBody::new("T-handle", *crate::common::t_handle().body());
     for &format in ExportFormat::ALL {
         let bodies = [bracket.clone(), handle.clone()];
         let bodies = if format == ExportFormat::Urdf { &bodies[..1] } else { &bodies[..] };

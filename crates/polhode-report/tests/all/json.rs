@@ -243,9 +243,9 @@ fn wheels_tell_their_ends_and_splitting_its_step() {
     near(&turned["final_speed_rad_s"], h / inertia - along);
     assert!(json["run"]["splitting"].is_null());
 
-    scenario.wheels.clear();
+    scenario = scenario.with_wheels(&[]).unwrap();
     let method = Method::Splitting { order: SplittingOrder::Four, step: 0.025 };
-    scenario.run = Some(Run::evenly(1.0, 3, method, 1e-9));
+    scenario = scenario.sampled(Run::evenly(1.0, 3, method, 1e-9));
     let run = &summary(&scenario)["run"];
     assert_eq!((&run["splitting"]["order"], &run["splitting"]["step_s"]), (&4.into(), &0.025.into()));
     assert!(run["tolerance"].is_null());
@@ -254,7 +254,7 @@ fn wheels_tell_their_ends_and_splitting_its_step() {
 #[test]
 fn a_permanent_rotation_has_a_rotation_period_only() {
     let mut scenario = crate::common::tensor("Spin", [3.1, 4.2, 5.3], [0.0; 3], [0.0, 0.0, 2.0]);
-    scenario.run = crate::common::run(1.0, 3);
+    scenario = scenario.sampled(crate::common::run(1.0, 3));
     let json = summary(&scenario);
     assert_eq!(json["motion"]["regime"], "permanent");
     assert_eq!(json["motion"]["rotation_period_s"], std::f64::consts::PI);

@@ -14,7 +14,7 @@ const OPEN: &str = "<script id=\"polhode-data\" type=\"application/json\">";
 fn html_of(scenario: &Scenario, trajectory: &Trajectory, text: &str) -> String {
     let explanation = explain_motion(scenario, trajectory).unwrap();
     page(&PageInput {
-        title: scenario.title.as_deref().unwrap(),
+        title: scenario.title().unwrap(),
         source: "polhode simulate",
         scenario_text: Some(text),
         subject: PageSubject::Scenario(scenario),
@@ -80,7 +80,7 @@ fn the_rows_are_the_trajectory_bit_for_bit() {
             ("kinetic", samples.iter().map(|s| s.kinetic_energy).collect()),
         ];
         for (key, wanted) in rows {
-            if key == "torque" && scenario.torques.is_empty() {
+            if key == "torque" && scenario.torques().is_empty() {
                 assert_eq!(motion[key], Value::Null);
                 continue;
             }
@@ -95,7 +95,7 @@ fn the_rows_are_the_trajectory_bit_for_bit() {
             doubles(&line["values"]).into_iter().fold(0.0, f64::max)
         };
         // Of a closed form under torque the impulse is what L has gained: it says nothing.
-        match (scenario.torques.is_empty(), trajectory.solution()) {
+        match (scenario.torques().is_empty(), trajectory.solution()) {
             (true, _) => assert_eq!(worst("L in space"), drift.momentum),
             (false, Solution::Exact(_)) => assert_eq!(worst("T + U"), drift.total_energy.unwrap()),
             (false, _) => assert_eq!(worst("L − impulse"), drift.momentum),
@@ -131,12 +131,13 @@ fn wheels_events_and_switches_are_on_the_page() {
     assert!(speed[1].starts_with("12 → ") && speed[2] == "in the body", "{speed:?}");
 
     let mut scenario = crate::common::thruster();
-    scenario.torques.push(TorqueModel::Constant(ConstantTorque::Body(Torque::new(0.0, 0.0, -0.9))));
-    scenario.torque_names = vec![None, Some("brake".to_owned())];
-    scenario.switched_off = vec![1];
+    let brake = TorqueModel::Constant(ConstantTorque::Body(Torque::new(0.0, 0.0, -0.9)));
+    let brake = polhode::motion::ActingTorque { model: brake, name: Some("brake".to_owned()), is_on: false };
+    scenario = scenario.clone().under([scenario.torques()[0].clone().into(), brake]).unwrap();
     let along = Measure::OmegaBody(Direction::new(0.0, 0.0, 1.0));
     let action = EventAction::Switch { torque: 1, on: true };
-    scenario.events = vec![Event::new("too fast", along, 0.45, Sense::Rising, action).unwrap()];
+    scenario =
+        scenario.watching(vec![Event::new("too fast", along, 0.45, Sense::Rising, action).unwrap()]).unwrap();
     let (data, trajectory) = page_of(&scenario);
     let events = data["motion"]["events"].as_array().unwrap();
     assert_eq!(events.len(), trajectory.events().len());
@@ -153,10 +154,7 @@ fn wheels_events_and_switches_are_on_the_page() {
 fn hostile_text_is_inert() {
     let evil =
         "</script><script>alert(1)</script><!--polhode-data--><!-- \" ' & \u{2028} <title>x</title>\\\u{0}";
-    let mut scenario = crate::common::t_handle();
-    scenario.title = Some(evil.to_owned());
-    scenario.parts[0].name = evil.to_owned();
-    scenario.findings[0].message = evil.to_owned();
+    let scenario = crate::common::hostile(evil);
     let trajectory = scenario.simulate().unwrap().unwrap();
     let html = html_of(&scenario, &trajectory, evil);
     let tame = html_of(&crate::common::t_handle(), &trajectory, "");
@@ -194,7 +192,7 @@ fn every_scenario_has_a_page_without_a_hole() {
     for scenario in crate::common::all().into_iter().chain([crate::common::gyrostat()]) {
         let Some(Ok(trajectory)) = scenario.simulate() else { continue };
         let data = data(&html_of(&scenario, &trajectory, ""));
-        let title = scenario.title.as_deref().unwrap();
+        let title = scenario.title().unwrap();
         let numbers = |value: &Value| doubles(value).into_iter().all(f64::is_finite);
         for key in ["times", "attitude", "omega", "momentum", "kinetic"] {
             assert!(numbers(&data["motion"][key]), "{title}: {key}");
@@ -260,8 +258,8 @@ fn parts_are_where_they_are() {
     let shapes = data["body"]["shapes"].as_array().unwrap();
     assert_eq!(shapes.len(), 2);
     assert_eq!((&shapes[0]["kind"], &shapes[0]["height"]), (&"cylinder".into(), &0.04.into()));
-    let center = scenario.body.center_of_mass().to_array();
-    let part = scenario.parts[1].properties.center_of_mass().to_array();
+    let center = scenario.body().center_of_mass().to_array();
+    let part = scenario.parts()[1].properties.center_of_mass().to_array();
     for k in 0..3 {
         assert!((number(&shapes[1]["position"][k]) - (part[k] - center[k])).abs() < 1e-17);
     }
@@ -279,9 +277,9 @@ fn parts_are_where_they_are() {
         crate::common::particles(&[(1.0, [0.0; 3]), (8.0, [0.0, 0.0, 2.0]), (1.0, [0.0, 1.0, 2.0])]),
     ];
     let mut scenario = crate::common::scenario("Parts", parts);
-    scenario.pivot = Some(Position::new(0.25, 0.5, -1.0));
-    scenario.start.omega = AngularVelocity::new(0.1, 0.2, 0.3);
-    scenario.run = crate::common::run(1.0, 3);
+    scenario = scenario.held_at(Position::new(0.25, 0.5, -1.0)).unwrap();
+    scenario = crate::common::spinning(scenario, AngularVelocity::new(0.1, 0.2, 0.3));
+    scenario = scenario.sampled(crate::common::run(1.0, 3));
     let (data, _) = page_of(&scenario);
     assert_eq!(data["body"]["about"], "pivot");
     let shapes = data["body"]["shapes"].as_array().unwrap();
@@ -360,9 +358,9 @@ fn a_page_of_many_triangles_and_samples_has_two_megabytes() {
         "A potato",
         vec![crate::common::solid("potato", "mesh", &mesh, 3.0, [0.4, 0.0, -7.0], 0.3)],
     );
-    scenario.start.omega = AngularVelocity::new(0.3, 0.1, 2.0);
+    scenario = crate::common::spinning(scenario, AngularVelocity::new(0.3, 0.1, 2.0));
     for samples in [2_001, 30_000] {
-        scenario.run = crate::common::run(60.0, samples);
+        scenario = scenario.sampled(crate::common::run(60.0, samples));
         let trajectory = scenario.simulate().unwrap().unwrap();
         let html = html_of(&scenario, &trajectory, "");
         assert!(html.len() <= 2_000_000, "{} bytes", html.len());
@@ -478,9 +476,8 @@ fn keys_are_those_of_the_contract() {
             crate::common::particles(&[(1.0, [0.0; 3]), (2.0, [1.0, 0.0, 0.0])]),
         ],
     );
-    every.start.omega = AngularVelocity::new(0.1, 0.2, 0.3);
-    every.run = crate::common::run(1.0, 3);
-    all.push(every);
+    let every = crate::common::spinning(every, AngularVelocity::new(0.1, 0.2, 0.3));
+    all.push(every.sampled(crate::common::run(1.0, 3)));
     all.push(crate::common::gyrostat());
     for scenario in all {
         let Some(Ok(trajectory)) = scenario.simulate() else { continue };

@@ -25,7 +25,7 @@ impl Manifest {
     /// That of a plan.
     pub(super) fn of(plan: &Plan) -> Result<Self, SweepError> {
         let nominal = plan.nominal();
-        let samples = nominal.run.as_ref().ok_or(SweepError::NoRun)?.times.len();
+        let samples = nominal.run().ok_or(SweepError::NoRun)?.times.len();
         let trajectories = plan.wants_trajectories();
         let rows_per_part =
             rows_per_part(plan.members(), is_stepped(nominal), if trajectories { samples } else { 1 });

@@ -16,17 +16,17 @@ pub(super) struct Found {
 /// The free motion of a scenario and the time that it ends at, if nothing but its inertia moves it and nothing has to be looked
 /// out for on the way.
 pub(super) fn motion(scenario: &Scenario, rotor: &Rotor) -> Option<(FreeMotion, f64)> {
-    let run = scenario.run.as_ref()?;
+    let run = scenario.run()?;
     let end = run.times.last().copied().filter(|end| end.is_finite())?;
-    let alone = scenario.torques.is_empty()
-        && scenario.wheels.is_empty()
-        && scenario.events.is_empty()
-        && scenario.prescribed.is_none();
+    let alone = scenario.torques().is_empty()
+        && scenario.wheels().is_empty()
+        && scenario.events().is_empty()
+        && scenario.prescribed().is_none();
     let exact = matches!(run.method, Method::Auto | Method::Exact);
-    if !(alone && exact && end >= scenario.start.time) {
+    if !(alone && exact && end >= scenario.start().time) {
         return None;
     }
-    FreeMotion::of(rotor, scenario.start).ok().map(|motion| (motion, end))
+    FreeMotion::of(rotor, scenario.start()).ok().map(|motion| (motion, end))
 }
 
 /// Its ends and its extrema; `None` where energy or momentum leave the range of f64.

@@ -79,7 +79,7 @@ impl Outcome {
         };
         let rotor = scenario.rotor();
         let body = Self {
-            mass: Some(scenario.body.mass()),
+            mass: Some(scenario.body().mass()),
             moments: Some(rotor.principal().moments()),
             ..Self::default()
         };
@@ -108,7 +108,7 @@ impl Outcome {
     /// With what a trajectory says. One that failed keeps its start, and when which events happened.
     fn with(self, scenario: &Scenario, rotor: &Rotor, trajectory: &Trajectory) -> Self {
         let (first, last) = (trajectory.start(), trajectory.samples().last());
-        let can_be_free = scenario.prescribed.is_none() && scenario.wheels.is_empty();
+        let can_be_free = scenario.prescribed().is_none() && scenario.wheels().is_empty();
         let free = |state: &State| if can_be_free { FreeMotion::of(rotor, *state).ok() } else { None };
         let at_start = free(&first.state);
         let start = Self {
@@ -117,11 +117,11 @@ impl Outcome {
             ..self
         };
         let start = match at_start {
-            Some(motion) if scenario.torques.is_empty() => start.with_free(&motion),
+            Some(motion) if scenario.torques().is_empty() => start.with_free(&motion),
             _ => start,
         };
         let happened = Self {
-            events: scenario.events.iter().enumerate().map(|(k, _)| happened(k, trajectory)).collect(),
+            events: scenario.events().iter().enumerate().map(|(k, _)| happened(k, trajectory)).collect(),
             steps: match trajectory.solution() {
                 Solution::Integrated { statistics, .. } => Some(*statistics),
                 _ => None,
@@ -131,7 +131,7 @@ impl Outcome {
         let status = match trajectory.ending() {
             Ending::Complete => Status::Complete,
             Ending::Stopped { event, .. } => {
-                Status::Stopped(scenario.events.get(*event).map_or("", Event::name).to_owned())
+                Status::Stopped(scenario.events().get(*event).map_or("", Event::name).to_owned())
             }
             Ending::Failed { cause, .. } => return happened.failed(cause),
         };

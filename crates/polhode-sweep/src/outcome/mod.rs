@@ -29,7 +29,7 @@ pub fn simulate(plan: &Plan, inputs: &Batch) -> Result<Batch, BatchError> {
     let members = Members::of(plan, inputs)?;
     let outcomes: Vec<Outcome> =
         members.scenarios(plan).map(|scenario| Outcome::of(scenario.as_ref())).collect();
-    let outcomes = columns::of(&plan.nominal().events, &outcomes);
+    let outcomes = columns::of(plan.nominal().events(), &outcomes);
     Batch::new(members.columns.into_iter().chain(outcomes).collect())
 }
 
@@ -45,9 +45,10 @@ pub fn trajectories(plan: &Plan, inputs: &Batch) -> Result<Batch, BatchError> {
 
 /// True if members' motions are computed in steps, as far as can be seen before.
 pub(crate) fn is_stepped(scenario: &Scenario) -> bool {
-    let method = scenario.run.as_ref().map_or(Method::Auto, |run| run.method);
-    let driven = !scenario.torques.is_empty() || !scenario.wheels.is_empty() || !scenario.events.is_empty();
-    scenario.prescribed.is_none() && (driven || !matches!(method, Method::Auto | Method::Exact))
+    let method = scenario.run().map_or(Method::Auto, |run| run.method);
+    let driven =
+        !scenario.torques().is_empty() || !scenario.wheels().is_empty() || !scenario.events().is_empty();
+    scenario.prescribed().is_none() && (driven || !matches!(method, Method::Auto | Method::Exact))
 }
 
 /// The inputs of some members.

@@ -26,7 +26,7 @@ pub(crate) fn digest(template: &Template) -> Result<String, FormatError> {
             Ok(())
         })?;
     }
-    for part in &template.nominal().parts {
+    for part in template.nominal().parts() {
         let [x, y, z] = part.properties.center_of_mass().to_array();
         let tensor = part.properties.inertia().matrix();
         for number in [part.properties.mass(), x, y, z].into_iter().chain(tensor.into_iter().flatten()) {

@@ -50,7 +50,7 @@ use uniform::Coordinate;
 /// let plan = Plan::parse(text.to_owned(), "spins.toml".as_ref())?;
 /// let values = plan.values(123_456);
 /// assert_eq!(plan.variables()[0].name, "start_spin_body_y_rad_s");
-/// assert_eq!(plan.scenario(&values)?.start.omega.to_array(), [0.1, values[0], -0.3]);
+/// assert_eq!(plan.scenario(&values)?.start().omega.to_array(), [0.1, values[0], -0.3]);
 /// # Ok::<(), polhode_formats::FormatError>(())
 /// ```
 #[derive(Clone, Debug)]
@@ -229,7 +229,7 @@ impl Plan {
 
     /// What was noticed: about the scenario as it is written, and about members that are none.
     pub fn findings(&self) -> Vec<Finding> {
-        let mut findings = self.nominal().findings.clone();
+        let mut findings = self.nominal().findings().to_vec();
         findings.extend(self.tried().ok().flatten());
         findings
     }

@@ -95,7 +95,7 @@ pub(crate) fn of(
     let (inputs, outcomes) = statistics.into_iter().partition(|s| inputs.contains(&s.name));
     let shares = |name: &str| shares(tally.texts.get(name), plan.members(), independent);
     let summary = SweepSummary {
-        title: plan.nominal().title.clone(),
+        title: plan.nominal().title().map(str::to_owned),
         digest: plan.digest(),
         members: plan.members(),
         sampling: sampling::name(plan.sampling()),

@@ -15,6 +15,13 @@ pub enum MotionError {
         /// What it has to be.
         rule: &'static str,
     },
+    /// Two parts of a scenario that exclude each other.
+    Exclusive {
+        /// Both, as a scenario file names them.
+        parts: [&'static str; 2],
+        /// Why.
+        why: &'static str,
+    },
     /// All the mass is in the point that the body turns about: it has no inertia at all.
     NotSpinnable,
     /// A torque is no number, or infinite, at the start already.
@@ -171,7 +178,7 @@ impl MotionError {
                 Some("a formula is no number where it divides by zero or takes the root of a negative number")
             }
             Self::NotFinite { .. } => Some("check the units of the torque, the spin and the inertia"),
-            Self::Parameter { .. } | Self::Cancelled { .. } => None,
+            Self::Parameter { .. } | Self::Exclusive { .. } | Self::Cancelled { .. } => None,
         }
     }
 }
@@ -186,6 +193,7 @@ impl fmt::Display for MotionError {
                 write!(f, "{what} = {value:e} must be {rule}")
             }
             Self::Parameter { what, value, rule } => write!(f, "{what} = {value} must be {rule}"),
+            Self::Exclusive { parts: [a, b], why } => write!(f, "{a} and {b} exclude each other: {why}"),
             Self::NotSpinnable => {
                 write!(
                     f,

@@ -48,9 +48,9 @@ fn meaning(text: &str, path: &Path) -> Result<String, FormatError> {
     };
     Ok(format!(
         "{:?} {:?} {:?} {plan}",
-        scenario.body,
-        scenario.torques,
-        (&scenario.start, &scenario.run, scenario.events.len())
+        scenario.body(),
+        scenario.torques(),
+        (&scenario.start(), &scenario.run(), scenario.events().len())
     ))
 }
 

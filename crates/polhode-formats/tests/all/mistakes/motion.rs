@@ -199,7 +199,7 @@ fn drag_springs_and_thrusters_are_possible() {
 fn coefficients_come_in_every_shape_and_unit() {
     let coefficient = |law: &str, text: &str| {
         let text = format!("{BALL}[[torque]]\nmodel='drag'\nlaw='{law}'\ncoefficient={text}");
-        match parse(&text).unwrap().torques[0] {
+        match parse(&text).unwrap().torques()[0] {
             polhode::motion::torque::TorqueModel::Drag(drag) => drag.matrix(),
             ref other => panic!("{other:?}"),
         }
@@ -314,11 +314,11 @@ fn the_momentum_of_a_start_is_that_with_the_wheels() {
     ] {
         let scenario = parse(&format!("{body}{start}[[wheel]]\naxis=[0.6,-0.3,0.9]\n{keys}")).unwrap();
         let rotor = scenario.rotor();
-        let [x, y, z] = rotor.angular_momentum_space(&scenario.start).to_array();
+        let [x, y, z] = rotor.angular_momentum_space(&scenario.start()).to_array();
         assert!((x - 0.7).hypot(y + 1.2).hypot(z - 2.1) < 2e-15, "{keys}: {x} {y} {z}");
         if let Some(speed) = speed {
-            let wheel = scenario.wheels[0];
-            let relative = wheel.momentum() / 0.3 - wheel.axis().dot(scenario.start.omega);
+            let wheel = scenario.wheels()[0];
+            let relative = wheel.momentum() / 0.3 - wheel.axis().dot(scenario.start().omega);
             assert!((relative - speed).abs() < 1e-14, "{relative}");
         }
     }
@@ -409,8 +409,8 @@ fn events_that_cannot_be_are_refused() {
         "a torque that is off waits",
     );
     let off = parse(&format!("{BALL}{}{RUN}", torque.replace("name", "on=false\nname"))).unwrap();
-    assert!(off.findings.iter().any(|finding| finding.code == "torque.off"));
-    assert_eq!(off.switched_off, [0]);
+    assert!(off.findings().iter().any(|finding| finding.code == "torque.off"));
+    assert_eq!(off.switched_off(), [0]);
 }
 
 #[test]

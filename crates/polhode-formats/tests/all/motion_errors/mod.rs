@@ -145,9 +145,9 @@ fn every_motion_is_near_its_true_one() {
     let cases = Case::all();
     assert!(cases.len() >= 220, "{}", cases.len());
     for case in cases {
-        let run = case.scenario.run.as_ref().unwrap();
+        let run = case.scenario.run().unwrap();
         let trajectory = case.simulated();
-        let fastest = case.truth.iter().map(Truth::speed).fold(case.scenario.start.omega.norm(), f64::max);
+        let fastest = case.truth.iter().map(Truth::speed).fold(case.scenario.start().omega.norm(), f64::max);
         // a step's error in each radian, carried by the motion's own sensitivity; what splitting is off by hangs on its steps
         let step = match run.method {
             Method::Splitting { .. } => 1e-3,

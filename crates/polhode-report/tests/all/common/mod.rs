@@ -51,24 +51,19 @@ pub fn scenario(title: &str, parts: Vec<BodyPart>) -> Scenario {
 }
 
 fn at_rest(title: &str, body: MassProperties<Body>, parts: Vec<BodyPart>) -> Scenario {
-    Scenario {
-        title: Some(title.to_owned()),
-        parts,
-        body,
-        start: State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::ZERO },
-        velocity: Velocity::ZERO,
-        pivot: None,
-        torques: Vec::new(),
-        wheels: Vec::new(),
-        torque_names: Vec::new(),
-        switched_off: Vec::new(),
-        events: Vec::new(),
-        prescribed: None,
-        hanging: None,
-        shaft: None,
-        run: None,
-        findings: Vec::new(),
-    }
+    Scenario::new(body).titled(title).made_of(parts)
+}
+
+/// The same from another ω.
+pub fn spinning(s: Scenario, omega: AngularVelocity<Body>) -> Scenario {
+    let start = State { omega, ..s.start() };
+    s.starting(start).unwrap()
+}
+
+/// The same from another attitude.
+pub fn facing(s: Scenario, attitude: Attitude) -> Scenario {
+    let start = State { attitude, ..s.start() };
+    s.starting(start).unwrap()
 }
 
 /// A body given by its tensor, spinning.
@@ -76,12 +71,12 @@ pub fn tensor(title: &str, moments: [f64; 3], products: [f64; 3], omega: [f64; 3
     let inertia = InertiaTensor::with_negative_products(moments, products).unwrap();
     let body = MassProperties::new(2.3, Position::new(0.11, -0.07, 0.23), inertia).unwrap();
     let mut s = at_rest(title, body, Vec::new());
-    s.start.omega = AngularVelocity::from_array(omega);
+    s = spinning(s, AngularVelocity::from_array(omega));
     s
 }
 
-pub fn run(duration: f64, samples: usize) -> Option<Run> {
-    Some(Run::evenly(duration, samples, Method::Auto, 1e-13))
+pub fn run(duration: f64, samples: usize) -> Run {
+    Run::evenly(duration, samples, Method::Auto, 1e-13)
 }
 
 /// Example 11.10 of the notes, with different masses: m1, m2, b, ω, α.
@@ -93,10 +88,10 @@ pub fn dumbbell() -> Scenario {
         "The dumbbell of example 11.10",
         vec![particles(&[(m1, [0.0, 0.0, b]), (m2, [0.0, 0.0, -b])])],
     );
-    s.pivot = Some(Position::ZERO);
+    s = s.held_at(Position::ZERO).unwrap();
     let axis = Direction::new(0.0, alpha.sin(), alpha.cos());
-    s.prescribed = Some(Prescribed::fixed_axis(Attitude::identity(), axis, omega, 0.0).unwrap());
-    s.run = run(2.0, 21);
+    s = s.prescribed_as(Prescribed::fixed_axis(Attitude::identity(), axis, omega, 0.0).unwrap()).unwrap();
+    s = s.sampled(run(2.0, 21));
     s
 }
 
@@ -107,11 +102,13 @@ pub fn pendulum() -> Scenario {
     let [m1, m2, b, g, angle] = PENDULUM;
     let masses = particles(&[(m1, [b, 0.0, 0.0]), (m2, [0.5 * b, 0.0, 0.0])]);
     let mut s = scenario("The pendulum of example 11.4", vec![masses]);
-    s.pivot = Some(Position::ZERO);
-    s.hanging = Some(Hanging { axis: Direction::new(0.0, 0.0, 1.0), amplitude: None });
-    s.start.attitude = Rotation::about(Direction::new(0.0, 0.0, 1.0), angle).unwrap();
-    s.torques = vec![TorqueModel::Gravity(UniformGravity { acceleration: Acceleration::new(g, 0.0, 0.0) })];
-    s.run = run(5.0, 101);
+    s = s.held_at(Position::ZERO).unwrap();
+    s = facing(s, Rotation::about(Direction::new(0.0, 0.0, 1.0), angle).unwrap());
+    s = s
+        .under(vec![TorqueModel::Gravity(UniformGravity { acceleration: Acceleration::new(g, 0.0, 0.0) })])
+        .unwrap();
+    s = s.hanging_from(Hanging { axis: Direction::new(0.0, 0.0, 1.0), amplitude: None }).unwrap();
+    s = s.sampled(run(5.0, 101));
     s
 }
 
@@ -119,7 +116,7 @@ pub fn pendulum() -> Scenario {
 pub fn cube() -> Scenario {
     let cube = BoxShape::new([3.0; 3]).unwrap();
     let mut s = scenario("A cube about its corner", vec![solid("cube", "box", &cube, 2.0, [1.5; 3], 0.0)]);
-    s.pivot = Some(Position::ZERO);
+    s = s.held_at(Position::ZERO).unwrap();
     s
 }
 
@@ -128,10 +125,10 @@ pub fn symmetric_top() -> Scenario {
     let wheel = Cylinder::new(0.3, 0.1).unwrap();
     let mut s =
         scenario("A wheel thrown", vec![solid("wheel", "cylinder", &wheel, 4.0, [0.1, 0.2, -0.3], 0.7)]);
-    s.start.omega = AngularVelocity::new(0.4, -0.3, 2.0);
-    s.start.attitude = Attitude::from_quaternion([0.4, -0.7, 1.1, 0.3]).unwrap();
-    s.velocity = Velocity::new(1.0, 2.0, -0.5);
-    s.run = run(10.0, 201);
+    s = spinning(s, AngularVelocity::new(0.4, -0.3, 2.0));
+    s = facing(s, Attitude::from_quaternion([0.4, -0.7, 1.1, 0.3]).unwrap());
+    s = s.moving(Velocity::new(1.0, 2.0, -0.5)).unwrap();
+    s = s.sampled(run(10.0, 201));
     s
 }
 
@@ -141,22 +138,36 @@ pub fn t_handle() -> Scenario {
     let bar = solid("bar", "cylinder", &bar, 5.4e-3, [0.0, 0.0, 0.0], 0.0);
     let stem = solid("stem", "box", &stem, 1.9e-3, [0.0, 0.013, 0.0], 0.2);
     let mut s = scenario("T-handle in free fall", vec![bar, stem]);
-    s.start.omega = AngularVelocity::new(0.01, 12.0, 0.02);
-    s.run = run(8.0, 801);
-    s.findings = vec![Finding {
+    s = spinning(s, AngularVelocity::new(0.01, 12.0, 0.02));
+    s = s.sampled(run(8.0, 801));
+    s = s.noting(vec![Finding {
         code: "shape.overlap",
         severity: Severity::Warning,
         message: "parts overlap: their common volume counts twice".to_owned(),
         place: Some("bar, stem".to_owned()),
-    }];
+    }]);
     s
+}
+
+/// A T-handle whose names and findings are a text that somebody else has chosen.
+pub fn hostile(text: &str) -> Scenario {
+    let handle = t_handle();
+    let mut parts = handle.parts().to_vec();
+    parts[0].name = text.to_owned();
+    let finding = handle.findings()[0].clone();
+    let plain = Scenario::new(*handle.body()).titled(text).made_of(parts).starting(handle.start()).unwrap();
+    plain.sampled(handle.run().unwrap().clone()).noting([Finding {
+        message: text.to_owned(),
+        place: Some(text.to_owned()),
+        ..finding
+    }])
 }
 
 /// A spacecraft with a thruster: constant torque in body axes.
 pub fn thruster() -> Scenario {
     let mut s = tensor("A thruster fires", [3.1, 4.2, 5.3], [0.4, -0.3, 0.2], [0.7, -1.1, 0.4]);
-    s.torques = vec![TorqueModel::Constant(ConstantTorque::Body(Torque::new(0.3, -0.1, 0.2)))];
-    s.run = run(6.0, 61);
+    s = s.under(vec![TorqueModel::Constant(ConstantTorque::Body(Torque::new(0.3, -0.1, 0.2)))]).unwrap();
+    s = s.sampled(run(6.0, 61));
     s
 }
 
@@ -169,9 +180,11 @@ pub fn gyrostat() -> Scenario {
     let mut s = tensor("Two wheels inside", [3.1, 4.2, 5.3], [0.4, -0.3, 0.2], [0.7, -1.1, 0.4]);
     let schedule = Some(Schedule::window(from, f64::INFINITY).unwrap());
     let motor = Motor::Torque { inertia, torque, schedule };
-    let turned = Wheel::turning(Direction::new(0.6, -0.3, 0.8), 12.0, motor, s.start.omega).unwrap();
-    s.wheels = vec![Wheel::new(Direction::new(0.2, 0.9, -0.4), 1.3, Motor::HeldSpeed).unwrap(), turned];
-    s.run = run(6.0, 61);
+    let turned = Wheel::turning(Direction::new(0.6, -0.3, 0.8), 12.0, motor, s.start().omega).unwrap();
+    s = s
+        .with_wheels(&[Wheel::new(Direction::new(0.2, 0.9, -0.4), 1.3, Motor::HeldSpeed).unwrap(), turned])
+        .unwrap();
+    s = s.sampled(run(6.0, 61));
     s
 }
 
@@ -180,21 +193,21 @@ pub fn gyroscope() -> Scenario {
     let wheel = Cylinder::new(0.3, 0.1).unwrap();
     let mut s =
         scenario("A gyroscope led round", vec![solid("wheel", "cylinder", &wheel, 4.0, [0.0; 3], 0.0)]);
-    s.prescribed = Some(Prescribed::euler_rates([0.0, 1.1, 0.3], [0.5, 0.0, 30.0]).unwrap());
-    s.run = run(1.0, 11);
+    s = s.prescribed_as(Prescribed::euler_rates([0.0, 1.1, 0.3], [0.5, 0.0, 30.0]).unwrap()).unwrap();
+    s = s.sampled(run(1.0, 11));
     s
 }
 
 pub fn rod() -> Scenario {
     let mut s = scenario("A rod", vec![particles(&[(1.0, [0.0; 3]), (2.5, [0.3, -0.4, 1.2])])]);
-    s.start.omega = AngularVelocity::new(0.2, 1.0, -0.4);
-    s.run = run(3.0, 4);
+    s = spinning(s, AngularVelocity::new(0.2, 1.0, -0.4));
+    s = s.sampled(run(3.0, 4));
     s
 }
 
 pub fn point() -> Scenario {
     let mut s = scenario("A point", vec![particles(&[(1.7, [0.2, 0.0, -1.0])])]);
-    s.velocity = Velocity::new(3.0, 0.0, 0.0);
+    s = s.moving(Velocity::new(3.0, 0.0, 0.0)).unwrap();
     s
 }
 
@@ -207,21 +220,18 @@ pub fn many_particles() -> Scenario {
         })
         .collect();
     let mut s = scenario("Six particles", vec![particles(&list)]);
-    s.start.omega = AngularVelocity::new(1.0 / 3.0, -2.0 / 3.0, 1.0 / 7.0);
-    s.start.attitude = Attitude::from_quaternion([0.4, -0.7, 1.1, 0.3]).unwrap();
-    s.velocity = Velocity::new(1.0 / 3.0, 2.0, -1.0 / 9.0);
-    s.prescribed =
-        Some(Prescribed::fixed_axis(s.start.attitude, Direction::new(1.0, -2.0, 0.5), 3.0, -0.4).unwrap());
-    s.run = run(1.0, 11);
+    s = spinning(s, AngularVelocity::new(1.0 / 3.0, -2.0 / 3.0, 1.0 / 7.0));
+    s = facing(s, Attitude::from_quaternion([0.4, -0.7, 1.1, 0.3]).unwrap());
+    s = s.moving(Velocity::new(1.0 / 3.0, 2.0, -1.0 / 9.0)).unwrap();
+    let led = Prescribed::fixed_axis(s.start().attitude, Direction::new(1.0, -2.0, 0.5), 3.0, -0.4).unwrap();
+    s = s.prescribed_as(led).unwrap();
+    s = s.sampled(run(1.0, 11));
     s
 }
 
 /// Everything above, and cases at the edges.
 pub fn all() -> Vec<Scenario> {
-    let with = |mut s: Scenario, f: &dyn Fn(&mut Scenario)| {
-        f(&mut s);
-        s
-    };
+    let over_the_top = Hanging { axis: Direction::new(0.0, 0.0, 2.0), amplitude: Some(std::f64::consts::PI) };
     let still = |title: &str| tensor(title, [3.1, 4.2, 5.3], [0.0; 3], [0.0; 3]);
     vec![
         dumbbell(),
@@ -235,32 +245,27 @@ pub fn all() -> Vec<Scenario> {
         point(),
         many_particles(),
         still("At rest"),
-        with(still("Permanent"), &|s| s.start.omega = AngularVelocity::new(0.0, 0.0, 2.0)),
-        with(still("Unstable"), &|s| {
-            s.start.omega = AngularVelocity::new(0.0, 2.0, 0.0);
-            s.run = run(3.0, 7);
-        }),
-        with(tensor("Sphere", [2.0; 3], [0.0; 3], [1.0, 2.0, 3.0]), &|s| s.run = run(3.0, 7)),
-        with(tensor("Separatrix", [1.0, 2.0, 3.0], [0.0; 3], [1.0, 0.5, (1.0_f64 / 3.0).sqrt()]), &|s| {
-            s.run = run(30.0, 31);
-        }),
+        spinning(still("Permanent"), AngularVelocity::new(0.0, 0.0, 2.0)),
+        spinning(still("Unstable"), AngularVelocity::new(0.0, 2.0, 0.0)).sampled(run(3.0, 7)),
+        tensor("Sphere", [2.0; 3], [0.0; 3], [1.0, 2.0, 3.0]).sampled(run(3.0, 7)),
+        tensor("Separatrix", [1.0, 2.0, 3.0], [0.0; 3], [1.0, 0.5, (1.0_f64 / 3.0).sqrt()])
+            .sampled(run(30.0, 31)),
         tensor("Closed cones", [1.2, 1.2, 2.0], [0.0; 3], [3e-17, 0.0, 1.0]),
         tensor("Crosswise", [2.0, 2.0, 1.0], [0.0; 3], [1.0, 2.0, 0.0]),
         tensor("Molecule", [1e-46, 2e-46, 2.5e-46], [1e-47, 0.0, -2e-47], [1e12, 2e12, -1e11]),
         tensor("Tiny", [1e-150, 2e-150, 2.5e-150], [1e-151, 0.0, -2e-151], [1.0, 2.0, 3.0]),
         tensor("Huge", [1e120, 2e120, 2.5e120], [1e119, 0.0, -2e119], [1.0, 2.0, 3.0]),
-        with(pendulum(), &|s| {
-            s.hanging =
-                Some(Hanging { axis: Direction::new(0.0, 0.0, 2.0), amplitude: Some(std::f64::consts::PI) });
-            s.run = None;
-        }),
-        with(pendulum(), &|s| s.start.omega = AngularVelocity::new(0.0, 0.0, 20.0)),
-        with(pendulum(), &|s| s.start.attitude = Attitude::identity()),
-        with(thruster(), &|s| s.run = None),
-        with(thruster(), &|s| {
-            s.torques.push(TorqueModel::Constant(ConstantTorque::Space(Torque::new(0.0, 0.0, 0.1))));
-            s.torques.push(TorqueModel::Gravity(UniformGravity::STANDARD));
-            s.run = Some(Run { times: Vec::new(), method: Method::Auto, tolerance: 1e-10 });
-        }),
+        pendulum().not_sampled().hanging_from(over_the_top).unwrap(),
+        spinning(pendulum(), AngularVelocity::new(0.0, 0.0, 20.0)),
+        facing(pendulum(), Attitude::identity()),
+        thruster().not_sampled(),
+        thruster()
+            .under([
+                thruster().torques()[0].clone(),
+                TorqueModel::Constant(ConstantTorque::Space(Torque::new(0.0, 0.0, 0.1))),
+                TorqueModel::Gravity(UniformGravity::STANDARD),
+            ])
+            .unwrap()
+            .sampled(Run { times: Vec::new(), method: Method::Auto, tolerance: 1e-10 }),
     ]
 }

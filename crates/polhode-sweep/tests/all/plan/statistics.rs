@@ -111,8 +111,10 @@ fn attitudes_are_uniform() {
 fn an_attitude_about_the_written_one_turns_about_all_axes_alike() {
     use polhode::math::Attitude;
     let columns = columns("start.attitude", "random = { sd = \"2 deg\" }", 4);
-    let nominal =
-        plan(&format!("[sweep]\nmembers = 1\nsampling = 'sobol'\n{}", super::SPIN)).nominal().start.attitude;
+    let nominal = plan(&format!("[sweep]\nmembers = 1\nsampling = 'sobol'\n{}", super::SPIN))
+        .nominal()
+        .start()
+        .attitude;
     let sd = 2.0_f64.to_radians();
     let turns: Vec<[f64; 3]> = (0..DRAWS as usize)
         .map(|k| {

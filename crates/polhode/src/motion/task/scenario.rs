@@ -3,15 +3,15 @@
 use super::pendulum::Pendulum;
 use super::shaft::{CorrectionMass, Reactions, Shaft};
 use crate::body::assembly::BodyPart;
-use crate::body::finding::Finding;
+use crate::body::finding::{Finding, Severity};
 use crate::body::mass_properties::MassProperties;
 use crate::body::particles::Particle;
 use crate::math::frame::{Body, Space};
-use crate::math::rotation::Attitude;
-use crate::math::vector::{Acceleration, Direction, Position, Velocity};
+use crate::math::rotation::{Attitude, Rotation};
+use crate::math::vector::{Acceleration, AngularVelocity, Direction, Position, Velocity};
 use crate::motion::error::MotionError;
 use crate::motion::inverse::prescribed::Prescribed;
-use crate::motion::model::event::Event;
+use crate::motion::model::event::{Event, EventAction};
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 use crate::motion::model::torque::TorqueModel;
@@ -21,41 +21,77 @@ use crate::motion::run::simulation::Simulation;
 use crate::motion::run::trajectory::Trajectory;
 use crate::motion::solve::method::Method;
 
-/// One body and one motion, as a scenario file describes them.
+/// One body and one motion, as a scenario file describes them: what exists can be computed.
+///
+/// ```
+/// use polhode::motion::Run;
+/// use polhode::prelude::*;
+/// let inertia = InertiaTensor::with_negative_products([3.1, 4.2, 5.3], [0.4, -0.3, 0.2])?;
+/// let body = MassProperties::new(2.0, Position::new(0.0, 0.1, 0.5), inertia)?;
+/// let omega = AngularVelocity::new(0.3, -0.2, 4.0);
+/// let scenario = Scenario::new(body)
+///     .held_at(Position::ZERO)?
+///     .starting(State { time: 0.0, attitude: Attitude::identity(), omega })?
+///     .under([TorqueModel::Gravity(UniformGravity::STANDARD)])?
+///     .sampled(Run::evenly(2.0, 201, Method::Auto, 1e-13));
+/// let motion = scenario.simulate().ok_or("it has a run")??;
+/// assert_eq!(motion.samples().len(), 201);
+/// // It moves under gravity, and so cannot be led through a motion that is given.
+/// let led = polhode::motion::Prescribed::euler_rates([0.0, 1.1, 0.3], [0.5, 0.0, 30.0])?;
+/// assert!(scenario.prescribed_as(led).is_err());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scenario {
-    /// What it is about.
-    pub title: Option<String>,
-    /// The parts of the body.
-    pub parts: Vec<BodyPart>,
-    /// All parts together.
-    pub body: MassProperties<Body>,
-    /// Attitude and ω at t = 0.
-    pub start: State,
-    /// Velocity of the centre of mass; of the pivot, which does not move, it is zero.
-    pub velocity: Velocity<Space>,
-    /// The point of the body that is held fixed; `None` for a free body.
-    pub pivot: Option<Position<Body>>,
-    /// What turns it.
-    pub torques: Vec<TorqueModel>,
-    /// The names of the torques, of those that have one.
-    pub torque_names: Vec<Option<String>>,
-    /// Which of the torques, from 0, act only once an event has switched them on.
-    pub switched_off: Vec<usize>,
-    /// What spins inside it.
-    pub wheels: Vec<Wheel>,
-    /// What to look out for on the way.
-    pub events: Vec<Event>,
-    /// A motion that is given instead of computed.
-    pub prescribed: Option<Prescribed>,
-    /// The axis from which it hangs.
-    pub hanging: Option<Hanging>,
-    /// The bearings on which it turns; the prescribed motion is their shaft's.
-    pub shaft: Option<Mounted>,
-    /// For how long and how to compute.
-    pub run: Option<Run>,
-    /// What was noticed on the way.
-    pub findings: Vec<Finding>,
+    title: Option<String>,
+    parts: Vec<BodyPart>,
+    body: MassProperties<Body>,
+    pivot: Option<Position<Body>>,
+    rotor: Rotor,
+    start: State,
+    velocity: Velocity<Space>,
+    task: Task,
+    run: Option<Run>,
+    findings: Vec<Finding>,
+}
+
+/// What is asked of the body.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Task {
+    /// Forward dynamics: from torques to the motion.
+    Forward(Forward),
+    /// Inverse dynamics: from a motion to the torque that it needs.
+    Inverse(Prescribed),
+    /// A shaft that turns as prescribed: what its bearings hold.
+    Shaft(Box<Mounted>, Prescribed),
+}
+
+/// What acts on a body, and what is looked out for.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Forward {
+    torques: Vec<TorqueModel>,
+    names: Vec<Option<String>>,
+    switched_off: Vec<usize>,
+    events: Vec<Event>,
+    hanging: Option<Hanging>,
+}
+
+/// A torque of a scenario.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ActingTorque {
+    /// What turns the body.
+    pub model: TorqueModel,
+    /// By which events switch it.
+    pub name: Option<String>,
+    /// Whether it acts from the start, or once an event has switched it on.
+    pub is_on: bool,
+}
+
+impl From<TorqueModel> for ActingTorque {
+    fn from(model: TorqueModel) -> Self {
+        Self { model, name: None, is_on: true }
+    }
 }
 
 /// The fixed axis of a pendulum.
@@ -130,17 +166,317 @@ impl Run {
 }
 
 impl Scenario {
-    /// The body and the point that it turns about: its centre of mass, or the pivot. Wheels that the body has no room for, which
-    /// [`Scenario::simulate`] refuses, are left out.
-    pub fn rotor(&self) -> Rotor {
-        self.carrier().with_wheels(&self.wheels).unwrap_or_else(|_| self.carrier())
+    /// The parts of a scenario, as a file names them, that exclude each other, and why.
+    pub const EXCLUSIVE: [(&'static str, &'static str, &'static str); 10] = [
+        ("prescribed", "torque", "a prescribed motion is given, and the torque that it needs is the answer"),
+        ("prescribed", "event", "a prescribed motion is given, and nothing on its way changes it"),
+        ("prescribed", "pendulum", "a pendulum swings as gravity moves it"),
+        ("prescribed", "wheel", "the torque that a prescribed motion needs is that of a body without wheels"),
+        ("pendulum", "wheel", "a pendulum swings as a body without wheels"),
+        ("shaft", "prescribed", SHAFT),
+        ("shaft", "torque", SHAFT),
+        ("shaft", "wheel", SHAFT),
+        ("shaft", "event", SHAFT),
+        ("shaft", "pendulum", SHAFT),
+    ];
+
+    /// A free body at rest, its axes along those of space.
+    pub fn new(body: MassProperties<Body>) -> Self {
+        Self {
+            title: None,
+            parts: Vec::new(),
+            body,
+            pivot: None,
+            rotor: Rotor::free(&body),
+            start: State { time: 0.0, attitude: Rotation::identity(), omega: AngularVelocity::ZERO },
+            velocity: Velocity::ZERO,
+            task: Task::Forward(Forward::default()),
+            run: None,
+            findings: Vec::new(),
+        }
     }
 
-    fn carrier(&self) -> Rotor {
-        match self.pivot {
+    /// What it is about.
+    #[must_use]
+    pub fn titled(self, title: impl Into<String>) -> Self {
+        Self { title: Some(title.into()), ..self }
+    }
+
+    /// The parts that the body was made of.
+    #[must_use]
+    pub fn made_of(self, parts: Vec<BodyPart>) -> Self {
+        Self { parts, ..self }
+    }
+
+    /// When to sample the motion, and how to compute it.
+    #[must_use]
+    pub fn sampled(self, run: Run) -> Self {
+        Self { run: Some(run), ..self }
+    }
+
+    /// Without a run.
+    #[must_use]
+    pub fn not_sampled(self) -> Self {
+        Self { run: None, ..self }
+    }
+
+    /// With what was noticed on the way.
+    #[must_use]
+    pub fn noting(mut self, findings: impl IntoIterator<Item = Finding>) -> Self {
+        self.findings.extend(findings);
+        self
+    }
+
+    /// With a point of the body held fixed in space.
+    ///
+    /// # Errors
+    /// As [`Rotor::with_wheels`], of wheels that are there already; [`MotionError::Exclusive`] of a body on a shaft, or one that moves.
+    pub fn held_at(self, pivot: Position<Body>) -> Result<Self, MotionError> {
+        if self.velocity != Velocity::ZERO {
+            return Err(exclusive("pivot", "velocity", "a point of the body is held: it only turns"));
+        }
+        if matches!(self.task, Task::Shaft(..)) {
+            return Err(exclusive("shaft", "pivot", "the bearings hold the body"));
+        }
+        let rotor = Rotor::pivoted(&self.body, pivot).with_wheels(self.rotor.wheels())?;
+        Ok(Self { pivot: Some(pivot), rotor, ..self })
+    }
+
+    /// With wheels that spin inside.
+    ///
+    /// # Errors
+    /// As [`Rotor::with_wheels`]; [`MotionError::Exclusive`] of a pendulum, a prescribed motion and a shaft.
+    pub fn with_wheels(self, wheels: &[Wheel]) -> Result<Self, MotionError> {
+        self.require_compatible("wheel", !wheels.is_empty())?;
+        let carrier = match self.pivot {
             None => Rotor::free(&self.body),
             Some(pivot) => Rotor::pivoted(&self.body, pivot),
+        };
+        Ok(Self { rotor: carrier.with_wheels(wheels)?, ..self })
+    }
+
+    /// From this attitude and ω; of a prescribed motion they are its own.
+    ///
+    /// # Errors
+    /// [`MotionError::Parameter`] for numbers that are not finite.
+    pub fn starting(self, start: State) -> Result<Self, MotionError> {
+        for (what, value) in [
+            ("the start's time", start.time),
+            ("the start's attitude", start.attitude.quaternion().iter().sum()),
+            ("the start's angular velocity", start.omega.norm()),
+        ] {
+            if !value.is_finite() {
+                return Err(MotionError::Parameter { what, value, rule: "finite" });
+            }
         }
+        Ok(Self { start, ..self })
+    }
+
+    /// With a velocity of the centre of mass.
+    ///
+    /// # Errors
+    /// [`MotionError::Exclusive`] of a body that is held at a pivot or by bearings.
+    pub fn moving(self, velocity: Velocity<Space>) -> Result<Self, MotionError> {
+        if self.rotor.is_pivoted() {
+            return Err(exclusive("pivot", "velocity", "a point of the body is held: it only turns"));
+        }
+        Ok(Self { velocity, ..self })
+    }
+
+    /// Under torques.
+    ///
+    /// # Errors
+    /// [`MotionError::Exclusive`] of a prescribed motion and a shaft.
+    pub fn under<T: Into<ActingTorque>>(
+        self,
+        torques: impl IntoIterator<Item = T>,
+    ) -> Result<Self, MotionError> {
+        let torques: Vec<ActingTorque> = torques.into_iter().map(Into::into).collect();
+        self.require_compatible("torque", !torques.is_empty())?;
+        Ok(self.changed(|task| {
+            task.switched_off = (0..torques.len()).filter(|&k| !torques[k].is_on).collect();
+            (task.torques, task.names) =
+                torques.into_iter().map(|torque| (torque.model, torque.name)).unzip();
+        }))
+    }
+
+    /// With events to look out for.
+    ///
+    /// # Errors
+    /// [`MotionError::Exclusive`] of a prescribed motion and a shaft.
+    pub fn watching(self, events: Vec<Event>) -> Result<Self, MotionError> {
+        self.require_compatible("event", !events.is_empty())?;
+        Ok(self.changed(|task| task.events = events))
+    }
+
+    /// Hanging from an axis, under the gravity that acts on it.
+    ///
+    /// # Errors
+    /// [`MotionError::Exclusive`] of a body with wheels, a prescribed motion and a shaft; as [`Pendulum::hung`].
+    pub fn hanging_from(self, hanging: Hanging) -> Result<Self, MotionError> {
+        self.require_compatible("pendulum", true)?;
+        let hung = self.changed(|task| task.hanging = Some(hanging));
+        hung.pendulum().transpose()?;
+        Ok(hung)
+    }
+
+    /// With a motion that is given instead of computed; it starts where that does.
+    ///
+    /// # Errors
+    /// [`MotionError::Exclusive`] of a body under torques or with wheels, events, a pendulum and a shaft.
+    pub fn prescribed_as(self, motion: Prescribed) -> Result<Self, MotionError> {
+        self.require_compatible("prescribed", true)?;
+        let start = starting_as(&motion, self.start);
+        Ok(Self { task: Task::Inverse(motion), start, ..self })
+    }
+
+    /// On a shaft, which turns from the start's attitude.
+    ///
+    /// # Errors
+    /// [`MotionError::Exclusive`] of all else that moves or holds a body; as [`Prescribed::fixed_axis`].
+    pub fn mounted(self, shaft: Mounted) -> Result<Self, MotionError> {
+        self.require_compatible("shaft", true)?;
+        if self.pivot.is_some() {
+            return Err(exclusive("shaft", "pivot", "the bearings hold the body"));
+        }
+        if self.velocity != Velocity::ZERO {
+            return Err(exclusive("shaft", "velocity", "the bearings hold the body"));
+        }
+        let (point, axis) = (shaft.shaft.point(), shaft.shaft.axis());
+        let motion = Prescribed::fixed_axis(self.start.attitude, axis, shaft.rate, shaft.acceleration)?;
+        let start = starting_as(&motion, self.start);
+        let rotor = Rotor::pivoted(&self.body, point);
+        Ok(Self { pivot: Some(point), rotor, start, task: Task::Shaft(Box::new(shaft), motion), ..self })
+    }
+
+    fn changed(mut self, change: impl FnOnce(&mut Forward)) -> Self {
+        if let Task::Forward(forward) = &mut self.task {
+            change(forward);
+        }
+        self
+    }
+
+    /// # Errors
+    /// [`MotionError::Exclusive`] where a part that comes excludes one that is there.
+    fn require_compatible(&self, comes: &'static str, is_any: bool) -> Result<(), MotionError> {
+        let is_there = |part: &str| match part {
+            "prescribed" => matches!(self.task, Task::Inverse(_)),
+            "shaft" => matches!(self.task, Task::Shaft(..)),
+            "torque" => !self.torques().is_empty(),
+            "event" => !self.events().is_empty(),
+            "pendulum" => self.hanging().is_some(),
+            _ => !self.wheels().is_empty(),
+        };
+        let excluded = Self::EXCLUSIVE
+            .into_iter()
+            .find(|&(a, b, _)| (a == comes && is_there(b)) || (b == comes && is_there(a)));
+        match excluded {
+            Some((a, b, why)) if is_any => Err(exclusive(a, b, why)),
+            _ => Ok(()),
+        }
+    }
+
+    /// What it is about.
+    pub fn title(&self) -> Option<&str> {
+        self.title.as_deref()
+    }
+
+    /// The parts of the body.
+    pub fn parts(&self) -> &[BodyPart] {
+        &self.parts
+    }
+
+    /// All parts together.
+    pub const fn body(&self) -> &MassProperties<Body> {
+        &self.body
+    }
+
+    /// The body, the point that it turns about, its centre of mass or the pivot, and its wheels.
+    pub const fn rotor(&self) -> &Rotor {
+        &self.rotor
+    }
+
+    /// The point of the body that is held fixed; `None` for a free body.
+    pub const fn pivot(&self) -> Option<Position<Body>> {
+        self.pivot
+    }
+
+    /// Attitude and ω at the start.
+    pub const fn start(&self) -> State {
+        self.start
+    }
+
+    /// Velocity of the centre of mass; of the pivot, which does not move, it is zero.
+    pub const fn velocity(&self) -> Velocity<Space> {
+        self.velocity
+    }
+
+    /// What is asked of the body.
+    pub const fn task(&self) -> &Task {
+        &self.task
+    }
+
+    fn forward(&self) -> Option<&Forward> {
+        match &self.task {
+            Task::Forward(forward) => Some(forward),
+            _ => None,
+        }
+    }
+
+    /// What turns it.
+    pub fn torques(&self) -> &[TorqueModel] {
+        self.forward().map_or(&[], |forward| &forward.torques)
+    }
+
+    /// The names of the torques, of those that have one.
+    pub fn torque_names(&self) -> &[Option<String>] {
+        self.forward().map_or(&[], |forward| &forward.names)
+    }
+
+    /// Which of the torques, from 0, act only once an event has switched them on.
+    pub fn switched_off(&self) -> &[usize] {
+        self.forward().map_or(&[], |forward| &forward.switched_off)
+    }
+
+    /// What is looked out for on the way.
+    pub fn events(&self) -> &[Event] {
+        self.forward().map_or(&[], |forward| &forward.events)
+    }
+
+    /// What spins inside it.
+    pub fn wheels(&self) -> &[Wheel] {
+        self.rotor.wheels()
+    }
+
+    /// A motion that is given instead of computed, that of a shaft too.
+    pub const fn prescribed(&self) -> Option<&Prescribed> {
+        match &self.task {
+            Task::Forward(_) => None,
+            Task::Inverse(motion) | Task::Shaft(_, motion) => Some(motion),
+        }
+    }
+
+    /// The axis from which it hangs.
+    pub fn hanging(&self) -> Option<Hanging> {
+        self.forward()?.hanging
+    }
+
+    /// The bearings on which it turns; the prescribed motion is their shaft's.
+    pub fn shaft(&self) -> Option<&Mounted> {
+        match &self.task {
+            Task::Shaft(mounted, _) => Some(mounted),
+            _ => None,
+        }
+    }
+
+    /// For how long and how to compute.
+    pub const fn run(&self) -> Option<&Run> {
+        self.run.as_ref()
+    }
+
+    /// What was noticed on the way.
+    pub fn findings(&self) -> &[Finding] {
+        &self.findings
     }
 
     /// All particles of the body.
@@ -179,23 +515,15 @@ impl Scenario {
         run_by: impl FnOnce(&Simulation<'_>) -> Result<Trajectory, MotionError>,
     ) -> Option<Result<Trajectory, MotionError>> {
         let run = self.run.as_ref()?;
-        let rotor = match self.carrier().with_wheels(&self.wheels) {
-            Ok(rotor) => rotor,
-            Err(error) => return Some(Err(error)),
-        };
-        if let Some(motion) = &self.prescribed {
-            return Some(Trajectory::prescribed(&rotor, motion, &run.times));
+        if let Some(motion) = self.prescribed() {
+            return Some(Trajectory::prescribed(&self.rotor, motion, &run.times));
         }
-        Some(run_by(&Simulation {
-            rotor: &rotor,
-            torques: &self.torques,
-            switched_off: &self.switched_off,
-            start: self.start,
-            events: &self.events,
-            times: &run.times,
-            method: run.method,
-            tolerance: run.tolerance,
-        }))
+        let simulation = Simulation::new(&self.rotor, self.torques(), self.start, &run.times)
+            .switched_off(self.switched_off())
+            .events(self.events())
+            .method(run.method)
+            .tolerance(run.tolerance);
+        Some(run_by(&simulation))
     }
 
     /// The pendulum that hangs from the scenario's axis under its gravity; `None` without an axis or without gravity.
@@ -203,12 +531,67 @@ impl Scenario {
     /// # Errors
     /// [`MotionError`] as [`Pendulum::hung`].
     pub fn pendulum(&self) -> Option<Result<Pendulum, MotionError>> {
-        let hanging = self.hanging?;
-        let gravity = self.torques.iter().find_map(|torque| match torque {
+        let hanging = self.hanging()?;
+        let gravity = self.torques().iter().find_map(|torque| match torque {
             TorqueModel::Gravity(gravity) => Some(gravity.acceleration),
             _ => None,
         })?;
         let g = self.start.attitude.inverse() * gravity;
-        Some(Pendulum::hung(&self.rotor(), hanging.axis, g))
+        Some(Pendulum::hung(&self.rotor, hanging.axis, g))
     }
+
+    /// What can be seen of the scenario before it runs: gravity, torques and runs that do nothing, energies below the range of numbers.
+    pub fn check(&self) -> Vec<Finding> {
+        let finding = |code, severity, message| Finding { code, severity, message, place: None };
+        let mut found = Vec::new();
+        let has_gravity = self.torques().iter().any(|torque| matches!(torque, TorqueModel::Gravity(_)));
+        // Rounding of the centre of mass is no lever.
+        let is_balanced = |pivot: Position<Body>| {
+            let center = self.body.center_of_mass();
+            (center - pivot).norm() <= 1e-14 * (center.norm() + pivot.norm())
+        };
+        if has_gravity && self.pivot.is_some_and(is_balanced) {
+            let message = "the centre of mass is at the pivot: gravity does not turn the body";
+            found.push(finding("gravity.balanced", Severity::Info, message.to_owned()));
+        }
+        let is_still = self.start.omega.norm() == 0.0
+            && self.torques().is_empty()
+            && self.prescribed().is_none()
+            && !self.wheels().iter().any(Wheel::is_driven);
+        if is_still && self.run.is_some() {
+            let message = "the body starts without spin and nothing turns it";
+            found.push(finding("start.rest", Severity::Warning, message.to_owned()));
+        }
+        let omega = self.start.omega;
+        if self.prescribed().is_none() && self.rotor.kinetic_energy_underflows(omega) {
+            let message = format!(
+                "T at the start is below 2.2e-308 J, the range of numbers with all their digits, and comes out as {:e}: energies, their \
+                 drift and all that follows from ω² or L² say nothing. Without torque the motion is that at a greater rate, only slower",
+                self.rotor.kinetic_energy(omega)
+            );
+            found.push(finding("start.underflow", Severity::Warning, message));
+        }
+        let is_switched_on = |k: usize| {
+            let action = EventAction::Switch { torque: k, on: true };
+            self.events().iter().any(|event| event.action() == action)
+        };
+        if let Some(&idle) = self.switched_off().iter().find(|&&k| !is_switched_on(k)) {
+            let name = self.torque_names().get(idle).cloned().flatten().unwrap_or_default();
+            let message = format!("the torque \"{name}\" is off, and no event switches it on");
+            found.push(finding("torque.off", Severity::Warning, message));
+        }
+        found
+    }
+}
+
+const SHAFT: &str = "a shaft turns at its rate, and what drives and holds it is the answer";
+
+const fn exclusive(a: &'static str, b: &'static str, why: &'static str) -> MotionError {
+    MotionError::Exclusive { parts: [a, b], why }
+}
+
+/// The first state of a prescribed motion; the start that is given where it has none.
+fn starting_as(motion: &Prescribed, start: State) -> State {
+    let first = motion.span().map_or(0.0, |[first, _]| first.max(0.0));
+    motion.at(first).map_or(start, |(state, _)| state)
 }

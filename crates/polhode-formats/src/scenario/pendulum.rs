@@ -105,7 +105,7 @@ fn leaves_its_axis(scenario: &Scenario, axis: Direction<polhode::math::Body>) ->
         across.norm() <= ROUNDING * v.norm()
     };
     let start = scenario.start();
-    let weightless = |torque: &TorqueModel| along(torque.torque(&rotor, &start).to_array());
+    let weightless = |torque: &TorqueModel| along(torque.torque(rotor, &start).to_array());
     let stays = along(rotor.angular_momentum(omega).to_array())
         && along(start.omega.to_array())
         && n.dot(rotor.lever()).abs() <= ROUNDING * rotor.lever().norm()

@@ -323,7 +323,7 @@ fn the_book_has_every_column_with_its_unit() {
     let rows = rows(section(&page, "## Trajectory"));
     let in_book: Vec<_> =
         rows.iter().flat_map(|row| names(row[0]).map(|name| (name.to_owned(), row[1]))).collect();
-    let known: Vec<_> = columns(&motion, &top.wheels())
+    let known: Vec<_> = columns(&motion, top.wheels())
         .into_iter()
         .map(|column| (column.name.into_owned(), column.unit))
         .collect();

@@ -43,7 +43,7 @@ fn a_density_may_grow_along_a_slanted_direction() {
     let want = PlacedPart::new(alone, Position::new(1.5, -0.4, 0.25), turn).unwrap().in_body();
     near(read.body().mass(), want.mass(), mass);
     for k in 0..3 {
-        let centers = [&read.body(), &want].map(|body| body.center_of_mass().to_array()[k]);
+        let centers = [read.body(), &want].map(|body| body.center_of_mass().to_array()[k]);
         near(centers[0], centers[1], 1.0);
         for j in 0..3 {
             near(read.body().inertia().matrix()[k][j], want.inertia().matrix()[k][j], mass * trace);

@@ -205,7 +205,7 @@ impl<'a, 'w> Inside<'a, 'w> {
             s.say("The torque from outside goes on, so that there is no end that L alone decides.");
             return s;
         }
-        let Some(&time) = PermanentRotation::times(&self.w.rotor).last() else {
+        let Some(&time) = PermanentRotation::times(self.w.rotor).last() else {
             s.say("A motor never stops: its wheel has more and more angular momentum, and the body as much less.");
             return s;
         };
@@ -216,7 +216,7 @@ impl<'a, 'w> Inside<'a, 'w> {
         if size == 0.0 {
             return s;
         }
-        let Ok(all) = PermanentRotation::all_at(&self.w.rotor, size, time) else { return s };
+        let Ok(all) = PermanentRotation::all_at(self.w.rotor, size, time) else { return s };
         let (Some(least), Some(most)) = (all.first(), all.last()) else { return s };
         let energy = |one: &PermanentRotation| self.w.rotor.kinetic_energy(one.omega);
         let spin = |one: &PermanentRotation| {

@@ -49,10 +49,10 @@ impl<'a> MotionFigures<'a> {
             title: printable(scenario.title().unwrap_or_default()),
             trajectory,
             principal: *rotor.principal(),
-            free: FreeMotion::of(&rotor, scenario.start()).ok().filter(|_| !driven.at_all()),
+            free: FreeMotion::of(rotor, scenario.start()).ok().filter(|_| !driven.at_all()),
             driven,
             wheels: scenario.wheels().to_vec(),
-            axis: TopAxis::of(scenario, &rotor),
+            axis: TopAxis::of(scenario, rotor),
         }
     }
 

@@ -279,7 +279,7 @@ fn the_elliptic_period_can_be_checked_by_hand() {
             .sum();
         let period = after(&solved, "period of ω = ")[0];
         assert!((4.0 * quadrature / lambda / period - 1.0).abs() < 2e-5, "{quadrature}: {solved}");
-        let core = polhode::observe::FreeRegime::of(&scenario.rotor(), &scenario.start()).period.unwrap();
+        let core = polhode::observe::FreeRegime::of(scenario.rotor(), &scenario.start()).period.unwrap();
         assert!((period / core - 1.0).abs() < 1e-5);
     }
 }

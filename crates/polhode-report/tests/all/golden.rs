@@ -137,7 +137,7 @@ fn spins() {
         check(&format!("spin_{name}.txt"), &report.to_text());
     }
     let scenario = crate::common::t_handle();
-    let thrown = FreeMotion::of(&scenario.rotor(), scenario.start()).unwrap();
+    let thrown = FreeMotion::of(scenario.rotor(), scenario.start()).unwrap();
     let source = SourceInfo::new("t-handle.toml", "scenario").described("T-handle in free fall");
     let report = SpinReport::new(Some(source), thrown).found(scenario.findings().to_vec());
     check("spin_t_handle.txt", &report.to_text());

@@ -460,7 +460,7 @@ fn keys_are_those_of_the_contract() {
         crate::common::solid(kind, kind, shape, 1.5, [0.1, 0.2, 0.3], 0.5)
     };
     let mut all = crate::common::all();
-    let mut every = crate::common::scenario(
+    let every = crate::common::scenario(
         "Every shape",
         vec![
             one("box", &BoxShape::new([1.0, 2.0, 3.0]).unwrap()),

@@ -83,7 +83,7 @@ impl Outcome {
             moments: Some(rotor.principal().moments()),
             ..Self::default()
         };
-        body.moved(scenario, &rotor)
+        body.moved(scenario, rotor)
     }
 
     /// With what becomes of it, or why nothing does.

@@ -96,7 +96,7 @@ fn a_free_member_is_its_motion() {
     for k in 0..60 {
         let scenario = plan.scenario(&plan.values(k as u64)).unwrap();
         let rotor = scenario.rotor();
-        let motion = FreeMotion::of(&rotor, scenario.start()).unwrap();
+        let motion = FreeMotion::of(rotor, scenario.start()).unwrap();
         let trajectory = scenario.simulate().unwrap().unwrap();
         let last = trajectory.samples().last().unwrap();
         // The very bits of the motion's end.

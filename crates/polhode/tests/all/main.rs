@@ -26,6 +26,7 @@ mod pendulum_motion;
 mod properties;
 mod published;
 mod rotational_constants;
+mod scenario;
 mod schedule;
 mod shaft;
 mod shapes;

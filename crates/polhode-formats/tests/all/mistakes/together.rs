@@ -127,7 +127,7 @@ fn a_mesh_in_metres_that_nobody_gave_is_asked_beside_the_other_parts() {
             format!("[[body.part]]\nname='it'\nshape='mesh'\nfile='{file}'\ndensity='700 kg/m^3'\n{rest}");
         let scenario =
             polhode_formats::scenario::parse(&format!("{BALL}{part}"), &folder.join("body.toml")).unwrap();
-        let asked = scenario.findings().iter().cloned().filter(|finding| finding.code == "mesh.unit");
+        let asked = scenario.findings().iter().filter(|&finding| finding.code == "mesh.unit").cloned();
         asked.map(|finding| (finding.message, finding.place)).collect::<Vec<_>>()
     };
     let found = asked("plate.obj", "");

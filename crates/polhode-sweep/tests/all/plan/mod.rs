@@ -203,7 +203,7 @@ relative = 0.1
     for member in 0..100 {
         let values = plan.values(member);
         let scenario = plan.scenario(&values).unwrap();
-        let [bus, plate] = &scenario.parts()[..] else { panic!("two parts") };
+        let [bus, plate] = scenario.parts() else { panic!("two parts") };
         assert_eq!((bus.properties.mass(), bus.properties.inertia().matrix()[1][2]), (3.2, values[5]));
         assert_eq!(plate.properties.mass(), values[6]);
         assert!((scenario.body().mass() - (3.2 + values[6])).abs() < 1e-14);

@@ -1,0 +1,99 @@
+//! Scenarios: what excludes what, in either order, and what a scenario says before it runs.
+
+use polhode::motion::torque::EnergySink;
+use polhode::motion::{
+    ActingTorque, EventAction, Hanging, Measure, Motor, Mounted, Prescribed, Run, Sense, Shaft, Task,
+};
+use polhode::prelude::*;
+
+fn body() -> MassProperties<Body> {
+    let inertia = InertiaTensor::with_negative_products([3.1, 4.2, 5.3], [0.4, -0.3, 0.2]).unwrap();
+    MassProperties::new(2.3, Position::new(0.11, -0.07, 0.23), inertia).unwrap()
+}
+
+fn z() -> Direction<Body> {
+    Direction::new(0.0, 0.0, 1.0)
+}
+
+/// One part of a scenario, by the name that a file has for it.
+fn with(part: &str, scenario: Scenario) -> Result<Scenario, MotionError> {
+    match part {
+        "prescribed" => {
+            scenario.prescribed_as(Prescribed::euler_rates([0.2, 1.1, 0.3], [0.5, 0.0, 30.0]).unwrap())
+        }
+        "torque" => scenario.under([TorqueModel::EnergySink(EnergySink::new(0.01).unwrap())]),
+        "event" => {
+            let event = Event::new("fast", Measure::Rate, 9.0, Sense::Either, EventAction::Record);
+            scenario.watching(vec![event.unwrap()])
+        }
+        "wheel" => scenario.with_wheels(&[Wheel::new(z(), 1.3, Motor::HeldSpeed).unwrap()]),
+        "pendulum" => scenario.hanging_from(Hanging { axis: z(), amplitude: None }),
+        "shaft" => {
+            let shaft = Shaft::new(body(), Position::ZERO, z(), [-0.3, 0.4]).unwrap();
+            let gravity = Acceleration::new(0.3, -0.2, -9.7);
+            let mounted = Mounted { shaft, rate: 30.0, acceleration: -1.5, gravity, balance: Vec::new() };
+            scenario.mounted(mounted)
+        }
+        other => panic!("{other}"),
+    }
+}
+
+#[test]
+fn what_excludes_each_other_does_so_in_either_order() {
+    for (a, b, why) in Scenario::EXCLUSIVE {
+        for (first, second) in [(a, b), (b, a)] {
+            let one = with(first, Scenario::new(body())).unwrap();
+            let refused = with(second, one).unwrap_err();
+            assert_eq!(refused, MotionError::Exclusive { parts: [a, b], why }, "{first}, then {second}");
+            assert!(refused.to_string().contains(why) && !refused.is_numerical());
+        }
+    }
+    // What is not in the list goes together.
+    let both = with("event", with("wheel", with("torque", Scenario::new(body())).unwrap()).unwrap()).unwrap();
+    assert_eq!((both.torques().len(), both.wheels().len(), both.events().len()), (1, 1, 1));
+}
+
+#[test]
+fn a_body_that_is_held_does_not_move_and_a_start_is_finite() {
+    let moving = Velocity::new(1.0, 0.0, -2.0);
+    let held = Scenario::new(body()).held_at(Position::ZERO).unwrap();
+    assert!(matches!(held.clone().moving(moving), Err(MotionError::Exclusive { .. })));
+    let free = Scenario::new(body()).moving(moving).unwrap();
+    assert!(matches!(free.clone().held_at(Position::ZERO), Err(MotionError::Exclusive { .. })));
+    assert!(matches!(with("shaft", free.clone()), Err(MotionError::Exclusive { .. })));
+    assert!(matches!(with("shaft", held), Err(MotionError::Exclusive { .. })));
+    let start = free.start();
+    for wrong in [
+        State { time: f64::NAN, ..start },
+        State { omega: AngularVelocity::new(0.0, f64::INFINITY, 1.0), ..start },
+    ] {
+        assert!(matches!(free.clone().starting(wrong), Err(MotionError::Parameter { .. })));
+    }
+}
+
+#[test]
+fn a_prescribed_motion_starts_where_it_does_and_a_shaft_turns_about_its_line() {
+    let led = with("prescribed", Scenario::new(body())).unwrap();
+    let (state, _) = led.prescribed().unwrap().at(0.0).unwrap();
+    assert_eq!((led.start(), led.task()), (state, &Task::Inverse(led.prescribed().unwrap().clone())));
+    let shaft = with("shaft", Scenario::new(body())).unwrap();
+    assert_eq!(
+        (shaft.pivot(), shaft.start().omega),
+        (Some(Position::ZERO), AngularVelocity::new(0.0, 0.0, 30.0))
+    );
+    assert_eq!(shaft.rotor(), &Rotor::pivoted(&body(), Position::ZERO));
+}
+
+#[test]
+fn what_does_nothing_is_told_before_it_runs() {
+    let codes = |scenario: &Scenario| scenario.check().iter().map(|f| f.code).collect::<Vec<_>>();
+    let still = Scenario::new(body()).sampled(Run::evenly(1.0, 3, Method::Auto, 1e-12));
+    assert_eq!(codes(&still), ["start.rest"]);
+    assert!(codes(&still.clone().not_sampled()).is_empty());
+    let gravity = TorqueModel::Gravity(UniformGravity::STANDARD);
+    let balanced = Scenario::new(body()).held_at(body().center_of_mass()).unwrap();
+    assert_eq!(codes(&balanced.under([gravity.clone()]).unwrap()), ["gravity.balanced"]);
+    let off = ActingTorque { model: gravity, name: Some("weight".to_owned()), is_on: false };
+    let hung = still.held_at(Position::ZERO).unwrap().under([off]).unwrap();
+    assert_eq!((codes(&hung), hung.switched_off()), (vec!["torque.off"], &[0][..]));
+}

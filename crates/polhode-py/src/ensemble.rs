@@ -153,7 +153,7 @@ fn only_torques(scenario: &Scenario) -> bool {
     let is_plain = scenario.parts().len() == 1 && scenario.title().is_none() && !is_plan;
     let is_at_rest = start.omega == AngularVelocity::ZERO && start.attitude == Attitude::identity();
     let is_free =
-        scenario.pivot().is_none() && scenario.prescribed().is_none() && scenario.hanging().is_none();
+        scenario.pivot().is_none() && scenario.prescribed().is_none() && scenario.suspension().is_none();
     let acts = scenario.switched_off().is_empty() && scenario.events().is_empty();
     is_plain && is_at_rest && is_free && acts && scenario.wheels().is_empty() && scenario.run().is_none()
 }

@@ -259,8 +259,11 @@ mod tests {
         let reference = [0.25, -1.5, 3.0];
         let plain = plain(&records, reference);
         for level in levels() {
-            let mut block = Block::new();
-            block.add(level, &records, reference, true);
+            let block = with_room(|| {
+                let mut block = Block::new();
+                block.add(level, &records, reference, true);
+                block
+            });
             assert_eq!((block.sums, block.errors), (plain.sums, plain.errors), "{level:?}");
         }
     }
@@ -269,12 +272,19 @@ mod tests {
     fn every_width_of_vectors_has_the_same_moments() {
         for count in [1, 7, 16, 100, 5000] {
             let records = records(count);
-            let of = |level| moments_at_level(&records, &Options::default(), level);
+            let of = |level| with_room(|| moments_at_level(&records, &Options::default(), level));
             let widest = of(Level::new());
             for level in levels() {
                 assert_eq!(of(level), widest, "{count} {level:?}");
             }
         }
+    }
+
+    /// On a stack of 64 MiB: unoptimised, as these tests are, each of the unrolled vectors has a place of its own there.
+    fn with_room<T: Send>(work: impl FnOnce() -> T + Send) -> T {
+        thread::scope(|scope| {
+            thread::Builder::new().stack_size(64 << 20).spawn_scoped(scope, work).unwrap().join().unwrap()
+        })
     }
 
     /// All that this machine has.

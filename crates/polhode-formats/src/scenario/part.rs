@@ -64,7 +64,7 @@ pub(crate) fn part(
     };
     let surface_area = (!matches!(extent, Extent::Length(_))).then(|| solid.surface_area());
     let properties = placement.place(&table, properties)?;
-    // Of one member of many nobody makes a picture.
+    // Display geometry is skipped for sweep members.
     let pictured = table.reading().found().is_none();
     let form = pictured.then(|| solid.form()).flatten().map(|form| placement.form(form));
     Ok(BodyPart { name, kind, properties, extent: Some(extent), surface_area, particles: Vec::new(), form })

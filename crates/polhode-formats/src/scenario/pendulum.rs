@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use polhode::body::{Finding, Severity};
 use polhode::math::Direction;
 use polhode::motion::torque::TorqueModel;
-use polhode::motion::{Hanging, Pendulum, Scenario, Swing};
+use polhode::motion::{Pendulum, Scenario, Suspension, Swing};
 
 use super::reader::Table;
 use crate::error::FormatError;
@@ -50,7 +50,7 @@ pub(crate) fn pendulum(root: &Table<'_>, scenario: Scenario) -> Result<Scenario,
         },
     };
     let direction = Direction::from_array(axis.numbers()?);
-    let hung = scenario.hanging_from(Hanging { axis: direction, amplitude });
+    let hung = scenario.suspended_from(Suspension { axis: direction, amplitude });
     let hung =
         hung.map_err(|e| axis.motion(e).with_hint("gravity and the centre of mass have to be off the axis"))?;
     let pendulum = hung.pendulum().and_then(Result::ok);
@@ -64,7 +64,7 @@ fn swings_otherwise(scenario: &Scenario, pendulum: &Pendulum) -> Option<Finding>
     /// Relative difference that is more than rounding and the digits of an angle.
     const TOLERANCE: f64 = 1e-6;
     scenario.run()?;
-    let Hanging { axis, amplitude } = scenario.hanging()?;
+    let Suspension { axis, amplitude } = scenario.suspension()?;
     let stated = amplitude?;
     let rate = axis.direction()?.dot(scenario.start().omega);
     let starts = match pendulum.swing(pendulum.angle(), rate) {

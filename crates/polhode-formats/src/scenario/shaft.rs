@@ -1,7 +1,7 @@
 //! A `[shaft]`: a body that turns on two bearings.
 
 use polhode::math::{Acceleration, Direction, Position};
-use polhode::motion::{Mounted, Scenario, Shaft};
+use polhode::motion::{MountedShaft, Scenario, Shaft};
 
 use super::reader::{Table, Value};
 use super::start::Start;
@@ -48,7 +48,7 @@ pub(crate) fn shaft(
     let gravity = table.get("gravity").map_or(Ok([0.0; 3]), |g| g.quantities(Dimension::ACCELERATION))?;
     let balance = table.get("balance").map_or(Ok(Vec::new()), |value| balance(&value, &shaft))?;
     let gravity = Acceleration::from_array(gravity);
-    let mounted = Mounted { shaft, rate, acceleration, gravity, balance };
+    let mounted = MountedShaft { shaft, rate, acceleration, gravity, balance };
     scenario.mounted(mounted).map_err(|error| axis.motion(error))
 }
 
@@ -71,6 +71,6 @@ fn balance(value: &Value<'_>, shaft: &Shaft) -> Result<Vec<[f64; 2]>, FormatErro
         Ok([place.quantity(Dimension::LENGTH)?, size.positive(Dimension::LENGTH)?])
     };
     let pairs: Vec<[f64; 2]> = places.iter().zip(&sizes).map(read).collect::<Result<_, FormatError>>()?;
-    Mounted::corrections(shaft, &pairs).map_err(|error| planes.motion(error))?;
+    MountedShaft::corrections(shaft, &pairs).map_err(|error| planes.motion(error))?;
     Ok(pairs)
 }

@@ -7,7 +7,7 @@ use std::io::{self, BufWriter, Write};
 
 use polhode::body::Particle;
 use polhode::math::Body;
-use polhode::motion::{Mounted, Required, Rotor};
+use polhode::motion::{MountedShaft, Required, Rotor};
 
 use super::csv::separated;
 
@@ -34,7 +34,7 @@ impl RequiredTable {
         samples: &[Required],
         rotor: &Rotor,
         points: &[Particle<Body>],
-        shaft: Option<&Mounted>,
+        shaft: Option<&MountedShaft>,
     ) -> Self {
         let mut table = Self(Vec::new());
         let first = samples.first();
@@ -54,7 +54,7 @@ impl RequiredTable {
         for k in 0..shaft.map_or(0, |_| 2) {
             let name = format!("bearing_{}_body", k + 1);
             let force = |s: &Required| {
-                let rate = |mounted: &Mounted| mounted.shaft.axis().dot(s.state.omega);
+                let rate = |mounted: &MountedShaft| mounted.shaft.axis().dot(s.state.omega);
                 let held = shaft.map(|mounted| mounted.reactions(rate(mounted), s.state.attitude).bearings);
                 held.and_then(|held| held.get(k).copied()).map_or([0.0; 3], polhode::math::Force::to_array)
             };

@@ -3,7 +3,7 @@
 use polhode::math::{AngularMomentum, AngularVelocity, Body, Torque};
 use polhode::motion::torque::{EnergySink, TorqueModel};
 use polhode::motion::{Motor, Wheel};
-use polhode::observe::{PermanentRotation, Settling};
+use polhode::observe::{DissipativeLimit, PermanentRotation};
 
 use super::document::{Document, Section};
 use super::driven;
@@ -254,8 +254,12 @@ impl<'a, 'w> Inside<'a, 'w> {
         s.say("How fast, by the linear equations next to the spins that have this |L| (polhode stability has them all):");
         for one in [all.last(), all.first()].into_iter().flatten() {
             let pace = match one.with_friction(&sink) {
-                Settling::Leaves { rate, .. } => format!("a departure grows by e in {} s", n(1.0 / rate)),
-                Settling::Settles { rate, .. } => format!("a departure falls to 1/e in {} s", n(1.0 / rate)),
+                DissipativeLimit::Leaves { rate, .. } => {
+                    format!("a departure grows by e in {} s", n(1.0 / rate))
+                }
+                DissipativeLimit::Settles { rate, .. } => {
+                    format!("a departure falls to 1/e in {} s", n(1.0 / rate))
+                }
                 _ => "a departure stays".to_owned(),
             };
             s.line(format!("from ω = {} rad/s: {pace}", v(one.omega.to_array())));

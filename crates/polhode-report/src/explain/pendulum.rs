@@ -12,7 +12,7 @@ use crate::unit;
 const MOST_TERMS: usize = 6;
 
 pub(super) fn solve(w: &Working<'_>, pendulum: &Pendulum, s: &mut Section) {
-    let Some(axis) = w.scenario.hanging().and_then(|hanging| hanging.axis.direction()) else { return };
+    let Some(axis) = w.scenario.suspension().and_then(|hanging| hanging.axis.direction()) else { return };
     let mass = w.rotor.mass();
     s.say(
         "The body hangs from a fixed axis n̂: only the angle θ from hanging straight down is left, and of Euler's equations \
@@ -81,7 +81,7 @@ fn at_start(pendulum: &Pendulum, s: &mut Section) {
 }
 
 fn amplitude(w: &Working<'_>, pendulum: &Pendulum, axis: Direction<Body>, s: &mut Section) {
-    let swing = match w.scenario.hanging().and_then(|hanging| hanging.amplitude) {
+    let swing = match w.scenario.suspension().and_then(|hanging| hanging.amplitude) {
         Some(amplitude) => pendulum.swing(amplitude, 0.0),
         None => pendulum.swing(pendulum.angle(), axis.dot(w.start.omega)),
     };

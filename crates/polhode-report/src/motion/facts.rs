@@ -94,7 +94,7 @@ impl Needed {
 
 /// The swing of the amplitude that the scenario asks for, else of its start.
 fn swing(scenario: &Scenario, pendulum: &Pendulum, start: &State) -> Swing {
-    let Some(hanging) = scenario.hanging() else { return Swing::Rest };
+    let Some(hanging) = scenario.suspension() else { return Swing::Rest };
     match hanging.amplitude {
         Some(amplitude) => pendulum.swing(amplitude, 0.0),
         None => {

@@ -254,7 +254,7 @@ fn picture(free: &FreeMotion) -> Vec<Row> {
 }
 
 fn pendulum(scenario: &Scenario) -> Vec<Row> {
-    let (Some(hanging), Some(Ok(pendulum))) = (scenario.hanging(), scenario.pendulum()) else {
+    let (Some(hanging), Some(Ok(pendulum))) = (scenario.suspension(), scenario.pendulum()) else {
         return Vec::new();
     };
     let small = Row::of("small swing", pendulum.period(0.0), "s").note("period");

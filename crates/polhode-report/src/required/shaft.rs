@@ -1,7 +1,7 @@
 //! What holds and drives a shaft.
 
 use polhode::math::{Acceleration, Attitude, Force, Space};
-use polhode::motion::{CorrectionMass, MotionError, Mounted, Reactions, Required, Shaft};
+use polhode::motion::{CorrectionMass, MotionError, MountedShaft, Reactions, Required, Shaft};
 use serde_json::{Value, json};
 
 use crate::json::vector;
@@ -12,7 +12,7 @@ use crate::unit;
 /// The bearings and the balance of a shaft.
 #[derive(Clone, Debug)]
 pub(super) struct ShaftReport {
-    mounted: Mounted,
+    mounted: MountedShaft,
     attitude: Attitude,
     /// Of the unbalance alone, at the start.
     turning: Reactions,
@@ -31,8 +31,8 @@ pub(super) struct ShaftReport {
 const DIGITS: usize = 7;
 
 impl ShaftReport {
-    pub(super) fn new(mounted: &Mounted, samples: &[Required]) -> Result<Self, MotionError> {
-        let Mounted { shaft, rate, acceleration, .. } = mounted;
+    pub(super) fn new(mounted: &MountedShaft, samples: &[Required]) -> Result<Self, MotionError> {
+        let MountedShaft { shaft, rate, acceleration, .. } = mounted;
         let attitude = samples.first().map_or(Attitude::identity(), |s| s.state.attitude);
         let g = attitude.inverse() * mounted.gravity;
         let mut greatest = [(0.0, 0.0); 2];

@@ -1,7 +1,8 @@
 //! Stability as JSON.
 
 use polhode::observe::{
-    OrbitalEquilibrium, OscillationMode, PermanentRotation, Settling, SmallOscillations, Stability, SteadyTop,
+    DissipativeLimit, OrbitalEquilibrium, OscillationMode, PermanentRotation, SmallOscillations, Stability,
+    SteadyTop,
 };
 use serde_json::{Value, json};
 
@@ -53,10 +54,10 @@ fn rotation(report: &StabilityReport, rotation: &PermanentRotation) -> Value {
         "frequency": frequency,
         "growth_rate": growth_rate,
         "ended_by_friction": rotation.is_ended_by_friction(),
-        "with_sink": settling.map(Settling::name),
+        "with_sink": settling.map(DissipativeLimit::name),
         "with_sink_rate": settling.and_then(|settling| match settling {
-            Settling::Leaves { rate, .. } => Some(rate),
-            Settling::Settles { rate, .. } => Some(-rate),
+            DissipativeLimit::Leaves { rate, .. } => Some(rate),
+            DissipativeLimit::Settles { rate, .. } => Some(-rate),
             _ => None,
         }),
     })

@@ -5,7 +5,7 @@ mod equilibrium;
 use std::f64::consts::TAU;
 
 use polhode::motion::MotionError;
-use polhode::observe::{PermanentRotation, Settling, Stability};
+use polhode::observe::{DissipativeLimit, PermanentRotation, Stability};
 
 use super::{Judged, StabilityReport};
 use crate::finding;
@@ -93,10 +93,10 @@ fn rotation(report: &StabilityReport, rotation: &PermanentRotation) -> Vec<Strin
         _ => "marginal without friction".to_owned(),
     });
     row.push(match rotation.with_friction(&sink) {
-        Settling::Leaves { rate, .. } => {
+        DissipativeLimit::Leaves { rate, .. } => {
             format!("with the sink drifts away: e-fold in {} s", number(1.0 / rate, 6))
         }
-        Settling::Settles { rate, .. } => {
+        DissipativeLimit::Settles { rate, .. } => {
             format!("with the sink settles: 1/e in {} s", number(1.0 / rate, 6))
         }
         _ => "with the sink as without".to_owned(),

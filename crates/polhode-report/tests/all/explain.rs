@@ -1,8 +1,8 @@
 //! The worked solutions: their numbers against formulas computed here, and their form.
 
 use polhode::math::{Direction, Position, Rotation};
-use polhode::motion::Hanging;
 use polhode::motion::Scenario;
+use polhode::motion::Suspension;
 use polhode_report::{Block, Document, InertiaReport, MotionReport, SourceInfo, explain, pretty};
 
 /// All text of one section.
@@ -311,7 +311,8 @@ fn instability_is_spoken_of_near_the_intermediate_axis_only() {
 fn a_swing_over_the_top_is_told_from_one_just_below() {
     let mut scenario = crate::common::pendulum();
     let amplitude = Some(std::f64::consts::PI - 1e-12);
-    scenario = scenario.hanging_from(Hanging { axis: Direction::new(0.0, 0.0, 1.0), amplitude }).unwrap();
+    scenario =
+        scenario.suspended_from(Suspension { axis: Direction::new(0.0, 0.0, 1.0), amplitude }).unwrap();
     let trajectory = scenario.simulate().unwrap().unwrap();
     let source = SourceInfo::new("a.toml", "scenario");
     for text in [

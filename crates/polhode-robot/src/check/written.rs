@@ -95,7 +95,7 @@ pub(super) fn restyled(value: f64, text: &str) -> String {
     format!("{value:.places$}")
 }
 
-/// Why a text is no number, and the number that it must mean, if that is sure.
+/// Why a text is not a number, and the number that it must mean, if that is sure.
 pub(super) fn complaint(text: &str) -> (String, Option<String>) {
     if text.is_empty() {
         return ("is empty".to_owned(), None);
@@ -135,7 +135,7 @@ pub(super) fn complaint(text: &str) -> (String, Option<String>) {
             si.then(|| head.to_owned()),
         );
     }
-    ("is no number".to_owned(), None)
+    ("is not a number".to_owned(), None)
 }
 
 fn is_number(text: &str) -> bool {
@@ -220,7 +220,7 @@ mod tests {
         assert_eq!(complaint("1.5e-3 g").1, None);
         assert!(complaint("1.5e-3 g").0.contains("unit \"g\""));
         assert!(complaint("${m}").0.contains("xacro"));
-        assert_eq!(complaint("1.2.3"), ("is no number".to_owned(), None));
+        assert_eq!(complaint("1.2.3"), ("is not a number".to_owned(), None));
         assert_eq!(complaint("é").1, None);
         assert_eq!(complaint("eé").1, None);
     }

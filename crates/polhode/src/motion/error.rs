@@ -24,7 +24,7 @@ pub enum MotionError {
     },
     /// All the mass is in the point that the body turns about: it has no inertia at all.
     NotSpinnable,
-    /// A torque is no number, or infinite, at the start already.
+    /// A torque is NaN or infinite at the start.
     TorqueNotFinite {
         /// Which of the torques, from 0.
         torque: usize,
@@ -50,7 +50,7 @@ pub enum MotionError {
         /// Why.
         why: &'static str,
     },
-    /// A time so far from the start that the phase of a closed form is not known there, or one that is no number.
+    /// A time beyond which the phase of a closed form is not known, or NaN.
     BeyondReach {
         /// The time, s.
         time: f64,
@@ -71,7 +71,7 @@ pub enum MotionError {
         /// The step that was tried, s.
         step: f64,
     },
-    /// More steps than anybody would wait for.
+    /// More steps than the limit.
     TooManySteps {
         /// The last good time, s.
         time: f64,
@@ -80,7 +80,7 @@ pub enum MotionError {
         /// The most steps that are tried.
         most: u64,
     },
-    /// More pulses than anybody would wait for: no step goes across the beginning or the end of one.
+    /// More pulses than the limit on steps: no step crosses the beginning or the end of one.
     TooManyPulses {
         /// The torque with the most of them, from 0; `None` for a wheel's motor.
         torque: Option<usize>,
@@ -89,7 +89,7 @@ pub enum MotionError {
         /// The most that are gone through.
         most: u64,
     },
-    /// More events than anybody would read.
+    /// More events than the limit.
     TooManyEvents {
         /// The time of the last, s.
         time: f64,
@@ -99,11 +99,11 @@ pub enum MotionError {
     /// The body turns faster and faster, beyond all that its start and the torques of each beginning explain: |ω| becomes 10⁹ times as
     /// large, or grows towards infinity within a time.
     RunAway {
-        /// The last time at which it is believed, s.
+        /// The start of the current run of steps whose |ω| exceeds the bound, s.
         time: f64,
         /// |ω| there, rad/s.
         rate: f64,
-        /// The largest |ω| that is believed, 10³ times what is explained, rad/s.
+        /// The bound on |ω|: 10³ times what the start and the torques explain, rad/s.
         most: f64,
     },
     /// An event measures the total energy, and a torque has no potential.
@@ -120,7 +120,7 @@ pub enum MotionError {
         /// The last good time, s.
         time: f64,
     },
-    /// The one who waits for many members wants no more.
+    /// Cancelled by the progress callback.
     Cancelled {
         /// How many were done.
         done: usize,
@@ -175,7 +175,7 @@ impl MotionError {
             Self::NotSmooth { .. } => Some("use method = \"auto\" or \"dop853\""),
             Self::HalfTurn { .. } => Some("stop the run before, or start with less energy"),
             Self::TorqueNotFinite { .. } => {
-                Some("a formula is no number where it divides by zero or takes the root of a negative number")
+                Some("a formula is NaN where it divides by zero or takes the root of a negative number")
             }
             Self::NotFinite { .. } => Some("check the units of the torque, the spin and the inertia"),
             Self::Parameter { .. } | Self::Exclusive { .. } | Self::Cancelled { .. } => None,

@@ -57,5 +57,5 @@ pub use solve::propagate::splitting::SplittingOrder;
 pub use solve::propagate::stepper::{LOOSEST_TOLERANCE, StepStatistics, TIGHTEST_TOLERANCE};
 pub use solve::swinging_body::SwingingBody;
 pub use task::pendulum::{Pendulum, Swing};
-pub use task::scenario::{ActingTorque, Forward, Hanging, Mounted, Run, Scenario, Task};
+pub use task::scenario::{ActingTorque, Forward, MountedShaft, Run, Scenario, Suspension, Task};
 pub use task::shaft::{CorrectionMass, Reactions, Shaft, Unbalance};

@@ -41,7 +41,7 @@ pub use regime::FreeRegime;
 pub use rolling_cones::RollingCones;
 pub use rotational_constants::{RotationalConstants, Top};
 pub use small_oscillations::{OrbitalEquilibrium, OscillationMode, SmallOscillations, SteadyTop};
-pub use stability::{PermanentRotation, Settling, Stability};
+pub use stability::{DissipativeLimit, PermanentRotation, Stability};
 pub use symmetric_top::{SymmetricTop, SymmetricTopKind};
 pub use tumbler::{TumblerError, TumblingSolution};
 pub use tumbling::{AxisConvention, TumblingPeriods};

@@ -3,7 +3,7 @@
 mod friction;
 mod momentum_sphere;
 
-pub use friction::Settling;
+pub use friction::DissipativeLimit;
 
 use crate::math::frame::{Body, Principal};
 use crate::math::vector::{AngularMomentum, AngularVelocity, Torque};

@@ -3,7 +3,7 @@
 use polhode::motion::torque::{Attracted, EnergySink, GravityGradient, Schedule, Torsion};
 use polhode::motion::{HeavyTop, MU_EARTH, Motor, Orbit, TopPath};
 use polhode::observe::{
-    Libration, OrbitalEquilibrium, PermanentRotation, Settling, SmallOscillations, SteadyTop,
+    DissipativeLimit, Libration, OrbitalEquilibrium, PermanentRotation, SmallOscillations, SteadyTop,
 };
 use polhode::prelude::*;
 
@@ -167,7 +167,7 @@ fn an_upright_top_sleeps_or_leans() {
         let lean = if sleeps { 0.0 } else { (x - 1.0).acos() };
         assert!((steady.angle - lean).abs() < 2e-3, "{} {lean}", steady.angle);
     }
-    // Hanging, with spin: it stays so.
+    // Suspension, with spin: it stays so.
     let hangs = at(leaning(std::f64::consts::PI), start(3.0).omega);
     let steady = SteadyTop::with_momenta_of(&rotor, &gravity, hangs).unwrap();
     assert_eq!(steady.path, TopPath::Hanging);
@@ -187,12 +187,12 @@ fn friction_ends_every_spin_but_those_of_least_energy() {
             assert_eq!(one.is_ended_by_friction(), one.with_friction(&sink).name() == "leaves");
             let state = at(generic_attitude(), one.omega);
             let six = SmallOscillations::about(&rotor, &[TorqueModel::EnergySink(sink)], state).unwrap();
-            // Beside those that only turn the axis in space, and are kept.
+            // SeparateSeries those that only turn the axis in space, and are kept.
             let rates = six.modes.iter().map(|mode| mode.growth_rate).filter(|rate| *rate != 0.0);
             let fastest = rates.fold(f64::NEG_INFINITY, f64::max);
             let rate = match one.with_friction(&sink) {
-                Settling::Leaves { rate, .. } => rate,
-                Settling::Settles { rate, .. } => -rate,
+                DissipativeLimit::Leaves { rate, .. } => rate,
+                DissipativeLimit::Settles { rate, .. } => -rate,
                 _ => panic!("{one:?}"),
             };
             assert!((rate / fastest - 1.0).abs() < 1e-8, "{rate} {fastest} {one:?}");
@@ -202,7 +202,7 @@ fn friction_ends_every_spin_but_those_of_least_energy() {
     let flat = free([0.2, 5.0, 5.0]);
     for k in [1, 2] {
         let omega = AngularVelocity::from_array((flat.principal().axis(k) * 0.4).to_array());
-        let Settling::Settles { rate, .. } =
+        let DissipativeLimit::Settles { rate, .. } =
             PermanentRotation::about(&flat, omega).unwrap().with_friction(&sink)
         else {
             panic!("{k}")

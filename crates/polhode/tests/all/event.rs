@@ -471,7 +471,7 @@ fn what_has_corners_is_integrated_by_dop853() {
         why: "abs",
     };
     assert_eq!((motion.solution().name(), *motion.reason()), ("dop853", rough));
-    assert!(rough.to_string().ends_with("torque 2 has abs"));
+    assert!(rough.to_string().ends_with("torque 2 has no Taylor series, as it has abs"));
     let refused = at(Method::Taylor).run().unwrap_err();
     assert_eq!(refused, MotionError::NotSmooth { torque: 1, why: "abs" });
     assert!(!refused.is_numerical());

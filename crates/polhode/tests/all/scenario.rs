@@ -2,7 +2,7 @@
 
 use polhode::motion::torque::EnergySink;
 use polhode::motion::{
-    ActingTorque, EventAction, Hanging, Measure, Motor, Mounted, Prescribed, Run, Sense, Shaft, Task,
+    ActingTorque, EventAction, Measure, Motor, MountedShaft, Prescribed, Run, Sense, Shaft, Suspension, Task,
 };
 use polhode::prelude::*;
 
@@ -27,11 +27,12 @@ fn with(part: &str, scenario: Scenario) -> Result<Scenario, MotionError> {
             scenario.watching(vec![event.unwrap()])
         }
         "wheel" => scenario.with_wheels(&[Wheel::new(z(), 1.3, Motor::HeldSpeed).unwrap()]),
-        "pendulum" => scenario.hanging_from(Hanging { axis: z(), amplitude: None }),
+        "pendulum" => scenario.suspended_from(Suspension { axis: z(), amplitude: None }),
         "shaft" => {
             let shaft = Shaft::new(body(), Position::ZERO, z(), [-0.3, 0.4]).unwrap();
             let gravity = Acceleration::new(0.3, -0.2, -9.7);
-            let mounted = Mounted { shaft, rate: 30.0, acceleration: -1.5, gravity, balance: Vec::new() };
+            let mounted =
+                MountedShaft { shaft, rate: 30.0, acceleration: -1.5, gravity, balance: Vec::new() };
             scenario.mounted(mounted)
         }
         other => panic!("{other}"),

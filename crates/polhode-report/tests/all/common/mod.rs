@@ -3,7 +3,7 @@
 
 use polhode::body::{BodyPart, Finding, PlacedForm, Severity};
 use polhode::motion::torque::Schedule;
-use polhode::motion::{Hanging, Motor, Prescribed, Run};
+use polhode::motion::{Motor, Prescribed, Run, Suspension};
 use polhode::prelude::*;
 
 /// A body of particles.
@@ -107,7 +107,7 @@ pub fn pendulum() -> Scenario {
     s = s
         .under(vec![TorqueModel::Gravity(UniformGravity { acceleration: Acceleration::new(g, 0.0, 0.0) })])
         .unwrap();
-    s = s.hanging_from(Hanging { axis: Direction::new(0.0, 0.0, 1.0), amplitude: None }).unwrap();
+    s = s.suspended_from(Suspension { axis: Direction::new(0.0, 0.0, 1.0), amplitude: None }).unwrap();
     s = s.sampled(run(5.0, 101));
     s
 }
@@ -231,7 +231,8 @@ pub fn many_particles() -> Scenario {
 
 /// Everything above, and cases at the edges.
 pub fn all() -> Vec<Scenario> {
-    let over_the_top = Hanging { axis: Direction::new(0.0, 0.0, 2.0), amplitude: Some(std::f64::consts::PI) };
+    let over_the_top =
+        Suspension { axis: Direction::new(0.0, 0.0, 2.0), amplitude: Some(std::f64::consts::PI) };
     let still = |title: &str| tensor(title, [3.1, 4.2, 5.3], [0.0; 3], [0.0; 3]);
     vec![
         dumbbell(),
@@ -255,7 +256,7 @@ pub fn all() -> Vec<Scenario> {
         tensor("Molecule", [1e-46, 2e-46, 2.5e-46], [1e-47, 0.0, -2e-47], [1e12, 2e12, -1e11]),
         tensor("Tiny", [1e-150, 2e-150, 2.5e-150], [1e-151, 0.0, -2e-151], [1.0, 2.0, 3.0]),
         tensor("Huge", [1e120, 2e120, 2.5e120], [1e119, 0.0, -2e119], [1.0, 2.0, 3.0]),
-        pendulum().not_sampled().hanging_from(over_the_top).unwrap(),
+        pendulum().not_sampled().suspended_from(over_the_top).unwrap(),
         spinning(pendulum(), AngularVelocity::new(0.0, 0.0, 20.0)),
         facing(pendulum(), Attitude::identity()),
         thruster().not_sampled(),

@@ -121,7 +121,7 @@ impl<'a> OrientedTree<'a> {
             triangles.iter_mut().zip(&keys).for_each(|(t, key)| *t = key.2);
             let split = keys[half].1;
             if !is_one && split != NONE {
-                // Beside the group that the median is in.
+                // SeparateSeries the group that the median is in.
                 let begin = keys.partition_point(|key| (key.0, key.1) < (keys[half].0, split));
                 let length = keys[begin..].iter().take_while(|key| key.1 == split).count();
                 half = if begin > 0 { begin } else { length };

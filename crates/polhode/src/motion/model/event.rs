@@ -17,7 +17,7 @@ use crate::math::real::{PI, sin_cos};
 use crate::math::vector::{Direction, Vector};
 use crate::motion::error::MotionError;
 
-/// Something to look out for on the way, and what to do when it happens.
+/// An event: a measure, the value that it crosses, and the action.
 ///
 /// It happens when what is measured passes the value, not when the motion starts there, and not when it is only touched.
 ///

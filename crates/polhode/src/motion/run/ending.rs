@@ -49,17 +49,17 @@ pub enum MethodReason {
     Asked,
     /// The motion was given.
     Given,
-    /// There is a closed form.
+    /// A closed form is known.
     ClosedForm {
         /// Which.
         title: &'static str,
     },
-    /// There is no closed form, and all that acts is smooth.
+    /// No closed form is known, and all torques are analytic between switching times.
     Smooth {
         /// Why there is no closed form.
         no_closed_form: &'static str,
     },
-    /// There is no closed form, and what acts has no power series.
+    /// No closed form is known, and a torque has no Taylor series.
     Rough {
         /// Why there is no closed form.
         no_closed_form: &'static str,
@@ -77,12 +77,15 @@ impl fmt::Display for MethodReason {
             Self::Given => f.write_str("the motion is given"),
             Self::ClosedForm { title } => write!(f, "there is a closed form: {title}"),
             Self::Smooth { no_closed_form } => {
-                write!(f, "no closed form, as {no_closed_form}; between its changes all that acts is smooth")
+                write!(
+                    f,
+                    "no closed form is known, as {no_closed_form}; the torques are analytic between switching times"
+                )
             }
             Self::Rough { no_closed_form, torque, why } => {
                 write!(
                     f,
-                    "no closed form, as {no_closed_form}; no power series, as torque {} has {why}",
+                    "no closed form is known, as {no_closed_form}; torque {} has no Taylor series, as it has {why}",
                     torque + 1
                 )
             }

@@ -1,11 +1,11 @@
 //! Runs: simulations and their events, trajectories and their errors, ensembles.
 
-pub(crate) mod course;
 pub(crate) mod ending;
 pub(crate) mod ensemble;
+pub(crate) mod event_detection;
 pub(crate) mod global_error;
+pub(crate) mod integration;
 pub(crate) mod sample;
 pub(crate) mod simulation;
 pub(crate) mod solution;
 pub(crate) mod trajectory;
-pub(crate) mod watch;

@@ -1,10 +1,10 @@
 //! Simulations: from a start to a trajectory, by the best method there is.
 
-use super::course::{Course, MOST_EVENTS, look_ahead};
 use super::ending::{Ending, MethodReason};
+use super::event_detection::EventDetector;
+use super::integration::{Integration, MOST_EVENTS, look_ahead};
 use super::solution::Solution;
 use super::trajectory::Trajectory;
-use super::watch::Watch;
 use crate::motion::error::MotionError;
 use crate::motion::model::event::{Crossing, Event, EventAction};
 use crate::motion::model::rotor::Rotor;
@@ -16,7 +16,7 @@ use crate::motion::solve::propagate::bound::{MOST_STEPS, PATIENCE};
 use crate::motion::solve::propagate::stepper::{Rule, Stepper};
 use crate::motion::solve::start::{require_ascending, require_few_pulses, require_finite};
 
-/// A body, what turns it, what to look out for, and how to compute it.
+/// An initial value problem: a body, the torques on it, the events to detect, and the method.
 ///
 /// ```
 /// use polhode::prelude::*;
@@ -43,7 +43,7 @@ pub struct Simulation<'a> {
     pub switched_off: &'a [usize],
     /// Where it starts.
     pub start: State,
-    /// What to look out for.
+    /// The events to detect.
     pub events: &'a [Event],
     /// When to sample it, s: ascending, none before the start.
     pub times: &'a [f64],
@@ -60,7 +60,7 @@ impl<'a> Simulation<'a> {
         Self { rotor, torques, switched_off, start, events, times, method, tolerance }
     }
 
-    /// Looks out for these events.
+    /// Detects these events.
     #[must_use]
     pub const fn events(self, events: &'a [Event]) -> Self {
         Self { events, ..self }
@@ -222,9 +222,9 @@ impl<'a> Simulation<'a> {
             self.tolerance,
             true,
         )?;
-        let mut course = Course::new(stepper, self.events, self.start, self.times);
-        let (start, ending) = course.run(self.start, progress)?;
-        let stepper = course.stepper();
+        let mut integration = Integration::new(stepper, self.events, self.start, self.times);
+        let (start, ending) = integration.run(self.start, progress)?;
+        let stepper = integration.stepper();
         let method = match stepper.rule() {
             Rule::Taylor => Method::Taylor,
             Rule::Dop853 => Method::Dop853,
@@ -232,9 +232,9 @@ impl<'a> Simulation<'a> {
         };
         let (tolerance, statistics) = (stepper.tolerance(), stepper.statistics());
         let solution = Solution::Integrated { method, tolerance, statistics };
-        Ok(Trajectory::assembled(start, course.samples, solution)
+        Ok(Trajectory::assembled(start, integration.samples, solution)
             .because(reason)
-            .with_events(course.crossings, ending))
+            .with_events(integration.crossings, ending))
     }
 
     /// The closed form, which has no steps: it is looked at turn by turn.
@@ -245,7 +245,7 @@ impl<'a> Simulation<'a> {
         let end = self.end();
         // Only an event that stops the motion can make the end come nearer.
         let stops = self.events.iter().any(|event| event.action() == EventAction::Stop);
-        let mut watch = Watch::new(self.rotor, self.torques, self.events, &self.start);
+        let mut watch = EventDetector::new(self.rotor, self.torques, self.events, &self.start);
         // A body let go at rest is measured by how fast the torque makes it.
         let torque: f64 = self.torques.iter().map(|torque| torque.scale(self.rotor, &self.start)).sum();
         let [_, moment, _] = self.rotor.principal().moments();

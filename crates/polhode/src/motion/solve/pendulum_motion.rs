@@ -104,7 +104,7 @@ impl Kernel {
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Kind {
-    /// Hanging, or exactly upside down.
+    /// Suspension, or exactly upside down.
     Still,
     Oscillation,
     /// Over the top or, at k = 1, up to it: with the sign of the rate.
@@ -222,7 +222,7 @@ impl PendulumMotion {
         }
     }
 
-    /// Hanging, or exactly upside down.
+    /// Suspension, or exactly upside down.
     pub(super) fn is_still(&self) -> bool {
         self.kind == Kind::Still
     }

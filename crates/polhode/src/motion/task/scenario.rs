@@ -64,17 +64,17 @@ pub enum Task {
     /// Inverse dynamics: from a motion to the torque that it needs.
     Inverse(Prescribed),
     /// A shaft that turns as prescribed: what its bearings hold.
-    Shaft(Box<Mounted>, Prescribed),
+    Shaft(Box<MountedShaft>, Prescribed),
 }
 
-/// What acts on a body, and what is looked out for.
+/// The torques on a body, and the events to detect.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Forward {
     torques: Vec<TorqueModel>,
     names: Vec<Option<String>>,
     switched_off: Vec<usize>,
     events: Vec<Event>,
-    hanging: Option<Hanging>,
+    hanging: Option<Suspension>,
 }
 
 /// A torque of a scenario.
@@ -96,7 +96,7 @@ impl From<TorqueModel> for ActingTorque {
 
 /// The fixed axis of a pendulum.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Hanging {
+pub struct Suspension {
     /// The axis through the pivot.
     pub axis: Direction<Body>,
     /// The amplitude of its swing, rad; that of the start if `None`.
@@ -105,7 +105,7 @@ pub struct Hanging {
 
 /// A shaft that turns.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Mounted {
+pub struct MountedShaft {
     /// The body on its line, with its bearings.
     pub shaft: Shaft,
     /// ω at t = 0, rad/s.
@@ -118,7 +118,7 @@ pub struct Mounted {
     pub balance: Vec<[f64; 2]>,
 }
 
-impl Mounted {
+impl MountedShaft {
     /// The masses that balance it in its planes; none without a plane.
     ///
     /// # Errors
@@ -300,7 +300,7 @@ impl Scenario {
         }))
     }
 
-    /// With events to look out for.
+    /// With events to detect.
     ///
     /// # Errors
     /// [`MotionError::Exclusive`] of a prescribed motion and a shaft.
@@ -309,11 +309,11 @@ impl Scenario {
         Ok(self.changed(|task| task.events = events))
     }
 
-    /// Hanging from an axis, under the gravity that acts on it.
+    /// Hung from an axis, under the gravity that acts on it.
     ///
     /// # Errors
     /// [`MotionError::Exclusive`] of a body with wheels, a prescribed motion and a shaft; as [`Pendulum::hung`].
-    pub fn hanging_from(self, hanging: Hanging) -> Result<Self, MotionError> {
+    pub fn suspended_from(self, hanging: Suspension) -> Result<Self, MotionError> {
         self.require_compatible("pendulum", true)?;
         let hung = self.changed(|task| task.hanging = Some(hanging));
         hung.pendulum().transpose()?;
@@ -334,7 +334,7 @@ impl Scenario {
     ///
     /// # Errors
     /// [`MotionError::Exclusive`] of all else that moves or holds a body; as [`Prescribed::fixed_axis`].
-    pub fn mounted(self, shaft: Mounted) -> Result<Self, MotionError> {
+    pub fn mounted(self, shaft: MountedShaft) -> Result<Self, MotionError> {
         self.require_compatible("shaft", true)?;
         if self.pivot.is_some() {
             return Err(exclusive("shaft", "pivot", "the bearings hold the body"));
@@ -364,7 +364,7 @@ impl Scenario {
             "shaft" => matches!(self.task, Task::Shaft(..)),
             "torque" => !self.torques().is_empty(),
             "event" => !self.events().is_empty(),
-            "pendulum" => self.hanging().is_some(),
+            "pendulum" => self.suspension().is_some(),
             _ => !self.wheels().is_empty(),
         };
         let excluded = Self::EXCLUSIVE
@@ -438,7 +438,7 @@ impl Scenario {
         self.forward().map_or(&[], |forward| &forward.switched_off)
     }
 
-    /// What is looked out for on the way.
+    /// The events to detect.
     pub fn events(&self) -> &[Event] {
         self.forward().map_or(&[], |forward| &forward.events)
     }
@@ -457,12 +457,12 @@ impl Scenario {
     }
 
     /// The axis from which it hangs.
-    pub fn hanging(&self) -> Option<Hanging> {
+    pub fn suspension(&self) -> Option<Suspension> {
         self.forward()?.hanging
     }
 
     /// The bearings on which it turns; the prescribed motion is their shaft's.
-    pub fn shaft(&self) -> Option<&Mounted> {
+    pub fn shaft(&self) -> Option<&MountedShaft> {
         match &self.task {
             Task::Shaft(mounted, _) => Some(mounted),
             _ => None,
@@ -531,7 +531,7 @@ impl Scenario {
     /// # Errors
     /// [`MotionError`] as [`Pendulum::hung`].
     pub fn pendulum(&self) -> Option<Result<Pendulum, MotionError>> {
-        let hanging = self.hanging()?;
+        let hanging = self.suspension()?;
         let gravity = self.torques().iter().find_map(|torque| match torque {
             TorqueModel::Gravity(gravity) => Some(gravity.acceleration),
             _ => None,

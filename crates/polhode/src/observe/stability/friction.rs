@@ -20,7 +20,7 @@ use crate::motion::model::torque::EnergySink;
 /// What becomes of a small departure from a permanent rotation while friction inside the body costs energy.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
-pub enum Settling {
+pub enum DissipativeLimit {
     /// It dies away as exp(−rate t).
     #[non_exhaustive]
     Settles {
@@ -37,7 +37,7 @@ pub enum Settling {
     Stays,
 }
 
-impl Settling {
+impl DissipativeLimit {
     /// The name in JSON: `settles`, `leaves` or `stays`.
     pub const fn name(self) -> &'static str {
         match self {
@@ -56,17 +56,17 @@ impl PermanentRotation {
     /// ```
     /// use polhode::prelude::*;
     /// use polhode::motion::torque::EnergySink;
-    /// use polhode::observe::{PermanentRotation, Settling, Stability};
+    /// use polhode::observe::{PermanentRotation, DissipativeLimit, Stability};
     /// // Explorer 1: spun about its long axis, of least moment, it goes over to a flat spin.
     /// let inertia = InertiaTensor::diagonal([5.0, 5.0, 0.2])?;
     /// let body = Rotor::free(&MassProperties::new(14.0, Position::ZERO, inertia)?);
     /// let spin = PermanentRotation::about(&body, AngularVelocity::new(0.0, 0.0, 10.0))?;
     /// assert!(matches!(spin.stability, Stability::Stable { .. }));
-    /// let Settling::Leaves { rate, .. } = spin.with_friction(&EnergySink::new(0.002)?) else { return Err("it stays".into()) };
+    /// let DissipativeLimit::Leaves { rate, .. } = spin.with_friction(&EnergySink::new(0.002)?) else { return Err("it stays".into()) };
     /// assert!((rate - 0.002 * 4.0 * (1.0 / 0.2 - 1.0 / 5.0)).abs() < 1e-15); // α L² (1/I − 1/J)
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn with_friction(&self, sink: &EnergySink) -> Settling {
+    pub fn with_friction(&self, sink: &EnergySink) -> DissipativeLimit {
         let c = match self.stability {
             Stability::Stable { frequency } => frequency * frequency,
             Stability::Unstable { growth_rate } => -growth_rate * growth_rate,
@@ -87,9 +87,9 @@ impl PermanentRotation {
             square.sqrt() - p
         };
         match real {
-            rate if rate > 0.0 => Settling::Leaves { rate },
-            rate if rate < 0.0 => Settling::Settles { rate: -rate },
-            _ => Settling::Stays,
+            rate if rate > 0.0 => DissipativeLimit::Leaves { rate },
+            rate if rate < 0.0 => DissipativeLimit::Settles { rate: -rate },
+            _ => DissipativeLimit::Stays,
         }
     }
 

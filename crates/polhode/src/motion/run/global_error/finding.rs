@@ -7,7 +7,7 @@ use crate::motion::run::solution::Solution;
 use crate::motion::run::trajectory::Trajectory;
 use crate::motion::solve::method::Method;
 
-/// Below this error of the attitude, rad, nobody misses a digit.
+/// Errors of the attitude below this, rad, are not reported.
 const SMALL: f64 = 1e-9;
 /// Nor where it is within this many times the tolerance of a step that was asked for.
 const WITHIN: f64 = 1e4;

@@ -1,7 +1,7 @@
 //! The error of a free motion, which needs no simulation.
 
+use super::compared_samples::ComparedSamples;
 use super::inputs::Change;
-use super::watched::Watched;
 use super::{GlobalError, input_error};
 use crate::math::symmetric3::Symmetric3;
 use crate::motion::error::MotionError;
@@ -31,7 +31,7 @@ impl FreeMotion {
         let mut order: Vec<usize> = (0..times.len()).collect();
         order.sort_by(|&a, &b| after(times[a]).total_cmp(&after(times[b])));
         let outward: Vec<f64> = order.iter().map(|&k| times[k]).collect();
-        let watched = Watched::of(self.at_times(&outward), 1);
+        let watched = ComparedSamples::of(self.at_times(&outward), 1);
         let found = input_error(&watched, |seed, amplitude| {
             let mut change = Change::new(seed, amplitude);
             let tensor = change.inertia(&self.tensor());

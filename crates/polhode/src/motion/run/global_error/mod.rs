@@ -18,11 +18,11 @@
 //! Kenney, Laub, SIAM J. Sci. Comput. 15 (1994) 36 (condition from few random samples); Vignes, Math. Comput. Simul. 35 (1993) 233
 //! (rounding by random perturbation); Hairer, Nørsett, Wanner, Solving Ordinary Differential Equations I, II.4 (global error).
 
+mod compared_samples;
 mod finding;
 mod free;
 mod inputs;
 mod perturbed;
-mod watched;
 
 use super::sample::Sample;
 use super::simulation::Simulation;
@@ -35,9 +35,9 @@ use crate::motion::solve::closed_form::ClosedForm;
 use crate::motion::solve::method::Method;
 use crate::motion::solve::propagate::noise::Noise;
 use crate::motion::solve::propagate::stepper::{LOOSEST_TOLERANCE, Rule, TIGHTEST_TOLERANCE};
+use compared_samples::ComparedSamples;
 use inputs::Inputs;
 use perturbed::{Distance, Perturbed};
-use watched::Watched;
 
 /// How much work an estimate is worth.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -208,7 +208,7 @@ impl Simulation<'_> {
     /// Of a closed form, which has no steps whose errors add up: of some hundreds of states, so that it is always thorough.
     fn exact_error(&self, motion: &ClosedForm, trajectory: &Trajectory) -> GlobalError {
         let samples = trajectory.samples();
-        let watched = Watched::of_trajectory(trajectory);
+        let watched = ComparedSamples::of_trajectory(trajectory);
         let inputs = input_error(&watched, |seed, amplitude| {
             let Inputs { rotor, start } = Inputs::of(self, seed, amplitude);
             // Not every change of a body keeps the symmetry that a closed form needs.
@@ -232,7 +232,7 @@ impl Simulation<'_> {
         progress: &mut dyn FnMut(f64),
     ) -> Vec<StateError> {
         let Refinement { rule, tolerance, stretch, gain, noise } = refinement;
-        let watched = Watched::of_trajectory(trajectory);
+        let watched = ComparedSamples::of_trajectory(trajectory);
         let distances = (0..runs).map(|run| {
             let inputs = Inputs::of(self, 2 * run, noise * gain * CONSTANT_NOISE);
             let noise = Some((Noise::new(2 * run + 1, noise * gain * STEP_NOISE), stretch));
@@ -252,7 +252,7 @@ impl Simulation<'_> {
         trajectory: &Trajectory,
         progress: &mut dyn FnMut(f64),
     ) -> Vec<StateError> {
-        let watched = Watched::of_trajectory(trajectory);
+        let watched = ComparedSamples::of_trajectory(trajectory);
         let [amplitude, ..] = INPUT_AMPLITUDES;
         let distances = (0..RUNS[1]).map(|run| {
             let inputs = Inputs::of(self, INPUT_SEED + run, amplitude);
@@ -266,7 +266,7 @@ impl Simulation<'_> {
 }
 
 /// What the last bit of the inputs does, by what many times as much does: `states` of a seed and an amplitude.
-fn input_error(watched: &Watched, states: impl Fn(u64, f64) -> Vec<State>) -> Vec<StateError> {
+fn input_error(watched: &ComparedSamples, states: impl Fn(u64, f64) -> Vec<State>) -> Vec<StateError> {
     let distances = (0..RUNS[1]).map(|run| {
         let distance = |amplitude: f64| {
             Distance::between(&watched.states, &states(INPUT_SEED + run, amplitude)).over(amplitude)

@@ -8,7 +8,7 @@ use crate::motion::error::MotionError;
 use crate::motion::model::event::Event;
 use crate::motion::model::state::State;
 use crate::motion::model::state::StateError;
-use crate::motion::run::course::Course;
+use crate::motion::run::integration::Integration;
 use crate::motion::run::simulation::Simulation;
 use crate::motion::solve::propagate::noise::Noise;
 use crate::motion::solve::propagate::stepper::{Rule, Stepper};
@@ -51,9 +51,9 @@ impl Perturbed<'_> {
         }
         // What stops the motion, or is only written down, does not change it.
         let switches: Vec<Event> = events.iter().filter(|event| event.switches()).cloned().collect();
-        let mut course = Course::new(stepper, &switches, *start, times);
-        course.run(*start, progress)?;
-        let got_there = course.samples.iter().zip(times).take_while(|(s, time)| s.state.time == **time);
+        let mut integration = Integration::new(stepper, &switches, *start, times);
+        integration.run(*start, progress)?;
+        let got_there = integration.samples.iter().zip(times).take_while(|(s, time)| s.state.time == **time);
         Ok(got_there.map(|(sample, _)| sample.state).collect())
     }
 }

@@ -6,7 +6,7 @@
 //!
 //! Three numbers instead of a quaternion's four hold the attitude, the quaternion is unit because it is made from θ, an
 //! error δθ *is* an angle, and a steady rotation is linear in time: a step resolves what the body does beyond turning.
-//! Beside θ and ω (principal axes) the state carries the work W and the angular impulse J of the torque, as evidence:
+//! SeparateSeries θ and ω (principal axes) the state carries the work W and the angular impulse J of the torque, as evidence:
 //! Ẇ = N · ω, J̇ = N in space.
 //!
 //! Source: Bortz, IEEE Trans. Aerosp. Electron. Syst. 7 (1971) 61; in the language of Lie groups, θ̇ = dexp⁻¹ ω

@@ -63,22 +63,22 @@ struct Expansion<N = f64> {
     /// What acts inside the body, if anything does.
     inside: Option<Box<Internal<N>>>,
     /// What others than the recurrence need, if there are any.
-    beside: Option<Box<Beside<N>>>,
+    beside: Option<Box<SeparateSeries<N>>>,
     evidence: Option<Box<Evidence<N>>>,
     order: usize,
     /// log₂ of the part of the radius of convergence that a step may go.
     reach: f64,
 }
 
-/// ω and u once more, and the torque.
+/// The series of ω, of u and of the torque by themselves, for torques that are not part of the recurrence.
 #[derive(Clone, Debug)]
-struct Beside<N> {
+struct SeparateSeries<N> {
     omega: Vectors<N>,
     joint: Vectors<N>,
     torque: Series<N>,
 }
 
-impl<N: Number> Beside<N> {
+impl<N: Number> SeparateSeries<N> {
     fn all(zero: N) -> Box<Self> {
         Box::new(Self { omega: Vectors::all(zero), joint: Vectors::all(zero), torque: Series::all(zero) })
     }
@@ -164,7 +164,7 @@ impl<N: Number> Expansion<N> {
         };
         // Nothing of a torque that has ended.
         let has_beside = self.layout == GENERAL || self.evidence.is_some() || self.is_thin;
-        self.beside = has_beside.then(|| Beside::all(zero));
+        self.beside = has_beside.then(|| SeparateSeries::all(zero));
         self.terms = EquationConstants::none(zero);
         if let Some(evidence) = &mut self.evidence {
             evidence.impulse = BodyResolved::all(zero);
@@ -190,7 +190,7 @@ impl<N: Number> Expansion<N> {
         self.inverses.put(lane, inverses);
         if i1 == 0.0 {
             self.is_thin = true;
-            self.beside.get_or_insert_with(|| Beside::all(self.moments.0[0].like(0.0)));
+            self.beside.get_or_insert_with(|| SeparateSeries::all(self.moments.0[0].like(0.0)));
         }
         // With wheels and friction it is [`Internal`] that finds ω̇.
         if self.inside.is_none() {
@@ -317,7 +317,7 @@ impl<N: Number> Expansion<N> {
     #[inline(always)]
     fn other_acceleration<M: Recurrence<N = N>>(&mut self, s: M, n: usize) -> Row<N> {
         let (none, omega, u) = (Row::splat(self.zero()), self.omega_at(n), self.motion[n].x.second());
-        let Some(Beside { omega: series, torque: place, joint }) = self.beside.as_deref_mut() else {
+        let Some(SeparateSeries { omega: series, torque: place, joint }) = self.beside.as_deref_mut() else {
             return none;
         };
         series.set(n, omega);
@@ -348,7 +348,8 @@ impl<N: Number> Expansion<N> {
     /// What torques need for coefficient n + 1 beside the motion.
     #[inline(always)]
     fn extend_torques<M: Recurrence<N = N>>(&mut self, s: M, n: usize) {
-        let (Some(Beside { omega, .. }), Some(tape)) = (self.beside.as_deref(), &mut self.tape) else {
+        let (Some(SeparateSeries { omega, .. }), Some(tape)) = (self.beside.as_deref(), &mut self.tape)
+        else {
             return;
         };
         let turning = self.inside.as_ref().map_or(omega, |inside| &inside.turning);
@@ -368,7 +369,9 @@ impl<N: Number> Expansion<N> {
     #[inline(always)]
     fn find_torque<M: Recurrence<N = N>>(&mut self, s: M, n: usize) {
         let (omega, Coefficient { x, y, .. }) = (self.omega_at(n), self.motion[n]);
-        let Some(Beside { omega: series, torque, joint }) = self.beside.as_deref_mut() else { return };
+        let Some(SeparateSeries { omega: series, torque, joint }) = self.beside.as_deref_mut() else {
+            return;
+        };
         series.set(n, omega);
         joint.set(n, if self.layout == WITH_ORBIT { y.second() } else { x.second() });
         if let Some(quadratic) = &self.quadratic {
@@ -384,7 +387,7 @@ impl<N: Number> Expansion<N> {
             if self.layout != GENERAL {
                 self.find_torque(s, n);
             }
-            let Some(Beside { omega, torque, .. }) = self.beside.as_deref() else { return };
+            let Some(SeparateSeries { omega, torque, .. }) = self.beside.as_deref() else { return };
             let (turning, power) = match &self.inside {
                 Some(inside) => (&inside.turning, inside.power.at(n)),
                 None => (omega, none),

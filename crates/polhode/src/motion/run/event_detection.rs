@@ -1,6 +1,6 @@
-//! The watch for events along a stretch of a motion that can be read at any time.
+//! Event detection along an interval of a motion with dense output.
 //!
-//! A stretch is looked at in pieces, in each of which the body turns by less than a third of a radian. A crossing shows as a change of
+//! An interval is examined in pieces, in each of which the body turns by less than a third of a radian. A crossing shows as a change of
 //! sign, and is located to the rounding of the time. Where the sign is the same at both ends, but the function turns back between them,
 //! the place where it is nearest to zero is looked for: two crossings in one piece are found too. What can be missed is two crossings
 //! within a piece in which the function turns back more than once, as of one that changes much faster than the body turns, and two
@@ -21,9 +21,9 @@ const PIECES: [f64; 2] = [4.0, 256.0];
 /// The part of a piece over which a slope is taken.
 const SLOPE: f64 = 1.0 / 256.0;
 
-/// What is looked out for, and on which side of each value the motion is.
+/// The events, and on which side of each value the motion is.
 #[derive(Debug)]
-pub(crate) struct Watch<'a> {
+pub(crate) struct EventDetector<'a> {
     rotor: &'a Rotor,
     torques: &'a [TorqueModel],
     events: &'a [Event],
@@ -47,7 +47,7 @@ pub(crate) struct Found {
     pub(crate) rising: bool,
 }
 
-impl<'a> Watch<'a> {
+impl<'a> EventDetector<'a> {
     pub(crate) fn new(
         rotor: &'a Rotor,
         torques: &'a [TorqueModel],

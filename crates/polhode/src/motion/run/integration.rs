@@ -1,8 +1,8 @@
-//! The course of an integration: its steps, its samples, its events, and how it ends.
+//! A run of an integrator: its steps, its samples, its events, and how it ends.
 
 use super::ending::Ending;
+use super::event_detection::{EventDetector, Found};
 use super::sample::Sample;
-use super::watch::{Found, Watch};
 use crate::math::vector::AngularMomentum;
 use crate::motion::error::MotionError;
 use crate::motion::model::event::{Crossing, Event, EventAction};
@@ -10,14 +10,14 @@ use crate::motion::model::state::State;
 use crate::motion::model::torque::total_potential;
 use crate::motion::solve::propagate::stepper::{Balanced, Stepper};
 
-/// More events than anybody would read.
+/// The limit on the number of events of a run.
 pub(super) const MOST_EVENTS: usize = 1_000_000;
 
-/// An integration on its way.
-pub(super) struct Course<'a> {
+/// A run of an integrator.
+pub(super) struct Integration<'a> {
     stepper: Stepper<'a>,
     events: &'a [Event],
-    watch: Watch<'a>,
+    watch: EventDetector<'a>,
     has_potential: bool,
     /// True if a torque may be NaN in some states: the end of each step is looked at.
     has_partial: bool,
@@ -26,14 +26,14 @@ pub(super) struct Course<'a> {
     pub(super) crossings: Vec<Crossing>,
 }
 
-impl<'a> Course<'a> {
+impl<'a> Integration<'a> {
     /// From `start`, to be sampled at the times `wanted`.
     pub(super) fn new(stepper: Stepper<'a>, events: &'a [Event], start: State, wanted: &'a [f64]) -> Self {
         let (rotor, torques) = stepper.subject();
         // Energy that comes and goes with a switch is no potential.
         let has_potential = !events.iter().any(Event::switches);
         Self {
-            watch: Watch::new(rotor, torques, events, &start),
+            watch: EventDetector::new(rotor, torques, events, &start),
             samples: Vec::with_capacity(wanted.len()),
             crossings: Vec::new(),
             stepper,

@@ -9,7 +9,7 @@ use crate::motion::run::trajectory::Trajectory;
 const MOST: usize = 512;
 
 /// Samples in the order of their distance from the start.
-pub(super) struct Watched {
+pub(super) struct ComparedSamples {
     /// All samples.
     samples: Vec<State>,
     /// Which of them are compared: every so many, and the last.
@@ -18,7 +18,7 @@ pub(super) struct Watched {
     pub(super) times: Vec<f64>,
 }
 
-impl Watched {
+impl ComparedSamples {
     /// Those of a run.
     pub(super) fn of_trajectory(trajectory: &Trajectory) -> Self {
         let samples: Vec<State> = trajectory.samples().iter().map(|sample| sample.state).collect();

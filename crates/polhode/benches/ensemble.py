@@ -95,7 +95,7 @@ def main():
     def first(*command):
         return subprocess.run(command, cwd=ROOT, check=True, capture_output=True, text=True).stdout.strip()
 
-    own = {"widest vectors": bench(), "AVX2": bench("--cfg no_avx512"), "no vectors": bench("", ["--no-default-features"])}
+    own = {"widest vectors": bench(), "AVX2": bench("--cfg no_avx512"), "SSE2": bench("--cfg no_avx512 --cfg no_avx2"), "no vectors": bench("", ["--no-default-features"])}
     widest = own["widest vectors"]
     rows = "\n".join(f"| {name} | {unit} | " + " | ".join(lines.get(name, ("–", ""))[0].replace("NaN", "–") for lines in own.values()) + " |"
                      for name, (_, unit) in widest.items())

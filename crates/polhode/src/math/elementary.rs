@@ -1,10 +1,10 @@
 //! sin, cos and exp for lanes: polynomials without branches, about 1 ulp, the same bits in every lane.
 
-use super::real::Real;
+use super::number::Splat;
 
 /// Σ cₖ xᵏ of an even number of terms: Horner's rule in x², which waits half as often as that in x.
 #[inline(always)]
-pub(crate) fn polynomial<T: Real, const N: usize>(x: T, coefficients: [f64; N]) -> T {
+pub(crate) fn polynomial<T: Splat, const N: usize>(x: T, coefficients: [f64; N]) -> T {
     let pair = |k: usize| T::splat(coefficients[k]) + T::splat(coefficients[k + 1]) * x;
     let x2 = x * x;
     let mut sum = pair(N - 2);
@@ -18,7 +18,7 @@ pub(crate) fn polynomial<T: Real, const N: usize>(x: T, coefficients: [f64; N]) 
 ///
 /// The polynomials of fdlibm's `k_sin` and `k_cos` (Sun Microsystems, 1993), error below 2⁻⁵⁸, but for quarter turns.
 #[inline(always)]
-fn sin_cos_eighth<T: Real>(x: T) -> (T, T) {
+fn sin_cos_eighth<T: Splat>(x: T) -> (T, T) {
     let z = x * x;
     let sine = [
         -0.645964097506245,
@@ -46,7 +46,7 @@ fn sin_cos_eighth<T: Real>(x: T) -> (T, T) {
 
 /// The integer nearest to x, |x| < 2⁵¹: as the last bits of a number, and as a number.
 #[inline(always)]
-pub(crate) fn split<T: Real>(x: T) -> (T, T) {
+pub(crate) fn split<T: Splat>(x: T) -> (T, T) {
     let shifted = x + T::splat(SHIFT);
     (shifted, shifted - T::splat(SHIFT))
 }
@@ -56,7 +56,7 @@ const SHIFT: f64 = 6_755_399_441_055_744.0;
 
 /// sin and cos of an angle of whole quarter turns, in the last two bits, and |rest| ≤ ½ of one.
 #[inline(always)]
-pub(crate) fn sin_cos_quarters<T: Real>(quarters: T, rest: T) -> (T, T) {
+pub(crate) fn sin_cos_quarters<T: Splat>(quarters: T, rest: T) -> (T, T) {
     let (s, c) = sin_cos_eighth(rest);
     let odd = |q: f64| q.to_bits() & 1 == 1;
     let signed = |x: f64, bits: u64| f64::from_bits(x.to_bits() ^ ((bits & 2) << 62));
@@ -67,7 +67,7 @@ pub(crate) fn sin_cos_quarters<T: Real>(quarters: T, rest: T) -> (T, T) {
 
 /// e^−x and e^x for 0 ≤ x; beyond 700 as at 700.
 #[inline(always)]
-pub(crate) fn exp_both<T: Real>(x: T) -> (T, T) {
+pub(crate) fn exp_both<T: Splat>(x: T) -> (T, T) {
     // x = k ln 2 + r, |r| ≤ ½ ln 2
     let x = x.map(|x| if x < 700.0 { x } else { 700.0 });
     let (bits, k) = split(x * T::splat(core::f64::consts::LOG2_E));
@@ -91,7 +91,8 @@ pub(crate) fn exp_both<T: Real>(x: T) -> (T, T) {
 mod tests {
     use super::*;
     use crate::math::lanes::Lanes;
-    use crate::math::real::PI;
+    use crate::math::number::Number;
+    use crate::math::number::PI;
 
     #[test]
     fn they_agree_with_libm_to_two_ulp() {

@@ -10,7 +10,7 @@
 //! Source: J. M. A. Danby, Fundamentals of Celestial Mechanics, 2nd ed. (1988), ch. 6.9: universal variables, started at the
 //! nearest point.
 
-use super::real::{PI, sin_cos};
+use super::number::{PI, sin_cos};
 
 /// The shape of an orbit: e, and 1 − e in its own right, which e near 1 no longer tells.
 #[derive(Clone, Copy, Debug, PartialEq)]

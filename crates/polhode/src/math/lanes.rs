@@ -2,7 +2,7 @@
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::real::Real;
+use super::number::{Number, Splat};
 
 /// N numbers: plain loops over an array, which the compiler turns into vector instructions.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -16,10 +16,22 @@ impl<const N: usize> Lanes<N> {
     }
 }
 
-impl<const N: usize> Real for Lanes<N> {
+impl<const N: usize> Number for Lanes<N> {
+    const LANES: usize = N;
+
     #[inline(always)]
-    fn splat(x: f64) -> Self {
+    fn like(self, x: f64) -> Self {
         Self([x; N])
+    }
+
+    #[inline(always)]
+    fn lane(&self, lane: usize) -> f64 {
+        self.0[lane]
+    }
+
+    #[inline(always)]
+    fn put(&mut self, lane: usize, x: f64) {
+        self.0[lane] = x;
     }
 
     #[inline(always)]
@@ -44,6 +56,18 @@ impl<const N: usize> Real for Lanes<N> {
             self.0[k] = f(self.0[k], b.0[k], c.0[k]);
         }
         self
+    }
+
+    #[inline(always)]
+    fn mul_add(self, b: Self, c: Self) -> Self {
+        self.zip3(b, c, Number::mul_add)
+    }
+}
+
+impl<const N: usize> Splat for Lanes<N> {
+    #[inline(always)]
+    fn splat(x: f64) -> Self {
+        Self([x; N])
     }
 
     #[inline(always)]
@@ -95,27 +119,4 @@ impl<const N: usize> Div for Lanes<N> {
     fn div(self, b: Self) -> Self {
         self.zip(b, |x, y| x / y)
     }
-}
-
-/// Runs a loop compiled for the widest vectors of this machine: AVX-512 or AVX2, otherwise what every machine of its kind has.
-#[cfg(all(feature = "simd", any(target_arch = "x86_64", target_arch = "x86")))]
-#[inline(always)]
-pub(crate) fn in_widest_vectors(work: impl FnOnce()) {
-    use fearless_simd::{Level, Simd as _};
-    let level = Level::new();
-    #[cfg(not(no_avx512))]
-    if let Some(avx512) = level.as_avx512() {
-        return avx512.vectorize(work);
-    }
-    if let Some(avx2) = level.as_avx2() {
-        avx2.vectorize(work);
-    } else {
-        work();
-    }
-}
-
-#[cfg(not(all(feature = "simd", any(target_arch = "x86_64", target_arch = "x86"))))]
-#[inline(always)]
-pub(crate) fn in_widest_vectors(work: impl FnOnce()) {
-    work();
 }

@@ -1,14 +1,12 @@
 //! The vectors that a machine has, by type: where the compiler's own choice would take plain arrays apart.
 
-use core::ops::{Add, Mul, Sub};
-
 use super::lanes::Lanes;
-use super::number::{MulAdd, Number};
+use super::number::Number;
 
 /// The vectors of a machine.
 pub(crate) trait Machine: Copy {
     /// Four numbers in a register.
-    type Four: MulAdd + Add<Output = Self::Four> + Sub<Output = Self::Four> + Mul<Output = Self::Four>;
+    type Four: Number;
     /// Eight, in as few registers as hold them.
     type Eight: Number;
     /// As many as one register holds.
@@ -32,13 +30,13 @@ pub(crate) trait Work {
 
     fn run<S: Machine>(self, s: S) -> Self::Output;
 
-    /// Runs it where there are no vectors.
+    /// Runs it where a register holds two numbers, or one.
     #[inline(always)]
-    fn run_plainly(self) -> Self::Output
+    fn run_narrow<S: Machine>(self, s: S) -> Self::Output
     where
         Self: Sized,
     {
-        self.run(Plain)
+        self.run(s)
     }
 }
 
@@ -132,28 +130,66 @@ impl Machine for Plain {
     }
 }
 
-/// Runs work with the vectors that this machine has.
+/// Runs work with the vectors that this machine has: of eight numbers (AVX-512), four (AVX2) or two (SSE2, NEON, WebAssembly's).
 #[inline(always)]
 pub(crate) fn in_vectors<W: Work>(work: W) -> W::Output {
-    #[cfg(all(feature = "simd", any(target_arch = "x86_64", target_arch = "x86")))]
+    #[cfg(feature = "simd")]
     {
-        use fearless_simd::{Level, Simd as _};
+        use fearless_simd::{Level, Simd};
         let level = Level::new();
-        #[cfg(not(no_avx512))]
-        if let Some(avx512) = level.as_avx512() {
-            return avx512.vectorize(
+        #[inline(always)]
+        fn wide<S: Simd<f64s: Number>, W: Work>(s: S, work: W) -> W::Output {
+            s.vectorize(
                 #[inline(always)]
-                || work.run(avx512),
-            );
+                || work.run(s),
+            )
         }
-        if let Some(avx2) = level.as_avx2() {
-            return avx2.vectorize(
+        #[inline(always)]
+        fn narrow<S: Simd<f64s: Number>, W: Work>(s: S, work: W) -> W::Output {
+            s.vectorize(
                 #[inline(always)]
-                || work.run(avx2),
-            );
+                || work.run_narrow(s),
+            )
+        }
+        #[cfg(any(target_arch = "x86_64", target_arch = "x86"))]
+        {
+            #[cfg(not(no_avx512))]
+            if let Some(avx512) = level.as_avx512() {
+                return wide(avx512, work);
+            }
+            #[cfg(not(no_avx2))]
+            if let Some(avx2) = level.as_avx2() {
+                return wide(avx2, work);
+            }
+            if let Some(sse2) = level.as_sse2() {
+                return narrow(sse2, work);
+            }
+        }
+        #[cfg(target_arch = "aarch64")]
+        if let Some(neon) = level.as_neon() {
+            return narrow(neon, work);
+        }
+        #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+        if let Some(simd128) = level.as_wasm_simd128() {
+            return narrow(simd128, work);
         }
     }
-    work.run_plainly()
+    work.run(Plain)
+}
+
+/// Runs a loop over plain arrays compiled for the widest vectors of this machine.
+#[inline(always)]
+pub(crate) fn in_widest_vectors(work: impl FnOnce()) {
+    struct Loop<F>(F);
+    impl<F: FnOnce()> Work for Loop<F> {
+        type Output = ();
+
+        #[inline(always)]
+        fn run<S: Machine>(self, _: S) {
+            self.0();
+        }
+    }
+    in_vectors(Loop(work));
 }
 
 /// Runs work with AVX2, on a machine that has it, and that may have more: what narrower machines do.

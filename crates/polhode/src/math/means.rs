@@ -47,7 +47,7 @@ const SQUARE_IS_NOTHING: f64 = 1e-17;
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math::real::PI;
+    use crate::math::number::PI;
 
     /// ∫₀^{π/2} f dφ of an even function of period π, by the trapezoidal rule.
     fn quadrature(f: impl Fn(f64) -> f64) -> f64 {

@@ -25,7 +25,6 @@ pub(crate) mod machine;
 pub(crate) mod means;
 pub(crate) mod number;
 pub(crate) mod quaternion;
-pub(crate) mod real;
 pub(crate) mod root;
 pub(crate) mod rotation;
 pub(crate) mod spline;

@@ -1,30 +1,17 @@
-//! What series have for coefficients: a number of one body, or one of each of several side by side.
+//! Numbers that kernels compute with: one f64, or several side by side.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::lanes::Lanes;
-use super::real::Real;
+pub(crate) use core::f64::consts::PI;
 
-/// Numbers that multiply and add with one rounding.
-pub(crate) trait MulAdd: Copy {
-    /// self · b + c, rounded once.
-    fn mul_add(self, b: Self, c: Self) -> Self;
-}
-
-/// One f64, or a vector by type with one of each of several bodies.
+/// One f64, [`Lanes`](super::lanes::Lanes) of them, or a vector by type with one of each of several bodies.
 ///
-/// The law is that of [`Real`]: every lane has the bits that the f64 would have. a·b + c is rounded once where it is written
-/// [`MulAdd::mul_add`], and nowhere else: IEEE 754 says what that is to the last bit, on every machine. One without the instruction
-/// computes it by the platform's library, up to 150 times as slowly (`book/ensembles.md`).
+/// The law: every lane has the bits that the f64 would have. a·b + c is rounded once where it is written [`Number::mul_add`] and the
+/// processor has the instruction ([`FUSED`]), and twice everywhere else.
 ///
 /// Vectors by type know which machine they are for, so that there is none without another one: [`Number::like`].
 pub(crate) trait Number:
-    MulAdd
-    + Add<Output = Self>
-    + Sub<Output = Self>
-    + Mul<Output = Self>
-    + Div<Output = Self>
-    + Neg<Output = Self>
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
 {
     /// How many there are side by side.
     const LANES: usize;
@@ -47,25 +34,42 @@ pub(crate) trait Number:
     /// f of every lane of three.
     fn zip3(self, b: Self, c: Self, f: impl Fn(f64, f64, f64) -> f64) -> Self;
 
+    /// self · b + c, see [`FUSED`].
+    fn mul_add(self, b: Self, c: Self) -> Self;
+
     /// √self
-    fn sqrt(self) -> Self;
-}
-
-impl MulAdd for f64 {
     #[inline(always)]
-    fn mul_add(self, b: f64, c: f64) -> f64 {
-        f64::mul_add(self, b, c)
+    fn sqrt(self) -> Self {
+        self.map(f64::sqrt)
     }
 }
 
-impl<const N: usize> MulAdd for Lanes<N> {
-    #[inline(always)]
-    fn mul_add(mut self, b: Self, c: Self) -> Self {
-        for k in 0..N {
-            self.0[k] = self.0[k].mul_add(b.0[k], c.0[k]);
-        }
-        self
-    }
+/// Numbers that are made of a constant alone: the closed forms' and the meshes' kernels compute with these.
+pub(crate) trait Splat: Number {
+    /// The same number in every lane.
+    fn splat(x: f64) -> Self;
+
+    /// The integer nearest to each, the even one of two; what is too large to have a fraction stays.
+    fn nearest(self) -> Self;
+
+    /// True if |x| ≤ limit in every lane; not of NaN.
+    fn within(self, limit: Self) -> bool;
+}
+
+/// Whether a·b + c of an f64 is rounded once. IEEE 754 says what that is to the last bit, so that results are the same on all machines that have
+/// the instruction: ARM's 64-bit processors, and with the feature `simd`, which finds out, all of Intel and AMD since 2013. Without it the
+/// result would have to be computed by the platform's library, 140 times as slowly, so that it is rounded twice: results are
+/// the same on all of those machines, in all paths, and differ from the former by rounding.
+pub(crate) const FUSED: bool = cfg!(any(
+    target_arch = "aarch64",
+    target_feature = "fma",
+    all(feature = "simd", any(target_arch = "x86", target_arch = "x86_64")),
+));
+
+/// a·b + c
+#[inline(always)]
+fn mul_add(a: f64, b: f64, c: f64) -> f64 {
+    if FUSED { a.mul_add(b, c) } else { a * b + c }
 }
 
 impl Number for f64 {
@@ -102,62 +106,39 @@ impl Number for f64 {
     }
 
     #[inline(always)]
-    fn sqrt(self) -> f64 {
-        f64::sqrt(self)
+    fn mul_add(self, b: f64, c: f64) -> f64 {
+        mul_add(self, b, c)
     }
 }
 
-impl<const N: usize> Number for Lanes<N> {
-    const LANES: usize = N;
-
+impl Splat for f64 {
     #[inline(always)]
-    fn like(self, x: f64) -> Self {
-        Self([x; N])
+    fn splat(x: f64) -> Self {
+        x
+    }
+
+    /// By adding 2⁵², where the fraction ends: without AVX or the like the instruction is a function call.
+    #[inline(always)]
+    fn nearest(self) -> Self {
+        let big = 4_503_599_627_370_496.0_f64.copysign(self);
+        if self.abs() < 4_503_599_627_370_496.0 { (self + big) - big } else { self }
     }
 
     #[inline(always)]
-    fn lane(&self, lane: usize) -> f64 {
-        self.0[lane]
+    fn within(self, limit: f64) -> bool {
+        self.abs() <= limit
     }
+}
 
-    #[inline(always)]
-    fn put(&mut self, lane: usize, x: f64) {
-        self.0[lane] = x;
-    }
-
-    #[inline(always)]
-    fn map(self, f: impl Fn(f64) -> f64) -> Self {
-        Real::map(self, f)
-    }
-
-    #[inline(always)]
-    fn zip(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
-        Real::zip(self, other, f)
-    }
-
-    #[inline(always)]
-    fn zip3(self, b: Self, c: Self, f: impl Fn(f64, f64, f64) -> f64) -> Self {
-        Real::zip3(self, b, c, f)
-    }
-
-    #[inline(always)]
-    fn sqrt(self) -> Self {
-        Number::map(self, f64::sqrt)
-    }
+/// sin x and cos x, x in rad: `libm`, so that no result depends on the platform's own.
+pub(crate) fn sin_cos(x: f64) -> (f64, f64) {
+    libm::sincos(x)
 }
 
 /// Vectors by type: how many numbers, and the names of what has no operator.
 #[cfg(feature = "simd")]
 macro_rules! vectors {
     ($($vector:ident: $lanes:literal, $splat:ident, $mul_add:ident, $sqrt:ident;)*) => {$(
-        impl<S: fearless_simd::Simd> MulAdd for fearless_simd::$vector<S> {
-            #[inline(always)]
-            fn mul_add(self, b: Self, c: Self) -> Self {
-                // not `mul_add`, which rounds twice where there is no instruction for it
-                self.simd.$mul_add(self, b, c)
-            }
-        }
-
         impl<S: fearless_simd::Simd> Number for fearless_simd::$vector<S> {
             const LANES: usize = $lanes;
 
@@ -200,6 +181,13 @@ macro_rules! vectors {
                 self
             }
 
+            /// Where there is no instruction, rounded twice.
+            #[inline(always)]
+            fn mul_add(self, b: Self, c: Self) -> Self {
+                // WebAssembly's own may be of either kind.
+                if cfg!(target_arch = "wasm32") { self * b + c } else { self.simd.$mul_add(self, b, c) }
+            }
+
             #[inline(always)]
             fn sqrt(self) -> Self {
                 self.simd.$sqrt(self)
@@ -210,8 +198,9 @@ macro_rules! vectors {
 
 #[cfg(feature = "simd")]
 vectors! {
-    f64x4: 4, splat_f64x4, mul_add_precise_f64x4, sqrt_f64x4;
-    f64x8: 8, splat_f64x8, mul_add_precise_f64x8, sqrt_f64x8;
+    f64x2: 2, splat_f64x2, mul_add_f64x2, sqrt_f64x2;
+    f64x4: 4, splat_f64x4, mul_add_f64x4, sqrt_f64x4;
+    f64x8: 8, splat_f64x8, mul_add_f64x8, sqrt_f64x8;
 }
 
 #[cfg(test)]
@@ -265,7 +254,7 @@ mod tests {
                 let one = all(a[k], b[k], c[k]);
                 assert_eq!([0, 1, 2].map(|n| wide[n][k].to_bits()), one.map(f64::to_bits), "{k}");
             }
-            assert_ne!(wide[0][0], 0.0);
+            assert_eq!(wide[0][0] != 0.0, FUSED);
         }
     }
 }

@@ -5,7 +5,7 @@ use core::marker::PhantomData;
 use core::ops::Mul;
 
 use super::frame::{Body, Frame, Space};
-use super::real::{PI, sin_cos};
+use super::number::{PI, sin_cos};
 use super::vector::{Direction, Vector, quantity};
 
 /// R_AB: takes B-components to A-components, `v_A = R_AB v_B`.

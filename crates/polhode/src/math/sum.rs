@@ -2,7 +2,7 @@
 
 use core::ops::{Add, Sub};
 
-use super::real::Real;
+use super::number::Splat;
 
 /// a + b as rounded sum and exact error (Knuth, TAOCP 2, §4.2.2, Theorem B).
 #[inline(always)]
@@ -14,14 +14,14 @@ pub(crate) fn two_sum<T: Copy + Add<Output = T> + Sub<Output = T>>(a: T, b: T) -
 
 /// a + b for |a| ≥ |b| (or a = 0), as rounded sum and exact error (Dekker).
 #[inline(always)]
-pub(crate) fn quick_two_sum<T: Real>(a: T, b: T) -> (T, T) {
+pub(crate) fn quick_two_sum<T: Splat>(a: T, b: T) -> (T, T) {
     let s = a + b;
     (s, b - (s - a))
 }
 
 /// A word as the sum of two halves of 26 bits (Veltkamp).
 #[inline(always)]
-pub(crate) fn halves<T: Real>(a: T) -> (T, T) {
+pub(crate) fn halves<T: Splat>(a: T) -> (T, T) {
     let c = T::splat(SPLITTER) * a;
     let high = c - (c - a);
     (high, a - high)
@@ -29,7 +29,7 @@ pub(crate) fn halves<T: Real>(a: T) -> (T, T) {
 
 /// A word and its halves.
 #[inline(always)]
-pub(crate) fn with_halves<T: Real>(a: T) -> [T; 3] {
+pub(crate) fn with_halves<T: Splat>(a: T) -> [T; 3] {
     let (high, low) = halves(a);
     [a, high, low]
 }
@@ -39,14 +39,14 @@ const SPLITTER: f64 = 134_217_729.0;
 
 /// a b as rounded product and exact error (Dekker), while |a|, |b| < 2⁹⁹⁵ and |a b| > 2⁻⁹⁶⁹.
 #[inline(always)]
-pub(crate) fn two_product<T: Real>(a: T, b: T) -> (T, T) {
+pub(crate) fn two_product<T: Splat>(a: T, b: T) -> (T, T) {
     let ((a1, a2), (b1, b2)) = (halves(a), halves(b));
     two_product_of_halves([a, a1, a2], [b, b1, b2])
 }
 
 /// [`two_product`] of numbers that come with their halves.
 #[inline(always)]
-pub(crate) fn two_product_of_halves<T: Real>([a, a1, a2]: [T; 3], [b, b1, b2]: [T; 3]) -> (T, T) {
+pub(crate) fn two_product_of_halves<T: Splat>([a, a1, a2]: [T; 3], [b, b1, b2]: [T; 3]) -> (T, T) {
     let p = a * b;
     (p, ((a1 * b1 - p) + a1 * b2 + a2 * b1) + a2 * b2)
 }

@@ -2,7 +2,7 @@
 
 use crate::math::double::Double;
 use crate::math::means::quarter_and_share;
-use crate::math::real::PI;
+use crate::math::number::PI;
 use crate::motion::solve::free::{FreeMotion, Regime};
 
 /// The turn about L in one period of ω, in its two parts: total = dynamic + geometric.

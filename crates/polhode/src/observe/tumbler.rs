@@ -8,7 +8,7 @@ use crate::body::principal::PrincipalFrame;
 use crate::math::double::Double;
 use crate::math::frame::Body;
 use crate::math::means::quarter_and_share;
-use crate::math::real::PI;
+use crate::math::number::PI;
 use crate::math::rotation::Attitude;
 use crate::math::symmetric3::power_of_two_near;
 use crate::math::vector::AngularVelocity;

@@ -1,6 +1,6 @@
 //! The two periods of a tumbling body, as observers of asteroids and comets give them.
 
-use crate::math::real::PI;
+use crate::math::number::PI;
 use crate::motion::solve::free::FreeMotion;
 
 /// The axis of the body whose motion about L is described.

@@ -9,7 +9,7 @@ use crate::body::shape::ellipsoid::Ellipsoid;
 use crate::body::shape::sphere::Sphere;
 use crate::body::shape::tetrahedron::Tetrahedron;
 use crate::body::shape::torus::Torus;
-use crate::math::real::PI;
+use crate::math::number::PI;
 
 /// A solid that is the image of the unit cube under one or several smooth maps, its *charts*, which overlap nowhere.
 ///

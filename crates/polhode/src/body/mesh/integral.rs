@@ -7,8 +7,9 @@ use super::threads::Threads;
 use crate::body::error::BodyError;
 use crate::body::shape::{Extent, Spread};
 use crate::math::double::Double;
-use crate::math::lanes::{Lanes, in_widest_vectors};
-use crate::math::real::Real;
+use crate::math::lanes::Lanes;
+use crate::math::machine::in_widest_vectors;
+use crate::math::number::{Number, Splat};
 use crate::math::sum::{quick_two_sum, two_sum};
 use crate::math::symmetric3::{Symmetric3, power_of_two_near};
 use crate::math::vector::Position;
@@ -181,7 +182,7 @@ where
 
 /// ½ |(b − a) × (c − a)|
 #[inline(always)]
-fn area<T: Real>([a, b, c]: [[T; 3]; 3]) -> T {
+fn area<T: Splat>([a, b, c]: [[T; 3]; 3]) -> T {
     let from = |p: [T; 3]| [p[0] - a[0], p[1] - a[1], p[2] - a[2]];
     let (u, v) = (from(b), from(c));
     let n = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];

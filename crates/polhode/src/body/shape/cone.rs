@@ -3,7 +3,7 @@
 use super::{Extent, Shape, Spread, representable};
 use crate::body::error::{BodyError, not_negative, positive};
 use crate::body::form::Form;
-use crate::math::real::PI;
+use crate::math::number::PI;
 use crate::math::symmetric3::Symmetric3;
 use crate::math::vector::Position;
 

@@ -4,7 +4,7 @@ use super::disk::Disk;
 use super::{Extent, Shape, Spread, representable};
 use crate::body::error::{BodyError, positive};
 use crate::body::form::Form;
-use crate::math::real::PI;
+use crate::math::number::PI;
 use crate::math::vector::Position;
 
 /// A thin tube, open or closed by two disks, with its centre at the origin and its axis along z.

@@ -3,7 +3,7 @@
 use super::{Extent, Shape, Spread, representable};
 use crate::body::error::{BodyError, positive};
 use crate::body::form::Form;
-use crate::math::real::PI;
+use crate::math::number::PI;
 
 /// A solid ring of circular section, with its centre at the origin and its axis along z.
 ///

@@ -1,7 +1,7 @@
 //! The complete integrals K, E and Π: over a quarter turn.
 
 use crate::math::double::Double;
-use crate::math::real::PI;
+use crate::math::number::PI;
 
 use super::incomplete::{Kind, Legs};
 use super::{EllipticError, EllipticParameter};

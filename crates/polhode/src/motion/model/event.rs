@@ -13,7 +13,7 @@ use super::state_variables::StateVariables;
 use super::torque::{TorqueModel, total_potential};
 use crate::math::formula::Formula;
 use crate::math::frame::{Body, Space};
-use crate::math::real::{PI, sin_cos};
+use crate::math::number::{PI, sin_cos};
 use crate::math::vector::{Direction, Vector};
 use crate::motion::error::MotionError;
 

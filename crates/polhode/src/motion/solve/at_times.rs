@@ -1,6 +1,7 @@
 //! Closed forms at many times: in the lanes of vectors, with the bits of each time alone.
 
-use crate::math::lanes::{Lanes, in_widest_vectors};
+use crate::math::lanes::Lanes;
+use crate::math::machine::in_widest_vectors;
 use crate::math::rotation::Rotation;
 use crate::math::vector::Vector;
 use crate::motion::model::state::State;

@@ -11,7 +11,7 @@
 use crate::math::complex::Complex;
 use crate::math::double::Double;
 use crate::math::elliptic::{EllipticParameter, unit};
-use crate::math::real::{PI, Real, sin_cos};
+use crate::math::number::{PI, Splat, sin_cos};
 
 use super::phase::{Angle, Elapsed};
 use super::reach::Drift;
@@ -81,7 +81,7 @@ impl Kernel {
 
     /// cos ½θ + i sin ½θ and the rate after a time.
     #[inline(always)]
-    pub(super) fn at<T: Real>(&self, elapsed: &Elapsed<T>) -> (Complex<T>, T) {
+    pub(super) fn at<T: Splat>(&self, elapsed: &Elapsed<T>) -> (Complex<T>, T) {
         let phase = if elapsed.is_within(T::splat(self.angle.reach)) {
             self.angle.at::<T, false>(elapsed)
         } else {

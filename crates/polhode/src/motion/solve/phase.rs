@@ -3,7 +3,7 @@
 use crate::math::complex::Complex;
 use crate::math::double::Double;
 use crate::math::elementary::{sin_cos_quarters, split};
-use crate::math::real::Real;
+use crate::math::number::Splat;
 use crate::math::sum::{two_product_of_halves, two_sum, with_halves};
 
 /// f in quarter turns per unit of time, in three words: of a sphere or a permanent rotation the error is still below 10⁻²² of a
@@ -41,7 +41,7 @@ impl Elapsed<f64> {
     }
 }
 
-impl<T: Real> Elapsed<T> {
+impl<T: Splat> Elapsed<T> {
     /// time − start, exactly, times `unit`, a power of two.
     #[inline(always)]
     pub(in crate::motion::solve) fn since<const WHOLE: bool>(start: T, time: T, unit: T) -> Self {
@@ -70,7 +70,7 @@ impl<T: Real> Elapsed<T> {
 /// No product overflows yet.
 const LONGEST: f64 = 1e280;
 
-impl<T: Real> Phase<T> {
+impl<T: Splat> Phase<T> {
     /// An angle in two words, and a start within a turn.
     #[inline(always)]
     pub(in crate::motion::solve) fn of((high, low): (T, T), start: Option<[T; 2]>) -> Self {
@@ -104,7 +104,7 @@ impl<T: Real> Phase<T> {
 impl Rate<f64> {
     /// The same in every lane.
     #[inline(always)]
-    pub(in crate::motion::solve) fn splat<T: Real>(&self) -> Rate<T> {
+    pub(in crate::motion::solve) fn splat<T: Splat>(&self) -> Rate<T> {
         let Self { first, second, third } = *self;
         let [a, b, c] = first;
         Rate {
@@ -115,7 +115,7 @@ impl Rate<f64> {
     }
 }
 
-impl<T: Real> Rate<T> {
+impl<T: Splat> Rate<T> {
     #[inline(always)]
     pub(in crate::motion::solve) fn of([first, second]: [T; 2], third: T) -> Self {
         Self { first: with_halves(first), second, third }
@@ -171,7 +171,7 @@ const MANY: f64 = 8_589_934_592.0;
 
 /// x modulo 4, nearest to zero: exact.
 #[inline(always)]
-fn modulo_turn<T: Real>(x: T) -> T {
+fn modulo_turn<T: Splat>(x: T) -> T {
     x - T::splat(4.0) * (T::splat(0.25) * x).nearest()
 }
 
@@ -197,7 +197,7 @@ impl Angle {
     }
 
     #[inline(always)]
-    pub(in crate::motion::solve) fn at<T: Real, const LONG: bool>(&self, elapsed: &Elapsed<T>) -> Phase<T> {
+    pub(in crate::motion::solve) fn at<T: Splat, const LONG: bool>(&self, elapsed: &Elapsed<T>) -> Phase<T> {
         let quarters = self.rate.splat().quarters::<false, LONG>(elapsed, T::splat(self.reach));
         Phase::of(quarters, Some([T::splat(self.start[0]), T::splat(self.start[1])]))
     }

@@ -3,8 +3,8 @@
 use crate::math::complex::Complex;
 use crate::math::double::Double;
 use crate::math::frame::Body;
+use crate::math::number::Splat;
 use crate::math::quaternion::Quaternion;
-use crate::math::real::Real;
 use crate::math::rotation::Rotation;
 use crate::math::vector::{AngularVelocity, Direction};
 
@@ -166,7 +166,7 @@ impl SwingingBody {
 
     /// Quaternion and ω by cos ½θ + i sin ½θ and the rate.
     #[inline(always)]
-    fn turned<T: Real>(&self, (half, rate): (Complex<T>, T)) -> ([T; 4], [T; 3]) {
+    fn turned<T: Splat>(&self, (half, rate): (Complex<T>, T)) -> ([T; 4], [T; 3]) {
         let [a0, a1, a2, a3] = &self.attitude;
         let (w, x, y, z) = (dot2(a0, half), dot2(a1, half), dot2(a2, half), dot2(a3, half));
         // The norm's last digits by 1/√n = (3 − n)/2 for n near 1.
@@ -182,7 +182,7 @@ impl SwingingBody {
 }
 
 #[inline(always)]
-fn dot2<T: Real>(a: &[f64; 2], half: Complex<T>) -> T {
+fn dot2<T: Splat>(a: &[f64; 2], half: Complex<T>) -> T {
     T::splat(a[0]) * half.re + T::splat(a[1]) * half.im
 }
 

@@ -15,7 +15,7 @@ use crate::math::complex::Complex;
 use crate::math::double::Double;
 use crate::math::elementary::{exp_both, sin_cos_quarters};
 use crate::math::elliptic::EllipticParameter;
-use crate::math::real::Real;
+use crate::math::number::Splat;
 
 use super::phase::Phase;
 
@@ -118,7 +118,7 @@ impl Lattice {
 
     /// z, in quarter turns.
     #[inline(always)]
-    pub(super) fn place<T: Real>(&self, z: Phase<T>) -> Place<T> {
+    pub(super) fn place<T: Splat>(&self, z: Phase<T>) -> Place<T> {
         match self.series {
             Series::Trigonometric { .. } => {
                 let (sin, cos) = sin_cos_quarters(z.quarters, z.rest);
@@ -160,7 +160,7 @@ impl Lattice {
 
     /// e^2ikz
     #[inline(always)]
-    pub(super) fn power<T: Real>(&self, place: &Place<T>, k: i8) -> Complex<T> {
+    pub(super) fn power<T: Splat>(&self, place: &Place<T>, k: i8) -> Complex<T> {
         let first = match *place {
             Place::Trigonometric { c, s, .. } => Complex { re: T::splat(0.5) * c, im: s },
             Place::Hyperbolic { quarters, .. } => unit_of_quarters(T::splat(2.0) * quarters),
@@ -171,7 +171,7 @@ impl Lattice {
 
     /// θ₁, θ₂ and θ₃ of z, but for constants: over θ₄ they are sn, cn and dn.
     #[inline(always)]
-    pub(super) fn numerators<T: Real>(&self, place: &Place<T>) -> [T; 3] {
+    pub(super) fn numerators<T: Splat>(&self, place: &Place<T>) -> [T; 3] {
         match (self.series, *place) {
             (Series::Trigonometric { nome }, Place::Trigonometric { cos, sin, c, .. }) => {
                 let q2 = nome * nome;
@@ -204,7 +204,7 @@ impl Lattice {
 
     /// θ₄(z), as N has its constant and its scale.
     #[inline(always)]
-    pub(super) fn denominator<T: Real>(&self, place: &Place<T>) -> T {
+    pub(super) fn denominator<T: Splat>(&self, place: &Place<T>) -> T {
         match (self.series, *place) {
             (Series::Trigonometric { nome }, Place::Trigonometric { c, .. }) => even_sum(nome, -c),
             (Series::Hyperbolic { nome, .. }, Place::Hyperbolic { x, w, .. }) => odd_sum(nome, x, w, 1.0),
@@ -215,7 +215,7 @@ impl Lattice {
 
 /// cos ½πx + i sin ½πx, |x| < 2⁵¹.
 #[inline(always)]
-pub(super) fn unit_of_quarters<T: Real>(x: T) -> Complex<T> {
+pub(super) fn unit_of_quarters<T: Splat>(x: T) -> Complex<T> {
     Phase::of((x, T::splat(0.0)), None).unit()
 }
 
@@ -265,7 +265,7 @@ fn hyperbolic(q: f64, b: f64, is_even: bool, sign: f64) -> Coefficients {
 impl Shifted {
     /// N(z).
     #[inline(always)]
-    pub(super) fn at<T: Real>(&self, place: &Place<T>) -> Complex<T> {
+    pub(super) fn at<T: Splat>(&self, place: &Place<T>) -> Complex<T> {
         match (&self.coefficients, *place) {
             (Coefficients::Trigonometric { real, imaginary }, Place::Trigonometric { c, s, .. }) => {
                 let c2 = c * c;
@@ -288,7 +288,7 @@ impl Shifted {
 
     /// The quarter turns that N's phase has besides, where z is.
     #[inline(always)]
-    pub(super) fn bend_at<T: Real>(&self, place: &Place<T>) -> T {
+    pub(super) fn bend_at<T: Splat>(&self, place: &Place<T>) -> T {
         match *place {
             Place::Trigonometric { .. } => T::splat(0.0),
             Place::Hyperbolic { quarters, .. } => T::splat(self.bend) * quarters,
@@ -298,13 +298,13 @@ impl Shifted {
 
 /// The first four terms of a polynomial.
 #[inline(always)]
-fn cubic<T: Real, const N: usize>(c: &[f64; N], x: T) -> T {
+fn cubic<T: Splat, const N: usize>(c: &[f64; N], x: T) -> T {
     (T::splat(c[0]) + T::splat(c[1]) * x) + (x * x) * (T::splat(c[2]) + T::splat(c[3]) * x)
 }
 
 /// 1 + 2 Σ q^(n²) cos 2nz: θ₃ of C = 2 cos 2z, θ₄ of −C.
 #[inline(always)]
-fn even_sum<T: Real>(q: f64, c: T) -> T {
+fn even_sum<T: Splat>(q: f64, c: T) -> T {
     let q4 = (q * q) * (q * q);
     let [a, b, d] = [q4, q4 * q4 * q, (q4 * q4) * (q4 * q4)];
     let coefficients = [1.0 - 2.0 * (a - d), q - 3.0 * b, a - 4.0 * d, b];
@@ -314,7 +314,7 @@ fn even_sum<T: Real>(q: f64, c: T) -> T {
 
 /// Σ (±1)ⁿ (Q^(n²) Wⁿ ± Q^(n²+n) Xⁿ⁺¹): θ₂ or θ₁ of iy, times e^−|y|.
 #[inline(always)]
-fn odd_sum<T: Real>(q: f64, x: T, w: T, sign: f64) -> T {
+fn odd_sum<T: Splat>(q: f64, x: T, w: T, sign: f64) -> T {
     let q4 = (q * q) * (q * q);
     let rising = [1.0, sign * q, q4, 0.0];
     let falling = [sign, q * q, sign * q4 * q * q, 0.0];

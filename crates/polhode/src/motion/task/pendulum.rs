@@ -2,7 +2,7 @@
 
 use crate::math::elliptic::complete_k;
 use crate::math::frame::Body;
-use crate::math::real::{PI, sin_cos};
+use crate::math::number::{PI, sin_cos};
 use crate::math::vector::{Acceleration, Direction};
 use crate::motion::error::MotionError;
 use crate::motion::model::rotor::Rotor;

@@ -1,7 +1,7 @@
 //! 3-1-3 Euler angles as functions of time.
 
 use crate::math::frame::{Body, Space};
-use crate::math::real::sin_cos;
+use crate::math::number::sin_cos;
 use crate::math::rotation::{Attitude, Rotation};
 use crate::math::vector::{AngularAcceleration, AngularVelocity, Direction, Vector};
 

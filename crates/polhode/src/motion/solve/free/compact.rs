@@ -5,7 +5,7 @@
 use core::array::from_fn;
 
 use crate::math::double::Double;
-use crate::math::real::Real;
+use crate::math::number::Splat;
 use crate::math::rotation::Attitude;
 use crate::math::triple::Triple;
 
@@ -30,10 +30,10 @@ pub(super) trait ScalarThetaParameters: ThetaParameters<f64> {
     fn scale(&self) -> [f64; 3];
 
     /// The same in numbers T.
-    type Of<T: Real>: ThetaParameters<T>;
+    type Of<T: Splat>: ThetaParameters<T>;
 
     /// The parameters in which each number is what `pick` makes of the way to it.
-    fn assembled<T: Real>(pick: &impl Fn(&dyn Fn(&Self) -> f64) -> T) -> Self::Of<T>;
+    fn assembled<T: Splat>(pick: &impl Fn(&dyn Fn(&Self) -> f64) -> T) -> Self::Of<T>;
 }
 
 /// The numbers of a motion, but for the third word of its precession: in four parts, as they are asked for.
@@ -119,7 +119,7 @@ impl<N: ScalarThetaParameters> CompactConstants<f64, N> {
     }
 
     /// The compact in other numbers: one body in every lane, or a body in each.
-    pub(super) fn assembled<T: Real>(
+    pub(super) fn assembled<T: Splat>(
         pick: &impl Fn(&dyn Fn(&Self) -> f64) -> T,
     ) -> CompactConstants<T, N::Of<T>> {
         CompactConstants {
@@ -143,7 +143,7 @@ impl<N: ScalarThetaParameters> CompactConstants<f64, N> {
     }
 }
 
-impl<T: Real, N: ThetaParameters<T>> CompactConstants<T, N> {
+impl<T: Splat, N: ThetaParameters<T>> CompactConstants<T, N> {
     /// The whole flow, with the third word of its precession.
     #[inline(always)]
     pub(super) fn flow(&self, third: T) -> Flow<T, N::Series> {
@@ -155,7 +155,7 @@ impl<T: Real, N: ThetaParameters<T>> CompactConstants<T, N> {
     }
 }
 
-impl<T: Real> Frequencies<T> {
+impl<T: Splat> Frequencies<T> {
     /// With the third word of the precession: only long times ask for it.
     #[inline(always)]
     pub(super) fn phase_rates<N: ThetaParameters<T>>(
@@ -186,14 +186,14 @@ impl<T: Real> Frequencies<T> {
     }
 }
 
-impl<T: Real, N: ThetaParameters<T>> ThetaConstants<T, N> {
+impl<T: Splat, N: ThetaParameters<T>> ThetaConstants<T, N> {
     #[inline(always)]
     pub(super) fn curve(&self) -> Curve<T, N::Series> {
         Curve { series: self.parameters.series(), direction: self.direction }
     }
 }
 
-impl<T: Real> LeftFactor<T> {
+impl<T: Splat> LeftFactor<T> {
     #[inline(always)]
     pub(super) fn body_map(&self, axes: &LabelledAxes<T>) -> ToBodyMap<T> {
         let [r1, r2, r3] = axes.rates;
@@ -206,7 +206,7 @@ impl<T: Real> LeftFactor<T> {
 
 /// The matrix of a quaternion, times its norm squared.
 #[inline(always)]
-fn axes_of<T: Real>([w, x, y, z]: [T; 4]) -> [[T; 3]; 3] {
+fn axes_of<T: Splat>([w, x, y, z]: [T; 4]) -> [[T; 3]; 3] {
     let (ww, xx, yy, zz) = (w * w, x * x, y * y, z * z);
     let (sum, difference) = (ww + xx, ww - xx);
     let (other_sum, other_difference) = (yy + zz, yy - zz);
@@ -222,7 +222,7 @@ fn axes_of<T: Real>([w, x, y, z]: [T; 4]) -> [[T; 3]; 3] {
 
 /// The matrix of q ↦ left · q · right⁻¹, times the norm of right squared: of the sixteen products each is in four of its elements.
 #[inline(always)]
-fn matrix_of<T: Real>([a, b, c, d]: [T; 4], [w, x, y, z]: [T; 4]) -> [[T; 4]; 4] {
+fn matrix_of<T: Splat>([a, b, c, d]: [T; 4], [w, x, y, z]: [T; 4]) -> [[T; 4]; 4] {
     let four = |e: T, f: T, g: T, h: T| {
         let (sum, other_sum, difference, other_difference) = (e + f, g + h, e - f, h - g);
         [other_sum + sum, other_sum - sum, other_difference + difference, other_difference - difference]

@@ -2,7 +2,7 @@
 
 use crate::math::double::Double;
 use crate::math::frame::Body;
-use crate::math::real::PI;
+use crate::math::number::PI;
 use crate::math::triple::Triple;
 use crate::math::vector::{Direction, Vector};
 

@@ -2,7 +2,7 @@
 
 use crate::math::complex::Complex;
 use crate::math::elementary::sin_cos_quarters;
-use crate::math::real::Real;
+use crate::math::number::Splat;
 use crate::motion::solve::phase::{Elapsed, Phase, Rate};
 
 /// A place on the polhode, as the theta functions give it.
@@ -130,7 +130,7 @@ impl<T: Copy> UnnormalisedState<T> {
     }
 }
 
-impl<T: Real> PhaseRates<T> {
+impl<T: Splat> PhaseRates<T> {
     #[inline(always)]
     pub(super) fn of(precession: Rate<T>, polhode: Rate<T>, start: [T; 2]) -> Self {
         let reach = precession.reach().zip(polhode.reach(), f64::min);
@@ -169,7 +169,7 @@ impl<T: Real> PhaseRates<T> {
     }
 }
 
-impl<T: Real, S: Series<T>> Stages<T> for &Flow<T, S> {
+impl<T: Splat, S: Series<T>> Stages<T> for &Flow<T, S> {
     #[inline(always)]
     fn theta_argument(&self, phases: &Phases<T>) -> ThetaArgument<T> {
         self.curve.theta_argument(phases)
@@ -186,7 +186,7 @@ impl<T: Real, S: Series<T>> Stages<T> for &Flow<T, S> {
     }
 }
 
-impl<T: Real, S: Series<T>> Curve<T, S> {
+impl<T: Splat, S: Series<T>> Curve<T, S> {
     #[inline(always)]
     pub(super) fn theta_argument(&self, phases: &Phases<T>) -> ThetaArgument<T> {
         let (place, bend) = self.series.place(phases.polhode);
@@ -214,7 +214,7 @@ impl<T: Real, S: Series<T>> Curve<T, S> {
     }
 }
 
-impl<T: Real> ToBodyMap<T> {
+impl<T: Splat> ToBodyMap<T> {
     #[inline(always)]
     pub(super) fn state(&self, unnormalised: &UnnormalisedState<T>) -> ([T; 4], [T; 3]) {
         let UnnormalisedState { quaternion: labelled, scale, rates } = *unnormalised;
@@ -229,11 +229,11 @@ impl<T: Real> ToBodyMap<T> {
 }
 
 #[inline(always)]
-fn dot3<T: Real>(a: &[T; 3], b: &[T; 3]) -> T {
+fn dot3<T: Splat>(a: &[T; 3], b: &[T; 3]) -> T {
     (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2]
 }
 
 #[inline(always)]
-fn dot4<T: Real>(a: &[T; 4], b: &[T; 4]) -> T {
+fn dot4<T: Splat>(a: &[T; 4], b: &[T; 4]) -> T {
     (a[0] * b[0] + a[1] * b[1]) + (a[2] * b[2] + a[3] * b[3])
 }

@@ -4,7 +4,7 @@ use crate::math::complex::Complex;
 use crate::math::double::Double;
 use crate::math::elementary::{exp_both, sin_cos_quarters};
 use crate::math::landen::{Landen, log_of};
-use crate::math::real::{PI, Real};
+use crate::math::number::{PI, Splat};
 use crate::math::symmetric3::power_of_two_near;
 
 use super::compact::{ScalarThetaParameters, ThetaParameters};
@@ -67,7 +67,7 @@ impl Pulse<f64> {
 }
 
 impl ScalarThetaParameters for Pulse<f64> {
-    type Of<T: Real> = Pulse<T>;
+    type Of<T: Splat> = Pulse<T>;
 
     /// cn and dn are 1 at u = 0, sn at u = K.
     fn scale(&self) -> [f64; 3] {
@@ -77,7 +77,7 @@ impl ScalarThetaParameters for Pulse<f64> {
         [at_zero / cn, at_quarter / sn, at_zero / dn]
     }
 
-    fn assembled<T: Real>(pick: &impl Fn(&dyn Fn(&Self) -> f64) -> T) -> Pulse<T> {
+    fn assembled<T: Splat>(pick: &impl Fn(&dyn Fn(&Self) -> f64) -> T) -> Pulse<T> {
         Pulse {
             low_start: pick(&|p| p.low_start),
             stretch: pick(&|p| p.stretch),
@@ -87,7 +87,7 @@ impl ScalarThetaParameters for Pulse<f64> {
     }
 }
 
-impl<T: Real> ThetaParameters<T> for Pulse<T> {
+impl<T: Splat> ThetaParameters<T> for Pulse<T> {
     type Series = Hyperbolic<T>;
 
     #[inline(always)]
@@ -169,7 +169,7 @@ fn argument(sin: Double, cos: Double, landen: &Landen) -> Double {
     if (sin.high < 0.0) == (cos.high < 0.0) { y } else { -y }
 }
 
-impl<T: Real> Series<T> for Hyperbolic<T> {
+impl<T: Splat> Series<T> for Hyperbolic<T> {
     /// z = ½π (x + 2N), |x| ≤ 1: of an even number of quarter turns x is the rest, of an odd one the rest less its sign.
     #[inline(always)]
     fn place(&self, z: Phase<T>) -> ([T; 2], Option<T>) {
@@ -207,7 +207,7 @@ fn is_odd(quarters: f64) -> bool {
     quarters.to_bits() & 1 == 1
 }
 
-impl<T: Real> Hyperbolic<T> {
+impl<T: Splat> Hyperbolic<T> {
     /// θ₂ of ¼π − b + iy.
     #[inline(always)]
     fn attitude(&self, x: T, w: T, sign: T) -> Complex<T> {
@@ -238,11 +238,11 @@ impl<T: Real> Hyperbolic<T> {
 }
 
 #[inline(always)]
-fn rising<T: Real>(c: &[T; 4], w: T, w2: T) -> T {
+fn rising<T: Splat>(c: &[T; 4], w: T, w2: T) -> T {
     (c[0] + c[2] * w2) + w * (c[1] + c[3] * w2)
 }
 
 #[inline(always)]
-fn falling<T: Real>(c: &[T; 3], x: T, x2: T) -> T {
+fn falling<T: Splat>(c: &[T; 3], x: T, x2: T) -> T {
     x * (c[0] + c[2] * x2) + x2 * c[1]
 }

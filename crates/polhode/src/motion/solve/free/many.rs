@@ -2,7 +2,8 @@
 
 use core::hint::black_box;
 
-use crate::math::lanes::{Lanes, in_widest_vectors};
+use crate::math::lanes::Lanes;
+use crate::math::machine::in_widest_vectors;
 use crate::motion::model::state::State;
 use crate::motion::solve::reach::is_within;
 

@@ -21,7 +21,7 @@ mod trigonometric;
 
 use crate::body::principal::PrincipalFrame;
 use crate::math::frame::{Body, Space};
-use crate::math::real::Real;
+use crate::math::number::Splat;
 use crate::math::symmetric3::{Symmetric3, power_of_two_near};
 use crate::math::triple::Triple;
 use crate::math::vector::{AngularAcceleration, AngularMomentum};
@@ -218,7 +218,7 @@ impl FreeMotion {
     }
 
     #[inline(always)]
-    fn elapsed<const WHOLE: bool, T: Real>(&self, time: T) -> Elapsed<T> {
+    fn elapsed<const WHOLE: bool, T: Splat>(&self, time: T) -> Elapsed<T> {
         Elapsed::since::<WHOLE>(T::splat(self.start.time), time, T::splat(self.unit))
     }
 

@@ -1,7 +1,7 @@
 //! How far from its start a free motion is right.
 
 use crate::math::double::Double;
-use crate::math::real::PI;
+use crate::math::number::PI;
 use crate::math::triple::Triple;
 use crate::motion::solve::reach::Drift;
 

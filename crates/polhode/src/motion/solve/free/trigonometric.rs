@@ -6,7 +6,7 @@ use crate::math::complex::Complex;
 use crate::math::double::Double;
 use crate::math::elementary::sin_cos_quarters;
 use crate::math::landen::Landen;
-use crate::math::real::{PI, Real};
+use crate::math::number::{PI, Splat};
 
 use super::compact::{ScalarThetaParameters, ThetaParameters};
 use super::elements::Elements;
@@ -51,7 +51,7 @@ impl Nomes<f64> {
 }
 
 impl ScalarThetaParameters for Nomes<f64> {
-    type Of<T: Real> = Nomes<T>;
+    type Of<T: Splat> = Nomes<T>;
 
     /// cn and dn are 1 at u = 0, sn at u = K.
     fn scale(&self) -> [f64; 3] {
@@ -61,12 +61,12 @@ impl ScalarThetaParameters for Nomes<f64> {
         [at_zero / cn, at_quarter / sn, at_zero / dn]
     }
 
-    fn assembled<T: Real>(pick: &impl Fn(&dyn Fn(&Self) -> f64) -> T) -> Nomes<T> {
+    fn assembled<T: Splat>(pick: &impl Fn(&dyn Fn(&Self) -> f64) -> T) -> Nomes<T> {
         Nomes { nome: pick(&|n| n.nome), squares: from_fn(|k| pick(&|n| n.squares[k])) }
     }
 }
 
-impl<T: Real> ThetaParameters<T> for Nomes<T> {
+impl<T: Splat> ThetaParameters<T> for Nomes<T> {
     type Series = Trigonometric<T>;
 
     #[inline(always)]
@@ -115,7 +115,7 @@ fn half_nutation(elements: &Elements, landen: &Landen) -> f64 {
 ///
 /// Re f = 1 + Σ (fₙ + gₙ) cos 2nz,  Im f = Σ (fₙ − gₙ) sin 2nz,  fₙ = (−1)ⁿ q^(2n²−n) Y²ⁿ,  gₙ = (−1)ⁿ q^(2n²−n) (q/Y)²ⁿ
 #[inline(always)]
-fn attitude_polynomials<T: Real>([q, q6, q15]: [T; 3], y2: T, x2: T) -> ([T; 4], [T; 3]) {
+fn attitude_polynomials<T: Splat>([q, q6, q15]: [T; 3], y2: T, x2: T) -> ([T; 4], [T; 3]) {
     let (y4, x4) = (y2 * y2, x2 * x2);
     let [f1, f2, f3] = [q * y2, q6 * y4, q15 * (y4 * y2)]; // but for signs
     let [g1, g2, g3] = [q * x2, q6 * x4, q15 * (x4 * x2)];
@@ -129,19 +129,19 @@ fn attitude_polynomials<T: Real>([q, q6, q15]: [T; 3], y2: T, x2: T) -> ([T; 4],
 /// 1 + q² (C − 1) + q⁶ (C² − C − 1) + q¹² (C³ − C² − 2C + 1) + q²⁰ (C⁴ − C³ − 3C² + 2C + 1), C = 2 cos 2z: the sum of
 /// q^(n(n+1)) cos (2n+1)z / cos z. That of ±q^(n(n+1)) sin (2n+1)z / sin z has −C.
 #[inline(always)]
-fn odd_polynomial<T: Real>([a, b, c, d]: [T; 4]) -> [T; 5] {
+fn odd_polynomial<T: Splat>([a, b, c, d]: [T; 4]) -> [T; 5] {
     let two = T::splat(2.0);
     [(T::splat(1.0) - a) - (b - (c + d)), (a - b) - two * (c - d), (b - c) - T::splat(3.0) * d, c - d, d]
 }
 
 /// 1 + q C + q⁴ (C² − 2) + q⁹ (C³ − 3C) + q¹⁶ (C⁴ − 4C² + 2), C = 2 cos 2z: 1 + Σ 2q^(n²) cos 2nz.
 #[inline(always)]
-fn even_polynomial<T: Real>([q, a, b, c]: [T; 4]) -> [T; 5] {
+fn even_polynomial<T: Splat>([q, a, b, c]: [T; 4]) -> [T; 5] {
     let two = T::splat(2.0);
     [T::splat(1.0) - two * (a - c), q - T::splat(3.0) * b, a - T::splat(4.0) * c, b, c]
 }
 
-impl<T: Real> Series<T> for Trigonometric<T> {
+impl<T: Splat> Series<T> for Trigonometric<T> {
     /// (cos z, sin z)
     #[inline(always)]
     fn place(&self, z: Phase<T>) -> ([T; 2], Option<T>) {
@@ -173,6 +173,6 @@ impl<T: Real> Series<T> for Trigonometric<T> {
 
 /// Those even and odd in c of a polynomial.
 #[inline(always)]
-fn parts<T: Real>(p: &[T; 5], c: T, c2: T) -> (T, T) {
+fn parts<T: Splat>(p: &[T; 5], c: T, c2: T) -> (T, T) {
     (p[0] + c2 * (p[2] + c2 * p[4]), c * (p[1] + c2 * p[3]))
 }

@@ -13,8 +13,8 @@
 
 use crate::math::complex::Complex;
 use crate::math::double::Double;
+use crate::math::number::Splat;
 use crate::math::quaternion::Quaternion;
-use crate::math::real::Real;
 use crate::motion::solve::phase::{Angle, Elapsed, Phase};
 use crate::motion::solve::theta::{Lattice, Place, Shifted, unit_of_quarters};
 
@@ -127,7 +127,7 @@ impl Kernel {
 
     /// Quaternion and ω after a time.
     #[inline(always)]
-    pub(super) fn at<T: Real>(&self, elapsed: &Elapsed<T>) -> ([T; 4], [T; 3]) {
+    pub(super) fn at<T: Splat>(&self, elapsed: &Elapsed<T>) -> ([T; 4], [T; 3]) {
         if elapsed.is_within(T::splat(self.reach)) {
             self.after::<T, false>(elapsed)
         } else {
@@ -136,7 +136,7 @@ impl Kernel {
     }
 
     #[inline(always)]
-    fn after<T: Real, const LONG: bool>(&self, elapsed: &Elapsed<T>) -> ([T; 4], [T; 3]) {
+    fn after<T: Splat, const LONG: bool>(&self, elapsed: &Elapsed<T>) -> ([T; 4], [T; 3]) {
         let place = self.lattice.place(self.nutation.at::<T, LONG>(elapsed));
         let [p_series, q_series, across_series] = &self.series;
         let bends = [p_series.bend_at(&place), q_series.bend_at(&place), across_series.bend_at(&place)];
@@ -169,12 +169,12 @@ impl Kernel {
 }
 
 #[inline(always)]
-fn dot4<T: Real>(a: &[f64; 4], b: &[T; 4]) -> T {
+fn dot4<T: Splat>(a: &[f64; 4], b: &[T; 4]) -> T {
     (T::splat(a[0]) * b[0] + T::splat(a[1]) * b[1]) + (T::splat(a[2]) * b[2] + T::splat(a[3]) * b[3])
 }
 
 #[inline(always)]
-fn omega<T: Real>(a: &[f64; 3], across: Complex<T>) -> T {
+fn omega<T: Splat>(a: &[f64; 3], across: Complex<T>) -> T {
     (T::splat(a[0]) * across.re + T::splat(a[1]) * across.im) + T::splat(a[2])
 }
 

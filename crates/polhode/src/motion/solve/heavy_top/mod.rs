@@ -13,8 +13,8 @@ mod path;
 use crate::math::complex::Complex;
 use crate::math::double::Double;
 use crate::math::elliptic::unit;
+use crate::math::number::PI;
 use crate::math::quaternion::Quaternion;
-use crate::math::real::PI;
 use crate::math::rotation::Rotation;
 use crate::math::triple::Triple;
 use crate::math::vector::AngularVelocity;
@@ -296,7 +296,7 @@ impl HeavyTop {
     ///
     /// `None` if the spin is too slow: |ω3| < 2√(M g l A cos θ)/C, or for a level axis without spin.
     pub fn steady_precession(&self, angle: f64, spin: f64) -> Option<SteadyPrecession> {
-        let (_, cosine) = crate::math::real::sin_cos(angle);
+        let (_, cosine) = crate::math::number::sin_cos(angle);
         SteadyPrecession::of(self.moments, self.weight, cosine, spin)
     }
 }

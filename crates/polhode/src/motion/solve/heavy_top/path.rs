@@ -1,7 +1,7 @@
 //! The kinds of motion of a heavy symmetric top, by the path of its axis.
 
 use crate::math::double::Double;
-use crate::math::real::PI;
+use crate::math::number::PI;
 use crate::math::triple::Triple;
 
 use super::constants::Constants;

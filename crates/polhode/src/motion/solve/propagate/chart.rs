@@ -15,7 +15,7 @@
 use std::rc::Rc;
 
 use crate::math::frame::{Body, Principal, Space};
-use crate::math::real::sin_cos;
+use crate::math::number::sin_cos;
 use crate::math::rotation::Rotation;
 use crate::math::vector::{AngularMomentum, AngularVelocity, Direction, Torque, Vector};
 use crate::motion::error::MotionError;

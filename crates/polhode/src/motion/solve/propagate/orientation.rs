@@ -1,7 +1,7 @@
 //! An attitude that many small turns can be added to.
 
 use crate::math::frame::{Principal, Space};
-use crate::math::real::sin_cos;
+use crate::math::number::sin_cos;
 use crate::math::rotation::Rotation;
 use crate::math::sum::two_sum;
 use crate::math::vector::Direction;
@@ -67,7 +67,7 @@ mod tests {
         // 1,000,003 equal turns about a generic axis that make 50,000 full ones
         let n = 1_000_003;
         let axis = Direction::new(0.48, -0.6, 0.64);
-        let step = axis * (50_000.0 * 2.0 * crate::math::real::PI / f64::from(n));
+        let step = axis * (50_000.0 * 2.0 * crate::math::number::PI / f64::from(n));
         let start = Rotation::from_quaternion([0.4, -0.7, 1.1, 0.3]).unwrap();
         let mut orientation = Orientation::new(start);
         for _ in 0..n {

@@ -13,7 +13,7 @@ use core::array::from_fn;
 
 use crate::body::principal::Symmetry;
 use crate::math::frame::{Body, Principal};
-use crate::math::real::sin_cos;
+use crate::math::number::sin_cos;
 use crate::math::rotation::Rotation;
 use crate::math::vector::{AngularMomentum, AngularVelocity, Direction};
 use crate::motion::model::rotor::Rotor;

@@ -4,7 +4,7 @@ use super::Increment;
 use super::row::Row;
 use super::torque::StepStart;
 use crate::math::frame::{Body, Principal, Space};
-use crate::math::number::{MulAdd, Number};
+use crate::math::number::Number;
 use crate::math::rotation::Rotation;
 use crate::math::sum::two_sum;
 use crate::math::vector::{AngularVelocity, Vector};

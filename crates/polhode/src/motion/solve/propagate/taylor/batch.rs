@@ -8,7 +8,7 @@ use super::base::ExpansionPoint;
 use super::recurrence::Recurrence;
 use super::row::smaller;
 use super::stepper::torque_rate;
-use super::sums::{SeveralBodies, Sums};
+use super::sums::{OneBody, SeveralBodies, Sums};
 use super::torque::{Decomposition, TorqueKind};
 use crate::math::frame::{Body as BodyFrame, Principal};
 use crate::math::machine::{Machine, Work, in_vectors};
@@ -98,12 +98,9 @@ impl Work for Advance<'_, '_> {
         batch.failures
     }
 
-    /// One after the other: numbers side by side in plain loops double the time of a build, for processors older than AVX2.
-    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-    fn run_plainly(self) -> Self::Output {
-        use super::sums::OneBody;
-        use crate::math::machine::Plain;
-
+    /// One after the other: a body alone fills registers of two numbers too, and a second way would double the time of a build.
+    #[inline(always)]
+    fn run_narrow<S: Machine>(self, s: S) -> Self::Output {
         let Self { bodies, times, tolerance, states } = self;
         let mut failures = Vec::new();
         for (k, body) in bodies.iter().enumerate() {
@@ -111,7 +108,7 @@ impl Work for Advance<'_, '_> {
             let alone = Advance { bodies: core::slice::from_ref(body), times, tolerance, states };
             // A batch of its own: sums of one body go beyond the coefficients that are known, where others must not have left theirs.
             if let Some(mut batch) = Batch::of(alone, 0.0) {
-                batch.run(OneBody(Plain));
+                batch.run(OneBody(s));
                 failures.extend(batch.failures.into_iter().map(|(_, cause)| (k, cause)));
             }
         }

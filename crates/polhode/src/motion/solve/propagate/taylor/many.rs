@@ -12,7 +12,7 @@ use super::recurrence::{
 use super::row::Row;
 use super::sums::SeveralBodies;
 use crate::math::machine::Machine;
-use crate::math::number::{MulAdd, Number};
+use crate::math::number::Number;
 
 /// The linear part of the recurrence of a step: what it starts from, and the constants of the equations.
 #[derive(Clone, Copy)]

@@ -11,7 +11,7 @@ use super::recurrence::{
 use super::row::Row;
 use super::sums::OneBody;
 use crate::math::machine::Machine;
-use crate::math::number::MulAdd;
+use crate::math::number::Number;
 
 /// The linear part of the recurrence of a step: what its newest coefficients, and what it starts from, are multiplied by.
 #[derive(Clone, Copy)]

@@ -12,7 +12,7 @@
 use super::pair::Pair;
 use super::row::{INVERSES, Row, TERMS};
 use super::sums::Sums;
-use crate::math::number::{MulAdd, Number};
+use crate::math::number::Number;
 
 /// What is packed where: a const parameter, as each layout is compiled by itself.
 ///

@@ -5,7 +5,7 @@
 
 use core::ops::{Add, Deref, Mul, Sub};
 
-use crate::math::number::{MulAdd, Number};
+use crate::math::number::Number;
 
 /// Four numbers, added and multiplied place by place.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -98,6 +98,17 @@ impl<N: Number> Row<N> {
     }
 
     #[inline(always)]
+    pub(super) fn mul_add(self, b: Self, c: Self) -> Self {
+        let (a, b, c) = (self.0, b.0, c.0);
+        Self([
+            a[0].mul_add(b[0], c[0]),
+            a[1].mul_add(b[1], c[1]),
+            a[2].mul_add(b[2], c[2]),
+            a[3].mul_add(b[3], c[3]),
+        ])
+    }
+
+    #[inline(always)]
     pub(super) fn lane(&self, lane: usize) -> Row {
         Row([self.0[0].lane(lane), self.0[1].lane(lane), self.0[2].lane(lane), self.0[3].lane(lane)])
     }
@@ -118,19 +129,6 @@ pub(super) fn smaller<N: Number>(a: N, b: N) -> N {
 /// The bits of an exponent, and of its least that is normal.
 const EXPONENT: u64 = 0x7ff << 52;
 const LEAST: u64 = 1 << 52;
-
-impl<N: Number> MulAdd for Row<N> {
-    #[inline(always)]
-    fn mul_add(self, b: Self, c: Self) -> Self {
-        let (a, b, c) = (self.0, b.0, c.0);
-        Self([
-            a[0].mul_add(b[0], c[0]),
-            a[1].mul_add(b[1], c[1]),
-            a[2].mul_add(b[2], c[2]),
-            a[3].mul_add(b[3], c[3]),
-        ])
-    }
-}
 
 impl<N: Number> Add for Row<N> {
     type Output = Self;

@@ -7,7 +7,7 @@
 use core::ops::{Deref, DerefMut};
 
 use super::row::{MARGIN, Row, Series, TERMS};
-use crate::math::number::{MulAdd, Number};
+use crate::math::number::Number;
 
 /// Taylor coefficients of a number, from the constant on; before it zeros, as many as a loop by fours may read too far.
 #[derive(Clone, Copy, Debug)]

@@ -11,7 +11,7 @@ use core::ops::Mul;
 use super::pair::Pair;
 use super::row::{Row, Series, TERMS, Vectors};
 use crate::math::machine::Machine;
-use crate::math::number::{MulAdd, Number};
+use crate::math::number::Number;
 
 /// How sums are done, and of what.
 pub(super) trait Sums: Copy {
@@ -106,19 +106,31 @@ impl<S: Machine> Sums for OneBody<S> {
     fn pair_increment<T>(self, c: &[T; TERMS], pair: impl Fn(&T) -> &Pair, order: usize, h: f64) -> Pair {
         let s = self.0;
         let load = |c: &T| s.load_eight(&pair(c).0);
-        Pair(s.eight_numbers(polynomial(&c[1..=order], load, s.eight(0.0), s.eight(h))))
+        Pair(s.eight_numbers(polynomial(&c[1..=order], load, Number::mul_add, s.eight(0.0), s.eight(h))))
     }
 
     #[inline(always)]
     fn increment(self, c: &Series, order: usize, h: f64) -> Row {
         let s = self.0;
-        Row(s.numbers(polynomial(&c[1..=order], |row| s.load(&row.0), s.splat(0.0), s.splat(h))))
+        Row(s.numbers(polynomial(
+            &c[1..=order],
+            |row| s.load(&row.0),
+            Number::mul_add,
+            s.splat(0.0),
+            s.splat(h),
+        )))
     }
 }
 
 /// c₁ h + c₂ h² + …
 #[inline(always)]
-fn polynomial<T, N: MulAdd + Mul<Output = N>>(c: &[T], load: impl Fn(&T) -> N, none: N, h: N) -> N {
+fn polynomial<T, V: Copy + Mul<Output = V>>(
+    c: &[T],
+    load: impl Fn(&T) -> V,
+    mul_add: impl Fn(V, V, V) -> V,
+    none: V,
+    h: V,
+) -> V {
     // Every fourth power by itself: four short chains instead of a long one.
     let square = h * h;
     let fourth = square * square;
@@ -128,13 +140,13 @@ fn polynomial<T, N: MulAdd + Mul<Output = N>>(c: &[T], load: impl Fn(&T) -> N, n
         *sum = load(c);
     }
     for [first, second, third, last] in fours.iter().rev() {
-        sums[0] = sums[0].mul_add(fourth, load(first));
-        sums[1] = sums[1].mul_add(fourth, load(second));
-        sums[2] = sums[2].mul_add(fourth, load(third));
-        sums[3] = sums[3].mul_add(fourth, load(last));
+        sums[0] = mul_add(sums[0], fourth, load(first));
+        sums[1] = mul_add(sums[1], fourth, load(second));
+        sums[2] = mul_add(sums[2], fourth, load(third));
+        sums[3] = mul_add(sums[3], fourth, load(last));
     }
     let [first, second, third, last] = sums;
-    last.mul_add(h, third).mul_add(square, second.mul_add(h, first)) * h
+    mul_add(mul_add(last, h, third), square, mul_add(second, h, first)) * h
 }
 
 /// As many bodies as a register holds numbers, a row in four registers.
@@ -189,13 +201,13 @@ impl<S: Machine> Sums for SeveralBodies<S> {
         h: S::Many,
     ) -> Pair<S::Many> {
         let (c, h) = (&c[1..=order], Row::splat(h));
-        let first = polynomial(c, |c| pair(c).first(), self.zero(), h);
-        Pair::new(first, polynomial(c, |c| pair(c).second(), self.zero(), h))
+        let first = polynomial(c, |c| pair(c).first(), Row::mul_add, self.zero(), h);
+        Pair::new(first, polynomial(c, |c| pair(c).second(), Row::mul_add, self.zero(), h))
     }
 
     #[inline(always)]
     fn increment(self, c: &Series<S::Many>, order: usize, h: S::Many) -> Row<S::Many> {
-        polynomial(&c[1..=order], |row| *row, self.zero(), Row::splat(h))
+        polynomial(&c[1..=order], |row| *row, Row::mul_add, self.zero(), Row::splat(h))
     }
 }
 

@@ -9,7 +9,7 @@ use super::orbit::OrbitSeries;
 use super::{Known, StepStart, cross, row};
 use crate::math::algebra::Scalar as _;
 use crate::math::frame::{Principal, Space};
-use crate::math::number::{MulAdd, Number};
+use crate::math::number::Number;
 use crate::math::rotation::{Rotation, wrap};
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::torque::graph::{Graph, Operation, ScalarOperation, VectorOperation};

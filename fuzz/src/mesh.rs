@@ -72,9 +72,13 @@ fn mesh(data: &[u8], format: MeshFormat) {
 /// The triangles of a file that has been read.
 fn accepted(contents: MeshContents, format: MeshFormat) {
     for part in &contents.parts {
-        assert!(part.mesh.vertices().as_flattened().iter().all(|c| c.is_finite()));
+        assert!(part.mesh.coordinates().as_flattened().iter().all(|c| c.is_finite()));
         assert!(
-            part.mesh.triangles().as_flattened().iter().all(|&v| (v as usize) < part.mesh.vertices().len())
+            part.mesh
+                .triangles()
+                .as_flattened()
+                .iter()
+                .all(|&v| (v as usize) < part.mesh.coordinates().len())
         );
     }
     if contents.triangles() > MOST {
@@ -101,8 +105,8 @@ fn accepted(contents: MeshContents, format: MeshFormat) {
             }
         }
     }
-    if all.vertices().len() <= MOST
-        && let Ok(hull) = ConvexHull::of(all.vertices())
+    if all.coordinates().len() <= MOST
+        && let Ok(hull) = ConvexHull::of(all.coordinates())
     {
         assert!(hull.triangles().len() >= 4);
     }
@@ -110,8 +114,8 @@ fn accepted(contents: MeshContents, format: MeshFormat) {
 
 /// The mesh in the simplest of formats, every number with all of its digits.
 fn as_off(mesh: &TriangleMesh) -> String {
-    let mut text = format!("OFF\n{} {} 0\n", mesh.vertices().len(), mesh.triangles().len());
-    for [x, y, z] in mesh.vertices() {
+    let mut text = format!("OFF\n{} {} 0\n", mesh.coordinates().len(), mesh.triangles().len());
+    for [x, y, z] in mesh.coordinates() {
         let _ = writeln!(text, "{x:?} {y:?} {z:?}");
     }
     for [a, b, c] in mesh.triangles() {

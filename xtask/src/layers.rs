@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use crate::{Outcome, files, read, root, short};
 
 /// The modules of the core crate, in order: each may import itself and those before it.
-const MODULES: [&str; 9] = [
+const MODULES: [&str; 10] = [
     "math",
     "body",
     "motion/error",
@@ -18,6 +18,7 @@ const MODULES: [&str; 9] = [
     "motion/run",
     "motion/task",
     "observe",
+    "interop",
 ];
 
 /// What files below a path may not say, and why.

@@ -120,7 +120,7 @@ fn of_contents(
     }
     if options.hull {
         for part in &mut contents.parts {
-            part.mesh = ConvexHull::of(part.mesh.vertices()).map_err(Raise::raise)?;
+            part.mesh = ConvexHull::of(part.mesh.coordinates()).map_err(Raise::raise)?;
         }
     }
     let solid = MeshSolid::of(contents, path, format, options.unit).map_err(Raise::raise)?;

@@ -326,7 +326,7 @@ impl Mesh {
         let bodies = parts.iter().map(|part| part.mass_properties(Substance::Density(1.0)));
         let bodies: Vec<_> = bodies.collect::<Result<_, _>>().map_err(|error| error.to_string())?;
         let body = MassProperties::combined(&bodies).map_err(|error| error.to_string())?;
-        let vertices = parts.iter().flat_map(|part| part.surface().vertices().iter().copied()).collect();
+        let vertices = parts.iter().flat_map(|part| part.surface().coordinates().iter().copied()).collect();
         Ok(Self { solid: Solid::of(&body), vertices, kind: VolumeKind::Closed, turned_in: None })
     }
 

@@ -68,7 +68,7 @@ fn rough(mesh: &TriangleMesh, by: f64) -> Result<TriangleMesh, BodyError> {
         state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (state >> 11) as f64 / 9_007_199_254_740_992.0 - 0.5
     };
-    let moved = mesh.vertices().iter().map(|p| p.map(|c| c + 2.0 * by * chance()));
+    let moved = mesh.coordinates().iter().map(|p| p.map(|c| c + 2.0 * by * chance()));
     TriangleMesh::new(moved.collect(), mesh.triangles().to_vec())
 }
 
@@ -87,7 +87,7 @@ fn main() -> Result<(), BodyError> {
         let seconds = least(|| ClosedMesh::with_threads(&mesh, threads));
         println!("solid, {threads} threads\t{:.1}\tns/triangle", seconds * 1e9 / count as f64);
     }
-    let points = mesh.vertices();
+    let points = mesh.coordinates();
     println!("convex hull of {} points\t{:.0}\tms", points.len(), least(|| ConvexHull::of(points)) * 1e3);
     println!("shell\t{:.1}\tns/triangle", least(|| MeshShell::new(&mesh, 1e-3)) * 1e9 / count as f64);
     Ok(())

@@ -50,11 +50,12 @@
 //! | [`motion`] | torque → motion, motion → torque | files |
 //! | [`observe`] | what can be read off a motion | integration |
 //!
-//! Each uses those above it only. [`prelude`] has the names that most programs use.
+//! Each uses those above it only. [`prelude`] has the names that most programs use; [`interop`] are conversions to nalgebra, glam, mint and serde.
 
 #![forbid(unsafe_code)]
 
 pub mod body;
+pub mod interop;
 pub mod math;
 pub mod motion;
 pub mod observe;

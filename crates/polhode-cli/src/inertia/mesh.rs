@@ -165,7 +165,7 @@ fn whole(
     }
     if flags.hull {
         for part in &mut contents.parts {
-            part.mesh = ConvexHull::of(part.mesh.vertices()).map_err(unfit)?;
+            part.mesh = ConvexHull::of(part.mesh.coordinates()).map_err(unfit)?;
         }
     }
     let solid = MeshSolid::of(contents, file, format, unit)?;

@@ -40,7 +40,7 @@ use super::scan::Scan;
 /// let [base, sides] = contents.parts.as_slice() else { panic!() };
 /// assert_eq!((base.name.as_str(), base.mesh.triangles()), ("base", [[0, 2, 1]].as_slice()));
 /// assert_eq!((sides.name.as_str(), sides.mesh.triangles().len()), ("sides", 3));
-/// assert_eq!(sides.mesh.vertices()[1], [1.7, 0.0, -2.5e-3]);
+/// assert_eq!(sides.mesh.coordinates()[1], [1.7, 0.0, -2.5e-3]);
 ///
 /// let error = read(b"v 0 0 0\nf 1 2 3").unwrap_err();
 /// assert_eq!(error.kind.to_string(), "vertex 2 does not exist: there are 1");

@@ -30,7 +30,7 @@ use super::scan::Scan;
 /// 3 2 0 3
 /// ";
 /// let contents = read(text)?;
-/// assert_eq!(contents.parts[0].mesh.vertices()[1], [1.7, 0.0, -2.5e-3]);
+/// assert_eq!(contents.parts[0].mesh.coordinates()[1], [1.7, 0.0, -2.5e-3]);
 /// assert_eq!(contents.parts[0].mesh.triangles()[3], [2, 0, 3]);
 ///
 /// let error = read(&text[..text.len() - 8]).unwrap_err();

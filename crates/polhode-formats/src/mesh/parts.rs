@@ -78,14 +78,14 @@ mod tests {
         let vertices: Vec<[f64; 3]> = (0..7).map(|k| [f64::from(k), 0.3, -1.7]).collect();
         let parts = vec![("a".to_owned(), vec![[5, 1, 3], [1, 5, 6]]), ("b".to_owned(), vec![[3, 2, 1]])];
         let parts = of_shared(vertices.clone(), parts).unwrap();
-        let xs = |k: usize| parts[k].mesh.vertices().iter().map(|v| v[0]).collect::<Vec<_>>();
+        let xs = |k: usize| parts[k].mesh.coordinates().iter().map(|v| v[0]).collect::<Vec<_>>();
         assert_eq!((xs(0), xs(1)), (vec![1.0, 3.0, 5.0, 6.0], vec![1.0, 2.0, 3.0]));
         assert_eq!(parts[0].mesh.triangles(), [[2, 0, 1], [0, 2, 3]]);
         assert_eq!(parts[1].mesh.triangles(), [[2, 1, 0]]);
 
         let all = of_shared(vertices.clone(), vec![(String::new(), vec![[6, 5, 4], [3, 2, 1], [0, 1, 2]])])
             .unwrap();
-        assert_eq!(all[0].mesh.vertices(), vertices);
+        assert_eq!(all[0].mesh.coordinates(), vertices);
         let few = of_shared(vertices, vec![(String::new(), vec![[6, 0, 4]])]).unwrap();
         assert_eq!(few[0].mesh.triangles(), [[2, 0, 1]]);
     }

@@ -45,7 +45,7 @@ use values::{Ascii, Binary, Stop, Values};
 /// ";
 /// let contents = read(text)?;
 /// assert_eq!(contents.encoding, "ascii");
-/// assert_eq!(contents.parts[0].mesh.vertices()[1], [1.7, 0.0, -2.5e-3]);
+/// assert_eq!(contents.parts[0].mesh.coordinates()[1], [1.7, 0.0, -2.5e-3]);
 ///
 /// let error = read(&text[..text.len() - 10]).unwrap_err();
 /// assert_eq!(error.kind.to_string(), "3 corners are declared, and 2 are there");

@@ -61,7 +61,7 @@ fn every_form_of_a_face_is_read() {
     let contents = text(PRISM).unwrap();
     let [part] = contents.parts.as_slice() else { panic!("{contents:?}") };
     assert_eq!((contents.encoding, contents.unit, part.name.as_str()), ("text", None, ""));
-    assert_eq!(part.mesh.vertices(), VERTICES);
+    assert_eq!(part.mesh.coordinates(), VERTICES);
     assert_eq!(part.mesh.triangles(), TRIANGLES);
     assert!(contents.findings.is_empty());
 }
@@ -109,7 +109,7 @@ fn groups_are_parts_with_their_own_vertices() {
             ("tail", vec![[0, 1, 2]]),
         ]
     );
-    let spar = contents.parts[2].mesh.vertices();
+    let spar = contents.parts[2].mesh.coordinates();
     assert_eq!(spar, [[1.0, 0.1, 0.0], [0.2, 1.0, 0.0], [0.3, 0.4, 1.0], [7.0, 7.5, 7.0]]);
 }
 

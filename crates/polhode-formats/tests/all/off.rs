@@ -48,7 +48,7 @@ fn error(text: &str) -> (Kind, &str) {
 fn vertices_and_faces_are_read() {
     let contents = text(PRISM).unwrap();
     let [part] = contents.parts.as_slice() else { panic!("{contents:?}") };
-    assert_eq!((part.mesh.vertices(), part.mesh.triangles()), (VERTICES.as_slice(), TRIANGLES.as_slice()));
+    assert_eq!((part.mesh.coordinates(), part.mesh.triangles()), (VERTICES.as_slice(), TRIANGLES.as_slice()));
     assert!(contents.findings.is_empty() && contents.unit.is_none());
 }
 
@@ -203,7 +203,7 @@ fn one_solid_in_three_formats_has_the_same_bits() {
     let bits = |vertices: &[[f64; 3]]| vertices.iter().map(|v| v.map(f64::to_bits)).collect::<Vec<_>>();
     for contents in [obj, off, ascii, ply::read(&little).unwrap(), ply::read(&big).unwrap()] {
         let mesh = &contents.parts[0].mesh;
-        assert_eq!(bits(mesh.vertices()), bits(&vertices), "{}", contents.encoding);
+        assert_eq!(bits(mesh.coordinates()), bits(&vertices), "{}", contents.encoding);
         assert_eq!(mesh.triangles(), faces);
     }
 }

@@ -112,7 +112,7 @@ fn ascii_is_read_in_double_precision() {
     let contents = read(ASCII.as_bytes()).unwrap();
     let [part] = contents.parts.as_slice() else { panic!("{contents:?}") };
     assert_eq!((contents.encoding, contents.unit, contents.findings.len()), ("ascii", None, 0));
-    assert_eq!(part.mesh.vertices()[..3], [[0.1, -2.5, 3.25], [1.75, 0.3, 0.1], [-6.5, 4.2, 0.9]]);
+    assert_eq!(part.mesh.coordinates()[..3], [[0.1, -2.5, 3.25], [1.75, 0.3, 0.1], [-6.5, 4.2, 0.9]]);
     assert_eq!(part.mesh.triangles(), TRIANGLES);
     for other in [
         ASCII.replace('\n', "\r\n"),
@@ -134,7 +134,7 @@ fn binary_is_read_exactly_in_both_orders_and_all_types() {
             for index in ["int8", "uint8", "int16", "uint16", "int32", "uint32", "char", "ushort"] {
                 let contents = read(&binary(is_big, length, index)).unwrap();
                 assert_eq!(contents.encoding, encoding);
-                assert_eq!(contents.parts[0].mesh.vertices(), vertices);
+                assert_eq!(contents.parts[0].mesh.coordinates(), vertices);
                 assert_eq!(contents.parts[0].mesh.triangles(), TRIANGLES);
             }
         }
@@ -211,7 +211,7 @@ fn elements_come_in_any_order_and_most_are_passed_over() {
         let contents = read(&file).unwrap();
         let mesh = &contents.parts[0].mesh;
         assert_eq!(
-            mesh.vertices(),
+            mesh.coordinates(),
             [[0.1, -5.0, 300.0], [0.7, 17.0, -20.0], [-1.3, 3.0, 4.0], [2.9, 6.0, 8.0], [5.5, -2.0, 1.0]]
         );
         // The quadrilateral has a dent.

@@ -169,10 +169,10 @@ fn components_are_placed_by_all_that_is_above_them() {
     assert_eq!(contents.parts[0].mesh.corners().collect::<Corners>(), expected());
     let [x, y, z] = POINTS[2].map(f64::from);
     assert_eq!(
-        contents.parts[1].mesh.vertices()[2],
+        contents.parts[1].mesh.coordinates()[2],
         [0.5 * (x + 100.0), 0.5 * (y + 200.0), 0.5 * (z + 400.0)]
     );
-    assert_eq!(contents.parts[2].mesh.vertices()[2], [x, y, z]);
+    assert_eq!(contents.parts[2].mesh.coordinates()[2], [x, y, z]);
 }
 
 #[test]
@@ -448,7 +448,7 @@ fn no_bytes_do_harm() {
             text[k] ^= mask;
             if let Ok(contents) = read(&stored(&[(MODEL, &text)], |_, at| at)) {
                 answers += 1;
-                assert!(contents.parts.iter().all(|part| part.mesh.vertices().len() < 8));
+                assert!(contents.parts.iter().all(|part| part.mesh.coordinates().len() < 8));
             }
         }
     }

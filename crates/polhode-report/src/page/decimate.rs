@@ -54,7 +54,7 @@ fn clustered(mesh: &TriangleMesh, bounds: &Bounds, cells: f64) -> TriangleMesh {
     let mut sums: Vec<([f64; 3], f64)> = Vec::new();
     // Numbered as they come, so that no order of a hash is seen.
     let new_index: Vec<u32> = mesh
-        .vertices()
+        .coordinates()
         .iter()
         .map(|&vertex| {
             let index = *places.entry(bounds.cell(vertex, cells)).or_insert_with(|| {

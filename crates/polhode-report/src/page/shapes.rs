@@ -148,7 +148,7 @@ fn mesh_json(
         budget.notes.push(format!("{name}: {shown} of {} triangles, made coarser", count(of as u64)));
     }
     let vertices: Vec<f32> = shown
-        .vertices()
+        .coordinates()
         .iter()
         .flat_map(|vertex| (Position::<Part>::from_array(*vertex) - middle).to_array())
         .map(|x| x as f32)

@@ -52,7 +52,7 @@ impl<'a> RequiredReport<'a> {
     /// where it has no other parts, and on these.
     ///
     /// # Errors
-    /// [`MotionError::Parameter`] if the scenario prescribes no motion, or none at one of the times; [`MotionError::NotFinite`]
+    /// A parameter's error ([`MotionError::is_parameter`]) if the scenario prescribes no motion, or none at one of the times; [`MotionError::NotFinite`]
     /// where a formula is not finite.
     pub fn new(
         source: SourceInfo,
@@ -62,12 +62,9 @@ impl<'a> RequiredReport<'a> {
     ) -> Result<Self, MotionError> {
         let rotor = scenario.rotor();
         let Some(motion) = scenario.prescribed() else {
-            let rule = "at least 1: [prescribed] or [shaft]";
-            return Err(MotionError::Parameter {
-                what: "the number of prescribed motions",
-                value: 0.0,
-                rule,
-            });
+            let (parameter, rule) =
+                ("the number of prescribed motions", "at least 1: [prescribed] or [shaft]");
+            return Err(MotionError::ParameterOutOfRange { parameter, value: 0.0, rule });
         };
         let needed = |time: &f64| Required::by(rotor, motion, *time);
         let times = scenario.run().map_or(&[][..], |run| &run.times);

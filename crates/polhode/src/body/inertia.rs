@@ -2,9 +2,10 @@
 
 use core::fmt;
 use core::marker::PhantomData;
-use core::ops::Mul;
+use core::ops::{Index, Mul};
 
 use super::error::BodyError;
+use crate::math::display;
 use crate::math::frame::Frame;
 use crate::math::rotation::Rotation;
 use crate::math::symmetric3::{Eigen, Symmetric3};
@@ -197,7 +198,41 @@ macro_rules! tensor {
                 write!(f, concat!(stringify!($name), "<{}>{:?}"), F::NAME, self.matrix())
             }
         }
+
+        /// Row and column, each 0, 1 or 2.
+        ///
+        /// # Panics
+        /// As those of an array, beyond 2.
+        impl<F> Index<(usize, usize)> for $name<F> {
+            type Output = f64;
+
+            fn index(&self, (row, column): (usize, usize)) -> &f64 {
+                let Symmetric3 { xx, yy, zz, xy, xz, yz } = &self.elements;
+                [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]][row][column]
+            }
+        }
     };
+}
+
+/// Rows, with the unit.
+impl<F> fmt::Display for InertiaTensor<F> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("[")?;
+        for (k, row) in self.elements.rows().iter().enumerate() {
+            f.write_str(if k == 0 { "" } else { ", " })?;
+            display::row(f, row)?;
+        }
+        f.write_str("] kg·m²")
+    }
+}
+
+impl<F> fmt::Display for InertiaAbout<F> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let tensor = InertiaTensor::<F> { elements: self.elements, frame: PhantomData };
+        tensor.fmt(f)?;
+        f.write_str(" about ")?;
+        self.point.fmt(f)
+    }
 }
 
 tensor!(InertiaTensor);

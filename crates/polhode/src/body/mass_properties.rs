@@ -1,8 +1,11 @@
 //! Mass, centre of mass and inertia: all that a body's motion knows of its mass.
 
+use core::fmt;
+
 use super::error::{BodyError, finite, positive};
 use super::inertia::{InertiaAbout, InertiaTensor};
 use super::principal::PrincipalFrame;
+use crate::math::display::Shown;
 use crate::math::frame::{Body, Frame};
 use crate::math::rotation::Rotation;
 use crate::math::sum::Sum;
@@ -27,6 +30,18 @@ pub struct MassProperties<F: Frame> {
     mass: f64,
     center_of_mass: Position<F>,
     inertia: InertiaTensor<F>,
+}
+
+/// Mass, centre and tensor with their units.
+impl<F: Frame> fmt::Display for MassProperties<F> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("mass ")?;
+        Shown(self.mass).fmt(f)?;
+        f.write_str(" kg, centre of mass ")?;
+        self.center_of_mass.fmt(f)?;
+        f.write_str(", inertia tensor ")?;
+        self.inertia.fmt(f)
+    }
 }
 
 impl<F: Frame> MassProperties<F> {

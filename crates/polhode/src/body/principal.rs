@@ -1,6 +1,9 @@
 //! Principal moments and axes.
 
+use core::fmt;
+
 use super::inertia::{InertiaAbout, InertiaTensor};
+use crate::math::display;
 use crate::math::frame::{Frame, Principal};
 use crate::math::rotation::Rotation;
 use crate::math::symmetric3::{Symmetric3, nearest_orthonormal};
@@ -33,6 +36,19 @@ pub struct PrincipalFrame<F: Frame> {
     axes: [Direction<F>; 3],
     rotation: Rotation<F, Principal>,
     symmetry: Symmetry,
+}
+
+impl<F: Frame> fmt::Display for PrincipalFrame<F> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("moments ")?;
+        display::row(f, &self.moments)?;
+        f.write_str(" kg·m², axes ")?;
+        for (k, axis) in self.axes.iter().enumerate() {
+            f.write_str(if k == 0 { "" } else { ", " })?;
+            axis.fmt(f)?;
+        }
+        Ok(())
+    }
 }
 
 /// Which principal moments are equal, and so which axes are free.

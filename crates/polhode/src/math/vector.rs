@@ -2,7 +2,7 @@
 
 use core::fmt;
 use core::marker::PhantomData;
-use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
+use core::ops::{Add, AddAssign, Div, Index, Mul, Neg, Sub, SubAssign};
 
 /// Three components of a quantity `Q` along the axes of a frame `F`, in SI units.
 ///
@@ -222,6 +222,18 @@ impl<Q: quantity::Quantity, F> fmt::Display for Vector<Q, F> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         super::display::row(f, &self.to_array())?;
         if Q::UNIT.is_empty() { Ok(()) } else { write!(f, " {}", Q::UNIT) }
+    }
+}
+
+/// Components 0, 1, 2.
+///
+/// # Panics
+/// As those of an array, beyond 2.
+impl<Q, F> Index<usize> for Vector<Q, F> {
+    type Output = f64;
+
+    fn index(&self, component: usize) -> &f64 {
+        [&self.x, &self.y, &self.z][component]
     }
 }
 

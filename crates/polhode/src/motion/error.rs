@@ -6,10 +6,38 @@ use core::fmt;
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum MotionError {
-    /// A number outside its range.
-    Parameter {
+    /// A number that is NaN or infinite.
+    NonFiniteParameter {
         /// What the number is.
-        what: &'static str,
+        parameter: &'static str,
+        /// The number.
+        value: f64,
+    },
+    /// A number that has to be positive and finite, and is not.
+    NonPositiveParameter {
+        /// What the number is.
+        parameter: &'static str,
+        /// The number.
+        value: f64,
+    },
+    /// A number that has to be finite and not negative, and is not.
+    NegativeParameter {
+        /// What the number is.
+        parameter: &'static str,
+        /// The number.
+        value: f64,
+    },
+    /// A vector without a direction: zero, or not finite.
+    NoDirection {
+        /// What its length is.
+        parameter: &'static str,
+        /// The length.
+        length: f64,
+    },
+    /// A number outside a range of its own.
+    ParameterOutOfRange {
+        /// What the number is.
+        parameter: &'static str,
         /// The number.
         value: f64,
         /// What it has to be.
@@ -146,6 +174,18 @@ impl MotionError {
         )
     }
 
+    /// True if a number of the input is outside its range.
+    pub const fn is_parameter(&self) -> bool {
+        matches!(
+            self,
+            Self::NonFiniteParameter { .. }
+                | Self::NonPositiveParameter { .. }
+                | Self::NegativeParameter { .. }
+                | Self::NoDirection { .. }
+                | Self::ParameterOutOfRange { .. }
+        )
+    }
+
     /// What to try next, where there is something to try.
     pub fn hint(&self) -> Option<&'static str> {
         match self {
@@ -178,7 +218,13 @@ impl MotionError {
                 Some("a formula is NaN where it divides by zero or takes the root of a negative number")
             }
             Self::NotFinite { .. } => Some("check the units of the torque, the spin and the inertia"),
-            Self::Parameter { .. } | Self::Exclusive { .. } | Self::Cancelled { .. } => None,
+            Self::NonFiniteParameter { .. }
+            | Self::NonPositiveParameter { .. }
+            | Self::NegativeParameter { .. }
+            | Self::NoDirection { .. }
+            | Self::ParameterOutOfRange { .. }
+            | Self::Exclusive { .. }
+            | Self::Cancelled { .. } => None,
         }
     }
 }
@@ -186,13 +232,17 @@ impl MotionError {
 impl fmt::Display for MotionError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            // 1e300 has no three hundred digits.
-            Self::Parameter { what, value, rule }
-                if *value != 0.0 && !(1e-9..1e16).contains(&value.abs()) =>
-            {
-                write!(f, "{what} = {value:e} must be {rule}")
+            Self::NonFiniteParameter { parameter, value } => broken(f, parameter, *value, "finite"),
+            Self::NonPositiveParameter { parameter, value } => {
+                broken(f, parameter, *value, "positive and finite")
             }
-            Self::Parameter { what, value, rule } => write!(f, "{what} = {value} must be {rule}"),
+            Self::NegativeParameter { parameter, value } => {
+                broken(f, parameter, *value, "finite and not negative")
+            }
+            Self::NoDirection { parameter, length } => {
+                broken(f, parameter, *length, "a direction: finite and not zero")
+            }
+            Self::ParameterOutOfRange { parameter, value, rule } => broken(f, parameter, *value, rule),
             Self::Exclusive { parts: [a, b], why } => write!(f, "{a} and {b} exclude each other: {why}"),
             Self::NotSpinnable => {
                 write!(
@@ -266,6 +316,15 @@ impl fmt::Display for MotionError {
             Self::Cancelled { done } => write!(f, "cancelled after {done} members"),
             Self::NotFinite { time } => write!(f, "the motion is not finite after t = {time:e} s"),
         }
+    }
+}
+
+/// The rule that a number breaks. 1e300 has no three hundred digits.
+fn broken(f: &mut fmt::Formatter<'_>, parameter: &str, value: f64, rule: &str) -> fmt::Result {
+    if value != 0.0 && !(1e-9..1e16).contains(&value.abs()) {
+        write!(f, "{parameter} = {value:e} must be {rule}")
+    } else {
+        write!(f, "{parameter} = {value} must be {rule}")
     }
 }
 

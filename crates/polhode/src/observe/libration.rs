@@ -1,6 +1,7 @@
 //! Libration of a body that gravity's gradient holds, on a circular orbit.
 
 use crate::motion::error::MotionError;
+use crate::motion::model::require;
 
 /// Small oscillations of a body that keeps its principal axes along the orbit's: the roll axis along the velocity, the pitch axis
 /// along the orbit's normal, the yaw axis along the radius. It turns once in an orbit.
@@ -35,7 +36,7 @@ impl Libration {
     /// The libration of a body with these moments about roll, pitch and yaw, kg·m², on an orbit of this rate, rad/s.
     ///
     /// # Errors
-    /// [`MotionError::Parameter`] unless all are positive and finite.
+    /// A parameter's error ([`MotionError::is_parameter`]) unless all are positive and finite.
     pub fn of(moments: [f64; 3], orbit_rate: f64) -> Result<Self, MotionError> {
         let [a, b, c] = moments;
         for (what, value) in [
@@ -44,9 +45,7 @@ impl Libration {
             ("the moment about the yaw axis", c),
             ("the orbit's rate", orbit_rate),
         ] {
-            if !(value > 0.0 && value.is_finite()) {
-                return Err(MotionError::Parameter { what, value, rule: "positive and finite" });
-            }
+            require::positive(what, value)?;
         }
         let (k1, k2, k3) = ((b - c) / a, (a - c) / b, (b - a) / c);
         // s² = −n² x: x² − p x + q = 0, stable where both x are real and neither is negative.

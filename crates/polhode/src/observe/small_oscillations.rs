@@ -67,7 +67,7 @@ impl SmallOscillations {
     ///
     /// # Errors
     /// [`MotionError::NotSteady`] if the state is none: torques leave more than 1e-8 of their size unbalanced, or change in
-    /// time along the motion; [`MotionError::Parameter`] for a rod, whose spin about its own line is undetermined;
+    /// time along the motion; a parameter's error ([`MotionError::is_parameter`]) for a rod, whose spin about its own line is undetermined;
     /// [`MotionError::NotFinite`] if a torque near it is not.
     pub fn about(rotor: &Rotor, torques: &[TorqueModel], equilibrium: State) -> Result<Self, MotionError> {
         let torque = |state: &State| total_torque(torques, rotor, state);

@@ -8,6 +8,7 @@ pub use friction::DissipativeLimit;
 use crate::math::frame::{Body, Principal};
 use crate::math::vector::{AngularMomentum, AngularVelocity, Torque};
 use crate::motion::error::MotionError;
+use crate::motion::model::require;
 use crate::motion::model::rotor::Rotor;
 
 /// What becomes of a small departure from a steady motion.
@@ -94,13 +95,11 @@ impl PermanentRotation {
     /// The rotation of a body at ω, with its wheels as they are at t = 0.
     ///
     /// # Errors
-    /// [`MotionError::NotSteady`] if ω is not along L to 1e-9, or if a motor turns a wheel; [`MotionError::Parameter`] for a rod,
+    /// [`MotionError::NotSteady`] if ω is not along L to 1e-9, or if a motor turns a wheel; a parameter's error ([`MotionError::is_parameter`]) for a rod,
     /// whose spin about its own line is undetermined, and an ω that is not finite.
     pub fn about(rotor: &Rotor, omega: AngularVelocity<Body>) -> Result<Self, MotionError> {
         let wheels = held_wheels(rotor, 0.0)?;
-        if !omega.is_finite() {
-            return Err(MotionError::Parameter { what: "the spin", value: omega.max_abs(), rule: "finite" });
-        }
+        require::finite("the spin", omega.max_abs())?;
         let momentum = rotor.angular_momentum(omega) + rotor.wheel_momentum(0.0);
         let (torque, scale) = (momentum.cross(omega).norm(), momentum.norm() * omega.norm());
         if torque > STEADY * scale {
@@ -127,10 +126,7 @@ impl PermanentRotation {
     /// As [`PermanentRotation::about`].
     pub fn all_at(rotor: &Rotor, momentum: f64, time: f64) -> Result<Vec<Self>, MotionError> {
         let wheels = held_wheels(rotor, time)?;
-        if !(momentum >= 0.0 && momentum.is_finite()) {
-            let what = "the angular momentum";
-            return Err(MotionError::Parameter { what, value: momentum, rule: "not negative, and finite" });
-        }
+        require::not_negative("the angular momentum", momentum)?;
         let moments = rotor.principal().moments();
         let spins = momentum_sphere::extrema(moments, wheels.to_array(), momentum);
         let mut all: Vec<Self> = spins.into_iter().map(|w| Self::of(rotor, wheels, w)).collect();
@@ -196,11 +192,8 @@ impl PermanentRotation {
 /// h along principal axes at a time, which has to be constant, of a body whose ω follows from its L.
 fn held_wheels(rotor: &Rotor, time: f64) -> Result<AngularMomentum<Principal>, MotionError> {
     let [least, ..] = rotor.principal().moments();
-    if !(least > 0.0) {
-        let (what, rule) =
-            ("the least moment of inertia", "above zero: a rod has a spin that L does not determine");
-        return Err(MotionError::Parameter { what, value: least, rule });
-    }
+    let rule = "above zero: a rod has a spin that L does not determine";
+    require::that("the least moment of inertia", least, least > 0.0, rule)?;
     let motor: Torque<Body> = rotor.motor_torque(time);
     if motor != Torque::ZERO {
         return Err(MotionError::NotSteady { torque: motor.norm(), scale: motor.norm() });

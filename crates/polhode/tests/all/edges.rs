@@ -217,7 +217,7 @@ fn a_pendulums_arm_is_one_or_is_refused() {
     for refused in
         [hung(0.5e-12, 1.0), hung(1.0, 0.5e-12), hung(0.0, 1.0), hung(1.0, 0.0), hung(1.0, f64::NAN)]
     {
-        assert!(matches!(refused, Err(MotionError::Parameter { .. })), "{refused:?}");
+        assert!(matches!(refused, Err(ref error) if error.is_parameter()), "{refused:?}");
     }
     for axis in [Direction::ZERO, Direction::new(f64::NAN, 0.0, 1.0)] {
         assert!(Pendulum::hung(&heavy(), axis, Acceleration::new(9.0, 1.0, -3.0)).is_err());
@@ -627,5 +627,5 @@ fn numbers_that_are_not_are_refused() {
     assert!(MassProperties::new(-1.0, Position::ZERO, tensor).is_err());
     assert!(MassProperties::new(0.0, Position::ZERO, tensor).is_err());
     let before = Trajectory::compute(&rotor, &[], state(7.3, [0.3, 0.5, 0.9]), &[7.2], Method::Auto, 1e-9);
-    assert!(matches!(before, Err(MotionError::Parameter { .. })));
+    assert!(matches!(before, Err(ref error) if error.is_parameter()));
 }

@@ -433,7 +433,7 @@ fn what_cannot_be_is_refused() {
         ..crowd(1)[0].clone()
     };
     let failure = Ensemble::new(vec![member(1.0), member(f64::NAN)]).unwrap_err();
-    assert!(failure.member == 1 && matches!(failure.cause, MotionError::Parameter { .. }), "{failure}");
+    assert!(failure.member == 1 && failure.cause.is_parameter(), "{failure}");
     let point = MassProperties::new(1.0, Position::ZERO, InertiaTensor::diagonal([0.0; 3]).unwrap()).unwrap();
     let nothing = Member { rotor: Rotor::free(&point), ..member(1.0) };
     assert_eq!(Ensemble::new(vec![nothing]).unwrap_err().cause, MotionError::NotSpinnable);
@@ -447,7 +447,10 @@ fn what_cannot_be_is_refused() {
         (vec![1.0], f64::NAN),
     ] {
         let refused = all.at(&times, Method::Auto, tolerance, ONE);
-        assert!(matches!(refused, Err(MotionError::Parameter { .. })), "{times:?} {tolerance} {refused:?}");
+        assert!(
+            matches!(refused, Err(ref error) if error.is_parameter()),
+            "{times:?} {tolerance} {refused:?}"
+        );
     }
     let endless = all.at(&[1e12], Method::Taylor, 1e-9, ONE).unwrap();
     assert!(matches!(endless.failures[0].cause, MotionError::TooManySteps { .. }));

@@ -322,7 +322,7 @@ fn events_that_cannot_be_are_refused() {
             .unwrap_err()
     };
     let switch = event(Measure::Time, 1.0, Sense::Either, EventAction::Switch { torque: 1, on: false });
-    assert!(matches!(refused(&[body_torque([1.0; 3])], switch), MotionError::Parameter { .. }));
+    assert!(matches!(refused(&[body_torque([1.0; 3])], switch), MotionError::ParameterOutOfRange { .. }));
     let energy = new(Measure::TotalEnergy, 1.0).unwrap();
     assert_eq!(refused(&[body_torque([1.0; 3])], energy), MotionError::NoPotential);
 }

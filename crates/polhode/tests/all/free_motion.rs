@@ -391,6 +391,6 @@ fn too_many_states_stay_as_they_are() {
     assert_eq!(states, [start, other, other]);
     assert!(matches!(
         FreeMotion::of_moments([1e-200, 1.0, 1.0], start),
-        Err(MotionError::Parameter { value: 1e-200, .. })
+        Err(MotionError::ParameterOutOfRange { value: 1e-200, .. })
     ));
 }

@@ -14,6 +14,7 @@ mod equilibria;
 mod event;
 mod free_motion;
 mod heavy_top;
+mod interop;
 mod inverse;
 mod mesh;
 mod mesh_diagnosis;

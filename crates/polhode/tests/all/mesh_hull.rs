@@ -35,7 +35,7 @@ fn check(points: &[[i64; 3]]) -> Result<(usize, usize), BodyError> {
         assert!(points.iter().all(|&p| side(face, p) <= 0), "{face:?}");
     }
     assert!(corners.is_subset(&known));
-    assert_eq!(corners.len(), hull.vertices().len());
+    assert_eq!(corners.len(), hull.coordinates().len());
     // Euler: F = 2 V − 4
     assert_eq!(faces.len(), 2 * corners.len() - 4);
     // At a true corner three planes meet: the normals of its faces are not all in one plane.
@@ -100,7 +100,7 @@ fn a_hundred_thousand_points_on_a_sphere_are_nearly_all_corners() {
         })
         .collect();
     let hull = ConvexHull::of(&points).unwrap();
-    assert_eq!((hull.vertices().len(), hull.triangles().len()), (100_000, 199_996));
+    assert_eq!((hull.coordinates().len(), hull.triangles().len()), (100_000, 199_996));
     let solid = ClosedMesh::of(&hull).unwrap();
     let sphere = 4.0 / 3.0 * std::f64::consts::PI;
     assert!(solid.volume() < sphere && solid.volume() > sphere * (1.0 - 1e-4));
@@ -130,10 +130,10 @@ fn a_face_with_thousands_of_corners_is_not_made_anew_for_each() {
     let apex = [3.0, 12_000_000.0, 700.0];
     let pyramid: Vec<_> = base(0).chain([apex]).collect();
     let hull = ConvexHull::of(&pyramid).unwrap();
-    assert_eq!((hull.vertices().len(), hull.triangles().len()), (10_001, 19_998));
+    assert_eq!((hull.coordinates().len(), hull.triangles().len()), (10_001, 19_998));
     let prism: Vec<_> = base(0).chain(base(900)).collect();
     let hull = ConvexHull::of(&prism).unwrap();
-    assert_eq!((hull.vertices().len(), hull.triangles().len()), (20_000, 39_996));
+    assert_eq!((hull.coordinates().len(), hull.triangles().len()), (20_000, 39_996));
 }
 
 #[test]
@@ -147,7 +147,7 @@ fn a_corner_of_twenty_thousand_faces_is_no_work_for_each_pair_of_them() {
         })
         .collect();
     let hull = ConvexHull::of(&points).unwrap();
-    assert_eq!((hull.vertices().len(), hull.triangles().len()), (20_000, 39_996));
+    assert_eq!((hull.coordinates().len(), hull.triangles().len()), (20_000, 39_996));
     let solid = ClosedMesh::of(&hull).unwrap();
     // Of the whole curve Π B(k, k), k = 1, 2, 3, for 0 ≤ t ≤ 1 (Karlin & Shapley 1953), times 2 · 4 · 8.
     assert!((solid.volume() - 16.0 / 45.0).abs() < 1e-7, "{}", solid.volume());

@@ -169,10 +169,10 @@ fn times_and_tolerances_out_of_range_are_refused() {
         State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.3, 0.5, 0.9) };
     let run =
         |times: &[f64], method, tolerance| Trajectory::compute(&rotor, &[], start, times, method, tolerance);
-    assert!(matches!(run(&[1.0], Method::Dop853, 1e-16), Err(MotionError::Parameter { .. })));
-    assert!(matches!(run(&[1.0], Method::Dop853, f64::NAN), Err(MotionError::Parameter { .. })));
-    assert!(matches!(run(&[2.0, 1.0], Method::Auto, 1e-9), Err(MotionError::Parameter { .. })));
-    assert!(matches!(run(&[f64::NAN], Method::Auto, 1e-9), Err(MotionError::Parameter { .. })));
+    assert!(matches!(run(&[1.0], Method::Dop853, 1e-16), Err(ref error) if error.is_parameter()));
+    assert!(matches!(run(&[1.0], Method::Dop853, f64::NAN), Err(ref error) if error.is_parameter()));
+    assert!(matches!(run(&[2.0, 1.0], Method::Auto, 1e-9), Err(ref error) if error.is_parameter()));
+    assert!(matches!(run(&[f64::NAN], Method::Auto, 1e-9), Err(ref error) if error.is_parameter()));
     let push = [TorqueModel::Constant(ConstantTorque::Space(Torque::new(0.1, 0.0, 0.0)))];
     let pushed = Trajectory::compute(&rotor, &push, start, &[1.0], Method::Exact, 1e-9);
     assert!(matches!(pushed, Err(MotionError::NoClosedForm { .. })));

@@ -181,7 +181,10 @@ fn what_is_no_kick_is_refused() {
             splitting(SplittingOrder::Two, step),
             1e-13,
         );
-        assert!(matches!(wrong, Err(MotionError::Parameter { what: "the step", .. })), "{step}");
+        assert!(
+            matches!(wrong, Err(MotionError::NonPositiveParameter { parameter: "the step", .. })),
+            "{step}"
+        );
     }
     // More steps than anybody waits for, and steps that are lost in the rounding of the time.
     let far = |time: f64, span: f64, step: f64| {

@@ -41,7 +41,7 @@ fn every_way_to_join_corners_gives_the_same_solid() {
     joined.retain(|triangle| !flat(triangle));
     assert_eq!(joined, expected());
     // Primitives that share positions share vertices.
-    assert_eq!(primitives(&strips).parts[0].mesh.vertices().len(), 6);
+    assert_eq!(primitives(&strips).parts[0].mesh.coordinates().len(), 6);
 
     let soup = File::new();
     let mut soup = soup;
@@ -100,7 +100,7 @@ fn quantised_positions() {
         let least = if signed { -1.0 } else { 0.0 };
         let expected =
             [[1.0, 0.0, 0.0], [17.0 / one, 5.0 / one, 99.0 / one], [least, 31.0 / one, 64.0 / one]];
-        assert_eq!(file.read().unwrap().parts[0].mesh.vertices(), expected);
+        assert_eq!(file.read().unwrap().parts[0].mesh.coordinates(), expected);
     }
 }
 
@@ -170,8 +170,8 @@ fn instances_and_hierarchies() {
     let names: Vec<_> = contents.parts.iter().map(|part| part.name.as_str()).collect();
     assert_eq!(names, ["low", "high"]);
     let [x, y, z] = POINTS[3].map(f64::from);
-    assert_eq!(contents.parts[0].mesh.vertices()[3], [2.0 * x + 1.0, 4.0 * y + 1.0, 8.0 * z + 1.0]);
-    assert_eq!(contents.parts[1].mesh.vertices()[3], [2.0 * x + 21.0, 4.0 * y + 81.0, 8.0 * z + 241.0]);
+    assert_eq!(contents.parts[0].mesh.coordinates()[3], [2.0 * x + 1.0, 4.0 * y + 1.0, 8.0 * z + 1.0]);
+    assert_eq!(contents.parts[1].mesh.coordinates()[3], [2.0 * x + 21.0, 4.0 * y + 81.0, 8.0 * z + 241.0]);
     assert_eq!(contents.findings[0].code, "mesh.other_scene");
 
     // Without scenes, all roots.
@@ -197,9 +197,12 @@ fn instancing_on_the_gpu() {
     let contents = file.read().unwrap();
     let [x, y, z] = POINTS[2].map(f64::from);
     assert_eq!(contents.parts.len(), 2);
-    assert_eq!(contents.parts[0].mesh.vertices()[2], [2.0 * (x + 1.0), 2.0 * (y + 2.0), 2.0 * (z + 3.0)]);
+    assert_eq!(contents.parts[0].mesh.coordinates()[2], [2.0 * (x + 1.0), 2.0 * (y + 2.0), 2.0 * (z + 3.0)]);
     // Half a turn about z.
-    assert_eq!(contents.parts[1].mesh.vertices()[2], [2.0 * (-x - 4.0), 2.0 * (-y + 5.0), 2.0 * (z + 6.0)]);
+    assert_eq!(
+        contents.parts[1].mesh.coordinates()[2],
+        [2.0 * (-x - 4.0), 2.0 * (-y + 5.0), 2.0 * (z + 6.0)]
+    );
 
     file.doc["accessors"][rotations]["count"] = 1.into();
     assert_eq!(
@@ -238,7 +241,7 @@ fn what_is_left_out_is_found() {
     );
     assert!(contents.findings[1].message.starts_with("2 primitives are made of points or lines"));
     // As it was bound, without the place of its node.
-    assert_eq!(contents.parts[0].mesh.vertices()[0], POINTS[0].map(f64::from));
+    assert_eq!(contents.parts[0].mesh.coordinates()[0], POINTS[0].map(f64::from));
 
     let file = File::plain().with(|doc| doc["nodes"][1]["rotation"] = json!([0.5, 0.5, 0.5, 0.501]));
     assert_eq!(file.read().unwrap().findings[0].code, "mesh.rotation_normalised");

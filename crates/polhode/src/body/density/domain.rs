@@ -127,7 +127,7 @@ impl<'a> Domain<'a> {
     fn corners(&self, chart: usize) -> Corners {
         let Charts::Triangles(surface) = &self.charts else { return Corners::default() };
         let Some(corners) = surface.triangles().get(chart) else { return Corners::default() };
-        let triangle = corners.map(|index| surface.vertices()[index as usize]);
+        let triangle = corners.map(|index| surface.coordinates()[index as usize]);
         let [a, b, c] =
             triangle.map(|p| core::array::from_fn::<_, 3, _>(|k| (p[k] - self.reference[k]) / self.unit));
         let minor = |i: usize, j: usize| b[i] * c[j] - b[j] * c[i];

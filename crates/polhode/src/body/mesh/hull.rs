@@ -21,7 +21,7 @@ use crate::math::symmetric3::power_of_two_near;
 /// let corners = (0..8).map(|k| [k & 1, k >> 1 & 1, k >> 2].map(f64::from));
 /// let points: Vec<_> = corners.chain([[0.5, 0.2, 0.7], [1.0, 0.5, 0.5]]).collect();
 /// let hull = ConvexHull::of(&points)?;
-/// assert_eq!((hull.vertices().len(), hull.triangles().len()), (8, 12));
+/// assert_eq!((hull.coordinates().len(), hull.triangles().len()), (8, 12));
 /// assert_eq!(ClosedMesh::of(&hull)?.volume(), 1.0);
 /// # Ok::<(), polhode::body::BodyError>(())
 /// ```

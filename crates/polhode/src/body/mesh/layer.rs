@@ -305,7 +305,7 @@ mod tests {
             let points = (0..900).map(|_| core::array::from_fn(|_| (chance() * scale).round())).collect();
             let corner = |k: u32| [3 * k, 3 * k + 1, 3 * k + 2];
             let mesh = TriangleMesh::new(points, (0..300).map(corner).collect()).unwrap();
-            assert!(check((mesh.vertices().to_vec(), mesh.triangles().to_vec())) > 100);
+            assert!(check((mesh.coordinates().to_vec(), mesh.triangles().to_vec())) > 100);
         }
     }
 

@@ -29,6 +29,8 @@ pub use hull::ConvexHull;
 pub use shell::MeshShell;
 
 use super::error::BodyError;
+use crate::math::frame::Part;
+use crate::math::vector::Position;
 
 /// Pairs of triangles that overlap or touch are counted up to here: one more stands for any larger number.
 pub(crate) const COUNTED: usize = 10_000;
@@ -43,8 +45,10 @@ pub type Triangle = [[f64; 3]; 3];
 ///
 /// ```
 /// use polhode::body::mesh::TriangleMesh;
-/// let vertices = vec![[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 3.0, 0.0]];
+/// use polhode::math::{Part, Position};
+/// let vertices = vec![Position::<Part>::ZERO, Position::new(2.0, 0.0, 0.0), Position::new(0.0, 3.0, 0.0)];
 /// let flake = TriangleMesh::new(vertices.clone(), vec![[0, 1, 2]])?;
+/// assert_eq!(flake.vertices().last(), Some(Position::new(0.0, 3.0, 0.0)));
 /// assert_eq!(flake.corners().next(), Some([[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 3.0, 0.0]]));
 /// assert!(TriangleMesh::new(vertices, vec![[0, 1, 3]]).is_err());
 /// # Ok::<(), polhode::body::BodyError>(())
@@ -58,11 +62,16 @@ pub struct TriangleMesh {
 }
 
 impl TriangleMesh {
-    /// Vertices, m, and the triangles between them by index, from 0.
+    /// Vertices, m, as positions or as arrays, and the triangles between them by index, from 0.
     ///
     /// # Errors
     /// [`BodyError::Vertex`] for a vertex of a triangle that is not finite; [`BodyError::VertexIndex`] for one that does not exist.
-    pub fn new(vertices: Vec<[f64; 3]>, triangles: Vec<[u32; 3]>) -> Result<Self, BodyError> {
+    pub fn new<V: Into<Position<Part>>>(
+        vertices: Vec<V>,
+        triangles: Vec<[u32; 3]>,
+    ) -> Result<Self, BodyError> {
+        // In the place of what is given: no copy.
+        let vertices: Vec<_> = vertices.into_iter().map(|vertex| vertex.into().to_array()).collect();
         for (k, corners) in triangles.iter().enumerate() {
             for &index in corners {
                 match vertices.get(index as usize) {
@@ -103,8 +112,13 @@ impl TriangleMesh {
         Ok(Self { vertices: triangles.into_flattened(), triangles: indices, is_hull: false })
     }
 
-    /// The vertices, m.
-    pub fn vertices(&self) -> &[[f64; 3]] {
+    /// The vertices.
+    pub fn vertices(&self) -> impl ExactSizeIterator<Item = Position<Part>> {
+        self.vertices.iter().copied().map(Position::from_array)
+    }
+
+    /// The coordinates of the vertices as they lie in memory, m.
+    pub fn coordinates(&self) -> &[[f64; 3]] {
         &self.vertices
     }
 

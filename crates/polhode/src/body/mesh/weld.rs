@@ -22,7 +22,7 @@ pub(crate) struct Welded {
 
 impl Welded {
     pub(crate) fn of(mesh: &TriangleMesh, threads: Threads) -> Self {
-        let vertices = mesh.vertices();
+        let vertices = mesh.coordinates();
         let first = first_equal(vertices, threads);
         let mut points = Vec::new();
         let mut number = vec![NONE; vertices.len()];

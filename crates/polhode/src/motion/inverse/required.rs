@@ -8,6 +8,7 @@ use crate::math::vector::{
 };
 use crate::motion::error::MotionError;
 use crate::motion::model::kinematics::rigid_acceleration;
+use crate::motion::model::require;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 use crate::motion::model::wheel::Wheel;
@@ -64,13 +65,17 @@ impl Required {
     /// ```
     ///
     /// # Errors
-    /// As [`Prescribed::at`]; [`MotionError::Parameter`] if a motor turns a wheel, whose work is not the torque's;
+    /// As [`Prescribed::at`]; a parameter's error ([`MotionError::is_parameter`]) if a motor turns a wheel, whose work is not the torque's;
     /// [`MotionError::NotFinite`] where torque, power, energy or momentum leave the range of f64.
     pub fn by(rotor: &Rotor, motion: &Prescribed, time: f64) -> Result<Self, MotionError> {
-        if rotor.wheels().iter().any(Wheel::is_driven) {
-            let (what, rule) = ("the motor's torque on a wheel", "zero where a motion is prescribed");
-            return Err(MotionError::Parameter { what, value: rotor.motor_torque(time).norm(), rule });
-        }
+        let (motor, is_driven) =
+            (rotor.motor_torque(time).norm(), rotor.wheels().iter().any(Wheel::is_driven));
+        require::that(
+            "the motor's torque on a wheel",
+            motor,
+            !is_driven,
+            "zero where a motion is prescribed",
+        )?;
         let (state, acceleration) = motion.at(time)?;
         let torque = rotor.torque_for(state.omega, acceleration, time);
         let needed = Self {

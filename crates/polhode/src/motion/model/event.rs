@@ -16,6 +16,7 @@ use crate::math::frame::{Body, Space};
 use crate::math::number::{PI, sin_cos};
 use crate::math::vector::{Direction, Vector};
 use crate::motion::error::MotionError;
+use crate::motion::model::require;
 
 /// An event: a measure, the value that it crosses, and the action.
 ///
@@ -122,7 +123,7 @@ impl Event {
     /// An event: `measure` passes `value` in the direction of `sense`.
     ///
     /// # Errors
-    /// [`MotionError::Parameter`] if the value is not finite, a direction has none, or an angle between directions is not between 0
+    /// A parameter's error ([`MotionError::is_parameter`]) if the value is not finite, a direction has none, or an angle between directions is not between 0
     /// and π: such an angle is touched, never passed.
     pub fn new(
         name: impl Into<String>,
@@ -131,14 +132,11 @@ impl Event {
         sense: Sense,
         action: EventAction,
     ) -> Result<Self, MotionError> {
-        let error = |what, value, rule| MotionError::Parameter { what, value, rule };
-        if !value.is_finite() {
-            return Err(error("the value of an event", value, "finite"));
-        }
+        require::finite("the value of an event", value)?;
         let measure = measure.normalised()?;
-        if measure.is_between_directions() && !(value > 0.0 && value < PI) {
+        if measure.is_between_directions() {
             let rule = "between 0 and π: at its ends an angle between directions turns back";
-            return Err(error("the angle of an event", value, rule));
+            require::that("the angle of an event", value, value > 0.0 && value < PI, rule)?;
         }
         Ok(Self { name: name.into(), measure, value, sense, action })
     }
@@ -174,7 +172,7 @@ impl Event {
     }
 
     /// # Errors
-    /// [`MotionError::Parameter`] if it cannot be measured, or switches what is not there.
+    /// A parameter's error ([`MotionError::is_parameter`]) if it cannot be measured, or switches what is not there.
     pub(crate) fn require_possible(
         &self,
         rotor: &Rotor,
@@ -182,7 +180,7 @@ impl Event {
         all: &[Self],
         start: &State,
     ) -> Result<(), MotionError> {
-        let error = |what, value, rule| Err(MotionError::Parameter { what, value, rule });
+        let error = |parameter, value, rule| Err(MotionError::ParameterOutOfRange { parameter, value, rule });
         match self.action {
             EventAction::Switch { torque, .. } if torque >= torques.len() => {
                 return error(
@@ -297,8 +295,7 @@ impl Measure {
 }
 
 fn unit<Q, F>(v: Vector<Q, F>) -> Result<Direction<F>, MotionError> {
-    let (what, value) = ("the length of a direction of an event", v.norm());
-    v.direction().ok_or(MotionError::Parameter { what, value, rule: "positive and finite" })
+    require::direction("the length of a direction of an event", v)
 }
 
 impl Sense {

@@ -11,6 +11,7 @@ use crate::math::kepler::{Conic, Place};
 use crate::math::rotation::Rotation;
 use crate::math::vector::{Direction, Position, Vector, Velocity, quantity::Number};
 use crate::motion::error::MotionError;
+use crate::motion::model::require;
 
 /// The Earth's gravitational parameter GM, m³/s²: IERS Conventions (2010), table 1.1, with the atmosphere.
 pub const MU_EARTH: f64 = 3.986_004_418e14;
@@ -58,15 +59,15 @@ impl Orbit {
     /// only the part across `radial` counts.
     ///
     /// # Errors
-    /// [`MotionError::Parameter`] if µ or the radius is not positive, or the directions do not span a plane.
+    /// A parameter's error ([`MotionError::is_parameter`]) if µ or the radius is not positive, or the directions do not span a plane.
     pub fn circular(
         mu: f64,
         radius: f64,
         radial: Direction<Space>,
         motion: Direction<Space>,
     ) -> Result<Self, MotionError> {
-        positive("the orbit's µ", mu)?;
-        positive("the orbit's radius", radius)?;
+        require::positive("the orbit's µ", mu)?;
+        require::positive("the orbit's radius", radius)?;
         Self::circle(mu, radius, mean_motion(mu, Double::from(1.0) / Double::from(radius)), radial, motion)
     }
 
@@ -80,8 +81,8 @@ impl Orbit {
         radial: Direction<Space>,
         motion: Direction<Space>,
     ) -> Result<Self, MotionError> {
-        positive("the orbit's µ", mu)?;
-        positive("the orbit's rate", rate)?;
+        require::positive("the orbit's µ", mu)?;
+        require::positive("the orbit's rate", rate)?;
         Self::circle(mu, libm::cbrt(mu / rate / rate), Double::from(rate), radial, motion)
     }
 
@@ -92,11 +93,11 @@ impl Orbit {
         radial: Direction<Space>,
         motion: Direction<Space>,
     ) -> Result<Self, MotionError> {
-        let toward = direction("the length of the radial direction", radial)?;
-        let motion = direction("the length of the direction of motion", motion)?;
+        let toward = require::direction("the length of the radial direction", radial)?;
+        let motion = require::direction("the length of the direction of motion", motion)?;
         let normal = toward.cross(motion);
         let rule = "at least 1e-9 rad off the radial direction";
-        require("the orbit's direction of motion", normal.norm(), normal.norm() > LEAST_ANGLE, rule)?;
+        require::that("the orbit's direction of motion", normal.norm(), normal.norm() > LEAST_ANGLE, rule)?;
         let clock = Clock::Closed { epoch: 0.0, anomaly: 0.0, rate };
         Self::new(mu, Conic { e: 0.0, beta: 1.0 }, radius, clock, (toward, normal))
     }
@@ -104,7 +105,7 @@ impl Orbit {
     /// The orbit through a place at a velocity at a time, in s: an ellipse, a parabola or a hyperbola.
     ///
     /// # Errors
-    /// [`MotionError::Parameter`] if µ is not positive, a number not finite, or the velocity along the position: what falls
+    /// A parameter's error ([`MotionError::is_parameter`]) if µ is not positive, a number not finite, or the velocity along the position: what falls
     /// straight has no plane.
     pub fn through(
         mu: f64,
@@ -112,23 +113,23 @@ impl Orbit {
         velocity: Velocity<Space>,
         time: f64,
     ) -> Result<Self, MotionError> {
-        positive("the orbit's µ", mu)?;
+        require::positive("the orbit's µ", mu)?;
         let r = position.norm();
-        positive("the orbit's distance", r)?;
-        require("the orbit's speed", velocity.norm(), velocity.is_finite(), "finite")?;
-        require("the orbit's epoch", time, time.is_finite(), "finite")?;
+        require::positive("the orbit's distance", r)?;
+        require::that("the orbit's speed", velocity.norm(), velocity.is_finite(), "finite")?;
+        require::that("the orbit's epoch", time, time.is_finite(), "finite")?;
         // In units of r and √(µ/r): h = u × w, e = w × h − u, p = h²
-        let u = direction("the orbit's distance", position)?;
+        let u = require::direction("the orbit's distance", position)?;
         let w: Direction<Space> = velocity.as_quantity::<Number>() * (r / mu).sqrt();
         let h = u.cross(w);
         let across = h.norm() / w.norm().max(f64::MIN_POSITIVE);
-        require(
+        require::that(
             "the orbit's velocity",
             across,
             across > LEAST_ANGLE,
             "at least 1e-9 rad off the line to the centre",
         )?;
-        let normal = direction("the orbit's angular momentum", h)?;
+        let normal = require::direction("the orbit's angular momentum", h)?;
         let eccentricity = w.cross(h) - u;
         let in_plane = eccentricity - normal * normal.dot(eccentricity);
         let (e, toward) = match in_plane.direction() {
@@ -138,7 +139,7 @@ impl Orbit {
         // q = p/(1 + e), 1 − e = q/a; 1/a in two words, so that n is positive where 1 − e is
         let inverse = inverse_semi_major_axis(mu, position, velocity);
         let alpha = (inverse * Double::from(r)).value();
-        require("the orbit's r/a", alpha, alpha.is_finite(), "finite")?;
+        require::that("the orbit's r/a", alpha, alpha.is_finite(), "finite")?;
         let q = h.dot(h) / (1.0 + e);
         let conic = if e == 0.0 { Conic { e, beta: 1.0 } } else { Conic { e, beta: alpha * q } };
         let (x, y) = (u.dot(toward), u.dot(normal.cross(toward)));
@@ -157,27 +158,27 @@ impl Orbit {
     /// The orbit of classical elements at t = 0.
     ///
     /// # Errors
-    /// [`MotionError::Parameter`] if µ is not positive, e is negative or 1, a has the wrong sign, an angle is not finite, or the
+    /// A parameter's error ([`MotionError::is_parameter`]) if µ is not positive, e is negative or 1, a has the wrong sign, an angle is not finite, or the
     /// true anomaly is beyond the asymptotes of a hyperbola.
     pub fn of_elements(mu: f64, elements: &OrbitalElements) -> Result<Self, MotionError> {
         let &OrbitalElements { semi_major_axis: a, eccentricity: e, inclination, node, periapsis, anomaly } =
             elements;
-        positive("the orbit's µ", mu)?;
+        require::positive("the orbit's µ", mu)?;
         let is_conic = e >= 0.0 && e.is_finite() && e != 1.0;
-        require(
+        require::that(
             "the orbit's eccentricity",
             e,
             is_conic,
             "zero or more, finite, and not 1: give a parabola by position and velocity",
         )?;
         let rule = "finite, positive for an ellipse and negative for a hyperbola";
-        require("the orbit's semi-major axis", a, a.is_finite() && a * (1.0 - e) > 0.0, rule)?;
+        require::that("the orbit's semi-major axis", a, a.is_finite() && a * (1.0 - e) > 0.0, rule)?;
         for (what, angle) in [
             ("the orbit's inclination", inclination),
             ("the orbit's node", node),
             ("the orbit's argument of periapsis", periapsis),
         ] {
-            require(what, angle, angle.is_finite(), "finite")?;
+            require::that(what, angle, angle.is_finite(), "finite")?;
         }
         let conic = Conic { e, beta: 1.0 - e };
         let time = match anomaly {
@@ -186,11 +187,11 @@ impl Orbit {
         };
         let rule = "finite, and between the asymptotes of a hyperbola";
         let (Anomaly::Mean(given) | Anomaly::True(given)) = anomaly;
-        require("the orbit's anomaly", given, time.is_finite(), rule)?;
+        require::that("the orbit's anomaly", given, time.is_finite(), rule)?;
         let rate = mean_motion(mu, Double::from(1.0) / Double::from(a));
         // R₃(Ω) R₁(i) R₃(ω)
         let plane = Rotation::<Space, Space>::from_euler313([node, inclination, periapsis])
-            .map_err(|_| MotionError::Parameter { what: "the orbit's node", value: node, rule: "finite" })?;
+            .map_err(|_| MotionError::NonFiniteParameter { parameter: "the orbit's node", value: node })?;
         let axis = |x, y, z| plane * Direction::new(x, y, z);
         let clock = Clock::new(conic, time, rate, 0.0);
         Self::new(mu, conic, a * conic.beta, clock, (axis(1.0, 0.0, 0.0), axis(0.0, 0.0, 1.0)))
@@ -205,12 +206,12 @@ impl Orbit {
         (toward, normal): (Direction<Space>, Direction<Space>),
     ) -> Result<Self, MotionError> {
         let unit = (periapsis / mu * periapsis).sqrt() * periapsis.sqrt();
-        positive("the orbit's least distance", periapsis)?;
-        positive("the orbit's unit of time", unit)?;
+        require::positive("the orbit's least distance", periapsis)?;
+        require::positive("the orbit's unit of time", unit)?;
         if let Clock::Closed { rate, .. } = clock {
-            positive("the orbit's mean motion", rate.value())?;
+            require::positive("the orbit's mean motion", rate.value())?;
         }
-        let ahead = direction("the orbit's angular momentum", normal.cross(toward))?;
+        let ahead = require::direction("the orbit's angular momentum", normal.cross(toward))?;
         Ok(Self { mu, conic, periapsis, unit, clock, axes: [toward, ahead] })
     }
 
@@ -331,19 +332,6 @@ fn inverse_semi_major_axis(mu: f64, position: Position<Space>, velocity: Velocit
     let squared = |v: [f64; 3]| v.iter().fold(Double::default(), |sum, &x| sum + Double::product(x, x));
     let r = squared(position.to_array()).sqrt();
     Double::from(2.0) / r - squared(velocity.to_array()) / Double::from(mu)
-}
-
-fn positive(what: &'static str, value: f64) -> Result<(), MotionError> {
-    require(what, value, value > 0.0 && value.is_finite(), "positive and finite")
-}
-
-fn direction<Q>(what: &'static str, v: Vector<Q, Space>) -> Result<Direction<Space>, MotionError> {
-    let rule = "a direction: finite and not zero";
-    v.direction().ok_or(MotionError::Parameter { what, value: v.norm(), rule })
-}
-
-fn require(what: &'static str, value: f64, holds: bool, rule: &'static str) -> Result<(), MotionError> {
-    if holds { Ok(()) } else { Err(MotionError::Parameter { what, value, rule }) }
 }
 
 #[cfg(test)]
@@ -477,10 +465,7 @@ mod tests {
             (MU_EARTH, 7e6, x, x * -2.0),
             (MU_EARTH, 7e6, Direction::ZERO, y),
         ] {
-            assert!(matches!(
-                Orbit::circular(mu, radius, radial, motion),
-                Err(MotionError::Parameter { .. })
-            ));
+            assert!(Orbit::circular(mu, radius, radial, motion).is_err());
         }
         let (r, v) = (Position::new(7e6, 0.0, 0.0), Velocity::new(0.0, 7e3, 0.0));
         assert!(Orbit::through(MU_EARTH, r, v, 0.0).is_ok());
@@ -491,10 +476,7 @@ mod tests {
             (r, Velocity::new(f64::INFINITY, 1.0, 0.0)),
             (Position::new(1e200, 0.0, 0.0), Velocity::new(0.0, 1e200, 0.0)),
         ] {
-            assert!(
-                matches!(Orbit::through(MU_EARTH, r, v, 0.0), Err(MotionError::Parameter { .. })),
-                "{r:?} {v:?}"
-            );
+            assert!(Orbit::through(MU_EARTH, r, v, 0.0).is_err(), "{r:?} {v:?}");
         }
         let good = OrbitalElements {
             semi_major_axis: -7e6,
@@ -512,10 +494,7 @@ mod tests {
             OrbitalElements { eccentricity: -0.1, ..good },
             OrbitalElements { node: f64::NAN, ..good },
         ] {
-            assert!(
-                matches!(Orbit::of_elements(MU_EARTH, &bad), Err(MotionError::Parameter { .. })),
-                "{bad:?}"
-            );
+            assert!(Orbit::of_elements(MU_EARTH, &bad).is_err(), "{bad:?}");
         }
     }
 }

@@ -10,6 +10,7 @@ use crate::math::vector::{AngularMomentum, AngularVelocity, Position, Torque};
 use super::state::State;
 use super::wheel::{Motor, Wheel};
 use crate::motion::error::MotionError;
+use crate::motion::model::require;
 
 /// A body turning about a point of its own: its centre of mass when it is free, the pivot when it is held.
 ///
@@ -69,25 +70,23 @@ impl Rotor {
     /// I = I_body − Σ J a aᵀ, and L = I ω + Σ h a.
     ///
     /// # Errors
-    /// [`MotionError::Parameter`] if a wheel has more inertia than the body, or as much, so that the carrier has none about some axis.
+    /// A parameter's error ([`MotionError::is_parameter`]) if a wheel has more inertia than the body, or as much, so that the carrier has none about some axis.
     pub fn with_wheels(mut self, wheels: &[Wheel]) -> Result<Self, MotionError> {
         for wheel in wheels {
             if let Motor::Torque { inertia: value, .. } = wheel.motor() {
                 let axial = Symmetric3::outer(wheel.axis().to_array()) * value;
                 let rest = *self.inertia.symmetric() - axial;
-                let what = "the wheel's moment of inertia";
+                let parameter = "the wheel's moment of inertia";
                 let rule = "small enough for the rest of the body to be possible";
                 self.inertia = InertiaAbout::from_symmetric(self.inertia.point(), rest)
-                    .map_err(|_| MotionError::Parameter { what, value, rule })?;
+                    .map_err(|_| MotionError::ParameterOutOfRange { parameter, value, rule })?;
             }
         }
         self.principal = PrincipalFrame::about(&self.inertia);
         let [least, _, greatest] = self.principal.moments();
-        if !wheels.is_empty() && !(least > MASSLESS * greatest) {
-            let what = "the least moment of inertia of a body without its wheels";
-            let rule = "above zero: a wheel turns the body, and a rod has nothing to balance it with";
-            return Err(MotionError::Parameter { what, value: least, rule });
-        }
+        let rule = "above zero: a wheel turns the body, and a rod has nothing to balance it with";
+        let holds = wheels.is_empty() || least > MASSLESS * greatest;
+        require::that("the least moment of inertia of a body without its wheels", least, holds, rule)?;
         self.wheels = wheels.to_vec();
         Ok(self)
     }

@@ -3,6 +3,7 @@
 use crate::math::frame::Body;
 use crate::math::vector::{AngularVelocity, Direction};
 use crate::motion::error::MotionError;
+use crate::motion::model::require;
 use crate::motion::model::torque::Schedule;
 
 /// A wheel whose axis a is fixed in the body: with wheels the body is a *gyrostat*. The body's inertia holds the wheel's as if it
@@ -60,23 +61,13 @@ impl Wheel {
     /// speed; else that relative to space, J (a·ω + Ω).
     ///
     /// # Errors
-    /// [`MotionError::Parameter`] if the axis has no direction, a number is not finite, or an inertia not positive.
+    /// A parameter's error ([`MotionError::is_parameter`]) if the axis has no direction, a number is not finite, or an inertia not positive.
     pub fn new(axis: Direction<Body>, momentum: f64, motor: Motor) -> Result<Self, MotionError> {
-        let parameter = |what, value, rule| MotionError::Parameter { what, value, rule };
-        let Some(axis) = axis.direction() else {
-            let rule = "a direction: finite and not zero";
-            return Err(parameter("the length of the wheel's axis", axis.norm(), rule));
-        };
-        if !momentum.is_finite() {
-            return Err(parameter("the wheel's angular momentum", momentum, "finite"));
-        }
+        let axis = require::direction("the length of the wheel's axis", axis)?;
+        require::finite("the wheel's angular momentum", momentum)?;
         if let Motor::Torque { inertia, torque, .. } = motor {
-            if !(inertia > 0.0 && inertia.is_finite()) {
-                return Err(parameter("the wheel's moment of inertia", inertia, "positive and finite"));
-            }
-            if !torque.is_finite() {
-                return Err(parameter("the motor's torque", torque, "finite"));
-            }
+            require::positive("the wheel's moment of inertia", inertia)?;
+            require::finite("the motor's torque", torque)?;
         }
         Ok(Self { axis, momentum, motor })
     }

@@ -65,7 +65,7 @@ impl Trajectory {
     /// A prescribed motion at each of `times` (ascending, s), with the torque that it needs.
     ///
     /// # Errors
-    /// [`MotionError::Parameter`] if times are out of order; else as [`Required::by`](crate::motion::Required::by).
+    /// A parameter's error ([`MotionError::is_parameter`]) if times are out of order; else as [`Required::by`](crate::motion::Required::by).
     pub fn prescribed(rotor: &Rotor, motion: &Prescribed, times: &[f64]) -> Result<Self, MotionError> {
         require_ascending(f64::NEG_INFINITY, times)?;
         let first = Sample::of_prescribed(rotor, motion, times.first().copied().unwrap_or(0.0))?;
@@ -117,7 +117,7 @@ impl Trajectory {
     /// A free motion at each of `times` (ascending, s; before its start too).
     ///
     /// # Errors
-    /// [`MotionError::Parameter`] if times are out of order, [`MotionError::BeyondReach`] for one too far away,
+    /// A parameter's error ([`MotionError::is_parameter`]) if times are out of order, [`MotionError::BeyondReach`] for one too far away,
     /// [`MotionError::NotFinite`] where energy or momentum leave the range
     /// of f64.
     pub fn of_motion(motion: FreeMotion, times: &[f64]) -> Result<Self, MotionError> {

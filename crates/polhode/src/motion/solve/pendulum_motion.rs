@@ -17,6 +17,7 @@ use super::phase::{Angle, Elapsed};
 use super::reach::Drift;
 use super::theta::Lattice;
 use crate::motion::error::MotionError;
+use crate::motion::model::require;
 
 /// A pendulum's angle and rate at any time, θ̈ = −ω₀² sin θ.
 ///
@@ -117,23 +118,12 @@ impl PendulumMotion {
     /// By ω₀ (rad/s, positive), the angle from straight down (rad) and its rate (rad/s) at time 0.
     ///
     /// # Errors
-    /// [`MotionError::Parameter`] for a number that is not finite, or an ω₀ that is not positive.
+    /// A parameter's error ([`MotionError::is_parameter`]) for a number that is not finite, or an ω₀ that is not positive.
     pub fn of(frequency: f64, angle: f64, rate: f64) -> Result<Self, MotionError> {
-        let finite = "finite, with a square in the range of numbers beside the frequency's";
-        if !(frequency > 0.0 && frequency.is_finite()) {
-            let rule = "positive and finite";
-            return Err(MotionError::Parameter {
-                what: "the frequency of small swings",
-                value: frequency,
-                rule,
-            });
-        }
-        if !(angle.abs() < FARTHEST) {
-            return Err(MotionError::Parameter { what: "the angle", value: angle, rule: "below 1e15 rad" });
-        }
-        if !((0.5 * rate / frequency).abs() < FASTEST) {
-            return Err(MotionError::Parameter { what: "the rate", value: rate, rule: finite });
-        }
+        require::positive("the frequency of small swings", frequency)?;
+        require::that("the angle", angle, angle.abs() < FARTHEST, "below 1e15 rad")?;
+        let rule = "finite, with a square in the range of numbers beside the frequency's";
+        require::that("the rate", rate, (0.5 * rate / frequency).abs() < FASTEST, rule)?;
         let whole = (angle / (2.0 * PI)).round();
         let turns = Double::TAU * Double::from(whole);
         let half = unit((Double::from(angle) - turns).scaled(0.5));

@@ -2,19 +2,18 @@
 
 use super::propagate::bound::MOST_STEPS;
 use crate::motion::error::MotionError;
+use crate::motion::model::require;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 use crate::motion::model::torque::TorqueModel;
 
 /// # Errors
-/// [`MotionError::Parameter`] if a time is not finite, or before the one that precedes it.
+/// A parameter's error ([`MotionError::is_parameter`]) if a time is not finite, or before the one that precedes it.
 pub(crate) fn require_ascending(start: f64, times: &[f64]) -> Result<(), MotionError> {
     let mut last = start;
     for &value in times {
-        if !value.is_finite() || value < last {
-            let rule = "finite, and not before the time that precedes it";
-            return Err(MotionError::Parameter { what: "the time", value, rule });
-        }
+        let rule = "finite, and not before the time that precedes it";
+        require::that("the time", value, value.is_finite() && value >= last, rule)?;
         last = value;
     }
     Ok(())
@@ -61,9 +60,7 @@ pub(crate) fn require_finite(
         ("the start's kinetic energy", energy),
         ("the start's angular momentum", momentum),
     ] {
-        if !value.is_finite() {
-            return Err(MotionError::Parameter { what, value, rule: "finite" });
-        }
+        require::finite(what, value)?;
     }
     for (k, torque) in torques.iter().enumerate() {
         // One that is scheduled for later may still be no number now.

@@ -5,6 +5,7 @@ use crate::math::frame::Body;
 use crate::math::number::{PI, sin_cos};
 use crate::math::vector::{Acceleration, Direction};
 use crate::motion::error::MotionError;
+use crate::motion::model::require;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::solve::pendulum_motion::PendulumMotion;
 
@@ -64,26 +65,18 @@ impl Pendulum {
     /// A body hung at the rotor's pivot from the axis `axis`, gravity `g` given in body axes (as the body hangs now).
     ///
     /// # Errors
-    /// [`MotionError::Parameter`] if the axis has no direction, gravity is along it, or the centre of mass is on it.
+    /// A parameter's error ([`MotionError::is_parameter`]) if the axis has no direction, gravity is along it, or the centre of mass is on it.
     pub fn hung(rotor: &Rotor, axis: Direction<Body>, g: Acceleration<Body>) -> Result<Self, MotionError> {
-        let parameter = |what, value, rule| MotionError::Parameter { what, value, rule };
-        let Some(n) = axis.direction() else {
-            return Err(parameter("the length of the axis", axis.norm(), "a direction: finite and not zero"));
-        };
+        let n = require::direction("the length of the axis", axis)?;
         let across = |v: Direction<Body>| v - n * n.dot(v);
         let (l, g): (Direction<Body>, Direction<Body>) = (rotor.lever().as_quantity(), g.as_quantity());
         let (arm, down) = (across(l), across(g));
         // What rounding leaves of a vector along the axis is not an arm.
-        if !(arm.norm() > 1e-12 * l.norm()) {
-            return Err(parameter(
-                "the arm of the centre of mass",
-                arm.norm(),
-                "positive: it lies on the axis",
-            ));
-        }
-        if !(down.norm() > 1e-12 * g.norm()) {
-            return Err(parameter("gravity across the axis", down.norm(), "positive: it is along the axis"));
-        }
+        let is_across = |v: Direction<Body>, of: Direction<Body>| v.norm() > 1e-12 * of.norm();
+        let rule = "positive: it lies on the axis";
+        require::that("the arm of the centre of mass", arm.norm(), is_across(arm, l), rule)?;
+        let rule = "positive: it is along the axis";
+        require::that("gravity across the axis", down.norm(), is_across(down, g), rule)?;
         let moment = rotor.inertia().about_axis(n);
         let frequency = (rotor.mass() * down.norm() * arm.norm() / moment).sqrt();
         let sine = n.dot(down.cross(arm));
@@ -130,7 +123,7 @@ impl Pendulum {
     /// The angle and its rate at any time after a start at `angle` (rad from straight down) with the rate `rate` (rad/s).
     ///
     /// # Errors
-    /// [`MotionError::Parameter`] for an angle or a rate that is not finite.
+    /// A parameter's error ([`MotionError::is_parameter`]) for an angle or a rate that is not finite.
     pub fn motion(&self, angle: f64, rate: f64) -> Result<PendulumMotion, MotionError> {
         PendulumMotion::of(self.frequency, angle, rate)
     }

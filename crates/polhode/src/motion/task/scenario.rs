@@ -12,6 +12,7 @@ use crate::math::vector::{Acceleration, AngularVelocity, Direction, Position, Ve
 use crate::motion::error::MotionError;
 use crate::motion::inverse::prescribed::Prescribed;
 use crate::motion::model::event::{Event, EventAction};
+use crate::motion::model::require;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 use crate::motion::model::torque::TorqueModel;
@@ -258,16 +259,14 @@ impl Scenario {
     /// From this attitude and ω; of a prescribed motion they are its own.
     ///
     /// # Errors
-    /// [`MotionError::Parameter`] for numbers that are not finite.
+    /// A parameter's error ([`MotionError::is_parameter`]) for numbers that are not finite.
     pub fn starting(self, start: State) -> Result<Self, MotionError> {
         for (what, value) in [
             ("the start's time", start.time),
             ("the start's attitude", start.attitude.quaternion().iter().sum()),
             ("the start's angular velocity", start.omega.norm()),
         ] {
-            if !value.is_finite() {
-                return Err(MotionError::Parameter { what, value, rule: "finite" });
-            }
+            require::finite(what, value)?;
         }
         Ok(Self { start, ..self })
     }

@@ -26,6 +26,7 @@ use crate::math::vector::{
 
 use crate::motion::error::MotionError;
 use crate::motion::model::kinematics::rigid_acceleration;
+use crate::motion::model::require;
 
 /// A body on a shaft with two bearings.
 ///
@@ -115,30 +116,22 @@ impl Shaft {
     /// A body on a line through `point` along `axis`, with bearings at two distances from the point along the axis, m.
     ///
     /// # Errors
-    /// [`MotionError::Parameter`] for an axis without direction, or bearings at one place or nowhere.
+    /// A parameter's error ([`MotionError::is_parameter`]) for an axis without direction, or bearings at one place or nowhere.
     pub fn new(
         body: MassProperties<Body>,
         point: Position<Body>,
         axis: Direction<Body>,
         bearings: [f64; 2],
     ) -> Result<Self, MotionError> {
-        let Some(axis) = axis.direction() else {
-            let rule = "a direction: finite and not zero";
-            return Err(MotionError::Parameter { what: "the length of the axis", value: axis.norm(), rule });
-        };
+        let axis = require::direction("the length of the axis", axis)?;
         if !point.is_finite() {
-            let (what, value) = ("the point on the axis", point.norm());
-            return Err(MotionError::Parameter { what, value, rule: "finite" });
+            let (parameter, value) = ("the point on the axis", point.norm());
+            return Err(MotionError::NonFiniteParameter { parameter, value });
         }
         let apart = bearings[1] - bearings[0];
-        if apart == 0.0 || !apart.is_finite() {
-            let rule = "finite and not zero: two bearings at one place hold no moment";
-            return Err(MotionError::Parameter {
-                what: "the distance between the bearings",
-                value: apart,
-                rule,
-            });
-        }
+        let rule = "finite and not zero: two bearings at one place hold no moment";
+        let holds = apart != 0.0 && apart.is_finite();
+        require::that("the distance between the bearings", apart, holds, rule)?;
         Ok(Self { body, point, axis, bearings })
     }
 
@@ -232,7 +225,7 @@ impl Shaft {
     /// The mass that balances the shaft statically, in a plane at `plane` along the line, m, at `radius` from it, m.
     ///
     /// # Errors
-    /// [`MotionError::Parameter`] for a plane that is not finite or a radius that is not positive.
+    /// A parameter's error ([`MotionError::is_parameter`]) for a plane that is not finite or a radius that is not positive.
     pub fn balance_in_plane(&self, plane: f64, radius: f64) -> Result<CorrectionMass, MotionError> {
         self.correction(plane, radius, -self.static_unbalance())
     }
@@ -243,7 +236,7 @@ impl Shaft {
     /// planes, U_A the same with the planes exchanged.
     ///
     /// # Errors
-    /// [`MotionError::Parameter`] for planes at one place or not finite, or a radius that is not positive.
+    /// A parameter's error ([`MotionError::is_parameter`]) for planes at one place or not finite, or a radius that is not positive.
     pub fn balance_in_planes(
         &self,
         planes: [f64; 2],
@@ -251,14 +244,9 @@ impl Shaft {
     ) -> Result<[CorrectionMass; 2], MotionError> {
         let [a, b] = planes;
         let apart = b - a;
-        if apart == 0.0 || !apart.is_finite() {
-            let rule = "finite and not zero: masses in one plane make no couple";
-            return Err(MotionError::Parameter {
-                what: "the distance between the planes",
-                value: apart,
-                rule,
-            });
-        }
+        let rule = "finite and not zero: masses in one plane make no couple";
+        let holds = apart != 0.0 && apart.is_finite();
+        require::that("the distance between the planes", apart, holds, rule)?;
         Ok([
             self.correction(a, radii[0], self.couple_unbalance(b) / apart)?,
             self.correction(b, radii[1], self.couple_unbalance(a) / -apart)?,
@@ -296,13 +284,8 @@ impl Shaft {
         radius: f64,
         wanted: Position<Body>,
     ) -> Result<CorrectionMass, MotionError> {
-        if !plane.is_finite() {
-            return Err(MotionError::Parameter { what: "the plane", value: plane, rule: "finite" });
-        }
-        if !(radius > 0.0 && radius.is_finite()) {
-            let rule = "positive and finite";
-            return Err(MotionError::Parameter { what: "the radius", value: radius, rule });
-        }
+        require::finite("the plane", plane)?;
+        require::positive("the radius", radius)?;
         let mark = self.zero_mark();
         let towards = wanted.direction().unwrap_or(mark);
         let on_axis = self.point + (self.axis * plane).as_quantity();

@@ -7,6 +7,7 @@ use crate::math::rotation::Rotation;
 use crate::math::symmetric3::Symmetric3;
 use crate::math::vector::{AngularMomentum, AngularVelocity, Direction, Torque};
 use crate::motion::error::MotionError;
+use crate::motion::model::require;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 use crate::motion::model::torque::TorqueModel;
@@ -60,10 +61,8 @@ impl<'a> Steady<'a> {
         state: State,
     ) -> Result<Self, MotionError> {
         let [least, _, greatest] = rotor.principal().moments();
-        if !(least > 0.0) {
-            let rule = "above zero: the spin of a rod about its own line is undetermined";
-            return Err(MotionError::Parameter { what: "the least moment of inertia", value: least, rule });
-        }
+        let rule = "above zero: the spin of a rod about its own line is undetermined";
+        require::that("the least moment of inertia", least, least > 0.0, rule)?;
         let motor = rotor.motor_torque(state.time).norm();
         if motor > 0.0 {
             return Err(MotionError::NotSteady { torque: motor, scale: motor });

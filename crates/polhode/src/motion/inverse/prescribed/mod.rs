@@ -14,6 +14,7 @@ use crate::math::frame::Body;
 use crate::math::rotation::{Attitude, Rotation};
 use crate::math::vector::{AngularAcceleration, AngularVelocity, Direction};
 use crate::motion::error::MotionError;
+use crate::motion::model::require;
 use crate::motion::model::state::State;
 use rates::Rates;
 
@@ -69,32 +70,29 @@ impl Prescribed {
     /// A rotation about a fixed axis.
     ///
     /// # Errors
-    /// [`MotionError::Parameter`] if the axis has no direction or a number is not finite.
+    /// A parameter's error ([`MotionError::is_parameter`]) if the axis has no direction or a number is not finite.
     pub fn fixed_axis(
         attitude: Attitude,
         axis: Direction<Body>,
         rate: f64,
         acceleration: f64,
     ) -> Result<Self, MotionError> {
-        let Some(axis) = axis.direction() else {
-            let rule = "a direction: finite and not zero";
-            return Err(MotionError::Parameter { what: "the length of the axis", value: axis.norm(), rule });
-        };
-        finite("the rate", rate)?;
-        finite("the acceleration", acceleration)?;
+        let axis = require::direction("the length of the axis", axis)?;
+        require::finite("the rate", rate)?;
+        require::finite("the acceleration", acceleration)?;
         Ok(Self::FixedAxis { attitude, axis, rate, acceleration })
     }
 
     /// Uniformly changing 3-1-3 Euler angles: steady precession, a coin's roll, a gyroscope's sweep.
     ///
     /// # Errors
-    /// [`MotionError::Parameter`] if a number is not finite.
+    /// A parameter's error ([`MotionError::is_parameter`]) if a number is not finite.
     pub fn euler_rates(angles: [f64; 3], rates: [f64; 3]) -> Result<Self, MotionError> {
         for angle in angles {
-            finite("the Euler angle", angle)?;
+            require::finite("the Euler angle", angle)?;
         }
         for rate in rates {
-            finite("the Euler angle's rate", rate)?;
+            require::finite("the Euler angle's rate", rate)?;
         }
         Ok(Self::EulerRates { angles, rates })
     }
@@ -106,17 +104,14 @@ impl Prescribed {
     ///
     /// # Errors
     /// [`MotionError::NotFinite`] where ω is not; [`MotionError::StepTooSmall`] and [`MotionError::TooManySteps`] where it cannot
-    /// be followed; [`MotionError::Parameter`] for an end that is negative or not finite.
+    /// be followed; a parameter's error ([`MotionError::is_parameter`]) for an end that is negative or not finite.
     pub fn omega(
         attitude: Attitude,
         axes: RateAxes,
         omega: [Formula; 3],
         end: f64,
     ) -> Result<Self, MotionError> {
-        if !(end >= 0.0 && end.is_finite()) {
-            let rule = "finite and not negative";
-            return Err(MotionError::Parameter { what: "the end of the motion", value: end, rule });
-        }
+        require::not_negative("the end of the motion", end)?;
         let turning = Turning::new(Rates::Formulas(omega), axes, attitude, [0.0, end])?;
         Ok(Self::Turning(Box::new(turning)))
     }
@@ -125,7 +120,7 @@ impl Prescribed {
     /// attitude integrated from it.
     ///
     /// # Errors
-    /// As [`Prescribed::omega`]; [`MotionError::Parameter`] for fewer than four rows, times that do not ascend, or a number that
+    /// As [`Prescribed::omega`]; a parameter's error ([`MotionError::is_parameter`]) for fewer than four rows, times that do not ascend, or a number that
     /// is not finite.
     pub fn omega_table(
         attitude: Attitude,
@@ -153,7 +148,7 @@ impl Prescribed {
     /// ```
     ///
     /// # Errors
-    /// [`MotionError::Parameter`] for fewer than four rows, times that do not ascend, or more than a quarter of a turn from a row
+    /// A parameter's error ([`MotionError::is_parameter`]) for fewer than four rows, times that do not ascend, or more than a quarter of a turn from a row
     /// to the next.
     pub fn attitude_table(times: &[f64], attitudes: &[Attitude]) -> Result<(Self, Uncertainty), MotionError> {
         let table = AttitudeTable::new(times, attitudes)?;
@@ -173,14 +168,12 @@ impl Prescribed {
     /// The state and the angular acceleration (body axes) at a time, s.
     ///
     /// # Errors
-    /// [`MotionError::Parameter`] for a time outside [`Prescribed::span`], [`MotionError::NotFinite`] where a formula is not
+    /// A parameter's error ([`MotionError::is_parameter`]) for a time outside [`Prescribed::span`], [`MotionError::NotFinite`] where a formula is not
     /// finite, or a quaternion zero.
     pub fn at(&self, time: f64) -> Result<(State, AngularAcceleration<Body>), MotionError> {
-        if let Some([first, last]) = self.span()
-            && !(first <= time && time <= last)
-        {
+        if let Some([first, last]) = self.span() {
             let rule = "within the time for which the motion is given";
-            return Err(MotionError::Parameter { what: "the time", value: time, rule });
+            require::that("the time", time, first <= time && time <= last, rule)?;
         }
         let nowhere = MotionError::NotFinite { time };
         let (state, acceleration) = match self {
@@ -217,10 +210,6 @@ impl Prescribed {
             Err(nowhere)
         }
     }
-}
-
-fn finite(what: &'static str, value: f64) -> Result<(), MotionError> {
-    if value.is_finite() { Ok(()) } else { Err(MotionError::Parameter { what, value, rule: "finite" }) }
 }
 
 #[cfg(test)]

@@ -12,6 +12,7 @@ use crate::math::rotation::Attitude;
 use crate::math::spline::Spline;
 use crate::math::vector::{AngularAcceleration, AngularVelocity};
 use crate::motion::error::MotionError;
+use crate::motion::model::require;
 use crate::motion::model::state::State;
 
 use super::quaternion;
@@ -61,11 +62,10 @@ impl AttitudeTable {
         let mut quaternions: Vec<[f64; 4]> = Vec::with_capacity(attitudes.len());
         let mut last = attitudes.first().copied().unwrap_or(Attitude::identity());
         for attitude in attitudes {
-            let value = last.angle_to(*attitude);
-            if !(value <= core::f64::consts::FRAC_PI_2) {
-                let rule = "at most a quarter of a turn, π/2 rad: what lies between is a guess";
-                return Err(MotionError::Parameter { what: "the turn from a row to the next", value, rule });
-            }
+            let turn = last.angle_to(*attitude);
+            let rule = "at most a quarter of a turn, π/2 rad: what lies between is a guess";
+            let holds = turn <= core::f64::consts::FRAC_PI_2;
+            require::that("the turn from a row to the next", turn, holds, rule)?;
             last = attitude.continuous_with(last);
             quaternions.push(last.quaternion());
         }
@@ -101,10 +101,8 @@ impl AttitudeTable {
 /// The components of ω in a table as functions of time, from when to when, and how far they may be off.
 pub(super) fn rates(times: &[f64], rows: &[[f64; 3]]) -> Result<(Rates, [f64; 2], Uncertainty), MotionError> {
     let span = require_rows(times, rows.len())?;
-    for value in rows.as_flattened() {
-        if !value.is_finite() {
-            return Err(MotionError::Parameter { what: "ω in the table", value: *value, rule: "finite" });
-        }
+    for &value in rows.as_flattened() {
+        require::finite("ω in the table", value)?;
     }
     let curve = |times: &[f64], rows: &[[f64; 3]], degree| {
         let spline = Spline::through(times, rows, degree)?;
@@ -174,10 +172,8 @@ impl Uncertainty {
 
 /// The first and the last time of enough ascending ones.
 fn require_rows(times: &[f64], rows: usize) -> Result<[f64; 2], MotionError> {
-    if times.len() < FEWEST || rows != times.len() {
-        let (what, rule) = ("the number of rows", "at least 4, with a time for each");
-        return Err(MotionError::Parameter { what, value: rows as f64, rule });
-    }
+    let holds = times.len() >= FEWEST && rows == times.len();
+    require::that("the number of rows", rows as f64, holds, "at least 4, with a time for each")?;
     let ascends = |pair: &[f64]| pair[0] < pair[1];
     match (times.first(), times.last()) {
         (Some(&first), Some(&last))
@@ -193,5 +189,6 @@ fn require_rows(times: &[f64], rows: usize) -> Result<[f64; 2], MotionError> {
 fn disorder(times: &[f64]) -> MotionError {
     let wrong = times.windows(2).find(|pair| !(pair[0] < pair[1]));
     let value = wrong.map_or(f64::NAN, |pair| pair[1]);
-    MotionError::Parameter { what: "a time of the table", value, rule: "finite, and after the one before it" }
+    let (parameter, rule) = ("a time of the table", "finite, and after the one before it");
+    MotionError::ParameterOutOfRange { parameter, value, rule }
 }

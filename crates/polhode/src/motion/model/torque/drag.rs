@@ -5,6 +5,7 @@ use super::model::Model;
 use crate::math::algebra::VectorAlgebra;
 use crate::math::symmetric3::Symmetric3;
 use crate::motion::error::MotionError;
+use crate::motion::model::require;
 
 /// A torque that resists turning, in proportion to ω or to its square, and not alike about every axis.
 ///
@@ -56,28 +57,24 @@ impl Drag {
     /// Drag with its matrix along body axes: C or D of its law.
     ///
     /// # Errors
-    /// [`MotionError::Parameter`] if the matrix is not finite, symmetric and positive semi-definite, each to 1e-12 of its largest
+    /// A parameter's error ([`MotionError::is_parameter`]) if the matrix is not finite, symmetric and positive semi-definite, each to 1e-12 of its largest
     /// element.
     pub fn new(law: DragLaw, matrix: [[f64; 3]; 3]) -> Result<Self, MotionError> {
-        let parameter = |what, value, rule| Err(MotionError::Parameter { what, value, rule });
-        if let Some(&value) = matrix.iter().flatten().find(|value| !value.is_finite()) {
-            return parameter("an element of the drag's matrix", value, "finite");
+        for &value in matrix.as_flattened() {
+            require::finite("an element of the drag's matrix", value)?;
         }
         let [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]] = matrix;
         let largest = matrix.iter().flatten().fold(0.0, |most: f64, value| most.max(value.abs()));
         for (value, mirrored) in [(xy, yx), (xz, zx), (yz, zy)] {
-            if 0.5 * (value - mirrored).abs() > 0.5 * TOLERANCE * largest {
-                let rule = "equal to the element across the diagonal";
-                return parameter("an element of the drag's matrix", value, rule);
-            }
+            let is_symmetric = 0.5 * (value - mirrored).abs() <= 0.5 * TOLERANCE * largest;
+            let rule = "equal to the element across the diagonal";
+            require::that("an element of the drag's matrix", value, is_symmetric, rule)?;
         }
         let mean = |a: f64, b: f64| 0.5 * a + 0.5 * b;
         let matrix = Symmetric3 { xx, yy, zz, xy: mean(xy, yx), xz: mean(xz, zx), yz: mean(yz, zy) };
         let [least, ..] = matrix.eigen().values;
-        if !(least >= -TOLERANCE * largest) {
-            let rule = "not negative: drag never speeds a body up";
-            return parameter("the least eigenvalue of the drag's matrix", least, rule);
-        }
+        let (holds, rule) = (least >= -TOLERANCE * largest, "not negative: drag never speeds a body up");
+        require::that("the least eigenvalue of the drag's matrix", least, holds, rule)?;
         Ok(Self { law, matrix })
     }
 
@@ -119,7 +116,7 @@ mod tests {
         {
             let mut matrix = unit;
             matrix[row][column] = value;
-            assert!(matches!(of(matrix), Err(MotionError::Parameter { .. })), "{matrix:?}");
+            assert!(of(matrix).is_err(), "{matrix:?}");
         }
         // Positive on the diagonal is not enough.
         assert!(of([[1.0, 2.0, 0.0], [2.0, 1.0, 0.0], [0.0, 0.0, 1.0]]).is_err());

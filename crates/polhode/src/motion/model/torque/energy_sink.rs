@@ -4,6 +4,7 @@ use super::law::{Law, LawInput};
 use super::model::Model;
 use crate::math::vector::Direction;
 use crate::motion::error::MotionError;
+use crate::motion::model::require;
 
 /// Dissipation inside a body that bends, sloshes or carries a damper, whose angular momentum it cannot change: an *energy sink*.
 ///
@@ -49,13 +50,10 @@ impl EnergySink {
     /// ```
     ///
     /// # Errors
-    /// [`MotionError::Parameter`] unless α is positive and finite.
+    /// A parameter's error ([`MotionError::is_parameter`]) unless α is positive and finite.
     pub fn new(coefficient: f64) -> Result<Self, MotionError> {
-        if coefficient > 0.0 && coefficient.is_finite() {
-            return Ok(Self { coefficient });
-        }
-        let what = "the coefficient of an energy sink";
-        Err(MotionError::Parameter { what, value: coefficient, rule: "positive and finite" })
+        require::positive("the coefficient of an energy sink", coefficient)?;
+        Ok(Self { coefficient })
     }
 
     /// The sink by which the tangent of the nutation angle changes by a factor e in a time τ, s, in a body with the extreme moments
@@ -64,25 +62,17 @@ impl EnergySink {
     /// For a body with two equal moments that is exact; for another it is the largest of its rates.
     ///
     /// # Errors
-    /// [`MotionError::Parameter`] if τ is not positive, or if no such α exists: the moments are equal, the body is at rest.
+    /// A parameter's error ([`MotionError::is_parameter`]) if τ is not positive, or if no such α exists: the moments are equal, the body is at rest.
     pub fn with_time_constant(
         time_constant: f64,
         [least, greatest]: [f64; 2],
         momentum: f64,
     ) -> Result<Self, MotionError> {
-        let parameter = |what, value, rule| MotionError::Parameter { what, value, rule };
-        if !(time_constant > 0.0 && time_constant.is_finite()) {
-            return Err(parameter(
-                "the time constant of an energy sink",
-                time_constant,
-                "positive and finite",
-            ));
-        }
+        require::positive("the time constant of an energy sink", time_constant)?;
         let rate = momentum * momentum * ((greatest - least) / greatest / least);
-        if !(rate > 0.0 && rate.is_finite()) {
-            let rule = "above zero: a body at rest, a rod, or one with equal moments has no nutation to damp";
-            return Err(parameter("L² (1/i1 − 1/i3) of a body with an energy sink", rate, rule));
-        }
+        let rule = "above zero: a body at rest, a rod, or one with equal moments has no nutation to damp";
+        let holds = rate > 0.0 && rate.is_finite();
+        require::that("L² (1/i1 − 1/i3) of a body with an energy sink", rate, holds, rule)?;
         Self::new(1.0 / (time_constant * rate))
     }
 

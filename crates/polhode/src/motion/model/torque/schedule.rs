@@ -1,6 +1,7 @@
 //! When a torque acts.
 
 use crate::motion::error::MotionError;
+use crate::motion::model::require;
 
 /// The times at which a torque acts. Each interval holds its start and not its end.
 ///
@@ -27,13 +28,11 @@ impl Schedule {
     /// From one time to another, s. Either may be infinite: since ever, or for ever.
     ///
     /// # Errors
-    /// [`MotionError::Parameter`] if it does not end after it begins.
+    /// A parameter's error ([`MotionError::is_parameter`]) if it does not end after it begins.
     pub fn window(from: f64, until: f64) -> Result<Self, MotionError> {
-        if from < until {
-            return Ok(Self(Kind::Window { from, until }));
-        }
-        let what = "the time until which a torque acts";
-        Err(MotionError::Parameter { what, value: until, rule: "after the time from which it acts" })
+        let rule = "after the time from which it acts";
+        require::that("the time until which a torque acts", until, from < until, rule)?;
+        Ok(Self(Kind::Window { from, until }))
     }
 
     /// A train of pulses, the first from `first` on (s): `width` (s) of every `period` (s), `count` times, or for ever.
@@ -42,30 +41,19 @@ impl Schedule {
     /// they are one window.
     ///
     /// # Errors
-    /// [`MotionError::Parameter`] if a number is not finite, the width not positive or wider than the period, the count zero, or
+    /// A parameter's error ([`MotionError::is_parameter`]) if a number is not finite, the width not positive or wider than the period, the count zero, or
     /// the times so late that their rounding is as wide as a pulse.
     pub fn pulses(first: f64, width: f64, period: f64, count: Option<u64>) -> Result<Self, MotionError> {
-        let parameter = |what, value, rule| Err(MotionError::Parameter { what, value, rule });
-        if !first.is_finite() {
-            return parameter("the time of the first pulse", first, "finite");
-        }
-        if !(width > 0.0) {
-            return parameter("the width of the pulses", width, "positive");
-        }
-        if !(width <= period) {
-            return parameter("the width of the pulses", width, "no more than their period");
-        }
-        if !period.is_finite() {
-            return parameter("the period of the pulses", period, "finite");
-        }
-        if count == Some(0) {
-            return parameter("the number of pulses", 0.0, "at least 1");
-        }
+        let width_of = "the width of the pulses";
+        require::finite("the time of the first pulse", first)?;
+        require::that(width_of, width, width > 0.0, "positive")?;
+        require::that(width_of, width, width <= period, "no more than their period")?;
+        require::finite("the period of the pulses", period)?;
+        require::that("the number of pulses", 0.0, count != Some(0), "at least 1")?;
         let train = Train { first, width, period, count };
         let last = train.begin(count.map_or(0.0, |_| train.last()));
-        if !(first + width > first && last + width > last && last.is_finite()) {
-            return parameter("the width of the pulses", width, "more than the rounding of their times");
-        }
+        let is_seen = first + width > first && last + width > last && last.is_finite();
+        require::that(width_of, width, is_seen, "more than the rounding of their times")?;
         if width == period {
             let until = count.map_or(f64::INFINITY, |count| train.begin(count as f64));
             return Self::window(first, until);
@@ -330,10 +318,7 @@ mod tests {
             (0.0, 1.0, 2.0, Some(u64::MAX)),
         ] {
             let refused = Schedule::pulses(first, width, period, count);
-            assert!(
-                matches!(refused, Err(MotionError::Parameter { .. })),
-                "{first} {width} {period} {count:?}"
-            );
+            assert!(refused.is_err(), "{first} {width} {period} {count:?}");
         }
     }
 }

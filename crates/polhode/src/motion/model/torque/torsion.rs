@@ -7,6 +7,7 @@ use crate::math::frame::{Body, Space};
 use crate::math::rotation::{Attitude, Rotation};
 use crate::math::vector::Direction;
 use crate::motion::error::MotionError;
+use crate::motion::model::require;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 
@@ -49,27 +50,19 @@ impl Torsion {
     /// A spring that resists every turn alike; `stiffness` in N·m/rad, `rest` the attitude without torque.
     ///
     /// # Errors
-    /// [`MotionError::Parameter`] if the stiffness is not finite, or negative.
+    /// A parameter's error ([`MotionError::is_parameter`]) if the stiffness is not finite, or negative.
     pub fn spring(stiffness: f64, rest: Attitude) -> Result<Self, MotionError> {
-        if stiffness >= 0.0 && stiffness.is_finite() {
-            return Ok(Self { stiffness, rest, axis: None });
-        }
-        let rule = "finite and not negative";
-        Err(MotionError::Parameter { what: "the stiffness", value: stiffness, rule })
+        require::not_negative("the stiffness", stiffness)?;
+        Ok(Self { stiffness, rest, axis: None })
     }
 
     /// A wire along an axis of space; `stiffness` in N·m/rad, `rest` an attitude without twist.
     ///
     /// # Errors
-    /// [`MotionError::Parameter`] if the stiffness is not finite, or negative, or the axis has no direction.
+    /// A parameter's error ([`MotionError::is_parameter`]) if the stiffness is not finite, or negative, or the axis has no direction.
     pub fn wire(stiffness: f64, rest: Attitude, axis: Direction<Space>) -> Result<Self, MotionError> {
         let spring = Self::spring(stiffness, rest)?;
-        let Some(axis) = axis.direction() else {
-            let rule = "a direction: finite and not zero";
-            let what = "the length of the wire's axis";
-            return Err(MotionError::Parameter { what, value: axis.norm(), rule });
-        };
-        Ok(Self { axis: Some(axis), ..spring })
+        Ok(Self { axis: Some(require::direction("the length of the wire's axis", axis)?), ..spring })
     }
 
     /// κ, N·m/rad.
@@ -208,10 +201,10 @@ mod tests {
     fn what_is_no_spring_is_refused() {
         let rest = Attitude::identity();
         for stiffness in [-1.0, f64::NAN, f64::INFINITY] {
-            assert!(matches!(Torsion::spring(stiffness, rest), Err(MotionError::Parameter { .. })));
+            assert!(matches!(Torsion::spring(stiffness, rest), Err(MotionError::NegativeParameter { .. })));
         }
         for axis in [Direction::ZERO, Direction::new(f64::NAN, 0.0, 1.0)] {
-            assert!(matches!(Torsion::wire(1.0, rest, axis), Err(MotionError::Parameter { .. })));
+            assert!(matches!(Torsion::wire(1.0, rest, axis), Err(MotionError::NoDirection { .. })));
         }
         // Turned over across the wire there is no twist, and no NaN.
         let wire = Torsion::wire(1.0, rest, Direction::new(0.0, 0.0, 1.0)).unwrap();

@@ -11,11 +11,12 @@ use core::num::NonZero;
 use std::sync::OnceLock;
 
 use crate::motion::error::MotionError;
+use crate::motion::model::require;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 use crate::motion::model::torque::TorqueModel;
 use crate::motion::solve::method::Method;
-use crate::motion::solve::propagate::stepper::{LOOSEST_TOLERANCE, TIGHTEST_TOLERANCE};
+use crate::motion::solve::propagate::stepper::require_tolerance;
 use crate::motion::solve::start::{require_ascending, require_finite};
 use workers::Workers;
 
@@ -96,7 +97,7 @@ impl Ensemble {
     /// The bodies and their starts.
     ///
     /// # Errors
-    /// The first member that cannot start: [`MotionError::Parameter`] for a start or a torque that is not finite,
+    /// The first member that cannot start: a parameter's error ([`MotionError::is_parameter`]) for a start or a torque that is not finite,
     /// [`MotionError::NotSpinnable`] for a body without inertia.
     pub fn new(members: Vec<Member>) -> Result<Self, MemberFailure> {
         for (member, Member { rotor, torques, start }) in members.iter().enumerate() {
@@ -129,7 +130,7 @@ impl Ensemble {
     /// [`Simulation::states`](super::simulation::Simulation::states) with this method and tolerance.
     ///
     /// # Errors
-    /// [`MotionError::Parameter`] if times are out of order, or the tolerance is out of its range. What goes wrong with one member
+    /// A parameter's error ([`MotionError::is_parameter`]) if times are out of order, or the tolerance is out of its range. What goes wrong with one member
     /// is among the failures.
     pub fn at(
         &self,
@@ -152,7 +153,7 @@ impl Ensemble {
     /// `progress` is told now and then and at the end, on the thread that called, how many members are done; `false` ends the work.
     ///
     /// # Errors
-    /// As [`Ensemble::at`]; [`MotionError::Parameter`] if there are not as many states as members times times;
+    /// As [`Ensemble::at`]; a parameter's error ([`MotionError::is_parameter`]) if there are not as many states as members times times;
     /// [`MotionError::Cancelled`] if `progress` said so, and then only some of the states are written.
     pub fn fill<S: From<State> + Send>(
         &self,
@@ -162,19 +163,21 @@ impl Ensemble {
         states: &mut [S],
         progress: &mut dyn FnMut(usize) -> bool,
     ) -> Result<Vec<MemberFailure>, MotionError> {
-        if !(TIGHTEST_TOLERANCE..=LOOSEST_TOLERANCE).contains(&tolerance) {
-            let (what, rule) = ("the tolerance", "between 1e-15 and 1e-2");
-            return Err(MotionError::Parameter { what, value: tolerance, rule });
-        }
+        require_tolerance(tolerance)?;
         require_ascending(f64::NEG_INFINITY, times)?;
-        if let Some(&value) = times.first().filter(|first| **first < self.latest) {
-            let rule = "not before the start of any member";
-            return Err(MotionError::Parameter { what: "the first time", value, rule });
+        if let Some(&first) = times.first() {
+            require::that(
+                "the first time",
+                first,
+                first >= self.latest,
+                "not before the start of any member",
+            )?;
         }
-        if self.members.len().checked_mul(times.len()) != Some(states.len()) {
-            let (what, value) = ("the number of states to fill", states.len() as f64);
-            return Err(MotionError::Parameter { what, value, rule: "that of members times that of times" });
-        }
+        let (holds, rule) = (
+            self.members.len().checked_mul(times.len()) == Some(states.len()),
+            "that of members times that of times",
+        );
+        require::that("the number of states to fill", states.len() as f64, holds, rule)?;
         if states.is_empty() {
             return Ok(Vec::new());
         }

@@ -29,6 +29,7 @@ use crate::math::vector::{AngularAcceleration, AngularMomentum};
 use super::phase::Elapsed;
 use super::reach::{is_within, require};
 use crate::motion::error::MotionError;
+use crate::motion::model::require;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 use axes::FineAxes;
@@ -89,7 +90,7 @@ impl FreeMotion {
     ///
     /// # Errors
     /// [`MotionError::NotSpinnable`] for a body without inertia; [`MotionError::NoClosedForm`] for one with wheels;
-    /// [`MotionError::Parameter`] for a state that is not finite.
+    /// A parameter's error ([`MotionError::is_parameter`]) for a state that is not finite.
     pub fn of(rotor: &Rotor, start: State) -> Result<Self, MotionError> {
         if !rotor.wheels().is_empty() {
             return Err(MotionError::NoClosedForm { why: "wheels spin in the body" });
@@ -110,23 +111,17 @@ impl FreeMotion {
     /// ```
     ///
     /// # Errors
-    /// [`MotionError::Parameter`] for a moment that is negative or not finite, or zero unless the other two are equal (a rod);
+    /// A parameter's error ([`MotionError::is_parameter`]) for a moment that is negative or not finite, or zero unless the other two are equal (a rod);
     /// [`MotionError::NotSpinnable`] for three zeros.
     pub fn of_moments(moments: [f64; 3], start: State) -> Result<Self, MotionError> {
-        let wrong = moments.iter().find(|i| !(i.is_finite() && **i >= 0.0));
-        if let Some(&value) = wrong {
-            return Err(MotionError::Parameter {
-                what: "a principal moment",
-                value,
-                rule: "finite and not negative",
-            });
+        for moment in moments {
+            require::not_negative("a principal moment", moment)?;
         }
         let [a, b, c] = moments;
         let rod = |i: f64, j: f64, k: f64| i == 0.0 && j != k;
-        if rod(a, b, c) || rod(b, c, a) || rod(c, a, b) {
-            let rule = "positive, or zero with two equal others (a rod)";
-            return Err(MotionError::Parameter { what: "a principal moment", value: 0.0, rule });
-        }
+        let is_odd = rod(a, b, c) || rod(b, c, a) || rod(c, a, b);
+        let rule = "positive, or zero with two equal others (a rod)";
+        require::that("a principal moment", 0.0, !is_odd, rule)?;
         Self::of_symmetric(&Symmetric3::diagonal(moments), start)
     }
 
@@ -146,15 +141,11 @@ impl FreeMotion {
         let [wx, wy, wz] = start.omega.to_array();
         let rate = "a component of the start's angular velocity";
         for (what, value) in [("the start's time", start.time), (rate, wx), (rate, wy), (rate, wz)] {
-            if !value.is_finite() {
-                return Err(MotionError::Parameter { what, value, rule: "finite" });
-            }
+            require::finite(what, value)?;
         }
-        if let Some(&value) =
-            principal.moments().iter().find(|&&i| i > 0.0 && i < THINNEST * principal.moments()[2])
-        {
-            let rule = "zero or at least 1e-120 of the greatest";
-            return Err(MotionError::Parameter { what: "a principal moment", value, rule });
+        for moment in principal.moments() {
+            let holds = moment == 0.0 || moment >= THINNEST * principal.moments()[2];
+            require::that("a principal moment", moment, holds, "zero or at least 1e-120 of the greatest")?;
         }
         let fine = FineAxes::of(tensor, principal);
         let unit = power_of_two_near(start.omega.max_abs());

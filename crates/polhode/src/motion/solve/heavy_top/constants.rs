@@ -11,6 +11,7 @@ use crate::math::symmetric3::power_of_two_near;
 use crate::math::triple::Triple;
 use crate::math::vector::Direction;
 use crate::motion::error::MotionError;
+use crate::motion::model::require;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 use crate::motion::model::torque::gravity::UniformGravity;
@@ -78,14 +79,9 @@ impl Constants {
         let mass = power_of_two_near(rotor.mass());
         let beta_unit = 2.0 * (mass / scale) * (g.1 / unit) * (l.1 / unit);
         let beta = (Triple::from(rotor.mass() / mass) * g.0 * l.0 / transverse).scaled(beta_unit);
-        if !(beta.value() > 0.0 && beta.value().is_finite() && largest.is_finite()) {
-            let rule = "finite and in the range of numbers, with the weight's torque";
-            return Err(MotionError::Parameter {
-                what: "the start's angular velocity",
-                value: largest,
-                rule,
-            });
-        }
+        let holds = beta.value() > 0.0 && beta.value().is_finite() && largest.is_finite();
+        let rule = "finite and in the range of numbers, with the weight's torque";
+        require::that("the start's angular velocity", largest, holds, rule)?;
 
         let up = down.map(|c| -c);
         let vertical = Quaternion::from_z_to(up, up[2].value() < 0.0);

@@ -21,6 +21,7 @@ use crate::math::vector::AngularVelocity;
 
 use super::reach::{Drift, is_within};
 use crate::motion::error::MotionError;
+use crate::motion::model::require;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 use crate::motion::model::torque::gravity::UniformGravity;
@@ -105,16 +106,14 @@ impl HeavyTop {
     /// # Errors
     /// [`MotionError::NoClosedForm`] for a body that is not symmetric about the line from the pivot to its centre of mass, a
     /// centre of mass at the pivot, wheels, or no gravity; [`MotionError::NotSpinnable`] for a body without inertia;
-    /// [`MotionError::Parameter`] for numbers that are not finite.
+    /// A parameter's error ([`MotionError::is_parameter`]) for numbers that are not finite.
     pub fn of(rotor: &Rotor, gravity: &UniformGravity, start: State) -> Result<Self, MotionError> {
         for (what, value) in [
             ("the start's time", start.time),
             ("the start's angular velocity", start.omega.norm()),
             ("the acceleration of gravity", gravity.acceleration.norm()),
         ] {
-            if !value.is_finite() {
-                return Err(MotionError::Parameter { what, value, rule: "finite" });
-            }
+            require::finite(what, value)?;
         }
         let top = Constants::of(rotor, gravity, &start)?;
         let double = |q: Quaternion<Triple>| Quaternion(q.0.map(Triple::double));

@@ -11,6 +11,7 @@ use super::taylor::Taylor;
 use crate::math::frame::Space;
 use crate::math::vector::AngularMomentum;
 use crate::motion::error::MotionError;
+use crate::motion::model::require;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 use crate::motion::model::torque::TorqueModel;
@@ -19,6 +20,13 @@ use crate::motion::model::torque::TorqueModel;
 pub const TIGHTEST_TOLERANCE: f64 = 1e-15;
 /// The loosest tolerance that still means a solution.
 pub const LOOSEST_TOLERANCE: f64 = 1e-2;
+
+/// # Errors
+/// A parameter's error if it is outside these.
+pub(in crate::motion) fn require_tolerance(tolerance: f64) -> Result<(), MotionError> {
+    let holds = (TIGHTEST_TOLERANCE..=LOOSEST_TOLERANCE).contains(&tolerance);
+    require::that("the tolerance", tolerance, holds, "between 1e-15 and 1e-2")
+}
 
 /// What a run cost.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -82,7 +90,7 @@ impl<'a> Stepper<'a> {
     /// Without evidence Taylor's method leaves out work and impulse, which are zero then.
     ///
     /// # Errors
-    /// [`MotionError::Parameter`] if the tolerance is outside 1e-15 … 1e-2, or a given step not positive and finite;
+    /// A parameter's error ([`MotionError::is_parameter`]) if the tolerance is outside 1e-15 … 1e-2, or a given step not positive and finite;
     /// [`MotionError::NotSplittable`]; [`MotionError::NotSpinnable`]; [`MotionError::TorqueWithoutInertia`] if the torque cannot be
     /// balanced.
     pub(crate) fn new(
@@ -296,10 +304,8 @@ pub(super) fn first_piece<'a>(
     start: &State,
     tolerance: f64,
 ) -> Result<Piece<'a>, MotionError> {
-    let has_tolerance = !matches!(rule, Rule::Splitting { .. });
-    if has_tolerance && !(TIGHTEST_TOLERANCE..=LOOSEST_TOLERANCE).contains(&tolerance) {
-        let rule = "between 1e-15 and 1e-2";
-        return Err(MotionError::Parameter { what: "the tolerance", value: tolerance, rule });
+    if !matches!(rule, Rule::Splitting { .. }) {
+        require_tolerance(tolerance)?;
     }
     if !rotor.is_spinnable() {
         return Err(MotionError::NotSpinnable);

@@ -28,6 +28,7 @@ use crate::math::rotation::Rotation;
 use crate::math::sum::two_sum;
 use crate::math::vector::{AngularMomentum, AngularVelocity, Torque, Vector};
 use crate::motion::error::MotionError;
+use crate::motion::model::require;
 use crate::motion::model::state::State;
 use crate::motion::model::torque::TorqueModel;
 use flow::FreeFlow;
@@ -72,7 +73,7 @@ struct Head {
 
 impl<'a> Splitting<'a> {
     /// # Errors
-    /// [`MotionError::Parameter`] for a step that is not positive and finite; [`MotionError::NotSplittable`];
+    /// A parameter's error ([`MotionError::is_parameter`]) for a step that is not positive and finite; [`MotionError::NotSplittable`];
     /// [`MotionError::TorqueWithoutInertia`] if the torque cannot be balanced.
     pub(super) fn new(
         piece: Rc<Piece<'a>>,
@@ -81,10 +82,7 @@ impl<'a> Splitting<'a> {
         order: SplittingOrder,
         step: f64,
     ) -> Result<Self, MotionError> {
-        if !(step > 0.0 && step.is_finite()) {
-            let rule = "positive and finite";
-            return Err(MotionError::Parameter { what: "the step", value: step, rule });
-        }
+        require::positive("the step", step)?;
         require_splittable(&piece, torques)?;
         let to_body = piece.rotor.principal().rotation();
         let omega = to_body.inverse() * start.omega;

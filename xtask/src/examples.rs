@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::process::Command;
 
-use crate::process::{empty_folder, output, polhode};
+use crate::process::{cargo, empty_folder, output, polhode};
 use crate::{Outcome, files, read, root, short};
 
 /// Runs `inertia` and `explain` on every scenario, `simulate` on each that has a `[run]`, and `sweep` on each that is a plan.
@@ -35,8 +35,50 @@ pub(crate) fn check() -> Outcome {
             [(runs, ", simulate"), (sweeps, ", sweep")].map(|(done, what)| if done { what } else { "" });
         println!("   {scenario}: inertia, explain{}", more.concat());
     }
+    outside()
+}
+
+/// The program of `outside/`, which stands outside the workspace as a user's does: of few lines, and its event happens. Here it is run
+/// with what the tests have compiled.
+fn outside() -> Outcome {
+    output(&mut cargo(&[
+        "metadata",
+        "--quiet",
+        "--locked",
+        "--format-version",
+        "1",
+        "--manifest-path",
+        MANIFEST,
+    ]))?;
+    let lines = read(&root().join(PROGRAM))?.lines().count();
+    if lines > MOST_LINES {
+        return Err(format!("{PROGRAM} has {lines} lines, more than {MOST_LINES}"));
+    }
+    let run = [
+        "run",
+        "--quiet",
+        "--locked",
+        "--profile",
+        "test",
+        "--package",
+        "polhode-formats",
+        "--example",
+        "eddy_brake",
+    ];
+    let table = output(&mut cargo(&run))?;
+    let rows = table.lines().count();
+    if !(table.starts_with("time_s,") && (3..600).contains(&rows)) {
+        return Err(format!("{PROGRAM} wrote {rows} lines: its event should have ended it"));
+    }
+    println!("   {PROGRAM}: {lines} lines, a table of {rows}");
     Ok(())
 }
+
+const MANIFEST: &str = "outside/Cargo.toml";
+const PROGRAM: &str = "crates/polhode-formats/examples/eddy_brake.rs";
+
+/// The most lines of the program outside the workspace.
+const MOST_LINES: usize = 40;
 
 /// Members of a plan that are tried here: enough for statistics and pictures.
 const TRIED: &str = "members = 32";

@@ -9,16 +9,21 @@ use crate::{Outcome, api, dependencies, examples, layers, packages, python, read
 type Step = (&'static str, fn() -> Outcome);
 
 /// The steps, cheapest first.
-const STEPS: [Step; 12] = [
+const STEPS: [Step; 13] = [
     ("format", || process::run(&mut cargo(&["fmt", "--all", "--check"]))),
     ("layers", layers::check),
     ("licences", dependencies::check),
     ("packages", packages::check),
     ("lints", || {
-        let clippy = ["clippy", "--workspace", "--all-targets", "--locked", "--", "-D", "warnings"];
-        process::run(&mut cargo(&clippy))
+        let clippy = ["clippy", "--workspace", "--all-targets", "--locked", "--features", FEATURES];
+        process::run(cargo(&clippy).args(["--", "-D", "warnings"]))
     }),
     ("tests", || process::run(&mut cargo(&["test", "--workspace", "--locked"]))),
+    ("features", || {
+        // Unoptimised: the core is compiled once more for them.
+        let test = ["test", "--locked", "--package", "polhode", "--features", FEATURES, "--test", "interop"];
+        process::run(cargo(&test).env("CARGO_PROFILE_TEST_OPT_LEVEL", "0"))
+    }),
     ("documentation", || {
         let doc = ["doc", "--workspace", "--lib", "--no-deps", "--locked"];
         process::run(cargo(&doc).env("RUSTDOCFLAGS", "-D warnings"))
@@ -29,6 +34,9 @@ const STEPS: [Step; 12] = [
     ("viewer", viewer::check),
     ("Python", python::check),
 ];
+
+/// The conversions of the core crate, which no other crate here uses.
+const FEATURES: &str = "polhode/serde,polhode/mint,polhode/nalgebra,polhode/glam";
 
 /// Runs every step, up to the first that fails.
 pub(crate) fn run() -> Outcome {

@@ -70,9 +70,9 @@ pub mod prelude {
     };
     pub use crate::math::{
         Acceleration, AngularMomentum, AngularVelocity, Attitude, Body, Direction, Force, Part, Position,
-        Principal, Rotation, Space, Torque, Vector, Velocity,
+        Principal, Rotation, Scalar, Space, Torque, Vector, VectorAlgebra, Velocity,
     };
-    pub use crate::motion::torque::{ConstantTorque, TorqueModel, UniformGravity};
+    pub use crate::motion::torque::{ConstantTorque, Law, LawInput, TorqueModel, UniformGravity};
     pub use crate::motion::{
         Event, FreeMotion, Method, MotionError, Rotor, Sample, Scenario, Simulation, State, Trajectory, Wheel,
     };

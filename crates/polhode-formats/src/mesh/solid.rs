@@ -3,7 +3,9 @@
 use std::path::Path;
 
 use polhode::body::mesh::{ClosedMesh, TriangleMesh};
-use polhode::body::{BodyError, Finding, Severity};
+use polhode::body::shape::{Shape, Substance};
+use polhode::body::{BodyError, Finding, MassProperties, Severity};
+use polhode::math::Part;
 
 use super::{MeshContents, MeshFormat, MeshPart};
 use crate::error::{FormatError, FormatErrorKind};
@@ -57,6 +59,21 @@ impl MeshSolid {
         unit: Option<f64>,
     ) -> Result<Self, FormatError> {
         Self::of(MeshContents::read_as(path, written, format)?, path, format, unit)
+    }
+
+    /// Mass, centre and tensor of all solids together, of one density; a mass is that of all.
+    ///
+    /// # Errors
+    /// [`BodyError`] for a density or a mass that is not positive and finite.
+    pub fn mass_properties(&self, substance: Substance) -> Result<MassProperties<Part>, BodyError> {
+        let substance = match substance {
+            Substance::Mass(mass) => {
+                Substance::Density(mass / self.parts.iter().map(|part| part.mesh.volume()).sum::<f64>())
+            }
+            density => density,
+        };
+        let of_part = |part: &SolidPart| part.mesh.mass_properties(substance);
+        MassProperties::combined(&self.parts.iter().map(of_part).collect::<Result<Vec<_>, _>>()?)
     }
 
     /// The solids of what has been read.

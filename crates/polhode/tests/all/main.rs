@@ -14,7 +14,6 @@ mod equilibria;
 mod event;
 mod free_motion;
 mod heavy_top;
-mod interop;
 mod inverse;
 mod mesh;
 mod mesh_diagnosis;

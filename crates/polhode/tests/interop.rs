@@ -1,5 +1,7 @@
 //! Values as text, and as other crates have them.
 
+#![allow(clippy::unwrap_used, reason = "in a test that is a failure")]
+
 use polhode::body::{BodyError, InertiaTensor, MassProperties};
 use polhode::math::{Attitude, Body, Direction, Position, Velocity};
 use polhode::motion::State;

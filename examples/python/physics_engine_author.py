@@ -29,7 +29,7 @@ def semi_implicit_euler(w, q, dt):
 
 
 def rk4(w, q, dt):
-    """Of (ω, q) together, q̇ = ½ q ω, scalar last as SciPy has it; SciPy mends the length of q."""
+    """Of (ω, q) together, q̇ = ½ q ω, scalar last as SciPy has it; SciPy normalises q."""
 
     def rate(y):
         w, u, s = y[:3], y[3:6], y[6]

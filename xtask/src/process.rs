@@ -28,10 +28,16 @@ pub(crate) fn output(command: &mut Command) -> Result<String, String> {
     Err(format!("`{}` ended with {}\n{}", line(command), output.status, diagnostics.trim_end()))
 }
 
-/// Builds `polhode` as for its tests, and says where it is.
+/// Builds `polhode` and says where it is.
 pub(crate) fn polhode() -> Result<PathBuf, String> {
-    run(&mut cargo(&["build", "--profile", "test", "--quiet", "--locked", "--package", "polhode-cli"]))?;
-    Ok(beside_xtask()?.join(format!("polhode{}", std::env::consts::EXE_SUFFIX)))
+    program("polhode")
+}
+
+/// A program of the workspace, by its place among the built ones: as the tests have compiled it, since a build of its own would have other features
+/// of what it depends on, and compile all of that once more.
+pub(crate) fn program(name: &str) -> Result<PathBuf, String> {
+    run(&mut cargo(&["test", "--workspace", "--no-run", "--quiet", "--locked"]))?;
+    Ok(beside_xtask()?.join(format!("{name}{}", std::env::consts::EXE_SUFFIX)))
 }
 
 /// An empty folder in the build folder.

@@ -25,8 +25,7 @@ pub(crate) fn check() -> Outcome {
     run(Command::new(&python)
         .args(["-m", "pip", "wheel", "--quiet", "--no-deps", "--wheel-dir"])
         .args([&wheels, &package])
-        .env("MATURIN_PEP517_ARGS", "--profile dev")
-        .env("CARGO_PROFILE_DEV_OPT_LEVEL", "1"))?;
+        .env("MATURIN_PEP517_ARGS", "--profile dev --config profile.dev.package.polhode.opt-level=1"))?;
     let wheel = files(&wheels, "whl")?.pop().ok_or("pip made no wheel")?;
     let mut install = Command::new(&python);
     run(install.args(["-m", "pip", "install", "--quiet"]).arg(&wheel).args(NEEDED))?;

@@ -23,7 +23,7 @@ use fix::FixFlags;
 
 /// Are the inertias of a robot or simulation model right? URDF, SDF, MJCF.
 ///
-/// Impossible: no body has these numbers. Suspect: a body may, but hardly this link, by its own geometry. Each finding says
+/// Impossible: these numbers are unphysical. Suspect: a body may, but hardly this link, by its own geometry. Each finding says
 /// where, by which rule, and what would repair it, if that can be proved. Folders are searched for .urdf, .sdf and .world
 /// files, and for .xml files that are models.
 ///

@@ -116,8 +116,8 @@ impl Inertia {
     fn reports(&self, file: &Path) -> Result<Vec<InertiaReport>, Failure> {
         let Some(kind) = self.format.or_else(|| Kind::of_path(file)) else {
             return Err(Failure::usage(
-                format!("{} has no ending that polhode knows", shown(file)),
-                "say what it is by --format; scenarios end in .toml, meshes in .stl, .obj, .ply, .off, .gltf, .glb or .3mf",
+                format!("{} has an unknown file extension", shown(file)),
+                format!("say what it is by --format; scenarios are .toml, meshes {}", mesh_extensions()),
             ));
         };
         self.refuse_flags_for(kind, file)?;
@@ -137,12 +137,7 @@ impl Inertia {
             Kind::Robot => robot::reports(file, &self.robot)?,
             Kind::Npy => vec![voxel::report(file, "npy", &self.voxel, self.unit)?],
             Kind::Nrrd => vec![voxel::report(file, "nrrd", &self.voxel, self.unit)?],
-            Kind::Stl => vec![self.of_mesh(file, MeshFormat::Stl)?],
-            Kind::Obj => vec![self.of_mesh(file, MeshFormat::Obj)?],
-            Kind::Ply => vec![self.of_mesh(file, MeshFormat::Ply)?],
-            Kind::Off => vec![self.of_mesh(file, MeshFormat::Off)?],
-            Kind::Gltf => vec![self.of_mesh(file, MeshFormat::Gltf)?],
-            Kind::ThreeMf => vec![self.of_mesh(file, MeshFormat::ThreeMf)?],
+            Kind::Mesh(format) => vec![self.of_mesh(file, format)?],
         };
         reports.into_iter().map(|report| self.finished(report)).collect()
     }
@@ -227,6 +222,12 @@ impl Inertia {
     fn only_mass_of(&self, kind: Kind) -> bool {
         kind == Kind::Particles && self.substance.mass().is_some()
     }
+}
+
+/// `.stl, .obj, …`
+fn mesh_extensions() -> String {
+    let all = MeshFormat::ALL.iter().flat_map(|format| format.extensions());
+    all.map(|extension| format!(".{extension}")).collect::<Vec<_>>().join(", ")
 }
 
 fn of_scenario(file: &Path) -> Result<InertiaReport, Failure> {

@@ -58,7 +58,7 @@ pub(crate) struct Spin {
     /// Attitude at the start: a quaternion, body to space, scalar first [default: the scenario's, else 1,0,0,0].
     #[arg(long, value_name = "W,X,Y,Z", value_parser = rotation::<Space, Body>, allow_hyphen_values = true)]
     attitude: Option<Attitude>,
-    /// Compute the motion of moments that no body has, i1 + i2 < i3, all the same.
+    /// Compute the motion of unphysical moments, i1 + i2 < i3, all the same.
     #[arg(long, conflicts_with = "file")]
     allow_unphysical: bool,
     #[command(flatten)]

@@ -41,7 +41,8 @@ pub(crate) fn mesh_file(
     given: Given,
 ) -> PyResult<PyMassProperties> {
     let format = MeshFormat::ALL
-        .into_iter()
+        .iter()
+        .copied()
         .find(|known| known.name() == format)
         .ok_or_else(|| refused(format!("no mesh format is called {format:?}"), None))?;
     let substance = given.substance()?;

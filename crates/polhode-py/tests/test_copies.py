@@ -109,7 +109,7 @@ def everything(tmp_path: Path) -> list[object]:
     free = polhode.FreeMotion(inertia=made[0], omega=[0.3, -0.5, 0.9], attitude=TURN)
     shared = polhode.Ensemble(moments=[1.0, 2.0, 2.5], omega=omega, torques='[[torque]]\nmodel = "constant"\ntorque = ["0.1 N m", "0 N m", "0.2 N m"]\naxes = "body"\n')
     own = polhode.Ensemble(inertia=np.stack([made[0].inertia, made[5].inertia, made[6].inertia, made[0].inertia]), omega=omega, attitude=attitude)
-    error = polhode.PolhodeError("radius is wrong", "mend it", "a.toml", 3, 7)
+    error = polhode.PolhodeError("radius is wrong", "repair it", "a.toml", 3, 7)
     with pytest.warns(polhode.PolhodeWarning) as heard:
         polhode.inertia(EXAMPLES / "bracket.stl", unit="mm")
     return [

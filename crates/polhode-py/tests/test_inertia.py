@@ -102,7 +102,7 @@ def test_what_means_nothing_is_refused(examples: Path) -> None:
         ("water.xyz", {"hull": True}, "hull means nothing for .* which is a molecule"),
         ("bracket.stl", {"unit": "kg"}, "mass where a length belongs"),
         ("bracket.stl", {"unit": -1.0}, "unit = -1.0 must be positive"),
-        ("make_bracket.py", {}, "no ending that polhode knows"),
+        ("make_bracket.py", {}, "unknown file extension"),
         ("bracket.stl", {"kind": "stl"}, "kind = 'stl' must be one of"),
         ("water.xyz", {"isotopes": "all"}, "isotopes = 'all' must be"),
     ):
@@ -160,7 +160,7 @@ def test_where_a_body_came_from_is_told_as_the_command_tells_it(examples: Path, 
 
 
 def test_digits_too_few_for_a_tensor_are_said(tmp_path: Path) -> None:
-    """A rod's moments, rounded up: no body has them, but one within the digits that are written."""
+    """A rod's moments, rounded up: unphysical, but there are physical ones within the digits that are written."""
     path = tmp_path / "rod.urdf"
     path.write_text(
         '''<robot name="rod"><link name="rod"><inertial><mass value="1"/>

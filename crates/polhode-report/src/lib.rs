@@ -24,6 +24,7 @@ mod export;
 mod extra;
 mod finding;
 mod forces;
+mod free_facts;
 mod global_error;
 mod heavy_top;
 mod inertia;

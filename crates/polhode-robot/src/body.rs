@@ -60,7 +60,7 @@ pub enum LinkError {
         /// The link.
         span: Span,
     },
-    /// Numbers that no body has.
+    /// Unphysical numbers.
     Impossible {
         /// Why.
         error: BodyError,
@@ -108,7 +108,7 @@ impl Error for LinkError {}
 /// The mass properties of a link, in its own frame.
 ///
 /// # Errors
-/// [`LinkError`] if a number cannot be used, or no body has these.
+/// [`LinkError`] if a number cannot be used, or these are unphysical.
 pub fn link_mass(format: ModelFormat, link: &Link) -> Result<LinkMass, LinkError> {
     match &link.inertial {
         None => assumed(format, link),

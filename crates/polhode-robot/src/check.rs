@@ -131,19 +131,28 @@ pub fn check(model: &RobotModel, geometry: &[LinkGeometry]) -> Vec<Finding> {
     findings
 }
 
+/// What a rule finds in a body.
+type Rule = fn(&Body, &mut Vec<Finding>);
+
+/// Why a possible tensor may be wrong, the surest reason first: one is enough.
+const REASONS: [Rule; 3] = [explain::check, placeholder::check, gyration::check];
+
+/// What else is asked of every possible body.
+const RULES: [Rule; 1] = [density::check];
+
 /// What is wrong with one body's mass and tensor.
 fn of_body(body: &Body, carried: bool) -> Vec<Finding> {
     let mut findings = Vec::new();
     match possible::check(body, carried, &mut findings) {
         Verdict::Possible => {
-            // One reason for a wrong tensor is enough: the surest is asked first.
-            let rules = [explain::check, placeholder::check, gyration::check];
-            for rule in rules {
+            for reason in REASONS {
                 if findings.iter().all(|f| f.severity < Severity::Suspect) {
-                    rule(body, &mut findings);
+                    reason(body, &mut findings);
                 }
             }
-            density::check(body, &mut findings);
+            for rule in RULES {
+                rule(body, &mut findings);
+            }
         }
         Verdict::Impossible => {
             let told = findings.len();

@@ -90,7 +90,7 @@ pub struct Number {
     pub text: String,
     /// Where it stands, without quotes or the spaces around it.
     pub span: Span,
-    /// What it is: `None` if the text is no number. It may be infinite or NaN: `"1e400"`, `"nan"`.
+    /// What it is: `None` if the text is not a number. It may be infinite or NaN: `"1e400"`, `"nan"`.
     pub value: Option<f64>,
 }
 

@@ -1,6 +1,6 @@
 //! Tensors that may be impossible: their elements, their moments, and how they change with axes and points.
 //!
-//! [`polhode::body::InertiaTensor`] refuses a tensor that no body has. Here such tensors are the subject: what a file says is
+//! [`polhode::body::InertiaTensor`] refuses an unphysical tensor. Here such tensors are the subject: what a file says is
 //! taken apart as it stands, and the verdict comes later.
 
 /// The elements xx, yy, zz, xy, xz, yz of a symmetric matrix; of an inertia tensor, in kg·m², xy = −∫xy dm.
@@ -12,7 +12,7 @@ pub(crate) const PLACES: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), 
 /// Eigenvalues and axes of a symmetric matrix. Of an inertia tensor: the principal moments, were it possible.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Moments {
-    /// i1 ≤ i2 ≤ i3; a tensor that no body has may make some negative.
+    /// i1 ≤ i2 ≤ i3; an unphysical tensor may make some negative.
     pub values: [f64; 3],
     /// Unit vectors; `axes[k]` belongs to `values[k]`. Right-handed, the largest component of the first two positive.
     pub axes: [[f64; 3]; 3],
@@ -37,7 +37,7 @@ impl Moments {
         Self { values, axes: [first, second, cross(first, second)] }
     }
 
-    /// i1 + i2 − i3: negative for a tensor that no body has.
+    /// i1 + i2 − i3: negative for an unphysical tensor.
     pub fn triangle(&self) -> f64 {
         let [i1, i2, i3] = self.values;
         i1 + i2 - i3

@@ -28,7 +28,7 @@ const HEADS: [&str; 13] = [
 ];
 
 impl CheckReport {
-    /// One line for each link, and what the columns are above them. What a link does not say, or no body has, is a dash.
+    /// One line for each link, and what the columns are above them. What a link does not say, or is unphysical, is a dash.
     pub fn to_table(&self) -> String {
         let heading = format!(
             "{}   {}, {} links\n\

@@ -3,75 +3,83 @@
 use std::path::Path;
 
 use clap::ValueEnum;
+use clap::builder::PossibleValue;
+use polhode_formats::mesh::MeshFormat;
 
 use crate::model_file::is_model;
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
-    /// A scenario (.toml).
     Scenario,
-    /// STL, binary or ASCII.
-    Stl,
-    /// Wavefront OBJ; its groups are parts.
-    Obj,
-    /// Stanford PLY.
-    Ply,
-    /// Geomview OFF.
-    Off,
-    /// glTF 2.0 (.gltf, .glb); its nodes are parts.
-    Gltf,
-    /// 3MF; its build items are parts.
-    #[value(name = "3mf")]
-    ThreeMf,
-    /// A table of particles or points (.csv).
+    Mesh(MeshFormat),
     Particles,
-    /// A CAD program's mass properties, pasted as text (.txt).
     Cad,
-    /// XYZ, a molecule.
     Xyz,
-    /// MOL or SDF, a molecule (.mol, .sdf).
     Mol,
-    /// PDB, a molecule (.pdb, .ent).
     Pdb,
-    /// A robot model: URDF, SDFormat, MJCF (.urdf, .sdf, .xml).
     Robot,
-    /// A voxel grid as a NumPy array.
     Npy,
-    /// A voxel grid as NRRD (.nrrd, .nhdr).
     Nrrd,
 }
 
+/// Kinds other than meshes, whose formats are listed where they are read: name, help, extensions.
+const OTHERS: [(Kind, &str, &str, &[&str]); 9] = [
+    (Kind::Scenario, "scenario", "A scenario (.toml)", &["toml"]),
+    (Kind::Particles, "particles", "A table of particles or points (.csv)", &["csv", "tsv"]),
+    (Kind::Cad, "cad", "A CAD program's mass properties, pasted as text (.txt)", &["txt"]),
+    (Kind::Xyz, "xyz", "XYZ, a molecule", &["xyz", "extxyz"]),
+    (Kind::Mol, "mol", "MOL or SDF, a molecule (.mol, .sdf)", &["mol", "sdf", "sd"]),
+    (Kind::Pdb, "pdb", "PDB, a molecule (.pdb, .ent)", &["pdb", "ent"]),
+    (Kind::Robot, "robot", "A robot model: URDF, SDFormat, MJCF (.urdf, .sdf, .xml)", &["urdf"]),
+    (Kind::Npy, "npy", "A voxel grid as a NumPy array", &["npy"]),
+    (Kind::Nrrd, "nrrd", "A voxel grid as NRRD (.nrrd, .nhdr)", &["nrrd", "nhdr"]),
+];
+
+const COUNT: usize = OTHERS.len() + MeshFormat::ALL.len();
+
+/// The scenario, meshes, the others.
+const ALL: [Kind; COUNT] = {
+    let mut all = [Kind::Scenario; COUNT];
+    let (meshes, mut k) = (MeshFormat::ALL.len(), 1);
+    while k < COUNT {
+        all[k] = if k <= meshes { Kind::Mesh(MeshFormat::ALL[k - 1]) } else { OTHERS[k - meshes].0 };
+        k += 1;
+    }
+    all
+};
+
+impl ValueEnum for Kind {
+    fn value_variants<'a>() -> &'a [Self] {
+        &ALL
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        if let Self::Mesh(format) = self {
+            return Some(PossibleValue::new(format.name()).help(format.about().trim_end_matches('.')));
+        }
+        let (_, name, help, _) = OTHERS.iter().find(|(kind, ..)| kind == self)?;
+        Some(PossibleValue::new(*name).help(*help))
+    }
+}
+
 impl Kind {
-    /// What files with this ending are, in any case. Robot models share .sdf with molecules, and .xml with anything: their root
+    /// What files with this extension are, in any case. Robot models share .sdf with molecules, and .xml with anything: their root
     /// element decides.
     pub(super) fn of_path(path: &Path) -> Option<Self> {
         if is_model(path) {
             return Some(Self::Robot);
         }
+        if let Some(format) = MeshFormat::of_path(path) {
+            return Some(Self::Mesh(format));
+        }
         let extension = path.extension()?.to_str()?.to_ascii_lowercase();
-        Some(match extension.as_str() {
-            "urdf" => Self::Robot,
-            "toml" => Self::Scenario,
-            "stl" => Self::Stl,
-            "obj" => Self::Obj,
-            "ply" => Self::Ply,
-            "off" => Self::Off,
-            "gltf" | "glb" => Self::Gltf,
-            "3mf" => Self::ThreeMf,
-            "csv" | "tsv" => Self::Particles,
-            "txt" => Self::Cad,
-            "xyz" | "extxyz" => Self::Xyz,
-            "mol" | "sdf" | "sd" => Self::Mol,
-            "pdb" | "ent" => Self::Pdb,
-            "npy" => Self::Npy,
-            "nrrd" | "nhdr" => Self::Nrrd,
-            _ => return None,
-        })
+        let others = OTHERS.iter().find(|(_, _, _, extensions)| extensions.contains(&extension.as_str()));
+        others.map(|(kind, ..)| *kind)
     }
 
     /// True if it is a mesh.
     pub(super) const fn is_mesh(self) -> bool {
-        matches!(self, Self::Stl | Self::Obj | Self::Ply | Self::Off | Self::Gltf | Self::ThreeMf)
+        matches!(self, Self::Mesh(_))
     }
 
     /// In words, after "is".
@@ -83,7 +91,7 @@ impl Kind {
             Self::Xyz | Self::Mol | Self::Pdb => "a molecule",
             Self::Npy | Self::Nrrd => "a voxel grid",
             Self::Robot => "a robot model",
-            _ => "a mesh",
+            Self::Mesh(_) => "a mesh",
         }
     }
 }

@@ -56,7 +56,7 @@ impl Subject {
                 let [sum, excess] = [i1 + i2, i3 - (i1 + i2)].map(short);
                 Err(Failure::usage(
                     format!(
-                        "no body has these moments: {i1} + {i2} = {sum} is less than {i3} kg·m², by {excess} \
+                        "the moments are unphysical: {i1} + {i2} = {sum} is less than {i3} kg·m², by {excess} \
                          (any two moments are together at least the third)"
                     ),
                     "check the moments and their units; --allow-unphysical computes the motion all the same",

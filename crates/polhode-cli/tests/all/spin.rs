@@ -198,7 +198,7 @@ fn moments_of_no_body_are_refused_or_allowed() {
         assert!(text.contains(says), "{says}: {text}");
     }
     let allowed = [&arguments[..], &["--allow-unphysical"]].concat();
-    assert!(stdout(&spin(&scratch, &allowed)).contains("impossible (0.4 + 4 = 4.4 < 8"));
+    assert!(stdout(&spin(&scratch, &allowed)).contains("unphysical (0.4 + 4 = 4.4 < 8"));
     let all = json(&spin(&scratch, &[&allowed[..], &["--json"]].concat()));
     assert_eq!(all["possible"], false);
     let library = motion([8.0, 4.0, 0.4], [0.1, 0.2, 5.0]).at(3.0).omega;

@@ -140,7 +140,7 @@ fn modes_of_one_frequency_are_told_as_a_plane() {
     assert!(text.contains("2 ways, about any axis in the plane of (1, 0, 0) and (0, 1, 0)"), "{text}");
 }
 
-/// A formula that is no number at the start is shown in its line.
+/// A formula that is NaN at the start is shown in its line.
 #[test]
 fn a_torque_that_is_no_number_is_shown_in_its_line() {
     let scratch = Scratch::new("stability-nan");

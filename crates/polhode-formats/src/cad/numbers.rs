@@ -116,7 +116,7 @@ fn mantissa(number: &str) -> (&str, Option<&str>) {
     unsigned.split_once(['e', 'E']).map_or((unsigned, None), |(mantissa, power)| (mantissa, Some(power)))
 }
 
-/// What the number says of the decimal mark; `None` if it is no number either way.
+/// What the number says of the decimal mark; `None` if it is not a number either way.
 fn evidence(number: &str) -> Option<Evidence> {
     let readings = [DecimalMark::Point, DecimalMark::Comma].map(|mark| plain(number, mark).is_some());
     let has_mark = number.contains(['.', ',']);

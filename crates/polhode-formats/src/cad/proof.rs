@@ -185,7 +185,7 @@ type Deviation = Printed;
 /// Residuals of both signs, from the deviations under each.
 fn weigh(by: SignSource, negative: &[Deviation], positive: &[Deviation]) -> SignProof {
     let size = |d: &Deviation| d.value.abs() / d.half.max(f64::MIN_POSITIVE);
-    // A deviation that is no number fits nothing.
+    // A deviation that is NaN fits nothing.
     let worst = |all: &[Deviation]| {
         all.iter().map(size).fold(0.0, |a: f64, b| if b.is_nan() { f64::INFINITY } else { a.max(b) })
     };

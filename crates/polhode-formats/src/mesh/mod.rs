@@ -53,58 +53,90 @@ pub struct MeshPart {
     pub mesh: TriangleMesh,
 }
 
-/// The formats of mesh files that polhode reads.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum MeshFormat {
+/// How the bytes of a file are read; the path is for messages, and its folder for the files that it names.
+type Reader = fn(&[u8], &Path) -> Result<MeshContents, FormatError>;
+
+/// The formats: name in lower case, name as its makers write it, file extensions, reader. All that reads meshes follows from this list.
+macro_rules! formats {
+    ($($(#[doc = $about:literal])* $format:ident: $name:literal, $title:literal, $extensions:expr, $reader:expr;)*) => {
+        /// The formats of mesh files that polhode reads.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum MeshFormat {
+            $($(#[doc = $about])* $format,)*
+        }
+
+        impl MeshFormat {
+            /// All of them.
+            pub const ALL: &[Self] = &[$(Self::$format),*];
+
+            /// Its name in lower case, as `source.format` has it.
+            pub const fn name(self) -> &'static str {
+                match self {
+                    $(Self::$format => $name,)*
+                }
+            }
+
+            /// Its name as its makers write it.
+            pub const fn title(self) -> &'static str {
+                match self {
+                    $(Self::$format => $title,)*
+                }
+            }
+
+            /// What it is, in a line.
+            pub fn about(self) -> &'static str {
+                match self {
+                    $(Self::$format => concat!($($about),*).trim(),)*
+                }
+            }
+
+            /// How its files end, after the dot, in lower case.
+            pub const fn extensions(self) -> &'static [&'static str] {
+                match self {
+                    $(Self::$format => &$extensions,)*
+                }
+            }
+
+            const fn reader(self) -> Reader {
+                match self {
+                    $(Self::$format => $reader,)*
+                }
+            }
+        }
+    };
+}
+
+formats! {
     /// STL, binary or ASCII.
-    Stl,
-    /// Wavefront OBJ.
-    Obj,
+    Stl: "stl", "STL", ["stl"], stl::contents;
+    /// Wavefront OBJ; its groups are parts.
+    Obj: "obj", "OBJ", ["obj"], |bytes, path| located(obj::read(bytes), bytes, path);
     /// Stanford PLY, ASCII or binary of either endianness.
-    Ply,
+    Ply: "ply", "PLY", ["ply"], |bytes, path| located(ply::read(bytes), bytes, path);
     /// Geomview OFF.
-    Off,
-    /// glTF 2.0, as JSON or GLB.
-    Gltf,
-    /// 3MF.
-    ThreeMf,
+    Off: "off", "OFF", ["off"], |bytes, path| located(off::read(bytes), bytes, path);
+    /// glTF 2.0, as JSON or GLB; its nodes are parts.
+    Gltf: "gltf", "glTF", ["gltf", "glb"], |bytes, path| {
+        located(gltf::read(bytes, path.parent().unwrap_or(Path::new(""))), bytes, path)
+    };
+    /// 3MF; its build items are parts.
+    ThreeMf: "3mf", "3MF", ["3mf"], |bytes, path| located(threemf::read(bytes), bytes, path);
+}
+
+/// What was read has triangles; an error has its place in the file.
+fn located(
+    contents: Result<MeshContents, ContentError>,
+    bytes: &[u8],
+    path: &Path,
+) -> Result<MeshContents, FormatError> {
+    contents.and_then(MeshContents::with_parts).map_err(|error| FormatError::of_content(path, bytes, error))
 }
 
 impl MeshFormat {
-    /// All of them.
-    pub const ALL: [Self; 6] = [Self::Stl, Self::Obj, Self::Ply, Self::Off, Self::Gltf, Self::ThreeMf];
-
-    /// Its name in lower case, as `source.format` has it.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Stl => "stl",
-            Self::Obj => "obj",
-            Self::Ply => "ply",
-            Self::Off => "off",
-            Self::Gltf => "gltf",
-            Self::ThreeMf => "3mf",
-        }
-    }
-
-    /// Its name as its makers write it.
-    pub const fn title(self) -> &'static str {
-        match self {
-            Self::Stl => "STL",
-            Self::Obj => "OBJ",
-            Self::Ply => "PLY",
-            Self::Off => "OFF",
-            Self::Gltf => "glTF",
-            Self::ThreeMf => "3MF",
-        }
-    }
-
-    /// The format whose files end like this, in any case.
+    /// The format of files with this extension, in any case.
     pub fn of_path(path: &Path) -> Option<Self> {
         let extension = path.extension()?.to_str()?.to_ascii_lowercase();
-        match extension.as_str() {
-            "glb" => Some(Self::Gltf),
-            _ => Self::ALL.into_iter().find(|format| format.name() == extension),
-        }
+        Self::ALL.iter().copied().find(|format| format.extensions().contains(&extension.as_str()))
     }
 }
 
@@ -129,15 +161,7 @@ impl MeshContents {
     /// # Errors
     /// [`FormatError`] if the bytes do not follow the format.
     pub fn parse(bytes: &[u8], path: &Path, format: MeshFormat) -> Result<Self, FormatError> {
-        let contents = match format {
-            MeshFormat::Stl => return stl::contents(bytes, path),
-            MeshFormat::Obj => obj::read(bytes),
-            MeshFormat::Ply => ply::read(bytes),
-            MeshFormat::Off => off::read(bytes),
-            MeshFormat::Gltf => gltf::read(bytes, path.parent().unwrap_or(Path::new(""))),
-            MeshFormat::ThreeMf => threemf::read(bytes),
-        };
-        contents.and_then(Self::with_parts).map_err(|error| FormatError::of_content(path, bytes, error))
+        format.reader()(bytes, path)
     }
 
     fn with_parts(self) -> Result<Self, ContentError> {

@@ -2,7 +2,7 @@
 //!
 //! A header in text declares elements and their properties; then come their values, in that order. What is read is
 //! `x`, `y`, `z` of the element `vertex`, and the lists `vertex_indices` (or `vertex_index`) of `face` and `tristrips`;
-//! everything else is passed over. No count is believed: lists grow with the values that are there.
+//! everything else is passed over. No count is trusted: lists grow with the values that are there.
 
 mod header;
 mod values;

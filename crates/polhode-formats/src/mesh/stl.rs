@@ -2,7 +2,7 @@
 //!
 //! A binary file is an 80-byte header, a count, and 50 bytes a triangle; an ASCII file is a sequence
 //! of `solid … endsolid`. Some binary files start with `solid` too, so the length decides first: a
-//! file exactly as long as its count says is binary. A count is never believed before the bytes have
+//! file exactly as long as its count says is binary. A count is never trusted before the bytes have
 //! been seen.
 //!
 //! What is read is the vertices, in the file's own unit, in double precision: ASCII coordinates go

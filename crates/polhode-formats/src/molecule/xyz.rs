@@ -26,7 +26,7 @@ const BOHR: f64 = 0.529_177_210_903e-10;
 /// ```
 ///
 /// # Errors
-/// [`ContentError`]: a count that the lines do not fill or run over, an unknown element, a coordinate that is no number.
+/// [`ContentError`]: a count that the lines do not fill or run over, an unknown element, a coordinate that is NaN.
 pub fn read(bytes: &[u8]) -> Result<Molecule, ContentError> {
     let mut lines = Lines::new(bytes);
     let whole = |kind| ContentError::new(kind, ContentPlace::Whole);

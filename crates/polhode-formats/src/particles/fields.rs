@@ -156,7 +156,7 @@ pub(super) fn number(field: &[u8], separator: Separator) -> Option<(f64, Option<
         return parsed(text).map(|value| (value, None));
     }
     if field.contains(&b',') {
-        // 1.234,5 keeps its point and is no number.
+        // 1.234,5 keeps its point and is not a number.
         return parsed(&text.replacen(',', ".", 1)).map(|value| (value, Some(b',')));
     }
     let point = field.contains(&b'.').then_some(b'.');

@@ -245,7 +245,7 @@ pub fn placed(text: &str, path: &Path, error: &MotionError) -> Option<FormatErro
         return Some(pulses.motion(error.clone()));
     }
     let Some(formulas) = table.get("torque") else { return Some(table.get("model")?.motion(error.clone())) };
-    // The component that is no number, along the axes of the formulas themselves.
+    // The component that is NaN, along the axes of the formulas themselves.
     let along_body = table.get("axes").is_some_and(|axes| axes.string() == Ok("body"));
     let wrong = value.iter().position(|c| along_body && !c.is_finite());
     let component = wrong.and_then(|k| formulas.fixed::<3>("formulas").ok()?.into_iter().nth(k));

@@ -134,7 +134,7 @@ fn text_in_utf16_is_named_as_such_in_every_format() {
                 .unwrap_err(),
             times::read(&path).unwrap_err(),
         ];
-        for format in MeshFormat::ALL {
+        for &format in MeshFormat::ALL {
             errors.push(MeshContents::read(&path, format).unwrap_err());
         }
         for format in [MoleculeFormat::Xyz, MoleculeFormat::Mol, MoleculeFormat::Sdf, MoleculeFormat::Pdb] {

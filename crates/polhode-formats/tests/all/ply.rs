@@ -313,7 +313,7 @@ fn headers_are_checked() {
 
 #[test]
 fn counts_are_not_believed() {
-    // A list that believed these would take all the memory there is.
+    // A list that trusted these would take all the memory there is.
     let vast = "18446744073709551615";
     let all = ASCII.replace("vertex 6", &format!("vertex {vast}"));
     assert_eq!(error(&all).0, count("vertices", u64::MAX, 6 + (4 + 4 + 5 + 5 + 5) / 3));

@@ -16,7 +16,7 @@ class ModelFinding(NamedTuple):
 
     #: A stable name for programs, such as ``"inertia.triangle"``.
     code: str
-    #: ``impossible`` (no body has it), ``suspect`` (hardly meant) or ``note``.
+    #: ``impossible`` (unphysical), ``suspect`` (hardly meant) or ``note``.
     severity: str
     #: The link or joint; empty if it is about the whole model.
     link: str

@@ -132,7 +132,7 @@ def _kind(path: str, kind: str | None) -> str:
     if ending in ("sdf", "xml", "world") and _native.is_robot(path):
         return "robot"
     if ending not in _KINDS:
-        raise PolhodeError(f"{path} has no ending that polhode knows", f"say what it is by kind: {', '.join(_OPTIONS)}")
+        raise PolhodeError(f"{path} has an unknown file extension", f"say what it is by kind: {', '.join(_OPTIONS)}")
     return _KINDS[ending]
 
 

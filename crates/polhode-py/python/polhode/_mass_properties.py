@@ -45,7 +45,7 @@ class MassProperties:
     """A body's mass, centre of mass and inertia tensor.
 
     ``inertia`` is the tensor (3, 3), or three moments about the body's axes, in kg·m²: about the centre of mass, or about the point
-    ``about``. Its off-diagonal elements are *minus* the integrals, I_xy = -∫xy dm, so that L = I ω. A tensor that no body has is refused.
+    ``about``. Its off-diagonal elements are *minus* the integrals, I_xy = -∫xy dm, so that L = I ω. An unphysical tensor is refused.
 
     >>> import polhode
     >>> body = polhode.MassProperties(

@@ -1,8 +1,6 @@
 //! The answer, before the working.
 
 use polhode::body::Symmetry;
-use polhode::motion::FreeMotion;
-use polhode::observe::{Cones, FreeRegime, SymmetricTop};
 
 use super::working::{Working, exactly, n, v};
 use crate::forces;
@@ -76,10 +74,8 @@ fn free(w: &Working<'_>) -> Option<String> {
     if !w.is_turning() || w.rotor.principal().symmetry() == Symmetry::Point {
         return None;
     }
-    let free = FreeRegime::of(w.rotor, &w.start);
-    let motion = FreeMotion::of(w.rotor, w.start).ok();
-    if let Some(top) = motion.as_ref().and_then(SymmetricTop::of_motion) {
-        let cones = Cones::of(&top);
+    let free = w.at_start.as_ref()?;
+    if let Some((_, cones)) = &free.top {
         if cones.body_half_angle < CLOSED {
             return Some(
                 "A symmetric top turning about its symmetry axis: ω stays, in the body and in space."
@@ -96,6 +92,6 @@ fn free(w: &Working<'_>) -> Option<String> {
         ));
     }
     let period =
-        free.period.map_or_else(String::new, |p| format!("; ω repeats in the body every {} s", n(p)));
-    Some(format!("Free motion: {}{period}.", free.regime.description()))
+        free.regime.period.map_or_else(String::new, |p| format!("; ω repeats in the body every {} s", n(p)));
+    Some(format!("Free motion: {}{period}.", free.regime.regime.description()))
 }

@@ -1,8 +1,8 @@
 //! Step 6: the attitude.
 
 use polhode::body::Symmetry;
-use polhode::motion::{FreeMotion, Regime, State, Trajectory};
-use polhode::observe::{Drift, SymmetricTop};
+use polhode::motion::{Regime, State, Trajectory};
+use polhode::observe::Drift;
 
 use super::document::Section;
 use super::working::{Working, n, v};
@@ -19,16 +19,15 @@ pub(super) fn section(w: &Working<'_>) -> Section {
         "dx̂i/dt = ω × x̂i   or   dR/dt = R [ω]×   or   dq/dt = ½ q ω      (ω in body axes)",
         r"\frac{d\hat{\mathbf x}_i}{dt} = \boldsymbol\omega \times \hat{\mathbf x}_i \quad\text{or}\quad \dot R = R [\boldsymbol\omega]_\times \quad\text{or}\quad \dot q = \tfrac12 q \boldsymbol\omega",
     );
-    let exact = if w.is_free() { FreeMotion::of(w.rotor, w.start).ok() } else { None };
-    match &exact {
-        Some(motion) if motion.regime() == Regime::AtRest => s.say("With ω = 0 it stays R(t0)."),
-        Some(motion) if matches!(motion.regime(), Regime::Permanent(_)) => {
+    match w.at_start.as_ref().filter(|_| w.is_free()) {
+        Some(free) if free.regime.regime == Regime::AtRest => s.say("With ω = 0 it stays R(t0)."),
+        Some(free) if matches!(free.regime.regime, Regime::Permanent(_)) => {
             s.formula(
                 "R(t) = R(t0) · turn(ω̂, |ω| (t − t0))",
                 r"R(t) = R(t_0) \operatorname{turn}\bigl(\hat{\boldsymbol\omega}, |\boldsymbol\omega| (t - t_0)\bigr)",
             );
         }
-        Some(motion) if let Some(top) = SymmetricTop::of_motion(motion) => {
+        Some(free) if let Some((top, _)) = &free.top => {
             s.say("For the symmetric top the solution is two turns at constant rates, one in space and one in the body:");
             s.formula(
                 "R(t) = turn(L̂, φ\u{307} (t − t0)) · R(t0) · turn(e, −Ω (t − t0))",

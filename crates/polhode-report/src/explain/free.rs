@@ -17,20 +17,19 @@ pub(super) fn solve(w: &Working<'_>, s: &mut Section) {
         s.say("There is nothing to solve: all the mass is in one point, which has no rotation.");
         return;
     }
-    let Ok(motion) = FreeMotion::of(w.rotor, w.start) else { return };
-    match (motion.regime(), SymmetricTop::of_motion(&motion)) {
-        (Regime::Permanent(_) | Regime::AtRest, _) => permanent(w, s),
-        (_, Some(top)) => symmetric(w, &motion, &top, s),
-        _ => asymmetric(w, s),
+    let Some(free) = &w.at_start else { return };
+    match (free.regime.regime, &free.top) {
+        (Regime::Permanent(_) | Regime::AtRest, _) => permanent(w, &free.regime, s),
+        (_, Some((top, _))) => symmetric(w, &free.motion, top, s),
+        _ => asymmetric(w, &free.regime, s),
     }
 }
 
-fn permanent(w: &Working<'_>, s: &mut Section) {
+fn permanent(w: &Working<'_>, free: &FreeRegime, s: &mut Section) {
     if !w.is_turning() {
         s.say("At rest and without torque the body stays at rest: ω(t) = 0.");
         return;
     }
-    let free = FreeRegime::of(w.rotor, &w.start);
     s.say(format!(
         "ω lies along a principal axis, so ω × L = 0 and ω\u{307} = 0: {}. It keeps its axis and its rate, in the body \
          and in space.",
@@ -41,7 +40,7 @@ fn permanent(w: &Working<'_>, s: &mut Section) {
     s.line(format!("ω = {} rad/s, one turn in {} s", v(w.start.omega.to_array()), n(TAU / speed)));
     if let Some(growth) = free.growth_rate {
         s.say(
-            "But the intermediate axis is unstable: a departure from it grows as exp(σ t), and the body flips over, again \
+            "But the intermediate axis is unstable: perturbations grow as exp(σ t), and the body flips over, again \
              and again.",
         );
         growth_rate(growth, s);
@@ -131,8 +130,7 @@ fn cones(w: &Working<'_>, motion: &FreeMotion, top: &SymmetricTop, s: &mut Secti
     }
 }
 
-fn asymmetric(w: &Working<'_>, s: &mut Section) {
-    let free = FreeRegime::of(w.rotor, &w.start);
+fn asymmetric(w: &Working<'_>, free: &FreeRegime, s: &mut Section) {
     let [i1, i2, i3] = w.rotor.principal().moments();
     let l = w.rotor.angular_momentum(w.start.omega);
     let (l2, t) = (l.dot(l), w.rotor.kinetic_energy(w.start.omega));

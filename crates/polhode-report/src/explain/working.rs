@@ -10,6 +10,7 @@ use polhode::motion::{
     Trajectory, rigid_velocity,
 };
 
+use crate::free_facts::FreeFacts;
 use crate::motion;
 use crate::number::{alike, number, tidy_beside};
 
@@ -25,6 +26,8 @@ pub(super) struct Working<'a> {
     /// For a prescribed motion.
     pub(super) needed: Option<Required>,
     pub(super) pendulum: Option<Pendulum>,
+    /// The free motion that the start would have without torque.
+    pub(super) at_start: Option<FreeFacts>,
     /// `None` without a run.
     pub(super) trajectory: Option<Cow<'a, Trajectory>>,
 }
@@ -67,7 +70,8 @@ impl<'a> Working<'a> {
         let torque = needed.map_or_else(given, |needed| needed.torque);
         let acceleration =
             needed.map_or_else(|| rotor.acceleration(start.omega, torque), |needed| needed.acceleration);
-        Ok(Self { scenario, rotor, start, torque, acceleration, needed, pendulum, trajectory })
+        let at_start = FreeFacts::from_start(rotor, start);
+        Ok(Self { scenario, rotor, start, torque, acceleration, needed, pendulum, at_start, trajectory })
     }
 
     pub(super) const fn body(&self) -> &MassProperties<Body> {

@@ -1,10 +1,11 @@
 //! What a motion's reports say, gathered once from the core.
 
 use polhode::motion::{
-    ClosedForm, ParticleForce, Pendulum, Prescribed, Regime, Required, Rotor, Sample, Scenario, Solution,
-    State, Swing, Trajectory,
+    ParticleForce, Pendulum, Prescribed, Required, Rotor, Sample, Scenario, State, Swing, Trajectory,
 };
-use polhode::observe::{Cones, Drift, FreeRegime, SymmetricTop};
+use polhode::observe::{Cones, Drift, SymmetricTop};
+
+use crate::free_facts::FreeFacts;
 
 /// Everything that is asked of the core for one motion.
 #[derive(Clone, Debug)]
@@ -13,7 +14,7 @@ pub(super) struct Facts<'a> {
     /// At the first sample; that of the scenario if there is none.
     pub(super) start: State,
     /// The free motion that the start would have without torque.
-    pub(super) regime_at_start: FreeRegime,
+    pub(super) at_start: Option<FreeFacts>,
     /// True if nothing but the body's own inertia decides the motion.
     pub(super) is_free: bool,
     /// The constants of a free symmetric top.
@@ -48,9 +49,11 @@ impl<'a> Facts<'a> {
         let start = trajectory.samples().first().map_or(scenario.start(), |sample| sample.state);
         let prescribed = scenario.prescribed();
         let is_free = prescribed.is_none() && scenario.torques().is_empty() && scenario.wheels().is_empty();
+        let at_start = FreeFacts::from_start(rotor, start);
+        let free = at_start.filter(|_| is_free);
         Self {
-            regime_at_start: FreeRegime::of(rotor, &start),
-            top: Top::of(rotor, trajectory).filter(|_| is_free),
+            at_start,
+            top: free.and_then(|free| Top::of(free.top?, trajectory)),
             rotor,
             start,
             is_free,
@@ -61,19 +64,19 @@ impl<'a> Facts<'a> {
     }
 }
 
+impl Facts<'_> {
+    /// The free motion, if it is one.
+    pub(super) fn free(&self) -> Option<&FreeFacts> {
+        self.at_start.as_ref().filter(|_| self.is_free)
+    }
+}
+
 impl Top {
-    fn of(rotor: &Rotor, trajectory: &Trajectory) -> Option<Self> {
-        let start = trajectory.samples().first()?.state;
-        let motion = match trajectory.solution() {
-            Solution::Exact(ClosedForm::Free(motion)) => SymmetricTop::of_motion(motion)?,
-            Solution::Integrated { .. } if FreeRegime::of(rotor, &start).regime == Regime::Symmetric => {
-                SymmetricTop::of(rotor.principal(), start)?
-            }
-            _ => return None,
-        };
+    fn of((motion, cones): (SymmetricTop, Cones), trajectory: &Trajectory) -> Option<Self> {
+        trajectory.samples().first()?;
         let departure = |s: &Sample| Cones::coplanarity(&motion, &s.state);
         let coplanarity = trajectory.samples().iter().map(departure).fold(0.0, f64::max);
-        Some(Self { motion, cones: Cones::of(&motion), coplanarity })
+        Some(Self { motion, cones, coplanarity })
     }
 }
 

@@ -1,17 +1,15 @@
 //! `summary.json`.
 
 use polhode::motion::torque::TorqueModel;
-use polhode::motion::{
-    FreeMotion, Method, ParticleForce, Pendulum, Sample, Scenario, Solution, State, Swing, Wheel,
-};
-use polhode::observe::{Drift, FreeRegime};
+use polhode::motion::{Method, ParticleForce, Pendulum, Sample, Scenario, Solution, State, Swing, Wheel};
+use polhode::observe::Drift;
 use serde_json::{Map, Value, json};
 
 use super::MotionReport;
 use super::facts::{Facts, Needed, Top};
 use crate::block::{self, Geometry};
+use crate::free_facts::FreeFacts;
 use crate::json::{numbers, vector};
-use crate::periods::Periods;
 use crate::torque::Description;
 use crate::{VERSION, event, finding, global_error, heavy_top, symmetric_top};
 
@@ -107,20 +105,20 @@ fn splitting(method: Method) -> Value {
 
 /// The kind of a free motion; for any other the same keys, `null` where only a free motion has them.
 fn motion(facts: &Facts<'_>) -> Value {
-    let FreeRegime { regime, period, flip_interval, growth_rate } = facts.regime_at_start;
-    let free = facts.is_free;
+    let free = facts.free();
     let omega = facts.start.omega;
     let momentum = facts.rotor.angular_momentum_space(&facts.start);
-    let periods = facts.is_free.then(|| FreeMotion::of(facts.rotor, facts.start).ok()).flatten();
-    let periods = periods.map(|motion| Periods::of(&motion));
+    let of_free = |number: fn(&FreeFacts) -> Option<f64>| free.and_then(number);
+    let name = |facts: &FreeFacts| facts.regime.regime.name();
+    let has_regime = facts.needed.is_none() && facts.rotor.wheels().is_empty();
     json!({
-        "regime": free.then(|| regime.name()),
-        "regime_at_start": (facts.needed.is_none() && facts.rotor.wheels().is_empty()).then(|| regime.name()),
-        "period_s": period.filter(|_| free),
-        "precession_period_s": periods.and_then(|p| p.precession),
-        "rotation_period_s": periods.and_then(|p| p.rotation),
-        "flip_interval_s": flip_interval.filter(|_| free),
-        "growth_rate_per_s": growth_rate.filter(|_| free),
+        "regime": free.map(name),
+        "regime_at_start": facts.at_start.as_ref().filter(|_| has_regime).map(name),
+        "period_s": of_free(|free| free.regime.period),
+        "precession_period_s": of_free(|free| free.periods.precession),
+        "rotation_period_s": of_free(|free| free.periods.rotation),
+        "flip_interval_s": of_free(|free| free.regime.flip_interval),
+        "growth_rate_per_s": of_free(|free| free.regime.growth_rate),
         "kinetic_energy_j": facts.rotor.kinetic_energy(omega),
         "momentum_kg_m2_s": momentum.norm(),
         "momentum_space_kg_m2_s": vector(momentum),

@@ -79,10 +79,8 @@ fn heading(report: &MotionReport<'_>, samples: &[Sample]) -> String {
 
 /// What kind of free motion it is, with its periods; for any other motion what turns it.
 fn regime(facts: &Facts<'_>) -> String {
-    let FreeRegime { regime, period, flip_interval, growth_rate } = facts.regime_at_start;
-    if !facts.is_free {
-        return String::new();
-    }
+    let Some(free) = facts.free() else { return String::new() };
+    let FreeRegime { regime, period, flip_interval, growth_rate } = free.regime;
     let closed = facts.top.as_ref().is_some_and(|top| top.cones.body_half_angle < CLOSED);
     let kind = if closed { "a symmetric top turning about its axis" } else { regime.description() };
     let mut text = labelled("free motion", kind);
@@ -98,8 +96,7 @@ fn regime(facts: &Facts<'_>) -> String {
     }
     if let Some(growth) = growth_rate {
         let off = intermediate::degrees_off(facts.rotor.principal(), &facts.start);
-        let line =
-            format!("ω starts {off}° from axis 2, and a departure from it grows at {} /s", number(growth, 6));
+        let line = format!("ω starts {off}° from axis 2, growth rate {} /s", number(growth, 6));
         text.push_str(&labelled("instability", &line));
     }
     text

@@ -75,7 +75,7 @@ pub(super) fn json(turning: &Turning<'_>, budget: &mut Budget) -> Value {
 
 /// Semi-axes of the uniform ellipsoid of this mass and these moments: i1 = m (b² + c²) / 5, …
 ///
-/// Moments that no body has leave a semi-axis without length.
+/// Unphysical moments leave a semi-axis without length.
 pub(super) fn ellipsoid([i1, i2, i3]: [f64; 3], mass: f64) -> [f64; 3] {
     let semi_axis = |others: f64, own: f64| finite((2.5 / mass * (others - own).max(0.0)).sqrt());
     [semi_axis(i2 + i3, i1), semi_axis(i1 + i3, i2), semi_axis(i1 + i2, i3)]

@@ -18,15 +18,15 @@ const LEAST_MESH: usize = 240_000;
 pub(super) fn json(input: &PageInput<'_>, frame: usize) -> Value {
     let turning = Turning::of(&input.subject);
     let shown = Shown::of(input.trajectory, &input.subject);
-    let free_motion = free::motion(input);
+    let free_facts = free::facts(input);
     let motion = motion::json(&shown);
-    let free = free_motion.as_ref().map_or(Value::Null, |motion| free::json(motion, &shown));
+    let free = free_facts.as_ref().map_or(Value::Null, |free| free::json(&free.motion, &shown));
     let explanation = input.explanation.map_or_else(|| json!([]), explanation::json);
     let others = [&motion, &free, &explanation].map(|value| value.to_string().len()).iter().sum::<usize>()
         + input.scenario_text.map_or(0, str::len);
     let mut budget = Budget::new(PAGE.saturating_sub(frame + others).max(LEAST_MESH));
     let body = body::json(&turning, &mut budget);
-    let facts = facts::json(input, &turning, free_motion.as_ref(), &shown, budget.notes());
+    let facts = facts::json(input, &turning, free_facts.as_ref(), &shown, budget.notes());
     json!({
         "version": 1,
         "title": input.title,

@@ -10,6 +10,7 @@ use super::motion::Shown;
 use super::{PageInput, PageSubject};
 use crate::block::Geometry;
 use crate::event;
+use crate::free_facts::FreeFacts;
 use crate::layout::printable;
 use crate::number::{count, error, number, tidy, tidy_matrix, typeset, vector};
 use crate::periods::Periods;
@@ -59,7 +60,7 @@ impl Row {
 pub(super) fn json(
     input: &PageInput<'_>,
     turning: &Turning<'_>,
-    free: Option<&FreeMotion>,
+    free: Option<&FreeFacts>,
     shown: &Shown<'_>,
     notes: &[String],
 ) -> Value {
@@ -72,8 +73,8 @@ pub(super) fn json(
         ("Inertia", inertia(turning)),
         ("Motion", motion(input, free, shown)),
         ("Events", events(input)),
-        ("Cones", free.and_then(SymmetricTop::of_motion).map_or_else(Vec::new, |top| cones(&top))),
-        ("Poinsot's picture", free.map_or_else(Vec::new, picture)),
+        ("Cones", free.and_then(|free| free.top.as_ref()).map_or_else(Vec::new, cones)),
+        ("Poinsot's picture", free.map_or_else(Vec::new, |free| picture(&free.motion))),
         ("Pendulum", scenario.map_or_else(Vec::new, pendulum)),
         ("Heavy top", scenario.map_or_else(Vec::new, heavy_top)),
         ("Evidence", evidence(input, free.is_some())),
@@ -118,7 +119,7 @@ fn inertia(turning: &Turning<'_>) -> Vec<Row> {
     ]
 }
 
-fn motion(input: &PageInput<'_>, free: Option<&FreeMotion>, shown: &Shown<'_>) -> Vec<Row> {
+fn motion(input: &PageInput<'_>, free: Option<&FreeFacts>, shown: &Shown<'_>) -> Vec<Row> {
     let how = match input.trajectory.solution() {
         Solution::Exact(_) => "in closed form",
         Solution::Prescribed(_) => "prescribed",
@@ -194,9 +195,9 @@ fn events(input: &PageInput<'_>) -> Vec<Row> {
 }
 
 /// The kind of a free motion, and how long it takes.
-fn free_motion(free: &FreeMotion) -> Vec<Row> {
-    let FreeRegime { regime, period, flip_interval, growth_rate } = FreeRegime::of_motion(free);
-    let Periods { precession, rotation } = Periods::of(free);
+fn free_motion(free: &FreeFacts) -> Vec<Row> {
+    let FreeRegime { regime, period, flip_interval, growth_rate } = free.regime;
+    let Periods { precession, rotation } = free.periods;
     let mut rows = vec![Row::new("free motion", regime.description(), "")];
     let mut put = |label, value: Option<f64>, unit, note: &str| {
         rows.extend(value.map(|value| Row::of(label, value, unit).note(note)));
@@ -207,16 +208,15 @@ fn free_motion(free: &FreeMotion) -> Vec<Row> {
     put("rotation", rotation, "s", "once about the axis that L circles");
     put("growth rate", growth_rate, "1/s", "of a departure from axis 2");
     if !matches!(regime, Regime::Permanent(_)) {
-        let [least, most] = free.nutation_range().map(|angle| number(angle.to_degrees(), 6));
-        let axis = if free.circles_least() { 1 } else { 3 };
+        let [least, most] = free.motion.nutation_range().map(|angle| number(angle.to_degrees(), 6));
+        let axis = if free.motion.circles_least() { 1 } else { 3 };
         let value = if least == most { least } else { format!("{least} … {most}") };
         rows.push(Row::new("nutation", value, "°").note(format!("of axis {axis} from L")));
     }
     rows
 }
 
-fn cones(top: &SymmetricTop) -> Vec<Row> {
-    let cones = Cones::of(top);
+fn cones((top, cones): &(SymmetricTop, Cones)) -> Vec<Row> {
     let [axial, transverse] = top.moments();
     vec![
         Row::new("symmetry axis", vector(tidy(top.axis().to_array()), 6), "").note("in the body"),

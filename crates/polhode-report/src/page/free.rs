@@ -8,6 +8,7 @@ use serde_json::{Value, json};
 use super::base64::f64s;
 use super::motion::Shown;
 use super::{PageInput, PageSubject};
+use crate::free_facts::FreeFacts;
 
 /// Chords are so near to their curves, relative to the largest vector: no eye sees more.
 const CHORD: f64 = 1e-3;
@@ -22,7 +23,7 @@ const MOST_PERIODS: f64 = 12.0;
 const MOST_POINTS: usize = 4_000;
 
 /// The free motion that is shown; `None` if a torque acts or wheels spin, if the motion is given, or at rest.
-pub(super) fn motion(input: &PageInput<'_>) -> Option<FreeMotion> {
+pub(super) fn facts(input: &PageInput<'_>) -> Option<FreeFacts> {
     let motion = match (input.trajectory.solution(), input.subject) {
         (Solution::Exact(ClosedForm::Free(motion)), _) => **motion,
         (Solution::Integrated { .. }, PageSubject::Scenario(scenario))
@@ -32,7 +33,7 @@ pub(super) fn motion(input: &PageInput<'_>) -> Option<FreeMotion> {
         }
         _ => return None,
     };
-    (motion.regime() != Regime::AtRest).then_some(motion)
+    (motion.regime() != Regime::AtRest).then(|| FreeFacts::of(motion))
 }
 
 /// The curves; null where one of them cannot be drawn.

@@ -47,7 +47,7 @@ fn possibility(principal: &PrincipalFrame<Body>) -> String {
         Symmetry::Rod => "possible (a rod)".to_owned(),
         _ if !is_possible(principal) => {
             let sum = number(i1 + i2, DIGITS);
-            format!("impossible ({n1} + {n2} = {sum} < {n3}: no body has these moments)")
+            format!("unphysical ({n1} + {n2} = {sum} < {n3}: violates the triangle inequality)")
         }
         _ if spare.abs() <= ROUNDING => format!("possible ({n1} + {n2} = {n3}: a flat plate)"),
         _ if spare < NEARLY => "possible (very nearly a flat plate)".to_owned(),

@@ -2,12 +2,12 @@
 
 use polhode::motion::{FreeMotion, PermanentAxis, Regime, State};
 use polhode::observe::{
-    AxisConvention, Cones, FreeRegime, GeometricPhase, Herpolhode, LeastEnergySpin, SymmetricTop,
-    TumblingPeriods,
+    AxisConvention, FreeRegime, GeometricPhase, Herpolhode, LeastEnergySpin, TumblingPeriods,
 };
 use serde_json::{Map, Value, json};
 
 use super::{SpinReport, body, invariable_plane, states};
+use crate::free_facts::FreeFacts;
 use crate::json::{numbers, vector};
 use crate::periods::Periods;
 use crate::source::SourceInfo;
@@ -36,12 +36,13 @@ fn start(state: &State) -> Value {
 }
 
 fn motion(report: &SpinReport) -> Value {
-    let motion = &report.motion;
-    let FreeRegime { regime, period, flip_interval, growth_rate } = FreeRegime::of_motion(motion);
-    let Periods { precession, rotation } = Periods::of(motion);
+    let FreeFacts { motion, regime, periods: Periods { precession, rotation }, top } =
+        FreeFacts::of(report.motion);
+    let FreeRegime { regime, period, flip_interval, growth_rate } = regime;
+    let motion = &motion;
     let [parameter, complementary] = motion.parameter();
     let momentum = motion.momentum();
-    let top = SymmetricTop::of_motion(motion).map(|top| symmetric_top::to_json(&top, &Cones::of(&top)));
+    let top = top.map(|(top, cones)| symmetric_top::to_json(&top, &cones));
     let entries: [(&str, Value); 20] = [
         ("regime", regime.name().into()),
         ("permanent_axis", permanent_axis(regime).into()),

@@ -7,6 +7,7 @@ use polhode::observe::{
 };
 
 use super::{SpinReport, body, invariable_plane, states};
+use crate::free_facts::FreeFacts;
 use crate::layout::{labelled, plain_spaces};
 use crate::number::{GROUP, number, tidy, ungrouped, vector};
 use crate::source::SourceInfo;
@@ -16,19 +17,20 @@ use crate::{finding, intermediate, omega};
 
 /// The motion, with a picture of ω of so many columns if there is to be one.
 pub(super) fn write(report: &SpinReport, picture: Option<usize>) -> String {
-    let motion = &report.motion;
+    let free = FreeFacts::of(report.motion);
+    let motion = &free.motion;
     let mut text = heading(report.source.as_ref());
     text.push_str(&labelled("moments", &body::in_words(motion.principal())));
     if motion.regime() != Regime::AtRest {
         text.push_str(&labelled("start", &omega::in_words(motion.start().omega)));
     }
     text.push_str(&kind(motion));
-    text.push_str(&instability(motion));
-    text.push_str(&periods(motion));
+    text.push_str(&instability(&free));
+    text.push_str(&periods(&free));
     if let Some(columns) = picture {
         text.push_str(&curve(motion, columns));
     }
-    text.push_str(&tumbling(motion));
+    text.push_str(&tumbling(&free));
     text.push_str(&nutation(motion));
     text.push_str(&herpolhode(motion));
     text.push_str(&phase(motion));
@@ -57,8 +59,8 @@ fn kind(motion: &FreeMotion) -> String {
     kind + &labelled("", &constants)
 }
 
-fn instability(motion: &FreeMotion) -> String {
-    let Some(growth) = FreeRegime::of_motion(motion).growth_rate else { return String::new() };
+fn instability(FreeFacts { motion, regime, .. }: &FreeFacts) -> String {
+    let Some(growth) = regime.growth_rate else { return String::new() };
     let growth = ungrouped(growth, 6);
     let line = if motion.regime() == Regime::Permanent(PermanentAxis::Intermediate) {
         format!("an exact, unstable equilibrium: ω stays as it is; growth rate {growth} /s of any departure")
@@ -70,8 +72,8 @@ fn instability(motion: &FreeMotion) -> String {
 }
 
 /// The period of ω in the body with all its digits.
-fn periods(motion: &FreeMotion) -> String {
-    let FreeRegime { regime, period, flip_interval, growth_rate } = FreeRegime::of_motion(motion);
+fn periods(FreeFacts { motion, regime, .. }: &FreeFacts) -> String {
+    let FreeRegime { regime, period, flip_interval, growth_rate } = *regime;
     match (regime, period) {
         (Regime::Permanent(_), _) => {
             let turn = std::f64::consts::TAU / motion.start().omega.norm();
@@ -105,10 +107,10 @@ fn curve(motion: &FreeMotion, columns: usize) -> String {
 }
 
 /// P_φ and P_ψ, in both conventions where the body has two extreme axes.
-fn tumbling(motion: &FreeMotion) -> String {
+fn tumbling(FreeFacts { motion, top, .. }: &FreeFacts) -> String {
     let of = |convention| TumblingPeriods::of(motion, convention);
-    if let Some(top) = SymmetricTop::of_motion(motion) {
-        return symmetric(&top);
+    if let Some((top, cones)) = top {
+        return symmetric(top, cones);
     }
     let (Some(long), Some(short)) = (of(AxisConvention::LongAxis), of(AxisConvention::ShortAxis)) else {
         return String::new();
@@ -126,8 +128,7 @@ fn tumbling(motion: &FreeMotion) -> String {
         + &labelled("rotation", &rotation)
 }
 
-fn symmetric(top: &SymmetricTop) -> String {
-    let cones = Cones::of(top);
+fn symmetric(top: &SymmetricTop, cones: &Cones) -> String {
     let axis = vector(tidy(top.axis().to_array()), 6);
     let axis = labelled("symmetry axis", &format!("e = {axis} in the body"));
     if cones.body_half_angle < CLOSED {

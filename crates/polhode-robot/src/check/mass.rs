@@ -37,7 +37,7 @@ fn given(
     };
     if mass < 0.0 {
         let message = format!("mass {} kg is negative", short(mass, 6));
-        return tell("mass.not_positive", Severity::Impossible, message, "no body has a negative mass");
+        return tell("mass.not_positive", Severity::Impossible, message, "a mass is positive");
     }
     let tensor = slots(&inertial.tensor).into_iter().flatten().filter_map(Slot::finite).find(|x| *x != 0.0);
     if let Some(moment) = tensor {

@@ -28,7 +28,7 @@ const SINGLE_PRECISION: f64 = 1e-6;
 pub(super) enum Verdict {
     /// Possible, of a positive mass: it can be compared with the geometry.
     Possible,
-    /// A tensor that no body has.
+    /// An unphysical tensor.
     Impossible,
     /// Without a mass or a tensor that says anything: that is a finding of its own.
     Nothing,

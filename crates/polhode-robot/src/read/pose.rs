@@ -11,7 +11,7 @@ pub(super) struct Reading {
 }
 
 impl Reading {
-    /// `N` numbers of an attribute; `default` if it is not there. What is no number, or not finite, is kept and counts as zero, and so
+    /// `N` numbers of an attribute; `default` if it is not there. What is not a finite number, is kept and counts as zero, and so
     /// is the whole text if it has fewer numbers or more.
     pub(super) fn numbers<const N: usize>(
         &mut self,

@@ -205,7 +205,7 @@ impl<'a> Written<'a> {
         })
     }
 
-    /// As plain values: NaN for what is no number.
+    /// As plain values: NaN for NaN.
     pub(crate) fn values(&self) -> impl Iterator<Item = f64> {
         self.value.split_ascii_whitespace().map(|word| parsed(word).unwrap_or(f64::NAN))
     }

@@ -1,4 +1,4 @@
-//! Inertials that no body has: eleven of which no tool caught all, and three from public reports.
+//! Unphysical inertials: eleven of which no tool caught all, and three from public reports.
 
 use crate::check_common::{SLAB, findings, findings_with, link, number, only, read, repaired, robot, solid};
 use polhode_robot::finding::{Finding, Severity};
@@ -183,7 +183,7 @@ fn the_iris_of_px4() {
         "{}",
         found.message
     );
-    // No power of ten mends it.
+    // No power of ten repairs it.
     assert_eq!(found.repair, None);
 }
 

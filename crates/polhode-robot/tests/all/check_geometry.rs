@@ -16,7 +16,7 @@ fn one(slab: &Slab, tensor: [f64; 6], code: &str) -> (String, Finding) {
 }
 
 /// The repair leaves nothing to find, and brings the right numbers.
-fn mends(document: &str, found: &Finding) {
+fn repairs(document: &str, found: &Finding) {
     let fixed = repaired(document, found);
     assert_eq!(findings_with(&fixed, SLAB.geometry()), [], "{fixed}");
     let inertial = read(&fixed).links[0].inertial.clone().unwrap();
@@ -54,11 +54,11 @@ fn units() {
         let (document, found) = one(&SLAB, SLAB.tensor().map(|x| x * factor), "inertia.unit");
         assert!(found.message.contains(name), "{}", found.message);
         assert!((number(&found, "misfit") / factor - 1.0).abs() < 1e-3);
-        mends(&document, &found);
+        repairs(&document, &found);
     }
     let (document, found) = one(&SLAB, SLAB.tensor().map(|x| x * 1e-6), "inertia.unit");
     assert!(found.message.contains("10^6 times too small"), "{}", found.message);
-    mends(&document, &found);
+    repairs(&document, &found);
 }
 
 #[test]
@@ -82,13 +82,13 @@ fn orders() {
         let found = only(&all, "inertia.order");
         assert!(found.message.contains(what), "{}", found.message);
         assert!(all.iter().any(|f| f.severity == Severity::Impossible), "{all:#?}");
-        mends(&document, found);
+        repairs(&document, found);
         // Without geometry it is told as well; it is sure if nothing else would do.
         assert!(findings(&document).iter().any(|f| f.code == "inertia.order"), "{what}");
     }
     let (document, found) = one(&SLAB, [xx, yy, zz, xy, yz, xz], "inertia.order");
     assert!(found.message.contains("iyz and ixz exchanged"), "{}", found.message);
-    mends(&document, &found);
+    repairs(&document, &found);
 }
 
 #[test]
@@ -133,7 +133,7 @@ fn about_the_origin() {
     let tensor: [f64; 6] = std::array::from_fn(|k| SLAB.tensor()[k] + parallel[k]);
     let (document, found) = one(&SLAB, tensor, "inertia.about_origin");
     assert!(found.message.contains("0.1487 m"), "{}", found.message);
-    mends(&document, &found);
+    repairs(&document, &found);
     // The file that forgets the centre, too, has no sure repair.
     let forgotten = Slab { centre: [0.0; 3], ..SLAB };
     let document = forgotten.robot(tensor);
@@ -146,10 +146,10 @@ fn products_of_the_other_sign() {
     let [xx, yy, zz, xy, xz, yz] = SLAB.tensor();
     let (document, found) = one(&SLAB, [xx, yy, zz, -xy, -xz, -yz], "inertia.sign");
     assert!(found.message.contains("+∫xy dm"), "{}", found.message);
-    mends(&document, &found);
+    repairs(&document, &found);
     let (document, found) = one(&SLAB, [xx, yy, zz, xy, -xz, -yz], "inertia.sign");
     assert!(found.message.contains("ixz and iyz"), "{}", found.message);
-    mends(&document, &found);
+    repairs(&document, &found);
     // Small products, of 2 % of the moments, printed with three digits.
     let slim = Slab { attitude: [0.02, -0.03, 0.025], frame: [0.0; 3], ..SLAB };
     let texts = slim.tensor().map(|x| format!("{x:.2e}"));

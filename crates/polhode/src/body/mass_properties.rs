@@ -63,7 +63,7 @@ impl<F: Frame> MassProperties<F> {
     /// brought back to the edge.
     ///
     /// # Errors
-    /// [`BodyError`] if the mass is not positive, or if no body has this tensor about that point.
+    /// [`BodyError`] if the mass is not positive, or if this tensor about that point is unphysical.
     pub fn from_inertia_about(
         mass: f64,
         center_of_mass: Position<F>,

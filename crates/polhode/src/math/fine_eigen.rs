@@ -6,7 +6,7 @@ use super::triple::Triple;
 
 /// Eigenvalues, ascending but for rounding, and right-handed orthonormal eigenvectors of a symmetric matrix to about 46 digits.
 ///
-/// From vectors that are right to one word. What is left of the equations is computed in three words, what it takes to mend them in
+/// From vectors that are right to one word. What is left of the equations is computed in three words, their correction in
 /// one: each round doubles the digits, or adds those of a word. With the vectors vⱼ and the values λⱼ,
 ///
 /// rⱼ = S vⱼ − λⱼ vⱼ,  Rᵢⱼ = δᵢⱼ − vᵢ·vⱼ,  λⱼ → λⱼ + vⱼ·rⱼ,  vⱼ → vⱼ + Σᵢ vᵢ Eᵢⱼ,
@@ -51,18 +51,18 @@ impl FineEigen {
             values: values.map(Triple::from),
             vectors: vectors.map(|vector| vector.map(Triple::from)),
         };
-        let mut size = fine.mend::<true>(&rest, NEGLIGIBLE * largest);
+        let mut size = fine.refine::<true>(&rest, NEGLIGIBLE * largest);
         for _round in 0..MOST_ROUNDS {
             if size <= LAST {
                 break;
             }
-            size = fine.mend::<false>(&rest, NEGLIGIBLE * largest);
+            size = fine.refine::<false>(&rest, NEGLIGIBLE * largest);
         }
         Self { values: fine.values.map(|value| value.plus(shift)), ..fine }
     }
 
     /// One round; the size of its correction. `ONE_WORD` if all numbers have one.
-    fn mend<const ONE_WORD: bool>(&mut self, matrix: &Symmetric3, negligible: f64) -> f64 {
+    fn refine<const ONE_WORD: bool>(&mut self, matrix: &Symmetric3, negligible: f64) -> f64 {
         let halved = self.vectors.map(|vector| vector.map(Halved::of));
         let rows = matrix.rows().map(|row| row.map(with_halves));
         let one = self.vectors.map(|vector| vector.map(Triple::value));

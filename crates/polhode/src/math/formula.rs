@@ -301,7 +301,7 @@ impl Binary {
             Self::Divide => each(a, |a, b| a / b),
             Self::Power => each(a, libm::pow),
             Self::Atan2 => each(a, libm::atan2),
-            // Nothing is larger or smaller than what is no number.
+            // Nothing is larger or smaller than NaN.
             Self::Min => each(a, |a, b| if a.is_nan() || a < b { a } else { b }),
             Self::Max => each(a, |a, b| if a.is_nan() || a > b { a } else { b }),
             Self::Hypot => each(a, libm::hypot),

@@ -1,4 +1,4 @@
-//! The vectors that a machine has, by type: where the compiler's own choice would take plain arrays apart.
+//! SIMD register types by instruction set, used where LLVM fails to vectorise `[f64; N]`.
 
 use super::lanes::Lanes;
 use super::number::Number;

@@ -440,7 +440,7 @@ fn what_grows_by_much_and_not_without_bound_does_not_run_away() {
 
 #[test]
 fn a_formula_that_is_no_number_ends_the_motion() {
-    // N = √(1 − t) is no number after 1 s.
+    // N = √(1 − t) is NaN after 1 s.
     let rotor = free_body([2.0, 3.5, 5.0]);
     let (subtract, root) = (Instruction::Binary(Binary::Subtract), Instruction::Unary(Unary::Sqrt));
     let push = [formula_torque(&[Instruction::Constant(1.0), variable("t"), subtract, root])];

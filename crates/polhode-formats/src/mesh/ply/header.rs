@@ -28,7 +28,7 @@ pub(super) enum Encoding {
 #[derive(Clone, Debug)]
 pub(super) struct Element {
     pub(super) name: String,
-    /// How many the header declares; not to be believed.
+    /// How many the header declares; not to be trusted.
     pub(super) count: u64,
     pub(super) properties: Vec<Property>,
     /// Where the header says so.

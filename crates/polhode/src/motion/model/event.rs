@@ -241,7 +241,7 @@ pub(crate) struct Gap {
     pub(crate) gap: f64,
     /// The size of what it is the difference of: its rounding is relative to that.
     pub(crate) scale: f64,
-    /// True on the other side of the circle, where the zero is none of the event.
+    /// True where sin(φ − v) vanishes at φ = v + π: not a crossing.
     pub(crate) is_opposite: bool,
 }
 

@@ -135,11 +135,11 @@ impl<'a> Integration<'a> {
         look_ahead(&mut self.stepper, end).map(|()| None)
     }
 
-    /// Forgets what came after a time, that of the last state that is believed.
+    /// Forgets what came after a time, that of the last plausible state.
     fn return_to(&mut self, time: f64) -> Balanced {
         self.samples.retain(|sample| sample.state.time <= time);
         self.crossings.retain(|crossing| crossing.state.time <= time);
-        self.stepper.believed().unwrap_or_else(|| self.stepper.now())
+        self.stepper.last_plausible().unwrap_or_else(|| self.stepper.now())
     }
 
     fn act(&self, event: usize) -> EventAction {

@@ -17,7 +17,7 @@ impl Drift {
 /// Of an angle, rad: beyond, a state would have fewer than six digits.
 pub(crate) const ALLOWED: f64 = 1e-6;
 
-/// Each of the times is within reach of the start; not so what is no number.
+/// Each of the times is within reach of the start; not so NaN.
 pub(crate) fn require(start: &State, reach: f64, times: &[f64]) -> Result<(), MotionError> {
     match times.iter().find(|&&time| !is_within(start, reach, time)) {
         Some(&time) => Err(MotionError::BeyondReach { time, reach }),

@@ -27,7 +27,7 @@ pub(crate) const GROUPS: [(&str, &str); 13] = [
     ("permanent, spherical", "ω stays where it is"),
     ("wobble", "ω within 1e-8 … 1e-100 of an axis"),
     ("scales", "moments and ω of 1e-150, 1e150 and their mixtures"),
-    ("unphysical", "moments that no body has (textbooks)"),
+    ("unphysical", "unphysical moments (textbooks)"),
 ];
 
 fn group(case: &toml::Table) -> usize {

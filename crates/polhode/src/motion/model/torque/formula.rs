@@ -13,7 +13,7 @@ use crate::motion::model::state_variables::StateVariables;
 /// A torque whose components are formulas of time, ω, L and the attitude, N·m: of the variables that [`StateVariables`] lists.
 ///
 /// Formulas of smooth functions have a power series, and Taylor's method integrates them. What has corners or jumps, such as
-/// `abs`, `min` or `if`, is for DOP853, whose steps shrink there. What is no number ends the motion:
+/// `abs`, `min` or `if`, is for DOP853, whose steps shrink there. NaN ends the motion:
 /// [`MotionError::NotFinite`](crate::motion::MotionError::NotFinite) has the last good time. No power series starts at a root of 0,
 /// `hypot(0, 0)` or `atan2(0, 0)`, unless what they are of stays 0.
 ///

@@ -153,7 +153,7 @@ fn angle_between(p: [f64; 4], q: [f64; 4]) -> f64 {
     if sine < 1e-4 { 4.0 * sine } else { 4.0 * libm::asin(sine.min(1.0)) }
 }
 
-/// A state beyond the reach of a closed form is no number: then nothing is known.
+/// A state beyond the reach of a closed form is NaN: then nothing is known.
 const fn number_or_infinite(x: f64) -> f64 {
     if x.is_nan() { f64::INFINITY } else { x }
 }

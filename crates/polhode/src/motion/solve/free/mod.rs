@@ -105,7 +105,7 @@ impl FreeMotion {
     /// use polhode::math::{AngularVelocity, Attitude};
     /// use polhode::motion::{FreeMotion, State};
     /// let start = State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.1, 0.2, 5.0) };
-    /// let motion = FreeMotion::of_moments([8.0, 4.0, 0.4], start)?; // no body has these
+    /// let motion = FreeMotion::of_moments([8.0, 4.0, 0.4], start)?; // unphysical
     /// assert!(motion.period().is_some());
     /// # Ok::<(), polhode::motion::MotionError>(())
     /// ```
@@ -176,7 +176,7 @@ impl FreeMotion {
 
     /// The state at a time, s, before the start too.
     ///
-    /// Further from the start than [`FreeMotion::reach`], and at a time that is no number, ω and attitude are not numbers either:
+    /// Further from the start than [`FreeMotion::reach`], and at a time that is NaN, ω and attitude are not numbers either:
     /// [`FreeMotion::require`] tells.
     #[must_use]
     pub fn at(&self, time: f64) -> State {

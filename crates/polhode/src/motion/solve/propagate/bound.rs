@@ -10,11 +10,11 @@ pub(crate) const MOST_STEPS: u64 = 100_000_000;
 /// Steps after which the step has found its size.
 const FIRST_STEPS: u64 = 64;
 
-/// Steps that are waited for when the end is too many away: they may shrink towards infinity, where DOP853 comes in some 700 at a
+/// Number of consecutive steps for which the projected count may exceed the limit before the run is abandoned: they may shrink towards infinity, where DOP853 comes in some 700 at a
 /// tolerance of 1e-14.
 pub(crate) const PATIENCE: u64 = 2000;
 
-/// |ω| beyond which a motion that runs away is not believed, relative to what is usual.
+/// The plausibility bound: |ω| of a motion that runs away, relative to what is usual.
 const BELIEVED: f64 = 1e3;
 
 /// |ω| that nothing has that is meant, relative to what is usual.
@@ -23,7 +23,7 @@ const ABSURD: f64 = 1e9;
 /// A bound for |ω|, and for the number of steps.
 ///
 /// What is usual is |ω| at the start, every √(N/I) at which something begins to act, I the least moment, and one radian in the whole run.
-/// Nothing that is meant turns 10⁹ times faster. From 10³ times that on a motion is not believed any more, if it ends so.
+/// Nothing that is meant turns 10⁹ times faster. From 10³ times that on a motion is implausible, if it ends so.
 ///
 /// P is a place on the trajectory.
 #[derive(Clone, Copy, Debug)]
@@ -31,14 +31,14 @@ pub(super) struct Bound<P> {
     usual_rate: f64,
     /// When the motion began, s.
     begun: f64,
-    /// Where the first of the steps began whose ends have not been believed since.
-    believed: Option<Believed<P>>,
+    /// Start of the current run of steps whose |ω| exceeds the plausibility bound.
+    plausible: Option<Plausible<P>>,
     /// For how many steps, one after the other, the end has been too far away, and the number of the last of them.
     far: [u64; 2],
 }
 
 #[derive(Clone, Copy, Debug)]
-struct Believed<P> {
+struct Plausible<P> {
     time: f64,
     rate: f64,
     place: P,
@@ -49,7 +49,7 @@ struct Believed<P> {
 impl<P: Copy> Bound<P> {
     pub(super) fn new(piece: &Piece<'_>, start: &State) -> Self {
         let usual_rate = start.omega.norm().max(torque_rate(piece));
-        Self { usual_rate, begun: start.time, believed: None, far: [0; 2] }
+        Self { usual_rate, begun: start.time, plausible: None, far: [0; 2] }
     }
 
     /// What acts from now on.
@@ -62,7 +62,7 @@ impl<P: Copy> Bound<P> {
         self.usual_rate = self.usual_rate.max(1.0 / (end - self.begun));
     }
 
-    /// |ω| from which on a motion is not believed if it ends so, rad/s.
+    /// |ω| from which on a motion is implausible if it ends so, rad/s.
     pub(super) fn most(&self) -> f64 {
         BELIEVED * self.usual_rate
     }
@@ -78,14 +78,14 @@ impl<P: Copy> Bound<P> {
         before: impl FnOnce() -> (f64, f64, P),
     ) -> Result<(), MotionError> {
         if rate <= self.most() {
-            self.believed = None;
+            self.plausible = None;
             return Ok(());
         }
-        match &mut self.believed {
-            Some(believed) if believed.step + 1 == step => believed.step = step,
+        match &mut self.plausible {
+            Some(plausible) if plausible.step + 1 == step => plausible.step = step,
             _ => {
                 let (time, rate, place) = before();
-                self.believed = Some(Believed { time, rate, place, step });
+                self.plausible = Some(Plausible { time, rate, place, step });
             }
         }
         match self.run_away() {
@@ -117,12 +117,12 @@ impl<P: Copy> Bound<P> {
         Err(self.explained(MotionError::TooManySteps { time, step: allowed, most: MOST_STEPS }, now))
     }
 
-    /// Where the motion was last believed, if it is not any more.
-    pub(super) fn believed(&self) -> Option<P> {
-        self.believed.map(|believed| believed.place)
+    /// The last plausible state, if the motion has left the bound.
+    pub(super) fn last_plausible(&self) -> Option<P> {
+        self.plausible.map(|plausible| plausible.place)
     }
 
-    /// Why a motion cannot go on from here, time and |ω|: that it runs away, if |ω| has grown to ten times what is believed within less time
+    /// Why a motion cannot go on from here, time and |ω|: that it runs away, if |ω| has grown to ten times the bound within less time
     /// than it took to come there. Towards infinity steps shrink to nothing before |ω| is large enough by itself.
     pub(super) fn explained(&self, cause: MotionError, [now, rate]: [f64; 2]) -> MotionError {
         match self.run_away() {
@@ -131,9 +131,9 @@ impl<P: Copy> Bound<P> {
         }
     }
 
-    /// When it was last believed, and what it is to end there.
+    /// When it was last plausible, and what it is to end there.
     fn run_away(&self) -> Option<(f64, MotionError)> {
-        let Believed { time, rate, .. } = self.believed?;
+        let Plausible { time, rate, .. } = self.plausible?;
         Some((time, MotionError::RunAway { time, rate, most: self.most() }))
     }
 }

@@ -187,9 +187,9 @@ impl<'a> Stepper<'a> {
         bound.require_few_steps(step, allowed, now, end)
     }
 
-    /// What is left of a motion that runs away: the state after the last step that is believed.
-    pub(crate) fn believed(&self) -> Option<Balanced> {
-        self.bound.believed()
+    /// What is left of a motion that runs away: the last plausible state.
+    pub(crate) fn last_plausible(&self) -> Option<Balanced> {
+        self.bound.last_plausible()
     }
 
     /// Why it cannot go on: see [`Bound`].

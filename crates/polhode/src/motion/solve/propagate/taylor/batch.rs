@@ -3,6 +3,8 @@
 //! When a body has come to the last time, or can go no further, the next one takes its lane. So no lane is idle until none is left, and
 //! what a lane does never depends on its neighbours: every body has the bits that it has alone.
 
+use std::thread;
+
 use super::Expansion;
 use super::base::ExpansionPoint;
 use super::recurrence::Recurrence;
@@ -76,9 +78,24 @@ pub(in crate::motion) fn advance<'a: 'b, 'b>(
     states: &mut [State],
 ) -> Vec<(usize, MotionError)> {
     let bodies: Vec<_> = bodies.collect();
-    let mut failures = in_vectors(Advance { bodies: &bodies, times, tolerance, states });
+    let mut failures = with_room(|| in_vectors(Advance { bodies: &bodies, times, tolerance, states }));
     failures.sort_by_key(|(body, _)| *body);
     failures
+}
+
+/// Runs work where the stack has room for it: unoptimised, every vector that is computed on the way has a place of its own there, some
+/// megabytes of them, where a thread has two.
+fn with_room<R: Default + Send>(work: impl FnOnce() -> R + Send) -> R {
+    const ROOM: usize = 64 << 20;
+    let (mut work, mut result) = (Some(work), None);
+    if cfg!(debug_assertions) {
+        thread::scope(|scope| {
+            let in_thread = || result = work.take().map(|work| work());
+            // Where the system gives no such thread, it is tried here.
+            thread::Builder::new().stack_size(ROOM).spawn_scoped(scope, in_thread).is_ok()
+        });
+    }
+    result.or_else(|| work.map(|work| work())).unwrap_or_default()
 }
 
 struct Advance<'a, 'b> {
@@ -133,7 +150,7 @@ struct Batch<'a, 'b, N> {
     end: N,
     /// The first of the times that it has not come to; infinite where there is none.
     next: N,
-    /// |ω| from which it may run away: half of what is believed.
+    /// |ω| from which it may run away: half of the plausibility bound.
     fast: N,
 }
 
@@ -347,8 +364,8 @@ impl<'a, 'b, N: Number> Batch<'a, 'b, N> {
         let Some(lane) = self.lanes[k].take() else { return };
         let mut base = self.base.lane(k);
         let mut sampled = lane.sampled;
-        if let (MotionError::RunAway { .. }, Some(believed)) = (&cause, lane.bound.believed()) {
-            base = believed;
+        if let (MotionError::RunAway { .. }, Some(plausible)) = (&cause, lane.bound.last_plausible()) {
+            base = plausible;
             sampled = sampled.min(self.work.times.partition_point(|time| *time <= base.time));
         }
         // The start as it was given, not as it comes back from principal axes.

@@ -63,7 +63,7 @@ impl<N: Number> Row<N> {
         Self([f(a[0], b[0]), f(a[1], b[1]), f(a[2], b[2]), f(a[3], b[3])])
     }
 
-    /// The largest magnitude, if none is no number.
+    /// The largest magnitude, if none is NaN.
     #[inline(always)]
     pub(super) fn largest(self) -> N {
         let [x, y, z, w] = self.0.map(|x| x.map(f64::abs));
@@ -114,7 +114,7 @@ impl<N: Number> Row<N> {
     }
 }
 
-/// The larger of two numbers: one instruction, where f64::max has a few for what is no number. Here that gives way if it is the first.
+/// The larger of two numbers: one instruction, where f64::max has a few for NaN. Here that gives way if it is the first.
 #[inline(always)]
 pub(super) fn larger<N: Number>(a: N, b: N) -> N {
     a.zip(b, |a, b| if a > b { a } else { b })

@@ -226,7 +226,7 @@ fn every_kind_has_the_bits_that_each_body_has_alone() {
 #[test]
 fn no_times_and_none_but_the_start() {
     let members: Vec<Member> = (0..19).map(|k| member("pivoted", k)).collect();
-    // Only a start that is no number fails.
+    // Only a start that is NaN fails.
     assert_eq!(compare(&members, &[], 1e-12), [18, 1]);
     let at_start: Vec<Member> = (0..20).step_by(4).map(|k| member("magnet", k)).collect();
     compare(&at_start, &[0.5, 0.5], 1e-12);

@@ -244,16 +244,16 @@ impl<'a, 'w> Inside<'a, 'w> {
             let part = if now > 0.0 { format!(", {} % of T", n(100.0 * lost / now)) } else { String::new() };
             s.line(format!("what becomes heat: {} - {} = {} J{part}", n(now), n(energy(least)), n(lost)));
         }
-        self.pace(&all, &mut s);
+        self.decay(&all, &mut s);
         s
     }
 
     /// The linear rates next to the spins with this |L|.
-    fn pace(&self, all: &[PermanentRotation], s: &mut Section) {
+    fn decay(&self, all: &[PermanentRotation], s: &mut Section) {
         let Ok(sink) = EnergySink::new(self.alpha) else { return };
         s.say("How fast, by the linear equations next to the spins that have this |L| (polhode stability has them all):");
         for one in [all.last(), all.first()].into_iter().flatten() {
-            let pace = match one.with_friction(&sink) {
+            let decay = match one.with_friction(&sink) {
                 DissipativeLimit::Leaves { rate, .. } => {
                     format!("a departure grows by e in {} s", n(1.0 / rate))
                 }
@@ -262,7 +262,7 @@ impl<'a, 'w> Inside<'a, 'w> {
                 }
                 _ => "a departure stays".to_owned(),
             };
-            s.line(format!("from ω = {} rad/s: {pace}", v(one.omega.to_array())));
+            s.line(format!("from ω = {} rad/s: {decay}", v(one.omega.to_array())));
         }
     }
 

@@ -21,23 +21,23 @@ pub(crate) struct Conic {
 
 /// Where on its orbit something is, and dx/dt, dy/dt.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Place {
+pub(crate) struct OrbitalPoint {
     pub(crate) position: [f64; 2],
     pub(crate) velocity: [f64; 2],
 }
 
 impl Conic {
     /// The place at a time; on an ellipse |t| has to be within half a period.
-    pub(crate) fn at(self, t: f64) -> Place {
+    pub(crate) fn at(self, t: f64) -> OrbitalPoint {
         let s = self.anomaly(t);
         if self.e == 0.0 {
             let (sin, cos) = sin_cos(s);
-            return Place { position: [cos, sin], velocity: [-sin, cos] };
+            return OrbitalPoint { position: [cos, sin], velocity: [-sin, cos] };
         }
         let [c0, c1, c2, _] = stumpff(self.beta * s * s);
         let (along, across) = (s * s * c2, (1.0 + self.e).sqrt());
         let r = 1.0 + self.e * along;
-        Place { position: [1.0 - along, across * s * c1], velocity: [-s * c1 / r, across * c0 / r] }
+        OrbitalPoint { position: [1.0 - along, across * s * c1], velocity: [-s * c1 / r, across * c0 / r] }
     }
 
     /// t = S + e S³ c₃
@@ -153,7 +153,7 @@ mod tests {
         for e in [0.0, 0.02, 0.6, 0.97, 1.0, 1.4, 7.0] {
             let conic = Conic { e, beta: 1.0 - e };
             for t in [-3.0, -0.4, 0.0, 0.01, 0.9, 2.2, 3.1] {
-                let Place { position: [x, y], velocity: [u, v] } = conic.at(t);
+                let OrbitalPoint { position: [x, y], velocity: [u, v] } = conic.at(t);
                 let r = x.hypot(y);
                 // r + e x = p = 1 + e, x v − y u = √p, ½v² − 1/r = −½ (1 − e)
                 assert!((r + e * x - 1.0 - e).abs() < 4e-15 * (1.0 + e) * r);
@@ -183,7 +183,7 @@ mod tests {
         for e in [0.0, 0.3, 0.99, 1.0, 2.5] {
             let conic = Conic { e, beta: 1.0 - e };
             let s = conic.anomaly(1.3);
-            let Place { position: [x, y], .. } = conic.at(1.3);
+            let OrbitalPoint { position: [x, y], .. } = conic.at(1.3);
             let half_tangent = y / (x.hypot(y) + x);
             assert!((conic.anomaly_towards(half_tangent) / s - 1.0).abs() < 4e-15, "e = {e}");
         }

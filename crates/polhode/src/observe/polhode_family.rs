@@ -40,7 +40,7 @@ impl Polhode {
         if !shaped || motion.regime() == Regime::AtRest {
             return Ok(Vec::new());
         }
-        let ellipsoid = Ellipsoid::of(motion);
+        let ellipsoid = InertiaEllipsoid::of(motion);
         let mut family = Vec::new();
         for angle in ellipsoid.angles(each) {
             for sign in [1.0, -1.0] {
@@ -63,13 +63,13 @@ fn turned(sister: Polhode, into_body: Rotation<Body, Principal>) -> Polhode {
 }
 
 /// An inertia ellipsoid in its principal axes, which the sister motions have as body axes.
-struct Ellipsoid {
+struct InertiaEllipsoid {
     moments: [f64; 3],
     /// √(2T/i), rad/s
     semi_axes: [f64; 3],
 }
 
-impl Ellipsoid {
+impl InertiaEllipsoid {
     fn of(motion: &FreeMotion) -> Self {
         let moments = motion.principal().moments();
         // where cn = 1: 2T = i1 a1² + i3 a3² in the motion's labels

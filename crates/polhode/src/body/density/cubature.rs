@@ -4,7 +4,7 @@ use core::cmp::{Ordering, Reverse};
 use std::collections::BinaryHeap;
 
 use super::domain::{Brick, Domain, Samples};
-use super::rule::Rule;
+use super::rule::CubatureRule;
 use crate::math::sum::Sum;
 use crate::math::symmetric3::Symmetric3;
 
@@ -17,7 +17,7 @@ pub(super) type Moments = [f64; 10];
 /// that is nearly a polynomial in each of their cones, nothing but a sum is kept.
 pub(super) struct Subdivision<'a> {
     domain: &'a Domain<'a>,
-    rule: Rule,
+    rule: CubatureRule,
     /// Of those that are not kept.
     settled: Tally,
     bricks: Vec<Integrated>,
@@ -130,14 +130,14 @@ impl<'a> Subdivision<'a> {
         density(&brick, &samples.points, &mut samples.densities)?;
         self.evaluations += samples.points.len() as u64;
         let [outer, middle, inner] = &rule.0;
-        let mut block = Sums::default();
+        let mut block = CubatureSums::default();
         let (mut absolute, mut farthest) = (0.0, 0.0_f64);
         // Row by row and plane by plane: a sum of sums of few terms rounds little.
         let planes = inner.nodes.len() * middle.nodes.len();
         for (u, plane_start) in outer.nodes.iter().zip((0..).step_by(planes)) {
-            let mut plane = Sums::default();
+            let mut plane = CubatureSums::default();
             for (v, row_start) in middle.nodes.iter().zip((plane_start..).step_by(inner.nodes.len())) {
-                let mut row = Sums::default();
+                let mut row = CubatureSums::default();
                 for (k, w) in (row_start..).zip(&inner.nodes) {
                     let [x, y, z] = samples.local[k];
                     let mass = samples.densities[k] * samples.volumes[k];
@@ -156,7 +156,7 @@ impl<'a> Subdivision<'a> {
             add(&mut block.nulls[1], u.weight, &plane.nulls[1]);
             add(&mut block.nulls[2], u.weight, &plane.nulls[2]);
         }
-        let Sums { moments, nulls } = block;
+        let CubatureSums { moments, nulls } = block;
         let errors = core::array::from_fn(|k| nulls.iter().map(|null| null[k].abs()).sum());
         let size = |null: &Moments| null.iter().fold(0.0, |most: f64, m| most.max(m.abs()));
         let direction = (0..3).max_by(|&a, &b| size(&nulls[a]).total_cmp(&size(&nulls[b]))).unwrap_or(0);
@@ -167,7 +167,7 @@ impl<'a> Subdivision<'a> {
 
 /// Moments by the rule, and by its three null rules.
 #[derive(Default)]
-struct Sums {
+struct CubatureSums {
     moments: Moments,
     nulls: [Moments; 3],
 }

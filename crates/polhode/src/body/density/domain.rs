@@ -1,7 +1,7 @@
 //! A solid as the image of unit cubes, and the bricks that they are divided into.
 
 use super::parametrised::Parametrised;
-use super::rule::Rule;
+use super::rule::CubatureRule;
 use crate::body::mesh::TriangleMesh;
 use crate::math::symmetric3::power_of_two_near;
 
@@ -71,16 +71,16 @@ impl<'a> Domain<'a> {
     }
 
     /// Few samples for each of many thin cones.
-    pub(super) fn rule(&self) -> Rule {
+    pub(super) fn rule(&self) -> CubatureRule {
         const MANY: usize = 1000;
         match self.charts {
-            Charts::Triangles(surface) if surface.triangles().len() > MANY => Rule::slender(),
-            _ => Rule::fine(),
+            Charts::Triangles(surface) if surface.triangles().len() > MANY => CubatureRule::slender(),
+            _ => CubatureRule::fine(),
         }
     }
 
     /// Fills in everything but the densities.
-    pub(super) fn sample(&self, brick: &Brick, rule: &Rule, samples: &mut Samples) {
+    pub(super) fn sample(&self, brick: &Brick, rule: &CubatureRule, samples: &mut Samples) {
         let Brick { chart, low, high } = *brick;
         let cube: f64 = (0..3).map(|k| high[k] - low[k]).product();
         let along = |k: usize, at: f64| low[k] + at * (high[k] - low[k]);

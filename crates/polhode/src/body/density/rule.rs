@@ -21,9 +21,9 @@ pub(super) struct LineNode {
 
 /// A rule on the cube: one on each of its edges. Its error is the sum of theirs.
 #[derive(Debug)]
-pub(super) struct Rule(pub(super) [Line; 3]);
+pub(super) struct CubatureRule(pub(super) [Line; 3]);
 
-impl Rule {
+impl CubatureRule {
     /// 15 nodes each way.
     pub(super) fn fine() -> Self {
         Self([Line::kronrod_15(), Line::kronrod_15(), Line::kronrod_15()])
@@ -123,6 +123,6 @@ mod tests {
                 assert_eq!(null < 3e-16, n <= of_gauss || n % 2 == 1, "{n} of {of_gauss}: {null}");
             }
         }
-        assert_eq!((Rule::fine().samples(), Rule::slender().samples()), (3375, 735));
+        assert_eq!((CubatureRule::fine().samples(), CubatureRule::slender().samples()), (3375, 735));
     }
 }

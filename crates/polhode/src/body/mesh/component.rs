@@ -87,7 +87,7 @@ pub(crate) struct Measured {
 impl Measured {
     pub(crate) fn of(welded: &Welded, patches: &Patches) -> Self {
         let count = patches.components.len();
-        let mut sums: Vec<Sums> = (0..count).map(|_| Sums::default()).collect();
+        let mut sums: Vec<VolumeSums> = (0..count).map(|_| VolumeSums::default()).collect();
         let mut collinear = Vec::new();
         for (t, &component) in patches.component.iter().enumerate() {
             if component != NONE {
@@ -201,7 +201,7 @@ const COMPONENTS: usize = 16;
 
 /// Sums over a component as its triangles come by, from its first corner, in the mesh's units.
 #[derive(Default)]
-struct Sums {
+struct VolumeSums {
     reference: [f64; 3],
     first: usize,
     triangles: usize,
@@ -215,7 +215,7 @@ struct Sums {
     first_flipped: usize,
 }
 
-impl Sums {
+impl VolumeSums {
     /// True if the triangle may have no area.
     fn add(&mut self, t: usize, triangle: [[f64; 3]; 3], against: bool) -> bool {
         if self.triangles == 0 {

@@ -51,7 +51,7 @@ impl Polyhedron<'_> {
         // In units of a power of two near the size: exact, and no fifth power leaves the range of f64.
         let unit = power_of_two_near(size);
         let (cubed, per_unit) = (unit * unit * unit, 1.0 / unit);
-        let first: Sums = self.sum(|piece| self.piece::<4>(piece, middle, per_unit));
+        let first: MomentSums = self.sum(|piece| self.piece::<4>(piece, middle, per_unit));
         // No noise of flat triangles is larger: each one's area times its distance, rounded.
         let six_volume = first.terms[0].value();
         if six_volume.abs() <= FLAT * first.area.value() {
@@ -94,13 +94,18 @@ impl Polyhedron<'_> {
     }
 
     /// The sums of all pieces, in their order.
-    fn sum(&self, piece: impl Fn(Range<usize>) -> Sums + Sync) -> Sums {
+    fn sum(&self, piece: impl Fn(Range<usize>) -> MomentSums + Sync) -> MomentSums {
         let pieces = self.threads.map_pieces(self.corners.len(), PIECE, piece);
-        pieces.iter().fold(Sums::default(), |all, piece| all.with(piece))
+        pieces.iter().fold(MomentSums::default(), |all, piece| all.with(piece))
     }
 
     /// The first so many sums over some triangles, eight at a time.
-    fn piece<const TERMS: usize>(&self, triangles: Range<usize>, reference: [f64; 3], per_unit: f64) -> Sums {
+    fn piece<const TERMS: usize>(
+        &self,
+        triangles: Range<usize>,
+        reference: [f64; 3],
+        per_unit: f64,
+    ) -> MomentSums {
         let mut sums = LaneSums::<TERMS>::new();
         in_widest_vectors(
             #[inline(always)]
@@ -124,8 +129,8 @@ impl Polyhedron<'_> {
         sums.total()
     }
 
-    fn piece_in_two_words(&self, triangles: Range<usize>, reference: [f64; 3], per_unit: f64) -> Sums {
-        let mut sums = Sums::default();
+    fn piece_in_two_words(&self, triangles: Range<usize>, reference: [f64; 3], per_unit: f64) -> MomentSums {
+        let mut sums = MomentSums::default();
         for corners in &self.corners[triangles] {
             let triangle = corners.map(|v| {
                 let p = self.points[v as usize];
@@ -191,7 +196,7 @@ fn area<T: Splat>([a, b, c]: [[T; 3]; 3]) -> T {
 
 /// Sums in powers of the unit of length.
 #[derive(Clone, Copy, Debug, Default)]
-struct Sums {
+struct MomentSums {
     /// As [`terms`].
     terms: [Double; 10],
     area: Double,
@@ -199,7 +204,7 @@ struct Sums {
     magnitude: Double,
 }
 
-impl Sums {
+impl MomentSums {
     fn with(&self, other: &Self) -> Self {
         Self {
             terms: core::array::from_fn(|k| self.terms[k] + other.terms[k]),
@@ -244,9 +249,10 @@ impl<const TERMS: usize> LaneSums<TERMS> {
         }
     }
 
-    fn total(&self) -> Sums {
+    fn total(&self) -> MomentSums {
         let total = |lanes: Vectors| lanes.0.iter().fold(Double::default(), |sum, &x| sum + Double::from(x));
-        let mut sums = Sums { area: total(self.area), magnitude: total(self.magnitude), ..Sums::default() };
+        let mut sums =
+            MomentSums { area: total(self.area), magnitude: total(self.magnitude), ..MomentSums::default() };
         for (sum, (high, low)) in sums.terms.iter_mut().zip(self.high.iter().zip(&self.low)) {
             let lanes = high.0.iter().zip(low.0).map(|(&high, low)| {
                 let (high, low) = quick_two_sum(high, low);

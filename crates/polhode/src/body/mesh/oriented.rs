@@ -67,10 +67,10 @@ pub(crate) struct OrientedTree<'a> {
     /// Triangles that are known to lie side by side have the same number here, others [`NONE`].
     group: &'a [u32],
     order: Vec<u32>,
-    nodes: Vec<Node>,
+    nodes: Vec<TreeNode>,
 }
 
-struct Node {
+struct TreeNode {
     bounds: OrientedBox,
     /// In the tree's order.
     triangles: Range<u32>,
@@ -128,7 +128,7 @@ impl<'a> OrientedTree<'a> {
             }
         }
         let range = own.start as u32..own.end as u32;
-        self.nodes.push(Node {
+        self.nodes.push(TreeNode {
             bounds,
             triangles: range,
             children: None,

@@ -48,14 +48,14 @@ impl MeshShell {
         let middle = core::array::from_fn(|k| 0.5 * low[k] + 0.5 * high[k]);
         // In units of a power of two near the size: exact, and no product leaves the range of f64.
         let unit = power_of_two_near((0..3).map(|k| high[k] - low[k]).fold(0.0, f64::max));
-        let first = Sums::of(mesh, middle, unit);
+        let first = ShellSums::of(mesh, middle, unit);
         if !(first.area() > 0.0) {
             return Err(BodyError::Empty { what: "triangles with an area" });
         }
         // From the centroid: nothing cancels.
         let centroid = first.centroid();
         let reference = core::array::from_fn(|k| middle[k] + unit * centroid[k]);
-        let sums = Sums::of(mesh, reference, unit);
+        let sums = ShellSums::of(mesh, reference, unit);
         let (area, rest) = (sums.area(), sums.centroid());
         let in_plane = (sums.second() * (1.0 / (12.0 * area)) - Symmetric3::outer(rest)) * unit * unit;
         let across = sums.normals() * (thickness / area * (thickness / 12.0));
@@ -81,9 +81,9 @@ impl Shape for MeshShell {
 }
 
 /// Sums over the triangles, in powers of the unit of length: area, area · s (3), area · (a aᵀ + … + s sᵀ) (6), area · n nᵀ (6).
-struct Sums([Double; 16]);
+struct ShellSums([Double; 16]);
 
-impl Sums {
+impl ShellSums {
     fn of(mesh: &TriangleMesh, reference: [f64; 3], unit: f64) -> Self {
         let per_unit = 1.0 / unit;
         let mut sums = [Double::default(); 16];

@@ -3,7 +3,7 @@
 use crate::math::double::Double;
 use crate::math::number::PI;
 
-use super::incomplete::{Kind, Legs};
+use super::incomplete::{IntegralKind, Legs};
 use super::{EllipticError, EllipticParameter};
 
 impl EllipticParameter {
@@ -11,7 +11,7 @@ impl EllipticParameter {
     ///
     /// Source: DLMF 19.2.8, 19.8.5.
     pub fn k(&self) -> f64 {
-        self.complete(Kind::First).value()
+        self.complete(IntegralKind::First).value()
     }
 
     /// E(m) = ∫₀^{π/2} √(1 − m sin²t) dt, the complete integral of the second kind.
@@ -25,7 +25,7 @@ impl EllipticParameter {
     ///
     /// Source: DLMF 19.2.8, 19.25.1.
     pub fn e(&self) -> f64 {
-        self.complete(Kind::Second).value()
+        self.complete(IntegralKind::Second).value()
     }
 
     /// Π(n | m) = ∫₀^{π/2} dt / ((1 − n sin²t) √(1 − m sin²t)), the complete integral of the third kind; infinite at m = 1.
@@ -36,15 +36,15 @@ impl EllipticParameter {
     ///
     /// Source: DLMF 19.2.8, 19.25.2, with α² = n.
     pub fn pi(&self, n: f64) -> Result<f64, EllipticError> {
-        Ok(self.complete(Kind::third(n)?).value())
+        Ok(self.complete(IntegralKind::third(n)?).value())
     }
 
     /// In two words.
-    pub(super) fn complete(&self, kind: Kind) -> Double {
+    pub(super) fn complete(&self, kind: IntegralKind) -> Double {
         match kind {
-            Kind::Second if self.is_hyperbolic() => Double::ONE,
+            IntegralKind::Second if self.is_hyperbolic() => Double::ONE,
             _ if self.is_hyperbolic() => Double::from(f64::INFINITY),
-            Kind::First => Double::ONE / self.inverse_k.double(),
+            IntegralKind::First => Double::ONE / self.inverse_k.double(),
             _ => Legs::new(self, kind, Double::ONE, Double::default()).integral(self, kind),
         }
     }

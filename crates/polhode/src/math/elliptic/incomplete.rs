@@ -30,7 +30,7 @@ impl EllipticParameter {
     ///
     /// Source: DLMF 19.2.4.
     pub fn incomplete_f(&self, phi: f64) -> f64 {
-        self.incomplete(Kind::First, phi)
+        self.incomplete(IntegralKind::First, phi)
     }
 
     /// E(φ | m) = ∫₀^φ √(1 − m sin²t) dt, the integral of the second kind, for any real φ in rad.
@@ -39,7 +39,7 @@ impl EllipticParameter {
     ///
     /// Source: DLMF 19.2.5.
     pub fn incomplete_e(&self, phi: f64) -> f64 {
-        self.incomplete(Kind::Second, phi)
+        self.incomplete(IntegralKind::Second, phi)
     }
 
     /// Π(n; φ | m) = ∫₀^φ dt / ((1 − n sin²t) √(1 − m sin²t)), the integral of the third kind, for any real φ in rad.
@@ -51,10 +51,10 @@ impl EllipticParameter {
     ///
     /// Source: DLMF 19.2.7, with α² = n.
     pub fn incomplete_pi(&self, n: f64, phi: f64) -> Result<f64, EllipticError> {
-        Ok(self.incomplete(Kind::third(n)?, phi))
+        Ok(self.incomplete(IntegralKind::third(n)?, phi))
     }
 
-    fn incomplete(&self, kind: Kind, phi: f64) -> f64 {
+    fn incomplete(&self, kind: IntegralKind, phi: f64) -> f64 {
         // φ + (m + 2n) φ³/6 + …
         if !phi.is_finite() || phi.abs() * self.largest(kind).sqrt() < 1e-9 {
             return phi;
@@ -66,21 +66,21 @@ impl EllipticParameter {
     }
 
     /// The largest of 1, m₁ and 1 − n.
-    fn largest(&self, kind: Kind) -> f64 {
-        let n = if let Kind::Third { n } = kind { n } else { 0.0 };
+    fn largest(&self, kind: IntegralKind) -> f64 {
+        let n = if let IntegralKind::Third { n } = kind { n } else { 0.0 };
         self.complement().max(1.0 - n).max(1.0)
     }
 }
 
 /// The three kinds of integrals.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Kind {
+pub(super) enum IntegralKind {
     First,
     Second,
     Third { n: f64 },
 }
 
-impl Kind {
+impl IntegralKind {
     pub(super) fn third(n: f64) -> Result<Self, EllipticError> {
         if n.is_finite() && n < 1.0 {
             Ok(Self::Third { n })
@@ -105,7 +105,7 @@ pub(super) struct Legs {
 }
 
 impl Legs {
-    pub(super) fn new(parameter: &EllipticParameter, kind: Kind, sin: Double, cos: Double) -> Self {
+    pub(super) fn new(parameter: &EllipticParameter, kind: IntegralKind, sin: Double, cos: Double) -> Self {
         let unit = if parameter.largest(kind) > HUGE { SMALL_UNIT } else { 1.0 };
         let (s, c) = (sin.scaled(unit), cos.scaled(unit));
         // Δ² = c² + m₁ s²
@@ -113,15 +113,15 @@ impl Legs {
         Self { s, c, delta, unit }
     }
 
-    pub(super) fn integral(&self, parameter: &EllipticParameter, kind: Kind) -> Double {
+    pub(super) fn integral(&self, parameter: &EllipticParameter, kind: IntegralKind) -> Double {
         let m = parameter.m;
         let one = Double::from(self.unit);
         let first = || rf([self.c, self.delta, one]);
         self.s
             * match kind {
-                Kind::First => first(),
-                Kind::Second => first() + self.weighted_rj(-m, one),
-                Kind::Third { n } if n < -1.0 && 0.25 * n < m.high => {
+                IntegralKind::First => first(),
+                IntegralKind::Second => first() + self.weighted_rj(-m, one),
+                IntegralKind::Third { n } if n < -1.0 && 0.25 * n < m.high => {
                     // m/n, in a scale in which neither is too large
                     let ratio = m.scaled(TINY) / Double::from(n * TINY);
                     let p = self.one_minus(Double::sum(1.0, -n));
@@ -130,7 +130,7 @@ impl Legs {
                     rc((self.c * self.delta).scaled(scale), (p * q).scaled(scale))
                         + self.weighted_rj(-ratio, q)
                 }
-                Kind::Third { n } => {
+                IntegralKind::Third { n } => {
                     first() + self.weighted_rj(Double::from(n), self.one_minus(Double::sum(1.0, -n)))
                 }
             }

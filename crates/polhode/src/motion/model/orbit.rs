@@ -7,7 +7,7 @@
 use super::orbital_elements::{Anomaly, OrbitalElements};
 use crate::math::double::Double;
 use crate::math::frame::Space;
-use crate::math::kepler::{Conic, Place};
+use crate::math::kepler::{Conic, OrbitalPoint};
 use crate::math::rotation::Rotation;
 use crate::math::vector::{Direction, Position, Vector, Velocity, quantity::Number};
 use crate::motion::error::MotionError;
@@ -228,14 +228,14 @@ impl Orbit {
 
     /// Both at once, which costs no more than one.
     pub(crate) fn position_and_velocity(&self, time: f64) -> (Position<Space>, Velocity<Space>) {
-        let Place { position, velocity } = self.place(time);
+        let OrbitalPoint { position, velocity } = self.place(time);
         (self.in_space(position) * self.periapsis, self.in_space(velocity) * (self.periapsis / self.unit))
     }
 
     /// On a circle, the direction towards the body, and its rate, rad/s.
     #[inline]
     pub(crate) fn around(&self, time: f64) -> [Direction<Space>; 2] {
-        let Place { position, velocity } = self.place(time);
+        let OrbitalPoint { position, velocity } = self.place(time);
         [self.in_space(position), self.in_space(velocity) * (1.0 / self.unit)]
     }
 
@@ -283,7 +283,7 @@ impl Orbit {
         }
     }
 
-    fn place(&self, time: f64) -> Place {
+    fn place(&self, time: f64) -> OrbitalPoint {
         self.conic.at(match self.clock {
             Clock::Open { epoch, since } => since + (time - epoch) / self.unit,
             Clock::Closed { epoch, anomaly, rate } => {

@@ -91,10 +91,10 @@ impl<'a> EventDetector<'a> {
         let mut found = Vec::new();
         for (index, (event, side)) in self.events.iter().zip(&mut self.sides).enumerate() {
             let gap = |state: &State| event.gap(self.rotor, self.torques, state);
-            let nodes: Vec<Node> = places
+            let nodes: Vec<EventSample> = places
                 .iter()
                 .zip(&states)
-                .map(|(times, [a, b])| Node::of(*times, [gap(a), gap(b)]))
+                .map(|(times, [a, b])| EventSample::of(*times, [gap(a), gap(b)]))
                 .collect();
             for (time, rising) in crossings(&nodes, side, &|time| gap(&at(time)).gap) {
                 if event.sense().takes(rising) && !gap(&at(time)).is_opposite {
@@ -109,7 +109,7 @@ impl<'a> EventDetector<'a> {
 
 /// A function at one time.
 #[derive(Clone, Copy, Debug)]
-struct Node {
+struct EventSample {
     time: f64,
     gap: f64,
     slope: f64,
@@ -117,7 +117,7 @@ struct Node {
     is_at: bool,
 }
 
-impl Node {
+impl EventSample {
     fn of([time, beside]: [f64; 2], [here, there]: [Gap; 2]) -> Self {
         let slope = (there.gap - here.gap) / (beside - time);
         Self { time, gap: here.gap, slope, is_at: here.may_be_zero() }
@@ -125,7 +125,7 @@ impl Node {
 }
 
 /// Where a function changes its sign, and whether it rises there; `side` is that of the first node, and becomes that of the last.
-fn crossings(nodes: &[Node], side: &mut Side, gap_at: &dyn Fn(f64) -> f64) -> Vec<(f64, bool)> {
+fn crossings(nodes: &[EventSample], side: &mut Side, gap_at: &dyn Fn(f64) -> f64) -> Vec<(f64, bool)> {
     let mut found = Vec::new();
     // The last time at which the function was on its side for certain.
     let Some(mut since) = nodes.first().map(|node| node.time) else { return found };
@@ -161,7 +161,7 @@ fn zero(f: &dyn Fn(f64) -> f64, bracket: [f64; 2]) -> f64 {
 }
 
 /// True if a function of this sign at two nodes can have been zero between them: it turns back, and its tangents meet beyond zero.
-fn turning(left: &Node, right: &Node, sign: f64) -> bool {
+fn turning(left: &EventSample, right: &EventSample, sign: f64) -> bool {
     let ([a, b], [slope_a, slope_b]) =
         ([left, right].map(|n| sign * n.gap), [left, right].map(|n| sign * n.slope));
     if !(a > 0.0 && b > 0.0 && slope_a < 0.0 && slope_b > 0.0) {

@@ -48,7 +48,7 @@ pub struct PendulumMotion {
     modulus: Double,
     /// x₀, signed as the motion where it goes round.
     phase: Double,
-    kind: Kind,
+    kind: PendulumRegime,
     parameter: EllipticParameter,
     /// Not at rest, and not on the separatrix.
     kernel: Option<Kernel>,
@@ -72,12 +72,12 @@ impl Kernel {
         let [sn, cn, dn] = lattice.quotients();
         let (k, fastest) = (motion.modulus.value(), motion.fastest().value());
         let (half, rate) = match motion.kind {
-            Kind::Round { sign } => ([cn, sign * sn], sign * fastest * dn),
+            PendulumRegime::Round { sign } => ([cn, sign * sn], sign * fastest * dn),
             _ => ([dn, k * sn], fastest * cn),
         };
         let quarter = motion.parameter.quarter();
         let angle = Angle::of(motion.argument_rate() / quarter, motion.phase / quarter);
-        Self { lattice, angle, half, rate, is_round: matches!(motion.kind, Kind::Round { .. }) }
+        Self { lattice, angle, half, rate, is_round: matches!(motion.kind, PendulumRegime::Round { .. }) }
     }
 
     /// cos ½θ + i sin ½θ and the rate after a time.
@@ -104,7 +104,7 @@ impl Kernel {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Kind {
+enum PendulumRegime {
     /// Suspension, or exactly upside down.
     Still,
     Oscillation,
@@ -130,7 +130,13 @@ impl PendulumMotion {
         let motion = Self::of_half_angle(Double::from(frequency), half, Double::from(rate));
         // Half of π in two words is not π: the double nearest to it is as near to upside down as an angle can be said.
         if rate == 0.0 && angle.abs() == PI {
-            return Ok(Self { start: (angle, rate), turns, kind: Kind::Still, kernel: None, ..motion });
+            return Ok(Self {
+                start: (angle, rate),
+                turns,
+                kind: PendulumRegime::Still,
+                kernel: None,
+                ..motion
+            });
         }
         Ok(Self { start: (angle, rate), turns, ..motion })
     }
@@ -147,7 +153,7 @@ impl PendulumMotion {
             turns: Double::default(),
             modulus,
             phase: Double::default(),
-            kind: Kind::Still,
+            kind: PendulumRegime::Still,
             parameter: EllipticParameter::of(Double::ONE, Double::default()),
             kernel: None,
         };
@@ -155,12 +161,12 @@ impl PendulumMotion {
             return motion;
         }
         if rest.high > 0.0 {
-            motion.kind = Kind::Oscillation;
+            motion.kind = PendulumRegime::Oscillation;
             motion.parameter = EllipticParameter::of(modulus.square(), rest);
             motion.phase = motion.parameter.first(s / modulus, r / modulus);
         } else {
             let sign = 1.0_f64.copysign(rate.high);
-            motion.kind = Kind::Round { sign };
+            motion.kind = PendulumRegime::Round { sign };
             let k2 = modulus.square();
             motion.parameter = EllipticParameter::of(Double::ONE / k2, -rest / k2);
             motion.phase = motion.parameter.first(s, c).scaled(sign);
@@ -198,7 +204,7 @@ impl PendulumMotion {
         match (&self.kernel, self.kind) {
             (Some(kernel), _) => kernel.at(elapsed),
             // On the separatrix ½θ = ± gd x,  θ̇ = ± 2ω₀ sech x
-            (None, Kind::Round { sign }) => {
+            (None, PendulumRegime::Round { sign }) => {
                 let x = self.phase + self.argument_rate() * elapsed.double();
                 let decay = libm::exp(-x.value().abs());
                 let sech = 2.0 * decay / (1.0 + decay * decay);
@@ -214,7 +220,7 @@ impl PendulumMotion {
 
     /// Suspension, or exactly upside down.
     pub(super) fn is_still(&self) -> bool {
-        self.kind == Kind::Still
+        self.kind == PendulumRegime::Still
     }
 
     /// What is evaluated; none at rest and on the separatrix.
@@ -224,7 +230,7 @@ impl PendulumMotion {
 
     /// x = x₀ + this · t
     fn argument_rate(&self) -> Double {
-        let is_round = matches!(self.kind, Kind::Round { .. });
+        let is_round = matches!(self.kind, PendulumRegime::Round { .. });
         if is_round { self.modulus * self.frequency } else { self.frequency }
     }
 
@@ -232,7 +238,7 @@ impl PendulumMotion {
     /// next to the separatrix. Whether it is on the separatrix two words decide.
     pub fn reach(&self) -> f64 {
         let half_period = self.parameter.quarter().value() / self.argument_rate().value();
-        if self.kind == Kind::Still || !half_period.is_finite() {
+        if self.kind == PendulumRegime::Still || !half_period.is_finite() {
             return f64::MAX;
         }
         // K ≈ ½ ln(16/(1 − m)), and 1 − m is a difference of squares near 1
@@ -248,9 +254,9 @@ impl PendulumMotion {
     /// The period of an oscillation, or the time of one turn, s; `None` for a pendulum that stands still or never returns.
     pub fn period(&self) -> Option<f64> {
         let (quarters, rate) = match self.kind {
-            Kind::Still => return None,
-            Kind::Oscillation => (4.0, Double::ONE),
-            Kind::Round { .. } => (2.0, self.modulus),
+            PendulumRegime::Still => return None,
+            PendulumRegime::Oscillation => (4.0, Double::ONE),
+            PendulumRegime::Round { .. } => (2.0, self.modulus),
         };
         let period = self.parameter.quarter().scaled(quarters) / (rate * self.frequency);
         Some(period.value()).filter(|period| period.is_finite())

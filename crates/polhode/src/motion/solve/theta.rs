@@ -28,11 +28,11 @@ pub(super) struct Lattice {
     scale: Double,
     /// m₁, for the shifts.
     complementary: EllipticParameter,
-    series: Series,
+    series: ThetaSeries,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Series {
+enum ThetaSeries {
     /// By q.
     Trigonometric { nome: f64 },
     /// By Q; y is `stretch` times the quarter turns of z.
@@ -41,7 +41,7 @@ enum Series {
 
 /// z as the series take it.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Place<T> {
+pub(super) enum SeriesArgument<T> {
     /// cos z and sin z; C = 2 cos 2z and sin 2z.
     Trigonometric { cos: T, sin: T, c: T, s: T },
     /// x = e^−2|y| and its root, w = Q/x; the sign of y, and that of cos z for |y| counted over several periods.
@@ -79,10 +79,10 @@ impl Lattice {
         let ratio = complementary.quarter() / parameter.quarter();
         let nome = exp_minus(half_turn() * ratio);
         let series = if nome <= BALANCE {
-            Series::Trigonometric { nome }
+            ThetaSeries::Trigonometric { nome }
         } else {
             let stretch = (quarter_turn() / ratio).value();
-            Series::Hyperbolic { nome: exp_minus(half_turn() / ratio), stretch }
+            ThetaSeries::Hyperbolic { nome: exp_minus(half_turn() / ratio), stretch }
         };
         Self { ratio, scale: quarter_turn() / parameter.quarter(), complementary, series }
     }
@@ -102,14 +102,14 @@ impl Lattice {
     pub(super) fn shifted(&self, w: Double, is_even: bool, is_conjugate: bool) -> Shifted {
         let sign = if is_conjugate { -1.0 } else { 1.0 };
         match self.series {
-            Series::Trigonometric { nome } => {
+            ThetaSeries::Trigonometric { nome } => {
                 let [s, r] = [w, self.largest_shift() - w].map(|w| exp_minus(w.scaled(2.0)));
                 Shifted {
                     coefficients: trigonometric(nome, [s, r], if is_even { 1.0 } else { -1.0 }, sign),
                     bend: 0.0,
                 }
             }
-            Series::Hyperbolic { nome, .. } => {
+            ThetaSeries::Hyperbolic { nome, .. } => {
                 let b = ((self.largest_shift() - w) / self.ratio / quarter_turn()).value();
                 Shifted { coefficients: hyperbolic(nome, b, is_even, sign), bend: -sign * b }
             }
@@ -118,19 +118,19 @@ impl Lattice {
 
     /// z, in quarter turns.
     #[inline(always)]
-    pub(super) fn place<T: Splat>(&self, z: Phase<T>) -> Place<T> {
+    pub(super) fn place<T: Splat>(&self, z: Phase<T>) -> SeriesArgument<T> {
         match self.series {
-            Series::Trigonometric { .. } => {
+            ThetaSeries::Trigonometric { .. } => {
                 let (sin, cos) = sin_cos_quarters(z.quarters, z.rest);
                 let product = cos * sin;
-                Place::Trigonometric {
+                SeriesArgument::Trigonometric {
                     cos,
                     sin,
                     c: T::splat(2.0) * (cos * cos - sin * sin),
                     s: product + product,
                 }
             }
-            Series::Hyperbolic { nome, stretch } => {
+            ThetaSeries::Hyperbolic { nome, stretch } => {
                 // z = ½π (x + 2N), |x| ≤ 1
                 let is_odd = |quarters: f64| quarters.to_bits() & 1 == 1;
                 let quarters = z.rest.zip(z.quarters, |rest, quarters| {
@@ -146,7 +146,7 @@ impl Lattice {
                 let far = T::splat(nome.sqrt()) * rise;
                 let choose = |quarters: f64, a: f64, b: f64| if is_odd(quarters) { b } else { a };
                 let (root, other) = (z.quarters.zip3(near, far, choose), z.quarters.zip3(far, near, choose));
-                Place::Hyperbolic {
+                SeriesArgument::Hyperbolic {
                     root,
                     x: root * root,
                     w: other * other,
@@ -160,10 +160,10 @@ impl Lattice {
 
     /// e^2ikz
     #[inline(always)]
-    pub(super) fn power<T: Splat>(&self, place: &Place<T>, k: i8) -> Complex<T> {
+    pub(super) fn power<T: Splat>(&self, place: &SeriesArgument<T>, k: i8) -> Complex<T> {
         let first = match *place {
-            Place::Trigonometric { c, s, .. } => Complex { re: T::splat(0.5) * c, im: s },
-            Place::Hyperbolic { quarters, .. } => unit_of_quarters(T::splat(2.0) * quarters),
+            SeriesArgument::Trigonometric { c, s, .. } => Complex { re: T::splat(0.5) * c, im: s },
+            SeriesArgument::Hyperbolic { quarters, .. } => unit_of_quarters(T::splat(2.0) * quarters),
         };
         let first = if k < 0 { first.conjugate() } else { first };
         if k.abs() > 1 { first.times(first) } else { first }
@@ -171,16 +171,19 @@ impl Lattice {
 
     /// θ₁, θ₂ and θ₃ of z, but for constants: over θ₄ they are sn, cn and dn.
     #[inline(always)]
-    pub(super) fn numerators<T: Splat>(&self, place: &Place<T>) -> [T; 3] {
+    pub(super) fn numerators<T: Splat>(&self, place: &SeriesArgument<T>) -> [T; 3] {
         match (self.series, *place) {
-            (Series::Trigonometric { nome }, Place::Trigonometric { cos, sin, c, .. }) => {
+            (ThetaSeries::Trigonometric { nome }, SeriesArgument::Trigonometric { cos, sin, c, .. }) => {
                 let q2 = nome * nome;
                 let (q6, q12) = (q2 * q2 * q2, q2 * q2 * q2 * q2 * q2 * q2);
                 // Σ q^(n²+n) cos (2n+1)z / cos z; of −C that of ±sin (2n+1)z / sin z
                 let odd = [1.0 - q2 - q6 + q12, q2 - q6 - 2.0 * q12, q6 - q12, q12];
                 [sin * cubic(&odd, -c), cos * cubic(&odd, c), even_sum(nome, c)]
             }
-            (Series::Hyperbolic { nome, .. }, Place::Hyperbolic { root, x, w, sign, turned, .. }) => {
+            (
+                ThetaSeries::Hyperbolic { nome, .. },
+                SeriesArgument::Hyperbolic { root, x, w, sign, turned, .. },
+            ) => {
                 let q2 = nome * nome;
                 let q6 = q2 * q2 * q2;
                 // θ₄ and θ₃ of iy: 1 + Σ (∓1)ⁿ (Q^(n²−n) Wⁿ + Q^(n²) Xⁿ)
@@ -204,10 +207,14 @@ impl Lattice {
 
     /// θ₄(z), as N has its constant and its scale.
     #[inline(always)]
-    pub(super) fn denominator<T: Splat>(&self, place: &Place<T>) -> T {
+    pub(super) fn denominator<T: Splat>(&self, place: &SeriesArgument<T>) -> T {
         match (self.series, *place) {
-            (Series::Trigonometric { nome }, Place::Trigonometric { c, .. }) => even_sum(nome, -c),
-            (Series::Hyperbolic { nome, .. }, Place::Hyperbolic { x, w, .. }) => odd_sum(nome, x, w, 1.0),
+            (ThetaSeries::Trigonometric { nome }, SeriesArgument::Trigonometric { c, .. }) => {
+                even_sum(nome, -c)
+            }
+            (ThetaSeries::Hyperbolic { nome, .. }, SeriesArgument::Hyperbolic { x, w, .. }) => {
+                odd_sum(nome, x, w, 1.0)
+            }
             _ => T::splat(f64::NAN),
         }
     }
@@ -265,15 +272,15 @@ fn hyperbolic(q: f64, b: f64, is_even: bool, sign: f64) -> Coefficients {
 impl Shifted {
     /// N(z).
     #[inline(always)]
-    pub(super) fn at<T: Splat>(&self, place: &Place<T>) -> Complex<T> {
+    pub(super) fn at<T: Splat>(&self, place: &SeriesArgument<T>) -> Complex<T> {
         match (&self.coefficients, *place) {
-            (Coefficients::Trigonometric { real, imaginary }, Place::Trigonometric { c, s, .. }) => {
+            (Coefficients::Trigonometric { real, imaginary }, SeriesArgument::Trigonometric { c, s, .. }) => {
                 let c2 = c * c;
                 Complex { re: cubic(real, c) + (c2 * c2) * T::splat(real[4]), im: s * cubic(imaginary, c) }
             }
             (
                 Coefficients::Hyperbolic { rising, falling, is_even },
-                Place::Hyperbolic { root, x, w, sign, .. },
+                SeriesArgument::Hyperbolic { root, x, w, sign, .. },
             ) => {
                 let one = T::splat(1.0);
                 let (all, second) = if *is_even { (root, one) } else { (one, x) };
@@ -288,10 +295,10 @@ impl Shifted {
 
     /// The quarter turns that N's phase has besides, where z is.
     #[inline(always)]
-    pub(super) fn bend_at<T: Splat>(&self, place: &Place<T>) -> T {
+    pub(super) fn bend_at<T: Splat>(&self, place: &SeriesArgument<T>) -> T {
         match *place {
-            Place::Trigonometric { .. } => T::splat(0.0),
-            Place::Hyperbolic { quarters, .. } => T::splat(self.bend) * quarters,
+            SeriesArgument::Trigonometric { .. } => T::splat(0.0),
+            SeriesArgument::Hyperbolic { quarters, .. } => T::splat(self.bend) * quarters,
         }
     }
 }

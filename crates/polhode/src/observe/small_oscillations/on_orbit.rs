@@ -68,7 +68,7 @@ impl OrbitalEquilibrium {
         torques: &[TorqueModel],
         start: State,
     ) -> Result<Option<Vec<Self>>, MotionError> {
-        let Some(frame) = Frame::of(torques, start.time) else { return Ok(None) };
+        let Some(frame) = OrbitFrame::of(torques, start.time) else { return Ok(None) };
         let principal: Rotation<Principal, Body> = rotor.principal().rotation().inverse();
         let seeds = arrangements().map(|axes: Rotation<Space, Principal>| frame.axes * (axes * principal));
         let (mut found, mut last): (Vec<Self>, _) = (Vec::new(), None);
@@ -92,7 +92,7 @@ impl OrbitalEquilibrium {
         }
     }
 
-    fn of(rotor: &Rotor, frame: &Frame, state: State) -> Self {
+    fn of(rotor: &Rotor, frame: &OrbitFrame, state: State) -> Self {
         let orbit = |x: f64, y: f64, z: f64| {
             state.attitude.inverse() * (frame.axes * Direction::<Space>::new(x, y, z))
         };
@@ -112,14 +112,14 @@ impl OrbitalEquilibrium {
 }
 
 /// The orbit's axes at one time, and how they turn.
-struct Frame {
+struct OrbitFrame {
     /// Turns x, y, z to the radius, the flight and the normal.
     axes: Rotation<Space, Space>,
     /// n along the normal.
     omega: AngularVelocity<Space>,
 }
 
-impl Frame {
+impl OrbitFrame {
     fn of(torques: &[TorqueModel], time: f64) -> Option<Self> {
         let orbit: &Orbit = torques.iter().find_map(|torque| match torque.acting(time) {
             Some(TorqueModel::GravityGradient(gradient)) if gradient.orbit.is_circular() => {

@@ -73,7 +73,7 @@ impl AttitudeTable {
             let spline = Spline::through(times, rows, degree)?;
             Some(move |t: f64| {
                 let (attitude, omega, acceleration) = quaternion::kinematics(spline.at(t))?;
-                Some(Point { attitude, omega, acceleration })
+                Some(TablePoint { attitude, omega, acceleration })
             })
         };
         let uncertainty = Uncertainty::of(times, &quaternions, curve);
@@ -108,7 +108,7 @@ pub(super) fn rates(times: &[f64], rows: &[[f64; 3]]) -> Result<(Rates, [f64; 2]
         let spline = Spline::through(times, rows, degree)?;
         Some(move |t: f64| {
             let [omega, rate, _] = spline.at(t);
-            Some(Point {
+            Some(TablePoint {
                 attitude: Attitude::identity(),
                 omega: AngularVelocity::from_array(omega),
                 acceleration: AngularAcceleration::from_array(rate),
@@ -123,7 +123,7 @@ pub(super) fn rates(times: &[f64], rows: &[[f64; 3]]) -> Result<(Rates, [f64; 2]
 }
 
 /// A motion at one time, for comparison.
-struct Point {
+struct TablePoint {
     attitude: Attitude,
     omega: AngularVelocity<Body>,
     acceleration: AngularAcceleration<Body>,
@@ -131,7 +131,7 @@ struct Point {
 
 impl Uncertainty {
     /// From the curves of two degrees through all rows, and through every second one.
-    fn of<const N: usize, F: Fn(f64) -> Option<Point>>(
+    fn of<const N: usize, F: Fn(f64) -> Option<TablePoint>>(
         times: &[f64],
         rows: &[[f64; N]],
         curve: impl Fn(&[f64], &[[f64; N]], usize) -> Option<F>,
@@ -149,7 +149,11 @@ impl Uncertainty {
         all
     }
 
-    fn between<F: Fn(f64) -> Option<Point>>(times: &[f64], better: Option<&F>, worse: Option<&F>) -> Self {
+    fn between<F: Fn(f64) -> Option<TablePoint>>(
+        times: &[f64],
+        better: Option<&F>,
+        worse: Option<&F>,
+    ) -> Self {
         let mut most =
             Self { attitude: 0.0, omega: 0.0, acceleration: 0.0, relative: 0.0, time: 0.0, is_noisy: false };
         let mut scale = 0.0_f64;

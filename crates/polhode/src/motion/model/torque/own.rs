@@ -18,14 +18,14 @@ use crate::motion::model::state::State;
 #[derive(Clone)]
 pub struct OwnTorque {
     name: &'static str,
-    kind: Kind,
+    kind: OwnLaw,
 }
 
 type Function = dyn Fn(&Rotor, &State) -> Torque<Body> + Send + Sync;
 
 /// What it is given by.
 #[derive(Clone)]
-enum Kind {
+enum OwnLaw {
     Law { law: Arc<dyn AnyLaw + Send + Sync>, is_smooth: bool },
     Function(Arc<Function>),
 }
@@ -34,14 +34,14 @@ impl OwnTorque {
     pub(super) fn law(name: &'static str, law: impl Law + fmt::Debug + Send + Sync + 'static) -> Self {
         let law = Arc::new(law);
         let is_smooth = !is_rough(law.as_ref());
-        Self { name, kind: Kind::Law { law, is_smooth } }
+        Self { name, kind: OwnLaw::Law { law, is_smooth } }
     }
 
     pub(super) fn function(
         name: &'static str,
         torque: impl Fn(&Rotor, &State) -> Torque<Body> + Send + Sync + 'static,
     ) -> Self {
-        Self { name, kind: Kind::Function(Arc::new(torque)) }
+        Self { name, kind: OwnLaw::Function(Arc::new(torque)) }
     }
 
     /// What the user calls it.
@@ -54,22 +54,22 @@ impl OwnTorque {
 impl AnyLaw for OwnTorque {
     fn value(&self, rotor: &Rotor, state: &State) -> Torque<Body> {
         match &self.kind {
-            Kind::Law { law, .. } => law.value(rotor, state),
-            Kind::Function(torque) => torque(rotor, state),
+            OwnLaw::Law { law, .. } => law.value(rotor, state),
+            OwnLaw::Function(torque) => torque(rotor, state),
         }
     }
 
     fn polynomial(&self, unknowns: &Unknowns<'_>) -> PolynomialVector {
         match &self.kind {
-            Kind::Law { law, .. } => law.polynomial(unknowns),
-            Kind::Function(_) => PolynomialVector::NONE,
+            OwnLaw::Law { law, .. } => law.polynomial(unknowns),
+            OwnLaw::Function(_) => PolynomialVector::NONE,
         }
     }
 
     fn record<'r>(&self, recorder: &Recorder<'r>) -> VectorNode<'r> {
         match &self.kind {
-            Kind::Law { law, .. } => law.record(recorder),
-            Kind::Function(_) => recorder.rough(),
+            OwnLaw::Law { law, .. } => law.record(recorder),
+            OwnLaw::Function(_) => recorder.rough(),
         }
     }
 }
@@ -81,9 +81,9 @@ impl Model for OwnTorque {
 
     fn roughness(&self) -> Option<&'static str> {
         match self.kind {
-            Kind::Law { is_smooth: true, .. } => None,
-            Kind::Law { is_smooth: false, .. } => Some("a function with a corner or a jump"),
-            Kind::Function(_) => Some("a function that is not written as a law"),
+            OwnLaw::Law { is_smooth: true, .. } => None,
+            OwnLaw::Law { is_smooth: false, .. } => Some("a function with a corner or a jump"),
+            OwnLaw::Function(_) => Some("a function that is not written as a law"),
         }
     }
 
@@ -108,8 +108,8 @@ fn is_rough(law: &dyn AnyLaw) -> bool {
 impl fmt::Debug for OwnTorque {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match &self.kind {
-            Kind::Law { law, .. } => write!(f, "{}: {law:?}", self.name),
-            Kind::Function(_) => write!(f, "{}: a function", self.name),
+            OwnLaw::Law { law, .. } => write!(f, "{}: {law:?}", self.name),
+            OwnLaw::Function(_) => write!(f, "{}: a function", self.name),
         }
     }
 }
@@ -118,8 +118,8 @@ impl fmt::Debug for OwnTorque {
 impl PartialEq for OwnTorque {
     fn eq(&self, other: &Self) -> bool {
         match (&self.kind, &other.kind) {
-            (Kind::Law { law: a, .. }, Kind::Law { law: b, .. }) => Arc::ptr_eq(a, b),
-            (Kind::Function(a), Kind::Function(b)) => Arc::ptr_eq(a, b),
+            (OwnLaw::Law { law: a, .. }, OwnLaw::Law { law: b, .. }) => Arc::ptr_eq(a, b),
+            (OwnLaw::Function(a), OwnLaw::Function(b)) => Arc::ptr_eq(a, b),
             _ => false,
         }
     }

@@ -14,10 +14,10 @@ use crate::motion::model::require;
 /// # Ok::<(), polhode::motion::MotionError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Schedule(Kind);
+pub struct Schedule(ScheduleKind);
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Kind {
+enum ScheduleKind {
     /// From one time to another; either may be infinite.
     Window { from: f64, until: f64 },
     /// Pulses with gaps between them: 0 < width < period.
@@ -32,7 +32,7 @@ impl Schedule {
     pub fn window(from: f64, until: f64) -> Result<Self, MotionError> {
         let rule = "after the time from which it acts";
         require::that("the time until which a torque acts", until, from < until, rule)?;
-        Ok(Self(Kind::Window { from, until }))
+        Ok(Self(ScheduleKind::Window { from, until }))
     }
 
     /// A train of pulses, the first from `first` on (s): `width` (s) of every `period` (s), `count` times, or for ever.
@@ -58,30 +58,30 @@ impl Schedule {
             let until = count.map_or(f64::INFINITY, |count| train.begin(count as f64));
             return Self::window(first, until);
         }
-        Ok(Self(Kind::Pulses { first, width, period, count }))
+        Ok(Self(ScheduleKind::Pulses { first, width, period, count }))
     }
 
     /// Its window, from and until, s; `None` if it is a train of pulses.
     pub const fn as_window(&self) -> Option<[f64; 2]> {
         match self.0 {
-            Kind::Window { from, until } => Some([from, until]),
-            Kind::Pulses { .. } => None,
+            ScheduleKind::Window { from, until } => Some([from, until]),
+            ScheduleKind::Pulses { .. } => None,
         }
     }
 
     /// The first time, the width and the period of its pulses, s, and how many there are, if they end; `None` if it is a window.
     pub const fn as_pulses(&self) -> Option<([f64; 3], Option<u64>)> {
         match self.0 {
-            Kind::Pulses { first, width, period, count } => Some(([first, width, period], count)),
-            Kind::Window { .. } => None,
+            ScheduleKind::Pulses { first, width, period, count } => Some(([first, width, period], count)),
+            ScheduleKind::Window { .. } => None,
         }
     }
 
     /// Does it act at this time?
     pub fn is_on(&self, time: f64) -> bool {
         match self.0 {
-            Kind::Window { from, until } => from <= time && time < until,
-            Kind::Pulses { first, width, period, count } => {
+            ScheduleKind::Window { from, until } => from <= time && time < until,
+            ScheduleKind::Pulses { first, width, period, count } => {
                 let train = Train { first, width, period, count };
                 train.pulse(time).is_some_and(|k| time < train.begin(k) + width)
             }
@@ -92,8 +92,8 @@ impl Schedule {
     pub fn next_change(&self, time: f64) -> f64 {
         let later = |change: f64| if change > time { change } else { f64::INFINITY };
         match self.0 {
-            Kind::Window { from, until } => later(from).min(later(until)),
-            Kind::Pulses { first, width, period, count } => {
+            ScheduleKind::Window { from, until } => later(from).min(later(until)),
+            ScheduleKind::Pulses { first, width, period, count } => {
                 let train = Train { first, width, period, count };
                 let Some(k) = train.pulse(time) else { return later(first) };
                 let end = later(train.begin(k) + width);
@@ -110,8 +110,8 @@ impl Schedule {
     /// How many pulses begin after a time and no later than another; none of a window.
     pub(crate) fn pulses_between(&self, from: f64, to: f64) -> f64 {
         match self.0 {
-            Kind::Window { .. } => 0.0,
-            Kind::Pulses { first, width, period, count } => {
+            ScheduleKind::Window { .. } => 0.0,
+            ScheduleKind::Pulses { first, width, period, count } => {
                 let train = Train { first, width, period, count };
                 let begun = |time: f64| train.pulse(time).map_or(0.0, |k| k + 1.0);
                 begun(to) - begun(from)
@@ -122,9 +122,9 @@ impl Schedule {
     /// For how long it has acted from t = 0 to a time, s; for times before 0, minus for how long it acts from then to 0.
     pub fn time_on(&self, time: f64) -> f64 {
         match self.0 {
-            Kind::Window { from, until } if time >= 0.0 => (time.min(until) - from.max(0.0)).max(0.0),
-            Kind::Window { from, until } => -(until.min(0.0) - from.max(time)).max(0.0),
-            Kind::Pulses { first, width, period, count } => {
+            ScheduleKind::Window { from, until } if time >= 0.0 => (time.min(until) - from.max(0.0)).max(0.0),
+            ScheduleKind::Window { from, until } => -(until.min(0.0) - from.max(time)).max(0.0),
+            ScheduleKind::Pulses { first, width, period, count } => {
                 let train = Train { first, width, period, count };
                 let ([k, part], [k0, part0]) = (train.progress(time), train.progress(0.0));
                 // Whole pulses are counted: nothing cancels, however many there were before 0.

@@ -36,7 +36,7 @@ impl Closed {
 pub(super) fn compute(portion: &mut Portion<'_>, times: &[f64], tolerance: f64, method: Method) {
     let (members, closed) = (portion.members, portion.closed);
     let mut states = Vec::new();
-    let mut kinds: Vec<(taylor::Kind, Vec<(usize, taylor::Body<'_>)>)> = Vec::new();
+    let mut kinds: Vec<(taylor::BatchKind, Vec<(usize, taylor::BatchBody<'_>)>)> = Vec::new();
     for (k, member) in members.iter().enumerate() {
         let Member { rotor, torques, start } = member;
         let anew = Closed::default();
@@ -46,7 +46,7 @@ pub(super) fn compute(portion: &mut Portion<'_>, times: &[f64], tolerance: f64, 
         if let Some(motion) = closed {
             states.resize(BATCH, *start);
             evaluate(portion, k, motion, times, &mut states);
-        } else if let Some(body) = in_lanes.then(|| taylor::Body::of(rotor, torques, *start)).flatten() {
+        } else if let Some(body) = in_lanes.then(|| taylor::BatchBody::of(rotor, torques, *start)).flatten() {
             let kind = body.kind(tolerance);
             match kinds.iter_mut().find(|(other, _)| *other == kind) {
                 Some((_, bodies)) => bodies.push((k, body)),
@@ -96,7 +96,7 @@ fn evaluate(portion: &mut Portion<'_>, k: usize, motion: &ClosedForm, times: &[f
 /// By Taylor's method, side by side.
 fn expand(
     portion: &mut Portion<'_>,
-    bodies: &[(usize, taylor::Body<'_>)],
+    bodies: &[(usize, taylor::BatchBody<'_>)],
     times: &[f64],
     tolerance: f64,
     states: &mut Vec<State>,

@@ -84,7 +84,7 @@ struct LongTimes {
 }
 
 /// A body's index, its motion, its compact and the third word of its precession.
-type Body<'a, N> = (usize, &'a FreeMotion, &'a CompactConstants<f64, N>, f64);
+type PreparedBody<'a, N> = (usize, &'a FreeMotion, &'a CompactConstants<f64, N>, f64);
 
 impl FreeMotions {
     /// The motions of a slice, in its order.
@@ -162,9 +162,9 @@ fn known(motion: &FreeMotion) -> f64 {
 }
 
 impl<N: ThetaParameters<Vectors>> SeriesBatch<N> {
-    fn of<F: ScalarThetaParameters<Of<Vectors> = N>>(bodies: &[Body<'_, F>]) -> Self {
+    fn of<F: ScalarThetaParameters<Of<Vectors> = N>>(bodies: &[PreparedBody<'_, F>]) -> Self {
         let plain = |motion: &FreeMotion| motion.start.time == 0.0 && motion.unit == 1.0;
-        let reach = |&(_, motion, compact, third): &Body<'_, F>| {
+        let reach = |&(_, motion, compact, third): &PreparedBody<'_, F>| {
             if plain(motion) { compact.flow(third).phase_rates.reach } else { -1.0 }
         };
         let in_order = bodies.iter().enumerate().all(|(k, body)| k == body.0);
@@ -275,7 +275,7 @@ impl<N: ThetaParameters<Vectors>> Stages<Vectors> for Group<'_, N> {
 }
 
 fn grouped<N: ScalarThetaParameters>(
-    bodies: &[Body<'_, N>],
+    bodies: &[PreparedBody<'_, N>],
 ) -> (CompactConstants<Vectors, N::Of<Vectors>>, LongTimes) {
     let body = |lane: usize| bodies[if lane < bodies.len() { lane } else { 0 }];
     let compact = CompactConstants::assembled(&|get: &dyn Fn(&CompactConstants<f64, N>) -> f64| {

@@ -10,7 +10,7 @@ use crate::math::rotation::Attitude;
 use crate::math::triple::Triple;
 
 use super::elements::Elements;
-use super::flow::{Curve, Flow, PhaseRates, Series, ToBodyMap, UnnormalisedState};
+use super::flow::{Flow, LabelledState, PhaseRates, Series, ToBodyMap, UnnormalisedState};
 use super::labelled::Labelled;
 use crate::motion::solve::phase::{Elapsed, Rate};
 
@@ -188,8 +188,8 @@ impl<T: Splat> Frequencies<T> {
 
 impl<T: Splat, N: ThetaParameters<T>> ThetaConstants<T, N> {
     #[inline(always)]
-    pub(super) fn curve(&self) -> Curve<T, N::Series> {
-        Curve { series: self.parameters.series(), direction: self.direction }
+    pub(super) fn curve(&self) -> LabelledState<T, N::Series> {
+        LabelledState { series: self.parameters.series(), direction: self.direction }
     }
 }
 

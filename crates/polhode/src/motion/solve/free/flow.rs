@@ -29,7 +29,7 @@ pub(super) struct Point<T> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Flow<T, S> {
     pub(super) phase_rates: PhaseRates<T>,
-    pub(super) curve: Curve<T, S>,
+    pub(super) curve: LabelledState<T, S>,
     pub(super) to_body: ToBodyMap<T>,
 }
 
@@ -48,7 +48,7 @@ pub(super) struct PhaseRates<T> {
 
 /// What makes a quaternion and ω of phases, in the labelled axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Curve<T, S> {
+pub(super) struct LabelledState<T, S> {
     pub(super) series: S,
     /// What makes theta functions the components of e.
     pub(super) direction: [T; 3],
@@ -186,7 +186,7 @@ impl<T: Splat, S: Series<T>> Stages<T> for &Flow<T, S> {
     }
 }
 
-impl<T: Splat, S: Series<T>> Curve<T, S> {
+impl<T: Splat, S: Series<T>> LabelledState<T, S> {
     #[inline(always)]
     pub(super) fn theta_argument(&self, phases: &Phases<T>) -> ThetaArgument<T> {
         let (place, bend) = self.series.place(phases.polhode);

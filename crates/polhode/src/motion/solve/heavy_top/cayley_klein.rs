@@ -41,7 +41,7 @@ enum Form {
 
 /// A value and its rate of change with x.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Jet {
+pub(super) struct QuaternionJet {
     pub(super) value: Complex<Double>,
     pub(super) rate: Complex<Double>,
 }
@@ -81,7 +81,7 @@ impl CayleyKlein {
     }
 
     /// Z at x, whose amplitude is `at`.
-    pub(super) fn at(&self, parameter: &EllipticParameter, x: Double, at: &Amplitude) -> Jet {
+    pub(super) fn at(&self, parameter: &EllipticParameter, x: Double, at: &Amplitude) -> QuaternionJet {
         let mut phase = self.linear * x;
         if !self.third.is_zero() {
             let turns = self.complete.scaled(2.0) * Double::from(at.half_turns);
@@ -89,11 +89,11 @@ impl CayleyKlein {
         }
         let turn = unit(phase);
         let jet = self.unturned(parameter, at);
-        Jet { value: jet.value.times(turn), rate: jet.rate.times(turn) }
+        QuaternionJet { value: jet.value.times(turn), rate: jet.rate.times(turn) }
     }
 
     /// Without the factor exp(i phase), but with the change of that in the rate.
-    fn unturned(&self, parameter: &EllipticParameter, at: &Amplitude) -> Jet {
+    fn unturned(&self, parameter: &EllipticParameter, at: &Amplitude) -> QuaternionJet {
         let Amplitude { sn: s, cn: c, dn: d, .. } = *at;
         let (s2, c2, scd) = (s.square(), c.square(), s * c * d);
         match self.form {
@@ -103,7 +103,7 @@ impl CayleyKlein {
                 let root = y.scaled(0.5).sqrt();
                 let by = Double::ONE / root.scaled(2.0);
                 let rate = Complex { re: (y2 - y1) * scd, im: self.h }.scaled(by);
-                Jet { value: Complex { re: root, im: Double::default() }, rate }
+                QuaternionJet { value: Complex { re: root, im: Double::default() }, rate }
             }
             Form::Product { a, g } => {
                 let by_q2 = Double::ONE / (c2 + self.n1 * s2);
@@ -114,7 +114,7 @@ impl CayleyKlein {
                 let along = Complex { re: -(a * s * (d.square() + m * c2)), im: g * c * d }.scaled(by_q);
                 let stretch = z.scaled((Double::ONE - self.n1) * scd * by_q2);
                 let turning = z.times_i().scaled(self.third * s2 * by_q2);
-                Jet { value: z, rate: along.plus(stretch).plus(turning) }
+                QuaternionJet { value: z, rate: along.plus(stretch).plus(turning) }
             }
         }
     }

@@ -16,7 +16,7 @@ use crate::math::double::Double;
 use crate::math::number::Splat;
 use crate::math::quaternion::Quaternion;
 use crate::motion::solve::phase::{Angle, Elapsed, Phase};
-use crate::motion::solve::theta::{Lattice, Place, Shifted, unit_of_quarters};
+use crate::motion::solve::theta::{Lattice, SeriesArgument, Shifted, unit_of_quarters};
 
 use super::Nods;
 use super::cayley_klein::CayleyKlein;
@@ -73,7 +73,7 @@ impl Kernel {
         ];
 
         let [lowest, highest] = [0.0, 1.0].map(|quarters| lattice.place(Phase::of((quarters, 0.0), None)));
-        let size = |value: f64, series: &Shifted, place: &Place<f64>| {
+        let size = |value: f64, series: &Shifted, place: &SeriesArgument<f64>| {
             value * lattice.denominator(place) / series.at(place).abs()
         };
         let [[p_value, p_rate], [q_value, q_rate]] = [p, q].map(CayleyKlein::at_lowest);
@@ -149,7 +149,7 @@ impl Kernel {
         let scale = (p.norm_squared() + q.norm_squared()).map(|square| 1.0 / square.sqrt());
 
         let mut turn = p_turn.conjugate().times(q_turn);
-        if let Place::Hyperbolic { .. } = place {
+        if let SeriesArgument::Hyperbolic { .. } = place {
             turn = turn.times(unit_of_quarters(bends[2] - bends[1] + bends[0]));
         }
         if self.winding != 0 {

@@ -10,9 +10,9 @@ use super::base::ExpansionPoint;
 use super::recurrence::Recurrence;
 use super::row::smaller;
 use super::stepper::torque_rate;
-use super::sums::{OneBody, SeveralBodies, Sums};
+use super::sums::{OneBody, SeriesSums, SeveralBodies};
 use super::torque::{Decomposition, TorqueKind};
-use crate::math::frame::{Body as BodyFrame, Principal};
+use crate::math::frame::{Body, Principal};
 use crate::math::machine::{Machine, Work, in_vectors};
 use crate::math::number::Number;
 use crate::math::rotation::Rotation;
@@ -28,7 +28,7 @@ use crate::motion::solve::start::{require_few_pulses, require_finite};
 
 /// What bodies that are expanded side by side have in common: their numbers differ, and nothing else.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub(in crate::motion) struct Kind {
+pub(in crate::motion) struct BatchKind {
     torques: TorqueKind,
     /// Wheels or friction.
     has_inside: bool,
@@ -37,7 +37,7 @@ pub(in crate::motion) struct Kind {
 
 /// A body, what turns it, and where it starts.
 #[derive(Clone, Debug)]
-pub(in crate::motion) struct Body<'a> {
+pub(in crate::motion) struct BatchBody<'a> {
     rotor: &'a Rotor,
     torques: &'a [TorqueModel],
     start: State,
@@ -45,7 +45,7 @@ pub(in crate::motion) struct Body<'a> {
     has_inside: bool,
 }
 
-impl<'a> Body<'a> {
+impl<'a> BatchBody<'a> {
     /// `None` for what is computed body by body: schedules, and what has no series.
     pub(in crate::motion) fn of(rotor: &'a Rotor, torques: &'a [TorqueModel], start: State) -> Option<Self> {
         let has_series = |torque: &TorqueModel| {
@@ -61,9 +61,9 @@ impl<'a> Body<'a> {
         Some(Self { rotor, torques, start, decomposition, has_inside })
     }
 
-    pub(in crate::motion) fn kind(&self, tolerance: f64) -> Kind {
+    pub(in crate::motion) fn kind(&self, tolerance: f64) -> BatchKind {
         let torques = self.decomposition.kind();
-        Kind { torques, has_inside: self.has_inside, tolerance: tolerance.to_bits() }
+        BatchKind { torques, has_inside: self.has_inside, tolerance: tolerance.to_bits() }
     }
 }
 
@@ -72,7 +72,7 @@ impl<'a> Body<'a> {
 /// A body that can go no further repeats its last good state from there on, which keeps its time; it is among those that are returned,
 /// with the cause.
 pub(in crate::motion) fn advance<'a: 'b, 'b>(
-    bodies: impl Iterator<Item = &'b Body<'a>>,
+    bodies: impl Iterator<Item = &'b BatchBody<'a>>,
     times: &[f64],
     tolerance: f64,
     states: &mut [State],
@@ -99,7 +99,7 @@ fn with_room<R: Default + Send>(work: impl FnOnce() -> R + Send) -> R {
 }
 
 struct Advance<'a, 'b> {
-    bodies: &'b [&'b Body<'a>],
+    bodies: &'b [&'b BatchBody<'a>],
     times: &'b [f64],
     tolerance: f64,
     states: &'b mut [State],
@@ -160,7 +160,7 @@ struct Lane<'a> {
     body: usize,
     start: State,
     piece: Piece<'a>,
-    to_body: Rotation<BodyFrame, Principal>,
+    to_body: Rotation<Body, Principal>,
     /// How many of the times it has come to.
     sampled: usize,
     bound: Bound<ExpansionPoint>,
@@ -261,7 +261,7 @@ impl<'a, 'b, N: Number> Batch<'a, 'b, N> {
 
     /// One step of every lane, not beyond its end.
     #[inline(always)]
-    fn step<M: Sums<N = N>>(&mut self, s: M) {
+    fn step<M: SeriesSums<N = N>>(&mut self, s: M) {
         let time = self.base.time;
         let (allowed, rest) = (self.expansion.step(self.omega_scale), self.end - time);
         let wanted = smaller(allowed, self.expansion.reach());
@@ -300,7 +300,7 @@ impl<'a, 'b, N: Number> Batch<'a, 'b, N> {
 
     /// Samples the step at the times before its end, in every lane at once.
     #[inline(always)]
-    fn sample_within<M: Sums<N = N>>(&mut self, s: M, until: N) {
+    fn sample_within<M: SeriesSums<N = N>>(&mut self, s: M, until: N) {
         loop {
             let start = self.base.time;
             let time =
@@ -397,8 +397,13 @@ impl Advance<'_, '_> {
 }
 
 impl<'a> Lane<'a> {
-    fn of(index: usize, body: &Body<'a>, work: &Advance<'_, '_>, rounds: u64) -> Result<Self, MotionError> {
-        let Body { rotor, torques, start, .. } = *body;
+    fn of(
+        index: usize,
+        body: &BatchBody<'a>,
+        work: &Advance<'_, '_>,
+        rounds: u64,
+    ) -> Result<Self, MotionError> {
+        let BatchBody { rotor, torques, start, .. } = *body;
         require_finite(rotor, torques, &[], &start)?;
         let end = work.times.last().copied().unwrap_or(start.time);
         require_few_pulses(rotor, torques, &|_| false, [start.time, end])?;

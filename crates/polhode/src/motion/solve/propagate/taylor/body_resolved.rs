@@ -1,7 +1,7 @@
 //! A vector of space as the turning body sees it.
 
 use super::row::{Row, Series};
-use super::sums::Sums;
+use super::sums::SeriesSums;
 use crate::math::number::Number;
 
 /// The series of a vector along principal axes, which turn at Ω: v̇ = v × Ω + s, s its rate in space, seen from the body too.
@@ -32,7 +32,13 @@ impl<N: Number> BodyResolved<N> {
 
     /// Finds coefficient n + 1 from those up to n; `source` is coefficient n of s.
     #[inline(always)]
-    pub(super) fn extend<M: Sums<N = N>>(&mut self, s: M, n: usize, turning: &Series<N>, source: Row<N>) {
+    pub(super) fn extend<M: SeriesSums<N = N>>(
+        &mut self,
+        s: M,
+        n: usize,
+        turning: &Series<N>,
+        source: Row<N>,
+    ) {
         let next = (s.cross(&self.0, turning, n) + source).over(n + 1);
         self.0.set(n + 1, next.vector());
     }

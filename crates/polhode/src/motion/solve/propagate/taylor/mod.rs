@@ -23,7 +23,7 @@ mod stepper;
 mod sums;
 mod torque;
 
-pub(in crate::motion) use batch::{Body, Kind, advance};
+pub(in crate::motion) use batch::{BatchBody, BatchKind, advance};
 pub(super) use stepper::Taylor;
 
 use body_resolved::BodyResolved;
@@ -34,7 +34,7 @@ use recurrence::{
     WITH_ORBIT,
 };
 use row::{Row, Series, TERMS, Vectors};
-use sums::{OneBody, Sums};
+use sums::{OneBody, SeriesSums};
 use torque::{Decomposition, Known, Quadratic, StepStart, Tape, row};
 
 use super::piece::Piece;
@@ -408,7 +408,7 @@ impl<N: Number> Expansion<N> {
 
     /// What the motion adds until a time after the start.
     #[inline(always)]
-    fn at<M: Sums<N = N>>(&self, s: M, h: N) -> Increment<N> {
+    fn at<M: SeriesSums<N = N>>(&self, s: M, h: N) -> Increment<N> {
         let (p, zero) = (self.order, self.zero());
         let x = s.pair_increment(&self.motion, |c| &c.x, p, h);
         let omega = if self.layout == ATTITUDE {
@@ -490,7 +490,7 @@ impl Expansion {
 impl<N: Number> Internal<N> {
     /// Coefficient n of (L × Ω − ḣ)/I; those of Ω and of the power on the way.
     #[inline(always)]
-    fn extend<M: Sums<N = N>>(
+    fn extend<M: SeriesSums<N = N>>(
         &mut self,
         s: M,
         n: usize,

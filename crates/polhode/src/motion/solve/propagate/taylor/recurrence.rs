@@ -11,7 +11,7 @@
 
 use super::pair::Pair;
 use super::row::{INVERSES, Row, TERMS};
-use super::sums::Sums;
+use super::sums::SeriesSums;
 use crate::math::number::Number;
 
 /// What is packed where: a const parameter, as each layout is compiled by itself.
@@ -140,7 +140,7 @@ pub(super) fn mirrored<N>(motion: &Motion<N>, n: usize) -> (Option<&Coefficient<
 }
 
 /// How the recurrence is worked out.
-pub(super) trait Recurrence: Sums {
+pub(super) trait Recurrence: SeriesSums {
     /// Eight pack, in registers.
     type Packed: Copy;
     /// The constants of a step: what newest coefficients are multiplied by.

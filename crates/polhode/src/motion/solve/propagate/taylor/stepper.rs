@@ -33,7 +33,7 @@ pub(in crate::motion::solve::propagate) struct Taylor<'a> {
     /// The series are about now: there is no last step.
     is_expanded: bool,
     /// Work and impulse at the base and now, if they are wanted.
-    evidence: Option<[Evidence; 2]>,
+    evidence: Option<[Balances; 2]>,
     h: f64,
     omega_scale: f64,
     /// |ω| now.
@@ -43,7 +43,7 @@ pub(in crate::motion::solve::propagate) struct Taylor<'a> {
 
 /// ∫ N · ω dt and ∫ N dt; what rounding took is carried.
 #[derive(Clone, Copy, Debug, Default)]
-struct Evidence {
+struct Balances {
     work: [f64; 2],
     impulse: [[f64; 2]; 3],
 }
@@ -228,9 +228,9 @@ impl<'a> Taylor<'a> {
         self.balanced(&there, evidence)
     }
 
-    fn balanced(&self, base: &ExpansionPoint, evidence: Option<Evidence>) -> Balanced {
+    fn balanced(&self, base: &ExpansionPoint, evidence: Option<Balances>) -> Balanced {
         let state = base.state(self.to_body);
-        let Evidence { work, impulse } = evidence.unwrap_or_default();
+        let Balances { work, impulse } = evidence.unwrap_or_default();
         Balanced { state, work: work[0], impulse: Vector::from_array(impulse.map(|[high, _]| high)) }
     }
 }
@@ -287,7 +287,7 @@ pub(super) fn torque_rate(piece: &Piece<'_>) -> f64 {
     (piece.largest_torque / piece.rotor.principal().moments()[2]).sqrt()
 }
 
-impl Evidence {
+impl Balances {
     fn plus(&self, more: &Increment, at_end: Rotation<Space, Principal>) -> Self {
         let impulse: AngularMomentum<Space> = at_end * AngularMomentum::from_array(more.impulse);
         let impulse = impulse.to_array();

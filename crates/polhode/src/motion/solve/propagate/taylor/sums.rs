@@ -14,7 +14,7 @@ use crate::math::machine::Machine;
 use crate::math::number::Number;
 
 /// How sums are done, and of what.
-pub(super) trait Sums: Copy {
+pub(super) trait SeriesSums: Copy {
     /// What is added up.
     type N: Number;
 
@@ -54,7 +54,7 @@ pub(super) trait Sums: Copy {
 #[derive(Clone, Copy)]
 pub(super) struct OneBody<S>(pub(super) S);
 
-impl<S: Machine> Sums for OneBody<S> {
+impl<S: Machine> SeriesSums for OneBody<S> {
     type N = f64;
 
     #[inline(always)]
@@ -153,7 +153,7 @@ fn polynomial<T, V: Copy + Mul<Output = V>>(
 #[derive(Clone, Copy)]
 pub(super) struct SeveralBodies<S>(pub(super) S);
 
-impl<S: Machine> Sums for SeveralBodies<S> {
+impl<S: Machine> SeriesSums for SeveralBodies<S> {
     type N = S::Many;
 
     #[inline(always)]

@@ -170,8 +170,8 @@ fn bits(state: &State) -> [u64; 8] {
     [state.time, w, x, y, z, a, b, c].map(f64::to_bits)
 }
 
-fn bodies(members: &[Member]) -> Vec<Body<'_>> {
-    members.iter().map(|(rotor, torques, start)| Body::of(rotor, torques, *start).unwrap()).collect()
+fn bodies(members: &[Member]) -> Vec<BatchBody<'_>> {
+    members.iter().map(|(rotor, torques, start)| BatchBody::of(rotor, torques, *start).unwrap()).collect()
 }
 
 /// Compares them with each body alone; how many went all the way, and how many failed.
@@ -181,7 +181,7 @@ fn compare(members: &[Member], times: &[f64], tolerance: f64) -> [usize; 2] {
     let mut states = vec![nothing; bodies.len() * times.len()];
     let failures = advance(bodies.iter(), times, tolerance, &mut states);
     for (k, body) in bodies.iter().enumerate() {
-        let Body { rotor, torques, start, .. } = *body;
+        let BatchBody { rotor, torques, start, .. } = *body;
         let alone = |times: &[f64]| {
             let (switched_off, events, method) = (&[], &[], Method::Taylor);
             Simulation { rotor, torques, switched_off, start, events, times, method, tolerance }.states()
@@ -287,7 +287,7 @@ fn what_changes_on_its_way_and_what_has_no_series_goes_alone() {
     assert_eq!(kind(&rotor.with_wheels(&[wheel]).unwrap(), &[], 1e-12), None);
 }
 
-fn kind(rotor: &Rotor, torques: &[TorqueModel], tolerance: f64) -> Option<Kind> {
+fn kind(rotor: &Rotor, torques: &[TorqueModel], tolerance: f64) -> Option<BatchKind> {
     let (attitude, omega) = (crate::math::Attitude::identity(), crate::math::AngularVelocity::ZERO);
-    Some(Body::of(rotor, torques, State { time: 0.0, attitude, omega })?.kind(tolerance))
+    Some(BatchBody::of(rotor, torques, State { time: 0.0, attitude, omega })?.kind(tolerance))
 }

@@ -10,7 +10,7 @@ mod tape;
 
 use super::recurrence::Motion;
 use super::row::{Row, Vectors};
-use super::sums::Sums;
+use super::sums::SeriesSums;
 use crate::math::frame::{Principal, Space};
 use crate::math::number::Number;
 use crate::math::rotation::Rotation;
@@ -56,7 +56,7 @@ fn cross<N: Number>(a: Row<N>, b: Row<N>) -> Row<N> {
 
 /// Coefficients up to n, principal axes.
 #[derive(Clone, Copy)]
-pub(super) struct Known<'a, M: Sums> {
+pub(super) struct Known<'a, M: SeriesSums> {
     /// How sums are done.
     pub(super) s: M,
     /// ω
@@ -67,7 +67,7 @@ pub(super) struct Known<'a, M: Sums> {
     pub(super) motion: &'a Motion<M::N>,
 }
 
-impl<'a, M: Sums> Known<'a, M> {
+impl<'a, M: SeriesSums> Known<'a, M> {
     /// Coefficient n of the turn since the start of the step.
     #[inline(always)]
     fn turn(&self, n: usize) -> Row<M::N> {

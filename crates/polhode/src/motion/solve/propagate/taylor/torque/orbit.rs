@@ -9,7 +9,7 @@
 use super::super::body_resolved::BodyResolved;
 use super::super::row::{Row, Series};
 use super::super::scalar::{Scalars, power};
-use super::super::sums::Sums;
+use super::super::sums::SeriesSums;
 use super::{Known, StepStart, row};
 use crate::math::number::Number;
 use crate::motion::model::orbit::Orbit;
@@ -90,7 +90,7 @@ impl<N: Number> OrbitSeries<N> {
 
     /// Finds coefficient n of |ρ|² and |ρ|⁻³.
     #[inline(always)]
-    pub(super) fn measure<M: Sums<N = N>>(&mut self, s: M, n: usize) {
+    pub(super) fn measure<M: SeriesSums<N = N>>(&mut self, s: M, n: usize) {
         // The first is 1 because r₀ is chosen so, and a circle has no others.
         if n == 0 || self.is_circular {
             return;
@@ -104,7 +104,7 @@ impl<N: Number> OrbitSeries<N> {
 
     /// Finds coefficient n + 1 of ρ and ν.
     #[inline(always)]
-    pub(super) fn extend<M: Sums<N = N>>(&mut self, n: usize, known: &Known<'_, M>) {
+    pub(super) fn extend<M: SeriesSums<N = N>>(&mut self, n: usize, known: &Known<'_, M>) {
         let turning = &known.turning.rows;
         let over_cube =
             if self.is_circular { self.rho[n] } else { known.s.product(&self.cube_rows, &self.rho, n) };

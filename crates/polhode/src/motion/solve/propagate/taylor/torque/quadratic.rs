@@ -5,7 +5,7 @@
 
 use super::super::recurrence::EquationConstants;
 use super::super::row::{Row, Vectors};
-use super::super::sums::Sums;
+use super::super::sums::SeriesSums;
 use super::tape::times;
 use super::{StepStart, row};
 use crate::math::number::Number;
@@ -220,7 +220,7 @@ impl<N: Number> Quadratic<N> {
 
     /// Coefficient n of N, of those of u and of ω; where u is on an orbit, of its coefficients up to n.
     #[inline(always)]
-    pub(in super::super) fn torque<M: Sums<N = N>>(
+    pub(in super::super) fn torque<M: SeriesSums<N = N>>(
         &self,
         s: M,
         n: usize,

@@ -3,7 +3,7 @@
 use super::super::function::{angle, constant_power, hypotenuse, integral_by, integral_over};
 use super::super::row::{Row, Series};
 use super::super::scalar::{Composition, Scalars, power_difference, product, quotient, times_vector};
-use super::super::sums::Sums;
+use super::super::sums::SeriesSums;
 use super::norm::NormSeries;
 use super::orbit::OrbitSeries;
 use super::{Known, StepStart, cross, row};
@@ -19,7 +19,7 @@ use crate::motion::solve::propagate::chart::{ROUNDING, THIN};
 #[derive(Clone, Debug)]
 pub(in super::super) struct Tape<N> {
     /// All, and those whose results change during a step.
-    steps: [Vec<Step>; 2],
+    steps: [Vec<TapeStep>; 2],
     torque: usize,
     numbers: Vec<Scalars<N>>,
     vectors: Vec<Series<N>>,
@@ -30,7 +30,7 @@ pub(in super::super) struct Tape<N> {
     /// Vectors that are fixed in space, along its axes.
     fixed: Vec<Row<N>>,
     orbits: Vec<OrbitSeries<N>>,
-    turns: Vec<Turn<N>>,
+    turns: Vec<TurnSeries<N>>,
     norms: Vec<NormSeries<N>>,
     compositions: Vec<Composition<N>>,
     time: N,
@@ -42,7 +42,7 @@ pub(in super::super) struct Tape<N> {
 
 /// An operation and where its result goes.
 #[derive(Clone, Copy, Debug)]
-struct Step {
+struct TapeStep {
     operation: Operation,
     place: usize,
     /// Of a norm or a composition: which one.
@@ -61,7 +61,7 @@ enum Constant {
 
 /// The turn from an attitude: p = p₀ ∘ (the turn since the start of the step).
 #[derive(Clone, Debug)]
-struct Turn<N> {
+struct TurnSeries<N> {
     /// The principal axes at the attitude that it is from, of each lane.
     from: Vec<Rotation<Space, Principal>>,
     is_canonical: bool,
@@ -93,12 +93,15 @@ impl<N: Number> Tape<N> {
                 Operation::Vector(_) => &mut constants[1],
             };
             kind.push(constant == Constant::All);
-            Step { operation, place: kind.len() - 1, beside, constant }
+            TapeStep { operation, place: kind.len() - 1, beside, constant }
         });
         let steps: Vec<_> = steps.collect();
         let changing = steps.iter().filter(|step| step.constant != Constant::All).copied().collect();
-        let turn =
-            |is_canonical| Turn { from: vec![Rotation::identity(); N::LANES], is_canonical, start: none };
+        let turn = |is_canonical| TurnSeries {
+            from: vec![Rotation::identity(); N::LANES],
+            is_canonical,
+            start: none,
+        };
         Self {
             steps: [steps, changing],
             torque: graph.torque,
@@ -163,7 +166,7 @@ impl<N: Number> Tape<N> {
                 turn.start.put(lane, Row(p));
             }
         }
-        for &Step { operation, place, .. } in &self.steps[1] {
+        for &TapeStep { operation, place, .. } in &self.steps[1] {
             if let Operation::Vector(VectorOperation::Fixed(k)) = operation {
                 self.vectors[place].set(0, at.resolved(self.fixed[k]).vector());
             }
@@ -179,7 +182,11 @@ impl<N: Number> Tape<N> {
 
     /// Coefficient n of N, once everything that is known is so up to n.
     #[inline(always)]
-    pub(in super::super) fn coefficient<M: Sums<N = N>>(&mut self, n: usize, known: &Known<'_, M>) -> Row<N> {
+    pub(in super::super) fn coefficient<M: SeriesSums<N = N>>(
+        &mut self,
+        n: usize,
+        known: &Known<'_, M>,
+    ) -> Row<N> {
         for orbit in &mut self.orbits {
             orbit.measure(known.s, n);
         }
@@ -204,8 +211,8 @@ impl<N: Number> Tape<N> {
 
     /// Finds what coefficient n + 1 needs beside the motion.
     #[inline(always)]
-    pub(in super::super) fn extend<M: Sums<N = N>>(&mut self, n: usize, known: &Known<'_, M>) {
-        for &Step { operation, place, .. } in &self.steps[1] {
+    pub(in super::super) fn extend<M: SeriesSums<N = N>>(&mut self, n: usize, known: &Known<'_, M>) {
+        for &TapeStep { operation, place, .. } in &self.steps[1] {
             if let Operation::Vector(VectorOperation::Fixed(_)) = operation {
                 // v̇ = v × Ω
                 let next = known.s.cross(&self.vectors[place], &known.turning.rows, n).over(n + 1);
@@ -225,10 +232,10 @@ impl<N: Number> Tape<N> {
 
     /// Coefficient n of a number.
     #[inline(always)]
-    fn number<M: Sums<N = N>>(
+    fn number<M: SeriesSums<N = N>>(
         &mut self,
         operation: &ScalarOperation,
-        &Step { place: own, beside, constant: constants, .. }: &Step,
+        &TapeStep { place: own, beside, constant: constants, .. }: &TapeStep,
         n: usize,
         known: &Known<'_, M>,
     ) -> N {
@@ -323,10 +330,10 @@ impl<N: Number> Tape<N> {
 
     /// Coefficient n of a vector.
     #[inline(always)]
-    fn vector<M: Sums<N = N>>(
+    fn vector<M: SeriesSums<N = N>>(
         &self,
         operation: &VectorOperation,
-        &Step { place: own, constant, .. }: &Step,
+        &TapeStep { place: own, constant, .. }: &TapeStep,
         n: usize,
         known: &Known<'_, M>,
     ) -> Row<N> {
@@ -385,7 +392,7 @@ impl<N: Number> Tape<N> {
     }
 }
 
-impl<N: Number> Turn<N> {
+impl<N: Number> TurnSeries<N> {
     /// p₀ ∘ (coefficient n of the turn since the start of the step).
     #[inline(always)]
     fn coefficient(&self, turn: Row<N>) -> Row<N> {
@@ -467,7 +474,7 @@ mod tests {
     const T: Instruction = Instruction::Variable(0);
 
     /// Coefficients of a formula of t about the time of each lane.
-    fn series<M: Sums>(s: M, formula: &Formula, times: M::N) -> Scalars<M::N> {
+    fn series<M: SeriesSums>(s: M, formula: &Formula, times: M::N) -> Scalars<M::N> {
         let zero = Formula::constant(0.0);
         let model = FormulaTorque::Body([formula.clone(), zero.clone(), zero]);
         let model = TorqueModel::Formula(Box::new(model));

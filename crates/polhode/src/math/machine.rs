@@ -94,7 +94,7 @@ pub(crate) struct Plain;
 impl Machine for Plain {
     type Four = Lanes<4>;
     type Eight = Lanes<8>;
-    type Many = Lanes<8>;
+    type Many = Lanes<4>;
 
     fn load(self, numbers: &[f64; 4]) -> Lanes<4> {
         Lanes(*numbers)
@@ -120,8 +120,8 @@ impl Machine for Plain {
         eight.0
     }
 
-    fn many(self, number: f64) -> Lanes<8> {
-        self.eight(number)
+    fn many(self, number: f64) -> Lanes<4> {
+        self.splat(number)
     }
 
     #[inline(never)]

@@ -537,11 +537,11 @@ mod tests {
         let power = [Instruction::Constant(-1.7), Instruction::Binary(Binary::Power)];
         formulas.push(("t^-1.7".to_owned(), Formula::new(quadratic().into_iter().chain(power)).unwrap()));
         for (name, formula) in formulas {
-            let starts = [0.4, -0.7, 0.1, 0.5, -0.2, 0.3, 0.0, -0.4];
+            let starts = [0.4, -0.7, 0.0, -0.2];
             let together = series(SeveralBodies(Plain), &formula, Lanes(starts));
             for (lane, start) in starts.into_iter().enumerate() {
                 let coefficients = series_of_one(&formula, start);
-                let same = |(one, all): (&f64, &Lanes<8>)| one.to_bits() == all.lane(lane).to_bits();
+                let same = |(one, all): (&f64, &Lanes<4>)| one.to_bits() == all.lane(lane).to_bits();
                 assert!(coefficients.iter().zip(together.iter()).all(same), "{name}");
                 for h in [-0.02, 0.015, 0.03] {
                     let got = coefficients.iter().rev().fold(0.0, |sum, c| sum * h + c);

@@ -113,6 +113,66 @@ impl Scalar for f64 {
     }
 }
 
+/// A vector as three numbers of any kind.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Components<S>(pub(crate) [S; 3]);
+
+impl<S: Scalar> Components<S> {
+    fn each(self, b: Self, f: impl Fn(S, S) -> S) -> Self {
+        let ([ax, ay, az], [bx, by, bz]) = (self.0, b.0);
+        Self([f(ax, bx), f(ay, by), f(az, bz)])
+    }
+}
+
+impl<S: Scalar> Neg for Components<S> {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self(self.0.map(|a| -a))
+    }
+}
+
+impl<S: Scalar> Add for Components<S> {
+    type Output = Self;
+    fn add(self, b: Self) -> Self {
+        self.each(b, |a, b| a + b)
+    }
+}
+
+impl<S: Scalar> Sub for Components<S> {
+    type Output = Self;
+    fn sub(self, b: Self) -> Self {
+        self.each(b, |a, b| a - b)
+    }
+}
+
+impl<S: Scalar> Mul<S> for Components<S> {
+    type Output = Self;
+    fn mul(self, b: S) -> Self {
+        Self(self.0.map(|a| a * b))
+    }
+}
+
+impl<S: Scalar> VectorAlgebra<S> for Components<S> {
+    fn scaled(self, by: f64) -> Self {
+        Self(self.0.map(|a| a.scaled(by)))
+    }
+
+    fn dot(self, b: Self) -> S {
+        let [x, y, z] = self.each(b, |a, b| a * b).0;
+        x + y + z
+    }
+
+    fn cross(self, b: Self) -> Self {
+        let ([ax, ay, az], [bx, by, bz]) = (self.0, b.0);
+        Self([ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx])
+    }
+
+    fn norm(self) -> S {
+        let [x, y, z] = self.0;
+        x.binary(Binary::Hypot, y).binary(Binary::Hypot, z)
+    }
+}
+
 impl<F> VectorAlgebra<f64> for Direction<F> {
     fn scaled(self, by: f64) -> Self {
         self * by

@@ -1,7 +1,8 @@
-//! A number with its first and second derivative: formulas differentiated exactly, instruction by instruction.
+//! A number with its first and second derivative: formulas and torque laws differentiated exactly, operation by operation.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
+use super::algebra::Scalar;
 use super::formula::{Binary, Formula, Instruction, Unary};
 
 /// f, f′ and f″ at one point.
@@ -13,7 +14,7 @@ pub(crate) struct Jet {
 }
 
 impl Jet {
-    const fn constant(value: f64) -> Self {
+    pub(crate) const fn constant(value: f64) -> Self {
         Self { value, first: 0.0, second: 0.0 }
     }
 
@@ -29,12 +30,18 @@ impl Jet {
             second: second * self.first * self.first + first * self.second,
         }
     }
+}
 
+impl Scalar for Jet {
     fn unary(self, function: Unary) -> Self {
         let x = self.value;
         let f = function.of(x);
         self.chain(match function {
             Unary::Negate => return -self,
+            // √(½ f″ ε²) = √(½ f″) ε on this side, after which it is not known.
+            Unary::Sqrt if x == 0.0 && self.first == 0.0 && self.second > 0.0 => {
+                return Self { value: 0.0, first: libm::sqrt(0.5 * self.second), second: f64::NAN };
+            }
             Unary::Sqrt => [f, 0.5 / f, -0.25 / (f * x)],
             Unary::Exp => [f, f, f],
             Unary::Log => [f, 1.0 / x, -1.0 / (x * x)],
@@ -66,18 +73,14 @@ impl Jet {
         })
     }
 
-    fn binary(self, other: Self, function: Binary) -> Self {
-        let (a, b) = (self, other);
+    fn binary(self, function: Binary, b: Self) -> Self {
+        let a = self;
         match function {
             Binary::Add => a + b,
             Binary::Subtract => a - b,
             Binary::Multiply => a * b,
             Binary::Divide => a / b,
-            Binary::Power if b.first == 0.0 && b.second == 0.0 => {
-                let p = b.value;
-                let power = |k: f64| Binary::Power.of(a.value, p - k);
-                a.chain([power(0.0), p * power(1.0), p * (p - 1.0) * power(2.0)])
-            }
+            Binary::Power if b.first == 0.0 && b.second == 0.0 => a.power(b.value),
             // aᵇ = exp(b ln a)
             Binary::Power => {
                 let exact = function.of(a.value, b.value);
@@ -94,7 +97,14 @@ impl Jet {
             }
             Binary::Hypot => {
                 let value = function.of(a.value, b.value);
-                Self { value, ..(a * a + b * b).unary(Unary::Sqrt) }
+                if value == 0.0 {
+                    return Self { value, first: libm::hypot(a.first, b.first), second: f64::NAN };
+                }
+                // h′ = (a a′ + b b′)/h, h″ = (a′² + b′² − h′² + a a″ + b b″)/h
+                let (x, y) = (a.value / value, b.value / value);
+                let first = x * a.first + y * b.first;
+                let squares = a.first * a.first + b.first * b.first - first * first;
+                Self { value, first, second: squares / value + x * a.second + y * b.second }
             }
             Binary::Min | Binary::Max => {
                 let value = function.of(a.value, b.value);
@@ -105,6 +115,58 @@ impl Jet {
                 Self::constant(function.of(a.value, b.value))
             }
         }
+    }
+
+    fn scaled(self, by: f64) -> Self {
+        Self { value: self.value * by, first: self.first * by, second: self.second * by }
+    }
+
+    fn power(self, p: f64) -> Self {
+        let power = |k: f64| Binary::Power.of(self.value, p - k);
+        self.chain([power(0.0), p * power(1.0), p * (p - 1.0) * power(2.0)])
+    }
+
+    fn power_difference(self, delta: Self, p: f64) -> Self {
+        // D(p) = aᵖ − sᵖ, s = a + δ: D(p)′ = p (D(p−1) a′ − sᵖ⁻¹ δ′)
+        let (a, s) = (self, self + delta);
+        let of = |p: f64| a.value.power_difference(delta.value, p);
+        let first = |p: f64| p * (of(p - 1.0) * a.first - s.value.power(p - 1.0) * delta.first);
+        let of_delta = s.power(p - 1.0);
+        let second = p
+            * (first(p - 1.0) * a.first + of(p - 1.0) * a.second
+                - of_delta.first * delta.first
+                - of_delta.value * delta.second);
+        Self { value: of(p), first: first(p), second }
+    }
+
+    /// Where the divisor is zero it has no derivatives.
+    fn over_or_zero(self, d: Self) -> Self {
+        if d.value == 0.0 { Self { value: 0.0, first: f64::NAN, second: f64::NAN } } else { self / d }
+    }
+
+    fn wrapped(self) -> Self {
+        Self { value: self.value.wrapped(), ..self }
+    }
+
+    fn half_angle_over_sine(self) -> Self {
+        let w = self.value;
+        let (f, square) = (w.half_angle_over_sine(), (1.0 - w) * (1.0 + w));
+        // f = Σ n!/(2n + 1)!! xⁿ, x = 1 − w; (1 − w²) f′ = w f − 1, (1 − w²) f″ = 3 w f′ + f
+        let x = 1.0 - w;
+        if x > 0.3 {
+            let first = (w * f - 1.0) / square;
+            return self.chain([f, first, (3.0 * w * first + f) / square]);
+        }
+        let (mut term, mut first, mut second) = (1.0, 0.0, 0.0);
+        for n in 1..30 {
+            let n = f64::from(n);
+            // n!/(2n + 1)!! xⁿ⁻¹
+            term *= n / (2.0 * n + 1.0);
+            first -= n * term;
+            second += (n + 1.0) * n * term * (n + 1.0) / (2.0 * n + 3.0);
+            term *= x;
+        }
+        self.chain([f, first, second])
     }
 }
 
@@ -182,7 +244,7 @@ impl Formula {
                 Instruction::Unary(function) => take().unary(function),
                 Instruction::Binary(function) => {
                     let (b, a) = (take(), take());
-                    a.binary(b, function)
+                    a.binary(function, b)
                 }
                 Instruction::If => {
                     let (otherwise, then, condition) = (take(), take(), take());

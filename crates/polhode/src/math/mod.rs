@@ -9,6 +9,7 @@
 
 pub(crate) mod algebra;
 pub(crate) mod complex;
+pub(crate) mod derivative;
 pub(crate) mod display;
 pub(crate) mod double;
 pub(crate) mod eigenvalues;

@@ -66,6 +66,13 @@ pub enum MotionError {
         /// When, s.
         time: f64,
     },
+    /// A torque has no derivative in a state, though one is needed: it has a corner or a jump there, or is not finite near it.
+    NoDerivative {
+        /// Which one, by its name.
+        torque: &'static str,
+        /// When, s.
+        time: f64,
+    },
     /// A state is no equilibrium, though one was asked for: the torque there turns the body, or changes on the way.
     NotSteady {
         /// What is left of the torque, N·m.
@@ -196,6 +203,9 @@ impl MotionError {
             Self::NotSteady { .. } => Some(
                 "start nearer to an equilibrium, at rest or turning about an axis along which all torques stay as they are",
             ),
+            Self::NoDerivative { .. } => Some(
+                "dry friction at rest, |x|, sign(x) and the angle theta near 0 have a corner or a jump: write a torque that is smooth there",
+            ),
             Self::NoClosedForm { .. } => Some("use method = \"auto\" or \"dop853\""),
             Self::BeyondReach { .. } => {
                 Some("give an earlier time; the last bit of what is measured decides the phase long before")
@@ -264,6 +274,10 @@ impl fmt::Display for MotionError {
             Self::NotSteady { torque, scale } => write!(
                 f,
                 "this is no equilibrium, and none was found near it: of torques of {scale:.3e} N·m in all, {torque:.3e} N·m is left over"
+            ),
+            Self::NoDerivative { torque, time } => write!(
+                f,
+                "the torque \"{torque}\" has no derivative in this state, at t = {time:e} s: it has a corner or a jump there, or is not finite nearby"
             ),
             Self::NoClosedForm { why } => write!(f, "there is no closed form of this motion: {why}"),
             Self::BeyondReach { time, .. } if !time.is_finite() => {

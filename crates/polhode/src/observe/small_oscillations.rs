@@ -1,6 +1,5 @@
 //! Small oscillations about an equilibrium.
 
-mod derivative;
 mod mode;
 mod on_orbit;
 mod shapes;
@@ -16,7 +15,7 @@ use crate::math::eigenvalues::{Matrix, eigenvalues};
 use crate::motion::error::MotionError;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
-use crate::motion::model::torque::{TorqueModel, total_torque};
+use crate::motion::model::torque::TorqueModel;
 use steady::Steady;
 
 /// What a body does near an equilibrium under its torques: frequencies, damping and shapes.
@@ -28,7 +27,7 @@ use steady::Steady;
 /// δθ̇ = δω + δθ × ω,  I δω̇ = I δω × ω + L × δω + ∂N/∂θ δθ + ∂N/∂ω δω
 ///
 /// of which this has the six eigenvalues. An energy sink adds α (I δω × ω + L × δω) to δθ̇, and L × of it to I δω̇. The derivatives
-/// of N are central differences, extrapolated until they stop improving (Ridders): good to some 1e-11 for smooth torques.
+/// of N are those of [`TorqueModel::jacobian`].
 ///
 /// ```
 /// use polhode::prelude::*;
@@ -44,9 +43,6 @@ use steady::Steady;
 /// assert_eq!((swings.modes.len(), swings.neutral), (2, 2)); // two ways to swing; turning about the vertical costs nothing
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-///
-/// # Source
-/// Differences: Ridders, Adv. Eng. Softw. 4 (1982) 75.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct SmallOscillations {
@@ -58,7 +54,7 @@ pub struct SmallOscillations {
     pub neutral: usize,
 }
 
-/// An eigenvalue smaller than this, relative to the fastest rate of the equations, is zero: the root of the differences' error, which a
+/// An eigenvalue smaller than this, relative to the fastest rate of the equations, is zero: the root of the largest error of differences, which a
 /// defective pair has.
 const NEUTRAL: f64 = 1e-6;
 
@@ -67,11 +63,10 @@ impl SmallOscillations {
     ///
     /// # Errors
     /// [`MotionError::NotSteady`] if the state is none: torques leave more than 1e-8 of their size unbalanced, or change in
-    /// time along the motion; a parameter's error ([`MotionError::is_parameter`]) for a rod, whose spin about its own line is undetermined;
+    /// time along the motion; [`MotionError::NoDerivative`] where one has a corner or a jump; a parameter's error ([`MotionError::is_parameter`]) for a rod, whose spin about its own line is undetermined;
     /// [`MotionError::NotFinite`] if a torque near it is not.
     pub fn about(rotor: &Rotor, torques: &[TorqueModel], equilibrium: State) -> Result<Self, MotionError> {
-        let torque = |state: &State| total_torque(torques, rotor, state);
-        Self::of(&Steady::new(rotor, torques, &torque, equilibrium)?)
+        Self::of(&Steady::new(rotor, torques, equilibrium)?)
     }
 
     /// The equilibrium that Newton's method finds from a state, with the same ω in space: the nearest one if the state is close to
@@ -84,8 +79,7 @@ impl SmallOscillations {
         torques: &[TorqueModel],
         state: State,
     ) -> Result<State, MotionError> {
-        let torque = |state: &State| total_torque(torques, rotor, state);
-        Steady::near(rotor, torques, &torque, state)
+        Steady::near(rotor, torques, state)
     }
 
     fn of(steady: &Steady<'_>) -> Result<Self, MotionError> {

@@ -18,7 +18,7 @@ fn body() -> MassProperties<Body> {
 }
 
 /// Every torque that there is, each with a body that it turns; generic numbers.
-fn zoo() -> Vec<(&'static str, Rotor, Vec<TorqueModel>)> {
+pub(crate) fn zoo() -> Vec<(&'static str, Rotor, Vec<TorqueModel>)> {
     let body = body();
     let (free, held) = (Rotor::free(&body), Rotor::pivoted(&body, Position::new(-0.4, 0.9, 0.2)));
     let matrix = [[0.11, 0.02, -0.03], [0.02, 0.17, 0.05], [-0.03, 0.05, 0.09]];
@@ -98,7 +98,7 @@ fn zoo() -> Vec<(&'static str, Rotor, Vec<TorqueModel>)> {
 }
 
 /// A start unlike any other.
-fn start(k: usize) -> State {
+pub(crate) fn start(k: usize) -> State {
     let k = k as f64;
     let attitude = Attitude::from_quaternion([0.4 + 0.01 * k, -0.7, 1.1 - 0.003 * k, 0.3]).unwrap();
     State { time: 0.25, attitude, omega: AngularVelocity::new(0.7 + 0.002 * k, -1.1, 0.4 - 0.005 * k) }

@@ -15,6 +15,7 @@ mod event;
 mod free_motion;
 mod heavy_top;
 mod inverse;
+mod jacobian;
 mod mesh;
 mod mesh_diagnosis;
 mod mesh_hull;

@@ -1,6 +1,5 @@
 //! Steady motions: what keeps its place in a frame that turns uniformly, or not at all.
 
-use super::derivative::derivative;
 use crate::math::eigenvalues::Matrix;
 use crate::math::frame::{Body, Space};
 use crate::math::rotation::Rotation;
@@ -10,15 +9,12 @@ use crate::motion::error::MotionError;
 use crate::motion::model::require;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
-use crate::motion::model::torque::TorqueModel;
-
-/// The torque from outside in a state.
-type Field<'a> = dyn Fn(&State) -> Torque<Body> + 'a;
+use crate::motion::model::torque::{TorqueModel, total_torque};
 
 /// A steady motion, and what acts around it.
 pub(super) struct Steady<'a> {
     rotor: &'a Rotor,
-    torque: &'a Field<'a>,
+    torques: &'a [TorqueModel],
     state: State,
     /// Σ α
     sink: f64,
@@ -32,20 +28,16 @@ const BALANCED: f64 = 1e-8;
 /// How much a derivative may change along the motion, relative to the largest.
 const LASTING: f64 = 1e-7;
 
-/// The first difference, rad.
-const STEP: f64 = 0.1;
-
 /// Newton's steps: five where it converges at all.
 const MOST_STEPS: usize = 60;
 
 impl<'a> Steady<'a> {
     pub(super) fn new(
         rotor: &'a Rotor,
-        torques: &[TorqueModel],
-        torque: &'a Field<'a>,
+        torques: &'a [TorqueModel],
         state: State,
     ) -> Result<Self, MotionError> {
-        let steady = Self::unchecked(rotor, torques, torque, state)?;
+        let steady = Self::unchecked(rotor, torques, state)?;
         steady.require_balance(&state)?;
         let time = steady.period() / 7.0;
         for count in [1.0, 2.0, 3.0] {
@@ -54,12 +46,7 @@ impl<'a> Steady<'a> {
         Ok(steady)
     }
 
-    fn unchecked(
-        rotor: &'a Rotor,
-        torques: &[TorqueModel],
-        torque: &'a Field<'a>,
-        state: State,
-    ) -> Result<Self, MotionError> {
+    fn unchecked(rotor: &'a Rotor, torques: &'a [TorqueModel], state: State) -> Result<Self, MotionError> {
         let [least, _, greatest] = rotor.principal().moments();
         let rule = "above zero: the spin of a rod about its own line is undetermined";
         require::that("the least moment of inertia", least, least > 0.0, rule)?;
@@ -70,11 +57,11 @@ impl<'a> Steady<'a> {
         let spin = state.omega.norm();
         let gyroscopic = (greatest * spin + rotor.wheel_momentum(state.time).norm()) * spin;
         let scale = torques.iter().map(|torque| torque.scale(rotor, &state)).sum::<f64>();
-        let scale = scale.max(torque(&state).norm()) + gyroscopic;
+        let scale = scale.max(total_torque(torques, rotor, &state).norm()) + gyroscopic;
         if !scale.is_finite() {
             return Err(MotionError::NotFinite { time: state.time });
         }
-        Ok(Self { rotor, torque, state, sink: torques.iter().map(TorqueModel::sink).sum(), scale })
+        Ok(Self { rotor, torques, state, sink: torques.iter().map(TorqueModel::sink).sum(), scale })
     }
 
     pub(super) const fn state(&self) -> State {
@@ -88,7 +75,7 @@ impl<'a> Steady<'a> {
 
     /// L × ω + N, which is zero in a steady motion.
     fn rest(&self, state: &State) -> Torque<Body> {
-        self.momentum(state).cross(state.omega) + (self.torque)(state)
+        self.momentum(state).cross(state.omega) + total_torque(self.torques, self.rotor, state)
     }
 
     fn require_balance(&self, state: &State) -> Result<(), MotionError> {
@@ -125,32 +112,35 @@ impl<'a> Steady<'a> {
     }
 
     /// ∂N/∂θ and ∂N/∂ω by columns.
-    fn derivatives(&self, at: &State) -> [[[f64; 3]; 3]; 2] {
-        let step = STEP * self.rate();
-        let turned = |k: usize, angle: f64| {
-            let turn = Rotation::<Body, Body>::from_rotation_vector(unit(k) * angle);
-            (self.torque)(&State { attitude: at.attitude * turn, ..*at }).to_array()
-        };
-        let faster = |k: usize, rate: f64| {
-            let more: AngularVelocity<Body> = (unit(k) * rate).as_quantity();
-            (self.torque)(&State { omega: at.omega + more, ..*at }).to_array()
-        };
-        let by_angle = [0, 1, 2].map(|k| derivative(|angle| turned(k, angle), STEP));
-        let by_rate = [0, 1, 2].map(|k| derivative(|rate| faster(k, rate), step));
-        [by_angle, by_rate]
+    fn derivatives(&self, at: &State) -> Result<[[Torque<Body>; 3]; 2], MotionError> {
+        let mut sum = [[Torque::ZERO; 3]; 2];
+        for torque in self.torques {
+            let jacobian = torque.jacobian(self.rotor, at)?;
+            for (sum, part) in sum.iter_mut().zip([jacobian.by_attitude, jacobian.by_omega]) {
+                sum.iter_mut().zip(part).for_each(|(sum, part)| *sum += part);
+            }
+        }
+        Ok(sum)
+    }
+
+    /// The change of L × ω + N for a unit turn about each axis, with ω in space as it is: δω = ω × δθ
+    fn slopes(&self, at: &State) -> Result<[Torque<Body>; 3], MotionError> {
+        let [by_angle, by_rate] = self.derivatives(at)?;
+        Ok([0, 1, 2].map(|k| {
+            let more: AngularVelocity<Body> = at.omega.cross(unit(k));
+            let bending = self.rotor.angular_momentum(more).cross(at.omega) + self.momentum(at).cross(more);
+            let [x, y, z] = more.to_array();
+            bending + by_angle[k] + by_rate[0] * x + by_rate[1] * y + by_rate[2] * z
+        }))
     }
 
     /// The matrix of the linear equations for (δθ, δω/w) in the time 1/w, and w, 1/s; `None` if nothing happens at all.
     pub(super) fn linearised(&self) -> Result<Option<(Matrix<6>, f64)>, MotionError> {
         let not_finite = MotionError::NotFinite { time: self.state.time };
-        let [by_angle, by_rate] = self.derivatives(&self.state);
-        let later = self.derivatives(&self.later(self.period() / 7.0));
-        let largest = by_angle.iter().flatten().fold(0.0, |max: f64, x| max.max(x.abs()));
-        let change = by_angle
-            .iter()
-            .zip(&later[0])
-            .map(|(a, b)| (0..3).map(|k| (a[k] - b[k]).abs()).fold(0.0, f64::max));
-        let change = change.fold(0.0, f64::max);
+        let [by_angle, by_rate] = self.derivatives(&self.state)?;
+        let later = self.derivatives(&self.later(self.period() / 7.0))?;
+        let largest = by_angle.iter().fold(0.0, |max: f64, x| max.max(x.max_abs()));
+        let change = by_angle.iter().zip(&later[0]).map(|(a, b)| (*a - *b).max_abs()).fold(0.0, f64::max);
         if change > LASTING * largest.max(self.scale) {
             return Err(MotionError::NotSteady { torque: change, scale: largest.max(self.scale) });
         }
@@ -164,8 +154,8 @@ impl<'a> Steady<'a> {
             // δ(L × ω), the turning Ω = ω + α L × ω, and L × Ω
             let bending = self.rotor.angular_momentum(more).cross(omega) + momentum.cross(more);
             let slip: AngularVelocity<Body> = (bending * self.sink).as_quantity();
-            let torque = bending + momentum.cross(slip) + Torque::from_array(by_rate[k]);
-            columns[k + 3] = joined((more + slip).to_array(), self.over_inertia(torque.to_array()));
+            let torque = bending + momentum.cross(slip) + by_rate[k];
+            columns[k + 3] = joined((more + slip).to_array(), self.over_inertia(torque));
         }
         let block = |i: usize, j: usize| {
             let part = columns[j..j + 3].iter().flat_map(|column| &column[i..i + 3]);
@@ -187,8 +177,8 @@ impl<'a> Steady<'a> {
     }
 
     /// I⁻¹ N
-    fn over_inertia(&self, torque: [f64; 3]) -> [f64; 3] {
-        self.rotor.acceleration(AngularVelocity::ZERO, Torque::from_array(torque)).to_array()
+    fn over_inertia(&self, torque: Torque<Body>) -> [f64; 3] {
+        self.rotor.acceleration(AngularVelocity::ZERO, torque).to_array()
     }
 
     /// The steady motion that Newton's method finds from a state, whose ω in space stays as it is.
@@ -196,11 +186,10 @@ impl<'a> Steady<'a> {
     /// Turns that change nothing, as about the vertical, are left out: each step is the shortest that does it.
     pub(super) fn near(
         rotor: &'a Rotor,
-        torques: &[TorqueModel],
-        torque: &'a Field<'a>,
+        torques: &'a [TorqueModel],
         start: State,
     ) -> Result<State, MotionError> {
-        let steady = Self::unchecked(rotor, torques, torque, start)?;
+        let steady = Self::unchecked(rotor, torques, start)?;
         let in_space = start.omega_space();
         let turned = |state: &State, turn: Direction<Body>| {
             let attitude = state.attitude * Rotation::<Body, Body>::from_rotation_vector(turn);
@@ -212,9 +201,7 @@ impl<'a> Steady<'a> {
             if !(rest.norm() > f64::EPSILON * steady.scale) {
                 break;
             }
-            let slope =
-                |k: usize| derivative(|angle| steady.rest(&turned(&state, unit(k) * angle)).to_array(), STEP);
-            let full = shortest_solution([0, 1, 2].map(slope), (-rest).to_array());
+            let full = shortest_solution(steady.slopes(&state)?.map(Torque::to_array), (-rest).to_array());
             // Half a radian at a time, and less where that does not help.
             let mut step = full * (0.5 / full.norm().max(0.5));
             let mut better = None;
@@ -230,7 +217,7 @@ impl<'a> Steady<'a> {
             let Some(better) = better else { break };
             (state, rest) = better;
         }
-        Self::new(rotor, torques, torque, state).map(|steady| steady.state)
+        Self::new(rotor, torques, state).map(|steady| steady.state)
     }
 }
 

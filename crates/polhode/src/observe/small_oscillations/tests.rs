@@ -12,14 +12,14 @@ fn on_orbit(moments: [f64; 3], n: f64) -> Result<SmallOscillations, MotionError>
     let body = MassProperties::new(7.0, Position::ZERO, InertiaTensor::diagonal(moments).unwrap()).unwrap();
     let rotor = Rotor::free(&body);
     // The frame turns about y: at t = 0 its axes are those of space, z along the radius.
-    let torque = |state: &State| -> Torque<Body> {
+    let torque = move |rotor: &Rotor, state: &State| -> Torque<Body> {
         let orbit = Rotation::<Space, Space>::about(Direction::new(0.0, 1.0, 0.0), n * state.time).unwrap();
         let r = state.attitude.inverse() * (orbit * Direction::<Space>::new(0.0, 0.0, 1.0));
         let ir = rotor.inertia().symmetric().apply(r.to_array());
         Torque::from_array(r.cross(Direction::from_array(ir)).to_array()) * (3.0 * n * n)
     };
     let state = State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.0, n, 0.0) };
-    SmallOscillations::of(&Steady::new(&rotor, &[], &torque, state)?)
+    SmallOscillations::about(&rotor, &[TorqueModel::function("gradient", torque)], state)
 }
 
 /// Both sides say what the other derives in another way: Hughes's scalar equations, and the linear equations in the turning frame.
@@ -42,11 +42,11 @@ fn a_state_that_does_not_last_is_refused() {
     let body =
         MassProperties::new(7.0, Position::ZERO, InertiaTensor::diagonal([5.1, 6.2, 1.7]).unwrap()).unwrap();
     let rotor = Rotor::free(&body);
-    let torque = |state: &State| Torque::new(0.0, 1e-3 * state.time, 0.0);
+    let torque = TorqueModel::function("growing", |_, state| Torque::new(0.0, 1e-3 * state.time, 0.0));
     let state =
         State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.0, 0.1, 0.0) };
     assert!(matches!(
-        Steady::new(&rotor, &[], &torque, state).map(|_| ()),
+        SmallOscillations::about(&rotor, &[torque], state).map(|_| ()),
         Err(MotionError::NotSteady { .. })
     ));
 }

@@ -2,7 +2,8 @@
 //!
 //! A [`Law`] is written over any [`LawInput`], which gives it what the state of a body is made of, and whose numbers and vectors know only
 //! their operations. So one statement is evaluated in a state ([`LawInput`] of f64), is recognised as linear or quadratic
-//! (`polynomial.rs`), and is recorded as a graph (`graph.rs`), from which Taylor's method has its series, of one body or of several.
+//! (`polynomial.rs`), is recorded as a graph (`graph.rs`), from which Taylor's method has its series, of one body or of several, and is
+//! differentiated (`jacobian.rs`).
 
 use crate::math::algebra::{Scalar, VectorAlgebra};
 use crate::math::frame::{Body, Space};
@@ -121,9 +122,9 @@ pub struct OrbitPosition<S, V> {
 
 /// A state in numbers.
 #[derive(Clone, Copy, Debug)]
-struct Values<'a> {
-    rotor: &'a Rotor,
-    state: &'a State,
+pub(super) struct Values<'a> {
+    pub(super) rotor: &'a Rotor,
+    pub(super) state: &'a State,
 }
 
 impl LawInput for Values<'_> {

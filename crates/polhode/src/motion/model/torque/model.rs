@@ -3,6 +3,7 @@
 use core::fmt;
 
 use super::graph::{Recorder, VectorNode};
+use super::jacobian::Tangent;
 use super::law::Law;
 use super::polynomial::{PolynomialVector, Unknowns};
 use crate::math::frame::Body;
@@ -21,6 +22,9 @@ pub(in crate::motion) trait AnyLaw: fmt::Debug {
 
     /// As a part of a graph.
     fn record<'r>(&self, recorder: &Recorder<'r>) -> VectorNode<'r>;
+
+    /// N′ along a tangent; NaN if it has none.
+    fn derivative(&self, along: &Tangent<'_>) -> Torque<Body>;
 }
 
 impl<L: Law + fmt::Debug> AnyLaw for L {
@@ -34,6 +38,10 @@ impl<L: Law + fmt::Debug> AnyLaw for L {
 
     fn record<'r>(&self, recorder: &Recorder<'r>) -> VectorNode<'r> {
         self.torque(recorder)
+    }
+
+    fn derivative(&self, along: &Tangent<'_>) -> Torque<Body> {
+        Torque::from_array(self.torque(along).0.map(|component| component.first))
     }
 }
 

@@ -4,6 +4,7 @@ use core::fmt;
 use std::sync::Arc;
 
 use super::graph::{Graph, Recorder, VectorNode};
+use super::jacobian::Tangent;
 use super::law::Law;
 use super::model::{AnyLaw, Model};
 use super::polynomial::{PolynomialVector, Unknowns};
@@ -70,6 +71,13 @@ impl AnyLaw for OwnTorque {
         match &self.kind {
             OwnLaw::Law { law, .. } => law.record(recorder),
             OwnLaw::Function(_) => recorder.rough(),
+        }
+    }
+
+    fn derivative(&self, along: &Tangent<'_>) -> Torque<Body> {
+        match &self.kind {
+            OwnLaw::Law { law, .. } => law.derivative(along),
+            OwnLaw::Function(_) => Torque::new(f64::NAN, f64::NAN, f64::NAN),
         }
     }
 }

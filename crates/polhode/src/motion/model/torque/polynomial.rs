@@ -8,7 +8,7 @@ use core::cell::RefCell;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::law::{LawInput, OrbitPosition};
-use crate::math::algebra::{Scalar, VectorAlgebra};
+use crate::math::algebra::{Components, Scalar};
 use crate::math::formula::{Binary, Unary};
 use crate::math::frame::{Body, Principal, Space};
 use crate::math::rotation::{Attitude, Rotation};
@@ -228,8 +228,7 @@ impl Scalar for Polynomial {
 }
 
 /// A vector of polynomials, along principal axes.
-#[derive(Clone, Copy, Debug)]
-pub(in crate::motion) struct PolynomialVector([Polynomial; 3]);
+pub(in crate::motion) type PolynomialVector = Components<Polynomial>;
 
 impl PolynomialVector {
     pub(super) const NONE: Self = Self([Polynomial::NONE; 3]);
@@ -248,56 +247,6 @@ impl PolynomialVector {
         Self(rows.map(|[a, b, c]| {
             Polynomial(Some(x.map(|x| a * x).zip(&y, |sum, y| sum + b * y).zip(&z, |sum, z| sum + c * z)))
         }))
-    }
-}
-
-impl Neg for PolynomialVector {
-    type Output = Self;
-    fn neg(self) -> Self {
-        Self(self.0.map(|a| -a))
-    }
-}
-
-impl Add for PolynomialVector {
-    type Output = Self;
-    fn add(self, b: Self) -> Self {
-        Self([0, 1, 2].map(|k| self.0[k] + b.0[k]))
-    }
-}
-
-impl Sub for PolynomialVector {
-    type Output = Self;
-    fn sub(self, b: Self) -> Self {
-        Self([0, 1, 2].map(|k| self.0[k] - b.0[k]))
-    }
-}
-
-impl Mul<Polynomial> for PolynomialVector {
-    type Output = Self;
-    fn mul(self, b: Polynomial) -> Self {
-        Self(self.0.map(|a| a * b))
-    }
-}
-
-impl VectorAlgebra<Polynomial> for PolynomialVector {
-    fn scaled(self, by: f64) -> Self {
-        Self(self.0.map(|a| a.scaled(by)))
-    }
-
-    fn dot(self, b: Self) -> Polynomial {
-        let [x, y, z] = [0, 1, 2].map(|k| self.0[k] * b.0[k]);
-        x + y + z
-    }
-
-    fn cross(self, b: Self) -> Self {
-        Self([(1, 2), (2, 0), (0, 1)].map(|(j, k)| self.0[j] * b.0[k] - self.0[k] * b.0[j]))
-    }
-
-    fn norm(self) -> Polynomial {
-        match self.0.map(Polynomial::value) {
-            [Some(x), Some(y), Some(z)] => Polynomial::constant(Direction::<Principal>::new(x, y, z).norm()),
-            _ => Polynomial::NONE,
-        }
     }
 }
 
@@ -397,7 +346,7 @@ impl LawInput for Unknowns<'_> {
 
     fn inertia(&self, v: PolynomialVector) -> PolynomialVector {
         let ([x, y, z], [i1, i2, i3]) = (v.0, self.rotor.principal().moments());
-        PolynomialVector([x.scaled(i1), y.scaled(i2), z.scaled(i3)])
+        Components([x.scaled(i1), y.scaled(i2), z.scaled(i3)])
     }
 
     fn symmetric(&self, elements: [f64; 6], v: PolynomialVector) -> PolynomialVector {
@@ -409,7 +358,7 @@ impl LawInput for Unknowns<'_> {
     }
 
     fn vector(&self, components: [Polynomial; 3]) -> PolynomialVector {
-        PolynomialVector(components).image(self.to_principal.matrix())
+        Components(components).image(self.to_principal.matrix())
     }
 }
 

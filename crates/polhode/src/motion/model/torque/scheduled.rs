@@ -2,6 +2,7 @@
 
 use super::TorqueModel;
 use super::graph::{Recorder, VectorNode};
+use super::jacobian::Tangent;
 use super::model::{AnyLaw, Model};
 use super::polynomial::{PolynomialVector, Unknowns};
 use super::schedule::Schedule;
@@ -31,6 +32,10 @@ impl AnyLaw for Scheduled {
 
     fn record<'r>(&self, recorder: &Recorder<'r>) -> VectorNode<'r> {
         self.torque.model().record(recorder)
+    }
+
+    fn derivative(&self, along: &Tangent<'_>) -> Torque<Body> {
+        if self.schedule.is_on(along.time()) { self.torque.model().derivative(along) } else { Torque::ZERO }
     }
 }
 

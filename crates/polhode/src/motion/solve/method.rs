@@ -6,7 +6,9 @@ use super::propagate::splitting::SplittingOrder;
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 #[non_exhaustive]
 pub enum Method {
-    /// A closed form where there is one, Taylor's method elsewhere.
+    /// A closed form where there is one, Taylor's method elsewhere, whatever times are asked for: a state does not depend on what else is
+    /// computed. A closed form takes 3 µs to prepare (free), 5 (a pendulum) or 33 (a top); for one short step from every new start, as in
+    /// control, [`Method::Taylor`] takes 1 µs.
     #[default]
     Auto,
     /// A closed form, or an error.

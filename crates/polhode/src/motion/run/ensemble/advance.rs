@@ -13,7 +13,7 @@ use crate::motion::solve::propagate::taylor;
 /// States that are computed before they are put down, of a closed form: they stay in the nearest memory.
 const BATCH: usize = 256;
 
-/// So many states of a free motion are computed sooner one by one.
+/// So many states of a closed form are computed sooner one by one.
 const FEW: usize = 4;
 
 /// States of bodies side by side: some megabytes.
@@ -82,6 +82,7 @@ fn evaluate(portion: &mut Portion<'_>, k: usize, motion: &ClosedForm, times: &[f
     for times in known.chunks(BATCH) {
         match motion {
             ClosedForm::Free(motion) if times.len() > FEW => motion.fill(times, states),
+            _ if times.len() > FEW => states.iter_mut().zip(motion.at_times(times)).for_each(|(a, b)| *a = b),
             _ => states.iter_mut().zip(times).for_each(|(state, &time)| *state = motion.at(time)),
         }
         portion.put(k, from, states.get(..times.len()).unwrap_or_default());

@@ -1,11 +1,13 @@
 //! The `[body]`: its parts, and the point that is held.
 
+use std::sync::Arc;
+
 use polhode::body::{BodyPart, Finding, MassProperties, PrincipalFrame, Severity, Symmetry};
 use polhode::math::{Body, Position};
 
-use super::again::{Changes, Found, Reading};
 use super::part::{assumes_metres, part};
 use super::reader::{Table, Value};
+use super::tree::{Known, Replacement};
 use crate::error::FormatError;
 use crate::mesh::{AssumedMetres, longest_side};
 use crate::unit::Dimension;
@@ -39,27 +41,31 @@ pub(crate) fn body<'a>(root: &Table<'a>, findings: &mut Vec<Finding>) -> Result<
     table.allow(&["part", "pivot"])?;
     let list = table.require("part", EXAMPLE)?;
     let (mut parts, mut in_metres) = (Vec::new(), Vec::new());
-    for (k, table) in list.tables("body.part")?.into_iter().enumerate() {
-        in_metres.extend(assumes_metres(&table).map(|mass_given| (k, mass_given)));
-        parts.push(varying_part(list.source().reading, table, k, findings)?);
+    if let Some(Replacement::MassProperties(name, other)) = list.replacement() {
+        parts.push(of_properties(name.clone(), *other));
+    } else {
+        for (k, part) in list.array_of_tables("body.part")?.into_iter().enumerate() {
+            if let Some(Replacement::MassProperties(name, other)) = part.replacement() {
+                parts.push(of_properties(name.clone(), *other));
+                continue;
+            }
+            let table = part.table()?;
+            in_metres.extend(assumes_metres(&table).map(|mass_given| (k, mass_given)));
+            parts.push(known_part(&part, table, k, findings)?);
+        }
     }
     if parts.is_empty() {
         return Err(table.missing("part", EXAMPLE));
     }
     findings.extend(in_metres.iter().filter_map(|(k, mass_given)| absurd_metres(&parts, *k, *mass_given)));
-    let body = match list.source().reading {
-        Reading::Again(_, Changes { body: Some(other), .. }) => {
-            parts = vec![of_properties("body".to_owned(), *other)];
-            *other
-        }
-        Reading::Again(Found { body: Some(body), .. }, changes) if changes.parts.is_empty() => *body,
-        reading => {
+    let body = match (list.replacement(), list.known()) {
+        (Some(Replacement::MassProperties(_, body)), _) | (_, Some(Known::Body(body))) => *body,
+        _ => {
             let placed: Vec<_> = parts.iter().map(|part| part.properties).collect();
-            let body = MassProperties::combined(&placed).map_err(|e| list.body(e))?;
-            reading.leave(|found| found.body = Some(body));
-            body
+            MassProperties::combined(&placed).map_err(|e| list.body(e))?
         }
     };
+    list.keep(Known::Body(body));
     let pivot = table.get("pivot").map(Pivot::read).transpose()?;
     Ok(Assembly { parts, body, pivot })
 }
@@ -79,27 +85,22 @@ fn absurd_metres(parts: &[BodyPart], k: usize, mass_given: bool) -> Option<Findi
     assumed.finding(Some(format!("part \"{}\"", part.name)))
 }
 
-/// Part `k`, from 0, as it is now: if nothing in it differs, as it was.
-fn varying_part(
-    reading: Reading<'_>,
+/// Part `k`, from 0: as it was read, if it was.
+fn known_part(
+    value: &Value<'_>,
     table: Table<'_>,
     k: usize,
     findings: &mut Vec<Finding>,
 ) -> Result<BodyPart, FormatError> {
-    let first = reading.found().and_then(|found| found.parts.get(k));
-    if let (Some((first, noticed)), Some(changes)) = (first, reading.changes()) {
-        if let Some((_, other)) = changes.part_properties.iter().find(|(part, _)| *part == k) {
-            return Ok(of_properties(first.name.clone(), *other));
-        }
-        if !changes.parts.contains(&k) {
-            findings.extend_from_slice(noticed);
-            return Ok(first.clone());
-        }
+    if let (Some(Known::Part(known)), false) = (value.known(), table.is_shown()) {
+        let (part, noticed) = &**known;
+        findings.extend_from_slice(noticed);
+        return Ok(part.clone());
     }
     let mut noticed = Vec::new();
     let part = part(table, k + 1, &mut noticed)?;
     findings.extend_from_slice(&noticed);
-    reading.leave(|found| found.parts.push((BodyPart { form: None, ..part.clone() }, noticed)));
+    value.keep(Known::Part(Arc::new((BodyPart { form: None, ..part.clone() }, noticed))));
     Ok(part)
 }
 

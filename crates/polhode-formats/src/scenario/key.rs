@@ -1,11 +1,13 @@
 //! Keys of what varies: `body.part[0].size[2]`, `torque["wind"].from`, `start.spin.body`.
 
 use super::suggestion::nearest;
-use super::tree::{Entries, Kind, Node};
+use super::tree::{Entries, Kind, Node, Step};
 
 /// The value that a key leads to.
 pub(crate) struct Spot<'a> {
     pub(crate) node: &'a Node,
+    /// The way to it.
+    pub(crate) way: Vec<Step>,
     /// The words of the key, as a column is named.
     pub(crate) words: Vec<String>,
     /// The part of the body, from 0, to which it belongs.
@@ -42,9 +44,11 @@ impl<'a> Spot<'a> {
             let (word, after) = named.split_at(named.find(['.', '[']).unwrap_or(named.len()));
             let entry =
                 table.and_then(|table| table.get(word)).ok_or_else(|| no_key(table, done, word, after))?;
-            let (mut words, part) = spot.map_or((Vec::new(), None), |spot| (spot.words, spot.part));
+            let (mut way, mut words, part) =
+                spot.map_or_else(Default::default, |spot| (spot.way, spot.words, spot.part));
+            way.push(Step::Key(word.into()));
             words.push(word.to_owned());
-            spot = Some(Self { node: &entry.node, words, part });
+            spot = Some(Self { node: &entry.node, way, words, part });
             rest = after;
         }
         spot.ok_or_else(|| {
@@ -57,7 +61,7 @@ impl<'a> Spot<'a> {
 fn no_key(table: Option<&Entries>, done: &str, word: &str, after: &str) -> Nowhere {
     let (here, dot) = if done.is_empty() { ("the scenario", "") } else { (done, ".") };
     let keys: Vec<&str> =
-        table.into_iter().flatten().map(|(key, _)| key.as_str()).filter(|key| *key != "sweep").collect();
+        table.into_iter().flatten().map(|(key, _)| key.as_ref()).filter(|key| *key != "sweep").collect();
     let hint = match nearest(word, keys.iter().copied()) {
         Some(near) => Some(format!("did you mean \"{done}{dot}{near}{after}\"?")),
         None if keys.is_empty() => None,
@@ -71,7 +75,7 @@ fn element<'a>(from: Spot<'a>, done: &str, index: &str, after: &str) -> Result<S
     let Kind::List(elements) = &from.node.kind else {
         return Err((format!("a key of the scenario, but {done} is not an array"), None));
     };
-    let name_of = |node: &'a Node| match &node.kind {
+    let name_of = |node: &'a std::sync::Arc<Node>| match &node.kind {
         Kind::Table(entries) => match &entries.get("name")?.node.kind {
             Kind::Text(name) => Some(name.as_str()),
             _ => None,
@@ -95,8 +99,9 @@ fn element<'a>(from: Spot<'a>, done: &str, index: &str, after: &str) -> Result<S
             (format!("a key of the scenario, but there is no {done}[{index}]"), Some(hint))
         })?,
     };
-    let node = elements.get(k).unwrap_or(from.node);
-    let Spot { mut words, part, .. } = from;
+    let node = elements.get(k).map_or(from.node, |node| node);
+    let Spot { mut way, mut words, part, .. } = from;
+    way.push(Step::Element(k));
     let is_part = words == ["body", "part"];
     let axis = match (elements.len(), &node.kind) {
         (3, _) => ["x", "y", "z"].get(k),
@@ -112,7 +117,7 @@ fn element<'a>(from: Spot<'a>, done: &str, index: &str, after: &str) -> Result<S
         }
         (_, Some(axis)) => words.push((*axis).to_owned()),
     }
-    Ok(Spot { node, words, part: if is_part { Some(k) } else { part } })
+    Ok(Spot { node, way, words, part: if is_part { Some(k) } else { part } })
 }
 
 /// The key of the element beyond the diagonal of a tensor, which is the same number.

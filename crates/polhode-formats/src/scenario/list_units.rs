@@ -1,5 +1,7 @@
 //! Numbers that stand together have their units together: `["0 mm", "0 mm", "150"]` is refused, as 150 m is hardly meant.
 
+use std::sync::Arc;
+
 use super::reader::Source;
 use super::tree::{Entries, Kind, Node};
 use crate::error::{FormatError, FormatErrorKind};
@@ -12,7 +14,7 @@ const TOGETHER: [&str; 6] = ["from", "to", "mode", "mean", "sd", "median"];
 /// Refuses the first list, or matrix, in which some numbers have units and others, which are not zero, have none.
 pub(super) fn check(source: Source<'_>, entries: &Entries) -> Result<(), FormatError> {
     let together: Vec<&Node> =
-        TOGETHER.iter().filter_map(|key| entries.get(*key)).map(|entry| &entry.node).collect();
+        TOGETHER.iter().filter_map(|key| entries.get(*key)).map(|entry| &*entry.node).collect();
     let key_of = |node: &Node| {
         let named = TOGETHER.iter().find(|key| entries.get(**key).is_some_and(|e| e.node.span == node.span));
         named.copied().unwrap_or_default()
@@ -28,12 +30,12 @@ pub(super) fn check(source: Source<'_>, entries: &Entries) -> Result<(), FormatE
     Ok(())
 }
 
-fn list(source: Source<'_>, key: &str, elements: &[Node]) -> Result<(), FormatError> {
+fn list(source: Source<'_>, key: &str, elements: &[Arc<Node>]) -> Result<(), FormatError> {
     let rows = elements.iter().map(|element| match &element.kind {
         Kind::List(row) => row.as_slice(),
         _ => std::slice::from_ref(element),
     });
-    let scalars: Vec<&Node> = rows.flatten().collect();
+    let scalars: Vec<&Node> = rows.flatten().map(AsRef::as_ref).collect();
     alike(source, |_| key, &scalars)?;
     for element in elements {
         if let Kind::Table(inner) = &element.kind {

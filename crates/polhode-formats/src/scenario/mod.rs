@@ -22,7 +22,6 @@
 //! A quantity is a string with its unit, or a number in SI. Whatever is unknown, impossible or ambiguous is an
 //! error that points at its place; nothing is ignored.
 
-mod again;
 mod body;
 mod event;
 mod formula;
@@ -56,7 +55,6 @@ use crate::error::{FormatError, FormatErrorKind};
 use crate::file;
 use crate::mesh::stl;
 use crate::text::is_utf16;
-use again::Reading;
 use polhode::motion::{ActingTorque, MotionError, Rotor, Scenario};
 use reader::{Source, TOP, Table};
 pub use sweep::{Dispersion, Distribution, Law, SOBOL_DIMENSIONS, Sampling, Spread, Sweep, Vary};
@@ -134,7 +132,7 @@ fn perhaps_mesh(error: FormatError, bytes: &[u8]) -> FormatError {
 /// # Errors
 /// As [`read`].
 pub fn parse(text: &str, path: &Path) -> Result<Scenario, FormatError> {
-    let source = Source { path, text, reading: Reading::Once };
+    let source = Source { path, text, is_shown: true };
     let root = document(source)?;
     if root.contains_key("sweep") {
         return Template::parse(text.to_owned(), path)?.into_scenario();
@@ -236,7 +234,7 @@ pub fn placed(text: &str, path: &Path, error: &MotionError) -> Option<FormatErro
         }
         _ => return None,
     };
-    let source = Source { path, text, reading: Reading::Once };
+    let source = Source { path, text, is_shown: true };
     let entries = document(source).ok()?;
     let root = Table::root(source, &entries);
     let tables = root.get("torque")?.tables("torque").ok()?;

@@ -1,6 +1,5 @@
 //! A molecule as a part: its atoms are particles.
 
-use std::path::Path;
 use std::sync::Arc;
 
 use polhode::body::{BodyPart, Finding, Form, Particle, mass_properties_of_particles};
@@ -8,6 +7,7 @@ use polhode::math::{Part, Position};
 
 use super::part::Placement;
 use super::reader::Table;
+use super::tree::Known;
 use crate::error::{FormatError, FormatErrorKind};
 use crate::molecule::{self, ATOMIC_MASS, Isotopes, MoleculeFormat};
 
@@ -19,8 +19,7 @@ pub(super) fn molecule(
     findings: &mut Vec<Finding>,
 ) -> Result<BodyPart, FormatError> {
     let file = table.require("file", "file = \"water.xyz\"")?;
-    let written = file.string()?;
-    let path = file.source().path.parent().unwrap_or(Path::new("")).join(written);
+    let path = file.path()?;
     let Some(format) = MoleculeFormat::of_path(&path) else {
         return Err(file.invalid("a molecule's file").with_hint("they end in .xyz, .mol, .sdf and .pdb"));
     };
@@ -32,7 +31,6 @@ pub(super) fn molecule(
         None => Isotopes::default(),
     };
     let read = || {
-        table.reading().leave(|found| found.files.push(path.clone()));
         let molecules = molecule::read(&path, format).map_err(|error| match error.kind() {
             // A file that is not there has no lines: the scenario's line is to blame.
             kind @ FormatErrorKind::Io { .. } => file
@@ -40,14 +38,15 @@ pub(super) fn molecule(
                 .with_hint(format!("paths are relative to the scenario: this one is {path:?}")),
             _ => error.named_in(file.source().path, file.place()),
         })?;
-        molecules.into_iter().next().map(Arc::new).ok_or_else(|| file.invalid("a molecule with atoms"))
+        let first = molecules.into_iter().next().ok_or_else(|| file.invalid("a molecule with atoms"))?;
+        let first = Arc::new(first);
+        file.keep(Known::Molecule(first.clone()));
+        Ok(first)
     };
-    let first = table.reading().kept(
-        file.span().start,
-        |found| &found.molecules,
-        |found| &mut found.molecules,
-        read,
-    )?;
+    let first = match file.known() {
+        Some(Known::Molecule(first)) => first.clone(),
+        _ => read()?,
+    };
     findings.extend(first.findings_with(isotopes));
     let particle = |atom: &molecule::Atom| {
         let in_part = Position::<Part>::from_array(atom.position_m);

@@ -4,13 +4,14 @@
 //! `omega_space_x_rad_s …`, in any order. Fields are separated by commas; blank lines and what follows a `#` are for people.
 
 use std::ops::Range;
-use std::path::Path;
+use std::sync::Arc;
 
 use polhode::body::{Finding, Severity};
 use polhode::math::Attitude;
 use polhode::motion::{RateAxes, Uncertainty};
 
 use super::reader::Value;
+use super::tree::Known;
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 use crate::error::{FormatError, FormatErrorKind};
 use crate::{file, unit};
@@ -36,19 +37,23 @@ pub(crate) enum Rows {
 }
 
 /// Reads the file that `table` names, relative to the scenario.
-pub(super) fn read(table: &Value<'_>, columns: Option<&str>) -> Result<Rows, FormatError> {
-    let written = table.string()?;
-    let path = table.source().path.parent().unwrap_or(Path::new("")).join(written);
-    table.source().reading.leave(|found| found.files.push(path.clone()));
-    let bytes = file::bytes(&path, written, LARGEST_FILE).map_err(|kind| {
+pub(super) fn read(table: &Value<'_>, columns: Option<&str>) -> Result<Arc<Rows>, FormatError> {
+    let path = table.path()?;
+    if let Some(Known::Rows(rows)) = table.known() {
+        return Ok(rows.clone());
+    }
+    let bytes = file::bytes(&path, table.string()?, LARGEST_FILE).map_err(|kind| {
         let missing = matches!(kind, FormatErrorKind::Io { .. });
         let error = table.error(kind);
         let hint = format!("paths are relative to the scenario: this one is {path:?}");
         if missing { error.with_hint(hint) } else { error }
     })?;
-    rows(&bytes, columns).map_err(|error| {
+    let rows = rows(&bytes, columns).map_err(|error| {
         FormatError::of_content(&path, &bytes, error).named_in(table.source().path, table.place())
-    })
+    })?;
+    let rows = Arc::new(rows);
+    table.keep(Known::Rows(rows.clone()));
+    Ok(rows)
 }
 
 /// What is known of the motion between the rows.

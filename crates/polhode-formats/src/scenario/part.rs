@@ -16,6 +16,7 @@ use super::rotation::rotation;
 use super::shape::{Geometry, SHAPES, shape};
 use super::substance::{self, Matter, matter};
 use super::tensor;
+use super::tree::Known;
 use crate::error::{FormatError, FormatErrorKind};
 use crate::mesh::{MeshContents, MeshFormat, MeshSolid};
 use crate::unit::{self, Dimension, UnitError};
@@ -65,8 +66,7 @@ pub(crate) fn part(
     let surface_area = (!matches!(extent, Extent::Length(_))).then(|| solid.surface_area());
     let properties = placement.place(&table, properties)?;
     // Display geometry is skipped for sweep members.
-    let pictured = table.reading().found().is_none();
-    let form = pictured.then(|| solid.form()).flatten().map(|form| placement.form(form));
+    let form = table.is_shown().then(|| solid.form()).flatten().map(|form| placement.form(form));
     Ok(BodyPart { name, kind, properties, extent: Some(extent), surface_area, particles: Vec::new(), form })
 }
 
@@ -155,13 +155,14 @@ fn particles(table: &Table<'_>, name: String, placement: &Placement) -> Result<B
 /// The mesh of a part, read once.
 fn mesh(table: &Table<'_>, name: &str, findings: &mut Vec<Finding>) -> Result<Arc<ClosedMesh>, FormatError> {
     let file = table.require("file", "file = \"part.stl\"")?;
-    let read = || {
-        let mut noticed = Vec::new();
-        Ok((Arc::new(read_mesh(table, name, &mut noticed)?), noticed))
-    };
-    let (mesh, noticed) =
-        table.reading().kept(file.span().start, |found| &found.meshes, |found| &mut found.meshes, read)?;
-    findings.extend(noticed);
+    if let Some(Known::Mesh(mesh, noticed)) = file.known() {
+        findings.extend_from_slice(noticed);
+        return Ok(mesh.clone());
+    }
+    let mut noticed = Vec::new();
+    let mesh = Arc::new(read_mesh(table, name, &mut noticed)?);
+    findings.extend_from_slice(&noticed);
+    file.keep(Known::Mesh(mesh.clone(), noticed));
     Ok(mesh)
 }
 
@@ -174,15 +175,14 @@ fn read_mesh(table: &Table<'_>, name: &str, findings: &mut Vec<Finding>) -> Resu
     }
     let unit = table.get("unit").map(|value| length_unit(&value)).transpose()?;
     let scenario = file.source().path;
-    let path = scenario.parent().unwrap_or(Path::new("")).join(written);
-    let Some(format) = MeshFormat::of_path(&path) else {
+    let path = &file.path()?;
+    let Some(format) = MeshFormat::of_path(path) else {
         let known: Vec<_> = MeshFormat::ALL.iter().map(|format| format.name()).collect();
         return Err(file.invalid("a mesh file").with_hint(format!("mesh files end in {}", known.join(", "))));
     };
-    table.reading().leave(|found| found.files.push(path.clone()));
-    let solid = MeshContents::read_as(&path, written, format).and_then(|contents| {
-        let one = contents.as_one().map_err(|e| FormatError::new(&path, None, FormatErrorKind::Body(e)))?;
-        MeshSolid::of(one, &path, format, unit)
+    let solid = MeshContents::read_as(path, written, format).and_then(|contents| {
+        let one = contents.as_one().map_err(|e| FormatError::new(path, None, FormatErrorKind::Body(e)))?;
+        MeshSolid::of(one, path, format, unit)
     });
     let solid = solid.map_err(|error| match error.kind() {
         // A file that is not there has no lines: the scenario's line is to blame.

@@ -1,7 +1,5 @@
 //! A `[prescribed]` motion.
 
-use std::sync::Arc;
-
 use polhode::body::{Finding, Severity};
 use polhode::math::formula::Formula;
 use polhode::math::{Attitude, Direction};
@@ -129,8 +127,7 @@ fn tabled(
     findings: &mut Vec<Finding>,
 ) -> Result<Prescribed, FormatError> {
     let columns = table.get("columns").map(|value| value.choice(&motion_table::COLUMNS)).transpose()?;
-    let read = || motion_table::read(form, columns).map(Arc::new);
-    let rows = table.reading().kept(form.span().start, |found| &found.rows, |found| &mut found.rows, read)?;
+    let rows = motion_table::read(form, columns)?;
     let (motion, uncertainty) = match &*rows {
         Rows::Attitude { times, attitudes } => {
             no_attitude(start, "the attitudes of the table are the motion")?;

@@ -1,12 +1,11 @@
 //! TOML with places: tables and values that know where in the file they stand, so that every error can say it.
 
 use std::ops::Range;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-use super::again::{Number, Reading};
 use super::meant;
 use super::suggestion::nearest;
-use super::tree::{Entries, Kind, Node};
+use super::tree::{Entries, Kind, Known, Node, Replacement};
 use crate::error::{FormatError, FormatErrorKind, Place};
 use crate::expression::ExpressionError;
 use crate::text::{cut, visible};
@@ -15,12 +14,13 @@ use polhode::body::BodyError;
 use polhode::math::RotationError;
 use polhode::motion::MotionError;
 
-/// The text of a file, the path for messages and for the files that it names, and which reading of it this is.
+/// The text of a file, and its path, for messages and for the files that it names.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Source<'a> {
     pub(crate) path: &'a Path,
     pub(crate) text: &'a str,
-    pub(crate) reading: Reading<'a>,
+    /// Whether the scenario will be looked at: members of sweeps are not.
+    pub(crate) is_shown: bool,
 }
 
 impl Source<'_> {
@@ -28,19 +28,27 @@ impl Source<'_> {
         Place::in_text(self.text, span)
     }
 
-    /// The text at a place, with the numbers that this reading has instead.
-    fn current(&self, span: Range<usize>) -> String {
-        let inside = |place: &&(Range<usize>, f64)| span.contains(&place.0.start);
-        let changes = self.reading.changes().map_or(&[][..], |changes| &changes.numbers);
-        let mut changes: Vec<_> = changes.iter().filter(inside).collect();
-        changes.sort_by_key(|(place, _)| place.start);
-        let (mut text, mut at) = (String::new(), span.start);
-        for (place, value) in changes {
+    /// The path of a file that the scenario names.
+    pub(crate) fn beside(&self, name: &str) -> PathBuf {
+        self.path.parent().unwrap_or(Path::new("")).join(name)
+    }
+
+    /// The text of a value, with the numbers that are replaced.
+    fn current(&self, node: &Node) -> String {
+        let mut replaced = Vec::new();
+        node.each_leaf(&mut |leaf| {
+            if let Kind::Replaced(Replacement::Number(value)) = leaf.kind {
+                replaced.push((&leaf.span, value));
+            }
+        });
+        replaced.sort_by_key(|(place, _)| place.start);
+        let (mut text, mut at) = (String::new(), node.span.start);
+        for (place, value) in replaced {
             text += self.text.get(at..place.start).unwrap_or_default();
             text += &format!("{value:?}");
             at = place.end;
         }
-        text + self.text.get(at..span.end).unwrap_or_default()
+        text + self.text.get(at..node.span.end).unwrap_or_default()
     }
 
     pub(crate) fn error(&self, span: Range<usize>, kind: FormatErrorKind) -> FormatError {
@@ -86,8 +94,8 @@ impl<'a> Table<'a> {
         Self { source, entries, span: 0..0, name: "the file".to_owned() }
     }
 
-    pub(crate) fn reading(&self) -> Reading<'a> {
-        self.source.reading
+    pub(crate) fn is_shown(&self) -> bool {
+        self.source.is_shown
     }
 
     /// Says what the table is where its header alone does not.
@@ -97,9 +105,9 @@ impl<'a> Table<'a> {
 
     /// Refuses the first key that is none of `known`.
     pub(crate) fn allow(&self, known: &[&'static str]) -> Result<(), FormatError> {
-        let unknown = self.entries.iter().filter(|(key, _)| !known.contains(&key.as_str()));
+        let unknown = self.entries.iter().filter(|(key, _)| !known.contains(&key.as_ref()));
         let Some((key, entry)) = unknown.min_by_key(|(_, entry)| entry.key.start) else { return Ok(()) };
-        let key = key.clone();
+        let key = key.to_string();
         let advice = meant::key(&key, known).map(str::to_owned);
         let suggestion = if advice.is_some() { None } else { nearest(&key, known.iter().copied()) };
         let misplaced = match key.as_str() {
@@ -150,11 +158,12 @@ impl<'a> Table<'a> {
 
     pub(crate) fn missing(&self, key: &'static str, example: &'static str) -> FormatError {
         // A key that is nearly the missing one is a slip of the pen.
-        let slip = self.entries.iter().find(|(other, _)| *other != key && nearest(other, [key]).is_some());
+        let slip =
+            self.entries.iter().find(|(other, _)| other.as_ref() != key && nearest(other, [key]).is_some());
         if let Some((other, entry)) = slip {
             let (table, suggestion) = (self.name.clone(), Some(key));
             let kind =
-                FormatErrorKind::UnknownKey { key: other.clone(), table, suggestion, known: vec![key] };
+                FormatErrorKind::UnknownKey { key: other.to_string(), table, suggestion, known: vec![key] };
             return self.source.error(entry.key.clone(), kind).with_hint(format!("did you mean {key}?"));
         }
         self.error(FormatErrorKind::MissingKey { key, table: self.name.clone(), example })
@@ -192,6 +201,30 @@ impl<'a> Value<'a> {
         self.source
     }
 
+    /// What stands in its place, if it is replaced.
+    pub(crate) fn replacement(&self) -> Option<&'a Replacement> {
+        match &self.value.kind {
+            Kind::Replaced(replacement) => Some(replacement),
+            _ => None,
+        }
+    }
+
+    /// What it was read as.
+    pub(crate) fn known(&self) -> Option<&'a Known> {
+        self.value.known.get()
+    }
+
+    /// Keeps what it was read as, for later readings.
+    pub(crate) fn keep(&self, known: Known) {
+        // What is known already is the same.
+        let _ = self.value.known.set(known);
+    }
+
+    /// The path of the file that it names, relative to the scenario.
+    pub(crate) fn path(&self) -> Result<PathBuf, FormatError> {
+        self.string().map(|name| self.source.beside(name))
+    }
+
     pub(crate) fn is_array(&self) -> bool {
         matches!(self.value.kind, Kind::List(_))
     }
@@ -224,9 +257,19 @@ impl<'a> Value<'a> {
 
     /// The tables of an array whose headers are `[[header]]`.
     pub(crate) fn tables(&self, header: &str) -> Result<Vec<Table<'a>>, FormatError> {
+        self.array_of_tables(header)?.iter().map(|element| element.table()).collect()
+    }
+
+    /// The same as values.
+    pub(crate) fn array_of_tables(&self, header: &str) -> Result<Vec<Self>, FormatError> {
         let hint = || format!("write [[{header}]] on a line of its own, once for each");
-        self.elements(&format!("an array of tables: [[{header}]]"))
-            .and_then(|elements| elements.iter().map(Self::table).collect())
+        let elements = self.elements(&format!("an array of tables: [[{header}]]"));
+        let is_table = |value: &Self| matches!(value.value.kind, Kind::Table(_) | Kind::Replaced(_));
+        elements
+            .and_then(|elements| match elements.iter().find(|element| !is_table(element)) {
+                Some(other) => other.table().map(|_| elements),
+                None => Ok(elements),
+            })
             .map_err(|error| error.with_hint(hint()))
     }
 
@@ -332,19 +375,19 @@ impl<'a> Value<'a> {
         }
     }
 
-    /// The number that this reading has instead or knows already, or the one that is written, which is left for later readings.
+    /// The number that replaces it, or that is known, or else the one that is written.
     fn varying(
         &self,
         dimension: Dimension,
         written: impl FnOnce() -> Result<f64, FormatError>,
     ) -> Result<f64, FormatError> {
-        let (reading, span) = (self.source.reading, self.span());
-        if let Some(value) = reading.number(span.start, dimension) {
-            return Ok(value);
+        if let Some(Replacement::Number(value)) = self.replacement() {
+            return Ok(*value);
         }
-        let value = written()?;
-        reading.leave(|found| found.numbers.insert(span.start, Number { span, value, dimension }));
-        Ok(value)
+        match self.known() {
+            Some(Known::Number(value, known)) if *known == dimension => Ok(*value),
+            _ => written().inspect(|value| self.keep(Known::Number(*value, dimension))),
+        }
     }
 
     /// A quantity above zero.
@@ -423,7 +466,7 @@ impl<'a> Value<'a> {
 
     /// An error about a value that breaks a rule; the message cites it as it stands in the file.
     pub(crate) fn invalid(&self, rule: impl Into<String>) -> FormatError {
-        let value = cut(&self.source.current(self.span())).chars().map(visible).collect();
+        let value = cut(&self.source.current(self.value)).chars().map(visible).collect();
         self.error(FormatErrorKind::Value { key: self.key.to_owned(), value, rule: rule.into() })
     }
 
@@ -440,6 +483,8 @@ impl<'a> Value<'a> {
             Kind::Date => "a date",
             Kind::List(_) => "an array",
             Kind::Table(_) => "a table",
+            Kind::Replaced(Replacement::Number(_)) => "a number",
+            Kind::Replaced(_) => "a value in its place",
         };
         self.mismatch(expected.to_owned(), found.to_owned()).with_hint(hint)
     }

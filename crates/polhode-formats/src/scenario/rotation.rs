@@ -3,6 +3,7 @@
 use polhode::math::{Direction, Frame, Rotation};
 
 use super::reader::{Table, Value, each};
+use super::tree::{Known, Replacement};
 use crate::error::FormatError;
 use crate::unit::Dimension;
 
@@ -13,12 +14,11 @@ const FORMS: [&str; 4] = ["axis", "quaternion", "euler313", "matrix"];
 /// `{ axis = [3], angle = "90 deg" }`, `{ quaternion = [w, x, y, z] }`, `{ euler313 = [φ, θ, ψ] }`,
 /// `{ matrix = [[3], [3], [3]] }` with v_A = R v_B.
 pub(crate) fn rotation<A: Frame, B: Frame>(value: &Value<'_>) -> Result<Rotation<A, B>, FormatError> {
-    let (reading, place) = (value.source().reading, value.span().start);
-    if let Some(quaternion) = reading.rotation(place) {
-        return Rotation::from_quaternion(quaternion).map_err(|e| value.rotation(e));
+    if let Some(Replacement::Rotation(quaternion)) = value.replacement() {
+        return Rotation::from_quaternion(*quaternion).map_err(|e| value.rotation(e));
     }
     let rotation = written(value)?;
-    reading.leave(|found| found.rotations.insert(place, rotation.quaternion()));
+    value.keep(Known::Rotation(rotation.quaternion()));
     Ok(rotation)
 }
 

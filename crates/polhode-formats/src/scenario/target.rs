@@ -6,10 +6,9 @@ use polhode::body::MassProperties;
 use polhode::math::Body;
 use polhode::motion::Scenario;
 
-use super::again::{Found, Number};
 use super::key::{Spot, mirrored};
 use super::reader::Value;
-use super::tree::{Entries, Kind, Node};
+use super::tree::{Entries, Kind, Known, Node, Step};
 use crate::error::FormatError;
 use crate::unit::Dimension;
 
@@ -45,12 +44,12 @@ pub struct TargetColumn {
 /// Where the values go.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Varied {
-    /// Numbers of the file, by their places; an element of a symmetric matrix has two.
-    Numbers(Vec<Vec<Range<usize>>>),
-    /// A rotation of the file, by its place.
-    Rotation(usize),
-    /// Of the body, or of its part; what is not among the values is as it was.
-    MassProperties(MassProperties<Body>),
+    /// Numbers of the file, by the ways to them; an element of a symmetric matrix has two.
+    Numbers(Vec<Vec<Vec<Step>>>),
+    /// A rotation of the file.
+    Rotation(Vec<Step>),
+    /// Of the body, or of its part, by its name; what is not among the values is as it was.
+    MassProperties(Vec<Step>, String, MassProperties<Body>),
 }
 
 impl Target {
@@ -72,7 +71,7 @@ impl Target {
     /// The mass properties as they are written, of a target that is mass properties.
     pub const fn mass_properties(&self) -> Option<&MassProperties<Body>> {
         match &self.varied {
-            Varied::MassProperties(nominal) => Some(nominal),
+            Varied::MassProperties(_, _, nominal) => Some(nominal),
             _ => None,
         }
     }
@@ -89,7 +88,7 @@ impl Target {
 
     /// True if the same number would vary by both.
     pub(crate) fn overlaps(&self, other: &Self) -> bool {
-        let is_made = |target: &Self| matches!(target.varied, Varied::MassProperties(_));
+        let is_made = |target: &Self| matches!(target.varied, Varied::MassProperties(..));
         match (is_made(self), is_made(other)) {
             (false, false) => self.covered.iter().any(|place| other.covered.contains(place)),
             // Of a part, or of all parts together, what is dispersed is made anew.
@@ -104,7 +103,6 @@ impl Target {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Catalogue<'a> {
     pub(crate) entries: &'a Entries,
-    pub(crate) found: &'a Found,
     pub(crate) nominal: &'a Scenario,
 }
 
@@ -121,15 +119,16 @@ impl Catalogue<'_> {
             let hint = format!("write key = \"{}{}\"", key.string()?, inside.unwrap_or_default());
             return Err(error.with_hint(hint));
         }
-        let number = self.number_at(key, spot.node)?;
-        let mut places = vec![number.span.clone()];
+        let mut covered = spot.node.places();
+        let mut ways = vec![spot.way];
         if let Some(mirrored) = mirrored(key.string()?) {
             let other =
                 Spot::at(self.entries, &mirrored).map_err(|(rule, hint)| refused(key, &rule, hint))?;
-            places.push(self.number_at(key, other.node)?.span.clone());
+            covered.extend(other.node.places());
+            ways.push(other.way);
         }
-        let words = spot.words.join("_");
-        Self::target(key, &[(number, places)], spot.part, &[words])
+        let number = Self::number_at(key, spot.node)?;
+        Self::target(key, &[(number, ways)], spot.part, &[spot.words.join("_")], covered)
     }
 
     /// Three numbers that are a vector.
@@ -142,21 +141,25 @@ impl Catalogue<'_> {
                 return Err(error.with_hint("write key = \"start.spin.body\""));
             }
         };
-        let number = |element| self.number_at(key, element).map(|number| (number, vec![number.span.clone()]));
-        let numbers: Vec<_> = elements.iter().map(number).collect::<Result<_, _>>()?;
+        let number = |(k, element): (usize, &std::sync::Arc<Node>)| {
+            let way = spot.way.iter().cloned().chain([Step::Element(k)]).collect();
+            Ok((Self::number_at(key, element)?, vec![way]))
+        };
+        let numbers: Vec<_> = elements.iter().enumerate().map(number).collect::<Result<_, _>>()?;
         let words = ["x", "y", "z"].map(|axis| format!("{}_{axis}", spot.words.join("_")));
-        Self::target(key, &numbers, spot.part, &words)
+        Self::target(key, &numbers, spot.part, &words, spot.node.places())
     }
 
-    /// Numbers, each with its places, of which each has its words.
+    /// Numbers, each with the ways to it, of which each has its words.
     fn target(
         key: &Value<'_>,
-        numbers: &[(&Number, Vec<Range<usize>>)],
+        numbers: &[((f64, Dimension), Vec<Vec<Step>>)],
         part: Option<usize>,
         words: &[String],
+        covered: Vec<usize>,
     ) -> Result<Target, FormatError> {
         let written = key.string()?;
-        let dimension = numbers.first().map_or(Dimension::NONE, |(number, _)| number.dimension);
+        let dimension = numbers.first().map_or(Dimension::NONE, |((_, dimension), _)| *dimension);
         let described = |words: &String| {
             let axis = words.rsplit('_').next().unwrap_or_default();
             let description = match numbers.len() {
@@ -165,24 +168,22 @@ impl Catalogue<'_> {
             };
             column(words, dimension, description)
         };
-        let places: Vec<Vec<Range<usize>>> = numbers.iter().map(|(_, places)| places.clone()).collect();
         Ok(Target {
             key: written.to_owned(),
             place: key.span(),
             part,
-            nominal: numbers.iter().map(|(number, _)| number.value).collect(),
+            nominal: numbers.iter().map(|((value, _), _)| *value).collect(),
             columns: words.iter().map(described).collect(),
             dimension,
-            covered: places.iter().flatten().map(|place| place.start).collect(),
-            varied: Varied::Numbers(places),
+            covered,
+            varied: Varied::Numbers(numbers.iter().map(|(_, ways)| ways.clone()).collect()),
         })
     }
 
     /// A rotation: an attitude, or how a part is turned.
     pub(crate) fn rotation(&self, key: &Value<'_>) -> Result<Target, FormatError> {
         let spot = self.spot(key)?;
-        let place = spot.node.span.start;
-        let Some(quaternion) = self.found.rotations.get(&place) else {
+        let Some(Known::Rotation(quaternion)) = spot.node.known.get() else {
             let error = key.invalid("a rotation of the scenario");
             return Err(error.with_hint("write key = \"start.attitude\", or \"body.part[0].rotate\""));
         };
@@ -195,7 +196,7 @@ impl Catalogue<'_> {
         Ok(Target {
             key: written.to_owned(),
             place: key.span(),
-            varied: Varied::Rotation(place),
+            varied: Varied::Rotation(spot.way),
             part: spot.part,
             nominal: quaternion.to_vec(),
             columns: columns.to_vec(),
@@ -211,13 +212,17 @@ impl Catalogue<'_> {
             Some(whole) => (whole, true),
             None => (written, false),
         };
-        let (part, words, properties) = if whole == "body" {
-            (None, "body".to_owned(), *self.nominal.body())
+        let (part, words, way, name, properties) = if whole == "body" {
+            let way = ["body", "part"].map(|key| Step::Key(key.into())).to_vec();
+            (None, "body".to_owned(), way, "body".to_owned(), *self.nominal.body())
         } else {
             let spot = Spot::at(self.entries, whole).map_err(|(rule, hint)| refused(key, &rule, hint))?;
             let one_part = matches!(spot.node.kind, Kind::Table(_)) && spot.words.len() == 3;
-            match spot.part.and_then(|k| Some((k, self.found.parts.get(k)?))) {
-                Some((k, (part, _))) if one_part => (Some(k), spot.words.join("_"), part.properties),
+            match (spot.part, spot.node.known.get()) {
+                (Some(k), Some(Known::Part(known))) if one_part => {
+                    let (part, _) = &**known;
+                    (Some(k), spot.words.join("_"), spot.way, part.name.clone(), part.properties)
+                }
                 _ => {
                     let error = key.invalid("the body, a part of it, or the inertia of either");
                     let hint = "write key = \"body\", \"body.inertia\", \"body.part[0]\" or \"body.part[0].inertia\"";
@@ -247,7 +252,7 @@ impl Catalogue<'_> {
         Ok(Target {
             key: written.to_owned(),
             place: key.span(),
-            varied: Varied::MassProperties(properties),
+            varied: Varied::MassProperties(way, name, properties),
             part,
             nominal,
             columns,
@@ -260,12 +265,13 @@ impl Catalogue<'_> {
         Spot::at(self.entries, key.string()?).map_err(|(rule, hint)| refused(key, &rule, hint))
     }
 
-    fn number_at(&self, key: &Value<'_>, node: &Node) -> Result<&Number, FormatError> {
-        let number = self.found.numbers.get(&node.span.start);
-        number.ok_or_else(|| {
-            key.invalid("a number of the scenario: words, formulas and whole numbers do not vary")
-                .with_hint("a formula may stand for a number: write that number without quotes, in SI")
-        })
+    fn number_at(key: &Value<'_>, node: &Node) -> Result<(f64, Dimension), FormatError> {
+        match node.known.get() {
+            Some(Known::Number(value, dimension)) => Ok((*value, *dimension)),
+            _ => Err(key
+                .invalid("a number of the scenario: words, formulas and whole numbers do not vary")
+                .with_hint("a formula may stand for a number: write that number without quotes, in SI")),
+        }
     }
 }
 

@@ -1,17 +1,15 @@
 //! A scenario that is read many times, with some of its numbers changed.
 
-use std::cell::RefCell;
 use std::path::{Path, PathBuf};
 
 use polhode::body::{Finding, InertiaTensor, MassProperties, Severity};
 use polhode::math::{Body, Position};
 use polhode::motion::Scenario;
 
-use super::again::{Changes, Found, Reading};
 use super::reader::Source;
 use super::sweep::{self, Sweep};
 use super::target::{Target, Varied};
-use super::tree::Entries;
+use super::tree::{Entries, Node, Replacement, replace};
 use super::{document, read_root, text_of};
 use crate::error::{FormatError, FormatErrorKind};
 
@@ -45,7 +43,7 @@ pub struct Template {
     path: PathBuf,
     text: String,
     entries: Entries,
-    found: Found,
+    files: Vec<PathBuf>,
     nominal: Scenario,
 }
 
@@ -63,11 +61,13 @@ impl Template {
     /// # Errors
     /// As [`scenario::read`](super::read).
     pub fn parse(text: String, path: &Path) -> Result<Self, FormatError> {
-        let found = RefCell::new(Found::default());
-        let source = Source { path, text: &text, reading: Reading::First(&found) };
+        let source = Source { path, text: &text, is_shown: true };
         let entries = document(source)?;
         let nominal = read_root(source, &entries)?;
-        Ok(Self { path: path.to_owned(), entries, found: found.into_inner(), nominal, text })
+        let mut files = Vec::new();
+        let mut see = |leaf: &Node| files.extend(leaf.file().map(|name| source.beside(name)));
+        entries.values().for_each(|entry| entry.node.each_leaf(&mut see));
+        Ok(Self { path: path.to_owned(), entries, files, nominal, text })
     }
 
     /// The scenario as it is written.
@@ -101,7 +101,7 @@ impl Template {
 
     /// The files that it names.
     pub fn files(&self) -> &[PathBuf] {
-        &self.found.files
+        &self.files
     }
 
     /// What the file's `[sweep]` says.
@@ -109,7 +109,7 @@ impl Template {
     /// # Errors
     /// [`FormatError`] without one, or if it asks for what cannot be.
     pub fn sweep(&self) -> Result<Sweep, FormatError> {
-        sweep::sweep(self.source(Reading::Once), &self.entries, &self.found, &self.nominal)
+        sweep::sweep(self.source(), &self.entries, &self.nominal)
     }
 
     /// The scenario with other values of some numbers, SI, as many for each target as it has columns.
@@ -120,20 +120,20 @@ impl Template {
         &self,
         values: impl IntoIterator<Item = (&'v Target, &'v [f64])>,
     ) -> Result<Scenario, FormatError> {
-        let mut changes = Changes::default();
+        let mut entries = self.entries.clone();
         for (target, values) in values {
-            self.change(target, values, &mut changes)?;
+            self.replace(target, values, &mut entries)?;
         }
-        read_root(self.source(Reading::Again(&self.found, &changes)), &self.entries)
+        read_root(self.source(), &entries)
     }
 
-    fn source<'a>(&'a self, reading: Reading<'a>) -> Source<'a> {
-        Source { path: self.path.as_path(), text: self.text.as_str(), reading }
+    fn source(&self) -> Source<'_> {
+        Source { path: &self.path, text: &self.text, is_shown: false }
     }
 
-    /// Notes other values of a target.
-    fn change(&self, target: &Target, values: &[f64], changes: &mut Changes) -> Result<(), FormatError> {
-        let fail = |kind| self.source(Reading::Once).error(target.place.clone(), kind);
+    /// Puts other values in the place of a target.
+    fn replace(&self, target: &Target, values: &[f64], entries: &mut Entries) -> Result<(), FormatError> {
+        let fail = |kind| self.source().error(target.place.clone(), kind);
         let invalid = |key: &str, value: String, rule: &str| {
             fail(FormatErrorKind::Value { key: key.to_owned(), value, rule: rule.to_owned() })
         };
@@ -144,21 +144,18 @@ impl Template {
         if let Some((value, column)) = values.iter().zip(columns).find(|(value, _)| !value.is_finite()) {
             return Err(invalid(&column.name, value.to_string(), "finite"));
         }
-        changes.parts.extend(target.part);
-        let body = |error| fail(FormatErrorKind::Body(error));
         match (&target.varied, values) {
             (Varied::Numbers(numbers), values) => {
-                for (places, value) in numbers.iter().zip(values) {
-                    changes.numbers.extend(places.iter().map(|place| (place.clone(), *value)));
+                for (ways, value) in numbers.iter().zip(values) {
+                    ways.iter().for_each(|way| replace(entries, way, Replacement::Number(*value)));
                 }
             }
-            (Varied::Rotation(place), &[w, x, y, z]) => changes.rotations.push((*place, [w, x, y, z])),
-            (Varied::MassProperties(nominal), values) => {
-                let other = mass_properties(nominal, values).map_err(body)?;
-                match target.part {
-                    Some(part) => changes.part_properties.push((part, other)),
-                    None => changes.body = Some(other),
-                }
+            (Varied::Rotation(way), &[w, x, y, z]) => {
+                replace(entries, way, Replacement::Rotation([w, x, y, z]));
+            }
+            (Varied::MassProperties(way, name, nominal), values) => {
+                let other = mass_properties(nominal, values).map_err(|e| fail(FormatErrorKind::Body(e)))?;
+                replace(entries, way, Replacement::MassProperties(name.clone(), other));
             }
             // A rotation has four columns, as was asked above.
             (Varied::Rotation(_), _) => {}
@@ -188,12 +185,14 @@ mod tests {
     #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
     use std::fs;
+    use std::ops::Range;
 
     use polhode::body::BodyPart;
 
-    use super::super::tree::{Kind, Node};
+    use super::super::tree::{Kind, Known, Step};
     use super::*;
     use crate::scenario;
+    use crate::unit::Dimension;
 
     /// What a motion depends on: everything but what parts look like, and where remarks stand.
     fn comparable(scenario: Scenario) -> Scenario {
@@ -201,17 +200,32 @@ mod tests {
         scenario.made_of(without)
     }
 
-    /// Where the values of each part of the body stand.
-    fn parts(template: &Template) -> Vec<Vec<usize>> {
-        let Kind::Table(body) = &template.entries["body"].node.kind else { panic!("no table") };
-        let Kind::List(parts) = &body["part"].node.kind else { panic!("no list") };
-        parts.iter().map(Node::places).collect()
+    /// The ways to all numbers below a node.
+    fn numbers(node: &Node, way: &[Step], found: &mut Vec<(Vec<Step>, Range<usize>, f64, Dimension)>) {
+        let further = |step| way.iter().cloned().chain([step]).collect::<Vec<_>>();
+        match &node.kind {
+            Kind::List(elements) => {
+                for (k, element) in elements.iter().enumerate() {
+                    numbers(element, &further(Step::Element(k)), found);
+                }
+            }
+            Kind::Table(entries) => {
+                for (key, entry) in entries {
+                    numbers(&entry.node, &further(Step::Key(key.clone())), found);
+                }
+            }
+            _ => {
+                if let Some(Known::Number(value, dimension)) = node.known.get() {
+                    found.push((way.to_vec(), node.span.clone(), *value, *dimension));
+                }
+            }
+        }
     }
 
-    /// Reading again with one number changed is reading a file in which it is written otherwise, for every number of every
+    /// Reading again with one number replaced is reading a file in which it is written otherwise, for every number of every
     /// example; if that is refused, so is this.
     #[test]
-    fn a_changed_number_is_one_written_otherwise() {
+    fn a_replaced_number_is_one_written_otherwise() {
         let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
         let mut count = 0;
         for entry in
@@ -222,28 +236,27 @@ mod tests {
                 continue;
             }
             let template = Template::read(&path).unwrap();
-            for number in template.found.numbers.values() {
-                let value = 1.0625 * number.value + 0.0078125;
+            let mut found = Vec::new();
+            for (key, entry) in &template.entries {
+                numbers(&entry.node, &[Step::Key(key.clone())], &mut found);
+            }
+            for (way, span, value, dimension) in found {
+                let value = 1.0625 * value + 0.0078125;
                 let mut text = template.text.clone();
                 // A number alone is refused beside others with units.
-                let written = match number.dimension.unit().0 {
+                let written = match dimension.unit().0 {
                     unit if unit.is_empty() => format!("{value:?}"),
                     unit => format!("\"{value:?} {unit}\""),
                 };
-                text.replace_range(number.span.clone(), &written);
+                text.replace_range(span.clone(), &written);
                 let written = scenario::parse(&text, &path).map(comparable);
-                let part = parts(&template).iter().position(|part| part.contains(&number.span.start));
-                let changes = Changes {
-                    numbers: vec![(number.span.clone(), value)],
-                    parts: part.into_iter().collect(),
-                    ..Changes::default()
-                };
-                let source = template.source(Reading::Again(&template.found, &changes));
-                let again = read_root(source, &template.entries).map(comparable);
+                let mut entries = template.entries.clone();
+                replace(&mut entries, &way, Replacement::Number(value));
+                let again = read_root(template.source(), &entries).map(comparable);
                 match (written, again) {
-                    (Ok(written), Ok(again)) => assert!(written == again, "{}: {number:?}", path.display()),
+                    (Ok(written), Ok(again)) => assert!(written == again, "{}: {way:?}", path.display()),
                     (Err(written), Err(again)) => assert_eq!(written.message(), again.message()),
-                    (written, again) => panic!("{}: {number:?}: {written:?}, {again:?}", path.display()),
+                    (written, again) => panic!("{}: {way:?}: {written:?}, {again:?}", path.display()),
                 }
                 count += 1;
             }

@@ -1,17 +1,29 @@
 //! A TOML document as a tree that owns its text: it is parsed once, and may be read many times.
+//!
+//! A node keeps what it was read as, for later readings. A tree in which something is replaced shares all nodes with the first but those above
+//! what is replaced, and these know nothing: so a later reading computes what depends on it, and nothing else.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
+use std::sync::{Arc, OnceLock};
 
+use polhode::body::mesh::ClosedMesh;
+use polhode::body::{BodyPart, Finding, MassProperties};
+use polhode::math::Body;
 use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue};
 
-/// A value and its place.
+use super::motion_table::Rows;
+use crate::molecule::Molecule;
+use crate::unit::Dimension;
+
+/// A value, its place, and what it was read as.
 #[derive(Clone, Debug)]
 pub(crate) struct Node {
     /// Bytes of the text; of a table with a header, the header's.
     pub(crate) span: Range<usize>,
     pub(crate) kind: Kind,
+    pub(crate) known: OnceLock<Known>,
 }
 
 /// What a value is.
@@ -22,29 +34,99 @@ pub(crate) enum Kind {
     Float(String),
     Truth(bool),
     Date,
-    List(Vec<Node>),
+    List(Vec<Arc<Node>>),
     Table(Entries),
+    Replaced(Replacement),
+}
+
+/// What stands in the place of what is written.
+#[derive(Clone, Debug)]
+pub(crate) enum Replacement {
+    /// A number, SI.
+    Number(f64),
+    /// The quaternion (w, x, y, z) of a rotation.
+    Rotation([f64; 4]),
+    /// Of a part of the body, which keeps its name, or of all parts together.
+    MassProperties(String, MassProperties<Body>),
+}
+
+/// What a value was read as.
+#[derive(Clone, Debug)]
+pub(crate) enum Known {
+    /// SI.
+    Number(f64, Dimension),
+    /// The quaternion (w, x, y, z) of a rotation.
+    Rotation([f64; 4]),
+    /// What is in the file that it names.
+    Mesh(Arc<ClosedMesh>, Vec<Finding>),
+    Molecule(Arc<Molecule>),
+    Rows(Arc<Rows>),
+    /// A part of the body, without its looks, which no motion depends on.
+    Part(Arc<(BodyPart, Vec<Finding>)>),
+    /// All parts together.
+    Body(MassProperties<Body>),
+}
+
+/// One step of the way to a value.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Step {
+    Key(Arc<str>),
+    Element(usize),
 }
 
 impl Node {
     /// The places of the values in it that have no others in them.
     pub(crate) fn places(&self) -> Vec<usize> {
+        let mut places = Vec::new();
+        self.each_leaf(&mut |leaf| places.push(leaf.span.start));
+        places
+    }
+
+    /// Every value in it, or itself, that has no others in it.
+    pub(crate) fn each_leaf<'a>(&'a self, see: &mut impl FnMut(&'a Self)) {
         match &self.kind {
-            Kind::List(elements) => elements.iter().flat_map(Self::places).collect(),
-            Kind::Table(entries) => entries.values().flat_map(|entry| entry.node.places()).collect(),
-            _ => vec![self.span.start],
+            Kind::List(elements) => elements.iter().for_each(|element| element.each_leaf(see)),
+            Kind::Table(entries) => entries.values().for_each(|entry| entry.node.each_leaf(see)),
+            _ => see(self),
+        }
+    }
+
+    /// The name of a file, once that was read.
+    pub(crate) fn file(&self) -> Option<&str> {
+        match (&self.kind, self.known.get()) {
+            (Kind::Text(name), Some(Known::Mesh(..) | Known::Molecule(_) | Known::Rows(_))) => Some(name),
+            _ => None,
         }
     }
 }
 
 /// The values of a table by their keys.
-pub(crate) type Entries = BTreeMap<String, Entry>;
+pub(crate) type Entries = BTreeMap<Arc<str>, Entry>;
 
 /// A value, and where its key stands.
 #[derive(Clone, Debug)]
 pub(crate) struct Entry {
     pub(crate) key: Range<usize>,
-    pub(crate) node: Node,
+    pub(crate) node: Arc<Node>,
+}
+
+/// Replaces the value at the end of a way, if it is there; what is above it is not known any more.
+pub(crate) fn replace(entries: &mut Entries, way: &[Step], replacement: Replacement) {
+    let Some((Step::Key(key), mut rest)) = way.split_first() else { return };
+    let Some(entry) = entries.get_mut(key) else { return };
+    let mut node = Arc::make_mut(&mut entry.node);
+    loop {
+        node.known = OnceLock::new();
+        let Some((step, further)) = rest.split_first() else { break };
+        let inside = match (&mut node.kind, step) {
+            (Kind::Table(entries), Step::Key(key)) => entries.get_mut(key).map(|entry| &mut entry.node),
+            (Kind::List(elements), Step::Element(k)) => elements.get_mut(*k),
+            _ => None,
+        };
+        let Some(inside) = inside else { return };
+        (node, rest) = (Arc::make_mut(inside), further);
+    }
+    node.kind = Kind::Replaced(replacement);
 }
 
 /// The tree of a document.
@@ -54,12 +136,12 @@ pub(crate) fn parse(text: &str) -> Result<Entries, toml::de::Error> {
 
 fn entries(table: &DeTable<'_>) -> Entries {
     let entry = |(key, value): (&Spanned<DeString<'_>>, _)| {
-        (key.get_ref().to_string(), Entry { key: key.span(), node: node(value) })
+        (Arc::from(key.get_ref().as_ref()), Entry { key: key.span(), node: node(value) })
     };
     table.iter().map(entry).collect()
 }
 
-fn node(value: &Spanned<DeValue<'_>>) -> Node {
+fn node(value: &Spanned<DeValue<'_>>) -> Arc<Node> {
     let kind = match value.get_ref() {
         DeValue::String(text) => Kind::Text(text.to_string()),
         DeValue::Integer(integer) => {
@@ -71,5 +153,5 @@ fn node(value: &Spanned<DeValue<'_>>) -> Node {
         DeValue::Array(elements) => Kind::List(elements.iter().map(node).collect()),
         DeValue::Table(table) => Kind::Table(entries(table)),
     };
-    Node { span: value.span(), kind }
+    Arc::new(Node { span: value.span(), kind, known: OnceLock::new() })
 }

@@ -8,7 +8,6 @@ use polhode::motion::Scenario;
 pub use distribution::Distribution;
 pub use law::{Dispersion, Law, Spread};
 
-use super::again::Found;
 use super::reader::{Source, Table, Value};
 use super::target::{Catalogue, Target};
 use super::torque::orbit;
@@ -74,12 +73,7 @@ const MOST_LISTED: usize = 10_000_000;
 const MOST_SOBOL: u64 = 1 << 32;
 
 /// Reads `[sweep]`.
-pub(crate) fn sweep(
-    source: Source<'_>,
-    entries: &Entries,
-    found: &Found,
-    nominal: &Scenario,
-) -> Result<Sweep, FormatError> {
+pub(crate) fn sweep(source: Source<'_>, entries: &Entries, nominal: &Scenario) -> Result<Sweep, FormatError> {
     let root = Table::root(source, entries);
     let table = root
         .require("sweep", "[sweep], and under it members = 1000 and sampling = \"monte carlo\"")?
@@ -94,7 +88,7 @@ pub(crate) fn sweep(
     let example =
         "[[sweep.vary]], and under it key = \"start.spin.body[0]\" and uniform = { from = 0, to = 1 }";
     let list = table.require("vary", example)?;
-    let catalogue = Catalogue { entries, found, nominal };
+    let catalogue = Catalogue { entries, nominal };
     let mut listed = 0;
     let mut vary = Vec::new();
     for table in list.tables("sweep.vary")? {

@@ -1,6 +1,7 @@
 //! The `orbit` about a point mass that torques which depend on the place act on: one body, one orbit.
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use polhode::body::{Finding, Severity};
 use polhode::math::{Direction, Position, Velocity};
@@ -8,7 +9,7 @@ use polhode::motion::{Anomaly, MU_EARTH, MotionError, Orbit, OrbitalElements};
 
 use crate::error::FormatError;
 use crate::scenario::reader::{Table, Value};
-use crate::scenario::tree::{Entries, Kind};
+use crate::scenario::tree::{Entries, Kind, Node};
 use crate::unit::Dimension;
 
 /// What to write where an orbit is missing.
@@ -102,7 +103,7 @@ pub(crate) fn places(entries: &Entries) -> Vec<Vec<usize>> {
     let Some(Kind::List(torques)) = entries.get("torque").map(|torques| &torques.node.kind) else {
         return Vec::new();
     };
-    let of = |torque: &crate::scenario::tree::Node| match &torque.kind {
+    let of = |torque: &Arc<Node>| match &torque.kind {
         Kind::Table(torque) => torque.get("orbit").map(|orbit| orbit.node.places()),
         _ => None,
     };

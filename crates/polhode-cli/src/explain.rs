@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use polhode_formats::scenario;
+use polhode_formats::scenario::ScenarioFile;
 use polhode_report::{explain, pretty};
 
 use crate::failure::Failure;
@@ -35,12 +35,12 @@ pub(crate) struct Explain {
 
 impl Explain {
     pub(crate) fn run(self) -> Result<(), Failure> {
-        let (scenario, text) = scenario::read_with_text(&self.file)?;
-        let failed = |error| match scenario::placed(&text, &self.file, &error) {
+        let file = ScenarioFile::read(&self.file)?;
+        let failed = |error| match file.placed(&error) {
             Some(placed) => placed.into(),
             None => Failure::Motion { path: shown(&self.file), error },
         };
-        let document = explain(&scenario).map_err(failed)?;
+        let document = explain(&file.scenario).map_err(failed)?;
         let text = if self.json {
             pretty(&document.to_json()) + "\n"
         } else if self.markdown {

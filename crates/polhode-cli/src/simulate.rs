@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use polhode::motion::{Ending, ErrorEffort, Scenario, Trajectory};
-use polhode_formats::scenario;
+use polhode_formats::scenario::ScenarioFile;
 use polhode_report::{MotionFigures, MotionReport, SourceInfo, pretty};
 
 use crate::failure::Failure;
@@ -57,24 +57,25 @@ pub(crate) struct Simulate {
 
 impl Simulate {
     pub(crate) fn run(self) -> Result<(), Failure> {
-        let (scenario, text) = scenario::read_with_text(&self.file)?;
+        let file = ScenarioFile::read(&self.file)?;
+        let (scenario, text) = (&file.scenario, &file.text);
         let target = self.output.clone().unwrap_or_else(|| default_folder(&self.file));
         Folder::check(&target, self.force)?;
         self.plots.check(self.force)?;
         // From now on nobody else begins with the same folder.
         let folder = Folder::create(&target, self.force)?;
-        let trajectory = self.trajectory(&scenario, &text)?;
+        let trajectory = self.trajectory(&file)?;
 
         let title = scenario.title().unwrap_or("scenario");
         let source = SourceInfo::new(self.file.display().to_string(), "scenario").described(title);
-        let report = MotionReport::new(source, &scenario, &trajectory);
+        let report = MotionReport::new(source, scenario, &trajectory);
         let summary = pretty(&report.summary_json()) + "\n";
         let page = Page {
             command: format!("simulate {}", self.file.display()),
-            shown: Shown::Scenario { scenario: &scenario, text: &text, file: &self.file },
+            shown: Shown::Scenario { scenario, text, file: &self.file },
         };
-        let plots = self.plots.draw(&MotionFigures::of_scenario(&scenario, &trajectory), self.force)?;
-        let written = self.write(folder, &target, &summary, &scenario, &trajectory, &page)?;
+        let plots = self.plots.draw(&MotionFigures::of_scenario(scenario, &trajectory), self.force)?;
+        let written = self.write(folder, &target, &summary, scenario, &trajectory, &page)?;
         let plotted = plots.publish()?;
         if self.json {
             print(&summary)?;
@@ -91,7 +92,8 @@ impl Simulate {
         }
     }
 
-    fn trajectory(&self, scenario: &Scenario, text: &str) -> Result<Trajectory, Failure> {
+    fn trajectory(&self, file: &ScenarioFile) -> Result<Trajectory, Failure> {
+        let scenario = &file.scenario;
         let path = shown(&self.file);
         if self.error && scenario.prescribed().is_some() {
             return Err(Failure::usage(
@@ -103,7 +105,7 @@ impl Simulate {
         let mut progress = Progress::new(end);
         let effort = if self.error { ErrorEffort::Thorough } else { ErrorEffort::Auto };
         match scenario.simulate_with_error(effort, &mut |time| progress.reached(time)) {
-            Some(motion) => motion.map_err(|error| match scenario::placed(text, &self.file, &error) {
+            Some(motion) => motion.map_err(|error| match file.placed(&error) {
                 Some(placed) => placed.into(),
                 None => Failure::Motion { path, error },
             }),

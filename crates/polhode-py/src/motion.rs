@@ -6,7 +6,7 @@ use numpy::{PyArray1, PyArray2, PyReadonlyArray1};
 use polhode::motion::{
     Ending, ErrorEffort, GlobalError, Method, Run, Sample, Scenario, StateError, Trajectory,
 };
-use polhode_formats::scenario;
+use polhode_formats::scenario::ScenarioFile;
 use polhode_report::{
     MotionReport, PageInput, PageSubject, SourceInfo, VERSION, explain_motion, page_data, page_of,
 };
@@ -50,22 +50,25 @@ pub(crate) fn simulate(
         "cheap" => ErrorEffort::Cheap,
         _ => ErrorEffort::Auto,
     };
-    let (mut scenario, text) = match text {
-        None => py.detach(|| scenario::read_with_text(&path)).map_err(Raise::raise)?,
-        Some(text) => (py.detach(|| scenario::parse(&text, &path)).map_err(Raise::raise)?, text),
+    let read = || match text {
+        None => ScenarioFile::read(&path),
+        Some(text) => ScenarioFile::parse(text, &path),
     };
+    let mut file = py.detach(read).map_err(Raise::raise)?;
     if let Some(times) = times {
         let times = numbers(&times)?.to_vec();
-        let run = scenario.run().cloned().unwrap_or_else(|| Run::evenly(0.0, 0, Method::Auto, 1e-13));
-        scenario = scenario.sampled(Run { times, ..run });
+        let run = file.scenario.run().cloned().unwrap_or_else(|| Run::evenly(0.0, 0, Method::Auto, 1e-13));
+        file.scenario = file.scenario.sampled(Run { times, ..run });
     }
-    let Some(motion) = watched(py, |look| scenario.simulate_with_error(effort, look))? else {
+    let Some(motion) = watched(py, |look| file.scenario.simulate_with_error(effort, look))? else {
         return Err(refused(
             format!("{} has no [run] section, so there is no time to simulate", path.display()),
             Some("give times, or write [run] with duration = \"10 s\" and samples = 1001"),
         ));
     };
-    Ok(PyMotion { path, text, trajectory: motion.map_err(Raise::raise)?, scenario })
+    let placed = |error| file.placed(&error).map_or_else(|| error.raise(), Raise::raise);
+    let trajectory = motion.map_err(placed)?;
+    Ok(PyMotion { path, text: file.text, trajectory, scenario: file.scenario })
 }
 
 #[pymethods]

@@ -5,7 +5,7 @@ use std::path::Path;
 use polhode::body::{BodyError, Finding, InertiaTensor, PrincipalFrame, Symmetry};
 use polhode::math::{AngularMomentum, AngularVelocity, Attitude, Body};
 use polhode::motion::{FreeMotion, Rotor, Scenario, State};
-use polhode_formats::scenario;
+use polhode_formats::scenario::ScenarioFile;
 use polhode_report::SourceInfo;
 
 use crate::failure::Failure;
@@ -29,7 +29,7 @@ pub(super) enum Subject {
 
 impl Subject {
     pub(super) fn of_file(file: &Path) -> Result<Self, Failure> {
-        let (scenario, text) = scenario::read_with_text(file)?;
+        let ScenarioFile { scenario, text, .. } = ScenarioFile::read(file)?;
         let path = file.display().to_string();
         let why = if !scenario.torques().is_empty() {
             "a torque acts on the body"

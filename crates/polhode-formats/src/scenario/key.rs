@@ -1,13 +1,13 @@
 //! Keys of what varies: `body.part[0].size[2]`, `torque["wind"].from`, `start.spin.body`.
 
 use super::suggestion::nearest;
-use super::tree::{Entries, Kind, Node, Step};
+use super::tree::{Entries, Kind, Node, Step, Way};
 
 /// The value that a key leads to.
 pub(crate) struct Spot<'a> {
     pub(crate) node: &'a Node,
     /// The way to it.
-    pub(crate) way: Vec<Step>,
+    pub(crate) way: Way,
     /// The words of the key, as a column is named.
     pub(crate) words: Vec<String>,
     /// The part of the body, from 0, to which it belongs.

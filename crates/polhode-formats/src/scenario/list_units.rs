@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::reader::Source;
+use super::source::Source;
 use super::tree::{Entries, Kind, Node};
 use crate::error::{FormatError, FormatErrorKind};
 use crate::text::cut;

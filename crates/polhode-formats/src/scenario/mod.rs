@@ -38,6 +38,7 @@ mod rotation;
 mod run;
 mod shaft;
 mod shape;
+mod source;
 mod start;
 mod substance;
 pub(crate) mod suggestion;
@@ -49,37 +50,108 @@ mod torque;
 mod tree;
 mod wheel;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-use crate::error::{FormatError, FormatErrorKind};
+use crate::error::{FormatError, FormatErrorKind, Place};
 use crate::file;
 use crate::mesh::stl;
 use crate::text::is_utf16;
 use polhode::motion::{ActingTorque, MotionError, Rotor, Scenario};
-use reader::{Source, TOP, Table};
+use reader::{TOP, Table};
+use source::Source;
 pub use sweep::{Dispersion, Distribution, Law, SOBOL_DIMENSIONS, Sampling, Spread, Sweep, Vary};
 pub use target::{Target, TargetColumn};
 pub use template::Template;
+use torque::TorquePlaces;
 use tree::Entries;
 
 /// A scenario larger than this is something else: a mesh or a table goes into a file of its own.
 const LARGEST_FILE: u64 = 64 << 20;
+
+/// A scenario and the file that states it, in which errors of its motion have their places.
+///
+/// ```
+/// use polhode_formats::scenario::ScenarioFile;
+/// let text = r#"
+/// [[body.part]]
+/// shape = "sphere"
+/// radius = "20 mm"
+/// mass = "0.5 kg"
+/// [[torque]]
+/// model = "formula"
+/// axes = "body"
+/// torque = ["0", "1[N m]/t*1[s]", "0"]
+/// [run]
+/// duration = "1 s"
+/// samples = 2
+/// "#;
+/// let file = ScenarioFile::parse(text.to_owned(), "ball.toml".as_ref())?;
+/// let error = file.scenario.simulate().and_then(Result::err).ok_or("it is finite")?;
+/// let placed = file.placed(&error).ok_or("it has no place")?;
+/// assert_eq!(placed.to_string(), "ball.toml:9:16: torque 1 is not finite at the start: (0, inf, 0) N·m in body axes");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct ScenarioFile {
+    /// What the file states.
+    pub scenario: Scenario,
+    /// The text of the file.
+    pub text: String,
+    path: PathBuf,
+    torques: Vec<TorquePlaces>,
+}
+
+impl ScenarioFile {
+    /// Reads a scenario file; the files that it names are found relative to it.
+    ///
+    /// # Errors
+    /// As [`read`].
+    pub fn read(path: &Path) -> Result<Self, FormatError> {
+        Self::parse(text_of(path)?, path)
+    }
+
+    /// Reads a scenario from its text; `path` is for messages, and for the files that the scenario names.
+    ///
+    /// # Errors
+    /// As [`read`].
+    pub fn parse(text: String, path: &Path) -> Result<Self, FormatError> {
+        let source = Source { path, text: &text, is_shown: true };
+        let root = document(source)?;
+        let (mut scenario, torques) = read_root(source, &root)?;
+        if root.contains_key("sweep") {
+            let members = sweep::sweep(source, &root, &scenario)?.members;
+            scenario = scenario.noting([sweep::nominal(members)]);
+        }
+        Ok(Self { scenario, torques, path: path.to_owned(), text })
+    }
+
+    /// An error of the scenario's motion at its place in the file, if it is about one of the torques.
+    pub fn placed(&self, error: &MotionError) -> Option<FormatError> {
+        let (torque, value) = match *error {
+            MotionError::TorqueNotFinite { torque, value } => (torque, value),
+            MotionError::NotSmooth { torque, .. }
+            | MotionError::TooManyPulses { torque: Some(torque), .. } => (torque, [0.0; 3]),
+            _ => return None,
+        };
+        let places = self.torques.get(torque)?;
+        let is_of_pulses = matches!(error, MotionError::TooManyPulses { .. });
+        let pulses = places.pulses.as_ref().filter(|_| is_of_pulses);
+        // The component that is NaN, along the axes of the formulas themselves.
+        let wrong = value.iter().position(|c| !c.is_finite());
+        let component = wrong.and_then(|k| places.along_body.get(k));
+        let span = pulses.or(component).or(places.formulas.as_ref()).unwrap_or(&places.model).clone();
+        let kind = FormatErrorKind::Motion(error.clone());
+        Some(FormatError::new(&self.path, Some(Place::in_text(&self.text, span)), kind))
+    }
+}
 
 /// Reads a scenario file; the files that it names are found relative to it.
 ///
 /// # Errors
 /// [`FormatError`] if it, or a file that it names, cannot be read or describes no body or no motion.
 pub fn read(path: &Path) -> Result<Scenario, FormatError> {
-    read_with_text(path).map(|(scenario, _)| scenario)
-}
-
-/// As [`read`], and the text of the file.
-///
-/// # Errors
-/// As [`read`].
-pub fn read_with_text(path: &Path) -> Result<(Scenario, String), FormatError> {
-    let text = text_of(path)?;
-    Ok((parse(&text, path)?, text))
+    ScenarioFile::read(path).map(|file| file.scenario)
 }
 
 /// The text of a file.
@@ -132,12 +204,7 @@ fn perhaps_mesh(error: FormatError, bytes: &[u8]) -> FormatError {
 /// # Errors
 /// As [`read`].
 pub fn parse(text: &str, path: &Path) -> Result<Scenario, FormatError> {
-    let source = Source { path, text, is_shown: true };
-    let root = document(source)?;
-    if root.contains_key("sweep") {
-        return Template::parse(text.to_owned(), path)?.into_scenario();
-    }
-    read_root(source, &root)
+    ScenarioFile::parse(text.to_owned(), path).map(|file| file.scenario)
 }
 
 /// The tree of a file.
@@ -148,8 +215,8 @@ fn document(source: Source<'_>) -> Result<Entries, FormatError> {
     Ok(entries)
 }
 
-/// The scenario of a file whose tables are `entries`.
-fn read_root(source: Source<'_>, entries: &Entries) -> Result<Scenario, FormatError> {
+/// The scenario of a file whose tables are `entries`, and where it has its torques.
+fn read_root(source: Source<'_>, entries: &Entries) -> Result<(Scenario, Vec<TorquePlaces>), FormatError> {
     let root = Table::root(source, entries);
     root.allow(&TOP)?;
     for (a, b, why) in Scenario::EXCLUSIVE {
@@ -200,52 +267,6 @@ fn read_root(source: Source<'_>, entries: &Entries) -> Result<Scenario, FormatEr
     scenario = shaft::shaft(&root, &start, scenario)?;
     scenario = pendulum::pendulum(&root, scenario.noting(findings))?;
     let noticed = scenario.check();
-    Ok(scenario.noting(noticed).noting(orbit.and_then(|orbit| orbit.underground())))
-}
-
-/// An error of the motion of a scenario with its place in the file, if it is about one of its torques; `text` is what the file says.
-///
-/// ```
-/// use polhode_formats::scenario;
-/// let text = r#"
-/// [[body.part]]
-/// shape = "sphere"
-/// radius = "20 mm"
-/// mass = "0.5 kg"
-/// [[torque]]
-/// model = "formula"
-/// axes = "body"
-/// torque = ["0", "1[N m]/t*1[s]", "0"]
-/// [run]
-/// duration = "1 s"
-/// samples = 2
-/// "#;
-/// let scenario = scenario::parse(text, "ball.toml".as_ref())?;
-/// let error = scenario.simulate().and_then(Result::err).ok_or("it is finite")?;
-/// let placed = scenario::placed(text, "ball.toml".as_ref(), &error).ok_or("it has no place")?;
-/// assert_eq!(placed.to_string(), "ball.toml:9:16: torque 1 is not finite at the start: (0, inf, 0) N·m in body axes");
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-pub fn placed(text: &str, path: &Path, error: &MotionError) -> Option<FormatError> {
-    let (torque, value) = match *error {
-        MotionError::TorqueNotFinite { torque, value } => (torque, value),
-        MotionError::NotSmooth { torque, .. } | MotionError::TooManyPulses { torque: Some(torque), .. } => {
-            (torque, [0.0; 3])
-        }
-        _ => return None,
-    };
-    let source = Source { path, text, is_shown: true };
-    let entries = document(source).ok()?;
-    let root = Table::root(source, &entries);
-    let tables = root.get("torque")?.tables("torque").ok()?;
-    let table = tables.get(torque)?;
-    if let (MotionError::TooManyPulses { .. }, Some(pulses)) = (error, table.get("pulses")) {
-        return Some(pulses.motion(error.clone()));
-    }
-    let Some(formulas) = table.get("torque") else { return Some(table.get("model")?.motion(error.clone())) };
-    // The component that is NaN, along the axes of the formulas themselves.
-    let along_body = table.get("axes").is_some_and(|axes| axes.string() == Ok("body"));
-    let wrong = value.iter().position(|c| along_body && !c.is_finite());
-    let component = wrong.and_then(|k| formulas.fixed::<3>("formulas").ok()?.into_iter().nth(k));
-    Some(component.unwrap_or(formulas).motion(error.clone()))
+    let scenario = scenario.noting(noticed).noting(orbit.and_then(|orbit| orbit.underground()));
+    Ok((scenario, torques.places))
 }

@@ -8,7 +8,7 @@ use polhode::motion::Scenario;
 
 use super::key::{Spot, mirrored};
 use super::reader::Value;
-use super::tree::{Entries, Kind, Known, Node, Step};
+use super::tree::{Entries, Kind, Known, Node, Step, Way};
 use crate::error::FormatError;
 use crate::unit::Dimension;
 
@@ -45,11 +45,11 @@ pub struct TargetColumn {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Varied {
     /// Numbers of the file, by the ways to them; an element of a symmetric matrix has two.
-    Numbers(Vec<Vec<Vec<Step>>>),
+    Numbers(Vec<Vec<Way>>),
     /// A rotation of the file.
-    Rotation(Vec<Step>),
+    Rotation(Way),
     /// Of the body, or of its part, by its name; what is not among the values is as it was.
-    MassProperties(Vec<Step>, String, MassProperties<Body>),
+    MassProperties(Way, String, MassProperties<Body>),
 }
 
 impl Target {
@@ -153,7 +153,7 @@ impl Catalogue<'_> {
     /// Numbers, each with the ways to it, of which each has its words.
     fn target(
         key: &Value<'_>,
-        numbers: &[((f64, Dimension), Vec<Vec<Step>>)],
+        numbers: &[((f64, Dimension), Vec<Way>)],
         part: Option<usize>,
         words: &[String],
         covered: Vec<usize>,

@@ -2,11 +2,11 @@
 
 use std::path::{Path, PathBuf};
 
-use polhode::body::{Finding, InertiaTensor, MassProperties, Severity};
+use polhode::body::{InertiaTensor, MassProperties};
 use polhode::math::{Body, Position};
 use polhode::motion::Scenario;
 
-use super::reader::Source;
+use super::source::Source;
 use super::sweep::{self, Sweep};
 use super::target::{Target, Varied};
 use super::tree::{Entries, Node, Replacement, replace};
@@ -63,7 +63,7 @@ impl Template {
     pub fn parse(text: String, path: &Path) -> Result<Self, FormatError> {
         let source = Source { path, text: &text, is_shown: true };
         let entries = document(source)?;
-        let nominal = read_root(source, &entries)?;
+        let (nominal, _) = read_root(source, &entries)?;
         let mut files = Vec::new();
         let mut see = |leaf: &Node| files.extend(leaf.file().map(|name| source.beside(name)));
         entries.values().for_each(|entry| entry.node.each_leaf(&mut see));
@@ -73,20 +73,6 @@ impl Template {
     /// The scenario as it is written.
     pub const fn nominal(&self) -> &Scenario {
         &self.nominal
-    }
-
-    /// The scenario as it is written, of a plan whose `[sweep]` is in order, with a finding that says so.
-    pub(super) fn into_scenario(self) -> Result<Scenario, FormatError> {
-        let members = self.sweep()?.members;
-        let nominal = Finding {
-            code: "sweep.nominal",
-            severity: Severity::Info,
-            message: format!(
-                "a plan of {members} members: this is the scenario as it is written, polhode sweep runs them"
-            ),
-            place: None,
-        };
-        Ok(self.nominal.noting([nominal]))
     }
 
     /// The text of the file.
@@ -124,7 +110,7 @@ impl Template {
         for (target, values) in values {
             self.replace(target, values, &mut entries)?;
         }
-        read_root(self.source(), &entries)
+        read_root(self.source(), &entries).map(|(scenario, _)| scenario)
     }
 
     fn source(&self) -> Source<'_> {
@@ -189,7 +175,7 @@ mod tests {
 
     use polhode::body::BodyPart;
 
-    use super::super::tree::{Kind, Known, Step};
+    use super::super::tree::{Kind, Known, Step, Way};
     use super::*;
     use crate::scenario;
     use crate::unit::Dimension;
@@ -201,7 +187,7 @@ mod tests {
     }
 
     /// The ways to all numbers below a node.
-    fn numbers(node: &Node, way: &[Step], found: &mut Vec<(Vec<Step>, Range<usize>, f64, Dimension)>) {
+    fn numbers(node: &Node, way: &[Step], found: &mut Vec<(Way, Range<usize>, f64, Dimension)>) {
         let further = |step| way.iter().cloned().chain([step]).collect::<Vec<_>>();
         match &node.kind {
             Kind::List(elements) => {
@@ -252,7 +238,7 @@ mod tests {
                 let written = scenario::parse(&text, &path).map(comparable);
                 let mut entries = template.entries.clone();
                 replace(&mut entries, &way, Replacement::Number(value));
-                let again = read_root(template.source(), &entries).map(comparable);
+                let again = read_root(template.source(), &entries).map(|(scenario, _)| comparable(scenario));
                 match (written, again) {
                     (Ok(written), Ok(again)) => assert!(written == again, "{}: {way:?}", path.display()),
                     (Err(written), Err(again)) => assert_eq!(written.message(), again.message()),

@@ -74,6 +74,9 @@ pub(crate) enum Step {
     Element(usize),
 }
 
+/// The way to a value from the file's own table.
+pub(crate) type Way = Vec<Step>;
+
 impl Node {
     /// The places of the values in it that have no others in them.
     pub(crate) fn places(&self) -> Vec<usize> {

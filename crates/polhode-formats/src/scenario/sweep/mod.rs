@@ -3,12 +3,14 @@
 mod distribution;
 mod law;
 
+use polhode::body::{Finding, Severity};
 use polhode::motion::Scenario;
 
 pub use distribution::Distribution;
 pub use law::{Dispersion, Law, Spread};
 
-use super::reader::{Source, Table, Value};
+use super::reader::{Table, Value};
+use super::source::Source;
 use super::target::{Catalogue, Target};
 use super::torque::orbit;
 use super::tree::Entries;
@@ -71,6 +73,14 @@ const MOST_LISTED: usize = 10_000_000;
 
 /// Sobol's points have 32 binary digits.
 const MOST_SOBOL: u64 = 1 << 32;
+
+/// That of a plan the scenario as it is written is shown.
+pub(crate) fn nominal(members: u64) -> Finding {
+    let message = format!(
+        "a plan of {members} members: this is the scenario as it is written, polhode sweep runs them"
+    );
+    Finding { code: "sweep.nominal", severity: Severity::Info, message, place: None }
+}
 
 /// Reads `[sweep]`.
 pub(crate) fn sweep(source: Source<'_>, entries: &Entries, nominal: &Scenario) -> Result<Sweep, FormatError> {

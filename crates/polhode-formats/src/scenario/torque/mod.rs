@@ -12,12 +12,14 @@ pub(super) mod schedule;
 mod thruster;
 mod torsion;
 
+use std::ops::Range;
+
 use polhode::body::BodyPart;
 use polhode::motion::torque::TorqueModel;
 
 use self::orbit::SharedOrbit;
 use super::body::Pivot;
-use super::reader::Table;
+use super::reader::{Table, Value};
 use crate::error::FormatError;
 
 /// The models, as a file names them.
@@ -43,6 +45,31 @@ pub(crate) struct Torques {
     pub(crate) switched_off: Vec<usize>,
     /// The orbit that all act on which ask for one.
     pub(crate) orbit: Option<SharedOrbit>,
+    pub(crate) places: Vec<TorquePlaces>,
+}
+
+/// Where errors of the motion have their places in a torque.
+#[derive(Clone, Debug)]
+pub(crate) struct TorquePlaces {
+    pub(crate) model: Range<usize>,
+    pub(crate) pulses: Option<Range<usize>>,
+    pub(crate) formulas: Option<Range<usize>>,
+    /// Of three formulas along body axes, each.
+    pub(crate) along_body: Vec<Range<usize>>,
+}
+
+impl TorquePlaces {
+    fn of(table: &Table<'_>, model: &Value<'_>) -> Self {
+        let formulas = table.get("torque");
+        let is_along_body = table.get("axes").is_some_and(|axes| axes.string() == Ok("body"));
+        let components = formulas.filter(|_| is_along_body).and_then(|all| all.fixed::<3>("formulas").ok());
+        Self {
+            model: model.span(),
+            pulses: table.get("pulses").map(|pulses| pulses.span()),
+            formulas: formulas.map(|formulas| formulas.span()),
+            along_body: components.iter().flatten().map(Value::span).collect(),
+        }
+    }
 }
 
 /// The keys that every torque may have, beside those of its schedule.
@@ -57,7 +84,9 @@ pub(crate) fn torques<'a>(
     let mut torques = Torques::default();
     let Some(list) = root.get("torque") else { return Ok(torques) };
     for table in list.tables("torque")? {
-        let name = table.require("model", "model = \"gravity\"")?.choice(&MODELS)?;
+        let named = table.require("model", "model = \"gravity\"")?;
+        let name = named.choice(&MODELS)?;
+        torques.places.push(TorquePlaces::of(&table, &named));
         let table = table.called(format!("[[torque]] of model \"{name}\""));
         let model = match name {
             "constant" => constant::constant(&table)?,
@@ -70,7 +99,7 @@ pub(crate) fn torques<'a>(
             "formula" => formula::formula(&table)?,
             _ if torques.models.iter().any(|model| matches!(model, TorqueModel::Gravity(_))) => {
                 let rule = "given once for gravity";
-                return Err(table.require("model", "")?.invalid(rule).with_hint("add the accelerations"));
+                return Err(named.invalid(rule).with_hint("add the accelerations"));
             }
             _ => gravity::gravity(&table, pivot)?,
         };

@@ -1,0 +1,68 @@
+//! The text of a scenario file: places in it, and errors at them.
+
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+
+use super::tree::{Kind, Node, Replacement};
+use crate::error::{FormatError, FormatErrorKind, Place};
+
+/// The text of a file, and its path, for messages and for the files that it names.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Source<'a> {
+    pub(crate) path: &'a Path,
+    pub(crate) text: &'a str,
+    /// Whether the scenario will be looked at: members of sweeps are not.
+    pub(crate) is_shown: bool,
+}
+
+impl Source<'_> {
+    pub(crate) fn place(&self, span: Range<usize>) -> Place {
+        Place::in_text(self.text, span)
+    }
+
+    /// The path of a file that the scenario names.
+    pub(crate) fn beside(&self, name: &str) -> PathBuf {
+        self.path.parent().unwrap_or(Path::new("")).join(name)
+    }
+
+    /// The text of a value, with the numbers that are replaced.
+    pub(crate) fn current(&self, node: &Node) -> String {
+        let mut replaced = Vec::new();
+        node.each_leaf(&mut |leaf| {
+            if let Kind::Replaced(Replacement::Number(value)) = leaf.kind {
+                replaced.push((&leaf.span, value));
+            }
+        });
+        replaced.sort_by_key(|(place, _)| place.start);
+        let (mut text, mut at) = (String::new(), node.span.start);
+        for (place, value) in replaced {
+            text += self.text.get(at..place.start).unwrap_or_default();
+            text += &format!("{value:?}");
+            at = place.end;
+        }
+        text + self.text.get(at..node.span.end).unwrap_or_default()
+    }
+
+    pub(crate) fn error(&self, span: Range<usize>, kind: FormatErrorKind) -> FormatError {
+        FormatError::new(self.path, Some(self.place(span)), kind)
+    }
+
+    /// What the TOML parser refuses.
+    pub(crate) fn syntax(&self, error: &toml::de::Error) -> FormatError {
+        let message = error.message().to_owned();
+        let hint = match message.as_str() {
+            "duplicate key" => Some(
+                "a key stands once in its table; one more part, torque or event begins with its own [[body.part]], [[torque]] or [[event]]",
+            ),
+            m if m.starts_with("string values must be quoted") => {
+                Some("a quantity with a unit is a string in quotes, such as \"25 mm\"")
+            }
+            _ => None,
+        };
+        let fail = self.error(error.span().unwrap_or_default(), FormatErrorKind::Toml { message });
+        match hint {
+            Some(hint) => fail.with_hint(hint),
+            None => fail,
+        }
+    }
+}

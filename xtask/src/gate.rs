@@ -8,8 +8,8 @@ use crate::{Outcome, api, dependencies, examples, layers, packages, python, read
 /// A name and a chore.
 type Step = (&'static str, fn() -> Outcome);
 
-/// The steps, cheapest first.
-const STEPS: [Step; 11] = [
+/// The steps up to what everything else is run with, cheapest first.
+const FIRST: [Step; 6] = [
     ("format", || process::run(&mut cargo(&["fmt", "--all", "--check"]))),
     ("layers", layers::check),
     ("licences", dependencies::check),
@@ -19,6 +19,10 @@ const STEPS: [Step; 11] = [
         process::run(cargo(&clippy).args(["--", "-D", "warnings"]))
     }),
     ("tests", || process::run(&mut cargo(&["test", "--workspace", "--locked"]))),
+];
+
+/// Those that come after, beside the Python package's.
+const THEN: [Step; 5] = [
     ("features", || {
         // Unoptimised: the core is compiled once more for them.
         let test = ["test", "--profile", "dev", "--locked", "--package", "polhode", "--test", "interop"];
@@ -33,26 +37,36 @@ const STEPS: [Step; 11] = [
     ("README", readme::check),
 ];
 
-/// Those that wait for other programs much of their time, side by side.
-const LAST: [Step; 2] = [("viewer", viewer::check), ("Python", python::check)];
-
 /// The conversions of the core crate, which no other crate here uses.
 const FEATURES: &str = "polhode/serde,polhode/mint,polhode/nalgebra,polhode/glam";
 
-/// Runs every step, up to the first that fails.
+/// Runs every step, up to the first that fails. What waits for other programs much of its time goes beside the rest: the viewer's tests, and
+/// what Python's need.
 pub(crate) fn run() -> Outcome {
     let start = Instant::now();
-    STEPS.iter().try_for_each(run_step)?;
     std::thread::scope(|scope| {
-        let threads = LAST.map(|step| scope.spawn(move || run_step(&step)));
-        let ended = threads.map(|thread| thread.join().unwrap_or_else(|_| Err("a step panicked".to_owned())));
-        ended.into_iter().collect::<Outcome>()
+        let viewer = scope.spawn(|| run_step(&("viewer", viewer::check)));
+        let environment = scope.spawn(python::environment);
+        FIRST.iter().try_for_each(run_step)?;
+        let environment = joined(environment)?;
+        let python = scope.spawn(|| timed("Python", || python::check_in(environment)));
+        THEN.iter().try_for_each(run_step)?;
+        joined(python)?;
+        joined(viewer)
     })?;
     println!("\nall passed in {:.0} s", start.elapsed().as_secs_f64());
     Ok(())
 }
 
+fn joined<T>(thread: std::thread::ScopedJoinHandle<'_, Result<T, String>>) -> Result<T, String> {
+    thread.join().unwrap_or_else(|_| Err("a step panicked".to_owned()))
+}
+
 fn run_step((name, step): &Step) -> Outcome {
+    timed(name, step)
+}
+
+fn timed(name: &str, step: impl FnOnce() -> Outcome) -> Outcome {
     println!("\n== {name}");
     let begun = Instant::now();
     step().map_err(|why| format!("{name}: {why}"))?;

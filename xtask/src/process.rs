@@ -28,6 +28,18 @@ pub(crate) fn output(command: &mut Command) -> Result<String, String> {
     Err(format!("`{}` ended with {}\n{}", line(command), output.status, diagnostics.trim_end()))
 }
 
+/// Runs a command beside others: what it printed comes at once when it has ended.
+pub(crate) fn run_beside(command: &mut Command) -> Outcome {
+    let output = command.output().map_err(|error| format!("{}: {error}", line(command)))?;
+    let [printed, diagnostics] = [&output.stdout, &output.stderr].map(|bytes| String::from_utf8_lossy(bytes));
+    println!("{}{}", printed, diagnostics);
+    if output.status.success() {
+        Ok(())
+    } else {
+        Err(format!("`{}` ended with {}", line(command), output.status))
+    }
+}
+
 /// Builds `polhode` and says where it is.
 pub(crate) fn polhode() -> Result<PathBuf, String> {
     program("polhode")

@@ -5,7 +5,7 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crate::process::{empty_folder, output, run};
+use crate::process::{empty_folder, output, run, run_beside};
 use crate::{Outcome, files, root};
 
 /// The oldest Python that the tests run with; the package is for 3.10 too.
@@ -14,11 +14,14 @@ const PYTHON: (u32, u32) = (3, 11);
 /// What the tests need besides the package: what it uses where it is there, and Dask for the cluster.
 const NEEDED: [&str; 6] = ["pytest", "scipy", "matplotlib", "mypy", "pyarrow", "distributed"];
 
-/// Builds the wheel, installs it into an environment of its own, and runs the tests, the documentation's examples, the book's, a check of
-/// types, and `examples/python/` from an empty folder: what is imported there is the wheel's, not the tree's.
+/// An environment of its own, and then all the rest.
 pub(crate) fn check() -> Outcome {
-    let folder = empty_folder("python")?;
-    let python = environment(&folder)?;
+    environment().and_then(check_in)
+}
+
+/// Builds the wheel, installs it into an environment, and runs the tests, the documentation's examples, the book's, a check of
+/// types, and `examples/python/` from an empty folder: what is imported there is the wheel's, not the tree's.
+pub(crate) fn check_in(Environment { folder, python }: Environment) -> Outcome {
     let package = root().join("crates/polhode-py");
     let wheels = folder.join("wheels");
     // Compiled as the tests are, from the same libraries: a release build would compile all of them once more.
@@ -27,8 +30,7 @@ pub(crate) fn check() -> Outcome {
         .args([&wheels, &package])
         .env("MATURIN_PEP517_ARGS", "--profile dev --config profile.dev.package.polhode.opt-level=1"))?;
     let wheel = files(&wheels, "whl")?.pop().ok_or("pip made no wheel")?;
-    let mut install = Command::new(&python);
-    run(install.args(["-m", "pip", "install", "--quiet"]).arg(&wheel).args(NEEDED))?;
+    run(Command::new(&python).args(["-m", "pip", "install", "--quiet"]).arg(&wheel))?;
 
     let empty = folder.join("empty");
     std::fs::create_dir(&empty).map_err(|error| format!("{}: {error}", empty.display()))?;
@@ -46,14 +48,14 @@ pub(crate) fn check() -> Outcome {
     // Ray is large, and its test is for those who have it.
     let tests = package.join("tests");
     let ray = format!("--ignore={}", tests.join("test_ray.py").display());
-    run(here(&["-m", "pytest", "-q", &ray, "-c"]).args([&settings, &tests]))?;
+    run_beside(here(&["-m", "pytest", "-q", &ray, "-c"]).args([&settings, &tests]))?;
     // The module that needs Ray has no examples, and cannot be imported here.
     let without = format!("--ignore={}", Path::new(where_from.trim()).with_file_name("_ray.py").display());
     let documented = ["--doctest-modules", &without, "--pyargs", "polhode"];
-    run(here(&["-m", "pytest", "-q", "-c"]).arg(&settings).args(documented))?;
+    run_beside(here(&["-m", "pytest", "-q", "-c"]).arg(&settings).args(documented))?;
     let pages = ["python.md", "clusters.md"].map(|page| root().join("book").join(page));
-    run(here(&["-m", "pytest", "-q", "--doctest-glob=*.md", "-c"]).arg(&settings).args(pages))?;
-    run(here(&["-m", "mypy", "--config-file"]).arg(&settings).args(["-p", "polhode"]))?;
+    run_beside(here(&["-m", "pytest", "-q", "--doctest-glob=*.md", "-c"]).arg(&settings).args(pages))?;
+    run_beside(here(&["-m", "mypy", "--config-file"]).arg(&settings).args(["-p", "polhode"]))?;
     for example in files(&root().join("examples/python"), "py")? {
         println!("   {}", crate::short(&example));
         output(here(&["-W", "error"]).arg(&example))?;
@@ -61,8 +63,16 @@ pub(crate) fn check() -> Outcome {
     Ok(())
 }
 
-/// An environment with pip in the folder; gives its Python.
-fn environment(folder: &Path) -> Result<PathBuf, String> {
+/// A folder, and the Python of an environment in it that has what the tests need.
+#[derive(Debug)]
+pub(crate) struct Environment {
+    folder: PathBuf,
+    python: PathBuf,
+}
+
+/// Makes one.
+pub(crate) fn environment() -> Result<Environment, String> {
+    let folder = empty_folder("python")?;
     let hint = "the Python package is tested with Python 3.11 or later with venv, https://python.org";
     let system = if cfg!(windows) { "python" } else { "python3" };
     let version = output(Command::new(system).arg("--version")).map_err(|why| format!("{why}\n{hint}"))?;
@@ -73,7 +83,9 @@ fn environment(folder: &Path) -> Result<PathBuf, String> {
     let make = || output(Command::new(system).args(["-m", "venv"]).arg(&environment));
     // Debian's Python has no venv until it is asked for.
     make().or_else(|_| install_venv().and_then(|()| make())).map_err(|why| format!("{why}\n{hint}"))?;
-    Ok(environment.join(if cfg!(windows) { "Scripts/python.exe" } else { "bin/python" }))
+    let python = environment.join(if cfg!(windows) { "Scripts/python.exe" } else { "bin/python" });
+    run(Command::new(&python).args(["-m", "pip", "install", "--quiet"]).args(NEEDED))?;
+    Ok(Environment { folder, python })
 }
 
 fn install_venv() -> Outcome {

@@ -5,7 +5,7 @@
 use std::path::PathBuf;
 use std::process::Command;
 
-use crate::process::{output, run};
+use crate::process::{output, run, run_beside};
 use crate::{Outcome, root};
 
 /// The oldest Node that the viewer is built and tested with.
@@ -24,9 +24,9 @@ pub(crate) fn check() -> Outcome {
         npm.args(arguments).current_dir(root().join("viewer"));
         npm
     };
-    run(&mut npm(&["ci", "--no-audit", "--no-fund"]))?;
+    run_beside(&mut npm(&["ci", "--no-audit", "--no-fund"]))?;
     // It begins with the types, and that crates/polhode-report/assets/viewer.html is the build.
-    run(npm(&["test"]).env("CHROMIUM", chromium))
+    run_beside(npm(&["test"]).env("CHROMIUM", chromium))
 }
 
 fn node() -> Outcome {

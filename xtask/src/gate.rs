@@ -5,7 +5,7 @@ use std::time::Instant;
 use crate::process::{self, cargo};
 use crate::{Outcome, api, dependencies, examples, layers, packages, python, readme, viewer};
 
-/// A name and a chore.
+/// A name and a task.
 type Step = (&'static str, fn() -> Outcome);
 
 /// The steps up to what everything else is run with, cheapest first.

@@ -1,6 +1,6 @@
 //! The modules' order: which may import which, what each may do, and how long a file may be.
 //!
-//! A scanner of lines, not a compiler: it reads code in the house style, tests at the end of the file and left out.
+//! A scanner of lines, not a compiler: it reads code as this project formats it, tests at the end of the file and left out.
 
 use std::fmt;
 use std::path::{Path, PathBuf};

@@ -1,4 +1,4 @@
-//! The chores of this workspace: `cargo xtask test` is everything that has to pass before a change lands.
+//! The tasks of this workspace: `cargo xtask test` is everything that has to pass before a change lands.
 
 mod api;
 mod dependencies;
@@ -16,11 +16,11 @@ mod viewer;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-/// What a chore comes to: nothing, or why it failed.
+/// What a task comes to: nothing, or why it failed.
 type Outcome = Result<(), String>;
 
 const USAGE: &str = "\
-usage: cargo xtask CHORE
+usage: cargo xtask TASK
 
   test       everything, in order, up to the first failure
   layers     the modules' order: which may import which, what each may do, how long files are

@@ -77,9 +77,9 @@ fn what_a_killed_run_leaves_the_next_one_removes() {
     let left = format!(".out.partial-{}", child.id());
     assert_eq!(scratch.entries(), [left.as_str(), "long.toml", "short.toml"]);
     // Names that only look like ours, and those of other targets, stay.
-    let strangers =
+    let other_files =
         [".out.partial-", ".out.partial-7x", ".out2.partial-7", "out.partial-7", ".out.partial-07b"];
-    for name in strangers {
+    for name in other_files {
         scratch.write(name, "");
     }
     // What is ours by its name and holds something else stays too.
@@ -87,7 +87,7 @@ fn what_a_killed_run_leaves_the_next_one_removes() {
     scratch.write(".out.partial-8/photo.jpg", "");
     stdout(&scratch.run(&["simulate", "short.toml", "-o", "out"]));
     let mut want: Vec<&str> =
-        [&strangers[..], &[".out.partial-8", "long.toml", "out", "short.toml"]].concat();
+        [&other_files[..], &[".out.partial-8", "long.toml", "out", "short.toml"]].concat();
     want.sort_unstable();
     assert_eq!(scratch.entries(), want);
     assert_eq!(

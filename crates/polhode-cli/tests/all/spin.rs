@@ -423,7 +423,7 @@ fn a_folder_is_written_whole_or_not_at_all() {
     assert_eq!(entries(&scratch.0.join("spin")), ["summary.json", "trajectory.parquet"]);
     stdout(&spin(&scratch, &plate(&["-o", "only"])));
     assert_eq!(entries(&scratch.0.join("only")), ["report.html", "summary.json"]);
-    // bad input, a bad place, a stranger's folder: nothing is written
+    // bad input, a bad place, another program's folder: nothing is written
     fs::create_dir(scratch.0.join("photos")).unwrap();
     scratch.write("photos/cat.jpg", "a cat");
     refused(&spin(&scratch, &plate(&["-o", "photos", "--force"])));

@@ -61,7 +61,7 @@ pub(crate) enum Known {
     Mesh(Arc<ClosedMesh>, Vec<Finding>),
     Molecule(Arc<Molecule>),
     Rows(Arc<Rows>),
-    /// A part of the body, without its looks, which no motion depends on.
+    /// A part of the body, without its shape for display, which no motion depends on.
     Part(Arc<(BodyPart, Vec<Finding>)>),
     /// All parts together.
     Body(MassProperties<Body>),

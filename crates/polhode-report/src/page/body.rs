@@ -1,4 +1,4 @@
-//! The body: its mass, its inertia about the point that it turns about, and its looks.
+//! The body: its mass, its inertia about the point that it turns about, and its shape for display.
 
 use polhode::body::{BodyPart, PrincipalFrame};
 use polhode::math::{Body, Direction, Position};

@@ -50,7 +50,7 @@ impl Budget {
     }
 }
 
-/// The shapes of all parts; none if nothing is known of their looks.
+/// The shapes of all parts; none if nothing is known of them.
 pub(super) fn json(turning: &Turning<'_>, budget: &mut Budget) -> Value {
     let triangles = turning.parts.iter().map(triangles).sum();
     let known = turning.parts.iter().any(|part| part.form.is_some() || !part.particles.is_empty());

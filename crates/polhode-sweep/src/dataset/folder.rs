@@ -53,7 +53,7 @@ impl Folder {
         if !fs::symlink_metadata(path).map_err(SweepError::reading(path))?.is_dir() {
             return Err(strange("it is no folder".to_owned()));
         }
-        match stranger(path).map_err(SweepError::reading(path))? {
+        match foreign_file(path).map_err(SweepError::reading(path))? {
             Some(name) => Err(strange(format!("it holds {name:?}"))),
             None => Self::lock(path),
         }
@@ -164,7 +164,7 @@ fn files(folder: &Path) -> io::Result<Vec<PathBuf>> {
 }
 
 /// Something in a folder that no sweep makes.
-fn stranger(path: &Path) -> io::Result<Option<String>> {
+fn foreign_file(path: &Path) -> io::Result<Option<String>> {
     for entry in fs::read_dir(path)? {
         let entry = entry?;
         let name = entry.file_name().to_string_lossy().into_owned();

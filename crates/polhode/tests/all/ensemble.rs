@@ -18,7 +18,7 @@ fn body() -> MassProperties<Body> {
 }
 
 /// Every torque that there is, each with a body that it turns; generic numbers.
-pub(crate) fn zoo() -> Vec<(&'static str, Rotor, Vec<TorqueModel>)> {
+pub(crate) fn every_torque() -> Vec<(&'static str, Rotor, Vec<TorqueModel>)> {
     let body = body();
     let (free, held) = (Rotor::free(&body), Rotor::pivoted(&body, Position::new(-0.4, 0.9, 0.2)));
     let matrix = [[0.11, 0.02, -0.03], [0.02, 0.17, 0.05], [-0.03, 0.05, 0.09]];
@@ -186,7 +186,7 @@ fn inverse(rotor: &Rotor) -> [[f64; 3]; 3] {
 
 #[test]
 fn every_torque_moves_a_member_as_the_textbook_does() {
-    for (name, rotor, torques) in zoo() {
+    for (name, rotor, torques) in every_torque() {
         let member = Member { rotor, torques, start: start(3) };
         for method in [Method::Auto, Method::Taylor] {
             let found = ensemble(std::slice::from_ref(&member)).at(&[1.0, 2.25], method, 1e-13, ONE).unwrap();
@@ -202,8 +202,8 @@ fn every_torque_moves_a_member_as_the_textbook_does() {
 }
 
 /// A few of everything, from different starts and starting times.
-fn crowd(count: usize) -> Vec<Member> {
-    let zoo = zoo();
+fn some_members(count: usize) -> Vec<Member> {
+    let zoo = every_torque();
     (0..count)
         .map(|k| {
             let (_, rotor, torques) = zoo[k * 7 % zoo.len()].clone();
@@ -220,7 +220,7 @@ fn crowd(count: usize) -> Vec<Member> {
 fn a_member_has_the_bits_that_it_has_alone() {
     let times = [0.25, 0.5, 1.1];
     for (method, tolerance) in [(Method::Auto, 1e-9), (Method::Taylor, 1e-6), (Method::Dop853, 1e-6)] {
-        let members = crowd(160);
+        let members = some_members(160);
         let together = ensemble(&members).at(&times, method, tolerance, ONE).unwrap();
         assert_eq!(together.failures, []);
         let wanted = bits(&together.states);
@@ -258,7 +258,7 @@ fn the_bits_are_those_of_every_machine() {
     // The same with AVX-512 and with AVX2 (`--cfg no_avx512`); others without a fused multiply–add (`--no-default-features`).
     let fused = cfg!(any(target_arch = "aarch64", target_feature = "fma", feature = "simd"));
     let expected = if fused { 13_504_864_640_321_744_062 } else { 5_488_790_972_265_668_531 };
-    let members = crowd(160);
+    let members = some_members(160);
     let found = ensemble(&members).at(&[0.5, 1.1], Method::Auto, 1e-12, ONE).unwrap();
     assert_eq!(hash(&found.states), expected);
 }
@@ -266,7 +266,7 @@ fn the_bits_are_those_of_every_machine() {
 #[test]
 fn many_of_a_kind_are_what_each_is() {
     for torque in [0, 3, 9] {
-        let (name, rotor, torques) = zoo()[torque].clone();
+        let (name, rotor, torques) = every_torque()[torque].clone();
         let members: Vec<_> = (0..1000)
             .map(|k| Member { rotor: rotor.clone(), torques: torques.clone(), start: start(k) })
             .collect();
@@ -302,7 +302,7 @@ fn exact_members_have_the_bits_of_the_closed_form() {
 #[test]
 fn other_members_have_the_bits_of_a_simulation() {
     let times = [0.25, 0.75, 1.5];
-    for (name, rotor, torques) in zoo() {
+    for (name, rotor, torques) in every_torque() {
         let member = Member { rotor, torques, start: start(11) };
         for method in [Method::Auto, Method::Taylor, Method::Dop853] {
             let found = ensemble(std::slice::from_ref(&member)).at(&times, method, 1e-11, ONE).unwrap();
@@ -325,7 +325,7 @@ fn other_members_have_the_bits_of_a_simulation() {
 fn one_that_fails_leaves_the_others_alone() {
     let times = [0.5, 1.0, 1.5];
     for (method, tolerance) in [(Method::Auto, 1e-9), (Method::Dop853, 1e-9)] {
-        let mut members = crowd(40);
+        let mut members = some_members(40);
         let good = ensemble(&members).at(&times, method, tolerance, ONE).unwrap();
         // A wire that is let go beyond half a turn from where it was; and a body that spins beyond all numbers.
         let rest = Attitude::identity();
@@ -394,7 +394,7 @@ fn what_runs_away_ends_there() {
         .unwrap()
     };
     let push = TorqueModel::Formula(Box::new(FormulaTorque::Body([formula(0), formula(1), formula(2)])));
-    let mut members = crowd(9);
+    let mut members = some_members(9);
     members[4] = Member { rotor: Rotor::free(&body()), torques: vec![push], start: start(4) };
     let found = ensemble(&members).at(&[0.5, 300.0, 400.0], Method::Auto, 1e-9, ONE).unwrap();
     let failure = found.failures.iter().find(|failure| failure.member == 4).unwrap();
@@ -430,7 +430,7 @@ fn a_closed_form_ends_at_its_reach() {
 fn what_cannot_be_is_refused() {
     let member = |omega: f64| Member {
         start: State { omega: AngularVelocity::new(omega, 0.1, 0.2), ..start(0) },
-        ..crowd(1)[0].clone()
+        ..some_members(1)[0].clone()
     };
     let failure = Ensemble::new(vec![member(1.0), member(f64::NAN)]).unwrap_err();
     assert!(failure.member == 1 && failure.cause.is_parameter(), "{failure}");
@@ -463,7 +463,7 @@ fn what_cannot_be_is_refused() {
 
 #[test]
 fn work_tells_how_far_it_is_and_can_be_ended() {
-    let all = ensemble(&crowd(300));
+    let all = ensemble(&some_members(300));
     let mut rows = vec![[0.0; 8]; 300];
     let mut told = Vec::new();
     let failures = all.fill(&[1.0], (Method::Auto, 1e-9), ONE, &mut rows, &mut |done| {

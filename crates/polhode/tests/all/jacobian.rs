@@ -7,7 +7,7 @@ use polhode::motion::torque::{FormulaTorque, Schedule, Scheduled, TorqueJacobian
 use polhode::observe::SmallOscillations;
 use polhode::prelude::*;
 
-use crate::ensemble::{start, zoo};
+use crate::ensemble::{every_torque, start};
 
 fn axes() -> [Direction<Body>; 3] {
     [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Direction::from_array)
@@ -50,7 +50,7 @@ fn agrees(name: &str, torque: &TorqueModel, rotor: &Rotor, state: &State, digits
 
 #[test]
 fn every_torque_has_its_derivatives() {
-    for (name, rotor, torques) in zoo() {
+    for (name, rotor, torques) in every_torque() {
         for k in 0..4 {
             for torque in &torques {
                 agrees(name, torque, &rotor, &start(k), 3e-11);
@@ -85,7 +85,7 @@ fn of_all_variables(is_rough: bool) -> TorqueModel {
 
 #[test]
 fn formulas_of_every_variable_have_their_derivatives() {
-    let (_, rotor, _) = zoo().swap_remove(3);
+    let (_, rotor, _) = every_torque().swap_remove(3);
     for (is_rough, digits) in [(false, 1e-10), (true, 1e-9)] {
         for k in 0..4 {
             agrees("formula", &of_all_variables(is_rough), &rotor, &start(k), digits);
@@ -98,7 +98,7 @@ fn what_is_switched_off_has_none() {
     let torque = TorqueModel::own("tug", Tug(2.0));
     let schedule = Schedule::window(3.0, 4.0).unwrap();
     let later = TorqueModel::Scheduled(Box::new(Scheduled { torque, schedule }));
-    let (_, rotor, _) = zoo().swap_remove(0);
+    let (_, rotor, _) = every_torque().swap_remove(0);
     let at = |time: f64| later.jacobian(&rotor, &State { time, ..start(1) }).unwrap().by_omega[0];
     assert_eq!(at(2.0), Torque::ZERO);
     assert!(at(3.5).norm() > 0.1);
@@ -116,7 +116,7 @@ impl Law for Tug {
 
 #[test]
 fn corners_are_refused() {
-    let (_, rotor, _) = zoo().swap_remove(0);
+    let (_, rotor, _) = every_torque().swap_remove(0);
     let rest = State { omega: AngularVelocity::ZERO, attitude: Attitude::identity(), time: 0.0 };
     let variable =
         |name| Instruction::Variable(StateVariables::NAMES.iter().position(|n| *n == name).unwrap());
@@ -148,7 +148,7 @@ fn corners_are_refused() {
         variable("wx"),
         Instruction::Binary(Binary::Multiply),
     ]);
-    let drag = zoo().swap_remove(6).2.swap_remove(0);
+    let drag = every_torque().swap_remove(6).2.swap_remove(0);
     for torque in [smooth, hypot, drag] {
         let jacobian = torque.jacobian(&rotor, &rest).unwrap();
         assert!(jacobian.by_omega.iter().all(|n| n.norm() < 1e-6), "{jacobian:?}");

@@ -52,7 +52,7 @@ fn every_layout_has_the_motion_of_its_laws() {
         ("moving", &free, vec![gradient()]),
         ("moving, damped", &free, vec![gradient(), drag(), constant()]),
         ("general", &pivoted, vec![gravity(), gradient(), drag()]),
-        ("general, with a rider", &free, vec![gradient(), gradient(), constant()]),
+        ("general, with two gradients", &free, vec![gradient(), gradient(), constant()]),
     ];
     for (name, rotor, torques) in cases {
         let [one, other] = [(Method::Taylor, 1e-14), (Method::Dop853, 1e-14)]

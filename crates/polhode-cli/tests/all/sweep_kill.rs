@@ -10,7 +10,7 @@ use std::time::{Duration, Instant};
 
 use crate::common::{Scratch, stdout};
 
-const KILLS: u32 = 50;
+const KILLS: u32 = 30;
 /// How often one sweep is killed at most.
 const LIVES: u32 = 10;
 

@@ -18,11 +18,12 @@ const FIRST: [Step; 6] = [
         let clippy = ["clippy", "--workspace", "--all-targets", "--locked", "--features", FEATURES];
         process::run(cargo(&clippy).args(["--", "-D", "warnings"]))
     }),
-    ("tests", || process::run(&mut cargo(&["test", "--workspace", "--locked"]))),
+    ("compiled tests", || process::run(&mut cargo(&["test", "--workspace", "--locked", "--no-run"]))),
 ];
 
 /// Those that come after, beside the Python package's.
-const THEN: [Step; 5] = [
+const THEN: [Step; 6] = [
+    ("tests", || process::run(&mut cargo(&["test", "--workspace", "--locked"]))),
     ("features", || {
         // Unoptimised: the core is compiled once more for them.
         let test = ["test", "--profile", "dev", "--locked", "--package", "polhode", "--test", "interop"];

@@ -18,12 +18,11 @@ const FIRST: [Step; 6] = [
         let clippy = ["clippy", "--workspace", "--all-targets", "--locked", "--features", FEATURES];
         process::run(cargo(&clippy).args(["--", "-D", "warnings"]))
     }),
-    ("compiled tests", || process::run(&mut cargo(&["test", "--workspace", "--locked", "--no-run"]))),
+    ("tests", || process::run(&mut cargo(&["test", "--workspace", "--locked"]))),
 ];
 
 /// Those that come after, beside the Python package's.
-const THEN: [Step; 6] = [
-    ("tests", || process::run(&mut cargo(&["test", "--workspace", "--locked"]))),
+const THEN: [Step; 5] = [
     ("features", || {
         // Unoptimised: the core is compiled once more for them.
         let test = ["test", "--profile", "dev", "--locked", "--package", "polhode", "--test", "interop"];

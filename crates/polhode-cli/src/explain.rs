@@ -7,7 +7,8 @@ use polhode_formats::scenario::ScenarioFile;
 use polhode_report::{explain, pretty};
 
 use crate::failure::Failure;
-use crate::stdout::{print, shown};
+use crate::stderr::shown;
+use crate::stdout::print;
 
 /// Work a scenario through, step by step, with every formula and number.
 ///

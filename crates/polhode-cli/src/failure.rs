@@ -11,7 +11,7 @@ use polhode_report::VERSION;
 use polhode_sweep::SweepError;
 use serde_json::{Value, json};
 
-use crate::stdout::{shown, tell};
+use crate::stderr::{shown, tell};
 
 /// Why the command failed.
 #[derive(Debug)]

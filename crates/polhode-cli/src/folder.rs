@@ -6,7 +6,7 @@ use std::path::Path;
 
 use crate::failure::Failure;
 use crate::partial::{Partial, exists, output};
-use crate::stdout::shown;
+use crate::stderr::shown;
 
 /// The file by which a folder of results is known, and how it begins.
 const SIGNATURE: (&str, &[u8]) = ("summary.json", b"{\n  \"polhode\": ");

@@ -4,6 +4,7 @@ mod cad;
 mod field;
 mod kind;
 mod mesh;
+mod model;
 mod molecule;
 mod output;
 mod particles;
@@ -33,7 +34,8 @@ use self::voxel::VoxelFlags;
 use crate::failure::Failure;
 use crate::numbers::{numbers, positive, rotation, unit_named};
 use crate::progress::FileProgress;
-use crate::stdout::{print, shown};
+use crate::stderr::shown;
+use crate::stdout::print;
 
 /// Mass, centre of mass, inertia tensor, principal moments and axes.
 ///

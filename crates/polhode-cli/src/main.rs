@@ -17,6 +17,7 @@ mod shell;
 mod simulate;
 mod spin;
 mod stability;
+mod stderr;
 mod stdout;
 mod sweep;
 mod table;
@@ -34,7 +35,7 @@ fn main() -> ExitCode {
         Err(answer) if !answer.use_stderr() => stdout::print_styled(&answer.render()),
         // What was typed stands in the message.
         Err(refusal) => {
-            stdout::tell(&args::with_tip(refusal).render().to_string());
+            stderr::tell(&args::with_tip(refusal).render().to_string());
             return ExitCode::from(2);
         }
     };

@@ -12,7 +12,7 @@ use polhode_report::{PageInput, PageSubject, VERSION, explain_motion, page};
 use crate::failure::Failure;
 use crate::folder::{Folder, PAGE};
 use crate::partial;
-use crate::stdout::shown;
+use crate::stderr::shown;
 
 /// What a page is made of, and by which command.
 #[derive(Debug)]

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, Once, PoisonError};
 
 use crate::failure::Failure;
-use crate::stdout::shown;
+use crate::stderr::shown;
 
 /// What this process has in the making. Whoever holds the lock decides whether it is published or removed.
 static IN_THE_MAKING: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());

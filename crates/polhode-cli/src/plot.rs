@@ -9,7 +9,7 @@ use polhode_report::{Figure, MotionFigures, Picture, PlotError};
 
 use crate::failure::Failure;
 use crate::partial;
-use crate::stdout::shown;
+use crate::stderr::shown;
 
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Plots")]

@@ -13,7 +13,8 @@ use crate::folder::Folder;
 use crate::page::{Page, Shown};
 use crate::plot::PlotFlags;
 use crate::progress::Progress;
-use crate::stdout::{columns, print, shown};
+use crate::stderr::shown;
+use crate::stdout::{columns, print};
 use crate::table::{self, Format};
 
 /// Compute the motion of a scenario and write it to a folder.

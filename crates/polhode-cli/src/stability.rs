@@ -7,7 +7,8 @@ use polhode_formats::scenario;
 use polhode_report::{SourceInfo, StabilityReport, pretty};
 
 use crate::failure::Failure;
-use crate::stdout::{print, shown};
+use crate::stderr::shown;
+use crate::stdout::print;
 
 /// Say which steady motions of a scenario's body last: permanent rotations, and small oscillations about an equilibrium.
 ///

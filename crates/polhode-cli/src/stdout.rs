@@ -1,10 +1,9 @@
 //! Standard output: data, and nothing else.
 
 use std::io::{self, IsTerminal as _, Write as _};
-use std::path::Path;
 
 use clap::builder::StyledStr;
-use polhode_report::plain::{printable, printable_lines};
+use polhode_report::plain::printable_lines;
 
 use crate::failure::Failure;
 
@@ -28,16 +27,6 @@ pub(crate) fn print_styled(text: &StyledStr) -> Result<(), Failure> {
         !io::stdout().is_terminal() || std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
     let text = if plain { text.to_string() } else { text.ansi().to_string() };
     print_script(text.as_bytes())
-}
-
-/// Writes lines for people to standard error, under the same rule. Where it is closed there is nobody left to tell.
-pub(crate) fn tell(text: &str) {
-    let _ = io::stderr().write_all(printable_lines(text).as_bytes());
-}
-
-/// A path within a message: on one line, whatever is in it.
-pub(crate) fn shown(path: &Path) -> String {
-    printable(&path.to_string_lossy())
 }
 
 /// The columns of the terminal that reads standard output; `None` where it is a pipe or a file.

@@ -16,7 +16,8 @@ use polhode_report::pretty;
 use polhode_sweep::{Dataset, Plan};
 
 use crate::failure::Failure;
-use crate::stdout::{print, shown, tell};
+use crate::stderr::{shown, tell};
+use crate::stdout::print;
 use progress::SweepProgress;
 
 /// Compute many motions, and what they come to.

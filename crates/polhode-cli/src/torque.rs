@@ -16,7 +16,8 @@ use crate::failure::Failure;
 use crate::numbers::{list, positive, quantity};
 use crate::page::check_file;
 use crate::partial;
-use crate::stdout::{print, shown};
+use crate::stderr::shown;
+use crate::stdout::print;
 use crate::table::Format;
 
 /// The torque, the power and the forces that a given motion needs.

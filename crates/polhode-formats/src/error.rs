@@ -12,7 +12,7 @@ use polhode::motion::MotionError;
 
 use crate::content::{ContentError, ContentPlace};
 use crate::expression::ExpressionError;
-use crate::mesh::stl::{StlError, StlPlace};
+use crate::mesh::stl_error::{StlError, StlPlace};
 use crate::text::{cut, escaped, is_utf16, visible};
 use crate::unit::UnitError;
 

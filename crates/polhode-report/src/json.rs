@@ -88,6 +88,11 @@ fn write(text: &mut String, value: &Value, depth: usize) {
     }
 }
 
+/// A number, which JSON has none for if it is not finite.
+pub(crate) fn finite(x: f64) -> f64 {
+    if x.is_finite() { x } else { 0.0 }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

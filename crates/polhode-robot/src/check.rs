@@ -21,6 +21,7 @@ mod body;
 mod conjugate;
 mod density;
 mod explain;
+mod explanation;
 mod gyration;
 mod mass;
 mod numbers;

@@ -1,6 +1,6 @@
 //! What is wrong with a model.
 
-use crate::model::Span;
+use crate::span::Span;
 
 /// How bad it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -30,5 +30,6 @@ pub mod read;
 pub mod remarks;
 pub mod repair;
 pub mod report;
+mod span;
 mod table;
 mod text;

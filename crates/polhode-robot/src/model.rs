@@ -1,9 +1,9 @@
 //! A model as its file says it: nothing is repaired, left out or trusted. Every number keeps its text and its place.
 
-use std::ops::Range;
 use std::path::PathBuf;
 
 use crate::finding::Severity;
+pub use crate::span::Span;
 
 /// The languages of models.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,9 +15,6 @@ pub enum ModelFormat {
     /// MuJoCo's XML.
     Mjcf,
 }
-
-/// Bytes of a model's text.
-pub type Span = Range<usize>;
 
 /// A model: bodies joined to a tree, if it is one.
 #[derive(Clone, Debug)]
@@ -168,6 +165,17 @@ pub enum Tensor {
     Six(Box<[Slot; 6]>),
     /// Along the axes of the inertial's frame.
     Diagonal(Box<[Slot; 3]>),
+}
+
+impl Tensor {
+    /// Its numbers, in the order of their names, if it is there.
+    pub(crate) fn slots(&self) -> Option<impl Iterator<Item = &Slot>> {
+        match self {
+            Self::Missing(_) => None,
+            Self::Six(slots) => Some(slots.iter()),
+            Self::Diagonal(slots) => Some(slots.iter()),
+        }
+    }
 }
 
 /// What a geometry is for.

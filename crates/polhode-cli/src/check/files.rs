@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use crate::failure::Failure;
 use crate::model_file::is_model;
-use crate::stdout::shown;
+use crate::stderr::shown;
 
 /// A file or folder of which there is no report.
 #[derive(Debug)]

@@ -12,7 +12,7 @@ use polhode_robot::report::{CheckReport, Fixed};
 
 use crate::failure::Failure;
 use crate::partial;
-use crate::stdout::shown;
+use crate::stderr::shown;
 
 /// Flags for repairs.
 #[derive(Debug, Args)]

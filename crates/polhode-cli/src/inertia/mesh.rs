@@ -6,13 +6,14 @@ use std::path::Path;
 use clap::Args;
 use polhode::body::mesh::{ConvexHull, MeshShell};
 use polhode::body::shape::{Extent, Shape, Substance};
-use polhode::body::{BodyError, Finding, MassProperties, Severity};
+use polhode::body::{Finding, MassProperties};
 use polhode_formats::expression::Expression;
 use polhode_formats::mesh::{AssumedMetres, MeshContents, MeshFormat, MeshSolid};
 use polhode_formats::unit::Dimension;
 use polhode_report::{InertiaReport, PartRow, SourceInfo, parts};
 
 use super::field;
+use super::model::{Model, Piece, unfit};
 use super::quick;
 use super::substance::{PartSubstance, SubstanceFlags, assumed, part};
 use super::voxel::in_body;
@@ -110,25 +111,6 @@ pub(super) fn report(
         not_checked: if flags.quick { quick::NOT_CHECKED } else { &[] },
         ..InertiaReport::new(source, properties).with_volume(Some(volume))
     })
-}
-
-/// What a file's mesh is taken as.
-pub(super) struct Model {
-    pub(super) source: SourceInfo,
-    pub(super) pieces: Vec<Piece>,
-    pub(super) field: Option<field::Found>,
-}
-
-/// One part with a shape.
-pub(super) struct Piece {
-    pub(super) name: String,
-    pub(super) shape: Box<dyn Shape>,
-}
-
-impl Piece {
-    fn volume(&self) -> f64 {
-        self.shape.spread().extent().measure()
-    }
 }
 
 /// The model of a mesh that is read whole.
@@ -238,16 +220,6 @@ fn weighed(
         Ok(PartRow { name: piece.name.clone(), properties, volume: Some(piece.volume()) })
     };
     pieces.iter().map(row).collect()
-}
-
-#[allow(clippy::needless_pass_by_value, reason = "a function for map_err")]
-pub(super) fn unfit(error: BodyError) -> Failure {
-    Failure::usage(error.to_string(), "check --density, --mass, --part and --unit")
-}
-
-/// A remark about a file.
-pub(super) fn remark(file: &Path, code: &'static str, severity: Severity, message: &str) -> Finding {
-    Finding { code, severity, message: message.to_owned(), place: Some(file.display().to_string()) }
 }
 
 fn thickness(text: &str) -> Result<f64, String> {

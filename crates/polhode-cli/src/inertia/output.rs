@@ -10,7 +10,7 @@ use polhode_report::{ExportBody, ExportFormat, InertiaReport, export, pretty};
 use serde_json::Value;
 
 use crate::failure::Failure;
-use crate::stdout::{shown, tell};
+use crate::stderr::{shown, tell};
 
 /// Flags for the form of the answer.
 #[derive(Debug, Args)]

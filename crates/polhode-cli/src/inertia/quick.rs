@@ -7,9 +7,9 @@ use polhode_formats::mesh::MeshFormat;
 use polhode_formats::mesh::stl_quick::{self, QuickOptions};
 use polhode_report::SourceInfo;
 
-use super::mesh::{Model, Piece, remark, unfit};
+use super::model::{Model, Piece, remark, unfit};
 use crate::failure::Failure;
-use crate::stdout::shown;
+use crate::stderr::shown;
 
 /// What `--quick` does not look at.
 pub(super) const NOT_CHECKED: &[&str] = &["closed", "winding", "duplicates", "nesting", "overlaps"];

@@ -18,7 +18,7 @@ use polhode_robot::remarks::remarks;
 
 use crate::failure::Failure;
 use crate::numbers::quantity;
-use crate::stdout::shown;
+use crate::stderr::shown;
 
 /// Flags for robot models.
 #[derive(Debug, Args)]

@@ -10,7 +10,7 @@ use polhode_report::SourceInfo;
 
 use crate::failure::Failure;
 use crate::page::{Page, Shown};
-use crate::stdout::shown;
+use crate::stderr::shown;
 
 /// Moments of inertia about x, y and z, kg·m².
 #[derive(Clone, Copy, Debug)]

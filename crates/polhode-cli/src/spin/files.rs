@@ -13,7 +13,7 @@ use crate::failure::Failure;
 use crate::folder::{Folder, PAGE};
 use crate::numbers::{positive, quantity};
 use crate::page::{Page, check_file, write_file};
-use crate::stdout::shown;
+use crate::stderr::shown;
 use crate::table::{self, Format};
 
 use super::curves::CurveFlags;

@@ -2,7 +2,7 @@
 
 use polhode::math::formula::{Binary, Instruction, Unary};
 
-use super::parse::FUNCTIONS;
+use super::function::FUNCTIONS;
 use super::{ExpressionError, ExpressionErrorKind};
 use crate::unit::Dimension;
 

@@ -3,7 +3,7 @@
 use std::error::Error;
 use std::fmt;
 
-use super::parse;
+use super::function;
 use crate::text::cut;
 use crate::unit::{Dimension, UnitError};
 
@@ -111,7 +111,7 @@ impl ExpressionError {
             Kind::UnknownFunction { suggestion: Some(name), .. } => Some(format!("did you mean {name}?")),
             Kind::UnknownFunction { name, .. } => Some(format!(
                 "there are {}; a product is written {name}*(…)",
-                parse::FUNCTIONS.map(|f| f.name).join(", ")
+                function::FUNCTIONS.map(|f| f.name).join(", ")
             )),
             Kind::ChainedComparison => Some("write if(0 < x, if(x < 1, a, b), b)".to_owned()),
             Kind::Unit(error) => error.hint(),

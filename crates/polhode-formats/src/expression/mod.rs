@@ -18,6 +18,7 @@
 
 mod dimensions;
 mod error;
+mod function;
 mod parse;
 mod state;
 

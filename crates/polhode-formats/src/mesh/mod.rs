@@ -14,6 +14,7 @@ mod polygon;
 mod scan;
 mod solid;
 pub mod stl;
+pub(crate) mod stl_error;
 pub mod stl_quick;
 pub mod threemf;
 

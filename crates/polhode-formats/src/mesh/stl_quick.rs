@@ -13,7 +13,8 @@ use polhode::body::{BodyError, MeasuredSolid};
 use polhode::math::Position;
 use polhode_stl::{Moments, NotFinite, Options, Record, moments_of_file, moments_of_records};
 
-use super::stl::{self, StlError, StlPlace};
+use super::stl;
+use super::stl_error::{StlError, StlPlace};
 use crate::error::{FormatError, FormatErrorKind};
 use crate::file;
 

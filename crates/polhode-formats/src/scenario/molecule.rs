@@ -5,7 +5,7 @@ use std::sync::Arc;
 use polhode::body::{BodyPart, Finding, Form, Particle, mass_properties_of_particles};
 use polhode::math::{Part, Position};
 
-use super::part::Placement;
+use super::placement::Placement;
 use super::reader::Table;
 use super::tree::Known;
 use crate::error::{FormatError, FormatErrorKind};

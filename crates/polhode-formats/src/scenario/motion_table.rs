@@ -11,6 +11,7 @@ use polhode::math::Attitude;
 use polhode::motion::{RateAxes, Uncertainty};
 
 use super::reader::Value;
+use super::rows::Rows;
 use super::tree::Known;
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 use crate::error::{FormatError, FormatErrorKind};
@@ -28,13 +29,6 @@ const NAMES: [&[&str]; 3] = [
     &["omega_body_x_rad_s", "omega_body_y_rad_s", "omega_body_z_rad_s"],
     &["omega_space_x_rad_s", "omega_space_y_rad_s", "omega_space_z_rad_s"],
 ];
-
-/// The rows of a table.
-#[derive(Debug)]
-pub(crate) enum Rows {
-    Attitude { times: Vec<f64>, attitudes: Vec<Attitude> },
-    Omega { axes: RateAxes, times: Vec<f64>, omega: Vec<[f64; 3]> },
-}
 
 /// Reads the file that `table` names, relative to the scenario.
 pub(super) fn read(table: &Value<'_>, columns: Option<&str>) -> Result<Arc<Rows>, FormatError> {

@@ -5,14 +5,12 @@ use std::sync::Arc;
 
 use polhode::body::mesh::ClosedMesh;
 use polhode::body::shape::Extent;
-use polhode::body::{
-    BodyPart, Finding, Form, MassProperties, Particle, PlacedForm, PlacedPart, mass_properties_of_particles,
-};
-use polhode::math::{Body, Part, Position, Rotation};
+use polhode::body::{BodyPart, Finding, Particle, mass_properties_of_particles};
+use polhode::math::{Part, Position};
 
 use super::molecule::molecule;
+use super::placement::Placement;
 use super::reader::{Table, Value};
-use super::rotation::rotation;
 use super::shape::{Geometry, SHAPES, shape};
 use super::substance::{self, Matter, matter};
 use super::tensor;
@@ -93,36 +91,6 @@ fn keys(kind: &str) -> Vec<&'static str> {
         _ => &[SHAPES.iter().find(|(name, _)| *name == kind).map_or(&[], |(_, keys)| keys), &substance::KEYS],
     };
     COMMON.iter().chain(own.iter().copied().flatten()).copied().collect()
-}
-
-/// Where a part is and how it is turned.
-pub(super) struct Placement {
-    pub(super) position: Position<Body>,
-    pub(super) rotation: Rotation<Body, Part>,
-}
-
-impl Placement {
-    fn read(table: &Table<'_>) -> Result<Self, FormatError> {
-        let position = match table.get("position") {
-            Some(position) => Position::from_array(position.quantities(Dimension::LENGTH)?),
-            None => Position::ZERO,
-        };
-        let rotation = table.get("rotate").map_or(Ok(Rotation::identity()), |value| rotation(&value))?;
-        Ok(Self { position, rotation })
-    }
-
-    fn place(
-        &self,
-        table: &Table<'_>,
-        part: MassProperties<Part>,
-    ) -> Result<MassProperties<Body>, FormatError> {
-        let placed = PlacedPart::new(part, self.position, self.rotation);
-        placed.map(|part| part.in_body()).map_err(|e| table.error(FormatErrorKind::Body(e)))
-    }
-
-    pub(super) const fn form(&self, form: Form) -> PlacedForm {
-        PlacedForm { form, position: self.position, rotation: self.rotation }
-    }
 }
 
 /// `particles = [{ mass = "1 kg", position = [3] }, …]`

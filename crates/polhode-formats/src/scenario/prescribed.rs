@@ -5,8 +5,9 @@ use polhode::math::formula::Formula;
 use polhode::math::{Attitude, Direction};
 use polhode::motion::{MotionError, Prescribed, RateAxes, Run};
 
-use super::motion_table::{self, Rows};
+use super::motion_table;
 use super::reader::{Table, Value};
+use super::rows::Rows;
 use super::start::Start;
 use crate::error::FormatError;
 use crate::expression::formula_of_time;

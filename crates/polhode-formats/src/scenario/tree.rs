@@ -13,7 +13,7 @@ use polhode::math::Body;
 use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue};
 
-use super::motion_table::Rows;
+use super::rows::Rows;
 use crate::molecule::Molecule;
 use crate::unit::Dimension;
 

@@ -5,7 +5,7 @@ use polhode::math::{Body, Position};
 use serde_json::{Value, json};
 
 use super::base64::f32s;
-use super::shapes::at;
+use super::placed::at;
 
 /// Part of its covalent radius that a ball shows: sticks are seen between them.
 const SHOWN: f64 = 0.45;

@@ -2,9 +2,9 @@
 
 use serde_json::{Value, json};
 
-use super::body::Turning;
 use super::motion::Shown;
 use super::shapes::Budget;
+use super::turning::Turning;
 use super::{PageInput, PageSubject, body, explanation, facts, free, motion};
 use crate::motion::findings as motion_findings;
 
@@ -48,9 +48,4 @@ fn findings(input: &PageInput<'_>) -> Value {
         json!({ "severity": f.severity.name(), "message": format!("{}{place}", f.message) })
     };
     motion_findings(scenario, input.trajectory).iter().map(one).collect()
-}
-
-/// A number, which JSON has none for if it is not finite.
-pub(super) fn finite(x: f64) -> f64 {
-    if x.is_finite() { x } else { 0.0 }
 }

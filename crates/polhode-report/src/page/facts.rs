@@ -5,8 +5,8 @@ use polhode::motion::{Crossing, FreeMotion, Regime, Scenario, Solution, Swing, W
 use polhode::observe::{Cones, Drift, FreeRegime, GeometricPhase, Herpolhode, LeastEnergySpin, SymmetricTop};
 use serde_json::{Value, json};
 
-use super::body::Turning;
 use super::motion::Shown;
+use super::turning::Turning;
 use super::{PageInput, PageSubject};
 use crate::block::Geometry;
 use crate::event;

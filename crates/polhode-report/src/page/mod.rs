@@ -13,7 +13,9 @@ mod facts;
 mod free;
 mod mathml;
 mod motion;
+mod placed;
 mod shapes;
+mod turning;
 
 use polhode::body::PrincipalFrame;
 use polhode::math::Body;

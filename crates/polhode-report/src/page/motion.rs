@@ -5,8 +5,8 @@ use serde_json::{Value, json};
 
 use super::PageSubject;
 use super::base64::f64s;
-use super::data::finite;
 use crate::balance::{Balance, Driven, balances};
+use crate::json::finite;
 use crate::layout::printable;
 
 /// A page of more samples would be large and show no more.

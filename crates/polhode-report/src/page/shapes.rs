@@ -7,9 +7,9 @@ use serde_json::{Value, json};
 
 use super::atoms;
 use super::base64::{f32s, u32s};
-use super::body::{Turning, ellipsoid};
-use super::data::finite;
 use super::decimate::decimated;
+use super::placed::at;
+use super::turning::{Turning, ellipsoid};
 use crate::json::numbers;
 use crate::number::{count, number};
 
@@ -116,19 +116,6 @@ fn form(
 
 fn cylinder(radius: f64, inner: f64, height: f64) -> Value {
     json!({ "kind": "cylinder", "radius": radius, "inner": inner, "height": height })
-}
-
-/// A shape, and where it is.
-pub(super) fn at(own: Value, name: &str, position: [f64; 3], quaternion: [f64; 4]) -> Value {
-    let mut shape = json!({
-        "name": name,
-        "position": numbers(&position.map(finite)),
-        "quaternion": numbers(&quaternion),
-    });
-    if let (Value::Object(shape), Value::Object(own)) = (&mut shape, own) {
-        shape.extend(own);
-    }
-    shape
 }
 
 /// The triangles from their middle, so that f32 holds them wherever they are.

@@ -13,8 +13,8 @@ use polhode::motion::{Rotor, Sample, Scenario};
 use super::axes::{Area, Axes, Axis, Key};
 use super::error::PlotError;
 use super::figure::Figure;
-use super::motion::MotionFigures;
 use super::panel::range;
+use super::plotted::PlottedMotion;
 use super::series::Heading;
 use super::sheet::{Anchor, Colour, Mark, Pen, Point, SMALL, Sheet, Text};
 use super::sphere::{FAR, TRACE, arrow};
@@ -117,7 +117,7 @@ impl TopAxis {
 }
 
 pub(super) fn draw(
-    motion: &MotionFigures<'_>,
+    motion: &PlottedMotion<'_>,
     top: &TopAxis,
     sheet: &mut Sheet,
     heading: Heading<'_>,

@@ -4,12 +4,12 @@
 //! largest so far.
 
 use super::axes::{Axes, Axis, Key};
-use super::motion::MotionFigures;
+use super::plotted::PlottedMotion;
 use super::series::{Heading, time_axis};
 use super::sheet::{Colour, Pen, Point, Sheet};
 use crate::balance::balances;
 
-pub(super) fn draw(motion: &MotionFigures<'_>, sheet: &mut Sheet, heading: Heading<'_>) {
+pub(super) fn draw(motion: &PlottedMotion<'_>, sheet: &mut Sheet, heading: Heading<'_>) {
     const PENS: [Colour; 3] = [Colour::AXES[1], Colour::AXES[0], Colour::AXES[2]];
     const DASHES: [&[f64]; 3] = [&[], &[7.0, 2.5], &[1.6, 2.4]];
     let pen = |k: usize| {

@@ -11,8 +11,8 @@ use polhode::motion::Sample;
 use super::axes::{Area, Axes, Key};
 use super::error::PlotError;
 use super::figure::Figure;
-use super::motion::MotionFigures;
 use super::panel::axis;
+use super::plotted::PlottedMotion;
 use super::series::{Heading, pieces, time_axis};
 use super::sheet::{Colour, Pen, Point, Sheet};
 
@@ -29,7 +29,7 @@ const LEAP: f64 = 1.0;
 type Pieces = Vec<Vec<Point>>;
 
 pub(super) fn draw(
-    motion: &MotionFigures<'_>,
+    motion: &PlottedMotion<'_>,
     sheet: &mut Sheet,
     heading: Heading<'_>,
 ) -> Result<(), PlotError> {

@@ -4,7 +4,8 @@
 //! draws the same pixels, however many samples there are. Of the rest Douglas and Peucker's method keeps those that a
 //! straight line would miss by more than [`SEEN`].
 
-use super::sheet::Point;
+/// A place on the sheet.
+pub(super) type Point = [f64; 2];
 
 /// The distance that is seen, px.
 pub(super) const SEEN: f64 = 0.1;

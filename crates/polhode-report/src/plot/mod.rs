@@ -19,6 +19,7 @@ mod line;
 mod motion;
 mod panel;
 mod plane;
+mod plotted;
 #[cfg(feature = "png")]
 mod png;
 mod series;

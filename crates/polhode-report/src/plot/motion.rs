@@ -1,12 +1,12 @@
 //! The figures of a motion: which there are, and each on a sheet.
 
-use polhode::body::PrincipalFrame;
-use polhode::motion::{FreeMotion, Regime, Sample, Scenario, Solution, Trajectory, Wheel};
+use polhode::motion::{FreeMotion, Regime, Scenario, Trajectory};
 
 use super::axes::{Area, heading};
 use super::axis_path::TopAxis;
 use super::error::PlotError;
 use super::figure::Figure;
+use super::plotted::PlottedMotion;
 use super::sheet::{Anchor, Colour, LARGE, Mark, Sheet, Text};
 use super::{Picture, axis_path, drift, euler, plane, series, sphere, wheels};
 use crate::balance::Driven;
@@ -29,13 +29,7 @@ use crate::layout::printable;
 /// ```
 #[derive(Clone, Debug)]
 pub struct MotionFigures<'a> {
-    pub(super) title: String,
-    pub(super) trajectory: &'a Trajectory,
-    /// About the point that the body turns about.
-    pub(super) principal: PrincipalFrame<polhode::math::Body>,
-    pub(super) free: Option<FreeMotion>,
-    pub(super) driven: Driven,
-    pub(super) wheels: Vec<Wheel>,
+    pub(super) motion: PlottedMotion<'a>,
     /// Of a body that gravity turns about a pivot.
     axis: Option<TopAxis>,
 }
@@ -45,28 +39,28 @@ impl<'a> MotionFigures<'a> {
     pub fn of_scenario(scenario: &Scenario, trajectory: &'a Trajectory) -> Self {
         let rotor = scenario.rotor();
         let driven = Driven::of(scenario);
-        Self {
+        let motion = PlottedMotion {
             title: printable(scenario.title().unwrap_or_default()),
             trajectory,
             principal: *rotor.principal(),
             free: FreeMotion::of(rotor, scenario.start()).ok().filter(|_| !driven.at_all()),
             driven,
             wheels: scenario.wheels().to_vec(),
-            axis: TopAxis::of(scenario, rotor),
-        }
+        };
+        Self { motion, axis: TopAxis::of(scenario, rotor) }
     }
 
     /// Those of a free motion; `trajectory` is the same motion at some times.
     pub fn of_motion(title: &str, motion: &FreeMotion, trajectory: &'a Trajectory) -> Self {
-        Self {
+        let motion = PlottedMotion {
             title: printable(title),
             trajectory,
             principal: *motion.principal(),
             free: Some(*motion),
             driven: Driven::default(),
             wheels: Vec::new(),
-            axis: None,
-        }
+        };
+        Self { motion, axis: None }
     }
 
     /// The figures that this motion has, in the order in which they are read.
@@ -81,9 +75,9 @@ impl<'a> MotionFigures<'a> {
     /// points.
     pub fn draw(&self, figure: Figure) -> Result<Picture, PlotError> {
         const MARGIN: f64 = 14.0;
-        let mut sheet = Sheet::new(672.0, 413.0, self.spoken(figure.title(self)));
+        let mut sheet = Sheet::new(672.0, 413.0, self.spoken(figure.title(&self.motion)));
         let area = Area { left: MARGIN, top: MARGIN, right: 672.0 - MARGIN, bottom: 413.0 - MARGIN };
-        self.panel(figure, &mut sheet, area, &self.title)?;
+        self.panel(figure, &mut sheet, area, &self.motion.title)?;
         Ok(Picture { sheet })
     }
 
@@ -93,7 +87,9 @@ impl<'a> MotionFigures<'a> {
     /// As [`MotionFigures::draw`], but a curve with too many points, and angles that cannot be followed, are left out.
     pub fn overview(&self) -> Result<Picture, PlotError> {
         let mut wanted = self.figures();
-        wanted.retain(|figure| *figure != Figure::Torque || !series::panel(self, Figure::Torque).is_zero());
+        wanted.retain(|figure| {
+            *figure != Figure::Torque || !series::panel(&self.motion, Figure::Torque).is_zero()
+        });
         let drawn = |figure: &Figure| {
             !matches!(self.draw(*figure), Err(PlotError::Curve { .. } | PlotError::TooCoarse { .. }))
         };
@@ -108,13 +104,13 @@ impl<'a> MotionFigures<'a> {
     pub fn side_by_side(&self, figures: &[Figure]) -> Result<Picture, PlotError> {
         const PANEL: [f64; 2] = [448.0, 322.0];
         const MARGIN: f64 = 16.0;
-        let head = if self.title.is_empty() { 0.0 } else { 26.0 };
+        let head = if self.motion.title.is_empty() { 0.0 } else { 26.0 };
         let rows = figures.len().div_ceil(2);
         let (width, height) = (2.0 * PANEL[0], head + rows as f64 * PANEL[1]);
         let mut sheet = Sheet::new(width, height, self.spoken("motion"));
         if head > 0.0 {
             let room = width - 2.0 * MARGIN;
-            let title = super::font::fitted(&self.title, LARGE + 2.0, room);
+            let title = super::font::fitted(&self.motion.title, LARGE + 2.0, room);
             let text = Text::small([MARGIN, 26.0], Anchor::Start, Colour::BLACK, &title);
             sheet.marks.push(Mark::Text(Text { size: LARGE + 2.0, ..text }));
         }
@@ -138,47 +134,47 @@ impl<'a> MotionFigures<'a> {
         if let Some(why) = self.why_not(figure) {
             return Err(PlotError::NotThere { figure, why });
         }
-        let count = self.samples().len();
+        let count = self.motion.samples().len();
         let on_time = !matches!(figure, Figure::Polhodes | Figure::Herpolhode);
         if on_time && count < 2 {
             return Err(PlotError::TooFewSamples { count });
         }
         let keyed = |sheet: &mut Sheet, keys: &[_]| {
-            area.below(heading(sheet, area, figure.title(self), subject, keys))
+            area.below(heading(sheet, area, figure.title(&self.motion), subject, keys))
         };
-        match (figure, &self.free) {
-            (Figure::Drift, _) => drift::draw(self, sheet, &keyed),
-            (Figure::Euler, _) => euler::draw(self, sheet, &keyed)?,
-            (Figure::Wheels, _) => wheels::draw(self, sheet, area.width(), &keyed),
+        match (figure, &self.motion.free) {
+            (Figure::Drift, _) => drift::draw(&self.motion, sheet, &keyed),
+            (Figure::Euler, _) => euler::draw(&self.motion, sheet, &keyed)?,
+            (Figure::Wheels, _) => wheels::draw(&self.motion, sheet, area.width(), &keyed),
             (Figure::Axis, _) => {
                 if let Some(axis) = &self.axis {
-                    axis_path::draw(self, axis, sheet, &keyed)?;
+                    axis_path::draw(&self.motion, axis, sheet, &keyed)?;
                 }
             }
             (Figure::Polhodes, Some(motion)) => {
                 sphere::draw(motion, sheet, &keyed).map_err(|error| PlotError::Curve { figure, error })?;
             }
             (Figure::Herpolhode, Some(motion)) => {
-                plane::draw(motion, self.duration(), sheet, &keyed)
+                plane::draw(motion, self.motion.duration(), sheet, &keyed)
                     .map_err(|error| PlotError::Curve { figure, error })?;
             }
-            _ => series::draw(self, figure, sheet, area.width(), &keyed),
+            _ => series::draw(&self.motion, figure, sheet, area.width(), &keyed),
         }
         Ok(())
     }
 
     /// Why there is no such figure of this motion, if there is none.
     fn why_not(&self, figure: Figure) -> Option<&'static str> {
-        match (figure, &self.free) {
-            (Figure::Torque, _) if !self.driven.by_torques => Some("no torque acts on the body"),
-            (Figure::Wheels, _) if self.wheels.is_empty() => Some("the body has no wheels"),
+        match (figure, &self.motion.free) {
+            (Figure::Torque, _) if !self.motion.driven.by_torques => Some("no torque acts on the body"),
+            (Figure::Wheels, _) if self.motion.wheels.is_empty() => Some("the body has no wheels"),
             (Figure::Axis, _) if self.axis.is_none() => {
                 Some("it is that of a body which gravity turns about a pivot")
             }
-            (Figure::Drift, _) if self.is_prescribed() => {
+            (Figure::Drift, _) if self.motion.is_prescribed() => {
                 Some("the motion is prescribed: nothing is solved, and nothing drifts")
             }
-            (Figure::Polhodes | Figure::Herpolhode, None) if self.is_prescribed() => {
+            (Figure::Polhodes | Figure::Herpolhode, None) if self.motion.is_prescribed() => {
                 Some("the motion is prescribed, not free: it has no polhode")
             }
             (Figure::Polhodes | Figure::Herpolhode, None) => {
@@ -195,30 +191,18 @@ impl<'a> MotionFigures<'a> {
         }
     }
 
-    pub(super) fn samples(&self) -> &'a [Sample] {
-        self.trajectory.samples()
-    }
-
-    pub(super) fn is_prescribed(&self) -> bool {
-        matches!(self.trajectory.solution(), Solution::Prescribed(_))
-    }
-
-    /// From the first to the last sample, s.
-    fn duration(&self) -> f64 {
-        match self.samples() {
-            [first, .., last] => last.state.time - first.state.time,
-            _ => 0.0,
-        }
-    }
-
     fn spoken(&self, figure: &str) -> String {
-        if self.title.is_empty() { figure.to_owned() } else { format!("{}: {figure}", self.title) }
+        if self.motion.title.is_empty() {
+            figure.to_owned()
+        } else {
+            format!("{}: {figure}", self.motion.title)
+        }
     }
 }
 
 impl Figure {
     /// What stands above it.
-    fn title(self, motion: &MotionFigures<'_>) -> &'static str {
+    fn title(self, motion: &PlottedMotion<'_>) -> &'static str {
         match self {
             Self::Omega => "Angular velocity along the principal axes",
             Self::Euler => "Euler angles, 3-1-3",

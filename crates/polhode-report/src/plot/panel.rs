@@ -8,7 +8,7 @@ use polhode::motion::Ending;
 
 use super::axes::{Area, Axes, Axis, Key};
 use super::font;
-use super::motion::MotionFigures;
+use super::plotted::PlottedMotion;
 use super::sheet::{Anchor, Colour, Mark, Pen, Point, SMALL, Sheet, Text};
 use crate::layout::printable;
 use crate::number::{typeset, ungrouped};
@@ -46,7 +46,7 @@ pub(super) struct Panel {
 impl Panel {
     /// Curves of a quantity with its unit; `made_of` is the size of its parts, where these may add up to nothing.
     pub(super) fn new(
-        motion: &MotionFigures<'_>,
+        motion: &PlottedMotion<'_>,
         name: &'static str,
         unit: &'static str,
         series: Vec<Series>,
@@ -120,7 +120,7 @@ impl Panel {
     }
 
     /// Draws it over axes of its own; the unit of time is so many seconds.
-    pub(super) fn draw(&self, motion: &MotionFigures<'_>, sheet: &mut Sheet, axes: &Axes, scale: f64) {
+    pub(super) fn draw(&self, motion: &PlottedMotion<'_>, sheet: &mut Sheet, axes: &Axes, scale: f64) {
         axes.draw(sheet);
         let times: Vec<f64> = motion.samples().iter().map(|s| s.state.time / scale).collect();
         let events = || motion.trajectory.events().iter().take(MOST_EVENTS);
@@ -152,7 +152,7 @@ impl Panel {
     }
 
     /// How far the samples go that are not seen.
-    fn tell_of_the_rest(&self, motion: &MotionFigures<'_>, axes: &Axes, times: &[f64], sheet: &mut Sheet) {
+    fn tell_of_the_rest(&self, motion: &PlottedMotion<'_>, axes: &Axes, times: &[f64], sheet: &mut Sheet) {
         let beyond = self.series.iter().flat_map(|series| series.values.iter().skip(self.telling));
         let largest = beyond.map(|x| x.abs()).filter(|x| x.is_finite()).fold(0.0, f64::max);
         let Some(end) = motion.samples().last().filter(|_| self.telling < motion.samples().len()) else {

@@ -6,8 +6,8 @@ use polhode::motion::Sample;
 
 use super::axes::{Area, Axes, Axis, Key};
 use super::figure::Figure;
-use super::motion::MotionFigures;
 use super::panel::{Panel, Series, range};
+use super::plotted::PlottedMotion;
 use super::sheet::{Colour, Pen, Point, Sheet};
 
 /// Writes the heading of a figure with its keys; gives the area below.
@@ -15,7 +15,7 @@ pub(super) type Heading<'a> = &'a dyn Fn(&mut Sheet, &[Key]) -> Area;
 
 /// Draws ω, an energy, L or a torque.
 pub(super) fn draw(
-    motion: &MotionFigures<'_>,
+    motion: &PlottedMotion<'_>,
     figure: Figure,
     sheet: &mut Sheet,
     width: f64,
@@ -29,7 +29,7 @@ pub(super) fn draw(
 }
 
 /// The curves of ω, an energy, L or a torque.
-pub(super) fn panel(motion: &MotionFigures<'_>, figure: Figure) -> Panel {
+pub(super) fn panel(motion: &PlottedMotion<'_>, figure: Figure) -> Panel {
     match figure {
         Figure::Energy => Panel::new(motion, "energy", "J", energy(motion), 0.0),
         Figure::Momentum => Panel::new(motion, "L", "kg·m²/s", momentum(motion), parts_of_momentum(motion)),
@@ -55,11 +55,11 @@ pub(super) fn unit_of_time(largest: f64) -> (&'static str, f64) {
     }
 }
 
-fn omega(motion: &MotionFigures<'_>) -> Vec<Series> {
+fn omega(motion: &PlottedMotion<'_>) -> Vec<Series> {
     along_principal(motion, |s| s.state.omega, "ω")
 }
 
-fn momentum(motion: &MotionFigures<'_>) -> Vec<Series> {
+fn momentum(motion: &PlottedMotion<'_>) -> Vec<Series> {
     let mut series = if motion.driven.at_all() {
         components(motion, ["x", "y", "z"].map(|axis| format!("along {axis}")), |s| s.momentum.to_array())
     } else {
@@ -70,7 +70,7 @@ fn momentum(motion: &MotionFigures<'_>) -> Vec<Series> {
 }
 
 /// What L is made of, which may add up to nothing: that of the carrier, at least 2 T/|ω|, and those of the wheels.
-fn parts_of_momentum(motion: &MotionFigures<'_>) -> f64 {
+fn parts_of_momentum(motion: &PlottedMotion<'_>) -> f64 {
     let parts = |s: &Sample| {
         let rate = s.state.omega.norm();
         let carrier = if rate > 0.0 { 2.0 * s.kinetic_energy / rate } else { 0.0 };
@@ -79,11 +79,11 @@ fn parts_of_momentum(motion: &MotionFigures<'_>) -> f64 {
     motion.samples().iter().map(parts).fold(0.0, f64::max)
 }
 
-fn torque(motion: &MotionFigures<'_>) -> Vec<Series> {
+fn torque(motion: &PlottedMotion<'_>) -> Vec<Series> {
     components(motion, ["x", "y", "z"].map(|axis| format!("along {axis}")), |s| s.torque.to_array())
 }
 
-fn energy(motion: &MotionFigures<'_>) -> Vec<Series> {
+fn energy(motion: &PlottedMotion<'_>) -> Vec<Series> {
     let kinetic = |pen| one(motion, pen, "T", |s| s.kinetic_energy);
     let thin = Pen::solid(Colour::BLACK, 1.0);
     if !motion.driven.at_all() {
@@ -112,13 +112,13 @@ fn energy(motion: &MotionFigures<'_>) -> Vec<Series> {
     vec![kinetic(bold(1)), one(motion, bold(0), work, |s| s.work)]
 }
 
-fn one(motion: &MotionFigures<'_>, pen: Pen, name: &str, value: impl Fn(&Sample) -> f64) -> Series {
+fn one(motion: &PlottedMotion<'_>, pen: Pen, name: &str, value: impl Fn(&Sample) -> f64) -> Series {
     let values = motion.samples().iter().map(value).collect();
     Series { pen, long: name.to_owned(), short: name.to_owned(), values }
 }
 
 fn components(
-    motion: &MotionFigures<'_>,
+    motion: &PlottedMotion<'_>,
     names: [String; 3],
     value: impl Fn(&Sample) -> [f64; 3],
 ) -> Vec<Series> {
@@ -136,7 +136,7 @@ fn components(
 }
 
 fn along_principal<Q>(
-    motion: &MotionFigures<'_>,
+    motion: &PlottedMotion<'_>,
     vector: impl Fn(&Sample) -> Vector<Q, polhode::math::Body>,
     letter: &str,
 ) -> Vec<Series> {

@@ -5,9 +5,7 @@
 
 use super::font;
 use super::line;
-
-/// A place on the sheet.
-pub(super) type Point = [f64; 2];
+pub(super) use super::line::Point;
 
 /// Red, green and blue, as 0xrrggbb.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -255,12 +255,12 @@ fn the_drift_that_is_drawn_is_the_drift_that_is_reported() {
         let trajectory = scenario.simulate().unwrap().unwrap();
         let drift = Drift::of(&trajectory).unwrap();
         let figures = MotionFigures::of_scenario(&scenario, &trajectory);
-        let largest: Vec<f64> = balances(&trajectory, figures.driven)
+        let largest: Vec<f64> = balances(&trajectory, figures.motion.driven)
             .iter()
             .map(|d| d.values.iter().copied().fold(0.0, f64::max))
             .collect();
         let expected = match drift.total_energy {
-            _ if !figures.driven.at_all() => {
+            _ if !figures.motion.driven.at_all() => {
                 vec![drift.kinetic_energy, drift.momentum_magnitude, drift.momentum]
             }
             Some(total) => vec![drift.work_energy, drift.momentum, total],
@@ -292,8 +292,9 @@ fn what_is_rounding_is_drawn_as_nothing() {
             assert!(lines.iter().all(|line| line.iter().all(|p| p[1] == line[0][1])), "L is not straight");
         }
     }
-    let largest =
-        balances(&trajectory, figures.driven).into_iter().map(|d| d.values.into_iter().fold(0.0, f64::max));
+    let largest = balances(&trajectory, figures.motion.driven)
+        .into_iter()
+        .map(|d| d.values.into_iter().fold(0.0, f64::max));
     assert!(largest.into_iter().all(|d| d < 1e-12));
     // What is constant has its value beside its name.
     let steady = thrust().starting(State { omega: AngularVelocity::ZERO, ..scenario.start() }).unwrap();

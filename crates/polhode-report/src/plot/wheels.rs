@@ -3,12 +3,12 @@
 use polhode::motion::{Sample, Wheel};
 
 use super::axes::{Area, Axes};
-use super::motion::MotionFigures;
 use super::panel::{Panel, Series};
+use super::plotted::PlottedMotion;
 use super::series::{Heading, time_axis};
 use super::sheet::{Pen, Sheet};
 
-pub(super) fn draw(motion: &MotionFigures<'_>, sheet: &mut Sheet, width: f64, heading: Heading<'_>) {
+pub(super) fn draw(motion: &PlottedMotion<'_>, sheet: &mut Sheet, width: f64, heading: Heading<'_>) {
     let momenta = series(motion, "h momentum", |wheel, s| Some(wheel.momentum_at(s.state.time)));
     let speeds =
         series(motion, "Ω speed in the body", |wheel, s| wheel.speed_at(s.state.time, s.state.omega));
@@ -34,7 +34,7 @@ pub(super) fn draw(motion: &MotionFigures<'_>, sheet: &mut Sheet, width: f64, he
 
 /// A curve for each wheel that has the value.
 fn series(
-    motion: &MotionFigures<'_>,
+    motion: &PlottedMotion<'_>,
     what: &str,
     value: impl Fn(&Wheel, &Sample) -> Option<f64>,
 ) -> Vec<Series> {

@@ -3,7 +3,7 @@
 use super::LinkGeometry;
 use super::print::Print;
 use crate::geometry::Volume;
-use crate::model::{Inertial, Link, ModelFormat, Number, Slot, Span, Tensor};
+use crate::model::{Inertial, Link, ModelFormat, Number, Slot, Span};
 use crate::moments::{
     Elements, Moments, difference, elements, norm, rotated, rotation_matrix, scaled, transposed,
 };
@@ -44,7 +44,7 @@ impl<'m> Body<'m> {
         let inertial = link.inertial.as_ref()?;
         let mass = inertial.mass.finite().unwrap_or(f64::NAN);
         let mut written = [0.0; 6];
-        for (k, slot) in slots(&inertial.tensor)?.enumerate() {
+        for (k, slot) in inertial.tensor.slots()?.enumerate() {
             written[k] = match slot {
                 // Products that SDF is not told are zero.
                 Slot::Missing { .. } if k >= 3 && format == ModelFormat::Sdf => 0.0,
@@ -70,7 +70,7 @@ impl<'m> Body<'m> {
 
     /// The numbers of the tensor; three if it is diagonal.
     pub(super) fn numbers(&self) -> impl Iterator<Item = (usize, &'m Number)> {
-        slots(&self.inertial.tensor).into_iter().flatten().enumerate().filter_map(|(k, slot)| match slot {
+        self.inertial.tensor.slots().into_iter().flatten().enumerate().filter_map(|(k, slot)| match slot {
             Slot::Given(number) => Some((k, number)),
             Slot::Missing { .. } => None,
         })
@@ -136,14 +136,5 @@ impl<'m> Body<'m> {
     /// A tensor along the inertial's axes, along the link's.
     pub(super) fn in_link_axes(&self, tensor: &Elements) -> Elements {
         rotated(tensor, &self.rotation)
-    }
-}
-
-/// The slots of a tensor that is there, in the order of [`NAMES`].
-pub(super) fn slots(tensor: &Tensor) -> Option<impl Iterator<Item = &Slot>> {
-    match tensor {
-        Tensor::Missing(_) => None,
-        Tensor::Six(slots) => Some(slots.iter()),
-        Tensor::Diagonal(slots) => Some(slots.iter()),
     }
 }

@@ -4,7 +4,7 @@
 //! the inverse rotation) gives Rᵀ I R, which is as possible, and only the geometry can tell. So with numbers along the
 //! link's axes beside an attitude that is left over, and with (x, y, z, w) where (w, x, y, z) belongs.
 
-use super::explain::{Candidates, Explanation};
+use super::explanation::{Candidates, Explanation};
 use crate::moments::{rotated, rotation_matrix, transposed};
 
 pub(super) fn explain(candidates: &mut Candidates) {

@@ -4,7 +4,6 @@
 //! joint of its own needs mass, its own or that of what hangs on it; a tensor without mass is no body's; and what is
 //! touched, has mass. Languages differ where nothing is said: in MJCF the geoms have it, in SDF it is 1 kg.
 
-use super::body::slots;
 use super::finding;
 use super::tree::Tree;
 use super::written::short;
@@ -39,7 +38,7 @@ fn given(
         let message = format!("mass {} kg is negative", short(mass, 6));
         return tell("mass.not_positive", Severity::Impossible, message, "a mass is positive");
     }
-    let tensor = slots(&inertial.tensor).into_iter().flatten().filter_map(Slot::finite).find(|x| *x != 0.0);
+    let tensor = inertial.tensor.slots().into_iter().flatten().filter_map(Slot::finite).find(|x| *x != 0.0);
     if let Some(moment) = tensor {
         let message = format!("0 kg with a moment of inertia: {} kg·m²", short(moment, 6));
         // What is fixed to another link, and a base that others hang on, can do without either.

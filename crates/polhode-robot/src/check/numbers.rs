@@ -3,7 +3,6 @@
 
 use std::collections::HashSet;
 
-use super::body::slots;
 use super::finding;
 use super::tree::Tree;
 use super::written::complaint;
@@ -16,7 +15,7 @@ use crate::pose::direction;
 pub(super) fn check(model: &RobotModel, link: &Link, tree: &Tree, k: usize, findings: &mut Vec<Finding>) {
     let Some(inertial) = &link.inertial else { return };
     slot(model, link, &inertial.mass, "mass", findings);
-    if let Some(slots) = slots(&inertial.tensor) {
+    if let Some(slots) = inertial.tensor.slots() {
         for (name, s) in super::body::NAMES.iter().zip(slots) {
             slot(model, link, s, name, findings);
         }

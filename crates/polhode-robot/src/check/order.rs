@@ -8,7 +8,7 @@
 //! without products (a cylinder along another axis): only the geometry can tell that.
 
 use super::body::Body;
-use super::explain::{Candidates, Explanation, edits};
+use super::explanation::{Candidates, Explanation, edits};
 use super::finding;
 use crate::finding::{Finding, Repair, Severity};
 use crate::model::Tensor;
@@ -96,7 +96,7 @@ pub(super) fn check_alone(body: &Body, findings: &mut Vec<Finding>) {
     // Without a shape that agrees it is a proof only if there is no shape to ask, and no other order does.
     if possible.len() == 1 && body.solids().next().is_none() {
         let edits = explanation(body, order).edits;
-        found.repair = Some(Repair { description: super::explain::describe(body, &edits), edits });
+        found.repair = Some(Repair { description: super::explanation::describe(body, &edits), edits });
     }
     findings.push(found);
 }

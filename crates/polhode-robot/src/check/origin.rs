@@ -6,7 +6,7 @@
 //! geometry's.
 
 use super::body::Body;
-use super::explain::{Candidates, Explanation, edits};
+use super::explanation::{Candidates, Explanation, edits};
 use super::written::{restyled, short};
 use crate::model::Tensor;
 use crate::moments::{Elements, difference, parallel_axes};

@@ -9,7 +9,7 @@
 //!
 //! and what is negative even then is impossible for certain, however the digits were rounded.
 
-use super::body::{Body, slots};
+use super::body::Body;
 use super::written::short;
 use super::{finding, power};
 use crate::finding::{Finding, Severity};
@@ -95,7 +95,7 @@ pub(super) fn check(body: &Body, carried: bool, findings: &mut Vec<Finding>) -> 
 
 /// What the moments alone tell of a tensor of which another number cannot be read. They obey the same rules about any axes.
 pub(super) fn of_moments(link: &Link, inertial: &Inertial) -> Option<Finding> {
-    let slots: Vec<&Slot> = slots(&inertial.tensor)?.take(3).collect();
+    let slots: Vec<&Slot> = inertial.tensor.slots()?.take(3).collect();
     let negative = slots.iter().find_map(|slot| slot.finite().filter(|x| *x < 0.0).map(|x| (slot.span(), x)));
     if let Some((span, moment)) = negative {
         let message = format!("a moment of {} kg·m²", short(moment, 5));

@@ -7,7 +7,6 @@
 //! that (all six numbers end at the same fourth or later decimal) or the whole file does (no tensor has a digit
 //! beyond some place, half of the numbers reach it, and a quarter of them have three digits there).
 
-use super::body::slots;
 use super::written::{decimals, last_place, significant};
 use crate::model::{Number, RobotModel, Slot, Tensor};
 use crate::moments::Elements;
@@ -24,7 +23,7 @@ impl Print {
         let mut places = Vec::new();
         let mut tensors = 0;
         for link in &model.links {
-            let Some(slots) = link.inertial.as_ref().and_then(|i| slots(&i.tensor)) else { continue };
+            let Some(slots) = link.inertial.as_ref().and_then(|i| i.tensor.slots()) else { continue };
             tensors += 1;
             for number in slots.filter_map(nonzero) {
                 places.extend(last_place(&number.text).map(|place| (place, significant(&number.text))));
@@ -42,7 +41,7 @@ impl Print {
     pub(super) fn rounding(self, tensor: &Tensor, values: &Elements) -> (Elements, bool) {
         let mut halves = [0.0; 6];
         let mut fixed = Some(None);
-        for (half, slot) in halves.iter_mut().zip(slots(tensor).into_iter().flatten()) {
+        for (half, slot) in halves.iter_mut().zip(tensor.slots().into_iter().flatten()) {
             let Slot::Given(number) = slot else { continue };
             let place = last_place(&number.text).map(|p| self.place.map_or(p, |cut| p.max(cut)));
             *half = place.map_or(0.0, |p| 0.5 * 10f64.powi(p));

@@ -5,7 +5,7 @@
 //! of the diagonal right, and are possible as often as not: only the geometry can tell.
 
 use super::body::NAMES;
-use super::explain::{Candidates, Explanation, edits};
+use super::explanation::{Candidates, Explanation, edits};
 use super::written::negated;
 use crate::model::Tensor;
 

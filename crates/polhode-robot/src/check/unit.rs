@@ -4,7 +4,7 @@
 //! after the change of unit, in all elements, that is proved. Where only the size is right, and the gyration radius
 //! absurd, it is asked ([`super::gyration`]).
 
-use super::explain::{Candidates, Explanation, edits};
+use super::explanation::{Candidates, Explanation, edits};
 use super::written::{restyled, shifted, short};
 use crate::moments::{difference, norm, scaled, trace};
 

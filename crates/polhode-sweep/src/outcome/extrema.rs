@@ -1,10 +1,9 @@
 //! The extrema of a motion.
 
+use polhode::body::Symmetry;
 use polhode::math::{AngularMomentum, Body, Direction};
 use polhode::motion::{Rotor, Sample, Solution, Trajectory};
 use polhode::observe::Drift;
-
-use super::free::is_determined;
 
 /// The extrema of a motion: of a free one over all time, of any other over its samples.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -54,4 +53,14 @@ pub(super) fn angle(axis: Direction<Body>, momentum: AngularMomentum<Body>) -> O
 fn range(values: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
     let ends = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)]);
     ends.iter().all(|x| x.is_finite()).then_some(ends)
+}
+
+/// True if the tensor says where this extreme axis is.
+pub(super) const fn is_determined(symmetry: Symmetry, axis: usize) -> bool {
+    match symmetry {
+        Symmetry::Asymmetric => true,
+        Symmetry::Oblate => axis == 2,
+        Symmetry::Prolate | Symmetry::Rod => axis == 0,
+        Symmetry::Spherical | Symmetry::Point => false,
+    }
 }

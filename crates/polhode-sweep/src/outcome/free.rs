@@ -1,10 +1,9 @@
 //! A free motion, of which everything is known in closed form: no samples are needed.
 
-use polhode::body::Symmetry;
 use polhode::motion::{FreeMotion, Method, Regime, Rotor, Scenario};
 
-use super::extrema::{Extrema, angle};
-use super::member::Instant;
+use super::extrema::{Extrema, angle, is_determined};
+use super::instant::Instant;
 
 /// What becomes of a free motion.
 pub(super) struct Found {
@@ -89,14 +88,4 @@ fn angles(motion: &FreeMotion, axis: usize) -> Option<[f64; 2]> {
     let ([i1, ..], [a1, ..]) = (motion.labelled_moments(), motion.amplitudes());
     let swing = libm::asin((i1 * a1 / momentum.norm()).min(1.0));
     Some([FRAC_PI_2 - swing, FRAC_PI_2 + swing])
-}
-
-/// True if the tensor says where this extreme axis is.
-pub(super) const fn is_determined(symmetry: Symmetry, axis: usize) -> bool {
-    match symmetry {
-        Symmetry::Asymmetric => true,
-        Symmetry::Oblate => axis == 2,
-        Symmetry::Prolate | Symmetry::Rod => axis == 0,
-        Symmetry::Spherical | Symmetry::Point => false,
-    }
 }

@@ -10,6 +10,7 @@ use polhode_report::Periods;
 
 use super::extrema::Extrema;
 use super::free;
+use super::instant::Instant;
 
 /// What becomes of one member. What it does not have, or did not come to, is `None`.
 #[derive(Clone, Debug, Default)]
@@ -49,16 +50,6 @@ pub(super) enum Status {
 pub(super) struct FreePeriods {
     pub(super) regime: FreeRegime,
     pub(super) periods: Periods,
-}
-
-/// A motion at one time.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Instant {
-    pub(super) state: State,
-    /// J
-    pub(super) kinetic_energy: f64,
-    /// |L|, kg·m²/s
-    pub(super) momentum: f64,
 }
 
 /// When an event happened.

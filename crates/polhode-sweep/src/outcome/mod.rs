@@ -6,6 +6,7 @@
 mod columns;
 mod extrema;
 mod free;
+mod instant;
 mod member;
 mod trajectory;
 

@@ -7,6 +7,7 @@
 mod digest;
 mod distribution;
 mod draw;
+mod mix;
 mod normal;
 mod permutation;
 mod second_moments;

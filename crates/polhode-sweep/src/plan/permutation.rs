@@ -1,6 +1,6 @@
 //! Permutations of 0 … n − 1 that need no memory: the layers of a Latin hypercube.
 
-use super::uniform::mix;
+use super::mix::mix;
 
 /// A permutation of 0 … n − 1 that follows from a key.
 ///

@@ -2,7 +2,7 @@
 
 use polhode_formats::scenario::SOBOL_DIMENSIONS;
 
-use super::uniform::mix;
+use super::mix::mix;
 
 /// One dimension of the sequence, its digits scrambled.
 #[derive(Clone, Debug)]

@@ -2,7 +2,8 @@
 
 use core::fmt;
 
-use super::mesh::COUNTED;
+/// Pairs of triangles that overlap or touch are counted up to here: one more stands for any larger number.
+pub(crate) const COUNTED: usize = 10_000;
 
 /// Why something is not a body: each variant carries the value and the rule that it breaks.
 #[derive(Clone, Debug, PartialEq)]

@@ -32,9 +32,6 @@ use super::error::BodyError;
 use crate::math::frame::Part;
 use crate::math::vector::Position;
 
-/// Pairs of triangles that overlap or touch are counted up to here: one more stands for any larger number.
-pub(crate) const COUNTED: usize = 10_000;
-
 /// A triangle by its three corners, m, seen from outside counter-clockwise.
 pub type Triangle = [[f64; 3]; 3];
 

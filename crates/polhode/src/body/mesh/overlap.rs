@@ -15,7 +15,6 @@
 
 use core::ops::ControlFlow;
 
-use super::COUNTED;
 use super::edges::{Edges, end_of, start_of};
 use super::fan::overlapping;
 use super::inside::{Windings, centroid};
@@ -29,6 +28,7 @@ use super::tree::Tree;
 use super::umbrella::umbrellas;
 use super::weld::Welded;
 use super::work::Work;
+use crate::body::error::COUNTED;
 
 /// Pairs of triangles where something counts twice: how many, and the first in the mesh's order of those that were looked at, with a point
 /// where they meet. One more than are counted stands for any larger number.

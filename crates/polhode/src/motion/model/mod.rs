@@ -7,6 +7,7 @@ pub(crate) mod orbit;
 pub(crate) mod orbital_elements;
 pub(crate) mod require;
 pub(crate) mod rotor;
+pub(crate) mod schedule;
 pub(crate) mod state;
 pub(crate) mod state_variables;
 pub mod torque;

@@ -4,7 +4,7 @@ use crate::math::frame::Body;
 use crate::math::vector::{AngularVelocity, Direction};
 use crate::motion::error::MotionError;
 use crate::motion::model::require;
-use crate::motion::model::torque::Schedule;
+use crate::motion::model::schedule::Schedule;
 
 /// A wheel whose axis a is fixed in the body: with wheels the body is a *gyrostat*. The body's inertia holds the wheel's as if it
 /// were locked.

@@ -8,7 +8,8 @@ use crate::motion::error::MotionError;
 use crate::motion::model::event::{Crossing, Event, EventAction};
 use crate::motion::model::state::State;
 use crate::motion::model::torque::total_potential;
-use crate::motion::solve::propagate::stepper::{Balanced, Stepper};
+use crate::motion::solve::propagate::balanced::Balanced;
+use crate::motion::solve::propagate::stepper::Stepper;
 
 /// The limit on the number of events of a run.
 pub(super) const MOST_EVENTS: usize = 1_000_000;

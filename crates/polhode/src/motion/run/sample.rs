@@ -9,7 +9,7 @@ use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 use crate::motion::model::torque::{TorqueModel, total_torque};
 use crate::motion::solve::free::FreeMotion;
-use crate::motion::solve::propagate::stepper::Balanced;
+use crate::motion::solve::propagate::balanced::Balanced;
 
 /// The motion at one time.
 #[derive(Clone, Copy, Debug, PartialEq)]

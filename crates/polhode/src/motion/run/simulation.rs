@@ -300,3 +300,37 @@ enum Way {
     Closed(ClosedForm),
     Steps(Rule),
 }
+
+impl Trajectory {
+    /// The motion from `start` at each of `times` (ascending, s, none before the start).
+    ///
+    /// `tolerance` bounds the error of each integration step, attitude in rad and ω relative; closed forms and splitting ignore it. A computation
+    /// that cannot go on ends early: [`Trajectory::ending`]. [`Simulation`] is the same with events.
+    ///
+    /// # Errors
+    /// As [`Simulation::run`].
+    ///
+    /// # Example
+    /// ```
+    /// use polhode::prelude::*;
+    /// let inertia = InertiaTensor::diagonal([1.0, 2.0, 3.0])?;
+    /// let body = Rotor::free(&MassProperties::new(1.0, Position::ZERO, inertia)?);
+    /// let start = State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.3, 0.5, 0.9) };
+    /// let motion = Trajectory::compute(&body, &[], start, &[0.0, 10.0], Method::Auto, 1e-13)?;
+    /// // 50-digit reference: fixtures/free_asymmetric.toml
+    /// assert!((motion.samples()[1].state.omega.x - -0.428_074_674_276_547_2).abs() < 1e-12);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn compute(
+        rotor: &Rotor,
+        torques: &[TorqueModel],
+        start: State,
+        times: &[f64],
+        method: Method,
+        tolerance: f64,
+    ) -> Result<Self, MotionError> {
+        let simulation =
+            Simulation { rotor, torques, switched_off: &[], start, events: &[], times, method, tolerance };
+        simulation.run()
+    }
+}

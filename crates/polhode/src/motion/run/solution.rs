@@ -3,7 +3,7 @@
 use crate::motion::inverse::prescribed::Prescribed;
 use crate::motion::solve::closed_form::ClosedForm;
 use crate::motion::solve::method::Method;
-use crate::motion::solve::propagate::stepper::StepStatistics;
+use crate::motion::solve::propagate::step_statistics::StepStatistics;
 
 /// How a trajectory was found.
 #[derive(Clone, Debug, PartialEq)]

@@ -3,7 +3,6 @@
 use super::ending::{Ending, MethodReason};
 use super::global_error::GlobalError;
 use super::sample::{Sample, continuous};
-use super::simulation::Simulation;
 use super::solution::Solution;
 use crate::motion::error::MotionError;
 use crate::motion::inverse::prescribed::Prescribed;
@@ -13,8 +12,7 @@ use crate::motion::model::state::State;
 use crate::motion::model::torque::{TorqueModel, total_potential};
 use crate::motion::solve::closed_form::ClosedForm;
 use crate::motion::solve::free::FreeMotion;
-use crate::motion::solve::method::Method;
-use crate::motion::solve::propagate::stepper::Balanced;
+use crate::motion::solve::propagate::balanced::Balanced;
 use crate::motion::solve::start::require_ascending;
 
 /// The motion of a body at given times, with the evidence of its own error.
@@ -30,38 +28,6 @@ pub struct Trajectory {
 }
 
 impl Trajectory {
-    /// The motion from `start` at each of `times` (ascending, s, none before the start).
-    ///
-    /// `tolerance` bounds the error of each integration step, attitude in rad and ω relative; closed forms and splitting ignore it. A computation
-    /// that cannot go on ends early: [`Trajectory::ending`]. [`Simulation`] is the same with events.
-    ///
-    /// # Errors
-    /// As [`Simulation::run`].
-    ///
-    /// # Example
-    /// ```
-    /// use polhode::prelude::*;
-    /// let inertia = InertiaTensor::diagonal([1.0, 2.0, 3.0])?;
-    /// let body = Rotor::free(&MassProperties::new(1.0, Position::ZERO, inertia)?);
-    /// let start = State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.3, 0.5, 0.9) };
-    /// let motion = Trajectory::compute(&body, &[], start, &[0.0, 10.0], Method::Auto, 1e-13)?;
-    /// // 50-digit reference: fixtures/free_asymmetric.toml
-    /// assert!((motion.samples()[1].state.omega.x - -0.428_074_674_276_547_2).abs() < 1e-12);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn compute(
-        rotor: &Rotor,
-        torques: &[TorqueModel],
-        start: State,
-        times: &[f64],
-        method: Method,
-        tolerance: f64,
-    ) -> Result<Self, MotionError> {
-        let simulation =
-            Simulation { rotor, torques, switched_off: &[], start, events: &[], times, method, tolerance };
-        simulation.run()
-    }
-
     /// A prescribed motion at each of `times` (ascending, s), with the torque that it needs.
     ///
     /// # Errors

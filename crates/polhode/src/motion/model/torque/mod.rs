@@ -13,8 +13,8 @@ pub(crate) mod magnetic;
 pub(crate) mod model;
 pub(crate) mod own;
 pub(crate) mod polynomial;
-pub(crate) mod schedule;
 pub(crate) mod scheduled;
+pub(crate) mod tangent;
 pub(crate) mod thruster;
 pub(crate) mod torsion;
 
@@ -28,6 +28,7 @@ use super::wheel::Wheel;
 use crate::math::frame::Body;
 use crate::math::vector::Torque;
 
+pub use super::schedule::Schedule;
 pub use constant::ConstantTorque;
 pub use drag::{Drag, DragLaw};
 pub use energy_sink::EnergySink;
@@ -38,7 +39,6 @@ pub use jacobian::TorqueJacobian;
 pub use law::{Law, LawInput, OrbitPosition};
 pub use magnetic::{Magnetic, MagneticField};
 pub use own::OwnTorque;
-pub use schedule::Schedule;
 pub use scheduled::Scheduled;
 pub use thruster::Thruster;
 pub use torsion::Torsion;

@@ -3,9 +3,9 @@
 use core::fmt;
 
 use super::graph::{Recorder, VectorNode};
-use super::jacobian::Tangent;
 use super::law::Law;
 use super::polynomial::{PolynomialVector, Unknowns};
+use super::tangent::Tangent;
 use crate::math::frame::Body;
 use crate::math::rotation::Attitude;
 use crate::math::vector::Torque;

@@ -4,10 +4,10 @@ use core::fmt;
 use std::sync::Arc;
 
 use super::graph::{Graph, Recorder, VectorNode};
-use super::jacobian::Tangent;
 use super::law::Law;
 use super::model::{AnyLaw, Model};
 use super::polynomial::{PolynomialVector, Unknowns};
+use super::tangent::Tangent;
 use crate::body::inertia::InertiaTensor;
 use crate::body::mass_properties::MassProperties;
 use crate::math::frame::Body;

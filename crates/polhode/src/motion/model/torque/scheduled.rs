@@ -2,13 +2,13 @@
 
 use super::TorqueModel;
 use super::graph::{Recorder, VectorNode};
-use super::jacobian::Tangent;
 use super::model::{AnyLaw, Model};
 use super::polynomial::{PolynomialVector, Unknowns};
-use super::schedule::Schedule;
+use super::tangent::Tangent;
 use crate::math::frame::Body;
 use crate::math::vector::Torque;
 use crate::motion::model::rotor::Rotor;
+use crate::motion::model::schedule::Schedule;
 use crate::motion::model::state::State;
 
 /// A torque and when it acts: the integrators stop at each change, so that no step goes across one.

@@ -1,8 +1,7 @@
 //! Closed forms at many times, and the integrators of high order for what has none.
 
-use std::sync::OnceLock;
-
 use super::Member;
+use super::closed::Closed;
 use super::workers::Portion;
 use crate::motion::model::state::State;
 use crate::motion::run::simulation::Simulation;
@@ -21,16 +20,6 @@ const MANY: usize = 1 << 16;
 
 /// Fewer bodies than that leave lanes idle.
 const FEWEST: usize = 8;
-
-/// The closed form of a member, once it was prepared, if there is one.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Closed(OnceLock<Option<ClosedForm>>);
-
-impl Closed {
-    fn of(&self, Member { rotor, torques, start }: &Member) -> Option<&ClosedForm> {
-        self.0.get_or_init(|| ClosedForm::of(rotor, torques, *start).ok()).as_ref()
-    }
-}
 
 /// Computes each member of a portion by a method. Those that Taylor's method takes several at a time come last.
 pub(super) fn compute(portion: &mut Portion<'_>, times: &[f64], tolerance: f64, method: Method) {

@@ -4,6 +4,7 @@
 //! time, and one body after the other by what is left.
 
 mod advance;
+mod closed;
 mod workers;
 
 use core::fmt;
@@ -86,7 +87,7 @@ impl core::error::Error for MemberFailure {}
 pub struct Ensemble {
     members: Vec<Member>,
     /// One for each, used from the second call on.
-    closed: Vec<advance::Closed>,
+    closed: Vec<closed::Closed>,
     /// Whether closed forms were asked for.
     asked: OnceLock<()>,
     /// The latest start, s.
@@ -107,7 +108,7 @@ impl Ensemble {
             }
         }
         let latest = members.iter().map(|member| member.start.time).fold(f64::NEG_INFINITY, f64::max);
-        let closed = vec![advance::Closed::default(); members.len()];
+        let closed = vec![closed::Closed::default(); members.len()];
         Ok(Self { members, closed, asked: OnceLock::new(), latest })
     }
 

@@ -5,7 +5,7 @@ use core::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::thread;
 
-use super::advance::Closed;
+use super::closed::Closed;
 use super::{Member, MemberFailure};
 use crate::motion::error::MotionError;
 use crate::motion::model::state::State;

@@ -1,8 +1,9 @@
 //! The error of a free motion, which needs no simulation.
 
+use super::GlobalError;
 use super::compared_samples::ComparedSamples;
+use super::estimation::input_error;
 use super::inputs::Change;
-use super::{GlobalError, input_error};
 use crate::math::symmetric3::Symmetric3;
 use crate::motion::error::MotionError;
 use crate::motion::model::state::StateError;

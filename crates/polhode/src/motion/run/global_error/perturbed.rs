@@ -2,7 +2,6 @@
 
 use core::f64::consts::PI;
 
-use super::LINEAR;
 use super::inputs::Inputs;
 use crate::motion::error::MotionError;
 use crate::motion::model::event::Event;
@@ -12,6 +11,9 @@ use crate::motion::run::integration::Integration;
 use crate::motion::run::simulation::Simulation;
 use crate::motion::solve::propagate::noise::Noise;
 use crate::motion::solve::propagate::stepper::{Rule, Stepper};
+
+/// Beyond this angle, rad, an effect is not linear: it is tried again with less, and two motions tell nothing of a third.
+pub(super) const LINEAR: f64 = 0.1;
 
 /// How much the error of ω at one time may be raised, as that of the attitude has been larger before.
 const MOST_RAISED: f64 = 30.0;

@@ -6,7 +6,7 @@
 //!
 //! Three numbers instead of a quaternion's four hold the attitude, the quaternion is unit because it is made from θ, an
 //! error δθ *is* an angle, and a steady rotation is linear in time: a step resolves what the body does beyond turning.
-//! SeparateSeries θ and ω (principal axes) the state carries the work W and the angular impulse J of the torque, as evidence:
+//! Beside θ and ω (principal axes) the state carries the work W and the angular impulse J of the torque, as evidence:
 //! Ẇ = N · ω, J̇ = N in space.
 //!
 //! Source: Bortz, IEEE Trans. Aerosp. Electron. Syst. 7 (1971) 61; in the language of Lie groups, θ̇ = dexp⁻¹ ω
@@ -23,6 +23,7 @@ use crate::motion::model::euler::euler;
 use crate::motion::model::state::State;
 
 use super::piece::Piece;
+use super::rounding::{ROUNDING, THIN};
 
 /// θ (3), ω (3), W, J (3).
 pub(super) const N: usize = 10;
@@ -110,12 +111,6 @@ impl Chart<'_> {
         Torque::new(clean(torque.x, i1), clean(torque.y, i2), torque.z)
     }
 }
-
-/// A moment below this part of the greatest is that of a needle.
-pub(crate) const THIN: f64 = 1e-2;
-
-/// What rounding leaves of a torque along an axis along which there is none.
-pub(crate) const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// y at the centre of a chart.
 pub(super) fn at_center(omega: AngularVelocity<Principal>, work: f64, impulse: AngularMomentum<Space>) -> Y {

@@ -1,6 +1,6 @@
 //! A piece of time in which nothing begins or ends: what acts there.
 
-use super::chart::ROUNDING;
+use super::rounding::ROUNDING;
 use crate::math::frame::{Body, Principal};
 use crate::math::vector::{AngularMomentum, AngularVelocity, Torque};
 use crate::motion::error::MotionError;

@@ -2,12 +2,13 @@
 
 use std::rc::Rc;
 
+use super::balanced::Balanced;
 use super::chart::{self, Chart, N, Y};
 use super::dop853::{self, Stages};
 use super::noise::Noise;
 use super::orientation::Orientation;
 use super::piece::Piece;
-use super::stepper::{Balanced, StepStatistics};
+use super::step_statistics::StepStatistics;
 use crate::math::frame::Principal;
 use crate::math::sum::two_sum;
 use crate::math::vector::{AngularVelocity, Vector};

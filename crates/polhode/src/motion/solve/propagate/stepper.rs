@@ -2,14 +2,14 @@
 
 use std::rc::Rc;
 
+use super::balanced::Balanced;
 use super::bound::Bound;
 use super::noise::Noise;
 use super::piece::Piece;
 use super::runge_kutta::RungeKutta;
 use super::splitting::{Splitting, SplittingOrder};
+use super::step_statistics::StepStatistics;
 use super::taylor::Taylor;
-use crate::math::frame::Space;
-use crate::math::vector::AngularMomentum;
 use crate::motion::error::MotionError;
 use crate::motion::model::require;
 use crate::motion::model::rotor::Rotor;
@@ -26,28 +26,6 @@ pub const LOOSEST_TOLERANCE: f64 = 1e-2;
 pub(in crate::motion) fn require_tolerance(tolerance: f64) -> Result<(), MotionError> {
     let holds = (TIGHTEST_TOLERANCE..=LOOSEST_TOLERANCE).contains(&tolerance);
     require::that("the tolerance", tolerance, holds, "between 1e-15 and 1e-2")
-}
-
-/// What a run cost.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct StepStatistics {
-    /// Steps kept.
-    pub accepted: u64,
-    /// Steps whose error was too large.
-    pub rejected: u64,
-    /// Evaluations of the equations of motion for the steps, by DOP853, whose samples between steps cost eleven more; coefficients of
-    /// all unknowns, by Taylor's method.
-    pub evaluations: u64,
-}
-
-/// A state with the work and the angular impulse that torque has given the body since the start.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Balanced {
-    pub(crate) state: State,
-    /// ∫ N · ω dt, J.
-    pub(crate) work: f64,
-    /// ∫ N dt in space axes, N·m·s.
-    pub(crate) impulse: AngularMomentum<Space>,
 }
 
 /// The integrators.

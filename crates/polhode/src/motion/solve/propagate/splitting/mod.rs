@@ -18,11 +18,12 @@ mod scheme;
 
 use std::rc::Rc;
 
-use super::chart::{ROUNDING, THIN};
+use super::balanced::Balanced;
 use super::noise::Noise;
 use super::orientation::Orientation;
 use super::piece::Piece;
-use super::stepper::{Balanced, StepStatistics};
+use super::rounding::{ROUNDING, THIN};
+use super::step_statistics::StepStatistics;
 use crate::math::frame::{Body, Principal, Space};
 use crate::math::rotation::Rotation;
 use crate::math::sum::two_sum;

@@ -13,9 +13,10 @@ use crate::math::sum::two_sum;
 use crate::math::vector::{AngularMomentum, Vector};
 use crate::motion::error::MotionError;
 use crate::motion::model::state::State;
+use crate::motion::solve::propagate::balanced::Balanced;
 use crate::motion::solve::propagate::noise::Noise;
 use crate::motion::solve::propagate::piece::Piece;
-use crate::motion::solve::propagate::stepper::{Balanced, StepStatistics};
+use crate::motion::solve::propagate::step_statistics::StepStatistics;
 
 /// Adaptive Taylor steps over the motion of one body.
 ///

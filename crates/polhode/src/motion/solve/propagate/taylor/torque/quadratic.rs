@@ -14,7 +14,7 @@ use crate::motion::model::rotor::Rotor;
 use crate::motion::model::torque::TorqueModel;
 use crate::motion::model::torque::graph::{Graph, Operation};
 use crate::motion::model::torque::polynomial::{JointVector, QuadraticTorque, Unknowns};
-use crate::motion::solve::propagate::chart::{ROUNDING, THIN};
+use crate::motion::solve::propagate::rounding::{ROUNDING, THIN};
 
 /// The torques of a body, by what becomes of them.
 #[derive(Clone, Debug)]

@@ -13,7 +13,7 @@ use crate::math::number::Number;
 use crate::math::rotation::{Rotation, wrap};
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::torque::graph::{Graph, Operation, ScalarOperation, VectorOperation};
-use crate::motion::solve::propagate::chart::{ROUNDING, THIN};
+use crate::motion::solve::propagate::rounding::{ROUNDING, THIN};
 
 /// The series of the values of a graph over one step.
 #[derive(Clone, Debug)]

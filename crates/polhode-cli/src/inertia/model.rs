@@ -1,0 +1,39 @@
+//! What a mesh file is taken as, before it has a mass.
+
+use std::path::Path;
+
+use polhode::body::shape::Shape;
+use polhode::body::{BodyError, Finding, Severity};
+use polhode_report::SourceInfo;
+
+use super::field;
+use crate::failure::Failure;
+
+/// What a file's mesh is taken as.
+pub(super) struct Model {
+    pub(super) source: SourceInfo,
+    pub(super) pieces: Vec<Piece>,
+    pub(super) field: Option<field::Found>,
+}
+
+/// One part with a shape.
+pub(super) struct Piece {
+    pub(super) name: String,
+    pub(super) shape: Box<dyn Shape>,
+}
+
+impl Piece {
+    pub(super) fn volume(&self) -> f64 {
+        self.shape.spread().extent().measure()
+    }
+}
+
+#[allow(clippy::needless_pass_by_value, reason = "a function for map_err")]
+pub(super) fn unfit(error: BodyError) -> Failure {
+    Failure::usage(error.to_string(), "check --density, --mass, --part and --unit")
+}
+
+/// A remark about a file.
+pub(super) fn remark(file: &Path, code: &'static str, severity: Severity, message: &str) -> Finding {
+    Finding { code, severity, message: message.to_owned(), place: Some(file.display().to_string()) }
+}

@@ -1,0 +1,39 @@
+//! Where a part of the body is, and how it is turned.
+
+use polhode::body::{Form, MassProperties, PlacedForm, PlacedPart};
+use polhode::math::{Body, Part, Position, Rotation};
+
+use super::reader::Table;
+use super::rotation::rotation;
+use crate::error::{FormatError, FormatErrorKind};
+use crate::unit::Dimension;
+
+/// Where a part is and how it is turned.
+pub(super) struct Placement {
+    pub(super) position: Position<Body>,
+    pub(super) rotation: Rotation<Body, Part>,
+}
+
+impl Placement {
+    pub(super) fn read(table: &Table<'_>) -> Result<Self, FormatError> {
+        let position = match table.get("position") {
+            Some(position) => Position::from_array(position.quantities(Dimension::LENGTH)?),
+            None => Position::ZERO,
+        };
+        let rotation = table.get("rotate").map_or(Ok(Rotation::identity()), |value| rotation(&value))?;
+        Ok(Self { position, rotation })
+    }
+
+    pub(super) fn place(
+        &self,
+        table: &Table<'_>,
+        part: MassProperties<Part>,
+    ) -> Result<MassProperties<Body>, FormatError> {
+        let placed = PlacedPart::new(part, self.position, self.rotation);
+        placed.map(|part| part.in_body()).map_err(|e| table.error(FormatErrorKind::Body(e)))
+    }
+
+    pub(super) const fn form(&self, form: Form) -> PlacedForm {
+        PlacedForm { form, position: self.position, rotation: self.rotation }
+    }
+}

@@ -1,0 +1,18 @@
+//! A shape at its place.
+
+use serde_json::{Value, json};
+
+use crate::json::{finite, numbers};
+
+/// A shape, and where it is.
+pub(super) fn at(own: Value, name: &str, position: [f64; 3], quaternion: [f64; 4]) -> Value {
+    let mut shape = json!({
+        "name": name,
+        "position": numbers(&position.map(finite)),
+        "quaternion": numbers(&quaternion),
+    });
+    if let (Value::Object(shape), Value::Object(own)) = (&mut shape, own) {
+        shape.extend(own);
+    }
+    shape
+}

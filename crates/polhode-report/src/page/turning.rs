@@ -1,0 +1,88 @@
+//! The body that turns, and the point that it turns about.
+
+use polhode::body::{BodyPart, PrincipalFrame};
+use polhode::math::{Body, Direction, Position};
+
+use super::PageSubject;
+use crate::json::finite;
+
+/// A body and the point that it turns about.
+#[derive(Debug)]
+pub(super) struct Turning<'a> {
+    /// kg; `None` if only the moments are known.
+    pub(super) mass: Option<f64>,
+    /// About the point.
+    pub(super) principal: PrincipalFrame<Body>,
+    pub(super) tensor: [[f64; 3]; 3],
+    pub(super) is_pivoted: bool,
+    /// From the point to the centre of mass.
+    pub(super) lever: Position<Body>,
+    /// The point.
+    pub(super) point: Position<Body>,
+    pub(super) parts: &'a [BodyPart],
+}
+
+impl<'a> Turning<'a> {
+    pub(super) fn of(subject: &PageSubject<'a>) -> Self {
+        match *subject {
+            PageSubject::Scenario(scenario) => {
+                let rotor = scenario.rotor();
+                Self {
+                    mass: Some(rotor.mass()),
+                    principal: *rotor.principal(),
+                    tensor: rotor.inertia().matrix(),
+                    is_pivoted: rotor.is_pivoted(),
+                    lever: rotor.lever(),
+                    point: scenario.pivot().unwrap_or(scenario.body().center_of_mass()),
+                    parts: scenario.parts(),
+                }
+            }
+            PageSubject::Moments(principal) => Self {
+                mass: None,
+                principal: *principal,
+                tensor: tensor(principal),
+                is_pivoted: false,
+                lever: Position::ZERO,
+                point: Position::ZERO,
+                parts: &[],
+            },
+        }
+    }
+
+    pub(super) const fn about(&self) -> &'static str {
+        if self.is_pivoted { "pivot" } else { "centre of mass" }
+    }
+}
+
+/// Semi-axes of the uniform ellipsoid of this mass and these moments: i1 = m (b² + c²) / 5, …
+///
+/// Unphysical moments leave a semi-axis without length.
+pub(super) fn ellipsoid([i1, i2, i3]: [f64; 3], mass: f64) -> [f64; 3] {
+    let semi_axis = |others: f64, own: f64| finite((2.5 / mass * (others - own).max(0.0)).sqrt());
+    [semi_axis(i2 + i3, i1), semi_axis(i1 + i3, i2), semi_axis(i1 + i2, i3)]
+}
+
+/// Σ i_k e_k e_kᵀ
+fn tensor(principal: &PrincipalFrame<Body>) -> [[f64; 3]; 3] {
+    let axes = principal.axes().map(Direction::to_array);
+    let moments = principal.moments();
+    std::array::from_fn(|i| {
+        std::array::from_fn(|j| moments.iter().zip(&axes).map(|(moment, e)| moment * e[i] * e[j]).sum())
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_ellipsoid_has_the_moments() {
+        let [a, b, c] = [0.3, 0.5, 0.7_f64];
+        let moments = [b * b + c * c, a * a + c * c, a * a + b * b].map(|sum| 2.3 / 5.0 * sum);
+        let semi_axes = ellipsoid([moments[2], moments[1], moments[0]], 2.3);
+        for (found, wanted) in semi_axes.into_iter().zip([c, b, a]) {
+            assert!((found - wanted).abs() < 1e-15, "{found} {wanted}");
+        }
+        assert_eq!(ellipsoid([1.0, 2.0, 5.0], 1.0)[2], 0.0);
+    }
+}

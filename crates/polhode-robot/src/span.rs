@@ -1,0 +1,6 @@
+//! Places in a text.
+
+use std::ops::Range;
+
+/// Bytes of a model's text.
+pub type Span = Range<usize>;

@@ -2,10 +2,11 @@
 
 use fearless_simd::{Level, Simd, dispatch, f32x16, f64x8, i64x8, prelude::*};
 
-use crate::Record;
-use crate::columns::{Columns, GROUP, VERTICES};
+use crate::columns::Columns;
 use crate::edges;
-use crate::moments::NotFinite;
+use crate::not_finite::NotFinite;
+use crate::record::Record;
+use crate::record::{GROUP, VERTICES};
 use crate::sums::{self, LANES, SUMS};
 
 /// Triangles in a stage: their numbers stay in the nearest memory between its loops.

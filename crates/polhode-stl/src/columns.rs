@@ -2,13 +2,7 @@
 
 use fearless_simd::{Simd, f32x4, f32x8, f32x16, prelude::*, u8x16, u8x32};
 
-use crate::Record;
-
-/// Triangles in a group: one vector of AVX-512 in `f32`.
-pub(crate) const GROUP: usize = 16;
-
-/// Where the vertices start in a record, behind the normal.
-pub(crate) const VERTICES: usize = 12;
+use crate::record::{GROUP, Record, VERTICES};
 
 /// Which record of a group each lane has: those of the first eight in the first half.
 pub(crate) const ORDER: [usize; GROUP] = [0, 2, 4, 6, 1, 3, 5, 7, 8, 10, 12, 14, 9, 11, 13, 15];

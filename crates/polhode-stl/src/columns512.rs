@@ -14,11 +14,10 @@ use core::arch::x86_64::{
 
 use fearless_simd::{prelude::*, u8x32, u8x64};
 
-use crate::Record;
-use crate::columns::{GROUP, VERTICES};
+use crate::record::{GROUP, Record, VERTICES};
 
 fearless_simd::kernel!(
-    /// The columns of sixteen records, in the order of [`crate::columns::ORDER`].
+    /// The columns of sixteen records, in the order of `columns.rs`.
     #[inline(always)]
     pub(crate) fn columns(avx512: Avx512, records: &[Record; GROUP]) -> [__m512; 9] {
         let first_eight: __m512i = u8x64::from_slice(avx512, &FIRST_EIGHT).into();

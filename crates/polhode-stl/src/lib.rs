@@ -31,11 +31,12 @@ mod columns;
 mod columns512;
 mod edges;
 mod moments;
+mod not_finite;
+mod record;
 mod sums;
 mod work;
 
-pub use moments::{Moments, NotFinite};
+pub use moments::Moments;
+pub use not_finite::NotFinite;
+pub use record::Record;
 pub use work::{Options, moments_of_file, moments_of_records};
-
-/// One triangle of a binary STL file.
-pub type Record = [u8; 50];

@@ -1,6 +1,7 @@
 //! The moments of a whole file, joined from its blocks.
 
 use crate::block::Block;
+use crate::not_finite::NotFinite;
 use crate::sums::{AREA, SUMS};
 
 /// Sums over the triangles (a, b, c) of a file, in its unit of length.
@@ -29,19 +30,6 @@ pub struct Moments {
     pub edge_hash: Option<u64>,
     /// Vertices that are infinite or not a number: then no sum means anything.
     pub not_finite: Option<NotFinite>,
-}
-
-/// Vertices that are not finite.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct NotFinite {
-    /// How many: each corner of each triangle counts.
-    pub vertices: u64,
-    /// The first triangle with one, from 0.
-    pub triangle: u64,
-    /// Where in its record the first coordinate of them is, in bytes.
-    pub offset: usize,
-    /// That coordinate.
-    pub value: f32,
 }
 
 /// What one block adds to the moments, its lanes joined: less than a sixth of [`Block`]. Memory that was never written before is slow,

@@ -8,10 +8,9 @@ use std::thread;
 
 use fearless_simd::Level;
 
-use crate::Record;
 use crate::block::Block;
-use crate::columns::VERTICES;
 use crate::moments::{Moments, Part};
+use crate::record::{Record, VERTICES};
 
 /// Triangles that are read at once: 200 KiB, which stay in the second cache.
 const PAGE: usize = 4096;

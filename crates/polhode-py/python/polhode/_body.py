@@ -63,4 +63,13 @@ class Body:
         return f"Body({', '.join(map(repr, self._parts))}; mass={self._whole.mass:.6g})"
 
     def _repr_html_(self) -> str:
-        return _html.body(self)
+        whole = self.mass_properties
+        listed = [*self.parts.items(), ("together", whole)]
+        table = _html.rows(
+            ["mass, kg", "x, m", "y, m", "z, m", "i1, kg·m²", "i2", "i3"],
+            (
+                (name, [*map(_html.number, (part.mass, *part.center_of_mass, *part.moments))])
+                for name, part in listed
+            ),
+        )
+        return f"<div>{table}{whole._repr_html_()}</div>"

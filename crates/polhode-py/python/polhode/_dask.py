@@ -14,7 +14,7 @@ from ._cluster import Watch, lost
 from .batch import Plan, compute
 
 if TYPE_CHECKING:
-    from .sweep import Done, Parts
+    from ._parts import Done, Parts
 
 #: Seconds between two looks whether a part is done.
 POLL = 0.05

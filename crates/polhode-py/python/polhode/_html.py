@@ -3,11 +3,7 @@
 from __future__ import annotations
 
 from html import escape
-from typing import TYPE_CHECKING, Iterable
-
-if TYPE_CHECKING:
-    from ._body import Body
-    from ._mass_properties import MassProperties
+from typing import Iterable
 
 
 def number(value: float) -> str:
@@ -22,36 +18,6 @@ def rows(head: Iterable[str], body: Iterable[tuple[str, Iterable[str]]]) -> str:
         f"<tr><th>{escape(name)}</th>" + "".join(f"<td>{escape(cell)}</td>" for cell in cells) + "</tr>" for name, cells in body
     )
     return f"<table><thead><tr><th></th>{heads}</tr></thead><tbody>{lines}</tbody></table>"
-
-
-def mass_properties(body: MassProperties) -> str:
-    """The tensor, the principal moments with their axes, and what was noticed."""
-    center = ", ".join(map(number, body.center_of_mass))
-    tensor = rows("xyz", zip("xyz", ([number(e) for e in row] for row in body.inertia)))
-    principal = rows(
-        ["moment, kg·m²", "axis x", "y", "z"],
-        (
-            (str(k + 1), [number(moment), *map(number, axis)])
-            for k, (moment, axis) in enumerate(zip(body.moments, body.axes))
-        ),
-    )
-    findings = "".join(f"<li>{escape(f.severity)}: {escape(f.message)}</li>" for f in body.findings)
-    return (
-        f"<div><p>mass {number(body.mass)} kg, centre of mass ({center}) m</p>"
-        f"<p>inertia about the centre of mass, along body axes, off-diagonal = −∫xy dm, kg·m²</p>{tensor}"
-        f"<p>principal, {escape(body.symmetry)}</p>{principal}" + (f"<ul>{findings}</ul>" if findings else "") + "</div>"
-    )
-
-
-def body(body: Body) -> str:
-    """A row for each part, and the whole."""
-    whole = body.mass_properties
-    listed = [*body.parts.items(), ("together", whole)]
-    table = rows(
-        ["mass, kg", "x, m", "y, m", "z, m", "i1, kg·m²", "i2", "i3"],
-        ((name, [number(part.mass), *map(number, part.center_of_mass), *map(number, part.moments)]) for name, part in listed),
-    )
-    return f"<div>{table}{mass_properties(whole)}</div>"
 
 
 def frame(page: str, height: int = 640) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from html import escape
 from typing import Any, Iterable, NamedTuple
 
 import numpy as np
@@ -198,7 +199,21 @@ class MassProperties:
         return self._native.text()
 
     def _repr_html_(self) -> str:
-        return _html.mass_properties(self)
+        center = ", ".join(map(_html.number, self.center_of_mass))
+        tensor = _html.rows("xyz", zip("xyz", ([_html.number(e) for e in row] for row in self.inertia)))
+        principal = _html.rows(
+            ["moment, kg·m²", "axis x", "y", "z"],
+            (
+                (str(k + 1), [_html.number(moment), *map(_html.number, axis)])
+                for k, (moment, axis) in enumerate(zip(self.moments, self.axes))
+            ),
+        )
+        findings = "".join(f"<li>{escape(f.severity)}: {escape(f.message)}</li>" for f in self.findings)
+        return (
+            f"<div><p>mass {_html.number(self.mass)} kg, centre of mass ({center}) m</p>"
+            f"<p>inertia about the centre of mass, along body axes, off-diagonal = −∫xy dm, kg·m²</p>{tensor}"
+            f"<p>principal, {escape(self.symmetry)}</p>{principal}" + (f"<ul>{findings}</ul>" if findings else "") + "</div>"
+        )
 
     def __reduce__(self) -> tuple[Any, ...]:
         # By value, bit for bit, with all that is known of where the body came from; and what a subclass has added.

@@ -13,7 +13,7 @@ from ._cluster import LOOK, Watch, lost
 from .batch import Plan, compute
 
 if TYPE_CHECKING:
-    from .sweep import Done, Parts
+    from ._parts import Done, Parts
 
 
 def parts(address: str, plan: Plan, missing: Parts, workers: int, worker_timeout: float | None) -> Iterator[Done]:

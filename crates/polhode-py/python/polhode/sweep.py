@@ -22,13 +22,7 @@ from ._error import PolhodeError, PolhodeWarning
 from .batch import Plan
 
 import pyarrow as pa  # after batch, which says how to install it
-
-#: Numbers of parts, with their first members and the ones after their last.
-Parts = dict[int, tuple[int, int]]
-
-#: A part that is done: its number, its rows, and its trajectories if the plan wants them.
-Done = tuple[int, pa.RecordBatch, "pa.RecordBatch | None"]
-
+from ._parts import Done, Parts
 
 #: Engines, and what installs them.
 _ENGINES = {"dask": "distributed", "ray": "ray[data,client]"}

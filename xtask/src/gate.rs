@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use crate::process::{self, cargo};
-use crate::{Outcome, api, dependencies, examples, layers, packages, python, readme, viewer};
+use crate::{Outcome, api, circles, dependencies, examples, layers, packages, python, readme, viewer};
 
 /// A name and a task.
 type Step = (&'static str, fn() -> Outcome);
@@ -11,7 +11,7 @@ type Step = (&'static str, fn() -> Outcome);
 /// The steps up to what everything else is run with, cheapest first.
 const FIRST: [Step; 6] = [
     ("format", || process::run(&mut cargo(&["fmt", "--all", "--check"]))),
-    ("layers", layers::check),
+    ("layers", || layers::check().and_then(|()| circles::check())),
     ("licences", dependencies::check),
     ("packages", packages::check),
     ("lints", || {

@@ -1,6 +1,7 @@
 //! The tasks of this workspace: `cargo xtask test` is everything that has to pass before a change lands.
 
 mod api;
+mod circles;
 mod dependencies;
 mod examples;
 mod gate;
@@ -23,7 +24,7 @@ const USAGE: &str = "\
 usage: cargo xtask TASK
 
   test       everything, in order, up to the first failure
-  layers     the modules' order: which may import which, what each may do, how long files are
+  layers     the modules' order: which may import which, what each may do, how long files are, and that no files import each other in a circle
   licences   how many crates are linked, and under which licences
   examples   the built command on every scenario in examples/
   readme     the README's commands
@@ -37,7 +38,7 @@ fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let outcome = match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         ["test"] => gate::run(),
-        ["layers"] => layers::check(),
+        ["layers"] => layers::check().and_then(|()| circles::check()),
         ["licences"] => dependencies::check(),
         ["examples"] => examples::check(),
         ["readme"] => readme::check(),

@@ -1,6 +1,7 @@
 //! Numbers in flags: quantities with their units, and lists of them.
 
 use polhode::math::{Frame, Rotation};
+use polhode_formats::times;
 use polhode_formats::unit::{self, Dimension};
 
 /// A number, with its unit or in SI.
@@ -28,6 +29,42 @@ pub(crate) fn list(text: &str, dimension: Dimension) -> Result<Vec<f64>, String>
         )),
         None => each(text, dimension),
     }
+}
+
+/// Times in s.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Times(pub(crate) Vec<f64>);
+
+/// Times with commas between, each with its unit, in which `0:1:0.1` are those from 0 to 1 in steps of 0.1.
+pub(crate) fn times(text: &str) -> Result<Times, String> {
+    if !text.contains(':') {
+        return list(text, Dimension::TIME).map(Times);
+    }
+    let parts: Vec<&str> = text.split([',', ':']).map(str::trim).collect();
+    if let Some(part) = parts.iter().find(|part| unit::may_be_several(part)) {
+        return Err(format!("{part:?} may be several numbers (hint: no space stands within a number)"));
+    }
+    if let Some((without, with)) = unit::bare_beside_units(parts) {
+        return Err(format!(
+            "{with:?} has a unit and {without:?} has none (hint: give each its own, or none)"
+        ));
+    }
+    let mut all = Vec::new();
+    for part in text.split(',') {
+        let numbers = part.split(':').map(|number| quantity(number.trim(), Dimension::TIME));
+        match numbers.collect::<Result<Vec<_>, _>>()?[..] {
+            [time] => all.push(time),
+            [from, to, step] => all.extend(times::range(from, to, step).ok_or_else(|| {
+                format!(
+                    "{:?} is no range of at most {} times (hint: from:to:step, such as 0:1:0.1)",
+                    part.trim(),
+                    times::MOST
+                )
+            })?),
+            _ => return Err(format!("{:?} is no range (hint: from:to:step, such as 0:1:0.1)", part.trim())),
+        }
+    }
+    Ok(Times(all))
 }
 
 /// The numbers of a list. One in which some have a unit and others, not zero, have none is refused: the unit of the last is often
@@ -94,6 +131,21 @@ mod tests {
         ] {
             let error = list(wrong).unwrap_err();
             assert!(error.contains(says), "{wrong}: {error}");
+        }
+    }
+
+    #[test]
+    fn a_range_of_times_has_both_its_ends() {
+        let of = |text: &str| times(text).map(|Times(times)| times);
+        assert_eq!(of("0:0.3:0.1"), Ok(vec![0.0, 0.1, 0.2, 0.3]));
+        assert_eq!(of("-1 min:1 min:0.5 min, 1 h"), Ok(vec![-60.0, -30.0, 0.0, 30.0, 60.0, 3600.0]));
+        assert_eq!(of("3:1:-1,7"), Ok(vec![3.0, 2.0, 1.0, 7.0]));
+        assert_eq!(of("0:1:0.4"), Ok(vec![0.0, 0.4, 0.8]));
+        assert_eq!(of("2,5"), Ok(vec![2.0, 5.0]));
+        for wrong in
+            ["0:1", "0:1:0", "0:1:-1", "0:1e9:1e-3", "0:1:1:1", "0:10 s:1", ":1:0.1", "0:1 m:1 m", "0:1:nan"]
+        {
+            assert!(of(wrong).is_err(), "{wrong}");
         }
     }
 

@@ -13,7 +13,7 @@ use polhode_formats::unit::{self, Dimension};
 use polhode_report::{RequiredReport, SourceInfo, pretty};
 
 use crate::failure::Failure;
-use crate::numbers::{list, positive, quantity};
+use crate::numbers::{Times, positive, quantity, times};
 use crate::page::check_file;
 use crate::partial;
 use crate::stderr::shown;
@@ -35,7 +35,7 @@ Examples:
 pub(crate) struct Torque {
     /// The scenario, a TOML file with [prescribed] or [shaft].
     file: PathBuf,
-    /// Print the torque at these times too: in s, or each with its unit.
+    /// Print the torque at these times too: in s, or each with its unit; 0:1:0.1 are those from 0 to 1 in steps of 0.1.
     #[arg(long, value_name = "T,…", value_parser = times, allow_hyphen_values = true)]
     at: Vec<Times>,
     /// Print the force on a mass fixed to the body here too: mass, x, y, z in body axes, in SI or each with its unit.
@@ -54,10 +54,6 @@ pub(crate) struct Torque {
     #[arg(long)]
     json: bool,
 }
-
-/// Times in s.
-#[derive(Clone, Debug)]
-struct Times(Vec<f64>);
 
 impl Torque {
     pub(crate) fn run(self) -> Result<(), Failure> {
@@ -140,10 +136,6 @@ fn require_run(scenario: &Scenario, path: &str) -> Result<(), Failure> {
             "write [run] with duration = \"10 s\" and samples = 1001",
         )),
     }
-}
-
-fn times(text: &str) -> Result<Times, String> {
-    list(text, Dimension::TIME).map(Times)
 }
 
 /// `0.5 kg, 0, 10 cm, 0`

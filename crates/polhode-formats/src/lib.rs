@@ -9,6 +9,7 @@
 //! - [`mod@unit`]: quantities in text
 //! - [`expression`]: formulas in text
 //! - [`voxel`]: densities on a grid, as NPY and NRRD
+//! - [`material`]: materials by name
 //! - [`times`]: lists of times, one per line
 //! - [`table`]: the other way, trajectories as CSV and Parquet, curves as CSV
 //!
@@ -19,6 +20,7 @@ mod content;
 mod error;
 pub mod expression;
 mod file;
+pub mod material;
 pub mod mesh;
 pub mod molecule;
 pub mod particles;

@@ -116,6 +116,25 @@ pub fn every(every: f64, duration: f64) -> Option<Vec<f64>> {
     Some((0..last).map(|k| every * k as f64).chain([duration]).collect())
 }
 
+/// `from`, `from` + `step`, … up to `to`, which is the last if a whole number of steps leads there but for rounding; at most [`MOST`], else
+/// `None`.
+///
+/// ```
+/// use polhode_formats::times;
+/// assert_eq!(times::range(0.5, -1.0, -0.5), Some(vec![0.5, 0.0, -0.5, -1.0]));
+/// assert_eq!(times::range(0.0, 1.0, -0.5), None);
+/// ```
+pub fn range(from: f64, to: f64, step: f64) -> Option<Vec<f64>> {
+    let steps = (to - from) / step;
+    if !(steps >= 0.0 && steps < MOST as f64) {
+        return None;
+    }
+    let whole = (steps - steps.round()).abs() < 1e-9 * steps.max(1.0);
+    let last = if whole { steps.round() } else { steps.floor() } as usize;
+    let one = |k: usize| if whole && k == last { to } else { from + step * k as f64 };
+    Some((0..=last).map(one).collect())
+}
+
 fn from_bytes(bytes: &[u8], path: &Path) -> Result<Vec<f64>, FormatError> {
     if is_utf16(bytes) {
         return Err(FormatError::new(path, None, FormatErrorKind::Utf16));

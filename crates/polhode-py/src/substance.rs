@@ -1,7 +1,7 @@
 //! What a body is made of, as keyword arguments say it.
 
-use polhode::body::Material;
 use polhode::body::shape::Substance;
+use polhode_formats::material::{self, UnknownMaterial};
 use pyo3::prelude::*;
 
 use crate::error::refused;
@@ -53,8 +53,8 @@ impl Given {
 }
 
 fn density_of(name: &str) -> PyResult<f64> {
-    Material::named(name).map(|material| material.density).ok_or_else(|| {
-        let names: Vec<_> = Material::ALL.iter().map(|material| material.name).collect();
-        refused(format!("no material is called {name:?}"), Some(&format!("known are {}", names.join(", "))))
+    material::named(name).map(|material| material.density).map_err(|unknown| {
+        let hint = format!("{} (known are {})", unknown.hint(), UnknownMaterial::known());
+        refused(format!("no material is called {name:?}"), Some(&hint))
     })
 }

@@ -3,6 +3,7 @@
 use clap::Args;
 use polhode::body::shape::Substance;
 use polhode::body::{Finding, Material, Severity};
+use polhode_formats::material::{self, UnknownMaterial};
 use polhode_formats::unit::Dimension;
 
 use crate::numbers::{positive, quantity};
@@ -77,9 +78,8 @@ fn mass(text: &str) -> Result<f64, String> {
 }
 
 fn material(text: &str) -> Result<Material, String> {
-    Material::named(text).ok_or_else(|| {
-        let names: Vec<_> = Material::ALL.iter().map(|m| m.name).collect();
-        format!("no such material (known: {})", names.join(", "))
+    material::named(text).map_err(|unknown| {
+        format!("no such material: {} (known: {})", unknown.hint(), UnknownMaterial::known())
     })
 }
 

@@ -5,25 +5,21 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use polhode_formats::times;
-use polhode_formats::unit::Dimension;
 
 use crate::failure::Failure;
-use crate::numbers::list;
+use crate::numbers::{self, Times};
 
 /// The times to print the state at.
 #[derive(Debug, Args)]
 pub(super) struct TimeFlags {
-    /// Print ω and the attitude at these times: in s, or each with its unit; negative ones are before the start.
-    #[arg(long, value_name = "T,…", value_parser = times, allow_hyphen_values = true)]
+    /// Print ω and the attitude at these times: in s, or each with its unit; 0:1:0.1 are those from 0 to 1 in steps of 0.1; negative
+    /// ones are before the start.
+    #[arg(long, value_name = "T,…", value_parser = numbers::times, allow_hyphen_values = true)]
     at: Vec<Times>,
     /// The same for a file with one time per line; blank lines and # comments are left out, and - is standard input.
     #[arg(long, value_name = "FILE")]
     at_file: Option<PathBuf>,
 }
-
-/// Times in s.
-#[derive(Clone, Debug)]
-struct Times(Vec<f64>);
 
 impl TimeFlags {
     /// All times, in the order in which they are given.
@@ -38,8 +34,4 @@ impl TimeFlags {
         }
         Ok(all)
     }
-}
-
-fn times(text: &str) -> Result<Times, String> {
-    list(text, Dimension::TIME).map(Times)
 }

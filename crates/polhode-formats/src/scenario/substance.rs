@@ -5,8 +5,8 @@ use polhode::body::shape::{Extent, Substance};
 
 use super::formula::{self, Formula};
 use super::reader::{Table, Value};
-use super::suggestion::nearest;
 use crate::error::{FormatError, FormatErrorKind};
+use crate::material::{self, UnknownMaterial};
 use crate::unit::{Dimension, UnitError};
 
 /// Keys of every part that has a shape; a thin surface has its `thickness` too.
@@ -103,14 +103,7 @@ fn density(value: &Value<'_>, dimension: Dimension, hint: &str) -> Result<f64, F
 }
 
 fn material(value: &Value<'_>) -> Result<Material, FormatError> {
-    let name = value.string()?;
-    Material::named(name).ok_or_else(|| {
-        let names = Material::ALL.iter().map(|m| m.name);
-        let hint = match nearest(name, names.clone()) {
-            Some(meant) => format!("did you mean \"{meant}\"?"),
-            None => "give density = \"2700 kg/m^3\" for a material without a name".to_owned(),
-        };
-        let known: Vec<_> = names.collect();
-        value.invalid(format!("a known material: {}", known.join(", "))).with_hint(hint)
+    material::named(value.string()?).map_err(|unknown| {
+        value.invalid(format!("a known material: {}", UnknownMaterial::known())).with_hint(unknown.hint())
     })
 }

@@ -75,7 +75,7 @@ impl Trajectory {
         &self.ending
     }
 
-    /// The estimate of its error, if it was asked for: [`Simulation::run_with_error`].
+    /// The estimate of its error, if it was asked for: [`Simulation::run_with_error`](crate::motion::Simulation::run_with_error).
     pub const fn error(&self) -> Option<&GlobalError> {
         self.error.as_ref()
     }

@@ -8,6 +8,7 @@ mod when;
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
+use polhode::body::InertiaTensor;
 use polhode::math::{Attitude, Body, Space};
 use polhode::motion::FreeMotion;
 use polhode::observe::{AxisConvention, TumblingPeriods};
@@ -25,7 +26,7 @@ use when::TimeFlags;
 /// Free motion at once: its kind, its periods, and the state at any time, past or future.
 ///
 /// The body is a scenario's (about its centre of mass, from its [start]; its [run] is not asked) or is given by its moments of
-/// inertia about the body axes x, y, z. The motion is exact: ω by Jacobi's elliptic functions and the attitude by theta
+/// inertia about the body axes x, y, z, or by its inertia tensor. The motion is exact: ω by Jacobi's elliptic functions and the attitude by theta
 /// functions, so a time 10⁹ periods away costs as much as the next second.
 ///
 /// A number without a unit is SI. A list takes a unit for each number or one for all: "(0, 0, 30) deg/s". Nothing is
@@ -39,6 +40,7 @@ Examples:
   polhode spin --moments 1,2,3 --omega 0.01,1,0.01 --at-file times.txt --json | jq .motion.states
   polhode spin examples/t-handle.toml --duration \"20 s\" --every \"10 ms\" --table csv --curves -o t-handle-free
   polhode spin --moments 1,2,3 --omega 0.01,1,0.01 --html=spin.html
+  polhode spin --inertia 3.1,4.2,5.3,0.4,-0.3,0.2 --omega 0.1,2,0.3 --at 0:10:0.5
   polhode spin --moments 1,2,3 --omega 0.01,1,0.01 --plot polhodes=polhodes.svg --plot herpolhode=herpolhode.svg
   polhode spin --moments 3.0836,3.235,1 --periods \"7.40 d, 5.38 d\" --convention long",
     group = clap::ArgGroup::new("subject").required(true),
@@ -52,6 +54,9 @@ pub(crate) struct Spin {
     /// Moments of inertia about the body axes x, y, z, which are principal: in kg·m², or each with its unit.
     #[arg(long, value_name = "A,B,C", group = "subject", value_parser = moments, allow_hyphen_values = true)]
     moments: Option<Moments>,
+    /// The inertia tensor about the centre of mass, along body axes, off-diagonal = −∫xy dm: in kg·m², or each with its unit.
+    #[arg(long, value_name = "XX,YY,ZZ,XY,XZ,YZ", group = "subject", value_parser = tensor, allow_hyphen_values = true)]
+    inertia: Option<InertiaTensor<Body>>,
     /// ω at the start along body axes: in rad/s, or "(0, 0, 30) deg/s" [default: the scenario's].
     #[arg(long, value_name = "X,Y,Z", value_parser = omega, allow_hyphen_values = true)]
     omega: Option<Omega>,
@@ -59,7 +64,7 @@ pub(crate) struct Spin {
     #[arg(long, value_name = "W,X,Y,Z", value_parser = rotation::<Space, Body>, allow_hyphen_values = true)]
     attitude: Option<Attitude>,
     /// Compute the motion of unphysical moments, i1 + i2 < i3, all the same.
-    #[arg(long, conflicts_with = "file")]
+    #[arg(long, conflicts_with_all = ["file", "inertia"])]
     allow_unphysical: bool,
     #[command(flatten)]
     times: TimeFlags,
@@ -115,11 +120,15 @@ enum Convention {
 
 impl Spin {
     pub(crate) fn run(self) -> Result<(), Failure> {
-        let subject = match (&self.file, self.moments) {
-            (Some(file), _) => Subject::of_file(file)?,
-            (None, Some(moments)) => Subject::of_moments(moments, self.allow_unphysical)?,
-            (None, None) => {
-                return Err(Failure::usage("there is no body", "name a scenario, or give --moments"));
+        let subject = match (&self.file, self.moments, self.inertia) {
+            (Some(file), ..) => Subject::of_file(file)?,
+            (None, Some(moments), _) => Subject::of_moments(moments, self.allow_unphysical)?,
+            (None, None, Some(tensor)) => Subject::of_tensor(tensor)?,
+            (None, None, None) => {
+                return Err(Failure::usage(
+                    "there is no body",
+                    "name a scenario, or give --moments or --inertia",
+                ));
             }
         };
         match (self.periods, self.convention) {
@@ -200,6 +209,11 @@ fn moments(text: &str) -> Result<Moments, String> {
         return Err("only a rod has a moment of 0, and its other two are equal".to_owned());
     }
     Ok(Moments(moments))
+}
+
+fn tensor(text: &str) -> Result<InertiaTensor<Body>, String> {
+    let [xx, yy, zz, xy, xz, yz] = numbers(text, "xx,yy,zz,xy,xz,yz", Dimension::INERTIA)?;
+    InertiaTensor::with_negative_products([xx, yy, zz], [xy, xz, yz]).map_err(|error| error.to_string())
 }
 
 fn omega(text: &str) -> Result<Omega, String> {

@@ -32,11 +32,8 @@ impl UnknownMaterial {
         Material::ALL.iter().map(|material| material.name).collect::<Vec<_>>().join(", ")
     }
 
-    /// What to write instead.
-    pub fn hint(self) -> String {
-        match self.suggestion {
-            Some(meant) => format!("did you mean \"{meant}\"?"),
-            None => "give the density of a material without a name: 2700 kg/m^3".to_owned(),
-        }
+    /// What to write instead: the name that was probably meant, or what this says.
+    pub fn hint_or(self, other: &str) -> String {
+        self.suggestion.map_or_else(|| other.to_owned(), |meant| format!("did you mean \"{meant}\"?"))
     }
 }

@@ -54,7 +54,8 @@ impl Given {
 
 fn density_of(name: &str) -> PyResult<f64> {
     material::named(name).map(|material| material.density).map_err(|unknown| {
-        let hint = format!("{} (known are {})", unknown.hint(), UnknownMaterial::known());
+        let hint =
+            format!("{} (known are {})", unknown.hint_or("give its density"), UnknownMaterial::known());
         refused(format!("no material is called {name:?}"), Some(&hint))
     })
 }

@@ -79,7 +79,11 @@ fn mass(text: &str) -> Result<f64, String> {
 
 fn material(text: &str) -> Result<Material, String> {
     material::named(text).map_err(|unknown| {
-        format!("no such material: {} (known: {})", unknown.hint(), UnknownMaterial::known())
+        format!(
+            "no such material: {} (known: {})",
+            unknown.hint_or("give its density, as 2700 kg/m^3"),
+            UnknownMaterial::known()
+        )
     })
 }
 

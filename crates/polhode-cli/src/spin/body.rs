@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use polhode::body::{BodyError, Finding, InertiaTensor, PrincipalFrame, Symmetry};
-use polhode::math::{AngularMomentum, AngularVelocity, Attitude, Body};
+use polhode::body::{BodyError, Finding, InertiaTensor, MassProperties, PrincipalFrame, Symmetry};
+use polhode::math::{AngularMomentum, AngularVelocity, Attitude, Body, Position};
 use polhode::motion::{FreeMotion, Rotor, Scenario, State};
 use polhode_formats::scenario::ScenarioFile;
 use polhode_report::SourceInfo;
@@ -23,8 +23,14 @@ pub(super) struct Omega(pub(super) [f64; 3]);
 /// A body, from a scenario or from flags.
 #[derive(Debug)]
 pub(super) enum Subject {
-    Scenario { path: String, scenario: Box<Scenario>, text: String },
+    Scenario {
+        path: String,
+        scenario: Box<Scenario>,
+        text: String,
+    },
     Moments([f64; 3]),
+    /// Of a tensor alone: the body that has it, with a mass that no motion depends on.
+    Tensor(Box<MassProperties<Body>>),
 }
 
 impl Subject {
@@ -66,16 +72,22 @@ impl Subject {
         }
     }
 
+    pub(super) fn of_tensor(tensor: InertiaTensor<Body>) -> Result<Self, Failure> {
+        let body = MassProperties::new(1.0, Position::ZERO, tensor);
+        body.map(|body| Self::Tensor(Box::new(body)))
+            .map_err(|error| Failure::usage(error.to_string(), "check --inertia"))
+    }
+
     /// The state at t = 0.
     pub(super) fn start(&self, omega: Option<Omega>, attitude: Option<Attitude>) -> Result<State, Failure> {
         let start = match (self, omega) {
             (Self::Scenario { scenario, .. }, _) => scenario.start(),
-            (Self::Moments(_), Some(_)) => {
+            (Self::Moments(_) | Self::Tensor(_), Some(_)) => {
                 State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::ZERO }
             }
-            (Self::Moments(_), None) => {
+            (Self::Moments(_) | Self::Tensor(_), None) => {
                 return Err(Failure::usage(
-                    "--moments say how hard the body is to turn, not how it turns: --omega is missing",
+                    "moments and tensors say how hard the body is to turn, not how it turns: --omega is missing",
                     "add --omega x,y,z along body axes, or --periods to ask which spin has two given periods",
                 ));
             }
@@ -93,6 +105,8 @@ impl Subject {
                 .map_err(|error| Failure::Motion { path: path.clone(), error })?,
             Self::Moments(moments) => FreeMotion::of_moments(*moments, start)
                 .map_err(|error| Failure::usage(error.to_string(), "check --moments and --omega"))?,
+            Self::Tensor(body) => FreeMotion::of(&Rotor::free(body), start)
+                .map_err(|error| Failure::usage(error.to_string(), "check --inertia and --omega"))?,
         };
         let at_rest = start.omega == AngularVelocity::ZERO;
         let in_range = |x: f64| x.is_finite() && (x >= f64::MIN_POSITIVE || at_rest);
@@ -115,6 +129,7 @@ impl Subject {
     pub(super) fn principal(&self) -> Result<PrincipalFrame<Body>, Failure> {
         match self {
             Self::Scenario { scenario, .. } => Ok(scenario.body().principal()),
+            Self::Tensor(body) => Ok(body.principal()),
             Self::Moments(moments) => match InertiaTensor::diagonal(*moments) {
                 Ok(tensor) => Ok(PrincipalFrame::of(&tensor)),
                 Err(error) => Err(Failure::usage(error.to_string(), "check --moments")),
@@ -140,13 +155,14 @@ impl Subject {
                 scenario.title().map(str::to_owned).unwrap_or_else(|| path.clone())
             }
             Self::Moments([a, b, c]) => format!("moments {a}, {b}, {c} kg·m²"),
+            Self::Tensor(body) => elements(body),
         }
     }
 
     pub(super) fn findings(&self) -> Vec<Finding> {
         match self {
             Self::Scenario { scenario, .. } => scenario.findings().to_vec(),
-            Self::Moments(_) => Vec::new(),
+            Self::Moments(_) | Self::Tensor(_) => Vec::new(),
         }
     }
 
@@ -164,7 +180,7 @@ impl Subject {
                 let file = file.unwrap_or(Path::new(path));
                 SpinPage::Scenario { scenario: Box::new(scenario), text, file }
             }
-            Self::Moments(_) => SpinPage::Moments(principal),
+            Self::Moments(_) | Self::Tensor(_) => SpinPage::Moments(principal),
         })
     }
 
@@ -179,6 +195,7 @@ impl Subject {
             Self::Moments([a, b, c]) => {
                 vec![pair("polhode.source", &format!("moments {a}, {b}, {c} kg·m²"))]
             }
+            Self::Tensor(body) => vec![pair("polhode.source", &elements(body))],
         }
     }
 }
@@ -200,6 +217,12 @@ impl SpinPage<'_> {
             Self::Moments(principal) => Page { command: "spin".to_owned(), shown: Shown::Moments(principal) },
         }
     }
+}
+
+/// A tensor in a line.
+fn elements(body: &MassProperties<Body>) -> String {
+    let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = body.inertia().matrix();
+    format!("tensor {xx}, {yy}, {zz}, {xy}, {xz}, {yz} kg·m²")
 }
 
 /// The number with seven digits: a sum without its rounding.

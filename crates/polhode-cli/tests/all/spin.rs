@@ -72,6 +72,40 @@ fn the_unstable_equilibrium_does_not_flip() {
     assert_eq!(numbers(&motion["states"][0]["omega_body"]), [0.0, 1.0, 0.0]);
 }
 
+/// A tensor on the command line is the tensor of a scenario: the same states, and a page.
+#[test]
+fn a_tensor_is_given_by_its_elements() {
+    let scratch = Scratch::new("spin-tensor");
+    scratch.write(
+        "body.toml",
+        "[[body.part]]\nshape = \"tensor\"\nmass = \"2.3 kg\"\n\
+         inertia = [[3.1, 0.4, -0.3], [0.4, 4.2, 0.2], [-0.3, 0.2, 5.3]]\n\
+         [start]\nspin = { body = [0.1, 2.0, -0.3] }\n",
+    );
+    let given = ["--inertia", "3.1,4.2,5.3,0.4,-0.3,0.2", "--omega", "0.1,2,-0.3", "--at", "0:2:0.5,1e6"];
+    let tensor = json(&spin(&scratch, &[&given[..], &["--json", "--html=page.html"]].concat()));
+    let scenario = json(&spin(&scratch, &["body.toml", "--at", "0:2:0.5,1e6", "--json"]));
+    assert_eq!(tensor["motion"], scenario["motion"]);
+    assert_eq!(tensor["motion"]["states"].as_array().unwrap().len(), 6);
+    assert!(std::fs::read_to_string(scratch.0.join("page.html")).unwrap().contains("<canvas"));
+    for (wrong, says) in [
+        (&["--inertia", "1,2,9,0,0,0", "--omega", "1,2,3"][..], "9"),
+        (&["--inertia", "1,2,2.5,0.1,0.2", "--omega", "1,2,3"], "6 numbers"),
+        (&["--inertia", "1,2,2.5,0.1,0.2,0.1"], "--omega is missing"),
+        (
+            &["--inertia", "1,2,2.5,0.1,0.2,0.1", "--moments", "1,2,2.5", "--omega", "1,2,3"],
+            "cannot be used with",
+        ),
+        (
+            &["--inertia", "1,2,2.5,0.1,0.2,0.1", "--allow-unphysical", "--omega", "1,2,3"],
+            "cannot be used with",
+        ),
+    ] {
+        let text = refused(&spin(&scratch, wrong));
+        assert!(text.contains(says), "{text}");
+    }
+}
+
 #[test]
 fn states_read_back_bit_for_bit() {
     let scratch = Scratch::new("spin-bits");

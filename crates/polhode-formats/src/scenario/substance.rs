@@ -104,6 +104,7 @@ fn density(value: &Value<'_>, dimension: Dimension, hint: &str) -> Result<f64, F
 
 fn material(value: &Value<'_>) -> Result<Material, FormatError> {
     material::named(value.string()?).map_err(|unknown| {
-        value.invalid(format!("a known material: {}", UnknownMaterial::known())).with_hint(unknown.hint())
+        let hint = unknown.hint_or("give density = \"2700 kg/m^3\" for a material without a name");
+        value.invalid(format!("a known material: {}", UnknownMaterial::known())).with_hint(hint)
     })
 }

@@ -74,7 +74,14 @@ fn rotation(report: &StabilityReport, rotation: &PermanentRotation) -> Vec<Strin
     let Some(sink) = report.sink else {
         row.push(match rotation.stability {
             Stability::Stable { frequency, .. } => {
-                format!("stable: a departure goes round it in {} s", number(TAU / frequency, 6))
+                let period = number(TAU / frequency, 6);
+                match (needs_no_friction(rotation), report.rotor.wheels().is_empty()) {
+                    (false, _) => format!("stable: a departure goes round it in {period} s"),
+                    (true, true) => {
+                        format!("minor-axis spin: stable only without dissipation; once round in {period} s")
+                    }
+                    (true, false) => format!("stable only without dissipation; once round in {period} s"),
+                }
             }
             Stability::Unstable { growth_rate, .. } => {
                 format!("unstable: a departure grows at {} /s", number(growth_rate, 6))
@@ -110,9 +117,6 @@ fn friction(report: &StabilityReport, judged: &Judged, all: &[PermanentRotation]
     let omega = vector(tidy_beside(least.omega.to_array(), least.omega.norm()), 6);
     let energy = number(report.rotor.kinetic_energy(least.omega), 6);
     let such = if least.stability == Stability::Marginal { "such as" } else { "as" };
-    let deceptive = |one: &PermanentRotation| {
-        matches!(one.stability, Stability::Stable { .. }) && one.is_ended_by_friction()
-    };
     match report.sink {
         Some(_) => labelled(
             "friction",
@@ -122,15 +126,25 @@ fn friction(report: &StabilityReport, judged: &Judged, all: &[PermanentRotation]
             ),
         ),
         // Of a body on which torques act, |L| does not stay.
-        None if judged.oscillations.is_none() && all.iter().any(deceptive) => labelled(
-            "friction",
-            &format!(
-                "inside, if there is any, ends those of most energy too, which are stable without: what lasts is of least energy, {such} \
-                 ω = {omega} rad/s"
-            ),
-        ),
+        None if judged.oscillations.is_none() && all.iter().any(needs_no_friction) => {
+            let what = match report.rotor.wheels().is_empty() {
+                true => {
+                    format!("minor-axis spin ends in a flat spin at {} rad/s", number(least.omega.norm(), 6))
+                }
+                false => "spin of most energy ends in that of least energy".to_owned(),
+            };
+            labelled(
+                "dissipation",
+                &format!("with any inside the body, the {what}, {such} ω = {omega} rad/s"),
+            )
+        }
         None => String::new(),
     }
+}
+
+/// Stable, but not with any friction inside.
+fn needs_no_friction(one: &PermanentRotation) -> bool {
+    matches!(one.stability, Stability::Stable { .. }) && one.is_ended_by_friction()
 }
 
 fn no_equilibrium(error: &MotionError) -> String {

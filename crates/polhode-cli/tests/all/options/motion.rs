@@ -51,6 +51,7 @@ static SPIN: Subcommand = Subcommand {
     ],
     options: &[
         choice("--moments", &["--moments", "3.0836,3.235,1"], &["rate", "bare"], &[]),
+        choice("--inertia", &["--inertia", "3.0836,3.235,1,0.01,0.02,-0.01"], &["rate", "bare"], &[]),
         choice(
             "--omega",
             &["--omega", "0.4,0.2,1.1"],
@@ -84,6 +85,7 @@ static SPIN: Subcommand = Subcommand {
     independent: &[
         ("--force", "--output", OLD_FOLDER),
         ("--force", "--moments", OLD_FOLDER),
+        ("--force", "--inertia", OLD_FOLDER),
         ("--force", "--allow-unphysical", OLD_FOLDER),
         ("--moments", "--allow-unphysical", "moments that a body has need no leave"),
     ],

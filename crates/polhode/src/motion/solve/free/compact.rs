@@ -197,9 +197,15 @@ impl<T: Splat> LeftFactor<T> {
     #[inline(always)]
     pub(super) fn body_map(&self, axes: &LabelledAxes<T>) -> ToBodyMap<T> {
         let [r1, r2, r3] = axes.rates;
+        let [x, y, z] = axes_of(axes.rotation);
         ToBodyMap {
             attitude: matrix_of(self.0, axes.rotation),
-            omega: axes_of(axes.rotation).map(|[e1, e2, e3]| [e1 * r1, e2 * r2, e3 * r3]),
+            // Not by `map`, which is inlined only where the whole program is optimised at once.
+            omega: [
+                [x[0] * r1, x[1] * r2, x[2] * r3],
+                [y[0] * r1, y[1] * r2, y[2] * r3],
+                [z[0] * r1, z[1] * r2, z[2] * r3],
+            ],
         }
     }
 }

@@ -75,7 +75,7 @@ fn accepted(scenario: Scenario) {
 /// Every number of the table.
 fn finite(motion: &Trajectory, scenario: &Scenario) {
     let mut csv = Vec::new();
-    table::csv::write(motion, scenario.wheels(), &mut csv).unwrap();
+    table::csv::write(motion, &scenario.into(), &mut csv).unwrap();
     let csv = String::from_utf8(csv).unwrap();
     for cell in csv.lines().skip(1).flat_map(|line| line.split(',')) {
         assert!(cell.parse::<f64>().is_ok_and(f64::is_finite), "{cell} in\n{csv}");

@@ -14,8 +14,8 @@ use crate::stderr::shown;
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Plots")]
 pub(crate) struct PlotFlags {
-    /// Draw all figures that the motion has into FILE.svg or FILE.png; NAME=FILE draws one: omega, euler, axis, energy,
-    /// momentum, wheels, torque, drift, polhodes or herpolhode. May be given more than once.
+    /// Draw all figures that the motion has into FILE.svg or FILE.png; NAME=FILE draws one: omega, euler, pointing, axis,
+    /// energy, momentum, wheels, torque, drift, polhodes or herpolhode. May be given more than once.
     #[arg(long, value_name = "[NAME=]FILE", value_parser = plot)]
     plot: Vec<Plot>,
 }

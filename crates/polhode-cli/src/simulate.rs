@@ -4,12 +4,13 @@ use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use polhode::motion::{Ending, ErrorEffort, Scenario, Trajectory};
+use polhode::motion::{Ending, ErrorEffort, Run, Sample, Scenario, Trajectory};
 use polhode_formats::scenario::ScenarioFile;
 use polhode_report::{MotionFigures, MotionReport, SourceInfo, pretty};
 
 use crate::failure::Failure;
 use crate::folder::Folder;
+use crate::numbers::{Times, times};
 use crate::page::{Page, Shown};
 use crate::plot::PlotFlags;
 use crate::progress::Progress;
@@ -29,6 +30,7 @@ Examples:
   polhode simulate examples/t-handle.toml
   polhode simulate examples/heavy-top.toml -o results/top --table csv --table parquet
   polhode simulate examples/t-handle.toml --plot overview.png --plot omega=omega.svg
+  polhode simulate examples/cubesat.toml --at \"0 s, 1 h\" --plot pointing=pointing.svg
   polhode simulate examples/curtis-tube.toml --json | jq .motion")]
 pub(crate) struct Simulate {
     /// The scenario, a TOML file with a [run] section.
@@ -42,6 +44,9 @@ pub(crate) struct Simulate {
     /// The format of the table; may be given more than once.
     #[arg(long, value_enum, value_name = "FORMAT", default_values_t = [Format::Parquet])]
     table: Vec<Format>,
+    /// Print the state at these times too: in s, or each with its unit; 0:1:0.1 are those from 0 to 1 in steps of 0.1.
+    #[arg(long, value_name = "T,…", value_parser = times, allow_hyphen_values = true)]
+    at: Vec<Times>,
     /// Leave out report.html.
     #[arg(long)]
     no_page: bool,
@@ -69,7 +74,8 @@ impl Simulate {
 
         let title = scenario.title().unwrap_or("scenario");
         let source = SourceInfo::new(self.file.display().to_string(), "scenario").described(title);
-        let report = MotionReport::new(source, scenario, &trajectory);
+        let at = self.states_at(scenario)?;
+        let report = MotionReport::new(source, scenario, &trajectory).at(&at);
         let summary = pretty(&report.summary_json()) + "\n";
         let page = Page {
             command: format!("simulate {}", self.file.display()),
@@ -117,6 +123,30 @@ impl Simulate {
         }
     }
 
+    /// The samples at the times of `--at`, in their order. The motion is computed to each as it is to those of the run.
+    fn states_at(&self, scenario: &Scenario) -> Result<Vec<Sample>, Failure> {
+        let wanted: Vec<f64> = self.at.iter().flat_map(|Times(times)| times.iter().copied()).collect();
+        let Some(run) = scenario.run().filter(|_| !wanted.is_empty()) else { return Ok(Vec::new()) };
+        let (first, last) = (scenario.start().time, run.times.last().copied().unwrap_or_default());
+        if let Some(time) = wanted.iter().find(|time| !(first..=last).contains(*time)) {
+            let hint = "ask for times of the run, or give it a longer duration";
+            let what = format!("--at {time} s is outside of the run, which goes from {first} to {last} s");
+            return Err(Failure::usage(what, hint));
+        }
+        let mut times = wanted.clone();
+        times.sort_by(f64::total_cmp);
+        times.dedup();
+        let asked = scenario.clone().sampled(Run { times, ..run.clone() });
+        let failed = |error| Failure::Motion { path: shown(&self.file), error };
+        let samples = match asked.simulate() {
+            Some(trajectory) => trajectory.map_err(failed)?.samples().to_vec(),
+            None => Vec::new(),
+        };
+        // Of a motion that ends before there is no more than it has.
+        let at = |time: &f64| samples.iter().find(|sample| sample.state.time == *time).copied();
+        Ok(wanted.iter().filter_map(at).collect())
+    }
+
     /// Writes the folder; says what was written.
     fn write(
         &self,
@@ -129,7 +159,7 @@ impl Simulate {
     ) -> Result<String, Failure> {
         folder.file("summary.json", |out| out.write_all(summary.as_bytes()))?;
         let metadata = metadata(scenario, trajectory, &self.file);
-        let mut names = table::write(&self.table, trajectory, scenario.wheels(), &metadata, &folder)?;
+        let mut names = table::write(&self.table, trajectory, &scenario.into(), &metadata, &folder)?;
         if !self.no_page {
             names.push(page.write(trajectory, &folder)?);
         }

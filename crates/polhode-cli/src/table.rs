@@ -1,8 +1,8 @@
 //! The formats of the trajectory table.
 
 use clap::ValueEnum;
-use polhode::motion::{Trajectory, Wheel};
-use polhode_formats::table;
+use polhode::motion::Trajectory;
+use polhode_formats::table::{self, Surroundings};
 
 use crate::failure::Failure;
 use crate::folder::Folder;
@@ -28,7 +28,7 @@ impl Format {
 pub(crate) fn write(
     formats: &[Format],
     trajectory: &Trajectory,
-    wheels: &[Wheel],
+    surroundings: &Surroundings,
     metadata: &[(String, String)],
     folder: &Folder,
 ) -> Result<Vec<&'static str>, Failure> {
@@ -38,8 +38,8 @@ pub(crate) fn write(
             continue;
         }
         folder.file(format.file_name(), |out| match format {
-            Format::Parquet => table::parquet::write(trajectory, wheels, metadata, out),
-            Format::Csv => table::csv::write(trajectory, wheels, out),
+            Format::Parquet => table::parquet::write(trajectory, surroundings, metadata, out),
+            Format::Csv => table::csv::write(trajectory, surroundings, out),
         })?;
         written.push(format.file_name());
     }

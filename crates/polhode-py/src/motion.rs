@@ -2,17 +2,16 @@
 
 use std::path::PathBuf;
 
-use numpy::{PyArray1, PyArray2, PyReadonlyArray1};
-use polhode::motion::{
-    Ending, ErrorEffort, GlobalError, Method, Run, Sample, Scenario, StateError, Trajectory,
-};
+use numpy::{PyArray1, PyReadonlyArray1};
+use polhode::motion::{Ending, ErrorEffort, GlobalError, Method, Run, Scenario, StateError, Trajectory};
 use polhode_formats::scenario::ScenarioFile;
+use polhode_formats::table::{Column, columns};
 use polhode_report::{
     MotionReport, PageInput, PageSubject, SourceInfo, VERSION, explain_motion, page_data, page_of,
 };
 use pyo3::prelude::*;
 
-use crate::arrays::{numbers, table};
+use crate::arrays::numbers;
 use crate::error::{Raise, refused};
 use crate::finding::{Remark, remarks};
 use crate::interrupt::watched;
@@ -73,52 +72,21 @@ pub(crate) fn simulate(
 
 #[pymethods]
 impl PyMotion {
-    #[getter]
-    fn times<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        self.column(py, |sample| sample.state.time)
-    }
-
-    #[getter]
-    fn attitude<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        self.rows(py, |sample| sample.state.attitude.quaternion())
-    }
-
-    #[getter]
-    fn omega<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        self.rows(py, |sample| sample.state.omega.to_array())
-    }
-
-    #[getter]
-    fn omega_space<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        self.rows(py, |sample| sample.state.omega_space().to_array())
-    }
-
-    #[getter]
-    fn momentum<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        self.rows(py, |sample| sample.momentum.to_array())
-    }
-
-    #[getter]
-    fn torque<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        self.rows(py, |sample| sample.torque.to_array())
-    }
-
-    #[getter]
-    fn kinetic_energy<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        self.column(py, |sample| sample.kinetic_energy)
-    }
-
-    /// `None` where some torque has no potential.
-    #[getter]
-    fn potential_energy<'py>(&self, py: Python<'py>) -> Option<Bound<'py, PyArray1<f64>>> {
-        let samples = self.trajectory.samples().iter();
-        let potential: Option<Vec<f64>> = samples.map(|sample| sample.potential_energy).collect();
-        potential.filter(|all| !all.is_empty()).map(|all| PyArray1::from_vec(py, all))
+    /// The columns of the trajectory's table, by name.
+    fn columns<'py>(&self, py: Python<'py>) -> Vec<(String, Bound<'py, PyArray1<f64>>)> {
+        let rows = self.trajectory.samples().len();
+        let of = |column: &Column| (0..rows).map(|row| column.value(&self.trajectory, row)).collect();
+        let columns = || {
+            let columns = columns(&self.trajectory, &(&self.scenario).into());
+            columns.iter().map(|column| (column.name.to_string(), of(column))).collect()
+        };
+        let columns: Vec<(String, Vec<f64>)> = py.detach(columns);
+        columns.into_iter().map(|(name, values)| (name, PyArray1::from_vec(py, values))).collect()
     }
 
     #[getter]
     fn work<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        self.column(py, |sample| sample.work)
+        PyArray1::from_vec(py, self.trajectory.samples().iter().map(|sample| sample.work).collect())
     }
 
     #[getter]
@@ -201,18 +169,6 @@ impl PyMotion {
         let title = self.scenario.title().unwrap_or("scenario");
         let source = SourceInfo::new(self.path.display().to_string(), "scenario").described(title);
         MotionReport::new(source, &self.scenario, &self.trajectory)
-    }
-
-    fn column<'py>(&self, py: Python<'py>, value: impl Fn(&Sample) -> f64) -> Bound<'py, PyArray1<f64>> {
-        PyArray1::from_vec(py, self.trajectory.samples().iter().map(value).collect())
-    }
-
-    fn rows<'py, const N: usize>(
-        &self,
-        py: Python<'py>,
-        row: impl Fn(&Sample) -> [f64; N],
-    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        table(py, self.trajectory.samples().iter().flat_map(row).collect(), N)
     }
 }
 

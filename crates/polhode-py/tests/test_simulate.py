@@ -34,6 +34,21 @@ def test_arrays_agree_with_each_other(examples: Path) -> None:
     assert np.array_equal(columns["omega_error"], motion.error.omega)
 
 
+def test_a_body_on_an_orbit_has_columns_of_where_it_points(examples: Path) -> None:
+    motion = polhode.simulate(examples / "cubesat.toml")
+    columns = motion.columns()
+    position = np.column_stack([columns[f"position_space_{axis}_m"] for axis in "xyz"])
+    camera = motion.rotations().apply([0.0, 0.0, 1.0])
+    cosine = -(camera * position).sum(axis=1) / np.linalg.norm(position, axis=1)
+    assert np.abs(np.cos(columns["camera_angle_rad"]) - cosine).max() < 1e-14
+    assert motion.summary["pointings"][0]["largest_rad"] == columns["camera_angle_rad"].max()
+    assert np.rad2deg(columns["orbit_pitch_rad"][0]) == pytest.approx(-7.0, abs=1e-12)
+
+
+def test_wheels_have_columns(examples: Path) -> None:
+    assert any(name.startswith("wheel_1_") for name in polhode.simulate(examples / "gyrostat.toml").columns())
+
+
 def test_times_take_the_place_of_the_runs(examples: Path) -> None:
     whole = polhode.simulate(examples / "heavy-top.toml")
     some = polhode.simulate(examples / "heavy-top.toml", times=[0.5, 1.25])
@@ -143,9 +158,11 @@ mass = "1 kg"
 inertia = [[1, 0, 0], [0, 2, 0], [0, 0, 2.5]]
 [start]
 spin = { body = [0.3, 0.5, 0.9] }
+[orbit]
+rate = "0.5 rad/s"
+mu = "4e10 m^3/s^2"
 [[torque]]
 model = "gravity_gradient"
-orbit = { rate = "0.5 rad/s", mu = "4e10 m^3/s^2", radial = [1, 0, 0], motion = [0, 1, 0] }
 [run]
 duration = "100 s"
 samples = 11

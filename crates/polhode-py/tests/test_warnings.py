@@ -41,9 +41,10 @@ uniform = { from = 1, to = 3 }
 
 #: The Earth's, so fast that it lies within the Earth.
 UNDERGROUND = """
+[orbit]
+rate = "0.5 rad/s"
 [[torque]]
 model = "gravity_gradient"
-orbit = { rate = "0.5 rad/s", radial = [1, 0, 0], motion = [0, 1, 0] }
 """
 
 

@@ -1,6 +1,6 @@
 //! Events, and how a motion ended, as reports show them.
 
-use polhode::motion::{Crossing, Ending, Event, EventAction, Measure, Scenario, Trajectory};
+use polhode::motion::{Crossing, Ending, Event, EventAction, Measure, Reference, Scenario, Trajectory};
 use serde_json::{Value, json};
 
 use crate::json::{numbers, vector};
@@ -134,7 +134,11 @@ fn measure(measure: &Measure) -> Value {
         Measure::TotalEnergy => "total_energy".into(),
         Measure::Momentum => "momentum".into(),
         Measure::Tilt { body, space } => {
-            json!({ "of": "angle", "body": vector(*body), "space": vector(*space) })
+            let body = vector(*body);
+            match space {
+                Reference::Space(space) => json!({ "of": "angle", "body": body, "space": vector(*space) }),
+                other => json!({ "of": "angle", "body": body, "to": other.name() }),
+            }
         }
         Measure::OmegaAngle(n) => json!({ "of": "angle", "body": vector(*n), "to": "omega" }),
         Measure::MomentumAngle(n) => json!({ "of": "angle", "body": vector(*n), "to": "momentum" }),

@@ -35,6 +35,7 @@ mod molecule;
 mod motion;
 mod number;
 mod omega;
+mod orbit;
 mod page;
 mod parts;
 mod periods;

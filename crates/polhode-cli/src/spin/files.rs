@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use polhode::motion::{FreeMotion, Method, Regime, Run, Trajectory};
+use polhode_formats::table::Surroundings;
 use polhode_formats::times;
 use polhode_formats::unit::Dimension;
 
@@ -114,7 +115,7 @@ impl FileFlags {
         let mut names = Vec::new();
         if let Some(trajectory) = trajectory {
             let formats = if self.table.is_empty() { &[Format::Parquet] } else { self.table.as_slice() };
-            names.extend(table::write(formats, &trajectory, &[], metadata, &folder)?);
+            names.extend(table::write(formats, &trajectory, &Surroundings::default(), metadata, &folder)?);
         }
         if let Some(curves) = curves {
             names.extend(curves.write(&folder)?);

@@ -328,7 +328,7 @@ fn an_error_is_estimated_of_what_is_computed() {
     assert!((1e-16..1e-9).contains(&attitude), "{attitude:e}");
     // What a cheap estimate says of the inputs is a bound: its steps' error, which is larger by far, is no evidence that they matter.
     let chaotic = "[[body.part]]\nshape = 'tensor'\nmass = 3\ncenter_of_mass = [0, 0, 0]\ninertia = [[1, 0, 0], [0, 2, 0], [0, 0, 2.5]]\n[start]\nspin = { body = [0.3, 0.5, 0.9] }
-[[torque]]\nmodel = 'gravity_gradient'\norbit = { rate = 0.5, mu = '4e10 m^3/s^2', radial = [1, 0, 0], motion = [0, 1, 0] }
+[orbit]\nrate = 0.5\nmu = '4e10 m^3/s^2'\n[[torque]]\nmodel = 'gravity_gradient'
 [run]\nduration = 20\nsamples = 12001\nmethod = 'dop853'\ntolerance = 1e-5\n";
     scratch.write("chaotic.toml", chaotic);
     let [cheap, thorough] = [&[][..], &["--error"]].map(|more| {

@@ -3,8 +3,9 @@
 use std::f64::consts::PI;
 
 use polhode::math::Direction;
-use polhode::motion::{Event, EventAction, Measure, Sense};
+use polhode::motion::{Event, EventAction, Measure, Reference, Sense};
 
+use super::pointing::{NAMED, References, direction};
 use super::reader::{Table, Value};
 use super::suggestion::nearest;
 use super::torque::Torques;
@@ -33,23 +34,32 @@ const MEASURES: [&str; 16] = [
 ];
 
 /// Reads all events; the torques that they switch are found by their names.
-pub(crate) fn events(root: &Table<'_>, torques: &Torques) -> Result<Vec<Event>, FormatError> {
+pub(crate) fn events(
+    root: &Table<'_>,
+    torques: &Torques,
+    references: &References<'_>,
+) -> Result<Vec<Event>, FormatError> {
     let Some(list) = root.get("event") else { return Ok(Vec::new()) };
     if root.get("run").is_none() {
         let hint = "nothing happens without [run]: add it, or leave out [[event]]";
         return Err(list.invalid("beside a [run]").with_hint(hint));
     }
-    list.tables("event")?.iter().enumerate().map(|(k, table)| event(k, table, torques)).collect()
+    list.tables("event")?.iter().enumerate().map(|(k, table)| event(k, table, torques, references)).collect()
 }
 
 /// `name`, `measure`, `value`, `direction`, `then`
-fn event(index: usize, table: &Table<'_>, torques: &Torques) -> Result<Event, FormatError> {
+fn event(
+    index: usize,
+    table: &Table<'_>,
+    torques: &Torques,
+    references: &References<'_>,
+) -> Result<Event, FormatError> {
     let given = table.require("measure", "measure = \"omega_body_z\"")?;
     let name = given.choice(&MEASURES)?;
     let (measure, dimension) = match name {
         "angle" => {
             table.allow(&["name", "measure", "between", "value", "direction", "then"])?;
-            (angle(table)?, Dimension::ANGLE)
+            (angle(table, references)?, Dimension::ANGLE)
         }
         "formula" => {
             table.allow(&["name", "measure", "formula", "value", "direction", "then"])?;
@@ -122,12 +132,13 @@ fn plain(name: &str) -> (Measure, Dimension) {
     }
 }
 
-/// `between = [what, { body = [3] }]`: what is `"omega"`, `"momentum"` or `{ space = [3] }`; either may stand first.
-fn angle(table: &Table<'_>) -> Result<Measure, FormatError> {
+/// `between = [what, { body = [3] }]`: what is `"omega"`, `"momentum"`, a direction that has a name, or `{ space = [3] }`; either may
+/// stand first.
+fn angle(table: &Table<'_>, references: &References<'_>) -> Result<Measure, FormatError> {
     let example = "between = [{ body = [0, 0, 1] }, { space = [0, 0, 1] }]";
     let value = table.require("between", example)?;
     let [first, second] = value.fixed("directions")?;
-    let [first, second] = [Line::read(&first)?, Line::read(&second)?];
+    let [first, second] = [Line::read(&first, references)?, Line::read(&second, references)?];
     Ok(match (first, second) {
         (Line::Body(body), Line::Space(space)) | (Line::Space(space), Line::Body(body)) => {
             Measure::Tilt { body, space }
@@ -137,7 +148,7 @@ fn angle(table: &Table<'_>) -> Result<Measure, FormatError> {
             Measure::MomentumAngle(body)
         }
         _ => {
-            let rule = "a direction of the body, and one of space, or \"omega\", or \"momentum\"";
+            let rule = "a direction of the body, and one of space, \"nadir\", \"velocity\", \"orbit_normal\", \"field\", \"omega\" or \"momentum\"";
             return Err(value.invalid(rule).with_hint(format!("write {example}")));
         }
     })
@@ -159,17 +170,19 @@ fn formula(table: &Table<'_>) -> Result<(Measure, Dimension), FormatError> {
 /// What an angle is measured from.
 enum Line {
     Body(Direction<polhode::math::Body>),
-    Space(Direction<polhode::math::Space>),
+    Space(Reference),
     Omega,
     Momentum,
 }
 
 impl Line {
-    fn read(value: &Value<'_>) -> Result<Self, FormatError> {
+    fn read(value: &Value<'_>, references: &References<'_>) -> Result<Self, FormatError> {
         if value.string().is_ok() {
-            return Ok(match value.choice(&["omega", "momentum"])? {
+            let names = ["omega", "momentum"].into_iter().chain(NAMED).collect::<Vec<_>>();
+            return Ok(match value.choice(&names)? {
                 "omega" => Self::Omega,
-                _ => Self::Momentum,
+                "momentum" => Self::Momentum,
+                name => Self::Space(references.named(value, name)?),
             });
         }
         let table = value.table()?;
@@ -178,15 +191,9 @@ impl Line {
         else {
             return Err(table.missing("body", "{ body = [0, 0, 1] }"));
         };
-        let numbers = given.numbers()?;
-        if Direction::<polhode::math::Body>::from_array(numbers).direction().is_none() {
-            return Err(given
-                .invalid("a direction: not all zero")
-                .with_hint("the z axis is [0, 0, 1]; any length will do"));
-        }
         Ok(match given.key() {
-            "body" => Self::Body(Direction::from_array(numbers)),
-            _ => Self::Space(Direction::from_array(numbers)),
+            "body" => Self::Body(direction(&given)?),
+            _ => Self::Space(Reference::Space(direction(&given)?)),
         })
     }
 }

@@ -3,14 +3,22 @@
 use crate::text::cut;
 
 /// A key of others, a key that has to be known in its place, and the advice.
-const KEYS: [(&str, &str, &str); 41] = [
+const KEYS: [(&str, &str, &str); 53] = [
     ("euler", "euler313", EULER),
-    ("roll", "euler313", EULER),
-    ("rpy", "euler313", EULER),
-    ("ypr", "euler313", EULER),
-    ("yaw", "euler313", EULER),
-    ("altitude", "semi_major_axis", ALTITUDE),
-    ("height", "semi_major_axis", ALTITUDE),
+    ("roll", "euler313", ROLL),
+    ("rpy", "euler313", ROLL),
+    ("ypr", "euler313", ROLL),
+    ("yaw", "euler313", ROLL),
+    ("pitch", "euler313", ROLL),
+    ("xyzw", "euler313", "write quaternion_xyzw = [x, y, z, w], or quaternion = [w, x, y, z]"),
+    ("wxyz", "euler313", "write quaternion = [w, x, y, z]"),
+    ("rotation_matrix", "matrix", "write matrix: rows of three, v_space = R v_body"),
+    ("dcm", "matrix", "write matrix: rows of three, v_space = R v_body"),
+    (
+        "height",
+        "semi_major_axis",
+        "write altitude = \"400 km\": above the Earth's equatorial radius, 6378.137 km",
+    ),
     ("central_body", "mu", "write mu = \"398600.44 km^3/s^2\", of the body that it goes round"),
     ("raan", "node", "write node: the longitude of the ascending node"),
     ("period", "semi_major_axis", "write rate = \"0.0011 rad/s\", of a circle: 2π over the period"),
@@ -39,22 +47,30 @@ const KEYS: [(&str, &str, &str); 41] = [
     ("kind", "shape", "write shape = \"box\", or another shape"),
     ("runs", "members", "write members = 1000"),
     ("samples", "members", "write members = 1000"),
-    ("altitude", "attitude", ORBIT_OF_TORQUE),
-    ("height", "attitude", ORBIT_OF_TORQUE),
+    ("altitude", "attitude", ORBIT),
+    ("height", "attitude", ORBIT),
+    ("altitude", "model", ORBIT),
+    ("height", "model", ORBIT),
+    ("altitude", "body", ORBIT),
+    ("frame", "relative_to", RELATIVE),
+    ("reference", "relative_to", RELATIVE),
+    ("lvlh", "relative_to", RELATIVE),
+    ("axis", "to", "write body = [0, 0, 1]: a direction of the body"),
+    ("target", "to", "write to = \"nadir\""),
     ("euler", "attitude", IN_ATTITUDE),
     ("roll", "attitude", IN_ATTITUDE),
     ("damping", "attitude", DAMPING_OF_TORQUE),
     ("damping", "coefficient", "how much a torque damps is its coefficient"),
 ];
 
-const ORBIT_OF_TORQUE: &str = "a height belongs to the orbit of a torque, as its radius from the centre: orbit = { radius = \"6778 km\", … }";
-const IN_ATTITUDE: &str = "angles stand in attitude = { … }: euler313, about z, x and z in turn; what other sequences, yaw, pitch and roll among \
-                           them, come to, give there as quaternion = [w, x, y, z] or as a matrix";
+const ORBIT: &str = "write [orbit] on a line of its own, and under it altitude = \"400 km\"";
+const RELATIVE: &str = "write relative_to = \"orbit\": attitude and spin are then relative to its axes (x ahead, y against the normal, z to the nadir)";
+const IN_ATTITUDE: &str = "angles stand in attitude = { … }: euler313, about z, x and z in turn, or roll_pitch_yaw, with yaw about z first";
 const DAMPING_OF_TORQUE: &str = "damping is a torque: a [[torque]] with model = \"drag\" and its coefficient, or \"energy_sink\" for friction inside the body";
 
-const EULER: &str = "three angles are read about z, x and z in turn: euler313 = [\"30 deg\", \"20 deg\", \"10 deg\"]; what other \
-                     sequences, yaw, pitch and roll among them, come to, give as quaternion = [w, x, y, z] or as a matrix";
-const ALTITUDE: &str = "write radius = \"6778 km\": from the centre, not a height above the ground (the Earth's radius is 6378 km)";
+const EULER: &str = "angles are read as euler313 = [\"30 deg\", \"20 deg\", \"10 deg\"], about z, x and z in turn, or as roll_pitch_yaw = [φ, θ, ψ], \
+                     3-2-1: ψ about z, θ about the new y, φ about the new x; what other sequences come to, give as quaternion = [w, x, y, z] or as a matrix";
+const ROLL: &str = "write roll_pitch_yaw = [\"10 deg\", \"20 deg\", \"30 deg\"], 3-2-1: yaw about z, then pitch about the new y, then roll about the new x";
 const SPIN: &str = "write spin = { body = [0, 0, \"12 rad/s\"] }, or spin = { space = [0, 0, \"12 rad/s\"] } along the axes of space";
 
 /// A name of others, a name that has to be among the choices, and the advice.
@@ -149,11 +165,11 @@ pub(super) fn element(key: &str, text: &str, elements: usize) -> String {
 
 /// Keys, and a table that may stand there.
 const TABLES: [(&str, &str); 16] = [
+    ("to", "\"nadir\", or { space = [1, 0, 0] }"),
     ("then", "\"stop\", or { switch = \"thruster\", on = false }"),
     ("spin", "{ body = [0, 0, \"12 rad/s\"] }"),
     ("omega", "{ body = [\"0\", \"0\", \"2*t\"] }"),
     ("attitude rotate", "{ axis = [0, 0, 1], angle = \"90 deg\" }"),
-    ("orbit", "{ radius = \"6778 km\" }"),
     ("pulses", "{ width = \"0.2 s\", period = \"5 s\" }"),
     ("balance", "{ planes = [0, \"0.2 m\"], radii = [\"50 mm\", \"50 mm\"] }"),
     ("normal", "{ mean = 3, sd = 0.1 }"),

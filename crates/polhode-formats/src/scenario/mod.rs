@@ -30,9 +30,11 @@ mod list_units;
 mod meant;
 mod molecule;
 mod motion_table;
+mod orbit;
 mod part;
 mod pendulum;
 mod placement;
+mod pointing;
 mod prescribed;
 mod reader;
 mod rotation;
@@ -58,6 +60,7 @@ use crate::error::{FormatError, FormatErrorKind, Place};
 use crate::file;
 use crate::mesh::stl;
 use crate::text::is_utf16;
+use pointing::References;
 use polhode::motion::{ActingTorque, MotionError, Rotor, Scenario};
 use reader::{TOP, Table};
 use source::Source;
@@ -228,8 +231,12 @@ fn read_root(source: Source<'_>, entries: &Entries) -> Result<(Scenario, Vec<Tor
     let mut findings = Vec::new();
     let title = root.get("title").map(|title| title.string().map(str::to_owned)).transpose()?;
     let body::Assembly { parts, body, mut pivot } = body::body(&root, &mut findings)?;
-    let torques = torque::torques(&root, &parts, &mut pivot)?;
-    let events = event::events(&root, &torques)?;
+    let shared = orbit::read(&root)?;
+    let orbit = shared.as_ref().map(|shared| &shared.orbit);
+    let torques = torque::torques(&root, &parts, orbit, &mut pivot)?;
+    let references = References { orbit, field: torques.field() };
+    let events = event::events(&root, &torques, &references)?;
+    let pointings = pointing::pointings(&root, &references)?;
     let point = pivot.map(|pivot| pivot.point);
     let rotor = point.map_or_else(|| Rotor::free(&body), |point| Rotor::pivoted(&body, point));
     findings.extend(match point {
@@ -237,10 +244,9 @@ fn read_root(source: Source<'_>, entries: &Entries) -> Result<(Scenario, Vec<Tor
         Some(_) => body::thinness(&body.principal()),
     });
     let wheels = wheel::wheels(&root)?;
-    let start = start::start(&root, &wheel::locked(&rotor, &wheels)?)?;
-    let run = run::run(&root)?;
+    let start = start::start(&root, &wheel::locked(&rotor, &wheels)?, orbit)?;
+    let run = run::run(&root, orbit)?;
     let prescribed = prescribed::prescribed(&root, &start, run.as_ref(), &mut findings)?;
-    let orbit = torques.orbit;
     let named = torques.names.into_iter().enumerate();
     let acting = torques.models.into_iter().zip(named).map(|(model, (k, name))| {
         let is_on = !torques.switched_off.contains(&k);
@@ -258,7 +264,11 @@ fn read_root(source: Source<'_>, entries: &Entries) -> Result<(Scenario, Vec<Tor
     } else if let Some(velocity) = start.velocity {
         scenario = scenario.moving(velocity).map_err(whole)?;
     }
-    scenario = scenario.with_wheels(&wheels).and_then(|s| s.under(acting)).map_err(whole)?;
+    if let Some(orbit) = orbit {
+        scenario = scenario.in_orbit(orbit.clone()).map_err(whole)?;
+    }
+    scenario =
+        scenario.pointing(pointings).with_wheels(&wheels).and_then(|s| s.under(acting)).map_err(whole)?;
     scenario = scenario.watching(events).map_err(whole)?;
     if let Some(motion) = prescribed {
         scenario = scenario.prescribed_as(motion).map_err(whole)?;
@@ -269,6 +279,6 @@ fn read_root(source: Source<'_>, entries: &Entries) -> Result<(Scenario, Vec<Tor
     scenario = shaft::shaft(&root, &start, scenario)?;
     scenario = pendulum::pendulum(&root, scenario.noting(findings))?;
     let noticed = scenario.check();
-    let scenario = scenario.noting(noticed).noting(orbit.and_then(|orbit| orbit.underground()));
+    let scenario = scenario.noting(noticed).noting(shared.and_then(|shared| shared.underground()));
     Ok((scenario, torques.places))
 }

@@ -16,8 +16,21 @@ use polhode::math::RotationError;
 use polhode::motion::MotionError;
 
 /// The keys of the file itself.
-pub(crate) const TOP: [&str; 11] =
-    ["title", "body", "start", "torque", "wheel", "event", "prescribed", "shaft", "pendulum", "run", "sweep"];
+pub(crate) const TOP: [&str; 13] = [
+    "title",
+    "body",
+    "orbit",
+    "start",
+    "torque",
+    "wheel",
+    "event",
+    "pointing",
+    "prescribed",
+    "shaft",
+    "pendulum",
+    "run",
+    "sweep",
+];
 
 /// A table, its place, and what to call it.
 #[derive(Clone, Debug)]
@@ -52,7 +65,9 @@ impl<'a> Table<'a> {
         let suggestion = if advice.is_some() { None } else { nearest(&key, known.iter().copied()) };
         let misplaced = match key.as_str() {
             "title" => Some("title stands above the first table".to_owned()),
-            "torque" | "wheel" | "event" => Some(format!("write [[{key}]] on a line of its own")),
+            "torque" | "wheel" | "event" | "pointing" => {
+                Some(format!("write [[{key}]] on a line of its own"))
+            }
             key if TOP.contains(&key) => Some(format!("write [{key}] on a line of its own")),
             _ => None,
         };

@@ -7,12 +7,14 @@ use super::tree::{Known, Replacement};
 use crate::error::FormatError;
 use crate::unit::Dimension;
 
-const FORMS: [&str; 4] = ["axis", "quaternion", "euler313", "matrix"];
+const FORMS: [&str; 7] =
+    ["axis", "quaternion", "quaternion_xyzw", "euler313", "roll_pitch_yaw", "mrp", "matrix"];
 
-/// R_AB from one of its four forms.
+/// R_AB from one of its forms.
 ///
-/// `{ axis = [3], angle = "90 deg" }`, `{ quaternion = [w, x, y, z] }`, `{ euler313 = [φ, θ, ψ] }`,
-/// `{ matrix = [[3], [3], [3]] }` with v_A = R v_B.
+/// `{ axis = [3], angle = "90 deg" }`, `{ quaternion = [w, x, y, z] }`, `{ quaternion_xyzw = [x, y, z, w] }`,
+/// `{ euler313 = [φ, θ, ψ] }`, `{ roll_pitch_yaw = [φ, θ, ψ] }`, `{ mrp = [σ1, σ2, σ3] }`, `{ matrix = [[3], [3], [3]] }`
+/// with v_A = R v_B.
 pub(crate) fn rotation<A: Frame, B: Frame>(value: &Value<'_>) -> Result<Rotation<A, B>, FormatError> {
     if let Some(Replacement::Rotation(quaternion)) = value.replacement() {
         return Rotation::from_quaternion(*quaternion).map_err(|e| value.rotation(e));
@@ -24,7 +26,16 @@ pub(crate) fn rotation<A: Frame, B: Frame>(value: &Value<'_>) -> Result<Rotation
 
 fn written<A: Frame, B: Frame>(value: &Value<'_>) -> Result<Rotation<A, B>, FormatError> {
     let table = value.table()?;
-    table.allow(&["axis", "angle", "quaternion", "euler313", "matrix"])?;
+    table.allow(&[
+        "axis",
+        "angle",
+        "quaternion",
+        "quaternion_xyzw",
+        "euler313",
+        "roll_pitch_yaw",
+        "mrp",
+        "matrix",
+    ])?;
     let form = table.at_most_one(&FORMS, "a rotation is given once")?;
     let Some(form) = form else {
         return Err(table.missing("axis", "{ axis = [0, 0, 1], angle = \"90 deg\" }"));
@@ -35,6 +46,15 @@ fn written<A: Frame, B: Frame>(value: &Value<'_>) -> Result<Rotation<A, B>, Form
     match form.key() {
         "axis" => about(&table, &form),
         "quaternion" => Rotation::from_quaternion(form.numbers()?).map_err(|e| form.rotation(e)),
+        "quaternion_xyzw" => {
+            let [x, y, z, w] = form.numbers()?;
+            Rotation::from_quaternion([w, x, y, z]).map_err(|e| form.rotation(e))
+        }
+        "roll_pitch_yaw" => {
+            let angles = form.quantities(Dimension::ANGLE)?;
+            Rotation::from_roll_pitch_yaw(angles).map_err(|e| form.rotation(e))
+        }
+        "mrp" => Rotation::from_mrp(form.numbers()?).map_err(|e| form.rotation(e)),
         "euler313" => {
             Rotation::from_euler313(form.quantities(Dimension::ANGLE)?).map_err(|e| form.rotation(e))
         }

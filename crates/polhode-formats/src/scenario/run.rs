@@ -1,11 +1,11 @@
 //! The `[run]`: for how long, at which times, and how.
 
-use polhode::motion::{LOOSEST_TOLERANCE, Method, Run, SplittingOrder, TIGHTEST_TOLERANCE};
+use polhode::motion::{LOOSEST_TOLERANCE, Method, Orbit, Run, SplittingOrder, TIGHTEST_TOLERANCE};
 
 use super::reader::{Table, Value};
-use crate::error::FormatError;
+use crate::error::{FormatError, FormatErrorKind};
 use crate::times;
-use crate::unit::Dimension;
+use crate::unit::{self, Dimension};
 
 /// Samples of a run that says neither `samples` nor `every`.
 const SAMPLES: usize = 1001;
@@ -14,7 +14,7 @@ const SAMPLES: usize = 1001;
 const TOLERANCE: f64 = 1e-13;
 
 /// Reads `[run]`; `None` without one.
-pub(crate) fn run(root: &Table<'_>) -> Result<Option<Run>, FormatError> {
+pub(crate) fn run(root: &Table<'_>, orbit: Option<&Orbit>) -> Result<Option<Run>, FormatError> {
     let Some(value) = root.get("run") else { return Ok(None) };
     let table = value.table()?;
     table.allow(&["duration", "samples", "every", "method", "tolerance", "order", "step"])?;
@@ -24,15 +24,37 @@ pub(crate) fn run(root: &Table<'_>) -> Result<Option<Run>, FormatError> {
         let hint = "a prescribed motion is given, not computed: nothing depends on it";
         return Err(value.invalid("left out").with_hint(hint));
     }
-    let duration = table.require("duration", "duration = \"20 s\"")?.positive(Dimension::TIME)?;
+    let duration = time(&table.require("duration", "duration = \"20 s\"")?, orbit)?;
     let given = table.at_most_one(&["samples", "every"], "each of them alone says when to sample")?;
     let method = method(&table)?;
     let tolerance = table.get("tolerance").map_or(Ok(TOLERANCE), |value| tolerance(&value))?;
     Ok(Some(match given {
         None => Run::evenly(duration, SAMPLES, method, tolerance),
         Some(value) if value.key() == "samples" => Run::evenly(duration, samples(&value)?, method, tolerance),
-        Some(value) => Run { times: sampled_every(duration, &value)?, method, tolerance },
+        Some(value) => Run { times: sampled_every(duration, &value, orbit)?, method, tolerance },
     }))
+}
+
+/// A time above zero, s, or so many `"orbits"`.
+fn time(value: &Value<'_>, orbit: Option<&Orbit>) -> Result<f64, FormatError> {
+    let text = value.string().unwrap_or_default().trim_end();
+    let Some(number) = text.strip_suffix("orbits").or_else(|| text.strip_suffix("orbit")) else {
+        return value.positive(Dimension::TIME);
+    };
+    let Some(orbit) = orbit else {
+        let hint = "write [orbit] on a line of its own, and under it altitude = \"500 km\"";
+        return Err(value.invalid("a time, since there is no [orbit]").with_hint(hint));
+    };
+    let Some(period) = orbit.period() else {
+        let rule = "a time: a parabola or a hyperbola is not run through twice";
+        return Err(value.invalid(rule).with_hint("write duration = \"3 h\""));
+    };
+    let count = unit::parse(number, Dimension::NONE);
+    let count = count.map_err(|error| value.error(FormatErrorKind::Unit(error)))?;
+    match count * period {
+        time if time > 0.0 && time.is_finite() => Ok(time),
+        _ => Err(value.invalid("positive").with_hint("time runs forward from 0")),
+    }
 }
 
 fn samples(value: &Value<'_>) -> Result<usize, FormatError> {
@@ -46,8 +68,8 @@ fn samples(value: &Value<'_>) -> Result<usize, FormatError> {
 }
 
 /// 0, every, 2 every, … and the end.
-fn sampled_every(duration: f64, value: &Value<'_>) -> Result<Vec<f64>, FormatError> {
-    let every = value.positive(Dimension::TIME)?;
+fn sampled_every(duration: f64, value: &Value<'_>, orbit: Option<&Orbit>) -> Result<Vec<f64>, FormatError> {
+    let every = time(value, orbit)?;
     if every > duration {
         let rule = format!("at most the duration, {duration} s");
         return Err(value

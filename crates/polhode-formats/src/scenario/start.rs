@@ -1,7 +1,7 @@
 //! The `[start]`: attitude, spin and velocity at t = 0.
 
-use polhode::math::{AngularMomentum, AngularVelocity, Attitude, Body, Space, Velocity};
-use polhode::motion::{Rotor, State};
+use polhode::math::{AngularMomentum, AngularVelocity, Attitude, Body, Orbital, Rotation, Space, Velocity};
+use polhode::motion::{Orbit, Rotor, State};
 
 use super::reader::{Table, Value};
 use super::rotation::rotation;
@@ -18,7 +18,13 @@ pub(crate) struct Start<'a> {
 }
 
 /// Reads `[start]`; without it the body is at rest with its axes along those of space.
-pub(crate) fn start<'a>(root: &Table<'a>, rotor: &Rotor) -> Result<Start<'a>, FormatError> {
+///
+/// With `relative_to = "orbit"` the attitude is that in axes along the local vertical and horizontal, and the spin relative to them.
+pub(crate) fn start<'a>(
+    root: &Table<'a>,
+    rotor: &Rotor,
+    orbit: Option<&Orbit>,
+) -> Result<Start<'a>, FormatError> {
     let mut start = Start {
         state: State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::ZERO },
         velocity: None,
@@ -27,15 +33,34 @@ pub(crate) fn start<'a>(root: &Table<'a>, rotor: &Rotor) -> Result<Start<'a>, Fo
     };
     let Some(table) = root.get("start") else { return Ok(start) };
     let table = table.table()?;
-    table.allow(&["spin", "attitude", "velocity"])?;
+    table.allow(&["spin", "attitude", "velocity", "relative_to"])?;
     (start.spin, start.attitude) = (table.get("spin"), table.get("attitude"));
-    if let Some(value) = &start.attitude {
-        start.state.attitude = rotation(value)?;
-    }
-    if let Some(value) = &start.spin {
-        start.state.omega = spin(value, start.state.attitude, rotor)?;
+    match table.get("relative_to") {
+        Some(value) if value.choice(&["space", "orbit"])? == "orbit" => {
+            let orbit = orbit.ok_or_else(|| {
+                let hint = "write [orbit] on a line of its own, and under it altitude = \"500 km\"";
+                value.invalid("\"space\", since there is no [orbit]").with_hint(hint)
+            })?;
+            if let Some(given) = start.spin.or(start.attitude).filter(|_| root.get("prescribed").is_some()) {
+                let hint = "a prescribed motion has its own start: leave out relative_to";
+                return Err(given.invalid("left out beside [prescribed]").with_hint(hint));
+            }
+            start.state = on_orbit(&start, orbit)?;
+        }
+        _ => {
+            if let Some(value) = &start.attitude {
+                start.state.attitude = rotation(value)?;
+            }
+            if let Some(value) = &start.spin {
+                start.state.omega = spin(value, start.state.attitude, rotor)?;
+            }
+        }
     }
     if let Some(value) = table.get("velocity") {
+        if orbit.is_some() {
+            let rule = "left out, since [orbit] says how the centre of mass moves";
+            return Err(value.invalid(rule).with_hint("write position and velocity under [orbit]"));
+        }
         start.velocity = Some(Velocity::from_array(value.quantities(Dimension::VELOCITY)?));
         if rotor.is_pivoted() {
             let rule = "left out, since a point of the body is held at a pivot";
@@ -43,6 +68,23 @@ pub(crate) fn start<'a>(root: &Table<'a>, rotor: &Rotor) -> Result<Start<'a>, Fo
         }
     }
     Ok(start)
+}
+
+/// Attitude and ω of a start that is given relative to the orbit's axes, which turn themselves.
+fn on_orbit(start: &Start<'_>, orbit: &Orbit) -> Result<State, FormatError> {
+    let mut relative = Rotation::<Orbital, Body>::identity();
+    if let Some(value) = &start.attitude {
+        relative = rotation(value)?;
+    }
+    let attitude = orbit.local_axes(0.0) * relative;
+    let mut omega = attitude.inverse() * orbit.angular_velocity(0.0);
+    if let Some(value) = &start.spin {
+        let table = value.table()?;
+        table.allow(&["body"])?;
+        let given = table.require("body", "{ body = [\"0 rad/s\", \"0 rad/s\", \"0.1 rad/s\"] }")?;
+        omega += AngularVelocity::from_array(given.quantities(Dimension::ANGULAR_VELOCITY)?);
+    }
+    Ok(State { time: 0.0, attitude, omega })
 }
 
 /// `{ body = [3] }`, `{ space = [3] }` or `{ momentum = [3] }`: ω along either axes, or L along space axes.

@@ -81,11 +81,6 @@ impl Target {
         self.dimension
     }
 
-    /// True if it is one of the numbers at these places of the file.
-    pub(crate) fn is_among(&self, places: &[usize]) -> bool {
-        self.covered.iter().any(|place| places.contains(place))
-    }
-
     /// True if the same number would vary by both.
     pub(crate) fn overlaps(&self, other: &Self) -> bool {
         let is_made = |target: &Self| matches!(target.varied, Varied::MassProperties(..));

@@ -4,16 +4,16 @@
 
 use std::io::{self, BufWriter, Write};
 
-use super::columns;
-use polhode::motion::{Trajectory, Wheel};
+use super::{Surroundings, columns};
+use polhode::motion::Trajectory;
 
-/// Writes a trajectory of a body with these wheels: a line of column names, then a line per sample.
+/// Writes a trajectory of a body in these surroundings: a line of column names, then a line per sample.
 ///
 /// # Errors
 /// Those of `out`.
-pub fn write(trajectory: &Trajectory, wheels: &[Wheel], out: impl Write) -> io::Result<()> {
+pub fn write(trajectory: &Trajectory, surroundings: &Surroundings, out: impl Write) -> io::Result<()> {
     let mut out = BufWriter::new(out);
-    let columns = columns(trajectory, wheels);
+    let columns = columns(trajectory, surroundings);
     separated(&mut out, &columns, |out, column| write!(out, "{}", column.name))?;
     for row in 0..trajectory.samples().len() {
         separated(&mut out, &columns, |out, column| write!(out, "{:?}", column.value(trajectory, row)))?;

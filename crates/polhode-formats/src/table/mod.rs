@@ -10,7 +10,28 @@ pub mod required;
 
 use std::borrow::Cow;
 
-use polhode::motion::{Sample, StateError, Trajectory, Wheel};
+use polhode::motion::{Orbit, Pointing, Sample, Scenario, State, StateError, Trajectory, Wheel};
+
+/// What a table has to know beside the trajectory: wheels inside the body, its orbit, and the angles that are of interest.
+#[derive(Clone, Debug, Default)]
+pub struct Surroundings {
+    /// The wheels of the body, in its order.
+    pub wheels: Vec<Wheel>,
+    /// The orbit of its centre of mass.
+    pub orbit: Option<Orbit>,
+    /// The angles that are of interest.
+    pub pointings: Vec<Pointing>,
+}
+
+impl From<&Scenario> for Surroundings {
+    fn from(scenario: &Scenario) -> Self {
+        Self {
+            wheels: scenario.wheels().to_vec(),
+            orbit: scenario.orbit().cloned(),
+            pointings: scenario.pointings().to_vec(),
+        }
+    }
+}
 
 /// One column of the trajectory table.
 #[derive(Clone, Debug)]
@@ -25,12 +46,14 @@ pub struct Column {
 }
 
 /// Where the numbers of a column come from.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 enum Source {
     Sample(fn(&Sample) -> f64),
     Error(fn(&StateError) -> f64),
     WheelMomentum(Wheel),
     WheelSpeed(Wheel),
+    Pointing(Pointing),
+    Orbit(Orbit, fn(&Orbit, &State) -> f64),
 }
 
 impl Column {
@@ -38,20 +61,24 @@ impl Column {
     pub fn value(&self, trajectory: &Trajectory, row: usize) -> f64 {
         let Some(sample) = trajectory.samples().get(row) else { return f64::NAN };
         let state = &sample.state;
-        match self.source {
+        match &self.source {
             Source::Sample(value) => value(sample),
             Source::Error(value) => {
                 trajectory.error().and_then(|error| error.computation().get(row)).map_or(f64::NAN, value)
             }
             Source::WheelMomentum(wheel) => wheel.momentum_at(state.time),
             Source::WheelSpeed(wheel) => wheel.speed_at(state.time, state.omega).unwrap_or(f64::NAN),
+            Source::Pointing(pointing) => pointing.angle(state),
+            Source::Orbit(orbit, value) => value(orbit, state),
         }
     }
 }
 
 /// The columns of a trajectory, in order: after those of every motion the potential energy where every torque has a potential, the
-/// estimates of the error where there are any, then what each of the body's wheels does, numbered from 1; of one whose speed is held only its momentum, for its inertia is not known.
-pub fn columns(trajectory: &Trajectory, wheels: &[Wheel]) -> Vec<Column> {
+/// estimates of the error where there are any; what each of the body's wheels does, numbered from 1, of one whose speed is held only its
+/// momentum, for its inertia is not known; on an orbit the attitude relative to it, and where the body is; and the angles that are of
+/// interest.
+pub fn columns(trajectory: &Trajectory, surroundings: &Surroundings) -> Vec<Column> {
     let has_potential = trajectory.samples().first().is_some_and(|s| s.potential_energy.is_some());
     let mut columns = Vec::from(COLUMNS);
     if has_potential {
@@ -63,7 +90,7 @@ pub fn columns(trajectory: &Trajectory, wheels: &[Wheel]) -> Vec<Column> {
         columns.extend(ERRORS);
     }
     let zero = polhode::math::AngularVelocity::ZERO;
-    for (k, wheel) in wheels.iter().enumerate() {
+    for (k, wheel) in surroundings.wheels.iter().enumerate() {
         let named = |what: &str| Cow::Owned(format!("wheel_{}_{what}", k + 1));
         let held = wheel.speed_at(0.0, zero).is_none();
         let (name, description) =
@@ -75,6 +102,20 @@ pub fn columns(trajectory: &Trajectory, wheels: &[Wheel]) -> Vec<Column> {
             columns.push(Column { name, unit: "rad/s", description, source: Source::WheelSpeed(*wheel) });
         }
     }
+    if let Some(orbit) = &surroundings.orbit {
+        columns.extend(ON_ORBIT.map(|(name, unit, description, value)| Column {
+            name: Cow::Borrowed(name),
+            unit,
+            description,
+            source: Source::Orbit(orbit.clone(), value),
+        }));
+    }
+    columns.extend(surroundings.pointings.iter().map(|pointing| Column {
+        name: Cow::Owned(format!("{}_angle_rad", pointing.name().to_ascii_lowercase())),
+        unit: "rad",
+        description: "angle between a direction of the body and that of a [[pointing]]",
+        source: Source::Pointing(pointing.clone()),
+    }));
     columns
 }
 
@@ -104,6 +145,30 @@ const COLUMNS: [Column; 18] = [
     column("torque_body_z_n_m", "N·m", TORQUE, |s| s.torque.z),
     column("kinetic_energy_j", "J", "rotational kinetic energy", |s| s.kinetic_energy),
 ];
+
+/// A column of a body on an orbit.
+type OnOrbit = (&'static str, &'static str, &'static str, fn(&Orbit, &State) -> f64);
+
+const ON_ORBIT: [OnOrbit; 9] = [
+    ("orbit_roll_rad", "rad", ANGLE_ON_ORBIT, |o, s| roll_pitch_yaw(o, s)[0]),
+    ("orbit_pitch_rad", "rad", ANGLE_ON_ORBIT, |o, s| roll_pitch_yaw(o, s)[1]),
+    ("orbit_yaw_rad", "rad", ANGLE_ON_ORBIT, |o, s| roll_pitch_yaw(o, s)[2]),
+    ("position_space_x_m", "m", POSITION, |o, s| o.position(s.time).x),
+    ("position_space_y_m", "m", POSITION, |o, s| o.position(s.time).y),
+    ("position_space_z_m", "m", POSITION, |o, s| o.position(s.time).z),
+    ("velocity_space_x_m_s", "m/s", VELOCITY, |o, s| o.velocity(s.time).x),
+    ("velocity_space_y_m_s", "m/s", VELOCITY, |o, s| o.velocity(s.time).y),
+    ("velocity_space_z_m_s", "m/s", VELOCITY, |o, s| o.velocity(s.time).z),
+];
+
+const ANGLE_ON_ORBIT: &str =
+    "attitude relative to the orbit's axes (x ahead, y against the normal, z to the nadir), 3-2-1: yaw first";
+const POSITION: &str = "centre of mass on its orbit, from the centre of attraction, along space axes";
+const VELOCITY: &str = "velocity of the centre of mass on its orbit, along space axes";
+
+fn roll_pitch_yaw(orbit: &Orbit, state: &State) -> [f64; 3] {
+    (orbit.local_axes(state.time).inverse() * state.attitude).roll_pitch_yaw()
+}
 
 const ERRORS: [Column; 2] = [
     error("attitude_error_rad", "rad", "estimated error of the attitude, an angle", |e| e.attitude),

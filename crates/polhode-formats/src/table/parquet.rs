@@ -16,10 +16,10 @@ use ::parquet::file::writer::SerializedFileWriter;
 use ::parquet::schema::types::{Type, TypePtr};
 
 use super::required::RequiredTable;
-use super::{CONVENTIONS, columns};
-use polhode::motion::{Trajectory, Wheel};
+use super::{CONVENTIONS, Surroundings, columns};
+use polhode::motion::Trajectory;
 
-/// Writes a trajectory of a body with these wheels: one row per sample.
+/// Writes a trajectory of a body in these surroundings: one row per sample.
 ///
 /// The file's metadata holds `polhode.version`, `polhode.conventions` ([`CONVENTIONS`]), `polhode.units` and
 /// `polhode.descriptions` (JSON objects, column → text), and the pairs of `metadata` after them.
@@ -28,11 +28,11 @@ use polhode::motion::{Trajectory, Wheel};
 /// Those of `out`.
 pub fn write(
     trajectory: &Trajectory,
-    wheels: &[Wheel],
+    surroundings: &Surroundings,
     metadata: &[(String, String)],
     out: impl Write + Send,
 ) -> io::Result<()> {
-    encode(trajectory, wheels, metadata, out).map_err(io_error)
+    encode(trajectory, surroundings, metadata, out).map_err(io_error)
 }
 
 /// Rows that are held in memory, and packed, at a time.
@@ -61,11 +61,11 @@ type Head<'a> = [&'a str; 3];
 
 fn encode(
     trajectory: &Trajectory,
-    wheels: &[Wheel],
+    surroundings: &Surroundings,
     metadata: &[(String, String)],
     out: impl Write + Send,
 ) -> Result<(), ParquetError> {
-    let (columns, rows) = (columns(trajectory, wheels), trajectory.samples().len());
+    let (columns, rows) = (columns(trajectory, surroundings), trajectory.samples().len());
     let heads: Vec<Head<'_>> = columns.iter().map(|c| [&*c.name, c.unit, c.description]).collect();
     let values =
         |column: usize, rows: Range<usize>| rows.map(|row| columns[column].value(trajectory, row)).collect();

@@ -143,7 +143,8 @@ fn the_book_has_every_key_and_no_other() {
         ("torque", "### Torque `formula`", "[[torque]]\nmodel = 'formula'\nzzz = 1"),
         ("torque", "### Torque `gravity`", "[[torque]]\nmodel = 'gravity'\nzzz = 1"),
         ("torque", "### Torque `gravity_gradient`", "[[torque]]\nmodel = 'gravity_gradient'\nzzz = 1"),
-        ("torque", "### Orbit", "[[torque]]\nmodel = 'gravity_gradient'\norbit = { zzz = 1 }"),
+        ("orbit", "## Orbit", "[orbit]\nzzz = 1"),
+        ("pointing", "## Pointing", "[[pointing]]\nzzz = 1"),
         ("torque", "### Torque `magnetic`", "[[torque]]\nmodel = 'magnetic'\nzzz = 1"),
         ("event", "## Events", "[run]\nduration = 1\n[[event]]\nmeasure = 'time'\nzzz = 1"),
         ("torque", "### Torque `drag`", "[[torque]]\nmodel = 'drag'\nzzz = 1"),
@@ -240,7 +241,7 @@ fn the_book_has_every_name_that_is_a_value() {
         ("### Torque `constant`", "[[torque]]\nmodel = 'constant'\naxes = 'zzz'"),
         (
             "### Torque `gravity_gradient`",
-            "[[torque]]\nmodel = 'gravity_gradient'\norbit = { radius = 7e6 }\nmass = 'zzz'",
+            "[orbit]\nradius = 7e6\n[[torque]]\nmodel = 'gravity_gradient'\nmass = 'zzz'",
         ),
         ("### Torque `drag`", "[[torque]]\nmodel = 'drag'\nlaw = 'zzz'"),
         ("## Prescribed", "[prescribed]\ntable = 'x.csv'\ncolumns = 'zzz'"),
@@ -313,7 +314,7 @@ fn the_book_has_every_column_with_its_unit() {
     let page = read("book/results.md");
     let top: Scenario = scenario::parse(
         &format!(
-            "{BALL}position = [1, 0, 0]\n[[torque]]\nmodel = 'gravity'\npivot = [0, 0, 0]\n\
+            "[orbit]\naltitude = 5e5\n[[pointing]]\nname = 'camera'\nbody = [0, 0, 1]\nto = 'nadir'\n{BALL}position = [1, 0, 0]\n[[torque]]\nmodel = 'gravity'\npivot = [0, 0, 0]\n\
              [[wheel]]\naxis = [1, 0, 0]\ninertia = 0.01\nspeed = 3\nmotor_torque = 0\n[run]\nduration = 1\nsamples = 2"
         ),
         Path::new("probe.toml"),
@@ -323,7 +324,7 @@ fn the_book_has_every_column_with_its_unit() {
     let rows = rows(section(&page, "## Trajectory"));
     let in_book: Vec<_> =
         rows.iter().flat_map(|row| names(row[0]).map(|name| (name.to_owned(), row[1]))).collect();
-    let known: Vec<_> = columns(&motion, top.wheels())
+    let known: Vec<_> = columns(&motion, &(&top).into())
         .into_iter()
         .map(|column| (column.name.into_owned(), column.unit))
         .collect();

@@ -197,13 +197,17 @@ fn findings_say_what_was_noticed() {
     let off = "[start]\nspin={body=[0,1,0]}\n[[torque]]\nmodel='gravity'\npivot=[0,0,1]\n[pendulum]\naxis=[1,0,0]\n";
     assert_eq!(codes(&format!("{BALL}{off}{RUN}")), ["pendulum.axis"]);
     // A height where a radius belongs; another centre may be small.
-    let orbit = |orbit: &str| format!("{BALL}[[torque]]\nmodel='gravity_gradient'\norbit={{{orbit}}}\n{RUN}");
+    let orbit = |orbit: &str| format!("orbit={{{orbit}}}\n{BALL}[[torque]]\nmodel='gravity_gradient'\n{RUN}");
     assert_eq!(codes(&orbit("radius='500 km'")), ["orbit.underground"]);
     assert_eq!(codes(&orbit("semi_major_axis='8000 km',eccentricity=0.3")), ["orbit.underground"]);
     assert_eq!(codes(&orbit("radius='6878 km'")), [""; 0]);
+    assert_eq!(
+        codes(&orbit("altitude=5e5").replace("[[torque]]\nmodel='gravity_gradient'\n", "")),
+        ["start.rest", "orbit.idle"]
+    );
     assert_eq!(codes(&orbit("radius='500 km',mu='4.9e12 m^3/s^2'")), [""; 0]);
-    let field = "[[torque]]\nmodel='magnetic'\nmoment=[0,0,1]\ndipole=[0,0,-7.8e22]\nfrom=3\norbit={radius='400 km'}\n";
-    assert_eq!(codes(&format!("{BALL}{field}{RUN}")), ["orbit.underground"]);
+    let field = "[[torque]]\nmodel='magnetic'\nmoment=[0,0,1]\ndipole=[0,0,-7.8e22]\nfrom=3\n";
+    assert_eq!(codes(&format!("{BALL}[orbit]\nradius='400 km'\n{field}{RUN}")), ["orbit.underground"]);
 }
 
 #[test]

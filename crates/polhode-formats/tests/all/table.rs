@@ -11,7 +11,7 @@ use polhode::body::{InertiaTensor, MassProperties};
 use polhode::math::{AngularMomentum, AngularVelocity, Attitude, Direction, Position, Rotation};
 use polhode::motion::torque::{TorqueModel, UniformGravity};
 use polhode::motion::{ErrorEffort, Method, Motor, Rotor, Simulation, State, Trajectory, Wheel};
-use polhode_formats::table::{self, columns};
+use polhode_formats::table::{self, Surroundings, columns};
 
 /// One wheel whose speed is held, and one that a motor turns.
 fn wheels() -> [Wheel; 2] {
@@ -21,7 +21,7 @@ fn wheels() -> [Wheel; 2] {
 }
 
 /// A generic body in free fall, the same swinging from a pivot, and the same with wheels.
-fn trajectories() -> [(Trajectory, Vec<Wheel>); 3] {
+fn trajectories() -> [(Trajectory, Surroundings); 3] {
     let inertia = InertiaTensor::with_negative_products([3.1, 4.2, 5.3], [0.4, -0.3, 0.2]).unwrap();
     let body = MassProperties::new(2.0, Position::new(0.1, -0.2, 0.5), inertia).unwrap();
     let attitude: Attitude = Rotation::about(Direction::new(0.2, -0.3, 0.9), 2.1).unwrap();
@@ -31,7 +31,7 @@ fn trajectories() -> [(Trajectory, Vec<Wheel>); 3] {
     let compute = |rotor: Rotor, torques: &[TorqueModel], wheels: &[Wheel]| {
         let rotor = rotor.with_wheels(wheels).unwrap();
         let motion = Trajectory::compute(&rotor, torques, start, &times, Method::Auto, 1e-12).unwrap();
-        (motion, wheels.to_vec())
+        (motion, Surroundings { wheels: wheels.to_vec(), ..Surroundings::default() })
     };
     [
         compute(Rotor::free(&body), &[], &[]),
@@ -41,8 +41,8 @@ fn trajectories() -> [(Trajectory, Vec<Wheel>); 3] {
 }
 
 /// The bits of every number, row by row.
-fn bits(trajectory: &Trajectory, wheels: &[Wheel]) -> Vec<Vec<u64>> {
-    let columns = columns(trajectory, wheels);
+fn bits(trajectory: &Trajectory, surroundings: &Surroundings) -> Vec<Vec<u64>> {
+    let columns = columns(trajectory, surroundings);
     (0..trajectory.samples().len())
         .map(|row| columns.iter().map(|c| c.value(trajectory, row).to_bits()).collect())
         .collect()
@@ -51,8 +51,8 @@ fn bits(trajectory: &Trajectory, wheels: &[Wheel]) -> Vec<Vec<u64>> {
 #[test]
 fn the_columns_have_the_agreed_names_in_the_agreed_order() {
     let [free, swinging, wheeled] = trajectories();
-    let names = |(motion, wheels): &(Trajectory, Vec<Wheel>)| {
-        columns(motion, wheels).iter().map(|c| c.name.to_string()).collect::<Vec<_>>().join(",")
+    let names = |(motion, surroundings): &(Trajectory, Surroundings)| {
+        columns(motion, surroundings).iter().map(|c| c.name.to_string()).collect::<Vec<_>>().join(",")
     };
     let agreed = "time_s,attitude_w,attitude_x,attitude_y,attitude_z,\
         omega_body_x_rad_s,omega_body_y_rad_s,omega_body_z_rad_s,\
@@ -84,7 +84,7 @@ fn estimated_errors_are_columns_of_their_own() {
         tolerance: 1e-9,
     };
     let motion = simulation.run_with_error(ErrorEffort::Cheap, &mut |_| {}).unwrap();
-    let columns = columns(&motion, &[]);
+    let columns = columns(&motion, &Surroundings::default());
     let [.., attitude, omega] = columns.as_slice() else { unreachable!() };
     assert_eq!([&*attitude.name, &*omega.name], ["attitude_error_rad", "omega_error"]);
     for (row, error) in motion.error().unwrap().computation().iter().enumerate() {
@@ -96,13 +96,14 @@ fn estimated_errors_are_columns_of_their_own() {
 /// L = R (I ω + Σ h a) in space stays what it is, and a wheel's momentum is J (a·ω + Ω).
 #[test]
 fn the_columns_of_wheels_balance_those_of_the_body() {
-    let [_, _, (motion, wheels)] = trajectories();
+    let [_, _, (motion, surroundings)] = trajectories();
+    let wheels = &surroundings.wheels;
     let [held, turned] = wheels[..] else { unreachable!() };
-    let columns = columns(&motion, &wheels);
+    let columns = columns(&motion, &surroundings);
     let [of_held, of_turned, speed] = &columns[18..] else { unreachable!() };
     let inertia = InertiaTensor::with_negative_products([3.1, 4.2, 5.3], [0.4, -0.3, 0.2]).unwrap();
     let body = MassProperties::new(2.0, Position::new(0.1, -0.2, 0.5), inertia).unwrap();
-    let carrier = Rotor::free(&body).with_wheels(&wheels).unwrap();
+    let carrier = Rotor::free(&body).with_wheels(wheels).unwrap();
     for (row, sample) in motion.samples().iter().enumerate() {
         let along = |wheel: &Wheel, h: f64| AngularMomentum::from_array(wheel.axis().to_array()) * h;
         let h = along(&held, of_held.value(&motion, row)) + along(&turned, of_turned.value(&motion, row));
@@ -123,7 +124,8 @@ fn every_column_tells_its_own_number() {
     let vectors = [b.to_array(), o.to_array(), l.to_array(), n.to_array()].concat();
     let wanted =
         [&[s.state.time], &q[..], &vectors, &[s.kinetic_energy, s.potential_energy.unwrap()]].concat();
-    let found: Vec<f64> = columns(&swinging, &[]).iter().map(|c| c.value(&swinging, 7)).collect();
+    let found: Vec<f64> =
+        columns(&swinging, &Surroundings::default()).iter().map(|c| c.value(&swinging, 7)).collect();
     assert_eq!(found, wanted);
     for (k, value) in found.iter().enumerate() {
         assert!(!found[..k].contains(value), "two columns of a generic sample are equal: {k}");
@@ -167,7 +169,7 @@ fn parquet_says_what_its_columns_are() {
     let [(free, _), ..] = trajectories();
     let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("table-metadata.parquet");
     let given = [("title".to_owned(), "a \"tumbling\" brick".to_owned())];
-    table::parquet::write(&free, &[], &given, File::create(&path).unwrap()).unwrap();
+    table::parquet::write(&free, &Surroundings::default(), &given, File::create(&path).unwrap()).unwrap();
     let reader = SerializedFileReader::new(File::open(&path).unwrap()).unwrap();
     let metadata = reader.metadata();
 
@@ -179,7 +181,9 @@ fn parquet_says_what_its_columns_are() {
     assert!(value("polhode.units").ends_with(r#""torque_body_z_n_m": "N·m", "kinetic_energy_j": "J"}"#));
     assert_eq!(value("title"), given[0].1);
 
-    for (chunk, column) in metadata.row_group(0).columns().iter().zip(columns(&free, &[])) {
+    for (chunk, column) in
+        metadata.row_group(0).columns().iter().zip(columns(&free, &Surroundings::default()))
+    {
         assert_eq!(chunk.column_path().string(), column.name);
         assert_eq!(chunk.column_descr().self_type().get_basic_info().repetition(), Repetition::REQUIRED);
         assert_eq!(chunk.compression(), Compression::LZ4_RAW);
@@ -205,11 +209,11 @@ fn no_samples_make_an_empty_table() {
     let none =
         Trajectory::compute(&Rotor::free(&body.unwrap()), &[], start, &[], Method::Auto, 1e-12).unwrap();
     let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("table-empty.parquet");
-    table::parquet::write(&none, &[], &[], File::create(&path).unwrap()).unwrap();
+    table::parquet::write(&none, &Surroundings::default(), &[], File::create(&path).unwrap()).unwrap();
     let reader = SerializedFileReader::new(File::open(&path).unwrap()).unwrap();
     assert_eq!(reader.metadata().file_metadata().num_rows(), 0);
     let mut bytes = Vec::new();
-    table::csv::write(&none, &[], &mut bytes).unwrap();
+    table::csv::write(&none, &Surroundings::default(), &mut bytes).unwrap();
     assert_eq!(bytes.iter().filter(|&&b| b == b'\n').count(), 1);
 }
 
@@ -217,8 +221,96 @@ fn no_samples_make_an_empty_table() {
 fn an_error_of_the_disk_is_passed_on_as_it_was() {
     let [(trajectory, _), ..] = trajectories();
     let mut full = [0_u8; 1000];
-    let csv = table::csv::write(&trajectory, &[], full.as_mut_slice()).unwrap_err();
+    let csv = table::csv::write(&trajectory, &Surroundings::default(), full.as_mut_slice()).unwrap_err();
     assert_eq!(csv.kind(), io::ErrorKind::WriteZero);
-    let parquet = table::parquet::write(&trajectory, &[], &[], full.as_mut_slice()).unwrap_err();
+    let parquet =
+        table::parquet::write(&trajectory, &Surroundings::default(), &[], full.as_mut_slice()).unwrap_err();
     assert_eq!(parquet.kind(), io::ErrorKind::WriteZero);
+}
+
+/// At a generic point, by the definitions: turns one after the other about the axes that the orbit and its plane have.
+#[test]
+fn a_body_on_an_orbit_has_its_attitude_there() {
+    let text = "[orbit]\nsemi_major_axis = '8200 km'\neccentricity = 0.13\ninclination = '51 deg'\nnode = '-20 deg'\n\
+        periapsis = '75 deg'\ntrue_anomaly = '110 deg'\n\
+        [[body.part]]\nshape = 'tensor'\nmass = 3\ninertia = [[1.1, 0.1, -0.2], [0.1, 2.3, 0.3], [-0.2, 0.3, 2.9]]\n\
+        [start]\nrelative_to = 'orbit'\nattitude = { roll_pitch_yaw = ['12 deg', '-34 deg', '140 deg'] }\n\
+        spin = { body = ['1 deg/s', '-2 deg/s', '0.5 deg/s'] }\n\
+        [[torque]]\nmodel = 'gravity_gradient'\n[[torque]]\nmodel = 'magnetic'\nmoment = [0.1, 0.3, -0.2]\ndipole = [1e22, 2e22, -7.7e22]\n\
+        [[pointing]]\nname = 'Camera'\nbody = [1, 2, -0.5]\nto = 'nadir'\n\
+        [[pointing]]\nname = 'ahead'\nbody = [0.2, 1, 0.5]\nto = 'velocity'\n\
+        [[pointing]]\nname = 'side'\nbody = [0.2, 0, 0.5]\nto = 'orbit_normal'\n\
+        [[pointing]]\nname = 'magnet'\nbody = [0.1, 0.3, -0.2]\nto = 'field'\n\
+        [[pointing]]\nname = 'panel'\nbody = [0, -1, 0.1]\nto = { space = [3, -1, 2] }\n\
+        [run]\nduration = '0.5 orbits'\nsamples = 3\n";
+    let scenario = polhode_formats::scenario::parse(text, "probe.toml".as_ref()).unwrap();
+    let motion = scenario.simulate().unwrap().unwrap();
+    let columns = columns(&motion, &(&scenario).into());
+    let value = |name: &str, row: usize| {
+        columns.iter().find(|column| column.name == name).unwrap().value(&motion, row)
+    };
+    let near = |name: &str, row: usize, want: f64| {
+        assert!(
+            (value(name, row) - want).abs() < 1e-13 * want.abs().max(1.0),
+            "{name} {} {want}",
+            value(name, row)
+        );
+    };
+    for (name, degrees) in [("roll", 12.0_f64), ("pitch", -34.0), ("yaw", 140.0)] {
+        near(&format!("orbit_{name}_rad"), 0, degrees.to_radians());
+    }
+    let orbit = scenario.orbit().unwrap();
+    let vector = |v: [f64; 3]| Direction::<polhode::math::Space>::from_array(v);
+    let body = |v: [f64; 3]| Direction::<polhode::math::Body>::from_array(v);
+    for row in 0..3 {
+        let state = motion.samples()[row].state;
+        let (r, v) = (orbit.position(state.time).to_array(), orbit.velocity(state.time).to_array());
+        for (k, axis) in ["x", "y", "z"].into_iter().enumerate() {
+            near(&format!("position_space_{axis}_m"), row, r[k]);
+            near(&format!("velocity_space_{axis}_m_s"), row, v[k]);
+        }
+        let (r, v) = (vector(r), vector(v));
+        let nadir = r * (-1.0 / r.norm());
+        let side = v.cross(r) * (1.0 / v.cross(r).norm());
+        let ahead = side.cross(nadir);
+        // R₃(ψ) R₂(θ) R₁(φ), a turn at a time, each about an axis of those before it.
+        let [roll, pitch, yaw] =
+            ["roll", "pitch", "yaw"].map(|name| value(&format!("orbit_{name}_rad"), row));
+        let turn = |axis: Direction<polhode::math::Space>, angle: f64, v: Direction<polhode::math::Space>| {
+            v * angle.cos() + axis.cross(v) * angle.sin() + axis * (axis.dot(v) * (1.0 - angle.cos()))
+        };
+        let (x1, y1) = (turn(nadir, yaw, ahead), turn(nadir, yaw, side));
+        let (x2, z2) = (turn(y1, pitch, x1), turn(y1, pitch, nadir));
+        let (y3, z3) = (turn(x2, roll, y1), turn(x2, roll, z2));
+        for (mine, axis) in [(x2, [1.0, 0.0, 0.0]), (y3, [0.0, 1.0, 0.0]), (z3, [0.0, 0.0, 1.0])] {
+            assert!((mine - state.attitude * body(axis)).norm() < 1e-13, "{row} {axis:?}");
+        }
+        let r3 = r.norm().powi(3);
+        let dipole = vector([1e22, 2e22, -7.7e22]);
+        let field = (r * (3.0 * dipole.dot(r) / r.dot(r)) - dipole) * (1e-7 / r3);
+        let torque = (state.attitude.inverse() * field).cross(body([0.1, 0.3, -0.2])) * -1.0;
+        assert!(torque.norm() > 0.0);
+        for (name, axis, to) in [
+            ("camera", [1.0, 2.0, -0.5], nadir),
+            ("ahead", [0.2, 1.0, 0.5], v),
+            ("side", [0.2, 0.0, 0.5], r.cross(v)),
+            ("magnet", [0.1, 0.3, -0.2], field),
+            ("panel", [0.0, -1.0, 0.1], vector([3.0, -1.0, 2.0])),
+        ] {
+            let along = state.attitude * body(axis);
+            near(&format!("{name}_angle_rad"), row, (along.dot(to) / along.norm() / to.norm()).acos());
+        }
+    }
+    // Relative to axes that turn at r × v/r².
+    let start = motion.start().state;
+    let (r, v) = (vector(orbit.position(0.0).to_array()), vector(orbit.velocity(0.0).to_array()));
+    let relative = start.omega.to_array();
+    let turning = (start.attitude.inverse() * (r.cross(v) * (1.0 / r.dot(r)))).to_array();
+    for (k, degrees) in [1.0_f64, -2.0, 0.5].into_iter().enumerate() {
+        assert!((relative[k] - turning[k] - degrees.to_radians()).abs() < 1e-16);
+    }
+    // Half a period of an ellipse later it is not where half a circle would bring it, but where Kepler's equation does.
+    let (half, period) = (motion.samples()[2].state.time, orbit.period().unwrap());
+    assert!((2.0 * half / period - 1.0).abs() < 1e-15);
+    assert!((period - std::f64::consts::TAU * (8.2e6_f64.powi(3) / 3.986_004_418e14).sqrt()).abs() < 1e-9);
 }

@@ -7,6 +7,7 @@ import os
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+import numpy as np
 import numpy.typing as npt
 
 from . import _arrays, _html, _native
@@ -57,47 +58,48 @@ class Motion:
     @property
     def times(self) -> Floats:
         """Times (n,), s."""
-        return self._rows["times"].copy()
+        return self._columns["time_s"].copy()
 
     @property
     def attitude(self) -> Floats:
         """R_space_body as unit quaternions (n, 4): w, x, y, z, continuous."""
-        return self._rows["attitude"].copy()
+        return self._stacked("attitude_{}", "wxyz")
 
     @property
     def omega(self) -> Floats:
         """ω relative to space, along body axes (n, 3), rad/s."""
-        return self._rows["omega"].copy()
+        return self._stacked("omega_body_{}_rad_s", "xyz")
 
     @property
     def omega_space(self) -> Floats:
         """ω relative to space, along space axes (n, 3), rad/s."""
-        return self._rows["omega_space"].copy()
+        return self._stacked("omega_space_{}_rad_s", "xyz")
 
     @property
     def momentum(self) -> Floats:
         """L about the point that the body turns about, along space axes (n, 3), kg·m²/s."""
-        return self._rows["momentum"].copy()
+        return self._stacked("momentum_space_{}_kg_m2_s", "xyz")
 
     @property
     def torque(self) -> Floats:
         """The torque about that point, along body axes (n, 3), N·m."""
-        return self._rows["torque"].copy()
+        return self._stacked("torque_body_{}_n_m", "xyz")
 
     @property
     def kinetic_energy(self) -> Floats:
         """Kinetic energy of rotation about that point (n,), J."""
-        return self._rows["kinetic_energy"].copy()
+        return self._columns["kinetic_energy_j"].copy()
 
     @property
     def potential_energy(self) -> Floats | None:
         """Potential energy of the torques (n,), J; ``None`` if one has no potential."""
-        return None if self._potential_energy is None else self._potential_energy.copy()
+        potential = self._columns.get("potential_energy_j")
+        return None if potential is None else potential.copy()
 
     @property
     def work(self) -> Floats:
         """Work of the torque since the start (n,), J."""
-        return self._rows["work"].copy()
+        return self._work.copy()
 
     @property
     def events(self) -> list[Event]:
@@ -131,24 +133,7 @@ class Motion:
 
     def columns(self) -> dict[str, Floats]:
         """The trajectory by columns, as the tables of the command name them: what a ``DataFrame`` takes."""
-        attitude, potential = self.attitude, self.potential_energy
-        table = {"time_s": self.times}
-        table |= {f"attitude_{c}": attitude[:, k] for k, c in enumerate("wxyz")}
-        for name, unit, rows in (
-            ("omega_body", "rad_s", self.omega),
-            ("omega_space", "rad_s", self.omega_space),
-            ("momentum_space", "kg_m2_s", self.momentum),
-            ("torque_body", "n_m", self.torque),
-        ):
-            table |= {f"{name}_{c}_{unit}": rows[:, k] for k, c in enumerate("xyz")}
-        table["kinetic_energy_j"] = self.kinetic_energy
-        if potential is not None:
-            table["potential_energy_j"] = potential
-        error = self.error
-        if error is not None:
-            table["attitude_error_rad"] = error.attitude
-            table["omega_error"] = error.omega
-        return table
+        return {name: values.copy() for name, values in self._columns.items()}
 
     def rotations(self) -> Rotation:
         """The attitudes as a ``scipy.spatial.transform.Rotation``: it takes body components to space components."""
@@ -159,23 +144,16 @@ class Motion:
         return _native.motion_page(self.title, self._page_data)
 
     @cached_property
-    def _rows(self) -> dict[str, Floats]:
+    def _columns(self) -> dict[str, Floats]:
         # Nobody else has these: what is written into an array that was handed out changes no other answer.
-        native = self._native
-        return {
-            "times": native.times,
-            "attitude": native.attitude,
-            "omega": native.omega,
-            "omega_space": native.omega_space,
-            "momentum": native.momentum,
-            "torque": native.torque,
-            "kinetic_energy": native.kinetic_energy,
-            "work": native.work,
-        }
+        return dict(self._native.columns())
 
     @cached_property
-    def _potential_energy(self) -> Floats | None:
-        return self._native.potential_energy
+    def _work(self) -> Floats:
+        return self._native.work
+
+    def _stacked(self, name: str, axes: str) -> Floats:
+        return np.column_stack([self._columns[name.format(axis)] for axis in axes])
 
     @cached_property
     def _error(self) -> MotionError | None:
@@ -210,7 +188,7 @@ class Motion:
         return {name: value for name, value in vars(self).items() if name != "_native"}
 
     def __len__(self) -> int:
-        return len(self._rows["times"])
+        return len(self._columns["time_s"])
 
     def __repr__(self) -> str:
         return f"Motion({self.title or 'a scenario'}: {len(self)} times, {self.ending.kind})"

@@ -6,7 +6,7 @@ mod text;
 mod underflow;
 
 use polhode::body::Finding;
-use polhode::motion::{Scenario, Trajectory};
+use polhode::motion::{Sample, Scenario, Trajectory};
 use serde_json::Value;
 
 use crate::source::SourceInfo;
@@ -36,12 +36,19 @@ pub struct MotionReport<'a> {
     pub source: SourceInfo,
     scenario: &'a Scenario,
     trajectory: &'a Trajectory,
+    at: &'a [Sample],
 }
 
 impl<'a> MotionReport<'a> {
     /// The report of a scenario's motion; `trajectory` is what [`Scenario::simulate`] found.
     pub const fn new(source: SourceInfo, scenario: &'a Scenario, trajectory: &'a Trajectory) -> Self {
-        Self { source, scenario, trajectory }
+        Self { source, scenario, trajectory, at: &[] }
+    }
+
+    /// With states at times of their own, which were asked for.
+    #[must_use]
+    pub fn at(self, samples: &'a [Sample]) -> Self {
+        Self { at: samples, ..self }
     }
 
     /// One screen for people.

@@ -11,7 +11,7 @@ use crate::block::{self, Geometry};
 use crate::free_facts::FreeFacts;
 use crate::json::{numbers, vector};
 use crate::torque::Description;
-use crate::{VERSION, event, finding, global_error, heavy_top, symmetric_top};
+use crate::{VERSION, event, finding, global_error, heavy_top, orbit, symmetric_top};
 
 pub(super) fn of(report: &MotionReport<'_>) -> Value {
     let (scenario, samples) = (report.scenario, report.trajectory.samples());
@@ -26,6 +26,7 @@ pub(super) fn of(report: &MotionReport<'_>) -> Value {
     put("complete", report.trajectory.ending().is_complete().into());
     put("end", event::ending_json(report.trajectory, scenario));
     put("turns_about", turns_about(scenario, &facts));
+    put("orbit", orbit::to_json(scenario));
     put("start", state(&facts, &facts.start, scenario));
     put("run", run(report));
     put("motion", motion(&facts));
@@ -35,7 +36,9 @@ pub(super) fn of(report: &MotionReport<'_>) -> Value {
     put("required", facts.needed.as_ref().map_or(Value::Null, needed));
     put("pendulum", facts.hanging.as_ref().map_or(Value::Null, pendulum));
     put("heavy_top", heavy_top::of(scenario, facts.start).as_ref().map_or(Value::Null, heavy_top::to_json));
-    put("final", samples.last().map_or(Value::Null, last));
+    put("final", samples.last().map_or(Value::Null, |sample| sample_json(scenario, sample)));
+    put("pointings", orbit::pointings(scenario, samples));
+    put("at", report.at.iter().map(|sample| sample_json(scenario, sample)).collect());
     put("torques", torques(scenario));
     put("wheels", wheels(report));
     put("events", event::json(report.trajectory, scenario));
@@ -58,6 +61,7 @@ fn state(facts: &Facts<'_>, state: &State, scenario: &Scenario) -> Value {
     json!({
         "time_s": state.time,
         "attitude_wxyz": numbers(&state.attitude.canonical_quaternion()),
+        "attitude": orbit::attitude(scenario, state),
         "omega_body": vector(state.omega),
         "omega_space": vector(state.omega_space()),
         "momentum_space": vector(facts.rotor.angular_momentum_space(state)),
@@ -195,10 +199,11 @@ fn pendulum((pendulum, swing): &(Pendulum, Swing)) -> Value {
     })
 }
 
-fn last(sample: &Sample) -> Value {
+fn sample_json(scenario: &Scenario, sample: &Sample) -> Value {
     json!({
         "time_s": sample.state.time,
         "attitude_wxyz": numbers(&sample.state.attitude.canonical_quaternion()),
+        "attitude": orbit::attitude(scenario, &sample.state),
         "omega_body": vector(sample.state.omega),
         "omega_space": vector(sample.state.omega_space()),
         "momentum_space": vector(sample.momentum),

@@ -10,7 +10,7 @@ use crate::number::{count, error, number, tidy, ungrouped, vector, within};
 use crate::sparkline::Sparkline;
 use crate::torque::{Description, off_at_start};
 use crate::unit::{self, CLOSED, DIGITS, cone, rate};
-use crate::{event, finding, global_error, heavy_top, intermediate, omega};
+use crate::{event, finding, global_error, heavy_top, intermediate, omega, orbit};
 
 /// Forces on more particles than this fill the screen: JSON has them all.
 const MOST_PARTICLES: usize = 8;
@@ -36,11 +36,13 @@ pub(super) fn write(report: &MotionReport<'_>, picture: usize) -> String {
         text.push_str(&torque_needed(needed));
     }
     text.push_str(&what_acts(report.scenario));
+    text.push_str(&orbit::to_text(report.scenario, samples));
     text.push_str(&event::table(report.trajectory, report.scenario));
     text.push_str(&evidence(report, &facts));
     text.push_str(&global_error::to_text(report.trajectory));
     text.push_str(&curve(&facts, samples, picture));
     text.push_str(&ends(report, &facts));
+    text.extend(report.at.iter().map(|sample| state_at(report.scenario, sample)));
     if let Solution::Integrated { method, tolerance, statistics } = report.trajectory.solution() {
         let by = match (method, tolerance) {
             (Method::Splitting { order, step }, _) => {
@@ -284,6 +286,18 @@ fn ends(report: &MotionReport<'_>, facts: &Facts<'_>) -> String {
         text.push_str(&wheels(report.scenario, [&first.state, &last.state]));
     }
     text
+}
+
+/// A state that was asked for.
+fn state_at(scenario: &Scenario, sample: &Sample) -> String {
+    let state = &sample.state;
+    let q = state.attitude.canonical_quaternion().map(|c| number(c, 9)).join(", ");
+    let on_orbit = orbit::angles_in_words(scenario, state).map_or_else(String::new, |angles| {
+        labelled("", &format!("roll, pitch, yaw in the orbit's axes {angles}°"))
+    });
+    labelled(&format!("t = {} s", number(state.time, 9)), &omega::in_words(state.omega))
+        + &labelled("", &format!("attitude w, x, y, z = {q}"))
+        + &on_orbit
 }
 
 /// What each wheel does at the start and at the end; nothing of one whose speed is held, which `what_acts` has.

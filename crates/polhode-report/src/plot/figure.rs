@@ -8,6 +8,8 @@ pub enum Figure {
     Omega,
     /// The body's Euler angles, 3-1-3, against time.
     Euler,
+    /// Angles of the body's directions to nadir, velocity or what else is of interest, against time.
+    Pointing,
     /// T, against time: its shares along the principal axes, or U and T + U.
     Energy,
     /// L, against time: in the body if it is free, else in space.
@@ -28,9 +30,10 @@ pub enum Figure {
 
 impl Figure {
     /// All figures, in the order in which a sheet of them is read.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 11] = [
         Self::Omega,
         Self::Euler,
+        Self::Pointing,
         Self::Axis,
         Self::Polhodes,
         Self::Herpolhode,
@@ -46,6 +49,7 @@ impl Figure {
         match self {
             Self::Omega => "omega",
             Self::Euler => "euler",
+            Self::Pointing => "pointing",
             Self::Energy => "energy",
             Self::Momentum => "momentum",
             Self::Wheels => "wheels",

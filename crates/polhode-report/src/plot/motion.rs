@@ -46,6 +46,7 @@ impl<'a> MotionFigures<'a> {
             free: FreeMotion::of(rotor, scenario.start()).ok().filter(|_| !driven.at_all()),
             driven,
             wheels: scenario.wheels().to_vec(),
+            pointings: series::pointings(scenario),
         };
         Self { motion, axis: TopAxis::of(scenario, rotor) }
     }
@@ -59,6 +60,7 @@ impl<'a> MotionFigures<'a> {
             free: Some(*motion),
             driven: Driven::default(),
             wheels: Vec::new(),
+            pointings: Vec::new(),
         };
         Self { motion, axis: None }
     }
@@ -168,6 +170,9 @@ impl<'a> MotionFigures<'a> {
         match (figure, &self.motion.free) {
             (Figure::Torque, _) if !self.motion.driven.by_torques => Some("no torque acts on the body"),
             (Figure::Wheels, _) if self.motion.wheels.is_empty() => Some("the body has no wheels"),
+            (Figure::Pointing, _) if self.motion.pointings.is_empty() => {
+                Some("there is neither an [orbit] nor a [[pointing]]")
+            }
             (Figure::Axis, _) if self.axis.is_none() => {
                 Some("it is that of a body which gravity turns about a pivot")
             }
@@ -206,6 +211,7 @@ impl Figure {
         match self {
             Self::Omega => "Angular velocity along the principal axes",
             Self::Euler => "Euler angles, 3-1-3",
+            Self::Pointing => "Where the body points",
             Self::Energy if motion.driven.at_all() => "Energy",
             Self::Energy => "Kinetic energy, and its parts along the principal axes",
             Self::Momentum if !motion.wheels.is_empty() => "Angular momentum in space, wheels included",

@@ -4,7 +4,7 @@
 //! low, and its axis has no numbers. A motion that runs away is drawn up to where it leaves the plot, which is as high as the rest
 //! of it needs.
 
-use polhode::motion::Ending;
+use polhode::motion::{Crossing, Ending};
 
 use super::axes::{Area, Axes, Axis, Key};
 use super::font;
@@ -144,7 +144,10 @@ impl Panel {
         }
         if self.names_events {
             let mut free = f64::NEG_INFINITY;
-            for event in events() {
+            // Each by its first crossing: the others have the same line.
+            let is_first =
+                |(k, event): &(usize, &Crossing)| !events().take(*k).any(|other| other.event == event.event);
+            for (_, event) in events().enumerate().filter(is_first) {
                 free = axes.beside_upright(event.state.time / scale, &printable(&event.name), free, sheet);
             }
         }

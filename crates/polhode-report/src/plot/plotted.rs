@@ -2,7 +2,7 @@
 
 use polhode::body::PrincipalFrame;
 use polhode::math::Body;
-use polhode::motion::{FreeMotion, Sample, Solution, Trajectory, Wheel};
+use polhode::motion::{FreeMotion, Pointing, Sample, Solution, Trajectory, Wheel};
 
 use crate::balance::Driven;
 
@@ -16,6 +16,7 @@ pub(super) struct PlottedMotion<'a> {
     pub(super) free: Option<FreeMotion>,
     pub(super) driven: Driven,
     pub(super) wheels: Vec<Wheel>,
+    pub(super) pointings: Vec<Pointing>,
 }
 
 impl<'a> PlottedMotion<'a> {

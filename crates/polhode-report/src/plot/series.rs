@@ -1,8 +1,8 @@
 //! Curves against time.
 
 use polhode::body::Symmetry;
-use polhode::math::{Principal, Vector};
-use polhode::motion::Sample;
+use polhode::math::{Direction, Principal, Vector};
+use polhode::motion::{Pointing, Reference, Sample, Scenario};
 
 use super::axes::{Area, Axes, Axis, Key};
 use super::figure::Figure;
@@ -34,8 +34,33 @@ pub(super) fn panel(motion: &PlottedMotion<'_>, figure: Figure) -> Panel {
         Figure::Energy => Panel::new(motion, "energy", "J", energy(motion), 0.0),
         Figure::Momentum => Panel::new(motion, "L", "kg·m²/s", momentum(motion), parts_of_momentum(motion)),
         Figure::Torque => Panel::new(motion, "N", "N·m", torque(motion), 0.0),
+        Figure::Pointing => Panel::new(motion, "angle", "deg", angles(motion), 180.0).naming_events(),
         _ => Panel::new(motion, "ω", "rad/s", omega(motion), 0.0).naming_events(),
     }
+}
+
+/// The angles that a plan asks for; on an orbit without any those of x, −y and z to velocity, normal and nadir.
+pub(super) fn pointings(scenario: &Scenario) -> Vec<Pointing> {
+    let Some(orbit) = scenario.orbit().filter(|_| scenario.pointings().is_empty()) else {
+        return scenario.pointings().to_vec();
+    };
+    let usual = [
+        ("z to nadir", [0.0, 0.0, 1.0], Reference::Nadir(orbit.clone())),
+        ("x to velocity", [1.0, 0.0, 0.0], Reference::Velocity(orbit.clone())),
+        ("−y to the orbit's normal", [0.0, -1.0, 0.0], Reference::OrbitNormal(orbit.clone())),
+    ];
+    usual
+        .into_iter()
+        .flat_map(|(name, body, to)| Pointing::new(name, Direction::from_array(body), to))
+        .collect()
+}
+
+fn angles(motion: &PlottedMotion<'_>) -> Vec<Series> {
+    let one = |(k, pointing): (usize, &Pointing)| {
+        let of = |sample: &Sample| pointing.angle(&sample.state).to_degrees();
+        one(motion, Pen::axis(k % 3), pointing.name(), of)
+    };
+    motion.pointings.iter().enumerate().map(one).collect()
 }
 
 /// The axis of time, and the length of its unit, s.

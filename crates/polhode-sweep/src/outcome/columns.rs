@@ -1,8 +1,8 @@
 //! The columns of outcomes: what each is called, its unit, what it is.
 
-use polhode::motion::Event;
+use polhode::motion::{Event, Scenario};
 
-use super::member::{Outcome, Status};
+use super::member::{Outcome, Pointed, Status};
 use crate::batch::{Column, Values};
 
 /// A column of numbers.
@@ -13,8 +13,9 @@ struct Number {
     value: fn(&Outcome) -> Option<f64>,
 }
 
-/// A table of outcomes; `events` are those of the plan's scenario.
-pub(super) fn of(events: &[Event], outcomes: &[Outcome]) -> Vec<Column> {
+/// A table of outcomes of a plan of this scenario.
+pub(super) fn of(nominal: &Scenario, outcomes: &[Outcome]) -> Vec<Column> {
+    let events = nominal.events();
     let text = |name: &str, description: &str, value: fn(&Outcome) -> Option<String>| Column {
         name: name.to_owned(),
         unit: String::new(),
@@ -48,6 +49,21 @@ pub(super) fn of(events: &[Event], outcomes: &[Outcome]) -> Vec<Column> {
             description: format!("when \"{name}\" first happened"),
             values: Values::Perhaps(outcomes.iter().map(|o| of(o).and_then(|e| e.first)).collect()),
         });
+    }
+    for (k, pointing) in nominal.pointings().iter().enumerate() {
+        let stem = pointing.name().to_ascii_lowercase();
+        let mut put = |name: &str, description: String, value: fn(&Pointed) -> f64| {
+            columns.push(Column {
+                name: format!("{stem}_{name}_angle_rad"),
+                unit: "rad".to_owned(),
+                description,
+                values: Values::Perhaps(outcomes.iter().map(|o| o.pointings.get(k).map(value)).collect()),
+            });
+        };
+        let of = format!("angle of the pointing \"{}\"", pointing.name());
+        put("largest", format!("largest {of} of the samples"), |p| p.largest);
+        put("least", format!("least {of} of the samples"), |p| p.least);
+        put("end", format!("{of} at the end"), |p| p.end);
     }
     columns
 }

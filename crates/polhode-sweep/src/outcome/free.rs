@@ -20,6 +20,7 @@ pub(super) fn motion(scenario: &Scenario, rotor: &Rotor) -> Option<(FreeMotion, 
     let alone = scenario.torques().is_empty()
         && scenario.wheels().is_empty()
         && scenario.events().is_empty()
+        && scenario.pointings().is_empty()
         && scenario.prescribed().is_none();
     let exact = matches!(run.method, Method::Auto | Method::Exact);
     if !(alone && exact && end >= scenario.start().time) {

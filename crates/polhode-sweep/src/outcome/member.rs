@@ -1,8 +1,8 @@
 //! What becomes of one member.
 
 use polhode::motion::{
-    Ending, ErrorEffort, Event, FreeMotion, GlobalError, MotionError, Regime, Rotor, Sample, Scenario,
-    Solution, State, StateError, StepStatistics, Trajectory,
+    Ending, ErrorEffort, Event, FreeMotion, GlobalError, MotionError, Pointing, Regime, Rotor, Sample,
+    Scenario, Solution, State, StateError, StepStatistics, Trajectory,
 };
 use polhode::observe::{Drift, FreeRegime};
 use polhode_formats::FormatError;
@@ -33,6 +33,8 @@ pub(super) struct Outcome {
     /// One for each event of the scenario.
     pub(super) events: Vec<Happened>,
     pub(super) steps: Option<StepStatistics>,
+    /// One for each pointing of the scenario.
+    pub(super) pointings: Vec<Pointed>,
 }
 
 /// How the motion of a member ended.
@@ -58,6 +60,14 @@ pub(super) struct Happened {
     pub(super) count: u32,
     /// s
     pub(super) first: Option<f64>,
+}
+
+/// An angle along the samples of a motion, rad.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Pointed {
+    pub(super) least: f64,
+    pub(super) largest: f64,
+    pub(super) end: f64,
 }
 
 impl Outcome {
@@ -132,6 +142,7 @@ impl Outcome {
             end_regime: last.and_then(|last| free(&last.state)).map(|motion| motion.regime()),
             extrema: Some(Extrema::of(rotor, trajectory, Drift::of(trajectory))),
             error: trajectory.error().map(GlobalError::end),
+            pointings: scenario.pointings().iter().filter_map(|p| pointed(p, trajectory)).collect(),
             ..happened
         }
     }
@@ -161,6 +172,17 @@ impl Instant {
         let momentum = sample.momentum.norm();
         Self { state: sample.state, kinetic_energy: sample.kinetic_energy, momentum }
     }
+}
+
+/// Of the start and the samples; `None` without samples.
+fn pointed(pointing: &Pointing, trajectory: &Trajectory) -> Option<Pointed> {
+    let angle = |sample: &Sample| pointing.angle(&sample.state);
+    let angles = || std::iter::once(trajectory.start()).chain(trajectory.samples()).map(angle);
+    Some(Pointed {
+        least: angles().fold(f64::INFINITY, f64::min),
+        largest: angles().fold(0.0, f64::max),
+        end: trajectory.samples().last().map(angle)?,
+    })
 }
 
 fn happened(event: usize, trajectory: &Trajectory) -> Happened {

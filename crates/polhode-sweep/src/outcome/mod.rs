@@ -30,7 +30,7 @@ pub fn simulate(plan: &Plan, inputs: &Batch) -> Result<Batch, BatchError> {
     let members = Members::of(plan, inputs)?;
     let outcomes: Vec<Outcome> =
         members.scenarios(plan).map(|scenario| Outcome::of(scenario.as_ref())).collect();
-    let outcomes = columns::of(plan.nominal().events(), &outcomes);
+    let outcomes = columns::of(plan.nominal(), &outcomes);
     Batch::new(members.columns.into_iter().chain(outcomes).collect())
 }
 

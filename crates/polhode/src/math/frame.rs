@@ -2,7 +2,7 @@
 //!
 //! A frame has no value at run time. It exists so that `v_space + v_body` does not compile.
 
-/// A set of axes. Implemented by [`Space`], [`Body`], [`Principal`] and [`Part`], and by nothing else.
+/// A set of axes. Implemented by [`Space`], [`Body`], [`Principal`], [`Part`] and [`Orbital`], and by nothing else.
 pub trait Frame:
     sealed::Sealed + Copy + Clone + PartialEq + core::fmt::Debug + Send + Sync + 'static
 {
@@ -38,4 +38,7 @@ frames! {
     Principal = "principal";
     /// Axes in which one part of an assembly is described, before it is placed in the body.
     Part = "part";
+    /// Local vertical, local horizontal (LVLH): z towards the centre of the orbit (nadir), y against the orbit's normal, x the way that
+    /// the body moves, as far as that is across z.
+    Orbital = "orbit";
 }

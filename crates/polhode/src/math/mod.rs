@@ -35,7 +35,7 @@ pub(crate) mod triple;
 pub(crate) mod vector;
 
 pub use algebra::{Scalar, VectorAlgebra};
-pub use frame::{Body, Frame, Part, Principal, Space};
+pub use frame::{Body, Frame, Orbital, Part, Principal, Space};
 pub use rotation::{Attitude, Rotation, RotationError};
 pub use symmetric3::symmetric_eigen;
 pub use vector::{

@@ -207,6 +207,66 @@ impl<A, B> Rotation<A, B> {
         [wrap(half_sum + half_difference), theta, wrap(half_sum - half_difference)]
     }
 
+    /// Roll, pitch and yaw in rad, 3-2-1: yaw ψ about axis 3, pitch θ about the new axis 2, roll φ about the new axis 1;
+    /// R_AB = R₃(ψ) R₂(θ) R₁(φ).
+    ///
+    /// # Errors
+    /// [`RotationError::Angle`] for an angle that is not finite.
+    ///
+    /// Source: Markley & Crassidis, Fundamentals of Spacecraft Attitude Determination and Control, §2.9.5 (there with the inverse
+    /// matrix).
+    pub fn from_roll_pitch_yaw([roll, pitch, yaw]: [f64; 3]) -> Result<Self, RotationError> {
+        if let Some(&angle) = [roll, pitch, yaw].iter().find(|a| !a.is_finite()) {
+            return Err(RotationError::Angle { angle });
+        }
+        let ((sp, cp), sum, difference) =
+            (sin_cos(0.5 * pitch), sin_cos(0.5 * yaw + 0.5 * roll), sin_cos(0.5 * yaw - 0.5 * roll));
+        // w ∓ y = (c ∓ s) cos ½(ψ ± φ), z ± x = (c ∓ s) sin ½(ψ ± φ), c and s of ½θ
+        let (less, more) = (0.5 * (cp - sp), 0.5 * (cp + sp));
+        Ok(Self::normalised([
+            less * sum.1 + more * difference.1,
+            less * sum.0 - more * difference.0,
+            more * difference.1 - less * sum.1,
+            less * sum.0 + more * difference.0,
+        ]))
+    }
+
+    /// Roll, pitch and yaw (φ, θ, ψ), 3-2-1, in rad: φ and ψ in (−π, π], θ in [−π/2, π/2].
+    ///
+    /// At θ = ±π/2 only ψ ∓ φ is determined; then φ = 0 is returned.
+    pub fn roll_pitch_yaw(self) -> [f64; 3] {
+        let [w, x, y, z] = self.quaternion();
+        let (less, more) = ([w - y, x + z], [w + y, z - x]);
+        let pitch =
+            2.0 * libm::atan2(libm::hypot(more[0], more[1]), libm::hypot(less[0], less[1])) - 0.5 * PI;
+        let half_sum = libm::atan2(less[1], less[0]); // (ψ + φ)/2
+        let half_difference = libm::atan2(more[1], more[0]); // (ψ − φ)/2
+        if less == [0.0; 2] {
+            return [0.0, pitch, wrap(2.0 * half_difference)];
+        }
+        if more == [0.0; 2] {
+            return [0.0, pitch, wrap(2.0 * half_sum)];
+        }
+        [wrap(half_sum - half_difference), pitch, wrap(half_sum + half_difference)]
+    }
+
+    /// The rotation of modified Rodrigues parameters σ = n tan(Φ/4), for a turn by Φ about n.
+    ///
+    /// # Errors
+    /// [`RotationError::Quaternion`] if one is not finite, or their length 1e150 or more.
+    ///
+    /// Source: Schaub & Junkins, Analytical Mechanics of Space Systems, §3.6.
+    pub fn from_mrp([x, y, z]: [f64; 3]) -> Result<Self, RotationError> {
+        let squared = x * x + y * y + z * z;
+        Self::from_quaternion([1.0 - squared, 2.0 * x, 2.0 * y, 2.0 * z])
+    }
+
+    /// Modified Rodrigues parameters of the shorter turn: σ = (x, y, z)/(1 + w), |σ| ≤ 1.
+    pub fn mrp(self) -> [f64; 3] {
+        let [w, x, y, z] = self.canonical_quaternion();
+        [x, y, z].map(|c| c / (1.0 + w))
+    }
+
     /// The unit quaternion (w, x, y, z) as it is held: continuous along a trajectory, either sign.
     pub const fn quaternion(self) -> [f64; 4] {
         [self.w, self.x, self.y, self.z]
@@ -392,6 +452,54 @@ mod tests {
             let r = Attitude::from_quaternion(q).unwrap();
             assert!(Attitude::from_matrix(r.matrix()).unwrap().angle_to(r) < 1e-15);
         }
+    }
+
+    #[test]
+    fn roll_pitch_and_yaw_are_three_turns() {
+        let [x, y, z] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Direction::from_array);
+        for [roll, pitch, yaw] in
+            [[2.1, 0.7, -1.4], [-0.3, -1.5, 3.1], [3.0, 1e-9, 1e-9], [0.0, 1.569_7, 2.0]]
+        {
+            let turns: Rotation<Body, Body> = Rotation::turn(z, yaw);
+            let turns: Rotation<Body, Body> =
+                turns * Rotation::<Body, Body>::turn(y, pitch) * Rotation::turn(x, roll);
+            let r = Rotation::from_roll_pitch_yaw([roll, pitch, yaw]).unwrap();
+            assert!(r.angle_to(turns) < 1e-15);
+            let back = r.roll_pitch_yaw();
+            assert!((back[1] - pitch).abs() < 1e-15, "{back:?}");
+            // Near the vertical only the sum is known as well.
+            let known = 4e-16 / pitch.cos();
+            assert!((back[0] - roll).abs() < known && (back[2] - yaw).abs() < known, "{back:?}");
+        }
+        // Straight up and down one angle says all.
+        for (q, want) in
+            [([1.0, 0.0, 1.0, 0.0], [0.0, 0.5 * PI, 0.0]), ([0.0, 1.0, 0.0, 1.0], [0.0, -0.5 * PI, PI])]
+        {
+            let r = Attitude::from_quaternion(q).unwrap();
+            let angles = r.roll_pitch_yaw();
+            let same = Attitude::from_roll_pitch_yaw(angles).unwrap();
+            assert!(
+                same.angle_to(r) < 1e-15 && (angles[1] - want[1]).abs() < 1e-15 && angles[0] == 0.0,
+                "{angles:?}"
+            );
+        }
+        assert!(Attitude::from_roll_pitch_yaw([0.0, f64::NAN, 0.0]).is_err());
+    }
+
+    #[test]
+    fn modified_rodrigues_parameters_are_tangents_of_a_quarter() {
+        let axis = Direction::new(0.36, -0.48, 0.8);
+        for angle in [1e-8, 0.3, 2.9, -3.1] {
+            let r: Attitude = Rotation::about(axis, angle).unwrap();
+            let want = (axis * (0.25 * angle).tan()).to_array();
+            let mrp = r.mrp();
+            assert!((0..3).all(|k| (mrp[k] - want[k]).abs() < 1e-15), "{mrp:?} {want:?}");
+            assert!(Attitude::from_mrp(mrp).unwrap().angle_to(r) < 1e-15);
+            // The longer turn, which the shadow set has, is the same.
+            let squared = mrp.iter().map(|c| c * c).sum::<f64>();
+            assert!(Attitude::from_mrp(mrp.map(|c| -c / squared)).unwrap().angle_to(r) < 1e-15);
+        }
+        assert!(Attitude::from_mrp([f64::INFINITY, 0.0, 0.0]).is_err());
     }
 
     #[test]

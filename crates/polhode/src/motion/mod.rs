@@ -36,6 +36,7 @@ pub use model::kinematics::{
 };
 pub use model::orbit::{MU_EARTH, Orbit};
 pub use model::orbital_elements::{Anomaly, OrbitalElements};
+pub use model::pointing::{Pointing, Reference};
 pub use model::rotor::Rotor;
 pub use model::state::{State, StateError};
 pub use model::state_variables::StateVariables;

@@ -1,10 +1,12 @@
 //! Events against closed forms, and motions that cannot go on.
 
 use crate::common::free_body;
+use polhode::math::Velocity;
 use polhode::math::formula::{Binary, Formula, Instruction, Unary};
 use polhode::motion::torque::FormulaTorque;
 use polhode::motion::{
-    Crossing, Ending, EventAction, Measure, MethodReason, Pendulum, Sense, SplittingOrder, StateVariables,
+    Crossing, Ending, EventAction, Measure, MethodReason, Orbit, Pendulum, Reference, Sense, SplittingOrder,
+    StateVariables,
 };
 use polhode::prelude::*;
 
@@ -136,7 +138,8 @@ fn a_pendulum_is_upright_at_quarters_of_its_period() {
     let period = Pendulum::hung(&rotor, axis, gravity).unwrap().period(amplitude);
     let attitude = Attitude::about(Direction::from_array(axis.to_array()), amplitude).unwrap();
     // The rod's y axis is level when the rod hangs straight down: the angle to the vertical passes 90°.
-    let level = Measure::Tilt { body: Direction::new(0.0, 1.0, 0.0), space: Direction::new(0.0, 0.0, 1.0) };
+    let level =
+        Measure::Tilt { body: Direction::new(0.0, 1.0, 0.0), space: Direction::new(0.0, 0.0, 1.0).into() };
     let events = [
         event(level.clone(), TAU / 4.0, Sense::Either, EventAction::Record),
         event(level, TAU / 4.0, Sense::Falling, EventAction::Record),
@@ -210,6 +213,12 @@ fn a_relay_swings_between_its_rates() {
     }
 }
 
+/// An ellipse that turns about as fast as the body.
+fn quick_orbit() -> Orbit {
+    let (position, velocity) = (Position::new(0.7, 0.1, -0.4), Velocity::new(-0.3, 0.9, 0.2));
+    Orbit::through(0.8, position, velocity, 0.0).unwrap()
+}
+
 #[test]
 fn a_generic_motion_is_cut_and_goes_on_the_same() {
     // A switch that changes nothing (a torque of zero) must not change the motion either.
@@ -223,7 +232,8 @@ fn a_generic_motion_is_cut_and_goes_on_the_same() {
         Measure::Rate,
         Measure::KineticEnergy,
         Measure::Momentum,
-        Measure::Tilt { body: Direction::new(1.0, 2.0, -0.5), space },
+        Measure::Tilt { body: Direction::new(1.0, 2.0, -0.5), space: space.into() },
+        Measure::Tilt { body: Direction::new(1.0, 2.0, -0.5), space: Reference::Velocity(quick_orbit()) },
         Measure::OmegaAngle(Direction::new(0.2, -1.0, 0.4)),
         Measure::MomentumAngle(Direction::new(0.2, -1.0, 0.4)),
         Measure::Nutation,
@@ -268,7 +278,7 @@ fn value_at(rotor: &Rotor, torques: &[TorqueModel], omega: [f64; 3], measure: &M
         Measure::Rate => state.omega.norm(),
         Measure::KineticEnergy => kinetic_energy,
         Measure::Momentum => momentum.norm(),
-        Measure::Tilt { body, space } => body.angle_to(to_body * *space),
+        Measure::Tilt { body, space } => body.angle_to(to_body * space.direction(state.time)),
         Measure::OmegaAngle(n) => n.angle_to(state.omega),
         Measure::MomentumAngle(n) => n.angle_to(to_body * momentum),
         Measure::Nutation => theta,

@@ -2,7 +2,8 @@
 
 use polhode::motion::torque::EnergySink;
 use polhode::motion::{
-    ActingTorque, EventAction, Measure, Motor, MountedShaft, Prescribed, Run, Sense, Shaft, Suspension, Task,
+    ActingTorque, Anomaly, EventAction, MU_EARTH, Measure, Motor, MountedShaft, Orbit, OrbitalElements,
+    Prescribed, Run, Sense, Shaft, Suspension, Task,
 };
 use polhode::prelude::*;
 
@@ -27,6 +28,17 @@ fn with(part: &str, scenario: Scenario) -> Result<Scenario, MotionError> {
             scenario.watching(vec![event.unwrap()])
         }
         "wheel" => scenario.with_wheels(&[Wheel::new(z(), 1.3, Motor::HeldSpeed).unwrap()]),
+        "orbit" => scenario.in_orbit(Orbit::of_elements(
+            MU_EARTH,
+            &OrbitalElements {
+                semi_major_axis: 7.3e6,
+                eccentricity: 0.04,
+                inclination: 0.9,
+                node: 2.1,
+                periapsis: -0.7,
+                anomaly: Anomaly::Mean(0.3),
+            },
+        )?),
         "pendulum" => scenario.suspended_from(Suspension { axis: z(), amplitude: None }),
         "shaft" => {
             let shaft = Shaft::new(body(), Position::ZERO, z(), [-0.3, 0.4]).unwrap();

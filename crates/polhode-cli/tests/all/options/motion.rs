@@ -29,6 +29,7 @@ static SIMULATE: Subcommand = Subcommand {
         choice("--table", &["--table", "csv"], RUNS, &[]),
         choice("--no-page", &["--no-page"], RUNS, &[]),
         choice("--error", &["--error"], &["long", "long before"], &[]),
+        choice("--at", &["--at", "0.01"], RUNS, &[]),
         choice("--json", &["--json"], RUNS, &[]),
         choice("--plot", &["--plot", "omega=omega.svg"], RUNS, &[]),
     ],

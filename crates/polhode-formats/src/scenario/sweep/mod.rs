@@ -12,7 +12,6 @@ pub use law::{Dispersion, Law, Spread};
 use super::reader::{Table, Value};
 use super::source::Source;
 use super::target::{Catalogue, Target};
-use super::torque::orbit;
 use super::tree::Entries;
 use crate::error::{FormatError, Place};
 
@@ -114,21 +113,9 @@ pub(crate) fn sweep(source: Source<'_>, entries: &Entries, nominal: &Scenario) -
     if vary.is_empty() {
         return Err(table.missing("vary", example));
     }
-    let orbits = orbit::places(entries);
     let mut coordinates = 0;
     for (k, (one, key)) in vary.iter().enumerate() {
         coordinates += one.coordinates();
-        if orbits.len() > 1 && orbits.iter().any(|places| one.target.is_among(places)) {
-            let lines = orbits
-                .iter()
-                .filter_map(|places| places.first())
-                .map(|at| source.place(*at..*at).line.to_string());
-            let lines = lines.collect::<Vec<_>>().join(" and ");
-            let rule =
-                format!("of an orbit that is given once: lines {lines} give it, and they would differ");
-            let hint = "leave out the orbit in all torques but the first: they act on the same one";
-            return Err(key.invalid(rule).with_hint(hint));
-        }
         if sampling == Sampling::Sobol && coordinates > SOBOL_DIMENSIONS {
             let rule = format!("among the first {SOBOL_DIMENSIONS} numbers that are drawn for a member");
             let hint =

@@ -1,22 +1,23 @@
 //! A `[[torque]]` of model `gravity_gradient`.
 
 use polhode::body::BodyPart;
+use polhode::motion::Orbit;
 use polhode::motion::torque::{Attracted, GravityGradient, TorqueModel};
 
 use super::allow;
-use super::orbit::{SharedOrbit, orbit_of};
 use crate::error::FormatError;
 use crate::scenario::body::Pivot;
+use crate::scenario::orbit;
 use crate::scenario::reader::Table;
 
-/// `orbit = { … }`, if no torque before it has one; `mass = "tensor" | "points"`, the latter for a body that is all particles.
+/// On the `[orbit]`; `mass = "tensor" | "points"`, the latter for a body that is all particles.
 pub(super) fn gravity_gradient(
     table: &Table<'_>,
     parts: &[BodyPart],
-    shared: &mut Option<SharedOrbit>,
+    orbit: Option<&Orbit>,
 ) -> Result<TorqueModel, FormatError> {
-    allow(table, &["orbit", "mass"])?;
-    let orbit = orbit_of(table, shared)?;
+    allow(table, &["mass"])?;
+    let orbit = orbit::require(table, orbit)?.clone();
     let attracted = match table.get("mass") {
         Some(mass) if mass.choice(&["tensor", "points"])? == "points" => {
             if parts.iter().any(|part| part.particles.is_empty()) {

@@ -7,7 +7,6 @@ mod formula;
 mod gravity;
 mod gravity_gradient;
 mod magnetic;
-pub(super) mod orbit;
 pub(super) mod schedule;
 mod thruster;
 mod torsion;
@@ -15,9 +14,9 @@ mod torsion;
 use std::ops::Range;
 
 use polhode::body::BodyPart;
-use polhode::motion::torque::TorqueModel;
+use polhode::motion::Orbit;
+use polhode::motion::torque::{MagneticField, TorqueModel};
 
-use self::orbit::SharedOrbit;
 use super::body::Pivot;
 use super::reader::{Table, Value};
 use crate::error::FormatError;
@@ -43,8 +42,6 @@ pub(crate) struct Torques {
     pub(crate) names: Vec<Option<String>>,
     /// Those that wait for an event to switch them on.
     pub(crate) switched_off: Vec<usize>,
-    /// The orbit that all act on which ask for one.
-    pub(crate) orbit: Option<SharedOrbit>,
     pub(crate) places: Vec<TorquePlaces>,
 }
 
@@ -75,10 +72,11 @@ impl TorquePlaces {
 /// The keys that every torque may have, beside those of its schedule.
 const KEYS: [&str; 3] = ["model", "name", "on"];
 
-/// Reads all torques on a body of these parts; gravity may bring the pivot with it, or repeat it.
+/// Reads all torques on a body of these parts, on an orbit; gravity may bring the pivot with it, or repeat it.
 pub(crate) fn torques<'a>(
     root: &Table<'a>,
     parts: &[BodyPart],
+    orbit: Option<&Orbit>,
     pivot: &mut Option<Pivot<'a>>,
 ) -> Result<Torques, FormatError> {
     let mut torques = Torques::default();
@@ -90,10 +88,10 @@ pub(crate) fn torques<'a>(
         let table = table.called(format!("[[torque]] of model \"{name}\""));
         let model = match name {
             "constant" => constant::constant(&table)?,
-            "gravity_gradient" => gravity_gradient::gravity_gradient(&table, parts, &mut torques.orbit)?,
+            "gravity_gradient" => gravity_gradient::gravity_gradient(&table, parts, orbit)?,
             "drag" => drag::drag(&table)?,
             "torsion" => torsion::torsion(&table)?,
-            "magnetic" => magnetic::magnetic(&table, &mut torques.orbit)?,
+            "magnetic" => magnetic::magnetic(&table, orbit)?,
             "thruster" => thruster::thruster(&table)?,
             "energy_sink" => energy_sink::energy_sink(&table)?,
             "formula" => formula::formula(&table)?,
@@ -113,6 +111,16 @@ pub(crate) fn torques<'a>(
 }
 
 impl Torques {
+    /// The field that magnets are in, if there is one and the same.
+    pub(crate) fn field(&self) -> Option<&MagneticField> {
+        let mut fields = self.models.iter().filter_map(|model| {
+            let model = if let TorqueModel::Scheduled(scheduled) = model { &scheduled.torque } else { model };
+            if let TorqueModel::Magnetic(magnetic) = model { Some(&magnetic.field) } else { None }
+        });
+        let first = fields.next()?;
+        fields.all(|other| other == first).then_some(first)
+    }
+
     /// Adds one, with its `name`, and whether it is `on` from the start.
     fn put(&mut self, table: &Table<'_>, model: TorqueModel) -> Result<(), FormatError> {
         let name = match table.get("name") {

@@ -324,22 +324,21 @@ fn words_of_others_are_told_ours() {
         assert!(meaning(&right, path).is_ok(), "{right}");
     }
     for (wrong, says) in [
-        (spun("attitude = { euler321 = [1, 2, 3] }"), "about z, x and z in turn"),
+        (spun("attitude = { euler321 = [1, 2, 3] }"), "or as roll_pitch_yaw = [φ, θ, ψ], 3-2-1"),
         (spun("euler321 = [1, 2, 3]"), "angles stand in attitude = { … }"),
-        (spun("altitude = '500 km'"), "belongs to the orbit of a torque"),
+        (spun("altitude = '500 km'"), "write [orbit] on a line of its own, and under it altitude"),
+        (spun("frame = 'lvlh'"), "write relative_to = \"orbit\""),
+        (spun("attitude = { rpy = [1, 2, 3] }"), "write roll_pitch_yaw = "),
         (spun("damping = 0.1"), "damping is a torque"),
         (spun("attitude = { euler_zyx = [1, 2, 3] }"), "about z, x and z in turn"),
+        (format!("orbit = {{ period = '90 min' }}\n{BODY}"), "write rate = \"0.0011 rad/s\""),
         (
-            turned("model = 'gravity_gradient'\norbit = { period = '90 min' }"),
-            "write rate = \"0.0011 rad/s\"",
-        ),
-        (
-            turned("model = 'gravity_gradient'\norbit = { radius = '3790 km', central_body = 'mars' }"),
+            format!("orbit = {{ radius = '3790 km', central_body = 'mars' }}\n{BODY}"),
             "write mu = \"398600.44 km^3/s^2\"",
         ),
         (
             turned("model = 'gravity_gradient'\norbit = { altitude = '400 km' }"),
-            "write radius = \"6778 km\": from the centre",
+            "write [orbit] on a line of its own",
         ),
         (
             turned("model = 'damping'"),

@@ -6,24 +6,38 @@ use super::{BALL, RUN, parse, refuses};
 
 #[test]
 fn orbits_are_given_once_and_are_orbits() {
-    let orbit = |text: &str| format!("{BALL}[[torque]]\nmodel='gravity_gradient'\norbit={text}");
+    let orbit = |text: &str| format!("orbit={text}\n{BALL}[[torque]]\nmodel='gravity_gradient'");
     assert!(parse(&orbit("{rate=0.001}")).is_ok());
     assert!(parse(&orbit("{position=[7e6,0,0],velocity=[0,'11 km/s','1 m/s'],mu='4e5 km^3/s^2'}")).is_ok());
     assert!(parse(&orbit("{semi_major_axis=7e6,true_anomaly=1}")).is_ok());
     refuses(
         &format!("{BALL}«[[torque]]»\nmodel='gravity_gradient'"),
         "the key orbit is missing in [[torque]] of model \"gravity_gradient\"",
-        "write orbit = { radius",
+        "write [orbit] on a line of its own, and under it altitude",
     );
-    refuses(&orbit("«{}»"), "the key radius is missing in orbit", "write radius = \"6778 km\", or rate");
+    refuses(
+        &orbit("«{}»"),
+        "the key altitude is missing in orbit",
+        "write altitude = \"500 km\", or radius, rate",
+    );
+    refuses(
+        &orbit("{altitude=7e5,mu=«4e14»}"),
+        "altitude and mu are both given: an altitude is above the Earth: of another body give the radius",
+        "leave one of them out",
+    );
+    refuses(
+        &orbit("{altitude=7e5,radial=[1,0,0],inclination=«1»}"),
+        "radial and inclination are both given: directions or angles say how the circle lies",
+        "leave one of them out",
+    );
     refuses(
         &orbit("{radius=7e6,rate=«0.001»}"),
         "radius and rate are both given: an orbit is given once",
         "leave one of them out",
     );
     refuses(
-        &orbit("{radius=7e6,inclination=«1»}"),
-        "radius and inclination are both given: an orbit is given once",
+        &orbit("{rate=0.001,inclination=«1»}"),
+        "rate and inclination are both given: an orbit is given once",
         "leave one of them out",
     );
     refuses(
@@ -66,7 +80,7 @@ fn orbits_are_given_once_and_are_orbits() {
     for (head, line) in [("[body]\npivot=[0,0,1]\n", 6), ("[[torque]]\nmodel='gravity'\npivot=[0,0,1]\n", 7)]
     {
         refuses(
-            &format!("{BALL}{head}[[torque]]\nmodel=«'gravity_gradient'»\norbit={{radius=7e6}}"),
+            &format!("{BALL}{head}[[torque]]\nmodel=«'gravity_gradient'»\n[orbit]\nradius=7e6"),
             &format!(
                 "model = 'gravity_gradient' must be left out, since line {line} holds the body at a pivot"
             ),
@@ -91,17 +105,12 @@ fn a_magnet_has_one_field() {
     refuses(
         &magnet("moment=[0,0,1]\ndipole=[0,0,1]"),
         "the key orbit is missing in [[torque]] of model \"magnetic\"",
-        "write orbit = {",
+        "write [orbit] on a line of its own",
     );
     let magnet = |text: &str| magnet(text).replace("«[[torque]]»", "[[torque]]");
     refuses(
         &magnet("moment=[0,0,1]\nfield=[0,0,1]\ndipole=«[0,0,1]»"),
         "field and dipole are both given: the field is given once",
-        "leave one of them out",
-    );
-    refuses(
-        &magnet("moment=[0,0,1]\nfield=[0,0,1]\norbit=«{radius=1}»"),
-        "field and orbit are both given: a uniform field is the same everywhere",
         "leave one of them out",
     );
     refuses(
@@ -369,8 +378,8 @@ fn events_that_cannot_be_are_refused() {
     );
     refuses(
         &event("measure='angle'\nbetween=«[{body=[0,0,1]},{body=[0,1,0]}]»\nvalue=1"),
-        "between = [{body=[0,0,1]},{body=[0,1,0]}] must be a direction of the body, and one of space, or \"omega\", or \
-         \"momentum\"",
+        "between = [{body=[0,0,1]},{body=[0,1,0]}] must be a direction of the body, and one of space, \"nadir\", \
+         \"velocity\", \"orbit_normal\", \"field\", \"omega\" or \"momentum\"",
         "write between = [{ body",
     );
     refuses(
@@ -431,4 +440,90 @@ fn a_torque_s_formula_is_answered_at_its_place() {
     let message = "there is no variable qw²";
     refuses(&with("«\"1[N m]*qw\\u00b2\"», 0, 0"), message, "did you mean qw?");
     refuses(&with("0, «true», 0"), "torque must be a torque, not true or false", "write \"0.1 N m\"");
+}
+
+#[test]
+fn directions_of_an_orbit_need_one() {
+    let event = |between: &str| {
+        format!("{RUN}[[event]]\nmeasure='angle'\nbetween=[{{body=[1,2,0]}},{between}]\nvalue='9 deg'\n")
+    };
+    refuses(
+        &format!("{BALL}{}", event("«'nadir'»")),
+        "between = 'nadir' must be beside an [orbit], which gives this direction",
+        "write [orbit] on a line of its own",
+    );
+    refuses(
+        &format!("{BALL}{}", event("«'field'»")),
+        "between = 'field' must be left out, since no [[torque]] of model \"magnetic\" says what the field is, or two differ",
+        "give its direction as { space",
+    );
+    for name in ["nadir", "velocity", "orbit_normal"] {
+        assert!(parse(&format!("{BALL}[orbit]\naltitude=5e5\n{}", event(&format!("'{name}'")))).is_ok());
+    }
+    let pointing = |text: &str| format!("{BALL}[orbit]\naltitude=5e5\n[[pointing]]\n{text}");
+    refuses(
+        &pointing("name='a b'\nbody=[0,0,1]\nto='nadir'").replace("'a b'", "«'a b'»"),
+        "name = 'a b' must be letters of the Latin alphabet, digits and underscores",
+        "it names a column",
+    );
+    refuses(
+        &pointing("name='a'\nbody=«[0,0,0]»\nto='nadir'"),
+        "body = [0,0,0] must be a direction: not all zero",
+        "the z axis",
+    );
+    refuses(
+        &pointing("name='a'\nbody=[0,0,1]\nto=«'nadr'»"),
+        "to = 'nadr' must be one of nadir, velocity, orbit_normal, field",
+        "did you mean \"nadir\"?",
+    );
+    refuses(
+        &pointing("name='a'\nbody=[0,0,1]\nto=«[0,0,1]»"),
+        "to = [0,0,1] must be \"nadir\", \"velocity\", \"orbit_normal\", \"field\", or { space = [3] }",
+        "a direction that is fixed in space is written { space",
+    );
+    refuses(
+        &pointing("name='a'\nbody=[0,0,1]\nto='nadir'\n[[pointing]]\nname=«'A'»\nbody=[0,0,1]\nto='nadir'"),
+        "name = 'A' must be no other pointing's",
+        "give each its own",
+    );
+}
+
+#[test]
+fn starts_and_times_of_an_orbit_need_one() {
+    refuses(
+        &format!("{BALL}[start]\nrelative_to=«'orbit'»\n"),
+        "relative_to = 'orbit' must be \"space\", since there is no [orbit]",
+        "write [orbit] on a line of its own",
+    );
+    let orbit = "[orbit]\naltitude=5e5\n";
+    refuses(
+        &format!("{BALL}{orbit}[start]\nrelative_to='orbit'\nspin={{«space»=[0,0,1]}}\n"),
+        "unknown key \"space\" in spin",
+        "the keys here are body",
+    );
+    refuses(
+        &format!("{BALL}{orbit}[start]\nvelocity=«[1,0,0]»\n"),
+        "velocity = [1,0,0] must be left out, since [orbit] says how the centre of mass moves",
+        "write position and velocity under [orbit]",
+    );
+    refuses(
+        &format!("{BALL}[run]\nduration=«'3 orbits'»\n"),
+        "duration = '3 orbits' must be a time, since there is no [orbit]",
+        "write [orbit]",
+    );
+    refuses(
+        &format!("{BALL}[orbit]\nposition=[7e6,0,0]\nvelocity=[0,12e3,0]\n[run]\nduration=«'3 orbits'»\n"),
+        "duration = '3 orbits' must be a time: a parabola or a hyperbola is not run through twice",
+        "write duration",
+    );
+    refuses(
+        &format!("{BALL}{orbit}[run]\nduration=«'-3 orbits'»\n"),
+        "duration = '-3 orbits' must be positive",
+        "time runs forward",
+    );
+    refuses(
+        &format!("{BALL}{orbit}«[shaft]»\naxis=[0,0,1]\nbearings=[0,1]\nrate=1\n"),
+        "orbit and shaft are both given: a body on an orbit falls freely: no weight is on its bearings",
+        "leave one of them out",
+    );
 }

@@ -55,45 +55,38 @@ fn numbers_are_read_as_they_are_printed() {
     }
 }
 
-const GRADIENT: &str = "[[torque]]\nmodel='gravity_gradient'\norbit={radius='7000 km'}\n";
+const GRADIENT: &str = "[[torque]]\nmodel='gravity_gradient'\n";
 const MAGNET: &str = "[[torque]]\nmodel='magnetic'\nmoment=[0,0,1]\ndipole=[0,0,-7.8e22]\n";
 
 #[test]
 fn a_satellite_has_one_orbit() {
-    let both = |orbit: &str| parse(&format!("{BALL}{GRADIENT}{MAGNET}{orbit}\n{RUN}"));
-    let alone = both("").unwrap();
-    // Given again, in the same form or another, or not at all.
-    assert_eq!(both("orbit={radius=7000e3}").unwrap().torques(), alone.torques());
-    assert!(both("orbit={semi_major_axis='7e6 m',eccentricity=0}").is_ok());
     refuses(
-        &format!("{BALL}{GRADIENT}{MAGNET}orbit=«{{radius='6900 km'}}»\n{RUN}"),
-        "orbit = {radius='6900 km'} must be the orbit that line 7 gives: a body is on one",
-        "leave out this one: the torque acts on that of the other",
+        &format!("{BALL}[[torque]]\nmodel='gravity_gradient'\n«orbit»={{radius='6900 km'}}\n{RUN}"),
+        "unknown key \"orbit\" in [[torque]] of model \"gravity_gradient\"",
+        "write [orbit] on a line of its own",
     );
-    let incline = both("orbit={radius=7000e3,motion=[0,0,1]}");
-    assert!(incline.unwrap_err().message().contains("line 7"));
     let plan = "[sweep]\nmembers=3\nsampling='monte carlo'\n[[sweep.vary]]\n";
     let uniform = "uniform={from='6900 km',to='7100 km'}";
-    refuses(
-        &format!(
-            "{BALL}{GRADIENT}{MAGNET}orbit={{radius=7000e3}}\n{RUN}{plan}key=«'torque[0].orbit.radius'»\n{uniform}"
-        ),
-        "key = 'torque[0].orbit.radius' must be of an orbit that is given once: lines 7 and 12 give it, and they would differ",
-        "leave out the orbit in all torques but the first",
-    );
-    // Given once it varies for both.
-    let plan = format!("{BALL}{GRADIENT}{MAGNET}{RUN}{plan}key='torque[0].orbit.radius'\n{uniform}");
+    // It varies for both torques, for the start and for the length of the run.
+    let start = "[orbit]\nradius='7000 km'\n[start]\nrelative_to='orbit'\n";
+    let run = "[run]\nduration='2 orbits'\nsamples=2\n";
+    let plan = format!("{BALL}{start}{GRADIENT}{MAGNET}{run}{plan}key='orbit.radius'\n{uniform}");
     let template = polhode_formats::scenario::Template::parse(plan, "plan.toml".as_ref()).unwrap();
     let target = template.sweep().unwrap().vary[0].target.clone();
     let member = template.scenario([(&target, &[6.95e6][..])]).unwrap();
     let shown = format!("{:?}", member.torques());
     assert_eq!(shown.matches("periapsis: 6950000.0").count(), 2, "{shown}");
+    let orbit = member.orbit().unwrap();
+    assert_eq!(orbit.periapsis(), 6.95e6);
+    let (rate, end) = (orbit.mean_motion().unwrap(), member.run().unwrap().times[1]);
+    assert!((rate * end / (4.0 * std::f64::consts::PI) - 1.0).abs() < 1e-14);
+    assert!((member.start().omega.norm() / rate - 1.0).abs() < 1e-14);
 }
 
 #[test]
 fn a_rate_that_no_orbit_about_the_earth_has_is_asked_for_its_unit() {
     let gradient =
-        |orbit: &str| parse(&format!("{BALL}[[torque]]\nmodel='gravity_gradient'\norbit={{{orbit}}}\n{RUN}"));
+        |orbit: &str| parse(&format!("orbit={{{orbit}}}\n{BALL}[[torque]]\nmodel='gravity_gradient'\n{RUN}"));
     let findings = gradient("rate='0.002 rad/s'").unwrap().findings().to_vec();
     assert_eq!(findings[0].code, "orbit.underground");
     assert!(

@@ -7,6 +7,7 @@
 //! and of an angle φ that comes round sin(φ − v), where cos(φ − v) > 0: these are smooth where the angles themselves are not, and
 //! they rise where the angle does.
 
+use super::pointing::Reference;
 use super::rotor::Rotor;
 use super::state::State;
 use super::state_variables::StateVariables;
@@ -60,8 +61,8 @@ pub enum Measure {
     Tilt {
         /// Fixed in the body.
         body: Direction<Body>,
-        /// Fixed in space.
-        space: Direction<Space>,
+        /// Fixed in space, or given by the orbit or the field.
+        space: Reference,
     },
     /// Between ω and a direction of the body, rad.
     OmegaAngle(Direction<Body>),
@@ -220,7 +221,9 @@ impl Event {
                 plain(kinetic + potential, kinetic + potential.abs())
             }
             Measure::Momentum => plain(momentum().norm(), momentum().norm()),
-            Measure::Tilt { body, space } => between(body.angle_to(state.attitude.inverse() * *space), v),
+            Measure::Tilt { body, space } => {
+                between(body.angle_to(state.attitude.inverse() * space.direction(state.time)), v)
+            }
             Measure::OmegaAngle(n) => between(n.angle_to(omega), v),
             Measure::MomentumAngle(n) => between(n.angle_to(momentum()), v),
             Measure::Nutation => between(state.attitude.euler313()[1], v),
@@ -286,7 +289,7 @@ impl Measure {
         Ok(match self {
             Self::OmegaBody(n) => Self::OmegaBody(unit(n)?),
             Self::OmegaSpace(n) => Self::OmegaSpace(unit(n)?),
-            Self::Tilt { body, space } => Self::Tilt { body: unit(body)?, space: unit(space)? },
+            Self::Tilt { body, space } => Self::Tilt { body: unit(body)?, space: space.normalised()? },
             Self::OmegaAngle(n) => Self::OmegaAngle(unit(n)?),
             Self::MomentumAngle(n) => Self::MomentumAngle(unit(n)?),
             other => other,

@@ -5,6 +5,7 @@ pub(crate) mod event;
 pub(crate) mod kinematics;
 pub(crate) mod orbit;
 pub(crate) mod orbital_elements;
+pub(crate) mod pointing;
 pub(crate) mod require;
 pub(crate) mod rotor;
 pub(crate) mod schedule;

@@ -6,10 +6,10 @@
 
 use super::orbital_elements::{Anomaly, OrbitalElements};
 use crate::math::double::Double;
-use crate::math::frame::Space;
+use crate::math::frame::{Orbital, Space};
 use crate::math::kepler::{Conic, OrbitalPoint};
 use crate::math::rotation::Rotation;
-use crate::math::vector::{Direction, Position, Vector, Velocity, quantity::Number};
+use crate::math::vector::{AngularVelocity, Direction, Position, Vector, Velocity, quantity::Number};
 use crate::motion::error::MotionError;
 use crate::motion::model::require;
 
@@ -224,6 +224,25 @@ impl Orbit {
     /// Its velocity at a time in s, m/s.
     pub fn velocity(&self, time: f64) -> Velocity<Space> {
         self.in_space(self.place(time).velocity) * (self.periapsis / self.unit)
+    }
+
+    /// R_space_orbital at a time in s: from axes along the local vertical and horizontal to those of space.
+    ///
+    /// z = −r̂ (nadir), y = −r × v/|r × v|, x = y × z.
+    pub fn local_axes(&self, time: f64) -> Rotation<Space, Orbital> {
+        let [toward, ahead] = self.axes;
+        let [x, y] = self.place(time).position;
+        let nadir = self.in_space::<Number>([x, y]) * (-1.0 / libm::hypot(x, y));
+        let y = ahead.cross(toward);
+        Rotation::from_axes([y.cross(nadir), y, nadir])
+    }
+
+    /// The angular velocity of those axes at a time in s: r × v/r².
+    pub fn angular_velocity(&self, time: f64) -> AngularVelocity<Space> {
+        let (r, v) = self.position_and_velocity(time);
+        let (r, v): (Direction<Space>, Direction<Space>) = (r.as_quantity(), v.as_quantity());
+        let unit = r / r.norm();
+        (unit.cross(v) / r.norm()).as_quantity()
     }
 
     /// Both at once, which costs no more than one.

@@ -1,5 +1,6 @@
 //! Tasks: a scenario with its motion, a pendulum, a shaft in its bearings.
 
+mod check;
 pub(crate) mod pendulum;
 pub(crate) mod scenario;
 pub(crate) mod shaft;

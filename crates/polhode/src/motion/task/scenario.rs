@@ -3,7 +3,7 @@
 use super::pendulum::Pendulum;
 use super::shaft::{CorrectionMass, Reactions, Shaft};
 use crate::body::assembly::BodyPart;
-use crate::body::finding::{Finding, Severity};
+use crate::body::finding::Finding;
 use crate::body::mass_properties::MassProperties;
 use crate::body::particles::Particle;
 use crate::math::frame::{Body, Space};
@@ -11,7 +11,9 @@ use crate::math::rotation::{Attitude, Rotation};
 use crate::math::vector::{Acceleration, AngularVelocity, Direction, Position, Velocity};
 use crate::motion::error::MotionError;
 use crate::motion::inverse::prescribed::Prescribed;
-use crate::motion::model::event::{Event, EventAction};
+use crate::motion::model::event::Event;
+use crate::motion::model::orbit::Orbit;
+use crate::motion::model::pointing::Pointing;
 use crate::motion::model::require;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
@@ -51,6 +53,8 @@ pub struct Scenario {
     rotor: Rotor,
     start: State,
     velocity: Velocity<Space>,
+    orbit: Option<Orbit>,
+    pointings: Vec<Pointing>,
     task: Task,
     run: Option<Run>,
     findings: Vec<Finding>,
@@ -168,7 +172,8 @@ impl Run {
 
 impl Scenario {
     /// The parts of a scenario, as a file names them, that exclude each other, and why.
-    pub const EXCLUSIVE: [(&'static str, &'static str, &'static str); 10] = [
+    pub const EXCLUSIVE: [(&'static str, &'static str, &'static str); 11] = [
+        ("orbit", "shaft", ORBIT),
         ("prescribed", "torque", "a prescribed motion is given, and the torque that it needs is the answer"),
         ("prescribed", "event", "a prescribed motion is given, and nothing on its way changes it"),
         ("prescribed", "pendulum", "a pendulum swings as gravity moves it"),
@@ -191,6 +196,8 @@ impl Scenario {
             rotor: Rotor::free(&body),
             start: State { time: 0.0, attitude: Rotation::identity(), omega: AngularVelocity::ZERO },
             velocity: Velocity::ZERO,
+            orbit: None,
+            pointings: Vec::new(),
             task: Task::Forward(Forward::default()),
             run: None,
             findings: Vec::new(),
@@ -279,7 +286,28 @@ impl Scenario {
         if self.rotor.is_pivoted() {
             return Err(exclusive("pivot", "velocity", "a point of the body is held: it only turns"));
         }
+        if self.orbit.is_some() {
+            return Err(exclusive("orbit", "velocity", "the orbit says how the centre of mass moves"));
+        }
         Ok(Self { velocity, ..self })
+    }
+
+    /// On an orbit about a point mass. Torques that depend on the place have an orbit of their own, which is to be the same.
+    ///
+    /// # Errors
+    /// [`MotionError::Exclusive`] of a body that is held by bearings, or has a velocity.
+    pub fn in_orbit(self, orbit: Orbit) -> Result<Self, MotionError> {
+        self.require_compatible("orbit", true)?;
+        if self.velocity != Velocity::ZERO {
+            return Err(exclusive("orbit", "velocity", "the orbit says how the centre of mass moves"));
+        }
+        Ok(Self { orbit: Some(orbit), ..self })
+    }
+
+    /// With angles that are of interest.
+    #[must_use]
+    pub fn pointing(self, pointings: Vec<Pointing>) -> Self {
+        Self { pointings, ..self }
     }
 
     /// Under torques.
@@ -363,6 +391,7 @@ impl Scenario {
             "shaft" => matches!(self.task, Task::Shaft(..)),
             "torque" => !self.torques().is_empty(),
             "event" => !self.events().is_empty(),
+            "orbit" => self.orbit.is_some(),
             "pendulum" => self.suspension().is_some(),
             _ => !self.wheels().is_empty(),
         };
@@ -408,6 +437,16 @@ impl Scenario {
     /// Velocity of the centre of mass; of the pivot, which does not move, it is zero.
     pub const fn velocity(&self) -> Velocity<Space> {
         self.velocity
+    }
+
+    /// The orbit of the centre of mass, if it is on one.
+    pub const fn orbit(&self) -> Option<&Orbit> {
+        self.orbit.as_ref()
+    }
+
+    /// The angles that are of interest.
+    pub fn pointings(&self) -> &[Pointing] {
+        &self.pointings
     }
 
     /// What is asked of the body.
@@ -538,52 +577,11 @@ impl Scenario {
         let g = self.start.attitude.inverse() * gravity;
         Some(Pendulum::hung(&self.rotor, hanging.axis, g))
     }
-
-    /// What can be seen of the scenario before it runs: gravity, torques and runs that do nothing, energies below the range of numbers.
-    pub fn check(&self) -> Vec<Finding> {
-        let finding = |code, severity, message| Finding { code, severity, message, place: None };
-        let mut found = Vec::new();
-        let has_gravity = self.torques().iter().any(|torque| matches!(torque, TorqueModel::Gravity(_)));
-        // Rounding of the centre of mass is no lever.
-        let is_balanced = |pivot: Position<Body>| {
-            let center = self.body.center_of_mass();
-            (center - pivot).norm() <= 1e-14 * (center.norm() + pivot.norm())
-        };
-        if has_gravity && self.pivot.is_some_and(is_balanced) {
-            let message = "the centre of mass is at the pivot: gravity does not turn the body";
-            found.push(finding("gravity.balanced", Severity::Info, message.to_owned()));
-        }
-        let is_still = self.start.omega.norm() == 0.0
-            && self.torques().is_empty()
-            && self.prescribed().is_none()
-            && !self.wheels().iter().any(Wheel::is_driven);
-        if is_still && self.run.is_some() {
-            let message = "the body starts without spin and nothing turns it";
-            found.push(finding("start.rest", Severity::Warning, message.to_owned()));
-        }
-        let omega = self.start.omega;
-        if self.prescribed().is_none() && self.rotor.kinetic_energy_underflows(omega) {
-            let message = format!(
-                "T at the start is below 2.2e-308 J, the range of numbers with all their digits, and comes out as {:e}: energies, their \
-                 drift and all that follows from ω² or L² say nothing. Without torque the motion is that at a greater rate, only slower",
-                self.rotor.kinetic_energy(omega)
-            );
-            found.push(finding("start.underflow", Severity::Warning, message));
-        }
-        let is_switched_on = |k: usize| {
-            let action = EventAction::Switch { torque: k, on: true };
-            self.events().iter().any(|event| event.action() == action)
-        };
-        if let Some(&idle) = self.switched_off().iter().find(|&&k| !is_switched_on(k)) {
-            let name = self.torque_names().get(idle).cloned().flatten().unwrap_or_default();
-            let message = format!("the torque \"{name}\" is off, and no event switches it on");
-            found.push(finding("torque.off", Severity::Warning, message));
-        }
-        found
-    }
 }
 
 const SHAFT: &str = "a shaft turns at its rate, and what drives and holds it is the answer";
+
+const ORBIT: &str = "a body on an orbit falls freely: no weight is on its bearings";
 
 const fn exclusive(a: &'static str, b: &'static str, why: &'static str) -> MotionError {
     MotionError::Exclusive { parts: [a, b], why }

@@ -1,23 +1,20 @@
-//! The `orbit` about a point mass that torques which depend on the place act on: one body, one orbit.
-
-use std::ops::Range;
-use std::sync::Arc;
+//! The `[orbit]` about a point mass: where the body is, and the axes that its attitude may be given in.
 
 use polhode::body::{Finding, Severity};
 use polhode::math::{Direction, Position, Velocity};
 use polhode::motion::{Anomaly, MU_EARTH, MotionError, Orbit, OrbitalElements};
 
+use super::reader::{Table, Value};
 use crate::error::FormatError;
-use crate::scenario::reader::{Table, Value};
-use crate::scenario::tree::{Entries, Kind, Node};
 use crate::unit::Dimension;
 
 /// What to write where an orbit is missing.
-pub(super) const EXAMPLE: &str = "orbit = { radius = \"6778 km\" }";
+const EXAMPLE: &str = "[orbit] on a line of its own, and under it altitude = \"500 km\"";
 
-/// The four forms, by the key that each of them needs, and the others that it may have.
-const FORMS: [(&str, &[&str]); 4] = [
-    ("radius", &["radial", "motion"]),
+/// The five forms, by the key that each of them needs, and the others that it may have.
+const FORMS: [(&str, &[&str]); 5] = [
+    ("altitude", &["radial", "motion", "inclination", "node", "mean_anomaly", "true_anomaly"]),
+    ("radius", &["radial", "motion", "inclination", "node", "mean_anomaly", "true_anomaly"]),
     ("rate", &["radial", "motion"]),
     ("position", &["velocity"]),
     (
@@ -26,48 +23,27 @@ const FORMS: [(&str, &[&str]); 4] = [
     ),
 ];
 
-/// The orbit of the torques of a scenario, as the first of them that has one gives it.
+/// The Earth's equatorial radius, m (WGS 84): altitudes are above it.
+const EARTH: f64 = 6_378_137.0;
+
+/// The orbit of a scenario.
 #[derive(Debug)]
 pub(crate) struct SharedOrbit {
-    orbit: Orbit,
-    place: Range<usize>,
+    pub(crate) orbit: Orbit,
     /// Given by its rate: nothing but that matters to the gravity gradient on a circle.
     by_rate: bool,
 }
 
-/// The orbit that a torque acts on: that of the torques before it, or its own, which must be the same.
-pub(super) fn orbit_of(table: &Table<'_>, shared: &mut Option<SharedOrbit>) -> Result<Orbit, FormatError> {
-    let Some(value) = table.get("orbit") else {
-        let first = shared.as_ref().map(|shared| shared.orbit.clone());
-        return first.ok_or_else(|| table.missing("orbit", EXAMPLE));
-    };
-    let own = orbit(&value)?;
-    match shared {
-        Some(first) if !same(&first.orbit, &own) => {
-            let line = value.source().place(first.place.clone()).line;
-            let rule = format!("the orbit that line {line} gives: a body is on one");
-            return Err(value
-                .invalid(rule)
-                .with_hint("leave out this one: the torque acts on that of the other"));
-        }
-        Some(_) => {}
-        None => {
-            let by_rate = value.table()?.get("rate").is_some();
-            *shared = Some(SharedOrbit { orbit: own.clone(), place: value.span(), by_rate });
-        }
-    }
-    Ok(own)
+/// Reads `[orbit]`, if there is one.
+pub(crate) fn read(root: &Table<'_>) -> Result<Option<SharedOrbit>, FormatError> {
+    let Some(value) = root.get("orbit") else { return Ok(None) };
+    let by_rate = value.table()?.get("rate").is_some();
+    Ok(Some(SharedOrbit { orbit: orbit(&value)?, by_rate }))
 }
 
-/// True of one orbit given twice, perhaps in two forms.
-fn same(a: &Orbit, b: &Orbit) -> bool {
-    /// Relative; what two forms of the same numbers differ by is rounding.
-    const ROUNDING: f64 = 1e-9;
-    let near = |difference: f64, size: f64| difference <= ROUNDING * size;
-    let (position, velocity) = (a.position(0.0), a.velocity(0.0));
-    near((a.mu() - b.mu()).abs(), a.mu())
-        && near((position - b.position(0.0)).norm(), position.norm())
-        && near((velocity - b.velocity(0.0)).norm(), velocity.norm())
+/// The orbit that something needs, of a table that cannot do without.
+pub(crate) fn require<'a>(table: &Table<'_>, orbit: Option<&'a Orbit>) -> Result<&'a Orbit, FormatError> {
+    orbit.ok_or_else(|| table.missing("orbit", EXAMPLE))
 }
 
 impl SharedOrbit {
@@ -98,25 +74,14 @@ impl SharedOrbit {
     }
 }
 
-/// The places of the values of each orbit that a torque gives.
-pub(crate) fn places(entries: &Entries) -> Vec<Vec<usize>> {
-    let Some(Kind::List(torques)) = entries.get("torque").map(|torques| &torques.node.kind) else {
-        return Vec::new();
-    };
-    let of = |torque: &Arc<Node>| match &torque.kind {
-        Kind::Table(torque) => torque.get("orbit").map(|orbit| orbit.node.places()),
-        _ => None,
-    };
-    torques.iter().filter_map(of).collect()
-}
-
-/// Reads an orbit from one of its four forms.
+/// An orbit from one of its forms.
 ///
-/// `{ radius = … }` or `{ rate = … }` with `radial` and `motion`, `{ position = [3], velocity = [3] }`, or
-/// `{ semi_major_axis = …, eccentricity = … }` with its angles; `mu` with each.
-pub(super) fn orbit(value: &Value<'_>) -> Result<Orbit, FormatError> {
-    const KEYS: [&str; 14] = [
+/// `altitude` (above the Earth's equator), `radius` or `rate` with `radial` and `motion`, or but for the rate with angles;
+/// `position` and `velocity`; or `semi_major_axis` and `eccentricity` with angles; `mu` with each, but not with an altitude.
+fn orbit(value: &Value<'_>) -> Result<Orbit, FormatError> {
+    const KEYS: [&str; 15] = [
         "mu",
+        "altitude",
         "radius",
         "rate",
         "radial",
@@ -135,16 +100,23 @@ pub(super) fn orbit(value: &Value<'_>) -> Result<Orbit, FormatError> {
     let table = value.table()?;
     table.allow(&KEYS)?;
     let Some(form) = table.at_most_one(&FORMS.map(|(key, _)| key), RULE)? else {
-        return Err(table.missing("radius", "radius = \"6778 km\", or rate, position or semi_major_axis"));
+        return Err(
+            table.missing("altitude", "altitude = \"500 km\", or radius, rate, position or semi_major_axis")
+        );
     };
     let own = FORMS.iter().find(|(key, _)| *key == form.key()).map_or(&[][..], |(_, own)| own);
     for key in KEYS.iter().filter(|key| !["mu", form.key()].contains(key) && !own.contains(key)) {
         table.at_most_one(&[form.key(), key], RULE)?;
     }
+    table.at_most_one(
+        &["altitude", "mu"],
+        "an altitude is above the Earth: of another body give the radius",
+    )?;
     let mu = match table.get("mu") {
         Some(mu) => positive(&mu, Dimension::GRAVITATIONAL_PARAMETER)?,
         None => MU_EARTH,
     };
+    let angles = ["inclination", "node", "mean_anomaly", "true_anomaly"];
     let direction = |key, default: [f64; 3]| {
         let numbers = table.get(key).map_or(Ok(default), |value| value.numbers());
         numbers.map(Direction::from_array)
@@ -155,26 +127,40 @@ pub(super) fn orbit(value: &Value<'_>) -> Result<Orbit, FormatError> {
             let velocity = Velocity::from_array(velocity.quantities(Dimension::VELOCITY)?);
             Orbit::through(mu, Position::from_array(form.quantities(Dimension::LENGTH)?), velocity, 0.0)
         }
-        "semi_major_axis" => Orbit::of_elements(mu, &elements(&table, &form)?),
+        "semi_major_axis" => Orbit::of_elements(mu, &elements(&table, form.quantity(Dimension::LENGTH)?)?),
+        _ if let Some(angle) = angles.iter().find_map(|key| table.get(key)) => {
+            for key in ["radial", "motion"] {
+                table.at_most_one(&[key, angle.key()], "directions or angles say how the circle lies")?;
+            }
+            Orbit::of_elements(mu, &elements(&table, radius(&form)?)?)
+        }
         key => {
             let (radial, motion) =
                 (direction("radial", [1.0, 0.0, 0.0])?, direction("motion", [0.0, 1.0, 0.0])?);
             if key == "rate" {
                 Orbit::circular_at_rate(mu, positive(&form, Dimension::ANGULAR_VELOCITY)?, radial, motion)
             } else {
-                Orbit::circular(mu, positive(&form, Dimension::LENGTH)?, radial, motion)
+                Orbit::circular(mu, radius(&form)?, radial, motion)
             }
         }
     };
     made.map_err(|error| value.motion(error))
 }
 
+/// That of a circle, m.
+fn radius(form: &Value<'_>) -> Result<f64, FormatError> {
+    if form.key() == "radius" {
+        return positive(form, Dimension::LENGTH);
+    }
+    Ok(EARTH + form.quantity(Dimension::LENGTH)?)
+}
+
 /// Eccentricity and angles are zero where they are not given.
-fn elements(table: &Table<'_>, semi_major_axis: &Value<'_>) -> Result<OrbitalElements, FormatError> {
+fn elements(table: &Table<'_>, semi_major_axis: f64) -> Result<OrbitalElements, FormatError> {
     let angle = |key| table.get(key).map_or(Ok(0.0), |value| value.quantity(Dimension::ANGLE));
     let anomaly = table.at_most_one(&["mean_anomaly", "true_anomaly"], "either says where on the orbit")?;
     Ok(OrbitalElements {
-        semi_major_axis: semi_major_axis.quantity(Dimension::LENGTH)?,
+        semi_major_axis,
         eccentricity: table.get("eccentricity").map_or(Ok(0.0), |value| value.number())?,
         inclination: angle("inclination")?,
         node: angle("node")?,

@@ -1,7 +1,8 @@
 //! Torques as reports show them: one description of each model, from which text, JSON and the page are made.
 
 use polhode::motion::torque::{
-    Attracted, ConstantTorque, Drag, DragLaw, FormulaTorque, MagneticField, Schedule, TorqueModel,
+    Attracted, ConstantTorque, Drag, DragLaw, FormulaTorque, Interpolation, MagneticField, Schedule,
+    Tabulated, TorqueAxes, TorqueModel,
 };
 use polhode::motion::{EventAction, Motor, Orbit, Scenario, Wheel};
 use serde_json::{Map, Value, json};
@@ -122,8 +123,26 @@ impl Description {
                 let axes = if matches!(**formula, FormulaTorque::Body(_)) { "body" } else { "space" };
                 Self::new(name, format!("given by formulas along {axes} axes")).word("axes", axes)
             }
+            TorqueModel::Tabulated(table) => Self::tabulated(name, table),
             other => Self::new(name, other.name()),
         }
+    }
+
+    fn tabulated(name: &'static str, table: &Tabulated) -> Self {
+        let axes = if table.axes() == TorqueAxes::Body { "body" } else { "space" };
+        let between = match table.interpolation() {
+            Interpolation::Steps => "steps",
+            Interpolation::Linear => "linear",
+            Interpolation::Spline => "spline",
+        };
+        let (first, last) = (table.times().first(), table.times().last());
+        let title = format!("from a table of {} rows ({between}) along {axes} axes", table.times().len());
+        Self::new(name, title)
+            .word("axes", axes)
+            .word("interpolation", between)
+            .put("first_row_s", "from t", Shown::Number(first.copied().unwrap_or_default()), "s")
+            .put("last_row_s", "to t", Shown::Number(last.copied().unwrap_or_default()), "s")
+            .put("greatest_n_m", "greatest |N|", Shown::Number(table.greatest()), "N·m")
     }
 
     /// What a wheel is and has.

@@ -23,6 +23,7 @@
 //! error that points at its place; nothing is ignored.
 
 mod body;
+mod csv;
 mod event;
 mod formula;
 mod key;
@@ -233,7 +234,9 @@ fn read_root(source: Source<'_>, entries: &Entries) -> Result<(Scenario, Vec<Tor
     let body::Assembly { parts, body, mut pivot } = body::body(&root, &mut findings)?;
     let shared = orbit::read(&root)?;
     let orbit = shared.as_ref().map(|shared| &shared.orbit);
-    let torques = torque::torques(&root, &parts, orbit, &mut pivot)?;
+    let run = run::run(&root, orbit)?;
+    let end = run.as_ref().and_then(|run| run.times.last().copied());
+    let torques = torque::torques(&root, &parts, orbit, end, &mut pivot)?;
     let references = References { orbit, field: torques.field() };
     let events = event::events(&root, &torques, &references)?;
     let pointings = pointing::pointings(&root, &references)?;
@@ -245,7 +248,6 @@ fn read_root(source: Source<'_>, entries: &Entries) -> Result<(Scenario, Vec<Tor
     });
     let wheels = wheel::wheels(&root)?;
     let start = start::start(&root, &wheel::locked(&rotor, &wheels)?, orbit)?;
-    let run = run::run(&root, orbit)?;
     let prescribed = prescribed::prescribed(&root, &start, run.as_ref(), &mut findings)?;
     let named = torques.names.into_iter().enumerate();
     let acting = torques.models.into_iter().zip(named).map(|(model, (k, name))| {

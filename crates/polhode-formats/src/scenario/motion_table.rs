@@ -10,15 +10,12 @@ use polhode::body::{Finding, Severity};
 use polhode::math::Attitude;
 use polhode::motion::{RateAxes, Uncertainty};
 
+use super::csv::{self, fields, missing};
 use super::reader::Value;
 use super::rows::Rows;
 use super::tree::Known;
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
-use crate::error::{FormatError, FormatErrorKind};
-use crate::{file, unit};
-
-/// A larger table has more rows than a spline has any use for.
-const LARGEST_FILE: u64 = 256 << 20;
+use crate::content::ContentError;
+use crate::error::FormatError;
 
 /// What a table can be of, in the order in which it is looked for.
 pub(super) const COLUMNS: [&str; 3] = ["attitude", "omega_body", "omega_space"];
@@ -36,12 +33,7 @@ pub(super) fn read(table: &Value<'_>, columns: Option<&str>) -> Result<Arc<Rows>
     if let Some(Known::Rows(rows)) = table.known() {
         return Ok(rows.clone());
     }
-    let bytes = file::bytes(&path, table.string()?, LARGEST_FILE).map_err(|kind| {
-        let missing = matches!(kind, FormatErrorKind::Io { .. });
-        let error = table.error(kind);
-        let hint = format!("paths are relative to the scenario: this one is {path:?}");
-        if missing { error.with_hint(hint) } else { error }
-    })?;
+    let bytes = csv::bytes(table, &path)?;
     let rows = rows(&bytes, columns).map_err(|error| {
         FormatError::of_content(&path, &bytes, error).named_in(table.source().path, table.place())
     })?;
@@ -81,11 +73,7 @@ pub(super) fn finding(uncertainty: &Uncertainty) -> Finding {
 }
 
 fn rows(bytes: &[u8], columns: Option<&str>) -> Result<Rows, ContentError> {
-    let text = str::from_utf8(bytes).map_err(|error| {
-        let place = ContentPlace::Text(error.valid_up_to()..error.valid_up_to() + 1);
-        let kind = ContentErrorKind::Unsupported { what: "text that is not UTF-8".to_owned() };
-        ContentError::new(kind, place).hint("save the table as UTF-8")
-    })?;
+    let text = csv::text(bytes)?;
     let mut lines = fields(text);
     let Some((_, header)) = lines.next() else {
         return Err(missing("lines")
@@ -95,32 +83,12 @@ fn rows(bytes: &[u8], columns: Option<&str>) -> Result<Rows, ContentError> {
     let (kind, places) = chosen(text, &header, columns)?;
     let (mut times, mut numbers) = (Vec::new(), Vec::new());
     for (line, fields) in lines {
-        if fields.len() != width {
-            let rule = format!("{width} fields long, as the header is; it has {}", fields.len());
-            let kind = ContentErrorKind::Value {
-                what: "the line".to_owned(),
-                value: text[line.clone()].to_owned(),
-                rule,
-            };
-            return Err(ContentError::new(kind, ContentPlace::Text(line)));
-        }
-        let mut row = [0.0; 5];
-        for (slot, place) in row.iter_mut().zip(&places) {
-            *slot = number(text, fields.get(*place).cloned().unwrap_or_default())?;
-        }
-        let [time, rest @ ..] = row;
-        let late = times.last().is_some_and(|last| time <= *last);
-        if late {
-            let (what, rule) = ("time_s".to_owned(), "after that of the row before".to_owned());
-            let kind = ContentErrorKind::Value { what, value: time.to_string(), rule };
-            return Err(ContentError::new(kind, ContentPlace::Text(line)));
-        }
+        let [time, rest @ ..] = csv::numbers::<5>(text, &line, &fields, width, &places)?;
+        csv::ascending(&times, time, line.clone())?;
         if kind == 0 {
-            Attitude::from_quaternion(rest).map_err(|_| {
-                let (what, rule) = ("the attitude".to_owned(), "a quaternion that is not zero".to_owned());
-                let kind = ContentErrorKind::Value { what, value: text[line.clone()].to_owned(), rule };
-                ContentError::new(kind, ContentPlace::Text(line))
-            })?;
+            let rule = "a quaternion that is not zero";
+            let refused = |_| csv::value("the attitude", &text[line.clone()], rule, line.clone());
+            Attitude::from_quaternion(rest).map_err(refused)?;
         }
         times.push(time);
         numbers.push(rest);
@@ -154,49 +122,4 @@ fn chosen(
         let names = kinds.map(|kind| NAMES[kind].join(", ")).collect::<Vec<_>>().join("; or ");
         missing("columns of the motion").hint(format!("the columns are {names}"))
     })
-}
-
-/// The lines that are not blank, each with its fields, all as places in the text.
-fn fields(text: &str) -> impl Iterator<Item = (Range<usize>, Vec<Range<usize>>)> {
-    let mut at = if text.starts_with('\u{feff}') { 3 } else { 0 };
-    let next = move || {
-        while at < text.len() {
-            let start = at;
-            let line = text[start..].split_inclusive('\n').next().unwrap_or_default();
-            at += line.len();
-            let line = line.split('#').next().unwrap_or_default();
-            if !line.trim().is_empty() {
-                let mut from = start;
-                let mut all = Vec::new();
-                for field in line.trim_end().split(',') {
-                    let left = from + (field.len() - field.trim_start().len());
-                    all.push(left..left + field.trim().len());
-                    from += field.len() + 1;
-                }
-                return Some((start..start + line.trim_end().len(), all));
-            }
-        }
-        None
-    };
-    std::iter::from_fn(next)
-}
-
-fn number(text: &str, field: Range<usize>) -> Result<f64, ContentError> {
-    let written = &text[field.clone()];
-    let fail = |kind| Err(ContentError::new(kind, ContentPlace::Text(field.clone())));
-    match written.parse::<f64>().ok().or_else(|| unit::bare(written)) {
-        Some(number) if number.is_finite() => Ok(number),
-        Some(_) => {
-            let (what, found) = ("the number".to_owned(), written.to_owned());
-            fail(ContentErrorKind::NotFinite { what, found })
-        }
-        None => {
-            let found = if written.is_empty() { "nothing".to_owned() } else { written.to_owned() };
-            fail(ContentErrorKind::Expected { what: "a number".to_owned(), found })
-        }
-    }
-}
-
-fn missing(what: &str) -> ContentError {
-    ContentError::new(ContentErrorKind::Missing { what: what.to_owned() }, ContentPlace::Whole)
 }

@@ -1,4 +1,4 @@
-//! The rows of a table of a prescribed motion.
+//! The rows of tables: of a prescribed motion, and of a torque.
 
 use polhode::math::Attitude;
 use polhode::motion::RateAxes;
@@ -8,4 +8,11 @@ use polhode::motion::RateAxes;
 pub(crate) enum Rows {
     Attitude { times: Vec<f64>, attitudes: Vec<Attitude> },
     Omega { axes: RateAxes, times: Vec<f64>, omega: Vec<[f64; 3]> },
+}
+
+/// The rows of a table of torques, in SI.
+#[derive(Debug, Default)]
+pub(crate) struct TorqueRows {
+    pub(crate) times: Vec<f64>,
+    pub(crate) torques: Vec<[f64; 3]>,
 }

@@ -13,7 +13,7 @@ use polhode::math::Body;
 use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue};
 
-use super::rows::Rows;
+use super::rows::{Rows, TorqueRows};
 use crate::molecule::Molecule;
 use crate::unit::Dimension;
 
@@ -61,6 +61,7 @@ pub(crate) enum Known {
     Mesh(Arc<ClosedMesh>, Vec<Finding>),
     Molecule(Arc<Molecule>),
     Rows(Arc<Rows>),
+    Torques(Arc<TorqueRows>),
     /// A part of the body, without its shape for display, which no motion depends on.
     Part(Arc<(BodyPart, Vec<Finding>)>),
     /// All parts together.
@@ -97,7 +98,10 @@ impl Node {
     /// The name of a file, once that was read.
     pub(crate) fn file(&self) -> Option<&str> {
         match (&self.kind, self.known.get()) {
-            (Kind::Text(name), Some(Known::Mesh(..) | Known::Molecule(_) | Known::Rows(_))) => Some(name),
+            (
+                Kind::Text(name),
+                Some(Known::Mesh(..) | Known::Molecule(_) | Known::Rows(_) | Known::Torques(_)),
+            ) => Some(name),
             _ => None,
         }
     }

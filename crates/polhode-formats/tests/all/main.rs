@@ -22,5 +22,6 @@ mod stl_quick;
 mod table;
 mod threemf;
 mod torque_formula;
+mod torque_table;
 mod unit;
 mod voxel;

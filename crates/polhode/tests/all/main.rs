@@ -33,6 +33,7 @@ mod shaft;
 mod shapes;
 mod splitting;
 mod stability;
+mod tabulated;
 mod taylor_layouts;
 mod torsion;
 mod tumbling;

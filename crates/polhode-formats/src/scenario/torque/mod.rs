@@ -8,6 +8,7 @@ mod gravity;
 mod gravity_gradient;
 mod magnetic;
 pub(super) mod schedule;
+mod table;
 mod thruster;
 mod torsion;
 
@@ -22,7 +23,7 @@ use super::reader::{Table, Value};
 use crate::error::FormatError;
 
 /// The models, as a file names them.
-const MODELS: [&str; 9] = [
+const MODELS: [&str; 10] = [
     "constant",
     "gravity",
     "gravity_gradient",
@@ -32,6 +33,7 @@ const MODELS: [&str; 9] = [
     "thruster",
     "energy_sink",
     "formula",
+    "table",
 ];
 
 /// All torques of a file.
@@ -72,11 +74,12 @@ impl TorquePlaces {
 /// The keys that every torque may have, beside those of its schedule.
 const KEYS: [&str; 3] = ["model", "name", "on"];
 
-/// Reads all torques on a body of these parts, on an orbit; gravity may bring the pivot with it, or repeat it.
+/// Reads all torques on a body of these parts, on an orbit, until the end of the run; gravity may bring the pivot with it, or repeat it.
 pub(crate) fn torques<'a>(
     root: &Table<'a>,
     parts: &[BodyPart],
     orbit: Option<&Orbit>,
+    end: Option<f64>,
     pivot: &mut Option<Pivot<'a>>,
 ) -> Result<Torques, FormatError> {
     let mut torques = Torques::default();
@@ -95,6 +98,7 @@ pub(crate) fn torques<'a>(
             "thruster" => thruster::thruster(&table)?,
             "energy_sink" => energy_sink::energy_sink(&table)?,
             "formula" => formula::formula(&table)?,
+            "table" => table::table(&table, end)?,
             _ if torques.models.iter().any(|model| matches!(model, TorqueModel::Gravity(_))) => {
                 let rule = "given once for gravity";
                 return Err(named.invalid(rule).with_hint("add the accelerations"));

@@ -14,8 +14,10 @@ pub(crate) mod model;
 pub(crate) mod own;
 pub(crate) mod polynomial;
 pub(crate) mod scheduled;
+pub(crate) mod tabulated;
 pub(crate) mod tangent;
 pub(crate) mod thruster;
+pub(crate) mod time_polynomial;
 pub(crate) mod torsion;
 
 use core::fmt;
@@ -40,7 +42,9 @@ pub use law::{Law, LawInput, OrbitPosition};
 pub use magnetic::{Magnetic, MagneticField};
 pub use own::OwnTorque;
 pub use scheduled::Scheduled;
+pub use tabulated::{Interpolation, Tabulated};
 pub use thruster::Thruster;
+pub use time_polynomial::{TimePolynomial, TorqueAxes};
 pub use torsion::Torsion;
 
 /// The list of all models: the type, and what the solvers ask of each.
@@ -85,6 +89,10 @@ models! {
     EnergySink(EnergySink): EnergySink,
     /// Given by formulas.
     Formula(Box<FormulaTorque>): FormulaTorque,
+    /// A polynomial in time.
+    Polynomial(TimePolynomial): TimePolynomial,
+    /// From a table.
+    Tabulated(Box<Tabulated>): Tabulated,
     /// A law or a function of the user of this crate.
     Own(OwnTorque): OwnTorque,
     /// Another one, at its times only.
@@ -134,6 +142,7 @@ impl TorqueModel {
     pub(crate) fn next_change(&self, time: f64) -> f64 {
         match self {
             Self::Scheduled(model) => model.schedule.next_change(time).min(model.torque.next_change(time)),
+            Self::Tabulated(table) => table.next_change(time),
             _ => f64::INFINITY,
         }
     }
@@ -148,13 +157,19 @@ impl TorqueModel {
         }
     }
 
-    /// What it is just after a time, without a schedule; `None` if it does not act then.
+    /// What it is just after a time, until the next change; `None` if it does not act then.
     pub(crate) fn acting(&self, time: f64) -> Option<&Self> {
         match self {
             Self::Scheduled(model) if model.schedule.is_on(time) => model.torque.acting(time),
             Self::Scheduled(_) => None,
+            Self::Tabulated(table) => table.piece(time),
             model => Some(model),
         }
+    }
+
+    /// Does it begin, end or become another law at given times?
+    pub(crate) const fn is_timed(&self) -> bool {
+        matches!(self, Self::Scheduled(_) | Self::Tabulated(_))
     }
 }
 

@@ -48,9 +48,7 @@ pub(in crate::motion) struct BatchBody<'a> {
 impl<'a> BatchBody<'a> {
     /// `None` for what is computed body by body: schedules, and what has no series.
     pub(in crate::motion) fn of(rotor: &'a Rotor, torques: &'a [TorqueModel], start: State) -> Option<Self> {
-        let has_series = |torque: &TorqueModel| {
-            torque.model().roughness().is_none() && !matches!(torque, TorqueModel::Scheduled(_))
-        };
+        let has_series = |torque: &TorqueModel| torque.model().roughness().is_none() && !torque.is_timed();
         let is_steady = |wheel: &Wheel| !matches!(wheel.motor(), Motor::Torque { schedule: Some(_), .. });
         if !torques.iter().all(has_series) || !rotor.wheels().iter().all(is_steady) {
             return None;

@@ -1,0 +1,107 @@
+//! A torque that is a polynomial in time.
+
+use super::law::{Law, LawInput};
+use super::model::Model;
+use crate::math::frame::{Body, Space};
+use crate::math::vector::{Direction, Torque};
+use crate::motion::model::rotor::Rotor;
+use crate::motion::model::state::State;
+
+/// The axes that components of a torque are along.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum TorqueAxes {
+    /// The body's.
+    Body,
+    /// Those of space.
+    Space,
+}
+
+/// A torque whose components are polynomials in time, N = Σ cₖ (t − t₀)ᵏ, N·m.
+///
+/// ```
+/// use polhode::prelude::*;
+/// use polhode::motion::torque::{TimePolynomial, TorqueAxes};
+/// # let inertia = InertiaTensor::with_negative_products([3.1, 4.2, 5.3], [0.4, -0.3, 0.2])?;
+/// # let rotor = Rotor::free(&MassProperties::new(2.0, Position::ZERO, inertia)?);
+/// // 2 N·m about z at t = 1 s, and 0.5 N·m more each second
+/// let coefficients = vec![[0.0, 0.0, 2.0], [0.0, 0.0, 0.5]];
+/// let ramp = TorqueModel::Polynomial(TimePolynomial { axes: TorqueAxes::Body, epoch: 1.0, coefficients });
+/// let state = State { time: 5.0, attitude: Attitude::identity(), omega: AngularVelocity::ZERO };
+/// assert_eq!(ramp.torque(&rotor, &state).to_array(), [0.0, 0.0, 4.0]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct TimePolynomial {
+    /// What the components are along.
+    pub axes: TorqueAxes,
+    /// t₀, s.
+    pub epoch: f64,
+    /// cₖ, from k = 0 on, N·m/sᵏ.
+    pub coefficients: Vec<[f64; 3]>,
+}
+
+impl TimePolynomial {
+    /// The components at a time, along its axes, N·m.
+    pub fn components(&self, time: f64) -> [f64; 3] {
+        let t = time - self.epoch;
+        let next = |sum: [f64; 3], c: &[f64; 3]| core::array::from_fn(|k| sum[k] * t + c[k]);
+        self.coefficients.iter().rev().fold([0.0; 3], next)
+    }
+}
+
+impl Law for TimePolynomial {
+    fn torque<I: LawInput>(&self, at: &I) -> I::Vector {
+        let along = |c: &[f64; 3]| match self.axes {
+            TorqueAxes::Body => at.in_body(Direction::from_array(*c)),
+            TorqueAxes::Space => at.in_space(Direction::from_array(*c)),
+        };
+        // Horner's scheme; what is constant does not name the time.
+        let mut falling = self.coefficients.iter().rev();
+        let Some(highest) = falling.next() else { return along(&[0.0; 3]) };
+        falling.fold(along(highest), |sum, c| sum * (at.time() - at.number(self.epoch)) + along(c))
+    }
+
+    fn at(&self, _: &Rotor, state: &State) -> Torque<Body> {
+        let components = self.components(state.time);
+        match self.axes {
+            TorqueAxes::Body => Torque::from_array(components),
+            TorqueAxes::Space => state.attitude.inverse() * Torque::<Space>::from_array(components),
+        }
+    }
+}
+
+/// What changes with time has no potential.
+impl Model for TimePolynomial {
+    fn name(&self) -> &'static str {
+        "polynomial"
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::law::{Values, generic_rotor};
+    use super::*;
+    use crate::math::rotation::Attitude;
+    use crate::math::vector::AngularVelocity;
+
+    #[test]
+    fn the_law_is_what_is_evaluated() {
+        let rotor = generic_rotor();
+        let attitude = Attitude::from_quaternion([0.3, -0.5, 0.7, 0.2]).unwrap();
+        let state = State { time: 2.75, attitude, omega: AngularVelocity::new(0.1, -0.2, 0.3) };
+        let coefficients = vec![[0.5, -1.5, 2.0], [0.25, 1.0, -0.75], [-2.0, 0.125, 0.5], [0.1, 0.2, -0.3]];
+        // Σ cₖ 1.5ᵏ by hand
+        let want = [0.5 + 0.375 - 4.5 + 0.3375, -1.5 + 1.5 + 0.28125 + 0.675, 2.0 - 1.125 + 1.125 - 1.0125];
+        for axes in [TorqueAxes::Body, TorqueAxes::Space] {
+            let law = TimePolynomial { axes, epoch: 1.25, coefficients: coefficients.clone() };
+            let value = law.at(&rotor, &state);
+            let along_body = match axes {
+                TorqueAxes::Body => Torque::from_array(want),
+                TorqueAxes::Space => attitude.inverse() * Torque::<Space>::from_array(want),
+            };
+            assert!((value - along_body).norm() < 1e-14, "{value:?}");
+            let recorded: Torque<Body> = law.torque(&Values { rotor: &rotor, state: &state }).as_quantity();
+            assert!((value - recorded).norm() < 1e-14, "{recorded:?}");
+        }
+    }
+}

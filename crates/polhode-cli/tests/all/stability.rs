@@ -172,3 +172,31 @@ fn what_cannot_depart_is_refused() {
     let text = refused(&scratch.run(&["spin", "wheel.toml"]), 2);
     assert!(text.contains("wheels spin in the body"), "{text}");
 }
+
+#[test]
+fn the_torque_that_prevents_an_equilibrium_is_named() {
+    let scratch = Scratch::new("stability-prevented");
+    let torque = |keys: &str| {
+        format!("[[torque]]\nmodel = 'constant'\naxes = 'space'\ntorque = [0, 0, 0.1]\n{keys}\n")
+    };
+    let body = "[[body.part]]\nshape = 'box'\nsize = [0.1, 0.2, 1.1]\nmass = 2\n";
+    let gravity = "[[torque]]\nmodel = 'gravity'\npivot = [0, 0, 0.5]\n";
+    let text = [body, gravity, &torque("name = 'motor'"), &torque("name = 'later'\nfrom = '4 s'")].concat();
+    scratch.write("driven.toml", &text);
+    let shown = stdout(&scratch.run(&["stability", "driven.toml"]));
+    assert!(shown.contains("the torque \"motor\" prevents it"), "{shown}");
+    assert!(shown.contains("does not act at t = 0 s: the torque \"later\""), "{shown}");
+    let answer = json(&scratch.run(&["stability", "driven.toml", "--json"]));
+    assert_eq!(answer["small_oscillations"], serde_json::Value::Null);
+    assert_eq!(answer["prevented_by"], serde_json::json!(["motor"]));
+    assert_eq!(answer["torques_that_do_not_act"], serde_json::json!(["later"]));
+    // √(M g l/I) of the rest, about the axis of 0.7083 kg·m²
+    let mode = &answer["small_oscillations_of_the_rest"]["modes"][0];
+    let expected = (2.0 * 9.80665 * 0.5 / (2.0 * ((1.1 * 1.1 + 0.04) / 12.0 + 0.25_f64))).sqrt();
+    assert!((mode["frequency"].as_f64().unwrap() / expected - 1.0).abs() < 1e-9, "{mode}");
+    // Alone it leaves nothing.
+    scratch.write("alone.toml", &[body, &torque("name = 'motor'")].concat());
+    let alone = json(&scratch.run(&["stability", "alone.toml", "--json"]));
+    assert_eq!(alone["prevented_by"], serde_json::json!(["motor"]));
+    assert_eq!(alone["small_oscillations_of_the_rest"], serde_json::Value::Null);
+}

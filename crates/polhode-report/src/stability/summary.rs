@@ -6,7 +6,8 @@ use polhode::observe::{
 };
 use serde_json::{Value, json};
 
-use super::{Found, Judged, Place, StabilityReport};
+use super::search::{Found, Place};
+use super::{Judged, StabilityReport};
 use crate::json::{numbers, vector};
 use crate::{VERSION, block, finding};
 
@@ -30,12 +31,16 @@ pub(super) fn of(report: &StabilityReport) -> Value {
 fn at(report: &StabilityReport, judged: &Judged) -> Value {
     let rotations = judged.rotations.as_ref().ok();
     let oscillations = judged.oscillations.as_ref().and_then(|found| found.as_ref().ok());
+    let prevented = judged.oscillations.as_ref().and_then(|found| found.as_ref().err());
     let rotation = |one: &PermanentRotation| rotation(report, one);
     json!({
         "judged_at_s": judged.time,
         "wheel_momentum_body": vector(report.rotor.wheel_momentum(judged.time)),
         "permanent_rotations": rotations.map(|all| all.iter().map(rotation).collect::<Value>()),
         "small_oscillations": oscillations.map(small),
+        "prevented_by": prevented.map_or(&[][..], |prevented| &prevented.by),
+        "small_oscillations_of_the_rest": prevented.and_then(|p| p.of_the_rest.as_ref()).map(small),
+        "torques_that_do_not_act": judged.idle,
     })
 }
 

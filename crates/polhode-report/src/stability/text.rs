@@ -7,6 +7,7 @@ use std::f64::consts::TAU;
 use polhode::motion::MotionError;
 use polhode::observe::{DissipativeLimit, PermanentRotation, Stability};
 
+use super::search::Prevented;
 use super::{Judged, StabilityReport};
 use crate::finding;
 use crate::layout::{columns, labelled, plain_spaces};
@@ -22,8 +23,13 @@ pub(super) fn write(report: &StabilityReport) -> String {
         text.push_str(&rotations(report, judged));
         match &judged.oscillations {
             None => {}
-            Some(Err(error)) => text.push_str(&labelled("small swings", &no_equilibrium(error))),
+            Some(Err(prevented)) => text.push_str(&no_equilibrium(prevented)),
             Some(Ok(found)) => text.push_str(&equilibrium::write(found)),
+        }
+        if !judged.idle.is_empty() {
+            let time = number(judged.time, 6);
+            let line = format!("left out, as it does not act at t = {time} s: {}", listed(&judged.idle));
+            text.push_str(&labelled("idle", &line));
         }
     }
     text.push_str(&finding::to_text(&report.findings));
@@ -147,8 +153,30 @@ fn needs_no_friction(one: &PermanentRotation) -> bool {
     matches!(one.stability, Stability::Stable { .. }) && one.is_ended_by_friction()
 }
 
-fn no_equilibrium(error: &MotionError) -> String {
-    format!("no equilibrium near the start: {error}")
+/// Why there is no equilibrium, and what there is without what prevents it.
+fn no_equilibrium(prevented: &Prevented) -> String {
+    let left = match &prevented.error {
+        MotionError::NotSteady { torque, scale } => {
+            let (torque, scale) = (number(*torque, 4), number(*scale, 4));
+            format!("of torques of {scale} N·m in all, {torque} N·m is left over")
+        }
+        error => error.to_string(),
+    };
+    let why = match prevented.by.as_slice() {
+        [] => "no equilibrium near the start".to_owned(),
+        by => format!("no equilibrium near the start: {} prevents it", listed(by)),
+    };
+    let why = format!("{why}; {left}");
+    let rest = prevented
+        .of_the_rest
+        .as_ref()
+        .map(|rest| labelled("without", &format!("{}:", listed(&prevented.by))) + &equilibrium::write(rest));
+    labelled("small swings", &why) + &rest.unwrap_or_default()
+}
+
+/// `the torque "wind" and the torque "drag"`
+fn listed(names: &[String]) -> String {
+    names.iter().map(|name| format!("the torque \"{name}\"")).collect::<Vec<_>>().join(" and ")
 }
 
 fn indented(rows: &[Vec<String>]) -> String {

@@ -8,7 +8,7 @@ use polhode::observe::{OrbitalEquilibrium, OscillationMode, SmallOscillations, S
 use super::indented;
 use crate::layout::labelled;
 use crate::number::{number, vector};
-use crate::stability::{Found, Place};
+use crate::stability::search::{Found, Place};
 use crate::unit::rate;
 
 pub(super) fn write(found: &Found) -> String {

@@ -167,6 +167,11 @@ impl TorqueModel {
         }
     }
 
+    /// Does it act just after a time? A torque with a schedule or a table does so at its times only.
+    pub fn acts_at(&self, time: f64) -> bool {
+        self.acting(time).is_some()
+    }
+
     /// Does it begin, end or become another law at given times?
     pub(crate) const fn is_timed(&self) -> bool {
         matches!(self, Self::Scheduled(_) | Self::Tabulated(_))

@@ -1,5 +1,7 @@
 //! What the parts of a formula measure: from its variables and units to its value.
 
+use std::f64::consts::PI;
+
 use polhode::math::formula::{Binary, Instruction, Unary};
 
 use super::function::FUNCTIONS;
@@ -22,8 +24,24 @@ pub(super) enum Measured {
     As(Dimension),
 }
 
-/// On the stack: what a value measures, and the value if it is a number in the text.
-type Operand = (Measured, Option<f64>);
+/// On the stack.
+#[derive(Clone, Copy, Debug)]
+struct Operand {
+    measured: Measured,
+    /// The value, if it is a number in the text.
+    number: Option<f64>,
+    angle: Angle,
+}
+
+/// Whether a plain number is an angle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Angle {
+    /// A variable that is one, or a number with its unit.
+    Is,
+    /// A number without a unit, which may be meant in degrees.
+    Bare,
+    Open,
+}
 
 /// What the value measures, angles not counted; everything is of the dimension that its place asks for.
 pub(super) fn measure(steps: &[Step], variables: &[Dimension]) -> Result<Measured, ExpressionError> {
@@ -34,50 +52,80 @@ pub(super) fn measure(steps: &[Step], variables: &[Dimension]) -> Result<Measure
         let result = step.result(&operands, variables);
         stack.push(result.map_err(|kind| ExpressionError { kind, column: step.column })?);
     }
-    Ok(stack.pop().map_or(Measured::Zero, |(value, _)| value))
+    Ok(stack.pop().map_or(Measured::Zero, |value| value.measured))
 }
 
 impl Step {
     fn result(&self, operands: &[Operand], variables: &[Dimension]) -> Result<Operand, ExpressionErrorKind> {
+        let is_angle = |dimension: Dimension| {
+            if dimension == Dimension::ANGLE { Angle::Is } else { Angle::Open }
+        };
         let measured = match (self.instruction, operands) {
             (Instruction::Constant(value), _) => {
-                let bare_zero = value == 0.0 && self.dimension == Dimension::NONE;
-                let measured = if bare_zero { Measured::Zero } else { Measured::As(self.dimension) };
-                return Ok((measured, Some(value)));
+                let is_bare = value != 0.0 && value != PI && self.dimension == Dimension::NONE;
+                let is_zero = value == 0.0 && self.dimension == Dimension::NONE;
+                let measured = Measured::As(self.dimension.without_angle());
+                return Ok(Operand {
+                    measured: if is_zero { Measured::Zero } else { measured },
+                    number: Some(value),
+                    angle: if is_bare { Angle::Bare } else { is_angle(self.dimension) },
+                });
             }
             (Instruction::Variable(k), _) => {
-                Measured::As(variables.get(k).copied().unwrap_or(Dimension::NONE))
+                let dimension = variables.get(k).copied().unwrap_or(Dimension::NONE);
+                let measured = Measured::As(dimension.without_angle());
+                return Ok(Operand { measured, number: None, angle: is_angle(dimension) });
             }
-            (Instruction::Unary(Unary::Negate), &[(a, number)]) => return Ok((a, number.map(|x| -x))),
-            (Instruction::Unary(Unary::Abs), &[(a, _)]) => a,
-            (Instruction::Unary(Unary::Sqrt), &[(a, _)]) => self.raised(a, 0.5)?,
-            (Instruction::Unary(Unary::Power(n)), &[(a, _)]) => self.raised(a, f64::from(n))?,
-            (Instruction::Unary(_), &[(a, _)]) => self.plain(a)?,
-            (Instruction::Binary(Binary::Multiply), &[(a, _), (b, _)]) => a.times(b, 1),
-            (Instruction::Binary(Binary::Divide), &[(a, _), (b, _)]) => a.times(b, -1),
-            (Instruction::Binary(Binary::Power), &[(a, _), (b, number)]) => {
-                self.plain(b)?;
-                match number {
-                    Some(power) => self.raised(a, power)?,
-                    None => self.plain(a)?,
+            (Instruction::Unary(Unary::Negate), &[a]) => {
+                return Ok(Operand { number: a.number.map(|x| -x), ..a });
+            }
+            (Instruction::Unary(Unary::Abs), &[a]) => return Ok(Operand { number: None, ..a }),
+            (Instruction::Unary(Unary::Asin | Unary::Acos | Unary::Atan), &[a]) => {
+                let measured = self.plain(a.measured)?;
+                return Ok(Operand { measured, number: None, angle: Angle::Is });
+            }
+            (Instruction::Unary(Unary::Sqrt), &[a]) => self.raised(a.measured, 0.5)?,
+            (Instruction::Unary(Unary::Power(n)), &[a]) => self.raised(a.measured, f64::from(n))?,
+            (Instruction::Unary(_), &[a]) => self.plain(a.measured)?,
+            (Instruction::Binary(Binary::Multiply), &[a, b]) => a.measured.times(b.measured, 1),
+            (Instruction::Binary(Binary::Divide), &[a, b]) => a.measured.times(b.measured, -1),
+            (Instruction::Binary(Binary::Power), &[a, b]) => {
+                self.plain(b.measured)?;
+                match b.number {
+                    Some(power) => self.raised(a.measured, power)?,
+                    None => self.plain(a.measured)?,
                 }
             }
-            (Instruction::Binary(Binary::Add | Binary::Subtract), &[(a, _), (b, _)])
-            | (Instruction::Binary(Binary::Min | Binary::Max | Binary::Hypot), &[(a, _), (b, _)]) => {
-                self.equal(a, b)?
+            (Instruction::Binary(Binary::Add | Binary::Subtract), &[a, b])
+            | (Instruction::Binary(Binary::Min | Binary::Max | Binary::Hypot), &[a, b]) => {
+                self.equal(a.measured, b.measured)?
             }
-            // an angle, or yes or no
-            (Instruction::Binary(_), &[(a, _), (b, _)]) => {
-                self.equal(a, b)?;
+            (Instruction::Binary(Binary::And | Binary::Or), &[a, b]) => {
+                self.plain(a.measured)?;
+                self.plain(b.measured)?
+            }
+            (Instruction::Binary(Binary::Atan2), &[a, b]) => {
+                self.equal(a.measured, b.measured)?;
+                return Ok(Operand { measured: Measured::PLAIN, number: None, angle: Angle::Is });
+            }
+            // yes or no
+            (Instruction::Binary(_), &[a, b]) => {
+                if let (Angle::Is, Angle::Bare, Some(number)) | (Angle::Bare, Angle::Is, Some(number)) =
+                    (a.angle, b.angle, a.number.or(b.number))
+                {
+                    let (operation, found) = (self.name(), number.to_string());
+                    return Err(ExpressionErrorKind::BareAngle { operation, found });
+                }
+                self.equal(a.measured, b.measured)?;
                 Measured::PLAIN
             }
-            (Instruction::If, &[(condition, _), (a, _), (b, _)]) => {
-                self.plain(condition)?;
-                self.equal(a, b)?
+            (Instruction::If, &[condition, a, b]) => {
+                self.plain(condition.measured)?;
+                self.equal(a.measured, b.measured)?
             }
             _ => Measured::PLAIN,
         };
-        Ok((measured, None))
+        Ok(Operand { measured, number: None, angle: Angle::Open })
     }
 
     fn equal(&self, a: Measured, b: Measured) -> Result<Measured, ExpressionErrorKind> {
@@ -118,6 +166,8 @@ impl Step {
             Instruction::Binary(Binary::LessOrEqual) => "<=",
             Instruction::Binary(Binary::Greater) => ">",
             Instruction::Binary(Binary::GreaterOrEqual) => ">=",
+            Instruction::Binary(Binary::And) => "and",
+            Instruction::Binary(Binary::Or) => "or",
             instruction => FUNCTIONS.iter().find(|f| f.op == instruction).map_or("a product", |f| f.name),
         }
     }

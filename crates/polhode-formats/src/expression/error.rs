@@ -89,6 +89,15 @@ pub enum ExpressionErrorKind {
         /// What is raised.
         found: Dimension,
     },
+    /// An angle that is compared with a number without a unit.
+    BareAngle {
+        /// What compares them.
+        operation: &'static str,
+        /// The number.
+        found: String,
+    },
+    /// A value that is neither true nor false, where a condition belongs.
+    NoCondition,
     /// A value of another dimension than its place asks for.
     Value {
         /// What it measures.
@@ -113,22 +122,26 @@ impl ExpressionError {
                 "there are {}; a product is written {name}*(…)",
                 function::FUNCTIONS.map(|f| f.name).join(", ")
             )),
-            Kind::ChainedComparison => Some("write if(0 < x, if(x < 1, a, b), b)".to_owned()),
+            Kind::ChainedComparison => Some("write 0 < x and x < 1".to_owned()),
+            Kind::BareAngle { found, .. } => Some(format!("write {found} deg or {found} rad")),
+            Kind::NoCondition => Some(
+                "a condition is a comparison, such as end_time_s < 30 s, or several with and, or".to_owned(),
+            ),
             Kind::Unit(error) => error.hint(),
             Kind::Unequal { left, right, .. } if *left == Dimension::NONE => {
-                example(*right).map(|unit| bracketed(&unit))
+                example(*right).map(|unit| with_unit(&unit))
             }
             Kind::Unequal { left, right, .. } if *right == Dimension::NONE => {
-                example(*left).map(|unit| bracketed(&unit))
+                example(*left).map(|unit| with_unit(&unit))
             }
             Kind::NotPlain { function: "if", .. } => {
-                Some("a condition is a comparison, such as t < 3[s]".to_owned())
+                Some("a condition is a comparison, such as t < 3 s".to_owned())
             }
             Kind::NotPlain { found, .. } | Kind::BrokenPower { found, .. } => {
                 example(*found).map(|unit| format!("divide by a quantity like it, such as {unit}"))
             }
             Kind::Value { found, expected } if *found == Dimension::NONE => {
-                example(*expected).map(|unit| bracketed(&unit))
+                example(*expected).map(|unit| with_unit(&unit))
             }
             Kind::Value { found, expected } => example(expected.times(found.without_angle(), -1))
                 .map(|unit| format!("a factor is missing, such as {unit}")),
@@ -138,7 +151,7 @@ impl ExpressionError {
             ),
             Kind::Expected { found, .. } if found == "*" => Some("a power is written x^2".to_owned()),
             Kind::Expected { found, .. } if found == "=" || found == "!" || found == "&" || found == "|" => {
-                Some("there are <, <=, > and >=, and if(condition, then, else)".to_owned())
+                Some("there are <, <=, > and >=, and, or, and if(condition, then, else)".to_owned())
             }
             Kind::Expected { what, found } if what.starts_with("an operator") => match found.chars().next() {
                 Some(c) if c.is_alphanumeric() || c == '(' || c == '.' => {
@@ -173,6 +186,10 @@ impl fmt::Display for ExpressionErrorKind {
                 write!(f, "{function} of {found} leaves no whole powers of kg, m and s")
             }
             Self::Value { found, expected } => write!(f, "the value is {found}, where {expected} belongs"),
+            Self::BareAngle { operation, found } => {
+                write!(f, "{operation} compares an angle with {found}, which has no unit")
+            }
+            Self::NoCondition => write!(f, "this is a number, where a condition belongs"),
             Self::ChainedComparison => write!(f, "a comparison cannot be compared"),
         }
     }
@@ -192,6 +209,6 @@ fn example(dimension: Dimension) -> Option<String> {
     text.split_once(' ').map(|(number, unit)| format!("{number}[{unit}]"))
 }
 
-fn bracketed(example: &str) -> String {
-    format!("a number has its unit in brackets, such as {example}")
+fn with_unit(example: &str) -> String {
+    format!("a number has its unit behind it, such as {}", example.replace('[', " ").replace(']', ""))
 }

@@ -5,10 +5,10 @@
 //! | numbers | `2700`, `.5`, `1.5e-3`, `pi` |
 //! | variables | whatever the place of the formula offers: `x`, `y`, `z` in m for a density |
 //! | arithmetic | `+ - * /` from the left, `^` from the right; `-x^2` is −(x²), `2^-1` is ½ |
-//! | comparison | `< <= > >=`, below all arithmetic: 1 where it holds, else 0 |
+//! | comparison | `< <= > >=`, below all arithmetic: 1 where it holds, else 0; joined by `and`, and below it `or` |
 //! | functions | `sqrt exp log sin cos tan asin acos atan abs`, of two `atan2(y, x) min max hypot pow` |
 //! | choice | `if(condition, then, else)`: *then* where the condition is not 0 |
-//! | units | `0.2[N m]`, `30[deg/s]` where dimensions are checked: [`measured`] |
+//! | units | `0.2 N m`, `30[deg/s]` where dimensions are checked: [`measured`] |
 //!
 //! Angles are in radians, `log` is the natural logarithm. A text is compiled into a [`Formula`] once, which runs over
 //! many points at a time. Functions are `libm`'s: the same bits on every platform.
@@ -104,7 +104,7 @@ impl polhode::body::density::DensityField for Expression {
 ///
 /// let error = measured("wx + 2", &variables, None).unwrap_err();
 /// assert_eq!(error.to_string(), "column 4: + joins an angular velocity and a plain number");
-/// assert_eq!(error.hint().unwrap(), "a number has its unit in brackets, such as 30[deg/s]");
+/// assert_eq!(error.hint().unwrap(), "a number has its unit behind it, such as 30 deg/s");
 /// # Ok::<(), polhode_formats::expression::ExpressionError>(())
 /// ```
 ///
@@ -116,4 +116,27 @@ pub fn measured(
     expected: Option<Dimension>,
 ) -> Result<(Formula, Dimension), ExpressionError> {
     parse::compile_measured(text, variables, expected)
+}
+
+/// The condition in a text, of variables that have dimensions: a formula that is 1 where it holds, else 0.
+///
+/// ```
+/// use polhode_formats::expression::condition;
+/// use polhode_formats::unit::Dimension;
+/// let variables = [("tilt", Dimension::ANGLE), ("t", Dimension::TIME)];
+/// let lost = condition("tilt > 90 deg and t < 2 h", &variables)?;
+/// assert_eq!([lost.evaluate(&[1.6, 7000.0]), lost.evaluate(&[1.5, 7000.0])], [1.0, 0.0]);
+/// assert!(condition("tilt > 90", &variables).is_err()); // of what?
+/// assert!(condition("tilt", &variables).is_err());
+/// # Ok::<(), polhode_formats::expression::ExpressionError>(())
+/// ```
+///
+/// # Errors
+/// [`ExpressionError`]: the column, what is wrong there, and a hint.
+pub fn condition(text: &str, variables: &[(&str, Dimension)]) -> Result<Formula, ExpressionError> {
+    let (formula, _) = measured(text, variables, None)?;
+    if formula.is_condition() {
+        return Ok(formula);
+    }
+    Err(ExpressionError { kind: ExpressionErrorKind::NoCondition, column: 1 })
 }

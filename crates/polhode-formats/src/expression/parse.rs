@@ -20,11 +20,13 @@ enum Waiting {
     Open { column: usize, function: Option<(Function, usize)> },
 }
 
-const COMPARISON: u8 = 1;
-const SUM: u8 = 2;
-const PRODUCT: u8 = 3;
-const SIGN: u8 = 4;
-const POWER: u8 = 5;
+const OR: u8 = 1;
+const AND: u8 = 2;
+const COMPARISON: u8 = 3;
+const SUM: u8 = 4;
+const PRODUCT: u8 = 5;
+const SIGN: u8 = 6;
+const POWER: u8 = 7;
 
 /// The most characters of a formula whose dimensions are checked: one that stands in a scenario.
 const LONGEST: usize = 4096;
@@ -45,7 +47,7 @@ pub(super) fn compile_measured(
         return Err(ExpressionError { kind, column: LONGEST + 1 });
     }
     let names: Vec<&str> = variables.iter().map(|&(name, _)| name).collect();
-    let dimensions: Vec<Dimension> = variables.iter().map(|(_, d)| d.without_angle()).collect();
+    let dimensions: Vec<Dimension> = variables.iter().map(|(_, d)| *d).collect();
     let mut parser = Parser::new(text, &names, true);
     let (formula, steps) = parser.read()?;
     let value = measure(&steps, &dimensions)?;
@@ -149,10 +151,18 @@ impl<'a> Parser<'a> {
             Some(')') => return self.close(),
             Some(',') => return self.comma(),
             None => return self.end(),
-            Some(_) => None,
+            Some(_) => match self.word().as_str() {
+                "and" => binary(Binary::And, AND),
+                "or" => binary(Binary::Or, OR),
+                _ => None,
+            },
         };
         let Some((op, binds)) = operator else { return Err(self.expected("an operator, ) or the end")) };
-        self.at += 1;
+        self.at += match binds {
+            AND => "and".len(),
+            OR => "or".len(),
+            _ => 1,
+        };
         if binds == COMPARISON && or_equal {
             self.at += 1;
         }
@@ -230,6 +240,9 @@ impl<'a> Parser<'a> {
                 if self.units && self.peek() == Some('[') {
                     return self.unit(&found, column);
                 }
+                if self.units && self.bare_unit(&found, column)? {
+                    return Ok(());
+                }
                 self.push(Instruction::Constant(value), column);
                 Ok(())
             }
@@ -257,9 +270,60 @@ impl<'a> Parser<'a> {
         self.at += length + 1;
         let (value, dimension) = unit::measured_apart(number, &unit)
             .map_err(|e| ExpressionError { kind: ExpressionErrorKind::Unit(e), column: unit_column })?;
-        let (instruction, dimension) = (Instruction::Constant(value), dimension.without_angle());
-        self.steps.push(Step { instruction, column, dimension });
+        self.steps.push(Step { instruction: Instruction::Constant(value), column, dimension });
         Ok(())
+    }
+
+    /// The `N m` right behind a number: words that are units, with powers, up to what is no unit; false if there is none.
+    fn bare_unit(&mut self, number: &str, column: usize) -> Result<bool, ExpressionError> {
+        self.peek();
+        let start = self.at;
+        let mut end = start;
+        loop {
+            let word = self.word();
+            let is_unit = word.chars().all(|c| c.is_alphabetic() || c == '°' || c == '%')
+                && !["and", "or", "if", "pi"].contains(&word.as_str())
+                && !self.variables.contains(&word.as_str())
+                && self.rest.get(self.at + word.chars().count()) != Some(&'(');
+            if word.is_empty() || !is_unit {
+                break;
+            }
+            self.at += word.chars().count();
+            if self.rest.get(self.at) == Some(&'^') {
+                let sign = usize::from(self.rest.get(self.at + 1) == Some(&'-'));
+                if self.rest.get(self.at + 1 + sign).is_some_and(char::is_ascii_digit) {
+                    self.at += 1 + sign;
+                    self.digits();
+                }
+            }
+            while self.rest.get(self.at).is_some_and(|c| "⁻¹²³⁴".contains(*c)) {
+                self.at += 1;
+            }
+            end = self.at;
+            // A factor follows a space, a point or a slash.
+            if let Some('/' | '·') = self.peek() {
+                self.at += 1;
+                self.peek();
+            }
+        }
+        self.at = end;
+        let unit: String = self.rest[start..end].iter().collect();
+        if unit.is_empty()
+            || unit::measured_apart("1", unit.split([' ', '/', '·', '^']).next().unwrap_or("")).is_err()
+        {
+            self.at = start;
+            return Ok(false);
+        }
+        let (value, dimension) = unit::measured_apart(number, &unit)
+            .map_err(|e| ExpressionError { kind: ExpressionErrorKind::Unit(e), column: start + 1 })?;
+        self.steps.push(Step { instruction: Instruction::Constant(value), column, dimension });
+        Ok(true)
+    }
+
+    /// The word at the place, up to what is no letter, digit or underscore; empty if there is none.
+    fn word(&self) -> String {
+        let is_letter = |c: &&char| c.is_alphanumeric() && !"¹²³⁴".contains(**c) || "_°%".contains(**c);
+        self.rest[self.at..].iter().take_while(is_letter).collect()
     }
 
     fn digits(&mut self) {

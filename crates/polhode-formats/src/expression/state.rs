@@ -43,6 +43,7 @@ fn dimension_of(name: &str) -> Dimension {
         Some('w') => Dimension::ANGULAR_VELOCITY,
         Some('L') => Dimension::ANGULAR_MOMENTUM,
         Some('T') => Dimension::TORQUE,
+        _ if ["phi", "theta", "psi"].contains(&name) => Dimension::ANGLE,
         _ => Dimension::NONE,
     }
 }

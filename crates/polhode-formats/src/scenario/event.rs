@@ -73,6 +73,10 @@ fn event(
     let given_value = table.require("value", "value = \"3 rad/s\"")?;
     let value = match measure {
         Measure::KineticEnergy | Measure::TotalEnergy => energy(&given_value)?,
+        // A plain number may be an angle, as that of acos is.
+        Measure::Formula(_) if dimension == Dimension::NONE => given_value
+            .quantity(dimension)
+            .or_else(|error| given_value.quantity(Dimension::ANGLE).map_err(|_| error))?,
         _ => given_value.quantity(dimension)?,
     };
     let between = matches!(name, "angle" | "nutation");

@@ -3,7 +3,7 @@
 use polhode::body::density::{Cubature, DensityField, Solid, mass_properties_of_field};
 use polhode::body::shape::BoxShape;
 use polhode_formats::expression::{
-    Expression, ExpressionErrorKind, formula_of_state, formula_of_time, measured,
+    Expression, ExpressionErrorKind, condition, formula_of_state, formula_of_time, measured,
 };
 use polhode_formats::unit::Dimension;
 
@@ -115,7 +115,7 @@ fn every_mistake_is_named_with_its_column() {
         ("sqrt(x, y)", "column 1: sqrt takes 1 arguments, not 2", ""),
         ("sqrt()", "column 6: expected a number, a name or (, found \")\"", ""),
         ("max(x,)", "column 7: expected a number, a name or (, found \")\"", ""),
-        ("0 < x < 1", "column 7: a comparison cannot be compared", "if("),
+        ("0 < x < 1", "column 7: a comparison cannot be compared", "0 < x and x < 1"),
         ("if(x = 1, 2, 3)", "column 6: expected an operator, ) or the end, found \"=\"", "<="),
         ("x == 1", "column 3: expected an operator, ) or the end, found \"=\"", "<="),
         ("x > 0 && y > 0", "column 7: expected an operator, ) or the end, found \"&\"", "if("),
@@ -219,11 +219,11 @@ fn units_make_si_and_dimensions_are_found() {
 fn every_wrong_dimension_is_named_with_its_column() {
     for (text, message, hint) in [
         ("wx + t", "column 4: + joins an angular velocity and a time", ""),
-        ("1 - 2*wx", "column 3: - joins a plain number and an angular velocity", "such as 30[deg/s]"),
-        ("t < 3", "column 3: < joins a time and a plain number", "such as 90[s]"),
+        ("1 - 2*wx", "column 3: - joins a plain number and an angular velocity", "such as 30 deg/s"),
+        ("t < 3", "column 3: < joins a time and a plain number", "such as 90 s"),
         ("min(t, wx)", "column 1: min joins a time and an angular velocity", ""),
         ("if(t, 1, 2)", "column 1: if takes a plain number, not a time", "a comparison"),
-        ("if(t < 1[s], 1, t)", "column 1: if joins a plain number and a time", "90[s]"),
+        ("if(t < 1[s], 1, t)", "column 1: if joins a plain number and a time", "90 s"),
         ("2 + exp(-t)", "column 5: exp takes a plain number, not a time", "divide by"),
         ("2^t", "column 2: ^ takes a plain number, not a time", "divide by"),
         ("t^qw", "column 2: ^ takes a plain number, not a time", "divide by"),
@@ -233,7 +233,7 @@ fn every_wrong_dimension_is_named_with_its_column() {
             "divide by",
         ),
         ("  Lx", "column 3: the value is an angular momentum, where a torque belongs", "such as 30[deg/s]"),
-        ("qw", "column 1: the value is a plain number, where a torque belongs", "such as 0.1[N m]"),
+        ("qw", "column 1: the value is a plain number, where a torque belongs", "such as 0.1 N m"),
         ("1[N mm", "column 7: expected ] after a unit, found the end of the formula", ""),
         ("1[ ]", "column 4: expected a unit, found \"]\"", ""),
         ("1[Nmn]", "column 3: there is no unit \"Nmn\"", ""),
@@ -243,8 +243,63 @@ fn every_wrong_dimension_is_named_with_its_column() {
         assert_eq!(error.to_string(), message, "{text}");
         assert!(error.hint().unwrap_or_default().contains(hint), "{text}: {:?}", error.hint());
     }
+    for text in ["theta > 30", "0.3 < acos(r33)", "-2 >= psi", "theta < 30 and 1 > 0"] {
+        let error = formula_of_state(text, None).unwrap_err();
+        assert!(matches!(error.kind, ExpressionErrorKind::BareAngle { .. }), "{text}: {error}");
+        assert!(error.hint().unwrap().contains(" deg or "), "{text}");
+    }
+    for text in ["theta > 0", "theta > pi", "theta > 30 deg", "0.5[rad] < phi", "theta/2 > 0.1", "r33 > 0.5"]
+    {
+        assert!(formula_of_state(text, None).is_ok(), "{text}");
+    }
     let long = formula_of_state(&"1+".repeat(3000), None).unwrap_err();
     assert_eq!((long.kind, long.column), (ExpressionErrorKind::TooLong { most: 4096 }, 4097));
     // A density has no units.
     assert!(Expression::parse("2700[kg/m^3]", &XYZ).is_err());
+}
+
+#[test]
+fn units_stand_without_brackets_too() {
+    let variables = [("t", Dimension::TIME), ("wx", Dimension::ANGULAR_VELOCITY), ("mass", Dimension::MASS)];
+    for (plain, bracketed) in [
+        ("0.2 N m*wx", "0.2[N m]*wx"),
+        ("90 deg/s/wx", "90[deg/s]/wx"),
+        ("3 h/t", "3[h]/t"),
+        ("1.5e-3 kg m^2*wx - 2 kg m²/s", "1.5e-3[kg m^2]*wx - 2[kg m²/s]"),
+        ("4 s^-1 + wx", "4[s^-1] + wx"),
+        ("2kg + mass", "2[kg] + mass"),
+        ("if(t > 1 min and t < 2 h, 1 N, 2 kN)", "if(t > 1[min] and t < 2[h], 1[N], 2[kN])"),
+    ] {
+        let values = [plain, bracketed].map(|text| {
+            let (formula, dimension) =
+                measured(text, &variables, None).unwrap_or_else(|error| panic!("{text}: {error}"));
+            (formula.evaluate(&[70.0, 0.3, 5.0]).to_bits(), dimension)
+        });
+        assert_eq!(values[0], values[1], "{plain}");
+    }
+    // A variable is no unit, and what is neither is told as before.
+    let error = measured("2 t", &variables, None).unwrap_err();
+    assert_eq!(error.to_string(), "column 3: expected an operator, ) or the end, found \"t\"");
+    let error = measured("2 kg foo", &variables, None).unwrap_err();
+    assert!(matches!(error.kind, ExpressionErrorKind::Unit(_)), "{error}");
+    assert!(measured("2 foo", &variables, None).unwrap_err().hint().unwrap().contains("*foo"));
+}
+
+#[test]
+fn and_binds_more_than_or_and_less_than_comparisons() {
+    let truth = |x: f64, y: f64, z: f64| {
+        Expression::parse("x > 0 or y > 0 and z > 0", &XYZ).unwrap().evaluate([x, y, z])
+    };
+    for (x, y, z) in [(1, 0, 0), (0, 1, 0), (0, 0, 1), (0, 1, 1), (1, 0, 1), (0, 0, 0), (1, 1, 1), (1, 1, 0)]
+    {
+        let want = f64::from(u8::from(x > 0 || (y > 0 && z > 0)));
+        assert_eq!(truth(f64::from(x), f64::from(y), f64::from(z)), want, "{x} {y} {z}");
+    }
+    let grouped = Expression::parse("(x > 0 or y > 0) and z > 0", &XYZ).unwrap();
+    assert_eq!(grouped.evaluate([1.0, 0.0, 0.0]), 0.0);
+    assert!(grouped.formula().is_condition() && grouped.formula().rough_function().is_some());
+    let variables = [("t", Dimension::TIME)];
+    assert_eq!(condition("t > 1 s and t < 3 s", &variables).unwrap().evaluate(&[2.0]), 1.0);
+    assert!(matches!(condition("t", &variables).unwrap_err().kind, ExpressionErrorKind::NoCondition));
+    assert!(condition("t and 1 < 2", &variables).is_err());
 }

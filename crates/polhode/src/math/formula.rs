@@ -94,6 +94,10 @@ pub enum Binary {
     Greater,
     /// 1 where a ≥ b, else 0.
     GreaterOrEqual,
+    /// 1 where neither a nor b is 0, else 0.
+    And,
+    /// 0 where a and b are 0, else 1.
+    Or,
 }
 
 /// Instructions that are no formula.
@@ -163,6 +167,11 @@ impl Formula {
     /// True if a variable occurs in it.
     pub fn depends_on(&self, variable: usize) -> bool {
         self.instructions.contains(&Instruction::Variable(variable))
+    }
+
+    /// True if its value is that of a comparison, or of comparisons joined by *and* and *or*: 1 or 0.
+    pub fn is_condition(&self) -> bool {
+        self.instructions.last().is_some_and(|last| last.is_condition())
     }
 
     /// The first function in it that is not smooth: it has a corner or a jump, and so no power series.
@@ -239,6 +248,12 @@ impl Instruction {
         }
     }
 
+    /// Does it give 1 or 0?
+    const fn is_condition(self) -> bool {
+        use Binary::{And, Greater, GreaterOrEqual, Less, LessOrEqual, Or};
+        matches!(self, Self::Binary(Less | LessOrEqual | Greater | GreaterOrEqual | And | Or))
+    }
+
     /// Its name, if it is not smooth.
     const fn roughness(self) -> Option<&'static str> {
         match self {
@@ -248,6 +263,8 @@ impl Instruction {
             Self::Binary(Binary::Less | Binary::LessOrEqual | Binary::Greater | Binary::GreaterOrEqual) => {
                 Some("a comparison")
             }
+            Self::Binary(Binary::And) => Some("and"),
+            Self::Binary(Binary::Or) => Some("or"),
             Self::If => Some("if"),
             _ => None,
         }
@@ -309,6 +326,8 @@ impl Binary {
             Self::LessOrEqual => each(a, |a, b| holds(a <= b)),
             Self::Greater => each(a, |a, b| holds(a > b)),
             Self::GreaterOrEqual => each(a, |a, b| holds(a >= b)),
+            Self::And => each(a, |a, b| holds(a != 0.0 && b != 0.0)),
+            Self::Or => each(a, |a, b| holds(a != 0.0 || b != 0.0)),
         }
     }
 }

@@ -111,9 +111,12 @@ impl Scalar for Jet {
                 let chosen = if value == a.value { a } else { b };
                 Self { value, ..chosen }
             }
-            Binary::Less | Binary::LessOrEqual | Binary::Greater | Binary::GreaterOrEqual => {
-                Self::constant(function.of(a.value, b.value))
-            }
+            Binary::Less
+            | Binary::LessOrEqual
+            | Binary::Greater
+            | Binary::GreaterOrEqual
+            | Binary::And
+            | Binary::Or => Self::constant(function.of(a.value, b.value)),
         }
     }
 

@@ -236,7 +236,7 @@ fn names_are_known_ones() {
     refuses(
         &format!("{BALL}[[torque]]\nmodel = «'dragg'»"),
         "model = 'dragg' must be one of constant, gravity, gravity_gradient, drag, torsion, magnetic, thruster, \
-         energy_sink, formula",
+         energy_sink, formula, table",
         "did you mean \"drag\"?",
     );
 }

@@ -429,7 +429,7 @@ fn a_torque_s_formula_is_answered_at_its_place() {
     };
     assert!(parse(&with("0, '0.1 [N m]', '-2[N m s]*wx'")).is_ok());
     let message = "+ joins a torque and a plain number";
-    refuses(&with("0, '1[N m] «+» 2', 0"), message, "a number has its unit in brackets, such as 0.1[N m]");
+    refuses(&with("0, '1[N m] «+» 2', 0"), message, "a number has its unit behind it, such as 0.1 N m");
     refuses(&with("0, 0, \"\"\"2[Nm]*«w1»\"\"\""), "there is no variable w1", "the variables are t, wx");
     let message = "the value is an angular velocity, where a torque belongs";
     refuses(&with("' «wx»', 0, 0"), message, "a factor is missing, such as 12[N m s]");

@@ -90,7 +90,8 @@ impl Sweep {
             print(&(pretty(&summary.to_json()) + "\n"))
         } else {
             let wrote = target.join("summary.json");
-            let more = "  members/  histograms.svg  pairs.svg";
+            let asked = if summary.questions.is_empty() { "" } else { "  questions.svg" };
+            let more = format!("  members/  histograms.svg  pairs.svg{asked}");
             print(&format!("{}wrote {}{more}\n", summary.to_text(), shown(&wrote)))
         }
     }

@@ -70,9 +70,10 @@ pub use sign_proof::sign_proof;
 pub use source::SourceInfo;
 pub use spin::{SpinReport, TumblerReport};
 pub use stability::StabilityReport;
+
 pub use sweep::{
-    SweepCorrelation, SweepHistogram, SweepIntervals, SweepQuantile, SweepSample, SweepShare, SweepStatistic,
-    SweepSummary,
+    SweepAttitude, SweepCorrelation, SweepHistogram, SweepIntervals, SweepQuantile, SweepQuestion,
+    SweepSample, SweepShare, SweepStatistic, SweepStep, SweepSummary,
 };
 
 /// The version that reports carry.

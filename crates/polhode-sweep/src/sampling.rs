@@ -15,17 +15,20 @@ pub(crate) const fn name(sampling: Sampling) -> &'static str {
 }
 
 /// Whether there are intervals, or why there are none.
-pub(crate) const fn intervals(sampling: Sampling, confidence: f64) -> SweepIntervals {
+pub(crate) const fn intervals(sampling: Sampling, replicates: u64, confidence: f64) -> SweepIntervals {
+    if replicates > 1 {
+        return SweepIntervals::OfSets { confidence, sets: replicates };
+    }
     let why = match sampling {
         Sampling::MonteCarlo => return SweepIntervals::Given { confidence },
         Sampling::Grid => "a grid is no sample: its members stand for themselves",
         Sampling::LatinHypercube => {
-            "members of a Latin hypercube are not independent, so that one of them does not show its error; repeat the sweep with \
-             other seeds to see it"
+            "members of a Latin hypercube are not independent, so that one of them does not show its error: with replicates = 16 \
+             it is made of sixteen, which do"
         }
         Sampling::Sobol => {
-            "Sobol points are not independent, so that one set of them does not show its error; repeat the sweep with other seeds \
-             to see it"
+            "Sobol points are not independent, so that one set of them does not show its error: with replicates = 16 there are \
+             sixteen, which do"
         }
     };
     SweepIntervals::None { why }

@@ -65,7 +65,7 @@ use pointing::References;
 use polhode::motion::{ActingTorque, MotionError, Rotor, Scenario};
 use reader::{TOP, Table};
 use source::Source;
-pub use sweep::{Dispersion, Distribution, Law, SOBOL_DIMENSIONS, Sampling, Spread, Sweep, Vary};
+pub use sweep::{Dispersion, Distribution, Law, Question, SOBOL_DIMENSIONS, Sampling, Spread, Sweep, Vary};
 pub use target::{Target, TargetColumn};
 pub use template::Template;
 use torque::TorquePlaces;

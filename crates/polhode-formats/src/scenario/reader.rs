@@ -95,6 +95,16 @@ impl<'a> Table<'a> {
         self.get(key).ok_or_else(|| self.missing(key, example))
     }
 
+    /// Every key with its value, in the file's order.
+    pub(crate) fn each(&self) -> impl Iterator<Item = (&'a str, Value<'a>)> {
+        let source = self.source;
+        let mut all: Vec<_> = self.entries.iter().collect();
+        all.sort_by_key(|(_, entry)| entry.node.span.start);
+        all.into_iter().map(move |(key, entry)| {
+            (key.as_ref(), Value { source, key: "the condition", value: &entry.node, is_element: false })
+        })
+    }
+
     /// The value of the one key of several that is there; none or one may be.
     pub(crate) fn at_most_one(
         &self,
@@ -391,20 +401,7 @@ impl<'a> Value<'a> {
 
     /// An error in a string that is a formula, at its place there; of a string with escapes, at the string.
     pub(crate) fn formula(&self, error: ExpressionError) -> FormatError {
-        let span = self.span();
-        let raw = self.source.text.get(span.clone()).unwrap_or_default();
-        let text = self.string().unwrap_or_default();
-        let mut place = span.clone();
-        if let Some(offset) = raw.find(text).filter(|_| !text.is_empty()) {
-            let start =
-                text.char_indices().nth(error.column.saturating_sub(1)).map_or(text.len(), |(at, _)| at);
-            let word = |c: char| c.is_alphanumeric() || c == '_';
-            let end = text[start..].find(|c| !word(c)).map_or(text.len(), |length| start + length);
-            let one = text[start..].chars().next().map_or(0, char::len_utf8);
-            let end = end.max(start + one);
-            place = span.start + offset + start..span.start + offset + end;
-        }
-        self.source.error(place, FormatErrorKind::Formula(error))
+        self.source.formula(self.span(), self.string().unwrap_or_default(), error)
     }
 
     pub(crate) fn body(&self, error: BodyError) -> FormatError {

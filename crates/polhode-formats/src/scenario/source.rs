@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use super::tree::{Kind, Node, Replacement};
 use crate::error::{FormatError, FormatErrorKind, Place};
+use crate::expression::ExpressionError;
 
 /// The text of a file, and its path, for messages and for the files that it names.
 #[derive(Clone, Copy, Debug)]
@@ -45,6 +46,22 @@ impl Source<'_> {
 
     pub(crate) fn error(&self, span: Range<usize>, kind: FormatErrorKind) -> FormatError {
         FormatError::new(self.path, Some(self.place(span)), kind)
+    }
+
+    /// An error in a formula that stands at a place, at its own place there; of a string with escapes, at the string.
+    pub(crate) fn formula(&self, span: Range<usize>, text: &str, error: ExpressionError) -> FormatError {
+        let raw = self.text.get(span.clone()).unwrap_or_default();
+        let mut place = span.clone();
+        if let Some(offset) = raw.find(text).filter(|_| !text.is_empty()) {
+            let start =
+                text.char_indices().nth(error.column.saturating_sub(1)).map_or(text.len(), |(at, _)| at);
+            let word = |c: char| c.is_alphanumeric() || c == '_';
+            let end = text[start..].find(|c| !word(c)).map_or(text.len(), |length| start + length);
+            let one = text[start..].chars().next().map_or(0, char::len_utf8);
+            let end = end.max(start + one);
+            place = span.start + offset + start..span.start + offset + end;
+        }
+        self.error(place, FormatErrorKind::Formula(error))
     }
 
     /// What the TOML parser refuses.

@@ -20,8 +20,8 @@ pub struct Target {
     /// Where the key stands.
     pub(crate) place: Range<usize>,
     pub(crate) varied: Varied,
-    /// The part of the body, from 0, to which it belongs.
-    pub(crate) part: Option<usize>,
+    /// The parts of the body, from 0, to which it belongs; none of the body as a whole.
+    pub(crate) parts: Vec<usize>,
     /// The values as they are written, SI.
     nominal: Vec<f64>,
     columns: Vec<TargetColumn>,
@@ -81,14 +81,39 @@ impl Target {
         self.dimension
     }
 
+    /// With another number, which has the same value and gets the same.
+    pub(crate) fn joined(mut self, other: Self, key: &Value<'_>) -> Result<Self, FormatError> {
+        if self.overlaps(&other) {
+            return Err(key.invalid("another number than those before it").with_hint("leave it out"));
+        }
+        if self.dimension != other.dimension {
+            let rule = format!("{}, as {} is", self.dimension, self.key);
+            return Err(key.invalid(rule).with_hint("what varies as one measures the same"));
+        }
+        if self.nominal != other.nominal {
+            let hint = "numbers that vary as one are written as one: give both the same value";
+            let value = self.nominal.first().copied().unwrap_or_default();
+            return Err(key.invalid(format!("of the value that {} has, {value}", self.key)).with_hint(hint));
+        }
+        if let (Varied::Numbers(mine), Varied::Numbers(theirs)) = (&mut self.varied, other.varied) {
+            mine.iter_mut().zip(theirs).for_each(|(mine, theirs)| mine.extend(theirs));
+        }
+        self.covered.extend(other.covered);
+        if let Some(column) = self.columns.first_mut() {
+            column.description = format!("{}, and {}", column.description, other.key);
+        }
+        self.parts.extend(other.parts);
+        Ok(self)
+    }
+
     /// True if the same number would vary by both.
     pub(crate) fn overlaps(&self, other: &Self) -> bool {
         let is_made = |target: &Self| matches!(target.varied, Varied::MassProperties(..));
         match (is_made(self), is_made(other)) {
             (false, false) => self.covered.iter().any(|place| other.covered.contains(place)),
             // Of a part, or of all parts together, what is dispersed is made anew.
-            (true, true) => self.part.is_none() || other.part.is_none() || self.part == other.part,
-            (true, false) => other.part.is_some() && (self.part.is_none() || self.part == other.part),
+            (true, true) => self.parts.is_empty() || other.parts.is_empty() || self.parts == other.parts,
+            (true, false) => other.parts.iter().any(|k| self.parts.is_empty() || self.parts.contains(k)),
             (false, true) => other.overlaps(self),
         }
     }
@@ -166,7 +191,7 @@ impl Catalogue<'_> {
         Ok(Target {
             key: written.to_owned(),
             place: key.span(),
-            part,
+            parts: part.into_iter().collect(),
             nominal: numbers.iter().map(|((value, _), _)| *value).collect(),
             columns: words.iter().map(described).collect(),
             dimension,
@@ -192,7 +217,7 @@ impl Catalogue<'_> {
             key: written.to_owned(),
             place: key.span(),
             varied: Varied::Rotation(spot.way),
-            part: spot.part,
+            parts: spot.part.into_iter().collect(),
             nominal: quaternion.to_vec(),
             columns: columns.to_vec(),
             dimension: Dimension::NONE,
@@ -248,7 +273,7 @@ impl Catalogue<'_> {
             key: written.to_owned(),
             place: key.span(),
             varied: Varied::MassProperties(way, name, properties),
-            part,
+            parts: part.into_iter().collect(),
             nominal,
             columns,
             dimension: Dimension::NONE,

@@ -3,15 +3,18 @@
 use std::path::{Path, PathBuf};
 
 use polhode::body::{InertiaTensor, MassProperties};
+use polhode::math::formula::Formula;
 use polhode::math::{Body, Position};
 use polhode::motion::Scenario;
 
 use super::source::Source;
-use super::sweep::{self, Sweep};
+use super::sweep::{self, Question, Sweep};
 use super::target::{Target, Varied};
 use super::tree::{Entries, Node, Replacement, replace};
 use super::{document, read_root, text_of};
 use crate::error::{FormatError, FormatErrorKind};
+use crate::expression::condition;
+use crate::unit::Dimension;
 
 /// A scenario that is read many times, with some of its numbers changed.
 ///
@@ -113,6 +116,19 @@ impl Template {
         read_root(self.source(), &entries).map(|(scenario, _)| scenario)
     }
 
+    /// The condition of a question on columns of these names and dimensions.
+    ///
+    /// # Errors
+    /// [`FormatError`], at its place in the question, if it is none.
+    pub fn condition(
+        &self,
+        question: &Question,
+        columns: &[(&str, Dimension)],
+    ) -> Result<Formula, FormatError> {
+        condition(&question.condition, columns)
+            .map_err(|error| self.source().formula(question.place.clone(), &question.condition, error))
+    }
+
     fn source(&self) -> Source<'_> {
         Source { path: &self.path, text: &self.text, is_shown: false }
     }
@@ -178,7 +194,6 @@ mod tests {
     use super::super::tree::{Kind, Known, Step, Way};
     use super::*;
     use crate::scenario;
-    use crate::unit::Dimension;
 
     /// What a motion depends on: everything but what parts look like, and where remarks stand.
     fn comparable(scenario: Scenario) -> Scenario {

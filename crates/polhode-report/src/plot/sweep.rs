@@ -1,13 +1,16 @@
-//! The figures of a sweep: how outcomes are distributed, and on what they depend.
+//! The figures of a sweep: how outcomes are distributed, on what they depend, and what the questions are about.
+
+mod questions;
 
 use super::Picture;
 use super::axes::{Area, Axes, Axis, Key, heading};
 use super::font;
 use super::sheet::{Anchor, Colour, LARGE, Mark, Pen, Point, Sheet, Text};
 use crate::layout::printable;
-use crate::sweep::{SweepHistogram, SweepSample, SweepStatistic, SweepSummary};
+use crate::sweep::{SweepSample, SweepStatistic, SweepSummary};
 
-/// The figures of a sweep: [`SweepFigures::histograms`] of its outcomes, and [`SweepFigures::pairs`] of inputs and outcomes.
+/// The figures of a sweep: [`SweepFigures::histograms`] of its outcomes, [`SweepFigures::pairs`] of inputs and outcomes, and
+/// [`SweepFigures::questions`].
 #[derive(Clone, Copy, Debug)]
 pub struct SweepFigures<'a> {
     summary: &'a SweepSummary,
@@ -73,9 +76,9 @@ impl<'a> SweepFigures<'a> {
         shown = shown.into_iter().enumerate().filter(|one| !alike(one)).map(|(_, one)| one).collect();
         shown.truncate(MOST_HISTOGRAMS);
         let note = "line: median; dashed: 5 % and 95 %";
-        self.panels("Outcomes", note, shown.len(), |sheet, area, k| {
-            if let Some((statistic, histogram)) = shown.get(k) {
-                bars(sheet, area, statistic, histogram);
+        self.panels("Outcomes", note, [shown.len(), COLUMNS], |sheet, area, k| {
+            if let Some((statistic, _)) = shown.get(k) {
+                bars(sheet, area, &Shown::of(statistic).statistic);
             }
         })
     }
@@ -89,7 +92,7 @@ impl<'a> SweepFigures<'a> {
             }
         }
         let note = format!("{} of the members; r: rank correlation", self.sample.rows());
-        self.panels("Outcomes and inputs", &note, shown.len(), |sheet, area, k| {
+        self.panels("Outcomes and inputs", &note, [shown.len(), COLUMNS], |sheet, area, k| {
             if let Some((input, outcome, value)) = shown.get(k) {
                 self.dots(sheet, area, input, outcome, *value);
             }
@@ -101,12 +104,12 @@ impl<'a> SweepFigures<'a> {
         &self,
         what: &str,
         note: &str,
-        count: usize,
+        [count, columns]: [usize; 2],
         draw: impl Fn(&mut Sheet, Area, usize),
     ) -> Picture {
         let title = printable(self.summary.title.as_deref().unwrap_or("sweep"));
-        let width = COLUMNS.min(count.max(2)) as f64 * PANEL[0];
-        let rows = count.max(1).div_ceil(COLUMNS) as f64;
+        let width = columns.min(count.max(2)) as f64 * PANEL[0];
+        let rows = count.max(1).div_ceil(columns) as f64;
         let mut sheet = Sheet::new(width, HEAD + rows * PANEL[1], format!("{title}: {what}"));
         let note_width = font::width(note, super::sheet::SMALL);
         let title = font::fitted(&title, LARGE, width - note_width - 4.0 * MARGIN);
@@ -119,7 +122,7 @@ impl<'a> SweepFigures<'a> {
         }
         sheet.text([width - MARGIN, 24.0], Anchor::End, Colour::FAINT, note);
         for k in 0..count {
-            let (row, column) = ((k / COLUMNS) as f64, (k % COLUMNS) as f64);
+            let (row, column) = ((k / columns) as f64, (k % columns) as f64);
             let (left, top) = (column * PANEL[0], HEAD + row * PANEL[1]);
             let area = Area {
                 left: left + MARGIN,
@@ -132,10 +135,34 @@ impl<'a> SweepFigures<'a> {
         Picture { sheet }
     }
 
+    /// A column of the summary, as it is shown.
+    fn shown(&self, name: &str) -> Option<Shown> {
+        let mut all = self.summary.inputs.iter().chain(&self.summary.outcomes);
+        all.find(|statistic| statistic.name == name).map(Shown::of)
+    }
+
+    /// Where each member of the sample is by two columns, if it has both and is within the axes.
+    fn places<'s>(
+        &'s self,
+        axes: &'s Axes,
+        names: [&str; 2],
+        [p, q]: [f64; 2],
+    ) -> impl Iterator<Item = Option<Point>> + 's {
+        let column = |name: &str| {
+            let k = self.sample.names.iter().position(|other| other == name);
+            k.and_then(|k| self.sample.columns.get(k)).map_or(&[][..], Vec::as_slice)
+        };
+        let [xs, ys] = names.map(column);
+        xs.iter().zip(ys).map(move |(x, y)| {
+            let place = x.zip(*y).map(|(x, y)| axes.at([p * x, q * y]))?;
+            let inside = (axes.area.left..=axes.area.right).contains(&place[0])
+                && (axes.area.top..=axes.area.bottom).contains(&place[1]);
+            inside.then_some(place)
+        })
+    }
+
     fn dots(&self, sheet: &mut Sheet, area: Area, input: &str, outcome: &str, value: f64) {
-        let all = self.summary.inputs.iter().chain(&self.summary.outcomes);
-        let statistic = |name: &str| all.clone().find(|statistic| statistic.name == name);
-        let (Some(x), Some(y)) = (statistic(input), statistic(outcome)) else { return };
+        let (Some(x), Some(y)) = (self.shown(input), self.shown(outcome)) else { return };
         let regimes: Vec<&str> =
             self.summary.regimes.iter().take(REGIMES.len()).map(|share| share.name.as_str()).collect();
         let pen = |k: usize| Pen::solid(REGIMES.get(k).copied().unwrap_or(Colour::FAINT), 2.2).faint(0.45);
@@ -148,33 +175,56 @@ impl<'a> SweepFigures<'a> {
         } else {
             Vec::new()
         };
-        let used = heading(sheet, area, &y.name, &format!("r = {value:+.2}").replace('-', "−"), &keys);
+        let used =
+            heading(sheet, area, &y.statistic.name, &format!("r = {value:+.2}").replace('-', "−"), &keys);
         let area = area.below(used);
         let axes = Axes::within(
             area,
-            axis_of(x, area.width() / 70.0, &x.name),
-            axis_of(y, area.height() / 34.0, ""),
+            axis_of(&x.statistic, area.width() / 70.0, &x.statistic.name),
+            axis_of(&y.statistic, area.height() / 34.0, ""),
             None,
         );
         axes.draw(sheet);
         let mut dots: Vec<Vec<Point>> = vec![Vec::new(); regimes.len() + 1];
-        let column = |name: &str| {
-            let k = self.sample.names.iter().position(|other| other == name)?;
-            self.sample.columns.get(k)
-        };
-        let (Some(xs), Some(ys)) = (column(input), column(outcome)) else { return };
-        for ((x, y), regime) in xs.iter().zip(ys).zip(&self.sample.regimes) {
-            let Some(place) = x.zip(*y).map(|(x, y)| axes.at([x, y])) else { continue };
-            let inside = (axes.area.left..=axes.area.right).contains(&place[0])
-                && (axes.area.top..=axes.area.bottom).contains(&place[1]);
+        for (place, regime) in
+            self.places(&axes, [input, outcome], [x.factor, y.factor]).zip(&self.sample.regimes)
+        {
             let k = regimes.iter().position(|name| Some(*name) == regime.as_deref()).unwrap_or(regimes.len());
-            if let Some(dots) = dots.get_mut(k).filter(|_| inside) {
+            if let (Some(dots), Some(place)) = (dots.get_mut(k), place) {
                 dots.push(place);
             }
         }
         for (k, dots) in dots.into_iter().enumerate() {
             sheet.dots(dots, pen(k));
         }
+    }
+}
+
+/// A column as it is shown: angles in degrees.
+struct Shown {
+    statistic: SweepStatistic,
+    /// What its numbers are multiplied by.
+    factor: f64,
+}
+
+impl Shown {
+    fn of(statistic: &SweepStatistic) -> Self {
+        if statistic.unit != "rad" {
+            return Self { statistic: statistic.clone(), factor: 1.0 };
+        }
+        let factor = 1_f64.to_degrees();
+        let mut shown = statistic.clone();
+        shown.name = statistic.name.trim_end_matches("_rad").to_owned();
+        "°".clone_into(&mut shown.unit);
+        for number in [&mut shown.mean, &mut shown.standard_deviation, &mut shown.min, &mut shown.max] {
+            *number = number.map(|x| factor * x);
+        }
+        shown.quantiles.iter_mut().for_each(|q| q.value *= factor);
+        if let Some(histogram) = &mut shown.histogram {
+            histogram.least *= factor;
+            histogram.greatest *= factor;
+        }
+        Self { statistic: shown, factor }
     }
 }
 
@@ -201,7 +251,8 @@ fn axis_of(statistic: &SweepStatistic, marks: f64, name: &str) -> Axis {
     }
 }
 
-fn bars(sheet: &mut Sheet, area: Area, statistic: &SweepStatistic, histogram: &SweepHistogram) {
+fn bars(sheet: &mut Sheet, area: Area, statistic: &SweepStatistic) {
+    let Some(histogram) = &statistic.histogram else { return };
     let outside = match (histogram.below, histogram.above) {
         (0, 0) => String::new(),
         (below, 0) => format!("{below} below"),

@@ -26,6 +26,10 @@ pub struct SweepSummary {
     pub regimes: Vec<SweepShare>,
     /// And the ends.
     pub end_regimes: Vec<SweepShare>,
+    /// What was asked, and the answers.
+    pub questions: Vec<SweepQuestion>,
+    /// The mean of each attitude.
+    pub attitudes: Vec<SweepAttitude>,
     /// The first members that failed, and why.
     pub failures: Vec<(u64, String)>,
     /// What differs from member to member.
@@ -46,6 +50,13 @@ pub enum SweepIntervals {
         /// The probability that an interval holds what it is about.
         confidence: f64,
     },
+    /// There are, from how far sets of members that were drawn each for itself differ.
+    OfSets {
+        /// The probability that an interval holds what it is about.
+        confidence: f64,
+        /// How many sets there are.
+        sets: u64,
+    },
     /// There are none.
     None {
         /// Why not.
@@ -62,6 +73,45 @@ pub struct SweepShare {
     pub count: u64,
     /// An interval of the proportion.
     pub interval: Option<[f64; 2]>,
+}
+
+/// A condition on the columns of a member, and how many fulfil it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SweepQuestion {
+    /// What the plan calls it.
+    pub name: String,
+    /// The condition.
+    pub condition: String,
+    /// How many members fulfil it.
+    pub count: u64,
+    /// How many have all columns that it is about.
+    pub of: u64,
+    /// The share of the members that have them; `None` if none has.
+    pub share: Option<f64>,
+    /// An interval of the probability.
+    pub interval: Option<[f64; 2]>,
+    /// The share among the first members, for ever more of them.
+    pub convergence: Vec<SweepStep>,
+}
+
+/// The share that fulfils a condition among the first members.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SweepStep {
+    /// How many members.
+    pub members: u64,
+    /// The share.
+    pub share: f64,
+    /// Its interval.
+    pub interval: Option<[f64; 2]>,
+}
+
+/// The mean of an attitude: the columns `NAME_from_mean_rad`, `NAME_from_mean_x_rad` … are turns from it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SweepAttitude {
+    /// What the columns of its quaternion begin with.
+    pub name: String,
+    /// (w, x, y, z), w ≥ 0.
+    pub mean: [f64; 4],
 }
 
 /// The numbers of one column.
@@ -141,6 +191,8 @@ pub struct SweepSample {
     pub regimes: Vec<Option<String>>,
     /// Which of the columns are inputs.
     pub inputs: Vec<String>,
+    /// Of each question, what each member answers, where it can.
+    pub answers: Vec<Vec<Option<bool>>>,
 }
 
 impl SweepSummary {

@@ -2,15 +2,20 @@
 
 use serde_json::{Map, Value, json};
 
-use super::{SweepHistogram, SweepIntervals, SweepQuantile, SweepShare, SweepStatistic, SweepSummary};
+use super::{
+    SweepHistogram, SweepIntervals, SweepQuantile, SweepQuestion, SweepShare, SweepStatistic, SweepStep,
+    SweepSummary,
+};
 use crate::VERSION;
 use crate::json::numbers;
 
 pub(super) fn of(summary: &SweepSummary) -> Value {
     let (confidence, why) = match summary.intervals {
         SweepIntervals::Given { confidence } => (Some(confidence), None),
+        SweepIntervals::OfSets { confidence, .. } => (Some(confidence), None),
         SweepIntervals::None { why } => (None, Some(why)),
     };
+    let sets = if let SweepIntervals::OfSets { sets, .. } = summary.intervals { Some(sets) } else { None };
     let shares =
         |shares: &[SweepShare]| object(shares.iter().map(|s| (s.name.clone(), share(s, summary.members))));
     let statistics = |all: &[SweepStatistic]| object(all.iter().map(|s| (s.name.clone(), statistic(s))));
@@ -21,10 +26,12 @@ pub(super) fn of(summary: &SweepSummary) -> Value {
         "members": summary.members,
         "sampling": summary.sampling,
         "seed": summary.seed,
-        "intervals": { "confidence": confidence, "why_none": why },
+        "intervals": { "confidence": confidence, "sets": sets, "why_none": why },
         "status": shares(&summary.statuses),
         "regime": shares(&summary.regimes),
         "end_regime": shares(&summary.end_regimes),
+        "questions": object(summary.questions.iter().map(|q| (q.name.clone(), question(q)))),
+        "mean_attitudes": object(summary.attitudes.iter().map(|a| (a.name.clone(), numbers(&a.mean)))),
         "failures": summary.failures.iter().map(|(member, cause)| json!({ "member": member, "cause": cause })).collect::<Value>(),
         "inputs": statistics(&summary.inputs),
         "outcomes": statistics(&summary.outcomes),
@@ -40,6 +47,18 @@ pub(super) fn of(summary: &SweepSummary) -> Value {
 
 fn object(entries: impl Iterator<Item = (String, Value)>) -> Value {
     Value::Object(entries.collect::<Map<_, _>>())
+}
+
+fn question(question: &SweepQuestion) -> Value {
+    let step = |step: &SweepStep| json!({ "members": step.members, "probability": step.share, "interval": step.interval.map(|ends| numbers(&ends)) });
+    json!({
+        "condition": question.condition,
+        "count": question.count,
+        "of": question.of,
+        "probability": question.share,
+        "interval": question.interval.map(|interval| numbers(&interval)),
+        "convergence": question.convergence.iter().map(step).collect::<Value>(),
+    })
 }
 
 fn share(share: &SweepShare, members: u64) -> Value {

@@ -1,8 +1,8 @@
 //! The report of a sweep: text, JSON and pictures of numbers made by hand.
 
 use polhode_report::{
-    SweepCorrelation, SweepFigures, SweepHistogram, SweepIntervals, SweepQuantile, SweepSample, SweepShare,
-    SweepStatistic, SweepSummary,
+    SweepAttitude, SweepCorrelation, SweepFigures, SweepHistogram, SweepIntervals, SweepQuantile,
+    SweepQuestion, SweepSample, SweepShare, SweepStatistic, SweepStep, SweepSummary,
 };
 
 /// Numbers from 1 to n, times a factor.
@@ -67,6 +67,22 @@ fn summary() -> (SweepSummary, SweepSample) {
         statuses: vec![share("complete", 998), share("failed", 2)],
         regimes: vec![share("long_axis", 600), share("short_axis", 398)],
         end_regimes: vec![share("long_axis", 998)],
+        questions: vec![SweepQuestion {
+            name: "slow".to_owned(),
+            condition: "period_s > 20 h".to_owned(),
+            count: 249,
+            of: 998,
+            share: Some(249.0 / 998.0),
+            interval: Some([0.22, 0.28]),
+            convergence: (1..=10)
+                .map(|k| SweepStep {
+                    members: 100 * k,
+                    share: 0.25 + 0.1 / k as f64,
+                    interval: Some([0.2, 0.4]),
+                })
+                .collect(),
+        }],
+        attitudes: vec![SweepAttitude { name: "end_attitude".to_owned(), mean: [0.5, 0.5, -0.5, 0.5] }],
         failures: vec![(17, "its \u{1b}[31mmoments are impossible".to_owned())],
         inputs: vec![statistic("start_spin_body_x_rad_s", "rad/s", 1000, 1e-7)],
         outcomes: vec![
@@ -92,6 +108,7 @@ fn summary() -> (SweepSummary, SweepSample) {
             .map(|name| Some(name.to_owned()))
             .to_vec(),
         inputs: vec!["start_spin_body_x_rad_s".to_owned()],
+        answers: vec![vec![Some(false), None, Some(true), Some(true)]],
     };
     (summary, sample)
 }
@@ -112,6 +129,7 @@ fn text_fits_its_screen_and_says_what_matters() {
         "the same for all mass_kg 3.2",
         "-0.75  period_s with start_spin_body_x_rad_s",
         "95 %: means by Student's t",
+        "slow             24.95 % (22 … 28 %) have period_s > 20 h: 249 of 998; 2 without an answer",
     ] {
         assert!(text.contains(says), "{says}\n{text}");
     }
@@ -152,4 +170,26 @@ fn pictures_are_svg_whatever_names_say() {
         figures.histograms().to_svg().contains("nothing varies")
             && figures.pairs().to_svg().contains("nothing")
     );
+}
+
+#[test]
+fn questions_have_their_answers_their_figure_and_why_they_have_none() {
+    let (mut summary, sample) = summary();
+    let json = summary.to_json();
+    let slow = &json["questions"]["slow"];
+    assert_eq!((slow["count"].as_u64(), slow["of"].as_u64()), (Some(249), Some(998)));
+    assert_eq!(slow["convergence"][9]["members"], 1000);
+    assert_eq!(json["mean_attitudes"]["end_attitude"][2], -0.5);
+    let svg = SweepFigures::new(&summary, &sample).questions().unwrap().to_svg();
+    for says in ["period_s &gt; 20 h", "24.95 % (22 … 28 %)", "members", "yes", "no"] {
+        assert!(svg.contains(says), "{says}");
+    }
+    assert!(!svg.contains("NaN"));
+    summary.intervals = SweepIntervals::OfSets { confidence: 0.95, sets: 16 };
+    assert!(summary.to_text().contains("by how far 16 sets differ"));
+    assert_eq!(summary.to_json()["intervals"]["sets"], 16);
+    summary.questions[0] = SweepQuestion { share: None, of: 0, count: 0, ..summary.questions[0].clone() };
+    assert!(summary.to_text().contains("no member has all columns of period_s > 20 h"));
+    summary.questions.clear();
+    assert!(SweepFigures::new(&summary, &sample).questions().is_none());
 }

@@ -18,12 +18,13 @@ pub(super) const SUMMARY: &str = "summary.json";
 /// Pictures of what was found.
 pub(super) const HISTOGRAMS: &str = "histograms.svg";
 pub(super) const PAIRS: &str = "pairs.svg";
+pub(super) const QUESTIONS: &str = "questions.svg";
 const LOCK: &str = "sweep.lock";
 /// Folders of parts.
 pub(super) const MEMBERS: &str = "members";
 pub(super) const TRAJECTORIES: &str = "trajectories";
 
-const FILES: [&str; 6] = [MANIFEST, PLAN, SUMMARY, HISTOGRAMS, PAIRS, LOCK];
+const FILES: [&str; 7] = [MANIFEST, PLAN, SUMMARY, HISTOGRAMS, PAIRS, QUESTIONS, LOCK];
 
 /// A folder that no other sweep writes to while this lives.
 #[derive(Debug)]

@@ -5,7 +5,7 @@
 //! DIR/plan.toml                         the plan
 //! DIR/members/part-00000.parquet        a row for each member of the part
 //! DIR/trajectories/part-00000.parquet   a row for each of their samples, if the plan wants them
-//! DIR/summary.json, histograms.svg, pairs.svg   when all parts are there
+//! DIR/summary.json, histograms.svg, pairs.svg, questions.svg   when all parts are there
 //! ```
 //!
 //! Which members a part has follows from the plan alone, a part is a pure function of the plan and its number, and its file
@@ -33,7 +33,9 @@ use crate::parquet;
 use crate::plan::Plan;
 use crate::rows::inputs;
 use crate::statistics;
-use folder::{Folder, HISTOGRAMS, MANIFEST, MEMBERS, PAIRS, PLAN, SUMMARY, TRAJECTORIES, part_name};
+use folder::{
+    Folder, HISTOGRAMS, MANIFEST, MEMBERS, PAIRS, PLAN, QUESTIONS, SUMMARY, TRAJECTORIES, part_name,
+};
 use manifest::Manifest;
 
 /// The results of a sweep in a folder, which nobody else writes to while this lives.
@@ -255,6 +257,9 @@ impl Dataset {
         let figures = SweepFigures::new(&summary, &sample);
         self.folder.write(HISTOGRAMS, figures.histograms().to_svg().as_bytes())?;
         self.folder.write(PAIRS, figures.pairs().to_svg().as_bytes())?;
+        if let Some(questions) = figures.questions() {
+            self.folder.write(QUESTIONS, questions.to_svg().as_bytes())?;
+        }
         self.folder.write(SUMMARY, (pretty(&summary.to_json()) + "\n").as_bytes())?;
         Ok(summary)
     }

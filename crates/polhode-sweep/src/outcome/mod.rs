@@ -34,6 +34,11 @@ pub fn simulate(plan: &Plan, inputs: &Batch) -> Result<Batch, BatchError> {
     Batch::new(members.columns.into_iter().chain(outcomes).collect())
 }
 
+/// The columns of outcomes of a plan of this scenario, without rows.
+pub(crate) fn columns_of(nominal: &Scenario) -> Vec<Column> {
+    columns::of(nominal, &[])
+}
+
 /// The motions of the members of `inputs`: a row for each of the sample times, as far as a motion goes.
 ///
 /// # Errors

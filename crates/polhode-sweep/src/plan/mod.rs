@@ -10,6 +10,7 @@ mod draw;
 mod mix;
 mod normal;
 mod permutation;
+mod question;
 mod second_moments;
 mod sobol;
 mod uniform;
@@ -24,7 +25,8 @@ use polhode_formats::scenario::{Distribution, Law, Template, Vary};
 pub use polhode_formats::scenario::Sampling;
 
 use draw::{Draw, MOST_COORDINATES};
-use uniform::Coordinate;
+pub(crate) use question::Condition;
+use uniform::{Coordinate, Sets};
 
 /// A scenario, and what differs from member to member.
 ///
@@ -60,6 +62,8 @@ pub struct Plan {
     members: u64,
     sampling: Sampling,
     seed: u64,
+    replicates: u64,
+    questions: Vec<Condition>,
     vary: Vec<(Vary, Draw)>,
     /// The uniform numbers of a member, those of each variable after those of the one before.
     coordinates: Vec<Coordinate>,
@@ -106,14 +110,8 @@ impl Plan {
         for (draw, vary) in &vary {
             for index in 0..draw.coordinates() {
                 let (name, dimension) = (vary.target.key(), coordinates.len());
-                coordinates.push(Coordinate::new(
-                    sweep.sampling,
-                    sweep.members,
-                    sweep.seed,
-                    name,
-                    index,
-                    dimension,
-                ));
+                let sets = Sets { count: sweep.replicates, size: sweep.members / sweep.replicates.max(1) };
+                coordinates.push(Coordinate::new(sweep.sampling, sets, sweep.seed, name, index, dimension));
             }
         }
         let column = |column: &polhode_formats::scenario::TargetColumn| Variable {
@@ -121,14 +119,20 @@ impl Plan {
             unit: column.unit.clone(),
             description: column.description.clone(),
         };
-        let variables = vary.iter().flat_map(|(_, vary)| vary.target.columns().iter().map(column)).collect();
+        let variables: Vec<Variable> =
+            vary.iter().flat_map(|(_, vary)| vary.target.columns().iter().map(column)).collect();
         let digest = digest::digest(&template)?;
+        let outcomes = crate::outcome::columns_of(template.nominal());
+        let condition = |question| Condition::new(&template, question, &variables, &outcomes);
+        let questions = sweep.questions.iter().map(condition).collect::<Result<_, _>>()?;
         let vary = vary.into_iter().map(|(draw, vary)| (vary, draw)).collect();
         let plan = Self {
             template,
             members: sweep.members,
             sampling: sweep.sampling,
             seed: sweep.seed,
+            replicates: sweep.replicates,
+            questions,
             vary,
             coordinates,
             variables,
@@ -166,6 +170,22 @@ impl Plan {
     /// What the draws follow from; `None` where nothing is drawn.
     pub fn seed(&self) -> Option<u64> {
         (self.sampling != Sampling::Grid).then_some(self.seed)
+    }
+
+    /// Of how many sets of points, each drawn for itself, the members are: 1 but for replicates of a Latin hypercube or of Sobol's points.
+    pub const fn replicates(&self) -> u64 {
+        self.replicates
+    }
+
+    /// What is asked of the outcomes.
+    pub(crate) fn questions(&self) -> &[Condition] {
+        &self.questions
+    }
+
+    /// The names of rotations that differ, without `_w`, `_x`, `_y`, `_z`.
+    pub(crate) fn rotations(&self) -> impl Iterator<Item = &str> {
+        let rotations = self.vary.iter().filter(|(vary, _)| matches!(vary.law, Law::Rotation(_)));
+        rotations.filter_map(|(vary, _)| vary.target.columns().first()?.name.strip_suffix("_w"))
     }
 
     /// What differs.

@@ -152,7 +152,7 @@ mod tests {
     use polhode::math::{Direction, Position, Rotation};
     use polhode_formats::scenario::Sampling;
 
-    use super::super::uniform::Coordinate;
+    use super::super::uniform::{Coordinate, Sets};
     use super::*;
 
     const DRAWS: u64 = 100_000;
@@ -175,7 +175,8 @@ mod tests {
         seed: u64,
     ) -> impl Iterator<Item = Drawn> {
         let root = Root::of(body);
-        let coordinate = |k| Coordinate::new(Sampling::MonteCarlo, DRAWS, seed, "body", k, k);
+        let coordinate =
+            |k| Coordinate::new(Sampling::MonteCarlo, Sets { count: 1, size: DRAWS }, seed, "body", k, k);
         let coordinates: Vec<_> = (0..count).map(coordinate).collect();
         (0..DRAWS).map(move |member| {
             let uniform: Vec<f64> = coordinates.iter().map(|c| c.uniform(member)).collect();
@@ -204,7 +205,8 @@ mod tests {
         let together = draws(&satellite, Dispersion::Together(0.1), 9, 1).filter(impossible).count();
         assert_eq!(together, 0);
 
-        let coordinate = |k| Coordinate::new(Sampling::MonteCarlo, DRAWS, 1, "elements", k, k);
+        let coordinate =
+            |k| Coordinate::new(Sampling::MonteCarlo, Sets { count: 1, size: DRAWS }, 1, "elements", k, k);
         let coordinates: Vec<_> = (0..3).map(coordinate).collect();
         let apart = (0..DRAWS)
             .filter(|member| {

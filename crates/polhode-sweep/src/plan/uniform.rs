@@ -11,7 +11,18 @@ use polhode_formats::scenario::Sampling;
 pub(crate) struct Coordinate {
     /// For draws.
     key: u64,
-    order: Order,
+    /// Of each set of points.
+    orders: Vec<Order>,
+    /// How many members a set has.
+    size: u64,
+}
+
+/// Sets of points, each drawn for itself.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Sets {
+    pub(crate) count: u64,
+    /// How many members each has.
+    pub(crate) size: u64,
 }
 
 /// Where in the unit interval a member's number lies.
@@ -32,29 +43,35 @@ impl Coordinate {
     /// dimension is its place among all.
     pub(crate) fn new(
         sampling: Sampling,
-        members: u64,
+        sets: Sets,
         seed: u64,
         name: &str,
         index: usize,
         dimension: usize,
     ) -> Self {
-        let key = |purpose| key(seed, name, index, purpose);
-        let order = match sampling {
-            Sampling::Grid | Sampling::MonteCarlo => Order::Anywhere,
-            Sampling::LatinHypercube => Order::Layer(Permutation::new(members, key("layers"))),
-            Sampling::Sobol => Order::Sobol(sobol::Scrambled::new(dimension, key("digits"))),
+        let key = |purpose: &str, set: u64| match set {
+            0 => key(seed, name, index, purpose),
+            set => key(seed, name, index, &format!("{purpose} {set}")),
         };
-        Self { key: key("draws"), order }
+        let order = |set: u64| match sampling {
+            Sampling::Grid | Sampling::MonteCarlo => Order::Anywhere,
+            Sampling::LatinHypercube => Order::Layer(Permutation::new(sets.size, key("layers", set))),
+            Sampling::Sobol => Order::Sobol(sobol::Scrambled::new(dimension, key("digits", set))),
+        };
+        Self { key: key("draws", 0), orders: (0..sets.count).map(order).collect(), size: sets.size }
     }
 
     /// The number of a member: 52 binary digits and a half of the last, so that neither 0 nor 1 is among them.
     pub(crate) fn uniform(&self, member: u64) -> f64 {
         let random = philox(self.key, member);
-        match &self.order {
-            Order::Anywhere => unit(random >> 12),
-            Order::Layer(permutation) => permutation.draw(member, random),
+        let (set, within) = (member / self.size.max(1), member % self.size.max(1));
+        match usize::try_from(set).ok().and_then(|set| self.orders.get(set)) {
+            Some(Order::Layer(permutation)) => permutation.draw(within, random),
             // Below the 32 digits of the sequence they are random.
-            Order::Sobol(sequence) => unit(u64::from(sequence.point(member as u32)) << 20 | random >> 44),
+            Some(Order::Sobol(sequence)) => {
+                unit(u64::from(sequence.point(within as u32)) << 20 | random >> 44)
+            }
+            Some(Order::Anywhere) | None => unit(random >> 12),
         }
     }
 }

@@ -15,6 +15,15 @@ impl Interval {
     }
 }
 
+/// Of the mean of what is drawn in several sets, each for itself, from the mean of each set: m ± t s/√k. `None` of fewer than two.
+pub(super) fn of_sets(means: &[f64], confidence: f64) -> Option<[f64; 2]> {
+    let k = means.len() as f64;
+    let mean = means.iter().sum::<f64>() / k;
+    let squares = means.iter().map(|m| (m - mean) * (m - mean)).sum::<f64>();
+    let Interval { half } = Interval::of_mean(means.len() as u64, (squares / (k - 1.0)).sqrt(), confidence)?;
+    Some([mean - half, mean + half])
+}
+
 /// Φ⁻¹(0.975)
 const Z: f64 = 1.959_963_984_540_054;
 

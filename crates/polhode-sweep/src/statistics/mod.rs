@@ -8,6 +8,8 @@
 //!
 //! Nothing depends on the number of threads: counts add in any order, moments are added in the order of the parts.
 
+mod answers;
+mod attitude;
 mod histogram;
 mod interval;
 mod passes;
@@ -16,8 +18,10 @@ mod sample;
 mod selection;
 mod tally;
 
+use std::ops::Range;
+
 use polhode_report::{
-    SweepCorrelation, SweepQuantile, SweepSample, SweepShare, SweepStatistic, SweepSummary,
+    SweepAttitude, SweepCorrelation, SweepQuantile, SweepSample, SweepShare, SweepStatistic, SweepSummary,
 };
 
 use crate::batch::{Batch, Values};
@@ -25,6 +29,8 @@ use crate::error::SweepError;
 use crate::plan::{Plan, Sampling};
 use crate::rows::MEMBER;
 use crate::sampling;
+use answers::Count;
+use attitude::MeanAttitude;
 use interval::Interval;
 use passes::Parts;
 pub(crate) use passes::most_threads;
@@ -49,8 +55,37 @@ const PLAIN: [&str; 11] = [
     "steps_rejected",
     "evaluations",
 ];
-/// Final attitudes are four numbers that mean nothing one by one.
-const APART: [&str; 4] = ["end_attitude_w", "end_attitude_x", "end_attitude_y", "end_attitude_z"];
+/// The outcome that is an attitude: four numbers that mean nothing one by one.
+const END_ATTITUDE: &str = "end_attitude";
+
+/// How members are drawn, as far as intervals depend on it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Design {
+    /// Each for itself.
+    Independent,
+    /// In sets of `size`, each set for itself.
+    Sets { size: u64, count: u64 },
+    /// One set, or none that is drawn.
+    Fixed,
+}
+
+impl Design {
+    fn of(plan: &Plan) -> Self {
+        match (plan.sampling(), plan.replicates()) {
+            (Sampling::MonteCarlo, _) => Self::Independent,
+            (_, count) if count > 1 => Self::Sets { size: plan.members() / count, count },
+            _ => Self::Fixed,
+        }
+    }
+
+    /// The set of a member.
+    const fn set(self, member: u64) -> u64 {
+        match self {
+            Self::Sets { size, .. } => member / size,
+            _ => 0,
+        }
+    }
+}
 
 /// What the rows of so many parts come to, and some of their members.
 pub(crate) fn of(
@@ -59,13 +94,17 @@ pub(crate) fn of(
     threads: usize,
     read: &(dyn Fn(u64) -> Result<Batch, SweepError> + Sync),
 ) -> Result<(SweepSummary, SweepSample), SweepError> {
+    let stems: Vec<String> = plan.rotations().map(str::to_owned).chain([END_ATTITUDE.to_owned()]).collect();
+    let means = attitude::means(&Parts { count: parts, threads, read }, &stems)?;
+    let read = &|part: u64| Ok(means.iter().fold(read(part)?, |batch, mean| mean.put(batch)));
     let parts = Parts { count: parts, threads, read };
+    let design = Design::of(plan);
     let heads = read(0)?;
     let names: Vec<&str> = numeric(&heads).map(|(name, ..)| name).collect();
-    let tally = parts.in_order(|part| Tally::of(&read(part)?, &names, plan.members()), Tally::merge)?;
+    let tally = parts.in_order(|part| Tally::of(&read(part)?, &names, plan, design), Tally::merge)?;
     let tally = tally.unwrap_or_default();
 
-    let independent = plan.sampling() == Sampling::MonteCarlo;
+    let independent = design == Design::Independent;
     let ranks: Vec<Vec<u64>> = tally.moments.iter().map(|moments| ranks(moments, independent)).collect();
     let chosen = selection::select(&parts, &names, ranks)?;
     let plans: Vec<_> = tally.moments.iter().zip(&chosen).map(|(m, s)| histogram::Bins::of(m, s)).collect();
@@ -83,27 +122,38 @@ pub(crate) fn of(
             unit: unit.to_owned(),
             description: description.to_owned(),
             histogram: bins.clone(),
+            mean_interval: design.mean(moments, || tally.sets.values().filter_map(|set| set.moments.get(k))),
             ..statistic(moments, selection, independent)
         });
     }
-    let inputs: Vec<String> = plan.variables().iter().map(|variable| variable.name.clone()).collect();
+    let turned = means.iter().filter(|mean| mean.stem != END_ATTITUDE).flat_map(MeanAttitude::columns);
+    let inputs: Vec<String> =
+        plan.variables().iter().map(|variable| variable.name.clone()).chain(turned).collect();
     let sample = tally.sample.finish(&names, &inputs);
     let correlations = rank_correlation::strongest(&sample, &inputs, &PLAIN)
         .into_iter()
         .map(|(input, outcome, value)| SweepCorrelation { input, outcome, value })
         .collect();
     let (inputs, outcomes) = statistics.into_iter().partition(|s| inputs.contains(&s.name));
-    let shares = |name: &str| shares(tally.texts.get(name), plan.members(), independent);
+    let shares = |name: &str| shares(&tally, name, plan.members(), design);
+    let answered = plan.questions().iter().zip(&tally.answers);
+    let questions =
+        answered.map(|(question, answers)| answers.finish(question, plan.members(), design)).collect();
     let summary = SweepSummary {
         title: plan.nominal().title().map(str::to_owned),
         digest: plan.digest(),
         members: plan.members(),
         sampling: sampling::name(plan.sampling()),
         seed: plan.seed(),
-        intervals: sampling::intervals(plan.sampling(), CONFIDENCE),
+        intervals: sampling::intervals(plan.sampling(), plan.replicates(), CONFIDENCE),
         statuses: shares("status"),
         regimes: shares("regime"),
         end_regimes: shares("end_regime"),
+        questions,
+        attitudes: means
+            .iter()
+            .map(|mean| SweepAttitude { name: mean.stem.clone(), mean: mean.quaternion() })
+            .collect(),
         failures: tally.failures,
         inputs,
         outcomes,
@@ -116,20 +166,25 @@ pub(crate) fn of(
 /// The columns of numbers: name, unit, description.
 fn numeric(batch: &Batch) -> impl Iterator<Item = (&str, &str, &str)> {
     let numbers = batch.columns().iter().filter(|column| {
-        matches!(column.values, Values::Numbers(_) | Values::Perhaps(_))
-            && column.name != MEMBER
-            && !APART.contains(&column.name.as_str())
+        matches!(column.values, Values::Numbers(_) | Values::Perhaps(_)) && column.name != MEMBER
     });
     numbers.map(|column| (column.name.as_str(), column.unit.as_str(), column.description.as_str()))
 }
 
-/// The numbers of the column of a name, those that are there.
-fn values<'a>(batch: &'a Batch, name: &str) -> Box<dyn Iterator<Item = f64> + 'a> {
+/// The numbers of some rows of the column of a name, those that are there.
+fn values_of<'a>(batch: &'a Batch, name: &str, rows: Range<usize>) -> Box<dyn Iterator<Item = f64> + 'a> {
     match batch.column(name).map(|column| &column.values) {
-        Ok(Values::Numbers(values)) => Box::new(values.iter().copied()),
-        Ok(Values::Perhaps(values)) => Box::new(values.iter().flatten().copied()),
+        Ok(Values::Numbers(values)) => Box::new(values.get(rows).unwrap_or_default().iter().copied()),
+        Ok(Values::Perhaps(values)) => {
+            Box::new(values.get(rows).unwrap_or_default().iter().flatten().copied())
+        }
         _ => Box::new(std::iter::empty()),
     }
+}
+
+/// The numbers of the column of a name, those that are there.
+fn values<'a>(batch: &'a Batch, name: &str) -> Box<dyn Iterator<Item = f64> + 'a> {
+    values_of(batch, name, 0..batch.rows())
 }
 
 /// The order statistics that quantiles and their intervals need, from 0.
@@ -146,6 +201,29 @@ fn ranks(moments: &Moments, independent: bool) -> Vec<u64> {
     ranks.sort_unstable();
     ranks.dedup();
     ranks
+}
+
+impl Design {
+    /// The interval of a mean, from the moments of all, and from those of each set.
+    fn mean<'a, I: Iterator<Item = &'a Moments>>(
+        self,
+        moments: &Moments,
+        sets: impl FnOnce() -> I,
+    ) -> Option<[f64; 2]> {
+        let interval = match self {
+            Self::Independent => {
+                let deviation = moments.standard_deviation()?;
+                let Interval { half } = Interval::of_mean(moments.count, deviation, CONFIDENCE)?;
+                [moments.mean - half, moments.mean + half]
+            }
+            Self::Sets { .. } => {
+                let means: Vec<f64> = sets().filter(|set| set.count > 0).map(|set| set.mean).collect();
+                interval::of_sets(&means, CONFIDENCE)?
+            }
+            Self::Fixed => return None,
+        };
+        interval.iter().all(|end| end.is_finite()).then_some(interval)
+    }
 }
 
 fn statistic(moments: &Moments, selection: &Selection, independent: bool) -> SweepStatistic {
@@ -168,10 +246,7 @@ fn statistic(moments: &Moments, selection: &Selection, independent: bool) -> Swe
         description: String::new(),
         count: n,
         mean,
-        mean_interval: mean.zip(deviation).filter(|_| independent).and_then(|(mean, deviation)| {
-            let Interval { half } = Interval::of_mean(n, deviation, CONFIDENCE)?;
-            Some([mean - half, mean + half])
-        }),
+        mean_interval: None,
         standard_deviation: deviation,
         min: finite(moments.min),
         max: finite(moments.max),
@@ -181,17 +256,14 @@ fn statistic(moments: &Moments, selection: &Selection, independent: bool) -> Swe
 }
 
 /// What there is of each text, the most frequent first.
-fn shares(
-    counts: Option<&std::collections::BTreeMap<String, u64>>,
-    members: u64,
-    independent: bool,
-) -> Vec<SweepShare> {
-    let share = |(name, &count): (&String, &u64)| SweepShare {
-        name: name.clone(),
-        count,
-        interval: independent.then(|| interval::of_share(count, members)),
+fn shares(tally: &Tally, column: &str, members: u64, design: Design) -> Vec<SweepShare> {
+    let size = if let Design::Sets { size, .. } = design { size } else { members };
+    let share = |(name, &count): (&String, &u64)| {
+        let sets = tally.sets.values().map(|set| Count { yes: set.count(column, name), of: size });
+        let interval = design.share(Count { yes: count, of: members }, sets);
+        SweepShare { name: name.clone(), count, interval }
     };
-    let mut shares: Vec<SweepShare> = counts.into_iter().flatten().map(share).collect();
+    let mut shares: Vec<SweepShare> = tally.texts.get(column).into_iter().flatten().map(share).collect();
     shares.sort_by(|a, b| b.count.cmp(&a.count).then_with(|| a.name.cmp(&b.name)));
     shares
 }

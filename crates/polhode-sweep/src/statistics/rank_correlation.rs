@@ -5,6 +5,8 @@ use polhode_report::SweepSample;
 /// How many pairs are named, and of each input.
 const MOST: usize = 12;
 const MOST_OF_ONE: usize = 4;
+/// An outcome whose ranks are those of one input is a function of it alone: a correlation says nothing that its formula does not.
+const FUNCTION: f64 = 1.0 - 1e-12;
 /// Fewer rows say nothing.
 const LEAST_ROWS: usize = 10;
 
@@ -18,13 +20,18 @@ pub(super) fn strongest(
         let k = sample.names.iter().position(|other| other == name)?;
         sample.columns.get(k)
     };
+    let starts: Vec<_> =
+        sample.names.iter().filter(|name| name.starts_with("start_")).filter_map(column).collect();
     let mut pairs = Vec::new();
     for input in inputs {
         let Some(x) = column(input) else { continue };
         for outcome in &sample.names {
             let is_outcome = !inputs.contains(outcome) && !apart.contains(&outcome.as_str());
-            let Some(y) = column(outcome).filter(|_| is_outcome) else { continue };
-            if let Some(value) = correlation(x, y) {
+            // What the body is and has at the start is made of inputs and of nothing else.
+            let is_given =
+                outcome.starts_with("start_") || starts.iter().any(|start| column(outcome) == Some(*start));
+            let Some(y) = column(outcome).filter(|_| is_outcome && !is_given) else { continue };
+            if let Some(value) = correlation(x, y).filter(|value| value.abs() < FUNCTION) {
                 pairs.push((input.clone(), outcome.clone(), value));
             }
         }

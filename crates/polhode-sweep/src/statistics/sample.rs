@@ -3,6 +3,7 @@
 use polhode_report::SweepSample;
 
 use crate::batch::{Batch, Values};
+use crate::plan::Condition;
 use crate::rows::MEMBER;
 
 /// How many, about.
@@ -13,24 +14,30 @@ const SIZE: u64 = 4096;
 pub(super) struct Sampled {
     rows: Vec<Vec<Option<f64>>>,
     regimes: Vec<Option<String>>,
+    /// Of each question.
+    answers: Vec<Vec<Option<bool>>>,
 }
 
 impl Sampled {
     /// Of a part of a sweep of so many members.
-    pub(super) fn of(batch: &Batch, names: &[&str], members: u64) -> Self {
+    pub(super) fn of(batch: &Batch, names: &[&str], members: u64, questions: &[Condition]) -> Self {
         let Ok(Values::Whole(numbers)) = batch.column(MEMBER).map(|column| &column.values) else {
             return Self::default();
         };
         let columns: Vec<&Values> =
             names.iter().filter_map(|name| Some(&batch.column(name).ok()?.values)).collect();
         let regime = batch.column("regime").map(|column| &column.values);
-        let mut sampled = Self::default();
+        let all: Vec<_> = questions.iter().map(|condition| condition.answers(batch)).collect();
+        let mut sampled = Self { answers: vec![Vec::new(); all.len()], ..Self::default() };
         for (row, _) in numbers.iter().enumerate().filter(|(_, number)| is_drawn(**number, members)) {
             let value = |values: &&Values| match values {
                 Values::Numbers(values) => values.get(row).copied(),
                 Values::Perhaps(values) => values.get(row).copied().flatten(),
                 _ => None,
             };
+            for (answers, all) in sampled.answers.iter_mut().zip(&all) {
+                answers.push(all.get(row).copied().flatten());
+            }
             sampled.rows.push(columns.iter().map(value).collect());
             sampled.regimes.push(match regime {
                 Ok(Values::Text(texts)) => texts.get(row).cloned().flatten(),
@@ -43,6 +50,7 @@ impl Sampled {
     pub(super) fn append(&mut self, other: Self) {
         self.rows.extend(other.rows);
         self.regimes.extend(other.regimes);
+        self.answers.iter_mut().zip(other.answers).for_each(|(mine, theirs)| mine.extend(theirs));
     }
 
     /// Column by column.
@@ -53,6 +61,7 @@ impl Sampled {
             columns: (0..names.len()).map(column).collect(),
             regimes: self.regimes.clone(),
             inputs: inputs.to_vec(),
+            answers: self.answers.clone(),
         }
     }
 }

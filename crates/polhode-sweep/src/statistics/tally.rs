@@ -1,11 +1,14 @@
 //! What one pass finds: counts, moments, extremes.
 
 use std::collections::BTreeMap;
+use std::ops::Range;
 
+use super::answers::Answers;
 use super::sample::Sampled;
-use super::values;
+use super::{Design, values, values_of};
 use crate::batch::{Batch, Values};
 use crate::error::SweepError;
+use crate::plan::Plan;
 use crate::rows::MEMBER;
 
 /// Failures that a summary shows.
@@ -24,6 +27,24 @@ pub(super) struct Tally {
     /// The first members that failed, and why.
     pub(super) failures: Vec<(u64, String)>,
     pub(super) sample: Sampled,
+    /// To each question.
+    pub(super) answers: Vec<Answers>,
+    /// Of each set of points, if there are several.
+    pub(super) sets: BTreeMap<u64, Set>,
+}
+
+/// What one pass finds of a set.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Set {
+    pub(super) moments: Vec<Moments>,
+    texts: BTreeMap<String, BTreeMap<String, u64>>,
+}
+
+impl Set {
+    /// How often a text stands in a column.
+    pub(super) fn count(&self, column: &str, text: &str) -> u64 {
+        self.texts.get(column).and_then(|counts| counts.get(text)).copied().unwrap_or(0)
+    }
 }
 
 /// Of numbers: how many, their mean, Σ (x − mean)², the least and the largest.
@@ -38,13 +59,25 @@ pub(super) struct Moments {
 
 impl Tally {
     /// Of the rows of a part.
-    pub(super) fn of(batch: &Batch, names: &[&str], members: u64) -> Result<Self, SweepError> {
+    pub(super) fn of(batch: &Batch, names: &[&str], plan: &Plan, design: Design) -> Result<Self, SweepError> {
+        let members = plan.members();
+        let questions = plan.questions();
         let mut tally = Self {
             moments: names.iter().map(|name| Moments::of(|| values(batch, name))).collect(),
-            sample: Sampled::of(batch, names, members),
+            sample: Sampled::of(batch, names, members, questions),
             ..Self::default()
         };
         let Values::Whole(numbers) = &batch.column(MEMBER)?.values else { return Ok(tally) };
+        let answers = |condition| Answers::of(condition, batch, numbers, members, design);
+        tally.answers = questions.iter().map(answers).collect();
+        let mut first = 0;
+        for same in numbers.chunk_by(|a, b| design.set(*a) == design.set(*b)) {
+            let rows = first..first + same.len();
+            first = rows.end;
+            if let (Design::Sets { .. }, Some(member)) = (design, same.first()) {
+                tally.sets.insert(design.set(*member), Set::of(batch, names, rows));
+            }
+        }
         for column in batch.columns() {
             let Values::Text(texts) = &column.values else { continue };
             if column.name == "cause" {
@@ -53,15 +86,7 @@ impl Tally {
                 tally.failures = causes.take(SHOWN).collect();
                 continue;
             }
-            let counts = tally.texts.entry(column.name.clone()).or_default();
-            for text in texts.iter().flatten() {
-                match counts.get_mut(text) {
-                    Some(count) => *count += 1,
-                    None => {
-                        counts.insert(text.clone(), 1);
-                    }
-                }
-            }
+            count(tally.texts.entry(column.name.clone()).or_default(), texts);
         }
         Ok(tally)
     }
@@ -71,11 +96,13 @@ impl Tally {
         for (mine, theirs) in self.moments.iter_mut().zip(&other.moments) {
             *mine = mine.merge(theirs);
         }
-        for (column, counts) in other.texts {
-            let mine = self.texts.entry(column).or_default();
-            for (text, count) in counts {
-                if mine.len() < MOST_TEXTS || mine.contains_key(&text) {
-                    *mine.entry(text).or_default() += count;
+        add(&mut self.texts, other.texts);
+        self.answers.iter_mut().zip(&other.answers).for_each(|(mine, theirs)| mine.merge(theirs));
+        for (set, theirs) in other.sets {
+            match self.sets.get_mut(&set) {
+                Some(mine) => mine.merge(theirs),
+                None => {
+                    self.sets.insert(set, theirs);
                 }
             }
         }
@@ -83,6 +110,52 @@ impl Tally {
         self.failures.truncate(SHOWN);
         self.sample.append(other.sample);
         self
+    }
+}
+
+impl Set {
+    /// Of some rows of a part.
+    fn of(batch: &Batch, names: &[&str], rows: Range<usize>) -> Self {
+        let moments = names.iter().map(|name| Moments::of(|| values_of(batch, name, rows.clone()))).collect();
+        let mut texts: BTreeMap<String, BTreeMap<String, u64>> = BTreeMap::new();
+        for column in batch.columns().iter().filter(|column| column.name != "cause") {
+            if let Values::Text(all) = &column.values {
+                let own = all.get(rows.clone()).unwrap_or_default();
+                count(texts.entry(column.name.clone()).or_default(), own);
+            }
+        }
+        Self { moments, texts }
+    }
+
+    fn merge(&mut self, other: Self) {
+        for (mine, theirs) in self.moments.iter_mut().zip(&other.moments) {
+            *mine = mine.merge(theirs);
+        }
+        add(&mut self.texts, other.texts);
+    }
+}
+
+/// Counts each text.
+fn count(counts: &mut BTreeMap<String, u64>, texts: &[Option<String>]) {
+    for text in texts.iter().flatten() {
+        match counts.get_mut(text) {
+            Some(count) => *count += 1,
+            None => {
+                counts.insert(text.clone(), 1);
+            }
+        }
+    }
+}
+
+/// Adds the counts of other rows.
+fn add(all: &mut BTreeMap<String, BTreeMap<String, u64>>, others: BTreeMap<String, BTreeMap<String, u64>>) {
+    for (column, counts) in others {
+        let mine = all.entry(column).or_default();
+        for (text, count) in counts {
+            if mine.len() < MOST_TEXTS || mine.contains_key(&text) {
+                *mine.entry(text).or_default() += count;
+            }
+        }
     }
 }
 

@@ -47,3 +47,84 @@ fn intervals_hold_the_truth_as_often_as_they_say() {
     assert!((363..=397).contains(&mean), "{mean}");
     assert!((363..400).contains(&median) && (363..400).contains(&tail), "{median} {tail}");
 }
+
+/// A plan of which everything is known: z is uniform on −2 … 3, and so is the answer to each question.
+fn asked(sampling: &str, replicates: u64, seed: u32) -> Plan {
+    let text = format!(
+        r#"
+[[body.part]]
+shape = "box"
+size = [1, 2, 3]
+mass = "1 kg"
+[sweep]
+members = 320
+sampling = "{sampling}"
+seed = {seed}
+{}
+[sweep.questions]
+fast = "start_spin_body_z_rad_s > 1.8 rad/s"
+both = "start_spin_body_z_rad_s > 0 and start_spin_body_x_rad_s > 0.3 rad/s"
+[[sweep.vary]]
+key = "start.spin.body[0]"
+normal = {{ mean = 0.3, sd = 0.9 }}
+[[sweep.vary]]
+key = "start.spin.body[2]"
+uniform = {{ from = -2, to = 3 }}
+[[sweep.vary]]
+key = "start.attitude"
+random = {{ sd = "10 deg" }}
+[start]
+spin = {{ body = [0, 0, 0] }}
+attitude = {{ roll_pitch_yaw = [0.3, -0.4, 0.5] }}
+"#,
+        if replicates > 1 { format!("replicates = {replicates}") } else { String::new() }
+    );
+    Plan::parse(text, "plan.toml".as_ref()).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// Probabilities and means, in 100 sweeps of each kind; by sets as by independent members.
+#[test]
+fn probabilities_are_where_their_intervals_say() {
+    for (sampling, replicates) in [("monte carlo", 1), ("latin hypercube", 16), ("sobol", 16)] {
+        let mut held = [0_u32; 3];
+        for seed in 0..100 {
+            let plan = asked(sampling, replicates, seed);
+            let read = |part: u64| Ok(inputs(&plan, 80 * part..80 * (part + 1)));
+            let (summary, _) = of(&plan, 4, 1, &read).unwrap();
+            let holds = |[low, high]: [f64; 2], truth: f64| u32::from(low <= truth && truth <= high);
+            let [fast, both] = summary.questions.as_slice() else { panic!("two questions") };
+            held[0] += holds(fast.interval.unwrap(), 0.24);
+            held[1] += holds(both.interval.unwrap(), 0.3);
+            // of z²'s kind: the mean angle of the turns is known by symmetry only, that of their components is 0
+            let turned = summary.inputs.iter().find(|s| s.name == "start_attitude_from_mean_y_rad").unwrap();
+            held[2] += u32::from(turned.mean.unwrap().abs() < 0.05);
+            let last = fast.convergence.last().unwrap();
+            assert_eq!((last.members, Some(last.share)), (320, fast.share));
+            assert_eq!((fast.of, summary.questions.len()), (320, 2));
+        }
+        // 95 expected, or some more; standard deviation 2.2.
+        assert!(held[..2].iter().all(|held| (88..=100).contains(held)), "{sampling}: {held:?}");
+        assert_eq!(held[2], 100, "{sampling}");
+    }
+}
+
+#[test]
+fn a_single_set_and_a_grid_have_answers_without_intervals() {
+    let plan = asked("sobol", 1, 0);
+    let read = |part: u64| Ok(inputs(&plan, 80 * part..80 * (part + 1)));
+    let (summary, sample) = of(&plan, 4, 3, &read).unwrap();
+    let fast = &summary.questions[0];
+    assert!(fast.interval.is_none() && (fast.share.unwrap() - 0.24).abs() < 0.01);
+    assert_eq!((sample.answers.len(), sample.answers[0].len()), (2, 320));
+    // Threads change nothing, and a mean attitude is near the one that is written.
+    let (again, _) = of(&plan, 4, 1, &read).unwrap();
+    assert_eq!(summary, again);
+    let mean = polhode::math::Attitude::from_quaternion(summary.attitudes[0].mean).unwrap();
+    let written = plan.nominal().start().attitude;
+    assert!(mean.angle_to(written) < 0.02, "{}", mean.angle_to(written));
+    let angles = summary.inputs.iter().find(|s| s.name == "start_attitude_from_mean_rad").unwrap();
+    // The mean length of a normal vector: σ √(8/π)
+    let expected = 10_f64.to_radians() * (8.0 / std::f64::consts::PI).sqrt();
+    assert!((angles.mean.unwrap() / expected - 1.0).abs() < 0.05);
+    assert!(!summary.inputs.iter().any(|s| s.name == "start_attitude_w"));
+}

@@ -6,3 +6,4 @@ mod dataset;
 mod examples;
 mod outcomes;
 mod plan;
+mod questions;

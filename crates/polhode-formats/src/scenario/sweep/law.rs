@@ -106,6 +106,12 @@ pub(super) fn law(
         let error = form.invalid("list or grid: a grid has no distributions");
         return Err(error.with_hint("write grid = { from = 0, to = 1, count = 11 }, or another sampling"));
     }
+    let keys = keys(key)?;
+    let [key, others @ ..] = keys.as_slice() else { return Err(key.invalid("the key of a number")) };
+    if let Some(other) = others.first().filter(|_| OTHERS.contains(&form.key())) {
+        let error = other.invalid(format!("one key: what has {} is no number", form.key()));
+        return Err(error.with_hint("give each [[sweep.vary]] its own key"));
+    }
     Ok(match form.key() {
         "random" => (catalogue.rotation(key)?, Law::Rotation(rotation(&form)?)),
         "direction" => {
@@ -126,12 +132,28 @@ pub(super) fn law(
             (target, Law::MassProperties(dispersion))
         }
         _ => {
-            let target = catalogue.number(key)?;
+            let mut target = catalogue.number(key)?;
+            for other in others {
+                target = target.joined(catalogue.number(other)?, other)?;
+            }
             let nominal = target.nominal().first().copied().unwrap_or_default();
             let law = distribution(&form, target.dimension(), nominal)?;
             (target, Law::Number(law))
         }
     })
+}
+
+/// One key, or the keys of several numbers that are one and the same.
+fn keys<'a>(key: &Value<'a>) -> Result<Vec<Value<'a>>, FormatError> {
+    if !key.is_array() {
+        return Ok(vec![*key]);
+    }
+    let keys = key.elements("a key, or an array of keys")?;
+    if keys.len() < 2 {
+        let error = key.invalid("one key, or an array of the keys of several numbers that vary as one");
+        return Err(error.with_hint("write key = [\"body.part[0].mass\", \"body.part[1].mass\"]"));
+    }
+    Ok(keys)
 }
 
 /// `random = "uniform"`, or `{ sd = "2 deg" }`

@@ -2,12 +2,14 @@
 
 mod distribution;
 mod law;
+mod question;
 
 use polhode::body::{Finding, Severity};
 use polhode::motion::Scenario;
 
 pub use distribution::Distribution;
 pub use law::{Dispersion, Law, Spread};
+pub use question::Question;
 
 use super::reader::{Table, Value};
 use super::source::Source;
@@ -37,6 +39,10 @@ pub struct Sweep {
     pub sampling: Sampling,
     /// Draws follow from it.
     pub seed: u64,
+    /// Of how many sets of points, each drawn for itself, the members of a Latin hypercube or of Sobol's sequence are; else 1.
+    pub replicates: u64,
+    /// What is asked of the outcomes.
+    pub questions: Vec<Question>,
     /// What varies, in the file's order; no number twice.
     pub vary: Vec<Vary>,
     /// Whether the samples of every member are to be kept.
@@ -87,7 +93,7 @@ pub(crate) fn sweep(source: Source<'_>, entries: &Entries, nominal: &Scenario) -
     let table = root
         .require("sweep", "[sweep], and under it members = 1000 and sampling = \"monte carlo\"")?
         .table()?;
-    table.allow(&["members", "sampling", "seed", "trajectories", "vary"])?;
+    table.allow(&["members", "sampling", "seed", "replicates", "trajectories", "vary", "questions"])?;
     let sampling = match table.require("sampling", "sampling = \"monte carlo\"")?.choice(&SAMPLINGS)? {
         "grid" => Sampling::Grid,
         "monte carlo" => Sampling::MonteCarlo,
@@ -144,7 +150,35 @@ pub(crate) fn sweep(source: Source<'_>, entries: &Entries, nominal: &Scenario) -
     }
     let seed = seed.map_or(Ok(0), |seed| seed.count())?;
     let trajectories = table.get("trajectories").map_or(Ok(false), |value| value.boolean())?;
-    Ok(Sweep { members: members(&table, sampling, &vary, &list)?, sampling, seed, vary, trajectories })
+    let members = members(&table, sampling, &vary, &list)?;
+    let replicates = replicates(&table, sampling, members)?;
+    let questions = question::questions(&table)?;
+    Ok(Sweep { members, sampling, seed, replicates, questions, vary, trajectories })
+}
+
+/// Sets of points more than this say no more of an error.
+const MOST_REPLICATES: u64 = 1000;
+
+/// `replicates = 16`: of a Latin hypercube or of Sobol's points.
+fn replicates(table: &Table<'_>, sampling: Sampling, members: u64) -> Result<u64, FormatError> {
+    let Some(value) = table.get("replicates") else { return Ok(1) };
+    let hint = match sampling {
+        Sampling::LatinHypercube | Sampling::Sobol => {
+            let count = value.count()?;
+            if (2..=MOST_REPLICATES).contains(&count) && members.is_multiple_of(count) && members / count > 1
+            {
+                return Ok(count);
+            }
+            let rule =
+                format!("2 … {MOST_REPLICATES}, and a divisor of the {members} members, at least 2 of each");
+            return Err(value
+                .invalid(rule)
+                .with_hint("16 sets show an error to some 20 %: write replicates = 16"));
+        }
+        Sampling::Grid => "a grid is no sample: nothing in it is drawn",
+        Sampling::MonteCarlo => "members that are independent show their error as they are",
+    };
+    Err(value.invalid("left out here").with_hint(hint))
 }
 
 const SAMPLINGS: [&str; 4] = ["monte carlo", "latin hypercube", "sobol", "grid"];

@@ -123,6 +123,10 @@ fn a_misspelt_key_is_told_its_name() {
     for Example { path, text, meaning: was } in &examples() {
         for place in keys(text) {
             let Some(wrong) = slip(&text[place.clone()]) else { continue };
+            // What is asked has the names that its user gives it.
+            if text[..place.start].rfind("\n[").is_some_and(|at| text[at..].starts_with("\n[sweep.questions]")) {
+                continue;
+            }
             let spoilt = replaced(text, &place, &wrong);
             let Err(error) = meaning(&spoilt, path) else { panic!("{}: {wrong} is read", path.display()) };
             let hint = error.hint().unwrap_or_default();

@@ -7,6 +7,7 @@ use crate::check::Check;
 use crate::explain::Explain;
 use crate::failure::Failure;
 use crate::inertia::Inertia;
+use crate::new::New;
 use crate::shell::{Completions, Man};
 use crate::simulate::Simulate;
 use crate::spin::Spin;
@@ -27,6 +28,7 @@ pub(crate) struct Polhode {
 
 const EXAMPLES: &str = "\
 Examples:
+  polhode new top
   polhode inertia part.stl --unit mm --density \"2700 kg/m^3\"
   polhode check examples/robots/bad-arm.urdf
   polhode simulate examples/t-handle.toml
@@ -36,6 +38,7 @@ Examples:
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
+    New(New),
     Inertia(Box<Inertia>),
     Check(Check),
     Simulate(Simulate),
@@ -51,6 +54,7 @@ pub(crate) enum Command {
 impl Command {
     pub(crate) fn run(self) -> Result<(), Failure> {
         match self {
+            Self::New(command) => command.run(),
             Self::Inertia(command) => command.run(),
             Self::Check(command) => command.run(),
             Self::Simulate(command) => command.run(),

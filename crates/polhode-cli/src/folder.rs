@@ -2,7 +2,9 @@
 
 use std::fs;
 use std::io::{self, BufWriter};
-use std::path::Path;
+use std::path::{Path, PathBuf};
+
+use serde_json::Value;
 
 use crate::failure::Failure;
 use crate::partial::{Partial, exists, output};
@@ -27,17 +29,53 @@ const OURS: [&str; 9] = [
     "space_cone.csv",
 ];
 
+/// What may be replaced.
+#[derive(Clone, Debug)]
+pub(crate) enum Replace {
+    /// Nothing.
+    Never,
+    /// Results of the scenario of this path, as they name it.
+    ResultsOf(PathBuf),
+    /// Any results.
+    Forced,
+}
+
+impl Replace {
+    /// Any results if that is asked for, else those of a scenario.
+    pub(crate) fn results_of(scenario: &Path, force: bool) -> Self {
+        if force { Self::Forced } else { Self::ResultsOf(scenario.to_owned()) }
+    }
+
+    /// As a flag says.
+    pub(crate) const fn forced(force: bool) -> Self {
+        if force { Self::Forced } else { Self::Never }
+    }
+
+    /// Whether it lets these results go, whose summary is in the folder.
+    fn allows(&self, folder: &Path) -> bool {
+        match self {
+            Self::Never => false,
+            Self::Forced => true,
+            Self::ResultsOf(scenario) => {
+                let summary = fs::read(folder.join(SIGNATURE.0)).ok();
+                let summary = summary.and_then(|bytes| serde_json::from_slice::<Value>(&bytes).ok());
+                summary.is_some_and(|summary| summary["source"]["path"] == scenario.display().to_string())
+            }
+        }
+    }
+}
+
 /// A folder of results in the making: its files are written beside its final place and moved there by
 /// [`Folder::publish`]. Dropped before that, it leaves nothing.
 #[derive(Debug)]
 pub(crate) struct Folder {
     partial: Partial,
-    force: bool,
+    replace: Replace,
 }
 
 impl Folder {
-    /// Refuses a target that is there already, unless it holds nothing but old results and `force` is set.
-    pub(crate) fn check(target: &Path, force: bool) -> Result<(), Failure> {
+    /// Refuses a target that is there already, unless it holds nothing but old results that may be replaced.
+    pub(crate) fn check(target: &Path, replace: &Replace) -> Result<(), Failure> {
         let shown = shown(target);
         if target.file_name().is_none() {
             let hint = "name a folder of its own: -o results/run-1";
@@ -46,10 +84,14 @@ impl Folder {
         match fs::symlink_metadata(target) {
             Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(()),
             Err(error) => Err(output(target, error)),
-            Ok(_) if !force => Err(exists(target)),
-            Ok(meta) => match stranger(target, &meta) {
-                None => Ok(()),
-                Some(why) => Err(Failure::usage(
+            Ok(_) if !replace.allows(target) => Err(exists(target)),
+            Ok(meta) => match (stranger(target, &meta), replace) {
+                (None, _) => Ok(()),
+                (Some(why), Replace::ResultsOf(_)) => Err(Failure::usage(
+                    format!("{shown} is there already, and not replaced: {why}"),
+                    "remove that by hand, or choose another folder with -o DIR",
+                )),
+                (Some(why), _) => Err(Failure::usage(
                     format!("{shown} is not a folder of results, so --force does not replace it: {why}"),
                     "remove it by hand, or choose another folder with -o DIR",
                 )),
@@ -58,9 +100,9 @@ impl Folder {
     }
 
     /// Starts a folder that is to become `target`, which nobody else may write at the same time.
-    pub(crate) fn create(target: &Path, force: bool) -> Result<Self, Failure> {
-        Self::check(target, force)?;
-        Ok(Self { partial: Partial::folder(target, remove)?, force })
+    pub(crate) fn create(target: &Path, replace: Replace) -> Result<Self, Failure> {
+        Self::check(target, &replace)?;
+        Ok(Self { partial: Partial::folder(target, remove)?, replace })
     }
 
     /// Writes one of [`OURS`].
@@ -83,9 +125,9 @@ impl Folder {
     /// they may.
     pub(crate) fn publish(self) -> Result<(), Failure> {
         let (target, old) = (self.partial.target().to_owned(), self.partial.old());
-        let replaces = self.force && target.exists();
+        let replaces = target.exists() && self.replace.allows(&target);
         if replaces {
-            Self::check(&target, true)?;
+            Self::check(&target, &self.replace)?;
         }
         let published = self.partial.publish(|partial| {
             if replaces {

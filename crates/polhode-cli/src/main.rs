@@ -2,12 +2,14 @@
 #![forbid(unsafe_code)]
 
 mod args;
+mod browser;
 mod check;
 mod explain;
 mod failure;
 mod folder;
 mod inertia;
 mod model_file;
+mod new;
 mod numbers;
 mod page;
 mod partial;

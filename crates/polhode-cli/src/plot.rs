@@ -1,7 +1,7 @@
 //! Plots: which figure goes into which file.
 
 use std::fs;
-use std::io::{self, Write as _};
+use std::io::{self, Read as _, Write as _};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -39,8 +39,8 @@ impl PlotFlags {
         !self.plot.is_empty()
     }
 
-    /// Refuses files that are there already, unless they may be replaced, and a file for two plots.
-    pub(crate) fn check(&self, force: bool) -> Result<(), Failure> {
+    /// Refuses files that are there already, unless they may be replaced or are plots of the same command, and a file for two plots.
+    pub(crate) fn check(&self, force: bool, maker: Option<&str>) -> Result<(), Failure> {
         for (k, Plot { path, .. }) in self.plot.iter().enumerate() {
             let shown = shown(path);
             if self.plot.iter().take(k).any(|other| other.path == *path) {
@@ -52,7 +52,8 @@ impl PlotFlags {
                 Err(error) => return Err(Failure::Output { path: shown, error }),
                 Ok(meta) => meta.is_file(),
             };
-            if !(force && is_file) {
+            let is_own = || maker.is_some_and(|maker| is_made_by(path, maker));
+            if !(is_file && (force || is_own())) {
                 let hint = if is_file {
                     "choose another file, or replace it with --force"
                 } else {
@@ -65,7 +66,12 @@ impl PlotFlags {
     }
 
     /// Draws everything, and writes nothing yet.
-    pub(crate) fn draw(&self, motion: &MotionFigures<'_>, force: bool) -> Result<Drawn, Failure> {
+    pub(crate) fn draw(
+        &self,
+        motion: &MotionFigures<'_>,
+        force: bool,
+        maker: Option<&str>,
+    ) -> Result<Drawn, Failure> {
         let failed = |error: &PlotError| Failure::usage(error.to_string(), error.hint());
         let drawn: Result<Vec<_>, Failure> = self
             .plot
@@ -73,10 +79,12 @@ impl PlotFlags {
             .map(|plot| {
                 let picture = plot.figure.map_or_else(|| motion.overview(), |figure| motion.draw(figure));
                 let picture = picture.map_err(|error| failed(&error))?;
-                Ok((plot.path.clone(), plot.format.encode(&picture)?))
+                let picture = if let Some(maker) = maker { picture.made_by(maker) } else { picture };
+                let replaces = force || maker.is_some_and(|maker| is_made_by(&plot.path, maker));
+                Ok((plot.path.clone(), plot.format.encode(&picture)?, replaces))
             })
             .collect();
-        Ok(Drawn { force, files: drawn? })
+        Ok(Drawn { files: drawn? })
     }
 }
 
@@ -101,23 +109,33 @@ impl Format {
 /// Pictures that wait until everything else is written: the folder of results may be where they go.
 #[derive(Debug)]
 pub(crate) struct Drawn {
-    force: bool,
-    files: Vec<(PathBuf, Vec<u8>)>,
+    /// Where each goes, what it is, and whether it replaces what is there.
+    files: Vec<(PathBuf, Vec<u8>, bool)>,
 }
 
 impl Drawn {
     /// Writes each picture, whole or not at all; gives a line that says which.
     pub(crate) fn publish(self) -> Result<String, Failure> {
         let mut names = Vec::new();
-        for (path, bytes) in &self.files {
+        for (path, bytes, replaces) in &self.files {
             if let Some(parent) = path.parent() {
                 fs::create_dir_all(parent).map_err(|error| partial::output(path, error))?;
             }
-            partial::write(path, self.force, |out| out.write_all(bytes))?;
+            partial::write(path, *replaces, |out| out.write_all(bytes))?;
             names.push(shown(path));
         }
         Ok(if names.is_empty() { String::new() } else { format!("wrote {}\n", names.join("  ")) })
     }
+}
+
+/// Whether a file is a picture that says this command made it.
+fn is_made_by(path: &Path, maker: &str) -> bool {
+    /// What a picture says of itself stands at its beginning.
+    const HEAD: u64 = 1 << 14;
+    let mut head = Vec::new();
+    let read = fs::File::open(path).and_then(|file| file.take(HEAD).read_to_end(&mut head));
+    let is_picture = head.starts_with(b"<svg ") || head.starts_with(b"\x89PNG");
+    read.is_ok() && is_picture && Picture::is_made_by(&head, maker)
 }
 
 /// `omega=fig.svg` or `fig.svg`; a path with a `=` of its own begins with its folder: `./a=b.svg`.

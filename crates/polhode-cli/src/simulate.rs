@@ -5,11 +5,12 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use polhode::motion::{Ending, ErrorEffort, Run, Sample, Scenario, Trajectory};
-use polhode_formats::scenario::ScenarioFile;
+use polhode_formats::scenario::{ScenarioFile, TableFormat};
 use polhode_report::{MotionFigures, MotionReport, SourceInfo, pretty};
 
+use crate::browser::open;
 use crate::failure::Failure;
-use crate::folder::Folder;
+use crate::folder::{Folder, PAGE, Replace};
 use crate::numbers::{Times, times};
 use crate::page::{Page, Shown};
 use crate::plot::PlotFlags;
@@ -38,11 +39,11 @@ pub(crate) struct Simulate {
     /// The folder to write [default: the scenario's name, here].
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
-    /// Replace the results and the plots of an earlier run.
+    /// Replace the results and the plots of an earlier run, of another scenario too: those of this one are replaced anyway.
     #[arg(long)]
     force: bool,
-    /// The format of the table; may be given more than once.
-    #[arg(long, value_enum, value_name = "FORMAT", default_values_t = [Format::Parquet])]
+    /// The format of the table; may be given more than once [default: that of [run], else parquet].
+    #[arg(long, value_enum, value_name = "FORMAT")]
     table: Vec<Format>,
     /// Print the state at these times too: in s, or each with its unit; 0:1:0.1 are those from 0 to 1 in steps of 0.1.
     #[arg(long, value_name = "T,…", value_parser = times, allow_hyphen_values = true)]
@@ -50,6 +51,9 @@ pub(crate) struct Simulate {
     /// Leave out report.html.
     #[arg(long)]
     no_page: bool,
+    /// Show report.html in the browser.
+    #[arg(long, conflicts_with = "no_page")]
+    open: bool,
     /// Estimate the error thoroughly however long that takes, twelve times as long as the motion: without it, motions of more than
     /// some 10,000 steps and samples (3,000 of DOP853 or splitting) have a cheap estimate.
     #[arg(long)]
@@ -66,10 +70,12 @@ impl Simulate {
         let file = ScenarioFile::read(&self.file)?;
         let (scenario, text) = (&file.scenario, &file.text);
         let target = self.output.clone().unwrap_or_else(|| default_folder(&self.file));
-        Folder::check(&target, self.force)?;
-        self.plots.check(self.force)?;
+        let replace = Replace::results_of(&self.file, self.force);
+        Folder::check(&target, &replace)?;
+        let maker = format!("polhode simulate {}", self.file.display());
+        self.plots.check(self.force, Some(&maker))?;
         // From now on nobody else begins with the same folder.
-        let folder = Folder::create(&target, self.force)?;
+        let folder = Folder::create(&target, replace)?;
         let trajectory = self.trajectory(&file)?;
 
         let title = scenario.title().unwrap_or("scenario");
@@ -81,14 +87,18 @@ impl Simulate {
             command: format!("simulate {}", self.file.display()),
             shown: Shown::Scenario { scenario, text, file: &self.file },
         };
-        let plots = self.plots.draw(&MotionFigures::of_scenario(scenario, &trajectory), self.force)?;
-        let written = self.write(folder, &target, &summary, scenario, &trajectory, &page)?;
+        let figures = MotionFigures::of_scenario(scenario, &trajectory);
+        let plots = self.plots.draw(&figures, self.force, Some(&maker))?;
+        let written = self.write(folder, &target, &summary, &file, &trajectory, &page)?;
         let plotted = plots.publish()?;
         if self.json {
             print(&summary)?;
         } else {
             let text = columns().map_or_else(|| report.to_text(), |columns| report.to_screen(columns));
-            print(&format!("{text}{written}\n{plotted}"))?;
+            print(&format!("{text}{written}\n{plotted}{}", self.look(&target)))?;
+        }
+        if self.open {
+            open(&target.join(PAGE));
         }
         // What there is of the motion is written; that it is not all is a failure all the same.
         match trajectory.ending() {
@@ -147,19 +157,39 @@ impl Simulate {
         Ok(wanted.iter().filter_map(at).collect())
     }
 
+    /// The formats of the table: those asked for, else the scenario's, else Parquet.
+    fn tables(&self, of_scenario: &[TableFormat]) -> Vec<Format> {
+        match (self.table.as_slice(), of_scenario) {
+            ([], []) => vec![Format::Parquet],
+            ([], formats) => formats.iter().map(|format| Format::from(*format)).collect(),
+            (formats, _) => formats.to_vec(),
+        }
+    }
+
+    /// How to look at what was written.
+    fn look(&self, target: &Path) -> String {
+        match self.no_page || self.open {
+            true => String::new(),
+            false => {
+                format!("open {} in a browser to see it move (or add --open)\n", shown(&target.join(PAGE)))
+            }
+        }
+    }
+
     /// Writes the folder; says what was written.
     fn write(
         &self,
         folder: Folder,
         target: &Path,
         summary: &str,
-        scenario: &Scenario,
+        ScenarioFile { scenario, tables: formats, .. }: &ScenarioFile,
         trajectory: &Trajectory,
         page: &Page<'_>,
     ) -> Result<String, Failure> {
         folder.file("summary.json", |out| out.write_all(summary.as_bytes()))?;
         let metadata = metadata(scenario, trajectory, &self.file);
-        let mut names = table::write(&self.table, trajectory, &scenario.into(), &metadata, &folder)?;
+        let mut names =
+            table::write(&self.tables(formats), trajectory, &scenario.into(), &metadata, &folder)?;
         if !self.no_page {
             names.push(page.write(trajectory, &folder)?);
         }

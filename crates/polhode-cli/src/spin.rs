@@ -142,7 +142,7 @@ impl Spin {
         let times = self.times.read()?;
         let target = self.files.target(self.file.as_deref())?;
         self.files.check_html()?;
-        self.plots.check(self.files.force())?;
+        self.plots.check(self.files.force(), None)?;
         let report = SpinReport::new(subject.source(), motion).found(subject.findings()).at(&times);
         let report = report.map_err(|error| Failure::Motion { path: "--at".to_owned(), error })?;
         let json = pretty(&report.to_json()) + "\n";
@@ -168,7 +168,7 @@ impl Spin {
         }
         let trajectory = self.files.to_be_drawn(motion)?;
         self.plots
-            .draw(&MotionFigures::of_motion(&subject.title(), motion, &trajectory), self.files.force())
+            .draw(&MotionFigures::of_motion(&subject.title(), motion, &trajectory), self.files.force(), None)
             .map(Some)
     }
 

@@ -2,6 +2,7 @@
 
 use clap::ValueEnum;
 use polhode::motion::Trajectory;
+use polhode_formats::scenario::TableFormat;
 use polhode_formats::table::{self, Surroundings};
 
 use crate::failure::Failure;
@@ -13,6 +14,15 @@ pub(crate) enum Format {
     Parquet,
     /// Comma-separated text; numbers read back bit for bit.
     Csv,
+}
+
+impl From<TableFormat> for Format {
+    fn from(format: TableFormat) -> Self {
+        match format {
+            TableFormat::Csv => Self::Csv,
+            _ => Self::Parquet,
+        }
+    }
 }
 
 impl Format {

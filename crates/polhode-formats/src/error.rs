@@ -262,8 +262,6 @@ impl fmt::Display for FormatErrorKind {
 
 impl FormatErrorKind {
     fn hint(&self) -> Option<String> {
-        /// Known keys that a hint lists.
-        const MOST_KEYS: usize = 12;
         match self {
             Self::Io { kind: io::ErrorKind::NotFound, .. } => {
                 Some("check the spelling; a relative path starts at the current folder".to_owned())
@@ -280,9 +278,7 @@ impl FormatErrorKind {
             Self::Utf16 => Some("save the file as UTF-8, or iconv -f UTF-16 -t UTF-8 FILE > NEW".to_owned()),
             Self::UnknownKey { suggestion, known, .. } => {
                 let meant = suggestion.map_or(String::new(), |key| format!("did you mean {key}? "));
-                let (shown, more) = known.split_at(known.len().min(MOST_KEYS));
-                let more = if more.is_empty() { "" } else { ", …" };
-                Some(format!("{meant}the keys here are {}{more}", shown.join(", ")))
+                Some(format!("{meant}the keys here are {}", known.join(", ")))
             }
             Self::MissingKey { example, .. } => Some(format!("write {example}")),
             Self::Conflict { .. } => Some("leave one of them out".to_owned()),

@@ -1,5 +1,8 @@
 //! A curve in a line of text.
 
+use polhode::body::PrincipalFrame;
+use polhode::math::Body;
+
 /// The columns of a picture where nobody knows how many there are.
 pub(crate) const COLUMNS: usize = 72;
 
@@ -38,6 +41,23 @@ impl Sparkline {
         Some(Self { axis: most + 1, line, values: shown.len() })
     }
 }
+
+impl Sparkline {
+    /// Which component it is: `ωz (axis 2)` of a principal axis that is the z axis of the body, `−ωz (axis 2)` of the opposite one, else
+    /// `ω along axis 2`.
+    pub(crate) fn label(&self, principal: &PrincipalFrame<Body>) -> String {
+        let direction = principal.axis(self.axis - 1).to_array();
+        let along = ["x", "y", "z"].into_iter().zip(direction).find(|(_, c)| c.abs() > ALIGNED);
+        match along {
+            Some((name, c)) if c > 0.0 => format!("ω{name} (axis {})", self.axis),
+            Some((name, _)) => format!("−ω{name} (axis {})", self.axis),
+            None => format!("ω along axis {}", self.axis),
+        }
+    }
+}
+
+/// The cosine from which on an axis is another: to 1e-6 rad.
+const ALIGNED: f64 = 1.0 - 5e-13;
 
 /// How many of the values, from the first on, have at most `turns` turning points.
 fn resolved(values: &[f64], turns: usize) -> usize {

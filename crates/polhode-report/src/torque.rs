@@ -247,6 +247,20 @@ impl Description {
     }
 }
 
+/// What a wheel is called: by its scenario, else by its number if there are several.
+pub(crate) fn wheel_name(scenario: &Scenario, k: usize) -> String {
+    match scenario.wheel_name(k) {
+        Some(name) => name.to_owned(),
+        None if scenario.wheels().len() > 1 => format!("wheel {}", k + 1),
+        None => "wheel".to_owned(),
+    }
+}
+
+/// The wheels, each with what it is called.
+pub(crate) fn named_wheels(scenario: &Scenario) -> Vec<(String, Wheel)> {
+    scenario.wheels().iter().enumerate().map(|(k, wheel)| (wheel_name(scenario, k), *wheel)).collect()
+}
+
 /// When a torque acts that does not from the start: `off until the event "spun down"`.
 pub(crate) fn off_at_start(scenario: &Scenario, torque: usize) -> Option<String> {
     if !scenario.switched_off().contains(&torque) {

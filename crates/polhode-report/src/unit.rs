@@ -1,6 +1,6 @@
 //! Units for people: the size that fits, from SI.
 
-use crate::number::{alike, number, within};
+use crate::number::{GROUP, alike, number, ungrouped, within};
 
 /// A unit and how many SI units it is.
 #[derive(Clone, Copy, Debug)]
@@ -46,6 +46,19 @@ const VOLUME: [Unit; 4] = [
 
 /// Digits of a quantity that stands alone.
 pub(crate) const DIGITS: usize = 7;
+
+/// A time with its digits, and in hours or days where that says more: `464832 s (5.38 d)`.
+pub(crate) fn duration(seconds: f64, digits: usize) -> String {
+    let shown = format!(
+        "{}{GROUP}s",
+        if digits > DIGITS { ungrouped(seconds, digits) } else { number(seconds, digits) }
+    );
+    let longer = [(86_400.0, "d"), (3_600.0, "h")];
+    match longer.into_iter().find(|(unit, _)| seconds.abs() >= 2.0 * unit) {
+        Some((unit, name)) => format!("{shown}{GROUP}({}{GROUP}{name})", number(seconds / unit, 6)),
+        None => shown,
+    }
+}
 
 /// `0.412 618 3 kg`
 pub(crate) fn mass(kg: f64) -> String {

@@ -11,7 +11,7 @@ use polhode_formats::times;
 use polhode_formats::unit::Dimension;
 
 use crate::failure::Failure;
-use crate::folder::{Folder, PAGE};
+use crate::folder::{Folder, PAGE, Replace};
 use crate::numbers::{positive, quantity};
 use crate::page::{Page, check_file, write_file};
 use crate::stderr::shown;
@@ -70,7 +70,7 @@ impl FileFlags {
         }
         let name = || file.and_then(Path::file_stem).map_or_else(|| PathBuf::from("spin"), PathBuf::from);
         let target = self.output.clone().unwrap_or_else(name);
-        Folder::check(&target, self.force)?;
+        Folder::check(&target, &Replace::forced(self.force))?;
         Ok(Some(target))
     }
 
@@ -110,7 +110,7 @@ impl FileFlags {
         let trajectory = self.trajectory(motion)?;
         let motion_shown = if self.no_page { None } else { Some(self.shown(motion, at)?) };
         let curves = self.curves.draw(motion, self.duration)?;
-        let folder = Folder::create(target, self.force)?;
+        let folder = Folder::create(target, Replace::forced(self.force))?;
         folder.file("summary.json", |out| out.write_all(summary.as_bytes()))?;
         let mut names = Vec::new();
         if let Some(trajectory) = trajectory {

@@ -74,12 +74,26 @@ fn an_old_folder_is_kept_unless_forced() {
     scratch.write("brick.toml", BRICK);
     stdout(&scratch.run(&["simulate", "brick.toml"]));
     let before = fs::read(scratch.0.join("brick/summary.json")).unwrap();
-    let text = refused(&scratch.run(&["simulate", "brick.toml"]), 2);
+    scratch.write("other.toml", BRICK);
+    let text = refused(&scratch.run(&["simulate", "other.toml", "-o", "brick"]), 2);
     assert!(text.contains("brick is there already") && text.contains("--force"), "{text}");
     assert_eq!(fs::read(scratch.0.join("brick/summary.json")).unwrap(), before);
+    fs::remove_file(scratch.0.join("other.toml")).unwrap();
 
+    // Results of the same scenario are replaced, whatever it says now, and its plots are.
     scratch.write("brick.toml", &BRICK.replace("1800", "900"));
-    stdout(&scratch.run(&["simulate", "brick.toml", "--force"]));
+    for _ in 0..2 {
+        stdout(&scratch.run(&["simulate", "brick.toml", "--plot", "omega=o.svg", "--plot", "p.png"]));
+    }
+    let other = scratch.run(&["simulate", "brick.toml", "-o", "again", "--plot", "omega=brick.toml.svg"]);
+    stdout(&other);
+    fs::write(scratch.0.join("brick.toml.svg"), "<svg xmlns='somebody else'/>").unwrap();
+    let text = refused(&scratch.run(&["simulate", "brick.toml", "--plot", "omega=brick.toml.svg"]), 2);
+    assert!(text.contains("brick.toml.svg is there already"), "{text}");
+    for name in ["o.svg", "p.png", "brick.toml.svg"] {
+        fs::remove_file(scratch.0.join(name)).unwrap();
+    }
+    fs::remove_dir_all(scratch.0.join("again")).unwrap();
     assert_ne!(fs::read(scratch.0.join("brick/summary.json")).unwrap(), before);
     assert_eq!(scratch.entries(), ["brick", "brick.toml"]);
 
@@ -91,6 +105,8 @@ fn an_old_folder_is_kept_unless_forced() {
     assert!(scratch.0.join("photos/cat.jpg").exists());
     // nor what lies among or looks like results
     fs::write(scratch.0.join("brick/notes.md"), "mine").unwrap();
+    let text = refused(&scratch.run(&["simulate", "brick.toml"]), 2);
+    assert!(text.contains("it holds \"notes.md\""), "{text}");
     let text = refused(&scratch.run(&["simulate", "brick.toml", "--force"]), 2);
     assert!(text.contains("notes.md") && scratch.0.join("brick/notes.md").exists(), "{text}");
     fs::create_dir(scratch.0.join("other")).unwrap();
@@ -434,4 +450,43 @@ fn the_name_of_a_unit_is_asked_for_by_a_name() {
         let error = refused(&scratch.run(arguments), 2);
         assert!(error.contains(hint), "{error}");
     }
+}
+
+#[test]
+fn a_new_scenario_runs_and_is_never_overwritten() {
+    let scratch = Scratch::new("new");
+    for name in ["drone", "top", "satellite", "asteroid", "robot-link"] {
+        let text = stdout(&scratch.run(&["new", name]));
+        assert!(text.contains(&format!("polhode simulate {name}.toml --open")), "{text}");
+        stdout(&scratch.run(&["inertia", &format!("{name}.toml")]));
+        stdout(&scratch.run(&["explain", &format!("{name}.toml")]));
+        stdout(&scratch.run(&["stability", &format!("{name}.toml")]));
+        let text = refused(&scratch.run(&["new", name]), 2);
+        assert!(text.contains("is there already"), "{text}");
+    }
+    let text = stdout(&scratch.run(&["simulate", "asteroid.toml", "--open"]));
+    assert!(
+        text.contains("trajectory.csv") && !text.contains("parquet") && !text.contains("browser"),
+        "{text}"
+    );
+    stdout(&scratch.run(&["new", "top", "-o", "deep/er/mine.toml"]));
+    let text = fs::read_to_string(scratch.0.join("deep/er/mine.toml")).unwrap();
+    assert!(text.contains("polhode simulate deep/er/mine.toml --open") && !text.contains(" top.toml"));
+    refused(&scratch.run(&["new", "toaster"]), 2);
+}
+
+/// A browser that cannot be started is a remark.
+#[test]
+fn a_page_that_cannot_be_opened_is_written() {
+    let scratch = Scratch::new("no-browser");
+    scratch.write("brick.toml", BRICK);
+    let output = scratch
+        .command(&["simulate", "brick.toml", "--open"])
+        .env("BROWSER", "no-such-program")
+        .output()
+        .unwrap();
+    stdout(&output);
+    let said = String::from_utf8(output.stderr).unwrap();
+    assert!(said.contains("no browser could be started") && said.contains("brick/report.html"), "{said}");
+    assert!(scratch.0.join("brick/report.html").exists());
 }

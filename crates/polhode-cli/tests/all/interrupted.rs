@@ -101,9 +101,9 @@ fn old_results_whose_successor_never_came_go_back() {
     let scratch = long("old");
     stdout(&scratch.run(&["simulate", "short.toml", "-o", "out"]));
     let summary = fs::read(scratch.0.join("out/summary.json")).unwrap();
-    // Between the two renames of --force.
+    // Between the two renames of a run that replaces them.
     fs::rename(scratch.0.join("out"), scratch.0.join(".out.old-4711")).unwrap();
-    let text = refused(&scratch.run(&["simulate", "short.toml", "-o", "out"]), 2);
+    let text = refused(&scratch.run(&["simulate", "long.toml", "-o", "out"]), 2);
     assert!(text.contains("is there already"), "{text}");
     assert_eq!(fs::read(scratch.0.join("out/summary.json")).unwrap(), summary);
     // After both.
@@ -194,7 +194,8 @@ fn of_two_starts_one_wins_and_the_other_says_so() {
         let children: Vec<Child> = (0..6).map(start).collect();
         let outputs: Vec<_> = children.into_iter().map(|child| child.wait_with_output().unwrap()).collect();
         let won = outputs.iter().filter(|output| output.status.code() == Some(0)).count();
-        assert!(won >= 1 && (won == 1 || !force.is_empty()), "{won}");
+        // One that begins after another has ended replaces its results: they are of the same scenario.
+        assert!(won >= 1, "{won}");
         for output in outputs.iter().filter(|output| !output.status.success()) {
             let text = refused(output, 2);
             assert!(text.contains("another polhode") || text.contains("is there already"), "{text}");

@@ -64,6 +64,7 @@ use crate::text::is_utf16;
 use pointing::References;
 use polhode::motion::{ActingTorque, MotionError, Rotor, Scenario};
 use reader::{TOP, Table};
+pub use run::TableFormat;
 use source::Source;
 pub use sweep::{Dispersion, Distribution, Law, Question, SOBOL_DIMENSIONS, Sampling, Spread, Sweep, Vary};
 pub use target::{Target, TargetColumn};
@@ -104,6 +105,8 @@ pub struct ScenarioFile {
     pub scenario: Scenario,
     /// The text of the file.
     pub text: String,
+    /// The formats of the table that `[run]` asks for; none where it says nothing.
+    pub tables: Vec<TableFormat>,
     path: PathBuf,
     torques: Vec<TorquePlaces>,
 }
@@ -129,7 +132,8 @@ impl ScenarioFile {
             let members = sweep::sweep(source, &root, &scenario)?.members;
             scenario = scenario.noting([sweep::nominal(members)]);
         }
-        Ok(Self { scenario, torques, path: path.to_owned(), text })
+        let tables = run::tables(&Table::root(source, &root))?;
+        Ok(Self { scenario, tables, torques, path: path.to_owned(), text })
     }
 
     /// An error of the scenario's motion at its place in the file, if it is about one of the torques.
@@ -235,6 +239,7 @@ fn read_root(source: Source<'_>, entries: &Entries) -> Result<(Scenario, Vec<Tor
     let shared = orbit::read(&root)?;
     let orbit = shared.as_ref().map(|shared| &shared.orbit);
     let run = run::run(&root, orbit)?;
+    run::tables(&root)?;
     let end = run.as_ref().and_then(|run| run.times.last().copied());
     let torques = torque::torques(&root, &parts, orbit, end, &mut pivot)?;
     let references = References { orbit, field: torques.field() };
@@ -254,6 +259,7 @@ fn read_root(source: Source<'_>, entries: &Entries) -> Result<(Scenario, Vec<Tor
         let is_on = !torques.switched_off.contains(&k);
         ActingTorque { model, name, is_on }
     });
+    let wheel_names = wheels.iter().map(|wheel| wheel.name.clone()).collect();
     let wheels = wheel::turning(&rotor, &wheels, start.state.omega)?;
     // What can be wrong has been found above, at its place.
     let whole = |error: MotionError| root.error(FormatErrorKind::Motion(error));
@@ -271,7 +277,7 @@ fn read_root(source: Source<'_>, entries: &Entries) -> Result<(Scenario, Vec<Tor
     }
     scenario =
         scenario.pointing(pointings).with_wheels(&wheels).and_then(|s| s.under(acting)).map_err(whole)?;
-    scenario = scenario.watching(events).map_err(whole)?;
+    scenario = scenario.naming_wheels(wheel_names).watching(events).map_err(whole)?;
     if let Some(motion) = prescribed {
         scenario = scenario.prescribed_as(motion).map_err(whole)?;
     }

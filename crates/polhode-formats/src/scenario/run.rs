@@ -17,7 +17,7 @@ const TOLERANCE: f64 = 1e-13;
 pub(crate) fn run(root: &Table<'_>, orbit: Option<&Orbit>) -> Result<Option<Run>, FormatError> {
     let Some(value) = root.get("run") else { return Ok(None) };
     let table = value.table()?;
-    table.allow(&["duration", "samples", "every", "method", "tolerance", "order", "step"])?;
+    table.allow(&["duration", "samples", "every", "method", "tolerance", "order", "step", "table"])?;
     if (root.get("prescribed").is_some() || root.get("shaft").is_some())
         && let Some(value) = ["method", "tolerance", "order", "step"].iter().find_map(|key| table.get(key))
     {
@@ -33,6 +33,32 @@ pub(crate) fn run(root: &Table<'_>, orbit: Option<&Orbit>) -> Result<Option<Run>
         Some(value) if value.key() == "samples" => Run::evenly(duration, samples(&value)?, method, tolerance),
         Some(value) => Run { times: sampled_every(duration, &value, orbit)?, method, tolerance },
     }))
+}
+
+/// A format of the table of a run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum TableFormat {
+    /// Apache Parquet.
+    Parquet,
+    /// Comma-separated text.
+    Csv,
+}
+
+/// The formats that `[run]` asks for: `table = "csv"`, or `["csv", "parquet"]`; none where it says nothing.
+pub(crate) fn tables(root: &Table<'_>) -> Result<Vec<TableFormat>, FormatError> {
+    let value = root.get("run").map(|run| run.table()).transpose()?.and_then(|table| table.get("table"));
+    let Some(value) = value else { return Ok(Vec::new()) };
+    let format = |value: &Value<'_>| {
+        value.choice(&["parquet", "csv"]).map(|name| match name {
+            "csv" => TableFormat::Csv,
+            _ => TableFormat::Parquet,
+        })
+    };
+    match value.is_array() {
+        false => Ok(vec![format(&value)?]),
+        true => value.elements("formats, \"csv\" or \"parquet\"")?.iter().map(format).collect(),
+    }
 }
 
 /// A time above zero, s, or so many `"orbits"`.

@@ -10,6 +10,7 @@ use crate::unit::Dimension;
 
 /// A wheel as its table gives it. What a speed relative to the body comes to in space is known once the body's ω is.
 pub(crate) struct WheelTable<'a> {
+    pub(crate) name: Option<String>,
     axis: Direction<Body>,
     given: Given,
     motor: Motor,
@@ -31,9 +32,9 @@ pub(crate) fn wheels<'a>(root: &Table<'a>) -> Result<Vec<WheelTable<'a>>, Format
     list.tables("wheel")?.iter().map(wheel).collect()
 }
 
-/// `axis`; `momentum`, or `inertia` and `speed`; `motor_torque`, which needs `inertia`, `from` and `until`.
+/// `name`; `axis`; `momentum`, or `inertia` and `speed`; `motor_torque`, which needs `inertia`, `from` and `until`.
 fn wheel<'a>(table: &Table<'a>) -> Result<WheelTable<'a>, FormatError> {
-    table.allow(&["axis", "momentum", "inertia", "speed", "motor_torque", "from", "until"])?;
+    table.allow(&["name", "axis", "momentum", "inertia", "speed", "motor_torque", "from", "until"])?;
     let axis = table.require("axis", "axis = [0, 0, 1]")?;
     let direction = Direction::from_array(axis.numbers()?);
     let rule = "each of them alone says how much angular momentum the wheel starts with";
@@ -64,7 +65,8 @@ fn wheel<'a>(table: &Table<'a>) -> Result<WheelTable<'a>, FormatError> {
     // What is wrong with the axis or with the sizes is said where they stand.
     Wheel::new(direction, 0.0, motor)
         .map_err(|error| axis.motion(error).with_hint("the z axis is [0, 0, 1]; any length will do"))?;
-    let wheel = WheelTable { axis: direction, given, motor, value };
+    let name = table.get("name").map(|name| name.string().map(str::to_owned)).transpose()?;
+    let wheel = WheelTable { name, axis: direction, given, motor, value };
     wheel.locked().map_err(|error| start.motion(error))?;
     Ok(wheel)
 }

@@ -215,15 +215,16 @@ fn sample_json(scenario: &Scenario, sample: &Sample) -> Value {
 fn wheels(report: &MotionReport<'_>) -> Value {
     let start = report.trajectory.start().state;
     let end = report.trajectory.samples().last().map(|sample| sample.state);
-    let one = |wheel: &Wheel| {
+    let one = |(k, wheel): (usize, &Wheel)| {
         let mut object = Description::of_wheel(wheel).json();
+        object.insert("name".to_owned(), report.scenario.wheel_name(k).into());
         let mut put = |key: &str, value: Option<f64>| object.insert(key.to_owned(), value.into());
         put("speed_rad_s", wheel.speed_at(start.time, start.omega));
         put("final_momentum_kg_m2_s", end.map(|end| wheel.momentum_at(end.time)));
         put("final_speed_rad_s", end.and_then(|end| wheel.speed_at(end.time, end.omega)));
         Value::Object(object)
     };
-    report.scenario.wheels().iter().map(one).collect()
+    report.scenario.wheels().iter().enumerate().map(one).collect()
 }
 
 /// Each torque, with its name, and whether it is on at the start.

@@ -7,9 +7,10 @@ use super::MotionReport;
 use super::facts::{Facts, Needed, Top};
 use crate::layout::{WIDTH, broken, columns, labelled, plain_spaces, printable};
 use crate::number::{count, error, number, tidy, ungrouped, vector, within};
+use crate::periods::in_both_conventions;
 use crate::sparkline::Sparkline;
-use crate::torque::{Description, off_at_start};
-use crate::unit::{self, CLOSED, DIGITS, cone, rate};
+use crate::torque::{Description, off_at_start, wheel_name};
+use crate::unit::{self, CLOSED, DIGITS, cone, duration, rate};
 use crate::{event, finding, global_error, heavy_top, intermediate, omega, orbit};
 
 /// Forces on more particles than this fill the screen: JSON has them all.
@@ -74,9 +75,9 @@ fn heading(report: &MotionReport<'_>, samples: &[Sample]) -> String {
     let (Some(first), Some(last)) = (samples.first(), samples.last()) else {
         return format!("{title}   no samples, {how}\n");
     };
-    let [from, to] = [first, last].map(|s| number(s.state.time, 6));
+    let (from, to) = (number(first.state.time, 6), duration(last.state.time, 6));
     let noun = if samples.len() == 1 { "sample" } else { "samples" };
-    format!("{title}   {from} … {to} s, {} {noun}, {how}\n", count(samples.len() as u64))
+    format!("{title}   {from} … {to}, {} {noun}, {how}\n", count(samples.len() as u64))
 }
 
 /// What kind of free motion it is, with its periods; for any other motion what turns it.
@@ -88,13 +89,16 @@ fn regime(facts: &Facts<'_>) -> String {
     let mut text = labelled("free motion", kind);
     let mut periods = Vec::new();
     if let (Some(period), None) = (period, &facts.top) {
-        periods.push(format!("ω repeats in the body every {} s", number(period, DIGITS)));
+        periods.push(format!("ω repeats in the body every {}", duration(period, DIGITS)));
     }
     if let Some(flip) = flip_interval {
-        periods.push(format!("along axis 2 it reverses every {} s", number(flip, DIGITS)));
+        periods.push(format!("along axis 2 it reverses every {}", duration(flip, DIGITS)));
     }
     if !periods.is_empty() {
         text.push_str(&labelled("periods", &periods.join("; ")));
+    }
+    if facts.top.is_none() {
+        text.push_str(&in_both_conventions(&free.motion, DIGITS));
     }
     if let Some(growth) = growth_rate {
         let off = intermediate::degrees_off(facts.rotor.principal(), &facts.start);
@@ -115,7 +119,7 @@ fn symmetric_top(top: &Top) -> String {
     }
     let every = |rate: f64| match rate {
         0.0 => String::new(),
-        rate => format!(", once in {} s", number(std::f64::consts::TAU / rate.abs(), DIGITS)),
+        rate => format!(", once in {}", duration(std::f64::consts::TAU / rate.abs(), DIGITS)),
     };
     let body = format!(
         "ω circles the axis at Ω = {}{}; body cone {}",
@@ -203,15 +207,12 @@ fn what_acts(scenario: &Scenario) -> String {
         text.push_str(&labelled("torque", &format!("{name}{}{off}", Description::of(model).text())));
     }
     for (k, wheel) in scenario.wheels().iter().enumerate() {
-        text.push_str(&labelled(&wheel_name(scenario, k), &Description::of_wheel(wheel).text()));
+        text.push_str(&labelled(&printable(&wheel_name(scenario, k)), &Description::of_wheel(wheel).text()));
     }
     text
 }
 
 /// Wheels are numbered from 1 where there are several.
-fn wheel_name(scenario: &Scenario, k: usize) -> String {
-    if scenario.wheels().len() > 1 { format!("wheel {}", k + 1) } else { "wheel".to_owned() }
-}
 
 /// How far the balances fail at the worst sample.
 fn evidence(report: &MotionReport<'_>, facts: &Facts<'_>) -> String {
@@ -238,14 +239,12 @@ fn evidence(report: &MotionReport<'_>, facts: &Facts<'_>) -> String {
 fn curve(facts: &Facts<'_>, samples: &[Sample], columns: usize) -> String {
     let to_principal = facts.rotor.principal().rotation().inverse();
     let omega: Vec<[f64; 3]> = samples.iter().map(|s| (to_principal * s.state.omega).to_array()).collect();
-    let Some(Sparkline { axis, line, values }) = Sparkline::of_omega(&omega, columns) else {
-        return String::new();
-    };
-    let until = match samples.get(values) {
+    let Some(spark) = Sparkline::of_omega(&omega, columns) else { return String::new() };
+    let until = match samples.get(spark.values) {
         Some(sample) => format!("  to {} s", number(sample.state.time, 3)),
         None => String::new(),
     };
-    labelled(&format!("ω along axis {axis}"), &format!("{line}{until}"))
+    labelled(&spark.label(facts.rotor.principal()), &format!("{}{until}", spark.line))
 }
 
 /// The state at the start and at the end, and what energy did.

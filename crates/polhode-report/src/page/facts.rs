@@ -155,8 +155,9 @@ fn driven(scenario: &Scenario, shown: &Shown<'_>) -> Vec<Row> {
         Row::new("torque", named + &description.text(), "").note(note.join(", "))
     };
     let ends = [shown.samples.first(), shown.samples.last()].map(|s| s.map(|s| s.state));
-    let wheel = |wheel: &Wheel| {
-        let mut rows = vec![Row::new("wheel", Description::of_wheel(wheel).text(), "")];
+    let wheel = |(k, wheel): (usize, &Wheel)| {
+        let named = scenario.wheel_name(k).map(|name| format!("{}: ", printable(name))).unwrap_or_default();
+        let mut rows = vec![Row::new("wheel", named + &Description::of_wheel(wheel).text(), "")];
         if let [Some(from), Some(to)] = ends
             && let [Some(slow), Some(fast)] = [from, to].map(|s| wheel.speed_at(s.time, s.omega))
         {
@@ -170,7 +171,7 @@ fn driven(scenario: &Scenario, shown: &Shown<'_>) -> Vec<Row> {
         rows
     };
     let torques = scenario.torques().iter().enumerate().map(torque);
-    torques.chain(scenario.wheels().iter().flat_map(wheel)).collect()
+    torques.chain(scenario.wheels().iter().enumerate().flat_map(wheel)).collect()
 }
 
 /// How the motion ended, if not at the end of the run, and the first of its events.

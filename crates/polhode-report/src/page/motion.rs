@@ -8,6 +8,7 @@ use super::base64::f64s;
 use crate::balance::{Balance, Driven, balances};
 use crate::json::finite;
 use crate::layout::printable;
+use crate::torque::named_wheels;
 
 /// A page of more samples would be large and show no more.
 const MOST: usize = 2_001;
@@ -20,7 +21,7 @@ pub(super) struct Shown<'a> {
     pub(super) of: usize,
     drift: Vec<Balance>,
     pub(super) method: &'static str,
-    wheels: &'a [Wheel],
+    wheels: Vec<(String, Wheel)>,
     events: &'a [Crossing],
     is_complete: bool,
 }
@@ -30,8 +31,8 @@ impl<'a> Shown<'a> {
     pub(super) fn of(trajectory: &'a Trajectory, subject: &PageSubject<'a>) -> Self {
         let all = trajectory.samples();
         let (driven, wheels) = match *subject {
-            PageSubject::Scenario(scenario) => (Driven::of(scenario), scenario.wheels()),
-            PageSubject::Moments(_) => (Driven::default(), &[][..]),
+            PageSubject::Scenario(scenario) => (Driven::of(scenario), named_wheels(scenario)),
+            PageSubject::Moments(_) => (Driven::default(), Vec::new()),
         };
         let mut drift = balances(trajectory, driven);
         let mut samples = vec![trajectory.start()];
@@ -74,16 +75,16 @@ impl<'a> Shown<'a> {
 
     /// What each wheel does; `null` for a speed that is held.
     fn wheels(&self) -> Value {
-        let one = |(k, wheel): (usize, &Wheel)| {
+        let one = |(name, wheel): &(String, Wheel)| {
             let speeds: Option<Vec<f64>> =
                 self.samples.iter().map(|s| wheel.speed_at(s.state.time, s.state.omega)).collect();
             json!({
-                "name": if self.wheels.len() > 1 { format!("wheel {}", k + 1) } else { "wheel".to_owned() },
+                "name": printable(name),
                 "momentum": self.rows(|s| [wheel.momentum_at(s.state.time)]),
                 "speed": speeds.map(f64s),
             })
         };
-        self.wheels.iter().enumerate().map(one).collect()
+        self.wheels.iter().map(one).collect()
     }
 
     /// The first of the events that happened: more would hide the curves.

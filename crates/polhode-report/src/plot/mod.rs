@@ -38,6 +38,9 @@ pub use figure::Figure;
 pub use motion::MotionFigures;
 pub use sweep::SweepFigures;
 
+/// The keyword of the text in a PNG that says how it was made.
+const MAKER: &str = "Source";
+
 /// A picture that is drawn.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Picture {
@@ -48,6 +51,20 @@ impl Picture {
     /// As SVG; text stays text, in the reader's sans-serif.
     pub fn to_svg(&self) -> String {
         svg::write(&self.sheet)
+    }
+
+    /// With the command that makes it, which is written into the file.
+    #[must_use]
+    pub fn made_by(mut self, command: &str) -> Self {
+        self.sheet.maker = Some(command.to_owned());
+        self
+    }
+
+    /// Whether the beginning of a file of a picture says that this command made it.
+    pub fn is_made_by(head: &[u8], command: &str) -> bool {
+        let holds = |text: &[u8]| head.windows(text.len()).any(|window| window == text);
+        holds(format!("<desc>{}</desc>", svg::escaped(command)).as_bytes())
+            || holds(&[MAKER.as_bytes(), &[0; 5], command.as_bytes()].concat())
     }
 
     /// As PNG, 288 pixels to an inch, on white.

@@ -45,7 +45,7 @@ impl<'a> MotionFigures<'a> {
             principal: *rotor.principal(),
             free: FreeMotion::of(rotor, scenario.start()).ok().filter(|_| !driven.at_all()),
             driven,
-            wheels: scenario.wheels().to_vec(),
+            wheels: crate::torque::named_wheels(scenario),
             pointings: series::pointings(scenario),
         };
         Self { motion, axis: TopAxis::of(scenario, rotor) }

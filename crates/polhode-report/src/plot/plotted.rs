@@ -15,7 +15,7 @@ pub(super) struct PlottedMotion<'a> {
     pub(super) principal: PrincipalFrame<Body>,
     pub(super) free: Option<FreeMotion>,
     pub(super) driven: Driven,
-    pub(super) wheels: Vec<Wheel>,
+    pub(super) wheels: Vec<(String, Wheel)>,
     pub(super) pointings: Vec<Pointing>,
 }
 

@@ -6,6 +6,7 @@ use tiny_skia::{
 };
 use ttf_parser::{Face, OutlineBuilder};
 
+use super::MAKER;
 use super::error::PlotError;
 use super::font;
 use super::sheet::{Anchor, Colour, Mark, Pen, Point, Sheet, Text};
@@ -24,11 +25,11 @@ pub(super) fn write(sheet: &Sheet) -> Result<Vec<u8>, PlotError> {
     for mark in &sheet.marks {
         canvas.draw(mark);
     }
-    encoded(&canvas.pixels).map_err(|error| failed(&error.to_string()))
+    encoded(&canvas.pixels, sheet.maker.as_deref()).map_err(|error| failed(&error.to_string()))
 }
 
 /// Opaque pixels as a PNG that says how large they are.
-fn encoded(pixels: &Pixmap) -> Result<Vec<u8>, png::EncodingError> {
+fn encoded(pixels: &Pixmap, maker: Option<&str>) -> Result<Vec<u8>, png::EncodingError> {
     let rgb: Vec<u8> = pixels.pixels().iter().flat_map(|p| [p.red(), p.green(), p.blue()]).collect();
     let mut file = Vec::new();
     let mut encoder = png::Encoder::new(&mut file, pixels.width(), pixels.height());
@@ -37,6 +38,9 @@ fn encoded(pixels: &Pixmap) -> Result<Vec<u8>, png::EncodingError> {
     let per_meter = (f64::from(SCALE) * 96.0 / 0.0254).round() as u32;
     let unit = png::Unit::Meter;
     encoder.set_pixel_dims(Some(png::PixelDimensions { xppu: per_meter, yppu: per_meter, unit }));
+    if let Some(maker) = maker {
+        encoder.add_itxt_chunk(MAKER.to_owned(), maker.to_owned())?;
+    }
     encoder.write_header()?.write_image_data(&rgb)?;
     Ok(file)
 }

@@ -99,7 +99,7 @@ fn parts_of_momentum(motion: &PlottedMotion<'_>) -> f64 {
     let parts = |s: &Sample| {
         let rate = s.state.omega.norm();
         let carrier = if rate > 0.0 { 2.0 * s.kinetic_energy / rate } else { 0.0 };
-        motion.wheels.iter().map(|wheel| wheel.momentum_at(s.state.time).abs()).fold(carrier, f64::max)
+        motion.wheels.iter().map(|(_, wheel)| wheel.momentum_at(s.state.time).abs()).fold(carrier, f64::max)
     };
     motion.samples().iter().map(parts).fold(0.0, f64::max)
 }

@@ -121,6 +121,8 @@ pub(super) struct Sheet {
     /// What readers of the screen are told.
     pub(super) title: String,
     pub(super) marks: Vec<Mark>,
+    /// The command that made it.
+    pub(super) maker: Option<String>,
 }
 
 /// Sizes of text.
@@ -129,7 +131,7 @@ pub(super) const SMALL: f64 = 11.5;
 
 impl Sheet {
     pub(super) fn new(width: f64, height: f64, title: String) -> Self {
-        Self { width, height, title, marks: Vec::new() }
+        Self { width, height, title, marks: Vec::new(), maker: None }
     }
 
     /// Draws curves, without the points that are not seen.

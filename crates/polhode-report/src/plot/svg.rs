@@ -7,10 +7,12 @@ use super::sheet::{Anchor, Colour, Mark, Pen, Point, SMALL, Sheet, Text};
 
 pub(super) fn write(sheet: &Sheet) -> String {
     let (width, height) = (length(sheet.width), length(sheet.height));
+    let maker =
+        sheet.maker.as_ref().map_or_else(String::new, |maker| format!("<desc>{}</desc>\n", escaped(maker)));
     let mut svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" height=\"{height}\" \
          role=\"img\" font-family=\"{FAMILY}\" font-size=\"{}\" fill=\"none\" stroke-linecap=\"round\" \
-         stroke-linejoin=\"round\">\n<title>{}</title>\n<rect width=\"{width}\" height=\"{height}\" fill=\"#fff\"/>\n",
+         stroke-linejoin=\"round\">\n<title>{}</title>\n{maker}<rect width=\"{width}\" height=\"{height}\" fill=\"#fff\"/>\n",
         length(SMALL),
         escaped(&sheet.title)
     );

@@ -1,5 +1,6 @@
 //! The wheels inside a body: their momenta above, below the speeds of those that a motor turns.
 
+use crate::layout::printable;
 use polhode::motion::{Sample, Wheel};
 
 use super::axes::{Area, Axes};
@@ -38,9 +39,10 @@ fn series(
     what: &str,
     value: impl Fn(&Wheel, &Sample) -> Option<f64>,
 ) -> Vec<Series> {
-    let one = |(k, wheel): (usize, &Wheel)| {
+    let one = |(k, (name, wheel)): (usize, &(String, Wheel))| {
         let values: Option<Vec<f64>> = motion.samples().iter().map(|sample| value(wheel, sample)).collect();
-        let name = if motion.wheels.len() > 1 { format!("{what}, wheel {}", k + 1) } else { what.to_owned() };
+        let is_plain = name == "wheel";
+        let name = if is_plain { what.to_owned() } else { format!("{what}, {}", printable(name)) };
         Some(Series { pen: Pen::axis(k % 3), short: name.clone(), long: name, values: values? })
     };
     motion.wheels.iter().enumerate().filter_map(one).collect()

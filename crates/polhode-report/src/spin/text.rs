@@ -2,18 +2,16 @@
 
 use polhode::body::Symmetry;
 use polhode::motion::{FreeMotion, PermanentAxis, Regime};
-use polhode::observe::{
-    AxisConvention, Cones, FreeRegime, GeometricPhase, LeastEnergySpin, SymmetricTop, TumblingPeriods,
-};
+use polhode::observe::{Cones, FreeRegime, GeometricPhase, LeastEnergySpin, SymmetricTop};
 
 use super::{SpinReport, body, invariable_plane, states};
 use crate::free_facts::FreeFacts;
 use crate::layout::{labelled, plain_spaces};
-use crate::number::{GROUP, number, tidy, ungrouped, vector};
+use crate::number::{number, tidy, ungrouped, vector};
 use crate::source::SourceInfo;
 use crate::sparkline::Sparkline;
-use crate::unit::{self, CLOSED, DIGITS};
-use crate::{finding, intermediate, omega};
+use crate::unit::{self, CLOSED, DIGITS, duration};
+use crate::{finding, intermediate, omega, periods as conventions};
 
 /// The motion, with a picture of ω of so many columns if there is to be one.
 pub(super) fn write(report: &SpinReport, picture: Option<usize>) -> String {
@@ -77,7 +75,7 @@ fn periods(FreeFacts { motion, regime, .. }: &FreeFacts) -> String {
     match (regime, period) {
         (Regime::Permanent(_), _) => {
             let turn = std::f64::consts::TAU / motion.start().omega.norm();
-            labelled("one turn", &time(turn))
+            labelled("one turn", &duration(turn, 16))
         }
         (Regime::Separatrix, _) => {
             labelled("period of ω", "none: it creeps to axis 2 and never comes back, nor ever arrives")
@@ -85,10 +83,10 @@ fn periods(FreeFacts { motion, regime, .. }: &FreeFacts) -> String {
         (_, None) => String::new(),
         (_, Some(period)) => {
             let flips = flip_interval.map_or_else(String::new, |flip| match growth_rate {
-                Some(_) => format!("; flips every {}", time(flip)),
-                None => format!("; along axis 2 it reverses every {}", time(flip)),
+                Some(_) => format!("; flips every {}", duration(flip, 16)),
+                None => format!("; along axis 2 it reverses every {}", duration(flip, 16)),
             });
-            labelled("period of ω", &format!("{} in the body{flips}", time(period)))
+            labelled("period of ω", &format!("{} in the body{flips}", duration(period, 16)))
         }
     }
 }
@@ -101,31 +99,17 @@ fn curve(motion: &FreeMotion, columns: usize) -> String {
     let at = |k: usize| motion.start().time + PERIODS * period * (k as f64 / (columns - 1) as f64);
     let omega: Vec<[f64; 3]> = (0..columns).map(|k| (into * motion.at(at(k)).omega).to_array()).collect();
     let line = Sparkline::of_omega(&omega, columns);
-    line.map_or_else(String::new, |Sparkline { axis, line, .. }| {
-        labelled(&format!("ω along axis {axis}"), &format!("{line}  2 periods"))
+    line.map_or_else(String::new, |spark| {
+        labelled(&spark.label(motion.principal()), &format!("{}  2 periods", spark.line))
     })
 }
 
 /// P_φ and P_ψ, in both conventions where the body has two extreme axes.
 fn tumbling(FreeFacts { motion, top, .. }: &FreeFacts) -> String {
-    let of = |convention| TumblingPeriods::of(motion, convention);
-    if let Some((top, cones)) = top {
-        return symmetric(top, cones);
+    match top {
+        Some((top, cones)) => symmetric(top, cones),
+        None => conventions::in_both_conventions(motion, 16),
     }
-    let (Some(long), Some(short)) = (of(AxisConvention::LongAxis), of(AxisConvention::ShortAxis)) else {
-        return String::new();
-    };
-    let round = |axis: u8, periods: TumblingPeriods, convention: &str| {
-        let period = time(periods.precession);
-        format!("axis {axis} goes round L in {period} on average ({convention}-axis\u{a0}P_φ)")
-    };
-    let (circled, other) = if motion.circles_least() { (1, 3) } else { (3, 1) };
-    let rotation = format!(
-        "about axis {circled} the body turns once in a period of ω (P_ψ), about axis {other} it rocks"
-    );
-    labelled("precession", &round(1, long, "long"))
-        + &labelled("", &round(3, short, "short"))
-        + &labelled("rotation", &rotation)
 }
 
 fn symmetric(top: &SymmetricTop, cones: &Cones) -> String {
@@ -134,7 +118,7 @@ fn symmetric(top: &SymmetricTop, cones: &Cones) -> String {
     if cones.body_half_angle < CLOSED {
         return axis;
     }
-    let turn = |rate: f64| time(std::f64::consts::TAU / rate.abs());
+    let turn = |rate: f64| duration(std::f64::consts::TAU / rate.abs(), 16);
     let space = format!("e and ω go round L in {}", turn(cones.space_rate));
     let angles = format!(
         "body cone {}, space cone {}",
@@ -202,14 +186,4 @@ fn end(motion: &FreeMotion) -> String {
         )
     };
     labelled("inner friction", &line)
-}
-
-/// A time with all the digits that it is good for, and in hours or days where that says more: `464832 s (5.38 d)`.
-pub(super) fn time(seconds: f64) -> String {
-    let shown = format!("{}{GROUP}s", ungrouped(seconds, 16));
-    let longer = [(86_400.0, "d"), (3_600.0, "h")];
-    match longer.into_iter().find(|(unit, _)| seconds.abs() >= 2.0 * unit) {
-        Some((unit, name)) => format!("{shown}{GROUP}({}{GROUP}{name})", number(seconds / unit, 6)),
-        None => shown,
-    }
 }

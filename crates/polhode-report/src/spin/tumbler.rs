@@ -6,13 +6,14 @@ use polhode::observe::{AxisConvention, TumblerError, TumblingPeriods, TumblingSo
 use serde_json::{Value, json};
 
 use super::summary::tumbling;
-use super::text::{heading, time};
+use super::text::heading;
 use super::{body, summary};
 use crate::json::vector;
 use crate::layout::{labelled, plain_spaces};
 use crate::number::number;
 use crate::source::SourceInfo;
 use crate::unit::DIGITS;
+use crate::unit::duration;
 use crate::{VERSION, block, omega};
 
 /// All spins of a body that have two periods, ready to be read.
@@ -58,7 +59,8 @@ impl TumblerReport {
             AxisConvention::LongAxis => "the long axis, that of least moment",
             AxisConvention::ShortAxis => "the short axis, that of greatest moment",
         };
-        let [precession, rotation] = [self.periods.precession, self.periods.rotation].map(time);
+        let [precession, rotation] =
+            [self.periods.precession, self.periods.rotation].map(|period| duration(period, 16));
         let given = format!("P_φ = {precession}, P_ψ = {rotation}, of {axis}");
         let found = match self.spins.len() {
             1 => "one spin has these periods, with its mirror images".to_owned(),

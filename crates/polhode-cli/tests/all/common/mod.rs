@@ -33,7 +33,8 @@ impl Scratch {
 
     pub fn command(&self, arguments: &[&str]) -> Command {
         let mut command = Command::new(env!("CARGO_BIN_EXE_polhode"));
-        command.current_dir(&self.0).args(arguments);
+        // A browser that shows nothing.
+        command.current_dir(&self.0).env("BROWSER", "true").args(arguments);
         command
     }
 }

@@ -136,7 +136,11 @@ pub(crate) fn write(scratch: &Scratch, input: &str) {
     }
     // What an earlier run has left.
     let earlier: &[&str] = match input {
-        "ran before" | "long before" => &["simulate", "body.toml"],
+        // Of another scenario: those of the same are replaced anyway.
+        "ran before" | "long before" => {
+            fs::copy(scratch.0.join("body.toml"), scratch.0.join("earlier.toml")).unwrap();
+            &["simulate", "earlier.toml", "-o", "body"]
+        }
         "spun before" => &["spin", "body.toml", "--duration", "1 s"],
         "swept before" => &["sweep", "plan.toml"],
         _ => return,

@@ -28,12 +28,16 @@ static SIMULATE: Subcommand = Subcommand {
         choice("--force", &["--force"], &["ran before", "long before"], &[]),
         choice("--table", &["--table", "csv"], RUNS, &[]),
         choice("--no-page", &["--no-page"], RUNS, &[]),
+        choice("--open", &["--open"], RUNS, &[]),
         choice("--error", &["--error"], &["long", "long before"], &[]),
         choice("--at", &["--at", "0.01"], RUNS, &[]),
         choice("--json", &["--json"], RUNS, &[]),
         choice("--plot", &["--plot", "omega=omega.svg"], RUNS, &[]),
     ],
-    independent: &[("--force", "--output", OLD_FOLDER)],
+    independent: &[
+        ("--force", "--output", OLD_FOLDER),
+        ("--json", "--open", "the browser is opened with and without it"),
+    ],
 };
 
 /// A scenario; ω without moments; moments without ω; moments of no body; the same without ω; a scenario with old results.

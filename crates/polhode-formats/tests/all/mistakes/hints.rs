@@ -124,7 +124,10 @@ fn a_misspelt_key_is_told_its_name() {
         for place in keys(text) {
             let Some(wrong) = slip(&text[place.clone()]) else { continue };
             // What is asked has the names that its user gives it.
-            if text[..place.start].rfind("\n[").is_some_and(|at| text[at..].starts_with("\n[sweep.questions]")) {
+            if text[..place.start]
+                .rfind("\n[")
+                .is_some_and(|at| text[at..].starts_with("\n[sweep.questions]"))
+            {
                 continue;
             }
             let spoilt = replaced(text, &place, &wrong);

@@ -497,9 +497,9 @@ fn a_key_in_another_table_is_told_its_own() {
     );
     refuses(&format!("{RUN}«torque» = 3\n{BALL}"), "unknown key \"torque\" in [run]", "write [[torque]]");
     assert!(!parse("").unwrap_err().hint().unwrap().contains('\n'));
-    // Where nothing says which shape it is, the keys of all are known, and some are listed.
+    // Where nothing says which shape it is, the keys of all are listed.
     let many = parse("[[body.part]]\nzzz=1").unwrap_err().hint().unwrap();
-    assert!(many.ends_with(", …") && many.matches(", ").count() == 12, "{many}");
+    assert!(!many.contains('…') && many.contains("semi_axes") && many.ends_with("vertices"), "{many}");
 }
 
 #[test]

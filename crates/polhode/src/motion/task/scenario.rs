@@ -55,6 +55,7 @@ pub struct Scenario {
     velocity: Velocity<Space>,
     orbit: Option<Orbit>,
     pointings: Vec<Pointing>,
+    wheel_names: Vec<Option<String>>,
     task: Task,
     run: Option<Run>,
     findings: Vec<Finding>,
@@ -198,6 +199,7 @@ impl Scenario {
             velocity: Velocity::ZERO,
             orbit: None,
             pointings: Vec::new(),
+            wheel_names: Vec::new(),
             task: Task::Forward(Forward::default()),
             run: None,
             findings: Vec::new(),
@@ -261,6 +263,12 @@ impl Scenario {
             Some(pivot) => Rotor::pivoted(&self.body, pivot),
         };
         Ok(Self { rotor: carrier.with_wheels(wheels)?, ..self })
+    }
+
+    /// With what its wheels are called, in their order.
+    #[must_use]
+    pub fn naming_wheels(self, names: Vec<Option<String>>) -> Self {
+        Self { wheel_names: names, ..self }
     }
 
     /// From this attitude and ω; of a prescribed motion they are its own.
@@ -484,6 +492,11 @@ impl Scenario {
     /// What spins inside it.
     pub fn wheels(&self) -> &[Wheel] {
         self.rotor.wheels()
+    }
+
+    /// The name of a wheel, from 0, if it has one.
+    pub fn wheel_name(&self, wheel: usize) -> Option<&str> {
+        self.wheel_names.get(wheel)?.as_deref()
     }
 
     /// A motion that is given instead of computed, that of a shaft too.

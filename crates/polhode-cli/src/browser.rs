@@ -1,0 +1,26 @@
+//! Shows a page in the user's browser.
+
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+use crate::stderr::{shown, tell};
+
+/// Opens a page with the program that BROWSER names, or with the system's own. That there is none is a remark: the page is written.
+pub(crate) fn open(page: &Path) {
+    let own = std::env::var_os("BROWSER").filter(|name| !name.is_empty());
+    let mut command = if let Some(own) = own {
+        Command::new(own)
+    } else if cfg!(target_os = "macos") {
+        Command::new("open")
+    } else if cfg!(windows) {
+        let mut command = Command::new("cmd");
+        command.args(["/C", "start", ""]);
+        command
+    } else {
+        Command::new("xdg-open")
+    };
+    command.arg(page).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
+    if let Err(error) = command.spawn() {
+        tell(&format!("note: no browser could be started ({error}): open {} in one\n", shown(page)));
+    }
+}

@@ -1,0 +1,118 @@
+//! `polhode new`
+
+use std::io::Write as _;
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum};
+
+use crate::failure::Failure;
+use crate::page::check_file;
+use crate::partial;
+use crate::stderr::shown;
+use crate::stdout::print;
+
+/// Write a scenario to begin with: one that runs, with a word on every line that matters.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  polhode new top
+  polhode new satellite -o missions/first.toml")]
+pub(crate) struct New {
+    /// What it is about.
+    #[arg(value_enum)]
+    starter: Starter,
+    /// The file to write [default: its name, here].
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+}
+
+/// A scenario to begin with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Starter {
+    /// A quadrotor from its parts, tumbling.
+    Drone,
+    /// A top on its tip.
+    Top,
+    /// A satellite in its orbit, with a wheel.
+    Satellite,
+    /// A tumbling asteroid.
+    Asteroid,
+    /// A link of a robot, for URDF and its like.
+    RobotLink,
+}
+
+impl Starter {
+    const fn text(self) -> &'static str {
+        match self {
+            Self::Drone => include_str!("new/drone.toml"),
+            Self::Top => include_str!("new/top.toml"),
+            Self::Satellite => include_str!("new/satellite.toml"),
+            Self::Asteroid => include_str!("new/asteroid.toml"),
+            Self::RobotLink => include_str!("new/robot-link.toml"),
+        }
+    }
+
+    const fn file(self) -> &'static str {
+        match self {
+            Self::Drone => "drone.toml",
+            Self::Top => "top.toml",
+            Self::Satellite => "satellite.toml",
+            Self::Asteroid => "asteroid.toml",
+            Self::RobotLink => "robot-link.toml",
+        }
+    }
+}
+
+impl New {
+    pub(crate) fn run(self) -> Result<(), Failure> {
+        let file = self.output.unwrap_or_else(|| PathBuf::from(self.starter.file()));
+        check_file(&file, false)?;
+        if let Some(folder) = file.parent() {
+            std::fs::create_dir_all(folder).map_err(|error| partial::output(&file, error))?;
+        }
+        // The commands in it are about the file as it is called.
+        let text = self.starter.text().replace(self.starter.file(), &file.display().to_string());
+        partial::write(&file, false, |out| out.write_all(text.as_bytes()))?;
+        let name = shown(&file);
+        print(&format!("wrote {name}: read it, change it, and run\n  polhode simulate {name} --open\n"))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "a test may")]
+
+    use std::path::Path;
+
+    use polhode_formats::scenario;
+
+    use super::*;
+
+    /// A starter runs as it is; so does what stands in comments, once their `#` is gone.
+    #[test]
+    fn every_starter_runs_and_so_does_what_it_suggests() {
+        for starter in Starter::value_variants() {
+            let read = |text: &str| scenario::parse(text, Path::new(starter.file()));
+            let scenario = read(starter.text()).unwrap();
+            assert!(scenario.findings().is_empty(), "{starter:?}: {:?}", scenario.findings());
+            assert!(scenario.simulate().unwrap().unwrap().ending().is_complete());
+            // Keys and tables in comments, which say nothing else in their lines.
+            let is_code = |line: &str| {
+                let rest = line.strip_prefix("# ");
+                rest.is_some_and(|rest| {
+                    rest.starts_with(['[', ']'])
+                        || rest.starts_with("    {")
+                        || rest.contains(" = ") && !rest.contains(':') && !rest.starts_with(' ')
+                })
+            };
+            let uncommented: Vec<&str> = starter
+                .text()
+                .lines()
+                .map(|line| if is_code(line) { line.trim_start_matches("# ") } else { line })
+                .collect();
+            if uncommented.join("\n") != starter.text().trim_end() {
+                read(&uncommented.join("\n")).unwrap();
+            }
+        }
+    }
+}

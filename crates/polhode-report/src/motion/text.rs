@@ -212,8 +212,6 @@ fn what_acts(scenario: &Scenario) -> String {
     text
 }
 
-/// Wheels are numbered from 1 where there are several.
-
 /// How far the balances fail at the worst sample.
 fn evidence(report: &MotionReport<'_>, facts: &Facts<'_>) -> String {
     let Some(drift) = facts.drift else { return String::new() };

@@ -90,6 +90,14 @@ fn an_old_folder_is_kept_unless_forced() {
     fs::write(scratch.0.join("brick.toml.svg"), "<svg xmlns='somebody else'/>").unwrap();
     let text = refused(&scratch.run(&["simulate", "brick.toml", "--plot", "omega=brick.toml.svg"]), 2);
     assert!(text.contains("brick.toml.svg is there already"), "{text}");
+    // The name of one scenario may begin another's.
+    for plot in ["p.png", "omega=o.svg"] {
+        stdout(&scratch.run(&["simulate", "brick.toml", "-o", "again", "--plot", plot]));
+        scratch.write("brick.tom", BRICK);
+        let text = refused(&scratch.run(&["simulate", "brick.tom", "-o", "third", "--plot", plot]), 2);
+        assert!(text.contains("is there already"), "{text}");
+        fs::remove_file(scratch.0.join("brick.tom")).unwrap();
+    }
     for name in ["o.svg", "p.png", "brick.toml.svg"] {
         fs::remove_file(scratch.0.join(name)).unwrap();
     }

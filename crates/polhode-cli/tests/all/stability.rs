@@ -194,6 +194,11 @@ fn the_torque_that_prevents_an_equilibrium_is_named() {
     let mode = &answer["small_oscillations_of_the_rest"]["modes"][0];
     let expected = (2.0 * 9.80665 * 0.5 / (2.0 * ((1.1 * 1.1 + 0.04) / 12.0 + 0.25_f64))).sqrt();
     assert!((mode["frequency"].as_f64().unwrap() / expected - 1.0).abs() < 1e-9, "{mode}");
+    // Of two without names each has its number.
+    scratch.write("two.toml", &[body, gravity, &torque(""), &torque("from = '4 s'")].concat());
+    let two = json(&scratch.run(&["stability", "two.toml", "--json"]));
+    assert_eq!(two["prevented_by"], serde_json::json!(["constant, torque 2 of the scenario"]));
+    assert_eq!(two["torques_that_do_not_act"], serde_json::json!(["constant, torque 3 of the scenario"]));
     // Alone it leaves nothing.
     scratch.write("alone.toml", &[body, &torque("name = 'motor'")].concat());
     let alone = json(&scratch.run(&["stability", "alone.toml", "--json"]));

@@ -39,8 +39,32 @@ enum Angle {
     /// A variable that is one, or a number with its unit.
     Is,
     /// A number without a unit, which may be meant in degrees.
-    Bare,
+    Bare(f64),
+    /// An angle and a number without a unit, added or the like.
+    Mixed(f64),
     Open,
+}
+
+impl Angle {
+    /// The number without a unit, of two of which at least one is an angle.
+    const fn bare_beside(self, other: Self) -> Option<f64> {
+        match (self, other) {
+            (Self::Mixed(x), _)
+            | (_, Self::Mixed(x))
+            | (Self::Is, Self::Bare(x))
+            | (Self::Bare(x), Self::Is) => Some(x),
+            _ => None,
+        }
+    }
+
+    /// Of a sum, or of the greater of two.
+    const fn joined(self, other: Self) -> Self {
+        match (self.bare_beside(other), self, other) {
+            (Some(x), ..) => Self::Mixed(x),
+            (None, Self::Is, _) | (None, _, Self::Is) => Self::Is,
+            _ => Self::Open,
+        }
+    }
 }
 
 /// What the value measures, angles not counted; everything is of the dimension that its place asks for.
@@ -68,7 +92,7 @@ impl Step {
                 return Ok(Operand {
                     measured: if is_zero { Measured::Zero } else { measured },
                     number: Some(value),
-                    angle: if is_bare { Angle::Bare } else { is_angle(self.dimension) },
+                    angle: if is_bare { Angle::Bare(value) } else { is_angle(self.dimension) },
                 });
             }
             (Instruction::Variable(k), _) => {
@@ -87,8 +111,17 @@ impl Step {
             (Instruction::Unary(Unary::Sqrt), &[a]) => self.raised(a.measured, 0.5)?,
             (Instruction::Unary(Unary::Power(n)), &[a]) => self.raised(a.measured, f64::from(n))?,
             (Instruction::Unary(_), &[a]) => self.plain(a.measured)?,
-            (Instruction::Binary(Binary::Multiply), &[a, b]) => a.measured.times(b.measured, 1),
-            (Instruction::Binary(Binary::Divide), &[a, b]) => a.measured.times(b.measured, -1),
+            // So many times an angle is one.
+            (Instruction::Binary(Binary::Multiply | Binary::Divide), &[a, b]) => {
+                let is_product = self.instruction == Instruction::Binary(Binary::Multiply);
+                let angle = match (a.angle, b.angle) {
+                    (Angle::Is | Angle::Mixed(_), _) if b.number.is_some() => a.angle,
+                    (_, Angle::Is | Angle::Mixed(_)) if a.number.is_some() && is_product => b.angle,
+                    _ => Angle::Open,
+                };
+                let measured = a.measured.times(b.measured, if is_product { 1 } else { -1 });
+                return Ok(Operand { measured, number: None, angle });
+            }
             (Instruction::Binary(Binary::Power), &[a, b]) => {
                 self.plain(b.measured)?;
                 match b.number {
@@ -98,7 +131,8 @@ impl Step {
             }
             (Instruction::Binary(Binary::Add | Binary::Subtract), &[a, b])
             | (Instruction::Binary(Binary::Min | Binary::Max | Binary::Hypot), &[a, b]) => {
-                self.equal(a.measured, b.measured)?
+                let measured = self.equal(a.measured, b.measured)?;
+                return Ok(Operand { measured, number: None, angle: a.angle.joined(b.angle) });
             }
             (Instruction::Binary(Binary::And | Binary::Or), &[a, b]) => {
                 self.plain(a.measured)?;
@@ -110,9 +144,7 @@ impl Step {
             }
             // yes or no
             (Instruction::Binary(_), &[a, b]) => {
-                if let (Angle::Is, Angle::Bare, Some(number)) | (Angle::Bare, Angle::Is, Some(number)) =
-                    (a.angle, b.angle, a.number.or(b.number))
-                {
+                if let Some(number) = a.angle.bare_beside(b.angle) {
                     let (operation, found) = (self.name(), number.to_string());
                     return Err(ExpressionErrorKind::BareAngle { operation, found });
                 }

@@ -243,13 +243,32 @@ fn every_wrong_dimension_is_named_with_its_column() {
         assert_eq!(error.to_string(), message, "{text}");
         assert!(error.hint().unwrap_or_default().contains(hint), "{text}: {:?}", error.hint());
     }
-    for text in ["theta > 30", "0.3 < acos(r33)", "-2 >= psi", "theta < 30 and 1 > 0"] {
+    for text in [
+        "theta > 30",
+        "0.3 < acos(r33)",
+        "-2 >= psi",
+        "theta < 30 and 1 > 0",
+        "theta - 30 > 0",
+        "0 < max(abs(phi), 5)",
+        "2*theta/3 > 0.1",
+        "0.5*(theta - 30) > 0",
+    ] {
         let error = formula_of_state(text, None).unwrap_err();
         assert!(matches!(error.kind, ExpressionErrorKind::BareAngle { .. }), "{text}: {error}");
         assert!(error.hint().unwrap().contains(" deg or "), "{text}");
     }
-    for text in ["theta > 0", "theta > pi", "theta > 30 deg", "0.5[rad] < phi", "theta/2 > 0.1", "r33 > 0.5"]
-    {
+    for text in [
+        "theta > 0",
+        "theta > pi",
+        "theta > 30 deg",
+        "0.5[rad] < phi",
+        "theta/2 > 5 deg",
+        "theta - 30 deg > 0",
+        "theta < pi/2",
+        "theta - psi < 0",
+        "r33 > 0.5",
+        "sin(theta - 0.5) > 0.1",
+    ] {
         assert!(formula_of_state(text, None).is_ok(), "{text}");
     }
     let long = formula_of_state(&"1+".repeat(3000), None).unwrap_err();

@@ -102,7 +102,8 @@ fn parquet_is_read_as_text_is() {
     use std::sync::Arc;
 
     let folder = Folder::new("parquet");
-    let schema = "message rows { required double time_s; required int64 count; required double torque_x_n_m; \
+    let schema = "message rows { required double time_s; required group nested { required double a; required double b; } \
+                  required int64 count; required double torque_x_n_m; \
                   required double torque_y_n_m; required float torque_z_n_m; }";
     for compression in [Compression::UNCOMPRESSED, Compression::SNAPPY, Compression::LZ4_RAW] {
         let properties = WriterProperties::builder().set_compression(compression).build();
@@ -110,8 +111,15 @@ fn parquet_is_read_as_text_is() {
         let schema = Arc::new(parse_message_type(schema).unwrap());
         let mut file = SerializedFileWriter::new(&mut bytes, schema, Arc::new(properties)).unwrap();
         let mut group = file.next_row_group().unwrap();
-        let columns =
-            [[0.0, 2.0, 5.0], [1.0, 2.0, 3.0], [0.1, 0.3, 0.0], [-0.2, 0.2, 0.0], [0.5, -0.25, 0.0]];
+        let columns = [
+            [0.0, 2.0, 5.0],
+            [7.0, 8.0, 9.0],
+            [6.0, 5.0, 4.0],
+            [1.0, 2.0, 3.0],
+            [0.1, 0.3, 0.0],
+            [-0.2, 0.2, 0.0],
+            [0.5, -0.25, 0.0],
+        ];
         for column in columns {
             let mut writer = group.next_column().unwrap().unwrap();
             match writer.untyped() {

@@ -64,7 +64,7 @@ impl Picture {
     pub fn is_made_by(head: &[u8], command: &str) -> bool {
         let holds = |text: &[u8]| head.windows(text.len()).any(|window| window == text);
         holds(format!("<desc>{}</desc>", svg::escaped(command)).as_bytes())
-            || holds(&[MAKER.as_bytes(), &[0; 5], command.as_bytes()].concat())
+            || holds(&[MAKER.as_bytes(), &[0; 5], command.as_bytes(), b"\n"].concat())
     }
 
     /// As PNG, 288 pixels to an inch, on white.

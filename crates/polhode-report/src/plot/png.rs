@@ -39,7 +39,8 @@ fn encoded(pixels: &Pixmap, maker: Option<&str>) -> Result<Vec<u8>, png::Encodin
     let unit = png::Unit::Meter;
     encoder.set_pixel_dims(Some(png::PixelDimensions { xppu: per_meter, yppu: per_meter, unit }));
     if let Some(maker) = maker {
-        encoder.add_itxt_chunk(MAKER.to_owned(), maker.to_owned())?;
+        // With an end, so that no command is the beginning of another.
+        encoder.add_itxt_chunk(MAKER.to_owned(), format!("{maker}\n"))?;
     }
     encoder.write_header()?.write_image_data(&rgb)?;
     Ok(file)

@@ -48,7 +48,7 @@ pub struct StabilityReport {
 /// A torque, and what it is called.
 #[derive(Clone, Debug)]
 struct Acting {
-    /// The scenario's name of it, or else that of its model.
+    /// The scenario's name of it, or else that of its model, with its number where another has the same.
     name: String,
     model: TorqueModel,
 }
@@ -70,7 +70,13 @@ impl StabilityReport {
     pub fn of_scenario(source: SourceInfo, scenario: &Scenario) -> Self {
         let torques = scenario.torques().iter().zip(scenario.torque_names()).enumerate();
         let named = torques.map(|(k, (model, name))| {
-            let name = name.clone().unwrap_or_else(|| model.name().to_owned());
+            let is_alone =
+                scenario.torques().iter().filter(|other| other.name() == model.name()).count() == 1;
+            let unnamed = || match is_alone {
+                true => model.name().to_owned(),
+                false => format!("{}, torque {} of the scenario", model.name(), k + 1),
+            };
+            let name = name.clone().unwrap_or_else(unnamed);
             (Acting { name, model: model.clone() }, !scenario.switched_off().contains(&k))
         });
         let report = Self::of(source, scenario.rotor(), &named.collect::<Vec<_>>(), scenario.start());

@@ -42,7 +42,7 @@ impl Condition {
         Ok(Self { name: question.name.clone(), text: question.condition.clone(), formula, columns })
     }
 
-    /// Whether each row of a table fulfils it; `None` of a row that lacks one of its columns.
+    /// Whether each row of a table fulfils it; `None` of a row that lacks one of its columns, or of which a part of it is no number.
     pub(crate) fn answers(&self, rows: &Batch) -> Vec<Option<bool>> {
         let columns: Vec<(usize, Option<&Values>)> =
             self.columns.iter().map(|(k, name)| (*k, rows.column(name).ok().map(|c| &c.values))).collect();
@@ -56,7 +56,10 @@ impl Condition {
                 };
                 *point.get_mut(*k)? = value?;
             }
-            Some(self.formula.evaluate(&point) != 0.0)
+            match self.formula.evaluate(&point) {
+                value if value.is_nan() => None,
+                value => Some(value != 0.0),
+            }
         };
         (0..rows.rows()).map(&mut answer).collect()
     }

@@ -4,7 +4,6 @@ use polhode_report::{SweepQuestion, SweepStep};
 
 use super::interval;
 use super::{CONFIDENCE, Design};
-use crate::batch::Batch;
 use crate::plan::Condition;
 
 /// Stretches of members after which the share is told.
@@ -26,22 +25,16 @@ pub(super) struct Answers {
 }
 
 impl Answers {
-    /// Of the rows of a part, whose members have these numbers.
-    pub(super) fn of(
-        condition: &Condition,
-        batch: &Batch,
-        numbers: &[u64],
-        members: u64,
-        design: Design,
-    ) -> Self {
+    /// Of members of these numbers, where they have an answer.
+    pub(super) fn of(answers: &[Option<bool>], numbers: &[u64], members: u64, design: Design) -> Self {
         let steps = STEPS.min(members).max(1);
         let sets = if let Design::Sets { count, .. } = design { count } else { 0 };
         let mut found = Self {
             stretches: vec![Count::default(); steps as usize],
             sets: vec![Count::default(); sets as usize],
         };
-        for (member, answer) in numbers.iter().zip(condition.answers(batch)) {
-            let Some(yes) = answer else { continue };
+        for (member, answer) in numbers.iter().zip(answers) {
+            let Some(yes) = *answer else { continue };
             let stretch = (u128::from(*member) * u128::from(steps) / u128::from(members.max(1))) as usize;
             let set = design.set(*member) as usize;
             for count in found.stretches.get_mut(stretch).into_iter().chain(found.sets.get_mut(set)) {
@@ -92,16 +85,16 @@ impl Design {
     pub(super) fn share(self, total: Count, sets: impl Iterator<Item = Count>) -> Option<[f64; 2]> {
         match self {
             Self::Independent => Some(interval::of_share(total.yes, total.of)),
-            Self::Sets { size, .. } => {
+            Self::Sets { .. } => {
                 let shares: Vec<f64> =
                     sets.filter(|set| set.of > 0).map(|set| set.yes as f64 / set.of as f64).collect();
-                let mean = shares.iter().sum::<f64>() / shares.len() as f64;
                 // Where all sets say the same, they do not show how rare the other is: as of independent members, which is wider.
-                if shares.iter().all(|share| *share == mean) {
+                if shares.windows(2).all(|pair| pair[0] == pair[1]) {
                     return (shares.len() > 1).then(|| interval::of_share(total.yes, total.of));
                 }
                 // Shares are whole members of few: one set more that has one more, and one that has one less.
-                let step = 1.0 / size as f64;
+                let sets = shares.len() as f64;
+                let (mean, step) = (shares.iter().sum::<f64>() / sets, sets / total.of as f64);
                 let shares = [&shares[..], &[mean - step, mean + step]].concat();
                 let [low, high] = interval::of_sets(&shares, CONFIDENCE)?;
                 Some([low.max(0.0), high.min(1.0)])

@@ -3,7 +3,6 @@
 use polhode_report::SweepSample;
 
 use crate::batch::{Batch, Values};
-use crate::plan::Condition;
 use crate::rows::MEMBER;
 
 /// How many, about.
@@ -19,24 +18,23 @@ pub(super) struct Sampled {
 }
 
 impl Sampled {
-    /// Of a part of a sweep of so many members.
-    pub(super) fn of(batch: &Batch, names: &[&str], members: u64, questions: &[Condition]) -> Self {
+    /// Of a part of a sweep of so many members, whose rows answer each question so.
+    pub(super) fn of(batch: &Batch, names: &[&str], members: u64, answers: &[Vec<Option<bool>>]) -> Self {
         let Ok(Values::Whole(numbers)) = batch.column(MEMBER).map(|column| &column.values) else {
             return Self::default();
         };
         let columns: Vec<&Values> =
             names.iter().filter_map(|name| Some(&batch.column(name).ok()?.values)).collect();
         let regime = batch.column("regime").map(|column| &column.values);
-        let all: Vec<_> = questions.iter().map(|condition| condition.answers(batch)).collect();
-        let mut sampled = Self { answers: vec![Vec::new(); all.len()], ..Self::default() };
+        let mut sampled = Self { answers: vec![Vec::new(); answers.len()], ..Self::default() };
         for (row, _) in numbers.iter().enumerate().filter(|(_, number)| is_drawn(**number, members)) {
             let value = |values: &&Values| match values {
                 Values::Numbers(values) => values.get(row).copied(),
                 Values::Perhaps(values) => values.get(row).copied().flatten(),
                 _ => None,
             };
-            for (answers, all) in sampled.answers.iter_mut().zip(&all) {
-                answers.push(all.get(row).copied().flatten());
+            for (drawn, all) in sampled.answers.iter_mut().zip(answers) {
+                drawn.push(all.get(row).copied().flatten());
             }
             sampled.rows.push(columns.iter().map(value).collect());
             sampled.regimes.push(match regime {

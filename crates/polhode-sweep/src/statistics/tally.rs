@@ -61,15 +61,14 @@ impl Tally {
     /// Of the rows of a part.
     pub(super) fn of(batch: &Batch, names: &[&str], plan: &Plan, design: Design) -> Result<Self, SweepError> {
         let members = plan.members();
-        let questions = plan.questions();
+        let answers: Vec<_> = plan.questions().iter().map(|condition| condition.answers(batch)).collect();
         let mut tally = Self {
             moments: names.iter().map(|name| Moments::of(|| values(batch, name))).collect(),
-            sample: Sampled::of(batch, names, members, questions),
+            sample: Sampled::of(batch, names, members, &answers),
             ..Self::default()
         };
         let Values::Whole(numbers) = &batch.column(MEMBER)?.values else { return Ok(tally) };
-        let answers = |condition| Answers::of(condition, batch, numbers, members, design);
-        tally.answers = questions.iter().map(answers).collect();
+        tally.answers = answers.iter().map(|all| Answers::of(all, numbers, members, design)).collect();
         let mut first = 0;
         for same in numbers.chunk_by(|a, b| design.set(*a) == design.set(*b)) {
             let rows = first..first + same.len();

@@ -68,7 +68,7 @@ pub enum Unary {
     Power(i32),
 }
 
-/// A function of two numbers, a and b.
+/// A function of two numbers, a and b; comparisons, *and* and *or* of what is no number are no number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[allow(missing_docs, reason = "the names are the documentation")]
 pub enum Binary {
@@ -322,18 +322,19 @@ impl Binary {
             Self::Min => each(a, |a, b| if a.is_nan() || a < b { a } else { b }),
             Self::Max => each(a, |a, b| if a.is_nan() || a > b { a } else { b }),
             Self::Hypot => each(a, libm::hypot),
-            Self::Less => each(a, |a, b| holds(a < b)),
-            Self::LessOrEqual => each(a, |a, b| holds(a <= b)),
-            Self::Greater => each(a, |a, b| holds(a > b)),
-            Self::GreaterOrEqual => each(a, |a, b| holds(a >= b)),
-            Self::And => each(a, |a, b| holds(a != 0.0 && b != 0.0)),
-            Self::Or => each(a, |a, b| holds(a != 0.0 || b != 0.0)),
+            Self::Less => each(a, |a, b| holds(a < b, a, b)),
+            Self::LessOrEqual => each(a, |a, b| holds(a <= b, a, b)),
+            Self::Greater => each(a, |a, b| holds(a > b, a, b)),
+            Self::GreaterOrEqual => each(a, |a, b| holds(a >= b, a, b)),
+            Self::And => each(a, |a, b| holds(a != 0.0 && b != 0.0, a, b)),
+            Self::Or => each(a, |a, b| holds(a != 0.0 || b != 0.0, a, b)),
         }
     }
 }
 
-fn holds(condition: bool) -> f64 {
-    f64::from(u8::from(condition))
+/// 1 or 0; NaN where an operand is: of what is no number nothing is known.
+fn holds(condition: bool, a: f64, b: f64) -> f64 {
+    if a.is_nan() || b.is_nan() { f64::NAN } else { f64::from(u8::from(condition)) }
 }
 
 /// xⁿ by squaring: a few roundings, and the same bits on every platform.
@@ -396,6 +397,22 @@ mod tests {
         let mut many = [0.0; 3];
         formula.evaluate_all(&[[x]; 3], &mut many);
         assert_eq!(many, [expected; 3]);
+    }
+
+    #[test]
+    fn nothing_is_known_of_what_is_no_number() {
+        let of = [
+            Binary::Less,
+            Binary::LessOrEqual,
+            Binary::Greater,
+            Binary::GreaterOrEqual,
+            Binary::And,
+            Binary::Or,
+        ];
+        for binary in of {
+            assert!(binary.of(f64::NAN, 1.0).is_nan() && binary.of(1.0, f64::NAN).is_nan(), "{binary:?}");
+            assert!([0.0, 1.0].contains(&binary.of(0.0, 1.0)));
+        }
     }
 
     #[test]

@@ -59,5 +59,6 @@ pub use solve::propagate::step_statistics::StepStatistics;
 pub use solve::propagate::stepper::{LOOSEST_TOLERANCE, TIGHTEST_TOLERANCE};
 pub use solve::swinging_body::SwingingBody;
 pub use task::pendulum::{Pendulum, Swing};
-pub use task::scenario::{ActingTorque, Forward, MountedShaft, Run, Scenario, Suspension, Task};
+pub use task::run::Run;
+pub use task::scenario::{ActingTorque, Forward, MountedShaft, Scenario, Suspension, Task};
 pub use task::shaft::{CorrectionMass, Reactions, Shaft, Unbalance};

@@ -7,6 +7,7 @@ mod curves;
 mod density;
 mod drag;
 mod edges;
+mod edges_of_bodies;
 mod elliptic;
 mod energy_sink;
 mod ensemble;

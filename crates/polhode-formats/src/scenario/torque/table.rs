@@ -102,8 +102,9 @@ fn of_parquet(bytes: &[u8]) -> Result<TorqueRows, ContentError> {
             .hint("write it without compression, or with LZ4 or Snappy")
     };
     let file = SerializedFileReader::new(Bytes::copy_from_slice(bytes)).map_err(broken)?;
-    let schema = file.metadata().file_metadata().schema_descr();
-    let names: Vec<&str> = schema.columns().iter().map(|column| column.name()).collect();
+    // A row has a field for each of these, whatever is nested in it.
+    let schema = file.metadata().file_metadata().schema();
+    let names: Vec<&str> = schema.get_fields().iter().map(|field| field.name()).collect();
     let columns = columns(&names, |_| ContentPlace::Whole)?;
     let mut rows = TorqueRows::default();
     for row in file.get_row_iter(None).map_err(broken)? {

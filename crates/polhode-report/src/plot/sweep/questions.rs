@@ -44,7 +44,7 @@ impl SweepFigures<'_> {
                 [area.left, area.top + 20.0],
                 super::super::sheet::Anchor::Start,
                 Colour::FAINT,
-                "nothing varies",
+                "no outcome in it is a number that varies",
             );
             return;
         };

@@ -2,5 +2,6 @@
 
 mod check;
 pub(crate) mod pendulum;
+pub(crate) mod run;
 pub(crate) mod scenario;
 pub(crate) mod shaft;

@@ -1,6 +1,7 @@
 //! A scenario: one body, one motion.
 
 use super::pendulum::Pendulum;
+use super::run::Run;
 use super::shaft::{CorrectionMass, Reactions, Shaft};
 use crate::body::assembly::BodyPart;
 use crate::body::finding::Finding;
@@ -22,7 +23,6 @@ use crate::motion::model::wheel::Wheel;
 use crate::motion::run::global_error::ErrorEffort;
 use crate::motion::run::simulation::Simulation;
 use crate::motion::run::trajectory::Trajectory;
-use crate::motion::solve::method::Method;
 
 /// One body and one motion, as a scenario file describes them: what exists can be computed.
 ///
@@ -148,26 +148,6 @@ impl MountedShaft {
     /// What the bearings and the drive do at a rate, with the body's axes standing in space so.
     pub fn reactions(&self, rate: f64, attitude: Attitude) -> Reactions {
         self.shaft.reactions(rate, self.acceleration, attitude.inverse() * self.gravity)
-    }
-}
-
-/// When to sample a motion, and how to compute it.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Run {
-    /// Sample times, s, ascending.
-    pub times: Vec<f64>,
-    /// How to compute it.
-    pub method: Method,
-    /// Bound on the error of each step: attitude in rad, ω relative.
-    pub tolerance: f64,
-}
-
-impl Run {
-    /// `samples` evenly spaced times from 0 to `duration`, both included.
-    pub fn evenly(duration: f64, samples: usize, method: Method, tolerance: f64) -> Self {
-        let last = samples.saturating_sub(1).max(1) as f64;
-        let times = (0..samples).map(|k| duration * (k as f64 / last)).collect();
-        Self { times, method, tolerance }
     }
 }
 

@@ -13,6 +13,7 @@ pub(crate) mod magnetic;
 pub(crate) mod model;
 pub(crate) mod own;
 pub(crate) mod polynomial;
+pub(crate) mod recorder;
 pub(crate) mod scheduled;
 pub(crate) mod tabulated;
 pub(crate) mod tangent;

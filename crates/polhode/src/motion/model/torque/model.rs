@@ -2,9 +2,9 @@
 
 use core::fmt;
 
-use super::graph::{Recorder, VectorNode};
 use super::law::Law;
 use super::polynomial::{PolynomialVector, Unknowns};
+use super::recorder::{Recorder, VectorNode};
 use super::tangent::Tangent;
 use crate::math::frame::Body;
 use crate::math::rotation::Attitude;

@@ -3,10 +3,11 @@
 use core::fmt;
 use std::sync::Arc;
 
-use super::graph::{Graph, Recorder, VectorNode};
+use super::graph::Graph;
 use super::law::Law;
 use super::model::{AnyLaw, Model};
 use super::polynomial::{PolynomialVector, Unknowns};
+use super::recorder::{Recorder, VectorNode};
 use super::tangent::Tangent;
 use crate::body::inertia::InertiaTensor;
 use crate::body::mass_properties::MassProperties;

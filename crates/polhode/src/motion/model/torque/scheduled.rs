@@ -1,9 +1,9 @@
 //! A torque that acts at its times only.
 
 use super::TorqueModel;
-use super::graph::{Recorder, VectorNode};
 use super::model::{AnyLaw, Model};
 use super::polynomial::{PolynomialVector, Unknowns};
+use super::recorder::{Recorder, VectorNode};
 use super::tangent::Tangent;
 use crate::math::frame::Body;
 use crate::math::vector::Torque;

@@ -1,9 +1,9 @@
 //! A torque from a table of times and values.
 
 use super::TorqueModel;
-use super::graph::{Recorder, VectorNode};
 use super::model::{AnyLaw, Model};
 use super::polynomial::{PolynomialVector, Unknowns};
+use super::recorder::{Recorder, VectorNode};
 use super::tangent::Tangent;
 use super::time_polynomial::{TimePolynomial, TorqueAxes};
 use crate::math::frame::Body;

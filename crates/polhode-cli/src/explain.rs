@@ -19,18 +19,26 @@ use crate::stdout::print;
 #[command(after_help = "\
 Examples:
   polhode explain examples/notes/11-10-dumbbell.toml
-  polhode explain examples/t-handle.toml --markdown > t-handle.md")]
+  polhode explain examples/t-handle.toml --markdown > t-handle.md
+  polhode explain examples/heavy-top.toml --html > heavy-top.html
+  polhode explain examples/drag.toml --latex > drag.tex && pdflatex drag.tex")]
 pub(crate) struct Explain {
     /// The scenario, a TOML file.
     file: PathBuf,
-    /// Print Markdown with typeset formulas.
-    #[arg(long, conflicts_with = "json")]
+    /// Print Markdown with typeset formulas, for GitHub, Jupyter and pandoc.
+    #[arg(long, group = "form")]
     markdown: bool,
+    /// Print one HTML page with typeset formulas and graphs, which needs nothing else.
+    #[arg(long, group = "form")]
+    html: bool,
+    /// Print a LaTeX article.
+    #[arg(long, group = "form")]
+    latex: bool,
     /// Print JSON: sections, formulas and tables as data.
-    #[arg(long)]
+    #[arg(long, group = "form")]
     json: bool,
     /// Characters in a line of the text.
-    #[arg(long, value_name = "N", default_value_t = 100, conflicts_with_all = ["markdown", "json"], value_parser = clap::value_parser!(u16).range(40..=400))]
+    #[arg(long, value_name = "N", default_value_t = 100, conflicts_with = "form", value_parser = clap::value_parser!(u16).range(40..=400))]
     width: u16,
 }
 
@@ -46,6 +54,10 @@ impl Explain {
             pretty(&document.to_json()) + "\n"
         } else if self.markdown {
             document.to_markdown()
+        } else if self.html {
+            document.to_html()
+        } else if self.latex {
+            document.to_latex()
         } else {
             document.to_text(usize::from(self.width))
         };

@@ -31,6 +31,7 @@ mod inertia;
 mod intermediate;
 mod json;
 mod layout;
+mod mathml;
 mod molecule;
 mod motion;
 mod number;
@@ -53,7 +54,7 @@ mod torque;
 mod unit;
 
 pub use error_estimate::error_estimate;
-pub use explain::document::{Block, Document, Section};
+pub use explain::document::{Block, Document, Graph, Section};
 pub use explain::{explain, explain_motion};
 pub use export::{ExportBody, ExportError, ExportFormat, export};
 pub use extra::Extra;

@@ -2,6 +2,7 @@
 
 use polhode::body::Symmetry;
 
+use super::inside::Inside;
 use super::working::{Working, exactly, n, v};
 use crate::forces;
 use crate::number::tidy_beside;
@@ -10,7 +11,7 @@ use crate::unit::{CLOSED, rate};
 /// Forces on more particles than this are left to step 4.
 const MOST_PARTICLES: usize = 4;
 
-pub(super) fn lines(w: &Working<'_>) -> Vec<String> {
+pub(super) fn lines(w: &Working<'_>, inside: Option<&Inside<'_, '_>>) -> Vec<String> {
     let mut lines = vec![body(w)];
     if let Some(pendulum) = &w.pendulum {
         let (frequency, period) = (pendulum.small_frequency(), pendulum.period(0.0));
@@ -20,7 +21,9 @@ pub(super) fn lines(w: &Working<'_>) -> Vec<String> {
             n(period)
         ));
     }
-    if w.needed.is_some() {
+    if let Some(inside) = inside {
+        lines.push(inside.answer());
+    } else if w.needed.is_some() {
         lines.extend(needed(w));
     } else if w.is_free() {
         lines.extend(free(w));

@@ -1,24 +1,31 @@
 //! Step 6: the attitude.
 
+use std::f64::consts::TAU;
+
 use polhode::body::Symmetry;
-use polhode::motion::{Regime, State, Trajectory};
-use polhode::observe::Drift;
+use polhode::motion::{FreeMotion, Regime, State, Trajectory};
+use polhode::observe::{Drift, SymmetricTop};
 
 use super::document::Section;
+use super::inside::Inside;
 use super::working::{Working, n, v};
 use crate::number::error;
 
-pub(super) fn section(w: &Working<'_>) -> Section {
+pub(super) fn section(w: &Working<'_>, inside: Option<&Inside<'_, '_>>) -> Section {
     let mut s = Section::new(6, "Solve for the attitude");
     if w.rotor.principal().symmetry() == Symmetry::Point {
         s.say("A point has no attitude.");
         return s;
     }
-    s.say("The body axes turn with ω; R takes body components to space components, and carries all three of them:");
-    s.formula(
-        "dx̂i/dt = ω × x̂i   or   dR/dt = R [ω]×   or   dq/dt = ½ q ω      (ω in body axes)",
-        r"\frac{d\hat{\mathbf x}_i}{dt} = \boldsymbol\omega \times \hat{\mathbf x}_i \quad\text{or}\quad \dot R = R [\boldsymbol\omega]_\times \quad\text{or}\quad \dot q = \tfrac12 q \boldsymbol\omega",
-    );
+    let turning = if w.has_sink() { "Ω" } else { "ω" };
+    s.say(format!("The body axes turn with {turning}; R takes body components to space components, and carries all three of them:"));
+    match inside {
+        Some(inside) => inside.attitude_formula(&mut s),
+        None => s.formula(
+            "dx̂i/dt = ω × x̂i   or   dR/dt = R [ω]×   or   dq/dt = ½ q ω      (ω in body axes)",
+            r"\frac{d\hat{\mathbf x}_i}{dt} = \boldsymbol\omega \times \hat{\mathbf x}_i \quad\text{or}\quad \dot R = R [\boldsymbol\omega]_\times \quad\text{or}\quad \dot q = \tfrac12 q \boldsymbol\omega",
+        ),
+    }
     match w.at_start.as_ref().filter(|_| w.is_free()) {
         Some(free) if free.regime.regime == Regime::AtRest => s.say("With ω = 0 it stays R(t0)."),
         Some(free) if matches!(free.regime.regime, Regime::Permanent(_)) => {
@@ -34,6 +41,10 @@ pub(super) fn section(w: &Working<'_>) -> Section {
                 r"R(t) = \operatorname{turn}\bigl(\hat{\mathbf L}, \dot\varphi (t - t_0)\bigr) R(t_0) \operatorname{turn}\bigl(\mathbf e, -\Omega (t - t_0)\bigr)",
             );
             s.line(format!("L̂ = {} in space axes", v(top.momentum_direction().to_array())));
+            symmetric_angles(w, top, &mut s);
+        }
+        Some(free) if let Some(circled) = circled(free.regime.regime) => {
+            asymmetric_angles(w, &free.motion, circled, &mut s);
         }
         _ => {}
     }
@@ -51,6 +62,67 @@ pub(super) fn section(w: &Working<'_>) -> Section {
         }
     }
     s
+}
+
+/// The axis that L circles: 0, 1 or 2.
+const fn circled(regime: Regime) -> Option<usize> {
+    match regime {
+        Regime::LongAxis => Some(0),
+        Regime::ShortAxis => Some(2),
+        _ => None,
+    }
+}
+
+/// Euler angles about L of a symmetric top: θ stays, φ and ψ grow evenly.
+fn symmetric_angles(w: &Working<'_>, top: &SymmetricTop, s: &mut Section) {
+    let theta = w.rotor.angular_momentum(top.start().omega).angle_to(top.axis());
+    s.say("In Euler angles about L̂ (θ between L̂ and e, φ of e about L̂, ψ of the body about e):");
+    s.formula(
+        "cos θ = I_e ω_e / |L|,   φ = φ0 + (|L| / I_t)(t − t0),   ψ = ψ0 − Ω (t − t0),   ω_e = φ\u{307} cos θ + ψ\u{307}",
+        r"\cos\theta = \frac{I_e \omega_e}{|\mathbf L|}, \quad \varphi = \varphi_0 + \frac{|\mathbf L|}{I_t} (t - t_0), \quad \psi = \psi_0 - \Omega (t - t_0), \quad \omega_e = \dot\varphi \cos\theta + \dot\psi",
+    );
+    s.line(format!(
+        "θ = {}°,  φ\u{307} = {} rad/s,  ψ\u{307} = {} rad/s",
+        n(theta.to_degrees()),
+        n(top.space_rate()),
+        n(-top.body_rate())
+    ));
+}
+
+/// Euler angles about L of an asymmetric body, by the components of L along its axes.
+fn asymmetric_angles(w: &Working<'_>, motion: &FreeMotion, circled: usize, s: &mut Section) {
+    s.say(format!(
+        "In Euler angles about L̂ (θ between L̂ and axis {0}, φ of axis {0} about L̂, ψ of the body about axis {0}), as L = |L| \
+         (sin θ sin ψ, sin θ cos ψ, cos θ) along the axes {1}:",
+        circled + 1,
+        if circled == 2 { "1, 2, 3" } else { "2, 3, 1" },
+    ));
+    let (text, latex) = if circled == 2 {
+        (
+            "cos θ = i3 ω3 / |L|,   tan ψ = i1 ω1 / i2 ω2,   φ\u{307} = |L| (i1 ω1² + i2 ω2²) / (i1² ω1² + i2² ω2²)",
+            r"\cos\theta = \frac{i_3\omega_3}{|\mathbf L|}, \qquad \tan\psi = \frac{i_1\omega_1}{i_2\omega_2}, \qquad \dot\varphi = |\mathbf L| \frac{i_1\omega_1^2 + i_2\omega_2^2}{i_1^2\omega_1^2 + i_2^2\omega_2^2}",
+        )
+    } else {
+        (
+            "cos θ = i1 ω1 / |L|,   tan ψ = i2 ω2 / i3 ω3,   φ\u{307} = |L| (i2 ω2² + i3 ω3²) / (i2² ω2² + i3² ω3²)",
+            r"\cos\theta = \frac{i_1\omega_1}{|\mathbf L|}, \qquad \tan\psi = \frac{i_2\omega_2}{i_3\omega_3}, \qquad \dot\varphi = |\mathbf L| \frac{i_2\omega_2^2 + i_3\omega_3^2}{i_2^2\omega_2^2 + i_3^2\omega_3^2}",
+        )
+    };
+    s.formula(text, latex);
+    let [least, most] = motion.nutation_range().map(|angle| n(angle.to_degrees()));
+    // Beside an axis that points against L the angles are those of the other end.
+    let l = (motion.principal().rotation().inverse() * w.rotor.angular_momentum(w.start.omega)).to_array();
+    let end = if l[circled] < 0.0 { "-" } else { "" };
+    let rate = motion.precession_rate();
+    if let Some(direction) = motion.momentum().direction() {
+        s.line(format!("L̂ = {} in space axes", v(direction.to_array())));
+    }
+    s.line(format!("θ = {least} … {most}° from {end}L̂"));
+    s.line(format!("φ\u{307} = {} rad/s on average, once in {} s", n(rate), n(TAU / rate.abs())));
+    if let Some(period) = motion.period() {
+        s.line(format!("in a period of ω ({} s) φ grows by {}°", n(period), n((rate * period).to_degrees())));
+    }
+    s.say("The integral of φ\u{307} is an elliptic one of the third kind; it is evaluated by theta functions, to the last digits at any t.");
 }
 
 fn attitude(state: &State, when: &str, s: &mut Section) {

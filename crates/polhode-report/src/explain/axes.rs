@@ -9,7 +9,8 @@ pub(super) fn section(w: &Working<'_>) -> Section {
     let mut s = Section::new(1, "Choose the axes");
     s.say(
         "Body axes x, y, z: fixed in the body, so that {I} is constant; they turn with it at ω. Their directions are \
-         those of the description; step 3 finds the principal axes, in which Euler's equations are simplest.",
+         those of the description; step 3 finds the principal axes 1, 2, 3, from the least moment to the greatest, in which \
+         Euler's equations are simplest.",
     );
     match w.scenario.pivot() {
         Some(pivot) => {

@@ -54,6 +54,8 @@ pub enum Block {
         /// The unit of its elements; empty for ratios.
         unit: &'static str,
     },
+    /// A curve.
+    Graph(Graph),
     /// A table.
     Table {
         /// What stands above each column, with its unit.
@@ -61,6 +63,21 @@ pub enum Block {
         /// The cells.
         rows: Vec<Vec<String>>,
     },
+}
+
+/// A curve over an axis, and a level beside it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Graph {
+    /// What it shows.
+    pub title: String,
+    /// The name and the unit of what runs to the right.
+    pub across: [&'static str; 2],
+    /// The name and the unit of what is drawn over it.
+    pub up: [&'static str; 2],
+    /// The curve, from left to right.
+    pub points: Vec<[f64; 2]>,
+    /// A level line over a part of the width, and what it is: from, to, height, name.
+    pub level: ([f64; 3], &'static str),
 }
 
 impl Document {
@@ -109,6 +126,10 @@ impl Section {
         self.blocks.push(Block::Matrix { name: name.into(), rows, unit });
     }
 
+    pub(super) fn graph(&mut self, graph: Graph) {
+        self.blocks.push(Block::Graph(graph));
+    }
+
     pub(super) fn table(&mut self, headers: &[&str], rows: Vec<Vec<String>>) {
         let headers = headers.iter().map(|h| (*h).to_owned()).collect();
         self.blocks.push(Block::Table { headers, rows });
@@ -135,6 +156,14 @@ impl Block {
             Self::Matrix { name, rows, unit } => {
                 json!({ "kind": "matrix", "name": name, "rows": matrix(*rows), "unit": unit })
             }
+            Self::Graph(graph) => json!({
+                "kind": "graph",
+                "title": plain(&graph.title),
+                "across": graph.across,
+                "up": graph.up,
+                "points": graph.points,
+                "level": { "from": graph.level.0[0], "to": graph.level.0[1], "at": graph.level.0[2], "name": graph.level.1 },
+            }),
             Self::Table { headers, rows } => {
                 let rows: Vec<Vec<String>> = rows.iter().map(|row| row.iter().map(plain).collect()).collect();
                 json!({ "kind": "table", "headers": headers, "rows": rows })

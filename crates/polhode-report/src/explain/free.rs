@@ -4,11 +4,11 @@ use std::f64::consts::TAU;
 
 use polhode::body::Symmetry;
 use polhode::motion::{FreeMotion, Regime, Sample};
-use polhode::observe::{Cones, FreeRegime, SymmetricTop};
+use polhode::observe::{Cones, FreeRegime, JacobiForm, SymmetricTop};
 
 use super::document::Section;
-use super::driven;
-use super::working::{Working, n, v};
+use super::working::{Working, factor, n, v};
+use super::{driven, elliptic, tensor};
 use crate::intermediate;
 use crate::unit::{CLOSED, cone, rate};
 
@@ -59,23 +59,24 @@ fn symmetric(w: &Working<'_>, motion: &FreeMotion, top: &SymmetricTop, s: &mut S
         return;
     }
     s.say(
-        "Two moments are equal: a symmetric top. Take ẑ = e, the symmetry axis, with I_e about it and I_t across it \
-         (the notes' I3 and I1 = I2), x̂ along the part of ω across e at t0, and ŷ = e × x̂. The third equation says \
-         ω3 = constant, and the others become",
+        "Two moments are equal: a symmetric top. Take e, the symmetry axis, with I_e about it and I_t across it (the \
+         notes' I3 and I1 = I2), û along the part of ω across e at t0, and v̂ = e × û. The equation along e says ω_e = \
+         constant (the notes' ω3), and the others become",
     );
     s.formula(
-        "ω\u{307}1 = −Ω ω2,   ω\u{307}2 = +Ω ω1,   Ω = (I_e − I_t) ω3 / I_t",
-        r"\dot\omega_1 = -\Omega \omega_2, \qquad \dot\omega_2 = +\Omega \omega_1, \qquad \Omega = \frac{I_e - I_t}{I_t} \omega_3",
+        "ω\u{307}_u = −Ω ω_v,   ω\u{307}_v = +Ω ω_u,   Ω = (I_e − I_t) ω_e / I_t",
+        r"\dot\omega_u = -\Omega \omega_v, \qquad \dot\omega_v = +\Omega \omega_u, \qquad \Omega = \frac{I_e - I_t}{I_t} \omega_e",
     );
     s.formula(
-        "η = ω1 + i ω2:   η\u{307} = iΩ η,   η = A exp(iΩt)   →   ω1 = A cos Ωt,  ω2 = A sin Ωt,  ω3 = constant",
-        r"\eta = \omega_1 + i\omega_2, \quad \dot\eta = i\Omega\eta, \quad \eta = A e^{i\Omega t} \quad\Rightarrow\quad \omega_1 = A\cos\Omega t, \quad \omega_2 = A\sin\Omega t, \quad \omega_3 = \text{constant}",
+        "η = ω_u + i ω_v:   η\u{307} = iΩ η,   η = A exp(iΩt)   →   ω_u = A cos Ωt,  ω_v = A sin Ωt,  ω_e = constant",
+        r"\eta = \omega_u + i\omega_v, \quad \dot\eta = i\Omega\eta, \quad \eta = A e^{i\Omega t} \quad\Rightarrow\quad \omega_u = A\cos\Omega t, \quad \omega_v = A\sin\Omega t, \quad \omega_e = \text{constant}",
     );
-    s.line(format!("e   = {},  I_e = {},  I_t = {} kg·m²", v(e.to_array()), n(axial), n(transverse)));
-    s.line(format!("ω3  = ω · e = {} rad/s", n(top.spin())));
-    s.line(format!("A   = |ω - ω3 e| = {} rad/s", n(across.norm())));
-    if let Some(x) = across.direction() {
-        s.line(format!("x̂   = {},  ŷ = {}", v(x.to_array()), v(e.cross(x).to_array())));
+    let name = tensor::along_body_axis(e).map_or_else(String::new, |name| format!(" = {name}"));
+    s.line(format!("e   = {}{name},  I_e = {},  I_t = {} kg·m²", v(e.to_array()), n(axial), n(transverse)));
+    s.line(format!("ω_e = ω · e = {} rad/s", n(top.spin())));
+    s.line(format!("A   = |ω - ω_e e| = {} rad/s", n(across.norm())));
+    if let Some(u) = across.direction() {
+        s.line(format!("û   = {},  v̂ = {}", v(u.to_array()), v(e.cross(u).to_array())));
     }
     s.line(format!(
         "Ω   = ({} - {})·{} / {} = {} rad/s{}",
@@ -112,8 +113,8 @@ fn cones(w: &Working<'_>, motion: &FreeMotion, top: &SymmetricTop, s: &mut Secti
          The cones touch along ω, and one rolls on the other."
     ));
     s.formula(
-        "tan (ω,e) = A / |ω3|,   φ\u{307} = |L| / I_t,   ω = L/I_t − Ω e   (so L, ω and e lie in one plane)",
-        r"\tan\angle(\boldsymbol\omega, \mathbf e) = \frac{A}{|\omega_3|}, \qquad \dot\varphi = \frac{|\mathbf L|}{I_t}, \qquad \boldsymbol\omega = \frac{\mathbf L}{I_t} - \Omega \mathbf e",
+        "tan (ω,e) = A / |ω_e|,   φ\u{307} = |L| / I_t,   ω = L/I_t − Ω e   (so L, ω and e lie in one plane)",
+        r"\tan\angle(\boldsymbol\omega, \mathbf e) = \frac{A}{|\omega_e|}, \qquad \dot\varphi = \frac{|\mathbf L|}{I_t}, \qquad \boldsymbol\omega = \frac{\mathbf L}{I_t} - \Omega \mathbf e",
     );
     s.line(format!("body cone   half-angle {}", cone(cones.body_half_angle)));
     s.line(format!("space cone  half-angle {}", cone(cones.space_half_angle)));
@@ -150,6 +151,15 @@ fn asymmetric(w: &Working<'_>, free: &FreeRegime, s: &mut Section) {
         n(i2),
         n(i3)
     ));
+    let [x, _, z] = (w.rotor.principal().rotation().inverse() * w.start.omega).to_array();
+    let (first, third) = (i1 * (i1 - i2) * x * x, i3 * (i3 - i2) * z * z);
+    s.line(format!(
+        "D - i2 = [i1 (i1 - i2) ω1² + i3 (i3 - i2) ω3²] / 2T = [{} + {}] / {} = {} kg·m²",
+        factor(first),
+        n(third),
+        n(2.0 * t),
+        n((first + third) / (2.0 * t))
+    ));
     let why = match free.regime {
         Regime::LongAxis => "D < i2: ",
         Regime::ShortAxis => "D > i2: ",
@@ -157,8 +167,8 @@ fn asymmetric(w: &Working<'_>, free: &FreeRegime, s: &mut Section) {
         _ => "",
     };
     s.say(format!("{why}{}.", free.regime.description()));
-    if let Some(period) = free.period {
-        elliptic(w, free.regime, period, s);
+    if let Some(form) = w.at_start.as_ref().and_then(|free| JacobiForm::of(&free.motion)) {
+        elliptic::closed_form(&form, free, s);
     }
     if let Some(flip) = free.flip_interval {
         s.line(format!("ω along axis 2 reverses every {} s: the body flips", n(flip)));
@@ -175,61 +185,6 @@ fn asymmetric(w: &Working<'_>, free: &FreeRegime, s: &mut Section) {
         s.say("Give the scenario a [run] to have ω(t) in numbers.");
     } else {
         numbers(w, &samples, s);
-    }
-}
-
-/// The period by its elliptic integral, with λ and m from the same sums of squares as 2T and L².
-fn elliptic(w: &Working<'_>, regime: Regime, period: f64, s: &mut Section) {
-    s.say("Along axis 2 ω is a Jacobi elliptic function of λ t with the parameter m, and repeats after four quarters K(m):");
-    s.formula(
-        "p = (i3 − i2)(L² − 2T i1),   q = (i2 − i1)(2T i3 − L²)",
-        r"p = (i_3 - i_2)(L^2 - 2T i_1), \qquad q = (i_2 - i_1)(2T i_3 - L^2)",
-    );
-    match regime {
-        Regime::LongAxis => s.formula(
-            "D < i2:   λ² = q / (i1 i2 i3),   m = p / q,   1 − m = (i3 − i1)(2T i2 − L²) / q",
-            r"D < i_2: \qquad \lambda^2 = \frac{q}{i_1 i_2 i_3}, \qquad m = \frac{p}{q}, \qquad 1 - m = \frac{(i_3 - i_1)(2T i_2 - L^2)}{q}",
-        ),
-        _ => s.formula(
-            "D > i2:   λ² = p / (i1 i2 i3),   m = q / p,   1 − m = (i3 − i1)(L² − 2T i2) / p",
-            r"D > i_2: \qquad \lambda^2 = \frac{p}{i_1 i_2 i_3}, \qquad m = \frac{q}{p}, \qquad 1 - m = \frac{(i_3 - i_1)(L^2 - 2T i_2)}{p}",
-        ),
-    }
-    s.formula(
-        "period of ω in the body = 4 K(m) / λ,   K(m) = ∫ dx / √(1 − m sin² x), x from 0 to π/2",
-        r"\text{period of }\boldsymbol\omega\text{ in the body} = \frac{4 K(m)}{\lambda}, \qquad K(m) = \int_0^{\pi/2} \frac{dx}{\sqrt{1 - m \sin^2 x}}",
-    );
-    let Quarters { rate, m, m1 } = Quarters::of(w);
-    s.line(format!("λ = {} /s,  m = {},  1 − m = {}", n(rate), n(m), n(m1)));
-    s.line(format!("K(m) = {},  period of ω = {} s", n(0.25 * period * rate), n(period)));
-}
-
-/// λ, 1/s, m and 1 − m.
-struct Quarters {
-    rate: f64,
-    m: f64,
-    m1: f64,
-}
-
-impl Quarters {
-    /// With moments by the greatest and ω by its size, so that no square leaves the range of numbers.
-    fn of(w: &Working<'_>) -> Self {
-        let principal = w.rotor.principal();
-        let [_, _, greatest] = principal.moments();
-        let [i1, i2, i3] = principal.moments().map(|i| i / greatest);
-        let speed = w.start.omega.norm();
-        let [x, y, z] =
-            (principal.rotation().inverse() * w.start.omega).to_array().map(|x| (x / speed).powi(2));
-        // L² − 2T i = Σ ik (ik − i) ωk²
-        let p = (i3 - i2) * (i2 * (i2 - i1) * y + i3 * (i3 - i1) * z);
-        let q = (i2 - i1) * (i1 * (i3 - i1) * x + i2 * (i3 - i2) * y);
-        let excess = i3 * (i3 - i2) * z - i1 * (i2 - i1) * x;
-        let larger = p.max(q);
-        Self {
-            rate: speed * (larger / (i1 * i2 * i3)).sqrt(),
-            m: p.min(q) / larger,
-            m1: (i3 - i1) * excess.abs() / larger,
-        }
     }
 }
 

@@ -1,58 +1,17 @@
-//! A body with wheels or friction inside, worked out: the steps for one rigid body would leave out what moves in it.
+//! Steps 4 and 5 of a body with wheels or friction inside, where L is not {I} ω alone, or axes turn at more than ω.
 
 use polhode::math::{AngularMomentum, AngularVelocity, Body, Torque};
 use polhode::motion::torque::{EnergySink, TorqueModel};
 use polhode::motion::{Motor, Wheel};
 use polhode::observe::{DissipativeLimit, PermanentRotation};
 
-use super::document::{Document, Section};
+use super::document::Section;
 use super::driven;
 use super::working::{Working, exactly, factor, n, v};
-use crate::number::{tidy_beside, tidy_matrix};
-use crate::torque::Description;
-
-/// The worked solution, if something moves inside the body.
-pub(super) fn solved(w: &Working<'_>) -> Option<Document> {
-    let sinks = w.scenario.torques().iter().filter(|torque| matches!(torque, TorqueModel::EnergySink(_)));
-    let sinks: Vec<String> = sinks.map(|sink| Description::of(sink).text()).collect();
-    if w.scenario.wheels().is_empty() && sinks.is_empty() {
-        return None;
-    }
-    let inside = Inside::of(w);
-    let mut sections = vec![equations(w, &sinks), inside.at_start(), inside.balances(), inside.end()];
-    sections.extend(motion(w));
-    for (number, section) in (1..).zip(&mut sections) {
-        section.number = number;
-    }
-    Some(Document {
-        findings: w.findings(),
-        title: w.scenario.title().map(str::to_owned).unwrap_or_else(|| "A rigid body".to_owned()),
-        answer: vec![inside.answer()],
-        sections,
-    })
-}
-
-fn equations(w: &Working<'_>, sinks: &[String]) -> Section {
-    let mut s = Section::new(1, "What moves inside");
-    for wheel in w.scenario.wheels() {
-        s.say(format!("Inside is {}.", Description::of_wheel(wheel).text()));
-    }
-    for sink in sinks {
-        s.say(format!("Inside is {sink}."));
-    }
-    s.say(
-        "h is the angular momentum of the wheels, I the inertia tensor without what wheels with a motor have about their axes, and α the \
-         coefficient of the energy sink. In body axes, which turn at Ω:",
-    );
-    s.formula(
-        "L = {I} ω + h,   Ω = ω + α L × ω,   {I} dω/dt = L × Ω + N − dh/dt",
-        r"\mathbf L = \lbrace \mathbf I \rbrace \cdot \boldsymbol\omega + \mathbf h, \qquad \boldsymbol\Omega = \boldsymbol\omega + \alpha \mathbf L \times \boldsymbol\omega, \qquad \lbrace \mathbf I \rbrace \cdot \dot{\boldsymbol\omega} = \mathbf L \times \boldsymbol\Omega + \mathbf N - \dot{\mathbf h}",
-    );
-    s
-}
+use crate::number::tidy_beside;
 
 /// The numbers at the start.
-struct Inside<'a, 'w> {
+pub(super) struct Inside<'a, 'w> {
     w: &'a Working<'w>,
     /// Σ α
     alpha: f64,
@@ -68,18 +27,22 @@ struct Inside<'a, 'w> {
 }
 
 impl<'a, 'w> Inside<'a, 'w> {
-    fn of(w: &'a Working<'w>) -> Self {
+    /// `None` if nothing moves inside the body.
+    pub(super) fn of(w: &'a Working<'w>) -> Option<Self> {
         let coefficient = |torque: &TorqueModel| match torque {
             TorqueModel::EnergySink(sink) => sink.coefficient(),
             _ => 0.0,
         };
-        let alpha = w.scenario.torques().iter().map(coefficient).sum();
+        let alpha: f64 = w.scenario.torques().iter().map(coefficient).sum();
+        if w.scenario.wheels().is_empty() && alpha == 0.0 {
+            return None;
+        }
         let (omega, time) = (w.start.omega, w.start.time);
         let h = w.rotor.wheel_momentum(time);
         let momentum = w.rotor.angular_momentum(omega) + h;
         let bending = momentum.cross(omega);
         let turning = omega + AngularVelocity::from_array((bending * alpha).to_array());
-        Self { w, alpha, omega, h, momentum, bending, turning, motor: w.rotor.motor_torque(time) }
+        Some(Self { w, alpha, omega, h, momentum, bending, turning, motor: w.rotor.motor_torque(time) })
     }
 
     fn has_sink(&self) -> bool {
@@ -100,36 +63,93 @@ impl<'a, 'w> Inside<'a, 'w> {
         self.momentum.cross(self.turning) + self.w.torque - self.motor
     }
 
-    fn at_start(&self) -> Section {
-        let w = self.w;
-        let mut s = Section::new(2, "The start, step by step");
-        s.say(format!("About {}, along body axes:", w.point_name()));
-        s.matrix("{I}", tidy_matrix(w.rotor.inertia().matrix()), "kg·m²");
-        let [i1, i2, i3] = w.rotor.principal().moments();
-        s.line(format!("i1 = {},  i2 = {},  i3 = {} kg·m²", n(i1), n(i2), n(i3)));
-        s.line(format!("ω   = {} rad/s", exactly(self.omega.to_array())));
-        let carried = w.rotor.angular_momentum(self.omega);
-        s.line(format!("{{I}} ω = {} kg·m²/s", v(carried.to_array())));
-        let time = w.start.time;
-        let terms: Vec<String> =
-            w.rotor.wheels().iter().map(|wheel| along(wheel, wheel.momentum_at(time))).collect();
-        if !terms.is_empty() {
-            s.sum("h  ", &terms, &format!("{} kg·m²/s", v(self.h.to_array())));
+    fn has_wheels(&self) -> bool {
+        !self.w.rotor.wheels().is_empty()
+    }
+
+    /// The rate at which body axes turn: ω, or Ω with friction.
+    const fn turning_name(&self) -> [&'static str; 2] {
+        if self.alpha > 0.0 { ["Ω", r"\boldsymbol\Omega"] } else { ["ω", r"\boldsymbol\omega"] }
+    }
+
+    /// L × Ω + N − dh/dt with the terms that there are, in Unicode and in LaTeX.
+    fn right_side(&self) -> [String; 2] {
+        let [text, latex] = self.turning_name();
+        let (mut text, mut latex) = (format!("L × {text}"), format!(r"\mathbf L \times {latex}"));
+        if !self.is_free() {
+            text.push_str(" + N");
+            latex.push_str(r" + \mathbf N");
         }
-        let sum = if terms.is_empty() { "{I} ω" } else { "{I} ω + h" };
-        s.line(format!(
-            "L   = {sum} = {} kg·m²/s,  |L| = {} kg·m²/s",
-            v(self.momentum.to_array()),
-            n(self.momentum.norm())
-        ));
-        let space = w.start.attitude * self.momentum;
-        s.line(format!("    = {} kg·m²/s in space axes", v(space.to_array())));
+        if self.is_driven() {
+            text.push_str(" − dh/dt");
+            latex.push_str(r" - \dot{\mathbf h}");
+        }
+        [text, latex]
+    }
+
+    /// h and L, after {I} ω: step 3.
+    pub(super) fn momentum(&self, s: &mut Section) {
+        let w = self.w;
+        if self.has_wheels() {
+            s.say(
+                "The wheels carry angular momentum of their own, h: of each its moment of inertia about its axis times its speed. {I} is \
+                 the tensor without what wheels with a motor have about their axes.",
+            );
+            s.formula(
+                "L = {I} ω + h",
+                r"\mathbf L = \lbrace \mathbf I \rbrace \cdot \boldsymbol\omega + \mathbf h",
+            );
+            let time = w.start.time;
+            let terms: Vec<String> =
+                w.rotor.wheels().iter().map(|wheel| along(wheel, wheel.momentum_at(time))).collect();
+            s.sum("h", &terms, &format!("{} kg·m²/s", v(self.h.to_array())));
+            s.line(format!(
+                "L = {} kg·m²/s,  |L| = {} kg·m²/s, body axes",
+                v(self.momentum.to_array()),
+                n(self.momentum.norm())
+            ));
+            let space = w.start.attitude * self.momentum;
+            s.line(format!("  = {} kg·m²/s, space axes", v(space.to_array())));
+        }
+    }
+
+    /// Step 4.
+    pub(super) fn equations(&self) -> Section {
+        let w = self.w;
+        let mut s = Section::new(4, "Euler's equations");
+        let [name, _] = self.turning_name();
+        let [text, latex] = self.right_side();
+        if self.has_sink() {
+            s.say(
+                "N = dL/dt holds in space. The friction inside is an energy sink of coefficient α: body axes turn at Ω, and ω, which gives \
+                 the energy, follows L with a lag:",
+            );
+            s.formula(
+                "Ω = ω + α L × ω",
+                r"\boldsymbol\Omega = \boldsymbol\omega + \alpha \mathbf L \times \boldsymbol\omega",
+            );
+        } else {
+            s.say(format!("N = dL/dt holds in space. Body axes turn at {name}, so there"));
+        }
+        let l = if self.has_wheels() { "L = {I} ω + h" } else { "L = {I} ω" };
+        let l_latex = if self.has_wheels() {
+            r"\mathbf L = \lbrace \mathbf I \rbrace \cdot \boldsymbol\omega + \mathbf h"
+        } else {
+            r"\mathbf L = \lbrace \mathbf I \rbrace \cdot \boldsymbol\omega"
+        };
+        s.formula(
+            &format!("{{I}} dω/dt = {text},   {l}"),
+            &format!(r"\lbrace \mathbf I \rbrace \cdot \dot{{\boldsymbol\omega}} = {latex}, \qquad {l_latex}"),
+        );
+        s.say("At t0, in body axes:");
         let scale = self.momentum.norm() * self.omega.norm();
         let shown = |torque: Torque<Body>| v(tidy_beside(torque.to_array(), scale));
+        s.line(format!("ω = {} rad/s", exactly(self.omega.to_array())));
+        s.line(format!("L = {} kg·m²/s", v(self.momentum.to_array())));
         s.line(format!("L × ω = {} N·m", shown(self.bending)));
         if self.has_sink() {
             s.line(format!(
-                "Ω   = ω + α L × ω = {} + {}·{} = {} rad/s",
+                "Ω = {} + {}·{} = {} rad/s",
                 v(self.omega.to_array()),
                 n(self.alpha),
                 shown(self.bending),
@@ -138,20 +158,21 @@ impl<'a, 'w> Inside<'a, 'w> {
             s.line(format!("L × Ω = {} N·m", shown(self.momentum.cross(self.turning))));
         }
         if !self.is_free() {
-            s.line(format!("N   = {} N·m", v(w.torque.to_array())));
+            s.line(format!("N = {} N·m", v(w.torque.to_array())));
         }
         if self.is_driven() {
+            let time = w.start.time;
             let terms: Vec<String> =
                 w.rotor.wheels().iter().map(|wheel| along(wheel, wheel.torque_at(time))).collect();
             s.sum("dh/dt", &terms, &format!("{} N·m, of the motors at t0", v(self.motor.to_array())));
         }
         let change = self.change();
-        s.line(format!("{{I}} dω/dt = L × Ω + N − dh/dt = {} N·m", shown(change)));
+        s.line(format!("{{I}} dω/dt = {text} = {} N·m", shown(change)));
         // I⁻¹, by the principal axes
         let into = w.rotor.principal().rotation().inverse();
         let along_axes = (into * change).to_array();
-        let rate =
-            [0, 1, 2].map(|k| if [i1, i2, i3][k] > 0.0 { along_axes[k] / [i1, i2, i3][k] } else { 0.0 });
+        let moments = w.rotor.principal().moments();
+        let rate = [0, 1, 2].map(|k| if moments[k] > 0.0 { along_axes[k] / moments[k] } else { 0.0 });
         let rate = w.rotor.principal().rotation()
             * polhode::math::Vector::<polhode::math::quantity::AngularAcceleration, _>::from_array(rate);
         s.line(format!(
@@ -161,19 +182,62 @@ impl<'a, 'w> Inside<'a, 'w> {
         s
     }
 
-    fn balances(&self) -> Section {
+    /// Step 5.
+    pub(super) fn solution(&self) -> Section {
+        let mut s = Section::new(5, "Solve for ω(t)");
+        self.balances(&mut s);
+        self.end(&mut s);
+        match driven::how(self.w) {
+            Some(how) => {
+                s.say(format!("ω(t) {how}:"));
+                driven::table(&self.w.few_samples(), !self.is_free(), &mut s);
+            }
+            None => s.say("Give the scenario a [run] to have ω(t) in numbers."),
+        }
+        s
+    }
+
+    /// Step 6: at which rate R turns.
+    pub(super) fn attitude_formula(&self, s: &mut Section) {
+        let [name, latex] = self.turning_name();
+        s.formula(
+            &format!("dR/dt = R [{name}]×   or   dq/dt = ½ q {name}      ({name} in body axes)"),
+            &format!(r"\dot R = R [{latex}]_\times \quad\text{{or}}\quad \dot q = \tfrac12 q {latex}"),
+        );
+    }
+
+    /// Energy, and what is kept.
+    fn balances(&self, s: &mut Section) {
         let w = self.w;
-        let mut s = Section::new(3, "Energy, and what is kept");
         let energy = w.rotor.kinetic_energy(self.omega);
-        s.line(format!("T = ½ ω · {{I}} ω = {} J, that of the body without its wheels", n(energy)));
+        let of_what = if self.has_wheels() { ", that of the body without its wheels" } else { "" };
+        s.line(format!("T = ½ ω · {{I}} ω = {} J{of_what}", n(energy)));
         let heat = -self.alpha * self.bending.dot(self.bending);
         let power = (w.torque - self.motor).dot(self.omega);
+        let outside = match (self.is_free(), self.is_driven()) {
+            (true, false) => None,
+            (false, false) => Some(["N", r"\mathbf N"]),
+            (true, true) => Some(["−dh/dt", r"-\dot{\mathbf h}"]),
+            (false, true) => Some(["(N − dh/dt)", r"(\mathbf N - \dot{\mathbf h})"]),
+        };
+        let [mut text, mut latex] = outside.map_or_else(Default::default, |[text, latex]| {
+            [format!("{text} · ω"), format!(r"{latex} \cdot \boldsymbol\omega")]
+        });
+        if self.has_sink() {
+            text.push_str(" − α |L × ω|²");
+            latex.push_str(r" - \alpha |\mathbf L \times \boldsymbol\omega|^2");
+        }
+        if text.is_empty() {
+            (text, latex) = ("0".to_owned(), "0".to_owned());
+        }
+        let [l, l_latex] = if self.is_free() { ["0", "0"] } else { ["N", r"\mathbf N"] };
         s.formula(
-            "dT/dt = (N − dh/dt) · ω − α |L × ω|²,   dL/dt = N in space",
-            r"\dot T = (\mathbf N - \dot{\mathbf h}) \cdot \boldsymbol\omega - \alpha \lvert \mathbf L \times \boldsymbol\omega \rvert^2, \qquad \dot{\mathbf L} = \mathbf N \text{ in space}",
+            &format!("dT/dt = {},   dL/dt = {l} in space", text.trim_start()),
+            &format!(r"\dot T = {latex}, \qquad \dot{{\mathbf L}} = {l_latex} \text{{ in space}}"),
         );
         if self.is_driven() || !self.is_free() {
-            s.line(format!("(N − dh/dt) · ω = {} W", n(tidy_beside([power, 0.0, 0.0], energy)[0])));
+            let [name, _] = outside.unwrap_or_default();
+            s.line(format!("{name} · ω = {} W", n(tidy_beside([power, 0.0, 0.0], energy)[0])));
         }
         if self.has_sink() {
             s.line(format!(
@@ -195,29 +259,27 @@ impl<'a, 'w> Inside<'a, 'w> {
             (true, true, true) => "No torque acts from outside: L is kept in space. T changes while a motor works, and falls else.",
             (false, ..) => "A torque acts from outside, so that L changes in space as the torque says.",
         });
-        s
     }
 
     /// To what it tends.
-    fn end(&self) -> Section {
-        let mut s = Section::new(4, "Where it leads");
+    fn end(&self, s: &mut Section) {
         if !self.is_free() {
             s.say("The torque from outside goes on, so that there is no end that L alone decides.");
-            return s;
+            return;
         }
         let Some(&time) = PermanentRotation::times(self.w.rotor).last() else {
             s.say("A motor never stops: its wheel has more and more angular momentum, and the body as much less.");
-            return s;
+            return;
         };
         let size = self.momentum.norm();
         if self.is_driven() {
-            self.after_the_motors(time, &mut s);
+            self.after_the_motors(time, s);
         }
         if size == 0.0 {
-            return s;
+            return;
         }
-        let Ok(all) = PermanentRotation::all_at(self.w.rotor, size, time) else { return s };
-        let (Some(least), Some(most)) = (all.first(), all.last()) else { return s };
+        let Ok(all) = PermanentRotation::all_at(self.w.rotor, size, time) else { return };
+        let (Some(least), Some(most)) = (all.first(), all.last()) else { return };
         let energy = |one: &PermanentRotation| self.w.rotor.kinetic_energy(one.omega);
         let spin = |one: &PermanentRotation| {
             format!("ω = {} rad/s, T = {} J", v(one.omega.to_array()), n(energy(one)))
@@ -229,7 +291,7 @@ impl<'a, 'w> Inside<'a, 'w> {
             );
             s.line(format!("least: {}", spin(least)));
             s.line(format!("most:  {}", spin(most)));
-            return s;
+            return;
         }
         let such = if all.iter().filter(|one| energy(one) <= energy(least) * (1.0 + 1e-12)).count() > 1 {
             "such as"
@@ -244,8 +306,7 @@ impl<'a, 'w> Inside<'a, 'w> {
             let part = if now > 0.0 { format!(", {} % of T", n(100.0 * lost / now)) } else { String::new() };
             s.line(format!("what becomes heat: {} - {} = {} J{part}", n(now), n(energy(least)), n(lost)));
         }
-        self.decay(&all, &mut s);
-        s
+        self.decay(&all, s);
     }
 
     /// The linear rates next to the spins with this |L|.
@@ -284,7 +345,7 @@ impl<'a, 'w> Inside<'a, 'w> {
         s.line(format!("ω = −{{I}}⁻¹ h = {} rad/s", v(omega.to_array())));
     }
 
-    fn answer(&self) -> String {
+    pub(super) fn answer(&self) -> String {
         let l = v(self.momentum.to_array());
         let energy = n(self.w.rotor.kinetic_energy(self.omega));
         let rest = match (self.is_free(), self.has_sink()) {
@@ -292,9 +353,8 @@ impl<'a, 'w> Inside<'a, 'w> {
             (true, false) => "L is kept in space",
             (false, _) => "L changes by the torque from outside",
         };
-        format!(
-            "Something moves inside: L = {{I}} ω + h = {l} kg·m²/s and T = {energy} J at the start; {rest}."
-        )
+        let sum = if self.has_wheels() { "{I} ω + h" } else { "{I} ω" };
+        format!("Something moves inside: L = {sum} = {l} kg·m²/s and T = {energy} J at the start; {rest}.")
     }
 }
 
@@ -302,14 +362,4 @@ impl<'a, 'w> Inside<'a, 'w> {
 fn along(wheel: &Wheel, size: f64) -> String {
     let held = if wheel.motor() == Motor::HeldSpeed { " (held)" } else { "" };
     format!("{}·{}{held}", factor(size), v(wheel.axis().to_array()))
-}
-
-/// The computed motion, at a few times.
-fn motion(w: &Working<'_>) -> Option<Section> {
-    let samples = w.few_samples();
-    let how = driven::how(w)?;
-    let mut s = Section::new(5, "The motion");
-    s.say(format!("ω(t) {how}:"));
-    driven::table(&samples, true, &mut s);
-    Some(s)
 }

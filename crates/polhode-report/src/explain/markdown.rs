@@ -10,7 +10,7 @@ use crate::number::{alike, tidy_matrix};
 const LONGEST: usize = 96;
 
 impl Document {
-    /// Markdown with LaTeX between `$$`, as GitHub renders it.
+    /// Markdown with LaTeX between `$$`, as GitHub, Jupyter and pandoc render it.
     pub fn to_markdown(&self) -> String {
         let mut text = format!("# {}\n", escaped(&self.title));
         if !self.answer.is_empty() {
@@ -43,6 +43,7 @@ fn render_block(block: &Block) -> String {
             format!("```text\n{}\n```", plain_spaces(&lines.join("\n")))
         }
         Block::Matrix { name, rows, unit } => matrix(name, rows, unit),
+        Block::Graph(graph) => format!("```text\n{}\n```", plain_spaces(&super::graph::lines(graph).join("\n"))),
         Block::Table { headers, rows } => {
             let row = |cells: &[String]| {
                 let cells: Vec<String> = cells.iter().map(|c| escaped(c).replace('|', "\\|")).collect();
@@ -55,7 +56,7 @@ fn render_block(block: &Block) -> String {
     }
 }
 
-fn matrix(name: &str, rows: &[[f64; 3]; 3], unit: &str) -> String {
+pub(super) fn matrix(name: &str, rows: &[[f64; 3]; 3], unit: &str) -> String {
     let cells = alike(tidy_matrix(*rows).as_flattened(), DIGITS);
     let rows: Vec<String> =
         cells.chunks(3).map(|row| row.iter().map(|x| power(x)).collect::<Vec<_>>().join(" & ")).collect();
@@ -69,7 +70,7 @@ fn matrix(name: &str, rows: &[[f64; 3]; 3], unit: &str) -> String {
 }
 
 /// `3.3248e-5` as LaTeX has it.
-fn power(x: &str) -> String {
+pub(super) fn power(x: &str) -> String {
     match x.split_once('e') {
         Some((mantissa, power)) => format!(r"{mantissa}\times 10^{{{power}}}"),
         None => x.to_owned(),

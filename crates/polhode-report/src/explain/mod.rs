@@ -1,7 +1,7 @@
 //! The worked solution: from mass to motion in the six steps of the lecture notes.
 //!
-//! Each step has its file; `working` holds what they share, `document` what they write into, `text` and `markdown` how
-//! it is shown.
+//! Each step has its file; `working` holds what they share, `document` what they write into; `text`, `markdown`,
+//! `html` and `latex` are how it is shown.
 
 mod answer;
 mod attitude;
@@ -9,14 +9,21 @@ mod axes;
 mod body;
 pub(crate) mod document;
 mod driven;
+mod elliptic;
 mod euler;
 mod free;
+mod graph;
+mod html;
 mod inside;
+mod latex;
+mod linear;
 mod markdown;
 mod pendulum;
+mod shape;
 mod spin;
 mod tensor;
 mod text;
+mod top;
 mod working;
 
 use std::borrow::Cow;
@@ -24,6 +31,7 @@ use std::borrow::Cow;
 use polhode::motion::{MotionError, Scenario, Trajectory};
 
 use document::Document;
+use inside::Inside;
 use working::Working;
 
 /// The worked solution of a scenario, in the order of the lecture notes: 0 the body; 1 the axes; 2 ω and N; 3 the
@@ -71,21 +79,21 @@ pub fn explain_motion(scenario: &Scenario, trajectory: &Trajectory) -> Result<Do
 }
 
 fn solved(w: &Working<'_>) -> Document {
-    if let Some(document) = inside::solved(w) {
-        return document;
-    }
+    let inside = Inside::of(w);
+    let equations = inside.as_ref().map_or_else(|| euler::section(w), Inside::equations);
+    let solution = inside.as_ref().map_or_else(|| solution(w), Inside::solution);
     Document {
         findings: w.findings(),
         title: w.scenario.title().map(str::to_owned).unwrap_or_else(|| "A rigid body".to_owned()),
-        answer: answer::lines(w),
+        answer: answer::lines(w, inside.as_ref()),
         sections: vec![
             body::section(w),
             axes::section(w),
             spin::section(w),
-            tensor::section(w),
-            euler::section(w),
-            solution(w),
-            attitude::section(w),
+            tensor::section(w, inside.as_ref()),
+            equations,
+            solution,
+            attitude::section(w, inside.as_ref()),
         ],
     }
 }
@@ -96,11 +104,17 @@ fn solution(w: &Working<'_>) -> document::Section {
     if let Some(pendulum) = &w.pendulum {
         pendulum::solve(w, pendulum, &mut section);
     }
+    if let Some(top) = top::of(w) {
+        top::solve(w, &top, &mut section);
+    }
     if w.needed.is_some() {
         driven::given(w, &mut section);
     } else if w.is_free() {
         free::solve(w, &mut section);
     } else {
+        if w.pendulum.is_none() && top::of(w).is_none() {
+            linear::solve(w, &mut section);
+        }
         driven::integrate(w, &mut section);
     }
     section

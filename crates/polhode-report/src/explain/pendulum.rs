@@ -43,6 +43,7 @@ pub(super) fn solve(w: &Working<'_>, pendulum: &Pendulum, s: &mut Section) {
     s.line(format!("ω0 = {} rad/s,  period of small swings 2π/ω0 = {} s", n(small), n(pendulum.period(0.0))));
     at_start(pendulum, s);
     amplitude(w, pendulum, axis, s);
+    swing_test(w, pendulum, s);
     // A bearing holds n̂; the run's pivot would let the body leave it unless n̂ is a principal axis.
     let axial = w.rotor.angular_momentum(AngularVelocity::from_array(axis.to_array()));
     let leaves =
@@ -98,6 +99,7 @@ fn amplitude(w: &Working<'_>, pendulum: &Pendulum, axis: Direction<Body>, s: &mu
             let longer = period / pendulum.period(0.0) - 1.0;
             s.line(format!("θmax = {}", unit::amplitude(amplitude)));
             s.line(format!("P = {} s, {} % longer than a small swing", n(period), n(100.0 * longer)));
+            series(amplitude, longer, s);
         }
         Swing::Separatrix => {
             s.say("It has just enough energy to come to rest upside down, which takes forever.");
@@ -106,5 +108,58 @@ fn amplitude(w: &Working<'_>, pendulum: &Pendulum, axis: Direction<Body>, s: &mu
             s.say("It has enough energy to go over the top, round and round.");
             s.line(format!("one turn in {} s", n(period)));
         }
+    }
+}
+
+/// The series of K, term by term, and in the amplitude.
+fn series(amplitude: f64, longer: f64, s: &mut Section) {
+    s.say("As a series, with k = sin ½θmax:");
+    s.formula(
+        "P = (2π/ω0) [1 + (1/2)² k² + (1·3/2·4)² k⁴ + (1·3·5/2·4·6)² k⁶ + …]\n\
+         P = (2π/ω0) [1 + θmax²/16 + 11 θmax⁴/3072 + 173 θmax⁶/737280 + …]",
+        r"P = \frac{2\pi}{\omega_0} \Bigl[1 + \frac{k^2}{4} + \frac{9 k^4}{64} + \frac{25 k^6}{256} + \ldots\Bigr] = \frac{2\pi}{\omega_0} \Bigl[1 + \frac{\theta_{\max}^2}{16} + \frac{11 \theta_{\max}^4}{3072} + \frac{173 \theta_{\max}^6}{737280} + \ldots\Bigr]",
+    );
+    let k2 = (0.5 * amplitude).sin().powi(2);
+    let in_k = [k2 / 4.0, 9.0 * k2.powi(2) / 64.0, 25.0 * k2.powi(3) / 256.0];
+    let square = amplitude * amplitude;
+    let in_theta =
+        [square / 16.0, 11.0 * square.powi(2) / 3072.0, 173.0 * square.powi(3) / 737_280.0];
+    for (name, terms) in [("k", in_k), ("θmax", in_theta)] {
+        let shown = terms.map(n).join(" + ");
+        let rest = longer - terms.iter().sum::<f64>();
+        s.line(format!("in {name}: 1 + {shown} = {}, {} less than P ω0 / 2π", n(1.0 + terms.iter().sum::<f64>()), crate::number::error(rest.max(0.0))));
+    }
+}
+
+/// From a measured period to the moment of inertia.
+fn swing_test(w: &Working<'_>, pendulum: &Pendulum, s: &mut Section) {
+    let (mass, arm) = (w.rotor.mass(), pendulum.arm());
+    let steiner = mass * arm * arm;
+    let central = pendulum.moment() - steiner;
+    s.say(
+        "The swing test reads this backwards: hang a body of known M and d, count small swings, and the period P gives its moment \
+         of inertia about the axis; parallel axes give that about the centre of mass:",
+    );
+    s.formula(
+        "I = M g d (P / 2π)²,   I_c = I − M d²",
+        r"I = M g d \Bigl(\frac{P}{2\pi}\Bigr)^2, \qquad I_c = I - M d^2",
+    );
+    let period = pendulum.period(0.0);
+    s.line(format!(
+        "I = {}·{}·{}·({} / 2π)² = {} kg·m²",
+        n(mass),
+        n(pendulum.gravity()),
+        n(arm),
+        n(period),
+        n(pendulum.moment())
+    ));
+    s.line(format!("I_c = {} - {} = {} kg·m²", n(pendulum.moment()), n(steiner), n(central)));
+    if central > 1e-9 * pendulum.moment() {
+        s.say(format!(
+            "An error of 1 % in P is one of 2 % in I, and of {} % in I_c, since M d² is taken off: hang it so that d is near the \
+             gyration radius {} m, where the two are alike and P depends least on d.",
+            n(2.0 * pendulum.moment() / central),
+            n((central / mass).sqrt())
+        ));
     }
 }

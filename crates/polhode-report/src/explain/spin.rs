@@ -73,12 +73,16 @@ fn torque(w: &Working<'_>, s: &mut Section) {
     for wheel in w.scenario.wheels() {
         s.say(format!("Inside is {}.", Description::of_wheel(wheel).text()));
     }
-    if w.scenario.torques().is_empty() {
-        s.say("No torque acts: N = 0, and L is constant in space.");
+    let is_sink = |torque: &&TorqueModel| matches!(torque, TorqueModel::EnergySink(_));
+    for sink in w.scenario.torques().iter().filter(is_sink) {
+        s.say(format!("Inside is {}.", Description::of(sink).text()));
+    }
+    if w.scenario.torques().iter().all(|torque| is_sink(&torque)) {
+        s.say("No torque acts from outside: N = 0, and L is constant in space.");
         return;
     }
     s.say("Torque at t0, in body axes:");
-    for model in acting(w.scenario) {
+    for model in acting(w.scenario).filter(|torque| !is_sink(torque)) {
         let at_start = v(model.torque(w.rotor, &w.start).to_array());
         match model {
             TorqueModel::Gravity(g) => {
@@ -134,7 +138,9 @@ fn kinematics(w: &Working<'_>, s: &mut Section) {
         let headers = ["α", "vx (m/s)", "vy (m/s)", "vz (m/s)", "|v| (m/s)"];
         s.table(&headers, super::body::numbered(cells(&rows)));
     }
-    energy(w, &moving, velocity, s);
+    if w.scenario.wheels().is_empty() {
+        energy(w, &moving, velocity, s);
+    }
 }
 
 /// T = T_trans + T_rot, the cross term by its numbers.

@@ -1,13 +1,17 @@
 //! Step 3: the inertia tensor, its principal moments and axes, and L = {I} ω.
 
 use polhode::body::{Particle, Symmetry};
-use polhode::math::Body;
+use polhode::math::{Body, Direction};
 use polhode::motion::angular_momentum;
 
 use super::document::Section;
+use super::inside::Inside;
 use super::working::{Working, cells, exactly, factor, n, v};
 use crate::number::{tidy, tidy_beside, tidy_matrix};
 use crate::unit::angle;
+
+/// The body axes; 1, 2, 3 are the principal ones.
+const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// Sums of more particles than this are not written out.
 const MOST_TERMS: usize = 6;
@@ -15,7 +19,7 @@ const MOST_TERMS: usize = 6;
 /// More parts than this are not listed one by one.
 const MOST_PARTS: usize = 20;
 
-pub(super) fn section(w: &Working<'_>) -> Section {
+pub(super) fn section(w: &Working<'_>, inside: Option<&Inside<'_, '_>>) -> Section {
     let mut s = Section::new(3, "Calculate {I}, its principal moments and axes");
     s.formula(
         "Iij = Σ mα (δij Σk xα,k² − xα,i xα,j)      for a continuous body  ∫ ρ (δij Σk xk² − xi xj) dV",
@@ -39,7 +43,7 @@ pub(super) fn section(w: &Working<'_>) -> Section {
     }
     characteristic(w, tidy_matrix(tensor), &mut s);
     axes(w, tidy_matrix(tensor), &mut s);
-    momentum(w, tidy_matrix(tensor), &mut s);
+    momentum(w, tidy_matrix(tensor), inside, &mut s);
     s
 }
 
@@ -54,7 +58,7 @@ fn terms(w: &Working<'_>, particles: &[Particle<Body>], s: &mut Section) {
         let term = |(m, r): &(f64, [f64; 3])| format!("{}·({}² + {}²)", n(*m), factor(r[a]), factor(r[b]));
         let terms: Vec<String> = places.iter().map(term).collect();
         let result = format!("{} kg·m²", n(tensor[i][i]));
-        s.sum(&format!("I{0}{0} = Σ m ({names})", i + 1), &terms, &result);
+        s.sum(&format!("I{0}{0} = Σ m ({names})", AXES[i]), &terms, &result);
     }
     for (i, j, names) in [(0, 1, "x y"), (0, 2, "x z"), (1, 2, "y z")] {
         let last = places.len() - 1;
@@ -64,13 +68,15 @@ fn terms(w: &Working<'_>, particles: &[Particle<Body>], s: &mut Section) {
         };
         let terms: Vec<String> = places.iter().enumerate().map(term).collect();
         let result = format!("{} kg·m²", n(tensor[i][j]));
-        let lhs = format!("I{}{} = -Σ m {names}", i + 1, j + 1);
+        let lhs = format!("I{}{} = -Σ m {names}", AXES[i], AXES[j]);
         s.sum(&lhs, &terms, &result);
     }
 }
 
 /// Each part's own tensor and its shift to the common point.
 fn parts(w: &Working<'_>, s: &mut Section) {
+    let shown = w.scenario.parts().len().min(MOST_PARTS);
+    super::shape::derive(&w.scenario.parts()[..shown], s);
     s.say(format!(
         "Each part has its own tensor about its own centre of mass, and d leads from {} to it; parallel axes move it there:",
         w.point_name()
@@ -90,7 +96,14 @@ fn parts(w: &Working<'_>, s: &mut Section) {
     }
     let more = w.scenario.parts().len().saturating_sub(MOST_PARTS);
     names.push(if more == 0 { "sum".to_owned() } else { format!("sum, with {more} more parts") });
-    rows.push(six(tidy_matrix(w.rotor.inertia().matrix())));
+    let sum = w.body().inertia_about(w.point()).matrix();
+    rows.push(six(tidy_matrix(sum)));
+    let tensor = w.rotor.inertia().matrix();
+    if !w.scenario.wheels().is_empty() && tensor != sum {
+        names.extend(["  - wheels with a motor, about their axes".to_owned(), "{I}".to_owned()]);
+        let less = std::array::from_fn(|i| std::array::from_fn(|j| tensor[i][j] - sum[i][j]));
+        rows.extend([six(tidy_matrix(less)), six(tidy_matrix(tensor))]);
+    }
     let rows = names.into_iter().zip(cells(&rows)).map(|(name, row)| [vec![name], row].concat());
     s.table(&["kg·m²", "Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz"], rows.collect());
 }
@@ -102,10 +115,10 @@ fn characteristic(w: &Working<'_>, m: [[f64; 3]; 3], s: &mut Section) {
         "Along a principal axis L = λ ω, so ({I} − λ 1) ω = 0, which has a solution other than ω = 0 only if",
     );
     s.formula(
-        "| I11−λ   I12     I13   |\n\
-         | I21     I22−λ   I23   |  =  0\n\
-         | I31     I32     I33−λ |",
-        "\\begin{vmatrix}\nI_{11}-\\lambda & I_{12} & I_{13} \\cr\nI_{21} & I_{22}-\\lambda & I_{23} \\cr\nI_{31} & I_{32} & I_{33}-\\lambda\n\\end{vmatrix} = 0",
+        "| Ixx−λ   Ixy     Ixz   |\n\
+         | Iyx     Iyy−λ   Iyz   |  =  0\n\
+         | Izx     Izy     Izz−λ |",
+        "\\begin{vmatrix}\nI_{xx}-\\lambda & I_{xy} & I_{xz} \\cr\nI_{yx} & I_{yy}-\\lambda & I_{yz} \\cr\nI_{zx} & I_{zy} & I_{zz}-\\lambda\n\\end{vmatrix} = 0",
     );
     if is_diagonal(m) {
         s.say(
@@ -166,7 +179,7 @@ fn axes(w: &Working<'_>, m: [[f64; 3]; 3], s: &mut Section) {
             let scale = moments[2];
             for row in rows {
                 let [a, b, c] = tidy_beside(row, scale).map(factor);
-                s.line(format!("{a} ω1 + {b} ω2 + {c} ω3 = 0"));
+                s.line(format!("{a} ωx + {b} ωy + {c} ωz = 0"));
             }
             s.line(format!("→ axis {} = {}", k + 1, v(principal.axis(k).to_array())));
         }
@@ -184,30 +197,53 @@ fn axes(w: &Working<'_>, m: [[f64; 3]; 3], s: &mut Section) {
         }
         Symmetry::Asymmetric | Symmetry::Point => {}
     }
-    s.say("Principal axes, right-handed, in body axes:");
+    s.say("Principal axes, right-handed, in body axes; ω1, ω2, ω3 are the components along them:");
     for (k, axis) in principal.axes().into_iter().enumerate() {
-        s.line(format!("axis {} = {}   i{} = {} kg·m²", k + 1, v(axis.to_array()), k + 1, n(moments[k])));
+        let name = along_body_axis(axis).map_or_else(String::new, |name| format!(" = {name}"));
+        s.line(format!("axis {0} = {1}{name}   i{0} = {2} kg·m²", k + 1, v(axis.to_array()), n(moments[k])));
     }
 }
 
+/// `x̂`, `−x̂` … of a direction along a body axis.
+pub(super) fn along_body_axis(direction: Direction<Body>) -> Option<String> {
+    const UNITS: [&str; 3] = ["x̂", "ŷ", "ẑ"];
+    let exact = |(k, c): (usize, f64)| (c.abs() == 1.0).then(|| format!("{}{}", if c < 0.0 { "−" } else { "" }, UNITS[k]));
+    tidy(direction.to_array()).into_iter().enumerate().find_map(exact)
+}
+
 /// L = {I} ω, T = ½ ω · L, and the angle between ω and L.
-fn momentum(w: &Working<'_>, m: [[f64; 3]; 3], s: &mut Section) {
+fn momentum(w: &Working<'_>, m: [[f64; 3]; 3], inside: Option<&Inside<'_, '_>>, s: &mut Section) {
+    let wheels = inside.filter(|_| !w.scenario.wheels().is_empty());
     if !w.is_turning() {
-        s.say("With ω = 0 there is no angular momentum: L = 0.");
+        match wheels {
+            Some(inside) => inside.momentum(s),
+            None => s.say("With ω = 0 there is no angular momentum: L = 0."),
+        }
         return;
     }
     let omega = w.start.omega;
     let l = w.rotor.angular_momentum(omega);
-    s.say("The tensor takes ω to the angular momentum:");
-    s.formula(
-        "L = {I} ω,   T_rot = ½ ω · L",
-        r"\mathbf L = \lbrace \mathbf I \rbrace \cdot \boldsymbol\omega, \qquad T_{\text{rot}} = \tfrac12 \boldsymbol\omega \cdot \mathbf L",
-    );
+    if wheels.is_some() {
+        s.say("The tensor takes ω to the angular momentum of the body, without that of the wheels:");
+    } else {
+        s.say("The tensor takes ω to the angular momentum:");
+    }
+    if wheels.is_none() {
+        s.formula(
+            "L = {I} ω,   T_rot = ½ ω · L",
+            r"\mathbf L = \lbrace \mathbf I \rbrace \cdot \boldsymbol\omega, \qquad T_{\text{rot}} = \tfrac12 \boldsymbol\omega \cdot \mathbf L",
+        );
+    }
     let shown = tidy(l.to_array());
+    let name = |axis: &str| if wheels.is_some() { format!("({{I}} ω){axis}") } else { format!("L{axis}") };
     for (i, row) in m.iter().enumerate() {
         let terms: Vec<String> =
             row.iter().zip(omega.to_array()).map(|(a, b)| format!("{}·{}", factor(*a), factor(b))).collect();
-        s.sum(&format!("L{}", i + 1), &terms, &format!("{} kg·m²/s", n(shown[i])));
+        s.sum(&name(AXES[i]), &terms, &format!("{} kg·m²/s", n(shown[i])));
+    }
+    if let Some(inside) = wheels {
+        inside.momentum(s);
+        return;
     }
     s.line(format!("L  = {} kg·m²/s, |L| = {} kg·m²/s, body axes", v(l.to_array()), n(l.norm())));
     if w.start.attitude != polhode::math::Attitude::identity() {

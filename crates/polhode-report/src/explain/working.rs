@@ -92,6 +92,11 @@ impl<'a> Working<'a> {
         self.needed.is_none() && self.scenario.torques().is_empty() && self.scenario.wheels().is_empty()
     }
 
+    /// True if friction inside makes the axes turn at Ω and not at ω.
+    pub(super) fn has_sink(&self) -> bool {
+        self.scenario.torques().iter().any(|torque| matches!(torque, TorqueModel::EnergySink(_)))
+    }
+
     pub(super) fn is_turning(&self) -> bool {
         self.start.omega.norm() > 0.0
     }

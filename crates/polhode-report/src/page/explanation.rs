@@ -2,9 +2,10 @@
 
 use serde_json::{Value, json};
 
-use super::mathml;
 use crate::explain::document::{Block, Document, Section};
 use crate::layout::plain_spaces;
+use crate::mathml;
+use crate::plot::Picture;
 use crate::number::{alike, tidy_matrix};
 
 /// Digits of a matrix element.
@@ -30,6 +31,10 @@ fn of_section(section: &Section) -> Vec<Value> {
                 blocks.push(json!({ "kind": "lines", "lines": lines }));
             }
             Block::Matrix { name, rows, unit } => blocks.push(matrix(name, rows, unit)),
+            Block::Graph(graph) => {
+                let svg = Picture::of_graph(graph).to_svg();
+                blocks.push(json!({ "kind": "picture", "svg": svg, "text": plain_spaces(&graph.title) }));
+            }
             Block::Table { headers, rows } => blocks.push(table(headers, rows)),
         }
     }

@@ -11,7 +11,6 @@ mod decimate;
 mod explanation;
 mod facts;
 mod free;
-mod mathml;
 mod motion;
 mod placed;
 mod shapes;
@@ -22,7 +21,7 @@ use polhode::math::Body;
 use polhode::motion::{Scenario, Trajectory};
 
 use crate::explain::document::Document;
-use mathml::escaped;
+use crate::mathml::escaped;
 
 /// What a page shows.
 ///

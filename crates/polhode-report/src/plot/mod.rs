@@ -15,6 +15,7 @@ mod error;
 mod euler;
 mod figure;
 mod font;
+mod graph;
 mod line;
 mod motion;
 mod panel;

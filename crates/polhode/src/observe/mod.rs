@@ -1,7 +1,7 @@
 //! What can be read off a motion. This module never integrates.
 //!
 //! - How good a computed motion is: [`Drift`] of energy and momentum.
-//! - Free motion: [`FreeRegime`] (kind, periods, flips), [`GeometricPhase`], [`SymmetricTop`], [`Cones`], and curves to draw: [`Polhode`],
+//! - Free motion: [`FreeRegime`] (kind, periods, flips), [`JacobiForm`] (ω(t) in elliptic functions), [`GeometricPhase`], [`SymmetricTop`], [`Cones`], and curves to draw: [`Polhode`],
 //!   [`Herpolhode`], [`MomentumTrace`], [`RollingCones`].
 //! - Which steady motions last: [`Stability`] of permanent rotations, with friction inside; [`SmallOscillations`] about equilibria under
 //!   torque, on orbits and of tops; [`Libration`]; [`LeastEnergySpin`], where dissipation leads.
@@ -13,6 +13,7 @@ pub(crate) mod curve;
 pub(crate) mod drift;
 pub(crate) mod geometric_phase;
 pub(crate) mod herpolhode;
+pub(crate) mod jacobi_form;
 pub(crate) mod least_energy;
 pub(crate) mod libration;
 pub(crate) mod momentum_trace;
@@ -33,6 +34,7 @@ pub use curve::{Curve, CurveError};
 pub use drift::Drift;
 pub use geometric_phase::GeometricPhase;
 pub use herpolhode::Herpolhode;
+pub use jacobi_form::{JacobiForm, JacobiFunction};
 pub use least_energy::LeastEnergySpin;
 pub use libration::Libration;
 pub use momentum_trace::MomentumTrace;

@@ -16,6 +16,7 @@ mod event;
 mod free_motion;
 mod heavy_top;
 mod inverse;
+mod jacobi_form;
 mod jacobian;
 mod mesh;
 mod mesh_diagnosis;

@@ -54,6 +54,15 @@ impl EllipticParameter {
         Ok(self.incomplete(IntegralKind::third(n)?, phi))
     }
 
+    /// u between −2K and 2K, by sn u, cn u and dn u, each with its own digits: sn R_F(cn², dn², 1) up to a quarter period.
+    ///
+    /// Source: DLMF 19.25.5, 22.4(iii).
+    pub(crate) fn argument_of(&self, [sn, cn, dn]: [f64; 3]) -> f64 {
+        let quarter = sn.abs() * rf([cn.abs(), dn.abs(), 1.0].map(Double::from)).value();
+        let u = if cn < 0.0 { 2.0 * self.k() - quarter } else { quarter };
+        u.copysign(sn)
+    }
+
     fn incomplete(&self, kind: IntegralKind, phi: f64) -> f64 {
         // φ + (m + 2n) φ³/6 + …
         if !phi.is_finite() || phi.abs() * self.largest(kind).sqrt() < 1e-9 {

@@ -285,6 +285,18 @@ impl HeavyTop {
         Some([parameter.m(), parameter.complement()])
     }
 
+    /// The roots of f(u) = u̇², u = cos θ: the two that the axis nods between, the lower first, and one above 1; `None` where the axis stays
+    /// vertical.
+    ///
+    /// f(u) = (1 − u²)(2E′ − 2 M g l u)/A − (p_φ − p_ψ u)²/A², and u = u₁ + (u₂ − u₁) sn²(λ t + δ), λ² = M g l (u₃ − u₁)/2A.
+    ///
+    /// Source: Goldstein, Classical Mechanics, §5.7.
+    pub fn roots(&self) -> Option<[f64; 3]> {
+        let nutation = &self.nods.as_ref()?.nutation;
+        let [lowest, highest, third] = nutation.from_top.map(Double::value);
+        Some([1.0 - lowest, 1.0 - highest, 1.0 + third])
+    }
+
     /// The spin above which an upright top sleeps, 2√(M g l A)/C, rad/s; infinite for a body without inertia about its axis.
     pub fn sleeping_threshold(&self) -> f64 {
         let [across, along] = self.moments;

@@ -44,7 +44,7 @@ const SYMBOLS: [(&str, &str); 15] = [
     ("tau", "τ"),
 ];
 
-const OPERATORS: [(&str, &str); 8] = [
+const OPERATORS: [(&str, &str); 9] = [
     ("times", "×"),
     ("cdot", "·"),
     ("Rightarrow", "⇒"),
@@ -53,9 +53,10 @@ const OPERATORS: [(&str, &str); 8] = [
     ("lbrace", "{"),
     ("rbrace", "}"),
     ("approx", "≈"),
+    ("partial", "∂"),
 ];
 
-const FUNCTIONS: [&str; 4] = ["sin", "cos", "tan", "max"];
+const FUNCTIONS: [&str; 6] = ["sin", "cos", "tan", "tanh", "ln", "max"];
 
 impl<'a> Reader<'a> {
     /// Elements up to the end of a group, of a cell or of the formula.
@@ -133,6 +134,7 @@ impl<'a> Reader<'a> {
         let shown = match first {
             '-' => element("mo", "−"),
             '(' | ')' | '[' | ']' | '|' => format!("<mo stretchy=\"false\">{first}</mo>"),
+            '\'' => element("mo", "′"),
             '+' | '=' | '<' | '>' | ',' | ':' | '/' | ';' => element("mo", &first.to_string()),
             c if c.is_alphabetic() => element("mi", &c.to_string()),
             _ => return None,
@@ -169,7 +171,8 @@ impl<'a> Reader<'a> {
             "text" => element("mtext", &self.braced()?.replace(' ', "\u{a0}")),
             "quad" => space(1.0),
             "qquad" => space(2.0),
-            "Bigl" | "Bigr" | "bigl" | "bigr" => {
+            "ldots" => element("mo", "…"),
+        "Bigl" | "Bigr" | "bigl" | "bigr" => {
                 let bracket = self.rest.chars().next().filter(|c| "()[]".contains(*c))?;
                 self.rest = self.rest.get(1..)?;
                 element("mo", &bracket.to_string())

@@ -6,12 +6,12 @@
 mod latex;
 
 /// A formula in symbols, on a line of its own; `text` is shown if the LaTeX has something unknown.
-pub(super) fn formula(latex: &str, text: &str) -> String {
+pub(crate) fn formula(latex: &str, text: &str) -> String {
     display(&latex::to_mathml(latex).unwrap_or_else(|| element("mtext", text)))
 }
 
 /// `name = matrix unit`
-pub(super) fn matrix(name: &str, rows: &[Vec<String>], unit: &str) -> String {
+pub(crate) fn matrix(name: &str, rows: &[Vec<String>], unit: &str) -> String {
     let cells = |row: &Vec<String>| row.iter().map(|x| cell(&number(x))).collect::<String>();
     let rows: String = rows.iter().map(|row| format!("<mtr>{}</mtr>", cells(row))).collect();
     let unit =
@@ -54,7 +54,7 @@ fn number(text: &str) -> String {
 }
 
 /// Text that markup cannot hide in.
-pub(super) fn escaped(text: &str) -> String {
+pub(crate) fn escaped(text: &str) -> String {
     let mut out = String::new();
     for c in text.chars() {
         match c {

@@ -21,11 +21,10 @@ pub(super) fn lines(graph: &Graph) -> Vec<String> {
     };
     let mut cells = vec![[' '; COLUMNS]; ROWS];
     let row = |y: f64| ROWS - 1 - place(y, [low, high], ROWS);
-    for column in place(from, [left, right], COLUMNS)..=place(to, [left, right], COLUMNS) {
-        cells[row(height)][column] = '-';
-    }
+    let column = |x: f64| place(x, [left, right], COLUMNS);
+    cells[row(height)][column(from)..=column(to)].fill('-');
     for [x, y] in &graph.points {
-        cells[row(*y)][place(*x, [left, right], COLUMNS)] = '•';
+        cells[row(*y)][column(*x)] = '•';
     }
     let [top, bottom] = [high, low].map(|y| number(y, 3));
     let beside = width(&top).max(width(&bottom));

@@ -81,7 +81,7 @@ fn resisted(w: &Working<'_>, drag: &Drag, s: &mut Section) {
     s.matrix("C", tidy_matrix(drag.matrix()), "N·m·s");
     // Along the principal axes {I}⁻¹ is a division.
     let principal = w.rotor.principal();
-    let axes = principal.axes().map(|axis| axis.to_array());
+    let axes = principal.axes().map(polhode::math::Vector::to_array);
     let c = drag.matrix();
     let along = |a: usize, b: usize| -> f64 {
         (0..3).map(|i| (0..3).map(|j| axes[a][i] * c[i][j] * axes[b][j]).sum::<f64>()).sum()

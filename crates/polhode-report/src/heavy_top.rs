@@ -80,12 +80,12 @@ pub(crate) fn facts(top: &HeavyTop) -> Vec<Fact> {
     if let Some(SteadyPrecession { slow, fast }) = steady(top).filter(|_| is_inclined(top)) {
         let middle = number(middle(top).to_degrees(), DIGITS);
         let fast = fast.map_or_else(String::new, |fast| format!(" and {}, the fast one", rate(fast)));
-        let note = format!("the slow one{fast}: without nodding at {middle}°, with this ω3");
+        let note = format!("the slow one{fast}: without nodding at {middle}°, with this ω along the axis");
         facts.push(fact("steady", rate(slow), "", &note));
     }
     let threshold = top.sleeping_threshold();
     if threshold.is_finite() {
-        let note = format!("upright, above 2 √(M g l A)/C; here ω3 = {}", rate(top.spin()));
+        let note = format!("upright, above 2 √(M g l A)/C; here ω along the axis is {}", rate(top.spin()));
         facts.push(fact("would sleep", rate(threshold), "", &note));
     }
     facts

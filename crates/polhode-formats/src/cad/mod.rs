@@ -264,7 +264,9 @@ fn body(evidence: &Evidence, convention: ProductConvention) -> Result<MassProper
 
 fn impossible(error: BodyError) -> ContentError {
     let hint = match error {
-        BodyError::NegativeMoment { .. } | BodyError::TriangleInequality { .. } => Some(
+        BodyError::NegativeMoment { .. }
+        | BodyError::TriangleInequality { .. }
+        | BodyError::ImpossibleAtCenter { .. } => Some(
             "if the body is a rod or a plate, print more digits: rounding alone can make its tensor impossible",
         ),
         _ => error.hint(),

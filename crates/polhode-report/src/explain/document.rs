@@ -4,6 +4,7 @@ use polhode::body::Finding;
 use serde_json::{Value, json};
 
 use crate::json::matrix;
+use crate::layout::printable;
 use crate::{VERSION, finding};
 
 /// A worked solution.
@@ -100,8 +101,9 @@ impl Section {
         Self { number, title: title.to_owned(), blocks: Vec::new() }
     }
 
-    pub(super) fn say(&mut self, text: impl Into<String>) {
-        self.blocks.push(Block::Paragraph(text.into()));
+    /// Names from outside may be in it: what is unseen in them is shown.
+    pub(super) fn say(&mut self, text: impl AsRef<str>) {
+        self.blocks.push(Block::Paragraph(printable(text.as_ref())));
     }
 
     pub(super) fn formula(&mut self, text: &str, latex: &str) {
@@ -109,11 +111,12 @@ impl Section {
     }
 
     /// One line of numbers; consecutive ones stand together.
-    pub(super) fn line(&mut self, line: impl Into<String>) {
+    pub(super) fn line(&mut self, line: impl AsRef<str>) {
+        let line = printable(line.as_ref());
         if let Some(Block::Lines(lines)) = self.blocks.last_mut() {
-            lines.push(line.into());
+            lines.push(line);
         } else {
-            self.blocks.push(Block::Lines(vec![line.into()]));
+            self.blocks.push(Block::Lines(vec![line]));
         }
     }
 

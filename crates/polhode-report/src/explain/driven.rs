@@ -1,7 +1,7 @@
 //! Step 5 with torque, or with the motion given.
 
 use polhode::body::Symmetry;
-use polhode::motion::{Method, Sample, Solution};
+use polhode::motion::{Method, Sample, Solution, Trajectory};
 
 use super::document::Section;
 use super::working::{Working, cells, n, v};
@@ -24,10 +24,14 @@ pub(super) fn integrate(w: &Working<'_>, s: &mut Section) {
         s.say("There is nothing to solve: all the mass is in the point that it would turn about.");
         return;
     }
-    s.formula(
-        "dω/dt = {I}⁻¹ (N − ω × {I} ω)",
-        r"\dot{\boldsymbol\omega} = \lbrace \mathbf I \rbrace^{-1} \bigl( \mathbf N - \boldsymbol\omega \times \lbrace \mathbf I \rbrace \boldsymbol\omega \bigr)",
-    );
+    // A closed form has been told.
+    if !matches!(w.trajectory.as_deref().map(Trajectory::solution), Some(Solution::Exact(_))) {
+        s.say("What is integrated:");
+        s.formula(
+            "dω/dt = {I}⁻¹ (N − ω × {I} ω)",
+            r"\dot{\boldsymbol\omega} = \lbrace \mathbf I \rbrace^{-1} \bigl( \mathbf N - \boldsymbol\omega \times \lbrace \mathbf I \rbrace \boldsymbol\omega \bigr)",
+        );
+    }
     let samples = w.few_samples();
     match how(w) {
         Some(how) => {

@@ -139,7 +139,9 @@ impl<'a, 'w> Inside<'a, 'w> {
         };
         s.formula(
             &format!("{{I}} dω/dt = {text},   {l}"),
-            &format!(r"\lbrace \mathbf I \rbrace \cdot \dot{{\boldsymbol\omega}} = {latex}, \qquad {l_latex}"),
+            &format!(
+                r"\lbrace \mathbf I \rbrace \cdot \dot{{\boldsymbol\omega}} = {latex}, \qquad {l_latex}"
+            ),
         );
         s.say("At t0, in body axes:");
         let scale = self.momentum.norm() * self.omega.norm();
@@ -224,7 +226,7 @@ impl<'a, 'w> Inside<'a, 'w> {
             [format!("{text} · ω"), format!(r"{latex} \cdot \boldsymbol\omega")]
         });
         if self.has_sink() {
-            text.push_str(" − α |L × ω|²");
+            text.push_str(if text.is_empty() { "−α |L × ω|²" } else { " − α |L × ω|²" });
             latex.push_str(r" - \alpha |\mathbf L \times \boldsymbol\omega|^2");
         }
         if text.is_empty() {
@@ -232,7 +234,7 @@ impl<'a, 'w> Inside<'a, 'w> {
         }
         let [l, l_latex] = if self.is_free() { ["0", "0"] } else { ["N", r"\mathbf N"] };
         s.formula(
-            &format!("dT/dt = {},   dL/dt = {l} in space", text.trim_start()),
+            &format!("dT/dt = {},   dL/dt = {l} in space", text),
             &format!(r"\dot T = {latex}, \qquad \dot{{\mathbf L}} = {l_latex} \text{{ in space}}"),
         );
         if self.is_driven() || !self.is_free() {
@@ -313,7 +315,15 @@ impl<'a, 'w> Inside<'a, 'w> {
     fn decay(&self, all: &[PermanentRotation], s: &mut Section) {
         let Ok(sink) = EnergySink::new(self.alpha) else { return };
         s.say("How fast, by the linear equations next to the spins that have this |L| (polhode stability has them all):");
-        for one in [all.last(), all.first()].into_iter().flatten() {
+        // Of two opposite spins with the same energy, the one on this side.
+        let energy = |one: &PermanentRotation| self.w.rotor.kinetic_energy(one.omega);
+        let nearest = |extreme: Option<&PermanentRotation>| {
+            let level = energy(extreme?);
+            let alike = all.iter().filter(|one| (energy(one) - level).abs() <= 1e-12 * level);
+            let toward = |one: &&PermanentRotation| one.omega.dot(self.omega);
+            alike.max_by(|a, b| toward(a).total_cmp(&toward(b))).copied()
+        };
+        for one in [nearest(all.last()), nearest(all.first())].into_iter().flatten() {
             let decay = match one.with_friction(&sink) {
                 DissipativeLimit::Leaves { rate, .. } => {
                     format!("a departure grows by e in {} s", n(1.0 / rate))

@@ -2,7 +2,10 @@
 
 use std::f64::consts::PI;
 
+use polhode::body::mesh::TriangleMesh;
+use polhode::body::shape::Extent;
 use polhode::body::{BodyPart, Form};
+use polhode::math::{Part, Position};
 
 use super::document::Section;
 use super::working::n;
@@ -20,19 +23,31 @@ struct Derived {
 /// How far a part's tensor may be from the formula's, relative: rounding. A part whose density varies is farther.
 const AGREES: f64 = 1e-9;
 
-/// Derives the tensors of the parts whose shape has a formula; each kind's integral once.
+/// Derives the tensors of parts: the integral of each kind of shape once, and how the others are found.
 pub(super) fn derive(parts: &[BodyPart], s: &mut Section) {
-    let derived: Vec<(&BodyPart, Derived)> =
-        parts.iter().filter_map(|part| Some((part, of(part)?))).filter(|(part, d)| agrees(part, d)).collect();
-    if derived.is_empty() {
-        return;
+    let derived = |part: &BodyPart| of(part).filter(|derived| agrees(part, derived));
+    let (shapes, others): (Vec<_>, Vec<_>) =
+        parts.iter().map(|part| (part, derived(part))).partition(|(_, derived)| derived.is_some());
+    let shapes: Vec<(&BodyPart, Derived)> =
+        shapes.into_iter().filter_map(|(part, derived)| Some((part, derived?))).collect();
+    if !shapes.is_empty() {
+        formulas(&shapes, s);
     }
+    for (part, _) in others {
+        otherwise(part, s);
+    }
+    if shapes.iter().any(|(part, _)| part.form.as_ref().is_some_and(|form| form.rotation.angle() != 0.0)) {
+        s.say("A part that is turned by R in the body has the tensor R I Rᵀ along the body axes.");
+    }
+}
+
+fn formulas(shapes: &[(&BodyPart, Derived)], s: &mut Section) {
     s.say(
-        "The tensor of each part is an integral over it, Ixx = ∫ (y² + z²) dm and so on, along its own axes from its centroid; the \
+        "The tensor of each shape is an integral over it, Ixx = ∫ (y² + z²) dm and so on, along its own axes from its centroid; the \
          products are zero by symmetry:",
     );
     let mut told: Vec<&str> = Vec::new();
-    for (part, Derived { formula: [text, latex], measures, moments }) in &derived {
+    for (part, Derived { formula: [text, latex], measures, moments }) in shapes {
         if !told.contains(text) {
             s.formula(text, latex);
             told.push(text);
@@ -43,27 +58,85 @@ pub(super) fn derive(parts: &[BodyPart], s: &mut Section) {
         while let Some((formula, value)) = moments.get(k) {
             let same = moments[k..].iter().take_while(|(other, _)| other == formula).count();
             let names: Vec<&str> = ["Ixx", "Iyy", "Izz"][k..k + same].to_vec();
-            let equals = if *value == 0.0 && *formula == "0" { String::new() } else { format!(" = {}", n(*value)) };
+            let equals =
+                if *value == 0.0 && *formula == "0" { String::new() } else { format!(" = {}", n(*value)) };
             s.line(format!("  {} = {formula}{equals} kg·m²", names.join(" = ")));
             k += same;
         }
     }
-    if derived.iter().any(|(part, _)| part.form.as_ref().is_some_and(|form| form.rotation.angle() != 0.0)) {
-        s.say("A part that is turned by R in the body has the tensor R I Rᵀ along the body axes.");
+}
+
+/// How the tensor of a part without such a formula is found.
+fn otherwise(part: &BodyPart, s: &mut Section) {
+    let name = &part.name;
+    match (part.kind, part.form.as_ref().map(|placed| &placed.form)) {
+        ("tensor", _) => s.say(format!("{name}: the tensor is given.")),
+        ("particles" | "molecule", _) => {
+            s.say(format!("{name}: the sum over its {} particles.", part.particles.len()));
+        }
+        ("mesh", Some(Form::Mesh(mesh))) if is_uniform_mesh(part, mesh) => {
+            s.say(format!(
+                "{name}: a mesh is the sum of tetrahedra from a point O to each triangle p, q, r, their volumes negative where O is \
+                 outside of it:"
+            ));
+            s.formula(
+                "V = Σ p · (q × r) / 6,   ∫ xi xj dV = Σ [p · (q × r) / 120] (pi pj + qi qj + ri rj + si sj),   s = p + q + r",
+                r"V = \sum \frac{\mathbf p \cdot (\mathbf q \times \mathbf r)}{6}, \qquad \int x_i x_j dV = \sum \frac{\mathbf p \cdot (\mathbf q \times \mathbf r)}{120} (p_i p_j + q_i q_j + r_i r_j + s_i s_j), \qquad \mathbf s = \mathbf p + \mathbf q + \mathbf r",
+            );
+            if let Some(Extent::Volume(volume)) = part.extent {
+                let mass = part.properties.mass();
+                s.line(format!(
+                    "m = {} kg,  V = {} m³,  ρ = m/V = {} kg/m³",
+                    n(mass),
+                    n(volume),
+                    n(mass / volume)
+                ));
+            }
+        }
+        _ => s.say(format!("{name}: its density varies; the integral with ρ(x, y, z) is done numerically.")),
     }
 }
 
 /// True if the formulas give the part's tensor: they are of a density that is the same everywhere.
 fn agrees(part: &BodyPart, derived: &Derived) -> bool {
+    is_own(part, |i, j| if i == j { derived.moments[i].1 } else { 0.0 })
+}
+
+/// True if the part's tensor, along its own axes from its centroid, has these elements.
+fn is_own(part: &BodyPart, element: impl Fn(usize, usize) -> f64) -> bool {
     let Some(placed) = &part.form else { return false };
     let own = part.properties.inertia().in_frame(placed.rotation.inverse()).matrix();
     let size = own[0][0].max(own[1][1]).max(own[2][2]);
-    (0..3).all(|i| {
-        (0..3).all(|j| {
-            let want = if i == j { derived.moments[i].1 } else { 0.0 };
-            (own[i][j] - want).abs() <= AGREES * size
-        })
-    })
+    (0..3).all(|i| (0..3).all(|j| (own[i][j] - element(i, j)).abs() <= AGREES * size))
+}
+
+/// True if the part's tensor is that of the mesh at one density, by the sum that is told.
+fn is_uniform_mesh(part: &BodyPart, mesh: &TriangleMesh) -> bool {
+    let vertices: Vec<Position<Part>> = mesh.vertices().collect();
+    let Some(origin) = vertices.first() else { return false };
+    let (mut volume, mut first, mut second) = (0.0, [0.0; 3], [[0.0; 3]; 3]);
+    for triangle in mesh.triangles() {
+        let corners = triangle.map(|k| (vertices[k as usize] - *origin).to_array());
+        let [p, q, r] = corners;
+        // p · (q × r)
+        let six = p[0] * (q[1] * r[2] - q[2] * r[1])
+            + p[1] * (q[2] * r[0] - q[0] * r[2])
+            + p[2] * (q[0] * r[1] - q[1] * r[0]);
+        let s = [0, 1, 2].map(|k| p[k] + q[k] + r[k]);
+        volume += six / 6.0;
+        for i in 0..3 {
+            first[i] += six / 24.0 * s[i];
+            for j in 0..3 {
+                second[i][j] +=
+                    six / 120.0 * (corners.iter().map(|v| v[i] * v[j]).sum::<f64>() + s[i] * s[j]);
+            }
+        }
+    }
+    // ∫ (x − c)i (x − c)j dm
+    let density = part.properties.mass() / volume;
+    let spread = |i: usize, j: usize| density * (second[i][j] - first[i] * first[j] / volume);
+    let trace: f64 = (0..3).map(|k| spread(k, k)).sum();
+    is_own(part, |i, j| if i == j { trace - spread(i, j) } else { -spread(i, j) })
 }
 
 fn of(part: &BodyPart) -> Option<Derived> {
@@ -96,7 +169,11 @@ fn of(part: &BodyPart) -> Option<Derived> {
                     r"S = ab + bc + ca, \qquad \int x^2 dm = \frac{m a^2}{S} \Bigl(\frac{ab + ca}{12} + \frac{bc}{4}\Bigr), \qquad I_{xx} = \int y^2 dm + \int z^2 dm",
                 ],
                 measures: format!("a, b, c = {}, {}, {} m", n(*a), n(*b), n(*c)),
-                moments: [("∫ y² dm + ∫ z² dm", y + z), ("∫ z² dm + ∫ x² dm", z + x), ("∫ x² dm + ∫ y² dm", x + y)],
+                moments: [
+                    ("∫ y² dm + ∫ z² dm", y + z),
+                    ("∫ z² dm + ∫ x² dm", z + x),
+                    ("∫ x² dm + ∫ y² dm", x + y),
+                ],
             }
         }
         (Form::Ellipsoid { semi_axes: [r, ..] }, "sphere") => Derived {
@@ -127,17 +204,8 @@ fn of(part: &BodyPart) -> Option<Derived> {
                 ("m (a² + b²)/5", m * (a * a + b * b) / 5.0),
             ],
         },
-        (Form::Cylinder { radius: r, length: l, .. }, "cylinder") => {
-            let across = m * (3.0 * r * r + l * l) / 12.0;
-            Derived {
-                formula: [
-                    "cylinder of radius r and length l along z:   Izz = (2m/r²) ∫ ρ³ dρ = m r²/2,   ∫ x² dm = m r²/4,   ∫ z² dm = m l²/12",
-                    r"I_{zz} = \frac{2m}{r^2} \int_0^r \rho^3 d\rho = \frac{m r^2}{2}, \qquad \int x^2 dm = \frac{m r^2}{4}, \qquad \int z^2 dm = \frac{m l^2}{12}",
-                ],
-                measures: format!("r = {}, l = {} m", n(*r), n(*l)),
-                moments: [("m (3 r² + l²)/12", across), ("m (3 r² + l²)/12", across), ("m r²/2", 0.5 * m * r * r)],
-            }
-        }
+        (Form::Cylinder { radius: r, length: l, .. }, "cylinder") => cylinder(m, *r, *l),
+        (Form::Cone { base_radius: a, top_radius: b, height: h }, "cone") if a == b => cylinder(m, *a, *h),
         (Form::Cylinder { radius: r, length: l, open: true }, "cylinder_shell") => {
             let across = m * (6.0 * r * r + l * l) / 12.0;
             Derived {
@@ -177,7 +245,13 @@ fn of(part: &BodyPart) -> Option<Derived> {
                     "capsule, a cylinder between half balls with their centroids 3r/8 beyond its ends:   Izz = mc r²/2 + (2/5) mb r²,   Ixx = mc (3 r² + l²)/12 + mb [(83/320) r² + (l/2 + 3r/8)²]",
                     r"I_{zz} = \frac{m_c r^2}{2} + \frac25 m_b r^2, \qquad I_{xx} = \frac{m_c}{12} (3 r^2 + l^2) + m_b \Bigl[\frac{83}{320} r^2 + \Bigl(\frac{l}{2} + \frac{3r}{8}\Bigr)^2\Bigr]",
                 ],
-                measures: format!("r = {}, l = {} m,  mc = {}, mb = {} kg", n(*r), n(*l), n(cylinder), n(balls)),
+                measures: format!(
+                    "r = {}, l = {} m,  mc = {}, mb = {} kg",
+                    n(*r),
+                    n(*l),
+                    n(cylinder),
+                    n(balls)
+                ),
                 moments: [
                     ("mc (3 r² + l²)/12 + mb [(83/320) r² + (l/2 + 3r/8)²]", across),
                     ("mc (3 r² + l²)/12 + mb [(83/320) r² + (l/2 + 3r/8)²]", across),
@@ -214,7 +288,11 @@ fn of(part: &BodyPart) -> Option<Derived> {
                 r"I_{zz} = \frac{2m}{r^2} \int_0^r \rho^3 d\rho = \frac{m r^2}{2}, \qquad I_{xx} = I_{yy} = \tfrac12 I_{zz}",
             ],
             measures: format!("r = {} m", n(*r)),
-            moments: [("m r²/4", 0.25 * m * r * r), ("m r²/4", 0.25 * m * r * r), ("m r²/2", 0.5 * m * r * r)],
+            moments: [
+                ("m r²/4", 0.25 * m * r * r),
+                ("m r²/4", 0.25 * m * r * r),
+                ("m r²/2", 0.5 * m * r * r),
+            ],
         },
         (Form::Plate { size: [a, b] }, "plate") => Derived {
             formula: [
@@ -230,6 +308,18 @@ fn of(part: &BodyPart) -> Option<Derived> {
         },
         _ => return None,
     })
+}
+
+fn cylinder(m: f64, r: f64, l: f64) -> Derived {
+    let across = m * (3.0 * r * r + l * l) / 12.0;
+    Derived {
+        formula: [
+            "cylinder of radius r and length l along z:   Izz = (2m/r²) ∫ ρ³ dρ = m r²/2,   ∫ x² dm = m r²/4,   ∫ z² dm = m l²/12",
+            r"I_{zz} = \frac{2m}{r^2} \int_0^r \rho^3 d\rho = \frac{m r^2}{2}, \qquad \int x^2 dm = \frac{m r^2}{4}, \qquad \int z^2 dm = \frac{m l^2}{12}",
+        ],
+        measures: format!("r = {}, l = {} m", n(r), n(l)),
+        moments: [("m (3 r² + l²)/12", across), ("m (3 r² + l²)/12", across), ("m r²/2", 0.5 * m * r * r)],
+    }
 }
 
 fn cone(m: f64, a: f64, b: f64, h: f64) -> Derived {
@@ -252,7 +342,9 @@ fn cone(m: f64, a: f64, b: f64, h: f64) -> Derived {
     let larger = a.max(b);
     let (p, q) = (a / larger, b / larger);
     let sum = p * p + p * q + q * q;
-    let axial = 0.3 * m * larger * larger * (p.powi(4) + p.powi(3) * q + p * p * q * q + p * q.powi(3) + q.powi(4)) / sum;
+    let axial =
+        0.3 * m * larger * larger * (p.powi(4) + p.powi(3) * q + p * p * q * q + p * q.powi(3) + q.powi(4))
+            / sum;
     let quartic = p.powi(4) + q.powi(4) + 4.0 * p * q * (p * p + q * q) + 10.0 * p * p * q * q;
     let across = 0.5 * axial + 0.0375 * m * h * h * quartic / (sum * sum);
     Derived {

@@ -57,7 +57,7 @@ fn the_dumbbell_finds_the_torque_and_answers_the_notes_question() {
     assert!(euler.contains("Σ rα × Fα"));
     // The tensor of the notes, term by term, and the rod named.
     let tensor = section(&document, 3);
-    assert!(tensor.contains("I11 = Σ m (y² + z²) = 1.2·(0² + 0.5²) + 0.7·(0² + (-0.5)²) = 0.475 kg·m²"));
+    assert!(tensor.contains("Ixx = Σ m (y² + z²) = 1.2·(0² + 0.5²) + 0.7·(0² + (-0.5)²) = 0.475 kg·m²"));
     assert!(tensor.contains("a rod: axis 1 is its line"));
 }
 
@@ -93,7 +93,7 @@ fn the_symmetric_top_is_solved_as_in_the_notes() {
     let (axial, transverse) = (0.18, 4.0 * 0.28 / 12.0);
     let rate = (axial - transverse) / transverse * 2.0;
     near(after(&solved, "Ω   = ")[4], rate);
-    near(after(&solved, "A   = |ω - ω3 e| = ")[0], 0.5);
+    near(after(&solved, "A   = |ω - ω_e e| = ")[0], 0.5);
     near(after(&solved, "body cone   half-angle ")[0], 0.25_f64.atan());
     let l = ((transverse * 0.5).powi(2) + (axial * 2.0_f64).powi(2)).sqrt();
     near(after(&solved, "= |L| / I_t = ")[0], l / transverse);
@@ -267,8 +267,8 @@ fn the_elliptic_period_can_be_checked_by_hand() {
         turning([5e200, 1e200, 1e199]),
     ] {
         let solved = section(&explain(&scenario).unwrap(), 5);
-        let numbers = after(&solved, "    λ = ");
-        let [lambda, m, m1] = [0, 1, 3].map(|k| numbers[k]);
+        let lambda = after(&solved, "    λ = ")[0];
+        let [m, m1] = [",  k² = ", ",  1 - k² = "].map(|name| after(&solved, name)[0]);
         assert!((m + m1 - 1.0).abs() < 2e-6, "{solved}");
         // K(m) by the midpoint rule, which converges fast for a periodic function.
         let points = 4000;
@@ -277,7 +277,7 @@ fn the_elliptic_period_can_be_checked_by_hand() {
             .map(|k| ((f64::from(k) + 0.5) * step).sin_cos())
             .map(|(sin, cos)| step / (cos * cos + m1 * sin * sin).sqrt())
             .sum();
-        let period = after(&solved, "period of ω = ")[0];
+        let period = after(&solved, "period of ω = ")[3];
         assert!((4.0 * quadrature / lambda / period - 1.0).abs() < 2e-5, "{quadrature}: {solved}");
         let core = polhode::observe::FreeRegime::of(scenario.rotor(), &scenario.start()).period.unwrap();
         assert!((period / core - 1.0).abs() < 1e-5);
@@ -297,7 +297,7 @@ fn instability_is_spoken_of_near_the_intermediate_axis_only() {
     let near = spinning([1.0, 2.0, 3.0], [0.0, 1.0, 0.1]);
     assert_eq!(near.matches("ω starts 5.71° from").count(), 2, "{near}");
     let far = spinning([1.0, 2.0, 3.0], [1.0, 1.0, 1.0]);
-    assert!(!far.contains("σ") && !far.contains("grows"), "{far}");
+    assert!(!far.contains("σ =") && !far.contains("grows as"), "{far}");
     // Two equal moments: no axis is intermediate.
     for omega in [[0.0, 2.0, 0.0], [2.0, 0.0, 0.0], [0.0, 0.0, 2.0], [1.0, 2.0, 0.0], [0.1, 2.0, 0.0]] {
         for moments in [[2.0, 2.0, 1.0], [2.0, 2.0, 3.0], [1.0, 2.0, 2.0]] {
@@ -372,10 +372,11 @@ fn what_moves_inside_is_worked_out() {
     let document = explain(&scenario).unwrap();
     let text = document.to_text(200);
     for line in [
-        "h   = 5·(0, 0, 1) (held) = (0, 0, 5) kg·m²/s",
-        "L   = {I} ω + h = (2, 6, 17) kg·m²/s,  |L| = 18.1384 kg·m²/s",
+        "h = 5·(0, 0, 1) (held) = (0, 0, 5) kg·m²/s",
+        "L = (2, 6, 17) kg·m²/s,  |L| = 18.1384 kg·m²/s",
         "L × ω = (-16, 11, -2) N·m",
-        "Ω   = ω + α L × ω = (1, 2, 3) + 0.01·(-16, 11, -2) = (0.84, 2.11, 2.98) rad/s",
+        "Ω = ω + α L × ω",
+        "Ω = (1, 2, 3) + 0.01·(-16, 11, -2) = (0.84, 2.11, 2.98) rad/s",
         "L × Ω = (-17.99, 8.32, -0.82) N·m",
         "dω/dt = (-8.995, 2.773 33, -0.205) rad/s²",
         "T = ½ ω · {I} ω = 25 J",
@@ -385,7 +386,7 @@ fn what_moves_inside_is_worked_out() {
         assert!(text.contains(line), "{line} is missing in\n{text}");
     }
     // Least energy: ω along L, the wheel's way, at |L| = 4 ω + 5.
-    let end = section(&document, 3);
+    let end = section(&document, 5);
     near(after(&end, "ω = (0, 0, ")[0], (329_f64.sqrt() - 5.0) / 4.0);
     // Without friction, and with a motor that stops: L = 0 stays, and the body turns back.
     let schedule = Some(polhode::motion::torque::Schedule::window(1.0, 3.0).unwrap());

@@ -8,3 +8,4 @@ mod golden;
 mod json;
 mod page;
 mod sweep;
+mod worked;

@@ -37,6 +37,17 @@ pub enum BodyError {
         /// Principal moments, ascending, kg·m².
         moments: [f64; 3],
     },
+    /// A tensor about another point that leaves an impossible one about the centre of mass: I = J − M (d² 1 − d dᵀ).
+    ImpossibleAtCenter {
+        /// M, kg.
+        mass: f64,
+        /// d, from the point to the centre of mass, m.
+        lever: [f64; 3],
+        /// Principal moments of J, ascending, kg·m².
+        about: [f64; 3],
+        /// Principal moments of I, ascending, kg·m².
+        moments: [f64; 3],
+    },
     /// No particles, no parts, or no triangles.
     Empty {
         /// What is missing.
@@ -169,6 +180,18 @@ impl fmt::Display for BodyError {
                 "the inertia tensor is impossible: i1 + i2 = {} kg·m² is less than i3 = {c} kg·m² (principal moments {a}, {b}, {c})",
                 a + b
             ),
+            Self::ImpossibleAtCenter { mass, lever: [x, y, z], about: [j1, j2, j3], moments: [a, b, c] } => {
+                write!(
+                    f,
+                    "the inertia tensor is impossible about the centre of mass: I = J - M (d² 1 - d dᵀ), with M = {mass} kg and d = ({x}, {y}, {z}) m \
+                 from the point of J, takes its principal moments {j1}, {j2}, {j3} to {a}, {b}, {c} kg·m², {}",
+                    if *a < 0.0 {
+                        "and none may be negative"
+                    } else {
+                        "and none may be greater than the sum of the others"
+                    }
+                )
+            }
             Self::Empty { what } => write!(f, "there are no {what}"),
             Self::Vertex { triangle, vertex: [x, y, z] } => {
                 write!(f, "triangle {triangle} has the vertex ({x}, {y}, {z}), which is not finite")
@@ -251,6 +274,10 @@ impl BodyError {
             Self::NegativeMoment { .. } | Self::TriangleInequality { .. } => Some(
                 "check the sign convention of the products (here: minus the integral ∫xy dm), the point it is about, \
                  and the units",
+            ),
+            Self::ImpossibleAtCenter { .. } => Some(
+                "check the centre of mass and the point that the tensor is about (perhaps it is about the centre of mass already), the sign \
+                 convention of the products, and the units",
             ),
             Self::OpenMesh { .. } => Some(
                 "close the mesh in the tool that made it; vertices that only nearly coincide count as different",

@@ -63,16 +63,24 @@ impl<F: Frame> MassProperties<F> {
     /// brought back to the edge.
     ///
     /// # Errors
-    /// [`BodyError`] if the mass is not positive, or if this tensor about that point is unphysical.
+    /// [`BodyError`] if the mass is not positive; [`BodyError::ImpossibleAtCenter`] if what is left is no tensor of a body.
     pub fn from_inertia_about(
         mass: f64,
         center_of_mass: Position<F>,
         about: &InertiaAbout<F>,
     ) -> Result<Self, BodyError> {
         positive("the mass", mass)?;
-        let steiner = steiner(mass, center_of_mass - about.point());
-        let whole = about.symmetric().max_abs();
-        Self::new(mass, center_of_mass, InertiaTensor::from_difference(*about.symmetric() - steiner, whole)?)
+        let lever = center_of_mass - about.point();
+        let whole = about.symmetric();
+        let rest = *whole - steiner(mass, lever);
+        let inertia = InertiaTensor::from_difference(rest, whole.max_abs()).map_err(|error| match error {
+            BodyError::NegativeMoment { moments } | BodyError::TriangleInequality { moments } => {
+                let about = whole.eigen().values;
+                BodyError::ImpossibleAtCenter { mass, lever: lever.to_array(), about, moments }
+            }
+            error => error,
+        })?;
+        Self::new(mass, center_of_mass, inertia)
     }
 
     /// A body from its mass, centre of mass and second moments per unit mass about it, ∫ x xᵀ dm / M.

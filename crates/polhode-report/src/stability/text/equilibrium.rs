@@ -53,7 +53,7 @@ fn place(found: &Found) -> String {
 }
 
 fn steady(top: &SteadyTop) -> String {
-    let spin = format!("ω3 = {}", rate(top.spin));
+    let spin = format!("ω along the axis = {}", rate(top.spin));
     match top.path {
         TopPath::Sleeping { .. } => format!("the top upright, spinning with the start's {spin}"),
         TopPath::Hanging => format!("the top straight down, with the start's {spin}"),

@@ -329,19 +329,6 @@ fn every_command_explains_itself() {
 }
 
 #[test]
-fn explain_speaks_text_markdown_and_json() {
-    let scratch = Scratch::new("explain");
-    let dumbbell = example("notes/11-10-dumbbell.toml");
-    let text = stdout(&scratch.run(&["explain", &dumbbell]));
-    assert!(text.contains("Euler"), "{text}");
-    let markdown = stdout(&scratch.run(&["explain", &dumbbell, "--markdown"]));
-    assert!(markdown.starts_with("# ") && markdown.contains("$$"), "{markdown}");
-    let document = json(&scratch.run(&["explain", &dumbbell, "--json"]));
-    assert!(document["sections"].as_array().unwrap().len() >= 6);
-    refused(&scratch.run(&["explain", &dumbbell, "--json", "--markdown"]), 2);
-}
-
-#[test]
 fn an_error_is_estimated_of_what_is_computed() {
     let scratch = Scratch::new("command-error");
     let text = refused(&scratch.run(&["simulate", &example("notes/11-10-dumbbell.toml"), "--error"]), 2);

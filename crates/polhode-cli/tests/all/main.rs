@@ -6,6 +6,7 @@ mod command;
 mod common;
 mod corpus;
 mod example_files;
+mod explain;
 mod inertia;
 mod interrupted;
 mod limits;

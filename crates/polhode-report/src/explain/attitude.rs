@@ -31,14 +31,14 @@ pub(super) fn section(w: &Working<'_>, inside: Option<&Inside<'_, '_>>) -> Secti
         Some(free) if matches!(free.regime.regime, Regime::Permanent(_)) => {
             s.formula(
                 "R(t) = R(t0) · turn(ω̂, |ω| (t − t0))",
-                r"R(t) = R(t_0) \operatorname{turn}\bigl(\hat{\boldsymbol\omega}, |\boldsymbol\omega| (t - t_0)\bigr)",
+                r"R(t) = R(t_0) \operatorname{turn}\left(\hat{\boldsymbol\omega}, |\boldsymbol\omega| (t - t_0)\right)",
             );
         }
         Some(free) if let Some((top, _)) = &free.top => {
             s.say("For the symmetric top the solution is two turns at constant rates, one in space and one in the body:");
             s.formula(
                 "R(t) = turn(L̂, φ\u{307} (t − t0)) · R(t0) · turn(e, −Ω (t − t0))",
-                r"R(t) = \operatorname{turn}\bigl(\hat{\mathbf L}, \dot\varphi (t - t_0)\bigr) R(t_0) \operatorname{turn}\bigl(\mathbf e, -\Omega (t - t_0)\bigr)",
+                r"R(t) = \operatorname{turn}\left(\hat{\mathbf L}, \dot\varphi (t - t_0)\right) R(t_0) \operatorname{turn}\left(\mathbf e, -\Omega (t - t_0)\right)",
             );
             s.line(format!("L̂ = {} in space axes", v(top.momentum_direction().to_array())));
             symmetric_angles(w, top, &mut s);

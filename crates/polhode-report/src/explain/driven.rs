@@ -29,7 +29,7 @@ pub(super) fn integrate(w: &Working<'_>, s: &mut Section) {
         s.say("What is integrated:");
         s.formula(
             "dω/dt = {I}⁻¹ (N − ω × {I} ω)",
-            r"\dot{\boldsymbol\omega} = \lbrace \mathbf I \rbrace^{-1} \bigl( \mathbf N - \boldsymbol\omega \times \lbrace \mathbf I \rbrace \boldsymbol\omega \bigr)",
+            r"\dot{\boldsymbol\omega} = \lbrace \mathbf I \rbrace^{-1} \left( \mathbf N - \boldsymbol\omega \times \lbrace \mathbf I \rbrace \boldsymbol\omega \right)",
         );
     }
     let samples = w.few_samples();

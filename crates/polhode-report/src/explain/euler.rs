@@ -161,7 +161,7 @@ fn particles(w: &Working<'_>, s: &mut Section) {
     s.say("Which forces give rise to it? Each particle needs the force that bends its own path:");
     s.formula(
         "Fα = mα [ ω\u{307} × rα + ω × (ω × rα) ]",
-        r"\mathbf F_\alpha = m_\alpha \bigl[ \dot{\boldsymbol\omega} \times \mathbf r_\alpha + \boldsymbol\omega \times (\boldsymbol\omega \times \mathbf r_\alpha) \bigr]",
+        r"\mathbf F_\alpha = m_\alpha \left[ \dot{\boldsymbol\omega} \times \mathbf r_\alpha + \boldsymbol\omega \times (\boldsymbol\omega \times \mathbf r_\alpha) \right]",
     );
     for (k, f) in forces.iter().enumerate() {
         s.line(format!("F{} = {} N", k + 1, v(f.force.to_array())));

@@ -1,12 +1,14 @@
 //! A document as a LaTeX article: amsmath for the formulas, TikZ for graphs; pdfLaTeX, XeLaTeX and LuaLaTeX take it.
 
 use super::document::{Block, Document, Graph};
-use super::markdown::{matrix, power};
+use super::formula;
+use super::text::DIGITS;
 use crate::finding;
 use crate::layout::{broken, plain_spaces, printable};
+use crate::number::{alike, tidy_matrix};
 
 /// Columns of a line of numbers.
-const LONGEST: usize = 88;
+const LONGEST: usize = 84;
 
 const HEAD: &str = r"\documentclass[11pt]{article}
 \usepackage{iftex}
@@ -16,6 +18,7 @@ const HEAD: &str = r"\documentclass[11pt]{article}
 \setlength{\parindent}{0pt}
 \setlength{\parskip}{0.6em}
 \setcounter{secnumdepth}{0}
+\newcommand{\letter}[2]{\ifPDFTeX\texttt{U+#1}\else#2\fi}
 ";
 
 impl Document {
@@ -47,20 +50,23 @@ impl Document {
 fn render(block: &Block) -> String {
     match block {
         Block::Paragraph(text) => words(text),
-        Block::Formula { latex, .. } => format!("\\[\n{latex}\n\\]"),
+        Block::Formula { text, latex } => match formula::rows(text, latex) {
+            Some(rows) => format!("\\begin{{gather*}}\n{}\n\\end{{gather*}}", rows.join(" \\\\\n")),
+            None => format!("\\[\n{}\n\\]", latex.replace(r"\cr", r"\\")),
+        },
         Block::Lines(lines) => {
             let lines = lines.iter().flat_map(|line| broken(line, "", LONGEST));
             let lines: Vec<String> = lines.map(|line| words(&line).replace(' ', "~")).collect();
             format!("{{\\small\\ttfamily\\raggedright\n{}\\par}}", lines.join("\\\\\n"))
         }
-        Block::Matrix { name, rows, unit } => format!("\\[\n{}\n\\]", matrix(name, rows, &units(unit))),
+        Block::Matrix { name, rows, unit } => matrix(name, rows, unit),
         Block::Graph(graph) => drawn(graph),
         Block::Table { headers, rows } => {
             let row = |cells: &[String]| cells.iter().map(|cell| words(cell)).collect::<Vec<_>>().join(" & ");
             let body: String = rows.iter().map(|cells| format!("{} \\\\\n", row(cells))).collect();
             let columns = "r".repeat(headers.len());
             format!(
-                "{{\\small\\begin{{tabular}}{{{columns}}}\n{} \\\\ \\hline\n{body}\\end{{tabular}}\\par}}",
+                "{{\\footnotesize\\setlength{{\\tabcolsep}}{{3pt}}\\begin{{tabular}}{{{columns}}}\n{} \\\\ \\hline\n{body}\\end{{tabular}}\\par}}",
                 row(headers)
             )
         }
@@ -108,9 +114,25 @@ fn drawn(graph: &Graph) -> String {
     )
 }
 
-/// Inside `\text`, where there is no Unicode mathematics.
-fn units(unit: &str) -> String {
-    words(unit)
+/// `name = matrix unit`
+fn matrix(name: &str, rows: &[[f64; 3]; 3], unit: &str) -> String {
+    let cells = alike(tidy_matrix(*rows).as_flattened(), DIGITS);
+    let rows: Vec<String> =
+        cells.chunks(3).map(|row| row.iter().map(|x| power(x)).collect::<Vec<_>>().join(" & ")).collect();
+    let name = match name {
+        "{I}" => r"\lbrace \mathbf I \rbrace".to_owned(),
+        other => format!(r"\text{{{}}}", words(other)),
+    };
+    let unit = if unit.is_empty() { String::new() } else { format!(r"\ \text{{{}}}", words(unit)) };
+    format!("\\[\n{name} = \\begin{{pmatrix}}\n{}\n\\end{{pmatrix}}{unit}\n\\]", rows.join(" \\\\\n"))
+}
+
+/// `3.3248e-5` as LaTeX has it.
+fn power(x: &str) -> String {
+    match x.split_once('e') {
+        Some((mantissa, power)) => format!(r"{mantissa}\times 10^{{{power}}}"),
+        None => x.to_owned(),
+    }
 }
 
 /// Words with signs that every LaTeX has: Greek letters, operators and accents as commands.
@@ -125,7 +147,7 @@ fn words(text: &str) -> String {
         }
         match sign(c) {
             Some(command) => out.push_str(&format!("${command}$")),
-            None => out.push_str(plain(c).unwrap_or(&c.to_string())),
+            None => out.push_str(&plain(c).map_or_else(|| other(c), str::to_owned)),
         }
     }
     out
@@ -148,6 +170,11 @@ const fn accent(c: char) -> Option<&'static str> {
         '\u{308}' => "ddot",
         _ => return None,
     })
+}
+
+/// Letters beyond Latin: pdfLaTeX has no fonts for them, and names their number.
+fn other(c: char) -> String {
+    if c <= '\u{17f}' { c.to_string() } else { format!("\\letter{{{:04X}}}{{{c}}}", u32::from(c)) }
 }
 
 /// Characters that LaTeX takes for its own.
@@ -198,7 +225,7 @@ fn sign(c: char) -> Option<String> {
         'Ω' => r"\Omega",
         '∫' => r"\textstyle\int",
         '∞' => r"\infty",
-        '√' => r"\surd",
+        '√' => r"\sqrt{}",
         '·' => r"\cdot",
         '×' => r"\times",
         '±' => r"\pm",
@@ -208,17 +235,40 @@ fn sign(c: char) -> Option<String> {
         '≠' => r"\ne",
         '≃' => r"\simeq",
         '≈' => r"\approx",
+        '≫' => r"\gg",
+        '≪' => r"\ll",
+        '∂' => r"\partial",
+        '′' => "'",
+        '∓' => r"\mp",
+        '⟂' => r"\perp",
+        'Θ' => r"\Theta",
+        'Γ' => r"\Gamma",
+        'Λ' => r"\Lambda",
+        'Ψ' => r"\Psi",
+        'ν' => r"\nu",
+        'ξ' => r"\xi",
+        'κ' => r"\kappa",
         '→' => r"\to",
         '⊥' => r"\perp",
         '°' => r"{}^\circ",
         '²' => "{}^2",
         '³' => "{}^3",
         '⁴' => "{}^4",
+        '⁵' => "{}^5",
+        '⁶' => "{}^6",
+        '⁷' => "{}^7",
+        '⁸' => "{}^8",
+        '⁹' => "{}^9",
+        '⁰' => "{}^0",
         '⁻' => "{}^-",
         '¹' => "{}^1",
+        '₀' => "{}_0",
+        '₁' => "{}_1",
+        '₂' => "{}_2",
+        '₃' => "{}_3",
+        'ᵀ' => r"{}^{\mathsf T}",
         '½' => r"\tfrac12",
         '¼' => r"\tfrac14",
-        '′' => "'",
         'ẑ' => r"\hat z",
         'ŷ' => r"\hat y",
         'û' => r"\hat u",

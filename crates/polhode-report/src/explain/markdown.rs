@@ -1,10 +1,10 @@
 //! A document as Markdown.
 
 use super::document::{Block, Document};
-use super::text::DIGITS;
+use super::formula;
+use super::text::matrix;
 use crate::finding;
 use crate::layout::{broken, plain_spaces, printable};
-use crate::number::{alike, tidy_matrix};
 
 /// Columns of a line of numbers.
 const LONGEST: usize = 96;
@@ -37,15 +37,14 @@ impl Document {
 fn render_block(block: &Block) -> String {
     match block {
         Block::Paragraph(text) => escaped(text),
-        Block::Formula { latex, .. } => format!("$$\n{latex}\n$$"),
-        Block::Lines(lines) => {
-            let lines: Vec<String> = lines.iter().flat_map(|line| broken(line, "", LONGEST)).collect();
-            format!("```text\n{}\n```", plain_spaces(&lines.join("\n")))
-        }
-        Block::Matrix { name, rows, unit } => matrix(name, rows, unit),
-        Block::Graph(graph) => {
-            format!("```text\n{}\n```", plain_spaces(&super::graph::lines(graph).join("\n")))
-        }
+        Block::Formula { text, latex } => match formula::rows(text, latex) {
+            Some(rows) => rows.iter().map(|row| format!("$$\n{row}\n$$")).collect::<Vec<_>>().join("\n\n"),
+            None => fenced(text.lines().map(str::to_owned)),
+        },
+        Block::Lines(lines) => fenced(lines.iter().flat_map(|line| broken(line, "", LONGEST))),
+        // No way to write rows is read alike by all: GitHub makes one of two backslashes, and pandoc knows no \\cr.
+        Block::Matrix { name, rows, unit } => fenced(matrix(name, rows, unit).into_iter()),
+        Block::Graph(graph) => fenced(super::graph::lines(graph).into_iter()),
         Block::Table { headers, rows } => {
             let row = |cells: &[String]| {
                 let cells: Vec<String> = cells.iter().map(|c| escaped(c).replace('|', "\\|")).collect();
@@ -58,25 +57,9 @@ fn render_block(block: &Block) -> String {
     }
 }
 
-pub(super) fn matrix(name: &str, rows: &[[f64; 3]; 3], unit: &str) -> String {
-    let cells = alike(tidy_matrix(*rows).as_flattened(), DIGITS);
-    let rows: Vec<String> =
-        cells.chunks(3).map(|row| row.iter().map(|x| power(x)).collect::<Vec<_>>().join(" & ")).collect();
-    let name = match name {
-        "{I}" => r"\lbrace \mathbf I \rbrace",
-        other => &format!(r"\text{{{other}}}"),
-    };
-    let unit = if unit.is_empty() { String::new() } else { format!(r"\ \text{{{unit}}}") };
-    // Row ends as \cr: Markdown would eat one of the two backslashes.
-    format!("$$\n{name} = \\begin{{pmatrix}}\n{}\n\\end{{pmatrix}}{unit}\n$$", rows.join(" \\cr\n"))
-}
-
-/// `3.3248e-5` as LaTeX has it.
-pub(super) fn power(x: &str) -> String {
-    match x.split_once('e') {
-        Some((mantissa, power)) => format!(r"{mantissa}\times 10^{{{power}}}"),
-        None => x.to_owned(),
-    }
+/// Lines as they are.
+fn fenced(lines: impl Iterator<Item = String>) -> String {
+    format!("```text\n{}\n```", plain_spaces(&lines.collect::<Vec<_>>().join("\n")))
 }
 
 /// The text on one line, without characters that Markdown would take for markup.

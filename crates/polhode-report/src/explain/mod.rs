@@ -11,6 +11,7 @@ pub(crate) mod document;
 mod driven;
 mod elliptic;
 mod euler;
+mod formula;
 mod free;
 mod graph;
 mod html;

@@ -94,7 +94,7 @@ fn amplitude(w: &Working<'_>, pendulum: &Pendulum, axis: Direction<Body>, s: &mu
             s.say("At a finite amplitude the period is longer, by an elliptic integral:");
             s.formula(
                 "P = 4 K(sin² ½θmax) / ω0",
-                r"P = \frac{4}{\omega_0} K\bigl(\sin^2 \tfrac12 \theta_{\max}\bigr)",
+                r"P = \frac{4}{\omega_0} K\left(\sin^2 \tfrac12 \theta_{\max}\right)",
             );
             let longer = period / pendulum.period(0.0) - 1.0;
             s.line(format!("θmax = {}", unit::amplitude(amplitude)));
@@ -117,7 +117,7 @@ fn series(amplitude: f64, longer: f64, s: &mut Section) {
     s.formula(
         "P = (2π/ω0) [1 + (1/2)² k² + (1·3/2·4)² k⁴ + (1·3·5/2·4·6)² k⁶ + …]\n\
          P = (2π/ω0) [1 + θmax²/16 + 11 θmax⁴/3072 + 173 θmax⁶/737280 + …]",
-        r"P = \frac{2\pi}{\omega_0} \Bigl[1 + \frac{k^2}{4} + \frac{9 k^4}{64} + \frac{25 k^6}{256} + \ldots\Bigr] = \frac{2\pi}{\omega_0} \Bigl[1 + \frac{\theta_{\max}^2}{16} + \frac{11 \theta_{\max}^4}{3072} + \frac{173 \theta_{\max}^6}{737280} + \ldots\Bigr]",
+        r"P = \frac{2\pi}{\omega_0} \left[1 + \frac{k^2}{4} + \frac{9 k^4}{64} + \frac{25 k^6}{256} + \ldots\right] = \frac{2\pi}{\omega_0} \left[1 + \frac{\theta_{\max}^2}{16} + \frac{11 \theta_{\max}^4}{3072} + \frac{173 \theta_{\max}^6}{737280} + \ldots\right]",
     );
     let k2 = (0.5 * amplitude).sin().powi(2);
     let in_k = [k2 / 4.0, 9.0 * k2.powi(2) / 64.0, 25.0 * k2.powi(3) / 256.0];
@@ -145,7 +145,7 @@ fn swing_test(w: &Working<'_>, pendulum: &Pendulum, s: &mut Section) {
     );
     s.formula(
         "I = M g d (P / 2π)²,   I_c = I − M d²",
-        r"I = M g d \Bigl(\frac{P}{2\pi}\Bigr)^2, \qquad I_c = I - M d^2",
+        r"I = M g d \left(\frac{P}{2\pi}\right)^2, \qquad I_c = I - M d^2",
     );
     let period = pendulum.period(0.0);
     s.line(format!(

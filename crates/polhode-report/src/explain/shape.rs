@@ -74,10 +74,10 @@ fn otherwise(part: &BodyPart, s: &mut Section) {
         ("particles" | "molecule", _) => {
             s.say(format!("{name}: the sum over its {} particles.", part.particles.len()));
         }
-        ("mesh", Some(Form::Mesh(mesh))) if is_uniform_mesh(part, mesh) => {
+        (kind @ ("mesh" | "tetrahedron"), Some(Form::Mesh(mesh))) if is_uniform_mesh(part, mesh) => {
             s.say(format!(
-                "{name}: a mesh is the sum of tetrahedra from a point O to each triangle p, q, r, their volumes negative where O is \
-                 outside of it:"
+                "{name}: a {kind} is the sum of tetrahedra from a point O to each of its triangles p, q, r, their volumes negative where O \
+                 is on the outer side:"
             ));
             s.formula(
                 "V = Σ p · (q × r) / 6,   ∫ xi xj dV = Σ [p · (q × r) / 120] (pi pj + qi qj + ri rj + si sj),   s = p + q + r",
@@ -166,7 +166,7 @@ fn of(part: &BodyPart) -> Option<Derived> {
             Derived {
                 formula: [
                     "shell of a box, by its six faces:   S = ab + bc + ca,   ∫ x² dm = m a² [(ab + ca)/12 + bc/4] / S,   Ixx = ∫ y² dm + ∫ z² dm",
-                    r"S = ab + bc + ca, \qquad \int x^2 dm = \frac{m a^2}{S} \Bigl(\frac{ab + ca}{12} + \frac{bc}{4}\Bigr), \qquad I_{xx} = \int y^2 dm + \int z^2 dm",
+                    r"S = ab + bc + ca, \qquad \int x^2 dm = \frac{m a^2}{S} \left(\frac{ab + ca}{12} + \frac{bc}{4}\right), \qquad I_{xx} = \int y^2 dm + \int z^2 dm",
                 ],
                 measures: format!("a, b, c = {}, {}, {} m", n(*a), n(*b), n(*c)),
                 moments: [
@@ -243,7 +243,7 @@ fn of(part: &BodyPart) -> Option<Derived> {
             Derived {
                 formula: [
                     "capsule, a cylinder between half balls with their centroids 3r/8 beyond its ends:   Izz = mc r²/2 + (2/5) mb r²,   Ixx = mc (3 r² + l²)/12 + mb [(83/320) r² + (l/2 + 3r/8)²]",
-                    r"I_{zz} = \frac{m_c r^2}{2} + \frac25 m_b r^2, \qquad I_{xx} = \frac{m_c}{12} (3 r^2 + l^2) + m_b \Bigl[\frac{83}{320} r^2 + \Bigl(\frac{l}{2} + \frac{3r}{8}\Bigr)^2\Bigr]",
+                    r"I_{zz} = \frac{m_c r^2}{2} + \frac25 m_b r^2, \qquad I_{xx} = \frac{m_c}{12} (3 r^2 + l^2) + m_b \left[\frac{83}{320} r^2 + \left(\frac{l}{2} + \frac{3r}{8}\right)^2\right]",
                 ],
                 measures: format!(
                     "r = {}, l = {} m,  mc = {}, mb = {} kg",
@@ -264,7 +264,7 @@ fn of(part: &BodyPart) -> Option<Derived> {
             Derived {
                 formula: [
                     "torus of ring radius R and tube radius a about z:   Izz = ∫ (R + a' cos α)² dm = m (R² + 3a²/4),   Ixx = m (R²/2 + 5a²/8)",
-                    r"I_{zz} = \int (R + a' \cos\alpha)^2 dm = m \Bigl(R^2 + \frac34 a^2\Bigr), \qquad I_{xx} = m \Bigl(\frac{R^2}{2} + \frac58 a^2\Bigr)",
+                    r"I_{zz} = \int (R + a' \cos\alpha)^2 dm = m \left(R^2 + \frac34 a^2\right), \qquad I_{xx} = m \left(\frac{R^2}{2} + \frac58 a^2\right)",
                 ],
                 measures: format!("R = {}, a = {} m", n(*ring), n(*a)),
                 moments: [
@@ -329,7 +329,7 @@ fn cone(m: f64, a: f64, b: f64, h: f64) -> Derived {
         return Derived {
             formula: [
                 "cone of radius r and height h, its centroid h/4 above its base:   Izz = ∫ ½ ρ² dm = (3/10) m r²,   Ixx = m (3r²/20 + 3h²/80)",
-                r"I_{zz} = \int \tfrac12 \rho^2 dm = \frac{3}{10} m r^2, \qquad I_{xx} = m \Bigl(\frac{3 r^2}{20} + \frac{3 h^2}{80}\Bigr)",
+                r"I_{zz} = \int \tfrac12 \rho^2 dm = \frac{3}{10} m r^2, \qquad I_{xx} = m \left(\frac{3 r^2}{20} + \frac{3 h^2}{80}\right)",
             ],
             measures: format!("r = {}, h = {} m", n(r), n(h)),
             moments: [

@@ -151,7 +151,7 @@ fn energy(w: &Working<'_>, moving: &[MovingParticle<Space>], velocity: Velocity<
     );
     s.formula(
         "T = ½ M V² + V · (ω × Σ mα rα) + ½ Σ mα (ω × rα)² = T_trans + 0 + T_rot",
-        r"T = \tfrac12 M V^2 + \mathbf V \cdot \Bigl(\boldsymbol\omega \times \sum_\alpha m_\alpha \mathbf r_\alpha\Bigr) + \tfrac12 \sum_\alpha m_\alpha (\boldsymbol\omega \times \mathbf r_\alpha)^2 = T_{\text{trans}} + 0 + T_{\text{rot}}",
+        r"T = \tfrac12 M V^2 + \mathbf V \cdot \left(\boldsymbol\omega \times \sum_\alpha m_\alpha \mathbf r_\alpha\right) + \tfrac12 \sum_\alpha m_\alpha (\boldsymbol\omega \times \mathbf r_\alpha)^2 = T_{\text{trans}} + 0 + T_{\text{rot}}",
     );
     let split = KineticEnergySplit::of(moving, velocity);
     let exact = w.scenario.is_all_particles() && !moving.is_empty();

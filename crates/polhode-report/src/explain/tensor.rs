@@ -23,7 +23,7 @@ pub(super) fn section(w: &Working<'_>, inside: Option<&Inside<'_, '_>>) -> Secti
     let mut s = Section::new(3, "Calculate {I}, its principal moments and axes");
     s.formula(
         "Iij = Σ mα (δij Σk xα,k² − xα,i xα,j)      for a continuous body  ∫ ρ (δij Σk xk² − xi xj) dV",
-        r"I_{ij} = \sum_\alpha m_\alpha \Bigl(\delta_{ij} \sum_k x_{\alpha,k}^2 - x_{\alpha,i} x_{\alpha,j}\Bigr) \quad\text{or}\quad \int \rho \Bigl(\delta_{ij} \sum_k x_k^2 - x_i x_j\Bigr) dV",
+        r"I_{ij} = \sum_\alpha m_\alpha \left(\delta_{ij} \sum_k x_{\alpha,k}^2 - x_{\alpha,i} x_{\alpha,j}\right) \quad\text{or}\quad \int \rho \left(\delta_{ij} \sum_k x_k^2 - x_i x_j\right) dV",
     );
     let particles = w.scenario.particles();
     if w.scenario.is_all_particles() && (1..=MOST_TERMS).contains(&particles.len()) {
@@ -83,7 +83,7 @@ fn parts(w: &Working<'_>, s: &mut Section) {
     ));
     s.formula(
         "Iij = Σ parts [ Iij,own + m (d² δij − di dj) ]",
-        r"I_{ij} = \sum_{\text{parts}} \bigl[ I_{ij}^{\text{own}} + m (d^2 \delta_{ij} - d_i d_j) \bigr]",
+        r"I_{ij} = \sum_{\text{parts}} \left[ I_{ij}^{\text{own}} + m (d^2 \delta_{ij} - d_i d_j) \right]",
     );
     let six = |m: [[f64; 3]; 3]| vec![m[0][0], m[1][1], m[2][2], m[0][1], m[0][2], m[1][2]];
     let (mut names, mut rows) = (Vec::new(), Vec::new());

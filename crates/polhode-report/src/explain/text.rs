@@ -48,7 +48,9 @@ fn lines(block: &Block, columns: usize) -> Vec<String> {
         Block::Paragraph(text) => wrap(text, "", columns),
         Block::Formula { text, .. } => text.lines().flat_map(|line| broken(line, INDENT, columns)).collect(),
         Block::Lines(lines) => lines.iter().flat_map(|line| broken(line, INDENT, columns)).collect(),
-        Block::Matrix { name, rows, unit } => matrix(name, rows, unit),
+        Block::Matrix { name, rows, unit } => {
+            matrix(name, rows, unit).iter().map(|line| format!("{INDENT}{line}")).collect()
+        }
         Block::Graph(graph) => {
             super::graph::lines(graph).iter().map(|line| format!("{INDENT}{line}")).collect()
         }
@@ -56,15 +58,19 @@ fn lines(block: &Block, columns: usize) -> Vec<String> {
     }
 }
 
-fn matrix(name: &str, rows: &[[f64; 3]; 3], unit: &str) -> Vec<String> {
+/// `name = ⎡ … ⎤  unit` in three lines.
+pub(super) fn matrix(name: &str, rows: &[[f64; 3]; 3], unit: &str) -> Vec<String> {
     let brackets = [["⎡", "⎤"], ["⎢", "⎥"], ["⎣", "⎦"]];
     let rows = matrix_rows(&tidy_matrix(*rows), DIGITS);
     let blank = " ".repeat(width(name) + 3);
     let line = |k: usize, row: &String| {
         let [left, right] = brackets[k.min(2)];
-        let (head, tail) =
-            if k == 1 { (format!("{name} = "), format!("  {unit}")) } else { (blank.clone(), String::new()) };
-        format!("{INDENT}{head}{left} {row} {right}{tail}")
+        let (head, tail) = if k == 1 {
+            (format!("{name} = "), if unit.is_empty() { String::new() } else { format!("  {unit}") })
+        } else {
+            (blank.clone(), String::new())
+        };
+        format!("{head}{left} {row} {right}{tail}")
     };
     rows.iter().enumerate().map(|(k, row)| line(k, row)).collect()
 }

@@ -292,3 +292,31 @@ fn the_gradient_has_the_librations_of_its_equations() {
         assert!((first + coupling).abs() < 4e-4 * coupling.abs(), "{frequency}: {first} {coupling}\n{text}");
     }
 }
+
+/// What pdfLaTeX has no letter for is named, and nothing of a name is taken for LaTeX's own.
+#[test]
+fn latex_holds_any_name() {
+    let scenario = common::hostile("Größe 慣性 100 % a_b^c {x} \\end{document} $1 & #2 ~ <tag> ½ ω\u{307}");
+    let latex = explain(&scenario).unwrap().to_latex();
+    let body = latex.split_once("\\begin{document}").unwrap().1;
+    assert_eq!(body.matches("\\end{document}").count(), 1, "{body}");
+    assert!(
+        body.contains("Größe \\letter{6163}{慣}\\letter{6027}{性} 100 \\% a\\_b\\textasciicircum{}c \\{x\\}"),
+        "{body}"
+    );
+    assert!(body.contains("\\textbackslash{}end\\{document\\} \\$1 \\& \\#2 \\textasciitilde{} $<$tag$>$ $\\tfrac12$ $\\dot{\\omega}$"));
+}
+
+/// Every sign that a solution writes is one that LaTeX has.
+#[test]
+fn latex_has_every_sign_of_a_solution() {
+    for scenario in common::all().into_iter().chain([leaning()]) {
+        let latex = explain(&scenario).unwrap().to_latex();
+        let (_, body) = latex.split_once("\\begin{document}").unwrap();
+        assert!(!body.contains("\\letter{"), "{body}");
+        for c in body.chars() {
+            assert!(c <= '\u{17f}' && !('\u{a0}'..='\u{bf}').contains(&c), "{c:?} in\n{body}");
+        }
+        assert_eq!(body.matches("\\begin{").count(), body.matches("\\end{").count() - 1);
+    }
+}

@@ -117,6 +117,8 @@ static EXPLAIN: Subcommand = Subcommand {
     inputs: &[("fresh", &["body.toml"])],
     options: &[
         choice("--markdown", &["--markdown"], &["fresh"], &[]),
+        choice("--html", &["--html"], &["fresh"], &[]),
+        choice("--latex", &["--latex"], &["fresh"], &[]),
         choice("--json", &["--json"], &["fresh"], &[]),
         choice("--width", &["--width", "60"], &["fresh"], &[]),
     ],

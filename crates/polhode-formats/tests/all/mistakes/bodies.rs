@@ -26,8 +26,9 @@ fn impossible_bodies_are_refused_where_they_are_impossible() {
     );
     refuses(
         &tensor("about=[2,0,0]\ninertia=«[[1,0,0],[0,1,0],[0,0,1]]»"),
-        "the inertia tensor is impossible: its principal moments are -3, -3, 1 kg·m², and none may be negative",
-        "check",
+        "the inertia tensor is impossible about the centre of mass: I = J - M (d² 1 - d dᵀ), with M = 1 kg and d = (-2, 0, 0) m from the point of \
+         J, takes its principal moments 1, 1, 1 to -3, -3, 1 kg·m², and none may be negative",
+        "check the centre of mass and the point that the tensor is about (perhaps it is about the centre of mass already)",
     );
     refuses(
         &tensor("moments=[1,1,1]\nproducts=«'negative_integral'»"),

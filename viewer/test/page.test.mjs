@@ -235,6 +235,7 @@ test("hostile text is text", async () => {
     { kind: "text", text: evil },
     { kind: "lines", lines: [evil] },
     { kind: "table", header: [evil], rows: [[evil]] },
+    { kind: "picture", svg: '<svg xmlns="http://www.w3.org/2000/svg" width="10" height="10"><script>alert(1)</script></svg>', text: evil },
     ...[
       "<math><mi>x</mi><script>alert(1)</script></math>",
       '<math><mi onclick="alert(1)">x</mi></math>',
@@ -248,7 +249,8 @@ test("hostile text is text", async () => {
   for (const tab of ["numbers", "working", "scenario", "about"]) await page.click(`#tab-${tab}`);
   assert.equal(await page.textContent("#title"), evil);
   assert.equal(await page.textContent(".scenario"), evil);
-  assert.equal(await page.locator("img").count(), 0);
+  assert.equal(await page.locator("img").count(), 1);
+  assert.equal(await page.locator("img.picture").evaluate((img) => img.decode().then(() => img.naturalWidth)), 10);
   assert.equal(await page.locator("math").count(), 0, "a formula that is not plain MathML is its text");
   assert.equal(await page.locator(".formula code").count(), 6);
   assert.equal(await page.locator("script").count(), 2, "the data and the page's own");

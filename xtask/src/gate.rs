@@ -3,7 +3,9 @@
 use std::time::Instant;
 
 use crate::process::{self, cargo};
-use crate::{Outcome, api, circles, dependencies, examples, layers, packages, python, readme, viewer};
+use crate::{
+    Outcome, api, circles, dependencies, examples, layers, packages, python, readme, solutions, viewer,
+};
 
 /// A name and a task.
 type Step = (&'static str, fn() -> Outcome);
@@ -49,10 +51,12 @@ pub(crate) fn run() -> Outcome {
         let environment = scope.spawn(python::environment);
         FIRST.iter().try_for_each(run_step)?;
         let environment = joined(environment)?;
+        let pandoc = environment.pandoc()?;
         let python = scope.spawn(|| timed("Python", || python::check_in(environment)));
         THEN.iter().try_for_each(run_step)?;
         joined(python)?;
-        joined(viewer)
+        joined(viewer)?;
+        timed("worked solutions", || solutions::check(&pandoc))
     })?;
     println!("\nall passed in {:.0} s", start.elapsed().as_secs_f64());
     Ok(())

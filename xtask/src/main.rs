@@ -11,6 +11,7 @@ mod packages;
 mod process;
 mod python;
 mod readme;
+mod solutions;
 mod speed;
 mod viewer;
 
@@ -32,7 +33,8 @@ usage: cargo xtask TASK
   api        the public names of the core crate, compared with crates/polhode/api.txt; --write takes them over
   speed      measures anew what book/speed.md, work-precision.md and mass-properties.md say; needs python3 and what it compares with
   viewer     the page's viewer: its bundle is the build of its source, and its tests pass in a browser
-  python     the Python package: its wheel is built, and its tests and examples pass from there";
+  python     the Python package: its wheel is built, and its tests and examples pass from there
+  solutions  the worked solutions of examples/, read by pandoc and MathJax; after `npm ci` in viewer/";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -48,6 +50,7 @@ fn main() -> ExitCode {
         ["speed"] => speed::measure(),
         ["viewer"] => viewer::check(),
         ["python"] => python::check(),
+        ["solutions"] => python::environment().and_then(|python| solutions::check(&python.pandoc()?)),
         ["help" | "--help" | "-h"] => {
             println!("{USAGE}");
             Ok(())

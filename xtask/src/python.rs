@@ -11,8 +11,9 @@ use crate::{Outcome, files, root};
 /// The oldest Python that the tests run with; the package is for 3.10 too.
 const PYTHON: (u32, u32) = (3, 11);
 
-/// What the tests need besides the package: what it uses where it is there, and Dask for the cluster.
-const NEEDED: [&str; 6] = ["pytest", "scipy", "matplotlib", "mypy", "pyarrow", "distributed"];
+/// What the tests need besides the package: what it uses where it is there, Dask for the cluster, and pandoc for worked solutions.
+const NEEDED: [&str; 7] =
+    ["pytest", "scipy", "matplotlib", "mypy", "pyarrow", "distributed", "pypandoc_binary"];
 
 /// An environment of its own, and then all the rest.
 pub(crate) fn check() -> Outcome {
@@ -68,6 +69,14 @@ pub(crate) fn check_in(Environment { folder, python }: Environment) -> Outcome {
 pub(crate) struct Environment {
     folder: PathBuf,
     python: PathBuf,
+}
+
+impl Environment {
+    /// The pandoc that a package of it has.
+    pub(crate) fn pandoc(&self) -> Result<PathBuf, String> {
+        let ask = "import pypandoc; print(pypandoc.get_pandoc_path())";
+        output(Command::new(&self.python).args(["-c", ask])).map(|path| PathBuf::from(path.trim()))
+    }
 }
 
 /// Makes one.

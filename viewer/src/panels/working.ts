@@ -23,6 +23,11 @@ function draw(block: ExplanationBlock): HTMLElement {
       else box.append(element("code", {}, block.text));
       return box;
     }
+    case "picture": {
+      // An image is inert, whatever stands in it.
+      const source = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(block.svg)}`;
+      return element("img", { class: "picture", src: source, alt: block.text });
+    }
     case "table": {
       const head = element("tr", {}, ...block.header.map((text) => element("th", { scope: "col" }, text)));
       const rows = block.rows.map((row) => element("tr", {}, ...row.map((text) => element("td", {}, text))));

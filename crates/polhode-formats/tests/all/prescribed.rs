@@ -77,12 +77,12 @@ fn what_is_no_formula_and_no_motion_is_refused() {
     );
     refuses(
         "[prescribed]\nquaternion = [0, 0, 0, 0]",
-        "the motion is not finite after t = 0e0 s",
+        "the motion is not finite after t = 0 s",
         "its formulas",
     );
     refuses(
         "[prescribed]\nangles = ['log(t/1[s])', 0, 0]",
-        "the motion is not finite after t = 0e0 s",
+        "the motion is not finite after t = 0 s",
         "its formulas",
     );
     let singular = "[run]\nduration = 2\n[prescribed]\nomega = { body = ['1[rad/s]*log(1 - t/1[s])', 0, 0] }";

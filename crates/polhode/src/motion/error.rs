@@ -269,7 +269,8 @@ impl fmt::Display for MotionError {
             }
             Self::TorqueWithoutInertia { torque, time } => write!(
                 f,
-                "at t = {time:e} s a torque of {torque} N·m acts about an axis along which the body has no inertia"
+                "at t = {time} s a torque of {torque} N·m acts about an axis along which the body has no inertia",
+                time = plain(*time)
             ),
             Self::NotSteady { torque, scale } => write!(
                 f,
@@ -277,7 +278,8 @@ impl fmt::Display for MotionError {
             ),
             Self::NoDerivative { torque, time } => write!(
                 f,
-                "the torque \"{torque}\" has no derivative in this state, at t = {time:e} s: it has a corner or a jump there, or is not finite nearby"
+                "the torque \"{torque}\" has no derivative in this state, at t = {time} s: it has a corner or a jump there, or is not finite nearby",
+                time = plain(*time)
             ),
             Self::NoClosedForm { why } => write!(f, "there is no closed form of this motion: {why}"),
             Self::BeyondReach { time, .. } if !time.is_finite() => {
@@ -285,18 +287,24 @@ impl fmt::Display for MotionError {
             }
             Self::BeyondReach { time, reach } => write!(
                 f,
-                "t = {time:e} s is too far away: this motion is known up to {reach:.1e} s from its start, where rounding \
-                 leaves its phase six digits"
+                "t = {time} s is too far away: this motion is known up to {reach:.1e} s from its start, where rounding \
+                 leaves its phase six digits",
+                time = plain(*time)
             ),
             Self::NotSplittable { what, why } => {
                 write!(f, "splitting cannot take the torque \"{what}\": {why}")
             }
             Self::StepTooSmall { time, step } => {
-                write!(f, "at t = {time:e} s the step ({step:e} s) is too small to advance the time")
+                write!(
+                    f,
+                    "at t = {time} s the step ({step:e} s) is too small to advance the time",
+                    time = plain(*time)
+                )
             }
             Self::TooManySteps { time, step, most } => write!(
                 f,
-                "at t = {time:e} s steps are of {step:e} s: to the end that is more than {most} steps"
+                "at t = {time} s steps are of {step:e} s: to the end that is more than {most} steps",
+                time = plain(*time)
             ),
             Self::TooManyPulses { torque, count, most } => {
                 let of = match torque {
@@ -306,12 +314,13 @@ impl fmt::Display for MotionError {
                 write!(f, "to the end there are {count:.3e} pulses, most of {of}: that is more than {most}")
             }
             Self::TooManyEvents { time, most } => {
-                write!(f, "at t = {time:e} s there are already {most} events")
+                write!(f, "at t = {time} s there are already {most} events", time = plain(*time))
             }
             Self::RunAway { time, rate, most } => write!(
                 f,
-                "the motion runs away: at t = {time:e} s the body turns at {rate:.3e} rad/s, and soon after it is far beyond \
-                 {most:.3e} rad/s, 1000 times what its start and the torques where they begin explain"
+                "the motion runs away: at t = {time} s the body turns at {rate:.3e} rad/s, and soon after it is far beyond \
+                 {most:.3e} rad/s, 1000 times what its start and the torques where they begin explain",
+                time = plain(*time)
             ),
             Self::NoPotential => f.write_str(
                 "an event measures the total energy, and a torque has no potential, or is switched",
@@ -325,21 +334,25 @@ impl fmt::Display for MotionError {
             }
             Self::HalfTurn { time } => write!(
                 f,
-                "after t = {time:e} s the spring or wire is twisted by more than half a turn, and its torque is no longer determined"
+                "after t = {time} s the spring or wire is twisted by more than half a turn, and its torque is no longer determined",
+                time = plain(*time)
             ),
             Self::Cancelled { done } => write!(f, "cancelled after {done} members"),
-            Self::NotFinite { time } => write!(f, "the motion is not finite after t = {time:e} s"),
+            Self::NotFinite { time } => {
+                write!(f, "the motion is not finite after t = {time} s", time = plain(*time))
+            }
         }
     }
 }
 
-/// The rule that a number breaks. 1e300 has no three hundred digits.
+/// The rule that a number breaks.
 fn broken(f: &mut fmt::Formatter<'_>, parameter: &str, value: f64, rule: &str) -> fmt::Result {
-    if value != 0.0 && !(1e-9..1e16).contains(&value.abs()) {
-        write!(f, "{parameter} = {value:e} must be {rule}")
-    } else {
-        write!(f, "{parameter} = {value} must be {rule}")
-    }
+    write!(f, "{parameter} = {} must be {rule}", plain(value))
+}
+
+/// A number without a power of ten where people write it so: 1e300 has no three hundred digits.
+fn plain(x: f64) -> String {
+    if x != 0.0 && !(1e-9..1e16).contains(&x.abs()) { format!("{x:e}") } else { x.to_string() }
 }
 
 impl core::error::Error for MotionError {}

@@ -1,8 +1,9 @@
 //! Torques that begin and end: each change is stepped on exactly.
 
 use crate::common::*;
-use polhode::motion::torque::{Schedule, Scheduled, Thruster};
-use polhode::motion::{Ensemble, Member, Motor, Solution};
+use polhode::math::formula::{Binary, Formula, Instruction};
+use polhode::motion::torque::{FormulaTorque, Schedule, Scheduled, Thruster};
+use polhode::motion::{Ensemble, Member, Motor, Solution, StateVariables};
 use polhode::prelude::*;
 
 const METHODS: [Method; 2] = [Method::Taylor, Method::Dop853];
@@ -232,4 +233,36 @@ fn more_pulses_than_steps_are_refused_before_the_first() {
             }
         }
     }
+}
+
+/// A formula that is zero when it begins, on a body at rest: there is no ω to measure a step with, and no torque yet.
+#[test]
+fn a_torque_that_rises_from_zero_moves_a_body_at_rest() {
+    let time = StateVariables::NAMES.iter().position(|name| *name == "t").unwrap();
+    // N = k (t − 1 s), from t = 1 s on, along all three axes
+    let rising = |k: f64| {
+        let [one, k] = [1.0, k].map(Instruction::Constant);
+        let [minus, product] = [Binary::Subtract, Binary::Multiply].map(Instruction::Binary);
+        Formula::new([Instruction::Variable(time), one, minus, k, product]).unwrap()
+    };
+    let rates = [0.3, -0.7, 0.4];
+    let torque = TorqueModel::Formula(Box::new(FormulaTorque::Space(rates.map(rising))));
+    let schedule = Schedule::window(1.0, f64::INFINITY).unwrap();
+    let torque = TorqueModel::Scheduled(Box::new(Scheduled { torque, schedule }));
+    let rotor = free_body(MOMENTS);
+    let impulse = AngularMomentum::from_array(rates.map(|rate| 0.5 * rate * 4.0));
+    let error = |state: &State| (rotor.angular_momentum_space(state) - impulse).norm();
+    for method in METHODS {
+        let torques = std::slice::from_ref(&torque);
+        let motion =
+            Trajectory::compute(&rotor, torques, start([0.0; 3]), &[0.0, 3.0], method, 1e-14).unwrap();
+        let error = error(&motion.samples()[1].state);
+        assert!(error < 1e-13, "{method:?}: {error:e}");
+        assert!(steps(&motion) < 60, "{method:?}: {} steps", steps(&motion));
+    }
+    let member = || Member { rotor: rotor.clone(), torques: vec![torque.clone()], start: start([0.0; 3]) };
+    let ensemble = Ensemble::new((0..9).map(|_| member()).collect()).unwrap();
+    let ends = ensemble.at(&[3.0], Method::Taylor, 1e-14, std::num::NonZero::<usize>::MIN).unwrap();
+    assert!(ends.failures.is_empty(), "{:?}", ends.failures);
+    assert!(ends.states.iter().all(|end| error(end) < 1e-13));
 }

@@ -11,14 +11,15 @@ use crate::math::number::Number;
 const EARLY: usize = 2;
 
 impl<N: Number> Expansion<N> {
-    /// The longest step at which the terms that are left out are as small as they should be; `scale` is what ω is measured with.
+    /// The longest step at which the terms that are left out are as small as they should be; `scale` is what ω is measured with, zero where
+    /// nothing turns and no torque acts yet: then the turn alone says how long a step may be.
     ///
     /// With a radius ρ = min (1/|xₙ|^(1/n), 1/|xₙ₋₁|^(1/(n−1))) they are about (h/ρ)^(p+1) / (1 − h/ρ). n is less than p by [`EARLY`], so that ρ is found
     /// while the last coefficients are.
     #[inline(always)]
     pub(super) fn step(&self, scale: N) -> N {
         let n = self.order - EARLY;
-        let unit = scale.like(1.0) / scale;
+        let unit = scale.map(|scale| if scale > 0.0 { 1.0 / scale } else { 0.0 });
         let (last, before) = (self.log_radius(n, unit), self.log_radius(n - 1, unit));
         let mut radius = smaller(last, before);
         let not_finite = last + before;
@@ -35,7 +36,6 @@ impl<N: Number> Expansion<N> {
     #[inline(always)]
     fn log_radius(&self, n: usize, unit: N) -> N {
         let (omega, turn) = (self.omega_at(n), self.motion[n].x.first());
-        // ω = 0 has no unit, even where nothing turns: the larger of 0 · ∞ and a number is the number.
         let size = larger(omega.largest() * unit, turn.largest());
         let none = Row::splat(self.zero());
         let ([inverse, _], [x, y, z, w]) = (INVERSES[n], (omega * none + turn * none).0);

@@ -1,0 +1,41 @@
+//! The worked solutions of all examples, as others set them: pandoc reads the Markdown and the LaTeX without a warning, and MathJax, which
+//! GitHub and Jupyter use, sets each formula.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use crate::process::{empty_folder, output, polhode, run_beside};
+use crate::{Outcome, files, root};
+
+/// Needs what the viewer's tests have installed.
+pub(crate) fn check(pandoc: &Path) -> Outcome {
+    let folder = empty_folder("solutions")?;
+    write(&folder)?;
+    let [markdown, latex] = [files(&folder, "md")?, files(&folder, "tex")?];
+    let quiet = |from: &str, to: &[&str], inputs: &[PathBuf]| {
+        let mut command = Command::new(pandoc);
+        command.args(["--fail-if-warnings", "--from", from]).args(to).args(inputs);
+        output(&mut command).map(drop)
+    };
+    // As GitHub reads it, and as pandoc does on its way to LaTeX.
+    quiet("gfm+tex_math_dollars", &["--to", "html", "--mathml"], &markdown)?;
+    quiet("markdown", &["--to", "latex"], &markdown)?;
+    for article in &latex {
+        quiet("latex", &["--to", "html", "--mathml"], std::slice::from_ref(article))?;
+    }
+    println!("   pandoc: {} solutions as Markdown and as LaTeX", markdown.len());
+    run_beside(Command::new("node").arg(root().join("viewer/test/mathjax.mjs")).args(&markdown))
+}
+
+/// The solution of each example, in both forms.
+fn write(folder: &Path) -> Outcome {
+    let polhode = polhode()?;
+    for (k, scenario) in files(&root().join("examples"), "toml")?.iter().enumerate() {
+        for (option, extension) in [("--markdown", "md"), ("--latex", "tex")] {
+            let text = output(Command::new(&polhode).arg("explain").arg(scenario).arg(option))?;
+            let file = folder.join(format!("{k:02}.{extension}"));
+            std::fs::write(&file, text).map_err(|error| format!("{}: {error}", file.display()))?;
+        }
+    }
+    Ok(())
+}

@@ -170,7 +170,12 @@ impl InertiaReport {
             text.push_str(&labelled("surface area", &unit::area(area)));
         }
         let center = tidy(self.properties.center_of_mass().to_array());
-        text.push_str(&line("centre of mass", &unit::lengths(center)));
+        text.push_str(&line("centre of mass", &unit::lengths_in(self.size(), center)));
+    }
+
+    /// The largest radius of gyration, m.
+    fn size(&self) -> f64 {
+        unit::size(&self.properties)
     }
 
     fn write_inertia(&self, text: &mut String) {
@@ -192,7 +197,7 @@ impl InertiaReport {
     fn write_about(&self, text: &mut String) {
         let Some(point) = self.about else { return };
         let about = self.properties.inertia_about(point);
-        let place = unit::place(tidy(point.to_array()));
+        let place = unit::place_in(self.size(), tidy(point.to_array()));
         text.push_str(&heading(&format!(
             "inertia about {place}, along body axes, off-diagonal = -∫xy dm, in kg·m²"
         )));

@@ -41,7 +41,8 @@ fn text(rows: &[PartRow]) -> String {
         .enumerate()
         .map(|(k, row)| {
             let name = if row.name.is_empty() { format!("part {}", k + 1) } else { printable(&row.name) };
-            let place = unit::place(tidy(row.properties.center_of_mass().to_array()));
+            let place =
+                unit::place_in(unit::size(&row.properties), tidy(row.properties.center_of_mass().to_array()));
             vec![name, unit::mass(row.properties.mass()), format!("centre of mass {place}")]
         })
         .collect();

@@ -1,5 +1,8 @@
 //! Units for people: the size that fits, from SI.
 
+use polhode::body::MassProperties;
+use polhode::math::Frame;
+
 use crate::number::{GROUP, alike, number, ungrouped, within};
 
 /// A unit and how many SI units it is.
@@ -82,14 +85,63 @@ pub(crate) fn volume(m3: f64) -> String {
 
 /// Three lengths in one unit: `12.961562  -17.608532  15.068595  mm`
 pub(crate) fn lengths(m: [f64; 3]) -> String {
-    let unit = fitting(&LENGTH, m.iter().fold(0.0, |max, x| f64::max(max, x.abs())));
-    format!("{}  {}", alike(&m.map(|x| x * unit.per_si), DIGITS).join("  "), unit.name)
+    aligned(m, fitting(&LENGTH, largest(m)))
 }
 
 /// A point: `(10, 0, -20) mm`
 pub(crate) fn place(m: [f64; 3]) -> String {
-    let unit = fitting(&LENGTH, m.iter().fold(0.0, |max, x| f64::max(max, x.abs())));
+    in_brackets(m, fitting(&LENGTH, largest(m)))
+}
+
+/// The coordinates of a point in a body whose largest radius of gyration is `size`, m, as [`lengths`].
+pub(crate) fn lengths_in(size: f64, m: [f64; 3]) -> String {
+    let m = m.map(|x| beside(x, size));
+    aligned(m, unit_in(size, m))
+}
+
+/// A point in a body whose largest radius of gyration is `size`, m, as [`place`].
+pub(crate) fn place_in(size: f64, m: [f64; 3]) -> String {
+    let m = m.map(|x| beside(x, size));
+    in_brackets(m, unit_in(size, m))
+}
+
+fn aligned(m: [f64; 3], unit: Unit) -> String {
+    format!("{}  {}", alike(&m.map(|x| x * unit.per_si), DIGITS).join("  "), unit.name)
+}
+
+fn in_brackets(m: [f64; 3], unit: Unit) -> String {
     format!("{} {}", crate::number::vector(m.map(|x| x * unit.per_si), DIGITS), unit.name)
+}
+
+/// The size of a body for [`place_in`]: its largest radius of gyration, m.
+pub(crate) fn size<F: Frame>(body: &MassProperties<F>) -> f64 {
+    largest(body.gyration_radii())
+}
+
+/// The unit of a point in a body: a centre that is almost at the origin does not go in nanometres.
+fn unit_in(size: f64, m: [f64; 3]) -> Unit {
+    let largest = largest(m);
+    fitting(&LENGTH, if largest > 0.0 { largest.max(1e-3 * size) } else { 0.0 })
+}
+
+fn largest(m: [f64; 3]) -> f64 {
+    m.iter().fold(0.0, |max, x| f64::max(max, x.abs()))
+}
+
+/// A coordinate in a body of this size: 0 if it is rounding beside that, and the fewer digits the less it is; from a thousandth
+/// on it keeps all.
+fn beside(x: f64, size: f64) -> f64 {
+    const ROUNDING: f64 = 1e-12;
+    const LAST: f64 = 1e-10;
+    let part = x.abs() / size;
+    if !(part < 1e-3) {
+        return x;
+    }
+    if part <= ROUNDING {
+        return 0.0;
+    }
+    let digits = (part / LAST).log10().ceil().max(2.0) as usize;
+    format!("{x:.*e}", digits - 1).parse().unwrap_or(x)
 }
 
 /// `0.6 rad (34.3775°)`
@@ -139,6 +191,27 @@ fn fitting(units: &[Unit], size: f64) -> Unit {
 mod tests {
     use super::*;
     use crate::layout::plain_spaces;
+
+    #[test]
+    fn a_point_has_the_unit_of_its_body() {
+        // A drone's centre that is 3e-10 m off the origin, in one direction.
+        assert_eq!(lengths_in(0.21, [0.0, 3.000_17e-10, 0.0]), "0  3e-7  0  mm");
+        assert_eq!(place_in(0.21, [0.0, 3.000_17e-10, 0.0]), "(0, 3e-7, 0) mm");
+        // What is rounding is 0; what is small beside the body keeps few digits, what is not keeps all.
+        assert_eq!(
+            place_in(0.21, [1.3e-14, -0.012_345_678_9, 2.345_678_9e-8]),
+            "(0, -12.345\u{a0}68, 2.346e-5) mm"
+        );
+        assert_eq!(
+            lengths_in(0.21, [0.012_961_562, -0.017_608_532, 0.015]),
+            lengths([0.012_961_562, -0.017_608_532, 0.015])
+        );
+        // A body of nanometres has nanometres, and so has a particle, which has no size.
+        assert_eq!(place_in(4e-10, [1.2e-10, 0.0, -3e-10]), "(0.12, 0, -0.3) nm");
+        assert_eq!(place_in(0.0, [3e-10, 0.0, 0.0]), "(0.3, 0, 0) nm");
+        assert_eq!(place_in(0.0, [0.0; 3]), "(0, 0, 0) m");
+        assert_eq!(place_in(2.0, [0.0; 3]), "(0, 0, 0) m");
+    }
 
     #[test]
     fn units_fit_the_size() {

@@ -88,15 +88,19 @@ pub(super) fn json(
 
 fn body(scenario: &Scenario, turning: &Turning<'_>) -> Vec<Row> {
     let body = scenario.body();
+    let size = unit::size(body);
     let geometry = Geometry::of_parts(scenario.parts(), body.mass());
     let mut rows = vec![Row::sized("mass", &unit::mass(body.mass()))];
     rows.extend(geometry.volume.map(|volume| Row::sized("volume", &unit::volume(volume))));
     rows.extend(geometry.density.map(|density| Row::of("density", density, "kg/m³").note("mean")));
     rows.push(
-        Row::sized("centre of mass", &unit::place(tidy(body.center_of_mass().to_array()))).note("body axes"),
+        Row::sized("centre of mass", &unit::place_in(size, tidy(body.center_of_mass().to_array())))
+            .note("body axes"),
     );
     if turning.is_pivoted {
-        rows.push(Row::sized("pivot", &unit::place(tidy(turning.point.to_array()))).note("body axes"));
+        rows.push(
+            Row::sized("pivot", &unit::place_in(size, tidy(turning.point.to_array()))).note("body axes"),
+        );
         rows.push(Row::of("lever", turning.lever.norm(), "m").note("from the pivot to the centre of mass"));
     }
     rows

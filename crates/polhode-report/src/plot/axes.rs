@@ -1,8 +1,8 @@
 //! A pair of axes: numbers to places, and everything around the curves.
 
-use super::font;
-use super::sheet::{Anchor, Colour, LARGE, Mark, Pen, Point, SMALL, Sheet, Text};
-use super::ticks::{Ticks, exponent, power_of_ten, reduced};
+use super::sheet::{Anchor, Colour, Mark, Pen, Point, SMALL, Sheet, Text};
+use super::ticks::{Ticks, exponent, reduced};
+use super::{font, prefix};
 
 /// A part of a sheet.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,7 +38,7 @@ pub(super) struct Axis {
     /// Numbers are logarithms of the values.
     log: bool,
     ticks: Ticks,
-    /// `ω, 10⁻³ rad/s`
+    /// `ω (10⁻³ rad/s)`
     label: String,
 }
 
@@ -61,20 +61,13 @@ impl Axis {
             _ if size == 0.0 => [-1.0, 1.0],
             _ => [least - 0.1 * size, greatest + 0.1 * size],
         };
-        let power = if exponent == 0 { String::new() } else { format!("{} ", power_of_ten(exponent)) };
         Self {
             range: [least, greatest],
             exponent,
             log: false,
             ticks: Ticks::linear(least, greatest, count),
-            label: joined(name, format!("{power}{unit}").trim_end()),
+            label: labelled(name, &prefix::unit(exponent, unit)),
         }
-    }
-
-    /// An axis for what is zero throughout: nothing says how large it might be.
-    pub(super) fn zero(name: &str, unit: &str) -> Self {
-        let ticks = Ticks { values: vec![0.0], labels: vec!["0".to_owned()] };
-        Self { range: [-1.0, 1.0], exponent: 0, log: false, ticks, label: format!("{name}, {unit}") }
     }
 
     /// The same with large values below small ones.
@@ -106,7 +99,7 @@ impl Axis {
             exponent: 0,
             log: true,
             ticks: Ticks::powers(first, last, most),
-            label: joined(name, unit),
+            label: labelled(name, unit),
         }
     }
 
@@ -124,17 +117,21 @@ impl Axis {
         (x - least) / (greatest - least)
     }
 
+    pub(super) fn label_width(&self) -> f64 {
+        font::width(&self.label, SMALL)
+    }
+
     fn widest(&self) -> f64 {
         self.ticks.labels.iter().map(|label| font::width(label, SMALL)).fold(0.0, f64::max)
     }
 }
 
-/// `ω, rad/s`, or the one that there is.
-fn joined(name: &str, unit: &str) -> String {
+/// `ω (rad/s)`, or the one that there is.
+fn labelled(name: &str, unit: &str) -> String {
     match (name, unit) {
         (name, "") => name.to_owned(),
         ("", unit) => unit.to_owned(),
-        (name, unit) => format!("{name}, {unit}"),
+        (name, unit) => format!("{name} ({unit})"),
     }
 }
 
@@ -195,25 +192,6 @@ impl Axes {
         ]
     }
 
-    /// A line through everything at x: where something happens.
-    pub(super) fn upright(&self, x: f64, sheet: &mut Sheet) {
-        let x = self.area.left + self.x.part(x) * self.area.width();
-        let pen = Pen::solid(Colour::FAINT, 1.0).dashed(&[2.0, 3.0]);
-        sheet.line(vec![[x, self.area.top], [x, self.area.bottom]], pen);
-    }
-
-    /// A name that stands along the line at x, unless that is to the left of `free`; gives where the next may stand.
-    pub(super) fn beside_upright(&self, x: f64, name: &str, free: f64, sheet: &mut Sheet) -> f64 {
-        let x = self.area.left + self.x.part(x) * self.area.width() - 4.0;
-        if x - SMALL < free.max(self.area.left) {
-            return free;
-        }
-        let name = font::fitted(name, SMALL, 0.9 * self.area.height());
-        let text = Text::small([x, self.area.bottom - 6.0], Anchor::Start, Colour::FAINT, &name);
-        sheet.marks.push(Mark::Text(Text { upward: true, halo: true, ..text }));
-        x + 4.0
-    }
-
     pub(super) fn draw(&self, sheet: &mut Sheet) {
         let Area { left, top, right, bottom } = self.area;
         let grid = Pen::solid(Colour::GRID, 0.8);
@@ -251,58 +229,4 @@ impl Axes {
             sheet.marks.push(Mark::Text(Text { upward: true, ..text }));
         }
     }
-}
-
-/// What a curve looks like beside its name: a piece of line, or a dot.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Key {
-    pub(super) pen: Pen,
-    pub(super) name: String,
-    pub(super) dot: bool,
-}
-
-impl Key {
-    pub(super) fn line(pen: Pen, name: impl Into<String>) -> Self {
-        Self { pen, name: name.into(), dot: false }
-    }
-
-    pub(super) fn dot(pen: Pen, name: impl Into<String>) -> Self {
-        Self { pen, name: name.into(), dot: true }
-    }
-}
-
-/// Writes the title of a figure with what it is about at the right, and below them the keys; gives the height used.
-pub(super) fn heading(sheet: &mut Sheet, area: Area, title: &str, subject: &str, keys: &[Key]) -> f64 {
-    const SAMPLE: f64 = 24.0;
-    const SPACE: f64 = 18.0;
-    let base = area.top + LARGE;
-    let title_text = font::fitted(title, LARGE, area.width());
-    let used = font::width(&title_text, LARGE);
-    let text = Text::small([area.left, base], Anchor::Start, Colour::BLACK, &title_text);
-    sheet.marks.push(Mark::Text(Text { size: LARGE, ..text }));
-    let room = area.width() - used - 2.0 * SPACE;
-    if room > 60.0 && !subject.is_empty() {
-        let subject = font::fitted(subject, SMALL, room);
-        sheet.text([area.right, base], Anchor::End, Colour::FAINT, &subject);
-    }
-    if keys.is_empty() {
-        return LARGE + GAP;
-    }
-    let (mut x, mut y) = (area.left, base + 1.3 * LINE);
-    for key in keys {
-        let name = font::fitted(&key.name, SMALL, area.width() - SAMPLE - GAP);
-        let width = SAMPLE + GAP + font::width(&name, SMALL);
-        if x > area.left && x + width > area.right {
-            (x, y) = (area.left, y + LINE);
-        }
-        let line = y - 0.36 * SMALL;
-        if key.dot {
-            sheet.dots(vec![[x + 0.5 * SAMPLE, line]], key.pen);
-        } else {
-            sheet.line(vec![[x, line], [x + SAMPLE, line]], key.pen);
-        }
-        sheet.text([x + SAMPLE + GAP, y], Anchor::Start, Colour::TEXT, &name);
-        x += width + SPACE;
-    }
-    y - area.top + GAP + 5.0
 }

@@ -10,13 +10,14 @@ use polhode::math::{Body, Direction, Position, Space};
 use polhode::motion::torque::TorqueModel;
 use polhode::motion::{Rotor, Sample, Scenario};
 
-use super::axes::{Area, Axes, Axis, Key};
+use super::axes::{Area, Axes, Axis};
+use super::chart::Heading;
 use super::error::PlotError;
 use super::figure::Figure;
-use super::panel::range;
+use super::legend::Key;
 use super::plotted::PlottedMotion;
-use super::series::Heading;
-use super::sheet::{Anchor, Colour, Mark, Pen, Point, SMALL, Sheet, Text};
+use super::range::range;
+use super::sheet::{Anchor, Colour, Mark, Pen, Point, Sheet};
 use super::sphere::{FAR, TRACE, arrow};
 use super::ticks::Ticks;
 use super::view::View;
@@ -248,18 +249,9 @@ fn from_above(top: &TopAxis, path: &[Direction<Space>], bounds: [f64; 2], sheet:
     let start = points.first().copied();
     sheet.line(points, TRACE);
     sheet.dots(start.into_iter().collect(), START);
-    // Along a line that no grid is on; of marks too close together the inner ones stay out.
-    let mut free = f64::INFINITY;
-    for (value, label) in ticks.values.iter().zip(&ticks.labels).rev().filter(|(value, _)| **value > 0.0) {
-        let r = scale * value;
-        if r > free || r < SMALL {
-            continue;
-        }
-        free = r - 2.0 * SMALL;
-        let place = [center[0] + 0.8 * r, center[1] - 0.6 * r + 0.36 * SMALL];
-        let text = Text::small(place, Anchor::Middle, Colour::TEXT, label);
-        sheet.marks.push(Mark::Text(Text { halo: true, ..text }));
-    }
-    let words = if hangs { "from below, 180° − θ in deg" } else { "from above, θ in deg" };
-    sheet.text([center[0], center[1] + radius + WORDS], Anchor::Middle, Colour::BLACK, words);
+    // Numbers at the circles would lie on the path.
+    let step = ticks.labels.get(1).map_or("", String::as_str);
+    let (side, angle) = if hangs { ("below", "180° − θ") } else { ("above", "θ") };
+    let words = format!("from {side}, a circle every {step}° of {angle}");
+    sheet.text([center[0], center[1] + radius + WORDS], Anchor::Middle, Colour::BLACK, &words);
 }

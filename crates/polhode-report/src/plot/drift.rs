@@ -3,10 +3,13 @@
 //! A sample's departure is rounding noise in a closed form and a staircase in an integration: dots show either, and a line the
 //! largest so far.
 
-use super::axes::{Axes, Axis, Key};
+use super::axes::{Axes, Axis};
+use super::chart::Heading;
+use super::legend::Key;
 use super::plotted::PlottedMotion;
-use super::series::{Heading, time_axis};
+use super::range::range;
 use super::sheet::{Colour, Pen, Point, Sheet};
+use super::time::time_axis;
 use crate::balance::balances;
 
 pub(super) fn draw(motion: &PlottedMotion<'_>, sheet: &mut Sheet, heading: Heading<'_>) {
@@ -19,7 +22,7 @@ pub(super) fn draw(motion: &PlottedMotion<'_>, sheet: &mut Sheet, heading: Headi
     let departures = balances(motion.trajectory, motion.driven);
     let keys: Vec<Key> = departures.iter().enumerate().map(|(k, d)| Key::line(pen(k), d.name)).collect();
     let area = heading(sheet, &keys);
-    let (x, scale) = time_axis(motion.samples(), area.width());
+    let (x, scale) = time_axis(range(motion.samples().iter().map(|s| s.state.time)), area.width());
     let values =
         || departures.iter().flat_map(|d| d.values.iter().copied()).filter(|x| *x > 0.0 && x.is_finite());
     let (least, most) = values().fold((f64::INFINITY, 0.0), |(a, b), x| (f64::min(a, x), f64::max(b, x)));

@@ -8,13 +8,12 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use polhode::motion::Sample;
 
-use super::axes::{Area, Axes, Key};
+use super::chart::{Chart, Quantity, largest_turn};
+use super::curve::Curve;
 use super::error::PlotError;
 use super::figure::Figure;
-use super::panel::axis;
 use super::plotted::PlottedMotion;
-use super::series::{Heading, pieces, time_axis};
-use super::sheet::{Colour, Pen, Point, Sheet};
+use super::sheet::{Colour, Pen, Point};
 
 /// Near an end of θ sin θ is below this: within 1.1°.
 const NEAR: f64 = 0.02;
@@ -28,11 +27,11 @@ const LEAP: f64 = 1.0;
 /// A curve in the pieces that can be followed: time in s, angle in degrees.
 type Pieces = Vec<Vec<Point>>;
 
-pub(super) fn draw(
-    motion: &PlottedMotion<'_>,
-    sheet: &mut Sheet,
-    heading: Heading<'_>,
-) -> Result<(), PlotError> {
+/// A chart of them.
+///
+/// # Errors
+/// [`PlotError::TooCoarse`] where the body turns too far from a sample to the next.
+pub(super) fn chart<'a>(motion: &'a PlottedMotion<'a>) -> Result<Chart<'a>, PlotError> {
     // A turn that is missed would be drawn as a slower one.
     let turn = largest_turn(motion.samples());
     if !(turn <= FRAC_PI_2) {
@@ -40,62 +39,31 @@ pub(super) fn draw(
     }
     let angles = Angles::of(motion.samples());
     let thin = Pen::solid(Colour::BLACK, 1.1);
-    let around = [
-        (Pen::axis(0), "φ precession", angles.phi()),
-        (Pen::axis(2), "ψ spin", angles.psi()),
-        (thin, "φ + ψ", angles.sum()),
-        (thin.dashed(&[7.0, 2.5]), "φ − ψ", angles.difference()),
+    let curve = |pen, name: &str, symbol: &str, pieces| Curve {
+        pen,
+        name: name.to_owned(),
+        symbol: symbol.to_owned(),
+        pieces,
+    };
+    let mut around = vec![
+        curve(Pen::axis(0), "φ precession", "φ", angles.phi()),
+        curve(Pen::axis(2), "ψ spin", "ψ", angles.psi()),
+        curve(thin, "φ + ψ", "φ + ψ", angles.sum()),
+        curve(thin.dashed(&[7.0, 2.5]), "φ − ψ", "φ − ψ", angles.difference()),
     ];
-    let around: Vec<_> = around.into_iter().filter(|(.., curve)| !curve.is_empty()).collect();
-    let tilt = Pen::axis(1);
-    let name = match angles.stays() {
-        None => "θ nutation".to_owned(),
-        Some(end) => format!("θ = {end}°"),
-    };
-    let keys = around.iter().map(|(pen, name, _)| Key::line(*pen, *name));
-    let keys: Vec<Key> = [Key::line(tilt, name)].into_iter().chain(keys).collect();
-    let area = heading(sheet, &keys);
-    let (x, scale) = time_axis(motion.samples(), area.width());
-    let all = || around.iter().flat_map(|(.., curve)| curve).flatten().map(|p| p[1]);
-    let (unit, size) =
-        if all().map(f64::abs).fold(0.0, f64::max) > 20.0 * 360.0 { ("turns", 360.0) } else { ("deg", 1.0) };
-    let placed = |curve: &Pieces, size: f64| -> Pieces {
-        curve.iter().map(|piece| piece.iter().map(|[t, a]| [t / scale, a / size]).collect()).collect()
-    };
-    let part = if angles.stays().is_some() { 0.0 } else { 0.4 };
-    let lower = if part > 0.0 { area.below(part * area.height() + 4.0) } else { area };
-    let names: Vec<&str> = around.iter().map(|(_, name, _)| short(name)).collect();
-    let other = axis(all().map(|a| a / size), lower.height(), &names.join(", "), unit);
-    let mut left = Axes::beside(&other);
-    if part > 0.0 {
-        let upper = Area { bottom: area.top + part * area.height(), ..area };
-        let theta = angles.theta();
-        let theta_axis = axis(theta.iter().flatten().map(|p| p[1]), upper.height(), "θ", "deg");
-        left = left.max(Axes::beside(&theta_axis));
-        let axes = Axes::within(upper, x.clone().bare(), theta_axis, Some(left));
-        axes.draw(sheet);
-        pieces(&axes, &placed(&theta, 1.0), tilt, sheet);
-    }
-    let axes = Axes::within(lower, x, other, Some(left));
-    axes.draw(sheet);
-    for (pen, _, curve) in &around {
-        pieces(&axes, &placed(curve, size), *pen, sheet);
-    }
-    Ok(())
-}
-
-/// `φ` of `φ precession`; what is a sum stays.
-fn short(name: &'static str) -> &'static str {
-    if name.contains(['+', '−']) { name } else { name.split(' ').next().unwrap_or(name) }
-}
-
-/// The largest |ω| Δt, rad.
-fn largest_turn(samples: &[Sample]) -> f64 {
-    let turn = |pair: &[Sample]| match pair {
-        [a, b] => (b.state.time - a.state.time) * a.state.omega.norm().max(b.state.omega.norm()),
-        _ => 0.0,
-    };
-    samples.windows(2).map(turn).fold(0.0, f64::max)
+    around.retain(|curve| !curve.pieces.is_empty());
+    let around = Quantity::new("", "deg", around).made_of(180.0);
+    Ok(match angles.stays() {
+        Some(end) => {
+            let sign = if end == 0 { "+" } else { "−" };
+            Chart::new(motion, vec![around])
+                .saying(&format!("θ = {end}\u{a0}deg: of φ and ψ there is only φ\u{a0}{sign}\u{a0}ψ"))
+        }
+        None => {
+            let tilt = curve(Pen::axis(1), "θ nutation", "θ", angles.theta());
+            Chart::new(motion, vec![Quantity::new("θ", "deg", vec![tilt]).made_of(180.0), around])
+        }
+    })
 }
 
 /// The angles of a motion's attitudes.

@@ -1,7 +1,8 @@
 //! A graph of a worked solution: a curve over an axis, and a level.
 
 use super::Picture;
-use super::axes::{Area, Axes, Axis, Key, heading};
+use super::axes::{Area, Axes, Axis};
+use super::legend::{Key, heading};
 use super::sheet::{Colour, Pen, Sheet};
 use crate::explain::document::Graph;
 

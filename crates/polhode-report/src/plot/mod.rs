@@ -10,19 +10,29 @@
 
 mod axes;
 mod axis_path;
+mod chart;
+mod constant;
+mod curve;
 mod drift;
+mod envelope;
 mod error;
 mod euler;
+mod event_marks;
 mod figure;
 mod font;
 mod graph;
+mod legend;
 mod line;
 mod motion;
+mod oscillation;
 mod panel;
 mod plane;
 mod plotted;
 #[cfg(feature = "png")]
 mod png;
+mod prefix;
+mod range;
+mod scale;
 mod series;
 mod sheet;
 mod sphere;
@@ -31,6 +41,7 @@ mod sweep;
 #[cfg(test)]
 mod tests;
 mod ticks;
+mod time;
 mod view;
 mod wheels;
 

@@ -2,10 +2,12 @@
 
 use polhode::motion::{FreeMotion, Regime, Scenario, Trajectory};
 
-use super::axes::{Area, heading};
+use super::axes::Area;
 use super::axis_path::TopAxis;
+use super::chart::Chart;
 use super::error::PlotError;
 use super::figure::Figure;
+use super::legend::{Key, heading};
 use super::plotted::PlottedMotion;
 use super::sheet::{Anchor, Colour, LARGE, Mark, Sheet, Text};
 use super::{Picture, axis_path, drift, euler, plane, series, sphere, wheels};
@@ -77,90 +79,157 @@ impl<'a> MotionFigures<'a> {
     /// points.
     pub fn draw(&self, figure: Figure) -> Result<Picture, PlotError> {
         const MARGIN: f64 = 14.0;
-        let mut sheet = Sheet::new(672.0, 413.0, self.spoken(figure.title(&self.motion)));
-        let area = Area { left: MARGIN, top: MARGIN, right: 672.0 - MARGIN, bottom: 413.0 - MARGIN };
-        self.panel(figure, &mut sheet, area, &self.motion.title)?;
+        const WIDTH: f64 = 672.0;
+        /// Without the margins.
+        const HEIGHT: f64 = 385.0;
+        let content = self.content(figure)?;
+        let content = match content {
+            Content::Chart(chart) => Content::Chart(chart.naming_events(true)),
+            other => other,
+        };
+        let height = self.height(figure, &content, WIDTH - 2.0 * MARGIN, HEIGHT);
+        let mut sheet =
+            Sheet::new(WIDTH, (height + 2.0 * MARGIN).ceil(), self.spoken(figure.title(&self.motion)));
+        let area = Area { left: MARGIN, top: MARGIN, right: WIDTH - MARGIN, bottom: MARGIN + height };
+        self.panel(figure, &content, &mut sheet, area, &self.motion.title)?;
         Ok(Picture { sheet })
     }
 
     /// All figures that this motion has, two beside each other, but for a torque that is zero throughout.
     ///
     /// # Errors
-    /// As [`MotionFigures::draw`], but a curve with too many points, and angles that cannot be followed, are left out.
+    /// As [`MotionFigures::draw`], but for a curve with too many points, and angles that cannot be followed: in their place it is said
+    /// why they are not drawn.
     pub fn overview(&self) -> Result<Picture, PlotError> {
-        let mut wanted = self.figures();
-        wanted.retain(|figure| {
-            *figure != Figure::Torque || !series::panel(&self.motion, Figure::Torque).is_zero()
-        });
-        let drawn = |figure: &Figure| {
-            !matches!(self.draw(*figure), Err(PlotError::Curve { .. } | PlotError::TooCoarse { .. }))
-        };
-        let figures: Vec<Figure> = wanted.into_iter().filter(drawn).collect();
-        self.side_by_side(&figures)
+        let mut cells = Vec::new();
+        for figure in self.figures() {
+            let content = match self.draw(figure) {
+                Err(error @ (PlotError::Curve { .. } | PlotError::TooCoarse { .. })) => {
+                    Content::Refused(error.to_string())
+                }
+                Err(error) => return Err(error),
+                Ok(_) => self.content(figure)?,
+            };
+            let is_zero = matches!(&content, Content::Chart(chart) if chart.is_zero());
+            if figure != Figure::Torque || !is_zero {
+                cells.push((figure, content));
+            }
+        }
+        self.beside_each_other(cells)
     }
 
-    /// Some figures, two beside each other, on one sheet.
+    /// Some figures, two beside each other, on one sheet; those that are words alone come last.
     ///
     /// # Errors
     /// As [`MotionFigures::draw`].
     pub fn side_by_side(&self, figures: &[Figure]) -> Result<Picture, PlotError> {
-        const PANEL: [f64; 2] = [448.0, 322.0];
+        let cells = figures.iter().map(|&figure| Ok((figure, self.content(figure)?)));
+        self.beside_each_other(cells.collect::<Result<_, PlotError>>()?)
+    }
+
+    fn beside_each_other(&self, cells: Vec<(Figure, Content<'_>)>) -> Result<Picture, PlotError> {
+        const WIDTH: f64 = 448.0;
+        const HEIGHT: f64 = 302.0;
         const MARGIN: f64 = 16.0;
+        const BELOW: f64 = 4.0;
+        let named = |(figure, content)| match content {
+            Content::Chart(chart) => {
+                let names_events = matches!(figure, Figure::Omega | Figure::Pointing);
+                (figure, Content::Chart(chart.naming_events(names_events)))
+            }
+            other => (figure, other),
+        };
+        let cells = cells.into_iter().map(named);
+        let (words, drawn): (Vec<_>, Vec<_>) = cells.partition(|(_, content)| content.is_words());
         let head = if self.motion.title.is_empty() { 0.0 } else { 26.0 };
-        let rows = figures.len().div_ceil(2);
-        let (width, height) = (2.0 * PANEL[0], head + rows as f64 * PANEL[1]);
-        let mut sheet = Sheet::new(width, height, self.spoken("motion"));
+        let mut sheet = Sheet::new(2.0 * WIDTH, head, self.spoken("motion"));
         if head > 0.0 {
-            let room = width - 2.0 * MARGIN;
+            let room = sheet.width - 2.0 * MARGIN;
             let title = super::font::fitted(&self.motion.title, LARGE + 2.0, room);
             let text = Text::small([MARGIN, 26.0], Anchor::Start, Colour::BLACK, &title);
             sheet.marks.push(Mark::Text(Text { size: LARGE + 2.0, ..text }));
         }
-        for (k, figure) in figures.iter().enumerate() {
-            let (row, column) = ((k / 2) as f64, (k % 2) as f64);
-            let last_alone = k + 1 == figures.len() && k % 2 == 0;
-            let left = column * PANEL[0];
-            let area = Area {
-                left: left + MARGIN,
-                top: head + row * PANEL[1] + MARGIN,
-                right: left + if last_alone { 2.0 } else { 1.0 } * PANEL[0] - MARGIN,
-                bottom: head + (row + 1.0) * PANEL[1] - 4.0,
-            };
-            self.panel(*figure, &mut sheet, area, "")?;
+        for row in drawn.chunks(2).chain(words.chunks(2)) {
+            let top = sheet.height + MARGIN;
+            // One alone has the whole width.
+            let width = if row.len() == 1 { 2.0 * WIDTH } else { WIDTH };
+            let heights = row
+                .iter()
+                .map(|(figure, content)| self.height(*figure, content, width - 2.0 * MARGIN, HEIGHT));
+            let height = heights.fold(0.0, f64::max);
+            for (k, (figure, content)) in row.iter().enumerate() {
+                let left = k as f64 * width;
+                let area =
+                    Area { left: left + MARGIN, top, right: left + width - MARGIN, bottom: top + height };
+                self.panel(*figure, content, &mut sheet, area, "")?;
+            }
+            sheet.height = (top + height + BELOW).ceil();
         }
+        sheet.height += if words.is_empty() { 0.0 } else { MARGIN - BELOW };
         Ok(Picture { sheet })
     }
 
-    /// Draws a figure into a part of a sheet.
-    fn panel(&self, figure: Figure, sheet: &mut Sheet, area: Area, subject: &str) -> Result<(), PlotError> {
+    /// What a figure consists of.
+    fn content(&self, figure: Figure) -> Result<Content<'_>, PlotError> {
         if let Some(why) = self.why_not(figure) {
             return Err(PlotError::NotThere { figure, why });
         }
         let count = self.motion.samples().len();
-        let on_time = !matches!(figure, Figure::Polhodes | Figure::Herpolhode);
-        if on_time && count < 2 {
+        if !matches!(figure, Figure::Polhodes | Figure::Herpolhode) && count < 2 {
             return Err(PlotError::TooFewSamples { count });
         }
+        Ok(match figure {
+            Figure::Drift | Figure::Axis | Figure::Polhodes | Figure::Herpolhode => Content::Own,
+            Figure::Euler => Content::Chart(euler::chart(&self.motion)?),
+            Figure::Wheels => Content::Chart(Chart::new(&self.motion, wheels::quantities(&self.motion))),
+            _ => Content::Chart(Chart::new(&self.motion, vec![series::quantity(&self.motion, figure)])),
+        })
+    }
+
+    /// The height that a figure needs at a width; most have `usual`.
+    fn height(&self, figure: Figure, content: &Content<'_>, width: f64, usual: f64) -> f64 {
+        /// What a heading of two lines leaves.
+        const HEADING: f64 = 44.0;
+        let mut scratch = Sheet::new(width, usual, String::new());
+        let area = Area { left: 0.0, top: 0.0, right: width, bottom: usual };
+        let mut with_keys = |keys: &[Key]| heading(&mut scratch, area, figure.title(&self.motion), "", keys);
+        match content {
+            Content::Chart(chart) => with_keys(&chart.keys()) + chart.height(usual - HEADING),
+            Content::Refused(why) => with_keys(&[Key::words(why)]),
+            Content::Own => usual,
+        }
+    }
+
+    /// Draws a figure into a part of a sheet.
+    fn panel(
+        &self,
+        figure: Figure,
+        content: &Content<'_>,
+        sheet: &mut Sheet,
+        area: Area,
+        subject: &str,
+    ) -> Result<(), PlotError> {
         let keyed = |sheet: &mut Sheet, keys: &[_]| {
             area.below(heading(sheet, area, figure.title(&self.motion), subject, keys))
         };
-        match (figure, &self.motion.free) {
-            (Figure::Drift, _) => drift::draw(&self.motion, sheet, &keyed),
-            (Figure::Euler, _) => euler::draw(&self.motion, sheet, &keyed)?,
-            (Figure::Wheels, _) => wheels::draw(&self.motion, sheet, area.width(), &keyed),
-            (Figure::Axis, _) => {
+        match (content, figure, &self.motion.free) {
+            (Content::Chart(chart), ..) => chart.draw(sheet, &keyed),
+            (Content::Refused(why), ..) => {
+                keyed(sheet, &[Key::words(why)]);
+            }
+            (Content::Own, Figure::Axis, _) => {
                 if let Some(axis) = &self.axis {
                     axis_path::draw(&self.motion, axis, sheet, &keyed)?;
                 }
             }
-            (Figure::Polhodes, Some(motion)) => {
+            (Content::Own, Figure::Polhodes, Some(motion)) => {
                 sphere::draw(motion, sheet, &keyed).map_err(|error| PlotError::Curve { figure, error })?;
             }
-            (Figure::Herpolhode, Some(motion)) => {
+            (Content::Own, Figure::Herpolhode, Some(motion)) => {
                 plane::draw(motion, self.motion.duration(), sheet, &keyed)
                     .map_err(|error| PlotError::Curve { figure, error })?;
             }
-            _ => series::draw(&self.motion, figure, sheet, area.width(), &keyed),
+            (Content::Own, ..) => drift::draw(&self.motion, sheet, &keyed),
         }
         Ok(())
     }
@@ -201,6 +270,26 @@ impl<'a> MotionFigures<'a> {
             figure.to_owned()
         } else {
             format!("{}: {figure}", self.motion.title)
+        }
+    }
+}
+
+/// What a figure consists of.
+enum Content<'a> {
+    /// Curves against time.
+    Chart(Chart<'a>),
+    /// What only this figure has.
+    Own,
+    /// It cannot be drawn, and why.
+    Refused(String),
+}
+
+impl Content<'_> {
+    fn is_words(&self) -> bool {
+        match self {
+            Self::Chart(chart) => chart.is_words(),
+            Self::Own => false,
+            Self::Refused(_) => true,
         }
     }
 }

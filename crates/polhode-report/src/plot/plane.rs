@@ -3,10 +3,12 @@
 use polhode::motion::{FreeMotion, Regime};
 use polhode::observe::{CurveError, Herpolhode};
 
-use super::axes::{Axes, Axis, Key};
-use super::series::{Heading, unit_of_time};
+use super::axes::{Axes, Axis};
+use super::chart::Heading;
+use super::legend::Key;
+use super::prefix;
 use super::sheet::{Colour, Pen, Point, Sheet};
-use crate::number::number;
+use super::time::unit_of_time;
 
 /// No more of it than an eye can follow: periods of ω, and turns about L.
 const MOST_PERIODS: f64 = 12.0;
@@ -31,7 +33,7 @@ pub(super) fn draw(
     let (unit, scale) = unit_of_time(periods * motion.period().unwrap_or_default());
     let name = match motion.regime() {
         Regime::Separatrix => "ω, from L and back to it".to_owned(),
-        _ => format!("ω, {} {unit}", number(periods * motion.period().unwrap_or_default() / scale, 3)),
+        _ => format!("ω, {}", prefix::value(periods * motion.period().unwrap_or_default() / scale, 3, unit)),
     };
     let start = Pen::solid(Colour::BLACK, 5.0);
     let tip = Pen::solid(Colour::AXES[1], 5.0);

@@ -61,8 +61,8 @@ impl Canvas {
                 let lines: Vec<_> = dots.iter().map(|&[x, y]| vec![[x, y], [x + reach, y]]).collect();
                 self.stroke(path(&lines, false), pen);
             }
-            Mark::Polygon { corners, fill } => {
-                self.fill(path(std::slice::from_ref(corners), true), &solid(*fill, 1.0));
+            Mark::Polygon { corners, fill, opacity } => {
+                self.fill(path(std::slice::from_ref(corners), true), &solid(*fill, *opacity));
             }
             Mark::Ball { center, radius } => self.ball(*center, *radius),
             Mark::Text(text) => self.text(text),

@@ -1,41 +1,25 @@
-//! Curves against time.
+//! The curves of ω, energies, L, torques and angles.
 
 use polhode::body::Symmetry;
 use polhode::math::{Direction, Principal, Vector};
 use polhode::motion::{Pointing, Reference, Sample, Scenario};
 
-use super::axes::{Area, Axes, Axis, Key};
+use super::chart::Quantity;
+use super::curve::Curve;
 use super::figure::Figure;
-use super::panel::{Panel, Series, range};
 use super::plotted::PlottedMotion;
-use super::sheet::{Colour, Pen, Point, Sheet};
+use super::sheet::{Colour, Pen, Point};
 
-/// Writes the heading of a figure with its keys; gives the area below.
-pub(super) type Heading<'a> = &'a dyn Fn(&mut Sheet, &[Key]) -> Area;
-
-/// Draws ω, an energy, L or a torque.
-pub(super) fn draw(
-    motion: &PlottedMotion<'_>,
-    figure: Figure,
-    sheet: &mut Sheet,
-    width: f64,
-    heading: Heading<'_>,
-) {
-    let panel = panel(motion, figure);
-    let area = panel.fitted(heading(sheet, &panel.keys(width)));
-    let (x, scale) = time_axis(motion.samples(), area.width());
-    let axes = Axes::within(area, x, panel.axis(area.height()), None);
-    panel.draw(motion, sheet, &axes, scale);
-}
-
-/// The curves of ω, an energy, L or a torque.
-pub(super) fn panel(motion: &PlottedMotion<'_>, figure: Figure) -> Panel {
+/// The curves of ω, an energy, L, a torque or angles.
+pub(super) fn quantity(motion: &PlottedMotion<'_>, figure: Figure) -> Quantity {
     match figure {
-        Figure::Energy => Panel::new(motion, "energy", "J", energy(motion), 0.0),
-        Figure::Momentum => Panel::new(motion, "L", "kg·m²/s", momentum(motion), parts_of_momentum(motion)),
-        Figure::Torque => Panel::new(motion, "N", "N·m", torque(motion), 0.0),
-        Figure::Pointing => Panel::new(motion, "angle", "deg", angles(motion), 180.0).naming_events(),
-        _ => Panel::new(motion, "ω", "rad/s", omega(motion), 0.0).naming_events(),
+        Figure::Energy => Quantity::new("energy", "J", energy(motion)),
+        Figure::Momentum => {
+            Quantity::new("L", "kg·m²/s", momentum(motion)).made_of(parts_of_momentum(motion))
+        }
+        Figure::Torque => Quantity::new("N", "N·m", torque(motion)),
+        Figure::Pointing => Quantity::new("angle", "deg", angles(motion)).made_of(180.0),
+        _ => Quantity::new("ω", "rad/s", omega(motion)),
     }
 }
 
@@ -55,7 +39,7 @@ pub(super) fn pointings(scenario: &Scenario) -> Vec<Pointing> {
         .collect()
 }
 
-fn angles(motion: &PlottedMotion<'_>) -> Vec<Series> {
+fn angles(motion: &PlottedMotion<'_>) -> Vec<Curve> {
     let one = |(k, pointing): (usize, &Pointing)| {
         let of = |sample: &Sample| pointing.angle(&sample.state).to_degrees();
         one(motion, Pen::axis(k % 3), pointing.name(), of)
@@ -63,35 +47,18 @@ fn angles(motion: &PlottedMotion<'_>) -> Vec<Series> {
     motion.pointings.iter().enumerate().map(one).collect()
 }
 
-/// The axis of time, and the length of its unit, s.
-pub(super) fn time_axis(samples: &[Sample], width: f64) -> (Axis, f64) {
-    let times = range(samples.iter().map(|s| s.state.time));
-    let largest = times.into_iter().map(f64::abs).fold(0.0, f64::max);
-    let (unit, scale) = unit_of_time(largest);
-    (Axis::linear(times.map(|t| t / scale), 0.0, (width / 76.0).clamp(3.0, 10.0), "t", unit), scale)
-}
-
-/// The unit in which a time is read, and its length, s.
-pub(super) fn unit_of_time(largest: f64) -> (&'static str, f64) {
-    match largest {
-        t if t > 3.0 * 86_400.0 => ("d", 86_400.0),
-        t if t > 3.0 * 3_600.0 => ("h", 3_600.0),
-        _ => ("s", 1.0),
-    }
-}
-
-fn omega(motion: &PlottedMotion<'_>) -> Vec<Series> {
+fn omega(motion: &PlottedMotion<'_>) -> Vec<Curve> {
     along_principal(motion, |s| s.state.omega, "ω")
 }
 
-fn momentum(motion: &PlottedMotion<'_>) -> Vec<Series> {
-    let mut series = if motion.driven.at_all() {
-        components(motion, ["x", "y", "z"].map(|axis| format!("along {axis}")), |s| s.momentum.to_array())
+fn momentum(motion: &PlottedMotion<'_>) -> Vec<Curve> {
+    let mut curves = if motion.driven.at_all() {
+        components(motion, along_xyz("L"), |s| s.momentum.to_array())
     } else {
         along_principal(motion, |s| s.state.attitude.inverse() * s.momentum, "L")
     };
-    series.push(one(motion, Pen::solid(Colour::BLACK, 1.0), "|L|", |s| s.momentum.norm()));
-    series
+    curves.push(one(motion, Pen::solid(Colour::BLACK, 1.0), "|L|", |s| s.momentum.norm()));
+    curves
 }
 
 /// What L is made of, which may add up to nothing: that of the carrier, at least 2 T/|ω|, and those of the wheels.
@@ -104,11 +71,11 @@ fn parts_of_momentum(motion: &PlottedMotion<'_>) -> f64 {
     motion.samples().iter().map(parts).fold(0.0, f64::max)
 }
 
-fn torque(motion: &PlottedMotion<'_>) -> Vec<Series> {
-    components(motion, ["x", "y", "z"].map(|axis| format!("along {axis}")), |s| s.torque.to_array())
+fn torque(motion: &PlottedMotion<'_>) -> Vec<Curve> {
+    components(motion, along_xyz("N"), |s| s.torque.to_array())
 }
 
-fn energy(motion: &PlottedMotion<'_>) -> Vec<Series> {
+fn energy(motion: &PlottedMotion<'_>) -> Vec<Curve> {
     let kinetic = |pen| one(motion, pen, "T", |s| s.kinetic_energy);
     let thin = Pen::solid(Colour::BLACK, 1.0);
     if !motion.driven.at_all() {
@@ -120,9 +87,10 @@ fn energy(motion: &PlottedMotion<'_>) -> Vec<Series> {
             let [i1, i2, i3] = moments;
             [0.5 * i1 * w1 * w1, 0.5 * i2 * w2 * w2, 0.5 * i3 * w3 * w3]
         };
-        let mut series = components(motion, ["½i₁ω₁²", "½i₂ω₂²", "½i₃ω₃²"].map(str::to_owned), part);
-        series.push(kinetic(thin));
-        return series;
+        let mut curves =
+            components(motion, ["½i₁ω₁²", "½i₂ω₂²", "½i₃ω₃²"].map(|name| [name; 2].map(str::to_owned)), part);
+        curves.push(kinetic(thin));
+        return curves;
     }
     let bold = |k: usize| Pen::axis(k);
     if motion.samples().iter().all(|s| s.potential_energy.is_some()) {
@@ -137,34 +105,39 @@ fn energy(motion: &PlottedMotion<'_>) -> Vec<Series> {
     vec![kinetic(bold(1)), one(motion, bold(0), work, |s| s.work)]
 }
 
-fn one(motion: &PlottedMotion<'_>, pen: Pen, name: &str, value: impl Fn(&Sample) -> f64) -> Series {
-    let values = motion.samples().iter().map(value).collect();
-    Series { pen, long: name.to_owned(), short: name.to_owned(), values }
+fn one(motion: &PlottedMotion<'_>, pen: Pen, name: &str, value: impl Fn(&Sample) -> f64) -> Curve {
+    let points = motion.samples().iter().map(|s| [s.state.time, value(s)]).collect();
+    Curve { pen, name: name.to_owned(), symbol: name.to_owned(), pieces: vec![points] }
 }
 
+/// Curves along three axes, each with its name and its symbol.
 fn components(
     motion: &PlottedMotion<'_>,
-    names: [String; 3],
+    names: [[String; 2]; 3],
     value: impl Fn(&Sample) -> [f64; 3],
-) -> Vec<Series> {
-    let mut series: Vec<Series> = names
-        .into_iter()
-        .enumerate()
-        .map(|(k, name)| Series { pen: Pen::axis(k), short: name.clone(), long: name, values: Vec::new() })
-        .collect();
+) -> Vec<Curve> {
+    let mut pieces: [Vec<Point>; 3] = Default::default();
     for sample in motion.samples() {
-        for (series, value) in series.iter_mut().zip(value(sample)) {
-            series.values.push(value);
+        for (piece, value) in pieces.iter_mut().zip(value(sample)) {
+            piece.push([sample.state.time, value]);
         }
     }
-    series
+    let curves = names.into_iter().zip(pieces).enumerate();
+    curves
+        .map(|(k, ([name, symbol], points))| Curve { pen: Pen::axis(k), name, symbol, pieces: vec![points] })
+        .collect()
+}
+
+/// The components of a vector along x, y and z.
+fn along_xyz(letter: &str) -> [[String; 2]; 3] {
+    ["x", "y", "z"].map(|axis| format!("{letter}{axis}")).map(|name| [name.clone(), name])
 }
 
 fn along_principal<Q>(
     motion: &PlottedMotion<'_>,
     vector: impl Fn(&Sample) -> Vector<Q, polhode::math::Body>,
     letter: &str,
-) -> Vec<Series> {
+) -> Vec<Curve> {
     let into = motion.principal.rotation().inverse();
     let which = match motion.principal.symmetry() {
         Symmetry::Asymmetric => [" least", " intermediate", " greatest moment"],
@@ -172,19 +145,14 @@ fn along_principal<Q>(
         Symmetry::Prolate | Symmetry::Rod => [" symmetry axis", "", ""],
         _ => ["", "", ""],
     };
-    let names = ["₁", "₂", "₃"].map(|index| format!("{letter}{index}"));
+    let names = ["₁", "₂", "₃"].map(|index| format!("{letter}{index}")).map(|name| [name.clone(), name]);
     let value = |s: &Sample| {
         let v: Vector<Q, Principal> = into * vector(s);
         v.to_array()
     };
-    let mut series = components(motion, names, value);
-    for (series, which) in series.iter_mut().zip(which) {
-        series.long.push_str(which);
+    let mut curves = components(motion, names, value);
+    for (curve, which) in curves.iter_mut().zip(which) {
+        curve.name.push_str(which);
     }
-    series
-}
-
-/// The places of a curve's points, broken where it is.
-pub(super) fn pieces(axes: &Axes, points: &[Vec<Point>], pen: Pen, sheet: &mut Sheet) {
-    sheet.lines(points.iter().map(|piece| piece.iter().map(|&p| axes.at(p)).collect()), pen);
+    curves
 }

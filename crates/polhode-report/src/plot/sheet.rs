@@ -104,6 +104,7 @@ pub(super) enum Mark {
     Polygon {
         corners: Vec<Point>,
         fill: Colour,
+        opacity: f64,
     },
     /// A ball with a light on it.
     Ball {

@@ -10,8 +10,9 @@ use polhode::math::{Direction, Principal};
 use polhode::motion::FreeMotion;
 use polhode::observe::{CurveError, MomentumTrace};
 
-use super::axes::{Area, Key};
-use super::series::Heading;
+use super::axes::Area;
+use super::chart::Heading;
+use super::legend::Key;
 use super::sheet::{Anchor, Colour, Mark, Pen, Point, Sheet, Text};
 use super::view::View;
 
@@ -162,6 +163,6 @@ pub(super) fn arrow([x0, y0]: Point, [x1, y1]: Point, sheet: &mut Sheet) {
         let (tx, ty) = ((x1 - x0) / length, (y1 - y0) / length);
         let at = |along: f64, across: f64| [x1 + along * tx - across * ty, y1 + along * ty + across * tx];
         let corners = vec![at(-5.5, 4.4), at(6.0, 0.0), at(-5.5, -4.4)];
-        sheet.marks.push(Mark::Polygon { corners, fill: Colour::BLACK });
+        sheet.marks.push(Mark::Polygon { corners, fill: Colour::BLACK, opacity: 1.0 });
     }
 }

@@ -27,8 +27,13 @@ pub(super) fn write(sheet: &Sheet) -> String {
                     dots.iter().map(|&[x, y]| format!("M{} {}h0", length(x), length(y))).collect();
                 let _ = writeln!(svg, "<path d=\"{d}\"{}/>", stroke(pen));
             }
-            Mark::Polygon { corners, fill } => {
-                let _ = writeln!(svg, "<path d=\"{}z\" fill=\"{}\"/>", path(corners), hex(*fill));
+            Mark::Polygon { corners, fill, opacity } => {
+                let faint = if *opacity < 1.0 {
+                    format!(" fill-opacity=\"{}\"", length(*opacity))
+                } else {
+                    String::new()
+                };
+                let _ = writeln!(svg, "<path d=\"{}z\" fill=\"{}\"{faint}/>", path(corners), hex(*fill));
             }
             Mark::Ball { center: [x, y], radius } => svg.push_str(&ball(*x, *y, *radius)),
             Mark::Text(text) => svg.push_str(&written(text)),

@@ -3,8 +3,9 @@
 mod questions;
 
 use super::Picture;
-use super::axes::{Area, Axes, Axis, Key, heading};
+use super::axes::{Area, Axes, Axis};
 use super::font;
+use super::legend::{Key, heading};
 use super::sheet::{Anchor, Colour, LARGE, Mark, Pen, Point, Sheet, Text};
 use crate::layout::printable;
 use crate::sweep::{SweepSample, SweepStatistic, SweepSummary};
@@ -277,7 +278,7 @@ fn bars(sheet: &mut Sheet, area: Area, statistic: &SweepStatistic) {
         let ([left, top], [right, bottom]) = (axes.at([edge(k), count as f64]), axes.at([edge(k + 1), 0.0]));
         let right = (right - 0.8).max(left + 0.4);
         let corners = vec![[left, bottom], [left, top], [right, top], [right, bottom]];
-        sheet.marks.push(Mark::Polygon { corners, fill: Colour(0x7f_b8_d8) });
+        sheet.marks.push(Mark::Polygon { corners, fill: Colour(0x7f_b8_d8), opacity: 1.0 });
     }
     let line = Pen::solid(Colour::BLACK, 1.2);
     let dashed = Pen::solid(Colour::BLACK, 1.0).dashed(&[3.0, 2.5]);

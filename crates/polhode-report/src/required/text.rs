@@ -15,7 +15,7 @@ pub(super) fn write(report: &RequiredReport<'_>) -> String {
     let (samples, scale) = (report.samples(), report.scale());
     let first = report.first();
     let mut text = heading(report);
-    let point = unit::place(report.rotor().point().to_array());
+    let point = unit::place_in(unit::size(report.scenario.body()), report.rotor().point().to_array());
     let what = if report.scenario.pivot().is_some() { "the pivot" } else { "the centre of mass" };
     text.push_str(&labelled("turns about", &format!("{what}, {point} in body axes: N is about it")));
     text.push_str(&labelled("torque at start", &both(first, scale)));

@@ -1,7 +1,8 @@
 //! What the questions of a sweep are about: who says yes, and how the share settles.
 
 use super::super::Picture;
-use super::super::axes::{Area, Axes, Axis, Key, heading};
+use super::super::axes::{Area, Axes, Axis};
+use super::super::legend::{Key, heading};
 use super::super::sheet::{Colour, Mark, Pen, Point, Sheet};
 use super::{Shown, SweepFigures, axis_of};
 use crate::layout::printable;
@@ -132,7 +133,11 @@ fn settling(sheet: &mut Sheet, area: Area, question: &SweepQuestion) {
     if bounds.len() > 1 {
         let above = bounds.iter().map(|(n, [_, high])| at(*n, *high));
         let below = bounds.iter().rev().map(|(n, [low, _])| at(*n, *low));
-        sheet.marks.push(Mark::Polygon { corners: above.chain(below).collect(), fill: Colour(0xd6_e8_f2) });
+        sheet.marks.push(Mark::Polygon {
+            corners: above.chain(below).collect(),
+            fill: Colour(0xd6_e8_f2),
+            opacity: 1.0,
+        });
     } else if let Some([low, high]) = question.interval {
         // That of sets holds for all members only.
         let dashed = Pen::solid(Colour::AXES[0], 1.0).dashed(&[3.0, 2.5]);

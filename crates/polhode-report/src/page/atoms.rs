@@ -4,7 +4,7 @@ use polhode::body::BodyPart;
 use polhode::math::{Body, Position};
 use serde_json::{Value, json};
 
-use super::base64::f32s;
+use crate::base64::f32s;
 use super::placed::at;
 
 /// Part of its covalent radius that a ball shows: sticks are seen between them.

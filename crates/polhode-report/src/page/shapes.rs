@@ -6,7 +6,7 @@ use polhode::math::{Direction, Part, Position};
 use serde_json::{Value, json};
 
 use super::atoms;
-use super::base64::{f32s, u32s};
+use crate::base64::{f32s, u32s};
 use super::decimate::decimated;
 use super::placed::at;
 use super::turning::{Turning, ellipsoid};

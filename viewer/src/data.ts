@@ -171,4 +171,6 @@ export type ExplanationBlock =
   | { kind: "lines"; lines: string[] }
   /** MathML made by polhode, and the same as plain text. */
   | { kind: "formula"; mathml: string; text: string }
+  /** A graph, as SVG made by polhode, and what it shows. */
+  | { kind: "picture"; svg: string; text: string }
   | { kind: "table"; header: string[]; rows: string[][] };

@@ -23,6 +23,11 @@ function draw(block: ExplanationBlock): HTMLElement {
       else box.append(element("code", {}, block.text));
       return box;
     }
+    case "picture": {
+      // As a picture an SVG runs no script and asks for nothing.
+      const src = `data:image/svg+xml,${encodeURIComponent(block.svg)}`;
+      return element("figure", {}, element("img", { src, alt: block.text }));
+    }
     case "table": {
       const head = element("tr", {}, ...block.header.map((text) => element("th", { scope: "col" }, text)));
       const rows = block.rows.map((row) => element("tr", {}, ...row.map((text) => element("td", {}, text))));

@@ -60,7 +60,7 @@ fn heavy_top(top: &HeavyTop) -> String {
         (_, Some(period)) => {
             let period = time(period, DIGITS);
             format!(
-                "{path}. The axis nods between θ1 = {highest} and θ2 = {lowest} (circles) in {period}{round}."
+                "{path}. The axis nods between θ₁ = {highest} and θ₂ = {lowest} (circles) in {period}{round}."
             )
         }
     }

@@ -202,7 +202,7 @@ fn a_top_has_its_axis_its_bounds_and_gravity() {
     let mean = turned.abs() / (2.0 * std::f64::consts::PI) * period / 3.0;
     assert!((mean - 1.0).abs() < 0.05, "{mean} turns in {period} s");
     let caption = scene["captions"]["body"].as_str().unwrap();
-    let shown = format!("θ1 = {:.2}", first.to_degrees());
+    let shown = format!("θ₁ = {:.2}", first.to_degrees());
     assert!(caption.contains(&shown) && caption.contains("precesses once in"), "{caption}");
     assert!(scene["captions"]["cones"].is_null());
 }
@@ -643,6 +643,7 @@ fn keys_are_those_of_the_contract() {
         "heading",
         "lines",
         "mesh",
+        "picture",
         "table",
         "text",
         "torus",

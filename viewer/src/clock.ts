@@ -132,7 +132,9 @@ export function watchable(rate: number, duration: number, period: number | null)
   }
   const seen = turns ? rate : duration > 0 ? 20 / duration : 1;
   if (seen > 0.15 && seen < 30) return 1;
-  return nearest((seen < 1 ? 1.5 : 6) / seen);
+  // However slow the body is, the run does not flash by.
+  const longest = duration > 0 ? duration / PERIOD : Infinity;
+  return nearest(Math.min((seen < 1 ? 1.5 : 6) / seen, longest));
 }
 
 // The nearest by factors of 1, 2, 3, 5, 10, …: less than √2 away.

@@ -108,7 +108,8 @@ mod tests {
 
     #[test]
     fn bold_letters_are_characters() {
-        for (letter, wanted) in [('I', '𝐈'), ('r', '𝐫'), ('ω', '𝛚'), ('Ω', '𝛀'), ('Σ', '𝚺')] {
+        for (letter, wanted) in [('I', '𝐈'), ('r', '𝐫'), ('ω', '𝛚'), ('Ω', '𝛀'), ('Σ', '𝚺')]
+        {
             assert_eq!(bold(letter), Some(wanted));
         }
         assert_eq!(bold('1'), None);

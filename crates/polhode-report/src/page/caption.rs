@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use polhode::motion::torque::TorqueModel;
 use polhode::motion::{FreeMotion, HeavyTop, Regime, Scenario, Solution, TopPath, Trajectory};
 use serde_json::{Value, json};
 
@@ -86,15 +87,20 @@ fn driven(scenario: &Scenario, trajectory: &Trajectory) -> String {
     if matches!(trajectory.solution(), Solution::Prescribed(_)) {
         return "The motion is prescribed; N is the torque that it needs: dL/dt = N.".to_owned();
     }
-    let torques: Vec<String> = scenario.torques().iter().map(|torque| Description::of(torque).title).collect();
+    // What takes energy inside the body leaves L as it is.
+    let (inner, outer): (Vec<&TorqueModel>, Vec<_>) =
+        scenario.torques().iter().partition(|torque| matches!(torque, TorqueModel::EnergySink(_)));
+    let torques: Vec<String> = outer.into_iter().map(|torque| Description::of(torque).title).collect();
     let wheels: Vec<String> = scenario.wheels().iter().enumerate().map(|(k, _)| wheel(scenario, k)).collect();
     let outside = if torques.is_empty() {
         "No torque from outside: L is fixed in space".to_owned()
     } else {
         format!("Torque N: {}; dL/dt = N", printable(&torques.join(" + ")))
     };
-    let inside = if wheels.is_empty() { String::new() } else { format!(". L = Iω + h; {}", wheels.join("; ")) };
-    format!("{outside}{inside}.")
+    let lost = if inner.is_empty() { "" } else { ". Friction inside the body takes kinetic energy" };
+    let inside =
+        if wheels.is_empty() { String::new() } else { format!(". L = Iω + h; {}", wheels.join("; ")) };
+    format!("{outside}{lost}{inside}.")
 }
 
 /// `the motor turns the wheel from 5 s to 25 s`
@@ -142,7 +148,8 @@ fn cones(free: &FreeFacts) -> String {
         ),
         None => {
             let axis = circled(&free.motion);
-            let [body, space] = [body, space].map(|[least, most]| format!("{} … {}", degrees(least), degrees(most)));
+            let [body, space] =
+                [body, space].map(|[least, most]| format!("{} … {}", degrees(least), degrees(most)));
             format!(
                 "The body cone (ω to axis {axis}: {body}) rolls on the space cone (ω to L: {space}); the body is asymmetric, so \
                  neither is circular."

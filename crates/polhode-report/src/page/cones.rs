@@ -111,8 +111,12 @@ mod tests {
             let found = ConeAngles::of(&free);
             assert_eq!(found.precession, None);
             for (seen, [least, most]) in [(body, found.body), (space, found.space)] {
-                let [low, high] = [seen.iter().copied().fold(PI, f64::min), seen.iter().copied().fold(0.0, f64::max)];
-                assert!((low - least).abs() < 1e-7 && (high - most).abs() < 1e-7, "{low} {least} {high} {most}");
+                let [low, high] =
+                    [seen.iter().copied().fold(PI, f64::min), seen.iter().copied().fold(0.0, f64::max)];
+                assert!(
+                    (low - least).abs() < 1e-7 && (high - most).abs() < 1e-7,
+                    "{low} {least} {high} {most}"
+                );
                 assert!(least < most);
             }
         }

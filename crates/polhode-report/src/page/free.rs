@@ -5,10 +5,10 @@ use polhode::motion::{ClosedForm, FreeMotion, Regime, Solution};
 use polhode::observe::{CurveError, Herpolhode, MomentumTrace, Polhode};
 use serde_json::{Value, json};
 
-use crate::base64::f64s;
 use super::cones::ConeAngles;
 use super::motion::Shown;
 use super::{PageInput, PageSubject};
+use crate::base64::f64s;
 use crate::free_facts::FreeFacts;
 
 /// Chords are so near to their curves, relative to the largest vector: no eye sees more.

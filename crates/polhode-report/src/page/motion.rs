@@ -4,8 +4,8 @@ use polhode::motion::{Crossing, Sample, Trajectory, Wheel};
 use serde_json::{Value, json};
 
 use super::PageSubject;
-use crate::base64::f64s;
 use crate::balance::{Balance, Driven, balances};
+use crate::base64::f64s;
 use crate::json::finite;
 use crate::layout::printable;
 use crate::torque::named_wheels;

@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use polhode::body::shape::{Capsule, Cone, CylinderShell, Disk, Plate, Tetrahedron, Torus};
+use polhode::motion::torque::EnergySink;
 use polhode::motion::{ClosedForm, EventAction, Measure, Sample, Sense, Solution};
 use polhode::prelude::*;
 use polhode_report::{PageInput, PageSubject, explain_motion, page};
@@ -182,7 +183,8 @@ fn a_top_has_its_axis_its_bounds_and_gravity() {
         (-e.iter().zip(g).map(|(x, g)| x * g).sum::<f64>() / size).acos()
     };
     let angles: Vec<f64> = trajectory.samples().iter().map(leaning).collect();
-    let [least, most] = [angles.iter().copied().fold(9.0, f64::min), angles.iter().copied().fold(0.0, f64::max)];
+    let [least, most] =
+        [angles.iter().copied().fold(9.0, f64::min), angles.iter().copied().fold(0.0, f64::max)];
     let bounds = &scene["top"]["bounds"];
     let [first, second] = [number(&bounds[0]), number(&bounds[1])];
     assert!(first <= least + 1e-12 && most <= second + 1e-12, "{first} {least} {most} {second}");
@@ -232,8 +234,21 @@ fn captions_say_what_is_seen() {
         assert!(caption(scenario, "body").contains("L is fixed in space"));
     }
     let inside = caption(&crate::common::gyrostat(), "body");
-    assert!(inside.contains("L = Iω + h") && inside.contains("held at its speed") && inside.contains("from 1.5"), "{inside}");
+    assert!(
+        inside.contains("L = Iω + h") && inside.contains("held at its speed") && inside.contains("from 1.5"),
+        "{inside}"
+    );
     assert!(caption(&crate::common::gyroscope(), "body").contains("prescribed"));
+    // Friction inside is no torque from outside, with another it is not named among those that act.
+    let sink = TorqueModel::EnergySink(EnergySink::new(0.01).unwrap());
+    let push = TorqueModel::Constant(ConstantTorque::Body(Torque::new(0.1, 0.2, -0.3)));
+    let inside = caption(&handle.clone().under(vec![sink.clone()]).unwrap(), "body");
+    assert_eq!(
+        inside,
+        "No torque from outside: L is fixed in space. Friction inside the body takes kinetic energy."
+    );
+    let both = caption(&handle.under(vec![push, sink]).unwrap(), "body");
+    assert!(both.starts_with("Torque N: constant in body axes; dL/dt = N. Friction inside"), "{both}");
 }
 
 #[test]
@@ -269,8 +284,10 @@ fn every_formula_is_set() {
             roxmltree::Document::parse(markup).unwrap_or_else(|e| panic!("{markup}: {e}"));
             // A formula that was not read would stand as text and nothing else.
             assert!(markup.contains("<mo"), "{text}: {markup}");
-            for c in roxmltree::Document::parse(markup).unwrap().descendants().filter_map(|node| node.text()) {
-                let missing: Vec<char> = c.chars().chain(c.chars().filter_map(italic)).filter(|c| !is_in_font(*c)).collect();
+            for c in roxmltree::Document::parse(markup).unwrap().descendants().filter_map(|node| node.text())
+            {
+                let missing: Vec<char> =
+                    c.chars().chain(c.chars().filter_map(italic)).filter(|c| !is_in_font(*c)).collect();
                 assert!(missing.is_empty(), "the font of formulas has no {missing:?}: {text}");
             }
         }

@@ -28,9 +28,10 @@ const bundle = async (entry, options) => {
 const script = await bundle("src/main.ts", {
   format: "iife",
   target: "es2022",
+  loader: { ".txt": "text" },
   define: { THREE_VERSION: JSON.stringify(version("three")), UPLOT_VERSION: JSON.stringify(version("uplot")) },
 });
-const style = await bundle("src/theme.css", {});
+const style = await bundle("src/theme.css", { loader: { ".woff2": "dataurl" } });
 for (const [what, text] of [["script", script], ["style", style]]) {
   if (new RegExp(`</${what}|<!--`, "i").test(text)) throw new Error(`the ${what} would end its element`);
 }
@@ -38,7 +39,8 @@ for (const [what, text] of [["script", script], ["style", style]]) {
 const banner = `<!--
 polhode viewer, MIT OR Apache-2.0. Built from viewer/ by "npm run build"; do not edit.
 Contains three.js ${version("three")}, MIT licence, copyright 2010-2026 three.js authors,
-and uPlot ${version("uplot")}, MIT licence, copyright 2022 Leon Sorokin. Their licences stand under "About".
+uPlot ${version("uplot")}, MIT licence, copyright 2022 Leon Sorokin, and a part of STIX Two Math, SIL Open Font License 1.1,
+copyright 2001-2021 The STIX Fonts Project Authors. Their licences stand under "About".
 -->`;
 // A function as replacement: "$&" in a script is not a pattern.
 const put = (page, place, text) => {

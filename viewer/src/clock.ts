@@ -114,11 +114,35 @@ export function indexAt(times: Float64Array, time: number): number {
   return low;
 }
 
-/** A speed at which the eye can follow: 1 if it can follow the real one, where the body turns by `rate` rad/s. */
-export function watchable(rate: number, duration: number): number {
-  const seen = rate > 0 && Number.isFinite(rate) ? rate : duration > 0 ? 20 / duration : 1;
+/** On the screen the period that the eye is to follow takes 5 to 10 s: in the middle of them, as speeds go by factors. */
+const PERIOD = 5 * Math.SQRT2;
+/** Of the screen, rad/s: what turns faster is a blur. */
+const FASTEST = 80;
+
+/**
+ * A speed at which the eye can follow. `period`: what the motion shows takes so long, s; null where nothing repeats, and then it is 1 if
+ * the eye can follow the real one, where the body turns by `rate` rad/s.
+ */
+export function watchable(rate: number, duration: number, period: number | null): number {
+  const turns = rate > 0 && Number.isFinite(rate);
+  if (period !== null && period > 0 && Number.isFinite(period)) {
+    // A run that is shorter than the period is seen as long.
+    const shown = duration > 0 ? Math.min(period, duration) : period;
+    return fitting(Math.min(shown / PERIOD, turns ? FASTEST / rate : Infinity));
+  }
+  const seen = turns ? rate : duration > 0 ? 20 / duration : 1;
   if (seen > 0.15 && seen < 30) return 1;
-  return nearest((seen < 1 ? 1.5 : 6) / seen);
+  // However slow the body is, the run does not flash by.
+  const longest = duration > 0 ? duration / PERIOD : Infinity;
+  return nearest(Math.min((seen < 1 ? 1.5 : 6) / seen, longest));
+}
+
+// The nearest by factors of 1, 2, 3, 5, 10, …: less than √2 away.
+function fitting(value: number): number {
+  const decade = 10 ** Math.floor(Math.log10(value));
+  const off = (step: number): number => Math.abs(Math.log((step * decade) / value));
+  const best = [1, 2, 3, 5, 10].reduce((a, b) => (off(b) < off(a) ? b : a));
+  return Number((best * decade).toPrecision(1));
 }
 
 function nearest(value: number): number {

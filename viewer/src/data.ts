@@ -17,6 +17,7 @@ export interface PageData {
   motion: MotionData;
   /** Null if the motion is not free. */
   free: FreeData | null;
+  scene: SceneData;
   /** Numbers beside the picture, ready to read: mass properties, regime, periods, evidence. */
   facts: FactGroup[];
   findings: { severity: "info" | "warning"; message: string }[];
@@ -109,8 +110,11 @@ export interface MotionData {
   potential: Base64 | null;
   /** What should stay the same, and how much it moves: lines of the drift plot, |value| relative, f64, n. */
   drift: { name: string; values: Base64 }[];
-  /** Wheels inside the body: f64, n, along the wheel's axis; speeds are relative to the body, null where they are held. kg·m²/s, rad/s. */
-  wheels: { name: string; momentum: Base64; speed: Base64 | null }[];
+  /**
+   * Wheels inside the body. Axis: a unit vector, body axes. Along it, f64, n: the angular momentum h, kg·m²/s; the speed relative to the
+   * body, rad/s, null where it is held; the motor's torque on the wheel, N·m, null without a motor.
+   */
+  wheels: { name: string; axis: [number, number, number]; momentum: Base64; speed: Base64 | null; motor: Base64 | null }[];
   /** What happened on the way: t, s, and its name. */
   events: { time: number; name: string }[];
   /** False if the motion could not be computed to its end; its last samples may then be far beyond all others. */
@@ -136,6 +140,23 @@ export interface FreeData {
   family: Base64[];
   /** On the unit sphere, principal axes: this motion's L/|L|, one period. */
   trace: Base64;
+  /**
+   * Least and greatest angles, rad: of ω from ± the axis that L circles, and of ω from L. The sense of the precession of a symmetric
+   * body; null for any other.
+   */
+  cones: { body: [number, number]; space: [number, number]; precession: "prograde" | "retrograde" | null };
+}
+
+/** What the 3-D view shows besides the body. */
+export interface SceneData {
+  /** s: of the precession, or of the slowest of the periods, that the eye is to follow; null where nothing repeats. */
+  period: number | null;
+  /** Acceleration of gravity, space axes, m/s²; null if it does not turn the body. */
+  gravity: [number, number, number] | null;
+  /** Of a heavy symmetric top: its axis, a unit vector in body axes, and the angles from the vertical that it nods between, rad. */
+  top: { axis: [number, number, number]; bounds: [number, number] } | null;
+  /** A line on each picture. */
+  captions: { body: string; poinsot: string | null; cones: string | null; sphere: string | null };
 }
 
 export interface FactGroup {
@@ -150,6 +171,6 @@ export type ExplanationBlock =
   | { kind: "lines"; lines: string[] }
   /** MathML made by polhode, and the same as plain text. */
   | { kind: "formula"; mathml: string; text: string }
-  /** A graph as a whole SVG file, and what it shows. */
+  /** A graph, as SVG made by polhode, and what it shows. */
   | { kind: "picture"; svg: string; text: string }
   | { kind: "table"; header: string[]; rows: string[][] };

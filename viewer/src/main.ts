@@ -36,7 +36,7 @@ function start(): void {
   const page = readPage(document);
   const motion = new Motion(page.motion);
   const duration = motion.times[motion.count - 1] - motion.times[0];
-  const clock = new Clock(motion.times, watchable(motion.meanRate(), duration));
+  const clock = new Clock(motion.times, watchable(motion.meanRate(), duration, page.scene.period));
   document.title = `${page.title} · polhode`;
   byId("title").textContent = page.title;
   byId("source").textContent = page.source;
@@ -48,7 +48,7 @@ function start(): void {
     byId("no-view").hidden = false;
     byId("no-view").append(element("p", {}, String(problem)));
   }
-  const show = view ? legend(view) : (): void => undefined;
+  const show = view ? legend(view, page.scene.captions) : (): void => undefined;
   toolbar(clock);
   const plots = panels(page, motion, clock, notes(view, motion));
   keys(clock, view, show);

@@ -30,7 +30,7 @@ export class Motion {
   readonly kinetic: Float64Array;
   readonly potential: Float64Array | null;
   readonly drift: { name: string; values: Float64Array }[];
-  readonly wheels: { name: string; momentum: Float64Array; speed: Float64Array | null }[];
+  readonly wheels: { name: string; axis: Vector; momentum: Float64Array; speed: Float64Array | null; motor: Float64Array | null }[];
   readonly events: { time: number; name: string }[];
   readonly complete: boolean;
   /** The largest turn from one sample to the next, rad: what happens between samples is a guess if it is not small. */
@@ -48,10 +48,12 @@ export class Motion {
     this.kinetic = f64(data.kinetic, "kinetic energy", n);
     this.potential = data.potential === null ? null : f64(data.potential, "potential energy", n);
     this.drift = data.drift.map(({ name, values }) => ({ name, values: f64(values, name, n) }));
-    this.wheels = data.wheels.map(({ name, momentum, speed }) => ({
+    this.wheels = data.wheels.map(({ name, axis, momentum, speed, motor }) => ({
       name,
+      axis,
       momentum: f64(momentum, `momentum of ${name}`, n),
       speed: speed === null ? null : f64(speed, `speed of ${name}`, n),
+      motor: motor === null ? null : f64(motor, `motor of ${name}`, n),
     }));
     this.events = data.events;
     if (!this.events.every(({ time }) => Number.isFinite(time))) throw new BadData("events: a time is not finite");

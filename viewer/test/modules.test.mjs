@@ -58,9 +58,26 @@ test("speeds are 1, 2, 5 times powers of ten", () => {
   assert.deepEqual(up, [2, 5, 10, 20, 50]);
   const down = Array.from({ length: 7 }, () => (clock.changeSpeed(-1), clock.speed));
   assert.deepEqual(down, [20, 10, 5, 2, 1, 0.5, 0.2]);
-  assert.equal(watchable(11, 20), 1);
-  assert.ok(Math.abs(watchable(1e12, 1e-11) * 1e12 - 6) < 2.1);
-  assert.ok(watchable(0, 20) > 0);
+  clock.speed = 0.3;
+  clock.changeSpeed(1);
+  assert.equal(clock.speed, 0.5);
+});
+
+test("what a motion shows takes 5 to 10 s; without a period the speed is the real one where the eye can follow it", () => {
+  assert.equal(watchable(11, 20, null), 1);
+  assert.ok(Math.abs(watchable(1e12, 1e-10, null) * 1e12 - 6) < 2.1);
+  assert.ok(60 / watchable(0.01, 60, null) >= 5, "a slow body's run does not flash by");
+  assert.ok(watchable(0, 20, null) > 0);
+  for (let k = 0; k < 200; k += 1) {
+    const period = 1e-12 * 1.37 ** k;
+    const seconds = period / watchable(3 / period, 40 * period, period);
+    assert.ok(seconds > 4.99 && seconds < 10.01, `${period} s in ${seconds} s`);
+  }
+  // The heavy top of the examples: 1.93 s a precession, 241 rad/s.
+  assert.equal(watchable(241, 2, 1.9314), 0.3);
+  // What would be a blur is slower, and a run that is shorter than the period is seen as long.
+  assert.ok(watchable(1e4, 60, 2) * 1e4 < 120);
+  assert.ok(0.1 / watchable(3, 0.1, 50) > 4.99);
 });
 
 test("a motion of one sample stands", () => {

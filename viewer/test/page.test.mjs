@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { folder, launch, open, shoot } from "./browser.mjs";
-import { integrate, rotate, samples, tensor } from "./sample.mjs";
+import { integrate, rotate, samples, tensor, WHEEL } from "./sample.mjs";
 
 let browser;
 before(async () => {
@@ -133,7 +133,7 @@ test("the attitude that is shown is the table's", async () => {
       const p = minus(rotate([...table.subarray(4 * i, 4 * i + 4)], axis.map((x) => 1.3 * x)), tips.eye);
       const x = tips.w / 2 + (focal * dot(p, right)) / dot(p, ahead);
       const y = tips.h / 2 - (focal * dot(p, above)) / dot(p, ahead);
-      const label = tips.placed.find(({ text }) => text === "xyz"[k]);
+      const label = tips.placed.find(({ text }) => text === ["𝑥", "𝑦", "𝑧"][k]);
       assert.ok(Math.hypot(label.tipX - x, label.tipY - y) < 0.05, `${name}: axis ${k} at ${x}, ${y}, not ${label.tipX}, ${label.tipY}`);
     });
     await close();
@@ -250,7 +250,7 @@ test("hostile text is text", async () => {
   assert.equal(await page.textContent("#title"), evil);
   assert.equal(await page.textContent(".scenario"), evil);
   assert.equal(await page.locator("img").count(), 1);
-  assert.equal(await page.locator("img.picture").evaluate((img) => img.decode().then(() => img.naturalWidth)), 10);
+  assert.equal(await page.locator("#panel-working img").evaluate((img) => img.decode().then(() => img.naturalWidth)), 10);
   assert.equal(await page.locator("math").count(), 0, "a formula that is not plain MathML is its text");
   assert.equal(await page.locator(".formula code").count(), 6);
   assert.equal(await page.locator("script").count(), 2, "the data and the page's own");
@@ -319,6 +319,190 @@ test("labels keep off the body", async () => {
   await close();
 });
 
+const SIZES = [[1440, 900], [1024, 768], [390, 844]];
+const PICTURES = ["body", "poinsot", "cones", "sphere"];
+
+test("names do not cover each other, whatever the picture, the time and the size", async () => {
+  for (const name of ["free", "symmetric", "heavy", "wheeled"]) {
+    for (const [width, height] of SIZES.slice(1)) {
+      const { page, close } = await open(browser, `names-${name}`, samples[name](), { viewport: { width, height } });
+      const end = await page.evaluate(() => window.polhode.clock.end);
+      for (const picture of PICTURES) {
+        if ((await page.locator(`[data-picture=${picture}]`).count()) === 0) continue;
+        if (await page.locator(`[data-picture=${picture}]`).isVisible()) await page.click(`[data-picture=${picture}]`);
+        for (const part of [0, 0.117, 0.37, 0.583, 0.761, 0.94]) {
+          const { boxes, stage } = await page.evaluate((t) => {
+            window.polhode.clock.set(t);
+            window.polhode.view.render();
+            const box = (e) => (({ x, y, width, height }) => ({ text: e.textContent, x, y, width, height }))(e.getBoundingClientRect());
+            return { boxes: [...document.querySelectorAll(".label:not([hidden])")].map(box), stage: box(document.querySelector("#stage")) };
+          }, part * end);
+          const where = `${name} ${picture} at ${part} of the run, ${width} × ${height}`;
+          assert.ok(boxes.length >= 2, where);
+          boxes.forEach((a, k) => {
+            assert.ok(a.x >= stage.x && a.x + a.width <= stage.x + stage.width, `${a.text} is in the frame: ${where}`);
+            assert.ok(a.y >= stage.y && a.y + a.height <= stage.y + stage.height, `${a.text} is in the frame: ${where}`);
+            for (const b of boxes.slice(k + 1)) {
+              const apart = Math.max(a.x - b.x - b.width, b.x - a.x - a.width, a.y - b.y - b.height, b.y - a.y - a.height);
+              assert.ok(apart > -0.5, `${a.text} and ${b.text}: ${where}`);
+            }
+          });
+        }
+      }
+      await close();
+    }
+  }
+});
+
+test("each picture has its line and its names, and nothing that one can press is cut off", async () => {
+  const names = { poinsot: ["invariable plane", "polhode", "herpolhode"], cones: ["body cone", "space cone"], sphere: ["separatrix", "𝐋"] };
+  for (const [width, height] of SIZES) {
+    const data = samples.free();
+    const { page, close } = await open(browser, "cut", data, { viewport: { width, height } });
+    for (const picture of PICTURES) {
+      await page.click(`[data-picture=${picture}]`);
+      await page.evaluate(() => window.polhode.view.render());
+      assert.equal(await page.textContent("#caption"), data.scene.captions[picture]);
+      const shown = await page.locator(".label:not([hidden])").allTextContents();
+      for (const name of names[picture] ?? []) assert.ok(shown.includes(name), `${name} in ${picture} of ${shown}`);
+      const cut = await page.evaluate(() => {
+        const page = document.documentElement;
+        const view = document.querySelector(".view").getBoundingClientRect();
+        const all = [...document.querySelectorAll(".view button, .view select, .view input, #caption, .time")];
+        return all.flatMap((e) => {
+          const r = e.getBoundingClientRect();
+          const host = e.closest("#legend, #caption, .transport, .bar").getBoundingClientRect();
+          const out = [view, host].some((o) => r.left < o.left - 1 || r.right > o.right + 1 || r.top < o.top - 1 || r.bottom > o.bottom + 1);
+          const small = e.scrollHeight > e.clientHeight + 2 && e.id === "caption";
+          return r.width > 0 && (out || small || r.right > page.clientWidth || r.bottom > window.innerHeight) ? [e.id || e.textContent] : [];
+        });
+      });
+      assert.deepEqual(cut, [], `${picture}, ${width} × ${height}`);
+    }
+    await close();
+  }
+});
+
+test("the mark on the momentum sphere is at L/|L|, and L points to it", async () => {
+  const data = samples.free();
+  const { page, close } = await open(browser, "mark", data);
+  await page.click("[data-picture=sphere]");
+  const momentum = numbers(data.motion.momentum);
+  for (const i of [0, 411, 1333]) {
+    const { mark, tip } = await page.evaluate((t) => {
+      const { clock, view } = window.polhode;
+      clock.set(t);
+      view.render();
+      const [object] = view.layers.find((layer) => layer.id === "mark").objects;
+      const tip = view.labels.placed.find(({ text }) => text === "𝐋").tip;
+      return { mark: object.getWorldPosition(object.position.clone()).toArray(), tip: tip.toArray() };
+    }, i * 0.01);
+    const l = [...momentum.subarray(3 * i, 3 * i + 3)];
+    const size = Math.hypot(...l);
+    l.forEach((x, k) => {
+      assert.ok(Math.abs(mark[k] - (1.004 * x) / size) < 1e-6, `${i}: ${mark}`);
+      assert.ok(Math.abs(tip[k] - (1.25 * x) / size) < 1e-6, `${i}: ${tip}`);
+    });
+  }
+  await close();
+});
+
+/** The ends of the pieces of a curve of some pixels' width. */
+const curvePoints = (id) => {
+  const points = [];
+  window.polhode.view.layers.find((layer) => layer.id === id).objects[0].traverse((line) => {
+    if (!line.isLine2) return;
+    const ends = line.geometry.attributes.instanceStart.data.array;
+    for (let k = 0; k < ends.length; k += 6) points.push([ends[k], ends[k + 1], ends[k + 2]]);
+  });
+  return points;
+};
+
+test("a heavy top has its circles, the path of its axis, a floor, and gravity at its centre of mass", async () => {
+  const data = samples.heavy();
+  const { page, problems, close } = await open(browser, "top", data);
+  const seconds = data.scene.period / (await page.evaluate(() => window.polhode.clock.speed));
+  assert.ok(seconds >= 5 && seconds <= 10, `a precession in ${seconds} s`);
+  const bounds = data.scene.top.bounds;
+  const angle = (p) => Math.acos(p[2] / Math.hypot(...p));
+  const circles = await page.evaluate(curvePoints, "bounds");
+  const found = [...new Set(circles.map((p) => angle(p).toFixed(5)))];
+  assert.deepEqual(found, bounds.map((theta) => theta.toFixed(5)));
+  const path = await page.evaluate(curvePoints, "path");
+  const attitude = numbers(data.motion.attitude);
+  for (const i of [0, 7, 1234]) {
+    const want = rotate([...attitude.subarray(4 * i, 4 * i + 4)], [0, 0, 1]);
+    const nearest = Math.min(...path.map((p) => Math.hypot(...p.map((x, k) => x / 1.3 - want[k]))));
+    assert.ok(nearest < 1e-6, `sample ${i} is on the path: ${nearest}`);
+  }
+  assert.ok(path.every((p) => angle(p) > bounds[0] - 1e-4 && angle(p) < bounds[1] + 1e-4));
+  const { at, tip, unit, floor } = await page.evaluate((t) => {
+    const { clock, view } = window.polhode;
+    clock.set(t);
+    view.render();
+    const object = (id) => view.layers.find((layer) => layer.id === id).objects[0];
+    const tip = view.labels.placed.find(({ text }) => text === "𝐠").tip.toArray();
+    return { at: object("gravity").position.toArray(), tip, unit: view.model.radius, floor: object("floor").position.toArray() };
+  }, 2.468);
+  const i = 1234;
+  const middle = rotate([...attitude.subarray(4 * i, 4 * i + 4)], data.body.lever).map((x) => x / unit);
+  middle.forEach((x, k) => assert.ok(Math.abs(at[k] - x) < 1e-6));
+  assert.deepEqual(floor, [0, 0, 0]);
+  assert.ok(Math.abs(tip[0] - at[0]) < 1e-9 && Math.abs(tip[1] - at[1]) < 1e-9 && tip[2] < at[2], "it points down");
+  await shoot(page, "top");
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test("a wheel has its axis, h, and says when its motor runs", async () => {
+  const data = samples.wheeled();
+  const { page, problems, close } = await open(browser, "wheel", data);
+  const shown = (t) =>
+    page.evaluate((t) => {
+      const { clock, view } = window.polhode;
+      clock.set(t);
+      view.render();
+      const frame = view.layers.find((layer) => layer.id === "wheels").objects[0];
+      const h = view.labels.placed.find(({ text }) => text === "𝐡")?.tip.clone();
+      // Back to the body's axes.
+      const body = h?.applyQuaternion(frame.getWorldQuaternion(view.orbit.camera.quaternion.clone()).invert()).toArray();
+      return { h: body ?? null, names: [...document.querySelectorAll(".label:not([hidden])")].map((e) => e.textContent) };
+    }, t);
+  const before = await shown(2);
+  assert.equal(before.h, null, "at rest it has none");
+  assert.ok(before.names.includes("wheel"));
+  const middle = await shown(15);
+  assert.ok(middle.names.includes("wheel, motor on"));
+  const after = await shown(50);
+  assert.ok(after.names.includes("wheel"));
+  const [half, whole] = [middle.h, after.h].map((h) => Math.hypot(...h));
+  assert.ok(Math.abs(half / whole - 0.5) < 1e-6, "its length goes as h");
+  after.h.forEach((x, k) => assert.ok(Math.abs(x / whole - WHEEL[k]) < 1e-6, `${after.h}`));
+  await shoot(page, "wheel");
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test("formulas and letters of the view are set in the font of the page", async () => {
+  const { page, problems, close } = await open(browser, "font", samples.free());
+  await page.click("#tab-working");
+  await page.evaluate(() => document.fonts.ready);
+  assert.deepEqual(await page.evaluate(() => [...document.fonts].map((f) => [f.family.replaceAll('"', ""), f.status])), [["Polhode Math", "loaded"]]);
+  const client = await page.context().newCDPSession(page);
+  await client.send("DOM.enable");
+  await client.send("CSS.enable");
+  const { root } = await client.send("DOM.getDocument");
+  for (const [selector, least] of [["#panel-working mi, #panel-working mn", 5], [".label.symbol", 5]]) {
+    const { nodeIds } = await client.send("DOM.querySelectorAll", { nodeId: root.nodeId, selector });
+    const used = [];
+    for (const nodeId of nodeIds) used.push(...(await client.send("CSS.getPlatformFontsForNode", { nodeId })).fonts);
+    assert.ok(nodeIds.length >= 1 && used.reduce((sum, { glyphCount }) => sum + glyphCount, 0) >= least, selector);
+    for (const { familyName, isCustomFont } of used) assert.ok(isCustomFont && familyName === "STIX Two Math", `${selector}: ${familyName}`);
+  }
+  assert.deepEqual(problems, []);
+  await close();
+});
+
 test("every kind of body is drawn, and each page says what it leaves out", async () => {
   for (const name of ["mesh", "balls", "box", "symmetric", "heavy"]) {
     const { page, problems, close } = await open(browser, name, samples[name]());
@@ -342,7 +526,7 @@ test("the inertia ellipsoid touches the invariable plane at the tip of ω", asyn
     const { contact, plane } = await page.evaluate((t) => {
       window.polhode.clock.set(t);
       window.polhode.view.render();
-      const [plane, contact] = window.polhode.view.layers.find((layer) => layer.id === "plane").objects;
+      const [plane, contact] = ["plane", "contact"].map((id) => window.polhode.view.layers.find((l) => l.id === id).objects[0]);
       return { plane: plane.position.toArray(), contact: contact.position.toArray() };
     }, (i + part) * 0.01);
     const distance = Math.hypot(...plane);

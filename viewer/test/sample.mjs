@@ -147,6 +147,20 @@ function freeData(body, rows, regime) {
     separatrix,
     family: family.map((c) => f64(c.flat())),
     trace: f64(loop.flatMap((r) => onSphere(momentum(r)))),
+    cones: conesOf(body, axes, loop, momentum),
+  };
+}
+
+/** Angles of ω from the axis of least or greatest moment that it is nearer to, and from L. */
+function conesOf({ moments }, axes, loop, momentum) {
+  const axis = Math.abs(dot(axes[2], momentum(loop[0]))) > Math.abs(dot(axes[0], momentum(loop[0]))) ? axes[2] : axes[0];
+  const angle = (a, b) => Math.acos(Math.abs(dot(a, b)) / norm(a) / norm(b));
+  const range = (angles) => [Math.min(...angles), Math.max(...angles)];
+  const precession = moments[0] === moments[1] ? "retrograde" : moments[1] === moments[2] ? "prograde" : null;
+  return {
+    body: range(loop.map(({ omega }) => angle(omega, axis))),
+    space: range(loop.map((r) => angle(r.omega, momentum(r)))),
+    precession,
   };
 }
 
@@ -188,7 +202,15 @@ const EXPLANATION = [
 
 const SCENARIO = '# T-handle in free fall\nname = "T-handle in free fall"\n\n[body]\nmaterial = "steel"\n\n[motion]\nomega = "0.3 11 0.5 rad/s"\nduration = "20 s"\n';
 
-function page({ title, body, mass, shapes, ellipsoid, motion, free, about = "centre of mass", lever = [0, 0, 0] }) {
+const CAPTIONS = { body: "The body turns.", poinsot: null, cones: null, sphere: null };
+const FREE_CAPTIONS = {
+  body: "No torque: L is fixed in space.",
+  poinsot: "The inertia ellipsoid rolls without slipping on the invariable plane; the point of contact traces polhode and herpolhode.",
+  cones: "The body cone (ω to axis 3: 53.9° … 89.9°) rolls on the space cone (ω to L: 0.02° … 34.3°); neither is circular.",
+  sphere: "The tip of L in the body runs round axis 3; the separatrices pass through axis 2.",
+};
+
+function page({ title, body, mass, shapes, ellipsoid, motion, free, about = "centre of mass", lever = [0, 0, 0], scene = {} }) {
   return {
     version: 1,
     title,
@@ -197,6 +219,7 @@ function page({ title, body, mass, shapes, ellipsoid, motion, free, about = "cen
     body: { mass, inertia: body.inertia, about, lever, principal: { moments: body.moments, quaternion: body.quaternion }, ellipsoid, shapes },
     motion,
     free,
+    scene: { period: null, gravity: null, top: null, captions: free ? FREE_CAPTIONS : CAPTIONS, ...scene },
     facts: FACTS,
     findings: [{ severity: "warning", message: "The spin is 0.8° from the unstable intermediate axis: it flips." }],
     explanation: EXPLANATION,
@@ -271,8 +294,18 @@ function heavy() {
     ellipsoid: ellipsoidOf([0.002, 0.0038, 0.0038], 0.5),
     motion: motionData(rows, body.inertia, torque, potential, "rk4"),
     free: null,
+    scene: { period: 1.54, gravity: [0, 0, -9.81], top: { axis: [0, 0, 1], bounds: nods(rows) } },
   });
 }
+
+/** The least and the greatest angle of the body's z axis from Z. */
+function nods(rows) {
+  const angles = rows.map(({ q }) => Math.acos(rotate(q, [0, 0, 1])[2]));
+  return [Math.min(...angles), Math.max(...angles)];
+}
+
+/** The wheel's axis: not quite the z axis, so that it is not taken for that. */
+export const WHEEL = unit([0.1, -0.2, 1]);
 
 /** A body at rest that its wheel turns, so that L is what rounding leaves; and what happens on the way. */
 function wheeled() {
@@ -288,11 +321,12 @@ function wheeled() {
   made.title = "A satellite turned by its wheel";
   made.body = { ...made.body, inertia: body.inertia, shapes: [] };
   made.free = null;
+  made.scene = { ...made.scene, captions: CAPTIONS };
   made.motion = {
     ...motionData(rows, body.inertia, null, null, "taylor"),
     drift: [{ name: "T − work", values: f64(rows.map((_, i) => 1e-16 * (i % 5))) }],
     momentum: f64(rows.flatMap((_, i) => [1e-17 * Math.sin(7 * i), 3e-18, -2e-17 * Math.cos(3 * i)])),
-    wheels: [{ name: "wheel", momentum: f64(rows.map(({ t }) => h(t))), speed: f64(rows.map(({ t }) => h(t) / 0.012 + h(t) / 3.1)) }],
+    wheels: [{ name: "wheel", axis: WHEEL, motor: f64(rows.map(({ t }) => (t >= 5 && t < 25 ? 0.015 : 0))), momentum: f64(rows.map(({ t }) => h(t))), speed: f64(rows.map(({ t }) => h(t) / 0.012 + h(t) / 3.1)) }],
     events: [
       { time: 5, name: "<b>motor on</b>" },
       { time: 25, name: "motor off" },

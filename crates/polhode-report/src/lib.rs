@@ -16,6 +16,7 @@
 #![forbid(unsafe_code)]
 
 mod balance;
+mod base64;
 mod block;
 mod error_estimate;
 mod event;

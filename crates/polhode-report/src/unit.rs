@@ -47,6 +47,18 @@ const VOLUME: [Unit; 4] = [
     Unit { name: "m³", per_si: 1.0, from: 0.0 },
 ];
 
+const TIME: [Unit; 9] = [
+    Unit { name: "d", per_si: 1.0 / 86_400.0, from: 172_800.0 },
+    Unit { name: "h", per_si: 1.0 / 3_600.0, from: 7_200.0 },
+    Unit { name: "s", per_si: 1.0, from: 0.1 },
+    Unit { name: "ms", per_si: 1e3, from: 1e-4 },
+    Unit { name: "µs", per_si: 1e6, from: 1e-7 },
+    Unit { name: "ns", per_si: 1e9, from: 1e-10 },
+    Unit { name: "ps", per_si: 1e12, from: 1e-13 },
+    Unit { name: "s", per_si: 1.0, from: f64::MIN_POSITIVE },
+    Unit { name: "s", per_si: 1.0, from: 0.0 },
+];
+
 /// Digits of a quantity that stands alone.
 pub(crate) const DIGITS: usize = 7;
 
@@ -61,6 +73,12 @@ pub(crate) fn duration(seconds: f64, digits: usize) -> String {
         Some((unit, name)) => format!("{shown}{GROUP}({}{GROUP}{name})", number(seconds / unit, 6)),
         None => shown,
     }
+}
+
+/// A time in one unit: `97.55 ms`, `5.369 d`.
+pub(crate) fn time(seconds: f64, digits: usize) -> String {
+    let unit = fitting(&TIME, seconds);
+    format!("{}{GROUP}{}", number(seconds * unit.per_si, digits), unit.name)
 }
 
 /// `0.412 618 3 kg`

@@ -1,5 +1,6 @@
 /** What the page is, its conventions, and the licences of what is in it. */
 import { element } from "../dom";
+import OFL from "../../../crates/polhode-report/assets/stix-two-math.OFL.txt";
 
 declare const THREE_VERSION: string;
 declare const UPLOT_VERSION: string;
@@ -31,7 +32,9 @@ export function about(host: HTMLElement, source: string): void {
     element("p", {}, "polhode: MIT or Apache 2.0, at your choice."),
     element("p", {}, `three.js ${THREE_VERSION}: MIT licence, copyright © 2010–2026 three.js authors.`),
     element("p", {}, `uPlot ${UPLOT_VERSION}: MIT licence, copyright © 2022 Leon Sorokin.`),
+    element("p", {}, "STIX Two Math, a part of it: SIL Open Font License 1.1, copyright © 2001–2021 The STIX Fonts Project Authors."),
     element("details", {}, element("summary", {}, "The MIT licence"), element("p", { class: "licence" }, MIT)),
+    element("details", {}, element("summary", {}, "The SIL Open Font License"), element("p", { class: "licence" }, OFL)),
   );
 }
 

@@ -1,4 +1,5 @@
-/** The pictures of the 3-D view, and what each shows: the legend is made of switches. */
+/** The pictures of the 3-D view, a line on each, and what it shows: the legend is made of switches. */
+import type { SceneData } from "../data";
 import { byId, element } from "../dom";
 import type { Picture } from "../scene/layers";
 import type { View } from "../scene/scene";
@@ -13,9 +14,10 @@ const PICTURES: Record<Picture, string> = {
 const TRAILS: Record<Trailed, string> = { "axis-1": "x axis", "axis-2": "y axis", "axis-3": "z axis", omega: "tip of ω" };
 
 /** Returns what shows a picture. */
-export function legend(view: View): (picture: Picture) => void {
+export function legend(view: View, captions: SceneData["captions"]): (picture: Picture) => void {
   const bar = byId("pictures");
   const host = byId("legend");
+  const caption = byId("caption");
   const ride = byId<HTMLButtonElement>("ride");
   const show = (picture: Picture): void => {
     if (!view.pictures.includes(picture)) return;
@@ -23,9 +25,35 @@ export function legend(view: View): (picture: Picture) => void {
     for (const button of bar.querySelectorAll("button")) {
       button.setAttribute("aria-pressed", String(button.dataset.picture === picture));
     }
+    caption.textContent = captions[picture] ?? "";
     fill(host, view);
     name(ride, view);
   };
+  // Room for the tallest of them: nothing is cut off, and the picture does not jump.
+  const reserve = (): void => {
+    const shown = view.picture;
+    let [tall, long] = [0, 0];
+    host.style.height = "";
+    caption.style.height = "";
+    for (const picture of view.pictures) {
+      view.picture = picture;
+      caption.textContent = captions[picture] ?? "";
+      fill(host, view);
+      tall = Math.max(tall, host.offsetHeight);
+      long = Math.max(long, caption.offsetHeight);
+    }
+    view.picture = shown;
+    caption.textContent = captions[shown] ?? "";
+    fill(host, view);
+    host.style.height = `${tall}px`;
+    caption.style.height = `${long}px`;
+  };
+  let width = 0;
+  new ResizeObserver(() => {
+    if (host.clientWidth === width) return;
+    width = host.clientWidth;
+    reserve();
+  }).observe(host);
   for (const picture of view.pictures) {
     const button = element("button", { type: "button", click: () => show(picture) }, PICTURES[picture]);
     button.dataset.picture = picture;
@@ -39,11 +67,12 @@ export function legend(view: View): (picture: Picture) => void {
   });
   byId("home").addEventListener("click", () => view.orbit.home());
   show("body");
+  reserve();
   return show;
 }
 
 function name(ride: HTMLButtonElement, view: View): void {
-  ride.textContent = view.rides === "space" ? "Seen from space" : "Seen from the body";
+  ride.textContent = view.rides === "space" ? "From space" : "From the body";
 }
 
 function fill(host: HTMLElement, view: View): void {
@@ -61,8 +90,8 @@ function fill(host: HTMLElement, view: View): void {
       view.toggle(layer);
       button.setAttribute("aria-pressed", String(layer.on[view.picture]));
     });
-    host.append(button);
-    if (layer.id === "trail") host.append(trailChoice(host, view));
+    // The choice stays beside its switch.
+    host.append(layer.id === "trail" ? element("span", { class: "pair" }, button, trailChoice(host, view)) : button);
   }
 }
 

@@ -1,7 +1,7 @@
 /** The transport: play, step, scrub, loop and speed. */
 import type { Clock } from "../clock";
 import { byId, icon } from "../dom";
-import { number, timeUnit } from "../format";
+import { number, powerOfTen, timeUnit } from "../format";
 
 export function toolbar(clock: Clock): void {
   const unit = timeUnit(Math.max(Math.abs(clock.end), Math.abs(clock.start)));
@@ -43,8 +43,15 @@ export function toolbar(clock: Clock): void {
     scrub.style.setProperty("--part", `${(100 * part).toFixed(2)}%`);
     now.textContent = format(clock.time);
     scrub.setAttribute("aria-valuetext", `${format(clock.time)} ${unit.name}`);
-    speed.textContent = `×${number(clock.speed, 1)}`;
+    speed.textContent = factor(clock.speed);
   };
   clock.subscribe(update);
   update();
+}
+
+/** ×0.3, ×2000, ×5×10⁶, ×10⁻¹² */
+function factor(speed: number): string {
+  if (speed >= 1e-3 && speed < 1e5) return `×${number(speed, 1)}`;
+  const isPower = Number(speed.toExponential().split("e")[0]) === 1;
+  return `×${isPower ? powerOfTen(speed) : number(speed, 1)}`;
 }

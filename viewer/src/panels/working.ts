@@ -24,9 +24,9 @@ function draw(block: ExplanationBlock): HTMLElement {
       return box;
     }
     case "picture": {
-      // An image is inert, whatever stands in it.
-      const source = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(block.svg)}`;
-      return element("img", { class: "picture", src: source, alt: block.text });
+      // As a picture an SVG runs no script and asks for nothing.
+      const src = `data:image/svg+xml,${encodeURIComponent(block.svg)}`;
+      return element("figure", {}, element("img", { src, alt: block.text }));
     }
     case "table": {
       const head = element("tr", {}, ...block.header.map((text) => element("th", { scope: "col" }, text)));

@@ -3,6 +3,7 @@
  * the picture is 1 from the point that the body turns about to its farthest part.
  */
 import {
+  Box3,
   BoxGeometry,
   BufferAttribute,
   type BufferGeometry,
@@ -28,6 +29,8 @@ import { creased } from "./normals";
 import type { Palette } from "./palette";
 
 const ROUND = 64;
+/** A part is small that is this part of its distance. */
+const SMALL = 0.1;
 /** Edges are not drawn on meshes with more triangles: they would be ink all over, and slow to find. */
 const EDGES_UP_TO = 20_000;
 
@@ -36,18 +39,22 @@ export class BodyModel {
   readonly shapes = new Group();
   /** The ellipsoid of the same mass and tensor. */
   readonly ellipsoid = new Group();
-  /** m; length 1 of the picture */
+  /** m; length 1 of the picture: of the body without what is small and far out, as a tip mass on a boom */
   readonly radius: number;
+  /** How far the farthest part is, in the picture. */
+  readonly extent: number;
   /** Points on the outside of the shapes, and of the ellipsoid, as the picture has them. */
   readonly outline: Vector3[];
   readonly ellipsoidOutline: Vector3[];
   /** "20,000 of 200,000 triangles", if a mesh was made coarser. */
   readonly coarser: string | null;
   readonly hasShapes: boolean;
+  readonly #paint: Paint;
 
   constructor(data: BodyData, palette: Palette) {
     this.hasShapes = data.shapes.length > 0;
     const paint = new Paint(palette);
+    this.#paint = paint;
     this.ellipsoid.add(equimomental(data, paint));
     for (const shape of data.shapes) this.shapes.add(place(shape, paint));
     const counts = data.shapes.flatMap((s) =>
@@ -59,11 +66,35 @@ export class BodyModel {
 
     const ellipsoid = extremes(this.ellipsoid);
     const shapes = this.hasShapes ? extremes(this.shapes) : ellipsoid;
-    this.radius = Math.max(...shapes.map((p) => p.length())) || 1;
+    const farthest = Math.max(...shapes.map((p) => p.length())) || 1;
+    this.radius = this.hasShapes ? bulk(this.shapes, farthest) : farthest;
+    this.extent = farthest / this.radius;
     for (const group of [this.shapes, this.ellipsoid]) group.scale.setScalar(1 / this.radius);
     this.outline = shapes.map((p) => p.divideScalar(this.radius));
     this.ellipsoidOutline = this.hasShapes ? ellipsoid.map((p) => p.divideScalar(this.radius)) : this.outline;
   }
+
+  /** Shows what is inside. */
+  seeThrough(): void {
+    for (const material of [this.#paint.solid, this.#paint.marked]) {
+      Object.assign(material, { transparent: true, opacity: 0.4, depthWrite: false });
+    }
+  }
+}
+
+/** How far the parts go that are not small for where they are. */
+function bulk(shapes: Group, farthest: number): number {
+  const parts = shapes.children.map((part) => {
+    const box = new Box3().setFromObject(part, true);
+    const far = Math.max(...corners(box).map((p) => p.length()));
+    return { far, isSmall: box.getSize(new Vector3()).length() < SMALL * far };
+  });
+  const large = parts.filter(({ isSmall }) => !isSmall).map(({ far }) => far);
+  return large.length > 0 ? Math.min(Math.max(...large), farthest) : farthest;
+}
+
+function corners({ min, max }: Box3): Vector3[] {
+  return [0, 1, 2, 3, 4, 5, 6, 7].map((k) => new Vector3(k & 1 ? min.x : max.x, k & 2 ? min.y : max.y, k & 4 ? min.z : max.z));
 }
 
 /** Materials, shared by all shapes. */

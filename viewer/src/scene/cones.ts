@@ -9,8 +9,10 @@ import { indexAt } from "../clock";
 import type { FreeData } from "../data";
 import { points } from "../decode";
 import { at, type Motion } from "../motion";
+import type { Label } from "./labels";
 import { curve, MovingCurve } from "./lines";
 import type { Ink, Palette } from "./palette";
+import { spread } from "./poinsot";
 
 const MOST = 6000;
 
@@ -41,8 +43,8 @@ export class Cones {
       this.outline.push(new Vector3(...at(polhode, i)).multiplyScalar(this.scale));
     }
     if (polhode.length >= 6) {
-      this.body.add(new Mesh(fan(polhode, this.scale), skin("axis-1", 0.42, palette)));
-      this.body.add(curve(polhode, this.scale, { ink: "axis-1", width: 2.4 }, palette));
+      this.body.add(new Mesh(fan(polhode, this.scale), skin("axis-1", 0.3, palette)));
+      this.body.add(curve(polhode, this.scale, { ink: "axis-1", width: 3, onTop: true }, palette));
       this.body.add(rulings(polhode, this.scale, palette));
     }
 
@@ -67,15 +69,20 @@ export class Cones {
     this.#fine = fine;
     this.#times = motion.times;
     const most = Math.min(count, MOST);
-    this.#rim = new MovingCurve(most + 1, { ink: "torque", width: 2.4 }, palette);
+    this.#rim = new MovingCurve(most + 1, { ink: "torque", width: 3, onTop: true }, palette);
     this.#corners = new Float32Array(9 * most);
     this.#surface = new BufferGeometry();
     this.#surface.setAttribute("position", new BufferAttribute(this.#corners, 3));
     this.#surface.setAttribute("normal", new BufferAttribute(new Float32Array(9 * most), 3));
-    const mesh = new Mesh(this.#surface, skin("torque", 0.34, palette));
+    const mesh = new Mesh(this.#surface, skin("torque", 0.42, palette));
     mesh.frustumCulled = false;
     this.space.add(mesh, this.#rim.object);
+    this.#polhode = spread(polhode, this.scale);
   }
+
+  readonly #polhode: Vector3[];
+  /** The rim of the space cone that is drawn: first and how many. */
+  #drawn: [number, number] = [0, 0];
 
   readonly #fine: number;
   readonly #times: Float64Array;
@@ -117,6 +124,7 @@ export class Cones {
     this.#rim.draw(count, (k, out) => {
       out.set(this.#edge.subarray(3 * (first + k), 3 * (first + k) + 3));
     });
+    this.#drawn = [first, count];
     const normals = this.#surface.attributes.normal as BufferAttribute;
     const n = normals.array as Float32Array;
     const [a, b] = [new Vector3(), new Vector3()];
@@ -130,6 +138,18 @@ export class Cones {
     this.#surface.setDrawRange(0, 3 * (count - 1));
     this.#surface.attributes.position.needsUpdate = true;
     normals.needsUpdate = true;
+  }
+
+  /** Names, where `turned` takes a place in the body to space. */
+  labels(on: (id: string) => boolean, turned: (p: Vector3) => Vector3): Label[] {
+    const labels: Label[] = [];
+    const put = (layer: string, text: string, ink: Ink, along: Vector3[]): void => {
+      if (on(layer) && along.length > 1) labels.push({ text, ink, tip: along[0], along });
+    };
+    const [first, count] = this.#drawn;
+    put("body-cone", "body cone", "axis-1", this.#polhode.map(turned));
+    put("space-cone", "space cone", "torque", spread(Float64Array.from(this.#edge.subarray(3 * first, 3 * (first + count))), 1));
+    return labels;
   }
 }
 

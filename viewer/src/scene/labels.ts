@@ -1,15 +1,20 @@
 /**
- * Names at the arrows' tips, as text over the picture. A label never lies on the body: it stands outside the body's silhouette, along
- * the line from the middle through the tip, and moves around it until no other label is in its way. A thin line leads to the tip.
+ * Names as text over the picture, none over another. The name of an arrow stands at its tip, outside the silhouette of the body, along the
+ * line from the middle through the tip, and moves around until nothing is in its way. The name of a curve or a surface stands beside one
+ * of its points. A thin line leads from a name to what it names.
  */
 import { type Camera, Vector3 } from "three";
 import type { Ink } from "./palette";
 
 export interface Label {
   text: string;
+  /** What it is, if its text changes. */
+  key?: string;
   ink: Ink;
   /** In the picture's space. */
   tip: Vector3;
+  /** Of what is no arrow: places that the name may stand beside. */
+  along?: Vector3[];
 }
 
 export interface PlacedLabel extends Label {
@@ -19,108 +24,219 @@ export interface PlacedLabel extends Label {
   /** Of the tip, px. */
   tipX: number;
   tipY: number;
+  /** Where the line from the tip ends, and whether it is drawn. */
+  endX: number;
+  endY: number;
   led: boolean;
 }
 
+type Point = [number, number];
+
+interface Made {
+  span: HTMLSpanElement;
+  line: SVGLineElement;
+  w: number;
+  h: number;
+  text: string;
+  /** Where it stood, px; it stays near. */
+  last: Point | null;
+}
+
+/** What a picture offers to names, px. */
+interface Field {
+  width: number;
+  height: number;
+  middle: Point;
+  hull: Point[];
+  /** Along the arrows of other names. */
+  arrows: Point[];
+  /** Along curves that have names. */
+  curves: Point[];
+}
+
 const GAP = 8;
+/** Between two names. */
+const APART = 3;
 
 export class Labels {
   placed: PlacedLabel[] = [];
   readonly #host: HTMLElement;
   readonly #lines: SVGSVGElement;
-  readonly #made = new Map<string, { span: HTMLSpanElement; line: SVGLineElement; w: number; h: number }>();
+  readonly #made = new Map<string, Made>();
 
   constructor(host: HTMLElement) {
     this.#host = host;
     this.#lines = document.createElementNS("http://www.w3.org/2000/svg", "svg");
     this.#lines.setAttribute("class", "leaders");
     host.append(this.#lines);
+    // What was measured before the font came is measured again.
+    void document.fonts.ready.then(() => {
+      for (const made of this.#made.values()) measure(made);
+    });
   }
 
-  /** `outline`: points of the body's hull, in the picture's space. */
+  /** `outline`: points of the body's hull, in the picture's space. Arrows are before names of other things. */
   draw(labels: Label[], outline: Vector3[], camera: Camera, width: number, height: number): void {
-    const project = (p: Vector3): [number, number] => {
+    const project = (p: Vector3): Point => {
       const v = p.clone().project(camera);
       return [(0.5 + v.x / 2) * width, (0.5 - v.y / 2) * height];
     };
-    const [cx, cy] = project(new Vector3());
+    const middle = project(new Vector3());
     const hull = outline.map(project);
-    // The outer halves of the arrows, which no other label covers.
-    const arrows = labels.map(({ tip }) => [0.5, 0.6, 0.7, 0.8, 0.9, 1].map((part) => project(tip.clone().multiplyScalar(part))));
+    // The outer halves of the arrows, which no other name covers.
+    const shafts = labels.map(({ tip, along }) =>
+      along ? [] : [0.5, 0.6, 0.7, 0.8, 0.9, 1].map((part) => project(tip.clone().multiplyScalar(part))),
+    );
+    const curves = labels.flatMap(({ along }) => dense((along ?? []).map(project)));
     this.placed = [];
+    const shown = new Set<string>();
     for (const [k, label] of labels.entries()) {
-      const others = arrows.filter((_, other) => other !== k).flat();
       const made = this.#element(label);
-      const [tipX, tipY] = project(label.tip);
-      const spot = this.#spot(tipX - cx, tipY - cy, cx, cy, hull, others, made, width, height);
-      const led = Math.hypot(spot.x - tipX, spot.y - tipY) > 26;
-      this.placed.push({ ...label, ...spot, tipX, tipY, led });
-      made.span.style.transform = `translate(${(spot.x - made.w / 2).toFixed(1)}px, ${(spot.y - made.h / 2).toFixed(1)}px)`;
-      made.line.style.display = led ? "" : "none";
-      const short = 1 - 11 / Math.max(Math.hypot(spot.x - tipX, spot.y - tipY), 12);
-      made.line.setAttribute("x1", tipX.toFixed(1));
-      made.line.setAttribute("y1", tipY.toFixed(1));
-      made.line.setAttribute("x2", (tipX + short * (spot.x - tipX)).toFixed(1));
-      made.line.setAttribute("y2", (tipY + short * (spot.y - tipY)).toFixed(1));
+      const arrows = shafts.filter((_, other) => other !== k).flat();
+      const field = { width, height, middle, hull, arrows, curves };
+      const spot = label.along ? this.#beside(label.along.map(project), made, field) : this.#outside(project(label.tip), made, field);
+      if (!spot) continue;
+      shown.add(label.key ?? label.text);
+      this.#put(label, made, spot);
     }
-    const shown = new Set(labels.map((label) => label.text));
-    for (const [text, { span, line }] of this.#made) {
-      span.hidden = !shown.has(text);
-      if (span.hidden) line.style.display = "none";
+    for (const [key, made] of this.#made) {
+      made.span.hidden = !shown.has(key);
+      if (!made.span.hidden) continue;
+      made.line.style.display = "none";
+      made.last = null;
     }
   }
 
-  #spot(
-    dx: number,
-    dy: number,
-    cx: number,
-    cy: number,
-    hull: [number, number][],
-    others: [number, number][],
-    size: { w: number; h: number },
-    width: number,
-    height: number,
-  ): { x: number; y: number } {
+  #put(label: Label, made: Made, { at: [x, y], tip: [tipX, tipY] }: { at: Point; tip: Point }): void {
+    // From the edge of the text to the tip.
+    const [dx, dy] = [tipX - x, tipY - y];
+    const inside = Math.min(made.w / 2 / Math.max(Math.abs(dx), 1e-9), (made.h / 2 - 2) / Math.max(Math.abs(dy), 1e-9), 1);
+    const gap = (1 - inside) * Math.hypot(dx, dy);
+    const led = gap > (label.along ? 5 : 17);
+    made.last = [x - tipX, y - tipY];
+    const [endX, endY] = [x + inside * dx, y + inside * dy];
+    this.placed.push({ ...label, x, y, tipX, tipY, endX, endY, led });
+    made.span.style.transform = `translate(${(x - made.w / 2).toFixed(1)}px, ${(y - made.h / 2).toFixed(1)}px)`;
+    made.span.style.color = `var(--${label.ink})`;
+    made.line.style.stroke = `var(--${label.ink})`;
+    made.line.style.display = led ? "" : "none";
+    const ends = { x1: tipX, y1: tipY, x2: endX, y2: endY };
+    for (const [name, value] of Object.entries(ends)) made.line.setAttribute(name, value.toFixed(1));
+  }
+
+  /** At an arrow's tip; null if there is no room. */
+  #outside([tipX, tipY]: Point, made: Made, field: Field): { at: Point; tip: Point } | null {
+    const { middle, hull, width, height } = field;
+    const lines = [...field.arrows, ...field.curves];
+    const [dx, dy] = [tipX - middle[0], tipY - middle[1]];
     const long = Math.hypot(dx, dy);
     const angle = long > 1 ? Math.atan2(dy, dx) : -Math.PI / 2;
-    let best = { x: cx, y: cy };
-    for (let turn = 0; turn < 36; turn += 1) {
-      const a = angle + (turn % 2 === 0 ? 1 : -1) * Math.ceil(turn / 2) * 0.12;
-      const [ux, uy] = [Math.cos(a), Math.sin(a)];
-      // Beyond the hull's farthest point in this direction, all of the label is outside.
-      const support = hull.reduce((far, [x, y]) => Math.max(far, (x - cx) * ux + (y - cy) * uy), 0);
-      const half = (Math.abs(ux) * size.w + Math.abs(uy) * size.h) / 2;
-      const reach = Math.max(support + half + GAP, turn === 0 ? long + half + GAP / 2 : long * 0.9);
-      const x = Math.min(Math.max(cx + reach * ux, size.w / 2 + 4), width - size.w / 2 - 4);
-      const y = Math.min(Math.max(cy + reach * uy, size.h / 2 + 4), height - size.h / 2 - 4);
-      if (turn === 0) best = { x, y };
-      const near = (px: number, py: number, w: number, h: number): boolean =>
-        Math.abs(px - x) < (w + size.w) / 2 + 2 && Math.abs(py - y) < (h + size.h) / 2;
-      const taken = this.placed.some((other) => {
-        const o = this.#made.get(other.text);
-        return o !== undefined && near(other.x, other.y, o.w, o.h);
-      });
-      if (!taken && !others.some(([px, py]) => near(px, py, 6, 6))) return { x, y };
+    let second: Point | null = null;
+    for (let ring = 0; ring < 4; ring += 1) {
+      for (let turn = 0; turn < 52; turn += 1) {
+        const a = angle + (turn % 2 === 0 ? 1 : -1) * Math.ceil(turn / 2) * 0.12;
+        const [ux, uy] = [Math.cos(a), Math.sin(a)];
+        // Beyond the hull's farthest point in this direction, all of the label is outside.
+        const support = hull.reduce((far, [x, y]) => Math.max(far, (x - middle[0]) * ux + (y - middle[1]) * uy), 0);
+        const half = (Math.abs(ux) * made.w + Math.abs(uy) * made.h) / 2;
+        const reach = Math.max(support + half + GAP, turn === 0 ? long + half + GAP / 2 : long * 0.9) + 18 * ring;
+        const x = Math.min(Math.max(middle[0] + reach * ux, made.w / 2 + 4), width - made.w / 2 - 4);
+        const y = Math.min(Math.max(middle[1] + reach * uy, made.h / 2 + 4), height - made.h / 2 - 4);
+        if (this.#isTaken(x, y, made)) continue;
+        second ??= [x, y];
+        if (!lines.some(([px, py]) => near(px - x, py - y, made, 4, 4))) return { at: [x, y], tip: [tipX, tipY] };
+      }
+    }
+    return second && { at: second, tip: [tipX, tipY] };
+  }
+
+  /** Beside one of some points: where least is in the way; null if there is no room. */
+  #beside(points: Point[], made: Made, field: Field): { at: Point; tip: Point } | null {
+    const { width, height, hull, arrows, curves, middle } = field;
+    let best: { at: Point; tip: Point } | null = null;
+    let least = Infinity;
+    const every = Math.max(1, Math.ceil(points.length / 24));
+    for (let k = 0; k < points.length; k += every) {
+      const tip = points[k];
+      // Points in the frame only.
+      if (tip[0] < 4 || tip[1] < 4 || tip[0] > width - 4 || tip[1] > height - 4) continue;
+      for (const far of [14, 30, 52, 80]) {
+        for (let turn = 0; turn < 16; turn += 1) {
+          const a = (turn / 16) * 2 * Math.PI;
+          const [ux, uy] = [Math.cos(a), Math.sin(a)];
+          const x = tip[0] + far * ux + (made.w / 2) * Math.sign(Math.round(2 * ux) / 2) * Math.min(1, 2 * Math.abs(ux));
+          const y = tip[1] + far * uy + (made.h / 2) * Math.min(1, 2 * Math.abs(uy)) * Math.sign(uy);
+          if (x - made.w / 2 < 4 || x + made.w / 2 > width - 4 || y - made.h / 2 < 4 || y + made.h / 2 > height - 4) continue;
+          if (this.#isTaken(x, y, made)) continue;
+          const crossed = arrows.filter(([px, py]) => near(px - x, py - y, made, 6, 6)).length;
+          const onCurve = curves.filter(([px, py]) => near(px - x, py - y, made, 2, 2)).length;
+          const outward = hull.length > 0 && isInside(hull, middle, x, y) ? 70 : 0;
+          const moved = made.last ? Math.min(Math.hypot(x - tip[0] - made.last[0], y - tip[1] - made.last[1]), 60) : 0;
+          const cost = far + 60 * crossed + 8 * Math.min(onCurve, 12) + outward + 0.4 * moved;
+          if (cost < least) [least, best] = [cost, { at: [x, y], tip }];
+        }
+      }
     }
     return best;
   }
 
-  #element(label: Label): { span: HTMLSpanElement; line: SVGLineElement; w: number; h: number } {
-    const known = this.#made.get(label.text);
-    if (known) {
-      known.span.hidden = false;
-      return known;
+  #isTaken(x: number, y: number, made: Made): boolean {
+    return this.placed.some((other) => {
+      const o = this.#made.get(other.key ?? other.text);
+      return o !== undefined && near(other.x - x, other.y - y, made, o.w + 2 * APART, o.h);
+    });
+  }
+
+  #element(label: Label): Made {
+    const key = label.key ?? label.text;
+    let made = this.#made.get(key);
+    if (!made) {
+      const span = document.createElement("span");
+      // Letters are set as formulas are.
+      span.className = [...label.text].length <= 2 ? "label symbol" : "label";
+      const line = document.createElementNS("http://www.w3.org/2000/svg", "line");
+      this.#host.append(span);
+      this.#lines.append(line);
+      made = { span, line, w: 0, h: 0, text: "", last: null };
+      this.#made.set(key, made);
     }
-    const span = document.createElement("span");
-    span.className = "label";
-    span.textContent = label.text;
-    span.style.color = `var(--${label.ink})`;
-    const line = document.createElementNS("http://www.w3.org/2000/svg", "line");
-    line.style.stroke = `var(--${label.ink})`;
-    this.#host.append(span);
-    this.#lines.append(line);
-    const made = { span, line, w: span.offsetWidth, h: span.offsetHeight };
-    this.#made.set(label.text, made);
+    made.span.hidden = false;
+    if (made.text !== label.text) {
+      made.text = label.text;
+      made.span.textContent = label.text;
+      measure(made);
+    }
     return made;
   }
+}
+
+// Points of a line some pixels apart.
+function dense(points: Point[]): Point[] {
+  const all: Point[] = [];
+  points.forEach(([x, y], k) => {
+    const [u, v] = points[k + 1] ?? [x, y];
+    const count = Math.min(Math.ceil(Math.hypot(u - x, v - y) / 8), 24) || 1;
+    for (let i = 0; i < count; i += 1) all.push([x + (i / count) * (u - x), y + (i / count) * (v - y)]);
+  });
+  return all;
+}
+
+function measure(made: Made): void {
+  const hidden = made.span.hidden;
+  made.span.hidden = false;
+  made.w = made.span.offsetWidth;
+  made.h = made.span.offsetHeight;
+  made.span.hidden = hidden;
+}
+
+// Whether a box of w × h overlaps that of a name, from middle to middle (dx, dy).
+function near(dx: number, dy: number, made: Made, w: number, h: number): boolean {
+  return Math.abs(dx) < (made.w + w) / 2 && Math.abs(dy) < (made.h + h) / 2;
+}
+
+// Whether a place is nearer to the middle than the hull is in that direction.
+function isInside(hull: Point[], middle: Point, x: number, y: number): boolean {
+  const [dx, dy] = [x - middle[0], y - middle[1]];
+  const long = Math.hypot(dx, dy) || 1;
+  return hull.some(([px, py]) => ((px - middle[0]) * dx + (py - middle[1]) * dy) / long > long);
 }

@@ -16,7 +16,8 @@ export type Ink =
   | "axis-2"
   | "axis-3"
   | "omega"
-  | "torque";
+  | "torque"
+  | "wheel";
 
 export class Palette {
   readonly #bound: { color: Color; ink: Ink; strength: number }[] = [];

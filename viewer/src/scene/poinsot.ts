@@ -5,12 +5,9 @@
  */
 import {
   BackSide,
-  CircleGeometry,
-  DoubleSide,
   FrontSide,
   Group,
   Mesh,
-  MeshBasicMaterial,
   MeshStandardMaterial,
   SphereGeometry,
   Vector3,
@@ -19,8 +16,11 @@ import type { BodyData, FreeData } from "../data";
 import { points } from "../decode";
 import type { Motion } from "../motion";
 import { at } from "../motion";
+import type { Label } from "./labels";
 import { curve } from "./lines";
+import { Marker } from "./marker";
 import type { Palette } from "./palette";
+import { plane } from "./plane";
 
 export class Poinsot {
   /** Turn with the body. */
@@ -29,6 +29,8 @@ export class Poinsot {
   /** Stay in space. */
   readonly plane = new Group();
   readonly herpolhode = new Group();
+  /** At the tip of ω, where the ellipsoid touches the plane. */
+  readonly contact: Group;
   /** Length of 1 rad/s in the picture. */
   readonly scale: number;
   readonly radius: number;
@@ -77,6 +79,7 @@ export class Poinsot {
       this.ellipsoid.add(curve(circle, 1, { ink: "edge", width: 1, opacity: 0.45 }, palette));
     }
     this.ellipsoid.quaternion.set(x, y, z, w).normalize();
+    this.contact = new Marker("omega", 0.03, false, palette).object;
 
     if (polhode.length >= 6) {
       this.polhode.add(curve(polhode, this.scale, { ink: "omega", width: 3.2 }, palette));
@@ -105,26 +108,38 @@ export class Poinsot {
         .multiply(new Vector3(...scaled))
         .applyQuaternion(this.ellipsoid.quaternion),
     );
+    this.#rim = Array.from({ length: 24 }, (_, k) => {
+      const a = (k / 24) * 2 * Math.PI;
+      const p = new Vector3(Math.cos(a), Math.sin(a), 0).multiplyScalar(reach);
+      return p.applyQuaternion(this.plane.quaternion).add(this.plane.position);
+    });
+    this.#polhode = spread(polhode, this.scale);
+    this.#herpolhode = spread(herpolhode, this.scale);
+  }
+
+  readonly #rim: Vector3[];
+  readonly #polhode: Vector3[];
+  readonly #herpolhode: Vector3[];
+
+  /** Names, where `turned` takes a place in the body to space. */
+  labels(on: (id: string) => boolean, turned: (p: Vector3) => Vector3): Label[] {
+    const labels: Label[] = [];
+    const put = (layer: string, text: string, ink: Label["ink"], along: Vector3[]): void => {
+      if (on(layer) && along.length > 1) labels.push({ text, ink, tip: along[0], along });
+    };
+    put("plane", "invariable plane", "quiet", this.#rim);
+    put("herpolhode", "herpolhode", "torque", this.#herpolhode);
+    put("polhode", "polhode", "omega", this.#polhode.map(turned));
+    return labels;
   }
 }
 
-function plane(reach: number, palette: Palette): Group {
-  const group = new Group();
-  const material = new MeshBasicMaterial({ transparent: true, opacity: 0.1, side: DoubleSide, depthWrite: false });
-  palette.bind(material.color, "ink");
-  group.add(new Mesh(new CircleGeometry(reach, 96), material));
-  for (const part of [0.25, 0.5, 0.75, 1]) {
-    const ring = Array.from({ length: 97 }, (_, i) => {
-      const a = (i / 96) * 2 * Math.PI;
-      return [Math.cos(a), Math.sin(a), 0];
-    }).flat();
-    group.add(curve(ring, part * reach, { ink: "faint", width: 1, opacity: part === 1 ? 0.9 : 0.5 }, palette));
-  }
-  for (const a of [0, 1, 2, 3, 4, 5].map((k) => (k * Math.PI) / 6)) {
-    const [c, s] = [Math.cos(a) * reach, Math.sin(a) * reach];
-    group.add(curve([-c, -s, 0, c, s, 0], 1, { ink: "faint", width: 1, opacity: 0.35 }, palette));
-  }
-  return group;
+/** Some of the points of a curve. */
+export function spread(rows: Float64Array, scale: number): Vector3[] {
+  const every = Math.max(3, 3 * Math.ceil(rows.length / 72));
+  const points: Vector3[] = [];
+  for (let i = 0; i < rows.length; i += every) points.push(new Vector3(rows[i], rows[i + 1], rows[i + 2]).multiplyScalar(scale));
+  return points;
 }
 
 function largest(rows: Float64Array): number {

@@ -6,11 +6,8 @@ import {
   DirectionalLight,
   Group,
   HemisphereLight,
-  Mesh,
-  MeshStandardMaterial,
   Quaternion,
   Scene,
-  SphereGeometry,
   Vector3,
   WebGLRenderer,
 } from "three";
@@ -18,20 +15,23 @@ import { rotate, type Quaternion as Attitude, type Vector } from "../attitude";
 import type { PageData } from "../data";
 import { length, lengths, type Moment, type Motion } from "../motion";
 import { Arrow } from "./arrows";
+import { Axes } from "./axes";
 import { BodyModel } from "./body";
 import { OrbitCamera } from "./camera";
 import { Cones } from "./cones";
 import { type Label, Labels } from "./labels";
 import { apply, type Layer, type Picture } from "./layers";
+import { Marker } from "./marker";
 import { Palette } from "./palette";
 import { Poinsot } from "./poinsot";
 import { MomentumSphere } from "./sphere";
+import { HeavyBody } from "./top";
 import { axis, Trail, type Trailed } from "./trails";
+import { Wheels } from "./wheels";
 
 /** The longest arrow of the body's picture, where the body's radius is 1. */
 const LONGEST = 1.5;
 const AXES = 1.3;
-const THIN = 0.011;
 const THICK = 0.019;
 
 export class View {
@@ -58,13 +58,15 @@ export class View {
   readonly #omega: Arrow;
   readonly #momentum: Arrow;
   readonly #torque: Arrow;
-  readonly #axes: { layer: string; arrow: Arrow; text: string; tip: Vector3; turns: boolean; ink: Label["ink"] }[] = [];
+  readonly #axes: Axes;
+  readonly #heavy: HeavyBody | null;
+  readonly #wheels: Wheels | null;
   readonly #trails = new Map<Trailed, Trail>();
-  /** Where the ellipsoid touches the plane. */
-  readonly #contact = new Group();
   readonly #trailGroup = new Group();
   readonly #scales: { omega: number; momentum: number; torque: number };
   readonly #principal: Quaternion;
+  /** A place in the body, where it is in space. */
+  readonly #turned = (p: Vector3): Vector3 => p.clone().applyQuaternion(this.#bodyFrame.quaternion);
   /** What the body's picture is centred on: half way to where a held body's centre of mass is on the whole. */
   readonly #middle: Vector3;
   #time: number;
@@ -87,7 +89,7 @@ export class View {
     this.#principal = new Quaternion(x, y, z, w).normalize();
     this.#scales = {
       omega: scale(lengths(motion.omega)),
-      momentum: scale(lengths(motion.momentum)),
+      momentum: scale(lengths(motion.momentum), ...motion.wheels.map(({ momentum }) => momentum)),
       torque: motion.torque === null ? 0 : scale(lengths(motion.torque)),
     };
     this.trailed = telling(page, motion);
@@ -97,6 +99,9 @@ export class View {
     this.#poinsot = free && new Poinsot(free, page.body, motion, this.#palette);
     this.#cones = free && new Cones(free, motion, this.#palette);
     this.#sphere = free && new MomentumSphere(free, page.body, this.#palette);
+    this.#axes = new Axes(this.#principal, AXES, 0.92 * LONGEST, this.#palette);
+    this.#heavy = HeavyBody.of(page, motion, this.model.radius, AXES, this.#palette);
+    this.#wheels = motion.wheels.length > 0 ? new Wheels(motion, this.#scales.momentum, this.#palette) : null;
     this.pictures = free ? ["body", "poinsot", "cones", "sphere"] : ["body"];
 
     this.#omega = new Arrow("omega", THICK, this.#palette);
@@ -118,7 +123,7 @@ export class View {
     apply(this.layers, picture);
     const orbit = this.orbit;
     orbit.radius = {
-      body: 1.62,
+      body: Math.max(1.58, 1.04 * this.model.extent),
       poinsot: 1.08 * (this.#poinsot?.radius ?? 1),
       cones: 1.14 * (this.#cones?.radius ?? 1),
       sphere: 1.5,
@@ -192,18 +197,17 @@ export class View {
     pen.fillRect(0, 0, out.width, out.height);
     pen.drawImage(this.#canvas, 0, 0);
     pen.scale(out.width / this.#size.width, out.height / this.#size.height);
-    pen.font = "600 15px system-ui, sans-serif";
     pen.textAlign = "center";
     pen.textBaseline = "middle";
     for (const label of this.labels.placed) {
+      pen.font = [...label.text].length <= 2 ? '19px "Polhode Math"' : "600 13px system-ui, sans-serif";
       pen.fillStyle = this.#palette.value(label.ink);
       pen.strokeStyle = this.#palette.value(label.ink);
       if (label.led) {
         pen.globalAlpha = 0.6;
         pen.beginPath();
         pen.moveTo(label.tipX, label.tipY);
-        const short = 1 - 11 / Math.hypot(label.x - label.tipX, label.y - label.tipY);
-        pen.lineTo(label.tipX + short * (label.x - label.tipX), label.tipY + short * (label.y - label.tipY));
+        pen.lineTo(label.endX, label.endY);
         pen.stroke();
         pen.globalAlpha = 1;
       }
@@ -239,65 +243,43 @@ export class View {
     const all = { body: true, poinsot: true, cones: true };
     this.layers.push(
       { id: "omega", label: "ω", ink: "omega", look: "arrow", on: { ...all }, objects: [this.#omega.object] },
-      { id: "momentum", label: "L", ink: "ink", look: "arrow", on: { ...all }, objects: [this.#momentum.object] },
+      { id: "momentum", label: "L", ink: "ink", look: "arrow", on: { ...all, sphere: true }, objects: [this.#momentum.object] },
     );
     if (motion.torque) {
       this.layers.push({ id: "torque", label: "Torque N", ink: "torque", look: "arrow", on: { body: true }, objects: [this.#torque.object] });
     } else {
       this.#torque.object.visible = false;
     }
-    this.#buildAxes();
-    this.#scene.add(this.#trailGroup);
+    this.#scene.add(this.#axes.space, this.#trailGroup);
+    this.#bodyFrame.add(this.#axes.body, this.#axes.principal);
+    this.layers.push(...this.#axes.layers);
     this.layers.push({ id: "trail", label: "Trail", ink: null, look: "line", on: { body: true }, objects: [this.#trailGroup] });
     if (page.body.about === "pivot") {
-      const pivot = new MeshStandardMaterial({ roughness: 0.5 });
-      palette.bind(pivot.color, "ink");
-      const ball = new Mesh(new SphereGeometry(0.03, 24, 16), pivot);
-      this.#scene.add(ball);
-      this.layers.push({ id: "pivot", label: "Pivot", ink: "ink", look: "area", on: { body: true }, objects: [ball] });
+      const { object } = new Marker("ink", 0.03, false, palette);
+      this.#scene.add(object);
+      this.layers.push({ id: "pivot", label: "Pivot", ink: "ink", look: "area", on: { body: true }, objects: [object] });
+    }
+    if (this.#heavy) {
+      this.#scene.add(...this.#heavy.objects);
+      this.layers.push(...this.#heavy.layers);
+    }
+    if (this.#wheels) {
+      this.#bodyFrame.add(this.#wheels.rings, this.#wheels.arrows);
+      this.layers.push(...this.#wheels.layers);
+      this.model.seeThrough();
     }
     this.#buildFree();
-  }
-
-  #buildAxes(): void {
-    const kinds = [
-      { layer: "space-axes", label: "Space axes X Y Z", names: ["X", "Y", "Z"], reach: LONGEST * 0.92, width: 0.006 },
-      { layer: "body-axes", label: "Body axes x y z", names: ["x", "y", "z"], reach: AXES, width: THIN },
-      { layer: "principal-axes", label: "Principal axes 1 2 3", names: ["1", "2", "3"], reach: AXES * 1.06, width: THIN },
-    ];
-    for (const [kind, { layer, label, names, reach, width }] of kinds.entries()) {
-      const group = new Group();
-      names.forEach((text, k) => {
-        const tip = new Vector3(...axis((["axis-1", "axis-2", "axis-3"] as const)[k])).multiplyScalar(reach);
-        if (kind === 2) tip.applyQuaternion(this.#principal);
-        const ink: Label["ink"] = kind === 0 ? "faint" : (["axis-1", "axis-2", "axis-3"] as const)[k];
-        const arrow = new Arrow(ink, width, this.#palette);
-        arrow.point(tip.x, tip.y, tip.z);
-        group.add(arrow.object);
-        this.#axes.push({ layer, arrow, text, tip, turns: kind > 0, ink: kind === 0 ? "quiet" : ink });
-      });
-      (kind === 0 ? this.#scene : this.#bodyFrame).add(group);
-      const on: Layer["on"] =
-        kind === 0
-          ? { body: true, poinsot: false, cones: false }
-          : kind === 1
-            ? { body: true, poinsot: false, cones: false, sphere: false }
-            : { body: false, poinsot: false, cones: false, sphere: true };
-      this.layers.push({ id: layer, label, ink: kind === 0 ? "faint" : "axis-1", look: "arrow", on, objects: [group] });
-    }
   }
 
   #buildFree(): void {
     if (!this.#poinsot || !this.#cones || !this.#sphere) return;
     const [p, c, s] = [this.#poinsot, this.#cones, this.#sphere];
     this.#bodyFrame.add(p.ellipsoid, p.polhode, c.body, s.object);
-    const dot = new MeshStandardMaterial({ roughness: 0.4 });
-    this.#palette.bind(dot.color, "omega");
-    this.#contact.add(new Mesh(new SphereGeometry(0.032, 24, 16), dot));
-    this.#scene.add(p.plane, p.herpolhode, c.space, this.#contact);
+    this.#scene.add(p.plane, p.herpolhode, c.space, p.contact);
     this.layers.push(
       { id: "inertia", label: "Inertia ellipsoid", ink: null, look: "area", on: { poinsot: true }, objects: [p.ellipsoid] },
-      { id: "plane", label: "Invariable plane", ink: "faint", look: "area", on: { poinsot: true }, objects: [p.plane, this.#contact] },
+      { id: "plane", label: "Invariable plane", ink: "faint", look: "area", on: { poinsot: true }, objects: [p.plane] },
+      { id: "contact", label: "Point of contact", ink: "omega", look: "area", on: { poinsot: true }, objects: [p.contact] },
       { id: "polhode", label: "Polhode", ink: "omega", look: "line", on: { poinsot: true }, objects: [p.polhode] },
       { id: "herpolhode", label: "Herpolhode", ink: "torque", look: "line", on: { poinsot: true }, objects: [p.herpolhode] },
       { id: "body-cone", label: "Body cone", ink: "axis-1", look: "area", on: { cones: true }, objects: [c.body] },
@@ -306,6 +288,7 @@ export class View {
       { id: "family", label: "Other motions", ink: "contour", look: "line", on: { sphere: true }, objects: [s.family] },
       { id: "separatrix", label: "Separatrix", ink: "ink", look: "line", on: { sphere: true }, objects: [s.separatrix] },
       { id: "trace", label: "This motion", ink: "omega", look: "line", on: { sphere: true }, objects: [s.trace] },
+      { id: "mark", label: "L now", ink: "ink", look: "area", on: { sphere: true }, objects: [s.mark] },
     );
   }
 
@@ -317,13 +300,17 @@ export class View {
     const omegaScale = rolling?.scale ?? this.#scales.omega;
     const omega = rotate(now.attitude, now.omega).map((c) => c * omegaScale) as Vector;
     this.#omega.point(...omega);
-    this.#contact.position.set(...omega);
-    // In the rolling pictures only the direction of L has a meaning.
+    this.#poinsot?.contact.position.set(...omega);
+    // Beside the body's picture only the direction of L has a meaning.
     const shown = this.picture === "poinsot" ? (this.#poinsot?.arrow ?? 1) : 1.25;
-    const long = rolling ? shown / length(now.momentum) : this.#scales.momentum;
+    const long = this.picture === "body" ? this.#scales.momentum : shown / length(now.momentum);
     this.#momentum.point(...(now.momentum.map((c) => c * long) as Vector));
     if (now.torque) this.#torque.point(...(rotate(now.attitude, now.torque).map((c) => c * this.#scales.torque) as Vector));
-    if (this.picture === "body") this.#drawTrail(now, omega);
+    if (this.picture === "body") {
+      this.#drawTrail(now, omega);
+      this.#heavy?.pose(now.attitude);
+      this.#wheels?.pose(time);
+    }
     if (this.picture === "cones") this.#cones?.draw(time);
     if (this.picture === "sphere") this.#sphere?.draw(rotate(inverse(now.attitude), now.momentum));
   }
@@ -359,19 +346,24 @@ export class View {
 
   #visibleLabels(): Label[] {
     const on = (id: string): boolean => this.layers.find((layer) => layer.id === id)?.on[this.picture] === true;
+    const turned = this.#turned;
     const labels: Label[] = [];
-    if (on("omega") && this.#omega.drawn) labels.push({ text: "ω", ink: "omega", tip: this.#omega.tip });
-    if (on("momentum") && this.#momentum.drawn) labels.push({ text: "L", ink: "ink", tip: this.#momentum.tip });
-    if (on("torque") && this.#torque.drawn) labels.push({ text: "N", ink: "torque", tip: this.#torque.tip });
-    for (const { layer, text, tip, turns, ink } of this.#axes) {
-      if (!on(layer)) continue;
-      labels.push({ text, ink, tip: turns ? tip.clone().applyQuaternion(this.#bodyFrame.quaternion) : tip });
+    if (on("omega") && this.#omega.drawn) labels.push({ text: "𝛚", ink: "omega", tip: this.#omega.tip });
+    if (on("momentum") && this.#momentum.drawn) labels.push({ text: "𝐋", ink: "ink", tip: this.#momentum.tip });
+    if (on("torque") && this.#torque.drawn) labels.push({ text: "𝐍", ink: "torque", tip: this.#torque.tip });
+    labels.push(...this.#axes.labels(on, turned));
+    if (this.picture === "body") {
+      labels.push(...(this.#wheels?.labels(on, this.#time, turned) ?? []), ...(this.#heavy?.labels(on) ?? []));
     }
-    return labels;
+    if (this.picture === "poinsot") labels.push(...(this.#poinsot?.labels(on, turned) ?? []));
+    if (this.picture === "cones") labels.push(...(this.#cones?.labels(on, turned) ?? []));
+    if (this.picture === "sphere") labels.push(...(this.#sphere?.labels(on, turned, this.orbit.camera.position) ?? []));
+    // Arrows first: other names go where there is room.
+    return [...labels.filter(({ along }) => !along), ...labels.filter(({ along }) => along)];
   }
 
   #outline(): Vector3[] {
-    const turned = (points: Vector3[]): Vector3[] => points.map((p) => p.clone().applyQuaternion(this.#bodyFrame.quaternion));
+    const turned = (points: Vector3[]): Vector3[] => points.map(this.#turned);
     if (this.picture === "poinsot" && this.#poinsot) return turned(this.#poinsot.outline);
     if (this.picture === "cones" && this.#cones) return turned(this.#cones.outline);
     if (this.picture === "sphere") return round(this.orbit.camera.position);
@@ -380,8 +372,8 @@ export class View {
   }
 }
 
-function scale(values: Float64Array): number {
-  const most = values.reduce((a, b) => Math.max(a, b), 0);
+function scale(...rows: Float64Array[]): number {
+  const most = Math.max(...rows.map((values) => values.reduce((a, b) => Math.max(a, Math.abs(b)), 0)));
   return most > 0 ? LONGEST / most : 0;
 }
 

@@ -5,8 +5,11 @@
 import { Group, Mesh, MeshStandardMaterial, SphereGeometry, Vector3 } from "three";
 import type { BodyData, FreeData } from "../data";
 import { points } from "../decode";
+import type { Label } from "./labels";
 import { curve } from "./lines";
+import { Marker } from "./marker";
 import type { Palette } from "./palette";
+import { spread } from "./poinsot";
 
 /** Lines lie this far above the sphere. */
 const ABOVE = 1.004;
@@ -19,7 +22,9 @@ export class MomentumSphere {
   readonly trace = new Group();
   /** The middle of this motion's curve, principal axes. */
   readonly middle = new Vector3();
-  readonly #point: Mesh;
+  /** At L/|L| now. */
+  readonly mark: Group;
+  readonly #separatrices: Vector3[];
 
   constructor(free: FreeData, body: BodyData, palette: Palette) {
     const material = new MeshStandardMaterial({ roughness: 0.85 });
@@ -37,17 +42,24 @@ export class MomentumSphere {
     const trace = points(free.trace, "trace");
     for (let i = 0; i < trace.length; i += 3) this.middle.add(new Vector3().fromArray(trace, i));
     this.middle.normalize();
-    const dot = new MeshStandardMaterial({ roughness: 0.4 });
-    palette.bind(dot.color, "omega");
-    this.#point = new Mesh(new SphereGeometry(0.035, 24, 16), dot);
-    this.object.add(this.family, this.separatrix, this.trace, this.#point);
+    this.#separatrices = free.separatrix.flatMap((row) => spread(points(row, "separatrix"), ABOVE));
+    this.mark = new Marker("ink", 0.034, true, palette).object;
+    this.object.add(this.family, this.separatrix, this.trace, this.mark);
     const [w, x, y, z] = body.principal.quaternion;
     this.object.quaternion.set(x, y, z, w).normalize();
   }
 
   /** The direction of L now, in body axes. */
   draw(momentum: [number, number, number]): void {
-    this.#point.position.set(...momentum).normalize().multiplyScalar(ABOVE);
-    this.#point.position.applyQuaternion(this.object.quaternion.clone().invert());
+    this.mark.position.set(...momentum).normalize().multiplyScalar(ABOVE);
+    this.mark.position.applyQuaternion(this.object.quaternion.clone().invert());
+  }
+
+  /** Names, where `turned` takes a place in the body to space; of what `eye` sees. */
+  labels(on: (id: string) => boolean, turned: (p: Vector3) => Vector3, eye: Vector3): Label[] {
+    if (!on("separatrix")) return [];
+    const places = this.#separatrices.map((p) => turned(p.clone().applyQuaternion(this.object.quaternion)));
+    const along = places.filter((p) => p.dot(eye) > 0.35 * eye.length());
+    return along.length > 0 ? [{ text: "separatrix", ink: "ink", tip: along[0], along }] : [];
   }
 }

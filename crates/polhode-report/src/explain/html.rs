@@ -13,11 +13,11 @@ const STYLE: &str = include_str!("document.css");
 impl Document {
     /// A page of its own that needs no other file and no network.
     pub fn to_html(&self) -> String {
-        let title = shown(&self.title);
+        let (title, math) = (shown(&self.title), mathml::style());
         let mut html = format!(
             "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
              <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{title}</title>\n\
-             <style>\n{STYLE}</style>\n</head>\n<body>\n<main>\n<h1>{title}</h1>\n"
+             <style>\n{math}{STYLE}</style>\n</head>\n<body>\n<main>\n<h1>{title}</h1>\n"
         );
         if !self.answer.is_empty() {
             let lines: String =

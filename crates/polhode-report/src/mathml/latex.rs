@@ -183,11 +183,12 @@ impl<'a> Reader<'a> {
         Some((shown, Scripts::Beside))
     }
 
-    /// Vectors and tensors are upright and bold.
+    /// Vectors and tensors are upright and bold: characters of their own, as MathML Core has no bold variant.
     fn bold(&mut self) -> Option<String> {
         let letter = self.argument()?;
         let inside = letter.strip_prefix("<mi>").and_then(|rest| rest.strip_suffix("</mi>"))?;
-        Some(format!("<mi mathvariant=\"bold\">{inside}</mi>"))
+        let bold: Option<String> = inside.chars().map(super::bold).collect();
+        bold.map(|letters| element("mi", &letters))
     }
 
     fn accented(&mut self, accent: &str) -> Option<String> {
@@ -278,7 +279,7 @@ mod tests {
             to_mathml(r"\sum_{\text{parts}} \mathbf r_\alpha").as_deref(),
             Some(
                 "<munder><mo>∑</mo><mrow><mtext>parts</mtext></mrow></munder>\
-                 <msub><mi mathvariant=\"bold\">r</mi><mi>α</mi></msub>"
+                 <msub><mi>𝐫</mi><mi>α</mi></msub>"
             )
         );
     }

@@ -5,6 +5,21 @@
 
 mod latex;
 
+use crate::base64::encode;
+
+/// The rule of formulas in a style sheet, with the name of the font's file.
+const FONT_RULE: &str = include_str!("../../assets/math.css");
+
+const FONT_FILE: &str = "./stix-two-math.woff2";
+
+const FONT: &[u8] = include_bytes!("../../assets/stix-two-math.woff2");
+
+/// The style of formulas, the font in it.
+pub(crate) fn style() -> String {
+    let font = format!("data:font/woff2;base64,{}", encode(FONT.iter().copied()));
+    FONT_RULE.replace(FONT_FILE, &font)
+}
+
 /// A formula in symbols, on a line of its own; `text` is shown if the LaTeX has something unknown.
 pub(crate) fn formula(latex: &str, text: &str) -> String {
     display(&latex::to_mathml(latex).unwrap_or_else(|| element("mtext", text)))
@@ -25,6 +40,18 @@ pub(crate) fn matrix(name: &str, rows: &[Vec<String>], unit: &str) -> String {
 
 fn display(inside: &str) -> String {
     format!("<math display=\"block\"><mrow>{inside}</mrow></math>")
+}
+
+/// The bold letter of a Latin or Greek one, as a character (Unicode, Mathematical Alphanumeric Symbols).
+fn bold(letter: char) -> Option<char> {
+    let (first, place) = match letter {
+        'A'..='Z' => ('A', 0x1D400),
+        'a'..='z' => ('a', 0x1D41A),
+        'Α'..='Ω' => ('Α', 0x1D6A8),
+        'α'..='ω' => ('α', 0x1D6C2),
+        _ => return None,
+    };
+    char::from_u32(place + u32::from(letter) - u32::from(first))
 }
 
 /// `<name>text</name>`, the text inert.
@@ -77,6 +104,21 @@ mod tests {
     fn what_cannot_be_read_is_text() {
         let shown = formula(r"\unheard{x}", "x < y & z");
         assert_eq!(shown, "<math display=\"block\"><mrow><mtext>x &lt; y &amp; z</mtext></mrow></math>");
+    }
+
+    #[test]
+    fn bold_letters_are_characters() {
+        for (letter, wanted) in [('I', '𝐈'), ('r', '𝐫'), ('ω', '𝛚'), ('Ω', '𝛀'), ('Σ', '𝚺')]
+        {
+            assert_eq!(bold(letter), Some(wanted));
+        }
+        assert_eq!(bold('1'), None);
+    }
+
+    #[test]
+    fn the_style_holds_the_font() {
+        let style = style();
+        assert!(style.contains("url(\"data:font/woff2;base64,d09GMg") && !style.contains(FONT_FILE));
     }
 
     #[test]

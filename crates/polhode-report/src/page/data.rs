@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 use super::motion::Shown;
 use super::shapes::Budget;
 use super::turning::Turning;
-use super::{PageInput, PageSubject, body, explanation, facts, free, motion};
+use super::{PageInput, PageSubject, body, explanation, facts, free, motion, scene};
 use crate::motion::findings as motion_findings;
 
 /// What a page of many triangles may have, bytes.
@@ -20,7 +20,7 @@ pub(super) fn json(input: &PageInput<'_>, frame: usize) -> Value {
     let shown = Shown::of(input.trajectory, &input.subject);
     let free_facts = free::facts(input);
     let motion = motion::json(&shown);
-    let free = free_facts.as_ref().map_or(Value::Null, |free| free::json(&free.motion, &shown));
+    let free = free_facts.as_ref().map_or(Value::Null, |free| free::json(free, &shown));
     let explanation = input.explanation.map_or_else(|| json!([]), explanation::json);
     let others = [&motion, &free, &explanation].map(|value| value.to_string().len()).iter().sum::<usize>()
         + input.scenario_text.map_or(0, str::len);
@@ -35,6 +35,7 @@ pub(super) fn json(input: &PageInput<'_>, frame: usize) -> Value {
         "body": body,
         "motion": motion,
         "free": free,
+        "scene": scene::json(input, &turning, free_facts.as_ref()),
         "facts": facts,
         "findings": findings(input),
         "explanation": explanation,

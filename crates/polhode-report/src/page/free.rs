@@ -5,9 +5,10 @@ use polhode::motion::{ClosedForm, FreeMotion, Regime, Solution};
 use polhode::observe::{CurveError, Herpolhode, MomentumTrace, Polhode};
 use serde_json::{Value, json};
 
-use super::base64::f64s;
+use super::cones::ConeAngles;
 use super::motion::Shown;
 use super::{PageInput, PageSubject};
+use crate::base64::f64s;
 use crate::free_facts::FreeFacts;
 
 /// Chords are so near to their curves, relative to the largest vector: no eye sees more.
@@ -37,11 +38,12 @@ pub(super) fn facts(input: &PageInput<'_>) -> Option<FreeFacts> {
 }
 
 /// The curves; null where one of them cannot be drawn.
-pub(super) fn json(motion: &FreeMotion, shown: &Shown<'_>) -> Value {
-    curves(motion, shown).unwrap_or(Value::Null)
+pub(super) fn json(free: &FreeFacts, shown: &Shown<'_>) -> Value {
+    curves(free, shown).unwrap_or(Value::Null)
 }
 
-fn curves(motion: &FreeMotion, shown: &Shown<'_>) -> Result<Value, CurveError> {
+fn curves(free: &FreeFacts, shown: &Shown<'_>) -> Result<Value, CurveError> {
+    let motion = &free.motion;
     let polhode = Polhode::of(motion, CHORD)?;
     let trace = MomentumTrace::of(motion, CHORD)?;
     let Family { sisters, separatrices } = Family::of(motion)?;
@@ -54,6 +56,7 @@ fn curves(motion: &FreeMotion, shown: &Shown<'_>) -> Result<Value, CurveError> {
         "herpolhode": row(herpolhode(motion, shown)?),
         "separatrix": separatrices.into_iter().map(row).collect::<Vec<_>>(),
         "family": sisters.into_iter().map(row).collect::<Vec<_>>(),
+        "cones": ConeAngles::of(free).json(),
         "trace": row(trace.curve.points().iter().map(|l| in_principal_axes(motion, *l))),
     }))
 }

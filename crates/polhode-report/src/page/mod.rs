@@ -4,8 +4,9 @@
 //! says. Numbers are the trajectory's own, bit for bit; text from outside is inert.
 
 mod atoms;
-mod base64;
 mod body;
+mod caption;
+mod cones;
 mod data;
 mod decimate;
 mod explanation;
@@ -13,6 +14,7 @@ mod facts;
 mod free;
 mod motion;
 mod placed;
+mod scene;
 mod shapes;
 mod turning;
 

@@ -4,8 +4,8 @@ use polhode::motion::{Crossing, Sample, Trajectory, Wheel};
 use serde_json::{Value, json};
 
 use super::PageSubject;
-use super::base64::f64s;
 use crate::balance::{Balance, Driven, balances};
+use crate::base64::f64s;
 use crate::json::finite;
 use crate::layout::printable;
 use crate::torque::named_wheels;
@@ -80,6 +80,8 @@ impl<'a> Shown<'a> {
                 self.samples.iter().map(|s| wheel.speed_at(s.state.time, s.state.omega)).collect();
             json!({
                 "name": printable(name),
+                "axis": wheel.axis().to_array(),
+                "motor": wheel.is_driven().then(|| self.rows(|s| [wheel.torque_at(s.state.time)])),
                 "momentum": self.rows(|s| [wheel.momentum_at(s.state.time)]),
                 "speed": speeds.map(f64s),
             })

@@ -6,10 +6,10 @@ use polhode::math::{Direction, Part, Position};
 use serde_json::{Value, json};
 
 use super::atoms;
-use super::base64::{f32s, u32s};
 use super::decimate::decimated;
 use super::placed::at;
 use super::turning::{Turning, ellipsoid};
+use crate::base64::{f32s, u32s};
 use crate::json::numbers;
 use crate::number::{count, number};
 

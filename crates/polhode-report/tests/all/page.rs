@@ -4,7 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use polhode::body::shape::{Capsule, Cone, CylinderShell, Disk, Plate, Tetrahedron, Torus};
-use polhode::motion::{ClosedForm, EventAction, Measure, Sense, Solution};
+use polhode::motion::torque::EnergySink;
+use polhode::motion::{ClosedForm, EventAction, Measure, Sample, Sense, Solution};
 use polhode::prelude::*;
 use polhode_report::{PageInput, PageSubject, explain_motion, page};
 use serde_json::Value;
@@ -114,6 +115,11 @@ fn wheels_events_and_switches_are_on_the_page() {
     let h = doubles(&turned["momentum"]);
     assert!((h[60] - h[0] - torque * (6.0 - from)).abs() < 1e-12);
     assert_eq!(doubles(&turned["speed"])[0], 12.0);
+    let scale = |k: usize| (0.36_f64 + 0.09 + 0.64).sqrt().recip() * [0.6, -0.3, 0.8][k];
+    (0..3).for_each(|k| assert!((number(&turned["axis"][k]) - scale(k)).abs() < 1e-15));
+    assert_eq!(held["motor"], Value::Null);
+    let motor = doubles(&turned["motor"]);
+    assert_eq!((motor[0], motor[14], motor[16], motor[60]), (0.0, 0.0, torque, torque));
     // Without a torque from outside it is L itself that stays.
     let lines = data["motion"]["drift"].as_array().unwrap();
     let names: Vec<&str> = lines.iter().filter_map(|line| line["name"].as_str()).collect();
@@ -150,6 +156,101 @@ fn wheels_events_and_switches_are_on_the_page() {
     assert_eq!(brake[2], "constant, off until the event \"too fast\"");
 }
 
+/// A cylinder on its tip under gravity along a generic direction, leaning, with so many rad/s along its axis.
+fn top(spin: f64) -> Scenario {
+    let disc = Cylinder::new(0.11, 0.05).unwrap();
+    let part = crate::common::solid("disc", "cylinder", &disc, 1.7, [0.0, 0.0, 0.14], 0.0);
+    let scenario = crate::common::scenario("A top", vec![part]).held_at(Position::ZERO).unwrap();
+    let scenario = crate::common::facing(scenario, Attitude::from_quaternion([0.9, 0.2, -0.1, 0.3]).unwrap());
+    let scenario = crate::common::spinning(scenario, AngularVelocity::new(0.3, -0.2, 10.0 * spin));
+    let gravity = UniformGravity { acceleration: Acceleration::new(1.1, -0.7, -9.2) };
+    scenario.under(vec![TorqueModel::Gravity(gravity)]).unwrap().sampled(crate::common::run(3.0, 601))
+}
+
+#[test]
+fn a_top_has_its_axis_its_bounds_and_gravity() {
+    let (data, trajectory) = page_of(&top(9.0));
+    let scene = &data["scene"];
+    let three = |value: &Value| -> [f64; 3] { std::array::from_fn(|k| number(&value[k])) };
+    let g = three(&scene["gravity"]);
+    assert_eq!(g, [1.1, -0.7, -9.2]);
+    let axis = polhode::math::Direction::<polhode::math::Body>::from_array(three(&scene["top"]["axis"]));
+    assert!((axis.norm() - 1.0).abs() < 1e-15 && axis.z > 0.999_999);
+    // The samples lie between the bounds, and come near to both.
+    let size = g.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let leaning = |sample: &Sample| {
+        let e = (sample.state.attitude * axis).to_array();
+        (-e.iter().zip(g).map(|(x, g)| x * g).sum::<f64>() / size).acos()
+    };
+    let angles: Vec<f64> = trajectory.samples().iter().map(leaning).collect();
+    let [least, most] =
+        [angles.iter().copied().fold(9.0, f64::min), angles.iter().copied().fold(0.0, f64::max)];
+    let bounds = &scene["top"]["bounds"];
+    let [first, second] = [number(&bounds[0]), number(&bounds[1])];
+    assert!(first <= least + 1e-12 && most <= second + 1e-12, "{first} {least} {most} {second}");
+    assert!(least - first < 1e-3 && second - most < 1e-3, "{first} {least} {most} {second}");
+    // The period is that of the precession: the axis comes back to its azimuth about the vertical, but for a nutation's swing.
+    let period = number(&scene["period"]);
+    let up = polhode::math::Direction::<polhode::math::Space>::from_array(g.map(|x| -x / size));
+    let flat = |sample: &Sample| {
+        let e = sample.state.attitude * axis;
+        e - up * up.dot(e)
+    };
+    let mut turned = 0.0;
+    for pair in trajectory.samples().windows(2) {
+        let [a, b] = [flat(&pair[0]), flat(&pair[1])];
+        turned += up.dot(a.cross(b)).atan2(a.dot(b));
+    }
+    let mean = turned.abs() / (2.0 * std::f64::consts::PI) * period / 3.0;
+    assert!((mean - 1.0).abs() < 0.05, "{mean} turns in {period} s");
+    let caption = scene["captions"]["body"].as_str().unwrap();
+    let shown = format!("θ₁ = {:.2}", first.to_degrees());
+    assert!(caption.contains(&shown) && caption.contains("precesses once in"), "{caption}");
+    assert!(scene["captions"]["cones"].is_null());
+}
+
+#[test]
+fn captions_say_what_is_seen() {
+    let caption = |scenario: &Scenario, picture: &str| {
+        page_of(scenario).0["scene"]["captions"][picture].as_str().unwrap().to_owned()
+    };
+    let wheel = crate::common::symmetric_top();
+    // A cylinder of radius 0.3 m and length 0.1 m: I_e/I_t = r²/2 / (r²/4 + l²/12); its axis is turned by 0.7 rad about z.
+    let cones = caption(&wheel, "cones");
+    let ratio = 0.045 / (0.0225 + 0.01 / 12.0);
+    let gamma = 0.5_f64.atan2(2.0);
+    let between = gamma - (gamma.tan() / ratio).atan();
+    for angle in [gamma, between] {
+        let shown = format!("{:.2}°", angle.to_degrees());
+        assert!(cones.contains(&shown), "{cones}: {shown}");
+    }
+    assert!(cones.contains("inside it: retrograde precession"), "{cones}");
+    let handle = crate::common::t_handle();
+    assert!(caption(&handle, "cones").contains("neither is circular"));
+    assert!(caption(&handle, "sphere").contains("separatrices"));
+    assert!(!caption(&wheel, "sphere").contains("separatrices"));
+    for scenario in [&wheel, &handle] {
+        assert!(caption(scenario, "poinsot").contains("2T/|L| = "));
+        assert!(caption(scenario, "body").contains("L is fixed in space"));
+    }
+    let inside = caption(&crate::common::gyrostat(), "body");
+    assert!(
+        inside.contains("L = Iω + h") && inside.contains("held at its speed") && inside.contains("from 1.5"),
+        "{inside}"
+    );
+    assert!(caption(&crate::common::gyroscope(), "body").contains("prescribed"));
+    // Friction inside is no torque from outside, with another it is not named among those that act.
+    let sink = TorqueModel::EnergySink(EnergySink::new(0.01).unwrap());
+    let push = TorqueModel::Constant(ConstantTorque::Body(Torque::new(0.1, 0.2, -0.3)));
+    let inside = caption(&handle.clone().under(vec![sink.clone()]).unwrap(), "body");
+    assert_eq!(
+        inside,
+        "No torque from outside: L is fixed in space. Friction inside the body takes kinetic energy."
+    );
+    let both = caption(&handle.under(vec![push, sink]).unwrap(), "body");
+    assert!(both.starts_with("Torque N: constant in body axes; dL/dt = N. Friction inside"), "{both}");
+}
+
 #[test]
 fn hostile_text_is_inert() {
     let evil =
@@ -183,8 +284,38 @@ fn every_formula_is_set() {
             roxmltree::Document::parse(markup).unwrap_or_else(|e| panic!("{markup}: {e}"));
             // A formula that was not read would stand as text and nothing else.
             assert!(markup.contains("<mo"), "{text}: {markup}");
+            for c in roxmltree::Document::parse(markup).unwrap().descendants().filter_map(|node| node.text())
+            {
+                let missing: Vec<char> =
+                    c.chars().chain(c.chars().filter_map(italic)).filter(|c| !is_in_font(*c)).collect();
+                assert!(missing.is_empty(), "the font of formulas has no {missing:?}: {text}");
+            }
         }
     }
+}
+
+/// The characters of the bundled font, as its style sheet says.
+fn is_in_font(c: char) -> bool {
+    let css = include_str!("../../assets/math.css");
+    let ranges = css.split_once("unicode-range:").unwrap().1.split_once(';').unwrap().0;
+    let number = |hex: &str| u32::from_str_radix(hex, 16).unwrap();
+    ranges.split(',').map(|range| range.trim().strip_prefix("U+").unwrap()).any(|range| {
+        let (first, last) = range.split_once('-').unwrap_or((range, range));
+        (number(first)..=number(last)).contains(&u32::from(c))
+    })
+}
+
+/// The slanted letter that a browser shows for a letter alone.
+fn italic(c: char) -> Option<char> {
+    let (first, place) = match c {
+        'h' => return Some('ℎ'),
+        'A'..='Z' => ('A', 0x1D434),
+        'a'..='z' => ('a', 0x1D44E),
+        'Α'..='Ω' => ('Α', 0x1D6E2),
+        'α'..='ω' => ('α', 0x1D6FC),
+        _ => return None,
+    };
+    char::from_u32(place + u32::from(c) - u32::from(first))
 }
 
 #[test]
@@ -478,7 +609,7 @@ fn keys_are_those_of_the_contract() {
     );
     let every = crate::common::spinning(every, AngularVelocity::new(0.1, 0.2, 0.3));
     all.push(every.sampled(crate::common::run(1.0, 3)));
-    all.push(crate::common::gyrostat());
+    all.extend([crate::common::gyrostat(), top(7.0)]);
     for scenario in all {
         let Some(Ok(trajectory)) = scenario.simulate() else { continue };
         let data = data(&html_of(&scenario, &trajectory, ""));
@@ -488,6 +619,12 @@ fn keys_are_those_of_the_contract() {
         agree("MotionData", &data["motion"], &[]);
         if !data["free"].is_null() {
             agree("FreeData", &data["free"], &[]);
+            agree("cones", &data["free"]["cones"], &[]);
+        }
+        agree("SceneData", &data["scene"], &[]);
+        agree("captions", &data["scene"]["captions"], &[]);
+        if !data["scene"]["top"].is_null() {
+            agree("top", &data["scene"]["top"], &[]);
         }
         for line in data["motion"]["drift"].as_array().unwrap() {
             agree("drift", line, &[]);
@@ -523,6 +660,7 @@ fn keys_are_those_of_the_contract() {
         "heading",
         "lines",
         "mesh",
+        "picture",
         "table",
         "text",
         "torus",

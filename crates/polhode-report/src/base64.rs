@@ -3,22 +3,22 @@
 const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
 /// Each number as an f64.
-pub(super) fn f64s(numbers: impl IntoIterator<Item = f64>) -> String {
+pub(crate) fn f64s(numbers: impl IntoIterator<Item = f64>) -> String {
     encode(numbers.into_iter().flat_map(f64::to_le_bytes))
 }
 
 /// Each number as an f32.
-pub(super) fn f32s(numbers: impl IntoIterator<Item = f32>) -> String {
+pub(crate) fn f32s(numbers: impl IntoIterator<Item = f32>) -> String {
     encode(numbers.into_iter().flat_map(f32::to_le_bytes))
 }
 
 /// Each number as a u32.
-pub(super) fn u32s(numbers: impl IntoIterator<Item = u32>) -> String {
+pub(crate) fn u32s(numbers: impl IntoIterator<Item = u32>) -> String {
     encode(numbers.into_iter().flat_map(u32::to_le_bytes))
 }
 
 /// Four digits for every three bytes.
-fn encode(bytes: impl Iterator<Item = u8>) -> String {
+pub(crate) fn encode(bytes: impl Iterator<Item = u8>) -> String {
     let mut text = String::new();
     let (mut held, mut count) = (0_u32, 0_u8);
     for byte in bytes {

@@ -1,0 +1,117 @@
+/**
+ * What belongs to a heavy body at a pivot: the way of its axis, the circles between which it nods, the floor, and gravity's arrow at the
+ * centre of mass.
+ */
+import { Group, Vector3 } from "three";
+import { rotate, type Quaternion, type Vector } from "../attitude";
+import type { PageData } from "../data";
+import { length, type Motion } from "../motion";
+import { Arrow } from "./arrows";
+import type { Label } from "./labels";
+import type { Layer } from "./layers";
+import { curve } from "./lines";
+import type { Palette } from "./palette";
+import { plane } from "./plane";
+
+/** Points of the way between two samples. */
+const FINE = 4;
+const MOST = 24_000;
+
+export class HeavyBody {
+  readonly layers: Layer[] = [];
+  readonly objects: Group[] = [];
+  /** Where the circles are, for their names: points of each. */
+  readonly #circles: { text: string; points: Vector3[] }[] = [];
+  readonly #arrow: Arrow;
+  readonly #lever: Vector;
+  readonly #down: Vector3;
+
+  /** `unit`: metres of length 1; the axis is `reach` long. Null without gravity. */
+  static of(page: PageData, motion: Motion, unit: number, reach: number, palette: Palette): HeavyBody | null {
+    const { gravity } = page.scene;
+    return gravity && length(gravity) > 0 ? new HeavyBody(page, gravity, motion, unit, reach, palette) : null;
+  }
+
+  private constructor(page: PageData, gravity: Vector, motion: Motion, unit: number, reach: number, palette: Palette) {
+    this.#down = new Vector3(...gravity).normalize();
+    this.#lever = page.body.lever.map((x) => x / unit) as Vector;
+    this.#arrow = new Arrow("quiet", 0.014, palette);
+    const arrow = this.#arrow.object;
+    this.#put({ id: "gravity", label: "Gravity g", ink: "quiet", look: "arrow", on: { body: true }, objects: [arrow] }, arrow);
+    const { top } = page.scene;
+    if (top) this.#axis(top, motion, reach, palette);
+    if (standsUpright(motion, page.body.lever, this.#down)) {
+      const floor = plane(0.95, palette);
+      floor.quaternion.setFromUnitVectors(new Vector3(0, 0, 1), this.#down.clone().negate());
+      this.#put({ id: "floor", label: "Floor", ink: "faint", look: "area", on: { body: true }, objects: [floor] }, floor);
+    }
+  }
+
+  #put(layer: Layer, object: Group): void {
+    this.layers.push(layer);
+    this.objects.push(object);
+  }
+
+  #axis(top: NonNullable<PageData["scene"]["top"]>, motion: Motion, reach: number, palette: Palette): void {
+    const fine = Math.max(1, Math.min(FINE, Math.floor(MOST / motion.count)));
+    const way: number[] = [];
+    for (let k = 0; k <= (motion.count - 1) * fine; k += 1) {
+      const i = Math.floor(k / fine);
+      const next = motion.times[Math.min(i + 1, motion.count - 1)];
+      const time = motion.times[i] + ((k % fine) / fine) * (next - motion.times[i]);
+      way.push(...rotate(motion.at(time).attitude, top.axis).map((x) => x * reach));
+    }
+    const path = new Group();
+    if (way.length >= 6) path.add(curve(way, 1, { ink: "contour", width: 1.2, opacity: 0.55 }, palette));
+    this.#put({ id: "path", label: "Path of the axis", ink: "contour", look: "line", on: { body: true }, objects: [path] }, path);
+
+    const circles = new Group();
+    const bounds = top.bounds[1] - top.bounds[0] > 1e-6 ? top.bounds : [top.bounds[0]];
+    bounds.forEach((angle, k) => {
+      if (Math.sin(angle) < 1e-6) return;
+      const points = this.#circle(angle, reach);
+      circles.add(curve(points.flatMap((p) => p.toArray()), 1, { ink: "axis-2", width: 1.6, opacity: 0.9 }, palette));
+      this.#circles.push({ text: bounds.length > 1 ? (k === 0 ? "𝜃₁" : "𝜃₂") : "𝜃", points });
+    });
+    if (circles.children.length === 0) return;
+    const label = bounds.length > 1 ? "Circles θ₁, θ₂" : "Circle θ";
+    this.#put({ id: "bounds", label, ink: "axis-2", look: "line", on: { body: true }, objects: [circles] }, circles);
+  }
+
+  // Where an axis of this length points at this angle from the vertical.
+  #circle(angle: number, reach: number): Vector3[] {
+    const up = this.#down.clone().negate();
+    const a = new Vector3(Math.abs(up.x) < 0.9 ? 1 : 0, Math.abs(up.x) < 0.9 ? 0 : 1, 0).cross(up).normalize();
+    const b = up.clone().cross(a);
+    return Array.from({ length: 129 }, (_, i) => {
+      const t = (i / 128) * 2 * Math.PI;
+      const side = a.clone().multiplyScalar(Math.cos(t)).addScaledVector(b, Math.sin(t));
+      return up.clone().multiplyScalar(Math.cos(angle)).addScaledVector(side, Math.sin(angle)).multiplyScalar(reach);
+    });
+  }
+
+  pose(attitude: Quaternion): void {
+    const middle = new Vector3(...rotate(attitude, this.#lever));
+    this.#arrow.object.position.copy(middle);
+    this.#arrow.point(...(this.#down.clone().multiplyScalar(0.62).toArray() as Vector));
+  }
+
+  /** Names of what is on. */
+  labels(on: (id: string) => boolean): Label[] {
+    const labels: Label[] = [];
+    if (on("gravity")) {
+      labels.push({ text: "𝐠", ink: "quiet", tip: this.#arrow.tip.clone().add(this.#arrow.object.position) });
+    }
+    if (!on("bounds")) return labels;
+    for (const { text, points } of this.#circles) labels.push({ text, ink: "axis-2", tip: points[0], along: points });
+    return labels;
+  }
+}
+
+/** Whether the centre of mass stays above the pivot: a floor would not be in its way. */
+function standsUpright(motion: Motion, lever: Vector, down: Vector3): boolean {
+  for (let i = 0; i < motion.count; i += 1) {
+    if (new Vector3(...rotate(motion.attitudeOf(i), lever)).dot(down) >= 0) return false;
+  }
+  return true;
+}

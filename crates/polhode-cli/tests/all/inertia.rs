@@ -68,6 +68,24 @@ fn a_density_may_be_a_formula() {
 }
 
 #[test]
+fn a_centre_almost_at_the_origin_has_the_unit_of_its_body() {
+    let scratch = Scratch::new("drone");
+    let arm = |name: &str, x: &str, z: &str| {
+        format!(
+            "[[body.part]]\nname = \"{name}\"\nshape = \"box\"\nsize = [\"310 mm\", \"24 mm\", \"17 mm\"]\nmass = \"0.13 kg\"\nposition = [\"{x}\", 0, \"{z}\"]\n"
+        )
+    };
+    // Two equal arms, one of them 0.6 nm too high: the centre is 3e-10 m off the origin, in one direction.
+    scratch.write("drone.toml", &(arm("left", "-0.21 m", "0") + &arm("right", "0.21 m", "6e-10 m")));
+    let text = stdout(&scratch.run(&["inertia", "drone.toml"]));
+    let center = text.lines().find(|line| line.starts_with("centre of mass")).unwrap();
+    assert!(center.ends_with("0  0  3e-7  mm"), "{center}");
+    // What a program reads keeps all digits.
+    let body = json(&scratch.run(&["inertia", "drone.toml", "--json"]));
+    near(&body["center_of_mass"][2], 3e-10);
+}
+
+#[test]
 fn molecules_particles_and_voxels_are_bodies() {
     let scratch = Scratch::new("kinds");
     let water = json(&scratch.run(&["inertia", &example("water.xyz"), "--json"]));

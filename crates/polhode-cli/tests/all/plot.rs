@@ -100,5 +100,5 @@ fn the_figures_of_the_book_are_what_its_commands_draw() {
         assert!(figure == committed, "book/figures/{name} is not what is drawn today");
         assert!(page.contains(&format!("(figures/{name})")), "book/plots.md does not show {name}");
     }
-    assert_eq!(drawn.len(), 7);
+    assert_eq!(drawn.len(), 8);
 }

@@ -40,7 +40,7 @@ impl Constant {
             return Some(Self::Zero(size));
         }
         let spread = (greatest - least) / size;
-        (spread < SPREAD).then(|| Self::Value(0.5 * (least + greatest), spread))
+        (spread < SPREAD).then_some(Self::Value(0.5 * (least + greatest), spread))
     }
 
     /// `T = 3.737 84 J, constant to 6.8×10⁻¹⁷`

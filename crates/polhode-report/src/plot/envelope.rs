@@ -76,7 +76,15 @@ fn envelope(pieces: &[Vec<Point>], interval: f64) -> Vec<Band> {
         }
         before = here;
     }
+    bands.iter_mut().flatten().for_each(level_ends);
     bands
+}
+
+/// The ends of an edge have bounds on one side only: there it is level.
+fn level_ends(edge: &mut Vec<Point>) {
+    if let [first, second, .., before, last] = edge.as_mut_slice() {
+        (first[1], last[1]) = (second[1], before[1]);
+    }
 }
 
 fn joined(one: Bounds, other: Bounds) -> Bounds {

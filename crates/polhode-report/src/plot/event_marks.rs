@@ -111,7 +111,7 @@ impl EventMarks {
     }
 }
 
-/// `a, b`
+/// `a,b`
 fn joined(letters: &[usize]) -> String {
     letters.iter().map(|&k| EventMarks::letter(k)).collect::<Vec<_>>().join(",")
 }

@@ -54,7 +54,9 @@ pub(crate) fn check_in(Environment { folder, python }: Environment) -> Outcome {
     let without = format!("--ignore={}", Path::new(where_from.trim()).with_file_name("_ray.py").display());
     let documented = ["--doctest-modules", &without, "--pyargs", "polhode"];
     run_beside(here(&["-m", "pytest", "-q", "-c"]).arg(&settings).args(documented))?;
-    let pages = ["python.md", "clusters.md"].map(|page| root().join("book").join(page));
+    let book = root().join("book");
+    let pages = ["python.md", "clusters.md"].map(|page| book.join(page));
+    let pages = pages.into_iter().chain(files(&book.join("cookbook"), "md")?);
     run_beside(here(&["-m", "pytest", "-q", "--doctest-glob=*.md", "-c"]).arg(&settings).args(pages))?;
     run_beside(here(&["-m", "mypy", "--config-file"]).arg(&settings).args(["-p", "polhode"]))?;
     for example in files(&root().join("examples/python"), "py")? {

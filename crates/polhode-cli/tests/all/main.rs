@@ -4,6 +4,7 @@
 mod check;
 mod command;
 mod common;
+mod cookbook;
 mod corpus;
 mod example_files;
 mod explain;

@@ -40,7 +40,8 @@ impl Folder {
             fs::create_dir_all(parent).map_err(SweepError::writing(parent))?;
         }
         fs::create_dir(path).map_err(|error| match error.kind() {
-            io::ErrorKind::AlreadyExists => SweepError::Exists { folder: path.to_owned() },
+            io::ErrorKind::AlreadyExists => Self::require_sweep(path)
+                .map_or_else(|error| error, |()| SweepError::Exists { folder: path.to_owned() }),
             _ => SweepError::Write { path: path.to_owned(), error },
         })?;
         let parent = path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
@@ -50,13 +51,19 @@ impl Folder {
 
     /// A folder that is there, if it holds nothing but a sweep, or the beginning of one.
     pub(super) fn open(path: &Path) -> Result<Self, SweepError> {
+        Self::require_sweep(path)?;
+        Self::lock(path)
+    }
+
+    /// Refuses what is no folder, or holds something else than a sweep.
+    fn require_sweep(path: &Path) -> Result<(), SweepError> {
         let strange = |why: String| SweepError::NotASweep { folder: path.to_owned(), why };
         if !fs::symlink_metadata(path).map_err(SweepError::reading(path))?.is_dir() {
             return Err(strange("it is no folder".to_owned()));
         }
         match foreign_file(path).map_err(SweepError::reading(path))? {
             Some(name) => Err(strange(format!("it holds {name:?}"))),
-            None => Self::lock(path),
+            None => Ok(()),
         }
     }
 

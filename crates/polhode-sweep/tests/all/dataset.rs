@@ -190,9 +190,12 @@ fn a_folder_is_one_sweeps_and_one_writers() {
 
     // What is not a sweep's is never touched.
     fs::write(folder.join("notes.txt"), "mine").unwrap();
-    for result in [Dataset::resume(&folder, &plan_b), Dataset::replace(&folder, &plan_b)] {
+    let [resumed, replaced] = [Dataset::resume, Dataset::replace].map(|open| open(&folder, &plan_b));
+    // A new sweep there is not told to continue it or to replace it, which are refused.
+    for result in [resumed, replaced, Dataset::create(&folder, &plan_b)] {
         let error = result.unwrap_err();
         assert!(error.to_string().contains("notes.txt"), "{error}");
+        assert!(!error.hint().unwrap().contains("--resume"), "{error}");
     }
     let file = scratch.join("file");
     fs::write(&file, "a file").unwrap();

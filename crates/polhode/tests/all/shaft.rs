@@ -89,6 +89,15 @@ fn the_bearings_and_the_drive_make_what_every_mass_point_needs() {
 }
 
 #[test]
+fn a_mass_on_the_other_side_is_at_half_a_turn() {
+    let inertia = InertiaTensor::with_negative_products([0.4, 0.5, 0.2], [0.0; 3]).unwrap();
+    let body = MassProperties::new(3.7, Position::new(0.002, 0.0, 0.31), inertia).unwrap();
+    let axis = Direction::from_array([0.0, 0.0, 1.0]);
+    let shaft = Shaft::new(body, Position::ZERO, axis, BEARINGS).unwrap();
+    assert_eq!(shaft.balance_in_plane(0.1, 0.08).unwrap().angle, std::f64::consts::PI);
+}
+
+#[test]
 fn two_masses_in_two_planes_balance_any_shaft() {
     let shaft = shaft();
     assert_eq!(shaft.unbalance(), Unbalance::Dynamic);

@@ -80,20 +80,43 @@ fn a_spline_of_a_cubic_is_that_cubic_while_it_acts() {
 
 #[test]
 fn a_linear_table_has_its_impulse() {
-    // ∫ N dt by the trapezoidal rule, along space axes: the change of L
-    let torque = table(TorqueAxes::Space, Interpolation::Linear, &TIMES, &ROWS);
-    let mut impulse = [0.0; 3];
-    for (t, n) in TIMES.windows(2).zip(ROWS.windows(2)) {
-        (0..3).for_each(|k| impulse[k] += 0.5 * (n[0][k] + n[1][k]) * (t[1] - t[0]));
-    }
-    let rotor = rotor();
+    has_its_impulse(start(), &TIMES, &ROWS);
+}
+
+/// At rest what ω is measured with is what the table comes to: the torque of now is zero there, and so is ω.
+#[test]
+fn a_linear_table_that_rises_from_zero_moves_a_body_at_rest() {
+    let rest = State { omega: AngularVelocity::ZERO, ..start() };
+    let (times, rows) = ([0.0, 1.3, 2.2, 3.1, 5.3], [[0.0; 3], [0.0; 3], ROWS[0], ROWS[2], ROWS[1]]);
+    has_its_impulse(rest, &times, &rows);
+    has_its_impulse(rest, &times[1..], &rows[1..]);
+    let torque = table(TorqueAxes::Space, Interpolation::Linear, &times, &rows);
+    let member = || Member { rotor: rotor(), torques: vec![torque.clone()], start: rest };
+    let ensemble = Ensemble::new((0..9).map(|_| member()).collect()).unwrap();
+    let ends = ensemble.at(&[6.0], Method::Taylor, 1e-14, NonZero::<usize>::MIN).unwrap();
+    assert!(ends.failures.is_empty(), "{:?}", ends.failures);
+    assert!(ends.states.iter().all(|end| (impulse_error(rest, end, &times, &rows)) < 1e-13));
+}
+
+#[track_caller]
+fn has_its_impulse(start: State, times: &[f64], rows: &[[f64; 3]]) {
+    let torque = table(TorqueAxes::Space, Interpolation::Linear, times, rows);
     for method in METHODS {
         let torques = std::slice::from_ref(&torque);
-        let motion = Trajectory::compute(&rotor, torques, start(), &[0.0, 6.0], method, 1e-14).unwrap();
-        let [first, last] = [0, 1].map(|k| rotor.angular_momentum_space(&motion.samples()[k].state));
-        let error = (last - first - AngularMomentum::from_array(impulse)).norm();
+        let motion = Trajectory::compute(&rotor(), torques, start, &[0.0, 6.0], method, 1e-14).unwrap();
+        let error = impulse_error(start, &motion.samples()[1].state, times, rows);
         assert!(error < 1e-13, "{method:?}: {error:e}");
     }
+}
+
+/// How far the change of L is from ∫ N dt, by the trapezoidal rule along space axes.
+fn impulse_error(start: State, end: &State, times: &[f64], rows: &[[f64; 3]]) -> f64 {
+    let mut impulse = [0.0; 3];
+    for (t, n) in times.windows(2).zip(rows.windows(2)) {
+        (0..3).for_each(|k| impulse[k] += 0.5 * (n[0][k] + n[1][k]) * (t[1] - t[0]));
+    }
+    let [first, last] = [&start, end].map(|state| rotor().angular_momentum_space(state));
+    (last - first - AngularMomentum::from_array(impulse)).norm()
 }
 
 #[test]

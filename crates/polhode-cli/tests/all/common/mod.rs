@@ -7,6 +7,8 @@ use std::process::{Command, Output};
 
 use serde_json::Value;
 
+pub mod recipe;
+
 /// A folder of a test's own, removed when it is done.
 pub struct Scratch(pub PathBuf);
 

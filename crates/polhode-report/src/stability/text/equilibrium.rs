@@ -30,10 +30,16 @@ pub(super) fn write(found: &Found) -> String {
     text + &on_orbit(found)
 }
 
+/// A difference of two ω that is no more than this part of them is rounding.
+const ROUNDING: f64 = 1e-12;
+
 /// Which equilibrium it is, and how far from the start.
 fn place(found: &Found) -> String {
     let away = number(found.turned.to_degrees(), 4);
-    let spin = || format!("the start is {away}° and {} from it", rate(found.omega_off));
+    let spin = || match found.omega_off > ROUNDING * found.oscillations.equilibrium.omega.norm() {
+        true => format!("the start is {away}° and {} from it", rate(found.omega_off)),
+        false => format!("the start is {away}° from it and turns as it does"),
+    };
     match &found.place {
         Place::Start => "about the start, which is an equilibrium".to_owned(),
         Place::Orbit(nearest) => format!(

@@ -293,7 +293,8 @@ impl Shaft {
             plane,
             radius,
             mass: wanted.norm() / radius,
-            angle: libm::atan2(self.axis.cross(mark).dot(towards), mark.dot(towards)),
+            // Half a turn is π, not −π: + 0 takes the sign of a zero.
+            angle: libm::atan2(self.axis.cross(mark).dot(towards) + 0.0, mark.dot(towards)),
             position: on_axis + (towards * radius).as_quantity(),
         })
     }

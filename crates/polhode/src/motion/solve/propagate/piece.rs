@@ -40,14 +40,16 @@ impl<'a> Piece<'a> {
     ) -> Self {
         let time = state.time;
         let to_principal = rotor.principal().rotation().inverse();
+        // A table knows the greatest of its rows; the polynomial between two of them only what it is now, which may be zero.
+        let scales = torques.clone().filter(|torque| torque.acting(time).is_some());
+        let largest_torque = scales.map(|torque| torque.model().scale(rotor, state)).sum::<f64>();
         let acting: Vec<_> = torques.clone().filter_map(|torque| torque.acting(time)).collect();
         let changes = torques.map(|torque| torque.next_change(time));
         let wheels = rotor.wheels().iter().map(|wheel| wheel.next_change(time));
         Self {
             rotor,
             sink: acting.iter().map(|torque| torque.model().sink()).sum(),
-            largest_torque: acting.iter().map(|torque| torque.model().scale(rotor, state)).sum::<f64>()
-                + rotor.motor_torque(time).norm(),
+            largest_torque: largest_torque + rotor.motor_torque(time).norm(),
             torques: acting,
             until: changes.chain(wheels).fold(f64::INFINITY, f64::min),
             wheels: Wheels {

@@ -82,8 +82,11 @@ function motionData(rows, inertia, torque, potential, method) {
         ? { name: "L along Z", values: f64(momenta.map((m) => (m[2] - momenta[0][2]) / first)) }
         : { name: "|L|", values: f64(momenta.map((m) => (norm(m) - first) / first)) },
     ],
+    work: null,
     wheels: [],
+    pointings: [],
     events: [],
+    eventCount: 0,
     complete: true,
   };
 }
@@ -188,7 +191,7 @@ const EXPLANATION = [
 
 const SCENARIO = '# T-handle in free fall\nname = "T-handle in free fall"\n\n[body]\nmaterial = "steel"\n\n[motion]\nomega = "0.3 11 0.5 rad/s"\nduration = "20 s"\n';
 
-function page({ title, body, mass, shapes, ellipsoid, motion, free, about = "centre of mass", lever = [0, 0, 0] }) {
+function page({ title, body, mass, shapes, ellipsoid, motion, free, about = "centre of mass", lever = [0, 0, 0], top = null }) {
   return {
     version: 1,
     title,
@@ -197,6 +200,7 @@ function page({ title, body, mass, shapes, ellipsoid, motion, free, about = "cen
     body: { mass, inertia: body.inertia, about, lever, principal: { moments: body.moments, quaternion: body.quaternion }, ellipsoid, shapes },
     motion,
     free,
+    top,
     facts: FACTS,
     findings: [{ severity: "warning", message: "The spin is 0.8° from the unstable intermediate axis: it flips." }],
     explanation: EXPLANATION,
@@ -262,6 +266,7 @@ function heavy() {
     mass: 0.5,
     about: "pivot",
     lever,
+    top: { axis: [0, 0, 1], up: [0, 0, 1], across: [[1, 0, 0], [0, 1, 0]], bounds: null },
     shapes: [
       { ...PART, name: "tip", kind: "cone", bottom: 0.004, top: 0.008, height: 0.09, position: [0, 0, 0.045] },
       { ...PART, name: "disc", kind: "torus", radius: 0.07, tube: 0.014, position: [0, 0, 0.12] },
@@ -297,6 +302,12 @@ function wheeled() {
       { time: 5, name: "<b>motor on</b>" },
       { time: 25, name: "motor off" },
       { time: 25.2, name: "just after" },
+    ],
+    eventCount: 5,
+    work: { name: "work of the motors", values: f64(rows.map(({ omega }) => 1.55 * omega[2] ** 2)) },
+    pointings: [
+      { name: "camera", values: f64(rows.map(({ t }) => 0.7 + 0.2 * Math.sin(0.3 * t))) },
+      { name: "panel", values: f64(rows.map(({ t }) => 1.4 + 0.1 * Math.cos(0.2 * t))) },
     ],
   };
   return made;

@@ -65,7 +65,12 @@ pub(super) fn closed_form(form: &JacobiForm, free: &FreeRegime, s: &mut Section)
             "period of ω in the body = 4 K(k) / λ,   K(k) = ∫ dx / √(1 − k² sin² x), x from 0 to π/2",
             r"\text{period of }\boldsymbol\omega\text{ in the body} = \frac{4 K(k)}{\lambda}, \qquad K(k) = \int_0^{\pi/2} \frac{dx}{\sqrt{1 - k^2 \sin^2 x}}",
         );
-        s.line(format!("K(k) = {},  period of ω = 4·{0} / {} = {} s", n(parameter.k()), n(form.rate()), n(period)));
+        s.line(format!(
+            "K(k) = {},  period of ω = 4·{0} / {} = {} s",
+            n(parameter.k()),
+            n(form.rate()),
+            n(period)
+        ));
     }
     limits(form, free.regime, s);
 }

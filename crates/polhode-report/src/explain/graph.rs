@@ -41,7 +41,13 @@ pub(super) fn lines(graph: &Graph) -> Vec<String> {
     let [left, right] = [left, right].map(|x| number(x, 3));
     let gap = COLUMNS.saturating_sub(width(&left) + width(&right));
     lines.push(format!("{:beside$} └{}", "", "─".repeat(COLUMNS)));
-    lines.push(format!("{:beside$}  {left}{}{right}   {} ({})", "", " ".repeat(gap), graph.across[0], graph.across[1]));
+    lines.push(format!(
+        "{:beside$}  {left}{}{right}   {} ({})",
+        "",
+        " ".repeat(gap),
+        graph.across[0],
+        graph.across[1]
+    ));
     lines.push(format!("- - -  {name}"));
     lines
 }

@@ -20,7 +20,8 @@ impl Document {
              <style>\n{STYLE}</style>\n</head>\n<body>\n<main>\n<h1>{title}</h1>\n"
         );
         if !self.answer.is_empty() {
-            let lines: String = self.answer.iter().map(|line| format!("<li>{}</li>\n", shown(line))).collect();
+            let lines: String =
+                self.answer.iter().map(|line| format!("<li>{}</li>\n", shown(line))).collect();
             html.push_str(&format!("<ul class=\"answer\">\n{lines}</ul>\n"));
         }
         for section in &self.sections {
@@ -51,7 +52,8 @@ fn render(block: &Block) -> String {
         Block::Graph(graph) => format!("<figure>\n{}</figure>", Picture::of_graph(graph).to_svg()),
         Block::Table { headers, rows } => {
             let row = |cells: &[String], tag: &str| {
-                let cells: String = cells.iter().map(|cell| format!("<{tag}>{}</{tag}>", shown(cell))).collect();
+                let cells: String =
+                    cells.iter().map(|cell| format!("<{tag}>{}</{tag}>", shown(cell))).collect();
                 format!("<tr>{cells}</tr>\n")
             };
             let body: String = rows.iter().map(|cells| row(cells, "td")).collect();

@@ -139,7 +139,9 @@ impl<'a, 'w> Inside<'a, 'w> {
         };
         s.formula(
             &format!("{{I}} dω/dt = {text},   {l}"),
-            &format!(r"\lbrace \mathbf I \rbrace \cdot \dot{{\boldsymbol\omega}} = {latex}, \qquad {l_latex}"),
+            &format!(
+                r"\lbrace \mathbf I \rbrace \cdot \dot{{\boldsymbol\omega}} = {latex}, \qquad {l_latex}"
+            ),
         );
         s.say("At t0, in body axes:");
         let scale = self.momentum.norm() * self.omega.norm();

@@ -21,7 +21,10 @@ const HEAD: &str = r"\documentclass[11pt]{article}
 impl Document {
     /// An article that any LaTeX compiles.
     pub fn to_latex(&self) -> String {
-        let mut out = format!("{HEAD}\\title{{{}}}\n\\date{{}}\n\\begin{{document}}\n\\maketitle\n", words(&self.title));
+        let mut out = format!(
+            "{HEAD}\\title{{{}}}\n\\date{{}}\n\\begin{{document}}\n\\maketitle\n",
+            words(&self.title)
+        );
         if !self.answer.is_empty() {
             let items: String = self.answer.iter().map(|line| format!("\\item {}\n", words(line))).collect();
             out.push_str(&format!("\\begin{{itemize}}\n{items}\\end{{itemize}}\n"));
@@ -73,18 +76,36 @@ fn drawn(graph: &Graph) -> String {
     let [left, right] = ends(&mut graph.points.iter().map(|p| p[0]));
     let [low, high] = ends(&mut graph.points.iter().map(|p| p[1]).chain([height]));
     let part = |value: f64, [a, b]: [f64; 2]| if b > a { (value - a) / (b - a) } else { 0.5 };
-    let at = |x: f64, y: f64| format!("({:.3},{:.3})", 10.0 * part(x, [left, right]), 5.0 * part(y, [low, high]));
+    let at =
+        |x: f64, y: f64| format!("({:.3},{:.3})", 10.0 * part(x, [left, right]), 5.0 * part(y, [low, high]));
     let curve: String = graph.points.iter().map(|&[x, y]| at(x, y)).collect();
     let shown = |x: f64| format!("${}$", power(&crate::number::ungrouped(x, 3)));
     let lines = [
         format!("\\draw[gray] (0,0) rectangle (10,5);\n\\draw[thick] plot coordinates {{{curve}}};"),
-        format!("\\draw[dashed] {} -- {} node[midway,above] {{{}}};", at(from, height), at(to, height), words(name)),
-        format!("\\node[below right] at (0,0) {{{}}};\n\\node[below left] at (10,0) {{{}}};", shown(left), shown(right)),
+        format!(
+            "\\draw[dashed] {} -- {} node[midway,above] {{{}}};",
+            at(from, height),
+            at(to, height),
+            words(name)
+        ),
+        format!(
+            "\\node[below right] at (0,0) {{{}}};\n\\node[below left] at (10,0) {{{}}};",
+            shown(left),
+            shown(right)
+        ),
         format!("\\node[left] at (0,0.1) {{{}}};\n\\node[left] at (0,4.9) {{{}}};", shown(low), shown(high)),
         format!("\\node[below] at (5,-0.1) {{{} ({})}};", words(graph.across[0]), words(graph.across[1])),
-        format!("\\node[above] at (5,5) {{{}: {} ({})}};", words(&graph.title), words(graph.up[0]), words(graph.up[1])),
+        format!(
+            "\\node[above] at (5,5) {{{}: {} ({})}};",
+            words(&graph.title),
+            words(graph.up[0]),
+            words(graph.up[1])
+        ),
     ];
-    format!("\\begin{{center}}\\begin{{tikzpicture}}\n{}\n\\end{{tikzpicture}}\\end{{center}}", lines.join("\n"))
+    format!(
+        "\\begin{{center}}\\begin{{tikzpicture}}\n{}\n\\end{{tikzpicture}}\\end{{center}}",
+        lines.join("\n")
+    )
 }
 
 /// Inside `\text`, where there is no Unicode mathematics.

@@ -90,8 +90,17 @@ fn resisted(w: &Working<'_>, drag: &Drag, s: &mut Section) {
     let is_aligned = (0..3).all(|a| (0..a).all(|b| along(a, b).abs() <= 1e-12 * size));
     if is_aligned {
         for (k, moment) in principal.moments().into_iter().enumerate().filter(|(_, i)| *i > 0.0) {
-            let time = if along(k, k) > 0.0 { format!("{} s", n(moment / along(k, k))) } else { "for ever".to_owned() };
-            s.line(format!("about axis {0}: τ = i{0} / C{0}{0} = {1} / {2} = {time}", k + 1, n(moment), n(along(k, k))));
+            let time = if along(k, k) > 0.0 {
+                format!("{} s", n(moment / along(k, k)))
+            } else {
+                "for ever".to_owned()
+            };
+            s.line(format!(
+                "about axis {0}: τ = i{0} / C{0}{0} = {1} / {2} = {time}",
+                k + 1,
+                n(moment),
+                n(along(k, k))
+            ));
         }
     } else {
         s.say("C is not along the principal axes, so the components are coupled; along them {I}⁻¹ C is");

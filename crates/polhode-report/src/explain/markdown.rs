@@ -43,7 +43,9 @@ fn render_block(block: &Block) -> String {
             format!("```text\n{}\n```", plain_spaces(&lines.join("\n")))
         }
         Block::Matrix { name, rows, unit } => matrix(name, rows, unit),
-        Block::Graph(graph) => format!("```text\n{}\n```", plain_spaces(&super::graph::lines(graph).join("\n"))),
+        Block::Graph(graph) => {
+            format!("```text\n{}\n```", plain_spaces(&super::graph::lines(graph).join("\n")))
+        }
         Block::Table { headers, rows } => {
             let row = |cells: &[String]| {
                 let cells: Vec<String> = cells.iter().map(|c| escaped(c).replace('|', "\\|")).collect();

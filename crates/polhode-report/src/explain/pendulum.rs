@@ -122,12 +122,15 @@ fn series(amplitude: f64, longer: f64, s: &mut Section) {
     let k2 = (0.5 * amplitude).sin().powi(2);
     let in_k = [k2 / 4.0, 9.0 * k2.powi(2) / 64.0, 25.0 * k2.powi(3) / 256.0];
     let square = amplitude * amplitude;
-    let in_theta =
-        [square / 16.0, 11.0 * square.powi(2) / 3072.0, 173.0 * square.powi(3) / 737_280.0];
+    let in_theta = [square / 16.0, 11.0 * square.powi(2) / 3072.0, 173.0 * square.powi(3) / 737_280.0];
     for (name, terms) in [("k", in_k), ("θmax", in_theta)] {
         let shown = terms.map(n).join(" + ");
         let rest = longer - terms.iter().sum::<f64>();
-        s.line(format!("in {name}: 1 + {shown} = {}, {} less than P ω0 / 2π", n(1.0 + terms.iter().sum::<f64>()), crate::number::error(rest.max(0.0))));
+        s.line(format!(
+            "in {name}: 1 + {shown} = {}, {} less than P ω0 / 2π",
+            n(1.0 + terms.iter().sum::<f64>()),
+            crate::number::error(rest.max(0.0))
+        ));
     }
 }
 

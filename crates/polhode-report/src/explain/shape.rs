@@ -43,7 +43,8 @@ pub(super) fn derive(parts: &[BodyPart], s: &mut Section) {
         while let Some((formula, value)) = moments.get(k) {
             let same = moments[k..].iter().take_while(|(other, _)| other == formula).count();
             let names: Vec<&str> = ["Ixx", "Iyy", "Izz"][k..k + same].to_vec();
-            let equals = if *value == 0.0 && *formula == "0" { String::new() } else { format!(" = {}", n(*value)) };
+            let equals =
+                if *value == 0.0 && *formula == "0" { String::new() } else { format!(" = {}", n(*value)) };
             s.line(format!("  {} = {formula}{equals} kg·m²", names.join(" = ")));
             k += same;
         }
@@ -96,7 +97,11 @@ fn of(part: &BodyPart) -> Option<Derived> {
                     r"S = ab + bc + ca, \qquad \int x^2 dm = \frac{m a^2}{S} \Bigl(\frac{ab + ca}{12} + \frac{bc}{4}\Bigr), \qquad I_{xx} = \int y^2 dm + \int z^2 dm",
                 ],
                 measures: format!("a, b, c = {}, {}, {} m", n(*a), n(*b), n(*c)),
-                moments: [("∫ y² dm + ∫ z² dm", y + z), ("∫ z² dm + ∫ x² dm", z + x), ("∫ x² dm + ∫ y² dm", x + y)],
+                moments: [
+                    ("∫ y² dm + ∫ z² dm", y + z),
+                    ("∫ z² dm + ∫ x² dm", z + x),
+                    ("∫ x² dm + ∫ y² dm", x + y),
+                ],
             }
         }
         (Form::Ellipsoid { semi_axes: [r, ..] }, "sphere") => Derived {
@@ -135,7 +140,11 @@ fn of(part: &BodyPart) -> Option<Derived> {
                     r"I_{zz} = \frac{2m}{r^2} \int_0^r \rho^3 d\rho = \frac{m r^2}{2}, \qquad \int x^2 dm = \frac{m r^2}{4}, \qquad \int z^2 dm = \frac{m l^2}{12}",
                 ],
                 measures: format!("r = {}, l = {} m", n(*r), n(*l)),
-                moments: [("m (3 r² + l²)/12", across), ("m (3 r² + l²)/12", across), ("m r²/2", 0.5 * m * r * r)],
+                moments: [
+                    ("m (3 r² + l²)/12", across),
+                    ("m (3 r² + l²)/12", across),
+                    ("m r²/2", 0.5 * m * r * r),
+                ],
             }
         }
         (Form::Cylinder { radius: r, length: l, open: true }, "cylinder_shell") => {
@@ -177,7 +186,13 @@ fn of(part: &BodyPart) -> Option<Derived> {
                     "capsule, a cylinder between half balls with their centroids 3r/8 beyond its ends:   Izz = mc r²/2 + (2/5) mb r²,   Ixx = mc (3 r² + l²)/12 + mb [(83/320) r² + (l/2 + 3r/8)²]",
                     r"I_{zz} = \frac{m_c r^2}{2} + \frac25 m_b r^2, \qquad I_{xx} = \frac{m_c}{12} (3 r^2 + l^2) + m_b \Bigl[\frac{83}{320} r^2 + \Bigl(\frac{l}{2} + \frac{3r}{8}\Bigr)^2\Bigr]",
                 ],
-                measures: format!("r = {}, l = {} m,  mc = {}, mb = {} kg", n(*r), n(*l), n(cylinder), n(balls)),
+                measures: format!(
+                    "r = {}, l = {} m,  mc = {}, mb = {} kg",
+                    n(*r),
+                    n(*l),
+                    n(cylinder),
+                    n(balls)
+                ),
                 moments: [
                     ("mc (3 r² + l²)/12 + mb [(83/320) r² + (l/2 + 3r/8)²]", across),
                     ("mc (3 r² + l²)/12 + mb [(83/320) r² + (l/2 + 3r/8)²]", across),
@@ -214,7 +229,11 @@ fn of(part: &BodyPart) -> Option<Derived> {
                 r"I_{zz} = \frac{2m}{r^2} \int_0^r \rho^3 d\rho = \frac{m r^2}{2}, \qquad I_{xx} = I_{yy} = \tfrac12 I_{zz}",
             ],
             measures: format!("r = {} m", n(*r)),
-            moments: [("m r²/4", 0.25 * m * r * r), ("m r²/4", 0.25 * m * r * r), ("m r²/2", 0.5 * m * r * r)],
+            moments: [
+                ("m r²/4", 0.25 * m * r * r),
+                ("m r²/4", 0.25 * m * r * r),
+                ("m r²/2", 0.5 * m * r * r),
+            ],
         },
         (Form::Plate { size: [a, b] }, "plate") => Derived {
             formula: [
@@ -252,7 +271,9 @@ fn cone(m: f64, a: f64, b: f64, h: f64) -> Derived {
     let larger = a.max(b);
     let (p, q) = (a / larger, b / larger);
     let sum = p * p + p * q + q * q;
-    let axial = 0.3 * m * larger * larger * (p.powi(4) + p.powi(3) * q + p * p * q * q + p * q.powi(3) + q.powi(4)) / sum;
+    let axial =
+        0.3 * m * larger * larger * (p.powi(4) + p.powi(3) * q + p * p * q * q + p * q.powi(3) + q.powi(4))
+            / sum;
     let quartic = p.powi(4) + q.powi(4) + 4.0 * p * q * (p * p + q * q) + 10.0 * p * p * q * q;
     let across = 0.5 * axial + 0.0375 * m * h * h * quartic / (sum * sum);
     Derived {

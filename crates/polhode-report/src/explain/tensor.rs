@@ -207,7 +207,9 @@ fn axes(w: &Working<'_>, m: [[f64; 3]; 3], s: &mut Section) {
 /// `x̂`, `−x̂` … of a direction along a body axis.
 pub(super) fn along_body_axis(direction: Direction<Body>) -> Option<String> {
     const UNITS: [&str; 3] = ["x̂", "ŷ", "ẑ"];
-    let exact = |(k, c): (usize, f64)| (c.abs() == 1.0).then(|| format!("{}{}", if c < 0.0 { "−" } else { "" }, UNITS[k]));
+    let exact = |(k, c): (usize, f64)| {
+        (c.abs() == 1.0).then(|| format!("{}{}", if c < 0.0 { "−" } else { "" }, UNITS[k]))
+    };
     tidy(direction.to_array()).into_iter().enumerate().find_map(exact)
 }
 

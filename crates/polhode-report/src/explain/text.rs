@@ -49,7 +49,9 @@ fn lines(block: &Block, columns: usize) -> Vec<String> {
         Block::Formula { text, .. } => text.lines().flat_map(|line| broken(line, INDENT, columns)).collect(),
         Block::Lines(lines) => lines.iter().flat_map(|line| broken(line, INDENT, columns)).collect(),
         Block::Matrix { name, rows, unit } => matrix(name, rows, unit),
-        Block::Graph(graph) => super::graph::lines(graph).iter().map(|line| format!("{INDENT}{line}")).collect(),
+        Block::Graph(graph) => {
+            super::graph::lines(graph).iter().map(|line| format!("{INDENT}{line}")).collect()
+        }
         Block::Table { headers, rows } => table(headers, rows),
     }
 }

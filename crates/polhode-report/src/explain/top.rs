@@ -114,7 +114,8 @@ fn potential(constants: &Constants, top: &HeavyTop, s: &mut Section) {
     let (from, to) = ((highest - margin).max(1e-3), (lowest + margin).min(PI - 1e-3));
     const POINTS: u32 = 161;
     let span = [0.0, 1.0].map(|part| constants.potential(highest + part * (lowest - highest)));
-    let floor = (0..POINTS).map(|k| constants.potential(from + (to - from) * f64::from(k) / f64::from(POINTS - 1)));
+    let floor =
+        (0..POINTS).map(|k| constants.potential(from + (to - from) * f64::from(k) / f64::from(POINTS - 1)));
     let least = floor.fold(f64::INFINITY, f64::min);
     // What is far above the level would flatten the rest.
     let depth = (span[0].max(span[1]).max(constants.energy) - least).max(1e-9 * constants.weight);
@@ -129,7 +130,10 @@ fn potential(constants: &Constants, top: &HeavyTop, s: &mut Section) {
             across: ["θ", "°"],
             up: ["U_eff", "J"],
             points,
-            level: ([highest.to_degrees(), lowest.to_degrees(), constants.energy], "E′, between the turning points"),
+            level: (
+                [highest.to_degrees(), lowest.to_degrees(), constants.energy],
+                "E′, between the turning points",
+            ),
         });
     }
 }
@@ -161,7 +165,11 @@ fn cubic(constants: &Constants, top: &HeavyTop, s: &mut Section) {
     let what = if is_steady(top) { "of small nutations about it" } else { "of a nutation" };
     s.line(format!("period {what} 2 K(k) / λ = {} s", n(period)));
     if let (Some(precession), Some(spin)) = (top.mean_precession(), top.mean_spin()) {
-        s.line(format!("φ\u{307} on average = {}, once in {} s", rate(precession), n(TAU / precession.abs())));
+        s.line(format!(
+            "φ\u{307} on average = {}, once in {} s",
+            rate(precession),
+            n(TAU / precession.abs())
+        ));
         s.line(format!("precession in a nutation = {}°", n((precession * period).to_degrees())));
         s.line(format!("own spin ψ\u{307} on average = {};  ω_e = {}", rate(spin), rate(top.spin())));
     }
@@ -180,7 +188,12 @@ fn limits(constants: &Constants, top: &HeavyTop, s: &mut Section) {
         return;
     }
     s.say("The limit of a fast top, C |ω_e| ≫ 2 √(M g l A): small nutations at the rate C ω_e / A, while it precesses at M g l / C ω_e on average.");
-    s.line(format!("C |ω_e| = {},  2 √(M g l A) = {} kg·m²/s: {} times as much", n(spin), n(needed), n(spin / needed)));
+    s.line(format!(
+        "C |ω_e| = {},  2 √(M g l A) = {} kg·m²/s: {} times as much",
+        n(spin),
+        n(needed),
+        n(spin / needed)
+    ));
     s.line(format!(
         "2π A / C ω_e = {} s,  M g l / C ω_e = {} rad/s",
         n(TAU * a / spin),

@@ -172,7 +172,7 @@ impl<'a> Reader<'a> {
             "quad" => space(1.0),
             "qquad" => space(2.0),
             "ldots" => element("mo", "…"),
-        "Bigl" | "Bigr" | "bigl" | "bigr" => {
+            "Bigl" | "Bigr" | "bigl" | "bigr" => {
                 let bracket = self.rest.chars().next().filter(|c| "()[]".contains(*c))?;
                 self.rest = self.rest.get(1..)?;
                 element("mo", &bracket.to_string())

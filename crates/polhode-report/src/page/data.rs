@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 use super::motion::Shown;
 use super::shapes::Budget;
 use super::turning::Turning;
-use super::{PageInput, PageSubject, body, explanation, facts, free, motion};
+use super::{PageInput, PageSubject, body, explanation, facts, free, motion, top};
 use crate::motion::findings as motion_findings;
 
 /// What a page of many triangles may have, bytes.
@@ -35,6 +35,7 @@ pub(super) fn json(input: &PageInput<'_>, frame: usize) -> Value {
         "body": body,
         "motion": motion,
         "free": free,
+        "top": top::json(&input.subject),
         "facts": facts,
         "findings": findings(input),
         "explanation": explanation,

@@ -5,8 +5,8 @@ use serde_json::{Value, json};
 use crate::explain::document::{Block, Document, Section};
 use crate::layout::plain_spaces;
 use crate::mathml;
-use crate::plot::Picture;
 use crate::number::{alike, tidy_matrix};
+use crate::plot::Picture;
 
 /// Digits of a matrix element.
 const DIGITS: usize = 6;

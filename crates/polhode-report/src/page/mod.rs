@@ -14,6 +14,8 @@ mod free;
 mod motion;
 mod placed;
 mod shapes;
+mod sizes;
+mod top;
 mod turning;
 
 use polhode::body::PrincipalFrame;

@@ -9,7 +9,7 @@
 //! which differ to every eye, and each curve has dashes of its own, which differ in grey.
 
 mod axes;
-mod axis_path;
+pub(crate) mod axis_path;
 mod drift;
 mod error;
 mod euler;
@@ -23,7 +23,7 @@ mod plane;
 mod plotted;
 #[cfg(feature = "png")]
 mod png;
-mod series;
+pub(crate) mod series;
 mod sheet;
 mod sphere;
 mod svg;

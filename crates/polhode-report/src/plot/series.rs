@@ -40,7 +40,7 @@ pub(super) fn panel(motion: &PlottedMotion<'_>, figure: Figure) -> Panel {
 }
 
 /// The angles that a plan asks for; on an orbit without any those of x, −y and z to velocity, normal and nadir.
-pub(super) fn pointings(scenario: &Scenario) -> Vec<Pointing> {
+pub(crate) fn pointings(scenario: &Scenario) -> Vec<Pointing> {
     let Some(orbit) = scenario.orbit().filter(|_| scenario.pointings().is_empty()) else {
         return scenario.pointings().to_vec();
     };

@@ -134,7 +134,7 @@ function stackOf(lines: Line[], figure: Figure): Stack {
     const unit = { name: figure.unit, size: 1 };
     return { lines, unit, offset: 0, title: `${name} (${unit.name})`, figures: 2, range };
   }
-  const shifted = spread < OFFSET * size;
+  const shifted = spread > 0 && spread < OFFSET * size;
   const turns = figure.unit === "°" && spread > IN_TURNS;
   const unit = turns ? { name: "turns", size: 360 } : unitFor(figure.unit, shifted ? spread : size);
   // To the next digit above the spread.

@@ -36,7 +36,7 @@ const LARGE = 2;
  */
 export function between(a: Quaternion, u: Vector, b: Quaternion, v: Vector, h: number, part: number): Quaternion {
   if (h * Math.max(Math.hypot(...u), Math.hypot(...v)) > LARGE) return slerp(a, b, part);
-  const turn = vectorOf(product([a[0], -a[1], -a[2], -a[3]], b));
+  const turn = vectorOf(product(inverse(a), b));
   const angle = Math.hypot(...turn);
   const k = angle < 1e-3 ? 1 / 12 : 1 / angle ** 2 - (1 + Math.cos(angle)) / (2 * angle * Math.sin(angle));
   const across = cross(turn, v);
@@ -58,6 +58,10 @@ export function rotate(q: Quaternion, v: Vector): Vector {
   const ty = 2 * (z * v[0] - x * v[2]);
   const tz = 2 * (x * v[1] - y * v[0]);
   return [v[0] + w * tx + y * tz - z * ty, v[1] + w * ty + z * tx - x * tz, v[2] + w * tz + x * ty - y * tx];
+}
+
+export function inverse([w, x, y, z]: Quaternion): Quaternion {
+  return [w, -x, -y, -z];
 }
 
 /** Precession φ, nutation θ, spin ψ of R = Rz(φ) Rx(θ) Rz(ψ), rad; where only φ ± ψ is determined, ψ is 0. */

@@ -18,6 +18,8 @@ export interface PageData {
   /** Null if the motion is not free. */
   free: FreeData | null;
   scene: SceneData;
+  /** Of a body that gravity turns about a pivot; null of others. */
+  top: TopData | null;
   /** Numbers beside the picture, ready to read: mass properties, regime, periods, evidence. */
   facts: FactGroup[];
   findings: { severity: "info" | "warning"; message: string }[];
@@ -108,6 +110,8 @@ export interface MotionData {
   kinetic: Base64;
   /** f64, n, J; null without a potential. */
   potential: Base64 | null;
+  /** What the torques, or the motors of wheels, have done since the start: f64, n, J; null with a potential and for a free body. */
+  work: { name: string; values: Base64 } | null;
   /** What should stay the same, and how much it moves: lines of the drift plot, |value| relative, f64, n. */
   drift: { name: string; values: Base64 }[];
   /**
@@ -115,10 +119,26 @@ export interface MotionData {
    * body, rad/s, null where it is held; the motor's torque on the wheel, N·m, null without a motor.
    */
   wheels: { name: string; axis: [number, number, number]; momentum: Base64; speed: Base64 | null; motor: Base64 | null }[];
-  /** What happened on the way: t, s, and its name. */
+  /** Angles from directions of the body to others: f64, n, rad. */
+  pointings: { name: string; values: Base64 }[];
+  /** What happened on the way, the first of it: t, s, and its name. */
   events: { time: number; name: string }[];
+  /** How much happened in all. */
+  eventCount: number;
   /** False if the motion could not be computed to its end; its last samples may then be far beyond all others. */
   complete: boolean;
+}
+
+/** What the path of a top's axis is measured from. */
+export interface TopData {
+  /** From the pivot to the centre of mass, a unit vector in body axes. */
+  axis: [number, number, number];
+  /** Against gravity, a unit vector in space axes. */
+  up: [number, number, number];
+  /** Across it, those of φ = 0 and φ = 90°. */
+  across: [[number, number, number], [number, number, number]];
+  /** The least and the greatest angle from the vertical of a symmetric top, rad; null of others. */
+  bounds: [number, number] | null;
 }
 
 /** The geometry of a free motion. Curves are f64, x y z of each point. */

@@ -13,6 +13,38 @@ export function number(value: number, figures = 5): string {
   return `${minus(mantissa)}×10${superscript(Number(exponent))}`;
 }
 
+/** Digits in groups of three, as the tables of numbers have them: 0.002 337 246. No line breaks between them. */
+export function grouped(text: string): string {
+  return text.replace(/\d+/g, (digits, at: number, all: string) => {
+    if (digits.length < 5) return digits;
+    const fraction = all[at - 1] === ".";
+    return fraction ? digits.replace(/(\d{3})(?=\d)/g, "$1\u00a0") : digits.replace(/\B(?=(\d{3})+$)/g, "\u00a0");
+  });
+}
+
+/** A number's unit, behind it. */
+const UNIT = /^\(?[kMGTmµnpf]?(?:rad|deg|°|kg|g|m|s|h|d|J|N|W|A|T|V|Pa|Hz|K|turns)(?:[⁻¹²³]*)(?:[·/][A-Za-z]+[⁻¹²³]*)*[),;:.]*$/;
+
+/** Longer words may be broken anywhere. */
+const LONGEST = 36;
+
+/** The words of a text between which lines may break: a number stays with its unit, and with the "=", "…" or "→" beside it. */
+export function words(text: string): { text: string; whole: boolean }[] {
+  const parts: string[] = [];
+  let joins = false;
+  for (const word of text.split(/[ \n]+/).filter((part) => part !== "")) {
+    const last = parts.at(-1);
+    const isUnit = last !== undefined && /[\d⁰¹²³⁴⁵⁶⁷⁸⁹)]$/.test(last) && UNIT.test(word);
+    const isSign = /^[=…→±]$/.test(word);
+    const isPower = word.startsWith("×10");
+    if (last !== undefined && (joins || isUnit || isSign || isPower) && last.length + word.length < LONGEST) {
+      parts[parts.length - 1] = `${last}\u00a0${word}`;
+    } else parts.push(word);
+    joins = isSign;
+  }
+  return parts.map((part) => ({ text: part, whole: part.length <= LONGEST }));
+}
+
 /** As short as it can be: for the marks of an axis. */
 export function mark(value: number, step: number): string {
   if (value === 0) return "0";
@@ -54,7 +86,7 @@ function minus(text: string): string {
   return text.replace("-", "−");
 }
 
-function superscript(value: number): string {
+export function superscript(value: number): string {
   const digits = "⁰¹²³⁴⁵⁶⁷⁸⁹";
   return [...String(value)].map((c) => (c === "-" ? "⁻" : digits[Number(c)])).join("");
 }

@@ -94,7 +94,7 @@ function panels(
       id: "plots",
       title: "Plots",
       fill: (host) => {
-        plots = new Plots(host, motion, clock, page.title);
+        plots = new Plots(host, motion, page.body, page.top, clock, page.title);
       },
     },
     { id: "numbers", title: "Numbers", fill: (host) => facts(host, page, said) },

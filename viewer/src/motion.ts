@@ -29,9 +29,13 @@ export class Motion {
   readonly torque: Float64Array | null;
   readonly kinetic: Float64Array;
   readonly potential: Float64Array | null;
+  readonly work: { name: string; values: Float64Array } | null;
   readonly drift: { name: string; values: Float64Array }[];
   readonly wheels: { name: string; axis: Vector; momentum: Float64Array; speed: Float64Array | null; motor: Float64Array | null }[];
+  readonly pointings: { name: string; values: Float64Array }[];
   readonly events: { time: number; name: string }[];
+  /** How many happened: more than are in `events` if that is thinned. */
+  readonly eventCount: number;
   readonly complete: boolean;
   /** The largest turn from one sample to the next, rad: what happens between samples is a guess if it is not small. */
   readonly largestTurn: number;
@@ -47,7 +51,12 @@ export class Motion {
     this.torque = data.torque === null ? null : f64(data.torque, "torque", 3 * n);
     this.kinetic = f64(data.kinetic, "kinetic energy", n);
     this.potential = data.potential === null ? null : f64(data.potential, "potential energy", n);
-    this.drift = data.drift.map(({ name, values }) => ({ name, values: f64(values, name, n) }));
+    const named = ({ name, values }: { name: string; values: string }): { name: string; values: Float64Array } => {
+      return { name, values: f64(values, name, n) };
+    };
+    this.work = data.work === null ? null : named(data.work);
+    this.drift = data.drift.map(named);
+    this.pointings = data.pointings.map(named);
     this.wheels = data.wheels.map(({ name, axis, momentum, speed, motor }) => ({
       name,
       axis,
@@ -56,6 +65,7 @@ export class Motion {
       motor: motor === null ? null : f64(motor, `motor of ${name}`, n),
     }));
     this.events = data.events;
+    this.eventCount = data.eventCount;
     if (!this.events.every(({ time }) => Number.isFinite(time))) throw new BadData("events: a time is not finite");
     this.complete = data.complete;
     for (let i = 1; i < n; i += 1) {

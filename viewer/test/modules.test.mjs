@@ -6,10 +6,16 @@ import { integrate, rotate, samples, tensor } from "./sample.mjs";
 
 const { Clock, watchable, indexAt } = await load("clock.ts");
 const { between, euler313, slerp, rotate: turned } = await load("attitude.ts");
-const { number, mark, powerOfTen, timeUnit } = await load("format.ts");
-const { figuresOf, isZero, rangeOf, ticks, decades } = await load("figures.ts");
+const { grouped, number, mark, powerOfTen, timeUnit, words } = await load("format.ts");
+const { figuresOf } = await load("figures.ts");
+const { decades, logRange, padded, ticks, unitFor } = await load("plot/scale.ts");
+const { arrange, quantity, sentences, split } = await load("plot/arrange.ts");
+const { envelopes, extrema } = await load("plot/envelope.ts");
+const { curve, largestSoFar } = await load("plot/curve.ts");
+const { labels, marked, marksOf } = await load("plot/events.ts");
+const { axisPath, directionOf, pieces } = await load("axis-path.ts");
 const { Motion } = await load("motion.ts");
-const { svgOf } = await load("export.ts");
+const { svgOf } = await load("plot/figure-svg.ts");
 const { f64, indices, readPage } = await load("decode.ts");
 
 const numbersOf = (text) => new Float64Array(Uint8Array.from(Buffer.from(text, "base64")).buffer);
@@ -126,7 +132,7 @@ test("attitudes between samples are those of the motion, to the fourth order", (
   assert.ok(apart(between(fine[0].q, fine[0].omega, fine[80].q, fine[80].omega, 9, 0.3), slerp(fine[0].q, fine[80].q, 0.3)) < 1e-14);
 });
 
-test("numbers have the figures that they need", () => {
+test("numbers have the figures that they need, and their digits stay together", () => {
   assert.equal(number(0.0027978123), "0.0027978");
   assert.equal(number(-11.23456), "−11.235");
   assert.equal(number(5.0803e-4), "5.0803×10⁻⁴");
@@ -135,6 +141,30 @@ test("numbers have the figures that they need", () => {
   assert.equal(mark(2.5e-7, 5e-8), "2.5×10⁻⁷");
   assert.equal(powerOfTen(1e-13), "10⁻¹³");
   assert.deepEqual([3e-12, 0.02, 20, 9e4, 5e6].map((t) => timeUnit(t).name), ["ps", "ms", "s", "h", "d"]);
+  const plain = (text) => text.replaceAll("\u00a0", "_");
+  assert.deepEqual(["3.73784", "0.002337246", "34061.87", "8473.908", "7.79080×10⁻⁴"].map((n) => plain(grouped(n))), [
+    "3.737_84", "0.002_337_246", "34_061.87", "8473.908", "7.790_80×10⁻⁴",
+  ]);
+  const kept = words("gravity, g = (0, 0, −9.806\u00a065) m/s² in space axes, 3.25 rad/s (186.4 deg/s)");
+  assert.deepEqual(kept.map(({ text }) => plain(text)), [
+    "gravity,", "g_=_(0,", "0,", "−9.806_65)_m/s²", "in", "space", "axes,", "3.25_rad/s", "(186.4_deg/s)",
+  ]);
+  assert.deepEqual(words("30 … 32.897 ×10⁻⁴ kg·m²").map(({ text }) => plain(text)), ["30_…_32.897_×10⁻⁴_kg·m²"]);
+  assert.equal(words("x".repeat(80))[0].whole, false, "what is too long for a line may be broken");
+});
+
+test("units are of a size that people say", () => {
+  const units = [["J", 2.3e-3], ["J", 159.9], ["J", 4.2e-7], ["N·m", 0.047], ["N·m", 2.6e-7], ["rad/s", 1.1e-3], ["rad/s", 8e12], ["kg·m²/s", 3.5e-4], ["kg·m²/s", 7.2], ["J", 6.2e-22], ["J", 0], ["°", 1e-3]];
+  assert.deepEqual(units.map(([unit, size]) => unitFor(unit, size).name), [
+    "mJ", "J", "µJ", "mN·m", "µN·m", "mrad/s", "10¹² rad/s", "10⁻⁶ kg·m²/s", "kg·m²/s", "10⁻²⁴ J", "J", "°",
+  ]);
+  for (const [unit, size] of units.filter(([unit, size]) => size > 0 && unit !== "°")) {
+    const shown = size / unitFor(unit, size).size;
+    assert.ok(shown >= 0.1 && shown < 1e4, `${size} ${unit}`);
+  }
+  assert.equal(quantity(7.7908e-4, "kg·m²/s", 6), "7.790\u00a080×10⁻⁴\u00a0kg·m²/s");
+  assert.equal(quantity(0.00233725, "J", 6), "2.337\u00a025\u00a0mJ");
+  assert.equal(quantity(31.25, "°", 4), "31.25°");
 });
 
 test("ticks lie in the range", () => {
@@ -144,49 +174,226 @@ test("ticks lie in the range", () => {
     assert.ok(values.every((v) => v >= low - 1e-6 * step && v <= high + 1e-6 * step));
   }
   assert.deepEqual(decades(1e-17, 1e-14, 5), [1e-17, 1e-16, 1e-15, 1e-14].map((v) => 10 ** Math.round(Math.log10(v))));
+  assert.deepEqual(ticks(-20, 400, 4, true).values, [0, 180, 360]);
+  const [low, high] = padded([3.1, 3.1 + 1e-15], 1e-3);
+  assert.ok(low < 3.1 - 4e-4 && high > 3.1 + 4e-4, "rounding does not fill a plot");
+  assert.deepEqual(logRange([{ values: Float64Array.from([0, 3e-16, 2e-15]) }, { values: Float64Array.from([1e-21, 4e-15]) }], 4e-15), [10 ** -17, 10 ** -14]);
 });
 
-test("what is constant is drawn as a constant, and no figure has an empty range", () => {
-  for (const make of [samples.free, samples.heavy]) {
-    const motion = new Motion(make().motion);
-    for (const figure of figuresOf(motion)) {
-      const [low, high] = rangeOf(figure);
-      assert.ok(low < high, figure.id);
-      const svg = svgOf(figure, motion.times, motion.times[0], motion.times[motion.count - 1]);
+const line = (symbol, value, count = 400) => ({ symbol, label: symbol, ink: "ink", values: Float64Array.from({ length: count }, (_, i) => value(i / count)) });
+const figure = (lines, rest = {}) => ({ id: "f", title: "F", quantity: "ω", unit: "rad/s", log: false, telling: Infinity, nothing: 1e-12, lines, ...rest });
+
+test("constants are lines of text with their drift, those in fact", () => {
+  const lines = [
+    line("ωx", () => 0),
+    line("ωy", (s) => 3e-14 * Math.sin(9 * s)),
+    line("ωz", (s) => 240.855 * (1 + 2e-9 * Math.sin(7 * s))),
+    line("|ω|", (s) => 1.7 * (1 + 1e-5 * Math.sin(7 * s))),
+    { ...line("T + U", () => -3.73784), drift: 6.8e-17 },
+    line("c", () => 0.3),
+  ];
+  const { constants, stacks } = arrange(figure(lines));
+  assert.deepEqual(stacks.map((stack) => stack.lines.map(({ symbol }) => symbol)), [["|ω|"]], "10⁻⁵ of itself is a change");
+  const said = sentences(constants, figure([])).map((text) => text.replaceAll("\u00a0", " "));
+  assert.match(said[0], /^ωx = ωy = 0 to 3\.0×10⁻¹⁴ rad\/s$/);
+  assert.match(said[1], /^ωz = 240\.855 rad\/s, constant to 4\.0×10⁻⁹$/);
+  assert.equal(said[2], "T + U = −3.737 84 rad/s, constant to 6.8×10⁻¹⁷");
+  assert.equal(said[3], "c = 0.300 000 rad/s, constant to the last bit");
+  // A line that is not there all the time is not constant; a drift only if it is zero.
+  const gap = line("φ", (s) => (s > 0.5 ? Number.NaN : 1));
+  assert.equal(arrange(figure([gap])).constants.length, 0);
+  const drift = arrange(figure([line("T", () => 0), line("L", () => 2e-16)], { log: true, unit: "relative" }));
+  assert.deepEqual(sentences(drift.constants, { log: true, unit: "relative" }), ["T: 0 in every sample"]);
+  assert.deepEqual(drift.stacks[0].lines.map(({ symbol }) => symbol), ["L"]);
+});
+
+test("no line is squashed: lines of other sizes have plots of their own", () => {
+  const small = line("ωx", (s) => 3.2 * Math.sin(31 * s));
+  const other = line("ωy", (s) => 2.9 * Math.cos(31 * s));
+  const large = line("ωz", (s) => -240 + 11 * s);
+  const far = line("|ω|", (s) => 251 + 0.3 * Math.sin(5 * s));
+  const names = (groups) => groups.map((group) => group.map(({ symbol }) => symbol));
+  assert.deepEqual(names(split([small, large, other, far])), [["ωx", "ωy"], ["ωz"], ["|ω|"]]);
+  assert.deepEqual(names(split([small, other])), [["ωx", "ωy"]]);
+  // At most three plots: what is left goes where it is seen best.
+  const tiny = line("tiny", (s) => 251 + 0.002 * Math.sin(4 * s));
+  assert.deepEqual(names(split([small, large, far, tiny])), [["ωx"], ["ωz"], ["|ω|", "tiny"]]);
+  assert.deepEqual(names(split([{ ...small, alone: true }, other])), [["ωx"], ["ωy"]]);
+  // The axis has the unit that fits, and a round number taken out where all digits are the same.
+  const { stacks } = arrange(figure([line("E", (s) => 0.0471234 + 2e-7 * Math.sin(6 * s))], { unit: "J", quantity: "energy" }));
+  assert.match(stacks[0].title.replaceAll("\u00a0", " "), /^E − 47\.123 mJ \(µJ\)$/);
+  const back = (stacks[0].lines[0].values[57] + stacks[0].offset) * stacks[0].unit.size;
+  assert.ok(Math.abs(back - (0.0471234 + 2e-7 * Math.sin((6 * 57) / 400))) < 1e-12);
+  assert.equal(arrange(figure([line("ψ", (s) => 27000 * s)], { unit: "°" })).stacks[0].title, "ψ (turns)");
+});
+
+test("stripes are drawn as an envelope, and zooming in brings the line back", () => {
+  const count = 4000;
+  // An oscillation whose size swells: 160 turns.
+  const size = (s) => 20 + 14 * Math.sin(7 * s);
+  const value = (i) => 100 + size(i / count) * Math.sin((320 * Math.PI * i) / count);
+  const places = (width, from = 0) => Float64Array.from({ length: count }, (_, i) => ((i - from) / count) * width);
+  const y = Float64Array.from({ length: count }, (_, i) => value(i));
+  const spans = envelopes(places(400), y);
+  assert.equal(spans.length, 1);
+  const [{ first, last, x, low, high, resolved }] = spans;
+  assert.deepEqual([first, last, resolved], [0, count - 1, true]);
+  for (let k = 5; k < x.length - 5; k += 1) {
+    const wanted = size(x[k] / 400);
+    assert.ok(Math.abs(high[k] - 100 - wanted) < 1 && Math.abs(100 - low[k] - wanted) < 1, `${k}`);
+  }
+  assert.deepEqual(envelopes(places(4000), y), [], "with room it is the line");
+  const drawn = curve(places(400), y);
+  assert.deepEqual([drawn.bands.length, drawn.strokes.length], [1, 2]);
+  assert.equal(curve(places(4000), y).strokes[0].length, count);
+  // Sampled about twice in an oscillation, no width makes it a line.
+  const coarse = Float64Array.from({ length: count }, (_, i) => 100 + 30 * Math.sin(2.7 * i));
+  const missed = envelopes(places(40000), coarse);
+  assert.deepEqual([missed.length, missed[0].resolved], [1, false]);
+  // One part may be dense, the other not; a break belongs to neither.
+  const chirp = Float64Array.from({ length: count }, (_, i) => 100 + 30 * Math.sin(3e-5 * (i - count) ** 2));
+  const parts = curve(places(400), chirp);
+  assert.equal(parts.bands.length, 1);
+  assert.ok(parts.strokes.at(-1).length > 300, "the rest is the line itself");
+  const starts = new Uint8Array(count);
+  starts[2000] = 1;
+  assert.deepEqual(envelopes(places(400), y, starts).map(({ first, last }) => [first, last]), [[0, 1999], [2000, count - 1]]);
+  assert.deepEqual(extrema([0, 3, 1, 1.5, 0.9, 5, 5.2, 2], 0, 7, 1), [0, 1, 4, 6]);
+});
+
+test("the largest so far rises in steps over the dots", () => {
+  const { strokes, dots } = largestSoFar([0, 1, 2, 3, 4], [50, Number.NaN, 60, 30, 40]);
+  assert.deepEqual(strokes, [[[0, 50], [3, 50], [3, 30], [4, 30]]]);
+  assert.deepEqual(dots, [[0, 50], [2, 60], [3, 30], [4, 40]]);
+});
+
+test("events have letters that do not overprint each other", () => {
+  const all = marked([{ time: 2, name: "off" }, { time: 3, name: "on" }, { time: 7, name: "off" }]);
+  assert.deepEqual(all, [{ letter: "A", name: "off", times: [2, 7] }, { letter: "B", name: "on", times: [3] }]);
+  assert.deepEqual(marksOf(all).map(({ letter, time }) => letter + time), ["A2", "B3", "A7"]);
+  assert.deepEqual(labels([10, 40, 44, 200], ["A", "A", "B", "A"], 11), ["A", "AB", "", "A"]);
+  assert.deepEqual(labels([10, 11, 12, 13, 14], ["A", "A", "B", "C", "D"], 11), ["AB…", "", "", "", ""]);
+});
+
+const principal = (page) => page.body.principal;
+
+test("no figure has an empty range, and files hold the same as the screen", () => {
+  for (const make of [samples.free, samples.heavy, samples.wheeled]) {
+    const made = make();
+    const motion = new Motion(made.motion);
+    for (const figure of figuresOf(motion, principal(made))) {
+      const arranged = arrange(figure);
+      assert.equal(arranged.constants.length + arranged.stacks.flatMap(({ lines }) => lines).length, figure.lines.length, figure.id);
+      const svg = svgOf(figure, arranged, motion.times, motion.times[0], motion.times[motion.count - 1], marked(motion.events));
       assert.ok(!svg.includes("NaN") && !svg.includes("Infinity"), figure.id);
-      assert.equal(svg.match(/<path /g).length, figure.lines.length);
+      for (const { title } of arranged.stacks) assert.ok(svg.includes(`>${title}</text>`), title);
+      if (arranged.stacks.length > 0) assert.ok(svg.includes(">time t (s)</text>"));
     }
-    const [low, high] = rangeOf(figuresOf(new Motion(samples.free().motion)).find((f) => f.id === "energy"));
-    assert.ok(high - low > 1e-2 * high);
   }
 });
 
+test("a free body's T and |L| are constants, its parts along the principal axes are drawn", () => {
+  const made = samples.free();
+  const motion = new Motion(made.motion);
+  const [energy, momentum] = ["energy", "momentum"].map((id) => figuresOf(motion, principal(made)).find((f) => f.id === id));
+  for (const [figure, symbol] of [[energy, "T"], [momentum, "|L|"]]) {
+    const { constants, stacks } = arrange(figure);
+    assert.deepEqual(constants.map((c) => c.symbol), [symbol]);
+    assert.equal(stacks.flatMap(({ lines }) => lines).length, 3);
+  }
+  // The parts add up, at any sample.
+  const at = (figure, i) => figure.lines.slice(0, 3).map(({ values }) => values[i]);
+  for (const i of [77, 1234]) {
+    assert.ok(Math.abs(at(energy, i).reduce((a, b) => a + b) / motion.kinetic[i] - 1) < 1e-12);
+    assert.ok(Math.abs(Math.hypot(...at(momentum, i)) / Math.hypot(...motion.momentum.subarray(3 * i, 3 * i + 3)) - 1) < 1e-12);
+  }
+});
+
+test("where the principal axes are not the body's, ω is drawn along both", () => {
+  const made = samples.free();
+  const motion = new Motion(made.motion);
+  const quaternion = [0.8, 0.36, -0.48, 0];
+  const figure = figuresOf(motion, { ...principal(made), quaternion }).find(({ id }) => id === "omega-principal");
+  const i = 611;
+  const back = rotate(quaternion, figure.lines.map(({ values }) => values[i]));
+  back.forEach((w, k) => assert.ok(Math.abs(w - motion.omega[3 * i + k]) < 1e-12));
+  assert.ok(!figuresOf(motion, principal(made)).some(({ id }) => id === "omega-principal"), "axes in another order are the same");
+});
+
 test("what is rounding is nothing, and where angles do not exist their sum is drawn", () => {
-  const motion = new Motion(samples.wheeled().motion);
-  const figures = figuresOf(motion);
-  assert.deepEqual(figures.map(({ id }) => id), ["omega", "energy", "momentum", "wheels", "wheel-speeds", "angles", "drift"]);
-  const [momentum, angles] = ["momentum", "angles"].map((id) => figures.find((f) => f.id === id));
-  assert.ok(isZero(momentum) && momentum.lines.length === 4);
-  const svg = svgOf(momentum, motion.times, 0, 60, motion.events);
-  assert.ok(svg.includes(">0</text>") && !svg.includes("0.5</text>"));
-  assert.ok(svg.includes("&lt;b&gt;motor on") && svg.includes("motor off") && !svg.includes("just after"));
+  const made = samples.wheeled();
+  const motion = new Motion(made.motion);
+  const figures = figuresOf(motion, principal(made));
+  assert.deepEqual(figures.map(({ id }) => id), ["omega", "pointing", "energy", "momentum", "wheels", "wheel-speeds", "angles", "drift"]);
+  const [momentum, angles, pointing] = ["momentum", "angles", "pointing"].map((id) => figures.find((f) => f.id === id));
+  assert.deepEqual(sentences(arrange(momentum).constants, momentum), ["|L| = LX = LY = LZ = 0"]);
+  const omega = figures[0];
+  assert.deepEqual(omega.lines.map(({ label }) => label), ["ωx", "ωy", "ωz"], "|ω| is that of ωz");
+  const svg = svgOf(omega, arrange(omega), motion.times, 0, 60, marked(motion.events));
+  assert.ok(svg.includes("A  &lt;b&gt;motor on&lt;/b&gt;, at 5.000 s") && svg.includes("C  just after") && svg.includes(">BC</text>"));
+  assert.deepEqual(pointing.lines.map(({ label, values }) => [label, values[100]]), [
+    ["camera", ((0.7 + 0.2 * Math.sin(3)) * 180) / Math.PI],
+    ["panel", ((1.4 + 0.1 * Math.cos(2)) * 180) / Math.PI],
+  ]);
   // The body turns about z alone: θ = 0.
   assert.deepEqual(angles.lines.map(({ label }) => label), ["θ nutation", "φ + ψ"]);
   const [, sum] = angles.lines;
   assert.ok(Math.abs(sum.values[250] - (-0.015 / 3.1) * 200 * (180 / Math.PI)) < 1e-9);
-  assert.ok(!isZero(figures[0]));
+});
+
+test("angles go on beyond a turn, and are left out where samples do not follow them", () => {
+  const made = samples.heavy();
+  const { lines } = figuresOf(new Motion(made.motion), principal(made)).find((f) => f.id === "angles");
+  const spin = lines.find(({ symbol }) => symbol === "ψ").values;
+  for (let i = 1; i < spin.length; i += 1) assert.ok(Math.abs(spin[i] - spin[i - 1]) < 40);
+  assert.ok(spin.at(-1) > 100 * 360);
+  // Every eighth sample: the body turns by 1.9 rad.
+  const every = (text, width, step) => {
+    const all = numbersOf(text);
+    return base64(Float64Array.from({ length: Math.floor(all.length / width / step) * width }, (_, k) => all[Math.floor(k / width) * step * width + (k % width)]));
+  };
+  const thin = { ...made.motion, count: 375, potential: null, drift: [] };
+  for (const [key, width] of [["times", 1], ["attitude", 4], ["omega", 3], ["momentum", 3], ["torque", 3], ["kinetic", 1]]) thin[key] = every(made.motion[key], width, 8);
+  const angles = figuresOf(new Motion(thin), principal(made)).find((f) => f.id === "angles");
+  assert.deepEqual(angles.lines.map(({ symbol }) => symbol), ["θ"]);
+  assert.match(angles.note, /left out/);
+});
+
+test("the path of a top's axis lies on the sphere, between its bounds, in pieces of some nutations", () => {
+  const made = samples.heavy();
+  const motion = new Motion(made.motion);
+  const path = axisPath(motion, made.top);
+  const { points, theta, phi, bounds, times } = path;
+  for (const k of [0, 313, 2222, points.length - 1]) {
+    const back = directionOf(theta[k], phi[k], made.top);
+    back.forEach((x, j) => assert.ok(Math.abs(x - points[k][j]) < 1e-12));
+  }
+  // The axis is z: at samples it is R e.
+  const q = [...numbersOf(made.motion.attitude).subarray(4 * 1111, 4 * 1112)];
+  const k = times.findIndex((t) => Math.abs(t - motion.times[1111]) < 1e-12);
+  rotate(q, [0, 0, 1]).forEach((x, j) => assert.ok(Math.abs(x - points[k][j]) < 1e-12));
+  assert.ok(Math.abs(bounds[0] - 0.6) < 1e-4 && bounds[1] > bounds[0] + 1e-3, "it starts at rest, at the highest");
+  assert.ok(phi.every((angle, j) => j === 0 || Math.abs(angle - phi[j - 1]) < 0.5));
+  const parts = pieces(path, 6);
+  assert.ok(parts.length > 2 && parts[0][0] === 0 && parts.at(-1)[1] === theta.length - 1);
+  const nutations = extrema(theta.slice(...parts[1]), 0, parts[1][1] - parts[1][0] - 1, 1e-4).length;
+  assert.ok(nutations >= 11 && nutations <= 13, `${nutations}`);
+  assert.deepEqual(axisPath(motion, { ...made.top, bounds: [0.59, 0.7] }).bounds, [0.59, 0.7]);
+  const wild = numbersOf(made.motion.omega);
+  wild[3 * 50] = 1e4;
+  assert.ok(axisPath(new Motion({ ...made.motion, omega: base64(wild) }), made.top).turn > 10);
 });
 
 test("the end of a run-away does not say how large the rest is", () => {
-  const made = samples.heavy().motion;
+  const page = samples.heavy();
+  const made = page.motion;
   const omega = numbersOf(made.omega);
   omega[omega.length - 1] = 1e12;
   const data = { ...made, omega: base64(omega), complete: false };
-  const [low, high] = rangeOf(figuresOf(new Motion(data))[0]);
-  assert.ok(low > -200 && high < 200);
-  const whole = rangeOf(figuresOf(new Motion({ ...data, complete: true }))[0]);
-  assert.ok(whole[1] > 1e12);
-  const torque = figuresOf(new Motion(made)).find((f) => f.id === "torque");
+  const all = (data) => arrange(figuresOf(new Motion(data), principal(page))[0]).stacks.map(({ range, unit, offset }) => (range[1] + offset) * unit.size);
+  assert.ok(Math.max(...all(data)) < 200);
+  assert.ok(Math.max(...all({ ...data, complete: true })) > 0.9e12);
+  const torque = figuresOf(new Motion(made), principal(page)).find((f) => f.id === "torque");
   const given = numbersOf(made.torque);
   [0, 1, 2].forEach((k) => assert.equal(torque.lines[k].values[77], given[3 * 77 + k]));
 });

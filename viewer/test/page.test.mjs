@@ -142,7 +142,8 @@ test("the attitude that is shown is the table's", async () => {
 
 test("torques, wheels and events have their places among the plots", async () => {
   const heavy = await open(browser, "torque", samples.heavy());
-  assert.equal(await heavy.page.locator("#plot-torque .key-entry").count(), 4);
+  assert.equal(await heavy.page.locator("#plot-torque .key-entry").count(), 3);
+  assert.deepEqual(await heavy.page.locator("#plot-torque .constants p").allTextContents(), ["Nz = 0"]);
   assert.equal(await heavy.page.locator(".event").count(), 0);
   assert.deepEqual(heavy.problems, []);
   await heavy.page.locator("#plot-torque").scrollIntoViewIfNeeded();
@@ -150,18 +151,132 @@ test("torques, wheels and events have their places among the plots", async () =>
   await heavy.close();
 
   const { page, problems, close } = await open(browser, "wheels", samples.wheeled());
-  for (const id of ["wheels", "wheel-speeds"]) assert.equal(await page.locator(`#plot-${id}`).count(), 1);
-  assert.equal(await page.locator("#plot-torque").count(), 0);
+  for (const id of ["wheels", "wheel-speeds", "pointing"]) assert.equal(await page.locator(`#plot-${id}`).count(), 1);
+  for (const id of ["torque", "axis"]) assert.equal(await page.locator(`#plot-${id}`).count(), 0);
   const marks = page.locator("#plot-omega .event");
   assert.equal(await marks.count(), 3);
-  assert.equal(await marks.first().textContent(), "<b>motor on</b>");
   const over = await page.locator("#plot-omega .u-over").boundingBox();
   const box = await marks.first().boundingBox();
   assert.ok(Math.abs(box.x - over.x - (5 / 60) * over.width) < 2, "it stands at its time");
-  assert.deepEqual(await marks.evaluateAll((all) => all.map((mark) => mark.classList.contains("crowded"))), [false, false, true]);
+  assert.deepEqual(await marks.allTextContents(), ["A", "BC", ""]);
+  assert.match(await page.textContent(".events"), /A<b>motor on<\/b>, at t\s=\s5\.000\ss.*C.*The first 3 of 5 events\./);
+  await page.click(".event-entry >> nth=1");
+  assert.equal(await time(page), 25, "its entry in the key goes to its time");
   await shoot(page, "events");
   assert.deepEqual(problems, []);
   await close();
+});
+
+/** Boxes of elements with the text in them. */
+const boxes = (page, selector) =>
+  page.locator(selector).evaluateAll((all) =>
+    all.map((e) => ({ text: e.textContent, ...e.getBoundingClientRect().toJSON() })).filter(({ width, text }) => width > 0 && text !== ""),
+  );
+const overlap = (a, b) => Math.min(a.right, b.right) - Math.max(a.left, b.left) > 0.5 && Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > 0.5;
+
+test("axes have titles with units, constants are text, and no text overprints another or a curve", async () => {
+  for (const [name, data] of Object.entries({ free: samples.free(), heavy: samples.heavy(), wheeled: samples.wheeled() })) {
+    const { page, problems, close } = await open(browser, `titles-${name}`, data);
+    const titles = await page.locator(".axis-title").allTextContents();
+    assert.ok(titles.every((title) => /^\S.* \(\S.*\)$/.test(title)), `${titles}`);
+    for (const figure of await page.locator(".plot:has(.stack)").all()) {
+      const below = await figure.locator(".axis-title.x").allTextContents();
+      assert.deepEqual(below, ["time t (s)"], "one time axis for all plots of a figure");
+      assert.equal(await figure.locator(".axis-title.y").count(), await figure.locator(".stack").count());
+    }
+    const texts = [".axis-title", ".event span", ".key-entry", ".constants p", ".plot h3", ".tag:not([hidden])", ".event-entry"];
+    const all = (await Promise.all(texts.map((selector) => boxes(page, selector)))).flat();
+    const frames = await page.locator(".u-over").evaluateAll((all) => all.map((e) => e.getBoundingClientRect().toJSON()));
+    all.forEach((a, k) => {
+      for (const b of all.slice(k + 1)) assert.ok(!overlap(a, b), `${name}: ${a.text} over ${b.text}`);
+      for (const frame of frames) assert.ok(!overlap(a, frame), `${name}: ${a.text} over a curve`);
+    });
+    if (name === "free") {
+      assert.match(await page.textContent("#plot-energy .constants"), /^T = 2\.797\u00a0\d{2}\u00a0mJ, constant to \d/);
+      assert.equal(await page.locator("#plot-energy .stack").count(), 1);
+    }
+    if (name === "wheeled") assert.equal(await page.locator("#plot-momentum .stack").count(), 0, "nothing but zeros is no plot");
+    assert.deepEqual(problems, []);
+    await close();
+  }
+});
+
+test("a fast spin is drawn as its envelope, small components beside large ones, until it is zoomed", async () => {
+  const { page, problems, close } = await open(browser, "envelope", samples.heavy());
+  assert.match(await page.textContent("#plot-omega .constants"), /^ωz = 120\.000\u00a0rad\/s, constant/);
+  const tag = page.locator("#plot-torque .tag >> nth=0");
+  assert.equal(await tag.textContent(), "Nx, Ny: envelope, zoom in for the curve");
+  await page.locator("#plot-torque").scrollIntoViewIfNeeded();
+  const box = await page.locator("#plot-torque .u-over >> nth=0").boundingBox();
+  await page.mouse.move(box.x + 0.2 * box.width, box.y + 30);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 0.26 * box.width, box.y + 30, { steps: 4 });
+  await page.mouse.up();
+  assert.equal(await tag.isVisible(), false, "the curve itself");
+  await shoot(page, "zoomed");
+  await page.locator("#plot-torque .u-over >> nth=0").dblclick();
+  assert.equal(await tag.isVisible(), true);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test("the path of a top's axis is on the page, with the axis of the view on it", async () => {
+  const data = samples.heavy();
+  const { page, problems, close } = await open(browser, "axis", data);
+  const plot = page.locator("#plot-axis");
+  await plot.scrollIntoViewIfNeeded();
+  assert.match(await plot.textContent(), /θ from 34\.377° to 44\.3\d*°/);
+  assert.ok((await plot.locator("svg text").allTextContents()).includes("θ from the vertical (°)"));
+  const dots = () => plot.locator("circle.axis-now").evaluateAll((all) => all.map((c) => [Number(c.getAttribute("cx")), Number(c.getAttribute("cy"))]));
+  const before = await dots();
+  await page.evaluate(() => window.polhode.clock.set(0.61));
+  const after = await dots();
+  before.forEach(([x, y], k) => assert.ok(Math.hypot(x - after[k][0], y - after[k][1]) > 4, "it moves"));
+  assert.match(await plot.textContent(), /t = 0 … 2\.1\d* s/);
+  await page.evaluate(() => window.polhode.clock.set(3));
+  assert.match(await plot.textContent(), /t = 2\.1\d* … 4\.2\d* s/, "the nutations around the time of the view");
+  await shoot(page, "axis");
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test("numbers do not break across lines, and nothing is cut off at a small laptop's or a phone's size", async () => {
+  for (const [width, height] of [[1024, 768], [390, 844]]) {
+    for (const [name, data] of Object.entries({ heavy: samples.heavy(), wheeled: samples.wheeled() })) {
+      data.facts.push({
+        title: "Long",
+        rows: [
+          { label: "last bit of the inputs", value: "(3.147\u00a049×10⁻⁵, −0.001\u00a0103\u00a0086, 1.167\u00a0607×10⁻⁴)", unit: "rad/s", note: "of 3.253\u00a0193 rad/s (186.394 deg/s)" },
+          { label: "torque", value: "µ = 3.986\u00a0004×10¹⁴ m³/s², periapsis = 6.878\u00a0137×10⁶ m, period = 5676.978 s", unit: "", note: "" },
+        ],
+      });
+      const { page, problems, close } = await open(browser, `size-${name}-${width}`, data, { viewport: { width, height } });
+      for (const tab of ["plots", "numbers", "scenario", "about"]) {
+        await page.click(`#tab-${tab}`);
+        assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= width, `${tab} at ${width}`);
+        const wide = await page.evaluate(
+          (id) => {
+            const panel = document.querySelector(`#panel-${id}`);
+            const right = panel.getBoundingClientRect().right;
+            return [...panel.querySelectorAll("*")].filter((e) => !e.closest("pre") && e.getBoundingClientRect().right > right + 0.5).map((e) => e.className);
+          },
+          tab,
+        );
+        assert.deepEqual(wide, [], `${tab} at ${width}`);
+      }
+      await page.click("#tab-numbers");
+      const lines = await page.locator(".facts .nowrap").evaluateAll((all) => all.map((e) => [e.textContent, e.getBoundingClientRect().height]));
+      assert.ok(lines.length > 20);
+      for (const [text, tall] of lines) assert.ok(tall < 26, `${text} is broken`);
+      assert.ok(lines.some(([text]) => text === "1.167\u00a0607×10⁻⁴)\u00a0rad/s"), "a number stays with its unit");
+      await page.click("#tab-plots");
+      const buttons = await page.locator("button:visible").evaluateAll((all) => all.map((e) => e.getBoundingClientRect().toJSON()));
+      assert.ok(buttons.every(({ left, right }) => left >= 0 && right <= width), "controls are in the window");
+      await shoot(page, `size-${name}-${width}`);
+      assert.deepEqual(problems, []);
+      await close();
+    }
+  }
 });
 
 test("the plots read values, set the time and follow it", async () => {
@@ -181,7 +296,7 @@ test("the plots read values, set the time and follow it", async () => {
   assert.equal(await time(page), 0, "pointing does not move the time");
   await page.mouse.click(x, y);
   assert.ok(Math.abs((await time(page)) - 6) < 0.1, "a click does");
-  const left = (id) => page.locator(`#plot-${id} .now`).evaluate((e) => e.getBoundingClientRect().left);
+  const left = (id) => page.locator(`#plot-${id} .now >> nth=0`).evaluate((e) => e.getBoundingClientRect().left);
   assert.ok(Math.abs((await left("omega")) - x) < 3);
   assert.ok(Math.abs((await left("angles")) - (await left("omega"))) < 1, "all plots show one time");
   await page.mouse.move(10, 10);
@@ -203,7 +318,7 @@ test("each plot saves as SVG and PNG, and the frame as PNG", async () => {
     const [download] = await Promise.all([page.waitForEvent("download"), click()]);
     return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
   };
-  for (const id of ["omega", "energy", "momentum", "angles", "drift"]) {
+  for (const id of ["omega", "axis", "energy", "momentum", "angles", "drift"]) {
     const svg = await save(() => page.locator(`#plot-${id} button`, { hasText: "SVG" }).click());
     assert.equal(svg.name, `a-heavy-top-released-at-rest-${id}.svg`);
     const root = await page.evaluate(

@@ -82,8 +82,11 @@ function motionData(rows, inertia, torque, potential, method) {
         ? { name: "L along Z", values: f64(momenta.map((m) => (m[2] - momenta[0][2]) / first)) }
         : { name: "|L|", values: f64(momenta.map((m) => (norm(m) - first) / first)) },
     ],
+    work: null,
     wheels: [],
+    pointings: [],
     events: [],
+    eventCount: 0,
     complete: true,
   };
 }
@@ -168,7 +171,7 @@ const FACTS = [
   {
     title: "Mass properties",
     rows: [
-      { label: "mass", value: "0.236 19", unit: "kg", note: "" },
+      { label: "mass", value: "0.236\u00a019", unit: "kg", note: "" },
       { label: "principal moments", value: "1.71e-5  4.61e-5  5.83e-5", unit: "kg·m²", note: "ascending, about the centre of mass" },
       { label: "symmetry", value: "asymmetric", unit: "", note: "" },
     ],
@@ -210,7 +213,7 @@ const FREE_CAPTIONS = {
   sphere: "The tip of L in the body runs round axis 3; the separatrices pass through axis 2.",
 };
 
-function page({ title, body, mass, shapes, ellipsoid, motion, free, about = "centre of mass", lever = [0, 0, 0], scene = {} }) {
+function page({ title, body, mass, shapes, ellipsoid, motion, free, about = "centre of mass", lever = [0, 0, 0], top = null, scene = {} }) {
   return {
     version: 1,
     title,
@@ -220,6 +223,7 @@ function page({ title, body, mass, shapes, ellipsoid, motion, free, about = "cen
     motion,
     free,
     scene: { period: null, gravity: null, top: null, captions: free ? FREE_CAPTIONS : CAPTIONS, ...scene },
+    top,
     facts: FACTS,
     findings: [{ severity: "warning", message: "The spin is 0.8° from the unstable intermediate axis: it flips." }],
     explanation: EXPLANATION,
@@ -285,6 +289,7 @@ function heavy() {
     mass: 0.5,
     about: "pivot",
     lever,
+    top: { axis: [0, 0, 1], up: [0, 0, 1], across: [[1, 0, 0], [0, 1, 0]], bounds: null },
     shapes: [
       { ...PART, name: "tip", kind: "cone", bottom: 0.004, top: 0.008, height: 0.09, position: [0, 0, 0.045] },
       { ...PART, name: "disc", kind: "torus", radius: 0.07, tube: 0.014, position: [0, 0, 0.12] },
@@ -331,6 +336,12 @@ function wheeled() {
       { time: 5, name: "<b>motor on</b>" },
       { time: 25, name: "motor off" },
       { time: 25.2, name: "just after" },
+    ],
+    eventCount: 5,
+    work: { name: "work of the motors", values: f64(rows.map(({ omega }) => 1.55 * omega[2] ** 2)) },
+    pointings: [
+      { name: "camera", values: f64(rows.map(({ t }) => 0.7 + 0.2 * Math.sin(0.3 * t))) },
+      { name: "panel", values: f64(rows.map(({ t }) => 1.4 + 0.1 * Math.cos(0.2 * t))) },
     ],
   };
   return made;

@@ -1,6 +1,7 @@
 /** The numbers: groups of rows, and what polhode found worth saying. */
 import type { FactGroup, PageData } from "../data";
 import { element } from "../dom";
+import { words } from "../format";
 
 export function facts(host: HTMLElement, page: PageData, notes: string[]): void {
   const findings = [...page.findings, ...notes.map((message) => ({ severity: "info" as const, message }))];
@@ -18,13 +19,24 @@ export function facts(host: HTMLElement, page: PageData, notes: string[]): void 
   host.append(element("p", { class: "hint" }, `${page.motion.count} samples, method: ${page.motion.method}.`));
 }
 
+/** A text whose numbers no line breaks. */
+function unbroken(text: string): (Node | string)[] {
+  return words(text).flatMap((word, k) => [k > 0 ? " " : "", element("span", word.whole ? { class: "nowrap" } : {}, word.text)]);
+}
+
 function table(group: FactGroup): HTMLElement {
   const body = element("tbody");
   for (const { label, value, unit, note } of group.rows) {
-    const number = element("td", { class: "value" }, value);
-    if (unit !== "") number.append(element("span", { class: "unit" }, unit));
-    body.append(element("tr", {}, element("th", { scope: "row" }, label), number));
-    if (note !== "") body.append(element("tr", { class: "note" }, element("td", { colspan: "2" }, note)));
+    const cell = element("td", { class: "value" }, ...unbroken(value));
+    // The unit stays with the last of the numbers.
+    if (unit !== "") {
+      const last = cell.lastElementChild;
+      const shown = element("span", { class: "unit" }, unit);
+      if (last) last.append(unit === "°" ? "" : "\u00a0", shown);
+      else cell.append(shown);
+    }
+    body.append(element("tr", {}, element("th", { scope: "row" }, label), cell));
+    if (note !== "") body.append(element("tr", { class: "note" }, element("td", { colspan: "2" }, ...unbroken(note))));
   }
   return element("section", { class: "facts" }, element("h3", {}, group.title), element("table", {}, body));
 }

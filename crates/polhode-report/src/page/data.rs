@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 use super::motion::Shown;
 use super::shapes::Budget;
 use super::turning::Turning;
-use super::{PageInput, PageSubject, body, explanation, facts, free, motion, scene};
+use super::{PageInput, PageSubject, body, explanation, facts, free, motion, scene, top};
 use crate::motion::findings as motion_findings;
 
 /// What a page of many triangles may have, bytes.
@@ -36,6 +36,7 @@ pub(super) fn json(input: &PageInput<'_>, frame: usize) -> Value {
         "motion": motion,
         "free": free,
         "scene": scene::json(input, &turning, free_facts.as_ref()),
+        "top": top::json(&input.subject),
         "facts": facts,
         "findings": findings(input),
         "explanation": explanation,

@@ -6,6 +6,7 @@ use polhode::observe::{Cones, Drift, FreeRegime, GeometricPhase, Herpolhode, Lea
 use serde_json::{Value, json};
 
 use super::motion::Shown;
+use super::sizes::{self, Sized};
 use super::turning::Turning;
 use super::{PageInput, PageSubject};
 use crate::block::Geometry;
@@ -41,6 +42,11 @@ impl Row {
     fn sized(label: &'static str, shown: &str) -> Self {
         let (value, unit) = shown.rsplit_once(' ').unwrap_or((shown, ""));
         Self::new(label, value, unit)
+    }
+
+    /// A number and its unit.
+    fn with(label: &'static str, (value, unit): Sized) -> Self {
+        Self { label, value, unit, note: String::new() }
     }
 
     /// An angle in degrees.
@@ -101,7 +107,10 @@ fn body(scenario: &Scenario, turning: &Turning<'_>) -> Vec<Row> {
         rows.push(
             Row::sized("pivot", &unit::place_in(size, tidy(turning.point.to_array()))).note("body axes"),
         );
-        rows.push(Row::of("lever", turning.lever.norm(), "m").note("from the pivot to the centre of mass"));
+        rows.push(
+            Row::sized("lever", &unit::length(turning.lever.norm()))
+                .note("from the pivot to the centre of mass"),
+        );
     }
     rows
 }
@@ -111,15 +120,15 @@ fn inertia(turning: &Turning<'_>) -> Vec<Row> {
     let [i1, i2, i3] = principal.moments();
     let [e1, e2, e3] = principal.axes().map(|axis| vector(tidy(axis.to_array()), 5));
     let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = tidy_matrix(turning.tensor);
-    let three = |a: f64, b: f64, c: f64| vector([a, b, c], DIGITS);
+    let three = |label, values: [f64; 3]| Row::with(label, sizes::three(values, "kg·m²"));
     vec![
         Row::of("i1, least", i1, "kg·m²").note(format!("axis 1 = {e1} in the body")),
         Row::of("i2", i2, "kg·m²").note(format!("axis 2 = {e2}")),
         Row::of("i3, greatest", i3, "kg·m²").note(format!("axis 3 = {e3}")),
         Row::new("about", format!("the {}", turning.about()), ""),
         Row::new("symmetry", principal.symmetry().name(), "").note(principal.symmetry().freedom()),
-        Row::new("Ixx, Iyy, Izz", three(xx, yy, zz), "kg·m²").note("body axes"),
-        Row::new("Ixy, Ixz, Iyz", three(xy, xz, yz), "kg·m²").note("−∫xy dm, …"),
+        three("Ixx, Iyy, Izz", [xx, yy, zz]).note("body axes"),
+        three("Ixy, Ixz, Iyz", [xy, xz, yz]).note("−∫xy dm, …"),
     ]
 }
 
@@ -131,14 +140,15 @@ fn motion(input: &PageInput<'_>, free: Option<&FreeFacts>, shown: &Shown<'_>) ->
     };
     let mut rows = Vec::new();
     if let (Some(first), Some(last)) = (shown.samples.first(), shown.samples.last()) {
-        let [from, to] = [first, last].map(|s| number(s.state.time, DIGITS));
-        rows.push(Row::new("time", format!("{from} … {to}"), "s").note(how));
+        let from = first.state.time;
+        let (to, unit) = sizes::duration(last.state.time);
+        let from = if from == 0.0 { "0".to_owned() } else { unit::duration(from, DIGITS) };
+        rows.push(Row::new("time", format!("{from} … {to}"), &unit).note(how));
         let omega = first.state.omega;
-        let about = vector(tidy(omega.to_array()), DIGITS);
-        rows.push(Row::new("ω at the start", about, "rad/s").note("body axes"));
-        rows.push(Row::of("|ω| at the start", omega.norm(), "rad/s"));
+        rows.push(Row::with("ω at the start", sizes::rates(tidy(omega.to_array()))).note("body axes"));
+        rows.push(Row::with("|ω| at the start", sizes::rate(omega.norm())));
         rows.push(Row::of("|L| at the start", first.momentum.norm(), "kg·m²/s"));
-        rows.push(Row::of("T at the start", first.kinetic_energy, "J"));
+        rows.push(Row::with("T at the start", sizes::energy(first.kinetic_energy)));
     }
     match (free, input.subject) {
         (Some(free), _) => rows.extend(free_motion(free)),
@@ -178,16 +188,27 @@ fn driven(scenario: &Scenario, shown: &Shown<'_>) -> Vec<Row> {
     torques.chain(scenario.wheels().iter().enumerate().flat_map(wheel)).collect()
 }
 
-/// How the motion ended, if not at the end of the run, and the first of its events.
+/// The times of the first events by name and sense, and how the motion ended, if not at the end of the run.
 fn events(input: &PageInput<'_>) -> Vec<Row> {
     /// More would bury the rest.
     const MOST: usize = 20;
     let crossings = input.trajectory.events();
-    let row = |crossing: &Crossing| {
-        let sense = if crossing.rising { "rising" } else { "falling" };
-        Row::new("event", number(crossing.state.time, 9), "s").note(format!("{}, {sense}", crossing.name))
+    let sense = |crossing: &Crossing| if crossing.rising { "rising" } else { "falling" };
+    let mut kinds: Vec<(&str, &str, Vec<String>)> = Vec::new();
+    for crossing in crossings.iter().take(MOST) {
+        let time = number(crossing.state.time, 9);
+        let same =
+            |kind: &&mut (&str, &str, Vec<String>)| kind.0 == crossing.name && kind.1 == sense(crossing);
+        match kinds.iter_mut().find(same) {
+            Some(kind) => kind.2.push(time),
+            None => kinds.push((&crossing.name, sense(crossing), vec![time])),
+        }
+    }
+    let row = |(name, sense, times): (&str, &str, Vec<String>)| {
+        let label = if times.len() > 1 { "events" } else { "event" };
+        Row::new(label, times.join(", "), "s").note(format!("{}, {sense}", printable(name)))
     };
-    let mut rows: Vec<Row> = crossings.iter().take(MOST).map(row).collect();
+    let mut rows: Vec<Row> = kinds.into_iter().map(row).collect();
     if crossings.len() > MOST {
         rows.push(
             Row::new("events", count(crossings.len() as u64), "").note("in all: summary.json has them"),
@@ -204,14 +225,16 @@ fn free_motion(free: &FreeFacts) -> Vec<Row> {
     let FreeRegime { regime, period, flip_interval, growth_rate } = free.regime;
     let Periods { precession, rotation } = free.periods;
     let mut rows = vec![Row::new("free motion", regime.description(), "")];
-    let mut put = |label, value: Option<f64>, unit, note: &str| {
-        rows.extend(value.map(|value| Row::of(label, value, unit).note(note)));
+    let mut put = |label, value: Option<f64>, note: &str| {
+        rows.extend(value.map(|value| Row::with(label, sizes::duration(value)).note(note)));
     };
-    put("period of ω", period, "s", "in the body");
-    put("flips every", flip_interval, "s", "ω along axis 2 reverses");
-    put("precession", precession, "s", "once round L, on average");
-    put("rotation", rotation, "s", "once about the axis that L circles");
-    put("growth rate", growth_rate, "1/s", "of a departure from axis 2");
+    put("period of ω", period, "in the body");
+    put("flips every", flip_interval, "ω along axis 2 reverses");
+    put("precession", precession, "once round L, on average");
+    put("rotation", rotation, "once about the axis that L circles");
+    let growth =
+        growth_rate.map(|rate| Row::of("growth rate", rate, "1/s").note("of a departure from axis 2"));
+    rows.extend(growth);
     if !matches!(regime, Regime::Permanent(_)) {
         let [least, most] = free.motion.nutation_range().map(|angle| number(angle.to_degrees(), 6));
         let axis = if free.motion.circles_least() { 1 } else { 3 };
@@ -230,8 +253,8 @@ fn cones((top, cones): &(SymmetricTop, Cones)) -> Vec<Row> {
         Row::angle("body cone", cones.body_half_angle).note("half-angle: ω round the symmetry axis"),
         Row::angle("space cone", cones.space_half_angle).note("half-angle: ω round L"),
         Row::angle("nutation", cones.nutation).note("of the symmetry axis from L"),
-        Row::of("rate in the body", cones.body_rate, "rad/s"),
-        Row::of("rate in space", cones.space_rate, "rad/s"),
+        Row::with("rate in the body", sizes::rate(cones.body_rate)),
+        Row::with("rate in space", sizes::rate(cones.space_rate)),
     ]
 }
 
@@ -243,7 +266,9 @@ fn picture(free: &FreeMotion) -> Vec<Row> {
     if let Ok(herpolhode) = Herpolhode::of(free, PIECE, 0.1) {
         let [least, most] = herpolhode.annulus.map(|radius| number(radius, 6));
         let value = if least == most { least } else { format!("{least} … {most}") };
-        rows.push(Row::of("ω along L", herpolhode.height, "rad/s").note("height of the invariable plane"));
+        rows.push(
+            Row::with("ω along L", sizes::rate(herpolhode.height)).note("height of the invariable plane"),
+        );
         rows.push(Row::new("ω across L", value, "rad/s").note("radius of the herpolhode"));
     }
     if let Some(phase) = GeometricPhase::of(free) {
@@ -262,7 +287,7 @@ fn pendulum(scenario: &Scenario) -> Vec<Row> {
     let (Some(hanging), Some(Ok(pendulum))) = (scenario.suspension(), scenario.pendulum()) else {
         return Vec::new();
     };
-    let small = Row::of("small swing", pendulum.period(0.0), "s").note("period");
+    let small = Row::with("small swing", sizes::duration(pendulum.period(0.0))).note("period");
     let swing = hanging.amplitude.map(|amplitude| pendulum.swing(amplitude, 0.0));
     let swing = match swing {
         Some(Swing::Oscillation { amplitude, period }) => {

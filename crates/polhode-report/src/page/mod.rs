@@ -16,6 +16,8 @@ mod motion;
 mod placed;
 mod scene;
 mod shapes;
+mod sizes;
+mod top;
 mod turning;
 
 use polhode::body::PrincipalFrame;

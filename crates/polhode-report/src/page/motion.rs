@@ -1,6 +1,6 @@
 //! The motion as rows of numbers.
 
-use polhode::motion::{Crossing, Sample, Trajectory, Wheel};
+use polhode::motion::{Crossing, Pointing, Sample, Trajectory, Wheel};
 use serde_json::{Value, json};
 
 use super::PageSubject;
@@ -8,6 +8,7 @@ use crate::balance::{Balance, Driven, balances};
 use crate::base64::f64s;
 use crate::json::finite;
 use crate::layout::printable;
+use crate::plot::series;
 use crate::torque::named_wheels;
 
 /// A page of more samples would be large and show no more.
@@ -19,9 +20,11 @@ pub(super) struct Shown<'a> {
     pub(super) samples: Vec<&'a Sample>,
     /// How many there are.
     pub(super) of: usize,
+    driven: Driven,
     drift: Vec<Balance>,
     pub(super) method: &'static str,
     wheels: Vec<(String, Wheel)>,
+    pointings: Vec<Pointing>,
     events: &'a [Crossing],
     is_complete: bool,
 }
@@ -30,9 +33,11 @@ impl<'a> Shown<'a> {
     /// All samples, or [`MOST`] evenly chosen with the first and the last; the start where there are none.
     pub(super) fn of(trajectory: &'a Trajectory, subject: &PageSubject<'a>) -> Self {
         let all = trajectory.samples();
-        let (driven, wheels) = match *subject {
-            PageSubject::Scenario(scenario) => (Driven::of(scenario), named_wheels(scenario)),
-            PageSubject::Moments(_) => (Driven::default(), Vec::new()),
+        let (driven, wheels, pointings) = match *subject {
+            PageSubject::Scenario(scenario) => {
+                (Driven::of(scenario), named_wheels(scenario), series::pointings(scenario))
+            }
+            PageSubject::Moments(_) => (Driven::default(), Vec::new(), Vec::new()),
         };
         let mut drift = balances(trajectory, driven);
         let mut samples = vec![trajectory.start()];
@@ -46,9 +51,11 @@ impl<'a> Shown<'a> {
         Self {
             samples,
             of: all.len().max(1),
+            driven,
             drift,
             method: trajectory.solution().name(),
             wheels,
+            pointings,
             events: trajectory.events(),
             is_complete: trajectory.ending().is_complete(),
         }
@@ -89,6 +96,24 @@ impl<'a> Shown<'a> {
         self.wheels.iter().map(one).collect()
     }
 
+    /// The angles of directions of the body to nadir, velocity or what else is of interest.
+    fn pointings(&self) -> Value {
+        let one = |pointing: &Pointing| {
+            let angle = |s: &Sample| [finite(pointing.angle(&s.state))];
+            json!({ "name": printable(pointing.name()), "values": self.rows(angle) })
+        };
+        self.pointings.iter().map(one).collect()
+    }
+
+    /// What the torques or the motors have done since the start; null where there is a potential to tell instead, or nothing acts.
+    fn work(&self, has_potential: bool) -> Value {
+        if has_potential || !self.driven.at_all() {
+            return Value::Null;
+        }
+        let name = if self.driven.by_torques { "work" } else { "work of the motors" };
+        json!({ "name": name, "values": self.rows(|s| [finite(s.work)]) })
+    }
+
     /// The first of the events that happened: more would hide the curves.
     fn events(&self) -> Value {
         const MOST: usize = 40;
@@ -114,6 +139,7 @@ fn chosen(count: usize) -> Vec<usize> {
 pub(super) fn json(shown: &Shown<'_>) -> Value {
     let potential: Option<Vec<f64>> = shown.samples.iter().map(|s| s.potential_energy).collect();
     let potential = potential.filter(|all| all.iter().all(|u| u.is_finite()));
+    let work = shown.work(potential.is_some());
     json!({
         "count": shown.samples.len(),
         "method": shown.method,
@@ -124,9 +150,12 @@ pub(super) fn json(shown: &Shown<'_>) -> Value {
         "torque": shown.is_turned().then(|| shown.rows(|s| s.torque.to_array())),
         "kinetic": shown.rows(|s| [s.kinetic_energy]),
         "potential": potential.map(f64s),
+        "work": work,
         "drift": shown.drift(),
         "wheels": shown.wheels(),
+        "pointings": shown.pointings(),
         "events": shown.events(),
+        "eventCount": shown.events.len(),
         "complete": shown.is_complete,
     })
 }

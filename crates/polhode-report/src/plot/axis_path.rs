@@ -40,19 +40,19 @@ const FINE: f64 = 0.03;
 
 /// An axis of a body that gravity turns about a pivot.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct TopAxis {
+pub(crate) struct TopAxis {
     /// From the pivot to the centre of mass.
-    axis: Direction<Body>,
+    pub(crate) axis: Direction<Body>,
     /// Against gravity, and two directions across it.
-    up: Direction<Space>,
-    across: [Direction<Space>; 2],
+    pub(crate) up: Direction<Space>,
+    pub(crate) across: [Direction<Space>; 2],
     /// The least and the greatest θ of a symmetric top, rad.
-    bounds: Option<[f64; 2]>,
+    pub(crate) bounds: Option<[f64; 2]>,
 }
 
 impl TopAxis {
     /// `None` for a free body, without gravity, and where gravity has no arm.
-    pub(super) fn of(scenario: &Scenario, rotor: &Rotor) -> Option<Self> {
+    pub(crate) fn of(scenario: &Scenario, rotor: &Rotor) -> Option<Self> {
         let gravity = scenario.torques().iter().find_map(|torque| match torque {
             TorqueModel::Gravity(gravity) => Some(gravity.acceleration),
             _ => None,

@@ -9,7 +9,7 @@
 //! which differ to every eye, and each curve has dashes of its own, which differ in grey.
 
 mod axes;
-mod axis_path;
+pub(crate) mod axis_path;
 mod chart;
 mod constant;
 mod curve;
@@ -33,7 +33,7 @@ mod png;
 mod prefix;
 mod range;
 mod scale;
-mod series;
+pub(crate) mod series;
 mod sheet;
 mod sphere;
 mod svg;

@@ -24,7 +24,7 @@ pub(super) fn quantity(motion: &PlottedMotion<'_>, figure: Figure) -> Quantity {
 }
 
 /// The angles that a plan asks for; on an orbit without any those of x, −y and z to velocity, normal and nadir.
-pub(super) fn pointings(scenario: &Scenario) -> Vec<Pointing> {
+pub(crate) fn pointings(scenario: &Scenario) -> Vec<Pointing> {
     let Some(orbit) = scenario.orbit().filter(|_| scenario.pointings().is_empty()) else {
         return scenario.pointings().to_vec();
     };

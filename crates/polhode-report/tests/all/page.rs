@@ -629,6 +629,15 @@ fn keys_are_those_of_the_contract() {
         for line in data["motion"]["drift"].as_array().unwrap() {
             agree("drift", line, &[]);
         }
+        if !data["motion"]["work"].is_null() {
+            agree("work", &data["motion"]["work"], &[]);
+        }
+        for line in data["motion"]["pointings"].as_array().unwrap() {
+            agree("pointings", line, &[]);
+        }
+        if !data["top"].is_null() {
+            agree("TopData", &data["top"], &[]);
+        }
         for (key, list) in [("wheels", &data["motion"]["wheels"]), ("events", &data["motion"]["events"])] {
             list.as_array().unwrap().iter().for_each(|one| agree(key, one, &[]));
         }

@@ -1,0 +1,19 @@
+//! The axis of a body that gravity turns about a pivot: what its path in space is measured from.
+
+use serde_json::{Value, json};
+
+use super::PageSubject;
+use crate::json::{finite, numbers};
+use crate::plot::axis_path::TopAxis;
+
+/// Null where `--plot axis` does not exist.
+pub(super) fn json(subject: &PageSubject<'_>) -> Value {
+    let PageSubject::Scenario(scenario) = subject else { return Value::Null };
+    let Some(top) = TopAxis::of(scenario, scenario.rotor()) else { return Value::Null };
+    json!({
+        "axis": numbers(&top.axis.to_array().map(finite)),
+        "up": numbers(&top.up.to_array().map(finite)),
+        "across": top.across.iter().map(|axis| numbers(&axis.to_array().map(finite))).collect::<Value>(),
+        "bounds": top.bounds.map(|bounds| numbers(&bounds.map(finite))),
+    })
+}

@@ -1,0 +1,108 @@
+/** The path of a top's axis in space: θ from the vertical, φ round it. */
+import { rotate, type Vector } from "./attitude";
+import type { TopData } from "./data";
+import { at, type Motion } from "./motion";
+import { extrema } from "./plot/envelope";
+
+/** From one point of the path to the next, rad. */
+const FINE = 0.03;
+
+/** The axis may go so far from a sample to the next, rad. */
+const FOLLOWED = Math.PI / 2;
+
+/** What is less between the least and the greatest θ is rounding, rad. */
+const NOTHING = 1e-9;
+
+export interface AxisPath {
+  /** s; each point's. */
+  times: number[];
+  points: Vector[];
+  /** rad; φ goes on beyond a turn. */
+  theta: number[];
+  phi: number[];
+  /** The least and the greatest θ: those of the closed form, else those of the path. */
+  bounds: [number, number];
+}
+
+/** With points between samples that are far apart; the largest turn of the axis, rad, if that is too large to follow. */
+export function axisPath(motion: Motion, top: TopData): AxisPath | { turn: number } {
+  const path: AxisPath = { times: [], points: [], theta: [], phi: [], bounds: [0, 0] };
+  const put = (time: number, point: Vector): void => {
+    const { theta, phi } = anglesOf(point, top);
+    const before = path.phi.at(-1);
+    path.times.push(time);
+    path.points.push(point);
+    path.theta.push(theta);
+    path.phi.push(before === undefined ? phi : phi + 2 * Math.PI * Math.round((before - phi) / (2 * Math.PI)));
+  };
+  const whole = tip(motion, top, 0);
+  put(motion.times[0], whole.e);
+  for (let i = 1; i < motion.count; i += 1) {
+    const [a, b] = [tip(motion, top, i - 1), tip(motion, top, i)];
+    const h = motion.times[i] - motion.times[i - 1];
+    const turn = h * Math.max(Math.hypot(...a.rate), Math.hypot(...b.rate));
+    if (!(turn <= FOLLOWED)) return { turn };
+    const parts = Math.max(Math.ceil(turn / FINE), 1);
+    for (let k = 1; k <= parts; k += 1) put(motion.times[i - 1] + (h * k) / parts, between(a, b, h, k / parts));
+  }
+  path.bounds = top.bounds ?? [path.theta.reduce((a, b) => Math.min(a, b)), path.theta.reduce((a, b) => Math.max(a, b))];
+  return path;
+}
+
+export function anglesOf(point: Vector, { up, across }: TopData): { theta: number; phi: number } {
+  const [x, y, z] = [dot(point, across[0]), dot(point, across[1]), dot(point, up)];
+  return { theta: Math.atan2(Math.hypot(x, y), z), phi: Math.atan2(y, x) };
+}
+
+export function directionOf(theta: number, phi: number, { up, across }: TopData): Vector {
+  const [s, c] = [Math.sin(theta), Math.cos(theta)];
+  return [0, 1, 2].map((k) => s * (Math.cos(phi) * across[0][k] + Math.sin(phi) * across[1][k]) + c * up[k]) as Vector;
+}
+
+/** Pieces of so many nutations each, by the indices of their ends: more could not be told apart. */
+export function pieces({ theta, bounds }: AxisPath, nutations: number): [number, number][] {
+  const end = theta.length - 1;
+  if (bounds[1] - bounds[0] <= NOTHING) return [[0, end]];
+  const turns = extrema(theta, 0, end, 0.02 * (bounds[1] - bounds[0]));
+  const out: [number, number][] = [];
+  let from = 0;
+  for (let k = 2 * nutations; k < turns.length; k += 2 * nutations) {
+    out.push([from, turns[k]]);
+    from = turns[k];
+  }
+  // What is left is shown with the nutations before it.
+  if (out.length > 0 && from < end) out.push([Math.min(from, turns.at(-1 - 2 * nutations) ?? from), end]);
+  return out.length > 0 ? out : [[0, end]];
+}
+
+interface Tip {
+  e: Vector;
+  /** ω × e, 1/s */
+  rate: Vector;
+}
+
+function tip(motion: Motion, { axis }: TopData, i: number): Tip {
+  const q = motion.attitudeOf(i);
+  const e = rotate(q, axis);
+  const w = rotate(q, at(motion.omega, i));
+  return { e, rate: [w[1] * e[2] - w[2] * e[1], w[2] * e[0] - w[0] * e[2], w[0] * e[1] - w[1] * e[0]] };
+}
+
+/** Hermite's cubic through both with their velocities, on the sphere. */
+function between(a: Tip, b: Tip, h: number, s: number): Vector {
+  const u = 1 - s;
+  const p = [0, 1, 2].map((k) => {
+    const ends = u * u * (1 + 2 * s) * a.e[k] + s * s * (3 - 2 * s) * b.e[k];
+    return ends + h * s * u * (u * a.rate[k] - s * b.rate[k]);
+  });
+  const length = Math.hypot(...p);
+  return [p[0] / length, p[1] / length, p[2] / length];
+}
+
+export function axisAt(motion: Motion, top: TopData, time: number): Vector {
+  return rotate(motion.at(time).attitude, top.axis);
+}
+
+export function dot(a: Vector, b: Vector): number {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}

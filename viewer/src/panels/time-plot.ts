@@ -1,0 +1,240 @@
+/** One plot over time: the lines of a stack, its key with readings, its axes, the time of the view and the events. */
+import uPlot from "uplot";
+import { element } from "../dom";
+import { grouped, mark, number, powerOfTen } from "../format";
+import type { Stack } from "../plot/arrange";
+import { curve, largestSoFar } from "../plot/curve";
+import { labels, type Mark } from "../plot/events";
+import type { Figure, Line } from "../plot/lines";
+import { decades, logRange, padded, ticks } from "../plot/scale";
+
+/** Heights of the frame and of what is around it, px. */
+const FRAME = { alone: 126, stacked: 104 };
+const ABOVE = { plain: 6, lettered: 17 };
+const BELOW = { numbers: 20, title: 17, bare: 5 };
+const LEFT = 66;
+const LETTER = 11;
+
+export interface Place {
+  /** With the letters of the events. */
+  isFirst: boolean;
+  /** With the numbers of the time axis. */
+  isLast: boolean;
+}
+
+export class TimePlot {
+  readonly plot: uPlot;
+  readonly host: HTMLElement;
+  readonly #figure: Figure;
+  readonly #stack: Stack;
+  readonly #place: Place;
+  readonly #unit: { name: string; seconds: number };
+  readonly #marks: readonly Mark[];
+  readonly #now = element("div", { class: "now" });
+  readonly #events: HTMLElement[];
+  readonly #readings: HTMLElement[];
+  readonly #tag = element("span", { class: "tag", hidden: true });
+  /** By line: true if it is drawn as an envelope, and whether its samples resolve it. */
+  readonly #drawn: { enveloped: boolean; resolved: boolean }[];
+
+  constructor(figure: Figure, stack: Stack, times: Float64Array, unit: { name: string; seconds: number }, marks: readonly Mark[], place: Place) {
+    this.#figure = figure;
+    this.#stack = stack;
+    this.#place = place;
+    this.#unit = unit;
+    this.#marks = marks;
+    this.#drawn = stack.lines.map(() => ({ enveloped: false, resolved: true }));
+    this.#readings = stack.lines.map(() => element("output", { class: "reading" }));
+    const key = element("div", { class: "key" });
+    stack.lines.forEach((line, k) => {
+      key.append(element("span", { class: "key-entry" }, swatch(line), element("span", {}, line.label), this.#readings[k]));
+    });
+    key.append(this.#tag);
+    const box = element("div", { class: "plot-box" });
+    box.style.height = `${this.#height}px`;
+    this.host = element("div", { class: "stack" }, key, box);
+    const data = stack.lines.map((line) => (figure.log ? line.values.map((v) => (v > 0 ? v : Number.NaN)) : line.values));
+    this.plot = new uPlot(this.#options(), [times, ...data] as uPlot.AlignedData, box);
+    const title = element("div", { class: "axis-title y" }, stack.title);
+    title.style.top = `${this.#above}px`;
+    title.style.height = `${this.#frame}px`;
+    box.append(title);
+    if (place.isLast) {
+      const below = element("div", { class: "axis-title x" }, `time t (${unit.name})`);
+      below.style.left = `${LEFT}px`;
+      box.append(below);
+    }
+    this.#events = marks.map(() => element("div", { class: "event" }));
+    this.plot.over.append(...this.#events, this.#now);
+  }
+
+  resize(width: number): void {
+    this.plot.setSize({ width, height: this.#height });
+    this.mark();
+  }
+
+  /** Puts the events at their times. */
+  mark(): void {
+    const places = this.#marks.map(({ time }, k) => put(this.plot, this.#events[k], time));
+    if (!this.#place.isFirst) return;
+    const seen = [...places.keys()].filter((k) => !this.#events[k].hidden);
+    const texts = labels(seen.map((k) => places[k]), seen.map((k) => this.#marks[k].letter), LETTER);
+    seen.forEach((k, j) => this.#events[k].replaceChildren(...(texts[j] ? [element("span", {}, texts[j])] : [])));
+  }
+
+  follow(time: number): void {
+    put(this.plot, this.#now, time);
+  }
+
+  /** Shows the values of a sample. */
+  read(i: number): void {
+    const { lines, offset, figures } = this.#stack;
+    lines.forEach(({ values }, k) => {
+      this.#readings[k].textContent = grouped(number(values[i] + offset, figures));
+    });
+  }
+
+  get #frame(): number {
+    return this.#place.isFirst && this.#place.isLast ? FRAME.alone : FRAME.stacked;
+  }
+
+  get #above(): number {
+    return this.#place.isFirst && this.#marks.length > 0 ? ABOVE.lettered : ABOVE.plain;
+  }
+
+  get #height(): number {
+    return this.#above + this.#frame + (this.#place.isLast ? BELOW.numbers + BELOW.title : BELOW.bare);
+  }
+
+  #options(): uPlot.Options {
+    const { log, unit } = this.#figure;
+    const axis: uPlot.Axis = {
+      stroke: () => ink("quiet"),
+      grid: { stroke: () => ink("grid"), width: 1 },
+      ticks: { show: false },
+      font: "11px system-ui, sans-serif",
+      gap: 4,
+    };
+    const degrees = unit === "°" && this.#stack.unit.size === 1;
+    const up = (low: number, high: number): { values: number[]; step: number } => ticks(low, high, this.#frame / 28, degrees);
+    const across = (u: uPlot, low: number, high: number): { values: number[]; step: number } => {
+      return ticks(low / this.#unit.seconds, high / this.#unit.seconds, u.bbox.width / devicePixelRatio / 62);
+    };
+    const time: uPlot.Axis = {
+      ...axis,
+      size: this.#place.isLast ? BELOW.numbers : 0,
+      splits: (u, _, low, high) => across(u, low, high).values.map((v) => v * this.#unit.seconds),
+      values: (u, values) => {
+        if (!this.#place.isLast) return values.map(() => "");
+        const { step } = across(u, u.scales.x.min ?? 0, u.scales.x.max ?? 1);
+        return values.map((v) => mark(v / this.#unit.seconds, step));
+      },
+    };
+    const value: uPlot.Axis = log
+      ? {
+          ...axis,
+          splits: (_, __, low, high) => decades(low, high, 4),
+          filter: (_, v) => v,
+          values: (_, v) => v.map(powerOfTen),
+        }
+      : {
+          ...axis,
+          splits: (_, __, low, high) => up(low, high).values,
+          values: (u, v) => v.map((one) => mark(one, up(u.scales.y.min ?? 0, u.scales.y.max ?? 1).step)),
+        };
+    return {
+      width: 300,
+      height: this.#height,
+      padding: [this.#above, 12, this.#place.isLast ? BELOW.title : BELOW.bare, 0],
+      legend: { show: false },
+      cursor: {
+        sync: { key: "polhode" },
+        drag: { x: true, y: false, setScale: true, dist: 6 },
+        points: { size: 6 },
+        y: false,
+      },
+      scales: {
+        x: { time: false },
+        y: { distr: log ? 3 : 1, range: (_, low, high): [number, number] => this.#range(low, high) },
+      },
+      axes: [time, { ...value, size: LEFT }],
+      series: [
+        {},
+        ...this.#stack.lines.map((line, k): uPlot.Series => ({
+          stroke: () => ink(line.ink),
+          fill: () => `${ink(line.ink)}30`,
+          width: 1.6,
+          points: { show: false },
+          ...(line.dash ? { dash: line.dash } : {}),
+          paths: (u, series, first, last) => this.#paths(u, series, first, last, line, k),
+        })),
+      ],
+      hooks: { draw: [(): void => this.#say()] },
+    };
+  }
+
+  /** Of the values between the ends of the time axis; what a run-away reaches at its end is left outside. */
+  #range(low: number | null, high: number | null): [number, number] {
+    const { lines, range } = this.#stack;
+    if (this.#figure.log) return logRange(lines, high ?? 1);
+    if (range === null || low === null || high === null) return padded(range);
+    const [from, to] = [Math.max(low, range[0]), Math.min(high, range[1])];
+    return padded(from <= to ? [from, to] : range, 1e-3 * (range[1] - range[0]));
+  }
+
+  #paths(u: uPlot, series: number, first: number, last: number, line: Line, k: number): uPlot.Series.Paths {
+    const [from, to] = [Math.max(first - 1, 0), Math.min(last + 1, u.data[0].length - 1)];
+    const count = to - from + 1;
+    const x = Float64Array.from({ length: count }, (_, i) => u.valToPos(u.data[0][from + i], "x", true) / devicePixelRatio);
+    const y = Float64Array.from({ length: count }, (_, i) => {
+      const value = u.data[series][from + i];
+      return value === null || value === undefined || Number.isNaN(value) ? Number.NaN : u.valToPos(value, "y", true) / devicePixelRatio;
+    });
+    const made = this.#figure.log ? largestSoFar(x, y) : curve(x, y, line.starts?.subarray(from, to + 1));
+    this.#drawn[k] = { enveloped: made.bands.length > 0, resolved: made.resolved };
+    const [stroke, fill] = [new Path2D(), new Path2D()];
+    const trace = (path: Path2D, points: [number, number][]): void => {
+      points.forEach(([px, py], i) => {
+        if (i === 0) path.moveTo(px * devicePixelRatio, py * devicePixelRatio);
+        else path.lineTo(px * devicePixelRatio, py * devicePixelRatio);
+      });
+    };
+    for (const points of made.strokes) trace(stroke, points);
+    for (const points of made.bands) trace(fill, points);
+    for (const [px, py] of made.dots) fill.rect((px - 0.7) * devicePixelRatio, (py - 0.7) * devicePixelRatio, 1.4 * devicePixelRatio, 1.4 * devicePixelRatio);
+    return { stroke, fill };
+  }
+
+  /** What is an envelope, and what the samples do not resolve. */
+  #say(): void {
+    const { lines } = this.#stack;
+    const of = (wanted: (drawn: { enveloped: boolean; resolved: boolean }) => boolean): string =>
+      lines.filter((_, k) => wanted(this.#drawn[k])).map(({ symbol }) => symbol).join(", ");
+    const envelopes = of(({ enveloped, resolved }) => enveloped && resolved);
+    const ranges = of(({ resolved }) => !resolved);
+    const said = [
+      ...(envelopes ? [`${envelopes}: envelope, zoom in for the curve`] : []),
+      ...(ranges ? [`${ranges}: the samples do not resolve the oscillation; the band is their range`] : []),
+    ];
+    this.#tag.textContent = said.join("; ");
+    this.#tag.hidden = said.length === 0;
+  }
+}
+
+function ink(name: string): string {
+  return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
+}
+
+/** Puts a line at a time; gives its distance from the left, px. */
+function put(plot: uPlot, line: HTMLElement, time: number): number {
+  const left = plot.valToPos(time, "x");
+  line.style.transform = `translateX(${left.toFixed(1)}px)`;
+  line.hidden = !(left >= 0 && left <= plot.over.clientWidth);
+  return left;
+}
+
+function swatch(line: Line): HTMLElement {
+  const made = element("span", { class: line.dash ? "swatch dashed" : "swatch" });
+  made.style.color = `var(--${line.ink})`;
+  return made;
+}

@@ -1,0 +1,152 @@
+/**
+ * A figure's lines as they are shown: constants as text, the others in plots one below the other, so that none is squashed by a larger
+ * one.
+ */
+import { grouped, number } from "../format";
+import type { Figure, Line } from "./lines";
+import { extent, type Unit, unitFor } from "./scale";
+
+/** A line that varies by less of its own size is constant. */
+const CONSTANT = 1e-6;
+
+/** A line that takes less of a plot's height is squashed. */
+const SQUASHED = 1 / 20;
+
+/** Plots of one figure. */
+const MOST_STACKS = 3;
+
+/** Values that vary by less of their size are shown less a round number. */
+const OFFSET = 2e-5;
+
+/** Angles over a wider range, °, are shown in turns. */
+const IN_TURNS = 1440;
+
+export interface Constant {
+  symbol: string;
+  /** In the figure's unit. */
+  value: number;
+  /** How far it varies, relative; absolute where the value is zero. */
+  drift: number;
+}
+
+/** Lines with an axis of their own. */
+export interface Stack {
+  /** Values are those of the axis: (value − offset) / unit. */
+  lines: Line[];
+  unit: Unit;
+  /** In `unit`. */
+  offset: number;
+  /** Of the vertical axis: "ωx, ωy (rad/s)". */
+  title: string;
+  /** Figures of a reading: enough to tell a hundredth of the axis. */
+  figures: number;
+  /** The range of the whole run. */
+  range: [number, number] | null;
+}
+
+export interface Arranged {
+  constants: Constant[];
+  stacks: Stack[];
+}
+
+export function arrange(figure: Figure): Arranged {
+  const constants: Constant[] = [];
+  const drawn: Line[] = [];
+  for (const line of figure.lines) {
+    const constant = constantOf(line, figure);
+    if (constant) constants.push(constant);
+    else drawn.push(line);
+  }
+  const groups = figure.log ? (drawn.length > 0 ? [drawn] : []) : split(drawn, figure.telling);
+  return { constants, stacks: groups.map((lines) => stackOf(lines, figure)) };
+}
+
+/** Null for a line that varies. */
+export function constantOf({ symbol, values, drift }: Line, figure: Pick<Figure, "log" | "nothing">): Constant | null {
+  const range = extent([values]);
+  // What is not there all the time is not constant.
+  if (range === null || !values.every(Number.isFinite)) return null;
+  const size = Math.max(Math.abs(range[0]), Math.abs(range[1]));
+  if (size <= (figure.log ? 0 : figure.nothing)) return { symbol, value: 0, drift: size };
+  const spread = (range[1] - range[0]) / size;
+  if (figure.log || !(spread < CONSTANT)) return null;
+  return { symbol, value: values[0], drift: drift ?? spread };
+}
+
+/** "ωx = ωy = 0", "T + U = 3.737 84 J, constant to 6.8×10⁻¹⁷": a line of text each, zeros in one. */
+export function sentences(constants: readonly Constant[], { log, unit }: Pick<Figure, "log" | "unit">): string[] {
+  const zeros = constants.filter(({ value }) => value === 0);
+  if (log) return zeros.map(({ symbol }) => `${symbol}: 0 in every sample`);
+  const words: string[] = [];
+  if (zeros.length > 0) {
+    const largest = Math.max(...zeros.map(({ drift }) => drift));
+    words.push(`${zeros.map(({ symbol }) => symbol).join(" = ")} = 0${largest > 0 ? ` to ${quantity(largest, unit, 2)}` : ""}`);
+  }
+  for (const { symbol, value, drift } of constants) {
+    if (value === 0) continue;
+    words.push(`${symbol} = ${quantity(value, unit, 6)}, constant to ${drift > 0 ? number(drift, 2) : "the last bit"}`);
+  }
+  return words;
+}
+
+/** "3.737 84 mJ", "7.790 80×10⁻⁴ kg·m²/s", "30°"; no line breaks in it. */
+export function quantity(value: number, unit: string, figures: number): string {
+  const fit = unitFor(unit, Math.abs(value));
+  // A power of ten belongs to the number here.
+  const { name, size } = fit.name.startsWith("10") ? { name: unit, size: 1 } : fit;
+  return `${grouped(number(value / size, figures))}${name === "°" ? "" : "\u00a0"}${name}`;
+}
+
+/** Lines that share an axis, in order: a line goes to the first whose lines it does not squash, and which does not squash it. */
+export function split(lines: readonly Line[], telling = Infinity): Line[][] {
+  const range = (all: readonly Line[]): [number, number] => extent(all.map((l) => l.values), 0, telling - 1) ?? [0, 0];
+  const span = (all: readonly Line[]): number => range(all)[1] - range(all)[0];
+  // The part of the common range that the flattest line takes.
+  const flattest = (all: readonly Line[]): number => {
+    const common = span(all);
+    return common > 0 ? Math.min(...all.map((line) => span([line]) / common)) : 1;
+  };
+  const groups: Line[][] = [];
+  for (const line of lines) {
+    const fits = groups.find((group) => !line.alone && !group[0].alone && flattest([...group, line]) >= SQUASHED);
+    if (fits) fits.push(line);
+    else if (groups.length < MOST_STACKS) groups.push([line]);
+    else {
+      const best = groups.map((group) => (group[0].alone ? -1 : flattest([...group, line])));
+      groups[best.indexOf(Math.max(...best))].push(line);
+    }
+  }
+  return groups;
+}
+
+/** Figures of a number in steps of `round`. */
+function digits(value: number, round: number): number {
+  return Math.max(Math.floor(Math.log10(Math.abs(value))) - Math.round(Math.log10(round)) + 1, 1);
+}
+
+function stackOf(lines: Line[], figure: Figure): Stack {
+  const range = extent(lines.map(({ values }) => values), 0, figure.telling - 1) ?? [0, 0];
+  const size = Math.max(Math.abs(range[0]), Math.abs(range[1]));
+  const spread = range[1] - range[0];
+  const symbols = lines.map(({ symbol }) => symbol);
+  const name = lines.length === 1 ? symbols[0] : figure.quantity;
+  if (figure.log) {
+    const unit = { name: figure.unit, size: 1 };
+    return { lines, unit, offset: 0, title: `${name} (${unit.name})`, figures: 2, range };
+  }
+  const shifted = spread > 0 && spread < OFFSET * size;
+  const turns = figure.unit === "°" && spread > IN_TURNS;
+  const unit = turns ? { name: "turns", size: 360 } : unitFor(figure.unit, shifted ? spread : size);
+  // To the next digit above the spread.
+  const round = 10 ** Math.ceil(Math.log10(spread / unit.size));
+  const offset = shifted ? Math.floor(range[0] / unit.size / round) * round : 0;
+  const less = offset === 0 ? "" : ` − ${quantity(offset * unit.size, figure.unit, digits(offset, round))}`;
+  return {
+    lines: lines.map((line) => ({ ...line, values: line.values.map((v) => v / unit.size - offset) })),
+    unit,
+    offset,
+    title: `${name}${less} (${unit.name})`,
+    figures: Math.min(Math.max(Math.ceil(Math.log10(size / spread)) + 3, 5), 12),
+    range: [range[0] / unit.size - offset, range[1] / unit.size - offset],
+  };
+}

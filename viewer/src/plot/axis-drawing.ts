@@ -1,0 +1,172 @@
+/**
+ * The path of a top's axis: on the unit sphere, seen a little from above, and beside it unrolled, θ against φ. Near the vertical, where φ
+ * means little, it is seen from above instead, with θ as the distance from the middle.
+ */
+import type { Vector } from "../attitude";
+import { type AxisPath, anglesOf, directionOf, dot } from "../axis-path";
+import type { TopData } from "../data";
+import { mark } from "../format";
+import { type Box, type Mark, ring, through } from "./drawing";
+import { extent, padded, ticks } from "./scale";
+
+type Point = [number, number];
+
+/** Nearer to the vertical than this, rad, a path is not unrolled. */
+const UPRIGHT = 0.09;
+
+/** Of the vertical beyond the sphere, in radii. */
+const REACH = 1.2;
+
+const BOUND = { ink: "axis-1", width: 1.1, dash: [4, 3] };
+const TRACE = { ink: "ink", width: 1.7 };
+
+/** A drawing, and where a direction is in it: null if it is outside. */
+export interface View {
+  marks: Mark[];
+  place: (point: Vector) => Point | null;
+}
+
+export function isUpright({ bounds: [least, most] }: AxisPath): boolean {
+  return !(least > UPRIGHT && most < Math.PI - UPRIGHT);
+}
+
+/** The sphere with the path on it, what is behind it faint. */
+export function onSphere(path: AxisPath, top: TopData, box: Box): View {
+  const [least, most] = path.bounds;
+  const hangs = least + most > Math.PI;
+  const sense = hangs ? -1 : 1;
+  // A path close round the vertical is seen from higher up.
+  const height = sense * (most < 0.35 || least > Math.PI - 0.35 ? 0.9 : 0.4);
+  const sum = path.points.reduce((a, e) => [a[0] + e[0], a[1] + e[1], a[2] + e[2]] as Vector, [0, 0, 0] as Vector);
+  const level = Math.hypot(dot(sum, top.across[0]), dot(sum, top.across[1]));
+  // From where a path that goes all round begins, else from its side.
+  const from = level > 0.2 * path.points.length ? sum : path.points[0];
+  const toward = directionOf(Math.PI / 2 - height, anglesOf(from, top).phi, top);
+  const right = unit(cross(top.up, toward));
+  const above = cross(toward, right);
+  const radius = Math.min(0.5 * box.width, box.height / (1 + REACH)) - 3;
+  const center: Point = [box.left + box.width / 2, hangs ? box.top + radius + 3 : box.top + box.height - radius - 3];
+  const at = (v: Vector, reach = 1): Point => [center[0] + radius * reach * dot(v, right), center[1] - radius * reach * dot(v, above)];
+  const circle = (theta: number): Vector[] => Array.from({ length: 181 }, (_, k) => directionOf(theta, (k * Math.PI) / 90, top));
+  const curves = [
+    { look: { ink: "quiet", width: 1, dash: [2, 2.5] }, points: circle(Math.PI / 2) },
+    ...path.bounds.map((theta) => ({ look: BOUND, points: circle(theta) })),
+    { look: TRACE, points: path.points },
+  ];
+  const marks: Mark[] = [{ kind: "path", d: ring(center, radius), ink: "quiet", width: 1, fill: "paper" }];
+  for (const near of [false, true]) {
+    for (const { look, points } of curves) {
+      const d = parts(points, (v) => dot(v, toward) >= 0 === near).map((part) => through(part.map((v) => at(v)))).join("");
+      if (d) marks.push({ kind: "path", d, ...look, ...(near ? {} : { opacity: 0.25 }) });
+    }
+    const end = top.up.map((x) => sense * x) as Vector;
+    if (near) marks.push({ kind: "path", d: through([at(end), at(end, REACH)]), ink: "quiet", width: 2 });
+  }
+  marks.push(start(at(path.points[0])));
+  return { marks, place: (point) => at(point) };
+}
+
+/** θ against φ, up upward, from one point of the path to another. */
+export function unrolled(path: AxisPath, top: TopData, [first, last]: [number, number], box: Box): View {
+  const frame = { left: box.left + 46, top: box.top + 8, width: box.width - 58, height: box.height - 48 };
+  const degrees = (angle: number): number => (angle * 180) / Math.PI;
+  const phi = path.phi.slice(first, last + 1).map(degrees);
+  const theta = path.theta.slice(first, last + 1).map(degrees);
+  const [from, to] = padded(extent([phi]), 1);
+  const bounds = path.bounds.map(degrees);
+  const [low, high] = padded([Math.min(...bounds), Math.max(...bounds)]);
+  const x = (angle: number): number => frame.left + ((angle - from) / (to - from)) * frame.width;
+  const y = (angle: number): number => frame.top + ((angle - low) / (high - low)) * frame.height;
+  const marks: Mark[] = [];
+  const bottom = frame.top + frame.height;
+  const right = frame.left + frame.width;
+  const across = ticks(from, to, frame.width / 56, true);
+  for (const value of across.values) {
+    marks.push({ kind: "path", d: through([[x(value), frame.top], [x(value), bottom]]), ink: "grid" });
+    marks.push({ kind: "text", at: [x(value), bottom + 15], text: mark(value, across.step), anchor: "middle", ink: "quiet", size: 11 });
+  }
+  const along = ticks(low, high, frame.height / 32, true);
+  for (const value of along.values) {
+    marks.push({ kind: "path", d: through([[frame.left, y(value)], [right, y(value)]]), ink: "grid" });
+    marks.push({ kind: "text", at: [frame.left - 5, y(value) + 4], text: mark(value, along.step), anchor: "end", ink: "quiet", size: 11 });
+  }
+  for (const bound of bounds) marks.push({ kind: "path", d: through([[frame.left, y(bound)], [right, y(bound)]]), ...BOUND });
+  const points = phi.map((angle, k): Point => [x(angle), y(theta[k])]);
+  marks.push({ kind: "path", d: through(points), ...TRACE });
+  if (first === 0) marks.push(start(points[0]));
+  marks.push({ kind: "text", at: [frame.left + frame.width / 2, bottom + 34], text: "φ round the vertical (°)", anchor: "middle", ink: "quiet", size: 11.5 });
+  marks.push({ kind: "text", at: [box.left + 11, frame.top + frame.height / 2], text: "θ from the vertical (°)", anchor: "middle", ink: "quiet", size: 11.5, upright: true });
+  // The turn in which a point lies is that of the path near it.
+  const place = (point: Vector): Point | null => {
+    const here = anglesOf(point, top);
+    const angle = degrees(here.phi);
+    const turn = 360 * Math.round(((from + to) / 2 - angle) / 360);
+    const candidates = [angle + turn - 360, angle + turn, angle + turn + 360].map((a): Point => [x(a), y(degrees(here.theta))]);
+    const distance = (p: Point): number => points.reduce((least, q) => Math.min(least, Math.hypot(p[0] - q[0], p[1] - q[1])), Infinity);
+    const best = candidates.reduce((a, b) => (distance(b) < distance(a) ? b : a));
+    return distance(best) < 12 ? best : null;
+  };
+  return { marks, place };
+}
+
+/** θ as the distance from the middle, φ round it; from below what hangs. */
+export function fromAbove(path: AxisPath, top: TopData, box: Box): View {
+  const [least, most] = path.bounds;
+  const hangs = least + most > Math.PI;
+  const away = (theta: number): number => (hangs ? Math.PI - theta : theta);
+  const farthest = (1.04 * 180 * Math.max(away(least), away(most), 1e-6)) / Math.PI;
+  const radius = Math.min(0.5 * box.width, 0.5 * (box.height - 24)) - 4;
+  const center: Point = [box.left + box.width / 2, box.top + radius + 4];
+  const scale = radius / farthest;
+  const at = (theta: number, phi: number): Point => {
+    const r = (scale * away(theta) * 180) / Math.PI;
+    return [center[0] + r * Math.cos(phi), center[1] - (hangs ? -1 : 1) * r * Math.sin(phi)];
+  };
+  const rings = ticks(0, farthest, 4);
+  const marks: Mark[] = [];
+  for (const value of rings.values) if (value > 0) marks.push({ kind: "path", d: ring(center, scale * value), ink: "line" });
+  const [cx, cy] = center;
+  marks.push({ kind: "path", d: `${through([[cx - radius, cy], [cx + radius, cy]])}${through([[cx, cy - radius], [cx, cy + radius]])}`, ink: "line" });
+  for (const bound of path.bounds) if (away(bound) > 1e-9) marks.push({ kind: "path", d: ring(center, (scale * away(bound) * 180) / Math.PI), ...BOUND });
+  const points = path.theta.map((theta, k) => at(theta, path.phi[k]));
+  marks.push({ kind: "path", d: through(points), ...TRACE }, start(points[0]));
+  // Along a line that no grid is on; of numbers too close together the inner ones stay out.
+  let free = Infinity;
+  for (const value of rings.values.filter((v) => v > 0).reverse()) {
+    const r = scale * value;
+    if (r > free || r < 12) continue;
+    free = r - 24;
+    marks.push({ kind: "text", at: [cx + 0.8 * r, cy - 0.6 * r + 4], text: mark(value, rings.step), anchor: "middle", ink: "quiet", size: 11, halo: true });
+  }
+  const words = hangs ? "from below, 180° − θ (°)" : "from above, θ (°)";
+  marks.push({ kind: "text", at: [cx, cy + radius + 18], text: words, anchor: "middle", ink: "quiet", size: 11.5 });
+  const place = (point: Vector): Point => {
+    const { theta, phi } = anglesOf(point, top);
+    return at(theta, phi);
+  };
+  return { marks, place };
+}
+
+function start(at: Point): Mark {
+  return { kind: "path", d: ring(at, 3), fill: "axis-2" };
+}
+
+/** The runs of points that are wanted. */
+function parts(points: Vector[], wanted: (v: Vector) => boolean): Vector[][] {
+  const out: Vector[][] = [];
+  points.forEach((point, k) => {
+    if (!wanted(point)) return;
+    if (k > 0 && wanted(points[k - 1]) && out.length > 0) out[out.length - 1].push(point);
+    else out.push([point]);
+  });
+  return out.filter((part) => part.length > 1);
+}
+
+function cross(a: Vector, b: Vector): Vector {
+  return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+}
+
+function unit(v: Vector): Vector {
+  const length = Math.hypot(...v);
+  return [v[0] / length, v[1] / length, v[2] / length];
+}

@@ -1,0 +1,60 @@
+/** A line as what is drawn of it, in pixels: the same on the canvas and in files. */
+import { envelopes } from "./envelope";
+
+export type Point = [number, number];
+
+export interface Curve {
+  strokes: Point[][];
+  /** Filled, faintly: from the lower edge of an envelope back along the upper one. */
+  bands: Point[][];
+  /** Each a sample. */
+  dots: Point[];
+  /** False where the samples do not resolve the oscillation. */
+  resolved: boolean;
+}
+
+/** A line through points; where it would be stripes its envelope. */
+export function curve(x: ArrayLike<number>, y: ArrayLike<number>, starts?: ArrayLike<number>): Curve {
+  const made: Curve = { strokes: [], bands: [], dots: [], resolved: true };
+  const spans = envelopes(x, y, starts);
+  let stroke: Point[] = [];
+  const end = (): void => {
+    if (stroke.length > 1) made.strokes.push(stroke);
+    stroke = [];
+  };
+  for (let i = 0, k = 0; i < y.length; i += 1) {
+    if (!Number.isFinite(y[i]) || starts?.[i]) end();
+    if (!Number.isFinite(y[i])) continue;
+    stroke.push([x[i], y[i]]);
+    if (i !== spans[k]?.first) continue;
+    end();
+    const { x: along, low, high, last, resolved } = spans[k];
+    const edge = (values: number[]): Point[] => along.map((at, j) => [at, values[j]]);
+    const [lower, upper] = [edge(low), edge(high)];
+    made.strokes.push(lower, upper);
+    made.bands.push([...lower, ...[...upper].reverse()]);
+    made.resolved &&= resolved;
+    if (last < y.length - 1 && !starts?.[last + 1]) stroke.push([x[last], y[last]]);
+    i = last;
+    k += 1;
+  }
+  end();
+  return made;
+}
+
+/** Dots, and a line for the largest value so far: in pixels y falls as the value grows. */
+export function largestSoFar(x: ArrayLike<number>, y: ArrayLike<number>): Curve {
+  const stroke: Point[] = [];
+  const dots: Point[] = [];
+  let best = Infinity;
+  for (let i = 0; i < y.length; i += 1) {
+    if (Number.isFinite(y[i])) dots.push([x[i], y[i]]);
+    if (y[i] < best) {
+      if (best < Infinity) stroke.push([x[i], best]);
+      best = y[i];
+      stroke.push([x[i], best]);
+    }
+  }
+  if (best < Infinity) stroke.push([x[x.length - 1], best]);
+  return { strokes: [stroke], bands: [], dots, resolved: true };
+}

@@ -1,0 +1,101 @@
+/** A drawing as a list of marks, and what becomes of it: elements of the page, or the text of an SVG file. */
+
+export type Mark =
+  | { kind: "path"; d: string; ink?: string; width?: number; dash?: number[] | undefined; fill?: string; opacity?: number; box?: Box }
+  | { kind: "text"; at: [number, number]; text: string; anchor?: "start" | "middle" | "end"; ink?: string; size?: number; upright?: boolean; halo?: boolean };
+
+/** What is outside is cut off. */
+export interface Box {
+  left: number;
+  top: number;
+  width: number;
+  height: number;
+}
+
+/** From the name of a colour in theme.css. */
+export type Colours = (ink: string) => string;
+
+export const onScreen: Colours = (ink) => `var(--${ink})`;
+
+/** The light theme's colours, whatever the screen shows: for paper. */
+export const onPaper: Colours = (ink) => PAPER[ink] ?? "#000000";
+
+const PAPER: Record<string, string> = {
+  "axis-1": "#0072b2",
+  "axis-2": "#d55e00",
+  "axis-3": "#009e73",
+  omega: "#aa4499",
+  torque: "#c98500",
+  ink: "#000000",
+  quiet: "#666666",
+  grid: "#e3e3e3",
+  line: "#b8bfc6",
+  paper: "#ffffff",
+};
+
+/** A file's text, black on white. */
+export function svgText(marks: readonly Mark[], width: number, height: number): string {
+  const all = marks.map((mark) => {
+    const { tag, attributes, text } = described(mark, onPaper);
+    const written = Object.entries(attributes).map(([name, value]) => ` ${name}="${escape(value)}"`).join("");
+    return boxed(mark, `<${tag}${written}>${escape(text)}</${tag}>`);
+  });
+  return (
+    `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}">` +
+    `<rect width="${width}" height="${height}" fill="#ffffff"/>` +
+    `<g font-family="Helvetica, Arial, sans-serif">${all.join("")}</g></svg>\n`
+  );
+}
+
+/** The same as elements, in the theme's colours. */
+export function svgElements(marks: readonly Mark[]): SVGElement[] {
+  return marks.map((mark) => {
+    const { tag, attributes, text } = described(mark, onScreen);
+    const made = document.createElementNS("http://www.w3.org/2000/svg", tag);
+    for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
+    made.textContent = text;
+    return made;
+  });
+}
+
+/** A polyline. */
+export function through(points: readonly (readonly [number, number])[]): string {
+  return points.map(([x, y], k) => `${k === 0 ? "M" : "L"}${round(x)} ${round(y)}`).join("");
+}
+
+export function ring([x, y]: readonly [number, number], radius: number): string {
+  const r = round(radius);
+  return `M${round(x - radius)} ${round(y)}a${r} ${r} 0 1 0 ${2 * r} 0a${r} ${r} 0 1 0 ${-2 * r} 0`;
+}
+
+function described(mark: Mark, colours: Colours): { tag: string; attributes: Record<string, string>; text: string } {
+  if (mark.kind === "path") {
+    const { d, ink, width = 1, dash, fill, opacity } = mark;
+    const attributes: Record<string, string> = { d, fill: fill ? colours(fill) : "none" };
+    if (ink) Object.assign(attributes, { stroke: colours(ink), "stroke-width": String(width), "stroke-linejoin": "round" });
+    if (dash) attributes["stroke-dasharray"] = dash.join(" ");
+    if (opacity !== undefined) attributes.opacity = String(opacity);
+    return { tag: "path", attributes, text: "" };
+  }
+  const { at, text, anchor = "start", ink = "ink", size = 12.5, upright, halo } = mark;
+  const [x, y] = at.map(round);
+  const attributes: Record<string, string> = { x: String(x), y: String(y), "text-anchor": anchor, fill: colours(ink), "font-size": String(size) };
+  if (upright) attributes.transform = `rotate(-90 ${x} ${y})`;
+  if (halo) Object.assign(attributes, { "paint-order": "stroke", stroke: colours("paper"), "stroke-width": "3" });
+  return { tag: "text", attributes, text };
+}
+
+// An inner picture cuts off what is outside it.
+function boxed(mark: Mark, written: string): string {
+  if (mark.kind !== "path" || !mark.box) return written;
+  const { left, top, width, height } = mark.box;
+  return `<svg x="${left}" y="${top}" width="${width}" height="${height}" viewBox="${left} ${top} ${width} ${height}">${written}</svg>`;
+}
+
+function round(value: number): number {
+  return Math.round(value * 100) / 100;
+}
+
+function escape(text: string): string {
+  return text.replaceAll("&", "&amp;").replaceAll("<", "&lt;").replaceAll(">", "&gt;").replaceAll('"', "&quot;");
+}

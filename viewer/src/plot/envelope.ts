@@ -1,0 +1,114 @@
+/**
+ * Where a line turns so often that it would fill its plot with stripes: there its envelope is drawn, the local least and greatest. Places
+ * are in pixels, so that zooming in brings the line back.
+ */
+
+/** Neighbouring extrema nearer than this, px, are stripes. */
+export const NEAREST = 6;
+
+/** Turns of fewer pixels do not count. */
+const LEAST_SWING = 3;
+
+/** With fewer samples from an extremum to the next the samples do not say how the line goes. */
+const RESOLVED = 2.5;
+
+/** So many swings make a span; fewer are drawn as they are. */
+const FEWEST = 8;
+
+/** From one point to another of a line, its envelope: x of the edges, and where they are. */
+export interface Span {
+  first: number;
+  last: number;
+  x: number[];
+  low: number[];
+  high: number[];
+  /** False where the samples do not resolve the oscillation: the edges are then the range of the samples. */
+  resolved: boolean;
+}
+
+/** Extrema of y from `first` to `last`, each at least `swing` from the next. */
+export function extrema(y: ArrayLike<number>, first: number, last: number, swing: number): number[] {
+  const found: number[] = [];
+  let [low, high] = [first, first];
+  // 1: rising, −1: falling, 0: it has not moved yet.
+  let sense = 0;
+  for (let i = first + 1; i <= last; i += 1) {
+    if (y[i] > y[high]) high = i;
+    if (y[i] < y[low]) low = i;
+    if (sense >= 0 && y[high] - y[i] >= swing) {
+      found.push(high);
+      [sense, low, high] = [-1, i, i];
+    } else if (sense <= 0 && y[i] - y[low] >= swing) {
+      found.push(low);
+      [sense, low, high] = [1, i, i];
+    }
+  }
+  return found;
+}
+
+/** The spans of a line that are drawn as envelopes; points that are not finite, and those in `starts`, break it. */
+export function envelopes(x: ArrayLike<number>, y: ArrayLike<number>, starts?: ArrayLike<number>): Span[] {
+  const spans: Span[] = [];
+  for (let first = 0; first < y.length; ) {
+    if (!Number.isFinite(y[first])) {
+      first += 1;
+      continue;
+    }
+    let last = first;
+    while (last + 1 < y.length && Number.isFinite(y[last + 1]) && !starts?.[last + 1]) last += 1;
+    spans.push(...envelopesOfPiece(x, y, first, last));
+    first = last + 1;
+  }
+  return spans;
+}
+
+function envelopesOfPiece(x: ArrayLike<number>, y: ArrayLike<number>, first: number, last: number): Span[] {
+  const at = extrema(y, first, last, LEAST_SWING);
+  const swings = at.length - 1;
+  const mean = (k: number, of: (k: number) => number): number => {
+    const [from, to] = [Math.max(k - 2, 0), Math.min(k + 2, swings - 1)];
+    let sum = 0;
+    for (let j = from; j <= to; j += 1) sum += of(j);
+    return sum / (to - from + 1);
+  };
+  const width = (k: number): number => x[at[k + 1]] - x[at[k]];
+  const samples = (k: number): number => at[k + 1] - at[k];
+  const dense = (k: number): boolean => mean(k, width) < NEAREST || mean(k, samples) < RESOLVED;
+  const spans: Span[] = [];
+  for (let k = 0; k < swings; ) {
+    let end = k;
+    while (end < swings && dense(end)) end += 1;
+    if (end - k >= FEWEST) {
+      // To the end of the line, where that is within a swing.
+      const from = k === 0 && x[at[0]] - x[first] < 2 * NEAREST ? first : at[k];
+      const to = end === swings && x[last] - x[at[end]] < 2 * NEAREST ? last : at[end];
+      spans.push(span(x, y, at, k, end, from, to));
+    }
+    k = end + 1;
+  }
+  return spans;
+}
+
+/** Of the swings from `k` to `end`: beside each its least and its greatest; of several where the samples miss the extrema. */
+function span(x: ArrayLike<number>, y: ArrayLike<number>, at: number[], k: number, end: number, first: number, last: number): Span {
+  const resolved = samplesPerSwing(y, first, last) >= RESOLVED;
+  const made: Span = { first, last, x: [], low: [], high: [], resolved };
+  const beside = resolved ? 0 : 2;
+  for (let j = k; j < end; j += 1) {
+    const near = at.slice(Math.max(j - beside, k), Math.min(j + 1 + beside, end) + 1).map((i) => y[i]);
+    made.x.push(j === k ? x[first] : j === end - 1 ? x[last] : (x[at[j]] + x[at[j + 1]]) / 2);
+    made.low.push(Math.min(...near));
+    made.high.push(Math.max(...near));
+  }
+  return made;
+}
+
+/** Whatever the scale: swings of a fiftieth of the range count. */
+function samplesPerSwing(y: ArrayLike<number>, first: number, last: number): number {
+  let [low, high] = [Infinity, -Infinity];
+  for (let i = first; i <= last; i += 1) {
+    low = Math.min(low, y[i]);
+    high = Math.max(high, y[i]);
+  }
+  return (last - first) / Math.max(extrema(y, first, last, 0.02 * (high - low)).length, 1);
+}

@@ -28,6 +28,32 @@ fn the_pages_of_the_cookbook_are_what_their_commands_print() {
     }
 }
 
+#[test]
+fn the_links_of_the_cookbook_lead_somewhere() {
+    let folder = root().join("book/cookbook");
+    let mut count = 0;
+    for page in entries(&folder) {
+        let text = fs::read_to_string(folder.join(&page)).unwrap();
+        let targets = text.split("](").skip(1).filter_map(|rest| rest.split(')').next());
+        for target in targets.filter(|target| !target.starts_with("https:")) {
+            let (file, heading) = target.split_once('#').unwrap_or((target, ""));
+            let path = folder.join(file);
+            assert!(path.is_file(), "{page}: {target}");
+            let there = || fs::read_to_string(&path).unwrap().lines().any(|line| anchor(line) == heading);
+            assert!(heading.is_empty() || there(), "{page}: {target}");
+            count += 1;
+        }
+    }
+    assert!(count > PAGES, "{count} links");
+}
+
+/// What follows the `#` of a link to a heading.
+fn anchor(line: &str) -> String {
+    let text = line.strip_prefix('#').unwrap_or_default().trim_start_matches('#').trim();
+    let kept = text.chars().filter(|c| c.is_alphanumeric() || " -_".contains(*c));
+    kept.flat_map(char::to_lowercase).map(|c| if c == ' ' { '-' } else { c }).collect()
+}
+
 fn copy(from: &Path, to: &Path) {
     fs::create_dir(to).unwrap();
     for entry in fs::read_dir(from).unwrap() {

@@ -56,7 +56,13 @@ fn covers(
     let (from, until) = (from.max(0.0), until.min(end));
     if from < until && (*first > from || *last < until) {
         let rule = format!("as long as it acts, {from} to {until} s: it is from {first} to {last} s");
-        let hint = "give more rows, or say when it acts: from = \"0 s\", until = \"20 s\"";
+        let (from, until) = (first.max(from), last.min(until));
+        let hint = match from < until {
+            true => {
+                format!("give more rows, or say when it acts: from = \"{from} s\", until = \"{until} s\"")
+            }
+            false => "give more rows: it has none at the times of the run".to_owned(),
+        };
         return Err(form.invalid(rule).with_hint(hint));
     }
     Ok(())

@@ -79,8 +79,7 @@ function shares(motion: Motion, { moments, quaternion }: { moments: number[]; qu
     return { symbol, label: symbol, ink: AXES[k], values };
   });
   lines.push({ symbol: "T", label: "T", ink: "omega", values: motion.kinetic, dash: [4, 4], ...balance(motion, "T") });
-  const title = "Kinetic energy, its parts along the principal axes";
-  return { ...plain, id: "energy", title, quantity: "energy", unit: "J", lines };
+  return { ...plain, id: "energy", title: "Kinetic energy, principal axes", quantity: "energy", unit: "J", lines };
 }
 
 function momentumInSpace(motion: Motion): Made {
@@ -134,8 +133,8 @@ function drift(motion: Motion): Made[] {
     ink: inks[k % inks.length],
     values: values.map(Math.abs),
   }));
-  const title = "Drift: a dot for each sample, a line for the largest so far";
-  return [{ id: "drift", title, quantity: "drift", unit: "relative", log: true, lines }];
+  const note = "A dot for each sample, a line for the largest so far.";
+  return [{ id: "drift", title: "Drift of what should stay", quantity: "drift", unit: "relative", log: true, lines, note }];
 }
 
 const plain = { log: false };

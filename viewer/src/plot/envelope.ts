@@ -95,7 +95,9 @@ function span(x: ArrayLike<number>, y: ArrayLike<number>, at: number[], k: numbe
   const made: Span = { first, last, x: [], low: [], high: [], resolved };
   const beside = resolved ? 0 : 2;
   for (let j = k; j < end; j += 1) {
-    const near = at.slice(Math.max(j - beside, k), Math.min(j + 1 + beside, end) + 1).map((i) => y[i]);
+    // Where the line begins and ends it may be between its extrema: there the next swing counts too.
+    const [from, to] = [j === end - 1 ? j - 1 : j, j === k ? j + 2 : j + 1];
+    const near = at.slice(Math.max(from - beside, k), Math.min(to + beside, end) + 1).map((i) => y[i]);
     made.x.push(j === k ? x[first] : j === end - 1 ? x[last] : (x[at[j]] + x[at[j + 1]]) / 2);
     made.low.push(Math.min(...near));
     made.high.push(Math.max(...near));

@@ -142,8 +142,10 @@ const plain = { log: false };
 /** Three components, and their length unless one component is all of it. */
 function vector(rows: Float64Array, symbols: string[], size?: string): Line[] {
   const lines: Line[] = symbols.map((symbol, k) => ({ symbol, label: symbol, ink: AXES[k], values: column(rows, k) }));
-  const moving = lines.filter(({ values }) => values.some((v) => v !== 0));
-  if (size && moving.length > 1) lines.push({ symbol: size, label: size, ink: "quiet", values: lengths(rows), dash: [4, 4] });
+  const all = lengths(rows);
+  const nothing = ROUNDING * all.reduce((most, v) => Math.max(most, v), 0);
+  const moving = lines.filter(({ values }) => values.some((v) => Math.abs(v) > nothing));
+  if (size && moving.length > 1) lines.push({ symbol: size, label: size, ink: "quiet", values: all, dash: [4, 4] });
   return lines;
 }
 

@@ -74,19 +74,17 @@ function turn(motion: Motion, i: number): number {
   return (motion.times[i] - motion.times[i - 1]) * rate;
 }
 
-/** Angles of which whole turns are not known, rad, as they go on from sample to sample, °. */
+/** Angles of which whole turns are not known, rad, as they go on from sample to sample, °; at each break anew from (−180°, 180°]. */
 function goingOn(raw: Float64Array, followed: readonly boolean[]): Pick<Line, "values" | "starts"> {
   const values = new Float64Array(raw.length).fill(Number.NaN);
   const starts = new Uint8Array(raw.length);
-  let before: number | null = null;
+  const near = (angle: number, place: number): number => angle - 360 * Math.round((angle - place) / 360);
   raw.forEach((angle, i) => {
     if (!Number.isFinite(angle)) return;
-    const here = degrees(angle);
-    // Beyond what is not followed whole turns are not known.
-    if (!followed[i]) before = null;
-    values[i] = here - 360 * Math.round((here - (before ?? 0)) / 360);
-    if (before === null || !followed[i] || !(Math.abs(values[i] - values[i - 1]) < HALF_TURN)) starts[i] = 1;
-    before = values[i];
+    const before = i > 0 && followed[i] ? values[i - 1] : Number.NaN;
+    const next = near(degrees(angle), before);
+    starts[i] = Math.abs(next - before) < HALF_TURN ? 0 : 1;
+    values[i] = starts[i] === 0 ? next : near(degrees(angle), 0);
   });
   // A sample from which no line leads to another says nothing.
   for (let i = 0; i < values.length; i += 1) {

@@ -79,8 +79,7 @@ function shares(motion: Motion, { moments, quaternion }: { moments: number[]; qu
     return { symbol, label: symbol, ink: AXES[k], values };
   });
   lines.push({ symbol: "T", label: "T", ink: "omega", values: motion.kinetic, dash: [4, 4], ...balance(motion, "T") });
-  const title = "Kinetic energy, its parts along the principal axes";
-  return { ...plain, id: "energy", title, quantity: "energy", unit: "J", lines };
+  return { ...plain, id: "energy", title: "Kinetic energy, principal axes", quantity: "energy", unit: "J", lines };
 }
 
 function momentumInSpace(motion: Motion): Made {
@@ -134,8 +133,8 @@ function drift(motion: Motion): Made[] {
     ink: inks[k % inks.length],
     values: values.map(Math.abs),
   }));
-  const title = "Drift: a dot for each sample, a line for the largest so far";
-  return [{ id: "drift", title, quantity: "drift", unit: "relative", log: true, lines }];
+  const note = "A dot for each sample, a line for the largest so far.";
+  return [{ id: "drift", title: "Drift of what should stay", quantity: "drift", unit: "relative", log: true, lines, note }];
 }
 
 const plain = { log: false };
@@ -143,8 +142,10 @@ const plain = { log: false };
 /** Three components, and their length unless one component is all of it. */
 function vector(rows: Float64Array, symbols: string[], size?: string): Line[] {
   const lines: Line[] = symbols.map((symbol, k) => ({ symbol, label: symbol, ink: AXES[k], values: column(rows, k) }));
-  const moving = lines.filter(({ values }) => values.some((v) => v !== 0));
-  if (size && moving.length > 1) lines.push({ symbol: size, label: size, ink: "quiet", values: lengths(rows), dash: [4, 4] });
+  const all = lengths(rows);
+  const nothing = ROUNDING * all.reduce((most, v) => Math.max(most, v), 0);
+  const moving = lines.filter(({ values }) => values.some((v) => Math.abs(v) > nothing));
+  if (size && moving.length > 1) lines.push({ symbol: size, label: size, ink: "quiet", values: all, dash: [4, 4] });
   return lines;
 }
 

@@ -28,6 +28,9 @@ const UNIT = /^\(?[kMGTmµnpf]?(?:rad|deg|°|kg|g|m|s|h|d|J|N|W|A|T|V|Pa|Hz|K|tu
 /** Longer words may be broken anywhere. */
 const LONGEST = 36;
 
+/** Words that signs would join beyond this are not joined. */
+const LONG = 28;
+
 /** The words of a text between which lines may break: a number stays with its unit, and with the "=", "…" or "→" beside it. */
 export function words(text: string): { text: string; whole: boolean }[] {
   const parts: string[] = [];
@@ -37,7 +40,8 @@ export function words(text: string): { text: string; whole: boolean }[] {
     const isUnit = last !== undefined && /[\d⁰¹²³⁴⁵⁶⁷⁸⁹)]$/.test(last) && UNIT.test(word);
     const isSign = /^[=…→±]$/.test(word);
     const isPower = word.startsWith("×10");
-    if (last !== undefined && (joins || isUnit || isSign || isPower) && last.length + word.length < LONGEST) {
+    const fits = last !== undefined && last.length + word.length < (isUnit || isPower ? LONGEST : LONG);
+    if (last !== undefined && fits && (joins || isUnit || isSign || isPower)) {
       parts[parts.length - 1] = `${last}\u00a0${word}`;
     } else parts.push(word);
     joins = isSign;
@@ -75,7 +79,7 @@ export function timeUnit(seconds: number): { name: string; seconds: number } {
   ];
   let best = units[0];
   for (const unit of units) {
-    const least = unit[0] === "h" ? 3e4 : unit[0] === "d" ? 4e5 : 0.5 * unit[1];
+    const least = unit[0] === "h" ? 3 * 3600 : unit[0] === "d" ? 3 * 86400 : 0.5 * unit[1];
     if (seconds >= least) best = unit;
   }
   if (seconds === 0) return { name: "s", seconds: 1 };

@@ -138,7 +138,8 @@ export class AxisPicture {
 
   #paper(): string {
     const { views, height } = this.#compose(640);
-    const below: Mark[] = [{ kind: "text", at: [8, height + 18], text: `Path of the axis in space; dashed: ${this.#bounds()}. ${this.#said()}`, size: 11.5 }];
-    return svgText([...views.flatMap(({ marks }) => marks), ...below], 640, height + 28);
+    const words = [`Path of the axis in space; dashed: ${this.#bounds()}`, this.#said()].filter((text) => text !== "");
+    const below = words.map((text, k): Mark => ({ kind: "text", at: [12, height + 18 + 17 * k], text, size: 11.5 }));
+    return svgText([...views.flatMap(({ marks }) => marks), ...below], 640, height + 12 + 17 * words.length);
   }
 }

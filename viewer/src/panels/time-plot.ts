@@ -88,9 +88,11 @@ export class TimePlot {
 
   /** Shows the values of a sample. */
   read(i: number): void {
-    const { lines, offset, figures } = this.#stack;
+    const { lines, offset, figures, unit } = this.#stack;
+    const nothing = this.#figure.log ? 0 : this.#figure.nothing / unit.size;
     lines.forEach(({ values }, k) => {
-      this.#readings[k].textContent = grouped(number(values[i] + offset, figures));
+      const value = values[i] + offset;
+      this.#readings[k].textContent = grouped(number(Math.abs(value) <= nothing ? 0 : value, figures));
     });
   }
 
@@ -145,7 +147,7 @@ export class TimePlot {
     return {
       width: 300,
       height: this.#height,
-      padding: [this.#above, 12, this.#place.isLast ? BELOW.title : BELOW.bare, 0],
+      padding: [this.#above, 18, this.#place.isLast ? BELOW.title : BELOW.bare, 0],
       legend: { show: false },
       cursor: {
         sync: { key: "polhode" },

@@ -68,7 +68,7 @@ export function onSphere(path: AxisPath, top: TopData, box: Box): View {
 
 /** θ against φ, up upward, from one point of the path to another. */
 export function unrolled(path: AxisPath, top: TopData, [first, last]: [number, number], box: Box): View {
-  const frame = { left: box.left + 46, top: box.top + 8, width: box.width - 58, height: box.height - 48 };
+  const frame = { left: box.left + 52, top: box.top + 8, width: box.width - 64, height: box.height - 48 };
   const degrees = (angle: number): number => (angle * 180) / Math.PI;
   const phi = path.phi.slice(first, last + 1).map(degrees);
   const theta = path.theta.slice(first, last + 1).map(degrees);

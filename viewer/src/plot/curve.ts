@@ -28,11 +28,9 @@ export function curve(x: ArrayLike<number>, y: ArrayLike<number>, starts?: Array
     stroke.push([x[i], y[i]]);
     if (i !== spans[k]?.first) continue;
     end();
-    const { x: along, low, high, last, resolved } = spans[k];
-    const edge = (values: number[]): Point[] => along.map((at, j) => [at, values[j]]);
-    const [lower, upper] = [edge(low), edge(high)];
-    made.strokes.push(lower, upper);
-    made.bands.push([...lower, ...[...upper].reverse()]);
+    const { low, high, last, resolved } = spans[k];
+    made.strokes.push(low, high);
+    made.bands.push([...low, ...[...high].reverse()]);
     made.resolved &&= resolved;
     if (last < y.length - 1 && !starts?.[last + 1]) stroke.push([x[last], y[last]]);
     i = last;

@@ -15,13 +15,12 @@ const RESOLVED = 2.5;
 /** So many swings make a span; fewer are drawn as they are. */
 const FEWEST = 8;
 
-/** From one point to another of a line, its envelope: x of the edges, and where they are. */
+/** From one point to another of a line, its envelope: the edges through its least and its greatest. */
 export interface Span {
   first: number;
   last: number;
-  x: number[];
-  low: number[];
-  high: number[];
+  low: [number, number][];
+  high: [number, number][];
   /** False where the samples do not resolve the oscillation: the edges are then the range of the samples. */
   resolved: boolean;
 }
@@ -89,16 +88,27 @@ function envelopesOfPiece(x: ArrayLike<number>, y: ArrayLike<number>, first: num
   return spans;
 }
 
-/** Of the swings from `k` to `end`: beside each its least and its greatest; of several where the samples miss the extrema. */
+/** Of the swings from `k` to `end`: through the extrema; where the samples miss them, through the range of several swings. */
 function span(x: ArrayLike<number>, y: ArrayLike<number>, at: number[], k: number, end: number, first: number, last: number): Span {
-  const resolved = samplesPerSwing(y, first, last) >= RESOLVED;
-  const made: Span = { first, last, x: [], low: [], high: [], resolved };
-  const beside = resolved ? 0 : 2;
+  const made: Span = { first, last, low: [], high: [], resolved: samplesPerSwing(y, first, last) >= RESOLVED };
+  if (made.resolved) {
+    for (let j = k; j <= end; j += 1) {
+      const isHigh = y[at[j]] > y[at[j === k ? j + 1 : j - 1]];
+      (isHigh ? made.high : made.low).push([x[at[j]], y[at[j]]]);
+    }
+    // The first point of a line, and its last, may lie between extrema: they are none.
+    for (const edge of [made.low, made.high]) {
+      if (edge.length > 2 && at[k] === first && edge[0][0] === x[first]) edge.shift();
+      edge.unshift([x[first], edge[0][1]]);
+      edge.push([x[last], edge[edge.length - 1][1]]);
+    }
+    return made;
+  }
   for (let j = k; j < end; j += 1) {
-    const near = at.slice(Math.max(j - beside, k), Math.min(j + 1 + beside, end) + 1).map((i) => y[i]);
-    made.x.push(j === k ? x[first] : j === end - 1 ? x[last] : (x[at[j]] + x[at[j + 1]]) / 2);
-    made.low.push(Math.min(...near));
-    made.high.push(Math.max(...near));
+    const near = at.slice(Math.max(j - 2, k), Math.min(j + 3, end) + 1).map((i) => y[i]);
+    const place = j === k ? x[first] : j === end - 1 ? x[last] : (x[at[j]] + x[at[j + 1]]) / 2;
+    made.low.push([place, Math.min(...near)]);
+    made.high.push([place, Math.max(...near)]);
   }
   return made;
 }

@@ -264,12 +264,11 @@ fn picture(free: &FreeMotion) -> Vec<Row> {
     const PIECE: f64 = 1e-9;
     let mut rows = Vec::new();
     if let Ok(herpolhode) = Herpolhode::of(free, PIECE, 0.1) {
-        let [least, most] = herpolhode.annulus.map(|radius| number(radius, 6));
-        let value = if least == most { least } else { format!("{least} … {most}") };
         rows.push(
             Row::with("ω along L", sizes::rate(herpolhode.height)).note("height of the invariable plane"),
         );
-        rows.push(Row::new("ω across L", value, "rad/s").note("radius of the herpolhode"));
+        let across = Row::with("ω across L", sizes::rate_range(herpolhode.annulus));
+        rows.push(across.note("radius of the herpolhode"));
     }
     if let Some(phase) = GeometricPhase::of(free) {
         rows.push(Row::of("turn in a period", phase.total, "rad").note("about L"));

@@ -26,6 +26,14 @@ pub(super) fn rates(rad_per_s: [f64; 3]) -> Sized {
     (vector(rad_per_s.map(|x| x / size), DIGITS), format!("{prefix}rad/s"))
 }
 
+/// From one rate to another, in one unit: `10.2665 … 10.5486`, `µrad/s`.
+pub(super) fn rate_range([least, most]: [f64; 2]) -> Sized {
+    let (prefix, size) = fitting(most, &PREFIXES[2..5]).unwrap_or(("", 1.0));
+    let [least, most] = [least, most].map(|rate| number(rate / size, 6));
+    let value = if least == most { least } else { format!("{least} … {most}") };
+    (value, format!("{prefix}rad/s"))
+}
+
 /// `5.634 747`, `ps`; what is long in days or hours too: `463 841 s`, `(5.368 53 d)`.
 pub(super) fn duration(seconds: f64) -> Sized {
     if seconds.abs() >= 2.0 * 3_600.0 {
@@ -87,6 +95,8 @@ mod tests {
         assert_eq!(text(rate(1.109_695e-3)), "1.109 695 mrad/s");
         assert_eq!(text(rate(8.000_312e12)), "8.000 312e12 rad/s");
         assert_eq!(text(rates([3.14e-5, -0.001_103, 0.0])), "(0.0314, -1.103, 0) mrad/s");
+        assert_eq!(text(rate_range([1.026_65e-5, 1.054_86e-5])), "10.2665 … 10.5486 µrad/s");
+        assert_eq!(text(rate_range([0.4, 0.4])), "0.4 rad/s");
         assert_eq!(text(duration(5.634_747e-12)), "5.634 747 ps");
         assert_eq!(text(duration(463_841.0)), "463 841 s (5.368 53 d)");
         assert_eq!(text(three([4.5e-4, 0.0, -1.26e-5], "kg·m²")), "(4.5, 0, -0.126) ×10⁻⁴ kg·m²");

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use polhode::body::shape::{Capsule, Cone, CylinderShell, Disk, Plate, Tetrahedron, Torus};
 use polhode::motion::torque::EnergySink;
-use polhode::motion::{ClosedForm, EventAction, Measure, Sample, Sense, Solution};
+use polhode::motion::{ClosedForm, EventAction, Measure, Pointing, Reference, Sample, Sense, Solution};
 use polhode::prelude::*;
 use polhode_report::{PageInput, PageSubject, explain_motion, page};
 use serde_json::Value;
@@ -147,6 +147,7 @@ fn wheels_events_and_switches_are_on_the_page() {
     let (data, trajectory) = page_of(&scenario);
     let events = data["motion"]["events"].as_array().unwrap();
     assert_eq!(events.len(), trajectory.events().len());
+    assert_eq!(data["motion"]["eventCount"], events.len());
     assert!(
         events[0]["name"] == "too fast" && number(&events[0]["time"]) == trajectory.events()[0].state.time
     );
@@ -249,6 +250,39 @@ fn captions_say_what_is_seen() {
     );
     let both = caption(&handle.under(vec![push, sink]).unwrap(), "body");
     assert!(both.starts_with("Torque N: constant in body axes; dL/dt = N. Friction inside"), "{both}");
+}
+
+/// What `--plot` draws of pointings, work and a top's axis is on the page, of those motions alone that have it.
+#[test]
+fn pointings_work_and_the_axis_of_a_top_are_on_the_page() {
+    let axis = Direction::new(0.6, 0.0, 0.8);
+    let to = Reference::Space(Direction::new(0.0, 1.0, 0.0));
+    let pointing = Pointing::new("<b>camera</b>", axis, to).unwrap();
+    let (data, trajectory) = page_of(&crate::common::thruster().pointing(vec![pointing]));
+    let [line] = &data["motion"]["pointings"].as_array().unwrap()[..] else { panic!("{data}") };
+    let work = &data["motion"]["work"];
+    assert_eq!((&line["name"], &work["name"]), (&"<b>camera</b>".into(), &"work".into()));
+    for (k, (sample, angle)) in trajectory.samples().iter().zip(doubles(&line["values"])).enumerate() {
+        // cos = R e · Y
+        let seen = sample.state.attitude * axis;
+        assert!((seen.y - angle.cos()).abs() < 1e-14);
+        assert_eq!(doubles(&work["values"])[k].to_bits(), sample.work.to_bits());
+    }
+    assert_eq!(data["top"], Value::Null);
+
+    // Gravity along x, the arm along x too: up is −x, and φ begins at y, which is nearest to across.
+    let (data, trajectory) = page_of(&crate::common::pendulum());
+    assert_eq!(data["motion"]["work"], Value::Null, "there is a potential instead");
+    assert!(data["motion"]["potential"].is_string() && data["top"]["bounds"].is_null());
+    let vector = |value: &Value| value.as_array().unwrap().iter().map(number).collect::<Vec<_>>();
+    let top = &data["top"];
+    assert_eq!((vector(&top["axis"]), vector(&top["up"])), (vec![1.0, 0.0, 0.0], vec![-1.0, 0.0, 0.0]));
+    assert_eq!(vector(&top["across"][0]), [0.0, 1.0, 0.0]);
+    assert_eq!(vector(&top["across"][1]), [0.0, 0.0, -1.0], "up × the first");
+    assert!(trajectory.samples().iter().all(|s| s.potential_energy.is_some()));
+    let (data, _) = page_of(&crate::common::t_handle());
+    assert!(data["top"].is_null() && data["motion"]["work"].is_null());
+    assert_eq!(data["motion"]["pointings"], serde_json::json!([]));
 }
 
 #[test]

@@ -7,4 +7,5 @@ mod export;
 mod golden;
 mod json;
 mod page;
+mod page_scene;
 mod sweep;

@@ -4,6 +4,7 @@
  * of its points. A thin line leads from a name to what it names.
  */
 import { type Camera, Vector3 } from "three";
+import { Density } from "./density";
 import type { Ink } from "./palette";
 
 export interface Label {
@@ -48,10 +49,10 @@ interface Field {
   height: number;
   middle: Point;
   hull: Point[];
-  /** Along the arrows of other names. */
-  arrows: Point[];
+  /** Along the arrows. */
+  arrows: Density;
   /** Along curves that have names. */
-  curves: Point[];
+  curves: Density;
 }
 
 const GAP = 8;
@@ -87,14 +88,15 @@ export class Labels {
     const shafts = labels.map(({ tip, along }) =>
       along ? [] : [0.5, 0.6, 0.7, 0.8, 0.9, 1].map((part) => project(tip.clone().multiplyScalar(part))),
     );
-    const curves = labels.flatMap(({ along }) => dense((along ?? []).map(project)));
+    const lines = labels.map(({ along }) => (along ?? []).map(project));
+    const arrows = new Density(shafts.flat(), width, height);
+    const curves = new Density(lines.flatMap(dense), width, height);
+    const field = { width, height, middle, hull, arrows, curves };
     this.placed = [];
     const shown = new Set<string>();
     for (const [k, label] of labels.entries()) {
       const made = this.#element(label);
-      const arrows = shafts.filter((_, other) => other !== k).flat();
-      const field = { width, height, middle, hull, arrows, curves };
-      const spot = label.along ? this.#beside(label.along.map(project), made, field) : this.#outside(project(label.tip), made, field);
+      const spot = label.along ? this.#beside(lines[k], made, field) : this.#outside(project(label.tip), shafts[k], made, field);
       if (!spot) continue;
       shown.add(label.key ?? label.text);
       this.#put(label, made, spot);
@@ -125,9 +127,8 @@ export class Labels {
   }
 
   /** At an arrow's tip; null if there is no room. */
-  #outside([tipX, tipY]: Point, made: Made, field: Field): { at: Point; tip: Point } | null {
-    const { middle, hull, width, height } = field;
-    const lines = [...field.arrows, ...field.curves];
+  #outside([tipX, tipY]: Point, own: Point[], made: Made, field: Field): { at: Point; tip: Point } | null {
+    const { middle, hull, width, height, arrows, curves } = field;
     const [dx, dy] = [tipX - middle[0], tipY - middle[1]];
     const long = Math.hypot(dx, dy);
     const angle = long > 1 ? Math.atan2(dy, dx) : -Math.PI / 2;
@@ -144,7 +145,10 @@ export class Labels {
         const y = Math.min(Math.max(middle[1] + reach * uy, made.h / 2 + 4), height - made.h / 2 - 4);
         if (this.#isTaken(x, y, made)) continue;
         second ??= [x, y];
-        if (!lines.some(([px, py]) => near(px - x, py - y, made, 4, 4))) return { at: [x, y], tip: [tipX, tipY] };
+        // Its own arrow may be under it.
+        const mine = own.filter(([px, py]) => near(px - x, py - y, made, 10, 10)).length;
+        const crossed = arrows.count(x, y, made.w, made.h) > mine || curves.count(x, y, made.w, made.h) > 0;
+        if (!crossed) return { at: [x, y], tip: [tipX, tipY] };
       }
     }
     return second && { at: second, tip: [tipX, tipY] };
@@ -167,12 +171,12 @@ export class Labels {
           const x = tip[0] + far * ux + (made.w / 2) * Math.sign(Math.round(2 * ux) / 2) * Math.min(1, 2 * Math.abs(ux));
           const y = tip[1] + far * uy + (made.h / 2) * Math.min(1, 2 * Math.abs(uy)) * Math.sign(uy);
           if (x - made.w / 2 < 4 || x + made.w / 2 > width - 4 || y - made.h / 2 < 4 || y + made.h / 2 > height - 4) continue;
-          if (this.#isTaken(x, y, made)) continue;
-          const crossed = arrows.filter(([px, py]) => near(px - x, py - y, made, 6, 6)).length;
-          const onCurve = curves.filter(([px, py]) => near(px - x, py - y, made, 2, 2)).length;
-          const outward = hull.length > 0 && isInside(hull, middle, x, y) ? 70 : 0;
+          const crossed = arrows.count(x, y, made.w, made.h);
+          const onCurve = Math.min(curves.count(x, y, made.w, made.h), 12);
           const moved = made.last ? Math.min(Math.hypot(x - tip[0] - made.last[0], y - tip[1] - made.last[1]), 60) : 0;
-          const cost = far + 60 * crossed + 8 * Math.min(onCurve, 12) + outward + 0.4 * moved;
+          let cost = far + 60 * crossed + 8 * onCurve + 0.4 * moved;
+          if (cost >= least || this.#isTaken(x, y, made)) continue;
+          if (isInside(hull, middle, x, y)) cost += 70;
           if (cost < least) [least, best] = [cost, { at: [x, y], tip }];
         }
       }

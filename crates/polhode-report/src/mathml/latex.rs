@@ -26,6 +26,9 @@ enum Scripts {
     Applied,
 }
 
+/// em
+const THIN: f64 = 0.17;
+
 const SYMBOLS: [(&str, &str); 15] = [
     ("alpha", "α"),
     ("delta", "δ"),
@@ -69,6 +72,10 @@ impl<'a> Reader<'a> {
                 return Some(row);
             }
             let (base, scripts) = self.atom()?;
+            // As in TeX there is a thin space before the name of a function, too, but not after an operator or at the beginning.
+            if scripts == Scripts::Applied && !row.is_empty() && !row.ends_with("</mo>") {
+                row.push_str(&space(THIN));
+            }
             row.push_str(&self.scripted(base, scripts)?);
         }
     }
@@ -97,8 +104,14 @@ impl<'a> Reader<'a> {
             (Some(b), Some(a)) => (tag("msubsup", "munderover"), format!("{base}{b}{a}")),
         };
         let whole = if name.is_empty() { inside } else { format!("<{name}>{inside}</{name}>") };
-        // U+2061 applies a function: it puts the space between sin and θ.
-        Some(if scripts == Scripts::Applied { whole + "<mo>\u{2061}</mo>" } else { whole })
+        if scripts != Scripts::Applied {
+            return Some(whole);
+        }
+        // U+2061 applies the function, as an entity: terminals are not shown characters that have no width. A thin space is between sin and θ, none before a bracket.
+        self.skip_space();
+        let is_bracketed = self.rest.starts_with(['(', '[', '}', '&']) || self.rest.is_empty();
+        let gap = if is_bracketed { String::new() } else { space(THIN) };
+        Some(format!("{whole}<mo>&#x2061;</mo>{gap}"))
     }
 
     /// A group, or one element, as one element.
@@ -269,7 +282,16 @@ mod tests {
         );
         assert_eq!(
             to_mathml(r"\sin^2 x").as_deref(),
-            Some("<msup><mi>sin</mi><mn>2</mn></msup><mo>\u{2061}</mo><mi>x</mi>")
+            Some(
+                "<msup><mi>sin</mi><mn>2</mn></msup><mo>&#x2061;</mo><mspace width=\"0.17em\"></mspace><mi>x</mi>"
+            )
+        );
+        assert_eq!(
+            to_mathml(r"A\sin(x)").as_deref(),
+            Some(
+                "<mi>A</mi><mspace width=\"0.17em\"></mspace><mi>sin</mi><mo>&#x2061;</mo>\
+                 <mo stretchy=\"false\">(</mo><mi>x</mi><mo stretchy=\"false\">)</mo>"
+            )
         );
     }
 

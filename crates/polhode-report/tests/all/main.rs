@@ -7,5 +7,6 @@ mod export;
 mod golden;
 mod json;
 mod page;
+mod page_scene;
 mod sweep;
 mod worked;

@@ -4,8 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use polhode::body::shape::{Capsule, Cone, CylinderShell, Disk, Plate, Tetrahedron, Torus};
-use polhode::motion::torque::EnergySink;
-use polhode::motion::{ClosedForm, EventAction, Measure, Pointing, Reference, Sample, Sense, Solution};
+use polhode::motion::{ClosedForm, EventAction, Measure, Pointing, Reference, Sense, Solution};
 use polhode::prelude::*;
 use polhode_report::{PageInput, PageSubject, explain_motion, page};
 use serde_json::Value;
@@ -31,7 +30,7 @@ fn data(html: &str) -> Value {
     serde_json::from_str(rest.split_once("</script").unwrap().0).unwrap()
 }
 
-fn page_of(scenario: &Scenario) -> (Value, Trajectory) {
+pub(crate) fn page_of(scenario: &Scenario) -> (Value, Trajectory) {
     let trajectory = scenario.simulate().unwrap().unwrap();
     (data(&html_of(scenario, &trajectory, "title = \"x\"")), trajectory)
 }
@@ -61,7 +60,7 @@ fn floats(text: &Value) -> Vec<f32> {
     bytes(text).chunks_exact(4).map(|b| f32::from_le_bytes(b.try_into().unwrap())).collect()
 }
 
-fn number(value: &Value) -> f64 {
+pub(crate) fn number(value: &Value) -> f64 {
     value.as_f64().unwrap_or_else(|| panic!("{value} is not a number"))
 }
 
@@ -155,101 +154,6 @@ fn wheels_events_and_switches_are_on_the_page() {
     let brake =
         motion.iter().find(|[_, value, _]| value.starts_with("brake: constant in body axes")).unwrap();
     assert_eq!(brake[2], "constant, off until the event \"too fast\"");
-}
-
-/// A cylinder on its tip under gravity along a generic direction, leaning, with so many rad/s along its axis.
-fn top(spin: f64) -> Scenario {
-    let disc = Cylinder::new(0.11, 0.05).unwrap();
-    let part = crate::common::solid("disc", "cylinder", &disc, 1.7, [0.0, 0.0, 0.14], 0.0);
-    let scenario = crate::common::scenario("A top", vec![part]).held_at(Position::ZERO).unwrap();
-    let scenario = crate::common::facing(scenario, Attitude::from_quaternion([0.9, 0.2, -0.1, 0.3]).unwrap());
-    let scenario = crate::common::spinning(scenario, AngularVelocity::new(0.3, -0.2, 10.0 * spin));
-    let gravity = UniformGravity { acceleration: Acceleration::new(1.1, -0.7, -9.2) };
-    scenario.under(vec![TorqueModel::Gravity(gravity)]).unwrap().sampled(crate::common::run(3.0, 601))
-}
-
-#[test]
-fn a_top_has_its_axis_its_bounds_and_gravity() {
-    let (data, trajectory) = page_of(&top(9.0));
-    let scene = &data["scene"];
-    let three = |value: &Value| -> [f64; 3] { std::array::from_fn(|k| number(&value[k])) };
-    let g = three(&scene["gravity"]);
-    assert_eq!(g, [1.1, -0.7, -9.2]);
-    let axis = polhode::math::Direction::<polhode::math::Body>::from_array(three(&scene["top"]["axis"]));
-    assert!((axis.norm() - 1.0).abs() < 1e-15 && axis.z > 0.999_999);
-    // The samples lie between the bounds, and come near to both.
-    let size = g.iter().map(|x| x * x).sum::<f64>().sqrt();
-    let leaning = |sample: &Sample| {
-        let e = (sample.state.attitude * axis).to_array();
-        (-e.iter().zip(g).map(|(x, g)| x * g).sum::<f64>() / size).acos()
-    };
-    let angles: Vec<f64> = trajectory.samples().iter().map(leaning).collect();
-    let [least, most] =
-        [angles.iter().copied().fold(9.0, f64::min), angles.iter().copied().fold(0.0, f64::max)];
-    let bounds = &scene["top"]["bounds"];
-    let [first, second] = [number(&bounds[0]), number(&bounds[1])];
-    assert!(first <= least + 1e-12 && most <= second + 1e-12, "{first} {least} {most} {second}");
-    assert!(least - first < 1e-3 && second - most < 1e-3, "{first} {least} {most} {second}");
-    // The period is that of the precession: the axis comes back to its azimuth about the vertical, but for a nutation's swing.
-    let period = number(&scene["period"]);
-    let up = polhode::math::Direction::<polhode::math::Space>::from_array(g.map(|x| -x / size));
-    let flat = |sample: &Sample| {
-        let e = sample.state.attitude * axis;
-        e - up * up.dot(e)
-    };
-    let mut turned = 0.0;
-    for pair in trajectory.samples().windows(2) {
-        let [a, b] = [flat(&pair[0]), flat(&pair[1])];
-        turned += up.dot(a.cross(b)).atan2(a.dot(b));
-    }
-    let mean = turned.abs() / (2.0 * std::f64::consts::PI) * period / 3.0;
-    assert!((mean - 1.0).abs() < 0.05, "{mean} turns in {period} s");
-    let caption = scene["captions"]["body"].as_str().unwrap();
-    let shown = format!("θ₁ = {:.2}", first.to_degrees());
-    assert!(caption.contains(&shown) && caption.contains("precesses once in"), "{caption}");
-    assert!(scene["captions"]["cones"].is_null());
-}
-
-#[test]
-fn captions_say_what_is_seen() {
-    let caption = |scenario: &Scenario, picture: &str| {
-        page_of(scenario).0["scene"]["captions"][picture].as_str().unwrap().to_owned()
-    };
-    let wheel = crate::common::symmetric_top();
-    // A cylinder of radius 0.3 m and length 0.1 m: I_e/I_t = r²/2 / (r²/4 + l²/12); its axis is turned by 0.7 rad about z.
-    let cones = caption(&wheel, "cones");
-    let ratio = 0.045 / (0.0225 + 0.01 / 12.0);
-    let gamma = 0.5_f64.atan2(2.0);
-    let between = gamma - (gamma.tan() / ratio).atan();
-    for angle in [gamma, between] {
-        let shown = format!("{:.2}°", angle.to_degrees());
-        assert!(cones.contains(&shown), "{cones}: {shown}");
-    }
-    assert!(cones.contains("inside it: retrograde precession"), "{cones}");
-    let handle = crate::common::t_handle();
-    assert!(caption(&handle, "cones").contains("neither is circular"));
-    assert!(caption(&handle, "sphere").contains("separatrices"));
-    assert!(!caption(&wheel, "sphere").contains("separatrices"));
-    for scenario in [&wheel, &handle] {
-        assert!(caption(scenario, "poinsot").contains("2T/|L| = "));
-        assert!(caption(scenario, "body").contains("L is fixed in space"));
-    }
-    let inside = caption(&crate::common::gyrostat(), "body");
-    assert!(
-        inside.contains("L = Iω + h") && inside.contains("held at its speed") && inside.contains("from 1.5"),
-        "{inside}"
-    );
-    assert!(caption(&crate::common::gyroscope(), "body").contains("prescribed"));
-    // Friction inside is no torque from outside, with another it is not named among those that act.
-    let sink = TorqueModel::EnergySink(EnergySink::new(0.01).unwrap());
-    let push = TorqueModel::Constant(ConstantTorque::Body(Torque::new(0.1, 0.2, -0.3)));
-    let inside = caption(&handle.clone().under(vec![sink.clone()]).unwrap(), "body");
-    assert_eq!(
-        inside,
-        "No torque from outside: L is fixed in space. Friction inside the body takes kinetic energy."
-    );
-    let both = caption(&handle.under(vec![push, sink]).unwrap(), "body");
-    assert!(both.starts_with("Torque N: constant in body axes; dL/dt = N. Friction inside"), "{both}");
 }
 
 /// What `--plot` draws of pointings, work and a top's axis is on the page, of those motions alone that have it.
@@ -643,7 +547,7 @@ fn keys_are_those_of_the_contract() {
     );
     let every = crate::common::spinning(every, AngularVelocity::new(0.1, 0.2, 0.3));
     all.push(every.sampled(crate::common::run(1.0, 3)));
-    all.extend([crate::common::gyrostat(), top(7.0)]);
+    all.extend([crate::common::gyrostat(), crate::page_scene::top(7.0)]);
     for scenario in all {
         let Some(Ok(trajectory)) = scenario.simulate() else { continue };
         let data = data(&html_of(&scenario, &trajectory, ""));

@@ -6,7 +6,7 @@ use super::Picture;
 use super::axes::{Area, Axes, Axis};
 use super::font;
 use super::legend::{Key, heading};
-use super::sheet::{Anchor, Colour, LARGE, Mark, Pen, Point, Sheet, Text};
+use super::sheet::{Anchor, Colour, LARGE, Mark, Pen, Point, SMALL, Sheet, Text};
 use crate::layout::printable;
 use crate::sweep::{SweepSample, SweepStatistic, SweepSummary};
 
@@ -112,7 +112,7 @@ impl<'a> SweepFigures<'a> {
         let width = columns.min(count.max(2)) as f64 * PANEL[0];
         let rows = count.max(1).div_ceil(columns) as f64;
         let mut sheet = Sheet::new(width, HEAD + rows * PANEL[1], format!("{title}: {what}"));
-        let note_width = font::width(note, super::sheet::SMALL);
+        let note_width = font::width(note, SMALL);
         let title = font::fitted(&title, LARGE, width - note_width - 4.0 * MARGIN);
         let head = Text::small([MARGIN, 24.0], Anchor::Start, Colour::BLACK, &title);
         sheet.marks.push(Mark::Text(Text { size: LARGE, ..head }));
@@ -181,8 +181,8 @@ impl<'a> SweepFigures<'a> {
         let area = area.below(used);
         let axes = Axes::within(
             area,
-            axis_of(&x.statistic, area.width() / 70.0, &x.statistic.name),
-            axis_of(&y.statistic, area.height() / 34.0, ""),
+            axis_of(&x.statistic, area.width(), 70.0),
+            axis_of(&y.statistic, area.height(), 34.0),
             None,
         );
         axes.draw(sheet);
@@ -241,15 +241,25 @@ fn importance(name: &str) -> usize {
     }
 }
 
-/// An axis over what the histogram of a column shows.
-fn axis_of(statistic: &SweepStatistic, marks: f64, name: &str) -> Axis {
+/// An axis over what the histogram of a column shows, `length` px long, with a mark every `step` px or so.
+fn axis_of(statistic: &SweepStatistic, length: f64, step: f64) -> Axis {
     let ends = [statistic.min.unwrap_or(0.0), statistic.max.unwrap_or(1.0)];
     let (ends, log) = statistic.histogram.as_ref().map_or((ends, false), |h| ([h.least, h.greatest], h.log));
+    let (name, marks) = (quantity(statistic, length), length / step);
     if log {
-        Axis::logarithmic(ends, marks as i32, name, &statistic.unit)
+        Axis::logarithmic(ends, marks as i32, &name, &statistic.unit)
     } else {
-        Axis::linear(ends, 0.03, marks.clamp(2.0, 8.0), name, &statistic.unit)
+        Axis::linear(ends, 0.03, marks.clamp(2.0, 8.0), &name, &statistic.unit)
     }
+}
+
+/// What a column is about, with room for its unit: `largest omega` of `largest_omega_rad_s`.
+fn quantity(statistic: &SweepStatistic, room: f64) -> String {
+    let SweepStatistic { name, unit, .. } = statistic;
+    let suffix: String = unit.to_lowercase().chars().map(|c| if c == '²' { '2' } else { c }).collect();
+    let suffix = format!("_{}", suffix.replace(['·', '/'], "_"));
+    let name = name.strip_suffix(&suffix).unwrap_or(name).replace('_', " ");
+    font::fitted(&printable(&name), SMALL, room - font::width(&format!(" (10⁻¹² {unit})"), SMALL))
 }
 
 fn bars(sheet: &mut Sheet, area: Area, statistic: &SweepStatistic) {
@@ -263,7 +273,7 @@ fn bars(sheet: &mut Sheet, area: Area, statistic: &SweepStatistic) {
     let area = area.below(heading(sheet, area, &statistic.name, &outside, &[]));
     let most = histogram.counts.iter().copied().max().unwrap_or(0) as f64;
     let y = Axis::linear([0.0, 1.05 * most], 0.0, (area.height() / 34.0).clamp(2.0, 6.0), "members", "");
-    let axes = Axes::within(area, axis_of(statistic, area.width() / 70.0, ""), y, None);
+    let axes = Axes::within(area, axis_of(statistic, area.width(), 70.0), y, None);
     axes.draw(sheet);
     let bins = histogram.counts.len() as f64;
     let edge = |k: usize| {

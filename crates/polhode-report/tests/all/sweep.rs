@@ -162,8 +162,13 @@ fn pictures_are_svg_whatever_names_say() {
             !svg.contains("NaN") && !svg.contains("inf") && !svg.contains("<script") && !svg.contains("<b>")
         );
     }
-    assert!(figures.histograms().to_svg().contains("period_s"));
-    assert!(figures.pairs().to_svg().contains("r = −0.75"));
+    // The title is the column's name, the axis says quantity and unit.
+    let svg = figures.histograms().to_svg();
+    for words in [">period_s<", ">period (s)<", ">members (10³)<"] {
+        assert!(svg.contains(words), "{words}: {svg}");
+    }
+    let svg = figures.pairs().to_svg();
+    assert!(svg.contains("r = −0.75") && svg.contains(">start spin body x (rad/s)<"), "{svg}");
     let empty = SweepSummary { outcomes: Vec::new(), correlations: Vec::new(), ..summary.clone() };
     let figures = SweepFigures::new(&empty, &sample);
     assert!(

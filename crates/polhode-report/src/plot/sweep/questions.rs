@@ -51,8 +51,8 @@ impl SweepFigures<'_> {
         };
         let axes = Axes::within(
             area,
-            axis_of(&x.statistic, area.width() / 70.0, &x.statistic.name),
-            axis_of(&y.statistic, area.height() / 34.0, &y.statistic.name),
+            axis_of(&x.statistic, area.width(), 70.0),
+            axis_of(&y.statistic, area.height(), 34.0),
             None,
         );
         axes.draw(sheet);

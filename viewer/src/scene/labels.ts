@@ -164,7 +164,7 @@ export class Labels {
       const tip = points[k];
       // Points in the frame only.
       if (tip[0] < 4 || tip[1] < 4 || tip[0] > width - 4 || tip[1] > height - 4) continue;
-      for (const far of [14, 30, 52, 80]) {
+      for (const far of [14, 30, 52, 80, 115]) {
         for (let turn = 0; turn < 16; turn += 1) {
           const a = (turn / 16) * 2 * Math.PI;
           const [ux, uy] = [Math.cos(a), Math.sin(a)];

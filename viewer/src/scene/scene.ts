@@ -286,7 +286,8 @@ export class View {
       { id: "space-cone", label: "Space cone", ink: "torque", look: "area", on: { cones: true }, objects: [c.space] },
       { id: "sphere", label: "Momentum sphere", ink: null, look: "area", on: { sphere: true }, objects: [s.object] },
       { id: "family", label: "Other motions", ink: "contour", look: "line", on: { sphere: true }, objects: [s.family] },
-      { id: "separatrix", label: "Separatrix", ink: "ink", look: "line", on: { sphere: true }, objects: [s.separatrix] },
+      // A symmetric body has none.
+      { id: "separatrix", label: "Separatrix", ink: "ink", look: "line", on: s.separatrix.children.length > 0 ? { sphere: true } : {}, objects: [s.separatrix] },
       { id: "trace", label: "This motion", ink: "omega", look: "line", on: { sphere: true }, objects: [s.trace] },
       { id: "mark", label: "L now", ink: "ink", look: "area", on: { sphere: true }, objects: [s.mark] },
     );

@@ -173,8 +173,6 @@ export interface SceneData {
   period: number | null;
   /** Acceleration of gravity, space axes, m/s²; null if it does not turn the body. */
   gravity: [number, number, number] | null;
-  /** Of a heavy symmetric top: its axis, a unit vector in body axes, and the angles from the vertical that it nods between, rad. */
-  top: { axis: [number, number, number]; bounds: [number, number] } | null;
   /** A line on each picture. */
   captions: { body: string; poinsot: string | null; cones: string | null; sphere: string | null };
 }

@@ -538,7 +538,7 @@ test("a heavy top has its circles, the path of its axis, a floor, and gravity at
   const { page, problems, close } = await open(browser, "top", data);
   const seconds = data.scene.period / (await page.evaluate(() => window.polhode.clock.speed));
   assert.ok(seconds >= 5 && seconds <= 10, `a precession in ${seconds} s`);
-  const bounds = data.scene.top.bounds;
+  const bounds = data.top.bounds;
   const angle = (p) => Math.acos(p[2] / Math.hypot(...p));
   const circles = await page.evaluate(curvePoints, "bounds");
   const found = [...new Set(circles.map((p) => angle(p).toFixed(5)))];

@@ -222,7 +222,7 @@ function page({ title, body, mass, shapes, ellipsoid, motion, free, about = "cen
     body: { mass, inertia: body.inertia, about, lever, principal: { moments: body.moments, quaternion: body.quaternion }, ellipsoid, shapes },
     motion,
     free,
-    scene: { period: null, gravity: null, top: null, captions: free ? FREE_CAPTIONS : CAPTIONS, ...scene },
+    scene: { period: null, gravity: null, captions: free ? FREE_CAPTIONS : CAPTIONS, ...scene },
     top,
     facts: FACTS,
     findings: [{ severity: "warning", message: "The spin is 0.8° from the unstable intermediate axis: it flips." }],
@@ -289,7 +289,7 @@ function heavy() {
     mass: 0.5,
     about: "pivot",
     lever,
-    top: { axis: [0, 0, 1], up: [0, 0, 1], across: [[1, 0, 0], [0, 1, 0]], bounds: null },
+    top: { axis: [0, 0, 1], up: [0, 0, 1], across: [[1, 0, 0], [0, 1, 0]], bounds: nods(rows) },
     shapes: [
       { ...PART, name: "tip", kind: "cone", bottom: 0.004, top: 0.008, height: 0.09, position: [0, 0, 0.045] },
       { ...PART, name: "disc", kind: "torus", radius: 0.07, tube: 0.014, position: [0, 0, 0.12] },
@@ -299,7 +299,7 @@ function heavy() {
     ellipsoid: ellipsoidOf([0.002, 0.0038, 0.0038], 0.5),
     motion: motionData(rows, body.inertia, torque, potential, "rk4"),
     free: null,
-    scene: { period: 1.54, gravity: [0, 0, -9.81], top: { axis: [0, 0, 1], bounds: nods(rows) } },
+    scene: { period: 1.54, gravity: [0, 0, -9.81] },
   });
 }
 

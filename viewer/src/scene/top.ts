@@ -4,7 +4,7 @@
  */
 import { Group, Vector3 } from "three";
 import { rotate, type Quaternion, type Vector } from "../attitude";
-import type { PageData } from "../data";
+import type { PageData, TopData } from "../data";
 import { length, type Motion } from "../motion";
 import { Arrow } from "./arrows";
 import type { Label } from "./labels";
@@ -38,8 +38,7 @@ export class HeavyBody {
     this.#arrow = new Arrow("quiet", 0.014, palette);
     const arrow = this.#arrow.object;
     this.#put({ id: "gravity", label: "Gravity g", ink: "quiet", look: "arrow", on: { body: true }, objects: [arrow] }, arrow);
-    const { top } = page.scene;
-    if (top) this.#axis(top, motion, reach, palette);
+    if (page.top) this.#axis(page.top, motion, reach, palette);
     if (standsUpright(motion, page.body.lever, this.#down)) {
       const floor = plane(0.95, palette);
       floor.quaternion.setFromUnitVectors(new Vector3(0, 0, 1), this.#down.clone().negate());
@@ -52,7 +51,7 @@ export class HeavyBody {
     this.objects.push(object);
   }
 
-  #axis(top: NonNullable<PageData["scene"]["top"]>, motion: Motion, reach: number, palette: Palette): void {
+  #axis(top: TopData, motion: Motion, reach: number, palette: Palette): void {
     const fine = Math.max(1, Math.min(FINE, Math.floor(MOST / motion.count)));
     const way: number[] = [];
     for (let k = 0; k <= (motion.count - 1) * fine; k += 1) {
@@ -65,6 +64,7 @@ export class HeavyBody {
     if (way.length >= 6) path.add(curve(way, 1, { ink: "contour", width: 1.2, opacity: 0.55 }, palette));
     this.#put({ id: "path", label: "Path of the axis", ink: "contour", look: "line", on: { body: true }, objects: [path] }, path);
 
+    if (top.bounds === null) return;
     const circles = new Group();
     const bounds = top.bounds[1] - top.bounds[0] > 1e-6 ? top.bounds : [top.bounds[0]];
     bounds.forEach((angle, k) => {

@@ -301,7 +301,7 @@ impl<'a, 'w> Inside<'a, 'w> {
             ""
         };
         s.say("Friction lowers T at the |L| that is kept, until ω lies along L where T is least:");
-        s.line(format!("{such} {}", spin(least)).trim_start().to_owned());
+        s.line(format!("{such} {}", spin(least)).trim_start());
         if !self.is_driven() {
             let now = self.w.rotor.kinetic_energy(self.omega);
             let lost = now - energy(least);

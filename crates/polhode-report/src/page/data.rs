@@ -35,7 +35,7 @@ pub(super) fn json(input: &PageInput<'_>, frame: usize) -> Value {
         "body": body,
         "motion": motion,
         "free": free,
-        "scene": scene::json(input, &turning, free_facts.as_ref()),
+        "scene": scene::json(input, free_facts.as_ref()),
         "top": top::json(&input.subject),
         "facts": facts,
         "findings": findings(input),

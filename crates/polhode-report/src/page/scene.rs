@@ -1,4 +1,4 @@
-//! What the 3-D view shows besides the body: how fast it should play, gravity, the axis of a top, and a line on each picture.
+//! What the 3-D view shows besides the body: how fast it should play, gravity, and a line on each picture.
 
 use std::f64::consts::TAU;
 
@@ -7,7 +7,6 @@ use polhode::motion::{HeavyTop, Scenario, Solution, TopPath};
 use serde_json::{Value, json};
 
 use super::caption::Captions;
-use super::turning::Turning;
 use super::{PageInput, PageSubject};
 use crate::free_facts::FreeFacts;
 use crate::json::{finite, numbers};
@@ -15,7 +14,7 @@ use crate::json::{finite, numbers};
 /// A precession of more nutations is not what the eye follows.
 const MOST_NUTATIONS: f64 = 100.0;
 
-pub(super) fn json(input: &PageInput<'_>, turning: &Turning<'_>, free: Option<&FreeFacts>) -> Value {
+pub(super) fn json(input: &PageInput<'_>, free: Option<&FreeFacts>) -> Value {
     let scenario = match input.subject {
         PageSubject::Scenario(scenario) => Some(scenario),
         PageSubject::Moments(_) => None,
@@ -24,7 +23,6 @@ pub(super) fn json(input: &PageInput<'_>, turning: &Turning<'_>, free: Option<&F
     json!({
         "period": top.as_ref().map_or_else(|| free.and_then(slow_period), precession_period),
         "gravity": scenario.and_then(gravity).map(|g| numbers(&g.map(finite))),
-        "top": top.as_ref().and_then(|top| axis(top, turning)),
         "captions": Captions::of(scenario, input.trajectory, top.as_ref(), free).json(),
     })
 }
@@ -56,10 +54,4 @@ fn gravity(scenario: &Scenario) -> Option<[f64; 3]> {
         _ => None,
     };
     scenario.torques().iter().find_map(model).filter(|_| scenario.rotor().is_pivoted())
-}
-
-/// The axis of a top, from the pivot to the centre of mass, and the angles from the vertical between which it nods.
-fn axis(top: &HeavyTop, turning: &Turning<'_>) -> Option<Value> {
-    let axis = turning.lever.direction()?;
-    Some(json!({ "axis": numbers(&axis.to_array()), "bounds": numbers(&top.nutation_bounds()) }))
 }

@@ -561,9 +561,6 @@ fn keys_are_those_of_the_contract() {
         }
         agree("SceneData", &data["scene"], &[]);
         agree("captions", &data["scene"]["captions"], &[]);
-        if !data["scene"]["top"].is_null() {
-            agree("top", &data["scene"]["top"], &[]);
-        }
         for line in data["motion"]["drift"].as_array().unwrap() {
             agree("drift", line, &[]);
         }

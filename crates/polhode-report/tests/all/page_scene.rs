@@ -25,7 +25,7 @@ fn a_top_has_its_axis_its_bounds_and_gravity() {
     let three = |value: &Value| -> [f64; 3] { std::array::from_fn(|k| number(&value[k])) };
     let g = three(&scene["gravity"]);
     assert_eq!(g, [1.1, -0.7, -9.2]);
-    let axis = polhode::math::Direction::<polhode::math::Body>::from_array(three(&scene["top"]["axis"]));
+    let axis = polhode::math::Direction::<polhode::math::Body>::from_array(three(&data["top"]["axis"]));
     assert!((axis.norm() - 1.0).abs() < 1e-15 && axis.z > 0.999_999);
     // The samples lie between the bounds, and come near to both.
     let size = g.iter().map(|x| x * x).sum::<f64>().sqrt();
@@ -36,7 +36,7 @@ fn a_top_has_its_axis_its_bounds_and_gravity() {
     let angles: Vec<f64> = trajectory.samples().iter().map(leaning).collect();
     let [least, most] =
         [angles.iter().copied().fold(9.0, f64::min), angles.iter().copied().fold(0.0, f64::max)];
-    let bounds = &scene["top"]["bounds"];
+    let bounds = &data["top"]["bounds"];
     let [first, second] = [number(&bounds[0]), number(&bounds[1])];
     assert!(first <= least + 1e-12 && most <= second + 1e-12, "{first} {least} {most} {second}");
     assert!(least - first < 1e-3 && second - most < 1e-3, "{first} {least} {most} {second}");

@@ -108,7 +108,8 @@ fn how_far_d_is_from_i2_has_its_own_digits() {
     // Next to the separatrix, where D and i2 print alike.
     let scenario = common::tensor("Nearly", [1.0, 2.0, 3.0], [0.0; 3], [1e-4, 1.5, 2e-4]);
     let text = step(&scenario, 5);
-    let want = (1.0 * -1.0 * 1e-8 + 3.0 * 1.0 * 4e-8) / (1e-8 + 2.0 * 2.25 + 3.0 * 4e-8);
+    // [i1 (i1 − i2) ω1² + i3 (i3 − i2) ω3²] / 2T
+    let want = (3.0 * 4e-8 - 1e-8) / (1e-8 + 2.0 * 2.25 + 3.0 * 4e-8);
     let line = text.lines().find(|line| line.contains("D - i2 = ")).unwrap();
     near(value(line, "4.5 = "), want, 1e-5);
     assert!(text.contains("D > i2: short-axis mode"), "{text}");

@@ -7,6 +7,7 @@ mod export;
 mod golden;
 mod json;
 mod page;
+mod page_contract;
 mod page_scene;
 mod sweep;
 mod worked;

@@ -86,6 +86,7 @@ const UNITS: &[(&str, &str, Dimension)] = &[
     ("mrad", "0.001", Dimension::ANGLE),
     ("µrad urad", "0.000001", Dimension::ANGLE),
     ("deg °", "pi/180", Dimension::ANGLE),
+    ("mdeg", "pi/180000", Dimension::ANGLE),
     ("arcmin", "pi/10800", Dimension::ANGLE),
     ("arcsec", "pi/648000", Dimension::ANGLE),
     ("rev turn", "pi/0.5", Dimension::ANGLE),
@@ -95,12 +96,14 @@ const UNITS: &[(&str, &str, Dimension)] = &[
     ("kN", "1000", Dimension::FORCE),
     ("mN", "0.001", Dimension::FORCE),
     ("µN uN", "0.000001", Dimension::FORCE),
+    ("nN", "0.000000001", Dimension::FORCE),
     ("lbf", "4.4482216152605", Dimension::FORCE),     // lb g0
     ("ozf", "0.27801385095378125", Dimension::FORCE), // lbf/16
     ("kgf", "9.80665", Dimension::FORCE),
     ("J Nm", "1", Dimension::TORQUE),
     ("kJ kNm", "1000", Dimension::TORQUE),
     ("mJ mNm Nmm", "0.001", Dimension::TORQUE),
+    ("µJ uJ µNm uNm", "0.000001", Dimension::TORQUE),
     ("Nms", "1", Dimension::ANGULAR_MOMENTUM),
     ("mNms", "0.001", Dimension::ANGULAR_MOMENTUM),
     ("A", "1", Dimension::CURRENT),

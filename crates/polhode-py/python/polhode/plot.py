@@ -32,11 +32,11 @@ def omega(motion: FreeMotion | Motion, *, times: npt.ArrayLike | None = None) ->
     >>> motion = polhode.FreeMotion(moments=[1, 2, 3], omega=[0.01, 1, 0.01])
     >>> figure = plot.omega(motion)
     >>> figure.axes[0].get_ylabel()
-    'ω in the body, rad/s'
+    'ω in the body (rad/s)'
     """
     at, rates, _ = _sampled(motion, times)
     figure, axes = _axes()
-    _lines(axes, at, rates, ["$ω_x$", "$ω_y$", "$ω_z$"], "ω in the body, rad/s")
+    _lines(axes, at, rates, ["$ω_x$", "$ω_y$", "$ω_z$"], "ω in the body (rad/s)")
     return figure
 
 
@@ -44,7 +44,7 @@ def attitude(motion: FreeMotion | Motion, *, times: npt.ArrayLike | None = None)
     """The attitude's quaternion over time."""
     at, _, quaternions = _sampled(motion, times)
     figure, axes = _axes()
-    _lines(axes, at, quaternions, ["w", "x", "y", "z"], "attitude, R_space_body")
+    _lines(axes, at, quaternions, ["w", "x", "y", "z"], "attitude (R_space_body)")
     return figure
 
 
@@ -52,7 +52,7 @@ def momentum(motion: Motion) -> Figure:
     """L along space axes over time: constant where no torque acts."""
     _computed(motion)
     figure, axes = _axes()
-    _lines(axes, motion.times, motion.momentum, ["$L_x$", "$L_y$", "$L_z$"], "L in space, kg·m²/s")
+    _lines(axes, motion.times, motion.momentum, ["$L_x$", "$L_y$", "$L_z$"], "L in space (kg·m²/s)")
     return figure
 
 
@@ -64,7 +64,7 @@ def energy(motion: Motion) -> Figure:
     if motion.potential_energy is not None:
         columns += [motion.potential_energy, motion.kinetic_energy + motion.potential_energy]
         names += ["U", "T + U"]
-    _lines(axes, motion.times, np.column_stack(columns), names, "energy, J")
+    _lines(axes, motion.times, np.column_stack(columns), names, "energy (J)")
     return figure
 
 
@@ -84,9 +84,9 @@ def polhode(motion: FreeMotion) -> Figure:
     axes.plot_wireframe(*(sphere * radii[:, None, None]), color="0.85", linewidth=0.5)
     axes.plot(*(rates @ motion.axes.T).T, color="C3")
     axes.set_box_aspect(radii)
-    axes.set_xlabel("$ω_1$, rad/s")
-    axes.set_ylabel("$ω_2$, rad/s")
-    axes.set_zlabel("$ω_3$, rad/s")
+    axes.set_xlabel("$ω_1$ (rad/s)")
+    axes.set_ylabel("$ω_2$ (rad/s)")
+    axes.set_zlabel("$ω_3$ (rad/s)")
     return figure
 
 
@@ -124,7 +124,7 @@ def _axes() -> tuple[Figure, Axes]:
 
 def _lines(axes: Axes, times: Floats, rows: Floats, names: Sequence[str], label: str) -> None:
     axes.plot(times, rows, label=list(names))
-    axes.set_xlabel("t, s")
+    axes.set_xlabel("time t (s)")
     axes.set_ylabel(label)
     axes.grid(True, color="0.9")
     axes.legend(loc="upper right")

@@ -11,12 +11,12 @@ use super::search::Prevented;
 use super::{Judged, StabilityReport};
 use crate::finding;
 use crate::layout::{columns, labelled, plain_spaces};
-use crate::number::{alike, number, tidy_beside, vector};
+use crate::number::{number, tidy_beside, vector};
 
 pub(super) fn write(report: &StabilityReport) -> String {
     let mut text = report.source.heading() + "\n";
     let point = if report.rotor.is_pivoted() { "the pivot" } else { "the centre of mass" };
-    let moments = alike(&report.rotor.principal().moments(), 7).join(", ");
+    let moments = report.rotor.principal().moments().map(|moment| number(moment, 7)).join(", ");
     text.push_str(&labelled("moments", &format!("{moments} kg·m², about {point}")));
     for (k, judged) in report.judged.iter().enumerate() {
         text.push_str(&wheels(report, judged, k));

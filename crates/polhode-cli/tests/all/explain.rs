@@ -63,7 +63,10 @@ fn the_tensor_of_every_shape_is_derived() {
         );
         let tensor = json(&scratch.run(&["inertia", "it.toml", "--json"]))["inertia"]["tensor"].clone();
         for (k, name) in ["Ixx", "Iyy", "Izz"].into_iter().enumerate() {
-            let line = text.lines().find(|line| line.starts_with("      ") && line.contains(name)).unwrap();
+            let line = text
+                .lines()
+                .find(|line| line.starts_with("      ") && line.contains(&format!("{name} = ")))
+                .unwrap();
             let number = line.rsplit(" = ").next().unwrap().replace(" kg·m²", "").replace(' ', "");
             let (got, want): (f64, f64) = (number.parse().unwrap(), tensor[k][k].as_f64().unwrap());
             assert!((got - want).abs() <= 6e-6 * want, "{shape}: {line}, not {want}");

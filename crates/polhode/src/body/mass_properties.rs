@@ -285,14 +285,21 @@ mod tests {
 
     #[test]
     fn a_tensor_too_small_for_its_point_is_refused() {
-        let about = InertiaAbout::<Body>::from_matrix(
-            Position::ZERO,
-            [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
-        )
-        .unwrap();
-        // 2 kg at 1 m from the point needs at least 2 kg·m² there
-        let far = MassProperties::from_inertia_about(2.0, Position::new(1.0, 0.0, 0.0), &about);
-        assert!(matches!(far, Err(BodyError::NegativeMoment { .. })));
+        let point = Position::<Body>::new(0.1, -0.2, 0.3);
+        let rows = [[1.1, 0.1, 0.0], [0.1, 1.2, -0.2], [0.0, -0.2, 1.3]];
+        let about = InertiaAbout::from_matrix(point, rows).unwrap();
+        // 2 kg at d = (1, 0.5, −0.4) m from the point have 0.82, 2.32 and 2.5 kg·m² there about the axes
+        let far = MassProperties::from_inertia_about(2.0, Position::new(1.1, 0.3, -0.1), &about);
+        let Err(BodyError::ImpossibleAtCenter { mass, lever, about: [j1, .., j3], moments: [i1, i2, i3] }) =
+            far
+        else {
+            unreachable!("{far:?}")
+        };
+        assert_eq!(mass, 2.0);
+        assert!(lever.iter().zip([1.0, 0.5, -0.4]).all(|(d, want)| (d - want).abs() < 1e-15));
+        assert!(j1 > 0.9 && j3 < 1.5);
+        // The traces: tr I = tr J − 2 M d²
+        assert!((i1 + i2 + i3 - (3.6 - 4.0 * 1.41)).abs() < 1e-14 && i1 < 0.0);
     }
 
     #[test]

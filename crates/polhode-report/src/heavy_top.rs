@@ -76,6 +76,8 @@ pub(crate) fn facts(top: &HeavyTop) -> Vec<Fact> {
     if let (Some(precession), Some(spin)) = (top.mean_precession(), top.mean_spin()) {
         facts.push(fact("precession", rate(precession), "", "on average, about the vertical"));
         facts.push(fact("own spin", rate(spin), "", "on average, about the axis"));
+    } else if let Some(turned) = top.precession_in_a_nutation() {
+        facts.push(fact("precession", shown(turned.to_degrees()), "°", "in a nutation, about the vertical"));
     }
     if let Some(SteadyPrecession { slow, fast }) = steady(top).filter(|_| is_inclined(top)) {
         let middle = number(middle(top).to_degrees(), DIGITS);

@@ -1,6 +1,6 @@
 //! Step 6: the attitude.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 use polhode::body::Symmetry;
 use polhode::motion::{FreeMotion, Regime, State, Trajectory};
@@ -109,20 +109,23 @@ fn asymmetric_angles(w: &Working<'_>, motion: &FreeMotion, circled: usize, s: &m
         )
     };
     s.formula(text, latex);
-    let [least, most] = motion.nutation_range().map(|angle| n(angle.to_degrees()));
-    // Beside an axis that points against L the angles are those of the other end.
+    // The range is of that end of the axis which is on the side of L.
+    let [near, far] = motion.nutation_range();
     let l = (motion.principal().rotation().inverse() * w.rotor.angular_momentum(w.start.omega)).to_array();
-    let end = if l[circled] < 0.0 { "-" } else { "" };
+    let range = if l[circled] < 0.0 { [PI - far, PI - near] } else { [near, far] };
+    let [least, most] = range.map(|angle| n(angle.to_degrees()));
     let rate = motion.precession_rate();
     if let Some(direction) = motion.momentum().direction() {
         s.line(format!("L̂ = {} in space axes", v(direction.to_array())));
     }
-    s.line(format!("θ = {least} … {most}° from {end}L̂"));
+    s.line(format!("θ = {least} … {most}°"));
     s.line(format!("φ\u{307} = {} rad/s on average, once in {} s", n(rate), n(TAU / rate.abs())));
     if let Some(period) = motion.period() {
         s.line(format!("in a period of ω ({} s) φ grows by {}°", n(period), n((rate * period).to_degrees())));
     }
-    s.say("The integral of φ\u{307} is an elliptic one of the third kind; it is evaluated by theta functions, to the last digits at any t.");
+    s.say(
+        "The integral of φ\u{307} is an elliptic one of the third kind; it is evaluated by theta functions.",
+    );
 }
 
 fn attitude(state: &State, when: &str, s: &mut Section) {

@@ -12,7 +12,7 @@ const NEARLY_CIRCULAR: f64 = 0.1;
 pub(super) fn closed_form(form: &JacobiForm, free: &FreeRegime, s: &mut Section) {
     s.say(
         "With 2T and L² the squares of ω1 and ω3 are linear in ω2², so ω\u{307}2 = (i3 − i1) ω3 ω1 / i2 is the equation of \
-         Jacobi's sn, and ω(t) is known in closed form, with u = λ (t − t0) + φ:",
+         Jacobi's sn, and ω(t) is known in closed form, with u = λ (t − t0) + u0:",
     );
     match free.regime {
         Regime::LongAxis => s.formula(
@@ -41,7 +41,7 @@ pub(super) fn closed_form(form: &JacobiForm, free: &FreeRegime, s: &mut Section)
     ));
     let phase = form.phase();
     let names = form.functions().map(JacobiFunction::name);
-    s.line(format!("φ = {}: {} of φ times the amplitudes are ω(t0)", n(phase), names.join(", ")));
+    s.line(format!("u0 = {}: {} of u0 times the amplitudes are ω(t0)", n(phase), names.join(", ")));
     let written = [0, 1, 2].map(|k| {
         let name = match (free.regime, form.functions()[k]) {
             (Regime::Separatrix, JacobiFunction::Sn) => "tanh",

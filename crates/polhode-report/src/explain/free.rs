@@ -108,8 +108,8 @@ fn cones(w: &Working<'_>, motion: &FreeMotion, top: &SymmetricTop, s: &mut Secti
     let cones = Cones::of(top);
     let sense = if cones.body_rate < 0.0 { ", against the right hand about e" } else { "" };
     s.say(format!(
-        "In the body ω circles e at Ω{sense} and sweeps the body cone. In space L is fixed, and T = ½ ω L cos φ is \
-         constant, so ω keeps its angle φ to L and sweeps the space cone; ω and e both circle L, at the same rate φ\u{307}. \
+        "In the body ω circles e at Ω{sense} and sweeps the body cone. In space L is fixed, and T = ½ ω L cos γ is \
+         constant, so ω keeps its angle γ to L and sweeps the space cone; ω and e both circle L, at the same rate φ\u{307}. \
          The cones touch along ω, and one rolls on the other."
     ));
     s.formula(
@@ -171,7 +171,8 @@ fn asymmetric(w: &Working<'_>, free: &FreeRegime, s: &mut Section) {
         elliptic::closed_form(&form, free, s);
     }
     if let Some(flip) = free.flip_interval {
-        s.line(format!("ω along axis 2 reverses every {} s: the body flips", n(flip)));
+        let flips = if free.growth_rate.is_some() { ": the body flips" } else { "" };
+        s.line(format!("ω2 changes sign every {} s{flips}", n(flip)));
     }
     if let Some(growth) = free.growth_rate {
         let off = intermediate::degrees_off(w.rotor.principal(), &w.start);
@@ -203,6 +204,7 @@ fn growth_rate(growth: f64, s: &mut Section) {
     s.line(format!("σ = {} /s", n(growth)));
 }
 
-fn once_in(rate: f64) -> String {
+/// `, once in 3 s`
+pub(super) fn once_in(rate: f64) -> String {
     if rate == 0.0 { String::new() } else { format!(", once in {} s", n(TAU / rate.abs())) }
 }

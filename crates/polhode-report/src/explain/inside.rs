@@ -266,7 +266,9 @@ impl<'a, 'w> Inside<'a, 'w> {
     /// To what it tends.
     fn end(&self, s: &mut Section) {
         if !self.is_free() {
-            s.say("The torque from outside goes on, so that there is no end that L alone decides.");
+            s.say(
+                "While a torque acts from outside L changes, so that L at the start does not decide the end.",
+            );
             return;
         }
         let Some(&time) = PermanentRotation::times(self.w.rotor).last() else {

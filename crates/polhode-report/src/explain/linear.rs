@@ -13,10 +13,9 @@ use crate::number::tidy_matrix;
 /// What the linear equations say, if there is a steady motion to linearise about.
 pub(super) fn solve(w: &Working<'_>, s: &mut Section) {
     let torques: Vec<TorqueModel> = acting(w.scenario).cloned().collect();
-    for torque in &torques {
-        if let TorqueModel::Drag(drag) = torque {
-            resisted(w, drag, s);
-        }
+    // Beside other torques drag changes what they do, and not the body's spin alone.
+    if let [TorqueModel::Drag(drag)] = &torques[..] {
+        resisted(w, drag, s);
     }
     // Next to rest drag only damps; alone it has nothing to swing about.
     if torques.iter().all(|torque| matches!(torque, TorqueModel::Drag(_) | TorqueModel::Constant(_))) {
@@ -87,9 +86,16 @@ fn resisted(w: &Working<'_>, drag: &Drag, s: &mut Section) {
         (0..3).map(|i| (0..3).map(|j| axes[a][i] * c[i][j] * axes[b][j]).sum::<f64>()).sum()
     };
     let size = (0..3).map(|k| along(k, k)).fold(0.0, f64::max);
+    if principal.moments()[0] == 0.0 {
+        s.say("Without inertia about axis 1 there is no rate about it to slow. Across it {I}⁻¹ C is");
+        for (a, b) in [(1, 1), (1, 2), (2, 2)] {
+            s.line(format!("C{0}{1} / i{0} = {2} /s", a + 1, b + 1, n(along(a, b) / principal.moments()[a])));
+        }
+        return;
+    }
     let is_aligned = (0..3).all(|a| (0..a).all(|b| along(a, b).abs() <= 1e-12 * size));
     if is_aligned {
-        for (k, moment) in principal.moments().into_iter().enumerate().filter(|(_, i)| *i > 0.0) {
+        for (k, moment) in principal.moments().into_iter().enumerate() {
             let time = if along(k, k) > 0.0 {
                 format!("{} s", n(moment / along(k, k)))
             } else {
@@ -115,7 +121,7 @@ fn librations(w: &Working<'_>, place: &OrbitalEquilibrium, rate: f64, alone: boo
     let [up, ahead, normal] = [moment(0), moment(1), moment(2)];
     let axis = |k: usize| place.axes[k].0 + 1;
     s.say(format!(
-        "Small motions about the nearest attitude that keeps its face to the Earth, with axis {} along the radius (yaw ψ), axis {} along the \
+        "Small motions about the nearest attitude that keeps its face to the centre of attraction, with axis {} along the radius (yaw ψ), axis {} along the \
          flight (roll φ) and axis {} along the orbit's normal (pitch θ); n is the orbit's rate:",
         axis(0),
         axis(1),

@@ -6,6 +6,7 @@ use polhode::motion::{Pendulum, Swing};
 
 use super::document::Section;
 use super::working::{Working, factor, n, v};
+use crate::number::{error, tidy_beside};
 use crate::unit;
 
 /// Sums of more particles than this are not written out.
@@ -77,8 +78,14 @@ fn at_start(pendulum: &Pendulum, s: &mut Section) {
     s.line(format!(
         "at t0 θ = {},  θ\u{308} = -ω0² sin θ = {} rad/s²",
         unit::angle(theta),
-        n(-small * small * theta.sin())
+        n(if is_upright(pendulum) { 0.0 } else { -small * small * theta.sin() })
     ));
+}
+
+/// Straight up but for rounding.
+fn is_upright(pendulum: &Pendulum) -> bool {
+    let (sin, cos) = pendulum.angle().sin_cos();
+    cos < 0.0 && sin.abs() < 1e-12
 }
 
 fn amplitude(w: &Working<'_>, pendulum: &Pendulum, axis: Direction<Body>, s: &mut Section) {
@@ -93,13 +100,16 @@ fn amplitude(w: &Working<'_>, pendulum: &Pendulum, axis: Direction<Body>, s: &mu
         Swing::Oscillation { amplitude, period } => {
             s.say("At a finite amplitude the period is longer, by an elliptic integral:");
             s.formula(
-                "P = 4 K(sin² ½θmax) / ω0",
-                r"P = \frac{4}{\omega_0} K\left(\sin^2 \tfrac12 \theta_{\max}\right)",
+                "P = 4 K(k) / ω0,   k = sin ½θmax,   K(k) = ∫ dx / √(1 − k² sin² x), x from 0 to π/2",
+                r"P = \frac{4 K(k)}{\omega_0}, \qquad k = \sin \tfrac12 \theta_{\max}, \qquad K(k) = \int_0^{\pi/2} \frac{dx}{\sqrt{1 - k^2 \sin^2 x}}",
             );
             let longer = period / pendulum.period(0.0) - 1.0;
             s.line(format!("θmax = {}", unit::amplitude(amplitude)));
             s.line(format!("P = {} s, {} % longer than a small swing", n(period), n(100.0 * longer)));
             series(amplitude, longer, s);
+        }
+        Swing::Separatrix if is_upright(pendulum) && !w.is_turning() => {
+            s.say("It stands upright at rest: an equilibrium, and an unstable one.");
         }
         Swing::Separatrix => {
             s.say("It has just enough energy to come to rest upside down, which takes forever.");
@@ -113,7 +123,7 @@ fn amplitude(w: &Working<'_>, pendulum: &Pendulum, axis: Direction<Body>, s: &mu
 
 /// The series of K, term by term, and in the amplitude.
 fn series(amplitude: f64, longer: f64, s: &mut Section) {
-    s.say("As a series, with k = sin ½θmax:");
+    s.say("As a series in k, and in θmax:");
     s.formula(
         "P = (2π/ω0) [1 + (1/2)² k² + (1·3/2·4)² k⁴ + (1·3·5/2·4·6)² k⁶ + …]\n\
          P = (2π/ω0) [1 + θmax²/16 + 11 θmax⁴/3072 + 173 θmax⁶/737280 + …]",
@@ -124,13 +134,11 @@ fn series(amplitude: f64, longer: f64, s: &mut Section) {
     let square = amplitude * amplitude;
     let in_theta = [square / 16.0, 11.0 * square.powi(2) / 3072.0, 173.0 * square.powi(3) / 737_280.0];
     for (name, terms) in [("k", in_k), ("θmax", in_theta)] {
-        let shown = terms.map(n).join(" + ");
-        let rest = longer - terms.iter().sum::<f64>();
-        s.line(format!(
-            "in {name}: 1 + {shown} = {}, {} less than P ω0 / 2π",
-            n(1.0 + terms.iter().sum::<f64>()),
-            crate::number::error(rest.max(0.0))
-        ));
+        let sum: f64 = terms.iter().sum();
+        // What is left of P ω0 / 2π − 1, if it is more than the rounding of that.
+        let rest = longer - sum;
+        let rest = if rest > 4.0 * f64::EPSILON { format!(", {} short", error(rest)) } else { String::new() };
+        s.line(format!("P ω0 / 2π - 1, in {name}: {} = {}{rest}", terms.map(n).join(" + "), n(sum)));
     }
 }
 
@@ -138,7 +146,7 @@ fn series(amplitude: f64, longer: f64, s: &mut Section) {
 fn swing_test(w: &Working<'_>, pendulum: &Pendulum, s: &mut Section) {
     let (mass, arm) = (w.rotor.mass(), pendulum.arm());
     let steiner = mass * arm * arm;
-    let central = pendulum.moment() - steiner;
+    let central = tidy_beside([pendulum.moment() - steiner, 0.0, 0.0], pendulum.moment())[0];
     s.say(
         "The swing test reads this backwards: hang a body of known M and d, count small swings, and the period P gives its moment \
          of inertia about the axis; parallel axes give that about the centre of mass:",

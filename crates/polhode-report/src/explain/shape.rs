@@ -12,7 +12,7 @@ use super::working::n;
 
 /// A shape's own tensor as its formulas have it, along its own axes from its centroid.
 struct Derived {
-    /// The integral and what it gives, in Unicode and in LaTeX.
+    /// What it is, `:   `, and the integral with what it gives; this in LaTeX.
     formula: [&'static str; 2],
     /// The measures, in words: `a, b, c = 1, 2, 3 m`.
     measures: String,
@@ -49,7 +49,10 @@ fn formulas(shapes: &[(&BodyPart, Derived)], s: &mut Section) {
     let mut told: Vec<&str> = Vec::new();
     for (part, Derived { formula: [text, latex], measures, moments }) in shapes {
         if !told.contains(text) {
-            s.formula(text, latex);
+            // `cylinder of radius r …:   Izz = …`
+            let (what, formula) = text.split_once(":   ").unwrap_or_default();
+            s.say(format!("{what}:"));
+            s.formula(formula, latex);
             told.push(text);
         }
         s.line(format!("{}: m = {} kg,  {measures}", part.name, n(part.properties.mass())));
@@ -223,8 +226,8 @@ fn of(part: &BodyPart) -> Option<Derived> {
             let across = tube * (6.0 * r * r + l * l) / 12.0 + ends * (r * r + l * l) / 4.0;
             Derived {
                 formula: [
-                    "tube with two ends, masses by area:   mt = m l/(l + r),   me = m r/(l + r),   Izz = mt r² + me r²/2",
-                    r"m_t = \frac{m l}{l + r}, \qquad m_e = \frac{m r}{l + r}, \qquad I_{zz} = m_t r^2 + \tfrac12 m_e r^2",
+                    "tube with two ends, masses by area:   mt = m l/(l + r),   me = m r/(l + r),   Izz = mt r² + me r²/2,   Ixx = mt (6 r² + l²)/12 + me (r² + l²)/4",
+                    r"m_t = \frac{m l}{l + r}, \qquad m_e = \frac{m r}{l + r}, \qquad I_{zz} = m_t r^2 + \tfrac12 m_e r^2, \qquad I_{xx} = \frac{m_t}{12} (6 r^2 + l^2) + \frac{m_e}{4} (r^2 + l^2)",
                 ],
                 measures: format!("r = {}, l = {} m,  mt = {}, me = {} kg", n(*r), n(*l), n(tube), n(ends)),
                 moments: [
@@ -263,8 +266,8 @@ fn of(part: &BodyPart) -> Option<Derived> {
             let across = m * (0.5 * ring * ring + 0.625 * a * a);
             Derived {
                 formula: [
-                    "torus of ring radius R and tube radius a about z:   Izz = ∫ (R + a' cos α)² dm = m (R² + 3a²/4),   Ixx = m (R²/2 + 5a²/8)",
-                    r"I_{zz} = \int (R + a' \cos\alpha)^2 dm = m \left(R^2 + \frac34 a^2\right), \qquad I_{xx} = m \left(\frac{R^2}{2} + \frac58 a^2\right)",
+                    "torus of ring radius R and tube radius a about z, with s and α polar in the section of the tube:   Izz = ∫ (R + s cos α)² dm = m (R² + 3a²/4),   Ixx = m (R²/2 + 5a²/8)",
+                    r"I_{zz} = \int (R + s \cos\alpha)^2 dm = m \left(R^2 + \frac34 a^2\right), \qquad I_{xx} = m \left(\frac{R^2}{2} + \frac58 a^2\right)",
                 ],
                 measures: format!("R = {}, a = {} m", n(*ring), n(*a)),
                 moments: [
@@ -328,7 +331,7 @@ fn cone(m: f64, a: f64, b: f64, h: f64) -> Derived {
         let across = m * (0.15 * r * r + 0.0375 * h * h);
         return Derived {
             formula: [
-                "cone of radius r and height h, its centroid h/4 above its base:   Izz = ∫ ½ ρ² dm = (3/10) m r²,   Ixx = m (3r²/20 + 3h²/80)",
+                "cone of radius r and height h, its centroid h/4 from its base:   Izz = ∫ ½ ρ² dm = (3/10) m r²,   Ixx = m (3r²/20 + 3h²/80)",
                 r"I_{zz} = \int \tfrac12 \rho^2 dm = \frac{3}{10} m r^2, \qquad I_{xx} = m \left(\frac{3 r^2}{20} + \frac{3 h^2}{80}\right)",
             ],
             measures: format!("r = {}, h = {} m", n(r), n(h)),

@@ -7,6 +7,7 @@ use polhode::motion::torque::TorqueModel;
 use polhode::motion::{HeavyTop, TopPath};
 
 use super::document::{Graph, Section};
+use super::free::once_in;
 use super::tensor::along_body_axis;
 use super::working::{Working, factor, n, v};
 use crate::heavy_top;
@@ -149,8 +150,9 @@ fn cubic(constants: &Constants, top: &HeavyTop, s: &mut Section) {
         return;
     };
     let a = constants.moments[0];
+    s.say("f has the roots u1 ≤ u2 ≤ 1 ≤ u3, and u goes to and fro between the first two:");
     s.formula(
-        "f(u) = 0 at u1 ≤ u2 ≤ 1 < u3:   u = u1 + (u2 − u1) sn²(λ t + δ, k),   λ² = M g l (u3 − u1)/2A,   k² = (u2 − u1)/(u3 − u1)",
+        "u = u1 + (u2 − u1) sn²(λ t + δ, k),   λ² = M g l (u3 − u1)/2A,   k² = (u2 − u1)/(u3 − u1)",
         r"u = u_1 + (u_2 - u_1) \operatorname{sn}^2(\lambda t + \delta, k), \qquad \lambda^2 = \frac{M g l}{2A} (u_3 - u_1), \qquad k^2 = \frac{u_2 - u_1}{u_3 - u_1}",
     );
     s.line(format!("u1 = {},  u2 = {},  u3 = {}", n(u1), n(u2), n(u3)));
@@ -164,13 +166,14 @@ fn cubic(constants: &Constants, top: &HeavyTop, s: &mut Section) {
     };
     let what = if is_steady(top) { "of small nutations about it" } else { "of a nutation" };
     s.line(format!("period {what} 2 K(k) / λ = {} s", n(period)));
+    let is_planar = top.path() == TopPath::Planar;
+    if let Some(turned) = top.precession_in_a_nutation().filter(|_| !is_planar) {
+        let through =
+            if top.mean_precession().is_none() { ", with the half turn of φ at the vertical" } else { "" };
+        s.line(format!("precession in a nutation = {}°{through}", n(turned.to_degrees())));
+    }
     if let (Some(precession), Some(spin)) = (top.mean_precession(), top.mean_spin()) {
-        s.line(format!(
-            "φ\u{307} on average = {}, once in {} s",
-            rate(precession),
-            n(TAU / precession.abs())
-        ));
-        s.line(format!("precession in a nutation = {}°", n((precession * period).to_degrees())));
+        s.line(format!("φ\u{307} on average = {}{}", rate(precession), once_in(precession)));
         s.line(format!("own spin ψ\u{307} on average = {};  ω_e = {}", rate(spin), rate(top.spin())));
     }
 }

@@ -29,7 +29,7 @@ impl Colour {
     /// Theirs too.
     pub(super) const ORANGE: Self = Self(0xe6_9f_00);
 
-    #[cfg(any(feature = "png", test))]
+    #[cfg(feature = "png")]
     pub(super) const fn rgb(self) -> [u8; 3] {
         let [_, r, g, b] = self.0.to_be_bytes();
         [r, g, b]

@@ -323,3 +323,49 @@ fn a_body_swings_about_a_principal_axis_as_the_integrators_say() {
     let off_plane = State { time: 0.0, attitude, omega: AngularVelocity::new(0.1, 1.0, 0.0) };
     assert!(ClosedForm::of(&rotor, &[TorqueModel::Gravity(gravity)], off_plane).is_err());
 }
+
+/// The azimuth of the axis from one turning point to the next of its kind: of tops that go through the vertical, up or down, and of one that does not.
+#[test]
+fn how_far_a_top_precesses_in_a_nutation_is_seen_at_its_turning_points() {
+    let motion = |angle, omega| HeavyTop::of(&top(), &DOWN, leaning(angle, omega)).unwrap();
+    let through = [
+        motion(0.0, [1.9, -0.7, 11.0]),
+        motion(0.0, [4.1, 2.2, -7.3]),
+        motion(0.0, [0.2, 0.1, 5.0]),
+        motion(PI, [3.1, 0.4, 6.0]),
+        motion(PI, [0.5, -1.1, -4.0]),
+        motion(PI, [2.0, 2.1, 0.3]),
+        motion(PI, [-1.0, 0.4, 19.0]),
+    ];
+    for (top, passes) in
+        through.iter().map(|top| (top, true)).chain([(&motion(0.7, [0.4, -0.9, 21.0]), false)])
+    {
+        assert_eq!(top.path() == TopPath::ThroughVertical, passes, "{:?}", top.path());
+        let period = top.nutation_period().unwrap();
+        let axis = |t: f64| (top.at(t).attitude * Direction::<Body>::new(0.0, 0.0, 1.0)).to_array();
+        // The lowest point, or the highest of one that goes through the bottom, by golden sections about the best of some samples.
+        let down = if top.nutation_bounds()[1] > 3.14 { -1.0 } else { 1.0 };
+        let height = |t: f64| down * axis(t)[2];
+        let count = 400;
+        let at = |k: i32| f64::from(k) * period / f64::from(count);
+        let least = (0..count).min_by(|a, b| height(at(*a)).total_cmp(&height(at(*b)))).unwrap();
+        let (mut from, mut to) = (at(least - 1), at(least + 1));
+        for _ in 0..60 {
+            let [a, b] = [0.382, 0.618].map(|part| from + part * (to - from));
+            if height(a) < height(b) { to = b } else { from = a }
+        }
+        let azimuth = |t: f64| axis(t)[1].atan2(axis(t)[0]);
+        let turned = azimuth(from + period) - azimuth(from);
+        let got = top.precession_in_a_nutation().unwrap();
+        let apart = (got - turned) / (2.0 * PI);
+        assert!(
+            (apart - apart.round()).abs() < 1e-6,
+            "{got} {turned} {:?} {:?}",
+            top.path(),
+            top.nutation_bounds()
+        );
+        assert!(!passes || got.abs() <= PI);
+        assert_eq!(top.mean_precession().is_none(), passes);
+        assert_eq!(top.mean_spin().is_none(), passes);
+    }
+}

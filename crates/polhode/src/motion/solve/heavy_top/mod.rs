@@ -256,17 +256,35 @@ impl HeavyTop {
 
     /// The mean rate of φ over a nutation, rad/s: of the axis about the vertical, right-handed about the direction against gravity.
     ///
-    /// Where the axis passes through the vertical φ jumps by half a turn, which counts as none. `None` on the separatrix,
-    /// and where the axis stays vertical.
+    /// `None` on the separatrix, where the axis stays vertical, and where it passes through the vertical, as φ jumps by half a turn there: see
+    /// [`HeavyTop::precession_in_a_nutation`].
     pub fn mean_precession(&self) -> Option<f64> {
-        self.mean_rates().map(|[precession, _]| precession)
+        self.mean_rates().filter(|_| self.path != TopPath::ThroughVertical).map(|[precession, _]| precession)
+    }
+
+    /// How far the axis goes round the vertical from one turning point of θ to the next of its kind, rad, right-handed about the direction against gravity.
+    ///
+    /// Where it passes through the vertical it is between −π and π: such an axis has no number of turns. `None` on the separatrix, and where the axis
+    /// stays vertical.
+    pub fn precession_in_a_nutation(&self) -> Option<f64> {
+        self.nutation_period()?;
+        let Nods { nutation, halves: [(p, _), (q, _)] } = self.nods.as_ref()?;
+        // φ = arg P + arg Q
+        let [p, q] = [p, q].map(|half| half.whole_gain(&nutation.parameter));
+        let turned = (p + q).value();
+        let turns = (turned / core::f64::consts::TAU).round();
+        Some(if self.path == TopPath::ThroughVertical {
+            turned - core::f64::consts::TAU * turns
+        } else {
+            turned
+        })
     }
 
     /// The mean rate of ψ over a nutation, rad/s: of the body about its axis, from the plane through the vertical.
     ///
     /// As [`HeavyTop::mean_precession`].
     pub fn mean_spin(&self) -> Option<f64> {
-        self.mean_rates().map(|[_, spin]| spin)
+        self.mean_rates().filter(|_| self.path != TopPath::ThroughVertical).map(|[_, spin]| spin)
     }
 
     fn mean_rates(&self) -> Option<[f64; 2]> {
@@ -285,7 +303,7 @@ impl HeavyTop {
         Some([parameter.m(), parameter.complement()])
     }
 
-    /// The roots of f(u) = u̇², u = cos θ: the two that the axis nods between, the lower first, and one above 1; `None` where the axis stays
+    /// The roots of f(u) = u̇², u = cos θ: the two that the axis nods between, the lower first, and one at or above 1; `None` where the axis stays
     /// vertical.
     ///
     /// f(u) = (1 − u²)(2E′ − 2 M g l u)/A − (p_φ − p_ψ u)²/A², and u = u₁ + (u₂ − u₁) sn²(λ t + δ), λ² = M g l (u₃ − u₁)/2A.

@@ -30,6 +30,7 @@ pub(crate) fn to_json(top: &HeavyTop) -> Value {
         "spin_rad_s": top.spin(),
         "nutation_rad": [highest, lowest],
         "nutation_period_s": top.nutation_period(),
+        "precession_in_a_nutation_rad": top.precession_in_a_nutation(),
         "mean_precession_rad_s": top.mean_precession(),
         "mean_spin_rad_s": top.mean_spin(),
         "sleeping_threshold_rad_s": Some(top.sleeping_threshold()).filter(|spin| spin.is_finite()),

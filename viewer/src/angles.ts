@@ -21,7 +21,7 @@ const HALF_TURN = 150;
 /** If the body turns by more from a sample to the next, rad, the angles are not followed. */
 const FOLLOWED = Math.PI / 2;
 
-export function angles(motion: Motion): Omit<Figure, "telling"> {
+export function angles(motion: Motion): Omit<Figure, "telling" | "aliased"> {
   const rows = Array.from({ length: motion.count }, (_, i) => euler313(motion.attitudeOf(i)));
   const followed = rows.map((_, i) => i > 0 && turn(motion, i) <= FOLLOWED);
   const both = told(rows);

@@ -9,7 +9,7 @@ const ROUNDING = 1e-12;
 
 const AXES = ["axis-1", "axis-2", "axis-3"];
 
-type Made = Omit<Figure, "telling" | "nothing"> & Partial<Pick<Figure, "nothing">>;
+type Made = Omit<Figure, "telling" | "nothing" | "aliased"> & Partial<Pick<Figure, "nothing">>;
 
 /** `principal` takes components along principal axes to components in body axes; those are about the point that the body turns about. */
 export function figuresOf(motion: Motion, principal: { moments: number[]; quaternion: Quaternion }): Figure[] {
@@ -28,7 +28,7 @@ export function figuresOf(motion: Motion, principal: { moments: number[]; quater
   return made.map((figure) => {
     const size = Math.max(...figure.lines.map(({ values }) => values.reduce((most, v) => Math.max(most, Math.abs(v) || 0), 0)), 0);
     const lasts = motion.complete || figure.log || figure.id === "angles";
-    return { nothing: ROUNDING * size, ...figure, telling: lasts ? motion.count : telling(figure.lines) };
+    return { nothing: ROUNDING * size, ...figure, telling: lasts ? motion.count : telling(figure.lines), aliased: motion.aliased };
   });
 }
 

@@ -3,7 +3,7 @@
  * through its neighbours, momentum and torque are linear.
  */
 import type { MotionData } from "./data";
-import { between, makeContinuous, type Quaternion, type Vector } from "./attitude";
+import { between, makeContinuous, type Quaternion, rotate, type Vector } from "./attitude";
 import { indexAt } from "./clock";
 import { BadData, f64 } from "./decode";
 
@@ -16,6 +16,12 @@ export interface Moment {
   /** body axes, N·m; null without torque */
   torque: Vector | null;
 }
+
+/** A body that turns farther than this from a sample to the next may oscillate unseen, rad. */
+const FAR = Math.PI / 2;
+
+/** ω and L include an angle, rad, where a body nutates. */
+const PARALLEL = 1e-6;
 
 /** What is less of the size of what it is made of is zero. */
 const ZERO = 1e-12;
@@ -39,6 +45,8 @@ export class Motion {
   readonly complete: boolean;
   /** The largest turn from one sample to the next, rad: what happens between samples is a guess if it is not small. */
   readonly largestTurn: number;
+  /** The samples may miss what oscillates: the body turns far from one to the next, and nutates. */
+  readonly aliased: boolean;
 
   constructor(data: MotionData) {
     const n = data.count;
@@ -74,6 +82,7 @@ export class Motion {
     this.#settle();
     makeContinuous(this.attitude);
     this.largestTurn = largestTurn(this.times, this.omega);
+    this.aliased = this.largestTurn > FAR && this.#nutates();
   }
 
   // L may be nothing while the body turns and its wheels turn back: then what rounding leaves of it is nothing too. The carrier's is at
@@ -85,6 +94,17 @@ export class Motion {
       if (rate > 0) size = Math.max(size, (2 * this.kinetic[i]) / rate);
     }
     if (largest(this.momentum) <= ZERO * size) this.momentum.fill(0);
+  }
+
+  #nutates(): boolean {
+    for (let i = 0; i < this.count; i += 1) {
+      const [omega, momentum] = [rotate(this.attitudeOf(i), at(this.omega, i)), at(this.momentum, i)];
+      const size = length(omega) * length(momentum);
+      const along = omega.reduce((sum, w, k) => sum + w * momentum[k], 0);
+      // cos α = 1 − α²/2
+      if (size > 0 && 1 - Math.abs(along / size) > 0.5 * PARALLEL * PARALLEL + 4 * Number.EPSILON) return true;
+    }
+    return false;
   }
 
   at(time: number): Moment {
@@ -164,7 +184,7 @@ function linear(rows: Float64Array, i: number, j: number, s: number): Vector {
 function largestTurn(times: Float64Array, omega: Float64Array): number {
   let largest = 0;
   for (let i = 1; i < times.length; i += 1) {
-    largest = Math.max(largest, (times[i] - times[i - 1]) * length(at(omega, i)));
+    largest = Math.max(largest, (times[i] - times[i - 1]) * Math.max(length(at(omega, i - 1)), length(at(omega, i))));
   }
   return largest;
 }

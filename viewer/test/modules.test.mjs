@@ -141,6 +141,7 @@ test("numbers have the figures that they need, and their digits stay together", 
   assert.equal(mark(2.5e-7, 5e-8), "2.5×10⁻⁷");
   assert.equal(powerOfTen(1e-13), "10⁻¹³");
   assert.deepEqual([3e-12, 0.02, 20, 9e4, 5e6].map((t) => timeUnit(t).name), ["ps", "ms", "s", "h", "d"]);
+  assert.deepEqual([9e3, 10_800, 216e3, 259_200].map((t) => timeUnit(t).name), ["s", "h", "h", "d"], "hours from 3 h, days from 3 d");
   const plain = (text) => text.replaceAll("\u00a0", "_");
   assert.deepEqual(["3.73784", "0.002337246", "34061.87", "8473.908", "7.79080×10⁻⁴"].map((n) => plain(grouped(n))), [
     "3.737_84", "0.002_337_246", "34_061.87", "8473.908", "7.790_80×10⁻⁴",
@@ -205,6 +206,39 @@ test("constants are lines of text with their drift, those in fact", () => {
   const drift = arrange(figure([line("T", () => 0), line("L", () => 2e-16)], { log: true, unit: "relative" }));
   assert.deepEqual(sentences(drift.constants, { log: true, unit: "relative" }), ["T: 0 in every sample"]);
   assert.deepEqual(drift.stacks[0].lines.map(({ symbol }) => symbol), ["L"]);
+});
+
+test("what samples may miss, or one sample says, is not said to be constant", () => {
+  const plainly = (words) => words.map((text) => text.replaceAll("\u00a0", " "));
+  // A symmetric top turns by 4π rad from a sample to the next, and its ω₁ = 0.3 cos(2π t) by a whole period.
+  const moments = [1, 1, 1.5];
+  const q = [0.8, 0.36, -0.48, 0];
+  const omega = [0.3, 0, 4 * Math.PI];
+  const rows = integrate(tensor(moments, [1, 0, 0, 0]), q, omega, 11, 12, undefined, 4000);
+  const made = samples.free();
+  const put = (numbers) => base64(Float64Array.from(numbers));
+  const data = (rows) => ({
+    ...made.motion,
+    count: rows.length,
+    times: put(rows.map(({ t }) => t)),
+    attitude: put(rows.flatMap(({ q }) => q)),
+    omega: put(rows.flatMap(({ omega }) => omega)),
+    momentum: put(rows.flatMap(({ q, omega }) => rotate(q, omega.map((w, k) => moments[k] * w)))),
+    kinetic: put(rows.map(({ omega }) => 0.5 * omega.reduce((sum, w, k) => sum + moments[k] * w * w, 0))),
+    drift: [],
+  });
+  const said = (rows) => {
+    const motion = new Motion(data(rows));
+    const found = figuresOf(motion, { moments, quaternion: [1, 0, 0, 0] }).find(({ id }) => id === "omega");
+    return plainly(sentences(arrange(found).constants, found));
+  };
+  const all = said(rows);
+  assert.ok(all.length > 0 && all.some((text) => text.startsWith("ωx = 0.300 000 rad/s, the same at all samples to ")), all.join("; "));
+  assert.ok(all.every((text) => !text.includes("constant")), all.join("; "));
+  assert.deepEqual(said(rows.slice(0, 1)).slice(0, 2), ["ωy = 0", "ωx = 0.300 000 rad/s"]);
+  // About a principal axis nothing oscillates, however far it turns.
+  const steady = rows.map(({ t }) => ({ t, q: [Math.cos(5 * t), 0, 0, Math.sin(5 * t)], omega: [0, 0, 10] }));
+  assert.ok(said(steady).includes("ωz = 10.0000 rad/s, constant to the last bit"), said(steady).join("; "));
 });
 
 test("no line is squashed: lines of other sizes have plots of their own", () => {

@@ -1,6 +1,6 @@
 //! What a computed motion should keep, by name: the lines of its drift.
 
-use polhode::motion::{Scenario, Solution, Trajectory};
+use polhode::motion::{Sample, Scenario, Solution, Trajectory};
 use polhode::observe::Drift;
 
 /// What turns a body.
@@ -24,6 +24,16 @@ impl Driven {
     pub(crate) const fn at_all(self) -> bool {
         self.by_torques || self.by_wheels
     }
+
+    /// What the work done since the start is called.
+    pub(crate) const fn work(self) -> &'static str {
+        if self.by_torques { "work" } else { "work of the motors" }
+    }
+}
+
+/// True if all samples have a finite potential energy.
+pub(crate) fn has_potential<'a>(samples: impl IntoIterator<Item = &'a Sample>) -> bool {
+    samples.into_iter().all(|sample| sample.potential_energy.is_some_and(f64::is_finite))
 }
 
 /// One balance, and how far it fails at each sample, relative to its size.

@@ -44,6 +44,8 @@ mod periods;
 pub mod plain;
 mod plot;
 mod required;
+mod sampling;
+mod si_prefix;
 mod sign_proof;
 mod source;
 mod sparkline;

@@ -4,6 +4,7 @@ use polhode::body::MassProperties;
 use polhode::math::Frame;
 
 use crate::number::{GROUP, alike, number, ungrouped, within};
+use crate::si_prefix;
 
 /// A unit and how many SI units it is.
 #[derive(Clone, Copy, Debug)]
@@ -47,17 +48,8 @@ const VOLUME: [Unit; 4] = [
     Unit { name: "m³", per_si: 1.0, from: 0.0 },
 ];
 
-const TIME: [Unit; 9] = [
-    Unit { name: "d", per_si: 1.0 / 86_400.0, from: 172_800.0 },
-    Unit { name: "h", per_si: 1.0 / 3_600.0, from: 7_200.0 },
-    Unit { name: "s", per_si: 1.0, from: 0.1 },
-    Unit { name: "ms", per_si: 1e3, from: 1e-4 },
-    Unit { name: "µs", per_si: 1e6, from: 1e-7 },
-    Unit { name: "ns", per_si: 1e9, from: 1e-10 },
-    Unit { name: "ps", per_si: 1e12, from: 1e-13 },
-    Unit { name: "s", per_si: 1.0, from: f64::MIN_POSITIVE },
-    Unit { name: "s", per_si: 1.0, from: 0.0 },
-];
+/// Units of a time that is three of them or longer: hours from 3 h on, days from 3 d.
+const LONGER: [(&str, f64); 2] = [("d", 86_400.0), ("h", 3_600.0)];
 
 /// Digits of a quantity that stands alone.
 pub(crate) const DIGITS: usize = 7;
@@ -68,17 +60,24 @@ pub(crate) fn duration(seconds: f64, digits: usize) -> String {
         "{}{GROUP}s",
         if digits > DIGITS { ungrouped(seconds, digits) } else { number(seconds, digits) }
     );
-    let longer = [(86_400.0, "d"), (3_600.0, "h")];
-    match longer.into_iter().find(|(unit, _)| seconds.abs() >= 2.0 * unit) {
-        Some((unit, name)) => format!("{shown}{GROUP}({}{GROUP}{name})", number(seconds / unit, 6)),
+    match longer(seconds) {
+        Some((name, unit)) => format!("{shown}{GROUP}({}{GROUP}{name})", number(seconds / unit, 6)),
         None => shown,
     }
 }
 
+/// Hours or days, with the length of one, s, for a time that is read in them.
+pub(crate) fn longer(seconds: f64) -> Option<(&'static str, f64)> {
+    LONGER.into_iter().find(|(_, unit)| seconds.abs() >= 3.0 * unit)
+}
+
 /// A time in one unit: `97.55 ms`, `5.369 d`.
 pub(crate) fn time(seconds: f64, digits: usize) -> String {
-    let unit = fitting(&TIME, seconds);
-    format!("{}{GROUP}{}", number(seconds * unit.per_si, digits), unit.name)
+    if let Some((name, unit)) = longer(seconds) {
+        return format!("{}{GROUP}{name}", number(seconds / unit, digits));
+    }
+    let (prefix, size) = si_prefix::fitting(seconds.abs(), "s").unwrap_or(("", 1.0));
+    format!("{}{GROUP}{prefix}s", number(seconds / size, digits))
 }
 
 /// `0.412 618 3 kg`
@@ -229,6 +228,18 @@ mod tests {
         assert_eq!(place_in(0.0, [3e-10, 0.0, 0.0]), "(0.3, 0, 0) nm");
         assert_eq!(place_in(0.0, [0.0; 3]), "(0, 0, 0) m");
         assert_eq!(place_in(2.0, [0.0; 3]), "(0, 0, 0) m");
+    }
+
+    #[test]
+    fn hours_begin_at_three_and_days_at_three() {
+        let read = |seconds: f64| plain_spaces(&format!("{}; {}", time(seconds, 4), duration(seconds, 4)));
+        assert_eq!(read(9_000.0), "9000 s; 9000 s");
+        assert_eq!(read(12_600.0), "3.5 h; 12 600 s (3.5 h)");
+        assert_eq!(read(216_000.0), "60 h; 216 000 s (60 h)");
+        assert_eq!(read(463_841.0), "5.369 d; 463 841 s (5.368 53 d)");
+        assert_eq!(plain_spaces(&time(-0.097_55, 4)), "-97.55 ms");
+        assert_eq!(plain_spaces(&time(5.635e-12, 4)), "5.635 ps");
+        assert_eq!(plain_spaces(&time(0.0, 4)), "0 s");
     }
 
     #[test]

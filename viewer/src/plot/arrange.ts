@@ -27,6 +27,8 @@ export interface Constant {
   value: number;
   /** How far it varies, relative; absolute where the value is zero. */
   drift: number;
+  /** There is but one sample, of which nothing says whether it stays. */
+  single: boolean;
 }
 
 /** Lines with an axis of their own. */
@@ -66,25 +68,30 @@ export function constantOf({ symbol, values, drift }: Line, figure: Pick<Figure,
   const range = extent([values]);
   // What is not there all the time is not constant.
   if (range === null || !values.every(Number.isFinite)) return null;
+  const single = values.length === 1;
   const size = Math.max(Math.abs(range[0]), Math.abs(range[1]));
-  if (size <= (figure.log ? 0 : figure.nothing)) return { symbol, value: 0, drift: size };
+  if (size <= (figure.log ? 0 : figure.nothing)) return { symbol, value: 0, drift: size, single };
   const spread = (range[1] - range[0]) / size;
   if (figure.log || !(spread < CONSTANT)) return null;
-  return { symbol, value: values[0], drift: drift ?? spread };
+  return { symbol, value: values[0], drift: drift ?? spread, single };
 }
 
-/** "ωx = ωy = 0", "T + U = 3.737 84 J, constant to 6.8×10⁻¹⁷": a line of text each, zeros in one. */
-export function sentences(constants: readonly Constant[], { log, unit }: Pick<Figure, "log" | "unit">): string[] {
+/**
+ * "ωx = ωy = 0", "T + U = 3.737 84 J, constant to 6.8×10⁻¹⁷": a line of text each, zeros in one. Of samples that may miss an oscillation
+ * no more than what they are.
+ */
+export function sentences(constants: readonly Constant[], { log, unit, aliased }: Pick<Figure, "log" | "unit" | "aliased">): string[] {
   const zeros = constants.filter(({ value }) => value === 0);
   if (log) return zeros.map(({ symbol }) => `${symbol}: 0 in every sample`);
   const words: string[] = [];
   if (zeros.length > 0) {
     const largest = Math.max(...zeros.map(({ drift }) => drift));
-    words.push(`${zeros.map(({ symbol }) => symbol).join(" = ")} = 0${largest > 0 ? ` to ${quantity(largest, unit, 2)}` : ""}`);
+    words.push(`${zeros.map(({ symbol }) => symbol).join(" = ")} = 0${largest > 0 ? ` to ${quantity(largest, unit, 2)}` : ""}${aliased ? " at all samples" : ""}`);
   }
-  for (const { symbol, value, drift } of constants) {
+  for (const { symbol, value, drift, single } of constants) {
     if (value === 0) continue;
-    words.push(`${symbol} = ${quantity(value, unit, 6)}, constant to ${drift > 0 ? number(drift, 2) : "the last bit"}`);
+    const stays = `, ${aliased ? "the same at all samples" : "constant"} to ${drift > 0 ? number(drift, 2) : "the last bit"}`;
+    words.push(`${symbol} = ${quantity(value, unit, 6)}${single ? "" : stays}`);
   }
   return words;
 }

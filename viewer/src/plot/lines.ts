@@ -30,6 +30,8 @@ export interface Figure {
   telling: number;
   /** What is smaller is zero but for rounding. */
   nothing: number;
+  /** The samples may miss what oscillates. */
+  aliased: boolean;
   lines: Line[];
   /** What is not drawn, and why. */
   note?: string;

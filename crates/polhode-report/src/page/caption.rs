@@ -1,12 +1,11 @@
 //! A line on each picture: what is seen, and why, with its numbers.
 
-use std::f64::consts::TAU;
-
 use polhode::motion::torque::TorqueModel;
 use polhode::motion::{FreeMotion, HeavyTop, Regime, Scenario, Solution, TopPath, Trajectory};
 use serde_json::{Value, json};
 
 use super::cones::{ConeAngles, Precession, is_moving};
+use super::top::time_round;
 use crate::free_facts::FreeFacts;
 use crate::layout::printable;
 use crate::number::{number, typeset};
@@ -48,8 +47,8 @@ impl Captions {
 fn heavy_top(top: &HeavyTop) -> String {
     let path = capitalised(top.path().description());
     let [highest, lowest] = top.nutation_bounds().map(degrees);
-    let round = top.mean_precession().filter(|rate| *rate != 0.0).map(|rate| time(TAU / rate.abs(), DIGITS));
-    let round = round.map_or_else(String::new, |period| format!(" and precesses once in {period}"));
+    let round = time_round(top).map(|period| format!(" and precesses once in {}", time(period, DIGITS)));
+    let round = round.unwrap_or_default();
     match (top.path(), top.nutation_period()) {
         (TopPath::Sleeping { .. } | TopPath::Hanging, _) | (_, None) => format!("{path}."),
         (TopPath::SteadySlow | TopPath::SteadyFast | TopPath::Conical, _) => {
@@ -120,16 +119,26 @@ fn wheel(scenario: &Scenario, k: usize) -> String {
 
 fn poinsot(motion: &FreeMotion) -> String {
     let height = number(2.0 * motion.kinetic_energy() / motion.momentum().norm(), DIGITS);
-    if is_moving(motion) {
-        format!(
+    match (is_rod(motion), is_moving(motion)) {
+        (false, true) => format!(
             "The inertia ellipsoid rolls without slipping on the invariable plane, 2T/|L| = {height} rad/s from its centre; the \
              point of contact, the tip of ω, traces the polhode and the herpolhode."
-        )
-    } else {
-        format!(
+        ),
+        (false, false) => format!(
             "The inertia ellipsoid touches the invariable plane, 2T/|L| = {height} rad/s from its centre, at one point: ω stays \
              along L."
-        )
+        ),
+        (true, is_moving) => {
+            let tip = if is_moving {
+                ". The point of this line that is at rest, the tip of ω, traces the polhode and the herpolhode"
+            } else {
+                ": ω stays along L"
+            };
+            format!(
+                "The inertia ellipsoid of a rod is a cylinder: it touches the invariable plane, 2T/|L| = {height} rad/s from its \
+                 centre, along a line{tip}."
+            )
+        }
     }
 }
 
@@ -164,6 +173,13 @@ fn sphere(free: &FreeFacts) -> String {
         (Regime::Separatrix, _) => {
             "The tip of L in the body runs along a separatrix to axis 2, which it never reaches.".to_owned()
         }
+        (_, Some(period)) if is_rod(motion) => {
+            let period = time(period, DIGITS);
+            format!(
+                "The tip of L in the body runs round axis 1 once in {period}, on the great circle across the rod: L has no component along \
+                 it."
+            )
+        }
         (regime, Some(period)) => {
             let separatrices = if regime == Regime::Symmetric {
                 "; of a symmetric body all are circles"
@@ -179,6 +195,11 @@ fn sphere(free: &FreeFacts) -> String {
         }
         (regime, None) => format!("L keeps its place in the body: {}.", regime.description()),
     }
+}
+
+/// A moment of zero: 2T = I (ω₂² + ω₃²), whatever ω₁ is.
+fn is_rod(motion: &FreeMotion) -> bool {
+    motion.labelled_moments().contains(&0.0)
 }
 
 fn circled(motion: &FreeMotion) -> u8 {

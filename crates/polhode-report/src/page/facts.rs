@@ -15,6 +15,7 @@ use crate::free_facts::FreeFacts;
 use crate::layout::printable;
 use crate::number::{count, error, number, tidy, tidy_matrix, typeset, vector};
 use crate::periods::Periods;
+use crate::sampling::largest_turn;
 use crate::torque::{Description, off_at_start};
 use crate::unit::{self, DIGITS};
 
@@ -342,7 +343,7 @@ fn this_page(shown: &Shown<'_>, notes: &[String]) -> Vec<Row> {
     let [here, all] = [shown.samples.len(), shown.of].map(|n| count(n as u64));
     let samples = Row::new("samples", here.clone(), "");
     rows.push(if here == all { samples } else { samples.note(format!("of {all}, evenly chosen")) });
-    let turn = shown.largest_turn();
+    let turn = largest_turn(shown.samples.iter().copied());
     if turn > LARGEST_TURN {
         let row = Row::angle("turn between samples", turn);
         rows.push(row.note("at most: too far to follow; sample a shorter time to see it"));

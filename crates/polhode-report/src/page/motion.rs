@@ -4,7 +4,7 @@ use polhode::motion::{Crossing, Pointing, Sample, Trajectory, Wheel};
 use serde_json::{Value, json};
 
 use super::PageSubject;
-use crate::balance::{Balance, Driven, balances};
+use crate::balance::{Balance, Driven, balances, has_potential};
 use crate::base64::f64s;
 use crate::json::finite;
 use crate::layout::printable;
@@ -61,15 +61,6 @@ impl<'a> Shown<'a> {
         }
     }
 
-    /// The largest angle by which the body turns from one sample to the next, rad, as |ω| Δt.
-    pub(super) fn largest_turn(&self) -> f64 {
-        let turn = |pair: &[&Sample]| match pair {
-            [a, b] => a.state.omega.norm().max(b.state.omega.norm()) * (b.state.time - a.state.time),
-            _ => 0.0,
-        };
-        self.samples.windows(2).map(turn).fold(0.0, f64::max)
-    }
-
     fn rows<const N: usize>(&self, row: impl Fn(&Sample) -> [f64; N]) -> String {
         f64s(self.samples.iter().flat_map(|sample| row(sample)))
     }
@@ -110,8 +101,7 @@ impl<'a> Shown<'a> {
         if has_potential || !self.driven.at_all() {
             return Value::Null;
         }
-        let name = if self.driven.by_torques { "work" } else { "work of the motors" };
-        json!({ "name": name, "values": self.rows(|s| [finite(s.work)]) })
+        json!({ "name": self.driven.work(), "values": self.rows(|s| [finite(s.work)]) })
     }
 
     /// The first of the events that happened: more would hide the curves.
@@ -137,9 +127,7 @@ fn chosen(count: usize) -> Vec<usize> {
 }
 
 pub(super) fn json(shown: &Shown<'_>) -> Value {
-    let potential: Option<Vec<f64>> = shown.samples.iter().map(|s| s.potential_energy).collect();
-    let potential = potential.filter(|all| all.iter().all(|u| u.is_finite()));
-    let work = shown.work(potential.is_some());
+    let has_potential = has_potential(shown.samples.iter().copied());
     json!({
         "count": shown.samples.len(),
         "method": shown.method,
@@ -149,8 +137,8 @@ pub(super) fn json(shown: &Shown<'_>) -> Value {
         "momentum": shown.rows(|s| s.momentum.to_array()),
         "torque": shown.is_turned().then(|| shown.rows(|s| s.torque.to_array())),
         "kinetic": shown.rows(|s| [s.kinetic_energy]),
-        "potential": potential.map(f64s),
-        "work": work,
+        "potential": has_potential.then(|| shown.rows(|s| [s.potential_energy.unwrap_or_default()])),
+        "work": shown.work(has_potential),
         "drift": shown.drift(),
         "wheels": shown.wheels(),
         "pointings": shown.pointings(),

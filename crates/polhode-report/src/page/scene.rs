@@ -1,12 +1,11 @@
 //! What the 3-D view shows besides the body: how fast it should play, gravity, and a line on each picture.
 
-use std::f64::consts::TAU;
-
 use polhode::motion::torque::TorqueModel;
-use polhode::motion::{HeavyTop, Scenario, Solution, TopPath};
+use polhode::motion::{HeavyTop, Scenario, Solution};
 use serde_json::{Value, json};
 
 use super::caption::Captions;
+use super::top::time_round;
 use super::{PageInput, PageSubject};
 use crate::free_facts::FreeFacts;
 use crate::json::{finite, numbers};
@@ -33,12 +32,10 @@ fn top(scenario: &Scenario, input: &PageInput<'_>) -> Option<HeavyTop> {
     crate::heavy_top::of(scenario, input.trajectory.start().state).filter(|_| is_computed)
 }
 
-/// The time of a precession about the vertical, s; of a nutation where the axis does not go round.
+/// The time of a precession about the vertical, s; of a nutation where there is none.
 fn precession_period(top: &HeavyTop) -> Option<f64> {
     let nutation = top.nutation_period()?;
-    let goes_round = !matches!(top.path(), TopPath::Planar | TopPath::Sleeping { .. } | TopPath::Hanging);
-    let precession = top.mean_precession().filter(|_| goes_round).map(|rate| TAU / rate.abs());
-    Some(precession.filter(|period| *period <= MOST_NUTATIONS * nutation).unwrap_or(nutation))
+    Some(time_round(top).filter(|period| *period <= MOST_NUTATIONS * nutation).unwrap_or(nutation))
 }
 
 /// The longest of a free motion's periods, s.

@@ -1,34 +1,31 @@
 //! Numbers of the page in units of a size that people say: milliradians per second, microjoules, picoseconds, days.
 
 use crate::number::{number, typeset, vector};
+use crate::si_prefix::fitting;
 use crate::unit::{self, DIGITS};
-
-/// SI prefixes and their sizes, from large to small.
-const PREFIXES: [(&str, f64); 7] =
-    [("M", 1e6), ("k", 1e3), ("", 1.0), ("m", 1e-3), ("µ", 1e-6), ("n", 1e-9), ("p", 1e-12)];
 
 /// A number, and its unit.
 pub(super) type Sized = (String, String);
 
 /// `1.945 152`, `µJ`
 pub(super) fn energy(joule: f64) -> Sized {
-    prefixed(joule, "J", &PREFIXES)
+    prefixed(joule, "J")
 }
 
 /// `1.109 695`, `mrad/s`; large rates stay in rad/s.
 pub(super) fn rate(rad_per_s: f64) -> Sized {
-    prefixed(rad_per_s, "rad/s", &PREFIXES[2..5])
+    prefixed(rad_per_s, "rad/s")
 }
 
 /// Three rates in one unit.
 pub(super) fn rates(rad_per_s: [f64; 3]) -> Sized {
-    let (prefix, size) = fitting(largest(rad_per_s), &PREFIXES[2..5]).unwrap_or(("", 1.0));
+    let (prefix, size) = fitting(largest(rad_per_s), "rad/s").unwrap_or(("", 1.0));
     (vector(rad_per_s.map(|x| x / size), DIGITS), format!("{prefix}rad/s"))
 }
 
 /// From one rate to another, in one unit: `10.2665 … 10.5486`, `µrad/s`.
 pub(super) fn rate_range([least, most]: [f64; 2]) -> Sized {
-    let (prefix, size) = fitting(most, &PREFIXES[2..5]).unwrap_or(("", 1.0));
+    let (prefix, size) = fitting(most, "rad/s").unwrap_or(("", 1.0));
     let [least, most] = [least, most].map(|rate| number(rate / size, 6));
     let value = if least == most { least } else { format!("{least} … {most}") };
     (value, format!("{prefix}rad/s"))
@@ -36,10 +33,10 @@ pub(super) fn rate_range([least, most]: [f64; 2]) -> Sized {
 
 /// `5.634 747`, `ps`; what is long in days or hours too: `463 841 s`, `(5.368 53 d)`.
 pub(super) fn duration(seconds: f64) -> Sized {
-    if seconds.abs() >= 2.0 * 3_600.0 {
-        return (unit::duration(seconds, DIGITS), String::new());
+    match unit::longer(seconds) {
+        Some(_) => (unit::duration(seconds, DIGITS), String::new()),
+        None => prefixed(seconds, "s"),
     }
-    prefixed(seconds, "s", &PREFIXES[2..])
 }
 
 /// Three numbers with one power of ten before the unit, where they are small or large: `(4.3, 4.3, 1.2)`, `×10⁻⁴ kg·m²`.
@@ -57,19 +54,11 @@ pub(super) fn three(values: [f64; 3], unit: &str) -> Sized {
     (vector(values.map(|x| x / power), DIGITS), format!("{} {unit}", factor.trim_start_matches('1')))
 }
 
-fn prefixed(value: f64, unit: &str, prefixes: &[(&'static str, f64)]) -> Sized {
-    match fitting(value.abs(), prefixes) {
+fn prefixed(value: f64, unit: &str) -> Sized {
+    match fitting(value.abs(), unit) {
         Some((prefix, size)) => (number(value / size, DIGITS), format!("{prefix}{unit}")),
         None => (number(value, DIGITS), unit.to_owned()),
     }
-}
-
-/// The unit itself for a size from 0.1 to 10⁴; else the largest in which it is 0.1 at least. `None` if it is none, below all, or far above.
-fn fitting(size: f64, prefixes: &[(&'static str, f64)]) -> Option<(&'static str, f64)> {
-    if (0.1..1e4).contains(&size) {
-        return Some(("", 1.0));
-    }
-    prefixes.iter().find(|(_, unit)| size >= 0.1 * unit && size < 1e6 * unit).copied()
 }
 
 fn largest(values: [f64; 3]) -> f64 {
@@ -99,6 +88,7 @@ mod tests {
         assert_eq!(text(rate_range([0.4, 0.4])), "0.4 rad/s");
         assert_eq!(text(duration(5.634_747e-12)), "5.634 747 ps");
         assert_eq!(text(duration(463_841.0)), "463 841 s (5.368 53 d)");
+        assert_eq!(text(duration(9_000.0)), "9000 s");
         assert_eq!(text(three([4.5e-4, 0.0, -1.26e-5], "kg·m²")), "(4.5, 0, -0.126) ×10⁻⁴ kg·m²");
         assert_eq!(text(three([0.34, 0.31, 0.026], "kg·m²")), "(0.34, 0.31, 0.026) kg·m²");
         assert_eq!(text(three([0.0; 3], "kg·m²")), "(0, 0, 0) kg·m²");

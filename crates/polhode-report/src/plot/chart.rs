@@ -4,7 +4,7 @@
 //! would fill its panel with stripes, the panel shows its envelope, and another beside it the beginning in full. Samples that do not
 //! resolve what they show are dots.
 
-use polhode::motion::{Ending, Sample};
+use polhode::motion::Ending;
 
 use super::axes::{Area, Axes, Axis};
 use super::constant::Constant;
@@ -20,6 +20,7 @@ use super::sheet::{Anchor, Colour, Sheet};
 use super::time::{time_axis, unit_of_time};
 use super::{font, prefix};
 use crate::number::number;
+use crate::sampling::turn_that_hides;
 
 /// Writes the heading of a figure with its keys; gives the area below.
 pub(super) type Heading<'a> = &'a dyn Fn(&mut Sheet, &[Key]) -> Area;
@@ -30,12 +31,6 @@ const MOST_OF_SEVERAL: usize = 2;
 
 /// Turning points in the part that is shown in full.
 const TURNS: usize = 8;
-
-/// A body that turns farther than this from a sample to the next may oscillate unseen, rad.
-const FAR: f64 = std::f64::consts::FRAC_PI_2;
-
-/// ω and L include an angle, in radians, where a body nutates.
-const PARALLEL: f64 = 1e-6;
 
 /// The height of a line of text above a frame, px.
 const LINE: f64 = 15.0;
@@ -83,6 +78,8 @@ impl<'a> Chart<'a> {
         let (mut panels, mut words, mut is_zero) = (Vec::new(), Vec::new(), true);
         let most = if quantities.len() > 1 { MOST_OF_SEVERAL } else { MOST };
         let mut notes = Vec::new();
+        let turn = turn_that_hides(motion.samples());
+        let is_sampled = turn.is_some();
         for Quantity { name, unit, curves, made_of } in quantities {
             let runs_away = matches!(motion.trajectory.ending(), Ending::Failed { .. });
             let end = range(curves.iter().flat_map(|c| c.pieces.iter().flatten()).map(|p| p[0]))[1];
@@ -94,13 +91,13 @@ impl<'a> Chart<'a> {
                 match Constant::of(curve.values(), scale) {
                     Some(constant) => {
                         is_zero &= matches!(constant, Constant::Zero(_));
-                        words.push(constant.said(&curve.symbol, unit));
+                        words.push(constant.said(&curve.symbol, unit, is_sampled));
                     }
                     None => varying.push(curve),
                 }
             }
             if until < end {
-                notes.push(beyond(&varying, unit, end));
+                notes.extend(beyond(&varying, unit, until));
             }
             is_zero &= varying.is_empty();
             let ranges: Vec<[f64; 2]> = varying.iter().map(|curve| curve.range_until(until)).collect();
@@ -111,13 +108,15 @@ impl<'a> Chart<'a> {
                 panels.push(Panel::new([name, unit], has_all, curves, until));
             }
         }
-        let turn = turn_that_hides(motion.samples());
-        let is_sampled = turn.is_some();
         match turn {
-            Some(turn) if !panels.is_empty() => notes.push(format!(
-                "dots: samples; the body turns by up to {} rad from one to the next, and what oscillates with it may be missed",
-                number(turn, 3)
-            )),
+            Some(turn) => {
+                let [dots, one] =
+                    if panels.is_empty() { ["", "one sample"] } else { ["dots: samples; ", "one"] };
+                notes.push(format!(
+                    "{dots}the body turns by up to {} rad from {one} to the next, and what oscillates with it may be missed",
+                    number(turn, 3)
+                ));
+            }
             _ if !panels.iter().all(Panel::is_resolved) => {
                 notes.push("dots: samples, too far apart to resolve the curve".to_owned());
             }
@@ -257,34 +256,16 @@ impl<'a> Chart<'a> {
     }
 }
 
-/// How far the curves go that leave their panel.
-fn beyond(curves: &[Curve], unit: &str, end: f64) -> String {
-    let all = curves.iter().flat_map(Curve::values).map(f64::abs).filter(|x| x.is_finite());
-    let largest = prefix::value(all.fold(0.0, f64::max), 3, unit);
-    format!("beyond the frame: to {largest} at {}", prefix::value(end, 3, "s"))
-}
-
-/// The largest |ω| Δt, rad.
-pub(super) fn largest_turn(samples: &[Sample]) -> f64 {
-    let turn = |pair: &[Sample]| match pair {
-        [a, b] => (b.state.time - a.state.time) * a.state.omega.norm().max(b.state.omega.norm()),
-        _ => 0.0,
-    };
-    samples.windows(2).map(turn).fold(0.0, f64::max)
-}
-
-/// The largest turn of a body from a sample to the next if it is far, and the body nutates.
-fn turn_that_hides(samples: &[Sample]) -> Option<f64> {
-    let turn = largest_turn(samples);
-    let nutates = samples.iter().any(|s| {
-        let omega = s.state.omega_space();
-        let angle = omega.to_array().into_iter().zip(s.momentum.to_array());
-        let along = angle.map(|(a, b)| a * b).sum::<f64>();
-        let size = omega.norm() * s.momentum.norm();
-        // cos α = 1 − α²/2
-        size > 0.0 && 1.0 - (along / size).abs() > 0.5 * PARALLEL * PARALLEL + 4.0 * f64::EPSILON
-    });
-    (turn > FAR && nutates).then_some(turn)
+/// How far the curves go that leave their panel after `until`, and when; `None` if none has a finite value there.
+fn beyond(curves: &[Curve], unit: &str, until: f64) -> Option<String> {
+    let points = curves.iter().flat_map(|curve| curve.pieces.iter().flatten()).filter(|p| p[0] > until);
+    let finite = points.map(|[time, x]| [*time, x.abs()]).filter(|[_, x]| x.is_finite());
+    let [time, largest] = finite.reduce(|most, point| if point[1] > most[1] { point } else { most })?;
+    Some(format!(
+        "beyond the frame: to {} at {}",
+        prefix::value(largest, 3, unit),
+        prefix::value(time, 3, "s")
+    ))
 }
 
 /// Until when curves tell how large a motion is that runs away: without the last samples, each of which is far beyond all before it.
@@ -314,10 +295,21 @@ fn telling(curves: &[Curve]) -> f64 {
 mod tests {
     use super::super::sheet::Pen;
     use super::*;
+    use crate::layout::plain_spaces;
 
     fn curve(values: Vec<f64>) -> Curve {
         let piece = values.into_iter().enumerate().map(|(k, x)| [k as f64, x]).collect();
         Curve { pen: Pen::axis(0), name: String::new(), symbol: String::new(), pieces: vec![piece] }
+    }
+
+    #[test]
+    fn how_far_a_curve_goes_has_the_time_of_its_largest_value() {
+        let shown = |curves: &[Curve], until| beyond(curves, "rad/s", until).map(|text| plain_spaces(&text));
+        let curves = [curve(vec![0.3, -5e3, 41.0, 7.0]), curve(vec![2.7, 0.1, f64::INFINITY, 43.0])];
+        assert_eq!(shown(&curves, 0.0).unwrap(), "beyond the frame: to 5000 rad/s at 1 s");
+        assert_eq!(shown(&curves, 1.0).unwrap(), "beyond the frame: to 43 rad/s at 3 s");
+        assert_eq!(shown(&[], 0.0), None);
+        assert_eq!(shown(&[curve(vec![0.3, f64::NAN])], 0.0), None);
     }
 
     #[test]

@@ -19,6 +19,8 @@ pub(super) enum Constant {
     Zero(f64),
     /// Another value, and the difference between the greatest and the least value relative to it.
     Value(f64, f64),
+    /// The only value there is, of which nothing says whether it stays.
+    Single(f64),
 }
 
 impl Constant {
@@ -26,7 +28,9 @@ impl Constant {
     /// depends.
     pub(super) fn of(values: impl Iterator<Item = f64>, scale: f64) -> Option<Self> {
         let [mut least, mut greatest] = [f64::INFINITY, f64::NEG_INFINITY];
+        let mut count = 0_usize;
         for x in values {
+            count += 1;
             if !x.is_finite() {
                 return None;
             }
@@ -39,20 +43,26 @@ impl Constant {
         if size <= ZERO * scale {
             return Some(Self::Zero(size));
         }
+        if count == 1 {
+            return Some(Self::Single(least));
+        }
         let spread = (greatest - least) / size;
         (spread < SPREAD).then_some(Self::Value(0.5 * (least + greatest), spread))
     }
 
-    /// `T = 3.737 84 J, constant to 6.8×10⁻¹⁷`
-    pub(super) fn said(self, name: &str, unit: &str) -> String {
+    /// `T = 3.737 84 J, constant to 6.8×10⁻¹⁷`; of samples that may miss an oscillation no more than what they are.
+    pub(super) fn said(self, name: &str, unit: &str, is_sampled: bool) -> String {
+        let samples = if is_sampled { " at all samples" } else { "" };
         match self {
-            Self::Zero(0.0) => format!("{name} = 0"),
-            Self::Zero(size) => format!("{name} = 0, to {}", prefix::value(size, 2, unit)),
+            Self::Zero(0.0) => format!("{name} = 0{samples}"),
+            Self::Zero(size) => format!("{name} = 0, to {}{samples}", prefix::value(size, 2, unit)),
+            Self::Single(value) => format!("{name} = {}", prefix::value(value, DIGITS, unit)),
             Self::Value(value, spread) => {
                 let value = prefix::value(value, DIGITS, unit);
                 let drift =
                     if spread > 0.0 { format!(" to {}", typeset(&error(spread))) } else { String::new() };
-                format!("{name} = {value}, constant{drift}")
+                let stays = if is_sampled { "the same" } else { "constant" };
+                format!("{name} = {value}, {stays}{samples}{drift}")
             }
         }
     }
@@ -86,7 +96,7 @@ mod tests {
 
     #[test]
     fn a_constant_is_said_with_its_drift() {
-        let said = |constant: Constant, unit| plain_spaces(&constant.said("T + U", unit));
+        let said = |constant: Constant, unit| plain_spaces(&constant.said("T + U", unit, false));
         assert_eq!(
             said(Constant::Value(3.737_841_2, 6.83e-17), "J"),
             "T + U = 3.737 84 J, constant to 6.8×10⁻¹⁷"
@@ -94,5 +104,23 @@ mod tests {
         assert_eq!(said(Constant::Value(-0.3, 0.0), "N·m"), "T + U = −0.3 N·m, constant");
         assert_eq!(said(Constant::Zero(0.0), "J"), "T + U = 0");
         assert_eq!(said(Constant::Zero(2.31e-17), "kg·m²/s"), "T + U = 0, to 2.3×10⁻¹⁷ kg·m²/s");
+    }
+
+    #[test]
+    fn samples_far_apart_say_only_what_they_are() {
+        let said = |constant: Constant| plain_spaces(&constant.said("ω₁", "rad/s", true));
+        assert_eq!(
+            said(Constant::Value(0.3, 2.3e-16)),
+            "ω₁ = 0.3 rad/s, the same at all samples to 2.3×10⁻¹⁶"
+        );
+        assert_eq!(said(Constant::Zero(0.0)), "ω₁ = 0 at all samples");
+        assert_eq!(said(Constant::Zero(1.7e-17)), "ω₁ = 0, to 1.7×10⁻¹⁷ rad/s at all samples");
+    }
+
+    #[test]
+    fn a_single_value_is_not_said_to_be_constant() {
+        let single = Constant::of(std::iter::once(-0.37), 4.0).unwrap();
+        assert_eq!(plain_spaces(&single.said("ω₂", "rad/s", false)), "ω₂ = −0.37 rad/s");
+        assert_eq!(plain_spaces(&single.said("ω₂", "rad/s", true)), "ω₂ = −0.37 rad/s");
     }
 }

@@ -8,12 +8,13 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use polhode::motion::Sample;
 
-use super::chart::{Chart, Quantity, largest_turn};
+use super::chart::{Chart, Quantity};
 use super::curve::Curve;
 use super::error::PlotError;
 use super::figure::Figure;
 use super::plotted::PlottedMotion;
 use super::sheet::{Colour, Pen, Point};
+use crate::sampling::largest_turn;
 
 /// Near an end of θ sin θ is below this: within 1.1°.
 const NEAR: f64 = 0.02;

@@ -2,18 +2,11 @@
 
 use super::ticks::{exponent, power_of_ten, reduced};
 use crate::number::{GROUP, number, typeset};
+use crate::si_prefix::prefixes;
 
-/// Prefixes that are in use with a unit, by powers of ten; with all others a factor stands before the unit.
-const PREFIXES: [(&str, &[(i32, &str)]); 4] = [
-    ("J", &[(-9, "n"), (-6, "µ"), (-3, "m"), (3, "k"), (6, "M"), (9, "G")]),
-    ("N·m", &[(-9, "n"), (-6, "µ"), (-3, "m"), (3, "k"), (6, "M")]),
-    ("rad/s", &[(-6, "µ"), (-3, "m")]),
-    ("s", &[(-15, "f"), (-12, "p"), (-9, "n"), (-6, "µ"), (-3, "m")]),
-];
-
+/// With a power of ten that has no prefix in use a factor stands before the unit.
 fn prefix(exponent: i32, unit: &str) -> Option<&'static str> {
-    let (_, prefixes) = PREFIXES.iter().find(|(name, _)| *name == unit)?;
-    prefixes.iter().find(|(power, _)| *power == exponent).map(|(_, prefix)| *prefix)
+    prefixes(unit).find(|(power, _)| *power == exponent).map(|(_, prefix)| prefix)
 }
 
 /// `mJ`, `10⁻⁶ kg·m²/s`: a unit 10^exponent as large.

@@ -9,6 +9,7 @@ use super::curve::Curve;
 use super::figure::Figure;
 use super::plotted::PlottedMotion;
 use super::sheet::{Colour, Pen, Point};
+use crate::balance::has_potential;
 
 /// The curves of ω, an energy, L, a torque or angles.
 pub(super) fn quantity(motion: &PlottedMotion<'_>, figure: Figure) -> Quantity {
@@ -93,7 +94,7 @@ fn energy(motion: &PlottedMotion<'_>) -> Vec<Curve> {
         return curves;
     }
     let bold = |k: usize| Pen::axis(k);
-    if motion.samples().iter().all(|s| s.potential_energy.is_some()) {
+    if has_potential(motion.samples()) {
         let potential = |s: &Sample| s.potential_energy.unwrap_or_default();
         return vec![
             kinetic(bold(1)),
@@ -101,8 +102,7 @@ fn energy(motion: &PlottedMotion<'_>) -> Vec<Curve> {
             one(motion, thin, "T + U", move |s| s.kinetic_energy + potential(s)),
         ];
     }
-    let work = if motion.driven.by_torques { "work" } else { "work of the motors" };
-    vec![kinetic(bold(1)), one(motion, bold(0), work, |s| s.work)]
+    vec![kinetic(bold(1)), one(motion, bold(0), motion.driven.work(), |s| s.work)]
 }
 
 fn one(motion: &PlottedMotion<'_>, pen: Pen, name: &str, value: impl Fn(&Sample) -> f64) -> Curve {

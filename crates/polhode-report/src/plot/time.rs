@@ -1,6 +1,7 @@
 //! Times: the unit in which they are read, and their axis.
 
 use super::axes::Axis;
+use crate::unit::longer;
 
 /// The axis of an interval of time, and the length of its unit, s.
 pub(super) fn time_axis(times: [f64; 2], width: f64) -> (Axis, f64) {
@@ -11,9 +12,5 @@ pub(super) fn time_axis(times: [f64; 2], width: f64) -> (Axis, f64) {
 
 /// The unit in which a time is read, and its length, s.
 pub(super) fn unit_of_time(largest: f64) -> (&'static str, f64) {
-    match largest {
-        t if t > 3.0 * 86_400.0 => ("d", 86_400.0),
-        t if t > 3.0 * 3_600.0 => ("h", 3_600.0),
-        _ => ("s", 1.0),
-    }
+    longer(largest).unwrap_or(("s", 1.0))
 }

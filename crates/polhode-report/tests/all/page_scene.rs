@@ -1,7 +1,7 @@
 //! What a page's 3-D view shows besides the body: tops, gravity, and a line on each picture.
 
-use polhode::motion::Sample;
 use polhode::motion::torque::EnergySink;
+use polhode::motion::{HeavyTop, Sample, TopPath};
 use polhode::prelude::*;
 use serde_json::Value;
 
@@ -58,6 +58,46 @@ fn a_top_has_its_axis_its_bounds_and_gravity() {
     let shown = format!("θ₁ = {:.2}", first.to_degrees());
     assert!(caption.contains(&shown) && caption.contains("precesses once in"), "{caption}");
     assert!(scene["captions"]["cones"].is_null());
+}
+
+#[test]
+fn a_top_through_the_vertical_has_no_precession_to_be_seen() {
+    let inertia = InertiaTensor::diagonal([0.021, 0.021, 0.034]).unwrap();
+    let body = MassProperties::new(1.3, Position::new(0.0, 0.0, 0.13), inertia).unwrap();
+    let attitude = Attitude::from_euler313([0.4, 0.0, -0.7]).unwrap();
+    let start = State { time: 0.0, attitude, omega: AngularVelocity::new(0.7, -0.4, 5.0) };
+    let gravity = [TorqueModel::Gravity(UniformGravity::STANDARD)];
+    let scenario =
+        Scenario::new(body).titled("Through").held_at(Position::ZERO).unwrap().starting(start).unwrap();
+    let scenario = scenario.under(gravity).unwrap().sampled(crate::common::run(3.0, 601));
+    let top = HeavyTop::of(scenario.rotor(), &UniformGravity::STANDARD, start).unwrap();
+    assert_eq!(top.path(), TopPath::ThroughVertical);
+    let (data, _) = page_of(&scenario);
+    let caption = data["scene"]["captions"]["body"].as_str().unwrap();
+    assert!(caption.contains("The axis nods between") && !caption.contains("precesses"), "{caption}");
+    assert_eq!(number(&data["scene"]["period"]), top.nutation_period().unwrap());
+}
+
+#[test]
+fn a_rods_inertia_ellipsoid_is_a_cylinder() {
+    let rod = crate::common::rod();
+    let of = |scenario: &Scenario| page_of(scenario).0["scene"]["captions"].clone();
+    let moving = of(&rod);
+    let text = |captions: &Value, picture: &str| captions[picture].as_str().unwrap().to_owned();
+    let poinsot = text(&moving, "poinsot");
+    assert!(poinsot.contains("is a cylinder") && poinsot.contains("along a line"), "{poinsot}");
+    assert!(!poinsot.contains("rolls") && poinsot.contains("traces the polhode"), "{poinsot}");
+    assert!(text(&moving, "sphere").contains("great circle across the rod"), "{moving}");
+    // (0.3, −0.4, 1.2) is along the rod.
+    let across = AngularVelocity::new(0.4, 0.9, 0.2);
+    let permanent = of(&crate::common::spinning(rod, across));
+    let poinsot = text(&permanent, "poinsot");
+    assert!(
+        poinsot.contains("is a cylinder") && poinsot.ends_with("along a line: ω stays along L."),
+        "{poinsot}"
+    );
+    assert!(text(&permanent, "cones").starts_with("A permanent rotation"), "{permanent}");
+    assert!(text(&permanent, "sphere").starts_with("L keeps its place in the body"), "{permanent}");
 }
 
 #[test]

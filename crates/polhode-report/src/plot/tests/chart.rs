@@ -131,6 +131,24 @@ fn what_oscillates_fast_has_an_envelope_and_a_beginning_in_full() {
 }
 
 #[test]
+fn what_samples_miss_is_not_said_to_be_constant() {
+    // ω₁ = 0.3 cos(Ω t), with Ω = (1.5 − 1) 4π rad/s = 2π rad/s: it is the same every second.
+    let (motion, _) = moments([1.0, 1.0, 1.5], [0.3, 0.0, 4.0 * std::f64::consts::PI], 1.0);
+    let seconds: Vec<f64> = (0..12).map(f64::from).collect();
+    let trajectory = Trajectory::of_motion(motion, &seconds).unwrap();
+    assert!((motion.at(0.5).omega.x + 0.3).abs() < 1e-12);
+    let figures = MotionFigures::of_motion("aliased", &motion, &trajectory);
+    for figure in [Figure::Omega, Figure::Energy, Figure::Momentum] {
+        let picture = figures.draw(figure).unwrap();
+        readable(&picture, "aliased");
+        let texts = boxes(&picture);
+        let all = texts.iter().map(|(text, _)| text.as_str()).collect::<Vec<_>>().join(" ");
+        assert!(!all.contains("constant") && all.contains("the same at all samples"), "{all}");
+        assert!(all.contains("the body turns by up to 12.6 rad from one sample to the next"), "{all}");
+    }
+}
+
+#[test]
 fn what_would_be_squashed_has_a_panel_of_its_own() {
     // ω_z grows from 0.3 to 30 rad/s, while the others stay small.
     let torque = ConstantTorque::Body(Torque::new(0.0, 0.0, 12.0));

@@ -225,8 +225,8 @@ test("the path of a top's axis is on the page, with the axis of the view on it",
   const { page, problems, close } = await open(browser, "axis", data);
   const plot = page.locator("#plot-axis");
   await plot.scrollIntoViewIfNeeded();
-  assert.match(await plot.textContent(), /θ from 34\.377° to 44\.3\d*°/);
-  assert.ok((await plot.locator("svg text").allTextContents()).includes("θ from the vertical (°)"));
+  assert.match(await plot.textContent(), /34\.377° to 44\.3\d*° from the vertical/);
+  assert.ok((await plot.locator("svg text").allTextContents()).includes("angle from the vertical (°)"));
   const dots = () => plot.locator("circle.axis-now").evaluateAll((all) => all.map((c) => [Number(c.getAttribute("cx")), Number(c.getAttribute("cy"))]));
   const before = await dots();
   await page.evaluate(() => window.polhode.clock.set(0.61));

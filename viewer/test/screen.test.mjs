@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { launch, open, shoot } from "./browser.mjs";
-import { samples } from "./sample.mjs";
+import { rotate, samples } from "./sample.mjs";
 
 let browser;
 before(async () => {
@@ -41,9 +41,15 @@ test("a motion that runs away at its end has the arrows and the speed of the res
       const { clock, view } = window.polhode;
       clock.set(clock.end);
       view.render();
-      return view.attitudeAt(clock.end).every(Number.isFinite);
+      const tip = view.labels.placed.find(({ text }) => text === "𝛚").tip;
+      return { tip: tip.toArray(), attitude: view.attitudeAt(clock.end) };
     });
-    assert.ok(last);
+    const q = last.attitude;
+    const omega = rotate(q, [...numbers(data.motion.omega).slice(-3)]);
+    const long = Math.hypot(...last.tip);
+    // It leaves the picture in its direction, and does not end behind the camera.
+    assert.ok(long <= 3.0001, `${long}`);
+    omega.forEach((x, k) => assert.ok(Math.abs(last.tip[k] / long - x / Math.hypot(...omega)) < 1e-5, `${last.tip}`));
     await shoot(page, `${name}-end`);
     assert.deepEqual(problems, []);
     await close();

@@ -1,14 +1,22 @@
 /** The path of a top's axis in space: θ from the vertical, φ round it. */
 import { rotate, type Vector } from "./attitude";
+import { indexAt } from "./clock";
 import type { TopData } from "./data";
 import { at, type Motion } from "./motion";
 import { extrema } from "./plot/envelope";
+import { extent } from "./plot/scale";
 
 /** From one point of the path to the next, rad. */
 const FINE = 0.03;
 
 /** The axis may go so far from a sample to the next, rad. */
 const FOLLOWED = Math.PI / 2;
+
+/** So far, in parts of the range of θ, the way between samples may leave what they and the closed form reach. */
+const BEYOND = 0.02;
+
+/** rad; less is not seen. */
+const ROUNDED = 1e-4;
 
 /** What is less between the least and the greatest θ is rounding, rad. */
 const NOTHING = 1e-9;
@@ -24,8 +32,11 @@ export interface AxisPath {
   bounds: [number, number];
 }
 
-/** With points between samples that are far apart; the largest turn of the axis, rad, if that is too large to follow. */
-export function axisPath(motion: Motion, top: TopData): AxisPath | { turn: number } {
+/**
+ * With points between samples that are far apart. Where samples do not say how the axis goes between them: its largest turn from one to
+ * the next, or how far θ would leave its bounds, rad.
+ */
+export function axisPath(motion: Motion, top: TopData): AxisPath | { turn: number } | { beyond: number } {
   const path: AxisPath = { times: [], points: [], theta: [], phi: [], bounds: [0, 0] };
   const put = (time: number, point: Vector): void => {
     const { theta, phi } = anglesOf(point, top);
@@ -35,18 +46,29 @@ export function axisPath(motion: Motion, top: TopData): AxisPath | { turn: numbe
     path.theta.push(theta);
     path.phi.push(before === undefined ? phi : phi + 2 * Math.PI * Math.round((before - phi) / (2 * Math.PI)));
   };
-  const whole = tip(motion, top, 0);
-  put(motion.times[0], whole.e);
+  const tips = Array.from({ length: motion.count }, (_, i) => tip(motion, top, i));
+  const step = (i: number): number => motion.times[i] - motion.times[i - 1];
+  const turns = tips.map(({ rate }, i) => (i > 0 ? step(i) * Math.max(Math.hypot(...tips[i - 1].rate), Math.hypot(...rate)) : 0));
+  const turn = turns.reduce((a, b) => Math.max(a, b));
+  if (!(turn <= FOLLOWED)) return { turn };
+  put(motion.times[0], tips[0].e);
   for (let i = 1; i < motion.count; i += 1) {
-    const [a, b] = [tip(motion, top, i - 1), tip(motion, top, i)];
-    const h = motion.times[i] - motion.times[i - 1];
-    const turn = h * Math.max(Math.hypot(...a.rate), Math.hypot(...b.rate));
-    if (!(turn <= FOLLOWED)) return { turn };
-    const parts = Math.max(Math.ceil(turn / FINE), 1);
-    for (let k = 1; k <= parts; k += 1) put(motion.times[i - 1] + (h * k) / parts, between(a, b, h, k / parts));
+    const parts = Math.max(Math.ceil(turns[i] / FINE), 1);
+    for (let k = 1; k <= parts; k += 1) put(motion.times[i - 1] + (step(i) * k) / parts, between(tips[i - 1], tips[i], step(i), k / parts));
   }
-  path.bounds = top.bounds ?? [path.theta.reduce((a, b) => Math.min(a, b)), path.theta.reduce((a, b) => Math.max(a, b))];
-  return path;
+  const reached = extent([path.theta]) ?? [0, 0];
+  path.bounds = top.bounds ?? reached;
+  const [least, most] = extent([path.bounds, tips.map(({ e }) => anglesOf(e, top).theta)]) ?? reached;
+  const beyond = Math.max(least - reached[0], reached[1] - most);
+  return beyond > BEYOND * (most - least) + ROUNDED ? { beyond } : path;
+}
+
+/** φ of the path, which goes on beyond a turn. */
+export function azimuthAt({ times, phi }: AxisPath, time: number): number {
+  const i = indexAt(times, time);
+  const j = Math.min(i + 1, times.length - 1);
+  const part = times[j] > times[i] ? (time - times[i]) / (times[j] - times[i]) : 0;
+  return phi[i] + part * (phi[j] - phi[i]);
 }
 
 export function anglesOf(point: Vector, { up, across }: TopData): { theta: number; phi: number } {

@@ -76,9 +76,11 @@ export class Clock {
   /** To the next sample, or with -1 to the one before. */
   step(direction: 1 | -1): void {
     this.playing = false;
-    const i = this.index();
-    if (direction > 0) this.set(this.times[Math.min(i + 1, this.times.length - 1)]);
-    else this.set(this.times[this.time > this.times[i] ? i : Math.max(i - 1, 0)]);
+    let i = this.index();
+    if (direction > 0) i = Math.min(i + 1, this.times.length - 1);
+    // Samples may share a time.
+    else while (i > 0 && this.times[i] >= this.time) i -= 1;
+    this.set(this.times[i]);
   }
 
   /** To the next speed of 1, 2, 5, 10, … or with -1 to the one before. */
@@ -103,7 +105,7 @@ export class Clock {
 }
 
 /** The last of ascending `times` that is not later than `time`; 0 if all are. */
-export function indexAt(times: Float64Array, time: number): number {
+export function indexAt(times: ArrayLike<number>, time: number): number {
   let low = 0;
   let high = times.length - 1;
   while (low < high) {
@@ -118,6 +120,8 @@ export function indexAt(times: Float64Array, time: number): number {
 const PERIOD = 5 * Math.SQRT2;
 /** Of the screen, rad/s: what turns faster is a blur. */
 const FASTEST = 80;
+/** s: what takes less flashes by. */
+const FLASH = 2;
 
 /**
  * A speed at which the eye can follow. `period`: what the motion shows takes so long, s; null where nothing repeats, and then it is 1 if
@@ -131,7 +135,7 @@ export function watchable(rate: number, duration: number, period: number | null)
     return fitting(Math.min(shown / PERIOD, turns ? FASTEST / rate : Infinity));
   }
   const seen = turns ? rate : duration > 0 ? 20 / duration : 1;
-  if (seen > 0.15 && seen < 30) return 1;
+  if (seen > 0.15 && seen < 30 && !(duration > 0 && duration < FLASH)) return 1;
   // However slow the body is, the run does not flash by.
   const longest = duration > 0 ? duration / PERIOD : Infinity;
   return nearest(Math.min((seen < 1 ? 1.5 : 6) / seen, longest));
@@ -151,9 +155,10 @@ function nearest(value: number): number {
   return decade * (mantissa < 1.5 ? 1 : mantissa < 3.5 ? 2 : mantissa < 7.5 ? 5 : 10);
 }
 
+/** The next of 1, 2, 5, 10, … above or below. */
 function neighbour(speed: number, direction: 1 | -1): number {
-  const here = Number(nearest(speed).toPrecision(1));
-  const first = Number(here.toExponential().charAt(0));
-  const factor = direction > 0 ? (first === 2 ? 2.5 : 2) : first === 5 ? 1 / 2.5 : 1 / 2;
-  return Number((here * factor).toPrecision(1));
+  const decade = 10 ** Math.floor(Math.log10(speed));
+  const steps = [0.5, 1, 2, 5, 10, 20].map((step) => Number((step * decade).toPrecision(1)));
+  const next = direction > 0 ? steps.find((step) => step > speed * (1 + 1e-9)) : steps.reverse().find((step) => step < speed * (1 - 1e-9));
+  return next ?? speed;
 }

@@ -3,9 +3,13 @@ import { angles } from "./angles";
 import { inverse, type Quaternion, rotate, type Vector } from "./attitude";
 import { at, lengths, type Motion } from "./motion";
 import type { Figure, Line } from "./plot/lines";
+import { extent } from "./plot/scale";
 
 /** What is less of the size of the largest line is zero but for rounding. */
 const ROUNDING = 1e-12;
+
+/** Among the drifts, the one that is not relative. */
+const ATTITUDE_ERROR = "attitude error, rad (estimate)";
 
 const AXES = ["axis-1", "axis-2", "axis-3"];
 
@@ -26,14 +30,16 @@ export function figuresOf(motion: Motion, principal: { moments: number[]; quater
     ...drift(motion),
   ];
   return made.map((figure) => {
-    const size = Math.max(...figure.lines.map(({ values }) => values.reduce((most, v) => Math.max(most, Math.abs(v) || 0), 0)), 0);
-    const lasts = motion.complete || figure.log || figure.id === "angles";
-    return { nothing: ROUNDING * size, ...figure, telling: lasts ? motion.count : telling(figure.lines), aliased: motion.aliased };
+    // Drifts have powers of ten, and angles do not run away.
+    const telling = figure.log || figure.id === "angles" ? motion.count : motion.telling;
+    const [low, high] = extent(figure.lines.map(({ values }) => values), 0, telling - 1) ?? [0, 0];
+    const ranAway = telling < motion.count ? `The motion runs away: ranges and constants are without the last ${samples(motion.count - telling)}.` : null;
+    return { nothing: ROUNDING * Math.max(-low, high), ...figure, telling, aliased: motion.aliased, ...(ranAway ? { note: ranAway } : {}) };
   });
 }
 
 function omega(motion: Motion): Made {
-  const lines = vector(motion.omega, ["ωx", "ωy", "ωz"], "|ω|");
+  const lines = vector(motion, motion.omega, ["ωx", "ωy", "ωz"], "|ω|");
   return { ...plain, id: "omega", title: "Angular velocity, body axes", quantity: "ω", unit: "rad/s", lines };
 }
 
@@ -42,19 +48,17 @@ function omegaAlongPrincipal(motion: Motion, principal: Quaternion): Made[] {
   const axes = ([[1, 0, 0], [0, 1, 0], [0, 0, 1]] as Vector[]).map((axis) => rotate(principal, axis));
   if (axes.every((axis) => Math.max(...axis.map(Math.abs)) > 1 - 1e-12)) return [];
   const rows = rotated(motion.omega, () => inverse(principal));
-  const lines = vector(rows, ["ω₁", "ω₂", "ω₃"]);
+  const lines = vector(motion, rows, ["ω₁", "ω₂", "ω₃"]);
   return [{ ...plain, id: "omega-principal", title: "Angular velocity, principal axes", quantity: "ω", unit: "rad/s", lines }];
 }
 
 function pointing({ pointings }: Motion): Made[] {
   if (pointings.length === 0) return [];
-  const inks = [...AXES, "omega", "torque", "ink"];
   const lines = pointings.map(({ name, values }, k): Line => ({
     symbol: pointings.length === 1 ? "angle" : name,
     label: name,
-    ink: inks[k % inks.length],
     values: values.map((angle) => (angle * 180) / Math.PI),
-    ...(k % 2 === 1 ? { dash: [6, 3] } : {}),
+    ...look(k),
   }));
   return [{ ...plain, id: "pointing", title: "Where the body points", quantity: "angle", unit: "°", lines, nothing: 1e-7 }];
 }
@@ -84,7 +88,7 @@ function shares(motion: Motion, { moments, quaternion }: { moments: number[]; qu
 
 function momentumInSpace(motion: Motion): Made {
   const size = { symbol: "|L|", label: "|L|", ink: "ink", values: lengths(motion.momentum), ...balance(motion, "|L|") };
-  const lines = [size, ...vector(motion.momentum, ["LX", "LY", "LZ"]).map((line) => ({ ...line, dash: [6, 3] }))];
+  const lines = [size, ...vector(motion, motion.momentum, ["LX", "LY", "LZ"]).map((line) => ({ ...line, dash: [6, 3] }))];
   const title = `Angular momentum${motion.wheels.length > 0 ? ", wheels included" : ", space axes"}`;
   return { ...plain, id: "momentum", title, quantity: "L", unit: "kg·m²/s", lines };
 }
@@ -92,15 +96,15 @@ function momentumInSpace(motion: Motion): Made {
 /** A free body's L stands still in space; in the body it moves. */
 function momentumInBody(motion: Motion, principal: Quaternion): Made {
   const body = rotated(motion.momentum, (i) => inverse(motion.attitudeOf(i)));
-  const lines = vector(rotated(body, () => inverse(principal)), ["L₁", "L₂", "L₃"]);
+  const lines = vector(motion, rotated(body, () => inverse(principal)), ["L₁", "L₂", "L₃"]);
   lines.push({ symbol: "|L|", label: "|L|", ink: "ink", values: lengths(motion.momentum), dash: [4, 4], ...balance(motion, "|L|") });
   return { ...plain, id: "momentum", title: "Angular momentum, principal axes", quantity: "L", unit: "kg·m²/s", lines };
 }
 
 /** None where no torque acts. */
-function torque({ torque }: Motion): Made[] {
-  if (torque === null) return [];
-  const lines = vector(torque, ["Nx", "Ny", "Nz"], "|N|");
+function torque(motion: Motion): Made[] {
+  if (motion.torque === null) return [];
+  const lines = vector(motion, motion.torque, ["Nx", "Ny", "Nz"], "|N|");
   return [{ ...plain, id: "torque", title: "Torque, body axes", quantity: "N", unit: "N·m", lines }];
 }
 
@@ -109,8 +113,8 @@ function wheels({ wheels }: Motion): Made[] {
   const line = (symbol: string, name: string, values: Float64Array, k: number): Line => ({
     symbol: wheels.length > 1 ? `${symbol} of ${name}` : symbol,
     label: name,
-    ink: AXES[k % 3],
     values,
+    ...look(k),
   });
   const h = wheels.map(({ name, momentum }, k) => line("h", name, momentum, k));
   const speeds = wheels.flatMap(({ name, speed }, k) => (speed ? [line("Ω", name, speed, k)] : []));
@@ -125,26 +129,40 @@ function wheels({ wheels }: Motion): Made[] {
 }
 
 function drift(motion: Motion): Made[] {
-  if (motion.drift.length === 0) return [];
   const inks = ["omega", "ink", "torque", "axis-1", "axis-3", "axis-2"];
-  const lines = motion.drift.map(({ name, values }, k) => ({
+  const relative = motion.drift.filter(({ name }) => name !== ATTITUDE_ERROR);
+  const lines = relative.map(({ name, values }, k) => ({
     symbol: name,
     label: name,
     ink: inks[k % inks.length],
     values: values.map(Math.abs),
   }));
   const note = "A dot for each sample, a line for the largest so far.";
-  return [{ id: "drift", title: "Drift of what should stay", quantity: "drift", unit: "relative", log: true, lines, note }];
+  const made: Made[] = [];
+  if (lines.length > 0) made.push({ id: "drift", title: "Drift of what should stay", quantity: "drift", unit: "relative", log: true, lines, note });
+  for (const { name, values } of motion.drift) {
+    if (name !== ATTITUDE_ERROR) continue;
+    const error: Line = { symbol: "the attitude", label: "attitude", ink: "ink", values: values.map(Math.abs) };
+    made.push({ id: "attitude-error", title: "Estimated error of the attitude", quantity: "error", unit: "rad", log: true, lines: [error], note });
+  }
+  return made;
 }
 
 const plain = { log: false };
 
+/** The k-th of lines that have no ink of their own: twelve that differ. */
+function look(k: number): Pick<Line, "ink" | "dash"> {
+  const inks = [...AXES, "omega", "torque", "ink"];
+  const dashed = (k + Math.floor(k / inks.length)) % 2 === 1;
+  return { ink: inks[k % inks.length], ...(dashed ? { dash: [6, 3] } : {}) };
+}
+
 /** Three components, and their length unless one component is all of it. */
-function vector(rows: Float64Array, symbols: string[], size?: string): Line[] {
+function vector({ telling }: Motion, rows: Float64Array, symbols: string[], size?: string): Line[] {
   const lines: Line[] = symbols.map((symbol, k) => ({ symbol, label: symbol, ink: AXES[k], values: column(rows, k) }));
   const all = lengths(rows);
-  const nothing = ROUNDING * all.reduce((most, v) => Math.max(most, v), 0);
-  const moving = lines.filter(({ values }) => values.some((v) => Math.abs(v) > nothing));
+  const nothing = ROUNDING * all.subarray(0, telling).reduce((most, v) => Math.max(most, v), 0);
+  const moving = lines.filter(({ values }) => values.subarray(0, telling).some((v) => Math.abs(v) > nothing));
   if (size && moving.length > 1) lines.push({ symbol: size, label: size, ink: "quiet", values: all, dash: [4, 4] });
   return lines;
 }
@@ -152,7 +170,11 @@ function vector(rows: Float64Array, symbols: string[], size?: string): Line[] {
 /** How far the balance of this name fails at the worst sample. */
 function balance(motion: Motion, wanted: string): { drift?: number } {
   const found = motion.drift.find(({ name }) => name === wanted);
-  return found ? { drift: found.values.reduce((most, v) => Math.max(most, Math.abs(v)), 0) } : {};
+  return found ? { drift: found.values.subarray(0, motion.telling).reduce((most, v) => Math.max(most, Math.abs(v)), 0) } : {};
+}
+
+function samples(count: number): string {
+  return count === 1 ? "sample" : `${count} samples`;
 }
 
 function rotated(rows: Float64Array, by: (i: number) => Quaternion): Float64Array {
@@ -163,16 +185,4 @@ function rotated(rows: Float64Array, by: (i: number) => Quaternion): Float64Arra
 
 function column(rows: Float64Array, k: number): Float64Array {
   return Float64Array.from({ length: rows.length / 3 }, (_, i) => at(rows, i)[k]);
-}
-
-/** Without the last samples of a run-away, each of which is far beyond all before it. */
-function telling(lines: Line[]): number {
-  const count = lines[0]?.values.length ?? 0;
-  const soFar = new Float64Array(count);
-  for (let i = 0; i < count; i += 1) {
-    soFar[i] = Math.max(i > 0 ? soFar[i - 1] : 0, ...lines.map(({ values }) => Math.abs(values[i])));
-  }
-  let last = count;
-  while (last > Math.ceil(count / 2) && last > 1 && soFar[last - 1] > 4 * soFar[last - 2]) last -= 1;
-  return last;
 }

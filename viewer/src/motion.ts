@@ -1,6 +1,6 @@
 /**
  * The motion at any time: samples, and what is between them. Attitudes follow the rates at both samples; ω follows a cubic
- * through its neighbours, momentum and torque are linear.
+ * through its neighbours, momentum is linear in space, and torque in space or in the body, where it changes less.
  */
 import type { MotionData } from "./data";
 import { between, makeContinuous, type Quaternion, rotate, type Vector } from "./attitude";
@@ -13,7 +13,7 @@ export interface Moment {
   omega: Vector;
   /** space axes, kg·m²/s */
   momentum: Vector;
-  /** body axes, N·m; null without torque */
+  /** space axes, N·m; null without torque */
   torque: Vector | null;
 }
 
@@ -43,6 +43,8 @@ export class Motion {
   /** How many happened: more than are in `events` if that is thinned. */
   readonly eventCount: number;
   readonly complete: boolean;
+  /** So many samples say how large and how fast the motion is: a run-away's last ones are far beyond all before. */
+  readonly telling: number;
   /** The largest turn from one sample to the next, rad: what happens between samples is a guess if it is not small. */
   readonly largestTurn: number;
   /** The samples may miss what oscillates: the body turns far from one to the next, and nutates. */
@@ -83,6 +85,7 @@ export class Motion {
     makeContinuous(this.attitude);
     this.largestTurn = largestTurn(this.times, this.omega);
     this.aliased = this.largestTurn > FAR && this.#nutates();
+    this.telling = this.complete ? n : this.#telling();
   }
 
   // L may be nothing while the body turns and its wheels turn back: then what rounding leaves of it is nothing too. The carrier's is at
@@ -112,11 +115,12 @@ export class Motion {
     const j = Math.min(i + 1, this.count - 1);
     const step = this.times[j] - this.times[i];
     const part = step > 0 ? Math.min(Math.max((time - this.times[i]) / step, 0), 1) : 0;
+    const attitude = between(this.attitudeOf(i), at(this.omega, i), this.attitudeOf(j), at(this.omega, j), step, part);
     return {
-      attitude: between(this.attitudeOf(i), at(this.omega, i), this.attitudeOf(j), at(this.omega, j), step, part),
+      attitude,
       omega: this.#cubic(i, j, part),
       momentum: linear(this.momentum, i, j, part),
-      torque: this.torque === null ? null : linear(this.torque, i, j, part),
+      torque: this.torque === null ? null : this.#torqueAt(this.torque, i, j, part, attitude),
     };
   }
 
@@ -128,8 +132,23 @@ export class Motion {
   /** The mean of |ω|, rad/s. */
   meanRate(): number {
     let sum = 0;
-    for (let i = 0; i < this.count; i += 1) sum += length(at(this.omega, i));
-    return sum / this.count;
+    for (let i = 0; i < this.telling; i += 1) sum += length(at(this.omega, i));
+    return sum / this.telling;
+  }
+
+  // Of all that is plotted and drawn by its size: the least.
+  #telling(): number {
+    const vectors = [this.omega, this.momentum, ...(this.torque ? [this.torque] : [])];
+    const numbers = [this.kinetic, this.potential, this.work?.values, ...this.wheels.flatMap(({ momentum, speed }) => [momentum, speed])];
+    const rows = [...vectors.map(lengths), ...numbers.filter((row) => row !== null && row !== undefined)];
+    return Math.min(...rows.map(beforeRunAway));
+  }
+
+  // A thruster's torque stays in the body, that of gravity about in space: in space axes, by way of those in which it changes less.
+  #torqueAt(torque: Float64Array, i: number, j: number, part: number, attitude: Quaternion): Vector {
+    const [a, b] = [at(torque, i), at(torque, j)];
+    const [inSpaceA, inSpaceB] = [rotate(this.attitudeOf(i), a), rotate(this.attitudeOf(j), b)];
+    return apart(inSpaceA, inSpaceB) <= apart(a, b) ? mixed(inSpaceA, inSpaceB, part) : rotate(attitude, mixed(a, b, part));
   }
 
   // Catmull and Rom's cubic, for samples that are not evenly spaced.
@@ -176,9 +195,26 @@ export function lengths(rows: Float64Array): Float64Array {
 }
 
 function linear(rows: Float64Array, i: number, j: number, s: number): Vector {
-  const a = at(rows, i);
-  const b = at(rows, j);
+  return mixed(at(rows, i), at(rows, j), s);
+}
+
+function mixed(a: Vector, b: Vector, s: number): Vector {
   return [a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1]), a[2] + s * (b[2] - a[2])];
+}
+
+function apart(a: Vector, b: Vector): number {
+  return Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+/** Without the last values each of which is far beyond all before it. */
+function beforeRunAway(values: Float64Array): number {
+  const soFar = new Float64Array(values.length);
+  values.forEach((value, i) => {
+    soFar[i] = Math.max(i > 0 ? soFar[i - 1] : 0, Math.abs(value));
+  });
+  let last = values.length;
+  while (last > Math.ceil(values.length / 2) && last > 1 && soFar[last - 1] > 4 * soFar[last - 2]) last -= 1;
+  return last;
 }
 
 function largestTurn(times: Float64Array, omega: Float64Array): number {

@@ -225,8 +225,8 @@ test("the path of a top's axis is on the page, with the axis of the view on it",
   const { page, problems, close } = await open(browser, "axis", data);
   const plot = page.locator("#plot-axis");
   await plot.scrollIntoViewIfNeeded();
-  assert.match(await plot.textContent(), /θ from 34\.377° to 44\.3\d*°/);
-  assert.ok((await plot.locator("svg text").allTextContents()).includes("θ from the vertical (°)"));
+  assert.match(await plot.textContent(), /34\.377° to 44\.3\d*° from the vertical/);
+  assert.ok((await plot.locator("svg text").allTextContents()).includes("angle from the vertical (°)"));
   const dots = () => plot.locator("circle.axis-now").evaluateAll((all) => all.map((c) => [Number(c.getAttribute("cx")), Number(c.getAttribute("cy"))]));
   const before = await dots();
   await page.evaluate(() => window.polhode.clock.set(0.61));
@@ -534,39 +534,44 @@ const curvePoints = (id) => {
 };
 
 test("a heavy top has its circles, the path of its axis, a floor, and gravity at its centre of mass", async () => {
-  const data = samples.heavy();
-  const { page, problems, close } = await open(browser, "top", data);
-  const seconds = data.scene.period / (await page.evaluate(() => window.polhode.clock.speed));
-  assert.ok(seconds >= 5 && seconds <= 10, `a precession in ${seconds} s`);
-  const bounds = data.top.bounds;
-  const angle = (p) => Math.acos(p[2] / Math.hypot(...p));
-  const circles = await page.evaluate(curvePoints, "bounds");
-  const found = [...new Set(circles.map((p) => angle(p).toFixed(5)))];
-  assert.deepEqual(found, bounds.map((theta) => theta.toFixed(5)));
-  const path = await page.evaluate(curvePoints, "path");
-  const attitude = numbers(data.motion.attitude);
-  for (const i of [0, 7, 1234]) {
-    const want = rotate([...attitude.subarray(4 * i, 4 * i + 4)], [0, 0, 1]);
-    const nearest = Math.min(...path.map((p) => Math.hypot(...p.map((x, k) => x / 1.3 - want[k]))));
-    assert.ok(nearest < 1e-6, `sample ${i} is on the path: ${nearest}`);
+  for (const name of ["heavy", "tilted"]) {
+    const data = samples[name]();
+    const { up } = data.top;
+    const dot = (a, b) => a.reduce((sum, x, k) => sum + x * b[k], 0);
+    const { page, problems, close } = await open(browser, `top-${name}`, data);
+    const seconds = data.scene.period / (await page.evaluate(() => window.polhode.clock.speed));
+    assert.ok(seconds >= 5 && seconds <= 10, `a precession in ${seconds} s`);
+    const bounds = data.top.bounds;
+    const angle = (p) => Math.acos(dot(p, up) / Math.hypot(...p));
+    const circles = await page.evaluate(curvePoints, "bounds");
+    const found = [...new Set(circles.map((p) => angle(p).toFixed(5)))];
+    assert.deepEqual(found, bounds.map((theta) => theta.toFixed(5)));
+    const path = await page.evaluate(curvePoints, "path");
+    const attitude = numbers(data.motion.attitude);
+    for (const i of [0, 7, 1234]) {
+      const want = rotate([...attitude.subarray(4 * i, 4 * i + 4)], [0, 0, 1]);
+      const nearest = Math.min(...path.map((p) => Math.hypot(...p.map((x, k) => x / 1.3 - want[k]))));
+      assert.ok(nearest < 1e-6, `sample ${i} is on the path: ${nearest}`);
+    }
+    assert.ok(path.every((p) => angle(p) > bounds[0] - 1e-4 && angle(p) < bounds[1] + 1e-4));
+    const { at, tip, unit, floor } = await page.evaluate((t) => {
+      const { clock, view } = window.polhode;
+      clock.set(t);
+      view.render();
+      const object = (id) => view.layers.find((layer) => layer.id === id).objects[0];
+      const tip = view.labels.placed.find(({ text }) => text === "𝐠").tip.toArray();
+      return { at: object("gravity").position.toArray(), tip, unit: view.model.radius, floor: object("floor").position.toArray() };
+    }, 2.468);
+    const i = 1234;
+    const middle = rotate([...attitude.subarray(4 * i, 4 * i + 4)], data.body.lever).map((x) => x / unit);
+    middle.forEach((x, k) => assert.ok(Math.abs(at[k] - x) < 1e-6));
+    assert.deepEqual(floor, [0, 0, 0]);
+    const arrow = tip.map((x, k) => x - at[k]);
+    up.forEach((x, k) => assert.ok(Math.abs(arrow[k] + x * Math.hypot(...arrow)) < 1e-9, "it points down"));
+    await shoot(page, `top-${name}`);
+    assert.deepEqual(problems, []);
+    await close();
   }
-  assert.ok(path.every((p) => angle(p) > bounds[0] - 1e-4 && angle(p) < bounds[1] + 1e-4));
-  const { at, tip, unit, floor } = await page.evaluate((t) => {
-    const { clock, view } = window.polhode;
-    clock.set(t);
-    view.render();
-    const object = (id) => view.layers.find((layer) => layer.id === id).objects[0];
-    const tip = view.labels.placed.find(({ text }) => text === "𝐠").tip.toArray();
-    return { at: object("gravity").position.toArray(), tip, unit: view.model.radius, floor: object("floor").position.toArray() };
-  }, 2.468);
-  const i = 1234;
-  const middle = rotate([...attitude.subarray(4 * i, 4 * i + 4)], data.body.lever).map((x) => x / unit);
-  middle.forEach((x, k) => assert.ok(Math.abs(at[k] - x) < 1e-6));
-  assert.deepEqual(floor, [0, 0, 0]);
-  assert.ok(Math.abs(tip[0] - at[0]) < 1e-9 && Math.abs(tip[1] - at[1]) < 1e-9 && tip[2] < at[2], "it points down");
-  await shoot(page, "top");
-  assert.deepEqual(problems, []);
-  await close();
 });
 
 test("a wheel has its axis, h, and says when its motor runs", async () => {

@@ -1,5 +1,5 @@
 // Sample pages: motions integrated here in a few lines, so that the viewer is tested without polhode.
-// node test/sample.mjs free|symmetric|heavy|mesh|balls prints the data of a page as JSON.
+// node test/sample.mjs free|symmetric|heavy|tilted|mesh|balls prints the data of a page as JSON.
 import { pathToFileURL } from "node:url";
 
 const b64 = (array) => Buffer.from(array.buffer, array.byteOffset, array.byteLength).toString("base64");
@@ -77,10 +77,13 @@ function motionData(rows, inertia, torque, potential, method) {
     kinetic: f64(kinetic),
     potential: potential ? f64(rows.map((r) => potential(r.q))) : null,
     drift: [
-      { name: "energy", values: f64(total.map((e) => (e - total[0]) / total[0])) },
-      torque
-        ? { name: "L along Z", values: f64(momenta.map((m) => (m[2] - momenta[0][2]) / first)) }
-        : { name: "|L|", values: f64(momenta.map((m) => (norm(m) - first) / first)) },
+      { name: potential ? "T + U" : "T", values: f64(total.map((e) => (e - total[0]) / total[0])) },
+      ...(torque
+        ? []
+        : [
+            { name: "|L|", values: f64(momenta.map((m) => (norm(m) - first) / first)) },
+            { name: "L in space", values: f64(momenta.map((m) => norm(m.map((x, k) => x - momenta[0][k])) / first)) },
+          ]),
     ],
     work: null,
     wheels: [],
@@ -273,23 +276,25 @@ function symmetric() {
   });
 }
 
-function heavy() {
+/** `turn` takes gravity, and the whole motion with it, to another direction. */
+function heavy(turn = [1, 0, 0, 0]) {
   const moments = [0.002, 0.011, 0.011];
   // The symmetry axis, 1, lies along body z.
   const quaternion = unit([Math.SQRT1_2, 0, -Math.SQRT1_2, 0]);
   const body = makeBody(moments, quaternion);
   const [weight, lever] = [0.5 * 9.81, [0, 0, 0.12]];
   const conjugate = (q) => [q[0], -q[1], -q[2], -q[3]];
-  const torque = (q) => cross(lever, rotate(conjugate(q), [0, 0, -weight]));
-  const potential = (q) => weight * rotate(q, lever)[2];
-  const rows = integrate(body, unit([Math.cos(0.3), Math.sin(0.3), 0, 0]), [0, 0, 120], 6, 3001, torque, 30);
+  const [up, ...across] = [[0, 0, 1], [1, 0, 0], [0, 1, 0]].map((e) => rotate(turn, e));
+  const torque = (q) => cross(lever, rotate(conjugate(q), up.map((x) => -weight * x)));
+  const potential = (q) => weight * dot(rotate(q, lever), up);
+  const rows = integrate(body, product(turn, unit([Math.cos(0.3), Math.sin(0.3), 0, 0])), [0, 0, 120], 6, 3001, torque, 30);
   return page({
     title: "A heavy top, released at rest",
     body,
     mass: 0.5,
     about: "pivot",
     lever,
-    top: { axis: [0, 0, 1], up: [0, 0, 1], across: [[1, 0, 0], [0, 1, 0]], bounds: nods(rows) },
+    top: { axis: [0, 0, 1], up, across, bounds: nods(rows, up) },
     shapes: [
       { ...PART, name: "tip", kind: "cone", bottom: 0.004, top: 0.008, height: 0.09, position: [0, 0, 0.045] },
       { ...PART, name: "disc", kind: "torus", radius: 0.07, tube: 0.014, position: [0, 0, 0.12] },
@@ -299,13 +304,16 @@ function heavy() {
     ellipsoid: ellipsoidOf([0.002, 0.0038, 0.0038], 0.5),
     motion: motionData(rows, body.inertia, torque, potential, "rk4"),
     free: null,
-    scene: { period: 1.54, gravity: [0, 0, -9.81] },
+    scene: { period: 1.54, gravity: up.map((x) => -9.81 * x) },
   });
 }
 
-/** The least and the greatest angle of the body's z axis from Z. */
-function nods(rows) {
-  const angles = rows.map(({ q }) => Math.acos(rotate(q, [0, 0, 1])[2]));
+/** Gravity along none of the space axes. */
+const tilted = () => heavy(unit([0.8, 0.36, -0.48, 0.1]));
+
+/** The least and the greatest angle of the body's z axis from the vertical. */
+function nods(rows, up) {
+  const angles = rows.map(({ q }) => Math.acos(dot(rotate(q, [0, 0, 1]), up)));
   return [Math.min(...angles), Math.max(...angles)];
 }
 
@@ -396,7 +404,7 @@ function box() {
   return made;
 }
 
-export const samples = { free, symmetric, heavy, wheeled, mesh, balls, box };
+export const samples = { free, symmetric, heavy, tilted, wheeled, mesh, balls, box };
 
 if (process.argv[1] && import.meta.url === pathToFileURL(process.argv[1]).href) {
   process.stdout.write(JSON.stringify((samples[process.argv[2]] ?? free)()));

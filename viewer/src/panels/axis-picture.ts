@@ -2,12 +2,13 @@
 import { type AxisPath, axisAt, axisPath, pieces } from "../axis-path";
 import type { TopData } from "../data";
 import { element } from "../dom";
-import { savePng, saveSvg } from "../export";
 import { number } from "../format";
 import type { Motion } from "../motion";
 import { fromAbove, isUpright, onSphere, unrolled, type View } from "../plot/axis-drawing";
-import { type Mark, svgElements, svgText } from "../plot/drawing";
+import { type Mark, svgElements, svgText, wrapped } from "../plot/drawing";
+import { saveButtons } from "./save-buttons";
 
+const TITLE = "Path of the axis in space";
 const HEIGHT = 230;
 
 /** Below this width the sphere stands above the plane, px. */
@@ -37,20 +38,20 @@ export class AxisPicture {
     this.#unit = unit;
     this.#time = motion.times[0];
     const path = axisPath(motion, top);
-    this.#path = "turn" in path ? null : path;
+    this.#path = "points" in path ? path : null;
     this.#pieces = this.#path ? pieces(this.#path, NUTATIONS) : [];
-    const heading = element("div", { class: "plot-heading" }, element("h3", {}, "Path of the axis in space"));
+    const heading = element("div", { class: "plot-heading" }, element("h3", {}, TITLE));
     this.host = element("section", { class: "plot", id: "plot-axis" }, heading);
-    if ("turn" in path) {
-      const turn = number(path.turn, 2);
-      this.host.append(element("p", { class: "hint" }, `Not drawn: the axis moves by up to ${turn}\u00a0rad from a sample to the next, too far to follow. Sample a shorter time.`));
+    if (!("points" in path)) {
+      const why =
+        "turn" in path
+          ? `the axis moves by up to ${number(path.turn, 2)}\u00a0rad from a sample to the next, too far to follow`
+          : `the samples do not resolve the nutation; between them the axis would leave its bounds by ${number(path.beyond, 2)}\u00a0rad`;
+      this.host.append(element("p", { class: "hint" }, `Not drawn: ${why}. Sample a shorter time.`));
       return;
     }
     const svg = (): string => this.#paper();
-    heading.append(
-      element("button", { class: "small", type: "button", title: "Save as SVG", click: () => saveSvg(`${file}-axis`, svg()) }, "SVG"),
-      element("button", { class: "small", type: "button", title: "Save as PNG", click: () => void savePng(`${file}-axis`, svg()) }, "PNG"),
-    );
+    heading.append(...saveButtons(TITLE, `${file}-axis`, svg));
     const entry = (look: string, ink: string, words: string): HTMLElement => {
       const swatch = element("span", { class: `swatch ${look}` });
       swatch.style.color = `var(--${ink})`;
@@ -84,7 +85,7 @@ export class AxisPicture {
   #bounds(): string {
     const degrees = (angle: number): string => String(Number(((angle * 180) / Math.PI).toPrecision(5)));
     const [least, most] = (this.#path?.bounds ?? [0, 0]).map(degrees);
-    return least === most ? `θ\u00a0=\u00a0${least}°` : `θ from ${least}° to ${most}°`;
+    return `${least === most ? `${least}°` : `${least}° to ${most}°`} from the vertical`;
   }
 
   #compose(width: number): { views: View[]; height: number } {
@@ -128,7 +129,7 @@ export class AxisPicture {
   #move(): void {
     const e = axisAt(this.#motion, this.#top, this.#time);
     this.#views.forEach(({ place }, k) => {
-      const at = place(e);
+      const at = place(e, this.#time);
       this.#dots[k].style.display = at ? "" : "none";
       if (!at) return;
       this.#dots[k].setAttribute("cx", at[0].toFixed(1));
@@ -138,7 +139,7 @@ export class AxisPicture {
 
   #paper(): string {
     const { views, height } = this.#compose(640);
-    const words = [`Path of the axis in space; dashed: ${this.#bounds()}`, this.#said()].filter((text) => text !== "");
+    const words = [`${TITLE}; dashed: ${this.#bounds()}`, this.#said()].flatMap((text) => wrapped(text, 616, 11.5));
     const below = words.map((text, k): Mark => ({ kind: "text", at: [12, height + 18 + 17 * k], text, size: 11.5 }));
     return svgText([...views.flatMap(({ marks }) => marks), ...below], 640, height + 12 + 17 * words.length);
   }

@@ -6,7 +6,7 @@ import type uPlot from "uplot";
 import type { Clock } from "../clock";
 import type { BodyData, TopData } from "../data";
 import { element } from "../dom";
-import { fileName, savePng, saveSvg } from "../export";
+import { fileName } from "../export";
 import { figuresOf } from "../figures";
 import { number, timeUnit } from "../format";
 import type { Motion } from "../motion";
@@ -16,6 +16,7 @@ import { svgOf } from "../plot/figure-svg";
 import type { Figure } from "../plot/lines";
 import { AxisPicture } from "./axis-picture";
 import { eventKey } from "./events";
+import { saveButtons } from "./save-buttons";
 import { TimePlot } from "./time-plot";
 
 export class Plots {
@@ -81,10 +82,7 @@ export class Plots {
       return svgOf(figure, arranged, times, min ?? times[0], max ?? times[times.length - 1], this.#marked);
     };
     const file = `${this.#file}-${figure.id}`;
-    heading.append(
-      element("button", { class: "small", type: "button", title: "Save as SVG", click: () => saveSvg(file, svg()) }, "SVG"),
-      element("button", { class: "small", type: "button", title: "Save as PNG", click: () => void savePng(file, svg()) }, "PNG"),
-    );
+    heading.append(...saveButtons(figure.title, file, svg));
   }
 
   #listen(plot: uPlot): void {

@@ -6,7 +6,7 @@ import type { Stack } from "../plot/arrange";
 import { curve, largestSoFar } from "../plot/curve";
 import { labels, type Mark } from "../plot/events";
 import type { Figure, Line } from "../plot/lines";
-import { decades, logRange, padded, ticks } from "../plot/scale";
+import { decades, extent, logRange, padded, ticks } from "../plot/scale";
 
 /** Heights of the frame and of what is around it, px. */
 const FRAME = { alone: 126, stacked: 104 };
@@ -44,17 +44,20 @@ export class TimePlot {
     this.#unit = unit;
     this.#marks = marks;
     this.#drawn = stack.lines.map(() => ({ enveloped: false, resolved: true }));
-    this.#readings = stack.lines.map(() => element("output", { class: "reading" }));
+    this.#readings = stack.lines.map(() => element("span", { class: "reading" }));
     const key = element("div", { class: "key" });
     stack.lines.forEach((line, k) => {
       key.append(element("span", { class: "key-entry" }, swatch(line), element("span", {}, line.label), this.#readings[k]));
     });
+    if (stack.less !== "") key.append(element("span", { class: "less" }, stack.less));
     key.append(this.#tag);
     const box = element("div", { class: "plot-box" });
     box.style.height = `${this.#height}px`;
     this.host = element("div", { class: "stack" }, key, box);
     const data = stack.lines.map((line) => (figure.log ? line.values.map((v) => (v > 0 ? v : Number.NaN)) : line.values));
     this.plot = new uPlot(this.#options(), [times, ...data] as uPlot.AlignedData, box);
+    this.plot.ctx.canvas.setAttribute("role", "img");
+    this.plot.ctx.canvas.setAttribute("aria-label", `${figure.title}: ${stack.lines.map(({ symbol }) => symbol).join(", ")} over time`);
     const title = element("div", { class: "axis-title y" }, stack.title);
     title.style.top = `${this.#above}px`;
     title.style.height = `${this.#frame}px`;
@@ -157,7 +160,7 @@ export class TimePlot {
       },
       scales: {
         x: { time: false },
-        y: { distr: log ? 3 : 1, range: (_, low, high): [number, number] => this.#range(low, high) },
+        y: { distr: log ? 3 : 1, range: (u, low, high): [number, number] => this.#range(u, low, high) },
       },
       axes: [time, { ...value, size: LEFT }],
       series: [
@@ -176,9 +179,10 @@ export class TimePlot {
   }
 
   /** Of the values between the ends of the time axis; what a run-away reaches at its end is left outside. */
-  #range(low: number | null, high: number | null): [number, number] {
+  #range(u: uPlot, low: number | null, high: number | null): [number, number] {
     const { lines, range } = this.#stack;
-    if (this.#figure.log) return logRange(lines, high ?? 1);
+    // With the largest so far of what is left of them.
+    if (this.#figure.log) return logRange(lines, extent(lines.map(({ values }) => values), 0, u.series[0].idxs?.[1])?.[1] || (high ?? 1));
     if (range === null || low === null || high === null) return padded(range);
     const [from, to] = [Math.max(low, range[0]), Math.min(high, range[1])];
     return padded(from <= to ? [from, to] : range, 1e-3 * (range[1] - range[0]));
@@ -192,7 +196,9 @@ export class TimePlot {
       const value = u.data[series][from + i];
       return value === null || value === undefined || Number.isNaN(value) ? Number.NaN : u.valToPos(value, "y", true) / devicePixelRatio;
     });
-    const made = this.#figure.log ? largestSoFar(x, y) : curve(x, y, line.starts?.subarray(from, to + 1));
+    const before = this.#figure.log && from > 0 ? extent([line.values], 0, from - 1)?.[1] : 0;
+    const level = before ? u.valToPos(before, "y", true) / devicePixelRatio : Infinity;
+    const made = this.#figure.log ? largestSoFar(x, y, level) : curve(x, y, line.starts?.subarray(from, to + 1));
     this.#drawn[k] = { enveloped: made.bands.length > 0, resolved: made.resolved };
     const [stroke, fill] = [new Path2D(), new Path2D()];
     const trace = (path: Path2D, points: [number, number][]): void => {

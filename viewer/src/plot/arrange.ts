@@ -38,7 +38,9 @@ export interface Stack {
   unit: Unit;
   /** In `unit`. */
   offset: number;
-  /** Of the vertical axis: "ωx, ωy (rad/s)". */
+  /** The offset as text: "c = −2.9431 J"; empty without one. */
+  less: string;
+  /** Of the vertical axis: "ωx, ωy (rad/s)", "E − c (µJ)". */
   title: string;
   /** Figures of a reading: enough to tell a hundredth of the axis. */
   figures: number;
@@ -64,8 +66,8 @@ export function arrange(figure: Figure): Arranged {
 }
 
 /** Null for a line that varies. */
-export function constantOf({ symbol, values, drift }: Line, figure: Pick<Figure, "log" | "nothing">): Constant | null {
-  const range = extent([values]);
+export function constantOf({ symbol, values, drift }: Line, figure: Pick<Figure, "log" | "nothing" | "telling">): Constant | null {
+  const range = extent([values], 0, figure.telling - 1);
   // What is not there all the time is not constant.
   if (range === null || !values.every(Number.isFinite)) return null;
   const single = values.length === 1;
@@ -80,9 +82,9 @@ export function constantOf({ symbol, values, drift }: Line, figure: Pick<Figure,
  * "ωx = ωy = 0", "T + U = 3.737 84 J, constant to 6.8×10⁻¹⁷": a line of text each, zeros in one. Of samples that may miss an oscillation
  * no more than what they are.
  */
-export function sentences(constants: readonly Constant[], { log, unit, aliased }: Pick<Figure, "log" | "unit" | "aliased">): string[] {
+export function sentences(constants: readonly Constant[], { log, unit, aliased, quantity: name }: Pick<Figure, "log" | "unit" | "aliased" | "quantity">): string[] {
   const zeros = constants.filter(({ value }) => value === 0);
-  if (log) return zeros.map(({ symbol }) => `${symbol}: 0 in every sample`);
+  if (log) return zeros.map(({ symbol }) => `${name} of ${symbol}: 0 in every sample`);
   const words: string[] = [];
   if (zeros.length > 0) {
     const largest = Math.max(...zeros.map(({ drift }) => drift));
@@ -136,10 +138,10 @@ function stackOf(lines: Line[], figure: Figure): Stack {
   const size = Math.max(Math.abs(range[0]), Math.abs(range[1]));
   const spread = range[1] - range[0];
   const symbols = lines.map(({ symbol }) => symbol);
-  const name = lines.length === 1 ? symbols[0] : figure.quantity;
+  const name = lines.length === 1 && !figure.log ? symbols[0] : figure.quantity;
   if (figure.log) {
     const unit = { name: figure.unit, size: 1 };
-    return { lines, unit, offset: 0, title: `${name} (${unit.name})`, figures: 2, range };
+    return { lines, unit, offset: 0, less: "", title: `${name} (${unit.name})`, figures: 2, range };
   }
   const shifted = spread > 0 && spread < OFFSET * size;
   const turns = figure.unit === "°" && spread > IN_TURNS;
@@ -147,12 +149,13 @@ function stackOf(lines: Line[], figure: Figure): Stack {
   // To the next digit above the spread.
   const round = 10 ** Math.ceil(Math.log10(spread / unit.size));
   const offset = shifted ? Math.floor(range[0] / unit.size / round) * round : 0;
-  const less = offset === 0 ? "" : ` − ${quantity(offset * unit.size, figure.unit, digits(offset, round))}`;
+  const less = offset === 0 ? "" : `c = ${quantity(offset * unit.size, figure.unit, digits(offset, round))}`;
   return {
     lines: lines.map((line) => ({ ...line, values: line.values.map((v) => v / unit.size - offset) })),
     unit,
     offset,
-    title: `${name}${less} (${unit.name})`,
+    less,
+    title: `${name}${less === "" ? "" : " − c"} (${unit.name})`,
     figures: Math.min(Math.max(Math.ceil(Math.log10(size / spread)) + 3, 5), 12),
     range: [range[0] / unit.size - offset, range[1] / unit.size - offset],
   };

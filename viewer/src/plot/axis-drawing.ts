@@ -3,7 +3,7 @@
  * means little, it is seen from above instead, with θ as the distance from the middle.
  */
 import type { Vector } from "../attitude";
-import { type AxisPath, anglesOf, directionOf, dot } from "../axis-path";
+import { type AxisPath, anglesOf, azimuthAt, directionOf, dot } from "../axis-path";
 import type { TopData } from "../data";
 import { mark } from "../format";
 import { type Box, type Mark, ring, through } from "./drawing";
@@ -14,16 +14,19 @@ type Point = [number, number];
 /** Nearer to the vertical than this, rad, a path is not unrolled. */
 const UPRIGHT = 0.09;
 
+/** The axis of θ is never shorter, °: of a steady precession it would be rounding. */
+const LEAST = 0.01;
+
 /** Of the vertical beyond the sphere, in radii. */
 const REACH = 1.2;
 
 const BOUND = { ink: "axis-1", width: 1.1, dash: [4, 3] };
 const TRACE = { ink: "ink", width: 1.7 };
 
-/** A drawing, and where a direction is in it: null if it is outside. */
+/** A drawing, and where the axis is in it at a time: null if that is outside. */
 export interface View {
   marks: Mark[];
-  place: (point: Vector) => Point | null;
+  place: (point: Vector, time: number) => Point | null;
 }
 
 export function isUpright({ bounds: [least, most] }: AxisPath): boolean {
@@ -74,7 +77,7 @@ export function unrolled(path: AxisPath, top: TopData, [first, last]: [number, n
   const theta = path.theta.slice(first, last + 1).map(degrees);
   const [from, to] = padded(extent([phi]), 1);
   const bounds = path.bounds.map(degrees);
-  const [low, high] = padded([Math.min(...bounds), Math.max(...bounds)]);
+  const [low, high] = padded([Math.min(...bounds), Math.max(...bounds)], LEAST);
   const x = (angle: number): number => frame.left + ((angle - from) / (to - from)) * frame.width;
   const y = (angle: number): number => frame.top + ((angle - low) / (high - low)) * frame.height;
   const marks: Mark[] = [];
@@ -94,17 +97,14 @@ export function unrolled(path: AxisPath, top: TopData, [first, last]: [number, n
   const points = phi.map((angle, k): Point => [x(angle), y(theta[k])]);
   marks.push({ kind: "path", d: through(points), ...TRACE });
   if (first === 0) marks.push(start(points[0]));
-  marks.push({ kind: "text", at: [frame.left + frame.width / 2, bottom + 34], text: "φ round the vertical (°)", anchor: "middle", ink: "quiet", size: 11.5 });
-  marks.push({ kind: "text", at: [box.left + 11, frame.top + frame.height / 2], text: "θ from the vertical (°)", anchor: "middle", ink: "quiet", size: 11.5, upright: true });
-  // The turn in which a point lies is that of the path near it.
-  const place = (point: Vector): Point | null => {
+  marks.push({ kind: "text", at: [frame.left + frame.width / 2, bottom + 34], text: "azimuth of the axis (°)", anchor: "middle", ink: "quiet", size: 11.5 });
+  marks.push({ kind: "text", at: [box.left + 11, frame.top + frame.height / 2], text: "angle from the vertical (°)", anchor: "middle", ink: "quiet", size: 11.5, upright: true });
+  // φ goes on beyond a turn: its turn is that of the path at the same time.
+  const place = (point: Vector, time: number): Point | null => {
+    if (time < path.times[first] || time > path.times[last]) return null;
     const here = anglesOf(point, top);
-    const angle = degrees(here.phi);
-    const turn = 360 * Math.round(((from + to) / 2 - angle) / 360);
-    const candidates = [angle + turn - 360, angle + turn, angle + turn + 360].map((a): Point => [x(a), y(degrees(here.theta))]);
-    const distance = (p: Point): number => points.reduce((least, q) => Math.min(least, Math.hypot(p[0] - q[0], p[1] - q[1])), Infinity);
-    const best = candidates.reduce((a, b) => (distance(b) < distance(a) ? b : a));
-    return distance(best) < 12 ? best : null;
+    const turns = Math.round((azimuthAt(path, time) - here.phi) / (2 * Math.PI));
+    return [x(degrees(here.phi + 2 * Math.PI * turns)), y(degrees(here.theta))];
   };
   return { marks, place };
 }
@@ -138,7 +138,7 @@ export function fromAbove(path: AxisPath, top: TopData, box: Box): View {
     free = r - 24;
     marks.push({ kind: "text", at: [cx + 0.8 * r, cy - 0.6 * r + 4], text: mark(value, rings.step), anchor: "middle", ink: "quiet", size: 11, halo: true });
   }
-  const words = hangs ? "from below, 180° − θ (°)" : "from above, θ (°)";
+  const words = hangs ? "from below, 180° − angle from the vertical (°)" : "from above, angle from the vertical (°)";
   marks.push({ kind: "text", at: [cx, cy + radius + 18], text: words, anchor: "middle", ink: "quiet", size: 11.5 });
   const place = (point: Vector): Point => {
     const { theta, phi } = anglesOf(point, top);

@@ -40,11 +40,12 @@ export function curve(x: ArrayLike<number>, y: ArrayLike<number>, starts?: Array
   return made;
 }
 
-/** Dots, and a line for the largest value so far: in pixels y falls as the value grows. */
-export function largestSoFar(x: ArrayLike<number>, y: ArrayLike<number>): Curve {
+/** Dots, and a line for the largest value so far, that `before` the first point included: in pixels y falls as the value grows. */
+export function largestSoFar(x: ArrayLike<number>, y: ArrayLike<number>, before = Infinity): Curve {
   const stroke: Point[] = [];
   const dots: Point[] = [];
-  let best = Infinity;
+  let best = before;
+  if (best < Infinity) stroke.push([x[0], best]);
   for (let i = 0; i < y.length; i += 1) {
     if (Number.isFinite(y[i])) dots.push([x[i], y[i]]);
     if (y[i] < best) {

@@ -58,6 +58,31 @@ export function svgElements(marks: readonly Mark[]): SVGElement[] {
   });
 }
 
+/** About as wide as it will be, px: how wide depends on the font of whoever opens the file. */
+export function textWidth(text: string, size: number): number {
+  return 0.58 * size * [...text].length;
+}
+
+/** Lines no wider than `width`, px; a word that is wider is broken. */
+export function wrapped(text: string, width: number, size = 12.5): string[] {
+  const most = Math.max(Math.floor(width / textWidth("0", size)), 1);
+  const out: string[] = [];
+  let row = "";
+  for (const word of text.split(" ")) {
+    const letters = [...word];
+    const pieces = Array.from({ length: Math.max(Math.ceil(letters.length / most), 1) }, (_, k) => letters.slice(k * most, (k + 1) * most).join(""));
+    for (const piece of pieces) {
+      const longer = row === "" ? piece : `${row} ${piece}`;
+      if ([...longer].length <= most) row = longer;
+      else {
+        out.push(row);
+        row = piece;
+      }
+    }
+  }
+  return [...out, row].filter((line) => line !== "");
+}
+
 /** A polyline. */
 export function through(points: readonly (readonly [number, number])[]): string {
   return points.map(([x, y], k) => `${k === 0 ? "M" : "L"}${round(x)} ${round(y)}`).join("");

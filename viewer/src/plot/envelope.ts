@@ -3,6 +3,9 @@
  * are in pixels, so that zooming in brings the line back.
  */
 
+import { indexAt } from "../clock";
+import { extent } from "./scale";
+
 /** Neighbouring extrema nearer than this, px, are stripes. */
 export const NEAREST = 6;
 
@@ -91,26 +94,54 @@ function envelopesOfPiece(x: ArrayLike<number>, y: ArrayLike<number>, first: num
 /** Of the swings from `k` to `end`: through the extrema; where the samples miss them, through the range of several swings. */
 function span(x: ArrayLike<number>, y: ArrayLike<number>, at: number[], k: number, end: number, first: number, last: number): Span {
   const made: Span = { first, last, low: [], high: [], resolved: samplesPerSwing(y, first, last) >= RESOLVED };
-  if (made.resolved) {
-    for (let j = k; j <= end; j += 1) {
-      const isHigh = y[at[j]] > y[at[j === k ? j + 1 : j - 1]];
-      (isHigh ? made.high : made.low).push([x[at[j]], y[at[j]]]);
-    }
-    // The first point of a line, and its last, may lie between extrema: they are none.
-    for (const edge of [made.low, made.high]) {
-      if (edge.length > 2 && at[k] === first && edge[0][0] === x[first]) edge.shift();
-      edge.unshift([x[first], edge[0][1]]);
-      edge.push([x[last], edge[edge.length - 1][1]]);
+  if (!made.resolved) {
+    for (let j = k; j < end; j += 1) {
+      const from = j === k ? first : at[Math.max(j - 2, k)];
+      const to = j === end - 1 ? last : at[Math.min(j + 3, end)];
+      const [low, high] = extent([y], from, to) ?? [y[from], y[from]];
+      const place = j === k ? x[first] : j === end - 1 ? x[last] : (x[at[j]] + x[at[j + 1]]) / 2;
+      made.low.push([place, low]);
+      made.high.push([place, high]);
     }
     return made;
   }
-  for (let j = k; j < end; j += 1) {
-    const near = at.slice(Math.max(j - 2, k), Math.min(j + 3, end) + 1).map((i) => y[i]);
-    const place = j === k ? x[first] : j === end - 1 ? x[last] : (x[at[j]] + x[at[j + 1]]) / 2;
-    made.low.push([place, Math.min(...near)]);
-    made.high.push([place, Math.max(...near)]);
+  const turns = at.slice(k, end + 1);
+  const isHigh = (j: number): boolean => y[turns[j]] > y[turns[j === 0 ? 1 : j - 1]];
+  for (const [edge, sense] of [[made.low, -1], [made.high, 1]] as const) {
+    const own = turns.filter((_, j) => isHigh(j) === sense > 0);
+    // The first point of a line may lie between extrema: it is none.
+    if (own.length > 2 && own[0] === first) own.shift();
+    // Before the first extremum and after the last the line may go farther: its last swing has not turned back.
+    const [head, tail] = [farthest(y, first, own[0], sense), farthest(y, own[own.length - 1], last, sense)];
+    if (head !== own[0]) own.unshift(head);
+    if (tail !== own[own.length - 1]) own.push(tail);
+    edge.push(...own.map((i): [number, number] => [x[i], vertex(y, i, first, last, at, sense)]));
+    edge.unshift([x[first], edge[0][1]]);
+    edge.push([x[last], edge[edge.length - 1][1]]);
   }
   return made;
+}
+
+/** The greatest of y from one sample to another, or with −1 the least. */
+function farthest(y: ArrayLike<number>, from: number, to: number, sense: 1 | -1): number {
+  let found = from;
+  for (let i = from; i <= to; i += 1) if (sense * y[i] > sense * y[found]) found = i;
+  return found;
+}
+
+/**
+ * The extremum near sample i, which is the farthest of three: of the sine y = m + A cos(h k − d) through them,
+ * A sin d = (y₊ − y₋)/(2 sin h), A cos d = (2 y₀ − y₊ − y₋)/(2 (1 − cos h)). h is the mean of the swings around it.
+ */
+function vertex(y: ArrayLike<number>, i: number, first: number, last: number, at: number[], sense: 1 | -1): number {
+  const [before, after] = [sense * (y[i] - y[i - 1]), sense * (y[i] - y[i + 1])];
+  if (i <= first || i >= last || before < 0 || after < 0) return y[i];
+  const j = indexAt(at, i);
+  const [from, to] = [Math.max(j - 3, 0), Math.min(j + 3, at.length - 1)];
+  const h = (Math.PI * (to - from)) / (at[to] - at[from]);
+  const sine = (before - after) / (2 * Math.sin(h));
+  const cosine = (before + after) / (2 * (1 - Math.cos(h)));
+  return y[i] + sense * (Math.hypot(sine, cosine) - cosine);
 }
 
 /** Whatever the scale: swings of a fiftieth of the range count. */

@@ -4,6 +4,9 @@ import type { Ink, Palette } from "./palette";
 
 const Y = new Vector3(0, 1, 0);
 
+/** Beyond the picture: a longer arrow, that of a run-away, would end behind the camera. */
+const MOST = 3;
+
 export class Arrow {
   readonly object = new Group();
   readonly tip = new Vector3();
@@ -30,7 +33,7 @@ export class Arrow {
   }
 
   point(x: number, y: number, z: number): void {
-    this.tip.set(x, y, z);
+    this.tip.set(x, y, z).clampLength(0, MOST);
     const long = this.tip.length();
     this.drawn = long > 1e-6;
     for (const part of [...this.#shafts, ...this.#heads]) part.visible = this.drawn;

@@ -68,12 +68,11 @@ export class Cones {
     this.radius = this.#frame(up, motion);
     this.#fine = fine;
     this.#times = motion.times;
-    const most = Math.min(count, MOST);
-    this.#rim = new MovingCurve(most + 1, { ink: "torque", width: 3, onTop: true }, palette);
-    this.#corners = new Float32Array(9 * most);
+    this.#rim = new MovingCurve(count, { ink: "torque", width: 3, onTop: true }, palette);
+    this.#corners = new Float32Array(9 * count);
     this.#surface = new BufferGeometry();
     this.#surface.setAttribute("position", new BufferAttribute(this.#corners, 3));
-    this.#surface.setAttribute("normal", new BufferAttribute(new Float32Array(9 * most), 3));
+    this.#surface.setAttribute("normal", new BufferAttribute(new Float32Array(9 * count), 3));
     const mesh = new Mesh(this.#surface, skin("torque", 0.42, palette));
     mesh.frustumCulled = false;
     this.space.add(mesh, this.#rim.object);
@@ -120,7 +119,7 @@ export class Cones {
     const sampleAt = (t: number): number => Math.min(indexAt(this.#times, t) * this.#fine, this.#angles.length - 1);
     first = Math.min(first, sampleAt(time - this.#span / 2));
     last = Math.max(last, sampleAt(time + this.#span / 2));
-    const count = Math.min(last - first + 1, MOST);
+    const count = last - first + 1;
     this.#rim.draw(count, (k, out) => {
       out.set(this.#edge.subarray(3 * (first + k), 3 * (first + k) + 3));
     });

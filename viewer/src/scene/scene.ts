@@ -11,7 +11,7 @@ import {
   Vector3,
   WebGLRenderer,
 } from "three";
-import { rotate, type Quaternion as Attitude, type Vector } from "../attitude";
+import { inverse, rotate, type Quaternion as Attitude, type Vector } from "../attitude";
 import type { PageData } from "../data";
 import { length, lengths, type Moment, type Motion } from "../motion";
 import { Arrow } from "./arrows";
@@ -88,9 +88,9 @@ export class View {
     const [w, x, y, z] = page.body.principal.quaternion;
     this.#principal = new Quaternion(x, y, z, w).normalize();
     this.#scales = {
-      omega: scale(lengths(motion.omega)),
-      momentum: scale(lengths(motion.momentum), ...motion.wheels.map(({ momentum }) => momentum)),
-      torque: motion.torque === null ? 0 : scale(lengths(motion.torque)),
+      omega: scale(motion.telling, lengths(motion.omega)),
+      momentum: scale(motion.telling, lengths(motion.momentum), ...motion.wheels.map(({ momentum }) => momentum)),
+      torque: motion.torque === null ? 0 : scale(motion.telling, lengths(motion.torque)),
     };
     this.trailed = telling(page, motion);
     this.#middle = meanPlace(page.body.lever, motion).multiplyScalar(0.5 / this.model.radius);
@@ -306,7 +306,7 @@ export class View {
     const shown = this.picture === "poinsot" ? (this.#poinsot?.arrow ?? 1) : 1.25;
     const long = this.picture === "body" ? this.#scales.momentum : shown / length(now.momentum);
     this.#momentum.point(...(now.momentum.map((c) => c * long) as Vector));
-    if (now.torque) this.#torque.point(...(rotate(now.attitude, now.torque).map((c) => c * this.#scales.torque) as Vector));
+    if (now.torque) this.#torque.point(...(now.torque.map((c) => c * this.#scales.torque) as Vector));
     if (this.picture === "body") {
       this.#drawTrail(now, omega);
       this.#heavy?.pose(now.attitude);
@@ -373,8 +373,9 @@ export class View {
   }
 }
 
-function scale(...rows: Float64Array[]): number {
-  const most = Math.max(...rows.map((values) => values.reduce((a, b) => Math.max(a, Math.abs(b)), 0)));
+/** Of the first `telling` samples the longest arrow is LONGEST. */
+function scale(telling: number, ...rows: Float64Array[]): number {
+  const most = Math.max(...rows.map((values) => values.subarray(0, telling).reduce((a, b) => Math.max(a, Math.abs(b)), 0)));
   return most > 0 ? LONGEST / most : 0;
 }
 
@@ -396,10 +397,6 @@ function meanPlace(lever: Vector, motion: Motion): Vector3 {
   if (length(lever) === 0) return sum;
   for (let i = 0; i < motion.count; i += 1) sum.add(new Vector3(...rotate(motion.attitudeOf(i), lever)));
   return sum.divideScalar(motion.count);
-}
-
-function inverse([w, x, y, z]: Attitude): Attitude {
-  return [w, -x, -y, -z];
 }
 
 // The rim of the unit sphere as a camera sees it.

@@ -4,6 +4,7 @@
  */
 import { Group, Vector3 } from "three";
 import { rotate, type Quaternion, type Vector } from "../attitude";
+import { axisPath, directionOf } from "../axis-path";
 import type { PageData, TopData } from "../data";
 import { length, type Motion } from "../motion";
 import { Arrow } from "./arrows";
@@ -12,10 +13,6 @@ import type { Layer } from "./layers";
 import { curve } from "./lines";
 import type { Palette } from "./palette";
 import { plane } from "./plane";
-
-/** Points of the way between two samples. */
-const FINE = 4;
-const MOST = 24_000;
 
 export class HeavyBody {
   readonly layers: Layer[] = [];
@@ -52,42 +49,24 @@ export class HeavyBody {
   }
 
   #axis(top: TopData, motion: Motion, reach: number, palette: Palette): void {
-    const fine = Math.max(1, Math.min(FINE, Math.floor(MOST / motion.count)));
-    const way: number[] = [];
-    for (let k = 0; k <= (motion.count - 1) * fine; k += 1) {
-      const i = Math.floor(k / fine);
-      const next = motion.times[Math.min(i + 1, motion.count - 1)];
-      const time = motion.times[i] + ((k % fine) / fine) * (next - motion.times[i]);
-      way.push(...rotate(motion.at(time).attitude, top.axis).map((x) => x * reach));
+    const path = axisPath(motion, top);
+    if ("points" in path && path.points.length > 1) {
+      const drawn = new Group();
+      drawn.add(curve(path.points.flat(), reach, { ink: "contour", width: 1.2, opacity: 0.55 }, palette));
+      this.#put({ id: "path", label: "Path of the axis", ink: "contour", look: "line", on: { body: true }, objects: [drawn] }, drawn);
     }
-    const path = new Group();
-    if (way.length >= 6) path.add(curve(way, 1, { ink: "contour", width: 1.2, opacity: 0.55 }, palette));
-    this.#put({ id: "path", label: "Path of the axis", ink: "contour", look: "line", on: { body: true }, objects: [path] }, path);
-
     if (top.bounds === null) return;
     const circles = new Group();
     const bounds = top.bounds[1] - top.bounds[0] > 1e-6 ? top.bounds : [top.bounds[0]];
     bounds.forEach((angle, k) => {
       if (Math.sin(angle) < 1e-6) return;
-      const points = this.#circle(angle, reach);
+      const points = Array.from({ length: 129 }, (_, i) => new Vector3(...directionOf(angle, (i / 64) * Math.PI, top)).multiplyScalar(reach));
       circles.add(curve(points.flatMap((p) => p.toArray()), 1, { ink: "axis-2", width: 1.6, opacity: 0.9 }, palette));
       this.#circles.push({ text: bounds.length > 1 ? (k === 0 ? "𝜃₁" : "𝜃₂") : "𝜃", points });
     });
     if (circles.children.length === 0) return;
     const label = bounds.length > 1 ? "Circles θ₁, θ₂" : "Circle θ";
     this.#put({ id: "bounds", label, ink: "axis-2", look: "line", on: { body: true }, objects: [circles] }, circles);
-  }
-
-  // Where an axis of this length points at this angle from the vertical.
-  #circle(angle: number, reach: number): Vector3[] {
-    const up = this.#down.clone().negate();
-    const a = new Vector3(Math.abs(up.x) < 0.9 ? 1 : 0, Math.abs(up.x) < 0.9 ? 0 : 1, 0).cross(up).normalize();
-    const b = up.clone().cross(a);
-    return Array.from({ length: 129 }, (_, i) => {
-      const t = (i / 128) * 2 * Math.PI;
-      const side = a.clone().multiplyScalar(Math.cos(t)).addScaledVector(b, Math.sin(t));
-      return up.clone().multiplyScalar(Math.cos(angle)).addScaledVector(side, Math.sin(angle)).multiplyScalar(reach);
-    });
   }
 
   pose(attitude: Quaternion): void {

@@ -45,11 +45,11 @@ export class Trail {
       );
     }
     let path = 0;
-    for (let k = 3; k < this.#points.length; k += 3) {
+    for (let k = 3; k < 3 * ((motion.telling - 1) * fine + 1); k += 3) {
       const [x, y, z] = [0, 1, 2].map((c) => this.#points[k + c] - this.#points[k + c - 3]);
       path += Math.hypot(x, y, z);
     }
-    const duration = this.#times[count - 1] - this.#times[0];
+    const duration = motion.times[motion.telling - 1] - motion.times[0];
     this.#seconds = path > LENGTH ? (duration * LENGTH) / path : duration;
     const most = Math.ceil(Math.min(count + 1, LONGEST + 1) / PARTS) + 2;
     this.#parts = Array.from({ length: PARTS }, (_, k) => {

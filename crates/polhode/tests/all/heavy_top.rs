@@ -344,7 +344,7 @@ fn how_far_a_top_precesses_in_a_nutation_is_seen_at_its_turning_points() {
         let period = top.nutation_period().unwrap();
         let axis = |t: f64| (top.at(t).attitude * Direction::<Body>::new(0.0, 0.0, 1.0)).to_array();
         // The lowest point, or the highest of one that goes through the bottom, by golden sections about the best of some samples.
-        let down = if top.nutation_bounds()[1] > 3.14 { -1.0 } else { 1.0 };
+        let down = if top.nutation_bounds()[1] > PI - 1e-6 { -1.0 } else { 1.0 };
         let height = |t: f64| down * axis(t)[2];
         let count = 400;
         let at = |k: i32| f64::from(k) * period / f64::from(count);

@@ -320,7 +320,7 @@ fn the_book_has_every_column_with_its_unit() {
         Path::new("probe.toml"),
     )
     .unwrap();
-    let motion = top.simulate_with_error(ErrorEffort::Auto, &mut |_| {}).unwrap().unwrap();
+    let motion = top.simulate_with_error(ErrorEffort::Auto, &mut |_| true).unwrap().unwrap();
     let rows = rows(section(&page, "## Trajectory"));
     let in_book: Vec<_> =
         rows.iter().flat_map(|row| names(row[0]).map(|name| (name.to_owned(), row[1]))).collect();

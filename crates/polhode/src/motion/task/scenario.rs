@@ -525,7 +525,7 @@ impl Scenario {
     /// # Errors
     /// [`MotionError`] as [`Simulation::run`].
     pub fn simulate(&self) -> Option<Result<Trajectory, MotionError>> {
-        self.trajectory(|simulation| simulation.run_watched(&mut |_| {}))
+        self.trajectory(|simulation| simulation.run_watched(&mut |_| true))
     }
 
     /// [`Scenario::simulate`] with the estimate of its error, telling `progress` the time (s) that an integration has reached after
@@ -536,7 +536,7 @@ impl Scenario {
     pub fn simulate_with_error(
         &self,
         effort: ErrorEffort,
-        progress: &mut dyn FnMut(f64),
+        progress: &mut dyn FnMut(f64) -> bool,
     ) -> Option<Result<Trajectory, MotionError>> {
         self.trajectory(|simulation| simulation.run_with_error(effort, progress))
     }

@@ -7,6 +7,8 @@ use crate::check::Check;
 use crate::explain::Explain;
 use crate::failure::Failure;
 use crate::inertia::Inertia;
+#[cfg(feature = "live")]
+use crate::live::Live;
 use crate::new::New;
 use crate::shell::{Completions, Man};
 use crate::simulate::Simulate;
@@ -47,6 +49,8 @@ pub(crate) enum Command {
     Torque(Torque),
     Sweep(Sweep),
     Explain(Explain),
+    #[cfg(feature = "live")]
+    Live(Live),
     Completions(Completions),
     Man(Man),
 }
@@ -63,6 +67,8 @@ impl Command {
             Self::Torque(command) => command.run(),
             Self::Sweep(command) => command.run(),
             Self::Explain(command) => command.run(),
+            #[cfg(feature = "live")]
+            Self::Live(command) => command.run(),
             Self::Completions(command) => command.run(Polhode::command()),
             Self::Man(command) => command.run(Polhode::command()),
         }

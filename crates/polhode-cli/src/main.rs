@@ -8,6 +8,8 @@ mod explain;
 mod failure;
 mod folder;
 mod inertia;
+#[cfg(feature = "live")]
+mod live;
 mod model_file;
 mod new;
 mod numbers;

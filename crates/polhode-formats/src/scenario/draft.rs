@@ -1,6 +1,7 @@
 //! A scenario whose text is being changed.
 
 use std::collections::BTreeSet;
+use std::hash::{DefaultHasher, Hash as _, Hasher as _};
 use std::path::{Path, PathBuf};
 
 use super::asked::Asked;
@@ -62,6 +63,16 @@ impl Draft {
         &self.path
     }
 
+    /// The files that it may name; not all of them need to be there.
+    pub fn files(&self) -> impl Iterator<Item = &Path> {
+        self.files.iter().map(PathBuf::as_path)
+    }
+
+    /// Forgets what it has read: files are read anew.
+    pub fn forget(&mut self) {
+        self.last = Entries::new();
+    }
+
     /// Reads a text of the scenario.
     ///
     /// # Errors
@@ -81,6 +92,17 @@ impl Draft {
         number::numbers(&self.last)
     }
 
+    /// Differs between texts whose bodies may look otherwise: of all that the last one says but how the body starts and how long it moves.
+    pub fn body_fingerprint(&self) -> u64 {
+        const APART: [&str; 8] = ["title", "start", "run", "orbit", "event", "pointing", "wheel", "sweep"];
+        let mut hasher = DefaultHasher::new();
+        for (key, entry) in self.last.iter().filter(|(key, _)| !APART.contains(&key.as_ref())) {
+            key.hash(&mut hasher);
+            entry.node.hash_into(&mut hasher);
+        }
+        hasher.finish()
+    }
+
     /// What may stand at a place of a text, in bytes: keys, names and units that the reader asks for there.
     pub fn complete(&self, text: &str, at: usize) -> Option<Completion> {
         completion::complete(text, at, |text| {
@@ -88,8 +110,7 @@ impl Draft {
             let nothing = BTreeSet::new();
             let source =
                 Source { files: Some(&nothing), asked: Some(&asked), ..Source::new(&self.path, text) };
-            let entries = tree::parse(text).ok()?;
-            let mut entries = entries;
+            let mut entries = tree::parse(text).ok()?;
             tree::adopt(&mut entries, &self.last);
             // Where it ends is beyond what was asked for.
             let _ = file_of_root(source, &entries);

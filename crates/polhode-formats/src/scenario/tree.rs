@@ -4,6 +4,7 @@
 //! what is replaced, and these know nothing: so a later reading computes what depends on it, and nothing else.
 
 use std::collections::BTreeMap;
+use std::hash::{Hash as _, Hasher};
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 
@@ -92,6 +93,20 @@ impl Node {
             Kind::List(elements) => elements.iter().for_each(|element| element.each_leaf(see)),
             Kind::Table(entries) => entries.values().for_each(|entry| entry.node.each_leaf(see)),
             _ => see(self),
+        }
+    }
+
+    /// Hashes what it says, wherever it stands.
+    pub(crate) fn hash_into(&self, hasher: &mut impl Hasher) {
+        match &self.kind {
+            Kind::Text(text) | Kind::Float(text) | Kind::Whole { digits: text, .. } => text.hash(hasher),
+            Kind::Truth(truth) => truth.hash(hasher),
+            Kind::Date | Kind::Replaced(_) => {}
+            Kind::List(elements) => elements.iter().for_each(|element| element.hash_into(hasher)),
+            Kind::Table(entries) => entries.iter().for_each(|(key, entry)| {
+                key.hash(hasher);
+                entry.node.hash_into(hasher);
+            }),
         }
     }
 

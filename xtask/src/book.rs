@@ -33,7 +33,16 @@ pub(crate) fn environment() -> Result<Environment, String> {
     let folder = empty_folder("book")?;
     let python = python::make(&folder.join("venv"))?;
     run(Command::new(&python)
-        .args(["-m", "pip", "install", "--quiet", "--require-hashes", "--only-binary", ":all:", "--requirement"])
+        .args([
+            "-m",
+            "pip",
+            "install",
+            "--quiet",
+            "--require-hashes",
+            "--only-binary",
+            ":all:",
+            "--requirement",
+        ])
         .arg(&list))?;
     std::fs::write(&installed, wanted).map_err(|error| format!("{}: {error}", installed.display()))?;
     Ok(Environment(python))

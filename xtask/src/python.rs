@@ -59,7 +59,8 @@ pub(crate) fn check_in(Environment { folder, python }: Environment) -> Outcome {
     run_beside(here(&["-m", "pytest", "-q", "-c"]).arg(&settings).args(documented))?;
     let book = root().join("book");
     let pages = ["python.md", "clusters.md"].map(|page| book.join(page));
-    let pages = pages.into_iter().chain(files(&book.join("cookbook"), "md")?);
+    let followed = [files(&book.join("cookbook"), "md")?, files(&book.join("tutorials"), "md")?];
+    let pages = pages.into_iter().chain(followed.concat());
     run_beside(here(&["-m", "pytest", "-q", "--doctest-glob=*.md", "-c"]).arg(&settings).args(pages))?;
     run_beside(here(&["-m", "mypy", "--config-file"]).arg(&settings).args(["-p", "polhode"]))?;
     for example in files(&root().join("examples/python"), "py")? {

@@ -11,6 +11,7 @@ from docutils import nodes
 from sphinx import addnodes
 from sphinx.util import logging
 
+GALLERY = "book/gallery"
 LIBRARY = re.compile(r"crates/([a-z-]+)/src/lib\.rs")
 LANGUAGES = {".toml": "toml", ".py": "python", ".rs": "rust", ".urdf": "xml", ".sdf": "xml", ".xml": "xml"}
 
@@ -32,7 +33,18 @@ def link_files(app, document):
         path = path_of(app, node, docname)
         if path and (target := page_of(app, path)):
             link = nodes.reference("", "", *node.children, refuri=relative(docname, target), internal=True)
+            if docname == GALLERY and path.endswith(".toml"):
+                fold(app, node, path)
             node.replace_self(link)
+
+
+def fold(app, node, path):
+    """The scenario's text below the paragraph that names it, folded."""
+    paragraph = node.parent
+    at = paragraph.parent.index(paragraph) + 1
+    text = nodes.literal_block("", text_of(app.srcdir / path), language="toml")
+    begin, end = (nodes.raw("", html, format="html") for html in ("<details><summary>The scenario</summary>", "</details>"))
+    paragraph.parent[at:at] = [begin, text, end]
 
 
 def path_of(app, node, docname):

@@ -55,6 +55,24 @@ fn the_links_of_the_pages_lead_somewhere() {
     }
 }
 
+/// Its commands are on scenarios that `cargo xtask examples` simulates: those with a `[run]`.
+#[test]
+fn each_motion_of_the_gallery_has_its_picture_scenario_and_command() {
+    let page = fs::read_to_string(root().join("book/gallery.md")).unwrap();
+    let motions: Vec<&str> = page.split("\n### ").skip(1).collect();
+    assert!(motions.len() >= 20, "{} motions", motions.len());
+    for motion in motions {
+        let (_, rest) =
+            motion.split_once("`polhode simulate ").unwrap_or_else(|| panic!("no command: {motion}"));
+        let (example, _) = rest.split_once(" --open`").unwrap_or_else(|| panic!("no command: {motion}"));
+        let stem = Path::new(example).file_stem().unwrap().to_str().unwrap();
+        assert!(motion.contains(&format!("](gallery/{stem}.webp)")), "{motion}");
+        assert!(motion.contains(&format!("[{stem}.toml](../{example})")), "{motion}");
+        let scenario = fs::read_to_string(root().join(example)).unwrap();
+        assert!(scenario.lines().any(|line| line == "[run]"), "{example} has no motion");
+    }
+}
+
 /// Follows the links of all pages of a folder, and says how many there are.
 fn links(folder: &Path) -> usize {
     let mut count = 0;

@@ -1,7 +1,8 @@
 """The book as a site, for Sphinx: `cargo xtask book`.
 
 Its source is the repository's root, and its pages are plain Markdown with links between files, which a code host shows as well. What the
-site adds stands in the modules beside this file: the navigation, pages for files that are not pages, and formulas as MathML.
+site adds stands in the modules beside this file: the navigation, search, pages for files that are not pages,
+and formulas as MathML.
 """
 
 import sys
@@ -15,7 +16,7 @@ sys.path[:0] = [str(HERE), str(ROOT / "crates/polhode-py/python")]
 
 project = "polhode"
 root_doc = "book/README"
-extensions = ["myst_parser", "sphinx.ext.autodoc", "navigation", "repository", "mathematics"]
+extensions = ["myst_parser", "sphinx.ext.autodoc", "navigation", "repository", "mathematics", "search"]
 
 # The book, and what it links to at the root.
 PAGES = {"book", "ARCHITECTURE.md", "CHANGELOG.md", "CONTRIBUTING.md", "CONVENTIONS.md", "SECURITY.md"}
@@ -34,8 +35,9 @@ python_use_unqualified_type_names = True
 
 html_theme = "furo"
 html_title = "polhode"
-html_static_path = ["site.css"]
+html_static_path = ["site.css", "search.js"]
 html_css_files = ["site.css"]
+html_js_files = ["search.js"]
 html_copy_source = False
 html_show_sourcelink = False
 html_show_copyright = False

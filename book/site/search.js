@@ -165,6 +165,8 @@
     });
   }
 
+  // For its tests.
+  globalThis.polhodeSearch = { build, find };
   document.addEventListener("DOMContentLoaded", () => {
     const box = document.querySelector("input.sidebar-search");
     if (box) attach(box);

@@ -98,6 +98,7 @@ fn interest(number: &WrittenNumber) -> u32 {
         "body" if is_positive(number) => 22,
         "torque" => 14 + is_zero * 20,
         "wheel" => 16 + is_zero * 20,
+        "body" if rest.contains("rotate.axis") => 38,
         "body" => 26 + is_zero * 10,
         "run" if rest == "duration" => 30,
         "pendulum" | "shaft" | "prescribed" => 18,
@@ -141,23 +142,31 @@ fn label(number: &WrittenNumber) -> String {
             ),
         }
     }
-    let rest = words.join(" ");
+    let rest = words
+        .join(" ")
+        .replace("roll pitch yaw 1", "roll")
+        .replace("roll pitch yaw 2", "pitch")
+        .replace("roll pitch yaw 3", "yaw");
     match &number.owner {
         Some(owner) => format!("{owner}: {rest}"),
         None => rest,
     }
 }
 
-/// A switch for each torque.
-pub(crate) fn switches(scenario: &Scenario) -> Vec<Switch> {
+/// A switch for each torque of a text, which is called by its name or its model.
+pub(crate) fn switches(scenario: &Scenario, text: &str) -> Vec<Switch> {
+    let document = text.parse::<toml_edit::DocumentMut>().unwrap_or_default();
+    let models: Vec<_> =
+        document.get("torque").and_then(|list| list.as_array_of_tables()).into_iter().flatten().collect();
     let off = scenario.switched_off();
-    let one = |k: usize| Switch {
-        key: format!("torque[{k}].on"),
-        label: match scenario.torque_names().get(k) {
-            Some(Some(name)) => name.clone(),
-            _ => format!("torque {}", k + 1),
-        },
-        on: !off.contains(&k),
+    let one = |k: usize| {
+        let name = scenario.torque_names().get(k).cloned().flatten();
+        let model = || Some(models.get(k)?.get("model")?.as_str()?.replace('_', " "));
+        Switch {
+            key: format!("torque[{k}].on"),
+            label: name.or_else(model).unwrap_or_else(|| format!("torque {}", k + 1)),
+            on: !off.contains(&k),
+        }
     };
     (0..scenario.torques().len()).map(one).collect()
 }

@@ -46,7 +46,7 @@ pub(crate) fn answer(
     }
     match own.read(answer.text.clone()) {
         Ok(file) => {
-            answer.switches = switches(&file.scenario);
+            answer.switches = switches(&file.scenario, &answer.text);
             match computed(&file, request.error, begun, stop) {
                 Ok(trajectory) => answer.motion = Some(motion(&file, &trajectory, &own, request)?),
                 Err(error) => answer.errors.push(error),

@@ -35,16 +35,16 @@ pub(crate) struct Live {
 impl Live {
     pub(crate) fn run(self) -> Result<(), Failure> {
         let options = LiveOptions { port: self.port, files: self.files };
-        let live = Server::bind(&options).map_err(failed)?;
+        let live = Server::bind(&options).map_err(|error| failed(&error))?;
         print(&format!("{}\n", live.address()))?;
         if !self.no_open {
             browser::open(live.address().as_ref());
         }
-        live.run().map_err(failed)
+        live.run().map_err(|error| failed(&error))
     }
 }
 
-fn failed(error: LiveError) -> Failure {
+fn failed(error: &LiveError) -> Failure {
     let hint = error.hint().map(str::to_owned);
     Failure::Usage { message: error.to_string(), file: None, place: None, hint }
 }

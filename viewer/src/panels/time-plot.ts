@@ -25,11 +25,13 @@ export interface Place {
 export class TimePlot {
   readonly plot: uPlot;
   readonly host: HTMLElement;
-  readonly #figure: Figure;
-  readonly #stack: Stack;
   readonly #place: Place;
   readonly #unit: { name: string; seconds: number };
-  readonly #marks: readonly Mark[];
+  readonly #title = element("div", { class: "axis-title y" });
+  readonly #less = element("span", { class: "less" });
+  #figure: Figure;
+  #stack: Stack;
+  #marks: readonly Mark[];
   readonly #now = element("div", { class: "now" });
   readonly #events: HTMLElement[];
   readonly #readings: HTMLElement[];
@@ -49,19 +51,17 @@ export class TimePlot {
     stack.lines.forEach((line, k) => {
       key.append(element("span", { class: "key-entry" }, swatch(line), element("span", {}, line.label), this.#readings[k]));
     });
-    if (stack.less !== "") key.append(element("span", { class: "less" }, stack.less));
-    key.append(this.#tag);
+    key.append(this.#less, this.#tag);
     const box = element("div", { class: "plot-box" });
     box.style.height = `${this.#height}px`;
     this.host = element("div", { class: "stack" }, key, box);
-    const data = stack.lines.map((line) => (figure.log ? line.values.map((v) => (v > 0 ? v : Number.NaN)) : line.values));
-    this.plot = new uPlot(this.#options(), [times, ...data] as uPlot.AlignedData, box);
+    this.plot = new uPlot(this.#options(), this.#data(times), box);
     this.plot.ctx.canvas.setAttribute("role", "img");
     this.plot.ctx.canvas.setAttribute("aria-label", `${figure.title}: ${stack.lines.map(({ symbol }) => symbol).join(", ")} over time`);
-    const title = element("div", { class: "axis-title y" }, stack.title);
-    title.style.top = `${this.#above}px`;
-    title.style.height = `${this.#frame}px`;
-    box.append(title);
+    this.#title.style.top = `${this.#above}px`;
+    this.#title.style.height = `${this.#frame}px`;
+    this.#name();
+    box.append(this.#title);
     if (place.isLast) {
       const below = element("div", { class: "axis-title x" }, `time t (${unit.name})`);
       below.style.left = `${LEFT}px`;
@@ -69,6 +69,49 @@ export class TimePlot {
     }
     this.#events = marks.map(() => element("div", { class: "event" }));
     this.plot.over.append(...this.#events, this.#now);
+  }
+
+  /** Whether a stack of another motion can be shown in the same plot. */
+  fits(figure: Figure, stack: Stack, unit: { name: string }, marks: readonly Mark[]): boolean {
+    const { lines } = this.#stack;
+    const like = (a: Line, b: Line): boolean => a.label === b.label && a.ink === b.ink && String(a.dash) === String(b.dash);
+    return (
+      figure.log === this.#figure.log &&
+      figure.unit === this.#figure.unit &&
+      unit.name === this.#unit.name &&
+      stack.lines.length === lines.length &&
+      stack.lines.every((line, k) => like(line, lines[k])) &&
+      marks.length === this.#marks.length
+    );
+  }
+
+  /** Shows a stack that fits; what is zoomed to stays. */
+  update(figure: Figure, stack: Stack, times: Float64Array, marks: readonly Mark[]): void {
+    const before = this.plot.data[0];
+    const { min, max } = this.plot.scales.x;
+    const zoomed = min !== undefined && min !== null && max !== undefined && max !== null && (min > before[0] || max < before[before.length - 1]);
+    this.#figure = figure;
+    this.#stack = stack;
+    this.#marks = marks;
+    this.#name();
+    const [first, last] = [times[0], times[times.length - 1]];
+    const kept = zoomed && max > first && min < last;
+    this.plot.batch((u: uPlot) => {
+      u.setData(this.#data(times), false);
+      u.setScale("x", kept ? { min: Math.max(min, first), max: Math.min(max, last) } : { min: first, max: last });
+    });
+  }
+
+  #name(): void {
+    const { title, less } = this.#stack;
+    if (this.#title.textContent !== title) this.#title.textContent = title;
+    this.#less.textContent = less;
+    this.#less.hidden = less === "";
+  }
+
+  #data(times: Float64Array): uPlot.AlignedData {
+    const rows = this.#stack.lines.map(({ values }) => (this.#figure.log ? values.map((v) => (v > 0 ? v : Number.NaN)) : values));
+    return [times, ...rows] as uPlot.AlignedData;
   }
 
   resize(width: number): void {
@@ -171,7 +214,7 @@ export class TimePlot {
           width: 1.6,
           points: { show: false },
           ...(line.dash ? { dash: line.dash } : {}),
-          paths: (u, series, first, last) => this.#paths(u, series, first, last, line, k),
+          paths: (u, series, first, last) => this.#paths(u, series, first, last, this.#stack.lines[k], k),
         })),
       ],
       hooks: { draw: [(): void => this.#say()] },

@@ -108,8 +108,15 @@ export function quantity(value: number, unit: string, figures: number): string {
 
 /** Lines that share an axis, in order: a line goes to the first whose lines it does not squash, and which does not squash it. */
 export function split(lines: readonly Line[], telling = Infinity): Line[][] {
-  const range = (all: readonly Line[]): [number, number] => extent(all.map((l) => l.values), 0, telling - 1) ?? [0, 0];
-  const span = (all: readonly Line[]): number => range(all)[1] - range(all)[0];
+  const ranges = new Map(lines.map((line) => [line, extent([line.values], 0, telling - 1)]));
+  const span = (all: readonly Line[]): number => {
+    let [low, high] = [Infinity, -Infinity];
+    for (const line of all) {
+      const range = ranges.get(line);
+      if (range) [low, high] = [Math.min(low, range[0]), Math.max(high, range[1])];
+    }
+    return low <= high ? high - low : 0;
+  };
   // The part of the common range that the flattest line takes.
   const flattest = (all: readonly Line[]): number => {
     const common = span(all);

@@ -18,6 +18,7 @@ import {
   LineSegments,
   Mesh,
   MeshStandardMaterial,
+  Quaternion,
   SphereGeometry,
   TorusGeometry,
   Vector2,
@@ -25,6 +26,7 @@ import {
 } from "three";
 import type { BodyData, Shape } from "../data";
 import { BadData, f32, indices } from "../decode";
+import { kept } from "./dispose";
 import { creased } from "./normals";
 import type { Palette } from "./palette";
 
@@ -36,9 +38,9 @@ const EDGES_UP_TO = 20_000;
 
 export class BodyModel {
   /** The shapes, or the ellipsoid if there are none. */
-  readonly shapes = new Group();
+  readonly shapes: Group;
   /** The ellipsoid of the same mass and tensor. */
-  readonly ellipsoid = new Group();
+  readonly ellipsoid: Group;
   /** m; length 1 of the picture: of the body without what is small and far out, as a tip mass on a boom */
   readonly radius: number;
   /** How far the farthest part is, in the picture. */
@@ -49,65 +51,86 @@ export class BodyModel {
   /** "20,000 of 200,000 triangles", if a mesh was made coarser. */
   readonly coarser: string | null;
   readonly hasShapes: boolean;
-  readonly #paint: Paint;
+  readonly #solids: Solids;
 
-  constructor(data: BodyData, palette: Palette) {
+  /**
+   * `before`: the body until now. Its shapes are used again if they are the same, and its scale if this body's size is like it. One
+   * sees through the body if `isOpen`.
+   */
+  constructor(data: BodyData, isOpen: boolean, palette: Palette, before: BodyModel | null) {
     this.hasShapes = data.shapes.length > 0;
-    const paint = new Paint(palette);
-    this.#paint = paint;
-    this.ellipsoid.add(equimomental(data, paint));
-    for (const shape of data.shapes) this.shapes.add(place(shape, paint));
-    const counts = data.shapes.flatMap((s) =>
-      s.kind === "mesh" ? [{ here: (s.triangles.length * 3) / 4 / 12, of: s.of }] : [],
-    );
-    const here = Math.floor(counts.reduce((sum, c) => sum + c.here, 0));
-    const of = counts.reduce((sum, c) => sum + c.of, 0);
-    this.coarser = counts.some((c) => c.of > c.here + 1) ? `shown with ${grouped(here)} of ${grouped(of)} triangles` : null;
-
-    const ellipsoid = extremes(this.ellipsoid);
-    const shapes = this.hasShapes ? extremes(this.shapes) : ellipsoid;
+    this.ellipsoid = equimomental(data, paint(palette, isOpen));
+    const same = before !== null && before.#solids.of === data.shapes && before.#solids.isOpen === isOpen;
+    this.#solids = same ? before.#solids : new Solids(data.shapes, isOpen, palette);
+    this.shapes = this.#solids.group;
+    this.coarser = this.#solids.coarser;
+    const ellipsoid = farthestOf(data);
+    const shapes = this.hasShapes ? this.#solids.farthest : ellipsoid;
     const farthest = Math.max(...shapes.map((p) => p.length())) || 1;
-    this.radius = this.hasShapes ? bulk(this.shapes, farthest) : farthest;
+    const own = this.hasShapes ? Math.min(this.#solids.bulk, farthest) : farthest;
+    const isLike = before !== null && own > 0.55 * before.radius && own < 1.35 * before.radius;
+    this.radius = isLike ? before.radius : own;
     this.extent = farthest / this.radius;
     for (const group of [this.shapes, this.ellipsoid]) group.scale.setScalar(1 / this.radius);
-    this.outline = shapes.map((p) => p.divideScalar(this.radius));
-    this.ellipsoidOutline = this.hasShapes ? ellipsoid.map((p) => p.divideScalar(this.radius)) : this.outline;
-  }
-
-  /** Shows what is inside. */
-  seeThrough(): void {
-    for (const material of [this.#paint.solid, this.#paint.marked]) {
-      Object.assign(material, { transparent: true, opacity: 0.4, depthWrite: false });
-    }
+    const scaled = (points: Vector3[]): Vector3[] => points.map((p) => p.clone().divideScalar(this.radius));
+    this.outline = scaled(shapes);
+    this.ellipsoidOutline = this.hasShapes ? scaled(ellipsoid) : this.outline;
   }
 }
 
-/** How far the parts go that are not small for where they are. */
-function bulk(shapes: Group, farthest: number): number {
+/** The shapes as solids, m. */
+class Solids {
+  readonly group = new Group();
+  readonly farthest: Vector3[];
+  /** How far the parts go that are not small for where they are. */
+  readonly bulk: number;
+  readonly coarser: string | null;
+
+  constructor(
+    readonly of: Shape[],
+    readonly isOpen: boolean,
+    palette: Palette,
+  ) {
+    const look = paint(palette, isOpen);
+    for (const shape of of) this.group.add(place(shape, look));
+    const counts = of.flatMap((s) => (s.kind === "mesh" ? [{ here: (s.triangles.length * 3) / 4 / 12, of: s.of }] : []));
+    const here = Math.floor(counts.reduce((sum, c) => sum + c.here, 0));
+    const all = counts.reduce((sum, c) => sum + c.of, 0);
+    this.coarser = counts.some((c) => c.of > c.here + 1) ? `shown with ${grouped(here)} of ${grouped(all)} triangles` : null;
+    this.farthest = extremes(this.group);
+    this.bulk = bulk(this.group);
+  }
+}
+
+/** Infinite if all are small. */
+function bulk(shapes: Group): number {
   const parts = shapes.children.map((part) => {
     const box = new Box3().setFromObject(part, true);
     const far = Math.max(...corners(box).map((p) => p.length()));
     return { far, isSmall: box.getSize(new Vector3()).length() < SMALL * far };
   });
   const large = parts.filter(({ isSmall }) => !isSmall).map(({ far }) => far);
-  return large.length > 0 ? Math.min(Math.max(...large), farthest) : farthest;
+  return large.length > 0 ? Math.max(...large) : Infinity;
 }
 
 function corners({ min, max }: Box3): Vector3[] {
   return [0, 1, 2, 3, 4, 5, 6, 7].map((k) => new Vector3(k & 1 ? min.x : max.x, k & 2 ? min.y : max.y, k & 4 ? min.z : max.z));
 }
 
-/** Materials, shared by all shapes. */
-class Paint {
-  readonly solid = new MeshStandardMaterial({ roughness: 0.55, metalness: 0.05 });
-  readonly marked = new MeshStandardMaterial({ roughness: 0.55, metalness: 0.05, vertexColors: true });
-  readonly edge = new LineBasicMaterial({ transparent: true, opacity: 0.55 });
+interface Paint {
+  solid: MeshStandardMaterial;
+  marked: MeshStandardMaterial;
+  edge: LineBasicMaterial;
+}
 
-  constructor(palette: Palette) {
-    palette.bind(this.solid.color, "solid");
-    palette.bind(this.marked.color, "solid");
-    palette.bind(this.edge.color, "edge");
-  }
+/** Materials, shared by all shapes; one sees what is inside if they are open. */
+function paint(palette: Palette, isOpen: boolean): Paint {
+  const look = { roughness: 0.55, metalness: 0.05, ...(isOpen ? { transparent: true, opacity: 0.4, depthWrite: false } : {}) };
+  return {
+    solid: palette.shared(`solid ${isOpen}`, "solid", () => new MeshStandardMaterial(look)),
+    marked: palette.shared(`marked ${isOpen}`, "solid", () => new MeshStandardMaterial({ ...look, vertexColors: true })),
+    edge: palette.shared("edge", "edge", () => new LineBasicMaterial({ transparent: true, opacity: 0.55 })),
+  };
 }
 
 function place(shape: Shape, paint: Paint): Group {
@@ -246,17 +269,32 @@ function equimomental(data: BodyData, paint: Paint): Group {
   const largest = Math.max(...data.ellipsoid, Number.MIN_VALUE);
   // A flat body's ellipsoid has no thickness; what has none cannot be lit.
   const half = data.ellipsoid.map((a) => Math.max(a, 0.004 * largest)) as [number, number, number];
-  const sphere = upright(new SphereGeometry(1, ROUND, ROUND / 2)).scale(...half);
-  group.add(new Mesh(marked(sphere, octants), paint.marked));
+  const mesh = new Mesh(ELLIPSOID, paint.marked);
+  mesh.scale.set(...half);
+  group.add(mesh);
   const [w, x, y, z] = data.principal.quaternion;
   group.quaternion.set(x, y, z, w).normalize();
   group.position.set(...data.lever);
   return group;
 }
 
+/** The ellipsoid's points that are farthest in each of many directions d: A²d/|A d|, A = diag(half axes). */
+function farthestOf({ ellipsoid, principal, lever }: BodyData): Vector3[] {
+  const [w, x, y, z] = principal.quaternion;
+  const turn = new Quaternion(x, y, z, w).normalize();
+  const half = new Vector3(...ellipsoid);
+  const middle = new Vector3(...lever);
+  return DIRECTIONS.map((direction) => {
+    const p = direction.clone().multiply(half);
+    const size = p.length();
+    if (size > 0) p.multiply(half).divideScalar(size);
+    return p.applyQuaternion(turn).add(middle);
+  });
+}
+
 /** The points of a group that are farthest in each of many directions: their hull is nearly that of the whole. */
 function extremes(group: Group): Vector3[] {
-  const directions = sphere(160);
+  const directions = DIRECTIONS;
   const best = directions.map(() => -Infinity);
   const found = directions.map(() => new Vector3());
   const point = new Vector3();
@@ -293,3 +331,6 @@ function sphere(count: number): Vector3[] {
 function grouped(count: number): string {
   return String(count).replace(/\B(?=(\d{3})+$)/g, ",");
 }
+
+const DIRECTIONS = sphere(160);
+const ELLIPSOID = kept(marked(upright(new SphereGeometry(1, ROUND, ROUND / 2)), octants));

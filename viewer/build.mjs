@@ -15,7 +15,7 @@ const bundle = async (entry, options) => {
     absWorkingDir: here,
     entryPoints: [entry],
     bundle: true,
-    minify: true,
+    minify: !process.argv.includes("--plain"),
     charset: "utf8",
     legalComments: "none",
     write: false,

@@ -3,6 +3,7 @@
  * follows the theme. Axes have the colours of Okabe and Ito, which colour-blind people can tell apart.
  */
 import { Color, type Material } from "three";
+import { ink as colour } from "../theme";
 
 export type Ink =
   | "paper"
@@ -25,8 +26,6 @@ export class Palette {
   readonly #bound = new Map<Color, { ink: Ink; strength: number }>();
   readonly #shared = new Map<string, Material>();
   readonly #owned = new Set<Material>();
-  /** Asking the style sheet costs more than all else about a colour. */
-  readonly #values = new Map<Ink, string>();
 
   /** Gives the colour its value, now and whenever the theme changes; below strength 1 it is mixed with the paper's. */
   bind(color: Color, ink: Ink, strength = 1): void {
@@ -57,7 +56,6 @@ export class Palette {
   }
 
   refresh(): void {
-    this.#values.clear();
     for (const [color, { ink, strength }] of this.#bound) this.#set(color, ink, strength);
   }
 
@@ -67,10 +65,6 @@ export class Palette {
   }
 
   value(ink: Ink): string {
-    const known = this.#values.get(ink);
-    if (known) return known;
-    const value = getComputedStyle(document.documentElement).getPropertyValue(`--${ink}`).trim();
-    this.#values.set(ink, value);
-    return value;
+    return colour(ink);
   }
 }

@@ -41,6 +41,8 @@ export class App {
   /** Null if the browser has no WebGL. */
   readonly view: View | null;
   readonly tabs: Tabs;
+  /** What keys do that the page has not of its own. */
+  readonly keys = new Map<string, () => void>();
   page: PageData;
   motion: Motion;
   readonly #legend: Legend | null;
@@ -57,7 +59,7 @@ export class App {
     byId("view-note").textContent = this.#coarser();
     toolbar(this.clock);
     this.tabs = new Tabs(byId("tabs"), byId("panels"), choose(this.#panels()));
-    keys(this.clock, this.view, (picture) => this.#legend?.show(picture));
+    keys(this.clock, this.view, (picture) => this.#legend?.show(picture), this.keys);
     onTheme(() => {
       this.view?.recolor();
       this.#plots?.redraw();

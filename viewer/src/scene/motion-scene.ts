@@ -66,8 +66,8 @@ export class MotionScene {
   /** A place in the body, where it is in space. */
   readonly #turned = (p: Vector3): Vector3 => p.clone().applyQuaternion(this.body.quaternion);
 
-  /** `before`: what was shown until now, of which scales and switches are kept. */
-  constructor(page: PageData, motion: Motion, trail: Group, palette: Palette, before: MotionScene | null) {
+  /** `before`: what was shown until now, of which switches are kept, and scales: whatever they are if `isHeld`, else if they fit. */
+  constructor(page: PageData, motion: Motion, trail: Group, palette: Palette, before: MotionScene | null, isHeld = false) {
     this.#page = page;
     this.#motion = motion;
     this.#palette = palette;
@@ -76,7 +76,7 @@ export class MotionScene {
     const [w, x, y, z] = page.body.principal.quaternion;
     this.principal = new Quaternion(x, y, z, w).normalize();
     this.scales = {
-      omega: scale(before?.scales.omega, motion.telling, lengths(motion.omega)),
+      omega: isHeld && before ? before.scales.omega : scale(before?.scales.omega, motion.telling, lengths(motion.omega)),
       momentum: scale(before?.scales.momentum, motion.telling, lengths(motion.momentum), ...motion.wheels.map(({ momentum }) => momentum)),
       torque: motion.torque === null ? 0 : scale(before?.scales.torque, motion.telling, lengths(motion.torque)),
     };

@@ -23,6 +23,8 @@ export class View {
   trailed: Trailed;
   /** An attitude to show instead of the motion's: a body in the hand. */
   held: Attitude | null = null;
+  /** Arrows keep their scale whatever comes: one of them is in the hand. */
+  isHeld = false;
   /** What else is to be done when a frame is drawn. */
   readonly drawn: (() => void)[] = [];
 
@@ -69,6 +71,34 @@ export class View {
     return this.#shown.pictures;
   }
 
+  /** Of the arrow of ω, in the picture's space: where its tip is, and how long 1 rad/s is. Null if it is not shown. */
+  get omega(): { tip: Vector3; scale: number } | null {
+    const isOn = this.layers.find(({ id }) => id === "omega")?.on[this.picture] === true;
+    const { omega, scales } = this.#shown;
+    return this.picture === "body" && isOn ? { tip: omega.tip, scale: scales.omega } : null;
+  }
+
+  /** (w, x, y, z) of the body as it is shown now. */
+  get attitude(): Attitude {
+    const q = this.#shown.body.quaternion;
+    return [q.w, q.x, q.y, q.z];
+  }
+
+  /** Where a point of the picture's space is on the canvas, px. */
+  project(point: Vector3): [number, number] {
+    const v = point.clone().project(this.orbit.camera);
+    return [(0.5 + v.x / 2) * this.#size.width, (0.5 - v.y / 2) * this.#size.height];
+  }
+
+  /** The point under a place of the canvas, px, in the plane through `through` that faces the camera. */
+  unproject(x: number, y: number, through: Vector3): Vector3 {
+    const { camera } = this.orbit;
+    const ray = new Vector3((2 * x) / this.#size.width - 1, 1 - (2 * y) / this.#size.height, 0.5).unproject(camera).sub(camera.position);
+    const forward = camera.getWorldDirection(new Vector3());
+    const reach = through.clone().sub(camera.position).dot(forward) / ray.dot(forward);
+    return ray.multiplyScalar(reach).add(camera.position);
+  }
+
   /** Objects on the graphics card. */
   get memory(): { geometries: number; textures: number; programs: number } {
     const { memory, programs } = this.#renderer.info;
@@ -78,7 +108,7 @@ export class View {
   /** Shows another motion from where the person looks; `anew`: as the first one was shown. */
   replace(page: PageData, motion: Motion, anew: boolean): void {
     const before = this.#shown;
-    this.#shown = new MotionScene(page, motion, this.#trails.object, this.#palette, anew ? null : before);
+    this.#shown = new MotionScene(page, motion, this.#trails.object, this.#palette, anew ? null : before, this.isHeld);
     before.space.removeFromParent();
     before.body.removeFromParent();
     this.#scene.add(this.#shown.space, this.#shown.body);

@@ -60,8 +60,16 @@ orSay(() => {
     byId("ride").before(hand.button);
     app.keys.set("g", () => hand.toggle());
   }
+  window.polhodeLive = session;
   void begin(session, notice, choice);
 });
+
+declare global {
+  interface Window {
+    /** For tests and for curious people at the console. */
+    polhodeLive?: Session;
+  }
+}
 
 // The last good motion stays, dimmed, with what is wrong.
 function troubles(session: Session): void {

@@ -64,6 +64,11 @@ export class Session {
     return this.text !== this.fileText;
   }
 
+  /** Whether what is shown is of the text as it is. */
+  get isSettled(): boolean {
+    return this.#flight === null && !this.#isDue && this.trouble === null;
+  }
+
   /** Begins with a document; `text` instead of its own if that was changed. */
   open(document: DocumentInfo, fileText: string, text = fileText): void {
     this.document = document;

@@ -15,15 +15,15 @@ pub(crate) fn knobs(numbers: &[WrittenNumber]) -> Vec<Knob> {
         numbers.iter().map(|number| (interest(number), number)).collect();
     // Those that are as telling stay in the order of the text.
     order.sort_by_key(|(interest, _)| *interest);
-    order.iter().enumerate().map(|(rank, (_, number))| knob(number, rank)).collect()
+    order.iter().enumerate().map(|(rank, (_, number))| knob(number, numbers, rank)).collect()
 }
 
-fn knob(number: &WrittenNumber, rank: usize) -> Knob {
+fn knob(number: &WrittenNumber, all: &[WrittenNumber], rank: usize) -> Knob {
     let (head, _) = split(&number.key);
     let group = GROUPS.iter().find(|group| **group == head).copied().unwrap_or("other");
     let value = written(number);
     let is_size = is_positive(number) && value > 0.0;
-    let [low, high] = if is_size { [value / 5.0, value * 5.0] } else { span(number, value) };
+    let [low, high] = if is_size { [value / 5.0, value * 5.0] } else { span(number, all, value) };
     let si = if number.unit.is_empty() { number.si() } else { String::new() };
     Knob {
         key: number.key.clone(),
@@ -69,8 +69,9 @@ fn is_positive(number: &WrittenNumber) -> bool {
         || [Dimension::MASS, Dimension::DENSITY].contains(&number.dimension)
 }
 
-/// How far a number goes that may have either sign: angles all the way round, others to three times what they are or what is usual.
-fn span(number: &WrittenNumber, value: f64) -> [f64; 2] {
+/// How far a number goes that may have either sign: angles all the way round, components as far as the largest of their vector and a half more, others
+/// to three times what they are or what is usual.
+fn span(number: &WrittenNumber, all: &[WrittenNumber], value: f64) -> [f64; 2] {
     let factor = polhode_formats::unit::factor(&number.unit, number.dimension).unwrap_or(1.0);
     if number.dimension == Dimension::ANGLE {
         let half = (std::f64::consts::PI / factor).round();
@@ -83,7 +84,16 @@ fn span(number: &WrittenNumber, value: f64) -> [f64; 2] {
         Dimension::ACCELERATION => 20.0 / factor,
         _ => 1.0,
     };
-    let most = if value == 0.0 { usual } else { 3.0 * value.abs() };
+    let vector = number.key.rsplit_once('[').map(|(vector, _)| vector);
+    let beside = all.iter().filter(|other| other.key.rsplit_once('[').map(|(vector, _)| vector) == vector);
+    let largest = beside
+        .map(|other| other.value.abs() / if number.unit.is_empty() { 1.0 } else { factor })
+        .fold(0.0, f64::max);
+    let most = match (vector, value == 0.0) {
+        (Some(_), _) if largest > 0.0 => 1.5 * largest,
+        (_, true) => usual,
+        (_, false) => 3.0 * value.abs(),
+    };
     [-most, most]
 }
 
@@ -112,8 +122,19 @@ fn split(key: &str) -> (&str, &str) {
     (head, key[head.len()..].trim_start_matches('.'))
 }
 
-/// `crossbar: radius`, `spin, body: x`
+/// `crossbar: radius`; components of the spin by their symbols.
 fn label(number: &WrittenNumber) -> String {
+    for (vector, symbols) in [
+        ("start.spin.body", ["ωx", "ωy", "ωz"]),
+        ("start.spin.space", ["ωX", "ωY", "ωZ"]),
+        ("start.spin.momentum", ["LX", "LY", "LZ"]),
+    ] {
+        let component =
+            number.key.strip_prefix(vector).map(|index| index.trim_matches(['[', ']']).parse::<usize>());
+        if let Some(symbol) = component.and_then(Result::ok).and_then(|k| symbols.get(k)) {
+            return (*symbol).to_owned();
+        }
+    }
     let (head, rest) = split(&number.key);
     let rest = if rest.is_empty() { head } else { rest };
     let rest = rest
@@ -187,16 +208,15 @@ mod tests {
         let knobs = knobs(&draft.numbers());
         let named: Vec<_> =
             knobs.iter().map(|knob| (knob.label.as_str(), knob.value, knob.unit.as_str())).collect();
-        assert_eq!(
-            named[..3],
-            [("spin body x", 0.01, "rad/s"), ("spin body y", 30.0, "deg/s"), ("spin body z", 6.0, "rad/s")]
-        );
+        assert_eq!(named[..3], [("ωx", 0.01, "rad/s"), ("ωy", 30.0, "deg/s"), ("ωz", 6.0, "rad/s")]);
         let find = |label: &str| knobs.iter().find(|knob| knob.label == label).unwrap();
         let radius = find("bar: radius");
         assert_eq!((radius.value, radius.low, radius.high, radius.scale), (6.0, 1.2, 30.0, "log"));
         assert_eq!(find("bar: density").si, "kg/m³");
+        let spin = find("ωy");
+        assert!((spin.high - 1.5 * 6_f64.to_degrees()).abs() < 1e-9 && spin.low == -spin.high);
         let place = find("bar: position z");
-        assert_eq!((place.value, place.low, place.high, place.scale), (-2.0, -6.0, 6.0, "linear"));
+        assert_eq!((place.value, place.low, place.high, place.scale), (-2.0, -3.0, 3.0, "linear"));
         assert!(knobs.iter().enumerate().all(|(k, knob)| knob.rank == k));
     }
 }

@@ -32,5 +32,8 @@ pub(crate) const BODY: Duration = Duration::from_secs(60);
 /// For a motion: who wants more takes `polhode simulate`.
 pub(crate) const MOTION: Duration = Duration::from_secs(20);
 
+/// For an answer: what cannot be stopped goes on, but nobody waits for it.
+pub(crate) const ANSWER: Duration = Duration::from_secs(40);
+
 /// Samples of a motion: the page shows no more.
 pub(crate) const SAMPLES: usize = 2_001;

@@ -45,7 +45,7 @@ pub(crate) struct Session {
     guard: Guard,
     pub(crate) documents: Documents,
     pub(crate) dropped: Dropped,
-    computations: Semaphore,
+    computations: Arc<Semaphore>,
 }
 
 impl Live {
@@ -68,7 +68,7 @@ impl Live {
         let (listener, port) = listen().map_err(|error| LiveError::Address { address, error })?;
         let guard = Guard::new(port).ok_or(LiveError::Random)?;
         let dropped = Dropped::new().map_err(|error| LiveError::Folder { error })?;
-        let computations = Semaphore::new(limits::COMPUTATIONS);
+        let computations = Arc::new(Semaphore::new(limits::COMPUTATIONS));
         Ok(Self { listener, session: Arc::new(Session { guard, documents, dropped, computations }) })
     }
 
@@ -159,13 +159,21 @@ async fn answered(request: Request<Incoming>, session: &Arc<Session>) -> Result<
         return route.answer(&body, session, &AtomicBool::new(false));
     }
     let stop = StopOnDrop(Arc::default());
-    let turn = session.computations.acquire().await;
+    let turn = session.computations.clone().acquire_owned().await;
     let (flag, session_of_work) = (stop.0.clone(), session.clone());
-    let work = tokio::task::spawn_blocking(move || route.answer(&body, &session_of_work, &flag));
+    let work = tokio::task::spawn_blocking(move || {
+        let answer = route.answer(&body, &session_of_work, &flag);
+        // Until here it computes, whether or not somebody waits.
+        drop(turn);
+        answer
+    });
+    let late = |_| {
+        let took = format!("the answer takes more than {} s", limits::ANSWER.as_secs());
+        Refusal::new(StatusCode::SERVICE_UNAVAILABLE, took)
+            .hint("a smaller mesh, or the command itself, which takes its time")
+    };
     let defect = |_| Refusal::new(StatusCode::INTERNAL_SERVER_ERROR, "a defect of polhode: please report it");
-    let answer = work.await.map_err(defect)?;
-    drop(turn);
-    answer
+    timeout(limits::ANSWER, work).await.map_err(late)?.map_err(defect)?
 }
 
 /// The body, if it is no larger than it may be and comes in time.

@@ -229,7 +229,7 @@ test("the triangle of moments asks before it replaces parts, then moves in what 
   await page.locator(".pad").focus();
   await page.keyboard.press("ArrowUp");
   await page.waitForSelector("dialog.question");
-  await page.click("dialog.question >> text=Replace");
+  await page.click("dialog.question button:text-is('Replace')");
   await shows(page, '"tensor"');
   const moments = () => page.evaluate(() => window.polhode.app.page.body.principal.moments);
   const first = await moments();

@@ -60,6 +60,8 @@ orSay(() => {
     byId("ride").before(hand.button);
     app.keys.set("g", () => hand.toggle());
   }
+  const keys: [string, string][] = [["g", "take the body and throw it"], ["Ctrl + Z", "undo"], ["Ctrl + Y", "redo"], ["Tab to ω", "arrows move its tip, + and − its length"]];
+  document.querySelector("#help dl")?.append(...keys.flatMap(([key, what]) => [element("dt", {}, element("kbd", {}, key)), element("dd", {}, what)]));
   window.polhodeLive = session;
   void begin(session, notice, choice);
 });

@@ -55,6 +55,7 @@ pub(crate) fn run() -> Outcome {
         timed("book", || book::build_in(&joined(book)?))?;
         joined(python)?;
         joined(viewer)?;
+        timed("live page", viewer::check_live)?;
         timed("worked solutions", || solutions::check(&pandoc))
     })?;
     println!("\nall passed in {:.0} s", start.elapsed().as_secs_f64());

@@ -52,7 +52,7 @@ fn main() -> ExitCode {
         ["book"] => book::build(false),
         ["book", "--open"] => book::build(true),
         ["speed"] => speed::measure(),
-        ["viewer"] => viewer::check(),
+        ["viewer"] => viewer::check().and_then(|()| viewer::check_live()),
         ["python"] => python::check(),
         ["solutions"] => python::environment().and_then(|python| solutions::check(&python.pandoc()?)),
         ["help" | "--help" | "-h"] => {

@@ -19,6 +19,7 @@ import { Axes } from "./axes";
 import { BodyModel } from "./body";
 import { OrbitCamera } from "./camera";
 import { Cones } from "./cones";
+import { equivalentBox } from "./equivalent-box";
 import { type Label, Labels } from "./labels";
 import { apply, type Layer, type Picture } from "./layers";
 import { Marker } from "./marker";
@@ -239,6 +240,9 @@ export class View {
         objects: [this.model.ellipsoid],
       });
     }
+    const box = equivalentBox(page.body, this.model.radius, palette);
+    this.#bodyFrame.add(...box.flatMap(({ objects }) => objects));
+    this.layers.push(...box);
     this.#scene.add(this.#omega.object, this.#momentum.object, this.#torque.object);
     const all = { body: true, poinsot: true, cones: true };
     this.layers.push(

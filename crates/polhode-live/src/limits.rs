@@ -32,5 +32,8 @@ pub(crate) const BODY: Duration = Duration::from_secs(60);
 /// For a motion: who wants more takes `polhode simulate`.
 pub(crate) const MOTION: Duration = Duration::from_secs(20);
 
+/// For what is wrong with the parts of a mesh: no further part is begun after it.
+pub(crate) const INSPECTION: Duration = Duration::from_secs(20);
+
 /// Samples of a motion: the page shows no more.
 pub(crate) const SAMPLES: usize = 2_001;

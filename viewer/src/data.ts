@@ -46,8 +46,17 @@ export interface BodyData {
   };
   /** Half axes along the principal axes of the ellipsoid of the same mass and tensor, m (unit density ellipsoid of unit mass if the mass is null). */
   ellipsoid: [number, number, number];
+  /** The uniform box of the same mass and of the same tensor about the centre of mass, where its middle is; null if the mass is null. */
+  box: EquivalentBox | null;
   /** What it looks like; places are from the point that the body turns about, in body axes. Empty: show the ellipsoid. */
   shapes: Shape[];
+}
+
+export interface EquivalentBox {
+  /** Edges, m. */
+  size: [number, number, number];
+  /** Takes components along the edges to components in body axes. */
+  quaternion: [number, number, number, number];
 }
 
 export interface Placed {

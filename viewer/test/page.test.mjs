@@ -661,6 +661,38 @@ test("the inertia ellipsoid touches the invariable plane at the tip of ω", asyn
   await close();
 });
 
+test("the equivalent box is off until it is asked for, and stands about the centre of mass", async () => {
+  for (const name of ["free", "heavy"]) {
+    const data = samples[name]();
+    const { page, problems, close } = await open(browser, `box-${name}`, data);
+    const seen = () =>
+      page.evaluate(() => {
+        const { model, layers } = window.polhode.view;
+        const [object] = layers.find((layer) => layer.id === "box").objects;
+        const { width, height, depth } = object.children[0].geometry.parameters;
+        const size = [width, height, depth].map((edge) => edge * model.radius);
+        const [x, y, z, w] = object.quaternion.toArray();
+        return { visible: object.visible, size, quaternion: [w, x, y, z], at: object.position.toArray().map((c) => c * model.radius) };
+      });
+    const near = (a, b) => a.forEach((x, k) => assert.ok(Math.abs(x - b[k]) < 1e-9, `${a} ${b}`));
+    const before = await inked(page);
+    assert.equal((await seen()).visible, false);
+    await page.click("#layer-box");
+    const { visible, size, quaternion, at } = await seen();
+    assert.equal(visible, true);
+    near(size, data.body.box.size);
+    near(quaternion, data.body.box.quaternion);
+    near(at, data.body.lever);
+    assert.ok((await inked(page)) > before, "it is seen");
+    await shoot(page, `box-${name}`);
+    assert.deepEqual(problems, []);
+    await close();
+  }
+  const { page, close } = await open(browser, "no-box", { ...samples.free(), body: { ...samples.free().body, mass: null, box: null } });
+  assert.equal(await page.locator("#layer-box").count(), 0);
+  await close();
+});
+
 test("the edges: one sample, a rod, a permanent rotation, nothing that turns", async () => {
   const eight = (list) => Buffer.from(Float64Array.from(list).buffer).toString("base64");
   const one = (omega, momentum, moments) => {

@@ -222,7 +222,7 @@ function page({ title, body, mass, shapes, ellipsoid, motion, free, about = "cen
     title,
     source: "polhode 0.1.0 simulate examples/sample.toml",
     scenario: SCENARIO,
-    body: { mass, inertia: body.inertia, about, lever, principal: { moments: body.moments, quaternion: body.quaternion }, ellipsoid, shapes },
+    body: { mass, inertia: body.inertia, about, lever, principal: { moments: body.moments, quaternion: body.quaternion }, ellipsoid, box: boxOf(body, mass, about, lever), shapes },
     motion,
     free,
     scene: { period: null, gravity: null, captions: free ? FREE_CAPTIONS : CAPTIONS, ...scene },
@@ -236,6 +236,13 @@ function page({ title, body, mass, shapes, ellipsoid, motion, free, about = "cen
 const makeBody = (moments, quaternion) => ({ moments, quaternion, ...tensor(moments, quaternion) });
 /** a_k² = 5/2 (i_l + i_m − i_k)/M */
 const ellipsoidOf = ([a, b, c], mass) => [b + c - a, a + c - b, a + b - c].map((x) => Math.sqrt((2.5 * Math.max(x, 0)) / mass));
+/** a_k² = 6 (i_l + i_m − i_k)/M, of the moments about the centre of mass; a lever is along axis 1. */
+function boxOf({ moments, quaternion }, mass, about, lever) {
+  if (!mass) return null;
+  const far = about === "pivot" ? mass * dot(lever, lever) : 0;
+  const [a, b, c] = [moments[0], moments[1] - far, moments[2] - far];
+  return { size: [b + c - a, a + c - b, a + b - c].map((x) => Math.sqrt((6 * Math.max(x, 0)) / mass)), quaternion };
+}
 const PART = { name: "part", position: [0, 0, 0], quaternion: [1, 0, 0, 0] };
 const TURN_X = [Math.SQRT1_2, Math.SQRT1_2, 0, 0];
 

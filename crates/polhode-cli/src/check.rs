@@ -123,7 +123,7 @@ impl Check {
     }
 
     fn reading(&self) -> ReadOptions {
-        ReadOptions { roots: self.roots.clone() }
+        ReadOptions { roots: self.roots.clone(), confined: false }
     }
 
     /// True if one of these is enough to fail.

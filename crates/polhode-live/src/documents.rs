@@ -10,7 +10,7 @@ use polhode_formats::scenario::Draft;
 
 use crate::answer::Refusal;
 use crate::kind::Kind;
-use crate::opened::scenario_of;
+use crate::opened::{readable, scenario_of};
 use crate::protocol::DocumentInfo;
 
 /// The scenario of a session that was started without a file.
@@ -89,7 +89,11 @@ impl Documents {
                 let mut draft = draft(&text);
                 match (draft.read(text.clone()), kind) {
                     (Ok(_), _) => Content::Scenario { draft: Mutex::new(draft), made: Some(text) },
-                    (Err(_), Kind::Mesh) => Content::Mesh,
+                    (Err(_), Kind::Mesh) => {
+                        // What cannot be read is nothing to be looked at.
+                        readable(path, &bytes).map_err(unreadable)?;
+                        Content::Mesh
+                    }
                     (Err(error), _) => return Err(unreadable(error.to_string())),
                 }
             }

@@ -24,6 +24,7 @@ mod dropped;
 mod edit;
 mod error;
 mod guard;
+mod inspect;
 mod kind;
 mod knob;
 mod limits;

@@ -35,5 +35,8 @@ pub(crate) const MOTION: Duration = Duration::from_secs(20);
 /// For an answer: what cannot be stopped goes on, but nobody waits for it.
 pub(crate) const ANSWER: Duration = Duration::from_secs(40);
 
+/// For what is wrong with the parts of a mesh: no further part is begun after it.
+pub(crate) const INSPECTION: Duration = Duration::from_secs(20);
+
 /// Samples of a motion: the page shows no more.
 pub(crate) const SAMPLES: usize = 2_001;

@@ -32,20 +32,29 @@ pub(crate) fn scenario_of(kind: Kind, path: &Path, bytes: &[u8]) -> Result<Strin
     ))
 }
 
+/// Whether the file of a mesh follows its format, or why not.
+pub(crate) fn readable(path: &Path, bytes: &[u8]) -> Result<(), String> {
+    let format = MeshFormat::of_path(path).ok_or("it is no mesh")?;
+    MeshContents::parse(bytes, path, format).map(|_| ()).map_err(|error| error.message())
+}
+
 /// A solid of water, as a file of triangles says neither what it is made of nor, most of them, in which unit.
 fn mesh(path: &Path, bytes: &[u8], file: &str) -> Result<String, String> {
     let format = MeshFormat::of_path(path).ok_or("it is no mesh")?;
     let mut text = format!("[[body.part]]\nshape = \"mesh\"\nfile = {}\n", quoted(file));
     if !format.has_unit() {
         let contents = MeshContents::parse(bytes, path, format).map_err(|error| error.to_string())?;
-        // A part of a machine in millimetres is some metres long when they are taken for metres.
-        let is_millimetres = contents.parts.iter().any(|part| largest(&part.mesh) > 2.5);
-        let unit = if is_millimetres { "mm" } else { "m" };
+        let unit = if assumed_unit(&contents) == 1.0 { "m" } else { "mm" };
         let _ =
             writeln!(text, "unit = \"{unit}\"           # the file does not say: this is taken by its size");
     }
     text += "density = \"1000 kg/m^3\"  # water, until it is said\n";
     Ok(text)
+}
+
+/// Metres in the unit of a mesh that does not say it: a part of a machine in millimetres is some metres long when they are taken for metres.
+pub(crate) fn assumed_unit(contents: &MeshContents) -> f64 {
+    if contents.parts.iter().any(|part| largest(&part.mesh) > 2.5) { 0.001 } else { 1.0 }
 }
 
 /// The largest coordinate, in the file's unit.

@@ -9,6 +9,7 @@ use serde::de::DeserializeOwned;
 use crate::answer::{Answer, Refusal, bytes, json};
 use crate::asset::asset;
 use crate::documents::Content;
+use crate::inspect::Inspection;
 use crate::protocol::{Choice, CompleteAnswer, CompleteRequest, Documents, MotionRequest, OpenRequest};
 use crate::server::Session;
 use crate::{limits, motion, utf16};
@@ -90,9 +91,8 @@ impl Route {
                     Content::Scenario { .. } => {
                         json(&serde_json::json!({ "kind": "scenario", "text": document.text()? }))
                     }
-                    Content::Mesh | Content::Robot => {
-                        Err(Refusal::new(StatusCode::NOT_IMPLEMENTED, "the page cannot show it yet"))
-                    }
+                    Content::Mesh => json(&Inspection::of_mesh(&document, stop)?),
+                    Content::Robot => json(&Inspection::of_robot(&document)?),
                 }
             }
             Self::Motion => {

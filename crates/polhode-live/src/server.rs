@@ -4,6 +4,7 @@ use std::net::{Ipv4Addr, SocketAddr};
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
 
 use http_body_util::{BodyExt as _, LengthLimitError, Limited};
 use hyper::body::{Bytes, Incoming};
@@ -82,13 +83,30 @@ impl Live {
     /// # Errors
     /// [`LiveError::Start`].
     pub fn run(self) -> Result<(), LiveError> {
+        self.run_until(interrupted())
+    }
+
+    /// Answers as long as this is true, which is looked at often: for a program that ends by its own rules.
+    ///
+    /// # Errors
+    /// [`LiveError::Start`].
+    pub fn run_while(self, goes_on: &AtomicBool) -> Result<(), LiveError> {
+        self.run_until(async {
+            while goes_on.load(Ordering::Relaxed) {
+                tokio::time::sleep(Duration::from_millis(20)).await;
+            }
+            Ok(())
+        })
+    }
+
+    fn run_until(self, end: impl Future<Output = std::io::Result<()>>) -> Result<(), LiveError> {
         let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
         let runtime = runtime.map_err(|error| LiveError::Start { error })?;
         let Self { listener, session } = self;
         let served = runtime.block_on(async {
             let listener = TcpListener::from_std(listener)?;
             tokio::spawn(async move { accept(&listener, &session).await });
-            interrupted().await
+            end.await
         });
         // A computation that nobody waits for does not hold the end up.
         runtime.shutdown_background();
@@ -124,7 +142,7 @@ async fn accept(listener: &TcpListener, session: &Arc<Session>) {
         let Ok(place) = places.clone().acquire_owned().await else { return };
         let Ok((stream, _)) = listener.accept().await else {
             // As when there are no more file descriptors: some will be given back.
-            tokio::time::sleep(std::time::Duration::from_millis(50)).await;
+            tokio::time::sleep(Duration::from_millis(50)).await;
             continue;
         };
         let session = session.clone();

@@ -21,7 +21,7 @@ pub(crate) fn check_file(
     roots: Vec<PathBuf>,
 ) -> PyResult<(String, String, String)> {
     py.detach(|| {
-        let model = read_model(&path, &ReadOptions { roots }).map_err(Raise::raise)?;
+        let model = read_model(&path, &ReadOptions { roots, confined: false }).map_err(Raise::raise)?;
         let Inspection { geometry, findings } = inspect(&model, &mut Shapes::default());
         let report = CheckReport { model, geometry, findings, fixed: None };
         Ok((report.to_json().to_string(), report.to_text(), report.to_table()))

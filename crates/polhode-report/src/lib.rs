@@ -18,6 +18,7 @@
 mod balance;
 mod base64;
 mod block;
+pub mod display;
 mod error_estimate;
 mod event;
 mod explain;

@@ -33,6 +33,8 @@ pub struct ReadOptions {
     /// NAME. The model's own folder, and the nearest folder around it that has `package.xml` or `model.config`, are roots without being
     /// named. No file outside the roots is opened.
     pub roots: Vec<PathBuf>,
+    /// These roots and no others, for a model from elsewhere: neither its own folder, if it is not in them, nor a package around it.
+    pub confined: bool,
 }
 
 /// Reads a URDF, SDF or MJCF file: its root element says which.

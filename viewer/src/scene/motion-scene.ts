@@ -10,6 +10,7 @@ import { Arrow } from "./arrows";
 import { Axes } from "./axes";
 import { BodyModel } from "./body";
 import { Cones } from "./cones";
+import { equivalentBox } from "./equivalent-box";
 import { dispose } from "./dispose";
 import type { Label } from "./labels";
 import type { Layer, Picture } from "./layers";
@@ -184,6 +185,9 @@ export class MotionScene {
     this.body.add(this.model.ellipsoid, this.model.shapes);
     this.#put("body", hasShapes ? "Body" : "Equimomental ellipsoid", null, "area", { body: true, poinsot: false, cones: false }, body);
     if (hasShapes) this.#put("ellipsoid", "Equimomental ellipsoid", null, "area", { body: false }, this.model.ellipsoid);
+    const box = equivalentBox(this.#page.body, this.model.radius, this.#palette);
+    this.body.add(...box.flatMap(({ objects }) => objects));
+    this.layers.push(...box);
     this.space.add(this.omega.object, this.#momentum.object, this.#torque.object);
     const all = { body: true, poinsot: true, cones: true };
     this.#put("omega", "ω", "omega", "arrow", { ...all }, this.omega.object);

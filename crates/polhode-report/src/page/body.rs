@@ -19,6 +19,9 @@ pub(super) fn json(turning: &Turning<'_>, budget: Option<&mut Budget>) -> Value 
             "quaternion": numbers(&turning.principal.rotation().canonical_quaternion()),
         },
         "ellipsoid": numbers(&ellipsoid(moments, turning.mass.unwrap_or(1.0))),
+        "box": turning.equivalent_box.map(|(size, quaternion)| {
+            json!({ "size": numbers(&size), "quaternion": numbers(&quaternion) })
+        }),
         "shapes": budget.map_or_else(|| json!([]), |budget| shapes::json(turning, budget)),
     })
 }

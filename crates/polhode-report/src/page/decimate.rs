@@ -9,7 +9,7 @@ use std::collections::{HashMap, HashSet};
 use polhode::body::mesh::TriangleMesh;
 
 /// A mesh of at most `most` triangles, or of none; the same for the same mesh.
-pub(super) fn decimated(mesh: &TriangleMesh, most: usize) -> TriangleMesh {
+pub fn decimated(mesh: &TriangleMesh, most: usize) -> TriangleMesh {
     let Some(grid) = Bounds::of(mesh) else { return TriangleMesh::default() };
     // A surface has two triangles in each cell that it meets, and meets some six n² of n³ cells.
     let mut cells = (most as f64 / 2.0).sqrt().max(1.0);

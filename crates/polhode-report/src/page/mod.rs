@@ -20,9 +20,11 @@ mod sizes;
 mod top;
 mod turning;
 
+pub use decimate::decimated;
 use polhode::body::PrincipalFrame;
 use polhode::math::Body;
 use polhode::motion::{Scenario, Trajectory};
+pub use turning::equivalent_box;
 
 use crate::explain::document::Document;
 use crate::mathml::escaped;

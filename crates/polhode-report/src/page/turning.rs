@@ -20,21 +20,27 @@ pub(super) struct Turning<'a> {
     /// The point.
     pub(super) point: Position<Body>,
     pub(super) parts: &'a [BodyPart],
+    /// Of the mass and the tensor about the centre of mass: edges, and the rotation that takes components along them to body axes. `None` if
+    /// only the moments are known.
+    pub(super) equivalent_box: Option<([f64; 3], [f64; 4])>,
 }
 
 impl<'a> Turning<'a> {
     pub(super) fn of(subject: &PageSubject<'a>) -> Self {
         match *subject {
             PageSubject::Scenario(scenario) => {
-                let rotor = scenario.rotor();
+                let (rotor, body) = (scenario.rotor(), scenario.body());
+                let principal = PrincipalFrame::of(body.inertia());
+                let size = equivalent_box(principal.moments(), body.mass());
                 Self {
                     mass: Some(rotor.mass()),
                     principal: *rotor.principal(),
                     tensor: rotor.inertia().matrix(),
                     is_pivoted: rotor.is_pivoted(),
                     lever: rotor.lever(),
-                    point: scenario.pivot().unwrap_or(scenario.body().center_of_mass()),
+                    point: scenario.pivot().unwrap_or(body.center_of_mass()),
                     parts: scenario.parts(),
+                    equivalent_box: size.map(|size| (size, principal.rotation().canonical_quaternion())),
                 }
             }
             PageSubject::Moments(principal) => Self {
@@ -45,6 +51,7 @@ impl<'a> Turning<'a> {
                 lever: Position::ZERO,
                 point: Position::ZERO,
                 parts: &[],
+                equivalent_box: None,
             },
         }
     }
@@ -62,6 +69,21 @@ pub(super) fn ellipsoid([i1, i2, i3]: [f64; 3], mass: f64) -> [f64; 3] {
     [semi_axis(i2 + i3, i1), semi_axis(i1 + i3, i2), semi_axis(i1 + i2, i3)]
 }
 
+/// Edges of the uniform box of this mass and these moments: i1 = m (b² + c²) / 12, …
+///
+/// `None` if no box has them, or f64 does not hold it.
+pub fn equivalent_box([i1, i2, i3]: [f64; 3], mass: f64) -> Option<[f64; 3]> {
+    // A plate's thickness is zero but for rounding.
+    let rounding = 1e-12 * i3;
+    let square = |others: f64, own: f64| {
+        let excess = others - own;
+        let excess = if excess.abs() <= rounding { 0.0 } else { excess };
+        6.0 * excess / mass
+    };
+    let squares = [square(i2 + i3, i1), square(i1 + i3, i2), square(i1 + i2, i3)];
+    squares.iter().all(|square| *square >= 0.0 && square.is_finite()).then(|| squares.map(f64::sqrt))
+}
+
 /// Σ i_k e_k e_kᵀ
 fn tensor(principal: &PrincipalFrame<Body>) -> [[f64; 3]; 3] {
     let axes = principal.axes().map(Direction::to_array);
@@ -74,6 +96,26 @@ fn tensor(principal: &PrincipalFrame<Body>) -> [[f64; 3]; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_box_has_the_moments() {
+        // ∫ (x² + y²) dm over a uniform box by Gauss's rule of two points on each axis, ±½a/√3: exact for squares.
+        let ([a, b, c], mass) = ([0.31, 0.53, 0.74_f64], 2.3);
+        let signs = |k: u32| [k & 1, k >> 1 & 1, k >> 2 & 1].map(|bit| 2.0 * f64::from(bit) - 1.0);
+        let point = |k: u32| -> [f64; 3] {
+            std::array::from_fn(|i| signs(k)[i] * 0.5 * [a, b, c][i] / 3.0_f64.sqrt())
+        };
+        let moment = |i: usize, j: usize| {
+            (0..8).map(|k| mass / 8.0 * (point(k)[i].powi(2) + point(k)[j].powi(2))).sum::<f64>()
+        };
+        let moments = [moment(0, 1), moment(0, 2), moment(1, 2)];
+        let edges = equivalent_box(moments, mass).unwrap();
+        for (found, edge) in edges.iter().zip([c, b, a]) {
+            assert!((found - edge).abs() < 1e-14, "{edges:?}");
+        }
+        assert_eq!(equivalent_box([1.0, 2.0, 3.0], 1.0), Some([24.0_f64.sqrt(), 12.0_f64.sqrt(), 0.0]));
+        assert_eq!(equivalent_box([1.0, 1.0, 2.5], 1.0), None);
+    }
 
     #[test]
     fn the_ellipsoid_has_the_moments() {

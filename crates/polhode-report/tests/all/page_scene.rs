@@ -19,6 +19,36 @@ pub(crate) fn top(spin: f64) -> Scenario {
 }
 
 #[test]
+fn the_equivalent_box_has_the_body_s_tensor() {
+    // Two boxes askew, free and held; the box is about the centre of mass in either case.
+    let part = |size, place: [f64; 3], angle| {
+        let shape = BoxShape::new(size).unwrap();
+        crate::common::solid("part", "box", &shape, 1.3, place, angle)
+    };
+    let parts =
+        || vec![part([0.2, 0.5, 0.3], [0.1, -0.2, 0.4], 0.7), part([0.4, 0.1, 0.15], [-0.3, 0.2, 0.1], -0.4)];
+    let free = crate::common::scenario("free", parts());
+    let held = crate::common::scenario("held", parts()).held_at(Position::new(0.3, 0.2, -0.5)).unwrap();
+    for scenario in [free, held] {
+        let omega = AngularVelocity::new(0.3, -0.2, 1.0);
+        let scenario = crate::common::spinning(scenario, omega).sampled(crate::common::run(0.1, 3));
+        let (data, _) = page_of(&scenario);
+        let numbers = |value: &Value| -> Vec<f64> { value.as_array().unwrap().iter().map(number).collect() };
+        let [size, turn] = ["size", "quaternion"].map(|key| numbers(&data["body"]["box"][key]));
+        let rotation = Attitude::from_quaternion(turn.try_into().unwrap()).unwrap().matrix();
+        // I = R diag(m (b² + c²) / 12, …) Rᵀ
+        let (body, square) = (scenario.body(), |k: usize| size[k % 3] * size[k % 3]);
+        let moment = |k: usize| body.mass() / 12.0 * (square(k + 1) + square(k + 2));
+        for (i, row) in body.inertia().matrix().iter().enumerate() {
+            for (j, element) in row.iter().enumerate() {
+                let found: f64 = (0..3).map(|k| moment(k) * rotation[i][k] * rotation[j][k]).sum();
+                assert!((found - element).abs() < 1e-14, "{i} {j}: {found} {element}");
+            }
+        }
+    }
+}
+
+#[test]
 fn a_top_has_its_axis_its_bounds_and_gravity() {
     let (data, trajectory) = page_of(&top(9.0));
     let scene = &data["scene"];

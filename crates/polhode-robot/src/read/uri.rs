@@ -16,7 +16,7 @@ pub(super) struct Roots {
 
 impl Roots {
     /// The roots of a model: its own folder; the nearest folder around it that is a package, having `package.xml` or
-    /// `model.config`; and those that the user gives.
+    /// `model.config`; and those that the user gives, or these alone.
     pub(super) fn of(model: &Path, options: &ReadOptions) -> Self {
         let folder =
             model.parent().map(|folder| if folder.as_os_str().is_empty() { Path::new(".") } else { folder });
@@ -25,8 +25,10 @@ impl Roots {
             folder.as_deref().and_then(|folder| folder.ancestors().find(|folder| is_package(folder)));
         let given = options.roots.iter().filter_map(|root| fs::canonicalize(root).ok());
         let mut roots: Vec<PathBuf> = given.collect();
-        roots.extend(package.map(Path::to_owned));
-        roots.extend(folder.clone());
+        if !options.confined {
+            roots.extend(package.map(Path::to_owned));
+            roots.extend(folder.clone());
+        }
         let mut seen = std::collections::HashSet::new();
         roots.retain(|root| seen.insert(root.clone()));
         let named = roots.into_iter().map(|root| {

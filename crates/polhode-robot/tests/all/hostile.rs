@@ -153,7 +153,8 @@ fn found(model: &Path, uri: &str, roots: &[&Path]) -> Result<PathBuf, String> {
         "<robot><link name='a'><collision><geometry><mesh filename='{uri}'/></geometry></collision></link></robot>"
     );
     fs::write(model, text).unwrap();
-    let options = ReadOptions { roots: roots.iter().map(|root| root.to_path_buf()).collect() };
+    let options =
+        ReadOptions { roots: roots.iter().map(|root| root.to_path_buf()).collect(), confined: false };
     let model = read_model(model, &options).unwrap();
     match &model.links[0].geometry[0].shape {
         GeometryShape::Mesh { path, .. } => path.clone(),
@@ -341,4 +342,29 @@ fn broken_texts_are_read_or_refused_and_every_place_is_in_them() {
         }
     }
     assert!(read_ones > 400, "{read_ones}");
+}
+
+#[test]
+fn a_confined_model_has_its_roots_and_no_others() {
+    let folder = std::env::temp_dir().join(format!("polhode-confined-{}", std::process::id()));
+    let inner = folder.join("inner");
+    fs::create_dir_all(&inner).unwrap();
+    for file in [folder.join("package.xml"), folder.join("outer.stl"), inner.join("own.stl")] {
+        fs::write(file, "solid").unwrap();
+    }
+    let found = |uri: &str, confined: bool| {
+        let text = format!(
+            "<robot><link name=\"a\"><visual><geometry><mesh filename=\"{uri}\"/></geometry></visual></link></robot>"
+        );
+        let options = ReadOptions { roots: vec![inner.clone()], confined };
+        let model = read_text(&text, &inner.join("arm.urdf"), &options).unwrap();
+        match &model.links[0].geometry[0].shape {
+            GeometryShape::Mesh { path, .. } => path.is_ok(),
+            _ => unreachable!(),
+        }
+    };
+    // The folder around it is a package, which counts unless the model is confined.
+    assert!(found("../outer.stl", false) && !found("../outer.stl", true));
+    assert!(found("own.stl", true));
+    fs::remove_dir_all(&folder).unwrap();
 }

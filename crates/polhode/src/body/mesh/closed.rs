@@ -81,8 +81,7 @@ impl ClosedMesh {
 
     fn on(mesh: &TriangleMesh, threads: Threads) -> Result<Self, BodyError> {
         let Analysis { welded, patches, diagnosis, .. } = Analysis::of(mesh, threads);
-        require_closed(&diagnosis)?;
-        let inverted = require_nested(&diagnosis)?;
+        let inverted = require_solid(&diagnosis)?;
         let proper = (0..welded.corners.len()).filter(|&t| patches.component[t] != NONE);
         let turned = proper.map(|t| {
             let [a, b, c] = welded.corners[t];
@@ -161,77 +160,93 @@ impl Shape for ClosedMesh {
     }
 }
 
-/// Refuses what has no inside, or has triangles twice.
-fn require_closed(diagnosis: &MeshDiagnosis) -> Result<(), BodyError> {
-    let MeshDiagnosis { boundary, boundary_loops, inconsistent, unbalanced, duplicates, .. } = diagnosis;
-    if diagnosis.components.is_empty() {
-        return Err(BodyError::Empty { what: "triangles" });
+/// Refuses what bounds no solid; true if all of the mesh is wound inward.
+pub(super) fn require_solid(diagnosis: &MeshDiagnosis) -> Result<bool, BodyError> {
+    diagnosis.errors().into_iter().next().map_or(Ok(is_inverted(diagnosis)), Err)
+}
+
+impl MeshDiagnosis {
+    /// Why the mesh bounds no solid, all that is wrong with it; the first is what [`ClosedMesh::of`] says. What is closed and encloses
+    /// nothing only that one finds.
+    pub fn errors(&self) -> Vec<BodyError> {
+        if self.components.is_empty() {
+            return vec![BodyError::Empty { what: "triangles" }];
+        }
+        let mut errors = Vec::new();
+        if let Some(pair) = self.duplicates.first {
+            let [first, second] = pair.triangles;
+            errors.push(BodyError::DuplicateTriangle { first, second, count: self.duplicates.count });
+        }
+        if let Some(edge) = self.boundary.first {
+            errors.push(BodyError::OpenMesh {
+                edges: self.boundary.count,
+                loops: self.boundary_loops,
+                example: edge.ends,
+                triangle: edge.triangle,
+            });
+        }
+        errors.extend(self.winding_error());
+        if let Some(steps) = self.undecided {
+            errors.push(BodyError::OverlapsUndecided { triangles: self.triangles, steps });
+            return errors;
+        }
+        if let Some(pair) = self.overlaps.first {
+            errors.push(BodyError::OverlappingMesh {
+                pairs: self.overlaps.count,
+                triangles: pair.triangles,
+                point: pair.point,
+            });
+        }
+        // Turned as a whole, what lies in a solid and is wound outward is a cavity.
+        if is_inverted(self) {
+            return errors;
+        }
+        if let Some((parts, MeshComponent { first_triangle: triangle, volume, .. })) =
+            self.parts(ComponentRole::InnerSolid)
+        {
+            errors.push(BodyError::NestedSolid { parts, triangle: *triangle, volume: *volume });
+        }
+        if let Some((parts, MeshComponent { first_triangle: triangle, volume, .. })) =
+            self.parts(ComponentRole::Inverted)
+        {
+            errors.push(BodyError::InvertedPart { parts, triangle: *triangle, volume: *volume });
+        }
+        errors
     }
-    if let Some(pair) = duplicates.first {
-        let [first, second] = pair.triangles;
-        return Err(BodyError::DuplicateTriangle { first, second, count: duplicates.count });
+
+    /// What is to be corrected of a mesh that bounds a solid, and what is worth a remark: [`ClosedMesh::findings`].
+    pub fn findings(&self) -> Vec<Finding> {
+        findings(self, is_inverted(self))
     }
-    if let Some(edge) = boundary.first {
-        return Err(BodyError::OpenMesh {
-            edges: boundary.count,
-            loops: *boundary_loops,
-            example: edge.ends,
-            triangle: edge.triangle,
-        });
-    }
-    // With no boundary, open is what has an edge with an odd number of triangles.
-    let has = |roles: &[ComponentRole]| diagnosis.components.iter().any(|c| roles.contains(&c.role));
-    let unsound = [ComponentRole::Unorientable, ComponentRole::Inconsistent, ComponentRole::Open];
-    let first = inconsistent.first.or(unbalanced.first).filter(|_| has(&unsound));
-    if let Some(edge) = first {
+
+    fn winding_error(&self) -> Option<BodyError> {
+        let has = |role: ComponentRole| self.components.iter().any(|component| component.role == role);
+        // With no boundary, open is what has an edge with an odd number of triangles.
+        let is_unsound = [ComponentRole::Unorientable, ComponentRole::Inconsistent, ComponentRole::Open];
+        let edge = self.inconsistent.first.or(self.unbalanced.first)?;
+        if !is_unsound.into_iter().any(has) {
+            return None;
+        }
         let (example, triangle) = (edge.ends, edge.triangle);
-        let edges = inconsistent.count + unbalanced.count;
-        return Err(if has(&[ComponentRole::Unorientable]) {
+        let edges = self.inconsistent.count + self.unbalanced.count;
+        Some(if has(ComponentRole::Unorientable) {
             BodyError::Unorientable { edges, example, triangle }
         } else {
             BodyError::InconsistentWinding { edges, example, triangle }
-        });
+        })
     }
-    Ok(())
+
+    /// How many components have a role, and the first of them.
+    fn parts(&self, role: ComponentRole) -> Option<(usize, &MeshComponent)> {
+        let mut parts = self.components.iter().filter(|component| component.role == role);
+        parts.next().map(|first| (1 + parts.count(), first))
+    }
 }
 
-/// Refuses parts that count twice or negative; true if all of the mesh is wound inward.
-pub(super) fn require_nested(diagnosis: &MeshDiagnosis) -> Result<bool, BodyError> {
-    let components = &diagnosis.components;
-    if let Some(steps) = diagnosis.undecided {
-        return Err(BodyError::OverlapsUndecided { triangles: diagnosis.triangles, steps });
-    }
-    let first = |role| components.iter().find(|component| component.role == role);
-    let (inverted, inner) = (first(ComponentRole::Inverted), first(ComponentRole::InnerSolid));
-    let (solid, cavity) = (first(ComponentRole::Solid), first(ComponentRole::Cavity));
-    if let Some(pair) = diagnosis.overlaps.first {
-        let [first, second] = pair.triangles;
-        return Err(BodyError::OverlappingMesh {
-            pairs: diagnosis.overlaps.count,
-            triangles: [first, second],
-            point: pair.point,
-        });
-    }
-    // Turned as a whole, what lies in a solid and is wound outward is a cavity.
-    if inverted.is_some() && solid.is_none() && cavity.is_none() {
-        return Ok(true);
-    }
-    let count = |role| components.iter().filter(|component| component.role == role).count();
-    if let Some(part) = inner {
-        return Err(BodyError::NestedSolid {
-            parts: count(ComponentRole::InnerSolid),
-            triangle: part.first_triangle,
-            volume: part.volume,
-        });
-    }
-    match inverted {
-        Some(part) => Err(BodyError::InvertedPart {
-            parts: count(ComponentRole::Inverted),
-            triangle: part.first_triangle,
-            volume: part.volume,
-        }),
-        None => Ok(false),
-    }
+/// Is all of the mesh wound inward?
+fn is_inverted(diagnosis: &MeshDiagnosis) -> bool {
+    let has = |role| diagnosis.parts(role).is_some();
+    has(ComponentRole::Inverted) && !has(ComponentRole::Solid) && !has(ComponentRole::Cavity)
 }
 
 /// What was corrected, and what is worth a remark.

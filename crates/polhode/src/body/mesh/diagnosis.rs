@@ -7,6 +7,7 @@ use super::inside::Windings;
 use super::layer::Layers;
 use super::overlap::{Meetings, Overlaps};
 use super::patches::{Patches, is_balanced, join};
+use super::places::MeshPlaces;
 use super::threads::Threads;
 use super::tree::Tree;
 use super::weld::{NONE, Welded, is_proper};
@@ -130,6 +131,13 @@ impl MeshDiagnosis {
     pub fn with_threads(mesh: &TriangleMesh, threads: usize) -> Self {
         Analysis::of(mesh, Threads::of(threads)).diagnosis
     }
+
+    /// The same, and the first places of each kind, so many at most.
+    pub fn with_places(mesh: &TriangleMesh, most: usize) -> (Self, MeshPlaces) {
+        let analysis = Analysis::of(mesh, Threads::of_machine());
+        let places = MeshPlaces::of(&analysis, most);
+        (analysis.diagnosis, places)
+    }
 }
 
 /// A diagnosis and what it was made of.
@@ -137,6 +145,8 @@ impl MeshDiagnosis {
 pub(crate) struct Analysis {
     pub(crate) welded: Welded,
     pub(crate) patches: Patches,
+    pub(super) edges: Edges,
+    pub(super) meetings: Meetings,
     pub(crate) diagnosis: MeshDiagnosis,
     /// What it took to look for what meets.
     #[cfg(test)]
@@ -180,6 +190,8 @@ impl Analysis {
         Self {
             welded,
             patches,
+            edges,
+            meetings,
             diagnosis,
             #[cfg(test)]
             steps: work.done(),
@@ -206,66 +218,79 @@ struct Findings<'a> {
 
 impl Findings<'_> {
     fn diagnosis(&self, measured: Measured, meetings: &Meetings) -> MeshDiagnosis {
-        let (edges, corners) = (self.edges, &self.welded.corners);
-        let unbalanced: Vec<_> =
-            edges.crowded.iter().filter(|edge| !is_balanced(corners, edge)).map(|edge| edge[0]).collect();
-        let crowded: Vec<_> = edges.crowded.iter().map(|edge| edge[0]).collect();
-        let degenerate: Vec<_> = (0..corners.len()).filter(|&t| !is_proper(&corners[t])).collect();
-        let collinear: Vec<_> = measured.collinear.iter().map(|&t| t as usize).collect();
+        let Self { welded, edges } = *self;
+        let corners = &welded.corners;
         MeshDiagnosis {
             triangles: corners.len(),
-            vertices: self.welded.points.len(),
-            boundary: self.at_edges(&edges.boundary),
+            vertices: welded.points.len(),
+            boundary: faults(edges.boundary.iter().map(|&half| at_edge(welded, half))),
             boundary_loops: loops(corners, &edges.boundary),
-            inconsistent: self.at_edges(&edges.inconsistent),
-            non_manifold: self.at_edges(&crowded),
-            unbalanced: self.at_edges(&unbalanced),
-            degenerate: self.at_triangles(&degenerate),
-            collinear: self.at_triangles(&collinear),
-            duplicates: self.pairs(true),
-            back_to_back: self.pairs(false),
-            overlaps: self.at_pairs(&meetings.between),
-            self_overlaps: self.at_pairs(&meetings.within),
-            contacts: self.at_pairs(&meetings.contacts),
+            inconsistent: faults(edges.inconsistent.iter().map(|&half| at_edge(welded, half))),
+            non_manifold: faults(edges.crowded.iter().map(|edge| at_edge(welded, edge[0]))),
+            unbalanced: faults(unbalanced(welded, edges)),
+            degenerate: faults(degenerate(welded)),
+            collinear: faults(measured.collinear.iter().map(|&t| at_triangle(welded, t as usize))),
+            duplicates: faults(again(welded, edges, true)),
+            back_to_back: faults(again(welded, edges, false)),
+            overlaps: overlaps(welded, &meetings.between),
+            self_overlaps: overlaps(welded, &meetings.within),
+            contacts: overlaps(welded, &meetings.contacts),
             components: measured.components,
             undecided: None,
         }
     }
+}
 
-    fn at_edges(&self, halves: &[u32]) -> Faults<EdgePlace> {
-        let place = |&half: &u32| EdgePlace {
-            triangle: half as usize / 3 + 1,
-            ends: [start_of(&self.welded.corners, half), end_of(&self.welded.corners, half)]
-                .map(|v| self.welded.place(self.welded.points[v as usize])),
-        };
-        Faults { count: halves.len(), first: halves.first().map(place) }
-    }
+fn faults<P>(mut places: impl Iterator<Item = P>) -> Faults<P> {
+    let first = places.next();
+    Faults { count: usize::from(first.is_some()) + places.count(), first }
+}
 
-    fn at_triangles(&self, triangles: &[usize]) -> Faults<TrianglePlace> {
-        let place = |&t: &usize| TrianglePlace {
-            triangle: t + 1,
-            corners: self.welded.triangle(t).map(|p| self.welded.place(p)),
-        };
-        Faults { count: triangles.len(), first: triangles.first().map(place) }
-    }
+fn overlaps(welded: &Welded, overlaps: &Overlaps) -> Faults<PairPlace> {
+    Faults { count: overlaps.count, first: overlaps.pairs.first().map(|pair| at_pair(welded, pair)) }
+}
 
-    fn pairs(&self, same_way: bool) -> Faults<PairPlace> {
-        let mut pairs = self.edges.duplicates.iter().filter(|pair| pair.2 == same_way);
-        let place = |&(first, second, _): &(u32, u32, bool)| PairPlace {
-            triangles: [first as usize + 1, second as usize + 1],
-            point: self.welded.place(super::inside::centroid(self.welded.triangle(first as usize))),
-        };
-        let first = pairs.next().map(place);
-        Faults { count: usize::from(first.is_some()) + pairs.count(), first }
-    }
+/// Edges of more than two triangles that are not run along as often one way as the other.
+pub(super) fn unbalanced<'a>(
+    welded: &'a Welded,
+    edges: &'a Edges,
+) -> impl Iterator<Item = EdgePlace> + use<'a> {
+    let unbalanced = edges.crowded.iter().filter(|edge| !is_balanced(&welded.corners, edge));
+    unbalanced.map(|edge| at_edge(welded, edge[0]))
+}
 
-    fn at_pairs(&self, overlaps: &Overlaps) -> Faults<PairPlace> {
-        let place = |([t, u], point): ([u32; 2], [f64; 3])| PairPlace {
-            triangles: [t as usize + 1, u as usize + 1],
-            point: self.welded.place(point),
-        };
-        Faults { count: overlaps.count, first: overlaps.first.map(place) }
+/// Triangles with two equal corners.
+pub(super) fn degenerate(welded: &Welded) -> impl Iterator<Item = TrianglePlace> + '_ {
+    let degenerate = (0..welded.corners.len()).filter(|&t| !is_proper(&welded.corners[t]));
+    degenerate.map(|t| at_triangle(welded, t))
+}
+
+/// Triangles that are there again, the same way round or the other.
+pub(super) fn again<'a>(
+    welded: &'a Welded,
+    edges: &'a Edges,
+    same_way: bool,
+) -> impl Iterator<Item = PairPlace> + use<'a> {
+    let pairs = edges.duplicates.iter().filter(move |pair| pair.2 == same_way);
+    pairs.map(|&(first, second, _)| {
+        at_pair(welded, &([first, second], super::inside::centroid(welded.triangle(first as usize))))
+    })
+}
+
+pub(super) fn at_edge(welded: &Welded, half: u32) -> EdgePlace {
+    EdgePlace {
+        triangle: half as usize / 3 + 1,
+        ends: [start_of(&welded.corners, half), end_of(&welded.corners, half)]
+            .map(|v| welded.place(welded.points[v as usize])),
     }
+}
+
+pub(super) fn at_triangle(welded: &Welded, t: usize) -> TrianglePlace {
+    TrianglePlace { triangle: t + 1, corners: welded.triangle(t).map(|p| welded.place(p)) }
+}
+
+pub(super) fn at_pair(welded: &Welded, &([t, u], point): &([u32; 2], [f64; 3])) -> PairPlace {
+    PairPlace { triangles: [t as usize + 1, u as usize + 1], point: welded.place(point) }
 }
 
 /// How many loops half-edges make.

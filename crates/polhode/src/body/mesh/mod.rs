@@ -14,6 +14,7 @@ mod neighborhood;
 mod oriented;
 mod overlap;
 mod patches;
+mod places;
 mod predicate;
 pub(crate) mod shell;
 mod threads;
@@ -26,6 +27,7 @@ pub use closed::ClosedMesh;
 pub use component::{ComponentRole, MeshComponent};
 pub use diagnosis::{EdgePlace, Faults, MeshDiagnosis, PairPlace, TrianglePlace};
 pub use hull::ConvexHull;
+pub use places::MeshPlaces;
 pub use shell::MeshShell;
 
 use super::error::BodyError;

@@ -30,26 +30,31 @@ use super::weld::Welded;
 use super::work::Work;
 use crate::body::error::COUNTED;
 
-/// Pairs of triangles where something counts twice: how many, and the first in the mesh's order of those that were looked at, with a point
-/// where they meet. One more than are counted stands for any larger number.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+/// Pairs of triangles where something counts twice: how many, and each with a point where they meet. One more than are counted stands for
+/// any larger number; then not all were looked at.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Overlaps {
     pub(crate) count: usize,
-    pub(crate) first: Option<([u32; 2], [f64; 3])>,
+    /// In the mesh's order.
+    pub(crate) pairs: Vec<([u32; 2], [f64; 3])>,
 }
 
 impl Overlaps {
     fn add(&mut self, triangles: [u32; 2], point: [f64; 3]) {
-        self.join(&Self { count: 1, first: Some((triangles, point)) });
+        self.count = (self.count + 1).min(COUNTED + 1);
+        if self.pairs.len() <= COUNTED {
+            self.pairs.push((triangles, point));
+        }
     }
 
     fn join(&mut self, other: &Self) {
         self.count = (self.count + other.count).min(COUNTED + 1);
-        self.first = match (self.first, other.first) {
-            (Some((t, _)), Some((u, _))) if u < t => other.first,
-            (None, _) => other.first,
-            _ => self.first,
-        };
+        let room = (COUNTED + 1).saturating_sub(self.pairs.len());
+        self.pairs.extend(other.pairs.iter().take(room));
+    }
+
+    fn sort(&mut self) {
+        self.pairs.sort_by_key(|(triangles, _)| *triangles);
     }
 
     fn is_full(&self) -> bool {
@@ -58,7 +63,7 @@ impl Overlaps {
 }
 
 /// What the triangles of a mesh do to each other.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Meetings {
     /// Of different surfaces.
     pub(crate) between: Overlaps,
@@ -207,7 +212,7 @@ impl Search<'_> {
         pieces: usize,
         work: impl Fn(usize, &mut dyn FnMut(u32, u32) -> ControlFlow<()>) + Sync,
     ) -> Meetings {
-        let mut all = self.found;
+        let mut all = self.found.clone();
         let mut begin = 0;
         while begin < pieces && !all.is_full(self.windings.patches) {
             let parts = self.threads.map((pieces - begin).min(SOME), |piece| {
@@ -221,6 +226,7 @@ impl Search<'_> {
             parts.iter().for_each(|part| all.join(part));
             begin += SOME;
         }
+        [&mut all.between, &mut all.within, &mut all.contacts].into_iter().for_each(Overlaps::sort);
         all
     }
 }

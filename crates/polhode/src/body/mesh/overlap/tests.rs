@@ -3,7 +3,7 @@
 use core::f64::consts::TAU;
 
 use super::super::TriangleMesh;
-use super::super::closed::require_nested;
+use super::super::closed::require_solid;
 use super::super::component::Measured;
 use super::super::diagnosis::Analysis;
 use super::super::weld::NONE;
@@ -180,7 +180,7 @@ fn what_takes_too_many_steps_is_undecided() {
             (diagnosis.undecided, diagnosis.overlaps.is_empty()),
             (undecided.then_some(steps), undecided)
         );
-        let error = require_nested(&diagnosis).unwrap_err();
+        let error = require_solid(&diagnosis).unwrap_err();
         assert_eq!(matches!(error, BodyError::OverlapsUndecided { steps: 100, .. }), undecided, "{error}");
         assert!(matches!(error, BodyError::OverlapsUndecided { .. } | BodyError::OverlappingMesh { .. }));
     }

@@ -1,0 +1,311 @@
+//! A robot as it stands with all joints at zero, what is wrong with its inertias, and the repair that `polhode check --fix` would write.
+//!
+//! Nothing is written. A model that was dropped opens no file but those that were dropped with it.
+
+use std::collections::HashMap;
+
+use hyper::StatusCode;
+use polhode::body::PrincipalFrame;
+use polhode_formats::FormatError;
+use polhode_report::display::equivalent_box;
+use polhode_robot::body::{LinkMass, link_mass};
+use polhode_robot::finding::{Finding, Severity};
+use polhode_robot::geometry::Shapes;
+use polhode_robot::inspect::inspect;
+use polhode_robot::line_index::LineIndex;
+use polhode_robot::model::{Joint, Link, ModelFormat, Pose, RobotModel};
+use polhode_robot::read::{ReadOptions, read_model, read_text};
+use polhode_robot::repair::proved;
+use serde::Serialize;
+
+use crate::answer::Refusal;
+use crate::documents::Document;
+
+#[derive(Debug, Serialize)]
+pub(crate) struct RobotInspection {
+    name: String,
+    links: Vec<RobotLink>,
+    findings: Vec<RobotFinding>,
+    repair: Option<Repair>,
+}
+
+#[derive(Debug, Serialize)]
+struct RobotLink {
+    name: String,
+    position: [f64; 3],
+    quaternion: [f64; 4],
+    inertial: Option<LinkInertial>,
+    verdict: &'static str,
+}
+
+#[derive(Debug, PartialEq, Serialize)]
+struct LinkInertial {
+    mass: f64,
+    center: [f64; 3],
+    #[serde(rename = "box")]
+    equivalent_box: Option<LinkBox>,
+}
+
+#[derive(Debug, PartialEq, Serialize)]
+struct LinkBox {
+    size: [f64; 3],
+    quaternion: [f64; 4],
+}
+
+#[derive(Debug, Serialize)]
+struct RobotFinding {
+    link: Option<usize>,
+    code: &'static str,
+    severity: &'static str,
+    message: String,
+    line: usize,
+    column: usize,
+}
+
+#[derive(Debug, Serialize)]
+struct Repair {
+    text: String,
+    changes: Vec<Change>,
+}
+
+/// A line that the repair changes.
+#[derive(Debug, PartialEq, Serialize)]
+struct Change {
+    line: usize,
+    before: String,
+    after: String,
+}
+
+impl RobotInspection {
+    /// Of the document's file as it is now.
+    pub(crate) fn of(document: &Document) -> Result<Self, Refusal> {
+        let options = ReadOptions { roots: document.roots.clone(), confined: !document.roots.is_empty() };
+        let unreadable = |error: FormatError| {
+            let place = error.place().map_or_else(String::new, |place| format!(", line {}", place.line));
+            let message = format!("{:?} cannot be read{place}: {}", document.name, error.message());
+            let refusal = Refusal::new(StatusCode::UNPROCESSABLE_ENTITY, message);
+            match error.hint() {
+                Some(hint) => refusal.hint(hint),
+                None => refusal,
+            }
+        };
+        let model = read_model(&document.path, &options).map_err(unreadable)?;
+        let mut shapes = Shapes::default();
+        let found = inspect(&model, &mut shapes).findings;
+        let stands = Stands::of(&model);
+        let numbers = numbers(&model);
+        let lines = LineIndex::new(&model.text);
+        let severities = severities(&found);
+        let mut findings: Vec<RobotFinding> = found.iter().map(|one| shown(one, &numbers, &lines)).collect();
+        findings.extend(stands.unplaced.iter().filter_map(|&k| unplaced(&model, k, &lines)));
+        let repaired = proved(&model, &found, |text| {
+            read_text(text, &document.path, &options).map(|model| inspect(&model, &mut shapes).findings)
+        });
+        // A repair that cannot be read again proves nothing.
+        let repair = repaired.ok().filter(|(repaired, _)| !repaired.applied.is_empty());
+        let repair = repair.map(|(repaired, _)| Repair {
+            changes: changes(&model.text, &repaired.text),
+            text: repaired.text,
+        });
+        let links = model.links.iter().zip(stands.poses).map(|(link, pose)| {
+            let severity = severities.get(link.name.text.as_str()).copied();
+            let inertial = inertial(model.format, link);
+            RobotLink {
+                name: link.name.text.clone(),
+                position: pose.position,
+                quaternion: pose.rotation,
+                verdict: match severity {
+                    Some(Severity::Impossible) => "impossible",
+                    Some(Severity::Suspect) => "suspect",
+                    _ if link.inertial.is_none() => "none",
+                    _ => "ok",
+                },
+                inertial,
+            }
+        });
+        let links = links.collect();
+        let name = model.name.clone().unwrap_or_else(|| document.name.clone());
+        Ok(Self { name, links, findings, repair })
+    }
+}
+
+/// The first link of each name.
+fn numbers(model: &RobotModel) -> HashMap<&str, usize> {
+    let mut numbers = HashMap::with_capacity(model.links.len());
+    for (k, link) in model.links.iter().enumerate() {
+        numbers.entry(link.name.text.as_str()).or_insert(k);
+    }
+    numbers
+}
+
+/// The worst that was found of each.
+fn severities(findings: &[Finding]) -> HashMap<&str, Severity> {
+    let mut severities: HashMap<&str, Severity> = HashMap::new();
+    for finding in findings {
+        for name in std::iter::once(&finding.subject).chain(&finding.others) {
+            let worst = severities.entry(name).or_insert(finding.severity);
+            *worst = (*worst).max(finding.severity);
+        }
+    }
+    severities
+}
+
+fn shown(finding: &Finding, numbers: &HashMap<&str, usize>, lines: &LineIndex<'_>) -> RobotFinding {
+    let (line, column) = lines.place(finding.span.start);
+    RobotFinding {
+        link: numbers.get(finding.subject.as_str()).copied(),
+        code: finding.code,
+        severity: match finding.severity {
+            Severity::Impossible => "impossible",
+            Severity::Suspect => "suspect",
+            Severity::Note => "note",
+        },
+        message: finding.message.clone(),
+        line,
+        column,
+    }
+}
+
+fn unplaced(model: &RobotModel, link: usize, lines: &LineIndex<'_>) -> Option<RobotFinding> {
+    let (line, column) = lines.place(model.links.get(link)?.name.span.start);
+    Some(RobotFinding {
+        link: Some(link),
+        code: "page.unplaced",
+        severity: "note",
+        message: "it is shown at the origin: joints do not say where it stands".to_owned(),
+        line,
+        column,
+    })
+}
+
+/// Where the links stand in the model's frame, all joints at zero.
+struct Stands {
+    poses: Vec<Pose>,
+    /// Those of which that cannot be said: on a cycle, on a link that is not there, too far away for an f64. They stand at the origin.
+    unplaced: Vec<usize>,
+}
+
+impl Stands {
+    fn of(model: &RobotModel) -> Self {
+        let is_finite = |pose: &Pose| pose.position.iter().chain(&pose.rotation).all(|x| x.is_finite());
+        let poses = match model.format {
+            ModelFormat::Urdf => down_the_tree(model),
+            // These languages say it of the links.
+            ModelFormat::Sdf | ModelFormat::Mjcf => {
+                model.links.iter().map(|link| Some(link.pose.clone())).collect()
+            }
+        };
+        let mut unplaced = Vec::new();
+        let poses = poses.into_iter().enumerate().map(|(k, pose)| {
+            pose.filter(is_finite).unwrap_or_else(|| {
+                unplaced.push(k);
+                Pose::IDENTITY
+            })
+        });
+        Self { poses: poses.collect(), unplaced }
+    }
+}
+
+/// The poses of links by the joints that carry them: of several, the first. `None` for those that no root carries.
+fn down_the_tree(model: &RobotModel) -> Vec<Option<Pose>> {
+    let numbers = numbers(model);
+    let mut carried: Vec<Option<&Joint>> = vec![None; model.links.len()];
+    for joint in &model.joints {
+        let child = numbers.get(joint.child.text.as_str()).and_then(|&child| carried.get_mut(child));
+        if let Some(slot @ None) = child {
+            *slot = Some(joint);
+        }
+    }
+    let mut carries: Vec<Vec<(usize, &Joint)>> = vec![Vec::new(); model.links.len()];
+    let mut poses: Vec<Option<Pose>> = vec![None; model.links.len()];
+    let mut reached = Vec::with_capacity(model.links.len());
+    for (k, joint) in carried.into_iter().enumerate() {
+        let root = match joint {
+            None => Some(Pose::IDENTITY),
+            Some(joint) => match joint.parent.as_ref() {
+                None => Some(joint.pose.clone()),
+                Some(parent) => {
+                    let parent =
+                        numbers.get(parent.text.as_str()).and_then(|&parent| carries.get_mut(parent));
+                    parent.into_iter().for_each(|children| children.push((k, joint)));
+                    None
+                }
+            },
+        };
+        if let (Some(pose), Some(slot)) = (root, poses.get_mut(k)) {
+            *slot = Some(pose);
+            reached.push(k);
+        }
+    }
+    let mut next = 0;
+    while let Some(&k) = reached.get(next) {
+        next += 1;
+        let Some(outer) = poses.get(k).cloned().flatten() else { continue };
+        for &(child, joint) in carries.get(k).into_iter().flatten() {
+            if let Some(slot) = poses.get_mut(child) {
+                *slot = Some(outer.then(&joint.pose));
+                reached.push(child);
+            }
+        }
+    }
+    poses
+}
+
+/// Mass, centre and equivalent box in the link's frame; `None` if mass or centre are not said, or are no numbers.
+fn inertial(format: ModelFormat, link: &Link) -> Option<LinkInertial> {
+    let written = link.inertial.as_ref()?;
+    if let Ok(LinkMass::Body(body)) = link_mass(format, link) {
+        let (properties, principal) = (&body.properties, PrincipalFrame::of(body.properties.inertia()));
+        let size = equivalent_box(principal.moments(), properties.mass());
+        return Some(LinkInertial {
+            mass: properties.mass(),
+            center: properties.center_of_mass().to_array(),
+            equivalent_box: size
+                .map(|size| LinkBox { size, quaternion: principal.rotation().canonical_quaternion() }),
+        });
+    }
+    let center = written.pose.position;
+    let is_placed = written.pose.unreadable.is_empty() && center.iter().all(|x| x.is_finite());
+    let mass = written.mass.finite().filter(|_| is_placed)?;
+    Some(LinkInertial { mass, center, equivalent_box: None })
+}
+
+/// The lines that differ. Repairs change numbers within lines; if there are other lines too, all from the first to the last that differs
+/// are one change.
+fn changes(before: &str, after: &str) -> Vec<Change> {
+    let [old, new] = [before, after].map(|text| text.split('\n').collect::<Vec<_>>());
+    let plain = |line: &str| line.trim_end_matches('\r').to_owned();
+    if old.len() == new.len() {
+        let differing = (1..).zip(old.iter().zip(&new)).filter(|(_, (before, after))| before != after);
+        let change = |(line, (before, after)): (usize, (&&str, &&str))| Change {
+            line,
+            before: plain(before),
+            after: plain(after),
+        };
+        return differing.map(change).collect();
+    }
+    let same = |pairs: &mut dyn Iterator<Item = (&&str, &&str)>| pairs.take_while(|(a, b)| a == b).count();
+    let shorter = old.len().min(new.len());
+    let head = same(&mut old.iter().zip(&new));
+    let tail = same(&mut old.iter().rev().zip(new.iter().rev())).min(shorter - head);
+    let middle = |lines: &[&str]| lines.get(head..lines.len() - tail).unwrap_or_default().join("\n");
+    vec![Change { line: head + 1, before: middle(&old), after: middle(&new) }]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn changed_lines_are_those_that_differ() {
+        let change = |line, before: &str, after: &str| Change {
+            line,
+            before: before.to_owned(),
+            after: after.to_owned(),
+        };
+        assert_eq!(changes("a\r\nb\r\nc\nd", "a\r\nB\r\nc\nD"), [change(2, "b", "B"), change(4, "d", "D")]);
+        assert_eq!(changes("a\nb\nc", "a\nx\ny\nc"), [change(2, "b", "x\ny")]);
+        assert_eq!(changes("a\na", "a\na\na"), [change(3, "", "a")]);
+        assert_eq!(changes("a", "a"), []);
+    }
+}

@@ -1,0 +1,211 @@
+//! A page that is served in a thread, and a client that can say anything to it.
+
+use std::collections::HashMap;
+use std::io::{Read as _, Write as _};
+use std::net::{Shutdown, SocketAddr, TcpStream};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread::JoinHandle;
+use std::time::Duration;
+
+use polhode_live::{Live, LiveOptions};
+use serde_json::Value;
+
+/// What every answer of the page's own has.
+const SECURITY: [(&str, &str); 6] = [
+    ("x-content-type-options", "nosniff"),
+    ("x-frame-options", "DENY"),
+    ("referrer-policy", "no-referrer"),
+    ("cross-origin-resource-policy", "same-origin"),
+    ("cross-origin-opener-policy", "same-origin"),
+    ("cache-control", "no-store"),
+];
+
+/// A page that is served as long as this is there.
+pub(crate) struct Page {
+    pub(crate) port: u16,
+    pub(crate) token: String,
+    goes_on: Arc<AtomicBool>,
+    thread: Option<JoinHandle<()>>,
+}
+
+#[derive(Debug)]
+pub(crate) struct Answer {
+    pub(crate) status: u16,
+    pub(crate) headers: HashMap<String, String>,
+    pub(crate) body: Vec<u8>,
+}
+
+impl Page {
+    pub(crate) fn open(files: &[PathBuf]) -> Self {
+        let live = Live::bind(&LiveOptions { port: 0, files: files.to_vec() }).unwrap();
+        let address = live.address();
+        let (authority, token) =
+            address.strip_prefix("http://127.0.0.1:").unwrap().trim_end_matches('/').split_once('/').unwrap();
+        let (port, token) = (authority.parse().unwrap(), token.to_owned());
+        let goes_on = Arc::new(AtomicBool::new(true));
+        let flag = goes_on.clone();
+        let thread = Some(std::thread::spawn(move || live.run_while(&flag).unwrap()));
+        Self { port, token, goes_on, thread }
+    }
+
+    /// Sends bytes and reads what is answered to the end; `cut` says no more after them, as one who hangs up does.
+    pub(crate) fn say(&self, bytes: &[u8], cut: bool) -> Option<Answer> {
+        let mut stream = TcpStream::connect(SocketAddr::from(([127, 0, 0, 1], self.port))).unwrap();
+        stream.set_nodelay(true).unwrap();
+        stream.set_read_timeout(Some(Duration::from_secs(60))).unwrap();
+        // The server may hang up before it has heard all.
+        let _ = stream.write_all(bytes);
+        if cut {
+            let _ = stream.shutdown(Shutdown::Write);
+        }
+        let mut heard = Vec::new();
+        if let Err(error) = stream.read_to_end(&mut heard) {
+            assert!(error.kind() == std::io::ErrorKind::ConnectionReset, "no answer in time: {error}");
+        }
+        Answer::parse(&heard)
+    }
+
+    pub(crate) fn head(&self, method: &str, path: &str) -> String {
+        format!(
+            "{method} /{}/{path} HTTP/1.1\r\nHost: 127.0.0.1:{}\r\nConnection: close\r\n",
+            self.token, self.port
+        )
+    }
+
+    pub(crate) fn get(&self, path: &str) -> Answer {
+        self.say(format!("{}\r\n", self.head("GET", path)).as_bytes(), false).unwrap()
+    }
+
+    pub(crate) fn post(&self, path: &str, body: &[u8]) -> Answer {
+        let head = format!("{}Content-Length: {}\r\n\r\n", self.head("POST", path), body.len());
+        self.say(&[head.as_bytes(), body].concat(), false).unwrap()
+    }
+
+    /// Drops a file into a set.
+    pub(crate) fn drop_file(&self, set: u32, name: &str, bytes: &[u8]) -> Answer {
+        let encoded: String = name.bytes().map(|byte| format!("%{byte:02x}")).collect();
+        self.post(&format!("drop?set={set}&name={encoded}"), bytes)
+    }
+
+    /// Opens a file of a set.
+    pub(crate) fn open_dropped(&self, set: u32, name: &str) -> Answer {
+        self.post("open", serde_json::json!({ "set": set, "name": name }).to_string().as_bytes())
+    }
+
+    /// What is answered of a file that was dropped and opened.
+    pub(crate) fn dropped(&self, set: u32, name: &str, bytes: &[u8]) -> Value {
+        assert_eq!(self.drop_file(set, name, bytes).status, 200);
+        let opened = self.open_dropped(set, name);
+        assert_eq!(opened.status, 200, "{}", opened.text());
+        self.document(&opened.json()["id"])
+    }
+
+    pub(crate) fn document(&self, id: &Value) -> Value {
+        let answer = self.get(&format!("document/{id}"));
+        assert_eq!(answer.status, 200, "{}", answer.text());
+        answer.json()
+    }
+}
+
+impl Drop for Page {
+    fn drop(&mut self) {
+        self.goes_on.store(false, Ordering::Relaxed);
+        let ended = self.thread.take().map(JoinHandle::join);
+        assert!(std::thread::panicking() || matches!(ended, Some(Ok(()))));
+    }
+}
+
+impl Answer {
+    /// `None` of a connection that was closed without a word.
+    fn parse(bytes: &[u8]) -> Option<Self> {
+        if bytes.is_empty() {
+            return None;
+        }
+        let end = bytes.windows(4).position(|four| four == b"\r\n\r\n").unwrap();
+        let head = std::str::from_utf8(&bytes[..end]).unwrap();
+        let mut lines = head.split("\r\n");
+        let status = lines.next().unwrap().strip_prefix("HTTP/1.").unwrap()[2..5].parse().unwrap();
+        let headers = lines.map(|line| line.split_once(": ").unwrap());
+        let headers: HashMap<_, _> =
+            headers.map(|(name, value)| (name.to_owned(), value.to_owned())).collect();
+        let answer = Self { status, headers, body: bytes[end + 4..].to_vec() };
+        answer.is_kept_to_itself();
+        Some(answer)
+    }
+
+    /// What says anything says to whom; what is no HTTP is answered with a number and nothing else.
+    fn is_kept_to_itself(&self) {
+        if self.headers.get("content-length").map(String::as_str) == Some("0") && self.body.is_empty() {
+            assert!(matches!(self.status, 400 | 414 | 431), "{self:?}");
+            return;
+        }
+        for (name, value) in SECURITY {
+            assert_eq!(self.headers.get(name).map(String::as_str), Some(value), "{name}: {self:?}");
+        }
+        assert!(self.headers["content-security-policy"].starts_with("default-src 'none'"));
+        assert!(self.headers.contains_key("permissions-policy"));
+        assert!(!self.headers.contains_key("access-control-allow-origin"));
+    }
+
+    pub(crate) fn text(&self) -> String {
+        String::from_utf8_lossy(&self.body).into_owned()
+    }
+
+    pub(crate) fn json(&self) -> Value {
+        serde_json::from_slice(&self.body).unwrap()
+    }
+}
+
+/// A file of the repository.
+pub(crate) fn repository(path: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(path)
+}
+
+/// A folder of this process that goes with the value.
+pub(crate) struct Folder(pub(crate) PathBuf);
+
+impl Folder {
+    pub(crate) fn new(name: &str) -> Self {
+        let path = std::env::temp_dir().join(format!("polhode-live-test-{}-{name}", std::process::id()));
+        std::fs::create_dir_all(&path).unwrap();
+        Self(path)
+    }
+
+    pub(crate) fn file(&self, name: &str, bytes: &[u8]) -> PathBuf {
+        let path = self.0.join(name);
+        std::fs::write(&path, bytes).unwrap();
+        path
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _ = std::fs::remove_dir_all(&self.0);
+    }
+}
+
+/// The f32 that a text in base64 has.
+pub(crate) fn f32s(value: &Value) -> Vec<f32> {
+    words(value).into_iter().map(f32::from_le_bytes).collect()
+}
+
+/// The u32 that it has.
+pub(crate) fn u32s(value: &Value) -> Vec<u32> {
+    words(value).into_iter().map(u32::from_le_bytes).collect()
+}
+
+fn words(value: &Value) -> Vec<[u8; 4]> {
+    const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    let mut value_of = [0_u32; 256];
+    (0..).zip(DIGITS).for_each(|(k, &digit)| value_of[usize::from(digit)] = k);
+    let mut bytes = Vec::new();
+    for four in value.as_str().unwrap().as_bytes().chunks(4) {
+        let bits = four.iter().fold(0, |bits, &digit| bits << 6 | value_of[usize::from(digit)]);
+        let padding = four.iter().filter(|digit| **digit == b'=').count();
+        bytes.extend_from_slice(&bits.to_be_bytes()[1..4 - padding]);
+    }
+    assert_eq!(bytes.len() % 4, 0);
+    bytes.chunks(4).map(|word| word.try_into().unwrap()).collect()
+}

@@ -1,0 +1,7 @@
+//! The integration tests of `polhode-live`, as one program: each links the whole library.
+#![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test may")]
+
+mod client;
+mod hostile;
+mod inspect;
+mod robots;

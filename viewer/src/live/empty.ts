@@ -16,7 +16,7 @@ export const EMPTY: PageData = {
     about: "centre of mass",
     lever: [0, 0, 0],
     principal: { moments: [1, 1, 1], quaternion: [1, 0, 0, 0] },
-    ellipsoid: [1, 1, 1],
+    box: null, ellipsoid: [1, 1, 1],
     shapes: [],
   },
   motion: {

@@ -23,6 +23,16 @@ const SHELLS: [(&str, &str); 5] = [
 /// What goes along as it is.
 const TEXTS: [&str; 4] = ["README.md", "CHANGELOG.md", "LICENSE-MIT", "LICENSE-APACHE"];
 
+/// What an unpacked archive has to stand, in bash.
+const TRIED: [&str; 3] = [
+    "! command -v sha256sum > tools.txt || sha256sum --quiet --check SHA256SUMS",
+    "tar xzf polhode.tar.gz && test -x polhode && test ! -x README.md",
+    "source completions/polhode.bash
+     COMP_WORDS=(polhode spi) COMP_CWORD=1
+     _polhode polhode spi polhode
+     test \"${COMPREPLY[*]}\" = spin",
+];
+
 /// Builds the program and packs it, into `target/dist/`, which has a SHA256SUMS of all that is there.
 ///
 /// `target` is one that this machine can run, as completions and man pages are asked of the program: else it would be packed without ever
@@ -73,11 +83,9 @@ pub(crate) fn check() -> Outcome {
     write(&folder, "polhode.tar.gz", &packed)?;
     write(&folder, "polhode.zip", &zip(&files)?)?;
     write(&folder, "SHA256SUMS", sums(&folder)?.as_bytes())?;
-    let sh = |script: &str| run(Command::new("bash").args(["-euc", script]).current_dir(&folder));
-    sh(
-        "sha256sum --quiet --check SHA256SUMS && tar xzf polhode.tar.gz && test -x polhode && test ! -x README.md",
-    )?;
-    sh("source completions/polhode.bash && complete -p polhode > complete.txt")?;
+    for script in TRIED {
+        run(Command::new("bash").args(["-euc", script]).current_dir(&folder))?;
+    }
     println!(
         "   {} files, {} man pages",
         files.len(),

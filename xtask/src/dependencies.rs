@@ -35,7 +35,7 @@ pub(crate) fn check() -> Outcome {
 }
 
 /// The packages that `cargo tree` lists, each with its licence expression.
-fn tree(arguments: &[&str]) -> Result<BTreeMap<String, String>, String> {
+pub(crate) fn tree(arguments: &[&str]) -> Result<BTreeMap<String, String>, String> {
     let mut command = cargo(&["tree", "--quiet", "--locked", "--prefix", "none", "--format", "{p}|{l}"]);
     let listed = output(command.args(arguments))?;
     let packages =

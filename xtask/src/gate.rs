@@ -4,7 +4,8 @@ use std::time::Instant;
 
 use crate::process::{self, cargo};
 use crate::{
-    Outcome, api, book, circles, dependencies, examples, layers, packages, python, readme, solutions, viewer,
+    Outcome, api, book, circles, dependencies, dist, examples, layers, packages, python, readme, solutions,
+    viewer, workflows,
 };
 
 /// A name and a task.
@@ -24,7 +25,7 @@ const FIRST: [Step; 6] = [
 ];
 
 /// Those that come after, beside the Python package's.
-const THEN: [Step; 5] = [
+const THEN: [Step; 6] = [
     ("features", || {
         // Unoptimised: the core is compiled once more for them.
         let test = ["test", "--profile", "dev", "--locked", "--package", "polhode", "--test", "interop"];
@@ -34,6 +35,7 @@ const THEN: [Step; 5] = [
     ("public names", api::check),
     ("examples", examples::check),
     ("README", readme::check),
+    ("archive of a release", dist::check),
 ];
 
 /// The conversions of the core crate, which no other crate here uses.
@@ -50,6 +52,7 @@ pub(crate) fn run() -> Outcome {
         let environment = joined(environment)?;
         let book = scope.spawn(book::environment);
         let pandoc = environment.pandoc()?;
+        timed("workflows", || workflows::check(&environment))?;
         let python = scope.spawn(|| timed("Python", || python::check_in(environment)));
         THEN.iter().try_for_each(run_step)?;
         timed("book", || book::build_in(&joined(book)?))?;

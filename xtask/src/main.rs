@@ -1,13 +1,16 @@
 //! The tasks of this workspace: `cargo xtask test` is everything that has to pass before a change lands.
 
 mod api;
+mod archive;
 mod book;
 mod circles;
 mod dependencies;
+mod dist;
 mod examples;
 mod gate;
 mod layers;
 mod licence;
+mod notices;
 mod packages;
 mod process;
 mod python;
@@ -15,6 +18,7 @@ mod readme;
 mod solutions;
 mod speed;
 mod viewer;
+mod workflows;
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -36,6 +40,9 @@ usage: cargo xtask TASK
   speed      measures anew what book/speed.md, work-precision.md and mass-properties.md say; needs python3 and what it compares with
   viewer     the page's viewer: its bundle is the build of its source, and its tests pass in a browser
   python     the Python package: its wheel is built, and its tests and examples pass from there
+  workflows  the workflows of GitHub, as their schema and zizmor read them
+  dist       the program for one platform, packed with man pages, completions and examples, into target/dist/; --target for another than
+             this machine's own, --check tries the packing without building the program
   solutions  the worked solutions of examples/, read by pandoc and MathJax; after `npm ci` in viewer/";
 
 fn main() -> ExitCode {
@@ -54,7 +61,11 @@ fn main() -> ExitCode {
         ["speed"] => speed::measure(),
         ["viewer"] => viewer::check().and_then(|()| viewer::check_live()),
         ["python"] => python::check(),
+        ["dist"] => dist::make(None),
+        ["dist", "--target", target] => dist::make(Some(target)),
+        ["dist", "--check"] => dist::check(),
         ["solutions"] => python::environment().and_then(|python| solutions::check(&python.pandoc()?)),
+        ["workflows"] => python::environment().and_then(|python| workflows::check(&python)),
         ["help" | "--help" | "-h"] => {
             println!("{USAGE}");
             Ok(())

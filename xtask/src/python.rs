@@ -5,7 +5,7 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crate::process::{empty_folder, output, run, run_beside};
+use crate::process::{empty_folder, output, polhode, run, run_beside};
 use crate::{Outcome, files, root};
 
 /// The oldest Python that the tests run with; the package is for 3.10 too.
@@ -14,9 +14,19 @@ const PYTHON: (u32, u32) = (3, 11);
 /// Where a virtual environment has it.
 pub(crate) const EXECUTABLE: &str = if cfg!(windows) { "Scripts/python.exe" } else { "bin/python" };
 
-/// What the tests need besides the package: what it uses where it is there, Dask for the cluster, and pandoc for worked solutions.
-const NEEDED: [&str; 7] =
-    ["pytest", "scipy", "matplotlib", "mypy", "pyarrow", "distributed", "pypandoc_binary"];
+/// What the tests need besides the package: what it uses where it is there, Dask for the cluster, pandoc for worked solutions, and what
+/// reads the workflows.
+const NEEDED: [&str; 9] = [
+    "pytest",
+    "scipy",
+    "matplotlib",
+    "mypy",
+    "pyarrow",
+    "distributed",
+    "pypandoc_binary",
+    "check-jsonschema==0.39.0",
+    "zizmor==1.32.0",
+];
 
 /// An environment of its own, and then all the rest.
 pub(crate) fn check() -> Outcome {
@@ -52,7 +62,8 @@ pub(crate) fn check_in(Environment { folder, python }: Environment) -> Outcome {
     // Ray is large, and its test is for those who have it.
     let tests = package.join("tests");
     let ray = format!("--ignore={}", tests.join("test_ray.py").display());
-    run_beside(here(&["-m", "pytest", "-q", &ray, "-c"]).args([&settings, &tests]))?;
+    let program = polhode()?;
+    run_beside(here(&["-m", "pytest", "-q", &ray, "-c"]).args([&settings, &tests]).env("POLHODE", program))?;
     // The module that needs Ray has no examples, and cannot be imported here.
     let without = format!("--ignore={}", Path::new(where_from.trim()).with_file_name("_ray.py").display());
     let documented = ["--doctest-modules", &without, "--pyargs", "polhode"];
@@ -62,7 +73,12 @@ pub(crate) fn check_in(Environment { folder, python }: Environment) -> Outcome {
     let followed = [files(&book.join("cookbook"), "md")?, files(&book.join("tutorials"), "md")?];
     let pages = pages.into_iter().chain(followed.concat());
     run_beside(here(&["-m", "pytest", "-q", "--doctest-glob=*.md", "-c"]).arg(&settings).args(pages))?;
-    run_beside(here(&["-m", "mypy", "--config-file"]).arg(&settings).args(["-p", "polhode"]))?;
+    run_beside(here(&["-m", "mypy", "--config-file"]).arg(&settings).args([
+        "-p",
+        "polhode",
+        "-p",
+        "polhode_command",
+    ]))?;
     for example in files(&root().join("examples/python"), "py")? {
         println!("   {}", crate::short(&example));
         output(here(&["-W", "error"]).arg(&example))?;
@@ -78,6 +94,11 @@ pub(crate) struct Environment {
 }
 
 impl Environment {
+    /// A program of a package of it.
+    pub(crate) fn program(&self, name: &str) -> PathBuf {
+        self.python.with_file_name(format!("{name}{}", std::env::consts::EXE_SUFFIX))
+    }
+
     /// The pandoc that a package of it has.
     pub(crate) fn pandoc(&self) -> Result<PathBuf, String> {
         let ask = "import pypandoc; print(pypandoc.get_pandoc_path())";

@@ -1,6 +1,7 @@
 //! What shells and `man` want: both made from the same definitions as `--help`.
 
 use clap::{Args, Command};
+use polhode_report::VERSION;
 
 use crate::failure::Failure;
 use crate::stdout::print_script;
@@ -14,11 +15,14 @@ pub(crate) struct Completions {
     shell: clap_complete::Shell,
 }
 
-/// Print the man page.
+/// Print the man page, or that of a subcommand.
 ///
-/// To read it: `polhode man | man -l -`
+/// To read it: `polhode man spin | man -l -`
 #[derive(Debug, Args)]
-pub(crate) struct Man;
+pub(crate) struct Man {
+    /// The subcommand.
+    subcommand: Option<String>,
+}
 
 impl Completions {
     pub(crate) fn run(self, mut definitions: Command) -> Result<(), Failure> {
@@ -30,8 +34,18 @@ impl Completions {
 
 impl Man {
     pub(crate) fn run(self, definitions: Command) -> Result<(), Failure> {
+        // What `help` does needs no page.
+        let mut definitions = definitions.disable_help_subcommand(true);
+        definitions.build();
+        let of = match &self.subcommand {
+            None => &definitions,
+            Some(name) => definitions.find_subcommand(name).ok_or_else(|| {
+                Failure::usage(format!("there is no subcommand {name:?}"), "`polhode --help` lists them")
+            })?,
+        };
         let mut page = Vec::new();
-        let rendered = clap_mangen::Man::new(definitions).render(&mut page);
+        let rendered =
+            clap_mangen::Man::new(of.clone()).source(format!("polhode {VERSION}")).render(&mut page);
         rendered.map_err(|error| Failure::Output { path: "the man page".to_owned(), error })?;
         print_script(&page)
     }

@@ -6,6 +6,7 @@
 
 mod arrays;
 mod check;
+mod command;
 mod ensemble;
 mod error;
 mod files;
@@ -31,6 +32,8 @@ mod _native {
 
     #[pymodule_export]
     use crate::check::check_file;
+    #[pymodule_export]
+    use crate::command::run_command;
     #[pymodule_export]
     use crate::ensemble::PyEnsemble;
     #[pymodule_export]

@@ -324,7 +324,9 @@ fn every_command_explains_itself() {
         assert!(help.contains("Examples:") && help.contains("--json"), "{help}");
     }
     assert!(stdout(&scratch.run(&["completions", "bash"])).contains("simulate"));
-    assert!(stdout(&scratch.run(&["man"])).contains(".TH polhode"));
+    assert!(stdout(&scratch.run(&["man"])).contains(".TH polhode 1"));
+    assert!(stdout(&scratch.run(&["man", "spin"])).contains(".TH polhode-spin 1"));
+    assert!(refused(&scratch.run(&["man", "spine"]), 2).contains("there is no subcommand \"spine\""));
     assert!(stdout(&scratch.run(&["--version"])).starts_with("polhode 0."));
 }
 

@@ -10,6 +10,8 @@ from ._substance import Given
 
 VERSION: str
 
+def run_command(arguments: Sequence[str]) -> int: ...
+
 #: Name, unit, description, values, and where these are there unless all are.
 Column = tuple[str, str, str, Any, npt.NDArray[np.bool_] | None]
 

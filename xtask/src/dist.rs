@@ -1,0 +1,214 @@
+//! What a release has for those who have no Rust: the program for one platform, packed with all that belongs to it.
+//!
+//! The workflow of releases calls this and adds nothing to it, so what it makes can be made here. The same sources, compiler and
+//! `SOURCE_DATE_EPOCH` give the same bytes.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use crate::archive::{Packed, sha256_line, tar_gz, zip};
+use crate::notices::notices;
+use crate::process::{cargo, empty_folder, output, polhode, run};
+use crate::{Outcome, root};
+
+/// Shells that have completions, and the file that each looks for.
+const SHELLS: [(&str, &str); 5] = [
+    ("bash", "polhode.bash"),
+    ("zsh", "_polhode"),
+    ("fish", "polhode.fish"),
+    ("powershell", "_polhode.ps1"),
+    ("elvish", "polhode.elv"),
+];
+
+/// What goes along as it is.
+const TEXTS: [&str; 4] = ["README.md", "CHANGELOG.md", "LICENSE-MIT", "LICENSE-APACHE"];
+
+/// What an unpacked archive has to stand, in bash.
+const TRIED: [&str; 3] = [
+    "! command -v sha256sum > tools.txt || sha256sum --quiet --check SHA256SUMS",
+    "tar xzf polhode.tar.gz && test -x polhode && test ! -x README.md",
+    "source completions/polhode.bash
+     COMP_WORDS=(polhode spi) COMP_CWORD=1
+     _polhode polhode spi polhode
+     test \"${COMPREPLY[*]}\" = spin",
+];
+
+/// Builds the program and packs it, into `target/dist/`, which has a SHA256SUMS of all that is there.
+///
+/// `target` is one that this machine can run, as completions and man pages are asked of the program: else it would be packed without ever
+/// having been run. With a version of glibc, as in `x86_64-unknown-linux-gnu.2.17`, it runs where that is; cargo-zigbuild builds it.
+pub(crate) fn make(target: Option<&str>) -> Outcome {
+    let host = host()?;
+    let target = target.unwrap_or(&host);
+    let triple = target.split_once("-gnu.").map_or(target.to_owned(), |(start, _)| format!("{start}-gnu"));
+    let program = build(target, &triple)?;
+    let version = ask(&program, &["--version"])?;
+    let version = version.trim().strip_prefix("polhode ").ok_or("the program does not say its version")?;
+    let name = format!("polhode-{version}-{triple}");
+    let bytes = std::fs::read(&program).map_err(|error| format!("{}: {error}", program.display()))?;
+    let is_windows = triple.contains("windows");
+    let mut files = contents(&program, bytes, is_windows)?;
+    files.push(text("THIRD-PARTY-LICENSES.txt", notices(&triple)?));
+    let files: Vec<Packed> =
+        files.into_iter().map(|file| Packed { path: format!("{name}/{}", file.path), ..file }).collect();
+    let folder = build_folder().join("dist");
+    let (file, packed) = if is_windows {
+        (format!("{name}.zip"), zip(&files)?)
+    } else {
+        (format!("{name}.tar.gz"), tar_gz(&files, seconds()?)?)
+    };
+    write(&folder, &file, &packed)?;
+    write(&folder, "SHA256SUMS", sums(&folder)?.as_bytes())?;
+    println!(
+        "   {}, {:.1} MB, {} files",
+        folder.join(file).display(),
+        packed.len() as f64 / 1e6,
+        files.len()
+    );
+    Ok(())
+}
+
+/// Packs what `make` packs, but for the program itself, which would have to be built for it, and looks at what comes out.
+pub(crate) fn check() -> Outcome {
+    let program = polhode()?;
+    let files = contents(&program, b"no program".to_vec(), cfg!(windows))?;
+    let paths: Vec<&str> = files.iter().map(|file| file.path.as_str()).collect();
+    for needed in ["man/polhode.1", "man/polhode-spin.1", "man/polhode-man.1", "examples/t-handle.toml"] {
+        if !paths.contains(&needed) {
+            return Err(format!("{needed} is not among {paths:?}"));
+        }
+    }
+    let folder = empty_folder("dist")?;
+    let packed = tar_gz(&files, 0)?;
+    write(&folder, "polhode.tar.gz", &packed)?;
+    write(&folder, "polhode.zip", &zip(&files)?)?;
+    write(&folder, "SHA256SUMS", sums(&folder)?.as_bytes())?;
+    for script in TRIED {
+        run(Command::new("bash").args(["-euc", script]).current_dir(&folder))?;
+    }
+    println!(
+        "   {} files, {} man pages",
+        files.len(),
+        paths.iter().filter(|path| path.starts_with("man/")).count()
+    );
+    notices(&host()?).map(drop)
+}
+
+/// What an archive has. A program of this platform says what completions and man pages are.
+fn contents(program: &Path, bytes: Vec<u8>, is_windows: bool) -> Result<Vec<Packed>, String> {
+    let name = if is_windows { "polhode.exe" } else { "polhode" };
+    let mut found = vec![Packed { path: name.to_owned(), is_program: true, bytes }];
+    for name in TEXTS {
+        found.push(stored(name)?);
+    }
+    for (shell, file) in SHELLS {
+        found.push(text(&format!("completions/{file}"), ask(program, &["completions", shell])?));
+    }
+    let page = ask(program, &["man"])?;
+    for subcommand in subcommands(&page) {
+        found.push(text(&format!("man/polhode-{subcommand}.1"), ask(program, &["man", &subcommand])?));
+    }
+    found.push(text("man/polhode.1", page));
+    // As git has them: what somebody has written beside them stays here.
+    let examples = output(Command::new("git").args(["ls-files", "examples"]).current_dir(root()))?;
+    for path in examples.lines() {
+        found.push(stored(path)?);
+    }
+    Ok(found)
+}
+
+/// The pages that the man page names: lines `polhode\-spin(1)`.
+fn subcommands(page: &str) -> Vec<String> {
+    let named = page.lines().filter_map(|line| line.strip_prefix("polhode\\-")?.strip_suffix("(1)"));
+    named.map(|name| name.replace("\\-", "-")).collect()
+}
+
+/// Builds the program, with no paths of this machine in it.
+fn build(target: &str, triple: &str) -> Result<PathBuf, String> {
+    let mut flags: Vec<String> = std::env::var("RUSTFLAGS")
+        .map(|flags| flags.split_whitespace().map(str::to_owned).collect())
+        .unwrap_or_default();
+    let home = std::env::var("CARGO_HOME").ok().map(PathBuf::from);
+    let home = home.or_else(|| std::env::home_dir().map(|home| home.join(".cargo")));
+    for (from, to) in [(home, "cargo"), (Some(root()), "polhode")] {
+        flags.extend(from.map(|from| format!("--remap-path-prefix={}={to}", from.display())));
+    }
+    if triple.ends_with("-msvc") {
+        // Else it needs a runtime that is not on every Windows.
+        flags.push("-Ctarget-feature=+crt-static".to_owned());
+    }
+    let verb = if target == triple { "build" } else { "zigbuild" };
+    let arguments =
+        ["--release", "--locked", "--package", "polhode-cli", "--bin", "polhode", "--target", target];
+    let strip = ["--config", "profile.release.strip=true"];
+    run(cargo(&[verb]).args(arguments).args(strip).env("CARGO_ENCODED_RUSTFLAGS", flags.join("\x1f")))?;
+    let name = if triple.contains("windows") { "polhode.exe" } else { "polhode" };
+    Ok(build_folder().join(triple).join("release").join(name))
+}
+
+/// Where cargo builds.
+fn build_folder() -> PathBuf {
+    std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), |folder| root().join(folder))
+}
+
+/// The platform that the compiler is for.
+fn host() -> Result<String, String> {
+    let said = output(Command::new("rustc").arg("-vV"))?;
+    let host = said.lines().find_map(|line| line.strip_prefix("host: "));
+    host.map(str::to_owned).ok_or_else(|| "rustc does not say what its host is".to_owned())
+}
+
+/// The time of the files: `SOURCE_DATE_EPOCH`, or that of the last commit.
+fn seconds() -> Result<u64, String> {
+    let said = match std::env::var("SOURCE_DATE_EPOCH") {
+        Ok(said) => said,
+        Err(_) => output(Command::new("git").args(["log", "-1", "--format=%ct"]).current_dir(root()))?,
+    };
+    said.trim()
+        .parse()
+        .map_err(|_| format!("SOURCE_DATE_EPOCH is a number of seconds, not {:?}", said.trim()))
+}
+
+fn ask(program: &Path, arguments: &[&str]) -> Result<String, String> {
+    output(Command::new(program).args(arguments))
+}
+
+fn text(path: &str, text: String) -> Packed {
+    Packed { path: path.to_owned(), is_program: false, bytes: text.into_bytes() }
+}
+
+/// A file of this tree, at the same place.
+fn stored(path: &str) -> Result<Packed, String> {
+    let bytes = std::fs::read(root().join(path)).map_err(|error| format!("{path}: {error}"))?;
+    Ok(Packed { path: path.to_owned(), is_program: false, bytes })
+}
+
+/// The sums of all archives of a folder.
+fn sums(folder: &Path) -> Result<String, String> {
+    let mut lines = Vec::new();
+    for extension in ["gz", "zip"] {
+        for path in crate::files(folder, extension)? {
+            let bytes = std::fs::read(&path).map_err(|error| format!("{}: {error}", path.display()))?;
+            lines.push(sha256_line(&path.file_name().unwrap_or_default().to_string_lossy(), &bytes));
+        }
+    }
+    Ok(lines.concat())
+}
+
+fn write(folder: &Path, name: &str, bytes: &[u8]) -> Outcome {
+    let path = folder.join(name);
+    let written = std::fs::create_dir_all(folder).and_then(|()| std::fs::write(&path, bytes));
+    written.map_err(|error| format!("{}: {error}", path.display()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::subcommands;
+
+    #[test]
+    fn the_pages_are_those_that_the_first_one_names() {
+        let page =
+            ".SH SUBCOMMANDS\n.TP\npolhode\\-spin(1)\nFree motion\n.TP\npolhode\\-see\\-also(1)\nmore\n";
+        assert_eq!(subcommands(page), ["spin", "see-also"]);
+    }
+}

@@ -46,7 +46,12 @@ pub(crate) fn edited(
     for edit in edits {
         let mut document: DocumentMut = text.parse().map_err(|_| EditError::Syntax)?;
         match edit {
-            Edit::Set { set: key, value } => set(&mut document, key, value.as_deref())?,
+            Edit::Set { set: key, value } => {
+                set(&mut document, key, value.as_deref())?;
+                if let Some(torque) = key.strip_suffix(".on") {
+                    name(&mut document, torque);
+                }
+            }
             Edit::Start { attitude, omega } => start(&mut document, Some(*attitude), *omega),
             Edit::Omega { omega } => {
                 let is_relative =
@@ -99,6 +104,21 @@ fn set(document: &mut DocumentMut, key: &str, value: Option<&str>) -> Result<(),
         (Step::Index(_), None) => return Err(no_key()),
     }
     Ok(())
+}
+
+/// Gives a torque a name, its model's, if it has none: one that is off has to have one.
+fn name(document: &mut DocumentMut, key: &str) {
+    let k = key.strip_prefix("torque[").and_then(|rest| rest.strip_suffix(']')).and_then(|k| k.parse().ok());
+    let Some(torques) = document.get_mut("torque").and_then(Item::as_array_of_tables_mut) else { return };
+    let named = |torque: &Table, name: &str| torque.get("name").and_then(Item::as_str) == Some(name);
+    let model = k.and_then(|k: usize| torques.get(k)).filter(|torque| !torque.contains_key("name"));
+    let Some(model) = model.and_then(|torque| torque.get("model")).and_then(Item::as_str) else { return };
+    let mut names = (1..)
+        .map(|n| if n == 1 { model.replace('_', " ") } else { format!("{} {n}", model.replace('_', " ")) });
+    let free = names.find(|name| !torques.iter().any(|torque| named(torque, name)));
+    if let (Some(torque), Some(name)) = (k.and_then(|k| torques.get_mut(k)), free) {
+        torque.insert("name", Item::Value(Value::from(name)));
+    }
 }
 
 /// Puts a value into a table, with the spaces and the comment that stand around the one before.
@@ -291,6 +311,16 @@ mod tests {
         }
         let impossible = edited(TEXT, &[Edit::Moments { moments: [1.0, 1.0, 3.0] }], read);
         assert!(matches!(impossible, Err(EditError::Body { .. })), "{impossible:?}");
+    }
+
+    #[test]
+    fn a_torque_that_is_switched_off_gets_a_name() {
+        let drag = "\n[[torque]]\nmodel = \"energy_sink\"\nrate = 3e-3\n";
+        let text = format!("{TEXT}{drag}{drag}").replacen("rate", "name = \"energy sink\"\nrate", 1);
+        let off = edited(&text, &[key("torque[1].on", "false")], read).unwrap();
+        assert!(off.contains("name = \"energy sink 2\"") && off.contains("on = false"), "{off}");
+        let on = edited(&off, &[key("torque[1].on", "true"), key("torque[0].on", "true")], read).unwrap();
+        assert_eq!(on.matches("name = \"energy sink").count(), 2, "{on}");
     }
 
     #[test]

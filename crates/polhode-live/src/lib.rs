@@ -33,6 +33,7 @@ mod opened;
 mod protocol;
 mod route;
 mod server;
+mod session;
 mod utf16;
 
 pub use error::LiveError;

@@ -11,7 +11,7 @@ use crate::asset::asset;
 use crate::documents::Content;
 use crate::inspect::Inspection;
 use crate::protocol::{Choice, CompleteAnswer, CompleteRequest, Documents, MotionRequest, OpenRequest};
-use crate::server::Session;
+use crate::session::Session;
 use crate::{limits, motion, utf16};
 
 /// What a path asks for, before its body has come.

@@ -23,6 +23,7 @@ use crate::error::LiveError;
 use crate::guard::Guard;
 use crate::limits;
 use crate::route::Route;
+use crate::session::Session;
 
 /// What to serve, and where.
 #[derive(Clone, Debug, Default)]
@@ -38,15 +39,6 @@ pub struct LiveOptions {
 pub struct Live {
     listener: std::net::TcpListener,
     session: Arc<Session>,
-}
-
-/// What all requests of a page share.
-#[derive(Debug)]
-pub(crate) struct Session {
-    guard: Guard,
-    pub(crate) documents: Documents,
-    pub(crate) dropped: Dropped,
-    computations: Arc<Semaphore>,
 }
 
 impl Live {

@@ -7,7 +7,6 @@ use super::inside::Windings;
 use super::layer::Layers;
 use super::overlap::{Meetings, Overlaps};
 use super::patches::{Patches, is_balanced, join};
-use super::places::MeshPlaces;
 use super::threads::Threads;
 use super::tree::Tree;
 use super::weld::{NONE, Welded, is_proper};
@@ -130,13 +129,6 @@ impl MeshDiagnosis {
     /// The same on at most so many threads.
     pub fn with_threads(mesh: &TriangleMesh, threads: usize) -> Self {
         Analysis::of(mesh, Threads::of(threads)).diagnosis
-    }
-
-    /// The same, and the first places of each kind, so many at most.
-    pub fn with_places(mesh: &TriangleMesh, most: usize) -> (Self, MeshPlaces) {
-        let analysis = Analysis::of(mesh, Threads::of_machine());
-        let places = MeshPlaces::of(&analysis, most);
-        (analysis.diagnosis, places)
     }
 }
 

@@ -1,13 +1,15 @@
 //! Where a mesh has what its diagnosis counts.
 
+use super::TriangleMesh;
 use super::component::ComponentRole;
 use super::diagnosis::{
-    Analysis, EdgePlace, PairPlace, TrianglePlace, again, at_edge, at_pair, at_triangle, degenerate,
-    unbalanced,
+    Analysis, EdgePlace, MeshDiagnosis, PairPlace, TrianglePlace, again, at_edge, at_pair, at_triangle,
+    degenerate, unbalanced,
 };
+use super::threads::Threads;
 use super::weld::NONE;
 
-/// Where a mesh has what its [`MeshDiagnosis`](crate::body::mesh::MeshDiagnosis) counts: of each kind the first places, in the mesh's order.
+/// Where a mesh has what its [`MeshDiagnosis`] counts: of each kind the first places, in the mesh's order.
 ///
 /// ```
 /// use polhode::body::mesh::{MeshDiagnosis, TriangleMesh};
@@ -49,9 +51,18 @@ pub struct MeshPlaces {
     pub contacts: Vec<PairPlace>,
 }
 
+impl MeshDiagnosis {
+    /// What is right and wrong with the mesh, and the first places of each kind, so many at most.
+    pub fn with_places(mesh: &TriangleMesh, most: usize) -> (Self, MeshPlaces) {
+        let analysis = Analysis::of(mesh, Threads::of_machine());
+        let places = MeshPlaces::of(&analysis, most);
+        (analysis.diagnosis, places)
+    }
+}
+
 impl MeshPlaces {
     /// So many of each kind at most.
-    pub(super) fn of(analysis: &Analysis, most: usize) -> Self {
+    fn of(analysis: &Analysis, most: usize) -> Self {
         let Analysis { welded, patches, edges, meetings, diagnosis, .. } = analysis;
         let at_edges = |halves: &[u32]| halves.iter().take(most).map(|&half| at_edge(welded, half)).collect();
         let at_pairs = |pairs: &[_]| pairs.iter().take(most).map(|pair| at_pair(welded, pair)).collect();

@@ -1,0 +1,19 @@
+//! What all requests of a page share.
+
+use std::sync::Arc;
+
+use tokio::sync::Semaphore;
+
+use crate::documents::Documents;
+use crate::dropped::Dropped;
+use crate::guard::Guard;
+
+/// What all requests of a page share.
+#[derive(Debug)]
+pub(crate) struct Session {
+    pub(crate) guard: Guard,
+    pub(crate) documents: Documents,
+    pub(crate) dropped: Dropped,
+    /// As many computations as may run at the same time.
+    pub(crate) computations: Arc<Semaphore>,
+}

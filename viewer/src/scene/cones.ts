@@ -23,6 +23,8 @@ export class Cones {
   /** Length of 1 rad/s in the picture. */
   readonly scale: number;
   readonly outline: Vector3[];
+  /** Direction of L in space. */
+  readonly up = new Vector3();
   /** The middle of the picture, and how far it goes around it. */
   readonly middle = new Vector3();
   readonly radius: number;
@@ -48,7 +50,7 @@ export class Cones {
       this.body.add(rulings(polhode, this.scale, palette));
     }
 
-    const up = new Vector3(...at(motion.momentum, 0)).normalize();
+    const up = this.up.fromArray(motion.momentum).normalize();
     const fine = Math.max(1, Math.min(4, Math.floor(MOST / motion.count)));
     const count = (motion.count - 1) * fine + 1;
     this.#edge = new Float32Array(3 * count);
@@ -165,15 +167,8 @@ function isRound(rim: Float32Array, up: Vector3): boolean {
 }
 
 function skin(ink: Ink, opacity: number, palette: Palette): MeshStandardMaterial {
-  const material = new MeshStandardMaterial({
-    roughness: 0.7,
-    transparent: true,
-    opacity,
-    side: DoubleSide,
-    depthWrite: false,
-  });
-  palette.bind(material.color, ink);
-  return material;
+  const look = { roughness: 0.7, transparent: true, opacity, side: DoubleSide, depthWrite: false };
+  return palette.shared(`skin ${opacity}`, ink, () => new MeshStandardMaterial(look));
 }
 
 function fan(rim: Float64Array, scale: number): BufferGeometry {
@@ -197,8 +192,7 @@ function rulings(rim: Float64Array, scale: number, palette: Palette): LineSegmen
   }
   const geometry = new BufferGeometry();
   geometry.setAttribute("position", new BufferAttribute(new Float32Array(corners), 3));
-  const material = new LineBasicMaterial({ transparent: true, opacity: 0.45 });
-  palette.bind(material.color, "axis-1");
+  const material = palette.shared("ruling", "axis-1", () => new LineBasicMaterial({ transparent: true, opacity: 0.45 }));
   return new LineSegments(geometry, material);
 }
 

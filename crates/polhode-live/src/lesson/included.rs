@@ -8,4 +8,18 @@ macro_rules! lessons {
 /// Id and text, in the order in which they can be taken.
 pub(super) const INCLUDED: &[(&str, &str)] = lessons! {
     "cube"
+    "parallel-axes"
+    "pendulum"
+    "dumbbell"
+    "cones"
+    "racket"
+    "bicycle-wheel"
+    "sleeping-top"
+    "flat-spin"
+    "dual-spin"
+    "gravity-gradient"
+    "chandler"
+    "water"
+    "tumbling"
+    "hyperion"
 };

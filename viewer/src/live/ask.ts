@@ -7,8 +7,8 @@ let open: Promise<boolean> | null = null;
 export function ask(words: string, yes: string): Promise<boolean> {
   open ??= new Promise<boolean>((resolve) => {
     const dialog = element("dialog", { class: "question" });
-    const answer = (value: string, text: string): HTMLElement => element("button", { type: "submit", value }, text);
-    dialog.append(element("form", { method: "dialog" }, element("p", {}, words), element("div", { class: "answers" }, answer("yes", yes), answer("no", "Cancel"))));
+    const answer = (value: string, text: string): HTMLElement => element("button", { type: "button", click: () => dialog.close(value) }, text);
+    dialog.append(element("p", {}, words), element("div", { class: "answers" }, answer("yes", yes), answer("no", "Cancel")));
     dialog.addEventListener("close", () => {
       dialog.remove();
       open = null;

@@ -38,8 +38,8 @@ export class KnobControl {
     this.host = element(
       "div",
       { class: "knob" },
-      element("div", { class: "knob-head" }, this.#label, element("span", { class: "knob-entry" }, this.#field, this.#unit)),
-      this.#slider,
+      this.#label,
+      element("div", { class: "knob-line" }, this.#slider, element("span", { class: "knob-entry" }, this.#field, this.#unit)),
       this.#said,
     );
     this.host.dataset.key = knob.key;

@@ -60,8 +60,18 @@ orSay(() => {
     byId("ride").before(hand.button);
     app.keys.set("g", () => hand.toggle());
   }
+  const keys: [string, string][] = [["g", "take the body and throw it"], ["Ctrl + Z", "undo"], ["Ctrl + Y", "redo"], ["Tab to ω", "arrows move its tip, + and − its length"]];
+  document.querySelector("#help dl")?.append(...keys.flatMap(([key, what]) => [element("dt", {}, element("kbd", {}, key)), element("dd", {}, what)]));
+  window.polhodeLive = session;
   void begin(session, notice, choice);
 });
+
+declare global {
+  interface Window {
+    /** For tests and for curious people at the console. */
+    polhodeLive?: Session;
+  }
+}
 
 // The last good motion stays, dimmed, with what is wrong.
 function troubles(session: Session): void {

@@ -64,10 +64,16 @@ export class Session {
     return this.text !== this.fileText;
   }
 
+  /** Whether what is shown is of the text as it is. */
+  get isSettled(): boolean {
+    return this.#flight === null && !this.#isDue && this.trouble === null;
+  }
+
   /** Begins with a document; `text` instead of its own if that was changed. */
   open(document: DocumentInfo, fileText: string, text = fileText): void {
     this.document = document;
     this.fileText = fileText;
+    [this.knobs, this.switches] = [[], []];
     this.history.clear();
     this.#anew = true;
     this.#take(text);
@@ -195,8 +201,8 @@ export class Session {
   #receive(answer: MotionAnswer, isWorked: boolean): void {
     this.text = answer.text;
     this.errors = answer.errors;
-    // A text that is no TOML has no knobs, but will have them again.
-    if (answer.knobs.length > 0 || answer.motion) [this.knobs, this.switches] = [answer.knobs, answer.switches];
+    // A text with an error has but some of its knobs, and will have all again.
+    if (answer.motion || this.knobs.length === 0) [this.knobs, this.switches] = [answer.knobs, answer.switches];
     const [error] = answer.errors;
     this.trouble = answer.motion ? null : { message: error?.message ?? "there is no motion", hint: error?.hint ?? null, key: this.#lastKey };
     if (answer.motion) {

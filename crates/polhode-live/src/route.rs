@@ -9,7 +9,9 @@ use serde::de::DeserializeOwned;
 use crate::answer::{Answer, Refusal, bytes, json};
 use crate::asset::asset;
 use crate::documents::Content;
-use crate::protocol::{Choice, CompleteAnswer, CompleteRequest, Documents, LessonList, MotionRequest, OpenRequest};
+use crate::protocol::{
+    Choice, CompleteAnswer, CompleteRequest, Documents, LessonList, MotionRequest, OpenRequest,
+};
 use crate::server::Session;
 use crate::{limits, motion, utf16};
 

@@ -103,7 +103,10 @@ impl Source<'_> {
             (None, Some(written)) => {
                 let (span, text) = (written.span(), written.as_ref().clone());
                 // Behind ''' and the end of that line.
-                let quotes = self.text.get(span.clone()).map_or(0, |raw| raw.len() - raw.trim_start_matches(['\'', '"']).len());
+                let quotes = self
+                    .text
+                    .get(span.clone())
+                    .map_or(0, |raw| raw.len() - raw.trim_start_matches(['\'', '"']).len());
                 let line_end = |at: &usize| self.text[..*at].ends_with('\n') || *at == span.start + quotes;
                 let begins = (0..3).map(|skip| span.start + quotes + skip);
                 let begins = begins.filter(|at| self.text.is_char_boundary(*at)).filter(line_end);
@@ -172,7 +175,10 @@ impl Source<'_> {
             let begins = |heading: &String| heading.starts_with(working.as_ref().as_str());
             if working.as_ref().is_empty() || !named.headings.iter().any(begins) {
                 return Err(self
-                    .at(&working.span(), format!("no heading of the worked solution begins with {:?}", working.as_ref()))
+                    .at(
+                        &working.span(),
+                        format!("no heading of the worked solution begins with {:?}", working.as_ref()),
+                    )
                     .hint(format!("they are {}", named.headings.join("; "))));
             }
         }
@@ -229,8 +235,11 @@ fn moving(draft: &Draft, text: &str) -> Result<Named, Unmoved> {
     let trajectory = computed(&file, false, Instant::now(), &AtomicBool::new(false));
     let trajectory =
         trajectory.map_err(|error| Unmoved { message: error.message, hint: error.hint, place: None })?;
-    let solution = explain_motion(&file.scenario, &trajectory)
-        .map_err(|error| Unmoved { message: error.to_string(), hint: None, place: None })?;
+    let solution = explain_motion(&file.scenario, &trajectory).map_err(|error| Unmoved {
+        message: error.to_string(),
+        hint: None,
+        place: None,
+    })?;
     let headings = solution.sections.iter().map(|section| format!("{}. {}", section.number, section.title));
     let knobs = draft.numbers().into_iter().map(|number| number.key);
     Ok(Named { knobs: knobs.collect(), headings: headings.collect() })

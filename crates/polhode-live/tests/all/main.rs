@@ -1,3 +1,4 @@
 //! Tests of the server through its addresses.
 
+mod lesson_files;
 mod lessons;

@@ -3,10 +3,11 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use polhode_live::{Live as Server, LiveError, LiveOptions};
+use polhode_live::{LessonError, LessonInfo, Live as Server, LiveError, LiveOptions, lessons};
 
 use crate::browser;
 use crate::failure::Failure;
+use crate::stderr::shown;
 use crate::stdout::print;
 
 /// Change a body and its motion on a page, and see at once what becomes of it.
@@ -20,10 +21,15 @@ Examples:
   polhode live
   polhode live examples/t-handle.toml
   polhode live part.stl robot.urdf
+  polhode live --lesson
+  polhode live --lesson cube
   polhode live examples/heavy-top.toml --no-open --port 8000")]
 pub(crate) struct Live {
     /// Scenarios, meshes, robots, molecules or particles [default: a scenario to begin with].
     files: Vec<PathBuf>,
+    /// A lesson of this name, or of a file of your own; without a name, the list of lessons.
+    #[arg(long, value_name = "NAME|FILE.toml", num_args = 0..=1, conflicts_with = "files")]
+    lesson: Option<Option<String>>,
     /// Do not open the browser.
     #[arg(long)]
     no_open: bool,
@@ -34,17 +40,31 @@ pub(crate) struct Live {
 
 impl Live {
     pub(crate) fn run(self) -> Result<(), Failure> {
-        let options = LiveOptions { port: self.port, files: self.files };
-        let live = Server::bind(&options).map_err(|error| failed(&error))?;
+        if let Some(None) = self.lesson {
+            return print(&list());
+        }
+        let options = LiveOptions { port: self.port, files: self.files, lesson: self.lesson.flatten() };
+        let live = Server::bind(&options).map_err(failed)?;
         print(&format!("{}\n", live.address()))?;
         if !self.no_open {
             browser::open(live.address().as_ref());
         }
-        live.run().map_err(|error| failed(&error))
+        live.run().map_err(failed)
     }
 }
 
-fn failed(error: &LiveError) -> Failure {
+/// The lessons, a line and a sentence each.
+fn list() -> String {
+    let one = |LessonInfo { id, title, summary }| format!("{id:20}{title}\n{:20}{summary}\n", "");
+    lessons().map(one).collect()
+}
+
+fn failed(error: LiveError) -> Failure {
     let hint = error.hint().map(str::to_owned);
-    Failure::Usage { message: error.to_string(), file: None, place: None, hint }
+    match error {
+        LiveError::Lesson(LessonError { path, place, message, .. }) => {
+            Failure::Usage { message, file: Some(shown(&path)), place, hint }
+        }
+        error => Failure::Usage { message: error.to_string(), file: None, place: None, hint },
+    }
 }

@@ -50,9 +50,7 @@ impl Documents {
     pub(crate) fn open_first(&self, files: &[PathBuf]) -> Result<(), Refusal> {
         if files.is_empty() {
             let path = Path::new("t-handle.toml");
-            let content =
-                Content::Scenario { draft: Mutex::new(Draft::new(path, [])), made: Some(FIRST.to_owned()) };
-            self.put("t-handle.toml".to_owned(), path.to_owned(), Vec::new(), content);
+            self.put_scenario(path, Draft::new(path, []), FIRST.to_owned());
         }
         files.iter().try_for_each(|file| self.open(file, None).map(|_| ()))
     }
@@ -100,6 +98,13 @@ impl Documents {
         };
         let roots = dropped.into_iter().map(|(folder, _)| folder).collect();
         Ok(self.put(name, path.to_owned(), roots, content))
+    }
+
+    /// A scenario with this text, whatever the file has.
+    pub(crate) fn put_scenario(&self, path: &Path, draft: Draft, text: String) -> Arc<Document> {
+        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        let content = Content::Scenario { draft: Mutex::new(draft), made: Some(text) };
+        self.put(name, path.to_owned(), Vec::new(), content)
     }
 
     fn put(&self, name: String, path: PathBuf, roots: Vec<PathBuf>, content: Content) -> Arc<Document> {

@@ -5,6 +5,8 @@ use std::fmt;
 use std::io;
 use std::net::SocketAddr;
 
+use crate::lesson::LessonError;
+
 /// Why the page cannot be served.
 #[derive(Debug)]
 #[non_exhaustive]
@@ -16,6 +18,8 @@ pub enum LiveError {
         /// What to do about it, where there is something to say.
         hint: Option<String>,
     },
+    /// A lesson cannot be used.
+    Lesson(LessonError),
     /// The address cannot be listened on.
     Address {
         /// Which.
@@ -41,7 +45,7 @@ impl LiveError {
     /// What to do about it, where there is something to say.
     pub fn hint(&self) -> Option<&str> {
         match self {
-            Self::File { hint, .. } => hint.as_deref(),
+            Self::File { hint, .. } | Self::Lesson(LessonError { hint, .. }) => hint.as_deref(),
             Self::Address { error, .. } if error.kind() == io::ErrorKind::AddrInUse => {
                 Some("another program has this port: leave out --port, and a free one is taken")
             }
@@ -58,6 +62,7 @@ impl fmt::Display for LiveError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::File { message, .. } => f.write_str(message),
+            Self::Lesson(error) => error.fmt(f),
             Self::Address { address, error } => write!(f, "cannot listen on {address}: {error}"),
             Self::Folder { error } => write!(f, "cannot make a folder for dropped files: {error}"),
             Self::Random => f.write_str("the system gives no random numbers for the token"),

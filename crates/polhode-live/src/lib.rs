@@ -10,7 +10,7 @@
 //!
 //! ```no_run
 //! use polhode_live::{Live, LiveOptions};
-//! let live = Live::bind(&LiveOptions { port: 0, files: vec!["examples/t-handle.toml".into()] })?;
+//! let live = Live::bind(&LiveOptions { files: vec!["examples/t-handle.toml".into()], ..LiveOptions::default() })?;
 //! println!("{}", live.address());
 //! live.run()?; // until Ctrl-C
 //! # Ok::<(), polhode_live::LiveError>(())
@@ -27,6 +27,7 @@ mod guard;
 mod inspect;
 mod kind;
 mod knob;
+mod lesson;
 mod limits;
 mod motion;
 mod opened;
@@ -37,4 +38,5 @@ mod session;
 mod utf16;
 
 pub use error::LiveError;
+pub use lesson::{LessonError, LessonInfo, lessons};
 pub use server::{Live, LiveOptions};

@@ -61,7 +61,7 @@ pub(crate) fn answer(
 }
 
 /// The trajectory, at no more times than the page shows.
-fn computed(
+pub(crate) fn computed(
     file: &ScenarioFile,
     with_error: bool,
     begun: Instant,

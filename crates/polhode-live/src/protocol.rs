@@ -3,6 +3,8 @@
 use serde::{Deserialize, Serialize};
 use serde_json::value::RawValue;
 
+use crate::lesson::LessonInfo;
+
 /// An answer that is not 200.
 #[derive(Debug, Serialize)]
 pub(crate) struct RefusalBody {
@@ -124,4 +126,35 @@ pub(crate) struct Choice {
 pub(crate) struct OpenRequest {
     pub(crate) set: u32,
     pub(crate) name: String,
+}
+
+#[derive(Debug, Serialize)]
+pub(crate) struct LessonList {
+    pub(crate) lessons: Vec<LessonInfo>,
+}
+
+#[derive(Debug, Serialize)]
+pub(crate) struct Lesson {
+    #[serde(flatten)]
+    pub(crate) info: LessonInfo,
+    pub(crate) document: u32,
+    pub(crate) steps: Vec<LessonStep>,
+}
+
+#[derive(Debug, Serialize)]
+pub(crate) struct LessonStep {
+    pub(crate) text: String,
+    pub(crate) question: Option<Question>,
+    pub(crate) knobs: Vec<String>,
+    pub(crate) scenario: String,
+    pub(crate) working: Option<String>,
+}
+
+#[derive(Debug, Serialize)]
+pub(crate) struct Question {
+    pub(crate) text: String,
+    pub(crate) answers: Vec<String>,
+    /// From 0.
+    pub(crate) right: usize,
+    pub(crate) why: String,
 }

@@ -10,7 +10,9 @@ use crate::answer::{Answer, Refusal, bytes, json};
 use crate::asset::asset;
 use crate::documents::Content;
 use crate::inspect::Inspection;
-use crate::protocol::{Choice, CompleteAnswer, CompleteRequest, Documents, MotionRequest, OpenRequest};
+use crate::protocol::{
+    Choice, CompleteAnswer, CompleteRequest, Documents, LessonList, MotionRequest, OpenRequest,
+};
 use crate::session::Session;
 use crate::{limits, motion, utf16};
 
@@ -20,6 +22,8 @@ pub(crate) enum Route {
     Asset(&'static str, &'static [u8]),
     Documents,
     Document(u32),
+    Lessons,
+    Lesson(String),
     Motion,
     Complete,
     Drop { set: u32, name: String },
@@ -32,15 +36,22 @@ impl Route {
         let is_post = *method == Method::POST;
         match (is_post, path) {
             (false, "documents") => Ok(Self::Documents),
+            (false, "lessons") => Ok(Self::Lessons),
             (true, "motion") => Ok(Self::Motion),
             (true, "complete") => Ok(Self::Complete),
             (true, "open") => Ok(Self::Open),
             (true, "drop") => Self::drop(query.unwrap_or_default()),
-            (false, path) => match path.strip_prefix("document/").map(str::parse) {
-                Some(Ok(id)) => Ok(Self::Document(id)),
-                _ => asset(path).map(|(kind, bytes)| Self::Asset(kind, bytes)).ok_or_else(Refusal::not_found),
-            },
+            (false, path) => Self::named(path).ok_or_else(Refusal::not_found),
             _ => Err(Refusal::not_found()),
+        }
+    }
+
+    /// `document/3`, `lesson/cube`, `live.js`
+    fn named(path: &str) -> Option<Self> {
+        match path.split_once('/') {
+            Some(("document", id)) => id.parse().ok().map(Self::Document),
+            Some(("lesson", id)) => decoded(id).map(Self::Lesson),
+            _ => asset(path).map(|(kind, bytes)| Self::Asset(kind, bytes)),
         }
     }
 
@@ -58,7 +69,7 @@ impl Route {
     /// The most bytes that its body may have.
     pub(crate) const fn most(&self) -> usize {
         match self {
-            Self::Asset(..) | Self::Documents | Self::Document(_) => 0,
+            Self::Asset(..) | Self::Documents | Self::Document(_) | Self::Lessons | Self::Lesson(_) => 0,
             Self::Drop { .. } => limits::FILE,
             _ => limits::JSON,
         }
@@ -66,7 +77,7 @@ impl Route {
 
     /// True of what computes, and waits for its turn.
     pub(crate) const fn is_work(&self) -> bool {
-        !matches!(self, Self::Asset(..) | Self::Documents)
+        !matches!(self, Self::Asset(..) | Self::Documents | Self::Lessons)
     }
 
     /// The answer; `stop` is set when nobody waits for it any more.
@@ -95,6 +106,8 @@ impl Route {
                     Content::Robot => json(&Inspection::of_robot(&document)?),
                 }
             }
+            Self::Lessons => json(&LessonList { lessons: session.lessons.list() }),
+            Self::Lesson(id) => json(&session.lessons.open(&id, &session.documents)?),
             Self::Motion => {
                 let request: MotionRequest = read(body)?;
                 let document = session.documents.get(request.document)?;

@@ -21,6 +21,7 @@ use crate::documents::Documents;
 use crate::dropped::Dropped;
 use crate::error::LiveError;
 use crate::guard::Guard;
+use crate::lesson::{self, Lessons};
 use crate::limits;
 use crate::route::Route;
 use crate::session::Session;
@@ -32,6 +33,8 @@ pub struct LiveOptions {
     pub port: u16,
     /// Files to show: scenarios, meshes, robots, molecules, particles. Without one there is a scenario to begin with.
     pub files: Vec<PathBuf>,
+    /// A lesson to begin with: the id of one of [`lessons`](crate::lessons), or a file of one's own.
+    pub lesson: Option<String>,
 }
 
 /// A page that listens, and answers when it runs.
@@ -49,9 +52,15 @@ impl Live {
     pub fn bind(options: &LiveOptions) -> Result<Self, LiveError> {
         let address = SocketAddr::from((Ipv4Addr::LOCALHOST, options.port));
         let documents = Documents::default();
-        documents
-            .open_first(&options.files)
-            .map_err(|Refusal { message, hint, .. }| LiveError::File { message, hint })?;
+        let refused = |Refusal { message, hint, .. }| LiveError::File { message, hint };
+        let lessons = Lessons::beginning_with(options.lesson.as_deref()).map_err(LiveError::Lesson)?;
+        match &lessons.first {
+            Some(id) => lessons.open(id, &documents).map(|_| ()).map_err(|error| match error {
+                lesson::Error::Wrong(error) => LiveError::Lesson(error),
+                unknown @ lesson::Error::Unknown => refused(unknown.into()),
+            })?,
+            None => documents.open_first(&options.files).map_err(refused)?,
+        }
         let listen = || {
             let listener = std::net::TcpListener::bind(address)?;
             listener.set_nonblocking(true)?;
@@ -62,12 +71,16 @@ impl Live {
         let guard = Guard::new(port).ok_or(LiveError::Random)?;
         let dropped = Dropped::new().map_err(|error| LiveError::Folder { error })?;
         let computations = Arc::new(Semaphore::new(limits::COMPUTATIONS));
-        Ok(Self { listener, session: Arc::new(Session { guard, documents, dropped, computations }) })
+        Ok(Self { listener, session: Arc::new(Session { guard, documents, lessons, dropped, computations }) })
     }
 
     /// The page's address, with its token: whoever has it can ask.
     pub fn address(&self) -> String {
-        self.session.guard.address()
+        let address = self.session.guard.address();
+        match &self.session.lessons.first {
+            Some(id) => format!("{address}#lesson={}", encoded(id)),
+            None => address,
+        }
     }
 
     /// Answers until the process is interrupted or told to end.
@@ -104,6 +117,16 @@ impl Live {
         runtime.shutdown_background();
         served.map_err(|error| LiveError::Start { error })
     }
+}
+
+/// A text as a part of an address.
+fn encoded(text: &str) -> String {
+    let one = |byte: u8| match byte {
+        b'-' | b'_' | b'.' => char::from(byte).to_string(),
+        _ if byte.is_ascii_alphanumeric() => char::from(byte).to_string(),
+        _ => format!("%{byte:02X}"),
+    };
+    text.bytes().map(one).collect()
 }
 
 /// Ends at Ctrl-C, or when the system asks.

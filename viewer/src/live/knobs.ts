@@ -30,6 +30,9 @@ export class Knobs {
   #layout = "";
   /** Which stand in front, until another document comes. */
   #front: string[] = [];
+  /** Those that a lesson is about; null without one. */
+  #only: string[] | null = null;
+  readonly #foot: HTMLElement;
 
   /** `addTo` gives what the sizes of an added torque are taken from. */
   constructor(session: Session, pad: HTMLElement, numbers: Parameters<typeof addable>[1]) {
@@ -40,8 +43,8 @@ export class Knobs {
       release: () => session.release(),
     };
     this.#more.addEventListener("click", () => this.#open(this.#rest.hidden));
-    const foot = element("div", { class: "knob-foot" }, this.#switches, addable(session, numbers), pad, this.#more);
-    this.host.append(this.#main, this.#rest, foot);
+    this.#foot = element("div", { class: "knob-foot" }, this.#switches, addable(session, numbers), pad, this.#more);
+    this.host.append(this.#main, this.#rest, this.#foot);
     session.listen({
       changed: () => this.#update(),
       moved: (_, { anew }) => {
@@ -49,6 +52,13 @@ export class Knobs {
       },
     });
     new ResizeObserver(() => this.#update()).observe(document.body);
+  }
+
+  /** These knobs and nothing else; null shows all again. */
+  show(only: string[] | null): void {
+    this.#only = only;
+    this.#foot.hidden = only !== null;
+    this.#open(false);
   }
 
   #open(isOpen: boolean): void {
@@ -59,7 +69,8 @@ export class Knobs {
   }
 
   #update(): void {
-    const { knobs, switches, trouble } = this.#session;
+    const { switches, trouble } = this.#session;
+    const knobs = this.#session.knobs.filter(({ key }) => this.#only?.includes(key) ?? true);
     const most = innerHeight < 700 || innerWidth < 821 ? FEW : MOST;
     const ranked = [...knobs].sort((a, b) => a.rank - b.rank);
     const there = new Set(knobs.map(({ key }) => key));

@@ -7,6 +7,7 @@ import { Drop } from "./drop";
 import { Editor } from "./editor";
 import { EMPTY } from "./empty";
 import { Knobs } from "./knobs";
+import { lessonOf, Lessons } from "./lesson";
 import { readFragment } from "./link";
 import { Notice } from "./notice";
 import { MomentsPad } from "./pad";
@@ -30,10 +31,17 @@ orSay(() => {
     },
     working,
     numbers,
+    {
+      id: "lesson",
+      title: "Lessons",
+      fill: (host) => {
+        host.append(lessons.host);
+        return undefined;
+      },
+    },
     about,
   ]);
   document.body.classList.add("live", "waiting");
-  session.wantsWorking = () => app.tabs.current === "working";
   session.listen({
     moved: (page, { anew, isWorked }) => {
       // Until the worked solution comes, that of before; nobody sees it.
@@ -54,6 +62,8 @@ orSay(() => {
   const pad = new MomentsPad(session);
   const knobs = new Knobs(session, pad.host, () => ({ page: app.page, motion: app.motion }));
   document.querySelector(".view")?.append(knobs.host);
+  const lessons = new Lessons({ app, session, choose: (keys) => knobs.show(keys), say: (words) => notice.say(words) });
+  session.wantsWorking = () => app.tabs.current === "working" || lessons.wantsWorking;
   if (app.view) {
     new TipHandle(app, app.view, session);
     const hand = new Throw(app, app.view, session);
@@ -63,7 +73,7 @@ orSay(() => {
   const keys: [string, string][] = [["g", "take the body and throw it"], ["Ctrl + Z", "undo"], ["Ctrl + Y", "redo"], ["Tab to ω", "arrows move its tip, + and − its length"]];
   document.querySelector("#help dl")?.append(...keys.flatMap(([key, what]) => [element("dt", {}, element("kbd", {}, key)), element("dd", {}, what)]));
   window.polhodeLive = session;
-  void begin(session, notice, choice);
+  void begin(session, notice, choice, lessons);
 });
 
 declare global {
@@ -88,7 +98,7 @@ function troubles(session: Session): void {
   });
 }
 
-async function begin(session: Session, notice: Notice, choice: HTMLSelectElement): Promise<void> {
+async function begin(session: Session, notice: Notice, choice: HTMLSelectElement, lessons: Lessons): Promise<void> {
   const watch = new Watch(
     (all) => {
       list(all);
@@ -104,7 +114,7 @@ async function begin(session: Session, notice: Notice, choice: HTMLSelectElement
   const changed = async (all: DocumentInfo[]): Promise<void> => {
     const mine = session.document;
     const now = all.find(({ id }) => id === mine?.id);
-    if (!mine || !now || now.stamp === mine.stamp) return;
+    if (!mine || !now || now.stamp === mine.stamp || (await lessons.reread(mine.id))) return;
     const content = await server.document(now.id);
     if (content.kind !== "scenario") return;
     if (!session.isChanged || content.text === session.text) {
@@ -135,6 +145,9 @@ async function begin(session: Session, notice: Notice, choice: HTMLSelectElement
     });
     const wanted = (linked && documents.find(({ name, kind }) => kind === "scenario" && name === linked.name)) ?? documents.find(({ id }) => id === first) ?? documents[0];
     watch.start(documents);
+    const lesson = lessonOf(location.hash);
+    if (lesson !== null) await lessons.open(lesson);
+    if (session.document) return;
     if (wanted) await open(session, wanted, notice, linked?.text);
     else notice.say("Drop a scenario, a mesh or a robot on the page, or open a file.");
     list(documents);

@@ -192,28 +192,34 @@ export interface RobotLink {
   verdict: "impossible" | "suspect" | "ok" | "none";
 }
 
-/** `GET lessons`, and `GET lesson/ID`. */
+/** `GET lessons`; a teacher's own comes first. */
+export interface Lessons {
+  lessons: LessonInfo[];
+}
+
 export interface LessonInfo {
+  /** Behind `#lesson=` in the page's address it is begun with. */
   id: string;
   title: string;
   summary: string;
 }
 
+/** `GET lesson/ID` */
 export interface Lesson extends LessonInfo {
-  /** The scenario that it begins with. */
-  text: string;
+  /** Its scenario, among the documents from now on. */
+  document: number;
   steps: LessonStep[];
 }
 
 /** Read, predict, turn, see. */
 export interface LessonStep {
   text: string;
-  /** A question with answers to choose from; null if there is nothing to predict. */
+  /** A question with answers to choose from, `right` from 0; null if there is nothing to predict. */
   question: { text: string; answers: string[]; right: number; why: string } | null;
   /** Keys of knobs to turn, the only ones shown. */
   knobs: string[];
-  /** Edits that this step begins with. */
-  edits: Edit[];
+  /** The scenario that it begins with. */
+  scenario: string;
   /** Which part of the worked solution stands beside it: the beginning of its heading; null for none. */
   working: string | null;
 }

@@ -4,6 +4,8 @@ import type {
   CompleteRequest,
   DocumentContent,
   Documents,
+  Lesson,
+  Lessons,
   MotionAnswer,
   MotionRequest,
   OpenAnswer,
@@ -27,6 +29,8 @@ export const server = {
   document: (id: number): Promise<DocumentContent> => ask(`document/${id}`),
   motion: (request: MotionRequest, signal: AbortSignal): Promise<MotionAnswer> => post("motion", request, signal),
   complete: (request: CompleteRequest, signal: AbortSignal): Promise<CompleteAnswer> => post("complete", request, signal),
+  lessons: (): Promise<Lessons> => ask("lessons"),
+  lesson: (id: string): Promise<Lesson> => ask(`lesson/${encodeURIComponent(id)}`),
   drop: (set: number, file: File): Promise<unknown> => {
     return ask(`drop?${new URLSearchParams({ name: file.name, set: String(set) })}`, { method: "POST", body: file });
   },

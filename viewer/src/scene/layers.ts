@@ -15,9 +15,10 @@ export interface Layer {
   objects: Object3D[];
 }
 
-/** Shows in a picture what is on there, and nothing else. */
-export function apply(layers: Layer[], picture: Picture): void {
+/** Shows in a picture what is on there, and nothing else; of that only what is among `ids`, if there are some. */
+export function apply(layers: Layer[], picture: Picture, ids: readonly string[] | null): void {
   for (const layer of layers) {
-    for (const object of layer.objects) object.visible = layer.on[picture] === true;
+    const isAllowed = ids === null || ids.includes(layer.id);
+    for (const object of layer.objects) object.visible = isAllowed && layer.on[picture] === true;
   }
 }

@@ -153,8 +153,9 @@ export class MotionScene {
     if (picture === "sphere") this.sphere?.draw(rotate(inverse(now.attitude), now.momentum));
   }
 
-  labels(picture: Picture, time: number, camera: PerspectiveCamera): Label[] {
-    const on = (id: string): boolean => this.layers.find((layer) => layer.id === id)?.on[picture] === true;
+  /** Of what is on, or only of `ids`. */
+  labels(picture: Picture, time: number, camera: PerspectiveCamera, ids: readonly string[] | null): Label[] {
+    const on = (id: string): boolean => (ids?.includes(id) ?? true) && this.layers.find((layer) => layer.id === id)?.on[picture] === true;
     const turned = this.#turned;
     const labels: Label[] = [];
     if (on("omega") && this.omega.drawn) labels.push({ text: "𝛚", ink: "omega", tip: this.omega.tip });

@@ -14,6 +14,9 @@ import { MotionScene } from "./motion-scene";
 import { Palette } from "./palette";
 import { TrailCurves, type Trailed } from "./trails";
 
+/** What is shown of a body before it moves. */
+const BARE = ["body", "ellipsoid", "pivot", "space-axes", "body-axes"];
+
 export class View {
   readonly orbit: OrbitCamera;
   readonly labels: Labels;
@@ -40,6 +43,8 @@ export class View {
   #time: number;
   #size = { width: 1, height: 1 };
   #waiting = false;
+  /** The layers that may be seen; null for all that are on. */
+  #allowed: readonly string[] | null = null;
 
   /** Throws if the browser has no WebGL. */
   constructor(canvas: HTMLCanvasElement, overlay: HTMLElement, page: PageData, motion: Motion) {
@@ -119,7 +124,7 @@ export class View {
     if (anew || !this.pictures.includes(this.picture)) this.show("body");
     else {
       this.#shown.open(this.picture);
-      apply(this.layers, this.picture);
+      this.#apply();
       this.#frame();
     }
     this.invalidate();
@@ -131,13 +136,27 @@ export class View {
     this.invalidate();
   }
 
-  show(picture: Picture): void {
+  show(asked: Picture): void {
+    const picture = this.#allowed ? "body" : asked;
     this.picture = picture;
     this.rides = picture === "sphere" ? "body" : "space";
     this.#shown.open(picture);
-    apply(this.layers, picture);
+    this.#apply();
     this.#frame();
     this.orbit.home();
+  }
+
+  #apply(): void {
+    apply(this.layers, this.picture, this.#allowed);
+  }
+
+  /** Whether only the body and its axes are shown, and nothing of its motion. */
+  set isBare(isBare: boolean) {
+    if (isBare === (this.#allowed !== null)) return;
+    this.#allowed = isBare ? BARE : null;
+    if (isBare) this.show("body");
+    this.#apply();
+    this.invalidate();
   }
 
   // What the camera has to see, and where its home is.
@@ -162,7 +181,7 @@ export class View {
 
   toggle(layer: Layer): void {
     layer.on[this.picture] = !layer.on[this.picture];
-    apply(this.layers, this.picture);
+    this.#apply();
     this.invalidate();
   }
 
@@ -195,7 +214,7 @@ export class View {
     this.#lamp.position.copy(this.orbit.camera.position).add(this.orbit.camera.up.clone().multiplyScalar(this.orbit.radius));
     this.#renderer.render(this.#scene, this.orbit.camera);
     const { picture, orbit } = this;
-    this.labels.draw(this.#shown.labels(picture, this.#time, orbit.camera), this.#shown.outline(picture, orbit.camera), orbit.camera, width, height);
+    this.labels.draw(this.#shown.labels(picture, this.#time, orbit.camera, this.#allowed), this.#shown.outline(picture, orbit.camera), orbit.camera, width, height);
     for (const gone of this.#gone.splice(0)) gone.dispose();
     for (const then of this.drawn) then();
   }

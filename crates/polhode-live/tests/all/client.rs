@@ -39,7 +39,7 @@ pub(crate) struct Answer {
 
 impl Page {
     pub(crate) fn open(files: &[PathBuf]) -> Self {
-        let live = Live::bind(&LiveOptions { port: 0, files: files.to_vec() }).unwrap();
+        let live = Live::bind(&LiveOptions { port: 0, files: files.to_vec(), lesson: None }).unwrap();
         let address = live.address();
         let (authority, token) =
             address.strip_prefix("http://127.0.0.1:").unwrap().trim_end_matches('/').split_once('/').unwrap();

@@ -4,4 +4,6 @@
 mod client;
 mod hostile;
 mod inspect;
+mod lesson_files;
+mod lessons;
 mod robots;

@@ -1,0 +1,136 @@
+//! Lessons: a few steps of text, each with a question to be answered before the motion is seen, and with the knobs that it is about.
+//!
+//! A lesson is a small TOML file. Those of `lessons/` are part of the program; a teacher's own is read from the disk, anew whenever the
+//! page asks for it. [`check`] refuses what the page could not show.
+
+mod check;
+mod error;
+mod file;
+mod included;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, PoisonError};
+
+use hyper::StatusCode;
+use serde::Serialize;
+
+use crate::answer::Refusal;
+use crate::documents::{Document, Documents};
+use crate::protocol::{Lesson, LessonStep};
+use check::Checked;
+pub use error::LessonError;
+use file::File;
+use included::INCLUDED;
+
+/// What a list says of a lesson.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct LessonInfo {
+    /// What it is asked for by.
+    pub id: String,
+    /// Its title.
+    pub title: String,
+    /// What it is about, in a sentence.
+    pub summary: String,
+}
+
+/// The lessons that are part of the program, in the order in which they can be taken.
+pub fn lessons() -> impl Iterator<Item = LessonInfo> {
+    INCLUDED.iter().filter_map(|(id, text)| info(id, Path::new(id), text).ok())
+}
+
+fn info(id: &str, path: &Path, text: &str) -> Result<LessonInfo, LessonError> {
+    let File { title, summary, .. } = File::read(path, text)?;
+    Ok(LessonInfo { id: id.to_owned(), title: title.into_inner(), summary: summary.into_inner() })
+}
+
+/// The lessons of a session: those of the program, and a teacher's own.
+#[derive(Debug, Default)]
+pub(crate) struct Lessons {
+    own: Option<PathBuf>,
+    /// The one that the session begins with.
+    pub(crate) first: Option<String>,
+    /// What was opened: the lesson's id, its scenario, and the document with that.
+    opened: Mutex<Vec<(String, String, Arc<Document>)>>,
+}
+
+impl Lessons {
+    /// With a lesson to begin with: the id of one of the program's, or a file.
+    pub(crate) fn beginning_with(name: Option<&str>) -> Result<Self, LessonError> {
+        let Some(name) = name else { return Ok(Self::default()) };
+        let path = PathBuf::from(name);
+        if text_of(name).is_some() {
+            return Ok(Self { first: Some(name.to_owned()), ..Self::default() });
+        }
+        if path.extension().is_none_or(|ending| ending != "toml") {
+            let ids: Vec<_> = INCLUDED.iter().map(|(id, _)| *id).collect();
+            return Err(LessonError::whole(&path, "there is no lesson of this name")
+                .hint(format!("one of {}; or a file of your own, which ends in .toml", ids.join(", "))));
+        }
+        // The names of the program's have no dot in them.
+        let id = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        Ok(Self { first: Some(id), own: Some(path), ..Self::default() })
+    }
+
+    /// The teacher's own comes first.
+    pub(crate) fn list(&self) -> Vec<LessonInfo> {
+        let own = self.own.iter().filter_map(|path| {
+            let text = fs::read_to_string(path).ok()?;
+            info(self.first.as_deref()?, path, &text).ok()
+        });
+        own.chain(lessons()).collect()
+    }
+
+    /// A lesson by its id, whose scenario is a document from now on.
+    pub(crate) fn open(&self, id: &str, documents: &Documents) -> Result<Lesson, Error> {
+        let checked = match (text_of(id), &self.own) {
+            (Some(text), _) => Checked::read(Path::new(&format!("{id}.toml")), text, false)?,
+            (None, Some(path)) if self.first.as_deref() == Some(id) => {
+                let text = fs::read_to_string(path)
+                    .map_err(|error| LessonError::whole(path, format!("cannot be read: {error}")))?;
+                Checked::read(path, &text, true)?
+            }
+            _ => return Err(Error::Unknown),
+        };
+        let Checked { title, summary, path, draft, scenario, steps } = checked;
+        let mut opened = self.opened.lock().unwrap_or_else(PoisonError::into_inner);
+        let known = opened.iter().find(|(known, text, _)| known == id && *text == scenario);
+        let document = known.map(|(_, _, document)| document.id).unwrap_or_else(|| {
+            let document = documents.put_scenario(&path, draft, scenario.clone());
+            opened.push((id.to_owned(), scenario, document.clone()));
+            document.id
+        });
+        Ok(Lesson { info: LessonInfo { id: id.to_owned(), title, summary }, document, steps })
+    }
+}
+
+fn text_of(id: &str) -> Option<&'static str> {
+    INCLUDED.iter().find(|(known, _)| *known == id).map(|(_, text)| *text)
+}
+
+/// Why a lesson is not opened.
+#[derive(Debug)]
+pub(crate) enum Error {
+    /// There is none with this id.
+    Unknown,
+    /// It is not as it should be.
+    Wrong(LessonError),
+}
+
+impl From<LessonError> for Error {
+    fn from(error: LessonError) -> Self {
+        Self::Wrong(error)
+    }
+}
+
+impl From<Error> for Refusal {
+    fn from(error: Error) -> Self {
+        match error {
+            Error::Unknown => Self::new(StatusCode::NOT_FOUND, "there is no lesson of this name"),
+            Error::Wrong(error) => Self {
+                hint: error.hint.clone(),
+                ..Self::new(StatusCode::UNPROCESSABLE_ENTITY, error.to_string())
+            },
+        }
+    }
+}

@@ -10,7 +10,7 @@ use hyper::StatusCode;
 use crate::answer::Refusal;
 use crate::limits;
 
-/// The folder of a session's dropped files: a folder for each set in it.
+/// The folder of a session's dropped files, made for the first of them: a folder for each set in it.
 #[derive(Debug)]
 pub(crate) struct Dropped {
     folder: PathBuf,
@@ -24,19 +24,22 @@ struct Kept {
 }
 
 impl Dropped {
-    /// A new folder among the system's temporary ones, which nobody else can look into.
+    /// A folder among the system's temporary ones.
     pub(crate) fn new() -> io::Result<Self> {
         let mut random = [0; 8];
         getrandom::fill(&mut random).map_err(|error| io::Error::other(error.to_string()))?;
         let name = format!("polhode-live-{}-{:016x}", std::process::id(), u64::from_le_bytes(random));
-        let folder = std::env::temp_dir().join(name);
+        // Its real path, so that what is in it is found in it.
+        let folder = fs::canonicalize(std::env::temp_dir())?.join(name);
+        Ok(Self { folder, kept: Mutex::default() })
+    }
+
+    /// Makes the folder, which nobody else can look into.
+    fn make(&self) -> io::Result<()> {
         let mut builder = fs::DirBuilder::new();
         #[cfg(unix)]
         std::os::unix::fs::DirBuilderExt::mode(&mut builder, 0o700);
-        builder.create(&folder)?;
-        // Its real path, so that what is in it is found in it.
-        let folder = fs::canonicalize(&folder)?;
-        Ok(Self { folder, kept: Mutex::default() })
+        builder.create(&self.folder)
     }
 
     /// Where the files of a set lie.
@@ -52,6 +55,9 @@ impl Dropped {
     /// Keeps a file.
     pub(crate) fn keep(&self, set: u32, name: &str, bytes: &[u8]) -> Result<(), Refusal> {
         let path = self.path(set, name)?;
+        let unkept = |error: io::Error| {
+            Refusal::new(StatusCode::INTERNAL_SERVER_ERROR, format!("{name:?} cannot be kept: {error}"))
+        };
         {
             let mut kept = self.kept.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
             if kept.files >= limits::FILE_COUNT || kept.bytes + bytes.len() > limits::FILES {
@@ -60,13 +66,14 @@ impl Dropped {
                 return Err(Refusal::new(StatusCode::INSUFFICIENT_STORAGE, rule)
                     .hint("end polhode live, and start it again"));
             }
+            if kept.files == 0 {
+                self.make().map_err(unkept)?;
+            }
             kept.files += 1;
             kept.bytes += bytes.len();
         }
         let written = path.parent().map_or(Ok(()), fs::create_dir_all).and_then(|()| fs::write(&path, bytes));
-        written.map_err(|error| {
-            Refusal::new(StatusCode::INTERNAL_SERVER_ERROR, format!("{name:?} cannot be kept: {error}"))
-        })
+        written.map_err(unkept)
     }
 
     /// The files of a set.

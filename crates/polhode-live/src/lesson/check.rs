@@ -109,8 +109,8 @@ impl Source<'_> {
                     .map_or(0, |raw| raw.len() - raw.trim_start_matches(['\'', '"']).len());
                 let line_end = |at: &usize| self.text[..*at].ends_with('\n') || *at == span.start + quotes;
                 let begins = (0..3).map(|skip| span.start + quotes + skip);
-                let begins = begins.filter(|at| self.text.is_char_boundary(*at)).filter(line_end);
-                let begins = begins.filter(|at| self.text[*at..].starts_with(&text)).next_back();
+                let mut begins = begins.filter(|at| self.text.is_char_boundary(*at)).filter(line_end);
+                let begins = begins.rfind(|at| self.text[*at..].starts_with(&text));
                 Ok(Scenario { path: self.path.to_owned(), text, span, begins })
             }
             (Some(_), Some(both)) => Err(self.at(&both.span(), RULE)),

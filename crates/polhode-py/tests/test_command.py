@@ -81,7 +81,8 @@ def test_it_answers_as_the_program_does(
         files = {path.name: path.read_bytes() for path in place.glob("out/*")}
         answers.append((answer, files))
     assert answers[0][0][0] == status
-    assert all(answer == answers[0] for answer in answers)
+    for answer in answers[1:]:
+        assert answer == answers[0]
 
 
 def test_what_cannot_be_computed_has_status_3(program: list[str], tmp_path: Path) -> None:

@@ -14,17 +14,19 @@ import {
   EdgesGeometry,
   Group,
   LatheGeometry,
-  LineBasicMaterial,
-  LineSegments,
   Mesh,
   MeshStandardMaterial,
+  type Object3D,
   SphereGeometry,
   TorusGeometry,
   Vector2,
   Vector3,
 } from "three";
+import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import type { BodyData, Shape } from "../data";
 import { BadData, f32, indices } from "../decode";
+import { Farthest } from "./framing";
+import { lineMaterial, segments } from "./lines";
 import { creased } from "./normals";
 import type { Palette } from "./palette";
 
@@ -41,8 +43,6 @@ export class BodyModel {
   readonly ellipsoid = new Group();
   /** m; length 1 of the picture: of the body without what is small and far out, as a tip mass on a boom */
   readonly radius: number;
-  /** How far the farthest part is, in the picture. */
-  readonly extent: number;
   /** Points on the outside of the shapes, and of the ellipsoid, as the picture has them. */
   readonly outline: Vector3[];
   readonly ellipsoidOutline: Vector3[];
@@ -68,7 +68,6 @@ export class BodyModel {
     const shapes = this.hasShapes ? extremes(this.shapes) : ellipsoid;
     const farthest = Math.max(...shapes.map((p) => p.length())) || 1;
     this.radius = this.hasShapes ? bulk(this.shapes, farthest) : farthest;
-    this.extent = farthest / this.radius;
     for (const group of [this.shapes, this.ellipsoid]) group.scale.setScalar(1 / this.radius);
     this.outline = shapes.map((p) => p.divideScalar(this.radius));
     this.ellipsoidOutline = this.hasShapes ? ellipsoid.map((p) => p.divideScalar(this.radius)) : this.outline;
@@ -85,7 +84,7 @@ export class BodyModel {
 /** How far the parts go that are not small for where they are. */
 function bulk(shapes: Group, farthest: number): number {
   const parts = shapes.children.map((part) => {
-    const box = new Box3().setFromObject(part, true);
+    const box = solids(part).reduce((all, mesh) => all.expandByObject(mesh, true), new Box3());
     const far = Math.max(...corners(box).map((p) => p.length()));
     return { far, isSmall: box.getSize(new Vector3()).length() < SMALL * far };
   });
@@ -101,12 +100,12 @@ function corners({ min, max }: Box3): Vector3[] {
 class Paint {
   readonly solid = new MeshStandardMaterial({ roughness: 0.55, metalness: 0.05 });
   readonly marked = new MeshStandardMaterial({ roughness: 0.55, metalness: 0.05, vertexColors: true });
-  readonly edge = new LineBasicMaterial({ transparent: true, opacity: 0.55 });
+  readonly edge;
 
   constructor(palette: Palette) {
     palette.bind(this.solid.color, "solid");
     palette.bind(this.marked.color, "solid");
-    palette.bind(this.edge.color, "edge");
+    this.edge = lineMaterial({ ink: "edge", width: 1, opacity: 0.55 }, palette);
   }
 }
 
@@ -129,7 +128,7 @@ function solid(shape: Solid, paint: Paint): Group {
   group.add(new Mesh(round ? marked(geometry, mark) : geometry, round ? paint.marked : paint.solid));
   const triangles = (geometry.index?.count ?? geometry.attributes.position.count) / 3;
   if (shape.kind !== "ellipsoid" && shape.kind !== "torus" && triangles <= EDGES_UP_TO) {
-    group.add(new LineSegments(new EdgesGeometry(geometry, 35), paint.edge));
+    group.add(segments(new EdgesGeometry(geometry, 35).attributes.position.array, paint.edge));
   }
   return group;
 }
@@ -254,40 +253,26 @@ function equimomental(data: BodyData, paint: Paint): Group {
   return group;
 }
 
-/** The points of a group that are farthest in each of many directions: their hull is nearly that of the whole. */
-function extremes(group: Group): Vector3[] {
-  const directions = sphere(160);
-  const best = directions.map(() => -Infinity);
-  const found = directions.map(() => new Vector3());
-  const point = new Vector3();
+/** What a group is made of, without its edges. */
+function solids(group: Object3D): Mesh[] {
+  const found: Mesh[] = [];
   group.updateMatrixWorld(true);
   group.traverse((object) => {
-    if (!(object instanceof Mesh)) return;
-    const positions = (object.geometry as BufferGeometry).attributes.position;
-    const every = Math.max(1, Math.floor(positions.count / 20_000));
-    for (let i = 0; i < positions.count; i += every) {
-      point.fromBufferAttribute(positions, i).applyMatrix4(object.matrixWorld);
-      for (let k = 0; k < directions.length; k += 1) {
-        const d = directions[k];
-        const along = d.x * point.x + d.y * point.y + d.z * point.z;
-        if (along > best[k]) {
-          best[k] = along;
-          found[k].copy(point);
-        }
-      }
-    }
+    if (object instanceof Mesh && !(object instanceof LineSegments2)) found.push(object);
   });
   return found;
 }
 
-/** Directions spread evenly (Fibonacci's spiral). */
-function sphere(count: number): Vector3[] {
-  const golden = Math.PI * (3 - Math.sqrt(5));
-  return Array.from({ length: count }, (_, k) => {
-    const z = 1 - (2 * k + 1) / count;
-    const flat = Math.sqrt(1 - z * z);
-    return new Vector3(flat * Math.cos(k * golden), flat * Math.sin(k * golden), z);
-  });
+/** Points whose hull is nearly that of a group. */
+function extremes(group: Group): Vector3[] {
+  const farthest = new Farthest(160);
+  const point = new Vector3();
+  for (const { geometry, matrixWorld } of solids(group)) {
+    const positions = (geometry as BufferGeometry).attributes.position;
+    const every = Math.max(1, Math.floor(positions.count / 20_000));
+    for (let i = 0; i < positions.count; i += every) farthest.add(point.fromBufferAttribute(positions, i).applyMatrix4(matrixWorld));
+  }
+  return farthest.points;
 }
 
 function grouped(count: number): string {

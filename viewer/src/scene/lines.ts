@@ -2,6 +2,8 @@
 import { Line2 } from "three/examples/jsm/lines/Line2.js";
 import { LineGeometry } from "three/examples/jsm/lines/LineGeometry.js";
 import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
+import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
+import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
 import type { InterleavedBufferAttribute } from "three";
 import type { Ink, Palette } from "./palette";
 
@@ -21,6 +23,11 @@ export function curve(points: ArrayLike<number>, scale: number, pen: Pen, palett
   const geometry = new LineGeometry();
   geometry.setPositions(Float32Array.from(points, (x) => x * scale));
   return line(geometry, pen, palette);
+}
+
+/** Straight lines; `ends` are x y z of both ends of each. */
+export function segments(ends: ArrayLike<number>, material: LineMaterial): LineSegments2 {
+  return new LineSegments2(new LineSegmentsGeometry().setPositions(Float32Array.from(ends)), material);
 }
 
 /** A curve of at most `capacity` points that changes in every picture. */
@@ -56,7 +63,7 @@ export class MovingCurve {
   }
 }
 
-function line(geometry: LineGeometry, pen: Pen, palette: Palette): Line2 {
+export function lineMaterial(pen: Pen, palette: Palette): LineMaterial {
   const material = new LineMaterial({
     linewidth: pen.width,
     transparent: (pen.opacity ?? 1) < 1 || pen.onTop === true,
@@ -65,7 +72,11 @@ function line(geometry: LineGeometry, pen: Pen, palette: Palette): Line2 {
     depthWrite: false,
   });
   palette.bind(material.color, pen.ink, pen.strength);
-  const made = new Line2(geometry, material);
+  return material;
+}
+
+function line(geometry: LineGeometry, pen: Pen, palette: Palette): Line2 {
+  const made = new Line2(geometry, lineMaterial(pen, palette));
   made.renderOrder = pen.onTop === true ? 10 : 2;
   return made;
 }

@@ -14,11 +14,13 @@ import {
 import { inverse, rotate, type Quaternion as Attitude, type Vector } from "../attitude";
 import type { PageData } from "../data";
 import { length, lengths, type Moment, type Motion } from "../motion";
+import { compose } from "../save/frame";
 import { Arrow } from "./arrows";
 import { Axes } from "./axes";
 import { BodyModel } from "./body";
 import { OrbitCamera } from "./camera";
 import { Cones } from "./cones";
+import { Contents, directions } from "./framing";
 import { type Label, Labels } from "./labels";
 import { apply, type Layer, type Picture } from "./layers";
 import { Marker } from "./marker";
@@ -67,8 +69,9 @@ export class View {
   readonly #principal: Quaternion;
   /** A place in the body, where it is in space. */
   readonly #turned = (p: Vector3): Vector3 => p.clone().applyQuaternion(this.#bodyFrame.quaternion);
-  /** What the body's picture is centred on: half way to where a held body's centre of mass is on the whole. */
-  readonly #middle: Vector3;
+  readonly #contents = new Contents();
+  /** Pictures with the layers that are on in them at first. */
+  readonly #first: Set<string>;
   #time: number;
   #size = { width: 1, height: 1 };
   #waiting = false;
@@ -93,7 +96,6 @@ export class View {
       torque: motion.torque === null ? 0 : scale(motion.telling, lengths(motion.torque)),
     };
     this.trailed = telling(page, motion);
-    this.#middle = meanPlace(page.body.lever, motion).multiplyScalar(0.5 / this.model.radius);
 
     const free = page.free !== null && page.free.energy > 0 && page.free.momentum > 0 ? page.free : null;
     this.#poinsot = free && new Poinsot(free, page.body, motion, this.#palette);
@@ -108,6 +110,7 @@ export class View {
     this.#momentum = new Arrow("ink", THICK, this.#palette);
     this.#torque = new Arrow("torque", THICK, this.#palette);
     this.#build(page, motion);
+    this.#first = new Set(this.layers.flatMap(({ id, on }) => this.pictures.filter((p) => on[p]).map((p) => `${p} ${id}`)));
     this.show("body");
   }
 
@@ -122,12 +125,6 @@ export class View {
     this.rides = picture === "sphere" ? "body" : "space";
     apply(this.layers, picture);
     const orbit = this.orbit;
-    orbit.radius = {
-      body: Math.max(1.58, 1.04 * this.model.extent),
-      poinsot: 1.08 * (this.#poinsot?.radius ?? 1),
-      cones: 1.14 * (this.#cones?.radius ?? 1),
-      sphere: 1.5,
-    }[picture];
     orbit.homeHeight = { body: 0.36, poinsot: 0.5, cones: 0.45, sphere: 0.4 }[picture];
     orbit.homeAzimuth = 0.62;
     const middle = this.#sphere?.middle;
@@ -167,13 +164,18 @@ export class View {
 
   render(): void {
     this.#waiting = false;
-    this.#pose(this.#time);
-    const { width, height } = this.#size;
+    this.draw(this.#renderer, this.labels, this.#time, this.#size.width, this.#size.height);
+  }
+
+  /** A frame of `time`, of so many pixels of the page: on the screen, or for a file with a renderer and names of its own. */
+  draw(renderer: WebGLRenderer, labels: Labels, time: number, width: number, height: number): void {
+    this.orbit.content = this.#content();
+    this.#pose(time);
     this.#aim();
     this.orbit.place(width, height);
-    this.#lamp.position.copy(this.orbit.camera.position).add(this.orbit.camera.up.clone().multiplyScalar(this.orbit.radius));
-    this.#renderer.render(this.#scene, this.orbit.camera);
-    this.labels.draw(this.#visibleLabels(), this.#outline(), this.orbit.camera, width, height);
+    this.#lamp.position.copy(this.orbit.camera.position).addScaledVector(this.orbit.camera.up, 0.25 * this.orbit.distance);
+    renderer.render(this.#scene, this.orbit.camera);
+    labels.draw(this.#names(this.#isOn, time), this.#outline(this.#isOn), this.orbit.camera, width, height);
   }
 
   /** (w, x, y, z) of the body as the scene has it at `time`. */
@@ -192,27 +194,7 @@ export class View {
     out.width = this.#canvas.width;
     out.height = this.#canvas.height;
     const pen = out.getContext("2d");
-    if (!pen) return out;
-    pen.fillStyle = this.#palette.value("paper");
-    pen.fillRect(0, 0, out.width, out.height);
-    pen.drawImage(this.#canvas, 0, 0);
-    pen.scale(out.width / this.#size.width, out.height / this.#size.height);
-    pen.textAlign = "center";
-    pen.textBaseline = "middle";
-    for (const label of this.labels.placed) {
-      pen.font = [...label.text].length <= 2 ? '19px "Polhode Math"' : "600 13px system-ui, sans-serif";
-      pen.fillStyle = this.#palette.value(label.ink);
-      pen.strokeStyle = this.#palette.value(label.ink);
-      if (label.led) {
-        pen.globalAlpha = 0.6;
-        pen.beginPath();
-        pen.moveTo(label.tipX, label.tipY);
-        pen.lineTo(label.endX, label.endY);
-        pen.stroke();
-        pen.globalAlpha = 1;
-      }
-      pen.fillText(label.text, label.x, label.y);
-    }
+    if (pen) compose(pen, this.#canvas, this.labels.placed, out.width / this.#size.width, true);
     return out;
   }
 
@@ -295,6 +277,14 @@ export class View {
 
   #pose(time: number): void {
     const now = this.#motion.at(time);
+    this.#turn(now, time);
+    if (this.picture === "body") this.#drawTrail(now, time);
+    if (this.picture === "cones") this.#cones?.draw(time);
+    if (this.picture === "sphere") this.#sphere?.draw(rotate(inverse(now.attitude), now.momentum));
+  }
+
+  // The body and the arrows.
+  #turn(now: Moment, time: number): void {
     const [w, x, y, z] = now.attitude;
     this.#bodyFrame.quaternion.set(x, y, z, w);
     const rolling = this.picture === "poinsot" ? this.#poinsot : this.picture === "cones" ? this.#cones : null;
@@ -307,16 +297,11 @@ export class View {
     const long = this.picture === "body" ? this.#scales.momentum : shown / length(now.momentum);
     this.#momentum.point(...(now.momentum.map((c) => c * long) as Vector));
     if (now.torque) this.#torque.point(...(now.torque.map((c) => c * this.#scales.torque) as Vector));
-    if (this.picture === "body") {
-      this.#drawTrail(now, omega);
-      this.#heavy?.pose(now.attitude);
-      this.#wheels?.pose(time);
-    }
-    if (this.picture === "cones") this.#cones?.draw(time);
-    if (this.picture === "sphere") this.#sphere?.draw(rotate(inverse(now.attitude), now.momentum));
+    this.#heavy?.pose(now.attitude);
+    this.#wheels?.pose(time);
   }
 
-  #drawTrail(now: Moment, omega: Vector): void {
+  #drawTrail(now: Moment, time: number): void {
     let trail = this.#trails.get(this.trailed);
     if (!trail) {
       trail = new Trail(this.#motion, this.trailed, this.#scales.omega, AXES, this.#palette);
@@ -324,29 +309,39 @@ export class View {
       this.#trailGroup.add(trail.object);
     }
     for (const [what, other] of this.#trails) other.object.visible = what === this.trailed;
-    const tip =
-      this.trailed === "omega" ? omega : (rotate(now.attitude, axis(this.trailed)).map((c) => c * AXES) as Vector);
-    trail.draw(this.#time, tip);
+    const [v, long] = this.trailed === "omega" ? [now.omega, this.#scales.omega] : [axis(this.trailed), AXES];
+    trail.draw(time, rotate(now.attitude, v).map((c) => c * long) as Vector);
   }
 
   // In Poinsot's picture and the cones' the invariable plane is level: up is L.
   #aim(): void {
     const frame = this.orbit.frame.identity();
-    this.orbit.target.set(0, 0, 0);
-    if (this.picture === "body") this.orbit.target.copy(this.#middle);
     const level = this.picture === "poinsot" || this.picture === "cones";
     if (this.rides === "body") {
-      this.orbit.target.set(0, 0, 0);
       frame.copy(this.#bodyFrame.quaternion);
       if (this.picture !== "body") frame.multiply(this.#principal);
     } else if (level && this.#poinsot) {
       frame.setFromUnitVectors(new Vector3(0, 0, 1), this.#poinsot.up);
-      this.orbit.target.copy((this.picture === "poinsot" ? this.#poinsot : this.#cones)?.middle ?? new Vector3());
     }
   }
 
-  #visibleLabels(): Label[] {
-    const on = (id: string): boolean => this.layers.find((layer) => layer.id === id)?.on[this.picture] === true;
+  // Of what is on or was at first: switching off does not move the camera.
+  #content(): Vector3[] {
+    const seen = (id: string): boolean => this.#isOn(id) || this.#first.has(`${this.picture} ${id}`);
+    const shown = this.layers.filter(({ id }) => seen(id)).map(({ id }) => id);
+    return this.#contents.of([this.picture, this.rides, ...shown].join(), this.#motion, (now, time) => {
+      this.#turn(now, time);
+      this.#aim();
+      const named = this.#names(seen, time).flatMap(({ tip, along }) => along ?? [tip]);
+      const outline = this.picture === "sphere" ? directions(100) : this.#outline(seen);
+      const back = this.orbit.frame.clone().invert();
+      return [...named, ...outline, ...(this.#heavy?.floor(seen) ?? [])].map((p) => p.clone().applyQuaternion(back));
+    });
+  }
+
+  readonly #isOn = (id: string): boolean => this.layers.find((layer) => layer.id === id)?.on[this.picture] === true;
+
+  #names(on: (id: string) => boolean, time: number): Label[] {
     const turned = this.#turned;
     const labels: Label[] = [];
     if (on("omega") && this.#omega.drawn) labels.push({ text: "𝛚", ink: "omega", tip: this.#omega.tip });
@@ -354,7 +349,7 @@ export class View {
     if (on("torque") && this.#torque.drawn) labels.push({ text: "𝐍", ink: "torque", tip: this.#torque.tip });
     labels.push(...this.#axes.labels(on, turned));
     if (this.picture === "body") {
-      labels.push(...(this.#wheels?.labels(on, this.#time, turned) ?? []), ...(this.#heavy?.labels(on) ?? []));
+      labels.push(...(this.#wheels?.labels(on, time, turned) ?? []), ...(this.#heavy?.labels(on) ?? []));
     }
     if (this.picture === "poinsot") labels.push(...(this.#poinsot?.labels(on, turned) ?? []));
     if (this.picture === "cones") labels.push(...(this.#cones?.labels(on, turned) ?? []));
@@ -363,13 +358,12 @@ export class View {
     return [...labels.filter(({ along }) => !along), ...labels.filter(({ along }) => along)];
   }
 
-  #outline(): Vector3[] {
+  #outline(on: (id: string) => boolean): Vector3[] {
     const turned = (points: Vector3[]): Vector3[] => points.map(this.#turned);
     if (this.picture === "poinsot" && this.#poinsot) return turned(this.#poinsot.outline);
     if (this.picture === "cones" && this.#cones) return turned(this.#cones.outline);
     if (this.picture === "sphere") return round(this.orbit.camera.position);
-    const ellipsoid = this.layers.find((layer) => layer.id === "ellipsoid")?.on.body === true;
-    return turned(ellipsoid ? [...this.model.outline, ...this.model.ellipsoidOutline] : this.model.outline);
+    return turned(on("ellipsoid") ? [...this.model.outline, ...this.model.ellipsoidOutline] : this.model.outline);
   }
 }
 
@@ -390,13 +384,6 @@ function telling(page: PageData, motion: Motion): Trailed {
   else if (like(i2, i3) && !like(i1, i2)) v = rotate(principal.quaternion, [1, 0, 0]);
   const sizes = v.map(Math.abs);
   return (["axis-1", "axis-2", "axis-3"] as const)[sizes.indexOf(Math.max(...sizes))] ?? "axis-1";
-}
-
-function meanPlace(lever: Vector, motion: Motion): Vector3 {
-  const sum = new Vector3();
-  if (length(lever) === 0) return sum;
-  for (let i = 0; i < motion.count; i += 1) sum.add(new Vector3(...rotate(motion.attitudeOf(i), lever)));
-  return sum.divideScalar(motion.count);
 }
 
 // The rim of the unit sphere as a camera sees it.

@@ -29,7 +29,7 @@ const script = await bundle("src/main.ts", {
   format: "iife",
   target: "es2022",
   loader: { ".txt": "text" },
-  define: { THREE_VERSION: JSON.stringify(version("three")), UPLOT_VERSION: JSON.stringify(version("uplot")) },
+  define: Object.fromEntries(["three", "uplot", "omggif"].map((name) => [`${name.toUpperCase()}_VERSION`, JSON.stringify(version(name))])),
 });
 const style = await bundle("src/theme.css", { loader: { ".woff2": "dataurl" } });
 for (const [what, text] of [["script", script], ["style", style]]) {
@@ -39,8 +39,8 @@ for (const [what, text] of [["script", script], ["style", style]]) {
 const banner = `<!--
 polhode viewer, MIT OR Apache-2.0. Built from viewer/ by "npm run build"; do not edit.
 Contains three.js ${version("three")}, MIT licence, copyright 2010-2026 three.js authors,
-uPlot ${version("uplot")}, MIT licence, copyright 2022 Leon Sorokin, and a part of STIX Two Math, SIL Open Font License 1.1,
-copyright 2001-2021 The STIX Fonts Project Authors. Their licences stand under "About".
+uPlot ${version("uplot")}, MIT licence, copyright 2022 Leon Sorokin, omggif ${version("omggif")}, MIT licence, copyright 2013 Dean McNamee,
+and a part of STIX Two Math, SIL Open Font License 1.1, copyright 2001-2021 The STIX Fonts Project Authors. Their licences stand under "About".
 -->`;
 // A function as replacement: "$&" in a script is not a pattern.
 const put = (page, place, text) => {

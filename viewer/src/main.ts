@@ -2,7 +2,7 @@
 import { Clock, watchable } from "./clock";
 import { readPage } from "./decode";
 import { byId, element } from "./dom";
-import { fileName, saveCanvas } from "./export";
+import { fileName, saveCanvas } from "./save/files";
 import { keys } from "./keys";
 import { Motion } from "./motion";
 import { about } from "./panels/about";
@@ -13,6 +13,7 @@ import { scenario } from "./panels/scenario";
 import { type Tab, tabs } from "./panels/tabs";
 import { toolbar } from "./panels/toolbar";
 import { working } from "./panels/working";
+import { saveDialog } from "./save/dialog";
 import { View } from "./scene/scene";
 import { onTheme } from "./theme";
 
@@ -61,6 +62,8 @@ function start(): void {
   byId("photograph").addEventListener("click", () => {
     if (view) saveCanvas(`${fileName(page.title)}-frame`, view.photograph());
   });
+  if (view) saveDialog(view, clock, page.title);
+  else byId("save").hidden = true;
 
   const shown = view;
   if (shown) {

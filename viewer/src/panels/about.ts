@@ -4,6 +4,7 @@ import OFL from "../../../crates/polhode-report/assets/stix-two-math.OFL.txt";
 
 declare const THREE_VERSION: string;
 declare const UPLOT_VERSION: string;
+declare const OMGGIF_VERSION: string;
 
 const MIT =
   "Permission is hereby granted, free of charge, to any person obtaining a copy of this software and associated documentation files " +
@@ -32,6 +33,7 @@ export function about(host: HTMLElement, source: string): void {
     element("p", {}, "polhode: MIT or Apache 2.0, at your choice."),
     element("p", {}, `three.js ${THREE_VERSION}: MIT licence, copyright © 2010–2026 three.js authors.`),
     element("p", {}, `uPlot ${UPLOT_VERSION}: MIT licence, copyright © 2022 Leon Sorokin.`),
+    element("p", {}, `omggif ${OMGGIF_VERSION}: MIT licence, copyright © 2013 Dean McNamee.`),
     element("p", {}, "STIX Two Math, a part of it: SIL Open Font License 1.1, copyright © 2001–2021 The STIX Fonts Project Authors."),
     element("details", {}, element("summary", {}, "The MIT licence"), element("p", { class: "licence" }, MIT)),
     element("details", {}, element("summary", {}, "The SIL Open Font License"), element("p", { class: "licence" }, OFL)),

@@ -6,7 +6,7 @@ import type uPlot from "uplot";
 import type { Clock } from "../clock";
 import type { BodyData, TopData } from "../data";
 import { element } from "../dom";
-import { fileName } from "../export";
+import { fileName } from "../save/files";
 import { figuresOf } from "../figures";
 import { number, timeUnit } from "../format";
 import type { Motion } from "../motion";
@@ -16,7 +16,7 @@ import { svgOf } from "../plot/figure-svg";
 import type { Figure } from "../plot/lines";
 import { AxisPicture } from "./axis-picture";
 import { eventKey } from "./events";
-import { saveButtons } from "./save-buttons";
+import { saveButtons } from "../save/plot-buttons";
 import { TimePlot } from "./time-plot";
 
 export class Plots {

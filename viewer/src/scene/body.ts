@@ -105,7 +105,8 @@ class Paint {
   constructor(palette: Palette) {
     palette.bind(this.solid.color, "solid");
     palette.bind(this.marked.color, "solid");
-    this.edge = lineMaterial({ ink: "edge", width: 1, opacity: 0.55 }, palette);
+    // Opaque: where two meet, they would be darker.
+    this.edge = lineMaterial({ ink: "edge", width: 1, strength: 0.85 }, palette);
   }
 }
 
@@ -128,7 +129,9 @@ function solid(shape: Solid, paint: Paint): Group {
   group.add(new Mesh(round ? marked(geometry, mark) : geometry, round ? paint.marked : paint.solid));
   const triangles = (geometry.index?.count ?? geometry.attributes.position.count) / 3;
   if (shape.kind !== "ellipsoid" && shape.kind !== "torus" && triangles <= EDGES_UP_TO) {
-    group.add(segments(new EdgesGeometry(geometry, 35).attributes.position.array, paint.edge));
+    const edges = segments(new EdgesGeometry(geometry, 35).attributes.position.array, paint.edge);
+    edges.renderOrder = 1;
+    group.add(edges);
   }
   return group;
 }

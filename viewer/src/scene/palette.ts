@@ -4,20 +4,23 @@
  */
 import { Color } from "three";
 
-export type Ink =
-  | "paper"
-  | "ink"
-  | "faint"
-  | "quiet"
-  | "solid"
-  | "contour"
-  | "edge"
-  | "axis-1"
-  | "axis-2"
-  | "axis-3"
-  | "omega"
-  | "torque"
-  | "wheel";
+export const INKS = [
+  "paper",
+  "ink",
+  "faint",
+  "quiet",
+  "solid",
+  "contour",
+  "edge",
+  "axis-1",
+  "axis-2",
+  "axis-3",
+  "omega",
+  "torque",
+  "wheel",
+] as const;
+
+export type Ink = (typeof INKS)[number];
 
 export class Palette {
   readonly #bound: { color: Color; ink: Ink; strength: number }[] = [];

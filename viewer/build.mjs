@@ -1,12 +1,13 @@
-// Builds the page: one HTML file with its style and script inside, and a placeholder for the data.
-// Writes crates/polhode-report/assets/viewer.html; with --check it only compares, and fails if that file is not this build.
-import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
-import { dirname, resolve } from "node:path";
+// Builds the pages: the one that polhode writes, one HTML file with its style and script inside and a placeholder for the data, and that of
+// `polhode live`, whose style and script are files of their own. Writes crates/polhode-report/assets/viewer.html and
+// crates/polhode-live/assets/; with --check it only compares, and fails if those files are not this build.
+import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { dirname, relative, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
 
 const here = dirname(fileURLToPath(import.meta.url));
-const target = resolve(here, "../crates/polhode-report/assets/viewer.html");
+const assets = (crate) => resolve(here, `../crates/${crate}/assets`);
 const read = (path) => readFileSync(resolve(here, path), "utf8");
 const version = (name) => JSON.parse(read(`node_modules/${name}/package.json`)).version;
 
@@ -15,7 +16,7 @@ const bundle = async (entry, options) => {
     absWorkingDir: here,
     entryPoints: [entry],
     bundle: true,
-    minify: true,
+    minify: !process.argv.includes("--plain"),
     charset: "utf8",
     legalComments: "none",
     write: false,
@@ -25,16 +26,19 @@ const bundle = async (entry, options) => {
   return result.outputFiles[0].text.trim();
 };
 
-const script = await bundle("src/main.ts", {
-  format: "iife",
-  target: "es2022",
-  loader: { ".txt": "text" },
-  define: Object.fromEntries(["three", "uplot", "omggif"].map((name) => [`${name.toUpperCase()}_VERSION`, JSON.stringify(version(name))])),
-});
-const style = await bundle("src/theme.css", { loader: { ".woff2": "dataurl" } });
-for (const [what, text] of [["script", script], ["style", style]]) {
-  if (new RegExp(`</${what}|<!--`, "i").test(text)) throw new Error(`the ${what} would end its element`);
-}
+const script = (entry, codemirror) =>
+  bundle(entry, {
+    format: "iife",
+    target: "es2022",
+    loader: { ".txt": "text" },
+    define: {
+      THREE_VERSION: JSON.stringify(version("three")),
+      UPLOT_VERSION: JSON.stringify(version("uplot")),
+      OMGGIF_VERSION: JSON.stringify(version("omggif")),
+      CODEMIRROR_VERSION: JSON.stringify(codemirror),
+    },
+  });
+const style = (entry) => bundle(entry, { loader: { ".woff2": "dataurl" } });
 
 const banner = `<!--
 polhode viewer, MIT OR Apache-2.0. Built from viewer/ by "npm run build"; do not edit.
@@ -47,19 +51,37 @@ const put = (page, place, text) => {
   if (page.split(place).length !== 2) throw new Error(`index.html needs one ${place}`);
   return page.replace(place, () => text);
 };
-let page = read("index.html");
-page = put(page, "<!--banner-->", banner);
-page = put(page, "<!--style-->", `<style>${style}</style>`);
-page = put(page, "<!--script-->", `<script>${script}</script>`);
-if (page.split("<!--polhode-data-->").length !== 2) throw new Error("the page needs one place for the data");
+const inside = (what, text) => {
+  if (new RegExp(`</${what}|<!--`, "i").test(text)) throw new Error(`the ${what} would end its element`);
+  return `<${what}>${text}</${what}>`;
+};
 
-if (process.argv.includes("--check")) {
-  if (readFileSync(target, "utf8") !== page) {
-    console.error("crates/polhode-report/assets/viewer.html is not the build of viewer/: run `npm run build` there");
-    process.exit(1);
+const index = read("index.html");
+let replay = put(put(index, "<!--banner-->", banner), "<!--style-->", inside("style", await style("src/theme.css")));
+replay = put(replay, "<!--script-->", inside("script", await script("src/main.ts", "")));
+if (replay.split("<!--polhode-data-->").length !== 2) throw new Error("the page needs one place for the data");
+
+// The server sends the policy.
+let live = index.replace(/<meta http-equiv="Content-Security-Policy"[^>]*>\n/, "");
+live = put(live, "<!--banner-->", banner.replace("\nuPlot", `\nCodeMirror ${version("@codemirror/view")}, MIT licence, copyright 2018-2026 Marijn Haverbeke and others,\nuPlot`));
+live = put(live, "<!--style-->", '<link rel="icon" href="data:,">\n<link rel="stylesheet" href="live.css">');
+live = put(live, "<!--polhode-data-->\n", "");
+live = put(live, "<!--script-->", '<script src="live.js"></script>');
+
+const built = {
+  [`${assets("polhode-report")}/viewer.html`]: replay,
+  [`${assets("polhode-live")}/live.html`]: live,
+  [`${assets("polhode-live")}/live.css`]: await style("src/live/live.css"),
+  [`${assets("polhode-live")}/live.js`]: await script("src/live/main.ts", version("@codemirror/view")),
+};
+for (const [path, text] of Object.entries(built)) {
+  const name = relative(resolve(here, ".."), path);
+  if (!process.argv.includes("--check")) {
+    mkdirSync(dirname(path), { recursive: true });
+    writeFileSync(path, text);
+  } else if (!existsSync(path) || readFileSync(path, "utf8") !== text) {
+    console.error(`${name} is not the build of viewer/: run \`npm run build\` there`);
+    process.exitCode = 1;
   }
-} else {
-  mkdirSync(dirname(target), { recursive: true });
-  writeFileSync(target, page);
+  console.log(`${name}: ${Math.round(Buffer.byteLength(text) / 1000)} kB`);
 }
-console.log(`${Math.round(Buffer.byteLength(page) / 1000)} kB`);

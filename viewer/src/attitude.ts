@@ -60,6 +60,25 @@ export function rotate(q: Quaternion, v: Vector): Vector {
   return [v[0] + w * tx + y * tz - z * ty, v[1] + w * ty + z * tx - x * tz, v[2] + w * tz + x * ty - y * tx];
 }
 
+type Numbers = Float32Array | Float64Array | number[];
+
+/** The same from rows to rows, without making a vector: q at `i`, v at `j`, `size` times the result to `k`. */
+export function writeRotated(qs: ArrayLike<number>, i: number, vs: ArrayLike<number>, j: number, out: Numbers, k: number, size = 1): void {
+  const w = qs[i];
+  const x = qs[i + 1];
+  const y = qs[i + 2];
+  const z = qs[i + 3];
+  const a = vs[j];
+  const b = vs[j + 1];
+  const c = vs[j + 2];
+  const tx = 2 * (y * c - z * b);
+  const ty = 2 * (z * a - x * c);
+  const tz = 2 * (x * b - y * a);
+  out[k] = size * (a + w * tx + y * tz - z * ty);
+  out[k + 1] = size * (b + w * ty + z * tx - x * tz);
+  out[k + 2] = size * (c + w * tz + x * ty - y * tx);
+}
+
 export function inverse([w, x, y, z]: Quaternion): Quaternion {
   return [w, -x, -y, -z];
 }

@@ -32,11 +32,24 @@ export interface AxisPath {
   bounds: [number, number];
 }
 
+type Path = AxisPath | { turn: number } | { beyond: number };
+
+/** The 3-D view and the plots ask for the same. */
+const known = new WeakMap<TopData, { motion: Motion; path: Path }>();
+
 /**
  * With points between samples that are far apart. Where samples do not say how the axis goes between them: its largest turn from one to
  * the next, or how far θ would leave its bounds, rad.
  */
-export function axisPath(motion: Motion, top: TopData): AxisPath | { turn: number } | { beyond: number } {
+export function axisPath(motion: Motion, top: TopData): Path {
+  const last = known.get(top);
+  if (last?.motion === motion) return last.path;
+  const path = find(motion, top);
+  known.set(top, { motion, path });
+  return path;
+}
+
+function find(motion: Motion, top: TopData): Path {
   const path: AxisPath = { times: [], points: [], theta: [], phi: [], bounds: [0, 0] };
   const put = (time: number, point: Vector): void => {
     const { theta, phi } = anglesOf(point, top);

@@ -12,17 +12,29 @@ export class Clock {
 
   readonly #listeners: (() => void)[] = [];
 
+  #times: Float64Array;
+
   /** `times` ascend; there is at least one. */
-  constructor(
-    readonly times: Float64Array,
-    speed = 1,
-  ) {
+  constructor(times: Float64Array, speed = 1) {
+    this.#times = times;
     this.time = times[0];
     this.speed = speed;
   }
 
+  get times(): Float64Array {
+    return this.#times;
+  }
+
+  /** Another motion's times: it goes on as it went, from the same time if they contain it. */
+  replace(times: Float64Array): void {
+    this.#times = times;
+    this.time = Math.min(Math.max(this.time, this.start), this.end);
+    if (this.end <= this.start) this.playing = false;
+    this.#tell();
+  }
+
   get start(): number {
-    return this.times[0];
+    return this.#times[0];
   }
 
   get end(): number {

@@ -28,7 +28,7 @@ export function f64(text: Base64, what: string, length?: number): Float64Array {
   if (length !== undefined && numbers.length !== length) {
     throw new BadData(`${what}: ${numbers.length} numbers instead of ${length}`);
   }
-  if (!numbers.every(Number.isFinite)) throw new BadData(`${what}: a number is not finite`);
+  if (!areFinite(numbers)) throw new BadData(`${what}: a number is not finite`);
   return numbers;
 }
 
@@ -42,7 +42,7 @@ export function points(text: Base64, what: string): Float64Array {
 /** Numbers of 32 bits, all finite. */
 export function f32(text: Base64, what: string): Float32Array {
   const numbers = new Float32Array(decode(text, what, 4).buffer);
-  if (!numbers.every(Number.isFinite)) throw new BadData(`${what}: a number is not finite`);
+  if (!areFinite(numbers)) throw new BadData(`${what}: a number is not finite`);
   return numbers;
 }
 
@@ -53,16 +53,27 @@ export function indices(text: Base64, what: string, limit: number): Uint32Array 
   return numbers;
 }
 
+// The product is NaN of what is not finite, and 0 of all else.
+function areFinite(numbers: Float32Array | Float64Array): boolean {
+  let sum = 0;
+  for (let i = 0; i < numbers.length; i += 1) sum += 0 * numbers[i];
+  return sum === 0;
+}
+
+/** What newer browsers have. */
+interface FromBase64 {
+  fromBase64?: (text: string) => Uint8Array<ArrayBuffer>;
+}
+
 // All machines that run a browser are little-endian; typed arrays have the machine's order.
 function decode(text: Base64, what: string, size: number): Uint8Array<ArrayBuffer> {
-  let binary: string;
+  let bytes: Uint8Array<ArrayBuffer>;
   try {
-    binary = atob(text);
+    const { fromBase64 } = Uint8Array as FromBase64;
+    bytes = fromBase64 ? fromBase64(text) : Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
   } catch {
     throw new BadData(`${what}: not base64`);
   }
-  if (binary.length % size !== 0) throw new BadData(`${what}: ${binary.length} bytes, not a multiple of ${size}`);
-  const bytes = new Uint8Array(binary.length);
-  for (let i = 0; i < bytes.length; i += 1) bytes[i] = binary.charCodeAt(i);
+  if (bytes.length % size !== 0) throw new BadData(`${what}: ${bytes.length} bytes, not a multiple of ${size}`);
   return bytes;
 }

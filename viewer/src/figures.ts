@@ -1,7 +1,7 @@
 /** What is plotted over time: the same figures on the screen and in the files that it saves. */
 import { angles } from "./angles";
-import { inverse, type Quaternion, rotate, type Vector } from "./attitude";
-import { at, lengths, type Motion } from "./motion";
+import { inverse, type Quaternion, rotate, type Vector, writeRotated } from "./attitude";
+import { lengths, type Motion } from "./motion";
 import type { Figure, Line } from "./plot/lines";
 import { extent } from "./plot/scale";
 
@@ -15,27 +15,46 @@ const AXES = ["axis-1", "axis-2", "axis-3"];
 
 type Made = Omit<Figure, "telling" | "nothing" | "aliased"> & Partial<Pick<Figure, "nothing">>;
 
+/** A figure that is made when it is to be seen. */
+export interface FigureMaker {
+  id: string;
+  make: () => Figure;
+}
+
 /** `principal` takes components along principal axes to components in body axes; those are about the point that the body turns about. */
-export function figuresOf(motion: Motion, principal: { moments: number[]; quaternion: Quaternion }): Figure[] {
+export function figuresOf(motion: Motion, principal: Principal): Figure[] {
+  return makersOf(motion, principal).map(({ make }) => make());
+}
+
+export function makersOf(motion: Motion, principal: Principal): FigureMaker[] {
   const free = motion.torque === null && motion.wheels.length === 0;
-  const made: Made[] = [
-    omega(motion),
-    ...omegaAlongPrincipal(motion, principal.quaternion),
-    ...pointing(motion),
-    free ? shares(motion, principal) : energy(motion),
-    free ? momentumInBody(motion, principal.quaternion) : momentumInSpace(motion),
-    ...torque(motion),
-    ...wheels(motion),
-    angles(motion),
-    ...drift(motion),
+  const all: [id: string, make: (() => Made) | null][] = [
+    ["omega", () => omega(motion)],
+    ["omega-principal", isAlongBody(principal.quaternion) ? null : () => omegaAlongPrincipal(motion, principal.quaternion)],
+    ["pointing", motion.pointings.length > 0 ? () => pointing(motion) : null],
+    ["energy", () => (free ? shares(motion, principal) : energy(motion))],
+    ["momentum", () => (free ? momentumInBody(motion, principal.quaternion) : momentumInSpace(motion))],
+    ["torque", motion.torque === null ? null : torque(motion, motion.torque)],
+    ["wheels", motion.wheels.length > 0 ? () => wheelMomenta(motion) : null],
+    ["wheel-speeds", motion.wheels.some(({ speed }) => speed) ? () => wheelSpeeds(motion) : null],
+    ["angles", () => angles(motion)],
+    ["drift", motion.drift.some(isRelative) ? () => drift(motion) : null],
+    ["attitude-error", motion.drift.some((one) => !isRelative(one)) ? () => attitudeError(motion) : null],
   ];
-  return made.map((figure) => {
-    // Drifts have powers of ten, and angles do not run away.
-    const telling = figure.log || figure.id === "angles" ? motion.count : motion.telling;
-    const [low, high] = extent(figure.lines.map(({ values }) => values), 0, telling - 1) ?? [0, 0];
-    const ranAway = telling < motion.count ? `The motion runs away: ranges and constants are without the last ${samples(motion.count - telling)}.` : null;
-    return { nothing: ROUNDING * Math.max(-low, high), ...figure, telling, aliased: motion.aliased, ...(ranAway ? { note: ranAway } : {}) };
-  });
+  return all.flatMap(([id, make]) => (make ? [{ id, make: (): Figure => completed(make(), motion) }] : []));
+}
+
+interface Principal {
+  moments: number[];
+  quaternion: Quaternion;
+}
+
+function completed(figure: Made, motion: Motion): Figure {
+  // Drifts have powers of ten, and angles do not run away.
+  const telling = figure.log || figure.id === "angles" ? motion.count : motion.telling;
+  const [low, high] = extent(figure.lines.map(({ values }) => values), 0, telling - 1) ?? [0, 0];
+  const ranAway = telling < motion.count ? `The motion runs away: ranges and constants are without the last ${samples(motion.count - telling)}.` : null;
+  return { nothing: ROUNDING * Math.max(-low, high), ...figure, telling, aliased: motion.aliased, ...(ranAway ? { note: ranAway } : {}) };
 }
 
 function omega(motion: Motion): Made {
@@ -43,24 +62,26 @@ function omega(motion: Motion): Made {
   return { ...plain, id: "omega", title: "Angular velocity, body axes", quantity: "ω", unit: "rad/s", lines };
 }
 
-/** None if body axes are principal axes: the lines would be the same. */
-function omegaAlongPrincipal(motion: Motion, principal: Quaternion): Made[] {
+/** Then its lines along the principal axes would be the same. */
+function isAlongBody(principal: Quaternion): boolean {
   const axes = ([[1, 0, 0], [0, 1, 0], [0, 0, 1]] as Vector[]).map((axis) => rotate(principal, axis));
-  if (axes.every((axis) => Math.max(...axis.map(Math.abs)) > 1 - 1e-12)) return [];
-  const rows = rotated(motion.omega, () => inverse(principal));
-  const lines = vector(motion, rows, ["ω₁", "ω₂", "ω₃"]);
-  return [{ ...plain, id: "omega-principal", title: "Angular velocity, principal axes", quantity: "ω", unit: "rad/s", lines }];
+  return axes.every((axis) => Math.max(...axis.map(Math.abs)) > 1 - 1e-12);
 }
 
-function pointing({ pointings }: Motion): Made[] {
-  if (pointings.length === 0) return [];
+function omegaAlongPrincipal(motion: Motion, principal: Quaternion): Made {
+  const rows = rotated(motion.omega, inverse(principal));
+  const lines = vector(motion, rows, ["ω₁", "ω₂", "ω₃"]);
+  return { ...plain, id: "omega-principal", title: "Angular velocity, principal axes", quantity: "ω", unit: "rad/s", lines };
+}
+
+function pointing({ pointings }: Motion): Made {
   const lines = pointings.map(({ name, values }, k): Line => ({
     symbol: pointings.length === 1 ? "angle" : name,
     label: name,
     values: values.map((angle) => (angle * 180) / Math.PI),
     ...look(k),
   }));
-  return [{ ...plain, id: "pointing", title: "Where the body points", quantity: "angle", unit: "°", lines, nothing: 1e-7 }];
+  return { ...plain, id: "pointing", title: "Where the body points", quantity: "angle", unit: "°", lines, nothing: 1e-7 };
 }
 
 function energy(motion: Motion): Made {
@@ -77,7 +98,7 @@ function energy(motion: Motion): Made {
 
 /** ½ iₖ ωₖ² along the principal axes. */
 function shares(motion: Motion, { moments, quaternion }: { moments: number[]; quaternion: Quaternion }): Made {
-  const rows = rotated(motion.omega, () => inverse(quaternion));
+  const rows = rotated(motion.omega, inverse(quaternion));
   const lines: Line[] = ["½i₁ω₁²", "½i₂ω₂²", "½i₃ω₃²"].map((symbol, k) => {
     const values = column(rows, k).map((w) => 0.5 * moments[k] * w * w);
     return { symbol, label: symbol, ink: AXES[k], values };
@@ -95,57 +116,52 @@ function momentumInSpace(motion: Motion): Made {
 
 /** A free body's L stands still in space; in the body it moves. */
 function momentumInBody(motion: Motion, principal: Quaternion): Made {
-  const body = rotated(motion.momentum, (i) => inverse(motion.attitudeOf(i)));
-  const lines = vector(motion, rotated(body, () => inverse(principal)), ["L₁", "L₂", "L₃"]);
+  const body = rotated(motion.momentum, inverses(motion.attitude));
+  const lines = vector(motion, rotated(body, inverse(principal)), ["L₁", "L₂", "L₃"]);
   lines.push({ symbol: "|L|", label: "|L|", ink: "ink", values: lengths(motion.momentum), dash: [4, 4], ...balance(motion, "|L|") });
   return { ...plain, id: "momentum", title: "Angular momentum, principal axes", quantity: "L", unit: "kg·m²/s", lines };
 }
 
-/** None where no torque acts. */
-function torque(motion: Motion): Made[] {
-  if (motion.torque === null) return [];
-  const lines = vector(motion, motion.torque, ["Nx", "Ny", "Nz"], "|N|");
-  return [{ ...plain, id: "torque", title: "Torque, body axes", quantity: "N", unit: "N·m", lines }];
+function torque(motion: Motion, rows: Float64Array): () => Made {
+  return () => {
+    const lines = vector(motion, rows, ["Nx", "Ny", "Nz"], "|N|");
+    return { ...plain, id: "torque", title: "Torque, body axes", quantity: "N", unit: "N·m", lines };
+  };
 }
 
-/** Momenta and speeds; none without a wheel. */
-function wheels({ wheels }: Motion): Made[] {
-  const line = (symbol: string, name: string, values: Float64Array, k: number): Line => ({
-    symbol: wheels.length > 1 ? `${symbol} of ${name}` : symbol,
-    label: name,
-    values,
-    ...look(k),
-  });
-  const h = wheels.map(({ name, momentum }, k) => line("h", name, momentum, k));
-  const speeds = wheels.flatMap(({ name, speed }, k) => (speed ? [line("Ω", name, speed, k)] : []));
-  const made: Made[] = [];
-  if (h.length > 0) {
-    made.push({ ...plain, id: "wheels", title: "Wheels, momentum along their axes", quantity: "h", unit: "kg·m²/s", lines: h });
-  }
-  if (speeds.length > 0) {
-    made.push({ ...plain, id: "wheel-speeds", title: "Wheels, speed in the body", quantity: "Ω", unit: "rad/s", lines: speeds });
-  }
-  return made;
+function wheelMomenta({ wheels }: Motion): Made {
+  const lines = wheels.map(({ name, momentum }, k) => wheelLine("h", name, momentum, k, wheels.length));
+  return { ...plain, id: "wheels", title: "Wheels, momentum along their axes", quantity: "h", unit: "kg·m²/s", lines };
 }
 
-function drift(motion: Motion): Made[] {
+function wheelSpeeds({ wheels }: Motion): Made {
+  const lines = wheels.flatMap(({ name, speed }, k) => (speed ? [wheelLine("Ω", name, speed, k, wheels.length)] : []));
+  return { ...plain, id: "wheel-speeds", title: "Wheels, speed in the body", quantity: "Ω", unit: "rad/s", lines };
+}
+
+function wheelLine(symbol: string, name: string, values: Float64Array, k: number, of: number): Line {
+  return { symbol: of > 1 ? `${symbol} of ${name}` : symbol, label: name, values, ...look(k) };
+}
+
+const isRelative = ({ name }: { name: string }): boolean => name !== ATTITUDE_ERROR;
+
+const DOTS = "A dot for each sample, a line for the largest so far.";
+
+function drift(motion: Motion): Made {
   const inks = ["omega", "ink", "torque", "axis-1", "axis-3", "axis-2"];
-  const relative = motion.drift.filter(({ name }) => name !== ATTITUDE_ERROR);
-  const lines = relative.map(({ name, values }, k) => ({
+  const lines = motion.drift.filter(isRelative).map(({ name, values }, k) => ({
     symbol: name,
     label: name,
     ink: inks[k % inks.length],
     values: values.map(Math.abs),
   }));
-  const note = "A dot for each sample, a line for the largest so far.";
-  const made: Made[] = [];
-  if (lines.length > 0) made.push({ id: "drift", title: "Drift of what should stay", quantity: "drift", unit: "relative", log: true, lines, note });
-  for (const { name, values } of motion.drift) {
-    if (name !== ATTITUDE_ERROR) continue;
-    const error: Line = { symbol: "the attitude", label: "attitude", ink: "ink", values: values.map(Math.abs) };
-    made.push({ id: "attitude-error", title: "Estimated error of the attitude", quantity: "error", unit: "rad", log: true, lines: [error], note });
-  }
-  return made;
+  return { id: "drift", title: "Drift of what should stay", quantity: "drift", unit: "relative", log: true, lines, note: DOTS };
+}
+
+function attitudeError(motion: Motion): Made {
+  const errors = motion.drift.filter((one) => !isRelative(one));
+  const lines = errors.map(({ values }): Line => ({ symbol: "the attitude", label: "attitude", ink: "ink", values: values.map(Math.abs) }));
+  return { id: "attitude-error", title: "Estimated error of the attitude", quantity: "error", unit: "rad", log: true, lines, note: DOTS };
 }
 
 const plain = { log: false };
@@ -177,12 +193,20 @@ function samples(count: number): string {
   return count === 1 ? "sample" : `${count} samples`;
 }
 
-function rotated(rows: Float64Array, by: (i: number) => Quaternion): Float64Array {
+/** Rows of three by one rotation, or each by its own. */
+function rotated(rows: Float64Array, by: ArrayLike<number>): Float64Array {
   const out = new Float64Array(rows.length);
-  for (let i = 0; 3 * i < rows.length; i += 1) out.set(rotate(by(i), at(rows, i)), 3 * i);
+  const step = by.length === 4 ? 0 : 4;
+  for (let i = 0; 3 * i < rows.length; i += 1) writeRotated(by, step * i, rows, 3 * i, out, 3 * i);
   return out;
 }
 
+function inverses(attitudes: Float64Array): Float64Array {
+  return attitudes.map((c, i) => (i % 4 === 0 ? c : -c));
+}
+
 function column(rows: Float64Array, k: number): Float64Array {
-  return Float64Array.from({ length: rows.length / 3 }, (_, i) => at(rows, i)[k]);
+  const out = new Float64Array(rows.length / 3);
+  for (let i = 0; i < out.length; i += 1) out[i] = rows[3 * i + k];
+  return out;
 }

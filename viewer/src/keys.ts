@@ -7,16 +7,19 @@ import type { View } from "./scene/scene";
 const TURN = 0.12;
 const PICTURES: Record<string, Picture> = { "1": "body", "2": "poinsot", "3": "cones", "4": "sphere" };
 
-export function keys(clock: Clock, view: View | null, show: (picture: Picture) => void): void {
+/** `more`: what other keys do. */
+export function keys(clock: Clock, view: View | null, show: (picture: Picture) => void, more: Map<string, () => void>): void {
   const help = byId<HTMLDialogElement>("help");
   document.addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey || document.querySelector("dialog[open]")) return;
     const target = event.target instanceof HTMLElement ? event.target : document.body;
-    if (target.closest("select, textarea, input:not([type=range])")) return;
+    if (event.defaultPrevented || target.closest("select, textarea, input:not([type=range]), [contenteditable=true]")) return;
     // Space presses a button that has the focus, and arrows scroll what scrolls.
     if (event.key === " " && target.closest("button, summary, a")) return;
     if (event.key.startsWith("Arrow") && !event.shiftKey && target.closest("pre, .formula, .table")) return;
-    if (act(event.key, event.shiftKey, clock, view, show, help)) event.preventDefault();
+    const own = more.get(event.key);
+    own?.();
+    if (own || act(event.key, event.shiftKey, clock, view, show, help)) event.preventDefault();
   });
 }
 

@@ -3,7 +3,7 @@
  * through its neighbours, momentum is linear in space, and torque in space or in the body, where it changes less.
  */
 import type { MotionData } from "./data";
-import { between, makeContinuous, type Quaternion, rotate, type Vector } from "./attitude";
+import { between, makeContinuous, type Quaternion, rotate, type Vector, writeRotated } from "./attitude";
 import { indexAt } from "./clock";
 import { BadData, f64 } from "./decode";
 
@@ -93,17 +93,19 @@ export class Motion {
   #settle(): void {
     let size = Math.max(...this.wheels.map(({ momentum }) => largest(momentum)), 0);
     for (let i = 0; i < this.count; i += 1) {
-      const rate = length(at(this.omega, i));
+      const rate = lengthAt(this.omega, i);
       if (rate > 0) size = Math.max(size, (2 * this.kinetic[i]) / rate);
     }
     if (largest(this.momentum) <= ZERO * size) this.momentum.fill(0);
   }
 
   #nutates(): boolean {
+    const omega = new Float64Array(3);
     for (let i = 0; i < this.count; i += 1) {
-      const [omega, momentum] = [rotate(this.attitudeOf(i), at(this.omega, i)), at(this.momentum, i)];
-      const size = length(omega) * length(momentum);
-      const along = omega.reduce((sum, w, k) => sum + w * momentum[k], 0);
+      writeRotated(this.attitude, 4 * i, this.omega, 3 * i, omega, 0);
+      const size = lengthAt(omega, 0) * lengthAt(this.momentum, i);
+      let along = 0;
+      for (let k = 0; k < 3; k += 1) along += omega[k] * this.momentum[3 * i + k];
       // cos α = 1 − α²/2
       if (size > 0 && 1 - Math.abs(along / size) > 0.5 * PARALLEL * PARALLEL + 4 * Number.EPSILON) return true;
     }
@@ -111,17 +113,28 @@ export class Motion {
   }
 
   at(time: number): Moment {
-    const i = Math.min(indexAt(this.times, time), Math.max(this.count - 2, 0));
-    const j = Math.min(i + 1, this.count - 1);
-    const step = this.times[j] - this.times[i];
-    const part = step > 0 ? Math.min(Math.max((time - this.times[i]) / step, 0), 1) : 0;
-    const attitude = between(this.attitudeOf(i), at(this.omega, i), this.attitudeOf(j), at(this.omega, j), step, part);
+    const { i, j, part } = this.#place(time);
+    const attitude = this.attitudeAt(time);
     return {
       attitude,
       omega: this.#cubic(i, j, part),
       momentum: linear(this.momentum, i, j, part),
       torque: this.torque === null ? null : this.#torqueAt(this.torque, i, j, part, attitude),
     };
+  }
+
+  attitudeAt(time: number): Quaternion {
+    const { i, j, part } = this.#place(time);
+    const step = this.times[j] - this.times[i];
+    return between(this.attitudeOf(i), at(this.omega, i), this.attitudeOf(j), at(this.omega, j), step, part);
+  }
+
+  // Between which samples, and how far.
+  #place(time: number): { i: number; j: number; part: number } {
+    const i = Math.min(indexAt(this.times, time), Math.max(this.count - 2, 0));
+    const j = Math.min(i + 1, this.count - 1);
+    const step = this.times[j] - this.times[i];
+    return { i, j, part: step > 0 ? Math.min(Math.max((time - this.times[i]) / step, 0), 1) : 0 };
   }
 
   attitudeOf(i: number): Quaternion {
@@ -132,7 +145,7 @@ export class Motion {
   /** The mean of |ω|, rad/s. */
   meanRate(): number {
     let sum = 0;
-    for (let i = 0; i < this.telling; i += 1) sum += length(at(this.omega, i));
+    for (let i = 0; i < this.telling; i += 1) sum += lengthAt(this.omega, i);
     return sum / this.telling;
   }
 
@@ -187,10 +200,14 @@ export function length(v: Vector): number {
   return Math.hypot(v[0], v[1], v[2]);
 }
 
+function lengthAt(rows: Float64Array, i: number): number {
+  return Math.hypot(rows[3 * i], rows[3 * i + 1], rows[3 * i + 2]);
+}
+
 /** The lengths of rows of three. */
 export function lengths(rows: Float64Array): Float64Array {
   const out = new Float64Array(rows.length / 3);
-  for (let i = 0; i < out.length; i += 1) out[i] = length(at(rows, i));
+  for (let i = 0; i < out.length; i += 1) out[i] = lengthAt(rows, i);
   return out;
 }
 
@@ -219,8 +236,11 @@ function beforeRunAway(values: Float64Array): number {
 
 function largestTurn(times: Float64Array, omega: Float64Array): number {
   let largest = 0;
+  let before = lengthAt(omega, 0);
   for (let i = 1; i < times.length; i += 1) {
-    largest = Math.max(largest, (times[i] - times[i - 1]) * Math.max(length(at(omega, i - 1)), length(at(omega, i))));
+    const rate = lengthAt(omega, i);
+    largest = Math.max(largest, (times[i] - times[i - 1]) * Math.max(before, rate));
+    before = rate;
   }
   return largest;
 }

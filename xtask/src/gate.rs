@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use crate::process::{self, cargo};
 use crate::{
-    Outcome, api, circles, dependencies, examples, layers, packages, python, readme, solutions, viewer,
+    Outcome, api, book, circles, dependencies, examples, layers, packages, python, readme, solutions, viewer,
 };
 
 /// A name and a task.
@@ -30,10 +30,7 @@ const THEN: [Step; 5] = [
         let test = ["test", "--profile", "dev", "--locked", "--package", "polhode", "--test", "interop"];
         process::run(cargo(&test).args(["--features", FEATURES]))
     }),
-    ("documentation", || {
-        let doc = ["doc", "--workspace", "--lib", "--no-deps", "--locked"];
-        process::run(cargo(&doc).env("RUSTDOCFLAGS", "-D warnings"))
-    }),
+    ("documentation", book::document_crates),
     ("public names", api::check),
     ("examples", examples::check),
     ("README", readme::check),
@@ -51,11 +48,14 @@ pub(crate) fn run() -> Outcome {
         let environment = scope.spawn(python::environment);
         FIRST.iter().try_for_each(run_step)?;
         let environment = joined(environment)?;
+        let book = scope.spawn(book::environment);
         let pandoc = environment.pandoc()?;
         let python = scope.spawn(|| timed("Python", || python::check_in(environment)));
         THEN.iter().try_for_each(run_step)?;
+        timed("book", || book::build_in(&joined(book)?))?;
         joined(python)?;
         joined(viewer)?;
+        timed("live page", viewer::check_live)?;
         timed("worked solutions", || solutions::check(&pandoc))
     })?;
     println!("\nall passed in {:.0} s", start.elapsed().as_secs_f64());

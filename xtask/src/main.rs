@@ -1,6 +1,7 @@
 //! The tasks of this workspace: `cargo xtask test` is everything that has to pass before a change lands.
 
 mod api;
+mod book;
 mod circles;
 mod dependencies;
 mod examples;
@@ -31,6 +32,7 @@ usage: cargo xtask TASK
   readme     the README's commands
   packages   every crate as a package, with licences and nothing from outside
   api        the public names of the core crate, compared with crates/polhode/api.txt; --write takes them over
+  book       the book as a site in target/book, its links checked; --open shows it
   speed      measures anew what book/speed.md, work-precision.md and mass-properties.md say; needs python3 and what it compares with
   viewer     the page's viewer: its bundle is the build of its source, and its tests pass in a browser
   python     the Python package: its wheel is built, and its tests and examples pass from there
@@ -47,8 +49,10 @@ fn main() -> ExitCode {
         ["packages"] => packages::check(),
         ["api"] => api::check(),
         ["api", "--write"] => api::write(),
+        ["book"] => book::build(false),
+        ["book", "--open"] => book::build(true),
         ["speed"] => speed::measure(),
-        ["viewer"] => viewer::check(),
+        ["viewer"] => viewer::check().and_then(|()| viewer::check_live()),
         ["python"] => python::check(),
         ["solutions"] => python::environment().and_then(|python| solutions::check(&python.pandoc()?)),
         ["help" | "--help" | "-h"] => {

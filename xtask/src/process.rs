@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crate::{Outcome, root};
+use crate::{Outcome, root, short};
 
 /// Cargo, at the root.
 pub(crate) fn cargo(arguments: &[&str]) -> Command {
@@ -49,12 +49,12 @@ pub(crate) fn polhode() -> Result<PathBuf, String> {
 /// of what it depends on, and compile all of that once more.
 pub(crate) fn program(name: &str) -> Result<PathBuf, String> {
     run(&mut cargo(&["test", "--workspace", "--no-run", "--quiet", "--locked"]))?;
-    Ok(beside_xtask()?.join(format!("{name}{}", std::env::consts::EXE_SUFFIX)))
+    Ok(build_folder()?.join(format!("{name}{}", std::env::consts::EXE_SUFFIX)))
 }
 
 /// An empty folder in the build folder.
 pub(crate) fn empty_folder(name: &str) -> Result<PathBuf, String> {
-    let folder = beside_xtask()?.join("xtask-tmp").join(name);
+    let folder = build_folder()?.join("xtask-tmp").join(name);
     let failed = |error| format!("{}: {error}", folder.display());
     if folder.exists() {
         std::fs::remove_dir_all(&folder).map_err(failed)?;
@@ -64,9 +64,25 @@ pub(crate) fn empty_folder(name: &str) -> Result<PathBuf, String> {
 }
 
 /// The folder of built programs, wherever cargo was told to put it: this one is there too.
-fn beside_xtask() -> Result<PathBuf, String> {
+pub(crate) fn build_folder() -> Result<PathBuf, String> {
     let this = std::env::current_exe().map_err(|error| format!("where is this program? {error}"))?;
     Ok(this.parent().unwrap_or(Path::new(".")).to_owned())
+}
+
+/// Copies a folder with all that is in it.
+pub(crate) fn copy(from: &Path, to: &Path) -> Outcome {
+    let failed = |error| format!("{}: {error}", short(from));
+    std::fs::create_dir_all(to).map_err(failed)?;
+    for entry in std::fs::read_dir(from).map_err(failed)? {
+        let entry = entry.map_err(failed)?;
+        let (from, to) = (entry.path(), to.join(entry.file_name()));
+        if from.is_dir() {
+            copy(&from, &to)?;
+        } else {
+            std::fs::copy(&from, &to).map_err(failed)?;
+        }
+    }
+    Ok(())
 }
 
 /// A command as one would type it.

@@ -11,6 +11,9 @@ use crate::{Outcome, files, root};
 /// The oldest Python that the tests run with; the package is for 3.10 too.
 const PYTHON: (u32, u32) = (3, 11);
 
+/// Where a virtual environment has it.
+pub(crate) const EXECUTABLE: &str = if cfg!(windows) { "Scripts/python.exe" } else { "bin/python" };
+
 /// What the tests need besides the package: what it uses where it is there, Dask for the cluster, and pandoc for worked solutions.
 const NEEDED: [&str; 7] =
     ["pytest", "scipy", "matplotlib", "mypy", "pyarrow", "distributed", "pypandoc_binary"];
@@ -56,7 +59,8 @@ pub(crate) fn check_in(Environment { folder, python }: Environment) -> Outcome {
     run_beside(here(&["-m", "pytest", "-q", "-c"]).arg(&settings).args(documented))?;
     let book = root().join("book");
     let pages = ["python.md", "clusters.md"].map(|page| book.join(page));
-    let pages = pages.into_iter().chain(files(&book.join("cookbook"), "md")?);
+    let followed = [files(&book.join("cookbook"), "md")?, files(&book.join("tutorials"), "md")?];
+    let pages = pages.into_iter().chain(followed.concat());
     run_beside(here(&["-m", "pytest", "-q", "--doctest-glob=*.md", "-c"]).arg(&settings).args(pages))?;
     run_beside(here(&["-m", "mypy", "--config-file"]).arg(&settings).args(["-p", "polhode"]))?;
     for example in files(&root().join("examples/python"), "py")? {
@@ -84,19 +88,23 @@ impl Environment {
 /// Makes one.
 pub(crate) fn environment() -> Result<Environment, String> {
     let folder = empty_folder("python")?;
-    let hint = "the Python package is tested with Python 3.11 or later with venv, https://python.org";
+    let python = make(&folder.join("venv"))?;
+    run(Command::new(&python).args(["-m", "pip", "install", "--quiet"]).args(NEEDED))?;
+    Ok(Environment { folder, python })
+}
+
+/// Makes a virtual environment, and returns its Python.
+pub(crate) fn make(environment: &Path) -> Result<PathBuf, String> {
+    let hint = "Python 3.11 or later with venv is needed, https://python.org";
     let system = if cfg!(windows) { "python" } else { "python3" };
     let version = output(Command::new(system).arg("--version")).map_err(|why| format!("{why}\n{hint}"))?;
     if version_of(&version).is_none_or(|version| version < PYTHON) {
         return Err(format!("{}: {hint}", version.trim()));
     }
-    let environment = folder.join("venv");
-    let make = || output(Command::new(system).args(["-m", "venv"]).arg(&environment));
+    let make = || output(Command::new(system).args(["-m", "venv"]).arg(environment));
     // Debian's Python has no venv until it is asked for.
     make().or_else(|_| install_venv().and_then(|()| make())).map_err(|why| format!("{why}\n{hint}"))?;
-    let python = environment.join(if cfg!(windows) { "Scripts/python.exe" } else { "bin/python" });
-    run(Command::new(&python).args(["-m", "pip", "install", "--quiet"]).args(NEEDED))?;
-    Ok(Environment { folder, python })
+    Ok(environment.join(EXECUTABLE))
 }
 
 fn install_venv() -> Outcome {

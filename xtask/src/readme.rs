@@ -3,8 +3,8 @@
 use std::path::Path;
 use std::process::Command;
 
-use crate::process::{empty_folder, output, polhode};
-use crate::{Outcome, read, root, short};
+use crate::process::{copy, empty_folder, output, polhode};
+use crate::{Outcome, read, root};
 
 /// Runs every `polhode` command of the README in a copy of examples/; what `cargo run` would build is built already.
 pub(crate) fn check() -> Outcome {
@@ -59,21 +59,6 @@ fn commands(markdown: &str) -> Vec<String> {
         }
     }
     found
-}
-
-fn copy(from: &Path, to: &Path) -> Outcome {
-    let failed = |error| format!("{}: {error}", short(from));
-    std::fs::create_dir_all(to).map_err(failed)?;
-    for entry in std::fs::read_dir(from).map_err(failed)? {
-        let entry = entry.map_err(failed)?;
-        let (from, to) = (entry.path(), to.join(entry.file_name()));
-        if from.is_dir() {
-            copy(&from, &to)?;
-        } else {
-            std::fs::copy(&from, &to).map_err(failed)?;
-        }
-    }
-    Ok(())
 }
 
 #[cfg(test)]

@@ -19,14 +19,22 @@ const CHROMIUM: [&str; 4] = ["chromium", "chromium-browser", "google-chrome-stab
 pub(crate) fn check() -> Outcome {
     node()?;
     let chromium = chromium()?;
-    let npm = |arguments: &[&str]| {
-        let mut npm = Command::new(if cfg!(windows) { "npm.cmd" } else { "npm" });
-        npm.args(arguments).current_dir(root().join("viewer"));
-        npm
-    };
     run_beside(&mut npm(&["ci", "--no-audit", "--no-fund"]))?;
-    // It begins with the types, and that crates/polhode-report/assets/viewer.html is the build.
+    // It begins with the types, and that crates/polhode-report/assets/viewer.html and crates/polhode-live/assets are the builds.
     run_beside(npm(&["test"]).env("CHROMIUM", chromium))
+}
+
+/// Runs the tests of the live page in a browser, with the command that the tests have built, after [`check`].
+pub(crate) fn check_live() -> Outcome {
+    let name = format!("polhode{}", std::env::consts::EXE_SUFFIX);
+    let command = root().join("target/debug").join(name);
+    run_beside(npm(&["run", "test:live"]).env("CHROMIUM", chromium()?).env("POLHODE", command))
+}
+
+fn npm(arguments: &[&str]) -> Command {
+    let mut npm = Command::new(if cfg!(windows) { "npm.cmd" } else { "npm" });
+    npm.args(arguments).current_dir(root().join("viewer"));
+    npm
 }
 
 fn node() -> Outcome {

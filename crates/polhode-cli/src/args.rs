@@ -1,5 +1,7 @@
 //! What the command line can say. Help, completions and the man page come from here.
 
+use std::ffi::OsString;
+
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{CommandFactory as _, Parser, Subcommand};
 
@@ -7,6 +9,8 @@ use crate::check::Check;
 use crate::explain::Explain;
 use crate::failure::Failure;
 use crate::inertia::Inertia;
+#[cfg(feature = "live")]
+use crate::live::Live;
 use crate::new::New;
 use crate::shell::{Completions, Man};
 use crate::simulate::Simulate;
@@ -47,6 +51,8 @@ pub(crate) enum Command {
     Torque(Torque),
     Sweep(Sweep),
     Explain(Explain),
+    #[cfg(feature = "live")]
+    Live(Live),
     Completions(Completions),
     Man(Man),
 }
@@ -63,6 +69,8 @@ impl Command {
             Self::Torque(command) => command.run(),
             Self::Sweep(command) => command.run(),
             Self::Explain(command) => command.run(),
+            #[cfg(feature = "live")]
+            Self::Live(command) => command.run(),
             Self::Completions(command) => command.run(Polhode::command()),
             Self::Man(command) => command.run(Polhode::command()),
         }
@@ -71,11 +79,11 @@ impl Command {
 
 /// What is refused, with a tip that helps. Of a value that begins with `-` clap says to put `--` before it: that is right of a file, and
 /// wrong of what belongs to an option.
-pub(crate) fn with_tip(mut refusal: clap::Error) -> clap::Error {
+pub(crate) fn with_tip(mut refusal: clap::Error, given: &[OsString]) -> clap::Error {
     let Some(ContextValue::String(found)) = refusal.get(ContextKind::InvalidArg).cloned() else {
         return refusal;
     };
-    let given: Vec<String> = std::env::args_os().map(|text| text.to_string_lossy().into_owned()).collect();
+    let given: Vec<String> = given.iter().map(|text| text.to_string_lossy().into_owned()).collect();
     let joined = given.windows(2).find_map(|pair| match pair {
         [option, value] if value.starts_with(&found) && takes_value(&given, option) => {
             let quote = if value.contains(char::is_whitespace) { "\"" } else { "" };

@@ -3,7 +3,6 @@
 use std::fmt::Write as _;
 use std::io;
 use std::path::Path;
-use std::process::ExitCode;
 
 use polhode::motion::MotionError;
 use polhode_formats::{FormatError, Place};
@@ -72,9 +71,9 @@ impl Failure {
     }
 
     /// Prints the failure and gives the exit status.
-    pub(crate) fn report(self) -> ExitCode {
+    pub(crate) fn report(&self) -> u8 {
         tell(&self.text());
-        ExitCode::from(self.status())
+        self.status()
     }
 
     /// The exit status. Of several failures the worst: 2, what cannot be read or written, is worse than 3, what cannot be computed, and

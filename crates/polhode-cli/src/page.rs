@@ -44,6 +44,7 @@ impl Page<'_> {
                     subject: PageSubject::Scenario(scenario),
                     trajectory,
                     explanation: explanation.as_ref(),
+                    shapes: true,
                 })
             }
             Shown::Moments(principal) => page(&PageInput {
@@ -53,6 +54,7 @@ impl Page<'_> {
                 subject: PageSubject::Moments(principal),
                 trajectory,
                 explanation: None,
+                shapes: true,
             }),
         }
     }

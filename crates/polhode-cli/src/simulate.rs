@@ -121,7 +121,10 @@ impl Simulate {
         let end = scenario.run().and_then(|run| run.times.last().copied()).unwrap_or_default();
         let mut progress = Progress::new(end);
         let effort = if self.error { ErrorEffort::Thorough } else { ErrorEffort::Auto };
-        match scenario.simulate_with_error(effort, &mut |time| progress.reached(time)) {
+        match scenario.simulate_with_error(effort, &mut |time| {
+            progress.reached(time);
+            true
+        }) {
             Some(motion) => motion.map_err(|error| match file.placed(&error) {
                 Some(placed) => placed.into(),
                 None => Failure::Motion { path, error },

@@ -41,7 +41,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let timed = |effort: Option<ErrorEffort>| {
             least(|| match effort {
                 None => scenario.simulate(),
-                Some(effort) => scenario.simulate_with_error(effort, &mut |_| {}),
+                Some(effort) => scenario.simulate_with_error(effort, &mut |_| true),
             })
         };
         let (own, cheap, thorough) =

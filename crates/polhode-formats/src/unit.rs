@@ -107,6 +107,59 @@ pub(crate) fn unit_of(text: &str) -> &str {
     split(text.trim()).map_or("", |split| split.unit)
 }
 
+/// The number of a number and its unit, in one piece; `None` of what does not begin with one.
+pub(crate) fn number_of(text: &str) -> Option<String> {
+    split(text.trim()).map(|split| split.number)
+}
+
+/// Units that people write for a quantity, the one of SI first.
+pub(crate) fn units_of(dimension: Dimension) -> Vec<&'static str> {
+    let compound = COMPOUND.iter().copied().filter(|unit| {
+        measured_apart("1", unit).is_ok_and(|(_, found)| found == dimension && dimension != Dimension::NONE)
+    });
+    table::names_of(dimension).chain(compound).collect()
+}
+
+/// Products of units that people write.
+const COMPOUND: [&str; 36] = [
+    "m^3",
+    "cm^3",
+    "mm^3",
+    "in^3",
+    "m/s",
+    "km/h",
+    "ft/s",
+    "m/s^2",
+    "rad/s",
+    "deg/s",
+    "rev/s",
+    "deg/h",
+    "rad/s^2",
+    "deg/s^2",
+    "kg/m^3",
+    "g/cm^3",
+    "lb/in^3",
+    "kg/m^2",
+    "g/m^2",
+    "kg/m",
+    "g/m",
+    "kg m^2",
+    "g cm^2",
+    "kg mm^2",
+    "slug ft^2",
+    "lb in^2",
+    "kg m^2/s",
+    "N m",
+    "mN m",
+    "lbf ft",
+    "m^3/s^2",
+    "A m^2",
+    "mA m^2",
+    "N m/rad",
+    "N m s/rad",
+    "N m s^2/rad^2",
+];
+
 /// True of a number with a unit; a formula such as `3*t` is none.
 fn has_unit(text: &str) -> bool {
     split(text.trim()).is_some_and(|Split { unit, .. }| {

@@ -141,6 +141,7 @@ impl PyFreeMotion {
                 subject: PageSubject::Moments(self.motion.principal()),
                 trajectory: &trajectory,
                 explanation: None,
+                shapes: true,
             }))
         })
     }

@@ -6,6 +6,9 @@ use serde_json::{Value, json};
 use crate::layout::labelled;
 use crate::number::error;
 
+/// An attitude with an error beyond this, rad, has no digit that is right: the finding `motion.error` begins there too.
+pub(crate) const LARGEST_ATTITUDE: f64 = 0.1;
+
 /// The error at the end, in a line; and what the last bit of the inputs is worth. Nothing without an estimate.
 pub(crate) fn to_text(trajectory: &Trajectory) -> String {
     let Some(estimate) = trajectory.error() else { return String::new() };

@@ -68,13 +68,19 @@ pub(crate) fn vector(values: [f64; 3], digits: usize) -> String {
     format!("({x}, {y}, {z})")
 }
 
-/// A number with an error: no digit beyond the first that the error changes, at most `digits`; 0 where the error is larger.
+/// A number with an error: no digit beyond the first that the error changes, at most `digits`; 0 where the error is larger, which whoever shows
+/// it rules out ([`has_digits`]) unless other numbers stand beside it.
 pub(crate) fn within(x: f64, error: f64, digits: usize) -> String {
     if !(error > 0.0) || x == 0.0 || !x.is_finite() {
         return number(x, digits);
     }
     let spare = (x.abs() / error).log10().floor();
     if spare < 0.0 { "0".to_owned() } else { number(x, digits.min(spare as usize + 1)) }
+}
+
+/// Whether an error leaves a digit of the size of a number or of a vector.
+pub(crate) fn has_digits(size: f64, error: f64) -> bool {
+    error < size || error == 0.0
 }
 
 /// `(x, y, z)`, each with the same error.

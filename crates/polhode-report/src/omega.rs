@@ -2,7 +2,7 @@
 
 use polhode::math::{AngularVelocity, Body};
 
-use crate::number::{tidy, vector_within};
+use crate::number::{has_digits, tidy, vector_within};
 use crate::unit::{DIGITS, rate_within};
 
 /// `ω = (0.01, 1, 0.01) rad/s in body axes, |ω| = 1.0001 rad/s (57.3015 deg/s)`
@@ -14,6 +14,9 @@ pub(crate) fn in_words(omega: AngularVelocity<Body>) -> String {
 pub(crate) fn in_words_within(omega: AngularVelocity<Body>, error: f64) -> String {
     if omega.norm() == 0.0 {
         return "at rest: ω = 0".to_owned();
+    }
+    if !has_digits(omega.norm(), error) {
+        return "no digit of ω is right (estimate)".to_owned();
     }
     let shown = vector_within(tidy(omega.to_array()), error, DIGITS);
     format!("ω = {shown} rad/s in body axes, |ω|\u{a0}=\u{a0}{}", rate_within(omega.norm(), error))

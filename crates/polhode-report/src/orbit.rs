@@ -5,24 +5,28 @@ use std::f64::consts::TAU;
 use polhode::motion::{Orbit, Pointing, Reference, Sample, Scenario, State};
 use serde_json::{Map, Value, json};
 
+use crate::global_error::LARGEST_ATTITUDE;
 use crate::json::{numbers, vector};
 use crate::layout::labelled;
-use crate::number::number;
 use crate::number::vector as shown;
+use crate::number::{has_digits, number};
 
-/// The orbit, and each of the angles that are of interest.
-pub(crate) fn to_text(scenario: &Scenario, samples: &[Sample]) -> String {
+/// The orbit, and each of the angles that are of interest; of the attitude at the end, which has an error (rad), the digits that are right.
+pub(crate) fn to_text(scenario: &Scenario, samples: &[Sample], error: f64) -> String {
+    let is_known = has_digits(LARGEST_ATTITUDE, error);
     let mut text = scenario.orbit().map_or_else(String::new, |orbit| labelled("orbit", &in_words(orbit)));
     if let (Some(orbit), [first, .., last]) = (scenario.orbit(), samples) {
         let [from, to] = [first, last].map(|sample| degrees(on_orbit(orbit, &sample.state)));
+        let to = if is_known { to } else { "(unknown)".to_owned() };
         text.push_str(&labelled("", &format!("roll, pitch, yaw {from} → {to}°, in its axes (3-2-1)")));
     }
     for pointing in scenario.pointings() {
         let Some(angles) = Angles::of(pointing, samples) else { continue };
         let [start, end, largest] =
             [angles.start, angles.end, angles.largest].map(|angle| number(angle.to_degrees(), 4));
+        let end = if is_known { format!("{end}°") } else { "unknown".to_owned() };
         let line = format!(
-            "{} of the body to {}: {start}° → {end}°, at most {largest}° at t = {} s (of the samples)",
+            "{} of the body to {}: {start}° → {end}, at most {largest}° at t = {} s (of the samples)",
             shown(pointing.body().to_array(), 4),
             to(pointing),
             number(angles.time, 6),

@@ -5,6 +5,13 @@ import OFL from "../../../crates/polhode-report/assets/stix-two-math.OFL.txt";
 declare const THREE_VERSION: string;
 declare const UPLOT_VERSION: string;
 declare const OMGGIF_VERSION: string;
+/** Of the page of `polhode live`: its version of CodeMirror's view; empty in the page that is one file. */
+declare const CODEMIRROR_VERSION: string;
+
+const WHAT =
+  CODEMIRROR_VERSION === ""
+    ? "This page is one file. It needs no network and asks for none; it can be sent and kept as it is."
+    : "This page is polhode’s own, on this computer: it asks nobody else. To keep a motion, save its scenario, or write a page with polhode simulate --html.";
 
 const MIT =
   "Permission is hereby granted, free of charge, to any person obtaining a copy of this software and associated documentation files " +
@@ -19,7 +26,7 @@ const MIT =
 
 export function about(host: HTMLElement, source: string): void {
   host.append(
-    element("p", {}, "This page is one file. It needs no network and asks for none; it can be sent and kept as it is."),
+    element("p", {}, WHAT),
     element("p", { class: "hint" }, "Made by: ", element("code", {}, source)),
     element("h3", {}, "Conventions"),
     list([
@@ -34,6 +41,7 @@ export function about(host: HTMLElement, source: string): void {
     element("p", {}, `three.js ${THREE_VERSION}: MIT licence, copyright © 2010–2026 three.js authors.`),
     element("p", {}, `uPlot ${UPLOT_VERSION}: MIT licence, copyright © 2022 Leon Sorokin.`),
     element("p", {}, `omggif ${OMGGIF_VERSION}: MIT licence, copyright © 2013 Dean McNamee.`),
+    ...(CODEMIRROR_VERSION === "" ? [] : [element("p", {}, `CodeMirror ${CODEMIRROR_VERSION} with style-mod, w3c-keyname, crelt, Lezer and find-cluster-break: MIT licence, copyright © 2018–2026 Marijn Haverbeke and others.`)]),
     element("p", {}, "STIX Two Math, a part of it: SIL Open Font License 1.1, copyright © 2001–2021 The STIX Fonts Project Authors."),
     element("details", {}, element("summary", {}, "The MIT licence"), element("p", { class: "licence" }, MIT)),
     element("details", {}, element("summary", {}, "The SIL Open Font License"), element("p", { class: "licence" }, OFL)),

@@ -13,8 +13,14 @@ const PICTURES: Record<Picture, string> = {
 };
 const TRAILS: Record<Trailed, string> = { "axis-1": "x axis", "axis-2": "y axis", "axis-3": "z axis", omega: "tip of ω" };
 
-/** Returns what shows a picture. */
-export function legend(view: View, captions: SceneData["captions"]): (picture: Picture) => void {
+export interface Legend {
+  show: (picture: Picture) => void;
+  /** Another motion is shown, with captions of its own. */
+  update: (captions: SceneData["captions"]) => void;
+}
+
+export function legend(view: View, first: SceneData["captions"]): Legend {
+  let captions = first;
   const bar = byId("pictures");
   const host = byId("legend");
   const caption = byId("caption");
@@ -22,13 +28,18 @@ export function legend(view: View, captions: SceneData["captions"]): (picture: P
   const show = (picture: Picture): void => {
     if (!view.pictures.includes(picture)) return;
     view.show(picture);
-    for (const button of bar.querySelectorAll("button")) {
-      button.setAttribute("aria-pressed", String(button.dataset.picture === picture));
-    }
-    caption.textContent = captions[picture] ?? "";
-    fill(host, view);
     name(ride, view);
+    refresh();
   };
+  const refresh = (): void => {
+    for (const button of bar.querySelectorAll("button")) {
+      button.setAttribute("aria-pressed", String(button.dataset.picture === view.picture));
+    }
+    caption.textContent = captions[view.picture] ?? "";
+    fill(host, view);
+    filled = signature(view);
+  };
+  let filled = "";
   // Room for the tallest of them: nothing is cut off, and the picture does not jump.
   const reserve = (): void => {
     const shown = view.picture;
@@ -54,12 +65,17 @@ export function legend(view: View, captions: SceneData["captions"]): (picture: P
     width = host.clientWidth;
     reserve();
   }).observe(host);
-  for (const picture of view.pictures) {
-    const button = element("button", { type: "button", click: () => show(picture) }, PICTURES[picture]);
-    button.dataset.picture = picture;
-    bar.append(button);
-  }
-  bar.hidden = view.pictures.length < 2;
+  const offer = (): void => {
+    if (bar.children.length === view.pictures.length) return;
+    bar.replaceChildren();
+    for (const picture of view.pictures) {
+      const button = element("button", { type: "button", click: () => show(picture) }, PICTURES[picture]);
+      button.dataset.picture = picture;
+      bar.append(button);
+    }
+    bar.hidden = view.pictures.length < 2;
+  };
+  offer();
   ride.addEventListener("click", () => {
     view.rides = view.rides === "space" ? "body" : "space";
     view.invalidate();
@@ -68,7 +84,21 @@ export function legend(view: View, captions: SceneData["captions"]): (picture: P
   byId("home").addEventListener("click", () => view.orbit.home());
   show("body");
   reserve();
-  return show;
+  const update = (next: SceneData["captions"]): void => {
+    const said = captions[view.picture];
+    captions = next;
+    offer();
+    const changed = filled !== signature(view);
+    if (changed) refresh();
+    else if (said !== captions[view.picture]) caption.textContent = captions[view.picture] ?? "";
+    if (changed || caption.scrollHeight > caption.clientHeight) reserve();
+  };
+  return { show, update };
+}
+
+/** What the legend shows, in short. */
+function signature({ layers, picture, trailed }: View): string {
+  return `${picture} ${trailed} ${layers.filter(({ on }) => on[picture] !== undefined).map(({ id, label, on }) => `${id} ${label} ${on[picture]}`).join()}`;
 }
 
 function name(ride: HTMLButtonElement, view: View): void {
@@ -87,8 +117,11 @@ function fill(host: HTMLElement, view: View): void {
     const button = element("button", { type: "button", id: `layer-${layer.id}` }, swatch, layer.label);
     button.setAttribute("aria-pressed", String(layer.on[view.picture]));
     button.addEventListener("click", () => {
-      view.toggle(layer);
-      button.setAttribute("aria-pressed", String(layer.on[view.picture]));
+      // The layer of the motion that is shown now.
+      const now = view.layers.find(({ id }) => id === layer.id);
+      if (!now) return;
+      view.toggle(now);
+      button.setAttribute("aria-pressed", String(now.on[view.picture]));
     });
     // The choice stays beside its switch.
     host.append(layer.id === "trail" ? element("span", { class: "pair" }, button, trailChoice(host, view)) : button);

@@ -1,88 +1,144 @@
 /**
  * The plots beside the 3-D view. All show the same time: a line marks it, the pointer reads values, a click sets it. Dragging zooms all
- * plots, a double click shows everything again.
+ * plots, a double click shows everything again. Of a motion that takes the place of another, the plots that are seen are drawn at once,
+ * the others when they come into sight or nothing else is to be done.
  */
 import type uPlot from "uplot";
 import type { Clock } from "../clock";
-import type { BodyData, TopData } from "../data";
+import type { PageData } from "../data";
 import { element } from "../dom";
 import { fileName } from "../save/files";
-import { figuresOf } from "../figures";
+import { type FigureMaker, makersOf } from "../figures";
 import { number, timeUnit } from "../format";
 import type { Motion } from "../motion";
-import { arrange, sentences } from "../plot/arrange";
-import { type Marked, marked, marksOf } from "../plot/events";
-import { svgOf } from "../plot/figure-svg";
-import type { Figure } from "../plot/lines";
+import { marked } from "../plot/events";
 import { AxisPicture } from "./axis-picture";
 import { eventKey } from "./events";
-import { saveButtons } from "../save/plot-buttons";
-import { TimePlot } from "./time-plot";
+import { FigurePanel, type Shared } from "./figure-panel";
+import type { TimePlot } from "./time-plot";
+
+/** ms after the last change in which what is out of sight is drawn. */
+const QUIET = 300;
 
 export class Plots {
   readonly #clock: Clock;
-  readonly #plots: TimePlot[] = [];
-  readonly #marked: Marked[];
-  readonly #unit: { name: string; seconds: number };
-  readonly #readingTime: HTMLElement;
-  readonly #file: string;
-  readonly #axis: AxisPicture | null;
+  readonly #events = element("div");
+  readonly #figures = element("div");
+  readonly #readingTime = element("span", { class: "reading-time" });
+  readonly #seen = new Set<Element>();
+  readonly #watch: IntersectionObserver;
+  #panels = new Map<string, FigurePanel>();
+  /** Figures that are not drawn yet. */
+  readonly #waiting = new Map<FigurePanel, FigureMaker>();
+  #shared: Shared;
+  #axis: AxisPicture | null = null;
   /** The sample under the pointer. */
   #hovered: number | null = null;
   #width = 0;
   #zooming = false;
+  #later = 0;
 
-  constructor(host: HTMLElement, motion: Motion, body: BodyData, top: TopData | null, clock: Clock, title: string) {
+  constructor(host: HTMLElement, page: PageData, motion: Motion, clock: Clock) {
     this.#clock = clock;
-    this.#marked = marked(motion.events);
-    this.#unit = timeUnit(Math.max(Math.abs(clock.end), Math.abs(clock.start)));
-    this.#readingTime = element("span", { class: "reading-time" });
-    this.#file = fileName(title);
-    host.append(
-      element("p", { class: "hint" }, "Point to read values, click to go there, drag to zoom, double-click to see all. ", this.#readingTime),
-    );
-    if (this.#marked.length > 0) host.append(eventKey(this.#marked, motion.eventCount, clock, this.#unit));
-    const figures = figuresOf(motion, body.principal);
-    this.#axis = top ? new AxisPicture(motion, top, this.#unit, this.#file) : null;
-    figures.forEach((figure) => {
-      this.#add(host, figure, motion.times);
-      if (figure.id === "omega" && this.#axis) host.append(this.#axis.host);
-    });
-    clock.subscribe(() => this.#follow());
+    this.#shared = sharedBy(page, motion);
+    const hint = "Point to read values, click to go there, drag to zoom, double-click to see all. ";
     const ruler = element("div");
-    host.append(ruler);
+    host.append(element("p", { class: "hint" }, hint, this.#readingTime), this.#events, this.#figures, ruler);
+    this.#watch = new IntersectionObserver((entries) => {
+      for (const { target, isIntersecting } of entries) {
+        if (isIntersecting) this.#seen.add(target);
+        else this.#seen.delete(target);
+      }
+      this.#drawSeen();
+    });
+    this.#build(page, motion);
+    clock.subscribe(() => this.#follow());
     new ResizeObserver(() => this.#resize(ruler.clientWidth)).observe(ruler);
     this.#resize(ruler.clientWidth);
     this.#follow();
   }
 
-  redraw(): void {
-    for (const { plot } of this.#plots) plot.redraw(false);
+  /** Shows another motion. */
+  update(page: PageData, motion: Motion): void {
+    const before = this.#shared;
+    this.#shared = sharedBy(page, motion);
+    this.#hovered = null;
+    const makers = makersOf(motion, page.body.principal);
+    const same = makers.length === this.#panels.size && makers.every(({ id }) => this.#panels.has(id));
+    if (!same || page.top || this.#axis || before.unit.name !== this.#shared.unit.name) {
+      this.#build(page, motion);
+      this.#resize(this.#width, true);
+    } else {
+      if (before.marked.length > 0 || this.#shared.marked.length > 0) this.#listEvents(motion);
+      for (const maker of makers) {
+        const panel = this.#panels.get(maker.id);
+        if (panel) this.#waiting.set(panel, maker);
+      }
+      this.#drawSeen();
+      clearTimeout(this.#later);
+      this.#later = window.setTimeout(() => this.#drawRest(), QUIET);
+    }
+    this.#follow();
   }
 
-  #add(host: HTMLElement, figure: Figure, times: Float64Array): void {
-    const arranged = arrange(figure);
-    const { constants, stacks } = arranged;
-    const heading = element("div", { class: "plot-heading" }, element("h3", {}, figure.title));
-    const section = element("section", { class: "plot", id: `plot-${figure.id}` }, heading);
-    const said = sentences(constants, figure);
-    if (said.length > 0) section.append(element("div", { class: "constants" }, ...said.map((words) => element("p", {}, ...spans(words)))));
-    if (figure.note) section.append(element("p", { class: "hint" }, figure.note));
-    const marks = marksOf(this.#marked);
-    const made = stacks.map((stack, k) => {
-      return new TimePlot(figure, stack, times, this.#unit, marks, { isFirst: k === 0, isLast: k === stacks.length - 1 });
-    });
-    for (const { host } of made) section.append(host);
-    host.append(section);
-    for (const one of made) this.#listen(one.plot);
-    this.#plots.push(...made);
-    if (made.length === 0) return;
-    const svg = (): string => {
-      const { min, max } = made[0].plot.scales.x;
-      return svgOf(figure, arranged, times, min ?? times[0], max ?? times[times.length - 1], this.#marked);
-    };
-    const file = `${this.#file}-${figure.id}`;
-    heading.append(...saveButtons(figure.title, file, svg));
+  redraw(): void {
+    for (const { plot } of this.#plots()) plot.redraw(false);
+  }
+
+  // All of it, from nothing.
+  #build(page: PageData, motion: Motion): void {
+    for (const { host, plots } of this.#panels.values()) {
+      this.#watch.unobserve(host);
+      for (const { plot } of plots) plot.destroy();
+    }
+    this.#waiting.clear();
+    this.#seen.clear();
+    this.#axis = page.top ? new AxisPicture(motion, page.top, this.#shared.unit, this.#shared.file) : null;
+    this.#listEvents(motion);
+    const listen = (plot: uPlot): void => this.#listen(plot);
+    this.#panels = new Map(makersOf(motion, page.body.principal).map(({ id, make }) => [id, new FigurePanel(make(), this.#shared, listen)]));
+    this.#figures.replaceChildren();
+    for (const [id, { host }] of this.#panels) {
+      this.#figures.append(host);
+      if (id === "omega" && this.#axis) this.#figures.append(this.#axis.host);
+      this.#watch.observe(host);
+    }
+  }
+
+  #listEvents(motion: Motion): void {
+    const { marked, unit } = this.#shared;
+    this.#events.replaceChildren(...(marked.length > 0 ? [eventKey(marked, motion.eventCount, this.#clock, unit)] : []));
+  }
+
+  #drawSeen(): void {
+    for (const panel of this.#waiting.keys()) if (this.#seen.has(panel.host)) this.#draw(panel);
+  }
+
+  // One after the other, so that none is waited for; while the tab is closed they are not drawn.
+  #drawRest(): void {
+    const [panel] = this.#waiting.keys();
+    if (!panel || this.#figures.offsetParent === null) return;
+    this.#draw(panel);
+    this.#later = window.setTimeout(() => this.#drawRest(), 0);
+  }
+
+  #draw(panel: FigurePanel): void {
+    const maker = this.#waiting.get(panel);
+    this.#waiting.delete(panel);
+    if (!maker) return;
+    this.#zooming = true;
+    const fits = panel.update(maker.make(), this.#shared);
+    this.#zooming = false;
+    if (!fits) for (const plot of panel.plots) plot.resize(this.#width);
+    for (const plot of panel.plots) {
+      plot.mark();
+      plot.follow(this.#clock.time);
+      plot.read(this.#clock.index());
+    }
+  }
+
+  #plots(): TimePlot[] {
+    return [...this.#panels.values()].flatMap(({ plots }) => plots);
   }
 
   #listen(plot: uPlot): void {
@@ -99,15 +155,15 @@ export class Plots {
       const { min, max } = u.scales.x;
       if (min === undefined || min === null || max === undefined || max === null) return;
       this.#zooming = true;
-      for (const { plot: other } of this.#plots) if (other !== u) other.setScale("x", { min, max });
+      for (const { plot: other } of this.#plots()) if (other !== u) other.setScale("x", { min, max });
       this.#zooming = false;
-      for (const one of this.#plots) one.mark();
+      for (const one of this.#plots()) one.mark();
       this.#follow();
     });
   }
 
   #follow(): void {
-    for (const one of this.#plots) one.follow(this.#clock.time);
+    for (const one of this.#plots()) one.follow(this.#clock.time);
     this.#axis?.follow(this.#clock.time);
     if (this.#hovered === null) this.#read();
   }
@@ -115,23 +171,22 @@ export class Plots {
   // Values at the pointer, else at the time of the 3-D view.
   #read(): void {
     const i = this.#hovered ?? this.#clock.index();
-    for (const one of this.#plots) one.read(i);
-    const time = this.#clock.times[i] / this.#unit.seconds;
-    this.#readingTime.textContent = `Values at t = ${number(time, 6)} ${this.#unit.name}`;
+    for (const one of this.#plots()) one.read(i);
+    const { times, unit } = this.#shared;
+    this.#readingTime.textContent = `Values at t = ${number(times[Math.min(i, times.length - 1)] / unit.seconds, 6)} ${unit.name}`;
   }
 
-  #resize(width: number): void {
-    if (width < 50 || width === this.#width) return;
+  #resize(width: number, always = false): void {
+    if (width < 50 || (width === this.#width && !always)) return;
     this.#width = width;
-    for (const one of this.#plots) one.resize(width);
+    for (const one of this.#plots()) one.resize(width);
     this.#axis?.resize(width);
     this.#follow();
   }
 }
 
-/** Breaks a sentence before its commas' second halves only: numbers stay with their units. */
-function spans(words: string): (Node | string)[] {
-  const [first, ...rest] = words.split(", ");
-  const whole = (text: string): HTMLElement => element("span", { class: "nowrap" }, text);
-  return [whole(rest.length > 0 ? `${first},` : first), ...rest.flatMap((text) => [" ", whole(text)])];
+function sharedBy(page: PageData, motion: Motion): Shared {
+  const { times } = motion;
+  const unit = timeUnit(Math.max(Math.abs(times[times.length - 1]), Math.abs(times[0])));
+  return { times, unit, marked: marked(motion.events), file: fileName(page.title) };
 }

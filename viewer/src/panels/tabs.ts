@@ -4,47 +4,79 @@ import { element } from "../dom";
 export interface Tab {
   id: string;
   title: string;
-  fill: (host: HTMLElement) => void;
+  /** Fills the panel; what it returns brings it up to date. */
+  fill: (host: HTMLElement) => (() => void) | undefined;
 }
 
-/** A tab's panel is filled when it is first opened. */
-export function tabs(bar: HTMLElement, panels: HTMLElement, all: Tab[]): (id: string) => void {
-  const filled = new Set<string>();
-  const open = (id: string): void => {
-    for (const tab of all) {
+/** A tab's panel is filled when it is first opened, and brought up to date while it is open. */
+export class Tabs {
+  readonly #bar: HTMLElement;
+  readonly #panels: HTMLElement;
+  readonly #all: Tab[];
+  readonly #filled = new Map<string, (() => void) | undefined>();
+  readonly #stale = new Set<string>();
+  readonly #listeners: (() => void)[] = [];
+  #open = "";
+
+  constructor(bar: HTMLElement, panels: HTMLElement, all: Tab[]) {
+    this.#bar = bar;
+    this.#panels = panels;
+    this.#all = all;
+    all.forEach(({ id, title }, k) => {
+      const button = element(
+        "button",
+        { role: "tab", type: "button", id: `tab-${id}`, "aria-controls": `panel-${id}`, click: () => this.open(id) },
+        title,
+      );
+      button.addEventListener("keydown", (event) => {
+        const step = event.key === "ArrowRight" ? 1 : event.key === "ArrowLeft" ? -1 : 0;
+        if (step === 0) return;
+        event.stopPropagation();
+        event.preventDefault();
+        const next = all[(k + step + all.length) % all.length].id;
+        this.open(next);
+        bar.querySelector<HTMLElement>(`#tab-${next}`)?.focus();
+      });
+      bar.append(button);
+      panels.append(
+        element("div", { role: "tabpanel", id: `panel-${id}`, "aria-labelledby": `tab-${id}`, class: "panel", hidden: true }),
+      );
+    });
+    this.open(all[0].id);
+  }
+
+  /** The one that is open. */
+  get current(): string {
+    return this.#open;
+  }
+
+  /** Calls back when another one was opened. */
+  subscribe(listener: () => void): void {
+    this.#listeners.push(listener);
+  }
+
+  open(id: string): void {
+    this.#open = id;
+    for (const tab of this.#all) {
       const chosen = tab.id === id;
-      const button = bar.querySelector<HTMLButtonElement>(`#tab-${tab.id}`);
+      const button = this.#bar.querySelector<HTMLButtonElement>(`#tab-${tab.id}`);
       button?.setAttribute("aria-selected", String(chosen));
       if (button) button.tabIndex = chosen ? 0 : -1;
-      const panel = panels.querySelector<HTMLElement>(`#panel-${tab.id}`);
+      const panel = this.#panels.querySelector<HTMLElement>(`#panel-${tab.id}`);
       if (!panel) continue;
       panel.hidden = !chosen;
-      if (chosen && !filled.has(id)) {
-        filled.add(id);
-        tab.fill(panel);
-      }
+      if (!chosen) continue;
+      if (!this.#filled.has(id)) this.#filled.set(id, tab.fill(panel));
+      else if (this.#stale.delete(id)) this.#filled.get(id)?.();
     }
-  };
-  all.forEach(({ id, title }, k) => {
-    const button = element(
-      "button",
-      { role: "tab", type: "button", id: `tab-${id}`, "aria-controls": `panel-${id}`, click: () => open(id) },
-      title,
-    );
-    button.addEventListener("keydown", (event) => {
-      const step = event.key === "ArrowRight" ? 1 : event.key === "ArrowLeft" ? -1 : 0;
-      if (step === 0) return;
-      event.stopPropagation();
-      event.preventDefault();
-      const next = all[(k + step + all.length) % all.length].id;
-      open(next);
-      bar.querySelector<HTMLElement>(`#tab-${next}`)?.focus();
-    });
-    bar.append(button);
-    panels.append(
-      element("div", { role: "tabpanel", id: `panel-${id}`, "aria-labelledby": `tab-${id}`, class: "panel", hidden: true }),
-    );
-  });
-  open(all[0].id);
-  return open;
+    for (const listener of this.#listeners) listener();
+  }
+
+  /** What they show has changed. */
+  refresh(): void {
+    for (const id of this.#filled.keys()) {
+      if (id === this.#open) this.#filled.get(id)?.();
+      else this.#stale.add(id);
+    }
+  }
 }

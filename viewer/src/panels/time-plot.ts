@@ -4,9 +4,11 @@ import { element } from "../dom";
 import { grouped, mark, number, powerOfTen } from "../format";
 import type { Stack } from "../plot/arrange";
 import { curve, largestSoFar } from "../plot/curve";
+import { envelopes } from "../plot/envelope";
 import { labels, type Mark } from "../plot/events";
 import type { Figure, Line } from "../plot/lines";
 import { decades, extent, logRange, padded, ticks } from "../plot/scale";
+import { ink } from "../theme";
 
 /** Heights of the frame and of what is around it, px. */
 const FRAME = { alone: 126, stacked: 104 };
@@ -14,6 +16,9 @@ const ABOVE = { plain: 6, lettered: 17 };
 const BELOW = { numbers: 20, title: 17, bare: 5 };
 const LEFT = 66;
 const LETTER = 11;
+
+/** Of points of a line, px. */
+const NEAR = 0.6;
 
 export interface Place {
   /** With the letters of the events. */
@@ -25,11 +30,13 @@ export interface Place {
 export class TimePlot {
   readonly plot: uPlot;
   readonly host: HTMLElement;
-  readonly #figure: Figure;
-  readonly #stack: Stack;
   readonly #place: Place;
   readonly #unit: { name: string; seconds: number };
-  readonly #marks: readonly Mark[];
+  readonly #title = element("div", { class: "axis-title y" });
+  readonly #less = element("span", { class: "less" });
+  #figure: Figure;
+  #stack: Stack;
+  #marks: readonly Mark[];
   readonly #now = element("div", { class: "now" });
   readonly #events: HTMLElement[];
   readonly #readings: HTMLElement[];
@@ -49,19 +56,17 @@ export class TimePlot {
     stack.lines.forEach((line, k) => {
       key.append(element("span", { class: "key-entry" }, swatch(line), element("span", {}, line.label), this.#readings[k]));
     });
-    if (stack.less !== "") key.append(element("span", { class: "less" }, stack.less));
-    key.append(this.#tag);
+    key.append(this.#less, this.#tag);
     const box = element("div", { class: "plot-box" });
     box.style.height = `${this.#height}px`;
     this.host = element("div", { class: "stack" }, key, box);
-    const data = stack.lines.map((line) => (figure.log ? line.values.map((v) => (v > 0 ? v : Number.NaN)) : line.values));
-    this.plot = new uPlot(this.#options(), [times, ...data] as uPlot.AlignedData, box);
+    this.plot = new uPlot(this.#options(), this.#data(times), box);
     this.plot.ctx.canvas.setAttribute("role", "img");
     this.plot.ctx.canvas.setAttribute("aria-label", `${figure.title}: ${stack.lines.map(({ symbol }) => symbol).join(", ")} over time`);
-    const title = element("div", { class: "axis-title y" }, stack.title);
-    title.style.top = `${this.#above}px`;
-    title.style.height = `${this.#frame}px`;
-    box.append(title);
+    this.#title.style.top = `${this.#above}px`;
+    this.#title.style.height = `${this.#frame}px`;
+    this.#name();
+    box.append(this.#title);
     if (place.isLast) {
       const below = element("div", { class: "axis-title x" }, `time t (${unit.name})`);
       below.style.left = `${LEFT}px`;
@@ -69,6 +74,49 @@ export class TimePlot {
     }
     this.#events = marks.map(() => element("div", { class: "event" }));
     this.plot.over.append(...this.#events, this.#now);
+  }
+
+  /** Whether a stack of another motion can be shown in the same plot. */
+  fits(figure: Figure, stack: Stack, unit: { name: string }, marks: readonly Mark[]): boolean {
+    const { lines } = this.#stack;
+    const like = (a: Line, b: Line): boolean => a.label === b.label && a.ink === b.ink && String(a.dash) === String(b.dash);
+    return (
+      figure.log === this.#figure.log &&
+      figure.unit === this.#figure.unit &&
+      unit.name === this.#unit.name &&
+      stack.lines.length === lines.length &&
+      stack.lines.every((line, k) => like(line, lines[k])) &&
+      marks.length === this.#marks.length
+    );
+  }
+
+  /** Shows a stack that fits; what is zoomed to stays. */
+  update(figure: Figure, stack: Stack, times: Float64Array, marks: readonly Mark[]): void {
+    const before = this.plot.data[0];
+    const { min, max } = this.plot.scales.x;
+    const zoomed = min !== undefined && min !== null && max !== undefined && max !== null && (min > before[0] || max < before[before.length - 1]);
+    this.#figure = figure;
+    this.#stack = stack;
+    this.#marks = marks;
+    this.#name();
+    const [first, last] = [times[0], times[times.length - 1]];
+    const kept = zoomed && max > first && min < last;
+    this.plot.batch((u: uPlot) => {
+      u.setData(this.#data(times), false);
+      u.setScale("x", kept ? { min: Math.max(min, first), max: Math.min(max, last) } : { min: first, max: last });
+    });
+  }
+
+  #name(): void {
+    const { title, less } = this.#stack;
+    if (this.#title.textContent !== title) this.#title.textContent = title;
+    this.#less.textContent = less;
+    this.#less.hidden = less === "";
+  }
+
+  #data(times: Float64Array): uPlot.AlignedData {
+    const rows = this.#stack.lines.map(({ values }) => (this.#figure.log ? values.map((v) => (v > 0 ? v : Number.NaN)) : values));
+    return [times, ...rows] as uPlot.AlignedData;
   }
 
   resize(width: number): void {
@@ -171,7 +219,7 @@ export class TimePlot {
           width: 1.6,
           points: { show: false },
           ...(line.dash ? { dash: line.dash } : {}),
-          paths: (u, series, first, last) => this.#paths(u, series, first, last, line, k),
+          paths: (u, series, first, last) => this.#paths(u, series, first, last, this.#stack.lines[k], k),
         })),
       ],
       hooks: { draw: [(): void => this.#say()] },
@@ -190,26 +238,29 @@ export class TimePlot {
 
   #paths(u: uPlot, series: number, first: number, last: number, line: Line, k: number): uPlot.Series.Paths {
     const [from, to] = [Math.max(first - 1, 0), Math.min(last + 1, u.data[0].length - 1)];
-    const count = to - from + 1;
-    const x = Float64Array.from({ length: count }, (_, i) => u.valToPos(u.data[0][from + i], "x", true) / devicePixelRatio);
-    const y = Float64Array.from({ length: count }, (_, i) => {
-      const value = u.data[series][from + i];
-      return value === null || value === undefined || Number.isNaN(value) ? Number.NaN : u.valToPos(value, "y", true) / devicePixelRatio;
-    });
+    const [across, up] = [placeOn(u, "x", false), placeOn(u, "y", this.#figure.log)];
+    const x = placed(u.data[0], from, to, across);
+    const y = placed(u.data[series], from, to, up);
     const before = this.#figure.log && from > 0 ? extent([line.values], 0, from - 1)?.[1] : 0;
-    const level = before ? u.valToPos(before, "y", true) / devicePixelRatio : Infinity;
-    const made = this.#figure.log ? largestSoFar(x, y, level) : curve(x, y, line.starts?.subarray(from, to + 1));
-    this.#drawn[k] = { enveloped: made.bands.length > 0, resolved: made.resolved };
+    const level = before ? up(before) : Infinity;
+    const starts = line.starts?.subarray(from, to + 1);
     const [stroke, fill] = [new Path2D(), new Path2D()];
-    const trace = (path: Path2D, points: [number, number][]): void => {
-      points.forEach(([px, py], i) => {
-        if (i === 0) path.moveTo(px * devicePixelRatio, py * devicePixelRatio);
-        else path.lineTo(px * devicePixelRatio, py * devicePixelRatio);
-      });
+    // Asking the window for it costs more than a point.
+    const ratio = devicePixelRatio;
+    const spans = this.#figure.log ? [] : envelopes(x, y, starts);
+    if (!this.#figure.log && spans.length === 0) {
+      this.#drawn[k] = { enveloped: false, resolved: true };
+      trace(stroke, x, y, starts, ratio);
+      return { stroke, fill };
+    }
+    const made = this.#figure.log ? largestSoFar(x, y, level) : curve(x, y, starts, spans);
+    this.#drawn[k] = { enveloped: made.bands.length > 0, resolved: made.resolved };
+    const through = (path: Path2D, points: [number, number][]): void => {
+      trace(path, points.map(([px]) => px), points.map(([, py]) => py), undefined, ratio);
     };
-    for (const points of made.strokes) trace(stroke, points);
-    for (const points of made.bands) trace(fill, points);
-    for (const [px, py] of made.dots) fill.rect((px - 0.7) * devicePixelRatio, (py - 0.7) * devicePixelRatio, 1.4 * devicePixelRatio, 1.4 * devicePixelRatio);
+    for (const points of made.strokes) through(stroke, points);
+    for (const points of made.bands) through(fill, points);
+    for (const [px, py] of made.dots) fill.rect((px - 0.7) * ratio, (py - 0.7) * ratio, 1.4 * ratio, 1.4 * ratio);
     return { stroke, fill };
   }
 
@@ -229,15 +280,51 @@ export class TimePlot {
   }
 }
 
-function ink(name: string): string {
-  return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
+/** From a value to its place on the canvas, px of the page. */
+function placeOn(u: uPlot, scale: "x" | "y", log: boolean): (value: number) => number {
+  const { min, max } = u.scales[scale];
+  const [low, high] = [min ?? 0, max ?? 1];
+  const from = u.valToPos(low, scale, true) / devicePixelRatio;
+  const to = u.valToPos(high, scale, true) / devicePixelRatio;
+  if (log) {
+    const [a, b] = [Math.log10(low), Math.log10(high)];
+    return (value) => from + ((Math.log10(value) - a) / (b - a)) * (to - from);
+  }
+  const factor = (to - from) / (high - low);
+  return (value) => from + (value - low) * factor;
+}
+
+/** The places of the values from one to another; NaN where there is none. */
+function placed(values: ArrayLike<number | null | undefined>, from: number, to: number, place: (value: number) => number): Float64Array {
+  const out = new Float64Array(to - from + 1);
+  for (let i = from; i <= to; i += 1) out[i - from] = place(values[i] ?? Number.NaN);
+  return out;
+}
+
+/** A line through points, but for those that no eye tells from the one before. */
+function trace(path: Path2D, x: ArrayLike<number>, y: ArrayLike<number>, starts: ArrayLike<number> | undefined, ratio: number): void {
+  const last = y.length - 1;
+  let [px, py] = [Number.NaN, Number.NaN];
+  for (let i = 0; i <= last; i += 1) {
+    const begins = Number.isNaN(px) || starts?.[i] === 1;
+    if (Number.isNaN(y[i])) {
+      px = Number.NaN;
+      continue;
+    }
+    const ends = i === last || Number.isNaN(y[i + 1]) || starts?.[i + 1] === 1;
+    if (!begins && !ends && Math.abs(x[i] - px) + Math.abs(y[i] - py) < NEAR) continue;
+    px = x[i];
+    py = y[i];
+    if (begins) path.moveTo(px * ratio, py * ratio);
+    else path.lineTo(px * ratio, py * ratio);
+  }
 }
 
 /** Puts a line at a time; gives its distance from the left, px. */
 function put(plot: uPlot, line: HTMLElement, time: number): number {
   const left = plot.valToPos(time, "x");
   line.style.transform = `translateX(${left.toFixed(1)}px)`;
-  line.hidden = !(left >= 0 && left <= plot.over.clientWidth);
+  line.hidden = !(left >= 0 && left <= plot.bbox.width / devicePixelRatio);
   return left;
 }
 

@@ -4,14 +4,11 @@ import { byId, icon } from "../dom";
 import { number, powerOfTen, timeUnit } from "../format";
 
 export function toolbar(clock: Clock): void {
-  const unit = timeUnit(Math.max(Math.abs(clock.end), Math.abs(clock.start)));
   const play = byId<HTMLButtonElement>("play");
   const loop = byId<HTMLButtonElement>("loop");
   const scrub = byId<HTMLInputElement>("scrub");
   const now = byId("time");
   const speed = byId("speed");
-  scrub.min = String(clock.start);
-  scrub.max = String(clock.end);
   scrub.step = "any";
   scrub.addEventListener("input", () => {
     // Read before the clock tells this very control to show the old time.
@@ -26,12 +23,23 @@ export function toolbar(clock: Clock): void {
   byId("slower").addEventListener("click", () => clock.changeSpeed(-1));
   byId("faster").addEventListener("click", () => clock.changeSpeed(1));
 
-  const digits = Math.min(Math.max(3 - Math.floor(Math.log10((clock.end - clock.start) / unit.seconds || 1)), 0), 6);
-  const format = (seconds: number): string => (seconds / unit.seconds).toFixed(digits).replace("-", "−");
-  byId("time-end").textContent = `/ ${format(clock.end)} ${unit.name}`;
-  now.style.minWidth = `${Math.max(format(clock.end).length, format(clock.start).length)}ch`;
+  let times: Float64Array | null = null;
+  let format = String as (seconds: number) => string;
+  let unit = timeUnit(1);
+  const fit = (): void => {
+    times = clock.times;
+    unit = timeUnit(Math.max(Math.abs(clock.end), Math.abs(clock.start)));
+    const { name, seconds: size } = unit;
+    const digits = Math.min(Math.max(3 - Math.floor(Math.log10((clock.end - clock.start) / size || 1)), 0), 6);
+    format = (seconds) => (seconds / size).toFixed(digits).replace("-", "−");
+    scrub.min = String(clock.start);
+    scrub.max = String(clock.end);
+    byId("time-end").textContent = `/ ${format(clock.end)} ${name}`;
+    now.style.minWidth = `${Math.max(format(clock.end).length, format(clock.start).length)}ch`;
+  };
   let shown: boolean | null = null;
   const update = (): void => {
+    if (times !== clock.times) fit();
     if (shown !== clock.playing) {
       shown = clock.playing;
       play.replaceChildren(icon(shown ? "pause" : "play"));

@@ -69,13 +69,18 @@ export function arrange(figure: Figure): Arranged {
 export function constantOf({ symbol, values, drift }: Line, figure: Pick<Figure, "log" | "nothing" | "telling">): Constant | null {
   const range = extent([values], 0, figure.telling - 1);
   // What is not there all the time is not constant.
-  if (range === null || !values.every(Number.isFinite)) return null;
+  if (range === null || !areFinite(values)) return null;
   const single = values.length === 1;
   const size = Math.max(Math.abs(range[0]), Math.abs(range[1]));
   if (size <= (figure.log ? 0 : figure.nothing)) return { symbol, value: 0, drift: size, single };
   const spread = (range[1] - range[0]) / size;
   if (figure.log || !(spread < CONSTANT)) return null;
   return { symbol, value: values[0], drift: drift ?? spread, single };
+}
+
+function areFinite(values: Float64Array): boolean {
+  for (let i = 0; i < values.length; i += 1) if (!Number.isFinite(values[i])) return false;
+  return true;
 }
 
 /**
@@ -108,8 +113,15 @@ export function quantity(value: number, unit: string, figures: number): string {
 
 /** Lines that share an axis, in order: a line goes to the first whose lines it does not squash, and which does not squash it. */
 export function split(lines: readonly Line[], telling = Infinity): Line[][] {
-  const range = (all: readonly Line[]): [number, number] => extent(all.map((l) => l.values), 0, telling - 1) ?? [0, 0];
-  const span = (all: readonly Line[]): number => range(all)[1] - range(all)[0];
+  const ranges = new Map(lines.map((line) => [line, extent([line.values], 0, telling - 1)]));
+  const span = (all: readonly Line[]): number => {
+    let [low, high] = [Infinity, -Infinity];
+    for (const line of all) {
+      const range = ranges.get(line);
+      if (range) [low, high] = [Math.min(low, range[0]), Math.max(high, range[1])];
+    }
+    return low <= high ? high - low : 0;
+  };
   // The part of the common range that the flattest line takes.
   const flattest = (all: readonly Line[]): number => {
     const common = span(all);
@@ -150,8 +162,9 @@ function stackOf(lines: Line[], figure: Figure): Stack {
   const round = 10 ** Math.ceil(Math.log10(spread / unit.size));
   const offset = shifted ? Math.floor(range[0] / unit.size / round) * round : 0;
   const less = offset === 0 ? "" : `c = ${quantity(offset * unit.size, figure.unit, digits(offset, round))}`;
+  const asItIs = unit.size === 1 && offset === 0;
   return {
-    lines: lines.map((line) => ({ ...line, values: line.values.map((v) => v / unit.size - offset) })),
+    lines: asItIs ? lines : lines.map((line) => ({ ...line, values: line.values.map((v) => v / unit.size - offset) })),
     unit,
     offset,
     less,

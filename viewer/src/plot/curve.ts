@@ -1,5 +1,5 @@
 /** A line as what is drawn of it, in pixels: the same on the canvas and in files. */
-import { envelopes } from "./envelope";
+import { envelopes, type Span } from "./envelope";
 
 export type Point = [number, number];
 
@@ -14,9 +14,8 @@ export interface Curve {
 }
 
 /** A line through points; where it would be stripes its envelope. */
-export function curve(x: ArrayLike<number>, y: ArrayLike<number>, starts?: ArrayLike<number>): Curve {
+export function curve(x: ArrayLike<number>, y: ArrayLike<number>, starts?: ArrayLike<number>, spans: Span[] = envelopes(x, y, starts)): Curve {
   const made: Curve = { strokes: [], bands: [], dots: [], resolved: true };
-  const spans = envelopes(x, y, starts);
   let stroke: Point[] = [];
   const end = (): void => {
     if (stroke.length > 1) made.strokes.push(stroke);

@@ -23,20 +23,11 @@ const GIF_WIDTH = 640;
 /** s of a film at first; of a longer run it is the beginning. */
 const LONGEST = 60;
 
-export function saveDialog(view: View, clock: Clock, title: string): void {
-  let dialog: SaveDialog | null = null;
-  byId("save").addEventListener("click", () => {
-    clock.pause();
-    dialog ??= new SaveDialog(view, clock, title);
-    dialog.open();
-  });
-}
-
-class SaveDialog {
+export class SaveDialog {
   readonly #view: View;
   readonly #clock: Clock;
-  readonly #file: string;
-  readonly #unit: { name: string; seconds: number };
+  readonly #title: () => string;
+  #unit = timeUnit(0);
   readonly #format = choice("save-format", Object.entries(FORMATS).map(([value, { name }]) => [value, name]));
   readonly #from = field("save-from");
   readonly #to = field("save-to");
@@ -51,6 +42,7 @@ class SaveDialog {
   readonly #stop = element("button", { id: "save-stop", type: "button", click: () => this.#cancel() }, "Close");
   readonly #fields: HTMLFieldSetElement;
   readonly #ofFilms: HTMLElement[];
+  readonly #times = row("Time", labelled("from", this.#from), labelled("to", this.#to));
   readonly #dialog: HTMLDialogElement;
   /** Fields that the person has filled in: no default comes over them. */
   readonly #own = new Set<HTMLElement>();
@@ -58,24 +50,22 @@ class SaveDialog {
   #frames: Frames | null = null;
   #running: AbortController | null = null;
 
-  constructor(view: View, clock: Clock, title: string) {
+  /** `title`: of the motion that is shown. */
+  constructor(view: View, clock: Clock, title: () => string) {
     this.#view = view;
     this.#clock = clock;
-    this.#file = fileName(title);
-    this.#unit = timeUnit(Math.max(Math.abs(clock.end), Math.abs(clock.start)));
-    const unit = this.#unit.name;
-    const times = row(`Time (${unit})`, labelled("from", this.#from), labelled("to", this.#to));
+    this.#title = title;
     const pace = row("Speed", labelled("× real time", this.#speed), labelled("frames per s", this.#rate));
     const scales = [1, 2, 4].map((k) => {
       return element("button", { type: "button", class: "small", "aria-label": `${k} times the size on the screen`, click: () => this.#scale(k) }, `${k}×`);
     });
-    this.#ofFilms = [times, pace];
+    this.#ofFilms = [this.#times, pace];
     const why = noVideo();
     this.#fields = element(
       "fieldset",
       {},
       row("Format", this.#format),
-      times,
+      this.#times,
       pace,
       row("Size (px)", labelled("width", this.#width), labelled("height", this.#height), element("span", { class: "scales" }, ...scales)),
       row("Background", this.#paper),
@@ -102,9 +92,27 @@ class SaveDialog {
   }
 
   open(): void {
+    this.#clock.pause();
     this.#own.clear();
-    this.#defaults();
+    this.#measure();
     this.#dialog.showModal();
+  }
+
+  /** Another motion is shown: what is being saved of the one before ends. */
+  changed(): void {
+    if (!this.#dialog.open) return;
+    this.#measure();
+    this.#running?.abort(new Error("The motion has changed meanwhile: nothing is saved."));
+  }
+
+  #measure(): void {
+    const { start, end } = this.#clock;
+    const unit = timeUnit(Math.max(Math.abs(end), Math.abs(start)));
+    // A time that the person has filled in is in the unit of before.
+    if (unit.seconds !== this.#unit.seconds) for (const input of [this.#from, this.#to]) this.#own.delete(input);
+    this.#unit = unit;
+    rename(this.#times, `Time (${unit.name})`);
+    this.#defaults();
   }
 
   get #shown(): { width: number; height: number } {
@@ -176,11 +184,15 @@ class SaveDialog {
   /** Says what it will be, or why it cannot be. */
   #judge(): void {
     const order = this.#order;
-    const why = refusal(order, this.#clock.start, this.#clock.end, this.#unit);
+    const why = this.#refusal(order);
     const count = frameCount(order);
     const shown = number(this.#clock.time / this.#unit.seconds);
     this.#say(why ?? (order.format === "png" ? `The view at t = ${shown} ${this.#unit.name}.` : `${count} frames, a film of ${number(count / order.rate, 3)} s.`), why !== null);
-    this.#go.disabled = why !== null;
+    this.#go.disabled = why !== null || this.#running !== null;
+  }
+
+  #refusal(order: Order): string | null {
+    return refusal(order, this.#clock.start, this.#clock.end, this.#unit);
   }
 
   #say(words: string, isProblem: boolean): void {
@@ -190,7 +202,7 @@ class SaveDialog {
 
   async #save(): Promise<void> {
     const order = this.#order;
-    if (this.#running || refusal(order, this.#clock.start, this.#clock.end, this.#unit)) return;
+    if (this.#running || this.#refusal(order)) return;
     const running = new AbortController();
     const count = order.format === "png" ? 1 : frameCount(order);
     this.#run(running);
@@ -204,11 +216,11 @@ class SaveDialog {
       };
       const file = await record(order, this.#frames, this.#shown, this.#clock.time, progress, running.signal);
       running.signal.throwIfAborted();
-      const name = `${this.#file}-${nameOf(order)}.${FORMATS[order.format].ending}`;
+      const name = `${fileName(this.#title())}-${nameOf(order)}.${FORMATS[order.format].ending}`;
       save(name, file);
       this.#say(`Saved ${name}: ${number(file.size / 1e6, 3)} MB.`, false);
     } catch (problem) {
-      if (running.signal.aborted) this.#say("Cancelled: nothing is saved.", false);
+      if (running.signal.aborted && running.signal.reason instanceof DOMException) this.#say("Cancelled: nothing is saved.", false);
       else this.#say(problem instanceof Error ? problem.message : String(problem), true);
     }
     this.#run(null);
@@ -217,7 +229,7 @@ class SaveDialog {
   #run(running: AbortController | null): void {
     this.#running = running;
     this.#fields.disabled = running !== null;
-    this.#go.disabled = running !== null;
+    this.#go.disabled = running !== null || this.#refusal(this.#order) !== null;
     this.#progress.hidden = running === null;
     this.#stop.textContent = running ? "Cancel" : "Close";
     this.#stop.focus();
@@ -256,4 +268,9 @@ function row(name: string, ...parts: HTMLElement[]): HTMLElement {
   const isAlone = parts.length === 1 && only !== undefined && only.id !== "";
   const said = isAlone ? element("label", { for: only.id }, name) : element("span", { "aria-hidden": "true" }, name);
   return element("div", { class: "row", ...(isAlone ? {} : { role: "group", "aria-label": name }) }, said, element("div", {}, ...parts));
+}
+
+function rename(row: HTMLElement, name: string): void {
+  row.setAttribute("aria-label", name);
+  row.querySelector("span")?.replaceChildren(name);
 }

@@ -2,11 +2,9 @@
 import { WebGLRenderer } from "three";
 import { element } from "../dom";
 import { Labels, type PlacedLabel } from "../scene/labels";
-import { Palette } from "../scene/palette";
 import type { View } from "../scene/scene";
+import { ink as colour } from "../theme";
 import type { Order } from "./film";
-
-const palette = new Palette();
 
 /** Draws with `pen`, at so many pixels for one of the page, on paper or on nothing. */
 export function compose(pen: CanvasRenderingContext2D, drawn: HTMLCanvasElement, names: PlacedLabel[], ratio: number, paper: boolean): void {
@@ -14,7 +12,7 @@ export function compose(pen: CanvasRenderingContext2D, drawn: HTMLCanvasElement,
   pen.resetTransform();
   pen.clearRect(0, 0, width, height);
   if (paper) {
-    pen.fillStyle = palette.value("paper");
+    pen.fillStyle = colour("paper");
     pen.fillRect(0, 0, width, height);
   }
   pen.drawImage(drawn, 0, 0);
@@ -23,8 +21,8 @@ export function compose(pen: CanvasRenderingContext2D, drawn: HTMLCanvasElement,
   pen.textBaseline = "middle";
   for (const { text, ink, x, y, led, tipX, tipY, endX, endY } of names) {
     pen.font = [...text].length <= 2 ? '19px "Polhode Math"' : "600 13px system-ui, sans-serif";
-    pen.fillStyle = palette.value(ink);
-    pen.strokeStyle = palette.value(ink);
+    pen.fillStyle = colour(ink);
+    pen.strokeStyle = colour(ink);
     if (led) {
       pen.globalAlpha = 0.6;
       pen.beginPath();

@@ -1,6 +1,7 @@
 /** A film as GIF: the same 255 colours in all frames, and in each frame the pixels that are others than in the one before. */
 import { GifWriter as Encoder } from "omggif";
-import { INKS, Palette } from "../scene/palette";
+import { INKS } from "../scene/palette";
+import { ink as colour } from "../theme";
 import { Colours } from "./colours";
 
 /** Of 256 it is the colour of what stays as it was. */
@@ -18,9 +19,8 @@ export class GifWriter {
   /** `samples`: frames of several times, each good until the next. */
   constructor(width: number, height: number, rate: number, samples: Iterable<CanvasRenderingContext2D>) {
     this.#rate = rate;
-    // Paper and inks are exact.
-    const palette = new Palette();
-    const inks = INKS.map((ink) => parseInt(palette.value(ink).slice(1), 16));
+    // Paper and inks are exact; not every page has all of them.
+    const inks = INKS.map(colour).flatMap((value) => (value === "" ? [] : [parseInt(value.slice(1), 16)]));
     this.#colours = new Colours(inks, pictures(samples), SAME);
     // One code of 12 bits for each pixel at most.
     this.#buffer = new Uint8Array(Math.ceil(1.6 * width * height) + 4096);

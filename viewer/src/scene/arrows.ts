@@ -1,11 +1,15 @@
 /** Arrows from the origin. What is inside the body shows through it, faintly. */
 import { ConeGeometry, CylinderGeometry, GreaterDepth, Group, Mesh, MeshBasicMaterial, Vector3 } from "three";
+import { kept } from "./dispose";
 import type { Ink, Palette } from "./palette";
 
 const Y = new Vector3(0, 1, 0);
 
 /** Beyond the picture: a longer arrow, that of a run-away, would end behind the camera. */
 const MOST = 3;
+
+const SHAFT = kept(new CylinderGeometry(1, 1, 1, 16).translate(0, 0.5, 0));
+const HEAD = kept(new ConeGeometry(1, 1, 24).translate(0, -0.5, 0));
 
 export class Arrow {
   readonly object = new Group();
@@ -19,12 +23,10 @@ export class Arrow {
   constructor(ink: Ink, width: number, palette: Palette) {
     this.#width = width;
     for (const hidden of [false, true]) {
-      const material = new MeshBasicMaterial(
-        hidden ? { transparent: true, opacity: 0.22, depthFunc: GreaterDepth, depthWrite: false } : {},
-      );
-      palette.bind(material.color, ink);
-      const shaft = new Mesh(new CylinderGeometry(1, 1, 1, 16).translate(0, 0.5, 0), material);
-      const head = new Mesh(new ConeGeometry(1, 1, 24).translate(0, -0.5, 0), material);
+      const look = hidden ? { transparent: true, opacity: 0.22, depthFunc: GreaterDepth, depthWrite: false } : {};
+      const material = palette.shared(hidden ? "arrow behind" : "arrow", ink, () => new MeshBasicMaterial(look));
+      const shaft = new Mesh(SHAFT, material);
+      const head = new Mesh(HEAD, material);
       for (const part of [shaft, head]) part.renderOrder = hidden ? 5 : 0;
       this.#shafts.push(shaft);
       this.#heads.push(head);

@@ -3,44 +3,32 @@
  * the picture is 1 from the point that the body turns about to its farthest part.
  */
 import {
-  Box3,
-  BoxGeometry,
-  BufferAttribute,
-  type BufferGeometry,
-  CapsuleGeometry,
   Color,
-  ConeGeometry,
   CylinderGeometry,
-  EdgesGeometry,
   Group,
-  LatheGeometry,
   Mesh,
   MeshStandardMaterial,
-  type Object3D,
+  Quaternion,
   SphereGeometry,
-  TorusGeometry,
-  Vector2,
   Vector3,
 } from "three";
+import type { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
 import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import type { BodyData, Shape } from "../data";
-import { BadData, f32, indices } from "../decode";
-import { Farthest } from "./framing";
-import { lineMaterial, segments } from "./lines";
-import { creased } from "./normals";
+import { BadData, f32 } from "../decode";
+import { ELLIPSOID, formOf, type Solid } from "./form";
+import { directions } from "./framing";
+import { endsOf, lineMaterial } from "./lines";
 import type { Palette } from "./palette";
 
-const ROUND = 64;
 /** A part is small that is this part of its distance. */
 const SMALL = 0.1;
-/** Edges are not drawn on meshes with more triangles: they would be ink all over, and slow to find. */
-const EDGES_UP_TO = 20_000;
 
 export class BodyModel {
   /** The shapes, or the ellipsoid if there are none. */
-  readonly shapes = new Group();
+  readonly shapes: Group;
   /** The ellipsoid of the same mass and tensor. */
-  readonly ellipsoid = new Group();
+  readonly ellipsoid: Group;
   /** m; length 1 of the picture: of the body without what is small and far out, as a tip mass on a boom */
   readonly radius: number;
   /** Points on the outside of the shapes, and of the ellipsoid, as the picture has them. */
@@ -49,65 +37,123 @@ export class BodyModel {
   /** "20,000 of 200,000 triangles", if a mesh was made coarser. */
   readonly coarser: string | null;
   readonly hasShapes: boolean;
-  readonly #paint: Paint;
+  readonly #solids: Solids;
 
-  constructor(data: BodyData, palette: Palette) {
+  /**
+   * `before`: the body until now. Its shapes are used again if they are the same, and its scale if this body's size is like it. One
+   * sees through the body if `isOpen`.
+   */
+  constructor(data: BodyData, isOpen: boolean, palette: Palette, before: BodyModel | null) {
     this.hasShapes = data.shapes.length > 0;
-    const paint = new Paint(palette);
-    this.#paint = paint;
-    this.ellipsoid.add(equimomental(data, paint));
-    for (const shape of data.shapes) this.shapes.add(place(shape, paint));
-    const counts = data.shapes.flatMap((s) =>
-      s.kind === "mesh" ? [{ here: (s.triangles.length * 3) / 4 / 12, of: s.of }] : [],
-    );
-    const here = Math.floor(counts.reduce((sum, c) => sum + c.here, 0));
-    const of = counts.reduce((sum, c) => sum + c.of, 0);
-    this.coarser = counts.some((c) => c.of > c.here + 1) ? `shown with ${grouped(here)} of ${grouped(of)} triangles` : null;
-
-    const ellipsoid = extremes(this.ellipsoid);
-    const shapes = this.hasShapes ? extremes(this.shapes) : ellipsoid;
+    this.ellipsoid = equimomental(data, paint(palette, isOpen));
+    const same = before !== null && before.#solids.of === data.shapes && before.#solids.isOpen === isOpen;
+    this.#solids = same ? before.#solids : new Solids(data.shapes, isOpen, palette);
+    this.shapes = this.#solids.group;
+    this.coarser = this.#solids.coarser;
+    const ellipsoid = farthestOf(data);
+    const shapes = this.hasShapes ? this.#solids.farthest : ellipsoid;
     const farthest = Math.max(...shapes.map((p) => p.length())) || 1;
-    this.radius = this.hasShapes ? bulk(this.shapes, farthest) : farthest;
+    const own = this.hasShapes ? Math.min(this.#solids.bulk, farthest) : farthest;
+    const isLike = before !== null && own > 0.55 * before.radius && own < 1.35 * before.radius;
+    this.radius = isLike ? before.radius : own;
     for (const group of [this.shapes, this.ellipsoid]) group.scale.setScalar(1 / this.radius);
-    this.outline = shapes.map((p) => p.divideScalar(this.radius));
-    this.ellipsoidOutline = this.hasShapes ? ellipsoid.map((p) => p.divideScalar(this.radius)) : this.outline;
+    const scaled = (points: Vector3[]): Vector3[] => points.map((p) => p.clone().divideScalar(this.radius));
+    this.outline = scaled(shapes);
+    this.ellipsoidOutline = this.hasShapes ? scaled(ellipsoid) : this.outline;
   }
+}
 
-  /** Shows what is inside. */
-  seeThrough(): void {
-    for (const material of [this.#paint.solid, this.#paint.marked]) {
-      Object.assign(material, { transparent: true, opacity: 0.4, depthWrite: false });
+/** The shapes as solids, m. */
+class Solids {
+  readonly group = new Group();
+  readonly farthest: Vector3[];
+  /** How far the parts go that are not small for where they are. */
+  readonly bulk: number;
+  readonly coarser: string | null;
+
+  constructor(
+    readonly of: Shape[],
+    readonly isOpen: boolean,
+    palette: Palette,
+  ) {
+    const look = paint(palette, isOpen);
+    for (const shape of of) this.group.add(place(shape, look));
+    const counts = of.flatMap((s) => (s.kind === "mesh" ? [{ here: (s.triangles.length * 3) / 4 / 12, of: s.of }] : []));
+    const here = Math.floor(counts.reduce((sum, c) => sum + c.here, 0));
+    const all = counts.reduce((sum, c) => sum + c.of, 0);
+    this.coarser = counts.some((c) => c.of > c.here + 1) ? `shown with ${grouped(here)} of ${grouped(all)} triangles` : null;
+    const parts = this.group.children.map((part) => outlineOf(part as Group));
+    this.farthest = extremes(parts);
+    this.bulk = bulk(parts);
+  }
+}
+
+/** The points of a part, and the corners of the box around them, in body axes, m. */
+interface Outline {
+  points: Float64Array;
+  min: Vector3;
+  max: Vector3;
+}
+
+function outlineOf(part: Group): Outline {
+  const rows: Float64Array[] = [];
+  part.updateMatrixWorld(true);
+  part.traverse((object) => {
+    if (!(object instanceof Mesh) || object instanceof LineSegments2) return;
+    const p = (object.userData.hull ?? object.geometry.attributes.position.array) as ArrayLike<number>;
+    const count = p.length / 3;
+    const m = object.matrixWorld.elements;
+    const every = Math.max(1, Math.floor(count / 20_000));
+    const out = new Float64Array(3 * Math.ceil(count / every));
+    for (let i = 0, k = 0; i < count; i += every, k += 3) {
+      const [x, y, z] = [p[3 * i], p[3 * i + 1], p[3 * i + 2]];
+      for (let c = 0; c < 3; c += 1) out[k + c] = m[c] * x + m[4 + c] * y + m[8 + c] * z + m[12 + c];
     }
-  }
-}
-
-/** How far the parts go that are not small for where they are. */
-function bulk(shapes: Group, farthest: number): number {
-  const parts = shapes.children.map((part) => {
-    const box = solids(part).reduce((all, mesh) => all.expandByObject(mesh, true), new Box3());
-    const far = Math.max(...corners(box).map((p) => p.length()));
-    return { far, isSmall: box.getSize(new Vector3()).length() < SMALL * far };
+    rows.push(out);
   });
-  const large = parts.filter(({ isSmall }) => !isSmall).map(({ far }) => far);
-  return large.length > 0 ? Math.min(Math.max(...large), farthest) : farthest;
+  const points = new Float64Array(rows.reduce((sum, { length }) => sum + length, 0));
+  rows.reduce((at, row) => {
+    points.set(row, at);
+    return at + row.length;
+  }, 0);
+  const [min, max] = [new Vector3().setScalar(Infinity), new Vector3().setScalar(-Infinity)];
+  const point = new Vector3();
+  for (let k = 0; k < points.length; k += 3) {
+    point.fromArray(points, k);
+    min.min(point);
+    max.max(point);
+  }
+  return { points, min, max };
 }
 
-function corners({ min, max }: Box3): Vector3[] {
+/** How far the parts go that are not small for where they are; infinite if all are small. */
+function bulk(parts: Outline[]): number {
+  const large = parts.flatMap((part) => {
+    const far = Math.max(...corners(part).map((p) => p.length()));
+    return part.max.distanceTo(part.min) < SMALL * far ? [] : [far];
+  });
+  return large.length > 0 ? Math.max(...large) : Infinity;
+}
+
+function corners({ min, max }: Outline): Vector3[] {
   return [0, 1, 2, 3, 4, 5, 6, 7].map((k) => new Vector3(k & 1 ? min.x : max.x, k & 2 ? min.y : max.y, k & 4 ? min.z : max.z));
 }
 
-/** Materials, shared by all shapes. */
-class Paint {
-  readonly solid = new MeshStandardMaterial({ roughness: 0.55, metalness: 0.05 });
-  readonly marked = new MeshStandardMaterial({ roughness: 0.55, metalness: 0.05, vertexColors: true });
-  readonly edge;
+interface Paint {
+  solid: MeshStandardMaterial;
+  marked: MeshStandardMaterial;
+  edge: LineMaterial;
+}
 
-  constructor(palette: Palette) {
-    palette.bind(this.solid.color, "solid");
-    palette.bind(this.marked.color, "solid");
+/** Materials, shared by all shapes; one sees what is inside if they are open. */
+function paint(palette: Palette, isOpen: boolean): Paint {
+  const look = { roughness: 0.55, metalness: 0.05, ...(isOpen ? { transparent: true, opacity: 0.4, depthWrite: false } : {}) };
+  return {
+    solid: palette.shared(`solid ${isOpen}`, "solid", () => new MeshStandardMaterial(look)),
+    marked: palette.shared(`marked ${isOpen}`, "solid", () => new MeshStandardMaterial({ ...look, vertexColors: true })),
     // Opaque: where two meet, they would be darker.
-    this.edge = lineMaterial({ ink: "edge", width: 1, strength: 0.85 }, palette);
-  }
+    edge: lineMaterial({ ink: "edge", width: 1, strength: 0.85 }, palette),
+  };
 }
 
 function place(shape: Shape, paint: Paint): Group {
@@ -119,93 +165,21 @@ function place(shape: Shape, paint: Paint): Group {
   return group;
 }
 
-type Solid = Exclude<Shape, { kind: "balls" }>;
-
 function solid(shape: Solid, paint: Paint): Group {
   const group = new Group();
-  const geometry = geometryOf(shape);
-  const round = shape.kind !== "box" && shape.kind !== "mesh";
-  const mark = shape.kind === "ellipsoid" ? octants : quadrants;
-  group.add(new Mesh(round ? marked(geometry, mark) : geometry, round ? paint.marked : paint.solid));
-  const triangles = (geometry.index?.count ?? geometry.attributes.position.count) / 3;
-  if (shape.kind !== "ellipsoid" && shape.kind !== "torus" && triangles <= EDGES_UP_TO) {
-    const edges = segments(new EdgesGeometry(geometry, 35).attributes.position.array, paint.edge);
-    edges.renderOrder = 1;
-    group.add(edges);
+  const { geometry, edges, scale } = formOf(shape);
+  const isRound = shape.kind !== "box" && shape.kind !== "mesh";
+  const mesh = new Mesh(geometry, isRound ? paint.marked : paint.solid);
+  // Between its rims a cylinder goes no farther.
+  if (edges && (shape.kind === "cylinder" || (shape.kind === "cone" && shape.top > 0))) mesh.userData.hull = endsOf(edges);
+  group.add(mesh);
+  if (edges) {
+    const lines = new LineSegments2(edges, paint.edge);
+    lines.renderOrder = 1;
+    group.add(lines);
   }
+  for (const part of group.children) part.scale.set(...scale);
   return group;
-}
-
-function geometryOf(shape: Solid): BufferGeometry {
-  switch (shape.kind) {
-    case "box":
-      return new BoxGeometry(...shape.size);
-    case "ellipsoid":
-      return upright(new SphereGeometry(1, ROUND, ROUND / 2)).scale(...shape.half);
-    case "cylinder":
-      return upright(
-        shape.inner > 0
-          ? tube(shape.inner, shape.radius, shape.height)
-          : new CylinderGeometry(shape.radius, shape.radius, shape.height, ROUND),
-      );
-    case "cone":
-      return upright(
-        shape.top > 0
-          ? new CylinderGeometry(shape.top, shape.bottom, shape.height, ROUND)
-          : new ConeGeometry(shape.bottom, shape.height, ROUND),
-      );
-    case "capsule":
-      return upright(new CapsuleGeometry(shape.radius, shape.height, 16, ROUND));
-    case "torus":
-      return new TorusGeometry(shape.radius, shape.tube, 32, 2 * ROUND);
-    case "mesh": {
-      const vertices = f32(shape.vertices, `${shape.name}: vertices`);
-      if (vertices.length % 3 !== 0) throw new BadData(`${shape.name}: vertices are not points`);
-      const triangles = indices(shape.triangles, `${shape.name}: triangles`, vertices.length / 3);
-      return creased(vertices, triangles.subarray(0, triangles.length - (triangles.length % 3)));
-    }
-  }
-}
-
-// three's round solids stand along y.
-function upright(geometry: BufferGeometry): BufferGeometry {
-  return geometry.rotateX(Math.PI / 2);
-}
-
-// A profile with sharp corners: each side of it has its own points.
-function tube(inner: number, outer: number, height: number): BufferGeometry {
-  const h = height / 2;
-  const corners = [
-    [inner, h],
-    [inner, -h],
-    [outer, -h],
-    [outer, h],
-    [inner, h],
-  ].map(([x, y]) => new Vector2(x, y));
-  const sides = corners.slice(1).map((end, k) => new LatheGeometry([corners[k], end], ROUND).toNonIndexed());
-  const joined = sides[0];
-  for (const name of ["position", "normal", "uv"] as const) {
-    const size = name === "uv" ? 2 : 3;
-    const all = sides.flatMap((side) => [...(side.attributes[name].array as Float32Array)]);
-    joined.setAttribute(name, new BufferAttribute(new Float32Array(all), size));
-  }
-  return joined;
-}
-
-const octants = (x: number, y: number, z: number): boolean => x * y * z > 0;
-const quadrants = (x: number, y: number): boolean => x * y > 0;
-
-// A darker grey on the faces whose middle the rule picks.
-function marked(geometry: BufferGeometry, rule: (x: number, y: number, z: number) => boolean): BufferGeometry {
-  const plain = geometry.index ? geometry.toNonIndexed() : geometry;
-  const p = plain.attributes.position.array;
-  const colors = new Float32Array(p.length).fill(1);
-  for (let i = 0; i < p.length; i += 9) {
-    const middle = [0, 1, 2].map((c) => p[i + c] + p[i + 3 + c] + p[i + 6 + c]);
-    if (rule(middle[0], middle[1], middle[2])) colors.fill(0.56, i, i + 9);
-  }
-  plain.setAttribute("color", new BufferAttribute(colors, 3));
-  return plain;
 }
 
 function balls(shape: Extract<Shape, { kind: "balls" }>): Group {
@@ -248,36 +222,48 @@ function equimomental(data: BodyData, paint: Paint): Group {
   const largest = Math.max(...data.ellipsoid, Number.MIN_VALUE);
   // A flat body's ellipsoid has no thickness; what has none cannot be lit.
   const half = data.ellipsoid.map((a) => Math.max(a, 0.004 * largest)) as [number, number, number];
-  const sphere = upright(new SphereGeometry(1, ROUND, ROUND / 2)).scale(...half);
-  group.add(new Mesh(marked(sphere, octants), paint.marked));
+  const mesh = new Mesh(ELLIPSOID, paint.marked);
+  mesh.scale.set(...half);
+  group.add(mesh);
   const [w, x, y, z] = data.principal.quaternion;
   group.quaternion.set(x, y, z, w).normalize();
   group.position.set(...data.lever);
   return group;
 }
 
-/** What a group is made of, without its edges. */
-function solids(group: Object3D): Mesh[] {
-  const found: Mesh[] = [];
-  group.updateMatrixWorld(true);
-  group.traverse((object) => {
-    if (object instanceof Mesh && !(object instanceof LineSegments2)) found.push(object);
+/** The ellipsoid's points that are farthest in each of many directions d: A²d/|A d|, A = diag(half axes). */
+function farthestOf({ ellipsoid, principal, lever }: BodyData): Vector3[] {
+  const [w, x, y, z] = principal.quaternion;
+  const turn = new Quaternion(x, y, z, w).normalize();
+  const half = new Vector3(...ellipsoid);
+  const middle = new Vector3(...lever);
+  return DIRECTIONS.map((direction) => {
+    const p = direction.clone().multiply(half);
+    const size = p.length();
+    if (size > 0) p.multiply(half).divideScalar(size);
+    return p.applyQuaternion(turn).add(middle);
   });
-  return found;
 }
 
-/** Points whose hull is nearly that of a group. */
-function extremes(group: Group): Vector3[] {
-  const farthest = new Farthest(160);
-  const point = new Vector3();
-  for (const { geometry, matrixWorld } of solids(group)) {
-    const positions = (geometry as BufferGeometry).attributes.position;
-    const every = Math.max(1, Math.floor(positions.count / 20_000));
-    for (let i = 0; i < positions.count; i += every) farthest.add(point.fromBufferAttribute(positions, i).applyMatrix4(matrixWorld));
-  }
-  return farthest.points;
+/** The points that are farthest in each of many directions: their hull is nearly that of the whole. */
+function extremes(parts: Outline[]): Vector3[] {
+  return DIRECTIONS.map(({ x, y, z }) => {
+    const found = new Vector3();
+    let best = -Infinity;
+    for (const { points } of parts) {
+      for (let k = 0; k < points.length; k += 3) {
+        const along = x * points[k] + y * points[k + 1] + z * points[k + 2];
+        if (along <= best) continue;
+        best = along;
+        found.fromArray(points, k);
+      }
+    }
+    return found;
+  });
 }
 
 function grouped(count: number): string {
   return String(count).replace(/\B(?=(\d{3})+$)/g, ",");
 }
+
+const DIRECTIONS = directions(160);

@@ -28,10 +28,14 @@ export class OrbitCamera {
 
   readonly #pointers = new Map<number, { x: number; y: number }>();
   readonly #changed: () => void;
+  readonly #homed: () => void;
 
-  constructor(surface: HTMLElement, changed: () => void) {
+  /** `homed`: it goes home, and what it has to see is to be found anew. */
+  constructor(surface: HTMLElement, changed: () => void, homed: () => void) {
     this.#changed = changed;
-    this.home();
+    this.#homed = homed;
+    this.azimuth = this.homeAzimuth;
+    this.height = this.homeHeight;
     surface.addEventListener("pointerdown", (event) => {
       surface.setPointerCapture(event.pointerId);
       this.#pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
@@ -55,6 +59,7 @@ export class OrbitCamera {
     this.azimuth = this.homeAzimuth;
     this.height = this.homeHeight;
     this.zoom = 1;
+    this.#homed();
     this.#changed();
   }
 

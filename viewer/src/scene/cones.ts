@@ -3,7 +3,8 @@
  * are circular. Of any other the space cone does not close: what is drawn of it is around now, a turn or a period of ω, whichever is
  * more.
  */
-import { BufferAttribute, BufferGeometry, DoubleSide, Group, Mesh, MeshStandardMaterial, type Object3D, Vector3 } from "three";
+import { BufferAttribute, BufferGeometry, DoubleSide, Group, Mesh, MeshStandardMaterial, Vector3 } from "three";
+import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import { rotate } from "../attitude";
 import { indexAt } from "../clock";
 import type { FreeData } from "../data";
@@ -23,6 +24,8 @@ export class Cones {
   /** Length of 1 rad/s in the picture. */
   readonly scale: number;
   readonly outline: Vector3[];
+  /** Direction of L in space. */
+  readonly up = new Vector3();
 
   readonly #edge: Float32Array;
   readonly #angles: Float64Array;
@@ -45,7 +48,7 @@ export class Cones {
       this.body.add(rulings(polhode, this.scale, palette));
     }
 
-    const up = new Vector3(...at(motion.momentum, 0)).normalize();
+    const up = this.up.fromArray(motion.momentum).normalize();
     const fine = Math.max(1, Math.min(4, Math.floor(MOST / motion.count)));
     const count = (motion.count - 1) * fine + 1;
     this.#edge = new Float32Array(3 * count);
@@ -144,15 +147,8 @@ function isRound(rim: Float32Array, up: Vector3): boolean {
 }
 
 function skin(ink: Ink, opacity: number, palette: Palette): MeshStandardMaterial {
-  const material = new MeshStandardMaterial({
-    roughness: 0.7,
-    transparent: true,
-    opacity,
-    side: DoubleSide,
-    depthWrite: false,
-  });
-  palette.bind(material.color, ink);
-  return material;
+  const look = { roughness: 0.7, transparent: true, opacity, side: DoubleSide, depthWrite: false };
+  return palette.shared(`skin ${opacity}`, ink, () => new MeshStandardMaterial(look));
 }
 
 function fan(rim: Float64Array, scale: number): BufferGeometry {
@@ -167,14 +163,14 @@ function fan(rim: Float64Array, scale: number): BufferGeometry {
 }
 
 // Some of the lines through the tip that the cone is made of.
-function rulings(rim: Float64Array, scale: number, palette: Palette): Object3D {
+function rulings(rim: Float64Array, scale: number, palette: Palette): LineSegments2 {
   const count = rim.length / 3;
   const corners: number[] = [];
   for (let k = 0; k < 36; k += 1) {
     const p = at(rim, Math.floor((k / 36) * count)).map((x) => x * scale);
     corners.push(0, 0, 0, ...p);
   }
-  return segments(corners, lineMaterial({ ink: "axis-1", width: 1, opacity: 0.45 }, palette));
+  return new LineSegments2(segments(corners), lineMaterial({ ink: "axis-1", width: 1, opacity: 0.45 }, palette));
 }
 
 // From a to b around `up`, rad.

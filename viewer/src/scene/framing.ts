@@ -5,6 +5,8 @@ import type { Moment, Motion } from "../motion";
 /** Of a motion, and of the points that stand for all: some directions are 0.2 rad apart, where a sphere is 0.5 % beyond them. */
 const TIMES = 200;
 const DIRECTIONS = 300;
+/** Another motion is seen in the frame of the one before unless it is smaller than this part of it. */
+const LIKE = 0.62;
 const GOLDEN = (Math.sqrt(5) - 1) / 2;
 
 /** Directions spread evenly (Fibonacci's spiral). */
@@ -20,53 +22,85 @@ export function directions(count: number): Vector3[] {
 /** The points that are farthest in each of many directions: their hull is nearly that of all. */
 export class Farthest {
   readonly points: Vector3[];
-  readonly #directions: Vector3[];
-  readonly #far: number[];
+  /** x y z of each. */
+  readonly #directions: Float64Array;
+  readonly #far: Float64Array;
   /** The least of them: what is nearer changes nothing. */
   #least = -Infinity;
 
   constructor(count: number) {
-    this.#directions = directions(count);
-    this.#far = this.#directions.map(() => -Infinity);
-    this.points = this.#directions.map(() => new Vector3());
+    this.#directions = Float64Array.from(directions(count).flatMap((d) => d.toArray()));
+    this.#far = new Float64Array(count).fill(-Infinity);
+    this.points = Array.from({ length: count }, () => new Vector3());
   }
 
   add({ x, y, z }: Vector3): void {
     if (x * x + y * y + z * z <= this.#least * Math.abs(this.#least)) return;
-    this.#least = Infinity;
-    for (let k = 0; k < this.#directions.length; k += 1) {
-      const d = this.#directions[k];
-      const along = d.x * x + d.y * y + d.z * z;
-      if (along > this.#far[k]) {
-        this.#far[k] = along;
+    const d = this.#directions;
+    const far = this.#far;
+    let least = Infinity;
+    for (let k = 0; k < far.length; k += 1) {
+      const along = d[3 * k] * x + d[3 * k + 1] * y + d[3 * k + 2] * z;
+      if (along > far[k]) {
+        far[k] = along;
         this.points[k].set(x, y, z);
       }
-      this.#least = Math.min(this.#least, this.#far[k]);
+      if (far[k] < least) least = far[k];
     }
+    this.#least = least;
   }
 }
 
-/** All that is in a picture, at every time of the motion. */
+/**
+ * All that is in a picture, at every time of the motion. `before`: of the motion until now. The frame stays as it was, and is only made
+ * wider by what goes beyond it, as long as this motion's size is like it; or, if `isHeld`, whatever its size is.
+ */
 export class Contents {
   readonly #found = new Map<string, Vector3[]>();
+  readonly #before: Map<string, Vector3[]>;
+  readonly #isHeld: boolean;
+
+  constructor(before: Contents | null, isHeld: boolean) {
+    this.#before = new Map(before ? [...before.#before, ...before.#found] : []);
+    this.#isHeld = isHeld;
+  }
+
+  /** From here on the frames are this motion's own. */
+  refit(): void {
+    if (this.#before.size === 0) return;
+    this.#found.clear();
+    this.#before.clear();
+  }
 
   /** `points` of a time; what they are of is named by `key`. */
   of(key: string, motion: Motion, points: (now: Moment, time: number) => Vector3[]): Vector3[] {
-    let found = this.#found.get(key);
+    const before = this.#before.get(key);
+    let found = this.#found.get(key) ?? (this.#isHeld ? before : undefined);
     if (!found) {
+      const all = sampled(motion, points);
       const farthest = new Farthest(DIRECTIONS);
-      const count = Math.min(motion.telling, TIMES);
-      for (let k = 0; k < count; k += 1) {
-        // Spread by the golden ratio: no oscillation is in step with it.
-        const i = count < TIMES ? k : Math.floor(((k * GOLDEN) % 1) * motion.telling);
-        const time = motion.times[i];
-        for (const p of points(motion.at(time), time)) farthest.add(p);
-      }
+      // These first: most of the others are inside and change nothing.
+      if (before && size(all) > LIKE * size(before)) for (const p of before) farthest.add(p);
+      for (const p of all) farthest.add(p);
       found = farthest.points;
-      this.#found.set(key, found);
     }
+    this.#found.set(key, found);
     return found;
   }
+}
+
+function sampled(motion: Motion, points: (now: Moment, time: number) => Vector3[]): Vector3[] {
+  const count = Math.min(motion.telling, TIMES);
+  return Array.from({ length: count }, (_, k) => {
+    // Spread by the golden ratio: no oscillation is in step with it.
+    const i = count < TIMES ? k : Math.floor(((k * GOLDEN) % 1) * motion.telling);
+    const time = motion.times[i];
+    return points(motion.at(time), time);
+  }).flat();
+}
+
+function size(points: readonly Vector3[]): number {
+  return points.reduce((most, p) => Math.max(most, p.length()), 0);
 }
 
 /**

@@ -2,7 +2,6 @@
 import { Line2 } from "three/examples/jsm/lines/Line2.js";
 import { LineGeometry } from "three/examples/jsm/lines/LineGeometry.js";
 import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
-import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
 import type { InterleavedBufferAttribute } from "three";
 import type { Ink, Palette } from "./palette";
@@ -26,8 +25,13 @@ export function curve(points: ArrayLike<number>, scale: number, pen: Pen, palett
 }
 
 /** Straight lines; `ends` are x y z of both ends of each. */
-export function segments(ends: ArrayLike<number>, material: LineMaterial): LineSegments2 {
-  return new LineSegments2(new LineSegmentsGeometry().setPositions(Float32Array.from(ends)), material);
+export function segments(ends: ArrayLike<number>): LineSegmentsGeometry {
+  return new LineSegmentsGeometry().setPositions(Float32Array.from(ends));
+}
+
+/** x y z of both ends of each of them. */
+export function endsOf(lines: LineSegmentsGeometry): ArrayLike<number> {
+  return (lines.attributes.instanceStart as InterleavedBufferAttribute).data.array;
 }
 
 /** A curve of at most `capacity` points that changes in every picture. */
@@ -35,14 +39,21 @@ export class MovingCurve {
   readonly object: Line2;
   readonly #ends: InterleavedBufferAttribute;
   readonly #capacity: number;
+  readonly #here = new Float32Array(3);
+  readonly #palette: Palette;
 
   constructor(capacity: number, pen: Pen, palette: Palette) {
     this.#capacity = capacity;
+    this.#palette = palette;
     const geometry = new LineGeometry();
     geometry.setPositions(new Float32Array(3 * capacity));
     this.object = line(geometry, pen, palette);
     this.object.frustumCulled = false;
     this.#ends = geometry.attributes.instanceStart as InterleavedBufferAttribute;
+  }
+
+  recolor(pen: Pen): void {
+    this.object.material = lineMaterial(pen, this.#palette);
   }
 
   /** `point(k, out)` writes the k-th of `count` points. */
@@ -52,31 +63,38 @@ export class MovingCurve {
     if (n < 2) return;
     // Each segment holds both of its ends.
     const ends = this.#ends.data.array as Float32Array;
-    const here = new Float32Array(3);
+    const here = this.#here;
     for (let k = 0; k < n; k += 1) {
       point(k, here);
-      if (k < n - 1) ends.set(here, 6 * k);
-      if (k > 0) ends.set(here, 6 * k - 3);
+      const x = here[0];
+      const y = here[1];
+      const z = here[2];
+      const at = 6 * k;
+      if (k < n - 1) {
+        ends[at] = x;
+        ends[at + 1] = y;
+        ends[at + 2] = z;
+      }
+      if (k > 0) {
+        ends[at - 3] = x;
+        ends[at - 2] = y;
+        ends[at - 1] = z;
+      }
     }
+    this.#ends.data.clearUpdateRanges();
+    this.#ends.data.addUpdateRange(0, 6 * (n - 1));
     this.#ends.data.needsUpdate = true;
     this.object.geometry.instanceCount = n - 1;
   }
-}
-
-export function lineMaterial(pen: Pen, palette: Palette): LineMaterial {
-  const material = new LineMaterial({
-    linewidth: pen.width,
-    transparent: (pen.opacity ?? 1) < 1 || pen.onTop === true,
-    opacity: pen.opacity ?? 1,
-    depthTest: pen.onTop !== true,
-    depthWrite: false,
-  });
-  palette.bind(material.color, pen.ink, pen.strength);
-  return material;
 }
 
 function line(geometry: LineGeometry, pen: Pen, palette: Palette): Line2 {
   const made = new Line2(geometry, lineMaterial(pen, palette));
   made.renderOrder = pen.onTop === true ? 10 : 2;
   return made;
+}
+
+export function lineMaterial({ ink, width, opacity = 1, strength = 1, onTop = false }: Pen, palette: Palette): LineMaterial {
+  const look = { linewidth: width, transparent: opacity < 1 || onTop, opacity, depthTest: !onTop, depthWrite: false };
+  return palette.shared(`line ${width} ${opacity} ${onTop}`, ink, () => new LineMaterial(look), strength);
 }

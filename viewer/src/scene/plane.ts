@@ -5,8 +5,8 @@ import type { Palette } from "./palette";
 
 export function plane(reach: number, palette: Palette): Group {
   const group = new Group();
-  const material = new MeshBasicMaterial({ transparent: true, opacity: 0.1, side: DoubleSide, depthWrite: false });
-  palette.bind(material.color, "ink");
+  const look = { transparent: true, opacity: 0.1, side: DoubleSide, depthWrite: false };
+  const material = palette.shared("plane", "ink", () => new MeshBasicMaterial(look));
   group.add(new Mesh(new CircleGeometry(reach, 96), material));
   for (const part of [0.25, 0.5, 0.75, 1]) {
     const ring = Array.from({ length: 97 }, (_, i) => {

@@ -16,11 +16,14 @@ import type { BodyData, FreeData } from "../data";
 import { points } from "../decode";
 import type { Motion } from "../motion";
 import { at } from "../motion";
+import { kept } from "./dispose";
 import type { Label } from "./labels";
 import { curve } from "./lines";
 import { Marker } from "./marker";
 import type { Palette } from "./palette";
 import { plane, rim } from "./plane";
+
+const SPHERE = kept(new SphereGeometry(1, 64, 48));
 
 export class Poinsot {
   /** Turn with the body. */
@@ -52,15 +55,9 @@ export class Poinsot {
     const scaled = half.map((a) => a * this.scale) as [number, number, number];
 
     for (const side of [BackSide, FrontSide]) {
-      const material = new MeshStandardMaterial({
-        roughness: 0.4,
-        transparent: true,
-        opacity: 0.3,
-        side,
-        depthWrite: false,
-      });
-      palette.bind(material.color, "solid");
-      const mesh = new Mesh(new SphereGeometry(1, 64, 48), material);
+      const look = { roughness: 0.4, transparent: true, opacity: 0.3, side, depthWrite: false };
+      const material = palette.shared(`inertia ellipsoid ${side}`, "solid", () => new MeshStandardMaterial(look));
+      const mesh = new Mesh(SPHERE, material);
       mesh.scale.set(...scaled);
       mesh.renderOrder = side === BackSide ? 0 : 1;
       this.ellipsoid.add(mesh);

@@ -5,6 +5,7 @@
 import { Group, Mesh, MeshStandardMaterial, SphereGeometry, Vector3 } from "three";
 import type { BodyData, FreeData } from "../data";
 import { points } from "../decode";
+import { kept } from "./dispose";
 import type { Label } from "./labels";
 import { curve } from "./lines";
 import { Marker } from "./marker";
@@ -13,6 +14,8 @@ import { spread } from "./poinsot";
 
 /** Lines lie this far above the sphere. */
 const ABOVE = 1.004;
+
+const SPHERE = kept(new SphereGeometry(1, 96, 64));
 
 export class MomentumSphere {
   /** Turns with the body. */
@@ -27,9 +30,8 @@ export class MomentumSphere {
   readonly #separatrices: Vector3[];
 
   constructor(free: FreeData, body: BodyData, palette: Palette) {
-    const material = new MeshStandardMaterial({ roughness: 0.85 });
-    palette.bind(material.color, "solid");
-    this.object.add(new Mesh(new SphereGeometry(1, 96, 64), material));
+    const material = palette.shared("sphere", "solid", () => new MeshStandardMaterial({ roughness: 0.85 }));
+    this.object.add(new Mesh(SPHERE, material));
     const draw = (into: Group, rows: string[], what: string, pen: Parameters<typeof curve>[2]): void => {
       for (const row of rows) {
         const line = points(row, what);

@@ -1,6 +1,6 @@
 /** The way that a point has come: a body axis, or the tip of ω, in space. */
 import { Group } from "three";
-import { rotate, type Vector } from "../attitude";
+import { type Vector, writeRotated } from "../attitude";
 import { indexAt } from "../clock";
 import type { Motion } from "../motion";
 import { MovingCurve } from "./lines";
@@ -15,66 +15,135 @@ const LONGEST = 12_000;
 
 export type Trailed = "axis-1" | "axis-2" | "axis-3" | "omega";
 
-export class Trail {
+/** The curves of whichever trail is shown, from the oldest part, which is faint, to the newest. */
+export class TrailCurves {
   readonly object = new Group();
-  /** From the oldest, which is faint, to the newest. */
   readonly #parts: MovingCurve[];
-  /** s of the motion: a trail of some turns, however slow the point is. */
-  readonly #seconds: number;
-  readonly #points: Float32Array;
-  readonly #times: Float64Array;
+  #ink: Trailed = "axis-1";
 
-  /** `scale` is the length of 1 rad/s in the picture; axes are `reach` long. */
-  constructor(motion: Motion, what: Trailed, scale: number, reach: number, palette: Palette) {
-    const fine = Math.max(1, Math.min(FINE, Math.floor(LONGEST / motion.count)));
-    const count = (motion.count - 1) * fine + 1;
-    this.#points = new Float32Array(3 * count);
-    this.#times = new Float64Array(count);
-    for (let k = 0; k < count; k += 1) {
-      const i = Math.floor(k / fine);
-      const from = motion.times[i];
-      const to = motion.times[Math.min(i + 1, motion.count - 1)];
-      const time = from + ((k % fine) / fine) * (to - from);
-      this.#times[k] = time;
-      const now = motion.at(time);
-      const v: Vector = what === "omega" ? now.omega : axis(what);
-      const s = what === "omega" ? scale : reach;
-      this.#points.set(
-        rotate(now.attitude, v).map((x) => x * s),
-        3 * k,
-      );
-    }
-    let path = 0;
-    for (let k = 3; k < 3 * ((motion.telling - 1) * fine + 1); k += 3) {
-      const [x, y, z] = [0, 1, 2].map((c) => this.#points[k + c] - this.#points[k + c - 3]);
-      path += Math.hypot(x, y, z);
-    }
-    const duration = motion.times[motion.telling - 1] - motion.times[0];
-    this.#seconds = path > LENGTH ? (duration * LENGTH) / path : duration;
-    const most = Math.ceil(Math.min(count + 1, LONGEST + 1) / PARTS) + 2;
-    this.#parts = Array.from({ length: PARTS }, (_, k) => {
-      return new MovingCurve(most, { ink: what, width: 2, strength: (k + 1.6) / (PARTS + 0.6) }, palette);
-    });
+  constructor(palette: Palette) {
+    const most = Math.ceil((LONGEST + 1) / PARTS) + 2;
+    this.#parts = Array.from({ length: PARTS }, (_, k) => new MovingCurve(most, pen("axis-1", k), palette));
     this.object.add(...this.#parts.map((part) => part.object));
   }
 
-  /** Up to `time`; it ends at `tip`. */
-  draw(time: number, tip: Vector): void {
-    const last = indexAt(this.#times, time);
-    const first = Math.max(indexAt(this.#times, time - this.#seconds), last - LONGEST + 1);
+  /** A trail up to `time`; it ends at `tip`. */
+  draw(trail: Trail, time: number, tip: Vector): void {
+    if (trail.what !== this.#ink) {
+      this.#ink = trail.what;
+      this.#parts.forEach((part, k) => part.recolor(pen(trail.what, k)));
+    }
+    const [first, last] = trail.span(time);
+    const points = trail.points(first, last);
     const count = last - first + 2;
     this.#parts.forEach((part, p) => {
       const from = Math.floor((p * (count - 1)) / PARTS);
       const to = Math.floor(((p + 1) * (count - 1)) / PARTS);
       part.draw(to - from + 1, (k, out) => {
-        const at = first + from + k;
-        if (from + k === count - 1) out.set(tip);
-        else out.set(this.#points.subarray(3 * at, 3 * at + 3));
+        if (from + k === count - 1) {
+          out.set(tip);
+          return;
+        }
+        const at = 3 * (first + from + k);
+        out[0] = points[at];
+        out[1] = points[at + 1];
+        out[2] = points[at + 2];
       });
     });
   }
 }
 
-export function axis(which: Exclude<Trailed, "omega">): Vector {
-  return which === "axis-1" ? [1, 0, 0] : which === "axis-2" ? [0, 1, 0] : [0, 0, 1];
+function pen(ink: Trailed, part: number): { ink: Trailed; width: number; strength: number } {
+  return { ink, width: 2, strength: (part + 1.6) / (PARTS + 0.6) };
 }
+
+/** Its points; they are found when they are asked for, as a motion that changes under a knob shows but few of them. */
+export class Trail {
+  readonly what: Trailed;
+  readonly #motion: Motion;
+  readonly #fine: number;
+  readonly #count: number;
+  readonly #size: number;
+  /** s of the motion: a trail of some turns, however slow the point is. */
+  readonly #seconds: number;
+  readonly #points: Float32Array;
+  readonly #known: Uint8Array;
+  readonly #times: Float64Array;
+
+  /** `scale` is the length of 1 rad/s in the picture; axes are `reach` long. */
+  constructor(motion: Motion, what: Trailed, scale: number, reach: number) {
+    this.what = what;
+    this.#motion = motion;
+    this.#size = what === "omega" ? scale : reach;
+    this.#fine = Math.max(1, Math.min(FINE, Math.floor(LONGEST / motion.count)));
+    this.#count = (motion.count - 1) * this.#fine + 1;
+    this.#points = new Float32Array(3 * this.#count);
+    this.#known = new Uint8Array(this.#count);
+    this.#times = new Float64Array(this.#count);
+    for (let k = 0; k < this.#count; k += 1) this.#times[k] = this.#timeOf(k);
+    const path = this.#path();
+    const duration = motion.times[motion.telling - 1] - motion.times[0];
+    this.#seconds = path > LENGTH ? (duration * LENGTH) / path : duration;
+  }
+
+  /** The first and the last of the points that are shown at a time. */
+  span(time: number): [number, number] {
+    const last = indexAt(this.#times, time);
+    return [Math.max(indexAt(this.#times, time - this.#seconds), last - LONGEST + 1), last];
+  }
+
+  /** x y z of all; those between the two are known. */
+  points(first: number, last: number): Float32Array {
+    for (let k = first; k <= last; k += 1) {
+      if (this.#known[k] === 0) this.#find(k);
+    }
+    return this.#points;
+  }
+
+  #timeOf(k: number): number {
+    const { times, count } = this.#motion;
+    const i = Math.floor(k / this.#fine);
+    return times[i] + ((k % this.#fine) / this.#fine) * (times[Math.min(i + 1, count - 1)] - times[i]);
+  }
+
+  #find(k: number): void {
+    this.#known[k] = 1;
+    const i = Math.floor(k / this.#fine);
+    const { attitude } = this.#motion;
+    if (this.what === "omega") {
+      const now = this.#motion.at(this.#times[k]);
+      writeRotated(now.attitude, 0, now.omega, 0, this.#points, 3 * k, this.#size);
+    } else if (k % this.#fine === 0) {
+      writeRotated(attitude, 4 * i, axis(this.what), 0, this.#points, 3 * k, this.#size);
+    } else {
+      writeRotated(this.#motion.attitudeAt(this.#times[k]), 0, axis(this.what), 0, this.#points, 3 * k, this.#size);
+    }
+  }
+
+  // How far the point goes: the length of the way through the samples, and of an axis the arc by its speed |ω × e|.
+  #path(): number {
+    const { attitude, omega, times, telling } = this.#motion;
+    let path = 0;
+    if (this.what === "omega") {
+      const [a, b] = [new Float64Array(3), new Float64Array(3)];
+      for (let i = 0; i < telling; i += 1) {
+        b.set(a);
+        writeRotated(attitude, 4 * i, omega, 3 * i, a, 0, this.#size);
+        if (i > 0) path += Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+      }
+      return path;
+    }
+    const k = axis(this.what).indexOf(1);
+    for (let i = 1; i < telling; i += 1) {
+      const across = Math.hypot(omega[3 * i + ((k + 1) % 3)], omega[3 * i + ((k + 2) % 3)]);
+      path += across * (times[i] - times[i - 1]) * this.#size;
+    }
+    return path;
+  }
+}
+
+export function axis(which: Exclude<Trailed, "omega">): Vector {
+  return which === "axis-1" ? AXES[0] : which === "axis-2" ? AXES[1] : AXES[2];
+}
+
+const AXES: [Vector, Vector, Vector] = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];

@@ -1,4 +1,4 @@
-//! The cookbook: every page is followed, and its output is what the page says.
+//! The cookbook and the tutorials: every page is followed, and its output is what the page says.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -6,8 +6,15 @@ use std::path::{Path, PathBuf};
 use crate::common::recipe::follow;
 use crate::common::{Scratch, entries};
 
-/// How many pages it has at least.
-const PAGES: usize = 15;
+/// A folder of pages that are followed, the page that lists them, and how many it has at least.
+struct Pages {
+    folder: &'static str,
+    index: &'static str,
+    least: usize,
+}
+
+const COOKBOOK: Pages = Pages { folder: "book/cookbook", index: "book/cookbook/README.md", least: 15 };
+const TUTORIALS: Pages = Pages { folder: "book/tutorials", index: "book/README.md", least: 6 };
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
@@ -15,13 +22,25 @@ fn root() -> PathBuf {
 
 #[test]
 fn the_pages_of_the_cookbook_are_what_their_commands_print() {
-    let folder = root().join("book/cookbook");
+    follow_all(&COOKBOOK);
+}
+
+#[test]
+fn the_tutorials_are_what_their_commands_print() {
+    follow_all(&TUTORIALS);
+}
+
+fn follow_all(Pages { folder, index, least }: &Pages) {
+    let listed = fs::read_to_string(root().join(index)).unwrap();
+    let folder = root().join(folder);
     let pages: Vec<String> = entries(&folder).into_iter().filter(|name| name != "README.md").collect();
-    assert!(pages.len() >= PAGES, "{} pages", pages.len());
-    let index = fs::read_to_string(folder.join("README.md")).unwrap();
+    assert!(pages.len() >= *least, "{} pages", pages.len());
     for page in pages {
-        assert!(index.contains(&format!("({page})")), "{page} is not in the index");
-        let scratch = Scratch::new(&format!("cookbook-{page}"));
+        assert!(
+            listed.contains(&format!("({page})")) || listed.contains(&format!("(tutorials/{page})")),
+            "{page} is not in {index}"
+        );
+        let scratch = Scratch::new(&format!("page-{page}"));
         copy(&root().join("examples"), &scratch.0.join("examples"));
         let followed = follow(&folder.join(&page), &scratch);
         assert!(followed.commands > 0 && followed.excerpts > 0, "{page} shows no command and what it prints");
@@ -29,10 +48,35 @@ fn the_pages_of_the_cookbook_are_what_their_commands_print() {
 }
 
 #[test]
-fn the_links_of_the_cookbook_lead_somewhere() {
-    let folder = root().join("book/cookbook");
+fn the_links_of_the_pages_lead_somewhere() {
+    for pages in [COOKBOOK, TUTORIALS] {
+        let count = links(&root().join(pages.folder));
+        assert!(count > pages.least, "{count} links");
+    }
+}
+
+/// Its commands are on scenarios that `cargo xtask examples` simulates: those with a `[run]`.
+#[test]
+fn each_motion_of_the_gallery_has_its_picture_scenario_and_command() {
+    let page = fs::read_to_string(root().join("book/gallery.md")).unwrap();
+    let motions: Vec<&str> = page.split("\n### ").skip(1).collect();
+    assert!(motions.len() >= 20, "{} motions", motions.len());
+    for motion in motions {
+        let (_, rest) =
+            motion.split_once("`polhode simulate ").unwrap_or_else(|| panic!("no command: {motion}"));
+        let (example, _) = rest.split_once(" --open`").unwrap_or_else(|| panic!("no command: {motion}"));
+        let stem = Path::new(example).file_stem().unwrap().to_str().unwrap();
+        assert!(motion.contains(&format!("](gallery/{stem}.webp)")), "{motion}");
+        assert!(motion.contains(&format!("[{stem}.toml](../{example})")), "{motion}");
+        let scenario = fs::read_to_string(root().join(example)).unwrap();
+        assert!(scenario.lines().any(|line| line == "[run]"), "{example} has no motion");
+    }
+}
+
+/// Follows the links of all pages of a folder, and says how many there are.
+fn links(folder: &Path) -> usize {
     let mut count = 0;
-    for page in entries(&folder) {
+    for page in entries(folder) {
         let text = fs::read_to_string(folder.join(&page)).unwrap();
         let targets = text.split("](").skip(1).filter_map(|rest| rest.split(')').next());
         for target in targets.filter(|target| !target.starts_with("https:")) {
@@ -44,7 +88,7 @@ fn the_links_of_the_cookbook_lead_somewhere() {
             count += 1;
         }
     }
-    assert!(count > PAGES, "{count} links");
+    count
 }
 
 /// What follows the `#` of a link to a heading.

@@ -6,6 +6,7 @@ mod command;
 mod common;
 mod cookbook;
 mod corpus;
+mod digits;
 mod example_files;
 mod explain;
 mod inertia;

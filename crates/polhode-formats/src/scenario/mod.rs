@@ -22,8 +22,11 @@
 //! A quantity is a string with its unit, or a number in SI. Whatever is unknown, impossible or ambiguous is an
 //! error that points at its place; nothing is ignored.
 
+mod asked;
 mod body;
+mod completion;
 mod csv;
+mod draft;
 mod event;
 mod formula;
 mod key;
@@ -31,6 +34,7 @@ mod list_units;
 mod meant;
 mod molecule;
 mod motion_table;
+mod number;
 mod orbit;
 mod part;
 mod pendulum;
@@ -61,6 +65,9 @@ use crate::error::{FormatError, FormatErrorKind, Place};
 use crate::file;
 use crate::mesh::stl;
 use crate::text::is_utf16;
+pub use completion::{Completion, Suggested};
+pub use draft::Draft;
+pub use number::WrittenNumber;
 use pointing::References;
 use polhode::motion::{ActingTorque, MotionError, Rotor, Scenario};
 use reader::{TOP, Table};
@@ -125,14 +132,8 @@ impl ScenarioFile {
     /// # Errors
     /// As [`read`].
     pub fn parse(text: String, path: &Path) -> Result<Self, FormatError> {
-        let source = Source { path, text: &text, is_shown: true };
-        let root = document(source)?;
-        let (mut scenario, torques) = read_root(source, &root)?;
-        if root.contains_key("sweep") {
-            let members = sweep::sweep(source, &root, &scenario)?.members;
-            scenario = scenario.noting([sweep::nominal(members)]);
-        }
-        let tables = run::tables(&Table::root(source, &root))?;
+        let source = Source::new(path, &text);
+        let (scenario, tables, torques) = file_of_root(source, &document(source)?)?;
         Ok(Self { scenario, tables, torques, path: path.to_owned(), text })
     }
 
@@ -223,6 +224,19 @@ fn document(source: Source<'_>) -> Result<Entries, FormatError> {
         .map_err(|error| perhaps_mesh(source.syntax(&error), source.text.as_bytes()))?;
     list_units::check(source, &entries)?;
     Ok(entries)
+}
+
+/// What a file states whose tables are `entries`; of a plan, the scenario as it is written.
+fn file_of_root(
+    source: Source<'_>,
+    entries: &Entries,
+) -> Result<(Scenario, Vec<TableFormat>, Vec<TorquePlaces>), FormatError> {
+    let (mut scenario, torques) = read_root(source, entries)?;
+    if entries.contains_key("sweep") {
+        let members = sweep::sweep(source, entries, &scenario)?.members;
+        scenario = scenario.noting([sweep::nominal(members)]);
+    }
+    Ok((scenario, run::tables(&Table::root(source, entries))?, torques))
 }
 
 /// The scenario of a file whose tables are `entries`, and where it has its torques.

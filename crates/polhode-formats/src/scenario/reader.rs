@@ -58,6 +58,7 @@ impl<'a> Table<'a> {
 
     /// Refuses the first key that is none of `known`.
     pub(crate) fn allow(&self, known: &[&'static str]) -> Result<(), FormatError> {
+        self.source.asked.into_iter().for_each(|asked| asked.keys(&self.span, &self.name, known));
         let unknown = self.entries.iter().filter(|(key, _)| !known.contains(&key.as_ref()));
         let Some((key, entry)) = unknown.min_by_key(|(_, entry)| entry.key.start) else { return Ok(()) };
         let key = key.to_string();
@@ -187,7 +188,12 @@ impl<'a> Value<'a> {
 
     /// The path of the file that it names, relative to the scenario.
     pub(crate) fn path(&self) -> Result<PathBuf, FormatError> {
-        self.string().map(|name| self.source.beside(name))
+        let path = self.source.beside(self.string()?);
+        if self.source.files.is_some_and(|files| !files.contains(&path)) {
+            let error = self.invalid("a file that was opened with the scenario, or dropped beside it");
+            return Err(error.with_hint("no other file is opened for a text that comes from a page"));
+        }
+        Ok(path)
     }
 
     pub(crate) fn is_array(&self) -> bool {
@@ -275,6 +281,7 @@ impl<'a> Value<'a> {
 
     /// One of several names.
     pub(crate) fn choice(&self, names: &[&'static str]) -> Result<&'static str, FormatError> {
+        self.source.asked.into_iter().for_each(|asked| asked.choice(&self.value.span, names));
         let text = self.string()?;
         match names.iter().find(|name| **name == text) {
             Some(name) => Ok(name),
@@ -346,6 +353,7 @@ impl<'a> Value<'a> {
         dimension: Dimension,
         written: impl FnOnce() -> Result<f64, FormatError>,
     ) -> Result<f64, FormatError> {
+        self.source.asked.into_iter().for_each(|asked| asked.quantity(&self.value.span, dimension));
         if let Some(Replacement::Number(value)) = self.replacement() {
             return Ok(*value);
         }

@@ -1,8 +1,10 @@
 //! The text of a scenario file: places in it, and errors at them.
 
+use std::collections::BTreeSet;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
+use super::asked::Asked;
 use super::tree::{Kind, Node, Replacement};
 use crate::error::{FormatError, FormatErrorKind, Place};
 use crate::expression::ExpressionError;
@@ -14,9 +16,18 @@ pub(crate) struct Source<'a> {
     pub(crate) text: &'a str,
     /// Whether the scenario will be looked at: members of sweeps are not.
     pub(crate) is_shown: bool,
+    /// The only files that it may name; `None` where it may name any.
+    pub(crate) files: Option<&'a BTreeSet<PathBuf>>,
+    /// Where the reader writes down what it asks for, if somebody wants to know.
+    pub(crate) asked: Option<&'a Asked>,
 }
 
-impl Source<'_> {
+impl<'a> Source<'a> {
+    /// Of a scenario that will be looked at, and may name any file.
+    pub(crate) const fn new(path: &'a Path, text: &'a str) -> Self {
+        Self { path, text, is_shown: true, files: None, asked: None }
+    }
+
     pub(crate) fn place(&self, span: Range<usize>) -> Place {
         Place::in_text(self.text, span)
     }

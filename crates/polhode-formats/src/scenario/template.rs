@@ -64,7 +64,7 @@ impl Template {
     /// # Errors
     /// As [`scenario::read`](super::read).
     pub fn parse(text: String, path: &Path) -> Result<Self, FormatError> {
-        let source = Source { path, text: &text, is_shown: true };
+        let source = Source::new(path, &text);
         let entries = document(source)?;
         let (nominal, _) = read_root(source, &entries)?;
         let mut files = Vec::new();
@@ -130,7 +130,7 @@ impl Template {
     }
 
     fn source(&self) -> Source<'_> {
-        Source { path: &self.path, text: &self.text, is_shown: false }
+        Source { is_shown: false, ..Source::new(&self.path, &self.text) }
     }
 
     /// Puts other values in the place of a target.

@@ -4,6 +4,7 @@
 //! what is replaced, and these know nothing: so a later reading computes what depends on it, and nothing else.
 
 use std::collections::BTreeMap;
+use std::hash::{Hash as _, Hasher};
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 
@@ -95,6 +96,20 @@ impl Node {
         }
     }
 
+    /// Hashes what it says, wherever it stands.
+    pub(crate) fn hash_into(&self, hasher: &mut impl Hasher) {
+        match &self.kind {
+            Kind::Text(text) | Kind::Float(text) | Kind::Whole { digits: text, .. } => text.hash(hasher),
+            Kind::Truth(truth) => truth.hash(hasher),
+            Kind::Date | Kind::Replaced(_) => {}
+            Kind::List(elements) => elements.iter().for_each(|element| element.hash_into(hasher)),
+            Kind::Table(entries) => entries.iter().for_each(|(key, entry)| {
+                key.hash(hasher);
+                entry.node.hash_into(hasher);
+            }),
+        }
+    }
+
     /// The name of a file, once that was read.
     pub(crate) fn file(&self) -> Option<&str> {
         match (&self.kind, self.known.get()) {
@@ -161,4 +176,51 @@ fn node(value: &Spanned<DeValue<'_>>) -> Arc<Node> {
         DeValue::Table(table) => Kind::Table(entries(table)),
     };
     Arc::new(Node { span: value.span(), kind, known: OnceLock::new() })
+}
+
+/// Keys of a table that do not change what the file that it names says.
+const APART: [&str; 6] = ["position", "rotate", "density", "mass", "material", "on"];
+
+/// Lets a tree know what another has read from files that both name, in tables that say the same of them: they are not read again.
+pub(crate) fn adopt(entries: &mut Entries, from: &Entries) {
+    let telling = |entries: &Entries| -> Vec<(Arc<str>, Arc<Node>)> {
+        let told = entries.iter().filter(|(key, _)| !APART.contains(&key.as_ref()));
+        told.map(|(key, entry)| (key.clone(), entry.node.clone())).collect()
+    };
+    let (mine, theirs) = (telling(entries), telling(from));
+    let is_alike = mine.len() == theirs.len()
+        && mine.iter().zip(&theirs).all(|((key, node), (other, old))| key == other && same(node, old));
+    for (key, entry) in entries {
+        let Some(old) = from.get(key) else { continue };
+        if is_alike && old.node.file().is_some() {
+            let known = old.node.known.clone();
+            Arc::make_mut(&mut entry.node).known = known;
+        } else {
+            adopt_node(&mut entry.node, &old.node);
+        }
+    }
+}
+
+fn adopt_node(node: &mut Arc<Node>, from: &Node) {
+    match (&mut Arc::make_mut(node).kind, &from.kind) {
+        (Kind::Table(entries), Kind::Table(from)) => adopt(entries, from),
+        (Kind::List(elements), Kind::List(from)) => {
+            elements.iter_mut().zip(from).for_each(|(element, from)| adopt_node(element, from));
+        }
+        _ => {}
+    }
+}
+
+/// Whether two values say the same.
+fn same(a: &Node, b: &Node) -> bool {
+    match (&a.kind, &b.kind) {
+        (Kind::Text(a), Kind::Text(b)) | (Kind::Float(a), Kind::Float(b)) => a == b,
+        (Kind::Whole { digits: a, radix: r }, Kind::Whole { digits: b, radix: s }) => a == b && r == s,
+        (Kind::Truth(a), Kind::Truth(b)) => a == b,
+        (Kind::List(a), Kind::List(b)) => a.len() == b.len() && a.iter().zip(b).all(|(a, b)| same(a, b)),
+        (Kind::Table(a), Kind::Table(b)) => {
+            a.len() == b.len() && a.iter().zip(b).all(|((k, a), (l, b))| k == l && same(&a.node, &b.node))
+        }
+        _ => false,
+    }
 }

@@ -26,6 +26,12 @@ impl Unit {
     }
 }
 
+/// The first name of each unit of a dimension.
+pub(super) fn names_of(dimension: Dimension) -> impl Iterator<Item = &'static str> {
+    let of = UNITS.iter().filter(move |(.., found)| *found == dimension);
+    of.filter_map(|(names, ..)| names.split(' ').next())
+}
+
 /// The unit that was probably meant.
 pub(super) fn suggestion(name: &str) -> Option<String> {
     let base = name.trim_end_matches(|c: char| c.is_ascii_digit());

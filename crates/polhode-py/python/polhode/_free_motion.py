@@ -58,7 +58,7 @@ class FreeMotion:
     >>> omega[1].round(12)
     array([-0.01, -1.  ,  0.01])
 
-    Accuracy: 4e-15 (ω relative, attitude in rad) for |t| up to 1e9 periods; the measured errors are in the book's ``accuracy.md``.
+    Accuracy: 4e-15 (ω relative, attitude in rad) up to 1e9 periods from the start, either way; the measured errors are in the book's ``accuracy.md``.
     Beyond some 1e25 turns, where the phase has no six digits left, :meth:`at` refuses a time.
     """
 

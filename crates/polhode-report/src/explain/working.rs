@@ -42,7 +42,7 @@ impl<'a> Working<'a> {
     }
 
     pub(super) fn of(scenario: &'a Scenario) -> Result<Self, MotionError> {
-        let trajectory = match scenario.simulate_with_error(ErrorEffort::Auto, &mut |_| {}) {
+        let trajectory = match scenario.simulate_with_error(ErrorEffort::Auto, &mut |_| true) {
             // A point has no rotation to compute; all else about it can be told.
             None | Some(Err(MotionError::NotSpinnable)) => None,
             Some(result) => Some(Cow::Owned(result?)),

@@ -6,7 +6,7 @@ use polhode::observe::FreeRegime;
 use super::MotionReport;
 use super::facts::{Facts, Needed, Top};
 use crate::layout::{WIDTH, broken, columns, labelled, plain_spaces, printable};
-use crate::number::{count, error, number, tidy, ungrouped, vector, within};
+use crate::number::{count, error, has_digits, number, tidy, ungrouped, vector, within};
 use crate::periods::in_both_conventions;
 use crate::sparkline::Sparkline;
 use crate::torque::{Description, off_at_start, wheel_name};
@@ -37,7 +37,7 @@ pub(super) fn write(report: &MotionReport<'_>, picture: usize) -> String {
         text.push_str(&torque_needed(needed));
     }
     text.push_str(&what_acts(report.scenario));
-    text.push_str(&orbit::to_text(report.scenario, samples));
+    text.push_str(&orbit::to_text(report.scenario, samples, global_error::of_attitude(report.trajectory)));
     text.push_str(&event::table(report.trajectory, report.scenario));
     text.push_str(&evidence(report, &facts));
     text.push_str(&global_error::to_text(report.trajectory));
@@ -261,10 +261,16 @@ fn ends(report: &MotionReport<'_>, facts: &Facts<'_>) -> String {
     if samples.len() > 1 {
         let error = global_error::of_omega(report.trajectory);
         text.push_str(&labelled("end", &omega::in_words_within(last.state.omega, error)));
+        let error = global_error::of_attitude(report.trajectory);
         // An angle δ changes the components of a quaternion by δ/2 at most.
-        let error = 0.5 * global_error::of_attitude(report.trajectory);
-        let q = last.state.attitude.canonical_quaternion().map(|x| within(x, error, 6)).join(", ");
-        text.push_str(&labelled("", &format!("attitude w, x, y, z = {q}")));
+        let q = last.state.attitude.canonical_quaternion().map(|x| within(x, 0.5 * error, 6)).join(", ");
+        text.push_str(&labelled(
+            "",
+            &match has_digits(global_error::LARGEST_ATTITUDE, error) {
+                true => format!("attitude w, x, y, z = {q}"),
+                false => "no digit of the attitude is right (estimate)".to_owned(),
+            },
+        ));
         if !facts.is_free {
             // T goes with the square of ω.
             let omega_error = report.trajectory.error().map_or(0.0, |estimate| estimate.end().omega);
@@ -278,7 +284,9 @@ fn ends(report: &MotionReport<'_>, facts: &Facts<'_>) -> String {
                 within(last.kinetic_energy, 2.0 * last.kinetic_energy * omega_error, 6),
                 number(last.work, 6)
             );
-            text.push_str(&labelled("energy", &line));
+            if has_digits(1.0, 2.0 * omega_error) {
+                text.push_str(&labelled("energy", &line));
+            }
         }
         text.push_str(&wheels(report.scenario, [&first.state, &last.state]));
     }

@@ -6,7 +6,8 @@ use super::shapes::{self, Budget};
 use super::turning::{Turning, ellipsoid};
 use crate::json::{finite, numbers};
 
-pub(super) fn json(turning: &Turning<'_>, budget: &mut Budget) -> Value {
+/// Without `budget` it has no shapes.
+pub(super) fn json(turning: &Turning<'_>, budget: Option<&mut Budget>) -> Value {
     let moments = turning.principal.moments();
     json!({
         "mass": turning.mass,
@@ -18,6 +19,6 @@ pub(super) fn json(turning: &Turning<'_>, budget: &mut Budget) -> Value {
             "quaternion": numbers(&turning.principal.rotation().canonical_quaternion()),
         },
         "ellipsoid": numbers(&ellipsoid(moments, turning.mass.unwrap_or(1.0))),
-        "shapes": shapes::json(turning, budget),
+        "shapes": budget.map_or_else(|| json!([]), |budget| shapes::json(turning, budget)),
     })
 }

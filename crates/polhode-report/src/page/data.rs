@@ -25,7 +25,7 @@ pub(super) fn json(input: &PageInput<'_>, frame: usize) -> Value {
     let others = [&motion, &free, &explanation].map(|value| value.to_string().len()).iter().sum::<usize>()
         + input.scenario_text.map_or(0, str::len);
     let mut budget = Budget::new(PAGE.saturating_sub(frame + others).max(LEAST_MESH));
-    let body = body::json(&turning, &mut budget);
+    let body = body::json(&turning, input.shapes.then_some(&mut budget));
     let facts = facts::json(input, &turning, free_facts.as_ref(), &shown, budget.notes());
     json!({
         "version": 1,

@@ -43,6 +43,7 @@ use crate::mathml::escaped;
 ///     subject: PageSubject::Moments(motion.principal()),
 ///     trajectory: &Trajectory::of_motion(motion, &times)?,
 ///     explanation: None,
+///     shapes: true,
 /// });
 /// assert!(html.contains("<title>1 &lt; 2 &lt; 3</title>"));
 /// # Ok::<(), polhode::motion::MotionError>(())
@@ -61,6 +62,8 @@ pub struct PageInput<'a> {
     pub trajectory: &'a Trajectory,
     /// The worked solution.
     pub explanation: Option<&'a Document>,
+    /// Whether the shapes of the body are in it: who shows one motion after another has them.
+    pub shapes: bool,
 }
 
 /// What moves on a page.

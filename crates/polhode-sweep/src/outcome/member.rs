@@ -95,7 +95,7 @@ impl Outcome {
                 None => self.failed(&MotionError::NotFinite { time: end }),
             };
         }
-        match scenario.simulate_with_error(ErrorEffort::Cheap, &mut |_| {}) {
+        match scenario.simulate_with_error(ErrorEffort::Cheap, &mut |_| true) {
             Some(Ok(trajectory)) => self.with(scenario, rotor, &trajectory),
             Some(Err(error)) => self.failed(&error),
             None => Self { cause: Some("it has no [run] section".to_owned()), ..self },

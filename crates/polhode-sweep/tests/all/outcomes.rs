@@ -166,7 +166,7 @@ fn a_driven_member_has_events_steps_and_an_end() {
     let (count, end) = (numbers(&rows, "event_one_second_count"), numbers(&rows, "end_time_s"));
     for k in 0..20 {
         let scenario = plan.scenario(&plan.values(k as u64)).unwrap();
-        let trajectory = scenario.simulate_with_error(ErrorEffort::Cheap, &mut |_| {}).unwrap().unwrap();
+        let trajectory = scenario.simulate_with_error(ErrorEffort::Cheap, &mut |_| true).unwrap().unwrap();
         let error = trajectory.error().unwrap().end();
         assert_eq!(numbers(&rows, "error_attitude_rad")[k], Some(error.attitude));
         assert_eq!(numbers(&rows, "error_omega")[k], Some(error.omega));

@@ -155,6 +155,11 @@ pub enum MotionError {
         /// The last good time, s.
         time: f64,
     },
+    /// The progress callback ended an integration.
+    Stopped {
+        /// The time it had reached, s.
+        time: f64,
+    },
     /// Cancelled by the progress callback.
     Cancelled {
         /// How many were done.
@@ -234,6 +239,7 @@ impl MotionError {
             | Self::NoDirection { .. }
             | Self::ParameterOutOfRange { .. }
             | Self::Exclusive { .. }
+            | Self::Stopped { .. }
             | Self::Cancelled { .. } => None,
         }
     }
@@ -337,6 +343,7 @@ impl fmt::Display for MotionError {
                 "after t = {time} s the spring or wire is twisted by more than half a turn, and its torque is no longer determined",
                 time = plain(*time)
             ),
+            Self::Stopped { time } => write!(f, "stopped at {time} s, as was asked"),
             Self::Cancelled { done } => write!(f, "cancelled after {done} members"),
             Self::NotFinite { time } => {
                 write!(f, "the motion is not finite after t = {time} s", time = plain(*time))

@@ -284,13 +284,35 @@ fn an_estimate_of_the_error_tells_that_it_is_made() {
             tolerance: 1e-13,
         };
         let (mut steps, mut told) = (0, Vec::new());
-        let motion = simulation.run_watched(&mut |_| steps += 1).unwrap();
-        let with_error =
-            simulation.run_with_error(ErrorEffort::Thorough, &mut |time| told.push(time)).unwrap();
+        let motion = simulation
+            .run_watched(&mut |_| {
+                steps += 1;
+                true
+            })
+            .unwrap();
+        let with_error = simulation
+            .run_with_error(ErrorEffort::Thorough, &mut |time| {
+                told.push(time);
+                true
+            })
+            .unwrap();
         assert_eq!(motion.samples(), with_error.samples());
         // Twelve runs of about as many steps, all of them after the motion's own.
         assert!(told.len() > 10 * steps && steps > 10, "{} of {steps}", told.len());
         assert!(told.iter().skip(steps).all(|time| *time == 30.0));
         assert_eq!(simulation.global_error(&motion, ErrorEffort::Thorough).as_ref(), with_error.error());
+        // A stop is heard in the motion, and in each run of the estimate.
+        for most in [5, steps + 3] {
+            let mut left = i64::try_from(most).unwrap();
+            let stopped = simulation.run_with_error(ErrorEffort::Thorough, &mut |_| {
+                left -= 1;
+                left > 0
+            });
+            assert!(
+                matches!(stopped, Err(MotionError::Stopped { time }) if time > 0.0 && time <= 30.0),
+                "{stopped:?}"
+            );
+            assert!(left > -20, "it went on for {left}");
+        }
     }
 }

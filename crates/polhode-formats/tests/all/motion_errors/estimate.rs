@@ -45,7 +45,7 @@ impl Ratios {
 fn measured(cases: &[Case], effort: ErrorEffort) -> [BTreeMap<String, Ratios>; 3] {
     let mut all: [BTreeMap<String, Ratios>; 3] = Default::default();
     for case in cases {
-        let trajectory = case.scenario.simulate_with_error(effort, &mut |_| {}).unwrap();
+        let trajectory = case.scenario.simulate_with_error(effort, &mut |_| true).unwrap();
         let trajectory = trajectory.unwrap_or_else(|error| panic!("{}: {error}", case.name));
         let error = trajectory.error().unwrap();
         let of = |time: f64| {

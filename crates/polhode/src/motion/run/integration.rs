@@ -50,14 +50,14 @@ impl<'a> Integration<'a> {
     }
 
     /// Runs to the last time, as far as it can; gives the sample of the start, and how it ended. `progress` is told the time after
-    /// each step.
+    /// each step; `false` ends the work.
     ///
     /// # Errors
-    /// [`MotionError::NotFinite`] at the start.
+    /// [`MotionError::NotFinite`] at the start; [`MotionError::Stopped`] if `progress` said so.
     pub(super) fn run(
         &mut self,
         start: State,
-        progress: &mut dyn FnMut(f64),
+        progress: &mut dyn FnMut(f64) -> bool,
     ) -> Result<(Sample, Ending), MotionError> {
         // The start as it was given, not as it comes back from principal axes.
         let given = self.sample(Balanced { state: start, work: 0.0, impulse: AngularMomentum::ZERO })?;
@@ -67,7 +67,9 @@ impl<'a> Integration<'a> {
         let end = self.wanted.last().copied().unwrap_or(start.time);
         while self.stepper.time() < end {
             let ended = self.advance(end);
-            progress(self.stepper.time());
+            if !progress(self.stepper.time()) {
+                return Err(MotionError::Stopped { time: self.stepper.time() });
+            }
             if ended == Ok(None) {
                 continue;
             }

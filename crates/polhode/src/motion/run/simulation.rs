@@ -89,17 +89,18 @@ impl<'a> Simulation<'a> {
     /// # Errors
     /// As [`Simulation::run_watched`].
     pub fn run(&self) -> Result<Trajectory, MotionError> {
-        self.run_watched(&mut |_| {})
+        self.run_watched(&mut |_| true)
     }
 
     /// The motion at each of the times, as far as it goes: [`Trajectory::ending`] says where and why it ended. An event that stops it,
-    /// and a computation that cannot go on, end it with a sample of their own. `progress` is told the time (s) after each step.
+    /// and a computation that cannot go on, end it with a sample of their own. `progress` is told the time (s) after each step;
+    /// `false` ends the work.
     ///
     /// # Errors
     /// [`MotionError`] for what is wrong before the motion begins: times out of order, a start or a torque that is not finite, an
     /// event that cannot be measured, no closed form for [`Method::Exact`], a torque without a power series for
-    /// [`Method::Taylor`], a body that cannot spin.
-    pub fn run_watched(&self, progress: &mut dyn FnMut(f64)) -> Result<Trajectory, MotionError> {
+    /// [`Method::Taylor`], a body that cannot spin. [`MotionError::Stopped`] if `progress` said so.
+    pub fn run_watched(&self, progress: &mut dyn FnMut(f64) -> bool) -> Result<Trajectory, MotionError> {
         let Self { rotor, torques, switched_off, start, events, times, .. } = *self;
         require_ascending(start.time, times)?;
         require_finite(rotor, torques, switched_off, &start)?;
@@ -211,7 +212,7 @@ impl<'a> Simulation<'a> {
         &self,
         rule: Rule,
         reason: MethodReason,
-        progress: &mut dyn FnMut(f64),
+        progress: &mut dyn FnMut(f64) -> bool,
     ) -> Result<Trajectory, MotionError> {
         let stepper = Stepper::new(
             rule,

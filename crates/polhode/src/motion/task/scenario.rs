@@ -525,18 +525,28 @@ impl Scenario {
     /// # Errors
     /// [`MotionError`] as [`Simulation::run`].
     pub fn simulate(&self) -> Option<Result<Trajectory, MotionError>> {
-        self.trajectory(|simulation| simulation.run_watched(&mut |_| {}))
+        self.simulate_watched(&mut |_| true)
     }
 
-    /// [`Scenario::simulate`] with the estimate of its error, telling `progress` the time (s) that an integration has reached after
-    /// each step.
+    /// [`Scenario::simulate`], telling `progress` the time (s) that an integration has reached after each step; `false` ends the work.
+    ///
+    /// # Errors
+    /// [`MotionError`] as [`Simulation::run_watched`].
+    pub fn simulate_watched(
+        &self,
+        progress: &mut dyn FnMut(f64) -> bool,
+    ) -> Option<Result<Trajectory, MotionError>> {
+        self.trajectory(|simulation| simulation.run_watched(progress))
+    }
+
+    /// [`Scenario::simulate_watched`] with the estimate of its error.
     ///
     /// # Errors
     /// [`MotionError`] as [`Simulation::run`].
     pub fn simulate_with_error(
         &self,
         effort: ErrorEffort,
-        progress: &mut dyn FnMut(f64),
+        progress: &mut dyn FnMut(f64) -> bool,
     ) -> Option<Result<Trajectory, MotionError>> {
         self.trajectory(|simulation| simulation.run_with_error(effort, progress))
     }

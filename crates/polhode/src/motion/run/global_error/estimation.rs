@@ -33,32 +33,36 @@ const FEW_OF_MANY_STAGES: u64 = 3_000;
 
 impl Simulation<'_> {
     /// [`Simulation::run`], with the estimate of its error: [`Trajectory::error`]. `progress` is told the end again and again while that is
-    /// made.
+    /// made; `false` ends the work.
     ///
     /// # Errors
-    /// As [`Simulation::run`].
+    /// As [`Simulation::run_watched`].
     pub fn run_with_error(
         &self,
         effort: ErrorEffort,
-        progress: &mut dyn FnMut(f64),
+        progress: &mut dyn FnMut(f64) -> bool,
     ) -> Result<Trajectory, MotionError> {
         let trajectory = self.run_watched(progress)?;
         let end = self.times.last().copied().unwrap_or(self.start.time);
-        let error = self.estimate(&trajectory, effort, &mut |_| progress(end));
-        Ok(trajectory.with_error(error))
+        let mut goes_on = true;
+        let error = self.estimate(&trajectory, effort, &mut |_| {
+            goes_on = progress(end);
+            goes_on
+        });
+        if goes_on { Ok(trajectory.with_error(error)) } else { Err(MotionError::Stopped { time: end }) }
     }
 
     /// Estimates of the error of a trajectory that this simulation has computed; `None` of one that was prescribed.
     pub fn global_error(&self, trajectory: &Trajectory, effort: ErrorEffort) -> Option<GlobalError> {
-        self.estimate(trajectory, effort, &mut |_| {})
+        self.estimate(trajectory, effort, &mut |_| true)
     }
 
-    /// `progress` is told the time that each of the runs has reached.
+    /// `progress` is told the time that each of the runs has reached; after `false` what is estimated is nothing.
     fn estimate(
         &self,
         trajectory: &Trajectory,
         effort: ErrorEffort,
-        progress: &mut dyn FnMut(f64),
+        progress: &mut dyn FnMut(f64) -> bool,
     ) -> Option<GlobalError> {
         let (method, steps) = match trajectory.solution() {
             Solution::Prescribed(_) => return None,
@@ -109,7 +113,7 @@ impl Simulation<'_> {
         refinement: Refinement,
         trajectory: &Trajectory,
         runs: u64,
-        progress: &mut dyn FnMut(f64),
+        progress: &mut dyn FnMut(f64) -> bool,
     ) -> Vec<StateError> {
         let Refinement { rule, tolerance, stretch, gain, noise } = refinement;
         let watched = ComparedSamples::of_trajectory(trajectory);
@@ -130,7 +134,7 @@ impl Simulation<'_> {
         &self,
         rule: Rule,
         trajectory: &Trajectory,
-        progress: &mut dyn FnMut(f64),
+        progress: &mut dyn FnMut(f64) -> bool,
     ) -> Vec<StateError> {
         let watched = ComparedSamples::of_trajectory(trajectory);
         let [amplitude, ..] = INPUT_AMPLITUDES;

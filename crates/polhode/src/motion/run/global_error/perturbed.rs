@@ -39,11 +39,15 @@ pub(super) struct Distance {
 
 impl Perturbed<'_> {
     /// The states at the times, as far as the motion gets.
-    pub(super) fn states(&self, times: &[f64], progress: &mut dyn FnMut(f64)) -> Vec<State> {
+    pub(super) fn states(&self, times: &[f64], progress: &mut dyn FnMut(f64) -> bool) -> Vec<State> {
         self.integrated(times, progress).unwrap_or_default()
     }
 
-    fn integrated(&self, times: &[f64], progress: &mut dyn FnMut(f64)) -> Result<Vec<State>, MotionError> {
+    fn integrated(
+        &self,
+        times: &[f64],
+        progress: &mut dyn FnMut(f64) -> bool,
+    ) -> Result<Vec<State>, MotionError> {
         let Simulation { torques, switched_off, events, .. } = *self.simulation;
         let Inputs { rotor, start } = &self.inputs;
         let mut stepper =

@@ -1,0 +1,59 @@
+"""python links.py SITE: every link of the built pages leads to a file that is there, and every anchor to an element of it."""
+
+import sys
+from html.parser import HTMLParser
+from pathlib import Path
+from urllib.parse import unquote, urlsplit
+
+# Written by other programs, which check their own links.
+FOREIGN = ("rust/",)
+
+
+class Page(HTMLParser):
+    def __init__(self, text):
+        super().__init__()
+        self.links, self.anchors = [], set()
+        self.feed(text)
+
+    def handle_starttag(self, tag, attributes):
+        for name, value in attributes:
+            if value is None:
+                continue
+            if name in ("href", "src"):
+                self.links.append(value)
+            elif name == "id" or (name == "name" and tag == "a"):
+                self.anchors.add(value)
+
+
+def main(site):
+    pages = {}
+
+    def page(file):
+        if file not in pages:
+            pages[file] = Page(file.read_text(encoding="utf-8"))
+        return pages[file]
+
+    dead, count = [], 0
+    for file in sorted(site.rglob("*.html")):
+        name = file.relative_to(site).as_posix()
+        if name.startswith(FOREIGN):
+            continue
+        for link in page(file).links:
+            parts = urlsplit(link)
+            if parts.scheme or parts.netloc:
+                continue
+            count += 1
+            target = (file.parent / unquote(parts.path)).resolve() if parts.path else file
+            anchor = unquote(parts.fragment)
+            if not target.is_file():
+                dead.append(f"{name}: {link}: no such file")
+            elif anchor and target.suffix == ".html" and anchor not in page(target).anchors:
+                dead.append(f"{name}: {link}: no such anchor")
+    for line in dead:
+        print(line, file=sys.stderr)
+    print(f"   {len(pages)} pages, {count} links")
+    return 1 if dead or count == 0 else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(Path(sys.argv[1]).resolve()))

@@ -1,0 +1,37 @@
+"""The navigation: the lists of links in each README.md, under its headings, are what the side bar shows. A page that is in none of
+them fails the build."""
+
+import re
+
+HEADING = re.compile(r"^## (.+)$")
+ENTRY = re.compile(r"^- \[([^\]]+)\]\(([^)#:]+)\.(?:md|rst)\)")
+
+
+def setup(app):
+    app.connect("source-read", add_toctrees)
+    app.connect("build-finished", add_index)
+    return {"parallel_read_safe": True, "parallel_write_safe": True}
+
+
+def add_toctrees(app, docname, source):
+    if docname.rpartition("/")[2] != "README":
+        return
+    root = docname == app.config.root_doc
+    sections = [("", [])]
+    for line in source[0].splitlines():
+        if root and (heading := HEADING.match(line)):
+            sections.append((heading[1], []))
+        elif entry := ENTRY.match(line):
+            sections[-1][1].append(f"{entry[1]} <{entry[2]}>")
+    for caption, entries in sections:
+        if entries:
+            options = [":hidden:", f":caption: {caption}"] if caption else [":hidden:"]
+            source[0] += "\n".join(["\n\n```{toctree}", *options, "", *entries, "```\n"])
+
+
+def add_index(app, exception):
+    """The first page, under the name that servers and people look for."""
+    if exception is None:
+        first = app.builder.get_target_uri(app.config.root_doc)
+        page = f'<!doctype html><meta charset="utf-8"><title>polhode</title><meta http-equiv="refresh" content="0; url={first}"><a href="{first}">The book</a>'
+        (app.outdir / "index.html").write_text(page, encoding="utf-8")

@@ -1,0 +1,11 @@
+//! The page's own files: the build of `viewer/`.
+
+/// A file of the page by its name: its kind and its bytes.
+pub(crate) fn asset(name: &str) -> Option<(&'static str, &'static [u8])> {
+    match name {
+        "" => Some(("text/html; charset=utf-8", include_bytes!("../assets/live.html"))),
+        "live.js" => Some(("text/javascript; charset=utf-8", include_bytes!("../assets/live.js"))),
+        "live.css" => Some(("text/css; charset=utf-8", include_bytes!("../assets/live.css"))),
+        _ => None,
+    }
+}

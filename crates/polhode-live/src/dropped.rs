@@ -1,0 +1,176 @@
+//! Files that were dropped on the page: kept in a private folder, which goes with the session.
+
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::sync::Mutex;
+
+use hyper::StatusCode;
+
+use crate::answer::Refusal;
+use crate::limits;
+
+/// The folder of a session's dropped files: a folder for each set in it.
+#[derive(Debug)]
+pub(crate) struct Dropped {
+    folder: PathBuf,
+    kept: Mutex<Kept>,
+}
+
+#[derive(Debug, Default)]
+struct Kept {
+    files: usize,
+    bytes: usize,
+}
+
+impl Dropped {
+    /// A new folder among the system's temporary ones, which nobody else can look into.
+    pub(crate) fn new() -> io::Result<Self> {
+        let mut random = [0; 8];
+        getrandom::fill(&mut random).map_err(|error| io::Error::other(error.to_string()))?;
+        let name = format!("polhode-live-{}-{:016x}", std::process::id(), u64::from_le_bytes(random));
+        let folder = std::env::temp_dir().join(name);
+        let mut builder = fs::DirBuilder::new();
+        #[cfg(unix)]
+        std::os::unix::fs::DirBuilderExt::mode(&mut builder, 0o700);
+        builder.create(&folder)?;
+        // Its real path, so that what is in it is found in it.
+        let folder = fs::canonicalize(&folder)?;
+        Ok(Self { folder, kept: Mutex::default() })
+    }
+
+    /// Where the files of a set lie.
+    pub(crate) fn set(&self, set: u32) -> PathBuf {
+        self.folder.join(set.to_string())
+    }
+
+    /// The path of a file of a set.
+    pub(crate) fn path(&self, set: u32, name: &str) -> Result<PathBuf, Refusal> {
+        Ok(self.set(set).join(relative(name)?))
+    }
+
+    /// Keeps a file.
+    pub(crate) fn keep(&self, set: u32, name: &str, bytes: &[u8]) -> Result<(), Refusal> {
+        let path = self.path(set, name)?;
+        {
+            let mut kept = self.kept.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+            if kept.files >= limits::FILE_COUNT || kept.bytes + bytes.len() > limits::FILES {
+                let rule =
+                    format!("a session keeps {} files and {} MiB", limits::FILE_COUNT, limits::FILES >> 20);
+                return Err(Refusal::new(StatusCode::INSUFFICIENT_STORAGE, rule)
+                    .hint("end polhode live, and start it again"));
+            }
+            kept.files += 1;
+            kept.bytes += bytes.len();
+        }
+        let written = path.parent().map_or(Ok(()), fs::create_dir_all).and_then(|()| fs::write(&path, bytes));
+        written.map_err(|error| {
+            Refusal::new(StatusCode::INTERNAL_SERVER_ERROR, format!("{name:?} cannot be kept: {error}"))
+        })
+    }
+
+    /// The files of a set.
+    pub(crate) fn files(&self, set: u32) -> Vec<PathBuf> {
+        let mut found = Vec::new();
+        below(&self.set(set), &mut found);
+        found
+    }
+}
+
+impl Drop for Dropped {
+    fn drop(&mut self) {
+        // What cannot be removed is the system's to remove.
+        let _ = fs::remove_dir_all(&self.folder);
+    }
+}
+
+fn below(folder: &Path, found: &mut Vec<PathBuf>) {
+    for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
+        match entry.file_type() {
+            Ok(kind) if kind.is_dir() => below(&entry.path(), found),
+            Ok(kind) if kind.is_file() => found.push(entry.path()),
+            _ => {}
+        }
+    }
+}
+
+/// A path below a folder: names that no system takes for something else.
+fn relative(name: &str) -> Result<PathBuf, Refusal> {
+    const MOST: usize = 120;
+    const DEEPEST: usize = 8;
+    let refused = || {
+        let shown: String = name.chars().take(MOST).collect();
+        Refusal::new(StatusCode::BAD_REQUEST, format!("{shown:?} is no name of a file here"))
+            .hint("names have letters, digits, spaces and - _ . ( ) + @, folders in them are parted by /")
+    };
+    let is_plain = |c: char| c.is_alphanumeric() || "-_.()+@ ".contains(c);
+    let names: Vec<&str> = name.split('/').collect();
+    let is_good = |part: &&str| {
+        !part.is_empty()
+            && part.chars().count() <= MOST
+            && part.chars().all(is_plain)
+            && !part.starts_with(['.', ' '])
+            && !part.ends_with(['.', ' '])
+            && !is_device(part)
+    };
+    if names.len() > DEEPEST || !names.iter().all(is_good) {
+        return Err(refused());
+    }
+    Ok(names.iter().collect())
+}
+
+/// Names that Windows has for devices.
+fn is_device(name: &str) -> bool {
+    let stem = name.split('.').next().unwrap_or_default().trim().to_ascii_uppercase();
+    let numbered = |device: &str| stem.strip_prefix(device).is_some_and(|n| n.len() == 1);
+    ["CON", "PRN", "AUX", "NUL"].contains(&stem.as_str()) || numbered("COM") || numbered("LPT")
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "tests")]
+
+    use super::*;
+
+    #[test]
+    fn no_name_leads_out_of_the_folder() {
+        for name in [
+            "",
+            ".",
+            "..",
+            "../a.stl",
+            "a/../b",
+            "/etc/passwd",
+            "a//b",
+            "C:\\a",
+            "a\\b",
+            "a\0b",
+            "a\nb",
+            ".hidden",
+            "a/.b",
+            "NUL",
+            "nul.stl",
+            "com1.txt",
+            "a/b/c/d/e/f/g/h/i",
+            "a:b",
+            "a.",
+            "~",
+            "%2e%2e",
+        ] {
+            assert!(relative(name).is_err(), "{name:?}");
+        }
+        assert_eq!(relative("meshes/Größe (1).stl").unwrap(), Path::new("meshes").join("Größe (1).stl"));
+    }
+
+    #[test]
+    fn the_folder_goes_with_the_session() {
+        let dropped = Dropped::new().unwrap();
+        dropped.keep(3, "meshes/a.stl", b"solid").unwrap();
+        assert_eq!(dropped.files(3), [dropped.path(3, "meshes/a.stl").unwrap()]);
+        assert!(dropped.files(4).is_empty());
+        let folder = dropped.folder.clone();
+        assert!(folder.is_dir());
+        drop(dropped);
+        assert!(!folder.exists());
+    }
+}

@@ -1,0 +1,34 @@
+//! What a file is, by its name and where that is not enough by its first bytes.
+
+use std::path::Path;
+
+use polhode_formats::mesh::MeshFormat;
+use polhode_robot::read::format_of;
+
+/// What a file is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kind {
+    Scenario,
+    Mesh,
+    Molecule,
+    Particles,
+    Robot,
+}
+
+impl Kind {
+    /// Of a file with these contents; `None` if it is nothing that the page can show.
+    pub(crate) fn of(path: &Path, bytes: &[u8]) -> Option<Self> {
+        let ending = path.extension()?.to_str()?.to_ascii_lowercase();
+        let text = || std::str::from_utf8(bytes).ok();
+        match ending.as_str() {
+            "toml" => Some(Self::Scenario),
+            "xyz" | "mol" | "pdb" | "ent" => Some(Self::Molecule),
+            // Two formats have this name; the one of robots is XML.
+            "sdf" if !bytes.trim_ascii_start().starts_with(b"<") => Some(Self::Molecule),
+            "csv" => Some(Self::Particles),
+            "urdf" => Some(Self::Robot),
+            "sdf" | "world" | "xml" | "mjcf" => text().and_then(format_of).map(|_| Self::Robot),
+            _ => MeshFormat::of_path(path).map(|_| Self::Mesh),
+        }
+    }
+}

@@ -1,0 +1,39 @@
+//! What one request, one session and one computation may take.
+
+use std::time::Duration;
+
+/// Bytes of a request that is JSON: a scenario and its edits.
+pub(crate) const JSON: usize = 4 << 20;
+
+/// Bytes of a file that is dropped.
+pub(crate) const FILE: usize = 256 << 20;
+
+/// Bytes of all files that are dropped in a session.
+pub(crate) const FILES: usize = 1 << 30;
+
+/// How many files those may be.
+pub(crate) const FILE_COUNT: usize = 4_000;
+
+/// Edits of one request.
+pub(crate) const EDITS: usize = 64;
+
+/// Connections at the same time: a browser has six for a tab, or fewer.
+pub(crate) const CONNECTIONS: usize = 64;
+
+/// Computations at the same time.
+pub(crate) const COMPUTATIONS: usize = 2;
+
+/// For the headers of a request to come.
+pub(crate) const HEADERS: Duration = Duration::from_secs(10);
+
+/// For its body.
+pub(crate) const BODY: Duration = Duration::from_secs(60);
+
+/// For a motion: who wants more takes `polhode simulate`.
+pub(crate) const MOTION: Duration = Duration::from_secs(20);
+
+/// For an answer: what cannot be stopped goes on, but nobody waits for it.
+pub(crate) const ANSWER: Duration = Duration::from_secs(40);
+
+/// Samples of a motion: the page shows no more.
+pub(crate) const SAMPLES: usize = 2_001;

@@ -1,0 +1,165 @@
+//! A change of the text, and the motion of what it says then.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, PoisonError};
+use std::time::Instant;
+
+use hyper::StatusCode;
+use polhode::motion::{ErrorEffort, MotionError, Run, Trajectory};
+use polhode_formats::FormatError;
+use polhode_formats::scenario::{Draft, ScenarioFile};
+use polhode_report::{PageInput, PageSubject, VERSION, explain_motion, page_data};
+use serde_json::value::RawValue;
+
+use crate::answer::Refusal;
+use crate::edit::edited;
+use crate::knob::{knobs, switches};
+use crate::protocol::{Motion, MotionAnswer, MotionRequest, TextError};
+use crate::{limits, utf16};
+
+/// Makes the changes that are asked for, and computes the motion; `stop` ends it.
+pub(crate) fn answer(
+    draft: &Mutex<Draft>,
+    request: &MotionRequest,
+    stop: &AtomicBool,
+) -> Result<MotionAnswer, Refusal> {
+    let begun = Instant::now();
+    if request.edits.len() > limits::EDITS {
+        let rule = format!("at most {} edits at once", limits::EDITS);
+        return Err(Refusal::new(StatusCode::BAD_REQUEST, rule));
+    }
+    // A copy: another tab may read another text meanwhile. What was read of files is shared.
+    let mut own = draft.lock().unwrap_or_else(PoisonError::into_inner).clone();
+    let mut edits_on = own.clone();
+    let changed = edited(&request.text, &request.edits, |text| edits_on.read(text.to_owned()).ok());
+    let mut answer = MotionAnswer {
+        text: request.text.clone(),
+        motion: None,
+        knobs: Vec::new(),
+        switches: Vec::new(),
+        errors: Vec::new(),
+        took: 0.0,
+    };
+    match changed {
+        Ok(text) => answer.text = text,
+        Err(error) => answer.errors.push(TextError { message: error.to_string(), ..TextError::default() }),
+    }
+    match own.read(answer.text.clone()) {
+        Ok(file) => {
+            answer.switches = switches(&file.scenario, &answer.text);
+            match computed(&file, request.error, begun, stop) {
+                Ok(trajectory) => answer.motion = Some(motion(&file, &trajectory, &own, request)?),
+                Err(error) => answer.errors.push(error),
+            }
+        }
+        Err(error) => answer.errors.push(of_format(&error, &own, &answer.text)),
+    }
+    answer.knobs = knobs(&own.numbers());
+    *draft.lock().unwrap_or_else(PoisonError::into_inner) = own;
+    answer.took = begun.elapsed().as_secs_f64() * 1e3;
+    Ok(answer)
+}
+
+/// The trajectory, at no more times than the page shows.
+fn computed(
+    file: &ScenarioFile,
+    with_error: bool,
+    begun: Instant,
+    stop: &AtomicBool,
+) -> Result<Trajectory, TextError> {
+    let run = file.scenario.run().map_or_else(|| evenly(10.0), thinned);
+    let scenario = file.scenario.clone().sampled(run);
+    let mut goes_on = |_| !stop.load(Ordering::Relaxed) && begun.elapsed() < limits::MOTION;
+    let motion = match with_error {
+        true => scenario.simulate_with_error(ErrorEffort::Auto, &mut goes_on),
+        false => scenario.simulate_watched(&mut goes_on),
+    };
+    motion.unwrap_or(Err(MotionError::Stopped { time: 0.0 })).map_err(|error| of_motion(file, &error))
+}
+
+/// A scenario without a run is shown for some seconds.
+fn evenly(end: f64) -> Run {
+    Run::evenly(end, 1_001, polhode::motion::Method::Auto, 1e-13)
+}
+
+/// The first and the last of the times, and those evenly between them.
+fn thinned(run: &Run) -> Run {
+    let (count, most) = (run.times.len(), limits::SAMPLES);
+    if count <= most {
+        return run.clone();
+    }
+    let times = (0..most).filter_map(|k| run.times.get(k * (count - 1) / (most - 1))).copied().collect();
+    Run { times, ..run.clone() }
+}
+
+fn motion(
+    file: &ScenarioFile,
+    trajectory: &Trajectory,
+    draft: &Draft,
+    request: &MotionRequest,
+) -> Result<Motion, Refusal> {
+    let scenario = &file.scenario;
+    let body = format!("{:016x}", draft.body_fingerprint());
+    let explanation = if request.working { explain_motion(scenario, trajectory).ok() } else { None };
+    let name = draft.path().file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    let page = page_data(&PageInput {
+        title: scenario.title().unwrap_or(&name),
+        source: &format!("polhode {VERSION} live"),
+        scenario_text: None,
+        subject: PageSubject::Scenario(scenario),
+        trajectory,
+        explanation: explanation.as_ref(),
+        shapes: request.body.as_deref() != Some(&body),
+    });
+    let unwritable =
+        |error: serde_json::Error| Refusal::new(StatusCode::INTERNAL_SERVER_ERROR, error.to_string());
+    Ok(Motion { page: RawValue::from_string(page).map_err(unwritable)?, body })
+}
+
+fn of_motion(file: &ScenarioFile, error: &MotionError) -> TextError {
+    let placed = file.placed(error);
+    match (placed, error) {
+        (Some(placed), _) => at_place(&placed, &file.text),
+        (None, MotionError::Stopped { time }) => TextError {
+            message: format!(
+                "the motion takes more than {} s to compute: it came to t = {time} s",
+                limits::MOTION.as_secs()
+            ),
+            hint: Some("shorten the run, or let polhode simulate take its time".to_owned()),
+            ..TextError::default()
+        },
+        (None, error) => TextError {
+            message: error.to_string(),
+            hint: error.hint().map(str::to_owned),
+            ..TextError::default()
+        },
+    }
+}
+
+/// An error of the text, or of a file that it names, at its place in the text.
+fn of_format(error: &FormatError, draft: &Draft, text: &str) -> TextError {
+    if error.path() == draft.path() {
+        return at_place(error, text);
+    }
+    let named = error.origin().map(|(_, place)| place);
+    TextError {
+        from: named.map(|place| utf16::of_byte(text, place.span.start)),
+        to: named.map(|place| utf16::of_byte(text, place.span.end)),
+        line: named.map(|place| place.line),
+        column: named.map(|place| place.column),
+        message: error.to_string(),
+        hint: error.hint(),
+    }
+}
+
+fn at_place(error: &FormatError, text: &str) -> TextError {
+    let place = error.place();
+    TextError {
+        message: error.message(),
+        hint: error.hint(),
+        from: place.map(|place| utf16::of_byte(text, place.span.start)),
+        to: place.map(|place| utf16::of_byte(text, place.span.end)),
+        line: place.map(|place| place.line),
+        column: place.map(|place| place.column),
+    }
+}

@@ -1,0 +1,127 @@
+//! What the page and the server say to each other, as `viewer/src/live/protocol.ts` has it.
+
+use serde::{Deserialize, Serialize};
+use serde_json::value::RawValue;
+
+/// An answer that is not 200.
+#[derive(Debug, Serialize)]
+pub(crate) struct RefusalBody {
+    pub(crate) message: String,
+    pub(crate) hint: Option<String>,
+}
+
+#[derive(Debug, Serialize)]
+pub(crate) struct Documents {
+    pub(crate) documents: Vec<DocumentInfo>,
+    pub(crate) first: Option<u32>,
+}
+
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct DocumentInfo {
+    pub(crate) id: u32,
+    pub(crate) name: String,
+    pub(crate) kind: &'static str,
+    pub(crate) stamp: String,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct MotionRequest {
+    pub(crate) document: u32,
+    pub(crate) text: String,
+    pub(crate) edits: Vec<Edit>,
+    pub(crate) error: bool,
+    pub(crate) working: bool,
+    pub(crate) body: Option<String>,
+}
+
+/// A change of the text.
+#[derive(Clone, Debug, Deserialize, Serialize)]
+#[serde(untagged, deny_unknown_fields)]
+pub(crate) enum Edit {
+    /// A value by its key, as TOML; `None` takes the key away.
+    Set { set: String, value: Option<String> },
+    /// Attitude (w, x, y, z) and ω in body axes at the start, rad/s.
+    Start { attitude: [f64; 4], omega: [f64; 3] },
+    /// ω in body axes at the start, rad/s.
+    Omega { omega: [f64; 3] },
+    /// Principal moments, ascending, kg·m².
+    Moments { moments: [f64; 3] },
+}
+
+#[derive(Debug, Serialize)]
+pub(crate) struct MotionAnswer {
+    pub(crate) text: String,
+    pub(crate) motion: Option<Motion>,
+    pub(crate) knobs: Vec<Knob>,
+    pub(crate) switches: Vec<Switch>,
+    pub(crate) errors: Vec<TextError>,
+    pub(crate) took: f64,
+}
+
+#[derive(Debug, Serialize)]
+pub(crate) struct Motion {
+    pub(crate) page: Box<RawValue>,
+    pub(crate) body: String,
+}
+
+/// What is wrong with a text; offsets count UTF-16 units.
+#[derive(Debug, Default, Serialize)]
+pub(crate) struct TextError {
+    pub(crate) message: String,
+    pub(crate) hint: Option<String>,
+    pub(crate) from: Option<usize>,
+    pub(crate) to: Option<usize>,
+    pub(crate) line: Option<usize>,
+    pub(crate) column: Option<usize>,
+}
+
+#[derive(Debug, Serialize)]
+pub(crate) struct Knob {
+    pub(crate) key: String,
+    pub(crate) label: String,
+    pub(crate) group: &'static str,
+    pub(crate) value: f64,
+    pub(crate) unit: String,
+    pub(crate) si: String,
+    pub(crate) what: String,
+    pub(crate) low: f64,
+    pub(crate) high: f64,
+    pub(crate) scale: &'static str,
+    pub(crate) rank: usize,
+}
+
+#[derive(Debug, Serialize)]
+pub(crate) struct Switch {
+    pub(crate) key: String,
+    pub(crate) label: String,
+    pub(crate) on: bool,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct CompleteRequest {
+    pub(crate) document: u32,
+    pub(crate) text: String,
+    pub(crate) at: usize,
+}
+
+#[derive(Debug, Serialize)]
+pub(crate) struct CompleteAnswer {
+    pub(crate) from: usize,
+    pub(crate) to: usize,
+    pub(crate) options: Vec<Choice>,
+}
+
+#[derive(Debug, Serialize)]
+pub(crate) struct Choice {
+    pub(crate) label: String,
+    pub(crate) detail: String,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct OpenRequest {
+    pub(crate) set: u32,
+    pub(crate) name: String,
+}

@@ -1,0 +1,159 @@
+//! What is asked for, and who answers it.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use hyper::{Method, StatusCode};
+use serde::de::DeserializeOwned;
+
+use crate::answer::{Answer, Refusal, bytes, json};
+use crate::asset::asset;
+use crate::documents::Content;
+use crate::protocol::{Choice, CompleteAnswer, CompleteRequest, Documents, MotionRequest, OpenRequest};
+use crate::server::Session;
+use crate::{limits, motion, utf16};
+
+/// What a path asks for, before its body has come.
+#[derive(Debug)]
+pub(crate) enum Route {
+    Asset(&'static str, &'static [u8]),
+    Documents,
+    Document(u32),
+    Motion,
+    Complete,
+    Drop { set: u32, name: String },
+    Open,
+}
+
+impl Route {
+    /// The route of a path behind the token.
+    pub(crate) fn of(method: &Method, path: &str, query: Option<&str>) -> Result<Self, Refusal> {
+        let is_post = *method == Method::POST;
+        match (is_post, path) {
+            (false, "documents") => Ok(Self::Documents),
+            (true, "motion") => Ok(Self::Motion),
+            (true, "complete") => Ok(Self::Complete),
+            (true, "open") => Ok(Self::Open),
+            (true, "drop") => Self::drop(query.unwrap_or_default()),
+            (false, path) => match path.strip_prefix("document/").map(str::parse) {
+                Some(Ok(id)) => Ok(Self::Document(id)),
+                _ => asset(path).map(|(kind, bytes)| Self::Asset(kind, bytes)).ok_or_else(Refusal::not_found),
+            },
+            _ => Err(Refusal::not_found()),
+        }
+    }
+
+    /// `set=7&name=meshes%2Fpart.stl`
+    fn drop(query: &str) -> Result<Self, Refusal> {
+        let bad = || Refusal::new(StatusCode::BAD_REQUEST, "a file is dropped as set=NUMBER&name=NAME");
+        let value = |wanted: &str| {
+            let mut pairs = query.split('&').filter_map(|pair| pair.split_once('='));
+            pairs.find(|(key, _)| *key == wanted).map(|(_, value)| value)
+        };
+        let (set, name) = (value("set").ok_or_else(bad)?, value("name").ok_or_else(bad)?);
+        Ok(Self::Drop { set: set.parse().map_err(|_| bad())?, name: decoded(name).ok_or_else(bad)? })
+    }
+
+    /// The most bytes that its body may have.
+    pub(crate) const fn most(&self) -> usize {
+        match self {
+            Self::Asset(..) | Self::Documents | Self::Document(_) => 0,
+            Self::Drop { .. } => limits::FILE,
+            _ => limits::JSON,
+        }
+    }
+
+    /// True of what computes, and waits for its turn.
+    pub(crate) const fn is_work(&self) -> bool {
+        !matches!(self, Self::Asset(..) | Self::Documents)
+    }
+
+    /// The answer; `stop` is set when nobody waits for it any more.
+    pub(crate) fn answer(
+        self,
+        body: &[u8],
+        session: &Arc<Session>,
+        stop: &AtomicBool,
+    ) -> Result<Answer, Refusal> {
+        if stop.load(Ordering::Relaxed) {
+            return Err(Refusal::new(StatusCode::REQUEST_TIMEOUT, "nobody waits for the answer"));
+        }
+        match self {
+            Self::Asset(kind, body) => Ok(bytes(StatusCode::OK, kind, body)),
+            Self::Documents => {
+                let documents: Vec<_> = session.documents.all().iter().map(|one| one.info()).collect();
+                json(&Documents { first: documents.first().map(|one| one.id), documents })
+            }
+            Self::Document(id) => {
+                let document = session.documents.get(id)?;
+                match document.content {
+                    Content::Scenario { .. } => {
+                        json(&serde_json::json!({ "kind": "scenario", "text": document.text()? }))
+                    }
+                    Content::Mesh | Content::Robot => {
+                        Err(Refusal::new(StatusCode::NOT_IMPLEMENTED, "the page cannot show it yet"))
+                    }
+                }
+            }
+            Self::Motion => {
+                let request: MotionRequest = read(body)?;
+                let document = session.documents.get(request.document)?;
+                json(&motion::answer(document.draft()?, &request, stop)?)
+            }
+            Self::Complete => {
+                let request: CompleteRequest = read(body)?;
+                let document = session.documents.get(request.document)?;
+                json(&complete(
+                    &request,
+                    &document.draft()?.lock().unwrap_or_else(std::sync::PoisonError::into_inner).clone(),
+                ))
+            }
+            Self::Drop { set, name } => {
+                session.dropped.keep(set, &name, body)?;
+                json(&serde_json::json!({}))
+            }
+            Self::Open => {
+                let OpenRequest { set, name } = read(body)?;
+                let path = session.dropped.path(set, &name)?;
+                let files = (session.dropped.set(set), session.dropped.files(set));
+                json(&session.documents.open(&path, Some(files))?.info())
+            }
+        }
+    }
+}
+
+fn complete(request: &CompleteRequest, draft: &polhode_formats::scenario::Draft) -> CompleteAnswer {
+    let text = &request.text;
+    let found = draft.complete(text, utf16::to_byte(text, request.at));
+    let place =
+        found.as_ref().map(|found| [found.place.start, found.place.end].map(|at| utf16::of_byte(text, at)));
+    let [from, to] = place.unwrap_or([request.at; 2]);
+    let options = found.into_iter().flat_map(|found| found.suggested);
+    let options = options.map(|one| Choice { label: one.text, detail: one.detail }).collect();
+    CompleteAnswer { from, to, options }
+}
+
+fn read<T: DeserializeOwned>(body: &[u8]) -> Result<T, Refusal> {
+    serde_json::from_slice(body).map_err(|error| {
+        Refusal::new(StatusCode::BAD_REQUEST, format!("the request is not what the page asks: {error}"))
+    })
+}
+
+/// The text of a part of a query.
+fn decoded(text: &str) -> Option<String> {
+    let mut bytes = Vec::with_capacity(text.len());
+    let mut rest = text.as_bytes();
+    while let [first, after @ ..] = rest {
+        rest = after;
+        match first {
+            b'%' => {
+                let (digits, further) = after.split_at_checked(2)?;
+                bytes.push(u8::from_str_radix(std::str::from_utf8(digits).ok()?, 16).ok()?);
+                rest = further;
+            }
+            b'+' => bytes.push(b' '),
+            other => bytes.push(*other),
+        }
+    }
+    String::from_utf8(bytes).ok()
+}

@@ -1,0 +1,203 @@
+//! The server: connections, one after another, each with its limits.
+
+use std::net::{Ipv4Addr, SocketAddr};
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use http_body_util::{BodyExt as _, LengthLimitError, Limited};
+use hyper::body::{Bytes, Incoming};
+use hyper::server::conn::http1;
+use hyper::service::service_fn;
+use hyper::{Request, StatusCode};
+use hyper_util::rt::{TokioIo, TokioTimer};
+use tokio::net::TcpListener;
+use tokio::sync::Semaphore;
+use tokio::time::timeout;
+
+use crate::answer::{Answer, Refusal, refusal};
+use crate::documents::Documents;
+use crate::dropped::Dropped;
+use crate::error::LiveError;
+use crate::guard::Guard;
+use crate::limits;
+use crate::route::Route;
+
+/// What to serve, and where.
+#[derive(Clone, Debug, Default)]
+pub struct LiveOptions {
+    /// The port on the loopback address; 0 takes a free one.
+    pub port: u16,
+    /// Files to show: scenarios, meshes, robots, molecules, particles. Without one there is a scenario to begin with.
+    pub files: Vec<PathBuf>,
+}
+
+/// A page that listens, and answers when it runs.
+#[derive(Debug)]
+pub struct Live {
+    listener: std::net::TcpListener,
+    session: Arc<Session>,
+}
+
+/// What all requests of a page share.
+#[derive(Debug)]
+pub(crate) struct Session {
+    guard: Guard,
+    pub(crate) documents: Documents,
+    pub(crate) dropped: Dropped,
+    computations: Arc<Semaphore>,
+}
+
+impl Live {
+    /// Opens the files, and listens.
+    ///
+    /// # Errors
+    /// [`LiveError`] if a file cannot be opened, or the address cannot be listened on.
+    pub fn bind(options: &LiveOptions) -> Result<Self, LiveError> {
+        let address = SocketAddr::from((Ipv4Addr::LOCALHOST, options.port));
+        let documents = Documents::default();
+        documents
+            .open_first(&options.files)
+            .map_err(|Refusal { message, hint, .. }| LiveError::File { message, hint })?;
+        let listen = || {
+            let listener = std::net::TcpListener::bind(address)?;
+            listener.set_nonblocking(true)?;
+            let port = listener.local_addr()?.port();
+            Ok((listener, port))
+        };
+        let (listener, port) = listen().map_err(|error| LiveError::Address { address, error })?;
+        let guard = Guard::new(port).ok_or(LiveError::Random)?;
+        let dropped = Dropped::new().map_err(|error| LiveError::Folder { error })?;
+        let computations = Arc::new(Semaphore::new(limits::COMPUTATIONS));
+        Ok(Self { listener, session: Arc::new(Session { guard, documents, dropped, computations }) })
+    }
+
+    /// The page's address, with its token: whoever has it can ask.
+    pub fn address(&self) -> String {
+        self.session.guard.address()
+    }
+
+    /// Answers until the process is interrupted or told to end.
+    ///
+    /// # Errors
+    /// [`LiveError::Start`].
+    pub fn run(self) -> Result<(), LiveError> {
+        let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
+        let runtime = runtime.map_err(|error| LiveError::Start { error })?;
+        let Self { listener, session } = self;
+        let served = runtime.block_on(async {
+            let listener = TcpListener::from_std(listener)?;
+            tokio::spawn(async move { accept(&listener, &session).await });
+            interrupted().await
+        });
+        // A computation that nobody waits for does not hold the end up.
+        runtime.shutdown_background();
+        served.map_err(|error| LiveError::Start { error })
+    }
+}
+
+/// Ends at Ctrl-C, or when the system asks.
+async fn interrupted() -> std::io::Result<()> {
+    #[cfg(unix)]
+    {
+        use tokio::signal::unix::{SignalKind, signal};
+        let [mut interrupt, mut end] = [signal(SignalKind::interrupt())?, signal(SignalKind::terminate())?];
+        std::future::poll_fn(|context| {
+            let either = [interrupt.poll_recv(context), end.poll_recv(context)];
+            if either.iter().any(std::task::Poll::is_ready) {
+                std::task::Poll::Ready(())
+            } else {
+                std::task::Poll::Pending
+            }
+        })
+        .await;
+        Ok(())
+    }
+    #[cfg(not(unix))]
+    tokio::signal::ctrl_c().await
+}
+
+/// Takes connections for ever, so many at a time.
+async fn accept(listener: &TcpListener, session: &Arc<Session>) {
+    let places = Arc::new(Semaphore::new(limits::CONNECTIONS));
+    loop {
+        let Ok(place) = places.clone().acquire_owned().await else { return };
+        let Ok((stream, _)) = listener.accept().await else {
+            // As when there are no more file descriptors: some will be given back.
+            tokio::time::sleep(std::time::Duration::from_millis(50)).await;
+            continue;
+        };
+        let session = session.clone();
+        tokio::spawn(async move {
+            let _ = stream.set_nodelay(true);
+            let service = service_fn(|request| {
+                let session = session.clone();
+                async move {
+                    Ok::<_, std::convert::Infallible>(
+                        answered(request, &session).await.unwrap_or_else(refusal),
+                    )
+                }
+            });
+            let connection = http1::Builder::new()
+                .timer(TokioTimer::new())
+                .header_read_timeout(limits::HEADERS)
+                .max_buf_size(64 << 10)
+                .serve_connection(TokioIo::new(stream), service);
+            // What goes wrong with a connection is the other side's affair.
+            let _ = connection.await;
+            drop(place);
+        });
+    }
+}
+
+async fn answered(request: Request<Incoming>, session: &Arc<Session>) -> Result<Answer, Refusal> {
+    let (head, body) = request.into_parts();
+    let path = session.guard.admit(&head.method, &head.uri, head.version, &head.headers)?;
+    let route = Route::of(&head.method, path, head.uri.query())?;
+    let body = whole(body, route.most()).await?;
+    if !route.is_work() {
+        return route.answer(&body, session, &AtomicBool::new(false));
+    }
+    let stop = StopOnDrop(Arc::default());
+    let turn = session.computations.clone().acquire_owned().await;
+    let (flag, session_of_work) = (stop.0.clone(), session.clone());
+    let work = tokio::task::spawn_blocking(move || {
+        let answer = route.answer(&body, &session_of_work, &flag);
+        // Until here it computes, whether or not somebody waits.
+        drop(turn);
+        answer
+    });
+    let late = |_| {
+        let took = format!("the answer takes more than {} s", limits::ANSWER.as_secs());
+        Refusal::new(StatusCode::SERVICE_UNAVAILABLE, took)
+            .hint("a smaller mesh, or the command itself, which takes its time")
+    };
+    let defect = |_| Refusal::new(StatusCode::INTERNAL_SERVER_ERROR, "a defect of polhode: please report it");
+    timeout(limits::ANSWER, work).await.map_err(late)?.map_err(defect)?
+}
+
+/// The body, if it is no larger than it may be and comes in time.
+async fn whole(body: Incoming, most: usize) -> Result<Bytes, Refusal> {
+    let too_large = || {
+        Refusal::new(
+            StatusCode::PAYLOAD_TOO_LARGE,
+            format!("the body of the request has more than {most} bytes"),
+        )
+    };
+    let collected = timeout(limits::BODY, Limited::new(body, most).collect()).await;
+    let late = |_| Refusal::new(StatusCode::REQUEST_TIMEOUT, "the body of the request did not come in time");
+    match collected.map_err(late)? {
+        Ok(collected) => Ok(collected.to_bytes()),
+        Err(error) if error.is::<LengthLimitError>() => Err(too_large()),
+        Err(_) => Err(Refusal::new(StatusCode::BAD_REQUEST, "the body of the request broke off")),
+    }
+}
+
+/// Stops a computation when nobody waits for it any more: the connection is closed, and what waits for the answer is dropped.
+struct StopOnDrop(Arc<AtomicBool>);
+
+impl Drop for StopOnDrop {
+    fn drop(&mut self) {
+        self.0.store(true, Ordering::Relaxed);
+    }
+}

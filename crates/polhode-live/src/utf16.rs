@@ -1,0 +1,32 @@
+//! Offsets in UTF-16 units, as JavaScript counts, and in bytes.
+
+/// The offset in UTF-16 units of a byte; of one inside a character, the character's.
+pub(crate) fn of_byte(text: &str, byte: usize) -> usize {
+    text.char_indices().take_while(|(at, _)| *at < byte).map(|(_, c)| c.len_utf16()).sum()
+}
+
+/// The byte of an offset in UTF-16 units, the end at most.
+pub(crate) fn to_byte(text: &str, offset: usize) -> usize {
+    let mut units = 0;
+    let found = text.char_indices().find(|(_, c)| {
+        let here = units >= offset;
+        units += c.len_utf16();
+        here
+    });
+    found.map_or(text.len(), |(at, _)| at)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn offsets_go_there_and_back() {
+        let text = "ω = 3 🜨 °";
+        for (byte, _) in text.char_indices() {
+            assert_eq!(to_byte(text, of_byte(text, byte)), byte);
+        }
+        assert_eq!((of_byte(text, 2), of_byte(text, text.len())), (1, text.encode_utf16().count()));
+        assert_eq!(to_byte(text, 1000), text.len());
+    }
+}

@@ -1,0 +1,220 @@
+/** What the page shows, of one motion and then of another: the view, the clock and the panels, which all stay when the data change. */
+import { Clock, watchable } from "./clock";
+import type { PageData } from "./data";
+import { byId, element } from "./dom";
+import { keys } from "./keys";
+import { Motion } from "./motion";
+import { about } from "./panels/about";
+import { facts } from "./panels/facts";
+import { type Legend, legend } from "./panels/legend";
+import { Plots } from "./panels/plots";
+import { scenario } from "./panels/scenario";
+import { type Tab, Tabs } from "./panels/tabs";
+import { toolbar } from "./panels/toolbar";
+import { working } from "./panels/working";
+import { SaveDialog } from "./save/dialog";
+import { fileName, saveCanvas } from "./save/files";
+import { View } from "./scene/scene";
+import { onTheme } from "./theme";
+
+/** For tests and for curious people at the console. */
+interface Hook {
+  clock: Clock;
+  /** (w, x, y, z) of the displayed body, read back from the scene; null without WebGL. */
+  attitudeAt: (time: number) => [number, number, number, number] | null;
+  picture: () => HTMLCanvasElement | null;
+  view: View | null;
+  app: App;
+  ready: Promise<void>;
+}
+
+declare global {
+  interface Window {
+    polhode?: Hook;
+  }
+}
+
+/** The panels that the page has of its own. */
+export type Panels = Record<"plots" | "numbers" | "working" | "scenario" | "about", Tab>;
+
+export class App {
+  readonly clock: Clock;
+  /** Null if the browser has no WebGL. */
+  readonly view: View | null;
+  readonly tabs: Tabs;
+  /** What keys do that the page has not of its own. */
+  readonly keys = new Map<string, () => void>();
+  page: PageData;
+  motion: Motion;
+  readonly #legend: Legend | null;
+  #saving: SaveDialog | null = null;
+  #plots: Plots | null = null;
+
+  /** `choose`: which panels, in which order. */
+  constructor(page: PageData, choose: (own: Panels) => Tab[]) {
+    this.page = page;
+    this.motion = new Motion(page.motion);
+    this.clock = new Clock(this.motion.times, this.#speed());
+    this.#name();
+    this.view = this.#open();
+    this.#legend = this.view && legend(this.view, page.scene.captions);
+    byId("view-note").textContent = this.#coarser();
+    toolbar(this.clock);
+    this.tabs = new Tabs(byId("tabs"), byId("panels"), choose(this.#panels()));
+    keys(this.clock, this.view, (picture) => this.#legend?.show(picture), this.keys);
+    onTheme(() => {
+      this.view?.recolor();
+      this.#plots?.redraw();
+    });
+    byId("help-button").addEventListener("click", () => byId<HTMLDialogElement>("help").showModal());
+    byId("photograph").addEventListener("click", () => {
+      if (this.view) saveCanvas(`${fileName(this.page.title)}-frame`, this.view.photograph());
+    });
+    byId("save").hidden = this.view === null;
+    byId("save").addEventListener("click", () => this.#save());
+    if (this.view) this.#fit(this.view);
+    run(this.clock);
+    window.polhode = {
+      clock: this.clock,
+      attitudeAt: (time) => this.view?.attitudeAt(time) ?? null,
+      picture: () => this.view?.photograph() ?? null,
+      view: this.view,
+      app: this,
+      ready: new Promise((resolve) => requestAnimationFrame(() => resolve())),
+    };
+  }
+
+  /**
+   * Shows another motion: from where the person looks, at the time and the speed, with the layers and the panel that are chosen; or
+   * `anew`, as the first one was shown. Throws `BadData`, and then nothing has changed.
+   */
+  show(page: PageData, anew = false): void {
+    const motion = new Motion(page.motion);
+    this.view?.replace(page, motion, anew);
+    this.page = page;
+    this.motion = motion;
+    this.#name();
+    if (anew) {
+      this.clock.time = motion.times[0];
+      this.clock.speed = this.#speed();
+    }
+    this.#legend?.update(page.scene.captions);
+    byId("view-note").textContent = this.#coarser();
+    // The panels before the clock, whose listeners ask them for the samples of a time.
+    this.tabs.refresh();
+    this.clock.replace(motion.times);
+    this.#saving?.changed();
+  }
+
+  #save(): void {
+    if (!this.view) return;
+    this.#saving ??= new SaveDialog(this.view, this.clock, () => this.page.title);
+    this.#saving.open();
+  }
+
+  #speed(): number {
+    const { times, count } = this.motion;
+    return watchable(this.motion.meanRate(), times[count - 1] - times[0], this.page.scene.period);
+  }
+
+  #name(): void {
+    const { title, source } = this.page;
+    if (byId("title").textContent === title && byId("source").textContent === source) return;
+    document.title = `${title} · polhode`;
+    byId("title").textContent = title;
+    byId("source").textContent = source;
+  }
+
+  #open(): View | null {
+    try {
+      return new View(byId<HTMLCanvasElement>("canvas"), byId("labels"), this.page, this.motion);
+    } catch (problem) {
+      byId("no-view").hidden = false;
+      byId("no-view").append(element("p", {}, String(problem)));
+      return null;
+    }
+  }
+
+  #fit(view: View): void {
+    this.clock.subscribe(() => {
+      view.time = this.clock.time;
+    });
+    const stage = byId("stage");
+    new ResizeObserver(() => view.resize(stage.clientWidth, stage.clientHeight)).observe(stage);
+    view.resize(stage.clientWidth, stage.clientHeight);
+  }
+
+  #panels(): Panels {
+    const again = (host: HTMLElement, fill: () => void) => (): void => {
+      host.replaceChildren();
+      fill();
+    };
+    const repeated = (id: keyof Panels, title: string, fill: (host: HTMLElement) => void): Tab => ({
+      id,
+      title,
+      fill: (host) => {
+        fill(host);
+        return again(host, () => fill(host));
+      },
+    });
+    return {
+      plots: {
+        id: "plots",
+        title: "Plots",
+        fill: (host) => {
+          const plots = new Plots(host, this.page, this.motion, this.clock);
+          this.#plots = plots;
+          return () => plots.update(this.page, this.motion);
+        },
+      },
+      numbers: repeated("numbers", "Numbers", (host) => facts(host, this.page, this.#notes())),
+      working: repeated("working", "Working", (host) => working(host, this.page.explanation)),
+      scenario: repeated("scenario", "Scenario", (host) => scenario(host, this.page)),
+      about: repeated("about", "About", (host) => about(host, this.page.source)),
+    };
+  }
+
+  /** What the page itself has to say about how it shows the motion. */
+  #notes(): string[] {
+    const said: string[] = [];
+    const { largestTurn } = this.motion;
+    if (this.view?.model.coarser) said.push(`The mesh is ${this.view.model.coarser}; the motion is that of all of them.`);
+    if (largestTurn > Math.PI / 2) {
+      said.push(
+        `The body turns by up to ${(largestTurn / (2 * Math.PI)).toFixed(1)} turns from one sample to the next: ` +
+          "the picture shows the samples truly, and takes a steady and short way between them.",
+      );
+    }
+    return said;
+  }
+
+  #coarser(): string {
+    return this.view?.model.coarser ? `Mesh ${this.view.model.coarser}` : "";
+  }
+}
+
+function run(clock: Clock): void {
+  let before: number | null = null;
+  const tick = (now: number): void => {
+    // A page that was hidden does not leap.
+    if (before !== null) clock.advance(Math.min(Math.max(now - before, 0) / 1000, 0.25));
+    before = clock.playing ? now : null;
+    if (clock.playing) requestAnimationFrame(tick);
+  };
+  clock.subscribe(() => {
+    if (clock.playing && before === null) {
+      before = performance.now();
+      requestAnimationFrame(tick);
+    }
+  });
+}
+
+/** Says on the page what went wrong before it could show anything. */
+export function orSay(start: () => void): void {
+  try {
+    start();
+  } catch (problem) {
+    byId("problem").hidden = false;
+    byId("problem").textContent = problem instanceof Error ? problem.message : String(problem);
+  }
+}

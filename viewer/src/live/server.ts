@@ -1,0 +1,61 @@
+/** The server's answers, as the contract has them. */
+import type {
+  CompleteAnswer,
+  CompleteRequest,
+  DocumentContent,
+  Documents,
+  MotionAnswer,
+  MotionRequest,
+  OpenAnswer,
+  OpenRequest,
+  Refusal,
+} from "./protocol";
+
+/** An answer that says no, or none. */
+export class Refused extends Error {
+  readonly hint: string | null;
+
+  constructor({ message, hint }: Refusal) {
+    super(message);
+    this.name = "Refused";
+    this.hint = hint;
+  }
+}
+
+export const server = {
+  documents: (): Promise<Documents> => ask("documents"),
+  document: (id: number): Promise<DocumentContent> => ask(`document/${id}`),
+  motion: (request: MotionRequest, signal: AbortSignal): Promise<MotionAnswer> => post("motion", request, signal),
+  complete: (request: CompleteRequest, signal: AbortSignal): Promise<CompleteAnswer> => post("complete", request, signal),
+  drop: (set: number, file: File): Promise<unknown> => {
+    return ask(`drop?${new URLSearchParams({ name: file.name, set: String(set) })}`, { method: "POST", body: file });
+  },
+  open: (request: OpenRequest): Promise<OpenAnswer> => post("open", request),
+};
+
+function post<T>(path: string, body: unknown, signal?: AbortSignal): Promise<T> {
+  const headers = { "Content-Type": "application/json" };
+  return ask(path, { method: "POST", headers, body: JSON.stringify(body), ...(signal ? { signal } : {}) });
+}
+
+async function ask<T>(path: string, init?: RequestInit): Promise<T> {
+  let answer: Response;
+  try {
+    answer = await fetch(path, { cache: "no-store", ...init });
+  } catch (problem) {
+    if (problem instanceof DOMException && problem.name === "AbortError") throw problem;
+    throw new Refused({ message: "polhode live does not answer", hint: "it has ended, or another program has its port; start it again" });
+  }
+  if (answer.ok) return (await answer.json()) as T;
+  throw new Refused(await refusal(answer));
+}
+
+async function refusal(answer: Response): Promise<Refusal> {
+  try {
+    const { message, hint } = (await answer.json()) as Partial<Refusal>;
+    if (typeof message === "string") return { message, hint: hint ?? null };
+  } catch {
+    // Not the server's own words.
+  }
+  return { message: `the server answers ${answer.status} ${answer.statusText}`, hint: null };
+}

@@ -1,0 +1,132 @@
+/** The body in the hand: while this is on, a drag turns it about the point that it turns about, and where it is let go it goes on as it was turned. */
+import { Vector3 } from "three";
+import type { App } from "../app";
+import { type Quaternion, rotate, type Vector } from "../attitude";
+import { byId, element } from "../dom";
+import type { View } from "../scene/scene";
+import { between, type Held, onBall, product, rateOf, unit } from "./rotation";
+import type { Session } from "./session";
+
+/** Of an arrow key, rad. */
+const TURN = 0.06;
+/** Of the ball that is turned, where the body's radius is 1. */
+const BALL = 1.2;
+/** Of the way that is remembered, s. */
+const MEMORY = 0.5;
+
+export class Throw {
+  readonly button = element("button", { type: "button", id: "throw", "aria-pressed": "false", title: "Take the body and throw it (g)" }, "Throw");
+  readonly #app: App;
+  readonly #view: View;
+  readonly #session: Session;
+  #isOn = false;
+  #pointer: number | null = null;
+  #last: Vector = [0, 0, 1];
+  #path: Held[] = [];
+
+  constructor(app: App, view: View, session: Session) {
+    this.#app = app;
+    this.#view = view;
+    this.#session = session;
+    this.button.addEventListener("click", () => this.toggle());
+    // Before the camera hears of it.
+    const stage = byId("stage");
+    stage.addEventListener("pointerdown", (event) => this.#take(event), { capture: true });
+    stage.addEventListener("pointermove", (event) => this.#move(event), { capture: true });
+    for (const end of ["pointerup", "pointercancel"] as const) stage.addEventListener(end, (event) => this.#release(event), { capture: true });
+    byId("canvas").addEventListener("keydown", (event) => this.#key(event));
+    session.listen({
+      changed: () => {
+        if (session.trouble && this.#pointer === null) view.held = null;
+      },
+      moved: () => {
+        if (this.#pointer === null && this.#path.length > 0) {
+          this.#path = [];
+          this.#view.held = null;
+        }
+      },
+    });
+  }
+
+  toggle(): void {
+    this.#isOn = !this.#isOn;
+    this.button.setAttribute("aria-pressed", String(this.#isOn));
+    byId("stage").classList.toggle("throwing", this.#isOn);
+    if (this.#isOn && this.#view.picture !== "body") document.querySelector<HTMLElement>('[data-picture="body"]')?.click();
+  }
+
+  #take(event: PointerEvent): void {
+    if (!this.#isOn || this.#pointer !== null || event.target !== byId("canvas")) return;
+    event.stopPropagation();
+    event.preventDefault();
+    byId("canvas").focus();
+    byId("canvas").setPointerCapture(event.pointerId);
+    this.#pointer = event.pointerId;
+    this.#app.clock.pause();
+    this.#last = this.#onBall(event);
+    this.#path = [{ time: event.timeStamp / 1000, attitude: this.#view.attitude }];
+  }
+
+  #move(event: PointerEvent): void {
+    if (event.pointerId !== this.#pointer) return;
+    event.stopPropagation();
+    const next = this.#onBall(event);
+    const attitude = unit(product(this.#inSpace(between(this.#last, next)), this.#view.held ?? this.#view.attitude));
+    this.#last = next;
+    const time = event.timeStamp / 1000;
+    this.#path = [...this.#path.filter((held) => held.time > time - MEMORY), { time, attitude }];
+    this.#view.held = attitude;
+    this.#view.invalidate();
+  }
+
+  #release(event: PointerEvent): void {
+    if (event.pointerId !== this.#pointer) return;
+    event.stopPropagation();
+    this.#pointer = null;
+    const attitude = this.#path.at(-1)?.attitude;
+    if (!attitude || this.#path.length < 2) return;
+    // It goes on as it was seen to turn: at the speed of the clock.
+    const rate = rateOf(this.#path, event.timeStamp / 1000).map((w) => w / this.#app.clock.speed) as Vector;
+    this.#session.edit({ attitude, omega: rate });
+    const { clock } = this.#app;
+    clock.set(clock.start);
+    clock.play();
+  }
+
+  // The arrow keys turn it, and it keeps its ω.
+  #key(event: KeyboardEvent): void {
+    if (!this.#isOn || event.shiftKey || event.ctrlKey || event.metaKey || event.altKey) return;
+    const axis = { ArrowRight: [0, 1, 0], ArrowLeft: [0, -1, 0], ArrowUp: [-1, 0, 0], ArrowDown: [1, 0, 0] }[event.key];
+    if (!axis) return;
+    event.preventDefault();
+    event.stopPropagation();
+    const { clock } = this.#app;
+    const { omega } = this.#app.motion.at(clock.time);
+    const before = this.#view.held ?? this.#view.attitude;
+    clock.pause();
+    clock.set(clock.start);
+    const turn: Quaternion = [Math.cos(TURN / 2), ...(axis.map((c) => c * Math.sin(TURN / 2)) as Vector)];
+    const attitude = unit(product(this.#inSpace(turn), before));
+    this.#view.held = attitude;
+    this.#path = [{ time: 0, attitude }];
+    this.#session.edit({ attitude, omega });
+    this.#view.invalidate();
+  }
+
+  // A rotation in the eye's axes, in those of space.
+  #inSpace(turn: Quaternion): Quaternion {
+    const q = this.#view.orbit.camera.quaternion;
+    const eye: Quaternion = [q.w, q.x, q.y, q.z];
+    const [x, y, z] = rotate(eye, [turn[1], turn[2], turn[3]]);
+    return [turn[0], x, y, z];
+  }
+
+  #onBall(event: PointerEvent): Vector {
+    const box = byId("canvas").getBoundingClientRect();
+    const middle = new Vector3();
+    const [cx, cy] = this.#view.project(middle);
+    const side = new Vector3(1, 0, 0).applyQuaternion(this.#view.orbit.camera.quaternion).multiplyScalar(BALL);
+    const radius = Math.abs(this.#view.project(side)[0] - cx) || 1;
+    return onBall((event.clientX - box.left - cx) / radius, -(event.clientY - box.top - cy) / radius);
+  }
+}

@@ -1,0 +1,329 @@
+/**
+ * What the 3-D view shows of one motion: the body, arrows, axes, and the pictures of a free motion, which are made when they are first
+ * shown. Space axes are three's own, with z up; the group `body` has the body's attitude, and everything that turns with the body is in it.
+ */
+import { Group, type Object3D, Quaternion, Vector3 } from "three";
+import { inverse, type Quaternion as Attitude, rotate, type Vector } from "../attitude";
+import type { FreeData, PageData } from "../data";
+import { length, lengths, type Moment, type Motion } from "../motion";
+import { Arrow } from "./arrows";
+import { Axes } from "./axes";
+import { BodyModel } from "./body";
+import { Cones } from "./cones";
+import { dispose } from "./dispose";
+import { Contents, directions } from "./framing";
+import type { Label } from "./labels";
+import type { Layer, Picture } from "./layers";
+import { Marker } from "./marker";
+import type { Palette } from "./palette";
+import { Poinsot } from "./poinsot";
+import { MomentumSphere } from "./sphere";
+import { HeavyBody } from "./top";
+import { axis, Trail, type TrailCurves, type Trailed } from "./trails";
+import { Wheels } from "./wheels";
+
+/** The longest arrow of the body's picture, where the body's radius is 1. */
+const LONGEST = 1.5;
+/** Arrows keep the scale that they had as long as the longest is between these. */
+const KEPT = [0.35 * LONGEST, 1.7 * LONGEST] as const;
+const AXES = 1.3;
+const THICK = 0.019;
+
+interface Scales {
+  omega: number;
+  momentum: number;
+  torque: number;
+}
+
+export class MotionScene {
+  readonly space = new Group();
+  readonly body = new Group();
+  readonly layers: Layer[] = [];
+  readonly model: BodyModel;
+  readonly pictures: Picture[];
+  readonly principal: Quaternion;
+  /** Whose trail tells most. */
+  readonly telling: Trailed;
+  readonly omega: Arrow;
+  /** Length of 1 of each in the body's picture. */
+  readonly scales: Scales;
+  poinsot: Poinsot | null = null;
+  cones: Cones | null = null;
+  sphere: MomentumSphere | null = null;
+
+  readonly #page: PageData;
+  readonly #motion: Motion;
+  readonly #palette: Palette;
+  readonly #free: FreeData | null;
+  readonly #momentum: Arrow;
+  readonly #torque: Arrow;
+  readonly #axes: Axes;
+  readonly #heavy: HeavyBody | null;
+  readonly #wheels: Wheels | null;
+  readonly #contents: Contents;
+  /** Pictures with the layers that are on in them at first. */
+  readonly #first: Set<string>;
+  readonly #trails = new Map<Trailed, Trail>();
+  readonly #trailGroup: Group;
+  /** A place in the body, where it is in space. */
+  readonly #turned = (p: Vector3): Vector3 => p.clone().applyQuaternion(this.body.quaternion);
+
+  /** `before`: what was shown until now, of which switches are kept, and scales and frames: whatever they are if `isHeld`, else if they fit. */
+  constructor(page: PageData, motion: Motion, trail: Group, palette: Palette, before: MotionScene | null, isHeld = false) {
+    this.#page = page;
+    this.#motion = motion;
+    this.#palette = palette;
+    this.#trailGroup = trail;
+    this.model = new BodyModel(page.body, motion.wheels.length > 0, palette, before?.model ?? null);
+    const [w, x, y, z] = page.body.principal.quaternion;
+    this.principal = new Quaternion(x, y, z, w).normalize();
+    this.scales = {
+      omega: isHeld && before ? before.scales.omega : scale(before?.scales.omega, motion.telling, lengths(motion.omega)),
+      momentum: scale(before?.scales.momentum, motion.telling, lengths(motion.momentum), ...motion.wheels.map(({ momentum }) => momentum)),
+      torque: motion.torque === null ? 0 : scale(before?.scales.torque, motion.telling, lengths(motion.torque)),
+    };
+    this.telling = telling(page, motion);
+    this.#free = page.free !== null && page.free.energy > 0 && page.free.momentum > 0 ? page.free : null;
+    this.pictures = this.#free ? ["body", "poinsot", "cones", "sphere"] : ["body"];
+    this.#axes = new Axes(this.principal, AXES, 0.92 * LONGEST, palette);
+    this.#heavy = HeavyBody.of(page, motion, this.model.radius, AXES, palette);
+    this.#wheels = motion.wheels.length > 0 ? new Wheels(motion, this.scales.momentum, palette) : null;
+    this.omega = new Arrow("omega", THICK, palette);
+    this.#momentum = new Arrow("ink", THICK, palette);
+    this.#torque = new Arrow("torque", THICK, palette);
+    this.#build();
+    this.#contents = new Contents(before && before.#contents, isHeld);
+    this.#first = new Set(this.layers.flatMap(({ id, on }) => this.pictures.filter((p) => on[p]).map((p) => `${p} ${id}`)));
+    for (const layer of this.layers) {
+      const was = before?.layers.find(({ id }) => id === layer.id);
+      for (const picture of Object.keys(layer.on) as Picture[]) layer.on[picture] = was?.on[picture] ?? layer.on[picture] === true;
+    }
+  }
+
+  /** Gives back what the graphics card holds; what a later scene took over is in that one. */
+  dispose(): void {
+    for (const part of [this.space, this.body]) dispose(part, this.#palette);
+  }
+
+  /** Makes what a picture shows. */
+  open(picture: Picture): void {
+    if (!this.#free) return;
+    if (picture === "poinsot" && !this.poinsot) {
+      const p = new Poinsot(this.#free, this.#page.body, this.#motion, this.#palette);
+      this.poinsot = p;
+      this.#fill({ inertia: p.ellipsoid, polhode: p.polhode }, this.body);
+      this.#fill({ plane: p.plane, contact: p.contact, herpolhode: p.herpolhode }, this.space);
+    }
+    if (picture === "cones" && !this.cones) {
+      const c = new Cones(this.#free, this.#motion, this.#palette);
+      this.cones = c;
+      this.#fill({ "body-cone": c.body }, this.body);
+      this.#fill({ "space-cone": c.space }, this.space);
+    }
+    if (picture === "sphere" && !this.sphere) {
+      const s = new MomentumSphere(this.#free, this.#page.body, this.#palette);
+      this.sphere = s;
+      this.#fill({ sphere: s.object }, this.body);
+      for (const [id, object] of Object.entries({ family: s.family, separatrix: s.separatrix, trace: s.trace, mark: s.mark })) {
+        this.layers.find((layer) => layer.id === id)?.objects.push(object);
+      }
+    }
+  }
+
+  /** As it is at `time`, or with another attitude. */
+  pose(time: number, picture: Picture, trailed: Trailed, trails: TrailCurves, held: Attitude | null): void {
+    const now = this.#motion.at(time);
+    if (held) now.attitude = held;
+    this.#turn(now, time, picture);
+    if (picture === "body") this.#drawTrail(time, now, trailed, trails);
+    if (picture === "cones") this.cones?.draw(time);
+    if (picture === "sphere") this.sphere?.draw(rotate(inverse(now.attitude), now.momentum));
+  }
+
+  /** The frame in which the camera's place is measured. In Poinsot's picture and the cones' the invariable plane is level: up is L. */
+  aim(picture: Picture, rides: "space" | "body", frame: Quaternion): void {
+    const level = picture === "poinsot" ? this.poinsot : picture === "cones" ? this.cones : null;
+    frame.identity();
+    if (rides === "body") {
+      frame.copy(this.body.quaternion);
+      if (picture !== "body") frame.multiply(this.principal);
+    } else if (level) frame.setFromUnitVectors(new Vector3(0, 0, 1), level.up);
+  }
+
+  /** What the camera has to see, in the frame of `aim`: of what is on or was at first, as switching off does not move it. */
+  content(picture: Picture, rides: "space" | "body"): Vector3[] {
+    const seen = (id: string): boolean => this.#isOn(id, picture) || this.#first.has(`${picture} ${id}`);
+    const shown = this.layers.filter(({ id }) => seen(id)).map(({ id }) => id);
+    const back = new Quaternion();
+    return this.#contents.of([picture, rides, ...shown].join(), this.#motion, (now, time) => {
+      this.#turn(now, time, picture);
+      this.aim(picture, rides, back);
+      back.invert();
+      const named = this.#names(seen, picture, time, null).flatMap(({ tip, along }) => along ?? [tip]);
+      const outline = picture === "sphere" ? directions(100) : this.#outline(seen, picture);
+      return [...named, ...outline, ...(this.#heavy?.floor(seen) ?? [])].map((p) => p.clone().applyQuaternion(back));
+    });
+  }
+
+  /** From here on the frames are those of this motion alone. */
+  refit(): void {
+    this.#contents.refit();
+  }
+
+  // The body and the arrows.
+  #turn(now: Moment, time: number, picture: Picture): void {
+    const [w, x, y, z] = now.attitude;
+    this.body.quaternion.set(x, y, z, w);
+    const rolling = picture === "poinsot" ? this.poinsot : picture === "cones" ? this.cones : null;
+    const omegaScale = rolling?.scale ?? this.scales.omega;
+    const omega = rotate(now.attitude, now.omega).map((c) => c * omegaScale) as Vector;
+    this.omega.point(...omega);
+    this.poinsot?.contact.position.set(...omega);
+    // Beside the body's picture only the direction of L has a meaning.
+    const shown = picture === "poinsot" ? (this.poinsot?.arrow ?? 1) : 1.25;
+    const long = picture === "body" ? this.scales.momentum : shown / length(now.momentum);
+    this.#momentum.point(...(now.momentum.map((c) => c * long) as Vector));
+    if (now.torque) this.#torque.point(...(now.torque.map((c) => c * this.scales.torque) as Vector));
+    if (picture === "body") {
+      this.#heavy?.pose(now.attitude);
+      this.#wheels?.pose(time);
+    }
+  }
+
+  #isOn(id: string, picture: Picture): boolean {
+    return this.layers.find((layer) => layer.id === id)?.on[picture] === true;
+  }
+
+  labels(picture: Picture, time: number, eye: Vector3): Label[] {
+    return this.#names((id) => this.#isOn(id, picture), picture, time, eye);
+  }
+
+  // Without an eye none of those that depend on where it is.
+  #names(on: (id: string) => boolean, picture: Picture, time: number, eye: Vector3 | null): Label[] {
+    const turned = this.#turned;
+    const labels: Label[] = [];
+    if (on("omega") && this.omega.drawn) labels.push({ text: "𝛚", ink: "omega", tip: this.omega.tip });
+    if (on("momentum") && this.#momentum.drawn) labels.push({ text: "𝐋", ink: "ink", tip: this.#momentum.tip });
+    if (on("torque") && this.#torque.drawn) labels.push({ text: "𝐍", ink: "torque", tip: this.#torque.tip });
+    labels.push(...this.#axes.labels(on, turned));
+    if (picture === "body") labels.push(...(this.#wheels?.labels(on, time, turned) ?? []), ...(this.#heavy?.labels(on) ?? []));
+    if (picture === "poinsot") labels.push(...(this.poinsot?.labels(on, turned) ?? []));
+    if (picture === "cones") labels.push(...(this.cones?.labels(on, turned) ?? []));
+    if (picture === "sphere" && eye) labels.push(...(this.sphere?.labels(on, turned, eye) ?? []));
+    // Arrows first: other names go where there is room.
+    return [...labels.filter(({ along }) => !along), ...labels.filter(({ along }) => along)];
+  }
+
+  /** Points around what no name of an arrow may cover. */
+  outline(picture: Picture, eye: Vector3): Vector3[] {
+    return picture === "sphere" ? round(eye) : this.#outline((id) => this.#isOn(id, picture), picture);
+  }
+
+  #outline(on: (id: string) => boolean, picture: Picture): Vector3[] {
+    const turned = (points: Vector3[]): Vector3[] => points.map(this.#turned);
+    if (picture === "poinsot" && this.poinsot) return turned(this.poinsot.outline);
+    if (picture === "cones" && this.cones) return turned(this.cones.outline);
+    return turned(on("ellipsoid") ? [...this.model.outline, ...this.model.ellipsoidOutline] : this.model.outline);
+  }
+
+  #build(): void {
+    const hasShapes = this.model.hasShapes;
+    const body = hasShapes ? this.model.shapes : this.model.ellipsoid;
+    this.body.add(this.model.ellipsoid, this.model.shapes);
+    this.#put("body", hasShapes ? "Body" : "Equimomental ellipsoid", null, "area", { body: true, poinsot: false, cones: false }, body);
+    if (hasShapes) this.#put("ellipsoid", "Equimomental ellipsoid", null, "area", { body: false }, this.model.ellipsoid);
+    this.space.add(this.omega.object, this.#momentum.object, this.#torque.object);
+    const all = { body: true, poinsot: true, cones: true };
+    this.#put("omega", "ω", "omega", "arrow", { ...all }, this.omega.object);
+    this.#put("momentum", "L", "ink", "arrow", { ...all, sphere: true }, this.#momentum.object);
+    if (this.#motion.torque) this.#put("torque", "Torque N", "torque", "arrow", { body: true }, this.#torque.object);
+    else this.#torque.object.visible = false;
+    this.space.add(this.#axes.space);
+    this.body.add(this.#axes.body, this.#axes.principal);
+    this.layers.push(...this.#axes.layers);
+    this.#put("trail", "Trail", null, "line", { body: true }, this.#trailGroup);
+    if (this.#page.body.about === "pivot") {
+      const { object } = new Marker("ink", 0.03, false, this.#palette);
+      this.space.add(object);
+      this.#put("pivot", "Pivot", "ink", "area", { body: true }, object);
+    }
+    if (this.#heavy) {
+      this.space.add(...this.#heavy.objects);
+      this.layers.push(...this.#heavy.layers);
+    }
+    if (this.#wheels) {
+      this.body.add(this.#wheels.rings, this.#wheels.arrows);
+      this.layers.push(...this.#wheels.layers);
+    }
+    if (this.#free) this.#describe(this.#free);
+  }
+
+  // What the pictures show, before they are made.
+  #describe(free: FreeData): void {
+    this.#put("inertia", "Inertia ellipsoid", null, "area", { poinsot: true });
+    this.#put("plane", "Invariable plane", "faint", "area", { poinsot: true });
+    this.#put("contact", "Point of contact", "omega", "area", { poinsot: true });
+    this.#put("polhode", "Polhode", "omega", "line", { poinsot: true });
+    this.#put("herpolhode", "Herpolhode", "torque", "line", { poinsot: true });
+    this.#put("body-cone", "Body cone", "axis-1", "area", { cones: true });
+    this.#put("space-cone", "Space cone", "torque", "area", { cones: true });
+    this.#put("sphere", "Momentum sphere", null, "area", { sphere: true });
+    this.#put("family", "Other motions", "contour", "line", { sphere: true });
+    // A symmetric body has none.
+    this.#put("separatrix", "Separatrix", "ink", "line", free.separatrix.some((row) => row !== "") ? { sphere: true } : {});
+    this.#put("trace", "This motion", "omega", "line", { sphere: true });
+    this.#put("mark", "L now", "ink", "area", { sphere: true });
+  }
+
+  #put(id: string, label: string, ink: Layer["ink"], look: Layer["look"], on: Layer["on"], ...objects: Object3D[]): void {
+    this.layers.push({ id, label, ink, look, on, objects });
+  }
+
+  #fill(made: Record<string, Group>, into: Group): void {
+    for (const [id, object] of Object.entries(made)) {
+      into.add(object);
+      this.layers.find((layer) => layer.id === id)?.objects.push(object);
+    }
+  }
+
+  #drawTrail(time: number, now: Moment, what: Trailed, curves: TrailCurves): void {
+    if (!this.#trailGroup.visible) return;
+    const trail = this.#trails.get(what) ?? new Trail(this.#motion, what, this.scales.omega, AXES);
+    this.#trails.set(what, trail);
+    const [v, long] = what === "omega" ? [now.omega, this.scales.omega] : [axis(what), AXES];
+    curves.draw(trail, time, rotate(now.attitude, v).map((c) => c * long) as Vector);
+  }
+}
+
+/** Of the first `telling` samples the longest arrow is LONGEST, or what it is at the scale that was. */
+function scale(before: number | undefined, telling: number, ...rows: Float64Array[]): number {
+  let most = 0;
+  for (const values of rows) for (let i = 0; i < telling; i += 1) most = Math.max(most, Math.abs(values[i]));
+  if (before && most * before >= KEPT[0] && most * before <= KEPT[1]) return before;
+  return most > 0 ? LONGEST / most : 0;
+}
+
+/** The body axis whose trail tells most: the lever's, the symmetry axis, else the one that is nearest to ω at the start. */
+function telling(page: PageData, motion: Motion): Trailed {
+  const { lever, principal } = page.body;
+  const [i1, i2, i3] = principal.moments;
+  const like = (a: number, b: number): boolean => Math.abs(a - b) <= 1e-6 * i3;
+  let v: Vector = [motion.omega[0], motion.omega[1], motion.omega[2]];
+  if (length(lever) > 0) v = lever;
+  else if (like(i1, i2) && !like(i2, i3)) v = rotate(principal.quaternion, [0, 0, 1]);
+  else if (like(i2, i3) && !like(i1, i2)) v = rotate(principal.quaternion, [1, 0, 0]);
+  const sizes = v.map(Math.abs);
+  return (["axis-1", "axis-2", "axis-3"] as const)[sizes.indexOf(Math.max(...sizes))] ?? "axis-1";
+}
+
+// The rim of the unit sphere as a camera sees it.
+function round(eye: Vector3): Vector3[] {
+  const n = eye.clone().normalize();
+  const a = new Vector3(-n.y, n.x, 0).normalize();
+  const b = n.clone().cross(a);
+  const k = 1.04;
+  return Array.from({ length: 32 }, (_, i) => {
+    const t = (i / 32) * 2 * Math.PI;
+    return a.clone().multiplyScalar(k * Math.cos(t)).addScaledVector(b, k * Math.sin(t));
+  });
+}

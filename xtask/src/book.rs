@@ -1,0 +1,93 @@
+//! The book as a site: the pages of `book/` by Sphinx, with the documentation of the crates beside them, and its links checked.
+//!
+//! Nobody who builds the command needs what this needs: Python and its package index.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use crate::process::{build_folder, cargo, copy, empty_folder, run};
+use crate::{Outcome, python, read, root};
+
+/// The Python that has Sphinx.
+#[derive(Debug)]
+pub(crate) struct Environment(PathBuf);
+
+/// Builds the site in `target/book`, and opens it in a browser if that is wanted.
+pub(crate) fn build(open: bool) -> Outcome {
+    let environment = environment()?;
+    document_crates()?;
+    build_in(&environment)?;
+    if open { open_in_browser(&site()?.join("index.html")) } else { Ok(()) }
+}
+
+/// The packages of `book/site/requirements.txt`, by their hashes; those of the last time if the list is the same.
+pub(crate) fn environment() -> Result<Environment, String> {
+    let list = root().join("book/site/requirements.txt");
+    let wanted = read(&list)?;
+    let folder = build_folder()?.join("xtask-tmp/book");
+    let installed = folder.join("installed.txt");
+    let python = folder.join("venv").join(python::EXECUTABLE);
+    if python.is_file() && std::fs::read_to_string(&installed).is_ok_and(|text| text == wanted) {
+        return Ok(Environment(python));
+    }
+    let folder = empty_folder("book")?;
+    let python = python::make(&folder.join("venv"))?;
+    run(Command::new(&python)
+        .args([
+            "-m",
+            "pip",
+            "install",
+            "--quiet",
+            "--require-hashes",
+            "--only-binary",
+            ":all:",
+            "--requirement",
+        ])
+        .arg(&list))?;
+    std::fs::write(&installed, wanted).map_err(|error| format!("{}: {error}", installed.display()))?;
+    Ok(Environment(python))
+}
+
+/// The documentation of the crates, without a warning.
+pub(crate) fn document_crates() -> Outcome {
+    let doc = ["doc", "--workspace", "--lib", "--no-deps", "--locked"];
+    run(cargo(&doc).env("RUSTDOCFLAGS", "-D warnings"))
+}
+
+/// Builds from what [`document_crates`] has made. A warning is an error: a link that leads nowhere, a page outside the navigation.
+pub(crate) fn build_in(Environment(python): &Environment) -> Outcome {
+    let (root, site) = (root(), site()?);
+    if site.exists() {
+        std::fs::remove_dir_all(&site).map_err(|error| format!("{}: {error}", site.display()))?;
+    }
+    let here = |arguments: &[&str]| {
+        let mut command = Command::new(python);
+        command.args(arguments).current_dir(&root).env("PYTHONDONTWRITEBYTECODE", "1");
+        command
+    };
+    let trees = build_folder()?.join("xtask-tmp/book-trees");
+    run(here(&["-m", "sphinx", "--builder", "html", "--quiet", "--fresh-env", "--fail-on-warning"])
+        .args(["--conf-dir", "book/site", "--doctree-dir"])
+        .arg(trees)
+        .arg(".")
+        .arg(&site))?;
+    copy(&site.with_file_name("doc"), &site.join("rust"))?;
+    run(here(&["book/site/links.py"]).arg(&site))?;
+    println!("   {}", site.join("index.html").display());
+    Ok(())
+}
+
+fn site() -> Result<PathBuf, String> {
+    Ok(build_folder()?.with_file_name("book"))
+}
+
+fn open_in_browser(page: &Path) -> Outcome {
+    let program = if cfg!(target_os = "macos") {
+        "open"
+    } else if cfg!(windows) {
+        "explorer"
+    } else {
+        "xdg-open"
+    };
+    run(Command::new(program).arg(page))
+}

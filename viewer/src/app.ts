@@ -2,7 +2,6 @@
 import { Clock, watchable } from "./clock";
 import type { PageData } from "./data";
 import { byId, element } from "./dom";
-import { fileName, saveCanvas } from "./export";
 import { keys } from "./keys";
 import { Motion } from "./motion";
 import { about } from "./panels/about";
@@ -13,6 +12,8 @@ import { scenario } from "./panels/scenario";
 import { type Tab, Tabs } from "./panels/tabs";
 import { toolbar } from "./panels/toolbar";
 import { working } from "./panels/working";
+import { SaveDialog } from "./save/dialog";
+import { fileName, saveCanvas } from "./save/files";
 import { View } from "./scene/scene";
 import { onTheme } from "./theme";
 
@@ -46,6 +47,7 @@ export class App {
   page: PageData;
   motion: Motion;
   readonly #legend: Legend | null;
+  #saving: SaveDialog | null = null;
   #plots: Plots | null = null;
 
   /** `choose`: which panels, in which order. */
@@ -68,6 +70,8 @@ export class App {
     byId("photograph").addEventListener("click", () => {
       if (this.view) saveCanvas(`${fileName(this.page.title)}-frame`, this.view.photograph());
     });
+    byId("save").hidden = this.view === null;
+    byId("save").addEventListener("click", () => this.#save());
     if (this.view) this.#fit(this.view);
     run(this.clock);
     window.polhode = {
@@ -99,6 +103,13 @@ export class App {
     // The panels before the clock, whose listeners ask them for the samples of a time.
     this.tabs.refresh();
     this.clock.replace(motion.times);
+    this.#saving?.changed();
+  }
+
+  #save(): void {
+    if (!this.view) return;
+    this.#saving ??= new SaveDialog(this.view, this.clock, () => this.page.title);
+    this.#saving.open();
   }
 
   #speed(): number {

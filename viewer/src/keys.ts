@@ -11,7 +11,7 @@ const PICTURES: Record<string, Picture> = { "1": "body", "2": "poinsot", "3": "c
 export function keys(clock: Clock, view: View | null, show: (picture: Picture) => void, more: Map<string, () => void>): void {
   const help = byId<HTMLDialogElement>("help");
   document.addEventListener("keydown", (event) => {
-    if (event.ctrlKey || event.metaKey || event.altKey || help.open) return;
+    if (event.ctrlKey || event.metaKey || event.altKey || document.querySelector("dialog[open]")) return;
     const target = event.target instanceof HTMLElement ? event.target : document.body;
     if (event.defaultPrevented || target.closest("select, textarea, input:not([type=range]), [contenteditable=true]")) return;
     // Space presses a button that has the focus, and arrows scroll what scrolls.
@@ -75,6 +75,9 @@ function act(
       return true;
     case "t":
       byId("theme").click();
+      return true;
+    case "s":
+      byId("save").click();
       return true;
     case "?":
       help.showModal();

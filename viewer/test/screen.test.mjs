@@ -1,4 +1,4 @@
-// What a screen reader hears, and what a motion that runs away looks like: the page in a real browser, from disk.
+// What a screen reader hears, how the page uses its window, and what a motion that runs away looks like: in a real browser, from disk.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { launch, open, shoot } from "./browser.mjs";
@@ -67,4 +67,80 @@ test("a motion that runs away at its end has the arrows and the speed of the res
   assert.equal(away.speed, usual.speed);
   // The largest of all may be among the last two samples: a size may differ by a little.
   usual.tips.forEach((tip, k) => tip.forEach((x, c) => assert.ok(Math.abs(away.tips[k][c] - x) < 0.02, `${away.tips[k]}, not ${tip}`)));
+});
+
+test("a window that is made narrow and wide again never scrolls sideways", async () => {
+  for (const [name, colorScheme] of [["free", "light"], ["heavy", "dark"], ["wheeled", "light"]]) {
+    const { page, problems, close } = await open(browser, `narrow-${name}`, samples[name](), { viewport: { width: 1440, height: 900 }, colorScheme });
+    await page.evaluate(() => {
+      window.beyond = [];
+      const look = () => {
+        const { scrollWidth, clientWidth } = document.documentElement;
+        window.beyond.push(scrollWidth - clientWidth);
+        requestAnimationFrame(look);
+      };
+      look();
+    });
+    for (const width of [390, 1440, 390]) {
+      await page.setViewportSize({ width, height: width < 800 ? 844 : 900 });
+      await page.waitForFunction((width) => {
+        const plot = document.querySelector("#plot-omega canvas").getBoundingClientRect().width;
+        const panel = document.querySelector("#panel-plots").clientWidth;
+        return innerWidth === width && plot > 0.8 * panel && plot <= panel;
+      }, width);
+      assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width, `${name}, ${colorScheme}, ${width}`);
+    }
+    const beyond = await page.evaluate(() => window.beyond);
+    assert.ok(beyond.length > 8 && beyond.every((x) => x === 0), `${name}, ${colorScheme}: ${beyond.filter((x) => x !== 0)} px in ${beyond.length} frames`);
+    assert.deepEqual(problems, []);
+    await close();
+  }
+});
+
+test("a picture fills its frame, and nothing is cut off at any time, from wherever it is seen", async () => {
+  for (const name of ["free", "tilted", "wheeled"]) {
+    const { page, problems, close } = await open(browser, `frame-${name}`, samples[name]());
+    const all = await page.evaluate(() => {
+      const { clock, view } = window.polhode;
+      // Where in the frame, from −1 to 1, the body and what has a name are: with a renderer that draws nothing.
+      const spans = (width, height) => {
+        const span = [1, 1, -1, -1];
+        const names = {
+          draw: (labels, outline, camera) => {
+            for (const p of [...outline, ...labels.flatMap(({ tip, along }) => along ?? [tip])]) {
+              const { x, y } = p.clone().project(camera);
+              [x, y].forEach((at, k) => {
+                span[k] = Math.min(span[k], at);
+                span[k + 2] = Math.max(span[k + 2], at);
+              });
+            }
+          },
+        };
+        const count = 151;
+        for (let k = 0; k < count; k += 1) view.draw({ render: () => undefined }, names, clock.start + (k / (count - 1)) * (clock.end - clock.start), width, height);
+        return span;
+      };
+      const found = [];
+      for (const picture of view.pictures) {
+        for (const rides of ["space", "body"]) {
+          for (const [turn, rise] of [[0, 0], [2.1, -0.9]]) {
+            view.show(picture);
+            view.rides = rides;
+            view.orbit.turn(turn, rise);
+            for (const [width, height] of [[827, 659], [390, 390]]) found.push({ picture, rides, turn, width, height, span: spans(width, height) });
+          }
+        }
+      }
+      return found;
+    });
+    assert.ok(all.length >= 8);
+    for (const { width, height, span, ...how } of all) {
+      const where = `${name}, ${width} × ${height}, ${JSON.stringify(how)}: ${span.map((x) => x.toFixed(3))}`;
+      assert.ok(span.every((x) => Math.abs(x) < 0.99), `cut off: ${where}`);
+      const [across, down] = [(span[2] - span[0]) / 2, (span[3] - span[1]) / 2];
+      assert.ok(Math.max(across, down) > 0.8, `empty: ${where}`);
+    }
+    assert.deepEqual(problems, []);
+    await close();
+  }
 });

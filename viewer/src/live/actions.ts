@@ -1,6 +1,6 @@
 /** What is done with the scenario as a whole: the buttons of the heading, and their keys. */
 import { element } from "../dom";
-import { fileName, save } from "../export";
+import { fileName, save } from "../save/files";
 import { fragmentOf, LONGEST } from "./link";
 import type { Notice } from "./notice";
 import type { Session } from "./session";

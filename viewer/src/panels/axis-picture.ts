@@ -6,7 +6,7 @@ import { number } from "../format";
 import type { Motion } from "../motion";
 import { fromAbove, isUpright, onSphere, unrolled, type View } from "../plot/axis-drawing";
 import { type Mark, svgElements, svgText, wrapped } from "../plot/drawing";
-import { saveButtons } from "./save-buttons";
+import { saveButtons } from "../save/plot-buttons";
 
 const TITLE = "Path of the axis in space";
 const HEIGHT = 230;

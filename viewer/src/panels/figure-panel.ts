@@ -5,7 +5,7 @@ import { type Arranged, arrange, sentences } from "../plot/arrange";
 import { type Marked, marksOf } from "../plot/events";
 import { svgOf } from "../plot/figure-svg";
 import type { Figure } from "../plot/lines";
-import { saveButtons } from "./save-buttons";
+import { saveButtons } from "../save/plot-buttons";
 import { TimePlot } from "./time-plot";
 
 /** What all figures of a motion have in common. */

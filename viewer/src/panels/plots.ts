@@ -7,7 +7,7 @@ import type uPlot from "uplot";
 import type { Clock } from "../clock";
 import type { PageData } from "../data";
 import { element } from "../dom";
-import { fileName } from "../export";
+import { fileName } from "../save/files";
 import { type FigureMaker, makersOf } from "../figures";
 import { number, timeUnit } from "../format";
 import type { Motion } from "../motion";

@@ -3,21 +3,22 @@
  * the picture is 1 from the point that the body turns about to its farthest part.
  */
 import {
-  type BufferGeometry,
   Color,
   CylinderGeometry,
   Group,
-  LineBasicMaterial,
-  LineSegments,
   Mesh,
   MeshStandardMaterial,
   Quaternion,
   SphereGeometry,
   Vector3,
 } from "three";
+import type { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
+import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import type { BodyData, Shape } from "../data";
 import { BadData, f32 } from "../decode";
 import { ELLIPSOID, formOf, type Solid } from "./form";
+import { directions } from "./framing";
+import { endsOf, lineMaterial } from "./lines";
 import type { Palette } from "./palette";
 
 /** A part is small that is this part of its distance. */
@@ -30,8 +31,6 @@ export class BodyModel {
   readonly ellipsoid: Group;
   /** m; length 1 of the picture: of the body without what is small and far out, as a tip mass on a boom */
   readonly radius: number;
-  /** How far the farthest part is, in the picture. */
-  readonly extent: number;
   /** Points on the outside of the shapes, and of the ellipsoid, as the picture has them. */
   readonly outline: Vector3[];
   readonly ellipsoidOutline: Vector3[];
@@ -57,7 +56,6 @@ export class BodyModel {
     const own = this.hasShapes ? Math.min(this.#solids.bulk, farthest) : farthest;
     const isLike = before !== null && own > 0.55 * before.radius && own < 1.35 * before.radius;
     this.radius = isLike ? before.radius : own;
-    this.extent = farthest / this.radius;
     for (const group of [this.shapes, this.ellipsoid]) group.scale.setScalar(1 / this.radius);
     const scaled = (points: Vector3[]): Vector3[] => points.map((p) => p.clone().divideScalar(this.radius));
     this.outline = scaled(shapes);
@@ -101,13 +99,13 @@ function outlineOf(part: Group): Outline {
   const rows: Float64Array[] = [];
   part.updateMatrixWorld(true);
   part.traverse((object) => {
-    if (!(object instanceof Mesh)) return;
-    const positions = ((object.userData.hull ?? object.geometry) as BufferGeometry).attributes.position;
-    const p = positions.array;
+    if (!(object instanceof Mesh) || object instanceof LineSegments2) return;
+    const p = (object.userData.hull ?? object.geometry.attributes.position.array) as ArrayLike<number>;
+    const count = p.length / 3;
     const m = object.matrixWorld.elements;
-    const every = Math.max(1, Math.floor(positions.count / 20_000));
-    const out = new Float64Array(3 * Math.ceil(positions.count / every));
-    for (let i = 0, k = 0; i < positions.count; i += every, k += 3) {
+    const every = Math.max(1, Math.floor(count / 20_000));
+    const out = new Float64Array(3 * Math.ceil(count / every));
+    for (let i = 0, k = 0; i < count; i += every, k += 3) {
       const [x, y, z] = [p[3 * i], p[3 * i + 1], p[3 * i + 2]];
       for (let c = 0; c < 3; c += 1) out[k + c] = m[c] * x + m[4 + c] * y + m[8 + c] * z + m[12 + c];
     }
@@ -144,7 +142,7 @@ function corners({ min, max }: Outline): Vector3[] {
 interface Paint {
   solid: MeshStandardMaterial;
   marked: MeshStandardMaterial;
-  edge: LineBasicMaterial;
+  edge: LineMaterial;
 }
 
 /** Materials, shared by all shapes; one sees what is inside if they are open. */
@@ -153,7 +151,8 @@ function paint(palette: Palette, isOpen: boolean): Paint {
   return {
     solid: palette.shared(`solid ${isOpen}`, "solid", () => new MeshStandardMaterial(look)),
     marked: palette.shared(`marked ${isOpen}`, "solid", () => new MeshStandardMaterial({ ...look, vertexColors: true })),
-    edge: palette.shared("edge", "edge", () => new LineBasicMaterial({ transparent: true, opacity: 0.55 })),
+    // Opaque: where two meet, they would be darker.
+    edge: lineMaterial({ ink: "edge", width: 1, strength: 0.85 }, palette),
   };
 }
 
@@ -172,9 +171,13 @@ function solid(shape: Solid, paint: Paint): Group {
   const isRound = shape.kind !== "box" && shape.kind !== "mesh";
   const mesh = new Mesh(geometry, isRound ? paint.marked : paint.solid);
   // Between its rims a cylinder goes no farther.
-  if (edges && (shape.kind === "cylinder" || (shape.kind === "cone" && shape.top > 0))) mesh.userData.hull = edges;
+  if (edges && (shape.kind === "cylinder" || (shape.kind === "cone" && shape.top > 0))) mesh.userData.hull = endsOf(edges);
   group.add(mesh);
-  if (edges) group.add(new LineSegments(edges, paint.edge));
+  if (edges) {
+    const lines = new LineSegments2(edges, paint.edge);
+    lines.renderOrder = 1;
+    group.add(lines);
+  }
   for (const part of group.children) part.scale.set(...scale);
   return group;
 }
@@ -259,18 +262,8 @@ function extremes(parts: Outline[]): Vector3[] {
   });
 }
 
-/** Directions spread evenly (Fibonacci's spiral). */
-function sphere(count: number): Vector3[] {
-  const golden = Math.PI * (3 - Math.sqrt(5));
-  return Array.from({ length: count }, (_, k) => {
-    const z = 1 - (2 * k + 1) / count;
-    const flat = Math.sqrt(1 - z * z);
-    return new Vector3(flat * Math.cos(k * golden), flat * Math.sin(k * golden), z);
-  });
-}
-
 function grouped(count: number): string {
   return String(count).replace(/\B(?=(\d{3})+$)/g, ",");
 }
 
-const DIRECTIONS = sphere(160);
+const DIRECTIONS = directions(160);

@@ -1,33 +1,41 @@
 /**
- * The camera's orbit: azimuth and height around the origin, and a distance. It looks along fixed axes, or rides with the body. One
- * finger or the mouse turns it, two fingers or the wheel bring it nearer.
+ * The camera's orbit: azimuth and height around what has to be seen, all of which is in the frame from every side. It looks along fixed
+ * axes, or rides with the body. One finger or the mouse turns it, two fingers or the wheel bring it nearer.
  */
 import { PerspectiveCamera, Quaternion, Vector3 } from "three";
+import { fit } from "./framing";
 
 const VIEW = 28;
+/** At the edges of the picture, px: names stand there. */
+const MARGIN = { beside: 21, above: 26 };
 
 export class OrbitCamera {
   readonly camera = new PerspectiveCamera(VIEW, 1, 0.05, 200);
   /** rad */
   azimuth = 0;
   height = 0;
-  /** Of the sphere that has to be seen. */
-  radius = 1;
+  /** What has to be seen, in `frame`. */
+  content: Vector3[] = [];
   zoom = 1;
   /** Where `home` is. */
   homeAzimuth = 0.62;
   homeHeight = 0.36;
-  /** What the camera looks at, in space. */
+  /** What the camera looks at, in space, and from how far. */
+  distance = 1;
   readonly target = new Vector3();
   /** Takes the frame in which azimuth and height are measured, with z up, to space. */
   readonly frame = new Quaternion();
 
   readonly #pointers = new Map<number, { x: number; y: number }>();
   readonly #changed: () => void;
+  readonly #homed: () => void;
 
-  constructor(surface: HTMLElement, changed: () => void) {
+  /** `homed`: it goes home, and what it has to see is to be found anew. */
+  constructor(surface: HTMLElement, changed: () => void, homed: () => void) {
     this.#changed = changed;
-    this.home();
+    this.#homed = homed;
+    this.azimuth = this.homeAzimuth;
+    this.height = this.homeHeight;
     surface.addEventListener("pointerdown", (event) => {
       surface.setPointerCapture(event.pointerId);
       this.#pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
@@ -51,6 +59,7 @@ export class OrbitCamera {
     this.azimuth = this.homeAzimuth;
     this.height = this.homeHeight;
     this.zoom = 1;
+    this.#homed();
     this.#changed();
   }
 
@@ -68,18 +77,17 @@ export class OrbitCamera {
   /** Places the camera for a picture of this width by this height. */
   place(width: number, height: number): void {
     const aspect = width / height;
-    const half = (VIEW / 2) * (Math.PI / 180);
-    const narrow = aspect < 1 ? Math.atan(Math.tan(half) * aspect) : half;
-    const distance = this.radius / Math.sin(narrow) / this.zoom;
+    const half = Math.tan((VIEW / 2) * (Math.PI / 180));
+    const inside = (margin: number, size: number): number => 1 - 2 * Math.min(margin / size, 0.1);
     const flat = Math.cos(this.height);
+    const back = new Vector3(flat * Math.cos(this.azimuth), flat * Math.sin(this.azimuth), Math.sin(this.height));
+    const { target, distance } = fit(this.content, back, half * aspect * inside(MARGIN.beside, width), half * inside(MARGIN.above, height));
+    this.target.copy(target).applyQuaternion(this.frame);
+    this.distance = distance / this.zoom;
     this.camera.aspect = aspect;
-    this.camera.near = distance / 50;
-    this.camera.far = distance * 20;
-    this.camera.position
-      .set(flat * Math.cos(this.azimuth), flat * Math.sin(this.azimuth), Math.sin(this.height))
-      .multiplyScalar(distance)
-      .applyQuaternion(this.frame)
-      .add(this.target);
+    this.camera.near = this.distance / 50;
+    this.camera.far = this.distance * 20;
+    this.camera.position.copy(back).multiplyScalar(this.distance).applyQuaternion(this.frame).add(this.target);
     this.camera.up.copy(new Vector3(0, 0, 1).applyQuaternion(this.frame));
     this.camera.lookAt(this.target);
     this.camera.updateProjectionMatrix();

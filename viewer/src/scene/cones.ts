@@ -3,14 +3,15 @@
  * are circular. Of any other the space cone does not close: what is drawn of it is around now, a turn or a period of ω, whichever is
  * more.
  */
-import { BufferAttribute, BufferGeometry, DoubleSide, Group, LineBasicMaterial, LineSegments, Mesh, MeshStandardMaterial, Vector3 } from "three";
+import { BufferAttribute, BufferGeometry, DoubleSide, Group, Mesh, MeshStandardMaterial, Vector3 } from "three";
+import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import { rotate } from "../attitude";
 import { indexAt } from "../clock";
 import type { FreeData } from "../data";
 import { points } from "../decode";
 import { at, type Motion } from "../motion";
 import type { Label } from "./labels";
-import { curve, MovingCurve } from "./lines";
+import { curve, lineMaterial, MovingCurve, segments } from "./lines";
 import type { Ink, Palette } from "./palette";
 import { spread } from "./poinsot";
 
@@ -25,9 +26,6 @@ export class Cones {
   readonly outline: Vector3[];
   /** Direction of L in space. */
   readonly up = new Vector3();
-  /** The middle of the picture, and how far it goes around it. */
-  readonly middle = new Vector3();
-  readonly radius: number;
 
   readonly #edge: Float32Array;
   readonly #angles: Float64Array;
@@ -67,7 +65,6 @@ export class Cones {
       }
     }
     this.#span = isRound(this.#edge, up) ? 0 : (free.period ?? 0);
-    this.radius = this.#frame(up, motion);
     this.#fine = fine;
     this.#times = motion.times;
     this.#rim = new MovingCurve(count, { ink: "torque", width: 3, onTop: true }, palette);
@@ -89,23 +86,6 @@ export class Cones {
   readonly #times: Float64Array;
   /** s that the space cone shows at least. */
   readonly #span: number;
-
-  // Both cones at some times: their extent along L and away from it.
-  #frame(up: Vector3, motion: Motion): number {
-    let [low, high, wide] = [0, 1.25, 0];
-    for (let k = 0; k < 24; k += 1) {
-      const q = motion.attitudeOf(Math.floor((k / 24) * motion.count));
-      for (const p of this.outline) {
-        const turned = new Vector3(...rotate(q, [p.x, p.y, p.z]));
-        const along = turned.dot(up);
-        low = Math.min(low, along);
-        high = Math.max(high, along);
-        wide = Math.max(wide, Math.sqrt(Math.max(turned.lengthSq() - along * along, 0)));
-      }
-    }
-    this.middle.copy(up).multiplyScalar((low + high) / 2);
-    return Math.max((high - low) / 2, wide);
-  }
 
   /** The turn of the space cone around `time`. */
   draw(time: number): void {
@@ -183,17 +163,14 @@ function fan(rim: Float64Array, scale: number): BufferGeometry {
 }
 
 // Some of the lines through the tip that the cone is made of.
-function rulings(rim: Float64Array, scale: number, palette: Palette): LineSegments {
+function rulings(rim: Float64Array, scale: number, palette: Palette): LineSegments2 {
   const count = rim.length / 3;
   const corners: number[] = [];
   for (let k = 0; k < 36; k += 1) {
     const p = at(rim, Math.floor((k / 36) * count)).map((x) => x * scale);
     corners.push(0, 0, 0, ...p);
   }
-  const geometry = new BufferGeometry();
-  geometry.setAttribute("position", new BufferAttribute(new Float32Array(corners), 3));
-  const material = palette.shared("ruling", "axis-1", () => new LineBasicMaterial({ transparent: true, opacity: 0.45 }));
-  return new LineSegments(geometry, material);
+  return new LineSegments2(segments(corners), lineMaterial({ ink: "axis-1", width: 1, opacity: 0.45 }, palette));
 }
 
 // From a to b around `up`, rad.

@@ -5,7 +5,7 @@
 import {
   BoxGeometry,
   BufferAttribute,
-  BufferGeometry,
+  type BufferGeometry,
   CapsuleGeometry,
   ConeGeometry,
   CylinderGeometry,
@@ -15,9 +15,11 @@ import {
   TorusGeometry,
   Vector2,
 } from "three";
+import type { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
 import type { Shape } from "../data";
 import { BadData, f32, indices } from "../decode";
 import { kept } from "./dispose";
+import { segments } from "./lines";
 import { creased } from "./normals";
 
 const ROUND = 64;
@@ -29,7 +31,7 @@ export type Solid = Exclude<Shape, { kind: "balls" }>;
 /** What is drawn of a solid, and how it is stretched. */
 export interface Form {
   geometry: BufferGeometry;
-  edges: BufferGeometry | null;
+  edges: LineSegmentsGeometry | null;
   scale: [number, number, number];
 }
 
@@ -38,7 +40,7 @@ const UNIT: [number, number, number] = [1, 1, 1];
 export function formOf(shape: Solid): Form {
   switch (shape.kind) {
     case "box":
-      return { ...simple("box", () => ({ geometry: new BoxGeometry(1, 1, 1), edges: new EdgesGeometry(new BoxGeometry(1, 1, 1)) })), scale: shape.size };
+      return { ...simple("box", () => ({ geometry: new BoxGeometry(1, 1, 1), edges: sharp(new BoxGeometry(1, 1, 1)) })), scale: shape.size };
     case "ellipsoid":
       return { geometry: ELLIPSOID, edges: null, scale: shape.half };
     case "cylinder": {
@@ -69,7 +71,7 @@ export function formOf(shape: Solid): Form {
       if (vertices.length % 3 !== 0) throw new BadData(`${shape.name}: vertices are not points`);
       const triangles = indices(shape.triangles, `${shape.name}: triangles`, vertices.length / 3);
       const geometry = creased(vertices, triangles.subarray(0, triangles.length - (triangles.length % 3)));
-      return { geometry, edges: triangles.length / 3 <= EDGES_UP_TO ? new EdgesGeometry(geometry, 35) : null, scale: UNIT };
+      return { geometry, edges: triangles.length / 3 <= EDGES_UP_TO ? sharp(geometry) : null, scale: UNIT };
     }
   }
 }
@@ -87,7 +89,7 @@ function simple(kind: string, make: () => Simple): Simple {
 }
 
 // Circles about z, of these radii at these heights.
-function rings(...all: [radius: number, height: number][]): BufferGeometry {
+function rings(...all: [radius: number, height: number][]): LineSegmentsGeometry {
   const ends = new Float32Array(6 * ROUND * all.length);
   all.forEach(([radius, height], ring) => {
     for (let k = 0; k < 2 * ROUND; k += 1) {
@@ -95,9 +97,12 @@ function rings(...all: [radius: number, height: number][]): BufferGeometry {
       ends.set([radius * Math.cos(a), radius * Math.sin(a), height], 3 * (2 * ROUND * ring + k));
     }
   });
-  const geometry = new BufferGeometry();
-  geometry.setAttribute("position", new BufferAttribute(ends, 3));
-  return geometry;
+  return segments(ends);
+}
+
+// Where faces meet at more than 35°.
+function sharp(geometry: BufferGeometry): LineSegmentsGeometry {
+  return segments(new EdgesGeometry(geometry, 35).attributes.position.array);
 }
 
 // three's round solids stand along y.

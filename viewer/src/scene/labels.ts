@@ -85,9 +85,7 @@ export class Labels {
     const middle = project(new Vector3());
     const hull = outline.map(project);
     // The outer halves of the arrows, which no other name covers.
-    const shafts = labels.map(({ tip, along }) =>
-      along ? [] : [0.5, 0.6, 0.7, 0.8, 0.9, 1].map((part) => project(tip.clone().multiplyScalar(part))),
-    );
+    const shafts = labels.map(({ tip, along }) => (along ? [] : dense([0.5, 1].map((part) => project(tip.clone().multiplyScalar(part))))));
     const lines = labels.map(({ along }) => (along ?? []).map(project));
     const arrows = new Density(shafts.flat(), width, height);
     const curves = new Density(lines.flatMap(dense), width, height);

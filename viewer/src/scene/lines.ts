@@ -2,6 +2,7 @@
 import { Line2 } from "three/examples/jsm/lines/Line2.js";
 import { LineGeometry } from "three/examples/jsm/lines/LineGeometry.js";
 import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
+import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
 import type { InterleavedBufferAttribute } from "three";
 import type { Ink, Palette } from "./palette";
 
@@ -23,6 +24,16 @@ export function curve(points: ArrayLike<number>, scale: number, pen: Pen, palett
   return line(geometry, pen, palette);
 }
 
+/** Straight lines; `ends` are x y z of both ends of each. */
+export function segments(ends: ArrayLike<number>): LineSegmentsGeometry {
+  return new LineSegmentsGeometry().setPositions(Float32Array.from(ends));
+}
+
+/** x y z of both ends of each of them. */
+export function endsOf(lines: LineSegmentsGeometry): ArrayLike<number> {
+  return (lines.attributes.instanceStart as InterleavedBufferAttribute).data.array;
+}
+
 /** A curve of at most `capacity` points that changes in every picture. */
 export class MovingCurve {
   readonly object: Line2;
@@ -42,7 +53,7 @@ export class MovingCurve {
   }
 
   recolor(pen: Pen): void {
-    this.object.material = ink(pen, this.#palette);
+    this.object.material = lineMaterial(pen, this.#palette);
   }
 
   /** `point(k, out)` writes the k-th of `count` points. */
@@ -78,12 +89,12 @@ export class MovingCurve {
 }
 
 function line(geometry: LineGeometry, pen: Pen, palette: Palette): Line2 {
-  const made = new Line2(geometry, ink(pen, palette));
+  const made = new Line2(geometry, lineMaterial(pen, palette));
   made.renderOrder = pen.onTop === true ? 10 : 2;
   return made;
 }
 
-function ink({ ink, width, opacity = 1, strength = 1, onTop = false }: Pen, palette: Palette): LineMaterial {
+export function lineMaterial({ ink, width, opacity = 1, strength = 1, onTop = false }: Pen, palette: Palette): LineMaterial {
   const look = { linewidth: width, transparent: opacity < 1 || onTop, opacity, depthTest: !onTop, depthWrite: false };
   return palette.shared(`line ${width} ${opacity} ${onTop}`, ink, () => new LineMaterial(look), strength);
 }

@@ -2,8 +2,8 @@
  * What the 3-D view shows of one motion: the body, arrows, axes, and the pictures of a free motion, which are made when they are first
  * shown. Space axes are three's own, with z up; the group `body` has the body's attitude, and everything that turns with the body is in it.
  */
-import { Group, type Object3D, type PerspectiveCamera, Quaternion, Vector3 } from "three";
-import { inverse, type Quaternion as Attitude, rotate, type Vector, writeRotated } from "../attitude";
+import { Group, type Object3D, Quaternion, Vector3 } from "three";
+import { inverse, type Quaternion as Attitude, rotate, type Vector } from "../attitude";
 import type { FreeData, PageData } from "../data";
 import { length, lengths, type Moment, type Motion } from "../motion";
 import { Arrow } from "./arrows";
@@ -12,6 +12,7 @@ import { BodyModel } from "./body";
 import { Cones } from "./cones";
 import { equivalentBox } from "./equivalent-box";
 import { dispose } from "./dispose";
+import { Contents, directions } from "./framing";
 import type { Label } from "./labels";
 import type { Layer, Picture } from "./layers";
 import { Marker } from "./marker";
@@ -44,8 +45,6 @@ export class MotionScene {
   readonly principal: Quaternion;
   /** Whose trail tells most. */
   readonly telling: Trailed;
-  /** What the body's picture is centred on: half way to where a held body's centre of mass is on the whole. */
-  readonly middle: Vector3;
   readonly omega: Arrow;
   /** Length of 1 of each in the body's picture. */
   readonly scales: Scales;
@@ -62,12 +61,15 @@ export class MotionScene {
   readonly #axes: Axes;
   readonly #heavy: HeavyBody | null;
   readonly #wheels: Wheels | null;
+  readonly #contents: Contents;
+  /** Pictures with the layers that are on in them at first. */
+  readonly #first: Set<string>;
   readonly #trails = new Map<Trailed, Trail>();
   readonly #trailGroup: Group;
   /** A place in the body, where it is in space. */
   readonly #turned = (p: Vector3): Vector3 => p.clone().applyQuaternion(this.body.quaternion);
 
-  /** `before`: what was shown until now, of which switches are kept, and scales: whatever they are if `isHeld`, else if they fit. */
+  /** `before`: what was shown until now, of which switches are kept, and scales and frames: whatever they are if `isHeld`, else if they fit. */
   constructor(page: PageData, motion: Motion, trail: Group, palette: Palette, before: MotionScene | null, isHeld = false) {
     this.#page = page;
     this.#motion = motion;
@@ -82,7 +84,6 @@ export class MotionScene {
       torque: motion.torque === null ? 0 : scale(before?.scales.torque, motion.telling, lengths(motion.torque)),
     };
     this.telling = telling(page, motion);
-    this.middle = meanPlace(page.body.lever, motion).multiplyScalar(0.5 / this.model.radius);
     this.#free = page.free !== null && page.free.energy > 0 && page.free.momentum > 0 ? page.free : null;
     this.pictures = this.#free ? ["body", "poinsot", "cones", "sphere"] : ["body"];
     this.#axes = new Axes(this.principal, AXES, 0.92 * LONGEST, palette);
@@ -92,6 +93,8 @@ export class MotionScene {
     this.#momentum = new Arrow("ink", THICK, palette);
     this.#torque = new Arrow("torque", THICK, palette);
     this.#build();
+    this.#contents = new Contents(before && before.#contents, isHeld);
+    this.#first = new Set(this.layers.flatMap(({ id, on }) => this.pictures.filter((p) => on[p]).map((p) => `${p} ${id}`)));
     for (const layer of this.layers) {
       const was = before?.layers.find(({ id }) => id === layer.id);
       for (const picture of Object.keys(layer.on) as Picture[]) layer.on[picture] = was?.on[picture] ?? layer.on[picture] === true;
@@ -132,6 +135,44 @@ export class MotionScene {
   pose(time: number, picture: Picture, trailed: Trailed, trails: TrailCurves, held: Attitude | null): void {
     const now = this.#motion.at(time);
     if (held) now.attitude = held;
+    this.#turn(now, time, picture);
+    if (picture === "body") this.#drawTrail(time, now, trailed, trails);
+    if (picture === "cones") this.cones?.draw(time);
+    if (picture === "sphere") this.sphere?.draw(rotate(inverse(now.attitude), now.momentum));
+  }
+
+  /** The frame in which the camera's place is measured. In Poinsot's picture and the cones' the invariable plane is level: up is L. */
+  aim(picture: Picture, rides: "space" | "body", frame: Quaternion): void {
+    const level = picture === "poinsot" ? this.poinsot : picture === "cones" ? this.cones : null;
+    frame.identity();
+    if (rides === "body") {
+      frame.copy(this.body.quaternion);
+      if (picture !== "body") frame.multiply(this.principal);
+    } else if (level) frame.setFromUnitVectors(new Vector3(0, 0, 1), level.up);
+  }
+
+  /** What the camera has to see, in the frame of `aim`: of what is on or was at first, as switching off does not move it. */
+  content(picture: Picture, rides: "space" | "body"): Vector3[] {
+    const seen = (id: string): boolean => this.#isOn(id, picture) || this.#first.has(`${picture} ${id}`);
+    const shown = this.layers.filter(({ id }) => seen(id)).map(({ id }) => id);
+    const back = new Quaternion();
+    return this.#contents.of([picture, rides, ...shown].join(), this.#motion, (now, time) => {
+      this.#turn(now, time, picture);
+      this.aim(picture, rides, back);
+      back.invert();
+      const named = this.#names(seen, picture, time, null).flatMap(({ tip, along }) => along ?? [tip]);
+      const outline = picture === "sphere" ? directions(100) : this.#outline(seen, picture);
+      return [...named, ...outline, ...(this.#heavy?.floor(seen) ?? [])].map((p) => p.clone().applyQuaternion(back));
+    });
+  }
+
+  /** From here on the frames are those of this motion alone. */
+  refit(): void {
+    this.#contents.refit();
+  }
+
+  // The body and the arrows.
+  #turn(now: Moment, time: number, picture: Picture): void {
     const [w, x, y, z] = now.attitude;
     this.body.quaternion.set(x, y, z, w);
     const rolling = picture === "poinsot" ? this.poinsot : picture === "cones" ? this.cones : null;
@@ -145,17 +186,22 @@ export class MotionScene {
     this.#momentum.point(...(now.momentum.map((c) => c * long) as Vector));
     if (now.torque) this.#torque.point(...(now.torque.map((c) => c * this.scales.torque) as Vector));
     if (picture === "body") {
-      this.#drawTrail(time, now, omega, trailed, trails);
       this.#heavy?.pose(now.attitude);
       this.#wheels?.pose(time);
     }
-    if (picture === "cones") this.cones?.draw(time);
-    if (picture === "sphere") this.sphere?.draw(rotate(inverse(now.attitude), now.momentum));
+  }
+
+  #isOn(id: string, picture: Picture): boolean {
+    return this.layers.find((layer) => layer.id === id)?.on[picture] === true;
   }
 
   /** Of what is on, or only of `ids`. */
-  labels(picture: Picture, time: number, camera: PerspectiveCamera, ids: readonly string[] | null): Label[] {
-    const on = (id: string): boolean => (ids?.includes(id) ?? true) && this.layers.find((layer) => layer.id === id)?.on[picture] === true;
+  labels(picture: Picture, time: number, eye: Vector3, ids: readonly string[] | null): Label[] {
+    return this.#names((id) => (ids?.includes(id) ?? true) && this.#isOn(id, picture), picture, time, eye);
+  }
+
+  // Without an eye none of those that depend on where it is.
+  #names(on: (id: string) => boolean, picture: Picture, time: number, eye: Vector3 | null): Label[] {
     const turned = this.#turned;
     const labels: Label[] = [];
     if (on("omega") && this.omega.drawn) labels.push({ text: "𝛚", ink: "omega", tip: this.omega.tip });
@@ -165,19 +211,21 @@ export class MotionScene {
     if (picture === "body") labels.push(...(this.#wheels?.labels(on, time, turned) ?? []), ...(this.#heavy?.labels(on) ?? []));
     if (picture === "poinsot") labels.push(...(this.poinsot?.labels(on, turned) ?? []));
     if (picture === "cones") labels.push(...(this.cones?.labels(on, turned) ?? []));
-    if (picture === "sphere") labels.push(...(this.sphere?.labels(on, turned, camera.position) ?? []));
+    if (picture === "sphere" && eye) labels.push(...(this.sphere?.labels(on, turned, eye) ?? []));
     // Arrows first: other names go where there is room.
     return [...labels.filter(({ along }) => !along), ...labels.filter(({ along }) => along)];
   }
 
   /** Points around what no name of an arrow may cover. */
-  outline(picture: Picture, camera: PerspectiveCamera): Vector3[] {
+  outline(picture: Picture, eye: Vector3): Vector3[] {
+    return picture === "sphere" ? round(eye) : this.#outline((id) => this.#isOn(id, picture), picture);
+  }
+
+  #outline(on: (id: string) => boolean, picture: Picture): Vector3[] {
     const turned = (points: Vector3[]): Vector3[] => points.map(this.#turned);
     if (picture === "poinsot" && this.poinsot) return turned(this.poinsot.outline);
     if (picture === "cones" && this.cones) return turned(this.cones.outline);
-    if (picture === "sphere") return round(camera.position);
-    const ellipsoid = this.layers.find((layer) => layer.id === "ellipsoid")?.on.body === true;
-    return turned(ellipsoid ? [...this.model.outline, ...this.model.ellipsoidOutline] : this.model.outline);
+    return turned(on("ellipsoid") ? [...this.model.outline, ...this.model.ellipsoidOutline] : this.model.outline);
   }
 
   #build(): void {
@@ -243,12 +291,12 @@ export class MotionScene {
     }
   }
 
-  #drawTrail(time: number, now: Moment, omega: Vector, what: Trailed, curves: TrailCurves): void {
+  #drawTrail(time: number, now: Moment, what: Trailed, curves: TrailCurves): void {
     if (!this.#trailGroup.visible) return;
     const trail = this.#trails.get(what) ?? new Trail(this.#motion, what, this.scales.omega, AXES);
     this.#trails.set(what, trail);
-    const tip = what === "omega" ? omega : (rotate(now.attitude, axis(what)).map((c) => c * AXES) as Vector);
-    curves.draw(trail, time, tip);
+    const [v, long] = what === "omega" ? [now.omega, this.scales.omega] : [axis(what), AXES];
+    curves.draw(trail, time, rotate(now.attitude, v).map((c) => c * long) as Vector);
   }
 }
 
@@ -271,19 +319,6 @@ function telling(page: PageData, motion: Motion): Trailed {
   else if (like(i2, i3) && !like(i1, i2)) v = rotate(principal.quaternion, [1, 0, 0]);
   const sizes = v.map(Math.abs);
   return (["axis-1", "axis-2", "axis-3"] as const)[sizes.indexOf(Math.max(...sizes))] ?? "axis-1";
-}
-
-function meanPlace(lever: Vector, motion: Motion): Vector3 {
-  const sum = new Vector3();
-  if (length(lever) === 0) return sum;
-  const place = [0, 0, 0];
-  for (let i = 0; i < motion.count; i += 1) {
-    writeRotated(motion.attitude, 4 * i, lever, 0, place, 0);
-    sum.x += place[0];
-    sum.y += place[1];
-    sum.z += place[2];
-  }
-  return sum.divideScalar(motion.count);
 }
 
 // The rim of the unit sphere as a camera sees it.

@@ -5,22 +5,25 @@
 import { Color, type Material } from "three";
 import { ink as colour } from "../theme";
 
-export type Ink =
-  | "paper"
-  | "ink"
-  | "faint"
-  | "quiet"
-  | "solid"
-  | "contour"
-  | "edge"
-  | "axis-1"
-  | "axis-2"
-  | "axis-3"
-  | "omega"
-  | "torque"
-  | "wheel"
-  | "warn"
-  | "danger";
+export const INKS = [
+  "paper",
+  "ink",
+  "faint",
+  "quiet",
+  "solid",
+  "contour",
+  "edge",
+  "axis-1",
+  "axis-2",
+  "axis-3",
+  "omega",
+  "torque",
+  "wheel",
+  "warn",
+  "danger",
+] as const;
+
+export type Ink = (typeof INKS)[number];
 
 export class Palette {
   readonly #bound = new Map<Color, { ink: Ink; strength: number }>();

@@ -1,5 +1,5 @@
 /** A round piece of a plane across z, with rings and radii. */
-import { CircleGeometry, DoubleSide, Group, Mesh, MeshBasicMaterial } from "three";
+import { CircleGeometry, DoubleSide, Group, Mesh, MeshBasicMaterial, Vector3 } from "three";
 import { curve } from "./lines";
 import type { Palette } from "./palette";
 
@@ -20,4 +20,12 @@ export function plane(reach: number, palette: Palette): Group {
     group.add(curve([-c, -s, 0, c, s, 0], 1, { ink: "faint", width: 1, opacity: 0.35 }, palette));
   }
   return group;
+}
+
+/** Points around its edge. */
+export function rim(reach: number): Vector3[] {
+  return Array.from({ length: 24 }, (_, k) => {
+    const a = (k / 24) * 2 * Math.PI;
+    return new Vector3(Math.cos(a), Math.sin(a), 0).multiplyScalar(reach);
+  });
 }

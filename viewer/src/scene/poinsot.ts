@@ -21,7 +21,7 @@ import type { Label } from "./labels";
 import { curve } from "./lines";
 import { Marker } from "./marker";
 import type { Palette } from "./palette";
-import { plane } from "./plane";
+import { plane, rim } from "./plane";
 
 const SPHERE = kept(new SphereGeometry(1, 64, 48));
 
@@ -36,8 +36,6 @@ export class Poinsot {
   readonly contact: Group;
   /** Length of 1 rad/s in the picture. */
   readonly scale: number;
-  readonly radius: number;
-  readonly middle: Vector3;
   /** The length of L's arrow, through the plane. */
   readonly arrow: number;
   readonly outline: Vector3[];
@@ -93,11 +91,7 @@ export class Poinsot {
     this.plane.position.copy(this.up).multiplyScalar(distance);
     this.plane.quaternion.setFromUnitVectors(new Vector3(0, 0, 1), this.up);
 
-    // From the ellipsoid's lowest place to the tip of L's arrow.
     this.arrow = distance + 0.35;
-    const low = -Math.max(...scaled);
-    this.middle = this.up.clone().multiplyScalar((this.arrow + low) / 2);
-    this.radius = Math.max((this.arrow - low) / 2, reach);
     const outline = new SphereGeometry(1, 16, 12).attributes.position;
     this.outline = Array.from({ length: outline.count }, (_, i) =>
       new Vector3()
@@ -105,11 +99,7 @@ export class Poinsot {
         .multiply(new Vector3(...scaled))
         .applyQuaternion(this.ellipsoid.quaternion),
     );
-    this.#rim = Array.from({ length: 24 }, (_, k) => {
-      const a = (k / 24) * 2 * Math.PI;
-      const p = new Vector3(Math.cos(a), Math.sin(a), 0).multiplyScalar(reach);
-      return p.applyQuaternion(this.plane.quaternion).add(this.plane.position);
-    });
+    this.#rim = rim(reach).map((p) => p.applyQuaternion(this.plane.quaternion).add(this.plane.position));
     this.#polhode = spread(polhode, this.scale);
     this.#herpolhode = spread(herpolhode, this.scale);
   }

@@ -6,6 +6,7 @@ import { DirectionalLight, HemisphereLight, Quaternion, Scene, Vector3, WebGLRen
 import type { Quaternion as Attitude } from "../attitude";
 import type { PageData } from "../data";
 import type { Motion } from "../motion";
+import { compose } from "../save/frame";
 import type { BodyModel } from "./body";
 import { OrbitCamera } from "./camera";
 import { Labels } from "./labels";
@@ -54,7 +55,7 @@ export class View {
     // Asking for errors waits for the compiler, a large part of the time to the first frame.
     this.#renderer.debug.checkShaderErrors = false;
     this.#renderer.setPixelRatio(Math.min(window.devicePixelRatio || 1, 2));
-    this.orbit = new OrbitCamera(canvas, () => this.invalidate());
+    this.orbit = new OrbitCamera(canvas, () => this.invalidate(), () => this.#shown.refit());
     this.labels = new Labels(overlay);
     this.#trails = new TrailCurves(this.#palette);
     this.#scene.add(new HemisphereLight(0xffffff, 0x8a8f98, 1.5), this.#lamp, this.#trails.object);
@@ -159,19 +160,12 @@ export class View {
     this.invalidate();
   }
 
-  // What the camera has to see, and where its home is.
+  // Where the camera's home is.
   #frame(): void {
-    const { poinsot, cones, sphere, model } = this.#shown;
-    const orbit = this.orbit;
-    orbit.radius = {
-      body: Math.max(1.58, 1.04 * model.extent),
-      poinsot: 1.08 * (poinsot?.radius ?? 1),
-      cones: 1.14 * (cones?.radius ?? 1),
-      sphere: 1.5,
-    }[this.picture];
+    const { orbit } = this;
     orbit.homeHeight = { body: 0.36, poinsot: 0.5, cones: 0.45, sphere: 0.4 }[this.picture];
     orbit.homeAzimuth = 0.62;
-    const middle = sphere?.middle;
+    const middle = this.#shown.sphere?.middle;
     if (this.picture === "sphere" && middle) {
       // This motion's curve is in front.
       orbit.homeHeight = middle.z > 0.3 ? 0.6 : middle.z < -0.3 ? -0.6 : 0.4;
@@ -207,16 +201,27 @@ export class View {
 
   render(): void {
     this.#waiting = false;
-    this.#pose(this.#time, this.held);
     const { width, height } = this.#size;
-    this.#aim();
-    this.orbit.place(width, height);
-    this.#lamp.position.copy(this.orbit.camera.position).add(this.orbit.camera.up.clone().multiplyScalar(this.orbit.radius));
-    this.#renderer.render(this.#scene, this.orbit.camera);
-    const { picture, orbit } = this;
-    this.labels.draw(this.#shown.labels(picture, this.#time, orbit.camera, this.#allowed), this.#shown.outline(picture, orbit.camera), orbit.camera, width, height);
+    this.draw(this.#renderer, this.labels, this.#time, width, height, this.held);
     for (const gone of this.#gone.splice(0)) gone.dispose();
     for (const then of this.drawn) then();
+  }
+
+  /**
+   * A frame of `time`, of so many pixels of the page: on the screen, or for a file with a renderer and names of its own. With an attitude
+   * that is not the motion's if the body is in the hand.
+   */
+  draw(renderer: WebGLRenderer, labels: Labels, time: number, width: number, height: number, held: Attitude | null = null): void {
+    const { picture, orbit } = this;
+    const shown = this.#shown;
+    orbit.content = shown.content(picture, this.rides);
+    this.#pose(time, held);
+    shown.aim(picture, this.rides, orbit.frame);
+    orbit.place(width, height);
+    const { camera } = orbit;
+    this.#lamp.position.copy(camera.position).addScaledVector(camera.up, 0.25 * orbit.distance);
+    renderer.render(this.#scene, camera);
+    labels.draw(shown.labels(picture, time, camera.position, this.#allowed), shown.outline(picture, camera.position), camera, width, height);
   }
 
   /** (w, x, y, z) of the body as the scene has it at `time`. */
@@ -235,50 +240,11 @@ export class View {
     out.width = this.#canvas.width;
     out.height = this.#canvas.height;
     const pen = out.getContext("2d");
-    if (!pen) return out;
-    pen.fillStyle = this.#palette.value("paper");
-    pen.fillRect(0, 0, out.width, out.height);
-    pen.drawImage(this.#canvas, 0, 0);
-    pen.scale(out.width / this.#size.width, out.height / this.#size.height);
-    pen.textAlign = "center";
-    pen.textBaseline = "middle";
-    for (const label of this.labels.placed) {
-      pen.font = [...label.text].length <= 2 ? '19px "Polhode Math"' : "600 13px system-ui, sans-serif";
-      pen.fillStyle = this.#palette.value(label.ink);
-      pen.strokeStyle = this.#palette.value(label.ink);
-      if (label.led) {
-        pen.globalAlpha = 0.6;
-        pen.beginPath();
-        pen.moveTo(label.tipX, label.tipY);
-        pen.lineTo(label.endX, label.endY);
-        pen.stroke();
-        pen.globalAlpha = 1;
-      }
-      pen.fillText(label.text, label.x, label.y);
-    }
+    if (pen) compose(pen, this.#canvas, this.labels.placed, out.width / this.#size.width, true);
     return out;
   }
 
   #pose(time: number, held: Attitude | null): void {
     this.#shown.pose(time, this.picture, this.trailed, this.#trails, held);
-  }
-
-  // In Poinsot's picture and the cones' the invariable plane is level: up is L.
-  #aim(): void {
-    const { poinsot, cones, body, principal, middle } = this.#shown;
-    const frame = this.orbit.frame.identity();
-    this.orbit.target.set(0, 0, 0);
-    if (this.picture === "body") this.orbit.target.copy(middle);
-    const level = this.picture === "poinsot" || this.picture === "cones";
-    if (this.rides === "body") {
-      this.orbit.target.set(0, 0, 0);
-      frame.copy(body.quaternion);
-      if (this.picture !== "body") frame.multiply(principal);
-    } else if (level) {
-      const shown = this.picture === "poinsot" ? poinsot : cones;
-      if (!shown) return;
-      frame.setFromUnitVectors(new Vector3(0, 0, 1), shown.up);
-      this.orbit.target.copy(shown.middle);
-    }
   }
 }

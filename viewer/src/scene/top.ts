@@ -12,13 +12,17 @@ import type { Label } from "./labels";
 import type { Layer } from "./layers";
 import { curve } from "./lines";
 import type { Palette } from "./palette";
-import { plane } from "./plane";
+import { plane, rim } from "./plane";
+
+const FLOOR = 0.95;
 
 export class HeavyBody {
   readonly layers: Layer[] = [];
   readonly objects: Group[] = [];
   /** Where the circles are, for their names: points of each. */
   readonly #circles: { text: string; points: Vector3[] }[] = [];
+  /** Points of the floor's rim. */
+  #floor: Vector3[] = [];
   readonly #arrow: Arrow;
   readonly #lever: Vector;
   readonly #down: Vector3;
@@ -37,8 +41,9 @@ export class HeavyBody {
     this.#put({ id: "gravity", label: "Gravity g", ink: "quiet", look: "arrow", on: { body: true }, objects: [arrow] }, arrow);
     if (page.top) this.#axis(page.top, motion, reach, palette);
     if (standsUpright(motion, page.body.lever, this.#down)) {
-      const floor = plane(0.95, palette);
+      const floor = plane(FLOOR, palette);
       floor.quaternion.setFromUnitVectors(new Vector3(0, 0, 1), this.#down.clone().negate());
+      this.#floor = rim(FLOOR).map((p) => p.applyQuaternion(floor.quaternion));
       this.#put({ id: "floor", label: "Floor", ink: "faint", look: "area", on: { body: true }, objects: [floor] }, floor);
     }
   }
@@ -73,6 +78,10 @@ export class HeavyBody {
     const middle = new Vector3(...rotate(attitude, this.#lever));
     this.#arrow.object.position.copy(middle);
     this.#arrow.point(...(this.#down.clone().multiplyScalar(0.62).toArray() as Vector));
+  }
+
+  floor(on: (id: string) => boolean): Vector3[] {
+    return on("floor") ? this.#floor : [];
   }
 
   /** Names of what is on. */

@@ -1,4 +1,4 @@
-/** Files that the page saves: a plot as SVG or PNG, the 3-D view as PNG. */
+/** Files that the page saves, and their names. */
 
 export function save(name: string, content: Blob): void {
   const link = document.createElement("a");

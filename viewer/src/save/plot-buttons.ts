@@ -1,6 +1,6 @@
 /** The buttons beside a figure's title: it as a file. Each says which figure, for those who hear them one after the other. */
 import { element } from "../dom";
-import { savePng, saveSvg } from "../export";
+import { savePng, saveSvg } from "./files";
 
 export function saveButtons(title: string, file: string, svg: () => string): HTMLElement[] {
   const button = (kind: string, click: () => void): HTMLElement => {

@@ -1,0 +1,111 @@
+/** Frames of the 3-D view for files: what the renderer has drawn, with its names. */
+import { WebGLRenderer } from "three";
+import { element } from "../dom";
+import { Labels, type PlacedLabel } from "../scene/labels";
+import type { View } from "../scene/scene";
+import { ink as colour } from "../theme";
+import type { Order } from "./film";
+
+/** Draws with `pen`, at so many pixels for one of the page, on paper or on nothing. */
+export function compose(pen: CanvasRenderingContext2D, drawn: HTMLCanvasElement, names: PlacedLabel[], ratio: number, paper: boolean): void {
+  const { width, height } = drawn;
+  pen.resetTransform();
+  pen.clearRect(0, 0, width, height);
+  if (paper) {
+    pen.fillStyle = colour("paper");
+    pen.fillRect(0, 0, width, height);
+  }
+  pen.drawImage(drawn, 0, 0);
+  pen.scale(ratio, ratio);
+  pen.textAlign = "center";
+  pen.textBaseline = "middle";
+  for (const { text, ink, x, y, led, tipX, tipY, endX, endY } of names) {
+    pen.font = [...text].length <= 2 ? '19px "Polhode Math"' : "600 13px system-ui, sans-serif";
+    pen.fillStyle = colour(ink);
+    pen.strokeStyle = colour(ink);
+    if (led) {
+      pen.globalAlpha = 0.6;
+      pen.beginPath();
+      pen.moveTo(tipX, tipY);
+      pen.lineTo(endX, endY);
+      pen.stroke();
+      pen.globalAlpha = 1;
+    }
+    pen.fillText(text, x, y);
+  }
+}
+
+/** Draws frames of any size, with a renderer and names of its own: what is on the screen does not change, and nothing on it counts. */
+export class Frames {
+  readonly #view: View;
+  readonly #renderer = new WebGLRenderer({ antialias: true, alpha: true });
+  readonly #canvas = document.createElement("canvas");
+  readonly #pen: CanvasRenderingContext2D;
+  readonly #host = element("div", { class: "frame-names", "aria-hidden": "true" });
+  #names = new Labels(this.#host);
+  #layout = { width: 1, height: 1, ratio: 1 };
+  #paper = true;
+
+  /** Throws if the browser gives no further WebGL context. */
+  constructor(view: View) {
+    this.#view = view;
+    this.#renderer.debug.checkShaderErrors = false;
+    const pen = this.#canvas.getContext("2d", { willReadFrequently: true });
+    if (!pen) throw new Error("This browser gives no canvas to draw frames on.");
+    this.#pen = pen;
+    document.body.append(this.#host);
+  }
+
+  /** The GPU was taken from it. */
+  get isLost(): boolean {
+    return this.#renderer.getContext().isContextLost();
+  }
+
+  /**
+   * From here on frames have this size, px. The picture is that of a page of `shown` px made larger, with its type and its lines; where
+   * it is smaller they keep their size. Throws if they cannot be had: nothing is drawn smaller than it is said to be.
+   */
+  begin({ width, height, paper }: Order, shown: { width: number; height: number }): void {
+    const gl = this.#renderer.getContext();
+    const [across, down] = gl.getParameter(gl.MAX_VIEWPORT_DIMS) as Int32Array;
+    const most = gl.getParameter(gl.MAX_RENDERBUFFER_SIZE) as number;
+    if (width > Math.min(across, most) || height > Math.min(down, most)) {
+      throw new Error(`The GPU draws pictures of at most ${Math.min(across, most)} × ${Math.min(down, most)} px, not of ${width} × ${height}.`);
+    }
+    const ratio = Math.max(1, Math.min(width / shown.width, height / shown.height));
+    this.#layout = { width: width / ratio, height: height / ratio, ratio };
+    this.#paper = paper;
+    // Sizes are rounded down.
+    this.#renderer.setDrawingBufferSize((width + 0.01) / ratio, (height + 0.01) / ratio, ratio);
+    if (this.isLost || gl.drawingBufferWidth !== width || gl.drawingBufferHeight !== height) {
+      throw new Error(`The GPU has no room for a picture of ${width} × ${height} px. Take a smaller one.`);
+    }
+    Object.assign(this.#canvas, { width, height });
+    // A canvas that is too large for the browser stays empty.
+    this.#pen.fillRect(width - 1, height - 1, 1, 1);
+    if (this.#pen.getImageData(width - 1, height - 1, 1, 1).data[3] !== 255) {
+      throw new Error(`This browser has no room for a picture of ${width} × ${height} px. Take a smaller one.`);
+    }
+    this.#host.style.width = `${this.#layout.width}px`;
+    this.#host.style.height = `${this.#layout.height}px`;
+    // Names stay near where they were: those of before do not count.
+    this.#host.replaceChildren();
+    this.#names = new Labels(this.#host);
+  }
+
+  /** The frame of a time; it is good until the next. */
+  draw(time: number): CanvasRenderingContext2D {
+    const { width, height, ratio } = this.#layout;
+    this.#view.draw(this.#renderer, this.#names, time, width, height);
+    if (this.isLost) throw new Error("The GPU has lost the picture. Take a smaller one.");
+    compose(this.#pen, this.#renderer.domElement, this.#names.placed, ratio, this.#paper);
+    return this.#pen;
+  }
+
+  /** Leaves the memory of frames to others. */
+  end(): void {
+    this.#renderer.setDrawingBufferSize(1, 1, 1);
+    Object.assign(this.#canvas, { width: 1, height: 1 });
+    this.#view.invalidate();
+  }
+}

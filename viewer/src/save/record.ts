@@ -1,0 +1,100 @@
+/** Draws what was ordered, frame by frame at its exact times: a slow machine makes the same film. */
+import { frameCount, frameTime, type Order } from "./film";
+import type { Frames } from "./frame";
+import { GifWriter } from "./gif";
+import { VideoWriter } from "./video";
+import { Zip } from "./zip";
+
+/** Frames that a GIF's colours are chosen by. */
+const SAMPLES = 8;
+
+interface Writer {
+  readonly size: number;
+  add: (pen: CanvasRenderingContext2D, k: number) => Promise<void> | void;
+  finish: () => Promise<Blob> | Blob;
+  close?: () => void;
+}
+
+/** A file may have so many bytes, whatever its frames are. */
+const MOST = 1e9;
+
+/** `shown` is the size of the view on the screen; a picture is of `now`. Rejects when `signal` is aborted, and when it cannot be made. */
+export async function record(
+  order: Order,
+  frames: Frames,
+  shown: { width: number; height: number },
+  now: number,
+  progress: (done: number) => void,
+  signal: AbortSignal,
+): Promise<Blob> {
+  let writer: Writer | null = null;
+  try {
+    frames.begin(order, shown);
+    if (order.format === "png") return await png(frames.draw(now).canvas);
+    const count = frameCount(order);
+    writer = await writerOf(order, frames, count);
+    frames.begin(order, shown);
+    for (let k = 0; k < count; k += 1) {
+      signal.throwIfAborted();
+      await writer.add(frames.draw(frameTime(order, k)), k);
+      if (writer.size > MOST) throw new Error(`The file has reached ${MOST / 1e9} GB at frame ${k + 1} of ${count}. Take a shorter time, fewer frames or a smaller picture.`);
+      progress(k + 1);
+      await turn();
+    }
+    return await writer.finish();
+  } finally {
+    writer?.close?.();
+    frames.end();
+  }
+}
+
+async function writerOf(order: Order, frames: Frames, count: number): Promise<Writer> {
+  const { format, width, height, rate } = order;
+  if (format === "webm") return VideoWriter.of(width, height, rate);
+  return format === "zip" ? new PngWriter(count) : new GifWriter(width, height, rate, sampled(order, frames, count));
+}
+
+function* sampled(order: Order, frames: Frames, count: number): Generator<CanvasRenderingContext2D> {
+  const all = Math.min(SAMPLES, count);
+  for (let j = 0; j < all; j += 1) yield frames.draw(frameTime(order, Math.floor(((j + 0.5) * count) / all)));
+}
+
+/** Pictures named by their number. */
+class PngWriter {
+  readonly #zip = new Zip();
+  readonly #digits: number;
+
+  constructor(count: number) {
+    this.#digits = Math.max(4, String(count).length);
+  }
+
+  get size(): number {
+    return this.#zip.size;
+  }
+
+  async add({ canvas }: CanvasRenderingContext2D, k: number): Promise<void> {
+    await this.#zip.add(`frame-${String(k + 1).padStart(this.#digits, "0")}.png`, await png(canvas));
+  }
+
+  finish(): Blob {
+    return this.#zip.finish();
+  }
+}
+
+function png(canvas: HTMLCanvasElement): Promise<Blob> {
+  return new Promise((done, fail) => {
+    canvas.toBlob((blob) => (blob ? done(blob) : fail(new Error(`This browser makes no PNG of ${canvas.width} × ${canvas.height} px.`))), "image/png");
+  });
+}
+
+/** Lets the page draw itself and hear its buttons; timers are slow in a page that is not seen. */
+function turn(): Promise<void> {
+  return new Promise((done) => {
+    const { port1, port2 } = new MessageChannel();
+    port1.onmessage = () => {
+      port1.close();
+      done();
+    };
+    port2.postMessage(null);
+  });
+}

@@ -1,0 +1,129 @@
+/** What a camera has to see, and the nearest place from which all of it is in the frame. */
+import { Vector3 } from "three";
+import type { Moment, Motion } from "../motion";
+
+/** Of a motion, and of the points that stand for all: some directions are 0.2 rad apart, where a sphere is 0.5 % beyond them. */
+const TIMES = 200;
+const DIRECTIONS = 300;
+/** Another motion is seen in the frame of the one before unless it is smaller than this part of it. */
+const LIKE = 0.62;
+const GOLDEN = (Math.sqrt(5) - 1) / 2;
+
+/** Directions spread evenly (Fibonacci's spiral). */
+export function directions(count: number): Vector3[] {
+  const golden = Math.PI * (3 - Math.sqrt(5));
+  return Array.from({ length: count }, (_, k) => {
+    const z = 1 - (2 * k + 1) / count;
+    const flat = Math.sqrt(1 - z * z);
+    return new Vector3(flat * Math.cos(k * golden), flat * Math.sin(k * golden), z);
+  });
+}
+
+/** The points that are farthest in each of many directions: their hull is nearly that of all. */
+export class Farthest {
+  readonly points: Vector3[];
+  /** x y z of each. */
+  readonly #directions: Float64Array;
+  readonly #far: Float64Array;
+  /** The least of them: what is nearer changes nothing. */
+  #least = -Infinity;
+
+  constructor(count: number) {
+    this.#directions = Float64Array.from(directions(count).flatMap((d) => d.toArray()));
+    this.#far = new Float64Array(count).fill(-Infinity);
+    this.points = Array.from({ length: count }, () => new Vector3());
+  }
+
+  add({ x, y, z }: Vector3): void {
+    if (x * x + y * y + z * z <= this.#least * Math.abs(this.#least)) return;
+    const d = this.#directions;
+    const far = this.#far;
+    let least = Infinity;
+    for (let k = 0; k < far.length; k += 1) {
+      const along = d[3 * k] * x + d[3 * k + 1] * y + d[3 * k + 2] * z;
+      if (along > far[k]) {
+        far[k] = along;
+        this.points[k].set(x, y, z);
+      }
+      if (far[k] < least) least = far[k];
+    }
+    this.#least = least;
+  }
+}
+
+/**
+ * All that is in a picture, at every time of the motion. `before`: of the motion until now. The frame stays as it was, and is only made
+ * wider by what goes beyond it, as long as this motion's size is like it; or, if `isHeld`, whatever its size is.
+ */
+export class Contents {
+  readonly #found = new Map<string, Vector3[]>();
+  readonly #before: Map<string, Vector3[]>;
+  readonly #isHeld: boolean;
+
+  constructor(before: Contents | null, isHeld: boolean) {
+    this.#before = new Map(before ? [...before.#before, ...before.#found] : []);
+    this.#isHeld = isHeld;
+  }
+
+  /** From here on the frames are this motion's own. */
+  refit(): void {
+    if (this.#before.size === 0) return;
+    this.#found.clear();
+    this.#before.clear();
+  }
+
+  /** `points` of a time; what they are of is named by `key`. */
+  of(key: string, motion: Motion, points: (now: Moment, time: number) => Vector3[]): Vector3[] {
+    const before = this.#before.get(key);
+    let found = this.#found.get(key) ?? (this.#isHeld ? before : undefined);
+    if (!found) {
+      const all = sampled(motion, points);
+      const farthest = new Farthest(DIRECTIONS);
+      // These first: most of the others are inside and change nothing.
+      if (before && size(all) > LIKE * size(before)) for (const p of before) farthest.add(p);
+      for (const p of all) farthest.add(p);
+      found = farthest.points;
+    }
+    this.#found.set(key, found);
+    return found;
+  }
+}
+
+function sampled(motion: Motion, points: (now: Moment, time: number) => Vector3[]): Vector3[] {
+  const count = Math.min(motion.telling, TIMES);
+  return Array.from({ length: count }, (_, k) => {
+    // Spread by the golden ratio: no oscillation is in step with it.
+    const i = count < TIMES ? k : Math.floor(((k * GOLDEN) % 1) * motion.telling);
+    const time = motion.times[i];
+    return points(motion.at(time), time);
+  }).flat();
+}
+
+function size(points: readonly Vector3[]): number {
+  return points.reduce((most, p) => Math.max(most, p.length()), 0);
+}
+
+/**
+ * For a camera that looks against `back` with z upwards: where it has to look, and from how far, so that all points are in its frame, which
+ * ends at the slopes `wide` and `high` from its axis. Each side of the frame is a plane that is moved until it touches the points; two
+ * opposite ones meet where the camera is.
+ */
+export function fit(points: readonly Vector3[], back: Vector3, wide: number, high: number): { target: Vector3; distance: number } {
+  const right = new Vector3(-back.y, back.x, 0).normalize();
+  const up = back.clone().cross(right);
+  let [left, rightmost, low, top, near, far] = [Infinity, -Infinity, Infinity, -Infinity, -Infinity, Infinity];
+  for (const p of points) {
+    const [x, y, z] = [p.dot(right), p.dot(up), p.dot(back)];
+    left = Math.min(left, x - z * wide);
+    rightmost = Math.max(rightmost, x + z * wide);
+    low = Math.min(low, y - z * high);
+    top = Math.max(top, y + z * high);
+    near = Math.max(near, z);
+    far = Math.min(far, z);
+  }
+  if (points.length === 0) return { target: new Vector3(), distance: 1 };
+  const eye = Math.max((rightmost - left) / (2 * wide), (top - low) / (2 * high));
+  const depth = (near + far) / 2;
+  const target = right.multiplyScalar((left + rightmost) / 2).addScaledVector(up, (low + top) / 2).addScaledVector(back, depth);
+  return { target, distance: Math.max(eye - depth, 1e-6) };
+}

@@ -69,9 +69,17 @@ test("a motion that runs away at its end has the arrows and the speed of the res
   usual.tips.forEach((tip, k) => tip.forEach((x, c) => assert.ok(Math.abs(away.tips[k][c] - x) < 0.02, `${away.tips[k]}, not ${tip}`)));
 });
 
+/** A free motion, a top and a spacecraft, opened once for both of the following. */
+const windows = new Map();
+const windowOf = async (name, colorScheme) => {
+  if (!windows.has(name)) windows.set(name, await open(browser, `window-${name}`, samples[name](), { viewport: { width: 1440, height: 600 }, colorScheme }));
+  return windows.get(name);
+};
+const WINDOWS = [["free", "light"], ["tilted", "dark"], ["wheeled", "light"]];
+
 test("a window that is made narrow and wide again never scrolls sideways", async () => {
-  for (const [name, colorScheme] of [["free", "light"], ["heavy", "dark"], ["wheeled", "light"]]) {
-    const { page, problems, close } = await open(browser, `narrow-${name}`, samples[name](), { viewport: { width: 1440, height: 900 }, colorScheme });
+  for (const [name, colorScheme] of WINDOWS) {
+    const { page, problems } = await windowOf(name, colorScheme);
     await page.evaluate(() => {
       window.beyond = [];
       const look = () => {
@@ -82,7 +90,7 @@ test("a window that is made narrow and wide again never scrolls sideways", async
       look();
     });
     for (const width of [390, 1440, 390]) {
-      await page.setViewportSize({ width, height: width < 800 ? 844 : 900 });
+      await page.setViewportSize({ width, height: width < 800 ? 844 : 600 });
       await page.waitForFunction((width) => {
         const plot = document.querySelector("#plot-omega canvas").getBoundingClientRect().width;
         const panel = document.querySelector("#panel-plots").clientWidth;
@@ -93,13 +101,12 @@ test("a window that is made narrow and wide again never scrolls sideways", async
     const beyond = await page.evaluate(() => window.beyond);
     assert.ok(beyond.length > 8 && beyond.every((x) => x === 0), `${name}, ${colorScheme}: ${beyond.filter((x) => x !== 0)} px in ${beyond.length} frames`);
     assert.deepEqual(problems, []);
-    await close();
   }
 });
 
 test("a picture fills its frame, and nothing is cut off at any time, from wherever it is seen", async () => {
-  for (const name of ["free", "tilted", "wheeled"]) {
-    const { page, problems, close } = await open(browser, `frame-${name}`, samples[name]());
+  for (const [name, colorScheme] of WINDOWS) {
+    const { page, problems, close } = await windowOf(name, colorScheme);
     const all = await page.evaluate(() => {
       const { clock, view } = window.polhode;
       // Where in the frame, from −1 to 1, the body and what has a name are: with a renderer that draws nothing.
@@ -116,7 +123,7 @@ test("a picture fills its frame, and nothing is cut off at any time, from wherev
             }
           },
         };
-        const count = 151;
+        const count = 61;
         for (let k = 0; k < count; k += 1) view.draw({ render: () => undefined }, names, clock.start + (k / (count - 1)) * (clock.end - clock.start), width, height);
         return span;
       };

@@ -3,8 +3,6 @@
 use serde::{Deserialize, Serialize};
 use serde_json::value::RawValue;
 
-use crate::lesson::LessonInfo;
-
 /// An answer that is not 200.
 #[derive(Debug, Serialize)]
 pub(crate) struct RefusalBody {
@@ -127,12 +125,6 @@ pub(crate) struct OpenRequest {
     pub(crate) set: u32,
     pub(crate) name: String,
 }
-
-#[derive(Debug, Serialize)]
-pub(crate) struct LessonList {
-    pub(crate) lessons: Vec<LessonInfo>,
-}
-
 #[derive(Debug, Serialize)]
 pub(crate) struct Lesson {
     #[serde(flatten)]

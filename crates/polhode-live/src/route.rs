@@ -10,9 +10,7 @@ use crate::answer::{Answer, Refusal, bytes, json};
 use crate::asset::asset;
 use crate::documents::Content;
 use crate::inspect::Inspection;
-use crate::protocol::{
-    Choice, CompleteAnswer, CompleteRequest, Documents, LessonList, MotionRequest, OpenRequest,
-};
+use crate::protocol::{Choice, CompleteAnswer, CompleteRequest, Documents, MotionRequest, OpenRequest};
 use crate::session::Session;
 use crate::{limits, motion, utf16};
 
@@ -106,7 +104,7 @@ impl Route {
                     Content::Robot => json(&Inspection::of_robot(&document)?),
                 }
             }
-            Self::Lessons => json(&LessonList { lessons: session.lessons.list() }),
+            Self::Lessons => json(&serde_json::json!({ "lessons": session.lessons.list() })),
             Self::Lesson(id) => json(&session.lessons.open(&id, &session.documents)?),
             Self::Motion => {
                 let request: MotionRequest = read(body)?;

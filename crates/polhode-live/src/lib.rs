@@ -38,5 +38,6 @@ mod session;
 mod utf16;
 
 pub use error::LiveError;
-pub use lesson::{LessonError, LessonInfo, lessons};
+pub use lesson::{LessonError, lessons};
+pub use protocol::LessonInfo;
 pub use server::{Live, LiveOptions};

@@ -125,6 +125,17 @@ pub(crate) struct OpenRequest {
     pub(crate) set: u32,
     pub(crate) name: String,
 }
+/// What a list says of a lesson.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct LessonInfo {
+    /// What it is asked for by.
+    pub id: String,
+    /// Its title.
+    pub title: String,
+    /// What it is about, in a sentence.
+    pub summary: String,
+}
+
 #[derive(Debug, Serialize)]
 pub(crate) struct Lesson {
     #[serde(flatten)]

@@ -17,22 +17,11 @@ use serde::Serialize;
 
 use crate::answer::Refusal;
 use crate::documents::{Document, Documents};
-use crate::protocol::{Lesson, LessonStep};
+use crate::protocol::{Lesson, LessonInfo, LessonStep};
 use check::Checked;
 pub use error::LessonError;
 use file::File;
 use included::INCLUDED;
-
-/// What a list says of a lesson.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct LessonInfo {
-    /// What it is asked for by.
-    pub id: String,
-    /// Its title.
-    pub title: String,
-    /// What it is about, in a sentence.
-    pub summary: String,
-}
 
 /// The lessons that are part of the program, in the order in which they can be taken.
 pub fn lessons() -> impl Iterator<Item = LessonInfo> {

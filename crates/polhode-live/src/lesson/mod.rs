@@ -13,7 +13,6 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use hyper::StatusCode;
-use serde::Serialize;
 
 use crate::answer::Refusal;
 use crate::documents::{Document, Documents};

@@ -10,8 +10,8 @@ import { Arrow } from "./arrows";
 import { Axes } from "./axes";
 import { BodyModel } from "./body";
 import { Cones } from "./cones";
-import { equivalentBox } from "./equivalent-box";
 import { dispose } from "./dispose";
+import { corners, equivalentBox } from "./equivalent-box";
 import { Contents, directions } from "./framing";
 import type { Label } from "./labels";
 import type { Layer, Picture } from "./layers";
@@ -225,7 +225,8 @@ export class MotionScene {
     const turned = (points: Vector3[]): Vector3[] => points.map(this.#turned);
     if (picture === "poinsot" && this.poinsot) return turned(this.poinsot.outline);
     if (picture === "cones" && this.cones) return turned(this.cones.outline);
-    return turned(on("ellipsoid") ? [...this.model.outline, ...this.model.ellipsoidOutline] : this.model.outline);
+    const box = on("box") ? corners(this.#page.body, this.model.radius) : [];
+    return turned([...this.model.outline, ...(on("ellipsoid") ? this.model.ellipsoidOutline : []), ...box]);
   }
 
   #build(): void {
@@ -235,7 +236,7 @@ export class MotionScene {
     this.#put("body", hasShapes ? "Body" : "Equimomental ellipsoid", null, "area", { body: true, poinsot: false, cones: false }, body);
     if (hasShapes) this.#put("ellipsoid", "Equimomental ellipsoid", null, "area", { body: false }, this.model.ellipsoid);
     const box = equivalentBox(this.#page.body, this.model.radius, this.#palette);
-    this.body.add(...box.flatMap(({ objects }) => objects));
+    for (const { objects } of box) this.body.add(...objects);
     this.layers.push(...box);
     this.space.add(this.omega.object, this.#momentum.object, this.#torque.object);
     const all = { body: true, poinsot: true, cones: true };

@@ -34,16 +34,24 @@ pub(crate) struct Live {
     #[arg(long)]
     no_open: bool,
     /// The port [default: a free one].
-    #[arg(long, value_name = "N", default_value_t = 0, hide_default_value = true)]
-    port: u16,
+    #[arg(long, value_name = "N")]
+    port: Option<u16>,
 }
 
 impl Live {
     pub(crate) fn run(self) -> Result<(), Failure> {
         if let Some(None) = self.lesson {
-            return print(&list());
+            let idle = [("--no-open", self.no_open), ("--port", self.port.is_some())];
+            return match idle.iter().find(|(_, is_given)| *is_given) {
+                Some((option, _)) => Err(Failure::usage(
+                    format!("{option} has nothing to do: --lesson without a name lists the lessons"),
+                    format!("leave out {option}, or name a lesson: --lesson cube"),
+                )),
+                None => print(&list()),
+            };
         }
-        let options = LiveOptions { port: self.port, files: self.files, lesson: self.lesson.flatten() };
+        let port = self.port.unwrap_or_default();
+        let options = LiveOptions { port, files: self.files, lesson: self.lesson.flatten() };
         let live = Server::bind(&options).map_err(failed)?;
         print(&format!("{}\n", live.address()))?;
         if !self.no_open {

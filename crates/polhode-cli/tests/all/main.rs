@@ -12,6 +12,7 @@ mod explain;
 mod inertia;
 mod interrupted;
 mod limits;
+mod live;
 mod names;
 mod options;
 mod page;

@@ -1,0 +1,48 @@
+//! `polhode live`: what it refuses before it serves, and that it ends when it is told to. What it serves is tested in a browser (`viewer/test/`).
+
+use std::io::{BufRead as _, BufReader, Read as _, Write as _};
+use std::net::{TcpListener, TcpStream};
+use std::process::Stdio;
+
+use crate::common::{Scratch, example, stdout};
+
+#[test]
+fn lessons_are_listed_and_what_has_nothing_to_do_beside_is_refused() {
+    let scratch = Scratch::new("live-lessons");
+    let list = stdout(&scratch.run(&["live", "--lesson"]));
+    assert!(list.lines().count() >= 20 && list.contains("racket"), "{list}");
+    let taken = TcpListener::bind("127.0.0.1:0").unwrap();
+    let port = taken.local_addr().unwrap().port().to_string();
+    for (arguments, said) in [
+        (&["--lesson", "--no-open"][..], "--no-open has nothing to do"),
+        (&["--port", "8000", "--lesson"], "--port has nothing to do"),
+        (&["--lesson", "nothing-of-the-kind"], "nothing-of-the-kind"),
+        (&["--lesson", "cube", &example("t-handle.toml")], "cannot be used with"),
+        (&["missing.toml"], "\"missing.toml\" cannot be read"),
+        (&["--no-open", "--port", &port], "cannot listen on 127.0.0.1"),
+        (&["--port", "70000"], "70000"),
+    ] {
+        let refused = scratch.run(&[&["live"], arguments].concat());
+        let error = String::from_utf8(refused.stderr).unwrap();
+        assert_eq!(refused.status.code(), Some(2), "{arguments:?}: {error}");
+        assert!(error.contains(said) && refused.stdout.is_empty(), "{arguments:?}: {error}");
+    }
+}
+
+#[test]
+#[cfg(unix)]
+fn it_serves_until_it_is_told_to_end() {
+    let scratch = Scratch::new("live-serves");
+    let mut command = scratch.command(&["live", &example("t-handle.toml"), "--no-open"]);
+    let mut child = command.stdout(Stdio::piped()).spawn().unwrap();
+    let mut address = String::new();
+    BufReader::new(child.stdout.as_mut().unwrap()).read_line(&mut address).unwrap();
+    let (host, path) = address.trim().strip_prefix("http://").unwrap().split_once('/').unwrap();
+    let mut stream = TcpStream::connect(host).unwrap();
+    write!(stream, "GET /{path}documents HTTP/1.1\r\nHost: {host}\r\nConnection: close\r\n\r\n").unwrap();
+    let mut answer = String::new();
+    stream.read_to_string(&mut answer).unwrap();
+    assert!(answer.starts_with("HTTP/1.1 200") && answer.contains("t-handle.toml"), "{answer}");
+    let told = std::process::Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
+    assert!(told.success() && child.wait().unwrap().success());
+}

@@ -39,7 +39,10 @@ fn wheel<'a>(table: &Table<'a>) -> Result<WheelTable<'a>, FormatError> {
     let direction = Direction::from_array(axis.numbers()?);
     let rule = "each of them alone says how much angular momentum the wheel starts with";
     let Some(start) = table.at_most_one(&["momentum", "speed"], rule)? else {
-        return Err(table.missing("momentum", "momentum = \"4 N m s\", or inertia and speed"));
+        return Err(match table.get("inertia") {
+            Some(_) => table.missing("speed", "speed = \"600 rpm\""),
+            None => table.missing("momentum", "momentum = \"4 N m s\", or inertia and speed"),
+        });
     };
     let is_speed = start.key() == "speed";
     let motor_torque = table.get("motor_torque");

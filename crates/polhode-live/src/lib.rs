@@ -1,6 +1,6 @@
 //! `polhode live`: a page on which a rigid body and its motion can be changed, served on this machine's own address.
 //!
-//! The scenario's text is the only state. A change of the page, a knob or a throw, is an [edit](edit) of the text; the answer has the new text,
+//! The scenario's text is the only state. A change of the page, a knob or a throw, is an edit of the text; the answer has the new text,
 //! the motion, and what can be turned in it. The server keeps the files that were opened or dropped, and no motion.
 //!
 //! **Closed to others.** It listens on the loopback address alone. Every path begins with a token of 128 random bits; a request whose `Host` or

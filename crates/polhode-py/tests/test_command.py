@@ -1,4 +1,7 @@
-"""The command that the wheel carries, compared with the program: the same bytes, the same status, the same end by a signal."""
+"""The command that the wheel carries, compared with the program: the same bytes, the same status, the same end by a signal.
+
+Signals, shells and closed streams are those of Unix, where these tests are run.
+"""
 
 from __future__ import annotations
 
@@ -11,8 +14,6 @@ import time
 from pathlib import Path
 
 import pytest
-
-pytestmark = pytest.mark.skipif(os.name == "nt", reason="signals, shells and closed streams are Unix's")
 
 #: The command of the wheel, and the same by the module's name.
 COMMAND = [str(Path(sysconfig.get_path("scripts")) / "polhode")]

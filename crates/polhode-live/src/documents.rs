@@ -10,6 +10,7 @@ use polhode_formats::scenario::Draft;
 
 use crate::answer::Refusal;
 use crate::kind::Kind;
+use crate::limits;
 use crate::opened::{readable, scenario_of};
 use crate::protocol::DocumentInfo;
 
@@ -61,6 +62,11 @@ impl Documents {
         path: &Path,
         dropped: Option<(PathBuf, Vec<PathBuf>)>,
     ) -> Result<Arc<Document>, Refusal> {
+        if self.all().len() >= limits::DOCUMENTS {
+            let rule = format!("a session shows {} documents", limits::DOCUMENTS);
+            return Err(Refusal::new(StatusCode::INSUFFICIENT_STORAGE, rule)
+                .hint("end polhode live, and start it again"));
+        }
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         let unreadable = |error: String| {
             Refusal::new(StatusCode::UNPROCESSABLE_ENTITY, format!("{name:?} cannot be read: {error}"))

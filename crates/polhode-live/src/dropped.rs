@@ -43,17 +43,17 @@ impl Dropped {
     }
 
     /// Where the files of a set lie.
-    pub(crate) fn set(&self, set: u32) -> PathBuf {
+    pub(crate) fn set(&self, set: u64) -> PathBuf {
         self.folder.join(set.to_string())
     }
 
     /// The path of a file of a set.
-    pub(crate) fn path(&self, set: u32, name: &str) -> Result<PathBuf, Refusal> {
+    pub(crate) fn path(&self, set: u64, name: &str) -> Result<PathBuf, Refusal> {
         Ok(self.set(set).join(relative(name)?))
     }
 
     /// Keeps a file.
-    pub(crate) fn keep(&self, set: u32, name: &str, bytes: &[u8]) -> Result<(), Refusal> {
+    pub(crate) fn keep(&self, set: u64, name: &str, bytes: &[u8]) -> Result<(), Refusal> {
         let path = self.path(set, name)?;
         let unkept = |error: io::Error| {
             Refusal::new(StatusCode::INTERNAL_SERVER_ERROR, format!("{name:?} cannot be kept: {error}"))
@@ -77,7 +77,7 @@ impl Dropped {
     }
 
     /// The files of a set.
-    pub(crate) fn files(&self, set: u32) -> Vec<PathBuf> {
+    pub(crate) fn files(&self, set: u64) -> Vec<PathBuf> {
         let mut found = Vec::new();
         below(&self.set(set), &mut found);
         found

@@ -11,6 +11,9 @@ pub(crate) const FILE: usize = 256 << 20;
 /// Bytes of all files that are dropped in a session.
 pub(crate) const FILES: usize = 1 << 30;
 
+/// Documents of a session: each keeps what it has read.
+pub(crate) const DOCUMENTS: usize = 100;
+
 /// How many files those may be.
 pub(crate) const FILE_COUNT: usize = 4_000;
 

@@ -5,7 +5,8 @@ use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
 
 use hyper::StatusCode;
-use polhode::motion::{ErrorEffort, MotionError, Run, Trajectory};
+use polhode::body::{Finding, Severity};
+use polhode::motion::{ErrorEffort, MotionError, Run, Scenario, Trajectory};
 use polhode_formats::FormatError;
 use polhode_formats::scenario::{Draft, ScenarioFile};
 use polhode_report::{PageInput, PageSubject, VERSION, explain_motion, page_data};
@@ -67,7 +68,7 @@ pub(crate) fn computed(
     begun: Instant,
     stop: &AtomicBool,
 ) -> Result<Trajectory, TextError> {
-    let run = file.scenario.run().map_or_else(|| evenly(10.0), thinned);
+    let run = file.scenario.run().map_or_else(without_run, thinned);
     let scenario = file.scenario.clone().sampled(run);
     let mut goes_on = |_| !stop.load(Ordering::Relaxed) && begun.elapsed() < limits::MOTION;
     let motion = match with_error {
@@ -77,9 +78,23 @@ pub(crate) fn computed(
     motion.unwrap_or(Err(MotionError::Stopped { time: 0.0 })).map_err(|error| of_motion(file, &error))
 }
 
-/// A scenario without a run is shown for some seconds.
-fn evenly(end: f64) -> Run {
-    Run::evenly(end, 1_001, polhode::motion::Method::Auto, 1e-13)
+/// s: so long a scenario without a run is shown.
+const WITHOUT_RUN: f64 = 10.0;
+
+fn without_run() -> Run {
+    Run::evenly(WITHOUT_RUN, 1_001, polhode::motion::Method::Auto, 1e-13)
+}
+
+/// What the page shows otherwise than the scenario says.
+fn shown_otherwise(scenario: &Scenario) -> Option<Finding> {
+    let message = match scenario.run().map(|run| run.times.len()) {
+        None => format!("there is no [run]: the motion is shown for {WITHOUT_RUN} s"),
+        Some(count) if count > limits::SAMPLES => {
+            format!("of {count} samples {} are computed and shown, evenly chosen", limits::SAMPLES)
+        }
+        Some(_) => return None,
+    };
+    Some(Finding { code: "live.run", severity: Severity::Info, message, place: None })
 }
 
 /// The first and the last of the times, and those evenly between them.
@@ -98,7 +113,7 @@ fn motion(
     draft: &Draft,
     request: &MotionRequest,
 ) -> Result<Motion, Refusal> {
-    let scenario = &file.scenario;
+    let scenario = &file.scenario.clone().noting(shown_otherwise(&file.scenario));
     let body = format!("{:016x}", draft.body_fingerprint());
     let explanation = if request.working { explain_motion(scenario, trajectory).ok() } else { None };
     let name = draft.path().file_stem().unwrap_or_default().to_string_lossy().into_owned();

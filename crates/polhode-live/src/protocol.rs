@@ -122,7 +122,7 @@ pub(crate) struct Choice {
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct OpenRequest {
-    pub(crate) set: u32,
+    pub(crate) set: u64,
     pub(crate) name: String,
 }
 /// What a list says of a lesson.

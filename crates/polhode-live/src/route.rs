@@ -24,7 +24,7 @@ pub(crate) enum Route {
     Lesson(String),
     Motion,
     Complete,
-    Drop { set: u32, name: String },
+    Drop { set: u64, name: String },
     Open,
 }
 

@@ -37,6 +37,14 @@ pub(crate) fn state_json(e: StateError) -> Value {
     json!({ "attitude_rad": e.attitude, "omega": e.omega.is_finite().then_some(e.omega) })
 }
 
+/// The error of a state at a time of the motion: that of the first sample from then on; none without an estimate.
+pub(crate) fn at(trajectory: &Trajectory, time: f64) -> StateError {
+    let none = StateError { attitude: 0.0, omega: 0.0 };
+    let Some(estimate) = trajectory.error() else { return none };
+    let after = trajectory.samples().iter().position(|sample| sample.state.time >= time);
+    after.and_then(|k| estimate.computation().get(k)).copied().unwrap_or_else(|| estimate.end())
+}
+
 /// The error of the components of ω at the end, rad/s; zero without an estimate.
 pub(crate) fn of_omega(trajectory: &Trajectory) -> f64 {
     let rate = trajectory.samples().last().map_or(0.0, |sample| sample.state.omega.norm());

@@ -19,9 +19,9 @@ export class Drop {
       void this.#send([...(this.#input.files ?? [])]);
       this.#input.value = "";
     });
-    const choose = element("button", { type: "button", title: "A scenario, mesh or robot; with its meshes", click: () => this.#input.click() }, "Open…");
+    const choose = element("button", { type: "button", title: "Scenarios, meshes, molecules, particles; a scenario with its mesh", click: () => this.#input.click() }, "Open…");
     this.button = element("span", {}, choose, this.#input);
-    const zone = element("div", { id: "drop-zone", hidden: true }, element("p", {}, "Drop a scenario, a mesh, or a robot with its meshes"));
+    const zone = element("div", { id: "drop-zone", hidden: true }, element("p", {}, "Drop a scenario, with its mesh; or meshes, molecules, particles"));
     document.body.append(zone);
     document.addEventListener("dragenter", (event) => {
       if (event.dataTransfer?.types.includes("Files")) zone.hidden = false;
@@ -44,12 +44,16 @@ export class Drop {
       return found < 0 ? MAIN.length : found;
     };
     const [main] = [...files].sort((a, b) => rank(a) - rank(b));
+    // Those that name no others are each shown.
+    const shown = files.filter((file) => rank(main) === MAIN.length || rank(file) < MAIN.length);
     // Below 2⁵³, so that two pages hardly have the same.
     const set = Math.floor(Math.random() * 2 ** 52);
     this.#said(files.length === 1 ? `Opening ${main.name} …` : `Opening ${main.name} with ${files.length - 1} more …`);
     try {
       for (const file of files) await server.drop(set, file);
-      this.#opened(await server.open({ set, name: main.name }));
+      const opened = [];
+      for (const { name } of shown) opened.push(await server.open({ set, name }));
+      this.#opened(opened[shown.indexOf(main)]);
     } catch (problem) {
       const hint = problem instanceof Refused && problem.hint ? ` — ${problem.hint}` : "";
       this.#said(`${main.name}: ${problem instanceof Error ? problem.message : String(problem)}${hint}`);

@@ -43,7 +43,7 @@ pub(super) fn write(report: &MotionReport<'_>, picture: usize) -> String {
     text.push_str(&global_error::to_text(report.trajectory));
     text.push_str(&curve(&facts, samples, picture));
     text.push_str(&ends(report, &facts));
-    text.extend(report.at.iter().map(|sample| state_at(report.scenario, sample)));
+    text.extend(report.at.iter().map(|sample| state_at(report, sample)));
     if let Solution::Integrated { method, tolerance, statistics } = report.trajectory.solution() {
         let by = match (method, tolerance) {
             (Method::Splitting { order, step }, _) => {
@@ -288,33 +288,46 @@ fn ends(report: &MotionReport<'_>, facts: &Facts<'_>) -> String {
                 text.push_str(&labelled("energy", &line));
             }
         }
-        text.push_str(&wheels(report.scenario, [&first.state, &last.state]));
+        text.push_str(&wheels(
+            report.scenario,
+            [&first.state, &last.state],
+            global_error::of_omega(report.trajectory),
+        ));
     }
     text
 }
 
 /// A state that was asked for.
-fn state_at(scenario: &Scenario, sample: &Sample) -> String {
+fn state_at(report: &MotionReport<'_>, sample: &Sample) -> String {
     let state = &sample.state;
-    let q = state.attitude.canonical_quaternion().map(|c| number(c, 9)).join(", ");
-    let on_orbit = orbit::angles_in_words(scenario, state).map_or_else(String::new, |angles| {
+    let error = global_error::at(report.trajectory, state.time);
+    let omega = omega::in_words_within(state.omega, error.omega * state.omega.norm());
+    let text = labelled(&format!("t = {} s", number(state.time, 9)), &omega);
+    if !has_digits(global_error::LARGEST_ATTITUDE, error.attitude) {
+        return text + &labelled("", "no digit of the attitude is right (estimate)");
+    }
+    let q = state.attitude.canonical_quaternion().map(|c| within(c, 0.5 * error.attitude, 9)).join(", ");
+    let on_orbit = orbit::angles_in_words(report.scenario, state).map_or_else(String::new, |angles| {
         labelled("", &format!("roll, pitch, yaw in the orbit's axes {angles}°"))
     });
-    labelled(&format!("t = {} s", number(state.time, 9)), &omega::in_words(state.omega))
-        + &labelled("", &format!("attitude w, x, y, z = {q}"))
-        + &on_orbit
+    text + &labelled("", &format!("attitude w, x, y, z = {q}")) + &on_orbit
 }
 
 /// What each wheel does at the start and at the end; nothing of one whose speed is held, which `what_acts` has.
-fn wheels(scenario: &Scenario, ends: [&State; 2]) -> String {
+fn wheels(scenario: &Scenario, ends: [&State; 2], error: f64) -> String {
+    let rpm = |speed: f64| 60.0 * speed / std::f64::consts::TAU;
     let line = |(k, wheel): (usize, &Wheel)| {
         let [from, to] = ends.map(|state| number(wheel.momentum_at(state.time), 6));
         let [Some(slow), Some(fast)] = ends.map(|state| wheel.speed_at(state.time, state.omega)) else {
             return String::new();
         };
-        let rpm = number(60.0 * fast / std::f64::consts::TAU, 4);
-        let [slow, fast] = [slow, fast].map(|speed| number(speed, 6));
-        let line = format!("h {from} → {to} kg·m²/s, Ω in the body {slow} → {fast} rad/s ({rpm} rpm)");
+        let slow = number(slow, 6);
+        // Its speed at the end goes with the body's ω.
+        let fast = match has_digits(fast.abs(), error) {
+            true => format!("{} rad/s ({} rpm)", within(fast, error, 6), within(rpm(fast), rpm(error), 4)),
+            false => "unknown".to_owned(),
+        };
+        let line = format!("h {from} → {to} kg·m²/s, Ω in the body {slow} → {fast}");
         labelled(&wheel_name(scenario, k), &line)
     };
     scenario.wheels().iter().enumerate().map(line).collect()

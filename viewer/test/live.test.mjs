@@ -264,6 +264,43 @@ test("a torque that is added turns up in plots and switches, and can be switched
   await close();
 });
 
+test("dropped files become documents: a scenario with its mesh, each of several meshes; what is not shown is said", async () => {
+  const { page, problems, close } = await open();
+  const names = () => page.evaluate(() => [...document.querySelectorAll("#documents option")].map((option) => option.textContent));
+  const choose = (...files) => page.setInputFiles("input[type=file]", files);
+  await choose(example("bracket.toml"), example("bracket.stl"));
+  await shows(page, 'title = "Angle bracket, tumbling"');
+  await page.waitForFunction(() => window.polhode.app.page.title === "Angle bracket, tumbling");
+  assert.equal(await page.evaluate(() => window.polhode.app.page.body.shapes[0].of), 216);
+  const before = (await names()).length;
+  await choose(example("meshes/bracket.ply"), example("water.xyz"));
+  await page.waitForFunction((count) => document.querySelectorAll("#documents option").length === count, before + 2);
+  await shows(page, 'file = "bracket.ply"');
+  assert.match(await text(page), /unit = "mm" +# the file does not say/);
+  // As the hand drops them, with one triangle left out.
+  const torn = readFileSync(example("meshes/bracket.off"), "utf8").trimEnd().split("\n");
+  torn[2] = torn[2].replace("216", "215");
+  const said = (part) => page.waitForFunction((part) => document.body.innerText.includes(part), part);
+  const drop = (name, contents) =>
+    page.evaluate(
+      ([name, contents]) => {
+        const dataTransfer = new DataTransfer();
+        dataTransfer.items.add(new File([contents], name));
+        document.dispatchEvent(new DragEvent("drop", { dataTransfer, bubbles: true, cancelable: true }));
+      },
+      [name, contents],
+    );
+  await drop("torn.off", torn.slice(0, -1).join("\n"));
+  await said("torn.off: it bounds no solid");
+  await drop("arm.urdf", readFileSync(example("robots/arm.urdf"), "utf8"));
+  await said("arm.urdf: this page does not show robots yet");
+  await drop("notes.txt", "no body at all");
+  await said("notes.txt");
+  await shows(page, 'file = "bracket.ply"');
+  assert.deepEqual(problems.filter((problem) => !problem.includes("422")), []);
+  await close();
+});
+
 test("a link brings the state back, in another tab that goes its own way", async () => {
   const { page, problems, close } = await open();
   const field = knob(page, SPIN).locator(".knob-value");

@@ -156,12 +156,18 @@ async function begin(session: Session, notice: Notice, choice: HTMLSelectElement
   }
 }
 
+/** Of what this page does not show: who says what is wrong with it. */
+const NOT_SHOWN = {
+  mesh: "it bounds no solid, so that it has no motion; polhode inertia says where it is open or crosses itself.",
+  robot: "this page does not show robots yet; polhode check says what is wrong with their inertias.",
+};
+
 async function open(session: Session, document: DocumentInfo, notice: Notice, text?: string): Promise<void> {
   try {
     const content = await server.document(document.id);
     notice.clear();
     if (content.kind === "scenario") session.open(document, content.text, text);
-    else notice.say(`${document.name}: this page cannot show it yet.`);
+    else notice.say(`${document.name}: ${NOT_SHOWN[content.kind]}`);
   } catch (problem) {
     notice.say(`${document.name}: ${problem instanceof Error ? problem.message : String(problem)}`);
   }

@@ -248,6 +248,23 @@ test("the triangle of moments asks before it replaces parts, then moves in what 
   await close();
 });
 
+test("an edit that cannot be made is said, and changes nothing", async () => {
+  const { page, problems, close } = await open();
+  const before = await text(page);
+  for (const [edit, said] of [
+    [{ moments: [1, 1.5, 3] }, "unphysical"],
+    [{ set: "body.part[7].radius", value: "1" }, "body.part[7].radius"],
+  ]) {
+    await page.evaluate((edit) => window.polhodeLive.edit(edit), edit);
+    await page.waitForFunction((said) => window.polhodeLive.trouble?.message.includes(said) && document.body.innerText.includes(said), said);
+    assert.equal(await text(page), before);
+  }
+  await page.evaluate(() => window.polhodeLive.edit({ omega: [1, 2, 3.5] }));
+  await shows(page, '"3.5 rad/s"');
+  assert.deepEqual(problems, []);
+  await close();
+});
+
 test("a torque that is added turns up in plots and switches, and can be switched off", async () => {
   const { page, problems, close } = await open();
   const kinds = await page.locator(".knob-foot select option").allInnerTexts();

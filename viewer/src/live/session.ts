@@ -36,7 +36,7 @@ export class Session {
   knobs: Knob[] = [];
   switches: Switch[] = [];
   errors: TextError[] = [];
-  /** Why the motion that is shown is not that of the text; null if it is. */
+  /** Why the motion that is shown is not that of the text, or the text not what was asked for; null if both are. */
   trouble: Trouble | null = null;
   /** ms that the last answer took there, and on the way. */
   took = { there: 0, all: 0 };
@@ -204,7 +204,9 @@ export class Session {
     // A text with an error has but some of its knobs, and will have all again.
     if (answer.motion || this.knobs.length === 0) [this.knobs, this.switches] = [answer.knobs, answer.switches];
     const [error] = answer.errors;
-    this.trouble = answer.motion ? null : { message: error?.message ?? "there is no motion", hint: error?.hint ?? null, key: this.#lastKey };
+    // Beside a motion an error is of an edit that could not be made: the text is as it was.
+    const isFine = answer.motion !== null && error === undefined;
+    this.trouble = isFine ? null : { message: error?.message ?? "there is no motion", hint: error?.hint ?? null, key: this.#lastKey };
     if (answer.motion) {
       const { page, body } = answer.motion;
       if (this.#body?.key === body) page.body.shapes = this.#body.shapes;

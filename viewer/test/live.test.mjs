@@ -252,7 +252,7 @@ test("an edit that cannot be made is said, and changes nothing", async () => {
   const { page, problems, close } = await open();
   const before = await text(page);
   for (const [edit, said] of [
-    [{ moments: [1, 1.5, 3] }, "unphysical"],
+    [{ moments: [1, 1.5, 3] }, "the inertia tensor is impossible"],
     [{ set: "body.part[7].radius", value: "1" }, "body.part[7].radius"],
   ]) {
     await page.evaluate((edit) => window.polhodeLive.edit(edit), edit);

@@ -54,6 +54,8 @@ export class Session {
   #patience: number = PATIENCE.least;
   #timer = 0;
   #lastKey: string | null = null;
+  /** Why the last edit could not be made. */
+  #refused: Trouble | null = null;
   #body: { key: string; shapes: Shape[] } | null = null;
 
   listen(listener: Listener): void {
@@ -116,6 +118,7 @@ export class Session {
     this.#waiting.delete(key);
     this.#waiting.set(key, edit);
     this.#lastKey = key;
+    this.#refused = null;
     this.#isDue = true;
     this.#go();
   }
@@ -142,6 +145,7 @@ export class Session {
     this.#flight?.stop.abort();
     this.#flight = null;
     this.#lastKey = null;
+    this.#refused = null;
     this.#isDue = true;
     this.#tell();
     this.#go();
@@ -204,9 +208,10 @@ export class Session {
     // A text with an error has but some of its knobs, and will have all again.
     if (answer.motion || this.knobs.length === 0) [this.knobs, this.switches] = [answer.knobs, answer.switches];
     const [error] = answer.errors;
-    // Beside a motion an error is of an edit that could not be made: the text is as it was.
-    const isFine = answer.motion !== null && error === undefined;
-    this.trouble = isFine ? null : { message: error?.message ?? "there is no motion", hint: error?.hint ?? null, key: this.#lastKey };
+    const trouble = { message: error?.message ?? "there is no motion", hint: error?.hint ?? null, key: this.#lastKey };
+    // Beside a motion an error is of an edit that could not be made: the text is as it was, and it is said until the next change.
+    if (answer.motion && error) this.#refused = trouble;
+    this.trouble = answer.motion ? this.#refused : trouble;
     if (answer.motion) {
       const { page, body } = answer.motion;
       if (this.#body?.key === body) page.body.shapes = this.#body.shapes;

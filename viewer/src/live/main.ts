@@ -149,7 +149,7 @@ async function begin(session: Session, notice: Notice, choice: HTMLSelectElement
     if (lesson !== null) await lessons.open(lesson);
     if (session.document) return;
     if (wanted) await open(session, wanted, notice, linked?.text);
-    else notice.say("Drop a scenario, a mesh or a robot on the page, or open a file.");
+    else notice.say("Drop a scenario, a mesh, a molecule or particles on the page, or open a file.");
     list(documents);
   } catch (problem) {
     notice.say(problem instanceof Error ? problem.message : String(problem));

@@ -65,3 +65,11 @@ export async function open(browser, name, data, options = {}) {
 }
 
 export const shoot = (page, name) => page.screenshot({ path: join(folder, `${name}.png`) });
+
+/** The controls that are seen and have no name for a screen reader. */
+export const unnamed = (page) =>
+  page.evaluate(() =>
+    [...document.querySelectorAll("button, input, select, [tabindex='0']")]
+      .filter((e) => e.checkVisibility() && !(e.ariaLabel || e.getAttribute("aria-labelledby") || e.textContent.trim() || e.labels?.length > 0))
+      .map((e) => e.outerHTML),
+  );

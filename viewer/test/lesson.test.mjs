@@ -4,7 +4,7 @@ import { mkdtempSync, readFileSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { launch, shoot } from "./browser.mjs";
+import { launch, shoot, unnamed } from "./browser.mjs";
 import { serve } from "./live-server.mjs";
 
 let browser;
@@ -147,12 +147,7 @@ test("by keyboard alone; every control has a name", async () => {
   await page.keyboard.press("Enter");
   assert.match(await page.locator(".lesson-why").innerText(), /^Right\. /);
   assert.equal(await page.locator(".lesson-why").getAttribute("role"), "status");
-  const unnamed = await page.evaluate(() =>
-    [...document.querySelectorAll("button, input, select, [tabindex='0']")]
-      .filter((e) => e.checkVisibility() && !(e.ariaLabel || e.getAttribute("aria-labelledby") || e.textContent.trim() || e.labels?.length > 0))
-      .map((e) => e.outerHTML),
-  );
-  assert.deepEqual(unnamed, []);
+  assert.deepEqual(await unnamed(page), []);
   assert.deepEqual(problems, []);
   await close();
 });

@@ -4,7 +4,7 @@ import { copyFileSync, mkdtempSync, readFileSync, writeFileSync } from "node:fs"
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { launch, shoot } from "./browser.mjs";
+import { launch, shoot, unnamed } from "./browser.mjs";
 import { example, serve } from "./live-server.mjs";
 
 let browser;
@@ -401,12 +401,7 @@ for (const [name, width, height, scheme] of [["projector", 1024, 768, "light"], 
       const box = await page.locator(`#${id}`).boundingBox();
       assert.ok(box.x + box.width <= (width > 820 ? stage.width : width), id);
     }
-    const unnamed = await page.evaluate(() =>
-      [...document.querySelectorAll("button, input, select, [tabindex='0']")]
-        .filter((e) => e.checkVisibility() && !(e.ariaLabel || e.getAttribute("aria-labelledby") || e.textContent.trim() || e.labels?.length > 0))
-        .map((e) => e.outerHTML),
-    );
-    assert.deepEqual(unnamed, []);
+    assert.deepEqual(await unnamed(page), []);
     await shoot(page, `live-${name}`);
     assert.deepEqual(problems, []);
     await close();

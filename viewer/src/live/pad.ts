@@ -1,6 +1,6 @@
 /** The triangle of moments: a pad to drag the body's principal moments in. Outside of it no body exists, its edges are plates, its corners rods. */
 import type { PageData } from "../data";
-import { element } from "../dom";
+import { element, svgElement } from "../dom";
 import { number } from "../format";
 import { ask } from "./ask";
 import { CORNERS, kindOf, momentsAt, type Place, placeOf, type Three } from "./moments";
@@ -13,8 +13,8 @@ const STEP = 0.02;
 export class MomentsPad {
   readonly host: HTMLElement;
   readonly #session: Session;
-  readonly #svg = svg("svg", { viewBox: `0 0 ${SIZE + 2 * EDGE} ${SIZE * 0.866 + 2 * EDGE}`, tabindex: "0", role: "slider", class: "pad" });
-  readonly #dot = svg("circle", { r: "7", class: "pad-dot" });
+  readonly #svg = svgElement("svg", { viewBox: `0 0 ${SIZE + 2 * EDGE} ${SIZE * 0.866 + 2 * EDGE}`, tabindex: "0", role: "slider", class: "pad" });
+  readonly #dot = svgElement("circle", { r: "7", class: "pad-dot" });
   readonly #said = element("p", { class: "hint" });
   #moments: Three = [1, 1, 1];
   /** Which of the pad's axes has the least moment, and so on: the dot stays under the pointer. */
@@ -132,14 +132,14 @@ export class MomentsPad {
   #draw(): void {
     const points = CORNERS.map((corner) => onPad(corner).map((c) => c.toFixed(1)).join(",")).join(" ");
     const [middleX, middleY] = onPad([0.5, Math.sqrt(3) / 6]);
-    this.#svg.append(svg("polygon", { points, class: "pad-field" }));
+    this.#svg.append(svgElement("polygon", { points, class: "pad-field" }));
     CORNERS.forEach((corner) => {
       const [x, y] = onPad(corner);
-      this.#svg.append(svg("line", { x1: String(x), y1: String(y), x2: String(2 * middleX - x + (x - middleX) / 2), y2: String(2 * middleY - y + (y - middleY) / 2), class: "pad-line" }));
+      this.#svg.append(svgElement("line", { x1: String(x), y1: String(y), x2: String(2 * middleX - x + (x - middleX) / 2), y2: String(2 * middleY - y + (y - middleY) / 2), class: "pad-line" }));
     });
     const text = (words: string, [x, y]: Place, anchor: string, dy: number): void => {
       const [px, py] = onPad([x, y]);
-      const made = svg("text", { x: String(px), y: String(py + dy), "text-anchor": anchor });
+      const made = svgElement("text", { x: String(px), y: String(py + dy), "text-anchor": anchor });
       made.textContent = words;
       this.#svg.append(made);
     };
@@ -148,7 +148,7 @@ export class MomentsPad {
     text("rod", CORNERS[2], "middle", -7);
     text("plates", [0.5, 0], "middle", 15);
     text("sphere", [0.5, Math.sqrt(3) / 6], "middle", -6);
-    this.#svg.append(svg("circle", { cx: String(middleX), cy: String(middleY), r: "2", class: "pad-middle" }), this.#dot);
+    this.#svg.append(svgElement("circle", { cx: String(middleX), cy: String(middleY), r: "2", class: "pad-middle" }), this.#dot);
     this.#svg.setAttribute("aria-label", "Triangle of the principal moments; arrow keys move in it");
     this.#svg.setAttribute("aria-valuemin", "0");
     this.#svg.setAttribute("aria-valuemax", "100");
@@ -165,10 +165,4 @@ function isTensor(text: string): boolean {
 
 function onPad([x, y]: Place): Place {
   return [EDGE + SIZE * x, EDGE + SIZE * (CORNERS[2][1] - y)];
-}
-
-function svg<K extends keyof SVGElementTagNameMap>(tag: K, attributes: Record<string, string>): SVGElementTagNameMap[K] {
-  const made = document.createElementNS("http://www.w3.org/2000/svg", tag);
-  for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
-  return made;
 }

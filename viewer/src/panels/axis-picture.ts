@@ -1,7 +1,7 @@
 /** The path of a top's axis, with the axis of the 3-D view on it. */
 import { type AxisPath, axisAt, axisPath, pieces } from "../axis-path";
 import type { TopData } from "../data";
-import { element } from "../dom";
+import { element, svgElement } from "../dom";
 import { number } from "../format";
 import type { Motion } from "../motion";
 import { fromAbove, isUpright, onSphere, unrolled, type View } from "../plot/axis-drawing";
@@ -24,7 +24,7 @@ export class AxisPicture {
   readonly #path: AxisPath | null;
   readonly #pieces: [number, number][];
   readonly #unit: { name: string; seconds: number };
-  readonly #picture = document.createElementNS("http://www.w3.org/2000/svg", "svg");
+  readonly #picture = svgElement("svg");
   readonly #times = element("p", { class: "hint" });
   #dots: SVGCircleElement[] = [];
   #views: View[] = [];
@@ -107,12 +107,7 @@ export class AxisPicture {
     this.#picture.setAttribute("viewBox", `0 0 ${this.#width} ${height}`);
     this.#picture.setAttribute("width", String(this.#width));
     this.#picture.setAttribute("height", String(height));
-    this.#dots = views.map(() => {
-      const dot = document.createElementNS("http://www.w3.org/2000/svg", "circle");
-      dot.setAttribute("r", "4");
-      dot.setAttribute("class", "axis-now");
-      return dot;
-    });
+    this.#dots = views.map(() => svgElement("circle", { r: "4", class: "axis-now" }));
     this.#picture.replaceChildren(...views.flatMap(({ marks }) => svgElements(marks)), ...this.#dots);
     this.#times.textContent = this.#said();
     this.#times.hidden = this.#times.textContent === "";

@@ -4,6 +4,7 @@
  * of its points. A thin line leads from a name to what it names.
  */
 import { type Camera, Vector3 } from "three";
+import { svgElement } from "../dom";
 import { Density } from "./density";
 import type { Ink } from "./palette";
 
@@ -67,8 +68,7 @@ export class Labels {
 
   constructor(host: HTMLElement) {
     this.#host = host;
-    this.#lines = document.createElementNS("http://www.w3.org/2000/svg", "svg");
-    this.#lines.setAttribute("class", "leaders");
+    this.#lines = svgElement("svg", { class: "leaders" });
     host.append(this.#lines);
     // What was measured before the font came is measured again.
     void document.fonts.ready.then(() => {
@@ -196,7 +196,7 @@ export class Labels {
       const span = document.createElement("span");
       // Letters are set as formulas are.
       span.className = [...label.text].length <= 2 ? "label symbol" : "label";
-      const line = document.createElementNS("http://www.w3.org/2000/svg", "line");
+      const line = svgElement("line");
       this.#host.append(span);
       this.#lines.append(line);
       made = { span, line, w: 0, h: 0, text: "", last: null };

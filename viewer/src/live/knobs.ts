@@ -85,7 +85,7 @@ export class Knobs {
     }
     for (const knob of knobs) {
       const control = this.#controls.get(knob.key);
-      control?.update(knob);
+      if (!this.#session.isWaiting(knob.key)) control?.update(knob);
       control?.say(trouble?.key === knob.key ? `${trouble.message}${trouble.hint ? ` — ${trouble.hint}` : ""}` : null);
     }
     this.#showSwitches(switches);

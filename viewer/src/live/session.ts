@@ -123,6 +123,11 @@ export class Session {
     this.#go();
   }
 
+  /** Whether a later value of this key is still to be sent: what the last answer says of it is of before. */
+  isWaiting(key: string): boolean {
+    return this.#waiting.has(key);
+  }
+
   /** Between the two all changes of one thing are one step of undoing. */
   hold(): void {
     this.history.hold();

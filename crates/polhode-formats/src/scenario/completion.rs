@@ -52,13 +52,21 @@ pub(super) fn complete(
         None => line.keys(&ask(&line.with(""))?),
         Some((key, value)) => {
             let open = |bracket: char, closing: char| value.rfind(bracket) > value.rfind(closing);
+            // What is asked of this line, with that in the place of the value.
+            let asked = |instead: &str| {
+                let other = format!("{key}= {instead}");
+                let here = start..start + other.len();
+                let mut asked = ask(&line.with(&other))?;
+                asked.retain(|question| here.contains(&question.span.start));
+                Some(asked)
+            };
             if open('{', '}') {
-                line.inner_keys(&ask(&line.with(&format!("{key}= {{}}")))?, value)
+                line.inner_keys(&asked("{}")?, value)
             } else if open('[', ']') {
-                let three = format!("{key}= [{NOTHING}, {NOTHING}, {NOTHING}]");
-                line.values(&ask(&line.with(&three))?, value.rfind(['[', ',']).map_or(0, |k| k + 1))
+                let three = format!("[{NOTHING}, {NOTHING}, {NOTHING}]");
+                line.values(&asked(&three)?, value.rfind(['[', ',']).map_or(0, |k| k + 1))
             } else {
-                line.values(&ask(&line.with(&format!("{key}= {NOTHING}")))?, 0)
+                line.values(&asked(NOTHING)?, 0)
             }
         }
     }
@@ -125,7 +133,7 @@ impl Line<'_> {
             return None;
         }
         let (name, keys) = asked.iter().rev().find_map(|question| match &question.what {
-            What::Keys(name, keys) if question.span.start > self.start => Some((name, keys)),
+            What::Keys(name, keys) => Some((name, keys)),
             _ => None,
         })?;
         let suggested = keys.iter().map(|key| Suggested { text: (*key).to_owned(), detail: name.clone() });
@@ -138,9 +146,7 @@ impl Line<'_> {
         let written = &self.text[equals + from..self.at];
         let place = equals + from + (written.len() - written.trim_start().len())..self.at;
         let quoted = |text: &str| format!("\"{text}\"");
-        let suggested = asked.iter().rev().filter(|question| question.span.start > self.start);
-        let suggested = suggested.filter(|question| question.span.start <= self.start + self.end);
-        let suggested = suggested.clone().find_map(|question| match &question.what {
+        let suggested = asked.iter().rev().find_map(|question| match &question.what {
             What::Choice(names) => Some(
                 names
                     .iter()
@@ -226,5 +232,8 @@ mod tests {
             assert!(headers.contains(&header.to_owned()), "{headers:?}");
         }
         assert_eq!(at("# a comment = |"), [""; 0]);
+        // What is asked of other lines is no answer.
+        assert_eq!(at(&format!("title = |\n{BALL}[run]\nduration = \"1 s\"\nsamples = 2\n")), [""; 0]);
+        assert_eq!(at(&format!("title = {{ |\n{BALL}[start]\nspin = {{ body = [1, 2, 3] }}\n")), [""; 0]);
     }
 }

@@ -57,7 +57,7 @@ pub(super) fn complete(
                 let other = format!("{key}= {instead}");
                 let here = start..start + other.len();
                 let mut asked = ask(&line.with(&other))?;
-                asked.retain(|question| here.contains(&question.span.start));
+                asked.retain(|question| !question.span.is_empty() && here.contains(&question.span.start));
                 Some(asked)
             };
             if open('{', '}') {

@@ -44,12 +44,19 @@ export interface BodyData {
     /** Takes components along principal axes to components in body axes. */
     quaternion: [number, number, number, number];
   };
-  /** Half axes along the principal axes of the ellipsoid of the same mass and tensor, m (unit density ellipsoid of unit mass if the mass is null). */
-  ellipsoid: [number, number, number];
-  /** The uniform box of the same mass and of the same tensor about the centre of mass, where its middle is; null if the mass is null. */
+  /** The uniform ellipsoid of the same mass and of the same tensor about the centre of mass, where its middle is; of 1 kg if the mass is null. */
+  ellipsoid: EquivalentEllipsoid;
+  /** The uniform box of these; null if the mass is null. */
   box: EquivalentBox | null;
   /** What it looks like; places are from the point that the body turns about, in body axes. Empty: show the ellipsoid. */
   shapes: Shape[];
+}
+
+export interface EquivalentEllipsoid {
+  /** Semi-axes, m. */
+  half: [number, number, number];
+  /** Takes components along them to components in body axes. */
+  quaternion: [number, number, number, number];
 }
 
 export interface EquivalentBox {

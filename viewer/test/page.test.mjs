@@ -698,7 +698,7 @@ test("the edges: one sample, a rod, a permanent rotation, nothing that turns", a
   const one = (omega, momentum, moments) => {
     const data = samples.box();
     data.body.principal.moments = moments;
-    data.body.ellipsoid = [1, 0, 0];
+    data.body.ellipsoid.half = [1, 0, 0];
     const motion = { ...data.motion, count: 1, times: eight([0]), attitude: eight([0.6, 0, 0.8, 0]), kinetic: eight([1]) };
     Object.assign(motion, { omega: eight(omega), momentum: eight(momentum), drift: [] });
     const free = { ...data.free, period: null, polhode: eight(omega), herpolhode: eight(omega), separatrix: [], family: [], trace: eight([0, 0, 1]) };

@@ -222,7 +222,7 @@ function page({ title, body, mass, shapes, ellipsoid, motion, free, about = "cen
     title,
     source: "polhode 0.1.0 simulate examples/sample.toml",
     scenario: SCENARIO,
-    body: { mass, inertia: body.inertia, about, lever, principal: { moments: body.moments, quaternion: body.quaternion }, ellipsoid, box: boxOf(body, mass, about, lever), shapes },
+    body: { mass, inertia: body.inertia, about, lever, principal: { moments: body.moments, quaternion: body.quaternion }, ellipsoid: { half: ellipsoid, quaternion: body.quaternion }, box: boxOf(body, mass, about, lever), shapes },
     motion,
     free,
     scene: { period: null, gravity: null, captions: free ? FREE_CAPTIONS : CAPTIONS, ...scene },

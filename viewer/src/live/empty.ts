@@ -16,7 +16,8 @@ export const EMPTY: PageData = {
     about: "centre of mass",
     lever: [0, 0, 0],
     principal: { moments: [1, 1, 1], quaternion: [1, 0, 0, 0] },
-    box: null, ellipsoid: [1, 1, 1],
+    ellipsoid: { half: [1, 1, 1], quaternion: [1, 0, 0, 0] },
+    box: null,
     shapes: [],
   },
   motion: {

@@ -219,23 +219,23 @@ function balls(shape: Extract<Shape, { kind: "balls" }>): Group {
 
 function equimomental(data: BodyData, paint: Paint): Group {
   const group = new Group();
-  const largest = Math.max(...data.ellipsoid, Number.MIN_VALUE);
+  const largest = Math.max(...data.ellipsoid.half, Number.MIN_VALUE);
   // A flat body's ellipsoid has no thickness; what has none cannot be lit.
-  const half = data.ellipsoid.map((a) => Math.max(a, 0.004 * largest)) as [number, number, number];
+  const half = data.ellipsoid.half.map((a) => Math.max(a, 0.004 * largest)) as [number, number, number];
   const mesh = new Mesh(ELLIPSOID, paint.marked);
   mesh.scale.set(...half);
   group.add(mesh);
-  const [w, x, y, z] = data.principal.quaternion;
+  const [w, x, y, z] = data.ellipsoid.quaternion;
   group.quaternion.set(x, y, z, w).normalize();
   group.position.set(...data.lever);
   return group;
 }
 
 /** The ellipsoid's points that are farthest in each of many directions d: A²d/|A d|, A = diag(half axes). */
-function farthestOf({ ellipsoid, principal, lever }: BodyData): Vector3[] {
-  const [w, x, y, z] = principal.quaternion;
+function farthestOf({ ellipsoid, lever }: BodyData): Vector3[] {
+  const [w, x, y, z] = ellipsoid.quaternion;
   const turn = new Quaternion(x, y, z, w).normalize();
-  const half = new Vector3(...ellipsoid);
+  const half = new Vector3(...ellipsoid.half);
   const middle = new Vector3(...lever);
   return DIRECTIONS.map((direction) => {
     const p = direction.clone().multiply(half);

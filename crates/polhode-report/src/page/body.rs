@@ -3,12 +3,15 @@
 use serde_json::{Value, json};
 
 use super::shapes::{self, Budget};
-use super::turning::{Turning, ellipsoid};
+use super::turning::{Turning, ellipsoid, equivalent_box};
 use crate::json::{finite, numbers};
 
 /// Without `budget` it has no shapes.
 pub(super) fn json(turning: &Turning<'_>, budget: Option<&mut Budget>) -> Value {
     let moments = turning.principal.moments();
+    let central = turning.central.moments();
+    let quaternion = numbers(&turning.central.rotation().canonical_quaternion());
+    let size = turning.mass.and_then(|mass| equivalent_box(central, mass));
     json!({
         "mass": turning.mass,
         "inertia": turning.tensor.iter().map(|row| numbers(&row.map(finite))).collect::<Value>(),
@@ -18,10 +21,11 @@ pub(super) fn json(turning: &Turning<'_>, budget: Option<&mut Budget>) -> Value 
             "moments": numbers(&moments.map(finite)),
             "quaternion": numbers(&turning.principal.rotation().canonical_quaternion()),
         },
-        "ellipsoid": numbers(&ellipsoid(moments, turning.mass.unwrap_or(1.0))),
-        "box": turning.equivalent_box.map(|(size, quaternion)| {
-            json!({ "size": numbers(&size), "quaternion": numbers(&quaternion) })
-        }),
+        "ellipsoid": {
+            "half": numbers(&ellipsoid(central, turning.mass.unwrap_or(1.0))),
+            "quaternion": quaternion,
+        },
+        "box": size.map(|size| json!({ "size": numbers(&size), "quaternion": quaternion })),
         "shapes": budget.map_or_else(|| json!([]), |budget| shapes::json(turning, budget)),
     })
 }

@@ -20,9 +20,8 @@ pub(super) struct Turning<'a> {
     /// The point.
     pub(super) point: Position<Body>,
     pub(super) parts: &'a [BodyPart],
-    /// Of the mass and the tensor about the centre of mass: edges, and the rotation that takes components along them to body axes. `None` if
-    /// only the moments are known.
-    pub(super) equivalent_box: Option<([f64; 3], [f64; 4])>,
+    /// About the centre of mass.
+    pub(super) central: PrincipalFrame<Body>,
 }
 
 impl<'a> Turning<'a> {
@@ -30,8 +29,6 @@ impl<'a> Turning<'a> {
         match *subject {
             PageSubject::Scenario(scenario) => {
                 let (rotor, body) = (scenario.rotor(), scenario.body());
-                let principal = PrincipalFrame::of(body.inertia());
-                let size = equivalent_box(principal.moments(), body.mass());
                 Self {
                     mass: Some(rotor.mass()),
                     principal: *rotor.principal(),
@@ -40,7 +37,7 @@ impl<'a> Turning<'a> {
                     lever: rotor.lever(),
                     point: scenario.pivot().unwrap_or(body.center_of_mass()),
                     parts: scenario.parts(),
-                    equivalent_box: size.map(|size| (size, principal.rotation().canonical_quaternion())),
+                    central: PrincipalFrame::of(body.inertia()),
                 }
             }
             PageSubject::Moments(principal) => Self {
@@ -51,7 +48,7 @@ impl<'a> Turning<'a> {
                 lever: Position::ZERO,
                 point: Position::ZERO,
                 parts: &[],
-                equivalent_box: None,
+                central: *principal,
             },
         }
     }

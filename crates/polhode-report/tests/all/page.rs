@@ -272,7 +272,7 @@ fn every_scenario_has_a_page_without_a_hole() {
                 assert!(numbers(&free[key]) && !doubles(&free[key]).is_empty(), "{title}: {key}");
             }
         }
-        for x in data["body"]["ellipsoid"].as_array().unwrap() {
+        for x in data["body"]["ellipsoid"]["half"].as_array().unwrap() {
             assert!(number(x) >= 0.0, "{title}");
         }
     }

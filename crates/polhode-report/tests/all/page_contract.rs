@@ -94,6 +94,7 @@ fn keys_are_those_of_the_contract() {
         agree("PageData", &data, &["findings"]);
         agree("BodyData", &data["body"], &[]);
         agree("principal", &data["body"]["principal"], &[]);
+        agree("EquivalentEllipsoid", &data["body"]["ellipsoid"], &[]);
         agree("EquivalentBox", &data["body"]["box"], &[]);
         agree("MotionData", &data["motion"], &[]);
         if !data["free"].is_null() {

@@ -19,8 +19,8 @@ pub(crate) fn top(spin: f64) -> Scenario {
 }
 
 #[test]
-fn the_equivalent_box_has_the_body_s_tensor() {
-    // Two boxes askew, free and held; the box is about the centre of mass in either case.
+fn the_equivalent_box_and_ellipsoid_have_the_body_s_tensor() {
+    // Two boxes askew, free and held; they are about the centre of mass in either case.
     let part = |size, place: [f64; 3], angle| {
         let shape = BoxShape::new(size).unwrap();
         crate::common::solid("part", "box", &shape, 1.3, place, angle)
@@ -34,15 +34,17 @@ fn the_equivalent_box_has_the_body_s_tensor() {
         let scenario = crate::common::spinning(scenario, omega).sampled(crate::common::run(0.1, 3));
         let (data, _) = page_of(&scenario);
         let numbers = |value: &Value| -> Vec<f64> { value.as_array().unwrap().iter().map(number).collect() };
-        let [size, turn] = ["size", "quaternion"].map(|key| numbers(&data["body"]["box"][key]));
-        let rotation = Attitude::from_quaternion(turn.try_into().unwrap()).unwrap().matrix();
-        // I = R diag(m (b² + c²) / 12, …) Rᵀ
-        let (body, square) = (scenario.body(), |k: usize| size[k % 3] * size[k % 3]);
-        let moment = |k: usize| body.mass() / 12.0 * (square(k + 1) + square(k + 2));
-        for (i, row) in body.inertia().matrix().iter().enumerate() {
-            for (j, element) in row.iter().enumerate() {
-                let found: f64 = (0..3).map(|k| moment(k) * rotation[i][k] * rotation[j][k]).sum();
-                assert!((found - element).abs() < 1e-14, "{i} {j}: {found} {element}");
+        // I = R diag(m (b² + c²) / n, …) Rᵀ, n = 12 of the edges of a box, 5 of the semi-axes of an ellipsoid
+        for (shape, key, n) in [("box", "size", 12.0), ("ellipsoid", "half", 5.0)] {
+            let [size, turn] = [key, "quaternion"].map(|key| numbers(&data["body"][shape][key]));
+            let rotation = Attitude::from_quaternion(turn.try_into().unwrap()).unwrap().matrix();
+            let (body, square) = (scenario.body(), |k: usize| size[k % 3] * size[k % 3]);
+            let moment = |k: usize| body.mass() / n * (square(k + 1) + square(k + 2));
+            for (i, row) in body.inertia().matrix().iter().enumerate() {
+                for (j, element) in row.iter().enumerate() {
+                    let found: f64 = (0..3).map(|k| moment(k) * rotation[i][k] * rotation[j][k]).sum();
+                    assert!((found - element).abs() < 1e-14, "{shape} {i} {j}: {found} {element}");
+                }
             }
         }
     }

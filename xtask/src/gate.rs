@@ -54,12 +54,11 @@ pub(crate) fn run() -> Outcome {
         let pandoc = environment.pandoc()?;
         timed("workflows", || workflows::check(&environment))?;
         let python = scope.spawn(|| timed("Python", || python::check_in(environment)));
-        joined(viewer)?;
-        let live = scope.spawn(|| timed("live page", viewer::check_live));
         THEN.iter().try_for_each(run_step)?;
         timed("book", || book::build_in(&joined(book)?))?;
         joined(python)?;
-        joined(live)?;
+        joined(viewer)?;
+        timed("live page", viewer::check_live)?;
         timed("worked solutions", || solutions::check(&pandoc))
     })?;
     println!("\nall passed in {:.0} s", start.elapsed().as_secs_f64());

@@ -44,6 +44,8 @@ export class App {
   readonly tabs: Tabs;
   /** What keys do that the page has not of its own. */
   readonly keys = new Map<string, () => void>();
+  /** Something else is seen in the place of the motion. */
+  isAway = false;
   page: PageData;
   motion: Motion;
   readonly #legend: Legend | null;
@@ -55,13 +57,13 @@ export class App {
     this.page = page;
     this.motion = new Motion(page.motion);
     this.clock = new Clock(this.motion.times, this.#speed());
-    this.#name();
+    this.name();
     this.view = this.#open();
     this.#legend = this.view && legend(this.view, page.scene.captions);
     byId("view-note").textContent = this.#coarser();
     toolbar(this.clock);
     this.tabs = new Tabs(byId("tabs"), byId("panels"), choose(this.#panels()));
-    keys(this.clock, this.view, (picture) => this.#legend?.show(picture), this.keys);
+    keys(this.clock, this.view, (picture) => this.#legend?.show(picture), this.keys, () => this.isAway);
     onTheme(() => {
       this.view?.recolor();
       this.#plots?.redraw();
@@ -93,7 +95,7 @@ export class App {
     this.view?.replace(page, motion, anew);
     this.page = page;
     this.motion = motion;
-    this.#name();
+    this.name();
     if (anew) {
       this.clock.time = motion.times[0];
       this.clock.speed = this.#speed();
@@ -117,9 +119,10 @@ export class App {
     return watchable(this.motion.meanRate(), times[count - 1] - times[0], this.page.scene.period);
   }
 
-  #name(): void {
+  /** The heading is that of the motion. */
+  name(): void {
     const { title, source } = this.page;
-    if (byId("title").textContent === title && byId("source").textContent === source) return;
+    if (this.isAway || (byId("title").textContent === title && byId("source").textContent === source)) return;
     document.title = `${title} · polhode`;
     byId("title").textContent = title;
     byId("source").textContent = source;

@@ -7,8 +7,11 @@ import type { View } from "./scene/scene";
 const TURN = 0.12;
 const PICTURES: Record<string, Picture> = { "1": "body", "2": "poinsot", "3": "cones", "4": "sphere" };
 
-/** `more`: what other keys do. */
-export function keys(clock: Clock, view: View | null, show: (picture: Picture) => void, more: Map<string, () => void>): void {
+/** What keys do that are not of the motion. */
+const ALWAYS = ["t", "?"];
+
+/** `more`: what other keys do. `isAway`: the motion is not what is seen. */
+export function keys(clock: Clock, view: View | null, show: (picture: Picture) => void, more: Map<string, () => void>, isAway: () => boolean): void {
   const help = byId<HTMLDialogElement>("help");
   document.addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey || document.querySelector("dialog[open]")) return;
@@ -17,6 +20,7 @@ export function keys(clock: Clock, view: View | null, show: (picture: Picture) =
     // Space presses a button that has the focus, and arrows scroll what scrolls.
     if (event.key === " " && target.closest("button, summary, a")) return;
     if (event.key.startsWith("Arrow") && !event.shiftKey && target.closest("pre, .formula, .table")) return;
+    if (isAway() && !ALWAYS.includes(event.key)) return;
     const own = more.get(event.key);
     own?.();
     if (own || act(event.key, event.shiftKey, clock, view, show, help)) event.preventDefault();

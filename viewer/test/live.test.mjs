@@ -291,7 +291,7 @@ test("a torque that is added turns up in plots and switches, and can be switched
   await close();
 });
 
-test("dropped files become documents: a scenario with its mesh, each of several meshes; what is not shown is said", async () => {
+test("dropped files become documents: a scenario with its mesh, each of several meshes; what has no motion is looked at", async () => {
   const { page, problems, close } = await open();
   const choose = (...files) => page.setInputFiles("input[type=file]", files);
   await choose(example("bracket.toml"), example("bracket.stl"));
@@ -319,11 +319,12 @@ test("dropped files become documents: a scenario with its mesh, each of several 
       [name, contents],
     );
   await drop("torn.off", torn.slice(0, -1).join("\n"));
-  await said("torn.off: it bounds no solid");
+  await said("It bounds no solid");
   await drop("arm.urdf", readFileSync(example("robots/arm.urdf"), "utf8"));
-  await said("arm.urdf: this page does not show robots yet");
+  await said("6 links");
   await drop("notes.txt", "no body at all");
   await said("notes.txt");
+  await page.selectOption("#documents", { label: "bracket.ply" });
   await shows(page, 'file = "bracket.ply"');
   assert.deepEqual(problems.filter((problem) => !problem.includes("422")), []);
   await close();

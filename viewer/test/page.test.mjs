@@ -220,6 +220,28 @@ test("a fast spin is drawn as its envelope, small components beside large ones, 
   await close();
 });
 
+test("of a top that takes another's place the plots stay, the path of its axis is its own, and goes with the top", async () => {
+  const { page, problems, close } = await open(browser, "tops", samples.heavy());
+  await page.locator("#plot-axis").scrollIntoViewIfNeeded();
+  const bounds = () => page.textContent("#plot-axis .key-entry >> nth=3");
+  const before = await bounds();
+  await page.evaluate(() => {
+    window.kept = document.querySelector("#plot-omega canvas");
+    const { app } = window.polhode;
+    const [least, most] = app.page.top.bounds;
+    app.show({ ...app.page, top: { ...app.page.top, bounds: [least - 0.01, most + 0.01] } });
+  });
+  await page.waitForFunction((before) => document.querySelectorAll("#plot-axis .key-entry")[3].textContent !== before, before);
+  const degrees = (text) => text.match(/[\d.]+/g).map(Number);
+  degrees(await bounds()).forEach((x, k) => assert.ok(Math.abs(x - degrees(before)[k] - [-1, 1][k] * 0.573) < 2e-3));
+  assert.equal(await page.evaluate(() => window.kept === document.querySelector("#plot-omega canvas")), true);
+  assert.equal(await page.locator("#plot-axis").count(), 1);
+  await page.evaluate(() => window.polhode.app.show({ ...window.polhode.app.page, top: null }));
+  assert.equal(await page.locator("#plot-axis").count(), 0);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
 test("the path of a top's axis is on the page, with the axis of the view on it", async () => {
   const data = samples.heavy();
   const { page, problems, close } = await open(browser, "axis", data);

@@ -1,27 +1,24 @@
-/** Files that are dropped on the page, or chosen: they go to the server as one set, and what they are is opened. */
+/** Files and folders that are dropped on the page, or chosen: they go to the server as one set, and what they are is opened. */
 import { element } from "../dom";
+import { chosen, dropped, type DroppedFile, sorted } from "./dropped";
 import type { DocumentInfo } from "./protocol";
 import { Refused, server } from "./server";
 
-/** Of a set, the file that names the others comes first. */
-const MAIN = ["toml", "urdf", "sdf", "xml", "xacro", "gltf"];
+/** Of several models or scenarios so many are opened; all can be named by each other. */
+const MOST = 20;
 
 export class Drop {
   readonly button: HTMLElement;
-  readonly #input = element("input", { type: "file", multiple: true, hidden: true, "aria-label": "Files to open" });
-  readonly #opened: (document: DocumentInfo) => void;
+  readonly #opened: (document: DocumentInfo) => Promise<void>;
   readonly #said: (words: string) => void;
 
-  constructor(opened: (document: DocumentInfo) => void, said: (words: string) => void) {
+  constructor(opened: (document: DocumentInfo) => Promise<void>, said: (words: string) => void) {
     this.#opened = opened;
     this.#said = said;
-    this.#input.addEventListener("change", () => {
-      void this.#send([...(this.#input.files ?? [])]);
-      this.#input.value = "";
-    });
-    const choose = element("button", { type: "button", title: "Scenarios, meshes, molecules, particles; a scenario with its mesh", click: () => this.#input.click() }, "Open…");
-    this.button = element("span", {}, choose, this.#input);
-    const zone = element("div", { id: "drop-zone", hidden: true }, element("p", {}, "Drop a scenario, with its mesh; or meshes, molecules, particles"));
+    const files = this.#chooser("Open…", "Scenarios, meshes, robots, molecules, particles; a file with those that it names", {});
+    const folder = this.#chooser("Folder…", "A robot's package: the models in it, with their meshes", { webkitdirectory: true });
+    this.button = element("span", {}, ...files, ...folder);
+    const zone = element("div", { id: "drop-zone", hidden: true }, element("p", {}, "Drop a scenario, a robot or a mesh with the files that it names, or their folder; molecules, particles"));
     document.body.append(zone);
     document.addEventListener("dragenter", (event) => {
       if (event.dataTransfer?.types.includes("Files")) zone.hidden = false;
@@ -33,30 +30,52 @@ export class Drop {
     document.addEventListener("drop", (event) => {
       event.preventDefault();
       zone.hidden = true;
-      void this.#send([...(event.dataTransfer?.files ?? [])]);
+      if (event.dataTransfer) void dropped(event.dataTransfer).then((files) => this.#send(files));
     });
   }
 
-  async #send(files: File[]): Promise<void> {
+  #chooser(text: string, title: string, kind: Record<string, true>): HTMLElement[] {
+    const input = element("input", { type: "file", multiple: true, hidden: true, "aria-label": title, ...kind });
+    input.addEventListener("change", () => {
+      void this.#send(chosen(input.files));
+      input.value = "";
+    });
+    return [element("button", { type: "button", title, click: () => input.click() }, text), input];
+  }
+
+  async #send(files: DroppedFile[]): Promise<void> {
     if (files.length === 0) return;
-    const rank = ({ name }: File): number => {
-      const found = MAIN.indexOf(name.toLowerCase().split(".").at(-1) ?? "");
-      return found < 0 ? MAIN.length : found;
-    };
-    const [main] = [...files].sort((a, b) => rank(a) - rank(b));
-    // Those that name no others are each shown.
-    const shown = files.filter((file) => rank(main) === MAIN.length || rank(file) < MAIN.length);
+    const { sent, opened } = await sorted(files);
+    if (sent.length === 0) {
+      this.#said("The folder has no file that this page can show: no scenario, model, mesh, molecule or particles.");
+      return;
+    }
+    const [main] = opened;
+    this.#said(sent.length === 1 ? `Opening ${main.path} …` : `Opening ${main.path} with ${sent.length - 1} more …`);
     // Below 2⁵³, so that two pages hardly have the same.
     const set = Math.floor(Math.random() * 2 ** 52);
-    this.#said(files.length === 1 ? `Opening ${main.name} …` : `Opening ${main.name} with ${files.length - 1} more …`);
     try {
-      for (const file of files) await server.drop(set, file);
-      const opened = [];
-      for (const { name } of shown) opened.push(await server.open({ set, name }));
-      this.#opened(opened[shown.indexOf(main)]);
+      for (const { path, file } of sent) await server.drop(set, path, file);
     } catch (problem) {
-      const hint = problem instanceof Refused && problem.hint ? ` — ${problem.hint}` : "";
-      this.#said(`${main.name}: ${problem instanceof Error ? problem.message : String(problem)}${hint}`);
+      this.#said(`${main.path}: ${words(problem)}`);
+      return;
     }
+    const problems = opened.length > MOST ? [`${opened.length - MOST} of ${opened.length} are not opened`] : [];
+    let first: DocumentInfo | null = null;
+    for (const { path } of opened.slice(0, MOST)) {
+      try {
+        const document = await server.open({ set, name: path });
+        first ??= document;
+      } catch (problem) {
+        problems.push(`${path}: ${words(problem)}`);
+      }
+    }
+    if (first) await this.#opened(first);
+    if (problems.length > 0) this.#said(problems.join("\n"));
   }
+}
+
+function words(problem: unknown): string {
+  const hint = problem instanceof Refused && problem.hint ? ` — ${problem.hint}` : "";
+  return `${problem instanceof Error ? problem.message : String(problem)}${hint}`;
 }

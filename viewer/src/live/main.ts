@@ -6,14 +6,15 @@ import { Watch } from "./documents";
 import { Drop } from "./drop";
 import { Editor } from "./editor";
 import { EMPTY } from "./empty";
+import { Inspection } from "./inspection/inspection";
 import { Knobs } from "./knobs";
 import { lessonOf, Lessons } from "./lesson";
 import { readFragment } from "./link";
 import { Notice } from "./notice";
 import { MomentsPad } from "./pad";
-import type { DocumentInfo } from "./protocol";
 import { server } from "./server";
 import { Session } from "./session";
+import { Shown } from "./shown";
 import { Throw } from "./throw";
 import { TipHandle } from "./tip";
 
@@ -52,11 +53,12 @@ orSay(() => {
   });
   troubles(session);
   const notice = new Notice();
-  const opened = (document: DocumentInfo): void => void open(session, document, notice);
-  const drop = new Drop(opened, (words) => notice.say(words));
+  const inspection = new Inspection(document.querySelector("main") ?? document.body, app);
+  const shown = new Shown(session, inspection, notice);
+  shown.takes = (id) => lessons.reread(id);
+  const drop = new Drop((document) => shown.open(document), (words) => notice.say(words));
   const actions = new Actions(session, notice);
-  const choice = element("select", { "aria-label": "Document", id: "documents", hidden: true });
-  actions.host.prepend(choice, drop.button);
+  actions.host.prepend(shown.choice, drop.button);
   byId("theme").before(actions.host);
   document.querySelector("header")?.after(notice.host);
   const pad = new MomentsPad(session);
@@ -73,13 +75,15 @@ orSay(() => {
   const keys: [string, string][] = [["g", "take the body and throw it"], ["Ctrl + Z", "undo"], ["Ctrl + Y", "redo"], ["Tab to ω", "arrows move its tip, + and − its length"]];
   document.querySelector("#help dl")?.append(...keys.flatMap(([key, what]) => [element("dt", {}, element("kbd", {}, key)), element("dd", {}, what)]));
   window.polhodeLive = session;
-  void begin(session, notice, choice, lessons);
+  window.polhodeInspection = inspection;
+  void begin(session, shown, notice, lessons);
 });
 
 declare global {
   interface Window {
     /** For tests and for curious people at the console. */
     polhodeLive?: Session;
+    polhodeInspection?: Inspection;
   }
 }
 
@@ -98,45 +102,11 @@ function troubles(session: Session): void {
   });
 }
 
-async function begin(session: Session, notice: Notice, choice: HTMLSelectElement, lessons: Lessons): Promise<void> {
+async function begin(session: Session, shown: Shown, notice: Notice, lessons: Lessons): Promise<void> {
   const watch = new Watch(
-    (all) => {
-      list(all);
-      void changed(all);
-    },
+    (all) => void shown.update(all),
     (isLost) => document.body.classList.toggle("lost", isLost),
   );
-  const list = (all: DocumentInfo[]): void => {
-    choice.replaceChildren(...all.map(({ id, name }) => element("option", { value: String(id) }, name)));
-    choice.value = String(session.document?.id ?? "");
-    choice.hidden = all.length < 2;
-  };
-  const changed = async (all: DocumentInfo[]): Promise<void> => {
-    const mine = session.document;
-    const now = all.find(({ id }) => id === mine?.id);
-    if (!mine || !now || now.stamp === mine.stamp || (await lessons.reread(mine.id))) return;
-    const content = await server.document(now.id);
-    if (content.kind !== "scenario") return;
-    if (!session.isChanged || content.text === session.text) {
-      session.reload(now, content.text);
-      return;
-    }
-    session.document = now;
-    notice.say(`${now.name} changed on disk.`, [
-      { label: "Take it", then: () => session.reload(now, content.text) },
-      {
-        label: "Keep mine",
-        then: () => {
-          session.fileText = content.text;
-        },
-      },
-    ]);
-  };
-  choice.addEventListener("change", () => {
-    const chosen = watch.all.find(({ id }) => String(id) === choice.value);
-    if (chosen) void open(session, chosen, notice);
-  });
-  session.listen({ changed: () => void (choice.value = String(session.document?.id ?? "")) });
   try {
     const { documents, first } = await server.documents();
     const linked = await readFragment(location.hash).catch(() => {
@@ -145,30 +115,13 @@ async function begin(session: Session, notice: Notice, choice: HTMLSelectElement
     });
     const wanted = (linked && documents.find(({ name, kind }) => kind === "scenario" && name === linked.name)) ?? documents.find(({ id }) => id === first) ?? documents[0];
     watch.start(documents);
+    void shown.update(documents);
     const lesson = lessonOf(location.hash);
     if (lesson !== null) await lessons.open(lesson);
     if (session.document) return;
-    if (wanted) await open(session, wanted, notice, linked?.text);
-    else notice.say("Drop a scenario, a mesh, a molecule or particles on the page, or open a file.");
-    list(documents);
+    if (wanted) await shown.open(wanted, linked?.text);
+    else notice.say("Drop a scenario, a mesh, a robot, a molecule or particles on the page, or open a file.");
   } catch (problem) {
     notice.say(problem instanceof Error ? problem.message : String(problem));
-  }
-}
-
-/** Of what this page does not show: who says what is wrong with it. */
-const NOT_SHOWN = {
-  mesh: "it bounds no solid, so that it has no motion; polhode inertia says where it is open or crosses itself.",
-  robot: "this page does not show robots yet; polhode check says what is wrong with their inertias.",
-};
-
-async function open(session: Session, document: DocumentInfo, notice: Notice, text?: string): Promise<void> {
-  try {
-    const content = await server.document(document.id);
-    notice.clear();
-    if (content.kind === "scenario") session.open(document, content.text, text);
-    else notice.say(`${document.name}: ${NOT_SHOWN[content.kind]}`);
-  } catch (problem) {
-    notice.say(`${document.name}: ${problem instanceof Error ? problem.message : String(problem)}`);
   }
 }

@@ -4,7 +4,7 @@
  * Paths are relative to the page's own, which has the session's token in it. Bodies are JSON unless it is said otherwise. An answer that is
  * not 200 is `Refusal`. Offsets in a text count UTF-16 units, as strings of JavaScript do.
  */
-import type { PageData } from "../data";
+import type { PageData, Shape } from "../data";
 
 /** An answer that is not 200. */
 export interface Refusal {
@@ -161,6 +161,7 @@ export interface MeshFinding {
   code: string;
   severity: "error" | "warning" | "info";
   message: string;
+  hint: string | null;
   /** f32, base64: pairs of points, x y z, of the edges that it marks; empty if it marks none. */
   edges: string;
   /** f32, base64: x y z of three corners for each triangle that it marks. */
@@ -190,6 +191,8 @@ export interface RobotLink {
     box: { size: [number, number, number]; quaternion: [number, number, number, number] } | null;
   } | null;
   verdict: "impossible" | "suspect" | "ok" | "none";
+  /** In the link's frame: its visual geometry, or its collision geometry where it has no visual. */
+  shapes: Shape[];
 }
 
 /** `GET lessons`; a teacher's own comes first. */

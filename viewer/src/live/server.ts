@@ -31,8 +31,8 @@ export const server = {
   complete: (request: CompleteRequest, signal: AbortSignal): Promise<CompleteAnswer> => post("complete", request, signal),
   lessons: (): Promise<Lessons> => ask("lessons"),
   lesson: (id: string): Promise<Lesson> => ask(`lesson/${encodeURIComponent(id)}`),
-  drop: (set: number, file: File): Promise<unknown> => {
-    return ask(`drop?${new URLSearchParams({ name: file.name, set: String(set) })}`, { method: "POST", body: file });
+  drop: (set: number, path: string, file: File): Promise<unknown> => {
+    return ask(`drop?${new URLSearchParams({ name: path, set: String(set) })}`, { method: "POST", body: file });
   },
   open: (request: OpenRequest): Promise<OpenAnswer> => post("open", request),
 };

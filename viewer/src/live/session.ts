@@ -85,7 +85,7 @@ export class Session {
   reload(document: DocumentInfo, fileText: string): void {
     this.document = document;
     this.fileText = fileText;
-    if (fileText === this.text) this.#tell();
+    if (fileText === this.text) this.tell();
     else this.replace(fileText, "file");
   }
 
@@ -152,7 +152,7 @@ export class Session {
     this.#lastKey = null;
     this.#refused = null;
     this.#isDue = true;
-    this.#tell();
+    this.tell();
     this.#go();
   }
 
@@ -230,16 +230,17 @@ export class Session {
         return;
       }
     }
-    this.#tell();
+    this.tell();
   }
 
   #fail(problem: unknown): void {
     const message = problem instanceof Error ? problem.message : String(problem);
     this.trouble = { message, hint: problem instanceof Refused ? problem.hint : null, key: this.#lastKey };
-    this.#tell();
+    this.tell();
   }
 
-  #tell(): void {
+  /** Listeners are told how it stands. */
+  tell(): void {
     for (const { changed } of this.#listeners) changed?.();
   }
 }

@@ -5,7 +5,7 @@
  */
 import type uPlot from "uplot";
 import type { Clock } from "../clock";
-import type { PageData } from "../data";
+import type { PageData, TopData } from "../data";
 import { element } from "../dom";
 import { fileName } from "../save/files";
 import { type FigureMaker, makersOf } from "../figures";
@@ -28,8 +28,9 @@ export class Plots {
   readonly #seen = new Set<Element>();
   readonly #watch: IntersectionObserver;
   #panels = new Map<string, FigurePanel>();
-  /** Figures that are not drawn yet. */
+  /** Figures that are not drawn yet, and whether the axis's path is none of them. */
   readonly #waiting = new Map<FigurePanel, FigureMaker>();
+  #axisWaits: { top: TopData; motion: Motion } | null = null;
   #shared: Shared;
   #axis: AxisPicture | null = null;
   /** The sample under the pointer. */
@@ -65,7 +66,7 @@ export class Plots {
     this.#hovered = null;
     const makers = makersOf(motion, page.body.principal);
     const same = makers.length === this.#panels.size && makers.every(({ id }) => this.#panels.has(id));
-    if (!same || page.top || this.#axis || before.unit.name !== this.#shared.unit.name) {
+    if (!same || (page.top === null) !== (this.#axis === null) || before.unit.name !== this.#shared.unit.name) {
       this.#build(page, motion);
       this.#resize(this.#width, true);
     } else {
@@ -74,6 +75,7 @@ export class Plots {
         const panel = this.#panels.get(maker.id);
         if (panel) this.#waiting.set(panel, maker);
       }
+      this.#axisWaits = page.top && { top: page.top, motion };
       this.#drawSeen();
       clearTimeout(this.#later);
       this.#later = window.setTimeout(() => this.#drawRest(), QUIET);
@@ -93,6 +95,8 @@ export class Plots {
     }
     this.#waiting.clear();
     this.#seen.clear();
+    if (this.#axis) this.#watch.unobserve(this.#axis.host);
+    this.#axisWaits = null;
     this.#axis = page.top ? new AxisPicture(motion, page.top, this.#shared.unit, this.#shared.file) : null;
     this.#listEvents(motion);
     const listen = (plot: uPlot): void => this.#listen(plot);
@@ -103,6 +107,7 @@ export class Plots {
       if (id === "omega" && this.#axis) this.#figures.append(this.#axis.host);
       this.#watch.observe(host);
     }
+    if (this.#axis) this.#watch.observe(this.#axis.host);
   }
 
   #listEvents(motion: Motion): void {
@@ -112,13 +117,16 @@ export class Plots {
 
   #drawSeen(): void {
     for (const panel of this.#waiting.keys()) if (this.#seen.has(panel.host)) this.#draw(panel);
+    if (this.#axis && this.#seen.has(this.#axis.host)) this.#drawAxis(this.#axis);
   }
 
   // One after the other, so that none is waited for; while the tab is closed they are not drawn.
   #drawRest(): void {
     const [panel] = this.#waiting.keys();
-    if (!panel || this.#figures.offsetParent === null) return;
-    this.#draw(panel);
+    if (this.#figures.offsetParent === null) return;
+    if (panel) this.#draw(panel);
+    else if (this.#axis && this.#axisWaits) this.#drawAxis(this.#axis);
+    else return;
     this.#later = window.setTimeout(() => this.#drawRest(), 0);
   }
 
@@ -135,6 +143,21 @@ export class Plots {
       plot.follow(this.#clock.time);
       plot.read(this.#clock.index());
     }
+  }
+
+  // The path of another motion, in the place of the one before.
+  #drawAxis(before: AxisPicture): void {
+    if (!this.#axisWaits) return;
+    const { top, motion } = this.#axisWaits;
+    this.#axisWaits = null;
+    const { unit, file } = this.#shared;
+    this.#axis = new AxisPicture(motion, top, unit, file);
+    this.#watch.unobserve(before.host);
+    this.#seen.delete(before.host);
+    before.host.replaceWith(this.#axis.host);
+    this.#watch.observe(this.#axis.host);
+    this.#axis.resize(this.#width);
+    this.#axis.follow(this.#clock.time);
   }
 
   #plots(): TimePlot[] {

@@ -64,7 +64,7 @@ export class BodyModel {
 }
 
 /** The shapes as solids, m. */
-class Solids {
+export class Solids {
   readonly group = new Group();
   readonly farthest: Vector3[];
   /** How far the parts go that are not small for where they are. */

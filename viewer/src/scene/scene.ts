@@ -2,7 +2,7 @@
  * The 3-D view: the canvas with its camera, light and names, and on it the scene of a motion, which may give place to that of another. A
  * frame is drawn only if something changed.
  */
-import { DirectionalLight, HemisphereLight, Quaternion, Scene, Vector3, WebGLRenderer } from "three";
+import { Quaternion, Scene, Vector3, WebGLRenderer } from "three";
 import type { Quaternion as Attitude } from "../attitude";
 import type { PageData } from "../data";
 import type { Motion } from "../motion";
@@ -11,6 +11,7 @@ import type { BodyModel } from "./body";
 import { OrbitCamera } from "./camera";
 import { Labels } from "./labels";
 import { apply, type Layer, type Picture } from "./layers";
+import { Light } from "./light";
 import { MotionScene } from "./motion-scene";
 import { Palette } from "./palette";
 import { TrailCurves, type Trailed } from "./trails";
@@ -36,7 +37,7 @@ export class View {
   readonly #renderer: WebGLRenderer;
   readonly #scene = new Scene();
   readonly #palette = new Palette();
-  readonly #lamp = new DirectionalLight(0xffffff, 2.1);
+  readonly #light = new Light();
   readonly #trails: TrailCurves;
   #shown: MotionScene;
   /** Until the next frame is drawn, so that programs of materials are not compiled again. */
@@ -58,7 +59,7 @@ export class View {
     this.orbit = new OrbitCamera(canvas, () => this.invalidate(), () => this.#shown.refit());
     this.labels = new Labels(overlay);
     this.#trails = new TrailCurves(this.#palette);
-    this.#scene.add(new HemisphereLight(0xffffff, 0x8a8f98, 1.5), this.#lamp, this.#trails.object);
+    this.#scene.add(...this.#light.objects, this.#trails.object);
     this.#shown = new MotionScene(page, motion, this.#trails.object, this.#palette, null);
     this.#scene.add(this.#shown.space, this.#shown.body);
     this.trailed = this.#shown.telling;
@@ -219,7 +220,7 @@ export class View {
     shown.aim(picture, this.rides, orbit.frame);
     orbit.place(width, height);
     const { camera } = orbit;
-    this.#lamp.position.copy(camera.position).addScaledVector(camera.up, 0.25 * orbit.distance);
+    this.#light.follow(orbit);
     renderer.render(this.#scene, camera);
     labels.draw(shown.labels(picture, time, camera.position, this.#allowed), shown.outline(picture, camera.position), camera, width, height);
   }

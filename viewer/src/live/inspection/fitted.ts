@@ -1,0 +1,45 @@
+/** Something of any size and place as a picture has it: its middle at the origin, and 1 from there to its farthest point. */
+import { Box3, Group, type Object3D, Sphere, Vector3 } from "three";
+import { Farthest } from "../../scene/framing";
+
+const DIRECTIONS = 300;
+
+export class Fitted {
+  readonly group = new Group();
+  /** The outermost of its points, as the picture has them. */
+  readonly points: Vector3[];
+  readonly #middle: Vector3;
+  readonly #size: number;
+
+  /** `points`: all that is to be seen of it. */
+  constructor(object: Object3D, points: Vector3[]) {
+    const { center, radius } = new Box3().setFromPoints(points.length > 0 ? points : [new Vector3()]).getBoundingSphere(new Sphere());
+    this.#middle = center;
+    this.#size = radius || 1;
+    this.group.add(object);
+    this.group.scale.setScalar(1 / this.#size);
+    this.group.position.copy(center).divideScalar(-this.#size);
+    this.points = outermost(this.toPicture(points));
+  }
+
+  toPicture(points: Vector3[]): Vector3[] {
+    return points.map((p) => p.clone().sub(this.#middle).divideScalar(this.#size));
+  }
+}
+
+/** Those whose hull is nearly that of all. */
+export function outermost(points: Vector3[]): Vector3[] {
+  const farthest = new Farthest(DIRECTIONS);
+  for (const p of points) farthest.add(p);
+  return points.length > 0 ? farthest.points : [];
+}
+
+/** The corners of the box around some points, which is at least so large from its middle. */
+export function box(points: Vector3[], least: number): Vector3[] {
+  const around = new Box3().setFromPoints(points);
+  const middle = around.getCenter(new Vector3());
+  const half = around.getSize(new Vector3()).multiplyScalar(0.5);
+  const size = Math.max(half.length(), least) / Math.sqrt(3);
+  half.max(new Vector3(size, size, size));
+  return [0, 1, 2, 3, 4, 5, 6, 7].map((k) => half.clone().multiply(new Vector3(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1)).add(middle));
+}

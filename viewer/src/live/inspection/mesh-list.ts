@@ -1,0 +1,38 @@
+/** What is wrong with a mesh, in words: an entry for each finding, with its number in the picture. */
+import { element } from "../../dom";
+import { grouped } from "../../format";
+import type { MeshFinding, MeshInspection } from "../protocol";
+import { badge, entry, type Listed, listed } from "./listed";
+import { INKS } from "./mesh-scene";
+
+const WORDS: Record<MeshFinding["severity"], string> = { error: "Error", warning: "Warning", info: "Note" };
+
+export function meshList(mesh: MeshInspection, choose: (item: number) => void): Listed {
+  const errors = mesh.findings.filter(({ severity }) => severity === "error").length;
+  const shown = mesh.triangles.length / 16; // 12 bytes each, as base64
+  const host = element(
+    "div",
+    {},
+    element("h2", {}, "It bounds no solid"),
+    element(
+      "p",
+      {},
+      `${grouped(String(mesh.of))} triangles, ${errors === 1 ? "one error" : `${errors} errors`}. Without a solid there is no mass, and no motion. `,
+      shown + 1 < mesh.of ? `The picture has ${grouped(String(Math.floor(shown)))} of them; findings are of all. ` : "",
+      "A number in the picture is that of the finding.",
+    ),
+    element("ol", { class: "entries" }, ...mesh.findings.map((finding, k) => item(finding, k, choose))),
+  );
+  return listed(host, mesh.findings.length);
+}
+
+function item({ code, severity, message, hint, edges, faces }: MeshFinding, k: number, choose: (item: number) => void): HTMLElement {
+  const said = [badge(String(k + 1), INKS[severity]), element("b", {}, WORDS[severity]), ` ${message} `, element("code", {}, code)];
+  const help = hint === null ? [] : [element("p", { class: "hint" }, hint)];
+  if (edges !== "" || faces !== "") {
+    const made = entry(k, choose, said);
+    made.append(...help);
+    return made;
+  }
+  return element("li", {}, element("p", { class: "entry" }, ...said), ...help);
+}

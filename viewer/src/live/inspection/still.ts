@@ -1,0 +1,161 @@
+/** Things that stand still, in three dimensions: what was found in a file. A frame is drawn only if something changed. */
+import { type Group, Raycaster, Scene, Vector2, type Vector3, WebGLRenderer } from "three";
+import { element } from "../../dom";
+import { compose } from "../../save/frame";
+import { OrbitCamera } from "../../scene/camera";
+import { dispose } from "../../scene/dispose";
+import { type Label, Labels } from "../../scene/labels";
+import { Light } from "../../scene/light";
+import { Palette } from "../../scene/palette";
+import { onTheme } from "../../theme";
+
+/** What stands there; size 1 is from the middle to the farthest point. */
+export interface Still {
+  readonly object: Group;
+  /** Parts that can be hidden. */
+  readonly parts: { name: string; isOn: boolean; show: (isOn: boolean) => void }[];
+  /** What the camera has to see. */
+  content: () => Vector3[];
+  labels: () => Label[];
+  /** Around what no name may stand. */
+  readonly outline: Vector3[];
+  /** Shows one of the things that are listed, or all of them; and from which side it is seen, if that matters. */
+  choose: (item: number | null) => Vector3 | null;
+  /** Which of them a ray meets first. */
+  at: (ray: Raycaster) => number | null;
+}
+
+/** A press that moved less, px, is a click. */
+const CLICK = 4;
+const TURN = 0.12;
+/** rad: where one still sees the sides of what is seen from above. */
+const STEEP = 1.1;
+
+export class StillView {
+  readonly host = element("div", { class: "still" });
+  readonly orbit: OrbitCamera;
+  readonly palette = new Palette();
+  /** One of the things that are listed was clicked, or nothing was. */
+  clicked: (item: number | null) => void = () => undefined;
+
+  readonly #canvas = element("canvas", { tabindex: "0", "aria-label": "What was found, in three dimensions; drag to turn the camera, or use the arrow keys" });
+  readonly #renderer: WebGLRenderer;
+  readonly #scene = new Scene();
+  readonly #light = new Light();
+  readonly #labels: Labels;
+  #still: Still | null = null;
+  #size = { width: 1, height: 1 };
+  #isWaiting = false;
+
+  /** Throws if the browser has no WebGL. */
+  constructor() {
+    const names = element("div", { class: "names-over", "aria-hidden": "true" });
+    this.host.append(this.#canvas, names);
+    this.#renderer = new WebGLRenderer({ canvas: this.#canvas, antialias: true, alpha: true });
+    this.#renderer.debug.checkShaderErrors = false;
+    this.#renderer.setPixelRatio(Math.min(window.devicePixelRatio || 1, 2));
+    this.orbit = new OrbitCamera(this.#canvas, () => this.invalidate(), () => undefined);
+    this.#labels = new Labels(names);
+    this.#scene.add(...this.#light.objects);
+    new ResizeObserver(() => this.#resize()).observe(this.host);
+    this.#canvas.addEventListener("keydown", (event) => this.#key(event));
+    this.#listenForClicks();
+    onTheme(() => {
+      this.palette.refresh();
+      this.invalidate();
+    });
+  }
+
+  /** Objects on the graphics card. */
+  get memory(): { geometries: number; textures: number } {
+    const { geometries, textures } = this.#renderer.info.memory;
+    return { geometries, textures };
+  }
+
+  /** Shows this instead of what was there; from where one looks, if it is another state of the same. */
+  show(still: Still, isSame: boolean): void {
+    this.clear();
+    this.#still = still;
+    this.#scene.add(still.object);
+    if (!isSame) this.orbit.home();
+    this.invalidate();
+  }
+
+  /** Gives back what the graphics card holds. */
+  clear(): void {
+    if (this.#still) dispose(this.#still.object, this.palette);
+    this.#still = null;
+  }
+
+  /** Looks at it from there. */
+  from({ x, y, z }: Vector3): void {
+    const { orbit } = this;
+    orbit.azimuth = Math.hypot(x, y) > 1e-3 ? Math.atan2(y, x) + 0.25 : orbit.azimuth;
+    orbit.height = Math.min(Math.max(Math.atan2(z, Math.hypot(x, y)), -STEEP), STEEP);
+    this.invalidate();
+  }
+
+  invalidate(): void {
+    if (this.#isWaiting) return;
+    this.#isWaiting = true;
+    requestAnimationFrame(() => {
+      this.#isWaiting = false;
+      this.#draw();
+    });
+  }
+
+  /** The frame as it is on the screen, names too. */
+  photograph(): HTMLCanvasElement {
+    this.#draw();
+    const out = element("canvas");
+    out.width = this.#canvas.width;
+    out.height = this.#canvas.height;
+    const pen = out.getContext("2d");
+    if (pen) compose(pen, this.#canvas, this.#labels.placed, out.width / this.#size.width, true);
+    return out;
+  }
+
+  #resize(): void {
+    const { clientWidth: width, clientHeight: height } = this.host;
+    if (width < 1 || height < 1) return;
+    this.#size = { width, height };
+    this.#renderer.setSize(width, height, false);
+    this.#draw();
+  }
+
+  #draw(): void {
+    const { width, height } = this.#size;
+    const still = this.#still;
+    this.orbit.content = still?.content() ?? [];
+    this.orbit.place(width, height);
+    this.#light.follow(this.orbit);
+    this.#renderer.render(this.#scene, this.orbit.camera);
+    this.#labels.draw(still?.labels() ?? [], still?.outline ?? [], this.orbit.camera, width, height);
+  }
+
+  #key(event: KeyboardEvent): void {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const turns: Record<string, [number, number]> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+    const turn = turns[event.key];
+    if (turn) this.orbit.turn(TURN * turn[0], TURN * turn[1]);
+    else if (event.key === "i" || event.key === "o") this.orbit.dolly(event.key === "i" ? 1.15 : 1 / 1.15);
+    else if (event.key === "r") this.orbit.home();
+    else return;
+    event.preventDefault();
+  }
+
+  #listenForClicks(): void {
+    let pressed: [number, number] | null = null;
+    this.#canvas.addEventListener("pointerdown", ({ offsetX, offsetY }) => {
+      pressed = [offsetX, offsetY];
+    });
+    this.#canvas.addEventListener("pointerup", ({ offsetX: x, offsetY: y }) => {
+      const isClick = pressed !== null && Math.hypot(x - pressed[0], y - pressed[1]) < CLICK;
+      pressed = null;
+      if (!isClick || !this.#still) return;
+      const ray = new Raycaster();
+      ray.setFromCamera(new Vector2((2 * x) / this.#size.width - 1, 1 - (2 * y) / this.#size.height), this.orbit.camera);
+      this.clicked(this.#still.at(ray));
+    });
+  }
+}

@@ -1,0 +1,99 @@
+/** Which document is shown: the motion of a scenario, or what was found in another file. It follows its file on the disk. */
+import { element } from "../dom";
+import type { Inspection } from "./inspection/inspection";
+import type { Notice } from "./notice";
+import type { DocumentInfo } from "./protocol";
+import { Refused, server } from "./server";
+import type { Session } from "./session";
+
+export class Shown {
+  /** All documents, to choose from. */
+  readonly choice = element("select", { "aria-label": "Document", id: "documents", hidden: true });
+  /** Whether somebody else, a lesson, takes the file's new text. */
+  takes: (id: number) => Promise<boolean> = () => Promise.resolve(false);
+  readonly #session: Session;
+  readonly #inspection: Inspection;
+  readonly #notice: Notice;
+  #all: DocumentInfo[] = [];
+  /** The last that was asked for: of two answers the later is shown, whichever comes first. */
+  #asked = 0;
+
+  constructor(session: Session, inspection: Inspection, notice: Notice) {
+    this.#session = session;
+    this.#inspection = inspection;
+    this.#notice = notice;
+    this.choice.addEventListener("change", () => {
+      const chosen = this.#all.find(({ id }) => String(id) === this.choice.value);
+      if (chosen) void this.open(chosen);
+    });
+    session.listen({ changed: () => this.#name() });
+  }
+
+  get document(): DocumentInfo | null {
+    return this.#inspection.document ?? this.#session.document;
+  }
+
+  /** Opens a document; a scenario with `text` instead of its own, if that was changed. */
+  async open(info: DocumentInfo, text?: string): Promise<void> {
+    this.#asked += 1;
+    const asked = this.#asked;
+    // Back to what was left as it is.
+    if (this.#inspection.document && info.id === this.#session.document?.id && text === undefined) {
+      this.#inspection.hide();
+      this.#session.tell();
+      await this.update(this.#all);
+      return;
+    }
+    try {
+      const content = await server.document(info.id);
+      if (asked !== this.#asked) return;
+      this.#notice.clear();
+      if (content.kind === "scenario") {
+        this.#inspection.hide();
+        this.#session.open(info, content.text, text);
+      } else this.#inspection.show(info, content);
+    } catch (problem) {
+      const hint = problem instanceof Refused && problem.hint ? ` — ${problem.hint}` : "";
+      this.#notice.say(`${info.name}: ${problem instanceof Error ? problem.message : String(problem)}${hint}`);
+    }
+    this.#name();
+  }
+
+  /** The documents as they are now: the one that is shown may have changed on the disk. */
+  async update(all: DocumentInfo[]): Promise<void> {
+    this.#all = all;
+    this.choice.replaceChildren(...all.map(({ id, name }) => element("option", { value: String(id) }, name)));
+    this.#name();
+    const mine = this.document;
+    const now = all.find(({ id }) => id === mine?.id);
+    if (!mine || !now || now.stamp === mine.stamp) return;
+    if (this.#inspection.document) await this.open(now);
+    else if (!(await this.takes(mine.id))) await this.#reread(now);
+  }
+
+  async #reread(now: DocumentInfo): Promise<void> {
+    const session = this.#session;
+    const content = await server.document(now.id);
+    if (content.kind !== "scenario" || session.document?.id !== now.id) return;
+    const { text } = content;
+    if (!session.isChanged || text === session.text) {
+      session.reload(now, text);
+      return;
+    }
+    session.document = now;
+    this.#notice.say(`${now.name} changed on disk.`, [
+      { label: "Take it", then: () => session.reload(now, text) },
+      {
+        label: "Keep mine",
+        then: () => {
+          session.fileText = text;
+        },
+      },
+    ]);
+  }
+
+  #name(): void {
+    this.choice.value = String(this.document?.id ?? "");
+    this.choice.hidden = this.#all.length < 2;
+  }
+}

@@ -17,7 +17,7 @@ export class Drop {
     this.#said = said;
     const files = this.#chooser("Open…", "Scenarios, meshes, robots, molecules, particles; a file with those that it names", {});
     const folder = this.#chooser("Folder…", "A robot's package: the models in it, with their meshes", { webkitdirectory: true });
-    this.button = element("span", {}, ...files, ...folder);
+    this.button = element("span", { class: "choosers" }, ...files, ...folder);
     const zone = element("div", { id: "drop-zone", hidden: true }, element("p", {}, "Drop a scenario, a robot or a mesh with the files that it names, or their folder; molecules, particles"));
     document.body.append(zone);
     document.addEventListener("dragenter", (event) => {
@@ -40,7 +40,7 @@ export class Drop {
       void this.#send(chosen(input.files));
       input.value = "";
     });
-    return [element("button", { type: "button", title, click: () => input.click() }, text), input];
+    return [element("button", { type: "button", class: "webkitdirectory" in kind ? "folder" : "files", title, click: () => input.click() }, text), input];
   }
 
   async #send(files: DroppedFile[]): Promise<void> {

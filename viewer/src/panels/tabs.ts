@@ -62,6 +62,8 @@ export class Tabs {
       const button = this.#bar.querySelector<HTMLButtonElement>(`#tab-${tab.id}`);
       button?.setAttribute("aria-selected", String(chosen));
       if (button) button.tabIndex = chosen ? 0 : -1;
+      // On a phone not all of them fit.
+      if (chosen && button && this.#bar.scrollWidth > this.#bar.clientWidth) button.scrollIntoView({ block: "nearest", inline: "nearest" });
       const panel = this.#panels.querySelector<HTMLElement>(`#panel-${tab.id}`);
       if (!panel) continue;
       panel.hidden = !chosen;

@@ -88,6 +88,26 @@ test("a slider changes the scenario and the motion; undo, redo and reset bring t
   await close();
 });
 
+test("a slider by its other keys: a large step, the ends; every change is seen in its field", async () => {
+  const { page, problems, close } = await open();
+  const slider = knob(page, SPIN).locator("input[type=range]");
+  await slider.focus();
+  const shown = async (key) => {
+    const before = await knob(page, SPIN).locator(".knob-value").inputValue();
+    await page.keyboard.press(key);
+    await page.waitForFunction(([key, before]) => document.querySelector(`.knob[data-key="${key}"] .knob-value`).value !== before, [SPIN, before]);
+    return Number.parseFloat(await knob(page, SPIN).locator(".knob-value").inputValue());
+  };
+  // From −9 to 9 rad/s.
+  near(await shown("PageUp"), 6 + 1.8, 0.1, "a tenth of the range");
+  near(await shown("PageDown"), 6, 0.1, "and back");
+  near(await shown("End"), 9, 0.01, "the end");
+  near(await shown("Home"), -9, 0.01, "the beginning");
+  await page.waitForFunction(() => Math.abs(window.polhode.app.motion.omega[2] + 9) < 0.01);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
 test("a drag shows motions on the way, and is one step", async () => {
   const { page, problems, close } = await open();
   const first = await text(page);
@@ -348,6 +368,19 @@ test("a link brings the state back, in another tab that goes its own way", async
   assert.equal(readFileSync(await saved.path(), "utf8"), await text(page));
   assert.deepEqual([...problems, ...other.problems], []);
   await Promise.all([close(), other.close()]);
+});
+
+test("a scenario that is too long for a link is not cut: it is said, and the address stays", async () => {
+  const { page, problems, close } = await open();
+  const address = page.url();
+  // Digits that do not pack.
+  const noise = Array.from({ length: 12_000 }, (_, k) => Math.sin(k * k).toFixed(12).slice(3)).join("");
+  await page.evaluate((noise) => window.polhodeLive.replace(`${window.polhodeLive.text}\n# ${noise}\n`, "test"), noise);
+  await page.click("#actions >> text=Link");
+  await page.waitForFunction(() => document.querySelector("#notice").textContent.includes("too long for a link"));
+  assert.equal(page.url(), address);
+  assert.deepEqual(problems, []);
+  await close();
 });
 
 test("a file that changes on the disk is shown, or asked about if the person has changed it", async () => {

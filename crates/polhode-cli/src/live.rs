@@ -13,19 +13,21 @@ use crate::stdout::print;
 /// Change a body and its motion on a page, and see at once what becomes of it.
 ///
 /// The page is served on this machine's own address, 127.0.0.1, for whoever has the address that is printed, and for no other site. It shows
-/// scenarios, and the bodies of other files: meshes that bound a solid, molecules, particles; more can be dropped on it. Nothing is written to the
-/// disk: what is worth keeping is saved from the page. Ctrl-C ends it.
+/// scenarios, and the bodies of other files: meshes, molecules, particles. Of a mesh that bounds no solid it shows where it is wrong, of a robot
+/// every link with its inertia, and the repair. More can be dropped on it. Nothing is written to the disk: what is worth keeping is saved from
+/// the page. Ctrl-C ends it.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   polhode live
   polhode live examples/t-handle.toml
   polhode live part.stl water.xyz
+  polhode live robot.urdf
   polhode live --lesson
   polhode live --lesson cube
   polhode live examples/heavy-top.toml --no-open --port 8000")]
 pub(crate) struct Live {
-    /// Scenarios, meshes, molecules or particles [default: a scenario to begin with].
+    /// Scenarios, meshes, robots, molecules or particles [default: a scenario to begin with].
     files: Vec<PathBuf>,
     /// A lesson of this name, or of a file of your own; without a name, the list of lessons.
     #[arg(long, value_name = "NAME|FILE.toml", num_args = 0..=1, conflicts_with = "files")]

@@ -14,6 +14,7 @@ const { envelopes, extrema } = await load("plot/envelope.ts");
 const { curve, largestSoFar } = await load("plot/curve.ts");
 const { labels, marked, marksOf } = await load("plot/events.ts");
 const { Motion } = await load("motion.ts");
+const { directions, Farthest } = await load("scene/framing.ts");
 const { svgOf } = await load("plot/figure-svg.ts");
 const { f64, indices, readPage } = await load("decode.ts");
 
@@ -418,4 +419,19 @@ test("data that break the contract are refused, with what and how", () => {
   const page = (text) => ({ getElementById: () => ({ textContent: text }) });
   assert.throws(() => readPage(page('{"version":2}')), /version 2/);
   assert.throws(() => readPage({ getElementById: () => null }), /no motion/);
+});
+
+test("of many points those that are farthest in each direction are found, in any order and from any distance", () => {
+  let state = 1;
+  const random = () => (state = (state * 16807) % 2147483647) / 2147483647 - 0.5;
+  const [point] = directions(1);
+  const at = (x, y, z) => point.clone().set(x, y, z);
+  for (const spread of [(v) => v, (v) => v.normalize(), (v) => at(v.x + 3, 0.1 * v.y, -v.z), (v) => at(v.x, 0, 0)]) {
+    const points = Array.from({ length: 700 }, () => spread(at(random(), random(), random())));
+    const farthest = new Farthest(300);
+    for (const p of points) farthest.add(p);
+    // In each of the directions, in the order that it has them, one is as far as any.
+    const reach = (some, d) => Math.max(...some.map((p) => p.dot(d)));
+    for (const d of directions(300)) assert.ok(Math.abs(reach(farthest.points, d) - reach(points, d)) <= 1e-15, `${d.toArray()}`);
+  }
 });

@@ -4,6 +4,8 @@ import type { Moment, Motion } from "../motion";
 
 /** Of a motion, and of the points that stand for all: some directions are 0.2 rad apart, where a sphere is 0.5 % beyond them. */
 const TIMES = 200;
+/** At so many times of one the whole of what turns is looked at, at the others what goes farthest, as arrows do. */
+const WHOLE = 3;
 const DIRECTIONS = 300;
 /** Another motion is seen in the frame of the one before unless it is smaller than this part of it. */
 const LIKE = 0.62;
@@ -19,37 +21,82 @@ export function directions(count: number): Vector3[] {
   });
 }
 
+/** Directions near to each other, which a point that is not far enough for any of them passes by together. */
+interface Bundle {
+  middle: Vector3;
+  /** Of the angle α from there to the farthest of them. */
+  cos: number;
+  sin: number;
+  /** The first of them, and the one behind the last. */
+  from: number;
+  to: number;
+}
+
+/** x y z of so many directions, in bundles of about sixteen. */
+function bundled(count: number): { directions: Float64Array; bundles: Bundle[] } {
+  const middles = directions(Math.ceil(count / 16));
+  const all = directions(count);
+  const own = middles.map((): Vector3[] => []);
+  for (const d of all) own[middles.reduce((best, m, k) => (m.dot(d) > middles[best].dot(d) ? k : best), 0)].push(d);
+  let from = 0;
+  const bundles = own.map((some, k): Bundle => {
+    const cos = Math.min(...some.map((d) => d.dot(middles[k])), 1);
+    const bundle = { middle: middles[k], cos, sin: Math.sqrt(1 - cos * cos), from, to: from + some.length };
+    from += some.length;
+    return bundle;
+  });
+  return { directions: Float64Array.from(own.flat().flatMap((d) => d.toArray())), bundles: bundles.filter((bundle) => bundle.from < bundle.to) };
+}
+
+const BUNDLED = new Map<number, ReturnType<typeof bundled>>();
+
 /** The points that are farthest in each of many directions: their hull is nearly that of all. */
 export class Farthest {
   readonly points: Vector3[];
   /** x y z of each. */
   readonly #directions: Float64Array;
+  readonly #bundles: Bundle[];
   readonly #far: Float64Array;
-  /** The least of them: what is nearer changes nothing. */
-  #least = -Infinity;
+  /** Of each bundle the least of them. */
+  readonly #least: Float64Array;
 
   constructor(count: number) {
-    this.#directions = Float64Array.from(directions(count).flatMap((d) => d.toArray()));
+    const made = BUNDLED.get(count) ?? bundled(count);
+    BUNDLED.set(count, made);
+    this.#directions = made.directions;
+    this.#bundles = made.bundles;
     this.#far = new Float64Array(count).fill(-Infinity);
+    this.#least = new Float64Array(made.bundles.length).fill(-Infinity);
     this.points = Array.from({ length: count }, () => new Vector3());
   }
 
   add({ x, y, z }: Vector3): void {
-    if (x * x + y * y + z * z <= this.#least * Math.abs(this.#least)) return;
     const d = this.#directions;
     const far = this.#far;
-    let least = Infinity;
-    for (let k = 0; k < far.length; k += 1) {
-      const along = d[3 * k] * x + d[3 * k + 1] * y + d[3 * k + 2] * z;
-      if (along > far[k]) {
-        far[k] = along;
-        this.points[k].set(x, y, z);
+    const square = x * x + y * y + z * z;
+    const size = Math.sqrt(square);
+    for (let b = 0; b < this.#bundles.length; b += 1) {
+      const { middle, cos, sin, from, to } = this.#bundles[b];
+      // With p at an angle θ from the middle, p·d ≤ |p| cos(θ − α) for all of them; or |p| if θ < α.
+      const along = middle.x * x + middle.y * y + middle.z * z;
+      const most = along >= size * cos ? size : along * cos + Math.sqrt(Math.max(square - along * along, 0)) * sin;
+      if (most < this.#least[b]) continue;
+      let least = Infinity;
+      for (let k = from; k < to; k += 1) {
+        const reach = d[3 * k] * x + d[3 * k + 1] * y + d[3 * k + 2] * z;
+        if (reach > far[k]) {
+          far[k] = reach;
+          this.points[k].set(x, y, z);
+        }
+        if (far[k] < least) least = far[k];
       }
-      if (far[k] < least) least = far[k];
+      this.#least[b] = least;
     }
-    this.#least = least;
   }
 }
+
+/** What is to be seen at a time: the whole of it, or what goes farthest. */
+type PointsAt = (now: Moment, time: number, isWhole: boolean) => Vector3[];
 
 /**
  * All that is in a picture, at every time of the motion. `before`: of the motion until now. The frame stays as it was, and is only made
@@ -73,7 +120,7 @@ export class Contents {
   }
 
   /** `points` of a time; what they are of is named by `key`. */
-  of(key: string, motion: Motion, points: (now: Moment, time: number) => Vector3[]): Vector3[] {
+  of(key: string, motion: Motion, points: PointsAt): Vector3[] {
     const before = this.#before.get(key);
     let found = this.#found.get(key) ?? (this.#isHeld ? before : undefined);
     if (!found) {
@@ -89,13 +136,13 @@ export class Contents {
   }
 }
 
-function sampled(motion: Motion, points: (now: Moment, time: number) => Vector3[]): Vector3[] {
+function sampled(motion: Motion, points: PointsAt): Vector3[] {
   const count = Math.min(motion.telling, TIMES);
   return Array.from({ length: count }, (_, k) => {
     // Spread by the golden ratio: no oscillation is in step with it.
     const i = count < TIMES ? k : Math.floor(((k * GOLDEN) % 1) * motion.telling);
     const time = motion.times[i];
-    return points(motion.at(time), time);
+    return points(motion.at(time), time, count < TIMES || k % WHOLE === 0);
   }).flat();
 }
 

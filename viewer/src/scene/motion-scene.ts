@@ -156,12 +156,12 @@ export class MotionScene {
     const seen = (id: string): boolean => this.#isOn(id, picture) || this.#first.has(`${picture} ${id}`);
     const shown = this.layers.filter(({ id }) => seen(id)).map(({ id }) => id);
     const back = new Quaternion();
-    return this.#contents.of([picture, rides, ...shown].join(), this.#motion, (now, time) => {
+    return this.#contents.of([picture, rides, ...shown].join(), this.#motion, (now, time, isWhole) => {
       this.#turn(now, time, picture);
       this.aim(picture, rides, back);
       back.invert();
       const named = this.#names(seen, picture, time, null).flatMap(({ tip, along }) => along ?? [tip]);
-      const outline = picture === "sphere" ? directions(100) : this.#outline(seen, picture);
+      const outline = !isWhole ? [] : picture === "sphere" ? directions(100) : this.#outline(seen, picture);
       return [...named, ...outline, ...(this.#heavy?.floor(seen) ?? [])].map((p) => p.clone().applyQuaternion(back));
     });
   }

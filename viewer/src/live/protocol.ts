@@ -161,6 +161,8 @@ export interface MeshFinding {
   code: string;
   severity: "error" | "warning" | "info";
   message: string;
+  /** What to do about it. */
+  hint: string | null;
   /** f32, base64: pairs of points, x y z, of the edges that it marks; empty if it marks none. */
   edges: string;
   /** f32, base64: x y z of three corners for each triangle that it marks. */

@@ -7,3 +7,4 @@ mod inspect;
 mod lesson_files;
 mod lessons;
 mod robots;
+mod stopped;

@@ -4,7 +4,7 @@
  * Paths are relative to the page's own, which has the session's token in it. Bodies are JSON unless it is said otherwise. An answer that is
  * not 200 is `Refusal`. Offsets in a text count UTF-16 units, as strings of JavaScript do.
  */
-import type { PageData } from "../data";
+import type { PageData, Shape } from "../data";
 
 /** An answer that is not 200. */
 export interface Refusal {
@@ -183,6 +183,8 @@ export interface RobotLink {
   /** Of the link's frame in the model's: m, and (w, x, y, z). */
   position: [number, number, number];
   quaternion: [number, number, number, number];
+  /** Of the link's frame; visual, or collision where there is none. */
+  shapes: Shape[];
   /** Null without an inertial. */
   inertial: {
     mass: number;

@@ -1,5 +1,6 @@
 //! What is found in a file that is no scenario: a mesh that bounds no solid, a robot.
 
+mod links;
 mod mesh;
 mod robot;
 

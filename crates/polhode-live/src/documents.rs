@@ -2,17 +2,21 @@
 
 use std::fs;
 use std::hash::{DefaultHasher, Hash as _, Hasher as _};
+use std::mem;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::AtomicBool;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use hyper::StatusCode;
 use polhode_formats::scenario::Draft;
 
 use crate::answer::Refusal;
+use crate::inspect::MeshInspection;
 use crate::kind::Kind;
-use crate::limits;
-use crate::opened::{readable, scenario_of};
+use crate::mesh::Mesh;
+use crate::opened::{scenario_of, scenario_of_mesh};
 use crate::protocol::DocumentInfo;
+use crate::{limits, watch};
 
 /// The scenario of a session that was started without a file.
 const FIRST: &str = include_str!("../assets/first.toml");
@@ -36,9 +40,11 @@ pub(crate) enum Content {
     Scenario {
         draft: Mutex<Draft>,
         made: Option<String>,
+        /// What the files were like when the draft began to read them.
+        stamp: Mutex<String>,
     },
-    /// A mesh that bounds no solid.
-    Mesh,
+    /// A mesh that bounds no solid: what was found, and what the file was like then.
+    Mesh(Mutex<(String, Arc<MeshInspection>)>),
     Robot,
 }
 
@@ -53,64 +59,76 @@ impl Documents {
             let path = Path::new("t-handle.toml");
             self.put_scenario(path, Draft::new(path, []), FIRST.to_owned());
         }
-        files.iter().try_for_each(|file| self.open(file, None).map(|_| ()))
+        let stop = AtomicBool::new(false);
+        files.iter().try_for_each(|file| self.open(file, None, &stop).map(|_| ()))
     }
 
-    /// Opens a file: one that the user named, or one of a set of dropped files, which are all that it may name.
+    /// Opens a file: one that the user named, or one of a set of dropped files, which are all that it may name; `stop` ends it.
     pub(crate) fn open(
         &self,
         path: &Path,
         dropped: Option<(PathBuf, Vec<PathBuf>)>,
+        stop: &AtomicBool,
     ) -> Result<Arc<Document>, Refusal> {
         if self.all().len() >= limits::DOCUMENTS {
             let rule = format!("a session shows {} documents", limits::DOCUMENTS);
             return Err(Refusal::new(StatusCode::INSUFFICIENT_STORAGE, rule)
                 .hint("end polhode live, and start it again"));
         }
-        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        let unreadable = |error: String| {
-            Refusal::new(StatusCode::UNPROCESSABLE_ENTITY, format!("{name:?} cannot be read: {error}"))
+        let name = name_of(path);
+        let unreadable = |error: String| unreadable(&name, &error);
+        let mut draft = match &dropped {
+            Some((_, files)) => Draft::new(path, files.iter().cloned()),
+            None => Draft::new(path, [path.to_owned()]),
         };
+        // Before they are read: what is written to meanwhile is read again.
+        let own = std::iter::once(path);
+        let [own, all] = [stamp(own.clone()), stamp(own.chain(draft.files()))];
         let bytes = fs::read(path).map_err(|error| unreadable(error.to_string()))?;
         let kind = Kind::of(path, &bytes).ok_or_else(|| {
             unreadable("its name does not say what it is".to_owned()).hint(
                 "the page shows scenarios (.toml), meshes (.stl .obj .ply .off .gltf .glb .3mf), robots (.urdf .sdf .xml), molecules (.xyz .mol .pdb) and particles (.csv)",
             )
         })?;
-        let draft = |text: &str| match &dropped {
-            Some((_, files)) => Draft::new(path, files.iter().cloned()),
-            None => Draft::trusting(path, text),
+        let made = |text: String, mut draft: Draft| -> Result<Content, Refusal> {
+            let read = draft.read_watched(text.clone(), &watch::within(limits::INSPECTION, stop));
+            read.map_err(|error| unreadable(error.to_string()))?;
+            Ok(Content::Scenario { draft: Mutex::new(draft), made: Some(text), stamp: Mutex::new(all) })
         };
         let content = match kind {
             Kind::Robot => Content::Robot,
             Kind::Scenario => {
                 let text =
                     String::from_utf8(bytes).map_err(|_| unreadable("it is not UTF-8 text".to_owned()))?;
-                Content::Scenario { draft: Mutex::new(draft(&text)), made: None }
+                if dropped.is_none() {
+                    draft = Draft::trusting(path, &text);
+                }
+                Content::Scenario { draft: Mutex::new(draft), made: None, stamp: Mutex::default() }
             }
-            _ => {
-                let text = scenario_of(kind, path, &bytes).map_err(unreadable)?;
-                let mut draft = draft(&text);
-                match (draft.read(text.clone()), kind) {
-                    (Ok(_), _) => Content::Scenario { draft: Mutex::new(draft), made: Some(text) },
-                    (Err(_), Kind::Mesh) => {
-                        // What cannot be read is nothing to be looked at.
-                        readable(path, &bytes).map_err(unreadable)?;
-                        Content::Mesh
+            Kind::Mesh => {
+                match Mesh::of(&name, path, &bytes, &watch::within(limits::INSPECTION, stop))
+                    .map_err(unreadable)?
+                {
+                    Mesh::Solid(solid, unit) => {
+                        made(scenario_of_mesh(path, unit), draft.knowing(path.to_owned(), unit, *solid))?
                     }
-                    (Err(error), _) => return Err(unreadable(error.to_string())),
+                    Mesh::Flawed(found) => Content::Mesh(Mutex::new((own, Arc::new(found)))),
                 }
             }
+            Kind::Molecule | Kind::Particles => {
+                made(scenario_of(kind, path, &bytes).map_err(unreadable)?, draft)?
+            }
         };
+        watch::is_wanted(stop)?;
         let roots = dropped.into_iter().map(|(folder, _)| folder).collect();
         Ok(self.put(name, path.to_owned(), roots, content))
     }
 
     /// A scenario with this text, whatever the file has.
     pub(crate) fn put_scenario(&self, path: &Path, draft: Draft, text: String) -> Arc<Document> {
-        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        let content = Content::Scenario { draft: Mutex::new(draft), made: Some(text) };
-        self.put(name, path.to_owned(), Vec::new(), content)
+        let content =
+            Content::Scenario { draft: Mutex::new(draft), made: Some(text), stamp: Mutex::default() };
+        self.put(name_of(path), path.to_owned(), Vec::new(), content)
     }
 
     fn put(&self, name: String, path: PathBuf, roots: Vec<PathBuf>, content: Content) -> Arc<Document> {
@@ -135,7 +153,7 @@ impl Document {
     pub(crate) fn info(&self) -> DocumentInfo {
         let kind = match self.content {
             Content::Scenario { .. } => "scenario",
-            Content::Mesh => "mesh",
+            Content::Mesh(_) => "mesh",
             Content::Robot => "robot",
         };
         DocumentInfo { id: self.id, name: self.name.clone(), kind, stamp: self.stamp() }
@@ -143,35 +161,57 @@ impl Document {
 
     /// Differs after the file, or one that it names, was written to.
     fn stamp(&self) -> String {
-        let mut hasher = DefaultHasher::new();
-        let mut see = |path: &Path| {
-            let told = fs::metadata(path).ok().filter(fs::Metadata::is_file);
-            told.map(|told| (told.len(), told.modified().ok())).hash(&mut hasher);
-        };
-        see(&self.path);
-        if let Content::Scenario { draft, .. } = &self.content {
-            let draft = draft.lock().unwrap_or_else(PoisonError::into_inner);
-            draft.files().for_each(see);
+        let own = std::iter::once(self.path.as_path());
+        match &self.content {
+            Content::Scenario { draft, .. } => {
+                let draft = draft.lock().unwrap_or_else(PoisonError::into_inner);
+                stamp(own.chain(draft.files()))
+            }
+            _ => stamp(own),
         }
-        format!("{:016x}", hasher.finish())
     }
 
-    /// The text of a scenario as its file has it now, with all files read anew.
+    /// The text of a scenario as its file has it now, with all files read anew if one was written to.
     pub(crate) fn text(&self) -> Result<String, Refusal> {
-        let Content::Scenario { draft, made } = &self.content else { return Err(Refusal::not_found()) };
+        let Content::Scenario { draft, made, stamp } = &self.content else {
+            return Err(Refusal::not_found());
+        };
+        let now = self.stamp();
+        let before = mem::replace(&mut *stamp.lock().unwrap_or_else(PoisonError::into_inner), now.clone());
         let mut draft = draft.lock().unwrap_or_else(PoisonError::into_inner);
-        draft.forget();
+        if before != now {
+            draft.forget();
+        }
         if let Some(made) = made {
             return Ok(made.clone());
         }
-        let unreadable = |error: std::io::Error| {
-            Refusal::new(StatusCode::UNPROCESSABLE_ENTITY, format!("{:?} cannot be read: {error}", self.name))
-        };
-        let text = fs::read_to_string(&self.path).map_err(unreadable)?;
-        if self.roots.is_empty() {
+        let text =
+            fs::read_to_string(&self.path).map_err(|error| unreadable(&self.name, &error.to_string()))?;
+        if self.roots.is_empty() && before != now {
             *draft = Draft::trusting(&self.path, &text);
         }
         Ok(text)
+    }
+
+    /// What is wrong with a mesh as its file has it now, which is looked at again if it was written to; `stop` ends it.
+    pub(crate) fn flaws(&self, stop: &AtomicBool) -> Result<Arc<MeshInspection>, Refusal> {
+        let Content::Mesh(found) = &self.content else { return Err(Refusal::not_found()) };
+        let now = self.stamp();
+        let (before, known) = found.lock().unwrap_or_else(PoisonError::into_inner).clone();
+        if before == now {
+            return Ok(known);
+        }
+        let unreadable = |error: String| unreadable(&self.name, &error);
+        let bytes = fs::read(&self.path).map_err(|error| unreadable(error.to_string()))?;
+        let goes_on = watch::within(limits::INSPECTION, stop);
+        let mesh = Mesh::of(&self.name, &self.path, &bytes, &goes_on).map_err(unreadable)?;
+        watch::is_wanted(stop)?;
+        let inspection = Arc::new(match mesh {
+            Mesh::Flawed(inspection) => inspection,
+            Mesh::Solid(solid, _) => MeshInspection::of_solid(&self.name, &solid),
+        });
+        *found.lock().unwrap_or_else(PoisonError::into_inner) = (now, inspection.clone());
+        Ok(inspection)
     }
 
     /// The draft of a scenario.
@@ -181,4 +221,22 @@ impl Document {
             _ => Err(Refusal::new(StatusCode::BAD_REQUEST, format!("{:?} is no scenario", self.name))),
         }
     }
+}
+
+fn name_of(path: &Path) -> String {
+    path.file_name().unwrap_or_default().to_string_lossy().into_owned()
+}
+
+fn unreadable(name: &str, error: &str) -> Refusal {
+    Refusal::new(StatusCode::UNPROCESSABLE_ENTITY, format!("{name:?} cannot be read: {error}"))
+}
+
+/// Differs after one of the files was written to.
+fn stamp<'a>(files: impl Iterator<Item = &'a Path>) -> String {
+    let mut hasher = DefaultHasher::new();
+    for path in files {
+        let told = fs::metadata(path).ok().filter(fs::Metadata::is_file);
+        told.map(|told| (told.len(), told.modified().ok())).hash(&mut hasher);
+    }
+    format!("{:016x}", hasher.finish())
 }

@@ -5,8 +5,8 @@
 //!
 //! **Closed to others.** It listens on the loopback address alone. Every path begins with a token of 128 random bits; a request whose `Host` or
 //! `Origin` is another's is refused, as a page of another site would have it through DNS rebinding. A text may name the files that it was opened
-//! with, or that were dropped beside it, and no others. Headers, bodies, connections and computations have limits of size and time; an integration
-//! that nobody waits for any more is stopped, the diagnosis of a mesh between its parts only. The page loads nothing from elsewhere, which its content security policy holds it to.
+//! with, or that were dropped beside it, and no others. Headers, bodies, connections and computations have limits of size and time; an integration,
+//! or the diagnosis of a mesh, that nobody waits for any more is stopped. The page loads nothing from elsewhere, which its content security policy holds it to.
 //!
 //! ```no_run
 //! use polhode_live::{Live, LiveOptions};
@@ -29,6 +29,7 @@ mod kind;
 mod knob;
 mod lesson;
 mod limits;
+mod mesh;
 mod motion;
 mod opened;
 mod protocol;
@@ -36,6 +37,7 @@ mod route;
 mod server;
 mod session;
 mod utf16;
+mod watch;
 
 pub use error::LiveError;
 pub use lesson::{LessonError, lessons};

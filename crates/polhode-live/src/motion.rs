@@ -16,7 +16,7 @@ use crate::answer::Refusal;
 use crate::edit::edited;
 use crate::knob::{knobs, switches};
 use crate::protocol::{Motion, MotionAnswer, MotionRequest, TextError};
-use crate::{limits, utf16};
+use crate::{limits, utf16, watch};
 
 /// Makes the changes that are asked for, and computes the motion; `stop` ends it.
 pub(crate) fn answer(
@@ -32,7 +32,9 @@ pub(crate) fn answer(
     // A copy: another tab may read another text meanwhile. What was read of files is shared.
     let mut own = draft.lock().unwrap_or_else(PoisonError::into_inner).clone();
     let mut edits_on = own.clone();
-    let changed = edited(&request.text, &request.edits, |text| edits_on.read(text.to_owned()).ok());
+    let goes_on = watch::within(limits::MOTION, stop);
+    let changed =
+        edited(&request.text, &request.edits, |text| edits_on.read_watched(text.to_owned(), &goes_on).ok());
     let mut answer = MotionAnswer {
         text: request.text.clone(),
         motion: None,
@@ -45,7 +47,7 @@ pub(crate) fn answer(
         Ok(text) => answer.text = text,
         Err(error) => answer.errors.push(TextError { message: error.to_string(), ..TextError::default() }),
     }
-    match own.read(answer.text.clone()) {
+    match own.read_watched(answer.text.clone(), &goes_on) {
         Ok(file) => {
             answer.switches = switches(&file.scenario, &answer.text);
             match computed(&file, request.error, begun, stop) {

@@ -3,8 +3,6 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use polhode::body::mesh::TriangleMesh;
-use polhode_formats::mesh::{MeshContents, MeshFormat};
 use polhode_formats::particles::{self, ParticleOptions};
 
 use crate::kind::Kind;
@@ -15,51 +13,39 @@ const MOST_PARTICLES: usize = 400;
 /// A scenario with the body of a file that lies beside it, or why there is none.
 pub(crate) fn scenario_of(kind: Kind, path: &Path, bytes: &[u8]) -> Result<String, String> {
     let file = path.file_name().unwrap_or_default().to_string_lossy();
-    let name = path.file_stem().unwrap_or_default().to_string_lossy();
-    let (body, spin, duration) = match kind {
-        Kind::Mesh => (mesh(path, bytes, &file)?, "[\"0.05 rad/s\", \"0.1 rad/s\", \"3 rad/s\"]", "20 s"),
-        Kind::Molecule => (
-            format!("[[body.part]]\nshape = \"molecule\"\nfile = {}\n", quoted(&file)),
+    match kind {
+        Kind::Molecule => Ok(scenario(
+            path,
+            &format!("[[body.part]]\nshape = \"molecule\"\nfile = {}\n", quoted(&file)),
             "[\"5e10 rad/s\", \"1e12 rad/s\", \"2e11 rad/s\"]",
             "100e-12 s",
-        ),
-        Kind::Particles => (particle_table(bytes)?, "[\"0.1 rad/s\", \"3 rad/s\", \"0.2 rad/s\"]", "20 s"),
-        Kind::Scenario | Kind::Robot => return Err("it is no body".to_owned()),
-    };
-    Ok(format!(
-        "title = {}\n\n{body}\n[start]\nspin = {{ body = {spin} }}\n\n[run]\nduration = \"{duration}\"\nsamples = 2001\n",
-        quoted(&name)
-    ))
+        )),
+        Kind::Particles => {
+            Ok(scenario(path, &particle_table(bytes)?, "[\"0.1 rad/s\", \"3 rad/s\", \"0.2 rad/s\"]", "20 s"))
+        }
+        Kind::Scenario | Kind::Robot | Kind::Mesh => Err("it is no body".to_owned()),
+    }
 }
 
-/// Whether the file of a mesh follows its format, or why not.
-pub(crate) fn readable(path: &Path, bytes: &[u8]) -> Result<(), String> {
-    let format = MeshFormat::of_path(path).ok_or("it is no mesh")?;
-    MeshContents::parse(bytes, path, format).map(|_| ()).map_err(|error| error.message())
-}
-
-/// A solid of water, as a file of triangles says neither what it is made of nor, most of them, in which unit.
-fn mesh(path: &Path, bytes: &[u8], file: &str) -> Result<String, String> {
-    let format = MeshFormat::of_path(path).ok_or("it is no mesh")?;
-    let mut text = format!("[[body.part]]\nshape = \"mesh\"\nfile = {}\n", quoted(file));
-    if !format.has_unit() {
-        let contents = MeshContents::parse(bytes, path, format).map_err(|error| error.to_string())?;
-        let unit = if assumed_unit(&contents) == 1.0 { "m" } else { "mm" };
+/// A scenario with a solid of water, as a file of triangles says neither what it is made of nor, most of them, in which unit: this, in
+/// metres, is taken then.
+pub(crate) fn scenario_of_mesh(path: &Path, unit: Option<f64>) -> String {
+    let file = path.file_name().unwrap_or_default().to_string_lossy();
+    let mut text = format!("[[body.part]]\nshape = \"mesh\"\nfile = {}\n", quoted(&file));
+    if let Some(unit) = unit {
+        let unit = if unit == 1.0 { "m" } else { "mm" };
         let _ =
             writeln!(text, "unit = \"{unit}\"           # the file does not say: this is taken by its size");
     }
     text += "density = \"1000 kg/m^3\"  # water, until it is said\n";
-    Ok(text)
+    scenario(path, &text, "[\"0.05 rad/s\", \"0.1 rad/s\", \"3 rad/s\"]", "20 s")
 }
 
-/// Metres in the unit of a mesh that does not say it: a part of a machine in millimetres is some metres long when they are taken for metres.
-pub(crate) fn assumed_unit(contents: &MeshContents) -> f64 {
-    if contents.parts.iter().any(|part| largest(&part.mesh) > 2.5) { 0.001 } else { 1.0 }
-}
-
-/// The largest coordinate, in the file's unit.
-fn largest(mesh: &TriangleMesh) -> f64 {
-    mesh.coordinates().iter().flatten().fold(0.0, |most, x| x.abs().max(most))
+fn scenario(path: &Path, body: &str, spin: &str, duration: &str) -> String {
+    let title = quoted(&path.file_stem().unwrap_or_default().to_string_lossy());
+    format!(
+        "title = {title}\n\n{body}\n[start]\nspin = {{ body = {spin} }}\n\n[run]\nduration = \"{duration}\"\nsamples = 2001\n"
+    )
 }
 
 fn particle_table(bytes: &[u8]) -> Result<String, String> {

@@ -1,7 +1,7 @@
 //! What is asked for, and who answers it.
 
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 
 use hyper::{Method, StatusCode};
 use serde::de::DeserializeOwned;
@@ -9,10 +9,10 @@ use serde::de::DeserializeOwned;
 use crate::answer::{Answer, Refusal, bytes, json};
 use crate::asset::asset;
 use crate::documents::Content;
-use crate::inspect::Inspection;
+use crate::inspect::{Inspection, RobotInspection};
 use crate::protocol::{Choice, CompleteAnswer, CompleteRequest, Documents, MotionRequest, OpenRequest};
 use crate::session::Session;
-use crate::{limits, motion, utf16};
+use crate::{limits, motion, utf16, watch};
 
 /// What a path asks for, before its body has come.
 #[derive(Debug)]
@@ -85,9 +85,7 @@ impl Route {
         session: &Arc<Session>,
         stop: &AtomicBool,
     ) -> Result<Answer, Refusal> {
-        if stop.load(Ordering::Relaxed) {
-            return Err(Refusal::new(StatusCode::REQUEST_TIMEOUT, "nobody waits for the answer"));
-        }
+        watch::is_wanted(stop)?;
         match self {
             Self::Asset(kind, body) => Ok(bytes(StatusCode::OK, kind, body)),
             Self::Documents => {
@@ -100,8 +98,8 @@ impl Route {
                     Content::Scenario { .. } => {
                         json(&serde_json::json!({ "kind": "scenario", "text": document.text()? }))
                     }
-                    Content::Mesh => json(&Inspection::of_mesh(&document, stop)?),
-                    Content::Robot => json(&Inspection::of_robot(&document)?),
+                    Content::Mesh(_) => json(&Inspection::Mesh { mesh: &*document.flaws(stop)? }),
+                    Content::Robot => json(&Inspection::Robot { robot: RobotInspection::of(&document)? }),
                 }
             }
             Self::Lessons => json(&serde_json::json!({ "lessons": session.lessons.list() })),
@@ -127,7 +125,7 @@ impl Route {
                 let OpenRequest { set, name } = read(body)?;
                 let path = session.dropped.path(set, &name)?;
                 let files = (session.dropped.set(set), session.dropped.files(set));
-                json(&session.documents.open(&path, Some(files))?.info())
+                json(&session.documents.open(&path, Some(files), stop)?.info())
             }
         }
     }

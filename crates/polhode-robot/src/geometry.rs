@@ -12,6 +12,7 @@
 //! `<up_axis>` is ignored by Gazebo and RViz, and applied by others. [`MeshReading`] names both.
 
 pub mod collada;
+mod mesh;
 mod primitive;
 
 use std::collections::HashMap;
@@ -19,14 +20,13 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use polhode::body::MassProperties;
-use polhode::body::mesh::{ClosedMesh, ConvexHull, TriangleMesh};
-use polhode::body::shape::{Shape, Substance};
+use polhode::body::mesh::TriangleMesh;
+use polhode::body::shape::Substance;
 use polhode::math::Part;
-use polhode_formats::mesh::{MeshContents, MeshFormat};
-use polhode_formats::read_text_file;
 
 use crate::model::{Geometry, GeometryShape, Link, Role, Span};
 use crate::pose::{dot, sum};
+use mesh::{Measured, Mesh};
 use primitive::Primitive;
 
 /// What a shape, or several, enclose. All of it is in the link's frame.
@@ -93,16 +93,6 @@ pub struct Shapes {
     meshes: HashMap<PathBuf, Result<Arc<Mesh>, String>>,
 }
 
-/// A mesh file as it is written, in metres and its own frame.
-#[derive(Debug)]
-struct Mesh {
-    solid: Solid,
-    vertices: Vec<[f64; 3]>,
-    kind: VolumeKind,
-    /// The reading in which it is turned from y up to z up, if there is one.
-    turned_in: Option<MeshReading>,
-}
-
 /// Volume and moments of a solid in its own frame.
 #[derive(Clone, Copy, Debug)]
 struct Solid {
@@ -123,7 +113,7 @@ impl Shapes {
         let mut shapes = link.geometry.iter().filter(|geometry| geometry.role == role);
         shapes.any(|geometry| match &geometry.shape {
             GeometryShape::Mesh { path: Ok(path), .. } => {
-                self.mesh(path).is_ok_and(|mesh| mesh.turned_in.is_some())
+                self.mesh(path).is_ok_and(|mesh| mesh.measured.is_ok() && mesh.turned_in.is_some())
             }
             _ => false,
         })
@@ -159,15 +149,18 @@ impl Shapes {
             GeometryShape::Other(what) => return Err(format!("{what} has no volume")),
             GeometryShape::Mesh { uri, path, scale } => {
                 let path = path.as_ref().map_err(|why| format!("{:?}: {why}", uri.text))?;
-                let mesh = self.mesh(path).map_err(|why| format!("{:?}: {why}", uri.text))?;
+                let named = |why: String| format!("{:?}: {why}", uri.text);
+                let mesh = self.mesh(path).map_err(named)?;
+                let Measured { solid, kind, .. } =
+                    mesh.measured.as_ref().map_err(|why| named(why.clone()))?;
                 let turns = mesh.turned_in == Some(reading);
                 let scaled = |v: &[f64; 3]| {
                     let v = if turns { z_up(*v) } else { *v };
                     geometry.pose.placed([0, 1, 2].map(|k| scale[k] * v[k]))
                 };
-                let reach = Reach::of(mesh.vertices.iter().map(scaled));
-                let solid = if turns { mesh.solid.z_up() } else { mesh.solid };
-                (solid.scaled(*scale)?, reach, mesh.kind)
+                let reach = Reach::of(mesh.outline().iter().map(scaled));
+                let solid = if turns { solid.z_up() } else { *solid };
+                (solid.scaled(*scale)?, reach, *kind)
             }
             shape => {
                 let primitive = Primitive::of(shape).map_err(|error| error.to_string())?;
@@ -198,6 +191,15 @@ impl Shapes {
         } else {
             Err("its moments are beyond the largest double".to_owned())
         }
+    }
+
+    /// The triangles of a mesh file, for those who draw them: in metres, as most programs turn it, before it is scaled and placed. They need
+    /// not bound a solid.
+    ///
+    /// # Errors
+    /// In words, why the file cannot be read.
+    pub fn surface(&mut self, path: &Path) -> Result<Arc<TriangleMesh>, String> {
+        Ok(self.mesh(path)?.usual.clone())
     }
 
     fn mesh(&mut self, path: &Path) -> Result<Arc<Mesh>, String> {
@@ -284,59 +286,6 @@ impl Solid {
 /// From +y up and +z forward to +z up: a quarter of a turn about x.
 const fn z_up([x, y, z]: [f64; 3]) -> [f64; 3] {
     [x, -z, y]
-}
-
-impl Mesh {
-    fn read(path: &Path) -> Result<Self, String> {
-        let ending =
-            path.extension().map_or_else(String::new, |ending| ending.to_string_lossy().to_lowercase());
-        let (contents, turned_in) = match MeshFormat::of_path(path) {
-            Some(format) => {
-                let turned_in = (format == MeshFormat::Gltf).then_some(MeshReading::Usual);
-                (MeshContents::read(path, format), turned_in)
-            }
-            None if ending == "dae" => {
-                let read = read_text_file(path, |text| Ok((collada::read(text)?, collada::is_y_up(text))));
-                let turned_in = matches!(read, Ok((_, true))).then_some(MeshReading::Other);
-                (read.map(|(contents, _)| contents), turned_in)
-            }
-            None => return Err(format!("polhode reads no .{ending} meshes")),
-        };
-        let contents = contents.map_err(|error| error.message())?.in_metres(None);
-        Ok(Self { turned_in, ..Self::of(contents)? })
-    }
-
-    fn of(contents: MeshContents) -> Result<Self, String> {
-        let parts = contents.parts.iter().map(|part| ClosedMesh::of(&part.mesh));
-        if let Ok(parts) = parts.collect::<Result<Vec<_>, _>>()
-            && !parts.is_empty()
-        {
-            return Self::closed(&parts);
-        }
-        // pieces of one surface, or no solid
-        let one = contents.as_one().map_err(|error| error.to_string())?;
-        let Some(all) = one.parts.first() else { return Err("it has no triangles".to_owned()) };
-        match ClosedMesh::of(&all.mesh) {
-            Ok(solid) => Self::closed(&[solid]),
-            Err(_) => Self::hull(&all.mesh),
-        }
-    }
-
-    fn closed(parts: &[ClosedMesh]) -> Result<Self, String> {
-        let bodies = parts.iter().map(|part| part.mass_properties(Substance::Density(1.0)));
-        let bodies: Vec<_> = bodies.collect::<Result<_, _>>().map_err(|error| error.to_string())?;
-        let body = MassProperties::combined(&bodies).map_err(|error| error.to_string())?;
-        let vertices = parts.iter().flat_map(|part| part.surface().coordinates().iter().copied()).collect();
-        Ok(Self { solid: Solid::of(&body), vertices, kind: VolumeKind::Closed, turned_in: None })
-    }
-
-    /// The convex hull of the corners of all triangles.
-    fn hull(mesh: &TriangleMesh) -> Result<Self, String> {
-        let corners: Vec<[f64; 3]> = mesh.corners().flatten().collect();
-        let surface = ConvexHull::of(&corners).map_err(|error| error.to_string())?;
-        let solid = ClosedMesh::of(&surface).map_err(|error| error.to_string())?;
-        Ok(Self { kind: VolumeKind::Hull, ..Self::closed(&[solid])? })
-    }
 }
 
 /// How far something goes, in the link's frame.

@@ -161,6 +161,7 @@ export interface MeshFinding {
   code: string;
   severity: "error" | "warning" | "info";
   message: string;
+  /** What to do about it. */
   hint: string | null;
   /** f32, base64: pairs of points, x y z, of the edges that it marks; empty if it marks none. */
   edges: string;
@@ -182,6 +183,8 @@ export interface RobotLink {
   /** Of the link's frame in the model's: m, and (w, x, y, z). */
   position: [number, number, number];
   quaternion: [number, number, number, number];
+  /** In the link's frame: its visual geometry, or its collision geometry where it has no visual. */
+  shapes: Shape[];
   /** Null without an inertial. */
   inertial: {
     mass: number;
@@ -191,8 +194,6 @@ export interface RobotLink {
     box: { size: [number, number, number]; quaternion: [number, number, number, number] } | null;
   } | null;
   verdict: "impossible" | "suspect" | "ok" | "none";
-  /** In the link's frame: its visual geometry, or its collision geometry where it has no visual. */
-  shapes: Shape[];
 }
 
 /** `GET lessons`; a teacher's own comes first. */

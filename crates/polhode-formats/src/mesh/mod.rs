@@ -183,8 +183,12 @@ impl MeshContents {
     ///
     /// # Errors
     /// [`BodyError::Parameter`] for more vertices than can be numbered.
-    pub fn as_one(self) -> Result<Self, BodyError> {
-        let parts = vec![MeshPart { name: String::new(), mesh: solid::joined(&self.parts)? }];
+    pub fn as_one(mut self) -> Result<Self, BodyError> {
+        let mesh = match self.parts.as_mut_slice() {
+            [only] => std::mem::take(&mut only.mesh),
+            parts => solid::joined(parts)?,
+        };
+        let parts = vec![MeshPart { name: String::new(), mesh }];
         Ok(Self { parts, ..self })
     }
 

@@ -79,9 +79,39 @@ impl MeshSolid {
     /// The solids of what has been read.
     ///
     /// # Errors
-    /// [`FormatError`] if the parts do not bound solids.
+    /// [`FormatError`] if the parts do not bound solids: by the numbers as they stand in the file.
     pub fn of(
         contents: MeshContents,
+        path: &Path,
+        format: MeshFormat,
+        unit: Option<f64>,
+    ) -> Result<Self, FormatError> {
+        Self::watched(contents, path, format, unit, &|| true)
+    }
+
+    /// The same as long as it `goes_on`, which is asked often: of what would take longer it is undecided whether it bounds a solid.
+    ///
+    /// # Errors
+    /// As [`MeshSolid::of`].
+    pub fn watched(
+        mut contents: MeshContents,
+        path: &Path,
+        format: MeshFormat,
+        unit: Option<f64>,
+        goes_on: &(dyn Fn() -> bool + Sync),
+    ) -> Result<Self, FormatError> {
+        let (solids, joined) = solids(&contents.parts, path, goes_on)?;
+        contents.findings.extend(joined);
+        Self::of_solids(contents, solids, path, format, unit)
+    }
+
+    /// Of what has been read, where it is known what solids its parts bound, in the file's unit.
+    ///
+    /// # Errors
+    /// [`FormatError`] for a unit that is none, and if f64 does not hold a volume in metres.
+    pub fn of_solids(
+        contents: MeshContents,
+        solids: Vec<SolidPart>,
         path: &Path,
         format: MeshFormat,
         unit: Option<f64>,
@@ -93,15 +123,12 @@ impl MeshSolid {
         let triangles = contents.triangles();
         let contents = contents.in_metres(unit);
         let unit = contents.unit.unwrap_or(1.0);
-        let (parts, joined) =
-            solids(&contents.parts).map_err(|NoSolid { part: MeshPart { name, mesh }, error }| {
-                // the numbers of the complaint as they stand in the file
-                let error = ClosedMesh::of(&mesh.clone().scaled(1.0 / unit)).err().unwrap_or(error);
-                let part = (!name.is_empty()).then(|| escaped(name));
-                FormatError::new(path, None, FormatErrorKind::Mesh { part, error })
-            })?;
+        let in_metres = |SolidPart { name, mesh }: SolidPart| match mesh.scaled(unit) {
+            Ok(mesh) => Ok(SolidPart { name, mesh }),
+            Err(error) => Err(no_solid(path, &name, error)),
+        };
+        let parts = solids.into_iter().map(in_metres).collect::<Result<Vec<_>, _>>()?;
         let mut findings = contents.findings;
-        findings.extend(joined);
         findings.extend(overlap(&contents.parts, &parts));
         for part in &parts {
             let place = (!part.name.is_empty()).then(|| format!("part \"{}\"", escaped(&part.name)));
@@ -132,26 +159,30 @@ impl MeshSolid {
     }
 }
 
-/// A part that bounds no solid, and why not.
-struct NoSolid<'a> {
-    part: &'a MeshPart,
-    error: BodyError,
+/// Why a part bounds no solid.
+fn no_solid(path: &Path, part: &str, error: BodyError) -> FormatError {
+    let part = (!part.is_empty()).then(|| escaped(part));
+    FormatError::new(path, None, FormatErrorKind::Mesh { part, error })
 }
 
 /// Each part's solid, or that of all together.
-fn solids(parts: &[MeshPart]) -> Result<(Vec<SolidPart>, Option<Finding>), NoSolid<'_>> {
+fn solids(
+    parts: &[MeshPart],
+    path: &Path,
+    goes_on: &(dyn Fn() -> bool + Sync),
+) -> Result<(Vec<SolidPart>, Option<Finding>), FormatError> {
     let mut solids = Vec::new();
     for part in parts {
-        match ClosedMesh::of(&part.mesh) {
+        match ClosedMesh::watched(&part.mesh, goes_on) {
             Ok(mesh) => solids.push(SolidPart { name: part.name.clone(), mesh }),
             Err(error) => {
                 // not a solid alone: one of a surface's pieces?
                 let one = if parts.len() > 1 {
-                    joined(parts).and_then(|all| ClosedMesh::of(&all)).ok()
+                    joined(parts).and_then(|all| ClosedMesh::watched(&all, goes_on)).ok()
                 } else {
                     None
                 };
-                let Some(mesh) = one else { return Err(NoSolid { part, error }) };
+                let Some(mesh) = one else { return Err(no_solid(path, &part.name, error)) };
                 let finding = Finding {
                     code: "mesh.joined",
                     severity: Severity::Info,

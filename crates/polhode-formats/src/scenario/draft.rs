@@ -6,11 +6,13 @@ use std::path::{Path, PathBuf};
 
 use super::asked::Asked;
 use super::completion::{self, Completion};
+use super::known_mesh::KnownMesh;
 use super::number::{self, WrittenNumber};
-use super::source::Source;
+use super::source::{Source, Watch};
 use super::tree::{self, Entries, Kind};
 use super::{ScenarioFile, document, file_of_root};
 use crate::error::FormatError;
+use crate::mesh::MeshSolid;
 
 /// A scenario whose text is being changed, and is read after each change.
 ///
@@ -35,12 +37,13 @@ pub struct Draft {
     path: PathBuf,
     files: BTreeSet<PathBuf>,
     last: Entries,
+    mesh: Option<Box<KnownMesh>>,
 }
 
 impl Draft {
     /// A draft that may name `files`; `path` is for messages, and its folder is where the scenario's file names begin.
     pub fn new(path: &Path, files: impl IntoIterator<Item = PathBuf>) -> Self {
-        Self { path: path.to_owned(), files: files.into_iter().collect(), last: Entries::new() }
+        Self { path: path.to_owned(), files: files.into_iter().collect(), last: Entries::new(), mesh: None }
     }
 
     /// A draft that may name the files that `text` names: that of a file which its user opened.
@@ -70,7 +73,13 @@ impl Draft {
 
     /// Forgets what it has read: files are read anew.
     pub fn forget(&mut self) {
-        self.last = Entries::new();
+        (self.last, self.mesh) = (Entries::new(), None);
+    }
+
+    /// Knows what is in the file of a mesh, if it is read in this unit: the next text that names it does not read it.
+    #[must_use]
+    pub fn knowing(self, path: PathBuf, unit: Option<f64>, solid: MeshSolid) -> Self {
+        Self { mesh: Some(Box::new(KnownMesh { path, unit, solid })), ..self }
     }
 
     /// Reads a text of the scenario.
@@ -78,7 +87,22 @@ impl Draft {
     /// # Errors
     /// As [`scenario::read`](super::read), and of a file that the draft may not name.
     pub fn read(&mut self, text: String) -> Result<ScenarioFile, FormatError> {
-        let source = Source { files: Some(&self.files), ..Source::new(&self.path, &text) };
+        self.read_watched(text, &|| true)
+    }
+
+    /// The same as long as it `goes_on`, which is asked often where a mesh is looked at: of what would take longer it is undecided whether
+    /// it bounds a solid.
+    ///
+    /// # Errors
+    /// As [`Draft::read`].
+    pub fn read_watched(
+        &mut self,
+        text: String,
+        goes_on: &(dyn Fn() -> bool + Sync),
+    ) -> Result<ScenarioFile, FormatError> {
+        let mesh = self.mesh.take();
+        let (files, watch) = (Some(&self.files), Watch(goes_on));
+        let source = Source { files, watch, mesh: mesh.as_deref(), ..Source::new(&self.path, &text) };
         let mut entries = document(source)?;
         tree::adopt(&mut entries, &self.last);
         let read = file_of_root(source, &entries);

@@ -30,6 +30,7 @@ mod draft;
 mod event;
 mod formula;
 mod key;
+mod known_mesh;
 mod list_units;
 mod meant;
 mod molecule;

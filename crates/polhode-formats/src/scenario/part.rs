@@ -148,10 +148,13 @@ fn read_mesh(table: &Table<'_>, name: &str, findings: &mut Vec<Finding>) -> Resu
         let known: Vec<_> = MeshFormat::ALL.iter().map(|format| format.name()).collect();
         return Err(file.invalid("a mesh file").with_hint(format!("mesh files end in {}", known.join(", "))));
     };
-    let solid = MeshContents::read_as(path, written, format).and_then(|contents| {
+    let known = file.source().mesh.filter(|known| known.path == *path && known.unit == unit);
+    let read = || {
+        let contents = MeshContents::read_as(path, written, format)?;
         let one = contents.as_one().map_err(|e| FormatError::new(path, None, FormatErrorKind::Body(e)))?;
-        MeshSolid::of(one, path, format, unit)
-    });
+        MeshSolid::watched(one, path, format, unit, file.source().watch.0)
+    };
+    let solid = known.map_or_else(read, |known| Ok(known.solid.clone()));
     let solid = solid.map_err(|error| match error.kind() {
         // A file that is not there has no lines: the scenario's line is to blame.
         kind @ FormatErrorKind::Io { .. } => file

@@ -1,10 +1,12 @@
 //! The text of a scenario file: places in it, and errors at them.
 
 use std::collections::BTreeSet;
+use std::fmt;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use super::asked::Asked;
+use super::known_mesh::KnownMesh;
 use super::tree::{Kind, Node, Replacement};
 use crate::error::{FormatError, FormatErrorKind, Place};
 use crate::expression::ExpressionError;
@@ -20,12 +22,25 @@ pub(crate) struct Source<'a> {
     pub(crate) files: Option<&'a BTreeSet<PathBuf>>,
     /// Where the reader writes down what it asks for, if somebody wants to know.
     pub(crate) asked: Option<&'a Asked>,
+    /// A mesh that it may name, whose file has been read.
+    pub(crate) mesh: Option<&'a KnownMesh>,
+    pub(crate) watch: Watch<'a>,
+}
+
+/// Asked again and again by what takes time: false ends it.
+#[derive(Clone, Copy)]
+pub(crate) struct Watch<'a>(pub(crate) &'a (dyn Fn() -> bool + Sync));
+
+impl fmt::Debug for Watch<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Watch")
+    }
 }
 
 impl<'a> Source<'a> {
     /// Of a scenario that will be looked at, and may name any file.
     pub(crate) const fn new(path: &'a Path, text: &'a str) -> Self {
-        Self { path, text, is_shown: true, files: None, asked: None }
+        Self { path, text, is_shown: true, files: None, asked: None, mesh: None, watch: Watch(&|| true) }
     }
 
     pub(crate) fn place(&self, span: Range<usize>) -> Place {

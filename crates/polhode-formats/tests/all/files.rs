@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use polhode::math::Position;
-use polhode_formats::mesh::{MeshContents, MeshFormat};
+use polhode_formats::mesh::{MeshContents, MeshFormat, MeshSolid};
 use polhode_formats::molecule::{self, MoleculeFormat};
 use polhode_formats::{FormatErrorKind, cad, particles, read_file, read_text_file, scenario, times};
 
@@ -63,6 +63,43 @@ fn a_mesh_is_found_beside_its_scenario() {
         assert_eq!((error.message().as_str(), error.place().unwrap().line), (message, 4));
         assert!(error.hint().is_some());
     }
+}
+
+#[test]
+fn a_draft_that_knows_a_mesh_reads_no_file_in_the_unit_that_it_knows() {
+    let path = folder("known").join("part.stl");
+    let text = |unit: &str| {
+        format!("[[body.part]]\nshape = 'mesh'\nfile = 'part.stl'\nunit = '{unit}'\ndensity = '4 g/cm^3'\n")
+    };
+    let contents = MeshContents::parse(stl(&CORNER).as_bytes(), &path, MeshFormat::Stl).unwrap();
+    let solid = MeshSolid::of(contents, &path, MeshFormat::Stl, Some(0.001)).unwrap();
+    let draft = || scenario::Draft::new(&path, [path.clone()]);
+    let mut knowing = draft().knowing(path.clone(), Some(0.001), solid.clone());
+    // There is no such file. What was read stays known.
+    for _again in 0..2 {
+        assert!((knowing.read(text("mm")).unwrap().scenario.body().mass() - 4e-6).abs() < 1e-20);
+    }
+    let is_missing = |read: Result<_, polhode_formats::FormatError>| {
+        matches!(read.map(|_: scenario::ScenarioFile| ()).unwrap_err().kind(), FormatErrorKind::Io { .. })
+    };
+    assert!(is_missing(draft().knowing(path.clone(), Some(0.001), solid.clone()).read(text("m"))));
+    knowing.forget();
+    assert!(is_missing(knowing.read(text("mm"))));
+    let other = path.with_file_name("other.stl");
+    assert!(is_missing(draft().knowing(other, Some(0.001), solid).read(text("mm"))));
+}
+
+#[test]
+fn a_draft_that_is_ended_says_that_a_mesh_is_undecided() {
+    let path = folder("ended").join("part.stl");
+    fs::write(&path, stl(&CORNER)).unwrap();
+    let text =
+        "[[body.part]]\nshape = 'mesh'\nfile = 'part.stl'\nunit = 'mm'\ndensity = '4 g/cm^3'\n".to_owned();
+    let mut draft = scenario::Draft::new(&path, [path.clone()]);
+    let error = draft.read_watched(text.clone(), &|| false).unwrap_err();
+    assert!(error.message().contains("it was not found out whether parts of it overlap"), "{error}");
+    // It is not taken for known.
+    assert!(draft.read(text).is_ok());
 }
 
 #[test]

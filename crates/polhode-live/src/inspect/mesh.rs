@@ -1,31 +1,23 @@
 //! A mesh that bounds no solid, and all that is wrong with it, where it is.
 //!
-//! The findings are the core's, in the words of `polhode inertia`, which stops at the first error; here all of them are looked for. Numbers in
-//! the sentences are those of the file, places are in metres.
+//! It is taken as a scenario takes it, all parts of the file as one surface. The findings are the core's, in the words of
+//! `polhode inertia`, which stops at the first error. Numbers in the sentences are those of the file, places are in metres.
 
 use std::borrow::Cow;
-use std::collections::{BTreeSet, HashMap};
-use std::fs;
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::Instant;
+use std::collections::BTreeSet;
 
-use hyper::StatusCode;
 use polhode::body::mesh::{
-    ClosedMesh, ComponentRole, EdgePlace, MeshDiagnosis, MeshPlaces, PairPlace, Triangle, TriangleMesh,
-    TrianglePlace,
+    ComponentRole, EdgePlace, MeshFlaws, PairPlace, Triangle, TriangleMesh, TrianglePlace,
 };
 use polhode::body::{BodyError, Finding, Severity};
-use polhode_formats::mesh::{MeshContents, MeshFormat, MeshPart};
+use polhode_formats::mesh::{MeshContents, MeshSolid};
 use polhode_report::display::{decimated, f32s, u32s};
 use serde::Serialize;
 
-use crate::answer::Refusal;
-use crate::documents::Document;
-use crate::limits;
-use crate::opened::assumed_unit;
+use crate::mesh::PartNames;
 
 /// Places that a finding marks.
-const MARKS: usize = 20_000;
+pub(crate) const MARKS: usize = 20_000;
 
 /// Triangles that are shown; of more, as many as look the same.
 const SHOWN: usize = 300_000;
@@ -50,6 +42,8 @@ struct MeshFinding {
     code: &'static str,
     severity: &'static str,
     message: String,
+    /// What to do about it.
+    hint: Option<&'static str>,
     /// f32, base64, m: pairs of points.
     edges: String,
     /// f32, base64, m: three corners each.
@@ -57,21 +51,22 @@ struct MeshFinding {
 }
 
 impl MeshInspection {
-    /// Of the document's file as it is now; `stop` ends it between parts.
-    pub(crate) fn of(document: &Document, stop: &AtomicBool) -> Result<Self, Refusal> {
-        let unreadable = |why: String| {
-            let message = format!("{:?} cannot be read: {why}", document.name);
-            Refusal::new(StatusCode::UNPROCESSABLE_ENTITY, message)
-        };
-        let format =
-            MeshFormat::of_path(&document.path).ok_or_else(|| unreadable("it is no mesh".to_owned()))?;
-        let bytes = fs::read(&document.path).map_err(|error| unreadable(error.to_string()))?;
-        let contents = MeshContents::parse(&bytes, &document.path, format)
-            .map_err(|error| unreadable(error.message()))?;
-        drop(bytes);
-        let unit = contents.unit.unwrap_or_else(|| assumed_unit(&contents));
-        let mut findings = found(&contents, stop)?;
+    /// Of what the file has as one part, and its flaws; `unit` is in metres.
+    pub(crate) fn of(
+        name: &str,
+        contents: &MeshContents,
+        parts: &PartNames,
+        flaws: &MeshFlaws,
+        unit: f64,
+    ) -> Self {
+        let mut findings = wrong(flaws, parts);
         findings.extend(contents.findings.iter().cloned().map(Marked::unmarked));
+        if let Some(count) = parts.several() {
+            findings.push(Marked::remark(
+                "mesh.joined",
+                format!("the {count} parts of the file are taken as one surface: triangles are numbered through all of them"),
+            ));
+        }
         if contents.unit.is_none() {
             let word = if unit == 1.0 { "metres" } else { "millimetres" };
             findings.push(Marked::remark(
@@ -79,9 +74,21 @@ impl MeshInspection {
                 format!("the file does not say its unit of length: {word} are taken by its size"),
             ));
         }
-        let of = contents.triangles();
-        let shown = shown(&contents.parts, unit);
-        if shown.1.is_empty() {
+        Self::shown(name, &flaws.surface, contents.triangles(), findings, unit)
+    }
+
+    /// Of a mesh that bounds a solid after all.
+    pub(crate) fn of_solid(name: &str, solid: &MeshSolid) -> Self {
+        let mut findings: Vec<_> = solid.findings.iter().cloned().map(Marked::unmarked).collect();
+        findings.push(Marked::remark("mesh.solid", "the mesh bounds a solid now".to_owned()));
+        let nothing = TriangleMesh::default();
+        let surface = solid.parts.first().map_or(&nothing, |part| part.mesh.surface());
+        Self::shown(name, surface, solid.triangles, findings, 1.0)
+    }
+
+    fn shown(name: &str, surface: &TriangleMesh, of: usize, mut findings: Vec<Marked>, unit: f64) -> Self {
+        let (vertices, triangles) = in_single_precision(surface, unit);
+        if triangles.is_empty() {
             findings.push(Marked::remark(
                 "mesh.not_shown",
                 "the mesh is not shown: it has no size, or numbers of single precision do not hold it"
@@ -94,13 +101,13 @@ impl MeshInspection {
             findings.truncate(LISTED);
             findings.push(Marked::remark("mesh.more", format!("{LISTED} of {all} findings are listed")));
         }
-        Ok(Self {
-            name: document.name.clone(),
-            vertices: f32s(shown.0.into_flattened()),
-            triangles: u32s(shown.1.into_flattened()),
+        Self {
+            name: name.to_owned(),
+            vertices: f32s(vertices.into_flattened()),
+            triangles: u32s(triangles.into_flattened()),
             of,
             findings: findings.iter().map(|found| found.in_metres(unit)).collect(),
-        })
+        }
     }
 }
 
@@ -108,13 +115,15 @@ impl MeshInspection {
 #[derive(Debug)]
 struct Marked {
     finding: Finding,
+    hint: Option<&'static str>,
     edges: Vec<[[f64; 3]; 2]>,
     faces: Vec<Triangle>,
 }
 
 impl Marked {
-    const fn unmarked(finding: Finding) -> Self {
-        Self { finding, edges: Vec::new(), faces: Vec::new() }
+    fn unmarked(finding: Finding) -> Self {
+        let hint = hint(finding.code);
+        Self { finding, hint, edges: Vec::new(), faces: Vec::new() }
     }
 
     fn remark(code: &'static str, message: String) -> Self {
@@ -169,6 +178,7 @@ impl Marked {
         MeshFinding {
             code,
             severity: severity.name(),
+            hint: self.hint,
             message: match place {
                 Some(place) => format!("{place}: {message}"),
                 None => message.clone(),
@@ -195,79 +205,52 @@ fn corners(mesh: &TriangleMesh, number: usize) -> Option<Triangle> {
     Some([a?, b?, c?])
 }
 
-/// All that is wrong with the parts; with all of them as one surface, where that closes edges that are open in the parts.
-fn found(contents: &MeshContents, stop: &AtomicBool) -> Result<Vec<Marked>, Refusal> {
-    let begun = Instant::now();
-    let mut all = Vec::new();
-    let mut open = 0;
-    for (k, MeshPart { name, mesh }) in contents.parts.iter().enumerate() {
-        if stop.load(Ordering::Relaxed) {
-            return Err(Refusal::new(StatusCode::REQUEST_TIMEOUT, "nobody waits for the answer"));
-        }
-        if begun.elapsed() > limits::INSPECTION {
-            let seconds = limits::INSPECTION.as_secs();
-            let message = format!("{k} of {} parts were looked at in {seconds} s", contents.parts.len());
-            all.push(Marked::remark("mesh.unfinished", message));
-            return Ok(all);
-        }
-        let (diagnosis, places) = MeshDiagnosis::with_places(mesh, MARKS);
-        open += diagnosis.boundary.count;
-        all.extend(wrong(mesh, &diagnosis, &places, name));
-    }
-    if contents.parts.len() > 1
-        && open > 0
-        && let Some(one) = joined(&contents.parts)
-    {
-        let (diagnosis, places) = MeshDiagnosis::with_places(&one, MARKS);
-        if diagnosis.boundary.count < open {
-            let mut together = wrong(&one, &diagnosis, &places, "");
-            let count = contents.parts.len();
-            let message = format!(
-                "the {count} parts of the file are taken as one surface: triangles are numbered through all of them"
-            );
-            together.push(Marked::remark("mesh.joined", message));
-            return Ok(together);
-        }
-    }
-    Ok(all)
-}
-
-/// What is wrong with one surface.
-fn wrong(mesh: &TriangleMesh, diagnosis: &MeshDiagnosis, places: &MeshPlaces, part: &str) -> Vec<Marked> {
-    let mut errors = diagnosis.errors();
-    if errors.is_empty() {
-        errors.extend(ClosedMesh::of(mesh).err());
-    }
-    let named = |finding: Finding| match part {
-        "" => finding,
-        part => Finding { message: format!("part {part:?}: {}", finding.message), ..finding },
+/// What is wrong with a surface.
+fn wrong(flaws: &MeshFlaws, parts: &PartNames) -> Vec<Marked> {
+    let of_each = |error: &BodyError| {
+        let message = match first_triangle(error).and_then(|triangle| parts.of_triangle(triangle)) {
+            Some(part) => format!("{error}; that is in part {part:?}"),
+            None => error.to_string(),
+        };
+        let finding = Finding { code: code(error), severity: Severity::Error, message, place: None };
+        let marked = Marked { hint: error.hint(), ..Marked::unmarked(finding) };
+        of_error(marked, error, flaws)
     };
-    let mut found: Vec<Marked> = errors
-        .iter()
-        .map(|error| {
-            let finding = Finding {
-                code: code(error),
-                severity: Severity::Error,
-                message: error.to_string(),
-                place: None,
-            };
-            of_error(Marked::unmarked(named(finding)), error, mesh, diagnosis, places)
-        })
-        .collect();
-    let findings = diagnosis.findings().into_iter();
-    found.extend(
-        findings.map(|finding| of_finding(Marked::unmarked(named(finding)), mesh, diagnosis, places)),
-    );
-    found
+    let findings = flaws.diagnosis.findings().into_iter();
+    let findings = findings.map(|finding| of_finding(Marked::unmarked(finding), flaws));
+    flaws.errors().map(of_each).chain(findings).collect()
 }
 
-fn of_error(
-    marked: Marked,
-    error: &BodyError,
-    mesh: &TriangleMesh,
-    diagnosis: &MeshDiagnosis,
-    places: &MeshPlaces,
-) -> Marked {
+/// The triangle that an error names first, from 1.
+const fn first_triangle(error: &BodyError) -> Option<usize> {
+    match error {
+        BodyError::OpenMesh { triangle, .. }
+        | BodyError::InconsistentWinding { triangle, .. }
+        | BodyError::Unorientable { triangle, .. }
+        | BodyError::DuplicateTriangle { first: triangle, .. }
+        | BodyError::OverlappingMesh { triangles: [triangle, _], .. }
+        | BodyError::NestedSolid { triangle, .. }
+        | BodyError::InvertedPart { triangle, .. } => Some(*triangle),
+        _ => None,
+    }
+}
+
+/// What to do about a finding, where there is something to do.
+fn hint(code: &str) -> Option<&'static str> {
+    Some(match code {
+        "mesh.flipped" => "make the normals consistent in the tool that made the mesh",
+        "mesh.inverted" => "turn the normals outward in the tool that made the mesh",
+        "mesh.overlap" => "unite what goes through itself in the tool that made the mesh (boolean union)",
+        "mesh.degenerate" => "merge vertices by distance in the tool that made the mesh",
+        "mesh.unit" => "export it as 3MF or glTF: these say their unit",
+        "mesh.more" => "the worst are listed first: mend these, and save the file",
+        "mesh.solid" => "open it again to see it move",
+        _ => return None,
+    })
+}
+
+fn of_error(marked: Marked, error: &BodyError, flaws: &MeshFlaws) -> Marked {
+    let MeshFlaws { diagnosis, places, surface: mesh, .. } = flaws;
     let of_role = |marked: Marked, role: ComponentRole, places: &[TrianglePlace]| {
         let parts = diagnosis.components.iter().filter(|part| part.role == role);
         marked.triangles(places, parts.map(|part| part.triangles).sum())
@@ -285,7 +268,8 @@ fn of_error(
     }
 }
 
-fn of_finding(marked: Marked, mesh: &TriangleMesh, diagnosis: &MeshDiagnosis, places: &MeshPlaces) -> Marked {
+fn of_finding(marked: Marked, flaws: &MeshFlaws) -> Marked {
+    let MeshFlaws { diagnosis, places, surface: mesh, .. } = flaws;
     match marked.finding.code {
         "mesh.flipped" => {
             let of = diagnosis.components.iter().map(|part| part.flipped).sum();
@@ -326,31 +310,12 @@ const fn code(error: &BodyError) -> &'static str {
     }
 }
 
-/// All parts as one; `None` for more vertices than can be numbered.
-fn joined(parts: &[MeshPart]) -> Option<Cow<'_, TriangleMesh>> {
-    match parts {
-        [only] => Some(Cow::Borrowed(&only.mesh)),
-        parts => {
-            let joined = parts.iter().try_fold(TriangleMesh::default(), |all, part| all.joined(&part.mesh));
-            joined.ok().map(Cow::Owned)
-        }
-    }
-}
-
-/// Vertices in metres, each once, and triangles between them; none if f32 does not hold them.
-fn shown(parts: &[MeshPart], unit: f64) -> (Vec<[f32; 3]>, Vec<[u32; 3]>) {
-    let Some(mesh) = joined(parts) else { return Default::default() };
-    let mesh = if mesh.triangles().len() > SHOWN { Cow::Owned(decimated(&mesh, SHOWN)) } else { mesh };
-    let mut numbers: HashMap<[u32; 3], u32> = HashMap::with_capacity(mesh.triangles().len() / 2);
-    let mut vertices: Vec<[f32; 3]> = Vec::new();
-    let mut number = |point: [f64; 3]| {
-        let vertex = point.map(|x| (x * unit) as f32 + 0.0);
-        *numbers.entry(vertex.map(f32::to_bits)).or_insert_with(|| {
-            vertices.push(vertex);
-            (vertices.len() - 1) as u32 // fewer than the vertices of the mesh
-        })
-    };
-    let triangles: Vec<[u32; 3]> = mesh.corners().map(|corners| corners.map(&mut number)).collect();
+/// Vertices in metres and triangles between them; none if f32 does not hold them.
+fn in_single_precision(mesh: &TriangleMesh, unit: f64) -> (Vec<[f32; 3]>, Vec<[u32; 3]>) {
+    let many = mesh.triangles().len() > SHOWN;
+    let mesh = if many { Cow::Owned(decimated(mesh, SHOWN)) } else { Cow::Borrowed(mesh) };
+    let vertices = mesh.coordinates().iter().map(|vertex| vertex.map(|x| (x * unit) as f32));
+    let vertices: Vec<[f32; 3]> = vertices.collect();
     let is_held = vertices.as_flattened().iter().all(|x| x.is_finite());
-    if is_held { (vertices, triangles) } else { Default::default() }
+    if is_held { (vertices, mesh.triangles().to_vec()) } else { Default::default() }
 }

@@ -17,7 +17,9 @@ use polhode_robot::model::{Joint, Link, ModelFormat, Pose, RobotModel};
 use polhode_robot::read::{ReadOptions, read_model, read_text};
 use polhode_robot::repair::proved;
 use serde::Serialize;
+use serde_json::Value;
 
+use super::links::{LinkShapes, NotShown};
 use crate::answer::Refusal;
 use crate::documents::Document;
 
@@ -34,6 +36,8 @@ struct RobotLink {
     name: String,
     position: [f64; 3],
     quaternion: [f64; 4],
+    /// `Shape` of the page.
+    shapes: Vec<Value>,
     inertial: Option<LinkInertial>,
     verdict: &'static str,
 }
@@ -98,6 +102,11 @@ impl RobotInspection {
         let severities = severities(&found);
         let mut findings: Vec<RobotFinding> = found.iter().map(|one| shown(one, &numbers, &lines)).collect();
         findings.extend(stands.unplaced.iter().filter_map(|&k| unplaced(&model, k, &lines)));
+        let LinkShapes { shapes: looks, not_shown } = LinkShapes::of(&model, &mut shapes);
+        let is_said = |shape: &NotShown| {
+            found.iter().any(|one| one.code == "geometry.unreadable" && one.span == shape.span)
+        };
+        findings.extend(not_shown.iter().filter(|shape| !is_said(shape)).map(|shape| hidden(shape, &lines)));
         let repaired = proved(&model, &found, |text| {
             read_text(text, &document.path, &options).map(|model| inspect(&model, &mut shapes).findings)
         });
@@ -107,13 +116,14 @@ impl RobotInspection {
             changes: changes(&model.text, &repaired.text),
             text: repaired.text,
         });
-        let links = model.links.iter().zip(stands.poses).map(|(link, pose)| {
+        let links = model.links.iter().zip(stands.poses).zip(looks).map(|((link, pose), shapes)| {
             let severity = severities.get(link.name.text.as_str()).copied();
             let inertial = inertial(model.format, link);
             RobotLink {
                 name: link.name.text.clone(),
                 position: pose.position,
                 quaternion: pose.rotation,
+                shapes,
                 verdict: match severity {
                     Some(Severity::Impossible) => "impossible",
                     Some(Severity::Suspect) => "suspect",
@@ -176,6 +186,18 @@ fn unplaced(model: &RobotModel, link: usize, lines: &LineIndex<'_>) -> Option<Ro
         line,
         column,
     })
+}
+
+fn hidden(shape: &NotShown, lines: &LineIndex<'_>) -> RobotFinding {
+    let (line, column) = lines.place(shape.span.start);
+    RobotFinding {
+        link: Some(shape.link),
+        code: "page.mesh",
+        severity: "note",
+        message: format!("a shape is not shown: {}", shape.why),
+        line,
+        column,
+    }
 }
 
 /// Where the links stand in the model's frame, all joints at zero.

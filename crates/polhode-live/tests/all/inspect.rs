@@ -7,10 +7,10 @@ use serde_json::Value;
 
 use crate::client::{Folder, Page, f32s, repository, u32s};
 
-type Point = [f32; 3];
+pub(crate) type Point = [f32; 3];
 
 /// A binary STL file of triangles.
-fn stl(triangles: &[[Point; 3]]) -> Vec<u8> {
+pub(crate) fn stl(triangles: &[[Point; 3]]) -> Vec<u8> {
     let mut bytes = vec![0; 80];
     bytes.extend(u32::try_from(triangles.len()).unwrap().to_le_bytes());
     for triangle in triangles {
@@ -84,6 +84,9 @@ fn a_triangle_taken_out_leaves_its_three_edges_open() {
         assert_eq!(codes(mesh), ["mesh.open", "mesh.unit"]);
         let open = finding(mesh, "mesh.open");
         assert_eq!(open["severity"], "error");
+        let hint =
+            "close the mesh in the tool that made it; vertices that only nearly coincide count as different";
+        assert_eq!(open["hint"], hint);
         let message = open["message"].as_str().unwrap();
         assert!(
             message.starts_with("the mesh is open, so it has no volume: 3 edges in 1 loops"),
@@ -166,6 +169,9 @@ fn every_kind_of_fault_is_found_at_once_and_marked() {
     assert_eq!(set(faces(finding(mesh, "mesh.duplicate"))), set([twice.map(metres)]));
     assert_eq!(points(&finding(mesh, "mesh.open")["edges"]).len(), 6);
     assert_eq!(set(faces(finding(mesh, "mesh.flipped"))), set(turned.map(|t| t.map(metres))));
+    let hint = "make the normals consistent in the tool that made the mesh";
+    assert_eq!(finding(mesh, "mesh.flipped")["hint"], hint);
+    assert_eq!(finding(mesh, "mesh.components")["hint"], Value::Null);
     assert_eq!(set(faces(finding(mesh, "mesh.nested_solid"))), set(inner.iter().map(|t| t.map(metres))));
     assert_eq!(points(&finding(mesh, "mesh.degenerate")["edges"]), [metres(lost[0]), metres(lost[1])]);
     let severities: Vec<_> =
@@ -191,6 +197,26 @@ fn groups_of_one_surface_are_taken_together() {
     let content = page.dropped(1, "box.obj", obj.as_bytes());
     assert_eq!(points(&finding(&content["mesh"], "mesh.open")["edges"]).len(), 6);
     assert_eq!(codes(&content["mesh"]), ["mesh.open", "mesh.joined", "mesh.unit"]);
+}
+
+#[test]
+fn bodies_of_one_file_that_cross_are_no_body_and_the_part_is_named() {
+    let boxes = [cuboid([0.1, 0.2, 0.3], [1.3, 1.1, 1.5]), cuboid([0.83, 0.57, 0.64], [2.1, 0.95, 1.17])];
+    let mut obj = String::new();
+    for (name, triangles) in ["housing", "lid"].iter().zip(&boxes) {
+        let _ = writeln!(obj, "g {name}");
+        for triangle in triangles {
+            triangle.iter().for_each(|[x, y, z]| {
+                let _ = writeln!(obj, "v {x} {y} {z}");
+            });
+            obj += "f -3 -2 -1\n";
+        }
+    }
+    let page = Page::open(&[]);
+    let mesh = &page.dropped(1, "two.obj", obj.as_bytes())["mesh"];
+    assert_eq!(codes(mesh), ["mesh.parts_cross", "mesh.components", "mesh.joined", "mesh.unit"]);
+    let message = finding(mesh, "mesh.parts_cross")["message"].as_str().unwrap();
+    assert!(message.ends_with("; that is in part \"housing\""), "{message}");
 }
 
 #[test]
@@ -251,6 +277,39 @@ fn a_file_that_the_user_names_is_inspected_as_it_is_now() {
     folder.file("a.stl", &stl(&whole[2..]));
     assert_ne!(stamp(), before);
     assert_eq!(points(&finding(&page.document(&0.into())["mesh"], "mesh.open")["edges"]).len(), 8);
+    folder.file("a.stl", &stl(&whole));
+    let mended = &page.document(&0.into())["mesh"];
+    assert_eq!(codes(mended), ["mesh.solid"]);
+    assert_eq!((u32s(&mended["triangles"]).len(), &mended["of"]), (36, &12.into()));
+}
+
+#[test]
+fn what_was_not_written_to_is_looked_at_once() {
+    let folder = Folder::new("once");
+    let whole = cuboid([0.0, 0.1, 0.2], [1.0, 1.2, 1.3]);
+    let torn = folder.file("torn.stl", &stl(&whole[1..]));
+    let sound = folder.file("sound.stl", &stl(&whole));
+    // Other bytes behind the same length and time are not read.
+    let replaced = |path: &std::path::Path| {
+        let told = std::fs::metadata(path).unwrap();
+        let noughts = vec![b'0'; told.len().try_into().unwrap()];
+        std::fs::write(path, noughts).unwrap();
+        let file = std::fs::File::options().write(true).open(path).unwrap();
+        file.set_modified(told.modified().unwrap()).unwrap();
+    };
+    let page = Page::open(&[torn.clone(), sound.clone()]);
+    [&torn, &sound].into_iter().for_each(|path| replaced(path));
+    assert_eq!(points(&finding(&page.document(&0.into())["mesh"], "mesh.open")["edges"]).len(), 6);
+    let motion = || {
+        let text = page.document(&1.into())["text"].clone();
+        let request = serde_json::json!({
+            "document": 1, "text": text, "edits": [], "error": false, "working": false, "body": null,
+        });
+        page.post("motion", request.to_string().as_bytes()).json()
+    };
+    assert_eq!(motion()["errors"], serde_json::json!([]));
+    std::fs::write(&sound, "solid nothing").unwrap();
+    assert_eq!(motion()["motion"], Value::Null);
 }
 
 #[test]

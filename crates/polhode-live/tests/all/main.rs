@@ -6,4 +6,6 @@ mod hostile;
 mod inspect;
 mod lesson_files;
 mod lessons;
+mod robot_shapes;
 mod robots;
+mod stopped;

@@ -24,6 +24,7 @@ pub use decimate::decimated;
 use polhode::body::PrincipalFrame;
 use polhode::math::Body;
 use polhode::motion::{Scenario, Trajectory};
+pub use shapes::shape_of;
 pub use turning::equivalent_box;
 
 use crate::explain::document::Document;

@@ -2,7 +2,7 @@
 
 use polhode::body::mesh::TriangleMesh;
 use polhode::body::{BodyPart, Form, Particle, PlacedForm, PrincipalFrame};
-use polhode::math::{Direction, Part, Position};
+use polhode::math::{Body, Direction, Part, Position};
 use serde_json::{Value, json};
 
 use super::atoms;
@@ -67,23 +67,42 @@ fn triangles(part: &BodyPart) -> usize {
 
 /// `None` for what numbers of the page cannot hold, and for a point.
 fn shape(part: &BodyPart, turning: &Turning<'_>, triangles: usize, budget: &mut Budget) -> Option<Value> {
-    let shape = match &part.form {
+    held(match &part.form {
         Some(PlacedForm { form: Form::Molecule(symbols), .. }) => atoms::balls(part, symbols, turning.point)?,
-        Some(placed) => form(placed, &part.name, turning, triangles, budget)?,
+        Some(placed) => {
+            let of = self::triangles(part);
+            let (shape, coarser) = of_form(placed, &part.name, turning.point, budget.share(of, triangles))?;
+            if let Some(shown) = coarser {
+                let [shown, of] = [shown, of].map(|n| count(n as u64));
+                budget.notes.push(format!("{}: {shown} of {of} triangles, made coarser", part.name));
+            }
+            shape
+        }
         None if part.particles.is_empty() => of_moments(part, turning),
         None => balls(part, turning, budget)?,
-    };
+    })
+}
+
+/// A shape, if numbers hold it.
+fn held(shape: Value) -> Option<Value> {
     let numbers_hold = |value: &Value| value.as_f64().is_none_or(f64::is_finite);
     shape.as_object()?.values().all(numbers_hold).then_some(shape)
 }
 
-fn form(
+/// A form at its place as a page shows it, a `Shape` of `viewer/src/data.ts`, with at most so many triangles. `None` for a molecule, and for
+/// what numbers of the page cannot hold.
+pub fn shape_of(placed: &PlacedForm, name: &str, most: usize) -> Option<Value> {
+    held(of_form(placed, name, Position::ZERO, most)?.0)
+}
+
+/// From a point; and how many triangles are shown, of a mesh that was made coarser.
+fn of_form(
     placed: &PlacedForm,
     name: &str,
-    turning: &Turning<'_>,
-    triangles: usize,
-    budget: &mut Budget,
-) -> Option<Value> {
+    point: Position<Body>,
+    most: usize,
+) -> Option<(Value, Option<usize>)> {
+    let mut coarser = None;
     let mut middle = Position::<Part>::ZERO;
     let own = match &placed.form {
         Form::Box { size } => json!({ "kind": "box", "size": numbers(size) }),
@@ -106,34 +125,22 @@ fn form(
         }
         Form::Mesh(mesh) => {
             middle = Position::from_array(middle_of(mesh)?);
-            mesh_json(mesh, middle, name, triangles, budget)?
+            let fewer = (mesh.triangles().len() > most).then(|| decimated(mesh, most));
+            coarser = fewer.as_ref().map(|fewer| fewer.triangles().len());
+            triangles_json(fewer.as_ref().unwrap_or(mesh), middle, mesh.triangles().len())?
         }
         _ => return None,
     };
-    let place = placed.position + placed.rotation * middle - turning.point;
-    Some(at(own, name, place.to_array(), placed.rotation.canonical_quaternion()))
+    let place = placed.position + placed.rotation * middle - point;
+    Some((at(own, name, place.to_array(), placed.rotation.canonical_quaternion()), coarser))
 }
 
 fn cylinder(radius: f64, inner: f64, height: f64) -> Value {
     json!({ "kind": "cylinder", "radius": radius, "inner": inner, "height": height })
 }
 
-/// The triangles from their middle, so that f32 holds them wherever they are.
-fn mesh_json(
-    mesh: &TriangleMesh,
-    middle: Position<Part>,
-    name: &str,
-    triangles: usize,
-    budget: &mut Budget,
-) -> Option<Value> {
-    let of = mesh.triangles().len();
-    let most = budget.share(of, triangles);
-    let coarser = (of > most).then(|| decimated(mesh, most));
-    let shown = coarser.as_ref().unwrap_or(mesh);
-    if coarser.is_some() {
-        let shown = count(shown.triangles().len() as u64);
-        budget.notes.push(format!("{name}: {shown} of {} triangles, made coarser", count(of as u64)));
-    }
+/// The triangles from a middle, so that f32 holds them wherever they are; of so many.
+fn triangles_json(shown: &TriangleMesh, middle: Position<Part>, of: usize) -> Option<Value> {
     let vertices: Vec<f32> = shown
         .coordinates()
         .iter()

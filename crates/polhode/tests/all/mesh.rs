@@ -315,6 +315,33 @@ fn an_inside_out_mesh_is_turned() {
 }
 
 #[test]
+fn another_unit_is_that_of_all_coordinates() {
+    let mut random = Random(29);
+    let solid = lump(2, &mut random);
+    let mut soup = triangles(&solid, 1.0, [0; 3]);
+    soup.extend(triangles(&cuboid([9000, 9001, 9002], [9050, 9060, 9070]), 1.0, [0; 3]));
+    soup[3].swap(0, 1);
+    for factor in [1e-3, 0.0254, 1.0, 7.3] {
+        let mesh = TriangleMesh::of_triangles(&soup).unwrap();
+        let scaled = ClosedMesh::of(&mesh).unwrap().scaled(factor).unwrap();
+        let direct = ClosedMesh::of(&mesh.scaled(factor)).unwrap();
+        assert_eq!(scaled.surface(), direct.surface());
+        let [a, b] = [&scaled, &direct].map(|mesh| mesh.mass_properties(Substance::Density(3.0)).unwrap());
+        assert_eq!((a, scaled.volume(), scaled.surface_area()), (b, direct.volume(), direct.surface_area()));
+        assert_eq!(scaled.findings(), direct.findings());
+        let near = |a: f64, b: f64| (a - b).abs() <= 1e-12 * b.abs(); // what scaling rounds, of a box far away
+        for (a, b) in scaled.diagnosis().components.iter().zip(&direct.diagnosis().components) {
+            assert!(near(a.volume, b.volume) && near(a.area, b.area), "{a:?} {b:?}");
+            assert!(a.bounds.as_flattened().iter().zip(b.bounds.as_flattened()).all(|(a, b)| near(*a, *b)));
+        }
+    }
+    for factor in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e200] {
+        let mesh = ClosedMesh::from_triangles(soup.clone()).unwrap();
+        assert!(matches!(mesh.scaled(factor), Err(BodyError::Parameter { .. })), "{factor}");
+    }
+}
+
+#[test]
 fn a_triangle_given_twice_is_refused() {
     let refused = |triangles: Vec<Triangle>, count: usize, first: usize, second: usize| {
         assert_eq!(refusal(triangles), BodyError::DuplicateTriangle { count, first, second });

@@ -2,11 +2,14 @@
 
 use super::component::{ComponentRole, MeshComponent};
 use super::diagnosis::{Analysis, MeshDiagnosis};
+use super::flaws::MeshFlaws;
 use super::integral::Polyhedron;
+use super::places::MeshPlaces;
 use super::threads::Threads;
 use super::weld::NONE;
+use super::work::GoesOn;
 use super::{Triangle, TriangleMesh};
-use crate::body::error::{BodyError, counted};
+use crate::body::error::{BodyError, counted, positive};
 use crate::body::finding::{Finding, Severity};
 use crate::body::form::Form;
 use crate::body::shape::{Extent, Shape, Spread};
@@ -60,7 +63,15 @@ impl ClosedMesh {
     /// [`BodyError::DuplicateTriangle`], [`BodyError::NestedSolid`], [`BodyError::InvertedPart`], [`BodyError::OverlappingMesh`],
     /// [`BodyError::OverlapsUndecided`] or [`BodyError::FlatMesh`]; [`BodyError::Parameter`] if f64 does not hold its volume.
     pub fn of(mesh: &TriangleMesh) -> Result<Self, BodyError> {
-        Self::on(mesh, Threads::of_machine())
+        Self::watched(mesh, &|| true)
+    }
+
+    /// The same as long as it `goes_on`, which is asked often: what would take longer is undecided.
+    ///
+    /// # Errors
+    /// As [`ClosedMesh::of`].
+    pub fn watched(mesh: &TriangleMesh, goes_on: &(dyn Fn() -> bool + Sync)) -> Result<Self, BodyError> {
+        Self::or_flaws(mesh, 0, goes_on).map_err(|flaws| flaws.first)
     }
 
     /// The same on at most so many threads.
@@ -68,7 +79,7 @@ impl ClosedMesh {
     /// # Errors
     /// As [`ClosedMesh::of`].
     pub fn with_threads(mesh: &TriangleMesh, threads: usize) -> Result<Self, BodyError> {
-        Self::on(mesh, Threads::of(threads))
+        Self::on(mesh, Threads::of(threads), 0, &|| true).map_err(|flaws| flaws.first)
     }
 
     /// The solid that the triangles bound: [`ClosedMesh::of`] a mesh without indices, as STL has it.
@@ -79,29 +90,69 @@ impl ClosedMesh {
         Self::of(&TriangleMesh::of_soup(triangles)?)
     }
 
-    fn on(mesh: &TriangleMesh, threads: Threads) -> Result<Self, BodyError> {
-        let Analysis { welded, patches, diagnosis, .. } = Analysis::of(mesh, threads);
-        let inverted = require_solid(&diagnosis)?;
-        let proper = (0..welded.corners.len()).filter(|&t| patches.component[t] != NONE);
-        let turned = proper.map(|t| {
-            let [a, b, c] = welded.corners[t];
-            if patches.against[t] == inverted { [a, b, c] } else { [a, c, b] }
-        });
-        let triangles = turned.collect();
+    /// As [`ClosedMesh::watched`], and of a mesh that bounds no solid all that is wrong with it, and where: so many places of each kind at
+    /// most.
+    ///
+    /// # Errors
+    /// [`MeshFlaws`], of which the first is what [`ClosedMesh::of`] says.
+    pub fn or_flaws(
+        mesh: &TriangleMesh,
+        most: usize,
+        goes_on: &(dyn Fn() -> bool + Sync),
+    ) -> Result<Self, Box<MeshFlaws>> {
+        Self::on(mesh, Threads::of_machine(), most, goes_on)
+    }
+
+    fn on(
+        mesh: &TriangleMesh,
+        threads: Threads,
+        most: usize,
+        goes_on: &GoesOn<'_>,
+    ) -> Result<Self, Box<MeshFlaws>> {
+        let analysis = Analysis::of(mesh, threads, goes_on);
+        let places = MeshPlaces::of(&analysis, most);
+        let Analysis { welded, patches, diagnosis, .. } = analysis;
         let mut vertices = welded.points;
         vertices.as_flattened_mut().iter_mut().for_each(|c| *c *= welded.unit);
-        let surface = TriangleMesh { vertices, triangles, is_hull: mesh.is_hull };
-        let polyhedron = Polyhedron { points: &surface.vertices, corners: &surface.triangles, threads };
-        let integrals = polyhedron.integrate()?;
-        let mut spread = integrals.spread;
-        if spread.extent.measure() < 0.0 {
-            // Parts of nearly no volume may hide the sign.
-            return Err(BodyError::FlatMesh { volume: spread.extent.measure() });
+        let mut surface = TriangleMesh { vertices, triangles: welded.corners, is_hull: mesh.is_hull };
+        let mut errors = diagnosis.errors().into_iter();
+        if let Some(first) = errors.next() {
+            return Err(Box::new(MeshFlaws { first, others: errors.collect(), diagnosis, places, surface }));
         }
-        spread.extent = Extent::Volume(spread.extent.measure());
-        let spread = spread.representable()?;
-        let findings = findings(&diagnosis, inverted);
-        Ok(Self { surface, diagnosis, findings, inverted, spread, area: integrals.area })
+        let inverted = is_inverted(&diagnosis);
+        let given = surface.triangles.iter().enumerate();
+        let proper = given.filter(|(t, _)| patches.component[*t] != NONE);
+        let turned =
+            proper.map(|(t, &[a, b, c])| if patches.against[t] == inverted { [a, b, c] } else { [a, c, b] });
+        let triangles = turned.collect();
+        let given = core::mem::replace(&mut surface.triangles, triangles);
+        match measured(&surface, threads) {
+            Ok((spread, area)) => {
+                let findings = findings(&diagnosis, inverted);
+                Ok(Self { surface, diagnosis, findings, inverted, spread, area })
+            }
+            Err(first) => {
+                surface.triangles = given;
+                Err(Box::new(MeshFlaws { first, others: Vec::new(), diagnosis, places, surface }))
+            }
+        }
+    }
+
+    /// The same in another unit of length: every coordinate is times a positive number. What bounds a solid goes on to, however its
+    /// coordinates are rounded.
+    ///
+    /// # Errors
+    /// [`BodyError::Parameter`] for a number that is not positive and finite, and if f64 does not hold the volume then.
+    pub fn scaled(self, factor: f64) -> Result<Self, BodyError> {
+        let factor = positive("the factor of a mesh", factor)?;
+        if factor == 1.0 {
+            return Ok(self);
+        }
+        let surface = self.surface.scaled(factor);
+        let (spread, area) = measured(&surface, Threads::of_machine())?;
+        let diagnosis = self.diagnosis.scaled(factor);
+        let findings = findings(&diagnosis, self.inverted);
+        Ok(Self { surface, diagnosis, findings, spread, area, ..self })
     }
 
     /// The surface, each vertex once, normals outward, without triangles that have two equal corners.
@@ -160,9 +211,17 @@ impl Shape for ClosedMesh {
     }
 }
 
-/// Refuses what bounds no solid; true if all of the mesh is wound inward.
-pub(super) fn require_solid(diagnosis: &MeshDiagnosis) -> Result<bool, BodyError> {
-    diagnosis.errors().into_iter().next().map_or(Ok(is_inverted(diagnosis)), Err)
+/// Volume, moments and area of what is closed, normals outward.
+fn measured(surface: &TriangleMesh, threads: Threads) -> Result<(Spread, f64), BodyError> {
+    let polyhedron = Polyhedron { points: &surface.vertices, corners: &surface.triangles, threads };
+    let integrals = polyhedron.integrate()?;
+    let mut spread = integrals.spread;
+    if spread.extent.measure() < 0.0 {
+        // Parts of nearly no volume may hide the sign.
+        return Err(BodyError::FlatMesh { volume: spread.extent.measure() });
+    }
+    spread.extent = Extent::Volume(spread.extent.measure());
+    Ok((spread.representable()?, integrals.area))
 }
 
 impl MeshDiagnosis {

@@ -165,7 +165,7 @@ impl<'a> BoxesWithin<'a> {
         Self { components, axis, order, farthest }
     }
 
-    fn is_in_another(&self, k: usize, work: &Work) -> bool {
+    fn is_in_another(&self, k: usize, work: &Work<'_>) -> bool {
         let [low, high] = self.components[k].bounds;
         let around = |j: usize| {
             let bounds = &self.components[j].bounds;

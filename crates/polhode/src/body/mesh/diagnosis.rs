@@ -10,7 +10,7 @@ use super::patches::{Patches, is_balanced, join};
 use super::threads::Threads;
 use super::tree::Tree;
 use super::weld::{NONE, Welded, is_proper};
-use super::work::Work;
+use super::work::{GoesOn, Work};
 
 /// What is right and wrong with a mesh, and where: everything that [`ClosedMesh`](crate::body::mesh::ClosedMesh) refuses, corrects or mentions.
 ///
@@ -67,7 +67,7 @@ pub struct MeshDiagnosis {
     /// Parts that hang together by their edges, by their first triangles.
     pub components: Vec<MeshComponent>,
     /// So many triangles are so near each other that it was not found out which of them overlap, and which parts lie in which: more steps
-    /// would be needed than this, 300 million and 2,000 for each triangle.
+    /// would be needed than this, 300 million and 2,000 for each triangle, or those until it was ended.
     pub undecided: Option<u64>,
 }
 
@@ -123,12 +123,12 @@ pub struct PairPlace {
 impl MeshDiagnosis {
     /// What is right and wrong with the mesh; on all threads of the machine.
     pub fn of(mesh: &TriangleMesh) -> Self {
-        Analysis::of(mesh, Threads::of_machine()).diagnosis
+        Analysis::of(mesh, Threads::of_machine(), &|| true).diagnosis
     }
 
     /// The same on at most so many threads.
     pub fn with_threads(mesh: &TriangleMesh, threads: usize) -> Self {
-        Analysis::of(mesh, Threads::of(threads)).diagnosis
+        Analysis::of(mesh, Threads::of(threads), &|| true).diagnosis
     }
 }
 
@@ -140,18 +140,16 @@ pub(crate) struct Analysis {
     pub(super) edges: Edges,
     pub(super) meetings: Meetings,
     pub(crate) diagnosis: MeshDiagnosis,
-    /// What it took to look for what meets.
-    #[cfg(test)]
-    pub(super) steps: u64,
 }
 
 impl Analysis {
-    pub(crate) fn of(mesh: &TriangleMesh, threads: Threads) -> Self {
-        Self::within(STEPS + STEPS_EACH * mesh.triangles().len() as u64, mesh, threads)
+    pub(crate) fn of(mesh: &TriangleMesh, threads: Threads, goes_on: &GoesOn<'_>) -> Self {
+        let work = Work::of(STEPS + STEPS_EACH * mesh.triangles().len() as u64, goes_on);
+        Self::within(&work, mesh, threads)
     }
 
-    /// With so many steps for what is looked for among the triangles.
-    pub(super) fn within(steps: u64, mesh: &TriangleMesh, threads: Threads) -> Self {
+    /// With so much work for what is looked for among the triangles.
+    pub(super) fn within(work: &Work<'_>, mesh: &TriangleMesh, threads: Threads) -> Self {
         let welded = Welded::of(mesh, threads);
         let corners = &welded.corners;
         let edges = Edges::of(corners, welded.points.len(), threads);
@@ -161,33 +159,24 @@ impl Analysis {
         let has_area =
             |t: usize| patches.component[t] != NONE && measured.collinear.binary_search(&(t as u32)).is_err();
         let tree = Tree::of(&welded, has_area, threads);
-        let work = Work::of(steps);
-        let windings = Windings { welded: &welded, tree: &tree, patches: &patches, work: &work };
+        let windings = Windings { welded: &welded, tree: &tree, patches: &patches, work };
         measured.nest(&windings, threads);
-        let meetings = if mesh.is_hull {
-            // A corner of many faces has as many pairs as their square, and none of them meet elsewhere.
+        let meetings = if mesh.is_hull || !work.goes_on() {
+            // A corner of many faces of a hull has as many pairs as their square, and none of them meet elsewhere.
             Meetings::default()
         } else {
             let layers = Layers::of(&welded, &tree, &edges, &measured.collinear);
-            let (mut doubtful, again) = (layers.doubtful(threads), edges.again());
+            let (mut doubtful, again) = (layers.doubtful(work, threads), edges.again());
             doubtful.retain(|t| again.binary_search(t).is_err());
             let doubtful = tree.part(&welded, doubtful, threads);
             Meetings::of(&windings, &edges, &doubtful, lowest_winding(&measured.components), threads)
         };
-        let undecided = work.is_spent().then_some(steps);
+        let undecided = work.not_enough();
         // What was found until then depends on the threads.
         let meetings = if undecided.is_some() { Meetings::default() } else { meetings };
         let findings = Findings { welded: &welded, edges: &edges };
         let diagnosis = MeshDiagnosis { undecided, ..findings.diagnosis(measured, &meetings) };
-        Self {
-            welded,
-            patches,
-            edges,
-            meetings,
-            diagnosis,
-            #[cfg(test)]
-            steps: work.done(),
-        }
+        Self { welded, patches, edges, meetings, diagnosis }
     }
 }
 

@@ -16,7 +16,7 @@ pub(crate) struct Windings<'a> {
     pub(crate) tree: &'a Tree,
     pub(crate) patches: &'a Patches,
     /// What rays may cost, and whatever else is looked for.
-    pub(crate) work: &'a Work,
+    pub(crate) work: &'a Work<'a>,
 }
 
 /// A place in a triangle: from its first point infinitely little toward the second, and from there infinitely less toward the third. The

@@ -21,6 +21,7 @@ use super::predicate::across;
 use super::threads::Threads;
 use super::tree::{Bounds, LEAF, Sides, Tree, sides_of};
 use super::weld::Welded;
+use super::work::Work;
 
 /// The triangles of a tree, with what is known of their layers.
 pub(crate) struct Layers<'a> {
@@ -50,23 +51,26 @@ impl<'a> Layers<'a> {
     }
 
     /// The triangles that may meet others, in the tree's order.
-    pub(crate) fn doubtful(&self, threads: Threads) -> Vec<u32> {
+    pub(crate) fn doubtful(&self, work: &Work<'_>, threads: Threads) -> Vec<u32> {
         let leaves = self.tree.nodes().len() / 2;
         let roots = (leaves / LARGEST).max(1);
         let parts = threads.map(roots, |root| {
             let mut doubtful = Vec::new();
-            self.divide(roots + root, leaves / roots, &mut doubtful);
+            self.divide(roots + root, leaves / roots, work, &mut doubtful);
             doubtful
         });
         parts.concat()
     }
 
-    /// The doubtful triangles of a node that has so many leaves.
-    fn divide(&self, node: usize, leaves: usize, doubtful: &mut Vec<u32>) {
+    /// The doubtful triangles of a node that has so many leaves; not all of them if it is ended.
+    fn divide(&self, node: usize, leaves: usize, work: &Work<'_>, doubtful: &mut Vec<u32>) {
         let order = self.tree.order();
         let first = (node * leaves - self.tree.nodes().len() / 2) * LEAF;
         let own = first.min(order.len())..(first + leaves * LEAF).min(order.len());
-        if own.is_empty() || self.is_single(node, self.welded.corners[order[own.start] as usize][0]) {
+        if own.is_empty()
+            || !work.goes_on()
+            || self.is_single(node, self.welded.corners[order[own.start] as usize][0])
+        {
             return;
         }
         if leaves <= SMALLEST {
@@ -74,7 +78,7 @@ impl<'a> Layers<'a> {
             return;
         }
         for child in [2 * node, 2 * node + 1] {
-            self.divide(child, leaves / 2, doubtful);
+            self.divide(child, leaves / 2, work, doubtful);
         }
     }
 
@@ -209,7 +213,8 @@ mod tests {
         let collinear = Measured::of(&welded, &patches).collinear;
         let wanted = |t: usize| patches.component[t] != NONE && collinear.binary_search(&(t as u32)).is_err();
         let tree = Tree::of(&welded, wanted, threads);
-        let doubtful = Layers::of(&welded, &tree, &edges, &collinear).doubtful(threads);
+        let doubtful =
+            Layers::of(&welded, &tree, &edges, &collinear).doubtful(&Work::of(u64::MAX, &|| true), threads);
         let mut is_doubtful = vec![false; welded.corners.len()];
         doubtful.iter().for_each(|&t| is_doubtful[t as usize] = true);
         let order = tree.order().to_vec();

@@ -182,7 +182,12 @@ impl<'a> OrientedTree<'a> {
     }
 
     /// Calls `pair` for the triangles of a task whose boxes meet, until it breaks or there is no work left.
-    pub(crate) fn pairs(&self, task: Task, work: &Work, mut pair: impl FnMut(u32, u32) -> ControlFlow<()>) {
+    pub(crate) fn pairs(
+        &self,
+        task: Task,
+        work: &Work<'_>,
+        mut pair: impl FnMut(u32, u32) -> ControlFlow<()>,
+    ) {
         let mut waiting = vec![task];
         while let Some(task) = waiting.pop() {
             if !work.take(BOXES) {

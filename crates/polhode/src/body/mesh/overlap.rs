@@ -177,7 +177,8 @@ struct Search<'a> {
 impl Search<'_> {
     /// Those whose boxes along the axes meet; `None` if they are more than that, and it is better to make other boxes.
     fn by_boxes(&self, tree: &Tree, near: u64) -> Option<Meetings> {
-        let near = Work::of(near);
+        let goes_on = || self.windings.work.goes_on();
+        let near = Work::of(near, &goes_on);
         let boxes = tree.boxes(self.windings.welded, self.threads);
         let all = self.pieces(tree.leaves().div_ceil(LEAVES), |piece, look_at| {
             let leaves = piece * LEAVES..((piece + 1) * LEAVES).min(tree.leaves());
@@ -197,6 +198,9 @@ impl Search<'_> {
     /// Those whose oriented boxes meet, and that are not side by side about a corner.
     fn by_oriented_boxes(&self, tree: &Tree) -> Meetings {
         let Windings { welded, patches, work, .. } = self.windings;
+        if work.is_spent() {
+            return Meetings::default();
+        }
         let umbrellas = umbrellas(welded, tree.order(), &patches.component);
         let tree = OrientedTree::of(welded, tree.order(), &umbrellas);
         let tasks = tree.tasks();

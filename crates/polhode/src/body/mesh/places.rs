@@ -54,7 +54,7 @@ pub struct MeshPlaces {
 impl MeshDiagnosis {
     /// What is right and wrong with the mesh, and the first places of each kind, so many at most.
     pub fn with_places(mesh: &TriangleMesh, most: usize) -> (Self, MeshPlaces) {
-        let analysis = Analysis::of(mesh, Threads::of_machine());
+        let analysis = Analysis::of(mesh, Threads::of_machine(), &|| true);
         let places = MeshPlaces::of(&analysis, most);
         (analysis.diagnosis, places)
     }
@@ -62,7 +62,7 @@ impl MeshDiagnosis {
 
 impl MeshPlaces {
     /// So many of each kind at most.
-    fn of(analysis: &Analysis, most: usize) -> Self {
+    pub(super) fn of(analysis: &Analysis, most: usize) -> Self {
         let Analysis { welded, patches, edges, meetings, diagnosis, .. } = analysis;
         let at_edges = |halves: &[u32]| halves.iter().take(most).map(|&half| at_edge(welded, half)).collect();
         let at_pairs = |pairs: &[_]| pairs.iter().take(most).map(|pair| at_pair(welded, pair)).collect();

@@ -1,24 +1,40 @@
 //! How much a search may cost.
 
-use std::sync::atomic::{AtomicU64, Ordering};
+use core::fmt;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
-/// Steps that a search may take, on all threads together.
+/// Asked again and again by what takes time: false ends it.
+pub(crate) type GoesOn<'a> = dyn Fn() -> bool + Sync + 'a;
+
+/// Steps that a search may take, on all threads together, as long as it goes on.
 ///
-/// What is done in each piece of work does not depend on the threads, so neither does whether there were enough.
-#[derive(Debug)]
-pub(crate) struct Work {
+/// What is done in each piece of work does not depend on the threads, so neither does whether there were enough, unless it was ended.
+pub(crate) struct Work<'a> {
     done: AtomicU64,
     limit: u64,
+    goes_on: &'a GoesOn<'a>,
+    ended: AtomicBool,
 }
 
-impl Work {
-    pub(crate) const fn of(limit: u64) -> Self {
-        Self { done: AtomicU64::new(0), limit }
+impl<'a> Work<'a> {
+    pub(crate) const fn of(limit: u64, goes_on: &'a GoesOn<'a>) -> Self {
+        Self { done: AtomicU64::new(0), limit, goes_on, ended: AtomicBool::new(false) }
     }
 
-    /// Takes steps; false if there were not that many.
+    /// Takes steps; false if there were not that many, or if it is ended.
     pub(crate) fn take(&self, steps: u64) -> bool {
-        self.done.fetch_add(steps, Ordering::Relaxed).saturating_add(steps) <= self.limit
+        let before = self.done.fetch_add(steps, Ordering::Relaxed);
+        let after = before.saturating_add(steps);
+        let is_asked = before / OFTEN != after / OFTEN;
+        after <= self.limit && if is_asked { self.goes_on() } else { !self.ended.load(Ordering::Relaxed) }
+    }
+
+    /// Asks whether it goes on, of what is not counted in steps.
+    pub(crate) fn goes_on(&self) -> bool {
+        if !self.ended.load(Ordering::Relaxed) && !(self.goes_on)() {
+            self.ended.store(true, Ordering::Relaxed);
+        }
+        !self.ended.load(Ordering::Relaxed)
     }
 
     /// Leaves none.
@@ -32,8 +48,23 @@ impl Work {
         self.done.load(Ordering::Relaxed)
     }
 
-    /// Were more steps taken than there were?
+    /// Were more steps taken than there were, or was it ended?
     pub(crate) fn is_spent(&self) -> bool {
-        self.done.load(Ordering::Relaxed) > self.limit
+        self.not_enough().is_some()
+    }
+
+    /// The steps that were not enough.
+    pub(crate) fn not_enough(&self) -> Option<u64> {
+        let done = self.done.load(Ordering::Relaxed);
+        (done > self.limit || self.ended.load(Ordering::Relaxed)).then_some(done.min(self.limit))
     }
 }
+
+impl fmt::Debug for Work<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Work").field("done", &self.done).field("limit", &self.limit).finish_non_exhaustive()
+    }
+}
+
+/// Steps after which it is asked whether the search goes on: a few milliseconds.
+const OFTEN: u64 = 1 << 16;

@@ -3,7 +3,6 @@
 use core::f64::consts::TAU;
 
 use super::super::TriangleMesh;
-use super::super::closed::require_solid;
 use super::super::component::Measured;
 use super::super::diagnosis::Analysis;
 use super::super::weld::NONE;
@@ -81,7 +80,7 @@ fn both(soup: &Soup, threads: usize) -> ([Meetings; 2], usize) {
     let patches = Patches::of(&welded.corners, &edges, threads);
     let collinear = Measured::of(&welded, &patches).collinear;
     let wanted = |t: usize| patches.component[t] != NONE && collinear.binary_search(&(t as u32)).is_err();
-    let (tree, work) = (Tree::of(&welded, wanted, threads), Work::of(u64::MAX));
+    let (tree, work) = (Tree::of(&welded, wanted, threads), Work::of(u64::MAX, &|| true));
     let windings = Windings { welded: &welded, tree: &tree, patches: &patches, work: &work };
     let search = Search { windings: &windings, lowest: Some(0), threads, found: Meetings::default() };
     let side_by_side = umbrellas(&welded, tree.order(), &patches.component);
@@ -135,10 +134,10 @@ fn oriented_boxes_and_umbrellas_lose_no_pair() {
 fn steps_go_with_the_triangles() {
     let steps = |soup: &Soup| {
         let mesh = TriangleMesh::of_triangles(soup).unwrap();
-        let analysis = Analysis::within(u64::MAX, &mesh, Threads::of(2));
-        let diagnosis = &analysis.diagnosis;
+        let work = Work::of(u64::MAX, &|| true);
+        let diagnosis = Analysis::within(&work, &mesh, Threads::of(2)).diagnosis;
         assert!(diagnosis.overlaps.is_empty() && diagnosis.self_overlaps.is_empty(), "{diagnosis:?}");
-        analysis.steps as f64 / soup.len() as f64
+        work.done() as f64 / soup.len() as f64
     };
     type Shape = (&'static str, fn(u32) -> Soup, u32, u32);
     let shapes: [Shape; 5] = [
@@ -175,13 +174,44 @@ fn what_takes_too_many_steps_is_undecided() {
     soup.extend(turned(300, &SPINDLE, |[x, y, z]| [x + 0.1, y, z]));
     let mesh = TriangleMesh::of_triangles(&soup).unwrap();
     for (steps, undecided) in [(100, true), (u64::MAX, false)] {
-        let diagnosis = Analysis::within(steps, &mesh, Threads::of(2)).diagnosis;
+        let work = Work::of(steps, &|| true);
+        let diagnosis = Analysis::within(&work, &mesh, Threads::of(2)).diagnosis;
         assert_eq!(
             (diagnosis.undecided, diagnosis.overlaps.is_empty()),
             (undecided.then_some(steps), undecided)
         );
-        let error = require_solid(&diagnosis).unwrap_err();
+        let error = diagnosis.errors().remove(0);
         assert_eq!(matches!(error, BodyError::OverlapsUndecided { steps: 100, .. }), undecided, "{error}");
         assert!(matches!(error, BodyError::OverlapsUndecided { .. } | BodyError::OverlappingMesh { .. }));
+    }
+}
+
+#[test]
+fn what_is_ended_is_undecided_and_keeps_what_was_found_before() {
+    use std::sync::atomic::{AtomicU64, Ordering};
+    let mut soup = turned(2000, &SPINDLE, |p| p);
+    soup.extend(turned(2000, &SPINDLE, |[x, y, z]| [x + 0.1, y, z]));
+    soup.pop();
+    let mesh = TriangleMesh::of_triangles(&soup).unwrap();
+    let all = Work::of(u64::MAX, &|| true);
+    let whole = Analysis::within(&all, &mesh, Threads::of(2)).diagnosis;
+    assert!(whole.undecided.is_none() && all.done() > 1 << 17, "{}", all.done());
+    let asked = AtomicU64::new(0);
+    let goes_on_until = |last: u64| {
+        asked.store(0, Ordering::Relaxed);
+        let goes_on = || asked.fetch_add(1, Ordering::Relaxed) < last;
+        let work = Work::of(u64::MAX, &goes_on);
+        Analysis::within(&work, &mesh, Threads::of(2)).diagnosis
+    };
+    assert_eq!(goes_on_until(u64::MAX), whole);
+    let asked_in_all = asked.load(Ordering::Relaxed);
+    assert!(asked_in_all > 10);
+    for last in [0, 1, 2, asked_in_all / 2, asked_in_all - 1] {
+        let ended = goes_on_until(last);
+        assert!(ended.undecided.is_some_and(|steps| steps < all.done()), "{last}: {:?}", ended.undecided);
+        assert_eq!((ended.boundary, ended.boundary_loops), (whole.boundary, whole.boundary_loops));
+        let [first, second] = &ended.errors()[..] else { panic!("{:?}", ended.errors()) };
+        assert!(matches!(first, BodyError::OpenMesh { edges: 3, .. }));
+        assert!(matches!(second, BodyError::OverlapsUndecided { .. }));
     }
 }

@@ -1,0 +1,142 @@
+//! What the links of a robot look like: what is to be seen of each, or what is to be touched where nothing is to be seen.
+
+use std::collections::HashMap;
+use std::path::Path;
+use std::sync::Arc;
+
+use polhode::body::mesh::TriangleMesh;
+use polhode::body::{BodyError, Form, PlacedForm};
+use polhode::math::{Position, Rotation};
+use polhode_report::display::{decimated, shape_of};
+use polhode_robot::geometry::Shapes;
+use polhode_robot::model::{Geometry, GeometryShape, Link, RobotModel, Role, Span};
+use serde_json::{Value, json};
+
+/// Triangles of a whole robot: of more, as many as look the same.
+const TRIANGLES: usize = 150_000;
+
+/// The shapes of all links, in the order of the model's.
+pub(super) struct LinkShapes {
+    /// Each as `Shape` of `viewer/src/data.ts`, in the link's frame.
+    pub(super) shapes: Vec<Vec<Value>>,
+    pub(super) not_shown: Vec<NotShown>,
+}
+
+/// A shape that is not among them.
+pub(super) struct NotShown {
+    pub(super) link: usize,
+    pub(super) span: Span,
+    pub(super) why: String,
+}
+
+impl LinkShapes {
+    /// Of a model whose mesh files `measured` has read, or reads.
+    pub(super) fn of(model: &RobotModel, measured: &mut Shapes) -> Self {
+        let mut meshes = Meshes { measured, triangles: 0, coarse: HashMap::new() };
+        meshes.triangles = model.links.iter().flat_map(seen).map(|geometry| meshes.count(geometry)).sum();
+        let mut all = Self { shapes: Vec::with_capacity(model.links.len()), not_shown: Vec::new() };
+        for (k, link) in model.links.iter().enumerate() {
+            let mut shapes = Vec::new();
+            for geometry in seen(link) {
+                match meshes.shape(geometry, &link.name.text) {
+                    Ok(shape) => shapes.push(shape),
+                    Err(why) => all.not_shown.push(NotShown { link: k, span: geometry.span.clone(), why }),
+                }
+            }
+            all.shapes.push(shapes);
+        }
+        all
+    }
+}
+
+/// What is to be seen of a link, or to be touched.
+fn seen(link: &Link) -> impl Iterator<Item = &Geometry> {
+    let is_seen = link.geometry.iter().any(|geometry| geometry.role == Role::Visual);
+    let role = if is_seen { Role::Visual } else { Role::Collision };
+    link.geometry.iter().filter(move |geometry| geometry.role == role)
+}
+
+/// The meshes of a robot, each read once and made coarser once.
+struct Meshes<'a> {
+    measured: &'a mut Shapes,
+    /// Of all of them, as often as the robot has them.
+    triangles: usize,
+    coarse: HashMap<&'a Path, Arc<TriangleMesh>>,
+}
+
+impl<'a> Meshes<'a> {
+    /// Triangles of a shape.
+    fn count(&mut self, geometry: &Geometry) -> usize {
+        match &geometry.shape {
+            GeometryShape::Mesh { path: Ok(path), .. } => {
+                self.measured.surface(path).map_or(0, |surface| surface.triangles().len())
+            }
+            _ => 0,
+        }
+    }
+
+    /// A shape in its link's frame, or why it is not shown.
+    fn shape(&mut self, geometry: &'a Geometry, name: &str) -> Result<Value, String> {
+        let (form, of) = self.form(&geometry.shape)?;
+        let no_place = || "its place is beyond the largest double".to_owned();
+        let position = geometry.pose.position;
+        let rotation = Rotation::from_quaternion(geometry.pose.rotation).map_err(|_| no_place())?;
+        if !position.iter().all(|x| x.is_finite()) {
+            return Err(no_place());
+        }
+        let placed = PlacedForm { form, position: Position::from_array(position), rotation };
+        let shape = shape_of(&placed, name, TRIANGLES);
+        let mut shape = shape.ok_or("it has no size, or numbers of single precision do not hold it")?;
+        if let Some(count) = shape.get_mut("of") {
+            *count = json!(of); // before it was made coarser
+        }
+        Ok(shape)
+    }
+
+    /// A shape in its own frame, and how many triangles it has.
+    fn form(&mut self, shape: &'a GeometryShape) -> Result<(Form, usize), String> {
+        let (form, sizes) = match *shape {
+            GeometryShape::Box(size) => (Form::Box { size }, size.to_vec()),
+            GeometryShape::Sphere(radius) => (Form::Ellipsoid { semi_axes: [radius; 3] }, vec![radius]),
+            GeometryShape::Cylinder { radius, length } => {
+                (Form::Cylinder { radius, length, open: false }, vec![radius, length])
+            }
+            GeometryShape::Capsule { radius, length } => {
+                (Form::Capsule { radius, length }, vec![radius, length])
+            }
+            GeometryShape::Ellipsoid(semi_axes) => (Form::Ellipsoid { semi_axes }, semi_axes.to_vec()),
+            GeometryShape::Mesh { ref uri, ref path, scale } => {
+                let named = |why: &str| format!("{:?}: {why}", uri.text);
+                let path = path.as_ref().map_err(|why| named(why))?;
+                let surface = self.measured.surface(path).map_err(|why| named(&why))?;
+                let mesh = scaled(self.coarse(path, &surface).as_ref(), scale);
+                let mesh = mesh.map_err(|error| named(&error.to_string()))?;
+                return Ok((Form::Mesh(mesh), surface.triangles().len()));
+            }
+            GeometryShape::Other(ref what) => return Err(format!("{what} has no size")),
+        };
+        match sizes.iter().all(|size| *size > 0.0 && size.is_finite()) {
+            true => Ok((form, 0)),
+            false => Err("its sizes are no positive numbers".to_owned()),
+        }
+    }
+
+    /// A mesh with its part of the triangles.
+    fn coarse(&mut self, path: &'a Path, surface: &Arc<TriangleMesh>) -> Arc<TriangleMesh> {
+        if self.triangles <= TRIANGLES {
+            return surface.clone();
+        }
+        let part = surface.triangles().len() as f64 / self.triangles as f64;
+        let coarse = || Arc::new(decimated(surface, (part * TRIANGLES as f64) as usize));
+        self.coarse.entry(path).or_insert_with(coarse).clone()
+    }
+}
+
+/// With every vertex scaled along the axes; a mirror leaves the outer side outside.
+fn scaled(mesh: &TriangleMesh, scale: [f64; 3]) -> Result<TriangleMesh, BodyError> {
+    let mirrors = scale.iter().filter(|factor| **factor < 0.0).count() % 2 == 1;
+    let place = |vertex: &[f64; 3]| -> [f64; 3] { std::array::from_fn(|k| scale[k] * vertex[k]) };
+    let turn = |&[a, b, c]: &[u32; 3]| if mirrors { [a, c, b] } else { [a, b, c] };
+    let vertices: Vec<[f64; 3]> = mesh.coordinates().iter().map(place).collect();
+    TriangleMesh::new(vertices, mesh.triangles().iter().map(turn).collect())
+}

@@ -1,0 +1,22 @@
+//! Whether what takes time goes on.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
+
+use hyper::StatusCode;
+
+use crate::answer::Refusal;
+
+/// True until nobody waits for the answer any more, or so much time is over.
+pub(crate) fn within(most: Duration, stop: &AtomicBool) -> impl Fn() -> bool + Sync {
+    let begun = Instant::now();
+    move || !stop.load(Ordering::Relaxed) && begun.elapsed() < most
+}
+
+/// Refuses an answer that nobody waits for.
+pub(crate) fn is_wanted(stop: &AtomicBool) -> Result<(), Refusal> {
+    match stop.load(Ordering::Relaxed) {
+        true => Err(Refusal::new(StatusCode::REQUEST_TIMEOUT, "nobody waits for the answer")),
+        false => Ok(()),
+    }
+}

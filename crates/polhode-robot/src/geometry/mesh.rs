@@ -1,0 +1,110 @@
+//! A mesh file of a model: its triangles, and what they enclose.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use polhode::body::mesh::{ClosedMesh, ConvexHull, TriangleMesh};
+use polhode::body::shape::{Shape, Substance};
+use polhode::body::{BodyError, MassProperties};
+use polhode_formats::mesh::{MeshContents, MeshFormat};
+use polhode_formats::read_text_file;
+
+use super::{MeshReading, Solid, VolumeKind, collada, z_up};
+
+/// A mesh file as it is written, in metres and its own frame.
+#[derive(Debug)]
+pub(super) struct Mesh {
+    /// All of its triangles.
+    surface: Arc<TriangleMesh>,
+    /// The same in the usual reading.
+    pub(super) usual: Arc<TriangleMesh>,
+    pub(super) measured: Result<Measured, String>,
+    /// The reading in which it is turned from y up to z up, if there is one.
+    pub(super) turned_in: Option<MeshReading>,
+}
+
+/// What it encloses.
+#[derive(Debug)]
+pub(super) struct Measured {
+    pub(super) solid: Solid,
+    pub(super) kind: VolumeKind,
+    /// The corners of its convex hull, where that stands for it.
+    hull: Option<Vec<[f64; 3]>>,
+}
+
+impl Mesh {
+    pub(super) fn read(path: &Path) -> Result<Self, String> {
+        let ending =
+            path.extension().map_or_else(String::new, |ending| ending.to_string_lossy().to_lowercase());
+        let (contents, turned_in) = match MeshFormat::of_path(path) {
+            Some(format) => {
+                let turned_in = (format == MeshFormat::Gltf).then_some(MeshReading::Usual);
+                (MeshContents::read(path, format), turned_in)
+            }
+            None if ending == "dae" => {
+                let read = read_text_file(path, |text| Ok((collada::read(text)?, collada::is_y_up(text))));
+                let turned_in = matches!(read, Ok((_, true))).then_some(MeshReading::Other);
+                (read.map(|(contents, _)| contents), turned_in)
+            }
+            None => return Err(format!("polhode reads no .{ending} meshes")),
+        };
+        let contents = contents.map_err(|error| error.message())?.in_metres(None);
+        let mesh = Self::of(contents)?;
+        let usual = match turned_in {
+            Some(MeshReading::Usual) => Arc::new(turned(&mesh.surface).map_err(|error| error.to_string())?),
+            _ => mesh.surface.clone(),
+        };
+        Ok(Self { turned_in, usual, ..mesh })
+    }
+
+    fn of(contents: MeshContents) -> Result<Self, String> {
+        let parts = contents.parts.iter().map(|part| ClosedMesh::of(&part.mesh));
+        let mut solids = parts.collect::<Result<Vec<_>, _>>().unwrap_or_default();
+        let one = contents.as_one().map_err(|error| error.to_string())?;
+        let Some(all) = one.parts.into_iter().next() else { return Err("it has no triangles".to_owned()) };
+        if solids.is_empty() {
+            // pieces of one surface, or no solid
+            solids.extend(ClosedMesh::of(&all.mesh));
+        }
+        let measured = match solids[..] {
+            [] => Measured::hull(&all.mesh),
+            _ => Measured::closed(&solids),
+        };
+        let surface = solids.iter().try_fold(TriangleMesh::default(), |all, part| all.joined(part.surface()));
+        let surface = surface.map_err(|error| error.to_string())?;
+        let surface = if solids.is_empty() { all.mesh } else { surface };
+        let surface = Arc::new(surface);
+        Ok(Self { usual: surface.clone(), surface, measured, turned_in: None })
+    }
+
+    /// Points that go as far as it does.
+    pub(super) fn outline(&self) -> &[[f64; 3]] {
+        match &self.measured {
+            Ok(Measured { hull: Some(corners), .. }) => corners,
+            _ => self.surface.coordinates(),
+        }
+    }
+}
+
+fn turned(mesh: &TriangleMesh) -> Result<TriangleMesh, BodyError> {
+    let vertices: Vec<[f64; 3]> = mesh.coordinates().iter().copied().map(z_up).collect();
+    TriangleMesh::new(vertices, mesh.triangles().to_vec())
+}
+
+impl Measured {
+    fn closed(parts: &[ClosedMesh]) -> Result<Self, String> {
+        let bodies = parts.iter().map(|part| part.mass_properties(Substance::Density(1.0)));
+        let bodies: Vec<_> = bodies.collect::<Result<_, _>>().map_err(|error| error.to_string())?;
+        let body = MassProperties::combined(&bodies).map_err(|error| error.to_string())?;
+        Ok(Self { solid: Solid::of(&body), kind: VolumeKind::Closed, hull: None })
+    }
+
+    /// The convex hull of the corners of all triangles.
+    fn hull(mesh: &TriangleMesh) -> Result<Self, String> {
+        let corners: Vec<[f64; 3]> = mesh.corners().flatten().collect();
+        let surface = ConvexHull::of(&corners).map_err(|error| error.to_string())?;
+        let solid = ClosedMesh::of(&surface).map_err(|error| error.to_string())?;
+        let hull = Some(solid.surface().coordinates().to_vec());
+        Ok(Self { kind: VolumeKind::Hull, hull, ..Self::closed(&[solid])? })
+    }
+}

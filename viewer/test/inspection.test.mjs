@@ -76,6 +76,7 @@ test("a mesh that bounds no solid: its open edges are red, numbered as they are 
   await shoot(page, "inspection-mesh");
   await page.keyboard.press("Escape");
   assert.equal(await chosen(page), null);
+  await page.click(".inspection [aria-label='Camera home']");
   await page.evaluate(() => window.polhodeInspection.view.photograph());
   assert.ok(Math.abs((await distance()) / before - 1) < 1e-9, "and back");
   assert.deepEqual(problems, []);
@@ -93,7 +94,7 @@ test("a robot stands there: every link with its inertia, suspects in their colou
   const entry = panel.locator("li", { hasText: "forearm" });
   await entry.locator("button").focus();
   await page.keyboard.press("Enter");
-  assert.match(await entry.locator(".entry-more").innerText(), /line 24: .*Mass\s+0\.9 kg/s);
+  assert.match(await entry.locator(".entry-more").innerText(), /line 24: .*Mass\s+0\.9\s*kg/s);
   assert.equal(await page.evaluate(() => document.activeElement.closest("li")?.querySelector("b").textContent), "forearm", "the focus stays");
   await shoot(page, "inspection-robot");
   await page.keyboard.press("Escape");
@@ -179,12 +180,15 @@ test("back at the motion all is as it was left, and a file that changes on the d
     writeFileSync(torn, file);
   }
   await page.waitForFunction(() => document.querySelector(".inspection-panel").textContent.includes("215 triangles"));
-  const memory = () => page.evaluate(() => window.polhodeInspection.view.memory);
+  const memory = () =>
+    page.evaluate(() => {
+      window.polhodeInspection.view.photograph();
+      return window.polhodeInspection.view.memory;
+    });
   const before = await memory();
-  for (let k = 0; k < 3; k += 1) for (const name of ["bad-arm.urdf", "torn.off"]) await choose(page, name);
-  await page.evaluate(() => window.polhodeInspection.view.photograph());
+  for (let k = 0; k < 10; k += 1) for (const name of ["bad-arm.urdf", "torn.off"]) await choose(page, name);
   const after = await memory();
-  assert.ok(after.geometries <= before.geometries + 2 && after.textures === before.textures, `nothing piles up: ${JSON.stringify([before, after])}`);
+  assert.ok(after.geometries <= before.geometries + 8 && after.textures === before.textures, `nothing piles up: ${JSON.stringify([before, after])}`);
   await page.selectOption("#documents", { label: "t-handle.toml" });
   await page.waitForFunction(() => !document.body.classList.contains("inspecting"));
   assert.equal(await page.evaluate(() => window.polhodeLive.text), text);

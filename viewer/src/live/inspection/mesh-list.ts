@@ -27,7 +27,7 @@ export function meshList(mesh: MeshInspection, choose: (item: number) => void): 
 }
 
 function item({ code, severity, message, hint, edges, faces }: MeshFinding, k: number, choose: (item: number) => void): HTMLElement {
-  const said = [badge(String(k + 1), INKS[severity]), element("b", {}, WORDS[severity]), ` ${message} `, element("code", {}, code)];
+  const said = [badge(String(k + 1), INKS[severity]), " ", element("b", {}, WORDS[severity]), ` ${message} `, element("code", {}, code)];
   const help = hint === null ? [] : [element("p", { class: "hint" }, hint)];
   if (edges !== "" || faces !== "") {
     const made = entry(k, choose, said);

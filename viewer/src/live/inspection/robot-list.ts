@@ -16,7 +16,7 @@ export function robotList(robot: RobotInspection, file: string, choose: (item: n
   const all = robot.links.map((link, k) => ({ link, k, findings: of(k) }));
   all.sort((a, b) => WORST.indexOf(a.link.verdict) - WORST.indexOf(b.link.verdict) || a.k - b.k);
   const items = (some: typeof all): HTMLElement => {
-    return element("ul", { class: "entries" }, ...some.map(({ link, k, findings }) => entry(k, choose, [badge(WORDS[link.verdict], INKS[link.verdict]), element("b", {}, link.name), ...mass(link)], [...findings.map(sentence), ...numbers(link)])));
+    return element("ul", { class: "entries" }, ...some.map(({ link, k, findings }) => entry(k, choose, [badge(WORDS[link.verdict], INKS[link.verdict]), " ", element("b", {}, link.name), ...mass(link)], [...findings.map(sentence), ...numbers(link)])));
   };
   const [told, quiet] = [all.filter(({ findings }) => findings.length > 0), all.filter(({ findings }) => findings.length === 0)];
   const host = element("div", {}, element("h2", {}, robot.name), element("p", {}, summary(robot)), element("p", { class: "hint" }, "All joints are at zero. A box is the uniform one with the link's mass and inertia: where it does not look like the link, the numbers are of something else."));
@@ -42,13 +42,13 @@ function mass({ inertial }: RobotLink): string[] {
 
 function sentence({ severity, message, line, code }: Finding): HTMLElement {
   const ink = severity === "note" ? "quiet" : INKS[severity];
-  return element("p", { class: "finding" }, badge(severity, ink), `line ${line}: ${message} `, element("code", {}, code));
+  return element("p", { class: "finding" }, badge(severity, ink), ` line ${line}: ${message} `, element("code", {}, code));
 }
 
 function numbers({ inertial }: RobotLink): HTMLElement[] {
   if (!inertial) return [];
   const row = (name: string, values: number[], unit: string): HTMLElement => {
-    const value = element("td", {}, values.map((x) => short(x)).join(", "), element("span", { class: "unit" }, unit));
+    const value = element("td", {}, values.map((x) => short(x)).join(", "), "\u00a0", element("span", { class: "unit" }, unit));
     return element("tr", {}, element("th", { scope: "row" }, name), value);
   };
   const rows = [row("Mass", [inertial.mass], "kg"), row("Centre of mass, link's frame", inertial.center, "m")];

@@ -1,6 +1,7 @@
 /** A robot with all joints at zero: of every link its shapes, the box of its mass and tensor, and its centre of mass. */
 import { BoxGeometry, EdgesGeometry, Group, Mesh, MeshStandardMaterial, type Object3D, type Raycaster, Vector3 } from "three";
 import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
+import { number } from "../../format";
 import { Solids } from "../../scene/body";
 import type { Label } from "../../scene/labels";
 import { lineMaterial, segments } from "../../scene/lines";
@@ -14,7 +15,7 @@ export const INKS: Record<RobotLink["verdict"], Ink> = { impossible: "danger", s
 
 /** Of the picture: of a centre of mass, and of one whose tensor is impossible, so that it has no box. */
 const DOT = 0.012;
-const BOXLESS = 0.028;
+const BOXLESS = 0.018;
 /** Names at once. */
 const NAMED = 14;
 /** Of the robot's size: what goes farther from its middle is seen only if its link is chosen. A wrong unit makes boxes of kilometres. */
@@ -34,7 +35,7 @@ export class RobotScene implements Still {
     const fitted = new Fitted(whole, extent(this.#links));
     this.object = fitted.group;
     for (const link of this.#links) link.fit(fitted);
-    this.outline = outermost(this.#links.flatMap(({ isFar, points }) => (isFar ? [] : points)));
+    this.outline = outermost(this.#links.flatMap(({ isFar, points, form, origin }) => [...fitted.toPicture([origin, ...(isFar ? form : [])]), ...(isFar ? [] : points)]));
     this.parts = [
       { name: "Shapes", isOn: true, show: (isOn) => this.#show(isOn, this.parts[1].isOn) },
       { name: "Equivalent boxes", isOn: true, show: (isOn) => this.#show(this.parts[0].isOn, isOn) },
@@ -66,7 +67,7 @@ export class RobotScene implements Still {
   labels(): Label[] {
     const isNamed = ({ verdict }: LinkModel, k: number): boolean => (this.#chosen === null ? verdict === "impossible" || verdict === "suspect" : k === this.#chosen);
     const named = this.#links.filter(isNamed).slice(0, NAMED);
-    return named.map(({ name, verdict, middle, isFar }) => ({ text: isFar && this.#chosen === null ? `${name} (far too large for the picture)` : name, key: `link ${name}`, ink: INKS[verdict], tip: middle, along: [middle] }));
+    return named.map(({ name, verdict, middle, isFar, far }) => ({ text: isFar && this.#chosen === null ? far : name, key: `link ${name}`, ink: INKS[verdict], tip: middle, along: [middle] }));
   }
 
   at(ray: Raycaster): number | null {
@@ -104,6 +105,8 @@ class LinkModel {
   /** The outermost of all of it, in the model's frame, m; then as the picture has them. */
   points: Vector3[];
   isFar = false;
+  /** Its name, and why one does not see the box or the centre. */
+  readonly far: string;
   /** Its centre of mass, or its frame's origin. */
   middle: Vector3;
   readonly #marker: Object3D | null = null;
@@ -112,9 +115,11 @@ class LinkModel {
 
   constructor({ name, position, quaternion, inertial, verdict, shapes }: RobotLink, palette: Palette) {
     [this.name, this.verdict, this.#palette, this.#ink] = [name, verdict, palette, INKS[verdict]];
+    this.far = inertial?.box ? `${name}: a box of ${number(Math.max(...inertial.box.size), 2)} m` : `${name}: far away`;
     pose(this.group, position, quaternion);
     const solids = new Solids(shapes, true, palette);
     this.shapes.add(solids.group);
+    if (verdict === "impossible" || verdict === "suspect") this.#tint(solids.group);
     const form = shapes.length > 0 ? solids.farthest : [];
     const own = [...form];
     if (inertial) {
@@ -155,6 +160,14 @@ class LinkModel {
       else if (part instanceof Mesh) part.material = glass;
     }
     if (this.#marker) this.#marker.visible = !isFaint;
+  }
+
+  // Whether its inertia has a box or none, one sees which link it is of.
+  #tint(shapes: Group): void {
+    const tinted = this.#palette.shared("tinted", this.#ink, () => new MeshStandardMaterial({ transparent: true, opacity: 0.35, depthWrite: false, roughness: 0.6 }), 0.8);
+    shapes.traverse((part) => {
+      if (part instanceof Mesh && !(part instanceof LineSegments2)) part.material = tinted;
+    });
   }
 
   #box({ size, quaternion }: { size: [number, number, number]; quaternion: [number, number, number, number] }, center: Vector3): Vector3[] {

@@ -224,6 +224,30 @@ test("a robot's folder that is dropped opens its models with their meshes; what 
   await close();
 });
 
+test("a mesh that goes through itself turns, and shows where: from the motion and back", async () => {
+  const { page, problems, close } = await open();
+  // One corner of the wall's upper edge comes down through the plate.
+  const bracket = readFileSync(example("meshes/bracket.off"), "utf8");
+  const crossed = bracket.replace("\n5.0 0.0 35.0\n", "\n20.0 3.0 -12.0\n");
+  assert.notEqual(crossed, bracket);
+  const path = join(folder, "crossing.off");
+  writeFileSync(path, crossed);
+  await page.setInputFiles("input[type=file]:not([webkitdirectory])", [path]);
+  await page.waitForFunction(() => window.polhodeLive.isSettled && window.polhodeLive.text.includes("crossing.off"));
+  await page.click("#other >> text=Mesh");
+  await page.waitForFunction(() => window.polhodeInspection.document?.name === "crossing.off");
+  const panel = page.locator(".inspection-panel");
+  assert.match(await panel.innerText(), /It bounds a solid/);
+  const crossing = panel.locator("li", { hasText: "mesh.overlap" });
+  await crossing.locator("button").click();
+  assert.ok((await coloured(page, [0x9a, 0x4a, 0x00])) > 50, "where it crosses is seen");
+  await shoot(page, "inspection-crossing");
+  await page.click("#other >> text=Motion");
+  await page.waitForFunction(() => !document.body.classList.contains("inspecting"));
+  assert.deepEqual(problems, []);
+  await close();
+});
+
 test("of several files those that name others are opened; of a folder, models among other XML are found", async () => {
   const { sorted } = await load("live/dropped.ts");
   const file = (path, text = "") => ({ path, file: new File([text], path) });

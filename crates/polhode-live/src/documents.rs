@@ -13,7 +13,7 @@ use polhode_formats::scenario::Draft;
 use crate::answer::Refusal;
 use crate::inspect::MeshInspection;
 use crate::kind::Kind;
-use crate::mesh::Mesh;
+use crate::mesh::{self, Mesh};
 use crate::opened::{scenario_of, scenario_of_mesh};
 use crate::protocol::DocumentInfo;
 use crate::{limits, watch};
@@ -42,6 +42,8 @@ pub(crate) enum Content {
         made: Option<String>,
         /// What the files were like when the draft began to read them.
         stamp: Mutex<String>,
+        /// Whether it was made of a mesh, which can be looked at by itself.
+        is_mesh: bool,
     },
     /// A mesh that bounds no solid: what was found, and what the file was like then.
     Mesh(Mutex<(String, Arc<MeshInspection>)>),
@@ -93,7 +95,8 @@ impl Documents {
         let made = |text: String, mut draft: Draft| -> Result<Content, Refusal> {
             let read = draft.read_watched(text.clone(), &watch::within(limits::INSPECTION, stop));
             read.map_err(|error| unreadable(error.to_string()))?;
-            Ok(Content::Scenario { draft: Mutex::new(draft), made: Some(text), stamp: Mutex::new(all) })
+            let (draft, stamp) = (Mutex::new(draft), Mutex::new(all));
+            Ok(Content::Scenario { draft, made: Some(text), stamp, is_mesh: kind == Kind::Mesh })
         };
         let content = match kind {
             Kind::Robot => Content::Robot,
@@ -103,7 +106,12 @@ impl Documents {
                 if dropped.is_none() {
                     draft = Draft::trusting(path, &text);
                 }
-                Content::Scenario { draft: Mutex::new(draft), made: None, stamp: Mutex::default() }
+                Content::Scenario {
+                    draft: Mutex::new(draft),
+                    made: None,
+                    stamp: Mutex::default(),
+                    is_mesh: false,
+                }
             }
             Kind::Mesh => {
                 match Mesh::of(&name, path, &bytes, &watch::within(limits::INSPECTION, stop))
@@ -126,8 +134,8 @@ impl Documents {
 
     /// A scenario with this text, whatever the file has.
     pub(crate) fn put_scenario(&self, path: &Path, draft: Draft, text: String) -> Arc<Document> {
-        let content =
-            Content::Scenario { draft: Mutex::new(draft), made: Some(text), stamp: Mutex::default() };
+        let (draft, stamp) = (Mutex::new(draft), Mutex::default());
+        let content = Content::Scenario { draft, made: Some(text), stamp, is_mesh: false };
         self.put(name_of(path), path.to_owned(), Vec::new(), content)
     }
 
@@ -156,7 +164,8 @@ impl Document {
             Content::Mesh(_) => "mesh",
             Content::Robot => "robot",
         };
-        DocumentInfo { id: self.id, name: self.name.clone(), kind, stamp: self.stamp() }
+        let is_mesh = matches!(self.content, Content::Mesh(_) | Content::Scenario { is_mesh: true, .. });
+        DocumentInfo { id: self.id, name: self.name.clone(), kind, is_mesh, stamp: self.stamp() }
     }
 
     /// Differs after the file, or one that it names, was written to.
@@ -173,7 +182,7 @@ impl Document {
 
     /// The text of a scenario as its file has it now, with all files read anew if one was written to.
     pub(crate) fn text(&self) -> Result<String, Refusal> {
-        let Content::Scenario { draft, made, stamp } = &self.content else {
+        let Content::Scenario { draft, made, stamp, .. } = &self.content else {
             return Err(Refusal::not_found());
         };
         let now = self.stamp();
@@ -193,24 +202,27 @@ impl Document {
         Ok(text)
     }
 
-    /// What is wrong with a mesh as its file has it now, which is looked at again if it was written to; `stop` ends it.
-    pub(crate) fn flaws(&self, stop: &AtomicBool) -> Result<Arc<MeshInspection>, Refusal> {
-        let Content::Mesh(found) = &self.content else { return Err(Refusal::not_found()) };
+    /// A mesh as its file has it now, and what is wrong with it; `stop` ends it.
+    pub(crate) fn looked_at(&self, stop: &AtomicBool) -> Result<Arc<MeshInspection>, Refusal> {
+        let found = match &self.content {
+            Content::Mesh(found) => Some(found),
+            Content::Scenario { is_mesh: true, .. } => None,
+            _ => return Err(Refusal::not_found()),
+        };
         let now = self.stamp();
-        let (before, known) = found.lock().unwrap_or_else(PoisonError::into_inner).clone();
-        if before == now {
+        let known = found.map(|found| found.lock().unwrap_or_else(PoisonError::into_inner).clone());
+        if let Some((_, known)) = known.filter(|(before, _)| *before == now) {
             return Ok(known);
         }
         let unreadable = |error: String| unreadable(&self.name, &error);
         let bytes = fs::read(&self.path).map_err(|error| unreadable(error.to_string()))?;
         let goes_on = watch::within(limits::INSPECTION, stop);
-        let mesh = Mesh::of(&self.name, &self.path, &bytes, &goes_on).map_err(unreadable)?;
+        let inspection = mesh::looked_at(&self.name, &self.path, &bytes, &goes_on).map_err(unreadable)?;
         watch::is_wanted(stop)?;
-        let inspection = Arc::new(match mesh {
-            Mesh::Flawed(inspection) => inspection,
-            Mesh::Solid(solid, _) => MeshInspection::of_solid(&self.name, &solid),
-        });
-        *found.lock().unwrap_or_else(PoisonError::into_inner) = (now, inspection.clone());
+        let inspection = Arc::new(inspection);
+        if let Some(found) = found {
+            *found.lock().unwrap_or_else(PoisonError::into_inner) = (now, inspection.clone());
+        }
         Ok(inspection)
     }
 

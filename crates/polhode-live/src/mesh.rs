@@ -44,6 +44,24 @@ impl Mesh {
     }
 }
 
+/// What there is to see of the file of a mesh, whether it bounds a solid or not; an error says why its bytes are no mesh.
+pub(crate) fn looked_at(
+    name: &str,
+    path: &Path,
+    bytes: &[u8],
+    goes_on: &(dyn Fn() -> bool + Sync),
+) -> Result<MeshInspection, String> {
+    if let Mesh::Flawed(found) = Mesh::of(name, path, bytes, goes_on)? {
+        return Ok(found);
+    }
+    let format = MeshFormat::of_path(path).ok_or("it is no mesh")?;
+    let contents = MeshContents::parse(bytes, path, format).map_err(|error| error.message())?;
+    let unit = contents.unit.unwrap_or_else(|| assumed_unit(&contents));
+    let contents = contents.as_one().map_err(|error| error.to_string())?;
+    let surface = contents.parts.first().map(|part| &part.mesh).ok_or("it has no triangles")?;
+    Ok(MeshInspection::of_solid(name, &contents, surface, unit))
+}
+
 /// The parts of a file by the triangles of all of them, numbered through.
 #[derive(Debug)]
 pub(crate) struct PartNames(Vec<(String, usize)>);

@@ -21,6 +21,8 @@ pub(crate) struct DocumentInfo {
     pub(crate) id: u32,
     pub(crate) name: String,
     pub(crate) kind: &'static str,
+    #[serde(rename = "mesh")]
+    pub(crate) is_mesh: bool,
     pub(crate) stamp: String,
 }
 

@@ -20,6 +20,7 @@ pub(crate) enum Route {
     Asset(&'static str, &'static [u8]),
     Documents,
     Document(u32),
+    Mesh(u32),
     Lessons,
     Lesson(String),
     Motion,
@@ -44,10 +45,11 @@ impl Route {
         }
     }
 
-    /// `document/3`, `lesson/cube`, `live.js`
+    /// `document/3`, `mesh/3`, `lesson/cube`, `live.js`
     fn named(path: &str) -> Option<Self> {
         match path.split_once('/') {
             Some(("document", id)) => id.parse().ok().map(Self::Document),
+            Some(("mesh", id)) => id.parse().ok().map(Self::Mesh),
             Some(("lesson", id)) => decoded(id).map(Self::Lesson),
             _ => asset(path).map(|(kind, bytes)| Self::Asset(kind, bytes)),
         }
@@ -67,7 +69,12 @@ impl Route {
     /// The most bytes that its body may have.
     pub(crate) const fn most(&self) -> usize {
         match self {
-            Self::Asset(..) | Self::Documents | Self::Document(_) | Self::Lessons | Self::Lesson(_) => 0,
+            Self::Asset(..)
+            | Self::Documents
+            | Self::Document(_)
+            | Self::Mesh(_)
+            | Self::Lessons
+            | Self::Lesson(_) => 0,
             Self::Drop { .. } => limits::FILE,
             _ => limits::JSON,
         }
@@ -98,9 +105,13 @@ impl Route {
                     Content::Scenario { .. } => {
                         json(&serde_json::json!({ "kind": "scenario", "text": document.text()? }))
                     }
-                    Content::Mesh(_) => json(&Inspection::Mesh { mesh: &*document.flaws(stop)? }),
+                    Content::Mesh(_) => json(&Inspection::Mesh { mesh: &*document.looked_at(stop)? }),
                     Content::Robot => json(&Inspection::Robot { robot: RobotInspection::of(&document)? }),
                 }
+            }
+            Self::Mesh(id) => {
+                let mesh = session.documents.get(id)?.looked_at(stop)?;
+                json(&Inspection::Mesh { mesh: &mesh })
             }
             Self::Lessons => json(&serde_json::json!({ "lessons": session.lessons.list() })),
             Self::Lesson(id) => json(&session.lessons.open(&id, &session.documents)?),

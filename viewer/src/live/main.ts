@@ -58,7 +58,7 @@ orSay(() => {
   shown.takes = (id) => lessons.reread(id);
   const drop = new Drop((document) => shown.open(document), (words) => notice.say(words));
   const actions = new Actions(session, notice);
-  actions.host.prepend(shown.choice, drop.button);
+  actions.host.prepend(shown.choice, shown.other, drop.button);
   byId("theme").before(actions.host);
   document.querySelector("header")?.after(notice.host);
   const pad = new MomentsPad(session);

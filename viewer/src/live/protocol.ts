@@ -24,6 +24,8 @@ export interface DocumentInfo {
   /** "t-handle.toml" */
   name: string;
   kind: "scenario" | "mesh" | "robot";
+  /** Its file is one mesh: `GET mesh/ID` shows it, whether it bounds a solid or not. */
+  mesh: boolean;
   /** Differs if the file has changed. */
   stamp: string;
 }
@@ -33,6 +35,9 @@ export type DocumentContent =
   | { kind: "scenario"; text: string }
   | { kind: "mesh"; mesh: MeshInspection }
   | { kind: "robot"; robot: RobotInspection };
+
+/** `GET mesh/ID`: a mesh and what is found in it, also of one that bounds a solid and so has a motion. */
+export type MeshContent = Extract<DocumentContent, { kind: "mesh" }>;
 
 /** `POST motion`: change a scenario, and compute its motion. */
 export interface MotionRequest {
@@ -145,7 +150,7 @@ export interface OpenRequest {
 /** A scenario is made of a body that is sound: its motion is shown at once. */
 export type OpenAnswer = DocumentInfo;
 
-/** A mesh that bounds no solid, and why. */
+/** A mesh, and what is wrong with it; it bounds a solid if nothing of it is an error. */
 export interface MeshInspection {
   name: string;
   /** f32, base64, x y z of each vertex, m. */

@@ -6,6 +6,7 @@ import type {
   Documents,
   Lesson,
   Lessons,
+  MeshContent,
   MotionAnswer,
   MotionRequest,
   OpenAnswer,
@@ -27,6 +28,7 @@ export class Refused extends Error {
 export const server = {
   documents: (): Promise<Documents> => ask("documents"),
   document: (id: number): Promise<DocumentContent> => ask(`document/${id}`),
+  mesh: (id: number): Promise<MeshContent> => ask(`mesh/${id}`),
   motion: (request: MotionRequest, signal: AbortSignal): Promise<MotionAnswer> => post("motion", request, signal),
   complete: (request: CompleteRequest, signal: AbortSignal): Promise<CompleteAnswer> => post("complete", request, signal),
   lessons: (): Promise<Lessons> => ask("lessons"),

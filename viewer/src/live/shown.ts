@@ -2,13 +2,15 @@
 import { element } from "../dom";
 import type { Inspection } from "./inspection/inspection";
 import type { Notice } from "./notice";
-import type { DocumentInfo } from "./protocol";
+import type { DocumentContent, DocumentInfo } from "./protocol";
 import { Refused, server } from "./server";
 import type { Session } from "./session";
 
 export class Shown {
   /** All documents, to choose from. */
   readonly choice = element("select", { "aria-label": "Document", id: "documents", hidden: true });
+  /** From a mesh that turns to what was found in it, and back. */
+  readonly other = element("button", { type: "button", id: "other", hidden: true, click: () => this.#toggle() });
   /** Whether somebody else, a lesson, takes the file's new text. */
   takes: (id: number) => Promise<boolean> = () => Promise.resolve(false);
   readonly #session: Session;
@@ -44,8 +46,22 @@ export class Shown {
       await this.update(this.#all);
       return;
     }
+    await this.#ask(info, server.document(info.id), asked, text);
+  }
+
+  #toggle(): void {
+    const info = this.document;
+    if (!info) return;
+    if (this.#inspection.document) void this.open(info);
+    else {
+      this.#asked += 1;
+      void this.#ask(info, server.mesh(info.id), this.#asked);
+    }
+  }
+
+  async #ask(info: DocumentInfo, answer: Promise<DocumentContent>, asked: number, text?: string): Promise<void> {
     try {
-      const content = await server.document(info.id);
+      const content = await answer;
       if (asked !== this.#asked) return;
       this.#notice.clear();
       if (content.kind === "scenario") {
@@ -67,7 +83,10 @@ export class Shown {
     const mine = this.document;
     const now = all.find(({ id }) => id === mine?.id);
     if (!mine || !now || now.stamp === mine.stamp) return;
-    if (this.#inspection.document) await this.open(now);
+    if (this.#inspection.document) {
+      this.#asked += 1;
+      await this.#ask(now, now.mesh ? server.mesh(now.id) : server.document(now.id), this.#asked);
+    }
     else if (!(await this.takes(mine.id))) await this.#reread(now);
   }
 
@@ -95,5 +114,8 @@ export class Shown {
   #name(): void {
     this.choice.value = String(this.document?.id ?? "");
     this.choice.hidden = this.#all.length < 2;
+    const { document } = this;
+    this.other.hidden = !(document?.mesh === true && document.kind === "scenario");
+    [this.other.textContent, this.other.title] = this.#inspection.document ? ["Motion", "How it moves"] : ["Mesh", "What is found in the mesh"];
   }
 }

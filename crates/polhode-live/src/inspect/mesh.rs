@@ -1,4 +1,4 @@
-//! A mesh that bounds no solid, and all that is wrong with it, where it is.
+//! A mesh, and all that is wrong with it, where it is.
 //!
 //! It is taken as a scenario takes it, all parts of the file as one surface. The findings are the core's, in the words of
 //! `polhode inertia`, which stops at the first error. Numbers in the sentences are those of the file, places are in metres.
@@ -7,10 +7,11 @@ use std::borrow::Cow;
 use std::collections::BTreeSet;
 
 use polhode::body::mesh::{
-    ComponentRole, EdgePlace, MeshFlaws, PairPlace, Triangle, TriangleMesh, TrianglePlace,
+    ComponentRole, EdgePlace, MeshDiagnosis, MeshFlaws, MeshPlaces, PairPlace, Triangle, TriangleMesh,
+    TrianglePlace,
 };
 use polhode::body::{BodyError, Finding, Severity};
-use polhode_formats::mesh::{MeshContents, MeshSolid};
+use polhode_formats::mesh::MeshContents;
 use polhode_report::display::{decimated, f32s, u32s};
 use serde::Serialize;
 
@@ -67,23 +68,19 @@ impl MeshInspection {
                 format!("the {count} parts of the file are taken as one surface: triangles are numbered through all of them"),
             ));
         }
-        if contents.unit.is_none() {
-            let word = if unit == 1.0 { "metres" } else { "millimetres" };
-            findings.push(Marked::remark(
-                "mesh.unit",
-                format!("the file does not say its unit of length: {word} are taken by its size"),
-            ));
-        }
+        findings.extend(assumed(contents, unit));
         Self::shown(name, &flaws.surface, contents.triangles(), findings, unit)
     }
 
-    /// Of a mesh that bounds a solid after all.
-    pub(crate) fn of_solid(name: &str, solid: &MeshSolid) -> Self {
-        let mut findings: Vec<_> = solid.findings.iter().cloned().map(Marked::unmarked).collect();
-        findings.push(Marked::remark("mesh.solid", "the mesh bounds a solid now".to_owned()));
-        let nothing = TriangleMesh::default();
-        let surface = solid.parts.first().map_or(&nothing, |part| part.mesh.surface());
-        Self::shown(name, surface, solid.triangles, findings, 1.0)
+    /// Of what the file has as one part, which bounds a solid.
+    pub(crate) fn of_solid(name: &str, contents: &MeshContents, surface: &TriangleMesh, unit: f64) -> Self {
+        let (diagnosis, places) = MeshDiagnosis::with_places(surface, MARKS);
+        let at = Places { diagnosis: &diagnosis, places: &places, surface };
+        let mut findings: Vec<_> =
+            diagnosis.findings().into_iter().map(|finding| at.of_finding(finding)).collect();
+        findings.extend(contents.findings.iter().cloned().map(Marked::unmarked));
+        findings.extend(assumed(contents, unit));
+        Self::shown(name, surface, contents.triangles(), findings, unit)
     }
 
     fn shown(name: &str, surface: &TriangleMesh, of: usize, mut findings: Vec<Marked>, unit: f64) -> Self {
@@ -205,6 +202,13 @@ fn corners(mesh: &TriangleMesh, number: usize) -> Option<Triangle> {
     Some([a?, b?, c?])
 }
 
+/// That the unit, in metres, is not the file's own.
+fn assumed(contents: &MeshContents, unit: f64) -> Option<Marked> {
+    let word = if unit == 1.0 { "metres" } else { "millimetres" };
+    let message = format!("the file does not say its unit of length: {word} are taken by its size");
+    contents.unit.is_none().then(|| Marked::remark("mesh.unit", message))
+}
+
 /// What is wrong with a surface.
 fn wrong(flaws: &MeshFlaws, parts: &PartNames) -> Vec<Marked> {
     let of_each = |error: &BodyError| {
@@ -216,8 +220,8 @@ fn wrong(flaws: &MeshFlaws, parts: &PartNames) -> Vec<Marked> {
         let marked = Marked { hint: error.hint(), ..Marked::unmarked(finding) };
         of_error(marked, error, flaws)
     };
-    let findings = flaws.diagnosis.findings().into_iter();
-    let findings = findings.map(|finding| of_finding(Marked::unmarked(finding), flaws));
+    let at = Places { diagnosis: &flaws.diagnosis, places: &flaws.places, surface: &flaws.surface };
+    let findings = flaws.diagnosis.findings().into_iter().map(|finding| at.of_finding(finding));
     flaws.errors().map(of_each).chain(findings).collect()
 }
 
@@ -244,7 +248,6 @@ fn hint(code: &str) -> Option<&'static str> {
         "mesh.degenerate" => "merge vertices by distance in the tool that made the mesh",
         "mesh.unit" => "export it as 3MF or glTF: these say their unit",
         "mesh.more" => "the worst are listed first: mend these, and save the file",
-        "mesh.solid" => "open it again to see it move",
         _ => return None,
     })
 }
@@ -268,28 +271,39 @@ fn of_error(marked: Marked, error: &BodyError, flaws: &MeshFlaws) -> Marked {
     }
 }
 
-fn of_finding(marked: Marked, flaws: &MeshFlaws) -> Marked {
-    let MeshFlaws { diagnosis, places, surface: mesh, .. } = flaws;
-    match marked.finding.code {
-        "mesh.flipped" => {
-            let of = diagnosis.components.iter().map(|part| part.flipped).sum();
-            marked.triangles(&places.flipped, of)
+/// What a diagnosis counts, and where that is.
+#[derive(Clone, Copy)]
+struct Places<'a> {
+    diagnosis: &'a MeshDiagnosis,
+    places: &'a MeshPlaces,
+    surface: &'a TriangleMesh,
+}
+
+impl Places<'_> {
+    fn of_finding(self, finding: Finding) -> Marked {
+        let Self { diagnosis, places, surface: mesh } = self;
+        let marked = Marked::unmarked(finding);
+        match marked.finding.code {
+            "mesh.flipped" => {
+                let of = diagnosis.components.iter().map(|part| part.flipped).sum();
+                marked.triangles(&places.flipped, of)
+            }
+            // They have no area to be seen.
+            "mesh.degenerate" => {
+                let side = |place: &TrianglePlace| {
+                    let [a, b, c] = place.corners;
+                    EdgePlace { triangle: place.triangle, ends: if a == b { [b, c] } else { [a, b] } }
+                };
+                let sides: Vec<EdgePlace> = places.degenerate.iter().map(side).collect();
+                marked.edges(&sides, diagnosis.degenerate.count)
+            }
+            "mesh.overlap" => marked.pairs(&places.self_overlaps, diagnosis.self_overlaps.count, mesh),
+            "mesh.touching" => {
+                let pairs = [places.back_to_back.as_slice(), &places.contacts].concat();
+                marked.pairs(&pairs, diagnosis.back_to_back.count + diagnosis.contacts.count, mesh)
+            }
+            _ => marked,
         }
-        // They have no area to be seen.
-        "mesh.degenerate" => {
-            let side = |place: &TrianglePlace| {
-                let [a, b, c] = place.corners;
-                EdgePlace { triangle: place.triangle, ends: if a == b { [b, c] } else { [a, b] } }
-            };
-            let sides: Vec<EdgePlace> = places.degenerate.iter().map(side).collect();
-            marked.edges(&sides, diagnosis.degenerate.count)
-        }
-        "mesh.overlap" => marked.pairs(&places.self_overlaps, diagnosis.self_overlaps.count, mesh),
-        "mesh.touching" => {
-            let pairs = [places.back_to_back.as_slice(), &places.contacts].concat();
-            marked.pairs(&pairs, diagnosis.back_to_back.count + diagnosis.contacts.count, mesh)
-        }
-        _ => marked,
     }
 }
 

@@ -279,8 +279,30 @@ fn a_file_that_the_user_names_is_inspected_as_it_is_now() {
     assert_eq!(points(&finding(&page.document(&0.into())["mesh"], "mesh.open")["edges"]).len(), 8);
     folder.file("a.stl", &stl(&whole));
     let mended = &page.document(&0.into())["mesh"];
-    assert_eq!(codes(mended), ["mesh.solid"]);
+    assert_eq!(codes(mended), ["mesh.unit"]);
     assert_eq!((u32s(&mended["triangles"]).len(), &mended["of"]), (36, &12.into()));
+}
+
+#[test]
+fn a_mesh_that_turns_is_looked_at_too() {
+    let folder = Folder::new("turns");
+    let mut whole = cuboid([0.0, 0.1, 0.2], [1.0, 1.2, 1.3]);
+    let turned = [whole[4], whole[7]];
+    for k in [4, 7] {
+        whole[k].swap(1, 2);
+    }
+    let page = Page::open(&[folder.file("turned.stl", &stl(&whole)), repository("examples/t-handle.toml")]);
+    let documents = &page.get("documents").json()["documents"];
+    assert_eq!([&documents[0]["kind"], &documents[0]["mesh"]], [&Value::from("scenario"), &Value::from(true)]);
+    assert_eq!(documents[1]["mesh"], false);
+    let answer = page.get("mesh/0").json();
+    let mesh = &answer["mesh"];
+    assert_eq!(set(faces(finding(mesh, "mesh.flipped"))), set(turned));
+    assert_eq!((u32s(&mesh["triangles"]).len(), &mesh["of"]), (36, &12.into()));
+    assert!(mesh["findings"].as_array().unwrap().iter().all(|finding| finding["severity"] != "error"));
+    // A scenario is no mesh.
+    assert_eq!(page.get("mesh/1").status, 404);
+    assert_eq!(page.get("mesh/2").status, 404);
 }
 
 #[test]

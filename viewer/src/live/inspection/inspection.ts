@@ -52,7 +52,7 @@ export class Inspection {
     byId("source").textContent = "";
     const view = this.#open();
     const choose = (item: number | null): void => this.choose(item === this.chosen ? null : item);
-    this.#list = content.kind === "mesh" ? meshList(content.mesh, choose) : robotList(content.robot, info.name, choose);
+    this.#list = content.kind === "mesh" ? meshList(content.mesh, info.kind === "mesh", choose) : robotList(content.robot, info.name, choose);
     this.#panel.replaceChildren(this.#list.host);
     if (view) {
       this.#still = content.kind === "mesh" ? new MeshScene(content.mesh, view.palette) : new RobotScene(content.robot, view.palette);

@@ -7,19 +7,25 @@ import { INKS } from "./mesh-scene";
 
 const WORDS: Record<MeshFinding["severity"], string> = { error: "Error", warning: "Warning", info: "Note" };
 
-export function meshList(mesh: MeshInspection, choose: (item: number) => void): Listed {
+/** `isStill`: there is no motion to go back to. */
+export function meshList(mesh: MeshInspection, isStill: boolean, choose: (item: number) => void): Listed {
   const errors = mesh.findings.filter(({ severity }) => severity === "error").length;
   const shown = mesh.triangles.length / 16; // 12 bytes each, as base64
+  const triangles = `${grouped(String(mesh.of))} triangles`;
+  const verdict =
+    errors === 0
+      ? [element("h2", {}, "It bounds a solid"), `${triangles}. ${mesh.findings.length === 0 ? "Nothing was found that is wrong with it. " : ""}${isStill ? "Open it again to see it move. " : ""}`]
+      : [element("h2", {}, "It bounds no solid"), `${triangles}, ${errors === 1 ? "one error" : `${errors} errors`}. Without a solid there is no mass, and no motion. `];
   const host = element(
     "div",
     {},
-    element("h2", {}, "It bounds no solid"),
+    verdict[0],
     element(
       "p",
       {},
-      `${grouped(String(mesh.of))} triangles, ${errors === 1 ? "one error" : `${errors} errors`}. Without a solid there is no mass, and no motion. `,
+      verdict[1],
       shown + 1 < mesh.of ? `The picture has ${grouped(String(Math.floor(shown)))} of them; findings are of all. ` : "",
-      "A number in the picture is that of the finding.",
+      mesh.findings.length > 0 ? "A number in the picture is that of the finding." : "",
     ),
     element("ol", { class: "entries" }, ...mesh.findings.map((finding, k) => item(finding, k, choose))),
   );

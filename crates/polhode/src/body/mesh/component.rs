@@ -108,18 +108,20 @@ impl Measured {
         let solid = |role| matches!(role, ComponentRole::Solid | ComponentRole::Inverted);
         let components = &self.components;
         let volume = |k: usize| solid(components[k].role).then_some(components[k].volume);
-        if components.len() < 2 {
+        let solids: Vec<usize> = (0..components.len()).filter(|&k| solid(components[k].role)).collect();
+        if solids.len() < 2 {
             return;
         }
-        let within = BoxesWithin::of(components);
-        let nestings = threads.map_pieces(components.len(), COMPONENTS, |piece| {
-            let nesting = |k: usize| {
+        let within = BoxesWithin::of(components, &solids);
+        let nestings = threads.map_pieces(solids.len(), COMPONENTS, |piece| {
+            let nesting = |&k: &usize| {
                 let may_be = within.is_in_another(k, windings.work);
                 if may_be { windings.nesting(self.largest[k], volume) } else { Nesting::default() }
             };
-            piece.map(nesting).collect::<Vec<_>>()
+            solids[piece].iter().map(nesting).collect::<Vec<_>>()
         });
-        for (component, nesting) in self.components.iter_mut().zip(nestings.into_iter().flatten()) {
+        for (k, nesting) in solids.into_iter().zip(nestings.into_iter().flatten()) {
+            let component = &mut self.components[k];
             (component.depth, component.inside) = (nesting.depth, nesting.inside);
             component.role = match (component.role, nesting.depth % 2 == 1) {
                 (ComponentRole::Solid, true) => ComponentRole::InnerSolid,
@@ -130,7 +132,7 @@ impl Measured {
     }
 }
 
-/// Which boxes of components lie in others: what lies in another has its box in that one's.
+/// Which boxes of some components lie in others of them: what lies in another has its box in that one's.
 struct BoxesWithin<'a> {
     components: &'a [MeshComponent],
     /// The axis along which they overlap least.
@@ -142,9 +144,9 @@ struct BoxesWithin<'a> {
 }
 
 impl<'a> BoxesWithin<'a> {
-    fn of(components: &'a [MeshComponent]) -> Self {
+    fn of(components: &'a [MeshComponent], some: &[usize]) -> Self {
         let spread = |axis: usize| {
-            let ends = components.iter().map(|c| [c.bounds[0][axis], c.bounds[1][axis]]);
+            let ends = some.iter().map(|&k| [0, 1].map(|end| components[k].bounds[end][axis]));
             let none = (f64::INFINITY, f64::NEG_INFINITY, 0.0);
             let add = |(low, high, sum): (f64, f64, f64), [from, to]: [f64; 2]| {
                 (low.min(from), high.max(to), sum + (to - from))
@@ -154,7 +156,7 @@ impl<'a> BoxesWithin<'a> {
         };
         let axis = (0..3).max_by(|&i, &j| spread(i).total_cmp(&spread(j))).unwrap_or(0);
         let [low, high] = [0, 1].map(|end| move |k: usize| components[k].bounds[end][axis]);
-        let mut order: Vec<usize> = (0..components.len()).collect();
+        let mut order = some.to_vec();
         order.sort_by(|&i, &j| low(i).total_cmp(&low(j)));
         let leaves = order.len().next_power_of_two();
         let mut farthest = vec![f64::NEG_INFINITY; 2 * leaves];

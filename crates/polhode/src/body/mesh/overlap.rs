@@ -87,13 +87,17 @@ impl Meetings {
     ) -> Self {
         let mut at_edges = Self::default();
         if let Some(lowest) = lowest {
-            let parts = threads.map_pieces(edges.crowded.len(), EDGES, |piece| {
-                let (mut meetings, mut beside) = (Self::default(), Neighborhoods::of(windings, lowest));
-                let edges = edges.crowded[piece].iter();
-                edges.for_each(|edge| meetings.look_around(windings, &mut beside, edge));
-                meetings
-            });
-            parts.iter().for_each(|part| at_edges.join(part));
+            for some in edges.crowded.chunks(SOME * EDGES) {
+                if at_edges.between.is_full() {
+                    break;
+                }
+                let parts = threads.map_pieces(some.len(), EDGES, |piece| {
+                    let (mut meetings, mut beside) = (Self::default(), Neighborhoods::of(windings, lowest));
+                    some[piece].iter().for_each(|edge| meetings.look_around(windings, &mut beside, edge));
+                    meetings
+                });
+                parts.iter().for_each(|part| at_edges.join(part));
+            }
         }
         let search = Search { windings, lowest, threads, found: at_edges };
         let near = FEW + NEIGHBOURS * tree.order().len() as u64;
@@ -255,7 +259,7 @@ fn is_sound_at(
 }
 
 /// Edges in a piece of work.
-const EDGES: usize = 1 << 10;
+const EDGES: usize = 1 << 7;
 
 /// Leaves in a piece of work, and pieces at once.
 const LEAVES: usize = 1 << 9;

@@ -293,7 +293,10 @@ fn a_mesh_that_turns_is_looked_at_too() {
     }
     let page = Page::open(&[folder.file("turned.stl", &stl(&whole)), repository("examples/t-handle.toml")]);
     let documents = &page.get("documents").json()["documents"];
-    assert_eq!([&documents[0]["kind"], &documents[0]["mesh"]], [&Value::from("scenario"), &Value::from(true)]);
+    assert_eq!(
+        [&documents[0]["kind"], &documents[0]["mesh"]],
+        [&Value::from("scenario"), &Value::from(true)]
+    );
     assert_eq!(documents[1]["mesh"], false);
     let answer = page.get("mesh/0").json();
     let mesh = &answer["mesh"];

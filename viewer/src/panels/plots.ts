@@ -37,6 +37,7 @@ export class Plots {
   #hovered: number | null = null;
   #width = 0;
   #zooming = false;
+  #next = 0;
   #later = 0;
 
   constructor(host: HTMLElement, page: PageData, motion: Motion, clock: Clock) {
@@ -76,7 +77,11 @@ export class Plots {
         if (panel) this.#waiting.set(panel, maker);
       }
       this.#axisWaits = page.top && { top: page.top, motion };
-      this.#drawSeen();
+      // After the frame of the 3-D view, which is not to wait for them.
+      cancelAnimationFrame(this.#next);
+      this.#next = requestAnimationFrame(() => {
+        this.#next = requestAnimationFrame(() => this.#drawSeen());
+      });
       clearTimeout(this.#later);
       this.#later = window.setTimeout(() => this.#drawRest(), QUIET);
     }

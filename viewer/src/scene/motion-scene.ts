@@ -28,6 +28,7 @@ const LONGEST = 1.5;
 /** Arrows keep the scale that they had as long as the longest is between these. */
 const KEPT = [0.35 * LONGEST, 1.7 * LONGEST] as const;
 const AXES = 1.3;
+const NO_TURN = new Quaternion();
 const THICK = 0.019;
 
 interface Scales {
@@ -162,7 +163,8 @@ export class MotionScene {
       back.invert();
       const named = this.#names(seen, picture, time, null).flatMap(({ tip, along }) => along ?? [tip]);
       const outline = !isWhole ? [] : picture === "sphere" ? directions(100) : this.#outline(seen, picture);
-      return [...named, ...outline, ...(this.#heavy?.floor(seen) ?? [])].map((p) => p.clone().applyQuaternion(back));
+      const all = [...named, ...outline, ...(this.#heavy?.floor(seen) ?? [])];
+      return back.equals(NO_TURN) ? all : all.map((p) => p.clone().applyQuaternion(back));
     });
   }
 

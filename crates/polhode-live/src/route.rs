@@ -99,7 +99,9 @@ impl Route {
                         json(&serde_json::json!({ "kind": "scenario", "text": document.text()? }))
                     }
                     Content::Mesh(_) => json(&Inspection::Mesh { mesh: &*document.flaws(stop)? }),
-                    Content::Robot => json(&Inspection::Robot { robot: RobotInspection::of(&document)? }),
+                    Content::Robot => {
+                        json(&Inspection::Robot { robot: RobotInspection::of(&document, stop)? })
+                    }
                 }
             }
             Self::Lessons => json(&serde_json::json!({ "lessons": session.lessons.list() })),

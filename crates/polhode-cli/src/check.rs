@@ -105,7 +105,7 @@ impl Check {
         &self,
         file: &Path,
         target: Option<(&Path, bool)>,
-        shapes: &mut Shapes,
+        shapes: &mut Shapes<'_>,
     ) -> Result<CheckReport, Failure> {
         let model = read_model(file, &self.reading())?;
         let Inspection { geometry, findings } = inspect(&model, shapes);
@@ -117,7 +117,12 @@ impl Check {
     }
 
     /// What is found in a text in place of the file's.
-    fn findings_in(&self, text: &str, file: &Path, shapes: &mut Shapes) -> Result<Vec<Finding>, FormatError> {
+    fn findings_in(
+        &self,
+        text: &str,
+        file: &Path,
+        shapes: &mut Shapes<'_>,
+    ) -> Result<Vec<Finding>, FormatError> {
         let model = read_text(text, file, &self.reading())?;
         Ok(inspect(&model, shapes).findings)
     }

@@ -38,7 +38,7 @@ pub(crate) const MOTION: Duration = Duration::from_secs(20);
 /// For an answer: what cannot be stopped goes on, but nobody waits for it.
 pub(crate) const ANSWER: Duration = Duration::from_secs(40);
 
-/// For what is wrong with a mesh: what would take longer is undecided.
+/// For what is wrong with a mesh, or with all meshes of a robot: what would take longer is undecided.
 pub(crate) const INSPECTION: Duration = Duration::from_secs(20);
 
 /// Samples of a motion: the page shows no more.

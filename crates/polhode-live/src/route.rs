@@ -106,7 +106,9 @@ impl Route {
                         json(&serde_json::json!({ "kind": "scenario", "text": document.text()? }))
                     }
                     Content::Mesh(_) => json(&Inspection::Mesh { mesh: &*document.looked_at(stop)? }),
-                    Content::Robot => json(&Inspection::Robot { robot: RobotInspection::of(&document)? }),
+                    Content::Robot => {
+                        json(&Inspection::Robot { robot: RobotInspection::of(&document, stop)? })
+                    }
                 }
             }
             Self::Mesh(id) => {

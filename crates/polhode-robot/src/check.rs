@@ -58,7 +58,7 @@ pub struct LinkGeometry {
 
 impl LinkGeometry {
     /// The sets of a link's shapes that can be measured as a whole. Half of a body says nothing of it.
-    pub fn of(link: &Link, shapes: &mut Shapes) -> Self {
+    pub fn of(link: &Link, shapes: &mut Shapes<'_>) -> Self {
         let mut geometry = Self::default();
         for role in [Role::Visual, Role::Collision] {
             let both = shapes.is_turned_by_some(link, role);

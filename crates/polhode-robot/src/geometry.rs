@@ -16,6 +16,7 @@ mod mesh;
 mod primitive;
 
 use std::collections::HashMap;
+use std::fmt;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -88,10 +89,13 @@ pub enum MeshReading {
 /// assert_eq!(solid.bounds, [[0.5, -1.0, -1.5], [1.5, 1.0, 1.5]]);
 /// # Ok::<(), polhode_formats::FormatError>(())
 /// ```
-#[derive(Debug, Default)]
-pub struct Shapes {
+pub struct Shapes<'a> {
     meshes: HashMap<PathBuf, Result<Arc<Mesh>, String>>,
+    goes_on: &'a (dyn Fn() -> bool + Sync),
 }
+
+/// Of what nobody waits for any more.
+const ENDED: &str = "it was not looked at: that would take too long";
 
 /// Volume and moments of a solid in its own frame.
 #[derive(Clone, Copy, Debug)]
@@ -102,7 +106,24 @@ struct Solid {
     tensor: [[f64; 3]; 3],
 }
 
-impl Shapes {
+impl Default for Shapes<'_> {
+    fn default() -> Self {
+        Self::watched(&|| true)
+    }
+}
+
+impl fmt::Debug for Shapes<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Shapes").field("meshes", &self.meshes).finish_non_exhaustive()
+    }
+}
+
+impl<'a> Shapes<'a> {
+    /// Measures as long as it `goes_on`, which is asked often: after that no mesh is measured.
+    pub fn watched(goes_on: &'a (dyn Fn() -> bool + Sync)) -> Self {
+        Self { meshes: HashMap::new(), goes_on }
+    }
+
     /// All shapes of a link that have this role, as one.
     pub fn link(&mut self, link: &Link, role: Role) -> LinkVolume {
         self.link_as(link, role, MeshReading::Usual)
@@ -203,10 +224,13 @@ impl Shapes {
     }
 
     fn mesh(&mut self, path: &Path) -> Result<Arc<Mesh>, String> {
+        if !(self.goes_on)() {
+            return Err(ENDED.to_owned());
+        }
         if let Some(known) = self.meshes.get(path) {
             return known.clone();
         }
-        let mesh = Mesh::read(path).map(Arc::new);
+        let mesh = Mesh::read(path, self.goes_on).map(Arc::new);
         self.meshes.insert(path.to_owned(), mesh.clone());
         mesh
     }

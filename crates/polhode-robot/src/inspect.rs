@@ -26,7 +26,7 @@ pub struct Inspection {
 /// assert_eq!(found.findings[0].code, "inertia.triangle");
 /// # Ok::<(), polhode_formats::FormatError>(())
 /// ```
-pub fn inspect(model: &RobotModel, shapes: &mut Shapes) -> Inspection {
+pub fn inspect(model: &RobotModel, shapes: &mut Shapes<'_>) -> Inspection {
     let geometry: Vec<_> = model.links.iter().map(|link| LinkGeometry::of(link, shapes)).collect();
     let mut findings = check(model, &geometry);
     for (link, geometry) in model.links.iter().zip(&geometry) {
@@ -38,7 +38,7 @@ pub fn inspect(model: &RobotModel, shapes: &mut Shapes) -> Inspection {
 }
 
 /// The shapes of a link that could not be measured. A plane has no volume, and is none the worse for it.
-fn unmeasured_shapes(link: &Link, geometry: &LinkGeometry, shapes: &mut Shapes) -> Vec<Finding> {
+fn unmeasured_shapes(link: &Link, geometry: &LinkGeometry, shapes: &mut Shapes<'_>) -> Vec<Finding> {
     let has = |role: &Role| link.geometry.iter().any(|geometry| geometry.role == *role);
     let roles = [Role::Visual, Role::Collision];
     let read_twice = geometry.is_turned_by_some;

@@ -3,6 +3,7 @@
 //! Nothing is written. A model that was dropped opens no file but those that were dropped with it.
 
 use std::collections::HashMap;
+use std::sync::atomic::AtomicBool;
 
 use hyper::StatusCode;
 use polhode::body::PrincipalFrame;
@@ -22,6 +23,7 @@ use serde_json::Value;
 use super::links::{LinkShapes, NotShown};
 use crate::answer::Refusal;
 use crate::documents::Document;
+use crate::{limits, watch};
 
 #[derive(Debug, Serialize)]
 pub(crate) struct RobotInspection {
@@ -81,8 +83,8 @@ struct Change {
 }
 
 impl RobotInspection {
-    /// Of the document's file as it is now.
-    pub(crate) fn of(document: &Document) -> Result<Self, Refusal> {
+    /// Of the document's file as it is now; `stop` ends it.
+    pub(crate) fn of(document: &Document, stop: &AtomicBool) -> Result<Self, Refusal> {
         let options = ReadOptions { roots: document.roots.clone(), confined: !document.roots.is_empty() };
         let unreadable = |error: FormatError| {
             let place = error.place().map_or_else(String::new, |place| format!(", line {}", place.line));
@@ -94,7 +96,8 @@ impl RobotInspection {
             }
         };
         let model = read_model(&document.path, &options).map_err(unreadable)?;
-        let mut shapes = Shapes::default();
+        let goes_on = watch::within(limits::INSPECTION, stop);
+        let mut shapes = Shapes::watched(&goes_on);
         let found = inspect(&model, &mut shapes).findings;
         let stands = Stands::of(&model);
         let numbers = numbers(&model);

@@ -55,15 +55,19 @@ fn a_mesh_that_nobody_waits_for_is_left() {
     let motion = json!({
         "document": id, "text": text, "edits": [], "error": false, "working": false, "body": null,
     });
+    let robot = "<robot name=\"r\"><link name=\"a\"><visual><geometry><mesh filename=\"star.stl\"/></geometry></visual></link></robot>";
+    assert_eq!(page.drop_file(1, "star.urdf", robot.as_bytes()).status, 200);
+    let robot = page.open_dropped(1, "star.urdf").json()["id"].clone();
     folder.file("later.stl", &star);
     for (what, request) in [
         ("open", post("open", "{\"set\":1,\"name\":\"star.stl\"}")),
         ("motion", post("motion", &motion.to_string())),
         ("inspection", format!("{}\r\n", page.head("GET", "document/0"))),
+        ("robot", format!("{}\r\n", page.head("GET", &format!("document/{robot}")))),
     ] {
         let left = left_by_two(&page, &request);
         assert!(left < Duration::from_secs(2), "{what}: {left:?}");
     }
     // None of that was kept.
-    assert_eq!(page.get("documents").json()["documents"].as_array().unwrap().len(), 2);
+    assert_eq!(page.get("documents").json()["documents"].as_array().unwrap().len(), 3);
 }

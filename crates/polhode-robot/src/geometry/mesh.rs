@@ -9,7 +9,7 @@ use polhode::body::{BodyError, MassProperties};
 use polhode_formats::mesh::{MeshContents, MeshFormat};
 use polhode_formats::read_text_file;
 
-use super::{MeshReading, Solid, VolumeKind, collada, z_up};
+use super::{ENDED, MeshReading, Solid, VolumeKind, collada, z_up};
 
 /// A mesh file as it is written, in metres and its own frame.
 #[derive(Debug)]
@@ -33,7 +33,7 @@ pub(super) struct Measured {
 }
 
 impl Mesh {
-    pub(super) fn read(path: &Path) -> Result<Self, String> {
+    pub(super) fn read(path: &Path, goes_on: &(dyn Fn() -> bool + Sync)) -> Result<Self, String> {
         let ending =
             path.extension().map_or_else(String::new, |ending| ending.to_string_lossy().to_lowercase());
         let (contents, turned_in) = match MeshFormat::of_path(path) {
@@ -49,7 +49,7 @@ impl Mesh {
             None => return Err(format!("polhode reads no .{ending} meshes")),
         };
         let contents = contents.map_err(|error| error.message())?.in_metres(None);
-        let mesh = Self::of(contents)?;
+        let mesh = Self::of(contents, goes_on)?;
         let usual = match turned_in {
             Some(MeshReading::Usual) => Arc::new(turned(&mesh.surface).map_err(|error| error.to_string())?),
             _ => mesh.surface.clone(),
@@ -57,16 +57,18 @@ impl Mesh {
         Ok(Self { turned_in, usual, ..mesh })
     }
 
-    fn of(contents: MeshContents) -> Result<Self, String> {
-        let parts = contents.parts.iter().map(|part| ClosedMesh::of(&part.mesh));
+    fn of(contents: MeshContents, goes_on: &(dyn Fn() -> bool + Sync)) -> Result<Self, String> {
+        let parts = contents.parts.iter().map(|part| ClosedMesh::watched(&part.mesh, goes_on));
         let mut solids = parts.collect::<Result<Vec<_>, _>>().unwrap_or_default();
         let one = contents.as_one().map_err(|error| error.to_string())?;
         let Some(all) = one.parts.into_iter().next() else { return Err("it has no triangles".to_owned()) };
         if solids.is_empty() {
             // pieces of one surface, or no solid
-            solids.extend(ClosedMesh::of(&all.mesh));
+            solids.extend(ClosedMesh::watched(&all.mesh, goes_on));
         }
         let measured = match solids[..] {
+            // A hull is no answer to what was not decided.
+            [] if !goes_on() => Err(ENDED.to_owned()),
             [] => Measured::hull(&all.mesh),
             _ => Measured::closed(&solids),
         };

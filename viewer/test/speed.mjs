@@ -1,14 +1,18 @@
 // How long the page takes to show another motion: ms of JavaScript from its data to the frame that shows it, of the thread's own time, so that
-// other programs do not count. node test/speed.mjs [DATA.json …]; without data, a sample's. Not a test.
+// other programs do not count; and how long a frame of it takes while it plays. node test/speed.mjs [DATA.json …]; without data, a sample's.
+// Calls of the GPU are made and draw nothing: without one the browser would be busy with pixels. Not a test.
 import { readFileSync } from "node:fs";
 import { launch, open } from "./browser.mjs";
 import { samples } from "./sample.mjs";
 
-const ROUNDS = 80;
+const ROUNDS = 40;
 const files = process.argv.slice(2);
 const pages = files.length > 0 ? files.map((file) => JSON.parse(readFileSync(file, "utf8"))) : [samples.free()];
 const browser = await launch();
 const { page, problems, close } = await open(browser, "speed", pages[0]);
+await page.evaluate(() => {
+  for (const call of ["drawElements", "drawArrays", "drawElementsInstanced", "drawArraysInstanced"]) WebGL2RenderingContext.prototype[call] = () => undefined;
+});
 const cdp = await page.context().newCDPSession(page);
 await cdp.send("Performance.enable", { timeDomain: "threadTicks" });
 const spent = async () => (await cdp.send("Performance.getMetrics")).metrics.find(({ name }) => name === "ScriptDuration").value;
@@ -40,7 +44,20 @@ for (const picture of ["body", "poinsot", "cones", "sphere"]) {
     taken[what] = (1000 * ((await spent()) - before)) / ROUNDS;
   }
   const over = (what) => (taken[what] - taken.nothing).toFixed(1);
-  console.log(`${picture}: ${over("motion")} ms, with other shapes ${over("reshape")} ms; ${JSON.stringify(memory)}`);
+  const before = await spent();
+  const frames = await page.evaluate(async () => {
+    const { clock, view } = window.polhode;
+    let drawn = 0;
+    view.drawn.push(() => (drawn += 1));
+    clock.setLoop(true);
+    clock.toggle();
+    await new Promise((resolve) => setTimeout(resolve, 4000));
+    clock.toggle();
+    view.drawn.pop();
+    return drawn;
+  });
+  const playing = ((1000 * ((await spent()) - before)) / frames).toFixed(1);
+  console.log(`${picture}: playing ${playing} ms a frame (${frames} frames); another motion ${over("motion")} ms, with other shapes ${over("reshape")} ms; ${JSON.stringify(memory)}`);
 }
 if (problems.length > 0) console.log(problems);
 await close();

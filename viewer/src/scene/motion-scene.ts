@@ -161,7 +161,7 @@ export class MotionScene {
       this.#turn(now, time, picture);
       this.aim(picture, rides, back);
       back.invert();
-      const named = this.#names(seen, picture, time, null).flatMap(({ tip, along }) => along ?? [tip]);
+      const named = this.#names(seen, picture, time, null).flatMap(({ tip, along }) => (along ? (isWhole ? along : []) : [tip]));
       const outline = !isWhole ? [] : picture === "sphere" ? directions(100) : this.#outline(seen, picture);
       const all = [...named, ...outline, ...(this.#heavy?.floor(seen) ?? [])];
       return back.equals(NO_TURN) ? all : all.map((p) => p.clone().applyQuaternion(back));

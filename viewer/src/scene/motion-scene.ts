@@ -28,7 +28,8 @@ const LONGEST = 1.5;
 /** Arrows keep the scale that they had as long as the longest is between these. */
 const KEPT = [0.35 * LONGEST, 1.7 * LONGEST] as const;
 const AXES = 1.3;
-const NO_TURN = new Quaternion();
+/** Places of a name that are looked at at every time. */
+const FEW = 20;
 const THICK = 0.019;
 
 interface Scales {
@@ -161,10 +162,14 @@ export class MotionScene {
       this.#turn(now, time, picture);
       this.aim(picture, rides, back);
       back.invert();
-      const named = this.#names(seen, picture, time, null).flatMap(({ tip, along }) => (along ? (isWhole ? along : []) : [tip]));
+      const named = this.#names(seen, picture, time, null).flatMap(({ tip, along }) => {
+        if (!along) return [tip];
+        // Those of curves are many.
+        return isWhole || along.length <= FEW ? along : [];
+      });
       const outline = !isWhole ? [] : picture === "sphere" ? directions(100) : this.#outline(seen, picture);
-      const all = [...named, ...outline, ...(this.#heavy?.floor(seen) ?? [])];
-      return back.equals(NO_TURN) ? all : all.map((p) => p.clone().applyQuaternion(back));
+      // Tips of arrows are other places at other times.
+      return [...named, ...outline, ...(this.#heavy?.floor(seen) ?? [])].map((p) => p.clone().applyQuaternion(back));
     });
   }
 

@@ -8,9 +8,9 @@
 //! are [`Slot::Missing`](crate::model::Slot::Missing), [`Tensor::Missing`](crate::model::Tensor::Missing) and `None`, as in the other
 //! languages.
 //!
-//! Not read: xacro (expand it first), `<include>` of SDF and MJCF and what else other files say (a note), `<composite>`, `<flexcomp>` and
-//! `<replicate>` of MJCF (a note).
+//! Not read: xacro (expand it first), `<include>` of SDF (a note), `<composite>` and `<flexcomp>` of MJCF (a note).
 
+mod forest;
 mod mjcf;
 mod plain;
 mod pose;
@@ -90,28 +90,29 @@ fn language(root: &str) -> Option<ModelFormat> {
 }
 
 fn read(text: String, path: &Path, options: &ReadOptions) -> Result<RobotModel, FormatError> {
+    let roots = uri::Roots::of(path, options);
+    let mut model = if format_of(&text) == Some(ModelFormat::Mjcf) {
+        mjcf::read(text, path, &roots)?
+    } else {
+        read_alone(text, path, &roots)?
+    };
+    keep_finite(&mut model);
+    Ok(model)
+}
+
+/// A model of one file.
+fn read_alone(text: String, path: &Path, roots: &uri::Roots) -> Result<RobotModel, FormatError> {
     let parsed = xml::with_root(&text, |root| {
         let Some(format) = language(root.name()) else {
             let what = "<robot> (URDF), <sdf> or <mujoco>".to_owned();
             let kind = ContentErrorKind::Expected { what, found: format!("<{}>", root.name()) };
             return Err(ContentError::new(kind, ContentPlace::Text(root.span())));
         };
-        let roots = uri::Roots::of(path, options);
-        let mut model = RobotModel {
-            path: path.to_owned(),
-            format,
-            text: String::new(),
-            name: None,
-            links: Vec::new(),
-            joints: Vec::new(),
-            notes: Vec::new(),
-        };
+        let mut model = RobotModel::empty(path, format);
         match format {
-            ModelFormat::Urdf => urdf::read(root, &roots, &mut model)?,
-            ModelFormat::Sdf => sdf::read(root, &roots, &mut model)?,
-            ModelFormat::Mjcf => mjcf::read(root, &roots, &mut model)?,
+            ModelFormat::Urdf => urdf::read(root, roots, &mut model)?,
+            _ => sdf::read(root, roots, &mut model)?,
         }
-        keep_finite(&mut model);
         Ok(model)
     });
     match parsed {

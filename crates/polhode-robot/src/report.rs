@@ -5,8 +5,7 @@ use std::collections::BTreeMap;
 
 use crate::check::LinkGeometry;
 use crate::finding::{Finding, Severity};
-use crate::line_index::LineIndex;
-use crate::model::{ModelFormat, RobotModel, Span};
+use crate::model::{ModelFormat, RobotModel};
 use crate::repair::{Repaired, repaired};
 
 /// A checked model.
@@ -95,11 +94,6 @@ impl CheckReport {
     pub(crate) fn inertials(&self) -> usize {
         self.model.links.iter().filter(|link| link.inertial.is_some()).count()
     }
-}
-
-/// Line and column of a span's first byte.
-pub(crate) fn place(lines: &LineIndex<'_>, span: &Span) -> (usize, usize) {
-    lines.place(span.start)
 }
 
 /// A severity in lower case.

@@ -12,7 +12,7 @@ use polhode_robot::body::{LinkMass, link_mass};
 use polhode_robot::finding::{Finding, Severity};
 use polhode_robot::geometry::Shapes;
 use polhode_robot::inspect::inspect;
-use polhode_robot::line_index::LineIndex;
+use polhode_robot::line_index::{FilePlace, Places};
 use polhode_robot::model::{Joint, Link, ModelFormat, Pose, RobotModel};
 use polhode_robot::read::{ReadOptions, read_model, read_text};
 use polhode_robot::repair::proved;
@@ -58,6 +58,9 @@ struct RobotFinding {
     code: &'static str,
     severity: &'static str,
     message: String,
+    /// The file of the place, if it is one that the model includes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    file: Option<String>,
     line: usize,
     column: usize,
 }
@@ -94,10 +97,10 @@ impl RobotInspection {
         let found = inspect(&model, &mut shapes).findings;
         let stands = Stands::of(&model);
         let numbers = numbers(&model);
-        let lines = LineIndex::new(&model.text);
+        let places = Places::of(&model);
         let severities = severities(&found);
-        let mut findings: Vec<RobotFinding> = found.iter().map(|one| shown(one, &numbers, &lines)).collect();
-        findings.extend(stands.unplaced.iter().filter_map(|&k| unplaced(&model, k, &lines)));
+        let mut findings: Vec<RobotFinding> = found.iter().map(|one| shown(one, &numbers, &places)).collect();
+        findings.extend(stands.unplaced.iter().filter_map(|&k| unplaced(&model, k, &places)));
         let repaired = proved(&model, &found, |text| {
             read_text(text, &document.path, &options).map(|model| inspect(&model, &mut shapes).findings)
         });
@@ -150,8 +153,8 @@ fn severities(findings: &[Finding]) -> HashMap<&str, Severity> {
     severities
 }
 
-fn shown(finding: &Finding, numbers: &HashMap<&str, usize>, lines: &LineIndex<'_>) -> RobotFinding {
-    let (line, column) = lines.place(finding.span.start);
+fn shown(finding: &Finding, numbers: &HashMap<&str, usize>, places: &Places<'_>) -> RobotFinding {
+    let FilePlace { file, is_included, line, column } = places.place(&finding.span);
     RobotFinding {
         link: numbers.get(finding.subject.as_str()).copied(),
         code: finding.code,
@@ -161,18 +164,26 @@ fn shown(finding: &Finding, numbers: &HashMap<&str, usize>, lines: &LineIndex<'_
             Severity::Note => "note",
         },
         message: finding.message.clone(),
+        file: included(file, is_included),
         line,
         column,
     }
 }
 
-fn unplaced(model: &RobotModel, link: usize, lines: &LineIndex<'_>) -> Option<RobotFinding> {
-    let (line, column) = lines.place(model.links.get(link)?.name.span.start);
+/// The name of a file, if it is one that the model includes.
+fn included(file: &std::path::Path, is_included: bool) -> Option<String> {
+    let name = file.file_name().unwrap_or(file.as_os_str());
+    is_included.then(|| name.to_string_lossy().into_owned())
+}
+
+fn unplaced(model: &RobotModel, link: usize, places: &Places<'_>) -> Option<RobotFinding> {
+    let FilePlace { line, column, file, is_included } = places.place(&model.links.get(link)?.name.span);
     Some(RobotFinding {
         link: Some(link),
         code: "page.unplaced",
         severity: "note",
         message: "it is shown at the origin: joints do not say where it stands".to_owned(),
+        file: included(file, is_included),
         line,
         column,
     })

@@ -65,7 +65,8 @@ impl Tree {
             welded_mass[k] |= hanging[k].iter().any(|(child, fixed)| *fixed && welded_mass[*child]);
         }
         let is_weighed = model.links.iter().any(|link| link.inertial.is_some());
-        let is_bounded = model.format == ModelFormat::Mjcf && model.text.contains("boundmass");
+        let is_bounded =
+            model.format == ModelFormat::Mjcf && model.texts().any(|text| text.contains("boundmass"));
         Self {
             holders,
             hanging,

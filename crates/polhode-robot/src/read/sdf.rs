@@ -202,6 +202,7 @@ fn link(
         pose: Pose { unreadable: frames.unreadable(frame).to_vec(), ..own },
         is_static: frames.scope(scope).is_static,
         from_geometry: automatic,
+        computed: None,
         name,
     }
 }

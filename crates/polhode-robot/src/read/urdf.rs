@@ -89,6 +89,7 @@ fn link(element: Element<'_>, roots: &Roots, notes: &mut Vec<Note>) -> Link {
         pose: Pose::IDENTITY,
         is_static: false,
         from_geometry: false,
+        computed: None,
     }
 }
 

@@ -32,6 +32,7 @@ fn link(geometry: Vec<Geometry>) -> Link {
         pose: Pose::IDENTITY,
         is_static: false,
         from_geometry: false,
+        computed: None,
     }
 }
 

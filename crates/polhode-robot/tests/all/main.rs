@@ -14,6 +14,7 @@ mod geometry;
 mod hostile;
 mod lump;
 mod mjcf;
+mod mjcf_compiler;
 mod repair;
 mod round_trip;
 mod sdf;

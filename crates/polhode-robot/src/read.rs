@@ -8,8 +8,9 @@
 //! are [`Slot::Missing`](crate::model::Slot::Missing), [`Tensor::Missing`](crate::model::Tensor::Missing) and `None`, as in the other
 //! languages.
 //!
-//! Not read: xacro (expand it first), `<include>` of SDF (a note), `<composite>` and `<flexcomp>` of MJCF (a note).
+//! Not read: xacro (expand it first), `<composite>` and `<flexcomp>` of MJCF (a note).
 
+mod files;
 mod forest;
 mod mjcf;
 mod plain;
@@ -25,6 +26,7 @@ use std::path::{Path, PathBuf};
 use polhode_formats::{ContentError, ContentErrorKind, ContentPlace, FormatError};
 
 use crate::model::{ModelFormat, Note, RobotModel};
+use files::{Files, Naming};
 
 /// How a model is read.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -91,34 +93,32 @@ fn language(root: &str) -> Option<ModelFormat> {
 
 fn read(text: String, path: &Path, options: &ReadOptions) -> Result<RobotModel, FormatError> {
     let roots = uri::Roots::of(path, options);
-    let mut model = if format_of(&text) == Some(ModelFormat::Mjcf) {
-        mjcf::read(text, path, &roots)?
-    } else {
-        read_alone(text, path, &roots)?
+    let naming = match format_of(&text) {
+        Some(ModelFormat::Mjcf) => Naming::Mjcf,
+        Some(ModelFormat::Sdf) => Naming::Sdf,
+        Some(ModelFormat::Urdf) | None => Naming::Nothing,
     };
-    keep_finite(&mut model);
-    Ok(model)
-}
-
-/// A model of one file.
-fn read_alone(text: String, path: &Path, roots: &uri::Roots) -> Result<RobotModel, FormatError> {
-    let parsed = xml::with_root(&text, |root| {
+    let mut files = Files::of(text, path, &roots, naming)?;
+    let notes = std::mem::take(&mut files.notes);
+    let mut model = files.with_root(|root| {
         let Some(format) = language(root.name()) else {
             let what = "<robot> (URDF), <sdf> or <mujoco>".to_owned();
             let kind = ContentErrorKind::Expected { what, found: format!("<{}>", root.name()) };
             return Err(ContentError::new(kind, ContentPlace::Text(root.span())));
         };
-        let mut model = RobotModel::empty(path, format);
+        let mut model = RobotModel { notes, ..RobotModel::empty(path, format) };
         match format {
-            ModelFormat::Urdf => urdf::read(root, roots, &mut model)?,
-            _ => sdf::read(root, roots, &mut model)?,
+            ModelFormat::Urdf => urdf::read(root, &roots, &mut model)?,
+            ModelFormat::Sdf => sdf::read(root, &files, &roots, &mut model)?,
+            ModelFormat::Mjcf => mjcf::read(root, &files.folders, &roots, &mut model)?,
         }
         Ok(model)
-    });
-    match parsed {
-        Ok(model) => Ok(RobotModel { text, ..model }),
-        Err(error) => Err(FormatError::of_content(path, text.as_bytes(), error)),
-    }
+    })?;
+    let mut sources = files.sources.into_iter();
+    model.text = sources.next().map_or_else(String::new, |main| main.text);
+    model.included = sources.collect();
+    keep_finite(&mut model);
+    Ok(model)
 }
 
 /// Takes frames whose place f64 does not hold to the origin, with a note.

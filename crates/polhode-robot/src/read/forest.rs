@@ -11,6 +11,8 @@ use crate::read::xml::Element;
 pub(crate) struct Forest<'a> {
     trees: Vec<Tree<'a>>,
     links: Links,
+    /// What an `<include>` names stands in its place.
+    splices: bool,
 }
 
 /// Which file an element names: by the file that it stands in and its first byte there.
@@ -26,17 +28,26 @@ struct Tree<'a> {
 impl<'a> Forest<'a> {
     /// One tree alone.
     pub(super) fn of_one(document: &'a Document<'a>, start: usize) -> Self {
-        Self { trees: vec![Tree { document, start }], links: Links::new() }
+        Self { trees: vec![Tree { document, start }], links: Links::new(), splices: false }
     }
 
     /// Several, each with the place of its first byte.
-    pub(super) fn of(trees: impl Iterator<Item = (&'a Document<'a>, usize)>, links: Links) -> Self {
-        Self { trees: trees.map(|(document, start)| Tree { document, start }).collect(), links }
+    pub(super) fn of(
+        trees: impl Iterator<Item = (&'a Document<'a>, usize)>,
+        links: Links,
+        splices: bool,
+    ) -> Self {
+        Self { trees: trees.map(|(document, start)| Tree { document, start }).collect(), links, splices }
     }
 
     /// The root of the first tree.
     pub(super) fn root(&'a self) -> Element<'a> {
         Element::new(self.trees[0].document.root_element(), self, 0)
+    }
+
+    /// The root of the file that stands in the place of an element.
+    pub(super) fn spliced(&'a self, element: Element<'a>) -> Option<Element<'a>> {
+        element.linked().filter(|_| self.splices && element.name() == "include")
     }
 
     /// The place of a tree's first byte.

@@ -213,7 +213,7 @@ impl<'a> Iterator for Children<'a> {
                 continue;
             }
             let element = Element::new(node, self.forest, tree);
-            match element.linked().filter(|_| element.name() == "include") {
+            match self.forest.spliced(element) {
                 Some(root) => self.levels.push((root.node.children(), root.tree)),
                 None => return Some(element),
             }

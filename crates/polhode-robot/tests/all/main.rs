@@ -18,5 +18,6 @@ mod mjcf_compiler;
 mod repair;
 mod round_trip;
 mod sdf;
+mod sdf_include;
 mod urdf;
 mod valid_models;

@@ -264,7 +264,8 @@ inner: 64 1 0 0 4.26666667 3.40309625 1.29023708 0 0 0.722742366";
 
 #[test]
 fn what_stands_in_an_included_file_is_found_there_and_not_repaired() {
-    let part = "<x>\n<body name='b'><inertial pos='0 0 0' mass='2' diaginertia='0.1034 0.1127 0.3152'/></body></x>";
+    let part =
+        "<x>\n<body name='b'><inertial pos='0 0 0' mass='2' diaginertia='0.1034 0.1127 0.3152'/></body></x>";
     let own = "<mujoco><worldbody><body name='a'><inertial pos='0 0 0' mass='2' diaginertia='0.1034 0.1127 0.3152'/><include file='part.xml'/></body></worldbody></mujoco>";
     let folder = Folder::of("included", &[("own.xml", own), ("part.xml", part)]);
     let model = read(&folder.path("own.xml"));

@@ -9,7 +9,6 @@ mod compiler;
 mod context;
 mod defaults;
 mod geom;
-mod include;
 mod inertial;
 mod joint;
 mod mass;
@@ -19,12 +18,12 @@ mod replicate;
 mod surface;
 
 use std::collections::HashMap;
-use std::path::Path;
+use std::path::PathBuf;
 use std::rc::Rc;
 
-use polhode_formats::{ContentError, FormatError};
+use polhode_formats::ContentError;
 
-use crate::model::{Link, ModelFormat, Name, Note, Pose, RobotModel, Span};
+use crate::model::{Link, Name, Note, Pose, RobotModel, Span};
 use crate::read::pose::Reading;
 use crate::read::unread;
 use crate::read::uri::Roots;
@@ -32,25 +31,20 @@ use crate::read::xml::Element;
 use compiler::FromGeometry;
 use context::Context;
 use defaults::Source;
-use include::Files;
 use mass::BodyMass;
 use mesh::Solid;
 
-/// The model of a text and of the files that it names.
-pub(super) fn read(text: String, path: &Path, roots: &Roots) -> Result<RobotModel, FormatError> {
-    let mut files = Files::of(text, path, roots)?;
-    let mut model = RobotModel::empty(path, ModelFormat::Mjcf);
-    model.notes = std::mem::take(&mut files.notes);
-    files.with_root(|root| {
-        model.name = root.word("model").map(str::to_owned);
-        let blind = model.notes.iter().any(|note| note.code == "read.include");
-        let contexts = context::all(root, &files.folders, roots, &mut model.notes);
-        Reader::new(&contexts, &mut model).read(root, blind)
-    })?;
-    let mut sources = files.sources.into_iter();
-    model.text = sources.next().map_or_else(String::new, |main| main.text);
-    model.included = sources.collect();
-    Ok(model)
+/// Fills the model with what the root says.
+pub(super) fn read(
+    root: Element<'_>,
+    folders: &[PathBuf],
+    roots: &Roots,
+    model: &mut RobotModel,
+) -> Result<(), ContentError> {
+    model.name = root.word("model").map(str::to_owned);
+    let blind = model.notes.iter().any(|note| note.code == "read.include");
+    let contexts = context::all(root, folders, roots, &mut model.notes);
+    Reader::new(&contexts, model).read(root, blind)
 }
 
 /// A place on the way down the tree.

@@ -1,4 +1,5 @@
-//! The files that an MJCF file names: `<include>` puts the elements of another in its place, `<model>` is a model of its own.
+//! The files that a model names. MJCF: `<include>` puts the elements of another in its place, once; `<model>` is a model of its own.
+//! SDF: `<include>` is a model, as often as it is included.
 
 use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
@@ -14,12 +15,23 @@ use crate::read::xml::{Element, parsed_document};
 /// Files that a model may consist of.
 const MOST_FILES: usize = 1000;
 
+/// How a language names files.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Naming {
+    /// It names none.
+    Nothing,
+    Sdf,
+    Mjcf,
+}
+
 /// The texts of a model, the main one first.
 pub(super) struct Files {
     pub(super) sources: Vec<Source>,
     /// The texts made plain.
     copies: Vec<String>,
     links: Links,
+    /// What is included stands in the place of the element that includes it.
+    splices: bool,
     /// For each, the folder that its paths are relative to: that of the model that includes it.
     pub(super) folders: Vec<PathBuf>,
     /// What cannot be read, and why.
@@ -35,31 +47,47 @@ struct Waiting {
 
 impl Files {
     /// Reads all files of a model.
-    pub(super) fn of(text: String, path: &Path, roots: &Roots) -> Result<Self, FormatError> {
-        let mut files =
-            Self { sources: vec![], copies: vec![], links: Links::new(), folders: vec![], notes: vec![] };
+    pub(super) fn of(text: String, path: &Path, roots: &Roots, naming: Naming) -> Result<Self, FormatError> {
+        let mut files = Self {
+            sources: vec![],
+            copies: vec![],
+            links: Links::new(),
+            splices: false,
+            folders: vec![],
+            notes: vec![],
+        };
         let mut next = text.len() + 1;
         let mut waiting = vec![Waiting { source: Source { path: path.to_owned(), text, start: 0 }, main: 0 }];
-        let (mut included, mut models) = (HashSet::new(), HashMap::new());
+        let mut included = HashSet::new();
+        // those that are read once and may be named often
+        let mut models = HashMap::new();
+        if naming == Naming::Sdf
+            && let Ok(own) = std::fs::canonicalize(path)
+        {
+            models.insert(own, 0);
+        }
         // files take their numbers in the order in which they are named
         let mut number = 0;
         while number < waiting.len() {
             let Some(Waiting { source, main }) = waiting.get(number) else { break };
             let (main, folder) = (*main, folder(&source.path));
             let main_folder = files.folders.get(main).unwrap_or(&folder).clone();
-            let (copy, named) = files.named(source)?;
+            let (copy, named) = files.named(source, naming)?;
             for Named { byte, element, file, is_model } in named {
                 let span = source_span(&waiting, number, &element);
-                let found = roots
-                    .resolve(&file, &main_folder)
-                    .or_else(|why| roots.resolve(&file, &folder).map_err(|_| why));
+                let resolved = |within: &Path| match naming {
+                    Naming::Sdf => roots.resolve_model(&file, within),
+                    _ => roots.resolve(&file, within),
+                };
+                let found = resolved(&main_folder).or_else(|why| resolved(&folder).map_err(|_| why));
                 let found = match found {
                     Ok(found) => found,
                     Err(why) => {
                         let message = format!(
                             "<include> of {file:?} is not read, and what is in it is not known here: {why}"
                         );
-                        let code = if is_model { "read.left_out" } else { "read.include" };
+                        let is_asset = is_model && naming == Naming::Mjcf;
+                        let code = if is_asset { "read.left_out" } else { "read.include" };
                         files.notes.push(Note::new(code, "", span, message));
                         continue;
                     }
@@ -89,14 +117,42 @@ impl Files {
             number += 1;
         }
         files.sources = waiting.into_iter().map(|file| file.source).collect();
+        if naming == Naming::Sdf {
+            files.require_no_circle()?;
+        }
+        files.splices = naming == Naming::Mjcf;
         Ok(files)
     }
 
+    /// A model that includes itself, by way of others perhaps, has no end.
+    fn require_no_circle(&self) -> Result<(), FormatError> {
+        // a file without files that are not yet taken away, is taken away; what is left goes round
+        let mut left: Vec<((usize, usize), usize)> =
+            self.links.iter().map(|(&from, &to)| (from, to)).collect();
+        left.sort_unstable();
+        loop {
+            let open: HashSet<usize> = left.iter().map(|((file, _), _)| *file).collect();
+            let before = left.len();
+            left.retain(|(_, target)| open.contains(target));
+            if left.len() == before {
+                break;
+            }
+        }
+        let Some(&((file, byte), _)) = left.first() else { return Ok(()) };
+        let Some(source) = self.sources.get(file) else { return Ok(()) };
+        let what = "a model that includes itself".to_owned();
+        let place = ContentPlace::Text(byte..byte + 1);
+        let error = ContentError::new(ContentErrorKind::Unsupported { what }, place);
+        Err(FormatError::of_content(&source.path, source.text.as_bytes(), error))
+    }
+
     /// The text made plain, and the files that it names.
-    fn named(&mut self, source: &Source) -> Result<(String, Vec<Named>), FormatError> {
+    fn named(&mut self, source: &Source, naming: Naming) -> Result<(String, Vec<Named>), FormatError> {
         let located = |error| FormatError::of_content(&source.path, source.text.as_bytes(), error);
         let mut copy = plain(&source.text).map_err(located)?;
-        if let Some(second) = second_root(&copy) {
+        if naming == Naming::Mjcf
+            && let Some(second) = second_root(&copy)
+        {
             let rest = copy.split_off(second);
             let span = source.start + second..source.start + second + 1;
             let message = "a second root element: MuJoCo reads the first alone".to_owned();
@@ -108,17 +164,33 @@ impl Files {
         let mut named = Vec::new();
         let mut elements = vec![(forest.root(), false)];
         while let Some((element, in_assets)) = elements.pop() {
-            let is_model = element.name() == "model" && in_assets;
-            if (element.name() == "include" || is_model)
-                && let Some(file) = element.attribute("file")
-            {
-                let byte = element.span().start;
+            let is_asset = element.name() == "model" && in_assets;
+            let file = match naming {
+                Naming::Mjcf if element.name() == "include" || is_asset => element.attribute("file"),
+                Naming::Sdf if element.name() == "include" => element.child_text("uri"),
+                _ => None,
+            };
+            if let Some(file) = file {
+                let (byte, is_model) = (element.span().start, is_asset || naming == Naming::Sdf);
                 named.push(Named { byte, element: element.span(), file: file.value.to_owned(), is_model });
             }
             elements.extend(element.children().map(|child| (child, element.name() == "asset")));
         }
         named.sort_by_key(|named| named.byte);
         Ok((copy, named))
+    }
+
+    /// Bytes that all names joined by `::` may have. Models nested a thousand deep would fill any memory.
+    pub(super) fn most_name_bytes(&self) -> usize {
+        const FOR_EACH_BYTE: usize = 16;
+        const WITH_INCLUDED: usize = 1 << 26;
+        let all: usize = self.sources.iter().map(|source| source.text.len()).sum();
+        FOR_EACH_BYTE * all + if self.sources.len() > 1 { WITH_INCLUDED } else { 0 }
+    }
+
+    /// The folder that the paths of an element are relative to.
+    pub(super) fn folder(&self, element: Element<'_>) -> &Path {
+        self.folders.get(element.tree()).map_or(Path::new(""), PathBuf::as_path)
     }
 
     /// Makes something of the root of the main file, and of a place in any of them an error with its file.
@@ -135,7 +207,7 @@ impl Files {
             );
         }
         let starts = self.sources.iter().map(|source| source.start);
-        let forest = Forest::of(documents.iter().zip(starts), self.links.clone());
+        let forest = Forest::of(documents.iter().zip(starts), self.links.clone(), self.splices);
         read(forest.root()).map_err(|error| self.located(error))
     }
 

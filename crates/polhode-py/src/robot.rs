@@ -119,6 +119,8 @@ const fn format_name(model: &RobotModel) -> &'static str {
         ModelFormat::Urdf => "urdf",
         ModelFormat::Sdf => "sdf",
         ModelFormat::Mjcf => "mjcf",
+        ModelFormat::Usd => "usd",
+        ModelFormat::Osim => "osim",
     }
 }
 

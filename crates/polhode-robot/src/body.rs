@@ -144,7 +144,9 @@ fn assumed(format: ModelFormat, link: &Link) -> Result<LinkMass, LinkError> {
     let rule = match format {
         _ if link.from_geometry => "its mass is to be computed from its geometry and densities",
         ModelFormat::Sdf => "SDFormat then gives it 1 kg and 1 kg·m² about each axis",
-        ModelFormat::Urdf | ModelFormat::Mjcf => return Ok(LinkMass::None),
+        ModelFormat::Urdf | ModelFormat::Mjcf | ModelFormat::Usd | ModelFormat::Osim => {
+            return Ok(LinkMass::None);
+        }
     };
     Err(LinkError::Assumed { rule, span: link.span.clone() })
 }

@@ -14,6 +14,10 @@ pub enum ModelFormat {
     Sdf,
     /// MuJoCo's XML.
     Mjcf,
+    /// Universal Scene Description as text, with UsdPhysics.
+    Usd,
+    /// OpenSim's XML.
+    Osim,
 }
 
 /// A model: bodies joined to a tree, if it is one.
@@ -25,6 +29,8 @@ pub struct RobotModel {
     pub format: ModelFormat,
     /// Its text: every [`Span`] counts bytes of it, and those beyond its end are of the files that it includes.
     pub text: String,
+    /// Whether its numbers stand in the text in m, kg and kg·m². Where they do not, their texts here are in these, and nothing is repaired.
+    pub is_si: bool,
     /// The files that it includes, each once, by their places.
     pub included: Vec<Source>,
     /// Its name, if it has one.
@@ -54,6 +60,7 @@ impl RobotModel {
             path: path.to_owned(),
             format,
             text: String::new(),
+            is_si: true,
             included: Vec::new(),
             name: None,
             links: Vec::new(),

@@ -13,12 +13,14 @@
 mod files;
 mod forest;
 mod mjcf;
+mod osim;
 mod plain;
 mod pose;
 mod sdf;
 mod unread;
 mod urdf;
 mod uri;
+mod usd;
 pub(crate) mod xml;
 
 use std::path::{Path, PathBuf};
@@ -39,7 +41,7 @@ pub struct ReadOptions {
     pub confined: bool,
 }
 
-/// Reads a URDF, SDF or MJCF file: its root element says which.
+/// Reads a URDF, SDF, MJCF, USD (`.usda`) or OpenSim file: its root element or first word says which.
 ///
 /// ```
 /// use polhode_robot::read::{ReadOptions, read_text};
@@ -51,10 +53,26 @@ pub struct ReadOptions {
 /// ```
 ///
 /// # Errors
-/// [`FormatError`] if the file cannot be read, is not UTF-8, no well-formed XML or none of the three languages, or has a document type.
+/// [`FormatError`] if the file cannot be read, is not UTF-8, not well-formed or in none of the languages, or has a document type.
 pub fn read_model(path: &Path, options: &ReadOptions) -> Result<RobotModel, FormatError> {
-    let text = polhode_formats::read_text_file(path, |text| Ok(text.to_owned()))?;
-    read(text, path, options)
+    let text = polhode_formats::read_text_file(path, |text| Ok(text.to_owned()));
+    match text {
+        Ok(text) => read(text, path, options),
+        Err(error) => Err(binary_usd(path).unwrap_or(error)),
+    }
+}
+
+/// What to do about a file of USD that is not text.
+fn binary_usd(path: &Path) -> Option<FormatError> {
+    let ending = path.extension()?.to_str()?.to_ascii_lowercase();
+    if !matches!(ending.as_str(), "usd" | "usdc" | "usdz") || !path.is_file() {
+        return None;
+    }
+    let what = "USD that is not text".to_owned();
+    let error = ContentError::new(ContentErrorKind::Unsupported { what }, ContentPlace::Whole);
+    let file = path.file_name()?.to_string_lossy().into_owned();
+    let error = error.hint(format!("write it as text: usdcat --flatten {file} --out robot.usda"));
+    Some(FormatError::of_content(path, b"", error))
 }
 
 /// The same for a text; `path` is for messages, and its folder for the files that the model names.
@@ -65,9 +83,12 @@ pub fn read_text(text: &str, path: &Path, options: &ReadOptions) -> Result<Robot
     read(text.to_owned(), path, options)
 }
 
-/// The language of a text by its root element, whether or not the rest can be read; `None` if it is none of the three.
+/// The language of a text by its root element or its first word, whether or not the rest can be read; `None` if it is none of these.
 pub fn format_of(text: &str) -> Option<ModelFormat> {
     let mut rest = text.strip_prefix('\u{feff}').unwrap_or(text).trim_start();
+    if rest.starts_with("#usda") {
+        return Some(ModelFormat::Usd);
+    }
     loop {
         let close = if rest.starts_with("<!--") {
             "-->"
@@ -87,22 +108,30 @@ fn language(root: &str) -> Option<ModelFormat> {
         "robot" => Some(ModelFormat::Urdf),
         "sdf" | "gazebo" => Some(ModelFormat::Sdf),
         "mujoco" | "mujocoinclude" => Some(ModelFormat::Mjcf),
+        "OpenSimDocument" => Some(ModelFormat::Osim),
         _ => None,
     }
 }
 
 fn read(text: String, path: &Path, options: &ReadOptions) -> Result<RobotModel, FormatError> {
+    if format_of(&text) == Some(ModelFormat::Usd) {
+        let mut model = RobotModel::empty(path, ModelFormat::Usd);
+        usd::read(&text, &mut model)
+            .map_err(|error| FormatError::of_content(path, text.as_bytes(), error))?;
+        keep_finite(&mut model);
+        return Ok(RobotModel { text, ..model });
+    }
     let roots = uri::Roots::of(path, options);
     let naming = match format_of(&text) {
         Some(ModelFormat::Mjcf) => Naming::Mjcf,
         Some(ModelFormat::Sdf) => Naming::Sdf,
-        Some(ModelFormat::Urdf) | None => Naming::Nothing,
+        _ => Naming::Nothing,
     };
     let mut files = Files::of(text, path, &roots, naming)?;
     let notes = std::mem::take(&mut files.notes);
     let mut model = files.with_root(|root| {
         let Some(format) = language(root.name()) else {
-            let what = "<robot> (URDF), <sdf> or <mujoco>".to_owned();
+            let what = "<robot> (URDF), <sdf>, <mujoco> or <OpenSimDocument>".to_owned();
             let kind = ContentErrorKind::Expected { what, found: format!("<{}>", root.name()) };
             return Err(ContentError::new(kind, ContentPlace::Text(root.span())));
         };
@@ -111,6 +140,8 @@ fn read(text: String, path: &Path, options: &ReadOptions) -> Result<RobotModel, 
             ModelFormat::Urdf => urdf::read(root, &roots, &mut model)?,
             ModelFormat::Sdf => sdf::read(root, &files, &roots, &mut model)?,
             ModelFormat::Mjcf => mjcf::read(root, &files.folders, &roots, &mut model)?,
+            ModelFormat::Osim => osim::read(root, &mut model)?,
+            ModelFormat::Usd => {}
         }
         Ok(model)
     })?;

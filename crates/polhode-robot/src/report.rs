@@ -111,5 +111,7 @@ pub(crate) const fn format_name(format: ModelFormat) -> &'static str {
         ModelFormat::Urdf => "URDF",
         ModelFormat::Sdf => "SDF",
         ModelFormat::Mjcf => "MJCF",
+        ModelFormat::Usd => "USD",
+        ModelFormat::Osim => "OSIM",
     }
 }

@@ -195,6 +195,8 @@ fn source(model: &RobotModel) -> SourceInfo {
         ModelFormat::Urdf => "urdf",
         ModelFormat::Sdf => "sdf",
         ModelFormat::Mjcf => "mjcf",
+        ModelFormat::Usd => "usd",
+        ModelFormat::Osim => "osim",
     };
     SourceInfo::new(model.path.display().to_string(), format)
 }

@@ -200,9 +200,9 @@ impl Stands {
     fn of(model: &RobotModel) -> Self {
         let is_finite = |pose: &Pose| pose.position.iter().chain(&pose.rotation).all(|x| x.is_finite());
         let poses = match model.format {
-            ModelFormat::Urdf => down_the_tree(model),
+            ModelFormat::Urdf | ModelFormat::Osim => down_the_tree(model),
             // These languages say it of the links.
-            ModelFormat::Sdf | ModelFormat::Mjcf => {
+            ModelFormat::Sdf | ModelFormat::Mjcf | ModelFormat::Usd => {
                 model.links.iter().map(|link| Some(link.pose.clone())).collect()
             }
         };

@@ -122,7 +122,7 @@ struct Reader<'a> {
 impl<'a> Reader<'a> {
     fn finding(&self) -> Option<Finding> {
         let message = format!("{} geometries of lines alone bound no solid and were left out", self.lines);
-        (self.lines > 0).then(|| Finding {
+        (self.lines > 0).then_some(Finding {
             code: "mesh.not_a_surface",
             severity: Severity::Info,
             message,

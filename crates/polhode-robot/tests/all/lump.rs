@@ -128,6 +128,7 @@ fn model(links: Vec<Link>, joints: Vec<Joint>) -> RobotModel {
         path,
         format: ModelFormat::Urdf,
         text,
+        is_si: true,
         included: Vec::new(),
         name: None,
         links,

@@ -159,6 +159,6 @@ fn the_root_element_says_the_language() {
     assert!(
         crate::common::refused("<html></html>")
             .to_string()
-            .contains("expected <robot> (URDF), <sdf> or <mujoco>")
+            .contains("expected <robot> (URDF), <sdf>, <mujoco> or <OpenSimDocument>")
     );
 }

@@ -16,6 +16,7 @@ mod lump;
 mod mjcf;
 mod mjcf_compiler;
 mod osim;
+mod planted;
 mod repair;
 mod round_trip;
 mod sdf;

@@ -16,7 +16,7 @@ const WHEEL: &str = r#"<sdf version="1.9"><model name="wheel">
 const CONFIG: &str =
     r#"<model><name>Wheel</name><sdf version="1.4">old.sdf</sdf><sdf version="1.10">model.sdf</sdf></model>"#;
 
-fn files<'t>(world: &'t str) -> [(&'t str, &'t str); 4] {
+fn files(world: &str) -> [(&str, &str); 4] {
     [
         ("world.sdf", world),
         ("wheel/model.config", CONFIG),

@@ -11,7 +11,6 @@
 //! Not read: xacro (expand it first), `<composite>` and `<flexcomp>` of MJCF (a note).
 
 mod files;
-mod forest;
 mod mjcf;
 mod osim;
 mod plain;

@@ -7,10 +7,9 @@ use std::path::{Path, PathBuf};
 use polhode_formats::{ContentError, ContentErrorKind, ContentPlace, FormatError, read_text_file};
 
 use crate::model::{Note, Source, Span};
-use crate::read::forest::{Forest, Links};
 use crate::read::plain::{plain, second_root};
 use crate::read::uri::Roots;
-use crate::read::xml::{Element, parsed_document};
+use crate::read::xml::{Element, Forest, Links, parsed_document};
 
 /// Files that a model may consist of.
 const MOST_FILES: usize = 1000;

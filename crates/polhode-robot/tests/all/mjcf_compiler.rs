@@ -322,3 +322,20 @@ fn an_include_is_refused_the_second_time_and_noted_where_it_is_not_there() {
     assert_eq!(model.notes[0].code, "read.include");
     assert!(link_mass(model.format, &model.links[0]).unwrap_err().to_string().contains("<include>"));
 }
+
+#[test]
+fn copies_without_number_are_refused() {
+    let many = "<mujoco><worldbody><replicate count='1000000000'><body/></replicate></worldbody></mujoco>"
+        .to_owned();
+    let nested = format!(
+        "<mujoco><worldbody>{}<body/>{}</worldbody></mujoco>",
+        "<replicate count='9'>".repeat(40),
+        "</replicate>".repeat(40)
+    );
+    let round = "<mujoco><worldbody><body name='a'><attach body='a' prefix='x'/></body></worldbody></mujoco>"
+        .to_owned();
+    for (text, said) in [(many, "300000 elements"), (nested, "300000 elements"), (round, "names that grow")] {
+        let error = crate::common::refused(&text).to_string();
+        assert!(error.contains(said), "{error}");
+    }
+}

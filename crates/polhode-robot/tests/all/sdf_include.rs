@@ -133,3 +133,22 @@ fn what_includes_itself_is_refused_and_what_is_not_there_noted() {
     let notes: Vec<_> = read(&folder).notes.iter().map(|note| note.code).collect();
     assert_eq!(notes, ["read.include", "read.include"]);
 }
+
+#[test]
+fn a_placement_frame_that_is_not_in_its_model_is_noted() {
+    for (frames, code) in [
+        ("", "read.frame"),
+        (
+            "<frame name='f'><pose relative_to='g'/></frame><frame name='g'><pose relative_to='f'/></frame>",
+            "read.frame_circle",
+        ),
+    ] {
+        let world = format!(
+            "<sdf><world name='w'><model name='m' placement_frame='f'><pose>1 2 3 0 0 0</pose><link name='l'/>{frames}</model></world></sdf>"
+        );
+        let folder = Folder::of("sdf-placement", &[("world.sdf", &world)]);
+        let model = read(&folder);
+        assert_eq!(model.notes[0].code, code, "{:?}", model.notes);
+        assert_eq!(model.links[0].pose.position, [1.0, 2.0, 3.0]);
+    }
+}

@@ -14,6 +14,7 @@ impl<'a> Reader<'_, 'a, '_> {
             None => Some(branch.context),
         };
         let prefix = format!("{}{}", branch.prefix, element.word("prefix").unwrap_or(""));
+        self.name_bytes += prefix.len();
         let found = context.and_then(|context| Some((context, self.contexts.get(context)?.root)));
         let why = match (found, element.word("body")) {
             (None, _) => "its model is not among the assets, or could not be read",

@@ -82,8 +82,9 @@ struct Reader<'c, 'a, 'm> {
     /// For each joint, the number of its element, by which they are put in order; for each link, too.
     joint_order: Vec<usize>,
     link_order: Vec<usize>,
-    /// Elements so far.
+    /// Elements so far, and bytes of their names.
     elements: usize,
+    name_bytes: usize,
     /// Why bodies are missing.
     incomplete: Option<String>,
     model: &'m mut RobotModel,
@@ -100,6 +101,7 @@ impl<'c, 'a, 'm> Reader<'c, 'a, 'm> {
             joint_order: Vec::new(),
             link_order: Vec::new(),
             elements: 0,
+            name_bytes: 0,
             incomplete: None,
             model,
         }
@@ -166,6 +168,7 @@ impl<'c, 'a, 'm> Reader<'c, 'a, 'm> {
         let name = element
             .attribute("name")
             .map_or_else(|| made_up(format!("body {}", index + 1), element), |name| branch.name(name.name()));
+        self.name_bytes += name.text.len();
         let own = self.pose(element, &Source::of(element), branch.context);
         let position = own.position;
         let in_parent = branch.frame.then(&own);

@@ -10,7 +10,10 @@ use crate::read::xml::Element;
 use super::{Branch, Reader};
 
 /// Elements of a tree with all its copies. A file of a hundred bytes could ask for more than any memory holds.
-const MOST_ELEMENTS: usize = 1_000_000;
+const MOST_ELEMENTS: usize = 300_000;
+
+/// Bytes of all names with what copies and attached models add to them.
+const MOST_NAME_BYTES: usize = 1 << 26;
 
 impl<'a> Reader<'_, 'a, '_> {
     /// The copies of what stands in an element. Copy k is turned by k times `euler`, and stands where k steps of `offset` lead,
@@ -37,15 +40,17 @@ impl<'a> Reader<'_, 'a, '_> {
         let digits = count.to_string().len();
         // an inertial in it is the copy's, which is no body
         let inner: Vec<_> = element.children().filter(|child| child.name() != "inertial").collect();
+        self.elements = self.elements.saturating_add(count.saturating_mul(inner.len().max(1)));
+        self.require_few(element)?;
         let mut position = [0.0; 3];
         for k in 0..count {
-            self.elements += inner.len();
-            self.require_few(element)?;
             let rotation = context.settings.euler(turn.map(|angle| k as f64 * angle));
             let copy = Pose::new(position, rotation.unwrap_or(Pose::IDENTITY.rotation));
             position = copy.placed(offset);
             let frame = branch.frame.then(&copy);
             let suffix: Rc<str> = format!("{separator}{k:0digits$}{}", branch.suffix).into();
+            self.name_bytes += suffix.len();
+            self.require_few(element)?;
             let copied = Branch { frame, class, suffix, ..branch.clone() };
             branches.extend(inner.iter().map(|&element| Branch { element, ..copied.clone() }));
         }
@@ -54,10 +59,13 @@ impl<'a> Reader<'_, 'a, '_> {
 
     /// Refuses what grows beyond any model.
     pub(super) fn require_few(&self, element: Element<'a>) -> Result<(), ContentError> {
-        if self.elements <= MOST_ELEMENTS {
+        let what = if self.elements > MOST_ELEMENTS {
+            format!("a model of more than {MOST_ELEMENTS} elements with its copies")
+        } else if self.name_bytes > MOST_NAME_BYTES {
+            "names that grow with every copy beyond any model's".to_owned()
+        } else {
             return Ok(());
-        }
-        let what = format!("a model of more than {MOST_ELEMENTS} elements with its copies");
+        };
         Err(ContentError::new(ContentErrorKind::Unsupported { what }, ContentPlace::Text(element.span())))
     }
 }

@@ -4,6 +4,9 @@ use std::collections::HashMap;
 
 use crate::model::{Note, Number, Pose, Span};
 
+/// Frames between a model and the one that places it: longer chains go round, or want time.
+const MOST_PLACEMENT_STEPS: usize = 100;
+
 /// What has a frame.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum FrameKind<'a> {
@@ -238,18 +241,24 @@ impl<'a> Frames<'a> {
                 continue;
             };
             let (mut at, mut in_model) = (placed, Pose::IDENTITY);
-            let mut steps = 0;
-            while at != model && at != 0 && steps <= self.frames.len() {
+            for _ in 0..MOST_PLACEMENT_STEPS {
+                if at == model || at == 0 {
+                    break;
+                }
                 let pose = self.frames[at].pose.then(&in_model);
                 in_model = Pose::new(pose.position, pose.rotation);
                 at = self.parent(at, notes);
-                steps += 1;
             }
             if at == model {
                 let own = &mut self.frames[model].pose;
                 let moved = own.then(&in_model.inverse());
                 *own =
                     Pose { unreadable: std::mem::take(&mut own.unreadable), span: own.span.take(), ..moved };
+            } else {
+                let Frame { name: model, span, .. } = &self.frames[model];
+                let message =
+                    format!("its placement frame {name:?} does not stand in it: its own frame is placed");
+                notes.push(Note::new("read.frame_circle", model, span.clone(), message));
             }
         }
     }

@@ -13,7 +13,7 @@ use crate::model::{Note, Pose, RobotModel};
 use crate::read::xml::{Element, is_true};
 
 /// Elements of a world with all that it includes. Ten files that include one another twice would fill any memory.
-const MOST_ELEMENTS: usize = 1_000_000;
+const MOST_ELEMENTS: usize = 300_000;
 
 /// Links and joints, each with its scope and its frame.
 #[derive(Default)]

@@ -65,8 +65,7 @@ impl Tree {
             welded_mass[k] |= hanging[k].iter().any(|(child, fixed)| *fixed && welded_mass[*child]);
         }
         let is_weighed = model.links.iter().any(|link| link.inertial.is_some());
-        let is_bounded =
-            model.format == ModelFormat::Mjcf && model.texts().any(|text| text.contains("boundmass"));
+        let is_bounded = model.texts().any(|text| text.contains("boundmass"));
         Self {
             holders,
             hanging,
@@ -290,9 +289,12 @@ fn shared(model: &RobotModel, findings: &mut Vec<Finding>) {
 
 fn unknown(model: &RobotModel, findings: &mut Vec<Finding>) {
     let names = index(&model.links);
-    // In SDF a joint may hold a named frame, or a link of a model that is included from elsewhere.
-    let is_part =
-        model.format == ModelFormat::Sdf && ["<frame", "<include"].iter().any(|tag| model.text.contains(tag));
+    // In SDF a joint may hold a named frame or a link of an included model, in USD a prim of another layer.
+    let is_part = match model.format {
+        ModelFormat::Sdf => ["<frame", "<include"].iter().any(|tag| model.text.contains(tag)),
+        ModelFormat::Usd => model.notes.iter().any(|note| note.code == "read.include"),
+        _ => false,
+    };
     for joint in &model.joints {
         for (name, what) in [(joint.parent.as_ref(), "parent"), (Some(&joint.child), "child")] {
             let Some(name) = name.filter(|n| !names.contains_key(n.text.as_str())) else { continue };

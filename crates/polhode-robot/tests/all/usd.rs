@@ -2,6 +2,7 @@
 
 use polhode_robot::body::{LinkMass, link_mass};
 use polhode_robot::check::check;
+use polhode_robot::finding::Severity;
 use polhode_robot::model::{GeometryShape, JointKind, ModelFormat, Role, Slot, Tensor};
 use polhode_robot::read::format_of;
 
@@ -150,6 +151,32 @@ fn joints_have_a_frame_in_each_of_two_bodies() {
     let r = matrix_about_axis([1.0, 1.0, -1.0], 120_f64.to_radians());
     assert_near(&joint.pose.matrix(), &r, 1e-15);
     assert_close(joint.pose.position, plus([0.1, 0.0, 0.05], applied(r, [0.02, -0.01, 0.0])), 1e-15);
+}
+
+#[test]
+fn an_end_of_a_joint_may_be_the_world_or_named_from_the_joint() {
+    let model =
+        read(&ROBOT.replace("body0 = </Robot/base>", "body0 = None").replace("</Robot/arm>", "<../arm>"));
+    let [joint] = model.joints.as_slice() else { panic!("one joint") };
+    assert_eq!((&joint.parent, joint.child.text.as_str()), (&None, "/Robot/arm"));
+    // a joint to the world may name its body first
+    let model = read(&ROBOT.replace("    rel physics:body1 = </Robot/arm>\n", ""));
+    let joint = &model.joints[0];
+    assert_eq!(
+        (&joint.parent, joint.child.text.as_str(), joint.anchor),
+        (&None, "/Robot/base", [0.1, 0.0, 0.05])
+    );
+}
+
+#[test]
+fn a_joint_may_hold_what_another_layer_has() {
+    let text = ROBOT.replace("</Robot/arm>", "</Robot/hand>");
+    let unknown = |text: &str| {
+        let findings = check(&read(text), &[]);
+        findings.iter().find(|finding| finding.code == "tree.unknown_link").unwrap().severity
+    };
+    assert_eq!(unknown(&text), Severity::Note);
+    assert_eq!(unknown(&text.replace("references = @other.usda@</Arm>", "")), Severity::Impossible);
 }
 
 #[test]

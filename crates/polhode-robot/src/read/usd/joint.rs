@@ -71,7 +71,7 @@ fn end(stage: &Stage<'_>, prim: &Prim, number: usize) -> (Option<Name>, Pose) {
     pose.rotation = rotation.unwrap_or(Pose::IDENTITY.rotation);
     let body = property("body").and_then(|value| Some((value.words.first()?, value.span.clone())));
     let body = body.and_then(|(path, span)| {
-        let path = if path.starts_with('/') { path.clone() } else { format!("{}/{path}", prim.path) };
+        let path = absolute(path, &prim.path);
         match stage.numbers.get(path.as_str()) {
             // a part of a body is the body
             Some(&named) => {
@@ -83,4 +83,20 @@ fn end(stage: &Stage<'_>, prim: &Prim, number: usize) -> (Option<Name>, Pose) {
         }
     });
     (body, pose)
+}
+
+/// A path as it is from the root: one that does not begin there is from the prim that says it.
+fn absolute(path: &str, prim: &str) -> String {
+    if path.starts_with('/') {
+        return path.to_owned();
+    }
+    let mut names: Vec<&str> = prim.split('/').filter(|name| !name.is_empty()).collect();
+    for name in path.split('/') {
+        match name {
+            ".." => drop(names.pop()),
+            "." | "" => {}
+            name => names.push(name),
+        }
+    }
+    format!("/{}", names.join("/"))
 }

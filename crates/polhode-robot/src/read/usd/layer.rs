@@ -239,6 +239,8 @@ impl<'t, 's> Reader<'t, 's> {
                     span: token.span.clone(),
                     value: text.parse().ok(),
                 }),
+                // no value at all
+                TokenKind::Word("None") => {}
                 TokenKind::Word(word) => value.words.push((*word).to_owned()),
                 TokenKind::Text(text) | TokenKind::Path(text) => value.words.push((*text).to_owned()),
                 TokenKind::Asset(text) => value.words.push(format!("@{text}@")),

@@ -240,8 +240,7 @@ fn finding(
     message: String,
     rule: &str,
 ) -> Finding {
-    let (subject, rule) = (subject.to_owned(), rule.to_owned());
-    let (others, numbers) = (Vec::new(), Vec::new());
+    let (subject, rule, others, numbers) = (subject.to_owned(), rule.to_owned(), Vec::new(), Vec::new());
     Finding { code, severity, subject, others, span, message, rule, numbers, repair: None }
 }
 

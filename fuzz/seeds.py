@@ -39,8 +39,9 @@ TEXTS = {
     "formula": ["formats/tests/all/torque_formula.rs", "formats/tests/all/formula.rs", "formats/src/expression/state.rs"],
     "urdf": ["robot/tests/all/urdf.rs", "robot/tests/all/bad_inertials.rs", "robot/tests/check_*.rs", "robot/tests/all/repair.rs",
              "robot/tests/all/lump.rs", "robot/tests/all/hostile.rs"],
-    "sdf": ["robot/tests/all/sdf.rs", "robot/tests/all/check_languages.rs", "robot/tests/all/check_tree.rs"],
-    "mjcf": ["robot/tests/all/mjcf.rs", "robot/tests/all/check_languages.rs"],
+    "sdf": ["robot/tests/all/sdf*.rs", "robot/tests/all/check_languages.rs", "robot/tests/all/check_tree.rs"],
+    "mjcf": ["robot/tests/all/mjcf*.rs", "robot/tests/all/check_languages.rs"],
+    "usd": ["robot/tests/all/usd.rs"], "osim": ["robot/tests/all/osim.rs"],
     "scenario": ["formats/tests/all/scenario.rs", "formats/tests/all/mistakes/*.rs", "formats/tests/all/prescribed.rs",
                  "formats/tests/all/book.rs", "formats/src/scenario/mod.rs"],
     "plan": ["sweep/tests/plan/*.rs", "sweep/tests/*.rs", "sweep/src/plan/mod.rs"],
@@ -54,12 +55,13 @@ WORDS = {
     "xyz": "formats/src/molecule/xyz.rs", "particles": "formats/src/particles*.rs", "voxel": "formats/src/voxel/*.rs",
     "motion_table": "formats/src/scenario/motion_table.rs", "cad": "formats/src/cad/*.rs", "unit": "formats/src/unit/table.rs",
     "expression": "formats/src/expression/*.rs", "formula": "polhode/src/motion/state_variables.rs",
-    "urdf": "robot/src/read/urdf.rs", "sdf": "robot/src/read/sdf*.rs", "mjcf": "robot/src/read/mjcf*.rs",
+    "urdf": "robot/src/read/urdf.rs", "sdf": "robot/src/read/sdf*.rs", "mjcf": "robot/src/read/mjcf/*.rs",
+    "usd": "robot/src/read/usd/*.rs", "osim": "robot/src/read/osim*.rs",
     "scenario": "formats/src/scenario/**/*.rs", "plan": "formats/src/scenario/**/*.rs",
 }
 
 # What a text of the target has to hold, where a source has texts of several.
-HOLDS = {"collada": "<COLLADA", "urdf": "<robot", "sdf": "<sdf", "mjcf": "<mujoco", "gltf": "{", "scenario": "[", "plan": "[sweep",
+HOLDS = {"collada": "<COLLADA", "urdf": "<robot", "sdf": "<sdf", "mjcf": "<mujoco", "usd": "#usda", "osim": "<OpenSim", "gltf": "{", "scenario": "[", "plan": "[sweep",
          "motion_table": "time_s", "cad": "\n", "mol": "V2000", "pdb": "ATOM"}
 
 
@@ -122,7 +124,7 @@ def words():
 
 def from_files():
     endings = {".stl": "stl", ".obj": "obj", ".ply": "ply", ".off": "off", ".glb": "gltf", ".gltf": "gltf", ".3mf": "threemf",
-               ".xyz": "xyz", ".mol": "mol", ".pdb": "pdb", ".urdf": "urdf", ".sdf": "sdf", ".dae": "collada", ".csv": "motion_table"}
+               ".xyz": "xyz", ".mol": "mol", ".pdb": "pdb", ".urdf": "urdf", ".sdf": "sdf", ".usda": "usd", ".osim": "osim", ".dae": "collada", ".csv": "motion_table"}
     for path in sorted(p for top in ("examples", "fixtures") for p in (ROOT / top).rglob("*") if p.is_file()):
         if path.suffix in endings:
             add(endings[path.suffix], path.read_bytes())

@@ -17,7 +17,7 @@ pub mod text;
 pub type Target = fn(&[u8]);
 
 /// All targets by name: what the folders of the corpora are called.
-pub const TARGETS: [(&str, Target); 23] = [
+pub const TARGETS: [(&str, Target); 25] = [
     ("stl", mesh::stl),
     ("obj", mesh::obj),
     ("ply", mesh::ply),
@@ -39,6 +39,8 @@ pub const TARGETS: [(&str, Target); 23] = [
     ("urdf", robot::urdf),
     ("sdf", robot::sdf),
     ("mjcf", robot::mjcf),
+    ("usd", robot::usd),
+    ("osim", robot::osim),
     ("scenario", motion::scenario),
     ("plan", motion::plan),
 ];

@@ -28,6 +28,14 @@ pub fn mjcf(data: &[u8]) {
     model(data, ModelFormat::Mjcf);
 }
 
+pub fn usd(data: &[u8]) {
+    model(data, ModelFormat::Usd);
+}
+
+pub fn osim(data: &[u8]) {
+    model(data, ModelFormat::Osim);
+}
+
 fn read(text: &str) -> Option<RobotModel> {
     read_text(text, Path::new("/nowhere/model.xml"), &ReadOptions::default()).ok()
 }

@@ -21,11 +21,11 @@ use crate::stdout::print;
 use files::Unread;
 use fix::FixFlags;
 
-/// Are the inertias of a robot or simulation model right? URDF, SDF, MJCF.
+/// Are the inertias of a robot or simulation model right? URDF, SDF, MJCF, USD, OpenSim.
 ///
 /// Impossible: these numbers are unphysical. Suspect: a body may, but hardly this link, by its own geometry. Each finding says
-/// where, by which rule, and what would repair it, if that can be proved. Folders are searched for .urdf, .sdf and .world
-/// files, and for .xml files that are models.
+/// where, by which rule, and what would repair it, if that can be proved. Folders are searched for .urdf, .sdf, .world,
+/// .usda and .osim files, and for .xml files that are models.
 ///
 /// Exit status: 0 nothing impossible or suspect, 1 something is, 2 a file cannot be read.
 #[derive(Debug, Args)]

@@ -7,13 +7,13 @@ use std::path::Path;
 
 use polhode_robot::read::format_of;
 
-/// True of .urdf files, and of .sdf, .world and .xml files whose root element is a model's.
+/// True of .urdf, .usda and .osim files, and of .sdf, .world and .xml files whose root element is a model's.
 ///
 /// SDF is the name of two formats: SDFormat is XML and begins with `<`, a structure-data file of molecules does not.
 pub(crate) fn is_model(path: &Path) -> bool {
     let ending = path.extension().map(OsStr::to_ascii_lowercase);
     match ending.as_ref().and_then(|ending| ending.to_str()) {
-        Some("urdf") => path.is_file(),
+        Some("urdf" | "usda" | "osim") => path.is_file(),
         Some("sdf" | "world" | "xml" | "mjcf") => path.is_file() && has_model_root(path),
         _ => false,
     }

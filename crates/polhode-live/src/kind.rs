@@ -27,7 +27,9 @@ impl Kind {
             "sdf" if !bytes.trim_ascii_start().starts_with(b"<") => Some(Self::Molecule),
             "csv" => Some(Self::Particles),
             "urdf" => Some(Self::Robot),
-            "sdf" | "world" | "xml" | "mjcf" => text().and_then(format_of).map(|_| Self::Robot),
+            "sdf" | "world" | "xml" | "mjcf" | "usda" | "osim" => {
+                text().and_then(format_of).map(|_| Self::Robot)
+            }
             _ => MeshFormat::of_path(path).map(|_| Self::Mesh),
         }
     }

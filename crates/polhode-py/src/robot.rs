@@ -119,6 +119,8 @@ const fn format_name(model: &RobotModel) -> &'static str {
         ModelFormat::Urdf => "urdf",
         ModelFormat::Sdf => "sdf",
         ModelFormat::Mjcf => "mjcf",
+        ModelFormat::Usd => "usd",
+        ModelFormat::Osim => "osim",
     }
 }
 
@@ -129,13 +131,13 @@ pub(crate) fn robot_links(path: PathBuf) -> PyResult<Vec<String>> {
     Ok(model.links.iter().map(|link| link.name.text.clone()).collect())
 }
 
-/// True if the file's root element is that of URDF, SDF or MJCF.
+/// True if the file's root element or first word is that of a robot model.
 #[pyfunction]
 pub(crate) fn is_robot(path: PathBuf) -> PyResult<bool> {
     let is_robot = |bytes: &[u8]| {
         let start = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes).trim_ascii_start();
-        let is_xml = start.first() == Some(&b'<');
-        Ok(is_xml && format_of(&String::from_utf8_lossy(bytes)).is_some())
+        let is_text = start.first() == Some(&b'<') || start.starts_with(b"#usda");
+        Ok(is_text && format_of(&String::from_utf8_lossy(bytes)).is_some())
     };
     read_file(&path, is_robot).map_err(Raise::raise)
 }

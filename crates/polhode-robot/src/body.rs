@@ -14,7 +14,7 @@ use std::fmt;
 use polhode::body::{BodyError, InertiaTensor, MassProperties};
 use polhode::math::{Part, Position, Principal, Rotation};
 
-use crate::model::{Inertial, Link, ModelFormat, Number, Slot, Span, Tensor};
+use crate::model::{ComputedMass, Inertial, Link, ModelFormat, Number, Slot, Span, Tensor};
 use crate::moments::{Moments, transposed};
 use crate::placement::Placement;
 
@@ -60,6 +60,13 @@ pub enum LinkError {
         /// The link.
         span: Span,
     },
+    /// A link whose mass the language computes, from what cannot be read.
+    Computed {
+        /// Why.
+        why: String,
+        /// The link.
+        span: Span,
+    },
     /// Unphysical numbers.
     Impossible {
         /// Why.
@@ -73,16 +80,17 @@ impl LinkError {
     /// Where in the model's text.
     pub fn span(&self) -> Span {
         match self {
-            Self::Number { span, .. } | Self::Assumed { span, .. } | Self::Impossible { span, .. } => {
-                span.clone()
-            }
+            Self::Number { span, .. }
+            | Self::Assumed { span, .. }
+            | Self::Computed { span, .. }
+            | Self::Impossible { span, .. } => span.clone(),
         }
     }
 
     /// What to do about it.
     pub const fn hint(&self) -> &'static str {
         match self {
-            Self::Assumed { .. } => "write its inertial",
+            Self::Assumed { .. } | Self::Computed { .. } => "write its inertial",
             Self::Number { .. } | Self::Impossible { .. } => {
                 "polhode check says what is wrong, and what would repair it"
             }
@@ -98,6 +106,7 @@ impl fmt::Display for LinkError {
                 write!(f, "its {what} is {text:?}, no finite number")
             }
             Self::Assumed { rule, .. } => write!(f, "it has no inertial: {rule}"),
+            Self::Computed { why, .. } => write!(f, "its mass is computed by the compiler, and {why}"),
             Self::Impossible { error, .. } => error.fmt(f),
         }
     }
@@ -110,10 +119,24 @@ impl Error for LinkError {}
 /// # Errors
 /// [`LinkError`] if a number cannot be used, or these are unphysical.
 pub fn link_mass(format: ModelFormat, link: &Link) -> Result<LinkMass, LinkError> {
-    match &link.inertial {
-        None => assumed(format, link),
-        Some(inertial) => of_inertial(format, inertial),
+    match (&link.computed, &link.inertial) {
+        (Some(Ok(computed)), _) => of_computed(computed, link),
+        (Some(Err(why)), _) => Err(LinkError::Computed { why: why.clone(), span: link.span.clone() }),
+        (None, None) => assumed(format, link),
+        (None, Some(inertial)) => of_inertial(format, inertial),
     }
+}
+
+fn of_computed(computed: &ComputedMass, link: &Link) -> Result<LinkMass, LinkError> {
+    let ComputedMass { mass, center, tensor: [xx, yy, zz, xy, xz, yz] } = *computed;
+    if mass == 0.0 {
+        return Ok(LinkMass::None);
+    }
+    let body = possible([xx, yy, zz], [xy, xz, yz], 0.0).and_then(|(tensor, rounding)| {
+        let properties = MassProperties::<Part>::new(mass, Position::from_array(center), tensor)?;
+        Ok(LinkMass::Body(LinkBody { properties, rounding }))
+    });
+    body.map_err(|error| LinkError::Impossible { error, span: link.span.clone() })
 }
 
 /// A link that says nothing of its mass is a frame, but for what languages make of it.
@@ -121,7 +144,9 @@ fn assumed(format: ModelFormat, link: &Link) -> Result<LinkMass, LinkError> {
     let rule = match format {
         _ if link.from_geometry => "its mass is to be computed from its geometry and densities",
         ModelFormat::Sdf => "SDFormat then gives it 1 kg and 1 kg·m² about each axis",
-        ModelFormat::Urdf | ModelFormat::Mjcf => return Ok(LinkMass::None),
+        ModelFormat::Urdf | ModelFormat::Mjcf | ModelFormat::Usd | ModelFormat::Osim => {
+            return Ok(LinkMass::None);
+        }
     };
     Err(LinkError::Assumed { rule, span: link.span.clone() })
 }

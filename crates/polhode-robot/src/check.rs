@@ -127,6 +127,9 @@ pub fn check(model: &RobotModel, geometry: &[LinkGeometry]) -> Vec<Finding> {
     placeholder::repeated(&bodies, &mut findings);
     for finding in &mut findings {
         finding.numbers.retain(|(_, x)| x.is_finite());
+        if !model.is_si {
+            finding.repair = None; // its numbers are not those of the text
+        }
     }
     findings.sort_by_key(|f| f.span.start);
     findings

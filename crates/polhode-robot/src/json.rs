@@ -3,20 +3,20 @@
 use serde_json::{Map, Value, json};
 
 use crate::finding::{Finding, Repair};
-use crate::line_index::LineIndex;
+use crate::line_index::{FilePlace, Places};
 use crate::repair::Left;
-use crate::report::{CheckReport, Counts, Fixed, format_name, place, severity_name};
+use crate::report::{CheckReport, Counts, Fixed, format_name, severity_name};
 
 impl CheckReport {
     /// One object: `file`, `format`, `links`, `inertials`, `counts` (of findings), `verdicts` (of links), `findings`; `fix` where repairs were asked for.
     ///
-    /// Lines and columns count from 1, columns in characters.
+    /// Lines and columns count from 1, columns in characters. `file` of a finding is there if that is a file that the model includes.
     pub fn to_json(&self) -> Value {
         let Counts { impossible, suspect, note } = self.counts();
         let by_link = self.link_counts();
         let ok = self.model.links.len().saturating_sub(by_link.sum());
-        let lines = LineIndex::new(&self.model.text);
-        let finding = |f: &Finding| finding(&lines, &self.model.text, f);
+        let places = Places::of(&self.model);
+        let finding = |f: &Finding| finding(&places, &self.model.text, f);
         let mut object = Map::new();
         let mut insert = |key: &str, value: Value| object.insert(key.to_owned(), value);
         insert("polhode", polhode_report::VERSION.into());
@@ -38,11 +38,11 @@ impl CheckReport {
     }
 }
 
-fn finding(lines: &LineIndex<'_>, text: &str, finding: &Finding) -> Value {
-    let (line, column) = place(lines, &finding.span);
+fn finding(places: &Places<'_>, text: &str, finding: &Finding) -> Value {
+    let FilePlace { file, is_included, line, column } = places.place(&finding.span);
     let numbers: Map<String, Value> =
         finding.numbers.iter().map(|&(name, value)| (name.to_owned(), Value::from(value))).collect();
-    json!({
+    let mut object = json!({
         "code": finding.code,
         "severity": severity_name(finding.severity),
         "link": finding.subject,
@@ -52,13 +52,17 @@ fn finding(lines: &LineIndex<'_>, text: &str, finding: &Finding) -> Value {
         "message": finding.message,
         "rule": finding.rule,
         "numbers": numbers,
-        "repair": finding.repair.as_ref().map(|repair| self::repair(lines, text, repair)),
-    })
+        "repair": finding.repair.as_ref().map(|repair| self::repair(places, text, repair)),
+    });
+    if let Some(object) = object.as_object_mut().filter(|_| is_included) {
+        object.insert("file".to_owned(), file.to_string_lossy().into());
+    }
+    object
 }
 
-fn repair(lines: &LineIndex<'_>, text: &str, repair: &Repair) -> Value {
+fn repair(places: &Places<'_>, text: &str, repair: &Repair) -> Value {
     let edit = |(span, new): &(std::ops::Range<usize>, String)| {
-        let (line, column) = place(lines, span);
+        let FilePlace { line, column, .. } = places.place(span);
         json!({ "line": line, "column": column, "old": text.get(span.clone()), "new": new })
     };
     json!({ "description": repair.description, "edits": repair.edits.iter().map(edit).collect::<Vec<_>>() })

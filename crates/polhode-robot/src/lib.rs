@@ -1,4 +1,4 @@
-//! Robot and simulation models (URDF, SDF, MJCF): are these inertias right?
+//! Robot and simulation models (URDF, SDF, MJCF, USD, OpenSim): are these inertias right?
 //!
 //! - [`model`]: what a file says: links, inertials, geometry, joints, and where each number stands
 //! - [`read`]: files in, models out

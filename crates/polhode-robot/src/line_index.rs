@@ -1,4 +1,9 @@
-//! Lines and columns of a text: where its lines begin is found once, then each place is a search among them.
+//! Lines and columns of a text: where its lines begin is found once, then each place is a search among them. Of a model with
+//! the files that it includes, a place is in one of these.
+
+use std::path::Path;
+
+use crate::model::{RobotModel, Span};
 
 /// Where the lines of a text begin. Lines end in `\n`, `\r\n` or `\r`, as editors count them.
 ///
@@ -38,6 +43,48 @@ impl<'a> LineIndex<'a> {
         let before = self.text.get(start..byte).unwrap_or_default();
         let before = if start == 0 { before.trim_start_matches(MARK) } else { before };
         (line, 1 + before.chars().count())
+    }
+}
+
+/// The lines of a model and of the files that it includes.
+#[derive(Clone, Debug)]
+pub struct Places<'a> {
+    /// Each with the place of its first byte, ascending; the first is the model's own.
+    files: Vec<(&'a Path, usize, LineIndex<'a>)>,
+}
+
+/// Where something stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct FilePlace<'a> {
+    /// The model's file, or one that it includes.
+    pub file: &'a Path,
+    /// True if it is one that the model includes.
+    pub is_included: bool,
+    /// From 1.
+    pub line: usize,
+    /// From 1, in characters.
+    pub column: usize,
+}
+
+impl<'a> Places<'a> {
+    /// Those of a model.
+    pub fn of(model: &'a RobotModel) -> Self {
+        let own = (model.path.as_path(), 0, LineIndex::new(&model.text));
+        let included = model
+            .included
+            .iter()
+            .map(|source| (source.path.as_path(), source.start, LineIndex::new(&source.text)));
+        Self { files: [own].into_iter().chain(included).collect() }
+    }
+
+    /// The place of a span's first byte.
+    pub fn place(&self, span: &Span) -> FilePlace<'a> {
+        let number = self.files.partition_point(|(_, start, _)| *start <= span.start).saturating_sub(1);
+        let Some((file, start, lines)) = self.files.get(number) else {
+            return FilePlace { file: Path::new(""), is_included: false, line: 1, column: 1 };
+        };
+        let (line, column) = lines.place(span.start - start);
+        FilePlace { file, is_included: number > 0, line, column }
     }
 }
 

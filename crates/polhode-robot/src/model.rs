@@ -1,6 +1,6 @@
 //! A model as its file says it: nothing is repaired, left out or trusted. Every number keeps its text and its place.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use crate::finding::Severity;
 pub use crate::span::Span;
@@ -14,6 +14,10 @@ pub enum ModelFormat {
     Sdf,
     /// MuJoCo's XML.
     Mjcf,
+    /// Universal Scene Description as text, with UsdPhysics.
+    Usd,
+    /// OpenSim's XML.
+    Osim,
 }
 
 /// A model: bodies joined to a tree, if it is one.
@@ -23,8 +27,12 @@ pub struct RobotModel {
     pub path: PathBuf,
     /// Its language.
     pub format: ModelFormat,
-    /// Its text: every [`Span`] counts bytes of it.
+    /// Its text: every [`Span`] counts bytes of it, and those beyond its end are of the files that it includes.
     pub text: String,
+    /// Whether its numbers stand in the text in m, kg and kg·m². Where they do not, their texts here are in these, and nothing is repaired.
+    pub is_si: bool,
+    /// The files that it includes, each once, by their places.
+    pub included: Vec<Source>,
     /// Its name, if it has one.
     pub name: Option<String>,
     /// In the order of the file.
@@ -33,6 +41,44 @@ pub struct RobotModel {
     pub joints: Vec<Joint>,
     /// What the reader left out or had to decide.
     pub notes: Vec<Note>,
+}
+
+impl RobotModel {
+    /// Its text and those of the files that it includes.
+    pub(crate) fn texts(&self) -> impl Iterator<Item = &str> {
+        [&self.text].into_iter().chain(self.included.iter().map(|source| &source.text)).map(String::as_str)
+    }
+
+    /// Whether a span is of a file that the model includes.
+    pub fn is_included(&self, span: &Span) -> bool {
+        self.included.iter().any(|source| source.start <= span.start)
+    }
+
+    /// A model that says nothing.
+    pub(crate) fn empty(path: &Path, format: ModelFormat) -> Self {
+        Self {
+            path: path.to_owned(),
+            format,
+            text: String::new(),
+            is_si: true,
+            included: Vec::new(),
+            name: None,
+            links: Vec::new(),
+            joints: Vec::new(),
+            notes: Vec::new(),
+        }
+    }
+}
+
+/// A file that a model includes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Source {
+    /// The file.
+    pub path: PathBuf,
+    /// Its text.
+    pub text: String,
+    /// The place of its first byte: a [`Span`] of it, less this, counts bytes of its text.
+    pub start: usize,
 }
 
 /// Something that a reader left out of a model, or had to decide.
@@ -141,6 +187,20 @@ pub struct Link {
     /// True if the language computes mass, centre and tensor from the geometry, and `inertial` is `None` for that reason: an MJCF
     /// body without `<inertial>`, SDF's `<inertial auto="true">`.
     pub from_geometry: bool,
+    /// The mass that the language's compiler gives the link, where that is not what `inertial` says, or why it cannot be told. MJCF: from
+    /// geoms, and after `boundmass`, `boundinertia`, `balanceinertia` and `settotalmass`.
+    pub computed: Option<Result<ComputedMass, String>>,
+}
+
+/// Mass, centre and tensor that a compiler gives a link.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ComputedMass {
+    /// kg
+    pub mass: f64,
+    /// In the link's frame, m.
+    pub center: [f64; 3],
+    /// xx, yy, zz, xy, xz, yz about the centre, along the link's axes; kg·m².
+    pub tensor: [f64; 6],
 }
 
 /// Mass, centre and tensor of a link.

@@ -8,16 +8,18 @@
 //! are [`Slot::Missing`](crate::model::Slot::Missing), [`Tensor::Missing`](crate::model::Tensor::Missing) and `None`, as in the other
 //! languages.
 //!
-//! Not read: xacro (expand it first), `<include>` of SDF and MJCF and what else other files say (a note), `<composite>`, `<flexcomp>` and
-//! `<replicate>` of MJCF (a note).
+//! Not read: xacro (expand it first), `<composite>` and `<flexcomp>` of MJCF (a note).
 
+mod files;
 mod mjcf;
+mod osim;
 mod plain;
 mod pose;
 mod sdf;
 mod unread;
 mod urdf;
 mod uri;
+mod usd;
 pub(crate) mod xml;
 
 use std::path::{Path, PathBuf};
@@ -25,6 +27,7 @@ use std::path::{Path, PathBuf};
 use polhode_formats::{ContentError, ContentErrorKind, ContentPlace, FormatError};
 
 use crate::model::{ModelFormat, Note, RobotModel};
+use files::{Files, Naming};
 
 /// How a model is read.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -37,7 +40,7 @@ pub struct ReadOptions {
     pub confined: bool,
 }
 
-/// Reads a URDF, SDF or MJCF file: its root element says which.
+/// Reads a URDF, SDF, MJCF, USD (`.usda`) or OpenSim file: its root element or first word says which.
 ///
 /// ```
 /// use polhode_robot::read::{ReadOptions, read_text};
@@ -49,10 +52,26 @@ pub struct ReadOptions {
 /// ```
 ///
 /// # Errors
-/// [`FormatError`] if the file cannot be read, is not UTF-8, no well-formed XML or none of the three languages, or has a document type.
+/// [`FormatError`] if the file cannot be read, is not UTF-8, not well-formed or in none of the languages, or has a document type.
 pub fn read_model(path: &Path, options: &ReadOptions) -> Result<RobotModel, FormatError> {
-    let text = polhode_formats::read_text_file(path, |text| Ok(text.to_owned()))?;
-    read(text, path, options)
+    let text = polhode_formats::read_text_file(path, |text| Ok(text.to_owned()));
+    match text {
+        Ok(text) => read(text, path, options),
+        Err(error) => Err(binary_usd(path).unwrap_or(error)),
+    }
+}
+
+/// What to do about a file of USD that is not text.
+fn binary_usd(path: &Path) -> Option<FormatError> {
+    let ending = path.extension()?.to_str()?.to_ascii_lowercase();
+    if !matches!(ending.as_str(), "usd" | "usdc" | "usdz") || !path.is_file() {
+        return None;
+    }
+    let what = "USD that is not text".to_owned();
+    let error = ContentError::new(ContentErrorKind::Unsupported { what }, ContentPlace::Whole);
+    let file = path.file_name()?.to_string_lossy().into_owned();
+    let error = error.hint(format!("write it as text: usdcat --flatten {file} --out robot.usda"));
+    Some(FormatError::of_content(path, b"", error))
 }
 
 /// The same for a text; `path` is for messages, and its folder for the files that the model names.
@@ -63,9 +82,12 @@ pub fn read_text(text: &str, path: &Path, options: &ReadOptions) -> Result<Robot
     read(text.to_owned(), path, options)
 }
 
-/// The language of a text by its root element, whether or not the rest can be read; `None` if it is none of the three.
+/// The language of a text by its root element or its first word, whether or not the rest can be read; `None` if it is none of these.
 pub fn format_of(text: &str) -> Option<ModelFormat> {
     let mut rest = text.strip_prefix('\u{feff}').unwrap_or(text).trim_start();
+    if rest.starts_with("#usda") {
+        return Some(ModelFormat::Usd);
+    }
     loop {
         let close = if rest.starts_with("<!--") {
             "-->"
@@ -85,39 +107,48 @@ fn language(root: &str) -> Option<ModelFormat> {
         "robot" => Some(ModelFormat::Urdf),
         "sdf" | "gazebo" => Some(ModelFormat::Sdf),
         "mujoco" | "mujocoinclude" => Some(ModelFormat::Mjcf),
+        "OpenSimDocument" => Some(ModelFormat::Osim),
         _ => None,
     }
 }
 
 fn read(text: String, path: &Path, options: &ReadOptions) -> Result<RobotModel, FormatError> {
-    let parsed = xml::with_root(&text, |root| {
+    if format_of(&text) == Some(ModelFormat::Usd) {
+        let mut model = RobotModel::empty(path, ModelFormat::Usd);
+        usd::read(&text, &mut model)
+            .map_err(|error| FormatError::of_content(path, text.as_bytes(), error))?;
+        keep_finite(&mut model);
+        return Ok(RobotModel { text, ..model });
+    }
+    let roots = uri::Roots::of(path, options);
+    let naming = match format_of(&text) {
+        Some(ModelFormat::Mjcf) => Naming::Mjcf,
+        Some(ModelFormat::Sdf) => Naming::Sdf,
+        _ => Naming::Nothing,
+    };
+    let mut files = Files::of(text, path, &roots, naming)?;
+    let notes = std::mem::take(&mut files.notes);
+    let mut model = files.with_root(|root| {
         let Some(format) = language(root.name()) else {
-            let what = "<robot> (URDF), <sdf> or <mujoco>".to_owned();
+            let what = "<robot> (URDF), <sdf>, <mujoco> or <OpenSimDocument>".to_owned();
             let kind = ContentErrorKind::Expected { what, found: format!("<{}>", root.name()) };
             return Err(ContentError::new(kind, ContentPlace::Text(root.span())));
         };
-        let roots = uri::Roots::of(path, options);
-        let mut model = RobotModel {
-            path: path.to_owned(),
-            format,
-            text: String::new(),
-            name: None,
-            links: Vec::new(),
-            joints: Vec::new(),
-            notes: Vec::new(),
-        };
+        let mut model = RobotModel { notes, ..RobotModel::empty(path, format) };
         match format {
             ModelFormat::Urdf => urdf::read(root, &roots, &mut model)?,
-            ModelFormat::Sdf => sdf::read(root, &roots, &mut model)?,
-            ModelFormat::Mjcf => mjcf::read(root, &roots, &mut model)?,
+            ModelFormat::Sdf => sdf::read(root, &files, &roots, &mut model)?,
+            ModelFormat::Mjcf => mjcf::read(root, &files.folders, &roots, &mut model)?,
+            ModelFormat::Osim => osim::read(root, &mut model)?,
+            ModelFormat::Usd => {}
         }
-        keep_finite(&mut model);
         Ok(model)
-    });
-    match parsed {
-        Ok(model) => Ok(RobotModel { text, ..model }),
-        Err(error) => Err(FormatError::of_content(path, text.as_bytes(), error)),
-    }
+    })?;
+    let mut sources = files.sources.into_iter();
+    model.text = sources.next().map_or_else(String::new, |main| main.text);
+    model.included = sources.collect();
+    keep_finite(&mut model);
+    Ok(model)
 }
 
 /// Takes frames whose place f64 does not hold to the origin, with a note.

@@ -6,7 +6,7 @@ use std::fmt;
 use polhode::body::{Finding, Severity};
 
 use crate::finding::Severity as NoteSeverity;
-use crate::line_index::LineIndex;
+use crate::line_index::{FilePlace, Places};
 use crate::model::{Note, RobotModel, Span};
 
 /// A model that says a body's numbers twice, and not the same.
@@ -61,21 +61,21 @@ pub fn remarks(model: &RobotModel, link: Option<&str>) -> Result<Vec<Finding>, C
         });
     }
     let about = |note: &&Note| note.subject.is_empty() || link.is_none_or(|link| link == note.subject);
-    let lines = LineIndex::new(&model.text);
+    let places = Places::of(model);
     let mut remarks = Vec::new();
     for note in model.notes.iter().filter(about) {
         if OPEN.contains(&note.code) {
             let Note { subject, message, span, .. } = note.clone();
             return Err(Contradiction { link: subject, message, span });
         }
-        let (line, column) = lines.place(note.span.start);
+        let FilePlace { file, line, column, .. } = places.place(&note.span);
         let harmless =
             note.severity == NoteSeverity::Note && matches!(note.code, "read.world" | "read.unknown");
         remarks.push(Finding {
             code: note.code,
             severity: if harmless { Severity::Info } else { Severity::Warning },
             message: note.message.clone(),
-            place: Some(format!("{}:{line}:{column}", model.path.display())),
+            place: Some(format!("{}:{line}:{column}", file.display())),
         });
     }
     Ok(remarks)

@@ -34,6 +34,8 @@ pub enum LeftReason {
     Overlaps,
     /// Its edits do not fit the text, or one another.
     Misplaced,
+    /// It changes a file that the model includes.
+    Included,
     /// It was tried, and the finding was still there.
     Fails,
 }
@@ -44,6 +46,7 @@ impl LeftReason {
         match self {
             Self::Overlaps => "it changes what another repair changes: repair again after this one",
             Self::Misplaced => "its edits do not fit the text",
+            Self::Included => "it stands in a file that the model includes: repair that file",
             Self::Fails => "it does not remove the finding",
         }
     }
@@ -115,7 +118,12 @@ fn repaired_but(model: &RobotModel, findings: &[Finding], failing: &BTreeSet<usi
     let (mut applied, mut left) = (Vec::new(), Vec::new());
     for (k, finding) in findings.iter().enumerate() {
         let Some(repair) = &finding.repair else { continue };
-        let made = if failing.contains(&k) { Err(LeftReason::Fails) } else { edits.add(&model.text, repair) };
+        let is_included = repair.edits.iter().any(|(span, _)| model.is_included(span));
+        let made = match () {
+            () if is_included => Err(LeftReason::Included),
+            () if failing.contains(&k) => Err(LeftReason::Fails),
+            () => edits.add(&model.text, repair),
+        };
         match made {
             Ok(()) => applied.push(k),
             Err(why) => left.push(Left { finding: k, why }),

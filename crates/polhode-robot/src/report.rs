@@ -5,8 +5,7 @@ use std::collections::BTreeMap;
 
 use crate::check::LinkGeometry;
 use crate::finding::{Finding, Severity};
-use crate::line_index::LineIndex;
-use crate::model::{ModelFormat, RobotModel, Span};
+use crate::model::{ModelFormat, RobotModel};
 use crate::repair::{Repaired, repaired};
 
 /// A checked model.
@@ -97,11 +96,6 @@ impl CheckReport {
     }
 }
 
-/// Line and column of a span's first byte.
-pub(crate) fn place(lines: &LineIndex<'_>, span: &Span) -> (usize, usize) {
-    lines.place(span.start)
-}
-
 /// A severity in lower case.
 pub(crate) const fn severity_name(severity: Severity) -> &'static str {
     match severity {
@@ -117,5 +111,7 @@ pub(crate) const fn format_name(format: ModelFormat) -> &'static str {
         ModelFormat::Urdf => "URDF",
         ModelFormat::Sdf => "SDF",
         ModelFormat::Mjcf => "MJCF",
+        ModelFormat::Usd => "USD",
+        ModelFormat::Osim => "OSIM",
     }
 }

@@ -7,9 +7,9 @@ use std::fmt::Write as _;
 use polhode_report::plain::{WIDTH, plain_spaces, printable, wrap};
 
 use crate::finding::{Finding, Severity};
-use crate::line_index::LineIndex;
+use crate::line_index::{FilePlace, Places};
 use crate::repair::{Left, Repaired};
-use crate::report::{CheckReport, Counts, Fixed, format_name, place};
+use crate::report::{CheckReport, Counts, Fixed, format_name};
 
 /// What stands below the line of a finding is this far in.
 const INDENT: &str = "    ";
@@ -18,12 +18,12 @@ impl CheckReport {
     /// Lines of at most 100 columns.
     pub fn to_text(&self) -> String {
         let mut text = self.heading();
-        let file = printable(&self.model.path.to_string_lossy());
-        let lines = LineIndex::new(&self.model.text);
+        let places = Places::of(&self.model);
         let subjects = || self.findings.iter().map(|f| subject(f).chars().count());
         let longest = subjects().filter(|&width| width <= 24).max().unwrap_or(0);
         for (k, finding) in self.findings.iter().enumerate() {
-            let (line, column) = place(&lines, &finding.span);
+            let FilePlace { file, line, column, .. } = places.place(&finding.span);
+            let file = printable(&file.to_string_lossy());
             let subject = subject(finding);
             let start = if k == 0 { "\n" } else { "" };
             let _ = writeln!(

@@ -7,7 +7,7 @@ export interface DroppedFile {
 }
 
 /** Of a set, the files that name the others. */
-const MAIN = ["toml", "urdf", "sdf", "xml", "world", "mjcf", "gltf"];
+const MAIN = ["toml", "urdf", "sdf", "xml", "world", "mjcf", "usda", "osim", "gltf"];
 const OTHERS = ["stl", "obj", "mtl", "ply", "off", "glb", "3mf", "dae", "xyz", "mol", "pdb", "ent", "csv", "bin"];
 
 const ending = (path: string): string => path.toLowerCase().split(".").at(-1) ?? "";

@@ -178,7 +178,8 @@ export interface MeshFinding {
 export interface RobotInspection {
   name: string;
   links: RobotLink[];
-  findings: { link: number | null; code: string; severity: "impossible" | "suspect" | "note"; message: string; line: number; column: number }[];
+  /** `file`, if the place is in one that the model includes. */
+  findings: { link: number | null; code: string; severity: "impossible" | "suspect" | "note"; message: string; file?: string; line: number; column: number }[];
   /** The repaired file and what was changed; null if nothing can be proved. */
   repair: { text: string; changes: { line: number; before: string; after: string }[] } | null;
 }

@@ -37,8 +37,7 @@ pub(super) fn models(named: &[PathBuf]) -> Vec<Result<PathBuf, Unread>> {
         let before = models.len();
         search(path, &mut models);
         if models.len() == before {
-            let hint =
-                "a model ends in .urdf, .sdf, .world or .xml; name a file with another ending by itself";
+            let hint = "a model ends in .urdf, .sdf, .world, .xml, .usda or .osim; name a file with another ending by itself";
             models.push(Err(Unread::new(path, format!("{} holds no model", shown(path)), hint)));
         }
     }

@@ -30,7 +30,12 @@ const OTHERS: [(Kind, &str, &str, &[&str]); 9] = [
     (Kind::Xyz, "xyz", "XYZ, a molecule", &["xyz", "extxyz"]),
     (Kind::Mol, "mol", "MOL or SDF, a molecule (.mol, .sdf)", &["mol", "sdf", "sd"]),
     (Kind::Pdb, "pdb", "PDB, a molecule (.pdb, .ent)", &["pdb", "ent"]),
-    (Kind::Robot, "robot", "A robot model: URDF, SDFormat, MJCF (.urdf, .sdf, .xml)", &["urdf"]),
+    (
+        Kind::Robot,
+        "robot",
+        "A robot model: URDF, SDFormat, MJCF, USD, OpenSim (.urdf, .sdf, .xml, .usda, .osim)",
+        &["urdf"],
+    ),
     (Kind::Npy, "npy", "A voxel grid as a NumPy array", &["npy"]),
     (Kind::Nrrd, "nrrd", "A voxel grid as NRRD (.nrrd, .nhdr)", &["nrrd", "nhdr"]),
 ];

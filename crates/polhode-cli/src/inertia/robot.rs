@@ -10,7 +10,7 @@ use polhode_formats::unit::Dimension;
 use polhode_report::plain::{number, printable};
 use polhode_report::{InertiaReport, SourceInfo};
 use polhode_robot::body::{LinkMass, link_mass};
-use polhode_robot::line_index::LineIndex;
+use polhode_robot::line_index::{FilePlace, Places};
 use polhode_robot::lump::{Lump, Lumping, lump};
 use polhode_robot::model::{JointKind, Link, ModelFormat, RobotModel, Span};
 use polhode_robot::read::{ReadOptions, read_model};
@@ -195,6 +195,8 @@ fn source(model: &RobotModel) -> SourceInfo {
         ModelFormat::Urdf => "urdf",
         ModelFormat::Sdf => "sdf",
         ModelFormat::Mjcf => "mjcf",
+        ModelFormat::Usd => "usd",
+        ModelFormat::Osim => "osim",
     };
     SourceInfo::new(model.path.display().to_string(), format)
 }
@@ -244,6 +246,6 @@ fn noticed(model: &RobotModel, link: Option<&str>) -> Result<Vec<Finding>, Failu
 
 /// A failure with its place in the model.
 fn located(model: &RobotModel, span: &Span, message: impl fmt::Display, hint: impl Into<String>) -> Failure {
-    let (line, column) = LineIndex::new(&model.text).place(span.start);
-    Failure::located(message.to_string(), &model.path, [line, column], hint)
+    let FilePlace { file, line, column, .. } = Places::of(model).place(span);
+    Failure::located(message.to_string(), file, [line, column], hint)
 }

@@ -13,7 +13,7 @@ use polhode_robot::body::{LinkMass, link_mass};
 use polhode_robot::finding::{Finding, Severity};
 use polhode_robot::geometry::Shapes;
 use polhode_robot::inspect::inspect;
-use polhode_robot::line_index::LineIndex;
+use polhode_robot::line_index::{FilePlace, Places};
 use polhode_robot::model::{Joint, Link, ModelFormat, Pose, RobotModel};
 use polhode_robot::read::{ReadOptions, read_model, read_text};
 use polhode_robot::repair::proved;
@@ -64,6 +64,9 @@ struct RobotFinding {
     code: &'static str,
     severity: &'static str,
     message: String,
+    /// The file of the place, if it is one that the model includes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    file: Option<String>,
     line: usize,
     column: usize,
 }
@@ -101,15 +104,15 @@ impl RobotInspection {
         let found = inspect(&model, &mut shapes).findings;
         let stands = Stands::of(&model);
         let numbers = numbers(&model);
-        let lines = LineIndex::new(&model.text);
+        let places = Places::of(&model);
         let severities = severities(&found);
-        let mut findings: Vec<RobotFinding> = found.iter().map(|one| shown(one, &numbers, &lines)).collect();
-        findings.extend(stands.unplaced.iter().filter_map(|&k| unplaced(&model, k, &lines)));
+        let mut findings: Vec<RobotFinding> = found.iter().map(|one| shown(one, &numbers, &places)).collect();
+        findings.extend(stands.unplaced.iter().filter_map(|&k| unplaced(&model, k, &places)));
         let LinkShapes { shapes: looks, not_shown } = LinkShapes::of(&model, &mut shapes);
         let is_said = |shape: &NotShown| {
             found.iter().any(|one| one.code == "geometry.unreadable" && one.span == shape.span)
         };
-        findings.extend(not_shown.iter().filter(|shape| !is_said(shape)).map(|shape| hidden(shape, &lines)));
+        findings.extend(not_shown.iter().filter(|shape| !is_said(shape)).map(|shape| hidden(shape, &places)));
         let repaired = proved(&model, &found, |text| {
             read_text(text, &document.path, &options).map(|model| inspect(&model, &mut shapes).findings)
         });
@@ -163,8 +166,8 @@ fn severities(findings: &[Finding]) -> HashMap<&str, Severity> {
     severities
 }
 
-fn shown(finding: &Finding, numbers: &HashMap<&str, usize>, lines: &LineIndex<'_>) -> RobotFinding {
-    let (line, column) = lines.place(finding.span.start);
+fn shown(finding: &Finding, numbers: &HashMap<&str, usize>, places: &Places<'_>) -> RobotFinding {
+    let FilePlace { file, is_included, line, column } = places.place(&finding.span);
     RobotFinding {
         link: numbers.get(finding.subject.as_str()).copied(),
         code: finding.code,
@@ -174,30 +177,39 @@ fn shown(finding: &Finding, numbers: &HashMap<&str, usize>, lines: &LineIndex<'_
             Severity::Note => "note",
         },
         message: finding.message.clone(),
+        file: included(file, is_included),
         line,
         column,
     }
 }
 
-fn unplaced(model: &RobotModel, link: usize, lines: &LineIndex<'_>) -> Option<RobotFinding> {
-    let (line, column) = lines.place(model.links.get(link)?.name.span.start);
+/// The name of a file, if it is one that the model includes.
+fn included(file: &std::path::Path, is_included: bool) -> Option<String> {
+    let name = file.file_name().unwrap_or(file.as_os_str());
+    is_included.then(|| name.to_string_lossy().into_owned())
+}
+
+fn unplaced(model: &RobotModel, link: usize, places: &Places<'_>) -> Option<RobotFinding> {
+    let FilePlace { line, column, file, is_included } = places.place(&model.links.get(link)?.name.span);
     Some(RobotFinding {
         link: Some(link),
         code: "page.unplaced",
         severity: "note",
         message: "it is shown at the origin: joints do not say where it stands".to_owned(),
+        file: included(file, is_included),
         line,
         column,
     })
 }
 
-fn hidden(shape: &NotShown, lines: &LineIndex<'_>) -> RobotFinding {
-    let (line, column) = lines.place(shape.span.start);
+fn hidden(shape: &NotShown, places: &Places<'_>) -> RobotFinding {
+    let FilePlace { file, is_included, line, column } = places.place(&shape.span);
     RobotFinding {
         link: Some(shape.link),
         code: "page.mesh",
         severity: "note",
         message: format!("a shape is not shown: {}", shape.why),
+        file: included(file, is_included),
         line,
         column,
     }
@@ -214,9 +226,9 @@ impl Stands {
     fn of(model: &RobotModel) -> Self {
         let is_finite = |pose: &Pose| pose.position.iter().chain(&pose.rotation).all(|x| x.is_finite());
         let poses = match model.format {
-            ModelFormat::Urdf => down_the_tree(model),
+            ModelFormat::Urdf | ModelFormat::Osim => down_the_tree(model),
             // These languages say it of the links.
-            ModelFormat::Sdf | ModelFormat::Mjcf => {
+            ModelFormat::Sdf | ModelFormat::Mjcf | ModelFormat::Usd => {
                 model.links.iter().map(|link| Some(link.pose.clone())).collect()
             }
         };

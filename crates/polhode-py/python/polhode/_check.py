@@ -77,7 +77,7 @@ class CheckReport:
 
 
 def check(path: str | os.PathLike[str], *, roots: Sequence[str | os.PathLike[str]] = ()) -> CheckReport:
-    """Checks the inertias of a URDF, SDF or MJCF file; ``roots`` are folders that hold its packages.
+    """Checks the inertias of a URDF, SDF, MJCF, USD or OpenSim file; ``roots`` are folders that hold its packages.
 
     >>> import pathlib, tempfile, polhode
     >>> path = pathlib.Path(tempfile.mkdtemp()) / "arm.urdf"

@@ -22,6 +22,8 @@ _KINDS = {
     "toml": "scenario",
     "txt": "cad",
     "urdf": "robot",
+    "usda": "robot",
+    "osim": "robot",
 }
 
 #: What each kind may be told, and what it is called.
@@ -75,7 +77,7 @@ def inertia(
         ``spacing`` and ``origin`` (3,), m, and ``unit``, where the file does not say; ``per_value``, the density of a value of 1, kg/m³.
     ``cad`` (.txt, a CAD program's report)
         ``products`` ``"negative"`` or ``"positive"``, ``decimal`` ``"point"`` or ``"comma"``, ``unit``, ``mass_unit``, where it leaves that open.
-    ``robot`` (.urdf, or .sdf and .xml of a model)
+    ``robot`` (.urdf, .usda, .osim, or .sdf and .xml of a model)
         ``link`` by name; without it all links as one body, with ``joints`` at values by name (rad or m), others at zero.
 
     An option that means nothing for the file is an error. What had to be assumed or turned is a :class:`PolhodeWarning`.

@@ -87,7 +87,9 @@ fn nothing(model: &RobotModel, tree: &Tree, k: usize, link: &Link, findings: &mu
                 tell("mass.missing", Severity::Suspect, message, "a link that can move says its mass");
             }
         }
-        ModelFormat::Urdf => {
+        // a body of USD without mass gets one from its shapes
+        ModelFormat::Usd => {}
+        ModelFormat::Urdf | ModelFormat::Osim => {
             if has_collision(link) {
                 touched(tree, k, link, findings);
             } else if tree.moves_itself(k)

@@ -31,6 +31,9 @@ pub(super) fn check(model: &RobotModel, link: &Link, tree: &Tree, k: usize, find
             ModelFormat::Sdf => {
                 (Severity::Suspect, "what is left out is the identity in SDF: 1 kg·m² about each axis")
             }
+            ModelFormat::Usd => {
+                (Severity::Note, "what USD leaves out the physics engine computes from the collision shapes")
+            }
             _ if moves => (Severity::Impossible, "a link with mass needs its tensor"),
             _ => (Severity::Note, "a link that moves needs its tensor"),
         };

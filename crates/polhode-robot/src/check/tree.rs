@@ -49,8 +49,8 @@ impl Tree {
 
         let mut moves = moves_itself.clone();
         for &k in &order {
-            // An SDF link that nothing holds is free.
-            moves[k] |= model.format == ModelFormat::Sdf && holders[k].is_empty();
+            // A link of SDF or USD that nothing holds is free.
+            moves[k] |= closes_loops(model.format) && holders[k].is_empty();
             moves[k] &= !model.links[k].is_static;
             if moves[k] {
                 for &(child, _) in &hanging[k] {
@@ -65,7 +65,7 @@ impl Tree {
             welded_mass[k] |= hanging[k].iter().any(|(child, fixed)| *fixed && welded_mass[*child]);
         }
         let is_weighed = model.links.iter().any(|link| link.inertial.is_some());
-        let is_bounded = model.format == ModelFormat::Mjcf && model.text.contains("boundmass");
+        let is_bounded = model.texts().any(|text| text.contains("boundmass"));
         Self {
             holders,
             hanging,
@@ -191,7 +191,12 @@ fn sorted(
     (order, cycles)
 }
 
-const CLOSED_LOOPS: &str = "SDF may close loops; not every engine can";
+const CLOSED_LOOPS: &str = "SDF and USD may close loops; not every engine can";
+
+/// Whether the language has joints between any links, not a tree.
+fn closes_loops(format: ModelFormat) -> bool {
+    matches!(format, ModelFormat::Sdf | ModelFormat::Usd)
+}
 
 /// What is wrong with the tree.
 pub(super) fn check(model: &RobotModel, tree: &Tree) -> Vec<Finding> {
@@ -235,8 +240,7 @@ fn finding(
     message: String,
     rule: &str,
 ) -> Finding {
-    let (subject, rule) = (subject.to_owned(), rule.to_owned());
-    let (others, numbers) = (Vec::new(), Vec::new());
+    let (subject, rule, others, numbers) = (subject.to_owned(), rule.to_owned(), Vec::new(), Vec::new());
     Finding { code, severity, subject, others, span, message, rule, numbers, repair: None }
 }
 
@@ -270,7 +274,7 @@ fn shared(model: &RobotModel, findings: &mut Vec<Finding>) {
             (Severity::Suspect, "libsdformat refuses this since SDF 1.7: names in a model are unique")
         }
         ModelFormat::Urdf => (Severity::Note, "URDF allows it; as SDF the model is refused"),
-        ModelFormat::Mjcf => return,
+        ModelFormat::Mjcf | ModelFormat::Usd | ModelFormat::Osim => return,
     };
     let links = index(&model.links);
     for name in model.joints.iter().map(|joint| &joint.name).filter(|name| !name.text.is_empty()) {
@@ -284,9 +288,12 @@ fn shared(model: &RobotModel, findings: &mut Vec<Finding>) {
 
 fn unknown(model: &RobotModel, findings: &mut Vec<Finding>) {
     let names = index(&model.links);
-    // In SDF a joint may hold a named frame, or a link of a model that is included from elsewhere.
-    let is_part =
-        model.format == ModelFormat::Sdf && ["<frame", "<include"].iter().any(|tag| model.text.contains(tag));
+    // In SDF a joint may hold a named frame or a link of an included model, in USD a prim of another layer.
+    let is_part = match model.format {
+        ModelFormat::Sdf => ["<frame", "<include"].iter().any(|tag| model.text.contains(tag)),
+        ModelFormat::Usd => model.notes.iter().any(|note| note.code == "read.include"),
+        _ => false,
+    };
     for joint in &model.joints {
         for (name, what) in [(joint.parent.as_ref(), "parent"), (Some(&joint.child), "child")] {
             let Some(name) = name.filter(|n| !names.contains_key(n.text.as_str())) else { continue };
@@ -328,7 +335,7 @@ fn round(model: &RobotModel, tree: &Tree, cycle: &[usize]) -> Option<Finding> {
     };
     let message = format!("joints go round: {} → {}", shown.join(" → "), name(&first));
     let (severity, rule) = match model.format {
-        ModelFormat::Sdf => (Severity::Note, CLOSED_LOOPS),
+        format if closes_loops(format) => (Severity::Note, CLOSED_LOOPS),
         _ => (Severity::Impossible, "the links of a robot make a tree"),
     };
     let mut found = finding("tree.cycle", severity, &link.name.text, joint.span.clone(), message, rule);
@@ -348,7 +355,7 @@ fn two_parents(model: &RobotModel, tree: &Tree, k: usize, link: &Link, findings:
     let first = parent(tree.holders.get(k).and_then(|h| h.first()).map(|(j, _)| j));
     let other = joint.parent.as_ref().map_or("the world", |p| p.text.as_str());
     let (severity, rule) = match model.format {
-        ModelFormat::Sdf => (Severity::Note, CLOSED_LOOPS),
+        format if closes_loops(format) => (Severity::Note, CLOSED_LOOPS),
         _ => (Severity::Impossible, "a link hangs on one other: loops are not a tree"),
     };
     let message = format!("{:?} hangs on {first:?} and on {other:?}", link.name.text);

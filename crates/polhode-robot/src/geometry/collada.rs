@@ -1,14 +1,15 @@
 //! The triangles of a COLLADA file (.dae).
 //!
 //! Meshes by `<triangles>`, `<polylist>` and `<polygons>`, each placed as the nodes of the scene place it, in the file's unit. `<up_axis>` is
-//! not applied, as RViz and Gazebo do not apply it; `is_y_up` says where others would. Polygons are fans. What it does not read, skins, nodes of a
-//! library, strips, is an error.
+//! not applied, as RViz and Gazebo do not apply it; `is_y_up` says where others would. Polygons are fans, lines are left out. What it does not
+//! read, skins and strips, is an error.
 //!
 //! Source: COLLADA 1.4.1 specification, Khronos Group 2008.
 
 use std::collections::HashMap;
 
 use polhode::body::mesh::TriangleMesh;
+use polhode::body::{Finding, Severity};
 use polhode_formats::mesh::{MeshContents, MeshPart};
 use polhode_formats::{ContentError, ContentErrorKind, ContentPlace};
 
@@ -25,7 +26,8 @@ pub fn read(text: &str) -> Result<MeshContents, ContentError> {
         let named = named(root);
         let unit = root.child("asset").and_then(|asset| asset.child("unit"));
         let unit = unit.and_then(|unit| unit.attribute("meter")).map(|meter| positive(&meter)).transpose()?;
-        let mut reader = Reader { named, meshes: HashMap::new(), parts: Vec::new(), left: text.len() };
+        let mut reader =
+            Reader { named, meshes: HashMap::new(), parts: Vec::new(), left: text.len(), lines: 0 };
         let scene = root.child("scene").and_then(|scene| scene.child("instance_visual_scene"));
         let scene = match scene.and_then(|instance| instance.attribute("url")) {
             Some(url) => reader.named.get(url.value.trim_start_matches('#')).copied(),
@@ -33,13 +35,8 @@ pub fn read(text: &str) -> Result<MeshContents, ContentError> {
         };
         let scene = scene.ok_or_else(|| missing("scene", root))?;
         reader.nodes(scene)?;
-        Ok(MeshContents {
-            encoding: "xml",
-            name: String::new(),
-            unit,
-            parts: reader.parts,
-            findings: Vec::new(),
-        })
+        let findings = reader.finding().into_iter().collect();
+        Ok(MeshContents { encoding: "xml", name: String::new(), unit, parts: reader.parts, findings })
     })
 }
 
@@ -118,9 +115,21 @@ struct Reader<'a> {
     parts: Vec<MeshPart>,
     /// Triangles and vertices that may still come: a mesh that the scene has a thousand times must not fill the memory.
     left: usize,
+    /// Geometries that have lines and no faces.
+    lines: usize,
 }
 
 impl<'a> Reader<'a> {
+    fn finding(&self) -> Option<Finding> {
+        let message = format!("{} geometries of lines alone bound no solid and were left out", self.lines);
+        (self.lines > 0).then_some(Finding {
+            code: "mesh.not_a_surface",
+            severity: Severity::Info,
+            message,
+            place: None,
+        })
+    }
+
     fn nodes(&mut self, scene: Element<'a>) -> Result<(), ContentError> {
         let mut waiting = vec![(scene, Affine::IDENTITY)];
         while let Some((node, mut place)) = waiting.pop() {
@@ -128,7 +137,14 @@ impl<'a> Reader<'a> {
                 match child.name() {
                     "node" => waiting.push((child, place)),
                     "instance_geometry" => self.instance(child, &place)?,
-                    "instance_node" | "instance_controller" => return Err(unsupported(child)),
+                    "instance_node" => {
+                        self.spend(1, child)?; // a node in itself ends here
+                        let url = child.word("url").unwrap_or("").trim_start_matches('#');
+                        let node = self.named.get(url).copied();
+                        let node = node.filter(|node| node.name() == "node");
+                        waiting.push((node.ok_or_else(|| missing(&format!("node {url:?}"), child))?, place));
+                    }
+                    "instance_controller" => return Err(unsupported(child)),
                     // they stand before what they place
                     _ => {
                         if let Some(inner) = Affine::of(child)? {
@@ -152,13 +168,9 @@ impl<'a> Reader<'a> {
             let surface = self.surface(geometry)?;
             self.meshes.insert(url, surface);
         }
+        let size = self.meshes.get(url).map_or(0, |surface| surface.triangles.len() + surface.vertices.len());
+        self.spend(size, instance)?;
         let Some(surface) = self.meshes.get(url) else { return Ok(()) };
-        self.left =
-            self.left.checked_sub(surface.triangles.len() + surface.vertices.len()).ok_or_else(|| {
-                let what =
-                    "scenes that hold a mesh so often that its copies are longer than the file".to_owned();
-                ContentError::new(ContentErrorKind::Unsupported { what }, ContentPlace::Text(instance.span()))
-            })?;
         let vertices: Vec<_> = surface.vertices.iter().map(|v| place.placed(*v)).collect();
         if let Some(vertex) = vertices.iter().find(|vertex| vertex.iter().any(|c| !c.is_finite())) {
             let (what, found) = ("a vertex where the scene places it".to_owned(), format!("{vertex:?}"));
@@ -177,14 +189,27 @@ impl<'a> Reader<'a> {
         Ok(())
     }
 
-    fn surface(&self, geometry: Element<'a>) -> Result<Surface, ContentError> {
+    fn spend(&mut self, size: usize, instance: Element<'a>) -> Result<(), ContentError> {
+        self.left = self.left.checked_sub(size).ok_or_else(|| {
+            let what = "scenes that hold a mesh so often that its copies are longer than the file".to_owned();
+            ContentError::new(ContentErrorKind::Unsupported { what }, ContentPlace::Text(instance.span()))
+        })?;
+        Ok(())
+    }
+
+    fn surface(&mut self, geometry: Element<'a>) -> Result<Surface, ContentError> {
         let mesh = geometry.child("mesh").ok_or_else(|| missing("mesh", geometry))?;
         let mut surface: Option<Surface> = None;
+        let mut has_lines = false;
         for faces in mesh.children() {
             let counts = match faces.name() {
                 "triangles" | "polylist" | "polygons" => faces.child_text("vcount"),
                 "tristrips" | "trifans" => return Err(unsupported(faces)),
-                _ => continue, // lines and sources
+                "lines" | "linestrips" => {
+                    has_lines = true;
+                    continue;
+                }
+                _ => continue, // sources
             };
             let inputs: Vec<_> = faces.named("input").collect();
             let offset = |input: &Element<'a>| whole(*input, "offset", 0);
@@ -225,6 +250,10 @@ impl<'a> Reader<'a> {
                 }
             }
             declared(faces, "faces", present)?;
+        }
+        if surface.is_none() && has_lines {
+            self.lines += 1;
+            surface = Some(Surface { vertices: Vec::new(), triangles: Vec::new() });
         }
         surface.ok_or_else(|| missing("triangles", geometry))
     }

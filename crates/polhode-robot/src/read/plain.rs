@@ -110,6 +110,42 @@ fn up_to_mark(rest: &str, is_first: bool) -> Option<(&str, &str, u8)> {
     Some((outside, from_mark, *from_mark.as_bytes().first()?))
 }
 
+/// Where a second root element begins in a plain text; `None` if there is none.
+pub(super) fn second_root(copy: &str) -> Option<usize> {
+    let (mut depth, mut at) = (0_usize, 0);
+    let mut is_over = false;
+    loop {
+        at += copy.get(at..)?.find('<')?;
+        let rest = copy.get(at..)?;
+        if is_over {
+            return Some(at);
+        }
+        if rest.starts_with("<![CDATA[") {
+            at += rest.find("]]>")?;
+            continue;
+        }
+        let mut length = 0;
+        // the end of the tag is the first > outside quotes
+        loop {
+            length += rest.get(length..)?.find(['"', '\'', '>'])?;
+            let mark = *rest.as_bytes().get(length)?;
+            length += 1;
+            if mark == b'>' {
+                break;
+            }
+            length += rest.get(length..)?.find(char::from(mark))? + 1;
+        }
+        let tag = rest.get(..length)?;
+        if tag.starts_with("</") {
+            depth = depth.checked_sub(1)?;
+        } else if !tag.ends_with("/>") {
+            depth += 1;
+        }
+        is_over = depth == 0;
+        at += length;
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -121,6 +157,19 @@ mod tests {
         let expected = "\u{feff}       \r\n          \n    <a b_c = 'x:\"&gt;<!-- é' xmlns_q=\"u:v\">t:u<![CDATA[<x:y>]]></a>\n";
         assert_eq!(copy, expected);
         assert_eq!(copy.len(), text.len());
+    }
+
+    #[test]
+    fn a_second_root_begins_after_the_first() {
+        for (text, at) in [
+            ("<a x='</a>'><a/><![CDATA[</a><b>]]></a> <b/>", Some(40)),
+            ("<a/><b/>", Some(4)),
+            ("<a><b></b></a>\n", None),
+            ("<a><b></a>", None),
+            ("</a><b/>", None),
+        ] {
+            assert_eq!(second_root(text), at, "{text}");
+        }
     }
 
     #[test]

@@ -6,31 +6,38 @@
 //! Source: sdformat.org/spec (1.11, which has the elements of the versions since 1.4), and its "Pose frame semantics".
 
 mod frames;
+mod gather;
 
 use std::path::Path;
 
-use polhode_formats::{ContentError, ContentErrorKind, ContentPlace};
+use polhode_formats::ContentError;
 
 use crate::model::{
     Geometry, GeometryShape, Inertial, Joint, JointKind, Link, Name, Note, Pose, RobotModel, Role, Tensor,
 };
 use crate::pose::of_roll_pitch_yaw;
+use crate::read::files::Files;
 use crate::read::pose::Reading;
 use crate::read::unread;
 use crate::read::uri::Roots;
 use crate::read::xml::{Element, child_slot, is_true};
-use frames::{FrameKind, Frames, Scope};
-
-/// Bytes that names joined by `::` may have for each byte of the text. Models nested a thousand deep would fill any memory.
-const MOST_NAME_BYTES: usize = 16;
+use frames::Frames;
+use gather::{gather, require_short};
 
 /// Fills the model with what the root says.
-pub(super) fn read(root: Element<'_>, roots: &Roots, model: &mut RobotModel) -> Result<(), ContentError> {
+pub(super) fn read(
+    root: Element<'_>,
+    files: &Files,
+    roots: &Roots,
+    model: &mut RobotModel,
+) -> Result<(), ContentError> {
     let mut frames = Frames::default();
-    let gathered = gather(root, &mut frames, model)?;
+    let most_name_bytes = files.most_name_bytes();
+    let gathered = gather(root, &mut frames, model, most_name_bytes)?;
     frames.resolve(&mut model.notes);
     for (element, scope, frame) in gathered.links {
-        let link = link(element, scope, frame, &frames, roots, &mut model.notes);
+        let folder = files.folder(element);
+        let link = link(element, scope, frame, &frames, (roots, folder), &mut model.notes);
         model.links.push(link);
     }
     let mut name_bytes = 0;
@@ -38,105 +45,10 @@ pub(super) fn read(root: Element<'_>, roots: &Roots, model: &mut RobotModel) -> 
         let joint = joint(element, scope, frame, &frames);
         name_bytes += joint.name.text.len() + joint.child.text.len();
         name_bytes += joint.parent.as_ref().map_or(0, |parent| parent.text.len());
-        require_short(name_bytes, element)?;
+        require_short(name_bytes, most_name_bytes, element)?;
         model.joints.push(joint);
     }
-    model.links.sort_by_key(|link| link.span.start);
-    model.joints.sort_by_key(|joint| joint.span.start);
     Ok(())
-}
-
-/// Links and joints, each with its scope and its frame.
-#[derive(Default)]
-struct Gathered<'a> {
-    links: Vec<(Element<'a>, usize, usize)>,
-    joints: Vec<(Element<'a>, usize, usize)>,
-}
-
-/// Every frame of the file, and what is a link or a joint.
-fn gather<'a>(
-    root: Element<'a>,
-    frames: &mut Frames<'a>,
-    model: &mut RobotModel,
-) -> Result<Gathered<'a>, ContentError> {
-    let mut gathered = Gathered::default();
-    let mut name_bytes = 0;
-    let lone = root.named("model").count() == 1;
-    // a world, a model or the file itself, and the scope of the names in it
-    let mut containers = vec![(root, 0)];
-    while let Some((container, scope)) = containers.pop() {
-        for element in container.children() {
-            let name = element.word("name").unwrap_or("");
-            match element.name() {
-                "world" => {
-                    model.name = model.name.take().or_else(|| Some(name.to_owned()));
-                    containers.push((element, scope));
-                }
-                "model" => {
-                    model.name = model.name.take().or_else(|| Some(name.to_owned()));
-                    let outer = frames.scope(scope);
-                    // where a lone model stands in the world is not the model's business
-                    let alone = lone && scope == 0 && container.name() != "world";
-                    let (pose, relative_to) = if alone { (Pose::IDENTITY, None) } else { pose(element) };
-                    let prefix = if alone { String::new() } else { format!("{}{name}::", outer.prefix) };
-                    name_bytes += prefix.len();
-                    require_short(name_bytes, element)?;
-                    let is_static = outer.is_static || says_static(element);
-                    let frame = frames.add(scope, name, FrameKind::Model, pose, relative_to, element.span());
-                    let canonical = element.word("canonical_link");
-                    let inner = frames.add_scope(Scope::new(frame, prefix, is_static, canonical));
-                    containers.push((element, inner));
-                }
-                "link" => {
-                    let (pose, relative_to) = pose(element);
-                    let frame = frames.add(scope, name, FrameKind::Link, pose, relative_to, element.span());
-                    name_bytes += frames.scope(scope).prefix.len();
-                    require_short(name_bytes, element)?;
-                    gathered.links.push((element, scope, frame));
-                }
-                "joint" => {
-                    let (pose, relative_to) = pose(element);
-                    let child = element.child_text("child").map_or("", |text| text.value);
-                    let relative_to = relative_to.or(Some(child));
-                    let kind = FrameKind::Attached(child);
-                    let frame = frames.add(scope, name, kind, pose, relative_to, element.span());
-                    gathered.joints.push((element, scope, frame));
-                }
-                "frame" => {
-                    let (pose, relative_to) = pose(element);
-                    let attached = element.word("attached_to").filter(|name| !name.is_empty());
-                    let relative_to = relative_to.or(attached);
-                    let kind = FrameKind::Attached(attached.unwrap_or("__model__"));
-                    frames.add(scope, name, kind, pose, relative_to, element.span());
-                }
-                "include" => model.notes.push(include(element)),
-                _ => {}
-            }
-        }
-    }
-    Ok(gathered)
-}
-
-/// Refuses names that are longer together than the text can account for.
-fn require_short(name_bytes: usize, element: Element<'_>) -> Result<(), ContentError> {
-    if name_bytes <= MOST_NAME_BYTES * element.document().len() {
-        return Ok(());
-    }
-    let what =
-        "models nested so deep that their joined names are longer than the file many times over".to_owned();
-    let kind = ContentErrorKind::Unsupported { what };
-    let start = element.span().start;
-    Err(ContentError::new(kind, ContentPlace::Text(start..start + 1)))
-}
-
-fn include(element: Element<'_>) -> Note {
-    let uri = element.child_text("uri").map_or("", |text| text.value);
-    let message = format!("<include> of {uri:?} is not read: check that model by itself");
-    Note::new("read.include", "", element.span(), message)
-}
-
-fn says_static(model: Element<'_>) -> bool {
-    model.child_text("static").is_some_and(|text| is_true(text.value))
 }
 
 /// The pose of an element, and the frame that it names.
@@ -169,7 +81,7 @@ fn link(
     scope: usize,
     frame: usize,
     frames: &Frames<'_>,
-    roots: &Roots,
+    files: (&Roots, &Path),
     notes: &mut Vec<Note>,
 ) -> Link {
     let name = full_name(element, scope, frames);
@@ -193,7 +105,7 @@ fn link(
                 pose
             }
         };
-        geometry.push(Geometry { span: child.span(), role, pose, shape: shape(child, roots) });
+        geometry.push(Geometry { span: child.span(), role, pose, shape: shape(child, files) });
     }
     Link {
         span: element.span(),
@@ -202,6 +114,7 @@ fn link(
         pose: Pose { unreadable: frames.unreadable(frame).to_vec(), ..own },
         is_static: frames.scope(scope).is_static,
         from_geometry: automatic,
+        computed: None,
         name,
     }
 }
@@ -229,7 +142,7 @@ fn inertial(element: Element<'_>) -> Inertial {
     }
 }
 
-fn shape(element: Element<'_>, roots: &Roots) -> GeometryShape {
+fn shape(element: Element<'_>, (roots, folder): (&Roots, &Path)) -> GeometryShape {
     let Some(shape) = element.child("geometry").and_then(|geometry| geometry.children().next()) else {
         return GeometryShape::Other("no geometry".to_owned());
     };
@@ -246,7 +159,7 @@ fn shape(element: Element<'_>, roots: &Roots) -> GeometryShape {
         "mesh" => {
             let start = shape.span().start;
             let uri = size("uri").map_or(Name { text: String::new(), span: start..start }, |uri| uri.name());
-            let path = roots.resolve(&uri.text, Path::new(""));
+            let path = roots.resolve(&uri.text, folder);
             let scale = size("scale").map_or([1.0; 3], |scale| scale.array().unwrap_or([f64::NAN; 3]));
             GeometryShape::Mesh { uri, path, scale }
         }

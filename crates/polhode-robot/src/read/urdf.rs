@@ -18,6 +18,9 @@ use crate::read::xml::{Element, slot};
 
 /// Fills the model with what the root says.
 pub(super) fn read(root: Element<'_>, roots: &Roots, model: &mut RobotModel) -> Result<(), ContentError> {
+    if let Some(span) = macros(root) {
+        return Err(xacro(&model.path, span));
+    }
     model.name = root.word("name").map(str::to_owned);
     for child in root.children() {
         match child.name() {
@@ -30,15 +33,8 @@ pub(super) fn read(root: Element<'_>, roots: &Roots, model: &mut RobotModel) -> 
                 unread::origin(child, &joint.name.text, &mut model.notes);
                 model.joints.push(joint);
             }
-            name if name.starts_with("xacro_") => return Err(xacro(child.span())),
             _ => {}
         }
-    }
-    // an expanded file may still declare the prefix; an expression is what gives a macro away
-    if root.has_prefix("xacro")
-        && let Some(start) = root.document().find("${")
-    {
-        return Err(xacro(start..start + 2));
     }
     hang_on_world(model);
     Ok(())
@@ -62,10 +58,34 @@ fn hang_on_world(model: &mut RobotModel) {
 const WORLD: &str = "world";
 
 /// A macro file is not the model yet.
-fn xacro(span: Span) -> ContentError {
+/// Where a text is xacro that has not been expanded.
+fn macros(root: Element<'_>) -> Option<Span> {
+    let mut waiting = vec![root];
+    while let Some(element) = waiting.pop() {
+        if element.name().starts_with("xacro_") {
+            return Some(element.span());
+        }
+        waiting.extend(element.children());
+    }
+    // an expanded file may still declare the prefix; an expression is what gives a macro away
+    let text = root.document();
+    let expression = || ["${", "$("].iter().filter_map(|opening| text.find(opening)).min();
+    let start = root.has_prefix("xacro").then(expression).flatten()?;
+    Some(start..start + 2)
+}
+
+/// The command that makes a model of it.
+fn xacro(path: &Path, span: Span) -> ContentError {
     let what = "xacro: this file is a macro that makes a model, not the model".to_owned();
+    let file = path.file_name().map_or_else(|| "robot.urdf.xacro".into(), |name| name.to_string_lossy());
+    let stem = file.split('.').next().unwrap_or("robot");
+    let out = if *file == *format!("{stem}.urdf") {
+        format!("{stem}-expanded.urdf")
+    } else {
+        format!("{stem}.urdf")
+    };
     ContentError::new(ContentErrorKind::Unsupported { what }, ContentPlace::Text(span))
-        .hint("expand it first: xacro robot.urdf.xacro > robot.urdf")
+        .hint(format!("expand it first: xacro {file} > {out}"))
 }
 
 fn link(element: Element<'_>, roots: &Roots, notes: &mut Vec<Note>) -> Link {
@@ -89,6 +109,7 @@ fn link(element: Element<'_>, roots: &Roots, notes: &mut Vec<Note>) -> Link {
         pose: Pose::IDENTITY,
         is_static: false,
         from_geometry: false,
+        computed: None,
     }
 }
 

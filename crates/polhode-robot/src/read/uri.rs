@@ -4,6 +4,7 @@ use std::fs;
 use std::path::{Component, Path, PathBuf};
 
 use crate::read::ReadOptions;
+use crate::read::xml::{Element, with_root};
 
 /// Folders that a model's files may lie in.
 #[derive(Debug)]
@@ -42,6 +43,27 @@ impl Roots {
     ///
     /// `within` is a folder below the model's own that relative paths start at: `meshdir` of MJCF.
     pub(super) fn resolve(&self, uri: &str, within: &Path) -> Result<PathBuf, String> {
+        self.resolved(uri, within, |file| file.is_file().then(|| file.to_owned()))
+    }
+
+    /// The SDF file of a model that a URI names: itself a file, or a folder whose `model.config` says which.
+    pub(super) fn resolve_model(&self, uri: &str, within: &Path) -> Result<PathBuf, String> {
+        self.resolved(uri.trim_end_matches('/'), within, |found| {
+            if found.is_file() {
+                return Some(found.to_owned());
+            }
+            let file = model_file(found).and_then(|file| fs::canonicalize(found.join(file)).ok())?;
+            (self.holds(&file) && file.is_file()).then_some(file)
+        })
+    }
+
+    /// What a URI names, taken as `take` takes it.
+    fn resolved(
+        &self,
+        uri: &str,
+        within: &Path,
+        take: impl Fn(&Path) -> Option<PathBuf>,
+    ) -> Result<PathBuf, String> {
         if uri.is_empty() {
             return Err("no file is named".to_owned());
         }
@@ -64,8 +86,11 @@ impl Roots {
                 continue;
             }
             match fs::canonicalize(&candidate) {
-                Ok(file) if self.holds(&file) && file.is_file() => return Ok(file),
-                Ok(file) if self.holds(&file) => {}
+                Ok(file) if self.holds(&file) => {
+                    if let Some(file) = take(&file) {
+                        return Ok(file);
+                    }
+                }
                 Ok(_) => outside = true,
                 Err(_) => {}
             }
@@ -103,6 +128,23 @@ impl Roots {
 /// Whether ROS or Gazebo would call the folder a package or a model.
 fn is_package(folder: &Path) -> bool {
     ["package.xml", "model.config"].iter().any(|file| folder.join(file).is_file())
+}
+
+/// The file that `model.config` names: of several, that of the latest SDFormat, as libsdformat takes it. Without one, `model.sdf`.
+fn model_file(folder: &Path) -> Option<String> {
+    let Ok(text) = fs::read_to_string(folder.join("model.config")) else {
+        return Some("model.sdf".to_owned());
+    };
+    let named = with_root(&text, |root| {
+        let version = |element: &Element<'_>| {
+            let version = element.word("version").unwrap_or("0");
+            let (major, minor) = version.split_once('.').unwrap_or((version, "0"));
+            (major.parse::<u32>().unwrap_or(0), minor.parse::<u32>().unwrap_or(0))
+        };
+        let latest = root.named("sdf").max_by_key(version);
+        Ok(latest.and_then(Element::text).map(|text| text.value.to_owned()))
+    });
+    named.ok().flatten()
 }
 
 /// What a root is called as a package: its last component, and the name in its `package.xml`.

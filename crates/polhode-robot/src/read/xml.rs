@@ -1,5 +1,7 @@
 //! Elements and what is written in them, each with its place in the text.
 
+use std::collections::HashMap;
+
 use polhode_formats::{ContentError, ContentErrorKind, ContentPlace};
 use roxmltree::{Document, Error, Node, ParsingOptions};
 
@@ -13,7 +15,23 @@ pub(crate) fn with_root<T>(
     text: &str,
     read: impl FnOnce(Element<'_>) -> Result<T, ContentError>,
 ) -> Result<T, ContentError> {
+    with_root_at(text, 0, read)
+}
+
+/// As [`with_root`], for a text whose places count from `start`; those of an error count from 0.
+pub(crate) fn with_root_at<T>(
+    text: &str,
+    start: usize,
+    read: impl FnOnce(Element<'_>) -> Result<T, ContentError>,
+) -> Result<T, ContentError> {
     let copy = plain(text)?;
+    let document = parsed_document(text, &copy)?;
+    let forest = Forest::of_one(&document, start);
+    read(forest.root())
+}
+
+/// The tree of a text; `copy` is the text made plain.
+pub(super) fn parsed_document<'a>(text: &str, copy: &'a str) -> Result<Document<'a>, ContentError> {
     // a node each for at most every < and the text after it, and one for the document
     let most = 2 * copy.bytes().filter(|&byte| byte == b'<').count() + 2;
     let options = ParsingOptions {
@@ -21,10 +39,7 @@ pub(crate) fn with_root<T>(
         nodes_limit: u32::try_from(most).unwrap_or(u32::MAX),
         entity_resolver: None,
     };
-    match Document::parse_with_options(&copy, options) {
-        Ok(tree) => read(Element(tree.root_element())),
-        Err(error) => Err(unreadable(text, &error)),
-    }
+    Document::parse_with_options(copy, options).map_err(|error| unreadable(text, &error))
 }
 
 /// What the parser says, and where.
@@ -67,34 +82,109 @@ fn at(text: &str, line: u32, column: u32) -> Span {
     before + start..before + start + length
 }
 
-/// An element of the tree.
+/// The trees of a text and of those that it names. Places count through all of them, as [`crate::model::Source`] says.
+#[derive(Debug)]
+pub(crate) struct Forest<'a> {
+    trees: Vec<Tree<'a>>,
+    links: Links,
+    /// What an `<include>` names stands in its place.
+    splices: bool,
+}
+
+/// Which file an element names: by the file that it stands in and its first byte there.
+pub(super) type Links = HashMap<(usize, usize), usize>;
+
+#[derive(Debug)]
+struct Tree<'a> {
+    document: &'a Document<'a>,
+    /// The place of its first byte.
+    start: usize,
+}
+
+impl<'a> Forest<'a> {
+    /// One tree alone.
+    pub(super) fn of_one(document: &'a Document<'a>, start: usize) -> Self {
+        Self { trees: vec![Tree { document, start }], links: Links::new(), splices: false }
+    }
+
+    /// Several, each with the place of its first byte.
+    pub(super) fn of(
+        trees: impl Iterator<Item = (&'a Document<'a>, usize)>,
+        links: Links,
+        splices: bool,
+    ) -> Self {
+        Self { trees: trees.map(|(document, start)| Tree { document, start }).collect(), links, splices }
+    }
+
+    /// The root of the first tree.
+    pub(super) fn root(&'a self) -> Element<'a> {
+        Element::new(self.trees[0].document.root_element(), self, 0)
+    }
+
+    /// The root of the file that stands in the place of an element.
+    pub(super) fn spliced(&'a self, element: Element<'a>) -> Option<Element<'a>> {
+        element.linked().filter(|_| self.splices && element.name() == "include")
+    }
+
+    /// The place of a tree's first byte.
+    pub(super) fn start(&self, tree: usize) -> usize {
+        self.trees.get(tree).map_or(0, |tree| tree.start)
+    }
+
+    /// The root of the file that the element at this byte of a tree names.
+    pub(super) fn linked(&'a self, tree: usize, byte: usize) -> Option<Element<'a>> {
+        let target = *self.links.get(&(tree, byte))?;
+        Some(Element::new(self.trees.get(target)?.document.root_element(), self, target))
+    }
+}
+
+/// An element of a tree. What it includes stands among its children in its place.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Element<'a>(Node<'a, 'a>);
+pub(crate) struct Element<'a> {
+    node: Node<'a, 'a>,
+    forest: &'a Forest<'a>,
+    tree: usize,
+}
 
 impl<'a> Element<'a> {
+    pub(super) const fn new(node: Node<'a, 'a>, forest: &'a Forest<'a>, tree: usize) -> Self {
+        Self { node, forest, tree }
+    }
+
     /// Its name; a prefix is part of it, with an underscore: `xacro_macro`.
     pub(crate) fn name(self) -> &'a str {
-        self.0.tag_name().name()
+        self.node.tag_name().name()
     }
 
     /// From the `<` of its start to the `>` of its end.
     pub(crate) fn span(self) -> Span {
-        self.0.range()
+        self.shifted(self.node.range())
+    }
+
+    /// Bytes of its own text as places.
+    fn shifted(self, range: Span) -> Span {
+        let start = self.forest.start(self.tree);
+        start + range.start..start + range.end
+    }
+
+    /// The file that it stands in: 0 is the first.
+    pub(crate) const fn tree(self) -> usize {
+        self.tree
+    }
+
+    /// The root of the file that it names, if that was read.
+    pub(crate) fn linked(self) -> Option<Self> {
+        self.forest.linked(self.tree, self.node.range().start)
     }
 
     /// The whole text, without comments.
     pub(crate) fn document(self) -> &'a str {
-        self.0.document().input_text()
-    }
-
-    /// Whether it stands directly in another element.
-    pub(crate) fn is_below(self, parent: Element<'_>) -> bool {
-        self.0.parent_element().is_some_and(|own| own.id() == parent.0.id())
+        self.node.document().input_text()
     }
 
     /// The elements in it.
-    pub(crate) fn children(self) -> impl Iterator<Item = Element<'a>> {
-        self.0.children().filter(Node::is_element).map(Element)
+    pub(crate) fn children(self) -> Children<'a> {
+        Children { forest: self.forest, levels: vec![(self.node.children(), self.tree)] }
     }
 
     /// The elements in it that have this name.
@@ -114,9 +204,9 @@ impl<'a> Element<'a> {
 
     /// What an attribute says.
     pub(crate) fn attribute(self, name: &str) -> Option<Written<'a>> {
-        self.0.attribute_node(name).map(|attribute| {
+        self.node.attribute_node(name).map(|attribute| {
             let range = attribute.range();
-            let text = self.0.document().input_text();
+            let text = self.node.document().input_text();
             // the value stands between the last character and the quote before it that is like it; the parser's own range is
             // wrong after 255 blanks
             let all = text.get(range.clone()).unwrap_or("");
@@ -124,13 +214,13 @@ impl<'a> Element<'a> {
             let inner = all.strip_suffix(quote).unwrap_or(all);
             let start = range.start + inner.rfind(quote).map_or(0, |at| at + quote.len_utf8());
             let end = range.start + inner.len();
-            Written::new(text, start..end, attribute.value())
+            Written::new(text, start..end, attribute.value()).moved(self.forest.start(self.tree))
         })
     }
 
     /// The names of all attributes.
     pub(crate) fn attribute_names(self) -> impl Iterator<Item = &'a str> {
-        self.0.attributes().map(|attribute| attribute.name())
+        self.node.attributes().map(|attribute| attribute.name())
     }
 
     /// The words of an attribute, if it is there.
@@ -145,16 +235,46 @@ impl<'a> Element<'a> {
 
     /// Whether it declares a prefix of names: `xmlns:xacro`.
     pub(crate) fn has_prefix(self, prefix: &str) -> bool {
-        self.0.attributes().any(|attribute| attribute.name().strip_prefix("xmlns_") == Some(prefix))
+        self.node.attributes().any(|attribute| attribute.name().strip_prefix("xmlns_") == Some(prefix))
     }
 
     /// The text in it: the first that is not blank.
     pub(crate) fn text(self) -> Option<Written<'a>> {
-        let text = self.0.document().input_text();
+        let text = self.node.document().input_text();
         let words =
             |node: &Node<'a, 'a>| node.is_text() && node.text().is_some_and(|text| !text.trim().is_empty());
-        let node = self.0.children().find(words)?;
-        Some(Written::new(text, node.range(), node.text().unwrap_or("")))
+        let node = self.node.children().find(words)?;
+        let written = Written::new(text, node.range(), node.text().unwrap_or(""));
+        Some(written.moved(self.forest.start(self.tree)))
+    }
+}
+
+/// The elements in an element, and in place of each `<include>` those of the file that it names.
+pub(crate) struct Children<'a> {
+    forest: &'a Forest<'a>,
+    levels: Vec<(roxmltree::Children<'a, 'a>, usize)>,
+}
+
+impl<'a> Iterator for Children<'a> {
+    type Item = Element<'a>;
+
+    fn next(&mut self) -> Option<Element<'a>> {
+        loop {
+            let (nodes, tree) = self.levels.last_mut()?;
+            let tree = *tree;
+            let Some(node) = nodes.next() else {
+                self.levels.pop();
+                continue;
+            };
+            if !node.is_element() {
+                continue;
+            }
+            let element = Element::new(node, self.forest, tree);
+            match self.forest.spliced(element) {
+                Some(root) => self.levels.push((root.node.children(), root.tree)),
+                None => return Some(element),
+            }
+        }
     }
 }
 
@@ -183,6 +303,12 @@ impl<'a> Written<'a> {
         let start = span.start + (raw.len() - raw.trim_start().len());
         let value = raw.trim();
         Self { value, span: start..start + value.len(), literal: true }
+    }
+
+    /// The same, in a text whose places count from `start`.
+    fn moved(mut self, start: usize) -> Self {
+        self.span = start + self.span.start..start + self.span.end;
+        self
     }
 
     /// As a name.

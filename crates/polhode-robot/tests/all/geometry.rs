@@ -32,6 +32,7 @@ fn link(geometry: Vec<Geometry>) -> Link {
         pose: Pose::IDENTITY,
         is_static: false,
         from_geometry: false,
+        computed: None,
     }
 }
 
@@ -263,7 +264,26 @@ fn a_collada_mesh_is_placed_by_its_nodes_in_its_unit() {
     assert!(says(&text.replace("url='#g'", "url='#h'")).contains("geometry"));
     assert!(says(&text.replace("<p>0 7", "<p>4 7")).contains("vertex of that number"));
     assert!(says(&text.replace("3 3 3", "3 3 4")).contains("corner of the last face"));
-    assert!(says(&text.replace("<instance_geometry", "<instance_node")).contains("<instance_node>"));
+    assert!(says(&text.replace("<instance_geometry", "<instance_node")).contains("node \"g\""));
+    // a node of a library, and lines beside it: the same solid
+    let inner =
+        "<node><rotate>0.3 -0.5 0.8 50</rotate><scale>1 -2 1.5</scale><instance_geometry url='#g'/></node>";
+    let lines = "<geometry id='l'><mesh><lines count='1'><input semantic='VERTEX' source='#v' offset='0'/><p>0 1</p></lines></mesh></geometry>";
+    let library = format!(
+        "<library_nodes>{}</library_nodes><library_visual_scenes>",
+        inner.replacen("<node>", "<node id='n'>", 1)
+    );
+    let instanced = text
+        .replace(inner, "<instance_node url='#n'/><instance_geometry url='#l'/>")
+        .replace("</library_geometries>", &format!("{lines}</library_geometries>"))
+        .replace("<library_visual_scenes>", &library);
+    assert!(instanced.contains("url='#n'"));
+    fs::write(&path, &instanced).unwrap();
+    assert_eq!(one(mesh(&path, [1.0; 3]), Pose::IDENTITY), got);
+    let contents = polhode_robot::geometry::collada::read(&instanced).unwrap();
+    assert_eq!(contents.findings[0].code, "mesh.not_a_surface");
+    let circle = instanced.replace("<node id='n'>", "<node id='n'><instance_node url='#n'/>");
+    assert!(says(&circle).contains("so often"));
     for (right, wrong, said) in [
         ("meter='0.5'", "meter='0,5'", "a finite number"),
         ("meter='0.5'", "meter='-0.5'", "a positive number"),

@@ -110,6 +110,7 @@ fn frame(text: &str) -> Link {
         span: 0..0,
         inertial: None,
         from_geometry: false,
+        computed: None,
         geometry: Vec::new(),
         pose: pose([0.0; 3], [0.0, 0.0, 1.0], 0.0),
         is_static: false,
@@ -123,7 +124,17 @@ fn joint(text: &str, kind: JointKind, between: [&str; 2], pose: Pose, axis: Vect
 
 fn model(links: Vec<Link>, joints: Vec<Joint>) -> RobotModel {
     let (path, text) = ("robot.urdf".into(), String::new());
-    RobotModel { path, format: ModelFormat::Urdf, text, name: None, links, joints, notes: Vec::new() }
+    RobotModel {
+        path,
+        format: ModelFormat::Urdf,
+        text,
+        is_si: true,
+        included: Vec::new(),
+        name: None,
+        links,
+        joints,
+        notes: Vec::new(),
+    }
 }
 
 const HAND: (Vector, f64) = ([-0.4, 1.1, 0.3], 2.1);

@@ -125,7 +125,7 @@ fn inertials_in_both_forms_and_none() {
         1,
     ));
     assert_eq!((&always.links[1].inertial, always.links[1].from_geometry), (&None, true));
-    assert_eq!(always.notes[0].code, "read.compiler");
+    assert_eq!(always.notes[0].code, "read.numbers");
     let never = read(&text.replacen("<mujoco>", r#"<mujoco><compiler inertiafromgeom="false"/>"#, 1));
     assert!(!never.links[3].from_geometry);
 }

@@ -15,6 +15,8 @@ fn model() -> RobotModel {
         path: "robot.urdf".into(),
         format: ModelFormat::Urdf,
         text: TEXT.to_owned(),
+        is_si: true,
+        included: Vec::new(),
         name: None,
         links: Vec::new(),
         joints: Vec::new(),

@@ -137,11 +137,13 @@ fn a_macro_is_refused_with_the_way_to_expand_it() {
     let texts = [
         r#"<robot xmlns:xacro="x"><xacro:macro name="leg"/></robot>"#,
         r#"<robot xmlns:xacro="x"><link name="${side}_leg"/></robot>"#,
+        r#"<robot xmlns:xacro="x"><link name="leg"><xacro:insert_block name="mass"/></link></robot>"#,
+        r#"<robot xmlns:xacro="x"><link name="leg"><visual><geometry><mesh filename="$(find a)/b.stl"/></geometry></visual></link></robot>"#,
         r#"<robot xmlns:xacro="x"><link name="leg"><visual><origin xyz="0 0 ${l}"/></visual></link></robot>"#,
     ];
     for text in texts {
         let error = crate::common::refused(text);
-        assert!(error.hint().unwrap().contains("xacro robot.urdf.xacro"), "{error}");
+        assert!(error.hint().unwrap().contains("xacro model.xml > model.urdf"), "{error}");
     }
     // what is left in a comment is none
     read(r#"<robot xmlns:xacro="x"><!-- ${l} --><link name="leg"/></robot>"#);
@@ -157,6 +159,6 @@ fn the_root_element_says_the_language() {
     assert!(
         crate::common::refused("<html></html>")
             .to_string()
-            .contains("expected <robot> (URDF), <sdf> or <mujoco>")
+            .contains("expected <robot> (URDF), <sdf>, <mujoco> or <OpenSimDocument>")
     );
 }

@@ -40,9 +40,9 @@ function mass({ inertial }: RobotLink): string[] {
   return inertial ? [` ${short(inertial.mass)}\u00a0kg`] : [];
 }
 
-function sentence({ severity, message, line, code }: Finding): HTMLElement {
+function sentence({ severity, message, file, line, code }: Finding): HTMLElement {
   const ink = severity === "note" ? "quiet" : INKS[severity];
-  return element("p", { class: "finding" }, badge(severity, ink), ` line ${line}: ${message} `, element("code", {}, code));
+  return element("p", { class: "finding" }, badge(severity, ink), ` ${file === undefined ? "" : `${file}, `}line ${line}: ${message} `, element("code", {}, code));
 }
 
 function numbers({ inertial }: RobotLink): HTMLElement[] {

@@ -4,28 +4,8 @@ use std::collections::HashMap;
 
 use crate::read::xml::{Element, Written};
 
-/// The attributes of geoms, joints and meshes that the reader asks for.
-const ATTRIBUTES: [&str; 16] = [
-    "type",
-    "size",
-    "pos",
-    "quat",
-    "axisangle",
-    "euler",
-    "xyaxes",
-    "zaxis",
-    "fromto",
-    "mesh",
-    "contype",
-    "conaffinity",
-    "axis",
-    "scale",
-    "refpos",
-    "refquat",
-];
-
 /// What a class says of one kind of element.
-type Attributes<'a> = HashMap<&'static str, Written<'a>>;
+type Attributes<'a> = HashMap<&'a str, Written<'a>>;
 
 /// What a class says.
 #[derive(Clone, Debug, Default)]
@@ -55,9 +35,9 @@ impl<'a> Classes<'a> {
     /// The classes of all `<default>` elements of a file.
     pub(super) fn of(root: Element<'a>) -> Self {
         let mut named = HashMap::from([(MAIN, Class::default())]);
-        let mut waiting: Vec<_> = root.named("default").map(|element| (element, MAIN)).collect();
+        let mut waiting: Vec<_> = root.named("default").map(|element| (element, MAIN, true)).collect();
         waiting.reverse();
-        while let Some((element, around)) = waiting.pop() {
+        while let Some((element, around, is_outermost)) = waiting.pop() {
             let name = element.word("class").unwrap_or(around);
             let mut class =
                 named.get(if name == around { name } else { around }).cloned().unwrap_or_default();
@@ -68,18 +48,18 @@ impl<'a> Classes<'a> {
                     "mesh" => &mut class.mesh,
                     _ => continue,
                 };
-                for name in ATTRIBUTES {
+                for name in child.attribute_names() {
                     if let Some(written) = child.attribute(name) {
                         attributes.insert(name, written);
                     }
                 }
             }
-            if around == MAIN && element.is_below(root) {
+            if is_outermost {
                 // the outermost class is everything's, whatever it is called
                 named.insert(MAIN, class.clone());
             }
             named.insert(name, class);
-            waiting.extend(element.named("default").map(|inner| (inner, name)));
+            waiting.extend(element.named("default").map(|inner| (inner, name, false)));
         }
         Self { named }
     }
@@ -122,6 +102,11 @@ impl<'a> Source<'_, 'a> {
         let own = self.element.attribute(name).map_or_else(Vec::new, |all| all.values().collect());
         let rest = class.get(own.len()..).unwrap_or(&[]);
         own.iter().chain(rest).copied().collect()
+    }
+
+    /// The number that an attribute says.
+    pub(super) fn number(&self, name: &str) -> Option<f64> {
+        self.written(name).map(|written| written.number().value.unwrap_or(f64::NAN))
     }
 
     /// The words of an attribute.

@@ -4,6 +4,9 @@ use std::collections::HashMap;
 
 use crate::model::{Note, Number, Pose, Span};
 
+/// Frames between a model and the one that places it: longer chains go round, or want time.
+const MOST_PLACEMENT_STEPS: usize = 100;
+
 /// What has a frame.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum FrameKind<'a> {
@@ -24,6 +27,8 @@ struct Frame<'a> {
     pose: Pose,
     relative_to: Option<&'a str>,
     span: Span,
+    /// The frame of a model that its pose places, if that is not its own.
+    placement: Option<&'a str>,
     in_root: Option<Pose>,
 }
 
@@ -39,11 +44,27 @@ pub(super) struct Scope<'a> {
     /// The link that stands for the model, by name or by being the first.
     canonical: Option<&'a str>,
     names: HashMap<&'a str, usize>,
+    /// The scope that has its names too: that of the model that it is merged into.
+    merged_into: Option<usize>,
 }
 
 impl<'a> Scope<'a> {
     pub(super) fn new(frame: usize, prefix: String, is_static: bool, canonical: Option<&'a str>) -> Self {
-        Self { frame, prefix, is_static, canonical, names: HashMap::new() }
+        Self { frame, prefix, is_static, canonical, names: HashMap::new(), merged_into: None }
+    }
+}
+
+impl<'a> Scope<'a> {
+    /// Of a model whose elements become those of the model around it.
+    pub(super) fn merged(
+        frame: usize,
+        into: usize,
+        outer: &Self,
+        is_static: bool,
+        canonical: Option<&'a str>,
+    ) -> Self {
+        let own = Self::new(frame, outer.prefix.clone(), is_static, canonical);
+        Self { merged_into: Some(into), ..own }
     }
 }
 
@@ -67,6 +88,7 @@ impl Default for Frames<'_> {
             pose: Pose::IDENTITY,
             relative_to: None,
             span: 0..0,
+            placement: None,
             in_root: Some(Pose::IDENTITY),
         };
         let scopes = vec![Scope::new(0, String::new(), false, None)];
@@ -79,6 +101,22 @@ impl<'a> Frames<'a> {
     pub(super) fn scope(&self, scope: usize) -> &Scope<'a> {
         // numbers come from add_scope only
         &self.scopes[scope]
+    }
+
+    /// The scope that has the names of a scope.
+    fn target(&self, scope: usize) -> usize {
+        let mut scope = scope;
+        while let Some(outer) = self.scope(scope).merged_into {
+            scope = outer; // an earlier one
+        }
+        scope
+    }
+
+    /// Says that a model's pose is that of a frame in it.
+    pub(super) fn place_by(&mut self, model: usize, frame: &'a str) {
+        if let Some(model) = self.frames.get_mut(model) {
+            model.placement = Some(frame);
+        }
     }
 
     pub(super) fn add_scope(&mut self, scope: Scope<'a>) -> usize {
@@ -98,7 +136,20 @@ impl<'a> Frames<'a> {
         span: Span,
     ) -> usize {
         let frame = self.frames.len();
-        self.frames.push(Frame { scope, name, kind, pose, relative_to, span, in_root: None });
+        self.frames.push(Frame {
+            scope,
+            name,
+            kind,
+            pose,
+            relative_to,
+            span,
+            placement: None,
+            in_root: None,
+        });
+        if let Some(own) = self.scopes.get_mut(scope).filter(|_| matches!(kind, FrameKind::Link)) {
+            own.canonical.get_or_insert(name);
+        }
+        let scope = self.target(scope);
         if let Some(scope) = self.scopes.get_mut(scope) {
             scope.names.entry(name).or_insert(frame);
             if matches!(kind, FrameKind::Link) {
@@ -112,10 +163,10 @@ impl<'a> Frames<'a> {
     pub(super) fn lookup(&self, scope: usize, name: &str) -> Option<usize> {
         match name {
             "__model__" => return Some(self.scope(scope).frame),
-            "world" => return Some(self.scope(scope).names.get(name).copied().unwrap_or(0)),
+            "world" => return Some(self.scope(self.target(scope)).names.get(name).copied().unwrap_or(0)),
             _ => {}
         }
-        let mut scope = scope;
+        let mut scope = self.target(scope);
         let mut rest = name;
         while let Some((model, inner)) = rest.split_once("::") {
             let frame = *self.scope(scope).names.get(model)?;
@@ -131,6 +182,7 @@ impl<'a> Frames<'a> {
 
     /// Composes every frame with those that it stands in, and finds the link that it is fixed to.
     pub(super) fn resolve(&mut self, notes: &mut Vec<Note>) {
+        self.place_models(notes);
         // the walk that came by a frame last: each frame is walked over once, and once more at the start of a circle
         let mut walk = vec![usize::MAX; self.frames.len()];
         for first in 0..self.frames.len() {
@@ -177,6 +229,38 @@ impl<'a> Frames<'a> {
             chain.into_iter().for_each(|frame| known[frame] = Some(link));
         }
         self.links = known.into_iter().map(Option::flatten).collect();
+    }
+
+    /// X_outer_model = X_outer_placement X_model_placement⁻¹, of the innermost models first: they come last.
+    fn place_models(&mut self, notes: &mut Vec<Note>) {
+        for model in (0..self.frames.len()).rev() {
+            let Some(name) = self.frames[model].placement else { continue };
+            let inside = self.inside.get(&model).copied();
+            let Some(placed) = inside.and_then(|scope| self.lookup(scope, name)) else {
+                notes.push(unknown(name, self.frames[model].name, self.frames[model].span.clone()));
+                continue;
+            };
+            let (mut at, mut in_model) = (placed, Pose::IDENTITY);
+            for _ in 0..MOST_PLACEMENT_STEPS {
+                if at == model || at == 0 {
+                    break;
+                }
+                let pose = self.frames[at].pose.then(&in_model);
+                in_model = Pose::new(pose.position, pose.rotation);
+                at = self.parent(at, notes);
+            }
+            if at == model {
+                let own = &mut self.frames[model].pose;
+                let moved = own.then(&in_model.inverse());
+                *own =
+                    Pose { unreadable: std::mem::take(&mut own.unreadable), span: own.span.take(), ..moved };
+            } else {
+                let Frame { name: model, span, .. } = &self.frames[model];
+                let message =
+                    format!("its placement frame {name:?} does not stand in it: its own frame is placed");
+                notes.push(Note::new("read.frame_circle", model, span.clone(), message));
+            }
+        }
     }
 
     /// What a joint, a frame or a model is fixed to.

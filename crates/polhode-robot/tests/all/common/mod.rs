@@ -2,6 +2,8 @@
 
 #![allow(clippy::unwrap_used, dead_code, reason = "a test may; not each of them uses all")]
 
+use std::path::PathBuf;
+
 use polhode_formats::FormatError;
 use polhode_robot::model::{RobotModel, Slot};
 use polhode_robot::read::{ReadOptions, read_text};
@@ -72,4 +74,29 @@ pub(crate) fn assert_near(a: &Matrix, b: &Matrix, tolerance: f64) {
 pub(crate) fn assert_close(a: [f64; 3], b: [f64; 3], tolerance: f64) {
     let worst = (0..3).map(|k| (a[k] - b[k]).abs()).fold(0.0, f64::max);
     assert!(worst <= tolerance, "off by {worst:e}\n{a:?}\n{b:?}");
+}
+
+/// Files in a folder of their own, gone when the test ends.
+pub(crate) struct Folder(PathBuf);
+
+impl Folder {
+    pub(crate) fn of(name: &str, files: &[(&str, &str)]) -> Self {
+        let folder = std::env::temp_dir().join(format!("polhode-robot-{name}-{}", std::process::id()));
+        for (file, text) in files {
+            let path = folder.join(file);
+            std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+            std::fs::write(path, text).unwrap();
+        }
+        Self(std::fs::canonicalize(folder).unwrap())
+    }
+
+    pub(crate) fn path(&self, file: &str) -> PathBuf {
+        self.0.join(file)
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _ = std::fs::remove_dir_all(&self.0);
+    }
 }

@@ -26,6 +26,20 @@ pub(super) struct Settings<'a> {
     pub(super) mesh_folder: &'a str,
     pub(super) strip_path: bool,
     pub(super) from_geometry: FromGeometry,
+    /// The least and the greatest group of geoms that have mass.
+    pub(super) groups: [f64; 2],
+    /// Meshes enclose what their triangles say with their signs: a setting before MuJoCo 3.3.
+    pub(super) exact_meshes: bool,
+    /// Primitives are fitted to the bounds of a mesh, not to its moments.
+    pub(super) fit_bounds: bool,
+    /// The least mass of a body, kg.
+    pub(super) bound_mass: f64,
+    /// The least moment of a body, kg·m².
+    pub(super) bound_inertia: f64,
+    /// Impossible moments become equal ones.
+    pub(super) balance: bool,
+    /// The sum of all masses, kg; that of the file if it is not positive.
+    pub(super) total_mass: f64,
 }
 
 impl<'a> Settings<'a> {
@@ -37,58 +51,61 @@ impl<'a> Settings<'a> {
             mesh_folder: "",
             strip_path: false,
             from_geometry: FromGeometry::Auto,
+            groups: [0.0, 5.0],
+            exact_meshes: false,
+            fit_bounds: false,
+            bound_mass: 0.0,
+            bound_inertia: 0.0,
+            balance: false,
+            total_mass: -1.0,
         };
-        let mut asset_folder = "";
-        for element in root.children() {
-            match element.name() {
-                "compiler" => {}
-                "include" => {
-                    let message = format!(
-                        "<include> of {:?} is not read: defaults, meshes and bodies in it are not known here",
-                        element.word("file").unwrap_or("")
-                    );
-                    notes.push(Note::new("read.include", "", element.span(), message));
-                    continue;
-                }
-                _ => continue,
-            }
+        for element in root.named("compiler") {
             settings.radians = element.word("angle").map_or(settings.radians, |angle| angle == "radian");
             settings.euler_order = element.word("eulerseq").unwrap_or(settings.euler_order);
-            settings.mesh_folder = element.word("meshdir").unwrap_or(settings.mesh_folder);
-            asset_folder = element.word("assetdir").unwrap_or(asset_folder);
-            settings.strip_path = element.word("strippath").map_or(settings.strip_path, is_true);
+            let folder = element.word("meshdir").or(element.word("assetdir"));
+            settings.mesh_folder = folder.unwrap_or(settings.mesh_folder);
             settings.from_geometry = match element.word("inertiafromgeom") {
                 Some("true") => FromGeometry::Always,
                 Some("false") => FromGeometry::Never,
                 Some(_) => FromGeometry::Auto,
                 None => settings.from_geometry,
             };
-            notes.extend(Self::changes(element));
-        }
-        if settings.mesh_folder.is_empty() {
-            settings.mesh_folder = asset_folder;
+            let groups = element.attribute("inertiagrouprange").and_then(|range| range.array());
+            settings.groups = groups.unwrap_or(settings.groups);
+            for (name, setting) in [
+                ("strippath", &mut settings.strip_path),
+                ("exactmeshinertia", &mut settings.exact_meshes),
+                ("fitaabb", &mut settings.fit_bounds),
+                ("balanceinertia", &mut settings.balance),
+            ] {
+                *setting = element.word(name).map_or(*setting, is_true);
+            }
+            for (name, setting) in [
+                ("boundmass", &mut settings.bound_mass),
+                ("boundinertia", &mut settings.bound_inertia),
+                ("settotalmass", &mut settings.total_mass),
+            ] {
+                *setting = element.word(name).and_then(|word| word.parse().ok()).unwrap_or(*setting);
+            }
+            notes.extend(Self::not_done(element));
         }
         settings
     }
 
-    /// What MuJoCo does to masses and tensors after reading them, which is not done here.
-    fn changes(compiler: Element<'a>) -> impl Iterator<Item = Note> {
-        let active = |name: &str, word: &str| match name {
-            "balanceinertia" => is_true(word),
-            "coordinate" => word == "global",
-            "settotalmass" => word.parse::<f64>().is_ok_and(|mass| mass > 0.0),
-            _ => word.parse::<f64>().is_ok_and(|bound| bound != 0.0),
+    /// What MuJoCo does and is not done here.
+    fn not_done(compiler: Element<'a>) -> impl Iterator<Item = Note> {
+        let global = compiler.attribute("coordinate").filter(|written| written.value == "global");
+        let fused = compiler.attribute("fusestatic").filter(|written| is_true(written.value));
+        let global = global.map(|written| {
+            (written, "global coordinates are read as local ones: MuJoCo reads no such file since 2.3.4")
+        });
+        let fused = fused.map(|written| {
+            (written, "fusestatic joins bodies without joints to their parents; here each stands alone")
+        });
+        let note = |(written, message): (Written<'a>, &str)| {
+            Note::new("read.compiler", "", written.span, message.to_owned())
         };
-        ["balanceinertia", "boundmass", "boundinertia", "settotalmass", "coordinate"].into_iter().filter_map(
-            move |name| {
-                let written = compiler.attribute(name).filter(|written| active(name, written.value))?;
-                let message = match name {
-                    "coordinate" => "global coordinates are read as local ones".to_owned(),
-                    _ => format!("{name}: MuJoCo changes what it reads; here it stands as it is written"),
-                };
-                Some(Note::new("read.compiler", "", written.span, message))
-            },
-        )
+        global.into_iter().chain(fused).map(note)
     }
 
     /// An angle in radians.
@@ -121,7 +138,7 @@ impl<'a> Settings<'a> {
     }
 
     /// Three turns in order: about axes that turn with the body (x, y, z), or that stay (X, Y, Z).
-    fn euler(&self, angles: [f64; 3]) -> Option<[f64; 4]> {
+    pub(super) fn euler(&self, angles: [f64; 3]) -> Option<[f64; 4]> {
         let axes = self.euler_order.as_bytes();
         let mut rotation = Pose::IDENTITY.rotation;
         for (axis, angle) in axes.iter().zip(angles) {

@@ -1,0 +1,210 @@
+//! Geoms: their frames, shapes and masses.
+
+use crate::model::{ComputedMass, Geometry, GeometryShape, Pose, Role};
+use crate::moments::{rotated, scaled};
+use crate::pose::{direction, of_z_axis};
+use crate::read::xml::{Element, is_true};
+
+use super::defaults::Source;
+use super::mass::LEAST;
+use super::measure;
+use super::mesh::{Fitted, Solid};
+use super::{Branch, Reader};
+
+/// The density of a geom that says none, kg/m³.
+const WATER: f64 = 1000.0;
+
+/// A geom, and its mass as far as it counts.
+pub(super) struct Geom {
+    pub(super) geometry: Geometry,
+    pub(super) mass: Result<Option<ComputedMass>, String>,
+}
+
+/// What a geom's type and numbers say: the type, MuJoCo's sizes, and its frame in the one around.
+struct Form<'a> {
+    kind: &'a str,
+    size: [f64; 3],
+    mesh: Option<&'a str>,
+    pose: Pose,
+    /// Why a primitive cannot be fitted to its mesh.
+    unfitted: Option<String>,
+}
+
+impl<'c, 'a> Reader<'c, 'a, '_> {
+    /// A geom of a branch; `weighs` if its mass is asked for.
+    pub(super) fn geom(&mut self, element: Element<'a>, branch: &Branch<'a>, weighs: bool) -> Option<Geom> {
+        let contexts = self.contexts;
+        let source = contexts.get(branch.context)?.classes.geom(element, branch.class);
+        let zero = |name: &str| source.word(name).is_some_and(|word| word.parse() == Ok(0_i64));
+        let role = if zero("contype") && zero("conaffinity") { Role::Visual } else { Role::Collision };
+        let form = self.form(element, &source, branch);
+        let frame = branch.frame.then(&form.pose);
+        let mass = if weighs { self.weight(&source, &form, &frame, branch.context) } else { Ok(None) };
+        let (shape, inner) = self.shape(&form, branch.context);
+        let pose = match inner {
+            Some(inner) => branch.frame.then(&form.pose.then(&inner)),
+            None => branch.frame.then(&form.pose),
+        };
+        let pose = Pose { unreadable: form.pose.unreadable, span: form.pose.span, ..pose };
+        Some(Geom { geometry: Geometry { span: element.span(), role, pose, shape }, mass })
+    }
+
+    fn form(&mut self, element: Element<'a>, source: &Source<'c, 'a>, branch: &Branch<'a>) -> Form<'a> {
+        let ends = source.written("fromto").map(|written| written.array().unwrap_or([f64::NAN; 6]));
+        let mut form = Form {
+            kind: source.word("type").unwrap_or("sphere"),
+            size: [f64::NAN; 3],
+            mesh: source.word("mesh"),
+            pose: match ends {
+                Some(ends) => along(ends),
+                None => self.pose(element, source, branch.context),
+            },
+            unfitted: None,
+        };
+        let sizes = source.values("size");
+        let size = |k: usize| sizes.get(k).copied().unwrap_or(f64::NAN);
+        form.size = [0, 1, 2].map(size);
+        if let Some([ax, ay, az, bx, by, bz]) = ends {
+            // half the length between the ends; a box or ellipsoid is as wide as it is deep
+            let half = 0.5 * [bx - ax, by - ay, bz - az].iter().map(|c| c * c).sum::<f64>().sqrt();
+            form.size = match form.kind {
+                "box" | "ellipsoid" => [size(0), size(0), half],
+                _ => [size(0), half, f64::NAN],
+            };
+        }
+        if let Some(mesh) = form.mesh
+            && matches!(form.kind, "box" | "sphere" | "cylinder" | "capsule" | "ellipsoid")
+        {
+            let by_bounds = self.contexts.get(branch.context).is_some_and(|one| one.settings.fit_bounds);
+            match self.solid(mesh, branch.context).and_then(|solid| solid.fitted(form.kind, by_bounds)) {
+                Ok(Fitted { size, pose }) => {
+                    let factor = source.number("fitscale").unwrap_or(1.0);
+                    let written = form.pose;
+                    form.pose = written.then(&pose);
+                    (form.pose.unreadable, form.pose.span) = (written.unreadable, written.span);
+                    form.size = size.map(|c| factor * c);
+                }
+                Err(why) => form.unfitted = Some(why),
+            }
+        }
+        form
+    }
+
+    /// The shape, and its frame in the geom's if it has one of its own.
+    fn shape(&self, form: &Form<'a>, context: usize) -> (GeometryShape, Option<Pose>) {
+        let size = form.size;
+        let shape = match (form.kind, form.mesh) {
+            ("mesh", Some(name)) => {
+                let asset = self.contexts.get(context).and_then(|context| context.meshes.get(name));
+                return match asset {
+                    Some(asset) => {
+                        let (shape, inner) = asset.shape();
+                        (shape, Some(inner).filter(|_| asset.is_file()))
+                    }
+                    None => (
+                        GeometryShape::Other(format!("the mesh {name:?}, which this file does not have")),
+                        None,
+                    ),
+                };
+            }
+            (kind, _) if form.unfitted.is_some() => {
+                GeometryShape::Other(format!("a {kind} fitted to a mesh"))
+            }
+            ("box", _) => GeometryShape::Box(size.map(|half| 2.0 * half)),
+            ("sphere", _) => GeometryShape::Sphere(size[0]),
+            ("cylinder", _) => GeometryShape::Cylinder { radius: size[0], length: 2.0 * size[1] },
+            ("capsule", _) => GeometryShape::Capsule { radius: size[0], length: 2.0 * size[1] },
+            ("ellipsoid", _) => GeometryShape::Ellipsoid(size),
+            (other, _) => GeometryShape::Other(other.to_owned()),
+        };
+        (shape, None)
+    }
+
+    /// The mass of a geom whose frame in the link's is known; `None` if it has none.
+    fn weight(
+        &mut self,
+        source: &Source<'c, 'a>,
+        form: &Form<'a>,
+        frame: &Pose,
+        context: usize,
+    ) -> Result<Option<ComputedMass>, String> {
+        let contexts = self.contexts;
+        let Some(of) = contexts.get(context) else { return Ok(None) };
+        let [first, last] = of.settings.groups;
+        let group = source.number("group").unwrap_or(0.0);
+        let (given, density) = (source.number("mass"), source.number("density").unwrap_or(WATER));
+        if group < first || group > last || given.map_or(density == 0.0, |mass| mass == 0.0) {
+            return Ok(None);
+        }
+        if !given.unwrap_or(density).is_finite() {
+            return Err("the mass or density of a geom is no number".to_owned());
+        }
+        if !form.pose.unreadable.is_empty() {
+            return Err("the frame of a geom has a number that is none".to_owned());
+        }
+        let (amount, center, per_kilogram) = match form.kind {
+            "plane" => return Ok(None),
+            "sdf" => return Err("a geom is a signed distance field".to_owned()),
+            "mesh" => {
+                let name = form.mesh.ok_or("a geom names no mesh")?;
+                let solid = self.solid(name, context)?;
+                (solid.amount, solid.center, solid.tensor)
+            }
+            kind => {
+                if let Some(why) = &form.unfitted {
+                    return Err(why.clone());
+                }
+                let size = match kind {
+                    "hfield" => {
+                        let name = source.word("hfield").unwrap_or("");
+                        let size = of.height_fields.get(name).copied();
+                        size.ok_or_else(|| format!("this file has no height field {name:?}"))?
+                    }
+                    _ => form.size,
+                };
+                let shell = source.word("shellinertia").is_some_and(is_true);
+                let measure = measure::of(kind, size, shell);
+                let measure = measure.ok_or_else(|| format!("a geom is a {kind}, which is not read"))?;
+                let [xx, yy, zz] = measure.moments;
+                (measure.amount, [0.0; 3], [xx, yy, zz, 0.0, 0.0, 0.0])
+            }
+        };
+        let positive = per_kilogram.iter().all(|element| element.is_finite()) && amount >= 0.0;
+        if !positive || form.kind != "mesh" && form.size.iter().any(|c| *c < 0.0) {
+            return Err("the size of a geom is no positive number".to_owned());
+        }
+        let mass = match given {
+            Some(mass) if amount > LEAST => mass,
+            Some(_) => 0.0,
+            None => density * amount,
+        };
+        if mass < 0.0 {
+            return Err("the mass of a geom is negative".to_owned());
+        }
+        let tensor = rotated(&scaled(&per_kilogram, mass), &frame.matrix());
+        Ok((mass > LEAST).then(|| ComputedMass { mass, center: frame.placed(center), tensor }))
+    }
+
+    /// What a mesh encloses; each is read once.
+    fn solid(&mut self, name: &str, context: usize) -> Result<std::rc::Rc<Solid>, String> {
+        let key = (context, name.to_owned());
+        if let Some(known) = self.solids.get(&key) {
+            return known.clone();
+        }
+        let asset = self.contexts.get(context).and_then(|context| context.meshes.get(name));
+        let solid = match asset {
+            Some(asset) => asset.solid().map(std::rc::Rc::new),
+            None => Err(format!("this file has no mesh {name:?}")),
+        };
+        self.solids.insert(key, solid.clone());
+        solid
+    }
+}
+
+/// The frame in the middle between two points, its z axis from the second to the first.
+fn along([ax, ay, az, bx, by, bz]: [f64; 6]) -> Pose {
+    let middle = [0.5 * (ax + bx), 0.5 * (ay + by), 0.5 * (az + bz)];
+    let axis = direction([ax - bx, ay - by, az - bz]).unwrap_or([0.0, 0.0, 1.0]);
+    let finite = middle.iter().all(|c| c.is_finite());
+    Pose::new(if finite { middle } else { [0.0; 3] }, of_z_axis(axis).unwrap_or(Pose::IDENTITY.rotation))
+}

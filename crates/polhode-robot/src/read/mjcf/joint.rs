@@ -1,0 +1,74 @@
+//! Joints, and what hangs without one.
+
+use crate::model::{Joint, JointKind, Name, Pose, Span};
+
+use super::{Branch, Reader, made_up};
+
+impl<'a> Reader<'_, 'a, '_> {
+    pub(super) fn joint(&mut self, branch: &Branch<'a>) {
+        let (Some(index), element) = (branch.link, branch.element) else { return };
+        let Some(context) = self.contexts.get(branch.context) else { return };
+        let source = context.classes.joint(element, branch.class);
+        let kind = match (element.name(), source.word("type")) {
+            ("freejoint", _) | (_, Some("free")) => JointKind::Free,
+            (_, None | Some("hinge")) => JointKind::Revolute,
+            (_, Some("slide")) => JointKind::Prismatic,
+            _ => JointKind::Other,
+        };
+        let three = |name: &str, default| {
+            source.written(name).map_or(default, |written| written.array().unwrap_or([f64::NAN; 3]))
+        };
+        let anchor = branch.frame.placed(three("pos", [0.0; 3]));
+        let axis = branch.frame.turned(three("axis", [0.0, 0.0, 1.0]));
+        if let Some((_, jointed)) = self.jointed.get_mut(index) {
+            *jointed = true;
+        }
+        let name = element.attribute("name").map_or_else(
+            || made_up(format!("joint {}", self.model.joints.len() + 1), element),
+            |name| branch.name(name.name()),
+        );
+        self.joint_order.push(self.elements);
+        self.hang(index, name, element.span(), kind, axis, anchor);
+    }
+
+    /// Joins a link to the one above it.
+    fn hang(
+        &mut self,
+        index: usize,
+        name: Name,
+        span: Span,
+        kind: JointKind,
+        axis: [f64; 3],
+        anchor: [f64; 3],
+    ) {
+        let parent = self.jointed.get(index).and_then(|(parent, _)| *parent);
+        let name_of = |link: usize| self.model.links.get(link).map(|link| link.name.clone());
+        let Some(child) = name_of(index) else { return };
+        let pose = self.frames_in_parents.get(index).cloned().unwrap_or(Pose::IDENTITY);
+        let parent = parent.and_then(name_of);
+        self.model.joints.push(Joint { name, span, kind, parent, child, pose, axis, anchor });
+    }
+
+    /// Fixes what has no joint, and puts the joints in the order of the file.
+    pub(super) fn fix_the_rest(&mut self) {
+        for index in 0..self.jointed.len() {
+            if self.jointed.get(index).is_some_and(|(_, jointed)| *jointed) {
+                continue;
+            }
+            let Some(link) = self.model.links.get(index) else { continue };
+            let span = link.span.clone();
+            let name = Name { text: format!("{} (fixed)", link.name.text), span: span.start..span.start + 1 };
+            self.hang(index, name, span, JointKind::Fixed, [0.0, 0.0, 1.0], [0.0; 3]);
+            let order = self.link_order.get(index).copied().unwrap_or(usize::MAX);
+            self.joint_order.push(order);
+        }
+        let joints = std::mem::take(&mut self.model.joints);
+        let mut ordered: Vec<_> = self.joint_order.iter().copied().zip(joints).collect();
+        ordered.sort_by_key(|(order, _)| *order);
+        self.model.joints = ordered.into_iter().map(|(_, joint)| joint).collect();
+        for link in &mut self.model.links {
+            // without geoms there is nothing to compute it from
+            link.from_geometry &= !link.geometry.is_empty();
+        }
+    }
+}

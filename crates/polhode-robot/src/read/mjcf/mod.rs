@@ -1,0 +1,263 @@
+//! MJCF, MuJoCo's XML: bodies in bodies, sizes by halves, angles in degrees unless the file says otherwise, quaternions scalar first.
+//!
+//! Masses are those that MuJoCo's compiler makes ([`crate::model::Link::computed`]), where these are not what an inertial says.
+//!
+//! Source: mujoco.readthedocs.io, XML Reference; the order of the operations where it says less is that of MuJoCo's compiler.
+
+mod attach;
+mod compiler;
+mod context;
+mod defaults;
+mod geom;
+mod inertial;
+mod joint;
+mod mass;
+mod measure;
+mod mesh;
+mod replicate;
+mod surface;
+
+use std::collections::HashMap;
+use std::path::PathBuf;
+use std::rc::Rc;
+
+use polhode_formats::ContentError;
+
+use crate::model::{Link, Name, Note, Pose, RobotModel, Span};
+use crate::read::pose::Reading;
+use crate::read::unread;
+use crate::read::uri::Roots;
+use crate::read::xml::Element;
+use compiler::FromGeometry;
+use context::Context;
+use defaults::Source;
+use mass::BodyMass;
+use mesh::Solid;
+
+/// Fills the model with what the root says.
+pub(super) fn read(
+    root: Element<'_>,
+    folders: &[PathBuf],
+    roots: &Roots,
+    model: &mut RobotModel,
+) -> Result<(), ContentError> {
+    model.name = root.word("model").map(str::to_owned);
+    let blind = model.notes.iter().any(|note| note.code == "read.include");
+    let contexts = context::all(root, folders, roots, &mut model.notes);
+    Reader::new(&contexts, model).read(root, blind)
+}
+
+/// A place on the way down the tree.
+#[derive(Clone)]
+struct Branch<'a> {
+    element: Element<'a>,
+    /// The model that it belongs to.
+    context: usize,
+    /// The body that what stands in it belongs to; `None` for the world.
+    link: Option<usize>,
+    /// Its frame in that body's.
+    frame: Pose,
+    /// The class of what names none.
+    class: Option<&'a str>,
+    /// What goes before and after names.
+    prefix: Rc<str>,
+    suffix: Rc<str>,
+}
+
+impl Branch<'_> {
+    /// A name as it is in the whole model.
+    fn name(&self, name: Name) -> Name {
+        Name { text: format!("{}{}{}", self.prefix, name.text, self.suffix), ..name }
+    }
+}
+
+struct Reader<'c, 'a, 'm> {
+    contexts: &'c [Context<'a>],
+    solids: HashMap<(usize, String), Result<Rc<Solid>, String>>,
+    /// For each link, the link above it, and whether it has a joint.
+    jointed: Vec<(Option<usize>, bool)>,
+    /// For each link, its frame in that of the link above it.
+    frames_in_parents: Vec<Pose>,
+    masses: Vec<BodyMass>,
+    /// For each joint, the number of its element, by which they are put in order; for each link, too.
+    joint_order: Vec<usize>,
+    link_order: Vec<usize>,
+    /// Elements so far, and bytes of their names.
+    elements: usize,
+    name_bytes: usize,
+    /// Why bodies are missing.
+    incomplete: Option<String>,
+    model: &'m mut RobotModel,
+}
+
+impl<'c, 'a, 'm> Reader<'c, 'a, 'm> {
+    fn new(contexts: &'c [Context<'a>], model: &'m mut RobotModel) -> Self {
+        Self {
+            contexts,
+            solids: HashMap::new(),
+            jointed: Vec::new(),
+            frames_in_parents: Vec::new(),
+            masses: Vec::new(),
+            joint_order: Vec::new(),
+            link_order: Vec::new(),
+            elements: 0,
+            name_bytes: 0,
+            incomplete: None,
+            model,
+        }
+    }
+
+    fn read(mut self, root: Element<'a>, blind: bool) -> Result<(), ContentError> {
+        let worlds = root.named("worldbody").chain((root.name() == "mujocoinclude").then_some(root));
+        for world in worlds {
+            self.tree(world)?;
+        }
+        self.fix_the_rest();
+        let settings: Vec<_> = self.contexts.iter().map(|context| &context.settings).collect();
+        let blind = blind.then_some("an <include> could not be read");
+        mass::compile(&mut self.model.links, self.masses, &settings, self.incomplete, blind);
+        Ok(())
+    }
+
+    /// Reads what stands below an element, in the order of the file.
+    fn tree(&mut self, world: Element<'a>) -> Result<(), ContentError> {
+        let class = world.word("childclass");
+        let (prefix, suffix) = (Rc::from(""), Rc::from(""));
+        let frame = Pose::IDENTITY;
+        let mut branches =
+            vec![Branch { element: world, context: 0, link: None, frame, class, prefix, suffix }];
+        while let Some(branch) = branches.pop() {
+            self.elements += 1;
+            self.require_few(branch.element)?;
+            let first = branches.len();
+            match branch.element.name() {
+                "body" => Self::below(&self.body(&branch), &mut branches),
+                "frame" => Self::below(&self.frame(&branch), &mut branches),
+                "replicate" => self.replicate(&branch, &mut branches)?,
+                "attach" => self.attach(&branch, &mut branches),
+                "geom" => self.add_geom(&branch),
+                "joint" | "freejoint" => self.joint(&branch),
+                "composite" | "flexcomp" | "include" => self.left_out(&branch),
+                "worldbody" | "mujocoinclude" => Self::below(&branch, &mut branches),
+                _ => {}
+            }
+            if let Some(later) = branches.get_mut(first..) {
+                later.reverse();
+            }
+        }
+        Ok(())
+    }
+
+    /// What stands in the element of a branch, in order.
+    fn below(branch: &Branch<'a>, branches: &mut Vec<Branch<'a>>) {
+        branches.extend(branch.element.children().map(|element| Branch { element, ..branch.clone() }));
+    }
+
+    /// What stands in a `<frame>`: its own place and class, and the body around it.
+    fn frame(&self, branch: &Branch<'a>) -> Branch<'a> {
+        let element = branch.element;
+        let pose = self.pose(element, &Source::of(element), branch.context);
+        let class = element.word("childclass").or(branch.class);
+        Branch { frame: branch.frame.then(&pose), class, ..branch.clone() }
+    }
+
+    /// Takes up a body that stands in a branch.
+    fn body(&mut self, branch: &Branch<'a>) -> Branch<'a> {
+        let element = branch.element;
+        let index = self.model.links.len();
+        let name = element
+            .attribute("name")
+            .map_or_else(|| made_up(format!("body {}", index + 1), element), |name| branch.name(name.name()));
+        self.name_bytes += name.text.len();
+        let own = self.pose(element, &Source::of(element), branch.context);
+        let position = own.position;
+        let in_parent = branch.frame.then(&own);
+        let parent = branch.link.and_then(|link| self.model.links.get(link));
+        let pose = parent
+            .map_or(Pose::IDENTITY, |parent| Pose::new(parent.pose.position, parent.pose.rotation))
+            .then(&in_parent);
+        unread::mjcf(element, &name.text, &mut self.model.notes);
+        let given = inertial::of(element);
+        let from_geometry = self.contexts.get(branch.context).map(|context| context.settings.from_geometry);
+        let from_geoms = match from_geometry {
+            None | Some(FromGeometry::Never) => false,
+            Some(FromGeometry::Auto) => given.is_none(),
+            Some(FromGeometry::Always) => true,
+        };
+        let inertial = given.map(|given| self.inertial(given, &name.text, branch.context));
+        let (inertial, instead) = if from_geoms { (None, inertial) } else { (inertial, None) };
+        self.model.links.push(Link {
+            name,
+            span: element.span(),
+            inertial,
+            geometry: Vec::new(),
+            pose,
+            is_static: false,
+            from_geometry: from_geoms,
+            computed: None,
+        });
+        let context = branch.context;
+        self.masses.push(BodyMass { context, from_geoms, inertial: instead, position, ..Default::default() });
+        self.jointed.push((branch.link, false));
+        self.frames_in_parents.push(in_parent);
+        self.link_order.push(self.elements);
+        let class = element.word("childclass").or(branch.class);
+        Branch { link: Some(index), frame: Pose::IDENTITY, class, ..branch.clone() }
+    }
+
+    fn add_geom(&mut self, branch: &Branch<'a>) {
+        let Some(index) = branch.link else { return }; // the world's own
+        let weighs = self.masses.get(index).is_some_and(|body| body.from_geoms);
+        let Some(geom) = self.geom(branch.element, branch, weighs) else { return };
+        if let Some(link) = self.model.links.get_mut(index) {
+            link.geometry.push(geom.geometry);
+        }
+        let Some(body) = self.masses.get_mut(index) else { return };
+        match geom.mass {
+            Ok(part) => body.parts.extend(part),
+            Err(why) => {
+                body.unknown.get_or_insert(why);
+            }
+        }
+    }
+
+    /// `pos`, and the attitude in one of its five forms.
+    fn pose(&self, element: Element<'a>, source: &Source<'_, 'a>, context: usize) -> Pose {
+        let mut reading = Reading::default();
+        let position = reading.numbers(source.written("pos").as_ref(), [0.0; 3]);
+        let Some(context) = self.contexts.get(context) else {
+            return reading.pose(position, Pose::IDENTITY.rotation);
+        };
+        // the element's own form goes before one of its class
+        let own = Source::of(element);
+        let rotation = context.settings.attitude(&mut reading, &own);
+        let rotation = rotation.or_else(|| context.settings.attitude(&mut reading, source));
+        reading.pose(position, rotation.unwrap_or(Pose::IDENTITY.rotation))
+    }
+
+    fn left_out(&mut self, branch: &Branch<'a>) {
+        let element = branch.element;
+        if element.name() == "include" {
+            return; // it has its note
+        }
+        self.incomplete = Some(format!("<{}> is not read", element.name()));
+        let message = format!("<{}> is not read: what it makes is not checked", element.name());
+        let subject = self.name_of(branch.link).to_owned();
+        self.note("read.left_out", &subject, element.span(), message);
+    }
+
+    /// The name of a link; empty for the world.
+    fn name_of(&self, link: Option<usize>) -> &str {
+        link.and_then(|link| self.model.links.get(link)).map_or("", |link| &link.name.text)
+    }
+
+    fn note(&mut self, code: &'static str, subject: &str, span: Span, message: String) {
+        self.model.notes.push(Note::new(code, subject, span, message));
+    }
+}
+
+/// A name that the file does not give.
+fn made_up(text: String, element: Element<'_>) -> Name {
+    let start = element.span().start;
+    Name { text, span: start..start + 1 }
+}

@@ -1,0 +1,97 @@
+//! OpenSim: bodies with mass, centre and tensor, and joints between frames that are fixed to them.
+//!
+//! Lengths in metres, masses in kilograms, angles in radians about axes that turn with the frame (x, y, z). The tensor is about the centre
+//! of mass, along the body's axes, xx yy zz xy xz yz: as six numbers, or until version 4.0 an element each. `ground` is the world.
+//! Geometry is bones to be seen, not what has the mass: it is not read.
+//!
+//! Source: simtk-confluence.stanford.edu, "OpenSim Models"; the properties of `Body`, `Joint` and `PhysicalOffsetFrame`.
+
+mod frame;
+mod joint;
+
+use polhode_formats::{ContentError, ContentErrorKind, ContentPlace};
+
+use crate::model::{Inertial, Link, Name, Pose, RobotModel, Slot, Tensor};
+use crate::read::pose::Reading;
+use crate::read::xml::{Element, child_slot};
+use frame::Frames;
+
+/// The oldest version that is read.
+const FIRST_VERSION: u64 = 20302;
+const GROUND: &str = "ground";
+
+/// Fills the model with what the root says.
+pub(super) fn read(root: Element<'_>, model: &mut RobotModel) -> Result<(), ContentError> {
+    let start = root.span().start;
+    let place = || ContentPlace::Text(start..start + 1);
+    let version = root.word("Version").and_then(|version| version.parse().ok()).unwrap_or(0);
+    if version < FIRST_VERSION {
+        let what = format!("OpenSim files before version {FIRST_VERSION}");
+        let error = ContentError::new(ContentErrorKind::Unsupported { what }, place());
+        return Err(error.hint("open it in OpenSim and save it: it becomes one of its version"));
+    }
+    let Some(own) = root.child("Model") else {
+        let what = "<Model>: this is another document of OpenSim".to_owned();
+        return Err(ContentError::new(ContentErrorKind::Missing { what }, place()));
+    };
+    model.name = own.word("name").map(str::to_owned);
+    let frames = Frames::of(own);
+    for body in set(own, "BodySet").chain(own.named("components").flat_map(|part| part.named("Body"))) {
+        let name = body.attribute("name").map_or_else(
+            || Name {
+                text: format!("body {}", model.links.len() + 1),
+                span: body.span().start..body.span().start + 1,
+            },
+            |name| name.name(),
+        );
+        if let Some(holder) = body.child("Joint").and_then(|joint| joint.children().next())
+            && name.text != GROUND
+        {
+            model.joints.push(joint::old(holder, &name));
+        }
+        if name.text != GROUND {
+            model.links.push(link(body, name));
+        }
+    }
+    for element in set(own, "JointSet") {
+        model.joints.extend(joint::new(element, &frames));
+    }
+    Ok(())
+}
+
+/// The objects of a set.
+fn set<'a>(model: Element<'a>, name: &'a str) -> impl Iterator<Item = Element<'a>> {
+    model.named(name).flat_map(|set| set.named("objects")).flat_map(Element::children)
+}
+
+fn link(body: Element<'_>, name: Name) -> Link {
+    let mut reading = Reading::default();
+    let center = reading.numbers(body.child_text("mass_center").as_ref(), [0.0; 3]);
+    let tensor = match body.child_text("inertia") {
+        Some(six) => {
+            let mut numbers = six.numbers();
+            let names = ["ixx", "iyy", "izz", "ixy", "ixz", "iyz"];
+            Tensor::Six(Box::new(names.map(|name| match numbers.next() {
+                Some(number) => Slot::Given(number),
+                None => Slot::Missing { span: six.span.clone(), name: name.to_owned() },
+            })))
+        }
+        None if body.child("inertia_xx").is_some() => Tensor::Six(Box::new(
+            ["xx", "yy", "zz", "xy", "xz", "yz"]
+                .map(|element| child_slot(body, &format!("inertia_{element}"))),
+        )),
+        None => Tensor::Missing(body.span()),
+    };
+    let pose = reading.pose(center, Pose::IDENTITY.rotation);
+    let inertial = Inertial { span: body.span(), mass: child_slot(body, "mass"), pose, tensor };
+    Link {
+        name,
+        span: body.span(),
+        inertial: Some(inertial),
+        geometry: Vec::new(),
+        pose: Pose::IDENTITY,
+        is_static: false,
+        from_geometry: false,
+        computed: None,
+    }
+}

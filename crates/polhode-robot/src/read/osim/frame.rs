@@ -1,0 +1,70 @@
+//! Frames that are fixed to bodies, by their names.
+
+use std::collections::HashMap;
+
+use crate::model::{Name, Pose};
+use crate::pose::{about, product};
+use crate::read::pose::Reading;
+use crate::read::xml::{Element, Written};
+
+/// Frames on frames on bodies: longer chains go round.
+const MOST_STEPS: usize = 100;
+
+/// The offset frames of a model, by the last word of their paths; those of a joint come first.
+#[derive(Debug, Default)]
+pub(super) struct Frames<'a> {
+    named: HashMap<&'a str, Element<'a>>,
+}
+
+impl<'a> Frames<'a> {
+    /// All offset frames of an element.
+    pub(super) fn of(root: Element<'a>) -> Self {
+        let mut frames = Self::default();
+        let mut waiting = vec![root];
+        while let Some(element) = waiting.pop() {
+            if element.name() == "PhysicalOffsetFrame"
+                && let Some(name) = element.word("name")
+            {
+                frames.named.insert(name, element);
+            }
+            waiting.extend(element.children());
+        }
+        frames
+    }
+
+    /// The body that a frame is fixed to, and the frame in it; the names of `own` go before.
+    pub(super) fn placed(&self, own: &Self, named: &Written<'a>) -> (Name, Pose) {
+        let mut pose = Pose::IDENTITY;
+        let mut at = named.clone();
+        for _ in 0..MOST_STEPS {
+            let last = at.value.rsplit('/').next().unwrap_or(at.value);
+            let Some(frame) = own.named.get(last).or(self.named.get(last)) else {
+                return (Name { text: last.to_owned(), span: named.span.clone() }, pose);
+            };
+            let offset = offset(*frame, "translation", "orientation");
+            let unreadable = offset.unreadable.iter().chain(&pose.unreadable).cloned().collect();
+            pose = Pose { unreadable, span: offset.span.clone(), ..offset.then(&pose) };
+            match socket(*frame, "parent") {
+                Some(next) => at = next,
+                None => break,
+            }
+        }
+        (named.name(), pose)
+    }
+}
+
+/// What a socket of an element is connected to: `socket_NAME`, or a connector of that name before 4.0.
+pub(super) fn socket<'a>(element: Element<'a>, name: &str) -> Option<Written<'a>> {
+    element.child_text(&format!("socket_{name}")).or_else(|| {
+        let connectors = element.child("connectors")?;
+        connectors.children().find(|one| one.word("name") == Some(name))?.child_text("connectee_name")
+    })
+}
+
+/// A place and an attitude by two elements.
+pub(super) fn offset(element: Element<'_>, translation: &str, orientation: &str) -> Pose {
+    let mut reading = Reading::default();
+    let position = reading.numbers(element.child_text(translation).as_ref(), [0.0; 3]);
+    let [x, y, z] = reading.numbers(element.child_text(orientation).as_ref(), [0.0; 3]);
+    reading.pose(position, product(product(about(0, x), about(1, y)), about(2, z)))
+}

@@ -1,0 +1,51 @@
+//! Joints, in the set of a model or, until 3.x, in the body that hangs on them.
+
+use super::GROUND;
+use super::frame::{Frames, offset, socket};
+use crate::model::{Joint, JointKind, Name, Pose};
+use crate::read::xml::Element;
+
+/// A joint between two frames; `None` if it does not say which.
+pub(super) fn new<'a>(element: Element<'a>, frames: &Frames<'a>) -> Option<Joint> {
+    let own = Frames::of(element);
+    let (parent, in_parent) = frames.placed(&own, &socket(element, "parent_frame")?);
+    let (child, in_child) = frames.placed(&own, &socket(element, "child_frame")?);
+    Some(joint(element, parent, child, &in_parent, &in_child))
+}
+
+/// The joint that a body stands in.
+pub(super) fn old(element: Element<'_>, body: &Name) -> Joint {
+    let start = element.span().start;
+    let parent = element
+        .child_text("parent_body")
+        .map_or_else(|| Name { text: GROUND.to_owned(), span: start..start + 1 }, |name| name.name());
+    let in_parent = offset(element, "location_in_parent", "orientation_in_parent");
+    let in_child = offset(element, "location", "orientation");
+    joint(element, parent, body.clone(), &in_parent, &in_child)
+}
+
+fn joint(element: Element<'_>, parent: Name, child: Name, in_parent: &Pose, in_child: &Pose) -> Joint {
+    let start = element.span().start;
+    let (kind, axis) = match element.name() {
+        "WeldJoint" => (JointKind::Fixed, [0.0, 0.0, 1.0]),
+        "PinJoint" => (JointKind::Revolute, [0.0, 0.0, 1.0]),
+        "SliderJoint" => (JointKind::Prismatic, [1.0, 0.0, 0.0]),
+        "FreeJoint" => (JointKind::Free, [0.0, 0.0, 1.0]),
+        _ => (JointKind::Other, [0.0, 0.0, 1.0]),
+    };
+    let unreadable = in_parent.unreadable.iter().chain(&in_child.unreadable).cloned().collect();
+    let pose = Pose { unreadable, span: in_parent.span.clone(), ..in_parent.then(&in_child.inverse()) };
+    Joint {
+        name: element.attribute("name").map_or_else(
+            || Name { text: format!("{} of {}", element.name(), child.text), span: start..start + 1 },
+            |name| name.name(),
+        ),
+        span: element.span(),
+        kind,
+        parent: Some(parent).filter(|parent| parent.text != GROUND),
+        axis: in_child.turned(axis),
+        anchor: in_child.position,
+        child,
+        pose,
+    }
+}

@@ -1,0 +1,122 @@
+//! A rigid body: its place, and what UsdPhysics' `MassAPI` says of it.
+//!
+//! What `MassAPI` leaves out, or says to be zero (a centre of −inf), the physics engine computes from the collision shapes; here it is
+//! missing.
+
+use super::layer::{Prim, Value};
+use super::unit::in_si;
+use super::{Stage, applies};
+use crate::model::{Inertial, Link, Note, Number, Pose, Slot, Tensor};
+use crate::pose::unit;
+
+const MASS: &str = "physics:mass";
+const CENTER: &str = "physics:centerOfMass";
+const MOMENTS: &str = "physics:diagonalInertia";
+const AXES: &str = "physics:principalAxes";
+
+/// Whether a prim says something of its mass.
+pub(super) fn has_mass(prim: &Prim) -> bool {
+    applies(prim, "PhysicsMassAPI")
+        || [MASS, CENTER, MOMENTS, AXES, "physics:density"]
+            .iter()
+            .any(|name| prim.properties.contains_key(*name))
+}
+
+/// The link of a body; its shapes come later.
+pub(super) fn link(stage: &Stage<'_>, k: usize, prim: &Prim, notes: &mut Vec<Note>) -> Link {
+    let place = stage.place(k);
+    let scaled = place.scaled_pose();
+    let pose = scaled
+        .as_ref()
+        .map_or(Pose { unreadable: place.unreadable.clone(), ..Pose::IDENTITY }, |(_, pose)| pose.clone());
+    let name = crate::model::Name { text: prim.path.clone(), ..prim.name.clone() };
+    let is_scaled = scaled.is_none_or(|(scale, _)| scale.iter().any(|factor| (factor - 1.0).abs() > 1e-5));
+    let mut link = Link {
+        name,
+        span: prim.span.clone(),
+        inertial: None,
+        geometry: Vec::new(),
+        pose,
+        is_static: false,
+        from_geometry: false,
+        computed: None,
+    };
+    // zero is USD's word for what is not given
+    let given =
+        prim.properties.get(MASS).filter(|mass| !mass.numbers.iter().all(|number| number.value == Some(0.0)));
+    let Some(mass) = given else {
+        let why = "it is not given: the physics engine computes it from the collision shapes";
+        link.from_geometry = true;
+        link.computed = Some(Err(why.to_owned()));
+        return link;
+    };
+    if prim.properties.contains_key("physics:density") {
+        let message = "a density beside a mass: the mass counts".to_owned();
+        notes.push(Note::new("read.left_out", &prim.path, mass.span.clone(), message));
+    }
+    let (inertial, has_center) = inertial(stage, prim, mass);
+    if is_scaled {
+        link.computed = Some(Err("its prim is scaled, which engines apply to it in several ways".to_owned()));
+    } else if !has_center {
+        let why = "its centre is not given: the physics engine computes it from the collision shapes";
+        link.computed = Some(Err(why.to_owned()));
+    }
+    link.inertial = Some(inertial);
+    link
+}
+
+/// The inertial, and whether it says its centre.
+fn inertial(stage: &Stage<'_>, prim: &Prim, mass: &Value) -> (Inertial, bool) {
+    let units = stage.units;
+    let mut pose = Pose::IDENTITY;
+    let center = prim.properties.get(CENTER).filter(|center| !center.numbers.iter().any(is_left_out));
+    if let Some(center) = center {
+        match super::xform::numbers::<3>(center) {
+            Some(center) => pose.position = center.map(|c| units.metres * c),
+            None => pose.unreadable.push(first_wrong(center)),
+        }
+        pose.span = Some(center.span.clone());
+    }
+    let axes = prim.properties.get(AXES);
+    if let Some(axes) = axes.filter(|axes| !axes.numbers.iter().all(|number| number.value == Some(0.0))) {
+        match super::xform::numbers::<4>(axes).and_then(unit) {
+            Some(rotation) => pose.rotation = rotation,
+            None => pose.unreadable.push(first_wrong(axes)),
+        }
+        pose.span = Some(axes.span.clone());
+    }
+    let moments = prim.properties.get(MOMENTS);
+    let moments = moments.filter(|moments| !moments.numbers.iter().all(|number| number.value == Some(0.0)));
+    let tensor = match moments {
+        None => Tensor::Missing(prim.span.clone()),
+        Some(moments) => {
+            let unit = units.kilograms * units.metres * units.metres;
+            Tensor::Diagonal(Box::new([0, 1, 2].map(|k| slot(moments, k, unit, "diagonalInertia"))))
+        }
+    };
+    let mass = slot(mass, 0, units.kilograms, "mass");
+    (Inertial { span: prim.span.clone(), mass, pose, tensor }, center.is_some())
+}
+
+/// −inf: compute it.
+fn is_left_out(number: &Number) -> bool {
+    number.value == Some(f64::NEG_INFINITY)
+}
+
+fn slot(value: &Value, k: usize, unit: f64, name: &str) -> Slot {
+    match value.numbers.get(k) {
+        Some(number) => Slot::Given(in_si(number, unit)),
+        None => Slot::Missing { span: value.span.clone(), name: format!("{name} {}", k + 1) },
+    }
+}
+
+/// The first number that is none, or all of them if there are too few or too many.
+fn first_wrong(value: &Value) -> Number {
+    let wrong = value.numbers.iter().find(|number| !number.value.is_some_and(f64::is_finite));
+    let all = || Number {
+        text: value.numbers.iter().map(|number| number.text.as_str()).collect::<Vec<_>>().join(" "),
+        span: value.span.clone(),
+        value: None,
+    };
+    wrong.cloned().unwrap_or_else(all)
+}

@@ -1,0 +1,263 @@
+//! A layer of USD as text (`.usda`): prims in prims, with their metadata and properties.
+//!
+//! Source: openusd.org, "Text File Format". Values are kept flat: numbers, and words or strings, in their order.
+
+use std::collections::HashMap;
+
+use polhode_formats::{ContentError, ContentErrorKind, ContentPlace};
+
+use super::token::{Token, TokenKind, tokens};
+use crate::model::{Name, Number, Span};
+
+/// Prims in prims: deeper than any robot.
+const MOST_DEPTH: usize = 500;
+
+/// A layer: its own metadata, and its prims, each after the one that it stands in.
+#[derive(Debug, Default)]
+pub(super) struct Layer {
+    pub(super) metadata: HashMap<String, Value>,
+    pub(super) prims: Vec<Prim>,
+    /// Sets of variants, which are not read.
+    pub(super) variants: Vec<Span>,
+}
+
+/// A prim.
+#[derive(Debug)]
+pub(super) struct Prim {
+    /// `"Xform"`; empty if it is left out.
+    pub(super) kind: String,
+    pub(super) name: Name,
+    pub(super) parent: Option<usize>,
+    /// `/robot/arm`
+    pub(super) path: String,
+    /// Its specifier, type and name.
+    pub(super) span: Span,
+    pub(super) metadata: HashMap<String, Value>,
+    pub(super) properties: HashMap<String, Value>,
+    /// A `class` gives to others, and is nothing itself; so what stands in it, and what is not `active`.
+    pub(super) is_abstract: bool,
+}
+
+/// What a property or a key of metadata says.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Value {
+    pub(super) span: Span,
+    pub(super) numbers: Vec<Number>,
+    /// Strings, words, paths and assets, without their marks.
+    pub(super) words: Vec<String>,
+}
+
+impl Layer {
+    pub(super) fn of(text: &str) -> Result<Self, ContentError> {
+        let tokens = tokens(text)?;
+        let mut layer = Self::default();
+        let mut reader = Reader { tokens: &tokens, at: 0, end: text.len() };
+        if reader.takes('(') {
+            layer.metadata = reader.metadata()?;
+        }
+        let mut open: Vec<usize> = Vec::new();
+        while let Some(token) = reader.peek() {
+            match &token.kind {
+                TokenKind::Mark('}') if !open.is_empty() => {
+                    reader.at += 1;
+                    open.pop();
+                }
+                TokenKind::Mark(';') => reader.at += 1,
+                TokenKind::Word(word) if matches!(*word, "def" | "over" | "class") => {
+                    layer.prim(&mut reader, &mut open)?;
+                }
+                TokenKind::Word("variantSet") if !open.is_empty() => {
+                    layer.variants.push(token.span.clone());
+                    reader.at += 2; // and its name
+                    reader.expect('=')?;
+                    reader.value()?;
+                }
+                TokenKind::Word(_) => {
+                    let property = reader.property()?;
+                    if let (Some((name, value)), Some(&prim)) = (property, open.last())
+                        && let Some(prim) = layer.prims.get_mut(prim)
+                    {
+                        prim.properties.insert(name, value);
+                    }
+                }
+                _ => return Err(reader.expected("a prim or a property")),
+            }
+        }
+        if open.is_empty() { Ok(layer) } else { Err(reader.expected("the } that ends the prim")) }
+    }
+
+    /// The start of a prim, up to its `{`.
+    fn prim(&mut self, reader: &mut Reader<'_, '_>, open: &mut Vec<usize>) -> Result<(), ContentError> {
+        let Some(first) = reader.next() else { return Ok(()) };
+        let mut is_abstract = matches!(first.kind, TokenKind::Word("class"));
+        let mut kind = String::new();
+        let name = loop {
+            match reader.next().map(|token| (&token.kind, token.span.clone())) {
+                Some((TokenKind::Word(word), _)) => kind = (*word).to_owned(),
+                Some((TokenKind::Text(text), span)) => break Name { text: (*text).to_owned(), span },
+                _ => return Err(reader.expected("the name of the prim")),
+            }
+        };
+        if open.len() >= MOST_DEPTH {
+            let what = format!("prims nested deeper than {MOST_DEPTH}");
+            let place = ContentPlace::Text(first.span.clone());
+            return Err(ContentError::new(ContentErrorKind::Unsupported { what }, place));
+        }
+        let metadata = if reader.takes('(') { reader.metadata()? } else { HashMap::new() };
+        reader.expect('{')?;
+        let parent = open.last().copied();
+        let around = parent.and_then(|parent| self.prims.get(parent));
+        let path = format!("{}/{}", around.map_or("", |around| &around.path), name.text);
+        is_abstract |= around.is_some_and(|around| around.is_abstract);
+        is_abstract |=
+            metadata.get("active").is_some_and(|active| active.words.iter().any(|word| word == "false"));
+        open.push(self.prims.len());
+        let span = first.span.start..name.span.end + 1;
+        self.prims.push(Prim {
+            kind,
+            name,
+            parent,
+            path,
+            span,
+            metadata,
+            properties: HashMap::new(),
+            is_abstract,
+        });
+        Ok(())
+    }
+}
+
+struct Reader<'t, 's> {
+    tokens: &'t [Token<'s>],
+    at: usize,
+    /// The length of the text.
+    end: usize,
+}
+
+impl<'t, 's> Reader<'t, 's> {
+    fn peek(&self) -> Option<&'t Token<'s>> {
+        self.tokens.get(self.at)
+    }
+
+    fn next(&mut self) -> Option<&'t Token<'s>> {
+        let token = self.peek();
+        self.at += 1;
+        token
+    }
+
+    fn takes(&mut self, mark: char) -> bool {
+        let takes = self.peek().is_some_and(|token| token.is(mark));
+        self.at += usize::from(takes);
+        takes
+    }
+
+    fn expect(&mut self, mark: char) -> Result<(), ContentError> {
+        if self.takes(mark) { Ok(()) } else { Err(self.expected(&format!("a {mark}"))) }
+    }
+
+    fn expected(&self, what: &str) -> ContentError {
+        let span = self.peek().map_or(self.end..self.end, |token| token.span.clone());
+        let found = self.peek().map_or_else(String::new, |token| token.kind.in_words());
+        let kind = ContentErrorKind::Expected { what: what.to_owned(), found };
+        ContentError::new(kind, ContentPlace::Text(span))
+    }
+
+    /// Keys and values up to the `)`.
+    fn metadata(&mut self) -> Result<HashMap<String, Value>, ContentError> {
+        let mut metadata = HashMap::new();
+        loop {
+            match self.peek().map(|token| &token.kind) {
+                Some(TokenKind::Mark(')')) => {
+                    self.at += 1;
+                    return Ok(metadata);
+                }
+                Some(TokenKind::Text(_) | TokenKind::Mark(';' | ',')) => self.at += 1,
+                Some(TokenKind::Word(_)) => {
+                    if let Some((key, value)) = self.property()? {
+                        metadata.insert(key, value);
+                    }
+                }
+                _ => return Err(self.expected("a key of metadata, or the ) after them")),
+            }
+        }
+    }
+
+    /// Words, the last of which is the name, and what it says; `None` if it says nothing.
+    fn property(&mut self) -> Result<Option<(String, Value)>, ContentError> {
+        let mut name = "";
+        let mut is_first = true;
+        while let Some(token) = self.peek().filter(|token| is_first || !token.begins_line) {
+            match &token.kind {
+                TokenKind::Word(word) => name = word,
+                TokenKind::Mark('[' | ']') => {}
+                _ => break,
+            }
+            self.at += 1;
+            is_first = false;
+        }
+        if !self.takes('=') {
+            self.own_metadata()?;
+            return Ok(None);
+        }
+        let value = self.value()?;
+        self.own_metadata()?;
+        Ok(Some((name.to_owned(), value)))
+    }
+
+    /// The metadata of a property.
+    fn own_metadata(&mut self) -> Result<(), ContentError> {
+        if self.takes('(') {
+            self.metadata()?;
+        }
+        Ok(())
+    }
+
+    /// A value: one word, or all that is between brackets.
+    fn value(&mut self) -> Result<Value, ContentError> {
+        let mut value = Value::default();
+        let mut closing: Vec<char> = Vec::new();
+        let first = self.at;
+        loop {
+            let Some(token) = self.next() else { return Err(self.expected("the end of the value")) };
+            match &token.kind {
+                TokenKind::Mark('(') => closing.push(')'),
+                TokenKind::Mark('[') => closing.push(']'),
+                TokenKind::Mark('{') => closing.push('}'),
+                TokenKind::Mark(mark @ (')' | ']' | '}')) => {
+                    if closing.pop() != Some(*mark) {
+                        self.at -= 1;
+                        return Err(self.expected("the end of what was opened before"));
+                    }
+                }
+                TokenKind::Mark(_) if closing.is_empty() => {
+                    self.at -= 1;
+                    return Err(self.expected("a value"));
+                }
+                TokenKind::Mark(_) => {}
+                TokenKind::Number(text) => value.numbers.push(Number {
+                    text: (*text).to_owned(),
+                    span: token.span.clone(),
+                    value: text.parse().ok(),
+                }),
+                // no value at all
+                TokenKind::Word("None") => {}
+                TokenKind::Word(word) => value.words.push((*word).to_owned()),
+                TokenKind::Text(text) | TokenKind::Path(text) => value.words.push((*text).to_owned()),
+                TokenKind::Asset(text) => value.words.push(format!("@{text}@")),
+            }
+            if closing.is_empty() {
+                // the path after an asset: @file@</prim>
+                let goes_on = self.peek().is_some_and(|next| {
+                    !next.begins_line
+                        && matches!(next.kind, TokenKind::Path(_))
+                        && matches!(token.kind, TokenKind::Asset(_))
+                });
+                if !goes_on {
+                    let start = self.tokens.get(first).map_or(0, |token| token.span.start);
+                    value.span = start..token.span.end;
+                    return Ok(value);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,133 @@
+//! USD as text: rigid bodies of UsdPhysics, with their masses, shapes and joints.
+//!
+//! Lengths are in the layer's unit (`metersPerUnit`, a centimetre if it says nothing), masses in `kilogramsPerUnit`; here all is in SI, and a
+//! number's text too. Quaternions are (w, x, y, z). Which axis is up is the stage's business, and turns no body.
+//!
+//! One layer is read. What others say (`subLayers`, `references`, `payload`, `inherits`, `specializes`, sets of variants) is a note.
+//!
+//! Source: openusd.org, "Rigid Body Physics in USD"; the schemas UsdPhysics and UsdGeom.
+
+mod body;
+mod joint;
+mod layer;
+mod shape;
+mod token;
+mod unit;
+mod xform;
+
+use std::collections::HashMap;
+
+use polhode_formats::ContentError;
+
+use crate::model::{Note, Pose, RobotModel};
+use layer::{Layer, Prim};
+use unit::Units;
+use xform::Affine;
+
+/// What other layers say by these.
+const ELSEWHERE: [&str; 5] = ["references", "payload", "inherits", "specializes", "subLayers"];
+
+/// Fills the model with what a layer says.
+pub(super) fn read(text: &str, model: &mut RobotModel) -> Result<(), ContentError> {
+    let layer = Layer::of(text)?;
+    model.name = layer.metadata.get("defaultPrim").and_then(|prim| prim.words.first().cloned());
+    let units = Units::of(&layer, &mut model.notes);
+    model.is_si = units.are_si();
+    elsewhere(&layer, &mut model.notes);
+    let stage = Stage::of(&layer, units);
+    let mut links = HashMap::new();
+    for (k, prim) in layer.prims.iter().enumerate() {
+        if stage.is_body(k) {
+            links.insert(k, model.links.len());
+            let link = body::link(&stage, k, prim, &mut model.notes);
+            model.links.push(link);
+        } else if let Some(&link) = stage.body_around(k).and_then(|body| links.get(&body))
+            && let Some(link) = model.links.get_mut(link)
+            && !prim.is_abstract
+        {
+            let frame = Pose::new(link.pose.position, link.pose.rotation);
+            link.geometry.extend(shape::geometry(&stage, k, prim, &frame));
+            if body::has_mass(prim) && link.inertial.is_none() {
+                link.from_geometry = true;
+                link.computed = Some(Err("the masses of its shapes are not added up here".to_owned()));
+            }
+        }
+    }
+    for prim in layer.prims.iter().filter(|prim| !prim.is_abstract) {
+        model.joints.extend(joint::joint(&stage, prim));
+    }
+    Ok(())
+}
+
+/// Says what is not read.
+fn elsewhere(layer: &Layer, notes: &mut Vec<Note>) {
+    let own = layer.metadata.iter().map(|(key, value)| ("", key, value));
+    let of_prims = layer
+        .prims
+        .iter()
+        .flat_map(|prim| prim.metadata.iter().map(move |(key, value)| (prim.path.as_str(), key, value)));
+    let mut found: Vec<_> = own
+        .chain(of_prims)
+        .filter(|(_, key, value)| ELSEWHERE.contains(&key.as_str()) && !value.words.is_empty())
+        .map(|(subject, key, value)| {
+            let named = value.words.join("");
+            let message = format!("{key} = {named} is not read, and what is in it is not known here");
+            Note::new("read.include", subject, value.span.clone(), message)
+        })
+        .collect();
+    found.sort_by_key(|note| note.span.start);
+    notes.extend(found);
+    for span in &layer.variants {
+        let message = "sets of variants are not read: choose one and flatten the stage".to_owned();
+        notes.push(Note::new("read.left_out", "", span.clone(), message));
+    }
+}
+
+/// Prims with their places on the stage.
+struct Stage<'l> {
+    layer: &'l Layer,
+    units: Units,
+    /// Of each prim, in m.
+    places: Vec<Affine>,
+    /// The body that each prim is part of: itself, or one around it.
+    bodies: Vec<Option<usize>>,
+    /// By their paths.
+    numbers: HashMap<&'l str, usize>,
+}
+
+impl<'l> Stage<'l> {
+    fn of(layer: &'l Layer, units: Units) -> Self {
+        let (mut places, mut bodies): (Vec<Affine>, Vec<Option<usize>>) = (Vec::new(), Vec::new());
+        for (k, prim) in layer.prims.iter().enumerate() {
+            let (own, resets) = Affine::of(prim, units.metres);
+            let around = prim.parent.filter(|_| !resets).and_then(|parent| places.get(parent));
+            places.push(match around {
+                Some(around) => Affine { unreadable: own.unreadable.clone(), ..around.then(&own) },
+                None => own,
+            });
+            let around = prim.parent.and_then(|parent| bodies.get(parent).copied().flatten());
+            let is_rigid = applies(prim, "PhysicsRigidBodyAPI");
+            let is_body = !prim.is_abstract && (is_rigid || around.is_none() && body::has_mass(prim));
+            bodies.push(if is_body { Some(k) } else { around });
+        }
+        let numbers = layer.prims.iter().enumerate().map(|(k, prim)| (prim.path.as_str(), k)).collect();
+        Self { layer, units, places, bodies, numbers }
+    }
+
+    fn is_body(&self, prim: usize) -> bool {
+        self.body_around(prim) == Some(prim)
+    }
+
+    fn body_around(&self, prim: usize) -> Option<usize> {
+        self.bodies.get(prim).copied().flatten()
+    }
+
+    fn place(&self, prim: usize) -> Affine {
+        self.places.get(prim).cloned().unwrap_or(Affine::IDENTITY)
+    }
+}
+
+/// Whether a prim says that it has a schema.
+fn applies(prim: &Prim, schema: &str) -> bool {
+    prim.metadata.get("apiSchemas").is_some_and(|schemas| schemas.words.iter().any(|word| word == schema))
+}

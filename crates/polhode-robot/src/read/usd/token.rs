@@ -1,0 +1,141 @@
+//! The words of USD's text.
+
+use polhode_formats::{ContentError, ContentErrorKind, ContentPlace};
+
+use crate::model::Span;
+
+/// A word, and where it stands without its quotes.
+#[derive(Debug)]
+pub(super) struct Token<'s> {
+    pub(super) kind: TokenKind<'s>,
+    pub(super) span: Span,
+    /// It is the first on its line.
+    pub(super) begins_line: bool,
+}
+
+#[derive(Debug, PartialEq, Eq)]
+pub(super) enum TokenKind<'s> {
+    /// A name with its colons and points: `physics:mass`.
+    Word(&'s str),
+    /// What begins as a number does, whether or not it is one.
+    Number(&'s str),
+    /// In quotes.
+    Text(&'s str),
+    /// In `<>`.
+    Path(&'s str),
+    /// In `@@`.
+    Asset(&'s str),
+    /// Anything else.
+    Mark(char),
+}
+
+impl Token<'_> {
+    pub(super) fn is(&self, mark: char) -> bool {
+        self.kind == TokenKind::Mark(mark)
+    }
+}
+
+impl TokenKind<'_> {
+    pub(super) fn in_words(&self) -> String {
+        match self {
+            Self::Word(text)
+            | Self::Number(text)
+            | Self::Text(text)
+            | Self::Path(text)
+            | Self::Asset(text) => (*text).to_owned(),
+            Self::Mark(mark) => mark.to_string(),
+        }
+    }
+}
+
+/// All words of a text; comments are none.
+pub(super) fn tokens(text: &str) -> Result<Vec<Token<'_>>, ContentError> {
+    let mut tokens = Vec::new();
+    let (mut at, mut begins_line) = (0, true);
+    while let Some(rest) = text.get(at..)
+        && let Some(first) = rest.chars().next()
+    {
+        if first.is_whitespace() || first == '\u{feff}' {
+            begins_line |= first == '\n' || first == '\r';
+            at += first.len_utf8();
+            continue;
+        }
+        if first == '#' {
+            at += rest.find(['\n', '\r']).unwrap_or(rest.len());
+            continue;
+        }
+        // (opening, closing) around a text
+        let quoted = [
+            ("\"\"\"", "\"\"\""),
+            ("'''", "'''"),
+            ("\"", "\""),
+            ("'", "'"),
+            ("@@@", "@@@"),
+            ("@", "@"),
+            ("<", ">"),
+        ];
+        let quoted = quoted.into_iter().find(|(opening, _)| rest.starts_with(opening));
+        let (kind, span, length) = if let Some((opening, closing)) = quoted {
+            let inner = rest.get(opening.len()..).unwrap_or("");
+            let length = length_before(inner, closing).ok_or_else(|| {
+                let kind = ContentErrorKind::Expected {
+                    what: format!("the closing {closing}"),
+                    found: String::new(),
+                };
+                ContentError::new(kind, ContentPlace::Text(at..at + opening.len()))
+            })?;
+            let words = inner.get(..length).unwrap_or("");
+            let kind = match opening {
+                "<" => TokenKind::Path(words),
+                "@" | "@@@" => TokenKind::Asset(words),
+                _ => TokenKind::Text(words),
+            };
+            let start = at + opening.len();
+            (kind, start..start + length, opening.len() + length + closing.len())
+        } else {
+            let length = word_length(rest);
+            let words = rest.get(..length).unwrap_or("");
+            let is_number =
+                first.is_ascii_digit() || matches!(first, '+' | '-' | '.') || matches!(words, "inf" | "nan");
+            let kind = match length {
+                0 => TokenKind::Mark(first),
+                _ if is_number => TokenKind::Number(words),
+                _ => TokenKind::Word(words),
+            };
+            let length = length.max(first.len_utf8());
+            (kind, at..at + length, length)
+        };
+        tokens.push(Token { kind, span, begins_line });
+        begins_line = false;
+        at += length;
+    }
+    Ok(tokens)
+}
+
+/// Bytes before what closes a text; a backslash takes away the meaning of what follows it.
+fn length_before(inner: &str, closing: &str) -> Option<usize> {
+    let mut from = 0;
+    loop {
+        let found = from + inner.get(from..)?.find(closing)?;
+        let slashes = inner.get(..found)?.bytes().rev().take_while(|byte| *byte == b'\\').count();
+        if slashes % 2 == 0 || closing == ">" {
+            return Some(found);
+        }
+        from = found + closing.len();
+    }
+}
+
+/// Bytes of a name or a number at the start; a sign belongs to a number's start and its exponent.
+fn word_length(rest: &str) -> usize {
+    let numeric = rest.starts_with(|c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.'));
+    let mut before = ' ';
+    for (at, c) in rest.char_indices() {
+        let sign = matches!(c, '+' | '-') && (at == 0 || numeric && matches!(before, 'e' | 'E'));
+        let bang = c == '!' && at == 0;
+        if !(c.is_alphanumeric() || matches!(c, '_' | ':' | '.') || sign || bang) {
+            return at;
+        }
+        before = c;
+    }
+    rest.len()
+}

@@ -1,0 +1,111 @@
+//! OpenSim's models of three versions.
+
+use polhode_robot::body::{LinkMass, link_mass};
+use polhode_robot::model::{JointKind, ModelFormat, RobotModel, Tensor};
+
+use crate::common::{
+    applied, assert_close, assert_near, matrix_about, plus, read, refused, times, transposed, written,
+};
+
+const NEW: &str = r#"<OpenSimDocument Version="40000"><Model name="leg"><Ground name="ground"/>
+  <BodySet name="bodyset"><objects>
+    <Body name="thigh"><mass>9.3014</mass><mass_center>0.01 -0.17 0.02</mass_center>
+      <inertia>0.1339 0.0351 0.1412 0.001 -0.002 0.003</inertia></Body>
+    <Body name="shank"><mass>3.7</mass><mass_center>0 -0.18 0</mass_center><inertia>0.05 0.005 0.0511 0 0 0</inertia></Body>
+  </objects></BodySet>
+  <JointSet name="jointset"><objects>
+    <FreeJoint name="root"><socket_parent_frame>/ground</socket_parent_frame><socket_child_frame>/bodyset/thigh</socket_child_frame></FreeJoint>
+    <PinJoint name="knee"><socket_parent_frame>thigh_offset</socket_parent_frame><socket_child_frame>shank_offset</socket_child_frame>
+      <frames>
+        <PhysicalOffsetFrame name="thigh_offset"><socket_parent>/bodyset/thigh</socket_parent><translation>0.1 -0.4 0</translation><orientation>0.3 -0.4 0.5</orientation></PhysicalOffsetFrame>
+        <PhysicalOffsetFrame name="shank_offset"><socket_parent>/bodyset/shank</socket_parent><translation>0 0.05 0.02</translation><orientation>0 0.2 0</orientation></PhysicalOffsetFrame>
+      </frames></PinJoint>
+  </objects></JointSet></Model></OpenSimDocument>"#;
+
+const OLD: &str = r#"<OpenSimDocument Version="20302"><Model name="leg"><BodySet><objects>
+    <Body name="ground"><mass>0</mass><Joint/></Body>
+    <Body name="thigh"><mass>9.3014</mass><mass_center>0.01 -0.17 0.02</mass_center>
+      <inertia_xx>0.1339</inertia_xx><inertia_yy>0.0351</inertia_yy><inertia_zz>0.1412</inertia_zz>
+      <inertia_xy>0.001</inertia_xy><inertia_xz>-0.002</inertia_xz><inertia_yz>0.003</inertia_yz>
+      <Joint><FreeJoint name="root"><parent_body>ground</parent_body></FreeJoint></Joint></Body>
+    <Body name="shank"><mass>3.7</mass><mass_center>0 -0.18 0</mass_center>
+      <inertia_xx>0.05</inertia_xx><inertia_yy>0.005</inertia_yy><inertia_zz>0.0511</inertia_zz>
+      <inertia_xy>0</inertia_xy><inertia_xz>0</inertia_xz><inertia_yz>0</inertia_yz>
+      <Joint><PinJoint name="knee"><parent_body>thigh</parent_body>
+        <location_in_parent>0.1 -0.4 0</location_in_parent><orientation_in_parent>0.3 -0.4 0.5</orientation_in_parent>
+        <location>0 0.05 0.02</location><orientation>0 0.2 0</orientation></PinJoint></Joint></Body>
+  </objects></BodySet></Model></OpenSimDocument>"#;
+
+/// As 3.3 development versions wrote sockets: connectors.
+fn between() -> String {
+    let mut text = NEW.replace("40000", "30501");
+    for name in ["parent_frame", "child_frame", "parent"] {
+        let open = format!("<connectors><Connector_PhysicalFrame_ name=\"{name}\"><connectee_name>");
+        text = text.replace(&format!("<socket_{name}>"), &open);
+        text = text.replace(
+            &format!("</socket_{name}>"),
+            "</connectee_name></Connector_PhysicalFrame_></connectors>",
+        );
+    }
+    // one list of connectors for both ends
+    text.replace("</connectors><connectors>", "")
+}
+
+fn assert_leg(model: &RobotModel) {
+    assert_eq!((model.format, model.name.as_deref()), (ModelFormat::Osim, Some("leg")));
+    let names: Vec<_> = model.links.iter().map(|link| link.name.text.as_str()).collect();
+    assert_eq!(names, ["thigh", "shank"]);
+    let LinkMass::Body(body) = link_mass(model.format, &model.links[0]).unwrap() else { panic!("a body") };
+    assert_eq!(body.properties.mass(), 9.3014);
+    assert_close(body.properties.center_of_mass().to_array(), [0.01, -0.17, 0.02], 0.0);
+    let tensor = [[0.1339, 0.001, -0.002], [0.001, 0.0351, 0.003], [-0.002, 0.003, 0.1412]];
+    assert_near(&body.properties.inertia().matrix(), &tensor, 0.0);
+    let joints: Vec<_> = model
+        .joints
+        .iter()
+        .map(|j| {
+            (j.name.text.as_str(), j.kind, j.parent.as_ref().map(|p| p.text.as_str()), j.child.text.as_str())
+        })
+        .collect();
+    assert_eq!(
+        joints,
+        [("root", JointKind::Free, None, "thigh"), ("knee", JointKind::Revolute, Some("thigh"), "shank")]
+    );
+    // X_thigh_shank = X_thigh_joint X_shank_joint⁻¹, angles about axes that turn along
+    let knee = &model.joints[1];
+    let outer = times(times(matrix_about(0, 0.3), matrix_about(1, -0.4)), matrix_about(2, 0.5));
+    let inner = matrix_about(1, 0.2);
+    let attitude = times(outer, transposed(inner));
+    assert_near(&knee.pose.matrix(), &attitude, 1e-15);
+    assert_close(knee.pose.position, plus([0.1, -0.4, 0.0], applied(attitude, [0.0, -0.05, -0.02])), 1e-15);
+    assert_close(knee.axis, applied(inner, [0.0, 0.0, 1.0]), 1e-15);
+    assert_eq!(knee.anchor, [0.0, 0.05, 0.02]);
+}
+
+#[test]
+fn a_model_is_the_same_in_every_version() {
+    assert_leg(&read(NEW));
+    assert_leg(&read(&between()));
+    let old = read(OLD);
+    assert_leg(&old);
+    let Tensor::Six(six) = &old.links[0].inertial.as_ref().unwrap().tensor else { panic!("six") };
+    assert_eq!(written(OLD, &six[4]), ("-0.002", Some(-0.002)));
+}
+
+#[test]
+fn other_documents_of_opensim_are_refused() {
+    assert!(
+        refused("<OpenSimDocument Version='40000'><AnalyzeTool/></OpenSimDocument>")
+            .to_string()
+            .contains("<Model>")
+    );
+    assert!(
+        refused("<OpenSimDocument Version='10904'><Model/></OpenSimDocument>").to_string().contains("20302")
+    );
+}
+
+#[test]
+fn frames_that_go_round_end() {
+    let text = NEW.replace("<socket_parent>/bodyset/thigh<", "<socket_parent>thigh_offset<");
+    assert_eq!(read(&text).joints.len(), 2);
+}

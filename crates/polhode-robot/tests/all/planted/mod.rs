@@ -1,0 +1,23 @@
+//! Models of six kinds, written from solids: with faults that must be found, and without.
+
+mod clean;
+mod faults;
+mod language;
+mod solid;
+
+use crate::common::Folder;
+use language::Language;
+use polhode_robot::geometry::Shapes;
+use polhode_robot::inspect::{Inspection, inspect};
+use polhode_robot::model::RobotModel;
+use polhode_robot::read::{ReadOptions, read_model};
+
+/// A model in a language, with the cube that its meshes are, and what is found in it.
+fn inspected(language: Language, text: &str, name: &str) -> (RobotModel, Inspection) {
+    let file = format!("model.{}", language.ending());
+    let folder = Folder::of(name, &[(&file, text), ("cube.stl", &solid::cube())]);
+    let model = read_model(&folder.path(&file), &ReadOptions::default());
+    let model = model.unwrap_or_else(|error| panic!("{name}: {error}\n{text}"));
+    let inspection = inspect(&model, &mut Shapes::default());
+    (model, inspection)
+}

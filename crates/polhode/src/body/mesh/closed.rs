@@ -1,7 +1,7 @@
 //! Solids bounded by triangles.
 
 use super::component::{ComponentRole, MeshComponent};
-use super::diagnosis::{Analysis, MeshDiagnosis};
+use super::diagnosis::{Analysis, MeshDiagnosis, joined, of_edges};
 use super::integral::Polyhedron;
 use super::threads::Threads;
 use super::weld::NONE;
@@ -80,7 +80,12 @@ impl ClosedMesh {
     }
 
     fn on(mesh: &TriangleMesh, threads: Threads) -> Result<Self, BodyError> {
-        let Analysis { welded, patches, diagnosis, .. } = Analysis::of(mesh, threads);
+        let (welded, edges) = joined(mesh, threads);
+        // What is open or there twice bounds nothing, whatever meets: that need not be looked for.
+        if let Some(error) = of_edges(&welded, &edges).edge_errors().into_iter().next() {
+            return Err(error);
+        }
+        let Analysis { welded, patches, diagnosis, .. } = Analysis::of_joined(mesh, (welded, edges), threads);
         let inverted = require_solid(&diagnosis)?;
         let proper = (0..welded.corners.len()).filter(|&t| patches.component[t] != NONE);
         let turned = proper.map(|t| {
@@ -172,19 +177,7 @@ impl MeshDiagnosis {
         if self.components.is_empty() {
             return vec![BodyError::Empty { what: "triangles" }];
         }
-        let mut errors = Vec::new();
-        if let Some(pair) = self.duplicates.first {
-            let [first, second] = pair.triangles;
-            errors.push(BodyError::DuplicateTriangle { first, second, count: self.duplicates.count });
-        }
-        if let Some(edge) = self.boundary.first {
-            errors.push(BodyError::OpenMesh {
-                edges: self.boundary.count,
-                loops: self.boundary_loops,
-                example: edge.ends,
-                triangle: edge.triangle,
-            });
-        }
+        let mut errors = self.edge_errors();
         errors.extend(self.winding_error());
         if let Some(steps) = self.undecided {
             errors.push(BodyError::OverlapsUndecided { triangles: self.triangles, steps });
@@ -217,6 +210,24 @@ impl MeshDiagnosis {
     /// What is to be corrected of a mesh that bounds a solid, and what is worth a remark: [`ClosedMesh::findings`].
     pub fn findings(&self) -> Vec<Finding> {
         findings(self, is_inverted(self))
+    }
+
+    /// What is there twice, and where the mesh is open.
+    fn edge_errors(&self) -> Vec<BodyError> {
+        let mut errors = Vec::new();
+        if let Some(pair) = self.duplicates.first {
+            let [first, second] = pair.triangles;
+            errors.push(BodyError::DuplicateTriangle { first, second, count: self.duplicates.count });
+        }
+        if let Some(edge) = self.boundary.first {
+            errors.push(BodyError::OpenMesh {
+                edges: self.boundary.count,
+                loops: self.boundary_loops,
+                example: edge.ends,
+                triangle: edge.triangle,
+            });
+        }
+        errors
     }
 
     fn winding_error(&self) -> Option<BodyError> {

@@ -147,14 +147,22 @@ pub(crate) struct Analysis {
 
 impl Analysis {
     pub(crate) fn of(mesh: &TriangleMesh, threads: Threads) -> Self {
-        Self::within(STEPS + STEPS_EACH * mesh.triangles().len() as u64, mesh, threads)
+        Self::of_joined(mesh, joined(mesh, threads), threads)
+    }
+
+    /// Of a mesh whose triangles are joined already.
+    pub(super) fn of_joined(mesh: &TriangleMesh, joined: (Welded, Edges), threads: Threads) -> Self {
+        Self::within(STEPS + STEPS_EACH * mesh.triangles().len() as u64, mesh, joined, threads)
     }
 
     /// With so many steps for what is looked for among the triangles.
-    pub(super) fn within(steps: u64, mesh: &TriangleMesh, threads: Threads) -> Self {
-        let welded = Welded::of(mesh, threads);
+    pub(super) fn within(
+        steps: u64,
+        mesh: &TriangleMesh,
+        (welded, edges): (Welded, Edges),
+        threads: Threads,
+    ) -> Self {
         let corners = &welded.corners;
-        let edges = Edges::of(corners, welded.points.len(), threads);
         let patches = Patches::of(corners, &edges, threads);
         let mut measured = Measured::of(&welded, &patches);
         // What has no area has no sides, and meets nothing that its neighbours do not meet.
@@ -191,6 +199,23 @@ impl Analysis {
     }
 }
 
+/// The triangles of a mesh, joined in their corners and along their edges.
+pub(super) fn joined(mesh: &TriangleMesh, threads: Threads) -> (Welded, Edges) {
+    let welded = Welded::of(mesh, threads);
+    let edges = Edges::of(&welded.corners, welded.points.len(), threads);
+    (welded, edges)
+}
+
+/// What edges alone say: where the mesh is open, and what is there twice.
+pub(super) fn of_edges(welded: &Welded, edges: &Edges) -> MeshDiagnosis {
+    MeshDiagnosis {
+        boundary: faults(edges.boundary.iter().map(|&half| at_edge(welded, half))),
+        boundary_loops: loops(&welded.corners, &edges.boundary),
+        duplicates: faults(again(welded, edges, true)),
+        ..MeshDiagnosis::default()
+    }
+}
+
 /// Steps for a mesh, and more for each of its triangles: most are visits of a line at a triangle. Walls of touching bricks take some 400 for
 /// each.
 const STEPS: u64 = 300_000_000;
@@ -215,20 +240,17 @@ impl Findings<'_> {
         MeshDiagnosis {
             triangles: corners.len(),
             vertices: welded.points.len(),
-            boundary: faults(edges.boundary.iter().map(|&half| at_edge(welded, half))),
-            boundary_loops: loops(corners, &edges.boundary),
             inconsistent: faults(edges.inconsistent.iter().map(|&half| at_edge(welded, half))),
             non_manifold: faults(edges.crowded.iter().map(|edge| at_edge(welded, edge[0]))),
             unbalanced: faults(unbalanced(welded, edges)),
             degenerate: faults(degenerate(welded)),
             collinear: faults(measured.collinear.iter().map(|&t| at_triangle(welded, t as usize))),
-            duplicates: faults(again(welded, edges, true)),
             back_to_back: faults(again(welded, edges, false)),
             overlaps: overlaps(welded, &meetings.between),
             self_overlaps: overlaps(welded, &meetings.within),
             contacts: overlaps(welded, &meetings.contacts),
             components: measured.components,
-            undecided: None,
+            ..of_edges(welded, edges)
         }
     }
 }

@@ -14,9 +14,10 @@
 pub mod collada;
 mod primitive;
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+use std::thread;
 
 use polhode::body::MassProperties;
 use polhode::body::mesh::{ClosedMesh, ConvexHull, TriangleMesh};
@@ -75,7 +76,7 @@ pub enum MeshReading {
     Other,
 }
 
-/// Measures shapes; each mesh file is read once.
+/// Measures shapes, for several threads at once; each mesh file is read once.
 ///
 /// ```
 /// use polhode_robot::{geometry::Shapes, model::Role, read};
@@ -88,9 +89,20 @@ pub enum MeshReading {
 /// assert_eq!(solid.bounds, [[0.5, -1.0, -1.5], [1.5, 1.0, 1.5]]);
 /// # Ok::<(), polhode_formats::FormatError>(())
 /// ```
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub struct Shapes {
-    meshes: HashMap<PathBuf, Result<Arc<Mesh>, String>>,
+    meshes: Mutex<HashMap<PathBuf, Arc<MeshOnce>>>,
+    threads: usize,
+}
+
+/// A mesh that is read when it is first asked for; whoever asks meanwhile waits.
+type MeshOnce = OnceLock<Result<Arc<Mesh>, String>>;
+
+impl Default for Shapes {
+    /// Each mesh is measured on all threads of the machine.
+    fn default() -> Self {
+        Self::with_threads(thread::available_parallelism().map_or(1, usize::from))
+    }
 }
 
 /// A mesh file as it is written, in metres and its own frame.
@@ -113,13 +125,18 @@ struct Solid {
 }
 
 impl Shapes {
+    /// Measures each mesh on at most so many threads: one is best where several ask.
+    pub fn with_threads(threads: usize) -> Self {
+        Self { meshes: Mutex::default(), threads }
+    }
+
     /// All shapes of a link that have this role, as one.
-    pub fn link(&mut self, link: &Link, role: Role) -> LinkVolume {
+    pub fn link(&self, link: &Link, role: Role) -> LinkVolume {
         self.link_as(link, role, MeshReading::Usual)
     }
 
     /// True if programs disagree on how one of these shapes is turned.
-    pub fn is_turned_by_some(&mut self, link: &Link, role: Role) -> bool {
+    pub fn is_turned_by_some(&self, link: &Link, role: Role) -> bool {
         let mut shapes = link.geometry.iter().filter(|geometry| geometry.role == role);
         shapes.any(|geometry| match &geometry.shape {
             GeometryShape::Mesh { path: Ok(path), .. } => {
@@ -130,7 +147,7 @@ impl Shapes {
     }
 
     /// All shapes of a link that have this role, as one, with its meshes read in this way.
-    pub fn link_as(&mut self, link: &Link, role: Role, reading: MeshReading) -> LinkVolume {
+    pub fn link_as(&self, link: &Link, role: Role, reading: MeshReading) -> LinkVolume {
         let mut set = LinkVolume::default();
         for geometry in link.geometry.iter().filter(|geometry| geometry.role == role) {
             match self.geometry_as(geometry, reading) {
@@ -150,11 +167,11 @@ impl Shapes {
     ///
     /// # Errors
     /// In words, why it has no volume: a size that is none, a mesh that cannot be found or read or is flat, a plane.
-    pub fn geometry(&mut self, geometry: &Geometry) -> Result<Volume, String> {
+    pub fn geometry(&self, geometry: &Geometry) -> Result<Volume, String> {
         self.geometry_as(geometry, MeshReading::Usual)
     }
 
-    fn geometry_as(&mut self, geometry: &Geometry, reading: MeshReading) -> Result<Volume, String> {
+    fn geometry_as(&self, geometry: &Geometry, reading: MeshReading) -> Result<Volume, String> {
         let (solid, reach, kind) = match &geometry.shape {
             GeometryShape::Other(what) => return Err(format!("{what} has no volume")),
             GeometryShape::Mesh { uri, path, scale } => {
@@ -200,13 +217,11 @@ impl Shapes {
         }
     }
 
-    fn mesh(&mut self, path: &Path) -> Result<Arc<Mesh>, String> {
-        if let Some(known) = self.meshes.get(path) {
-            return known.clone();
-        }
-        let mesh = Mesh::read(path).map(Arc::new);
-        self.meshes.insert(path.to_owned(), mesh.clone());
-        mesh
+    fn mesh(&self, path: &Path) -> Result<Arc<Mesh>, String> {
+        let mut meshes = self.meshes.lock().unwrap_or_else(PoisonError::into_inner);
+        let mesh = Arc::clone(meshes.entry(path.to_owned()).or_default());
+        drop(meshes);
+        mesh.get_or_init(|| Mesh::read(path, self.threads).map(Arc::new)).clone()
     }
 }
 
@@ -287,7 +302,7 @@ const fn z_up([x, y, z]: [f64; 3]) -> [f64; 3] {
 }
 
 impl Mesh {
-    fn read(path: &Path) -> Result<Self, String> {
+    fn read(path: &Path, threads: usize) -> Result<Self, String> {
         let ending =
             path.extension().map_or_else(String::new, |ending| ending.to_string_lossy().to_lowercase());
         let (contents, turned_in) = match MeshFormat::of_path(path) {
@@ -303,11 +318,14 @@ impl Mesh {
             None => return Err(format!("polhode reads no .{ending} meshes")),
         };
         let contents = contents.map_err(|error| error.message())?.in_metres(None);
-        Ok(Self { turned_in, ..Self::of(contents)? })
+        Ok(Self { turned_in, ..Self::of(contents, threads)? })
     }
 
-    fn of(contents: MeshContents) -> Result<Self, String> {
-        let parts = contents.parts.iter().map(|part| ClosedMesh::of(&part.mesh));
+    fn of(contents: MeshContents, threads: usize) -> Result<Self, String> {
+        if let [part] = contents.parts.as_slice() {
+            return Self::of_one(&part.mesh, threads);
+        }
+        let parts = contents.parts.iter().map(|part| ClosedMesh::with_threads(&part.mesh, threads));
         if let Ok(parts) = parts.collect::<Result<Vec<_>, _>>()
             && !parts.is_empty()
         {
@@ -316,9 +334,13 @@ impl Mesh {
         // pieces of one surface, or no solid
         let one = contents.as_one().map_err(|error| error.to_string())?;
         let Some(all) = one.parts.first() else { return Err("it has no triangles".to_owned()) };
-        match ClosedMesh::of(&all.mesh) {
+        Self::of_one(&all.mesh, threads)
+    }
+
+    fn of_one(mesh: &TriangleMesh, threads: usize) -> Result<Self, String> {
+        match ClosedMesh::with_threads(mesh, threads) {
             Ok(solid) => Self::closed(&[solid]),
-            Err(_) => Self::hull(&all.mesh),
+            Err(_) => Self::hull(mesh, threads),
         }
     }
 
@@ -331,10 +353,13 @@ impl Mesh {
     }
 
     /// The convex hull of the corners of all triangles.
-    fn hull(mesh: &TriangleMesh) -> Result<Self, String> {
-        let corners: Vec<[f64; 3]> = mesh.corners().flatten().collect();
+    fn hull(mesh: &TriangleMesh, threads: usize) -> Result<Self, String> {
+        // Each of them once: STL has each some six times.
+        let mut seen = HashSet::new();
+        let corners = mesh.corners().flatten().filter(|corner| seen.insert(corner.map(f64::to_bits)));
+        let corners: Vec<[f64; 3]> = corners.collect();
         let surface = ConvexHull::of(&corners).map_err(|error| error.to_string())?;
-        let solid = ClosedMesh::of(&surface).map_err(|error| error.to_string())?;
+        let solid = ClosedMesh::with_threads(&surface, threads).map_err(|error| error.to_string())?;
         Ok(Self { kind: VolumeKind::Hull, ..Self::closed(&[solid])? })
     }
 }

@@ -90,8 +90,8 @@ impl RobotInspection {
             }
         };
         let model = read_model(&document.path, &options).map_err(unreadable)?;
-        let mut shapes = Shapes::default();
-        let found = inspect(&model, &mut shapes).findings;
+        let shapes = Shapes::default();
+        let found = inspect(&model, &shapes).findings;
         let stands = Stands::of(&model);
         let numbers = numbers(&model);
         let lines = LineIndex::new(&model.text);
@@ -99,7 +99,7 @@ impl RobotInspection {
         let mut findings: Vec<RobotFinding> = found.iter().map(|one| shown(one, &numbers, &lines)).collect();
         findings.extend(stands.unplaced.iter().filter_map(|&k| unplaced(&model, k, &lines)));
         let repaired = proved(&model, &found, |text| {
-            read_text(text, &document.path, &options).map(|model| inspect(&model, &mut shapes).findings)
+            read_text(text, &document.path, &options).map(|model| inspect(&model, &shapes).findings)
         });
         // A repair that cannot be read again proves nothing.
         let repair = repaired.ok().filter(|(repaired, _)| !repaired.applied.is_empty());

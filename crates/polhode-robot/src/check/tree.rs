@@ -24,6 +24,10 @@ pub(super) struct Tree {
     moves_itself: Vec<bool>,
     mass_below: Vec<bool>,
     welded_mass: Vec<bool>,
+    /// Of each link: the first link of those that fixed joints hold together with it, down the tree.
+    group: Vec<usize>,
+    /// Of each group, by its first link: whether any of it has mass.
+    group_mass: Vec<bool>,
     is_weighed: bool,
     is_bounded: bool,
 }
@@ -64,6 +68,14 @@ impl Tree {
             mass_below[k] |= hanging[k].iter().any(|(child, _)| mass_below[*child]);
             welded_mass[k] |= hanging[k].iter().any(|(child, fixed)| *fixed && welded_mass[*child]);
         }
+        let mut group: Vec<usize> = (0..count).collect();
+        let mut group_mass = vec![false; count];
+        for &k in &order {
+            for &(child, _) in hanging[k].iter().filter(|(child, fixed)| *fixed && !moves_itself[*child]) {
+                group[child] = group[k];
+            }
+            group_mass[group[k]] |= has_mass(model.format, &model.links[k]);
+        }
         let is_weighed = model.links.iter().any(|link| link.inertial.is_some());
         let is_bounded = model.format == ModelFormat::Mjcf && model.text.contains("boundmass");
         Self {
@@ -74,6 +86,8 @@ impl Tree {
             moves_itself,
             mass_below,
             welded_mass,
+            group,
+            group_mass,
             is_weighed,
             is_bounded,
         }
@@ -116,6 +130,16 @@ impl Tree {
     /// True if it or anything that is fixed to it has mass.
     pub(super) fn has_welded_mass(&self, k: usize) -> bool {
         self.welded_mass.get(k).copied().unwrap_or(true)
+    }
+
+    /// The first link of those that fixed joints hold together with this one.
+    pub(super) fn group(&self, k: usize) -> usize {
+        self.group.get(k).copied().unwrap_or(k)
+    }
+
+    /// True if anything that fixed joints hold together with it, or itself, has mass.
+    pub(super) fn is_held_by_mass(&self, k: usize) -> bool {
+        self.group_mass.get(self.group(k)).copied().unwrap_or(true)
     }
 
     /// True if MuJoCo is told a least mass of every body.

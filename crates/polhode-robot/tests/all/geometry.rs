@@ -179,7 +179,7 @@ fn a_scaled_and_mirrored_mesh_is_that_of_the_scaled_corners() {
     let closed = mesh_file("closed", &FACES);
     let open = mesh_file("open", &FACES[..3]);
     let (pose, place, r) = generic(0);
-    let mut shapes = Shapes::default();
+    let shapes = Shapes::default();
     for scale in [[1.0; 3], [0.5, 2.0, 1.5], [-0.5, 2.0, 1.5], [-0.1, -0.2, -0.3]] {
         let corners = TETRAHEDRON.map(|p| plus(place, applied(r, [0, 1, 2].map(|k| scale[k] * p[k]))));
         let (volume, centroid, tensor) = tetrahedron(corners);
@@ -331,7 +331,7 @@ fn a_gltf_mesh_has_y_up_and_stands_on_z_in_a_robot() {
     // The same triangles without a convention, in mm: R (x, y, z) = (x, −z, y), then the scale.
     let plain = one(mesh(&root.join("bracket.stl"), [1e-3; 3]), Pose::IDENTITY);
     let r = [[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]];
-    let mut shapes = Shapes::default();
+    let shapes = Shapes::default();
     let unscaled = geometry(mesh(&root.join("meshes/bracket.glb"), [1.0; 3]), Pose::IDENTITY);
     let up = shapes.geometry(&unscaled).unwrap();
     assert_close(up.centroid, applied(r, plain.centroid), 1e-15);
@@ -346,7 +346,7 @@ fn a_gltf_mesh_has_y_up_and_stands_on_z_in_a_robot() {
     assert!(shapes.is_turned_by_some(&link, Role::Collision));
     let other = shapes.link_as(&link, Role::Collision, MeshReading::Other).volume.unwrap();
     assert_near(&other.tensor_per_density, &plain.tensor_per_density, 1e-18);
-    let both = LinkGeometry::of(&link, &mut shapes);
+    let both = LinkGeometry::of(&link, &shapes);
     assert!(both.is_turned_by_some && both.volumes.len() == 2);
     assert!(!shapes.is_turned_by_some(&self::link(vec![placed("bracket.stl")]), Role::Collision));
 }

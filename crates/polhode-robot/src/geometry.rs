@@ -12,11 +12,12 @@
 //! `<up_axis>` is ignored by Gazebo and RViz, and applied by others. [`MeshReading`] names both.
 
 pub mod collada;
+mod mesh_files;
 mod primitive;
 
-use std::collections::{HashMap, HashSet};
-use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+use std::collections::HashSet;
+use std::path::Path;
+use std::sync::Arc;
 use std::thread;
 
 use polhode::body::MassProperties;
@@ -28,6 +29,7 @@ use polhode_formats::read_text_file;
 
 use crate::model::{Geometry, GeometryShape, Link, Role, Span};
 use crate::pose::{dot, sum};
+use mesh_files::MeshFiles;
 use primitive::Primitive;
 
 /// What a shape, or several, enclose. All of it is in the link's frame.
@@ -91,12 +93,9 @@ pub enum MeshReading {
 /// ```
 #[derive(Debug)]
 pub struct Shapes {
-    meshes: Mutex<HashMap<PathBuf, Arc<MeshOnce>>>,
+    meshes: MeshFiles,
     threads: usize,
 }
-
-/// A mesh that is read when it is first asked for; whoever asks meanwhile waits.
-type MeshOnce = OnceLock<Result<Arc<Mesh>, String>>;
 
 impl Default for Shapes {
     /// Each mesh is measured on all threads of the machine.
@@ -127,7 +126,7 @@ struct Solid {
 impl Shapes {
     /// Measures each mesh on at most so many threads: one is best where several ask.
     pub fn with_threads(threads: usize) -> Self {
-        Self { meshes: Mutex::default(), threads }
+        Self { meshes: MeshFiles::default(), threads }
     }
 
     /// All shapes of a link that have this role, as one.
@@ -218,10 +217,7 @@ impl Shapes {
     }
 
     fn mesh(&self, path: &Path) -> Result<Arc<Mesh>, String> {
-        let mut meshes = self.meshes.lock().unwrap_or_else(PoisonError::into_inner);
-        let mesh = Arc::clone(meshes.entry(path.to_owned()).or_default());
-        drop(meshes);
-        mesh.get_or_init(|| Mesh::read(path, self.threads).map(Arc::new)).clone()
+        self.meshes.mesh(path, |path| Mesh::read(path, self.threads))
     }
 }
 
@@ -325,7 +321,7 @@ impl Mesh {
         if let [part] = contents.parts.as_slice() {
             return Self::of_one(&part.mesh, threads);
         }
-        let parts = contents.parts.iter().map(|part| ClosedMesh::with_threads(&part.mesh, threads));
+        let parts = contents.parts.iter().map(|part| ClosedMesh::without_remarks(&part.mesh, threads));
         if let Ok(parts) = parts.collect::<Result<Vec<_>, _>>()
             && !parts.is_empty()
         {
@@ -338,7 +334,7 @@ impl Mesh {
     }
 
     fn of_one(mesh: &TriangleMesh, threads: usize) -> Result<Self, String> {
-        match ClosedMesh::with_threads(mesh, threads) {
+        match ClosedMesh::without_remarks(mesh, threads) {
             Ok(solid) => Self::closed(&[solid]),
             Err(_) => Self::hull(mesh, threads),
         }

@@ -1,7 +1,7 @@
 //! Solids bounded by triangles.
 
 use super::component::{ComponentRole, MeshComponent};
-use super::diagnosis::{Analysis, MeshDiagnosis, joined, of_edges};
+use super::diagnosis::{Analysis, MeshDiagnosis, Sought, joined, of_edges};
 use super::integral::Polyhedron;
 use super::threads::Threads;
 use super::weld::NONE;
@@ -60,7 +60,7 @@ impl ClosedMesh {
     /// [`BodyError::DuplicateTriangle`], [`BodyError::NestedSolid`], [`BodyError::InvertedPart`], [`BodyError::OverlappingMesh`],
     /// [`BodyError::OverlapsUndecided`] or [`BodyError::FlatMesh`]; [`BodyError::Parameter`] if f64 does not hold its volume.
     pub fn of(mesh: &TriangleMesh) -> Result<Self, BodyError> {
-        Self::on(mesh, Threads::of_machine())
+        Self::on(mesh, Sought::All, Threads::of_machine())
     }
 
     /// The same on at most so many threads.
@@ -68,7 +68,16 @@ impl ClosedMesh {
     /// # Errors
     /// As [`ClosedMesh::of`].
     pub fn with_threads(mesh: &TriangleMesh, threads: usize) -> Result<Self, BodyError> {
-        Self::on(mesh, Threads::of(threads))
+        Self::on(mesh, Sought::All, Threads::of(threads))
+    }
+
+    /// The same solid, or the same error, without looking for what is only mentioned: of a mesh of one part it is not known whether it goes
+    /// through itself or touches itself.
+    ///
+    /// # Errors
+    /// As [`ClosedMesh::of`]; for overlaps that only take too long to look for there is none.
+    pub fn without_remarks(mesh: &TriangleMesh, threads: usize) -> Result<Self, BodyError> {
+        Self::on(mesh, Sought::Errors, Threads::of(threads))
     }
 
     /// The solid that the triangles bound: [`ClosedMesh::of`] a mesh without indices, as STL has it.
@@ -79,13 +88,13 @@ impl ClosedMesh {
         Self::of(&TriangleMesh::of_soup(triangles)?)
     }
 
-    fn on(mesh: &TriangleMesh, threads: Threads) -> Result<Self, BodyError> {
+    fn on(mesh: &TriangleMesh, sought: Sought, threads: Threads) -> Result<Self, BodyError> {
         let (welded, edges) = joined(mesh, threads);
         // What is open or there twice bounds nothing, whatever meets: that need not be looked for.
         if let Some(error) = of_edges(&welded, &edges).edge_errors().into_iter().next() {
             return Err(error);
         }
-        let Analysis { welded, patches, diagnosis, .. } = Analysis::of_joined(mesh, (welded, edges), threads);
+        let Analysis { welded, patches, diagnosis, .. } = Analysis::of_joined(mesh, (welded, edges), sought, threads);
         let inverted = require_solid(&diagnosis)?;
         let proper = (0..welded.corners.len()).filter(|&t| patches.component[t] != NONE);
         let turned = proper.map(|t| {

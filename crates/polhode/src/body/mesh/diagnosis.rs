@@ -147,12 +147,17 @@ pub(crate) struct Analysis {
 
 impl Analysis {
     pub(crate) fn of(mesh: &TriangleMesh, threads: Threads) -> Self {
-        Self::of_joined(mesh, joined(mesh, threads), threads)
+        Self::of_joined(mesh, joined(mesh, threads), Sought::All, threads)
     }
 
     /// Of a mesh whose triangles are joined already.
-    pub(super) fn of_joined(mesh: &TriangleMesh, joined: (Welded, Edges), threads: Threads) -> Self {
-        Self::within(STEPS + STEPS_EACH * mesh.triangles().len() as u64, mesh, joined, threads)
+    pub(super) fn of_joined(
+        mesh: &TriangleMesh,
+        joined: (Welded, Edges),
+        sought: Sought,
+        threads: Threads,
+    ) -> Self {
+        Self::within(STEPS + STEPS_EACH * mesh.triangles().len() as u64, mesh, joined, sought, threads)
     }
 
     /// With so many steps for what is looked for among the triangles.
@@ -160,6 +165,7 @@ impl Analysis {
         steps: u64,
         mesh: &TriangleMesh,
         (welded, edges): (Welded, Edges),
+        sought: Sought,
         threads: Threads,
     ) -> Self {
         let corners = &welded.corners;
@@ -172,8 +178,10 @@ impl Analysis {
         let work = Work::of(steps);
         let windings = Windings { welded: &welded, tree: &tree, patches: &patches, work: &work };
         measured.nest(&windings, threads);
-        let meetings = if mesh.is_hull {
-            // A corner of many faces has as many pairs as their square, and none of them meet elsewhere.
+        // One surface without edges of more than two triangles meets none but itself, which is a remark.
+        let is_one = measured.components.len() == 1 && edges.crowded.is_empty();
+        let meetings = if mesh.is_hull || sought == Sought::Errors && is_one {
+            // Of a hull a corner of many faces has as many pairs as their square, and none of them meet elsewhere.
             Meetings::default()
         } else {
             let layers = Layers::of(&welded, &tree, &edges, &measured.collinear);
@@ -197,6 +205,15 @@ impl Analysis {
             steps: work.done(),
         }
     }
+}
+
+/// What a mesh is looked through for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Sought {
+    /// All that can be said of it.
+    All,
+    /// Why it bounds no solid.
+    Errors,
 }
 
 /// The triangles of a mesh, joined in their corners and along their edges.

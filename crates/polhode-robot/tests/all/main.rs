@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may")]
 
 mod bad_inertials;
+mod check_alike;
 mod check_common;
 mod check_geometry;
 mod check_hostile;
@@ -14,8 +15,10 @@ mod geometry;
 mod hostile;
 mod lump;
 mod mjcf;
+mod policy;
 mod repair;
 mod round_trip;
+mod rules;
 mod sdf;
 mod urdf;
 mod valid_models;

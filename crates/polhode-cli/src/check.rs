@@ -89,15 +89,18 @@ impl Check {
         let threads = parallel::threads();
         let shapes = Shapes::with_threads((threads / models.len().max(1)).max(1));
         let mut progress = FileProgress::new(models.len());
-        let report =
-            |input: &Result<PathBuf, Unread>| Some(self.report(input.as_ref().ok()?, target, &shapes, &policy));
+        let report = |input: &Result<PathBuf, Unread>| {
+            Some(self.report(input.as_ref().ok()?, target, &shapes, &policy))
+        };
         let done = |input: &Result<PathBuf, Unread>| input.iter().for_each(|file| progress.next(file));
         let reports = parallel::map(&inputs, threads, report, done);
         drop(progress);
-        let outcome = |(input, report): (Result<PathBuf, Unread>, Option<Result<CheckReport, Failure>>)| match input {
-            Ok(path) => report.map(|report| Outcome { report: report.map_err(|failure| failure.about(&path)), path }),
-            Err(Unread { path, failure }) => Some(Outcome { path, report: Err(failure) }),
-        };
+        let outcome =
+            |(input, report): (Result<PathBuf, Unread>, Option<Result<CheckReport, Failure>>)| match input {
+                Ok(path) => report
+                    .map(|report| Outcome { report: report.map_err(|failure| failure.about(&path)), path }),
+                Err(Unread { path, failure }) => Some(Outcome { path, report: Err(failure) }),
+            };
         let outcomes: Vec<Outcome> = inputs.into_iter().zip(reports).filter_map(outcome).collect();
 
         let judged: Vec<(String, &Judged)> = outcomes
@@ -106,19 +109,24 @@ impl Check {
             .collect();
         let judged = || judged.iter().map(|(file, judged)| (file.as_str(), *judged));
         let remarks = policy.remarks(judged(), |file| Path::new(file).exists());
-        self.output.write(&Results { outcomes: &outcomes, one, excluded, remarks: &remarks, fail_on }, self.fix.force)?;
+        self.output.write(
+            &Results { outcomes: &outcomes, one, excluded, remarks: &remarks, fail_on },
+            self.fix.force,
+        )?;
 
         let fails = |findings: &[Finding]| findings.iter().any(|finding| finding.severity >= fail_on);
         let remaining = |report: &CheckReport| match &report.fixed {
             Some(fixed) => fails(&fixed.remaining),
             None => fails(report.findings()),
         };
-        let mut found = remarks.iter().any(|remark| remark.severity.is_some_and(|severity| severity >= fail_on))
-            || outcomes.iter().filter_map(|outcome| outcome.report.as_ref().ok()).any(remaining);
+        let mut found =
+            remarks.iter().any(|remark| remark.severity.is_some_and(|severity| severity >= fail_on))
+                || outcomes.iter().filter_map(|outcome| outcome.report.as_ref().ok()).any(remaining);
         if outcomes.iter().all(|outcome| outcome.report.is_ok()) {
             found &= !self.policy.write_baseline(judged(), self.fix.force)?;
         }
-        let mut failures: Vec<Failure> = outcomes.into_iter().filter_map(|outcome| outcome.report.err()).collect();
+        let mut failures: Vec<Failure> =
+            outcomes.into_iter().filter_map(|outcome| outcome.report.err()).collect();
         if found {
             failures.push(Failure::Findings);
         }
@@ -169,7 +177,10 @@ fn explain(code: Option<&str>) -> Result<(), Failure> {
         None => {
             let meant = polhode_formats::nearest(code, rules().map(|rule| rule.code));
             let meant = meant.map_or(String::new(), |meant| format!("did you mean {meant}? "));
-            Err(Failure::usage(format!("there is no rule {code}"), format!("{meant}--explain alone lists all rules")))
+            Err(Failure::usage(
+                format!("there is no rule {code}"),
+                format!("{meant}--explain alone lists all rules"),
+            ))
         }
     }
 }

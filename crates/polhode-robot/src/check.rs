@@ -36,6 +36,7 @@ mod power;
 mod print;
 mod sign;
 mod tree;
+mod tree_order;
 mod unit;
 mod written;
 

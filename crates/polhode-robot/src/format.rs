@@ -93,7 +93,8 @@ impl<'a> FileResult<'a> {
                 (repair.description.as_str(), repair.edits.iter().map(edit).collect())
             }),
         };
-        let open = report.findings().iter().zip(&report.judged.ids).map(|(finding, id)| item(finding, id, None));
+        let open =
+            report.findings().iter().zip(&report.judged.ids).map(|(finding, id)| item(finding, id, None));
         let settled = report.judged.settled.iter();
         let settled = settled.map(|settled| item(&settled.finding, &settled.id, Some(&settled.why)));
         let mut items: Vec<Item<'a>> = open.chain(settled).collect();
@@ -152,5 +153,9 @@ const fn rank(severity: Severity) -> usize {
 
 /// The subject with its message: `arm: i1 + i2 = …`.
 fn about(item: &Item<'_>) -> String {
-    if item.subject.is_empty() { item.message.to_owned() } else { format!("{}: {}", item.subject, item.message) }
+    if item.subject.is_empty() {
+        item.message.to_owned()
+    } else {
+        format!("{}: {}", item.subject, item.message)
+    }
 }

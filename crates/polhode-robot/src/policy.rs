@@ -4,8 +4,8 @@
 //! a finding itself.
 
 pub mod baseline;
-pub mod config;
 mod comment;
+pub mod config;
 pub mod date;
 pub mod glob;
 mod identity;
@@ -92,12 +92,17 @@ impl Policy {
     /// What becomes of the findings in a model. `file` is its name for globs and baselines: relative, with slashes.
     pub fn judge(&self, file: &str, model: &RobotModel, findings: Vec<Finding>) -> Judged {
         let comments = comment::comments(model);
-        let by_comment: Vec<Option<usize>> =
-            findings.iter().map(|finding| comments.iter().position(|comment| comment.allows(finding))).collect();
+        let by_comment: Vec<Option<usize>> = findings
+            .iter()
+            .map(|finding| comments.iter().position(|comment| comment.allows(finding)))
+            .collect();
         let used: BTreeSet<(usize, &str)> =
             findings.iter().zip(&by_comment).filter_map(|(f, k)| Some(((*k)?, f.code))).collect();
-        let about_comments: Vec<Finding> =
-            comments.iter().enumerate().filter_map(|(k, c)| c.fault(|code| used.contains(&(k, code)))).collect();
+        let about_comments: Vec<Finding> = comments
+            .iter()
+            .enumerate()
+            .filter_map(|(k, c)| c.fault(|code| used.contains(&(k, code))))
+            .collect();
         let mut all: Vec<(Finding, Option<&Comment>)> = findings
             .into_iter()
             .zip(by_comment.iter().map(|k| k.and_then(|k| comments.get(k))))

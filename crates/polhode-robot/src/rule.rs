@@ -139,7 +139,9 @@ fn sentence(line: &str) -> String {
 /// One line a rule.
 pub fn list() -> String {
     let longest = rules().map(|rule| rule.code.len()).max().unwrap_or(0);
-    let line = |rule: &Rule| format!("{:longest$}  {:10}  {}\n", rule.code, severity_name(rule.severity), rule.title);
+    let line = |rule: &Rule| {
+        format!("{:longest$}  {:10}  {}\n", rule.code, severity_name(rule.severity), rule.title)
+    };
     rules().map(line).collect()
 }
 

@@ -78,7 +78,8 @@ impl CheckReport {
             let Reason::Allowed(reason) = why else { continue };
             let (line, column) = place(lines, &finding.span);
             let (subject, code) = (subject(finding), finding.code);
-            let _ = writeln!(text, "allowed: {subject} {file}:{line}:{column} [{code}]: {}", printable(reason));
+            let _ =
+                writeln!(text, "allowed: {subject} {file}:{line}:{column} [{code}]: {}", printable(reason));
         }
         let known = settled.iter().filter(|settled| settled.why == Reason::Known).count();
         if known > 0 {

@@ -88,7 +88,9 @@ impl OutputFlags {
     pub(super) fn write(&self, results: &Results<'_>, force: bool) -> Result<(), Failure> {
         let text = self.text(results);
         match &self.output {
-            Some(path) => partial::write(path, force, |file| file.write_all(printable_lines(&text).as_bytes())),
+            Some(path) => {
+                partial::write(path, force, |file| file.write_all(printable_lines(&text).as_bytes()))
+            }
             None => print(&text),
         }
     }
@@ -146,10 +148,15 @@ fn run<'a>(results: &Results<'a>) -> Run<'a> {
         file: name(&outcome.path),
         outcome: outcome.report.as_ref().map_err(|failure| {
             let error = failure.to_json(&outcome.path);
-            let number = |key: &str| error["error"][key].as_u64().and_then(|number| usize::try_from(number).ok());
+            let number =
+                |key: &str| error["error"][key].as_u64().and_then(|number| usize::try_from(number).ok());
             let message = error["error"]["message"].as_str().unwrap_or("cannot be read").to_owned();
             Unreadable { message, place: number("line").zip(number("column")) }
         }),
     };
-    Run { files: results.outcomes.iter().map(file).collect(), remarks: results.remarks, fail_on: results.fail_on }
+    Run {
+        files: results.outcomes.iter().map(file).collect(),
+        remarks: results.remarks,
+        fail_on: results.fail_on,
+    }
 }

@@ -26,14 +26,21 @@ fn good() -> String {
 
 /// A link of an identity that nothing contradicts: a note.
 fn noted() -> String {
-    robot("1").replace("0.031", "1").replace("0.042", "1").replace("0.004", "0").replace("-0.003", "0").replace("0.002", "0").replace("1.7", "20")
+    robot("1")
+        .replace("0.031", "1")
+        .replace("0.042", "1")
+        .replace("0.004", "0")
+        .replace("-0.003", "0")
+        .replace("0.002", "0")
+        .replace("1.7", "20")
 }
 
 /// A box of 1.2 kg with an identity: suspect.
 fn suspect() -> String {
-    noted()
-        .replace("\"20\"", "\"1.2\"")
-        .replace("    <inertial>", "    <visual><geometry><box size=\"0.1 0.2 0.3\"/></geometry></visual>\n    <inertial>")
+    noted().replace("\"20\"", "\"1.2\"").replace(
+        "    <inertial>",
+        "    <visual><geometry><box size=\"0.1 0.2 0.3\"/></geometry></visual>\n    <inertial>",
+    )
 }
 
 fn status(output: &Output) -> Option<i32> {
@@ -52,9 +59,12 @@ fn printed(output: &Output, code: i32) -> String {
 #[test]
 fn the_severity_that_fails_is_a_choice() {
     let scratch = Scratch::new("check-fail-on");
-    for (name, text, impossible_, suspect_, note) in
-        [("i.urdf", impossible(), 1, 1, 1), ("s.urdf", suspect(), 0, 1, 1), ("n.urdf", noted(), 0, 0, 1), ("g.urdf", good(), 0, 0, 0)]
-    {
+    for (name, text, impossible_, suspect_, note) in [
+        ("i.urdf", impossible(), 1, 1, 1),
+        ("s.urdf", suspect(), 0, 1, 1),
+        ("n.urdf", noted(), 0, 0, 1),
+        ("g.urdf", good(), 0, 0, 0),
+    ] {
         scratch.write(name, &text);
         let code = |more: &[&str]| status(&scratch.run(&[&["check", name], more].concat()));
         assert_eq!(code(&["--fail-on", "impossible"]), Some(impossible_), "{name}");
@@ -81,7 +91,10 @@ fn what_a_configuration_allows_is_listed_with_its_reason() {
     let allow = "[[check.allow]]\nrule = \"inertia.triangle\"\nfile = \"src/*.urdf\"\nreason = \"measured on the bench\"\n";
     scratch.write("polhode.toml", &format!("[check]\nexclude = [\"**/old/**\"]\n{allow}"));
     let text = printed(&scratch.run(&["check", "src"]), 0);
-    assert!(text.contains("allowed: a|r%m src/a.urdf:5:") && text.contains("measured on the bench"), "{text}");
+    assert!(
+        text.contains("allowed: a|r%m src/a.urdf:5:") && text.contains("measured on the bench"),
+        "{text}"
+    );
     assert!(text.contains("left out: 1 file") && !text.contains("b.urdf"), "{text}");
     assert!(text.contains("IMPOSSIBLE 0") && text.contains("OK 1 of 1"), "{text}");
     // absolute names are those of the working directory
@@ -133,11 +146,23 @@ fn a_baseline_lets_only_what_is_new_fail() {
     assert!(text.contains("note: known.json:1:1 [baseline.gone]"), "{text}");
     // nothing is replaced unless that is said, and nothing written where a file could not be read
     refused_after_results(&scratch.run(&["check", "a.urdf", "--write-baseline", "known.json"]), "--force");
-    let again = scratch.run(&["check", "a.urdf", "b.urdf", "--baseline", "known.json", "--write-baseline", "known.json", "--force"]);
+    let again = scratch.run(&[
+        "check",
+        "a.urdf",
+        "b.urdf",
+        "--baseline",
+        "known.json",
+        "--write-baseline",
+        "known.json",
+        "--force",
+    ]);
     assert_eq!(status(&again), Some(0), "{}", said(&again));
     assert_eq!(fs::read_to_string(scratch.0.join("known.json")).unwrap().matches("\"id\"").count(), 1);
     scratch.write("torn.urdf", "<robot>");
-    assert_eq!(status(&scratch.run(&["check", "torn.urdf", "a.urdf", "--write-baseline", "part.json"])), Some(2));
+    assert_eq!(
+        status(&scratch.run(&["check", "torn.urdf", "a.urdf", "--write-baseline", "part.json"])),
+        Some(2)
+    );
     assert!(!scratch.entries().contains(&"part.json".to_owned()));
     refused(&scratch.run(&["check", "a.urdf", "--baseline", "a.urdf"]), 2);
 }
@@ -158,7 +183,12 @@ fn a_comment_in_the_model_allows_with_a_reason() {
     let text = printed(&scratch.run(&["check", "a.urdf"]), 1);
     assert!(text.contains("[allow.malformed]") && text.contains("[inertia.triangle]"), "{text}");
     // what is allowed is not repaired either
-    scratch.write("b.urdf", &with("<!-- polhode: allow number.malformed: a test of readers -->").replace("1.7", "1,7").replace("0.53", "0.053"));
+    scratch.write(
+        "b.urdf",
+        &with("<!-- polhode: allow number.malformed: a test of readers -->")
+            .replace("1.7", "1,7")
+            .replace("0.53", "0.053"),
+    );
     scratch.run(&["check", "b.urdf", "--fix", "c.urdf"]);
     assert!(fs::read_to_string(scratch.0.join("c.urdf")).unwrap().contains("1,7"));
 }
@@ -169,7 +199,10 @@ fn mixed(name: &str) -> Scratch {
     fs::create_dir_all(scratch.0.join("src")).unwrap();
     scratch.write("src/a, b.urdf", &impossible());
     scratch.write("src/n.urdf", &noted());
-    scratch.write("src/ok.urdf", &impossible().replace("  <link", "<!-- polhode: allow inertia.triangle: a & b -->\n  <link"));
+    scratch.write(
+        "src/ok.urdf",
+        &impossible().replace("  <link", "<!-- polhode: allow inertia.triangle: a & b -->\n  <link"),
+    );
     scratch.write("src/torn.urdf", "<robot>\n<link name=\"a\">\n</robot>");
     scratch
 }
@@ -188,7 +221,9 @@ fn sarif_is_what_its_schema_says() {
     let ids: BTreeSet<&str> = rules.iter().map(|rule| rule["id"].as_str().unwrap()).collect();
     assert_eq!(ids.len(), rules.len());
     for rule in rules {
-        assert!(["error", "warning", "note"].contains(&rule["defaultConfiguration"]["level"].as_str().unwrap()));
+        assert!(
+            ["error", "warning", "note"].contains(&rule["defaultConfiguration"]["level"].as_str().unwrap())
+        );
         assert!(!rule["shortDescription"]["text"].as_str().unwrap().is_empty());
         assert!(!rule["help"]["text"].as_str().unwrap().is_empty() && rule["help"]["markdown"].is_string());
     }
@@ -205,7 +240,11 @@ fn sarif_is_what_its_schema_says() {
         let uri = place["artifactLocation"]["uri"].as_str().unwrap();
         assert!(uri.starts_with("src/") && !uri.contains([' ', '\\']), "{uri}");
         let number = |key: &str| place["region"][key].as_u64().unwrap();
-        assert!(number("startLine") >= 1 && number("startColumn") >= 1 && number("endLine") >= number("startLine"));
+        assert!(
+            number("startLine") >= 1
+                && number("startColumn") >= 1
+                && number("endLine") >= number("startLine")
+        );
         prints.insert(result["partialFingerprints"]["polhode/v1"].as_str().unwrap());
     }
     assert_eq!(prints.len(), 3);
@@ -233,7 +272,10 @@ fn junit_counts_what_it_has() {
     let tree = text.lines().nth(1).unwrap();
     assert!(tree.contains("tests=\"4\" failures=\"1\" errors=\"1\" skipped=\"1\""), "{tree}");
     let count = |what: &str| text.matches(what).count();
-    assert_eq!((count("<testsuite "), count("<testcase "), count("<failure "), count("<error "), count("<skipped ")), (4, 4, 1, 1, 1));
+    assert_eq!(
+        (count("<testsuite "), count("<testcase "), count("<failure "), count("<error "), count("<skipped ")),
+        (4, 4, 1, 1, 1)
+    );
     assert_eq!((count("<testcase "), count("</testcase>")), (4, 4));
     assert!(text.contains("allowed: a &amp; b") && text.contains("<system-out>note: "), "{text}");
     // a note fails if that is asked for; a clean file is a case that passes
@@ -248,14 +290,22 @@ fn junit_counts_what_it_has() {
 fn github_gitlab_and_markdown_escape_what_they_must() {
     let scratch = mixed("check-forms");
     let text = printed(&scratch.run(&["check", "src", "--format", "github"]), 2);
-    let line = text.lines().find(|line| line.contains("inertia.triangle,")).or(text.lines().find(|line| line.contains("title=inertia.triangle"))).unwrap();
+    let line = text
+        .lines()
+        .find(|line| line.contains("inertia.triangle,"))
+        .or(text.lines().find(|line| line.contains("title=inertia.triangle")))
+        .unwrap();
     assert!(line.starts_with("::error file=src/a%2C b.urdf,line=5,col="), "{line}");
     assert!(line.contains(",title=inertia.triangle::a|r%25m: i1 + i2 = "), "{line}");
-    assert!(text.contains("::error file=src/torn.urdf,line=3") && text.contains("::notice file=src/n.urdf"), "{text}");
+    assert!(
+        text.contains("::error file=src/torn.urdf,line=3") && text.contains("::notice file=src/n.urdf"),
+        "{text}"
+    );
     assert!(text.contains("\nallowed: a|r%m src/ok.urdf:6 [inertia.triangle]: a & b\n"), "{text}");
     assert!(text.ends_with("4 files, 1 impossible, 0 suspect, 1 notes, 1 allowed, 0 known\n"), "{text}");
 
-    let issues: Value = serde_json::from_str(&printed(&scratch.run(&["check", "src", "--format", "gitlab"]), 2)).unwrap();
+    let issues: Value =
+        serde_json::from_str(&printed(&scratch.run(&["check", "src", "--format", "gitlab"]), 2)).unwrap();
     let issues = issues.as_array().unwrap();
     let severities: Vec<&str> = issues.iter().map(|issue| issue["severity"].as_str().unwrap()).collect();
     assert_eq!(severities, ["blocker", "critical", "info"]);
@@ -310,6 +360,7 @@ fn every_rule_is_explained() {
     assert!(text.contains("did you mean inertia.triangle?"), "{text}");
     // a finding's code is a rule's
     scratch.write("a.urdf", &impossible());
-    let report: Value = serde_json::from_str(&printed(&scratch.run(&["check", "a.urdf", "--json"]), 1)).unwrap();
+    let report: Value =
+        serde_json::from_str(&printed(&scratch.run(&["check", "a.urdf", "--json"]), 1)).unwrap();
     assert!(codes.contains(&report["findings"][0]["code"].as_str().unwrap()));
 }

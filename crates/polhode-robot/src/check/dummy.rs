@@ -22,7 +22,8 @@ pub(super) enum Held {
 
 /// Of each link, by the bodies of the model.
 pub(super) fn held(tree: &Tree, bodies: &[Option<Body>]) -> Vec<Held> {
-    let moment = |k: usize| bodies.get(k).and_then(Option::as_ref).map_or(0.0, |body| body.moments.values[2].max(0.0));
+    let moment =
+        |k: usize| bodies.get(k).and_then(Option::as_ref).map_or(0.0, |body| body.moments.values[2].max(0.0));
     let mut of_group = vec![0.0; bodies.len()];
     for k in 0..bodies.len() {
         if let Some(sum) = of_group.get_mut(tree.group(k)) {

@@ -16,7 +16,8 @@ impl Run<'_> {
                 command(&mut text, "error", &file.file, [line, column], "unreadable", &unreadable.message);
             }
         }
-        let items: Vec<Item<'_>> = self.files.iter().flat_map(FileResult::items).chain(self.remarks()).collect();
+        let items: Vec<Item<'_>> =
+            self.files.iter().flat_map(FileResult::items).chain(self.remarks()).collect();
         for item in items.iter().filter(|item| item.settled.is_none()) {
             let name = match item.severity {
                 Severity::Impossible => "error",
@@ -28,7 +29,10 @@ impl Run<'_> {
         }
         for item in &items {
             if let Some(Reason::Allowed(reason)) = item.settled {
-                let line = format!("allowed: {} {}:{} [{}]: {reason}", item.subject, item.file, item.start.0, item.code);
+                let line = format!(
+                    "allowed: {} {}:{} [{}]: {reason}",
+                    item.subject, item.file, item.start.0, item.code
+                );
                 let _ = writeln!(text, "{}", logged(&line));
             }
         }
@@ -43,7 +47,14 @@ impl Run<'_> {
 }
 
 /// `::error file=…,line=…,col=…,title=…::message`
-fn command(text: &mut String, name: &str, file: &str, [line, column]: [usize; 2], title: &str, message: &str) {
+fn command(
+    text: &mut String,
+    name: &str,
+    file: &str,
+    [line, column]: [usize; 2],
+    title: &str,
+    message: &str,
+) {
     let (file, title) = (property(file), property(title));
     let _ = writeln!(text, "::{name} file={file},line={line},col={column},title={title}::{}", data(message));
 }
@@ -71,7 +82,10 @@ mod tests {
     fn nothing_in_a_message_is_a_command() {
         let mut text = String::new();
         command(&mut text, "error", "a,b:c.urdf", [3, 7], "x", "50 %\n::set-output name=a::b");
-        assert_eq!(text, "::error file=a%2Cb%3Ac.urdf,line=3,col=7,title=x::50 %25%0A::set-output name=a::b\n");
+        assert_eq!(
+            text,
+            "::error file=a%2Cb%3Ac.urdf,line=3,col=7,title=x::50 %25%0A::set-output name=a::b\n"
+        );
         assert_eq!(logged("a\r\n::error::b"), "a  ::error::b");
     }
 }

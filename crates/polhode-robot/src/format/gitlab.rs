@@ -11,9 +11,17 @@ impl Run<'_> {
         let unreadable = self.files.iter().filter_map(|file| {
             let unreadable = file.outcome.as_ref().err()?;
             let line = unreadable.place.map_or(1, |(line, _)| line);
-            Some(issue(&unreadable.message, "unreadable", &format!("unreadable:{}", file.file), "blocker", &file.file, line))
+            Some(issue(
+                &unreadable.message,
+                "unreadable",
+                &format!("unreadable:{}", file.file),
+                "blocker",
+                &file.file,
+                line,
+            ))
         });
-        let items: Vec<Item<'_>> = self.files.iter().flat_map(FileResult::items).chain(self.remarks()).collect();
+        let items: Vec<Item<'_>> =
+            self.files.iter().flat_map(FileResult::items).chain(self.remarks()).collect();
         let open = items.iter().filter(|item| item.settled.is_none()).map(|item| {
             let severity = match item.severity {
                 Severity::Impossible => "critical",
@@ -26,7 +34,14 @@ impl Run<'_> {
     }
 }
 
-fn issue(description: &str, check: &str, fingerprint: &str, severity: &str, path: &str, line: usize) -> Value {
+fn issue(
+    description: &str,
+    check: &str,
+    fingerprint: &str,
+    severity: &str,
+    path: &str,
+    line: usize,
+) -> Value {
     json!({
         "description": description,
         "check_name": check,

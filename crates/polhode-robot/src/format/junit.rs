@@ -10,7 +10,8 @@ impl Run<'_> {
     /// Findings that fail are failures, others cases that pass and say what was found; what is allowed or known is skipped. A file without
     /// findings is one case that passes.
     pub fn to_junit(&self) -> String {
-        let suites: Vec<Suite> = self.files.iter().map(|file| self.suite(file)).chain(self.about_policy()).collect();
+        let suites: Vec<Suite> =
+            self.files.iter().map(|file| self.suite(file)).chain(self.about_policy()).collect();
         let sum = |of: fn(&Suite) -> usize| suites.iter().map(of).sum::<usize>();
         let mut text = format!(
             "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"polhode check\" tests=\"{}\" failures=\"{}\" errors=\"{}\" \
@@ -36,7 +37,8 @@ impl Run<'_> {
         match &file.outcome {
             Err(unreadable) => {
                 suite.errors = 1;
-                let place = unreadable.place.map_or(String::new(), |(line, column)| format!(":{line}:{column}"));
+                let place =
+                    unreadable.place.map_or(String::new(), |(line, column)| format!(":{line}:{column}"));
                 let inner = format!(
                     "<error type=\"unreadable\" message=\"{}\">{}{place}</error>",
                     escaped(&unreadable.message),
@@ -106,7 +108,9 @@ impl Suite {
         let (file, name) = (escaped(&self.file), escaped(name));
         let _ = match inner {
             "" => writeln!(self.cases, "    <testcase classname=\"{file}\" name=\"{name}\"/>"),
-            _ => writeln!(self.cases, "    <testcase classname=\"{file}\" name=\"{name}\">{inner}</testcase>"),
+            _ => {
+                writeln!(self.cases, "    <testcase classname=\"{file}\" name=\"{name}\">{inner}</testcase>")
+            }
         };
     }
 }

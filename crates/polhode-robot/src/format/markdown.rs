@@ -15,12 +15,18 @@ impl Run<'_> {
             "### polhode check\n\n{files} files: **{impossible} impossible**, {suspect} suspect, {note} notes; {allowed} allowed, {known} \
              known.\n"
         );
-        let items: Vec<Item<'_>> = self.files.iter().flat_map(FileResult::items).chain(self.remarks()).collect();
+        let items: Vec<Item<'_>> =
+            self.files.iter().flat_map(FileResult::items).chain(self.remarks()).collect();
         let mut rows = String::new();
         for file in &self.files {
             if let Err(unreadable) = &file.outcome {
                 let line = unreadable.place.map_or(String::new(), |(line, _)| format!(":{line}"));
-                let _ = writeln!(rows, "| unreadable | {}{line} | | {} |", cell(&file.file), cell(&unreadable.message));
+                let _ = writeln!(
+                    rows,
+                    "| unreadable | {}{line} | | {} |",
+                    cell(&file.file),
+                    cell(&unreadable.message)
+                );
             }
         }
         for item in items.iter().filter(|item| item.settled.is_none()) {

@@ -10,7 +10,8 @@ use crate::rule::{Rule, rules};
 impl Run<'_> {
     /// A log with one run. Columns count characters; what is allowed or known is a suppressed result.
     pub fn to_sarif(&self) -> Value {
-        let items: Vec<Item<'_>> = self.files.iter().flat_map(FileResult::items).chain(self.remarks()).collect();
+        let items: Vec<Item<'_>> =
+            self.files.iter().flat_map(FileResult::items).chain(self.remarks()).collect();
         let unreadable: Vec<Value> = self.files.iter().filter_map(notification).collect();
         json!({
             "$schema": "https://json.schemastore.org/sarif-2.1.0.json",

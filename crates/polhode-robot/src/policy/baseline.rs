@@ -44,16 +44,23 @@ impl Baseline {
     pub fn read(path: &Path, text: &str) -> Result<Self, FormatError> {
         let refused = |error: ContentError| FormatError::of_content(path, text.as_bytes(), error);
         let value: Value = serde_json::from_str(text).map_err(|error| {
-            let before: usize = text.split_inclusive('\n').take(error.line().saturating_sub(1)).map(str::len).sum();
+            let before: usize =
+                text.split_inclusive('\n').take(error.line().saturating_sub(1)).map(str::len).sum();
             let at = before + error.column().saturating_sub(1);
             let what = format!("a baseline's JSON ({error})");
-            let found = text.get(at..).and_then(|rest| rest.chars().next()).map(String::from).unwrap_or_default();
-            refused(ContentError::new(ContentErrorKind::Expected { what, found }, ContentPlace::Text(at..at + 1)))
+            let found =
+                text.get(at..).and_then(|rest| rest.chars().next()).map(String::from).unwrap_or_default();
+            refused(ContentError::new(
+                ContentErrorKind::Expected { what, found },
+                ContentPlace::Text(at..at + 1),
+            ))
         })?;
         let whole = |what: &str, found: &Value| {
             let found = if found.is_null() { "none".to_owned() } else { found.to_string() };
             let kind = ContentErrorKind::Expected { what: what.to_owned(), found };
-            refused(ContentError::new(kind, ContentPlace::Whole).hint("write it again: --write-baseline FILE"))
+            refused(
+                ContentError::new(kind, ContentPlace::Whole).hint("write it again: --write-baseline FILE"),
+            )
         };
         if value[KEY] != VERSION {
             return Err(whole(&format!("{KEY:?}: {VERSION}"), &value[KEY]));

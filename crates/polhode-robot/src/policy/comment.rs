@@ -54,7 +54,9 @@ impl Comment {
                 }
                 let place = match &self.scope {
                     Scope::File => "in the file".to_owned(),
-                    Scope::Model => "of the model as a whole; the comment is at no link and no joint".to_owned(),
+                    Scope::Model => {
+                        "of the model as a whole; the comment is at no link and no joint".to_owned()
+                    }
                     Scope::Elements(names) => format!("of {}", names.join(", ")),
                 };
                 ("allow.unused", Severity::Note, format!("no {} {place}", unused.join(", ")))

@@ -73,7 +73,12 @@ impl Config {
     }
 
     /// The first allowance for a finding that has not expired, with its place in the list.
-    pub(super) fn allowance(&self, file: &str, finding: &Finding, today: Date) -> Option<(usize, &Allowance)> {
+    pub(super) fn allowance(
+        &self,
+        file: &str,
+        finding: &Finding,
+        today: Date,
+    ) -> Option<(usize, &Allowance)> {
         let holds = |allowance: &Allowance| allowance.expires.is_none_or(|day| today < day);
         self.allowances.iter().enumerate().find(|(_, a)| holds(a) && a.allows(file, finding))
     }
@@ -82,8 +87,12 @@ impl Config {
 fn read(text: &str) -> Result<Config, ContentError> {
     let document = DeTable::parse(text).map_err(|error| {
         let span = error.span().unwrap_or(0..0);
-        expected(&format!("TOML ({})", error.message().replace('\n', " ")), text.get(span.clone()).unwrap_or(""), span)
-            .hint("a line is key = value, [table] or [[table]]; text is in quotes")
+        expected(
+            &format!("TOML ({})", error.message().replace('\n', " ")),
+            text.get(span.clone()).unwrap_or(""),
+            span,
+        )
+        .hint("a line is key = value, [table] or [[table]]; text is in quotes")
     })?;
     let mut config = Config::default();
     let top = Table { entries: document.get_ref(), name: "polhode.toml", span: 0..0 };
@@ -93,7 +102,8 @@ fn read(text: &str) -> Result<Config, ContentError> {
     check.allow(&["fail_on", "exclude", "rules", "allow"])?;
     config.fail_on = check.get("fail_on").map(|value| value.severity(false)).transpose()?.flatten();
     if let Some(exclude) = check.get("exclude") {
-        config.exclude = exclude.list("a list of globs")?.iter().map(Value::glob).collect::<Result<_, _>>()?;
+        config.exclude =
+            exclude.list("a list of globs")?.iter().map(Value::glob).collect::<Result<_, _>>()?;
     }
     if let Some(severities) = check.get("rules") {
         let severities = severities.table("[check.rules]")?;
@@ -121,7 +131,10 @@ fn allowance(table: &Table<'_>, place: (usize, usize)) -> Result<Allowance, Cont
     Ok(Allowance {
         rule: known_rule(code.text("a rule")?, code.span())?,
         file: table.require("file", "file = \"robots/**/*.urdf\"")?.glob()?,
-        link: table.get("link").map(|link| link.text("a link's name, or a glob").map(str::to_owned)).transpose()?,
+        link: table
+            .get("link")
+            .map(|link| link.text("a link's name, or a glob").map(str::to_owned))
+            .transpose()?,
         reason: reason.text("a reason in words")?.trim().to_owned(),
         expires: table.get("expires").map(|day| day.date()).transpose()?,
         place,
@@ -155,7 +168,8 @@ struct Value<'a>(&'a Spanned<DeValue<'a>>);
 impl<'a> Table<'a> {
     /// Refuses the first key that is none of these.
     fn allow(&self, known: &[&str]) -> Result<(), ContentError> {
-        let unknown = self.entries.iter().map(|(key, _)| key).filter(|key| !known.contains(&key.get_ref().as_ref()));
+        let unknown =
+            self.entries.iter().map(|(key, _)| key).filter(|key| !known.contains(&key.get_ref().as_ref()));
         let Some(key) = unknown.min_by_key(|key| key.span().start) else { return Ok(()) };
         let meant = nearest(key.get_ref(), known.iter().copied());
         let meant = meant.map_or(String::new(), |meant| format!("did you mean {meant}? "));
@@ -220,8 +234,9 @@ impl<'a> Value<'a> {
 
     fn glob(&self) -> Result<Glob, ContentError> {
         let what = "a glob of files";
-        Glob::new(self.text(what)?)
-            .ok_or_else(|| self.wrong(what).hint("globs have * and ?, and ** between slashes: robots/**/*.urdf"))
+        Glob::new(self.text(what)?).ok_or_else(|| {
+            self.wrong(what).hint("globs have * and ?, and ** between slashes: robots/**/*.urdf")
+        })
     }
 
     fn date(&self) -> Result<Date, ContentError> {

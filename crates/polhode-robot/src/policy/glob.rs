@@ -45,7 +45,12 @@ pub(crate) fn name_matches(pattern: &str, name: &str) -> bool {
 ///
 /// Such an element takes as few as it can; where it goes on wrongly, the last one takes one more. An earlier one never has to: what it would
 /// gain, the last one can take.
-fn is_match<P, T>(pattern: &[P], list: &[T], is_any: impl Fn(&P) -> bool, is_one: impl Fn(&P, &T) -> bool) -> bool {
+fn is_match<P, T>(
+    pattern: &[P],
+    list: &[T],
+    is_any: impl Fn(&P) -> bool,
+    is_one: impl Fn(&P, &T) -> bool,
+) -> bool {
     let (mut p, mut k) = (0, 0);
     let mut last: Option<(usize, usize)> = None;
     while let Some(element) = list.get(k) {

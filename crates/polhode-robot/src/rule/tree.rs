@@ -81,7 +81,11 @@ pub(super) const RULES: [Rule; 10] = [
         title: "links have names of their own",
         why: "Joints name links: of two with one name they mean the first, or the model is refused.",
         mend: "Rename one of them, and the joints that mean it.",
-        example: Some(Example { model: "<link name=\"a\"/>\n<link name=\"a\"/>", old: "\n<link name=\"a\"/>", new: "" }),
+        example: Some(Example {
+            model: "<link name=\"a\"/>\n<link name=\"a\"/>",
+            old: "\n<link name=\"a\"/>",
+            new: "",
+        }),
     },
     Rule {
         code: "tree.duplicate_joint",
@@ -116,7 +120,11 @@ pub(super) const RULES: [Rule; 10] = [
         title: "a robot has a link",
         why: "There is nothing to simulate, and programs refuse it.",
         mend: "Look whether xacro was expanded with the right arguments.",
-        example: Some(Example { model: "<robot name=\"r\"></robot>", old: "></", new: "><link name=\"a\"/></" }),
+        example: Some(Example {
+            model: "<robot name=\"r\"></robot>",
+            old: "></",
+            new: "><link name=\"a\"/></",
+        }),
     },
     Rule {
         code: "joint.axis",

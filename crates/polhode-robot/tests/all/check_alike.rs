@@ -10,7 +10,9 @@ const TENSOR: [&str; 6] = ["0.0123", "0.0171", "0.0219", "0", "0", "0"];
 const IN_KG_MM2: [&str; 6] = ["13000", "10000", "5000", "0", "0", "0"];
 
 fn joined(parent: &str, child: &str, kind: &str) -> String {
-    format!("<joint name=\"to_{child}\" type=\"{kind}\"><parent link=\"{parent}\"/><child link=\"{child}\"/></joint>")
+    format!(
+        "<joint name=\"to_{child}\" type=\"{kind}\"><parent link=\"{parent}\"/><child link=\"{child}\"/></joint>"
+    )
 }
 
 #[test]
@@ -29,7 +31,10 @@ fn the_same_part_is_one_finding_with_the_repairs_of_all() {
     let units: Vec<&Finding> = found.iter().filter(|f| f.code == "inertia.unit").collect();
     // of another mass other numbers are said
     assert_eq!((units.len(), units[1].subject.as_str()), (2, "d"), "{found:#?}");
-    assert_eq!((units[0].subject.as_str(), units[0].others.as_slice()), ("a", ["b".to_owned(), "c".to_owned()].as_slice()));
+    assert_eq!(
+        (units[0].subject.as_str(), units[0].others.as_slice()),
+        ("a", ["b".to_owned(), "c".to_owned()].as_slice())
+    );
     assert!(units[0].message.ends_with("; so b, c"), "{}", units[0].message);
     let mended = check(&read(&repaired(&text, units[0])), &geometry);
     assert!(!mended.iter().any(|f| f.code == "inertia.unit" && f.subject != "d"), "{mended:#?}");
@@ -46,7 +51,8 @@ fn what_is_impossible_is_said_of_each() {
 fn of_imu(mass: &str, moment: &str, kind: &str) -> Vec<Finding> {
     let imu = link("imu", mass, [moment, moment, moment, "0", "0", "0"]);
     let text = robot(&(link("trunk", "7", TENSOR) + &imu + &joined("trunk", "imu", kind)));
-    let geometry = vec![block([0.3, 0.2, 0.1], VolumeKind::Primitives), block([1e-3; 3], VolumeKind::Primitives)];
+    let geometry =
+        vec![block([0.3, 0.2, 0.1], VolumeKind::Primitives), block([1e-3; 3], VolumeKind::Primitives)];
     let found = check(&read(&text), &geometry);
     found.into_iter().filter(|f| f.subject == "imu").collect()
 }
@@ -56,7 +62,9 @@ fn a_dummy_is_worth_a_note() {
     let found = of_imu("0.001", "0.0001", "fixed");
     assert!(!found.is_empty() && found.iter().all(|f| f.severity == Severity::Note), "{found:#?}");
     // one that is felt, that is heavy, or that moves is not
-    for (mass, moment, kind) in [("0.001", "0.0012", "fixed"), ("0.011", "0.0001", "fixed"), ("0.001", "0.0001", "revolute")] {
+    for (mass, moment, kind) in
+        [("0.001", "0.0012", "fixed"), ("0.011", "0.0001", "fixed"), ("0.001", "0.0001", "revolute")]
+    {
         let found = of_imu(mass, moment, kind);
         assert!(found.iter().any(|f| f.severity == Severity::Suspect), "{mass} {moment} {kind}: {found:#?}");
     }

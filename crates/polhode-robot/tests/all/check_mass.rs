@@ -154,7 +154,10 @@ fn pads_on_a_link_with_mass_are_one_note() {
     let all = findings(&robot(&(base + &moved)));
     let suspect: Vec<_> = all.iter().filter(|f| f.severity == Severity::Suspect).collect();
     assert_eq!(suspect.len(), 1, "{all:#?}");
-    assert_eq!((suspect[0].subject.as_str(), suspect[0].others.as_slice()), ("b", ["c".to_owned()].as_slice()));
+    assert_eq!(
+        (suspect[0].subject.as_str(), suspect[0].others.as_slice()),
+        ("b", ["c".to_owned()].as_slice())
+    );
     // Fixed to the world, as manipulators are.
     let arm = pad("foot", "fixed", "world") + &link("arm", "1", TENSOR);
     let joint = "<joint name=\"j\" type=\"revolute\"><parent link=\"foot\"/><child link=\"arm\"/></joint>";

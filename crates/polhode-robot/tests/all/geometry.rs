@@ -356,3 +356,24 @@ fn pose_of(k: usize, point: [f64; 3]) -> [f64; 3] {
     let (_, place, r) = generic(k);
     plus(place, applied(r, point))
 }
+
+#[test]
+fn copies_of_a_mesh_measure_alike_and_others_of_its_size_do_not() {
+    let closed = mesh_file("copied", &FACES);
+    let [first, second, third] = [("copy-1", "stl"), ("copy-2", "STL"), ("copy-3", "stl")]
+        .map(|(name, ending)| closed.with_file_name(format!("{name}-{}.{ending}", std::process::id())));
+    let bytes = std::fs::read(&closed).unwrap();
+    std::fs::write(&first, &bytes).unwrap();
+    std::fs::write(&second, &bytes).unwrap();
+    // one bit of a coordinate
+    let mut others = bytes.clone();
+    let at = others.len() - 12;
+    others[at] = others[at].wrapping_add(1);
+    std::fs::write(&third, &others).unwrap();
+    let shapes = Shapes::default();
+    let of = |path: &_| shapes.geometry(&geometry(mesh(path, [1.0; 3]), Pose::IDENTITY));
+    let found = of(&first).unwrap();
+    assert_eq!(of(&second), Ok(found.clone()));
+    assert_ne!(of(&third), Ok(found));
+    [first, second, third].iter().for_each(|path| std::fs::remove_file(path).unwrap());
+}

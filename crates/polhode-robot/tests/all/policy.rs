@@ -80,16 +80,22 @@ fn a_comment_of_no_use_is_a_finding() {
         ("<!-- polhode: allow inertia.zero: why -->", "allow.unused", "no inertia.zero of left"),
     ] {
         let judged = judged(&Policy::default(), "r.urdf", &robot(comment, ""));
-        let finding = judged.open.iter().find(|f| f.code == code).unwrap_or_else(|| panic!("{comment}: {judged:#?}"));
+        let finding =
+            judged.open.iter().find(|f| f.code == code).unwrap_or_else(|| panic!("{comment}: {judged:#?}"));
         assert!(finding.message.contains(said), "{comment}: {}", finding.message);
         assert_eq!(judged.open.len(), 3, "{comment}");
     }
     // of several rules the one of no use is said
-    let two = judged(&Policy::default(), "r.urdf", &robot("<!-- polhode: allow inertia.zero, inertia.triangle: why -->", ""));
+    let two = judged(
+        &Policy::default(),
+        "r.urdf",
+        &robot("<!-- polhode: allow inertia.zero, inertia.triangle: why -->", ""),
+    );
     assert_eq!(codes(&two), [("allow.unused", "left"), BOTH[1]]);
     assert_eq!(two.open[0].message, "no inertia.zero of left");
     // at no link it is for the model alone, and other comments say nothing
-    let text = robot("", "").replace("</robot>", "<!-- polhode: allow inertia.triangle: why --></robot><!-- Polhode -->");
+    let text = robot("", "")
+        .replace("</robot>", "<!-- polhode: allow inertia.triangle: why --></robot><!-- Polhode -->");
     let none = judged(&Policy::default(), "r.urdf", &text);
     assert_eq!(codes(&none), [BOTH[0], BOTH[1], ("allow.unused", "")]);
 }
@@ -130,10 +136,15 @@ fn an_allowance_expires_and_one_of_no_use_is_said() {
         assert_eq!(found.open.len(), open, "{day}");
         let said = remarks(&policy, &[("r.urdf", &found)]);
         assert_eq!(said.len(), usize::from(open > 0), "{day}: {said:?}");
-        assert!(said.iter().all(|(code, line, message)| code == "allow.expired" && *line == 1 && message.contains(day)));
+        assert!(
+            said.iter()
+                .all(|(code, line, message)| code == "allow.expired" && *line == 1 && message.contains(day))
+        );
     }
     let found = judged(&Policy::default(), "r.urdf", &text);
-    for (file, count) in [("r.urdf", 1), ("other.urdf", 0), ("here/there.urdf", 0), ("here/gone.urdf", 1), ("here/*.urdf", 0)] {
+    for (file, count) in
+        [("r.urdf", 1), ("other.urdf", 0), ("here/there.urdf", 0), ("here/gone.urdf", 1), ("here/*.urdf", 0)]
+    {
         let policy = config(&allow("inertia.zero", file, ""));
         let said = remarks(&policy, &[("r.urdf", &found)]);
         assert_eq!(said.len(), count, "{file}: {said:?}");
@@ -172,14 +183,26 @@ fn what_a_configuration_cannot_mean_is_refused_at_its_place() {
         ("[check.rules]\n\"inertia.triangel\" = \"note\"\n", (2, 1), "did you mean inertia.triangle?"),
         ("[check.rules]\n\"inertia.triangle\" = \"warn\"\n", (2, 22), "off"),
         ("[[check.allow]]\nrule = \"inertia.zero\"\nfile = \"*\"\n", (1, 1), "reason"),
-        ("[[check.allow]]\nrule = \"inertia.zero\"\nfile = \"*\"\nreason = \" \"\n", (4, 10), "a reason in words"),
-        ("[[check.allow]]\nrule = \"inertia.zero\"\nfile = \"*\"\nreason = \"a\"\nexpires = \"2027\"\n", (5, 11), "a day"),
+        (
+            "[[check.allow]]\nrule = \"inertia.zero\"\nfile = \"*\"\nreason = \" \"\n",
+            (4, 10),
+            "a reason in words",
+        ),
+        (
+            "[[check.allow]]\nrule = \"inertia.zero\"\nfile = \"*\"\nreason = \"a\"\nexpires = \"2027\"\n",
+            (5, 11),
+            "a day",
+        ),
         (
             "[[check.allow]]\nrule = \"inertia.zero\"\nfile = \"*\"\nreason = \"a\"\nexpires = 2027-01-01T00:00:00\n",
             (5, 11),
             "a day",
         ),
-        ("[[check.allow]]\nrule = \"inertia.zero\"\nfile = \"*\"\nreason = \"a\"\nlinks = \"b\"\n", (5, 1), "did you mean link?"),
+        (
+            "[[check.allow]]\nrule = \"inertia.zero\"\nfile = \"*\"\nreason = \"a\"\nlinks = \"b\"\n",
+            (5, 1),
+            "did you mean link?",
+        ),
         ("[check\n", (1, 7), "TOML"),
     ] {
         let error = Config::read(Path::new("polhode.toml"), text).unwrap_err();
@@ -212,12 +235,16 @@ fn a_baseline_knows_findings_wherever_they_move() {
     assert_eq!(codes(&found), [("inertia.triangle", "hand")]);
     let gone = remarks(&policy, &[("r.urdf", &found)]);
     assert_eq!(gone.len(), 1, "{gone:?}");
-    assert!(gone[0].0 == "baseline.gone" && gone[0].2.contains("inertia.triangle of right in r.urdf"), "{gone:?}");
+    assert!(
+        gone[0].0 == "baseline.gone" && gone[0].2.contains("inertia.triangle of right in r.urdf"),
+        "{gone:?}"
+    );
     // what was not looked at is not said to be gone, unless its file is
     assert_eq!(remarks(&policy, &[]).len(), 2);
     let first = judged(&Policy::default(), "here/there.urdf", &robot("", ""));
     let there = baseline::text([("here/there.urdf", &first)].into_iter()).0;
-    let policy = Policy { baseline: Some(Baseline::read(Path::new("b"), &there).unwrap()), ..Policy::default() };
+    let policy =
+        Policy { baseline: Some(Baseline::read(Path::new("b"), &there).unwrap()), ..Policy::default() };
     assert_eq!(remarks(&policy, &[]), []);
     // written again it is the same, whether open or known
     let found = judged(&policy, "here/there.urdf", &robot("", ""));
@@ -247,4 +274,16 @@ fn what_is_no_baseline_is_refused() {
         let error = Baseline::read(Path::new("known.json"), text).unwrap_err();
         assert!(error.message().contains(said), "{text}: {error}");
     }
+}
+
+#[test]
+fn the_configuration_of_the_book_is_one() {
+    let page =
+        std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../../book/check.md")).unwrap();
+    let page = page.replace("\r\n", "\n");
+    let (_, rest) = page.split_once("```toml\n").unwrap();
+    let policy = config(rest.split_once("\n```").unwrap().0);
+    assert_eq!(policy.config.fail_on, Some(Severity::Impossible));
+    assert_eq!((policy.config.exclude.len(), policy.config.allowances.len()), (2, 1));
+    assert!(policy.config.allowances[0].expires.is_some());
 }

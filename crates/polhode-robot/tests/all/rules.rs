@@ -32,10 +32,20 @@ fn each_example_breaks_its_rule_until_it_is_mended() {
 /// Words in quotes that look like a code, in the code below a folder, tests apart.
 fn codes(folder: &Path, found: &mut BTreeSet<String>) {
     const SUBJECTS: [&str; 11] = [
-        "number.", "mass.", "density.", "inertia.", "gyration.", "geometry.", "tree.", "joint.", "read.", "allow.",
+        "number.",
+        "mass.",
+        "density.",
+        "inertia.",
+        "gyration.",
+        "geometry.",
+        "tree.",
+        "joint.",
+        "read.",
+        "allow.",
         "baseline.",
     ];
-    let mut entries: Vec<PathBuf> = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+    let mut entries: Vec<PathBuf> =
+        fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
     entries.sort();
     for path in entries {
         if path.is_dir() {
@@ -75,5 +85,8 @@ fn the_page_of_the_book_is_the_table() {
         fs::write(&path, &page).unwrap();
     }
     let written = fs::read_to_string(&path).unwrap().replace("\r\n", "\n");
-    assert!(written == page, "book/rules.md is not the table: POLHODE_WRITE_RULES=1 cargo test -p polhode-robot writes it");
+    assert!(
+        written == page,
+        "book/rules.md is not the table: POLHODE_WRITE_RULES=1 cargo test -p polhode-robot writes it"
+    );
 }

@@ -94,7 +94,8 @@ impl ClosedMesh {
         if let Some(error) = of_edges(&welded, &edges).edge_errors().into_iter().next() {
             return Err(error);
         }
-        let Analysis { welded, patches, diagnosis, .. } = Analysis::of_joined(mesh, (welded, edges), sought, threads);
+        let Analysis { welded, patches, diagnosis, .. } =
+            Analysis::of_joined(mesh, (welded, edges), sought, threads);
         let inverted = require_solid(&diagnosis)?;
         let proper = (0..welded.corners.len()).filter(|&t| patches.component[t] != NONE);
         let turned = proper.map(|t| {

@@ -135,7 +135,8 @@ fn oriented_boxes_and_umbrellas_lose_no_pair() {
 fn steps_go_with_the_triangles() {
     let steps = |soup: &Soup| {
         let mesh = TriangleMesh::of_triangles(soup).unwrap();
-        let analysis = Analysis::within(u64::MAX, &mesh, joined(&mesh, Threads::of(2)), Sought::All, Threads::of(2));
+        let analysis =
+            Analysis::within(u64::MAX, &mesh, joined(&mesh, Threads::of(2)), Sought::All, Threads::of(2));
         let diagnosis = &analysis.diagnosis;
         assert!(diagnosis.overlaps.is_empty() && diagnosis.self_overlaps.is_empty(), "{diagnosis:?}");
         analysis.steps as f64 / soup.len() as f64
@@ -175,7 +176,9 @@ fn what_takes_too_many_steps_is_undecided() {
     soup.extend(turned(300, &SPINDLE, |[x, y, z]| [x + 0.1, y, z]));
     let mesh = TriangleMesh::of_triangles(&soup).unwrap();
     for (steps, undecided) in [(100, true), (u64::MAX, false)] {
-        let diagnosis = Analysis::within(steps, &mesh, joined(&mesh, Threads::of(2)), Sought::All, Threads::of(2)).diagnosis;
+        let diagnosis =
+            Analysis::within(steps, &mesh, joined(&mesh, Threads::of(2)), Sought::All, Threads::of(2))
+                .diagnosis;
         assert_eq!(
             (diagnosis.undecided, diagnosis.overlaps.is_empty()),
             (undecided.then_some(steps), undecided)

@@ -118,7 +118,7 @@ impl Rule {
                 mended.lines().filter(|line| !model.lines().any(|old| old == *line)).collect();
             let _ = if changed.is_empty() {
                 let old = example.old.trim();
-                write!(text, "Right without `{}`.\n", old.lines().next().unwrap_or(old))
+                writeln!(text, "Right without `{}`.", old.lines().next().unwrap_or(old))
             } else {
                 write!(text, "Right:\n\n```xml\n{}\n```\n", changed.join("\n"))
             };

@@ -159,7 +159,7 @@ fn paragraph(text: &mut String, label: &str, sentence: &str) {
 }
 
 /// `1 link`, `2 links`
-fn many(count: usize, what: &str) -> String {
+pub(crate) fn many(count: usize, what: &str) -> String {
     if count == 1 { format!("1 {what}") } else { format!("{count} {what}s") }
 }
 

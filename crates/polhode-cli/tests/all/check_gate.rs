@@ -302,7 +302,7 @@ fn github_gitlab_and_markdown_escape_what_they_must() {
         "{text}"
     );
     assert!(text.contains("\nallowed: a|r%m src/ok.urdf:6 [inertia.triangle]: a & b\n"), "{text}");
-    assert!(text.ends_with("4 files, 1 impossible, 0 suspect, 1 notes, 1 allowed, 0 known\n"), "{text}");
+    assert!(text.ends_with("4 files, 1 impossible, 0 suspect, 1 note, 1 allowed, 0 known\n"), "{text}");
 
     let issues: Value =
         serde_json::from_str(&printed(&scratch.run(&["check", "src", "--format", "gitlab"]), 2)).unwrap();

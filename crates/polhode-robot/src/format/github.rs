@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use super::{FileResult, Item, Run, about};
 use crate::finding::Severity;
 use crate::policy::Reason;
+use crate::text::many;
 
 impl Run<'_> {
     /// A line for each finding that counts; what is allowed or known is a line of the log.
@@ -37,10 +38,10 @@ impl Run<'_> {
             }
         }
         let ([impossible, suspect, note], allowed, known) = self.counts();
-        let files = self.files.len();
+        let (files, note) = (many(self.files.len(), "file"), many(note, "note"));
         let _ = writeln!(
             text,
-            "polhode check: {files} files, {impossible} impossible, {suspect} suspect, {note} notes, {allowed} allowed, {known} known"
+            "polhode check: {files}, {impossible} impossible, {suspect} suspect, {note}, {allowed} allowed, {known} known"
         );
         text
     }

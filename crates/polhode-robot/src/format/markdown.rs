@@ -5,14 +5,15 @@ use std::fmt::Write as _;
 use super::{FileResult, Item, Run};
 use crate::policy::Reason;
 use crate::report::severity_name;
+use crate::text::many;
 
 impl Run<'_> {
     /// The counts, the table of what counts, and what is allowed.
     pub fn to_markdown(&self) -> String {
         let ([impossible, suspect, note], allowed, known) = self.counts();
-        let files = self.files.len();
+        let (files, note) = (many(self.files.len(), "file"), many(note, "note"));
         let mut text = format!(
-            "### polhode check\n\n{files} files: **{impossible} impossible**, {suspect} suspect, {note} notes; {allowed} allowed, {known} \
+            "### polhode check\n\n{files}: **{impossible} impossible**, {suspect} suspect, {note}; {allowed} allowed, {known} \
              known.\n"
         );
         let items: Vec<Item<'_>> =

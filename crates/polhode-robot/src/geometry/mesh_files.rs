@@ -1,6 +1,7 @@
 //! Mesh files that have been read, each once: by its path, and by what is in it, as robots that are variants of each other come with copies.
 
 use std::collections::HashMap;
+use std::ffi::OsStr;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
@@ -47,7 +48,7 @@ impl Known {
 
     /// A file with the same bytes and ending. glTF names other files, so that equal bytes say nothing of it.
     fn copy_of(&mut self, path: &Path) -> Option<PathBuf> {
-        let ending = |path: &Path| path.extension().map(|ending| ending.to_ascii_lowercase());
+        let ending = |path: &Path| path.extension().map(OsStr::to_ascii_lowercase);
         let own = ending(path).filter(|ending| ending != "gltf" && ending != "glb")?;
         let others = self.by_size.entry(fs::metadata(path).ok()?.len()).or_default();
         let bytes = if others.is_empty() { Vec::new() } else { fs::read(path).ok()? };

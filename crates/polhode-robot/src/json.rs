@@ -6,7 +6,7 @@ use crate::finding::{Finding, Repair};
 use crate::line_index::LineIndex;
 use crate::policy::{Reason, Settled};
 use crate::repair::Left;
-use crate::report::{CheckReport, Counts, Fixed, format_name, place, severity_name};
+use crate::report::{CheckReport, Counts, Fixed, format_name, place};
 
 impl CheckReport {
     /// One object: `file`, `format`, `links`, `inertials`, `counts` (of findings), `verdicts` (of links), `findings`, and what of them does not count: `allowed`,
@@ -62,7 +62,7 @@ fn finding(lines: &LineIndex<'_>, text: &str, finding: &Finding, id: &str) -> Va
     json!({
         "id": id,
         "code": finding.code,
-        "severity": severity_name(finding.severity),
+        "severity": finding.severity.name(),
         "link": finding.subject,
         "others": finding.others,
         "line": line,

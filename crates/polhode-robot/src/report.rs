@@ -113,15 +113,6 @@ pub(crate) fn place(lines: &LineIndex<'_>, span: &Span) -> (usize, usize) {
     lines.place(span.start)
 }
 
-/// A severity in lower case.
-pub const fn severity_name(severity: Severity) -> &'static str {
-    match severity {
-        Severity::Impossible => "impossible",
-        Severity::Suspect => "suspect",
-        Severity::Note => "note",
-    }
-}
-
 /// The name of a language, as people write it.
 pub(crate) const fn format_name(format: ModelFormat) -> &'static str {
     match format {

@@ -16,7 +16,6 @@ use std::fmt::Write as _;
 use polhode_report::plain::{WIDTH, wrap};
 
 use crate::finding::Severity;
-use crate::report::severity_name;
 
 /// What is asked of a model.
 #[derive(Debug)]
@@ -78,7 +77,7 @@ pub fn rule(code: &str) -> Option<&'static Rule> {
 impl Rule {
     /// Lines for people.
     pub fn to_text(&self) -> String {
-        let mut text = format!("{}   {}\n", self.code, severity_name(self.severity));
+        let mut text = format!("{}   {}\n", self.code, self.severity.name());
         for (label, sentence) in [("", self.title), ("why: ", self.why), ("mend: ", self.mend)] {
             text.push('\n');
             let hang = format!("  {}", " ".repeat(label.len()));
@@ -106,7 +105,7 @@ impl Rule {
         let mut text = format!(
             "## {}\n\n*{}.* {}\n\n{}\n\n{}\n",
             self.code,
-            severity_name(self.severity),
+            self.severity.name(),
             sentence(self.title),
             self.why,
             self.mend
@@ -139,9 +138,7 @@ fn sentence(line: &str) -> String {
 /// One line a rule.
 pub fn list() -> String {
     let longest = rules().map(|rule| rule.code.len()).max().unwrap_or(0);
-    let line = |rule: &Rule| {
-        format!("{:longest$}  {:10}  {}\n", rule.code, severity_name(rule.severity), rule.title)
-    };
+    let line = |rule: &Rule| format!("{:longest$}  {:10}  {}\n", rule.code, rule.severity.name(), rule.title);
     rules().map(line).collect()
 }
 

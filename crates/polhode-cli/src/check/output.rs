@@ -10,7 +10,7 @@ use polhode_report::pretty;
 use polhode_robot::finding::Severity;
 use polhode_robot::format::{FileResult, Run, Unreadable};
 use polhode_robot::policy::Remark;
-use polhode_robot::report::{CheckReport, severity_name};
+use polhode_robot::report::CheckReport;
 use serde_json::Value;
 
 use super::files::name;
@@ -138,7 +138,7 @@ fn about_policy(results: &Results<'_>) -> String {
     }
     for Remark { file, place: (line, column), code, severity, message } in results.remarks {
         let Some(severity) = severity else { continue };
-        let _ = writeln!(text, "{}: {file}:{line}:{column} [{code}]: {message}", severity_name(*severity));
+        let _ = writeln!(text, "{}: {file}:{line}:{column} [{code}]: {message}", severity.name());
     }
     if text.is_empty() || results.outcomes.is_empty() { text } else { format!("\n{text}") }
 }

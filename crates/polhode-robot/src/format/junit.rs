@@ -4,7 +4,6 @@ use std::fmt::Write as _;
 
 use super::{FileResult, Item, Run, about};
 use crate::policy::Reason;
-use crate::report::severity_name;
 
 impl Run<'_> {
     /// Findings that fail are failures, others cases that pass and say what was found; what is allowed or known is skipped. A file without
@@ -84,7 +83,7 @@ impl Run<'_> {
                 suite.failures += 1;
                 format!("<failure type=\"{code}\" message=\"{message}\">{}</failure>", escaped(&details))
             }
-            None => format!("<system-out>{}: {}</system-out>", severity_name(*severity), escaped(&details)),
+            None => format!("<system-out>{}: {}</system-out>", severity.name(), escaped(&details)),
         };
         let subject = if item.subject.is_empty() { String::new() } else { format!(" {}", item.subject) };
         suite.case(&format!("{code}{subject} line {line}"), &inner);

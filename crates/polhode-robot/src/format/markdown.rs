@@ -4,7 +4,6 @@ use std::fmt::Write as _;
 
 use super::{FileResult, Item, Run};
 use crate::policy::Reason;
-use crate::report::severity_name;
 use crate::text::many;
 
 impl Run<'_> {
@@ -31,7 +30,7 @@ impl Run<'_> {
             }
         }
         for item in items.iter().filter(|item| item.settled.is_none()) {
-            let (severity, file, line) = (severity_name(item.severity), cell(item.file), item.start.0);
+            let (severity, file, line) = (item.severity.name(), cell(item.file), item.start.0);
             let (subject, code, message) = (cell(item.subject), cell(item.code), cell(item.message));
             let _ = writeln!(rows, "| {severity} | {file}:{line} | {subject} | {code}: {message} |");
         }

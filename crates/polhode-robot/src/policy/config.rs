@@ -12,7 +12,6 @@ use super::date::Date;
 use super::glob::{Glob, name_matches};
 use crate::finding::{Finding, Severity};
 use crate::line_index::LineIndex;
-use crate::report::severity_name;
 use crate::rule::{rule, rules};
 
 /// What a project asks of its models; by default nothing.
@@ -253,13 +252,13 @@ impl<'a> Value<'a> {
     fn severity(&self, may_be_off: bool) -> Result<Option<Severity>, ContentError> {
         let all = [Severity::Impossible, Severity::Suspect, Severity::Note];
         let names: Vec<&str> =
-            all.into_iter().map(severity_name).chain(may_be_off.then_some("off")).collect();
+            all.into_iter().map(Severity::name).chain(may_be_off.then_some("off")).collect();
         let what = format!("one of {}", names.join(", "));
         let word = self.text(&what)?;
         if may_be_off && word == "off" {
             return Ok(None);
         }
-        match all.into_iter().find(|severity| severity_name(*severity) == word) {
+        match all.into_iter().find(|severity| severity.name() == word) {
             Some(severity) => Ok(Some(severity)),
             None => {
                 let error = self.wrong(&what);

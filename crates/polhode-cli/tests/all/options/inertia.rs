@@ -91,7 +91,6 @@ static CHECK: Subcommand = Subcommand {
         ("--strict", "--write-baseline", "what is written is known, whatever it is"),
         ("--fail-on", "--write-baseline", "what is written is known, whatever it is"),
         ("--force", "--format", "refused: --fix, with which --force is tried here, has no such form"),
-        ("--force", "--write-baseline"),
     ],
 };
 

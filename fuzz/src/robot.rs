@@ -7,6 +7,7 @@ use polhode_robot::geometry::Shapes;
 use polhode_robot::inspect::{Inspection, inspect};
 use polhode_robot::lump::{Lumping, lump};
 use polhode_robot::model::{ModelFormat, RobotModel};
+use polhode_robot::policy::Policy;
 use polhode_robot::read::{ReadOptions, read_text};
 use polhode_robot::repair::proved;
 use polhode_robot::report::CheckReport;
@@ -51,7 +52,7 @@ fn model(data: &[u8], format: ModelFormat) {
         return;
     }
     assert_eq!(Some(contents(&model)), read(&model.text).as_ref().map(contents), "read twice");
-    let Inspection { geometry, findings } = inspect(&model, &mut Shapes::default());
+    let Inspection { geometry, findings } = inspect(&model, &Shapes::default());
     for finding in &findings {
         assert!(model.text.get(finding.span.clone()).is_some(), "{finding:?}");
     }
@@ -62,14 +63,16 @@ fn model(data: &[u8], format: ModelFormat) {
         }
     }
     repairs_end(&model);
-    let report = CheckReport { model, geometry, findings, fixed: None };
+    // Comments of the model may allow some of it.
+    let judged = Policy::default().judge("input", &model, findings);
+    let report = CheckReport::new(model, geometry, judged);
     assert!(!report.to_text().contains('\u{1b}') && !report.to_table().contains('\u{1b}'));
     assert!(report.to_json().is_object());
 }
 
 /// A repaired model is read, and repairing it again comes to an end: a number that can be read now may show what could not be judged before.
 fn repairs_end(model: &RobotModel) {
-    let found = |model: &RobotModel| inspect(model, &mut Shapes::default()).findings;
+    let found = |model: &RobotModel| inspect(model, &Shapes::default()).findings;
     let check = |text: &str| -> Result<Vec<Finding>, ()> { Ok(found(&read(text).ok_or(())?)) };
     let mut model = model.clone();
     for _ in 0..MOST_REPAIRS {

@@ -1,4 +1,5 @@
-//! The workflows of GitHub, which cannot be run here: they are what their schema says, and do nothing that is known to be unsafe.
+//! The workflows of GitHub, and the action for those of others, which cannot be run here: they are what their schemas say, and do nothing that is
+//! known to be unsafe.
 
 use std::process::Command;
 
@@ -9,9 +10,13 @@ use crate::{Outcome, files, root};
 /// Needs no network: the schema comes with its tool.
 pub(crate) fn check(environment: &Environment) -> Outcome {
     let workflows = files(&root().join(".github/workflows"), "yml")?;
-    let schema = ["--builtin-schema", "vendor.github-workflows"];
-    output(Command::new(environment.program("check-jsonschema")).args(schema).args(&workflows))?;
-    output(Command::new(environment.program("zizmor")).args(["--offline", "--quiet"]).args(&workflows))?;
-    println!("   {} workflows", workflows.len());
+    let actions = files(&root().join("integrations"), "yml")?;
+    for (schema, files) in [("vendor.github-workflows", &workflows), ("vendor.github-actions", &actions)] {
+        let schema = ["--builtin-schema", schema];
+        output(Command::new(environment.program("check-jsonschema")).args(schema).args(files))?;
+    }
+    let all = workflows.iter().chain(&actions);
+    output(Command::new(environment.program("zizmor")).args(["--offline", "--quiet"]).args(all))?;
+    println!("   {} workflows, {} action", workflows.len(), actions.len());
     Ok(())
 }

@@ -2,98 +2,131 @@
 
 mod files;
 mod fix;
+mod output;
+mod parallel;
+mod policy;
 
 use std::path::{Path, PathBuf};
 
-use clap::Args;
+use clap::{ArgGroup, Args};
 use polhode_formats::FormatError;
-use polhode_report::pretty;
-use polhode_robot::finding::{Finding, Severity};
+use polhode_robot::finding::Finding;
 use polhode_robot::geometry::Shapes;
 use polhode_robot::inspect::{Inspection, inspect};
+use polhode_robot::policy::{Judged, Policy};
 use polhode_robot::read::{ReadOptions, read_model, read_text};
 use polhode_robot::report::CheckReport;
-use serde_json::Value;
+use polhode_robot::rule::{list, rule, rules};
 
 use crate::failure::Failure;
 use crate::progress::FileProgress;
 use crate::stdout::print;
-use files::Unread;
+use files::{Unread, name};
 use fix::FixFlags;
+use output::{Outcome, OutputFlags, Results};
+use policy::PolicyFlags;
 
 /// Are the inertias of a robot or simulation model right? URDF, SDF, MJCF, USD, OpenSim.
 ///
 /// Impossible: these numbers are unphysical. Suspect: a body may, but hardly this link, by its own geometry. Each finding says
 /// where, by which rule, and what would repair it, if that can be proved. Folders are searched for .urdf, .sdf, .world,
-/// .usda and .osim files, and for .xml files that are models.
+/// .usda and .osim files, and for .xml files that are models. What is allowed stands in polhode.toml, in a baseline, or in the model:
+/// <!-- polhode: allow RULE: REASON -->.
 ///
 /// Exit status: 0 nothing impossible or suspect, 1 something is, 2 a file cannot be read.
 #[derive(Debug, Args)]
-#[command(after_help = "\
+#[command(
+    group = ArgGroup::new("written").args(["out", "output", "write_baseline"]).multiple(true),
+    after_help = "\
 Examples:
   polhode check robot.urdf
   polhode check robot.urdf --table
   polhode check robot.urdf --fix robot-fixed.urdf
   polhode check src/ --root src --json | jq '.[].findings[]'
-  polhode check world.sdf --root models --strict")]
+  polhode check world.sdf --root models --strict
+  polhode check src/ --fail-on impossible --format sarif --output check.sarif
+  polhode check src/ --write-baseline known.json
+  polhode check src/ --baseline known.json
+  polhode check --explain inertia.triangle"
+)]
 pub(crate) struct Check {
     /// Models, and folders to search for them.
-    #[arg(required = true, value_name = "FILE")]
+    #[arg(required_unless_present = "explain", value_name = "FILE")]
     files: Vec<PathBuf>,
     /// A folder that holds packages, for package:// and model://; may be repeated. No mesh outside is opened.
     #[arg(long = "root", value_name = "DIR")]
     roots: Vec<PathBuf>,
-    /// Print JSON: one object for one file, an array for several or for a folder.
-    #[arg(long)]
-    json: bool,
-    /// Print a table, a line a link: mass, centre, principal moments, equivalent box, density, verdict.
-    #[arg(long, conflicts_with = "json")]
-    table: bool,
-    /// Exit with 1 for notes too, such as a mesh that cannot be read.
-    #[arg(long)]
-    strict: bool,
+    #[command(flatten)]
+    output: OutputFlags,
+    #[command(flatten)]
+    policy: PolicyFlags,
     #[command(flatten)]
     fix: FixFlags,
+    /// Print what a rule asks, why, how to mend what breaks it, and an example; without CODE all rules, a line each.
+    #[arg(long, value_name = "CODE", num_args = 0..=1, conflicts_with_all = [
+        "files", "roots", "json", "table", "format", "output", "fail_on", "strict", "config", "baseline", "write_baseline", "out", "force",
+    ])]
+    explain: Option<Option<String>>,
 }
 
 impl Check {
     pub(crate) fn run(self) -> Result<(), Failure> {
-        let inputs = files::models(&self.files);
-        let one = inputs.len() == 1 && !self.files.iter().any(|file| file.is_dir());
+        if let Some(code) = &self.explain {
+            return explain(code.as_deref());
+        }
+        let (policy, fail_on) = self.policy.read()?;
+        let found = files::models(&self.files);
+        let one = found.len() == 1 && !self.files.iter().any(|file| file.is_dir());
+        let is_excluded = |path: &Path| policy.config.exclude.iter().any(|glob| glob.matches(&name(path)));
+        let count = found.len();
+        let inputs: Vec<Result<PathBuf, Unread>> =
+            found.into_iter().filter(|input| !input.as_ref().is_ok_and(|path| is_excluded(path))).collect();
+        let excluded = count - inputs.len();
         let models: Vec<&Path> = inputs.iter().filter_map(|input| input.as_deref().ok()).collect();
         let target = self.fix.target(&models)?;
-        let (mut texts, mut values) = (Vec::new(), Vec::new());
-        let (mut failures, mut found) = (Vec::new(), false);
-        let mut shapes = Shapes::default();
+        self.output.require_no_other_form(target.is_some())?;
+
+        let threads = parallel::threads();
+        let shapes = Shapes::with_threads((threads / models.len().max(1)).max(1));
         let mut progress = FileProgress::new(models.len());
-        for input in inputs {
-            let answer = input.and_then(|file| {
-                progress.next(&file);
-                let report = self.report(&file, target, &mut shapes);
-                report.map_err(|failure| Unread { failure: failure.about(&file), path: file })
-            });
-            let report = match answer {
-                Ok(report) => report,
-                Err(Unread { path, failure }) => {
-                    values.push(failure.to_json(&path));
-                    failures.push(failure);
-                    continue;
-                }
-            };
-            found |= self.fails(report.fixed.as_ref().map_or(&report.findings, |fixed| &fixed.remaining));
-            match (self.json, self.table) {
-                (true, _) => values.push(report.to_json()),
-                (_, true) => texts.push(report.to_table()),
-                _ => texts.push(report.to_text()),
-            }
-        }
-        drop(progress);
-        let text = match values.as_slice() {
-            _ if !self.json => texts.join("\n"),
-            [value] if one => pretty(value) + "\n",
-            _ => pretty(&Value::Array(values)) + "\n",
+        let report = |input: &Result<PathBuf, Unread>| {
+            Some(self.report(input.as_ref().ok()?, target, &shapes, &policy))
         };
-        print(&text)?;
+        let done = |input: &Result<PathBuf, Unread>| input.iter().for_each(|file| progress.next(file));
+        let reports = parallel::map(&inputs, threads, report, done);
+        drop(progress);
+        let outcome =
+            |(input, report): (Result<PathBuf, Unread>, Option<Result<CheckReport, Failure>>)| match input {
+                Ok(path) => report
+                    .map(|report| Outcome { report: report.map_err(|failure| failure.about(&path)), path }),
+                Err(Unread { path, failure }) => Some(Outcome { path, report: Err(failure) }),
+            };
+        let outcomes: Vec<Outcome> = inputs.into_iter().zip(reports).filter_map(outcome).collect();
+
+        let judged: Vec<(String, &Judged)> = outcomes
+            .iter()
+            .filter_map(|outcome| Some((name(&outcome.path), &outcome.report.as_ref().ok()?.judged)))
+            .collect();
+        let judged = || judged.iter().map(|(file, judged)| (file.as_str(), *judged));
+        let remarks = policy.remarks(judged(), |file| Path::new(file).exists());
+        self.output.write(
+            &Results { outcomes: &outcomes, one, excluded, remarks: &remarks, fail_on },
+            self.fix.force,
+        )?;
+
+        let fails = |findings: &[Finding]| findings.iter().any(|finding| finding.severity >= fail_on);
+        let remaining = |report: &CheckReport| match &report.fixed {
+            Some(fixed) => fails(&fixed.remaining),
+            None => fails(report.findings()),
+        };
+        let mut found =
+            remarks.iter().any(|remark| remark.severity.is_some_and(|severity| severity >= fail_on))
+                || outcomes.iter().filter_map(|outcome| outcome.report.as_ref().ok()).any(remaining);
+        if outcomes.iter().all(|outcome| outcome.report.is_ok()) {
+            found &= !self.policy.write_baseline(judged(), self.fix.force)?;
+        }
+        let mut failures: Vec<Failure> =
+            outcomes.into_iter().filter_map(|outcome| outcome.report.err()).collect();
         if found {
             failures.push(Failure::Findings);
         }
@@ -105,13 +138,15 @@ impl Check {
         &self,
         file: &Path,
         target: Option<(&Path, bool)>,
-        shapes: &mut Shapes<'_>,
+        shapes: &Shapes<'_>,
+        policy: &Policy,
     ) -> Result<CheckReport, Failure> {
         let model = read_model(file, &self.reading())?;
         let Inspection { geometry, findings } = inspect(&model, shapes);
-        let report = CheckReport { model, geometry, findings, fixed: None };
+        let judged = policy.judge(&name(file), &model, findings);
+        let report = CheckReport::new(model, geometry, judged);
         match target {
-            Some(target) => fix::fixed(report, target, |text| self.findings_in(text, file, shapes)),
+            Some(target) => fix::fixed(report, target, |text| self.findings_in(text, file, shapes, policy)),
             None => Ok(report),
         }
     }
@@ -121,19 +156,31 @@ impl Check {
         &self,
         text: &str,
         file: &Path,
-        shapes: &mut Shapes<'_>,
+        shapes: &Shapes<'_>,
+        policy: &Policy,
     ) -> Result<Vec<Finding>, FormatError> {
         let model = read_text(text, file, &self.reading())?;
-        Ok(inspect(&model, shapes).findings)
+        let findings = inspect(&model, shapes).findings;
+        Ok(policy.judge(&name(file), &model, findings).open)
     }
 
     fn reading(&self) -> ReadOptions {
         ReadOptions { roots: self.roots.clone(), confined: false }
     }
+}
 
-    /// True if one of these is enough to fail.
-    fn fails(&self, findings: &[Finding]) -> bool {
-        let least = if self.strict { Severity::Note } else { Severity::Suspect };
-        findings.iter().any(|finding| finding.severity >= least)
+/// A rule, or all of them.
+fn explain(code: Option<&str>) -> Result<(), Failure> {
+    let Some(code) = code else { return print(&list()) };
+    match rule(code) {
+        Some(rule) => print(&rule.to_text()),
+        None => {
+            let meant = polhode_formats::nearest(code, rules().map(|rule| rule.code));
+            let meant = meant.map_or(String::new(), |meant| format!("did you mean {meant}? "));
+            Err(Failure::usage(
+                format!("there is no rule {code}"),
+                format!("{meant}--explain alone lists all rules"),
+            ))
+        }
     }
 }

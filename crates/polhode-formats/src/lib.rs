@@ -35,3 +35,4 @@ pub mod voxel;
 pub use content::{ContentError, ContentErrorKind, ContentPlace};
 pub use error::{FormatError, FormatErrorKind, Place};
 pub use reading::{read_file, read_text_file};
+pub use scenario::suggestion::nearest;

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use polhode_robot::geometry::Shapes;
 use polhode_robot::inspect::{Inspection, inspect};
+use polhode_robot::policy::Policy;
 use polhode_robot::read::{ReadOptions, read_model};
 use polhode_robot::report::CheckReport;
 use pyo3::prelude::*;
@@ -22,8 +23,9 @@ pub(crate) fn check_file(
 ) -> PyResult<(String, String, String)> {
     py.detach(|| {
         let model = read_model(&path, &ReadOptions { roots, confined: false }).map_err(Raise::raise)?;
-        let Inspection { geometry, findings } = inspect(&model, &mut Shapes::default());
-        let report = CheckReport { model, geometry, findings, fixed: None };
+        let Inspection { geometry, findings } = inspect(&model, &Shapes::default());
+        let judged = Policy::default().judge(&path.to_string_lossy(), &model, findings);
+        let report = CheckReport::new(model, geometry, judged);
         Ok((report.to_json().to_string(), report.to_text(), report.to_table()))
     })
 }

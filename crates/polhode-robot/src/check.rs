@@ -17,9 +17,11 @@
 //!
 //! Each rule is a file, and says why its thresholds are what they are.
 
+mod alike;
 mod body;
 mod conjugate;
 mod density;
+mod dummy;
 mod explain;
 mod explanation;
 mod gyration;
@@ -34,6 +36,7 @@ mod power;
 mod print;
 mod sign;
 mod tree;
+mod tree_order;
 mod unit;
 mod written;
 
@@ -41,6 +44,7 @@ use crate::finding::{Finding, Repair, Severity};
 use crate::geometry::{MeshReading, Shapes, Volume};
 use crate::model::{Link, RobotModel, Role, Span};
 use body::Body;
+use dummy::Held;
 use possible::Verdict;
 use print::Print;
 use tree::Tree;
@@ -58,7 +62,7 @@ pub struct LinkGeometry {
 
 impl LinkGeometry {
     /// The sets of a link's shapes that can be measured as a whole. Half of a body says nothing of it.
-    pub fn of(link: &Link, shapes: &mut Shapes<'_>) -> Self {
+    pub fn of(link: &Link, shapes: &Shapes<'_>) -> Self {
         let mut geometry = Self::default();
         for role in [Role::Visual, Role::Collision] {
             let both = shapes.is_turned_by_some(link, role);
@@ -94,8 +98,8 @@ impl LinkGeometry {
 /// let text = r#"<robot><link name="hull"><inertial><mass value="1.5"/>
 ///     <inertia ixx="0.0347563" iyy="0.0458929" izz="0.0977" ixy="0" ixz="0" iyz="0"/></inertial></link></robot>"#;
 /// let model = read_text(text, "iris.urdf".as_ref(), &ReadOptions::default())?;
-/// let mut shapes = Shapes::default();
-/// let geometry: Vec<_> = model.links.iter().map(|link| LinkGeometry::of(link, &mut shapes)).collect();
+/// let shapes = Shapes::default();
+/// let geometry: Vec<_> = model.links.iter().map(|link| LinkGeometry::of(link, &shapes)).collect();
 /// let findings = check(&model, &geometry);
 /// assert_eq!(findings[0].code, "inertia.triangle");
 /// assert_eq!(findings[0].message, "i1 + i2 = 0.0806492 < i3 = 0.0977 kg·m² (by 0.0170508)");
@@ -110,21 +114,24 @@ pub fn check(model: &RobotModel, geometry: &[LinkGeometry]) -> Vec<Finding> {
     for (k, link) in model.links.iter().enumerate() {
         let placed = link.inertial.as_ref().is_none_or(|inertial| inertial.pose.unreadable.is_empty());
         let geometry = geometry.get(k).filter(|_| placed).unwrap_or(&nothing);
-        let body = Body::of(model.format, link, geometry, print);
+        bodies.push(Body::of(model.format, link, geometry, print));
+    }
+    let held = dummy::held(&tree, &bodies);
+    for (k, (link, body)) in model.links.iter().zip(&bodies).enumerate() {
         numbers::check(model, link, &tree, k, &mut findings);
         mass::check(model, &tree, k, &mut findings);
-        if let Some(body) = &body {
-            let mut found = of_body(body, tree.is_carried(k));
+        if let Some(body) = body {
+            let mut found = of_body(body, held.get(k).copied().unwrap_or(Held::Free));
             leave_one_repair(&mut found);
             findings.append(&mut found);
         } else if let Some(inertial) = &link.inertial {
             findings.extend(possible::of_moments(link, inertial));
         }
-        bodies.push(body);
     }
     numbers::elsewhere(model, &mut findings);
     pair::check(model, &tree, &bodies, &mut findings);
     placeholder::repeated(&bodies, &mut findings);
+    let mut findings = alike::grouped(findings);
     for finding in &mut findings {
         finding.numbers.retain(|(_, x)| x.is_finite());
         if !model.is_si {
@@ -135,28 +142,23 @@ pub fn check(model: &RobotModel, geometry: &[LinkGeometry]) -> Vec<Finding> {
     findings
 }
 
-/// What a rule finds in a body.
-type Rule = fn(&Body, &mut Vec<Finding>);
-
-/// Why a possible tensor may be wrong, the surest reason first: one is enough.
-const REASONS: [Rule; 3] = [explain::check, placeholder::check, gyration::check];
-
-/// What else is asked of every possible body.
-const RULES: [Rule; 1] = [density::check];
-
 /// What is wrong with one body's mass and tensor.
-fn of_body(body: &Body, carried: bool) -> Vec<Finding> {
+fn of_body(body: &Body, held: Held) -> Vec<Finding> {
     let mut findings = Vec::new();
-    match possible::check(body, carried, &mut findings) {
+    match possible::check(body, held != Held::Free, &mut findings) {
         Verdict::Possible => {
-            for reason in REASONS {
-                if findings.iter().all(|f| f.severity < Severity::Suspect) {
-                    reason(body, &mut findings);
-                }
+            // Why it may be wrong, the surest reason first: one is enough.
+            let is_open = |findings: &[Finding]| findings.iter().all(|f| f.severity < Severity::Suspect);
+            if is_open(&findings) {
+                explain::check(body, &mut findings);
             }
-            for rule in RULES {
-                rule(body, &mut findings);
+            if is_open(&findings) {
+                placeholder::check(body, &mut findings);
             }
+            if is_open(&findings) {
+                gyration::check(body, held, &mut findings);
+            }
+            density::check(body, held, &mut findings);
         }
         Verdict::Impossible => {
             let told = findings.len();

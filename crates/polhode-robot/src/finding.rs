@@ -13,6 +13,17 @@ pub enum Severity {
     Impossible,
 }
 
+impl Severity {
+    /// In lower case.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Impossible => "impossible",
+            Self::Suspect => "suspect",
+            Self::Note => "note",
+        }
+    }
+}
+
 /// Something wrong, where, why, and what would repair it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Finding {

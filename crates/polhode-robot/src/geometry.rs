@@ -13,12 +13,13 @@
 
 pub mod collada;
 mod mesh;
+mod mesh_files;
 mod primitive;
 
-use std::collections::HashMap;
 use std::fmt;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
+use std::thread;
 
 use polhode::body::MassProperties;
 use polhode::body::mesh::TriangleMesh;
@@ -28,6 +29,7 @@ use polhode::math::Part;
 use crate::model::{Geometry, GeometryShape, Link, Role, Span};
 use crate::pose::{dot, sum};
 use mesh::{Measured, Mesh};
+use mesh_files::MeshFiles;
 use primitive::Primitive;
 
 /// What a shape, or several, enclose. All of it is in the link's frame.
@@ -76,7 +78,7 @@ pub enum MeshReading {
     Other,
 }
 
-/// Measures shapes; each mesh file is read once.
+/// Measures shapes, for several threads at once; each mesh file is read once.
 ///
 /// ```
 /// use polhode_robot::{geometry::Shapes, model::Role, read};
@@ -90,7 +92,8 @@ pub enum MeshReading {
 /// # Ok::<(), polhode_formats::FormatError>(())
 /// ```
 pub struct Shapes<'a> {
-    meshes: HashMap<PathBuf, Result<Arc<Mesh>, String>>,
+    meshes: MeshFiles,
+    threads: usize,
     goes_on: &'a (dyn Fn() -> bool + Sync),
 }
 
@@ -107,6 +110,7 @@ struct Solid {
 }
 
 impl Default for Shapes<'_> {
+    /// Each mesh is measured on all threads of the machine.
     fn default() -> Self {
         Self::watched(&|| true)
     }
@@ -121,16 +125,22 @@ impl fmt::Debug for Shapes<'_> {
 impl<'a> Shapes<'a> {
     /// Measures as long as it `goes_on`, which is asked often: after that no mesh is measured.
     pub fn watched(goes_on: &'a (dyn Fn() -> bool + Sync)) -> Self {
-        Self { meshes: HashMap::new(), goes_on }
+        let threads = thread::available_parallelism().map_or(1, usize::from);
+        Self { meshes: MeshFiles::default(), threads, goes_on }
+    }
+
+    /// Measures each mesh on at most so many threads: one is best where several ask.
+    pub fn with_threads(threads: usize) -> Self {
+        Self { threads, ..Self::default() }
     }
 
     /// All shapes of a link that have this role, as one.
-    pub fn link(&mut self, link: &Link, role: Role) -> LinkVolume {
+    pub fn link(&self, link: &Link, role: Role) -> LinkVolume {
         self.link_as(link, role, MeshReading::Usual)
     }
 
     /// True if programs disagree on how one of these shapes is turned.
-    pub fn is_turned_by_some(&mut self, link: &Link, role: Role) -> bool {
+    pub fn is_turned_by_some(&self, link: &Link, role: Role) -> bool {
         let mut shapes = link.geometry.iter().filter(|geometry| geometry.role == role);
         shapes.any(|geometry| match &geometry.shape {
             GeometryShape::Mesh { path: Ok(path), .. } => {
@@ -141,7 +151,7 @@ impl<'a> Shapes<'a> {
     }
 
     /// All shapes of a link that have this role, as one, with its meshes read in this way.
-    pub fn link_as(&mut self, link: &Link, role: Role, reading: MeshReading) -> LinkVolume {
+    pub fn link_as(&self, link: &Link, role: Role, reading: MeshReading) -> LinkVolume {
         let mut set = LinkVolume::default();
         for geometry in link.geometry.iter().filter(|geometry| geometry.role == role) {
             match self.geometry_as(geometry, reading) {
@@ -161,11 +171,11 @@ impl<'a> Shapes<'a> {
     ///
     /// # Errors
     /// In words, why it has no volume: a size that is none, a mesh that cannot be found or read or is flat, a plane.
-    pub fn geometry(&mut self, geometry: &Geometry) -> Result<Volume, String> {
+    pub fn geometry(&self, geometry: &Geometry) -> Result<Volume, String> {
         self.geometry_as(geometry, MeshReading::Usual)
     }
 
-    fn geometry_as(&mut self, geometry: &Geometry, reading: MeshReading) -> Result<Volume, String> {
+    fn geometry_as(&self, geometry: &Geometry, reading: MeshReading) -> Result<Volume, String> {
         let (solid, reach, kind) = match &geometry.shape {
             GeometryShape::Other(what) => return Err(format!("{what} has no volume")),
             GeometryShape::Mesh { uri, path, scale } => {
@@ -219,20 +229,15 @@ impl<'a> Shapes<'a> {
     ///
     /// # Errors
     /// In words, why the file cannot be read.
-    pub fn surface(&mut self, path: &Path) -> Result<Arc<TriangleMesh>, String> {
+    pub fn surface(&self, path: &Path) -> Result<Arc<TriangleMesh>, String> {
         Ok(self.mesh(path)?.usual.clone())
     }
 
-    fn mesh(&mut self, path: &Path) -> Result<Arc<Mesh>, String> {
+    fn mesh(&self, path: &Path) -> Result<Arc<Mesh>, String> {
         if !(self.goes_on)() {
             return Err(ENDED.to_owned());
         }
-        if let Some(known) = self.meshes.get(path) {
-            return known.clone();
-        }
-        let mesh = Mesh::read(path, self.goes_on).map(Arc::new);
-        self.meshes.insert(path.to_owned(), mesh.clone());
-        mesh
+        self.meshes.mesh(path, |path| Mesh::read(path, self.threads, self.goes_on))
     }
 }
 

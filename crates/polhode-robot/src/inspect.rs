@@ -22,11 +22,11 @@ pub struct Inspection {
 /// let text = r#"<robot><link name="a"><inertial><mass value="1.7"/>
 ///     <inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="3"/></inertial></link></robot>"#;
 /// let model = read_text(text, "a.urdf".as_ref(), &ReadOptions::default())?;
-/// let found = inspect(&model, &mut Shapes::default());
+/// let found = inspect(&model, &Shapes::default());
 /// assert_eq!(found.findings[0].code, "inertia.triangle");
 /// # Ok::<(), polhode_formats::FormatError>(())
 /// ```
-pub fn inspect(model: &RobotModel, shapes: &mut Shapes<'_>) -> Inspection {
+pub fn inspect(model: &RobotModel, shapes: &Shapes<'_>) -> Inspection {
     let geometry: Vec<_> = model.links.iter().map(|link| LinkGeometry::of(link, shapes)).collect();
     let mut findings = check(model, &geometry);
     for (link, geometry) in model.links.iter().zip(&geometry) {
@@ -38,7 +38,7 @@ pub fn inspect(model: &RobotModel, shapes: &mut Shapes<'_>) -> Inspection {
 }
 
 /// The shapes of a link that could not be measured. A plane has no volume, and is none the worse for it.
-fn unmeasured_shapes(link: &Link, geometry: &LinkGeometry, shapes: &mut Shapes<'_>) -> Vec<Finding> {
+fn unmeasured_shapes(link: &Link, geometry: &LinkGeometry, shapes: &Shapes<'_>) -> Vec<Finding> {
     let has = |role: &Role| link.geometry.iter().any(|geometry| geometry.role == *role);
     let roles = [Role::Visual, Role::Collision];
     let read_twice = geometry.is_turned_by_some;

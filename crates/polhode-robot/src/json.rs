@@ -4,11 +4,13 @@ use serde_json::{Map, Value, json};
 
 use crate::finding::{Finding, Repair};
 use crate::line_index::{FilePlace, Places};
+use crate::policy::{Reason, Settled};
 use crate::repair::Left;
-use crate::report::{CheckReport, Counts, Fixed, format_name, severity_name};
+use crate::report::{CheckReport, Counts, Fixed, format_name};
 
 impl CheckReport {
-    /// One object: `file`, `format`, `links`, `inertials`, `counts` (of findings), `verdicts` (of links), `findings`; `fix` where repairs were asked for.
+    /// One object: `file`, `format`, `links`, `inertials`, `counts` (of findings), `verdicts` (of links), `findings`, and what of them does not count: `allowed`,
+    /// `known`, `off`; `fix` where repairs were asked for.
     ///
     /// Lines and columns count from 1, columns in characters. `file` of a finding is there if that is a file that the model includes.
     pub fn to_json(&self) -> Value {
@@ -16,7 +18,7 @@ impl CheckReport {
         let by_link = self.link_counts();
         let ok = self.model.links.len().saturating_sub(by_link.sum());
         let places = Places::of(&self.model);
-        let finding = |f: &Finding| finding(&places, &self.model.text, f);
+        let finding = |f: &Finding, id: &str| finding(&places, &self.model.text, f, id);
         let mut object = Map::new();
         let mut insert = |key: &str, value: Value| object.insert(key.to_owned(), value);
         insert("polhode", polhode_report::VERSION.into());
@@ -30,21 +32,37 @@ impl CheckReport {
         insert("counts", json!({ "impossible": impossible, "suspect": suspect, "note": note }));
         let Counts { impossible, suspect, note } = by_link;
         insert("verdicts", json!({ "impossible": impossible, "suspect": suspect, "note": note, "ok": ok }));
-        insert("findings", self.findings.iter().map(finding).collect());
+        let open = self.findings().iter().zip(&self.judged.ids);
+        insert("findings", open.map(|(f, id)| finding(f, id)).collect());
+        let (mut allowed, mut known) = (Vec::new(), Vec::new());
+        for Settled { finding: settled, id, why } in &self.judged.settled {
+            let mut value = finding(settled, id);
+            match why {
+                Reason::Known => known.push(value),
+                Reason::Allowed(reason) => {
+                    value["reason"] = reason.as_str().into();
+                    allowed.push(value);
+                }
+            }
+        }
+        insert("allowed", allowed.into());
+        insert("known", known.into());
+        insert("off", self.judged.off.into());
         if let Some(fixed) = &self.fixed {
-            insert("fix", fix(&self.findings, fixed));
+            insert("fix", fix(self.findings(), fixed));
         }
         Value::Object(object)
     }
 }
 
-fn finding(places: &Places<'_>, text: &str, finding: &Finding) -> Value {
+fn finding(places: &Places<'_>, text: &str, finding: &Finding, id: &str) -> Value {
     let FilePlace { file, is_included, line, column } = places.place(&finding.span);
     let numbers: Map<String, Value> =
         finding.numbers.iter().map(|&(name, value)| (name.to_owned(), Value::from(value))).collect();
     let mut object = json!({
+        "id": id,
         "code": finding.code,
-        "severity": severity_name(finding.severity),
+        "severity": finding.severity.name(),
         "link": finding.subject,
         "others": finding.others,
         "line": line,

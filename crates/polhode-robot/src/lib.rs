@@ -2,10 +2,13 @@
 //!
 //! - [`model`]: what a file says: links, inertials, geometry, joints, and where each number stands
 //! - [`read`]: files in, models out
+//! - [`format`]: results as other programs read them: SARIF, JUnit, GitHub, GitLab, Markdown
 //! - [`geometry`]: what the shapes of a link enclose
-//! - [`mod@check`]: the rules
+//! - [`mod@check`]: the checks
+//! - [`mod@rule`]: all rules in one table, each with its reason, its remedy and an example
 //! - [`finding`]: what is wrong with a model, why, and what would repair it
 //! - [`inspect`]: a model with its shapes measured and its rules checked
+//! - [`policy`]: what of the findings counts: severities of one's own, allowances, baselines
 //! - [`repair`]: the text with repairs made, every other byte as it was
 //! - [`report`]: all that for people and for programs
 //! - [`body`]: a link's mass properties in its own frame
@@ -17,6 +20,7 @@
 pub mod body;
 pub mod check;
 pub mod finding;
+pub mod format;
 pub mod geometry;
 pub mod inspect;
 mod json;
@@ -25,11 +29,13 @@ pub mod lump;
 pub mod model;
 pub mod moments;
 mod placement;
+pub mod policy;
 mod pose;
 pub mod read;
 pub mod remarks;
 pub mod repair;
 pub mod report;
+pub mod rule;
 mod span;
 mod table;
 mod text;

@@ -79,11 +79,21 @@ impl<'a> Places<'a> {
 
     /// The place of a span's first byte.
     pub fn place(&self, span: &Span) -> FilePlace<'a> {
+        self.at(span, span.start)
+    }
+
+    /// The place behind its last byte.
+    pub fn end(&self, span: &Span) -> FilePlace<'a> {
+        self.at(span, span.end)
+    }
+
+    // A byte of a span, in the file that has its first.
+    fn at(&self, span: &Span, byte: usize) -> FilePlace<'a> {
         let number = self.files.partition_point(|(_, start, _)| *start <= span.start).saturating_sub(1);
         let Some((file, start, lines)) = self.files.get(number) else {
             return FilePlace { file: Path::new(""), is_included: false, line: 1, column: 1 };
         };
-        let (line, column) = lines.place(span.start - start);
+        let (line, column) = lines.place(byte.saturating_sub(*start));
         FilePlace { file, is_included: number > 0, line, column }
     }
 }

@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 use crate::check::LinkGeometry;
 use crate::finding::{Finding, Severity};
 use crate::model::{ModelFormat, RobotModel};
+use crate::policy::Judged;
 use crate::repair::{Repaired, repaired};
 
 /// A checked model.
@@ -15,8 +16,8 @@ pub struct CheckReport {
     pub model: RobotModel,
     /// What its links look like, in their order: for the densities of the table.
     pub geometry: Vec<LinkGeometry>,
-    /// What is wrong with it.
-    pub findings: Vec<Finding>,
+    /// What is wrong with it, and what of that counts.
+    pub judged: Judged,
     /// What was repaired, and where that was written; `None` if nothing was asked for.
     pub fixed: Option<Fixed>,
 }
@@ -62,9 +63,19 @@ impl Counts {
 }
 
 impl CheckReport {
+    /// A checked model that is not repaired.
+    pub const fn new(model: RobotModel, geometry: Vec<LinkGeometry>, judged: Judged) -> Self {
+        Self { model, geometry, judged, fixed: None }
+    }
+
+    /// What counts of what is wrong with it.
+    pub fn findings(&self) -> &[Finding] {
+        &self.judged.open
+    }
+
     /// Findings by their severity.
     pub fn counts(&self) -> Counts {
-        Counts::of(self.findings.iter().map(|f| f.severity))
+        Counts::of(self.findings().iter().map(|f| f.severity))
     }
 
     /// Links by the worst that was found about each; the others are without findings.
@@ -76,7 +87,7 @@ impl CheckReport {
     /// The worst that was found, of each subject about which something was.
     pub(crate) fn verdicts(&self) -> BTreeMap<&str, Severity> {
         let mut verdicts: BTreeMap<&str, Severity> = BTreeMap::new();
-        for Finding { subject, others, severity, .. } in &self.findings {
+        for Finding { subject, others, severity, .. } in self.findings() {
             for name in [subject].into_iter().chain(others) {
                 let worst = verdicts.entry(name).or_insert(*severity);
                 *worst = (*worst).max(*severity);
@@ -87,21 +98,12 @@ impl CheckReport {
 
     /// What repairs would change.
     pub(crate) fn possible_repairs(&self) -> Repaired {
-        repaired(&self.model, &self.findings)
+        repaired(&self.model, self.findings())
     }
 
     /// Links that say something of their mass.
     pub(crate) fn inertials(&self) -> usize {
         self.model.links.iter().filter(|link| link.inertial.is_some()).count()
-    }
-}
-
-/// A severity in lower case.
-pub(crate) const fn severity_name(severity: Severity) -> &'static str {
-    match severity {
-        Severity::Impossible => "impossible",
-        Severity::Suspect => "suspect",
-        Severity::Note => "note",
     }
 }
 

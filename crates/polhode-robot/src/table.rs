@@ -5,7 +5,7 @@ use polhode_report::plain::{columns, number, plain_spaces, printable};
 use crate::check::LinkGeometry;
 use crate::model::{Inertial, Link, Slot, Tensor};
 use crate::moments::Moments;
-use crate::report::{CheckReport, format_name, severity_name};
+use crate::report::{CheckReport, format_name};
 
 /// Digits of every number: enough to see a wrong power of ten, or left unlike right.
 const DIGITS: usize = 4;
@@ -44,7 +44,7 @@ impl CheckReport {
         let mut rows = vec![HEADS.map(str::to_owned).to_vec()];
         for (k, link) in self.model.links.iter().enumerate() {
             let verdict = match verdicts.get(link.name.text.as_str()) {
-                Some(&severity) => severity_name(severity),
+                Some(&severity) => severity.name(),
                 _ if link.inertial.is_none() => "no mass",
                 _ => "ok",
             };

@@ -8,6 +8,7 @@ use polhode_report::plain::{WIDTH, plain_spaces, printable, wrap};
 
 use crate::finding::{Finding, Severity};
 use crate::line_index::{FilePlace, Places};
+use crate::policy::{Judged, Reason, Settled};
 use crate::repair::{Left, Repaired};
 use crate::report::{CheckReport, Counts, Fixed, format_name};
 
@@ -19,9 +20,9 @@ impl CheckReport {
     pub fn to_text(&self) -> String {
         let mut text = self.heading();
         let places = Places::of(&self.model);
-        let subjects = || self.findings.iter().map(|f| subject(f).chars().count());
+        let subjects = || self.findings().iter().map(|f| subject(f).chars().count());
         let longest = subjects().filter(|&width| width <= 24).max().unwrap_or(0);
-        for (k, finding) in self.findings.iter().enumerate() {
+        for (k, finding) in self.findings().iter().enumerate() {
             let FilePlace { file, line, column, .. } = places.place(&finding.span);
             let file = printable(&file.to_string_lossy());
             let subject = subject(finding);
@@ -38,6 +39,7 @@ impl CheckReport {
                 paragraph(&mut text, "repair: ", &repair.description);
             }
         }
+        self.write_settled(&mut text, &places);
         match &self.fixed {
             Some(fixed) => self.write_fixed(&mut text, fixed),
             None => self.write_advice(&mut text),
@@ -65,12 +67,36 @@ impl CheckReport {
         )
     }
 
+    /// What is allowed, each with its reason, and how many findings are known or of rules that are off.
+    fn write_settled(&self, text: &mut String, places: &Places<'_>) {
+        let Judged { settled, off, .. } = &self.judged;
+        if settled.is_empty() && *off == 0 {
+            return;
+        }
+        text.push('\n');
+        for Settled { finding, why, .. } in settled {
+            let Reason::Allowed(reason) = why else { continue };
+            let FilePlace { file, line, column, .. } = places.place(&finding.span);
+            let file = printable(&file.to_string_lossy());
+            let (subject, code) = (subject(finding), finding.code);
+            let _ =
+                writeln!(text, "allowed: {subject} {file}:{line}:{column} [{code}]: {}", printable(reason));
+        }
+        let known = settled.iter().filter(|settled| settled.why == Reason::Known).count();
+        if known > 0 {
+            let _ = writeln!(text, "known: {}, in the baseline", many(known, "finding"));
+        }
+        if *off > 0 {
+            let _ = writeln!(text, "off: {} of rules that are off", many(*off, "finding"));
+        }
+    }
+
     /// What `--fix` would do, where anything was found that is not only worth knowing.
     fn write_advice(&self, text: &mut String) {
         let Repaired { applied, changes, .. } = self.possible_repairs();
         let rest =
             |(k, f): &(usize, &Finding)| f.severity > Severity::Note && applied.binary_search(k).is_err();
-        let rest = self.findings.iter().enumerate().filter(rest).count();
+        let rest = self.findings().iter().enumerate().filter(rest).count();
         let advice = match (changes, rest) {
             (0, 0) => return,
             (0, _) => format!("{} you: no repair can be proved.", needs(rest)),
@@ -89,7 +115,7 @@ impl CheckReport {
         let Fixed { out, repaired, remaining } = fixed;
         text.push('\n');
         for Left { finding, why } in &repaired.left {
-            if let Some(finding) = self.findings.get(*finding) {
+            if let Some(finding) = self.findings().get(*finding) {
                 paragraph(
                     text,
                     "not repaired: ",
@@ -134,7 +160,7 @@ fn paragraph(text: &mut String, label: &str, sentence: &str) {
 }
 
 /// `1 link`, `2 links`
-fn many(count: usize, what: &str) -> String {
+pub(crate) fn many(count: usize, what: &str) -> String {
     if count == 1 { format!("1 {what}") } else { format!("{count} {what}s") }
 }
 

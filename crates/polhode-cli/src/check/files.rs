@@ -1,9 +1,10 @@
 //! The models that a command line names: files as they are, folders searched.
 
 use std::collections::BTreeSet;
+use std::env;
 use std::fs;
 use std::io;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
 use crate::failure::Failure;
 use crate::model_file::is_model;
@@ -42,6 +43,26 @@ pub(super) fn models(named: &[PathBuf]) -> Vec<Result<PathBuf, Unread>> {
         }
     }
     models
+}
+
+/// What globs, baselines and reports call a file: relative to the working directory if it is in it, with slashes.
+pub(super) fn name(path: &Path) -> String {
+    let here = env::current_dir().unwrap_or_default();
+    let path = path.strip_prefix(&here).unwrap_or(path);
+    let mut name = String::new();
+    for component in path.components() {
+        match component {
+            Component::CurDir => {}
+            Component::RootDir => name.push('/'),
+            other => {
+                if !name.is_empty() && !name.ends_with('/') {
+                    name.push('/');
+                }
+                name.push_str(&other.as_os_str().to_string_lossy());
+            }
+        }
+    }
+    name
 }
 
 fn search(root: &Path, models: &mut Vec<Result<PathBuf, Unread>>) {

@@ -18,11 +18,11 @@ use crate::stderr::shown;
 #[derive(Debug, Args)]
 pub(super) struct FixFlags {
     /// Write the model with all repairs that can be proved; every other byte stays as it is.
-    #[arg(long = "fix", value_name = "OUT")]
+    #[arg(long = "fix", value_name = "OUT", conflicts_with_all = ["baseline", "write_baseline"])]
     out: Option<PathBuf>,
-    /// Replace OUT if it is there; never the model itself.
-    #[arg(long, requires = "out")]
-    force: bool,
+    /// Replace what --fix, --output or --write-baseline writes if it is there; never the model itself.
+    #[arg(long, requires = "written")]
+    pub(super) force: bool,
 }
 
 impl FixFlags {
@@ -73,7 +73,7 @@ pub(super) fn fixed(
             "this is a mistake of polhode's: please report it, with the model",
         )
     };
-    let (repaired, remaining) = proved(&report.model, &report.findings, check).map_err(unreadable)?;
+    let (repaired, remaining) = proved(&report.model, report.findings(), check).map_err(unreadable)?;
     partial::write(out, force, |file| file.write_all(repaired.text.as_bytes()))?;
     let fixed = Fixed { out: out.display().to_string(), repaired, remaining };
     Ok(CheckReport { fixed: Some(fixed), ..report })

@@ -1,7 +1,7 @@
 //! What was probably meant.
 
 /// The candidate nearest to a word, if it is near enough to be a slip of the pen and no other is as near.
-pub(crate) fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let letters = |text: &str| -> Vec<char> {
         text.chars()
             .take(40)

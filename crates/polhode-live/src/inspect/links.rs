@@ -31,7 +31,7 @@ pub(super) struct NotShown {
 
 impl LinkShapes {
     /// Of a model whose mesh files `measured` has read, or reads.
-    pub(super) fn of(model: &RobotModel, measured: &mut Shapes<'_>) -> Self {
+    pub(super) fn of(model: &RobotModel, measured: &Shapes<'_>) -> Self {
         let mut meshes = Meshes { measured, triangles: 0, coarse: HashMap::new() };
         meshes.triangles = model.links.iter().flat_map(seen).map(|geometry| meshes.count(geometry)).sum();
         let mut all = Self { shapes: Vec::with_capacity(model.links.len()), not_shown: Vec::new() };
@@ -58,7 +58,7 @@ fn seen(link: &Link) -> impl Iterator<Item = &Geometry> {
 
 /// The meshes of a robot, each read once and made coarser once.
 struct Meshes<'a, 'b> {
-    measured: &'a mut Shapes<'b>,
+    measured: &'a Shapes<'b>,
     /// Of all of them, as often as the robot has them.
     triangles: usize,
     coarse: HashMap<&'a Path, Arc<TriangleMesh>>,

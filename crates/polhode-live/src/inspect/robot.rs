@@ -100,21 +100,21 @@ impl RobotInspection {
         };
         let model = read_model(&document.path, &options).map_err(unreadable)?;
         let goes_on = watch::within(limits::INSPECTION, stop);
-        let mut shapes = Shapes::watched(&goes_on);
-        let found = inspect(&model, &mut shapes).findings;
+        let shapes = Shapes::watched(&goes_on);
+        let found = inspect(&model, &shapes).findings;
         let stands = Stands::of(&model);
         let numbers = numbers(&model);
         let places = Places::of(&model);
         let severities = severities(&found);
         let mut findings: Vec<RobotFinding> = found.iter().map(|one| shown(one, &numbers, &places)).collect();
         findings.extend(stands.unplaced.iter().filter_map(|&k| unplaced(&model, k, &places)));
-        let LinkShapes { shapes: looks, not_shown } = LinkShapes::of(&model, &mut shapes);
+        let LinkShapes { shapes: looks, not_shown } = LinkShapes::of(&model, &shapes);
         let is_said = |shape: &NotShown| {
             found.iter().any(|one| one.code == "geometry.unreadable" && one.span == shape.span)
         };
         findings.extend(not_shown.iter().filter(|shape| !is_said(shape)).map(|shape| hidden(shape, &places)));
         let repaired = proved(&model, &found, |text| {
-            read_text(text, &document.path, &options).map(|model| inspect(&model, &mut shapes).findings)
+            read_text(text, &document.path, &options).map(|model| inspect(&model, &shapes).findings)
         });
         // A repair that cannot be read again proves nothing.
         let repair = repaired.ok().filter(|(repaired, _)| !repaired.applied.is_empty());

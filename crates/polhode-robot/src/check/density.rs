@@ -5,6 +5,7 @@
 //! cylinder for a motor a part of it; so they are given a factor of five on both sides. One solid within its bounds is enough.
 
 use super::body::Body;
+use super::dummy::{FRAME, Held};
 use super::finding;
 use super::written::short;
 use crate::finding::{Finding, Severity};
@@ -14,10 +15,7 @@ const LEAST: f64 = 10.0;
 const GREATEST: f64 = 25_000.0;
 const CRUDE: f64 = 5.0;
 
-/// Links of a gram or less are frames that a simulator wanted a mass for.
-const FRAME: f64 = 1e-3;
-
-pub(super) fn check(body: &Body, findings: &mut Vec<Finding>) {
+pub(super) fn check(body: &Body, held: Held, findings: &mut Vec<Finding>) {
     let slack = |kind: VolumeKind| if kind == VolumeKind::Closed { 1.0 } else { CRUDE };
     let fits = |kind, density: f64| density >= LEAST / slack(kind) && density <= GREATEST * slack(kind);
     if body.solids().any(|s| fits(s.kind, body.mass / s.volume)) {
@@ -26,8 +24,8 @@ pub(super) fn check(body: &Body, findings: &mut Vec<Finding>) {
     // Meshes first: they say more.
     let Some(solid) = body.solids().min_by_key(|s| s.kind != VolumeKind::Closed) else { return };
     let density = body.mass / solid.volume;
-    let light = density < LEAST && body.mass <= FRAME;
-    let severity = if light { Severity::Note } else { Severity::Suspect };
+    let is_frame = body.mass <= FRAME && (density < LEAST || held != Held::Free);
+    let severity = if is_frame { Severity::Note } else { Severity::Suspect };
     let what = if solid.kind == VolumeKind::Closed { "its mesh" } else { "its shapes" };
     let message = format!(
         "{} kg in the {} m³ of {what}: {} kg/m³",

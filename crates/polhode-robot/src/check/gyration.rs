@@ -4,6 +4,7 @@
 //! some half of that. So k beyond the reach of all that is drawn means mass where there is nothing.
 
 use super::body::Body;
+use super::dummy::Held;
 use super::finding;
 use super::unit::nearest;
 use super::written::short;
@@ -23,7 +24,7 @@ const PADDED_MOMENT: f64 = 1e-3;
 const SPARSEST: f64 = 10.0;
 const LONGEST: f64 = 10.0;
 
-pub(super) fn check(body: &Body, findings: &mut Vec<Finding>) {
+pub(super) fn check(body: &Body, held: Held, findings: &mut Vec<Finding>) {
     let k = body.gyration();
     let i3 = body.moments.values[2];
     let implied = body.solids().map(|s| trace(&body.implied(s)) / 3.0).reduce(f64::max);
@@ -49,8 +50,8 @@ pub(super) fn check(body: &Body, findings: &mut Vec<Finding>) {
     let [moment, mass, radius] = [i3, body.mass, k].map(|x| short(x, 4));
     // A round number was typed, and never was one of CAD's.
     let round = super::placeholder::is_round(body);
-    let unit = nearest(trace(&body.written) / 3.0 / size, sure).filter(|_| !round);
-    let padded = body.mass <= PADDED_MASS && i3 <= PADDED_MOMENT && round;
+    let unit = nearest(trace(&body.written) / 3.0 / size, sure).filter(|_| !round && held != Held::Dummy);
+    let padded = held == Held::Dummy || body.mass <= PADDED_MASS && i3 <= PADDED_MOMENT && round;
     let (code, severity) = match unit {
         Some(_) => ("inertia.unit", Severity::Suspect),
         _ => ("gyration.too_large", if padded { Severity::Note } else { Severity::Suspect }),

@@ -108,16 +108,20 @@ fn touched(tree: &Tree, k: usize, link: &Link, findings: &mut Vec<Finding>) {
     if !has_collision(link) {
         return;
     }
-    // A base without mass is how a robot is fixed to its place in URDF, and a model without any mass is a drawing.
-    let base = tree.is_base(k);
-    let severity =
-        if base || !tree.is_weighed() && tree.len() > 1 { Severity::Note } else { Severity::Suspect };
-    let message = "collision geometry, but no mass".to_owned();
-    let rule = if base {
-        "a base without mass cannot move: right for a robot that is fixed to its place"
+    let (severity, more, rule) = if tree.is_carried(k) && tree.is_held_by_mass(k) {
+        let rule = "programs lump what fixed joints hold together: the mass is that of the others";
+        (Severity::Note, ": it is fixed to what has mass", rule)
+    } else if tree.is_base(tree.group(k)) && !tree.is_held_by_mass(k) {
+        // That is how a robot is fixed to its place in URDF.
+        let rule = "a base without mass cannot move: right for a robot that is fixed to its place";
+        (Severity::Note, "", rule)
+    } else if !tree.is_weighed() && tree.len() > 1 {
+        // A model without any mass is a drawing.
+        (Severity::Note, "", "what can be touched has mass")
     } else {
-        "what can be touched has mass"
+        (Severity::Suspect, "", "what can be touched has mass")
     };
+    let message = format!("collision geometry, but no mass{more}");
     findings.push(finding("mass.massless_collision", severity, link, link.name.span.clone(), message, rule));
 }
 

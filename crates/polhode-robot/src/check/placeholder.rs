@@ -7,6 +7,7 @@
 
 use std::collections::{HashMap, HashSet};
 
+use super::alike::named;
 use super::body::Body;
 use super::finding;
 use super::written::short;
@@ -93,9 +94,6 @@ fn is_other_reason(finding: &Finding) -> bool {
     finding.severity >= Severity::Suspect && finding.code.starts_with("inertia.") && !stands_for(finding)
 }
 
-/// Names that a message lists.
-const LISTED: usize = 12;
-
 fn of_group(group: &[&Body], findings: &[Finding]) -> Option<Finding> {
     let first = group.first().filter(|_| group.len() >= 3)?;
     let differ = |values: &mut dyn Iterator<Item = f64>| {
@@ -115,20 +113,16 @@ fn of_group(group: &[&Body], findings: &[Finding]) -> Option<Finding> {
     let moment = first.written[0];
     let felt = if moment >= FELT && (masses || reaches) { Severity::Suspect } else { Severity::Note };
     let severity = worst.unwrap_or(felt).max(felt);
-    let more = match names.len().saturating_sub(LISTED) {
-        0 => String::new(),
-        more => format!(" and {more} more"),
-    };
     let that_differ = if masses || reaches { " that differ" } else { "" };
     let too_large = match off {
         0 => String::new(),
         off => format!("; of {off} of them no body of that mass and size has it"),
     };
     let message = format!(
-        "{} kg·m² about each axis on {} links{that_differ}: {}{more}{too_large}",
+        "{} kg·m² about each axis on {} links{that_differ}: {}{too_large}",
         short(moment, 4),
         group.len(),
-        names.get(..LISTED).unwrap_or(&names).join(", ")
+        named(&names)
     );
     let mut found = finding("inertia.placeholder", severity, first.link, first.tensor_place(), message, RULE);
     found.others = names.iter().skip(1).map(|name| (*name).to_owned()).collect();

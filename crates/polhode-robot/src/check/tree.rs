@@ -1,13 +1,12 @@
 //! How links hang together: `tree.cycle`, `tree.no_root`, `tree.two_roots`, `tree.two_parents`, `tree.unknown_link`,
 //! `tree.shared_name`, `tree.duplicate_link`, `tree.duplicate_joint`, `tree.empty`.
 //!
-//! Links are taken off in the order of Kahn (Comm. ACM 5 (1962) 558): one whose parents are all taken can be taken.
-//! What is left hangs on a cycle, and going from parent to parent there must come round. Each joint is looked at a
-//! fixed number of times, and nothing recurses. What each language wants differs: a URDF is one tree; SDF has free
+//! Each joint is looked at a fixed number of times, and nothing recurses. What each language wants differs: a URDF is one tree; SDF has free
 //! links and may close loops; MJCF is nested, so always a tree.
 
 use std::collections::HashMap;
 
+use super::tree_order::sorted;
 use crate::finding::{Finding, Severity};
 use crate::model::{JointKind, Link, ModelFormat, Name, RobotModel, Span};
 
@@ -24,6 +23,10 @@ pub(super) struct Tree {
     moves_itself: Vec<bool>,
     mass_below: Vec<bool>,
     welded_mass: Vec<bool>,
+    /// Of each link: the first link of those that fixed joints hold together with it, down the tree.
+    group: Vec<usize>,
+    /// Of each group, by its first link: whether any of it has mass.
+    group_mass: Vec<bool>,
     is_weighed: bool,
     is_bounded: bool,
 }
@@ -64,6 +67,14 @@ impl Tree {
             mass_below[k] |= hanging[k].iter().any(|(child, _)| mass_below[*child]);
             welded_mass[k] |= hanging[k].iter().any(|(child, fixed)| *fixed && welded_mass[*child]);
         }
+        let mut group: Vec<usize> = (0..count).collect();
+        let mut group_mass = vec![false; count];
+        for &k in &order {
+            for &(child, _) in hanging[k].iter().filter(|(child, fixed)| *fixed && !moves_itself[*child]) {
+                group[child] = group[k];
+            }
+            group_mass[group[k]] |= has_mass(model.format, &model.links[k]);
+        }
         let is_weighed = model.links.iter().any(|link| link.inertial.is_some());
         let is_bounded = model.texts().any(|text| text.contains("boundmass"));
         Self {
@@ -74,6 +85,8 @@ impl Tree {
             moves_itself,
             mass_below,
             welded_mass,
+            group,
+            group_mass,
             is_weighed,
             is_bounded,
         }
@@ -118,6 +131,16 @@ impl Tree {
         self.welded_mass.get(k).copied().unwrap_or(true)
     }
 
+    /// The first link of those that fixed joints hold together with this one.
+    pub(super) fn group(&self, k: usize) -> usize {
+        self.group.get(k).copied().unwrap_or(k)
+    }
+
+    /// True if anything that fixed joints hold together with it, or itself, has mass.
+    pub(super) fn is_held_by_mass(&self, k: usize) -> bool {
+        self.group_mass.get(self.group(k)).copied().unwrap_or(true)
+    }
+
     /// True if MuJoCo is told a least mass of every body.
     pub(super) fn is_bounded(&self) -> bool {
         self.is_bounded
@@ -145,50 +168,6 @@ fn has_mass(format: ModelFormat, link: &Link) -> bool {
         None if link.from_geometry => !link.geometry.is_empty(),
         None => format == ModelFormat::Sdf,
     }
-}
-
-/// Links in an order in which parents come first, and the cycles that cannot be ordered.
-fn sorted(
-    holders: &[Vec<(usize, Option<usize>)>],
-    hanging: &[Vec<(usize, bool)>],
-) -> (Vec<usize>, Vec<Vec<usize>>) {
-    let mut open: Vec<usize> =
-        holders.iter().map(|h| h.iter().filter(|(_, p)| p.is_some()).count()).collect();
-    let mut order: Vec<usize> = (0..open.len()).filter(|k| open[*k] == 0).collect();
-    let mut next = 0;
-    while let Some(&k) = order.get(next) {
-        next += 1;
-        for &(child, _) in &hanging[k] {
-            open[child] -= 1;
-            if open[child] == 0 {
-                order.push(child);
-            }
-        }
-    }
-    // Each link that is left has a parent that is left. `walk` says which walk came by.
-    let mut cycles = Vec::new();
-    let mut walk = vec![0; open.len()];
-    for start in 0..open.len() {
-        if open[start] == 0 || walk[start] != 0 {
-            continue;
-        }
-        let mut chain = Vec::new();
-        let mut at = start;
-        while walk[at] == 0 {
-            walk[at] = start + 1;
-            chain.push(at);
-            let Some(up) = holders[at].iter().filter_map(|(_, p)| *p).find(|p| open[*p] > 0) else { break };
-            at = up;
-        }
-        if walk[at] == start + 1
-            && let Some(begin) = chain.iter().position(|k| *k == at)
-        {
-            let mut cycle = chain.split_off(begin);
-            cycle.reverse();
-            cycles.push(cycle);
-        }
-    }
-    (order, cycles)
 }
 
 const CLOSED_LOOPS: &str = "SDF and USD may close loops; not every engine can";

@@ -1,5 +1,6 @@
 //! A mesh file of a model: its triangles, and what they enclose.
 
+use std::collections::HashSet;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -33,7 +34,11 @@ pub(super) struct Measured {
 }
 
 impl Mesh {
-    pub(super) fn read(path: &Path, goes_on: &(dyn Fn() -> bool + Sync)) -> Result<Self, String> {
+    pub(super) fn read(
+        path: &Path,
+        threads: usize,
+        goes_on: &(dyn Fn() -> bool + Sync),
+    ) -> Result<Self, String> {
         let ending =
             path.extension().map_or_else(String::new, |ending| ending.to_string_lossy().to_lowercase());
         let (contents, turned_in) = match MeshFormat::of_path(path) {
@@ -49,7 +54,7 @@ impl Mesh {
             None => return Err(format!("polhode reads no .{ending} meshes")),
         };
         let contents = contents.map_err(|error| error.message())?.in_metres(None);
-        let mesh = Self::of(contents, goes_on)?;
+        let mesh = Self::of(contents, threads, goes_on)?;
         let usual = match turned_in {
             Some(MeshReading::Usual) => Arc::new(turned(&mesh.surface).map_err(|error| error.to_string())?),
             _ => mesh.surface.clone(),
@@ -57,19 +62,25 @@ impl Mesh {
         Ok(Self { turned_in, usual, ..mesh })
     }
 
-    fn of(contents: MeshContents, goes_on: &(dyn Fn() -> bool + Sync)) -> Result<Self, String> {
-        let parts = contents.parts.iter().map(|part| ClosedMesh::watched(&part.mesh, goes_on));
+    fn of(
+        contents: MeshContents,
+        threads: usize,
+        goes_on: &(dyn Fn() -> bool + Sync),
+    ) -> Result<Self, String> {
+        let solid = |mesh: &TriangleMesh| ClosedMesh::without_remarks(mesh, threads, goes_on);
+        let parts = contents.parts.iter().map(|part| solid(&part.mesh));
+        let are_several = contents.parts.len() > 1;
         let mut solids = parts.collect::<Result<Vec<_>, _>>().unwrap_or_default();
         let one = contents.as_one().map_err(|error| error.to_string())?;
         let Some(all) = one.parts.into_iter().next() else { return Err("it has no triangles".to_owned()) };
-        if solids.is_empty() {
+        if solids.is_empty() && are_several {
             // pieces of one surface, or no solid
-            solids.extend(ClosedMesh::watched(&all.mesh, goes_on));
+            solids.extend(solid(&all.mesh));
         }
         let measured = match solids[..] {
             // A hull is no answer to what was not decided.
             [] if !goes_on() => Err(ENDED.to_owned()),
-            [] => Measured::hull(&all.mesh),
+            [] => Measured::hull(&all.mesh, threads),
             _ => Measured::closed(&solids),
         };
         let surface = solids.iter().try_fold(TriangleMesh::default(), |all, part| all.joined(part.surface()));
@@ -102,10 +113,13 @@ impl Measured {
     }
 
     /// The convex hull of the corners of all triangles.
-    fn hull(mesh: &TriangleMesh) -> Result<Self, String> {
-        let corners: Vec<[f64; 3]> = mesh.corners().flatten().collect();
+    fn hull(mesh: &TriangleMesh, threads: usize) -> Result<Self, String> {
+        // Each of them once: STL has each some six times.
+        let mut seen = HashSet::new();
+        let corners = mesh.corners().flatten().filter(|corner| seen.insert(corner.map(f64::to_bits)));
+        let corners: Vec<[f64; 3]> = corners.collect();
         let surface = ConvexHull::of(&corners).map_err(|error| error.to_string())?;
-        let solid = ClosedMesh::of(&surface).map_err(|error| error.to_string())?;
+        let solid = ClosedMesh::with_threads(&surface, threads).map_err(|error| error.to_string())?;
         let hull = Some(solid.surface().coordinates().to_vec());
         Ok(Self { kind: VolumeKind::Hull, hull, ..Self::closed(&[solid])? })
     }

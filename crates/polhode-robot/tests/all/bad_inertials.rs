@@ -227,7 +227,7 @@ fn a_conjugated_attitude_is_found_by_the_geometry() {
 
 /// What is found in a text, with what its reader noticed.
 fn inspected(text: &str) -> Vec<Finding> {
-    inspect(&read(text), &mut Shapes::default()).findings
+    inspect(&read(text), &Shapes::default()).findings
 }
 
 #[test]

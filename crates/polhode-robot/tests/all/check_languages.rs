@@ -7,8 +7,8 @@ use polhode_robot::geometry::Shapes;
 
 fn all(text: &str) -> Vec<Finding> {
     let model = read(text);
-    let mut shapes = Shapes::default();
-    let geometry: Vec<_> = model.links.iter().map(|link| LinkGeometry::of(link, &mut shapes)).collect();
+    let shapes = Shapes::default();
+    let geometry: Vec<_> = model.links.iter().map(|link| LinkGeometry::of(link, &shapes)).collect();
     assert!(geometry.iter().any(|g| !g.volumes.is_empty()), "the slab is measured");
     check(&model, &geometry)
 }

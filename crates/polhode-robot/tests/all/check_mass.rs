@@ -66,7 +66,9 @@ fn what_can_be_touched_has_mass() {
                 "mass.massless_collision"
             };
             let found = only(&all, code);
-            assert!(found.severity >= Severity::Suspect && found.subject == "tip", "{all:#?}");
+            // What is fixed to a link with mass has that.
+            assert_eq!(found.severity == Severity::Note, kind == "fixed", "{all:#?}");
+            assert_eq!(found.subject, "tip");
         }
     }
     // A base that is fixed to its place, as manipulators have.
@@ -129,4 +131,36 @@ fn sdf_has_defaults_and_static_models() {
                    <izz>0.025</izz></inertia></inertial></link></model>",
     );
     assert_eq!(findings(&six), []);
+}
+
+/// A pad without mass on a link: itself and its joint.
+fn pad(name: &str, kind: &str, parent: &str) -> String {
+    format!(
+        "<link name=\"{name}\">{BOX}</link>\n<joint name=\"to_{name}\" type=\"{kind}\"><parent link=\"{parent}\"/><child link=\"{name}\"/></joint>\n"
+    )
+}
+
+#[test]
+fn pads_on_a_link_with_mass_are_one_note() {
+    let base = link("base", "3", TENSOR);
+    let pads = pad("a", "fixed", "base") + &pad("b", "fixed", "a") + &pad("c", "fixed", "base");
+    let all = findings(&robot(&(base.clone() + &pads)));
+    let found = only(&all, "mass.massless_collision");
+    assert_eq!((found.severity, all.len(), found.subject.as_str()), (Severity::Note, 1, "a"));
+    assert_eq!(found.others, ["b", "c"]);
+    assert!(found.message.ends_with("fixed to what has mass; so b, c"), "{}", found.message);
+    // One that a joint moves is another thing, and so is what is fixed to that.
+    let moved = pad("a", "fixed", "base") + &pad("b", "revolute", "base") + &pad("c", "fixed", "b");
+    let all = findings(&robot(&(base + &moved)));
+    let suspect: Vec<_> = all.iter().filter(|f| f.severity == Severity::Suspect).collect();
+    assert_eq!(suspect.len(), 1, "{all:#?}");
+    assert_eq!(
+        (suspect[0].subject.as_str(), suspect[0].others.as_slice()),
+        ("b", ["c".to_owned()].as_slice())
+    );
+    // Fixed to the world, as manipulators are.
+    let arm = pad("foot", "fixed", "world") + &link("arm", "1", TENSOR);
+    let joint = "<joint name=\"j\" type=\"revolute\"><parent link=\"foot\"/><child link=\"arm\"/></joint>";
+    let all = findings(&robot(&format!("<link name=\"world\"/>{arm}{joint}")));
+    assert_eq!(only(&all, "mass.massless_collision").severity, Severity::Note);
 }

@@ -169,7 +169,7 @@ fn a_parent_called_world_is_the_world() {
     let fixed = model(&["base", "arm"], &[("world", "base"), ("base", "arm")]);
     let read = read(&fixed);
     assert!(read.joints[0].parent.is_none() && read.joints[1].parent.is_some());
-    let found = inspect(&read, &mut Shapes::default()).findings;
+    let found = inspect(&read, &Shapes::default()).findings;
     assert_eq!(
         (found.len(), found[0].code, found[0].severity),
         (1, "read.world", Severity::Note),

@@ -180,7 +180,7 @@ fn a_scaled_and_mirrored_mesh_is_that_of_the_scaled_corners() {
     let closed = mesh_file("closed", &FACES);
     let open = mesh_file("open", &FACES[..3]);
     let (pose, place, r) = generic(0);
-    let mut shapes = Shapes::default();
+    let shapes = Shapes::default();
     for scale in [[1.0; 3], [0.5, 2.0, 1.5], [-0.5, 2.0, 1.5], [-0.1, -0.2, -0.3]] {
         let corners = TETRAHEDRON.map(|p| plus(place, applied(r, [0, 1, 2].map(|k| scale[k] * p[k]))));
         let (volume, centroid, tensor) = tetrahedron(corners);
@@ -351,7 +351,7 @@ fn a_gltf_mesh_has_y_up_and_stands_on_z_in_a_robot() {
     // The same triangles without a convention, in mm: R (x, y, z) = (x, −z, y), then the scale.
     let plain = one(mesh(&root.join("bracket.stl"), [1e-3; 3]), Pose::IDENTITY);
     let r = [[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]];
-    let mut shapes = Shapes::default();
+    let shapes = Shapes::default();
     let unscaled = geometry(mesh(&root.join("meshes/bracket.glb"), [1.0; 3]), Pose::IDENTITY);
     let up = shapes.geometry(&unscaled).unwrap();
     assert_close(up.centroid, applied(r, plain.centroid), 1e-15);
@@ -366,7 +366,7 @@ fn a_gltf_mesh_has_y_up_and_stands_on_z_in_a_robot() {
     assert!(shapes.is_turned_by_some(&link, Role::Collision));
     let other = shapes.link_as(&link, Role::Collision, MeshReading::Other).volume.unwrap();
     assert_near(&other.tensor_per_density, &plain.tensor_per_density, 1e-18);
-    let both = LinkGeometry::of(&link, &mut shapes);
+    let both = LinkGeometry::of(&link, &shapes);
     assert!(both.is_turned_by_some && both.volumes.len() == 2);
     assert!(!shapes.is_turned_by_some(&self::link(vec![placed("bracket.stl")]), Role::Collision));
 }
@@ -375,4 +375,25 @@ fn a_gltf_mesh_has_y_up_and_stands_on_z_in_a_robot() {
 fn pose_of(k: usize, point: [f64; 3]) -> [f64; 3] {
     let (_, place, r) = generic(k);
     plus(place, applied(r, point))
+}
+
+#[test]
+fn copies_of_a_mesh_measure_alike_and_others_of_its_size_do_not() {
+    let closed = mesh_file("copied", &FACES);
+    let [first, second, third] = [("copy-1", "stl"), ("copy-2", "STL"), ("copy-3", "stl")]
+        .map(|(name, ending)| closed.with_file_name(format!("{name}-{}.{ending}", std::process::id())));
+    let bytes = std::fs::read(&closed).unwrap();
+    std::fs::write(&first, &bytes).unwrap();
+    std::fs::write(&second, &bytes).unwrap();
+    // one bit of a coordinate
+    let mut others = bytes.clone();
+    let at = others.len() - 12;
+    others[at] = others[at].wrapping_add(1);
+    std::fs::write(&third, &others).unwrap();
+    let shapes = Shapes::default();
+    let of = |path: &_| shapes.geometry(&geometry(mesh(path, [1.0; 3]), Pose::IDENTITY));
+    let found = of(&first).unwrap();
+    assert_eq!(of(&second), Ok(found.clone()));
+    assert_ne!(of(&third), Ok(found));
+    [first, second, third].iter().for_each(|path| std::fs::remove_file(path).unwrap());
 }

@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may")]
 
 mod bad_inertials;
+mod check_alike;
 mod check_common;
 mod check_geometry;
 mod check_hostile;
@@ -17,8 +18,10 @@ mod mjcf;
 mod mjcf_compiler;
 mod osim;
 mod planted;
+mod policy;
 mod repair;
 mod round_trip;
+mod rules;
 mod sdf;
 mod sdf_include;
 mod urdf;

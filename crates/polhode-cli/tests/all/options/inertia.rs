@@ -66,16 +66,32 @@ const MODELS: &[&str] = &["noted", "flawed", "flawed again"];
 
 static CHECK: Subcommand = Subcommand {
     name: "check",
-    inputs: &[("noted", &["model.urdf"]), ("flawed", &["model.urdf"]), ("flawed again", &["model.urdf"])],
+    inputs: &[
+        ("noted", &["model.urdf"]),
+        ("flawed", &["model.urdf"]),
+        ("flawed again", &["model.urdf"]),
+        ("unnamed rules", &[]),
+    ],
     options: &[
         choice("--root", &["--root", "packages"], MODELS, &[]),
         choice("--json", &["--json"], MODELS, &[]),
         choice("--table", &["--table"], MODELS, &[]),
+        choice("--format", &["--format", "github"], MODELS, &[]),
+        choice("--output", &["--output", "results"], MODELS, &[]),
         choice("--strict", &["--strict"], MODELS, &[]),
+        choice("--fail-on", &["--fail-on", "note"], MODELS, &[]),
+        choice("--config", &["--config", "rules.toml"], MODELS, &[]),
+        choice("--baseline", &["--baseline", "known.json"], MODELS, &[]),
+        choice("--write-baseline", &["--write-baseline", "found.json"], MODELS, &[]),
         choice("--fix", &["--fix", "fixed.urdf"], &["flawed"], &[]),
         choice("--force", &["--force"], &["flawed again"], &["--fix"]),
+        choice("--explain", &["--explain", "inertia.unit"], &["unnamed rules"], &[]),
     ],
-    independent: &[],
+    independent: &[
+        ("--strict", "--write-baseline", "what is written is known, whatever it is"),
+        ("--fail-on", "--write-baseline", "what is written is known, whatever it is"),
+        ("--force", "--format", "refused: --fix, with which --force is tried here, has no such form"),
+    ],
 };
 
 #[test]

@@ -76,6 +76,14 @@ fn link(name: &str, mass: &str, center: &str, inertia: &str, geometry: &str) -> 
 }
 
 /// A link whose mesh is found in packages/, of which its numbers are, and another whose mesh is nowhere.
+/// One of the two notes is allowed.
+const ALLOWED: &str = "[[check.allow]]\nrule = \"geometry.unreadable\"\nfile = \"model.urdf\"\nlink = \"lost\"\nreason = \"lost\"\n";
+
+/// The other one is known.
+const KNOWN: &str = r#"{ "polhode_baseline": 1, "findings": [
+    { "file": "model.urdf", "rule": "geometry.unreadable", "link": "found", "id": "c097a5ce75cb8605" }
+] }"#;
+
 fn noted() -> String {
     let tetrahedron =
         "ixx=\"1290.9375\" ixy=\"275.625\" ixz=\"112.5\" iyy=\"618.75\" iyz=\"146.25\" izz=\"1639.6875\"";
@@ -115,6 +123,8 @@ pub(crate) fn write(scratch: &Scratch, input: &str) {
             let flaw = link("base", "3.6", "0 0 0", grams, "<box size=\"0.24 0.20 0.10\"/>") + joint;
             let flaw = if input == "noted" { String::new() } else { flaw };
             scratch.write("model.urdf", &format!("<robot name=\"r\">{flaw}{}</robot>", noted()));
+            scratch.write("rules.toml", ALLOWED);
+            scratch.write("known.json", KNOWN);
             if input == "flawed again" {
                 scratch.write("fixed.urdf", "an older one");
             }

@@ -1,7 +1,7 @@
 //! Solids bounded by triangles.
 
 use super::component::{ComponentRole, MeshComponent};
-use super::diagnosis::{Analysis, MeshDiagnosis};
+use super::diagnosis::{Analysis, MeshDiagnosis, Sought};
 use super::flaws::MeshFlaws;
 use super::integral::Polyhedron;
 use super::places::MeshPlaces;
@@ -79,7 +79,20 @@ impl ClosedMesh {
     /// # Errors
     /// As [`ClosedMesh::of`].
     pub fn with_threads(mesh: &TriangleMesh, threads: usize) -> Result<Self, BodyError> {
-        Self::on(mesh, Threads::of(threads), 0, &|| true).map_err(|flaws| flaws.first)
+        Self::on(mesh, Sought::All, Threads::of(threads), 0, &|| true).map_err(|flaws| flaws.first)
+    }
+
+    /// The same solid, or the same error, without looking for what is only mentioned: of a mesh of one part it is not known whether it goes
+    /// through itself or touches itself. As long as it `goes_on`.
+    ///
+    /// # Errors
+    /// As [`ClosedMesh::of`]; for overlaps that only take too long to look for there is none.
+    pub fn without_remarks(
+        mesh: &TriangleMesh,
+        threads: usize,
+        goes_on: &(dyn Fn() -> bool + Sync),
+    ) -> Result<Self, BodyError> {
+        Self::on(mesh, Sought::FirstError, Threads::of(threads), 0, goes_on).map_err(|flaws| flaws.first)
     }
 
     /// The solid that the triangles bound: [`ClosedMesh::of`] a mesh without indices, as STL has it.
@@ -100,16 +113,17 @@ impl ClosedMesh {
         most: usize,
         goes_on: &(dyn Fn() -> bool + Sync),
     ) -> Result<Self, Box<MeshFlaws>> {
-        Self::on(mesh, Threads::of_machine(), most, goes_on)
+        Self::on(mesh, Sought::All, Threads::of_machine(), most, goes_on)
     }
 
     fn on(
         mesh: &TriangleMesh,
+        sought: Sought,
         threads: Threads,
         most: usize,
         goes_on: &GoesOn<'_>,
     ) -> Result<Self, Box<MeshFlaws>> {
-        let analysis = Analysis::of(mesh, threads, goes_on);
+        let analysis = Analysis::of(mesh, sought, threads, goes_on);
         let places = MeshPlaces::of(&analysis, most);
         let Analysis { welded, patches, diagnosis, .. } = analysis;
         let mut vertices = welded.points;

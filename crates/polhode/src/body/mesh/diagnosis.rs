@@ -123,12 +123,12 @@ pub struct PairPlace {
 impl MeshDiagnosis {
     /// What is right and wrong with the mesh; on all threads of the machine.
     pub fn of(mesh: &TriangleMesh) -> Self {
-        Analysis::of(mesh, Threads::of_machine(), &|| true).diagnosis
+        Analysis::of(mesh, Sought::All, Threads::of_machine(), &|| true).diagnosis
     }
 
     /// The same on at most so many threads.
     pub fn with_threads(mesh: &TriangleMesh, threads: usize) -> Self {
-        Analysis::of(mesh, Threads::of(threads), &|| true).diagnosis
+        Analysis::of(mesh, Sought::All, Threads::of(threads), &|| true).diagnosis
     }
 }
 
@@ -143,13 +143,13 @@ pub(crate) struct Analysis {
 }
 
 impl Analysis {
-    pub(crate) fn of(mesh: &TriangleMesh, threads: Threads, goes_on: &GoesOn<'_>) -> Self {
+    pub(crate) fn of(mesh: &TriangleMesh, sought: Sought, threads: Threads, goes_on: &GoesOn<'_>) -> Self {
         let work = Work::of(STEPS + STEPS_EACH * mesh.triangles().len() as u64, goes_on);
-        Self::within(&work, mesh, threads)
+        Self::within(&work, mesh, sought, threads)
     }
 
     /// With so much work for what is looked for among the triangles.
-    pub(super) fn within(work: &Work<'_>, mesh: &TriangleMesh, threads: Threads) -> Self {
+    pub(super) fn within(work: &Work<'_>, mesh: &TriangleMesh, sought: Sought, threads: Threads) -> Self {
         let welded = Welded::of(mesh, threads);
         let corners = &welded.corners;
         let edges = Edges::of(corners, welded.points.len(), threads);
@@ -160,8 +160,16 @@ impl Analysis {
             |t: usize| patches.component[t] != NONE && measured.collinear.binary_search(&(t as u32)).is_err();
         let tree = Tree::of(&welded, has_area, threads);
         let windings = Windings { welded: &welded, tree: &tree, patches: &patches, work };
-        measured.nest(&windings, threads);
-        let meetings = if mesh.is_hull || !work.goes_on() {
+        // What is open or there twice bounds nothing, whatever meets.
+        let is_known = sought == Sought::FirstError
+            && (!edges.boundary.is_empty() || edges.duplicates.iter().any(|&(_, _, same_way)| same_way));
+        if !is_known {
+            measured.nest(&windings, threads);
+        }
+        // One surface without edges of more than two triangles meets none but itself, which is a remark.
+        let is_one = measured.components.len() == 1 && edges.crowded.is_empty();
+        let is_passed_by = is_known || sought == Sought::FirstError && is_one;
+        let meetings = if mesh.is_hull || is_passed_by || !work.goes_on() {
             // A corner of many faces of a hull has as many pairs as their square, and none of them meet elsewhere.
             Meetings::default()
         } else {
@@ -178,6 +186,15 @@ impl Analysis {
         let diagnosis = MeshDiagnosis { undecided, ..findings.diagnosis(measured, &meetings) };
         Self { welded, patches, edges, meetings, diagnosis }
     }
+}
+
+/// What a mesh is looked through for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Sought {
+    /// All that can be said of it.
+    All,
+    /// What it bounds, or why it bounds no solid, and no remarks.
+    FirstError,
 }
 
 /// Steps for a mesh, and more for each of its triangles: most are visits of a line at a triangle. Walls of touching bricks take some 400 for

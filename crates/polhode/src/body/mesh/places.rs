@@ -3,8 +3,8 @@
 use super::TriangleMesh;
 use super::component::ComponentRole;
 use super::diagnosis::{
-    Analysis, EdgePlace, MeshDiagnosis, PairPlace, TrianglePlace, again, at_edge, at_pair, at_triangle,
-    degenerate, unbalanced,
+    Analysis, EdgePlace, MeshDiagnosis, PairPlace, Sought, TrianglePlace, again, at_edge, at_pair,
+    at_triangle, degenerate, unbalanced,
 };
 use super::threads::Threads;
 use super::weld::NONE;
@@ -54,7 +54,7 @@ pub struct MeshPlaces {
 impl MeshDiagnosis {
     /// What is right and wrong with the mesh, and the first places of each kind, so many at most.
     pub fn with_places(mesh: &TriangleMesh, most: usize) -> (Self, MeshPlaces) {
-        let analysis = Analysis::of(mesh, Threads::of_machine(), &|| true);
+        let analysis = Analysis::of(mesh, Sought::All, Threads::of_machine(), &|| true);
         let places = MeshPlaces::of(&analysis, most);
         (analysis.diagnosis, places)
     }

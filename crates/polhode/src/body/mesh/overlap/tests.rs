@@ -4,7 +4,7 @@ use core::f64::consts::TAU;
 
 use super::super::TriangleMesh;
 use super::super::component::Measured;
-use super::super::diagnosis::Analysis;
+use super::super::diagnosis::{Analysis, Sought};
 use super::super::weld::NONE;
 use super::*;
 use crate::body::error::BodyError;
@@ -135,7 +135,7 @@ fn steps_go_with_the_triangles() {
     let steps = |soup: &Soup| {
         let mesh = TriangleMesh::of_triangles(soup).unwrap();
         let work = Work::of(u64::MAX, &|| true);
-        let diagnosis = Analysis::within(&work, &mesh, Threads::of(2)).diagnosis;
+        let diagnosis = Analysis::within(&work, &mesh, Sought::All, Threads::of(2)).diagnosis;
         assert!(diagnosis.overlaps.is_empty() && diagnosis.self_overlaps.is_empty(), "{diagnosis:?}");
         work.done() as f64 / soup.len() as f64
     };
@@ -175,7 +175,7 @@ fn what_takes_too_many_steps_is_undecided() {
     let mesh = TriangleMesh::of_triangles(&soup).unwrap();
     for (steps, undecided) in [(100, true), (u64::MAX, false)] {
         let work = Work::of(steps, &|| true);
-        let diagnosis = Analysis::within(&work, &mesh, Threads::of(2)).diagnosis;
+        let diagnosis = Analysis::within(&work, &mesh, Sought::All, Threads::of(2)).diagnosis;
         assert_eq!(
             (diagnosis.undecided, diagnosis.overlaps.is_empty()),
             (undecided.then_some(steps), undecided)
@@ -194,14 +194,14 @@ fn what_is_ended_is_undecided_and_keeps_what_was_found_before() {
     soup.pop();
     let mesh = TriangleMesh::of_triangles(&soup).unwrap();
     let all = Work::of(u64::MAX, &|| true);
-    let whole = Analysis::within(&all, &mesh, Threads::of(2)).diagnosis;
+    let whole = Analysis::within(&all, &mesh, Sought::All, Threads::of(2)).diagnosis;
     assert!(whole.undecided.is_none() && all.done() > 1 << 17, "{}", all.done());
     let asked = AtomicU64::new(0);
     let goes_on_until = |last: u64| {
         asked.store(0, Ordering::Relaxed);
         let goes_on = || asked.fetch_add(1, Ordering::Relaxed) < last;
         let work = Work::of(u64::MAX, &goes_on);
-        Analysis::within(&work, &mesh, Threads::of(2)).diagnosis
+        Analysis::within(&work, &mesh, Sought::All, Threads::of(2)).diagnosis
     };
     assert_eq!(goes_on_until(u64::MAX), whole);
     let asked_in_all = asked.load(Ordering::Relaxed);

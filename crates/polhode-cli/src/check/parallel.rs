@@ -1,0 +1,66 @@
+//! Files side by side, with results in their order.
+
+use std::num::NonZero;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::mpsc;
+use std::thread;
+
+/// As many as the machine gives this process.
+pub(super) fn threads() -> usize {
+    thread::available_parallelism().map_or(1, NonZero::get)
+}
+
+/// What comes of each item, on so many threads; `done` is told of each when it is.
+pub(super) fn map<I: Sync, T: Send>(
+    items: &[I],
+    threads: usize,
+    work: impl Fn(&I) -> T + Sync,
+    mut done: impl FnMut(&I),
+) -> Vec<T> {
+    let next = AtomicUsize::new(0);
+    let (sender, results) = mpsc::channel();
+    let (work, next) = (&work, &next);
+    let mut all: Vec<(usize, T)> = thread::scope(|scope| {
+        let run = |sender: mpsc::Sender<(usize, T)>| {
+            move || loop {
+                let k = next.fetch_add(1, Ordering::Relaxed);
+                let Some(item) = items.get(k) else { return };
+                // Nobody listens any more only if all of it has failed.
+                if sender.send((k, work(item))).is_err() {
+                    return;
+                }
+            }
+        };
+        let mut started = 0;
+        for _ in 0..threads.min(items.len()) {
+            // A thread that cannot be had is done without.
+            started += usize::from(thread::Builder::new().spawn_scoped(scope, run(sender.clone())).is_ok());
+        }
+        if started == 0 {
+            run(sender)();
+        } else {
+            drop(sender);
+        }
+        let told = results.iter().inspect(|(k, _)| items.get(*k).into_iter().for_each(&mut done));
+        told.collect()
+    });
+    all.sort_unstable_by_key(|(k, _)| *k);
+    all.into_iter().map(|(_, result)| result).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn results_are_in_order_on_any_number_of_threads() {
+        let items: Vec<u64> = (0..100).collect();
+        for threads in [0, 1, 3, 200] {
+            let mut told = 0;
+            let squares = map(&items, threads, |k| k * k, |_| told += 1);
+            assert_eq!(squares, items.iter().map(|k| k * k).collect::<Vec<_>>());
+            assert_eq!(told, items.len());
+        }
+        assert_eq!(map(&[0_u8; 0], 2, |k| *k, |_| ()), [0_u8; 0]);
+    }
+}

@@ -1,0 +1,366 @@
+//! `polhode check` as a gate: what fails, what is allowed and known, and the forms that other programs read.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::process::Output;
+
+use serde_json::Value;
+
+use crate::common::{Scratch, refused, stdout};
+
+/// A link of 1.7 kg with this greatest moment, at a name that formats have to escape.
+fn robot(izz: &str) -> String {
+    format!(
+        "<robot name=\"r\">\n  <link name=\"a|r%m\">\n    <inertial>\n      <mass value=\"1.7\"/>\n      \
+         <inertia ixx=\"0.031\" ixy=\"0.004\" ixz=\"-0.003\" iyy=\"0.042\" iyz=\"0.002\" izz=\"{izz}\"/>\n    </inertial>\n  </link>\n</robot>\n"
+    )
+}
+
+fn impossible() -> String {
+    robot("0.53")
+}
+
+fn good() -> String {
+    robot("0.053")
+}
+
+/// A link of an identity that nothing contradicts: a note.
+fn noted() -> String {
+    robot("1")
+        .replace("0.031", "1")
+        .replace("0.042", "1")
+        .replace("0.004", "0")
+        .replace("-0.003", "0")
+        .replace("0.002", "0")
+        .replace("1.7", "20")
+}
+
+/// A box of 1.2 kg with an identity: suspect.
+fn suspect() -> String {
+    noted().replace("\"20\"", "\"1.2\"").replace(
+        "    <inertial>",
+        "    <visual><geometry><box size=\"0.1 0.2 0.3\"/></geometry></visual>\n    <inertial>",
+    )
+}
+
+fn status(output: &Output) -> Option<i32> {
+    output.status.code()
+}
+
+fn said(output: &Output) -> String {
+    String::from_utf8(output.stderr.clone()).unwrap()
+}
+
+fn printed(output: &Output, code: i32) -> String {
+    assert_eq!(status(output), Some(code), "{}", said(output));
+    String::from_utf8(output.stdout.clone()).unwrap()
+}
+
+#[test]
+fn the_severity_that_fails_is_a_choice() {
+    let scratch = Scratch::new("check-fail-on");
+    for (name, text, impossible_, suspect_, note) in [
+        ("i.urdf", impossible(), 1, 1, 1),
+        ("s.urdf", suspect(), 0, 1, 1),
+        ("n.urdf", noted(), 0, 0, 1),
+        ("g.urdf", good(), 0, 0, 0),
+    ] {
+        scratch.write(name, &text);
+        let code = |more: &[&str]| status(&scratch.run(&[&["check", name], more].concat()));
+        assert_eq!(code(&["--fail-on", "impossible"]), Some(impossible_), "{name}");
+        assert_eq!(code(&["--fail-on", "suspect"]), Some(suspect_), "{name}");
+        assert_eq!(code(&[]), Some(suspect_), "{name}");
+        assert_eq!(code(&["--fail-on", "note"]), Some(note), "{name}");
+        assert_eq!(code(&["--strict"]), Some(note), "{name}");
+    }
+    // the configuration says it, and the command line says otherwise
+    scratch.write("polhode.toml", "[check]\nfail_on = \"impossible\"\n");
+    assert_eq!(status(&scratch.run(&["check", "s.urdf"])), Some(0));
+    assert_eq!(status(&scratch.run(&["check", "s.urdf", "--fail-on", "suspect"])), Some(1));
+    assert_eq!(status(&scratch.run(&["check", "i.urdf"])), Some(1));
+    refused(&scratch.run(&["check", "i.urdf", "--fail-on", "all"]), 2);
+    refused(&scratch.run(&["check", "i.urdf", "--fail-on", "note", "--strict"]), 2);
+}
+
+#[test]
+fn what_a_configuration_allows_is_listed_with_its_reason() {
+    let scratch = Scratch::new("check-config");
+    fs::create_dir_all(scratch.0.join("src/old")).unwrap();
+    scratch.write("src/a.urdf", &impossible());
+    scratch.write("src/old/b.urdf", &impossible());
+    let allow = "[[check.allow]]\nrule = \"inertia.triangle\"\nfile = \"src/*.urdf\"\nreason = \"measured on the bench\"\n";
+    scratch.write("polhode.toml", &format!("[check]\nexclude = [\"**/old/**\"]\n{allow}"));
+    let text = printed(&scratch.run(&["check", "src"]), 0);
+    assert!(
+        text.contains("allowed: a|r%m src/a.urdf:5:") && text.contains("measured on the bench"),
+        "{text}"
+    );
+    assert!(text.contains("left out: 1 file") && !text.contains("b.urdf"), "{text}");
+    assert!(text.contains("IMPOSSIBLE 0") && text.contains("OK 1 of 1"), "{text}");
+    // absolute names are those of the working directory
+    let absolute = scratch.0.canonicalize().unwrap().join("src");
+    assert_eq!(status(&scratch.run(&["check", absolute.to_str().unwrap()])), Some(0));
+    // JSON has it too; what is said of the configuration goes to standard error
+    let json = scratch.run(&["check", "src/a.urdf", "--json"]);
+    let report: Value = serde_json::from_str(&printed(&json, 0)).unwrap();
+    assert_eq!(report["findings"].as_array().unwrap().len(), 0);
+    assert_eq!(report["allowed"][0]["reason"], "measured on the bench");
+    assert_eq!(report["allowed"][0]["id"].as_str().unwrap().len(), 16);
+    // expired, it does not allow any more
+    scratch.write("gone.toml", &format!("{allow}expires = 2020-01-01\n"));
+    let text = printed(&scratch.run(&["check", "src/a.urdf", "--config", "gone.toml"]), 1);
+    assert!(text.contains("✗ a|r%m") && text.contains("note: gone.toml:1:1 [allow.expired]"), "{text}");
+    scratch.write("later.toml", &format!("{allow}expires = 9999-12-31\n"));
+    assert_eq!(status(&scratch.run(&["check", "src/a.urdf", "--config", "later.toml"])), Some(0));
+    // of no use
+    scratch.write("src/a.urdf", &good());
+    let text = printed(&scratch.run(&["check", "src/a.urdf"]), 0);
+    assert!(text.contains("note: polhode.toml:3:1 [allow.unused]"), "{text}");
+    assert_eq!(status(&scratch.run(&["check", "src/a.urdf", "--strict"])), Some(1));
+    let json = scratch.run(&["check", "src/a.urdf", "--json"]);
+    assert!(said(&json).contains("[allow.unused]") && serde_json::from_slice::<Value>(&json.stdout).is_ok());
+    // and what cannot be read is refused at its place
+    scratch.write("polhode.toml", "[check]\nfail_on = \"imposible\"\n");
+    let text = refused(&scratch.run(&["check", "src/a.urdf"]), 2);
+    assert!(text.contains("polhode.toml:2:11") && text.contains("did you mean impossible?"), "{text}");
+    refused(&scratch.run(&["check", "src/a.urdf", "--config", "none.toml"]), 2);
+}
+
+#[test]
+fn a_baseline_lets_only_what_is_new_fail() {
+    let scratch = Scratch::new("check-baseline");
+    scratch.write("a.urdf", &impossible());
+    let wrote = scratch.run(&["check", "a.urdf", "--write-baseline", "known.json"]);
+    assert!(printed(&wrote, 0).contains("✗ a|r%m") && said(&wrote).contains("wrote known.json: 1 finding"));
+    let text = printed(&scratch.run(&["check", "a.urdf", "--baseline", "known.json"]), 0);
+    assert!(text.contains("known: 1 finding") && !text.contains('✗'), "{text}");
+    // moved by lines it is known, and another is new
+    scratch.write("a.urdf", &impossible().replace("  <link", "\n\n  <link"));
+    assert_eq!(status(&scratch.run(&["check", "a.urdf", "--baseline", "known.json"])), Some(0));
+    scratch.write("b.urdf", &impossible());
+    let text = printed(&scratch.run(&["check", "a.urdf", "b.urdf", "--baseline", "known.json"]), 1);
+    assert_eq!(text.matches('✗').count(), 1, "{text}");
+    // gone it is said
+    scratch.write("a.urdf", &good());
+    let text = printed(&scratch.run(&["check", "a.urdf", "--baseline", "known.json"]), 0);
+    assert!(text.contains("note: known.json:1:1 [baseline.gone]"), "{text}");
+    // nothing is replaced unless that is said, and nothing written where a file could not be read
+    refused_after_results(&scratch.run(&["check", "a.urdf", "--write-baseline", "known.json"]), "--force");
+    let again = scratch.run(&[
+        "check",
+        "a.urdf",
+        "b.urdf",
+        "--baseline",
+        "known.json",
+        "--write-baseline",
+        "known.json",
+        "--force",
+    ]);
+    assert_eq!(status(&again), Some(0), "{}", said(&again));
+    assert_eq!(fs::read_to_string(scratch.0.join("known.json")).unwrap().matches("\"id\"").count(), 1);
+    scratch.write("torn.urdf", "<robot>");
+    assert_eq!(
+        status(&scratch.run(&["check", "torn.urdf", "a.urdf", "--write-baseline", "part.json"])),
+        Some(2)
+    );
+    assert!(!scratch.entries().contains(&"part.json".to_owned()));
+    refused(&scratch.run(&["check", "a.urdf", "--baseline", "a.urdf"]), 2);
+}
+
+fn refused_after_results(output: &Output, hint: &str) {
+    assert_eq!(status(output), Some(2));
+    assert!(said(output).contains(hint), "{}", said(output));
+}
+
+#[test]
+fn a_comment_in_the_model_allows_with_a_reason() {
+    let scratch = Scratch::new("check-comment");
+    let with = |comment: &str| impossible().replace("  <link", &format!("  {comment}\n  <link"));
+    scratch.write("a.urdf", &with("<!-- polhode: allow inertia.triangle: measured -->"));
+    let text = printed(&scratch.run(&["check", "a.urdf"]), 0);
+    assert!(text.contains("allowed: a|r%m a.urdf:6:") && text.contains("measured"), "{text}");
+    scratch.write("a.urdf", &with("<!-- polhode: allow inertia.triangle -->"));
+    let text = printed(&scratch.run(&["check", "a.urdf"]), 1);
+    assert!(text.contains("[allow.malformed]") && text.contains("[inertia.triangle]"), "{text}");
+    // what is allowed is not repaired either
+    scratch.write(
+        "b.urdf",
+        &with("<!-- polhode: allow number.malformed: a test of readers -->")
+            .replace("1.7", "1,7")
+            .replace("0.53", "0.053"),
+    );
+    scratch.run(&["check", "b.urdf", "--fix", "c.urdf"]);
+    assert!(fs::read_to_string(scratch.0.join("c.urdf")).unwrap().contains("1,7"));
+}
+
+/// One of each: what fails, is allowed, is noted and cannot be read.
+fn mixed(name: &str) -> Scratch {
+    let scratch = Scratch::new(name);
+    fs::create_dir_all(scratch.0.join("src")).unwrap();
+    scratch.write("src/a, b.urdf", &impossible());
+    scratch.write("src/n.urdf", &noted());
+    scratch.write(
+        "src/ok.urdf",
+        &impossible().replace("  <link", "<!-- polhode: allow inertia.triangle: a & b -->\n  <link"),
+    );
+    scratch.write("src/torn.urdf", "<robot>\n<link name=\"a\">\n</robot>");
+    scratch
+}
+
+#[test]
+fn sarif_is_what_its_schema_says() {
+    let scratch = mixed("check-sarif");
+    let output = scratch.run(&["check", "src", "--format", "sarif"]);
+    let log: Value = serde_json::from_str(&printed(&output, 2)).unwrap();
+    assert_eq!(log["version"], "2.1.0");
+    assert!(log["$schema"].as_str().unwrap().ends_with("sarif-2.1.0.json"));
+    let run = &log["runs"][0];
+    let driver = &run["tool"]["driver"];
+    assert_eq!(driver["name"], "polhode");
+    let rules = driver["rules"].as_array().unwrap();
+    let ids: BTreeSet<&str> = rules.iter().map(|rule| rule["id"].as_str().unwrap()).collect();
+    assert_eq!(ids.len(), rules.len());
+    for rule in rules {
+        assert!(
+            ["error", "warning", "note"].contains(&rule["defaultConfiguration"]["level"].as_str().unwrap())
+        );
+        assert!(!rule["shortDescription"]["text"].as_str().unwrap().is_empty());
+        assert!(!rule["help"]["text"].as_str().unwrap().is_empty() && rule["help"]["markdown"].is_string());
+    }
+    assert_eq!(run["columnKind"], "unicodeCodePoints");
+    let results = run["results"].as_array().unwrap();
+    assert_eq!(results.len(), 3, "{results:#?}");
+    let mut prints = BTreeSet::new();
+    for result in results {
+        let index = usize::try_from(result["ruleIndex"].as_u64().unwrap()).unwrap();
+        assert_eq!(rules[index]["id"], result["ruleId"]);
+        assert!(["error", "warning", "note"].contains(&result["level"].as_str().unwrap()));
+        assert!(!result["message"]["text"].as_str().unwrap().is_empty());
+        let place = &result["locations"][0]["physicalLocation"];
+        let uri = place["artifactLocation"]["uri"].as_str().unwrap();
+        assert!(uri.starts_with("src/") && !uri.contains([' ', '\\']), "{uri}");
+        let number = |key: &str| place["region"][key].as_u64().unwrap();
+        assert!(
+            number("startLine") >= 1
+                && number("startColumn") >= 1
+                && number("endLine") >= number("startLine")
+        );
+        prints.insert(result["partialFingerprints"]["polhode/v1"].as_str().unwrap());
+    }
+    assert_eq!(prints.len(), 3);
+    let first = &results[0];
+    assert_eq!((&first["ruleId"], &first["level"]), (&"inertia.triangle".into(), &"error".into()));
+    assert_eq!(first["locations"][0]["physicalLocation"]["artifactLocation"]["uri"], "src/a,%20b.urdf");
+    assert_eq!(first["locations"][0]["logicalLocations"][0]["name"], "a|r%m");
+    assert!(first.get("suppressions").is_none());
+    assert_eq!(results[2]["suppressions"][0]["justification"], "a & b");
+    // the repair is in it as it is in the JSON: the same place, the same text
+    let replacement = &first["fixes"][0]["artifactChanges"][0]["replacements"][0];
+    assert_eq!(replacement["insertedContent"]["text"], "0.053");
+    assert_eq!(replacement["deletedRegion"]["startLine"], 5);
+    let invocation = &run["invocations"][0];
+    assert_eq!(invocation["executionSuccessful"], false);
+    let unread = &invocation["toolExecutionNotifications"][0];
+    assert_eq!(unread["locations"][0]["physicalLocation"]["artifactLocation"]["uri"], "src/torn.urdf");
+}
+
+#[test]
+fn junit_counts_what_it_has() {
+    let scratch = mixed("check-junit");
+    let text = printed(&scratch.run(&["check", "src", "--format", "junit"]), 2);
+    assert!(text.starts_with("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites "), "{text}");
+    let tree = text.lines().nth(1).unwrap();
+    assert!(tree.contains("tests=\"4\" failures=\"1\" errors=\"1\" skipped=\"1\""), "{tree}");
+    let count = |what: &str| text.matches(what).count();
+    assert_eq!(
+        (count("<testsuite "), count("<testcase "), count("<failure "), count("<error "), count("<skipped ")),
+        (4, 4, 1, 1, 1)
+    );
+    assert_eq!((count("<testcase "), count("</testcase>")), (4, 4));
+    assert!(text.contains("allowed: a &amp; b") && text.contains("<system-out>note: "), "{text}");
+    // a note fails if that is asked for; a clean file is a case that passes
+    let strict = printed(&scratch.run(&["check", "src/n.urdf", "--format", "junit", "--strict"]), 1);
+    assert!(strict.contains("failures=\"1\""), "{strict}");
+    scratch.write("good.urdf", &good());
+    let text = printed(&scratch.run(&["check", "good.urdf", "--format", "junit"]), 0);
+    assert!(text.contains("<testcase classname=\"good.urdf\" name=\"nothing found\"/>"), "{text}");
+}
+
+#[test]
+fn github_gitlab_and_markdown_escape_what_they_must() {
+    let scratch = mixed("check-forms");
+    let text = printed(&scratch.run(&["check", "src", "--format", "github"]), 2);
+    let line = text
+        .lines()
+        .find(|line| line.contains("inertia.triangle,"))
+        .or(text.lines().find(|line| line.contains("title=inertia.triangle")))
+        .unwrap();
+    assert!(line.starts_with("::error file=src/a%2C b.urdf,line=5,col="), "{line}");
+    assert!(line.contains(",title=inertia.triangle::a|r%25m: i1 + i2 = "), "{line}");
+    assert!(
+        text.contains("::error file=src/torn.urdf,line=3") && text.contains("::notice file=src/n.urdf"),
+        "{text}"
+    );
+    assert!(text.contains("\nallowed: a|r%m src/ok.urdf:6 [inertia.triangle]: a & b\n"), "{text}");
+    assert!(text.ends_with("4 files, 1 impossible, 0 suspect, 1 note, 1 allowed, 0 known\n"), "{text}");
+
+    let issues: Value =
+        serde_json::from_str(&printed(&scratch.run(&["check", "src", "--format", "gitlab"]), 2)).unwrap();
+    let issues = issues.as_array().unwrap();
+    let severities: Vec<&str> = issues.iter().map(|issue| issue["severity"].as_str().unwrap()).collect();
+    assert_eq!(severities, ["blocker", "critical", "info"]);
+    let prints: BTreeSet<&str> = issues.iter().map(|issue| issue["fingerprint"].as_str().unwrap()).collect();
+    assert_eq!(prints.len(), 3);
+    assert_eq!(issues[1]["location"]["path"], "src/a, b.urdf");
+    assert_eq!(issues[1]["location"]["lines"]["begin"], 5);
+    assert!(issues.iter().all(|issue| issue["description"].is_string() && issue["check_name"].is_string()));
+
+    let table = printed(&scratch.run(&["check", "src", "--format", "markdown"]), 2);
+    assert!(table.contains("**1 impossible**"), "{table}");
+    let rows: Vec<&str> = table.lines().filter(|line| line.starts_with('|')).collect();
+    assert_eq!(rows.len(), 5, "{table}");
+    // four columns in each row, whatever is in them
+    for row in rows {
+        assert_eq!(row.replace("\\|", "").matches('|').count(), 5, "{row}");
+    }
+    assert!(table.contains("a\\|r%m") && table.contains("a &amp; b"), "{table}");
+}
+
+#[test]
+fn results_go_to_a_file_whole_or_not_at_all() {
+    let scratch = mixed("check-output");
+    let to_file = scratch.run(&["check", "src/n.urdf", "--format", "sarif", "--output", "out.sarif"]);
+    assert_eq!((status(&to_file), to_file.stdout.len()), (Some(0), 0));
+    let written = fs::read_to_string(scratch.0.join("out.sarif")).unwrap();
+    assert_eq!(written, stdout(&scratch.run(&["check", "src/n.urdf", "--format", "sarif"])));
+    refused(&scratch.run(&["check", "src/n.urdf", "--output", "out.sarif"]), 2);
+    assert_eq!(fs::read_to_string(scratch.0.join("out.sarif")).unwrap(), written);
+    assert_eq!(status(&scratch.run(&["check", "src/n.urdf", "-o", "out.sarif", "--force"])), Some(0));
+    assert!(fs::read_to_string(scratch.0.join("out.sarif")).unwrap().contains("NOTE 1"));
+    // --json is --format json
+    let short = stdout(&scratch.run(&["check", "src/n.urdf", "--json"]));
+    assert_eq!(short, stdout(&scratch.run(&["check", "src/n.urdf", "--format", "json"])));
+    let text = refused(&scratch.run(&["check", "src/n.urdf", "--fix", "f.urdf", "--format", "sarif"]), 2);
+    assert!(text.contains("--fix") && !scratch.entries().contains(&"f.urdf".to_owned()), "{text}");
+}
+
+#[test]
+fn every_rule_is_explained() {
+    let scratch = Scratch::new("check-explain");
+    let all = stdout(&scratch.run(&["check", "--explain"]));
+    let codes: Vec<&str> = all.lines().map(|line| line.split_whitespace().next().unwrap()).collect();
+    assert!(codes.len() > 40 && codes.contains(&"inertia.triangle"), "{all}");
+    for code in &codes {
+        let text = stdout(&scratch.run(&["check", "--explain", code]));
+        assert!(text.starts_with(code) && text.contains("why: ") && text.contains("mend: "), "{text}");
+    }
+    let text = stdout(&scratch.run(&["check", "--explain", "inertia.triangle"]));
+    assert!(text.contains("wrong:   0.53") && text.contains("right:   0.053"), "{text}");
+    let text = refused(&scratch.run(&["check", "--explain", "inertia.triangel"]), 2);
+    assert!(text.contains("did you mean inertia.triangle?"), "{text}");
+    // a finding's code is a rule's
+    scratch.write("a.urdf", &impossible());
+    let report: Value =
+        serde_json::from_str(&printed(&scratch.run(&["check", "a.urdf", "--json"]), 1)).unwrap();
+    assert!(codes.contains(&report["findings"][0]["code"].as_str().unwrap()));
+}

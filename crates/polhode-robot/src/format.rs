@@ -1,0 +1,183 @@
+//! Results as other programs read them: SARIF, JUnit, GitHub's commands, GitLab's code quality, a table in Markdown.
+
+mod github;
+mod gitlab;
+mod junit;
+mod markdown;
+mod sarif;
+
+use std::borrow::Cow;
+
+use crate::finding::{Finding, Severity};
+use crate::line_index::{FilePlace, Places};
+use crate::model::{RobotModel, Span};
+use crate::policy::{Reason, Remark};
+use crate::report::CheckReport;
+
+/// What came of all files.
+#[derive(Debug)]
+pub struct Run<'a> {
+    /// In their order.
+    pub files: Vec<FileResult<'a>>,
+    /// What is to be said of the configuration and the baseline.
+    pub remarks: &'a [Remark],
+    /// The least severity that fails.
+    pub fail_on: Severity,
+}
+
+/// What came of a file.
+#[derive(Debug)]
+pub struct FileResult<'a> {
+    /// Its name: relative, with slashes.
+    pub file: String,
+    /// What was found, or why it could not be read.
+    pub outcome: Result<&'a CheckReport, Unreadable>,
+}
+
+/// Why a file could not be read.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Unreadable {
+    /// In a line.
+    pub message: String,
+    /// Line and column, where they can be said.
+    pub place: Option<(usize, usize)>,
+}
+
+/// A finding as all formats have it.
+#[derive(Debug)]
+struct Item<'a> {
+    file: Cow<'a, str>,
+    /// Line and column, from 1, of its first character and of that after its last.
+    start: (usize, usize),
+    end: (usize, usize),
+    code: &'static str,
+    severity: Severity,
+    /// The link or joint; empty if it is about the whole file.
+    subject: &'a str,
+    message: &'a str,
+    rule: &'a str,
+    id: String,
+    /// Why it does not count, if it does not.
+    settled: Option<&'a Reason>,
+    /// What would repair it: in words, and places with their new text.
+    repair: Option<(&'a str, Vec<Edit<'a>>)>,
+}
+
+/// A text to put in the place of another.
+#[derive(Debug)]
+struct Edit<'a> {
+    start: (usize, usize),
+    end: (usize, usize),
+    new: &'a str,
+}
+
+impl<'a> FileResult<'a> {
+    /// Everything that was found, in the order of the file, settled or not.
+    fn items(&'a self) -> Vec<Item<'a>> {
+        let Ok(report) = &self.outcome else { return Vec::new() };
+        let places = Places::of(&report.model);
+        let start = |span: &Span| line_and_column(places.place(span));
+        let end = |span: &Span| line_and_column(places.end(span));
+        let item = |finding: &'a Finding, id: &str, settled: Option<&'a Reason>| Item {
+            file: self.name_of(&report.model, places.place(&finding.span)),
+            start: start(&finding.span),
+            end: end(&finding.span),
+            code: finding.code,
+            severity: finding.severity,
+            subject: &finding.subject,
+            message: &finding.message,
+            rule: &finding.rule,
+            id: id.to_owned(),
+            settled,
+            repair: finding.repair.as_ref().map(|repair| {
+                let edit = |(span, new): &'a (Span, String)| Edit { start: start(span), end: end(span), new };
+                (repair.description.as_str(), repair.edits.iter().map(edit).collect())
+            }),
+        };
+        let open =
+            report.findings().iter().zip(&report.judged.ids).map(|(finding, id)| item(finding, id, None));
+        let settled = report.judged.settled.iter();
+        let settled = settled.map(|settled| item(&settled.finding, &settled.id, Some(&settled.why)));
+        let mut items: Vec<Item<'a>> = open.chain(settled).collect();
+        items.sort_by(|a, b| {
+            (&a.file != &self.file, &a.file, a.start).cmp(&(&b.file != &self.file, &b.file, b.start))
+        });
+        items
+    }
+
+    /// The file of a place: this one, or one that the model includes, named from the same folder.
+    fn name_of(&'a self, model: &RobotModel, place: FilePlace<'a>) -> Cow<'a, str> {
+        if !place.is_included {
+            return Cow::Borrowed(&self.file);
+        }
+        let within = model.path.parent().and_then(|folder| place.file.strip_prefix(folder).ok());
+        let folder = self.file.rsplit_once('/').map_or("", |(folder, _)| folder);
+        let name = match within {
+            Some(within) if folder.is_empty() => within.to_string_lossy().into_owned(),
+            Some(within) => format!("{folder}/{}", within.to_string_lossy()),
+            None => place.file.to_string_lossy().into_owned(),
+        };
+        Cow::Owned(name.replace('\\', "/"))
+    }
+}
+
+fn line_and_column(place: FilePlace<'_>) -> (usize, usize) {
+    (place.line, place.column)
+}
+
+impl Run<'_> {
+    /// What is said of the configuration and the baseline.
+    fn remarks(&self) -> impl Iterator<Item = Item<'_>> {
+        self.remarks.iter().filter_map(|remark| {
+            Some(Item {
+                file: Cow::Borrowed(&remark.file),
+                start: remark.place,
+                end: remark.place,
+                code: remark.code,
+                severity: remark.severity?,
+                subject: "",
+                message: &remark.message,
+                rule: crate::rule::rule(remark.code).map_or("", |rule| rule.title),
+                id: remark.id(),
+                settled: None,
+                repair: None,
+            })
+        })
+    }
+
+    /// How many count, from impossible to note, how many are allowed, and how many known.
+    fn counts(&self) -> ([usize; 3], usize, usize) {
+        let (mut open, mut allowed, mut known) = ([0; 3], 0, 0);
+        for file in &self.files {
+            for item in file.items() {
+                match item.settled {
+                    Some(Reason::Known) => known += 1,
+                    Some(Reason::Allowed(_)) => allowed += 1,
+                    None => open[rank(item.severity)] += 1,
+                }
+            }
+        }
+        for item in self.remarks() {
+            open[rank(item.severity)] += 1;
+        }
+        (open, allowed, known)
+    }
+}
+
+/// The place of a severity in counts, the worst first.
+const fn rank(severity: Severity) -> usize {
+    match severity {
+        Severity::Impossible => 0,
+        Severity::Suspect => 1,
+        Severity::Note => 2,
+    }
+}
+
+/// The subject with its message: `arm: i1 + i2 = …`.
+fn about(item: &Item<'_>) -> String {
+    if item.subject.is_empty() {
+        item.message.to_owned()
+    } else {
+        format!("{}: {}", item.subject, item.message)
+    }
+}

@@ -1,0 +1,92 @@
+//! Commands of GitHub's workflows: an annotation at the line of each finding.
+
+use std::fmt::Write as _;
+
+use super::{FileResult, Item, Run, about};
+use crate::finding::Severity;
+use crate::policy::Reason;
+use crate::text::many;
+
+impl Run<'_> {
+    /// A line for each finding that counts; what is allowed or known is a line of the log.
+    pub fn to_github(&self) -> String {
+        let mut text = String::new();
+        for file in &self.files {
+            if let Err(unreadable) = &file.outcome {
+                let (line, column) = unreadable.place.unwrap_or((1, 1));
+                command(&mut text, "error", &file.file, [line, column], "unreadable", &unreadable.message);
+            }
+        }
+        let items: Vec<Item<'_>> =
+            self.files.iter().flat_map(FileResult::items).chain(self.remarks()).collect();
+        for item in items.iter().filter(|item| item.settled.is_none()) {
+            let name = match item.severity {
+                Severity::Impossible => "error",
+                Severity::Suspect => "warning",
+                Severity::Note => "notice",
+            };
+            let [line, column] = [item.start.0, item.start.1];
+            command(&mut text, name, &item.file, [line, column], item.code, &about(item));
+        }
+        for item in &items {
+            if let Some(Reason::Allowed(reason)) = item.settled {
+                let line = format!(
+                    "allowed: {} {}:{} [{}]: {reason}",
+                    item.subject, item.file, item.start.0, item.code
+                );
+                let _ = writeln!(text, "{}", logged(&line));
+            }
+        }
+        let ([impossible, suspect, note], allowed, known) = self.counts();
+        let (files, note) = (many(self.files.len(), "file"), many(note, "note"));
+        let _ = writeln!(
+            text,
+            "polhode check: {files}, {impossible} impossible, {suspect} suspect, {note}, {allowed} allowed, {known} known"
+        );
+        text
+    }
+}
+
+/// `::error file=…,line=…,col=…,title=…::message`
+fn command(
+    text: &mut String,
+    name: &str,
+    file: &str,
+    [line, column]: [usize; 2],
+    title: &str,
+    message: &str,
+) {
+    let (file, title) = (property(file), property(title));
+    let _ = writeln!(text, "::{name} file={file},line={line},col={column},title={title}::{}", data(message));
+}
+
+/// A message: what would end it is written in percent.
+fn data(text: &str) -> String {
+    text.replace('%', "%25").replace('\r', "%0D").replace('\n', "%0A")
+}
+
+/// A property: commas and colons would end it too.
+fn property(text: &str) -> String {
+    data(text).replace(':', "%3A").replace(',', "%2C")
+}
+
+/// A line of the log that is no command, whatever is in it.
+fn logged(line: &str) -> String {
+    line.replace(['\r', '\n'], " ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nothing_in_a_message_is_a_command() {
+        let mut text = String::new();
+        command(&mut text, "error", "a,b:c.urdf", [3, 7], "x", "50 %\n::set-output name=a::b");
+        assert_eq!(
+            text,
+            "::error file=a%2Cb%3Ac.urdf,line=3,col=7,title=x::50 %25%0A::set-output name=a::b\n"
+        );
+        assert_eq!(logged("a\r\n::error::b"), "a  ::error::b");
+    }
+}

@@ -1,0 +1,52 @@
+//! GitLab's code quality report: a subset of Code Climate's.
+
+use serde_json::{Value, json};
+
+use super::{FileResult, Item, Run, about};
+use crate::finding::Severity;
+
+impl Run<'_> {
+    /// A list of what counts. GitLab shows what is new beside the target branch.
+    pub fn to_gitlab(&self) -> Value {
+        let unreadable = self.files.iter().filter_map(|file| {
+            let unreadable = file.outcome.as_ref().err()?;
+            let line = unreadable.place.map_or(1, |(line, _)| line);
+            Some(issue(
+                &unreadable.message,
+                "unreadable",
+                &format!("unreadable:{}", file.file),
+                "blocker",
+                &file.file,
+                line,
+            ))
+        });
+        let items: Vec<Item<'_>> =
+            self.files.iter().flat_map(FileResult::items).chain(self.remarks()).collect();
+        let open = items.iter().filter(|item| item.settled.is_none()).map(|item| {
+            let severity = match item.severity {
+                Severity::Impossible => "critical",
+                Severity::Suspect => "major",
+                Severity::Note => "info",
+            };
+            issue(&about(item), item.code, &item.id, severity, &item.file, item.start.0)
+        });
+        unreadable.chain(open).collect()
+    }
+}
+
+fn issue(
+    description: &str,
+    check: &str,
+    fingerprint: &str,
+    severity: &str,
+    path: &str,
+    line: usize,
+) -> Value {
+    json!({
+        "description": description,
+        "check_name": check,
+        "fingerprint": fingerprint,
+        "severity": severity,
+        "location": { "path": path, "lines": { "begin": line } },
+    })
+}

@@ -1,0 +1,133 @@
+//! JUnit's XML, as Jenkins, GitLab and Azure DevOps read it: a suite for each file, a case for each finding.
+
+use std::fmt::Write as _;
+
+use super::{FileResult, Item, Run, about};
+use crate::policy::Reason;
+
+impl Run<'_> {
+    /// Findings that fail are failures, others cases that pass and say what was found; what is allowed or known is skipped. A file without
+    /// findings is one case that passes.
+    pub fn to_junit(&self) -> String {
+        let suites: Vec<Suite> =
+            self.files.iter().map(|file| self.suite(file)).chain(self.about_policy()).collect();
+        let sum = |of: fn(&Suite) -> usize| suites.iter().map(of).sum::<usize>();
+        let mut text = format!(
+            "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"polhode check\" tests=\"{}\" failures=\"{}\" errors=\"{}\" \
+             skipped=\"{}\">\n",
+            sum(|suite| suite.tests),
+            sum(|suite| suite.failures),
+            sum(|suite| suite.errors),
+            sum(|suite| suite.skipped)
+        );
+        for Suite { file, tests, failures, errors, skipped, cases } in &suites {
+            let _ = write!(
+                text,
+                "  <testsuite name=\"{}\" tests=\"{tests}\" failures=\"{failures}\" errors=\"{errors}\" skipped=\"{skipped}\">\n{cases}  \
+                 </testsuite>\n",
+                escaped(file)
+            );
+        }
+        text + "</testsuites>\n"
+    }
+
+    fn suite(&self, file: &FileResult<'_>) -> Suite {
+        let mut suite = Suite { file: file.file.clone(), ..Suite::default() };
+        match &file.outcome {
+            Err(unreadable) => {
+                suite.errors = 1;
+                let place =
+                    unreadable.place.map_or(String::new(), |(line, column)| format!(":{line}:{column}"));
+                let inner = format!(
+                    "<error type=\"unreadable\" message=\"{}\">{}{place}</error>",
+                    escaped(&unreadable.message),
+                    escaped(&file.file)
+                );
+                suite.case("is read", &inner);
+            }
+            Ok(_) => {
+                for item in file.items() {
+                    self.add(&mut suite, &item);
+                }
+                if suite.tests == 0 {
+                    suite.case("nothing found", "");
+                }
+            }
+        }
+        suite
+    }
+
+    /// What is said of the configuration and the baseline, each a suite.
+    fn about_policy(&self) -> impl Iterator<Item = Suite> {
+        self.remarks().map(|item| {
+            let mut suite = Suite { file: item.file.to_string(), ..Suite::default() };
+            self.add(&mut suite, &item);
+            suite
+        })
+    }
+
+    fn add(&self, suite: &mut Suite, item: &Item<'_>) {
+        let Item { file, start: (line, column), code, severity, rule, id, .. } = item;
+        let details = format!("{file}:{line}:{column}\n{}\nrule: {rule}\nid: {id}", about(item));
+        let message = escaped(&about(item));
+        let inner = match item.settled {
+            Some(why) => {
+                suite.skipped += 1;
+                let why = match why {
+                    Reason::Allowed(reason) => format!("allowed: {reason}"),
+                    Reason::Known => "known: the baseline has it".to_owned(),
+                };
+                format!("<skipped message=\"{}\"/>", escaped(&why))
+            }
+            None if *severity >= self.fail_on => {
+                suite.failures += 1;
+                format!("<failure type=\"{code}\" message=\"{message}\">{}</failure>", escaped(&details))
+            }
+            None => format!("<system-out>{}: {}</system-out>", severity.name(), escaped(&details)),
+        };
+        let subject = if item.subject.is_empty() { String::new() } else { format!(" {}", item.subject) };
+        suite.case(&format!("{code}{subject} line {line}"), &inner);
+    }
+}
+
+/// A file's cases.
+#[derive(Default)]
+struct Suite {
+    file: String,
+    tests: usize,
+    failures: usize,
+    errors: usize,
+    skipped: usize,
+    cases: String,
+}
+
+impl Suite {
+    fn case(&mut self, name: &str, inner: &str) {
+        self.tests += 1;
+        let (file, name) = (escaped(&self.file), escaped(name));
+        let _ = match inner {
+            "" => writeln!(self.cases, "    <testcase classname=\"{file}\" name=\"{name}\"/>"),
+            _ => {
+                writeln!(self.cases, "    <testcase classname=\"{file}\" name=\"{name}\">{inner}</testcase>")
+            }
+        };
+    }
+}
+
+/// Text of XML: without what XML has no place for, not even as a reference.
+fn escaped(text: &str) -> String {
+    let mut escaped = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '&' => escaped.push_str("&amp;"),
+            '<' => escaped.push_str("&lt;"),
+            '>' => escaped.push_str("&gt;"),
+            '"' => escaped.push_str("&quot;"),
+            '\n' => escaped.push_str("&#10;"),
+            '\t' => escaped.push_str("&#9;"),
+            c if c.is_control() || "\u{fffe}\u{ffff}".contains(c) => escaped.push('\u{fffd}'),
+            c => escaped.push(c),
+        }
+    }
+    escaped
+}

@@ -1,0 +1,145 @@
+//! SARIF 2.1.0 (OASIS), as GitHub's code scanning, Azure DevOps and editors read it.
+
+use serde_json::{Map, Value, json};
+
+use super::{FileResult, Item, Run, about};
+use crate::finding::Severity;
+use crate::policy::Reason;
+use crate::rule::{Rule, rules};
+
+impl Run<'_> {
+    /// A log with one run. Columns count characters; what is allowed or known is a suppressed result.
+    pub fn to_sarif(&self) -> Value {
+        let items: Vec<Item<'_>> =
+            self.files.iter().flat_map(FileResult::items).chain(self.remarks()).collect();
+        let unreadable: Vec<Value> = self.files.iter().filter_map(notification).collect();
+        json!({
+            "$schema": "https://json.schemastore.org/sarif-2.1.0.json",
+            "version": "2.1.0",
+            "runs": [{
+                "tool": { "driver": {
+                    "name": "polhode",
+                    "semanticVersion": polhode_report::VERSION,
+                    "rules": rules().map(descriptor).collect::<Vec<_>>(),
+                } },
+                "columnKind": "unicodeCodePoints",
+                "invocations": [{
+                    "executionSuccessful": unreadable.is_empty(),
+                    "toolExecutionNotifications": unreadable,
+                }],
+                "results": items.iter().map(result).collect::<Vec<_>>(),
+            }],
+        })
+    }
+}
+
+fn descriptor(rule: &Rule) -> Value {
+    json!({
+        "id": rule.code,
+        "shortDescription": { "text": rule.title },
+        "fullDescription": { "text": rule.why },
+        "help": { "text": format!("{}\n{}", rule.why, rule.mend), "markdown": rule.to_markdown() },
+        "defaultConfiguration": { "level": level(rule.severity) },
+    })
+}
+
+const fn level(severity: Severity) -> &'static str {
+    match severity {
+        Severity::Impossible => "error",
+        Severity::Suspect => "warning",
+        Severity::Note => "note",
+    }
+}
+
+fn result(item: &Item<'_>) -> Value {
+    let mut location = json!({
+        "physicalLocation": {
+            "artifactLocation": { "uri": uri(&item.file) },
+            "region": region(item.start, item.end),
+        },
+    });
+    if !item.subject.is_empty() {
+        location["logicalLocations"] = json!([{ "name": item.subject, "kind": "element" }]);
+    }
+    let mut result = json!({
+        "ruleId": item.code,
+        "level": level(item.severity),
+        "message": { "text": about(item) },
+        "locations": [location],
+        "partialFingerprints": { "polhode/v1": item.id },
+    });
+    if let Some(index) = rules().position(|rule| rule.code == item.code) {
+        result["ruleIndex"] = index.into();
+    }
+    if let Some(why) = item.settled {
+        let justification = match why {
+            Reason::Allowed(reason) => reason.as_str(),
+            Reason::Known => "known: the baseline has it",
+        };
+        result["suppressions"] = json!([{ "kind": "external", "justification": justification }]);
+    }
+    if let Some((description, edits)) = &item.repair {
+        let replacements: Vec<Value> = edits
+            .iter()
+            .map(|edit| {
+                json!({ "deletedRegion": region(edit.start, edit.end), "insertedContent": { "text": edit.new } })
+            })
+            .collect();
+        result["fixes"] = json!([{
+            "description": { "text": description },
+            "artifactChanges": [{ "artifactLocation": { "uri": uri(&item.file) }, "replacements": replacements }],
+        }]);
+    }
+    result
+}
+
+fn region(start: (usize, usize), end: (usize, usize)) -> Value {
+    json!({ "startLine": start.0, "startColumn": start.1, "endLine": end.0, "endColumn": end.1 })
+}
+
+/// A file that could not be read.
+fn notification(file: &FileResult<'_>) -> Option<Value> {
+    let unreadable = file.outcome.as_ref().err()?;
+    let mut physical = Map::new();
+    physical.insert("artifactLocation".to_owned(), json!({ "uri": uri(&file.file) }));
+    if let Some((line, column)) = unreadable.place {
+        physical.insert("region".to_owned(), json!({ "startLine": line, "startColumn": column }));
+    }
+    Some(json!({
+        "level": "error",
+        "message": { "text": unreadable.message },
+        "locations": [{ "physicalLocation": physical }],
+    }))
+}
+
+/// A file's name as a reference: relative ones stay relative.
+fn uri(file: &str) -> String {
+    let mut uri = String::new();
+    if file.starts_with('/') {
+        uri.push_str("file://");
+    } else if file.split('/').next().is_some_and(|first| first.contains(':')) {
+        // C:/robots; also, a first component with a colon would be a scheme.
+        uri.push_str(if file.get(1..3) == Some(":/") { "file:///" } else { "./" });
+    }
+    for byte in file.bytes() {
+        if byte.is_ascii_alphanumeric() || b"-._~/:@!$&'()*+,;=".contains(&byte) {
+            uri.push(char::from(byte));
+        } else {
+            uri.push_str(&format!("%{byte:02X}"));
+        }
+    }
+    uri
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_of_files_are_references() {
+        assert_eq!(uri("src/a b#1.urdf"), "src/a%20b%231.urdf");
+        assert_eq!(uri("/src/ä.urdf"), "file:///src/%C3%A4.urdf");
+        assert_eq!(uri("C:/arm.urdf"), "file:///C:/arm.urdf");
+        assert_eq!(uri("a:b/arm.urdf"), "./a:b/arm.urdf");
+    }
+}

@@ -1,0 +1,104 @@
+//! Findings that are known: a file that is written once, so that only what is new fails.
+
+use std::collections::BTreeSet;
+use std::path::Path;
+
+use polhode_formats::{ContentError, ContentErrorKind, ContentPlace, FormatError};
+use serde_json::{Value, json};
+
+use super::{Judged, Reason};
+use crate::finding::Finding;
+
+/// The key that makes a file a baseline, and the version of what is in it.
+const KEY: &str = "polhode_baseline";
+const VERSION: u64 = 1;
+
+/// What is known.
+#[derive(Clone, Debug, Default)]
+pub struct Baseline {
+    /// The file, for messages.
+    pub file: String,
+    /// In its order.
+    pub findings: Vec<KnownFinding>,
+    ids: BTreeSet<String>,
+}
+
+/// A finding that is known.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct KnownFinding {
+    /// What it is known by.
+    pub id: String,
+    /// Its rule, for people.
+    pub rule: String,
+    /// Its file, for people and to say whether it was looked for.
+    pub file: String,
+    /// Its link or joint, for people.
+    pub link: String,
+}
+
+impl Baseline {
+    /// Reads a baseline's text; `path` is for messages.
+    ///
+    /// # Errors
+    /// [`FormatError`] if it is no JSON, or not what [`text`] writes.
+    pub fn read(path: &Path, text: &str) -> Result<Self, FormatError> {
+        let refused = |error: ContentError| FormatError::of_content(path, text.as_bytes(), error);
+        let value: Value = serde_json::from_str(text).map_err(|error| {
+            let before: usize =
+                text.split_inclusive('\n').take(error.line().saturating_sub(1)).map(str::len).sum();
+            let at = before + error.column().saturating_sub(1);
+            let what = format!("a baseline's JSON ({error})");
+            let found =
+                text.get(at..).and_then(|rest| rest.chars().next()).map(String::from).unwrap_or_default();
+            refused(ContentError::new(
+                ContentErrorKind::Expected { what, found },
+                ContentPlace::Text(at..at + 1),
+            ))
+        })?;
+        let whole = |what: &str, found: &Value| {
+            let found = if found.is_null() { "none".to_owned() } else { found.to_string() };
+            let kind = ContentErrorKind::Expected { what: what.to_owned(), found };
+            refused(
+                ContentError::new(kind, ContentPlace::Whole).hint("write it again: --write-baseline FILE"),
+            )
+        };
+        if value[KEY] != VERSION {
+            return Err(whole(&format!("{KEY:?}: {VERSION}"), &value[KEY]));
+        }
+        let Some(findings) = value["findings"].as_array() else {
+            return Err(whole("\"findings\": […]", &value["findings"]));
+        };
+        let known = |value: &Value| {
+            let text = |key: &str| value[key].as_str().map(str::to_owned);
+            let found = (text("id"), text("rule"), text("file"), text("link"));
+            let (Some(id), Some(rule), Some(file), Some(link)) = found else {
+                return Err(whole("a finding with \"id\", \"rule\", \"file\" and \"link\"", value));
+            };
+            Ok(KnownFinding { id, rule, file, link })
+        };
+        let findings: Vec<KnownFinding> = findings.iter().map(known).collect::<Result<_, _>>()?;
+        let ids = findings.iter().map(|known| known.id.clone()).collect();
+        Ok(Self { file: path.to_string_lossy().into_owned(), findings, ids })
+    }
+
+    pub(super) fn has(&self, id: &str) -> bool {
+        self.ids.contains(id)
+    }
+}
+
+/// The text of a baseline that knows all that is open in these files, or known, and how many that are; what is allowed needs none. A finding
+/// a line, in order.
+pub fn text<'a>(judged: impl Iterator<Item = (&'a str, &'a Judged)>) -> (String, usize) {
+    let mut lines = BTreeSet::new();
+    for (file, judged) in judged {
+        let known = judged.settled.iter().filter(|settled| settled.why == Reason::Known);
+        let known = known.map(|settled| (&settled.finding, &settled.id));
+        for (Finding { code, subject, .. }, id) in judged.open.iter().zip(&judged.ids).chain(known) {
+            let value = json!({ "file": file, "rule": code, "link": subject, "id": id });
+            lines.insert((file.to_owned(), *code, subject.clone(), value.to_string()));
+        }
+    }
+    let lines: Vec<String> = lines.into_iter().map(|(.., line)| format!("    {line}")).collect();
+    let list = if lines.is_empty() { "[]".to_owned() } else { format!("[\n{}\n  ]", lines.join(",\n")) };
+    (format!("{{\n  {KEY:?}: {VERSION},\n  \"findings\": {list}\n}}\n"), lines.len())
+}

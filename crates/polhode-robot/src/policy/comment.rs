@@ -1,0 +1,176 @@
+//! `<!-- polhode: allow RULE: REASON -->` in a model.
+//!
+//! A comment is for the link or joint whose element it is in, or right before; before the root element, for the whole file; elsewhere, for
+//! what is about the model as a whole.
+
+use crate::finding::{Finding, Severity};
+use crate::model::{RobotModel, Span};
+use crate::rule::{rule, rules};
+
+/// What such comments begin with.
+const MARK: &str = "polhode:";
+
+/// A comment that begins so.
+#[derive(Clone, Debug)]
+pub(super) struct Comment {
+    span: Span,
+    scope: Scope,
+    /// The rules that it names.
+    codes: Vec<&'static str>,
+    /// Why, in the user's words.
+    pub(super) reason: String,
+    /// Why it allows nothing, if it does not.
+    fault: Option<String>,
+}
+
+/// What a comment is for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+enum Scope {
+    File,
+    Model,
+    /// Links and joints by name.
+    Elements(Vec<String>),
+}
+
+impl Comment {
+    pub(super) fn allows(&self, finding: &Finding) -> bool {
+        self.fault.is_none()
+            && self.codes.contains(&finding.code)
+            && match &self.scope {
+                Scope::File => true,
+                Scope::Model => finding.subject.is_empty(),
+                Scope::Elements(names) => names.contains(&finding.subject),
+            }
+    }
+
+    /// What is wrong with the comment itself: it cannot be understood, or a rule of it was of no use.
+    pub(super) fn fault(&self, is_used: impl Fn(&str) -> bool) -> Option<Finding> {
+        let (code, severity, message) = match &self.fault {
+            Some(fault) => ("allow.malformed", Severity::Suspect, fault.clone()),
+            None => {
+                let unused: Vec<&str> = self.codes.iter().copied().filter(|code| !is_used(code)).collect();
+                if unused.is_empty() {
+                    return None;
+                }
+                let place = match &self.scope {
+                    Scope::File => "in the file".to_owned(),
+                    Scope::Model => {
+                        "of the model as a whole; the comment is at no link and no joint".to_owned()
+                    }
+                    Scope::Elements(names) => format!("of {}", names.join(", ")),
+                };
+                ("allow.unused", Severity::Note, format!("no {} {place}", unused.join(", ")))
+            }
+        };
+        let title = rule(code).map_or("", |rule| rule.title);
+        Some(Finding {
+            code,
+            severity,
+            subject: match &self.scope {
+                Scope::Elements(names) => names.first().cloned().unwrap_or_default(),
+                _ => String::new(),
+            },
+            others: Vec::new(),
+            span: self.span.clone(),
+            message,
+            rule: title.to_owned(),
+            numbers: Vec::new(),
+            repair: None,
+        })
+    }
+}
+
+/// Those of a model's text.
+pub(super) fn comments(model: &RobotModel) -> Vec<Comment> {
+    if !model.text.contains(MARK) {
+        return Vec::new();
+    }
+    let text = model.text.as_str();
+    let (comments, root) = scan(text);
+    let of = |span: &Span| {
+        let said = text.get(span.start + 4..span.end - 3)?.trim().strip_prefix(MARK)?.trim();
+        let scope = if span.end <= root { Scope::File } else { scope(model, span, &comments) };
+        let (codes, reason, fault) = match understood(said) {
+            Ok((codes, reason)) => (codes, reason, None),
+            Err(fault) => (Vec::new(), String::new(), Some(fault)),
+        };
+        Some(Comment { span: span.clone(), scope, codes, reason, fault })
+    };
+    comments.iter().filter_map(of).collect()
+}
+
+/// The comments of a well-formed text, and where its root element begins.
+fn scan(text: &str) -> (Vec<Span>, usize) {
+    let (mut comments, mut root, mut at) = (Vec::new(), None, 0);
+    while let Some(start) = text.get(at..).and_then(|rest| rest.find('<')).map(|found| at + found) {
+        let rest = text.get(start..).unwrap_or_default();
+        let close = if rest.starts_with("<!--") {
+            "-->"
+        } else if rest.starts_with("<?") {
+            "?>"
+        } else if rest.starts_with("<![CDATA[") {
+            "]]>"
+        } else {
+            root = root.or(Some(start));
+            at = start + 1;
+            continue;
+        };
+        let opening = if close == "-->" { 4 } else { 2 };
+        let found = rest.get(opening..).and_then(|rest| rest.find(close));
+        at = found.map_or(text.len(), |found| start + opening + found + close.len());
+        if close == "-->" && found.is_some() {
+            comments.push(start..at);
+        }
+    }
+    (comments, root.unwrap_or(text.len()))
+}
+
+/// The links and joints that a comment is for.
+fn scope(model: &RobotModel, comment: &Span, comments: &[Span]) -> Scope {
+    let elements = || {
+        let links = model.links.iter().map(|link| (&link.span, &link.name.text));
+        links.chain(model.joints.iter().map(|joint| (&joint.span, &joint.name.text)))
+    };
+    let mut next = comment.end;
+    while let Some(rest) = model.text.get(next..) {
+        next += rest.len() - rest.trim_start().len();
+        match comments.iter().find(|other| other.start == next) {
+            Some(other) => next = other.end,
+            None => break,
+        }
+    }
+    let follows = elements().any(|(span, _)| span.start == next);
+    let around = elements().filter(|(span, _)| span.start < comment.start && comment.end < span.end);
+    let innermost = || around.min_by_key(|(span, _)| span.end - span.start).map(|(span, _)| span.start);
+    let Some(start) = Some(next).filter(|_| follows).or_else(innermost) else { return Scope::Model };
+    let mut names: Vec<String> =
+        elements().filter(|(span, _)| span.start == start).map(|(_, name)| name.clone()).collect();
+    names.dedup();
+    Scope::Elements(names)
+}
+
+/// The rules and the reason, or why it is no allowance.
+fn understood(said: &str) -> Result<(Vec<&'static str>, String), String> {
+    const FORM: &str = "write polhode: allow RULE: REASON";
+    let Some(rest) = said.strip_prefix("allow").filter(|rest| rest.starts_with(char::is_whitespace)) else {
+        return Err(format!("{said:?} is not understood: {FORM}"));
+    };
+    let (codes, reason) = rest.split_once(':').unwrap_or((rest, ""));
+    let mut known = Vec::new();
+    for code in codes.split([',', ' ', '\t', '\n', '\r']).filter(|code| !code.is_empty()) {
+        let Some(rule) = rule(code) else {
+            let meant = polhode_formats::nearest(code, rules().map(|rule| rule.code));
+            let meant = meant.map_or(String::new(), |meant| format!(": did you mean {meant}?"));
+            return Err(format!("there is no rule {code}{meant}"));
+        };
+        known.push(rule.code);
+    }
+    let reason = reason.split_whitespace().collect::<Vec<_>>().join(" ");
+    if known.is_empty() {
+        Err(format!("no rule is named: {FORM}"))
+    } else if reason.is_empty() {
+        Err(format!("no reason is given: {FORM}"))
+    } else {
+        Ok((known, reason))
+    }
+}

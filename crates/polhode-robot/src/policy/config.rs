@@ -1,0 +1,272 @@
+//! `polhode.toml`: what a project asks of its models.
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+use std::path::Path;
+
+use polhode_formats::{ContentError, ContentErrorKind, ContentPlace, FormatError, nearest};
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use super::date::Date;
+use super::glob::{Glob, name_matches};
+use crate::finding::{Finding, Severity};
+use crate::line_index::LineIndex;
+use crate::rule::{rule, rules};
+
+/// What a project asks of its models; by default nothing.
+#[derive(Clone, Debug, Default)]
+pub struct Config {
+    /// The file, for messages.
+    pub file: String,
+    /// The least severity that fails.
+    pub fail_on: Option<Severity>,
+    /// Files that are not looked at.
+    pub exclude: Vec<Glob>,
+    /// Severities of rules; `None` is off.
+    severities: BTreeMap<&'static str, Option<Severity>>,
+    /// What is allowed.
+    pub allowances: Vec<Allowance>,
+}
+
+/// Findings that are allowed.
+#[derive(Clone, Debug)]
+pub struct Allowance {
+    /// Of this rule.
+    pub rule: &'static str,
+    /// In these files.
+    pub file: Glob,
+    /// About these links or joints; all of them if it is not said.
+    pub link: Option<String>,
+    /// Why, in the user's words.
+    pub reason: String,
+    /// From this day on nothing is allowed.
+    pub expires: Option<Date>,
+    /// Where it stands in the configuration, line and column.
+    pub place: (usize, usize),
+}
+
+impl Allowance {
+    /// A finding about several links is allowed if all of them are.
+    fn allows(&self, file: &str, finding: &Finding) -> bool {
+        let links = || finding.others.iter().chain([&finding.subject]);
+        let is_meant = |link: &String| self.link.as_ref().is_none_or(|glob| name_matches(glob, link));
+        self.rule == finding.code && self.file.matches(file) && links().all(is_meant)
+    }
+}
+
+impl Config {
+    /// Reads a configuration's text; `path` is for messages.
+    ///
+    /// # Errors
+    /// [`FormatError`] with its place: what is no TOML, keys and rules that do not exist, an allowance without a reason.
+    pub fn read(path: &Path, text: &str) -> Result<Self, FormatError> {
+        read(text)
+            .map(|config| Self { file: path.to_string_lossy().into_owned(), ..config })
+            .map_err(|error| FormatError::of_content(path, text.as_bytes(), error))
+    }
+
+    /// What a user's own severity of a rule is, if there is one; `Some(None)` is off.
+    pub(super) fn severity_of(&self, code: &str) -> Option<Option<Severity>> {
+        self.severities.get(code).copied()
+    }
+
+    /// The first allowance for a finding that has not expired, with its place in the list.
+    pub(super) fn allowance(
+        &self,
+        file: &str,
+        finding: &Finding,
+        today: Date,
+    ) -> Option<(usize, &Allowance)> {
+        let holds = |allowance: &Allowance| allowance.expires.is_none_or(|day| today < day);
+        self.allowances.iter().enumerate().find(|(_, a)| holds(a) && a.allows(file, finding))
+    }
+}
+
+fn read(text: &str) -> Result<Config, ContentError> {
+    let document = DeTable::parse(text).map_err(|error| {
+        let span = error.span().unwrap_or(0..0);
+        expected(
+            &format!("TOML ({})", error.message().replace('\n', " ")),
+            text.get(span.clone()).unwrap_or(""),
+            span,
+        )
+        .hint("a line is key = value, [table] or [[table]]; text is in quotes")
+    })?;
+    let mut config = Config::default();
+    let top = Table { entries: document.get_ref(), name: "polhode.toml", span: 0..0 };
+    top.allow(&["check"])?;
+    let Some(check) = top.get("check") else { return Ok(config) };
+    let check = check.table("[check]")?;
+    check.allow(&["fail_on", "exclude", "rules", "allow"])?;
+    config.fail_on = check.get("fail_on").map(|value| value.severity(false)).transpose()?.flatten();
+    if let Some(exclude) = check.get("exclude") {
+        config.exclude =
+            exclude.list("a list of globs")?.iter().map(Value::glob).collect::<Result<_, _>>()?;
+    }
+    if let Some(severities) = check.get("rules") {
+        let severities = severities.table("[check.rules]")?;
+        for (key, value) in severities.each() {
+            config.severities.insert(known_rule(key.get_ref(), key.span())?, value.severity(true)?);
+        }
+    }
+    let lines = LineIndex::new(text);
+    if let Some(allowances) = check.get("allow") {
+        for value in allowances.list("[[check.allow]]")? {
+            let table = value.table("[[check.allow]]")?;
+            config.allowances.push(allowance(&table, lines.place(table.span.start))?);
+        }
+    }
+    Ok(config)
+}
+
+fn allowance(table: &Table<'_>, place: (usize, usize)) -> Result<Allowance, ContentError> {
+    table.allow(&["rule", "file", "link", "reason", "expires"])?;
+    let code = table.require("rule", "rule = \"inertia.triangle\"")?;
+    let reason = table.require("reason", "reason = \"why it is right as it is\"")?;
+    if reason.text("a reason in words")?.trim().is_empty() {
+        return Err(expected("a reason in words", "an empty text", reason.span()));
+    }
+    Ok(Allowance {
+        rule: known_rule(code.text("a rule")?, code.span())?,
+        file: table.require("file", "file = \"robots/**/*.urdf\"")?.glob()?,
+        link: table
+            .get("link")
+            .map(|link| link.text("a link's name, or a glob").map(str::to_owned))
+            .transpose()?,
+        reason: reason.text("a reason in words")?.trim().to_owned(),
+        expires: table.get("expires").map(|day| day.date()).transpose()?,
+        place,
+    })
+}
+
+fn known_rule(code: &str, span: Range<usize>) -> Result<&'static str, ContentError> {
+    rule(code).map(|rule| rule.code).ok_or_else(|| {
+        let meant = nearest(code, rules().map(|rule| rule.code));
+        let meant = meant.map_or(String::new(), |meant| format!("did you mean {meant}? "));
+        expected("a rule", code, span).hint(format!("{meant}polhode check --explain lists all rules"))
+    })
+}
+
+fn expected(what: &str, found: &str, span: Range<usize>) -> ContentError {
+    let kind = ContentErrorKind::Expected { what: what.to_owned(), found: found.to_owned() };
+    ContentError::new(kind, ContentPlace::Text(span))
+}
+
+/// A table, what it is called, and where it stands.
+struct Table<'a> {
+    entries: &'a DeTable<'a>,
+    name: &'static str,
+    span: Range<usize>,
+}
+
+/// A value and where it stands.
+#[derive(Clone, Copy)]
+struct Value<'a>(&'a Spanned<DeValue<'a>>);
+
+impl<'a> Table<'a> {
+    /// Refuses the first key that is none of these.
+    fn allow(&self, known: &[&str]) -> Result<(), ContentError> {
+        let unknown =
+            self.entries.iter().map(|(key, _)| key).filter(|key| !known.contains(&key.get_ref().as_ref()));
+        let Some(key) = unknown.min_by_key(|key| key.span().start) else { return Ok(()) };
+        let meant = nearest(key.get_ref(), known.iter().copied());
+        let meant = meant.map_or(String::new(), |meant| format!("did you mean {meant}? "));
+        let error = expected(&format!("a key of {}", self.name), key.get_ref(), key.span());
+        Err(error.hint(format!("{meant}the keys here are {}", known.join(", "))))
+    }
+
+    fn get(&self, key: &str) -> Option<Value<'a>> {
+        self.entries.get(key).map(Value)
+    }
+
+    fn require(&self, key: &str, example: &str) -> Result<Value<'a>, ContentError> {
+        self.get(key).ok_or_else(|| {
+            let kind = ContentErrorKind::Missing { what: format!("{key} in {}", self.name) };
+            ContentError::new(kind, ContentPlace::Text(self.span.clone())).hint(format!("write {example}"))
+        })
+    }
+
+    fn each(&self) -> impl Iterator<Item = (&'a Spanned<toml::de::DeString<'a>>, Value<'a>)> {
+        self.entries.iter().map(|(key, value)| (key, Value(value)))
+    }
+}
+
+impl<'a> Value<'a> {
+    fn span(&self) -> Range<usize> {
+        self.0.span()
+    }
+
+    fn wrong(&self, what: &str) -> ContentError {
+        let found = match self.0.get_ref() {
+            DeValue::String(text) => text.to_string(),
+            DeValue::Integer(number) => number.as_str().to_owned(),
+            DeValue::Float(number) => number.as_str().to_owned(),
+            DeValue::Boolean(truth) => truth.to_string(),
+            DeValue::Datetime(date) => date.to_string(),
+            DeValue::Array(_) => "a list".to_owned(),
+            DeValue::Table(_) => "a table".to_owned(),
+        };
+        expected(what, &found, self.span())
+    }
+
+    fn table(&self, name: &'static str) -> Result<Table<'a>, ContentError> {
+        match self.0.get_ref() {
+            DeValue::Table(entries) => Ok(Table { entries, name, span: self.span() }),
+            _ => Err(self.wrong(name)),
+        }
+    }
+
+    fn list(&self, what: &str) -> Result<Vec<Self>, ContentError> {
+        match self.0.get_ref() {
+            DeValue::Array(elements) => Ok(elements.iter().map(Value).collect()),
+            _ => Err(self.wrong(what)),
+        }
+    }
+
+    fn text(&self, what: &str) -> Result<&'a str, ContentError> {
+        match self.0.get_ref() {
+            DeValue::String(text) => Ok(text),
+            _ => Err(self.wrong(what)),
+        }
+    }
+
+    fn glob(&self) -> Result<Glob, ContentError> {
+        let what = "a glob of files";
+        Glob::new(self.text(what)?).ok_or_else(|| {
+            self.wrong(what).hint("globs have * and ?, and ** between slashes: robots/**/*.urdf")
+        })
+    }
+
+    fn date(&self) -> Result<Date, ContentError> {
+        match self.0.get_ref() {
+            DeValue::Datetime(given) if given.time.is_none() => given
+                .date
+                .map(|date| Date::new(date.year, date.month, date.day))
+                .ok_or_else(|| self.wrong("a day")),
+            _ => Err(self.wrong("a day").hint("write expires = 2027-01-31, without quotes")),
+        }
+    }
+
+    /// A severity, `None` for off.
+    fn severity(&self, may_be_off: bool) -> Result<Option<Severity>, ContentError> {
+        let all = [Severity::Impossible, Severity::Suspect, Severity::Note];
+        let names: Vec<&str> =
+            all.into_iter().map(Severity::name).chain(may_be_off.then_some("off")).collect();
+        let what = format!("one of {}", names.join(", "));
+        let word = self.text(&what)?;
+        if may_be_off && word == "off" {
+            return Ok(None);
+        }
+        match all.into_iter().find(|severity| severity.name() == word) {
+            Some(severity) => Ok(Some(severity)),
+            None => {
+                let error = self.wrong(&what);
+                Err(match nearest(word, names) {
+                    Some(meant) => error.hint(format!("did you mean {meant}?")),
+                    None => error,
+                })
+            }
+        }
+    }
+}

@@ -1,0 +1,25 @@
+//! What a finding is known by: its rule, its file and what it is about, and which of several it is; not its line, nor its numbers.
+
+use std::collections::BTreeMap;
+
+use crate::finding::Finding;
+
+/// Of each finding of a file, in their order.
+pub(super) fn ids<'a>(file: &str, findings: impl Iterator<Item = &'a Finding>) -> Vec<String> {
+    let mut seen: BTreeMap<(&str, &str), usize> = BTreeMap::new();
+    let id = |finding: &'a Finding| {
+        let count = seen.entry((finding.code, &finding.subject)).or_default();
+        *count += 1;
+        hash([finding.code, file, &finding.subject, &count.to_string()])
+    };
+    findings.map(id).collect()
+}
+
+/// FNV-1a of 64 bits: the same on every machine and for ever.
+pub(super) fn hash<'a>(parts: impl IntoIterator<Item = &'a str>) -> String {
+    let step = |hash: u64, byte: &u8| (hash ^ u64::from(*byte)).wrapping_mul(0x0000_0100_0000_01b3);
+    // No part has this byte: UTF-8 does not.
+    let bytes = |part: &'a str| part.bytes().chain([0xff]);
+    let hash = parts.into_iter().flat_map(bytes).fold(0xcbf2_9ce4_8422_2325, |hash, byte| step(hash, &byte));
+    format!("{hash:016x}")
+}

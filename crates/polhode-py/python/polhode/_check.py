@@ -33,6 +33,8 @@ class ModelFinding(NamedTuple):
     numbers: dict[str, float]
     #: What would repair it, if that can be proved: a description, and edits of the text.
     repair: dict[str, Any] | None
+    #: What it is known by, wherever it moves in its file.
+    id: str
 
 
 class CheckReport:
@@ -46,7 +48,7 @@ class CheckReport:
 
     @property
     def findings(self) -> list[ModelFinding]:
-        """All findings."""
+        """All findings that count; what comments of the model allow is ``to_dict()["allowed"]``."""
         return [ModelFinding(**finding) for finding in self.to_dict()["findings"]]
 
     @property

@@ -99,9 +99,7 @@ impl<'a> FileResult<'a> {
         let settled = report.judged.settled.iter();
         let settled = settled.map(|settled| item(&settled.finding, &settled.id, Some(&settled.why)));
         let mut items: Vec<Item<'a>> = open.chain(settled).collect();
-        items.sort_by(|a, b| {
-            (&a.file != &self.file, &a.file, a.start).cmp(&(&b.file != &self.file, &b.file, b.start))
-        });
+        items.sort_by_cached_key(|item| (item.file != self.file, item.file.clone(), item.start));
         items
     }
 

@@ -49,7 +49,7 @@ impl Example {
     /// The model that breaks the rule, and the one that does not.
     pub fn models(&self) -> [String; 2] {
         [self.model.to_owned(), self.model.replacen(self.old, self.new, 1)].map(|model| {
-            let is_whole = ["<sdf", "<mujoco", "<robot"].iter().any(|root| model.starts_with(root));
+            let is_whole = ["<sdf", "<mujoco", "<robot", "#usda"].iter().any(|root| model.starts_with(root));
             if is_whole { model } else { format!("<robot name=\"r\">\n{model}\n</robot>") }
         })
     }

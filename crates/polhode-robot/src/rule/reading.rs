@@ -5,7 +5,7 @@ use crate::finding::Severity::{Note, Suspect};
 
 const NOT_CHECKED: &str = "What is not read is not checked.";
 
-pub(super) const RULES: [Rule; 11] = [
+pub(super) const RULES: [Rule; 12] = [
     Rule {
         code: "read.inertials",
         severity: Suspect,
@@ -98,12 +98,12 @@ pub(super) const RULES: [Rule; 11] = [
     Rule {
         code: "read.compiler",
         severity: Note,
-        title: "MuJoCo takes the inertias as they are written",
-        why: "Attributes of <compiler> change masses and tensors when the model is loaded; the checks see what is written.",
-        mend: "Write what you want to have, and leave the attribute out.",
+        title: "a model is checked as it is written",
+        why: "Some attributes of <compiler> have MuJoCo join bodies, or read places otherwise; here each body stands alone, as it is written.",
+        mend: "Save the model as MuJoCo has compiled it (mj_saveLastXML), and check that.",
         example: Some(Example {
-            model: "<mujoco>\n  <compiler balanceinertia=\"true\"/>\n  <worldbody/>\n</mujoco>",
-            old: " balanceinertia=\"true\"",
+            model: "<mujoco>\n  <compiler fusestatic=\"true\"/>\n  <worldbody/>\n</mujoco>",
+            old: " fusestatic=\"true\"",
             new: "",
         }),
     },

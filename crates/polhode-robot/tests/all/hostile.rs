@@ -320,7 +320,7 @@ fn broken_texts_are_read_or_refused_and_every_place_is_in_them() {
             continue;
         };
         read_ones += 1;
-        let _ = inspect(&model, &mut Shapes::default());
+        let _ = inspect(&model, &Shapes::default());
         let slots =
             |link: &Link| match link.inertial.as_ref().map(|inertial| (&inertial.mass, &inertial.tensor)) {
                 Some((mass, Tensor::Six(six))) => six.iter().chain([mass]).map(Slot::span).collect(),

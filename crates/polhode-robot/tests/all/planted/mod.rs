@@ -18,6 +18,6 @@ fn inspected(language: Language, text: &str, name: &str) -> (RobotModel, Inspect
     let folder = Folder::of(name, &[(&file, text), ("cube.stl", &solid::cube())]);
     let model = read_model(&folder.path(&file), &ReadOptions::default());
     let model = model.unwrap_or_else(|error| panic!("{name}: {error}\n{text}"));
-    let inspection = inspect(&model, &mut Shapes::default());
+    let inspection = inspect(&model, &Shapes::default());
     (model, inspection)
 }

@@ -8,9 +8,10 @@ use polhode::body::mesh::{ConvexHull, MeshShell};
 use polhode::body::shape::{Extent, Shape, Substance};
 use polhode::body::{Finding, MassProperties};
 use polhode_formats::expression::Expression;
-use polhode_formats::mesh::{AssumedMetres, MeshContents, MeshFormat, MeshSolid};
+use polhode_formats::mesh::{AssumedMetres, MeshContents, MeshFormat, MeshLength, MeshRepair, MeshSolid};
 use polhode_formats::unit::Dimension;
 use polhode_report::{InertiaReport, PartRow, SourceInfo, parts};
+use serde_json::json;
 
 use super::field;
 use super::model::{Model, Piece, unfit};
@@ -42,6 +43,10 @@ pub(super) struct MeshFlags {
     /// The estimated relative error that is good enough for --field [default: 1e-10].
     #[arg(long, value_name = "ERROR", requires = "field", conflicts_with_all = WITHOUT_FIELD, value_parser = tolerance)]
     tolerance: Option<f64>,
+    /// Join vertices of open edges that are at most so far apart: a length such as "0.01 mm", or a plain number, a part of the mesh's size (the
+    /// diagonal of its box).
+    #[arg(long, value_name = "TOL", value_parser = beside_mesh, conflicts_with_all = ["hull", "shell", "quick"])]
+    weld: Option<MeshLength>,
     /// Leave out all checks of a binary STL file, as fast as its bytes are read; the answer's first line says what was not looked at.
     #[arg(long, conflicts_with_all = ["hull", "shell", "part"])]
     quick: bool,
@@ -59,6 +64,7 @@ impl MeshFlags {
             (self.hull, "--hull"),
             (self.shell.is_some(), "--shell"),
             (self.field.is_some(), "--field"),
+            (self.weld.is_some(), "--weld"),
             (self.quick, "--quick"),
         ];
         flags.into_iter().find(|(given, _)| *given).map(|(_, flag)| flag)
@@ -150,7 +156,14 @@ fn whole(
             part.mesh = ConvexHull::of(part.mesh.coordinates()).map_err(unfit)?;
         }
     }
+    let mut repairs = Vec::new();
+    if let Some(tolerance) = flags.weld {
+        let (welded, repair) = contents.welded(tolerance, unit, file)?;
+        contents = welded;
+        repairs.push(repair);
+    }
     let solid = MeshSolid::of(contents, file, format, unit)?;
+    findings.extend(repairs.iter().map(|repair| repair.finding(&solid, &file.display().to_string())));
     findings.extend(solid.findings_in(&file.display().to_string()));
     let turned = solid.parts.iter().any(|part| part.mesh.inverted());
     let what = match (flags.hull, turned) {
@@ -162,6 +175,7 @@ fn whole(
     let taken_as = if flags.hull { "convex_hull" } else { "solid" };
     let source =
         described(what, solid.parts.len(), solid.unit).with("vertices", vertices).with("taken_as", taken_as);
+    let source = repairs.iter().fold(source, said);
     let field = match &flags.field {
         Some(formula) => Some(field::found(&solid.parts, formula, flags.tolerance)?),
         None => None,
@@ -169,6 +183,23 @@ fn whole(
     let piece =
         |part: polhode_formats::mesh::SolidPart| Piece { name: part.name, shape: Box::new(part.mesh) };
     Ok(Model { source, pieces: solid.parts.into_iter().map(piece).collect(), field })
+}
+
+/// What was mended, for programs.
+fn said(source: SourceInfo, repair: &MeshRepair) -> SourceInfo {
+    match *repair {
+        MeshRepair::Welded { vertices, points, largest_distance, vanished, bound } => source.with(
+            "welded",
+            json!({
+                "vertices": vertices,
+                "points": points,
+                "largest_distance_m": largest_distance,
+                "triangles_vanished": vanished,
+                "volume_bound_m3": bound.volume,
+            }),
+        ),
+        _ => source,
+    }
 }
 
 /// Each part with its mass.
@@ -224,6 +255,14 @@ fn weighed(
 
 fn thickness(text: &str) -> Result<f64, String> {
     positive(quantity(text, Dimension::LENGTH)?)
+}
+
+fn beside_mesh(text: &str) -> Result<MeshLength, String> {
+    let length = MeshLength::parse(text).map_err(|error| match error.hint() {
+        Some(hint) => format!("{error} (hint: {hint})"),
+        None => error.to_string(),
+    })?;
+    positive(length.value()).map(|_| length)
 }
 
 fn tolerance(text: &str) -> Result<f64, String> {

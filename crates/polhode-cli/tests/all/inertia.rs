@@ -308,3 +308,67 @@ fn a_verdict_is_the_same_at_every_size() {
         }
     }
 }
+
+/// A tetrahedron of 1 m³ of which one corner was torn in three, by some 1e-6 of its size.
+const TORN: &str = "\
+v 0.1 0 0\nv 2.1 0 0\nv 0.1 3 0\nv 0.1 0 1\nv 0.1000021 0 1\nv 0.1 0.0000013 1
+f 1 3 2\nf 1 2 4\nf 1 5 3\nf 2 3 6
+";
+
+#[test]
+fn a_torn_mesh_names_the_weld_that_closes_it_and_is_not_welded_unasked() {
+    let scratch = Scratch::new("weld");
+    scratch.write("torn.obj", TORN);
+    let text = refused(&scratch.run(&["inertia", "torn.obj", "--mass", "4 kg"]), 2);
+    assert!(
+        text.contains("it closes if welded at 6.6e-7 of its size: --weld 7e-7 (3 vertices become 1)"),
+        "{text}"
+    );
+    let mesh = ["inertia", "torn.obj", "--density", "4 kg/m^3", "--json"];
+    for tolerance in ["7e-7", "3 um"] {
+        let welded = json(&scratch.run(&[mesh.as_slice(), &["--weld", tolerance]].concat()));
+        let bound = number(&welded["source"]["welded"]["volume_bound_m3"]);
+        assert!((number(&welded["volume"]) - 1.0).abs() <= bound && bound < 2e-5, "{bound}");
+        assert_eq!(
+            (&welded["source"]["welded"]["vertices"], &welded["source"]["welded"]["points"]),
+            (&3.into(), &1.into())
+        );
+        let finding = &welded["findings"][0];
+        assert_eq!((&finding["code"], &finding["severity"]), (&"mesh.welded".into(), &"warning".into()));
+        let message = finding["message"].as_str().unwrap();
+        assert!(
+            message.contains("3 vertices were welded to 1 point, as was asked, at most 2.47e-6 m apart"),
+            "{message}"
+        );
+        assert!(message.contains("no triangle vanished; the volume may be off by"), "{message}");
+    }
+    let refusal = |flags: &[&str]| refused(&scratch.run(&[&["inertia", "torn.obj"], flags].concat()), 2);
+    let too_little = refusal(&["--weld", "1 um"]);
+    assert!(too_little.contains("the mesh is open"), "{too_little}");
+    let too_much = refusal(&["--weld", "1 m"]);
+    assert!(too_much.contains("a hundredth"), "{too_much}");
+    refusal(&["--weld", "7e-7", "--hull"]);
+    refusal(&["--weld", "-1"]);
+}
+
+#[test]
+fn the_weld_of_a_scenario_is_that_of_the_command() {
+    let scratch = Scratch::new("weld-scenario");
+    scratch.write("torn.obj", TORN);
+    let command = json(&scratch.run(&["inertia", "torn.obj", "--mass", "4 kg", "--json", "--weld", "1e-6"]));
+    for (weld, fits) in [("weld = 1e-6", true), ("weld = \"3 um\"", true), ("weld = 0", false), ("", false)] {
+        let part = format!("shape = \"mesh\"\nfile = \"torn.obj\"\nunit = \"m\"\n{weld}\nmass = \"4 kg\"");
+        let text = format!(
+            "[[body.part]]\n{part}\n[start]\nspin = {{ body = [0, 0, \"1 rad/s\"] }}\n[run]\nduration = \"1 s\"\n"
+        );
+        scratch.write("torn.toml", &text);
+        let output = scratch.run(&["inertia", "torn.toml", "--json"]);
+        if fits {
+            let scenario = json(&output);
+            assert_eq!(scenario["inertia"], command["inertia"], "{weld}");
+            assert_eq!(scenario["findings"][0]["code"], "mesh.welded", "{weld}");
+        } else {
+            refused(&output, 2);
+        }
+    }
+}

@@ -11,6 +11,7 @@ pub mod off;
 mod parts;
 pub mod ply;
 mod polygon;
+mod repair;
 mod scan;
 mod solid;
 pub mod stl;
@@ -28,6 +29,7 @@ use crate::error::FormatError;
 use crate::file;
 
 pub use assumed_unit::{AssumedMetres, longest_side};
+pub use repair::{MeshLength, MeshRepair, RepairBound};
 pub use solid::{MeshSolid, SolidPart};
 
 /// What a mesh file says: parts and their triangles, in the file's own unit of length.

@@ -22,6 +22,7 @@ mod mesh;
 mod mesh_diagnosis;
 mod mesh_hull;
 mod mesh_shapes;
+mod mesh_weld;
 mod motion;
 mod orbits;
 mod own_torque;

@@ -47,6 +47,9 @@ pub(super) struct MeshFlags {
     /// diagonal of its box).
     #[arg(long, value_name = "TOL", value_parser = beside_mesh, conflicts_with_all = ["hull", "shell", "quick"])]
     weld: Option<MeshLength>,
+    /// Close holes that are at most so large across, after a weld: a length such as "2 mm", or a plain number, a part of the mesh's size.
+    #[arg(long, value_name = "SIZE", value_parser = beside_mesh, conflicts_with_all = ["hull", "shell", "quick"])]
+    fill: Option<MeshLength>,
     /// Leave out all checks of a binary STL file, as fast as its bytes are read; the answer's first line says what was not looked at.
     #[arg(long, conflicts_with_all = ["hull", "shell", "part"])]
     quick: bool,
@@ -65,6 +68,7 @@ impl MeshFlags {
             (self.shell.is_some(), "--shell"),
             (self.field.is_some(), "--field"),
             (self.weld.is_some(), "--weld"),
+            (self.fill.is_some(), "--fill"),
             (self.quick, "--quick"),
         ];
         flags.into_iter().find(|(given, _)| *given).map(|(_, flag)| flag)
@@ -162,6 +166,11 @@ fn whole(
         contents = welded;
         repairs.push(repair);
     }
+    if let Some(size) = flags.fill {
+        let (filled, repair) = contents.filled(size, unit, file)?;
+        contents = filled;
+        repairs.push(repair);
+    }
     let solid = MeshSolid::of(contents, file, format, unit)?;
     findings.extend(repairs.iter().map(|repair| repair.finding(&solid, &file.display().to_string())));
     findings.extend(solid.findings_in(&file.display().to_string()));
@@ -195,6 +204,16 @@ fn said(source: SourceInfo, repair: &MeshRepair) -> SourceInfo {
                 "points": points,
                 "largest_distance_m": largest_distance,
                 "triangles_vanished": vanished,
+                "volume_bound_m3": bound.volume,
+            }),
+        ),
+        MeshRepair::Filled { holes, triangles, largest, open_edges, bound } => source.with(
+            "filled",
+            json!({
+                "holes": holes,
+                "triangles": triangles,
+                "largest_m": largest,
+                "open_edges": open_edges,
                 "volume_bound_m3": bound.volume,
             }),
         ),

@@ -372,3 +372,48 @@ fn the_weld_of_a_scenario_is_that_of_the_command() {
         }
     }
 }
+
+#[test]
+fn a_hole_is_filled_if_asked_and_what_that_may_change_is_said() {
+    let scratch = Scratch::new("fill");
+    let open: String =
+        TWO.lines().filter(|line| *line != "f 1 3 2").map(|line| format!("{line}\n")).collect();
+    scratch.write("open.obj", &open);
+    refused(&scratch.run(&["inertia", "open.obj", "--mass", "4 kg"]), 2);
+    let of =
+        |size: &str| scratch.run(&["inertia", "open.obj", "--density", "4 kg/m^3", "--json", "--fill", size]);
+    for size in ["3.7 m", "0.3"] {
+        let filled = json(&of(size));
+        near(&filled["mass"], 8.0);
+        let said = &filled["source"]["filled"];
+        assert_eq!(
+            (&said["holes"], &said["triangles"], &said["open_edges"]),
+            (&1.into(), &1.into(), &0.into())
+        );
+        near(&said["largest_m"], 13_f64.sqrt());
+        // the ball about a right triangle
+        near(&said["volume_bound_m3"], std::f64::consts::PI / 6.0 * 13_f64.powf(1.5));
+        let finding = &filled["findings"][0];
+        assert_eq!(finding["code"], "mesh.filled");
+        let message = finding["message"].as_str().unwrap();
+        assert!(
+            message.contains("1 hole of up to 3.61e0 m across was filled with 1 triangle, as was asked"),
+            "{message}"
+        );
+    }
+    let refusal = |size: &str| refused(&scratch.run(&["inertia", "open.obj", "--fill", size]), 2);
+    assert!(refusal("3 m").contains("the mesh is open"));
+    refusal("-3 m");
+}
+
+#[test]
+fn the_pieces_of_one_surface_are_filled_together() {
+    let scratch = Scratch::new("fill-pieces");
+    // a tetrahedron in two groups of two triangles, of which one misses one: no group is closed, and only three edges are open in both
+    let text = "v 0 0 0\nv 2 0 0\nv 0 3 0\nv 0 0 1\ng a\nf 1 2 4\nf 1 4 3\ng b\nf 2 3 4\n";
+    scratch.write("open.obj", text);
+    let filled =
+        json(&scratch.run(&["inertia", "open.obj", "--density", "4 kg/m^3", "--json", "--fill", "4 m"]));
+    near(&filled["mass"], 4.0);
+    assert_eq!(filled["source"]["filled"]["holes"], 1);
+}

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use polhode::body::mesh::{TriangleMesh, WeldedMesh};
+use polhode::body::mesh::{FilledMesh, TriangleMesh, WeldedMesh};
 use polhode::body::{BodyError, Finding, Severity};
 
 use super::{MeshContents, MeshPart, MeshSolid, solid};
@@ -70,6 +70,19 @@ pub enum MeshRepair {
         /// What it may be off.
         bound: RepairBound,
     },
+    /// Small holes were closed with triangles.
+    Filled {
+        /// Holes that were closed.
+        holes: usize,
+        /// Triangles that close them.
+        triangles: usize,
+        /// The largest distance between two vertices of such a hole, m.
+        largest: f64,
+        /// Edges that still belong to one triangle only.
+        open_edges: usize,
+        /// What it may be off, if what is missing lies within the balls about the holes.
+        bound: RepairBound,
+    },
 }
 
 /// What a repair leaves open.
@@ -97,8 +110,9 @@ impl MeshRepair {
             _ => String::new(),
         };
         let message = format!(
-            "{}; the volume may be off by {volume:.1e} m³ ({:.1e} of it){effect}, at most",
+            "{}{} the volume may be off by {volume:.1e} m³ ({:.1e} of it){effect}, at most",
             self.in_words(),
+            if matches!(self, Self::Filled { holes: 1.., .. }) { "," } else { ";" },
             volume / whole
         );
         let place = Some(crate::text::escaped(file));
@@ -107,28 +121,40 @@ impl MeshRepair {
 
     /// What it may be off.
     pub const fn bound(&self) -> RepairBound {
-        let Self::Welded { bound, .. } = self;
+        let (Self::Welded { bound, .. } | Self::Filled { bound, .. }) = self;
         *bound
     }
 
     const fn code(&self) -> &'static str {
-        "mesh.welded"
+        match self {
+            Self::Welded { .. } => "mesh.welded",
+            Self::Filled { .. } => "mesh.filled",
+        }
     }
 
     fn in_words(&self) -> String {
-        let Self::Welded { vertices, points, largest_distance, vanished, .. } = *self;
-        if points == 0 {
-            return "nothing was welded: no vertices of open edges are so near each other".to_owned();
-        }
-        let vanished = match vanished {
-            0 => "no triangle vanished".to_owned(),
-            1 => "1 triangle vanished".to_owned(),
-            many => format!("{many} triangles vanished"),
+        let counted = |count: usize, noun: &str| match count {
+            1 => format!("1 {noun}"),
+            many => format!("{many} {noun}s"),
         };
-        let points = if points == 1 { "1 point".to_owned() } else { format!("{points} points") };
-        format!(
-            "{vertices} vertices were welded to {points}, as was asked, at most {largest_distance:.2e} m apart; {vanished}"
-        )
+        match *self {
+            Self::Welded { points: 0, .. } => {
+                "nothing was welded: no vertices of open edges are so near each other".to_owned()
+            }
+            Self::Welded { vertices, points, largest_distance, vanished, .. } => format!(
+                "{vertices} vertices were welded to {}, as was asked, at most {largest_distance:.2e} m apart; {} vanished",
+                counted(points, "point"),
+                if vanished == 0 { "no triangle".to_owned() } else { counted(vanished, "triangle") }
+            ),
+            Self::Filled { holes: 0, .. } => "nothing was filled: no hole is so small".to_owned(),
+            Self::Filled { holes, triangles, largest, .. } => format!(
+                "{} of up to {largest:.2e} m across {} filled with {}, as was asked; if what is missing lies within the \
+                 balls about the holes",
+                counted(holes, "hole"),
+                if holes == 1 { "was" } else { "were" },
+                counted(triangles, "triangle")
+            ),
+        }
     }
 }
 
@@ -168,6 +194,37 @@ impl MeshContents {
         }
         Ok((self, repair))
     }
+
+    /// The mesh with holes closed that are no larger than this: [`TriangleMesh::filled`] of each part; of all together, which are one part then, if
+    /// edges that are open in one are closed by another. `unit` is as in [`MeshSolid::read`].
+    ///
+    /// # Errors
+    /// [`FormatError`] for a size that is not positive.
+    pub fn filled(
+        mut self,
+        size: MeshLength,
+        unit: Option<f64>,
+        path: &Path,
+    ) -> Result<(Self, MeshRepair), FormatError> {
+        let unit = unit.or(self.unit).unwrap_or(1.0);
+        let refused = |error| solid::no_solid(path, "", error);
+        let all = solid::joined(&self.parts).map_err(refused)?;
+        let size = size.beside(all.diagonal(), unit);
+        let together = all.filled(size).map_err(refused)?;
+        let each = self.parts.iter().map(|part| part.mesh.filled(size));
+        let each = each.collect::<Result<Vec<_>, _>>().map_err(refused)?;
+        let open: usize = each.iter().map(|mesh| mesh.edges_before).sum();
+        if open == together.edges_before {
+            let repair = repair_of_holes(&each, unit);
+            for (part, filled) in self.parts.iter_mut().zip(each) {
+                part.mesh = filled.mesh;
+            }
+            return Ok((self, repair));
+        }
+        let repair = repair_of_holes(std::slice::from_ref(&together), unit);
+        self.parts = vec![MeshPart { name: String::new(), mesh: together.mesh }];
+        Ok((self, repair))
+    }
 }
 
 /// The triangles of each part, of all together.
@@ -190,5 +247,18 @@ fn repair(welded: &[WeldedMesh], unit: f64) -> MeshRepair {
         largest_distance: most(|mesh| mesh.largest_distance),
         vanished: count(|mesh| mesh.vanished),
         bound: RepairBound { volume, beyond: most(|mesh| mesh.farthest_move) },
+    }
+}
+
+fn repair_of_holes(filled: &[FilledMesh], unit: f64) -> MeshRepair {
+    let count = |of: fn(&FilledMesh) -> usize| filled.iter().map(of).sum();
+    let most = |of: fn(&FilledMesh) -> f64| unit * filled.iter().map(of).fold(0.0, f64::max);
+    let volume = filled.iter().map(|mesh| mesh.volume_bound).sum::<f64>() * unit.powi(3);
+    MeshRepair::Filled {
+        holes: count(|mesh| mesh.holes),
+        triangles: count(|mesh| mesh.triangles),
+        largest: most(|mesh| mesh.largest),
+        open_edges: count(|mesh| mesh.open_edges),
+        bound: RepairBound { volume, beyond: most(|mesh| mesh.largest_radius) },
     }
 }

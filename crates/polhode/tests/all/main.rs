@@ -20,6 +20,7 @@ mod jacobi_form;
 mod jacobian;
 mod mesh;
 mod mesh_diagnosis;
+mod mesh_fill;
 mod mesh_hull;
 mod mesh_shapes;
 mod mesh_weld;

@@ -362,13 +362,12 @@ fn the_weld_of_a_scenario_is_that_of_the_command() {
             "[[body.part]]\n{part}\n[start]\nspin = {{ body = [0, 0, \"1 rad/s\"] }}\n[run]\nduration = \"1 s\"\n"
         );
         scratch.write("torn.toml", &text);
-        let output = scratch.run(&["inertia", "torn.toml", "--json"]);
         if fits {
-            let scenario = json(&output);
+            let scenario = json(&scratch.run(&["inertia", "torn.toml", "--json"]));
             assert_eq!(scenario["inertia"], command["inertia"], "{weld}");
             assert_eq!(scenario["findings"][0]["code"], "mesh.welded", "{weld}");
         } else {
-            refused(&output, 2);
+            refused(&scratch.run(&["inertia", "torn.toml"]), 2);
         }
     }
 }
@@ -416,4 +415,51 @@ fn the_pieces_of_one_surface_are_filled_together() {
         json(&scratch.run(&["inertia", "open.obj", "--density", "4 kg/m^3", "--json", "--fill", "4 m"]));
     near(&filled["mass"], 4.0);
     assert_eq!(filled["source"]["filled"]["holes"], 1);
+}
+
+#[test]
+fn the_mesh_is_written_as_it_was_used_and_replaces_nothing_unasked() {
+    let scratch = Scratch::new("write-mesh");
+    scratch.write("torn.obj", TORN);
+    let mend =
+        ["inertia", "torn.obj", "--unit", "mm", "--mass", "4 g", "--json", "--weld", "1e-6", "--write-mesh"];
+    let used = json(&scratch.run(&[mend.as_slice(), &["whole.obj"]].concat()));
+    let refusal = |rest: &[&str]| {
+        let mend = ["inertia", "torn.obj", "--unit", "mm", "--weld", "1e-6", "--write-mesh"];
+        refused(&scratch.run(&[mend.as_slice(), rest].concat()), 2)
+    };
+    for (name, tolerance) in [("whole.obj", 1e-14), ("whole.ply", 1e-14), ("whole.stl", 1e-6)] {
+        if name != "whole.obj" {
+            json(&scratch.run(&[mend.as_slice(), &[name]].concat()));
+        }
+        let again = json(&scratch.run(&["inertia", name, "--unit", "mm", "--mass", "4 g", "--json"]));
+        for element in 0..9 {
+            let [a, b] =
+                [&used, &again].map(|body| number(&body["inertia"]["tensor"][element / 3][element % 3]));
+            assert!((a - b).abs() <= tolerance * number(&used["inertia"]["tensor"][0][0]), "{name}: {a} {b}");
+        }
+        assert!(again["findings"].as_array().unwrap().is_empty(), "{name}: {}", again["findings"]);
+        let there = refusal(&[name]);
+        assert!(there.contains("is there already") && there.contains("--force"), "{there}");
+        json(&scratch.run(&[mend.as_slice(), &[name, "--force"]].concat()));
+    }
+    // What is wound inward is written outward, and parts keep their names.
+    scratch.write(
+        "two.obj",
+        &TWO.replace(
+            "g near\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4",
+            "g near\nf 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3",
+        ),
+    );
+    let two = ["inertia", "two.obj", "--density", "4 kg/m^3", "--json", "--write-mesh"];
+    json(&scratch.run(&[two.as_slice(), &["out.obj"]].concat()));
+    let out =
+        json(&scratch.run(&["inertia", "out.obj", "--part", "near=1 kg", "--part", "far=2 kg", "--json"]));
+    near(&out["mass"], 3.0);
+    assert!(!out["findings"].to_string().contains("mesh.inverted"), "{}", out["findings"]);
+    for wrong in ["whole.3mf", "whole", "torn.obj"] {
+        refusal(&[wrong]);
+    }
+    refusal(&["new.obj", "two.obj"]);
+    assert!(!scratch.entries().contains(&"new.obj".to_owned()));
 }

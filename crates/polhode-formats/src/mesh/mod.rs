@@ -18,6 +18,7 @@ pub mod stl;
 pub(crate) mod stl_error;
 pub mod stl_quick;
 pub mod threemf;
+mod write;
 
 use std::path::Path;
 

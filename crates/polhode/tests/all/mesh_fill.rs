@@ -100,14 +100,14 @@ fn what_is_larger_or_meets_another_hole_stays_open() {
 fn the_bound_holds_for_a_bulge_in_the_ball_about_the_hole() {
     // A tetrahedron's base, which had a pyramid on it: its tip lies in the ball about the base.
     let [a, b, c] = [[0.1, 0.2, 0.3], [2.2, 0.1, 0.4], [0.9, 1.9, 0.2]];
-    let (top, tip) = ([1.0, 0.8, 3.1], [1.1, 0.9, -0.6]);
+    let (top, tip) = ([1.0, 0.8, 3.1], [1.1, 0.9, -1.0]);
     let open = [[a, b, top], [b, c, top], [c, a, top]];
     let whole =
         ClosedMesh::from_triangles([open.as_slice(), &[[b, a, tip], [c, b, tip], [a, c, tip]]].concat());
     let filled = filled(&open, 2.6);
     let closed = ClosedMesh::of(&filled.mesh).unwrap();
     let off = whole.unwrap().volume() - closed.volume();
-    assert!(off > 0.1 * filled.volume_bound && off < filled.volume_bound, "{off} {}", filled.volume_bound);
+    assert!(off > 0.05 * filled.volume_bound && off < filled.volume_bound, "{off} {}", filled.volume_bound);
     assert!(filled.largest_radius < filled.largest && filled.largest_radius > 0.5 * filled.largest);
 }
 

@@ -256,7 +256,7 @@ fn written_format(file: &Path) -> Result<MeshFormat, Failure> {
 fn said(source: SourceInfo, repair: &MeshRepair) -> SourceInfo {
     match *repair {
         MeshRepair::Welded { vertices, points, largest_distance, vanished, bound } => source.with(
-            "welded",
+            "weld",
             json!({
                 "vertices": vertices,
                 "points": points,
@@ -266,7 +266,7 @@ fn said(source: SourceInfo, repair: &MeshRepair) -> SourceInfo {
             }),
         ),
         MeshRepair::Filled { holes, triangles, largest, open_edges, bound } => source.with(
-            "filled",
+            "fill",
             json!({
                 "holes": holes,
                 "triangles": triangles,

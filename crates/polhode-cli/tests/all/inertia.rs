@@ -327,10 +327,10 @@ fn a_torn_mesh_names_the_weld_that_closes_it_and_is_not_welded_unasked() {
     let mesh = ["inertia", "torn.obj", "--density", "4 kg/m^3", "--json"];
     for tolerance in ["7e-7", "3 um"] {
         let welded = json(&scratch.run(&[mesh.as_slice(), &["--weld", tolerance]].concat()));
-        let bound = number(&welded["source"]["welded"]["volume_bound_m3"]);
+        let bound = number(&welded["source"]["weld"]["volume_bound_m3"]);
         assert!((number(&welded["volume"]) - 1.0).abs() <= bound && bound < 2e-5, "{bound}");
         assert_eq!(
-            (&welded["source"]["welded"]["vertices"], &welded["source"]["welded"]["points"]),
+            (&welded["source"]["weld"]["vertices"], &welded["source"]["weld"]["points"]),
             (&3.into(), &1.into())
         );
         let finding = &welded["findings"][0];
@@ -384,7 +384,7 @@ fn a_hole_is_filled_if_asked_and_what_that_may_change_is_said() {
     for size in ["3.7 m", "0.3"] {
         let filled = json(&of(size));
         near(&filled["mass"], 8.0);
-        let said = &filled["source"]["filled"];
+        let said = &filled["source"]["fill"];
         assert_eq!(
             (&said["holes"], &said["triangles"], &said["open_edges"]),
             (&1.into(), &1.into(), &0.into())
@@ -414,7 +414,7 @@ fn the_pieces_of_one_surface_are_filled_together() {
     let filled =
         json(&scratch.run(&["inertia", "open.obj", "--density", "4 kg/m^3", "--json", "--fill", "4 m"]));
     near(&filled["mass"], 4.0);
-    assert_eq!(filled["source"]["filled"]["holes"], 1);
+    assert_eq!(filled["source"]["fill"]["holes"], 1);
 }
 
 #[test]

@@ -17,17 +17,20 @@ const FEW: usize = 32;
 /// Boxes before they are given to threads.
 const TASKS: usize = 64;
 
-/// Pairs to a point that are worth having, and to all. Of a mesh whose every triangle was torn off there are some 15 to a point.
-const EACH: usize = 64;
-const SOME: usize = 100_000;
+/// Pairs that are worth having: to a point, and more to all. A mesh whose every triangle was torn off has 5 for each 2 points, and 2 million where
+/// 2,000 triangles meet.
+const EACH: usize = 16;
+const SOME: usize = 2_000_000;
+
+/// Pairs of points among which there are too many that are kept as examples.
+const EXAMPLES: usize = 10_000;
 
 impl ClosePairs {
     /// The pairs of different points; the same for any number of threads.
     ///
     /// A box is cut in two across its longest side, and what is near the cut belongs to both halves: a close pair is whole in one of them.
     pub(super) fn of(points: &[[f64; 3]], reach: f64, threads: Threads) -> Self {
-        let most = EACH * points.len() + SOME;
-        let search = Search { points, reach, most };
+        let search = Search { points, reach };
         let mut tasks = vec![(0..points.len() as u32).collect::<Vec<u32>>()];
         let mut whole = Vec::new();
         while !tasks.is_empty() && tasks.len() + whole.len() < TASKS {
@@ -43,21 +46,29 @@ impl ClosePairs {
         tasks.extend(whole);
         let found = threads.map(tasks.len(), |k| {
             let mut pairs = Vec::new();
-            let complete = search.gather(&tasks[k], &mut pairs);
+            let complete = search.gather(&tasks[k], most(tasks[k].len()), &mut pairs);
+            if !complete {
+                pairs.truncate(EXAMPLES);
+                pairs.shrink_to_fit();
+            }
             (pairs, complete)
         });
         let complete = found.iter().all(|(_, complete)| *complete);
         let mut pairs: Vec<_> = found.into_iter().flat_map(|(pairs, _)| pairs).collect();
         pairs.sort_unstable();
         pairs.dedup();
-        Self { complete: complete && pairs.len() <= most, pairs }
+        Self { complete: complete && pairs.len() <= most(points.len()), pairs }
     }
+}
+
+/// Pairs of so many points that are worth having.
+const fn most(points: usize) -> usize {
+    EACH * points + SOME
 }
 
 struct Search<'a> {
     points: &'a [[f64; 3]],
     reach: f64,
-    most: usize,
 }
 
 impl Search<'_> {
@@ -85,10 +96,10 @@ impl Search<'_> {
         (lower.len() < task.len() && upper.len() < task.len()).then_some([lower, upper])
     }
 
-    /// Adds the pairs of some points; false if there are too many.
-    fn gather(&self, task: &[u32], pairs: &mut Vec<[u32; 2]>) -> bool {
+    /// Adds the pairs of some points; false if there are more than `most`.
+    fn gather(&self, task: &[u32], most: usize, pairs: &mut Vec<[u32; 2]>) -> bool {
         if let Some([lower, upper]) = self.halves(task) {
-            return self.gather(&lower, pairs) && self.gather(&upper, pairs);
+            return self.gather(&lower, most, pairs) && self.gather(&upper, most, pairs);
         }
         let (axis, ..) = self.longest(task);
         let mut sorted: Vec<_> = task.iter().map(|&i| (self.points[i as usize], i)).collect();
@@ -97,7 +108,7 @@ impl Search<'_> {
             let near = sorted[k + 1..].iter().take_while(|(q, _)| q[axis] - p[axis] <= self.reach);
             let close = near.filter(|(q, _)| distance(p, *q) <= self.reach);
             pairs.extend(close.map(|&(_, j)| [i.min(j), i.max(j)]));
-            if pairs.len() > self.most {
+            if pairs.len() > most {
                 return false;
             }
         }

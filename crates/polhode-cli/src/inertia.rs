@@ -49,6 +49,7 @@ Examples:
   polhode inertia arm.obj --part \"rod=steel\" --part \"grip=85 g\" --as urdf
   polhode inertia robot.urdf --link forearm
   polhode inertia robot.urdf --lump all --joint elbow=\"30 deg\" --write mjcf
+  polhode inertia torn.stl --unit mm --material steel --weld \"0.01 mm\" --write-mesh whole.stl
   polhode inertia parts/*.stl --unit mm --material steel --csv
   polhode inertia examples/notes/11-05-principal-axes.toml --axes")]
 pub(crate) struct Inertia {
@@ -97,6 +98,7 @@ impl Inertia {
                 "leave --quick out",
             ));
         }
+        self.mesh.check_output(self.files.len())?;
         let mut answers = Vec::new();
         let mut progress = FileProgress::new(self.files.len());
         for file in &self.files {

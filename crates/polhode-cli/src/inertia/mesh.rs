@@ -1,16 +1,20 @@
 //! The mass properties of a mesh file.
 
 use std::collections::BTreeSet;
-use std::path::Path;
+use std::io::Write as _;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use polhode::body::mesh::{ConvexHull, MeshShell};
 use polhode::body::shape::{Extent, Shape, Substance};
-use polhode::body::{Finding, MassProperties};
+use polhode::body::{Finding, Form, MassProperties};
 use polhode_formats::expression::Expression;
-use polhode_formats::mesh::{AssumedMetres, MeshContents, MeshFormat, MeshSolid};
+use polhode_formats::mesh::{
+    AssumedMetres, MeshContents, MeshFormat, MeshLength, MeshPart, MeshRepair, MeshSolid,
+};
 use polhode_formats::unit::Dimension;
 use polhode_report::{InertiaReport, PartRow, SourceInfo, parts};
+use serde_json::json;
 
 use super::field;
 use super::model::{Model, Piece, unfit};
@@ -19,6 +23,9 @@ use super::substance::{PartSubstance, SubstanceFlags, assumed, part};
 use super::voxel::in_body;
 use crate::failure::Failure;
 use crate::numbers::{positive, quantity};
+use crate::page;
+use crate::partial;
+use crate::stderr::shown;
 
 /// What says a mesh's density otherwise than --field, or leaves no solid for it, and so for --tolerance: of an option that requires
 /// another, clap asks nothing where that other conflicts with what is given.
@@ -42,6 +49,19 @@ pub(super) struct MeshFlags {
     /// The estimated relative error that is good enough for --field [default: 1e-10].
     #[arg(long, value_name = "ERROR", requires = "field", conflicts_with_all = WITHOUT_FIELD, value_parser = tolerance)]
     tolerance: Option<f64>,
+    /// Join vertices of open edges that are at most so far apart: a length such as "0.01 mm", or a plain number, a part of the mesh's size (the
+    /// diagonal of its box).
+    #[arg(long, value_name = "TOL", value_parser = beside_mesh, conflicts_with_all = ["hull", "shell", "quick"])]
+    weld: Option<MeshLength>,
+    /// Close holes that are at most so large across, after a weld: a length such as "2 mm", or a plain number, a part of the mesh's size.
+    #[arg(long, value_name = "SIZE", value_parser = beside_mesh, conflicts_with_all = ["hull", "shell", "quick"])]
+    fill: Option<MeshLength>,
+    /// Write the mesh as it was used, welded, filled and wound outward, in the file's unit: .stl (binary), .obj or .ply.
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["shell", "quick"])]
+    write_mesh: Option<PathBuf>,
+    /// Replace what --write-mesh names, if it is there.
+    #[arg(long, requires = "write_mesh", conflicts_with_all = ["shell", "quick"])]
+    force: bool,
     /// Leave out all checks of a binary STL file, as fast as its bytes are read; the answer's first line says what was not looked at.
     #[arg(long, conflicts_with_all = ["hull", "shell", "part"])]
     quick: bool,
@@ -52,6 +72,19 @@ impl MeshFlags {
         self.quick
     }
 
+    /// Where the mesh goes, and in which format; of one file.
+    pub(super) fn check_output(&self, files: usize) -> Result<(), Failure> {
+        let Some(file) = &self.write_mesh else { return Ok(()) };
+        if files > 1 {
+            return Err(Failure::usage(
+                "--write-mesh is for one mesh, and several files are given",
+                "name one",
+            ));
+        }
+        written_format(file)?;
+        page::check_file(file, self.force)
+    }
+
     /// The first that is given.
     pub(super) fn given(&self) -> Option<&'static str> {
         let flags = [
@@ -59,6 +92,9 @@ impl MeshFlags {
             (self.hull, "--hull"),
             (self.shell.is_some(), "--shell"),
             (self.field.is_some(), "--field"),
+            (self.weld.is_some(), "--weld"),
+            (self.fill.is_some(), "--fill"),
+            (self.write_mesh.is_some(), "--write-mesh"),
             (self.quick, "--quick"),
         ];
         flags.into_iter().find(|(given, _)| *given).map(|(_, flag)| flag)
@@ -73,7 +109,7 @@ pub(super) fn report(
     flags: &MeshFlags,
 ) -> Result<InertiaReport, Failure> {
     let mut findings = Vec::new();
-    let Model { source, pieces, field } = if flags.quick {
+    let Model { source, unit: in_m, pieces, field } = if flags.quick {
         quick::model(file, format, unit.unwrap_or(1.0), &mut findings)?
     } else {
         whole(file, format, unit, flags, &mut findings)?
@@ -89,6 +125,9 @@ pub(super) fn report(
         _ => MassProperties::combined(&bodies).map_err(unfit)?,
     };
     let volume: f64 = pieces.iter().map(Piece::volume).sum();
+    if let Some(target) = &flags.write_mesh {
+        write(&pieces, in_m, target, flags.force)?;
+    }
     let mut source = source;
     if unit.is_none() && !format.has_unit() {
         let words = format!("{}, in m as no unit is given", source.description);
@@ -143,14 +182,31 @@ fn whole(
         findings.extend(contents.findings);
         let source =
             described("taken as a sheet", count, contents.unit.unwrap_or(1.0)).with("taken_as", "sheet");
-        return Ok(Model { source, pieces: pieces.collect(), field: None });
+        return Ok(Model {
+            source,
+            unit: contents.unit.unwrap_or(1.0),
+            pieces: pieces.collect(),
+            field: None,
+        });
     }
     if flags.hull {
         for part in &mut contents.parts {
             part.mesh = ConvexHull::of(part.mesh.coordinates()).map_err(unfit)?;
         }
     }
+    let mut repairs = Vec::new();
+    if let Some(tolerance) = flags.weld {
+        let (welded, repair) = contents.welded(tolerance, unit, file)?;
+        contents = welded;
+        repairs.push(repair);
+    }
+    if let Some(size) = flags.fill {
+        let (filled, repair) = contents.filled(size, unit, file)?;
+        contents = filled;
+        repairs.push(repair);
+    }
     let solid = MeshSolid::of(contents, file, format, unit)?;
+    findings.extend(repairs.iter().map(|repair| repair.finding(&solid, &file.display().to_string())));
     findings.extend(solid.findings_in(&file.display().to_string()));
     let turned = solid.parts.iter().any(|part| part.mesh.inverted());
     let what = match (flags.hull, turned) {
@@ -162,13 +218,65 @@ fn whole(
     let taken_as = if flags.hull { "convex_hull" } else { "solid" };
     let source =
         described(what, solid.parts.len(), solid.unit).with("vertices", vertices).with("taken_as", taken_as);
+    let source = repairs.iter().fold(source, said);
     let field = match &flags.field {
         Some(formula) => Some(field::found(&solid.parts, formula, flags.tolerance)?),
         None => None,
     };
     let piece =
         |part: polhode_formats::mesh::SolidPart| Piece { name: part.name, shape: Box::new(part.mesh) };
-    Ok(Model { source, pieces: solid.parts.into_iter().map(piece).collect(), field })
+    Ok(Model { source, unit: solid.unit, pieces: solid.parts.into_iter().map(piece).collect(), field })
+}
+
+/// Writes the surfaces of the pieces, in their file's unit.
+fn write(pieces: &[Piece], unit: f64, target: &Path, force: bool) -> Result<(), Failure> {
+    let format = written_format(target)?;
+    let part = |piece: &Piece| match piece.shape.form() {
+        Some(Form::Mesh(mesh)) => Some(MeshPart { name: piece.name.clone(), mesh: mesh.scaled(1.0 / unit) }),
+        _ => None,
+    };
+    let parts: Vec<_> = pieces.iter().filter_map(part).collect();
+    let bytes = format.bytes(&parts).unwrap_or_default();
+    partial::write(target, force, |out| out.write_all(&bytes))
+}
+
+fn written_format(file: &Path) -> Result<MeshFormat, Failure> {
+    let format = MeshFormat::of_path(file).filter(|format| MeshFormat::WRITTEN.contains(format));
+    format.ok_or_else(|| {
+        let names = MeshFormat::WRITTEN.iter().flat_map(|format| format.extensions());
+        let names = names.map(|name| format!(".{name}")).collect::<Vec<_>>().join(", ");
+        Failure::usage(
+            format!("--write-mesh does not write {}", shown(file)),
+            format!("a mesh is written as {names}"),
+        )
+    })
+}
+
+/// What was mended, for programs.
+fn said(source: SourceInfo, repair: &MeshRepair) -> SourceInfo {
+    match *repair {
+        MeshRepair::Welded { vertices, points, largest_distance, vanished, bound } => source.with(
+            "weld",
+            json!({
+                "vertices": vertices,
+                "points": points,
+                "largest_distance_m": largest_distance,
+                "triangles_vanished": vanished,
+                "volume_bound_m3": bound.volume,
+            }),
+        ),
+        MeshRepair::Filled { holes, triangles, largest, open_edges, bound } => source.with(
+            "fill",
+            json!({
+                "holes": holes,
+                "triangles": triangles,
+                "largest_m": largest,
+                "open_edges": open_edges,
+                "volume_bound_m3": bound.volume,
+            }),
+        ),
+        _ => source,
+    }
 }
 
 /// Each part with its mass.
@@ -224,6 +332,14 @@ fn weighed(
 
 fn thickness(text: &str) -> Result<f64, String> {
     positive(quantity(text, Dimension::LENGTH)?)
+}
+
+fn beside_mesh(text: &str) -> Result<MeshLength, String> {
+    let length = MeshLength::parse(text).map_err(|error| match error.hint() {
+        Some(hint) => format!("{error} (hint: {hint})"),
+        None => error.to_string(),
+    })?;
+    positive(length.value()).map(|_| length)
 }
 
 fn tolerance(text: &str) -> Result<f64, String> {

@@ -12,6 +12,8 @@ use crate::failure::Failure;
 /// What a file's mesh is taken as.
 pub(super) struct Model {
     pub(super) source: SourceInfo,
+    /// Metres in the file's unit of length.
+    pub(super) unit: f64,
     pub(super) pieces: Vec<Piece>,
     pub(super) field: Option<field::Found>,
 }

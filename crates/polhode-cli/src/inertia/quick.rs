@@ -45,5 +45,10 @@ pub(super) fn model(
         .with("parts", 1)
         .with("unit_m", unit)
         .with("taken_as", "solid");
-    Ok(Model { source, pieces: vec![Piece { name: String::new(), shape: Box::new(solid) }], field: None })
+    Ok(Model {
+        source,
+        unit,
+        pieces: vec![Piece { name: String::new(), shape: Box::new(solid) }],
+        field: None,
+    })
 }

@@ -308,3 +308,158 @@ fn a_verdict_is_the_same_at_every_size() {
         }
     }
 }
+
+/// A tetrahedron of 1 m³ of which one corner was torn in three, by some 1e-6 of its size.
+const TORN: &str = "\
+v 0.1 0 0\nv 2.1 0 0\nv 0.1 3 0\nv 0.1 0 1\nv 0.1000021 0 1\nv 0.1 0.0000013 1
+f 1 3 2\nf 1 2 4\nf 1 5 3\nf 2 3 6
+";
+
+#[test]
+fn a_torn_mesh_names_the_weld_that_closes_it_and_is_not_welded_unasked() {
+    let scratch = Scratch::new("weld");
+    scratch.write("torn.obj", TORN);
+    let text = refused(&scratch.run(&["inertia", "torn.obj", "--mass", "4 kg"]), 2);
+    assert!(
+        text.contains("it closes if welded at 6.6e-7 of its size: --weld 7e-7 (3 vertices become 1)"),
+        "{text}"
+    );
+    let mesh = ["inertia", "torn.obj", "--density", "4 kg/m^3", "--json"];
+    for tolerance in ["7e-7", "3 um"] {
+        let welded = json(&scratch.run(&[mesh.as_slice(), &["--weld", tolerance]].concat()));
+        let bound = number(&welded["source"]["weld"]["volume_bound_m3"]);
+        assert!((number(&welded["volume"]) - 1.0).abs() <= bound && bound < 2e-5, "{bound}");
+        assert_eq!(
+            (&welded["source"]["weld"]["vertices"], &welded["source"]["weld"]["points"]),
+            (&3.into(), &1.into())
+        );
+        let finding = &welded["findings"][0];
+        assert_eq!((&finding["code"], &finding["severity"]), (&"mesh.welded".into(), &"warning".into()));
+        let message = finding["message"].as_str().unwrap();
+        assert!(
+            message.contains("3 vertices were welded to 1 point, as was asked, at most 2.47e-6 m apart"),
+            "{message}"
+        );
+        assert!(message.contains("no triangle vanished; the volume may be off by"), "{message}");
+    }
+    let refusal = |flags: &[&str]| refused(&scratch.run(&[&["inertia", "torn.obj"], flags].concat()), 2);
+    let too_little = refusal(&["--weld", "1 um"]);
+    assert!(too_little.contains("the mesh is open"), "{too_little}");
+    let too_much = refusal(&["--weld", "1 m"]);
+    assert!(too_much.contains("a hundredth"), "{too_much}");
+    refusal(&["--weld", "7e-7", "--hull"]);
+    refusal(&["--weld", "-1"]);
+}
+
+#[test]
+fn the_weld_of_a_scenario_is_that_of_the_command() {
+    let scratch = Scratch::new("weld-scenario");
+    scratch.write("torn.obj", TORN);
+    let command = json(&scratch.run(&["inertia", "torn.obj", "--mass", "4 kg", "--json", "--weld", "1e-6"]));
+    for (weld, fits) in [("weld = 1e-6", true), ("weld = \"3 um\"", true), ("weld = 0", false), ("", false)] {
+        let part = format!("shape = \"mesh\"\nfile = \"torn.obj\"\nunit = \"m\"\n{weld}\nmass = \"4 kg\"");
+        let text = format!(
+            "[[body.part]]\n{part}\n[start]\nspin = {{ body = [0, 0, \"1 rad/s\"] }}\n[run]\nduration = \"1 s\"\n"
+        );
+        scratch.write("torn.toml", &text);
+        if fits {
+            let scenario = json(&scratch.run(&["inertia", "torn.toml", "--json"]));
+            assert_eq!(scenario["inertia"], command["inertia"], "{weld}");
+            assert_eq!(scenario["findings"][0]["code"], "mesh.welded", "{weld}");
+        } else {
+            refused(&scratch.run(&["inertia", "torn.toml"]), 2);
+        }
+    }
+}
+
+#[test]
+fn a_hole_is_filled_if_asked_and_what_that_may_change_is_said() {
+    let scratch = Scratch::new("fill");
+    let open: String =
+        TWO.lines().filter(|line| *line != "f 1 3 2").map(|line| format!("{line}\n")).collect();
+    scratch.write("open.obj", &open);
+    refused(&scratch.run(&["inertia", "open.obj", "--mass", "4 kg"]), 2);
+    let of =
+        |size: &str| scratch.run(&["inertia", "open.obj", "--density", "4 kg/m^3", "--json", "--fill", size]);
+    for size in ["3.7 m", "0.3"] {
+        let filled = json(&of(size));
+        near(&filled["mass"], 8.0);
+        let said = &filled["source"]["fill"];
+        assert_eq!(
+            (&said["holes"], &said["triangles"], &said["open_edges"]),
+            (&1.into(), &1.into(), &0.into())
+        );
+        near(&said["largest_m"], 13_f64.sqrt());
+        // the ball about a right triangle
+        near(&said["volume_bound_m3"], std::f64::consts::PI / 6.0 * 13_f64.powf(1.5));
+        let finding = &filled["findings"][0];
+        assert_eq!(finding["code"], "mesh.filled");
+        let message = finding["message"].as_str().unwrap();
+        assert!(
+            message.contains("1 hole of up to 3.61e0 m across was filled with 1 triangle, as was asked"),
+            "{message}"
+        );
+    }
+    let refusal = |size: &str| refused(&scratch.run(&["inertia", "open.obj", "--fill", size]), 2);
+    assert!(refusal("3 m").contains("the mesh is open"));
+    refusal("-3 m");
+}
+
+#[test]
+fn the_pieces_of_one_surface_are_filled_together() {
+    let scratch = Scratch::new("fill-pieces");
+    // a tetrahedron in two groups of two triangles, of which one misses one: no group is closed, and only three edges are open in both
+    let text = "v 0 0 0\nv 2 0 0\nv 0 3 0\nv 0 0 1\ng a\nf 1 2 4\nf 1 4 3\ng b\nf 2 3 4\n";
+    scratch.write("open.obj", text);
+    let filled =
+        json(&scratch.run(&["inertia", "open.obj", "--density", "4 kg/m^3", "--json", "--fill", "4 m"]));
+    near(&filled["mass"], 4.0);
+    assert_eq!(filled["source"]["fill"]["holes"], 1);
+}
+
+#[test]
+fn the_mesh_is_written_as_it_was_used_and_replaces_nothing_unasked() {
+    let scratch = Scratch::new("write-mesh");
+    scratch.write("torn.obj", TORN);
+    let mend =
+        ["inertia", "torn.obj", "--unit", "mm", "--mass", "4 g", "--json", "--weld", "1e-6", "--write-mesh"];
+    let used = json(&scratch.run(&[mend.as_slice(), &["whole.obj"]].concat()));
+    let refusal = |rest: &[&str]| {
+        let mend = ["inertia", "torn.obj", "--unit", "mm", "--weld", "1e-6", "--write-mesh"];
+        refused(&scratch.run(&[mend.as_slice(), rest].concat()), 2)
+    };
+    for (name, tolerance) in [("whole.obj", 1e-14), ("whole.ply", 1e-14), ("whole.stl", 1e-6)] {
+        if name != "whole.obj" {
+            json(&scratch.run(&[mend.as_slice(), &[name]].concat()));
+        }
+        let again = json(&scratch.run(&["inertia", name, "--unit", "mm", "--mass", "4 g", "--json"]));
+        for element in 0..9 {
+            let [a, b] =
+                [&used, &again].map(|body| number(&body["inertia"]["tensor"][element / 3][element % 3]));
+            assert!((a - b).abs() <= tolerance * number(&used["inertia"]["tensor"][0][0]), "{name}: {a} {b}");
+        }
+        assert!(again["findings"].as_array().unwrap().is_empty(), "{name}: {}", again["findings"]);
+        let there = refusal(&[name]);
+        assert!(there.contains("is there already") && there.contains("--force"), "{there}");
+        json(&scratch.run(&[mend.as_slice(), &[name, "--force"]].concat()));
+    }
+    // What is wound inward is written outward, and parts keep their names.
+    scratch.write(
+        "two.obj",
+        &TWO.replace(
+            "g near\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4",
+            "g near\nf 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3",
+        ),
+    );
+    let two = ["inertia", "two.obj", "--density", "4 kg/m^3", "--json", "--write-mesh"];
+    json(&scratch.run(&[two.as_slice(), &["out.obj"]].concat()));
+    let out =
+        json(&scratch.run(&["inertia", "out.obj", "--part", "near=1 kg", "--part", "far=2 kg", "--json"]));
+    near(&out["mass"], 3.0);
+    assert!(!out["findings"].to_string().contains("mesh.inverted"), "{}", out["findings"]);
+    for wrong in ["whole.3mf", "whole", "torn.obj"] {
+        refusal(&[wrong]);
+    }
+    refusal(&["new.obj", "two.obj"]);
+    assert!(!scratch.entries().contains(&"new.obj".to_owned()));
+}

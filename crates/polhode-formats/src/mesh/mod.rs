@@ -11,12 +11,14 @@ pub mod off;
 mod parts;
 pub mod ply;
 mod polygon;
+mod repair;
 mod scan;
 mod solid;
 pub mod stl;
 pub(crate) mod stl_error;
 pub mod stl_quick;
 pub mod threemf;
+mod write;
 
 use std::path::Path;
 
@@ -28,6 +30,7 @@ use crate::error::FormatError;
 use crate::file;
 
 pub use assumed_unit::{AssumedMetres, longest_side};
+pub use repair::{MeshLength, MeshRepair, RepairBound};
 pub use solid::{MeshSolid, SolidPart};
 
 /// What a mesh file says: parts and their triangles, in the file's own unit of length.

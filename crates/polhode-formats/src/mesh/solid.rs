@@ -160,9 +160,29 @@ impl MeshSolid {
 }
 
 /// Why a part bounds no solid.
-fn no_solid(path: &Path, part: &str, error: BodyError) -> FormatError {
+pub(super) fn no_solid(path: &Path, part: &str, error: BodyError) -> FormatError {
     let part = (!part.is_empty()).then(|| escaped(part));
     FormatError::new(path, None, FormatErrorKind::Mesh { part, error })
+}
+
+/// The same of one of the parts, with the weld that closes an open mesh.
+fn open_or_unsound(
+    parts: &[MeshPart],
+    part: &MeshPart,
+    path: &Path,
+    error: BodyError,
+    goes_on: &(dyn Fn() -> bool + Sync),
+) -> FormatError {
+    let is_open = matches!(error, BodyError::OpenMesh { .. });
+    let all = if is_open { joined(parts).ok() } else { None };
+    let weld = all.and_then(|mesh| mesh.closing_weld(goes_on));
+    let error = no_solid(path, &part.name, error);
+    let Some(weld) = weld else { return error };
+    error.with_hint(format!(
+        "it closes if welded at {:.1e} of its size: --weld {:e} ({} vertices become {}), or weld = {:e} in a scenario; \
+         or take its convex hull by --hull, or a sheet along it by --shell",
+        weld.least, weld.tolerance, weld.joined, weld.points, weld.tolerance
+    ))
 }
 
 /// Each part's solid, or that of all together.
@@ -182,7 +202,7 @@ fn solids(
                 } else {
                     None
                 };
-                let Some(mesh) = one else { return Err(no_solid(path, &part.name, error)) };
+                let Some(mesh) = one else { return Err(open_or_unsound(parts, part, path, error, goes_on)) };
                 let finding = Finding {
                     code: "mesh.joined",
                     severity: Severity::Info,

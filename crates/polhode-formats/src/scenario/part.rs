@@ -16,7 +16,7 @@ use super::substance::{self, Matter, matter};
 use super::tensor;
 use super::tree::Known;
 use crate::error::{FormatError, FormatErrorKind};
-use crate::mesh::{MeshContents, MeshFormat, MeshSolid};
+use crate::mesh::{MeshContents, MeshFormat, MeshLength, MeshSolid};
 use crate::unit::{self, Dimension, UnitError};
 
 /// Keys that every part may have.
@@ -87,7 +87,7 @@ fn keys(kind: &str) -> Vec<&'static str> {
         "particles" => &[&["particles"]],
         "molecule" => &[&["file", "isotopes"]],
         "tensor" => &[&tensor::KEYS],
-        "mesh" => &[&["file", "unit"], &substance::KEYS],
+        "mesh" => &[&["file", "unit", "weld"], &substance::KEYS],
         _ => &[SHAPES.iter().find(|(name, _)| *name == kind).map_or(&[], |(_, keys)| keys), &substance::KEYS],
     };
     COMMON.iter().chain(own.iter().copied().flatten()).copied().collect()
@@ -123,14 +123,18 @@ fn particles(table: &Table<'_>, name: String, placement: &Placement) -> Result<B
 /// The mesh of a part, read once.
 fn mesh(table: &Table<'_>, name: &str, findings: &mut Vec<Finding>) -> Result<Arc<ClosedMesh>, FormatError> {
     let file = table.require("file", "file = \"part.stl\"")?;
-    if let Some(Known::Mesh(mesh, noticed)) = file.known() {
+    // A weld may be varied, and then the same file is another mesh.
+    let is_kept = table.get("weld").is_none();
+    if let Some(Known::Mesh(mesh, noticed)) = file.known().filter(|_| is_kept) {
         findings.extend_from_slice(noticed);
         return Ok(mesh.clone());
     }
     let mut noticed = Vec::new();
     let mesh = Arc::new(read_mesh(table, name, &mut noticed)?);
     findings.extend_from_slice(&noticed);
-    file.keep(Known::Mesh(mesh.clone(), noticed));
+    if is_kept {
+        file.keep(Known::Mesh(mesh.clone(), noticed));
+    }
     Ok(mesh)
 }
 
@@ -148,10 +152,18 @@ fn read_mesh(table: &Table<'_>, name: &str, findings: &mut Vec<Finding>) -> Resu
         let known: Vec<_> = MeshFormat::ALL.iter().map(|format| format.name()).collect();
         return Err(file.invalid("a mesh file").with_hint(format!("mesh files end in {}", known.join(", "))));
     };
-    let known = file.source().mesh.filter(|known| known.path == *path && known.unit == unit);
+    let weld = table.get("weld").map(|value| weld_tolerance(&value)).transpose()?;
+    let known =
+        file.source().mesh.filter(|known| known.path == *path && known.unit == unit && weld.is_none());
+    let mut repair = None;
     let read = || {
         let contents = MeshContents::read_as(path, written, format)?;
-        let one = contents.as_one().map_err(|e| FormatError::new(path, None, FormatErrorKind::Body(e)))?;
+        let mut one =
+            contents.as_one().map_err(|e| FormatError::new(path, None, FormatErrorKind::Body(e)))?;
+        if let Some(tolerance) = weld {
+            let (welded, done) = one.welded(tolerance, unit, path)?;
+            (one, repair) = (welded, Some(done));
+        }
         MeshSolid::watched(one, path, format, unit, file.source().watch.0)
     };
     let solid = known.map_or_else(read, |known| Ok(known.solid.clone()));
@@ -162,7 +174,9 @@ fn read_mesh(table: &Table<'_>, name: &str, findings: &mut Vec<Finding>) -> Resu
             .with_hint(format!("paths are relative to the scenario: this one is {path:?}")),
         _ => error.named_in(scenario, file.place()),
     })?;
-    findings.extend(solid.findings_in(&format!("part \"{name}\", {written}")));
+    let place = format!("part \"{name}\", {written}");
+    findings.extend(repair.map(|repair| repair.finding(&solid, &place)));
+    findings.extend(solid.findings_in(&place));
     let mut parts = solid.parts;
     parts.pop().map(|part| part.mesh).ok_or_else(|| file.invalid("a mesh with triangles"))
 }
@@ -174,6 +188,20 @@ pub(super) fn assumes_metres(table: &Table<'_>) -> Option<bool> {
         table.get("file").filter(|_| table.get("shape").is_some_and(|shape| shape.string() == Ok("mesh")))?;
     let format = MeshFormat::of_path(Path::new(file.string().ok()?))?;
     (!says("unit") && !format.has_unit()).then(|| says("mass"))
+}
+
+/// `weld = "0.01 mm"`, or `weld = 1e-6` of the mesh's size.
+fn weld_tolerance(value: &Value<'_>) -> Result<MeshLength, FormatError> {
+    let tolerance = match value.string() {
+        Ok(text) => MeshLength::parse(text).map_err(|error| value.error(FormatErrorKind::Unit(error)))?,
+        Err(_) => MeshLength::OfSize(value.number()?),
+    };
+    if tolerance.value() > 0.0 && tolerance.value().is_finite() {
+        return Ok(tolerance);
+    }
+    Err(value
+        .invalid("positive and finite")
+        .with_hint("write weld = \"0.01 mm\", or weld = 1e-6 of its size"))
 }
 
 /// `unit = "mm"`: what one is, in metres.

@@ -80,6 +80,17 @@ pub enum BodyError {
         /// The triangle, from 1, that the example belongs to.
         triangle: usize,
     },
+    /// Vertices that a weld would join although they are farther apart than its tolerance: others between them are nearer.
+    WeldTooWide {
+        /// The tolerance, in the mesh's own units.
+        tolerance: f64,
+        /// How many vertices hang together.
+        vertices: usize,
+        /// How far apart they are, in the mesh's own units.
+        distance: f64,
+        /// Two of them that are so far apart.
+        example: [[f64; 3]; 2],
+    },
     /// A mesh whose triangles do not all turn the same way: inside and outside are not defined.
     InconsistentWinding {
         /// Edges whose triangles run along them in the same direction.
@@ -204,6 +215,11 @@ impl fmt::Display for BodyError {
                 "the mesh is open, so it has no volume: {edges} edges in {loops} loops belong to one triangle only, \
                  the first from {a:?} to {b:?} in triangle {triangle}"
             ),
+            Self::WeldTooWide { tolerance, vertices, distance, example: [a, b] } => write!(
+                f,
+                "welding what is at most {tolerance:e} apart would join {vertices} vertices that are {distance:e} apart, \
+                 such as {a:?} and {b:?}: what is smaller than that would be lost"
+            ),
             Self::InconsistentWinding { edges, example: [a, b], triangle } => write!(
                 f,
                 "the mesh is not consistently wound: along {edges} edges the triangles do not turn the same way, \
@@ -281,6 +297,9 @@ impl BodyError {
             ),
             Self::OpenMesh { .. } => Some(
                 "close the mesh in the tool that made it; vertices that only nearly coincide count as different",
+            ),
+            Self::WeldTooWide { .. } => Some(
+                "weld with a smaller tolerance: less than the mesh's smallest feature, more than its gaps",
             ),
             Self::DuplicateTriangle { .. } => Some("remove duplicate faces in the tool that made the mesh"),
             Self::InconsistentWinding { .. } => {

@@ -100,10 +100,21 @@ pub(crate) fn write(scratch: &Scratch, input: &str) {
     // In g mm².
     let grams = "ixx=\"15000000\" ixy=\"0\" ixz=\"0\" iyy=\"20280000\" iyz=\"0\" izz=\"29280000\"";
     let joint = "<joint name=\"k\" type=\"fixed\"><parent link=\"base\"/><child link=\"found\"/></joint>\n";
+    let words: Vec<&str> = input.split(' ').collect();
     match input {
-        "parts" | "unnamed" => {
-            scratch.write("two.obj", &two_parts());
-            scratch.write("two.dat", &two_parts());
+        _ if ["parts", "unnamed", "torn", "holed", "again"].contains(&words[0]) => {
+            let mut text = two_parts();
+            if words.contains(&"torn") {
+                text = text.replace("f 13 14 16\n", "v 10.000001 0 0\nf 17 14 16\n");
+            }
+            if words.contains(&"holed") {
+                text = text.replace("f 14 15 16\n", "");
+            }
+            if words.contains(&"again") {
+                scratch.write("out.obj", "an older one");
+            }
+            scratch.write("two.obj", &text);
+            scratch.write("two.dat", &text);
         }
         "stl" => fs::write(scratch.0.join("one.stl"), stl()).unwrap(),
         "points" => scratch.write("points.csv", "x,y,z\n1,2,3\n4,-5,6\n-7,8,1.5\n2,0.5,-3\n"),

@@ -1,16 +1,21 @@
 //! Triangle meshes: what a file says, and the solid that it bounds.
 
+mod close_pairs;
 pub(crate) mod closed;
+mod clusters;
 pub(crate) mod component;
 pub(crate) mod diagnosis;
 mod edges;
+pub(crate) mod effect;
 mod fan;
+pub(crate) mod fill;
 mod flaws;
 pub(crate) mod hull;
 mod inside;
 mod integral;
 mod layer;
 mod meeting;
+pub(crate) mod near_miss;
 mod neighborhood;
 mod oriented;
 mod overlap;
@@ -23,15 +28,20 @@ mod threads;
 mod tree;
 mod umbrella;
 mod weld;
+pub(crate) mod weld_near;
 mod work;
 
 pub use closed::ClosedMesh;
 pub use component::{ComponentRole, MeshComponent};
 pub use diagnosis::{EdgePlace, Faults, MeshDiagnosis, PairPlace, TrianglePlace};
+pub use effect::MeshEffect;
+pub use fill::FilledMesh;
 pub use flaws::MeshFlaws;
 pub use hull::ConvexHull;
+pub use near_miss::ClosingWeld;
 pub use places::MeshPlaces;
 pub use shell::MeshShell;
+pub use weld_near::WeldedMesh;
 
 use super::error::BodyError;
 use crate::math::frame::Part;

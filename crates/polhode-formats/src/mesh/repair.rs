@@ -1,0 +1,264 @@
+//! What a mesh is mended by where somebody asks for it, and what that may change.
+
+use std::path::Path;
+
+use polhode::body::mesh::{FilledMesh, TriangleMesh, WeldedMesh};
+use polhode::body::{BodyError, Finding, Severity};
+
+use super::{MeshContents, MeshPart, MeshSolid, solid};
+use crate::error::FormatError;
+use crate::unit::{self, Dimension, UnitError};
+
+/// A length beside a mesh.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum MeshLength {
+    /// In m.
+    Metres(f64),
+    /// In parts of the mesh's size: the diagonal of the box about all of its triangles.
+    OfSize(f64),
+}
+
+impl MeshLength {
+    /// A length with its unit, or a plain number for a part of the mesh's size.
+    ///
+    /// ```
+    /// use polhode_formats::mesh::MeshLength;
+    /// assert_eq!(MeshLength::parse("0.01 mm"), Ok(MeshLength::Metres(0.00001)));
+    /// assert_eq!(MeshLength::parse("3e-7"), Ok(MeshLength::OfSize(3e-7)));
+    /// assert!(MeshLength::parse("2 kg").is_err());
+    /// ```
+    ///
+    /// # Errors
+    /// [`UnitError`] for what is neither.
+    pub fn parse(text: &str) -> Result<Self, UnitError> {
+        if let Ok(part) = text.trim().parse() {
+            return Ok(Self::OfSize(part));
+        }
+        unit::parse(text, Dimension::LENGTH).map(Self::Metres)
+    }
+
+    /// The number itself.
+    pub const fn value(self) -> f64 {
+        match self {
+            Self::Metres(value) | Self::OfSize(value) => value,
+        }
+    }
+
+    /// In the mesh's own unit.
+    fn beside(self, diagonal: f64, unit: f64) -> f64 {
+        match self {
+            Self::Metres(length) => length / unit,
+            Self::OfSize(part) => part * diagonal,
+        }
+    }
+}
+
+/// What was mended of a mesh file.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum MeshRepair {
+    /// Vertices of open edges were joined.
+    Welded {
+        /// Vertices that were joined.
+        vertices: usize,
+        /// Points that became of them.
+        points: usize,
+        /// The largest distance between two vertices that were joined, m.
+        largest_distance: f64,
+        /// Triangles of which two corners became one.
+        vanished: usize,
+        /// What it may be off.
+        bound: RepairBound,
+    },
+    /// Small holes were closed with triangles.
+    Filled {
+        /// Holes that were closed.
+        holes: usize,
+        /// Triangles that close them.
+        triangles: usize,
+        /// The largest distance between two vertices of such a hole, m.
+        largest: f64,
+        /// Edges that still belong to one triangle only.
+        open_edges: usize,
+        /// What it may be off, if what is missing lies within the balls about the holes.
+        bound: RepairBound,
+    },
+}
+
+/// What a repair leaves open.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RepairBound {
+    /// How much more or less the mesh may enclose, m³.
+    pub volume: f64,
+    /// How much farther out than its corners that may be, m.
+    pub beyond: f64,
+}
+
+impl MeshRepair {
+    /// What was done, and what it means for the solids that came of it: a warning.
+    pub fn finding(&self, solid: &MeshSolid, file: &str) -> Finding {
+        let RepairBound { volume, beyond } = self.bound();
+        let whole: f64 = solid.parts.iter().map(|part| part.mesh.volume()).sum();
+        let effect = match solid.parts.as_slice() {
+            [only] => {
+                let effect = only.mesh.effect(volume, beyond);
+                format!(
+                    ", the centre of mass by {:.1e} m, the tensor at one density by {:.1e} of its largest moment",
+                    effect.center, effect.inertia
+                )
+            }
+            _ => String::new(),
+        };
+        let message = format!(
+            "{}{} the volume may be off by {volume:.1e} m³ ({:.1e} of it){effect}, at most",
+            self.in_words(),
+            if matches!(self, Self::Filled { holes: 1.., .. }) { "," } else { ";" },
+            volume / whole
+        );
+        let place = Some(crate::text::escaped(file));
+        Finding { code: self.code(), severity: Severity::Warning, message, place }
+    }
+
+    /// What it may be off.
+    pub const fn bound(&self) -> RepairBound {
+        let (Self::Welded { bound, .. } | Self::Filled { bound, .. }) = self;
+        *bound
+    }
+
+    const fn code(&self) -> &'static str {
+        match self {
+            Self::Welded { .. } => "mesh.welded",
+            Self::Filled { .. } => "mesh.filled",
+        }
+    }
+
+    fn in_words(&self) -> String {
+        let counted = |count: usize, noun: &str| match count {
+            1 => format!("1 {noun}"),
+            many => format!("{many} {noun}s"),
+        };
+        match *self {
+            Self::Welded { points: 0, .. } => {
+                "nothing was welded: no vertices of open edges are so near each other".to_owned()
+            }
+            Self::Welded { vertices, points, largest_distance, vanished, .. } => format!(
+                "{vertices} vertices were welded to {}, as was asked, at most {largest_distance:.2e} m apart; {} vanished",
+                counted(points, "point"),
+                if vanished == 0 { "no triangle".to_owned() } else { counted(vanished, "triangle") }
+            ),
+            Self::Filled { holes: 0, .. } => "nothing was filled: no hole is so small".to_owned(),
+            Self::Filled { holes, triangles, largest, .. } => format!(
+                "{} of up to {largest:.2e} m across {} filled with {}, as was asked; if what is missing lies within the \
+                 balls about the holes",
+                counted(holes, "hole"),
+                if holes == 1 { "was" } else { "were" },
+                counted(triangles, "triangle")
+            ),
+        }
+    }
+}
+
+impl MeshContents {
+    /// The mesh with torn edges joined: [`TriangleMesh::welded`] of each part; of all together, if that
+    /// does not close each. `unit` is as in [`MeshSolid::read`].
+    ///
+    /// # Errors
+    /// [`FormatError`] for a tolerance that is not positive or would join what is farther apart.
+    pub fn welded(
+        mut self,
+        tolerance: MeshLength,
+        unit: Option<f64>,
+        path: &Path,
+    ) -> Result<(Self, MeshRepair), FormatError> {
+        let unit = unit.or(self.unit).unwrap_or(1.0);
+        let refused = |part: &str, error| solid::no_solid(path, part, error);
+        let all = solid::joined(&self.parts).map_err(|error| refused("", error))?;
+        let tolerance = tolerance.beside(all.diagonal(), unit);
+        let each: Result<Vec<_>, _> = self.parts.iter().map(|part| part.mesh.welded(tolerance)).collect();
+        let welded = match each {
+            Ok(each) if each.iter().all(|mesh| mesh.open_edges == 0) => each,
+            Err(error) if self.parts.len() == 1 => return Err(refused(&self.parts[0].name, error)),
+            Ok(each) if self.parts.len() == 1 => each,
+            _ => {
+                let together = all.welded(tolerance).map_err(|error| refused("", error))?;
+                let parts = divided(&together, &self.parts).map_err(|error| refused("", error))?;
+                for (part, mesh) in self.parts.iter_mut().zip(parts) {
+                    part.mesh = mesh;
+                }
+                return Ok((self, repair(&[together], unit)));
+            }
+        };
+        let repair = repair(&welded, unit);
+        for (part, welded) in self.parts.iter_mut().zip(welded) {
+            part.mesh = welded.mesh;
+        }
+        Ok((self, repair))
+    }
+
+    /// The mesh with holes closed that are no larger than this: [`TriangleMesh::filled`] of each part; of all together, which are one part then, if
+    /// edges that are open in one are closed by another. `unit` is as in [`MeshSolid::read`].
+    ///
+    /// # Errors
+    /// [`FormatError`] for a size that is not positive.
+    pub fn filled(
+        mut self,
+        size: MeshLength,
+        unit: Option<f64>,
+        path: &Path,
+    ) -> Result<(Self, MeshRepair), FormatError> {
+        let unit = unit.or(self.unit).unwrap_or(1.0);
+        let refused = |error| solid::no_solid(path, "", error);
+        let all = solid::joined(&self.parts).map_err(refused)?;
+        let size = size.beside(all.diagonal(), unit);
+        let together = all.filled(size).map_err(refused)?;
+        let each = self.parts.iter().map(|part| part.mesh.filled(size));
+        let each = each.collect::<Result<Vec<_>, _>>().map_err(refused)?;
+        let open: usize = each.iter().map(|mesh| mesh.edges_before).sum();
+        if open == together.edges_before {
+            let repair = repair_of_holes(&each, unit);
+            for (part, filled) in self.parts.iter_mut().zip(each) {
+                part.mesh = filled.mesh;
+            }
+            return Ok((self, repair));
+        }
+        let repair = repair_of_holes(std::slice::from_ref(&together), unit);
+        self.parts = vec![MeshPart { name: String::new(), mesh: together.mesh }];
+        Ok((self, repair))
+    }
+}
+
+/// The triangles of each part, of all together.
+fn divided(together: &WeldedMesh, parts: &[MeshPart]) -> Result<Vec<TriangleMesh>, BodyError> {
+    let mut corners = together.mesh.corners();
+    let own = |part: &MeshPart| {
+        let triangles = corners.by_ref().take(part.mesh.triangles().len()).collect();
+        TriangleMesh::of_soup(triangles)
+    };
+    parts.iter().map(own).collect()
+}
+
+fn repair(welded: &[WeldedMesh], unit: f64) -> MeshRepair {
+    let count = |of: fn(&WeldedMesh) -> usize| welded.iter().map(of).sum();
+    let most = |of: fn(&WeldedMesh) -> f64| unit * welded.iter().map(of).fold(0.0, f64::max);
+    let volume = welded.iter().map(|mesh| mesh.volume_bound).sum::<f64>() * unit.powi(3);
+    MeshRepair::Welded {
+        vertices: count(|mesh| mesh.joined),
+        points: count(|mesh| mesh.points),
+        largest_distance: most(|mesh| mesh.largest_distance),
+        vanished: count(|mesh| mesh.vanished),
+        bound: RepairBound { volume, beyond: most(|mesh| mesh.farthest_move) },
+    }
+}
+
+fn repair_of_holes(filled: &[FilledMesh], unit: f64) -> MeshRepair {
+    let count = |of: fn(&FilledMesh) -> usize| filled.iter().map(of).sum();
+    let most = |of: fn(&FilledMesh) -> f64| unit * filled.iter().map(of).fold(0.0, f64::max);
+    let volume = filled.iter().map(|mesh| mesh.volume_bound).sum::<f64>() * unit.powi(3);
+    MeshRepair::Filled {
+        holes: count(|mesh| mesh.holes),
+        triangles: count(|mesh| mesh.triangles),
+        largest: most(|mesh| mesh.largest),
+        open_edges: count(|mesh| mesh.open_edges),
+        bound: RepairBound { volume, beyond: most(|mesh| mesh.largest_radius) },
+    }
+}

@@ -1,0 +1,54 @@
+//! Points that hang together by close pairs.
+
+use super::close_pairs::distance;
+use super::patches::{join, root};
+
+/// Points that hang together, at least two; by number, ascending.
+pub(super) type Cluster = Vec<u32>;
+
+/// The clusters of so many points that pairs make, by their least numbers.
+pub(super) fn clusters(points: usize, pairs: impl IntoIterator<Item = [u32; 2]>) -> Vec<Cluster> {
+    let mut parent: Vec<u32> = (0..points as u32).collect();
+    pairs.into_iter().for_each(|[i, j]| join(&mut parent, i, j));
+    let mut members: Vec<[u32; 2]> = Vec::new();
+    for i in 0..points as u32 {
+        let root = root(&mut parent, i);
+        members.push([root, i]);
+    }
+    members.sort_unstable();
+    let together = members.chunk_by(|a, b| a[0] == b[0]).filter(|cluster| cluster.len() > 1);
+    together.map(|cluster| cluster.iter().map(|member| member[1]).collect()).collect()
+}
+
+/// Points up to which their largest distance is looked for among all pairs.
+const MANY: usize = 4_096;
+
+/// How far a cluster is across, and two of its points that are so far apart. Of very many the diagonal of their box stands for it.
+pub(super) fn across(points: &[[f64; 3]], cluster: &[u32]) -> (f64, [u32; 2]) {
+    let at = |i: u32| points[i as usize];
+    let farthest = |from: u32, all: &[u32]| {
+        let distances = all.iter().map(|&i| (distance(at(from), at(i)), [from, i]));
+        distances.max_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((0.0, [from; 2]))
+    };
+    let Some(&first) = cluster.first() else { return (0.0, [0; 2]) };
+    if cluster.len() > MANY {
+        let (_, [_, end]) = farthest(first, cluster);
+        let (_, ends) = farthest(end, cluster);
+        let bound = |k: usize, pick: fn(f64, f64) -> f64| cluster.iter().map(|&i| at(i)[k]).reduce(pick);
+        let side = |k| bound(k, f64::max).unwrap_or(0.0) - bound(k, f64::min).unwrap_or(0.0);
+        return (distance([side(0), side(1), side(2)], [0.0; 3]), ends);
+    }
+    let each = cluster.iter().enumerate().map(|(k, &i)| farthest(i, &cluster[k..]));
+    each.max_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((0.0, [first; 2]))
+}
+
+/// The mean of a cluster's points, in whatever order they are numbered.
+pub(super) fn mean(points: &[[f64; 3]], cluster: &[u32]) -> [f64; 3] {
+    let mut all: Vec<[f64; 3]> = cluster.iter().map(|&i| points[i as usize]).collect();
+    all.sort_unstable_by(|p, q| {
+        p[0].total_cmp(&q[0]).then(p[1].total_cmp(&q[1])).then(p[2].total_cmp(&q[2]))
+    });
+    let from = all.first().copied().unwrap_or_default();
+    let count = all.len().max(1) as f64;
+    core::array::from_fn(|k| from[k] + all.iter().map(|p| p[k] - from[k]).sum::<f64>() / count)
+}

@@ -1,0 +1,169 @@
+//! Small holes of a mesh, closed with triangles.
+
+use super::TriangleMesh;
+use super::close_pairs::distance;
+use super::clusters::across;
+use super::edges::{Edges, end_of, start_of};
+use super::threads::Threads;
+use super::weld::Welded;
+use super::weld_near::compact;
+use crate::body::error::{BodyError, positive};
+
+/// A mesh whose small holes were closed: [`TriangleMesh::filled`].
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct FilledMesh {
+    /// The mesh, each vertex once: its triangles in their order, then those that fill it.
+    pub mesh: TriangleMesh,
+    /// Holes that were closed.
+    pub holes: usize,
+    /// Triangles that close them.
+    pub triangles: usize,
+    /// The largest distance between two vertices of a hole that was closed, m.
+    pub largest: f64,
+    /// Edges that belonged to one triangle only before.
+    pub edges_before: usize,
+    /// Edges that still do: of larger holes, of such with more than 256 edges, and where holes meet in a vertex.
+    pub open_edges: usize,
+    /// How much more or less the mesh may enclose, m³, if what is missing lies within the balls about the holes.
+    pub volume_bound: f64,
+    /// The largest radius of these balls, m.
+    pub largest_radius: f64,
+}
+
+/// Edges of the largest loop that is filled: the work goes with their cube.
+const MOST_EDGES: usize = 256;
+
+impl TriangleMesh {
+    /// The mesh with holes closed that are at most `size` across, m, the largest distance between two of their vertices.
+    ///
+    /// Of all ways to close a loop with triangles between its vertices the one with the least area is taken. What was there is not known:
+    /// `volume_bound` is the volume of the balls about the holes, each about the middle of the box of its vertices and as far as they go.
+    ///
+    /// ```
+    /// use polhode::body::mesh::{ClosedMesh, TriangleMesh};
+    /// let [o, x, y, z] = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 3.0, 0.0], [0.0, 0.0, 1.0]];
+    /// let open = TriangleMesh::of_triangles(&[[o, y, x], [o, x, z], [x, y, z]])?;
+    /// let filled = open.filled(3.5)?;
+    /// assert_eq!((filled.holes, filled.triangles, filled.open_edges), (1, 1, 0));
+    /// assert_eq!(ClosedMesh::of(&filled.mesh)?.volume(), 1.0);
+    /// assert_eq!(open.filled(3.1)?.holes, 0); // it is √10 across
+    /// # Ok::<(), polhode::body::BodyError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`BodyError::Parameter`] for a size that is not positive and finite.
+    pub fn filled(&self, size: f64) -> Result<FilledMesh, BodyError> {
+        positive("the size of a hole", size)?;
+        let threads = Threads::of_machine();
+        let mut exact = Welded::of(self, threads);
+        let boundary = Edges::of(&exact.corners, exact.points.len(), threads).boundary;
+        let given = exact.corners.len();
+        let (mut holes, mut closed, mut largest, mut radius, mut balls) = (0, 0, 0.0_f64, 0.0_f64, 0.0);
+        for hole in loops(&exact.corners, &boundary) {
+            if hole.len() > MOST_EDGES {
+                continue;
+            }
+            let (width, _) = across(&exact.points, &hole);
+            if width * exact.unit > size {
+                continue;
+            }
+            let around = reach(&exact.points, &hole);
+            (holes, closed) = (holes + 1, closed + hole.len());
+            (largest, radius) = (largest.max(width), radius.max(around));
+            balls += 4.0 / 3.0 * core::f64::consts::PI * around.powi(3);
+            let least_area = triangulated(&exact.points, &hole);
+            exact.corners.extend(least_area);
+        }
+        Ok(FilledMesh {
+            holes,
+            triangles: exact.corners.len() - given,
+            largest: largest * exact.unit,
+            edges_before: boundary.len(),
+            open_edges: boundary.len() - closed,
+            volume_bound: balls * exact.unit.powi(3),
+            largest_radius: radius * exact.unit,
+            mesh: compact(exact),
+        })
+    }
+}
+
+/// The loops of half-edges with one triangle, against them, each from its least vertex by coordinates; none through a vertex where two meet.
+fn loops(corners: &[[u32; 3]], boundary: &[u32]) -> Vec<Vec<u32>> {
+    let mut from: Vec<(u32, u32)> =
+        boundary.iter().map(|&h| (start_of(corners, h), end_of(corners, h))).collect();
+    from.sort_unstable();
+    let next = |v: u32| {
+        let first = from.partition_point(|edge| edge.0 < v);
+        let is_only = from.get(first).is_some_and(|edge| edge.0 == v)
+            && from.get(first + 1).is_none_or(|edge| edge.0 != v);
+        is_only.then_some(first)
+    };
+    let mut visited = vec![false; from.len()];
+    let mut loops = Vec::new();
+    for k in 0..from.len() {
+        let mut hole = Vec::new();
+        let mut at = Some(k);
+        while let Some(edge) = at.filter(|&edge| !visited[edge]) {
+            visited[edge] = true;
+            hole.push(from[edge].0);
+            at = next(from[edge].1);
+        }
+        // Back where it began, where nothing else begins.
+        if at == Some(k) && next(from[k].0) == Some(k) && hole.len() > 2 {
+            hole.reverse();
+            loops.push(hole);
+        }
+    }
+    loops
+}
+
+/// How far the vertices are from the middle of their box.
+fn reach(points: &[[f64; 3]], hole: &[u32]) -> f64 {
+    let at = |k: usize| hole.iter().map(move |&v| points[v as usize][k]);
+    let middle = core::array::from_fn(|k| {
+        0.5 * (at(k).fold(f64::INFINITY, f64::min) + at(k).fold(f64::NEG_INFINITY, f64::max))
+    });
+    hole.iter().map(|&v| distance(points[v as usize], middle)).fold(0.0, f64::max)
+}
+
+/// The triangles between the vertices of a polygon that have the least area together: of each of its diagonals the best third corner.
+///
+/// A plane polygon is triangulated so without overlap: any other way has more area.
+fn triangulated(points: &[[f64; 3]], hole: &[u32]) -> Vec<[u32; 3]> {
+    // From its least vertex, whatever the order of the triangles: two ways may have the same area.
+    let key = |v: &u32| points[*v as usize].map(|c| c + 0.0);
+    let least = |a: &(usize, &u32), b: &(usize, &u32)| {
+        let (p, q) = (key(a.1), key(b.1));
+        p[0].total_cmp(&q[0]).then(p[1].total_cmp(&q[1])).then(p[2].total_cmp(&q[2]))
+    };
+    let first = hole.iter().enumerate().min_by(least).map_or(0, |(k, _)| k);
+    let ring: Vec<u32> = hole[first..].iter().chain(&hole[..first]).copied().collect();
+    let n = ring.len();
+    let p = |i: usize| points[ring[i] as usize];
+    let area = |i: usize, k: usize, j: usize| {
+        let (a, b, c) = (p(i), p(k), p(j));
+        let (u, v): ([f64; 3], [f64; 3]) =
+            (core::array::from_fn(|x| b[x] - a[x]), core::array::from_fn(|x| c[x] - a[x]));
+        let normal = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
+        0.5 * distance(normal, [0.0; 3])
+    };
+    let mut best = vec![(0.0_f64, 0_usize); n * n];
+    for span in 2..n {
+        for i in 0..n - span {
+            let j = i + span;
+            let ways = (i + 1..j).map(|k| (best[i * n + k].0 + best[k * n + j].0 + area(i, k, j), k));
+            best[i * n + j] = ways.min_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or_default();
+        }
+    }
+    let mut triangles = Vec::with_capacity(n - 2);
+    let mut waiting = vec![(0, n - 1)];
+    while let Some((i, j)) = waiting.pop() {
+        if j - i > 1 {
+            let k = best[i * n + j].1;
+            triangles.push([ring[i], ring[k], ring[j]]);
+            waiting.extend([(i, k), (k, j)]);
+        }
+    }
+    triangles
+}

@@ -1,0 +1,200 @@
+//! Torn meshes, welded: what comes of it, what it may be off, what is refused.
+
+use polhode::body::BodyError;
+use polhode::body::mesh::{ClosedMesh, Triangle, TriangleMesh, WeldedMesh};
+use polhode::body::shape::{Shape, Substance};
+use proptest::prelude::*;
+
+/// A pseudo-random number in (−1, 1).
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    }
+
+    fn moved(&mut self, p: [f64; 3], by: f64) -> [f64; 3] {
+        p.map(|c| c + by * self.next() / 3.0_f64.sqrt())
+    }
+}
+
+/// A ring of oval section off the origin.
+fn ring(around: usize, along: usize) -> Vec<Triangle> {
+    let corner = |i: usize, k: usize| {
+        let [u, v] = [(i % around, around), (k % along, along)]
+            .map(|(i, n)| std::f64::consts::TAU * i as f64 / n as f64);
+        let r = 0.7 + 0.21 * v.cos() + 0.03 * (3.0 * u).sin();
+        [1.3 + r * u.cos(), -0.8 + 0.9 * r * u.sin(), 0.4 + 0.17 * v.sin() + 0.05 * u.cos()]
+    };
+    let mut triangles = Vec::new();
+    for i in 0..around {
+        for k in 0..along {
+            let [a, b, c, d] = [corner(i, k), corner(i + 1, k), corner(i + 1, k + 1), corner(i, k + 1)];
+            triangles.extend([[a, b, c], [a, c, d]]);
+        }
+    }
+    triangles
+}
+
+/// The same with every corner of every triangle moved by up to so much.
+fn torn(triangles: &[Triangle], by: f64, seed: u64) -> TriangleMesh {
+    let mut random = Random(seed);
+    let torn: Vec<_> = triangles.iter().map(|corners| corners.map(|p| random.moved(p, by))).collect();
+    TriangleMesh::of_triangles(&torn).unwrap()
+}
+
+/// The triangles by their corners, in an order of their own, each from its least corner.
+fn sorted(mesh: &TriangleMesh) -> Vec<Triangle> {
+    let key = |triangle: &Triangle| triangle.map(|p| p.map(|c| (c + 0.0).to_bits()));
+    let from_least =
+        |[a, b, c]: Triangle| [[a, b, c], [b, c, a], [c, a, b]].into_iter().min_by_key(key).unwrap();
+    let mut all: Vec<_> = mesh.corners().map(from_least).collect();
+    all.sort_by_key(key);
+    all
+}
+
+fn refusal(mesh: &TriangleMesh, tolerance: f64) -> BodyError {
+    mesh.welded(tolerance).unwrap_err()
+}
+
+#[test]
+fn a_mesh_whose_triangles_were_all_torn_off_has_its_mass_properties_to_the_bound() {
+    let whole = ClosedMesh::from_triangles(ring(24, 14)).unwrap();
+    let size = whole.surface().diagonal();
+    let torn = torn(&ring(24, 14), 1e-7 * size, 3);
+    assert!(matches!(ClosedMesh::of(&torn), Err(BodyError::OpenMesh { edges: 2016, .. })));
+    let welded = torn.welded(1e-6 * size).unwrap();
+    assert_eq!((welded.joined, welded.points, welded.open_edges, welded.vanished), (6 * 336, 336, 0, 0));
+    assert!(welded.largest_distance > 1e-8 * size && welded.largest_distance <= 2e-7 * size);
+    assert!(welded.farthest_move > 0.3 * welded.largest_distance);
+    let solid = ClosedMesh::of(&welded.mesh).unwrap();
+    // The mean of a vertex's corners is within the largest displacement of it too.
+    let off = (solid.volume() - whole.volume()).abs();
+    assert!(off > 0.0 && off <= welded.volume_bound, "{off:e} {:e}", welded.volume_bound);
+    assert!(welded.volume_bound < 3e-6 * whole.volume());
+
+    let effect = solid.effect(welded.volume_bound, welded.farthest_move);
+    let body = |mesh: &ClosedMesh| mesh.mass_properties(Substance::Density(2.7)).unwrap();
+    let (a, b) = (body(&solid), body(&whole));
+    assert!((a.center_of_mass() - b.center_of_mass()).norm() <= effect.center);
+    let largest = b.principal().moments()[2];
+    let (i, j) = (a.inertia().matrix(), b.inertia().matrix());
+    let worst = i.iter().flatten().zip(j.iter().flatten()).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);
+    assert!(worst > 0.0 && worst <= effect.inertia * largest, "{worst:e} {:e}", effect.inertia * largest);
+    assert!(effect.inertia < 2e-5 && effect.center < 1e-5 * size);
+}
+
+#[test]
+fn the_bound_holds_wherever_in_their_spread_the_vertices_are() {
+    let size = TriangleMesh::of_triangles(&ring(9, 7)).unwrap().diagonal();
+    let welded = torn(&ring(9, 7), 3e-3 * size, 11).welded(8e-3 * size).unwrap();
+    assert_eq!(welded.open_edges, 0);
+    let volume = ClosedMesh::of(&welded.mesh).unwrap().volume();
+    let middle = welded.mesh.coordinates();
+    let mut largest = 0.0_f64;
+    for seed in 0..40 {
+        let mut random = Random(seed);
+        // outward or inward altogether, and at random
+        let to = |p: &[f64; 3]| match seed {
+            0 | 1 => {
+                let from = [p[0] - 1.3, p[1] + 0.8, p[2] - 0.4];
+                let r = (from[0] * from[0] + from[1] * from[1]).sqrt();
+                let on = [0.7 * from[0] / r, 0.7 * from[1] / r, 0.0];
+                let out: [f64; 3] = std::array::from_fn(|k| from[k] - on[k]);
+                let n = out.iter().map(|c| c * c).sum::<f64>().sqrt();
+                let by = if seed == 0 { welded.farthest_move } else { -welded.farthest_move };
+                std::array::from_fn(|k| p[k] + by * out[k] / n)
+            }
+            _ => random.moved(*p, welded.farthest_move),
+        };
+        let vertices: Vec<[f64; 3]> = middle.iter().map(to).collect();
+        let other = TriangleMesh::new(vertices, welded.mesh.triangles().to_vec()).unwrap();
+        let off = (ClosedMesh::of(&other).unwrap().volume() - volume).abs();
+        assert!(off <= welded.volume_bound, "{seed}: {off:e} {:e}", welded.volume_bound);
+        largest = largest.max(off);
+    }
+    assert!(largest > 0.5 * welded.volume_bound, "{largest:e} {:e}", welded.volume_bound);
+}
+
+#[test]
+fn nothing_is_welded_unasked_and_what_is_closed_stays_as_it_is() {
+    let mesh = TriangleMesh::of_triangles(&ring(9, 7)).unwrap();
+    let welded = mesh.welded(0.01 * mesh.diagonal()).unwrap();
+    assert_eq!((welded.joined, welded.points, welded.volume_bound), (0, 0, 0.0));
+    assert_eq!(sorted(&welded.mesh), sorted(&mesh));
+    assert!(ClosedMesh::of(&torn(&ring(9, 7), 1e-13, 5)).is_err());
+}
+
+#[test]
+fn a_tolerance_that_would_lose_features_is_refused_with_the_reason() {
+    let whole = ring(160, 80);
+    let size = TriangleMesh::of_triangles(&whole).unwrap().diagonal();
+    let torn = torn(&whole, 1e-6 * size, 8);
+    assert_eq!(torn.welded(3e-6 * size).unwrap().open_edges, 0);
+    let BodyError::WeldTooWide { tolerance, vertices, distance, example: [a, b] } =
+        refusal(&torn, 0.0095 * size)
+    else {
+        panic!()
+    };
+    assert!(vertices > 6 && distance > tolerance);
+    let apart = a.iter().zip(b).map(|(x, y)| (x - y).powi(2)).sum::<f64>().sqrt();
+    assert!(apart > tolerance && apart <= distance * (1.0 + 1e-12));
+    for wrong in [0.0, -1e-6, f64::NAN, 0.02 * size] {
+        assert!(matches!(refusal(&torn, wrong), BodyError::Parameter { .. }), "{wrong}");
+    }
+    assert!(refusal(&torn, 0.02 * size).to_string().contains("a hundredth"));
+}
+
+#[test]
+fn a_triangle_of_which_two_corners_become_one_is_counted_and_bounds_nothing() {
+    let [o, x, y, z] = [[0.1, 0.2, -0.3], [2.3, 0.1, 0.0], [0.2, 3.1, 0.3], [0.1, 0.4, 1.7]];
+    let z2 = [0.1, 0.4001, 1.7002];
+    // a sliver between z and z2 that no other triangle knows
+    let mesh =
+        TriangleMesh::of_triangles(&[[o, y, x], [o, x, z], [o, z2, y], [x, y, z], [z, z2, o]]).unwrap();
+    let welded = mesh.welded(3e-4).unwrap();
+    assert_eq!((welded.joined, welded.points, welded.vanished, welded.open_edges), (2, 1, 1, 0));
+    let solid = ClosedMesh::of(&welded.mesh).unwrap();
+    assert_eq!((solid.degenerate(), solid.surface().triangles().len()), (1, 4));
+}
+
+#[test]
+fn an_open_mesh_says_at_which_weld_it_closes() {
+    let whole = ring(24, 14);
+    let size = TriangleMesh::of_triangles(&whole).unwrap().diagonal();
+    let torn = torn(&whole, 1e-6 * size, 21);
+    let weld = torn.closing_weld(&|| true).unwrap();
+    assert!(weld.least < weld.tolerance && weld.tolerance <= 3e-6, "{weld:?}");
+    assert_eq!((weld.joined, weld.points), (6 * 336, 336));
+    let closes = |tolerance: f64| {
+        torn.welded(tolerance * size).is_ok_and(|welded| ClosedMesh::of(&welded.mesh).is_ok())
+    };
+    assert!(closes(weld.tolerance) && !closes(weld.least * (1.0 - 1e-9)));
+    assert_eq!(torn.closing_weld(&|| false), None);
+    // closed already; a hole; torn by more than a thousandth
+    assert_eq!(TriangleMesh::of_triangles(&whole).unwrap().closing_weld(&|| true), None);
+    assert_eq!(TriangleMesh::of_triangles(&whole[1..]).unwrap().closing_weld(&|| true), None);
+    assert_eq!(self::torn(&whole, 5e-3 * size, 4).closing_weld(&|| true), None);
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+    #[test]
+    fn the_order_of_the_triangles_does_not_matter(seed in any::<u64>(), by in 1e-9..2e-3_f64) {
+        let whole = ring(7, 6);
+        let mesh = torn(&whole, by, seed);
+        let weld = |mesh: &TriangleMesh| mesh.welded(1e-2);
+        let mut triangles: Vec<_> = mesh.corners().collect();
+        let mut random = Random(seed ^ 0x5bd1);
+        for k in (1..triangles.len()).rev() {
+            triangles.swap(k, ((0.5 + 0.5 * random.next()) * (k + 1) as f64) as usize);
+            triangles[k].rotate_left(k % 3);
+        }
+        let shuffled = TriangleMesh::of_triangles(&triangles).unwrap();
+        let [a, b]: [WeldedMesh; 2] = [weld(&mesh).unwrap(), weld(&shuffled).unwrap()];
+        prop_assert_eq!(sorted(&a.mesh), sorted(&b.mesh));
+        prop_assert_eq!((a.joined, a.points, a.largest_distance), (b.joined, b.points, b.largest_distance));
+        prop_assert_eq!((a.open_edges, a.points), (0, 42));
+    }
+}

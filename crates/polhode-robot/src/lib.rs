@@ -2,7 +2,7 @@
 //!
 //! - [`model`]: what a file says: links, inertials, geometry, joints, and where each number stands
 //! - [`read`]: files in, models out
-//! - [`format`]: results as other programs read them: SARIF, JUnit, GitHub, GitLab, Markdown
+//! - [`mod@format`]: results as other programs read them: SARIF, JUnit, GitHub, GitLab, Markdown
 //! - [`geometry`]: what the shapes of a link enclose
 //! - [`mod@check`]: the checks
 //! - [`mod@rule`]: all rules in one table, each with its reason, its remedy and an example

@@ -259,6 +259,11 @@ test("of several files those that name others are opened; of a folder, models am
   // One by one nothing is left out: the server says what it does not know.
   assert.deepEqual(names((await sorted([file("b.stl"), file("notes.md"), file("a.ply")])).opened), ["a.ply", "b.stl", "notes.md"]);
   assert.deepEqual(await sorted([file("a/notes.md")]), { sent: [], opened: [] });
+  // A mesh in parts is one, beside others; a robot's meshes are its own, whatever their format.
+  assert.deepEqual(names((await sorted([file("a.gltf"), file("a.bin"), file("b.stl")])).opened), ["a.gltf", "b.stl"]);
+  assert.deepEqual(names((await sorted([file("a/x.urdf"), file("a/m.gltf"), file("a/m.bin")])).opened), ["a/x.urdf"]);
+  const tomls = [file("a/pyproject.toml", "[project]\nname = 'a'"), file("a/top.toml", "title = 'top'\n\n[[body.part]]")];
+  assert.deepEqual(names((await sorted(tomls)).opened), ["a/top.toml"]);
 });
 
 for (const [name, width, height, scheme] of [["projector", 1024, 768, "light"], ["phone", 390, 844, "dark"]]) {

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use polhode::body::mesh::{ClosedMesh, TriangleMesh};
+use polhode::body::mesh::{ClosedMesh, MeshFlaws, TriangleMesh};
 use polhode_formats::mesh::{MeshContents, MeshFormat, MeshSolid, SolidPart};
 
 use crate::inspect::{MARKS, MeshInspection};
@@ -23,23 +23,15 @@ impl Mesh {
         bytes: &[u8],
         goes_on: &(dyn Fn() -> bool + Sync),
     ) -> Result<Self, String> {
-        let format = MeshFormat::of_path(path).ok_or("it is no mesh")?;
-        let contents = MeshContents::parse(bytes, path, format).map_err(|error| error.message())?;
-        let assumed = assumed_unit(&contents);
-        let parts = PartNames::of(&contents);
-        let contents = contents.as_one().map_err(|error| error.to_string())?;
-        let surface = contents.parts.first().map(|part| &part.mesh).ok_or("it has no triangles")?;
-        match ClosedMesh::or_flaws(surface, MARKS, goes_on) {
+        let read = Read::of(path, bytes)?;
+        match ClosedMesh::or_flaws(read.surface()?, MARKS, goes_on) {
             Ok(mesh) => {
-                let given = (!format.has_unit()).then_some(assumed);
+                let given = (!read.format.has_unit()).then_some(read.assumed);
                 let solids = vec![SolidPart { name: String::new(), mesh }];
-                let solid = MeshSolid::of_solids(contents, solids, path, format, given);
+                let solid = MeshSolid::of_solids(read.contents, solids, path, read.format, given);
                 Ok(Self::Solid(Box::new(solid.map_err(|error| error.message())?), given))
             }
-            Err(flaws) => {
-                let unit = contents.unit.unwrap_or(assumed);
-                Ok(Self::Flawed(MeshInspection::of(name, &contents, &parts, &flaws, unit)))
-            }
+            Err(flaws) => Ok(Self::Flawed(read.flawed(name, &flaws))),
         }
     }
 }
@@ -51,15 +43,44 @@ pub(crate) fn looked_at(
     bytes: &[u8],
     goes_on: &(dyn Fn() -> bool + Sync),
 ) -> Result<MeshInspection, String> {
-    if let Mesh::Flawed(found) = Mesh::of(name, path, bytes, goes_on)? {
-        return Ok(found);
+    let read = Read::of(path, bytes)?;
+    let surface = read.surface()?;
+    Ok(match ClosedMesh::or_flaws(surface, MARKS, goes_on) {
+        Ok(_) => MeshInspection::of_solid(name, &read.contents, surface, read.unit()),
+        Err(flaws) => read.flawed(name, &flaws),
+    })
+}
+
+/// The file of a mesh, its parts as one.
+struct Read {
+    format: MeshFormat,
+    contents: MeshContents,
+    parts: PartNames,
+    /// The unit by its size, in metres.
+    assumed: f64,
+}
+
+impl Read {
+    fn of(path: &Path, bytes: &[u8]) -> Result<Self, String> {
+        let format = MeshFormat::of_path(path).ok_or("it is no mesh")?;
+        let contents = MeshContents::parse(bytes, path, format).map_err(|error| error.message())?;
+        let (assumed, parts) = (assumed_unit(&contents), PartNames::of(&contents));
+        let contents = contents.as_one().map_err(|error| error.to_string())?;
+        Ok(Self { format, contents, parts, assumed })
     }
-    let format = MeshFormat::of_path(path).ok_or("it is no mesh")?;
-    let contents = MeshContents::parse(bytes, path, format).map_err(|error| error.message())?;
-    let unit = contents.unit.unwrap_or_else(|| assumed_unit(&contents));
-    let contents = contents.as_one().map_err(|error| error.to_string())?;
-    let surface = contents.parts.first().map(|part| &part.mesh).ok_or("it has no triangles")?;
-    Ok(MeshInspection::of_solid(name, &contents, surface, unit))
+
+    fn surface(&self) -> Result<&TriangleMesh, String> {
+        Ok(self.contents.parts.first().map(|part| &part.mesh).ok_or("it has no triangles")?)
+    }
+
+    /// In metres.
+    fn unit(&self) -> f64 {
+        self.contents.unit.unwrap_or(self.assumed)
+    }
+
+    fn flawed(&self, name: &str, flaws: &MeshFlaws) -> MeshInspection {
+        MeshInspection::of(name, &self.contents, &self.parts, flaws, self.unit())
+    }
 }
 
 /// The parts of a file by the triangles of all of them, numbered through.

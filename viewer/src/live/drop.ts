@@ -30,7 +30,10 @@ export class Drop {
     document.addEventListener("drop", (event) => {
       event.preventDefault();
       zone.hidden = true;
-      if (event.dataTransfer) void dropped(event.dataTransfer).then((files) => this.#send(files));
+      if (!event.dataTransfer) return;
+      dropped(event.dataTransfer)
+        .then((files) => this.#send(files))
+        .catch((problem: unknown) => this.#said(`What was dropped cannot be read: ${words(problem)}`));
     });
   }
 

@@ -7,8 +7,10 @@ export interface DroppedFile {
 }
 
 /** Of a set, the files that name the others. */
-const MAIN = ["toml", "urdf", "sdf", "xml", "world", "mjcf", "usda", "osim", "gltf"];
-const OTHERS = ["stl", "obj", "mtl", "ply", "off", "glb", "3mf", "dae", "xyz", "mol", "pdb", "ent", "csv", "bin"];
+const MAIN = ["toml", "urdf", "sdf", "xml", "world", "mjcf", "usda", "osim"];
+/** What is shown by itself, and what is only a part of that. */
+const OTHERS = ["stl", "obj", "ply", "off", "gltf", "glb", "3mf", "dae", "xyz", "mol", "pdb", "ent", "csv"];
+const PARTS = ["mtl", "bin"];
 
 const ending = (path: string): string => path.toLowerCase().split(".").at(-1) ?? "";
 
@@ -37,15 +39,18 @@ export async function sorted(files: DroppedFile[]): Promise<{ sent: DroppedFile[
     return found < 0 ? MAIN.length : found;
   };
   const sent = files.filter((_, k) => isWanted[k]).sort((a, b) => rank(a) - rank(b) || (a.path < b.path ? -1 : 1));
+  const main = sent.filter((file) => rank(file) < MAIN.length);
   // Those that name no others are each shown.
-  const opened = sent.filter((file) => rank(sent[0]) === MAIN.length || rank(file) < MAIN.length);
-  return { sent, opened };
+  const alone = sent.filter(({ path }) => !PARTS.includes(ending(path)));
+  return { sent, opened: [main, alone, sent].find(({ length }) => length > 0) ?? [] };
 }
 
-// Much is XML that is no model.
+// Much is XML that is no model, or TOML that is no scenario.
 async function isKnown(path: string, file: File): Promise<boolean> {
-  if (ending(path) === "xml") return /<(mujoco|robot|sdf)\b/.test(await file.slice(0, 8192).text());
-  return [...MAIN, ...OTHERS].includes(ending(path));
+  const has = async (pattern: RegExp): Promise<boolean> => pattern.test(await file.slice(0, 8192).text());
+  if (ending(path) === "xml") return has(/<(mujoco|robot|sdf)\b/);
+  if (ending(path) === "toml") return has(/^\s*\[+\s*(body|start|run)\b/m);
+  return [...MAIN, ...OTHERS, ...PARTS].includes(ending(path));
 }
 
 const isHidden = (path: string): boolean => path.split("/").some((name) => name.startsWith("."));

@@ -69,6 +69,7 @@ export class Shown {
         this.#session.open(info, content.text, text);
       } else this.#inspection.show(info, content);
     } catch (problem) {
+      if (asked !== this.#asked) return;
       const hint = problem instanceof Refused && problem.hint ? ` — ${problem.hint}` : "";
       this.#notice.say(`${info.name}: ${problem instanceof Error ? problem.message : String(problem)}${hint}`);
     }
@@ -86,8 +87,7 @@ export class Shown {
     if (this.#inspection.document) {
       this.#asked += 1;
       await this.#ask(now, now.mesh ? server.mesh(now.id) : server.document(now.id), this.#asked);
-    }
-    else if (!(await this.takes(mine.id))) await this.#reread(now);
+    } else if (!(await this.takes(mine.id))) await this.#reread(now);
   }
 
   async #reread(now: DocumentInfo): Promise<void> {

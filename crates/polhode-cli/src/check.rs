@@ -85,6 +85,11 @@ impl Check {
         let models: Vec<&Path> = inputs.iter().filter_map(|input| input.as_deref().ok()).collect();
         let target = self.fix.target(&models)?;
         self.output.require_no_other_form(target.is_some())?;
+        for (option, out) in
+            [("--output", self.output.file()), ("--write-baseline", self.policy.baseline_out())]
+        {
+            fix::require_not_read(option, out, &models)?;
+        }
 
         let threads = parallel::threads();
         let shapes = Shapes::with_threads((threads / models.len().max(1)).max(1));

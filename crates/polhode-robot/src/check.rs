@@ -131,7 +131,7 @@ pub fn check(model: &RobotModel, geometry: &[LinkGeometry]) -> Vec<Finding> {
     numbers::elsewhere(model, &mut findings);
     pair::check(model, &tree, &bodies, &mut findings);
     placeholder::repeated(&bodies, &mut findings);
-    let mut findings = alike::grouped(findings);
+    let mut findings = alike::grouped(model, findings);
     for finding in &mut findings {
         finding.numbers.retain(|(_, x)| x.is_finite());
         if !model.is_si {

@@ -7,6 +7,7 @@ mod markdown;
 mod sarif;
 
 use std::borrow::Cow;
+use std::path::Path;
 
 use crate::finding::{Finding, Severity};
 use crate::line_index::{FilePlace, Places};
@@ -108,7 +109,11 @@ impl<'a> FileResult<'a> {
         if !place.is_included {
             return Cow::Borrowed(&self.file);
         }
-        let within = model.path.parent().and_then(|folder| place.file.strip_prefix(folder).ok());
+        // Their paths are real ones.
+        let own =
+            model.path.parent().map(|folder| if folder == Path::new("") { Path::new(".") } else { folder });
+        let own = own.and_then(|folder| std::fs::canonicalize(folder).ok());
+        let within = own.and_then(|folder| place.file.strip_prefix(folder).ok());
         let folder = self.file.rsplit_once('/').map_or("", |(folder, _)| folder);
         let name = match within {
             Some(within) if folder.is_empty() => within.to_string_lossy().into_owned(),

@@ -92,12 +92,21 @@ impl Policy {
     /// What becomes of the findings in a model. `file` is its name for globs and baselines: relative, with slashes.
     pub fn judge(&self, file: &str, model: &RobotModel, findings: Vec<Finding>) -> Judged {
         let comments = comment::comments(model);
-        let by_comment: Vec<Option<usize>> = findings
+        // Of a finding about several links each has to be allowed.
+        let allowing = |finding: &Finding| -> Option<Vec<usize>> {
+            let is_included = model.is_included(&finding.span);
+            let allows = |of: &String| {
+                comments.iter().position(|comment| comment.allows(finding.code, of, is_included))
+            };
+            std::iter::once(&finding.subject).chain(&finding.others).map(allows).collect()
+        };
+        let by_comment: Vec<Vec<usize>> =
+            findings.iter().map(|finding| allowing(finding).unwrap_or_default()).collect();
+        let used: BTreeSet<(usize, &str)> = findings
             .iter()
-            .map(|finding| comments.iter().position(|comment| comment.allows(finding)))
+            .zip(&by_comment)
+            .flat_map(|(finding, all)| all.iter().map(|k| (*k, finding.code)))
             .collect();
-        let used: BTreeSet<(usize, &str)> =
-            findings.iter().zip(&by_comment).filter_map(|(f, k)| Some(((*k)?, f.code))).collect();
         let about_comments: Vec<Finding> = comments
             .iter()
             .enumerate()
@@ -105,7 +114,7 @@ impl Policy {
             .collect();
         let mut all: Vec<(Finding, Option<&Comment>)> = findings
             .into_iter()
-            .zip(by_comment.iter().map(|k| k.and_then(|k| comments.get(k))))
+            .zip(by_comment.iter().map(|all| all.first().and_then(|k| comments.get(*k))))
             .chain(about_comments.into_iter().map(|finding| (finding, None)))
             .collect();
         all.sort_by_key(|(finding, _)| finding.span.start);

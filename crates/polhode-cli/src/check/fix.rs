@@ -36,14 +36,7 @@ impl FixFlags {
                 "repair them one by one",
             ));
         };
-        let same =
-            || fs::canonicalize(out).is_ok_and(|out| fs::canonicalize(input).is_ok_and(|input| out == input));
-        if out == input || same() {
-            return Err(Failure::usage(
-                format!("--fix would overwrite the model itself, {shown}"),
-                "write beside it, look at the difference, then move it there",
-            ));
-        }
+        require_not_read("--fix", Some(out), &[input])?;
         match fs::symlink_metadata(out) {
             Ok(meta) if meta.is_dir() || out.is_dir() => Err(Failure::usage(
                 format!("{shown} is a folder, and --fix writes a file"),
@@ -55,6 +48,20 @@ impl FixFlags {
             )),
             _ => Ok(Some((out, self.force))),
         }
+    }
+}
+
+/// Refuses to write over a model that is read, whatever --force says.
+pub(super) fn require_not_read(option: &str, out: Option<&Path>, inputs: &[&Path]) -> Result<(), Failure> {
+    let Some(out) = out else { return Ok(()) };
+    let real = fs::canonicalize(out).ok();
+    let is_out = |input: &&&Path| out == **input || real.is_some() && real == fs::canonicalize(input).ok();
+    match inputs.iter().find(is_out) {
+        Some(_) => Err(Failure::usage(
+            format!("{option} would overwrite the model itself, {}", shown(out)),
+            "write beside it, look at the difference, then move it there",
+        )),
+        None => Ok(()),
     }
 }
 

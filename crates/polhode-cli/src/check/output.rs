@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 use std::io::Write as _;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 use polhode_report::plain::printable_lines;
@@ -83,6 +83,11 @@ impl OutputFlags {
             }
             _ => Ok(()),
         }
+    }
+
+    /// The file that it goes to, if not to standard output.
+    pub(super) fn file(&self) -> Option<&Path> {
+        self.output.as_deref()
     }
 
     pub(super) fn write(&self, results: &Results<'_>, force: bool) -> Result<(), Failure> {

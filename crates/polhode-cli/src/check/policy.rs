@@ -47,6 +47,11 @@ enum Least {
 }
 
 impl PolicyFlags {
+    /// Where a baseline is written to.
+    pub(super) fn baseline_out(&self) -> Option<&Path> {
+        self.write_baseline.as_deref()
+    }
+
     /// What counts, and the least severity that fails.
     pub(super) fn read(&self) -> Result<(Policy, Severity), Failure> {
         let usual = Path::new(USUAL);

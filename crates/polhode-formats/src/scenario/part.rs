@@ -157,13 +157,13 @@ fn read_mesh(table: &Table<'_>, name: &str, findings: &mut Vec<Finding>) -> Resu
         file.source().mesh.filter(|known| known.path == *path && known.unit == unit && weld.is_none());
     let mut repair = None;
     let read = || {
-        let contents = MeshContents::read_as(path, written, format)?;
-        let mut one =
-            contents.as_one().map_err(|e| FormatError::new(path, None, FormatErrorKind::Body(e)))?;
+        let mut contents = MeshContents::read_as(path, written, format)?;
+        // Each part by itself, as the command does.
         if let Some(tolerance) = weld {
-            let (welded, done) = one.welded(tolerance, unit, path)?;
-            (one, repair) = (welded, Some(done));
+            let (welded, done) = contents.welded(tolerance, unit, path)?;
+            (contents, repair) = (welded, Some(done));
         }
+        let one = contents.as_one().map_err(|e| FormatError::new(path, None, FormatErrorKind::Body(e)))?;
         MeshSolid::watched(one, path, format, unit, file.source().watch.0)
     };
     let solid = known.map_or_else(read, |known| Ok(known.solid.clone()));

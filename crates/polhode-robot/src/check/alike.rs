@@ -3,14 +3,15 @@
 use std::collections::BTreeMap;
 
 use crate::finding::{Finding, Severity};
+use crate::model::RobotModel;
 
 /// Links that a message names.
 pub(super) const LISTED: usize = 12;
 
 /// What is said of masses and tensors by their geometry, in the same words of several links, is said once. What is impossible is said of
 /// each.
-pub(super) fn grouped(findings: Vec<Finding>) -> Vec<Finding> {
-    type Key = (&'static str, Severity, String, String, bool);
+pub(super) fn grouped(model: &RobotModel, findings: Vec<Finding>) -> Vec<Finding> {
+    type Key = (&'static str, Severity, String, String, bool, usize);
     let mut first: BTreeMap<Key, usize> = BTreeMap::new();
     let mut groups: Vec<Vec<Finding>> = Vec::new();
     for finding in findings {
@@ -23,7 +24,9 @@ pub(super) fn grouped(findings: Vec<Finding>) -> Vec<Finding> {
             continue;
         }
         let Finding { code, severity, message, rule, repair, .. } = &finding;
-        let key = (*code, *severity, message.clone(), rule.clone(), repair.is_some());
+        // Of each file by itself.
+        let file = model.included.partition_point(|source| source.start <= finding.span.start);
+        let key = (*code, *severity, message.clone(), rule.clone(), repair.is_some(), file);
         match first.get(&key).and_then(|group| groups.get_mut(*group)) {
             Some(group) => group.push(finding),
             None => {
@@ -41,7 +44,10 @@ fn one(group: Vec<Finding>) -> Option<Finding> {
     let mut found = group.next()?;
     for other in group {
         if let (Some(repair), Some(more)) = (&mut found.repair, other.repair) {
-            repair.edits.extend(more.edits);
+            // Copies of a body are of one text.
+            let further = more.edits.into_iter().filter(|edit| !repair.edits.contains(edit));
+            let further: Vec<_> = further.collect();
+            repair.edits.extend(further);
         }
         found.others.push(other.subject);
     }

@@ -4,7 +4,7 @@
 //! what is about the model as a whole.
 
 use crate::finding::{Finding, Severity};
-use crate::model::{RobotModel, Span};
+use crate::model::{ModelFormat, RobotModel, Span};
 use crate::rule::{rule, rules};
 
 /// What such comments begin with.
@@ -33,13 +33,15 @@ enum Scope {
 }
 
 impl Comment {
-    pub(super) fn allows(&self, finding: &Finding) -> bool {
+    /// Whether it allows what a rule says of a link, a joint, or with an empty name the model; what stands in an included file it does
+    /// not, unless it is at a link or joint by name.
+    pub(super) fn allows(&self, code: &str, subject: &str, is_included: bool) -> bool {
         self.fault.is_none()
-            && self.codes.contains(&finding.code)
+            && self.codes.iter().any(|own| *own == code)
             && match &self.scope {
-                Scope::File => true,
-                Scope::Model => finding.subject.is_empty(),
-                Scope::Elements(names) => names.contains(&finding.subject),
+                Scope::File => !is_included,
+                Scope::Model => !is_included && subject.is_empty(),
+                Scope::Elements(names) => names.iter().any(|name| name == subject),
             }
     }
 
@@ -87,6 +89,9 @@ pub(super) fn comments(model: &RobotModel) -> Vec<Comment> {
     }
     let text = model.text.as_str();
     let (comments, root) = scan(text);
+    // In USD a "<" is that of a path.
+    let first = model.links.iter().map(|link| link.span.start).min();
+    let root = if model.format == ModelFormat::Usd { first.unwrap_or(text.len()) } else { root };
     let of = |span: &Span| {
         let said = text.get(span.start + 4..span.end - 3)?.trim().strip_prefix(MARK)?.trim();
         let scope = if span.end <= root { Scope::File } else { scope(model, span, &comments) };

@@ -1,4 +1,5 @@
-//! What a finding is known by: its rule, its file and what it is about, and which of several it is; not its line, nor its numbers.
+//! What a finding is known by: its rule with the severity that it gives, its file and all that it is about, and which of several it is; not its
+//! line, nor its numbers.
 
 use std::collections::BTreeMap;
 
@@ -6,11 +7,13 @@ use crate::finding::Finding;
 
 /// Of each finding of a file, in their order.
 pub(super) fn ids<'a>(file: &str, findings: impl Iterator<Item = &'a Finding>) -> Vec<String> {
-    let mut seen: BTreeMap<(&str, &str), usize> = BTreeMap::new();
+    let mut seen: BTreeMap<Vec<&str>, usize> = BTreeMap::new();
     let id = |finding: &'a Finding| {
-        let count = seen.entry((finding.code, &finding.subject)).or_default();
+        let links = std::iter::once(&finding.subject).chain(&finding.others).map(String::as_str);
+        let about: Vec<&str> = [finding.code, finding.severity.name()].into_iter().chain(links).collect();
+        let count = seen.entry(about.clone()).or_default();
         *count += 1;
-        hash([finding.code, file, &finding.subject, &count.to_string()])
+        hash([file, &count.to_string()].into_iter().chain(about))
     };
     findings.map(id).collect()
 }

@@ -52,7 +52,8 @@ impl Roots {
             if found.is_file() {
                 return Some(found.to_owned());
             }
-            let file = model_file(found).and_then(|file| fs::canonicalize(found.join(file)).ok())?;
+            let file = model_file(found, |path| self.holds(path))
+                .and_then(|file| fs::canonicalize(found.join(file)).ok())?;
             (self.holds(&file) && file.is_file()).then_some(file)
         })
     }
@@ -131,10 +132,19 @@ fn is_package(folder: &Path) -> bool {
 }
 
 /// The file that `model.config` names: of several, that of the latest SDFormat, as libsdformat takes it. Without one, `model.sdf`.
-fn model_file(folder: &Path) -> Option<String> {
-    let Ok(text) = fs::read_to_string(folder.join("model.config")) else {
+fn model_file(folder: &Path, holds: impl Fn(&Path) -> bool) -> Option<String> {
+    /// It has some hundred bytes.
+    const MOST: u64 = 1 << 16;
+    // It may be a link to somewhere else.
+    let Ok(config) = fs::canonicalize(folder.join("model.config")) else {
         return Some("model.sdf".to_owned());
     };
+    if !holds(&config) || !config.is_file() {
+        return None;
+    }
+    let mut text = String::new();
+    let file = fs::File::open(config).ok()?;
+    std::io::Read::read_to_string(&mut std::io::Read::take(file, MOST), &mut text).ok()?;
     let named = with_root(&text, |root| {
         let version = |element: &Element<'_>| {
             let version = element.word("version").unwrap_or("0");

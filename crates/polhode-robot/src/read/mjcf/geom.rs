@@ -38,7 +38,8 @@ impl<'c, 'a> Reader<'c, 'a, '_> {
         let zero = |name: &str| source.word(name).is_some_and(|word| word.parse() == Ok(0_i64));
         let role = if zero("contype") && zero("conaffinity") { Role::Visual } else { Role::Collision };
         let form = self.form(element, &source, branch);
-        let frame = branch.frame.then(&form.pose);
+        let mut frame = branch.frame.then(&form.pose);
+        frame.unreadable.extend(branch.frame.unreadable.iter().cloned());
         let mass = if weighs { self.weight(&source, &form, &frame, branch.context) } else { Ok(None) };
         let (shape, inner) = self.shape(&form, branch.context);
         let pose = match inner {
@@ -139,7 +140,7 @@ impl<'c, 'a> Reader<'c, 'a, '_> {
         if !given.unwrap_or(density).is_finite() {
             return Err("the mass or density of a geom is no number".to_owned());
         }
-        if !form.pose.unreadable.is_empty() {
+        if !form.pose.unreadable.is_empty() || !frame.unreadable.is_empty() {
             return Err("the frame of a geom has a number that is none".to_owned());
         }
         let (amount, center, per_kilogram) = match form.kind {

@@ -158,7 +158,9 @@ impl<'c, 'a, 'm> Reader<'c, 'a, 'm> {
         let element = branch.element;
         let pose = self.pose(element, &Source::of(element), branch.context);
         let class = element.word("childclass").or(branch.class);
-        Branch { frame: branch.frame.then(&pose), class, ..branch.clone() }
+        let mut frame = branch.frame.then(&pose);
+        frame.unreadable = branch.frame.unreadable.iter().chain(&pose.unreadable).take(1).cloned().collect();
+        Branch { frame, class, ..branch.clone() }
     }
 
     /// Takes up a body that stands in a branch.
@@ -171,7 +173,8 @@ impl<'c, 'a, 'm> Reader<'c, 'a, 'm> {
         self.name_bytes += name.text.len();
         let own = self.pose(element, &Source::of(element), branch.context);
         let position = own.position;
-        let in_parent = branch.frame.then(&own);
+        let mut in_parent = branch.frame.then(&own);
+        in_parent.unreadable.extend(branch.frame.unreadable.iter().cloned());
         let parent = branch.link.and_then(|link| self.model.links.get(link));
         let pose = parent
             .map_or(Pose::IDENTITY, |parent| Pose::new(parent.pose.position, parent.pose.rotation))

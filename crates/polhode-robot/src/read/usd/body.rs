@@ -30,14 +30,15 @@ pub(super) fn link(stage: &Stage<'_>, k: usize, prim: &Prim, notes: &mut Vec<Not
         .as_ref()
         .map_or(Pose { unreadable: place.unreadable.clone(), ..Pose::IDENTITY }, |(_, pose)| pose.clone());
     let name = crate::model::Name { text: prim.path.clone(), ..prim.name.clone() };
-    let is_scaled = scaled.is_none_or(|(scale, _)| scale.iter().any(|factor| (factor - 1.0).abs() > 1e-5));
+    let is_scaled = place.is_mirrored()
+        || scaled.is_none_or(|(scale, _)| scale.iter().any(|factor| (factor - 1.0).abs() > 1e-5));
     let mut link = Link {
         name,
         span: prim.span.clone(),
         inertial: None,
         geometry: Vec::new(),
         pose,
-        is_static: false,
+        is_static: prim.is_off("physics:rigidBodyEnabled"),
         from_geometry: false,
         computed: None,
     };

@@ -15,7 +15,7 @@ pub(super) fn joint(stage: &Stage<'_>, prim: &Prim) -> Option<Joint> {
         _ => return None,
     };
     let words = |name: &str| prim.properties.get(name).and_then(|value| value.words.first());
-    if words("physics:jointEnabled").is_some_and(|word| word == "false") {
+    if prim.is_off("physics:jointEnabled") {
         return None;
     }
     let (first, second) = (end(stage, prim, 0), end(stage, prim, 1));

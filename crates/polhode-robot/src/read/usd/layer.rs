@@ -47,6 +47,21 @@ pub(super) struct Value {
     pub(super) words: Vec<String>,
 }
 
+impl Value {
+    /// `false`, which usdcat writes as 0 in attributes.
+    pub(super) fn is_false(&self) -> bool {
+        self.words.iter().any(|word| word == "false")
+            || self.numbers.iter().any(|number| number.value == Some(0.0))
+    }
+}
+
+impl Prim {
+    /// Whether it has this attribute, and that is false.
+    pub(super) fn is_off(&self, name: &str) -> bool {
+        self.properties.get(name).is_some_and(Value::is_false)
+    }
+}
+
 impl Layer {
     pub(super) fn of(text: &str) -> Result<Self, ContentError> {
         let tokens = tokens(text)?;
@@ -109,8 +124,7 @@ impl Layer {
         let around = parent.and_then(|parent| self.prims.get(parent));
         let path = format!("{}/{}", around.map_or("", |around| &around.path), name.text);
         is_abstract |= around.is_some_and(|around| around.is_abstract);
-        is_abstract |=
-            metadata.get("active").is_some_and(|active| active.words.iter().any(|word| word == "false"));
+        is_abstract |= metadata.get("active").is_some_and(Value::is_false);
         open.push(self.prims.len());
         let span = first.span.start..name.span.end + 1;
         self.prims.push(Prim {

@@ -100,9 +100,12 @@ impl<'l> Stage<'l> {
         let (mut places, mut bodies): (Vec<Affine>, Vec<Option<usize>>) = (Vec::new(), Vec::new());
         for (k, prim) in layer.prims.iter().enumerate() {
             let (own, resets) = Affine::of(prim, units.metres);
-            let around = prim.parent.filter(|_| !resets).and_then(|parent| places.get(parent));
-            places.push(match around {
-                Some(around) => Affine { unreadable: own.unreadable.clone(), ..around.then(&own) },
+            let around = prim.parent.filter(|_| !resets);
+            // What cannot be read of a body is said of it, and not of all in it.
+            let is_said = around.is_some_and(|parent| bodies.get(parent).copied().flatten().is_some());
+            places.push(match around.and_then(|parent| places.get(parent)) {
+                Some(around) if is_said => Affine { unreadable: own.unreadable.clone(), ..around.then(&own) },
+                Some(around) => around.then(&own),
                 None => own,
             });
             let around = prim.parent.and_then(|parent| bodies.get(parent).copied().flatten());

@@ -41,6 +41,12 @@ impl Affine {
         Self { linear, shift: self.placed(inner.shift), unreadable }
     }
 
+    /// Whether it turns right hands into left ones: det < 0.
+    pub(super) fn is_mirrored(&self) -> bool {
+        let [[a, b, c], [d, e, f], [g, h, i]] = self.linear;
+        a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g) < 0.0
+    }
+
     fn inverse(&self) -> Option<Self> {
         let [a, b, c] = self.linear;
         let cross = |u: [f64; 3], v: [f64; 3]| {
@@ -87,7 +93,13 @@ impl Affine {
             }
             let (inverts, name) =
                 written.strip_prefix("!invert!").map_or((false, written.as_str()), |name| (true, name));
-            let Some(value) = prim.properties.get(name) else { continue };
+            let Some(value) = prim.properties.get(name) else {
+                // As of one that has values at times only.
+                let order = prim.properties.get("xformOpOrder");
+                let span = order.map_or_else(|| prim.span.clone(), |order| order.span.clone());
+                all.unreadable.push(Number { text: name.to_owned(), span, value: None });
+                continue;
+            };
             let operation = Self::of_operation(name, value, metres);
             let operation = if inverts { operation.as_ref().and_then(Self::inverse) } else { operation };
             all = match operation {

@@ -340,3 +340,18 @@ fn copies_without_number_are_refused() {
         assert!(error.contains(said), "{error}");
     }
 }
+
+#[test]
+fn a_frame_that_cannot_be_read_gives_no_mass() {
+    let body = |frame: &str| {
+        let text = format!(
+            "<mujoco><worldbody><body name=\"b\"><frame {frame}><geom type=\"sphere\" size=\".1\"/></frame>\
+             <geom type=\"box\" size=\".1 .2 .3\"/></body></worldbody></mujoco>"
+        );
+        let folder = Folder::of("frames", &[("frames.xml", &text)]);
+        let model = read_model(&folder.path("frames.xml"), &ReadOptions::default()).unwrap();
+        matches!(link_mass(model.format, &model.links[0]), Ok(LinkMass::Body(_)))
+    };
+    assert!(body("pos=\"0 0.5 0\""));
+    assert!(!body("pos=\"0 0,5 0\"") && !body("euler=\"90 0,0 0\""));
+}

@@ -287,3 +287,41 @@ fn the_configuration_of_the_book_is_one() {
     assert_eq!((policy.config.exclude.len(), policy.config.allowances.len()), (2, 1));
     assert!(policy.config.allowances[0].expires.is_some());
 }
+
+#[test]
+fn a_finding_about_several_links_is_allowed_if_all_of_them_are() {
+    let comment = "<!-- polhode: allow inertia.triangle: measured -->\n";
+    for (text, is_open) in
+        [(robot(comment, ""), true), (robot("", comment), true), (robot(comment, comment), false)]
+    {
+        let model = read_text(&text, Path::new("r.urdf"), &ReadOptions::default()).unwrap();
+        let mut findings = inspect(&model, &Shapes::default()).findings;
+        findings.truncate(1);
+        findings[0].others = vec!["right".to_owned()];
+        let judged = Policy::default().judge("r.urdf", &model, findings);
+        let told = judged.open.iter().filter(|finding| finding.code == "inertia.triangle").count();
+        assert_eq!((told, judged.settled.len()), (usize::from(is_open), usize::from(!is_open)));
+        assert_eq!(judged.open.iter().any(|finding| finding.code == "allow.unused"), is_open);
+    }
+}
+
+#[test]
+fn what_is_worse_or_of_further_links_is_not_what_was_known() {
+    let text = robot("", "");
+    let model = read_text(&text, Path::new("r.urdf"), &ReadOptions::default()).unwrap();
+    let finding = inspect(&model, &Shapes::default()).findings.remove(0);
+    let id = |severity: Severity, others: &[&str]| {
+        let mut finding = finding.clone();
+        finding.severity = severity;
+        finding.others = others.iter().map(|name| (*name).to_owned()).collect();
+        Policy::default().judge("r.urdf", &model, vec![finding]).ids.remove(0)
+    };
+    let ids = [
+        id(Severity::Suspect, &[]),
+        id(Severity::Impossible, &[]),
+        id(Severity::Suspect, &["right"]),
+        id(Severity::Suspect, &["right", "more"]),
+    ];
+    assert_eq!(BTreeSet::from(ids.clone()).len(), ids.len());
+    assert_eq!(id(Severity::Suspect, &["right"]), ids[2]);
+}

@@ -225,3 +225,38 @@ fn what_is_no_usd_is_refused_where_it_stands() {
     let deep = format!("#usda 1.0\n{}{}", "def \"a\" {\n".repeat(2000), "}\n".repeat(2000));
     assert!(refused(&deep).to_string().contains("nested deeper"));
 }
+
+/// A body of 2 kg in a turned frame, with further lines in its prim.
+fn body_with(lines: &str) -> polhode_robot::model::RobotModel {
+    read(&format!(
+        "#usda 1.0\n(\n    metersPerUnit = 1\n)\n\ndef Xform \"a\" (\n    prepend apiSchemas = [\"PhysicsRigidBodyAPI\", \"PhysicsMassAPI\"]\n)\n{{\n    \
+         float physics:mass = 2\n    point3f physics:centerOfMass = (0.1, -0.3, 0.2)\n    \
+         float3 physics:diagonalInertia = (0.5, 0.7, 0.9)\n    quatf physics:principalAxes = (0.8, 0.2, -0.4, 0.4)\n{lines}}}\n\
+         def Xform \"b\" (\n    prepend apiSchemas = [\"PhysicsRigidBodyAPI\", \"PhysicsMassAPI\"]\n)\n{{\n    float physics:mass = 3\n    \
+         float3 physics:diagonalInertia = (0.5, 0.7, 0.9)\n}}\n\
+         def PhysicsFixedJoint \"j\"\n{{\n    bool physics:jointEnabled = 0\n    rel physics:body0 = </a>\n    rel physics:body1 = </b>\n}}\n"
+    ))
+}
+
+#[test]
+fn what_usd_says_otherwise_than_in_numbers_is_not_passed_over() {
+    let is_body = |lines: &str| {
+        let model = body_with(lines);
+        matches!(link_mass(model.format, &model.links[0]), Ok(LinkMass::Body(_)))
+    };
+    let turned = "    float xformOp:rotateZ = 30\n    uniform token[] xformOpOrder = [\"xformOp:rotateZ\"]\n";
+    assert!(is_body("") && is_body(turned));
+    // A mirror is no turn.
+    assert!(!is_body(
+        "    float3 xformOp:scale = (-1, 1, 1)\n    uniform token[] xformOpOrder = [\"xformOp:scale\"]\n"
+    ));
+    // A place at times is none at once.
+    let moved = body_with(
+        "    double3 xformOp:translate.timeSamples = {\n        0: (0, 0, 1),\n    }\n    uniform token[] xformOpOrder = [\"xformOp:translate\"]\n",
+    );
+    assert_eq!(moved.links[0].pose.unreadable.len(), 1);
+    // A boolean is 0 or 1 as usdcat writes it.
+    assert!(moved.joints.is_empty());
+    assert!(body_with("    bool physics:rigidBodyEnabled = 0\n").links[0].is_static);
+    assert!(!body_with("    bool physics:rigidBodyEnabled = 1\n").links[0].is_static);
+}

@@ -364,3 +364,14 @@ fn every_rule_is_explained() {
         serde_json::from_str(&printed(&scratch.run(&["check", "a.urdf", "--json"]), 1)).unwrap();
     assert!(codes.contains(&report["findings"][0]["code"].as_str().unwrap()));
 }
+
+#[test]
+fn no_output_takes_the_place_of_a_model() {
+    let scratch = Scratch::new("gate-over-model");
+    scratch.write("robot.urdf", &impossible());
+    for option in ["--output", "--write-baseline", "--fix"] {
+        let text = refused(&scratch.run(&["check", "robot.urdf", option, "./robot.urdf", "--force"]), 2);
+        assert!(text.contains(&format!("{option} would overwrite the model itself")), "{text}");
+        assert_eq!(fs::read_to_string(scratch.0.join("robot.urdf")).unwrap(), impossible());
+    }
+}

@@ -373,6 +373,36 @@ fn the_weld_of_a_scenario_is_that_of_the_command() {
 }
 
 #[test]
+fn torn_parts_nearer_to_each_other_than_the_tolerance_are_welded_each_by_itself() {
+    let scratch = Scratch::new("weld-parts");
+    // The other, 3 um beside it, as a mirror has it.
+    let mirrored = |line: &str| -> String {
+        let words: Vec<&str> = line.split(' ').collect();
+        match words[..] {
+            ["v", x, y, z] => format!("v {:?} {y} {z}\n", 0.2 - 3e-6 - x.parse::<f64>().unwrap()),
+            ["f", a, b, c] => {
+                let [a, b, c] = [a, b, c].map(|k| k.parse::<usize>().unwrap() + 6);
+                format!("f {a} {c} {b}\n")
+            }
+            _ => panic!("{line}"),
+        }
+    };
+    let two = format!("g a\n{TORN}g b\n{}", TORN.lines().map(mirrored).collect::<String>());
+    scratch.write("two.obj", &two);
+    let command = ["inertia", "two.obj", "--unit", "m", "--density", "4 kg/m^3", "--json", "--weld", "5 um"];
+    let command = json(&scratch.run(&command));
+    near(&command["mass"], 8.0);
+    let part = "shape = \"mesh\"\nfile = \"two.obj\"\nunit = \"m\"\nweld = \"5 um\"\ndensity = \"4 kg/m^3\"";
+    scratch.write("two.toml", &format!("[[body.part]]\n{part}\n[start]\nspin = {{ body = [0, 0, \"1 rad/s\"] }}\n[run]\nduration = \"1 s\"\n"));
+    let scenario = json(&scratch.run(&["inertia", "two.toml", "--json"]));
+    let number = |value: &serde_json::Value| value.as_f64().unwrap();
+    for (row, other) in (0..3).flat_map(|i| (0..3).map(move |k| (i, k))) {
+        let [a, b] = [&command, &scenario].map(|of| number(&of["inertia"]["tensor"][row][other]));
+        assert!((a - b).abs() < 1e-12, "{a} {b}");
+    }
+}
+
+#[test]
 fn a_hole_is_filled_if_asked_and_what_that_may_change_is_said() {
     let scratch = Scratch::new("fill");
     let open: String =

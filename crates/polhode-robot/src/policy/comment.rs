@@ -37,7 +37,7 @@ impl Comment {
     /// not, unless it is at a link or joint by name.
     pub(super) fn allows(&self, code: &str, subject: &str, is_included: bool) -> bool {
         self.fault.is_none()
-            && self.codes.iter().any(|own| *own == code)
+            && self.codes.contains(&code)
             && match &self.scope {
                 Scope::File => !is_included,
                 Scope::Model => !is_included && subject.is_empty(),

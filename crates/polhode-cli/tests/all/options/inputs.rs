@@ -81,7 +81,7 @@ const ALLOWED: &str = "[[check.allow]]\nrule = \"geometry.unreadable\"\nfile = \
 
 /// The other one is known.
 const KNOWN: &str = r#"{ "polhode_baseline": 1, "findings": [
-    { "file": "model.urdf", "rule": "geometry.unreadable", "link": "found", "id": "c097a5ce75cb8605" }
+    { "file": "model.urdf", "rule": "geometry.unreadable", "link": "found", "id": "461d305787371008" }
 ] }"#;
 
 fn noted() -> String {

@@ -152,8 +152,8 @@ impl ClosedMesh {
         }
     }
 
-    /// The same in another unit of length: every coordinate is times a positive number. What bounds a solid goes on to, however its
-    /// coordinates are rounded.
+    /// The same in another unit of length: every coordinate is times a positive number. It is not diagnosed again: each coordinate is
+    /// rounded by at most one unit in its last place.
     ///
     /// # Errors
     /// [`BodyError::Parameter`] for a number that is not positive and finite, and if f64 does not hold the volume then.

@@ -123,6 +123,13 @@ export class Motion {
     };
   }
 
+  /** At the i-th of its times. */
+  sample(i: number): Moment {
+    const attitude = this.attitudeOf(i);
+    const torque = this.torque === null ? null : rotate(attitude, at(this.torque, i));
+    return { attitude, omega: at(this.omega, i), momentum: at(this.momentum, i), torque };
+  }
+
   attitudeAt(time: number): Quaternion {
     const { i, j, part } = this.#place(time);
     const step = this.times[j] - this.times[i];

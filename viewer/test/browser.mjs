@@ -9,7 +9,7 @@ import { pageOf } from "./page.mjs";
 /** Pages and screenshots of this run. */
 export const folder = mkdtempSync(join(tmpdir(), "polhode-viewer-"));
 
-function executable() {
+export function executable() {
   if (process.env.CHROMIUM) return process.env.CHROMIUM;
   for (const name of ["chromium", "chromium-browser", "google-chrome"]) {
     for (const place of (process.env.PATH ?? "").split(delimiter)) {
@@ -25,11 +25,10 @@ function executable() {
   throw new Error("no Chromium: name one in CHROMIUM");
 }
 
-export const launch = () =>
-  chromium.launch({
-    executablePath: executable(),
-    args: ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--no-sandbox"],
-  });
+/** WebGL in software, as a root's browser in a container. */
+export const ARGUMENTS = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--no-sandbox"];
+
+export const launch = () => chromium.launch({ executablePath: executable(), args: ARGUMENTS });
 
 /** Opens a page with these data from disk; `problems` are its errors and requests. */
 export async function open(browser, name, data, options = {}) {

@@ -44,7 +44,7 @@ impl Page<'_> {
                     subject: PageSubject::Scenario(scenario),
                     trajectory,
                     explanation: explanation.as_ref(),
-                    shapes: true,
+                    whole: true,
                 })
             }
             Shown::Moments(principal) => page(&PageInput {
@@ -54,7 +54,7 @@ impl Page<'_> {
                 subject: PageSubject::Moments(principal),
                 trajectory,
                 explanation: None,
-                shapes: true,
+                whole: true,
             }),
         }
     }

@@ -25,7 +25,7 @@ impl Mesh {
     ) -> Result<Self, String> {
         let read = Read::of(path, bytes)?;
         match ClosedMesh::or_flaws(read.surface()?, MARKS, goes_on) {
-            Ok(mesh) => {
+            Ok((mesh, _)) => {
                 let given = (!read.format.has_unit()).then_some(read.assumed);
                 let solids = vec![SolidPart { name: String::new(), mesh }];
                 let solid = MeshSolid::of_solids(read.contents, solids, path, read.format, given);
@@ -46,7 +46,9 @@ pub(crate) fn looked_at(
     let read = Read::of(path, bytes)?;
     let surface = read.surface()?;
     Ok(match ClosedMesh::or_flaws(surface, MARKS, goes_on) {
-        Ok(_) => MeshInspection::of_solid(name, &read.contents, surface, read.unit()),
+        Ok((solid, places)) => {
+            MeshInspection::of_solid(name, &read.contents, (&solid, &places), surface, read.unit())
+        }
         Err(flaws) => read.flawed(name, &flaws),
     })
 }

@@ -9,8 +9,7 @@ use polhode::body::{Finding, Severity};
 use polhode::motion::{ErrorEffort, MotionError, Run, Scenario, Trajectory};
 use polhode_formats::FormatError;
 use polhode_formats::scenario::{Draft, ScenarioFile};
-use polhode_report::{PageInput, PageSubject, VERSION, explain_motion, page_data};
-use serde_json::value::RawValue;
+use polhode_report::{PageInput, PageSubject, VERSION, explain_motion, page_json};
 
 use crate::answer::Refusal;
 use crate::edit::edited;
@@ -51,7 +50,7 @@ pub(crate) fn answer(
         Ok(file) => {
             answer.switches = switches(&file.scenario, &answer.text);
             match computed(&file, request.error, begun, stop) {
-                Ok(trajectory) => answer.motion = Some(motion(&file, &trajectory, &own, request)?),
+                Ok(trajectory) => answer.motion = Some(motion(&file, &trajectory, &own, request)),
                 Err(error) => answer.errors.push(error),
             }
         }
@@ -109,28 +108,29 @@ fn thinned(run: &Run) -> Run {
     Run { times, ..run.clone() }
 }
 
-fn motion(
-    file: &ScenarioFile,
-    trajectory: &Trajectory,
-    draft: &Draft,
-    request: &MotionRequest,
-) -> Result<Motion, Refusal> {
+fn motion(file: &ScenarioFile, trajectory: &Trajectory, draft: &Draft, request: &MotionRequest) -> Motion {
     let scenario = &file.scenario.clone().noting(shown_otherwise(&file.scenario));
-    let body = format!("{:016x}", draft.body_fingerprint());
     let explanation = if request.working { explain_motion(scenario, trajectory).ok() } else { None };
     let name = draft.path().file_stem().unwrap_or_default().to_string_lossy().into_owned();
-    let page = page_data(&PageInput {
+    let input = PageInput {
         title: scenario.title().unwrap_or(&name),
         source: &format!("polhode {VERSION} live"),
         scenario_text: None,
         subject: PageSubject::Scenario(scenario),
         trajectory,
         explanation: explanation.as_ref(),
-        shapes: request.body.as_deref() != Some(&body),
-    });
-    let unwritable =
-        |error: serde_json::Error| Refusal::new(StatusCode::INTERNAL_SERVER_ERROR, error.to_string());
-    Ok(Motion { page: RawValue::from_string(page).map_err(unwritable)?, body })
+        whole: true,
+    };
+    // Of the body, and of it with its other free motions, which a page has that has shown one.
+    let body = format!("{:016x}", draft.body_fingerprint());
+    let with_free = format!("{body} free");
+    let is_known = |known: &&String| **known == with_free || (**known == body && !input.is_free());
+    if let Some(known) = request.body.as_ref().filter(is_known) {
+        return Motion { page: page_json(&PageInput { whole: false, ..input }), body: known.clone() };
+    }
+    let page = page_json(&input);
+    let body = if page["free"].is_null() { body } else { with_free };
+    Motion { page, body }
 }
 
 fn of_motion(file: &ScenarioFile, error: &MotionError) -> TextError {

@@ -1,7 +1,7 @@
 //! What the page and the server say to each other, as `viewer/src/live/protocol.ts` has it.
 
 use serde::{Deserialize, Serialize};
-use serde_json::value::RawValue;
+use serde_json::Value;
 
 /// An answer that is not 200.
 #[derive(Debug, Serialize)]
@@ -63,7 +63,7 @@ pub(crate) struct MotionAnswer {
 
 #[derive(Debug, Serialize)]
 pub(crate) struct Motion {
-    pub(crate) page: Box<RawValue>,
+    pub(crate) page: Value,
     pub(crate) body: String,
 }
 

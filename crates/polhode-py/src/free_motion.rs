@@ -141,7 +141,7 @@ impl PyFreeMotion {
                 subject: PageSubject::Moments(self.motion.principal()),
                 trajectory: &trajectory,
                 explanation: None,
-                shapes: true,
+                whole: true,
             }))
         })
     }

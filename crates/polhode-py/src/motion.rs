@@ -153,7 +153,7 @@ impl PyMotion {
                 subject: PageSubject::Scenario(&self.scenario),
                 trajectory: &self.trajectory,
                 explanation: explanation.as_ref(),
-                shapes: true,
+                whole: true,
             })
         })
     }

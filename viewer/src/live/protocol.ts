@@ -49,7 +49,7 @@ export interface MotionRequest {
   /** Of the page's parts, those that take time: the error of the numbers and the worked solution. */
   error: boolean;
   working: boolean;
-  /** `body` of the last answer: its shapes are not sent again if they are the same. */
+  /** `body` of the last answer: what the page has of the body is not sent again. */
   body: string | null;
 }
 
@@ -69,7 +69,7 @@ export interface MotionAnswer {
   /** Null if it is no scenario, or if its motion cannot be computed. */
   motion: {
     page: PageData;
-    /** Of the shapes; if it is what was asked with, `page.body.shapes` is empty and the last ones are meant. */
+    /** If it is what was asked with, `page.body.shapes`, `page.free.family` and `page.free.separatrix` are empty, and the last ones are meant. */
     body: string;
   } | null;
   /** Empty if the text is no TOML. */

@@ -3,7 +3,7 @@
  * answers with the text, its motion and its knobs. One request is under way at most, and the newest of what came meanwhile waits: of
  * each key the last value.
  */
-import type { PageData, Shape } from "../data";
+import type { FreeData, PageData, Shape } from "../data";
 import { History } from "./history";
 import type { DocumentInfo, Edit, Knob, MotionAnswer, Switch, TextError } from "./protocol";
 import { Refused, server } from "./server";
@@ -56,7 +56,7 @@ export class Session {
   #lastKey: string | null = null;
   /** Why the last edit could not be made. */
   #refused: Trouble | null = null;
-  #body: { key: string; shapes: Shape[] } | null = null;
+  #body: { key: string; shapes: Shape[]; others: Pick<FreeData, "family" | "separatrix"> | null } | null = null;
 
   listen(listener: Listener): void {
     this.#listeners.push(listener);
@@ -219,8 +219,13 @@ export class Session {
     this.trouble = answer.motion ? this.#refused : trouble;
     if (answer.motion) {
       const { page, body } = answer.motion;
-      if (this.#body?.key === body) page.body.shapes = this.#body.shapes;
-      else this.#body = { key: body, shapes: page.body.shapes };
+      if (this.#body?.key === body) {
+        page.body.shapes = this.#body.shapes;
+        if (page.free) Object.assign(page.free, this.#body.others);
+      } else {
+        const others = page.free && { family: page.free.family, separatrix: page.free.separatrix };
+        this.#body = { key: body, shapes: page.body.shapes, others };
+      }
       const anew = this.#anew;
       this.#anew = false;
       try {

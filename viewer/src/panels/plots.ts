@@ -12,6 +12,7 @@ import { type FigureMaker, makersOf } from "../figures";
 import { number, timeUnit } from "../format";
 import type { Motion } from "../motion";
 import { marked } from "../plot/events";
+import type { Figure } from "../plot/lines";
 import { AxisPicture } from "./axis-picture";
 import { eventKey } from "./events";
 import { FigurePanel, type Shared } from "./figure-panel";
@@ -66,8 +67,7 @@ export class Plots {
     this.#shared = sharedBy(page, motion);
     this.#hovered = null;
     const makers = makersOf(motion, page.body.principal);
-    const same = makers.length === this.#panels.size && makers.every(({ id }) => this.#panels.has(id));
-    if (!same || (page.top === null) !== (this.#axis === null) || before.unit.name !== this.#shared.unit.name) {
+    if ((page.top === null) !== (this.#axis === null) || before.unit.name !== this.#shared.unit.name) {
       this.#build(page, motion);
       this.#resize(this.#width, true);
     } else {
@@ -80,7 +80,10 @@ export class Plots {
       // After the frame of the 3-D view, which is not to wait for them.
       cancelAnimationFrame(this.#next);
       this.#next = requestAnimationFrame(() => {
-        this.#next = requestAnimationFrame(() => this.#drawSeen());
+        this.#next = requestAnimationFrame(() => {
+          this.#arrange(makers);
+          this.#drawSeen();
+        });
       });
       clearTimeout(this.#later);
       this.#later = window.setTimeout(() => this.#drawRest(), QUIET);
@@ -94,25 +97,48 @@ export class Plots {
 
   // All of it, from nothing.
   #build(page: PageData, motion: Motion): void {
-    for (const { host, plots } of this.#panels.values()) {
-      this.#watch.unobserve(host);
-      for (const { plot } of plots) plot.destroy();
-    }
-    this.#waiting.clear();
+    this.#arrange([]);
     this.#seen.clear();
-    if (this.#axis) this.#watch.unobserve(this.#axis.host);
+    if (this.#axis) {
+      this.#watch.unobserve(this.#axis.host);
+      this.#axis.host.remove();
+    }
     this.#axisWaits = null;
     this.#axis = page.top ? new AxisPicture(motion, page.top, this.#shared.unit, this.#shared.file) : null;
     this.#listEvents(motion);
-    const listen = (plot: uPlot): void => this.#listen(plot);
-    this.#panels = new Map(makersOf(motion, page.body.principal).map(({ id, make }) => [id, new FigurePanel(make(), this.#shared, listen)]));
-    this.#figures.replaceChildren();
-    for (const [id, { host }] of this.#panels) {
-      this.#figures.append(host);
-      if (id === "omega" && this.#axis) this.#figures.append(this.#axis.host);
-      this.#watch.observe(host);
+    this.#arrange(makersOf(motion, page.body.principal));
+    if (!this.#axis) return;
+    this.#panels.get("omega")?.host.after(this.#axis.host);
+    this.#watch.observe(this.#axis.host);
+  }
+
+  // A panel for each of these figures, in their order: those that are there stay.
+  #arrange(makers: FigureMaker[]): void {
+    const before = this.#panels;
+    this.#panels = new Map();
+    for (const { id, make } of makers) {
+      const panel = before.get(id) ?? this.#add(make());
+      before.delete(id);
+      this.#panels.set(id, panel);
     }
-    if (this.#axis) this.#watch.observe(this.#axis.host);
+    for (const panel of before.values()) {
+      this.#watch.unobserve(panel.host);
+      this.#seen.delete(panel.host);
+      this.#waiting.delete(panel);
+      for (const { plot } of panel.plots) plot.destroy();
+      panel.host.remove();
+    }
+  }
+
+  // After those that are there already.
+  #add(figure: Figure): FigurePanel {
+    const panel = new FigurePanel(figure, this.#shared, (plot) => this.#listen(plot));
+    const last = [...this.#panels.values()].at(-1)?.host;
+    if (last) (last.nextElementSibling === this.#axis?.host ? this.#axis.host : last).after(panel.host);
+    else this.#figures.prepend(panel.host);
+    for (const plot of panel.plots) if (this.#width > 0) plot.resize(this.#width);
+    this.#watch.observe(panel.host);
+    return panel;
   }
 
   #listEvents(motion: Motion): void {

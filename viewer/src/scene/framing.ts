@@ -57,8 +57,9 @@ export class Farthest {
   readonly #directions: Float64Array;
   readonly #bundles: Bundle[];
   readonly #far: Float64Array;
-  /** Of each bundle the least of them. */
+  /** Of each bundle the least of them, and of all. */
   readonly #least: Float64Array;
+  #leastOfAll = -Infinity;
 
   constructor(count: number) {
     const made = BUNDLED.get(count) ?? bundled(count);
@@ -75,6 +76,8 @@ export class Farthest {
     const far = this.#far;
     const square = x * x + y * y + z * z;
     const size = Math.sqrt(square);
+    if (size < this.#leastOfAll) return;
+    let isFarther = false;
     for (let b = 0; b < this.#bundles.length; b += 1) {
       const { middle, cos, sin, from, to } = this.#bundles[b];
       // With p at an angle θ from the middle, p·d ≤ |p| cos(θ − α) for all of them; or |p| if θ < α.
@@ -90,8 +93,10 @@ export class Farthest {
         }
         if (far[k] < least) least = far[k];
       }
+      isFarther ||= least > this.#least[b];
       this.#least[b] = least;
     }
+    if (isFarther) this.#leastOfAll = Math.min(...this.#least);
   }
 }
 
@@ -141,8 +146,7 @@ function sampled(motion: Motion, points: PointsAt): Vector3[] {
   return Array.from({ length: count }, (_, k) => {
     // Spread by the golden ratio: no oscillation is in step with it.
     const i = count < TIMES ? k : Math.floor(((k * GOLDEN) % 1) * motion.telling);
-    const time = motion.times[i];
-    return points(motion.at(time), time, count < TIMES || k % WHOLE === 0);
+    return points(motion.sample(i), motion.times[i], count < TIMES || k % WHOLE === 0);
   }).flat();
 }
 

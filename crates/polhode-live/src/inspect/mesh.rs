@@ -7,8 +7,8 @@ use std::borrow::Cow;
 use std::collections::BTreeSet;
 
 use polhode::body::mesh::{
-    ComponentRole, EdgePlace, MeshDiagnosis, MeshFlaws, MeshPlaces, PairPlace, Triangle, TriangleMesh,
-    TrianglePlace,
+    ClosedMesh, ComponentRole, EdgePlace, MeshDiagnosis, MeshFlaws, MeshPlaces, PairPlace, Triangle,
+    TriangleMesh, TrianglePlace,
 };
 use polhode::body::{BodyError, Finding, Severity};
 use polhode_formats::mesh::MeshContents;
@@ -73,9 +73,15 @@ impl MeshInspection {
     }
 
     /// Of what the file has as one part, which bounds a solid.
-    pub(crate) fn of_solid(name: &str, contents: &MeshContents, surface: &TriangleMesh, unit: f64) -> Self {
-        let (diagnosis, places) = MeshDiagnosis::with_places(surface, MARKS);
-        let at = Places { diagnosis: &diagnosis, places: &places, surface };
+    pub(crate) fn of_solid(
+        name: &str,
+        contents: &MeshContents,
+        (solid, places): (&ClosedMesh, &MeshPlaces),
+        surface: &TriangleMesh,
+        unit: f64,
+    ) -> Self {
+        let diagnosis = solid.diagnosis();
+        let at = Places { diagnosis, places, surface };
         let mut findings: Vec<_> =
             diagnosis.findings().into_iter().map(|finding| at.of_finding(finding)).collect();
         findings.extend(contents.findings.iter().cloned().map(Marked::unmarked));

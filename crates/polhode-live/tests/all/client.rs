@@ -196,7 +196,12 @@ pub(crate) fn u32s(value: &Value) -> Vec<u32> {
     words(value).into_iter().map(u32::from_le_bytes).collect()
 }
 
-fn words(value: &Value) -> Vec<[u8; 4]> {
+/// The f64 that it has.
+pub(crate) fn f64s(value: &Value) -> Vec<f64> {
+    words(value).into_iter().map(f64::from_le_bytes).collect()
+}
+
+fn words<const N: usize>(value: &Value) -> Vec<[u8; N]> {
     const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     let mut value_of = [0_u32; 256];
     (0..).zip(DIGITS).for_each(|(k, &digit)| value_of[usize::from(digit)] = k);
@@ -206,6 +211,6 @@ fn words(value: &Value) -> Vec<[u8; 4]> {
         let padding = four.iter().filter(|digit| **digit == b'=').count();
         bytes.extend_from_slice(&bits.to_be_bytes()[1..4 - padding]);
     }
-    assert_eq!(bytes.len() % 4, 0);
-    bytes.chunks(4).map(|word| word.try_into().unwrap()).collect()
+    assert_eq!(bytes.len() % N, 0);
+    bytes.chunks(N).map(|word| word.try_into().unwrap()).collect()
 }

@@ -4,6 +4,7 @@
 mod client;
 mod hostile;
 mod inspect;
+mod known;
 mod lesson_files;
 mod lessons;
 mod robot_shapes;

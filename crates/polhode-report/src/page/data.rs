@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use super::motion::Shown;
-use super::shapes::Budget;
+use super::shapes::{self, Budget};
 use super::turning::Turning;
 use super::{PageInput, PageSubject, body, explanation, facts, free, motion, scene, top};
 use crate::motion::findings as motion_findings;
@@ -20,12 +20,17 @@ pub(super) fn json(input: &PageInput<'_>, frame: usize) -> Value {
     let shown = Shown::of(input.trajectory, &input.subject);
     let free_facts = free::facts(input);
     let motion = motion::json(&shown);
-    let free = free_facts.as_ref().map_or(Value::Null, |free| free::json(free, &shown));
+    let free = free_facts.as_ref().map_or(Value::Null, |free| free::json(free, &shown, input.whole));
     let explanation = input.explanation.map_or_else(|| json!([]), explanation::json);
-    let others = [&motion, &free, &explanation].map(|value| value.to_string().len()).iter().sum::<usize>()
-        + input.scenario_text.map_or(0, str::len);
-    let mut budget = Budget::new(PAGE.saturating_sub(frame + others).max(LEAST_MESH));
-    let body = body::json(&turning, input.shapes.then_some(&mut budget));
+    let mut left = LEAST_MESH;
+    if input.whole && shapes::has_triangles(&turning) {
+        let others =
+            [&motion, &free, &explanation].map(|value| value.to_string().len()).iter().sum::<usize>()
+                + input.scenario_text.map_or(0, str::len);
+        left = left.max(PAGE.saturating_sub(frame + others));
+    }
+    let mut budget = Budget::new(left);
+    let body = body::json(&turning, input.whole.then_some(&mut budget));
     let facts = facts::json(input, &turning, free_facts.as_ref(), &shown, budget.notes());
     json!({
         "version": 1,

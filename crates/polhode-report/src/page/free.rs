@@ -37,16 +37,16 @@ pub(super) fn facts(input: &PageInput<'_>) -> Option<FreeFacts> {
     (motion.regime() != Regime::AtRest).then(|| FreeFacts::of(motion))
 }
 
-/// The curves; null where one of them cannot be drawn.
-pub(super) fn json(free: &FreeFacts, shown: &Shown<'_>) -> Value {
-    curves(free, shown).unwrap_or(Value::Null)
+/// The curves; null where one of them cannot be drawn. Other motions of the body only if it is `whole`.
+pub(super) fn json(free: &FreeFacts, shown: &Shown<'_>, whole: bool) -> Value {
+    curves(free, shown, whole).unwrap_or(Value::Null)
 }
 
-fn curves(free: &FreeFacts, shown: &Shown<'_>) -> Result<Value, CurveError> {
+fn curves(free: &FreeFacts, shown: &Shown<'_>, whole: bool) -> Result<Value, CurveError> {
     let motion = &free.motion;
     let polhode = Polhode::of(motion, CHORD)?;
     let trace = MomentumTrace::of(motion, CHORD)?;
-    let Family { sisters, separatrices } = Family::of(motion)?;
+    let Family { sisters, separatrices } = if whole { Family::of(motion)? } else { Family::default() };
     Ok(json!({
         "regime": motion.regime().description(),
         "period": motion.period(),
@@ -80,7 +80,8 @@ fn herpolhode(motion: &FreeMotion, shown: &Shown<'_>) -> Result<Vec<[f64; 3]>, C
     Ok(curve.curve.points().iter().take(MOST_POINTS).map(point).collect())
 }
 
-/// Lines on the momentum sphere: where else L could run.
+/// Lines on the momentum sphere: where else L could run. They depend on the principal moments alone.
+#[derive(Default)]
 struct Family {
     sisters: Vec<Vec<[f64; 3]>>,
     separatrices: Vec<Vec<[f64; 3]>>,

@@ -24,6 +24,7 @@ pub use decimate::decimated;
 use polhode::body::PrincipalFrame;
 use polhode::math::Body;
 use polhode::motion::{Scenario, Trajectory};
+use serde_json::Value;
 pub use shapes::shape_of;
 pub use turning::equivalent_box;
 
@@ -46,7 +47,7 @@ use crate::mathml::escaped;
 ///     subject: PageSubject::Moments(motion.principal()),
 ///     trajectory: &Trajectory::of_motion(motion, &times)?,
 ///     explanation: None,
-///     shapes: true,
+///     whole: true,
 /// });
 /// assert!(html.contains("<title>1 &lt; 2 &lt; 3</title>"));
 /// # Ok::<(), polhode::motion::MotionError>(())
@@ -65,8 +66,16 @@ pub struct PageInput<'a> {
     pub trajectory: &'a Trajectory,
     /// The worked solution.
     pub explanation: Option<&'a Document>,
-    /// Whether the shapes of the body are in it: who shows one motion after another has them.
-    pub shapes: bool,
+    /// Whether what the body alone says is in it: its shapes, and the other motions on its momentum sphere. Who shows one motion after
+    /// another has them.
+    pub whole: bool,
+}
+
+impl PageInput<'_> {
+    /// True if the page shows the curves of a free motion.
+    pub fn is_free(&self) -> bool {
+        free::facts(self).is_some()
+    }
 }
 
 /// What moves on a page.
@@ -91,7 +100,12 @@ pub fn page(input: &PageInput<'_>) -> String {
 
 /// What a page holds besides the viewer, as JSON: [`page_of`] makes the page of it, here or elsewhere.
 pub fn page_data(input: &PageInput<'_>) -> String {
-    inert(&data::json(input, TEMPLATE.len()).to_string())
+    inert(&page_json(input).to_string())
+}
+
+/// What a page holds besides the viewer, for who does not write it into a page.
+pub fn page_json(input: &PageInput<'_>) -> Value {
+    data::json(input, TEMPLATE.len())
 }
 
 /// The page of a title and of what [`page_data`] gave.
@@ -109,13 +123,17 @@ pub fn page_of(title: &str, data: &str) -> String {
 /// JSON that no markup can hide in: these characters stand in its strings only.
 fn inert(json: &str) -> String {
     let mut text = String::with_capacity(json.len());
-    for c in json.chars() {
-        match c {
-            '<' | '>' | '&' | '\u{2028}' | '\u{2029}' => text.push_str(&format!("\\u{:04x}", u32::from(c))),
-            c => text.push(c),
+    let mut rest = json;
+    while let Some(at) = rest.find(['<', '>', '&', '\u{2028}', '\u{2029}']) {
+        let (before, from) = rest.split_at(at);
+        text.push_str(before);
+        let mut after = from.chars();
+        if let Some(c) = after.next() {
+            text.push_str(&format!("\\u{:04x}", u32::from(c)));
         }
+        rest = after.as_str();
     }
-    text
+    text + rest
 }
 
 #[cfg(test)]

@@ -58,6 +58,11 @@ pub(super) fn json(turning: &Turning<'_>, budget: &mut Budget) -> Value {
     parts.iter().filter_map(|part| shape(part, turning, triangles, budget)).collect()
 }
 
+/// True of a body that a page may have to show coarser than it is.
+pub(super) fn has_triangles(turning: &Turning<'_>) -> bool {
+    turning.parts.iter().any(|part| triangles(part) > 0)
+}
+
 fn triangles(part: &BodyPart) -> usize {
     match &part.form {
         Some(PlacedForm { form: Form::Mesh(mesh), .. }) => mesh.triangles().len(),

@@ -17,7 +17,7 @@ pub(crate) fn html_of(scenario: &Scenario, trajectory: &Trajectory, text: &str) 
         subject: PageSubject::Scenario(scenario),
         trajectory,
         explanation: Some(&explanation),
-        shapes: true,
+        whole: true,
     })
 }
 
@@ -458,7 +458,7 @@ fn moments_alone_have_a_page() {
         subject: PageSubject::Moments(motion.principal()),
         trajectory: &trajectory,
         explanation: None,
-        shapes: true,
+        whole: true,
     });
     let data = data(&html);
     assert_eq!(data["body"]["mass"], Value::Null);

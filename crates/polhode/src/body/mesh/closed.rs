@@ -71,7 +71,9 @@ impl ClosedMesh {
     /// # Errors
     /// As [`ClosedMesh::of`].
     pub fn watched(mesh: &TriangleMesh, goes_on: &(dyn Fn() -> bool + Sync)) -> Result<Self, BodyError> {
-        Self::or_flaws(mesh, 0, goes_on).map_err(|flaws| flaws.first)
+        Self::on(mesh, Sought::All, Threads::of_machine(), 0, goes_on)
+            .map(|(solid, _)| solid)
+            .map_err(|flaws| flaws.first)
     }
 
     /// The same on at most so many threads.
@@ -79,7 +81,9 @@ impl ClosedMesh {
     /// # Errors
     /// As [`ClosedMesh::of`].
     pub fn with_threads(mesh: &TriangleMesh, threads: usize) -> Result<Self, BodyError> {
-        Self::on(mesh, Sought::All, Threads::of(threads), 0, &|| true).map_err(|flaws| flaws.first)
+        Self::on(mesh, Sought::All, Threads::of(threads), 0, &|| true)
+            .map(|(solid, _)| solid)
+            .map_err(|flaws| flaws.first)
     }
 
     /// The same solid, or the same error, without looking for what is only mentioned: of a mesh of one part it is not known whether it goes
@@ -92,7 +96,9 @@ impl ClosedMesh {
         threads: usize,
         goes_on: &(dyn Fn() -> bool + Sync),
     ) -> Result<Self, BodyError> {
-        Self::on(mesh, Sought::FirstError, Threads::of(threads), 0, goes_on).map_err(|flaws| flaws.first)
+        Self::on(mesh, Sought::FirstError, Threads::of(threads), 0, goes_on)
+            .map(|(solid, _)| solid)
+            .map_err(|flaws| flaws.first)
     }
 
     /// The solid that the triangles bound: [`ClosedMesh::of`] a mesh without indices, as STL has it.
@@ -103,8 +109,8 @@ impl ClosedMesh {
         Self::of(&TriangleMesh::of_soup(triangles)?)
     }
 
-    /// As [`ClosedMesh::watched`], and of a mesh that bounds no solid all that is wrong with it, and where: so many places of each kind at
-    /// most.
+    /// As [`ClosedMesh::watched`], and where what is remarkable is; of a mesh that bounds no solid all that is wrong with it, and where. So
+    /// many places of each kind at most.
     ///
     /// # Errors
     /// [`MeshFlaws`], of which the first is what [`ClosedMesh::of`] says.
@@ -112,7 +118,7 @@ impl ClosedMesh {
         mesh: &TriangleMesh,
         most: usize,
         goes_on: &(dyn Fn() -> bool + Sync),
-    ) -> Result<Self, Box<MeshFlaws>> {
+    ) -> Result<(Self, MeshPlaces), Box<MeshFlaws>> {
         Self::on(mesh, Sought::All, Threads::of_machine(), most, goes_on)
     }
 
@@ -122,7 +128,7 @@ impl ClosedMesh {
         threads: Threads,
         most: usize,
         goes_on: &GoesOn<'_>,
-    ) -> Result<Self, Box<MeshFlaws>> {
+    ) -> Result<(Self, MeshPlaces), Box<MeshFlaws>> {
         let analysis = Analysis::of(mesh, sought, threads, goes_on);
         let places = MeshPlaces::of(&analysis, most);
         let Analysis { welded, patches, diagnosis, .. } = analysis;
@@ -143,7 +149,7 @@ impl ClosedMesh {
         match measured(&surface, threads) {
             Ok((spread, area)) => {
                 let findings = findings(&diagnosis, inverted);
-                Ok(Self { surface, diagnosis, findings, inverted, spread, area })
+                Ok((Self { surface, diagnosis, findings, inverted, spread, area }, places))
             }
             Err(first) => {
                 surface.triangles = given;

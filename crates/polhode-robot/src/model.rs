@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+pub use crate::coordinate::{Coordinate, Follows};
 use crate::finding::Severity;
 pub use crate::span::Span;
 
@@ -311,12 +312,14 @@ pub struct Joint {
     pub parent: Option<Name>,
     /// The link that hangs.
     pub child: Name,
-    /// The child's frame in the parent's with the joint at zero.
+    /// The child's frame in the parent's with the joint at rest ([`Coordinate::at_rest`]): at zero in all languages but MJCF.
     pub pose: Pose,
     /// In the child's frame, as written or the language's default.
     pub axis: [f64; 3],
     /// The point of the child's frame that the axis runs through: zero in URDF.
     pub anchor: [f64; 3],
+    /// What is said of its value.
+    pub coordinate: Coordinate,
 }
 
 /// What a joint lets move.

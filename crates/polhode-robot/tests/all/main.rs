@@ -14,6 +14,7 @@ mod common;
 mod geometry;
 mod hostile;
 mod lump;
+mod mimic;
 mod mjcf;
 mod mjcf_compiler;
 mod osim;

@@ -8,6 +8,7 @@
 //! Source: openusd.org, "Rigid Body Physics in USD"; the schemas UsdPhysics and UsdGeom.
 
 mod body;
+mod coordinate;
 mod joint;
 mod layer;
 mod shape;

@@ -172,3 +172,33 @@ fn trimmed(Block { lines: mut changed, new }: Block, lines: &[&str]) -> Option<B
     }
     (!changed.is_empty() || !new.is_empty()).then(|| Block { lines: changed, new: new.concat() })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::hunks;
+
+    #[test]
+    fn lines_come_and_go() {
+        let text = "a\nb\nc\nd\ne\nf\ng\nh\ni\nj\n";
+        let of = |edits: &[(std::ops::Range<usize>, &str)]| {
+            let edits: Vec<_> = edits.iter().map(|(span, new)| (span.clone(), (*new).to_owned())).collect();
+            hunks(text, &edits)
+        };
+        // a line that goes, and one that comes
+        assert_eq!(of(&[(2..4, "")]), "@@ -1,5 +1,4 @@\n a\n-b\n c\n d\n e\n");
+        assert_eq!(of(&[(2..2, "x\n")]), "@@ -1,4 +1,5 @@\n a\n+x\n b\n c\n d\n");
+        // two of a line, and an end that goes
+        assert_eq!(of(&[(2..2, "("), (3..3, ")")]), "@@ -1,5 +1,5 @@\n a\n-b\n+(b)\n c\n d\n e\n");
+        assert_eq!(of(&[(1..2, "-")]), "@@ -1,5 +1,4 @@\n-a\n-b\n+a-b\n c\n d\n e\n");
+        // later hunks count what earlier ones have added
+        let far = of(&[(0..0, "x\ny\n"), (18..19, "J")]);
+        assert_eq!(far, "@@ -1,3 +1,5 @@\n+x\n+y\n a\n b\n c\n@@ -7,4 +9,4 @@\n g\n h\n i\n-j\n+J\n");
+        // six lines between are context of both
+        assert_eq!(of(&[(0..1, "A"), (14..15, "H")]).matches("@@ -").count(), 1);
+        assert_eq!(of(&[(0..1, "A"), (16..17, "I")]).matches("@@ -").count(), 2);
+        // at the very end, and nothing at all
+        assert_eq!(of(&[(20..20, "k")]), "@@ -8,3 +8,4 @@\n h\n i\n j\n+k\n\\ No newline at end of file\n");
+        assert_eq!(of(&[(4..5, "c")]), "");
+        assert_eq!(of(&[(0..20, "")]), "@@ -1,10 +0,0 @@\n-a\n-b\n-c\n-d\n-e\n-f\n-g\n-h\n-i\n-j\n");
+    }
+}

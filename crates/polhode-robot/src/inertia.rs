@@ -197,7 +197,7 @@ pub(crate) fn beyond_limits(model: &RobotModel, positions: &[JointPosition]) -> 
             _ => format!("no more than {} {unit}", number(upper, 6)),
         };
         Some(Finding {
-            code: "joint.limits",
+            code: "position.limits",
             severity,
             message: format!("the joint {} is beyond its limits, {limits}", in_words(position)),
             place: Some(format!("{}:{line}:{column}", file.display())),

@@ -203,7 +203,7 @@ def test_what_hangs_from_a_link_and_what_follows_a_joint(examples: Path) -> None
             polhode.inertia(gripper, **options)
     with pytest.raises(polhode.PolhodeError) as error:
         polhode.inertia(gripper, joints={"right_knuckle": 0.1})
-    assert (error.value.path, error.value.line) == (str(gripper), 56)
+    assert (error.value.path, error.value.line) == (str(gripper), 44)
 
 
 def test_groups_and_the_table_of_a_robot(examples: Path) -> None:

@@ -1,36 +1,6 @@
-//! The value of a joint: how it is counted, where it belongs, and which other joint decides it.
+//! The value of a joint by that of another, and where it belongs.
 
-use crate::model::Name;
-use crate::span::Span;
-
-/// What a file says of a joint's value, rad or m.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Coordinate {
-    /// A name of its own, by which it may be given beside the joint's: OpenSim's coordinates.
-    pub name: Option<Name>,
-    /// The value at which the child stands as [`Joint::pose`](crate::model::Joint::pose) says, and that a joint has of which no value is
-    /// given: MJCF's `ref`, zero elsewhere.
-    pub at_rest: f64,
-    /// The least and the greatest value; either may be infinite.
-    pub limits: Option<[f64; 2]>,
-    /// The joint that it follows.
-    pub follows: Option<Follows>,
-}
-
-/// A joint whose value is a function of another's.
-///
-/// y = Σ c_k (x − x₀)^k of the leader's value x.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Follows {
-    /// Where that is written.
-    pub span: Span,
-    /// The joint that leads; `None` if the value is c₀ and hangs on none.
-    pub leader: Option<Name>,
-    /// x₀
-    pub reference: f64,
-    /// c, from the constant up; or why they are not known.
-    pub coefficients: Result<Vec<f64>, String>,
-}
+use crate::model::{Follows, Name, Span};
 
 impl Follows {
     /// y = multiplier (x − reference) + offset

@@ -77,6 +77,9 @@ impl FixFlags {
                 format!("{shown} is there already"),
                 "choose another file, or replace it with --force",
             )),
+            _ if out.parent().is_some_and(|folder| folder != Path::new("") && !folder.is_dir()) => Err(
+                Failure::usage(format!("{shown} is in a folder that is not there"), "make the folder first"),
+            ),
             _ => Ok(Some((out, self.force))),
         }
     }

@@ -40,7 +40,7 @@ fn what_joints_cannot_be_told_is_refused_with_a_place() {
     let run = |flags: &[&str]| refused(&scratch.run(&[&["inertia", &urdf], flags].concat()), 2);
     let text = run(&["--lump", "--joint", "right_knuckle=0.1"]);
     assert!(
-        text.contains("\"right_knuckle\" follows \"left_knuckle\"") && text.contains("gripper.urdf:56:"),
+        text.contains("\"right_knuckle\" follows \"left_knuckle\"") && text.contains("gripper.urdf:44:"),
         "{text}"
     );
     let text = run(&["--lump", "--joint", "lfit=0.1"]);

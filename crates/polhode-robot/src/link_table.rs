@@ -153,7 +153,7 @@ impl LinkTable {
         let mut text = String::new();
         let mut line =
             |row: &str, name: &str, frame: &str, shape: &str, body: Option<&MassProperties<Body>>| {
-                let numbers = body.map_or_else(|| vec![String::new(); NUMBERS.len()], |body| exact(body));
+                let numbers = body.map_or_else(|| vec![String::new(); NUMBERS.len()], exact);
                 let words = [file.clone(), row.to_owned(), csv_name(name), csv_name(frame), csv_name(shape)];
                 let _ = writeln!(text, "{},{}", words.join(","), numbers.join(","));
             };

@@ -67,7 +67,7 @@ pub struct Lump {
 ///         <mimic joint="l" multiplier="-0.5"/></joint></robot>"#);
 /// let model = read_text(&text, "gripper.urdf".as_ref(), &ReadOptions::default())?;
 /// let whole = lump(&model, Lumping::All, &[("l".to_owned(), 0.6)]).unwrap().remove(0);
-/// assert!((whole.properties.center_of_mass().y() - (0.6 - 0.3) / 3.0).abs() < 1e-15);
+/// assert!((whole.properties.center_of_mass().to_array()[1] - (0.6 - 0.3) / 3.0).abs() < 1e-15);
 /// # Ok::<(), polhode_formats::FormatError>(())
 /// ```
 ///

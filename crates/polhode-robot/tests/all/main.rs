@@ -11,6 +11,7 @@ mod check_mass;
 mod check_pairs;
 mod check_tree;
 mod common;
+mod coupling;
 mod geometry;
 mod hostile;
 mod lump;

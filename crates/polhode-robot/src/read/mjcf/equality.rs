@@ -63,25 +63,23 @@ pub(super) fn couple(contexts: &[Context<'_>], attached: &[Names], joints: &mut 
 /// The constraints of joints in a model that are on.
 fn constraints<'a>(context: &Context<'a>) -> Vec<Element<'a>> {
     let is_on = |element: &Element<'a>| {
-        // `active` of a class
-        let written = element.word("active").or_else(|| class(context, *element)?.word("active"));
+        let written = element.word("active").or_else(|| active_by_class(context.root, element.word("class")));
         written.is_none_or(is_true)
     };
     context.root.named("equality").flat_map(|all| all.named("joint")).filter(is_on).collect()
 }
 
-/// What the class of a constraint says of constraints: of the outermost classes, the last that says something.
-fn class<'a>(context: &Context<'a>, element: Element<'a>) -> Option<Element<'a>> {
-    let wanted = element.word("class");
-    let mut waiting: Vec<(Element<'a>, bool)> =
-        context.root.named("default").map(|class| (class, true)).collect();
-    let mut found = None;
-    while let Some((class, is_outermost)) = waiting.pop() {
-        let is_it = wanted.map_or(is_outermost, |wanted| class.word("class") == Some(wanted));
-        found = found.or(is_it.then_some(class));
-        waiting.extend(class.named("default").map(|inner| (inner, false)));
+/// What a class says of `active`, or one around it; the outermost class is that of what names none.
+fn active_by_class<'a>(root: Element<'a>, wanted: Option<&str>) -> Option<&'a str> {
+    let mut waiting: Vec<_> = root.named("default").map(|class| (class, true, None)).collect();
+    while let Some((class, is_outermost, around)) = waiting.pop() {
+        let active = class.child("equality").and_then(|equality| equality.word("active")).or(around);
+        if wanted.map_or(is_outermost, |wanted| class.word("class") == Some(wanted)) {
+            return active;
+        }
+        waiting.extend(class.named("default").map(|inner| (inner, false, active)));
     }
-    found?.child("equality")
+    None
 }
 
 fn coefficients(element: Element<'_>, has_leader: bool, at_rest: f64) -> Result<Vec<f64>, String> {

@@ -4,8 +4,8 @@
 //! is not read.
 
 use super::Stage;
-use super::joint::absolute;
 use super::layer::{Prim, Value};
+use super::path::absolute;
 use crate::coordinate::{NO_NUMBER, limits};
 use crate::model::{Coordinate, Follows, JointKind, Name};
 

@@ -1,6 +1,7 @@
 //! Joints of UsdPhysics: a frame on each of two bodies.
 
 use super::layer::Prim;
+use super::path::absolute;
 use super::{Stage, coordinate, xform};
 use crate::model::{Joint, JointKind, Name, Pose};
 use crate::pose::unit;
@@ -84,20 +85,4 @@ fn end(stage: &Stage<'_>, prim: &Prim, number: usize) -> (Option<Name>, Pose) {
         }
     });
     (body, pose)
-}
-
-/// A path as it is from the root: one that does not begin there is from the prim that says it.
-pub(super) fn absolute(path: &str, prim: &str) -> String {
-    if path.starts_with('/') {
-        return path.to_owned();
-    }
-    let mut names: Vec<&str> = prim.split('/').filter(|name| !name.is_empty()).collect();
-    for name in path.split('/') {
-        match name {
-            ".." => drop(names.pop()),
-            "." | "" => {}
-            name => names.push(name),
-        }
-    }
-    format!("/{}", names.join("/"))
 }

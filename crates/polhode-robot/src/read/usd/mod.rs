@@ -11,6 +11,7 @@ mod body;
 mod coordinate;
 mod joint;
 mod layer;
+mod path;
 mod shape;
 mod token;
 mod unit;

@@ -57,7 +57,7 @@ pub(super) fn read(root: Element<'_>, model: &mut RobotModel) -> Result<(), Cont
     for element in set(own, "JointSet") {
         model.joints.extend(joint::new(element, &frames));
     }
-    coordinate::couple(set(own, "ConstraintSet"), &mut model.joints);
+    coordinate::couple(own, set(own, "ConstraintSet"), &mut model.joints);
     Ok(())
 }
 

@@ -78,6 +78,19 @@ fn opensim_couples_coordinates() {
     assert!(refused.to_string().contains("SimmSpline"), "{refused}");
     // where the knee does not matter it is not asked
     assert_eq!(one(&bent, Lumping::Subtree("shank"), &[]).properties.mass(), 1.3);
+    // one of several coordinates: the joint has no one value
+    let knee = line.replace("<PinJoint name='knee'>", "<UniversalJoint name='knee'>").replacen(
+        "</PinJoint></objects>",
+        "</UniversalJoint></objects>",
+        1,
+    );
+    let several = read(&knee.replacen(
+        "<Coordinate name='knee_angle'>",
+        "<Coordinate name='knee_turn'/><Coordinate name='knee_angle'>",
+        1,
+    ));
+    let refused = error(&several, Lumping::All, &[]);
+    assert!(matches!(&refused, LumpError::Law { joint, .. } if joint == "knee"), "{refused}");
     let off = read(&line.replace("<isEnforced>true", "<isEnforced>false"));
     assert_eq!(value(&one(&off, Lumping::All, &[]), "knee"), 0.0);
 }

@@ -3,14 +3,21 @@
 //! A coordinate is at zero where no value is given, not at its `default_value`. Of the functions f those that are straight are read:
 //! `LinearFunction` (slope and constant) and `Constant`.
 
+use std::collections::HashMap;
+
 use crate::coordinate::{NO_NUMBER, limits};
 use crate::model::{Coordinate, Follows, Joint, Name};
 use crate::read::xml::{Element, is_true};
 
+/// The coordinates of a joint.
+fn coordinates<'a>(joint: Element<'a>) -> impl Iterator<Item = Element<'a>> {
+    let own = joint.child("coordinates").or_else(|| joint.child("CoordinateSet")?.child("objects"));
+    own.into_iter().flat_map(|own| own.named("Coordinate"))
+}
+
 /// The coordinate of a joint that has one.
 pub(super) fn of(joint: Element<'_>) -> Coordinate {
-    let own = joint.child("coordinates").or_else(|| joint.child("CoordinateSet")?.child("objects"));
-    let mut all = own.into_iter().flat_map(|own| own.named("Coordinate"));
+    let mut all = coordinates(joint);
     let (Some(coordinate), None) = (all.next(), all.next()) else { return Coordinate::default() };
     let clamped = coordinate.child_text("clamped").is_some_and(|clamped| is_true(clamped.value));
     let range = coordinate.child_text("range").filter(|_| clamped).and_then(|range| range.array());
@@ -21,19 +28,24 @@ pub(super) fn of(joint: Element<'_>) -> Coordinate {
     }
 }
 
-/// Tells joints which others they follow.
-pub(super) fn couple<'a>(constraints: impl Iterator<Item = Element<'a>>, joints: &mut [Joint]) {
+/// Tells joints of a model which others they follow.
+pub(super) fn couple<'a>(
+    model: Element<'a>,
+    constraints: impl Iterator<Item = Element<'a>>,
+    joints: &mut [Joint],
+) {
+    let owners = owners(model, joints);
     let says = |element: Element<'_>, name: &str| element.child_text(name).map(|text| is_true(text.value));
     for element in constraints.filter(|element| element.name() == "CoordinateCouplerConstraint") {
         let is_off = says(element, "isEnforced") == Some(false) || says(element, "isDisabled") == Some(true);
         let follower = element.child_text("dependent_coordinate_name").filter(|_| !is_off);
-        let Some(follower) = follower.and_then(|name| position(joints, name.value)) else { continue };
+        let Some(follower) = follower.and_then(|name| owners.get(name.value).copied()) else { continue };
         let leaders = element.child_text("independent_coordinate_names");
         let mut words = leaders.iter().flat_map(|names| names.value.split_ascii_whitespace());
         let (leader, more) = (words.next(), words.next());
         // Joints are known by their own names.
         let leader = leaders.as_ref().zip(leader).map(|(names, leader)| {
-            let text = position(joints, leader).and_then(|k| joints.get(k)).map(|joint| &joint.name.text);
+            let text = owners.get(leader).and_then(|&k| joints.get(k)).map(|joint| &joint.name.text);
             Name { text: text.map_or_else(|| leader.to_owned(), String::clone), span: names.span.clone() }
         });
         let Some(joint) = joints.get_mut(follower) else { continue };
@@ -47,10 +59,19 @@ pub(super) fn couple<'a>(constraints: impl Iterator<Item = Element<'a>>, joints:
     }
 }
 
-/// The joint of a coordinate.
-fn position(joints: &[Joint], coordinate: &str) -> Option<usize> {
-    let is_it = |joint: &Joint| joint.coordinate.name.as_ref().is_some_and(|name| name.text == coordinate);
-    joints.iter().position(is_it)
+/// The joint of each coordinate, also of those that have several.
+fn owners<'a>(model: Element<'a>, joints: &[Joint]) -> HashMap<&'a str, usize> {
+    let numbers: HashMap<usize, usize> =
+        joints.iter().enumerate().map(|(k, joint)| (joint.span.start, k)).collect();
+    let mut owners = HashMap::new();
+    let mut waiting = vec![model];
+    while let Some(element) = waiting.pop() {
+        if let Some(&k) = numbers.get(&element.span().start) {
+            owners.extend(coordinates(element).filter_map(|own| Some((own.word("name")?, k))));
+        }
+        waiting.extend(element.children());
+    }
+    owners
 }
 
 /// s f as a polynomial.
